@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Draws every shipped scene for the README, and a sheet of all of them; then tour.sh takes
-# pictures of the preview and of the page.
+# Draws every shipped scene for the README, and a contact sheet of all scenes; then tour.sh
+# takes pictures of the preview and of the page.
 #
 #   ports/gallery.sh PROGRAM FOLDER
 #
-# Each at the frame that shows what it is about; a scene that is not listed here, at 300.
+# Each scene is drawn at a frame typical for its subject; a scene not listed here at 300.
 set -eu
 [ $# = 2 ] || { echo "usage: ports/gallery.sh PROGRAM FOLDER" >&2; exit 2; }
 program=$1 folder=$2

@@ -1,12 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Shows a scene in a window; without a display draws a picture and a short film of it into
-# the folder out, and says where they are.  Exits as the program does.
+# Shows a scene in a window.  Without a display draws a picture and a short film into the
+# folder out and prints their paths.  Exits with the program's exit code.
 #
 #   ports/run.sh PROGRAM SCENE
 set -eu
 [ $# = 2 ] || { echo "usage: ports/run.sh PROGRAM SCENE" >&2; exit 2; }
-program=$1 scene=$2 no_display=4        # the program's exit code where there is none
+program=$1 scene=$2 no_display=4        # the program's exit code without a display
 
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
     echo "the preview of $scene: F1 lists the keys, Escape quits"

@@ -1,18 +1,18 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Installs what a Debian or Ubuntu machine lacks, and says what and why.
+# Installs missing packages on Debian or Ubuntu, and prints each with its purpose.
 #
 #   ports/setup.sh run|test|gallery|bench|web|serve|all
 #
-# `run` builds and shows, `test` adds the host's tests, `gallery` what takes its pictures
-# and lays them out, `bench` has renderers to compare with, `web` makes the page and
-# `serve` serves it, `all` adds other processors, boards, windows and the page to the
-# tests.  Without apt, or without root (tries sudo -n), it prints the exact command: of
-# things needed to build it then stops with 3, of things that only tests need it goes on,
-# and those tests say that they were skipped.
+# Groups: `run` to build and show, `test` for the host's tests too, `gallery` to take the
+# pictures, `bench` for renderers to compare with, `web` to make the page, `serve` to serve
+# the page, `all` for tests on other processors, boards, windows and the page too.
+# Without apt or root (sudo -n is tried) it prints the exact command.  It then stops with 3
+# if a package is needed to build.  If a package is needed by tests only, it goes on, and
+# the tests report that they were skipped.
 set -u
 
-# group | package | how to see that it is there | what for
+# group | package | test for its presence | purpose
 packages='
 run  | gcc                       | cmd gcc                     | the compiler
 run  | libc6-dev                 | inc stdio.h                 | headers of the C library

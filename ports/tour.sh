@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Takes the README's pictures of the preview and of the page, each of few colours and no
-# more than 120 KB.
+# Takes the README's pictures of the preview and of the page, each reduced to few colours
+# and at most 120 KB.
 #
 #   ports/tour.sh PROGRAM FOLDER
 #
-# The preview runs in a display of its own and is driven by its keys; the page, where
-# build/web has one, is opened in Chromium.  What a machine lacks for one of them leaves
-# that picture as it was, and is said.
+# The preview runs in a display of its own and is driven by key presses.  The page, if built
+# in build/web, is opened in Chromium.  If a machine lacks a needed program, the picture is
+# left as it was, and a message names the program.
 set -u
 [ $# = 2 ] || { echo "usage: ports/tour.sh PROGRAM FOLDER" >&2; exit 2; }
 program=$(realpath "$1") || exit 3
@@ -46,7 +46,7 @@ trap 'exit 143' TERM HUP
 export HOME="$work" XDG_CONFIG_HOME="$work/config" XDG_STATE_HOME="$work/state"
 export XDG_CACHE_HOME="$work/cache" LC_ALL=C
 
-# until_true COMMAND...: tries for twenty seconds.
+# until_true COMMAND...: repeats a command until it succeeds, for at most 20 s.
 until_true() {
     for _ in $(seq 100); do
         "$@" && return 0
@@ -55,7 +55,7 @@ until_true() {
     return 1
 }
 
-# keep PICTURE NAME: with as many colours as 120 KB hold.
+# keep PICTURE NAME: saves with the most colours that fit into 120 KB.
 keep() {
     [ -s "$1" ] || { lose "$2.png could not be taken"; return; }
     for colours in 256 192 128 96 64 48 32; do
@@ -79,12 +79,12 @@ find_window() {
     [ -n "$window" ]
 }
 press() { xdotool windowfocus "$window" key "$@"; }
-take() {        # SECONDS NAME: what the window shows after so long
+take() {        # SECONDS NAME: takes the window's picture after a time
     sleep "$1"
     import -silent -window "$window" "$work/whole.png"
     keep "$work/whole.png" "$2"
 }
-stop() {        # what Escape closes first may be something else
+stop() {        # the first Escape may close a dialog instead
     for _ in 1 2 3 4 5; do
         kill -0 "$viewer" 2>/dev/null || break
         press Escape 2>/dev/null
@@ -115,7 +115,7 @@ tour_of_preview() {
     stop
     start three-swells --no-panel || return 1
     sleep 6
-    press p F4 F8               # beside the reference, exact, triangles, rows, projected,
+    press p F4 F8               # compared: reference, exact, triangles, rows, projected,
     press shift+F8 shift+F8 shift+F8 shift+F8 shift+F8          # flat
     take 2 tour-compare
     stop

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* A dumb buffer is made, given a number that CRTCs know it by, and mapped. */
+/* Creates a dumb buffer, registers it as a framebuffer for CRTCs, and maps it. */
 #define _POSIX_C_SOURCE 200809L
-#define _FILE_OFFSET_BITS 64            /* they lie at offsets above 4 GB */
+#define _FILE_OFFSET_BITS 64            /* map offsets exceed 4 GB */
 #include <errno.h>
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
 #include "buffer.h"
 
-#define SIDE 4096                       /* of a picture */
+#define SIDE 4096                       /* largest side of a picture, px */
 
 bool kms_ask(int card, unsigned long request, void *what)
 {
@@ -75,7 +75,8 @@ static void put_565(uint16_t *to, const uint32_t *from, uint32_t count)
                            | (from[x] >> 3 & 0x001f));
 }
 
-/* By a row in common memory: a card's is slow to write in pieces, slower to read. */
+/* Converts row by row in ordinary memory: a card's memory is slow to write in pieces and
+ * slower to read. */
 void kms_buffer_draw(kms_buffer *b, const picture *p)
 {
     uint32_t line[SIDE];

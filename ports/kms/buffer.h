@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The kernel's calls, and its dumb buffers: memory that a CRTC shows as it is. */
+/* The kernel's DRM calls, and dumb buffers: memory shown by a CRTC without conversion. */
 #ifndef KMS_BUFFER_H
 #define KMS_BUFFER_H
 #include <stdbool.h>
@@ -8,21 +8,22 @@
 #include "choose.h"
 
 typedef struct {
-    uint32_t handle, fb, pitch;         /* 0: there is none */
-    uint32_t width, height, bits;       /* a pixel: 32 (xrgb8888) or 16 (rgb565) */
+    uint32_t handle, fb, pitch;         /* 0: none */
+    uint32_t width, height, bits;       /* bits per pixel: 32 (xrgb8888) or 16 (rgb565) */
     uint64_t bytes;
     uint8_t *map;
-    uint32_t drawn_width, drawn_height; /* of the picture in it */
+    uint32_t drawn_width, drawn_height; /* size of its picture, px */
 } kms_buffer;
 
-/* An ioctl, begun anew where a signal broke it off.  False: see errno. */
+/* ioctl, repeated if interrupted by a signal.  Returns false on failure, with errno. */
 bool kms_ask(int card, unsigned long request, void *what);
 
-/* Black.  False, with errno, and nothing is left of it. */
+/* Makes a black buffer.  Returns false with errno; nothing is then left allocated. */
 bool kms_buffer_make(int card, kms_buffer *b, uint32_t width, uint32_t height,
                      uint32_t bits);
 void kms_buffer_free(int card, kms_buffer *b);
 
-/* A picture in its middle: of a larger one the middle. */
+/* Draws a picture into the middle of the buffer; a larger picture is cropped around its
+ * middle. */
 void kms_buffer_draw(kms_buffer *b, const picture *p);
 #endif

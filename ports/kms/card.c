@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Opening, becoming master, choosing, lighting; each step undone if a later one fails. */
+/* Opening a card, becoming DRM master, choosing and setting a mode; on failure each
+ * earlier step is undone. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <fcntl.h>
@@ -9,7 +10,7 @@
 #include <unistd.h>
 #include "card.h"
 
-#define SIDE  4096              /* of a picture */
+#define SIDE  4096              /* largest side of a picture, px */
 #define CARDS 16
 #define DRI   "/dev/dri/"
 #define HOW   (O_RDWR | O_CLOEXEC | O_NONBLOCK)
@@ -19,7 +20,7 @@ static bool ask(const kms_card *c, unsigned long request, void *what)
     return kms_ask(c->fd, request, what);
 }
 
-/* False, and why: for people, if they are told. */
+/* Writes the reason of a failure to c->why, for a message to the person.  Returns false. */
 static bool cannot(kms_card *c, const char *what)
 {
     snprintf(c->why, sizeof c->why, "%s: %s", what, strerror(errno));
@@ -60,8 +61,8 @@ static void read_seat(const char *device, char seat[128])
     seat[n > 0 ? n : 0] = 0;
 }
 
-/* One that was unplugged comes back with another number, while the old one is open in
- * some process: it is known by where it is plugged in. */
+/* Opens a card again after unplugging.  It comes back with another number if a process
+ * still holds the old one open: the card is found by its place in the hardware (`seat`). */
 static int open_again(const kms_card *c)
 {
     char device[32], seat[128];
@@ -115,7 +116,7 @@ static uint32_t side(uint32_t wanted, uint32_t mode)
     return wanted && wanted < most ? wanted : most;
 }
 
-/* Black, in 32 bits a pixel or, where they are refused, 16. */
+/* Sets the mode with black buffers, of 32 bits per pixel or, if refused, 16. */
 static bool light(kms_card *c)
 {
     uint32_t w = c->now.mode.hdisplay, h = c->now.mode.vdisplay;
@@ -135,7 +136,7 @@ static bool light(kms_card *c)
     return false;
 }
 
-/* What the console, or whoever had the screen, showed. */
+/* Saves the picture and mode of the console or of the program before us. */
 static bool remember(kms_card *c)
 {
     struct drm_mode_crtc was = { .crtc_id = kms_crtc(c) };
@@ -193,7 +194,7 @@ bool kms_take_first(kms_card *c)
         c->device = all[i];
         took = kms_take(c, true);
     }
-    if (!took && c->fd < 0) {           /* there is no other: the first one's trouble */
+    if (!took && c->fd < 0) {           /* no other card: report the first one's fault */
         c->device = device;
         memcpy(c->why, why, sizeof why);
     }
@@ -208,7 +209,8 @@ bool kms_still_ours(kms_card *c, bool probe)
         && (is.fb_id == c->buffers[0].fb || is.fb_id == c->buffers[1].fb);
 }
 
-/* The old picture before ours goes: a CRTC whose buffer goes is turned off. */
+/* Restores the old picture before freeing our buffers: freeing the shown buffer turns
+ * the CRTC off. */
 void kms_give_back(kms_card *c)
 {
     struct drm_mode_crtc to = { .crtc_id = c->before.crtc_id };

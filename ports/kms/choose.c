@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Each connector gets a rank, and each of its modes; the first of the highest wins. */
+/* Ranks connectors and their modes; the first of the highest rank wins. */
 #include "choose.h"
 
 static bool holds(const struct drm_mode_modeinfo *m, uint32_t width, uint32_t height)
@@ -64,7 +64,7 @@ void kms_offer(kms_choice *best, const kms_head *head, uint32_t width, uint32_t 
                   : !holds(&c.mode, width, height)   ? KMS_SMALL
                                                      : KMS_FITS;
     } else if (!c.sure) {
-        return;         /* nothing known of it at all: taken for an empty socket */
+        return;         /* status and modes unknown: treated as not connected */
     }
     if (rank(&c) > rank(best))
         *best = c;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Connectors, their encoders, and the CRTCs that those can take. */
+/* Reads connectors, their encoders, and the CRTCs usable with the encoders. */
 #include "heads.h"
 #include "buffer.h"
 
@@ -16,7 +16,8 @@ static uint32_t index_of(const kms_heads *all, uint32_t crtc)
     return KMS_OFF;
 }
 
-/* Counts of 0 have the kernel probe the monitor; what it found is then fetched. */
+/* Reads a connector.  The first call has counts of 0, which makes the kernel probe the
+ * monitor; the second call fetches the result. */
 static bool read_head(int card, kms_heads *all, uint32_t connector)
 {
     kms_head *h = &all->head;

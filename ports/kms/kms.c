@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* A screen by Linux's mode setting (DRM/KMS): dumb buffers and the kernel's bare calls.
+/* A screen by Linux's mode setting (DRM/KMS): dumb buffers and plain kernel calls.
  *
- * Two buffers of the mode's size.  A picture is drawn into the one that is not shown, and
- * the kernel flips to it at the next vertical blank.  A driver that has no flips is told
- * to show the other buffer; where there is no room for two, pictures are copied into the
- * shown one.  Whatever goes wrong while it runs (monitor or card unplugged, screen taken
- * by another program) leaves the screen dark: pictures are then thrown away, and when the
- * kernel tells of a plug, or once a second, everything is looked for anew.
+ * There are two buffers of the mode's size.  A picture is drawn into the hidden buffer,
+ * and the kernel flips to it at the next vertical blank.  Without flips the driver is
+ * told to show the other buffer (SETCRTC).  Without room for two buffers, pictures are
+ * drawn into the shown one.  Any fault at run time (monitor or card unplugged, screen
+ * taken by another program) leaves the screen dark: pictures are dropped, and after a
+ * hotplug event, or once a second, the screen is set up anew.
  *
- * Flips carry their whole picture; a driver that copies buffers to its screen is told by
- * DIRTYFB of those that came otherwise. */
+ * A flip shows the whole picture.  For pictures shown in other ways DIRTYFB informs
+ * drivers with a buffer of their own, to be copied to the screen. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <poll.h>
@@ -25,17 +25,17 @@
 #include "../screen/screen.h"
 #include "card.h"
 
-#define LOST_MS 250             /* a flip that takes longer will never be done */
+#define LOST_MS 250             /* a flip pending for longer is given up */
 #define LOOK_MS 1000
 
 struct screen {
     kms_card card;
-    int      plugs, second;     /* the kernel's news of hardware; every second; or -1 */
+    int      plugs, second;     /* hotplug socket; timer of 1 s; -1: none */
     bool     away;
-    bool     drawn;             /* a picture since it was lit */
-    bool     flips, dirty;      /* what the driver is thought to know */
+    bool     drawn;             /* a picture was drawn since lit */
+    bool     flips, dirty;      /* calls supported by the driver, until one fails */
     uint64_t flip, pending;     /* numbers of flips; 0: none */
-    int64_t  flipped, looked;   /* when, ms */
+    int64_t  flipped, looked;   /* times, ms */
 };
 
 static int64_t now_ms(void)
@@ -47,7 +47,7 @@ static int64_t now_ms(void)
 
 /* -- events ------------------------------------------------------------------------ */
 
-/* False: there are none any more. */
+/* Reads flip events.  Returns false if the card fails. */
 static bool read_flips(screen *s)
 {
     struct drm_event_vblank e;
@@ -74,7 +74,7 @@ static void wait_flip(screen *s)
     s->pending = 0;
 }
 
-/* The group that the kernel itself speaks to; without it a look each second is left. */
+/* Opens the netlink group for kernel events; without it a check per second remains. */
 static int open_plugs(void)
 {
     struct sockaddr_nl from = { .nl_family = AF_NETLINK, .nl_groups = 1 };
@@ -96,14 +96,14 @@ static int open_second(void)
     return fd;
 }
 
-/* Whether something happened to a graphics card: a message is words that end in 0. */
+/* True if an event concerns a graphics card.  A message is a list of 0-terminated words. */
 static bool read_plugs(screen *s)
 {
     char text[4096];
     ssize_t n;
     bool any = false;
     while ((n = recv(s->plugs, text, sizeof text - 1, 0)) >= 0 || errno == ENOBUFS) {
-        any = any || n < 0;     /* some were lost */
+        any = any || n < 0;     /* overflow: some were lost */
         text[n < 0 ? 0 : n] = 0;
         for (ssize_t at = 0; at < n; at += (ssize_t)strlen(text + at) + 1)
             any = any || strcmp(text + at, "SUBSYSTEM=drm") == 0;
@@ -111,7 +111,7 @@ static bool read_plugs(screen *s)
     return any;
 }
 
-/* -- dark and lit ------------------------------------------------------------------ */
+/* -- losing and taking the screen -------------------------------------------------- */
 
 static bool take(screen *s, bool first)
 {
@@ -128,7 +128,7 @@ static void look(screen *s, bool probe)
     if (!s->away && !kms_still_ours(c, probe)) {
         kms_darken(c);
         if (!take(s, false) && c->fd >= 0 && !kms_ask(c->fd, DRM_IOCTL_VERSION, &version))
-            kms_close_card(c);  /* unplugged: it may come back */
+            kms_close_card(c);  /* unplugged; may come back */
     }
     s->looked = now_ms();
 }
@@ -154,7 +154,7 @@ static bool flip(screen *s, const kms_buffer *b)
     if (!s->flips)
         return false;
     if (!kms_ask(s->card.fd, DRM_IOCTL_MODE_PAGE_FLIP, &f)) {
-        s->flips = errno == EBUSY || errno == EACCES || errno == ENOSPC;   /* may pass */
+        s->flips = errno == EBUSY || errno == EACCES || errno == ENOSPC;   /* temporary */
         return false;
     }
     s->pending = s->flip;
@@ -170,7 +170,8 @@ static void tell(screen *s)
         s->dirty = errno != ENOSYS && errno != EINVAL && errno != EOPNOTSUPP;
 }
 
-/* The other buffer cannot be shown: no longer master, unplugged, or no room for two. */
+/* The hidden buffer cannot be shown: not master, unplugged, or no memory.  Goes dark, or
+ * goes on with one buffer. */
 static void fall_back(screen *s, const picture *p)
 {
     kms_card *c = &s->card;
@@ -273,7 +274,7 @@ static tp_format kms_format(const screen *s)
     return s->card.buffers[0].bits == 16 ? TP_FORMAT_RGB565 : TP_FORMAT_XRGB8888;
 }
 
-/* Other programs find the screen as we found it; coming back, all is taken anew. */
+/* Restores the screen for other programs; on return the screen is set up anew. */
 static int kms_away(screen *s)
 {
     wait_flip(s);

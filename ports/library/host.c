@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene for callers: loading, values, steps.  Looks and pictures are in host_look.c and
- * host_picture.c. */
+/* A scene for library callers: loading, values, steps.  Camera modes are in host_look.c,
+ * pictures in host_picture.c. */
 #include "host.h"
 #include "frame/tools.h"
 #include "scene/value.h"
@@ -23,7 +23,8 @@ void host_after(void)
 
 /* -- a scene ----------------------------------------------------------------------- */
 
-/* A plain word is a file too, and no shipped scene's name. */
+/* Returns the path to open.  A plain word is a file in the current folder, never a
+ * shipped scene. */
 static char *path_of(const char *path)
 {
     const bool plain = !strchr(path, '/') && !path_ends(path, ".ini");
@@ -40,7 +41,7 @@ static options options_of(const char *path, const tp_host_config *config)
                       .threads = config->threads };
 }
 
-/* Before anything is read: a frame would refuse it as well. */
+/* Checks the size before any file is read; a frame would refuse it too. */
 static int check(const options *o)
 {
     const tp_config config = { .width = o->width,
@@ -121,7 +122,8 @@ static char *setting_of(const char *name, const char *value)
     return strcat(setting, value);
 }
 
-/* What is said of camera.follow is for the free camera; other ways have their own. */
+/* Sets a value. camera.follow set by the caller applies to the free camera; other camera
+ * modes set their own. */
 static int set(tp_host *h, const char *name, const char *setting)
 {
     bool opened = false;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a tp_host is made of; tidepool/host.h is what callers see. */
+/* The inside of a tp_host; tidepool/host.h is the public header. */
 #ifndef LIBRARY_HOST_H
 #define LIBRARY_HOST_H
 #include "../host/stage.h"
@@ -9,19 +9,20 @@
 
 struct tp_host {
     stage stage;
-    options options; /* as the program's command line would have them */
-    tp_scene filed;  /* of which look_follow wants camera.follow */
+    options options; /* as from the program's command line */
+    tp_scene filed;  /* has the free camera's camera.follow */
     look look;
     poke_queue pokes;
     tp_host_picture picture;
 };
 
-/* From here to `after` what this thread says goes to *err, or nowhere. */
+/* Between host_before and host_after this thread's messages go to *err, or nowhere. */
 typedef struct {
     tp_host_error *err, own;
 } host_call;
 
-/* Gives camera.follow what the way to look wants; an exit code, and has said why. */
+/* Sets camera.follow for the camera mode.  Returns an exit code; the reason has been
+ * said. */
 int host_follow(tp_host *host);
 
 void host_before(host_call *call, tp_host_error *err);

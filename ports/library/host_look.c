@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The ways to look: those of ports/live, and camera.follow as they want it. */
+/* Camera modes: the modes of ports/live, and the camera.follow each mode needs. */
 #include <string.h>
 #include "../host/say.h"
 #include "host.h"
@@ -11,7 +11,8 @@ _Static_assert((int)TP_HOST_FREE == LOOK_FREE && (int)TP_HOST_ORBIT == LOOK_ORBI
                    && (int)TP_HOST_WAYS == LOOK_MODES,
                "one order");
 
-/* It is no change of the scene's that a caller asked for: set_at stays. */
+/* Sets camera.follow for the mode. stage_put keeps set_at: the change was not made by
+ * the caller. */
 int host_follow(tp_host *h)
 {
     static const char *const words[] = { "none", "boat" };

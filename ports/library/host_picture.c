@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures, and their PNGs.  A file is replaced as a whole: a temporary one beside it takes
- * its name.  The program's own way (output.h) would catch signals, which are the caller's
- * here. */
+/* Pictures and PNG files.  A file is replaced atomically: a temporary file beside it is
+ * renamed.  The program's own code for this (output.h) catches signals, which belong to
+ * the caller here. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <fcntl.h>
@@ -13,7 +13,7 @@
 #include "../host/say.h"
 #include "host.h"
 
-#define TRIES 1000 /* names, until one is free */
+#define TRIES 1000 /* names tried until one is free */
 
 const tp_host_picture *tp_host_draw(tp_host *host)
 {
@@ -43,7 +43,8 @@ static int write_to(const picture *p, const char *path)
     return file ? end(file, picture_put_png(p, file)) : errno;
 }
 
-/* A new file beside `path`, its name in `temporary`; -1: errno tells. */
+/* Opens a new file beside `path`; writes its name to `temporary`.  Returns -1 on
+ * failure, with errno. */
 static int open_beside(const char *path, char *temporary, size_t bytes)
 {
     int fd = -1;
@@ -55,7 +56,7 @@ static int open_beside(const char *path, char *temporary, size_t bytes)
     return fd;
 }
 
-/* The new file has the rights of the old one. */
+/* Renames the new file, with the old file's permissions. */
 static int take_name(const char *temporary, const char *path)
 {
     struct stat there;
@@ -80,7 +81,7 @@ static int replace(const picture *p, const char *path, char *temporary, size_t b
     return error;
 }
 
-/* A device or a link is written as it is. */
+/* Saves a picture.  A device or a link is written directly. */
 static int save(const picture *p, const char *path)
 {
     struct stat there;

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* /dev/fb0: the frame buffer of Linux, mapped into memory.
+/* /dev/fb0: the frame buffer device of Linux, mapped into memory.
  *
- * Its mode is taken as it is: 8, 16, 24 or 32 bits a pixel, channels anywhere, lines of
- * any length (../screen/layout.h).  Where the memory holds two screens, pictures go to the
- * one not shown, which is panned to, but not of DRM drivers, which copy the first alone;
- * else into the one there is, in its blank.  What was on the screen is put back by close. */
-#define _GNU_SOURCE             /* flock, memmem */
+ * The current mode is kept: 8, 16, 24 or 32 bits per pixel, channels and line length as
+ * described by the driver (../screen/layout.h).  If the memory holds two screens,
+ * pictures are written to the hidden page, and the display is panned to it; not with DRM
+ * drivers, which copy the first page only.  Otherwise pictures are written into the
+ * visible page during the vertical blank. close() restores the former content of the
+ * screen. */
+#define _GNU_SOURCE             /* for flock, memmem */
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/fb.h>
@@ -25,18 +27,20 @@ typedef struct { uint16_t red[256], green[256], blue[256]; } colours;
 struct screen {
     const char *device;
     int       fd;
-    struct fb_var_screeninfo var;       /* as they were found */
+    struct fb_var_screeninfo var;       /* both as found at the start */
     struct fb_fix_screeninfo fix;
-    colours   found;                    /* its table, if it has one, ... */
-    bool      tabled;                   /* ... for indices or for each channel */
-    int       table_of;                 /* the format whose table is set, -1: none */
+    colours   found;                    /* colour table as found */
+    bool      tabled;                   /* has a colour table, for indices or per channel */
+    int       table_of;                 /* format with its table set, -1: none */
     layout    layout;
-    uint32_t  width, height;            /* of pictures */
-    uint8_t  *map, *saved;              /* saved: what was there */
-    uint8_t  *row;                      /* one in the making: the map is slow to write */
-    bool      pan, blank, away;         /* two pages; FBIO_WAITFORVSYNC works */
-    bool      shown;                    /* a picture: from now on it can be lost */
-    uint32_t  page, cleared;            /* shown; with black borders, a bit each */
+    uint32_t  width, height;            /* of pictures, px */
+    uint8_t  *map, *saved;              /* saved: former content */
+    uint8_t  *row;                      /* a row being converted: the map is slow to
+                                         * write */
+    bool      pan, blank, away;         /* pan: two pages; blank: FBIO_WAITFORVSYNC works */
+    bool      shown;                    /* after the first picture a failure is EXIT_LOST */
+    uint32_t  page, cleared;            /* page: the visible one; cleared: bit per page
+                                         * with black borders */
 };
 
 static int refuse(const screen *s, const char *what)
@@ -45,7 +49,7 @@ static int refuse(const screen *s, const char *what)
                 strerror(errno));
 }
 
-/* -- what is there --------------------------------------------------------------- */
+/* -- detection ------------------------------------------------------------------- */
 
 static channel channel_of(const struct fb_bitfield *field)
 {
@@ -76,7 +80,7 @@ static size_t pixel_bytes(const screen *s)
     return s->layout.bits / 8;
 }
 
-/* What is mapped must hold what will be written. */
+/* True if the mapped memory holds the whole screen. */
 static bool fits(const screen *s)
 {
     const uint64_t rows = (uint64_t)s->var.yoffset + s->var.yres, line = s->fix.line_length;
@@ -114,7 +118,7 @@ static int choose_size(screen *s, uint32_t width, uint32_t height)
                 s->device, s->var.xres, s->var.yres, s->width, s->height);
 }
 
-/* -- its table of colours -------------------------------------------------------- */
+/* -- colour table ---------------------------------------------------------------- */
 
 static int table_call(const screen *s, unsigned long request, colours *c)
 {
@@ -122,7 +126,7 @@ static int table_call(const screen *s, unsigned long request, colours *c)
     return ioctl(s->fd, request, &map);
 }
 
-/* Indices have the format's colours, channels an even ramp. */
+/* Sets the table: the format's colours for indices, a linear ramp for channels. */
 static int set_table(screen *s, tp_format format)
 {
     colours c;
@@ -136,7 +140,7 @@ static int set_table(screen *s, tp_format format)
 
 /* -- pictures -------------------------------------------------------------------- */
 
-/* The first line of the page that the next picture goes to. */
+/* Returns the first line of the page for the next picture. */
 static uint32_t first_line(const screen *s)
 {
     return s->pan ? (1 - s->page) * s->var.yres : s->var.yoffset;
@@ -148,7 +152,7 @@ static uint8_t *line(const screen *s, uint32_t y)
          + s->var.xoffset * pixel_bytes(s);
 }
 
-/* Centred, black around it; index 0 is black in every table of colours. */
+/* Writes a picture centred with a black border; index 0 is black in every colour table. */
 static void write_page(screen *s, const picture *p)
 {
     const size_t bytes = pixel_bytes(s), left = (s->var.xres - p->width) / 2 * bytes;
@@ -179,15 +183,15 @@ static bool pan(screen *s)
     return s->pan;
 }
 
-/* A display that was unplugged leaves its memory and nothing else: each call then fails
- * so. */
+/* True if the display was unplugged.  Its memory stays mapped, but each call fails with
+ * ENODEV. */
 static bool is_gone(const screen *s)
 {
     struct fb_var_screeninfo now;
     return ioctl(s->fd, FBIOGET_VSCREENINFO, &now) != 0 && errno == ENODEV;
 }
 
-/* A driver that does not pan after all has one page from now on. */
+/* Shows a picture.  If panning fails, only one page is used from now on. */
 static int fb_show(screen *s, const picture *p)
 {
     if (is_gone(s))
@@ -219,7 +223,8 @@ static tp_format fb_format(const screen *s)
     return layout_format(&s->layout);
 }
 
-/* There is one table for all consoles, of which they set a few entries. */
+/* Restores the colour table, shared by all consoles: text consoles set only a few
+ * entries. */
 static int fb_away(screen *s)
 {
     s->away = true;
@@ -228,7 +233,7 @@ static int fb_away(screen *s)
     return EXIT_DONE;
 }
 
-/* The console has written into its memory meanwhile, and may have changed the rest. */
+/* Meanwhile the console may have written to the memory and changed the table. */
 static int fb_back(screen *s)
 {
     s->away = false;
@@ -239,7 +244,7 @@ static int fb_back(screen *s)
 
 /* -- beginning and end ----------------------------------------------------------- */
 
-/* What will be written into: the rows that are shown, or both pages. */
+/* Returns the memory to be written: the visible rows, or both pages. */
 static uint8_t *touched(const screen *s, size_t *bytes)
 {
     const size_t of_line = s->fix.line_length;

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Ways to look, by bending input.
+/* Camera modes, implemented by changing the input.
  *
- * tp_world_step turns and tilts the camera first, and then moves it ahead and aside in
- * the new heading's frame, so any place and direction is reached by one input: with
- * (dx, dz) the way to go, s and c the new heading's sine and cosine,
+ * tp_world_step first turns and tilts the camera, then moves it forward and sideways
+ * along the new heading.  So one input can reach any position and direction: with (dx,
+ * dz) the way to go, s and c the sine and cosine of the new heading,
  *     ahead = (dx s - dz c) / (s^2 + c^2),  aside = (dx c + dz s) / (s^2 + c^2),
- * within 1 LSB of 16.16, whatever the tables leave of s^2 + c^2 - 1.  Around things the
- * camera's place follows from what is looked at, how far away and from where; each input
- * leads there from wherever the camera is, so no error of a tick stays, and a world that
- * was made anew in between does no harm.
+ * exact within 1 LSB of Q16.16, whatever the error of the tables in s^2 + c^2 = 1.  In
+ * the modes orbit and top the camera's position follows from the target, the distance
+ * and the direction.  Each input leads there from the current camera pose: an error of a
+ * tick does not persist, and a world made anew in between does no harm.
  *
- * On the deck the camera is as free as it ever is, in the deck's own axes: only its first
- * place is given.  So is the way back to where it was free. */
+ * On the deck the camera moves freely in the deck's axes: the mode sets its first pose
+ * only.  The mode free restores the pose where the camera was free last. */
 #include "look.h"
 #include "scene/world.h"
 #include "tidepool/modules.h"
@@ -21,18 +21,19 @@
 #define AWAY_LEAST  TP_FX_ONE
 #define AWAY_MOST   (4000 * TP_FX_ONE)
 
-/* What is farther is not gone round: 25 m, and 4 times as far as the eye is high. */
+/* Upper limit of the orbit's radius: 25 m plus 4 times the height of the eye. */
 #define AHEAD_MOST  (25 * TP_FX_ONE)
-/* A step is one of 16 m away; from farther it is longer by as much. */
+/* A step of input is scaled by distance / 16 m, if the distance exceeds 16 m. */
 #define AWAY_USUAL  16
 
-/* Of a boat of 15 m: 7.5 m abaft the middle, 3.4 m high, looking over the bow under its
- * sail.  The boat's length is all that is known of it in metres. */
+/* Camera on deck, as fractions of the boat's length, the only size of a boat known in
+ * metres.  For a boat of 15 m: 7.5 m abaft the middle, 3.4 m high, looking over the bow
+ * below the sail. */
 #define DECK_Y      TP_FX(3.4 / 15)
 #define DECK_Z      TP_FX(7.5 / 15)
 #define DECK_PITCH  TP_DEG(-6)
 
-/* Around the boat, when one comes from its deck. */
+/* Pitch of the orbit around the boat, when entered from its deck. */
 #define ROUND_PITCH TP_DEG(-15)
 
 const char *look_name(look_mode mode)
@@ -47,14 +48,15 @@ tp_camera_follow look_follow(const look *l, const tp_scene *filed)
          : l->mode == LOOK_FREE ? (tp_camera_follow)filed->camera.follow : TP_FOLLOW_NONE;
 }
 
-/* -- what is looked at -------------------------------------------------------------- */
+/* -- target ------------------------------------------------------------------------- */
 
 static tp_fx held(int64_t x, int64_t most)
 {
     return (tp_fx)tp_limit(x, most);
 }
 
-/* From `from`, so far along the line that leads backward, or with a minus ahead. */
+/* Returns the point at signed distance `far` m (Q16.16) from `from` along `back`;
+ * negative = ahead. */
 static tp_vec3 along(tp_vec3 from, tp_dir3 back, int64_t far)
 {
     const tp_fx by = held(far, PLACE_MOST);
@@ -64,7 +66,7 @@ static tp_vec3 along(tp_vec3 from, tp_dir3 back, int64_t far)
                       tp_fx_plus(from.z, tp_q30_mul(by, back.z)) };
 }
 
-/* Metres ahead of a camera; sums of three products of 2^61 at the most. */
+/* Returns the distance of a point ahead of the camera, m; each product is at most 2^61. */
 static int64_t ahead_of(const tp_camera *camera, tp_vec3 place)
 {
     const tp_dir3 *back = &camera->turn.z;
@@ -75,8 +77,8 @@ static int64_t ahead_of(const tp_camera *camera, tp_vec3 place)
     return -((x * back->x >> 30) + (y * back->y >> 30) + (z * back->z >> 30));
 }
 
-/* Whether the boat is in the middle of the picture: within 12 degrees of it, and nearer
- * than 200 m. */
+/* True if the boat is in the middle of the picture: within 12 degrees, and nearer than
+ * 200 m. *far: its distance ahead, m. */
 static bool sees_boat(const tp_camera *camera, const tp_world *world,
                       const tp_scene *scene, int64_t *far)
 {
@@ -91,7 +93,8 @@ static bool sees_boat(const tp_camera *camera, const tp_world *world,
     return *far > 0 && *far < 200 * TP_FX_ONE && off * 5 < *far;
 }
 
-/* How far ahead what is looked at lies: the boat, water, or nothing that is near. */
+/* Returns the distance of the target ahead, m: the boat, the water, or the limit if
+ * neither is near. */
 static int64_t aim(look *l, const tp_camera *camera, const tp_world *world,
                    const tp_scene *scene)
 {
@@ -113,7 +116,7 @@ static int64_t aim(look *l, const tp_camera *camera, const tp_world *world,
     return far < most ? far : most;
 }
 
-/* The camera's angles in the world, wherever it stands. */
+/* Sets heading and pitch of the camera in world axes, on deck too. */
 static void face(look *l, const tp_camera *camera, const tp_world *world)
 {
     const tp_dir3 *back = &camera->turn.z;
@@ -127,7 +130,7 @@ static void face(look *l, const tp_camera *camera, const tp_world *world)
     }
 }
 
-/* What was in view was the deck. */
+/* Entering orbit or top from the deck: the target is the boat. */
 static void leave_deck(look *l, const tp_world *world, const tp_scene *scene)
 {
     l->with_boat = true;
@@ -152,7 +155,7 @@ static void begin_around(look *l, const tp_world *world, const tp_scene *scene)
     }
 }
 
-/* -- the ways ----------------------------------------------------------------------- */
+/* -- modes -------------------------------------------------------------------------- */
 
 static void begin_at(look *l, tp_vec3 eye, tp_turn heading, tp_turn pitch)
 {
@@ -188,7 +191,7 @@ bool look_begin(look *l, look_mode mode, const tp_world *world, const tp_scene *
     return true;
 }
 
-/* Steps grow with the distance; 32768 m are the most. */
+/* Scales a step by the distance; the result is at most 32768 m. */
 static int64_t scaled(const look *l, tp_fx step)
 {
     const int64_t by = l->away / AWAY_USUAL;
@@ -203,7 +206,7 @@ static void go_away(look *l, int64_t by, tp_fx near)
     l->away = (tp_fx)(away > AWAY_MOST ? AWAY_MOST : away < least ? least : away);
 }
 
-/* A step aside is so much of a turn: 2^32 / 2 pi of it a radian. */
+/* Orbit.  A sideways step of d m turns by d / distance radians; a radian is 2^32 / 2 pi. */
 static void go_round(look *l, const tp_scene *scene, const tp_input *input)
 {
     const int64_t radian = 683565276;
@@ -227,7 +230,7 @@ static void glide(look *l, const tp_scene *scene, const tp_input *input)
     go_away(l, scaled(l, input->up), scene->camera.near);
 }
 
-/* A boat's heaving is not followed. */
+/* Moves the target with the boat in x and z; heave is not followed. */
 static void go_with_boat(look *l, const tp_world *world, const tp_scene *scene)
 {
     const tp_vec3 *boat = &world->boat.place;
@@ -240,7 +243,8 @@ static void go_with_boat(look *l, const tp_world *world, const tp_scene *scene)
     l->boat_z = boat->z;
 }
 
-/* Differences of places are below 2^30, so are sines, and s^2 + c^2 is about that. */
+/* Writes the input leading to the mode's pose.  Differences of positions are below 2^30,
+ * sines at most 2^30 (Q2.30), and `one` is about 2^30. */
 static void lead(const look *l, const tp_world *world, tp_input *input)
 {
     const tp_rotation turn = tp_rotation_of(l->heading, l->pitch, 0);

@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* Pokes and stirs: hats of the height that the scene's own pokes have. */
+/* Pokes and stirs: splashes of the scene's own poke height. */
 #include "poke.h"
 #include "fx/fx.h"
 
-#define STIR 3                  /* of them are as high as a poke */
+#define STIR 3                  /* stirs as high as one poke */
 
-/* What is poked, or NULL. */
+/* Returns the grid to poke: the pool, else the field, else NULL. */
 static const tp_scene_pool *poked(const tp_scene *scene)
 {
     return scene->pool.cols > 0 ? &scene->pool
          : scene->field.cols > 0 ? &scene->field : NULL;
 }
 
-/* So many quarters of a side from its middle. */
+/* Returns a coordinate `quarters` quarters of a side from the middle, m. */
 static tp_fx place(tp_fx middle, int32_t cells, tp_fx cell, int32_t quarters)
 {
     return tp_fx_held(middle + (int64_t)cells * cell * quarters / 4);
@@ -36,7 +36,7 @@ tp_push poke_at(const tp_scene *scene, tp_fx x, tp_fx z)
     return (tp_push){ .height = pool ? pool->poke : 0, .x = x, .z = z };
 }
 
-/* -- a tick -------------------------------------------------------------------------- */
+/* -- input of a tick ----------------------------------------------------------------- */
 
 static uint32_t room_of(const tp_input *input)
 {
@@ -58,7 +58,7 @@ bool poke_put(tp_input *input, const tp_push *push)
     return false;
 }
 
-/* -- what waits ---------------------------------------------------------------------- */
+/* -- queue --------------------------------------------------------------------------- */
 
 bool poke_add(poke_queue *queue, const tp_push *push)
 {
@@ -78,8 +78,8 @@ void poke_stir(poke_queue *queue, tp_fx x, tp_fx z)
     queue->path[at].z = z;
 }
 
-/* Of a path of more places than there is room for as many as fit, evenly, its end among
- * them.  Without any room it waits. */
+/* Moves the path to the input.  A path of more points than there is room for is sampled
+ * evenly, its end included.  Without any room the path waits. */
 static void take_path(poke_queue *queue, const tp_scene *scene, tp_input *input)
 {
     const uint32_t room = room_of(input);

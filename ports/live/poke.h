@@ -1,32 +1,31 @@
 /* SPDX-License-Identifier: MIT */
-/* Pokes and stirs of the pool.  Without a pool, of the field: that is where it would be
- * poked, but no world takes such an input yet (tidepool/scene.h).
+/* Pokes and stirs of the pool.  A scene without a pool pokes its field at the same
+ * points, but no world accepts such an input yet (tidepool/scene.h).
  *
- * Every poke acts.  A tick takes TP_PUSHES of them in their order; the others wait for the
- * next ticks in a queue, as do all while no tick is made.  A stir is the path of a mouse or
- * a finger: what it puts into a tick, a third of a poke, is shared among the places that
- * the path has passed since the last one, so that a device that reports more often stirs
- * no more. */
+ * No poke is lost while the queue has room.  A tick takes up to TP_PUSHES pokes in
+ * order; the others wait for later ticks.  A stir is the path of a mouse or a finger.
+ * The strength of a stir per tick, a third of a poke, is divided among the points since
+ * the last tick: a device with more reports per second stirs no more. */
 #ifndef LIVE_POKE_H
 #define LIVE_POKE_H
 #include "tidepool/world.h"
 
-#define POKE_POINTS 6           /* of the Czech report: two rows of three */
-#define POKE_WAITS  64          /* pokes that may wait */
-#define POKE_PATH   32          /* places of a path that are kept */
+#define POKE_POINTS 6           /* two rows of three, as in the Czech report */
+#define POKE_WAITS  64          /* most waiting pokes */
+#define POKE_PATH   32          /* most points of a path */
 
-/* Poke number 0..5 of the scene's pool (or field): far left ... near right, as seen from
- * the scene's south, a quarter of a side from the edges.  Of another number, or a scene
- * without either, the height is 0. */
+/* Returns poke number 0..5 of the scene's pool (or field): 0 far left ... 5 near right,
+ * seen from the scene's south, at a quarter of a side from the edges.  The height is 0
+ * for another number, or for a scene without pool and field. */
 tp_push poke_point(const tp_scene *scene, uint32_t number);
 
-/* A poke at a place, likewise. */
+/* Returns a poke at (x, z), m; height 0 without pool and field. */
 tp_push poke_at(const tp_scene *scene, tp_fx x, tp_fx z);
 
-/* Into the first free place of an input; false: it has none, and nothing is done. */
+/* Adds a poke to an input.  Returns false if the input has no free place. */
 bool poke_put(tp_input *input, const tp_push *push);
 
-/* Begins all 0. */
+/* Starts as all 0. */
 typedef struct {
     tp_push  waits[POKE_WAITS];         /* a ring: waits[(first + i) % POKE_WAITS] */
     uint32_t first, count;
@@ -34,12 +33,12 @@ typedef struct {
     uint32_t places;
 } poke_queue;
 
-/* False: so many wait already that it is lost. */
+/* Queues a poke.  Returns false if the queue is full; the poke is then lost. */
 bool poke_add(poke_queue *queue, const tp_push *push);
 
-/* One place farther on the path; of one that is longer than is kept the end moves on. */
+/* Adds a point to the path.  If the path is full, its last point is replaced. */
 void poke_stir(poke_queue *queue, tp_fx x, tp_fx z);
 
-/* Moves to the input of a tick what it has room for: pokes first, then the path. */
+/* Moves pokes, then the path, to a tick's input, as far as there is room. */
 void poke_take(poke_queue *queue, const tp_scene *scene, tp_input *input);
 #endif

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Changes of parameters: the scene is changed, the world takes it, and if it cannot the
- * scene is changed back or the world has to be made anew.  No scene is left half changed,
- * and no world: a refresh that fails has done nothing.
+/* Changes of parameters.  The scene is changed, then the world takes the change.  If the
+ * world cannot take the change, either the scene is changed back or the caller makes a
+ * new world.  No scene and no world is ever half changed: a failed tp_world_apply has no
+ * effect.
  *
- * tp_world_apply leaves the camera where input has led it, so a number of the camera's
- * is put in place here. */
+ * tp_world_apply keeps the camera where input has moved it, so changes of camera.* are
+ * applied to the camera here. */
 #include "setting.h"
 #include "scene/value.h"
 #include "scene/world.h"
@@ -39,11 +40,12 @@ static void place_camera(tp_world *world, const tp_scene *scene, uint32_t offset
     default:
         return;
     }
-    tp_world_move_camera(world, &still); /* it jumps: there is no way between */
+    tp_world_move_camera(world, &still); /* a jump: no interpolation on the way */
 }
 
-/* Why the world did not take a number: it would do so in another block, or there is no
- * such world.  In a block of no bytes nothing is begun. */
+/* Returns the reason why the world did not take a number: SETTING_ANEW if a new world
+ * can, or SETTING_REFUSED. tp_world_init in a block of 0 bytes only checks and writes
+ * nothing. */
 static setting_result asked_anew(const tp_program *program, const tp_scene *scene,
                                  const tp_assets *assets, tp_error *err)
 {
@@ -75,7 +77,7 @@ setting_result setting_put(const tp_program *program, tp_scene *scene, tp_world 
                            const char *text, size_t bytes, tp_error *err)
 {
     char *at = (char *)scene + param->offset;
-    int32_t before;             /* of a number; a text refuses nothing but itself */
+    int32_t before;             /* old number; a failed text leaves the scene as it was */
 
     memcpy(&before, at, sizeof before);
     if (tp_param_set(scene, param, text, bytes, err))

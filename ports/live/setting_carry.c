@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What a world that was made anew takes over from the one before it: all that is not in
- * the parts behind its head, for which it was made anew.  So the sea, the sun and a boat
- * go on as if nothing had been, while pools are still. */
+/* State copied from an old world to a new world: everything in the world's head; the
+ * parts behind the head are the reason for the new world.  Sea, sun and boat continue
+ * without a jump, pools are still. */
 #include "features/exposure/meter.h"
 #include "scene/world.h"
 #include "setting.h"
@@ -27,7 +27,7 @@ static void carry_light(tp_world *to, const tp_world *from)
     to->last_light_elevation = from->last_light_elevation;
 }
 
-/* Waves are where they would be by now. */
+/* Copies tick and clock, and sets the phases of the waves for the tick. */
 static void carry_time(tp_world *to, const tp_world *from)
 {
     const tp_fx scale = to->clock_scale;

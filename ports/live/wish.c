@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Wishes of several moments for one tick: ways add up, levers stay where they are. */
+/* Adds up several inputs for one tick: motions are summed, lever positions take the last
+ * value. */
 #include "wish.h"
 
 void wish_add(tp_input *to, const tp_input *more)

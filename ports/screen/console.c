@@ -189,8 +189,8 @@ int console_fds(const console *c, struct pollfd fds[CONSOLE_KEYS])
     return n;
 }
 
-/* Stops listening to a descriptor after a hangup.  An EAGAIN is no error: another
- * program reading the same terminal may have taken the bytes reported by poll. */
+/* Stops listening to a descriptor after a hangup.  A read without bytes alone is no
+ * fault: another program on the same terminal may have taken the bytes reported by poll. */
 static void forget(console *c, int fd)
 {
     for (int i = 0; i < CONSOLE_KEYS; i++)

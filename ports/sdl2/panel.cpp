@@ -337,7 +337,7 @@ bool make_letters(panel *p)
 /* -- input and output ------------------------------------------------------------ */
 
 /* Sets the mouse position from window events.  The backend asks for the global mouse
- * state, which does not follow a pointer moved by a program (SDL_WarpMouse, tests). */
+ * state, which does not follow a pointer moved by a program. */
 void point(const panel *p)
 {
     int x, y;
@@ -471,8 +471,8 @@ void draw(panel *p, const ImDrawData &data)
             ink_draw(&p->pen, p->call, add_calls(p, *data.CmdLists[i], 0));
 }
 
-/* Opens the requested scene after the frame: opening a scene frees host lists used by
- * the frame. */
+/* Opens the requested scene after the frame, because the frame points into the host's
+ * lists. */
 void open_scene(panel *p)
 {
     const uint32_t scene = p->to_open;

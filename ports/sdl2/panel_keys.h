@@ -32,10 +32,10 @@ typedef struct {
     SDL_Rect  where;
 
     SDL_Event event[PANEL_KEYS];
-    uint32_t  events, waited;   /* frames since the first queued event could have gone */
-    bool      taken;            /* a key press of the last frame */
+    uint32_t  events, waited;   /* frames that the first event has waited */
+    bool      taken;            /* the panel took the last key press */
     bool      held;             /* a mouse button pressed in the panel */
-    bool      up, down;         /* mouse button changed in this frame */
+    bool      up, down;         /* this frame got a key release, a press */
 } panel_keys;
 
 /* True if a key or mouse event belongs to the panel alone. */

@@ -156,8 +156,7 @@ static void wish_for(view *v, tp_input *input)
     *input = control_input(&v->control, &v->keys, &v->pad,
                            v->panel && panel_types(v->panel));
     if (v->look.mode == LOOK_ORBIT || v->look.mode == LOOK_TOP) {
-        /* a held mode targets a pose: drop the camera input left over from earlier
-         * frames */
+        /* look_steer gives the whole way to a pose: drop older camera input */
         v->wish.forward = v->wish.strafe = v->wish.up = 0;
         v->wish.turn = v->wish.tilt = 0;
     }

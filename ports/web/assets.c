@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* What scenes name, as the page brings it: each file once, by its name under assets/, and
- * kept.  The page unpacks PNGs; OBJ and MTL come as they are, in pieces, to the core's
- * reader.  The page asks what is wanted until nothing is:
+/* Files named by a scene, supplied by the page: each file once, by its name under
+ * assets/, and kept.  The page decodes PNGs.  OBJ and MTL files go in pieces to the
+ * core's reader.  The page asks for the next wanted file until none is wanted:
  *
- *     while ((kind = wanted()))           its name is in text()
-XX          piece by piece into text(), feed(bytes); given()
+ *     while ((kind = wanted()))           its name is in words()
+ *         piece by piece into words(), feed(bytes); given()
  *
- * An MTL is found beside the OBJ that names it, a picture beside the MTL, as on the host;
- * an OBJ is asked for twice, as its reader reads it. */
+ * An MTL is looked up beside its OBJ, a picture beside its MTL, as on the host.  An OBJ
+ * is wanted twice, because its reader needs two passes. */
 #include "asset/reader.h"
 #include "base/fail.h"
 #include "web.h"
 
 #define FILES 128
 
-enum { SCAN, LOAD, LIBRARIES, IMAGES, BOUND };     /* what an OBJ waits for */
+enum { SCAN, LOAD, LIBRARIES, IMAGES, BOUND };     /* next step of an OBJ */
 
 typedef struct {
     char name[TP_NAME_BYTES];
@@ -29,9 +29,9 @@ typedef struct {
 static struct {
     file     files[FILES];
     uint32_t count;
-    file    *reading;           /* an OBJ */
-    tp_obj   obj;               /* its reader */
-    void    *memory, *pixels;   /* of the picture that is coming */
+    file    *reading;           /* the OBJ being read */
+    tp_obj   obj;               /* reader of that OBJ */
+    void    *memory, *pixels;   /* of the picture being received */
     uint32_t w, h;
     tp_error error;
 } all;
@@ -49,7 +49,7 @@ static bool same(const char *a, const char *b)
     return *a == *b;
 }
 
-/* The name of the file `name` beside the file `path`; folders parted by either slash. */
+/* Writes the path of `name` beside the file `path`; '\' in `name` becomes '/'. */
 static void beside(char full[TP_NAME_BYTES], const char *path, const char *name)
 {
     size_t slash = 0, n;
@@ -61,7 +61,8 @@ static void beside(char full[TP_NAME_BYTES], const char *path, const char *name)
     full[n] = 0;
 }
 
-/* The file of that name, or NULL: it is wanted next. */
+/* Returns the file of that name and kind.  If it is missing, makes it the wanted file
+ * and returns NULL. */
 static file *have(const char *name, int kind)
 {
     for (uint32_t i = 0; i < all.count; i++)
@@ -72,7 +73,7 @@ static file *have(const char *name, int kind)
     return NULL;
 }
 
-/* A place for the file that was wanted. */
+/* Adds the wanted file.  Returns NULL if there are too many files. */
 static file *add(void)
 {
     if (all.count == FILES)
@@ -85,8 +86,8 @@ static file *add(void)
 
 /* -- pictures -------------------------------------------------------------------- */
 
-/* Memory for the pixels of the picture that is wanted: 0xAARRGGBB, or greys of 16 bits.
- * NULL: it is too large. */
+/* Returns memory for the pixels of the wanted picture: 0xAARRGGBB, or 16-bit greys.
+ * NULL: too large. */
 EXPORT(void *, room, uint32_t w, uint32_t h)
 {
     const bool grey = web_kind == WEB_GREY;
@@ -96,7 +97,7 @@ EXPORT(void *, room, uint32_t w, uint32_t h)
     all.h = h;
     all.memory = bytes ? web_take(bytes) : NULL;
     all.pixels = all.memory;
-    if (all.memory && !grey) {              /* over what is kept, until it is copied */
+    if (all.memory && !grey) {              /* beyond the arena's top, until copied */
         const uintptr_t mark = web_mark();
         all.pixels = web_take(pixels);
         web_back_to(mark);
@@ -119,7 +120,8 @@ static tp_status take_picture(void)
 
 /* -- meshes ---------------------------------------------------------------------- */
 
-/* What the OBJ that is being read wants next; false: nothing, and it is bound. */
+/* Names the next file wanted by the OBJ being read.  Returns false if there is none; the
+ * mesh is then complete. */
 static bool want_of_mesh(file *f)
 {
     const tp_texture *textures[FILES];
@@ -146,7 +148,7 @@ static bool want_of_mesh(file *f)
     return false;
 }
 
-/* The mesh of that name, or NULL: something is wanted. */
+/* Returns the mesh of that name, or NULL if a file is wanted first. */
 static const tp_mesh *have_mesh(const char *name)
 {
     file *f = have(name, WEB_TEXT);
@@ -160,7 +162,8 @@ static const tp_mesh *have_mesh(const char *name)
     return f->stage == BOUND || !want_of_mesh(f) ? &f->mesh : NULL;
 }
 
-/* `bytes` more of the file that is wanted, from web_text. */
+/* Passes `bytes` of the wanted file from web_text to its reader.  Returns 0, or an error
+ * with its text in web_text. */
 EXPORT(int, feed, size_t bytes)
 {
     const file *f = all.reading;
@@ -192,16 +195,16 @@ static tp_status take_text(void)
     return TP_OK;
 }
 
-/* -- what the page calls --------------------------------------------------------- */
+/* -- calls of the page ----------------------------------------------------------- */
 
-/* The wanted file is there, whole.  Not 0: it cannot be used, web_text tells why. */
+/* The wanted file is complete.  Returns 0, or an error with its text in web_text. */
 EXPORT(int, given, void)
 {
     const tp_status status = web_kind == WEB_TEXT ? take_text() : take_picture();
     return status ? web_refuse(&all.error) : 0;
 }
 
-/* After a failure: what was begun is forgotten. */
+/* Drops incomplete files after a failure. */
 EXPORT(void, forget, void)
 {
     all.reading = NULL;
@@ -212,8 +215,8 @@ EXPORT(void, forget, void)
 
 /* -- the scene ------------------------------------------------------------------- */
 
-/* False: a file that is named is wanted.  Names of scenes are those of files under
- * assets/, beside whose folders scenes lie: "../skies/day-up.png". */
+/* Returns false if a named file is wanted.  Names in scenes are relative to the scenes'
+ * folder: "../skies/day-up.png" is assets/skies/day-up.png. */
 static bool place(const tp_texture **slot, const char *name)
 {
     const file *f = *name ? have(name, WEB_PICTURE) : NULL;

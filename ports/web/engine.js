@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The module and what it is fed with: files as base64 in tables that `make web` writes,
- * TIDEPOOL.module and TIDEPOOL.files, so that the page works from a folder as well as
- * from a server.  Nothing here knows of the page; tests run it without one.
+/* The WebAssembly module and its files, as base64 tables written by `make web`
+ * (TIDEPOOL.module and TIDEPOOL.files): the page works from a folder as well as from a
+ * server.  This file does not use the page; tests run it without one.
  *
  *     const engine = await openEngine();
  *     engine.choose(3);  await engine.load();  engine.build(640, 480, 0, false);
- *     engine.step();  engine.draw();  engine.crc();
- */
+ *     engine.step();  engine.draw();  engine.crc(); */
 'use strict';
 (function (root) {
     const PICTURE = 1, GREY = 2, TEXT = 3;
@@ -31,7 +30,7 @@
             this.scenes = this.readScenes();
         }
 
-        /* -- words --------------------------------------------------------------- */
+        /* -- text ---------------------------------------------------------------- */
 
         string(at) {
             const bytes = new Uint8Array(this.c.memory.buffer);
@@ -80,7 +79,8 @@
         filed(p) { return this.string(this.c.value(p.index, true)); }
         number(p, n) { return this.string(this.c.number(p.index, n)); }
 
-        /* "done", "anew", "load"; a refusal is thrown, in words. */
+        /* Sets a value.  Returns "done", "anew" or "load"; throws an Error with the
+         * reason if refused. */
         put(p, text) {
             const result = SETTING[this.c.put(p.index, this.say(text))];
             if (result === 'refused')
@@ -153,7 +153,7 @@
             this.height = height;
         }
 
-        /* The same world in another picture. */
+        /* Makes another picture of the same world. */
         resize(width, height, format) {
             if (this.c.resize(width, height, format))
                 throw new Error(this.words());
@@ -171,7 +171,7 @@
 
         crc() { return (this.c.crc() >>> 0).toString(16).padStart(8, '0'); }
 
-        /* The input of the next step: see tp_input, but for its pokes. */
+        /* Returns the input of the next step, the fields of tp_input without its pokes. */
         wish() { return new Int32Array(this.c.memory.buffer, this.c.input(), 13); }
 
         camera() { return new Int32Array(this.c.memory.buffer, this.c.camera(), 5); }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What pictures there are, where the canvas lies in its place, sheets over the page. */
+/* Picture formats and sizes, the canvas's position and scale, dialogs over the page. */
 'use strict';
 (function (root) {
     root.FORMATS = ['xrgb8888', 'rgb565', 'rgb565be', 'p8', 'l8', 'i1'];
@@ -9,9 +9,9 @@
                   '960x540', '1280x720'];
     root.sizeOption = size => make('option', { value: size }, size.replace('x', ' × '));
 
-    /* `zoom` pixels of the screen for one of the picture, or as large as its place: from
-     * twice as large on by whole numbers, so that a board's dither stays even.  On whole
-     * pixels of the screen, or it would be blurred. */
+    /* Scales the canvas: `zoom` device pixels per picture pixel, or as large as its
+     * place, from factor 2 on by whole numbers, to keep a dither pattern even.  Aligns
+     * the canvas to device pixels; otherwise it would be blurred. */
     root.fitGlass = function (canvas, zoom) {
         const box = canvas.parentElement.getBoundingClientRect();
         const ratio = devicePixelRatio || 1;
@@ -28,8 +28,8 @@
         canvas.classList.toggle('exact', zoom > 0 || by * ratio >= 2);
     };
 
-    /* A picture that fills its place, each pixel as many of the screen's as make it about
-     * as large as 320 x 240. */
+    /* Returns the size of a picture to fill a place at a whole number of device pixels
+     * per pixel; the picture has about as many pixels as 320 x 240. */
     root.uprightSize = function (place) {
         const wide = place.clientWidth * (devicePixelRatio || 1);
         const high = place.clientHeight * (devicePixelRatio || 1);

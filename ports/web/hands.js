@@ -1,27 +1,29 @@
 /* SPDX-License-Identifier: MIT */
-/* Keys, mouse and fingers to wishes for the next tick.
+/* Converts keys, mouse and touch to the input of the next tick.
  *
  *     const hands = makeHands(canvas, act)
- *     hands.wish(input)       adds what is held and what was dragged, once a tick
- *     hands.moves()           whether any of it moves the camera
+ *     hands.wish(input)       adds held keys and drags to the input, once a tick
+ *     hands.moves()           true if the input moves the camera
  *
- * act(name, ...) is called for what happens once: "pause", or "touch" with a place, both
- * numbers 0..1. */
+ * Calls act(name, ...) for single actions: "pause", or "touch" with a position, x and y
+ * 0..1. */
 'use strict';
 (function (root) {
-    /* Fields of tp_input. */
+    /* Field indices of tp_input. */
     const AHEAD = 0, ASIDE = 1, UP = 2, TURN = 3, TILT = 4, SPHERE_X = 5, SPHERE_Z = 6,
           DROPS = 7, THROTTLE = 8, RUDDER = 9, SLOWER = 10, LIGHT_TURN = 11,
           LIGHT_TILT = 12;
 
-    /* Of a tick, as in ports/live/wish.h: m and degrees a second over 60. */
+    /* Per tick, as in ports/live/wish.h: 1/60 of m/s (Q16.16) and degrees/s (2^32 = a
+     * turn). */
     const metres = m => Math.round(m * 65536);
     const degrees = d => Math.round(d / 360 * 4294967296);
     const WALK = metres(4 / 60), RUN = metres(16 / 60), STEER = metres(1.5 / 60);
     const LIGHT = degrees(45 / 60), DRAG = degrees(0.2);
     const SAIL = metres(4), RUDDERS = metres(20);
 
-    /* Places on the keyboard: held ones move for as long as they are down. */
+    /* By key code (place on the keyboard).  HELD keys act while down, ONCE keys when
+     * pressed. */
     const HELD = {
         KeyW: [AHEAD, 1], KeyS: [AHEAD, -1], KeyD: [ASIDE, 1], KeyA: [ASIDE, -1],
         KeyE: [UP, 1], KeyQ: [UP, -1],
@@ -41,7 +43,7 @@
         Digit4: ['poke', 3], Digit5: ['poke', 4], Digit6: ['poke', 5],
         F2: ['panel'], F3: ['search'], Slash: ['search'], F1: ['help'], KeyC: ['crc'],
     };
-    const TAP = 6;              /* px that a finger may slip */
+    const TAP = 6;              /* px; a finger moving farther drags */
 
     root.makeHands = function (canvas, act) {
         const down = new Set(), fingers = new Map();
@@ -49,7 +51,7 @@
 
         /* -- keys ---------------------------------------------------------------- */
 
-        /* Whether the key is the control's that has the focus. */
+        /* True if the focused control uses the key itself. */
         function taken(event) {
             const node = event.target, kind = node.tagName;
             if (event.ctrlKey || event.metaKey || event.altKey || node.closest('dialog'))
@@ -94,7 +96,7 @@
                     (event.clientY - box.top) / box.height];
         }
 
-        /* Middle of two fingers and how far they are apart. */
+        /* Returns the middle of two fingers and their distance. */
         function pair() {
             const [a, b] = [...fingers.values()];
             return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2,
@@ -146,7 +148,7 @@
             event.preventDefault();
         }, { passive: false });
 
-        /* -- wishes -------------------------------------------------------------- */
+        /* -- input --------------------------------------------------------------- */
 
         function wish(input) {
             const run = down.has('ShiftLeft') || down.has('ShiftRight');
@@ -158,7 +160,7 @@
             more.fill(0);
         }
 
-        /* Shift is held as well, and asks for nothing alone. */
+        /* Shift is a held key too, without an effect of its own. */
         document.addEventListener('keydown', event => {
             if (event.key === 'Shift')
                 down.add(event.code);

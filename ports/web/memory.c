@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Memory of the page's module: one arena that grows, and what the core asks of a C
- * library.  clang makes single instructions of memcpy and the like (-mbulk-memory), so
- * that these functions are calls of themselves only where it may not: their loops are
- * those instructions. */
+/* Memory of the page's module: one growing arena, and the C library functions used by
+ * the core.  With -mbulk-memory clang compiles __builtin_memcpy and the like to single
+ * instructions, so these functions do not call themselves. */
 #include "web.h"
 
 void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
@@ -12,9 +11,9 @@ int   memcmp(const void *a, const void *b, size_t bytes);
 
 #define PAGE 65536u
 
-extern unsigned char __heap_base;   /* the linker's: behind constants and stack */
+extern unsigned char __heap_base;   /* set by the linker: end of constants and stack */
 
-static uintptr_t top;               /* of what is taken */
+static uintptr_t top;               /* end of the used part */
 
 static uintptr_t begin(void)
 {

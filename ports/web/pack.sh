@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Files as tables of base64 in plain scripts, which a page may read from a folder too.
+# Packs files as base64 tables into plain scripts; a page opened from a folder can read them.
 #
 #   ports/web/pack.sh module X.wasm >module.js      TIDEPOOL.module, gzip'd
 #   ports/web/pack.sh files ASSETS >files.js        TIDEPOOL.files["textures/water.png"]
 #
-# PNGs as they are, text gzip'd.  No date is kept: the same files make the same script.
+# PNGs are packed unchanged, text gzip'd.  No date is stored: equal files give equal scripts.
 set -eu
 usage() { echo "usage: ports/web/pack.sh module X.wasm | files ASSETS" >&2; exit 2; }
 [ $# = 2 ] || usage

@@ -1,26 +1,28 @@
 /* SPDX-License-Identifier: MIT */
-/* The page: time, scenes, changes, what its buttons do. */
+/* The page: time, scenes, changes, actions of its buttons. */
 'use strict';
 (async function () {
     const $ = id => document.getElementById(id);
     const canvas = $('canvas'), context = canvas.getContext('2d', { alpha: false });
-    /* Drops for a scene that has none, large enough for the sea; the number last. */
+    /* Drops for a scene without drops, large enough for the sea; count comes last. */
     const SEA_DROPS = { every: '0', radius: '0.3', y: '4', speed: '2.5', decay: '3',
                         spread: '3', efficiency: '0.6', count: '32' };
     const LOOKS = ['free', 'orbit', 'top', 'boat'];
     const FIRST = 'three-swells';
-    const TICK = 1000 / 60, AT_ONCE = 8;    /* behind by more, the water slows down */
+    const TICK = 1000 / 60, AT_ONCE = 8;    /* limit per frame; if more are due, the
+                                             * water slows down */
 
     const state = { scene: -1, width: 640, height: 480, format: 'xrgb8888', look: 0,
                     paused: false, frame: 0, steps: 0, stale: false, moved: false,
-                    busy: true,             /* waits for files */
-                    built: false };         /* there is a world */
-    const pending = new Map();              /* changes that wait for the next picture */
+                    busy: true,             /* waiting for files */
+                    built: false };         /* a world exists */
+    const pending = new Map();              /* changes to apply before the next frame */
     let last = 0, owed = 0, times = [], shown = 0, engine, panel, hands;
 
-    /* -- words ------------------------------------------------------------------- */
+    /* -- messages ---------------------------------------------------------------- */
 
-    /* A refusal, or only a note; with it what may be done: a word for it, the work. */
+    /* Shows an error, or a note; optionally with a button: its label `offer`, its action
+     * `work`. */
     function tell(text, note, offer, work) {
         $('alert').className = note ? 'note' : '';
         $('offer').hidden = !offer;
@@ -115,12 +117,12 @@
         state.built = false;
         engine.build(state.width, state.height, FORMATS.indexOf(state.format), carry);
         state.built = true;
-        state.steps = 0;        /* of the governor, quality.frame_ms */
+        state.steps = 0;        /* steps of the governor (quality.frame_ms) */
         state.frame = carry ? state.frame : 0;
         glass();
     }
 
-    /* The canvas as large as the picture. */
+    /* Fits the canvas to the picture's size. */
     function glass() {
         canvas.width = state.width;
         canvas.height = state.height;
@@ -130,7 +132,7 @@
 
     const fit = () => fitGlass(canvas, +$('zoom').value);
 
-    /* One at a time; while one waits for files no picture is drawn. */
+    /* Runs one task at a time; no frame is drawn while it waits for files. */
     async function alone(work) {
         state.busy = true;
         try {
@@ -140,7 +142,8 @@
         }
     }
 
-    /* A value is taken back if the scene cannot be with it. */
+    /* Applies a change; restores the old value if the scene cannot be built with the new
+     * one. */
     async function change(p, text) {
         const before = engine.value(p);
         try {
@@ -175,12 +178,12 @@
                     panel.update(p);
                     tell('');
                 } catch (error) {
-                    continue;       /* told */
+                    continue;       /* shown already */
                 }
         });
     }
 
-    /* What an address asks for; the first thing that cannot be is told, the rest done. */
+    /* Opens the scene of an address.  Shows the first error and applies the rest. */
     async function open(wanted) {
         let wrong = '';
         const note = error => { wrong = wrong || error.message; };
@@ -208,7 +211,7 @@
         try {
             await engine.load();
             build(false);
-        } catch (error) {           /* of a value that was given */
+        } catch (error) {           /* fault of a given value */
             note(error);
             engine.choose(state.scene);
             await engine.load();
@@ -240,8 +243,8 @@
 
     const go = wanted => alone(() => open(wanted)).catch(told);
 
-    /* A way to look may want the camera to follow the boat, or no longer; a scene just
-     * built (`fresh`) that is looked at freely keeps its own number. */
+    /* Selects a camera mode, and queues the camera.follow it needs.  A freshly built
+     * scene (`fresh`) in the free mode keeps its own camera.follow. */
     function steer(mode, fresh) {
         if (!engine.c.look(mode)) {
             tell(mode === 3 ? 'This scene has no boat.' : 'Nothing is there.', true);
@@ -258,7 +261,8 @@
 
     /* -- sharing ----------------------------------------------------------------- */
 
-    /* A camera that has been moved is told by its place, which no way to look says. */
+    /* Returns the address of the current state.  A moved camera is given by its pose,
+     * since no mode describes it. */
     function address() {
         const moved = state.moved || state.look > 0;
         const settings = panel.changed().map(r => [r.param.name, r.text])
@@ -283,7 +287,7 @@
         acts.touch(x, y, false);
     }).catch(told);
 
-    /* -- what is asked for ------------------------------------------------------- */
+    /* -- actions ----------------------------------------------------------------- */
 
     const acts = {
         pause: () => pause(!state.paused),
@@ -314,7 +318,7 @@
         help: helpSheet,
     };
 
-    /* 3: see web.c. */
+    /* Handles the result of touch or poke; 3 is FULL in web.c. */
     function poked(found) {
         if (found === 3)
             tell('No more pokes can wait: P lets the water go on.', true);
@@ -360,14 +364,15 @@
     };
     addEventListener('resize', fit);
 
-    /* Who chooses with a mouse goes on with the water; by keys, with the list. */
+    /* After a choice by mouse the canvas gets the focus; after a choice by keys the list
+     * keeps it. */
     let pointed = false;
     addEventListener('pointerdown', () => { pointed = true; }, true);
     addEventListener('keydown', () => { pointed = false; }, true);
     for (const name of ['scene', 'look', 'size', 'format', 'zoom'])
         $(name).addEventListener('change', () => pointed && canvas.focus());
 
-    /* What was only a hint goes when it has been followed. */
+    /* A note disappears after a touch of the canvas. */
     canvas.addEventListener('pointerdown', () => {
         if ($('alert').className === 'note')
             tell('');

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* The panel: a row of controls for each row of the table of parameters, by groups.
+/* The panel: a row of controls for each row of the table of parameters, in groups.
  *
  *     const panel = makePanel(engine, files, change)
- *     panel.show()            all values anew, after another scene has been chosen
- *     panel.update(p)         that of one row
- *     panel.refuse(p)         its last value was not taken
+ *     panel.show()            shows all values anew, after a change of scene
+ *     panel.update(p)         shows the value of one row
+ *     panel.refuse(p)         marks the last value as refused
  *
- * change(p, text) is called for what a person changes; it may refuse. */
+ * change(p, text) is called for each change by the person; it may refuse. */
 'use strict';
 (function (root) {
-    const FIRST = ['camera', 'light', 'wave0', 'water'];     /* open at first */
+    const FIRST = ['camera', 'light', 'wave0', 'water'];     /* groups open at first */
 
     function make(tag, attributes, ...inside) {
         const node = document.createElement(tag);
@@ -26,8 +26,9 @@
 
     const scale = p => p.kind === 'fx' ? 65536 : 1;
 
-    /* Ranges of the table are what is possible; a slider spans what is useful: some times
-     * the value, the file's value and the default. */
+    /* Returns the range of a slider.  The table's range has all possible values; the
+     * slider has the useful ones: a few times the largest of value, file's value and
+     * default. */
     function span(p, now, filed) {
         const [low, high, normal] = [p.low, p.high, p.normal].map(n => n / scale(p));
         const at = Math.max(Math.abs(now), Math.abs(filed), Math.abs(normal));
@@ -39,7 +40,7 @@
         return [Math.max(low, low < 0 ? -most : low), Math.min(high, most)];
     }
 
-    /* 1, 2 or 5 times a power of ten, a 200th of the way. */
+    /* Returns a step of 1, 2 or 5 times a power of ten, about 1/200 of the range. */
     function stepOf(p, low, high) {
         const fine = (high - low) / 200, ten = 10 ** Math.floor(Math.log10(fine));
         const step = fine / ten < 2 ? ten : fine / ten < 5 ? 2 * ten : 5 * ten;
@@ -170,7 +171,7 @@
             rows[p.index] = row;
         }
 
-        /* A part that the scene has not is there, but does not ask for attention. */
+        /* Shows a group in a dim style if the scene does not use its feature. */
         const lacks = { wave: 'amplitude', pool: 'cols', field: 'cols', drops: 'count',
                         foam: 'cells', spray: 'count', boat: 'mesh', tank: 'kind' };
         function dress(group) {
@@ -193,7 +194,7 @@
             mark(row);
             const focus = document.activeElement;
             if (focus?.type === 'range' && row.node.contains(focus))
-                row.control.keep(row.text);     /* its slider is being drawn */
+                row.control.keep(row.text);     /* its slider is being dragged */
             else
                 row.control.set(row.text);
             dress(groups.get(p.name.split('.')[0]));
@@ -213,11 +214,11 @@
             rows[p.index].control.field.setAttribute('aria-invalid', 'true');
         }
 
-        /* All words must be met, in the name or in what it does. */
+        /* Search: every word must be in the name or in the help. */
         const none = make('p', { className: 'none', hidden: true },
                           'No parameter is called so.');
         box.append(none);
-        let opened = null;      /* groups that were open before a search */
+        let opened = null;      /* groups open before the search */
         search.addEventListener('input', () => {
             const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
             const all = [...groups.values()];

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* PNG to exact pixels.  A canvas would not do: it multiplies colours by their alpha.
+/* Decodes a PNG to exact pixels.  A canvas cannot be used: it multiplies colours by
+ * alpha.
  *
  *     png.colours(bytes)  ->  { width, height, pixels }   0xAARRGGBB in a Uint32Array
  *     png.greys(bytes)    ->  the same, 0..65535 in a Uint16Array, as libpng has them
  *
- * Any depth and colour type; not interlaced ones, of which there is none here.  Both are
- * promises, as the browser's own inflate is. */
+ * All depths and colour types; no interlaced PNGs, since no asset is interlaced.  Both
+ * functions return promises, as the browser's inflate does. */
 'use strict';
 (function (root) {
     const SIGNATURE = [137, 80, 78, 71, 13, 10, 26, 10];
@@ -43,7 +44,8 @@
         return file;
     }
 
-    /* Each row is told as differences to its neighbours: left, above, above left. */
+    /* Undoes the filters: a row is stored as differences from the pixels left, above,
+     * above left. */
     function unfilter(raw, rowBytes, height, step) {
         const rows = new Uint8Array(rowBytes * height);
         for (let y = 0; y < height; y++) {
@@ -68,7 +70,7 @@
         return pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
     }
 
-    /* Calls take(i, r, g, b, a) for each pixel, all of them 0..65535. */
+    /* Calls take(i, r, g, b, a) for each pixel, with values 0..65535. */
     async function each(bytes, start, take) {
         const f = read(bytes), channels = CHANNELS[f.type], bits = channels * f.depth;
         const rowBytes = (f.width * bits + 7) >> 3;
@@ -105,7 +107,8 @@
             }
     }
 
-    const byte = v => (v * 255 + 32895) >>> 16;     /* as libpng rounds 16 bits to 8 */
+    const byte = v => (v * 255 + 32895) >>> 16;     /* 16 bits to 8, rounded as libpng
+                                                     * does */
 
     async function colours(bytes) {
         const p = {};

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Scenes as constants of C, without comments and blanks:  awk -f scenes.awk *.ini >x.c
-# Names of files lose their "../": a page's lie beside each other.
+# Writes scenes as C strings, without comments and blanks:  awk -f scenes.awk *.ini >x.c
+# Removes "../" from file names, since the page has all folders side by side.
 function quoted(s) { gsub(/\\/, "\\\\", s); gsub(/"/, "\\\"", s); return "\"" s "\\n\"" }
 BEGIN {
     print "/* SPDX-License-Identifier: MIT */"

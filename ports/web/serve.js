@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Serves a folder on this machine alone:  node ports/web/serve.js FOLDER [PORT]
-// On port 8080, or the next that is free.  Exits with 2 for its usage, 3 if it cannot serve.
+// Serves a folder to this machine only:  node ports/web/serve.js FOLDER [PORT]
+// Uses port 8080 or the next free one.  Exit codes: 2 wrong usage, 3 cannot serve.
 'use strict';
 const fs = require('fs'), http = require('http'), path = require('path');
 

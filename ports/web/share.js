@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene as the end of an address: only what differs from its file.
+/* A scene as the fragment of an address: only the values unlike its file.
  *
  *     #scene=storm&wave0.amplitude=0.8&camera.x=3.5&size=320x240&format=rgb565
  *
- * look=orbit begins with that way to look.  frame=30 goes on to that frame and pauses
- * there; whoever has done nothing else sees the bits that `tidepool render` draws. */
+ * look=orbit starts in that camera mode. frame=30 runs to that frame and pauses; without
+ * other input the picture then equals the one of `tidepool render`, bit for bit. */
 'use strict';
 (function (root) {
     const AT = ['camera.x', 'camera.y', 'camera.z', 'camera.heading', 'camera.pitch'];
 
-    /* Addresses are typed by hand too: what is no code stays as it is. */
+    /* Decodes %-codes.  Typed addresses may have invalid codes: the text is then used as
+     * it is. */
     function plain(text) {
         try {
             return decodeURIComponent(text);
@@ -18,7 +19,8 @@
         }
     }
 
-    /* { scene, size: [w, h], format, look, frame, settings: [[name, text] ...] } */
+    /* Returns { scene, size: [w, h], format, look, frame, settings: [[name, text] ...]
+     * }. */
     function read(fragment) {
         const found = { settings: [] };
         for (const part of fragment.replace(/^#/, '').split('&').filter(Boolean)) {
@@ -50,7 +52,7 @@
         return '#' + parts.join('&');
     }
 
-    /* The camera's place as settings.  Five decimals tell a 16.16 number. */
+    /* Returns the camera's pose as settings.  Five decimals determine a Q16.16 number. */
     function place(camera) {
         return AT.map((name, i) => [name, String(+(camera[i] / 65536).toFixed(5))]);
     }

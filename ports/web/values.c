@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Scenes and their values, by the rows of the table of parameters. */
+/* Scenes and their values, by index in the table of parameters. */
 #include "base/fail.h"
 #include "scene/value.h"
 #include "web.h"
@@ -31,13 +31,13 @@ static size_t length(const char *text, char end)
 
 /* -- scenes ---------------------------------------------------------------------- */
 
-/* Scene i as its file has it, the name in the first line; NULL: there is none. */
+/* Returns the text of scene i, with its name in the first line; NULL if there is none. */
 EXPORT(const char *, file, uint32_t i)
 {
     return i < web_scene_count ? web_scenes[i] : NULL;
 }
 
-/* "section.name", then what '=' is followed by. */
+/* Sets the parameter "section.name" from a line "name=value" of a scene's text. */
 static int set_line(const char *section, size_t section_bytes, const char *line,
                     tp_error *err)
 {
@@ -56,7 +56,8 @@ static int set_line(const char *section, size_t section_bytes, const char *line,
     return (int)tp_param_set(&web_filed, param, value, length(value, '\n'), err);
 }
 
-/* Makes scene i the one that is changed and built from now on.  Not 0: web_text tells. */
+/* Selects scene i for changes and for build().  Returns 0, or an error with its text in
+ * web_text. */
 EXPORT(int, choose, uint32_t i)
 {
     const char *line = web_file(i), *section = "";
@@ -80,7 +81,7 @@ EXPORT(int, choose, uint32_t i)
     return 0;
 }
 
-/* What the scene names and the page has not brought: its kind; its name in web_text. */
+/* Returns the kind of the next file to supply, its name in web_text, or WEB_NOTHING. */
 EXPORT(int, wanted, void)
 {
     if (web_find_assets(&web_scene))
@@ -110,7 +111,7 @@ EXPORT(uint32_t, param_count, void)
     return count;
 }
 
-/* The value as text, of the scene now or as its file has it. */
+/* Returns a value as text: of the changed scene, or as in its file (filed). */
 EXPORT(const char *, value, uint32_t i, bool filed)
 {
     tp_param_text(filed ? &web_filed : &web_scene, web_params() + i, web_text,
@@ -118,15 +119,15 @@ EXPORT(const char *, value, uint32_t i, bool filed)
     return web_text;
 }
 
-/* The same of a number of the row: an end of its range, its default. */
+/* Returns a number of the row as text, such as a bound of its range or its default. */
 EXPORT(const char *, number, uint32_t i, int32_t number)
 {
     tp_param_number_text(web_params() + i, number, web_text, TP_NAME_BYTES);
     return web_text;
 }
 
-/* Takes the value in web_text, `bytes` long: a setting_result.  Where one is refused
- * web_text tells why. */
+/* Sets a value from `bytes` bytes of web_text.  Returns a setting_result; if refused,
+ * the reason is in web_text. */
 EXPORT(int, put, uint32_t i, size_t bytes)
 {
     char given[TP_NAME_BYTES];

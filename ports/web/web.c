@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The page's port: a world and the picture of it, in an arena above what scenes name.
+/* The browser port: a world and its picture, in an arena above the scene's files.
  *
- *     choose(i), put(...)             a scene and its values (values.c)
- *     wanted() ...                    what it names (assets.c)
- *     build(width, height, format)    its world, its frame, the picture
- *     step(), draw()                  a picture later; its pixels as a canvas has them
+ *     choose(i), put(...)             select a scene, change values (values.c)
+ *     wanted() ...                    supply its files (assets.c)
+ *     build(width, height, format)    make its world, frame and picture
+ *     step(), draw()                  next frame; its pixels in the canvas's layout
  *
- * Numbers go by the order of frames as `tidepool render` counts them, so that crc() is
- * that of its --hash. */
+ * Frame numbers are counted as in `tidepool render`: crc() equals the number of its
+ * --hash. */
 #include "web.h"
 #include "base/fail.h"
 #include "features/drops/drops.h"
@@ -19,30 +19,31 @@
 #include "scene/pools.h"
 #include "scene/world.h"
 
-#define BAND_ROWS 128           /* as the host's canvas has them */
+#define BAND_ROWS 128           /* as in the host's canvas */
 
 static struct {
-    tp_world *world;            /* NULL: there is none, as the scene has changed */
+    tp_world *world;            /* NULL: none yet, or dropped after a change */
     tp_frame *frame;
-    uint8_t  *rows;             /* the picture, in its format */
-    uint32_t *shown;            /* the same as R, G, B, A bytes */
+    uint8_t  *rows;             /* the picture in its format */
+    uint32_t *shown;            /* the picture as R, G, B, A bytes */
     void     *scratch;
-    uintptr_t mark, above;      /* of the arena, below all these; above the world */
+    uintptr_t mark, above;      /* arena marks: below all of these; above the world */
     size_t    frame_bytes;
     tp_config config;
     size_t    row_bytes;
-    uint32_t  number;           /* of the frame that the world is at */
-    tp_world  before;           /* the head of the last world, for another like it */
+    uint32_t  number;           /* frame number of the world */
+    tp_world  before;           /* head of the last world, for setting_carry */
     bool      was;
-    tp_input  wish;             /* for the next tick ... */
-    poke_queue pokes;           /* ... and for it and those after it */
+    tp_input  wish;             /* input of the next tick */
+    poke_queue pokes;           /* pokes for the next tick and later ticks */
     look      look;
     tp_governor governor;
 } page;
 
 /* -- a world and a frame --------------------------------------------------------- */
 
-/* The arena is a stack: before a file is brought, or a world made anew, it goes back. */
+/* Drops world and picture.  The arena is a stack: it must be unwound before files are
+ * added or a world is made. */
 void web_drop(void)
 {
     if (!page.world)
@@ -86,7 +87,7 @@ static int make_world(tp_error *err)
     return 0;
 }
 
-/* What quality.frame_ms wants, us; by 0 the plan alone holds. */
+/* Returns the governor's limit, us, from quality.frame_ms; 0: no governor. */
 static uint32_t limit_us(void)
 {
     return (uint32_t)((int64_t)web_scene.quality.frame_ms * 1000 >> 16);
@@ -100,8 +101,8 @@ static void govern(void)
     tp_frame_set_rungs(page.frame, NULL);
 }
 
-/* After a change that the world goes on with: another frame, if it asks for one or for a
- * larger one, and the governor's ladder. */
+/* Called after a change taken by the world.  Makes a new frame if needed or if its size
+ * has grown, and restarts the governor. */
 int web_changed(bool anew)
 {
     tp_error err = { 0 };
@@ -113,8 +114,9 @@ int web_changed(bool anew)
     return 0;
 }
 
-/* What is wanted must be there.  `carry`: the camera goes on from the last world.  Not 0:
- * it cannot be, web_text tells why, and there is none. */
+/* Makes the world; all wanted files must be present.  `carry`: camera, time and boat
+ * continue from the last world.  Returns 0, or an error with its text in web_text; there
+ * is then no world. */
 EXPORT(int, build, uint32_t width, uint32_t height, int format, bool carry)
 {
     tp_error err = { 0 };
@@ -139,7 +141,8 @@ EXPORT(int, build, uint32_t width, uint32_t height, int format, bool carry)
     return 0;
 }
 
-/* Another picture of the same world.  Not 0: it cannot be, and the old one goes on. */
+/* Makes a picture of another size or format.  Returns 0, or an error; the old picture
+ * then stays. */
 EXPORT(int, resize, uint32_t width, uint32_t height, int format)
 {
     tp_error err = { 0 };
@@ -161,14 +164,14 @@ EXPORT(int, resize, uint32_t width, uint32_t height, int format)
 _Static_assert(offsetof(tp_input, push) == 13 * sizeof(int32_t),
                "the page adds to thirteen fields of 32 bits");
 
-/* What the page adds to before the next step, but for its pokes. */
+/* Returns the input of the next step; the page adds to its fields.  Pokes are separate. */
 EXPORT(tp_input *, input, void)
 {
     return &page.wish;
 }
 
-/* On to the next picture; the first of its ticks takes the input, which waits where slow
- * motion has none, and each of them what waits of pokes.  The picture's number. */
+/* Advances by a frame and returns its number.  The first tick takes the input; in slow
+ * motion the input waits for a frame with a tick.  Each tick takes waiting pokes. */
 EXPORT(uint32_t, step, void)
 {
     for (uint32_t ticks = tp_world_advance_clock(page.world); ticks > 0; ticks--) {
@@ -180,7 +183,7 @@ EXPORT(uint32_t, step, void)
     return ++page.number;
 }
 
-/* The camera alone moves, while the water stands. */
+/* Moves the camera alone while the water stands still. */
 EXPORT(void, turn, void)
 {
     tp_input *wish = &page.wish;
@@ -205,7 +208,7 @@ static void show_row(uint32_t y)
     }
 }
 
-/* The picture's pixels, R, G, B and A bytes. */
+/* Draws.  Returns the pixels as R, G, B, A bytes. */
 EXPORT(const uint32_t *, draw, void)
 {
     tp_tile tile;
@@ -227,7 +230,8 @@ EXPORT(uint32_t, crc, void)
     return crc;
 }
 
-/* The last picture took so long: quality.frame_ms steps down or up.  Whether it did. */
+/* Passes the last frame's time to the governor of quality.frame_ms.  Returns nonzero if
+ * the quality has changed. */
 EXPORT(int, took, uint32_t us)
 {
     const int step = tp_governor_feed(&page.governor, us);
@@ -237,9 +241,9 @@ EXPORT(int, took, uint32_t us)
     return step;
 }
 
-/* -- hands ----------------------------------------------------------------------- */
+/* -- touch and camera ------------------------------------------------------------ */
 
-/* Over the place: the sphere of drops is moved there and lets one fall. */
+/* Moves the sphere of drops over the point and releases a drop. */
 static void drop_at(const tp_drops *drops, const tp_vec3 *at)
 {
     page.wish.sphere_x = at->x - drops->sphere.x;
@@ -256,9 +260,9 @@ static int poke(const tp_push *push, bool stir)
     return stir || poke_add(&page.pokes, push) ? TOUCHED : FULL;
 }
 
-/* The water under a pixel is poked, or a drop falls on it; `stir` is what a finger that
- * goes on does.  DRY: it is touched, and the scene has nothing that could take it; FULL:
- * so many pokes wait for the water to move that this one is lost. */
+/* Pokes the water under a pixel, or lets a drop fall there; `stir`: a finger moves on.
+ * MISSED: no water there.  DRY: water, but neither pool nor drops.  FULL: the poke is
+ * lost, because too many wait. */
 EXPORT(int, touch, int32_t x, int32_t y, bool stir)
 {
     tp_vec3 at;
@@ -282,19 +286,20 @@ EXPORT(int, poke, uint32_t number)
     return poke(&push, false);
 }
 
-/* False: the scene has no boat, or the like. */
+/* Begins a camera mode.  Returns false if the scene has no boat for it, or for an
+ * unknown mode. */
 EXPORT(bool, look, int mode)
 {
     return look_begin(&page.look, (look_mode)mode, page.world, &web_scene);
 }
 
-/* What camera.follow has to be for it. */
+/* Returns the camera.follow needed by the mode. */
 EXPORT(int, follow, void)
 {
     return (int)look_follow(&page.look, &web_filed);
 }
 
-/* Where the camera is, as camera.x .. camera.pitch would say it: m and degrees, 16.16. */
+/* Returns the camera's pose as camera.x .. camera.pitch: m and degrees, Q16.16. */
 EXPORT(const int32_t *, camera, void)
 {
     static int32_t at[5];
@@ -309,7 +314,7 @@ EXPORT(const int32_t *, camera, void)
     return at;
 }
 
-/* For the page's line of figures. */
+/* Returns figures for the page: vertices, triangles, dropped triangles, bytes of memory. */
 EXPORT(const uint32_t *, facts, void)
 {
     static uint32_t facts[4];

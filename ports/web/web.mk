@@ -2,10 +2,10 @@
 # The page: the core for WebAssembly by clang alone, and plain files beside it that a
 # browser opens from a folder.  Part of the Makefile, which has the names used here.
 #
-# What is called for each pixel or corner is built for speed (128-bit SIMD, bodies in
-# line), the rest for size, where -Dalways_inline= takes that attribute away, so that
-# bodies are shared.  wasm-opt, where it is, takes off a ninth: data begin at 1024, so that
-# no pointer is below it, and what is added to one goes into the instruction that loads.
+# Code run per pixel or per vertex is compiled for speed (128-bit SIMD, inlined bodies), the
+# rest for size: -Dalways_inline= removes that attribute there, to share function bodies.
+# wasm-opt, if installed, saves a ninth: data begin at 1024, no pointer is below 1024, and
+# wasm-opt may then fold added constants into the offsets of load instructions.
 
 WEB      := build/web
 WASM     := build/wasm
