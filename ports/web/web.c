@@ -314,7 +314,7 @@ EXPORT(const int32_t *, camera, void)
     return at;
 }
 
-/* Returns figures for the page: vertices, triangles, dropped triangles, bytes of memory. */
+/* Returns figures for the page: vertices, triangles, things left out, bytes of memory. */
 EXPORT(const uint32_t *, facts, void)
 {
     static uint32_t facts[4];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Drawing golden frames, and comparing them with their references. */
+/* Draws golden frames and compares them with their references. */
 #include "golden.h"
 #include "pixel/pixel.h"
 #include "scene/world.h"
@@ -102,7 +102,7 @@ static void png_path(char path[PATH_BYTES], const char *folder, tp_format format
              frame);
 }
 
-/* The CRC that the list gives for a frame. */
+/* Reads a frame's CRC from the list.  Returns false if the list has no such frame. */
 static bool listed_crc(const char *folder, tp_format format, uint32_t frame,
                        uint32_t *crc)
 {
@@ -122,7 +122,8 @@ static bool listed_crc(const char *folder, tp_format format, uint32_t frame,
     return found;
 }
 
-/* The reference picture as 0x00RRGGBB, whatever its format; rows is NULL without one. */
+/* Returns the reference picture as 0x00RRGGBB, for any format; rows is NULL if there is
+ * none. */
 static picture reference(const char *folder, tp_format format, uint32_t frame)
 {
     char path[PATH_BYTES];
@@ -160,7 +161,7 @@ static void leave(const char *wreck, const char *name, const char *what, const p
         printf("    see %s\n", path);
 }
 
-/* Black where both are equal, else the difference of each colour, raised to be seen. */
+/* Returns the difference per channel: black where equal, raised elsewhere to be visible. */
 static picture difference(const picture *a, const picture *b)
 {
     picture d = expanded(a);
@@ -213,7 +214,8 @@ bool golden_compare(const char *folder, const char *wreck, const picture *actual
 
 /* -- writing ------------------------------------------------------------------- */
 
-/* Peak signal to noise ratio over all colours, dB; infinite between equal pictures. */
+/* Returns the peak signal to noise ratio over all channels, dB; infinite for equal
+ * pictures. */
 static double psnr(const picture *a, const picture *b)
 {
     double squares = 0, n = 0;
@@ -222,7 +224,7 @@ static double psnr(const picture *a, const picture *b)
         squares += apart * apart;
         n += 1;
     }
-    return 10 * log10(255.0 * 255.0 * 3 / 4 * n / squares);     /* the X of XRGB is 0 */
+    return 10 * log10(255.0 * 255.0 * 3 / 4 * n / squares);     /* 3/4: X byte is 0 */
 }
 
 void golden_write(const char *folder, const picture *actual, uint32_t frame, bool first)

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Golden frames: pictures whose every bit is known.
+/* Golden frames: pictures with every bit fixed.
  *
- * A folder holds for each pixel format a list in the form of `tidepool render --hash`,
- * and for each frame of it the picture itself, for people and for the difference:
+ * A folder holds, for each pixel format, a list in the form of `tidepool render --hash`,
+ * and for each frame of the list the picture, for people and for the difference:
  *     rgb565.crc          frame 0000 crc32 1234abcd
- *     rgb565-0000.png     whose colours have that CRC
- * A frame is right only if list and picture are there, agree, and are equal to it. */
+ *     rgb565-0000.png     a picture with that CRC
+ * A frame passes only if list and picture exist, agree with each other and equal the
+ * frame. */
 #ifndef GOLDEN_H
 #define GOLDEN_H
 #include <stdbool.h>
@@ -16,7 +17,7 @@
 
 extern const uint32_t golden_frames[GOLDEN_FRAMES];     /* in ticks */
 
-/* A scene that can be drawn at any tick, in any format and tiling. */
+/* A scene to be drawn at any golden tick, in any format and tiling. */
 typedef struct {
     scene_file file;
     asset_set  assets;
@@ -26,17 +27,18 @@ typedef struct {
 bool golden_open(golden_scene *g, const char *name);
 void golden_close(golden_scene *g);
 
-/* The picture, to be freed by golden_free; exits the program when it cannot be drawn. */
+/* Draws a picture, to be freed by golden_free.  Exits the program on failure. */
 picture golden_draw(const golden_scene *g, uint32_t frame_index, tp_format format,
                     uint32_t strip, uint32_t band);
 void    golden_free(picture *p);
 
-/* Compares a picture with its reference in `folder`.  When it differs or has none,
- * returns false, says why on stdout, and leaves what it can of NAME-expected.png,
- * NAME-actual.png and NAME-difference.png in `wreck`. */
+/* Compares a picture with its reference in `folder`.  If it differs or has no reference,
+ * returns false, prints the reason to stdout, and writes NAME-expected.png,
+ * NAME-actual.png and NAME-difference.png to `wreck`, as far as they exist. */
 bool golden_compare(const char *folder, const char *wreck, const picture *actual,
                     uint32_t frame, const char *name);
 
-/* Makes `actual` the reference, and prints the PSNR between the old one and it. */
+/* Makes `actual` the reference, and prints the PSNR between the old and the new
+ * reference. */
 void golden_write(const char *folder, const picture *actual, uint32_t frame, bool first);
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Which frames are golden: small ones, whose last strip and last band are short. */
+/* Frame sizes of the golden frames: small, and not a multiple of the tile sizes, so that
+ * the last strip and the last band are short. */
 #ifndef GOLDEN_SIZES_H
 #define GOLDEN_SIZES_H
 

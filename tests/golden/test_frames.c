@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Every shipped scene and every scene of tests/golden/scenes against its golden frames, cut
- * into tiles of several kinds; three-swells in every pixel format and more tilings.  With
- * `--write` the references are made anew instead, of the scenes named after it or of
- * all. */
+/* Compares every shipped scene and every scene of tests/golden/scenes with its golden
+ * frames, in several tilings; three-swells in every pixel format and in more tilings.
+ * `--write` makes new references, for the scenes named behind it or for all scenes. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -22,7 +21,7 @@
 
 typedef struct {
     const char *scene;
-    bool whole;             /* every format and tiling */
+    bool whole;             /* test every format and tiling */
     char title[96];
 } job;
 
@@ -47,7 +46,8 @@ static int draw_and_compare(const golden_scene *g, const char *scene, tp_format 
     return !right;
 }
 
-/* The first `kinds` strips by the first `kinds` bands. */
+/* Tries the first `kinds` strip widths with the first `kinds` band heights.  Returns the
+ * failures. */
 static int wrong_tilings(const golden_scene *g, const char *scene, tp_format format,
                          size_t kinds)
 {
@@ -135,7 +135,7 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < own && !failed; i++)
         names[count++] = of_own[i];
     mkdir(WRECK, 0777);
-    setvbuf(stdout, NULL, _IOLBF, 0);       /* in step with cmocka's lines on stderr */
+    setvbuf(stdout, NULL, _IOLBF, 0);   /* keeps the order with cmocka's lines on stderr */
     if (argc >= 2 && !strcmp(argv[1], "--write")) {
         for (int i = 2; i < argc; i++)
             write_references(argv[i], is_whole(argv[i]));

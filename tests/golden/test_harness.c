@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The comparison with golden frames fails whenever it must: on a frame, a list or a
- * reference picture that is missing, changed or exchanged. */
+/* The comparison with golden frames fails whenever it must: if a frame, a list or a
+ * reference picture is missing, changed or exchanged. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -19,7 +19,7 @@ enum { WIDTH = 32, HEIGHT = 16 };
 
 static uint32_t pixels[2][WIDTH * HEIGHT];
 
-/* Frame 0 or 1 of a small picture, as it is right. */
+/* Returns the correct frame 0 or 1 of a small picture. */
 static picture frame(int i)
 {
     return (picture){ TP_FORMAT_XRGB8888, WIDTH, HEIGHT, WIDTH * sizeof(uint32_t),
@@ -45,7 +45,7 @@ static bool left(const char *path)
     return stat(path, &s) == 0;
 }
 
-/* Before each test: two different frames, and references that are right. */
+/* Before each test: makes two different frames and correct references. */
 static int set_up(void **state)
 {
     (void)state;

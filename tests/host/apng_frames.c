@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* apng_frames FILE.apng: decodes an animated PNG and prints of each frame its CRC-32, as
- * `tidepool render --hash` does, its time in seconds and the rows that it carries.  Every
- * rule of the format that the file breaks is said, and the exit code is 1.
+/* apng_frames FILE.apng: decodes an animated PNG and prints each frame's CRC-32 (as
+ * `tidepool render --hash` does), its duration in seconds and its rows.  Prints each
+ * violated rule of the format; the exit code is then 1.
  *
- * Each frame is made a PNG of its own, which libpng reads; the writer's code has no part
- * in it. */
+ * Converts each frame to a PNG of its own, read by libpng; no code of the writer is
+ * used. */
 #include <inttypes.h>
 #include <png.h>
 #include <stdarg.h>
@@ -15,7 +15,7 @@
 #include <zlib.h>
 #include "host/picture.h"
 
-#define HEAD_BYTES 4096         /* chunks before the pixels: a palette and others */
+#define HEAD_BYTES 4096         /* chunks before the pixels: palette and others */
 
 typedef struct { char type[5]; uint32_t bytes; const uint8_t *data; } chunk;
 
@@ -24,9 +24,9 @@ typedef struct {
     uint32_t width, height, frames, shown, sequence;
     uint8_t  head[HEAD_BYTES];  /* signature, IHDR, PLTE and the like */
     size_t   head_bytes;
-    uint8_t *png;               /* of the frame: head, then pixels */
+    uint8_t *png;               /* the frame as a PNG: head, then pixels */
     size_t   png_bytes;
-    uint32_t w, h, x, y;        /* of the frame; w 0: none is open */
+    uint32_t w, h, x, y;        /* rectangle of the frame; w 0: no open frame */
     double   seconds;
     uint32_t *canvas;
 } film;
@@ -101,7 +101,7 @@ static void show(film *f)
     if (!png_image_begin_read_from_memory(&image, f->png, f->png_bytes)
         || image.width != f->w || image.height != f->h)
         broken("frame %" PRIu32 " cannot be read: %s", f->shown, image.message);
-    image.format = PNG_FORMAT_BGRA;     /* 0xAARRGGBB of a little-endian machine */
+    image.format = PNG_FORMAT_BGRA;     /* 0xAARRGGBB on a little-endian machine */
     uint32_t *pixels = claim(NULL, PNG_IMAGE_SIZE(image));
     if (!png_image_finish_read(&image, NULL, pixels, 0, NULL))
         broken("frame %" PRIu32 " cannot be read: %s", f->shown, image.message);

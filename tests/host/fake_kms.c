@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The kernel's answers, after its Documentation/gpu/drm-uapi.rst and drivers/gpu/drm. */
+/* Answers of the kernel, after its Documentation/gpu/drm-uapi.rst and drivers/gpu/drm. */
 #define _DEFAULT_SOURCE
-#define _FILE_OFFSET_BITS 64    /* mmap by the name that the port calls */
+#define _FILE_OFFSET_BITS 64    /* mmap under the name used by the port */
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -118,7 +118,7 @@ static int refused(int error)
     return -1;
 }
 
-/* -- each request ------------------------------------------------------------------ */
+/* -- requests ---------------------------------------------------------------------- */
 
 static int get_resources(struct drm_mode_card_res *r)
 {
@@ -195,7 +195,7 @@ static int create_dumb(struct drm_mode_create_dumb *d)
         fake_buffer *b = &fake.buffers[i];
         if (b->handle || b->fb || b->mapped)
             continue;
-        d->pitch = d->width * d->bpp / 8 + 24;          /* no row ends with its pixels */
+        d->pitch = d->width * d->bpp / 8 + 24;          /* padding behind each row */
         d->size = (uint64_t)d->pitch * d->height;
         d->handle = fake.next++;
         free(b->memory);
@@ -309,9 +309,9 @@ static int answer(unsigned long request, void *what)
     }
 }
 
-/* -- the program's own system calls ------------------------------------------------ */
+/* -- replaced system calls --------------------------------------------------------- */
 
-/* The n-th of all calls, if a test wants to see it fail. */
+/* True for the call number fake.fail_call, chosen by a test; sets errno. */
 static bool fails(void)
 {
     if (++fake.calls != fake.fail_call)

@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Faults for programs that save files: loaded before one (LD_PRELOAD), it makes a call of
- * the C library fail.
+/* Fault injection for programs that save files.  Loaded before a program (LD_PRELOAD),
+ * makes a call of the C library fail.
  *
- *   FAULT_CALL  open, stream (fopencookie), write, fsync, close, rename or memory
- *   FAULT_AT    the so-manieth such call fails; of write it stores one byte, and the next
- *               one fails
- *   FAULT_LOG   a line "hit" if the program came to that call, and "leaked N" if it ends
- *               with more descriptors than it began with
+ * FAULT_CALL open, stream (fopencookie), write, fsync, close, rename or memory FAULT_AT
+ * number of the failing call; a write at that number stores one byte, the next
+ *               write fails
+ * FAULT_LOG gets a line "hit" if the call was reached, and "leaked N" if the program
+ * ends
+ *               with N more open descriptors than at the start
  *
- *   FAULT_MAIN  calls count from main on; else from faults_begin(), which a program calls */
+ * FAULT_MAIN count calls from main on; otherwise from faults_begin(), called by the
+ * program */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <dlfcn.h>
@@ -56,7 +58,7 @@ __attribute__((destructor)) static void end(void)
     fclose(log);
 }
 
-/* Whether this call is the one; then errno is set. */
+/* True if this call must fail; errno is then set. */
 static int fails(const char *call, int error)
 {
     const char *chosen = armed ? getenv("FAULT_CALL") : NULL;
@@ -121,7 +123,7 @@ int fsync(int fd)
 int close(int fd)
 {
     REAL(close);
-    const int code = real(fd);              /* it is closed all the same */
+    const int code = real(fd);              /* a failed close closes the file too */
     return fails("close", EDQUOT) ? -1 : code;
 }
 
@@ -152,7 +154,7 @@ void *realloc(void *old, size_t bytes)
     return fails("memory", ENOMEM) ? NULL : __libc_realloc(old, bytes);
 }
 
-/* -- from main on ------------------------------------------------------------------ */
+/* -- counting from main ------------------------------------------------------------ */
 
 static int (*real_main)(int, char **, char **);
 

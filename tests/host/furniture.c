@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* furniture SCENE WIDTHxHEIGHT MESH.obj...: draws each mesh as the scene's boat, so large
- * that it fills the picture.
- * Prints a line for each that is refused or not seen, and how many were drawn.  Warnings
- * go to stderr.  Exits with 0 if every mesh was drawn and seen. */
+/* furniture SCENE WIDTHxHEIGHT MESH.obj...: draws each mesh as the scene's boat, scaled
+ * to fill the picture.  Prints a line for each mesh refused or not visible, and the
+ * number drawn.  Warnings go to stderr.  Exits with 0 if every mesh was drawn and
+ * visible. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +10,7 @@
 #include "host/say.h"
 #include "host/stage.h"
 
-#define SIDE 4.0                /* metres of the longest side of a mesh as it is drawn */
+#define SIDE 4.0                /* m, longest side of a drawn mesh */
 
 static double of(tp_fx x)
 {
@@ -30,7 +30,7 @@ static void set(scene_file *file, const char *name, double value)
         exit(2);
 }
 
-/* In the middle, SIDE long and above the water. */
+/* Places the mesh in the middle, SIDE m long and above the water. */
 static void place(stage *s)
 {
     const tp_mesh *m = &s->assets.boat;
@@ -45,7 +45,7 @@ static void place(stage *s)
     set(&s->file, "boat.lift", 0.5 - of(m->low.y) * unit * scale);
 }
 
-/* Pixels of the picture that are not as without the mesh. */
+/* Returns the number of pixels changed by the mesh. */
 static size_t count_seen(stage *s, const options *o)
 {
     s->assets.names.boat = &s->assets.boat;
@@ -66,7 +66,7 @@ static size_t count_seen(stage *s, const options *o)
     return seen;
 }
 
-/* Whether it was drawn and seen. */
+/* True if the mesh was drawn and is visible. */
 static int draw(options *o, const char *mesh)
 {
     static const char *settings[] = { NULL, "camera.x=2.5", "camera.y=6", "camera.z=4",
@@ -81,7 +81,7 @@ static int draw(options *o, const char *mesh)
     const int code = stage_load(&s, o);
     size_t seen = 0;
     if (!code) {
-        options larger = *o;        /* for wires that pass between the pixels */
+        options larger = *o;        /* again larger, for wires thinner than a pixel */
         larger.width *= 10;
         larger.height *= 10;
         place(&s);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Kept worlds for tests: three scenes that have every part of a world between them, each
- * with the file of a world that has moved, whose bytes can be changed under a right CRC. */
+/* Kept worlds for tests: three scenes with every part of a world between them.  Each has
+ * the file of a world that has moved; a test can change its bytes and give it a correct
+ * CRC again. */
 #ifndef TP_TESTS_KEPT_H
 #define TP_TESTS_KEPT_H
 #include "pixel/pixel.h"
@@ -14,10 +15,10 @@ typedef struct {
     tp_assets  assets;
     test_boat  boat;
     test_frame frame;
-    tp_world  *fresh, *world;   /* at tick 0; where a kept one is taken to */
+    tp_world  *fresh, *world;   /* at tick 0; destination of keep_take */
     size_t     bytes;
     keep       keep;
-    uint8_t   *file;            /* what keep_put wrote: a head, then the world */
+    uint8_t   *file;            /* written by keep_put: a head, then the world */
     size_t     head;
 } kept;
 
@@ -46,9 +47,9 @@ static inline void kept_air(tp_scene *s, int32_t into)
     s->foam.cells = 12;
 }
 
-/* Cells of 16 and 32 bits, walls, rings, a boat that floats, foam and spray, a camera
- * that exposes by itself; cells of 8 bits, a floor with a map, a camera on the deck;
- * drops into an endless field of 32 bits and nothing else. */
+/* Scene 0: cells of 16 and 32 bits, walls, rings, a floating boat, foam and spray, auto
+ * exposure.  Scene 1: cells of 8 bits, a floor map, a camera on deck.  Scene 2: drops
+ * into an endless field of 32 bits, and nothing else. */
 static inline void kept_scene(kept *k, int number, uint64_t *chance)
 {
     tp_scene *s = &k->scene;
@@ -96,7 +97,7 @@ static inline void kept_read(kept *k, const char *path)
     fclose(file);
 }
 
-/* The world after 60 ticks, kept as `path`. */
+/* Makes the world, moves it 60 ticks and keeps it as `path`. */
 static inline void kept_begin(kept *k, int number, const char *path)
 {
     const tp_config config = { .width = KEPT_WIDTH,
@@ -125,7 +126,7 @@ static inline void kept_end(kept *k)
     free(k->file);
 }
 
-/* The last four bytes of the head are the CRC-32 of all others. */
+/* Writes the correct CRC-32 of all other bytes into the last four bytes of the head. */
 static inline void kept_sign(const kept *k, uint8_t *file)
 {
     uint8_t *crc = file + k->head - 4;
@@ -134,7 +135,7 @@ static inline void kept_sign(const kept *k, uint8_t *file)
     memcpy(crc, &sum, 4);
 }
 
-/* -- going on ---------------------------------------------------------------------- */
+/* -- use --------------------------------------------------------------------------- */
 
 static inline void kept_draw(const kept *k)
 {
@@ -145,7 +146,7 @@ static inline void kept_draw(const kept *k)
         continue;
 }
 
-/* Whether the file as it is now is taken. */
+/* True if the current file is accepted. */
 static inline bool kept_take(const kept *k)
 {
     keep_at at;
@@ -153,7 +154,7 @@ static inline bool kept_take(const kept *k)
     return keep_take(&k->keep, k->world, k->bytes, &at);
 }
 
-/* What was taken is drawn, moved by three ticks and drawn again. */
+/* Draws the accepted world, moves it three ticks and draws again. */
 static inline void kept_move(const kept *k)
 {
     const tp_input input = { .drops = 1,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* PNG files of every kind, for tests: each is written by libpng from one rule, so that
- * what reading must give is known to the texel. */
+/* PNG files of every kind, for tests. libpng writes each from one formula, so the exact
+ * texels to be read are known. */
 #ifndef TP_TESTS_KINDS_H
 #define TP_TESTS_KINDS_H
 #include <stdbool.h>
@@ -14,7 +14,7 @@ typedef struct {
     const char *name;
     uint32_t    w, h;
     int         bits, type;
-    bool        interlaced, keyed;      /* keyed: a tRNS chunk */
+    bool        interlaced, keyed;      /* keyed: has a tRNS chunk */
 } kind;
 
 #define GREY  PNG_COLOR_TYPE_GRAY
@@ -57,21 +57,21 @@ static inline int channels(const kind *k)
     return k->type == RGB ? 3 : k->type == RGBA ? 4 : k->type == GREYA ? 2 : 1;
 }
 
-/* Sample c of pixel (x, y), of k->bits. */
+/* Returns sample c of pixel (x, y), of k->bits bits. */
 static inline uint32_t sample(const kind *k, uint32_t x, uint32_t y, int c)
 {
     const uint32_t v = x * 40503u + y * 30011u + (uint32_t)c * 17321u;
     return (v ^ v >> 7) & ((1u << k->bits) - 1);
 }
 
-#define KEY 1                   /* sample, or palette's entries, that is seen through */
+#define KEY 1                   /* the transparent sample, or palette index */
 
 static inline png_color palette_entry(uint32_t i)
 {
     return (png_color){ (png_byte)(7 * i + 3), (png_byte)(255 - 5 * i), (png_byte)(90 ^ i) };
 }
 
-/* What reading must give. */
+/* Returns the texel to be read. */
 static inline uint32_t expected(const kind *k, uint32_t x, uint32_t y)
 {
     uint32_t c[4], raw[4], alpha = 255;

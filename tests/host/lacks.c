@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a baked program says of its scene as it is and as it may become: a line each. */
+/* Prints the parts missing in a baked program, for its scene now and for allowed
+ * changes, a line each. */
 #include <stdio.h>
 #include <string.h>
 #include "scene/parts.h"

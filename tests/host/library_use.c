@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What library.sh asks of the host library: one case a name.
+/* Cases of library.sh for the host library, selected by name.
  *     library_use CASE SCENE [ARGUMENT] */
 #include <pthread.h>
 #include <stdio.h>
@@ -39,7 +39,7 @@ static void go(tp_host *host, int steps, const tp_input *input)
         tp_host_step(host, input);
 }
 
-/* Pictures of steps 0..ARGUMENT, as `tidepool render --hash` prints them. */
+/* Prints the CRCs of steps 0..ARGUMENT, as `tidepool render --hash` does. */
 static void frames(tp_host *host, const char *last)
 {
     for (int n = 0; n <= atoi(last); n++) {
@@ -49,7 +49,7 @@ static void frames(tp_host *host, const char *last)
     }
 }
 
-/* Pictures of an engine of the caller's own, of what was loaded. */
+/* The same frames by an engine of the caller's, from the loaded scene and assets. */
 static void engine(tp_host *host, const char *last)
 {
     const tp_config config = { .width = 160,
@@ -101,7 +101,7 @@ static void looks(tp_host *host, const char *unused)
     printf(": %s\n", err.text);
 }
 
-/* What is gone round stays in the middle: of an odd number of pixels there is one. */
+/* Orbit keeps its target in the middle; an odd number of pixels has a middle pixel. */
 static void orbit(tp_host *host, const char *unused)
 {
     const int32_t x = (int32_t)small.width / 2, y = (int32_t)small.height / 2;
@@ -120,7 +120,7 @@ static void orbit(tp_host *host, const char *unused)
            is_near(eye, tp_world_camera(tp_host_world(host)).eye, TP_FX(1)) ? "too" : "goes round");
 }
 
-/* The picture seven steps on, after a poke, a stir or nothing. */
+/* Returns the picture's CRC seven steps after pokes, a stir or nothing. */
 static uint32_t acted(const char *path, bool poke, bool stir, int *took)
 {
     tp_host *host = opened(path);
@@ -150,7 +150,7 @@ static void pokes(tp_host *host, const char *path)
            by_stir ? "moved" : "still");
 }
 
-/* Degrees clockwise from -z. */
+/* Returns the heading, degrees clockwise from -z. */
 static int heading_of(tp_host *host)
 {
     const tp_dir3 back = tp_world_camera(tp_host_world(host)).turn.z;
@@ -158,13 +158,13 @@ static int heading_of(tp_host *host)
     return (int)((tp_atan2(-back.x, back.z) + TP_DEG(0.5)) / TP_DEG(1));
 }
 
-/* Each step takes its input, however many ticks it has. */
+/* Each step takes its input once, for any number of ticks. */
 static void turns(tp_host *host, const char *steps)
 {
     const int heading = heading_of(host);
 
     go(host, atoi(steps), &(tp_input){ .turn = TP_DEG(2) });
-    go(host, 8, &(tp_input){ .turn = 0 });      /* the camera is seen a tick later */
+    go(host, 8, &(tp_input){ .turn = 0 });      /* the camera is drawn a tick behind */
     printf("%d\n", (heading_of(host) - heading + 360) % 360 / 2);
 }
 
@@ -204,7 +204,7 @@ static void values(tp_host *host, const char *name)
         printf("%s is none\n", name);
 }
 
-/* On the deck; what is said of camera.follow there holds when the camera is free again. */
+/* camera.follow set while on the deck takes effect when the camera is free again. */
 static void follow(tp_host *host, const char *word)
 {
     tp_host_value value;
@@ -218,7 +218,7 @@ static void follow(tp_host *host, const char *word)
     printf(", free: %s\n", value.value);
 }
 
-/* A picture of ARGUMENT columns. */
+/* A picture ARGUMENT px wide. */
 static void sized(const char *path, const char *width)
 {
     const tp_host_config config = { .width = (uint32_t)atoi(width), .height = 120 };
@@ -257,7 +257,8 @@ static void *run(void *path)
     return text;
 }
 
-/* One after the other, in turns, and by two threads at once: the same pictures. */
+/* Two hosts one after the other, alternating, and in two threads at once draw the same
+ * pictures. */
 static void two(const char *a, const char *b)
 {
     char *const alone[2] = { run((void *)a), run((void *)b) };

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The panel in a window of its own, for tests/host/panel.sh and for looking at it:
+/* The panel in a window of its own, for tests/host/panel.sh and for a person:
  *     panel_demo [--window WxH] [--panel PX] [--scale F] [--frames N] [--shot PNG]
  *                [--search WORDS] [--times]
- *     panel_demo --has            whether there is a panel in this build
+ *     panel_demo --has            exit code: 0 if this build has a panel
  *
- * The host is of a scene's values by the real table; of the rest it makes something up.
- * What the panel asks for is printed, a line each; so are keys and clicks that it leaves
- * to the picture, and with --times what a call of panel_draw takes. */
+ * The host has a scene's values in the real table; all else is made up.  Prints each
+ * request of the panel on a line, each key and click the panel leaves to the picture,
+ * and with --times the time of a panel_draw call. */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
 #include <stdio.h>
@@ -119,7 +119,7 @@ static void make_rows(demo *d)
     d->host.row = d->row;
 }
 
-/* -- the rest of a host ---------------------------------------------------------- */
+/* -- other callbacks ------------------------------------------------------------- */
 
 static const char *const scenes[] = { "three-swells", "storm", "tank" };
 static const char *const shows[] = {
@@ -196,7 +196,7 @@ static void make_figures(demo *d)
     d->compare = (panel_compare){ "split", "exact", 41.7, "" };
 }
 
-/* A frame's time that moves, as if something was drawn. */
+/* Adds an invented frame time. */
 static void age(panel_figures *f)
 {
     memmove(f->history, f->history + 1, sizeof f->history - sizeof *f->history);

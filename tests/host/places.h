@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Scenes that name a picture in one place, for tests: what loading returns and says. */
+/* Scenes naming a picture in one place, for tests: the result of loading, and the
+ * messages. */
 #ifndef TP_TESTS_PLACES_H
 #define TP_TESTS_PLACES_H
 #include <stdio.h>
@@ -22,7 +23,7 @@ enum { TEXTURES = sizeof textures / sizeof *textures,
 
 _Static_assert((int)TEXTURES == (int)ASSETS_PICTURES, "every place of a texture is tried");
 
-/* -- what is said -------------------------------------------------------------------- */
+/* -- messages ------------------------------------------------------------------------ */
 
 static int kept_stderr;
 static char said[8192];
@@ -45,7 +46,7 @@ static inline void stop_listening(void)
     fclose(file);
 }
 
-/* -- scenes that name them ------------------------------------------------------------- */
+/* -- scenes with a picture ------------------------------------------------------------- */
 
 static inline void put_setting(FILE *file, const char *row, const char *value)
 {
@@ -53,7 +54,8 @@ static inline void put_setting(FILE *file, const char *row, const char *value)
     fprintf(file, "[%.*s]\n%s = %s\n", (int)(dot - row), row, dot + 1, value);
 }
 
-/* A scene whose third line names a picture; as loaded, with what was said in `said`. */
+/* Loads a scene naming a picture in its third line.  Returns the code; messages go to
+ * `said`. */
 static inline int open_one(const char *row, const char *name)
 {
     scene_file scene;
@@ -76,7 +78,7 @@ static inline int open_one(const char *row, const char *name)
     return code;
 }
 
-/* -- a folder of their own ------------------------------------------------------------- */
+/* -- a temporary folder ---------------------------------------------------------------- */
 
 static char folder[4096];
 

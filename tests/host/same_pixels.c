@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* same_pixels A.png B.png: exits with 0 if both show the same. */
+/* same_pixels A.png B.png: exits with 0 if both have the same pixels. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

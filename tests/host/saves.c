@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* saves [-r] KIND COUNT PLACE SCENE: saves so many times, or with -r reads, one kind of
- * file:
+/* saves [-r] KIND COUNT PLACE SCENE: writes, or with -r reads, a file of one kind COUNT
+ * times:
  *     keep FILE       a kept world
  *     session FOLDER  the preview's state, in FOLDER/tidepool
  *     scene FILE      the scene as INI
  *     picture FILE    a PNG
- * Two versions of it in turn.  Prints how many saves or readings failed; exits with 3 if
- * one did. */
+ * Two versions of the content alternate.  Prints the number of failures; exits with 3 if
+ * there is one. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,7 +18,7 @@
 #include "host/stage.h"
 #include "screen/keep.h"
 
-/* Of faults.c, where that is loaded. */
+/* Defined by faults.c, if loaded. */
 void faults_begin(void) __attribute__((weak));
 
 typedef struct {
@@ -63,7 +63,7 @@ static int save_scene(saver *s, uint32_t number)
     return scene_save(&s->stage.file, s->place);
 }
 
-/* As it was saved, to the last line. */
+/* Returns 0 if the scene is one of the two saved versions, complete to the last line. */
 static int read_scene(saver *s)
 {
     scene_file file;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What stands in a frame buffer's memory, by the description that the fake one was made
- * from: the CRC-32 of a part of it, as `tidepool render --hash` counts it.
+/* Prints the CRC-32 of a part of a frame buffer's memory, counted as by `tidepool render
+ * --hash`.  The description is the one of the fake frame buffer (screen_fake.c).
  *
- *   screen_crc FILE "DESCRIPTION" FIRST_LINE X Y WIDTH HEIGHT [p8|l8] */
+ * screen_crc FILE "DESCRIPTION" FIRST_LINE X Y WIDTH HEIGHT [p8|l8] */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +11,7 @@
 
 enum { BITS = 2, LINE = 3, RED = 6, NUMBERS = 16 };
 
-/* `length` bits to 8 by repeating them. */
+/* Widens `length` bits to 8 by repeating them. */
 static uint32_t widen(uint32_t pixel, uint32_t offset, uint32_t length)
 {
     const uint32_t value = pixel >> offset & ((1u << length) - 1);
@@ -24,7 +24,7 @@ static uint32_t widen(uint32_t pixel, uint32_t offset, uint32_t length)
 static uint32_t colour(const uint8_t *at, const uint32_t *n, const char *table)
 {
     uint32_t pixel = 0;
-    memcpy(&pixel, at, n[BITS] / 8);            /* of a machine with its low byte first */
+    memcpy(&pixel, at, n[BITS] / 8);            /* on a little-endian machine */
     if (table)
         return strcmp(table, "p8") == 0 ? tp_palette[pixel] : pixel * 0x010101u;
     return widen(pixel, n[RED], n[RED + 1]) << 16

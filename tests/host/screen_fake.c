@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* A frame buffer and a console for machines that have neither: loaded before the program
- * (LD_PRELOAD), it answers the calls that a driver would.  The memory is a plain file.
+/* A fake frame buffer and console for machines without: loaded before the program
+ * (LD_PRELOAD), it answers the system calls in place of a driver.  The memory is an
+ * ordinary file.
  *
- *   FAKE_FB   "width height bits line rows visual red/len green/len blue/len spare/len
+ * FAKE_FB "width height bits line rows visual red/len green/len blue/len spare/len
  *             grey pan": numbers, with blanks for the slashes
- *   FAKE_VT   standard input is a virtual terminal, in this mode (0: text); else there is
+ * FAKE_VT standard input is a virtual terminal in this mode (0: text); unset: there is
  *             none
- *   FAKE_LOG  each call that changes something, a line
- *   FAKE_FAIL the so-manieth of all calls fails
- *   FAKE_GONE once a file of this name is there, the screen is unplugged
- *   FAKE_HANG panning never returns
- *   FAKE_SLOW fsync takes a second */
+ * FAKE_LOG file for a line per call that changes something FAKE_FAIL number of the call
+ * to fail, counting all calls FAKE_GONE name of a file; once it exists, the screen is
+ * unplugged FAKE_HANG panning never returns FAKE_SLOW fsync takes a second */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -29,9 +28,9 @@
 enum { WIDTH, HEIGHT, BITS, LINE, ROWS, VISUAL, RED, GREEN = RED + 2, BLUE = GREEN + 2,
        SPARE = BLUE + 2, GREY = SPARE + 2, PAN, NUMBERS };
 
-/* What a driver knows, shared by the processes. */
+/* The fake driver's state, shared by the processes. */
 typedef struct {
-    pid_t    opener;            /* in which panning returns all the same */
+    pid_t    opener;            /* panning always returns in this process */
     unsigned calls, yoffset, red[256], green[256], blue[256];
 } driver;
 

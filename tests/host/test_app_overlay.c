@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* An application's own spans in tiles: one that draws nothing changes no bit, in any scene,
- * format, tiling and by any number of threads; spans are hidden by what is nearer.
+/* An application's own spans in tiles.  An overlay without spans changes no bit, for any
+ * scene, format, tiling and number of threads; nearer geometry hides spans.
  * TP_OVERLAY_PICTURES=FOLDER keeps the picture of a sprite behind a crest. */
 #include <stdarg.h>
 #include <stddef.h>
@@ -50,7 +50,7 @@ static void close_stand(stand *s)
     scene_file_close(&s->file);
 }
 
-/* -- nothing is drawn ------------------------------------------------------------------ */
+/* -- an empty overlay ------------------------------------------------------------------ */
 
 static void draw_nothing(void *user, const tp_overlay_row *row)
 {
@@ -71,7 +71,7 @@ static uint32_t crc_of(const stand *s, tp_config config, uint32_t threads)
     return crc;
 }
 
-/* Each format once, by tilings in turn from `turn` on. */
+/* Tries each format once, with alternating tilings, starting at `turn`. */
 static void try_scene(const char *folder, const char *name, size_t turn)
 {
     static const uint32_t tiles[][2] = { { 0, 150 }, { 48, 7 }, { 16, 1 } };
@@ -135,7 +135,7 @@ static void draw_picture(const stand *s, tp_overlay overlay, uint32_t *pixels,
     canvas_close(&c);
 }
 
-/* Rows from y0 to y1 of one colour from x, so wide and so far away. */
+/* A rectangle: rows y0 to y1 from column x, with width, depth and one colour. */
 typedef struct {
     int32_t x, y0, y1;
     uint32_t width, colour;
@@ -156,7 +156,8 @@ static void draw_sprite(void *user, const tp_overlay_row *row)
 
 static uint32_t without[PIXELS], with[PIXELS];
 
-/* 0 is before everything; what is beyond the row is left out; alpha blends, rounded. */
+/* Depth 0 is in front of everything; spans are cut at the row's ends; alpha blends with
+ * rounding. */
 static void a_hud_is_over_everything(void **state)
 {
     (void)state;
@@ -185,8 +186,8 @@ static void a_hud_is_over_everything(void **state)
     close_stand(&s);
 }
 
-/* A billboard that stands 30 m ahead of an eye low over the swells, against depths in
- * double precision. */
+/* A billboard 30 m ahead of a low eye over the swells, compared with depths in double
+ * precision. */
 static void a_crest_hides_what_stands_behind_it(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Five buttons as input: each does what it stands for, once, when it is let go. */
+/* Five buttons as input: each has its effect once, on release. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -10,13 +10,13 @@
 #include "../unit/scenes.h"
 #include "scene/world.h"
 
-#define NONE 0x1fu              /* pressed: all lines are high */
+#define NONE 0x1fu              /* no button pressed: all lines are high */
 
 static const tp_assets none;
 
 typedef struct { tp_scene scene; tp_world *world; } water;
 
-/* A pool of 8 m a side around (1, -2), and drops. */
+/* A pool of 8 m per side around (1, -2), and drops. */
 static water water_with(int32_t cols, int32_t drops)
 {
     water w = { .scene = scene_plain() };
@@ -39,7 +39,7 @@ static void water_free(water *w)
     free(w->world);
 }
 
-/* The input of a button pressed and let go. */
+/* Returns the input of a button pressed and released. */
 static tp_input click(const water *w, uint32_t button)
 {
     buttons  b = { NONE };
@@ -68,7 +68,7 @@ static void each_button_does_what_it_stands_for(void **state)
     water_free(&w);
 }
 
-/* Lines have filled the tick: the button acts with the next one. */
+/* Poke lines have filled the tick's input: the button acts in the next tick. */
 static void a_poke_that_finds_no_room_comes_a_tick_later(void **state)
 {
     (void)state;
@@ -101,7 +101,7 @@ static void without_drops_the_camera_turns_and_nothing_falls(void **state)
     water_free(&w);
 }
 
-/* Lines of an emulator read low until they are first driven. */
+/* Input lines of an emulator read low until first driven. */
 static void only_what_rises_acts(void **state)
 {
     (void)state;
@@ -139,7 +139,8 @@ static void a_poke_falls_where_the_middle_looks(void **state)
     water_free(&w);
 }
 
-/* Far away, behind the pool, over the horizon or from below: into the pool still. */
+/* From far away, behind the pool, above the horizon or below: the poke still hits the
+ * pool. */
 static void a_poke_falls_into_the_pool(void **state)
 {
     static const double pitch[] = { -89, -45, -3, -0.01, 0, 20, 89 };

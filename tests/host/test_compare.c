@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The picture beside another rung's and beside the reference's, of one world. */
+/* Comparison of a picture with another rung's and with the reference tracer's, for one
+ * world. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,7 +17,7 @@
 #define SEA   "assets/scenes/three-swells.ini"
 #define POND  "assets/scenes/pond.ini"
 
-/* As compare sets it: what "exact" is. */
+/* Settings of "exact", as compare sets them. */
 static const char *exact[] = { "quality.visibility=triangles", "quality.shading=exact",
                                "quality.rate=full", "quality.lod=off",
                                "quality.error_px=0", "quality.error_colour=0" };
@@ -117,7 +118,7 @@ static void the_same_rung_has_the_same_bits(void **state)
     finish(&b);
 }
 
-/* Rungs that the stage draws by are told to be those; others are not. */
+/* The note says if the stage draws by the compared rungs already, and only then. */
 static void what_is_drawn_so_anyway_is_told(void **state)
 {
     bench b;
@@ -130,7 +131,7 @@ static void what_is_drawn_so_anyway_is_told(void **state)
     compare_set(b.compare, COMPARE_SPLIT, AGAINST_LOD);
     assert_non_null(draw(&b));
     assert_null(strstr(compare_note(b.compare), "nothing to compare"));
-    b.options.format = TP_FORMAT_RGB565;        /* of fewer colours */
+    b.options.format = TP_FORMAT_RGB565;        /* fewer colours */
     assert_int_equal(stage_canvas(&b.stage, &b.options), 0);
     compare_set(b.compare, COMPARE_SPLIT, AGAINST_EXACT);
     assert_non_null(draw(&b));
@@ -139,7 +140,7 @@ static void what_is_drawn_so_anyway_is_told(void **state)
     finish(&b);
 }
 
-/* Of every plan there is something to compare it with that is drawn otherwise. */
+/* For every quality plan the usual comparison uses other rungs than the plan. */
 static void the_usual_other_picture_is_another(void **state)
 {
     static const char *quick_sea[] = { "quality.shading=quick", "mirror.objects=none",
@@ -149,7 +150,7 @@ static void the_usual_other_picture_is_another(void **state)
                                        "foam.cells=0", "hdr.share=0" };
     bench b;
     (void)state;
-    open_with(&b, SEA, 64, 48, exact, 6);       /* its mirror is no quick shading's */
+    open_with(&b, SEA, 64, 48, exact, 6);       /* its mirror disables fast shading */
     assert_int_equal(compare_usual(&b.stage), AGAINST_REFERENCE);
     finish(&b);
     open_with(&b, SEA, 64, 48, plain_sea, 6);
@@ -176,7 +177,7 @@ static void another_rung_is_off_by_little(void **state)
     assert_in_range((int)compare_psnr(b.compare), 20, 59);
     compare_set(b.compare, COMPARE_SPLIT, AGAINST_COLOUR);
     assert_non_null(draw(&b));
-    assert_true(compare_psnr(b.compare) > 40);          /* but for waves too faint */
+    assert_true(compare_psnr(b.compare) > 40);          /* differs by culled waves only */
     finish(&b);
 }
 
@@ -251,7 +252,7 @@ static void what_a_scene_cannot_have_is_told(void **state)
     compare_set(b.compare, COMPARE_SPLIT, AGAINST_PROJECTED);
     assert_non_null(draw(&b));
     assert_non_null(strstr(compare_note(b.compare), "not for this scene"));
-    assert_true(compare_psnr(b.compare) >= 100);        /* and triangles were drawn */
+    assert_true(compare_psnr(b.compare) >= 100);        /* triangles are drawn already */
     compare_set(b.compare, COMPARE_SPLIT, AGAINST_TRIANGLES);
     assert_non_null(draw(&b));
     assert_non_null(strstr(compare_note(b.compare), "nothing to compare"));
@@ -268,7 +269,7 @@ static void rest(void)
     nanosleep(&some, NULL);
 }
 
-/* Until its next picture is there. */
+/* Waits for the next picture of the reference. */
 static const picture *wait_for(bench *b)
 {
     const uint64_t begin = now_us();
@@ -278,7 +279,7 @@ static const picture *wait_for(bench *b)
     return draw(b);
 }
 
-/* That has a sample of every pixel. */
+/* Waits for a picture with a sample in every pixel. */
 static const picture *wait_for_all(bench *b)
 {
     const picture *p = wait_for(b);
@@ -299,7 +300,7 @@ static void the_reference_comes_with_ever_more_samples(void **state)
     assert_true(compare_psnr(b.compare) < 0);
     assert_non_null(strstr(compare_note(b.compare), "draws"));
     assert_non_null(wait_for(&b));
-    assert_true(compare_psnr(b.compare) < 0             /* coarse, if it was seen */
+    assert_true(compare_psnr(b.compare) < 0             /* coarse, if drawn yet */
                 || !strstr(compare_note(b.compare), "16 pixels"));
     assert_non_null(wait_for_all(&b));
     while (strncmp(compare_note(b.compare), last, strlen(last)) != 0) {
@@ -312,7 +313,7 @@ static void the_reference_comes_with_ever_more_samples(void **state)
     finish(&b);
 }
 
-/* Of another world than it began with: the pair is the first one's. */
+/* The world changes during the reference: the compared pair is of the old world. */
 static void the_pair_is_of_one_world(void **state)
 {
     bench b;
@@ -332,7 +333,7 @@ static void the_pair_is_of_one_world(void **state)
         moved += pixel(&b.stage.canvas.picture, 7, y) != first[y];
     }
     assert_true(moved > 4);
-    p = wait_for(&b);                                   /* and then of the new one */
+    p = wait_for(&b);                                   /* then the pair of the new world */
     for (uint32_t y = 0; y < 48; y++)
         assert_int_equal(pixel(p, 7, y), pixel(&b.stage.canvas.picture, 7, y));
     finish(&b);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Control on a board: what lines are answered, that a refused one changes nothing, that
- * bytes of any kind do no harm, and that pictures are those of the scene so changed. */
+/* Control on a board: answers to lines; a refused line changes nothing; arbitrary bytes
+ * do no harm; the picture is that of the changed scene. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -62,7 +62,7 @@ static void board_close(board *b)
     free(b->scratch);
 }
 
-/* Waves, a pool and drops; the grid's cells stay few. */
+/* Waves, a pool and drops; a grid of few cells. */
 static int set_up(void **state)
 {
     board *b = calloc(1, sizeof *b);
@@ -83,7 +83,7 @@ static int tear_down(void **state)
     return 0;
 }
 
-/* Feeds a text; what is answered. */
+/* Feeds a text and returns the answer. */
 static const char *answer_to(board *b, const char *text, size_t bytes)
 {
     b->length = 0;
@@ -147,7 +147,7 @@ static void lines_are_answered_as_documented(void **state)
     hold(*state, talk, COUNT(talk));
 }
 
-/* The world has no room for foam either: the name is told before the bytes. */
+/* The world has no room for foam either: the answer names the missing module first. */
 static void what_the_program_lacks_is_refused_by_name(void **state)
 {
     static const exchange talk[] = {
@@ -180,7 +180,7 @@ static void what_the_program_lacks_is_refused_by_name(void **state)
     by.program = &lacking;
     b->setup.config = &by;
     hold(b, talk, COUNT(talk));
-    lacking.refuse = NULL;              /* left out without a word */
+    lacking.refuse = NULL;              /* then silently ignored */
     assert_string_equal(ask(b, "set foam.cells=64\n"), "ok foam.cells = 64 cells\n");
 }
 
@@ -311,7 +311,8 @@ static void a_picture_is_that_of_the_scene_so_changed(void **state)
     free(fresh);
 }
 
-/* What is taken is left in the scene at any value, and can be drawn and moved. */
+/* An accepted value, at either end of the range, stays in the scene and can be drawn and
+ * moved. */
 static void every_parameter_takes_its_ends(void **state)
 {
     uint32_t count, taken = 0;
@@ -358,8 +359,8 @@ static void input_is_taken_once(void **state)
     assert_int_equal(control_take(&b->control).drops, 1024);
 }
 
-/* Lines of several kinds, in their order, as many as a tick takes; one more is refused,
- * and with it all of its line. */
+/* One tick takes lines of several kinds in order, up to its limit.  A line exceeding the
+ * limit is refused as a whole. */
 static void every_poke_of_a_tick_is_taken(void **state)
 {
     board *b = *state;
@@ -456,7 +457,7 @@ static void the_longest_line_is_read_whole(void **state)
                         "error line longer than 160 bytes\n");
 }
 
-/* Words of commands and names among random bytes. */
+/* Returns random bytes mixed with words of commands and names. */
 static uint8_t any_byte(uint64_t *chance)
 {
     static const char text[] = "set get list poke drop input wave0.length = 0.5 #fff\n\n";

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tapes written and read again: steps, looks and sets in their order, and what is cut off
- * when the preview goes back in time. */
+/* Tapes written and read again: steps, looks and sets in order, and lines cut off when
+ * the preview goes back in time. */
 #define _XOPEN_SOURCE 700
 #include <stdarg.h>
 #include <stddef.h>
@@ -36,7 +36,7 @@ static void spill(const char *text)
 
 static const tp_input turn = { .turn = 900 }, drop = { .drops = 1 }, nothing;
 
-/* Lines are there as soon as they are written. */
+/* Lines are in the file at once. */
 static void what_is_recorded_is_on_the_tape(void **state)
 {
     (void)state;
@@ -110,7 +110,7 @@ static void going_back_takes_lines_off(void **state)
     for (uint64_t tick = 0; tick < 100; tick++) {
         if (tick % 10 == 5)
             deck_set(&d, tick, "camera.x=4");
-        d.picture++;                    /* of the step that follows */
+        d.picture++;                    /* of the following step */
         deck_add(&d, tick, tick % 2 ? &turn : &nothing);
     }
     deck_cut(&d, 100);
@@ -133,7 +133,7 @@ static void going_back_takes_lines_off(void **state)
     assert_tape("tape 1 pond\n2 drops=1\n");
 }
 
-/* From the middle, at the end, all; and what is recorded afterwards follows. */
+/* Drops lines from the middle, at the end, and all; later lines follow. */
 static void lines_can_be_dropped(void **state)
 {
     (void)state;
@@ -144,7 +144,7 @@ static void lines_can_be_dropped(void **state)
     deck_look(&d, 3, &turn);
     deck_add(&d, 4, &drop);
     deck_drop(&d, 0, 0);
-    deck_drop(&d, 2, 9);                        /* there are not so many */
+    deck_drop(&d, 2, 9);                        /* more than there are */
     deck_drop(&d, 1, 2);
     assert_tape("tape 1 pond\n3 set camera.x=4\n3 look turn=900\n4 drops=1\n");
     deck_add(&d, 5, &turn);
@@ -174,7 +174,7 @@ static void a_deck_without_a_tape_takes_all(void **state)
     assert_int_equal(deck_close(&d), 0);
 }
 
-/* A full disk, and what cannot be cut. */
+/* A full disk, and a file that cannot be cut. */
 static void what_could_not_be_written_is_said(void **state)
 {
     (void)state;

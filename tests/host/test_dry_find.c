@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The list of a baked program: what a scene needs is found and nothing else, a list that
- * draws another picture is refused, and what is left out on purpose is told. */
+/* The module list of a baked program: the parts needed by a scene are found, and no
+ * others; a list that draws another picture is refused; parts left out on purpose are
+ * reported. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -12,7 +13,7 @@
 #include "../../ports/host/bake_program.h"
 #include "../../ports/host/stage.h"
 
-/* A scene loaded, and a wish for it at a size that takes little time. */
+/* A loaded scene, and a request for its list at a quick size. */
 typedef struct {
     options   options;
     stage     stage;
@@ -55,7 +56,8 @@ static bool has(const dry_found *found, const char *name)
     return false;
 }
 
-/* Each piece of the list but sky and plain, which every picture has, runs or is missed. */
+/* Each piece of the list, except sky and plain, is run or missed if removed; those two
+ * are in every picture. */
 static void a_list_has_what_the_scene_needs_and_no_more(void **state)
 {
     asked a;
@@ -94,7 +96,7 @@ static void a_list_has_what_the_scene_needs_and_no_more(void **state)
     stage_close(&a.stage);
 }
 
-/* Whoever acts goes under water; nobody else does here. */
+/* A camera can dive only if somebody controls it. */
 static void cameras_go_where_somebody_may(void **state)
 {
     asked a;
@@ -126,12 +128,13 @@ static void what_draws_another_picture_is_refused(void **state)
     assert_int_equal(dry_find(&found, &a.wish), EXIT_CHECK);
     a.lacking = *a.wish.assets;
     a.named.water.colour ^= 0x404040;
-    assert_int_equal(dry_find(&found, &a.wish), 0);     /* it plans for itself then */
+    assert_int_equal(dry_find(&found, &a.wish), 0);     /* makes a plan of its own then */
     assert_true(found.planned);
     stage_close(&a.stage);
 }
 
-/* Assets that will not do are not taken, if others will. */
+/* The smallest assets are tried first; insufficient assets are refused if others
+ * suffice. */
 static void lean_assets_are_tried_first(void **state)
 {
     asked a;
@@ -194,9 +197,9 @@ static void modules_bring_the_models_that_they_work_on(void **state)
     }
 }
 
-/* A scene that may change: its modules are in the list, left out on purpose or refused;
- * those that are on are drawn though nothing of them is seen yet, by all their stages but
- * fast ones. */
+/* A scene allowed to change: each module is in the list, left out on purpose, or
+ * refused.  Modules switched on are drawn by all their stages except fast stages,
+ * visible or not. */
 static void what_may_not_be_switched_on_is_refused(void **state)
 {
     asked a;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Undo and redo: in their order, drags as one, the oldest forgotten. */
+/* Undo and redo: order, a drag as one edit, the oldest edits dropped. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#undef fail                     /* cmocka's, of no arguments */
+#undef fail                     /* cmocka's, without arguments */
 #include "../../ports/host/edits.h"
 #include "../unit/measure.h"
 
@@ -99,7 +99,7 @@ static void a_drag_is_one_edit(void **state)
     add(5, "1", "1.1", true);
     add(5, "1.1", "1.2", true);
     add(5, "1.2", "1.3", false);
-    add(5, "1.3", "2", true);     /* the next one */
+    add(5, "1.3", "2", true);     /* the next edit */
     edits_part(&e);
     add(5, "2", "3", true);
     assert_int_equal(e.count, 3);
@@ -119,7 +119,7 @@ static void a_drag_ends_with_another_row_and_with_undo(void **state)
     edits_redo(&e);
     add(5, "3", "4", true);
     assert_edit(edits_undo(&e), 5, "3", "4");
-    add(5, "3", "9", true);       /* not on with the one before */
+    add(5, "3", "9", true);       /* not part of the edit before */
     assert_edit(edits_undo(&e), 5, "3", "9");
     assert_edit(edits_undo(&e), 5, "2", "3");
 }
@@ -142,7 +142,7 @@ static void what_ends_where_it_began_is_none(void **state)
     assert_edit(edits_undo(&e), 1, "0", "1");
 }
 
-/* The same text from another folder is another file. */
+/* The same text set from another folder names another file. */
 static void who_set_it_is_part_of_a_value(void **state)
 {
     (void)state;
@@ -180,7 +180,7 @@ static const tp_world *world(int number)
     return (const void *)block;
 }
 
-/* From world `from` to world `to`. */
+/* Adds an edit from world `from` to world `to`. */
 static void add_worlds(uint32_t row, int from, int to, bool going)
 {
     edit new = edit_of(row, from ? "a" : "b", "c");
@@ -200,7 +200,7 @@ static void edits_share_the_world_between_them(void **state)
         assert_memory_equal(got->before.world->world, world(i), WORLD_BYTES);
         assert_memory_equal(got->after.world->world, world(i + 1), WORLD_BYTES);
     }
-    add_worlds(2, 77, 78, false);               /* the undone ones go */
+    add_worlds(2, 77, 78, false);               /* drops the undone edits */
     assert_int_equal(e.count, 1);
     assert_int_equal(e.bytes, 2 * WORLD_BYTES);
     edits_forget_worlds(&e);
@@ -219,7 +219,7 @@ static void a_drag_keeps_the_worlds_at_its_ends(void **state)
     assert_memory_equal(got->after.world->world, world(9), WORLD_BYTES);
 }
 
-/* Of worlds of a fifth of all that may be kept. */
+/* Each world has a fifth of the allowed bytes. */
 static void the_worlds_of_the_oldest_edits_go_first(void **state)
 {
     (void)state;
@@ -243,7 +243,7 @@ static void the_worlds_of_the_oldest_edits_go_first(void **state)
     free(large);
 }
 
-/* Against a value that is changed and brought back: a text of a number that rises. */
+/* Compares with a simple model: a number that is changed and restored as text. */
 static void any_row_of_them_leads_back_and_forth(void **state)
 {
     (void)state;

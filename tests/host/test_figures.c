@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the instruments tell, from times that are made up and from a scene. */
+/* Figures of the preview, from invented times and from a scene. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -68,7 +68,7 @@ static void the_newest_picture_is_the_last(void **state)
     assert_int_equal(p.pictures, 1000);
     for (uint32_t i = 0; i < PANEL_HISTORY; i++)
         assert_int_equal((int)p.history[i], 761 + i);
-    assert_float_equal(p.median_ms, 970.5, 0);          /* of the last 60 */
+    assert_float_equal(p.median_ms, 970.5, 0);          /* of the last 60 frames */
     figures_end(f);
 }
 
@@ -101,9 +101,9 @@ static void an_input_waits_for_its_picture(void **state)
     (void)state;
     figures_shown(f, at);
     figures_input(f, at + 2 * MS);
-    figures_input(f, at + 9 * MS);                      /* the first counts */
+    figures_input(f, at + 9 * MS);                      /* the first input counts */
     figures_shown(f, at + 22 * MS);
-    figures_shown(f, at + 39 * MS);                     /* answers nothing */
+    figures_shown(f, at + 39 * MS);                     /* answers no input */
     assert_float_equal(shown_of(f, at + 40 * MS).latency_ms, 20, 1e-4);
     figures_input(f, at + 40 * MS);
     figures_shown(f, at + 70 * MS);
@@ -131,7 +131,7 @@ static void the_rate_is_that_of_the_last_second(void **state)
     figures_end(f);
 }
 
-/* -- of a scene ---------------------------------------------------------------------- */
+/* -- a real scene -------------------------------------------------------------------- */
 
 static void open_scene(stage *s, const char **settings, uint32_t n)
 {
@@ -165,7 +165,7 @@ static void the_dearest_stages_come_first(void **state)
     }
     assert_float_equal(share, 1, 1e-3);
     assert_int_equal(stopwatch_ns(0), 0);
-    p = shown_of(f, SECOND + 600 * MS);                 /* it stands: they stay */
+    p = shown_of(f, SECOND + 600 * MS);     /* stage times stay while the picture stands */
     assert_in_range(p.stage_count, 8, 30);
     figures_measures(f, false);
     assert_int_equal(shown_of(f, SECOND + 900 * MS).stage_count, 0);
@@ -173,7 +173,7 @@ static void the_dearest_stages_come_first(void **state)
     figures_end(f);
 }
 
-/* The number behind "use" in a list of memory. */
+/* Returns the number behind "use" in a list of memory. */
 static size_t bytes_of(const char *list, const char *use)
 {
     const char *at = strstr(list, use);

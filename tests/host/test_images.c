@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures of every kind in every place that a scene can name one: read to the texel,
- * loaded, and drawn with. */
+/* Pictures of every kind in every place of a scene: read exactly to the texel, loaded,
+ * and used to draw a frame. */
 #define _XOPEN_SOURCE 700
 #include <stdarg.h>
 #include <stddef.h>
@@ -43,7 +43,7 @@ static void good_pictures_load_in_every_place(void **state)
     }
 }
 
-/* Everything at once: a tank in a pool with foam, under a cube, by the shore. */
+/* All features at once: a tank in a pool with foam, under a cube sky, by the shore. */
 static void write_whole_scene(void)
 {
     static const char *const others[][2] = {

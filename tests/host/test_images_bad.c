@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures that cannot be used, in every place that a scene can name one: refused in one
- * line with the scene's line, the file and a reason, and nothing is half-loaded. */
+/* Unusable pictures in every place of a scene: refused in one line with the scene's
+ * line, the file and a reason; nothing stays half loaded. */
 #define _XOPEN_SOURCE 700
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +12,7 @@
 
 #define FILE_BYTES 65536
 
-/* "./case.ini:3: layer0.texture: ./bad.png: ...", one line. */
+/* Expects one line "./case.ini:3: layer0.texture: ./bad.png: ...". */
 static void assert_refused(const char *row, const char *name, const char *why)
 {
     char start[160];
@@ -56,7 +56,7 @@ static void put_word(uint8_t *to, uint32_t v)
         to[i] = (uint8_t)(v >> (24 - 8 * i));
 }
 
-/* Right again for what now stands in the chunk at `at`. */
+/* Writes the correct CRC of the chunk at `at`. */
 static void mend_crc(size_t at)
 {
     const size_t length = (size_t)bytes[at] << 24 | (size_t)bytes[at + 1] << 16
@@ -64,7 +64,7 @@ static void mend_crc(size_t at)
     put_word(bytes + at + 8 + length, tp_crc32(0, bytes + at + 4, length + 4));
 }
 
-enum { IHDR = 8, IHDR_END = 33 };       /* where its chunk begins and ends */
+enum { IHDR = 8, IHDR_END = 33 };       /* offset of the IHDR chunk and its end */
 
 static void files_cut_short_are_refused(void **state)
 {
@@ -112,7 +112,7 @@ static void headers_that_lie_are_refused(void **state)
     }
 }
 
-/* One bit of a critical chunk: its CRC tells. */
+/* One wrong bit in a critical chunk is found by the chunk's CRC. */
 static void wrong_crcs_are_refused(void **state)
 {
     (void)state;
@@ -127,7 +127,7 @@ static void wrong_crcs_are_refused(void **state)
     }
 }
 
-/* Fewer rows in the data than the header says. */
+/* The data has fewer rows than the header says. */
 static void too_little_data_is_refused(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Every shipped scene takes any input: 200 ticks of any 32 bits in each of its numbers,
- * drawn now and then, and asked for the water under pixels and at places of any bits. */
+/* Every shipped scene accepts any input: 200 ticks with random 32 bits in each number,
+ * drawn now and then, with picks under pixels and probes at random places. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>

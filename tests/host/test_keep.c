@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Kept worlds that somebody wrote by hand, under a right CRC: each is refused, or can be
- * stepped and drawn.  What that means the sanitizers say, under which this runs. */
+/* Hand-made kept worlds with a correct CRC: each is refused, or can be stepped and
+ * drawn.  The sanitizers check the latter; this test runs under them. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,11 +17,12 @@
 
 static char path[] = "/tmp/tidepool-keep-XXXXXX";
 static kept worlds[KEPT_SCENES];
-static int nothing, messages;       /* descriptors: /dev/null, and the first stderr */
+static int nothing, messages;       /* descriptors: /dev/null, and the original stderr */
 
 /* -- changed files ----------------------------------------------------------------- */
 
-/* Puts a right CRC on it; messages are not shown, but what sanitizers find later is. */
+/* Writes the correct CRC, then tries the file.  Its messages are hidden, later ones of
+ * sanitizers are shown. */
 static bool goes_on(const kept *k, uint8_t *file)
 {
     const size_t bytes = k->head + k->bytes;
@@ -39,7 +40,7 @@ static bool goes_on(const kept *k, uint8_t *file)
     return taken;
 }
 
-/* The world's bytes at `at` replaced: whether the file is taken. */
+/* Replaces bytes of the world at `at`.  True if the file is accepted. */
 static bool goes_on_with(kept *k, size_t at, const void *value, size_t size)
 {
     uint8_t before[8];
@@ -59,7 +60,7 @@ static void assert_refused(kept *k, size_t at, const void *value, size_t size,
         fail_msg("%s at %zu is taken", what, at);
 }
 
-/* -- the parts' places -------------------------------------------------------------- */
+/* -- parts of the world ------------------------------------------------------------- */
 
 static void unchanged_worlds_go_on(void **state)
 {
@@ -95,7 +96,7 @@ static void truth_values_are_the_scenes(void **state)
             assert_refused(&worlds[0], at[i], &(uint8_t){ (uint8_t)value }, 1, "a bool");
 }
 
-/* Where a part of a world lies; 0: it has none. */
+/* Returns a part's offset in the world; 0: the world has no such part. */
 static uint32_t place_of(const kept *k, const void *part)
 {
     return part ? (uint32_t)((const char *)part - (const char *)k->fresh) : 0;
@@ -116,7 +117,7 @@ static void counts_are_within_their_room(void **state)
         drops + offsetof(tp_drops, capacity), drops + offsetof(tp_drops, ring_capacity),
         spray + offsetof(tp_spray, count), spray + offsetof(tp_spray, capacity),
         foam + offsetof(tp_foam, cells), foam + offsetof(tp_foam, work),
-        parts->modules, parts->modules + 4,     /* the first chunk's id and length */
+        parts->modules, parts->modules + 4,     /* id and length of the first chunk */
         pool + offsetof(tp_pool, cols), pool + offsetof(tp_pool, cells),
         field + offsetof(tp_pool, walls), field + offsetof(tp_pool, sponge),
         offsetof(tp_world, sea.count),
@@ -129,9 +130,9 @@ static void counts_are_within_their_room(void **state)
     }
 }
 
-/* -- everything else ---------------------------------------------------------------- */
+/* -- random changes ----------------------------------------------------------------- */
 
-/* Words from the start of each part, and of the world itself. */
+/* Hostile words from the start of each part, and of the world itself. */
 static void any_word_is_refused_or_safe(void **state)
 {
     (void)state;
@@ -159,7 +160,7 @@ static void any_word_is_refused_or_safe(void **state)
     assert_true(taken > 0 && taken < tried / 2);
 }
 
-/* All bytes of what is behind a part's head at their extremes, and random ones. */
+/* Extreme and random bytes in the data behind a part's head. */
 static void any_payload_is_refused_or_safe(void **state)
 {
     (void)state;
@@ -180,7 +181,7 @@ static void any_payload_is_refused_or_safe(void **state)
     }
 }
 
-/* -- around ------------------------------------------------------------------------ */
+/* -- set-up ------------------------------------------------------------------------ */
 
 static int begin(void **state)
 {

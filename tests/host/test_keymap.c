@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Keys and the actions they ask for, and a person's file of them. */
+/* Keys and their actions, and a person's keys file. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +10,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "../../ports/host/say.h"       /* before cmocka's macro of that name */
+#include "../../ports/host/say.h"       /* before cmocka's macro `fail` */
 #include <cmocka.h>
 #include "../../ports/sdl2/keymap.h"
 
@@ -37,7 +37,7 @@ static bool held(action of, SDL_Scancode code, unsigned mod)
     return keymap_held(&map, of, down, (SDL_Keymod)mod);
 }
 
-/* Reads a file of these words; what it says is in `said`. */
+/* Reads a keys file with this text; messages go to `said`. */
 static int read_words(const char *words)
 {
     FILE *to = fopen(path, "w");

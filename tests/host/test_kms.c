@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The port for DRM/KMS on a card that fails in every way. */
+/* The DRM/KMS port on a card with every kind of fault. */
 #define _XOPEN_SOURCE 700
 #include <stdarg.h>
 #include <stddef.h>
@@ -34,7 +34,7 @@ static unsigned open_files(void)
     return n;
 }
 
-/* With what it says in `said`. */
+/* Opens the port; messages go to `said`. */
 static int try_open(screen **s, const char *device, uint32_t width, uint32_t height)
 {
     FILE *to = tmpfile();
@@ -50,7 +50,7 @@ static int try_open(screen **s, const char *device, uint32_t width, uint32_t hei
     return code;
 }
 
-/* The test's end of the kernel's news. */
+/* Closes the test's end of the hotplug socket. */
 static void close_plug(void)
 {
     if (fake.plug >= 0)
@@ -77,7 +77,7 @@ static picture picture_of(uint32_t width, uint32_t height, uint32_t seed)
     return p;
 }
 
-/* What is shown at a place, as 0x00RRGGBB, in 565 with low bits of 0. */
+/* Returns the shown pixel as 0x00RRGGBB; in 565 the low bits are 0. */
 static uint32_t shown_at(const fake_buffer *b, uint32_t x, uint32_t y)
 {
     const uint8_t *row = b->memory + (size_t)y * b->pitch;
@@ -90,7 +90,7 @@ static uint32_t shown_at(const fake_buffer *b, uint32_t x, uint32_t y)
     return (narrow & 0xf800u) << 8 | (narrow & 0x07e0u) << 5 | (narrow & 0x001fu) << 3;
 }
 
-/* Pixels of the screen that differ from the picture in its middle, black around it. */
+/* Returns the number of screen pixels unlike the centred picture with a black border. */
 static unsigned differences(const picture *p)
 {
     const fake_buffer *b = fake_shown();
@@ -115,7 +115,7 @@ static void show(screen *s, uint32_t width, uint32_t height, uint32_t seed)
     assert_int_equal(port->show(s, &p), EXIT_DONE);
     assert_false(port->lacks(s));
     assert_int_equal(differences(&p), 0);
-    pixels[(height / 2) * width + width / 2] ^= 0x800000;       /* another one is seen */
+    pixels[(height / 2) * width + width / 2] ^= 0x800000;       /* a wrong pixel is found */
     assert_int_equal(differences(&p), 1);
 }
 
@@ -161,8 +161,8 @@ static void close_and_look(screen *s)
 
 /* -- start-up ---------------------------------------------------------------------- */
 
-/* Whichever call fails, of those until it is open: nothing of us is left, and the console
- * is there; what can be done without is done without. */
+/* Each call up to the end of open() fails in turn: no resource of ours is left and the
+ * console's picture is restored; optional calls are done without. */
 static void nothing_is_left_wherever_start_up_fails(void **state)
 {
     (void)state;
@@ -250,9 +250,9 @@ static void every_picture_is_shown_exactly(void **state)
     assert_true(port->fds(s) >= 0);
     for (uint32_t i = 0; i < 5; i++)
         show(s, 64, 48, i);
-    show(s, 33, 21, 7);         /* in the middle; what was around it goes */
+    show(s, 33, 21, 7);         /* centred; the old picture around it is erased */
     show(s, 33, 21, 8);
-    show(s, 80, 60, 9);         /* of a larger one the middle */
+    show(s, 80, 60, 9);         /* cropped around the middle */
     show(s, 17, 100, 9);
     assert_int_equal(fake.flips, 9);
     assert_int_equal(fake.drawn_while_shown, 0);
@@ -261,7 +261,7 @@ static void every_picture_is_shown_exactly(void **state)
     close_and_look(s);
     close_plug();
 
-    fake_reset();               /* a smaller picture by the wish, the preferred mode */
+    fake_reset();               /* a smaller picture as wanted, the preferred mode */
     s = opened(20, 10);
     assert_size(s, 20, 10);
     show(s, 20, 10, 3);
@@ -298,25 +298,25 @@ static void a_flip_is_awaited(void **state)
     screen *s = opened(64, 48);
     show(s, 64, 48, 1);
     assert_false(port->ready(s));
-    fake_report(fake.flip_number + 1);          /* another one's */
+    fake_report(fake.flip_number + 1);          /* the number of another flip */
     assert_int_equal(port->events(s), EXIT_DONE);
     assert_false(port->ready(s));
     fake_vblank();
     assert_int_equal(port->events(s), EXIT_DONE);
     assert_true(port->ready(s));
 
-    show(s, 64, 48, 2);                         /* one that is never done */
+    show(s, 64, 48, 2);                         /* never completed */
     fake.later_ms += 100;
     assert_false(port->ready(s));
     fake.later_ms += 200;
     assert_true(port->ready(s));
     unsigned sets = fake.sets;
-    show(s, 64, 48, 3);                         /* the kernel still waits: set */
+    show(s, 64, 48, 3);                         /* the kernel still waits: SETCRTC */
     assert_int_equal(fake.sets, sets + 1);
     fake_vblank();
     fake.stalls = false;
     unsigned flips = fake.flips;
-    show(s, 64, 48, 4);                         /* and flips again after it */
+    show(s, 64, 48, 4);                         /* then flips again */
     assert_int_equal(fake.flips, flips + 1);
     close_and_look(s);
     close_plug();
@@ -328,7 +328,7 @@ static void on_alarm(int signal)
     fake_vblank();
 }
 
-/* Its end comes while the next picture waits, and a signal with it. */
+/* The flip completes while the next picture waits, together with a signal. */
 static void a_picture_waits_for_the_flip_before_it(void **state)
 {
     (void)state;
@@ -362,12 +362,12 @@ static void without_flips_buffers_are_set_and_told(void **state)
     assert_ptr_equal(fake_shown(), first);
     assert_int_equal(fake.sets, 3);
     assert_int_equal(fake.dirties, 2);
-    refuse(1, DRM_IOCTL_MODE_DIRTYFB, EIO, 0);        /* passes */
+    refuse(1, DRM_IOCTL_MODE_DIRTYFB, EIO, 0);        /* temporary */
     show(s, 64, 48, 3);
     refuse(1, 0, 0, 0);
     show(s, 64, 48, 4);
     assert_int_equal(fake.dirties, 3);
-    refuse(1, DRM_IOCTL_MODE_DIRTYFB, ENOSYS, 0);       /* needs none: never again */
+    refuse(1, DRM_IOCTL_MODE_DIRTYFB, ENOSYS, 0);       /* not needed: never again */
     show(s, 64, 48, 5);
     unsigned calls = fake.calls;
     show(s, 64, 48, 6);
@@ -396,7 +396,7 @@ static void without_room_for_two_the_shown_one_is_drawn_into(void **state)
         close_and_look(s);
         close_plug();
     }
-    for (unsigned at = 1; at < 4; at++) {       /* or not both in the card's memory */
+    for (unsigned at = 1; at < 4; at++) {       /* or no memory for both on the card */
         fake_reset();
         s = opened(64, 48);
         for (uint32_t i = 1; i < at; i++)
@@ -433,7 +433,7 @@ static void a_monitor_goes_and_another_comes(void **state)
     fake_uevent("usb");                 /* not ours */
     assert_int_equal(port->events(s), EXIT_DONE);
     assert_int_equal(fake.probes, probes);
-    fake_uevent("drm");                 /* of nothing */
+    fake_uevent("drm");                 /* nothing has changed */
     assert_int_equal(port->events(s), EXIT_DONE);
     assert_true(fake.probes > probes);
     assert_int_equal(fake.sets, 1);
@@ -449,7 +449,7 @@ static void a_monitor_goes_and_another_comes(void **state)
     assert_int_equal(port->events(s), EXIT_DONE);
     assert_size(s, 100, 60);
     assert_true(port->lacks(s));
-    show(s, 48, 32, 2);                 /* whoever has not noticed yet */
+    show(s, 48, 32, 2);                 /* still of the old size */
     show(s, 100, 60, 3);
     show(s, 100, 60, 4);
     assert_int_equal(fake.crtc.mode.hdisplay, 100);
@@ -494,7 +494,7 @@ static void plugs_are_seen_without_news(void **state)
     probes = fake.probes;
     fake.later_ms += 1000;
     show(s, 48, 32, 2);
-    assert_int_equal(fake.probes, probes);      /* nothing slow while all is well */
+    assert_int_equal(fake.probes, probes);      /* no slow probe while all is well */
     close_and_look(s);
 }
 
@@ -525,11 +525,11 @@ static void a_card_goes_and_comes_back(void **state)
     assert_int_equal(port->events(s), EXIT_DONE);
     fake.later_ms += 1000;
     assert_int_equal(port->show(s, &p), EXIT_DONE);
-    assert_int_equal(open_files(), files - 1);  /* or the kernel never lets go of it */
+    assert_int_equal(open_files(), files - 1);  /* else the kernel would keep the card */
     fake_new_card();
     assert_int_equal(port->show(s, &p), EXIT_DONE);
     assert_int_equal(open_files(), files - 1);
-    refuse(0, DRM_IOCTL_GET_CAP, EIO, 0);       /* it is not ready yet */
+    refuse(0, DRM_IOCTL_GET_CAP, EIO, 0);       /* not ready yet */
     fake.later_ms += 1000;
     assert_int_equal(port->show(s, &p), EXIT_DONE);
     assert_int_equal(open_files(), files - 1);
@@ -561,7 +561,7 @@ static void other_terminals_find_what_they_had(void **state)
     show_nothing(s);
     fake_uevent("drm");
     assert_int_equal(port->events(s), EXIT_DONE);
-    assert_int_equal(fake.calls, calls);        /* it is left alone */
+    assert_int_equal(fake.calls, calls);        /* the card is left alone */
     assert_size(s, 48, 32);
     assert_int_equal(port->back(s), EXIT_DONE);
     assert_true(fake.master);
@@ -571,7 +571,7 @@ static void other_terminals_find_what_they_had(void **state)
 
     assert_int_equal(port->away(s), EXIT_DONE);
     fake.taken = true;
-    assert_int_equal(port->back(s), EXIT_DONE); /* the other one has not let go yet */
+    assert_int_equal(port->back(s), EXIT_DONE); /* the other program still has it */
     show_nothing(s);
     fake.later_ms += 1000;
     show_nothing(s);
@@ -590,14 +590,14 @@ static void a_screen_that_another_program_takes_is_missed(void **state)
     screen *s = opened(0, 0);
     picture p = picture_of(48, 32, 2);
     show(s, 48, 32, 1);
-    fake.taken = true;                          /* and it is master no longer */
+    fake.taken = true;                          /* no longer master */
     fake.master = false;
     assert_int_equal(port->show(s, &p), EXIT_DONE);
     show_nothing(s);
     fake.taken = false;
     fake.later_ms += 1000;
     show(s, 48, 32, 2);
-    fake.crtc.fb_id = 77;                       /* somebody has set another picture */
+    fake.crtc.fb_id = 77;                       /* another program has set a picture */
     fake.later_ms += 1000;
     show(s, 48, 32, 3);
     assert_int_equal(fake_left(), 6);
@@ -622,7 +622,7 @@ static void closing_while_away_touches_nothing(void **state)
     close_plug();
 }
 
-/* Without a mode; with one, but no picture; and where another CRTC is in use. */
+/* Without a mode; with a mode and no picture; with another CRTC in use. */
 static void a_screen_that_was_off_is_off_again(void **state)
 {
     (void)state;
@@ -650,7 +650,7 @@ static void signals_break_nothing_off(void **state)
 {
     (void)state;
     fake_reset();
-    fake.interrupts = true;                     /* every call, once */
+    fake.interrupts = true;                     /* every call is interrupted once */
     screen *s = opened(64, 48);
     show(s, 64, 48, 1);
     show(s, 64, 48, 2);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Which connector, mode and CRTC are taken. */
+/* Choice of connector, mode and CRTC. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -20,7 +20,7 @@ static void add(kms_head *h, uint32_t width, uint32_t height, int what)
     m->flags = what & INTERLACED ? DRM_MODE_FLAG_INTERLACE : 0;
 }
 
-/* Connected, 3 CRTCs, none of them its own. */
+/* A connected connector, 3 possible CRTCs, none assigned. */
 static kms_head *head_of(uint32_t id)
 {
     kms_head *h = test_calloc(1, sizeof *h);
@@ -39,7 +39,7 @@ static kms_choice one(const kms_head *h, uint32_t width, uint32_t height)
     return c;
 }
 
-/* The mode taken, by the order in which it was added; 0: none. */
+/* Returns the chosen mode by its order of adding; 0: none. */
 static uint32_t mode_of(const kms_head *h, uint32_t width, uint32_t height)
 {
     kms_choice c = one(h, width, height);
@@ -57,10 +57,10 @@ static void the_size_wanted_then_the_preferred_then_the_first(void **state)
     add(h, 640, 480, 0);
     add(h, 1920, 1080, 0);
     assert_int_equal(mode_of(h, 0, 0), 2);
-    assert_int_equal(mode_of(h, 640, 480), 4);          /* not the one of half lines */
+    assert_int_equal(mode_of(h, 640, 480), 4);          /* not the interlaced mode */
     assert_int_equal(mode_of(h, 1024, 768), 2);
     assert_int_equal(mode_of(h, 320, 240), 2);
-    assert_int_equal(mode_of(h, 1100, 100), 6);         /* all that holds it */
+    assert_int_equal(mode_of(h, 1100, 100), 6);         /* the only one large enough */
     assert_int_equal(mode_of(h, 641, 480), 2);
     h->modes[1].type = 0;
     assert_int_equal(mode_of(h, 0, 0), 1);
@@ -94,7 +94,7 @@ static void its_own_crtc_then_a_free_one_then_any(void **state)
     assert_int_equal(one(h, 0, 0).crtc, 2);
     h->crtc = 1;
     assert_int_equal(one(h, 0, 0).crtc, 1);
-    h->crtcs = 4 | 8;                   /* its encoders cannot take the one it has */
+    h->crtcs = 4 | 8;                   /* its encoders cannot use its current CRTC */
     assert_int_equal(one(h, 0, 0).crtc, 2);
     h->busy = 4 | 8;
     assert_int_equal(one(h, 0, 0).crtc, 2);
@@ -122,7 +122,7 @@ static void nothing_is_had_of_what_is_not_connected(void **state)
     test_free(h);
 }
 
-/* The best of two, in both orders; 0: none. */
+/* Returns the better of two, offered in both orders; 0: none. */
 static uint32_t better(const kms_head *a, const kms_head *b, uint32_t width)
 {
     kms_choice ab = { 0 }, ba = { 0 };
@@ -143,17 +143,17 @@ static void the_best_connector_whatever_the_order(void **state)
     add(b, 640, 480, 0);
     kms_offer(&c, a, 0, 0);
     kms_offer(&c, b, 0, 0);
-    assert_int_equal(c.connector, 1);           /* both are good: the first */
-    assert_int_equal(better(a, b, 700), 1);     /* the other one is too small */
+    assert_int_equal(c.connector, 1);           /* both fit: the first */
+    assert_int_equal(better(a, b, 700), 1);     /* the other is too small */
     b->modes[0].hdisplay = 700;
     c = (kms_choice){ 0 };
     kms_offer(&c, a, 700, 480);
     kms_offer(&c, b, 700, 480);
-    assert_int_equal(c.connector, 2);           /* exactly what is wanted */
+    assert_int_equal(c.connector, 2);           /* exact size */
     a->status = KMS_UNKNOWN;
-    assert_int_equal(better(a, b, 0), 2);       /* sure to be there */
+    assert_int_equal(better(a, b, 0), 2);       /* surely connected */
     b->crtcs = 0;
-    assert_int_equal(better(a, b, 0), 1);       /* but must be driven */
+    assert_int_equal(better(a, b, 0), 1);       /* but it has no CRTC */
     b->crtcs = 1;
     b->n_modes = 0;
     assert_int_equal(better(a, b, 0), 1);

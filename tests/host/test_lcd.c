@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Colour panels: what models of ILI9341 and ST7789 show after a frame is the golden frame,
- * for strips and bands of several sizes, every turn, and wires that are late. */
+/* Colour panels: models of ILI9341 and ST7789 show the golden frame, for strips and
+ * bands of several sizes, every rotation, and late transfers. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -39,7 +39,8 @@ static screen *opened(const glass *g, lcd_config config)
 
 /* -- pictures ----------------------------------------------------------------------- */
 
-/* Every glass by every walk, given the same tiles. */
+/* Sends the same tiles to every panel in every orientation.  Returns the number of wrong
+ * pixels. */
 static uint32_t wrong_on_all(const drawing *d, const uint32_t *right)
 {
     screen *all[GLASSES * WALKS];
@@ -100,7 +101,7 @@ static void another_pixel_is_found(void **state)
     drawing_close(&d);
 }
 
-/* A driver that takes one panel for another one shows another picture. */
+/* A driver with another panel's table shows a wrong picture. */
 static void the_wrong_table_is_found(void **state)
 {
     (void)state;
@@ -133,7 +134,7 @@ static void the_other_order_of_colours_is_for_the_other_glass(void **state)
     drawing_close(&d);
 }
 
-/* -- places ------------------------------------------------------------------------- */
+/* -- positions ---------------------------------------------------------------------- */
 
 static void a_picture_may_lie_anywhere(void **state)
 {
@@ -178,8 +179,8 @@ static void a_picture_larger_than_the_glass_is_cut(void **state)
     drawing_close(&d);
 }
 
-/* A glass that is cleared first is black where no picture lies, and takes a window for each
- * sixteen columns. */
+/* A cleared panel is black beside the picture; clearing takes a window per sixteen
+ * columns. */
 static void a_cleared_glass_is_black_beside_the_picture(void **state)
 {
     (void)state;
@@ -211,7 +212,7 @@ static void a_cleared_glass_is_black_beside_the_picture(void **state)
 
 /* -- bytes -------------------------------------------------------------------------- */
 
-/* Columns, rows and the write: 11 bytes a window; two bytes a pixel. */
+/* A window takes 11 bytes for columns, rows and the write command; a pixel two bytes. */
 static void bands_take_one_window_and_strips_one_each(void **state)
 {
     (void)state;
@@ -261,7 +262,7 @@ static void tiles_may_come_in_any_order(void **state)
     drawing_close(&d);
 }
 
-/* Tiles of no frame: the second one goes on below the first, but is not as wide. */
+/* Hand-made tiles: the second one is below the first, but narrower. */
 static void a_narrower_tile_has_a_window_of_its_own(void **state)
 {
     (void)state;
@@ -282,7 +283,7 @@ static void a_narrower_tile_has_a_window_of_its_own(void **state)
     screen_close(s);
 }
 
-/* The glass stays dark until the first frame is whole. */
+/* The panel stays dark until the first frame is complete. */
 static void it_is_lit_when_there_is_a_picture(void **state)
 {
     (void)state;

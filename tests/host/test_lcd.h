@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What tests of panels share: a golden scene, frames of it in any tiling, wires to a model,
- * and the comparison of what its glass shows with a picture. */
+/* Shared by tests of panels: a golden scene, its frames in any tiling, wires to a model
+ * of a panel, and the comparison of the panel's picture. */
 #ifndef TEST_LCD_H
 #define TEST_LCD_H
 #include <stdio.h>
@@ -12,7 +12,7 @@
 #include "tests/golden/golden.h"
 #include "tidepool/modules.h"
 
-enum { LATE_INDEX = 1 };                /* of golden_frames */
+enum { LATE_INDEX = 1 };                /* index in golden_frames */
 
 static golden_scene shown;
 
@@ -70,7 +70,7 @@ static void drawing_close(drawing *d)
     free(d->scratch);
 }
 
-/* A picture drawn whole by the core, without any panel; to free. */
+/* Returns a picture drawn by the core without a panel; to be freed. */
 static inline uint32_t *drawn_whole(uint32_t width, uint32_t height, tp_format format)
 {
     drawing d = drawing_open(width, height, 0, height, format);
@@ -85,7 +85,7 @@ static inline uint32_t *drawn_whole(uint32_t width, uint32_t height, tp_format f
     return pixels;
 }
 
-/* The golden frame as it is kept in tests/golden; to free. */
+/* Returns the golden frame from tests/golden; to be freed. */
 static inline uint32_t *golden_picture(tp_format format)
 {
     char path[128];
@@ -104,7 +104,7 @@ static inline uint32_t *golden_picture(tp_format format)
 
 typedef struct {
     panel    *panel;
-    uint32_t  waits, blocked_from;      /* waits from this one on give up; 0: none do */
+    uint32_t  waits, blocked_from;      /* number of the first wait to time out; 0: none */
     bool      liar;                     /* waits return at once */
 } bus;
 
@@ -169,7 +169,7 @@ static inline lcd_status screen_open(screen *s, lcd_config config)
     if (!bytes)
         return why;
     free(s->memory);
-    s->memory = malloc(bytes);                  /* to the byte: a sanitizer watches it */
+    s->memory = malloc(bytes);                  /* exact size, watched by a sanitizer */
     assert_non_null(s->memory);
     return lcd_open(&s->driver, &config, s->memory);
 }
@@ -180,14 +180,14 @@ static inline void screen_close(screen *s)
     free(s);
 }
 
-/* The pixel that the glass shows at (x, y) of the picture's side: turned by `turn` quarters
- * clockwise, after left and right were exchanged if they were. */
+/* Returns the panel's pixel at (x, y) of the picture's orientation: mirrored if
+ * configured, then turned by `turn` quarters clockwise. */
 static uint32_t screen_seen(const screen *s, int32_t x, int32_t y)
 {
     const lcd_config *c = &s->driver.config;
     const lcd_panel *p = c->panel;
-    const int32_t w = p->width, h = p->height;          /* of the glass upright */
-    const int32_t width = c->turn & 1 ? h : w;          /* as the picture sees it */
+    const int32_t w = p->width, h = p->height;          /* upright panel */
+    const int32_t width = c->turn & 1 ? h : w;          /* in the picture's orientation */
     const int32_t u = c->mirror ? width - 1 - x : x;
     const int32_t at[4][2] = { { u, y }, { w - 1 - y, u }, { w - 1 - u, h - 1 - y },
                                { y, h - 1 - u } };
@@ -195,8 +195,8 @@ static uint32_t screen_seen(const screen *s, int32_t x, int32_t y)
     return panel_seen(&s->model, p->x + (uint32_t)gx, p->y + (uint32_t)gy);
 }
 
-/* How many pixels of the glass are not as they must be: the picture where it lies, and
- * nothing beside it. */
+/* Returns the number of wrong pixels on the panel: the picture at its place, untouched
+ * elsewhere. */
 static inline uint32_t screen_wrong(const screen *s, const uint32_t *right)
 {
     const lcd_config *c = &s->driver.config;

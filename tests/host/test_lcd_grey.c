@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* An OLED of 16 greys (SSD0323) by a model of its bytes: whatever the tiles, its glass
- * shows the upper four bits of the picture's greys.  The model knows nothing of the driver,
- * and takes no byte that the data sheet does not name. */
+/* An OLED of 16 greys (SSD0323), by a model of its bytes: for any tiling it shows the
+ * upper four bits of the picture's greys.  The model uses nothing of the driver, and
+ * rejects bytes not in the data sheet. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -14,13 +14,13 @@ enum { WIDE = 128, HIGH = 64, COLS = 64, ROWS = 80, UNTOUCHED = 0x100 };
 typedef struct {
     uint16_t memory[ROWS * COLS];           /* bytes, or UNTOUCHED */
     uint8_t  command, argument[8];
-    uint32_t taken, wanted;                 /* arguments of the command */
+    uint32_t taken, wanted;                 /* arguments of the current command */
     uint8_t  col0, col1, row0, row1, col, row;
     bool     lit, remapped;
     uint32_t pixels, bytes, faults;
 } grey;
 
-/* Arguments of a command; -1: there is no such one. */
+/* Returns the number of arguments of a command; -1: unknown command. */
 static int arguments_of(uint8_t command)
 {
     switch (command) {
@@ -76,7 +76,7 @@ static void grey_command(void *user, uint8_t byte)
         obey(g);
 }
 
-/* Along the window's rows, and from its end to its beginning. */
+/* Stores bytes row by row into the window, wrapping to its start. */
 static void grey_data(void *user, const uint8_t *bytes, size_t count)
 {
     grey *g = user;
@@ -98,7 +98,8 @@ static void grey_pause(void *user, uint32_t ms)
     (void)ms;
 }
 
-/* Of a pixel of the glass, the left one of a byte high; UNTOUCHED: never written. */
+/* Returns the grey of a pixel; the left pixel is in the high half of a byte.  UNTOUCHED:
+ * never written. */
 static uint32_t grey_seen(const grey *g, uint32_t x, uint32_t y)
 {
     const uint32_t byte = g->memory[y * COLS + x / 2];
@@ -134,7 +135,7 @@ static void show(oled *o, uint32_t width, uint32_t height, uint32_t strip, uint3
     drawing_close(&d);
 }
 
-/* Pixels of the glass that are not those of the picture at (x, y) on it. */
+/* Returns the number of panel pixels unlike the picture placed at (x, y). */
 static uint32_t wrong(const oled *o, const uint32_t *right, int32_t x, int32_t y,
                       int32_t width, int32_t height)
 {
@@ -168,7 +169,7 @@ static void every_tiling_shows_the_same(void **state)
             assert_int_equal(o->model.faults, 0);
             assert_int_equal(o->driver.sent, o->model.bytes);
             assert_true(o->model.lit);
-            right[0] ^= 0x10;                   /* another picture is found */
+            right[0] ^= 0x10;                   /* a changed picture is found */
             assert_int_equal(wrong(o, right, 0, 0, WIDE, HIGH), 1);
             right[0] ^= 0x10;
             oled_close(o);

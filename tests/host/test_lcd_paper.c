@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* E-paper: the dithered picture of 1 bit a pixel, whole and partial updates, BUSY. */
+/* E-paper: dithered pictures of 1 bit per pixel, full and partial updates, BUSY. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -24,7 +24,7 @@ static screen *opened(lcd_config config)
     return s;
 }
 
-/* Pixels of the glass that are not the picture's, which covers it. */
+/* Returns the number of pixels unlike the picture, which covers the panel. */
 static uint32_t wrong(const screen *s, const uint32_t *right, uint32_t width)
 {
     uint32_t n = 0;
@@ -52,7 +52,7 @@ static void every_tiling_shows_the_picture(void **state)
     free(right);
 }
 
-/* The golden frame is wider than the glass, and not as high. */
+/* The golden frame is wider than the panel, and lower. */
 static void the_golden_frame_is_cut_to_the_glass(void **state)
 {
     (void)state;
@@ -80,7 +80,7 @@ static void the_golden_frame_is_cut_to_the_glass(void **state)
     free(right);
 }
 
-/* Cleared, then shown with a picture that is smaller: white beside it, in both memories. */
+/* Cleared, then a smaller picture is shown: white beside it, in both memories. */
 static void a_cleared_paper_is_white_beside_the_picture(void **state)
 {
     (void)state;
@@ -107,8 +107,8 @@ static void a_cleared_paper_is_white_beside_the_picture(void **state)
     drawing_close(&d);
 }
 
-/* The paper hung by a quarter or a half: the picture's six rows or columns that become the
- * memory's last six columns are beside the glass. */
+/* The paper turned by a quarter or a half: six rows or columns of the picture fall into
+ * the memory's last six columns, outside of the glass. */
 static uint32_t wrong_turned(unsigned turn, uint32_t strip, uint32_t band)
 {
     const uint32_t width = turn & 1 ? 250 : 128, height = turn & 1 ? 128 : 250;
@@ -155,7 +155,7 @@ typedef struct {
     uint64_t bytes;
 } film;
 
-/* A world that runs, shown every EVERY ticks; the glass is compared each time. */
+/* A running world, shown every EVERY ticks and compared each time. */
 static film filmed(const lcd_panel *table, uint16_t whole_every, uint32_t frames,
                    uint32_t blocked_at)
 {
@@ -209,13 +209,13 @@ static void partial_updates_show_each_frame(void **state)
     assert_int_equal(whole.updates, 9);
     assert_int_equal(whole.partial, 0);
     assert_int_equal(part.updates, 9);
-    assert_int_equal(part.partial, 6);                  /* frames 0, 4 and 8 are whole */
+    assert_int_equal(part.partial, 6);              /* frames 0, 4 and 8 are full updates */
     printf("e-paper %dx%d: %u bytes a whole update, %u a partial one\n", WIDTH, HEIGHT,
            (unsigned)whole.bytes, (unsigned)last.bytes);
     assert_true(last.bytes < whole.bytes * 6 / 10);
 }
 
-/* A driver that forgets what the glass shows would leave pixels as they were. */
+/* A driver that does not write the old picture would leave pixels unchanged. */
 static void a_forgotten_old_picture_is_found(void **state)
 {
     (void)state;
@@ -225,7 +225,7 @@ static void a_forgotten_old_picture_is_found(void **state)
     assert_int_equal(filmed(&forgetful, 1, 3, 0).wrong, 0);
 }
 
-/* What was given up leaves half a picture in the memory: the next update is whole. */
+/* An aborted frame leaves half a picture in the memory: the next update is a full one. */
 static void after_a_blocked_frame_an_update_is_whole(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Wires of panels: transfers that come late, waits that give up, configs that are refused;
- * and the model itself, which finds what a driver must not do. */
+/* Wires of panels: late transfers, waits that time out, refused configurations; and the
+ * model itself, which must find a driver's faults. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -16,7 +16,7 @@ static const tp_format format = TP_FORMAT_RGB565BE;
 
 static panel *watched;
 
-/* Counts what is drawn while a transfer is on its way. */
+/* Counts pixels drawn while a transfer is running. */
 static void store_watched(void *row, int x_in_row, int x, int y, const uint32_t *colours,
                           int count)
 {
@@ -36,7 +36,7 @@ typedef struct {
     uint32_t wrong, faults, overwritten, overlapped;
 } outcome;
 
-/* Two frames over wires on which so many transfers may be late. */
+/* Sends two frames over wires with up to `late` transfers pending. */
 static outcome outcome_of(uint32_t strip, uint32_t late, bool liar, bool one_buffer)
 {
     const tp_program program = watched_program();
@@ -62,7 +62,7 @@ static outcome outcome_of(uint32_t strip, uint32_t late, bool liar, bool one_buf
     return o;
 }
 
-/* All of a frame but its first tile is drawn while the tile before is sent. */
+/* The whole frame but its first tile is drawn while the tile before is being sent. */
 static void a_tile_is_drawn_while_the_last_one_is_sent(void **state)
 {
     (void)state;
@@ -76,7 +76,8 @@ static void a_tile_is_drawn_while_the_last_one_is_sent(void **state)
     assert_int_equal(strips.overlapped, 2 * (GOLDEN_WIDTH * GOLDEN_HEIGHT - 48 * BAND));
 }
 
-/* The same wires, of which it is believed that all is sent at once. */
+/* The same wires, but the wait function returns at once: the driver reuses a buffer too
+ * early. */
 static void a_driver_that_does_not_wait_is_found(void **state)
 {
     (void)state;
@@ -113,8 +114,8 @@ static void wires_may_do_without_waiting(void **state)
 
 /* -- a blocked panel ---------------------------------------------------------------- */
 
-/* Blocked at any wait of a frame: an error, twice; world and frame are as they were; and
- * the frame after that is whole. */
+/* A timeout at any wait of a frame: an error, twice; world and frame are unchanged; the
+ * next frame is complete. */
 static void a_blocked_panel_is_an_error_and_no_more(void **state)
 {
     (void)state;
@@ -133,7 +134,7 @@ static void a_blocked_panel_is_an_error_and_no_more(void **state)
     assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
     const uint32_t waits = s->wires.waits;
     assert_true(waits > 20);
-    for (uint32_t k = 1; k <= waits - 1; k++) {         /* one less: it is lit now */
+    for (uint32_t k = 1; k <= waits - 1; k++) {     /* the panel is lit: one wait less */
         s->wires.waits = 0;
         s->wires.blocked_from = k;
         const uint32_t frames = s->driver.frames;
@@ -165,7 +166,7 @@ static void a_panel_that_is_not_there_is_found_at_the_start(void **state)
         s->wires.blocked_from = k;
         assert_int_equal(screen_open(s, c), LCD_E_BLOCKED);
         s->wires.blocked_from = 0;
-        panel_power(&s->model, PANEL_ILI9341);          /* as the reset line does */
+        panel_power(&s->model, PANEL_ILI9341);          /* as by the reset line */
         assert_int_equal(screen_open(s, c), LCD_OK);
         assert_int_equal(s->model.faults, 0);
         screen_close(s);
@@ -186,7 +187,7 @@ static lcd_status refusal(lcd_config c)
         assert_int_equal(why, all);
         assert_int_equal(lcd_bytes(&c, NULL), 0);
         assert_int_equal(lcd_open(&s->driver, &c, memory), all);
-        assert_int_equal(s->model.bytes, 0);            /* nothing was sent */
+        assert_int_equal(s->model.bytes, 0);            /* nothing sent */
     }
     screen_close(s);
     return all;
@@ -217,7 +218,7 @@ static void bad_configs_are_refused(void **state)
     REFUSED(LCD_E_SIZE, x = INT16_MIN);
     REFUSED(LCD_OK, x = 239);
     REFUSED(LCD_OK, y = -319);
-    REFUSED(LCD_OK, frame.tile_height = UINT32_MAX);    /* as the core: the picture's */
+    REFUSED(LCD_OK, frame.tile_height = UINT32_MAX);    /* means the picture's height */
     c = good, c.panel = &lcd_ssd1680,
     c.frame = (tp_config){
         .width = 122, .height = 250, .tile_height = 8, .format = TP_FORMAT_I1
@@ -246,7 +247,7 @@ static void missing_wires_are_refused(void **state)
         if (i == 0) c.wires.command = NULL;
         if (i == 1) c.wires.data = NULL;
         if (i == 2) c.wires.pause = NULL;
-        if (i == 3) c.wires.wait = NULL;                /* a panel without BUSY needs none */
+        if (i == 3) c.wires.wait = NULL;        /* not needed for a panel without BUSY */
         assert_int_equal(lcd_bytes(&c, &why) != 0, i == 3);
         assert_int_equal(why, i == 3 ? LCD_OK : LCD_E_WIRES);
     }
@@ -275,7 +276,7 @@ static void a_frame_of_larger_tiles_is_refused(void **state)
 
 /* -- the model ---------------------------------------------------------------------- */
 
-/* Bytes to an awake panel: commands as 1xx. */
+/* Sends bytes to an awake panel, commands as 1xx.  Returns the fault found, or NULL. */
 static const char *fault_of(panel_kind kind, const uint16_t *bytes, size_t count)
 {
     static panel p;
@@ -307,26 +308,26 @@ static void the_model_refuses_what_data_sheets_do(void **state)
     assert_null(FAULT(ili, 0x12a, 0, 0, 0, 239, 0x12b, 0, 0, 1, 63, 0x12c, 1, 2, 0x129));
     assert_null(FAULT(st, 0x12c, 1, 2, 0x129, 0x13c, 3, 4, 0x100));
     assert_non_null(FAULT(ili, 0x12a, 0, 0, 0, 240));           /* beyond the memory */
-    assert_null(FAULT(ili, 0x136, 0x20, 0x12a, 0, 0, 0, 240));  /* turned: it is not */
+    assert_null(FAULT(ili, 0x136, 0x20, 0x12a, 0, 0, 0, 240));  /* allowed when turned */
     assert_non_null(FAULT(ili, 0x12a, 0, 9, 0, 8));             /* backwards */
-    assert_non_null(FAULT(ili, 0x12a, 0, 0, 0, 0x12b));         /* cut short */
-    assert_non_null(FAULT(ili, 0x12a, 0, 0, 0, 9, 9));          /* and too long */
+    assert_non_null(FAULT(ili, 0x12a, 0, 0, 0, 0x12b));         /* too few arguments */
+    assert_non_null(FAULT(ili, 0x12a, 0, 0, 0, 9, 9));          /* too many */
     assert_non_null(FAULT(ili, 0x12c, 1, 0x129));               /* half a pixel */
-    assert_non_null(FAULT(ili, 7));                             /* for whom? */
-    assert_non_null(FAULT(ili, 0x13c, 1, 2));                   /* goes on with what? */
-    assert_non_null(FAULT(ili, 0x13a, 0x66, 0x12c, 1, 2));      /* 18 bits */
+    assert_non_null(FAULT(ili, 7));                             /* data without a command */
+    assert_non_null(FAULT(ili, 0x13c, 1, 2));                   /* no write to go on */
+    assert_non_null(FAULT(ili, 0x13a, 0x66, 0x12c, 1, 2));      /* 18 bits per pixel */
     assert_non_null(FAULT(ili, 0x101, 0x13a, 0x55));            /* 5 ms are not over */
-    assert_non_null(FAULT(st, 0x1c0, 0x23));                    /* the other one's */
+    assert_non_null(FAULT(st, 0x1c0, 0x23));                    /* of the other panel */
     assert_null(FAULT(e, 0x124, 1, 2, 3, 0x122, 0xf7, 0x120));
     assert_non_null(FAULT(e, 0x144, 0, 22));
     assert_non_null(FAULT(e, 0x145, 0, 0, 40, 1));
-    assert_non_null(FAULT(e, 0x14e, 16, 0x124, 1));             /* beside the window */
-    assert_non_null(FAULT(e, 0x122, 0xf7, 0x120, 0x124));       /* BUSY */
-    assert_non_null(FAULT(e, 0x122, 0x30, 0x120));              /* without voltages */
+    assert_non_null(FAULT(e, 0x14e, 16, 0x124, 1));             /* outside of the window */
+    assert_non_null(FAULT(e, 0x122, 0xf7, 0x120, 0x124));       /* while BUSY */
+    assert_non_null(FAULT(e, 0x122, 0x30, 0x120));              /* voltages off */
     assert_non_null(FAULT(e, 0x111, 0));
 }
 
-/* A window that is full begins again, and a write goes on after other commands. */
+/* A full window wraps to its start; a write continues after other commands. */
 static void the_model_wraps_and_goes_on(void **state)
 {
     (void)state;

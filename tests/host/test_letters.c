@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The letters, drawn by SDL's software renderer into memory: no display is needed. */
+/* The font, drawn by SDL's software renderer into memory; no display is needed. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -13,7 +13,7 @@
 
 #define WIDE 200
 #define HIGH 64
-#define FIELD 0x204060u             /* what is below the letters */
+#define FIELD 0x204060u             /* background */
 
 static SDL_Surface *surface;
 static SDL_Renderer *renderer;
@@ -51,8 +51,8 @@ static uint32_t pixel(int x, int y)
     return value & 0xffffff;
 }
 
-/* The pixels of a letter at 20, 10 as bits, a row of the cell in each; wants nothing drawn
- * elsewhere, and one colour. */
+/* Reads the pixels of a letter drawn at 20, 10 as bits, one row of the cell per byte.
+ * Expects one colour and nothing outside of the cell. */
 static void drawn(char letter, int scale, uint8_t rows[LETTER_HIGH])
 {
     const char text[] = { letter, 0 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Files whose path is longer than a scene holds: they load, and every file that names them
- * does so in full. */
+/* Files with a path longer than a scene can hold: they load, and each file naming them
+ * has the full path. */
 #define _XOPEN_SOURCE 700
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +12,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#undef fail                     /* cmocka's, of no arguments */
+#undef fail                     /* cmocka's, without arguments */
 #include "host/deck.h"
 #include "host/long_name.h"
 #include "host/say.h"
@@ -26,9 +26,9 @@ enum { FOLDERS = 15, FOLDER = 240 };
 static char home[] = "/tmp/tidepool-long-XXXXXX";
 static char folder[4096], mesh[4096];           /* of the mesh; about 3700 bytes */
 
-/* -- the short names ---------------------------------------------------------------- */
+/* -- short names -------------------------------------------------------------------- */
 
-/* A path of `bytes` bytes that ends so. */
+/* Returns a path of `bytes` bytes with the given end. */
 static char *path_of(size_t bytes, char fill, const char *end)
 {
     char *path = malloc(bytes + 1);
@@ -73,7 +73,7 @@ static void it_shows_the_last_folders(void **state)
     free(path);
 }
 
-/* Names in letters of two bytes, which are not cut through. */
+/* UTF-8 letters of two bytes are not cut in half. */
 static void letters_stay_whole(void **state)
 {
     (void)state;
@@ -97,7 +97,7 @@ static void write_text(const char *name, const char *text)
     assert_int_equal(fclose(file), 0);
 }
 
-/* "boat.mesh=" and the whole path. */
+/* Returns "boat.mesh=" with the full path. */
 static const char *setting(void)
 {
     static char text[4200];
@@ -139,7 +139,7 @@ static void it_loads_from_a_scene_file(void **state)
     assert_loads("./long.ini", NULL);
 }
 
-/* As the panel sets it, takes it back and sets it again. */
+/* Sets the name, undoes and sets again, as the panel does. */
 static void it_is_set_while_the_world_moves(void **state)
 {
     (void)state;
@@ -167,7 +167,7 @@ static void a_saved_scene_names_it_in_full(void **state)
     assert_int_equal(scene_file_open(&file, "./plain.ini"), EXIT_DONE);
     assert_int_equal(scene_file_set(&file, setting()), EXIT_DONE);
     assert_int_equal(scene_save(&file, "saved.ini"), EXIT_DONE);
-    assert_int_equal(scene_save(&file, "saved.ini"), EXIT_DONE);    /* over itself */
+    assert_int_equal(scene_save(&file, "saved.ini"), EXIT_DONE);    /* over the same file */
     scene_file_close(&file);
     assert_int_equal(scene_file_open(&file, "./saved.ini"), EXIT_DONE);
     char *path = scene_file_path_of(&file, row());
@@ -216,7 +216,7 @@ static void a_session_names_it_in_full(void **state)
     session_free(&kept);
 }
 
-/* -- a folder of its own -------------------------------------------------------------- */
+/* -- a temporary folder --------------------------------------------------------------- */
 
 static int enter(void **state)
 {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Every shipped scene drawn by each program that this processor can run has the same bits. */
+/* Every program variant usable on this processor draws every shipped scene with the same
+ * bits. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -15,7 +16,7 @@
 
 enum { FRAMES = 3, MACHINES = 8 };
 
-/* CRCs of ticks 30, 31, 32, in all formats that keep colours whole or dither them. */
+/* CRCs of ticks 30, 31, 32, in formats with full or dithered colours. */
 static void draw(stage *s, options *o, uint32_t crc[FRAMES])
 {
     o->format = TP_FORMAT_XRGB8888;
@@ -69,7 +70,7 @@ static void the_last_machine_runs_everywhere(void **state)
     (void)state;
     assert_string_equal(machines[count - 1].name, "baseline");
     assert_ptr_equal(machines[count - 1].program, &tp_program_all);
-    for (size_t k = 0; k + 1 < count; k++)      /* and others are other code */
+    for (size_t k = 0; k + 1 < count; k++)      /* the other variants are other code */
         assert_ptr_not_equal(machines[k].program->stage.view, tp_program_all.stage.view);
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Meshes that lack something: each thing is said once, with its file and line, and the
- * mesh is drawn without it; with --strict that line refuses the scene, and nothing is
- * half-loaded. */
+/* Incomplete meshes: each missing thing is reported once with file and line, and the
+ * mesh is drawn without it.  With --strict the same line refuses the scene, and nothing
+ * stays half loaded. */
 #define _XOPEN_SOURCE 700
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,7 +23,7 @@ static void write_text(const char *name, const char *text, size_t bytes)
     fclose(file);
 }
 
-/* The scene of boat.obj, with what is said in `said`; the mesh is left open on success. */
+/* Opens the scene of boat.obj; messages go to `said`.  On success the mesh stays open. */
 static int open_mesh(asset_set *a, const char *scale, assets_options options)
 {
     scene_file scene;
@@ -42,7 +42,7 @@ static int open_mesh(asset_set *a, const char *scale, assets_options options)
     return code;
 }
 
-/* `without` is what is said of it, up to "; " and the remedy. */
+/* Expects the message `without`, then "; " and the remedy. */
 static void assert_drawn_without(const char *scale, const char *without, const char *remedy)
 {
     char line[8192];
@@ -168,7 +168,7 @@ static void faces_and_texture_coordinates_without_sense_are_counted(void **state
                          "taken as 0");
 }
 
-/* A model in millimetres, 25 m long, with the scale that it is meant for and without. */
+/* A model in millimetres, 25 m long, with the right scale and without. */
 static void a_mesh_too_large_for_its_scale_is_told_one_that_fits(void **state)
 {
     (void)state;
@@ -210,7 +210,7 @@ static void of_very_many_warnings_the_first_are_said(void **state)
     assets_close(&a);
 }
 
-/* An error of the OBJ itself is one with or without --strict. */
+/* An error in the OBJ is an error with and without --strict. */
 static void an_obj_that_cannot_be_read_is_refused(void **state)
 {
     (void)state;

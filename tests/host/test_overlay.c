@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What is written over the picture, by letters that only note where they would be. */
+/* Text over the picture, with a stub of the font that records positions. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -26,11 +26,11 @@ static mark marks[MOST];
 static int count, outside;
 static SDL_Rect clip;
 static bool clipped;
-static char joined[20000];          /* all texts, a blank between them */
+static char joined[20000];          /* all texts, with a blank between */
 static keymap keys;
-static letters *const some = (letters *)(void *)marks;   /* any but NULL */
+static letters *const some = (letters *)(void *)marks;   /* any pointer but NULL */
 
-/* -- letters that note --------------------------------------------------------------- */
+/* -- recording letters --------------------------------------------------------------- */
 
 static void note(SDL_Rect at, uint32_t colour, const char *text, int scale)
 {
@@ -55,7 +55,7 @@ void letters_draw(letters *l, int x, int y, int scale, uint32_t colour, const ch
     if (!text[0])
         return;
     assert_in_range(scale, 1, LETTER_SCALES);
-    /* A cell's first row and last column are empty. */
+    /* The first row and the last column of a cell are empty. */
     note((SDL_Rect){ x, y + scale, (int)strlen(text) * LETTER_WIDE * scale - scale,
                      (LETTER_HIGH - 1) * scale }, colour, text, scale);
     strcat(strcat(joined, joined[0] ? " " : ""), text);
@@ -111,7 +111,7 @@ static void no_two_texts_overlap(void)
                 fail_msg("'%s' lies on '%s'", marks[a].text, marks[b].text);
 }
 
-/* Whether a word of keys is shown as keys are. */
+/* True if a word of keys is shown in the colour of keys. */
 static bool key_shown(const char *word)
 {
     const size_t n = strlen(word);
@@ -216,7 +216,7 @@ static void other_keys_are_shown_as_they_are(void **state)
     every_key_is_shown();
 }
 
-/* What there is room for; the clip holds the rest. */
+/* Draws as much as there is room for; the clip cuts the rest. */
 static void tiny_pictures_and_endless_keys_do_no_harm(void **state)
 {
     (void)state;
@@ -256,7 +256,7 @@ static void set_history(uint32_t pictures)
         told.history[i] = i < 120 ? 8.0f : i < 239 ? 20.0f : 500.0f;
 }
 
-/* The fills that are one pixel wide, from left to right: the graph's bars. */
+/* Finds the fills of one px width from left to right: the graph's bars. */
 static int bars(const mark *at[PANEL_HISTORY])
 {
     int n = 0;
@@ -280,7 +280,7 @@ static void the_graph_has_a_bar_for_each_picture(void **state)
         assert_int_equal(bar[i]->at.x, bar[i - 1]->at.x + 1);
         assert_int_equal(bar[i]->at.y + bar[i]->at.h, bar[0]->at.y + bar[0]->at.h);
     }
-    const mark *line = bar[PANEL_HISTORY - 1] + 1;      /* drawn next: 16.7 ms */
+    const mark *line = bar[PANEL_HISTORY - 1] + 1;      /* drawn next: the limit, 16.7 ms */
     assert_int_equal(line->at.w, PANEL_HISTORY);
     assert_true(bar[0]->at.y > line->at.y);
     assert_true(bar[200]->at.y < line->at.y);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A gamepad that SDL makes up: its sticks, triggers, buttons, and its plug. */
+/* A virtual gamepad by SDL: sticks, triggers, buttons, plugging. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,7 +14,7 @@ static pad p;
 static int device = -1;
 static SDL_Joystick *stick;
 
-/* The actions that came since. */
+/* Handles the waiting events.  Returns the last action. */
 static action events(void)
 {
     SDL_Event event;
@@ -125,7 +125,7 @@ static void sticks_that_are_let_go_do_nothing(void **state)
     input = pushed(SDL_CONTROLLER_AXIS_RIGHTX, -7000, SDL_CONTROLLER_AXIS_RIGHTY, 0);
     assert_memory_equal(&input, &none, sizeof none);
     input = pushed(SDL_CONTROLLER_AXIS_LEFTX, 7600, SDL_CONTROLLER_AXIS_LEFTY, 0);
-    assert_in_range(input.strafe, 1, WISH_WALK / 32); /* and no step at the edge */
+    assert_in_range(input.strafe, 1, WISH_WALK / 32); /* no step at the dead zone's edge */
     input = pushed(SDL_CONTROLLER_AXIS_LEFTX, 20000, SDL_CONTROLLER_AXIS_LEFTY, 0);
     assert_in_range(input.strafe, WISH_WALK * 49 / 100, WISH_WALK * 51 / 100);
 }
@@ -141,7 +141,7 @@ static void triggers_sink_and_rise(void **state)
     SDL_JoystickSetVirtualAxis(stick, SDL_CONTROLLER_AXIS_TRIGGERLEFT, INT16_MAX);
     events();
     pad_input(&p, &input);
-    assert_int_equal(input.up, WISH_WALK);              /* added: both are nothing */
+    assert_int_equal(input.up, WISH_WALK);              /* both triggers add 0 */
     SDL_JoystickSetVirtualAxis(stick, SDL_CONTROLLER_AXIS_TRIGGERRIGHT, INT16_MIN);
     events();
     pad_input(&p, &input);
@@ -207,7 +207,7 @@ int main(void)
         TEST(a_second_pad_waits_and_takes_over),
     };
     setenv("SDL_VIDEODRIVER", "dummy", 1);
-    SDL_SetHint(SDL_HINT_JOYSTICK_HIDAPI, "0");         /* no pad of this machine's */
+    SDL_SetHint(SDL_HINT_JOYSTICK_HIDAPI, "0");         /* ignores real gamepads */
     SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
     SDL_SetMainReady();
     if (SDL_Init(SDL_INIT_GAMECONTROLLER) != 0)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Whose a key is, the panel's or the picture's, and in what order the panel hears. */
+/* Routing of keys to the panel or to the picture, and the order of the panel's keys. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "../../ports/sdl2/panel_keys.h"
 
-/* Keys without a letter of their own are told by their place on the keyboard. */
+/* A key without a letter is given by its scancode. */
 static bool key(panel_keys *k, uint32_t type, SDL_Keycode sym, uint16_t mod)
 {
     SDL_Event e = { .type = type };
@@ -30,8 +30,8 @@ static bool text(panel_keys *k, const char *letters)
     return keys_event(k, &e);
 }
 
-/* What one picture hears: keys as their names' first letter, capital when they go down;
- * letters in quotes. */
+/* Returns the events of one frame: the first letter of a key's name, capital for a
+ * press; typed letters in quotes. */
 static const char *heard(panel_keys *k)
 {
     static char said[2 * PANEL_KEYS + 1];
@@ -64,10 +64,10 @@ static void tab_brings_the_keyboard_and_escape_takes_it_back(void **state)
     panel_keys k = { 0 };
     assert_true(down(&k, SDLK_TAB));
     assert_true(k.here);
-    assert_string_equal(heard(&k), "D");            /* as the arrow down */
+    assert_string_equal(heard(&k), "D");            /* as arrow down */
     assert_true(down(&k, SDLK_UP));
     heard(&k);
-    assert_false(down(&k, SDLK_w));                 /* which moves nothing here */
+    assert_false(down(&k, SDLK_w));                 /* no motion in the panel */
     assert_true(down(&k, SDLK_ESCAPE));
     assert_true(k.leave);
     assert_false(down(&k, SDLK_UP) || text(&k, "w"));       /* from then on */
@@ -153,7 +153,7 @@ static void the_slash_that_searches_is_no_letter(void **state)
     (void)state;
     panel_keys k = { 0 };
     assert_false(down(&k, SDLK_SLASH));
-    k.searching = k.here = true;                    /* which it asked for */
+    k.searching = k.here = true;                    /* the key opened the search */
     assert_true(text(&k, "/"));
     assert_true(text(&k, "w"));
     k.writes = true;
@@ -167,10 +167,10 @@ static void enter_presses_what_is_no_number(void **state)
     down(&k, SDLK_RETURN);
     assert_string_equal(heard(&k), "S");            /* Space */
     key(&k, SDL_KEYUP, SDLK_RETURN, 0);
-    assert_string_equal(heard(&k), "sr");           /* whichever it was */
+    assert_string_equal(heard(&k), "sr");           /* both possible codes */
     down(&k, SDLK_DOWN);
     key(&k, SDL_KEYUP, SDLK_DOWN, 0);
-    down(&k, SDLK_RETURN);                          /* at once, but heard in turn */
+    down(&k, SDLK_RETURN);                          /* at once, but given in order */
     heard(&k);
     k.on_number = true;
     heard(&k);

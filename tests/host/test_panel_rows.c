@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The panel's rows without a window: groups, search, labels, and sliders' numbers. */
+/* Rows of the panel without a window: groups, search, labels, numbers of sliders. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -49,7 +49,7 @@ static void every_place_is_a_value_that_the_table_takes(void **state)
     }
 }
 
-/* But for rounding: a place and the one of its value are no more than a few apart. */
+/* Position to value and back gives the same position, up to a few steps of rounding. */
 static void values_stand_at_their_places(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What was: every picture that is kept comes back bit for bit, whatever was done, within
- * any budget. */
+/* Rewinding: every kept frame is restored bit for bit, after any actions and within any
+ * budget. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -13,14 +13,14 @@
 
 static uint64_t chance;
 
-/* A scene that moves, all that it was, and what is kept of it. */
+/* A moving scene, its whole history, and the kept part. */
 typedef struct {
     tp_scene  scene;
     tp_world *world;
     size_t    bytes;
     past     *past;
-    uint32_t  picture, first;   /* the next; and the first of `was` */
-    char    **was;              /* scene and world before each picture */
+    uint32_t  picture, first;   /* next frame; first frame of `was` */
+    char    **was;              /* scene and world before each frame */
     uint32_t  room;
 } show;
 
@@ -45,7 +45,7 @@ static void show_end(show *s)
     past_end(s->past);
 }
 
-/* Ticks of a picture, as the view and as a replay make them. */
+/* Makes the ticks of a frame, as the preview and a replay do. */
 static void make_picture(tp_world *world, const tp_scene *scene, const tp_input *input)
 {
     const tp_input *in = input;
@@ -83,7 +83,8 @@ static void run_on(show *s, uint32_t pictures)
         next_picture(s, false);
 }
 
-/* Brings the show back before a picture; the way there in pictures, UINT32_MAX: none. */
+/* Restores the state before a frame.  Returns the number of replayed frames, UINT32_MAX:
+ * not kept. */
 static uint32_t go_back(show *s, uint32_t picture)
 {
     uint32_t at, from;
@@ -107,7 +108,7 @@ static void assert_as_it_was(const show *s)
     assert_memory_equal(was + sizeof s->scene, s->world, s->bytes);
 }
 
-/* Bytes of a snapshot; and how many of them make up what is held beside the inputs. */
+/* one_of: bytes of a snapshot. snapshots_of: number of snapshots held beside the inputs. */
 static size_t one_of(const show *s)
 {
     return (sizeof s->scene + 7) / 8 * 8 + s->bytes;
@@ -122,7 +123,8 @@ static size_t snapshots_of(const show *s)
     return rest / one_of(s);
 }
 
-/* All pictures from `first` on come back; those before do not.  The longest way. */
+/* All frames from `first` on are restored, earlier ones are not.  Returns the longest
+ * replay. */
 static uint32_t try_all(show *s, uint32_t first)
 {
     const uint32_t end = s->picture;
@@ -179,7 +181,7 @@ static void what_follows_a_way_back_is_another_past(void **state)
         assert_null(past_input(s.past, s.picture));
         assert_int_equal(snapshots_of(&s), (s.picture + 15) / 16);
         try_all(&s, 0);
-        assert_true(go_back(&s, n + 20) <= 16);       /* where it was */
+        assert_true(go_back(&s, n + 20) <= 16);       /* as far as it was */
     }
     go_back(&s, 0);
     run_on(&s, 40);
@@ -187,7 +189,7 @@ static void what_follows_a_way_back_is_another_past(void **state)
     show_end(&s);
 }
 
-/* Some changed once, some in a row as by a slider. */
+/* Some frames change the scene once, some in a row as a slider does. */
 static void changes_of_the_scene_come_back_with_it(void **state)
 {
     (void)state;
@@ -206,7 +208,7 @@ static void changes_of_the_scene_come_back_with_it(void **state)
     show_end(&s);
 }
 
-/* A camera that moved while the water stood. */
+/* A camera moved while the water stands still. */
 static void a_look_while_it_stands_comes_back(void **state)
 {
     (void)state;
@@ -251,7 +253,7 @@ static void worlds_of_another_size_are_kept_apart(void **state)
     show_end(&s);
 }
 
-/* So many pictures in the room of so many worlds, and so many inputs for each. */
+/* Makes frames with a budget of `worlds` snapshots and `inputs` inputs for each. */
 static show long_show(const tp_scene *scene, uint32_t pictures, size_t worlds,
                       size_t inputs)
 {
@@ -272,7 +274,7 @@ static show long_show(const tp_scene *scene, uint32_t pictures, size_t worlds,
     return s;
 }
 
-/* The longest of the ways to the last so many pictures. */
+/* Returns the longest replay of the last `pictures` frames. */
 static uint32_t longest_way(show *s, uint32_t pictures)
 {
     const uint32_t end = s->picture;
@@ -292,7 +294,8 @@ static void older_snapshots_are_thinned_first(void **state)
     (void)state;
     const tp_scene scene = scene_some();
     static const uint32_t want[][4] = {
-        { 150, 0, 15, 63 },     /* worlds, the oldest, ways of the last 700, of all */
+        { 150, 0, 15, 63 },     /* worlds, oldest frame, longest replay: of the last 700,
+                                 * of all */
         { 60, 0, 63, 127 },
         { 40, 1500, 63, 127 },
     };
@@ -311,7 +314,7 @@ static void older_snapshots_are_thinned_first(void **state)
     }
 }
 
-/* With no room for all of the way the oldest go. */
+/* If the budget cannot hold the whole history, the oldest frames are dropped. */
 static void the_oldest_are_forgotten_at_last(void **state)
 {
     (void)state;
@@ -359,7 +362,7 @@ static void what_is_forgotten_is_gone(void **state)
     assert_int_equal(past_world_bytes(s.past, 10), 0);
     s.picture = 500;
     run_on(&s, 30);
-    s.picture = 900;                    /* some are left out */
+    s.picture = 900;                    /* leaves a gap */
     run_on(&s, 30);
     try_all(&s, 900);
     show_end(&s);

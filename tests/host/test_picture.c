@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures of every format to PNG and back, films, and what the host does with names:
- * the parts of the program that are best tested as functions. */
+/* Pictures of every format to PNG and back, films, and names of the host: parts of the
+ * program best tested as functions. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,7 +19,7 @@
 #include "../../ports/host/timing.h"
 #include "pixel/pixel.h"
 
-#define WIDTH  53       /* odd, and no whole bytes of i1 */
+#define WIDTH  53       /* odd; i1 rows end inside a byte */
 #define HEIGHT 21
 
 static uint32_t seed;
@@ -32,7 +32,7 @@ static uint32_t next_random(void)       /* xorshift32, Marsaglia 2003 */
     return seed;
 }
 
-/* Random pixels; bytes for the program's rows are used to the last bit. */
+/* Random pixels, with the last bits of the row's padding used too. */
 static picture random_picture(tp_format format)
 {
     picture p = { .format = format, .width = WIDTH, .height = HEIGHT };
@@ -44,7 +44,7 @@ static picture random_picture(tp_format format)
     return p;
 }
 
-/* A name that nothing else has, removed by the test. */
+/* A unique name; the test removes the file. */
 static void temporary_name(char name[64], const char *suffix)
 {
     snprintf(name, 64, "test-picture-%08x%s", (unsigned)next_random(), suffix);
@@ -74,8 +74,8 @@ static void png_keeps_every_colour_of_every_format(void **state)
     }
 }
 
-/* Every byte of a PNG cut off or changed: refused or read, never a crash, and what is
- * read has the sides that it says. */
+/* A PNG cut at any byte or with any byte changed: refused or read without a crash, and a
+ * read picture has the size given in the file. */
 static void png_of_any_bytes_is_safe(void **state)
 {
     (void)state;
@@ -90,7 +90,7 @@ static void png_of_any_bytes_is_safe(void **state)
     fclose(file);
     assert_in_range(size, 60, sizeof bytes - 1);
     fflush(stderr);
-    const int messages = dup(STDERR_FILENO);    /* thousands: not of interest */
+    const int messages = dup(STDERR_FILENO);    /* thousands of messages: hidden */
     assert_non_null(freopen("/dev/null", "w", stderr));
     unsigned refused = 0;
     for (size_t i = 0; i < 2 * size; i++) {
@@ -112,11 +112,11 @@ static void png_of_any_bytes_is_safe(void **state)
     fflush(stderr);
     dup2(messages, STDERR_FILENO);
     close(messages);
-    assert_true(refused >= size);       /* every one that was cut */
+    assert_true(refused >= size);       /* every cut file */
 }
 
 /* White is 235, black 16, greys have no tint; red, green, blue are BT.601's. */
-/* A picture of w x 3 samples of `bits`, of one channel or of three equal ones. */
+/* Writes a picture of w x 3 samples of `bits`, with one channel or three equal channels. */
 static void write_greys(const char *name, const uint16_t *grey, uint32_t w, int bits,
                         bool colour)
 {
@@ -144,7 +144,7 @@ static void write_greys(const char *name, const uint16_t *grey, uint32_t w, int 
     assert_int_equal(fclose(file), 0);
 }
 
-/* 16 bits are read as they are, 8 bits as 257 times; three equal colours are their grey
+/* 16 bits are read unchanged, 8 bits times 257; three equal channels give their grey
  * within a few of 65536, by the weights of luminance. */
 static void greys_of_every_kind_are_read(void **state)
 {

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Films while they happen: through a program that is called ffmpeg, which takes its part,
- * fails or dies, and without one. */
+/* Films recorded live: by a fake ffmpeg that works, fails or dies, and without ffmpeg. */
 #define _XOPEN_SOURCE 700
 #include <stdarg.h>
 #include <stddef.h>
@@ -31,7 +30,7 @@ static picture grey(uint32_t width)
     return (picture){ TP_FORMAT_XRGB8888, width, HEIGHT, 4 * WIDTH, (uint8_t *)pixels };
 }
 
-/* The program of that name, as a shell script; NULL: there is none. */
+/* Installs ffmpeg as a shell script; NULL: removes it. */
 static void set_ffmpeg(const char *script)
 {
     unlink("bin/ffmpeg");
@@ -44,7 +43,7 @@ static void set_ffmpeg(const char *script)
     assert_int_equal(chmod("bin/ffmpeg", 0755), 0);
 }
 
-/* The last word is the name to write; it says how it was called beside. */
+/* Writes its input to the last argument, and its arguments to the file args. */
 #define TAKES "echo \"$*\" | sed 's/tidepool-[0-9a-z]*/X/' >args; " \
               "for to; do :; done; /bin/cat >\"$to\""
 
@@ -54,7 +53,7 @@ static long size_of(const char *name)
     return stat(name, &info) == 0 ? (long)info.st_size : -1;
 }
 
-/* The files that there are; those that begin with a point too. */
+/* Expects exactly these files in the folder, hidden files included. */
 static void assert_files(size_t count, const char *const *names)
 {
     size_t found = 0;
@@ -85,7 +84,7 @@ static void record(recorder *r, uint32_t count)
         assert_true(recorder_add(r, &p));
 }
 
-/* What is said goes into a file. */
+/* Messages go to a file. */
 static int said;
 
 static void listen(void)
@@ -210,7 +209,7 @@ static void another_size_ends_the_film(void **state)
     FILES("args", "pond-0001.mp4");
 }
 
-/* The pipe is larger than the first pictures: a later one finds it out. */
+/* The pipe is larger than the first frames: a later frame finds the death. */
 static void ffmpeg_dies_and_the_film_ends(void **state)
 {
     (void)state;
@@ -254,7 +253,7 @@ static void a_folder_that_cannot_be_written_is_said(void **state)
     assert_int_equal(chdir(here), 0);
 }
 
-/* -- around ---------------------------------------------------------------------- */
+/* -- set-up ---------------------------------------------------------------------- */
 
 static int begin(void **state)
 {
@@ -267,7 +266,7 @@ static int begin(void **state)
     return setenv("PATH", path, 1);
 }
 
-/* Where a real ffmpeg is installed it must not be found. */
+/* Hides a real ffmpeg. */
 static int alone(void **state)
 {
     (void)state;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Text of a manual page: nothing in it is a macro or an escape. */
+/* Text of a manual page: nothing in it acts as a macro or an escape. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
 #include <stdint.h>
-#include "../../ports/host/roff.h"     /* before cmocka takes `fail` */
+#include "../../ports/host/roff.h"     /* before cmocka's macro `fail` */
 #include <cmocka.h>
 #include <stdio.h>
 #include <string.h>
@@ -13,7 +13,7 @@
 
 static char printed[4096];
 
-/* Runs `print` with stdout in a file, and reads it. */
+/* Runs `print` with stdout sent to a file, and reads the file. */
 static void catch(void (*print)(void))
 {
     FILE *file = tmpfile();

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Water drawn line by line against the same water in triangles, in every scene that is
- * shipped: means, and pixels that are water in one of them alone.  Then cameras from all
- * sides of the border beyond which frames take triangles by themselves. */
+/* Scanline water against the same water in triangles, in every shipped scene: mean
+ * differences, and pixels with water in one picture only.  Then cameras on both sides of
+ * the limit beyond which frames choose triangles. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -62,7 +62,7 @@ static void draw(const opened *o, uint32_t width, uint32_t height, tp_visibility
 
 typedef struct {
     double   mean;
-    uint32_t lone;              /* sky or water where the other has none of it near */
+    uint32_t lone;              /* sky or water not found near in the other picture */
 } difference;
 
 static bool has_near(const drawn *d, uint32_t width, uint32_t height, uint32_t i,
@@ -157,7 +157,7 @@ static void rows_look_like_triangles_in_every_scene(void **state)
     assert_true(by_rows >= 9);
 }
 
-/* -- the border ------------------------------------------------------------------------ */
+/* -- the limit ------------------------------------------------------------------------- */
 
 static const struct {
     const char *name;
@@ -168,8 +168,8 @@ static const struct {
     { "wave0.steepness", 0, 1, 0.1 },    { "wave1.steepness", 0, 1, 0.1 },
 };
 
-/* Frames on the far side of the border are triangles bit for bit; those on the near side
- * look like them. */
+/* Beyond the limit frames equal triangles bit for bit; within the limit they look like
+ * triangles. */
 static void frames_take_triangles_before_rows_show(void **state)
 {
     (void)state;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Scenes saved and read again: shipped ones unchanged to the byte, changed ones to equal
- * scenes with every comment left; small files of odd spelling line by line. */
+/* Scenes saved and read again: unchanged shipped scenes keep every byte; changed scenes
+ * are equal when read again and keep every comment; small files of unusual spelling are
+ * compared line by line. */
 #define _XOPEN_SOURCE 700
 #include <stdarg.h>
 #include <stddef.h>
@@ -43,7 +44,7 @@ static void spill(const char *path, const char *text)
     fclose(file);
 }
 
-/* Every value, names by the file that they lead to. */
+/* Compares every value, names by the files they lead to. */
 static void assert_same_scene(const scene_file *a, const scene_file *b)
 {
     uint32_t count;
@@ -77,9 +78,10 @@ static void assert_reread(const scene_file *file, const char *name)
     scene_file_close(&again);
 }
 
-/* -- files of few lines ---------------------------------------------------------- */
+/* -- small files ----------------------------------------------------------------- */
 
-/* Of a file with `before`, after the settings, is `after` what is saved? */
+/* Opens a file with the text `before`, applies settings, saves, and expects the text
+ * `after`. */
 static void check(const char *before, const char *const *settings, const char *after)
 {
     scene_file file;
@@ -184,7 +186,7 @@ static void a_long_comment_makes_room(void **state)
     CHECK(before, after, setting);
 }
 
-/* -- what cannot be saved -------------------------------------------------------- */
+/* -- scenes that cannot be saved ------------------------------------------------- */
 
 static void texts_that_begin_comments_are_refused(void **state)
 {
@@ -247,7 +249,7 @@ static void what_cannot_be_read_is_put_right(void **state)
 
 /* -- shipped scenes -------------------------------------------------------------- */
 
-/* Lines that begin with # or ;. */
+/* Counts lines that begin with # or ;. */
 static size_t comments(const char *text)
 {
     size_t n = 0;
@@ -258,7 +260,7 @@ static size_t comments(const char *text)
     return n;
 }
 
-/* A copy of the scene among others of its folder would read the same names. */
+/* A copy in a similar folder, so that the same relative names work. */
 static void unchanged_scenes_are_the_same_bytes(void **state)
 {
     (void)state;
@@ -292,7 +294,7 @@ static uint32_t chance(uint32_t most)
     return (uint32_t)((uint64_t)seed * most >> 32);
 }
 
-/* A random value of its kind; names are left alone. */
+/* Sets a random value; names are left alone. */
 static void change(scene_file *file, const tp_param *param)
 {
     char text[64], setting[128];
@@ -354,7 +356,7 @@ static void names_of_the_command_line_are_told_from_the_file(void **state)
     free(other);
 }
 
-/* -- where to -------------------------------------------------------------------- */
+/* -- destinations ---------------------------------------------------------------- */
 
 static void a_persons_file_is_written_in_place(void **state)
 {
@@ -370,8 +372,8 @@ static void a_persons_file_is_written_in_place(void **state)
     free(own);
 }
 
-/* Run as another program with scenes beside it, in an empty folder: the names for a
- * shipped scene, without and with a file of that name. */
+/* Run as another program with scenes beside it, in an empty folder: prints the names for
+ * saving a shipped scene, first without and then with a file of that name. */
 static int print_names(const char *given)
 {
     scene_file file;
@@ -403,9 +405,9 @@ static void shipped_scenes_are_saved_in_the_current_folder(void **state)
     assert_int_equal(pclose(from), 0);
 }
 
-/* -- around ---------------------------------------------------------------------- */
+/* -- set-up ---------------------------------------------------------------------- */
 
-/* A folder for files, with one that stands beside links to what scenes name. */
+/* Makes a temporary folder, with a folder beside links to the files named by scenes. */
 static int begin(void **state)
 {
     (void)state;

@@ -23,7 +23,7 @@ static void type(const char *text)
     keys_bytes(&k, (const uint8_t *)text, strlen(text));
 }
 
-/* Ticks until the wish is empty again. */
+/* Returns the ticks until the key is no longer held. */
 static int ticks_ahead(void)
 {
     int n = 0;
@@ -114,7 +114,7 @@ static void esc_quits_and_sequences_do_not(void **state)
     keys_rest(&k);
     assert_false(k.quit);
     assert_int_equal(keys_input(&k).turn, 0);
-    type("\033[");                                      /* cut off: forgotten */
+    type("\033[");                                      /* cut off: ignored */
     keys_rest(&k);
     assert_false(k.quit);
     type("C");

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of every format in every layout, read back bit by bit. */
+/* Rows of every format in every pixel layout, read back bit by bit. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -31,15 +31,15 @@ static picture random_picture(tp_format format, memory *m, uint32_t seed)
     return (picture){ format, WIDTH, 2, bytes, m->rows };
 }
 
-/* Bit `i` of a pixel at `from`, counted from the lowest, whatever the order of bytes. */
+/* Returns bit `i` of a pixel at `from`, from the lowest, for either byte order. */
 static unsigned bit(const layout *l, const uint8_t *from, unsigned i)
 {
     const unsigned bytes = l->bits / 8, byte = i / 8;
     return from[l->big ? bytes - 1 - byte : byte] >> i % 8 & 1u;
 }
 
-/* The high bits that are there must be those of the colour; bits below the eighth
- * repeat it. */
+/* The channel's bits must be the high bits of the colour; bits below the eighth repeat
+ * it. */
 static bool channel_holds(const layout *l, const uint8_t *from, channel c, unsigned value)
 {
     for (unsigned i = 0; i < c.length; i++)
@@ -60,7 +60,7 @@ static bool pixel_holds(const layout *l, const uint8_t *from, uint32_t rgb)
         && channel_holds(l, from, l->blue, rgb & 255);
 }
 
-/* Pixels of the row that are as they should be. */
+/* Returns the number of correct pixels in the row. */
 static int held(const layout *l, const picture *p, const uint8_t *row)
 {
     int n = 0;
@@ -80,7 +80,7 @@ static void row_is_right(const layout *l, tp_format format, uint32_t seed)
     layout_row(l, row, &p, 1);
     assert_int_equal(held(l, &p, row), WIDTH);
     assert_int_equal(row[bytes], GUARD);
-    row[bytes / 2] ^= 0xff;                     /* and one byte that is wrong is found */
+    row[bytes / 2] ^= 0xff;                     /* one wrong byte is found */
     assert_int_equal(held(l, &p, row), WIDTH - 1);
 }
 
@@ -110,7 +110,7 @@ static void usual_layouts_hold_every_format(void **state)
             }
 }
 
-/* Channels of random widths in random order, with gaps. */
+/* Channels of random lengths in random order, with gaps. */
 static layout random_layout(uint32_t *seed)
 {
     static const uint8_t orders[6][3] = { { 0, 1, 2 }, { 0, 2, 1 }, { 1, 0, 2 },
@@ -134,7 +134,7 @@ static layout random_layout(uint32_t *seed)
     return l;
 }
 
-/* A byte with no bit of a channel in it may be anything: there is no control for it. */
+/* A byte without a bit of any channel may have any value: no check is possible. */
 static void random_layouts_hold_every_format(void **state)
 {
     uint32_t seed = 20240607;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The preview's state on disk: put, read and taken again, alone and with a thread, whole
- * or not at all. */
+/* The preview's state on disk: written, read and resumed, alone and with a thread,
+ * complete or not at all. */
 #define _XOPEN_SOURCE 700
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,7 +14,7 @@
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
-#undef fail                     /* cmocka's, of no arguments */
+#undef fail                     /* cmocka's, without arguments */
 #include "host/session.h"
 #include "host/stage.h"
 #include "scene/world.h"
@@ -56,7 +56,7 @@ static char *state_path(const char *name)
     return path;
 }
 
-/* The worlds there are; the name of one of them. */
+/* Returns the number of kept worlds, and the name of one. */
 static int worlds(char name[64])
 {
     int count = 0;
@@ -71,7 +71,7 @@ static int worlds(char name[64])
     return count;
 }
 
-/* What was kept last is this stage's, to the bit, and this picture's. */
+/* The last kept state equals this stage's, to the bit, at this frame. */
 static void assert_resumes(const stage *was, uint32_t number)
 {
     session_state state;
@@ -132,7 +132,7 @@ static void assert_heard(const char *what)
     assert_non_null(strstr(said_text, what));
 }
 
-/* -- whole ----------------------------------------------------------------------- */
+/* -- complete states ------------------------------------------------------------- */
 
 static void what_was_put_is_read(void **state)
 {
@@ -163,7 +163,7 @@ static void what_was_put_is_read(void **state)
     session_end(to);
 }
 
-/* As many scenes' paths are longer than an INI's line. */
+/* Paths of scenes may be longer than a line of an INI file. */
 static void long_paths_are_read(void **state)
 {
     (void)state;
@@ -194,7 +194,7 @@ static void a_thread_writes_what_is_offered(void **state)
         steps(&s, 1);
         if (offer(to, &s, i))
             taken = i;
-        if (i == 30) {                     /* at the same time from here */
+        if (i == 30) {                     /* now written from here too */
             assert_int_equal(put(to, &s, i), 0);
             assert_resumes(&s, i);
         }
@@ -207,7 +207,7 @@ static void a_thread_writes_what_is_offered(void **state)
     stage_close(&s);
 }
 
-/* Of scenes with worlds of other sizes in turn. */
+/* Alternating scenes with worlds of different sizes. */
 static void offers_follow_the_scene(void **state)
 {
     (void)state;
@@ -225,7 +225,7 @@ static void offers_follow_the_scene(void **state)
     stage_close(&s[1]);
 }
 
-/* -- not whole ------------------------------------------------------------------- */
+/* -- incomplete states ----------------------------------------------------------- */
 
 static long size_of(const char *path)
 {
@@ -233,7 +233,7 @@ static long size_of(const char *path)
     return stat(path, &info) == 0 ? (long)info.st_size : -1;
 }
 
-/* Replaces a byte of a file and returns the one that was there. */
+/* Replaces a byte of a file and returns the old byte. */
 static uint8_t put_byte(const char *path, long at, uint8_t byte)
 {
     FILE *file = fopen(path, "r+b");
@@ -322,7 +322,7 @@ static void a_cut_or_foreign_world_is_not_taken(void **state)
     listen();
     assert_false(take(&s));
     assert_heard("No such file or directory: a fresh start\n");
-    assert_int_equal(session_read(&got), 0);        /* the changes are there yet */
+    assert_int_equal(session_read(&got), 0);        /* the changes are still there */
     assert_int_equal(got.count, 1);
     assert_string_equal(got.settings[0], "wave0.amplitude=0.8");
     session_free(&got);
@@ -342,7 +342,7 @@ static void another_scene_is_not_taken(void **state)
     stage_close(&s);
 }
 
-/* -- nowhere --------------------------------------------------------------------- */
+/* -- no folder ------------------------------------------------------------------- */
 
 static void nowhere_is_said_once(void **state)
 {
@@ -418,7 +418,7 @@ static void what_is_kept_and_cannot_be_read_is_refused(void **state)
     free(path);
 }
 
-/* A folder that is taken away while it goes on: said once in a row. */
+/* A folder removed during the run: reported once in a row. */
 static void a_lost_folder_is_said(void **state)
 {
     (void)state;
@@ -439,7 +439,7 @@ static void a_lost_folder_is_said(void **state)
     session_end(to);
 }
 
-/* -- around ---------------------------------------------------------------------- */
+/* -- set-up ---------------------------------------------------------------------- */
 
 static int begin(void **state)
 {

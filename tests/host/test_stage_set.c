@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Changes while a scene moves: the picture goes on as one that was opened with them; what
- * is refused changes nothing. */
+/* Changes while a scene moves: the picture continues as for a scene opened with the
+ * changes; a refused change has no effect. */
 #define _XOPEN_SOURCE 700
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,13 +12,13 @@
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
-#undef fail                     /* cmocka's, of no arguments */
+#undef fail                     /* cmocka's, without arguments */
 #include "host/stage.h"
 #include "scene/pools.h"
 #include "scene/value.h"
 #include "scene/world.h"
 
-static options given;           /* of the stage that is open */
+static options given;           /* of the open stage */
 static stage stood;
 
 static void open_scene(const char *scene)
@@ -47,9 +47,9 @@ static bool set(const char *setting)
     return opened;
 }
 
-/* -- what goes on ---------------------------------------------------------------- */
+/* -- accepted changes ------------------------------------------------------------ */
 
-/* The canvas that has gone on against one that is opened now. */
+/* Compares the running canvas with a newly opened canvas. */
 static void assert_drawn_as_new(const char *setting)
 {
     const uint32_t crc = drawn();
@@ -68,7 +68,7 @@ static uint32_t chance(uint32_t most)
     return (uint32_t)((uint64_t)seed * most >> 32);
 }
 
-/* To a random value and back; what would be large is left small. */
+/* Sets a random value and the old one; values for large memory are kept small. */
 static void there_and_back(const tp_param *param)
 {
     char value[64], before[64], there[128], back[128];
@@ -83,7 +83,7 @@ static void there_and_back(const tp_param *param)
     snprintf(there, sizeof there, "%s=%s", param->name, value);
     snprintf(back, sizeof back, "%s=%s", param->name, before);
     if (stage_set(&stood, &given, "here", there, &opened))
-        return;                                 /* no pool comes to rest with it */
+        return;                                 /* with this value no pool comes to rest */
     steps(2);
     assert_drawn_as_new(there);
     (void)set(back);
@@ -125,7 +125,7 @@ static void numbers_need_no_new_canvas(void **state)
     stage_close(&stood);
 }
 
-/* The harbour's pool has walls inside: of its rows those that move them alone. */
+/* The harbour's pool has inner walls: only changes that move walls need a new canvas. */
 static void walls_that_move_open_the_canvas(void **state)
 {
     (void)state;
@@ -155,7 +155,7 @@ static void what_needs_memory_opens_the_canvas(void **state)
     stage_close(&stood);
 }
 
-/* Of two wave lengths that are drawn by different rungs. */
+/* Two wave lengths with different rungs in the plan. */
 static void another_plan_opens_the_canvas(void **state)
 {
     (void)state;
@@ -167,7 +167,7 @@ static void another_plan_opens_the_canvas(void **state)
     stage_close(&stood);
 }
 
-/* Time, camera and light are carried over. */
+/* A new world continues with time, camera and light. */
 static void a_world_is_made_anew_where_it_was(void **state)
 {
     (void)state;
@@ -208,7 +208,7 @@ static void files_are_loaded_and_let_go(void **state)
     stage_close(&stood);
 }
 
-/* -- what is refused ------------------------------------------------------------- */
+/* -- refused changes ------------------------------------------------------------- */
 
 static void what_is_refused_changes_nothing(void **state)
 {
@@ -262,7 +262,7 @@ static void a_sky_without_pictures_is_refused(void **state)
     stage_close(&stood);
 }
 
-/* In the table's order each of these is refused by what comes after it. */
+/* Set one by one in the table's order, each is refused because of the later ones. */
 static void several_are_taken_in_any_order(void **state)
 {
     (void)state;
@@ -291,7 +291,7 @@ static void several_are_taken_in_any_order(void **state)
     stage_close(&stood);
 }
 
-/* A name that the file gave, given by hand. */
+/* A name from the file, set again by hand. */
 static void names_are_told_from_the_current_folder(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Stages that are timed draw the same bits, and their times are those of a picture.
- * With TP_SOAK=1 it tells what timing costs. */
+/* Timed stages draw the same bits, and their times sum up to a frame's time.  TP_SOAK=1
+ * prints the cost of timing. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -96,7 +96,7 @@ static void what_is_timed_is_what_is_drawn(void **state)
     stopwatch_zero();
     assert_int_equal(sum_ns(), 0);
     crc_of(&s, false);
-    assert_int_equal(sum_ns(), 0);              /* not when it is off */
+    assert_int_equal(sum_ns(), 0);              /* none while off */
 
     crc_of(&s, true);
     stopwatch_zero();
@@ -104,10 +104,10 @@ static void what_is_timed_is_what_is_drawn(void **state)
     crc_of(&s, true);
     const uint64_t most = 1000 * (now_us() - begin + 1);
     assert_true(stopwatch_ns(place_of("sky_cube_hdr")) > 0);
-    assert_int_equal(stopwatch_ns(place_of("spray")), 0);       /* it has none */
+    assert_int_equal(stopwatch_ns(place_of("spray")), 0);       /* the scene has no spray */
     assert_int_equal(stopwatch_ns(stopwatch_stages), 0);
-    assert_true(sum_ns() < most + most / 50);   /* two clocks */
-    assert_true(sum_ns() > most / 8);           /* shading is more than that of a frame */
+    assert_true(sum_ns() < most + most / 50);   /* measured by two clocks */
+    assert_true(sum_ns() > most / 8);           /* shading takes over 1/8 */
     stage_close(&s);
 }
 
@@ -122,14 +122,14 @@ static void threads_add_up(void **state)
     crc_of(&s, true);
     one = sum_ns();
     stage_close(&s);
-    for (int crews = 0; crews < 20; crews++) {  /* more threads than places, in all */
+    for (int crews = 0; crews < 20; crews++) {  /* more threads than places in all */
         open_scene(&s, SCENE, 320, 2);
         stopwatch_zero();
         crc_of(&s, true);
         two = sum_ns();
         stage_close(&s);
     }
-    assert_in_range(two, one / 4, one * 8);     /* machines are busy with other things */
+    assert_in_range(two, one / 4, one * 8);     /* the machine may be busy */
 }
 
 static void a_timed_program_has_the_stages_that_it_had(void **state)
@@ -149,7 +149,7 @@ static void a_timed_program_has_the_stages_that_it_had(void **state)
     stage_close(&s);
 }
 
-/* -- what it costs --------------------------------------------------------------------- */
+/* -- cost of timing -------------------------------------------------------------------- */
 
 enum { ROUNDS = 60 };
 
@@ -184,6 +184,6 @@ int main(void)
     };
     const struct CMUnitTest told[] = { cmocka_unit_test(its_cost_is_told) };
     const int failed = cmocka_run_group_tests_name("stopwatch", tests, NULL, NULL);
-    return failed || !getenv("TP_SOAK")     /* times are for people, at leisure */
+    return failed || !getenv("TP_SOAK")     /* slow; the times are for people */
          ? failed : cmocka_run_group_tests_name("its cost", told, NULL, NULL);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Every shipped scene drawn by 1 to 16 threads has the same bits, frame after frame.
- * tests/host/threads.sh runs this under ThreadSanitizer as well, with TP_SCENE_STEP=n for
- * every n-th scene alone. */
+ * threads.sh runs this under ThreadSanitizer too, with TP_SCENE_STEP=n for every n-th
+ * scene only. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -18,7 +18,7 @@
 
 enum { FRAMES = 3, THREADS = 16 };
 
-/* CRCs of ticks 20, 21, 22: by then rings spread and spray flies. */
+/* CRCs of ticks 20, 21, 22: with rings and spray by then. */
 static void draw(stage *s, options *o, uint32_t threads, uint32_t crc[FRAMES])
 {
     o->threads = threads;
@@ -73,7 +73,7 @@ typedef struct { uint32_t calls[HANDS + 1]; } tally;
 
 static void count_call(void *user, uint32_t i)
 {
-    ((tally *)user)->calls[i]++;        /* each hand has its own */
+    ((tally *)user)->calls[i]++;        /* each thread has its own */
 }
 
 static void a_crew_begins_each_job_once_and_ends_it(void **state)

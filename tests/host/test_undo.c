@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Values changed and undone while the water stands: scene, world and picture are again
- * what they were, to the bit, for every row of the table; and likewise made again. */
+/* Values changed and undone while the water stands still: scene, world and picture are
+ * restored to the bit, for every row of the table; the same for redo. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -9,18 +9,18 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#undef fail                     /* cmocka's, of no arguments */
+#undef fail                     /* cmocka's, without arguments */
 #include "host/say.h"
 #include "host/undo.h"
 #include "scene/value.h"
 #include "scene/world.h"
 
-static options given;           /* of the stage that is open */
+static options given;           /* of the open stage */
 static stage stood;
 static edits e;
 
-/* Some ticks on, led by a person, in slow motion: so that no number of the world is what
- * the scene says alone. */
+/* Runs some ticks with input and in slow motion, so that no number of the world equals
+ * the scene's. */
 static void open_scene(const char *scene)
 {
     const tp_input led = { .forward = 3 << 14,
@@ -44,7 +44,7 @@ static void close_scene(void)
     stage_close(&stood);
 }
 
-/* -- all that is to be again ------------------------------------------------------- */
+/* -- state to be restored ---------------------------------------------------------- */
 
 typedef struct {
     tp_scene  scene;
@@ -68,7 +68,7 @@ static void *copy_of(const void *from, size_t bytes)
     return memcpy(copy, from, bytes);
 }
 
-/* Its picture costs more than all the rest. */
+/* `drawn`: with the picture's CRC, slower than all the rest. */
 static moment moment_now(bool drawn)
 {
     if (drawn)
@@ -139,7 +139,7 @@ static undo_result redo(void)
     return undo_again(&e, &stood, &given, &done, &opened);
 }
 
-/* A value that the row has not now; names are of files that are there. */
+/* Returns a value unlike the current one; names are of existing files. */
 static void other_value(uint32_t row, char text[TP_NAME_BYTES])
 {
     uint32_t count;
@@ -185,7 +185,7 @@ static void try_row(uint32_t row, tally *t)
     moment_free(&after);
 }
 
-/* All but the names, or them alone, which take time to load. */
+/* Tries all rows without file names, or the rows of file names only, slow to load. */
 static void try_rows(const char *scene, bool names, uint32_t least)
 {
     uint32_t count;
@@ -275,7 +275,7 @@ static void look(void)
     tp_world_move_camera(stood.world, &way);
 }
 
-/* Where nothing but the camera moved, the water comes back and the camera stays. */
+/* If only the camera has moved since, undo restores the water and keeps the camera. */
 static void a_camera_that_was_led_since_stays(void **state)
 {
     (void)state;
@@ -311,7 +311,7 @@ static void a_change_of_the_camera_takes_it_back(void **state)
     close_scene();
 }
 
-/* The old value, and the water as it is now. */
+/* Restores the old value and keeps the current water. */
 static void water_that_moved_on_goes_on(void **state)
 {
     (void)state;
@@ -332,7 +332,7 @@ static void water_that_moved_on_goes_on(void **state)
     close_scene();
 }
 
-/* A name that the file gave comes back as the file's, and leads to the same picture. */
+/* A name from the file becomes the file's again, and gives the same picture. */
 static void a_name_of_the_file_is_the_files_again(void **state)
 {
     (void)state;
@@ -350,7 +350,7 @@ static void a_name_of_the_file_is_the_files_again(void **state)
     close_scene();
 }
 
-/* A number that is set to what it is, at once or by a drag, is as it was for the file. */
+/* A number set to its current value, at once or by a drag, leaves no trace. */
 static void what_is_no_change_leaves_no_trace(void **state)
 {
     (void)state;
@@ -377,7 +377,7 @@ static void an_undo_that_is_refused_may_be_tried_again(void **state)
     open_scene("assets/scenes/three-swells.ini");
     change("grid.cols", "20");
     moment small = moment_now(true);
-    given.memory = 1000;                /* the larger one does not fit any more */
+    given.memory = 1000;                /* the larger world no longer fits */
     assert_int_equal(undo(), UNDO_REFUSED);
     assert_true(is_again(&small, "grid.cols", "refused"));
     moment_free(&small);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The preview's window on SDL's driver without a display: where things lie, which pixels
- * show, and the bar that is dragged. */
+/* The preview's window with SDL's driver without a display: layout, visible pixels, and
+ * dragging of the bar. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,7 +16,7 @@
 
 static window w;
 static uint32_t pixels[64 * 48];
-static uint32_t shown[400 * 200];       /* what the window shows, after look() */
+static uint32_t shown[400 * 200];       /* the window's content after look() */
 
 static int end(void **state)
 {
@@ -49,7 +49,7 @@ static void resized(int wide, int high)
         window_event(&w, &event);
 }
 
-/* Draws and reads back; the sides in *wide and *high. */
+/* Draws and reads back; writes the size to *wide and *high. */
 static void look(int scale, int *wide, int *high)
 {
     SDL_GetWindowSize(w.window, wide, high);
@@ -62,7 +62,7 @@ static void look(int scale, int *wide, int *high)
     window_present(&w);
 }
 
-/* Every pixel of the picture where the layout says, and none of what was there before. */
+/* Expects every pixel of the picture at its place, and nothing left from before. */
 static void shows_the_picture(int scale)
 {
     int wide, high, px, py, seen = 0;
@@ -101,7 +101,7 @@ static bool mouse(uint32_t type, int x, int y, int clicks)
     return window_event(&w, &event);
 }
 
-/* -- where things lie ---------------------------------------------------------------- */
+/* -- layout -------------------------------------------------------------------------- */
 
 static void a_window_without_a_panel_is_the_picture(void **state)
 {
@@ -212,7 +212,7 @@ static void beside_the_picture_is_no_pixel(void **state)
     assert_false(window_pixel(&w, 3, 192, 100, &px, &py));
     assert_false(window_pixel(&w, 3, -1, 100, &px, &py));
     assert_false(window_pixel(&w, 1, 0, 0, &px, &py));
-    assert_false(window_pixel(&w, 5, 200, 70, &px, &py));   /* below the panel */
+    assert_false(window_pixel(&w, 5, 200, 70, &px, &py));   /* covered by the panel */
 }
 
 static void the_panel_may_be_at_the_left(void **state)

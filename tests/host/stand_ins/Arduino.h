@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A stand-in for Arduino: a serial port, which is stderr. */
+/* A stand-in for Arduino: a serial port, connected to stderr. */
 #ifndef STAND_IN_ARDUINO_H
 #define STAND_IN_ARDUINO_H
 #include <cstddef>

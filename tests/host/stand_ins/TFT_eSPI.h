@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A stand-in for TFT_eSPI 2.5: the calls of ports/examples/tft by its declarations. */
+/* A stand-in for TFT_eSPI 2.5: the calls used by ports/examples/tft, with TFT_eSPI's
+ * declarations. */
 #ifndef STAND_IN_TFT_ESPI_H
 #define STAND_IN_TFT_ESPI_H
 #include "tft_panel.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A device with the stand-in of LVGL and the example's canvas.
- *     lvgl N      runs the timer N times, writes what the screen then shows to stdout
+/* A device made of the stand-in of LVGL and the example's canvas.
+ *     lvgl N      runs the timer N times, then writes the screen's content to stdout
  * Exit code 2: the example used LVGL wrongly. */
 #include <stdio.h>
 #include <stdlib.h>

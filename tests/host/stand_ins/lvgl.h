@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A stand-in for LVGL 9: the calls of ports/examples/lvgl by LVGL's own declarations, one
- * canvas and one timer.  A refresh shows a canvas only if it was invalidated. */
+/* A stand-in for LVGL 9: the calls used by ports/examples/lvgl, with LVGL's
+ * declarations, for one canvas and one timer.  A refresh shows a canvas only if the
+ * canvas was invalidated. */
 #ifndef STAND_IN_LVGL_H
 #define STAND_IN_LVGL_H
 #include <stdint.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Writes a screen's RGB565 pixels as `tidepool render --hash` sums them: 0x00RRGGBB, low
- * byte first, each channel's high bits repeated below. */
+/* Writes a screen's RGB565 pixels in the form summed by `tidepool render --hash`:
+ * 0x00RRGGBB, low byte first, each channel's high bits repeated in its low bits. */
 #ifndef STAND_IN_SHOWN_H
 #define STAND_IN_SHOWN_H
 #include <stdint.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A panel that keeps the bytes that two libraries would send it. */
+/* A panel storing the bytes sent by either of two libraries. */
 #ifndef STAND_IN_TFT_PANEL_H
 #define STAND_IN_TFT_PANEL_H
 #include <cstdint>
