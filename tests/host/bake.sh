@@ -1,17 +1,18 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Scenes as constant C: every shipped one compiles without a warning and draws what the
-# program draws; what cannot be baked is refused and leaves nothing.
+# Scenes baked to constant C: every shipped scene compiles without a warning and draws the
+# same picture as the program.  A scene that cannot be baked is refused, and no file is
+# left.
 #     bake.sh PROGRAM
 root=$PWD
 . tests/host/lib.sh
 
-# absent NAME: no file of the bakery was left.
+# absent NAME: expects that bake has left no file.
 absent() {
     same "$1" "$(ls -A | grep '\.c$\|tidepool-')" ""
 }
 
-# -- what is refused ------------------------------------------------------------------
+# -- refused scenes -------------------------------------------------------------------
 
 expect "no scene to bake" 2 "which scene" bake -o a.c
 expect "no file to bake into" 2 "It takes -o FILE.c" bake minimal
@@ -54,7 +55,7 @@ code=$?
 judge "a file beyond the size limit" 3 "^a.c: File too large"
 absent "what was refused leaves nothing"
 
-# -- what is written ------------------------------------------------------------------
+# -- written files --------------------------------------------------------------------
 
 run bake minimal -o a.c
 run bake minimal -o -
@@ -80,7 +81,7 @@ same "a picture named twice is written once" \
 run bake minimal -o f.c --set camera.y=2
 same "settings are baked" "$(grep -c '^    .camera.y = 131072,$' f.c)" 1
 
-# -- what it compiles to --------------------------------------------------------------
+# -- compiled code --------------------------------------------------------------------
 
 strict="-std=c11 -Wall -Wextra -Wpedantic -Wconversion -Werror -I$root/include"
 for compiler in gcc clang; do
@@ -109,7 +110,7 @@ run bake count-64 -o g.c --texels 8 --set quality.shading=quick --set ripple.bum
 same "and where smooth water under a dome is drawn by exact stages" \
     "$(grep -c '\.layer\[0\] = &' g.c)" 1
 
-# -- the list of a program -------------------------------------------------------------
+# -- the module list of a program ------------------------------------------------------
 
 run bake minimal -o h.c --size 64x48 --no-input --name baked
 same "a list is told of in the head" "$code $(grep -c '^ \* *stage  sky plain' h.c)" "0 1"
@@ -132,7 +133,7 @@ for compiler in gcc clang; do
     same "lists compile without a warning by $compiler" "$? $(head -n 3 err)" "0 "
 done
 
-# -- what a list lacks -----------------------------------------------------------------
+# -- parts missing in a list -----------------------------------------------------------
 
 same "a scene that does not change is refused nothing" "$(grep -c lacks h.c)" 0
 same "one that may is refused what its list lacks, but not what was left out" \
@@ -167,7 +168,7 @@ same "it has the modules of its list and no other" \
     "$(symbols lacks | sed -n '/^tp_frame_/!s/_module$//p')" \
     "$(sed -n 's/^    { &\(tp_[a-z_]*\)_module, .*/\1/p' k.c | sort)"
 
-# The same frames from constants as from files, with smaller pictures and settings.
+# Frames from constants equal frames from files, with smaller pictures and settings too.
 draws()         # SCENE [SETTING]
 {
     change="--texels 16 --set camera.y=6 ${2:+--set $2}"

@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# tidepool charts on charts of its own, whose jobs print rows out of files: order, fronts,
-# failures.
+# tidepool charts on charts of the test, with jobs that print rows from files: order,
+# fronts, failures.
 #     charts.sh PROGRAM
 . tests/host/lib.sh
 
-# -- a folder of charts, and a gnuplot that writes down what it was told ---------------
+# -- a folder of charts, and a fake gnuplot that records its input ---------------------
 
 mkdir charts rows bin
 cat >bin/gnuplot <<'END'
@@ -83,7 +83,7 @@ END
 alike() {       # NAME FILE FILE
     verdict "$1" "$(cmp "$2" "$3" 2>&1)"
 }
-tables() {      # DIR: all of its tables, one behind the other
+tables() {      # DIR: prints all tables, one after the other
     (cd "$1" && for table in *.csv; do echo "$table"; cat "$table"; done)
 }
 kept() {
@@ -200,7 +200,7 @@ sed -i '/^pareto/d' fronts/cloud.ini
 run charts cloud --from fronts
 same "without pareto there is no such column" "$(head -1 cloud/cloud.csv)" "g,n,a,b"
 
-# -- what goes wrong --------------------------------------------------------------------
+# -- faults -----------------------------------------------------------------------------
 
 tables whole >before
 cp rows/b b.good

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# tidepool charts, stopped: by every signal that ends a program, at its jobs and at its
-# pictures.  Jobs end with it, nothing half made is left, and --resume goes on.
+# tidepool charts stopped by every signal that ends a program, while running jobs and
+# while drawing.  The jobs end too, no half-written file is left, and --resume continues.
 #     charts_stop.sh PROGRAM
 . tests/host/lib.sh
 
@@ -24,11 +24,11 @@ echo '# Page' >charts/page.md
 : >charts/style.gp
 echo '{ print "<" $0 ">" }' >charts/svg.awk
 
-naps=321.$$                             # ours, and nobody else's
+naps=321.$$                             # a time used by this test only
 napping() {
     cat /proc/[0-9]*/cmdline 2>/dev/null | tr '\0' ' ' | grep -q "[s]leep $naps "
 }
-nobody_naps() {                         # a signal takes its time
+nobody_naps() {                         # signals need a moment
     for wait in $(seq 50); do
         napping || return 0
         sleep 0.1
@@ -37,7 +37,7 @@ nobody_naps() {                         # a signal takes its time
 }
 left() { ls -A whole tmp | tr '\n' ' '; }
 
-# -- at its pictures --------------------------------------------------------------------
+# -- while drawing ----------------------------------------------------------------------
 
 export SLOW_PICTURE="sleep $naps"
 for signal in HUP TERM USR1 USR2 ALRM XCPU; do
@@ -56,7 +56,7 @@ for signal in HUP TERM USR1 USR2 ALRM XCPU; do
         "tmp:  whole: one.csv two.csv "
     verdict "SIG$signal: its jobs end" "$(nobody_naps)"
 done
-for signal in INT QUIT; do              # which a shell's background jobs do not hear
+for signal in INT QUIT; do              # ignored by background jobs of a shell
     rm -rf whole drawing
     timeout --preserve-status -s $signal 1 "$program" charts whole --from charts \
         --jobs 2 >out 2>err
@@ -79,7 +79,7 @@ run charts whole --from charts
 same "then all of it is there" "$code $(left)" \
     "0 tmp:  whole: README.md one.csv one.png one.svg two.csv two.png two.svg "
 
-# -- at its jobs ------------------------------------------------------------------------
+# -- while running jobs -----------------------------------------------------------------
 
 mkdir slow
 cp charts/page.md charts/style.gp charts/svg.awk slow

@@ -1,19 +1,19 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# tidepool check: the shipped tables hold, and what is wrong with a table is said with its
-# file and line.
+# tidepool check: the shipped tables hold, and a fault in a table is reported with file
+# and line.
 #     check.sh PROGRAM
 . tests/host/lib.sh
 seconds=300
 
-# folder FILE...: a new folder t with copies of tables.
+# folder FILE...: makes a new folder t with copies of tables.
 folder() {
     rm -rf t
     mkdir t
     for file; do cp "$vectors/$file.csv" t; done
 }
 
-# broken NAME PATTERN FILE SCRIPT: the table, changed by a sed script, is refused.
+# broken NAME PATTERN FILE SCRIPT: a table changed by a sed script is refused.
 broken() {
     folder "$3"
     sed -e "$4" "$vectors/$3.csv" >"t/$3.csv"
@@ -40,7 +40,7 @@ expect "other files and hidden ones are passed over" 0 "" check "--vectors=t"
 sed -i 's/$/\r/' t/fresnel.csv
 expect "lines may end as elsewhere" 0 "" check --vectors t
 
-# -- errors over the budget -------------------------------------------------------------
+# -- errors above the limit -------------------------------------------------------------
 
 folder fresnel exposure
 sed -i '8s/,[^,]*$/,0.5/' t/fresnel.csv
@@ -54,7 +54,7 @@ verdict "the other is judged all the same" "$(grep -q 'OVER' out || echo "it is 
 folder automaton_int
 sed -i '5s/[0-9]*$/1/' t/automaton_int.csv
 expect "a wrong CRC is found" 1 "t/automaton_int.csv:5: crc32 is off" check --vectors t
-mode_at()       # HEIGHT: the first mode's, by the scheme of 8 and 16 bits
+mode_at()       # HEIGHT: height of the first mode, by the scheme of 8 and 16 bits
 {
     folder automaton_mode
     awk -F, -v OFS=, -v height="$1" 'NR == 3 { $10 = height } { print }' \

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Rows of the tables that tidepool check reads, worked out in double precision by the
-# models' formulas.  Input: one line of free numbers a row, those named at each model.
+# Computes rows of the tables read by tidepool check, in double precision, by the models'
+# formulas.  Input: one line of parameters per row; each model names its parameters.
 #     awk -v model=NAME [-v waves=... | -v ring=... | -v k=...] -f check_ranges.awk
 
 BEGIN { OFS = ","; OFMT = CONVFMT = "%.17g"; PI = atan2(0, -1); G = 9.81; set_up() }
@@ -84,7 +84,7 @@ function set_up(    list, i, w)                 # waves: "L A Q degrees phase;..
     split(k, orbit_k, " ")
 }
 
-function swells(x0, z0, t, sharp,    i, th, s, c, q)    # the point of a place at rest
+function swells(x0, z0, t, sharp,    i, th, s, c, q)    # displaced point of rest position
 {
     px = x0; py = 0; pz = z0; hx = hz = jxz = 0; jxx = jzz = 1
     for (i = 0; i < count; i++) {
@@ -125,7 +125,7 @@ model == "buoyancy" {                           # x z t
     print $1, $2, $3, x0, z0, py, step[0], step[1], step[2], step[3], step[4], nx, ny, nz
 }
 
-# L S degrees x0 z0 th turn: th is the phase there, turn that of the normal, degrees
+# L S degrees x0 z0 th turn: th is the phase, turn that of the normal, degrees
 model == "gerstner_single" {
     wave_k = 2 * PI / $1; dx = sin($3 * PI / 180); dz = -cos($3 * PI / 180)
     t = (wave_k * (dx * $4 + dz * $5) - $6) / sqrt(G * wave_k)
@@ -182,7 +182,7 @@ model == "drop_bounce" {                        # y0 e eff rad density
         rad = $4 * pow(2, -b / 3)
         m = $5 * 4 * PI / 3 * rad ^ 3
         lost = m * speed * speed / 2 * (1 - $2 * $2 / 2)
-        # [D4]: eff E_lost goes into a ring of the length 8 rad.
+        # [D4]: eff E_lost goes into a ring of length 8 rad.
         print NR - 1, $1, $2, $3, b, t, m, rad, speed, lost, 8 * rad, \
             speed * sqrt($3 * (1 - $2 * $2 / 2) * $5 * rad / (36000 * G))
         speed *= $2

@@ -1,13 +1,14 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# tidepool check: rows at the ends of what the models take hold, and rows just beyond are
-# refused with file, line, column, value and range.  check_ranges.awk works the rows out.
+# tidepool check: rows at the limits of the models' ranges are accepted.  Rows just beyond
+# are refused with file, line, column, value and range. check_ranges.awk computes the
+# rows.
 #     check_ranges.sh PROGRAM
 formulas=$(realpath tests/host/check_ranges.awk) || exit 2
 . tests/host/lib.sh
 
-# table MODEL [AWK OPTION...]: t/MODEL.csv of the shipped notes and column names, with a
-# row for each line of the input.
+# table MODEL [AWK OPTION...]: makes t/MODEL.csv from the shipped notes and column names,
+# with a row for each line of the input.
 table() {
     model=$1
     shift
@@ -26,7 +27,7 @@ holds() {
     cp "t/$model.csv" good.csv
 }
 
-# beyond COLUMN VALUE RANGE: with this value in its last row the table is refused.
+# beyond COLUMN VALUE RANGE: the table is refused with this value in its last row.
 beyond() {
     awk -F, -v OFS=, -v name="$1" -v value="$2" -v rows="$(wc -l <good.csv)" '
         !/^#/ && !names { names = 1; for (i = 1; i <= NF; i++) if ($i == name) at = i }
@@ -36,16 +37,16 @@ beyond() {
         "^t/$model.csv:$(wc -l <good.csv): $1 = $2 is outside $3$" check --vectors t
 }
 
-# line NAME PATTERN LINE SCRIPT: so is one changed by a sed script.
+# line NAME PATTERN LINE SCRIPT: a table changed by a sed script is refused.
 line() {
     sed -e "$4" good.csv >"t/$model.csv"
     expect "$model: $1" 3 "^t/$model.csv:$3: $2$" check --vectors t
 }
 
-# over NAME PATTERN: the table is read, and found to be wrong.
+# over NAME PATTERN: the table is read, and its numbers are found to be wrong.
 over() { expect "$model: $1" 1 "^t/$model.csv:[0-9]*: $2" check --vectors t; }
 
-# -- one by a double's rounding ----------------------------------------------------------
+# -- a limit exceeded by the rounding of a double ----------------------------------------
 
 table sine </dev/null
 echo 1073741824,1.0000000000000002,0,65536,0 >>t/sine.csv
@@ -156,7 +157,7 @@ line "an amplitude above 16 m is refused" \
     "A = S L / 2 pi = 16.2338042 m is above 16" 5 '5s/0.0502[0-9]*/0.051/'
 
 # The bound of wave.h at the origin is 0.0008 degrees for S = 0.1 and 0.0027 for 0.93.  S
-# is 2 pi A / L, with an A that 16.16 holds.
+# is 2 pi A / L, with an A exact in Q16.16.
 table gerstner_single <<'ROWS'
 1.25 0.1000155473701438 77 0 0 1.5 0.002
 ROWS

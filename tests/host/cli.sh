@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The program on good and bad command lines and files: exit codes, messages, outputs.
+# The program with good and bad command lines and files: exit codes, messages, outputs.
 #     cli.sh PROGRAM
 . tests/host/lib.sh
 
-# absent NAME PATTERN: no file of such a name was left.
+# absent NAME PATTERN: expects no file with such a name.
 absent() {
     if ls -A . | grep -q -e "$2"; then
         verdict "$1" "left behind: $(ls -A . | grep -e "$2" | tr '\n' ' ')"
@@ -220,7 +220,7 @@ cp out list
 run render minimal --size 64x48 --frames 40 --hash --set quality.frame_ms=10000
 same "within its time a frame is drawn as planned" "$code $(cat out)" "0 $(cat list)"
 
-# ini NAME CODE PATTERN TEXT...: a scene file of these lines.
+# ini NAME CODE PATTERN TEXT...: runs a scene file with these lines.
 ini() {
     name=$1 want=$2 pattern=$3
     shift 3
@@ -330,7 +330,7 @@ expect "a map that is not there" 3 "^--set: floor.map: no.png: No such file" \
 expect "a picture that is none" 3 "^--set: floor.map: harbour.ini: not a PNG$" \
     render minimal --set floor.map=harbour.ini
 
-# -- what scenes name ---------------------------------------------------------------
+# -- files named by scenes ----------------------------------------------------------
 
 small="render minimal --size 64x48 --hash"
 printf 'v 0 0 0\nv 1 0 0\nv 1 x 0\nf 1 2 3\n' >bad.obj
@@ -349,7 +349,7 @@ expect "face of a vertex that is not there" 3 "^far.obj:4: face names vertex 9 o
     $small --set boat.mesh=far.obj
 expect "OBJ that does not exist" 3 "^--set: boat.mesh: no.obj: No such file" \
     $small --set boat.mesh=no.obj
-# lacking NAME OBJ SENTENCE REMEDY: drawn with a warning, and refused by --strict.
+# lacking NAME OBJ SENTENCE REMEDY: drawn with a warning; refused with --strict.
 lacking() {
     expect "$1" 0 "^$3; $4\$" $small --set boat.mesh="$2"
     expect "$1, strictly" 3 "^$3\$" $small --set boat.mesh="$2" --strict --out boat.png
@@ -428,7 +428,7 @@ expect "folder for a mesh" 3 " sub: Is a directory" $small --set boat.mesh=sub
 
 # -- memory ---------------------------------------------------------------------------
 
-# Of the sum one byte less is refused before anything is drawn, the sum is enough.
+# The reported sum of memory is enough; one byte less is refused before anything is drawn.
 need="three-swells --size 64x48 --threads 2"
 # shellcheck disable=SC2086
 {
@@ -440,12 +440,12 @@ absent "a picture that needs too much" "refused.png\|tidepool-"
 bytes=$(sed -n 's/.* needs \([0-9]*\) bytes.*/\1/p' err)
 expect "exactly the memory that is allowed" 0 "" render $need --memory "$bytes" --stats
 expect "one byte less" 3 "needs $bytes bytes" render $need --memory $((bytes - 1))
-run render $need --stream --stats    # as is tried before it is refused
+run render $need --stream --stats    # tried first, before the refusal
 sum=$(sed -n 's/.*"world": \([0-9]*\), "frame": \([0-9]*\),.*"scratch": \([0-9]*\),.*/'\
 '\1 + \2 + \3/p' out)
 same "figures add up to what is needed" "$(($sum))" "$bytes"
 }
-# A program made for the sanitizers does not even start in so little; the plain one has.
+# A sanitizer build does not start in so little memory; the plain build does.
 if (ulimit -v 200000; timeout 60 "$program" --version >out 2>&1); then
     (ulimit -v 200000
      timeout 60 "$program" render minimal --size 4096x4096 --band 4096 --out big.png 2>err)

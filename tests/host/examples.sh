@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The programs of ports/examples compile without a warning and draw what `tidepool render`
-# draws: the sea in SDL2's window without a display, the others on stand-ins of the
-# libraries that they are written for.  The buoy has tests/host/own_module.sh.
+# The programs of ports/examples compile without a warning and draw the same picture as
+# `tidepool render`: the sea in SDL2's window without a display, the others with stand-ins
+# for their libraries.  The buoy is tested by tests/host/own_module.sh.
 . tests/gates/lib.sh
 
 library=${TP_BUILD:-build/host}/libtidepool.a
@@ -10,14 +10,14 @@ program=${TP_PROGRAM:-build/host/tidepool}
 examples=ports/examples
 stand_ins=tests/host/stand_ins
 
-# The CRC-32 of what a command writes.
+# Prints the CRC-32 of a command's output.
 crc_of()        # COMMAND...
 {
     "$@" >"$scratch/raw" && gzip -c "$scratch/raw" | tail -c 8 | od -An -tu1 -N4 |
         awk '{ printf "%02x%02x%02x%02x\n", $4, $3, $2, $1 }'
 }
 is() { [ "$1" = "$2" ] || { echo "'$1' is not '$2'"; return 1; }; }
-# Picture 30 of the first sea; tests/host/first.ini has the numbers of tp_scene_init.
+# Frame 30 of the first sea; tests/host/first.ini has the numbers of tp_scene_init.
 want()          # SIZE OPTION...
 {
     size=$1; shift
@@ -44,7 +44,7 @@ sketch()        # STANDARD DEFINE
     g++ -std="$1" $strict "$2" -Iinclude -I$stand_ins $examples/tft/tft.cpp \
         $stand_ins/tft.cpp "$library" -o "$scratch/tft"
 }
-says()          # TEXT WIDTH HEIGHT: and draws nothing.
+says()          # TEXT WIDTH HEIGHT: prints an error and draws nothing.
 {
     text=$1; shift
     "$scratch/tft" "$@" 1 >/dev/null 2>"$scratch/serial"
@@ -90,8 +90,9 @@ pixels()
 {
     timeout 120 "$scratch/sea" "$1" "$scratch/$1.bmp" && tail -c +55 "$scratch/$1.bmp"
 }
-# Pixels of the buoy's red; of white on the graph's panel, which is rows 408 to 463 and
-# columns 16 to 255 of the picture; a file begins with the last row, at 18 times 3 bytes.
+# Counts pixels: of the buoy's red; of white on the graph's panel, rows 408 to 463 and
+# columns 16 to 255 of the picture.  The file begins with the last row, at 18 times 3
+# bytes.
 red()   { LC_ALL=C grep -oaP '\x28\x3c\xe0' "$scratch/$1.bmp" | wc -l; }
 white()
 {

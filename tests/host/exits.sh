@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Exit codes have one meaning: each command, and each script of ports/, is led to every
-# code that it knows; a command's --help names those codes and no other.
+# Exit codes have one meaning.  Each command and each script of ports/ is led to every
+# exit code it knows; a command's --help lists exactly these codes.
 #     exits.sh PROGRAM
 root=$(pwd)
 build=$(realpath "${TP_BUILD:-build/host}") || exit 2
@@ -11,8 +11,8 @@ export HOME XDG_STATE_HOME XDG_CONFIG_HOME
 unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER
 : >met
 
-# exits CODE PATTERN COMMAND ARGUMENT...: the code, and a line of what is printed or said;
-# "" asks for none.
+# exits CODE PATTERN COMMAND ARGUMENT...: checks the code and a line of the output or of
+# stderr; PATTERN "" checks no line.
 exits() {
     want=$1 pattern=$2
     shift 2
@@ -27,7 +27,7 @@ met() {         # COMMAND CODE PATTERN NAME
         echo "$1 $2" >>met
     fi
 }
-# full COMMAND ARGUMENT...: its standard output is a full disk.
+# full COMMAND ARGUMENT...: runs with a full disk as standard output.
 full() {
     timeout $seconds "$program" "$@" >/dev/full 2>err </dev/null
     code=$?
@@ -91,12 +91,12 @@ exits 0 "complete" completion bash
 exits 2 "expected bash, zsh or fish" completion csh
 full completion bash
 
-# -- screens: none, one that is there, one that is lost ---------------------------------
+# -- screens: none, a present one, a lost one -------------------------------------------
 
 FAKE_FB="96 64 32 384 64 2 16 8 8 8 0 8 24 8 0 0" FAKE_GONE=$work/gone
 export FAKE_FB FAKE_GONE
 head -c 24576 /dev/zero >fb0
-show() {        # ARGUMENT...: on a screen that is faked (screen_fake.c)
+show() {        # ARGUMENT...: on a fake screen (screen_fake.c)
     LD_PRELOAD=$build/screen_fake.so timeout $seconds "$program" show "$@" >out 2>err \
         </dev/null
     code=$?
@@ -117,7 +117,7 @@ met show 5 "the display is lost" "show, whose screen is unplugged"
 
 # -- windows ----------------------------------------------------------------------------
 
-wait_until() {  # COMMAND...: for ten seconds at the most
+wait_until() {  # COMMAND...: repeats for at most ten seconds
     waited=0
     until "$@" || [ $waited -ge 200 ]; do
         waited=$((waited + 1))
@@ -132,7 +132,7 @@ lose_display() {
     DISPLAY=:$(cat number) SDL_VIDEODRIVER=x11 timeout $seconds "$program" view minimal \
         --size 160x120 >out 2>err </dev/null &
     viewer=$!
-    wait_until test -s state/tidepool/session.ini       # a second of pictures
+    wait_until test -s state/tidepool/session.ini       # a second of frames
     kill $server
     { wait $server; wait $viewer; } 2>/dev/null
     code=$?
@@ -165,7 +165,7 @@ else
     fi
 fi
 
-# -- what --help says, of each command --------------------------------------------------
+# -- --help of each command -------------------------------------------------------------
 
 for command in $("$program" --help | sed -n 's/^  \([a-z]*\) .*  .*/\1/p'); do
     said=$("$program" $command --help 2>/dev/null | sed -n 's/^Exit: //p' | tr , '\n' |

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The 820 meshes of Debian's sweethome3d-furniture, as people made them with many programs:
-# all are drawn, none is refused.  What they lack is said, and counted here by kind.
+# The 820 meshes of Debian's sweethome3d-furniture, made by people with many programs: all
+# are drawn, none is refused.  Missing things are reported, and counted here by kind.
 . tests/gates/lib.sh
 
 furniture=/usr/share/sweethome3d/furniture
@@ -11,7 +11,7 @@ drawer=$(realpath "${TP_BUILD:-build/host}/tests/host/furniture")
     { echo "skipped: meshes of furniture (package sweethome3d-furniture)"; exit 77; }
 lacks unzip unzip "meshes of furniture" && exit 77
 
-# In a folder so deep that no path is one that a scene holds.
+# In a folder so deep that every path is too long for a scene.
 deep=$scratch/$(printf '%0200d' 0)/$(printf '%0200d' 0)
 unpacked()
 {
@@ -24,7 +24,7 @@ unpacked()
 }
 check "820 meshes are unpacked" unpacked
 
-# What is said, without the files' names, and how often.
+# Counts the messages, without the files' names.
 tally()
 {
     sed -E 's/material .* is not/material X is not/; s/[0-9.]+ (m|faces?|texture)/N \1/
@@ -44,7 +44,7 @@ drawn()
 check "all of them are drawn at 32x24 and seen" drawn
 tally "$scratch/said"
 
-# A few through the program: of each archive one.
+# Runs a few through the program: one of each archive.
 rendered()
 {
     for archive in "$furniture"/*.sh3f; do

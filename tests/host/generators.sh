@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The boats and pictures in assets/ are what their generators make: text byte for byte,
-# pictures pixel for pixel (another zlib may pack them otherwise).
+# The boats and pictures in assets/ equal the output of their generators: text byte by
+# byte, pictures pixel by pixel (another zlib may compress differently).
 . tests/gates/lib.sh
 
 generated=$scratch/generated

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The preview for 10000 pictures under the sanitizers, in a window of an X server of its
-# own, with its panel: nothing leaks.
+# Runs the preview for 10000 frames under the sanitizers, with its panel, in a window of a
+# private X server: nothing leaks.
 #     leaks.sh PROGRAM
 . tests/host/lib.sh
 sanitized=$OLDPWD/build/san/tidepool
@@ -18,8 +18,8 @@ for _ in $(seq 100); do [ -s number ] && break; sleep 0.1; done
 DISPLAY=:$(cat number) SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy XDG_STATE_HOME=$work
 export DISPLAY SDL_VIDEODRIVER SDL_AUDIODRIVER XDG_STATE_HOME
 
-# What the display's own libraries keep for ever, some of them gone by then, is not the
-# preview's: a leak counts that one of its functions asked for.
+# The display's libraries keep memory until the end, and some are unloaded by then: only
+# leaks requested by a function of the preview count.
 timeout 200 "$sanitized" view minimal --size 64x48 --frames 10000 --stats >out 2>err </dev/null
 code=$?
 ours=$(awk '/ leak of / { n = 0; text = $0 }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# What the program's tests share; read by `.` from the project's root with the program's
-# path as $1.  They go on in a folder of their own.  One line a case; the last line is
-# "N passed, M failed", and the exit code tells too.
+# Functions shared by the program's tests; included by `.` from the project's root with
+# the program's path as $1.  A test runs in a folder of its own.  Each case prints a line;
+# the last line is "N passed, M failed", and the exit code agrees.
 program=$(realpath "$1") || exit 2
 vectors=$(realpath tests/vectors) || exit 2
 work=$(mktemp -d) || exit 2
@@ -9,7 +9,7 @@ trap 'rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM HUP
 cd "$work" || exit 2
 passed=0 failed=0
-seconds=60                      # that one run may take
+seconds=60                      # time limit of a run
 
 # verdict NAME REASON: passed if the reason is empty.
 verdict() {
@@ -23,14 +23,15 @@ verdict() {
     fi
 }
 
-# run ARGUMENT...: the program, its streams in files out and err, its exit code in $code.
+# run ARGUMENT...: runs the program, with streams to files out and err, exit code in
+# $code.
 run() {
     timeout "$seconds" "$program" "$@" >out 2>err </dev/null
     code=$?
 }
 
-# expect NAME CODE PATTERN ARGUMENT...: exit code and a basic regular expression that
-# some line of stderr matches; "" wants stderr empty.
+# expect NAME CODE PATTERN ARGUMENT...: expects an exit code, and a line of stderr
+# matching a basic regular expression; "" expects an empty stderr.
 expect() {
     name=$1 want=$2 pattern=$3
     shift 3
@@ -50,13 +51,13 @@ judge() {
     fi
 }
 
-# same NAME TEXT TEXT
+# same NAME TEXT TEXT: expects equal texts.
 same() {
     if [ "$2" = "$3" ]; then verdict "$1" ""; else verdict "$1" "'$2' is not '$3'"; fi
 }
 
-# on_terminal NAME: whether programs can be given a terminal by script(1); if not, NAME is
-# skipped, and said why.
+# on_terminal NAME: true if script(1) can give a program a terminal.  Otherwise NAME is
+# skipped, with the reason.
 on_terminal() {
     if ! command -v script >/dev/null; then
         echo "skipped: $1 (package bsdutils)"
@@ -68,7 +69,7 @@ on_terminal() {
     return 1
 }
 
-# fits ARGUMENT...: what is printed fits a screen.
+# fits ARGUMENT...: expects an output that fits a screen.
 fits() {
     run "$@"
     wide=$(awk 'length($0) > 80' out | wc -l)

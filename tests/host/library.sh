@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The host library as another project finds it, installed by make: it draws what the
-# program draws, tells what is wrong by file and line, leaks nothing, and shows no name but
-# its own.
+# The host library as installed by make and used by another project: it draws the same
+# picture as the program, reports errors with file and line, leaks nothing, and exports no
+# names but its own.
 #     library.sh PROGRAM
 root=$PWD
 kept=${TP_BUILD:-build/host}
@@ -20,7 +20,7 @@ same "make install" "$?" 0
 PKG_CONFIG_PATH=$work/at/lib/pkgconfig
 export PKG_CONFIG_PATH
 
-# built NAME SOURCE [FLAG]...: what asks for memory is watched, in the library too.
+# built NAME SOURCE [FLAG]...: compiles; memory calls are watched, in the library too.
 built() {
     name=$1 source=$2
     shift 2
@@ -34,9 +34,9 @@ built use "$root/tests/host/library_use.c" -fsanitize=address -D_POSIX_C_SOURCE=
 same "the viewer has at most 60 lines" \
     "$(wc -l <"$root/ports/examples/viewer/viewer.c" | awk '$1 > 60')" ""
 
-# use CASE SCENE ARGUMENT: what it prints; a leak or worse is said there too.
+# use CASE SCENE ARGUMENT: prints the case's output, and leaks or worse.
 use() { timeout 120 ./use "$@" 2>&1; }
-# drawn SCENE LAST: what the program draws.
+# drawn SCENE LAST: prints the program's frames.
 drawn() { timeout 120 "$program" render "$1" --size 160x120 --frames "$2" --hash 2>&1; }
 
 # -- pictures ------------------------------------------------------------------------------
@@ -129,7 +129,7 @@ for word in none boat; do
         "$(use follow "$scenes/three-swells.ini" $word)" "1 the same, free: $word"
 done
 
-# -- what is wrong -------------------------------------------------------------------------
+# -- errors --------------------------------------------------------------------------------
 
 # refuses NAME SCENE MESSAGE
 refuses() {
@@ -201,7 +201,7 @@ for language in "cc -std=c11" "c++ -std=c++11"; do
         -I"$work/at/include" alone.c 2>&1)" ""
 done
 
-# SDL's flags ask the C library for names of POSIX; without SDL a file asks itself.
+# SDL's flags ask the C library for POSIX names; without SDL a file asks by itself.
 same "nothing that it is made of needs SDL" "$(cd "$root" && for file in ports/host/*.c \
         ports/live/*.c ports/library/*.c; do
     $cc -std=c11 -Iinclude -Iports -Iports/library -Isrc -I. -fsyntax-only "$file" 2>&1

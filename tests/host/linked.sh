@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The program of who names none: a baked file brings its own, and then nothing else of the
-# library is linked; without one the library brings everything.
+# Programs that name no tp_program: a baked file brings its own, and nothing else of the
+# library is linked; without a baked file the library brings everything.
 #
 #   tests/host/linked.sh PROGRAM
 . tests/gates/lib.sh
@@ -55,7 +55,7 @@ links()         # NAME FLAG
         -o "$scratch/$1"
 }
 draws() { "$scratch/$1" | cmp - "$scratch/want"; }
-stages()        # NAME: those that it has
+stages()        # NAME: prints its stages
 {
     nm "$scratch/$1" | sed -n 's/.* tp_stage_//p' | sort
 }
@@ -65,7 +65,7 @@ check "the first draws the host's picture by its own program" draws baked
 check "the second draws it by everything" draws alone
 stages baked >"$scratch/few"
 stages alone >"$scratch/all"
-of_list()       # every stage that is linked stands in the baked list
+of_list()       # true if every linked stage is in the baked list
 {
     grep -o 'tp_stage_[a-z_0-9]*' "$scratch/baked.c" | sed 's/tp_stage_//' | sort -u |
         comm -13 - "$1" | { ! grep .; }

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The manual's pages and what shells complete: whole, well formed, and where make install
-# puts them.
+# The manual pages and the shells' completions: complete, well formed, and installed at
+# the right places by make install.
 #     manual.sh PROGRAM
 root=$(pwd)
 . tests/host/lib.sh
@@ -10,7 +10,7 @@ export HOME XDG_CONFIG_HOME
 
 commands=$("$program" --help | sed -n 's/^  \([a-z]*\) .*  .*/\1/p')
 same "the first command" "${commands%%[!a-z]*}" view
-options_of()    # COMMAND: those of its help, a line each
+options_of()    # COMMAND: prints the options of its help, one per line
 {
     "$program" "$1" --help 2>/dev/null | awk '
         /^  -/ { print $1 }
@@ -36,10 +36,10 @@ if command -v mandoc >/dev/null; then
 else
     echo "skipped: the manual's form (package mandoc)"
 fi
-# tagged PAGE: names in bold that begin a paragraph's line, a line each, escapes undone.
+# tagged PAGE: prints the bold names at the start of a paragraph, one per line, unescaped.
 tagged() { sed -n 's/^\\fB\([^ ]*\)\\fR.*/\1/p' "$1" | sed 's/\\-/-/g'; }
 
-# Without the options that every command has, which stand once.
+# Without the options common to all commands, which have a section of their own.
 part_of()       # COMMAND
 {
     sed -n "/^\.SS $1\$/,/^\.S[SH] /p" tidepool.1
@@ -51,7 +51,7 @@ for command in $commands; do
     options_of "$command" >wanted
     verdict "the page knows the options of $command" "$(comm -13 tags wanted | tr '\n' ' ')"
 done
-# Of numbered groups, told alike, N stands for the numbers.
+# For numbered groups with a common text, N stands for the numbers.
 tagged tidepool-scene.5 | sort -u >tags
 ranges=$(sed -n 's/^\.SS \([a-z]*\)\([0-9]*\) to [a-z]*\([0-9]*\)$/\1 \2 \3/p' \
     tidepool-scene.5)
@@ -69,8 +69,8 @@ for key in F1 Space Ctrl+Z 'left drag' Escape; do
     same "the page knows $key" \
         "$(grep -c "^.fB${key}[ \\]" tidepool.1 | sed 's/[1-9][0-9]*/yes/')" yes
 done
-# Lines that begin with a dot are macros, a backslash is an escape that we know, and a
-# hyphen is a minus sign.
+# A line that begins with a dot must be a macro, a backslash one of the known escapes, and
+# a hyphen a minus sign.
 for page in tidepool.1 tidepool-scene.5; do
     verdict "$page: nothing but its own macros" "$(grep '^[.'\'']' $page |
         grep -v -e '^\.\(TH\|SH\|SS\|TP\|PP\|br\|EX\|EE\)\( \|$\)' -e '^\.\\"' | head -3)"
@@ -86,7 +86,7 @@ expect "completion of bash" 0 "" completion bash
 cp out tidepool.bash
 cat >drive.bash <<'EOF'
 source ./tidepool.bash
-while IFS= read -r text; do         # a word a blank, as readline parts them
+while IFS= read -r text; do         # a word per blank, as readline splits them
     IFS=' ' read -r -a COMP_WORDS <<<"$text"
     [[ $text != *' ' ]] || COMP_WORDS+=('')
     COMP_CWORD=$((${#COMP_WORDS[@]} - 1)) COMPREPLY=()
@@ -143,7 +143,7 @@ else
     echo "skipped: completion driven in bash (package bash)"
 fi
 
-# -- zsh and fish, driven where they are ------------------------------------------------
+# -- zsh and fish, if installed ---------------------------------------------------------
 
 for shell in zsh fish; do
     expect "completion of $shell" 0 "" completion $shell
@@ -175,7 +175,7 @@ if command -v fish >/dev/null; then
         'water.filter=linear water.filter=nearest '
 fi
 
-# -- where they are put -----------------------------------------------------------------
+# -- installed files --------------------------------------------------------------------
 
 if make -C "$root" --no-print-directory install DESTDIR="$work/to" PREFIX=/usr >log 2>&1
 then

@@ -1,12 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Where `tidepool render` puts its pictures: of itself, as animated PNGs, each Nth alone.
+# Outputs of `tidepool render`: default names, animated PNGs, every Nth frame only.
 #     output.sh PROGRAM
 run_script=$(realpath ports/run.sh) || exit 2
 build=$(realpath "${TP_BUILD:-build/host}") || exit 2
 . tests/host/lib.sh
 apng_frames=$build/tests/host/apng_frames
-left() {        # all that is here, but the test's own
+left() {        # prints all files here but the test's own
     ls -A | grep -v -e '^out$' -e '^err$' | tr '\n' ' '
 }
 
@@ -71,7 +71,7 @@ rm -r here
 
 # -- animated PNGs ----------------------------------------------------------------------
 
-# film NAME FRAMES ARGUMENT...: as many frames as hashed, with their CRCs.
+# film NAME FRAMES ARGUMENT...: expects the hashed frames, with their CRCs.
 film() {
     name=$1 count=$2
     shift 2
@@ -126,7 +126,7 @@ same "films that fail or are stopped leave nothing" \
 
 # -- make run without a display ---------------------------------------------------------
 
-# runs NAME=VALUE...: as `make run` ends, without a display.
+# runs NAME=VALUE...: runs `make run` without a display and prints its end.
 runs() {
     rm -rf out.d
     mkdir out.d
@@ -144,12 +144,12 @@ same "the film is of 60 frames at 20 a second" "$("$apng_frames" out.d/out/tank.
     sed -n '1p; $s/.*for \(.*\) s.*/\1/p' | tr '\n' ' ')" \
     "320x240, 60 frames, for ever 0.0500 "
 same "all of it is small" "$(($(cat out.d/out/* | wc -c) < 6000000))" 1
-runs DISPLAY=:9797 SDL_VIDEODRIVER=x11 LSAN_OPTIONS=exitcode=0     # of its libraries
+runs DISPLAY=:9797 SDL_VIDEODRIVER=x11 LSAN_OPTIONS=exitcode=0     # leaks of libraries
 same "a display that is gone: the same" "$code $(ls out.d/out | tr '\n' ' ')" \
     "0 tank.apng tank.png "
 rm -r out.d
 
-# -- each Nth frame ---------------------------------------------------------------------
+# -- every Nth frame --------------------------------------------------------------------
 
 for every in 0 -1 3601 x 1.5; do
     expect "--every $every" 2 "expected 1..3600" render minimal --every $every

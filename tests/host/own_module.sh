@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# A module that a program brings itself: ports/examples/buoy, linked with the library as it
-# is.  It is drawn, mirrored, moved by the water, shaded by a stage of its own; its rows are
-# known to the command line, scene files, tapes, kept worlds and bake.
+# A module supplied by a program: ports/examples/buoy, linked with the unchanged library.
+# It is drawn, mirrored, moved by the water and shaded by a stage of its own.  Its
+# parameters work on the command line, in scene files, tapes and kept worlds, and in bake.
 #     own_module.sh PROGRAM
 root=$PWD
 build=$(realpath "${TP_BUILD:-build/host}") || exit 2
@@ -13,13 +13,13 @@ set -- "$build/more/buoy/tidepool"
 . tests/host/lib.sh
 scene=$root/assets/scenes/three-swells.ini
 
-# hashes OPTION...: of a picture without a boat, after 60 ticks.
+# hashes OPTION...: prints the hash of a picture without a boat, after 60 ticks.
 hashes() {
     timeout 60 "$program" render "$scene" --set boat.mesh= --size 160x120 --frames 60:60 \
         --hash "$@" 2>err </dev/null || { echo "exit $?"; cat err; }
 }
 
-# -- drawn -----------------------------------------------------------------------------
+# -- drawing ---------------------------------------------------------------------------
 
 expect "without it the program draws as the shipped one" 0 "" \
     render "$scene" --size 160x120 --frames 3 --hash
@@ -48,7 +48,7 @@ same "clear water shows what of it lies below" \
     "$([ "$(hashes $on --set water.clear=8 --set mirror.objects=none)" != \
          "$(hashes --set water.clear=8 --set mirror.objects=none)" ]; echo $?)" 0
 
-# -- its rows ---------------------------------------------------------------------------
+# -- its parameters ---------------------------------------------------------------------
 
 expect "a number out of its row's range is refused" 2 "buoy.size" \
     render "$scene" --set buoy.size=11 --hash

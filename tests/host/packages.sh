@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Programs of other projects get the library: by CMake's add_subdirectory, by find_package
-# from what `cmake --install` and `make install` leave, and by pkg-config.  All draw the
-# picture that the library draws which make has built.
+# Programs of other projects use the library by CMake's add_subdirectory, by find_package
+# after `cmake --install` or `make install`, and by pkg-config.  All draw the same picture
+# as the library built by make.
 #     packages.sh PROGRAM
 root=$PWD
 kept=${TP_BUILD:-build/host}
@@ -14,10 +14,10 @@ cc=${CC:-cc} cxx=${CXX:-c++}
 rm -rf "$scratch"
 . tests/host/lib.sh
 
-# There is nothing beside the sources, the pipe to make's jobs included.
+# Only the sources are present; the pipe to make's jobs is closed too.
 unset MAKEFLAGS MAKELEVEL MFLAGS PKG_CONFIG_PATH CMAKE_PREFIX_PATH DESTDIR
 
-# draws WHAT PROGRAM...: each prints version and CRC of the library that make has built.
+# draws WHAT PROGRAM...: each prints version and CRC of the library built by make.
 draws() {
     what=$1
     shift
@@ -43,7 +43,7 @@ make --no-print-directory -s -C "$root" BUILD="$kept" DESTDIR="$work/root" \
     PREFIX=/opt/sea install >err 2>&1
 same "make install" "$?" 0
 
-# by_pkg_config WHAT TREE: programs beside nothing but the tree.
+# by_pkg_config WHAT TREE: builds programs from nothing but the installed tree.
 by_pkg_config() {
     PKG_CONFIG_PATH=$2/lib/pkgconfig
     export PKG_CONFIG_PATH
@@ -73,7 +73,7 @@ by_find_package() {
 }
 by_find_package "make install, find_package" "$made"
 
-# asks VERSION: whether find_package takes the tree for it, in a project of no language.
+# asks VERSION: true if find_package accepts the tree, in a project without a language.
 mkdir asking
 printf '%s\n' 'cmake_minimum_required(VERSION 3.13)' 'project(asking NONE)' \
     'find_package(tidepool ${WANTED} REQUIRED)' >asking/CMakeLists.txt
@@ -101,7 +101,7 @@ cmake -S "$example" -B added -DTIDEPOOL="$root" -DTIDEPOOL_INSTALL=ON \
 same "add_subdirectory: programs are built" "$?" 0
 draws add_subdirectory added/sea added/sea++
 
-# Without a build: what the options stand for by themselves.
+# Without a build: the defaults of the options.
 cmake -S "$example" -B guest -DTIDEPOOL="$root" >out 2>err && cmake -S "$root" -B top >out 2>err
 same "a guest installs nothing unless asked, a project by itself does" \
     "$(ls guest/tidepool/tidepool.pc top/tidepool.pc 2>&1 | grep -v cannot)" top/tidepool.pc

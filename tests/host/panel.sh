@@ -1,9 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The panel in a window of an X server of its own, by keys and mouse; what it asks of its
-# host is told by tests/host/panel_demo, which the sanitizers watch where they are built.
+# The panel in a window of a private X server, driven by keys and mouse.
+# tests/host/panel_demo prints the panel's requests; sanitizers watch it if they are
+# installed.
 #     panel.sh PROGRAM
-# One line a case; the last line is "N passed, M failed", and the exit code tells too.
+# Each case prints a line; the last line is "N passed, M failed", and the exit code
+# agrees.
 demo=$(dirname "$(realpath "$1")")/tests/host/panel_demo
 watched=build/san/tests/host/panel_demo
 [ ! -x $watched ] || demo=$(realpath $watched)
@@ -13,7 +15,7 @@ watched=build/san/tests/host/panel_demo
     exit 0
 }
 export SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy SDL_RENDER_DRIVER=software
-# SDL's own libraries keep some memory until the end: leaks are looked for by their names.
+# SDL's libraries keep some memory until the end: leaks count by function names.
 export LSAN_OPTIONS=exitcode=0
 says() { until_true grep -qxE "$1" log; }
 twice() { [ "$(grep -cx "$1" log)" -ge 2 ]; }
@@ -30,7 +32,7 @@ key() { timeout 10 xdotool key --delay 40 "$@"; }
 write() { timeout 10 xdotool type --delay 40 "$1"; }
 point() { timeout 5 xdotool mousemove --window "$window" "$1" "$2"; }
 
-# Clicks at a place that the mouse has already come to.
+# Clicks after the mouse has arrived.
 click() {       # X Y [BUTTON]
     point "$1" "$2"
     sleep 0.1
@@ -46,8 +48,8 @@ ends() {
     false
 }
 
-# Rows that are found stand below the search, from y 189 on, 20 px apart, in a panel of
-# 320 px at the right of 960: its values from x 778 to 931.
+# Found rows are listed below the search, from y 189 on, 20 px apart, in a panel of 320 px
+# at the right of 960: values are at x 778 to 931.
 search() {
     key F3
     write "$1"
@@ -118,8 +120,8 @@ key Return
 key Tab space Right Right space
 check "arrows move a slider" says 'set wave0.steepness=0\.145'
 
-# Of sixteen waves the scene has one; the others are told to be fifteen rows, and shown
-# when they are asked for: below their head, wave1's own and its row.
+# The scene has one of sixteen waves.  The others are counted as fifteen rows and shown on
+# request, below a header: first wave1's header, then its row.
 search 'wave steepness'
 sleep 0.2
 click 830 249 3

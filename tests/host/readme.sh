@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The README's first program compiles as it stands there and draws a whole picture; what
-# it shows is there, and every shipped scene is in the gallery.
+# The README's first program compiles as printed and draws a whole picture; the files it
+# shows exist, and every shipped scene is in the gallery.
 . tests/gates/lib.sh
 
 # -- the first program ------------------------------------------------------------------
@@ -11,7 +11,7 @@ first_program >"$program.c"
 check "the README has a program" grep -q tp_engine_next_tile "$program.c"
 check "it compiles without a warning" cc -std=c11 -Wall -Wextra -Werror -Iinclude \
     "$program.c" build/host/libtidepool.a -o "$program"
-# tests/host/first.ini has the numbers of tp_scene_init, and names its picture.
+# tests/host/first.ini has the numbers of tp_scene_init, and names the picture used there.
 "${TP_PROGRAM:-build/host/tidepool}" render tests/host/first.ini --texels 16 \
     --size 320x240 --frames 30:30 --hash | sed 's/.* //' >"$scratch/want"
 draws() { "$1" >"$scratch/got" && cmp "$scratch/want" "$scratch/got"; }
@@ -20,7 +20,7 @@ moves() { ! cmp -s "$scratch/want" "$scratch/still"; }
 "${TP_PROGRAM:-build/host/tidepool}" render tests/host/first.ini --texels 16 \
     --size 320x240 --frames 0:0 --hash | sed 's/.* //' >"$scratch/still"
 check "which is another than picture 0" moves
-# The built-in picture is made of the shipped one.
+# The built-in picture is generated from the shipped one.
 ripple()
 {
     echo '/* SPDX-License-Identifier: MIT */'
@@ -40,7 +40,7 @@ check "the built-in picture is the shipped one, 16 texels a side" same_ripple
 small() { [ "$(grep -o 0x src/scene/sea_ripple.inc | wc -l)" -le 1024 ]; }
 check "it is no larger than 4 KB" small
 
-# The bytes on the page for embedders are those of the library.
+# The sizes on the page for embedders equal the library's.
 cat >"$scratch/sizes.c" <<'END'
 #include <stdio.h>
 #include <stdlib.h>
@@ -77,7 +77,7 @@ check "the page for embedders gives the bytes that are measured" sizes
 
 # -- pictures ---------------------------------------------------------------------------
 
-size_of()       # PNG: its sides, from the header
+size_of()       # PNG: prints width and height from the header
 {
     od -An -tu1 -j16 -N8 "$1" | awk '{ print $3 * 256 + $4 "x" $7 * 256 + $8 }'
 }
@@ -89,7 +89,7 @@ for scene in assets/scenes/*.ini; do
     scene=$(basename "$scene" .ini)
     check "the gallery shows $scene, 640x480" in_gallery "$scene"
 done
-pictures()      # that the README links to
+pictures()      # prints the README's links to pictures
 {
     for picture in $(grep -o '([^)]*\.png)' README.md | tr -d '()'); do
         [ -s "$picture" ] || { echo "no $picture"; return 1; }
@@ -103,7 +103,7 @@ for picture in assets/gallery/tour-*.png; do
     [ ! -e "$picture" ] || check "$picture is no heavier than 120 KB" light "$picture" 120000
 done
 preview() { sed -n '/^## The preview/,/^## /p' README.md; }
-keys()          # of the preview: the first that each action has
+keys()          # prints the preview's keys: the first one of each action
 {
     "${TP_PROGRAM:-build/host/tidepool}" manual >"$scratch/page"
     sed -n '/^\.SH KEYS/,/^\.SH EXIT/s/^\\fB\([^ ]*\).*\\fR (.*/\1/p' "$scratch/page" |

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Files that replace others: two writers at once, every call that fails, every signal that
-# ends a program.  Nothing is lost, nothing is half there, no temporary file is left.
+# Files that replace others: two writers at once, every failing call, every signal that
+# ends a program.  No content is lost or half written, and no temporary file is left.
 #     saves.sh PROGRAM
 build=$(realpath "${TP_BUILD:-build/host}") || exit 2
 scene=$(realpath assets/scenes/pond.ini) || exit 2
@@ -10,7 +10,7 @@ small=$(realpath assets/scenes/minimal.ini) || exit 2
 saves=$build/tests/host/saves
 faults=$build/faults.so
 
-# nothing_left NAME: no temporary file in the current folder or below.
+# nothing_left NAME: expects no temporary file in the current folder or below.
 nothing_left() {
     same "$1: no temporary file is left" "$(find . -name '.tidepool-*')" ""
 }
@@ -33,8 +33,8 @@ done
 
 # -- calls that fail -------------------------------------------------------------------
 
-# What is wrong after a run whose exit code is $code, with the files of `old` before and
-# those of `whole` if it succeeds.
+# Prints the fault after a run with exit code $code.  `old` has the files from before,
+# `whole` those after success.
 complaint() {   # FILE
     case $code in
     0) cmp -s "whole/$1" "new/$1" || echo "exit code 0, but another file" ;;
@@ -49,7 +49,7 @@ complaint() {   # FILE
     find . -name '.tidepool-*'
 }
 
-# Each call of a kind fails in its turn, until the command has no more of them.
+# Each call of a kind fails in turn, until the command makes no more such calls.
 failing() {     # NAME CALL FILE COMMAND...
     name=$1 call=$2 file=$3 at=0 wrong=
     shift 3
@@ -68,7 +68,8 @@ failing() {     # NAME CALL FILE COMMAND...
     [ $at -gt 1 ] || verdict "$name: there is a $call" "none"
 }
 
-# files FILE COMMAND...: `old` with a file that is replaced, `whole` with the new one.
+# files FILE COMMAND...: makes `old` with the file to replace, and `whole` with the new
+# one.
 files() {
     rm -rf old new whole
     mkdir -p "old/$(dirname "$1")"
@@ -107,7 +108,7 @@ rm -rf old new whole
 
 # -- signals ---------------------------------------------------------------------------
 
-# All that end a program and can be caught; it ignores SIGPIPE and SIGXFSZ.
+# All catchable signals that end a program; it ignores SIGPIPE and SIGXFSZ.
 ulimit -c 0
 for number in 1 2 3 4 5 6 7 8 10 11 12 14 15 16 24 26 27 29 30 31 34 64; do
     env --default-signal "$program" render "$scene" --size 64x48 --frames 1000000 \

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Raw screens without a screen: a frame buffer and a console that are faked under the
-# program (screen_fake.c).  What is refused, what pictures stand in memory, and that all of
-# it is given back however the program dies.  Real ones: tests/boards.
+# Raw screens without a screen: a fake frame buffer and console are loaded below the
+# program (screen_fake.c).  Checks refusals, pictures in memory, and the restored state
+# after every kind of death.  Real screens: tests/boards.
 #     screen.sh PROGRAM
 build=$(realpath "${TP_BUILD:-build/host}") || exit 2
 . tests/host/lib.sh
@@ -10,10 +10,10 @@ fake=$build/screen_fake.so
 crc_of=$build/tests/host/screen_crc
 
 scene=minimal
-wide="96 64 32 384 64 2 16 8 8 8 0 8 24 8 0 0"      # screen_fake.c: what they mean
+wide="96 64 32 384 64 2 16 8 8 8 0 8 24 8 0 0"      # format: see screen_fake.c
 export FAKE_LOG="$work/log"
 
-# memory DESCRIPTION: the screen's, of noise, and a copy of it.
+# memory DESCRIPTION: makes the screen's memory of noise, and a copy.
 memory() {
     FAKE_FB=$1
     export FAKE_FB
@@ -23,7 +23,8 @@ memory() {
     : >log
 }
 
-# begin ARGUMENT...: the program in the background; it has drawn when this returns.
+# begin ARGUMENT...: starts the program in the background; returns after the first
+# picture.
 begin() {
     rm -f out
     LD_PRELOAD=$fake "$program" show "$scene" --device fb0 --hash "$@" \
@@ -39,19 +40,19 @@ begin() {
     child=${child%% *}
 }
 
-# last_frame: that was shown.
+# last_frame: prints the number of the last shown frame.
 last_frame() {
     tail -1 out | awk '{ print $2 + 0 }'
 }
 
-# end SIGNAL PROCESS: its exit code, as a shell tells it, in $code.
+# end SIGNAL PROCESS: sends a signal; the exit code, as a shell reports it, is in $code.
 end() {
     kill -s "$1" "$2"
     { wait $parent; } 2>/dev/null
     code=$?
 }
 
-# gone PROCESS: it is, within a while.
+# gone PROCESS: true if the process ends within a while.
 gone() {
     waited=0
     while kill -0 "${1:-0}" 2>/dev/null && [ $waited -lt 200 ]; do
@@ -60,7 +61,7 @@ gone() {
     done
 }
 
-# given_back: "", or what is not as it was found.
+# given_back: prints "", or the state that was not restored.
 given_back() {
     cmp -s fb0 before || echo "the screen has changed"
     [ -z "$FAKE_VT" ] || [ "$(grep '^mode' log | tail -1)" = "mode 0" ] ||
@@ -71,7 +72,7 @@ given_back() {
         echo "it is panned" ;; esac
 }
 
-# -- what is refused ------------------------------------------------------------------
+# -- refusals -------------------------------------------------------------------------
 
 echo text >text
 mkdir folder
@@ -85,7 +86,7 @@ expect "no such port" 2 "expected fb or kms" show $scene --on paper
 expect "--hold without --frames" 2 "hold" show $scene --hold
 expect "no such scene" 3 "nothing.ini" show nothing.ini --device text
 
-# refused NAME CODE PATTERN ARGUMENT...: of the fake one; nothing has changed.
+# refused NAME CODE PATTERN ARGUMENT...: refused on the fake screen; nothing is changed.
 refused() {
     name=$1 want=$2 pattern=$3
     shift 3
@@ -134,7 +135,7 @@ verdict "it went on, and gave back" "$(given_back)"
 
 # -- pictures ------------------------------------------------------------------------
 
-# drawn NAME DESCRIPTION FIRST_LINE FORMAT [TABLE]: frame 7 stands in memory.
+# drawn NAME DESCRIPTION FIRST_LINE FORMAT [TABLE]: expects frame 7 in memory.
 drawn() {
     name=$1 first=$3 format=$4 table=$5
     memory "$2"
@@ -173,7 +174,7 @@ same "black is above it" "$("$crc_of" fb0 "$wide" 0 0 0 96 8)" \
     "$(head -c 3072 /dev/zero >zero; "$crc_of" zero "$wide" 0 0 0 96 8)"
 end TERM $parent
 
-# -- ways to die ---------------------------------------------------------------------
+# -- deaths --------------------------------------------------------------------------
 
 memory "96 64 32 384 128 2 16 8 8 8 0 8 24 8 0 1"
 LD_PRELOAD=$fake timeout 20 "$program" show $scene --device fb0 --frames 3 >out 2>err \
@@ -194,8 +195,8 @@ for signal in INT TERM HUP QUIT SEGV ABRT BUS KILL; do
     done
 done
 
-# Every call on the way to the first picture fails in its turn; a driver that only says
-# that it pans is drawn on in one page.
+# Every call up to the first picture fails in turn.  If a driver claims to pan but fails,
+# one page is used.
 memory "96 64 8 96 128 3 0 8 0 8 0 8 0 0 0 1"
 want=$("$program" render $scene --size 96x64 --format p8 --hash)
 failing=1
@@ -213,12 +214,12 @@ while [ $failing -lt 40 ]; do
     *) same "$what: it is drawn all the same" "$code $(cat out)" "0 $want" ;;
     esac
     verdict "$what: given back" "$wrong"
-    ! grep -q 'failed 4606' log || break            # FBIOPAN_DISPLAY, the last of them
+    ! grep -q 'failed 4606' log || break            # FBIOPAN_DISPLAY, the last call
     failing=$((failing + 1))
 done
 same "those were all" "$((failing > 8 && failing < 40))" 1
 
-# A panel that never answers, and a child that is stopped.
+# A panel that never answers, and a stopped child.
 memory "96 64 32 384 128 2 16 8 8 8 0 8 24 8 0 1"
 rm -f out
 FAKE_HANG=1 LD_PRELOAD=$fake "$program" show $scene --device fb0 >out 2>err </dev/null &
@@ -237,7 +238,7 @@ end TERM $parent
 same "one that is stopped ends" "$(kill -l $code)" TERM
 verdict "and gives back" "$(given_back)"
 
-# -- a screen that is lost -------------------------------------------------------------
+# -- a lost screen ---------------------------------------------------------------------
 
 FAKE_GONE=$work/gone
 export FAKE_GONE
@@ -250,7 +251,7 @@ same "and says so in one line" "$(cat err)" "fb0: the display is lost: No such d
 rm gone
 unset FAKE_GONE
 
-# -- another terminal in front -----------------------------------------------------------
+# -- another terminal is active ----------------------------------------------------------
 
 begin
 kill -s USR1 "$child"
@@ -300,7 +301,7 @@ END
     same "and the terminal's mode is as it was" "$(sort -u modes | wc -l)" 1
 fi
 
-# -- worlds that are kept ----------------------------------------------------------------
+# -- kept worlds -------------------------------------------------------------------------
 
 FAKE_VT=0
 export FAKE_VT
@@ -348,7 +349,7 @@ kept=$(od -An -tu4 -j16 -N4 slow | tr -d ' ')
 same "and has the last one in the end" "$((kept >= $(last_frame)))" 1
 rm slow
 
-# fresh NAME PATTERN: what is kept in `world` is refused, and it begins at frame 0.
+# fresh NAME PATTERN: the kept file `world` is refused, and the run starts at frame 0.
 fresh() {
     whole --frames 0:1 --keep world
     judge "$1" 0 "^world: $2: a fresh start$"

@@ -1,25 +1,26 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Tapes: recorded inputs replay to the same frames; bad files are refused by file and line.
+# Tapes: recorded inputs replay to the same frames; bad files are refused with file and
+# line.
 #     tape.sh PROGRAM
 . tests/host/lib.sh
 
 boats=$(cd "$OLDPWD" && realpath assets/boats)
 
-# hashes SCENE OPTION...: the frames' hashes, or the program's exit code and messages.
+# hashes SCENE OPTION...: prints the frames' hashes, or the exit code and messages.
 hashes() {
     timeout 60 "$program" render "$@" --size 48x32 --frames 40 --hash 2>err </dev/null ||
         { echo "exit $?"; cat err; }
 }
 
-# tape NAME LINE...: a tape of the scene `minimal`.
+# tape NAME LINE...: writes a tape of the scene `minimal`.
 tape() {
     file=$1
     shift
     { echo "tape 1 minimal"; for line in "$@"; do printf '%s\n' "$line"; done; } >"$file"
 }
 
-# refused NAME PATTERN FILE: exit code 3, nothing on stdout, a message that begins so.
+# refused NAME PATTERN FILE: exit code 3, empty stdout, a message with this beginning.
 refused() {
     run render minimal --size 48x32 --frames 40 --hash --tape "$3"
     if [ "$code" -ne 3 ]; then
@@ -33,7 +34,7 @@ refused() {
     fi
 }
 
-# bad NAME PATTERN LINE: the third line of a tape, refused by file and line.
+# bad NAME PATTERN LINE: a tape with this third line is refused with file and line.
 bad() {
     tape bad.tape "3 ahead=0.5" "$3"
     refused "$1" "bad.tape:3: $2" bad.tape
@@ -52,7 +53,7 @@ same "frame 0 comes before its first line" "$(echo "$walk" | head -1)" \
 if [ "$walk" = "$plain" ]; then verdict "a tape moves the camera" "it does not"
 else verdict "a tape moves the camera" ""; fi
 
-# Of a tick with several pokes each one is seen, and their order on the line is free.
+# All pokes of a tick have an effect; their order on the line is free.
 pond() { hashes pond --set pool.poke_every=0 --tape "$1"; }
 poked() { printf 'tape 1 pond\n3 %s\n' "$1" >poked.tape; pond poked.tape; }
 one="poke=0.3 poke_x=-1" two="poke2=0.3 poke2_x=1" last="poke8=0.2 poke8_z=1"
@@ -83,7 +84,7 @@ same "blanks around and between" "$(hashes minimal --tape blank.tape)" "$walk"
 { head -2 walk.tape; printf '# %0900d 2 ahead=9\n' 7; sed 1,2d walk.tape; } >long.tape
 same "a long comment is one comment" "$(hashes minimal --tape long.tape)" "$walk"
 
-# From the stern of a boat that is steered: replays and tilings, to the bit.
+# From the stern of a steered boat: replays and tilings equal to the bit.
 { echo "tape 1 three-swells"; echo "2 throttle=6 rudder=20"; echo "9 ahead=0.5"
   echo "15 throttle=6 turn=20000000"; } >deck.tape
 deck="--set camera.follow=boat --set camera.x=0 --set camera.y=2.8 --set camera.z=6"
@@ -114,7 +115,7 @@ same "slow motion replays" "$(hashes minimal --tape slow.tape --set wave0.amplit
 
 # -- changes and looks --------------------------------------------------------------
 
-# sea OPTION...: the hashes of three-swells with a tape of it, whose lines come first.
+# sea OPTION...: prints the hashes of three-swells with a tape; its lines come first.
 sea_tape() {
     file=$1
     shift
@@ -145,8 +146,8 @@ sea_tape cr.tape "20 set wave0.amplitude=1.5"
 tr '\n' '|' <cr.tape | sed 's/|/\r\n/g' >dos.tape
 same "sets with line ends of other systems" "$(hashes three-swells --tape dos.tape)" "$set"
 
-# pond's water has cells: of another number the world is made anew, of another grid the
-# picture's part.
+# pond's water has cells: a new number of cells needs a new world; a new grid needs a new
+# frame only.
 printf 'tape 1 pond\n5 drops=1\n10 set pool.cols=80\n12 poke=0.3\n30 ahead=1\n' >anew.tape
 anew=$(hashes pond --tape anew.tape)
 same "a set makes the world anew, twice alike" "$(hashes pond --tape anew.tape)" "$anew"

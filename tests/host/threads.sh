@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# 1 to 16 threads under ThreadSanitizer: no two touch one place without order.
+# 1 to 16 threads under ThreadSanitizer: no data race.
 . tests/gates/lib.sh
 
 echo 'int main(void) { return 0; }' >"$scratch/a.c"

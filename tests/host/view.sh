@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The preview in a window of an X server of its own: pixels, mouse, resizing, minimising, a
-# lost display, going on.  Every key is in view_keys.sh.
+# The preview in a window of a private X server: pixels, mouse, resizing, minimising, a
+# lost display, resuming. view_keys.sh tests every key.
 #     view.sh PROGRAM
 . tests/host/view_lib.sh
 
@@ -40,7 +40,7 @@ check "the water moves" until_true top_is_not one.ppm
 press p
 until_true titled paused
 shot shown.png
-window_is() {   # PICTURE: but for the message below
+window_is() {   # PICTURE: except for the message at the bottom
     top now.ppm && convert "$1" -crop "320x180+0+0" +repage -depth 8 part.png \
         && same_pixels now.ppm part.png
 }
@@ -103,7 +103,7 @@ else
 fi
 quit_view
 
-# -- a tape of what was done: played by render it ends in the picture of the window ------
+# -- a recorded tape: played by render, its last frame equals the window's picture -------
 
 scene=tank
 open_view tank --size 320x240 --tape played.tape --set pool.poke_every=0 --no-panel
@@ -137,7 +137,7 @@ check "render plays the tape to the screenshot's bits" \
 scene=three-swells
 open_view three-swells --size 320x240 --no-panel --set wave0.amplitude=0.9
 until_true top one.ppm
-until_true top_is_not one.ppm           # some pictures on
+until_true top_is_not one.ppm           # some frames later
 press p
 until_true titled paused
 kill "$server"
@@ -161,7 +161,7 @@ shot fresh.png
 quit_view
 check "with what was changed" cmp -s again.png fresh.png
 
-# Name of the scene, and what it shows, above the panel's buttons.
+# The scene's name and description above the panel's buttons.
 named() {       # NAME.png
     screen all.ppm
     convert all.ppm -crop 320x36+334+8 +repage "$1"

@@ -1,12 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The preview in a window of an X server of its own: every action of the list does, by its
-# key, what the list says of it.
+# The preview in a window of a private X server: the key of every action has the effect
+# given in the list of actions.
 #     view_keys.sh PROGRAM
 . tests/host/view_lib.sh
 covered=""
 
-# does ACTION... -- NAME COMMAND...: a case of these actions.
+# does ACTION... -- NAME COMMAND...: a case for these actions.
 does() {
     while [ "$1" != -- ]; do
         covered="$covered $1"
@@ -18,7 +18,7 @@ does() {
 
 begin_server
 
-# -- keys that are held, and what they are on a tape -------------------------------------
+# -- held keys, and their tape -----------------------------------------------------------
 
 scene=raindrops
 check "a window that records opens" open_view raindrops --size 160x120 --no-panel \
@@ -114,9 +114,9 @@ shot again.png
 restart() { cmp -s first.png again.png && differ first.png earlier.png; }
 does restart -- "F5 restarts, each time with the same picture" restart
 
-# -- ways to look ----------------------------------------------------------------------------
+# -- camera modes ----------------------------------------------------------------------------
 
-look() {        # KEY NAME.png: the camera may glide there
+look() {        # KEY NAME.png: the camera may glide
     press "$1"
     shot "$2"
     for _ in 1 2 3 4 5; do
@@ -143,7 +143,7 @@ does look_free -- "F flies" free
 does look_orbit -- "O goes round" orbit
 press f
 
-# -- what lies over the picture ---------------------------------------------------------------
+# -- overlays ---------------------------------------------------------------------------------
 
 press F5
 top bare.ppm
@@ -204,14 +204,14 @@ until_true titled paused
 
 # -- a value changed in the panel, undone, saved --------------------------------------------
 
-# A boat floats on from where it is, so that pictures are compared at the beginning.
+# A floating boat keeps its state over changes, so pictures are compared at the beginning.
 start() {       # NAME.png
     press F5
     shot "$1"
 }
 
-# panel_tells: the line of the panel that has the last message, below its buttons, is no
-# plain colour.
+# panel_tells: true if the panel's message line, below its buttons, has text: it is not of
+# one colour.
 panel_colours() {
     screen all.ppm
     convert all.ppm -crop 300x14+340+105 +repage -format '%k' info:
@@ -219,7 +219,7 @@ panel_colours() {
 panel_tells() { [ "$(panel_colours)" -gt 1 ]; }
 panel_is_silent() { [ "$(panel_colours)" -eq 1 ]; }
 
-# panel_at X: the panel's dark edge is seen there, and not the water.
+# panel_at X: true if the panel's dark edge, not water, is at x.
 panel_at() {
     eval "$(do_x getwindowgeometry --shell "$window" | grep '^[XYH]')"
     until_true panel_seen $((X + $1)) $((Y + HEIGHT - 2))
@@ -290,7 +290,7 @@ does reload -- "Ctrl+R reads the file again" cmp -s reloaded.png restarted.png
 # -- scenes ------------------------------------------------------------------------------------
 
 swells=$(title | sed 's/,.*//')
-press shift+n ctrl+r n          # a scene that is read again keeps its place
+press shift+n ctrl+r n          # reloading keeps the index in the list
 check "the one after the one before is the same" until_true titled "$swells"
 press n
 does next_scene -- "N opens the next scene" until_true not_titled "$swells"
@@ -299,9 +299,9 @@ does last_scene -- "Shift+N the one before" until_true titled "$swells"
 check "Esc ends it" quit_view
 does shot -- "F12 saved pictures" test -s true.png
 
-# -- undo while the water stands: as if nothing had been ---------------------------------------
+# -- undo while the water stands: no trace is left ---------------------------------------------
 
-# put NAME VALUE: in the panel.
+# put NAME VALUE: types a value into the panel.
 put() {
     press F3
     do_x type --delay 40 "$1"
@@ -319,7 +319,7 @@ if [ "${undoes:-}" ]; then
     shot before.png
     put pool.cols 40
     until_true grep -q 'set pool.cols=40' undone.tape
-    # A value that is typed, or taken back, reaches the picture a little later.
+    # A typed or undone value reaches the picture a little later.
     changed() { shot changed.png; differ before.png changed.png; }
     check "a pool made anew while paused is another picture" until_true changed
     press ctrl+z
@@ -328,7 +328,7 @@ if [ "${undoes:-}" ]; then
     hold 0.2 a
     put light.ambient 0.1
     press ctrl+z ctrl+y
-    press period comma period period    # back to where it was changed, and on
+    press period comma period period    # back to the change, and forward
     shot last.png
     check "Esc ends the tape" quit_view
     forgotten() { ! grep -q 'pool.cols' undone.tape && grep -q 'look aside' undone.tape \
@@ -338,7 +338,7 @@ if [ "${undoes:-}" ]; then
         replayed last.png tank --size 320x240 --tape undone.tape
 fi
 
-# -- every one of the list -----------------------------------------------------------------------
+# -- every action of the list --------------------------------------------------------------------
 
 every() {
     sed -n 's/^    X([A-Z0-9_]*, *"[a-z]*", *"\([a-z0-9_]*\)".*/\1/p' \

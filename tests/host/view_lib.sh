@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# What the tests of the preview in a window share; read by `.` from the project's root with
-# the program's path as $1.  A display of their own, a home of their own, a folder of their
-# own to go on in.  One line a case; the last line is "N passed, M failed".
+# Functions shared by tests of the preview's window; included by `.` from the project's
+# root with the program's path as $1.  A test has a display, a home and a working folder
+# of its own.  Each case prints a line; the last line is "N passed, M failed".
 program=$(realpath "$1") || exit 2
 sources=$(pwd)
 missing=""
@@ -29,7 +29,7 @@ cd "$work" || exit 2
 export HOME="$work/home" XDG_STATE_HOME="$work/state" XDG_CONFIG_HOME="$work/config"
 mkdir -p home state config
 
-# check NAME COMMAND...
+# check NAME COMMAND...: passed if the command succeeds.
 check() {
     name=$1
     shift
@@ -43,7 +43,7 @@ check() {
     fi
 }
 
-# until_true COMMAND...: tries for ten seconds.
+# until_true COMMAND...: repeats for at most ten seconds.
 until_true() {
     for _ in $(seq 200); do
         "$@" && return 0
@@ -77,7 +77,8 @@ find_window() {
     [ -n "$window" ]
 }
 
-# open_view ARGUMENT...: its window is then in $window; what it says in the file log.
+# open_view ARGUMENT...: opens a preview; its window is in $window, its messages in file
+# log.
 open_view() {
     SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy timeout 120 "$program" view "$@" >log 2>&1 &
     viewer=$!
@@ -88,7 +89,7 @@ open_view() {
     exit 1
 }
 
-# Waits for its end; the exit code is in $code.
+# Waits for the end of the preview; the exit code is in $code.
 end_view() {
     code=0
     wait "$viewer" || code=$?
@@ -111,14 +112,14 @@ hold() {        # SECONDS KEY...
     do_x windowfocus "$window" keydown "$@" sleep "$seconds" keyup "$@"
 }
 
-# -- what is to be seen ------------------------------------------------------------------
+# -- the window's picture ----------------------------------------------------------------
 
 title() { timeout 5 xdotool getwindowname "$window"; }
 titled() { title | grep -q "$1"; }
 not_titled() { ! titled "$1"; }
 
-# screen NAME.ppm: the window as it is.  top NAME.ppm: its picture, above where messages
-# come and go.
+# screen NAME.ppm: saves the window. top NAME.ppm: saves the window's upper part, free of
+# messages.
 screen() {
     eval "$(timeout 5 xdotool getwindowgeometry --shell "$window" | grep '^[XYWH]')"
     take "${WIDTH}x$HEIGHT+$X+$Y" "$1"
@@ -134,13 +135,14 @@ take() { timeout 10 import -silent -window root -crop "$1" +repage -depth 8 "$2"
 top_is() { top now.ppm && cmp -s now.ppm "$1"; }
 top_is_not() { top now.ppm && differ now.ppm "$1"; }
 
-# shot NAME.png: what F12 saves, of the scene's file name $scene.
+# shot NAME.png: takes the screenshot of F12, named after the scene file $scene.
 shot() {
     rm -f "$scene"-[0-9]*.png
     press F12
     until_true test -s "$scene-0001.png" && mv "$scene-0001.png" "$1"
 }
-# replayed NAME.png RENDER-ARGUMENT...: one of the first 300 frames is the screenshot.
+# replayed NAME.png RENDER-ARGUMENT...: true if one of the first 300 frames is the
+# screenshot.
 replayed() {
     crc=$(convert "$1" -depth 8 bgra:- | perl -0777 -ne '
         my $crc = ~0 & 0xffffffff;
@@ -154,7 +156,7 @@ replayed() {
     "$program" render "$@" --frames 300 --hash >hashes && grep -q "$crc" hashes
 }
 
-# places TAPE: a line for each poke, with its height and place.
+# places TAPE: prints height and place of each poke.
 places() {
     awk '{ for (i = 2; i <= NF; i++) {
                split($i, part, /[_=]/)
