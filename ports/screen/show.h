@@ -9,13 +9,13 @@
 
 typedef struct {
     const screen_port *port;
-    const char *device;         /* NULL: the port's default */
-    uint32_t    width, height;  /* 0: the screen's */
-    bool        counted;        /* draw frames first..last only, and show each of them */
+    const char *device;             /* NULL: the port's default */
+    uint32_t    width, height;      /* 0: the screen's */
+    bool        counted;            /* draw and show frames first..last only */
     uint32_t    first, last;
-    bool        hold;           /* hold the last frame until a signal or Esc */
-    bool        hash;           /* print each frame's CRC-32 to standard output */
-    const char *keep;           /* file; NULL: none */
+    bool        hold;               /* hold the last frame until a signal or Esc */
+    bool        hash;               /* print each frame's CRC-32 to standard output */
+    const char *keep;               /* file; NULL: none */
 
     const tp_scene  *scene;
     const tp_assets *assets;

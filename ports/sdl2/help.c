@@ -10,8 +10,8 @@
 
 #define LINES      200
 #define COLUMNS    4
-#define GUTTER     3            /* cells between columns; the short form may use less */
-#define NARROW     51           /* most cells per line of the notes below the short form */
+#define GUTTER     3                /* most cells between columns */
+#define NARROW     51               /* cells of the notes below the names */
 
 static const uint32_t amber = 0xffd479, white = 0xe8eef4, blue = 0x7fc8ff;
 static const uint32_t grey = 0x9fb0c0;

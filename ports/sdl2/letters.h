@@ -14,7 +14,7 @@ typedef struct letters letters;
 
 letters *letters_open(SDL_Renderer *renderer);          /* NULL: SDL_GetError() */
 void letters_close(letters *l);
-void letters_again(letters *l);     /* drops all textures; call if the renderer lost them */
+void letters_again(letters *l);         /* the renderer lost its textures */
 
 /* Returns the number of cells of a text: one per character.  A non-ASCII UTF-8 character
  * is one '?'. */

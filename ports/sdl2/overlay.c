@@ -38,7 +38,7 @@ static const char *cut_line(const char *text, int cells, char line[TEXT_BYTES])
     const size_t most = (size_t)SDL_clamp(cells, 1, TEXT_BYTES - 1);
     const size_t length = strcspn(text, "\n");
     size_t cut = SDL_min(length, most);
-    if (length > most)                  /* break at a blank in the second half, if any */
+    if (length > most)                          /* break at a blank, if any */
         for (size_t i = most; i > most / 2 && cut == most; i--)
             cut = text[i] == ' ' ? i : cut;
     snprintf(line, TEXT_BYTES, "%.*s", (int)cut, text);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr float LETTERS = 13;           /* font size at scale 1, px */
 
-panel *shown;                       /* Dear ImGui has one context, so there is one panel */
+panel *shown;                           /* one panel: Dear ImGui has one context */
 
 ImU32 ink_of(uint32_t rgb)
 {

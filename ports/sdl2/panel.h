@@ -51,8 +51,8 @@ typedef struct {
 
     const char *const *scenes;  /* names or paths; shows: descriptions */
     const char *const *shows;
-    uint32_t           scene_count, scene;          /* scene: index of the open scene */
-    const char        *name, *about;                /* of the open scene, listed or not */
+    uint32_t           scene_count, scene;              /* scene: the open one */
+    const char        *name, *about;                    /* of the open scene */
     void (*open)(void *user, uint32_t scene);
 
     const char *const *pictures;                        /* PNG names offered to a row */
@@ -66,7 +66,7 @@ typedef struct {
 
     const panel_figures *figures;
     const panel_compare *compare;
-    bool       (*measures)(void *user, bool on);    /* switches measuring of stage times */
+    bool       (*measures)(void *user, bool on);        /* measures stage times */
     const char  *message;       /* last message, "" if none */
     const char  *saved_as;      /* path written by Ctrl+S */
 } panel_host;

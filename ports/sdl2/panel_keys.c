@@ -3,7 +3,7 @@
 #include "panel_keys.h"
 #include <string.h>
 
-#define PATIENCE 8          /* frames that a letter waits for its field to get the focus */
+#define PATIENCE 8              /* frames a letter waits for its field */
 
 bool keys_types(const panel_keys *k)
 {

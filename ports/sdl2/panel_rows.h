@@ -41,9 +41,9 @@ bool     panel_word(const char *list, uint32_t i, char text[PANEL_TEXT]);
 /* A slider: positions 0..steps between low and high. */
 typedef struct {
     double low, high;
-    double fine;            /* > 0: scale is logarithmic for absolute values above `fine` */
+    double fine;                /* > 0: logarithmic for |value| > `fine` */
     int    steps;
-    bool   whole;           /* integers only */
+    bool   whole;               /* integers only */
 } panel_span;
 
 /* Returns the slider of a row: the table's range; for an angle of many turns the turn

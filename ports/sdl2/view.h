@@ -69,7 +69,7 @@ typedef struct view {
     bool        stale;          /* the picture is older than the world */
     governing   governing;
     compare    *compare;
-    bool        chosen;     /* the person has chosen the other renderer of the comparison */
+    bool        chosen;         /* comparison renderer chosen by the person */
     figures    *figures;
     figures_plan plan;
     panel_figures  shown;

@@ -12,7 +12,7 @@
 #include "scene/world.h"
 #include "view.h"
 
-#define TICKS_AT_ONCE 8     /* limit per loop turn; if more are due, the water slows down */
+#define TICKS_AT_ONCE 8         /* if more are due, the water slows down */
 #define SECOND_US     1000000u
 
 static tp_world *world_of(view *v)
@@ -183,7 +183,7 @@ static void tick(view *v)
         && keymap_held(&v->keys, ACT_REWIND, SDL_GetKeyboardState(NULL),
                        SDL_GetModState());
     tp_input input = { 0 };
-    if (v->look.jump && !v->playing) {      /* move at once: no frame is drawn on the way */
+    if (v->look.jump && !v->playing) {          /* at once: no frame on the way */
         look_steer(&v->look, world_of(v), &v->stage->file.scene, &input);
         look_round(v, &input);
     }
@@ -205,7 +205,7 @@ void view_advance(view *v, uint64_t now)
     v->clock = now;
     if (v->control.hidden)
         v->owed = 0;
-    if (v->options->counted)        /* --frames: one frame per turn, as fast as possible */
+    if (v->options->counted)            /* --frames: as fast as possible */
         v->owed = SECOND_US;
     for (int i = 0; i < most && v->owed >= SECOND_US; i++, v->owed -= SECOND_US)
         tick(v);

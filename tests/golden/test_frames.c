@@ -135,7 +135,7 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < own && !failed; i++)
         names[count++] = of_own[i];
     mkdir(WRECK, 0777);
-    setvbuf(stdout, NULL, _IOLBF, 0);   /* keeps the order with cmocka's lines on stderr */
+    setvbuf(stdout, NULL, _IOLBF, 0);       /* in order with cmocka's stderr */
     if (argc >= 2 && !strcmp(argv[1], "--write")) {
         for (int i = 2; i < argc; i++)
             write_references(argv[i], is_whole(argv[i]));

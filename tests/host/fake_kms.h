@@ -47,12 +47,12 @@ typedef struct {
 
 extern fake_card fake;
 
-void fake_reset(void);                      /* one monitor: 64x48, preferred 48x32 */
+void fake_reset(void);                          /* one monitor: 64x48, preferred 48x32 */
 void fake_mode(int i, uint32_t width, uint32_t height, bool preferred);
-void fake_new_card(void);                   /* plugs in a new card after an unplugged one */
-void fake_vblank(void);                     /* completes a stalled flip */
-void fake_report(uint64_t number);          /* reports a flip of any number */
+void fake_new_card(void);                       /* replaces an unplugged card */
+void fake_vblank(void);                         /* completes a stalled flip */
+void fake_report(uint64_t number);              /* reports a flip of any number */
 void fake_uevent(const char *subsystem);
-const fake_buffer *fake_shown(void);        /* NULL: not a buffer of ours */
-unsigned fake_left(void);                   /* existing buffers, ids and mappings */
+const fake_buffer *fake_shown(void);            /* NULL: not a buffer of ours */
+unsigned fake_left(void);                       /* existing buffers, ids and mappings */
 #endif

@@ -165,7 +165,7 @@ static void the_dearest_stages_come_first(void **state)
     }
     assert_float_equal(share, 1, 1e-3);
     assert_int_equal(stopwatch_ns(0), 0);
-    p = shown_of(f, SECOND + 600 * MS);     /* stage times stay while the picture stands */
+    p = shown_of(f, SECOND + 600 * MS);                 /* paused: they stay */
     assert_in_range(p.stage_count, 8, 30);
     figures_measures(f, false);
     assert_int_equal(shown_of(f, SECOND + 900 * MS).stage_count, 0);

@@ -209,7 +209,7 @@ static void partial_updates_show_each_frame(void **state)
     assert_int_equal(whole.updates, 9);
     assert_int_equal(whole.partial, 0);
     assert_int_equal(part.updates, 9);
-    assert_int_equal(part.partial, 6);              /* frames 0, 4 and 8 are full updates */
+    assert_int_equal(part.partial, 6);                  /* 0, 4 and 8 are full updates */
     printf("e-paper %dx%d: %u bytes a whole update, %u a partial one\n", WIDTH, HEIGHT,
            (unsigned)whole.bytes, (unsigned)last.bytes);
     assert_true(last.bytes < whole.bytes * 6 / 10);

@@ -134,7 +134,7 @@ static void a_blocked_panel_is_an_error_and_no_more(void **state)
     assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
     const uint32_t waits = s->wires.waits;
     assert_true(waits > 20);
-    for (uint32_t k = 1; k <= waits - 1; k++) {     /* the panel is lit: one wait less */
+    for (uint32_t k = 1; k <= waits - 1; k++) {         /* lit already: one wait less */
         s->wires.waits = 0;
         s->wires.blocked_from = k;
         const uint32_t frames = s->driver.frames;
@@ -247,7 +247,7 @@ static void missing_wires_are_refused(void **state)
         if (i == 0) c.wires.command = NULL;
         if (i == 1) c.wires.data = NULL;
         if (i == 2) c.wires.pause = NULL;
-        if (i == 3) c.wires.wait = NULL;        /* not needed for a panel without BUSY */
+        if (i == 3) c.wires.wait = NULL;                /* unused without BUSY */
         assert_int_equal(lcd_bytes(&c, &why) != 0, i == 3);
         assert_int_equal(why, i == 3 ? LCD_OK : LCD_E_WIRES);
     }
