@@ -216,7 +216,7 @@ typedef struct {
 #define TP_STAGES_OF_ripple(X) \
     X(ripple)               /* sx sz from a normal map, */ \
     X(ripple_gentle)        /* for flat surfaces, */ \
-    X(ripple_over)          /* added to pools' sx sz */
+    X(ripple_pool_slopes)          /* added to pools' sx sz */
 #define TP_STAGES_OF_lighting(X)    /* colour nv up glint; after view */ \
     X(light) X(light_rippled) X(light_blinn) X(light_blinn_rippled)
 #define TP_STAGES_OF_diffuse(X)     X(diffuse) X(diffuse_rippled)       /* colour */
@@ -241,10 +241,10 @@ typedef struct {
     X(quick_cube) X(quick_cube_phong) X(quick_cube_blinn) \
     /* half rate lighting: light and reflection of even columns; */ \
     X(quick_gradient_even) X(quick_dome_even) X(quick_cube_even) \
-    X(quick_between)        /* interpolates odd columns; */ \
+    X(quick_odd_fill)        /* interpolates odd columns; */ \
     X(quick_glint_phong) X(quick_glint_blinn)   /* interpolates, adds glints */
 #define TP_STAGES_OF_underwater(X) \
-    X(below) X(below_rippled)       /* the surface from below */ \
+    X(underside) X(underside_rippled)       /* the surface from below */ \
     X(deep)                 /* empty view in the water */ \
     X(absorb)               /* absorption in front of things */
 #define TP_STAGES_OF_tank(X)        X(wall)

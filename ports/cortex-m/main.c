@@ -113,7 +113,7 @@ int main(void)
 {
     const size_t world_bytes =
         tp_world_bytes(&baked_program, &baked_scene, &baked_assets);
-    tp_arena  arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
+    tp_arena  arena = tp_arena_init(arena_start, (size_t)(arena_end - arena_start));
     const size_t bytes = tp_frame_bytes(&baked_config, &baked_scene);
     void *block = take(&arena, bytes, "the frame does not fit: ");
     void *scratch = take(&arena, tp_frame_scratch_bytes(&baked_config, &baked_scene),

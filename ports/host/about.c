@@ -97,7 +97,7 @@ static const about_row rows[] = {
 
 #define ROWS (sizeof rows / sizeof *rows)
 
-const about_row *about_of(unsigned command)
+const about_row *about_find_row(unsigned command)
 {
     for (size_t i = 0; i < ROWS; i++)
         if (rows[i].command == command)
@@ -122,7 +122,7 @@ void about_exits(const about_row *row, char text[ABOUT_EXITS_BYTES])
 
 void about_print(unsigned command)
 {
-    const about_row *row = about_of(command);
+    const about_row *row = about_find_row(command);
     fputs("usage: ", stdout);
     for (const char *c = row->usage; *c; c++) {
         putchar(*c);

@@ -17,7 +17,7 @@ typedef struct {
 /* Writes "Exit: 0 done, 2 usage, 3 bad input." into text: one line, without a line feed. */
 void about_exits(const about_row *row, char text[ABOUT_EXITS_BYTES]);
 
-const about_row *about_of(unsigned command);
+const about_row *about_find_row(unsigned command);
 
 /* Prints the whole `--help` of a command on stdout: at most 24 lines. */
 void about_print(unsigned command);

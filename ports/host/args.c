@@ -58,7 +58,7 @@ static int refuse_option(const options *o, unsigned command, const char *name)
 {
     char what[160];
     const char *meant = NULL;
-    nearest best = nearest_to(name + strspn(name, "-"));
+    nearest best = nearest_make(name + strspn(name, "-"));
     for (size_t i = 0; i < args_row_count; i++) {
         const char *row = args_rows[i].name;
         const unsigned distance = best.distance;
@@ -72,7 +72,7 @@ static int refuse_option(const options *o, unsigned command, const char *name)
     return refuse(o, what);
 }
 
-static const option_row *row_of(unsigned command, const char *word, size_t length)
+static const option_row *find_option_row(unsigned command, const char *word, size_t length)
 {
     for (const option_row *row = args_rows; row < args_rows + args_row_count; row++)
         if ((row->commands & command) && strlen(row->name) == length
@@ -88,8 +88,8 @@ static int read_option(options *o, unsigned command, int argc, char **argv, int 
     const size_t length = equals ? (size_t)(equals - word) : strlen(word);
     char what[160];
     const bool is_help = strcmp(word, "-h") == 0;
-    const option_row *row = is_help ? row_of(command, "--help", strlen("--help"))
-                                    : row_of(command, word, length);
+    const option_row *row = is_help ? find_option_row(command, "--help", strlen("--help"))
+                                    : find_option_row(command, word, length);
     if (!row || (!row->value && equals))
         return refuse_option(o, command, word);
     const char *value = equals ? equals + 1 : row->value ? argv[++*i] : "";

@@ -86,7 +86,7 @@ static const char *read_set(options *o, const char *value)
 
 static const char *read_format(options *o, const char *value)
 {
-    const int format = tp_format_of(value, (uint32_t)strlen(value));
+    const int format = tp_format_find(value, (uint32_t)strlen(value));
     o->format = (tp_format)(format < 0 ? 0 : format);
     o->formatted = true;
     return format < 0 ? "xrgb8888, rgb565, rgb565be, p8, l8 or i1" : NULL;

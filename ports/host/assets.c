@@ -62,7 +62,7 @@ void assets_move(asset_set *to, asset_set *from)
 
 /* Drops the largest mipmap levels until the longer side is at most `most` texels.  Returns
  * the number of bytes dropped; most = 0 drops nothing. */
-static size_t leave_out(tp_texture *texture, uint32_t most)
+static size_t discard_large_mips(tp_texture *texture, uint32_t most)
 {
     size_t bytes = 0;
     while (most && texture->levels > 1 && 1u << (texture->levels - 1) > most) {
@@ -91,10 +91,10 @@ int assets_texture(asset_set *a, tp_texture *texture, const char *path,
     int code = memory ? EXIT_DONE : EXIT_INPUT;
     if (memory
         && tp_texture_init(texture, pixels, w, h, memory, tp_texture_bytes(w, h), &err))
-        code = fail_at(path, &err);
+        code = fail_with_error(path, &err);
     free(pixels);
     if (!code)
-        a->texture_bytes += bytes - leave_out(texture, a->options.texels);
+        a->texture_bytes += bytes - discard_large_mips(texture, a->options.texels);
     return code;
 }
 
@@ -134,7 +134,7 @@ static int load(asset_set *a, const scene_file *file, const char *name, void *in
     *there = tp_param_text(&file->scene, param, text, sizeof text) > 0;
     if (!*there)
         return EXIT_DONE;
-    char *path = scene_file_path_of(file, param);
+    char *path = scene_file_resolve_path(file, param);
     if (!path)
         return fail_memory(sizeof text);
     scene_file_who(file, param, who, sizeof who);

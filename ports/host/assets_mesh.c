@@ -54,7 +54,7 @@ static int warn(loading *l, const char *remedy, const char *format, ...)
     return EXIT_DONE;
 }
 
-static const char *remedy_of(tp_status code)
+static const char *remedy_text(tp_status code)
 {
     return code == TP_E_MTL_RANGE ? "the nearest is taken"
          : code == TP_E_MTL_NAME || code == TP_E_OBJ_MATERIALS ? "drawn in grey"
@@ -70,7 +70,7 @@ static int warn_noted(loading *l, const char *file)
         const tp_error *err = &obj->warning[i];
         char text[256];
         tp_error_text(err, text, sizeof text);
-        code = warn(l, remedy_of(err->code), "%s:%u: %s%s", file, (unsigned)err->where,
+        code = warn(l, remedy_text(err->code), "%s:%u: %s%s", file, (unsigned)err->where,
                     text, say_check(err));
     }
     if (obj->warnings > TP_OBJ_WARNINGS)
@@ -99,7 +99,7 @@ static uint32_t farther(tp_fx a, tp_fx b)
 }
 
 /* Returns the largest distance from the origin on an axis, in units of the file, 48.16. */
-static uint64_t reach_of(const tp_mesh *mesh)
+static uint64_t max_abs_coordinate(const tp_mesh *mesh)
 {
     const uint32_t x = farther(mesh->low.x, mesh->high.x);
     const uint32_t y = farther(mesh->low.y, mesh->high.y);
@@ -111,7 +111,7 @@ static uint64_t reach_of(const tp_mesh *mesh)
 /* Warns of a mesh larger than METRES: vertices farther away are drawn at that distance. */
 static int warn_reach(loading *l, const tp_mesh *mesh, tp_fx scale)
 {
-    const uint64_t reach = reach_of(mesh), most = (uint64_t)METRES << 16;
+    const uint64_t reach = max_abs_coordinate(mesh), most = (uint64_t)METRES << 16;
     const uint64_t metres = reach * (uint64_t)scale >> 16;          /* < 2^38 x 2^23 */
     const tp_fx fitting = reach ? (tp_fx)((most << 16) / reach) : 0;
     char now[16], fits[32] = "boat.scale = ";
@@ -143,11 +143,11 @@ static int pass(tp_obj *obj, const char *path, feed more, end done)
     errno = 0;
     for (size_t n; !code && (n = fread(chunk, 1, sizeof chunk, file)) > 0;)
         if (more(obj, chunk, n, &err))
-            code = fail_at(path, &err);
+            code = fail_with_error(path, &err);
     const int error = ferror(file) ? errno : 0;
     fclose(file);
     if (!code && !error && done(obj, &err))
-        code = fail_at(path, &err);
+        code = fail_with_error(path, &err);
     errno = error;
     return error ? UNREADABLE : code;
 }
@@ -162,7 +162,7 @@ static int pass_obj(loading *l, const char *who, end done)
 
 /* Returns the path of a file beside `path`.  Other systems separate folders by backslashes;
  * if no such file exists, the backslashes become slashes. */
-static char *named_in(const char *path, const char *name)
+static char *resolve_file_name(const char *path, const char *name)
 {
     char *full = path_beside(path, name);
     if (!full)
@@ -197,7 +197,7 @@ static int load_libraries(loading *l)
 {
     int code = EXIT_DONE;
     for (uint32_t i = 0; i < l->obj->libraries && !code; i++) {
-        char *library = named_in(l->path, tp_obj_library(l->obj, i));
+        char *library = resolve_file_name(l->path, tp_obj_library(l->obj, i));
         if (!library)
             return EXIT_INPUT;
         code = load_library(l, i, library);
@@ -214,9 +214,9 @@ static int load_libraries(loading *l)
 static int load_image(loading *l, uint32_t i, tp_texture *room, const tp_texture **texture)
 {
     char why[PICTURE_WHY];
-    char *library = named_in(l->path,
+    char *library = resolve_file_name(l->path,
                              tp_obj_library(l->obj, tp_obj_image_library(l->obj, i)));
-    char *image = library ? named_in(library, tp_obj_image(l->obj, i)) : NULL;
+    char *image = library ? resolve_file_name(library, tp_obj_image(l->obj, i)) : NULL;
     int code = image ? assets_texture(l->assets, room, image, why) : EXIT_INPUT;
     if (!code)
         *texture = room;
@@ -272,7 +272,7 @@ static int load_parts(loading *l, tp_mesh *mesh, tp_fx scale)
     if (!code)
         code = load_images(l, &textures);
     if (!code && tp_obj_bind(l->obj, textures, mesh, &err))
-        code = fail_at(l->path, &err);
+        code = fail_with_error(l->path, &err);
     if (!code)
         code = warn_noted(l, l->path);
     return code ? code : warn_reach(l, mesh, scale);

@@ -50,13 +50,13 @@ enum {
     GREYS = sizeof greys / sizeof *greys
 };
 
-static const tp_texture *picture_at(const tp_assets *names, int i)
+static const tp_texture *nth_texture(const tp_assets *names, int i)
 {
     const void *at = (const char *)names + pictures[i].offset;
     return *(const tp_texture *const *)at;
 }
 
-static const tp_grey *grey_at(const tp_assets *names, int i)
+static const tp_grey *nth_grey(const tp_assets *names, int i)
 {
     const void *at = (const char *)names + greys[i].offset;
     return *(const tp_grey *const *)at;
@@ -77,7 +77,7 @@ static bool can_be_name(const char *name)
 
 /* Makes an identifier: "three-swells" becomes three_swells; a name that is still no
  * identifier, as 64, becomes scene_64. */
-static void name_after(const char *file, char name[IDENTIFIER_BYTES])
+static void make_identifier(const char *file, char name[IDENTIFIER_BYTES])
 {
     snprintf(name, IDENTIFIER_BYTES, "%s", file);
     for (char *c = name; *c; c++)
@@ -111,7 +111,7 @@ static int list_pictures(bake *b, const tp_assets *names)
     if (!b->pictures)
         return fail_memory((PICTURES + 2 * (size_t)materials) * sizeof *b->pictures);
     for (int i = 0; i < PICTURES; i++)
-        add_picture(b, picture_at(names, i), pictures[i].part, UINT32_MAX);
+        add_picture(b, nth_texture(names, i), pictures[i].part, UINT32_MAX);
     for (uint32_t i = 0; i < materials; i++) {
         add_picture(b, boat->materials[i].diffuse_map, "boat_diffuse", i);
         add_picture(b, boat->materials[i].normal_map, "boat_normal", i);
@@ -148,8 +148,8 @@ static void put_contents(const bake *b, const tp_assets *names)
         put_bytes(b->out, &sum, bake_texture_bytes(t), text);
     }
     for (int i = 0; i < GREYS; i++)
-        if (grey_at(names, i))
-            put_bytes(b->out, &sum, bake_grey_bytes(grey_at(names, i)), greys[i].part);
+        if (nth_grey(names, i))
+            put_bytes(b->out, &sum, bake_grey_bytes(nth_grey(names, i)), greys[i].part);
     if (names->boat)
         put_bytes(b->out, &sum, bake_mesh_bytes(names->boat), "boat, without pictures");
     fprintf(b->out, " * %9zu  together", sum);
@@ -197,13 +197,13 @@ static void put_assets(const bake *b, const tp_assets *names)
     else
         fprintf(b->out, "    .boat = 0,\n");
     for (int i = 0; i < PICTURES; i++) {
-        const bake_picture *p = bake_find(b, picture_at(names, i));
+        const bake_picture *p = bake_find(b, nth_texture(names, i));
         if (p)
             fprintf(b->out, "    .%s = &%s_%s,\n", pictures[i].member, b->name,
                     p->name);
     }
     for (int i = 0; i < GREYS; i++)
-        if (grey_at(names, i))
+        if (nth_grey(names, i))
             fprintf(b->out, "    .%s = &%s_%s,\n", greys[i].member, b->name,
                     greys[i].part);
     fprintf(b->out, "};\n");
@@ -216,8 +216,8 @@ static void put_all(const bake *b, const options *o, const stage *s)
     for (uint32_t i = 0; i < b->n_pictures; i++)
         bake_texture(b, &b->pictures[i]);
     for (int i = 0; i < GREYS; i++)
-        if (grey_at(names, i))
-            bake_grey(b, greys[i].part, grey_at(names, i));
+        if (nth_grey(names, i))
+            bake_grey(b, greys[i].part, nth_grey(names, i));
     if (names->boat)
         bake_mesh(b, "boat", names->boat);
     bake_scene(b, b->program ? &b->program->scene : &s->file.scene);
@@ -234,8 +234,8 @@ enum { WIDTH = 320, HEIGHT = 240, SHADING = 1 };
 
 static bool may_be_quick(const tp_scene *scene, const tp_assets *names)
 {
-    const tp_ladder ladder = tp_ladder_of(scene, names, WIDTH, HEIGHT);
-    return tp_reach_of(&ladder).shading >> TP_SHADING_QUICK & 1;
+    const tp_ladder ladder = tp_ladder_make(scene, names, WIDTH, HEIGHT);
+    return tp_ladder_reach(&ladder).shading >> TP_SHADING_QUICK & 1;
 }
 
 /* True if fast shading fits the scene.  The plan reports TP_WHY_UNFIT only for a setting
@@ -245,7 +245,7 @@ static bool is_quick_fit(const tp_scene *scene, const tp_assets *names)
     tp_scene open = *scene;
 
     open.quality.shading = TP_SHADING_AUTO;
-    const tp_plan_report report = tp_plan_of(&open, names, WIDTH, HEIGHT);
+    const tp_plan_report report = tp_plan_make(&open, names, WIDTH, HEIGHT);
     return report.rung[SHADING][TP_SHADING_QUICK - 1].why != TP_WHY_UNFIT;
 }
 
@@ -258,7 +258,7 @@ static bool is_all_quick(const tp_scene *scene, const tp_assets *names)
            && scene->hdr.exposure == TP_EXPOSURE_FIXED && is_quick_fit(scene, names);
 }
 
-static const tp_texture **place_of(tp_assets *names, int i)
+static const tp_texture **baked_texture_slot(tp_assets *names, int i)
 {
     return i < TP_LAYERS ? &names->graded[i] : i == TP_LAYERS ? &names->offsets
                                                               : &names->slopes;
@@ -288,7 +288,7 @@ static int prepare(tp_assets *names, const tp_scene *scene, void *memory[TP_PREP
         if (!memory[i])
             return fail_memory(bytes);
         tp_prepare(&made[i], scene, &from, i, memory[i]);
-        *place_of(names, i) = &made[i];
+        *baked_texture_slot(names, i) = &made[i];
     }
     if (is_all_quick(scene, &from))
         drop_layers(names);
@@ -324,7 +324,7 @@ static int run(stage *s, const options *o)
         code = stage_load(s, o);
     if (code)
         return code;
-    name_after(o->name ? o->name : s->file.name, name);
+    make_identifier(o->name ? o->name : s->file.name, name);
     const tp_assets all = s->assets.names;
     bake_program program;
     code = prepare(&s->assets.names, &s->file.scene, memory, made);

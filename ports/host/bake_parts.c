@@ -90,7 +90,7 @@ static uint32_t side(uint32_t log2, uint32_t level)
     return log2 > level ? 1u << (log2 - level) : 1;
 }
 
-static size_t texels_of(const tp_texture *t, uint32_t level)
+static size_t level_texel_count(const tp_texture *t, uint32_t level)
 {
     return (size_t)side(t->log2_w, level) * side(t->log2_h, level);
 }
@@ -105,7 +105,8 @@ static bool are_same(const tp_texture *a, const tp_texture *b)
     if (a->log2_w != b->log2_w || a->log2_h != b->log2_h)
         return false;
     for (uint32_t l = 0; l < a->levels; l++)
-        if (memcmp(a->level[l], b->level[l], texels_of(a, l) * sizeof(uint32_t)) != 0)
+        if (memcmp(a->level[l], b->level[l], level_texel_count(a, l) * sizeof(uint32_t))
+            != 0)
             return false;
     return true;
 }
@@ -125,7 +126,7 @@ void bake_texture(const bake *b, const bake_picture *picture)
             " %zu bytes. */\n", picture->name, side(t->log2_w, 0),
             side(t->log2_h, 0), bake_texture_bytes(t));
     for (uint32_t level = 0; level < t->levels; level++) {
-        const size_t count = texels_of(t, level);
+        const size_t count = level_texel_count(t, level);
         fprintf(b->out, "static const uint32_t %s_%s_%" PRIu32 "[%zu] = {", b->name,
                 picture->name, level, count);
         for (size_t i = 0; i < count; i++)

@@ -29,7 +29,7 @@ static int refuse_piece(const char *option, const char *name, size_t length)
 {
     char word[64];
     snprintf(word, sizeof word, "%.*s", (int)(length < 60 ? length : 60), name);
-    nearest best = nearest_to(word);
+    nearest best = nearest_make(word);
     for (size_t i = 0; i < piece_count; i++)
         nearest_offer(&best, pieces[i].name);
     if (!best.name)
@@ -134,7 +134,7 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
         return code;
     const tp_assets lean = prepared_alone(baked);
     wish->lean = &lean;
-    const tp_ladder ladder = tp_ladder_of(scene, assets, o->width, o->height);
+    const tp_ladder ladder = tp_ladder_make(scene, assets, o->width, o->height);
     if (ladder.count == 1)
         p->scene = named_scene(scene, &ladder);
     code = dry_find(&p->found, wish);

@@ -14,7 +14,7 @@ static int begin_world(const bench_scene *s, tp_world *world)
 {
     tp_error err = { 0 };
     if (tp_world_init(&tp_program_all, world, sizeof *world, &s->scene, &s->assets, &err))
-        return fail_at("bench", &err);
+        return fail_with_error("bench", &err);
     for (int i = 0; i < BENCH_TICK; i++)
         tp_world_step(&tp_program_all, world, &s->scene, NULL);
     return EXIT_DONE;

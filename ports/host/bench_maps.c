@@ -21,71 +21,72 @@ static const struct {
                        { 2, 9, 90 }, { -8, 5, 240 }, { 10, 3, 190 } },
 };
 
-static tp_turn angle_of(bench_map map, int k, uint32_t x, uint32_t y)
+static tp_turn sine_phase(bench_map map, int k, uint32_t x, uint32_t y)
 {
     const int32_t turns = sines[map][k].s * (int32_t)x + sines[map][k].t * (int32_t)y;
     return ((uint32_t)turns + sines[map][k].begin) << 24;
 }
 
-/* Height: sum of the sines, -1..1 in 1/256.  rise_at: derivative of the sum along s or
+/* Height: sum of the sines, -1..1 in 1/256.  sample_slope: derivative of the sum along s or
  * t. */
-static int32_t height_at(bench_map map, uint32_t x, uint32_t y)
+static int32_t sample_height(bench_map map, uint32_t x, uint32_t y)
 {
     int32_t sum = 0;
     for (int k = 0; k < SINES; k++)
-        sum += tp_sin(angle_of(map, k, x, y)) >> 16;
+        sum += tp_sin(sine_phase(map, k, x, y)) >> 16;
     return sum / (SINES * 64);
 }
 
-static int32_t rise_at(bench_map map, uint32_t x, uint32_t y, bool along_t)
+static int32_t sample_slope(bench_map map, uint32_t x, uint32_t y, bool along_t)
 {
     int32_t sum = 0;
     for (int k = 0; k < SINES; k++) {
         const int32_t periods = along_t ? sines[map][k].t : sines[map][k].s;
-        sum += periods * (tp_cos(angle_of(map, k, x, y)) >> 20);
+        sum += periods * (tp_cos(sine_phase(map, k, x, y)) >> 20);
     }
     return sum / (SINES * 16);
 }
 
-static uint32_t colour_of(int32_t r, int32_t g, int32_t b)
+static uint32_t pack_colour(int32_t r, int32_t g, int32_t b)
 {
     return 0xff000000u | (uint32_t)tp_clamp(r, 0, 255) << 16
          | (uint32_t)tp_clamp(g, 0, 255) << 8 | (uint32_t)tp_clamp(b, 0, 255);
 }
 
 /* Returns mottled blues with a grid of darker lines. */
-static uint32_t mottle_at(uint32_t x, uint32_t y)
+static uint32_t sample_mottle(uint32_t x, uint32_t y)
 {
     const int32_t noise = (int32_t)((x * 2654435761u ^ y * 2246822519u) * 3266489917u
                                     >> 28);
     const int32_t line = x % 32 == 0 || y % 32 == 0 ? 48 : 0;
-    return colour_of(70 - line + noise, 140 - line + noise, 190 - line + noise);
+    return pack_colour(70 - line + noise, 140 - line + noise, 190 - line + noise);
 }
 
-static uint32_t texel_at(bench_map map, uint32_t x, uint32_t y)
+static uint32_t sample_map(bench_map map, uint32_t x, uint32_t y)
 {
     if (map == BENCH_MOTTLE)
-        return mottle_at(x, y);
+        return sample_mottle(x, y);
     if (map == BENCH_BEND)
-        return colour_of(128 + height_at(map, x, y), 128 + height_at(map, y, x + 77), 0);
+        return pack_colour(128 + sample_height(map, x, y),
+                           128 + sample_height(map, y, x + 77), 0);
     if (map == BENCH_RIPPLE)
-        return colour_of(128 - rise_at(map, x, y, false) / 4,
-                         128 + rise_at(map, x, y, true) / 4, 240);
-    const int32_t grey = 64 + height_at(map, x, y);
-    return colour_of(grey, grey, grey);
+        return pack_colour(128 - sample_slope(map, x, y, false) / 4,
+                           128 + sample_slope(map, x, y, true) / 4, 240);
+    const int32_t grey = 64 + sample_height(map, x, y);
+    return pack_colour(grey, grey, grey);
 }
 
 void bench_map_fill(bench_map map, uint32_t *texels)
 {
     for (uint32_t i = 0; i < BENCH_MAP * BENCH_MAP; i++)
-        texels[i] = texel_at(map, i % BENCH_MAP, i / BENCH_MAP);
+        texels[i] = sample_map(map, i % BENCH_MAP, i / BENCH_MAP);
 }
 
 /* -- a sky ----------------------------------------------------------------------- */
 
 /* Returns the direction through a point of a cube's face; right, down: -128..128 in units
  * of 1/128 of half the face. */
-static tp_dir3 way_of(int face, int32_t right, int32_t down)
+static tp_dir3 cube_direction(int face, int32_t right, int32_t down)
 {
     const int32_t one = BENCH_FACE;
     switch (face) {
@@ -100,15 +101,15 @@ static tp_dir3 way_of(int face, int32_t right, int32_t down)
 
 /* Returns a colour of sky: whiter towards the horizon, with clouds from sines of the
  * direction. */
-static uint32_t sky_of(tp_dir3 d)
+static uint32_t sample_sky(tp_dir3 d)
 {
     const int32_t x = d.x >> 14, y = d.y >> 14, z = d.z >> 14;      /* Q16 */
     const int32_t up = y > 0 ? y >> 8 : 0;                          /* 0..256 */
     const int32_t cloud = (tp_sin((tp_turn)(x * 9 + y * 31) << 14) >> 24)
                         + (tp_sin((tp_turn)(z * 11 - y * 23 + x * 5) << 14) >> 24);
     const int32_t white = cloud > 0 ? cloud / 2 : 0;
-    return colour_of(206 - (up * 140 >> 8) + white, 220 - (up * 100 >> 8) + white,
-                     234 - (up * 60 >> 8) + white / 2);
+    return pack_colour(206 - (up * 140 >> 8) + white, 220 - (up * 100 >> 8) + white,
+                       234 - (up * 60 >> 8) + white / 2);
 }
 
 void bench_face_fill(int face, uint32_t *texels)
@@ -116,6 +117,6 @@ void bench_face_fill(int face, uint32_t *texels)
     for (int32_t i = 0; i < BENCH_FACE * BENCH_FACE; i++) {
         const int32_t right = 2 * (i % BENCH_FACE) + 1 - BENCH_FACE;
         const int32_t down = 2 * (i / BENCH_FACE) + 1 - BENCH_FACE;
-        texels[i] = sky_of(way_of(face, right, down));
+        texels[i] = sample_sky(cube_direction(face, right, down));
     }
 }

@@ -9,7 +9,7 @@ const char *const bench_work_name[BENCH_WORKS] = { "plain", "full", "smooth" };
 
 /* -- textures -------------------------------------------------------------------- */
 
-static size_t words_of(uint32_t side)
+static size_t texture_word_count(uint32_t side)
 {
     return tp_texture_bytes(side, side) / sizeof(uint32_t);
 }
@@ -17,8 +17,8 @@ static size_t words_of(uint32_t side)
 int bench_scene_open(bench_scene *s)
 {
     static uint32_t texels[BENCH_MAP * BENCH_MAP];
-    const size_t words = BENCH_MAPS * words_of(BENCH_MAP)
-                       + TP_FACES * words_of(BENCH_FACE);
+    const size_t words = BENCH_MAPS * texture_word_count(BENCH_MAP)
+                         + TP_FACES * texture_word_count(BENCH_FACE);
     tp_error err = { 0 };
 
     memset(s, 0, sizeof *s);
@@ -26,17 +26,17 @@ int bench_scene_open(bench_scene *s)
     if (!s->memory)
         return fail_memory(words * sizeof *s->memory);
     uint32_t *free_words = s->memory;
-    for (int i = 0; i < BENCH_MAPS; i++, free_words += words_of(BENCH_MAP)) {
+    for (int i = 0; i < BENCH_MAPS; i++, free_words += texture_word_count(BENCH_MAP)) {
         bench_map_fill((bench_map)i, texels);
         if (tp_texture_init(&s->map[i], texels, BENCH_MAP, BENCH_MAP, free_words,
                             tp_texture_bytes(BENCH_MAP, BENCH_MAP), &err))
-            return fail_at("bench", &err);
+            return fail_with_error("bench", &err);
     }
-    for (int i = 0; i < TP_FACES; i++, free_words += words_of(BENCH_FACE)) {
+    for (int i = 0; i < TP_FACES; i++, free_words += texture_word_count(BENCH_FACE)) {
         bench_face_fill(i, texels);
         if (tp_texture_init(&s->face[i], texels, BENCH_FACE, BENCH_FACE, free_words,
                             tp_texture_bytes(BENCH_FACE, BENCH_FACE), &err))
-            return fail_at("bench", &err);
+            return fail_with_error("bench", &err);
     }
     return EXIT_DONE;
 }

@@ -77,7 +77,7 @@ int canvas_open(canvas *c, const tp_scene *scene, const tp_assets *assets)
         return code;
     tp_error err = { 0 };
     if (tp_frame_init(&c->frame, &c->config, scene, c->block, c->frame_bytes, &err))
-        return fail_at("tidepool", &err);
+        return fail_with_error("tidepool", &err);
     c->crew = crew_open(c->threads - 1);
     return EXIT_DONE;
 }

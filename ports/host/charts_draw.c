@@ -169,7 +169,7 @@ static void remove_folder(char *drawn, const charts *c)
     free(drawn);
 }
 
-static int copy_into(FILE *from, const char *name, const char *to)
+static int copy_to_file(FILE *from, const char *name, const char *to)
 {
     output out;
     char bytes[1 << 14];
@@ -196,7 +196,7 @@ static int settle(const chart *of, const places *at)
         char *to = chart_path(at->dir, of, suffix);
         FILE *file = from && to ? fopen(from, "rb") : NULL;
         if (file)
-            code = copy_into(file, from, to);
+            code = copy_to_file(file, from, to);
         else
             code = from && to ? fail(EXIT_INPUT, "%s: %s", from, strerror(errno))
                               : fail_memory(strlen(at->dir));

@@ -45,14 +45,14 @@ static const struct {
 
 #define LISTS (sizeof lists / sizeof *lists)
 
-static words *list_at(chart *c, size_t i)
+static words *chart_word_list(chart *c, size_t i)
 {
     return (words *)(void *)((char *)c + lists[i].at);
 }
 
 static bool refuse_name(const chart *c, uint32_t line, const char *name)
 {
-    nearest best = nearest_to(name);
+    nearest best = nearest_make(name);
     nearest_offer(&best, "title");
     for (size_t i = 0; i < LISTS; i++)
         nearest_offer(&best, lists[i].name);
@@ -82,8 +82,8 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
     for (size_t i = 0; i < LISTS && !known; i++)
         if (strcmp(name, lists[i].name) == 0) {
             known = true;
-            held = lists[i].whole ? words_add(list_at(c, i), value, strlen(value))
-                                  : words_cut(list_at(c, i), value, " \t");
+            held = lists[i].whole ? words_add(chart_word_list(c, i), value, strlen(value))
+                                  : words_cut(chart_word_list(c, i), value, " \t");
         }
     if (!held)
         fail_memory(strlen(value));
@@ -174,7 +174,7 @@ chart *charts_find(const charts *c, const char *name)
 
 static int refuse_chart(const charts *c, const char *name)
 {
-    nearest best = nearest_to(name);
+    nearest best = nearest_make(name);
     for (size_t i = 0; i < c->count; i++)
         nearest_offer(&best, c->of[i].name);
     if (best.name)
@@ -232,7 +232,7 @@ void charts_free(charts *c)
         free(of->path);
         free(of->title);
         for (size_t k = 0; k < LISTS; k++)
-            words_free(list_at(of, k));
+            words_free(chart_word_list(of, k));
     }
     free(c->of);
     *c = (charts){ 0 };

@@ -42,7 +42,7 @@ static int wrong_name(const row_place *at, const char *what, const char *word,
 static int find_chart(const row_place *at, const char *word, const chart **of)
 {
     const charts *c = at->charts;
-    nearest best = nearest_to(word);
+    nearest best = nearest_make(word);
     *of = charts_find(c, word);
     for (size_t i = 0; i < c->count; i++)
         nearest_offer(&best, c->of[i].name);
@@ -57,7 +57,7 @@ static int find_column(const row_place *at, const chart *of, const char *word,
                        unsigned *column)
 {
     const int value = words_find(&of->values, word), time = words_find(&of->times, word);
-    nearest best = nearest_to(word);
+    nearest best = nearest_make(word);
     for (size_t i = 0; i < of->values.count; i++)
         nearest_offer(&best, of->values.of[i]);
     for (size_t i = 0; i < of->times.count; i++)

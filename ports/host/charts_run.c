@@ -55,12 +55,12 @@ void charts_release(const chart_hold *h)
 
 /* -- one job ------------------------------------------------------------------------ */
 
-static char *part_of(const chart_job *job)
+static char *partial_rows_path(const chart_job *job)
 {
     return job->rows ? path_join(".", job->rows, ".part") : NULL;
 }
 
-static const char *title_of(const chart_job *job)
+static const char *job_title(const chart_job *job)
 {
     return job->title ? job->title : job->command;
 }
@@ -81,7 +81,7 @@ static void become(const chart_job *job, const char *part, const chart_hold *hol
 
 static bool begin_job(chart_job *job, const chart_hold *hold)
 {
-    char *part = part_of(job);
+    char *part = partial_rows_path(job);
     job->said = tmpfile();
     job->pid = job->said && (part || !job->rows) ? fork() : -1;
     if (job->pid == 0)
@@ -93,7 +93,7 @@ static bool begin_job(chart_job *job, const chart_hold *hold)
     if (job->pid > 0)
         return true;
     job->failed = true;
-    say("tidepool charts: cannot start %s: %s", title_of(job), strerror(error));
+    say("tidepool charts: cannot start %s: %s", job_title(job), strerror(error));
     return false;
 }
 
@@ -109,7 +109,7 @@ static void show_said(FILE *said)
 
 static void end_job(chart_job *job, int status, bool stopped)
 {
-    char *part = part_of(job);
+    char *part = partial_rows_path(job);
     const bool well = WIFEXITED(status) && WEXITSTATUS(status) == 0;
     job->pid = 0;
     job->done = well && (!part || rename(part, job->rows) == 0);
@@ -122,7 +122,7 @@ static void end_job(chart_job *job, int status, bool stopped)
         else
             say("tidepool charts: %s %d: %s", WIFSIGNALED(status) ? "signal" : "exit",
                 WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status),
-                title_of(job));
+                job_title(job));
         show_said(job->said);
     }
     fclose(job->said);
@@ -142,7 +142,7 @@ static chart_job *next_job(const chart_jobs *jobs, bool timed)
     return NULL;
 }
 
-static chart_job *job_of(const chart_jobs *jobs, pid_t pid)
+static chart_job *find_job(const chart_jobs *jobs, pid_t pid)
 {
     for (size_t i = 0; i < jobs->count; i++)
         if (jobs->of[i].pid == pid)
@@ -197,7 +197,7 @@ static void run_some(sweep *s, bool timed, unsigned most)
         const pid_t pid = wait_for_child(s, &status);
         if (!pid)
             return;
-        job = job_of(jobs, pid);
+        job = find_job(jobs, pid);
         if (job) {
             if (jobs->stopped)
                 kill(-pid, SIGKILL);    /* children of the job that still run */

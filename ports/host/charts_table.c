@@ -21,7 +21,7 @@ typedef struct {
     bool        *front;
 } table;
 
-static bool is_of(const table *t, const cell *one)
+static bool is_table_cell(const table *t, const cell *one)
 {
     return one->chart == t->of && one->column >= t->first
         && one->column < t->first + t->columns->count;
@@ -40,7 +40,7 @@ static int table_fill(table *t, const cells *all)
     const char *last = NULL;
     size_t most = 0;
     for (size_t i = 0; i < all->count; i++)
-        most += is_of(t, &all->of[i]);
+        most += is_table_cell(t, &all->of[i]);
     t->keys = calloc(most + 1, sizeof *t->keys);
     t->value = calloc(most * columns + 1, sizeof *t->value);
     t->front = calloc(most + 1, sizeof *t->front);
@@ -48,7 +48,7 @@ static int table_fill(table *t, const cells *all)
         return fail_memory(most * columns * sizeof *t->value);
     for (size_t i = 0; i < all->count; i++) {
         const cell *one = &all->of[i];
-        if (!is_of(t, one))
+        if (!is_table_cell(t, one))
             continue;
         if (!last || strcmp(last, one->keys) != 0)
             t->keys[t->rows++] = last = one->keys;
@@ -60,7 +60,7 @@ static int table_fill(table *t, const cells *all)
 /* -- the Pareto front --------------------------------------------------------------- */
 
 /* Returns the key with index `number`; *bytes: its length. */
-static const char *key_at(const char *keys, int number, size_t *bytes)
+static const char *nth_key(const char *keys, int number, size_t *bytes)
 {
     for (; number > 0; number--)
         keys += strcspn(keys, ";") + 1;
@@ -73,8 +73,8 @@ static bool same_group(const table *t, size_t a, size_t b)
     for (size_t i = 0; i < t->of->group.count; i++) {
         const int number = words_find(&t->of->keys, t->of->group.of[i]);
         size_t n, m;
-        const char *x = key_at(t->keys[a], number, &n);
-        const char *y = key_at(t->keys[b], number, &m);
+        const char *x = nth_key(t->keys[a], number, &n);
+        const char *y = nth_key(t->keys[b], number, &m);
         if (n != m || memcmp(x, y, n) != 0)
             return false;
     }

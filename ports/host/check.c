@@ -50,8 +50,8 @@ void check_add(check_run *run, unsigned quantity, unsigned row, double error)
     tally->squares += error * error;
 }
 
-static int refuse_at(const check_run *run, unsigned line, const char *format,
-                     va_list list)
+static int refuse_line(const check_run *run, unsigned line, const char *format,
+                       va_list list)
 {
     char text[256];
     vsnprintf(text, sizeof text, format, list);
@@ -62,7 +62,7 @@ int check_refuse(const check_run *run, unsigned row, const char *format, ...)
 {
     va_list list;
     va_start(list, format);
-    const int code = refuse_at(run, csv_row_line(&run->table, row), format, list);
+    const int code = refuse_line(run, csv_row_line(&run->table, row), format, list);
     va_end(list);
     return code;
 }
@@ -72,7 +72,7 @@ int check_refuse_line(const check_run *run, unsigned note, unsigned i, const cha
 {
     va_list list;
     va_start(list, format);
-    const int code = refuse_at(run, run->line_at[note][i], format, list);
+    const int code = refuse_line(run, run->line_at[note][i], format, list);
     va_end(list);
     return code;
 }
@@ -102,7 +102,7 @@ static bool in_range(const check_field *field, double value)
 }
 
 /* Returns the index of `word` in "a|b|c", or -1. */
-static int place_of(const char *words, const char *word)
+static int word_index(const char *words, const char *word)
 {
     const size_t length = strlen(word);
     for (int place = 0; words; place++) {
@@ -123,7 +123,7 @@ static int read_value(const check_run *run, unsigned row, unsigned column, doubl
     if (field->kind == CHECK_TEXT)
         return EXIT_DONE;
     if (field->kind == CHECK_WORD) {
-        *value = place_of(field->words, text);
+        *value = word_index(field->words, text);
         return *value >= 0 ? EXIT_DONE
                : fail(EXIT_INPUT, "%s:%u: %s = '%.40s' is none of %s", run->table.name,
                       line, field->name, text, field->words);
@@ -217,7 +217,7 @@ static int read_notes(check_run *run)
 
 static int refuse_column(const check_run *run, const char *name)
 {
-    nearest best = nearest_to(name);
+    nearest best = nearest_make(name);
     for (unsigned i = 0; i < run->model->n_columns; i++)
         nearest_offer(&best, run->model->columns[i].name);
     return fail(EXIT_INPUT, best.name ? "%s:%u: unknown column '%.40s'; did you mean %s?"
@@ -294,9 +294,9 @@ static int print_quantities(const check_run *run)
 
 /* -- files ------------------------------------------------------------------------- */
 
-static const check_model *model_of(const char *folder, const char *file)
+static const check_model *find_model(const char *folder, const char *file)
 {
-    nearest best = nearest_to(file);
+    nearest best = nearest_make(file);
     for (size_t i = 0; i < MODELS; i++) {
         if (strcmp(models[i].file, file) == 0)
             return models[i].model;
@@ -338,7 +338,7 @@ static int check_file(const char *folder, const char *file)
     int code = EXIT_INPUT;
     char *path = NULL;
     run->label = file;
-    run->model = model_of(folder, file);
+    run->model = find_model(folder, file);
     if (run->model) {
         path = path_join(folder, file, "");
         code = path ? csv_read(&run->table, path) : fail_memory(strlen(folder));

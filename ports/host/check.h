@@ -148,5 +148,5 @@ double check_rounding(double x);
 double check_share(double x);
 
 /* Returns the part of an error beyond `lost` >= 0, the error explained by rounding. */
-double check_beyond(double error, double lost);
+double check_excess(double error, double lost);
 #endif

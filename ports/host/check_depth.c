@@ -54,7 +54,7 @@ static const check_field dispersion_columns[] = {
 static void compare_percent(check_run *run, unsigned quantity, unsigned row, double got,
                             double want, double lost)
 {
-    check_add(run, quantity, row, check_beyond(check_percent(got, want), 100 * lost));
+    check_add(run, quantity, row, check_excess(check_percent(got, want), 100 * lost));
 }
 
 /* A relative error of h changes k, c, cg and Ks by at most half of that error: by half in
@@ -78,7 +78,7 @@ static void each_dispersion(check_run *run, unsigned row, const double *v)
     const double shoaled = check_metres(tp_depth_shoaling(k_inf, exact, h));
     compare_percent(run, 7, row, shoaled, v[D_KS], lost);
     if (!on_the_edge(ratio, 0.5, 2 * lost) && !on_the_edge(ratio, 0.05, 2 * lost))
-        check_add(run, 8, row, (int)tp_depth_regime_of(exact, h) != (int)v[D_CLASS]);
+        check_add(run, 8, row, (int)tp_depth_classify(exact, h) != (int)v[D_CLASS]);
 }
 
 const check_model check_dispersion = {
@@ -134,7 +134,7 @@ static void along_coast(check_run *run, unsigned row, unsigned last,
         const double turns = (double)tp_coast_phase(coast, check_fx(v[S_X])) / Q32;
         const int64_t k = tp_depth_number_exact(k_inf, check_fx(v[S_H]));
         const double off = turns * 2 * CHECK_PI - v[S_PHASE];
-        check_add(run, 0, row, check_beyond(off, phase_lost(v)));
+        check_add(run, 0, row, check_excess(off, phase_lost(v)));
         compare_percent(run, 1, row, (double)k / Q32, v[S_K], check_share(v[S_H]) / 2);
     }
 }
@@ -273,7 +273,7 @@ static void each_criterion(check_run *run, unsigned row, const double *v)
     compare_flags(run, row, tp_breaking_flags(height, k, h),
                   first + deep + miche + CHECK_HALF / v[C_HEIGHT]);
     if (!on_the_edge(v[C_XI0], 0.5, breaks) && !on_the_edge(v[C_XI0], 3.3, breaks))
-        check_add(run, 4, row, tp_breaker_type_of(xi) != (tp_breaker_type)v[C_TYPE]);
+        check_add(run, 4, row, tp_breaker_classify(xi) != (tp_breaker_type)v[C_TYPE]);
 }
 
 const check_model check_breaking_criteria = {

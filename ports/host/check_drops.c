@@ -30,7 +30,7 @@ static const check_field ring_numbers[] = {
     { .name = "p0", .low = 0.01, .high = 1000 }, { .name = "tr", .high = 8 },
 };
 
-static tp_ring ring_of(const double *p)
+static tp_ring make_ring(const double *p)
 {
     return (tp_ring){ .x = check_fx(p[1]), .z = check_fx(p[2]),
                       .start = llround(p[3] * TICKS), .amplitude = check_fx(p[4]),
@@ -39,12 +39,12 @@ static tp_ring ring_of(const double *p)
                       .attack = check_fx(p[9]) };
 }
 
-static uint32_t rings_at(const check_run *run, double t, tp_ring_now *now)
+static uint32_t evaluate_rings(const check_run *run, double t, tp_ring_now *now)
 {
     uint32_t count = 0;
     for (unsigned i = 0; i < run->n_lines[0]; i++) {
-        const tp_ring ring = ring_of(run->lines[0][i]);
-        if (tp_ring_at(&ring, llround(t * TICKS), &now[count]))
+        const tp_ring ring = make_ring(run->lines[0][i]);
+        if (tp_ring_evaluate(&ring, llround(t * TICKS), &now[count]))
             count++;
     }
     return count;
@@ -68,7 +68,7 @@ typedef struct {
 
 /* Returns the bound of one ring, 0 outside its band.  The phase changes with point, time, c
  * and L.  The height changes with A, tau, p0 and tr, by at most their relative errors. */
-static ring_lost lost_of(const double *p, const double *v, double aside)
+static ring_lost ring_error_bound(const double *p, const double *v, double aside)
 {
     const double age = fmax(0, v[2] - p[3]), a = p[4], l = p[5], c = p[6];
     const double off = aside + hypot(check_rounding(v[0]), check_rounding(v[1]))
@@ -89,7 +89,7 @@ static ring_lost rings_lost(const check_run *run, const double *v, double aside)
 {
     ring_lost sum = { 0, 0 };
     for (unsigned i = 0; i < run->n_lines[0]; i++) {
-        const ring_lost one = lost_of(run->lines[0][i], v, aside);
+        const ring_lost one = ring_error_bound(run->lines[0][i], v, aside);
         sum.height += one.height;
         sum.slope += one.slope;
     }
@@ -100,7 +100,7 @@ static ring_lost rings_lost(const check_run *run, const double *v, double aside)
 static void compare_normal(check_run *run, unsigned quantity, unsigned row, tp_dir3 got,
                            const double *want, double slope_lost)
 {
-    check_add(run, quantity, row, check_beyond(check_angle(got, want),
+    check_add(run, quantity, row, check_excess(check_angle(got, want),
                                                slope_lost * (180 / CHECK_PI)));
 }
 
@@ -108,11 +108,11 @@ static void compare_normal(check_run *run, unsigned quantity, unsigned row, tp_d
 static void each_ring_row(check_run *run, unsigned row, const double *v)
 {
     tp_ring_now now[CHECK_LINES];
-    const uint32_t count = rings_at(run, v[2], now);
+    const uint32_t count = evaluate_rings(run, v[2], now);
     const tp_fx x = check_fx(v[0]), z = check_fx(v[1]);
     const tp_relief at = tp_ring_relief(now, count, x, z);
     const ring_lost lost = rings_lost(run, v, 0);
-    check_add(run, 0, row, check_beyond(1000 * (check_metres(at.height) - v[3]),
+    check_add(run, 0, row, check_excess(1000 * (check_metres(at.height) - v[3]),
                                         1000 * lost.height));
     if (hypot(v[4], v[5]) < 7.99)
         compare_normal(run, 1, row, tp_normalise(-at.slope_x, TP_FX_ONE, -at.slope_z),
@@ -153,15 +153,15 @@ static const check_field bounce_columns[] = {
     { .name = "A0", .low = 6e-13, .high = 7.5 },
 };
 
-static double density_of(const double *v)
+static double drop_density(const double *v)
 {
     return v[M] / (4 * CHECK_PI / 3 * v[RAD] * v[RAD] * v[RAD]);
 }
 
-static tp_scene_drops drops_of(const double *v)
+static tp_scene_drops make_drops_config(const double *v)
 {
     return (tp_scene_drops){ .count = 1, .radius = check_fx(v[RAD]),
-                             .density = check_fx(density_of(v)),
+                             .density = check_fx(drop_density(v)),
                              .bounce = check_fx(v[E]), .impacts = 7,
                              .efficiency = check_fx(v[EFF]) };
 }
@@ -169,7 +169,7 @@ static tp_scene_drops drops_of(const double *v)
 /* Refuses a drop with an impossible radius or density at its release. */
 static int refuse_drop(const check_run *run, unsigned row)
 {
-    const double *v = check_row(run, row), density = density_of(v);
+    const double *v = check_row(run, row), density = drop_density(v);
     if (v[RAD] * CHECK_ONE < 0.002)
         return check_refuse(run, row, "rad = %.9g at the first impact is below 0.002",
                             v[RAD]);
@@ -200,11 +200,11 @@ static void compare_impact(check_run *run, unsigned row, const tp_impact *impact
     const double radius = (b + 1) * CHECK_HALF / v[RAD];
     const double height = (radius + check_share(v[Y0]) + check_share(v[EFF])) / 2
                         + (b + 1) * check_share(v[E]) + 0.5 / Q24 / v[A0];
-    check_add(run, 0, row, check_beyond((double)impact->time / TICKS - v[T],
+    check_add(run, 0, row, check_excess((double)impact->time / TICKS - v[T],
                                         (double)late / TP_TICKS_PER_SECOND));
-    check_add(run, 1, row, check_beyond(check_percent(impact->uncapped_q24 / Q24, v[A0]),
+    check_add(run, 1, row, check_excess(check_percent(impact->uncapped_q24 / Q24, v[A0]),
                                         100 * height));
-    check_add(run, 2, row, check_beyond(check_percent(check_metres(impact->length),
+    check_add(run, 2, row, check_excess(check_percent(check_metres(impact->length),
                                                       v[LENGTH]), 100 * radius));
 }
 
@@ -212,7 +212,7 @@ static void compare_impact(check_run *run, unsigned row, const tp_impact *impact
 static int run_drop(check_run *run, unsigned *row)
 {
     const double *first = check_row(run, *row);
-    const tp_scene_drops config = drops_of(first);
+    const tp_scene_drops config = make_drops_config(first);
     tp_drop drop = { .place = { 0, check_fx(first[Y0]), 0 }, .radius = config.radius,
                      .high_q32 = (int64_t)check_fx(first[Y0]) * 65536,
                      .level = TP_DROP_NEW };

@@ -70,7 +70,7 @@ static void each_ray(check_run *run, unsigned row, const double *v)
     check_add(run, 1, row, apart(refracted, v + 9));
     const double off = fmax(fabs(check_metres(at.x) - v[13]),
                             fabs(check_metres(at.z) - v[14]));
-    check_add(run, 2, row, check_beyond(off, offset_lost(v[12], v[13], v[14])));
+    check_add(run, 2, row, check_excess(off, offset_lost(v[12], v[13], v[14])));
 }
 
 const check_model check_reflect_refract = {

@@ -60,7 +60,7 @@ double check_share(double x)
     return x > 0 ? check_rounding(x) / x : 0;
 }
 
-double check_beyond(double error, double lost)
+double check_excess(double error, double lost)
 {
     return fabs(error) > lost ? error - copysign(lost, error) : 0;
 }

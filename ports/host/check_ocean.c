@@ -7,7 +7,7 @@
 #define Q32     4294967296.0
 #define QUARTER 0x40000000u
 
-/* Arguments of tp_orbit_of: radius, m; slope of the floor, rad, at most vertical. */
+/* Arguments of tp_orbit_ellipse: radius, m; slope of the floor, rad, at most vertical. */
 #define RADIUS    { .name = "r", .low = 0.001, .high = 64 }
 #define GAMMA     { .name = "gamma", .low = -1.5708, .high = 1.5708 }
 
@@ -31,9 +31,9 @@ static const check_field orbit_numbers[] = {
     { .name = "Ky", .low = 0.001, .high = 4 },
 };
 
-static tp_ellipse orbit_of(const double *v, double k0, double kx, double ky)
+static tp_ellipse make_orbit(const double *v, double k0, double kx, double ky)
 {
-    return tp_orbit_of(check_fx(v[R]), check_fx(v[H]), check_turn(v[GAMMA_AT]),
+    return tp_orbit_ellipse(check_fx(v[R]), check_fx(v[H]), check_turn(v[GAMMA_AT]),
                        llround(v[K] * Q32), check_fx(k0), check_fx(kx), check_fx(ky));
 }
 
@@ -78,15 +78,15 @@ static double axes_lost(const double *v, const double *k)
 static void orbit_row(check_run *run, unsigned row, const double *k)
 {
     const double *v = check_row(run, row);
-    const tp_ellipse orbit = orbit_of(v, k[0], k[1], k[2]);
+    const tp_ellipse orbit = make_orbit(v, k[0], k[1], k[2]);
     const tp_offset at = tp_orbit(&orbit, check_turn(v[4]));
     const double along = v[R] * v[8], up = v[R] * v[9], lost = 1000 * axes_lost(v, k);
     const double turned = 1000 * tilt_lost(k[0], v[H], v[6]);
-    check_add(run, 0, row, check_beyond(apart_mm(at, v[10], v[11]),
+    check_add(run, 0, row, check_excess(apart_mm(at, v[10], v[11]),
                                         (along + up) * (lost + turned)));
-    check_add(run, 1, row, check_beyond(1000 * (check_metres(orbit.along) - along),
+    check_add(run, 1, row, check_excess(1000 * (check_metres(orbit.along) - along),
                                         along * lost));
-    check_add(run, 2, row, check_beyond(1000 * (check_metres(orbit.up) - up), up * lost));
+    check_add(run, 2, row, check_excess(1000 * (check_metres(orbit.up) - up), up * lost));
 }
 
 static int run_fr_orbit(check_run *run)
@@ -130,8 +130,8 @@ static const double usual[3] = { 0.1, 0.11, 0.09 };    /* K0, Kx, Ky, 1/m */
  * with gamma vertical. */
 static tp_fx decay(double k, double h)
 {
-    const tp_ellipse e = tp_orbit_of(TP_FX_ONE, check_fx(h), QUARTER, 0, check_fx(k),
-                                     TP_FX(0.11), TP_FX(0.09));
+    const tp_ellipse e = tp_orbit_ellipse(TP_FX_ONE, check_fx(h), QUARTER, 0, check_fx(k),
+                                          TP_FX(0.11), TP_FX(0.09));
     return (e.sin + (1 << 13)) >> 14;
 }
 
@@ -147,7 +147,7 @@ typedef struct {
  * products.  The stretch, (p / pi)^2, and the ramp of lip and orientation, at most 8 / pi
  * per radian, depend on p.  The gate rises 8.4 times as fast as 2 r / h, and 2 r / h is
  * 0.78 at its end. */
-static breaking_lost lost_of(const double *v, const tp_ellipse *orbit)
+static breaking_lost breaking_error_bound(const double *v, const tp_ellipse *orbit)
 {
     const double along = check_metres(orbit->along), up = check_metres(orbit->up);
     const double c = orbit->cos / (double)TP_Q30_ONE, s = orbit->sin / (double)TP_Q30_ONE;
@@ -167,10 +167,10 @@ static breaking_lost lost_of(const double *v, const tp_ellipse *orbit)
     return lost;
 }
 
-static tp_breaker breaker_of(const double *v, tp_fx gate)
+static tp_breaker make_breaker(const double *v, tp_fx gate)
 {
     return (tp_breaker){
-        .orbit = orbit_of(v, usual[0], usual[1], usual[2]),
+        .orbit = make_orbit(v, usual[0], usual[1], usual[2]),
         .stretch = check_fx(v[STRETCH_MOST]), .lip = check_fx(2 * v[R]),
         .kept_stretch = tp_fx_mul(gate, decay(v[KS], v[H])),
         .kept_lip = tp_fx_mul(gate, decay(v[KD], v[H])),
@@ -182,9 +182,9 @@ static tp_breaker breaker_of(const double *v, tp_fx gate)
 static void breaking_row(check_run *run, unsigned row, const double *v)
 {
     const tp_fx gate = tp_breaking_gate(tp_fx_div(check_fx(2 * v[R]), check_fx(v[H])));
-    const tp_breaker breaker = breaker_of(v, gate);
+    const tp_breaker breaker = make_breaker(v, gate);
     const tp_breaking at = tp_breaking_shape(&breaker, check_turn(v[PHI]));
-    const breaking_lost lost = lost_of(v, &breaker.orbit);
+    const breaking_lost lost = breaking_error_bound(v, &breaker.orbit);
     const double lowest = check_radians(tp_orbit_lowest(&breaker.orbit));
     const double error[6] = {
         apart_mm(at.offset, v[X], v[Y]), 1000 * (check_metres(at.stretch) - v[STRETCH]),
@@ -196,7 +196,7 @@ static void breaking_row(check_run *run, unsigned row, const double *v)
                                   1000 * lost.displacement, lost.orientation, lost.lowest,
                                   lost.gate };
     for (unsigned i = 0; i < 6; i++)
-        check_add(run, i, row, check_beyond(error[i], explained[i]));
+        check_add(run, i, row, check_excess(error[i], explained[i]));
 }
 
 static int run_breaking(check_run *run)

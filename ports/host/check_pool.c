@@ -9,7 +9,7 @@
 #include "check_pool.h"
 #include "pixel/pixel.h"
 
-tp_pool *check_pool_of(const check_pool_shape *shape)
+tp_pool *check_pool_make(const check_pool_shape *shape)
 {
     const tp_pool_config config = {
         .cols = shape->cols, .rows = shape->rows, .cells = shape->cells,
@@ -60,7 +60,7 @@ enum { ROWS_LEAST = 16 };
 
 static uint16_t mask_samples[ROWS_LEAST];
 
-static tp_grey mask_of(unsigned rows)
+static tp_grey make_mask(unsigned rows)
 {
     for (unsigned i = 0; i < ROWS_LEAST; i++)
         mask_samples[i] = i < rows ? 65535 : 0;
@@ -102,7 +102,7 @@ static void digest_cell(digest *d, int32_t x)
 }
 
 /* Sums the heights or the velocities of the open rows. */
-static digest digest_of(const tp_pool *pool, const double *v, uint32_t crc,
+static digest digest_cells(const tp_pool *pool, const double *v, uint32_t crc,
                         int32_t (*cell)(const tp_pool *pool, uint32_t col, uint32_t row))
 {
     digest d = { .crc = crc };
@@ -115,8 +115,8 @@ static digest digest_of(const tp_pool *pool, const double *v, uint32_t crc,
 static void compare_bits(check_run *run, unsigned row, const tp_pool *pool)
 {
     const double *v = check_row(run, row);
-    const digest h = digest_of(pool, v, 0, tp_pool_height);
-    const digest s = digest_of(pool, v, h.crc, tp_pool_velocity);
+    const digest h = digest_cells(pool, v, 0, tp_pool_height);
+    const digest s = digest_cells(pool, v, h.crc, tp_pool_velocity);
     check_add(run, 0, row, s.crc != (uint32_t)v[CRC]);
     check_add(run, 1, row, h.sum - v[SUM_H]);
     check_add(run, 2, row, s.sum - v[SUM_V]);
@@ -149,7 +149,7 @@ static int run_automaton_int(check_run *run)
     int code = EXIT_DONE;
     for (unsigned row = 0; !code && row < run->table.n_rows;) {
         const double *v = check_row(run, row);
-        const tp_grey mask = mask_of((unsigned)v[M]);
+        const tp_grey mask = make_mask((unsigned)v[M]);
         const bool small = v[M] < ROWS_LEAST;
         const check_pool_shape shape = {
             .cells = v[BITS] > 0 ? TP_CELLS_16 : TP_CELLS_8, .cols = (uint32_t)v[N],
@@ -157,7 +157,7 @@ static int run_automaton_int(check_run *run)
             .courant = check_fx(sqrt(v[R2Q] / 1024)), .damping = (uint32_t)v[DM],
             .mask = small ? &mask : NULL,
         };
-        tp_pool *pool = check_pool_of(&shape);
+        tp_pool *pool = check_pool_make(&shape);
         code = pool ? stir(run, row, pool) : check_pool_refuse(run, row, &shape);
         if (!code)
             code = run_case(run, &row, pool);
@@ -206,7 +206,7 @@ static const check_field mode_columns[] = {
 static const double quarter_range[] = { 127 / 4.0, 32767 / 4.0, 2147483648.0 / 4 };
 
 /* Returns the mode of amplitude 1 at a cell. */
-static double mode_at(const double *v, uint32_t col, uint32_t row)
+static double sample_mode(const double *v, uint32_t col, uint32_t row)
 {
     return cos(CHECK_PI * v[MODE_P] * (col + 0.5) / v[MODE_N])
          * cos(CHECK_PI * v[MODE_Q] * (row + 0.5) / v[MODE_M]);
@@ -217,7 +217,7 @@ static void stir_mode(tp_pool *pool, const double *v)
     const double amplitude = quarter_range[pool->cells];
     for (uint32_t j = 0; j < pool->rows; j++)
         for (uint32_t i = 0; i < pool->cols; i++)
-            tp_pool_add(pool, i, j, (int32_t)lround(amplitude * mode_at(v, i, j)));
+            tp_pool_add(pool, i, j, (int32_t)lround(amplitude * sample_mode(v, i, j)));
     tp_pool_stirred(pool, (int32_t)amplitude);
 }
 
@@ -227,15 +227,16 @@ typedef struct {
     double corner, rms, worst;
 } mode_error;
 
-static mode_error mode_error_of(const tp_pool *pool, const double *v, double share)
+static mode_error measure_mode_error(const tp_pool *pool, const double *v, double share)
 {
     const double amplitude = quarter_range[pool->cells] * share;
-    const double corner = tp_pool_height(pool, 0, 0) - amplitude * mode_at(v, 0, 0);
+    const double corner = tp_pool_height(pool, 0, 0) - amplitude * sample_mode(v, 0, 0);
     mode_error e = { .corner = corner };
     double squares = 0;
     for (uint32_t j = 0; j < pool->rows; j++) {
         for (uint32_t i = 0; i < pool->cols; i++) {
-            const double off = tp_pool_height(pool, i, j) - amplitude * mode_at(v, i, j);
+            const double off =
+                tp_pool_height(pool, i, j) - amplitude * sample_mode(v, i, j);
             squares += off * off;
             e.worst = fmax(e.worst, fabs(off));
         }
@@ -258,10 +259,10 @@ static void compare_mode(check_run *run, unsigned row, const tp_pool *pool)
 {
     const double *v = check_row(run, row);
     if (pool->cells == TP_CELLS_32) {
-        const mode_error e = mode_error_of(pool, v, v[FLUX]);
+        const mode_error e = measure_mode_error(pool, v, v[FLUX]);
         check_add(run, 4, row, 100 * e.worst / quarter_range[TP_CELLS_32]);
     } else {
-        const mode_error e = mode_error_of(pool, v, v[DISCRETE]);
+        const mode_error e = measure_mode_error(pool, v, v[DISCRETE]);
         const double noise = mode_noise(pool, v);
         check_add(run, 2 * pool->cells, row, e.corner / (2 * noise));
         check_add(run, 2 * pool->cells + 1, row, e.rms / noise);
@@ -278,7 +279,7 @@ static int run_mode(check_run *run, unsigned row, unsigned last, tp_cells cells)
     };
     if (v[R2] * 1024 != floor(v[R2] * 1024) || ldexp(v[DELTA], (int)shape.damping) != 1)
         return check_refuse(run, row, "1024 r2 is no whole number, or delta no 2^-m");
-    tp_pool *pool = check_pool_of(&shape);
+    tp_pool *pool = check_pool_make(&shape);
     if (!pool)
         return check_pool_refuse(run, row, &shape);
     stir_mode(pool, v);

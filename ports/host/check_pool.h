@@ -14,7 +14,7 @@ typedef struct {
 
 /* Returns a pool at rest between walls: cells of 1/4 m, heights within 1 m.  Returns NULL
  * if the core refuses the shape.  The caller frees the pool. */
-tp_pool *check_pool_of(const check_pool_shape *shape);
+tp_pool *check_pool_make(const check_pool_shape *shape);
 
 /* Prints that the pool of a row is refused; returns EXIT_INPUT. */
 int check_pool_refuse(const check_run *run, unsigned row, const check_pool_shape *shape);

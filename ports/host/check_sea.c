@@ -2,7 +2,7 @@
 #include "check_sea.h"
 #include <math.h>
 
-tp_sea check_sea_of(const check_wave *waves, unsigned count)
+tp_sea check_sea_make(const check_wave *waves, unsigned count)
 {
     tp_sea sea = { .count = 0 };
     for (unsigned i = 0; i < count; i++) {

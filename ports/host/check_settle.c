@@ -70,7 +70,7 @@ static int run_automaton_settle_table(check_run *run)
             .rows = (uint32_t)v[N], .courant = check_fx(v[COURANT]),
             .damping = (uint32_t)v[DELTA],
         };
-        tp_pool *pool = check_pool_of(&shape);
+        tp_pool *pool = check_pool_make(&shape);
         check_progress(run, row);
         check_add(run, REFUSED, row, (pool == NULL) != may_flicker(v));
         if (pool && v[SETTLE] > 0)

@@ -63,7 +63,7 @@ static const check_field wave_numbers[] = {
     { .name = "Q", .high = 1e9 },
 };
 
-static check_wave wave_of(const double *p, bool sharp)
+static check_wave make_wave(const double *p, bool sharp)
 {
     return (check_wave){ .k = p[NUMBER], .dx = p[DX], .dz = p[DZ],
                          .amplitude = p[AMPLITUDE], .power = 1,
@@ -84,7 +84,7 @@ static int read_waves(const check_run *run, bool sharp, waves *w)
     w->count = run->n_lines[0];
     for (unsigned i = 0; i < w->count; i++) {
         const double *p = run->lines[0][i];
-        w->wave[i] = wave_of(p, sharp);
+        w->wave[i] = make_wave(p, sharp);
         sum += w->wave[i].q;
         if (p[AMPLITUDE] > 0.3 * p[WAVE_LENGTH] * CHECK_ONE)
             return check_refuse_line(run, 0, i, "A = %.9g is above 0.3 L, where it is"
@@ -93,11 +93,11 @@ static int read_waves(const check_run *run, bool sharp, waves *w)
             return check_refuse_line(run, 0, i, "sum Q k A = %.9g is above 0.95, where it"
                                      " is scaled down", sum);
     }
-    w->sea = check_sea_of(w->wave, w->count);
+    w->sea = check_sea_make(w->wave, w->count);
     return EXIT_DONE;
 }
 
-static void phases_at(const check_run *run, double t, tp_turn phases[TP_WAVES])
+static void compute_phases(const check_run *run, double t, tp_turn phases[TP_WAVES])
 {
     for (unsigned i = 0; i < TP_WAVES; i++) {
         const double *p = run->lines[0][i];
@@ -144,7 +144,7 @@ static int run_sum_of_sines(check_run *run)
         const double *v = check_row(run, row);
         const check_bound most = check_sea_bound(w.wave, w.count, v[0], v[1]);
         tp_turn phases[TP_WAVES];
-        phases_at(run, v[2], phases);
+        compute_phases(run, v[2], phases);
         const tp_sea_point p = at_rest(&w.sea, phases, v);
         check_add(run, 0, row, (check_metres(p.position.y) - v[3]) / most.up);
         check_add(run, 1, row, normal_error(&p, v + 6) / most.turn);
@@ -176,7 +176,7 @@ static void each_sharp(check_run *run, unsigned row, const double *v)
 {
     const check_wave wave = { .k = 1, .dx = 1, .amplitude = v[1], .power = (int)v[0] };
     const check_bound most = check_sea_bound(&wave, 1, 0, 0);
-    const tp_sea sea = check_sea_of(&wave, 1);
+    const tp_sea sea = check_sea_make(&wave, 1);
     const tp_turn phases[TP_WAVES] = { check_turn(v[2]) };
     const tp_sea_point p = tp_sea_at_rest(&sea, phases, 0, 0);
     const double length = sqrt(1 + v[6] * v[6]);
@@ -213,7 +213,7 @@ static int run_single(check_run *run)
             return check_refuse(run, row, "A = S L / 2 pi = %.9g m is above 16",
                                 wave.amplitude);
         const check_bound most = check_sea_bound(&wave, 1, v[4], v[5]);
-        const tp_sea sea = check_sea_of(&wave, 1);
+        const tp_sea sea = check_sea_make(&wave, 1);
         const tp_turn phases[TP_WAVES] = { check_turn(-sqrt(9.81 * k) * v[6]) };
         const tp_sea_point p = at_rest(&sea, phases, v + 4);
         check_add(run, 0, row, place_error(&p, most, v[7], v[8], v[9]));
@@ -262,7 +262,7 @@ static int run_gerstner_sum(check_run *run)
         const double *v = check_row(run, row);
         const check_bound most = check_sea_bound(w.wave, w.count, v[0], v[1]);
         tp_turn phases[TP_WAVES];
-        phases_at(run, v[2], phases);
+        compute_phases(run, v[2], phases);
         const tp_sea_point p = at_rest(&w.sea, phases, v);
         check_add(run, 0, row, place_error(&p, most, v[3], v[4], v[5]));
         check_add(run, 1, row, gerstner_normal_error(&w.sea, &p, v) / most.turn);
@@ -299,7 +299,7 @@ static void buoyancy_row(check_run *run, unsigned row, const waves *w)
     const check_bound most = check_sea_bound(w->wave, w->count, v[0], v[1]);
     const double cheap = w->sea.crossed || w->count < 2 ? 0 : 1.5 * CHECK_PI / 180;
     tp_turn phases[TP_WAVES];
-    phases_at(run, v[2], phases);
+    compute_phases(run, v[2], phases);
     for (unsigned n = 0; n < STEPS; n++) {
         const tp_sea_point p = tp_sea_iterate(&w->sea, phases, x, z, n);
         const double off = check_metres(p.position.y) - v[FIRST_STEP + n];

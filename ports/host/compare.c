@@ -46,7 +46,7 @@ struct compare {
 static const tp_rungs exact = { TP_VISIBILITY_TRIANGLES, TP_SHADING_EXACT, TP_RATE_FULL,
                                 TP_LOD_OFF };
 
-static tp_rungs rungs_of(compare_against against)
+static tp_rungs choose_rungs(compare_against against)
 {
     tp_rungs r = exact;
 
@@ -66,8 +66,8 @@ static tp_rungs rungs_of(compare_against against)
 
 static tp_rungs rungs_of_stage(const stage *s)
 {
-    return tp_rungs_of(&s->file.scene, &s->assets.names, s->canvas.picture.width,
-                       s->canvas.picture.height);
+    return tp_rungs_choose(&s->file.scene, &s->assets.names, s->canvas.picture.width,
+                           s->canvas.picture.height);
 }
 
 static bool same_rungs(tp_rungs a, tp_rungs b)
@@ -80,7 +80,7 @@ static void name_rungs(compare *c, const stage *s)
 {
     const bool mine = c->against == AGAINST_TRIANGLES;
     const tp_rungs own = rungs_of_stage(s);
-    tp_rungs r = mine ? own : rungs_of(c->against);
+    tp_rungs r = mine ? own : choose_rungs(c->against);
 
     if (mine)
         r.visibility = TP_VISIBILITY_TRIANGLES;
@@ -104,7 +104,7 @@ static bool is_unfit(const stage *s, tp_rungs r)
     open.quality.shading = TP_SHADING_AUTO;
     open.quality.rate = TP_RATE_AUTO;
     open.quality.lod = TP_LOD_AUTO;
-    const tp_plan_report plan = tp_plan_of(&open, &s->assets.names, p->width, p->height);
+    const tp_plan_report plan = tp_plan_make(&open, &s->assets.names, p->width, p->height);
     return plan.rung[0][r.visibility - 1].why == TP_WHY_UNFIT
         || plan.rung[1][r.shading - 1].why == TP_WHY_UNFIT
         || plan.rung[3][r.lod - 1].why == TP_WHY_UNFIT;
@@ -114,7 +114,7 @@ static void judge(compare *c, const stage *s)
 {
     if (c->judged || now_us() - c->judged_at < JUDGE_US)
         return;
-    c->unfit = is_unfit(s, rungs_of(c->against));
+    c->unfit = is_unfit(s, choose_rungs(c->against));
     c->judged = true;
     c->judged_at = now_us();
 }
@@ -124,7 +124,7 @@ compare_against compare_usual(const stage *s)
     if (s->canvas.picture.format != TP_FORMAT_XRGB8888
         || !same_rungs(rungs_of_stage(s), exact))
         return AGAINST_EXACT;
-    return is_unfit(s, rungs_of(AGAINST_QUICK)) ? AGAINST_REFERENCE : AGAINST_QUICK;
+    return is_unfit(s, choose_rungs(AGAINST_QUICK)) ? AGAINST_REFERENCE : AGAINST_QUICK;
 }
 
 /* -- memory -------------------------------------------------------------------------- */
@@ -251,7 +251,7 @@ static bool draw_reference(compare *c, const stage *s)
         c->pass = tracer_take(c->tracer, c->ours, c->theirs);
         c->delivered = c->pass >= TRACER_1;
     }
-    if (c->delivered && !tracer_is_of(c->tracer, s->world)) {
+    if (c->delivered && !tracer_has_same_world(c->tracer, s->world)) {
         tracer_end(c->tracer);
         c->tracer = NULL;
     }
@@ -282,12 +282,12 @@ const picture *compare_draw(compare *c, const stage *s)
 
 /* -- results ------------------------------------------------------------------------- */
 
-compare_how compare_how_of(const compare *c)
+compare_how compare_get_how(const compare *c)
 {
     return c->how;
 }
 
-compare_against compare_against_of(const compare *c)
+compare_against compare_get_against(const compare *c)
 {
     return c->against;
 }

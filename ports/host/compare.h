@@ -26,8 +26,8 @@ void     compare_set(compare *c, compare_how how, compare_against against);
  * already exact, returns fast shading, or the reference for a scene unfit for fast
  * shading. */
 compare_against compare_usual(const stage *s);
-compare_how     compare_how_of(const compare *c);
-compare_against compare_against_of(const compare *c);
+compare_how     compare_get_how(const compare *c);
+compare_against compare_get_against(const compare *c);
 
 /* Discards everything made from the scene.  To call before the stage's assets are closed:
  * the assets are in use until the function returns, within some ms.  Changed values and

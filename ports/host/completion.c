@@ -55,7 +55,7 @@ static bool same(const char *a, const char *b)
 }
 
 /* Returns the index of the first parameter with a list of choices. */
-static uint32_t first_of(const char *choice)
+static uint32_t first_choice_row(const char *choice)
 {
     uint32_t count, i = 0;
     const tp_param *of = tp_params(&count);
@@ -68,9 +68,9 @@ const char *next_choice(const char *last)
 {
     uint32_t count;
     const tp_param *of = tp_params(&count);
-    for (uint32_t i = last ? first_of(last) + 1 : 0; i < count; i++) {
+    for (uint32_t i = last ? first_choice_row(last) + 1 : 0; i < count; i++) {
         const char *choice = takes_choice(&of[i]);
-        if (choice && first_of(choice) == i)
+        if (choice && first_choice_row(choice) == i)
             return choice;
     }
     return NULL;

@@ -24,7 +24,7 @@ static void print_kinds(void)
 {
     puts("_tidepool_kind()        # COMMAND [OPTION]\n{\n    case \"$1 $2\" in");
     for (size_t i = 0; i < command_count; i++) {
-        if (takes_of(commands[i].takes) != TAKES_ANY)
+        if (takes_find_kind(commands[i].takes) != TAKES_ANY)
             printf("    '%s ') echo %.*s ;;\n", commands[i].name,
                    (int)strcspn(commands[i].takes + (*commands[i].takes == '['), " ]"),
                    commands[i].takes + (*commands[i].takes == '['));
@@ -39,7 +39,7 @@ static void print_kinds(void)
 static void print_kind(const char *kind)
 {
     printf("    '%s') ", kind);
-    switch (takes_of(kind)) {
+    switch (takes_find_kind(kind)) {
     case TAKES_FILE:    puts("compgen -f -- \"$2\" ;;"); break;
     case TAKES_FOLDER:  puts("compgen -d -- \"$2\" ;;"); break;
     case TAKES_SETTING: puts("_tidepool_setting \"$2\" ;;"); break;
@@ -49,14 +49,14 @@ static void print_kind(const char *kind)
         fputs("compgen -W '", stdout);
         print_words(kind);
         puts("' -- \"$2\"");
-        if (takes_of(kind) == TAKES_SCENE)
+        if (takes_find_kind(kind) == TAKES_SCENE)
             puts("        compgen -f -X '!*.ini' -- \"$2\"; compgen -d -- \"$2\"");
         puts("        ;;");
         break;
     }
 }
 
-static bool seen_before(const char *kind, size_t row)
+static bool is_repeated_kind(const char *kind, size_t row)
 {
     for (size_t k = 0; k < row; k++)
         if (args_rows[k].value && strcmp(args_rows[k].value, kind) == 0)
@@ -72,8 +72,8 @@ static void print_values(void)
     print_kind("COMMAND");
     print_kind("FILM.y4m");
     for (size_t k = 0; k < args_row_count; k++)
-        if (args_rows[k].value && !seen_before(args_rows[k].value, k)
-            && takes_of(args_rows[k].value) != TAKES_ANY)
+        if (args_rows[k].value && !is_repeated_kind(args_rows[k].value, k)
+            && takes_find_kind(args_rows[k].value) != TAKES_ANY)
             print_kind(args_rows[k].value);
     puts("    esac\n}");
 }

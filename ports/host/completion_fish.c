@@ -18,7 +18,7 @@ static void print_condition(unsigned of)
 
 static void print_candidates(const char *kind)
 {
-    switch (takes_of(kind)) {
+    switch (takes_find_kind(kind)) {
     case TAKES_ANY:     fputs(" -x", stdout); break;
     case TAKES_FILE:    fputs(" -r -F", stdout); break;
     case TAKES_FOLDER:  fputs(" -x -a '(__fish_complete_directories)'", stdout); break;
@@ -27,7 +27,8 @@ static void print_candidates(const char *kind)
     case TAKES_WORD:
         fputs(" -x -a '", stdout);
         print_words(kind);
-        fputs(takes_of(kind) == TAKES_SCENE ? " (__fish_complete_suffix .ini)'" : "'",
+        fputs(takes_find_kind(kind) == TAKES_SCENE ? " (__fish_complete_suffix .ini)'"
+                                                   : "'",
               stdout);
         break;
     }
@@ -52,7 +53,7 @@ static void print_command(const command_row *of)
     printf("complete -c tidepool -n __fish_use_subcommand -f -a %s -d ", of->name);
     print_quoted(of->help);
     puts("");
-    if (takes_of(of->takes) == TAKES_ANY)
+    if (takes_find_kind(of->takes) == TAKES_ANY)
         return;
     print_condition(of->options);
     print_candidates(of->takes);

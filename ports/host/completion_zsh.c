@@ -19,7 +19,7 @@ static void print_spec_text(const char *text)
 
 static void print_action(const char *kind)
 {
-    switch (takes_of(kind)) {
+    switch (takes_find_kind(kind)) {
     case TAKES_ANY:     break;
     case TAKES_FILE:    fputs("_files", stdout); break;
     case TAKES_FOLDER:  fputs("_files -/", stdout); break;
@@ -36,8 +36,9 @@ static void print_action(const char *kind)
 static void print_option(const option_row *row)
 {
     const bool single = row->name[1] != '-';
-    printf("            '%s%s%s[", row->value && takes_of(row->value) == TAKES_SETTING
-           ? "*" : "", row->name, row->value && !single ? "=" : "");
+    printf("            '%s%s%s[",
+           row->value && takes_find_kind(row->value) == TAKES_SETTING ? "*" : "",
+           row->name, row->value && !single ? "=" : "");
     print_spec_text(row->help);
     putchar(']');
     if (row->value) {
@@ -55,7 +56,7 @@ static void print_command(const command_row *of)
     for (size_t k = 0; k < args_row_count; k++)
         if (args_rows[k].commands & of->options)
             print_option(&args_rows[k]);
-    if (takes_of(of->takes) == TAKES_ANY) {
+    if (takes_find_kind(of->takes) == TAKES_ANY) {
         puts("            && return ;;");
         return;
     }

@@ -86,7 +86,7 @@ static int take_file(csv *table, size_t *bytes)
 
 /* -- splitting into lines ---------------------------------------------------------- */
 
-static unsigned count_of(const char *text, char what)
+static unsigned count_characters(const char *text, char what)
 {
     unsigned count = 0;
     for (; (text = strchr(text, what)) != NULL; text++)
@@ -119,7 +119,7 @@ static char *take_notes(csv *table, char *text)
  * names. */
 static int take_fields(csv *table, char *line, const char **field, unsigned number)
 {
-    const unsigned count = count_of(line, ',') + 1;
+    const unsigned count = count_characters(line, ',') + 1;
     if (count != table->n_columns)
         return fail(EXIT_INPUT, "%s:%u: %u fields; there are %u columns", table->name,
                     number, *line ? count : 0, table->n_columns);
@@ -154,7 +154,7 @@ static int take_table(csv *table)
     const int code = take_file(table, &bytes);
     if (code)
         return code;
-    const size_t lines = count_of(table->text, '\n') + 1;
+    const size_t lines = count_characters(table->text, '\n') + 1;
     table->notes = calloc(lines, sizeof *table->notes);
     if (!table->notes)
         return fail_memory(lines * sizeof *table->notes);

@@ -31,7 +31,7 @@ typedef struct {
 static int fail_line(const reader *r, tp_error *err)
 {
     err->where = r->line;
-    return fail_at(r->name, err);
+    return fail_with_error(r->name, err);
 }
 
 /* Reads a line into text, without the line end, terminated.  Returns its number of bytes
@@ -213,7 +213,7 @@ const deck_entry *deck_next(deck *d, uint64_t tick)
                                                               : NULL;
 }
 
-bool deck_over(const deck *d, uint64_t tick)
+bool deck_has_ended(const deck *d, uint64_t tick)
 {
     return d->count == 0 || d->entries[d->count - 1].tick < tick;
 }
@@ -282,7 +282,7 @@ void deck_set(deck *d, uint64_t tick, const char *setting)
             long_name_whole(value));
 }
 
-static bool cut_at(deck *d, long at)
+static bool truncate_file(deck *d, long at)
 {
     return !fflush(d->file) && !ftruncate(fileno(d->file), at)
         && !fseek(d->file, at, SEEK_SET);
@@ -304,9 +304,9 @@ static bool close_gap(deck *d, size_t from, size_t end)
     const size_t bytes = (size_t)(ftell(d->file) - d->marks[end].at);
     char *rest = malloc(bytes);
     const bool done = rest && !fseek(d->file, d->marks[end].at, SEEK_SET)
-                   && fread(rest, 1, bytes, d->file) == bytes
-                   && cut_at(d, d->marks[from].at)
-                   && fwrite(rest, 1, bytes, d->file) == bytes && !fflush(d->file);
+                      && fread(rest, 1, bytes, d->file) == bytes
+                      && truncate_file(d, d->marks[from].at)
+                      && fwrite(rest, 1, bytes, d->file) == bytes && !fflush(d->file);
     free(rest);
     for (size_t i = end; i < d->lines; i++)
         d->marks[from + i - end] = (deck_mark){ d->marks[i].picture,
@@ -318,7 +318,7 @@ void deck_drop(deck *d, size_t from, size_t end)
 {
     if (!d->file || d->failed || from >= end || end > d->lines)
         return;
-    d->failed = end == d->lines ? !cut_at(d, d->marks[from].at)
+    d->failed = end == d->lines ? !truncate_file(d, d->marks[from].at)
                                 : !close_gap(d, from, end);
     d->lines -= end - from;
 }

@@ -50,7 +50,7 @@ int  deck_record(deck *d, const char *name, const char *scene);
 
 /* Returns the next entry of `tick`, in order, or NULL: no further entry. */
 const deck_entry *deck_next(deck *d, uint64_t tick);
-bool deck_over(const deck *d, uint64_t tick);   /* true if no entry is left */
+bool deck_has_ended(const deck *d, uint64_t tick);   /* true if no entry is left */
 
 /* Each records an entry; inputs and looks only if a member is not 0. */
 void deck_add(deck *d, uint64_t tick, const tp_input *input);

@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* Returns the sum of the squares of three channels, each square below 2^16. */
-static inline uint32_t squares_of(uint32_t a, uint32_t b)
+static inline uint32_t squared_difference(uint32_t a, uint32_t b)
 {
     const int red = (int)(a >> 16 & 255) - (int)(b >> 16 & 255);
     const int green = (int)(a >> 8 & 255) - (int)(b >> 8 & 255);
@@ -20,13 +20,13 @@ double differ_psnr(const uint32_t *a, const uint32_t *b, size_t pixels)
     uint64_t sum = 0;
 
     for (size_t i = 0; i < pixels; i++)
-        sum += squares_of(a[i], b[i]);
+        sum += squared_difference(a[i], b[i]);
     if (sum == 0)
         return 100;
     return fmin(99, 10 * log10(255.0 * 255 * 3 * (double)pixels / (double)sum));
 }
 
-static uint32_t *row_of(picture *p, uint32_t y)
+static uint32_t *pixel_row(picture *p, uint32_t y)
 {
     return (uint32_t *)(void *)(p->rows + y * p->row_bytes);
 }
@@ -38,7 +38,7 @@ void differ_split(picture *to, const uint32_t *a, const uint32_t *b)
 
     for (uint32_t y = 0; y < to->height; y++) {
         const size_t at = (size_t)y * to->width;
-        uint32_t *row = row_of(to, y);
+        uint32_t *row = pixel_row(to, y);
         memcpy(row, a + at, middle * sizeof *row);
         memcpy(row + middle, b + at + middle, (to->width - middle) * sizeof *row);
         row[middle - 1] = 0;
@@ -46,7 +46,7 @@ void differ_split(picture *to, const uint32_t *a, const uint32_t *b)
     }
 }
 
-static inline uint32_t level_of(uint32_t a, uint32_t b)
+static inline uint32_t amplify_difference(uint32_t a, uint32_t b)
 {
     const int level = 128 + 8 * ((int)(a & 255) - (int)(b & 255));
     return (uint32_t)(level < 0 ? 0 : level > 255 ? 255 : level);
@@ -55,9 +55,10 @@ static inline uint32_t level_of(uint32_t a, uint32_t b)
 void differ_show(picture *to, const uint32_t *a, const uint32_t *b)
 {
     for (uint32_t y = 0; y < to->height; y++, a += to->width, b += to->width) {
-        uint32_t *row = row_of(to, y);
+        uint32_t *row = pixel_row(to, y);
         for (uint32_t x = 0; x < to->width; x++)
-            row[x] = level_of(a[x] >> 16, b[x] >> 16) << 16
-                   | level_of(a[x] >> 8, b[x] >> 8) << 8 | level_of(a[x], b[x]);
+            row[x] = amplify_difference(a[x] >> 16, b[x] >> 16) << 16
+                     | amplify_difference(a[x] >> 8, b[x] >> 8) << 8
+                     | amplify_difference(a[x], b[x]);
     }
 }

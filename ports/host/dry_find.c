@@ -44,7 +44,7 @@ static bool plans(const piece_set *set)
 
 /* Returns the program of a set.  A program without the quality plan draws the scene with
  * named rungs. */
-static dry_program program_of(search *s, const piece_set *set)
+static dry_program make_program(search *s, const piece_set *set)
 {
     const dry_wish *wish = s->wish;
 
@@ -86,7 +86,7 @@ static bool moves_same(search *s, const piece_set *set, const dry_program *by)
 /* True if the set gives the right pictures for the few cameras, or for all. */
 static bool will_do(search *s, const piece_set *set, bool all, uint32_t *differs)
 {
-    const dry_program by = program_of(s, set);
+    const dry_program by = make_program(s, set);
     uint32_t first = s->run.cameras;
 
     if (s->code)
@@ -107,7 +107,7 @@ static void need_what_takes_memory(search *s)
 {
     const dry_wish *wish = s->wish;
     const piece_set all = everything(wish);
-    const dry_program by = program_of(s, &all);
+    const dry_program by = make_program(s, &all);
     const size_t world = tp_world_bytes(by.program, wish->scene, wish->assets);
     tp_config config = wish->config;
 
@@ -136,7 +136,7 @@ static void need_what_takes_memory(search *s)
 /* A scene that may change can show more than it shows now: each module that is on stays
  * with its drawing and all its stages.  Fast stages stay only if they have run: exact
  * stages can replace them. */
-static void need_what_is_on(search *s)
+static void require_active_modules(search *s)
 {
     const dry_wish *wish = s->wish;
     const piece_set all = everything(wish);
@@ -145,8 +145,8 @@ static void need_what_is_on(search *s)
     for (size_t i = 0; i < piece_count && wish->terms.checks; i++) {
         if (pieces[i].kind == PIECE_MODULE) {
             on = all.has[i]
-                 && (piece_is_on(i, &all, &wish->terms, wish->scene, wish->assets)
-                     || piece_is_on(i, &all, &wish->terms, wish->named, wish->baked));
+                 && (piece_is_active(i, &all, &wish->terms, wish->scene, wish->assets)
+                     || piece_is_active(i, &all, &wish->terms, wish->named, wish->baked));
             fast = strcmp(pieces[i].name, "fast_water") == 0;
         }
         s->needed.has[i] |=
@@ -172,7 +172,7 @@ static void need_always(search *s)
 /* -- leaving out ---------------------------------------------------------------------- */
 
 /* Leaves out of s->in as many of the listed pieces as the few cameras allow. */
-static void leave_out(search *s, const uint32_t *which, uint32_t count)
+static void remove_unneeded(search *s, const uint32_t *which, uint32_t count)
 {
     piece_set less = s->in;
 
@@ -183,8 +183,8 @@ static void leave_out(search *s, const uint32_t *which, uint32_t count)
     if (will_do(s, &less, false, NULL)) {
         s->in = less;
     } else if (count > 1) {
-        leave_out(s, which, count / 2);
-        leave_out(s, which + count / 2, count - count / 2);
+        remove_unneeded(s, which, count / 2);
+        remove_unneeded(s, which + count / 2, count - count / 2);
     }
 }
 
@@ -201,7 +201,7 @@ static void leave_out_all(search *s, const piece_set *of)
             if (s->in.has[i] && of->has[i] && !s->needed.has[i])
                 which[count++] = (uint32_t)i;
         }
-        leave_out(s, which, count);
+        remove_unneeded(s, which, count);
         for (size_t i = 0; i < piece_count; i++)
             before -= s->in.has[i];
     } while (before > 0 && !s->code);
@@ -209,7 +209,7 @@ static void leave_out_all(search *s, const piece_set *of)
 
 /* Adds a camera to the few.  All pieces come back, and the pieces that are needless for the
  * new camera too are left out again.  False: the picture is wrong even with all pieces. */
-static bool look_at(search *s, uint32_t camera)
+static bool add_camera(search *s, uint32_t camera)
 {
     const piece_set all = everything(s->wish);
     piece_set out = { .has = { false } };
@@ -258,7 +258,7 @@ static bool narrow(search *s, uint32_t *differs)
     leave_out_all(s, &idle);
     leave_out_all(s, &parts);
     for (*differs = s->run.cameras; !will_do(s, &s->in, true, differs); )
-        if (s->code || *differs == s->run.cameras || !look_at(s, *differs))
+        if (s->code || *differs == s->run.cameras || !add_camera(s, *differs))
             return false;
     return true;
 }
@@ -280,7 +280,7 @@ static int find(search *s)
     uint32_t differs;
 
     need_what_takes_memory(s);
-    need_what_is_on(s);
+    require_active_modules(s);
     need_always(s);
     for (uint32_t i = 0; i < FEW; i++)
         s->few[s->n_few++] = i * (s->run.cameras / FEW + 1) % s->run.cameras;
@@ -333,7 +333,7 @@ static int find_lacks(search *s, piece_set *lacks)
     return code;
 }
 
-static piece_set refused_by(const dry_wish *wish, const piece_set *in)
+static piece_set refused_modules(const dry_wish *wish, const piece_set *in)
 {
     piece_set refused = { .has = { false } };
 
@@ -388,7 +388,7 @@ int dry_find(dry_found *found, const dry_wish *wish)
     tidy(&s.in);
     *found = (dry_found){ .in = s.in,
                           .lacks = lacks,
-                          .refused = refused_by(wish, &s.in),
+                          .refused = refused_modules(wish, &s.in),
                           .lean = s.lean,
                           .planned = plans(&s.in),
                           .pictures = s.run.cameras };

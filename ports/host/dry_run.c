@@ -40,7 +40,7 @@ static tp_fx metres(uint64_t *state, int32_t low_mm, int32_t high_mm)
 /* -- the world ------------------------------------------------------------------------ */
 
 /* Returns a random input of a player: steers, drops, pushes the water, turns the light. */
-static tp_input input_at(uint64_t *state)
+static tp_input random_input(uint64_t *state)
 {
     const tp_fx x = metres(state, -3000, 3000), z = metres(state, -3000, 3000);
     tp_input in = {
@@ -64,7 +64,7 @@ static bool step_all(const dry_run *d, const dry_program *by, tp_world *world, u
 
     for (uint32_t m = 0; m < d->moments; m++) {
         for (uint32_t k = 0; m && k < every; k++) {
-            const tp_input in = input_at(&state);
+            const tp_input in = random_input(&state);
             const bool acts = d->acts && m > d->moments / 2;
             tp_world_step(by->program, world, by->scene, acts ? &in : NULL);
         }
@@ -92,7 +92,7 @@ bool dry_moves_same(const dry_run *d, const dry_program *by)
 
 /* -- cameras -------------------------------------------------------------------------- */
 
-static const tp_world *world_at(const dry_run *d, uint32_t moment)
+static const tp_world *moment_world(const dry_run *d, uint32_t moment)
 {
     return (const tp_world *)(const void *)(d->worlds + moment * d->world_bytes);
 }
@@ -143,8 +143,8 @@ static void choose_cameras(dry_run *d, const dry_program *by)
     for (uint32_t i = 0; i < d->cameras; i++) {
         const uint32_t moment = i / each;
         d->camera[i] = d->acts && i % each
-                     ? camera_near(by, world_at(d, moment), &state)
-                     : (dry_camera){ .own = true };
+                           ? camera_near(by, moment_world(d, moment), &state)
+                           : (dry_camera){ .own = true };
         d->camera[i].moment = moment;
         d->camera[i].rung = (i + moment) % d->ladder.count;
     }
@@ -158,7 +158,7 @@ int dry_open(dry_run *d, const dry_program *by, const tp_config *config, bool ac
                     .cameras = MOMENTS * (acts ? CAMERAS : 1) };
     d->config.tile_width = 0;
     d->config.tile_height = BAND;
-    d->ladder = tp_ladder_of(by->scene, by->assets, config->width, config->height);
+    d->ladder = tp_ladder_make(by->scene, by->assets, config->width, config->height);
     if (!acts)
         d->cameras *= d->ladder.count;
     d->world_bytes = tp_world_bytes(by->program, by->scene, by->assets);
@@ -171,7 +171,7 @@ int dry_open(dry_run *d, const dry_program *by, const tp_config *config, bool ac
     else if (tp_world_init(by->program, world, d->world_bytes, by->scene, by->assets,
                            &err)
              != TP_OK)
-        code = fail_at("tidepool bake", &err);
+        code = fail_with_error("tidepool bake", &err);
     if (!code) {
         step_all(d, by, world, d->worlds);
         choose_cameras(d, by);
@@ -208,7 +208,7 @@ typedef struct {
     tp_frame *frame;
 } painter;
 
-static tp_config config_by(const dry_run *d, const dry_program *by)
+static tp_config make_config(const dry_run *d, const dry_program *by)
 {
     tp_config c = d->config;
 
@@ -220,7 +220,7 @@ static tp_config config_by(const dry_run *d, const dry_program *by)
 static bool painter_open(painter *p, const job *j, tp_error *err)
 {
     const dry_program *by = j->by;
-    const tp_config c = config_by(j->run, by);
+    const tp_config c = make_config(j->run, by);
     const size_t bytes = tp_frame_bytes(&c, by->scene);
     const size_t scratch = tp_frame_scratch_bytes(&c, by->scene);
 
@@ -249,7 +249,7 @@ static dry_picture paint(painter *p, const dry_run *d, const dry_camera *c)
     dry_picture picture = { 0, 0 };
     tp_tile tile;
 
-    memcpy(p->world, world_at(d, c->moment), d->world_bytes);
+    memcpy(p->world, moment_world(d, c->moment), d->world_bytes);
     take_place(p->world, c);
     if (d->ladder.count > 1)
         tp_frame_set_rungs(p->frame, &d->ladder.rung[c->rung]);
@@ -317,7 +317,7 @@ int dry_draw(const dry_run *d, const dry_program *by, const uint32_t *which,
         *differs = first == count ? d->cameras : which ? which[first] : first;
     if (!atomic_load(&j.failed))
         return EXIT_DONE;
-    const tp_config config = config_by(d, by);
-    return j.err.code ? fail_at("tidepool bake", &j.err)
+    const tp_config config = make_config(d, by);
+    return j.err.code ? fail_with_error("tidepool bake", &j.err)
                       : fail_memory(tp_frame_bytes(&config, by->scene));
 }

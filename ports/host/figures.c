@@ -121,7 +121,7 @@ static float median_ms(uint32_t *us, uint32_t n)
 }
 
 /* Returns the k-th last picture, k >= 1. */
-static const times *last_of(const figures *f, uint32_t k)
+static const times *recent_times(const figures *f, uint32_t k)
 {
     return &f->last[(f->pictures - k) % PANEL_HISTORY];
 }
@@ -134,9 +134,9 @@ static void fill_history(const figures *f, panel_figures *to)
 
     memset(to->history, 0, sizeof to->history);
     for (uint32_t k = 1; k <= n; k++) {
-        to->history[PANEL_HISTORY - k] = (float)last_of(f, k)->all / 1000;
+        to->history[PANEL_HISTORY - k] = (float)recent_times(f, k)->all / 1000;
         if (count < WINDOW)
-            us[count++] = last_of(f, k)->all;
+            us[count++] = recent_times(f, k)->all;
     }
     to->pictures = f->pictures;
     to->median_ms = median_ms(us, count);
@@ -158,9 +158,9 @@ static void fill_parts(const figures *f, panel_figures *to)
 
     to->part_count = 0;
     for (uint32_t k = 1; k <= n; k++) {
-        all += (double)last_of(f, k)->all / n;
+        all += (double)recent_times(f, k)->all / n;
         for (int i = 0; i < FIGURE_PARTS; i++)
-            part[i] += (double)last_of(f, k)->part[i] / n;
+            part[i] += (double)recent_times(f, k)->part[i] / n;
     }
     for (int i = 0; i < FIGURE_PARTS; i++)
         sum += part[i];
@@ -173,7 +173,7 @@ static void fill_parts(const figures *f, panel_figures *to)
 
 /* Returns the pictures per second, from the first to the last picture of the last second; 0
  * if no picture was shown. */
-static float rate_of(const figures *f, uint64_t now)
+static float measure_frame_rate(const figures *f, uint64_t now)
 {
     const uint32_t n = f->shown < PANEL_HISTORY ? f->shown : PANEL_HISTORY;
     const uint64_t last = n ? f->shown_at[(f->shown - 1) % PANEL_HISTORY] : 0;
@@ -227,7 +227,7 @@ void figures_fill(figures *f, uint64_t now, panel_figures *to)
     memcpy(us, f->answer, sizeof us);
     to->latency_ms = median_ms(us, n);
     to->limit_ms = f->limit_ms;
-    to->shown_per_s = rate_of(f, now);
+    to->shown_per_s = measure_frame_rate(f, now);
     if (f->measures && (!f->stages_at || now - f->stages_at >= STAGES_US))
         read_stages(f, now);
     memcpy(to->stages, f->stage, sizeof to->stages);

@@ -76,7 +76,7 @@ static void follow(figures_plan *kept, const stage *s)
     kept->width = config->width;
     kept->height = config->height;
     memcpy(&kept->scene, &s->file.scene, sizeof kept->scene);
-    kept->sheet = plan_sheet_of(s);
+    kept->sheet = plan_sheet_make(s);
 }
 
 static bool is_governed(const governing *g)

@@ -9,7 +9,7 @@ void governing_begin(governing *g, const stage *s)
 {
     const tp_scene *scene = &s->file.scene;
     const tp_config *config = &s->canvas.config;
-    const tp_ladder ladder = tp_ladder_of(scene, &s->assets.names, config->width,
+    const tp_ladder ladder = tp_ladder_make(scene, &s->assets.names, config->width,
                                           config->height);
     const uint32_t limit = (uint32_t)((int64_t)scene->quality.frame_ms * 1000 >> 16);
 
@@ -19,7 +19,7 @@ void governing_begin(governing *g, const stage *s)
         say("%s: nothing to step down to, quality.frame_ms is not held", s->file.name);
 }
 
-static uint32_t value_of(unsigned kind, tp_rungs r)
+static uint32_t rung_value(unsigned kind, tp_rungs r)
 {
     const uint32_t value[TP_KINDS] = { (uint32_t)r.visibility, (uint32_t)r.shading,
                                        (uint32_t)r.rate, (uint32_t)r.lod };
@@ -34,7 +34,7 @@ const char *governing_word(unsigned kind, tp_rungs rungs)
         { "auto", "full rate", "half-rate layers", "half-rate colour" },
         { "auto", "all lines of the grid", "fewer lines far away" },
     };
-    const char *word = words[kind][value_of(kind, rungs)];
+    const char *word = words[kind][rung_value(kind, rungs)];
     return word ? word : "?";
 }
 
@@ -58,7 +58,7 @@ void governing_add(governing *g, uint32_t number, uint64_t us)
 
     if (!step)
         return;
-    while (kind + 1 < TP_KINDS && value_of(kind, from) == value_of(kind, to))
+    while (kind + 1 < TP_KINDS && rung_value(kind, from) == rung_value(kind, to))
         kind++;
     ms_text(took, g->governor.mean);
     ms_text(limit, g->governor.limit);

@@ -25,7 +25,7 @@ static bool is_scene(const char *name)
 
 static void refuse(const char *name)
 {
-    nearest best = nearest_to(name);
+    nearest best = nearest_make(name);
     for (size_t i = 0; i < command_count; i++)
         nearest_offer(&best, commands[i].name);
     if (!*name)

@@ -53,7 +53,7 @@ static bool read_line(ini_input *in)
 }
 
 /* Trims the blanks around a value and the comment after it, by libinih's rules. */
-static const char *value_of(char *text)
+static const char *trim_value(char *text)
 {
     char *end = text;
     while (isspace((unsigned char)*text))
@@ -77,7 +77,7 @@ static bool shorten_line(ini_input *in, char *text, int room)
     if (!in->text[name] || name + 2 >= (size_t)room)
         return refuse_line(in, "longer than", room - 1);
     snprintf(text, (size_t)room, "%.*s=-", (int)name, in->text);
-    in->value = value_of(in->text + name + 1);
+    in->value = trim_value(in->text + name + 1);
     return true;
 }
 

@@ -44,7 +44,7 @@ static bool read_line(FILE *file, char line[HEAD_BYTES])
 }
 
 /* Returns the number after the letter in a head, as in "W640", or 0. */
-static uint32_t side_of(const char *head, char letter)
+static uint32_t parse_side(const char *head, char letter)
 {
     const char mark[] = { ' ', letter, 0 };
     const char *at = strstr(head, mark);
@@ -67,7 +67,7 @@ static int open_part(part *p, const char *name)
 /* Takes the head of the first part; the size of frames follows from the head. */
 static int take_head(joined *j, const part *p)
 {
-    const uint32_t w = side_of(p->head, 'W'), h = side_of(p->head, 'H');
+    const uint32_t w = parse_side(p->head, 'W'), h = parse_side(p->head, 'H');
     if (!w || !h || !strstr(p->head, " C420"))
         return fail(EXIT_INPUT, "%s: no film of 4:2:0 with a width and a height",
                     p->name);

@@ -48,7 +48,7 @@ const char *long_name_whole(const char *text)
 
 /* Returns the last folders of a path, up to END_BYTES, or the last letters of a name
  * without folders. */
-static const char *end_of(const char *whole)
+static const char *name_tail(const char *whole)
 {
     const char *end = whole + strlen(whole) - END_BYTES;
     const char *slash = strchr(end, '/');
@@ -62,7 +62,7 @@ static const char *end_of(const char *whole)
 /* Makes the short text; a number distinguishes names with the same end. */
 static void put_text(long_name *name)
 {
-    const char *end = end_of(name->whole);
+    const char *end = name_tail(name->whole);
     snprintf(name->text, sizeof name->text, "...%s", end);
     for (unsigned n = 2; find_text(name->text); n++)
         snprintf(name->text, sizeof name->text, "...%u...%s", n, end);

@@ -142,7 +142,7 @@ static void print_commands(void)
     roff_macro(".SH COMMANDS");
     for (size_t i = 0; i < command_count; i++) {
         roff_macro(".SS %s", commands[i].name);
-        const about_row *about = about_of(commands[i].options);
+        const about_row *about = about_find_row(commands[i].options);
         print_usage(about);
         print_lines(about->text);
         for (size_t k = 0; k < args_row_count; k++)
@@ -220,7 +220,7 @@ static void print_program(void)
     for (size_t i = 0; i < command_count; i++) {
         if (i)
             roff_macro(".br");
-        print_usage(about_of(commands[i].options));
+        print_usage(about_find_row(commands[i].options));
     }
     roff_macro(".SH DESCRIPTION");
     roff_text("Models seas, pools, drops and a boat in 16.16 fixed point and draws them:"

@@ -31,7 +31,7 @@ static unsigned distance(const char *a, const char *b)
 }
 
 /* Allows at most a third of the letters plus 1 to differ: more is no typing error. */
-nearest nearest_to(const char *wanted)
+nearest nearest_make(const char *wanted)
 {
     return (nearest){ wanted, NULL, (unsigned)(strlen(wanted) / 3) + 2 };
 }

@@ -10,6 +10,6 @@ typedef struct {
     unsigned    distance;   /* its distance; initially the limit plus 1 */
 } nearest;
 
-nearest nearest_to(const char *wanted);
+nearest nearest_make(const char *wanted);
 void    nearest_offer(nearest *best, const char *name);
 #endif

@@ -62,7 +62,7 @@ static int close_stream(output *out)
 
 /* -- files ----------------------------------------------------------------------- */
 
-static int descriptor_of(const output *out)
+static int output_descriptor(const output *out)
 {
     return out->target ? out->temporary.fd : out->end ? out->end->fd : -1;
 }
@@ -82,7 +82,7 @@ static void forget(output *out)
 
 void output_discard(output *out)
 {
-    const int fd = descriptor_of(out);
+    const int fd = output_descriptor(out);
     (void)close_stream(out);
     (void)close_descriptor(out, fd);
     if (out->target)
@@ -143,7 +143,7 @@ int output_open(output *out, const char *name)
 
 int output_close(output *out)
 {
-    const int fd = descriptor_of(out);
+    const int fd = output_descriptor(out);
     int error = close_stream(out);
     const int end = close_descriptor(out, fd);
     error = error ? error : end;

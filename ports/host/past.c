@@ -38,7 +38,7 @@ struct past {
 
 /* -- inputs ------------------------------------------------------------------------- */
 
-static size_t inputs_of(const past *p)
+static size_t count_inputs(const past *p)
 {
     return p->count ? p->end - p->kept[0].picture : 0;
 }
@@ -46,7 +46,7 @@ static size_t inputs_of(const past *p)
 /* Makes room for one input, if possible in the room of dropped pictures. */
 static bool make_inputs_room(past *p)
 {
-    const size_t count = inputs_of(p);
+    const size_t count = count_inputs(p);
     if (p->lead + count < p->inputs_room)
         return true;
     if (p->lead <= count) {
@@ -67,7 +67,7 @@ static bool note(past *p, const tp_input *input)
 {
     if (!make_inputs_room(p))
         return false;
-    p->input[p->lead + inputs_of(p)] = *input;
+    p->input[p->lead + count_inputs(p)] = *input;
     p->used += sizeof *input;
     p->end++;
     return true;
@@ -209,7 +209,7 @@ void past_add(past *p, uint32_t picture, const tp_world *world, size_t bytes,
         past_forget(p);
 }
 
-static const moment *at_or_before(const past *p, uint32_t picture)
+static const moment *find_latest_moment(const past *p, uint32_t picture)
 {
     size_t n = p->count;
     while (n > 0 && p->kept[n - 1].picture > picture)
@@ -220,7 +220,7 @@ static const moment *at_or_before(const past *p, uint32_t picture)
 bool past_take(const past *p, uint32_t picture, tp_world *world, size_t bytes,
                tp_scene *scene, uint32_t *from)
 {
-    const moment *m = at_or_before(p, picture);
+    const moment *m = find_latest_moment(p, picture);
     if (!m || m->bytes != bytes)
         return false;
     memcpy(scene, m->block, sizeof *scene);
@@ -231,7 +231,7 @@ bool past_take(const past *p, uint32_t picture, tp_world *world, size_t bytes,
 
 size_t past_world_bytes(const past *p, uint32_t picture)
 {
-    const moment *m = at_or_before(p, picture);
+    const moment *m = find_latest_moment(p, picture);
     return m ? m->bytes : 0;
 }
 

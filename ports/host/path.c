@@ -53,7 +53,7 @@ char *path_stem(const char *path)
 }
 
 /* Returns the folder of a file, without links and dots; NULL: no such folder. */
-static char *folder_of(const char *path)
+static char *resolve_folder(const char *path)
 {
     const char *slash = strrchr(path, '/');
     char *folder = slash ? path_copy(path, (size_t)(slash - path) + 1)
@@ -72,7 +72,7 @@ bool path_same_file(const char *a, const char *b)
 
 bool path_same_folder(const char *a, const char *b)
 {
-    char *of_a = folder_of(a), *of_b = folder_of(b);
+    char *of_a = resolve_folder(a), *of_b = resolve_folder(b);
     const bool same = of_a && of_b && strcmp(of_a, of_b) == 0;
     free(of_a);
     free(of_b);
@@ -102,12 +102,12 @@ static char *way(const char *from, const char *to, const char *base)
     return path;
 }
 
-char *path_from(const char *file, const char *target)
+char *path_make_relative(const char *file, const char *target)
 {
     const char *slash = strrchr(target, '/');
-    char *from = folder_of(file);
+    char *from = resolve_folder(file);
     bool memory = from || errno != ENOMEM;
-    char *to = folder_of(target);
+    char *to = resolve_folder(target);
     memory = memory && (to || errno != ENOMEM);
     char *path = from && to ? way(from, to, slash ? slash + 1 : target)
                : memory ? path_copy(target, strlen(target)) : NULL;
@@ -146,7 +146,7 @@ bool path_ends(const char *path, const char *suffix)
 }
 
 /* Removes the last component; "/" stays. */
-static void go_up(char *path)
+static void cut_last_component(char *path)
 {
     char *slash = strrchr(path, '/');
     if (slash)
@@ -168,7 +168,7 @@ char *path_of_scenes(void)
         memcpy(folder, exe, (size_t)bytes);
         folder[bytes] = 0;
         for (int up = -1; up < tries[i].up; up++)
-            go_up(folder);
+            cut_last_component(folder);
         char *path = path_join(folder, tries[i].tail, "");
         if (path && is_folder(path))
             return path;

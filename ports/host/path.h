@@ -11,7 +11,7 @@ char *path_beside(const char *from, const char *name);
 
 /* Returns the inverse: the name of `target` relative to the folder of `file`.  If one of
  * the folders does not exist, returns a copy of `target`. */
-char *path_from(const char *file, const char *target);
+char *path_make_relative(const char *file, const char *target);
 
 /* Returns the name of a file without folders and ".ini". */
 char *path_stem(const char *path);

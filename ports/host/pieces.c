@@ -168,7 +168,7 @@ void pieces_watch(piece_list *to, const piece_set *of, const piece_terms *terms)
 }
 
 /* Returns the number of the set's modules before a piece. */
-static uint32_t modules_above(const piece_set *of, size_t i)
+static uint32_t count_earlier_modules(const piece_set *of, size_t i)
 {
     uint32_t above = 0;
     for (size_t k = 0; k < i; k++)
@@ -176,15 +176,15 @@ static uint32_t modules_above(const piece_set *of, size_t i)
     return above;
 }
 
-bool piece_is_on(size_t i, const piece_set *of, const piece_terms *terms,
-                 const tp_scene *scene, const tp_assets *assets)
+bool piece_is_active(size_t i, const piece_set *of, const piece_terms *terms,
+                     const tp_scene *scene, const tp_assets *assets)
 {
     piece_set others = *of;
     piece_list list;
     tp_lack lacks[2] = { meanings[i].lack };
 
     others.has[i] = false;
-    lacks[0].above = modules_above(&others, i);
+    lacks[0].above = count_earlier_modules(&others, i);
     pieces_list(&list, &others, terms);
     list.program.lacks = lacks;
     list.program.refuse = tp_lacks_check;
@@ -247,7 +247,7 @@ const char *piece_word(size_t i)
 
 /* -- as text -------------------------------------------------------------------------- */
 
-static const char *symbol_of(size_t i, const piece_terms *terms)
+static const char *piece_symbol(size_t i, const piece_terms *terms)
 {
     const char *name = pieces[i].name;
     if (pieces[i].kind == PIECE_METHOD && terms->streams && !strcmp(name, "triangles"))
@@ -268,7 +268,7 @@ static void write_kind(FILE *out, const piece_set *of, const piece_terms *terms,
         if (n++ == 0)
             fprintf(out, "    .%s = {", piece_word(i));
         fprintf(out, "%s\n        .%s = %stp_%s_%s", n > 1 ? "," : "", pieces[i].name,
-                kind == PIECE_STAGE ? "" : "&", piece_word(i), symbol_of(i, terms));
+                kind == PIECE_STAGE ? "" : "&", piece_word(i), piece_symbol(i, terms));
         before = "\n    },\n";
     }
     if (*before == '\n')
@@ -320,7 +320,7 @@ static bool write_lacks(FILE *out, const char *name, const piece_set *of,
             if (written++ == 0)
                 fprintf(out, "static const tp_lack %s_lacks[] = {\n", name);
             fprintf(out, "    { \"%s\", tp_%s_enabled, %" PRIu32 " },\n", pieces[i].name,
-                    pieces[i].name, modules_above(of, i));
+                    pieces[i].name, count_earlier_modules(of, i));
         }
     if (written > 0)
         fprintf(out, "    { 0, 0, 0 }\n};\n");

@@ -72,8 +72,8 @@ static inline bool piece_is_stage(size_t i)
 const char *piece_word(size_t i);
 
 /* True if the scene switches the module on, with the set's other pieces in the program. */
-bool piece_is_on(size_t i, const piece_set *of, const piece_terms *terms,
-                 const tp_scene *scene, const tp_assets *assets);
+bool piece_is_active(size_t i, const piece_set *of, const piece_terms *terms,
+                     const tp_scene *scene, const tp_assets *assets);
 
 /* Writes the list as C text: NAME_program, preceded by its tables.  The program refuses
  * scenes with a module of `lacks` by the module's name. */

@@ -116,7 +116,7 @@ static int run(const options *o)
     int code = stage_open(&s, o);
 
     if (!code) {
-        p.sheet = plan_sheet_of(&s);
+        p.sheet = plan_sheet_make(&s);
         if (o->csv)
             print_csv(&p);
         else {

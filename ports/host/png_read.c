@@ -145,7 +145,7 @@ static bool read_all(png_reader *r)
 }
 
 /* Converts in place: four bytes become one word. */
-static uint32_t *words_of(uint8_t *rgba, size_t count)
+static uint32_t *pack_words(uint8_t *rgba, size_t count)
 {
     uint32_t *words = (uint32_t *)(void *)rgba;
     for (size_t i = 0; i < count; i++) {
@@ -156,7 +156,7 @@ static uint32_t *words_of(uint8_t *rgba, size_t count)
     return words;
 }
 
-static uint16_t *greys_of(uint8_t *bytes, size_t count)
+static uint16_t *pack_greys(uint8_t *bytes, size_t count)
 {
     uint16_t *greys = (uint16_t *)(void *)bytes;
     for (size_t i = 0; i < count; i++)
@@ -189,7 +189,7 @@ static const struct { const char *name, *start; size_t bytes; } kinds[] = {
     { "Radiance", "#?", 2 },
 };
 
-static const char *kind_of(const char *name, const uint8_t *start, size_t bytes)
+static const char *detect_file_kind(const char *name, const uint8_t *start, size_t bytes)
 {
     const char *dot = strrchr(name, '.');
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
@@ -206,7 +206,7 @@ static bool is_foreign(png_reader *r, const char *name)
     const size_t bytes = fread(start, 1, sizeof start, r->file);
     if (bytes == 0 || png_sig_cmp(start, 0, bytes) == 0)
         return fseek(r->file, 0, SEEK_SET) != 0;
-    const char *kind = kind_of(name, start, bytes);
+    const char *kind = detect_file_kind(name, start, bytes);
     snprintf(r->why, sizeof r->why, "%s", kind ? kind : "not a PNG");
     if (kind)
         strcat(r->why, ", expected PNG");
@@ -251,7 +251,7 @@ uint32_t *picture_load_png(const char *name, uint32_t *w, uint32_t *h,
     *h = r.h;
     memcpy(why, r.why, PICTURE_WHY);
     errno = error;
-    return rgba ? words_of(rgba, (size_t)r.w * r.h) : NULL;
+    return rgba ? pack_words(rgba, (size_t)r.w * r.h) : NULL;
 }
 
 uint32_t *picture_read_png(const char *name, const char *who, uint32_t *w, uint32_t *h)
@@ -260,7 +260,7 @@ uint32_t *picture_read_png(const char *name, const char *who, uint32_t *w, uint3
     uint8_t *rgba = read_file(&r, name, who);
     *w = r.w;
     *h = r.h;
-    return rgba ? words_of(rgba, (size_t)r.w * r.h) : NULL;
+    return rgba ? pack_words(rgba, (size_t)r.w * r.h) : NULL;
 }
 
 uint16_t *picture_read_grey(const char *name, const char *who, uint32_t *w, uint32_t *h)
@@ -269,5 +269,5 @@ uint16_t *picture_read_grey(const char *name, const char *who, uint32_t *w, uint
     uint8_t *bytes = read_file(&r, name, who);
     *w = r.w;
     *h = r.h;
-    return bytes ? greys_of(bytes, (size_t)r.w * r.h) : NULL;
+    return bytes ? pack_greys(bytes, (size_t)r.w * r.h) : NULL;
 }

@@ -10,13 +10,14 @@
 
 /* -- checks before the replay ---------------------------------------------------- */
 
-static void place_of(const replay *r, const deck_entry *entry, char *place, size_t bytes)
+static void format_location(const replay *r, const deck_entry *entry, char *place,
+                            size_t bytes)
 {
     snprintf(place, bytes, "%s:%u", r->tape.name, (unsigned)entry->line);
 }
 
 /* Returns the number of consecutive sets at one tick, from entry `at` on. */
-static size_t sets_from(const deck *d, size_t at)
+static size_t count_sets(const deck *d, size_t at)
 {
     size_t n = 0;
     while (at + n < d->count && d->entries[at + n].kind == DECK_SET
@@ -34,7 +35,7 @@ static int set_all(const replay *r, size_t at, size_t count, stage *s, const opt
     stage_setting *all = malloc(count * sizeof *all);
     for (size_t i = 0; places && all && i < count; i++) {
         const deck_entry *entry = &r->tape.entries[at + i];
-        place_of(r, entry, places[i].text, sizeof places[i].text);
+        format_location(r, entry, places[i].text, sizeof places[i].text);
         all[i] = (stage_setting){ places[i].text, entry->setting };
     }
     const int code = places && all ? stage_set_all(s, o, all, count, opened)
@@ -50,7 +51,7 @@ static int try_all(const replay *r, stage *s, const options *o, replay_room room
     for (size_t i = 0; i < r->tape.count && !code; i++) {
         const deck_entry *entry = &r->tape.entries[i];
         const tp_world *world = s->world;
-        const size_t count = sets_from(&r->tape, i);
+        const size_t count = count_sets(&r->tape, i);
         bool opened = false;
         if (count == 0)
             continue;
@@ -106,7 +107,7 @@ static int act(replay *r, const deck_entry *entry, stage *s, const options *o,
                bool *opened)
 {
     const size_t at = (size_t)(entry - r->tape.entries);
-    const size_t count = sets_from(&r->tape, at);
+    const size_t count = count_sets(&r->tape, at);
     if (entry->kind == DECK_LOOK) {
         tp_world_move_camera(s->world, &entry->input);
         return EXIT_DONE;

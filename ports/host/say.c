@@ -61,7 +61,7 @@ static void keep(const char *format, va_list list)
         kept.used += strlen(line);
 }
 
-void say_into(char *text, size_t bytes)
+void say_redirect(char *text, size_t bytes)
 {
     kept.text = text;
     kept.bytes = bytes;
@@ -129,7 +129,7 @@ const char *say_check(const tp_error *err)
     return text;
 }
 
-int fail_at(const char *file, const tp_error *err)
+int fail_with_error(const char *file, const tp_error *err)
 {
     char text[256];
     tp_error_text(err, text, sizeof text);

@@ -42,12 +42,12 @@ int fail(int code, const char *format, ...) HOST_PRINTF(2, 3);
 
 /* Prints "file:line: sentence", without a line number if the error has none; returns
  * EXIT_INPUT. */
-int fail_at(const char *file, const tp_error *err);
+int fail_with_error(const char *file, const tp_error *err);
 
 /* Redirects the messages of the calling thread to `text`, line by line, instead of stderr.
  * text has `bytes` bytes and is emptied first; excess text is cut.  NULL: back to
  * stderr. */
-void say_into(char *text, size_t bytes);
+void say_redirect(char *text, size_t bytes);
 
 /* say_verbose turns on the names of failed checks.  say_check then returns the place of the
  * check, as " [src/asset/obj.c:88]"; otherwise "". */

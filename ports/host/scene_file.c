@@ -19,7 +19,7 @@ static void refuse_name(const char *place, const char *name)
 {
     uint32_t count;
     const tp_param *params = tp_params(&count);
-    nearest best = nearest_to(name);
+    nearest best = nearest_make(name);
     for (uint32_t i = 0; i < count; i++)
         nearest_offer(&best, params[i].name);
     if (best.name)
@@ -143,7 +143,7 @@ static int refuse_scene(const char *given, const char *folder)
                     " beside the program", given);
     size_t count;
     char **names = path_scene_names(folder, &count);
-    nearest best = nearest_to(given);
+    nearest best = nearest_make(given);
     for (size_t i = 0; i < count; i++)
         nearest_offer(&best, names[i]);
     if (best.name)
@@ -206,21 +206,22 @@ static const char *by(const scene_file *file)
     return file->by ? file->by : "--set";
 }
 
-static uint32_t row_of(const tp_param *param)
+static uint32_t param_row(const tp_param *param)
 {
     uint32_t count;
     return (uint32_t)(param - tp_params(&count));
 }
 
-char *scene_file_path_of(const scene_file *file, const tp_param *param)
+char *scene_file_resolve_path(const scene_file *file, const tp_param *param)
 {
     char text[TP_NAME_BYTES];
     tp_param_text(&file->scene, param, text, sizeof text);
     const char *name = long_name_whole(text);
-    if (file->set_at[row_of(param)] == SET_BY_COMMAND && path_is_file(name))
+    if (file->set_at[param_row(param)] == SET_BY_COMMAND && path_is_file(name))
         return path_copy(name, strlen(name));
     char *beside = path_beside(file->path, name);
-    if (file->set_at[row_of(param)] != SET_BY_COMMAND || (beside && path_is_file(beside)))
+    if (file->set_at[param_row(param)] != SET_BY_COMMAND
+        || (beside && path_is_file(beside)))
         return beside;
     free(beside);
     return path_copy(name, strlen(name));
@@ -230,7 +231,9 @@ void scene_file_text(const scene_file *file, const tp_param *param, char *text,
                      size_t bytes)
 {
     const size_t length = tp_param_text(&file->scene, param, text, bytes);
-    char *path = tp_param_is_file(param) && length > 0 ? scene_file_path_of(file, param) : NULL;
+    char *path = tp_param_is_file(param) && length > 0
+                     ? scene_file_resolve_path(file, param)
+                     : NULL;
     const char *value = path ? scene_file_value(param, path) : NULL;
     if (value)
         snprintf(text, bytes, "%s", value);
@@ -240,20 +243,20 @@ void scene_file_text(const scene_file *file, const tp_param *param, char *text,
 int scene_file_refuse(const scene_file *file, const tp_error *err)
 {
     const tp_param *param = tp_param_find(err->word, strlen(err->word));
-    const uint32_t line = param ? file->set_at[row_of(param)] : 0;
+    const uint32_t line = param ? file->set_at[param_row(param)] : 0;
     tp_error there = *err;
     if (line == SET_BY_COMMAND) {
-        fail_at(by(file), err);
+        fail_with_error(by(file), err);
         return EXIT_USAGE;
     }
     there.where = line;
-    return fail_at(line ? file->path : file->name, &there);
+    return fail_with_error(line ? file->path : file->name, &there);
 }
 
 void scene_file_who(const scene_file *file, const tp_param *param, char *text,
                     size_t bytes)
 {
-    const uint32_t line = file->set_at[row_of(param)];
+    const uint32_t line = file->set_at[param_row(param)];
     if (line == SET_BY_COMMAND)
         snprintf(text, bytes, "%s: %s", by(file), param->name);
     else if (line)

@@ -36,7 +36,7 @@ const char *scene_file_value(const tp_param *param, const char *value);
  * the path.  NULL: no memory.  Names in the INI are relative to the INI.  Names of the
  * command line are relative to the current folder or, if no such file exists, to the
  * INI. */
-char *scene_file_path_of(const scene_file *file, const tp_param *param);
+char *scene_file_resolve_path(const scene_file *file, const tp_param *param);
 
 /* Writes the row's value as a user would have to set it by hand for the same meaning: names
  * in the INI are relative to the INI, names given by hand to the current folder. */

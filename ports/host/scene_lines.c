@@ -108,7 +108,7 @@ static void find_value(const scene_line *line, size_t *begin, size_t *end)
 }
 
 /* Returns the comment of a line, or NULL. */
-static const char *comment_of(const scene_line *line)
+static const char *find_comment(const scene_line *line)
 {
     size_t begin, end;
     find_value(line, &begin, &end);
@@ -136,7 +136,7 @@ bool scene_lines_replace(scene_lines *l, uint32_t line, const char *value, size_
     scene_line *of = &l->of[line - 1];
     size_t begin, end;
     find_value(of, &begin, &end);
-    const char *comment = comment_of(of), *rest = of->text + end;
+    const char *comment = find_comment(of), *rest = of->text + end;
     const char *gap = comment && comment == rest ? " " : "";
     const bool tight = begin > 0 && begin == end && of->text[begin - 1] != ' ';
     char *head = path_copy(of->text, begin);
@@ -182,7 +182,7 @@ void scene_lines_remove(scene_lines *l, long row)
         head = line->head ? i : head;
         if (line->row != row)
             continue;
-        const char *comment = comment_of(line);
+        const char *comment = find_comment(line);
         line->gone = !comment;
         line->row = LINE_NONE;
         if (comment)

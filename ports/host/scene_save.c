@@ -67,7 +67,7 @@ static int read_lines(save *s)
 
 /* Returns the text of a value.  A relative file name that leads from the new file to the
  * same target stays unchanged, and so does an absolute name given by a file. */
-static char *text_of(const save *s, const tp_param *param, uint32_t row)
+static char *format_saved_value(const save *s, const tp_param *param, uint32_t row)
 {
     char value[TP_NAME_BYTES + 64];
     tp_param_text(&s->file->scene, param, value, sizeof value);
@@ -75,12 +75,12 @@ static char *text_of(const save *s, const tp_param *param, uint32_t row)
     const bool by_command = s->file->set_at[row] == SET_BY_COMMAND;
     if (!tp_param_is_file(param) || !text[0] || (!by_command && (!s->moved || text[0] == '/')))
         return path_copy(text, strlen(text));
-    char *target = scene_file_path_of(s->file, param);
+    char *target = scene_file_resolve_path(s->file, param);
     char *there = path_beside(s->name, text);
     const bool known = target && there;
     const bool stays = known && text[0] != '/' && path_same_file(target, there);
     char *name = stays ? path_copy(text, strlen(text))
-               : known ? path_from(s->name, target) : NULL;
+               : known ? path_make_relative(s->name, target) : NULL;
     free(target);
     free(there);
     return name;
@@ -130,7 +130,7 @@ static int edit_all(save *s, bool away)
     const tp_param *params = tp_params(&count);
     int code = EXIT_DONE;
     for (uint32_t row = 0; row < count && !code; row++) {
-        char *text = text_of(s, &params[row], row);
+        char *text = format_saved_value(s, &params[row], row);
         code = text ? edit(s, &params[row], row, text, away) : fail_memory(TP_NAME_BYTES);
         free(text);
     }

@@ -16,7 +16,7 @@
 
 /* Parses %d or %0Nd in a pattern; *digits: N, or 0.  Returns the length, or 0 for other
  * text. */
-static size_t number_at(const char *c, int *digits)
+static size_t parse_number_field(const char *c, int *digits)
 {
     size_t n = 1;
     *digits = 0;
@@ -43,7 +43,7 @@ static bool frame_name(const char *pattern, uint32_t frame, char name[NAME_BYTES
             c += *c == '%' ? 2 : 1;
             continue;
         }
-        const size_t skip = number_at(c, &digits);
+        const size_t skip = parse_number_field(c, &digits);
         if (!skip)
             return false;
         length += (size_t)snprintf(name + length, 16, "%0*u", digits, (unsigned)frame);

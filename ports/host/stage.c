@@ -124,7 +124,7 @@ int stage_world(stage *s)
 }
 
 /* Returns the memory that a board needs beside the picture, bytes. */
-static size_t bytes_of(const canvas *c, size_t world_bytes)
+static size_t board_memory_bytes(const canvas *c, size_t world_bytes)
 {
     return c->frame_bytes + world_bytes + c->scratch_bytes;
 }
@@ -135,7 +135,7 @@ static void choose_store(canvas *c, const tp_scene *scene, const tp_assets *name
 {
     c->stream = o->stream;
     canvas_count(c, scene, names);
-    if (o->memory && bytes_of(c, world_bytes) > o->memory) {
+    if (o->memory && board_memory_bytes(c, world_bytes) > o->memory) {
         c->stream = true;
         canvas_count(c, scene, names);
     }
@@ -146,7 +146,7 @@ static int check_memory(const stage *s, const canvas *c, const asset_set *a,
                         size_t world_bytes, uint64_t allowed)
 {
     const size_t named = a->mesh_bytes + a->texture_bytes;
-    const size_t bytes = bytes_of(c, world_bytes);
+    const size_t bytes = board_memory_bytes(c, world_bytes);
     char rom[80] = "";
     if (!allowed || bytes <= allowed)
         return EXIT_DONE;
@@ -176,8 +176,8 @@ int stage_plan(const stage *s, const options *o, const asset_set *a, size_t worl
 
 tp_ladder stage_ladder(const stage *s)
 {
-    return tp_ladder_of(&s->file.scene, &s->assets.names, s->canvas.config.width,
-                        s->canvas.config.height);
+    return tp_ladder_make(&s->file.scene, &s->assets.names, s->canvas.config.width,
+                          s->canvas.config.height);
 }
 
 int stage_canvas(stage *s, const options *o)

@@ -22,7 +22,7 @@ typedef struct {
     size_t          frame_bytes;    /* size of the frame after the change */
 } change;
 
-static uint32_t row_of(const tp_param *param)
+static uint32_t param_row(const tp_param *param)
 {
     uint32_t count;
     return (uint32_t)(param - tp_params(&count));
@@ -30,7 +30,7 @@ static uint32_t row_of(const tp_param *param)
 
 stage_value stage_get(const stage *s, const tp_param *param)
 {
-    stage_value value = { .set_at = s->file.set_at[row_of(param)] };
+    stage_value value = { .set_at = s->file.set_at[param_row(param)] };
     tp_param_text(&s->file.scene, param, value.text, sizeof value.text);
     return value;
 }
@@ -41,10 +41,10 @@ static int refuse_change(const change *c, const tp_error *err)
 {
     if (c->later && err->code)
         return LATER;
-    return err->code ? fail_at(c->place, err) : fail_memory(c->world_bytes);
+    return err->code ? fail_with_error(c->place, err) : fail_memory(c->world_bytes);
 }
 
-static const asset_set *assets_of(const stage *s, const change *c)
+static const asset_set *current_assets(const stage *s, const change *c)
 {
     return c->loaded ? c->loaded : &s->assets;
 }
@@ -71,8 +71,8 @@ static int check_assets(const stage *s, const change *c)
 static int world_anew(const stage *s, change *c)
 {
     tp_error err = { 0 };
-    c->world = stage_new_world(&s->file.scene, &assets_of(s, c)->names, &c->world_bytes,
-                               &err);
+    c->world = stage_new_world(&s->file.scene, &current_assets(s, c)->names,
+                               &c->world_bytes, &err);
     if (!c->world)
         return refuse_change(c, &err);
     setting_carry(c->world, s->world);
@@ -83,7 +83,7 @@ static int world_anew(const stage *s, change *c)
  * exists.  A bad scene is not reported here: making the world reports the error. */
 static int plan_anew(const stage *s, change *c)
 {
-    const asset_set *a = assets_of(s, c);
+    const asset_set *a = current_assets(s, c);
     const size_t world_bytes = tp_world_bytes(&tp_program_all, &s->file.scene, &a->names);
     canvas plan;
     if (!s->canvas.frame || world_bytes == 0)
@@ -107,7 +107,7 @@ static int try_change(stage *s, change *c, const stage_value *value)
     tp_error err = { 0 };
     if (tp_param_set(&s->file.scene, c->param, value->text, strlen(value->text), &err))
         return refuse_change(c, &err);
-    s->file.set_at[row_of(c->param)] = value->set_at;
+    s->file.set_at[param_row(c->param)] = value->set_at;
     int code = tp_param_is_file(c->param) ? load_anew(s, c) : check_assets(s, c);
     if (!code)
         code = plan_anew(s, c);
@@ -159,7 +159,7 @@ static int put(stage *s, change *c, const stage_value *value, bool *opened)
     } else {
         (void)tp_param_set(&s->file.scene, c->param, before.text, strlen(before.text),
                            NULL);
-        s->file.set_at[row_of(c->param)] = before.set_at;
+        s->file.set_at[param_row(c->param)] = before.set_at;
     }
     free(c->world);
     if (c->loaded)
@@ -178,7 +178,7 @@ int stage_put(stage *s, const options *o, const char *place, const tp_param *par
 /* -- by name ----------------------------------------------------------------------- */
 
 /* Returns the value set by hand, without the white space around it. */
-static stage_value value_of(const tp_param *param, const char *text)
+static stage_value normalise_value(const tp_param *param, const char *text)
 {
     tp_scene scene = { .title = "" };
     stage_value value = { .set_at = SET_BY_COMMAND };
@@ -195,7 +195,7 @@ static int set(stage *s, const options *o, const stage_setting *setting, bool la
                  .param = scene_file_check(setting->place, setting->setting, &text) };
     if (!c.param)
         return EXIT_INPUT;
-    const stage_value value = value_of(c.param, text);
+    const stage_value value = normalise_value(c.param, text);
     return put(s, &c, &value, opened);
 }
 

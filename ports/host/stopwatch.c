@@ -157,7 +157,7 @@ static tp_use   timed_use[MODULES + 1];
 static tp_stage timed_stage[STAGES];    /* tables of timed_use */
 
 /* Returns a timed use of a module with the stages `first` to before `end`. */
-static tp_use timed_by(tp_use use, uint32_t first, uint32_t end)
+static tp_use make_timed_use(tp_use use, uint32_t first, uint32_t end)
 {
     for (uint32_t i = first; use.stage && i < end; i++) {
         own[i] = use.stage[i - first];
@@ -171,11 +171,11 @@ static tp_use timed_by(tp_use use, uint32_t first, uint32_t end)
 /* Returns a timed use.  A program for another processor has copies of all modules, in the
  * order of the whole list.  In any other list the modules are found by address, and an
  * unknown module is not timed. */
-static tp_use timed_of(const tp_use *list, size_t n, bool whole)
+static tp_use find_timed_use(const tp_use *list, size_t n, bool whole)
 {
     for (size_t m = 0; m < LISTED; m++)
         if (whole ? m == n : modules[m].module == list[n].module)
-            return timed_by(list[n], modules[m].first, modules[m].end);
+            return make_timed_use(list[n], modules[m].first, modules[m].end);
     return list[n];
 }
 
@@ -189,7 +189,7 @@ static const tp_use *timed_list(const tp_use *list)
     if (count > MODULES)
         return list;
     for (; n < count; n++)
-        timed_use[n] = timed_of(list, n, count == LISTED);
+        timed_use[n] = find_timed_use(list, n, count == LISTED);
     timed_use[n] = (tp_use){ 0 };
     return timed_use;
 }

@@ -128,7 +128,7 @@ static size_t find(const char *word)
     return ROWS;
 }
 
-takes takes_of(const char *word)
+takes takes_find_kind(const char *word)
 {
     const size_t i = find(word);
     return i < ROWS ? rows[i].kind : TAKES_ANY;

@@ -19,7 +19,7 @@ typedef enum {
 
 /* Returns the type of a placeholder.  Brackets, dots and further words are ignored:
  * "[SCENE] [OPTION]..." means SCENE. */
-takes takes_of(const char *word);
+takes takes_find_kind(const char *word);
 
 /* Adds the possible words; false: no memory. */
 bool takes_words(words *list, const char *word);

@@ -174,7 +174,7 @@ bool tracer_has_news(tracer *t)
     return news;
 }
 
-bool tracer_is_of(const tracer *t, const tp_world *world)
+bool tracer_has_same_world(const tracer *t, const tp_world *world)
 {
     return memcmp(t->world, world, t->world_bytes) == 0;
 }

@@ -23,7 +23,7 @@ typedef enum { TRACER_NONE, TRACER_COARSE, TRACER_1, TRACER_4, TRACER_16 } trace
  * 0x00RRGGBB row by row.  Returns the pass; TRACER_NONE: none finished, nothing copied. */
 tracer_pass tracer_take(tracer *t, uint32_t *ours, uint32_t *theirs);
 bool     tracer_has_news(tracer *t);            /* true if a picture is not taken yet */
-bool     tracer_is_of(const tracer *t, const tp_world *world);      /* true if equal */
+bool tracer_has_same_world(const tracer *t, const tp_world *world); /* true if equal */
 
 /* Returns the pass in progress, and its percentage; TRACER_NONE: all passes are
  * finished. */

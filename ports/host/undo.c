@@ -7,7 +7,7 @@
 #include <string.h>
 #include "say.h"
 
-static const tp_param *param_of(uint32_t row)
+static const tp_param *row_param(uint32_t row)
 {
     uint32_t count;
     return &tp_params(&count)[row];
@@ -61,7 +61,7 @@ static void part(edits *e, const stage *s, uint32_t row)
  * set_at back. */
 static void keep_origin(edits *e, stage *s, edit *new)
 {
-    const tp_param *param = param_of(new->row);
+    const tp_param *param = row_param(new->row);
     const stage_value *from = e->open ? &edits_last(e)->before.value : &new->before.value;
     if (tp_param_is_file(param) || strcmp(from->text, new->after.value.text) != 0)
         return;
@@ -71,7 +71,7 @@ static void keep_origin(edits *e, stage *s, edit *new)
 int undo_set(edits *e, stage *s, const options *o, const undo_change *change,
              const char *text, bool *opened)
 {
-    const tp_param *param = param_of(change->row);
+    const tp_param *param = row_param(change->row);
     char setting[64 + TP_NAME_BYTES + 64];
     part(e, s, change->row);
     edit new = { .row = change->row, .line = change->line, .line_end = change->line_end };
@@ -113,11 +113,11 @@ undo_result undo_back(edits *e, stage *s, const options *o, edit **done, bool *o
     if (!last)
         return UNDO_NOTHING;
     const edit_world *before = last->before.world, *after = last->after.world;
-    const stage_value now = stage_get(s, param_of(last->row));
+    const stage_value now = stage_get(s, row_param(last->row));
     const bool stood = before && after && still_stands(s, after)
                     && same_value(&now, &last->after.value);
     copy_camera(&camera, s->world);
-    if (stage_put(s, o, "undo", param_of(last->row), &last->before.value, opened)) {
+    if (stage_put(s, o, "undo", row_param(last->row), &last->before.value, opened)) {
         (void)edits_redo(e);
         return UNDO_REFUSED;
     }
@@ -130,7 +130,7 @@ undo_result undo_again(edits *e, stage *s, const options *o, edit **done, bool *
     const edit *next = *done = edits_redo(e);
     if (!next)
         return UNDO_NOTHING;
-    if (stage_put(s, o, "redo", param_of(next->row), &next->after.value, opened)) {
+    if (stage_put(s, o, "redo", row_param(next->row), &next->after.value, opened)) {
         (void)edits_undo(e);
         return UNDO_REFUSED;
     }

@@ -8,7 +8,7 @@ static uint32_t least(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-static uint32_t index_of(const kms_heads *all, uint32_t crtc)
+static uint32_t crtc_index(const kms_heads *all, uint32_t crtc)
 {
     for (uint32_t i = 0; crtc && i < all->n_crtcs; i++)
         if (all->crtcs[i] == crtc)
@@ -41,7 +41,7 @@ static bool read_head(int card, kms_heads *all, uint32_t connector)
             continue;
         h->crtcs |= e.possible_crtcs;
         if (e.encoder_id == c.encoder_id)
-            h->crtc = index_of(all, e.crtc_id);
+            h->crtc = crtc_index(all, e.crtc_id);
     }
     return true;
 }
@@ -54,7 +54,7 @@ static uint32_t busy_crtcs(int card, const kms_heads *all, const uint32_t *encod
         struct drm_mode_get_encoder e = { .encoder_id = encoders[i] };
         uint32_t crtc = KMS_OFF;
         if (kms_ask(card, DRM_IOCTL_MODE_GETENCODER, &e))
-            crtc = index_of(all, e.crtc_id);
+            crtc = crtc_index(all, e.crtc_id);
         busy |= crtc == KMS_OFF ? 0 : 1u << crtc;
     }
     return busy;

@@ -98,7 +98,7 @@ size_t lcd_bytes(const lcd_config *config, lcd_status *why)
 
 /* -- commands ----------------------------------------------------------------------- */
 
-static lcd_status wait_for(lcd *l, lcd_until until)
+static lcd_status await_wires(lcd *l, lcd_until until)
 {
     const lcd_wires *w = &l->config.wires;
     return !w->wait || w->wait(w->user, until) ? LCD_OK : LCD_E_BLOCKED;
@@ -107,7 +107,7 @@ static lcd_status wait_for(lcd *l, lcd_until until)
 /* Waits until no transfer is in progress. */
 static lcd_status settle(lcd *l)
 {
-    const lcd_status status = l->flying ? wait_for(l, LCD_SENT) : LCD_OK;
+    const lcd_status status = l->flying ? await_wires(l, LCD_SENT) : LCD_OK;
     l->flying = status != LCD_OK;
     return status;
 }
@@ -147,7 +147,7 @@ static lcd_status run(lcd *l, lcd_script script)
         if (flags & LCD_PAUSE)
             l->config.wires.pause(l->config.wires.user, *at++);
         if (flags & LCD_BUSY)
-            TRY(wait_for(l, LCD_IDLE));
+            TRY(await_wires(l, LCD_IDLE));
     }
     return LCD_OK;
 }

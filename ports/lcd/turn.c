@@ -10,7 +10,7 @@ static unsigned bit(const tp_tile *t, uint32_t x, uint32_t y)
 }
 
 /* Returns the picture's pixel at (x, y) of the turned picture. */
-static unsigned bit_from(const tp_tile *t, const tp_config *picture, unsigned turn,
+static unsigned sample_turned_bit(const tp_tile *t, const tp_config *picture, unsigned turn,
                          uint32_t x, uint32_t y)
 {
     const uint32_t right = picture->width - 1, below = picture->height - 1;
@@ -45,7 +45,8 @@ tp_tile lcd_turned(const tp_tile *tile, const tp_config *picture, unsigned turn,
             to[i] = 0;
         for (uint32_t x = turned.x0; x < turned.x1; x++)
             to[(x - turned.x0) / 8] |=
-                (uint8_t)(bit_from(tile, picture, turn & 3, x, y) << (7 - (x - turned.x0) % 8));
+                (uint8_t)(sample_turned_bit(tile, picture, turn & 3, x, y)
+                          << (7 - (x - turned.x0) % 8));
     }
     return turned;
 }

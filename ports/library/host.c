@@ -10,28 +10,28 @@
 #include "../host/path.h"
 #include "../host/say.h"
 
-void host_before(host_call *call, tp_host_error *err)
+void host_call_begin(host_call *call, tp_host_error *err)
 {
     call->err = err ? err : &call->own;
-    say_into(call->err->text, sizeof call->err->text);
+    say_redirect(call->err->text, sizeof call->err->text);
 }
 
-void host_after(void)
+void host_call_end(void)
 {
-    say_into(NULL, 0);
+    say_redirect(NULL, 0);
 }
 
 /* -- a scene ----------------------------------------------------------------------- */
 
 /* Returns the path to open.  A plain word is a file in the current folder, never a
  * shipped scene. */
-static char *path_of(const char *path)
+static char *explicit_path(const char *path)
 {
     const bool plain = !strchr(path, '/') && !path_ends(path, ".ini");
     return plain ? path_join(".", path, "") : path_copy(path, strlen(path));
 }
 
-static options options_of(const char *path, const tp_host_config *config)
+static options make_options(const char *path, const tp_host_config *config)
 {
     const bool sized = config->width || config->height;
     return (options){ .scene = path,
@@ -48,7 +48,8 @@ static int check(const options *o)
                                .height = o->height,
                                .format = o->format };
     tp_error err = { 0 };
-    return tp_config_check(&config, NULL, &err) ? fail_at("tp_host_open", &err) : EXIT_DONE;
+    return tp_config_check(&config, NULL, &err) ? fail_with_error("tp_host_open", &err)
+                                                : EXIT_DONE;
 }
 
 static int load(tp_host *h)
@@ -65,9 +66,9 @@ static int load(tp_host *h)
 static tp_host *open_path(const char *path, const tp_host_config *config)
 {
     tp_host *h = calloc(1, sizeof *h);
-    char *name = path_of(path);
+    char *name = explicit_path(path);
     if (h && name)
-        h->options = options_of(name, config);
+        h->options = make_options(name, config);
     else
         fail_memory(sizeof *h);
     const int code = h && name ? load(h) : EXIT_INPUT;
@@ -81,11 +82,11 @@ static tp_host *open_path(const char *path, const tp_host_config *config)
 tp_host *tp_host_open(const char *path, const tp_host_config *config, tp_host_error *err)
 {
     host_call call;
-    host_before(&call, err);
+    host_call_begin(&call, err);
     tp_host *h = path ? open_path(path, config ? config : &(tp_host_config){ 0 }) : NULL;
     if (!path)
         say("tp_host_open: no path is given");
-    host_after();
+    host_call_end();
     return h;
 }
 
@@ -109,7 +110,7 @@ const tp_assets *tp_host_assets(const tp_host *host)
 
 /* -- values ------------------------------------------------------------------------ */
 
-static char *setting_of(const char *name, const char *value)
+static char *format_setting(const char *name, const char *value)
 {
     const size_t bytes = strlen(name) + strlen(value) + 2;
     char *setting = malloc(bytes);
@@ -137,11 +138,11 @@ static int set(tp_host *h, const char *name, const char *setting)
 bool tp_host_set(tp_host *host, const char *name, const char *value, tp_host_error *err)
 {
     host_call call;
-    host_before(&call, err);
-    char *setting = setting_of(name, value);
+    host_call_begin(&call, err);
+    char *setting = format_setting(name, value);
     const int code = setting ? set(host, name, setting) : EXIT_INPUT;
     free(setting);
-    host_after();
+    host_call_end();
     return !code;
 }
 
@@ -213,7 +214,7 @@ static bool has_pool(const tp_host *host)
 
 bool tp_host_poke(tp_host *host, tp_fx x, tp_fx z)
 {
-    const tp_push push = poke_at(&host->stage.file.scene, x, z);
+    const tp_push push = poke_make_push(&host->stage.file.scene, x, z);
     return has_pool(host) && poke_add(&host->pokes, &push);
 }
 

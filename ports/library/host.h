@@ -16,7 +16,7 @@ struct tp_host {
     tp_host_picture picture;
 };
 
-/* Between host_before and host_after this thread's messages go to *err, or nowhere. */
+/* Between host_call_begin and host_call_end this thread's messages go to *err, or nowhere. */
 typedef struct {
     tp_host_error *err, own;
 } host_call;
@@ -25,6 +25,6 @@ typedef struct {
  * said. */
 int host_follow(tp_host *host);
 
-void host_before(host_call *call, tp_host_error *err);
-void host_after(void);
+void host_call_begin(host_call *call, tp_host_error *err);
+void host_call_end(void);
 #endif

@@ -46,13 +46,13 @@ static bool begin(tp_host *h, tp_host_way way)
 bool tp_host_look(tp_host *host, tp_host_way way, tp_host_error *err)
 {
     host_call call;
-    host_before(&call, err);
+    host_call_begin(&call, err);
     const bool done = begin(host, way);
-    host_after();
+    host_call_end();
     return done;
 }
 
-tp_host_way tp_host_way_of(const tp_host *host)
+tp_host_way tp_host_get_way(const tp_host *host)
 {
     return (tp_host_way)host->look.mode;
 }

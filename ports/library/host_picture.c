@@ -37,7 +37,7 @@ static int end(FILE *file, int error)
     return error ? error : closed;
 }
 
-static int write_to(const picture *p, const char *path)
+static int write_png(const picture *p, const char *path)
 {
     FILE *file = fopen(path, "wb");
     return file ? end(file, picture_put_png(p, file)) : errno;
@@ -86,7 +86,7 @@ static int save(const picture *p, const char *path)
 {
     struct stat there;
     if (lstat(path, &there) == 0 && !S_ISREG(there.st_mode))
-        return write_to(p, path);
+        return write_png(p, path);
     const size_t bytes = strlen(path) + 40;
     char *temporary = malloc(bytes);
     const int error = temporary ? replace(p, path, temporary, bytes) : ENOMEM;
@@ -97,11 +97,11 @@ static int save(const picture *p, const char *path)
 bool tp_host_save_png(tp_host *host, const char *path, tp_host_error *err)
 {
     host_call call;
-    host_before(&call, err);
+    host_call_begin(&call, err);
     const int error =
         tp_host_draw(host) ? save(&host->stage.canvas.picture, path) : ENOMEM;
     if (error)
         say("%s: %s", path, strerror(error));
-    host_after();
+    host_call_end();
     return !error;
 }

@@ -51,7 +51,7 @@ static int refuse(const screen *s, const char *what)
 
 /* -- detection ------------------------------------------------------------------- */
 
-static channel channel_of(const struct fb_bitfield *field)
+static channel make_channel(const struct fb_bitfield *field)
 {
     return (channel){ (uint8_t)(field->offset < 255 ? field->offset : 255),
                       (uint8_t)(field->length < 255 ? field->length : 255) };
@@ -68,9 +68,9 @@ static bool describe(screen *s)
         return false;
     s->layout = (layout){
         .bits = v->bits_per_pixel, .indexed = indexed, .grey = v->grayscale == 1,
-        .big = machine_is_big(), .red = channel_of(&v->red),
-        .green = channel_of(&v->green), .blue = channel_of(&v->blue),
-        .spare = channel_of(&v->transp),
+        .big = machine_is_big(), .red = make_channel(&v->red),
+        .green = make_channel(&v->green), .blue = make_channel(&v->blue),
+        .spare = make_channel(&v->transp),
     };
     return layout_known(&s->layout);
 }

@@ -67,7 +67,7 @@ static tp_vec3 along(tp_vec3 from, tp_dir3 back, int64_t far)
 }
 
 /* Returns the distance of a point ahead of the camera, m; each product is at most 2^61. */
-static int64_t ahead_of(const tp_camera *camera, tp_vec3 place)
+static int64_t forward_distance(const tp_camera *camera, tp_vec3 place)
 {
     const tp_dir3 *back = &camera->turn.z;
     const int64_t x = (int64_t)place.x - camera->eye.x;
@@ -84,7 +84,7 @@ static bool sees_boat(const tp_camera *camera, const tp_world *world,
 {
     if (!scene->boat.mesh[0])
         return false;
-    *far = ahead_of(camera, world->boat.place);
+    *far = forward_distance(camera, world->boat.place);
     const tp_vec3 foot = along(camera->eye, camera->turn.z, -*far);
     const int64_t off = tp_vec3_length((tp_vec3){
         tp_fx_minus(world->boat.place.x, foot.x),
@@ -110,7 +110,7 @@ static int64_t aim(look *l, const tp_camera *camera, const tp_world *world,
     if (l->with_boat)
         return far;
     if (tp_world_pick(&tp_program_all, world, scene, side, side, middle, middle, &at))
-        far = ahead_of(camera, at);
+        far = forward_distance(camera, at);
     else
         far = most;
     return far < most ? far : most;
@@ -139,7 +139,7 @@ static void leave_deck(look *l, const tp_world *world, const tp_scene *scene)
     l->pitch = ROUND_PITCH;
 }
 
-static void begin_around(look *l, const tp_world *world, const tp_scene *scene)
+static void begin_orbit(look *l, const tp_world *world, const tp_scene *scene)
 {
     const tp_camera camera = tp_world_camera(world);
     const int64_t far = aim(l, &camera, world, scene);
@@ -157,7 +157,7 @@ static void begin_around(look *l, const tp_world *world, const tp_scene *scene)
 
 /* -- modes -------------------------------------------------------------------------- */
 
-static void begin_at(look *l, tp_vec3 eye, tp_turn heading, tp_turn pitch)
+static void begin_first_person(look *l, tp_vec3 eye, tp_turn heading, tp_turn pitch)
 {
     l->about = eye;
     l->away = 0;
@@ -182,12 +182,12 @@ bool look_begin(look *l, look_mode mode, const tp_world *world, const tp_scene *
     l->mode = mode;
     l->jump = true;
     if (mode == LOOK_FREE)
-        begin_at(l, l->free_eye, l->free_heading, l->free_pitch);
+        begin_first_person(l, l->free_eye, l->free_heading, l->free_pitch);
     else if (mode == LOOK_BOAT)
-        begin_at(l, (tp_vec3){ 0, tp_fx_mul(length, DECK_Y), tp_fx_mul(length, DECK_Z) },
+        begin_first_person(l, (tp_vec3){ 0, tp_fx_mul(length, DECK_Y), tp_fx_mul(length, DECK_Z) },
                  0, DECK_PITCH);
     else
-        begin_around(l, world, scene);
+        begin_orbit(l, world, scene);
     return true;
 }
 
@@ -247,7 +247,7 @@ static void go_with_boat(look *l, const tp_world *world, const tp_scene *scene)
  * sines at most 2^30 (Q2.30), and `one` is about 2^30. */
 static void lead(const look *l, const tp_world *world, tp_input *input)
 {
-    const tp_rotation turn = tp_rotation_of(l->heading, l->pitch, 0);
+    const tp_rotation turn = tp_rotation_from_angles(l->heading, l->pitch, 0);
     const tp_vec3 eye = along(l->about, turn.z, l->away);
     const int64_t dx = (int64_t)held(eye.x, PLACE_MOST) - world->eye.x;
     const int64_t dz = (int64_t)held(eye.z, PLACE_MOST) - world->eye.z;

@@ -25,11 +25,11 @@ tp_push poke_point(const tp_scene *scene, uint32_t number)
 
     if (!pool || number >= POKE_POINTS)
         return (tp_push){ .height = 0 };
-    return poke_at(scene, place(pool->x, pool->cols, pool->cell, column),
-                   place(pool->z, pool->rows, pool->cell, number < 3 ? -1 : 1));
+    return poke_make_push(scene, place(pool->x, pool->cols, pool->cell, column),
+                          place(pool->z, pool->rows, pool->cell, number < 3 ? -1 : 1));
 }
 
-tp_push poke_at(const tp_scene *scene, tp_fx x, tp_fx z)
+tp_push poke_make_push(const tp_scene *scene, tp_fx x, tp_fx z)
 {
     const tp_scene_pool *pool = poked(scene);
 
@@ -38,7 +38,7 @@ tp_push poke_at(const tp_scene *scene, tp_fx x, tp_fx z)
 
 /* -- input of a tick ----------------------------------------------------------------- */
 
-static uint32_t room_of(const tp_input *input)
+static uint32_t count_free_pushes(const tp_input *input)
 {
     uint32_t room = 0;
 
@@ -82,12 +82,12 @@ void poke_stir(poke_queue *queue, tp_fx x, tp_fx z)
  * evenly, its end included.  Without any room the path waits. */
 static void take_path(poke_queue *queue, const tp_scene *scene, tp_input *input)
 {
-    const uint32_t room = room_of(input);
+    const uint32_t room = count_free_pushes(input);
     const uint32_t n = queue->places < room ? queue->places : room;
 
     for (uint32_t i = 0; i < n; i++) {
         const uint32_t at = (i + 1) * queue->places / n - 1;
-        tp_push push = poke_at(scene, queue->path[at].x, queue->path[at].z);
+        tp_push push = poke_make_push(scene, queue->path[at].x, queue->path[at].z);
         push.height /= STIR * (tp_fx)n;
         poke_put(input, &push);
     }

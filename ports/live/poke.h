@@ -20,7 +20,7 @@
 tp_push poke_point(const tp_scene *scene, uint32_t number);
 
 /* Returns a poke at (x, z), m; height 0 without pool and field. */
-tp_push poke_at(const tp_scene *scene, tp_fx x, tp_fx z);
+tp_push poke_make_push(const tp_scene *scene, tp_fx x, tp_fx z);
 
 /* Adds a poke to an input.  Returns false if the input has no free place. */
 bool poke_put(tp_input *input, const tp_push *push);

@@ -7,7 +7,7 @@
  * AArch64's ESR on both architectures.  A semihosting trap without a debugger or emulator
  * also arrives here and returns -1. */
     .section .start, "ax"
-    .global _start, barrier, map_on, semihost
+    .global _start, barrier, map_enable, semihost
 
 #ifdef __aarch64__
 _start:
@@ -47,7 +47,7 @@ barrier:
     dsb     sy
     ret
 
-map_on:
+map_enable:
     msr     ttbr0_el1, x0
     ldr     x0, =0x0444ff               /* 0: cached; 1: uncached; 2: device */
     msr     mair_el1, x0
@@ -135,7 +135,7 @@ barrier:
     BARRIER
     bx      lr
 
-map_on:
+map_enable:
     mov     r1, #1
     mcr     p15, 0, r1, c3, c0, 0       /* one domain, permissions checked */
     mov     r1, #0

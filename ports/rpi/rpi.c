@@ -191,7 +191,7 @@ static void work_begin(work *w, const screen *s)
                              .assets = &baked_assets };
     const size_t bytes = tp_frame_bytes(&w->config, &scene);
     const size_t world_bytes = tp_world_bytes(&tp_program_all, &scene, &baked_assets);
-    tp_arena arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
+    tp_arena arena = tp_arena_init(arena_start, (size_t)(arena_end - arena_start));
     void    *block = tp_arena_take(&arena, 1, bytes);
     tp_error err;
 

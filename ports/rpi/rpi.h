@@ -16,7 +16,7 @@ extern uint8_t arena_start[], arena_end[];      /* all remaining memory, aligned
  * semihosting call to the emulator or debugger, -1 if none answers (Arm's "Semihosting for
  * AArch32 and AArch64"). */
 void     barrier(void);
-void     map_on(const void *table);
+void     map_enable(const void *table);
 intptr_t semihost(uint32_t operation, const void *argument);
 
 /* start.c */

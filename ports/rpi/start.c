@@ -27,7 +27,7 @@ _Noreturn void fault(uint32_t class, uintptr_t pc, uintptr_t address);
 enum { NOBODYS, CACHED, BARE, DEVICE };
 
 #ifdef __aarch64__
-/* Level 2 blocks: valid, attribute index of map_on, shared, accessed.  BARE and DEVICE are
+/* Level 2 blocks: valid, attribute index of map_enable, shared, accessed.  BARE and DEVICE are
  * not executable. */
 #define BLOCK   0x200000u
 #define ENTRIES 512
@@ -48,7 +48,7 @@ static const entry kinds[] = {
 
 static _Alignas(sizeof(entry) * ENTRIES) entry map[ENTRIES];
 
-static int kind_of(uintptr_t address)
+static int memory_kind(uintptr_t address)
 {
     const uintptr_t registers = (uintptr_t)peripherals;
     if (address >= (uintptr_t)hole_start && address < (uintptr_t)stack_low)
@@ -64,11 +64,11 @@ static void make_map(void)
 {
     for (uint32_t i = 0; i < ENTRIES; i++) {
         const uintptr_t address = (uintptr_t)i * BLOCK;
-        const int kind = kind_of(address);
+        const int kind = memory_kind(address);
         map[i] = kind == NOBODYS ? 0 : (entry)address | kinds[kind];
     }
     barrier();
-    map_on(map);
+    map_enable(map);
 }
 
 /* -- start and end ---------------------------------------------------------------- */

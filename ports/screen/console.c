@@ -29,7 +29,7 @@ static bool is_vt(int fd)
 
 /* Returns the number of an open virtual terminal, independent of the name used; 0 if
  * unknown. */
-static int number_of(int fd)
+static int terminal_number(int fd)
 {
     unsigned device = 0;
     if (ioctl(fd, TIOCGDEV, &device) || major(device) != TTY_MAJOR || minor(device) > VTS)
@@ -94,7 +94,7 @@ int console_open(console *c)
         return EXIT_DONE;
     if (c->vt != STDIN_FILENO)
         add_keys(c, 1, c->vt);
-    c->number = number_of(c->vt);
+    c->number = terminal_number(c->vt);
     if (ioctl(c->vt, KDGETMODE, &c->mode) || ioctl(c->vt, VT_GETMODE, &c->switching)) {
         const int error = errno;
         console_close(c);

@@ -6,7 +6,7 @@
 #include "pixel/pixel.h"
 #include <string.h>
 
-static uint32_t mask_of(channel c)
+static uint32_t channel_mask(channel c)
 {
     return c.length ? (uint32_t)((((uint64_t)1 << c.length) - 1) << c.offset) : 0;
 }
@@ -18,8 +18,8 @@ static bool fits(const layout *l, channel c)
 
 static bool overlap(const layout *l)
 {
-    const uint32_t of[] = { mask_of(l->red), mask_of(l->green), mask_of(l->blue),
-                            mask_of(l->spare) };
+    const uint32_t of[] = { channel_mask(l->red), channel_mask(l->green),
+                            channel_mask(l->blue), channel_mask(l->spare) };
     uint32_t seen = 0;
     for (int i = 0; i < 4; i++) {
         if (seen & of[i])
@@ -93,7 +93,7 @@ static uint32_t put(channel c, uint32_t value)
 static uint32_t pack(const layout *l, uint32_t rgb)
 {
     return put(l->red, rgb >> 16 & 255) | put(l->green, rgb >> 8 & 255)
-         | put(l->blue, rgb & 255) | mask_of(l->spare);
+           | put(l->blue, rgb & 255) | channel_mask(l->spare);
 }
 
 static void store(const layout *l, uint8_t *to, uint32_t pixel)
@@ -145,7 +145,7 @@ void layout_row(const layout *l, void *to, const picture *p, uint32_t y)
         return;
     }
     if (is_words(l, p->format)) {
-        copy_words(to, row, p->width, mask_of(l->spare));
+        copy_words(to, row, p->width, channel_mask(l->spare));
         return;
     }
     for (uint32_t x = 0; x < p->width; x++, at += bytes) {

@@ -192,7 +192,7 @@ static int switch_console(loop *l)
 }
 
 /* Waits for an event, at most until the next tick. */
-static int wait_for(loop *l)
+static int wait_events(loop *l)
 {
     const screen_port *port = l->what->port;
     struct pollfd fds[CONSOLE_KEYS + 1];
@@ -234,7 +234,7 @@ static keep_at place(const loop *l)
 
 static int turn(loop *l)
 {
-    int code = wait_for(l);
+    int code = wait_events(l);
     if (!code)
         code = prepare(l);
     const uint64_t now = now_us();
@@ -256,7 +256,7 @@ static int skip(loop *l)
     while (l->what->counted && l->frame < l->what->first && !l->over && !code) {
         step(l);
         if (l->frame % LOOK_FRAMES == 0)
-            code = wait_for(l);
+            code = wait_events(l);
     }
     l->clock = l->kept_at = now_us();
     l->owed = 0;

@@ -50,7 +50,7 @@ static int prepare(void *user, uint32_t width, uint32_t height, tp_format format
     d->block = claim(bytes);
     d->scratch = claim(tp_frame_direct_scratch_bytes(&config, &baked_scene));
     if (tp_frame_init(&d->frame, &config, &baked_scene, d->block, bytes, &err))
-        return fail_at("screen", &err);
+        return fail_with_error("screen", &err);
     return EXIT_DONE;
 }
 
@@ -154,6 +154,6 @@ int main(int argc, char **argv)
     s.world = claim(s.world_bytes);
     if (tp_world_init(&tp_program_all, s.world, s.world_bytes, &baked_scene,
                       &baked_assets, &err))
-        return fail_at("screen", &err);
+        return fail_with_error("screen", &err);
     return show_run(&s);
 }

@@ -63,7 +63,7 @@ static void give_back(watch *w)
 
 /* Ends by the signal with the default action.  No core dump: the parent's would tell
  * nothing. */
-static void die_of(int signal)
+static void die_by_signal(int signal)
 {
     sigset_t set;
     struct sigaction plain = { .sa_handler = SIG_DFL };
@@ -95,7 +95,7 @@ static void child_run(watch *w, const sigset_t *before)
         give_back(w);
     }
     if (signal)
-        die_of(signal);
+        die_by_signal(signal);
     _exit(code);
 }
 
@@ -116,7 +116,7 @@ static void watched_signals(sigset_t *set)
 
 /* Waits for the child's end.  Returns its exit code; *by: the signal that ended it, or,
  * if it had to be killed, the signal it was sent before; 0 if none. */
-static int wait_for(const watch *w, const sigset_t *set, int *by)
+static int wait_child(const watch *w, const sigset_t *set, int *by)
 {
     const struct timespec patience = { w->what->keep ? WRITING_S : PATIENCE_S, 0 };
     int status, asked = 0;
@@ -151,12 +151,12 @@ static int watch_run(watch *w)
         child_run(w, &before);
     const int error = errno;
     int by = 0;
-    const int code = w->child < 0 ? EXIT_INPUT : wait_for(w, &set, &by);
+    const int code = w->child < 0 ? EXIT_INPUT : wait_child(w, &set, &by);
     give_back(w);
     if (w->child < 0)
         return fail(EXIT_INPUT, "tidepool: no process to draw in: %s", strerror(error));
     if (by)
-        die_of(by);
+        die_by_signal(by);
     sigprocmask(SIG_SETMASK, &before, NULL);
     return code;
 }

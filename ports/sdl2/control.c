@@ -44,7 +44,7 @@ static void add_place(control *c, int x, int y, bool stir)
     c->place[at] = (control_place){ x, y, stir };
 }
 
-static void button_down(control *c, const SDL_MouseButtonEvent *event)
+static void press_button(control *c, const SDL_MouseButtonEvent *event)
 {
     if (event->button == SDL_BUTTON_LEFT) {
         c->turning = true;
@@ -54,7 +54,7 @@ static void button_down(control *c, const SDL_MouseButtonEvent *event)
     }
 }
 
-static void button_up(control *c, const SDL_MouseButtonEvent *event)
+static void release_button(control *c, const SDL_MouseButtonEvent *event)
 {
     if (event->button == SDL_BUTTON_LEFT)
         c->turning = false;
@@ -78,8 +78,8 @@ bool control_event(control *c, const SDL_Event *event, uint64_t now)
     case SDL_QUIT:            c->quit = true; break;
     case SDL_WINDOWEVENT:     window_event(c, &event->window, now); break;
     case SDL_MOUSEMOTION:     moved(c, &event->motion); break;
-    case SDL_MOUSEBUTTONDOWN: button_down(c, &event->button); break;
-    case SDL_MOUSEBUTTONUP:   button_up(c, &event->button); break;
+    case SDL_MOUSEBUTTONDOWN: press_button(c, &event->button); break;
+    case SDL_MOUSEBUTTONUP:   release_button(c, &event->button); break;
     case SDL_MOUSEWHEEL:      c->wheel += event->wheel.y; break;
     case SDL_DROPFILE:
         snprintf(c->dropped, sizeof c->dropped, "%s", event->drop.file);

@@ -241,14 +241,14 @@ static bool fits(sheet *s, int cells, int lines)
 }
 
 /* px around the list */
-static int margin_of(const form *f)
+static int form_margin(const form *f)
 {
     return (f->full ? 6 : 3) * f->scale;
 }
 
-static bool fits_in(sheet *s, const SDL_Rect *where)
+static bool fits_rectangle(sheet *s, const SDL_Rect *where)
 {
-    const int margin = 2 * margin_of(&s->form);
+    const int margin = 2 * form_margin(&s->form);
     return fits(s, (where->w - margin) / (LETTER_WIDE * s->form.scale),
                 (where->h - margin) / s->form.pitch);
 }
@@ -265,7 +265,7 @@ static bool try_columns(sheet *s, const SDL_Rect *where, int high, int least)
                 s->form.columns = columns;
                 s->form.pitch = pitch * s->form.scale;
                 s->form.whole = whole;
-                if (fits_in(s, where))
+                if (fits_rectangle(s, where))
                     return true;
             }
     return false;
@@ -312,7 +312,7 @@ static void search(sheet *s, const keymap *m, const SDL_Rect *where, int scale)
             return;
     s->form = (form){ .columns = 3, .gutter = 1, .scale = 1, .pitch = LETTER_HIGH - 1 };
     write_lines(s, m);
-    fits_in(s, where);               /* the lines that fit */
+    fits_rectangle(s, where);               /* the lines that fit */
 }
 
 static void draw_column(const sheet *s, letters *l, int c, int x, int y)
@@ -348,7 +348,7 @@ void overlay_help(letters *l, const SDL_Rect *where, int scale, const keymap *ke
 {
     const sheet *s = chosen(keys, where, SDL_clamp(scale, 1, LETTER_SCALES));
     const form *f = &s->form;
-    const int cell = LETTER_WIDE * f->scale, margin = margin_of(f);
+    const int cell = LETTER_WIDE * f->scale, margin = form_margin(f);
     const int wide = s->across * cell + 2 * margin, high = s->rows * f->pitch + 2 * margin;
     int x = where->x + SDL_max((where->w - wide) / 2, 0) + margin;
     int y = where->y + SDL_max((where->h - high) / 2, 0) + margin;

@@ -30,7 +30,7 @@ static void key_name(SDL_Scancode code, char name[NAME_BYTES])
 
 /* Returns the scancode of a name.  An INI file cannot hold the name ";", since a
  * semicolon begins a comment: "Semicolon" stands for it. */
-static SDL_Scancode key_of(const char *word)
+static SDL_Scancode parse_key(const char *word)
 {
     char name[NAME_BYTES];
     if (strcasecmp(word, "Semicolon") == 0)
@@ -73,7 +73,7 @@ static keymap_key key_read(const char *word, const char **rest)
             key.shift = true;
         else
             break;
-    key.code = key_of(word);
+    key.code = parse_key(word);
     *rest = word;
     return key;
 }
@@ -99,7 +99,7 @@ static void write_text(keymap *m, action of)
 static void refuse_key(const char *word, char wrong[WRONG_BYTES])
 {
     char name[NAME_BYTES], best_name[NAME_BYTES] = "";
-    nearest best = nearest_to(word);
+    nearest best = nearest_make(word);
     for (int i = 1; i < SDL_NUM_SCANCODES; i++) {
         const unsigned before = best.distance;
         key_name((SDL_Scancode)i, name);
@@ -153,7 +153,7 @@ typedef struct {
 
 static bool refuse_action(const keys_file *file, uint32_t line, const char *name)
 {
-    nearest best = nearest_to(name);
+    nearest best = nearest_make(name);
     for (int of = 0; of < ACTIONS; of++)
         nearest_offer(&best, actions[of].name);
     if (best.name)

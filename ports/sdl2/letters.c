@@ -197,7 +197,7 @@ void letters_again(letters *l)
 /* -- drawing ------------------------------------------------------------------------- */
 
 /* Returns the glyph of a byte; -1 for a UTF-8 continuation byte. */
-static int glyph_of(unsigned char byte)
+static int glyph_index(unsigned char byte)
 {
     if (byte >= FIRST && byte < FIRST + ASCII)
         return byte - FIRST;
@@ -210,7 +210,7 @@ int letters_count(const char *text)
 {
     int n = 0;
     for (; *text; text++)
-        n += glyph_of((unsigned char)*text) >= 0;
+        n += glyph_index((unsigned char)*text) >= 0;
     return n;
 }
 
@@ -226,7 +226,7 @@ void letters_draw(letters *l, int x, int y, int scale, uint32_t colour, const ch
                            (uint8_t)colour);
     SDL_SetTextureAlphaMod(*sheet, (uint8_t)(255 - (colour >> 24)));
     for (; *text; text++) {
-        const int glyph = glyph_of((unsigned char)*text);
+        const int glyph = glyph_index((unsigned char)*text);
         if (glyph > 0) {
             const SDL_Rect from = cell(glyph, size), to = { x, y, from.w, from.h };
             SDL_RenderCopy(l->renderer, *sheet, &from, &to);

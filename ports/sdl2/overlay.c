@@ -76,7 +76,7 @@ static void write_time(sheet *s, uint32_t colour, const panel_time *t)
 
 /* -- the graph ---------------------------------------------------------------------- */
 
-static uint32_t colour_of(float ms, float limit)
+static uint32_t duration_colour(float ms, float limit)
 {
     return ms <= limit ? green : ms <= 2 * limit ? amber : red;
 }
@@ -96,7 +96,7 @@ static void write_graph(sheet *s, const panel_figures *f)
         const float part = SDL_clamp(ms / (2 * f->limit_ms), 0.0f, 1.0f);
         const int bar = SDL_max((int)(part * (float)high), s->scale);
         letters_fill(s->to, s->x + i * s->scale, y + high - bar, s->scale, bar,
-                     colour_of(ms, f->limit_ms), 255);
+                     duration_colour(ms, f->limit_ms), 255);
     }
     letters_fill(s->to, s->x, line, PANEL_HISTORY * s->scale, s->scale, white, 144);
     snprintf(text, sizeof text, "%.1f", (double)f->limit_ms);

@@ -22,14 +22,14 @@ constexpr float LETTERS = 13;           /* font size at scale 1, px */
 
 panel *shown;                           /* one panel: Dear ImGui has one context */
 
-ImU32 ink_of(uint32_t rgb)
+ImU32 pack_ink(uint32_t rgb)
 {
     return IM_COL32(rgb >> 16, rgb >> 8 & 255, rgb & 255, 255);
 }
 
-ImVec4 paint_of(uint32_t rgb)
+ImVec4 make_float_ink(uint32_t rgb)
 {
-    return ImGui::ColorConvertU32ToFloat4(ink_of(rgb));
+    return ImGui::ColorConvertU32ToFloat4(pack_ink(rgb));
 }
 
 } // namespace
@@ -44,14 +44,14 @@ float pen_high(void)                { return ImGui::GetFrameHeight(); }
 float pen_gap(void)                 { return ImGui::GetStyle().ItemSpacing.x; }
 float pen_room(void)                { return ImGui::GetContentRegionAvail().x; }
 void  pen_go(float x, float y)      { ImGui::SetCursorScreenPos(ImVec2(x, y)); }
-void  pen_in(int id)                { ImGui::PushID(id); }
-void  pen_out(void)                 { ImGui::PopID(); }
+void  pen_push_id(int id)                { ImGui::PushID(id); }
+void  pen_pop_id(void)                 { ImGui::PopID(); }
 void  pen_begin(void)               { ImGui::BeginGroup(); }
 void  pen_end(void)                 { ImGui::EndGroup(); }
 void  pen_beside(float gap)         { ImGui::SameLine(0, gap); }
 void  pen_take(float w, float h)    { ImGui::Dummy(ImVec2(w, h)); }
 
-SDL_FPoint pen_at(void)
+SDL_FPoint pen_position(void)
 {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     return SDL_FPoint{ at.x, at.y };
@@ -76,23 +76,23 @@ void pen_indent(bool in)
 void pen_box(float x, float y, float wide, float high, uint32_t colour)
 {
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, y), ImVec2(x + wide, y + high),
-                                              ink_of(colour));
+                                              pack_ink(colour));
 }
 
 void pen_write(float x, float y, uint32_t colour, const char *text)
 {
     const ImVec2 at(SDL_floorf(x), SDL_floorf(y));
-    ImGui::GetWindowDrawList()->AddText(at, ink_of(colour), text);
+    ImGui::GetWindowDrawList()->AddText(at, pack_ink(colour), text);
 }
 
-void pen_write_in(float x, float y, uint32_t colour, const char *text)
+void pen_write_framed(float x, float y, uint32_t colour, const char *text)
 {
     pen_write(x, y + ImGui::GetStyle().FramePadding.y, colour, text);
 }
 
 void pen_say(uint32_t colour, const char *text)
 {
-    ImGui::PushStyleColor(ImGuiCol_Text, ink_of(colour));
+    ImGui::PushStyleColor(ImGuiCol_Text, pack_ink(colour));
     ImGui::TextUnformatted(text);
     ImGui::PopStyleColor();
 }
@@ -163,7 +163,7 @@ bool pen_enter(void)
 
 bool pen_button(const char *id, float wide, bool lit)
 {
-    ImGui::PushStyleColor(ImGuiCol_Button, ink_of(lit ? PEN_FULL : PEN_FRAME));
+    ImGui::PushStyleColor(ImGuiCol_Button, pack_ink(lit ? PEN_FULL : PEN_FRAME));
     const bool pressed = ImGui::Button(id, ImVec2(wide, pen_high()));
     ImGui::PopStyleColor();
     return pressed;
@@ -176,7 +176,7 @@ bool pen_check(const char *id, bool *on)
 
 bool pen_swatch(const char *id, uint32_t rgb, float wide)
 {
-    return ImGui::ColorButton(id, paint_of(rgb), ImGuiColorEditFlags_NoTooltip
+    return ImGui::ColorButton(id, make_float_ink(rgb), ImGuiColorEditFlags_NoTooltip
                               | ImGuiColorEditFlags_NoDragDrop, ImVec2(wide, pen_high()));
 }
 
@@ -237,7 +237,7 @@ bool pen_pick(uint32_t *rgb)
 {
     if (!ImGui::BeginPopup("pick"))
         return false;
-    const ImVec4 was = paint_of(*rgb);
+    const ImVec4 was = make_float_ink(*rgb);
     float c[3] = { was.x, was.y, was.z };
     ImGui::SetNextItemWidth(pen_px(180));
     const bool moved = ImGui::ColorPicker3("##pick", c, ImGuiColorEditFlags_NoSidePreview
@@ -287,7 +287,7 @@ void paint(ImGuiStyle &style)
         { ImGuiCol_NavHighlight, PEN_SEA }, { ImGuiCol_TextSelectedBg, PEN_FULL },
     };
     for (const auto &c : colours)
-        style.Colors[c.of] = paint_of(c.by);
+        style.Colors[c.of] = make_float_ink(c.by);
     style.Colors[ImGuiCol_ChildBg] = style.Colors[ImGuiCol_SliderGrab]
         = style.Colors[ImGuiCol_SliderGrabActive] = ImVec4(0, 0, 0, 0);
 }
@@ -507,7 +507,7 @@ panel *panel_open(SDL_Window *window, SDL_Renderer *renderer, const panel_host *
     p->scale = 1;
     p->typing = p->sliding = p->tip = -1;
     p->scene = p->to_open = UINT32_MAX;
-    p->groups = panel_groups_of(host, p->group);
+    p->groups = panel_groups_collect(host, p->group);
     ink_begin(&p->pen, renderer);
     p->imgui = ImGui::CreateContext();
     ImGuiIO &io = ImGui::GetIO();

@@ -21,7 +21,7 @@ static float highest(const panel_figures *f, uint32_t n)
 static void show_graph(const panel_figures *f)
 {
     char text[32];
-    const SDL_FPoint at = pen_at();
+    const SDL_FPoint at = pen_position();
     const float wide = pen_room(), high = pen_px(60);
     const uint32_t n = SDL_min(f->pictures, (uint32_t)PANEL_HISTORY);
     const float top = highest(f, n);
@@ -46,7 +46,7 @@ static void show_graph(const panel_figures *f)
 static void show_time(const panel_time *t)
 {
     char text[32], name[PANEL_NAME];
-    const SDL_FPoint at = pen_at();
+    const SDL_FPoint at = pen_position();
     const float wide = pen_room(), high = pen_letter_high() + pen_px(2);
     const float share = SDL_clamp(t->share, 0.0f, 1.0f);
     snprintf(text, sizeof text, "%.0f us %3.0f%%", (double)t->mean, (double)share * 100);
@@ -68,7 +68,7 @@ static void show_times(const panel_time *time, uint32_t count)
 /* Columns separated by tabs; the last column takes the remaining width. */
 static void show_columns(char *line)
 {
-    const float left = pen_at().x;
+    const float left = pen_position().x;
     for (int column = 0; line; column++) {
         char *const tab = strchr(line, '\t');
         if (tab)

@@ -157,7 +157,7 @@ static uint64_t add(uint64_t sum, const void *data, size_t bytes)
     return sum;
 }
 
-static uint64_t sum_of(const ink_call *call, int calls, const SDL_Rect *where)
+static uint64_t checksum_calls(const ink_call *call, int calls, const SDL_Rect *where)
 {
     uint64_t sum = add(1, where, sizeof *where);
     const ink_vertex *last = NULL;
@@ -203,7 +203,7 @@ void ink_keep(ink *k, const ink_call *call, int calls, const SDL_Rect *where)
         ink_draw(k, call, calls);
         return;
     }
-    const uint64_t sum = sum_of(call, calls, where);
+    const uint64_t sum = checksum_calls(call, calls, where);
     if (sum != k->sum) {
         k->where = *where;
         draw_kept(k, call, calls, where);

@@ -67,7 +67,7 @@ static bool takes(panel_keys *k, const SDL_Keysym *key)
 
 /* -- the queue ------------------------------------------------------------------- */
 
-static void wait_for(panel_keys *k, const SDL_Event *event)
+static void queue_event(panel_keys *k, const SDL_Event *event)
 {
     if (k->events < PANEL_KEYS)
         k->event[k->events++] = *event;
@@ -79,12 +79,12 @@ static void wait_as(panel_keys *k, const SDL_Event *event, SDL_Scancode code,
     SDL_Event e = *event;
     e.key.keysym.scancode = code;
     e.key.keysym.sym = sym;
-    wait_for(k, &e);
+    queue_event(k, &e);
 }
 
 /* Queues a key press.  Tab becomes an arrow key, to move to the next widget out of a
  * field too. */
-static void wait_for_down(panel_keys *k, const SDL_Event *event)
+static void queue_key_press(panel_keys *k, const SDL_Event *event)
 {
     const SDL_Keysym *const key = &event->key.keysym;
     if (event->key.repeat || (is_plain(key->sym) && !(key->mod & KMOD_CTRL)))
@@ -94,11 +94,11 @@ static void wait_for_down(panel_keys *k, const SDL_Event *event)
     else if (key->sym == SDLK_TAB)
         wait_as(k, event, SDL_SCANCODE_DOWN, SDLK_DOWN);
     else
-        wait_for(k, event);
+        queue_event(k, event);
 }
 
 /* Queues the release of a key under every code its press may have been queued as. */
-static void wait_for_up(panel_keys *k, const SDL_Event *event)
+static void queue_key_release(panel_keys *k, const SDL_Event *event)
 {
     const SDL_Keycode key = event->key.keysym.sym;
     if (key == SDLK_TAB) {
@@ -108,13 +108,13 @@ static void wait_for_up(panel_keys *k, const SDL_Event *event)
     }
     if (key == SDLK_RETURN || key == SDLK_KP_ENTER)
         wait_as(k, event, SDL_SCANCODE_SPACE, SDLK_SPACE);
-    wait_for(k, event);
+    queue_event(k, event);
 }
 
 static bool key_event(panel_keys *k, const SDL_Event *event)
 {
     if (event->type == SDL_KEYUP) {
-        wait_for_up(k, event);
+        queue_key_release(k, event);
         return false;
     }
     k->taken = takes(k, &event->key.keysym);
@@ -123,7 +123,7 @@ static bool key_event(panel_keys *k, const SDL_Event *event)
     if (event->key.keysym.sym == SDLK_ESCAPE && !k->open)
         k->leave = true;
     else
-        wait_for_down(k, event);
+        queue_key_press(k, event);
     return true;
 }
 
@@ -135,7 +135,7 @@ static bool text_event(panel_keys *k, const SDL_Event *event)
     if (k->leave || (!keys_types(k) && !k->taken))
         return false;
     if (strcmp(event->text.text, none) != 0)
-        wait_for(k, event);
+        queue_event(k, event);
     return true;
 }
 
@@ -190,7 +190,7 @@ bool keys_next(panel_keys *k, SDL_Event *event)
 
 /* -- the mouse ------------------------------------------------------------------- */
 
-static bool is_over(const panel_keys *k, int x, int y)
+static bool has_pointer(const panel_keys *k, int x, int y)
 {
     const SDL_Point at = { x, y };
     return SDL_PointInRect(&at, &k->where) || k->over;
@@ -206,15 +206,15 @@ static bool mouse_event(panel_keys *k, const SDL_Event *event)
     switch (event->type) {
     case SDL_MOUSEBUTTONDOWN:
         if ((held & ~(uint32_t)SDL_BUTTON(event->button.button)) == 0)
-            k->held = is_over(k, event->button.x, event->button.y);
+            k->held = has_pointer(k, event->button.x, event->button.y);
         k->leave |= !k->held && (k->here || k->writes);
         return k->held;
     case SDL_MOUSEBUTTONUP:
         return k->held;
     case SDL_MOUSEMOTION:
-        return held ? k->held : is_over(k, event->motion.x, event->motion.y);
+        return held ? k->held : has_pointer(k, event->motion.x, event->motion.y);
     default:
-        return held ? k->held : is_over(k, x, y);
+        return held ? k->held : has_pointer(k, x, y);
     }
 }
 

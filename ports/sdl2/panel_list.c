@@ -15,11 +15,11 @@ static bool show_head(const char *name, uint32_t number, bool forced)
     const SDL_FRect at = pen_last();
     if (number > 0)
         snprintf(text, sizeof text, "%u", (unsigned)number);
-    pen_write_in(at.x + at.w - pen_wide(text) - pen_px(10), at.y, PEN_DIM, text);
+    pen_write_framed(at.x + at.w - pen_wide(text) - pen_px(10), at.y, PEN_DIM, text);
     return open;
 }
 
-static panel_find best_of(const panel *p, const panel_group *g)
+static panel_find best_match(const panel *p, const panel_group *g)
 {
     panel_find best = PANEL_LOST;
     for (uint32_t i = g->first; i < g->first + g->count; i++)
@@ -48,7 +48,7 @@ static bool is_searched(const panel *p)
  * again after the search. */
 static void show_group(panel *p, const panel_group *g)
 {
-    pen_in(is_searched(p));
+    pen_push_id(is_searched(p));
     if (show_head(g->name, g->changed, is_searched(p))) {
         pen_indent(true);
         for (uint32_t i = g->first; i < g->first + g->count; i++)
@@ -56,7 +56,7 @@ static void show_group(panel *p, const panel_group *g)
                 panel_row_show(p, i);
         pen_indent(false);
     }
-    pen_out();
+    pen_pop_id();
 }
 
 /* Shows groups found by name first, then groups found by help text alone. */
@@ -64,7 +64,7 @@ static void show_matches(panel *p, bool idle)
 {
     for (panel_find by = PANEL_BY_NAME; by > PANEL_LOST; by--)
         for (uint32_t i = 0; i < p->groups; i++)
-            if (p->group[i].idle == idle && best_of(p, &p->group[i]) == by)
+            if (p->group[i].idle == idle && best_match(p, &p->group[i]) == by)
                 show_group(p, &p->group[i]);
 }
 

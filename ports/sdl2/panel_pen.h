@@ -2,7 +2,7 @@
 /* Drawing and widget functions of the panel, in C; panel.cpp implements them with Dear
  * ImGui.  Lengths are in px of the window, colours 0xRRGGBB.  Widgets are placed one
  * below the other; each is as high as a line of letters with its frame.  `id` is unique
- * between pen_in and pen_out. */
+ * between pen_push_id and pen_pop_id. */
 #ifndef SDL2_PANEL_PEN_H
 #define SDL2_PANEL_PEN_H
 #include <SDL.h>
@@ -30,12 +30,12 @@ float pen_wide(const char *text);
 float pen_high(void);                   /* height of a widget */
 float pen_gap(void);                    /* gap between widgets */
 float pen_room(void);                   /* width left in the line */
-SDL_FPoint pen_at(void);                /* position of the next widget */
+SDL_FPoint pen_position(void);                /* position of the next widget */
 void  pen_go(float x, float y);
 bool  pen_in_sight(float y, float margin);      /* y: top; margin: px out of view */
 
-void  pen_in(int id);
-void  pen_out(void);
+void  pen_push_id(int id);
+void  pen_pop_id(void);
 void  pen_indent(bool in);
 void  pen_begin(void);                  /* begins a group: its widgets count as one */
 void  pen_end(void);
@@ -46,7 +46,8 @@ void  pen_take(float wide, float high); /* reserves room for the following drawi
 
 void  pen_box(float x, float y, float wide, float high, uint32_t colour);
 void  pen_write(float x, float y, uint32_t colour, const char *text);
-void  pen_write_in(float x, float y, uint32_t colour, const char *text);  /* in a frame */
+void pen_write_framed(float x, float y, uint32_t colour,
+                      const char *text);                /* in a frame */
 void  pen_say(uint32_t colour, const char *text);       /* a widget of text */
 void  pen_say_wrapped(uint32_t colour, const char *text);
 void  pen_tip(const char *text);        /* tooltip of the last widget, beside the panel */

@@ -14,7 +14,7 @@ static size_t head_bytes(const char *name)
     return strcspn(name, ".");
 }
 
-uint32_t panel_groups_of(const panel_host *host, panel_group groups[PANEL_GROUPS])
+uint32_t panel_groups_collect(const panel_host *host, panel_group groups[PANEL_GROUPS])
 {
     uint32_t n = 0;
     for (uint32_t i = 0; i < host->rows; i++) {
@@ -120,7 +120,7 @@ bool panel_word(const char *list, uint32_t i, char text[PANEL_TEXT])
 
 /* A linear slider is useless for a range from centimetres to many metres: such a range
  * gets a logarithmic slider (fine > 0). */
-panel_span panel_span_of(const panel_row *row, double value)
+panel_span panel_span_choose(const panel_row *row, double value)
 {
     panel_span s = { row->low, row->high, 0, 1000, row->kind == PANEL_COUNT };
     const double largest = fmax(fabs(s.low), fabs(s.high));

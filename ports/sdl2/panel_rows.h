@@ -20,7 +20,7 @@ typedef struct {
 } panel_group;
 
 /* Returns the number of groups, at most PANEL_GROUPS; further groups are dropped. */
-uint32_t panel_groups_of(const panel_host *host, panel_group groups[PANEL_GROUPS]);
+uint32_t panel_groups_collect(const panel_host *host, panel_group groups[PANEL_GROUPS]);
 
 /* Counts the changed values again.  `fresh`: the scene was just opened; sets `idle` too. */
 void     panel_group_count(const panel_host *host, panel_group *group, bool fresh);
@@ -48,7 +48,7 @@ typedef struct {
 
 /* Returns the slider of a row: the table's range; for an angle of many turns the turn
  * around `value`. */
-panel_span panel_span_of(const panel_row *row, double value);
+panel_span panel_span_choose(const panel_row *row, double value);
 
 /* Slider position of a value, clamped to the range; and the value of a position, as text
  * in scene file notation with no more digits than a step is worth. */

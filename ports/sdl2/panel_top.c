@@ -42,15 +42,15 @@ void panel_button(panel *p, int what, const char *name, float wide)
     const panel_host *const h = p->host;
     const char *const key = h->keys(h->user, what);
     const float gap = pen_px(5), key_wide = pen_wide(key);
-    pen_in(what);
+    pen_push_id(what);
     const bool pressed = pen_button("##act", wide, h->is_on(h->user, what));
     const SDL_FRect at = pen_last();
-    pen_write_in(at.x + gap, at.y, PEN_TEXT, name);
+    pen_write_framed(at.x + gap, at.y, PEN_TEXT, name);
     if (pen_wide(name) + key_wide + 3 * gap <= at.w)
-        pen_write_in(at.x + at.w - gap - key_wide, at.y, PEN_DIM, key);
+        pen_write_framed(at.x + at.w - gap - key_wide, at.y, PEN_DIM, key);
     if (pen_hovered())
         tell(p, what);
-    pen_out();
+    pen_pop_id();
     if (pressed)
         h->act(h->user, what);
 }
@@ -78,12 +78,12 @@ static void show_scenes(panel *p)
     const char *const about = known ? h->shows[h->scene] : h->about;
     if (pen_list("##scene", name ? name : "", pen_room())) {
         for (uint32_t i = 0; i < h->scene_count; i++) {
-            pen_in((int)i);
+            pen_push_id((int)i);
             if (pen_choice(h->scenes[i], i == h->scene))
                 p->to_open = i;
             if (pen_hovered() && h->shows[i])
                 pen_tip(h->shows[i]);
-            pen_out();
+            pen_pop_id();
         }
         pen_list_end();
     }

@@ -14,7 +14,7 @@ static void put(panel *p, uint32_t row, const char *text)
     p->host->set(p->host->user, row, text, false);
 }
 
-static void put_on(panel *p, uint32_t row, const char *text, const char *before)
+static void set_changed_value(panel *p, uint32_t row, const char *text, const char *before)
 {
     if (strcmp(text, before) == 0)
         return;
@@ -89,9 +89,9 @@ static void write_value(const panel_row *row, const char *text, float share)
     pen_box(at.x, at.y, full, at.h, pen_active() ? PEN_HELD : PEN_FULL);
     pen_box(at.x + full, at.y, edge, at.h, PEN_EDGE);
     pen_box(at.x + full, at.y + at.h - 2 * edge, edge, 2 * edge, PEN_SEA);
-    pen_write_in(at.x + gap, at.y, PEN_TEXT, text);
+    pen_write_framed(at.x + gap, at.y, PEN_TEXT, text);
     if (row->unit[0] && pen_wide(text) + unit + 3 * gap <= at.w)
-        pen_write_in(at.x + at.w - gap - unit, at.y, PEN_DIM, row->unit);
+        pen_write_framed(at.x + at.w - gap - unit, at.y, PEN_DIM, row->unit);
 }
 
 /* A slider of positions.  While the slider is held its position is kept, because
@@ -101,11 +101,11 @@ static void slide(panel *p, uint32_t row, const char *text, float wide)
     char made[PANEL_TEXT];
     const panel_row *const r = &p->host->row[row];
     const double value = strtod(text, NULL);
-    const panel_span span = panel_span_of(r, value);
+    const panel_span span = panel_span_choose(r, value);
     int place = p->sliding == (int)row ? p->place : panel_place(&span, value);
     if (pen_slide("##v", &place, span.steps, wide)) {
         panel_number(&span, place, made);
-        put_on(p, row, made, text);
+        set_changed_value(p, row, made, text);
         p->place = place;
     }
     p->keys.on_number |= pen_focused();
@@ -117,7 +117,7 @@ static void slide(panel *p, uint32_t row, const char *text, float wide)
 /* A number: a slider, or a text field after Ctrl+click, right click or Enter. */
 static void show_number(panel *p, uint32_t row, const char *text, float wide)
 {
-    const SDL_FPoint at = pen_at();
+    const SDL_FPoint at = pen_position();
     if (pen_points(at.x, at.y, wide, pen_high())
         && (pen_pressed(1) || (pen_pressed(0) && pen_ctrl())))
         begin_typing(p, row);
@@ -146,7 +146,7 @@ static void show_colour(panel *p, uint32_t row, const char *text, float wide)
         pen_pick_open();
     if (pen_pick(&rgb)) {
         snprintf(made, sizeof made, "#%06x", (unsigned)rgb);
-        put_on(p, row, made, text);
+        set_changed_value(p, row, made, text);
     }
     pen_beside(pen_gap());
     show_field(p, row, text, wide - swatch - pen_gap());
@@ -205,8 +205,8 @@ static void show_reset(panel *p, uint32_t row, bool filed)
     const SDL_FRect at = pen_last();
     if (pen_hovered())
         pen_tip(filed ? "to the default" : "as the scene's file has it");
-    pen_write_in(at.x + SDL_floorf((side - pen_letter()) / 2), at.y,
-                 filed ? PEN_DIM : PEN_EDITED, "<");
+    pen_write_framed(at.x + SDL_floorf((side - pen_letter()) / 2), at.y,
+                     filed ? PEN_DIM : PEN_EDITED, "<");
 }
 
 /* The help of a row, shown after mouse or focus have stayed on the row for TIP_S. */
@@ -230,7 +230,7 @@ void panel_row_show(panel *p, uint32_t row)
 {
     char label[PANEL_NAME], text[PANEL_TEXT];
     const panel_host *const h = p->host;
-    const SDL_FPoint at = pen_at();
+    const SDL_FPoint at = pen_position();
     const float room = pen_room(), high = pen_high(), gap = pen_gap();
     const float names = SDL_floorf(SDL_min(room * 0.4f, 19 * pen_letter()));
     const float wide = SDL_max(room - names - 2 * gap - high, 4 * pen_letter());
@@ -241,8 +241,8 @@ void panel_row_show(panel *p, uint32_t row)
     const bool normal = h->is_normal(h->user, row), filed = h->is_filed(h->user, row);
     h->get(h->user, row, text);
     panel_label(&h->row[row], (uint32_t)(names / pen_letter()), label);
-    pen_write_in(at.x, at.y, !filed ? PEN_EDITED : normal ? PEN_DIM : PEN_TEXT, label);
-    pen_in((int)row);
+    pen_write_framed(at.x, at.y, !filed ? PEN_EDITED : normal ? PEN_DIM : PEN_TEXT, label);
+    pen_push_id((int)row);
     pen_begin();
     pen_go(at.x + names + gap, at.y);
     show_value(p, row, text, wide);
@@ -253,7 +253,7 @@ void panel_row_show(panel *p, uint32_t row)
         show_reset(p, row, filed);
     }
     pen_end();
-    pen_out();
+    pen_pop_id();
 }
 
 void panel_rows_begin(panel *p)

@@ -90,7 +90,7 @@ static void take_events(view *v)
 
 /* -- the loop -------------------------------------------------------------------- */
 
-static const char *name_of(const view *v)
+static const char *scene_title(const view *v)
 {
     const char *title = v->stage->file.scene.title;
     return title[0] ? title : v->stage->file.name;
@@ -102,7 +102,7 @@ static void set_title(view *v, uint64_t now)
     if (now - v->title_at < TITLE_US)
         return;
     snprintf(title, sizeof title, "tidepool: %s, %ux%u: %.1f ms a frame%s%s - F1: keys",
-             name_of(v), (unsigned)v->options->width, (unsigned)v->options->height,
+             scene_title(v), (unsigned)v->options->width, (unsigned)v->options->height,
              (double)v->shown.median_ms, v->paused ? ", paused" : "",
              v->film ? ", filming" : v->taping ? ", on tape" : "");
     SDL_SetWindowTitle(v->window.window, title);
@@ -168,7 +168,7 @@ static int open_window(view *v)
     SDL_Rect usable = { 0, 0, 0, 0 };
     const options *o = v->options;
     const int wide = (int)o->width * v->scale, beside = view_panel_width(v);
-    snprintf(title, sizeof title, "tidepool: %s", name_of(v));
+    snprintf(title, sizeof title, "tidepool: %s", scene_title(v));
     if (!window_open(&v->window, title, (int)o->width, (int)o->height, v->scale, 0)) {
         say("tidepool view: no window can be opened: %s", SDL_GetError());
         return fail(EXIT_DISPLAY, "Without a display, this draws a picture:"
@@ -219,7 +219,7 @@ static int run(view *v)
         view_say(v, "going on at picture %u  -  F1: all keys", (unsigned)v->picture);
     else
         view_say(v, "%s  -  F1: all keys   drag: look round   W A S D: move   P: pause",
-                 name_of(v));
+                 scene_title(v));
     alive = v;
     atexit(on_exit);
     while (!v->quit && !code)

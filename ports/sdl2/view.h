@@ -116,7 +116,7 @@ int  view_untape(view *v);
 /* Opens a scene in place of the current one.  On failure nothing changes, and a message
  * has been said. */
 bool view_open(view *v, const char *scene);
-void view_turn_to(view *v, int by);             /* by: 1 next, -1 previous scene */
+void view_step_scene(view *v, int by);             /* by: 1 next, -1 previous scene */
 void view_list(view *v);                        /* fills v->scenes and v->pictures */
 void view_unlist(view *v);
 
@@ -140,7 +140,7 @@ void view_keep(view *v, uint64_t now);
 /* -- view_act.c -------------------------------------------------------------------- */
 
 void view_act(view *v, action what);
-bool view_is_on(const view *v, action what);    /* true if switched on */
+bool view_is_active(const view *v, action what);    /* true if switched on */
 void view_say(view *v, const char *format, ...) HOST_PRINTF(2, 3);  /* on the picture */
 void view_hush(view *v);                        /* removes the message */
 

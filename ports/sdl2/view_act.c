@@ -89,8 +89,8 @@ static void next_scale(view *v)
 
 static void compare_next(view *v, bool against)
 {
-    compare_how how = compare_how_of(v->compare);
-    compare_against other = compare_against_of(v->compare);
+    compare_how how = compare_get_how(v->compare);
+    compare_against other = compare_get_against(v->compare);
     if (!v->compare)
         return;
     if (!against && how == COMPARE_OFF && !v->chosen)
@@ -108,7 +108,7 @@ static void compare_next(view *v, bool against)
     v->stale = true;
 }
 
-static void letters_by(view *v, int percent)
+static void resize_letters(view *v, int percent)
 {
     v->ui = tp_clamp(v->ui + percent, UI_LEAST, UI_MOST);
     if (v->panel)
@@ -196,8 +196,8 @@ void view_act(view *v, action what)
     case ACT_STEP:       pause(v, true); view_step(v); break;
     case ACT_STEP_BACK:  pause(v, true); view_back(v); break;
     case ACT_RESTART:    view_restart(v); view_say(v, "from the beginning"); break;
-    case ACT_NEXT_SCENE: view_turn_to(v, 1); break;
-    case ACT_LAST_SCENE: view_turn_to(v, -1); break;
+    case ACT_NEXT_SCENE: view_step_scene(v, 1); break;
+    case ACT_LAST_SCENE: view_step_scene(v, -1); break;
     case ACT_RELOAD:     reload(v); break;
     case ACT_SAVE:       view_save(v); break;
     case ACT_UNDO:       view_undo(v, false); break;
@@ -210,8 +210,8 @@ void view_act(view *v, action what)
     case ACT_SCALE:      next_scale(v); break;
     case ACT_COMPARE:    compare_next(v, false); break;
     case ACT_AGAINST:    compare_next(v, true); break;
-    case ACT_LARGER:     letters_by(v, UI_STEP); break;
-    case ACT_SMALLER:    letters_by(v, -UI_STEP); break;
+    case ACT_LARGER:     resize_letters(v, UI_STEP); break;
+    case ACT_SMALLER:    resize_letters(v, -UI_STEP); break;
     case ACT_FULL:       v->full = !v->full; window_full(&v->window, v->full); break;
     case ACT_FILM:       view_film(v, !v->film); break;
     case ACT_TAPE:       tape(v); break;
@@ -222,7 +222,7 @@ void view_act(view *v, action what)
     }
 }
 
-bool view_is_on(const view *v, action what)
+bool view_is_active(const view *v, action what)
 {
     switch (what) {
     case ACT_PAUSE:      return v->paused;
@@ -231,7 +231,7 @@ bool view_is_on(const view *v, action what)
     case ACT_FIGURES:    return v->sheet;
     case ACT_PANEL:      return v->window.panel > 0;
     case ACT_MOUSE:      return v->control.captured;
-    case ACT_COMPARE:    return compare_how_of(v->compare) != COMPARE_OFF;
+    case ACT_COMPARE:    return compare_get_how(v->compare) != COMPARE_OFF;
     case ACT_LOOK_FREE:  return v->look.mode == LOOK_FREE;
     case ACT_LOOK_ORBIT: return v->look.mode == LOOK_ORBIT;
     case ACT_LOOK_TOP:   return v->look.mode == LOOK_TOP;

@@ -14,7 +14,7 @@
 
 /* -- values ---------------------------------------------------------------------- */
 
-static const tp_param *param_of(uint32_t row)
+static const tp_param *row_param(uint32_t row)
 {
     uint32_t count;
     return &tp_params(&count)[row];
@@ -76,8 +76,8 @@ bool view_set(view *v, uint32_t row, const char *text, bool going)
         || undo_set(&v->edits, v->stage, v->options, &change, text, &opened) != EXIT_DONE)
         return false;
     view_hush(v);
-    was_changed(v, param_of(row), tick, opened);
-    tell_tape(v, param_of(row));
+    was_changed(v, row_param(row), tick, opened);
+    tell_tape(v, row_param(row));
     return true;
 }
 
@@ -109,7 +109,7 @@ static void tell_tape_undone(view *v, edit *change, undo_result result, bool aga
         change->line = lines;
         change->line_end = lines + 1;
     }
-    tell_tape(v, param_of(change->row));
+    tell_tape(v, row_param(change->row));
 }
 
 void view_undo(view *v, bool again)
@@ -125,7 +125,7 @@ void view_undo(view *v, bool again)
         view_say(v, again ? "nothing to make again" : "nothing to undo");
     if (result == UNDO_NOTHING || result == UNDO_REFUSED)
         return;
-    const tp_param *param = param_of(done->row);
+    const tp_param *param = row_param(done->row);
     was_changed(v, param, tick, opened);
     tell_tape_undone(v, done, result, again);
     view_say(v, "%s = %s", param->name, again ? done->after.value.text
@@ -153,7 +153,7 @@ void view_look(view *v, look_mode mode)
 }
 
 /* Converts a turn to degrees in Q16.16, within -180..180. */
-static int32_t degrees_of(tp_turn turn)
+static int32_t turn_degrees(tp_turn turn)
 {
     return (int32_t)(((int64_t)(int32_t)turn * 360 + 0x8000) >> 16);
 }
@@ -163,8 +163,8 @@ void view_begin_here(view *v)
     const tp_world *w = v->stage->world;
     const struct { const char *name; int32_t number; } camera[] = {
         { "camera.x", w->eye.x }, { "camera.y", w->eye.y }, { "camera.z", w->eye.z },
-        { "camera.heading", degrees_of(w->heading) },
-        { "camera.pitch", degrees_of(w->pitch) },
+        { "camera.heading", turn_degrees(w->heading) },
+        { "camera.pitch", turn_degrees(w->pitch) },
     };
     uint32_t count;
     if (v->stage->file.scene.camera.follow != v->filed.camera.follow) {

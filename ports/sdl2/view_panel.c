@@ -24,7 +24,7 @@ int view_panel_width(const view *v)
 
 /* -- values ---------------------------------------------------------------------- */
 
-static const tp_param *param_of(uint32_t row)
+static const tp_param *row_param(uint32_t row)
 {
     uint32_t count;
     return &tp_params(&count)[row];
@@ -33,14 +33,14 @@ static const tp_param *param_of(uint32_t row)
 static void get(void *user, uint32_t row, char text[PANEL_TEXT])
 {
     const view *v = user;
-    tp_param_text(&v->stage->file.scene, param_of(row), text, PANEL_TEXT);
+    tp_param_text(&v->stage->file.scene, row_param(row), text, PANEL_TEXT);
 }
 
 static bool is_same(const tp_scene *a, const tp_scene *b, uint32_t row)
 {
     char one[PANEL_TEXT], other[PANEL_TEXT];
-    tp_param_text(a, param_of(row), one, sizeof one);
-    tp_param_text(b, param_of(row), other, sizeof other);
+    tp_param_text(a, row_param(row), one, sizeof one);
+    tp_param_text(b, row_param(row), other, sizeof other);
     return strcmp(one, other) == 0;
 }
 
@@ -55,7 +55,7 @@ static void normal_text(const tp_param *param, char text[PANEL_TEXT])
 static bool is_normal(void *user, uint32_t row)
 {
     const view *v = user;
-    const tp_param *param = param_of(row);
+    const tp_param *param = row_param(row);
     char text[PANEL_TEXT], normal[PANEL_TEXT];
     tp_param_text(&v->stage->file.scene, param, text, sizeof text);
     normal_text(param, normal);
@@ -76,7 +76,7 @@ static bool set(void *user, uint32_t row, const char *text, bool going)
 static void reset(void *user, uint32_t row)
 {
     const view *v = user;
-    const tp_param *param = param_of(row);
+    const tp_param *param = row_param(row);
     char text[PANEL_TEXT];
     if (!is_filed(user, row))
         tp_param_text(&v->filed, param, text, sizeof text);
@@ -99,15 +99,15 @@ static void act(void *user, int what)
     view_act(user, (action)what);
 }
 
-static const char *keys_of(void *user, int what)
+static const char *action_keys(void *user, int what)
 {
     const view *v = user;
     return v->keys.text[what];
 }
 
-static bool is_on(void *user, int what)
+static bool is_action_active(void *user, int what)
 {
-    return view_is_on(user, (action)what);
+    return view_is_active(user, (action)what);
 }
 
 static bool measures(void *user, bool on)
@@ -119,7 +119,7 @@ static bool measures(void *user, bool on)
 
 /* -- rows ------------------------------------------------------------------------ */
 
-static panel_row row_of(const tp_param *param, char normal[PANEL_TEXT])
+static panel_row make_panel_row(const tp_param *param, char normal[PANEL_TEXT])
 {
     static const panel_kind kinds[] = {
         [TP_PARAM_FX] = PANEL_NUMBER, [TP_PARAM_INT] = PANEL_COUNT,
@@ -148,14 +148,27 @@ void view_panel_open(view *v)
     if (!rows || !normals)
         return;
     for (uint32_t i = 0; i < count; i++)
-        rows[i] = row_of(&params[i], normals[i]);
+        rows[i] = make_panel_row(&params[i], normals[i]);
     v->host = (panel_host){
-        .user = v, .row = rows, .rows = count,
-        .get = get, .is_normal = is_normal, .is_filed = is_filed, .set = set,
-        .reset = reset, .open = open_scene, .act = act, .keys = keys_of, .is_on = is_on,
-        .measures = measures, .figures = &v->shown, .compare = &v->compared,
-        .message = "", .saved_as = "",
-        .scenes = words(v->scenes.name), .shows = words(v->scenes.shows),
+        .user = v,
+        .row = rows,
+        .rows = count,
+        .get = get,
+        .is_normal = is_normal,
+        .is_filed = is_filed,
+        .set = set,
+        .reset = reset,
+        .open = open_scene,
+        .act = act,
+        .keys = action_keys,
+        .is_on = is_action_active,
+        .measures = measures,
+        .figures = &v->shown,
+        .compare = &v->compared,
+        .message = "",
+        .saved_as = "",
+        .scenes = words(v->scenes.name),
+        .shows = words(v->scenes.shows),
         .scene_count = v->scenes.count,
         .pictures = words(v->pictures), .picture_count = (uint32_t)v->picture_count,
     };
@@ -186,8 +199,8 @@ void view_panel_fill(view *v, uint64_t now)
     v->host.saved_as = v->saved_as ? v->saved_as : "";
     v->host.message = v->said;
     v->compared = (panel_compare){
-        .off = compare_how_name[compare_how_of(v->compare)],
-        .against = compare_against_name[compare_against_of(v->compare)],
+        .off = compare_how_name[compare_get_how(v->compare)],
+        .against = compare_against_name[compare_get_against(v->compare)],
         .psnr = compare_psnr(v->compare), .note = compare_note(v->compare),
     };
     if (v->window.panel || v->sheet)

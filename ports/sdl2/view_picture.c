@@ -104,14 +104,14 @@ static void draw_compared(view *v, const layout *at, int scale)
     letters_draw(v->letters, x + LETTER_WIDE * scale, y + 3 * scale, scale, 0xffffff, text);
 }
 
-static void draw_over(view *v, const layout *at, uint64_t now)
+static void draw_overlays(view *v, const layout *at, uint64_t now)
 {
     const int scale = v->ui >= 200 ? 1 + v->ui / 200 : v->ui > 125 ? 2 : 1;
     const bool large = at->room.w >= 960 && at->room.h >= 540;
     const int size = scale + (large && scale == 1);
     if (v->sheet)
         overlay_figures(v->letters, &at->room, size, &v->shown, &v->compared);
-    if (compare_how_of(v->compare) != COMPARE_OFF)
+    if (compare_get_how(v->compare) != COMPARE_OFF)
         draw_compared(v, at, size);
     if (v->help)
         overlay_help(v->letters, &at->room, scale, &v->keys);
@@ -126,7 +126,7 @@ void view_show(view *v, uint64_t now)
     window_clear(&v->window, v->scale);
     const uint64_t begin = now_us();
     if (v->letters)
-        draw_over(v, &at, now);
+        draw_overlays(v, &at, now);
     if (v->panel && at.panel.w > 0)
         panel_draw(v->panel, &at.panel);
     const uint64_t painted = now_us();

@@ -99,7 +99,7 @@ void view_unlist(view *v)
 
 /* Sets `at` by comparing files, because --resume gives a path for a scene listed by
  * name. */
-static void find_at(view *v, const char *path)
+static void select_listed_scene(view *v, const char *path)
 {
     view_scenes *all = &v->scenes;
     all->at = 0;
@@ -158,7 +158,7 @@ bool view_open(view *v, const char *scene)
     past_forget(v->past);
     edits_clear(&v->edits);
     v->look = (look){ .mode = LOOK_FREE };
-    find_at(v, next->file.path);
+    select_listed_scene(v, next->file.path);
     if (before)                         /* only now: `scene` may point into the old stage */
         stage_close(before);
     free(before);
@@ -168,7 +168,7 @@ bool view_open(view *v, const char *scene)
     return true;
 }
 
-void view_turn_to(view *v, int by)
+void view_step_scene(view *v, int by)
 {
     const uint32_t count = v->scenes.count;
     if (count == 0)

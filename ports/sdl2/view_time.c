@@ -15,14 +15,14 @@
 #define TICKS_AT_ONCE 8         /* if more are due, the water slows down */
 #define SECOND_US     1000000u
 
-static tp_world *world_of(view *v)
+static tp_world *current_world(view *v)
 {
     return v->stage->world;
 }
 
-static uint64_t tick_of(view *v)
+static uint64_t current_tick(view *v)
 {
-    return v->base + world_of(v)->tick;
+    return v->base + current_world(v)->tick;
 }
 
 /* -- one frame ------------------------------------------------------------------- */
@@ -47,8 +47,8 @@ static void step_world(view *v, const tp_input *input)
     if (v->playing)
         input = replay_step(&v->replay);
     else
-        deck_add(&v->tape, tick_of(v), input);
-    tp_world_step(&tp_program_all, world_of(v), &v->stage->file.scene, input);
+        deck_add(&v->tape, current_tick(v), input);
+    tp_world_step(&tp_program_all, current_world(v), &v->stage->file.scene, input);
 }
 
 /* True if the next frame has a tick.  Advances the clock of a copy of the world's head. */
@@ -66,20 +66,20 @@ void view_step(view *v)
     static const tp_input nothing;
     if (v->playing)
         v->pokes = (poke_queue){ 0 };           /* a tape has pokes of its own */
-    else if (has_tick(world_of(v)))
+    else if (has_tick(current_world(v)))
         poke_take(&v->pokes, &v->stage->file.scene, &v->wish);
-    if (v->playing && deck_over(&v->replay.tape, v->replay.tick)) {
+    if (v->playing && deck_has_ended(&v->replay.tape, v->replay.tick)) {
         view_untape(v);
         view_say(v, "the tape has ended: the keys are yours");
     }
     if (v->playing)
         play_acts(v);
     else
-        past_add(v->past, v->picture, world_of(v), v->stage->world_bytes,
+        past_add(v->past, v->picture, current_world(v), v->stage->world_bytes,
                  &v->stage->file.scene, &v->wish, v->changed);
     v->changed = false;
     v->tape.picture = ++v->picture;
-    for (uint32_t ticks = tp_world_advance_clock(world_of(v)); ticks > 0; ticks--) {
+    for (uint32_t ticks = tp_world_advance_clock(current_world(v)); ticks > 0; ticks--) {
         step_world(v, &v->wish);
         v->wish = nothing;
     }
@@ -139,10 +139,10 @@ static void aim(view *v, const control_place *place)
     tp_vec3 at;
     int x, y;
     if (!window_pixel(&v->window, v->scale, place->x, place->y, &x, &y)
-        || !tp_world_pick(&tp_program_all, world_of(v), scene, p->width, p->height,
+        || !tp_world_pick(&tp_program_all, current_world(v), scene, p->width, p->height,
                           tp_pixel_middle(x), tp_pixel_middle(y), &at))
         return;
-    const tp_push push = poke_at(scene, at.x, at.z);
+    const tp_push push = poke_make_push(scene, at.x, at.z);
     if (place->stir)
         poke_stir(&v->pokes, at.x, at.z);
     else if (scene->pool.cols || scene->field.cols)
@@ -151,7 +151,7 @@ static void aim(view *v, const control_place *place)
         view_say(v, "no pool is there to poke: Space lets a drop fall");
 }
 
-static void wish_for(view *v, tp_input *input)
+static void gather_input(view *v, tp_input *input)
 {
     *input = control_input(&v->control, &v->keys, &v->pad,
                            v->panel && panel_types(v->panel));
@@ -160,7 +160,7 @@ static void wish_for(view *v, tp_input *input)
         v->wish.forward = v->wish.strafe = v->wish.up = 0;
         v->wish.turn = v->wish.tilt = 0;
     }
-    look_steer(&v->look, world_of(v), &v->stage->file.scene, input);
+    look_steer(&v->look, current_world(v), &v->stage->file.scene, input);
     wish_add(&v->wish, input);
     for (int i = 0; i < v->control.places; i++)
         aim(v, &v->control.place[i]);
@@ -170,8 +170,8 @@ static void wish_for(view *v, tp_input *input)
 /* Moves the camera while the water stands still. */
 static void look_round(view *v, const tp_input *input)
 {
-    deck_look(&v->tape, tick_of(v), input);
-    tp_world_move_camera(world_of(v), input);
+    deck_look(&v->tape, current_tick(v), input);
+    tp_world_move_camera(current_world(v), input);
     v->wish.forward = v->wish.strafe = v->wish.up = 0;
     v->wish.turn = v->wish.tilt = 0;
     v->changed = v->stale = true;
@@ -184,10 +184,10 @@ static void tick(view *v)
                        SDL_GetModState());
     tp_input input = { 0 };
     if (v->look.jump && !v->playing) {          /* at once: no frame on the way */
-        look_steer(&v->look, world_of(v), &v->stage->file.scene, &input);
+        look_steer(&v->look, current_world(v), &v->stage->file.scene, &input);
         look_round(v, &input);
     }
-    wish_for(v, &input);
+    gather_input(v, &input);
     if (back)
         view_back(v);
     else if (!v->paused)

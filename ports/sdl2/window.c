@@ -128,7 +128,7 @@ void window_fits(const window *w, int scale, uint32_t *width, uint32_t *height)
     *height = (uint32_t)SDL_clamp(at.room.h / scale, 16, 4096);
 }
 
-static bool is_in(const SDL_Rect *r, int x, int y)
+static bool has_point(const SDL_Rect *r, int x, int y)
 {
     const SDL_Point at = { x, y };
     return SDL_PointInRect(&at, r);
@@ -137,7 +137,7 @@ static bool is_in(const SDL_Rect *r, int x, int y)
 bool window_pixel(const window *w, int scale, int x, int y, int *px, int *py)
 {
     const layout at = window_layout(w, scale);
-    if (!is_in(&at.room, x, y) || !is_in(&at.picture, x, y))
+    if (!has_point(&at.room, x, y) || !has_point(&at.picture, x, y))
         return false;
     *px = (x - at.picture.x) / scale;
     *py = (y - at.picture.y) / scale;
@@ -176,7 +176,7 @@ static bool button(window *w, const SDL_MouseButtonEvent *event)
         w->dragged = false;
         return was;
     }
-    if (!is_in(&at.bar, event->x, event->y))
+    if (!has_point(&at.bar, event->x, event->y))
         return false;
     w->dragged = event->clicks < 2;
     if (event->clicks >= 2)
@@ -193,7 +193,7 @@ static bool motion(window *w, const SDL_MouseMotionEvent *event)
         return true;
     }
     const layout at = window_layout(w, 1);
-    point(w, is_in(&at.bar, event->x, event->y));
+    point(w, has_point(&at.bar, event->x, event->y));
     return false;
 }
 
@@ -283,7 +283,7 @@ static void fill(window *w, int x, int y, int wide, int high, uint32_t colour)
 }
 
 /* Fills the room around the picture, each pixel once. */
-static void fill_around(window *w, const layout *at)
+static void fill_margins(window *w, const layout *at)
 {
     const uint32_t dark = 0x0c1014;
     const SDL_Rect *p = &at->picture, *room = &at->room;
@@ -301,7 +301,7 @@ void window_clear(window *w, int scale)
     const layout at = window_layout(w, scale);
     SDL_SetRenderDrawBlendMode(w->renderer, SDL_BLENDMODE_NONE);
     if (w->texture) {
-        fill_around(w, &at);
+        fill_margins(w, &at);
         SDL_RenderSetClipRect(w->renderer, &at.room);
         SDL_RenderCopy(w->renderer, w->texture, NULL, &at.picture);
         SDL_RenderSetClipRect(w->renderer, NULL);

@@ -100,7 +100,7 @@ EXPORT(void *, room, uint32_t w, uint32_t h)
     if (all.memory && !grey) {              /* beyond the arena's top, until copied */
         const uintptr_t mark = web_mark();
         all.pixels = web_take(pixels);
-        web_back_to(mark);
+        web_restore_mark(mark);
     }
     return all.pixels;
 }

@@ -41,7 +41,7 @@ uintptr_t web_mark(void)
     return begin();
 }
 
-void web_back_to(uintptr_t mark)
+void web_restore_mark(uintptr_t mark)
 {
     top = mark;
 }

@@ -51,7 +51,7 @@ void web_drop(void)
     page.before = *page.world;
     page.was = true;
     page.world = NULL;
-    web_back_to(page.mark);
+    web_restore_mark(page.mark);
 }
 
 tp_world *web_world(void)
@@ -62,7 +62,7 @@ tp_world *web_world(void)
 static int make_frame(tp_error *err)
 {
     const tp_config *c = &page.config;
-    web_back_to(page.above);
+    web_restore_mark(page.above);
     page.frame_bytes = tp_frame_bytes(c, &web_scene);
     void *block = web_take(page.frame_bytes);
     page.scratch = web_take(tp_frame_direct_scratch_bytes(c, &web_scene));
@@ -95,7 +95,7 @@ static uint32_t limit_us(void)
 
 static void govern(void)
 {
-    const tp_ladder ladder = tp_ladder_of(&web_scene, &web_assets, page.config.width,
+    const tp_ladder ladder = tp_ladder_make(&web_scene, &web_assets, page.config.width,
                                           page.config.height);
     tp_governor_init(&page.governor, &ladder, limit_us());
     tp_frame_set_rungs(page.frame, NULL);
@@ -132,7 +132,7 @@ EXPORT(int, build, uint32_t width, uint32_t height, int format, bool carry)
     page.pokes = (poke_queue){ .count = 0 };
     if (make_world(&err) || make_frame(&err)) {
         page.world = NULL;
-        web_back_to(page.mark);
+        web_restore_mark(page.mark);
         return web_refuse(&err);
     }
     if (carry && page.was)
@@ -244,7 +244,7 @@ EXPORT(int, took, uint32_t us)
 /* -- touch and camera ------------------------------------------------------------ */
 
 /* Moves the sphere of drops over the point and releases a drop. */
-static void drop_at(const tp_drops *drops, const tp_vec3 *at)
+static void release_drop(const tp_drops *drops, const tp_vec3 *at)
 {
     page.wish.sphere_x = at->x - drops->sphere.x;
     page.wish.sphere_z = at->z - drops->sphere.z;
@@ -270,11 +270,11 @@ EXPORT(int, touch, int32_t x, int32_t y, bool stir)
     if (!tp_world_pick(&tp_program_all, page.world, &web_scene, page.config.width,
                        page.config.height, tp_pixel_middle(x), tp_pixel_middle(y), &at))
         return MISSED;
-    const tp_push push = poke_at(&web_scene, at.x, at.z);
+    const tp_push push = poke_make_push(&web_scene, at.x, at.z);
     if (tp_world_pool(page.world) || tp_world_field(page.world))
         return poke(&push, stir);
     if (drops)
-        drop_at(drops, &at);
+        release_drop(drops, &at);
     else
         return DRY;
     return TOUCHED;

@@ -17,7 +17,7 @@
 
 void     *web_take(size_t bytes);       /* aligned to 16; NULL: out of memory */
 uintptr_t web_mark(void);
-void      web_back_to(uintptr_t mark);  /* frees all taken since the mark */
+void      web_restore_mark(uintptr_t mark);  /* frees all taken since the mark */
 
 /* -- values.c -------------------------------------------------------------------- */
 

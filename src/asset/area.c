@@ -4,13 +4,13 @@
 #include "base/assert.h"
 #include "fx/fx.h"
 
-tp_area tp_area_of(tp_vec3 a, tp_vec3 b)
+tp_area tp_area_cross(tp_vec3 a, tp_vec3 b)
 {
     return (tp_area){ tp_area_term(a.y, b.z, a.z, b.y), tp_area_term(a.z, b.x, a.x, b.z),
                       tp_area_term(a.x, b.y, a.y, b.x) };
 }
 
-static uint32_t bits_of(uint32_t x)
+static uint32_t bit_length(uint32_t x)
 {
     return x == 0 ? 0 : 32 - (uint32_t)tp_clz(x);
 }
@@ -20,7 +20,7 @@ static uint32_t bits_of(uint32_t x)
  * below 2^(2e + 2 + c). */
 uint32_t tp_area_shift(uint32_t extent, uint32_t count)
 {
-    const uint32_t bits = 2 * bits_of(extent) + 2 + bits_of(count);
+    const uint32_t bits = 2 * bit_length(extent) + 2 + bit_length(count);
     return bits > 63 ? bits - 63 : 0;
 }
 

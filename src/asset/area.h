@@ -15,7 +15,7 @@
 typedef struct { int64_t x, y, z; } tp_area;
 
 /* Returns a x b, for edges a and b. */
-tp_area tp_area_of(tp_vec3 a, tp_vec3 b);
+tp_area tp_area_cross(tp_vec3 a, tp_vec3 b);
 
 /* Returns a p - b q, exact under the same bounds. */
 static inline int64_t tp_area_term(int32_t a, int32_t p, int32_t b, int32_t q)

@@ -86,7 +86,7 @@ static tp_fx texels_per_unit(const tp_obj *obj, const struct tp_obj_made *made,
 
 /* -- materials ----------------------------------------------------------------------- */
 
-static const tp_texture *texture_of(const tp_texture *const *textures, uint32_t image)
+static const tp_texture *image_texture(const tp_texture *const *textures, uint32_t image)
 {
     return textures == NULL || image == TP_NO_NAME ? NULL : textures[image];
 }
@@ -96,8 +96,8 @@ static void bind_material(const tp_obj *obj, const tp_texture *const *textures,
 {
     const struct tp_obj_made *const made = &obj->store.made[i];
     tp_material *const material = &obj->store.materials[i];
-    material->diffuse_map = texture_of(textures, made->map[TP_MAP_DIFFUSE]);
-    material->normal_map = texture_of(textures, made->map[TP_MAP_BUMP]);
+    material->diffuse_map = image_texture(textures, made->map[TP_MAP_DIFFUSE]);
+    material->normal_map = image_texture(textures, made->map[TP_MAP_BUMP]);
     material->texels = texels_per_unit(obj, made, material->diffuse_map);
     if (!made->has_diffuse && material->diffuse_map != NULL)
         material->diffuse = 0xffffff;           /* a map alone keeps its colours */

@@ -90,7 +90,7 @@ static sum whole_area(const int32_t *u, const int32_t *v, uint32_t n)
     return (sum){ all.high + (int64_t)(all.low >> 32), (uint32_t)all.low };
 }
 
-static sum magnitude_of(sum x)
+static sum sum_magnitude(sum x)
 {
     if (x.high >= 0)
         return x;
@@ -103,14 +103,14 @@ static bool is_larger(sum a, sum b)
 }
 
 /* Chooses the axis of projection.  Swapping u and v mirrors a polygon that turns right. */
-static void look_at(struct tp_obj_cut *cut, uint32_t n, const uint32_t extent[3])
+static void select_axis(struct tp_obj_cut *cut, uint32_t n, const uint32_t extent[3])
 {
     sum best = { 0, 0 };
     int u = 1, v = 2;
     for (int k = 0; k < 3; k++) {
         const int a = (k + 1) % 3, b = (k + 2) % 3;
         const sum signed_area = whole_area(cut->at[a], cut->at[b], n);
-        const sum size = magnitude_of(signed_area);
+        const sum size = sum_magnitude(signed_area);
         if (is_larger(size, best)) {
             best = size;
             u = signed_area.high < 0 ? b : a;
@@ -127,7 +127,8 @@ static void look_at(struct tp_obj_cut *cut, uint32_t n, const uint32_t extent[3]
 
 /* Corner p stands on the border of a triangle.  Seen from p the inside lies between the
  * directions to y and, turning left, to z.  True if an edge of p leads inside. */
-static bool leads_inside(const struct tp_obj_cut *cut, uint32_t p, uint32_t y, uint32_t z)
+static bool has_inward_edge(const struct tp_obj_cut *cut, uint32_t p, uint32_t y,
+                            uint32_t z)
 {
     const step to_y = between(cut, p, y), to_z = between(cut, p, z);
     const step before = between(cut, p, cut->before[p]);
@@ -155,12 +156,12 @@ static bool blocks(const struct tp_obj_cut *cut, uint32_t p, uint32_t a, uint32_
     if (ab > 0 && bc > 0)
         return true;
     if (same_place(cut, p, a))
-        return leads_inside(cut, p, b, c);
+        return has_inward_edge(cut, p, b, c);
     if (same_place(cut, p, b))
-        return leads_inside(cut, p, c, a);
+        return has_inward_edge(cut, p, c, a);
     if (same_place(cut, p, c))
-        return leads_inside(cut, p, a, b);
-    return ab == 0 ? leads_inside(cut, p, b, a) : leads_inside(cut, p, c, b);
+        return has_inward_edge(cut, p, a, b);
+    return ab == 0 ? has_inward_edge(cut, p, b, a) : has_inward_edge(cut, p, c, b);
 }
 
 static void spend(struct tp_obj_cut *cut, uint32_t steps)
@@ -174,7 +175,7 @@ static bool is_free(struct tp_obj_cut *cut, uint32_t a, uint32_t b, uint32_t c)
 {
     const uint32_t triangle[3] = { a, b, c };
     uint32_t p = cut->tried[b];
-    if (p != TP_NO_CORNER && !tp_cut_is_off(cut, p) && blocks(cut, p, a, b, c))
+    if (p != TP_NO_CORNER && !tp_cut_is_removed(cut, p) && blocks(cut, p, a, b, c))
         return false;
     tp_cut_walk walk = tp_cut_walk_begin(cut, triangle, p);
     do
@@ -242,13 +243,13 @@ void tp_cut_begin(struct tp_obj_cut *cut, uint32_t n)
         cut->tried[i] = TP_NO_CORNER;
     }
     normalise_extent(cut, n, extent);
-    look_at(cut, n, extent);
+    select_axis(cut, n, extent);
     cut->start = 1;
     cut->left = n;
     cut->steps = (uint64_t)STEPS * n;
 }
 
-static void take_off(struct tp_obj_cut *cut, uint32_t a, uint32_t c)
+static void remove_ear(struct tp_obj_cut *cut, uint32_t a, uint32_t c)
 {
     cut->after[a] = c;
     cut->before[c] = a;
@@ -265,6 +266,6 @@ bool tp_cut_next(struct tp_obj_cut *cut, uint32_t triangle[3])
     triangle[0] = cut->before[b];
     triangle[1] = b;
     triangle[2] = cut->after[b];
-    take_off(cut, triangle[0], triangle[2]);
+    remove_ear(cut, triangle[0], triangle[2]);
     return true;
 }

@@ -12,17 +12,17 @@ uint32_t tp_cut_cells(uint32_t n)
     return n / CELL_CORNERS + 1;
 }
 
-static uint32_t row_of(const struct tp_obj_cut *cut, uint32_t corner)
+static uint32_t corner_row(const struct tp_obj_cut *cut, uint32_t corner)
 {
     return (uint32_t)cut->v[corner] >> cut->shift;
 }
 
-static uint32_t col_of(const struct tp_obj_cut *cut, uint32_t corner)
+static uint32_t corner_col(const struct tp_obj_cut *cut, uint32_t corner)
 {
     return (uint32_t)cut->u[corner] >> cut->shift;
 }
 
-static uint32_t *cell_of(const struct tp_obj_cut *cut, uint32_t row, uint32_t col)
+static uint32_t *grid_cell(const struct tp_obj_cut *cut, uint32_t row, uint32_t col)
 {
     return &cut->cell[row * cut->cols + col];
 }
@@ -43,7 +43,7 @@ void tp_cut_grid_fill(struct tp_obj_cut *cut, uint32_t n, uint32_t extent_u,
     for (uint32_t i = 0; i < cells; i++)
         cut->cell[i] = TP_NO_CORNER;
     for (uint32_t i = n; i-- > 0;) {
-        uint32_t *const cell = cell_of(cut, row_of(cut, i), col_of(cut, i));
+        uint32_t *const cell = grid_cell(cut, corner_row(cut, i), corner_col(cut, i));
         TP_ASSERT(cell < cut->cell + cells);
         cut->next[i] = *cell;
         *cell = i;
@@ -101,7 +101,7 @@ static void enter_row(tp_cut_walk *walk)
 
 static void enter_cell(tp_cut_walk *walk)
 {
-    walk->link = cell_of(walk->cut, walk->row, walk->col);
+    walk->link = grid_cell(walk->cut, walk->row, walk->col);
     walk->steps++;
 }
 
@@ -111,17 +111,18 @@ tp_cut_walk tp_cut_walk_begin(struct tp_obj_cut *cut, const uint32_t triangle[3]
     tp_cut_walk walk = { .cut = cut, .triangle = triangle,
                          .row = UINT32_MAX, .low_col = UINT32_MAX };
     for (int k = 0; k < 3; k++) {
-        const uint32_t row = row_of(cut, triangle[k]), col = col_of(cut, triangle[k]);
+        const uint32_t row = corner_row(cut, triangle[k]),
+                       col = corner_col(cut, triangle[k]);
         walk.row = row < walk.row ? row : walk.row;
         walk.last_row = row > walk.last_row ? row : walk.last_row;
         walk.low_col = col < walk.low_col ? col : walk.low_col;
         walk.high_col = col > walk.high_col ? col : walk.high_col;
     }
     if (from != TP_NO_CORNER)
-        walk.row = row_of(cut, from);
+        walk.row = corner_row(cut, from);
     enter_row(&walk);
     if (from != TP_NO_CORNER)
-        walk.col = col_of(cut, from);
+        walk.col = corner_col(cut, from);
     enter_cell(&walk);
     if (from != TP_NO_CORNER)
         walk.link = &cut->next[from];
@@ -129,7 +130,7 @@ tp_cut_walk tp_cut_walk_begin(struct tp_obj_cut *cut, const uint32_t triangle[3]
 }
 
 /* Advances to the next cell; false at the end. */
-static bool go_on(tp_cut_walk *walk)
+static bool enter_next_cell(tp_cut_walk *walk)
 {
     if (walk->col < walk->last_col) {
         walk->col++;
@@ -147,13 +148,13 @@ uint32_t tp_cut_walk_next(tp_cut_walk *walk)
 {
     for (;;) {
         const uint32_t corner = *walk->link;
-        if (corner == TP_NO_CORNER && !go_on(walk))
+        if (corner == TP_NO_CORNER && !enter_next_cell(walk))
             return TP_NO_CORNER;
         if (corner == TP_NO_CORNER)
             continue;
         walk->steps++;
         uint32_t *const next = &walk->cut->next[corner];
-        if (!tp_cut_is_off(walk->cut, corner)) {
+        if (!tp_cut_is_removed(walk->cut, corner)) {
             walk->link = next;
             return corner;
         }

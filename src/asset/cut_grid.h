@@ -6,7 +6,7 @@
 #include "asset/cut.h"
 
 /* True if the corner has been cut off. */
-static inline bool tp_cut_is_off(const struct tp_obj_cut *cut, uint32_t corner)
+static inline bool tp_cut_is_removed(const struct tp_obj_cut *cut, uint32_t corner)
 {
     return cut->before[cut->after[corner]] != corner;
 }

@@ -59,8 +59,8 @@ static tp_status resolve(const tp_obj *obj, int32_t index, uint32_t now, uint32_
 }
 
 /* Returns the number of the vertex with these three indices; adds a vertex if needed. */
-static uint32_t vertex_of(tp_obj *obj, uint32_t position, uint32_t texcoord,
-                          uint32_t normal)
+static uint32_t find_or_add_vertex(tp_obj *obj, uint32_t position, uint32_t texcoord,
+                                   uint32_t normal)
 {
     tp_obj_store *const store = &obj->store;
     const uint64_t hash =
@@ -109,7 +109,8 @@ static tp_status take_corner(tp_obj *obj, const int32_t corner[3], tp_error *err
     obj->now.digest = tp_mix(tp_mix(now->digest, position), texcoord);
     obj->now.digest = tp_mix(now->digest, normal);
     if (obj->stage == TP_STAGE_LOAD)
-        obj->store.corners[now->corners] = vertex_of(obj, position, texcoord, normal);
+        obj->store.corners[now->corners] =
+            find_or_add_vertex(obj, position, texcoord, normal);
     obj->now.corners++;
     return TP_OK;
 }

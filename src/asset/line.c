@@ -60,7 +60,7 @@ static const char *append(tp_obj_lines *lines, const char *at, const char *end)
 }
 
 /* The text is full and more bytes follow: hands out the text up to the last blank. */
-static void part_off(tp_obj_lines *lines, tp_words *line)
+static void split_line(tp_obj_lines *lines, tp_words *line)
 {
     uint32_t part = lines->used;
     while (part > 0 && !tp_is_blank(lines->text[part - 1]))
@@ -117,7 +117,7 @@ bool tp_lines_next(tp_obj_lines *lines, const char **from, const char *end,
         if (lines->open && !here) {
             at = append(lines, at, stop);
             if (at < stop) {
-                part_off(lines, line);
+                split_line(lines, line);
                 *from = at;
                 return true;
             }

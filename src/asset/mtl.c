@@ -16,7 +16,7 @@
 static tp_material *material(tp_obj *obj) { return &obj->store.materials[obj->material]; }
 static struct tp_obj_made *made(tp_obj *obj) { return &obj->store.made[obj->material]; }
 
-static tp_status pass_over(tp_obj *obj)
+static tp_status skip_statement(tp_obj *obj)
 {
     obj->skipped++;
     return TP_OK;
@@ -35,7 +35,7 @@ static tp_status begin_material(tp_obj *obj, tp_word keyword, tp_words *words,
     obj->material = tp_names_find(&obj->store.material_names, name, 0, obj->total.digest);
     if (obj->material == TP_NO_NAME || name.bytes == 0 || made(obj)->defined) {
         obj->material = NOT_WANTED;
-        return pass_over(obj);
+        return skip_statement(obj);
     }
     made(obj)->defined = true;
     return TP_OK;
@@ -84,7 +84,7 @@ static tp_status read_colour(tp_obj *obj, tp_word keyword, tp_words *words,
     tp_words ahead = *words;
     const tp_word first = tp_word_next(&ahead);
     if (tp_word_is(first, "spectral") || tp_word_is(first, "xyz"))
-        return pass_over(obj);
+        return skip_statement(obj);
     const uint32_t need = tp_words_end(&ahead) ? 1 : 3;
     int64_t rgb[3];
     uint32_t found, packed = 0;
@@ -218,7 +218,7 @@ static tp_status read_map(tp_obj *obj, tp_words *words, unsigned map, int64_t *b
     if (status != TP_OK)
         return status;
     if (name.bytes == 0 || made(obj)->map[map] != TP_NO_NAME)
-        return pass_over(obj);
+        return skip_statement(obj);
     tp_obj_names *const names = &obj->store.image_names;
     const uint32_t image =
         tp_names_add(names, name, obj->library, obj->lines.first, obj->total.digest);
@@ -270,7 +270,7 @@ static tp_status run(tp_obj *obj, tp_words *line, tp_error *err)
     while (i < STATEMENTS && !tp_word_is_any_case(word, statements[i].name))
         i++;
     if (i == STATEMENTS || (i > 0 && obj->material == NOT_WANTED))
-        return pass_over(obj);
+        return skip_statement(obj);
     if (obj->lines.goes_on) {
         obj->material = i == 0 ? NOT_WANTED : obj->material;
         return tp_obj_long_line(obj, err);

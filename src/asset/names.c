@@ -33,8 +33,8 @@ static bool is_name(const tp_obj_names *names, uint32_t i, tp_word word, uint32_
 }
 
 /* Returns the slot of the table with the name, or the free slot for the name. */
-static uint32_t *place_of(const tp_obj_names *names, tp_word word, uint32_t tag,
-                          uint64_t seed)
+static uint32_t *find_slot(const tp_obj_names *names, tp_word word, uint32_t tag,
+                           uint64_t seed)
 {
     uint64_t hash = tp_mix(seed, tag);
     for (uint32_t i = 0; i < word.bytes; i++)
@@ -48,7 +48,7 @@ static uint32_t *place_of(const tp_obj_names *names, tp_word word, uint32_t tag,
 uint32_t tp_names_find(const tp_obj_names *names, tp_word word, uint32_t tag,
                        uint64_t seed)
 {
-    const uint32_t number = *place_of(names, word, tag, seed);
+    const uint32_t number = *find_slot(names, word, tag, seed);
     return number != 0 ? number - 1 : TP_NO_NAME;
 }
 
@@ -56,7 +56,7 @@ uint32_t tp_names_add(tp_obj_names *names, tp_word word, uint32_t tag, uint32_t 
                       uint64_t seed)
 {
     TP_ASSERT(names->used <= names->room && names->count <= names->most);
-    uint32_t *const place = place_of(names, word, tag, seed);
+    uint32_t *const place = find_slot(names, word, tag, seed);
     if (*place != 0)
         return *place - 1;
     if (names->count == names->most || word.bytes >= names->room - names->used)

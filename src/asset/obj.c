@@ -142,7 +142,7 @@ static tp_status read_texcoord(tp_obj *obj, tp_words *words, tp_error *err)
 }
 
 /* Normalises a vector of any length. */
-static tp_packed_dir direction_of(const int64_t n[3])
+static tp_packed_dir pack_direction(const int64_t n[3])
 {
     const uint64_t most = magnitude(n[0]) | magnitude(n[1]) | magnitude(n[2]);
     int64_t unit = 1;
@@ -161,7 +161,7 @@ static tp_status read_normal(tp_obj *obj, tp_words *words, tp_error *err)
     if (status != TP_OK)
         return status;
     if (obj->stage == TP_STAGE_LOAD)
-        obj->store.normals[obj->now.normals] = direction_of(n);
+        obj->store.normals[obj->now.normals] = pack_direction(n);
     obj->now.normals++;
     return TP_OK;
 }
@@ -183,7 +183,7 @@ static tp_status read_smoothing(tp_obj *obj, tp_words *words, tp_error *err)
 }
 
 /* g, o: names of parts of the model, not used here. */
-static tp_status pass_over(tp_obj *obj, tp_words *words, tp_error *err)
+static tp_status ignore_statement(tp_obj *obj, tp_words *words, tp_error *err)
 {
     (void)obj, (void)words, (void)err;
     return TP_OK;
@@ -196,8 +196,8 @@ static const struct {
 } statements[] = {
     { "v", read_position, false },       { "f", tp_obj_face, true },
     { "vt", read_texcoord, false },      { "vn", read_normal, false },
-    { "s", read_smoothing, false },      { "g", pass_over, true },
-    { "o", pass_over, true },            { "usemtl", tp_obj_usemtl, false },
+    { "s", read_smoothing, false },      { "g", ignore_statement, true },
+    { "o", ignore_statement, true },            { "usemtl", tp_obj_usemtl, false },
     { "mtllib", tp_obj_mtllib, false },
 };
 
@@ -302,7 +302,7 @@ tp_status tp_obj_scanned(tp_obj *obj, tp_error *err)
     while (obj->total.reach >> obj->log2_unit >= 1 << 14)
         obj->log2_unit++;
     TP_ASSERT(obj->log2_unit <= TP_MESH_LOG2_UNIT);
-    tp_arena count = tp_arena_over(NULL, 0);
+    tp_arena count = tp_arena_init(NULL, 0);
     tp_obj_carve(obj, &count);
     if (count.failed)
         return tp_obj_settle(obj, TP_FAIL(err, TP_E_NOSPACE, 0, INT32_MAX, 0));
@@ -323,7 +323,7 @@ void tp_obj_load(tp_obj *obj, void *mem)
         return;
     }
     begin_pass(obj, TP_STAGE_LOAD);
-    tp_arena arena = tp_arena_over(mem, obj->bytes);
+    tp_arena arena = tp_arena_init(mem, obj->bytes);
     tp_obj_carve(obj, &arena);
     TP_ASSERT(!arena.failed);
     tp_names_clear(&obj->store.library_names);

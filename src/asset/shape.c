@@ -23,13 +23,13 @@ static void widen(int32_t *low, int32_t *high, int32_t x)
         *high = x;
 }
 
-static struct tp_obj_texcoord texcoord_of(const tp_obj_store *store, uint32_t vertex)
+static struct tp_obj_texcoord vertex_texcoord(const tp_obj_store *store, uint32_t vertex)
 {
     const uint32_t i = store->vertices[vertex].corner.texcoord;
     return i == TP_NO_TEXCOORD ? (struct tp_obj_texcoord){ 0, 0 } : store->texcoords[i];
 }
 
-static tp_vec3 position_of(const tp_obj_store *store, uint32_t vertex)
+static tp_vec3 vertex_position(const tp_obj_store *store, uint32_t vertex)
 {
     return store->positions[store->vertices[vertex].corner.position];
 }
@@ -44,14 +44,14 @@ static uint32_t larger(int32_t low_a, int32_t high_a, int32_t low_b, int32_t hig
 static void find_scales(tp_obj *obj)
 {
     const tp_obj_store *const store = &obj->store;
-    tp_vec3 low = position_of(store, 0), high = low;
-    struct tp_obj_texcoord first = texcoord_of(store, 0), last = first;
+    tp_vec3 low = vertex_position(store, 0), high = low;
+    struct tp_obj_texcoord first = vertex_texcoord(store, 0), last = first;
     for (uint32_t i = 1; i < store->n_vertices; i++) {
-        const tp_vec3 p = position_of(store, i);
+        const tp_vec3 p = vertex_position(store, i);
         widen(&low.x, &high.x, p.x);
         widen(&low.y, &high.y, p.y);
         widen(&low.z, &high.z, p.z);
-        const struct tp_obj_texcoord tex = texcoord_of(store, i);
+        const struct tp_obj_texcoord tex = vertex_texcoord(store, i);
         widen(&first.s, &last.s, tex.s);
         widen(&first.t, &last.t, tex.t);
     }
@@ -66,8 +66,8 @@ static void find_scales(tp_obj *obj)
 
 /* -- smooth normals ------------------------------------------------------------------ */
 
-static uint32_t slot_of(tp_obj_store *store, uint64_t seed, uint32_t position,
-                        uint32_t group)
+static uint32_t find_or_add_slot(tp_obj_store *store, uint64_t seed, uint32_t position,
+                                 uint32_t group)
 {
     uint32_t at = (uint32_t)tp_mix(tp_mix(seed, position), group) & store->mask;
     for (; store->table[at] != 0; at = (at + 1) & store->mask) {
@@ -93,12 +93,12 @@ static void give_slots(tp_obj *obj)
         const uint32_t normal = vertex->corner.normal;
         if ((normal & TP_NORMAL_KIND) == TP_NORMAL_GROUP)
             vertex->corner.normal = TP_NORMAL_GROUP
-                | slot_of(store, obj->total.digest, vertex->corner.position,
-                          normal & ~TP_NORMAL_KIND);
+                | find_or_add_slot(store, obj->total.digest, vertex->corner.position,
+                                   normal & ~TP_NORMAL_KIND);
     }
 }
 
-static void add_to(int64_t sum[3], tp_area area)
+static void add_area(int64_t sum[3], tp_area area)
 {
     sum[0] += area.x;
     sum[1] += area.y;
@@ -110,7 +110,7 @@ static void add_to_slots(tp_obj_store *store, const tp_mesh_face *face, tp_area 
     for (int k = 0; k < 3; k++) {
         const uint32_t normal = store->vertices[face->vertex[k]].corner.normal;
         if ((normal & TP_NORMAL_KIND) == TP_NORMAL_GROUP)
-            add_to(store->slots[normal & ~TP_NORMAL_KIND].sum, area);
+            add_area(store->slots[normal & ~TP_NORMAL_KIND].sum, area);
     }
 }
 
@@ -130,12 +130,12 @@ static tp_dir3 any_tangent(tp_area normal)
 /* Returns the tangent, the direction of growing s: with edges e and f of (ds, dt) each, T
  * (ds_e dt_f - ds_f dt_e) = e dt_f - f dt_e.  t grows downwards: a picture that is not
  * mirrored turns against the face.  Adds the area of the picture to *picture. */
-static tp_packed_dir tangent_of(const tp_obj *obj, const tp_mesh_face *face, tp_vec3 e,
-                                tp_vec3 f, tp_area normal, uint64_t *picture)
+static tp_packed_dir face_tangent(const tp_obj *obj, const tp_mesh_face *face, tp_vec3 e,
+                                  tp_vec3 f, tp_area normal, uint64_t *picture)
 {
-    const struct tp_obj_texcoord a = texcoord_of(&obj->store, face->vertex[0]);
-    const struct tp_obj_texcoord b = texcoord_of(&obj->store, face->vertex[1]);
-    const struct tp_obj_texcoord c = texcoord_of(&obj->store, face->vertex[2]);
+    const struct tp_obj_texcoord a = vertex_texcoord(&obj->store, face->vertex[0]);
+    const struct tp_obj_texcoord b = vertex_texcoord(&obj->store, face->vertex[1]);
+    const struct tp_obj_texcoord c = vertex_texcoord(&obj->store, face->vertex[2]);
     const int32_t dt_e = b.t - a.t, dt_f = c.t - a.t;
     const int64_t turn = tp_area_term(b.s - a.s, dt_f, c.s - a.s, dt_e);
     if (turn == 0)
@@ -156,10 +156,10 @@ static void make_face(tp_obj *obj, const uint32_t vertex[3], uint32_t material,
                       int64_t sum[3])
 {
     tp_obj_store *const store = &obj->store;
-    const tp_vec3 corner = position_of(store, vertex[0]);
-    const tp_vec3 e = tp_vec3_sub(position_of(store, vertex[1]), corner);
-    const tp_vec3 f = tp_vec3_sub(position_of(store, vertex[2]), corner);
-    const tp_area exact = tp_area_of(e, f);
+    const tp_vec3 corner = vertex_position(store, vertex[0]);
+    const tp_vec3 e = tp_vec3_sub(vertex_position(store, vertex[1]), corner);
+    const tp_vec3 f = tp_vec3_sub(vertex_position(store, vertex[2]), corner);
+    const tp_area exact = tp_area_cross(e, f);
     if (tp_area_is_none(exact)) {
         obj->dropped++;
         return;
@@ -168,17 +168,17 @@ static void make_face(tp_obj *obj, const uint32_t vertex[3], uint32_t material,
     tp_mesh_face *const face = &store->faces[store->n_faces++];
     struct tp_obj_made *const made = &store->made[material];
     *face = (tp_mesh_face){ { vertex[0], vertex[1], vertex[2] }, 0, material };
-    face->tangent = tangent_of(obj, face, e, f, exact, &made->picture);
+    face->tangent = face_tangent(obj, face, e, f, exact, &made->picture);
     const tp_area area = tp_area_scaled(exact, obj->area_shift);
     made->area += tp_area_length(area);
-    add_to(sum, area);
+    add_area(sum, area);
     add_to_slots(store, face, area);
 }
 
 static void begin_cut(const tp_obj_store *store, const uint32_t *corners, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
-        const tp_vec3 p = position_of(store, corners[i]);
+        const tp_vec3 p = vertex_position(store, corners[i]);
         store->cut->at[0][i] = p.x;
         store->cut->at[1][i] = p.y;
         store->cut->at[2][i] = p.z;
@@ -187,8 +187,8 @@ static void begin_cut(const tp_obj_store *store, const uint32_t *corners, uint32
 }
 
 /* Makes the faces of a polygon.  Adds their area vectors to *sum. */
-static void cut_up(tp_obj *obj, const struct tp_obj_polygon *polygon,
-                   const uint32_t *corners, int64_t sum[3])
+static void triangulate_polygon(tp_obj *obj, const struct tp_obj_polygon *polygon,
+                                const uint32_t *corners, int64_t sum[3])
 {
     if (polygon->corners == 3) {
         make_face(obj, corners, polygon->material, sum);
@@ -208,7 +208,7 @@ static void make_faces(tp_obj *obj, const struct tp_obj_polygon *polygon,
 {
     tp_obj_store *const store = &obj->store;
     int64_t sum[3] = { 0, 0, 0 };
-    cut_up(obj, polygon, corners, sum);
+    triangulate_polygon(obj, polygon, corners, sum);
     const tp_packed_dir normal =
         tp_dir_pack(tp_area_direction((tp_area){ sum[0], sum[1], sum[2] }));
     for (uint32_t i = 0; i < polygon->corners; i++) {
@@ -220,7 +220,7 @@ static void make_faces(tp_obj *obj, const struct tp_obj_polygon *polygon,
 
 /* -- vertices ------------------------------------------------------------------------ */
 
-static tp_packed_dir normal_of(const tp_obj_store *store, uint32_t normal)
+static tp_packed_dir resolve_normal(const tp_obj_store *store, uint32_t normal)
 {
     const uint32_t i = normal & ~TP_NORMAL_KIND;
     switch (normal & TP_NORMAL_KIND) {
@@ -238,10 +238,10 @@ static tp_packed_dir normal_of(const tp_obj_store *store, uint32_t normal)
 static void finish_vertices(tp_obj_store *store)
 {
     for (uint32_t i = 0; i < store->n_vertices; i++) {
-        const struct tp_obj_texcoord tex = texcoord_of(store, i);
+        const struct tp_obj_texcoord tex = vertex_texcoord(store, i);
         store->vertices[i].out = (tp_mesh_vertex){
-            .position = position_of(store, i),
-            .normal = normal_of(store, store->vertices[i].corner.normal),
+            .position = vertex_position(store, i),
+            .normal = resolve_normal(store, store->vertices[i].corner.normal),
             .s = tex.s, .t = tex.t };
     }
 }

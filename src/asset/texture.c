@@ -12,7 +12,7 @@
 
 enum { MOST = 4096 };
 
-static uint32_t log2_above(uint32_t n)
+static uint32_t ceil_log2(uint32_t n)
 {
     uint32_t log2 = 0;
     while (1u << log2 < n)
@@ -35,7 +35,7 @@ size_t tp_texture_bytes(uint32_t w, uint32_t h)
 {
     if (!can_be(w, h))
         return 0;
-    const uint32_t log2_w = log2_above(w), log2_h = log2_above(h);
+    const uint32_t log2_w = ceil_log2(w), log2_h = ceil_log2(h);
     size_t texels = 0;
     for (uint32_t level = 0; level <= log2_w || level <= log2_h; level++)
         texels += (size_t)side(log2_w, level) * side(log2_h, level);
@@ -48,7 +48,7 @@ size_t tp_texture_bytes(uint32_t w, uint32_t h)
 typedef struct { uint32_t first, second, weight; } tap;
 
 /* i < 2^log2 <= 4096 and n <= 4096: the product stays below 2^41. */
-static tap tap_at(uint32_t i, uint32_t n, uint32_t log2)
+static tap make_tap(uint32_t i, uint32_t n, uint32_t log2)
 {
     TP_ASSERT(n > 0 && n <= MOST && i >> log2 == 0);
     const int64_t centre = ((int64_t)(2 * i + 1) * n * 256 >> (log2 + 1)) - 128;
@@ -83,9 +83,9 @@ static void fill_first_level(uint32_t *to, uint32_t log2_w, uint32_t log2_h,
                              const uint32_t *pixels, uint32_t w, uint32_t h)
 {
     for (uint32_t y = 0; y < side(log2_h, 0); y++) {
-        const tap row = tap_at(y, h, log2_h);
+        const tap row = make_tap(y, h, log2_h);
         for (uint32_t x = 0; x < side(log2_w, 0); x++)
-            *to++ = resample(pixels, w, tap_at(x, w, log2_w), row);
+            *to++ = resample(pixels, w, make_tap(x, w, log2_w), row);
     }
 }
 
@@ -127,7 +127,7 @@ tp_status tp_texture_init(tp_texture *texture, const uint32_t *pixels, uint32_t 
         return status;
     if (bytes < tp_texture_bytes(w, h))
         return TP_FAIL(err, TP_E_NOSPACE, 0, tp_texture_bytes(w, h), bytes);
-    const uint32_t log2_w = log2_above(w), log2_h = log2_above(h);
+    const uint32_t log2_w = ceil_log2(w), log2_h = ceil_log2(h);
     const uint32_t levels = (log2_w > log2_h ? log2_w : log2_h) + 1;
     *texture = (tp_texture){ .log2_w = (uint8_t)log2_w, .log2_h = (uint8_t)log2_h,
                              .levels = (uint8_t)levels };

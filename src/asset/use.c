@@ -70,7 +70,7 @@ static bool has_place(const tp_obj *obj, tp_word name)
 
 /* Returns the number of the material; adds the material if needed.  Returns TP_NO_NAME if
  * there is no room. */
-static uint32_t number_of(tp_obj *obj, tp_word name)
+static uint32_t find_or_add_material(tp_obj *obj, tp_word name)
 {
     tp_obj_names *const names = &obj->store.material_names;
     uint32_t i = tp_names_find(names, name, 0, obj->total.digest);
@@ -97,7 +97,7 @@ static tp_status use_crowded(tp_obj *obj, tp_error *err)
     if (!obj->crowded)
         tp_obj_warn(obj, &fault);
     obj->crowded = true;
-    obj->material = number_of(obj, nameless);
+    obj->material = find_or_add_material(obj, nameless);
     return TP_OK;
 }
 
@@ -105,7 +105,7 @@ static tp_status use_material(tp_obj *obj, tp_word name, tp_error *err)
 {
     if (obj->stage == TP_STAGE_SCAN)
         return count_name(obj, TP_NAMES_MATERIAL, name, err);
-    obj->material = number_of(obj, name);
+    obj->material = find_or_add_material(obj, name);
     return obj->material == TP_NO_NAME ? use_crowded(obj, err) : TP_OK;
 }
 

@@ -6,7 +6,7 @@
 
 enum { ALIGNMENT = 8 };
 
-tp_arena tp_arena_over(void *block, size_t bytes)
+tp_arena tp_arena_init(void *block, size_t bytes)
 {
     TP_ASSERT((uintptr_t)block % ALIGNMENT == 0);
     return (tp_arena){ .block = block, .bytes = bytes, .used = 0, .failed = false };

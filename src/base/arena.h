@@ -17,7 +17,7 @@ typedef struct {
 } tp_arena;
 
 /* Makes an arena over `block`, which must be aligned to 8 bytes. */
-tp_arena tp_arena_over(void *block, size_t bytes);
+tp_arena tp_arena_init(void *block, size_t bytes);
 
 /* Allocates count x size bytes, aligned to 8.  Returns NULL when counting, or when the
  * block has no room left. */

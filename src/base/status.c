@@ -28,7 +28,7 @@ static void put_part(tp_text *out, char part, const tp_error *err)
 size_t tp_error_text(const tp_error *err, char *text, size_t bytes)
 {
     TP_ASSERT(err != NULL);
-    tp_text out = tp_text_over(text, bytes);
+    tp_text out = tp_text_init(text, bytes);
     for (const char *at = tp_status_text(err->code); *at != '\0'; at++) {
         if (*at == '%' && at[1] != '\0')
             put_part(&out, *++at, err);

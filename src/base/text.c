@@ -3,7 +3,7 @@
 #include "base/assert.h"
 #include "base/text.h"
 
-tp_text tp_text_over(char *buffer, size_t bytes)
+tp_text tp_text_init(char *buffer, size_t bytes)
 {
     TP_ASSERT(buffer != NULL || bytes == 0);
     if (bytes > 0)

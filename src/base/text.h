@@ -12,7 +12,7 @@ typedef struct {
     size_t length;          /* length of the whole text, without the terminator */
 } tp_text;
 
-tp_text tp_text_over(char *buffer, size_t bytes);
+tp_text tp_text_init(char *buffer, size_t bytes);
 void    tp_text_char(tp_text *text, char c);
 void    tp_text_add(tp_text *text, const char *string);     /* `string` is terminated */
 void    tp_text_int(tp_text *text, int32_t number);

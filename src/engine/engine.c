@@ -24,7 +24,7 @@ typedef struct {
     void  *world, *frame, *scratch;
 } blocks;
 
-static blocks blocks_of(const tp_config *c, const tp_scene *scene)
+static blocks measure_blocks(const tp_config *c, const tp_scene *scene)
 {
     return (blocks){
         .world_bytes = tp_world_bytes(c->program, scene, c->assets),
@@ -39,7 +39,7 @@ static bool are_known(const blocks *b)
 }
 
 /* Lays out the block; with a counting arena, only counts bytes. */
-static void lay_out(blocks *b, tp_arena *arena)
+static void allocate_blocks(blocks *b, tp_arena *arena)
 {
     tp_arena_take(arena, 1, sizeof(tp_engine));
     b->world = tp_arena_take(arena, 1, b->world_bytes);
@@ -49,12 +49,12 @@ static void lay_out(blocks *b, tp_arena *arena)
 
 size_t tp_engine_bytes(const tp_config *config, const tp_scene *scene)
 {
-    tp_arena arena = tp_arena_over(NULL, 0);
+    tp_arena arena = tp_arena_init(NULL, 0);
 
     if (config == NULL || scene == NULL)
         return 0;
-    blocks b = blocks_of(config, scene);
-    lay_out(&b, &arena);
+    blocks b = measure_blocks(config, scene);
+    allocate_blocks(&b, &arena);
     return are_known(&b) ? arena.used : 0;
 }
 
@@ -90,11 +90,11 @@ tp_status tp_engine_init(tp_engine **out, const tp_config *config, const tp_scen
 
     if (status != TP_OK)
         return status;
-    blocks b = blocks_of(config, scene);
+    blocks b = measure_blocks(config, scene);
     if (!are_known(&b))
         return refuse(config, scene, memory, bytes, err);
-    tp_arena arena = tp_arena_over(memory, bytes);
-    lay_out(&b, &arena);
+    tp_arena arena = tp_arena_init(memory, bytes);
+    allocate_blocks(&b, &arena);
     if (arena.failed)
         return TP_FAIL(err, TP_E_NOSPACE, 0, arena.used, bytes);
     status = tp_world_init(config->program, b.world, b.world_bytes, scene, config->assets,

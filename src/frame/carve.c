@@ -22,7 +22,7 @@ static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_program *p
 
 bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene)
 {
-    const tp_want want = tp_want_by(program, scene, NULL);
+    const tp_want want = tp_world_want(program, scene, NULL);
     return tp_modules_have(program->modules, &want, TP_MODULE_COASTAL);
 }
 

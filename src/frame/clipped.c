@@ -17,7 +17,7 @@ int tp_clipped_corners(const tp_lens *lens, const tp_view_plane *level,
                        const tp_view_corner in[3], tp_corner to[TP_CLIP_CORNERS])
 {
     tp_view_corner out[TP_CLIP_CORNERS];
-    int count = tp_clip_triangle_at(lens, level, in, out);
+    int count = tp_clip_triangle_plane(lens, level, in, out);
 
     for (int k = 0; k < count; k++)
         tp_corner_project(lens, &out[k], &to[k]);

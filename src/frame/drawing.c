@@ -190,7 +190,7 @@ void tp_frame_draw_modules(const tp_frame *frame, const tp_sight *sight,
                              frame->parts.mark[i]);
 }
 
-void tp_frame_draw_over(const tp_frame *frame, const tp_samples *samples)
+void tp_frame_draw_post_water(const tp_frame *frame, const tp_samples *samples)
 {
     EACH_OF(frame->modules_drawn, i, use, frame->program)
     if (use[i].drawing->over)
@@ -206,7 +206,7 @@ uint32_t tp_marks_one(const tp_want *want)
     return 1;
 }
 
-static uint64_t drawn_of(const tp_frame *frame)
+static uint64_t drawing_mask(const tp_frame *frame)
 {
     uint64_t drawn = 0;
 
@@ -236,5 +236,5 @@ void tp_frame_list_modules(tp_frame *frame)
         }
     }
     frame->modules_on &= ~lack;
-    frame->modules_drawn = drawn_of(frame);
+    frame->modules_drawn = drawing_mask(frame);
 }

@@ -79,7 +79,7 @@ void tp_frame_add_modules(const struct tp_frame *frame, tp_shaders *list);
 void tp_frame_place_modules(struct tp_frame *frame, tp_sight *sight, tp_grid_box *box);
 void tp_frame_draw_modules(const struct tp_frame *frame, const tp_sight *sight,
                            tp_samples *samples);
-void tp_frame_draw_over(const struct tp_frame *frame, const tp_samples *samples);
+void tp_frame_draw_post_water(const struct tp_frame *frame, const tp_samples *samples);
 
 /* Fills the shader lists of the modules' own samples. */
 void tp_frame_list_modules(struct tp_frame *frame);

@@ -33,14 +33,14 @@ typedef struct {
     uint32_t s, s_step, t, t_step, n, n_step;
 } few;
 
-TP_ALWAYS_INLINE uint32_t key_of(uint32_t zi)
+TP_ALWAYS_INLINE uint32_t make_water_key(uint32_t zi)
 {
     return (zi << 1 & ~(uint32_t)0xff) | TP_MARK_WATER;
 }
 
 /* Returns the values at the start of a block; `from` is the pixel's index in the row and
  * lies `off` pixels after the start. */
-TP_ALWAYS_INLINE few few_at(const piece *p, int32_t from, int32_t off)
+TP_ALWAYS_INLINE few make_few(const piece *p, int32_t from, int32_t off)
 {
     uint64_t s = p->place[0].now + p->place[0].step * (uint64_t)(int64_t)(from - off);
     uint64_t t = p->place[1].now + p->place[1].step * (uint64_t)(int64_t)(from - off);
@@ -57,11 +57,11 @@ TP_ALWAYS_INLINE void fill(const piece *p, int32_t from, int32_t count, few f, i
                            int rolled, int tested)
 {
     uint32_t *key = p->key + from, *s = p->s + from, *t = p->t + from, *n = p->n + from;
-    uint32_t  zi = p->zi + p->zi_step * (uint32_t)from, now = key_of(zi);
+    uint32_t  zi = p->zi + p->zi_step * (uint32_t)from, now = make_water_key(zi);
 
     for (const uint32_t *end = key + count; key < end; key++, s++, t++, n++) {
         if (rolled) {
-            now = key_of(zi);
+            now = make_water_key(zi);
             zi += p->zi_step;
         }
         if (!tested || now > (*key | 0xff)) {
@@ -82,7 +82,7 @@ typedef struct {
     int32_t x, z;
 } side;
 
-static inline side side_at(const uint32_t *point, uint32_t cols, int32_t down)
+static inline side interpolate_side(const uint32_t *point, uint32_t cols, int32_t down)
 {
     uint32_t a = point[0], b = point[cols];
     int32_t  up = CELL - down;
@@ -103,12 +103,12 @@ TP_ALWAYS_INLINE void fill_cells(const tp_frame *frame, const piece *p, int roll
     const uint32_t *point = frame->parts.slopes + (uint32_t)(p->y / CELL) * cols
                           + (uint32_t)(p->x / CELL);
     const int32_t down = p->y % CELL;
-    side a = side_at(point, cols, down);
+    side a = interpolate_side(point, cols, down);
 
     for (int32_t from = 0, count; from < p->count; from += count) {
         int32_t off = (p->x + from) % CELL;
-        side b = side_at(++point, cols, down);
-        few  f = few_at(p, from, off);
+        side b = interpolate_side(++point, cols, down);
+        few  f = make_few(p, from, off);
         f.n_step = packed((b.x - a.x + 32) >> 6, (b.z - a.z + 32) >> 6);
         f.n = packed((a.x + 4) >> 3, (a.z + 4) >> 3) + f.n_step * (uint32_t)off;
         count = CELL - off < p->count - from ? CELL - off : p->count - from;
@@ -122,7 +122,7 @@ TP_ALWAYS_INLINE void fill_still(const piece *p, int rolled, int tested)
     for (int32_t from = 0, count; from < p->count; from += count) {
         int32_t off = (p->x + from) % BLOCK;
         count = BLOCK - off < p->count - from ? BLOCK - off : p->count - from;
-        fill(p, from, count, few_at(p, from, off), 0, rolled, tested);
+        fill(p, from, count, make_few(p, from, off), 0, rolled, tested);
     }
 }
 
@@ -149,11 +149,11 @@ static void fill_piece(const tp_frame *frame, const piece *p, bool tested)
 
 /* Returns the walker of a row, computed from absolute x = 0: a product of a 31-bit factor
  * and a 30-bit pixel direction. */
-static walker walker_of(tp_level_reach reach, tp_fx eye, const tp_level_sum *sum, int32_t x,
-                        int32_t y)
+static walker make_walker(tp_level_reach reach, tp_fx eye, const tp_level_sum *sum,
+                          int32_t x, int32_t y)
 {
     int      shift = reach.shift > 16 ? reach.shift - 16 : 0;
-    int64_t  first = (int64_t)reach.factor * (int32_t)(tp_level_at(sum, 0, y) >> 14);
+    int64_t  first = (int64_t)reach.factor * (int32_t)(tp_level_evaluate(sum, 0, y) >> 14);
     uint64_t step = (uint64_t)((int64_t)reach.factor * sum->x >> (shift + 14));
     uint64_t from = (uint64_t)(first >> shift) + ((uint64_t)(int64_t)eye << 16);
 
@@ -163,11 +163,12 @@ static walker walker_of(tp_level_reach reach, tp_fx eye, const tp_level_sum *sum
 static void draw_level(const tp_frame *frame, piece *p, bool tested)
 {
     const tp_level *level = frame->parts.level;
-    tp_level_reach reach = tp_level_reach_of(level, tp_level_at(&level->down, 0, p->y));
+    tp_level_reach reach =
+        tp_level_reach_make(level, tp_level_evaluate(&level->down, 0, p->y));
 
-    p->zi = (uint32_t)(tp_level_at(&level->zi, 0, p->y) >> TP_LEVEL_ZI);
-    p->place[0] = walker_of(reach, level->x, &level->east, p->x, p->y);
-    p->place[1] = walker_of(reach, level->z, &level->south, p->x, p->y);
+    p->zi = (uint32_t)(tp_level_evaluate(&level->zi, 0, p->y) >> TP_LEVEL_ZI);
+    p->place[0] = make_walker(reach, level->x, &level->east, p->x, p->y);
+    p->place[1] = make_walker(reach, level->z, &level->south, p->x, p->y);
     fill_piece(frame, p, tested);
 }
 
@@ -179,17 +180,17 @@ typedef struct {
     uint32_t place[2];
 } knot;
 
-static knot knot_at(const tp_level *level, int32_t x, int32_t y)
+static knot sample_knot(const tp_level *level, int32_t x, int32_t y)
 {
-    knot k = { tp_level_at(&level->down, x, y), { 0, 0 } };
+    knot k = { tp_level_evaluate(&level->down, x, y), { 0, 0 } };
 
     if (k.down <= 0)
         return k;
-    tp_level_reach reach = tp_level_reach_of(level, k.down);
+    tp_level_reach reach = tp_level_reach_make(level, k.down);
     k.place[0] = (uint32_t)level->x
-               + (uint32_t)tp_level_along(reach, tp_level_at(&level->east, x, y));
+               + (uint32_t)tp_level_metres(reach, tp_level_evaluate(&level->east, x, y));
     k.place[1] = (uint32_t)level->z
-               + (uint32_t)tp_level_along(reach, tp_level_at(&level->south, x, y));
+               + (uint32_t)tp_level_metres(reach, tp_level_evaluate(&level->south, x, y));
     return k;
 }
 
@@ -218,7 +219,7 @@ static void draw_even(const tp_frame *frame, piece *p, const knot *a, const knot
 static void draw_singly(const tp_frame *frame, const piece *block)
 {
     for (int32_t i = 0; i < block->count; i++) {
-        knot  k = knot_at(frame->parts.level, block->x + i, block->y);
+        knot  k = sample_knot(frame->parts.level, block->x + i, block->y);
         piece p = { block->key + i, block->s + i, block->t + i, block->n + i,
                     block->x + i, block->y, 1, block->zi + block->zi_step * (uint32_t)i,
                     0, { { (uint64_t)k.place[0] << 16, 0 },
@@ -230,17 +231,17 @@ static void draw_singly(const tp_frame *frame, const piece *block)
 static void draw_rolled(const tp_frame *frame, const piece *row)
 {
     const tp_level *level = frame->parts.level;
-    knot a = knot_at(level, row->x & ~(BLOCK - 1), row->y);
+    knot a = sample_knot(level, row->x & ~(BLOCK - 1), row->y);
 
     for (int32_t i = 0, count; i < row->count; i += count) {
         int32_t x = row->x + i, off = x % BLOCK;
-        knot    b = knot_at(level, x - off + BLOCK, row->y);
+        knot    b = sample_knot(level, x - off + BLOCK, row->y);
         count = BLOCK - off < row->count - i ? BLOCK - off : row->count - i;
         piece p = { .key = row->key + i, .s = row->s + i, .t = row->t + i, .n = row->n + i,
                     .x = x, .y = row->y, .count = count };
         p.zi_step = (uint32_t)(level->zi.x >> TP_LEVEL_ZI);
-        p.zi = (uint32_t)(tp_level_at(&level->zi, x - off, row->y) >> TP_LEVEL_ZI)
-             + p.zi_step * (uint32_t)off;
+        p.zi = (uint32_t)(tp_level_evaluate(&level->zi, x - off, row->y) >> TP_LEVEL_ZI)
+               + p.zi_step * (uint32_t)off;
         if (is_even(&a, &b))
             draw_even(frame, &p, &a, &b);
         else

@@ -87,7 +87,7 @@ static tp_status check_both(const tp_config *c, const tp_scene *scene, tp_error 
 size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene)
 {
     const tp_config c = filled(config, scene);
-    tp_arena arena = tp_arena_over(NULL, 0);
+    tp_arena arena = tp_arena_init(NULL, 0);
     tp_assets known = filled_assets(c.assets);
     tp_frame_parts parts;
     tp_ram_use ram;
@@ -111,7 +111,7 @@ static uint32_t streamed_cols(const tp_program *program, const tp_scene *scene)
 /* Scratch size: four planes of the G-buffer, then the pixels unless they are drawn
  * elsewhere.  Before pixels exist, the renderer's bytes per column and the window of a
  * streamed grid use the same place. */
-static size_t scratch_of(const tp_config *config, const tp_scene *scene, bool into)
+static size_t scratch_size(const tp_config *config, const tp_scene *scene, bool into)
 {
     const tp_config c = filled(config, scene);
 
@@ -126,12 +126,12 @@ static size_t scratch_of(const tp_config *config, const tp_scene *scene, bool in
 
 size_t tp_frame_scratch_bytes(const tp_config *config, const tp_scene *scene)
 {
-    return scratch_of(config, scene, false);
+    return scratch_size(config, scene, false);
 }
 
 size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *scene)
 {
-    return scratch_of(config, scene, true);
+    return scratch_size(config, scene, true);
 }
 
 /* Lays out the frame in its block and fills the members; tables are filled later. */
@@ -152,7 +152,7 @@ static tp_frame *make(tp_arena *arena, const tp_config *c, const tp_scene *scene
     frame->down = (c->height + c->tile_height - 1) / c->tile_height;
     frame->parts = parts;
     frame->ram = ram;
-    frame->ram.scratch = scratch_of(c, scene, false);
+    frame->ram.scratch = scratch_size(c, scene, false);
     return frame;
 }
 
@@ -173,7 +173,7 @@ tp_status tp_frame_init(tp_frame **out, const tp_config *config, const tp_scene 
     const size_t needed = tp_frame_bytes(&c, scene);
     if (bytes < needed)
         return TP_FAIL(err, TP_E_NOSPACE, 0, needed, bytes);
-    tp_arena arena = tp_arena_over(memory, bytes);
+    tp_arena arena = tp_arena_init(memory, bytes);
     tp_frame *frame = make(&arena, &c, scene);
     tp_frame_choose_rungs(frame);
     tp_frame_init_modules(frame);

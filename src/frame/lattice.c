@@ -8,7 +8,7 @@
 
 enum { CELL = TP_LATTICE_CELL };
 
-static uint32_t points_over(uint32_t pixels)
+static uint32_t count_points(uint32_t pixels)
 {
     return (pixels + CELL - 1) / CELL + 1;
 }
@@ -27,9 +27,9 @@ void tp_frame_carve_slopes(tp_frame_parts *parts, tp_arena *arena, const tp_scen
 {
     if (!has_waves(scene))
         return;
-    parts->slope_cols = points_over(config->width);
+    parts->slope_cols = count_points(config->width);
     parts->slopes = tp_arena_take(arena, (size_t)parts->slope_cols
-                                             * points_over(config->height),
+                                             * count_points(config->height),
                                   sizeof *parts->slopes);
 }
 
@@ -62,49 +62,49 @@ typedef struct {
     tp_level_reach reach, beyond;
 } row_of_points;
 
-static tp_level_reach reach_of(const tp_level *level, int64_t down)
+static tp_level_reach make_clamped_reach(const tp_level *level, int64_t down)
 {
-    return tp_level_reach_of(level, down > 0 ? down : 1);
+    return tp_level_reach_make(level, down > 0 ? down : 1);
 }
 
-static row_of_points row_at(const tp_level *level, int32_t y)
+static row_of_points make_row(const tp_level *level, int32_t y)
 {
-    int64_t down = tp_level_at(&level->down, 0, y);
-    return (row_of_points){ down, level->down.x * CELL, reach_of(level, down),
-                            reach_of(level, down - level->down.y * CELL) };
+    int64_t down = tp_level_evaluate(&level->down, 0, y);
+    return (row_of_points){ down, level->down.x * CELL, make_clamped_reach(level, down),
+                            make_clamped_reach(level, down - level->down.y * CELL) };
 }
 
 /* Returns the rest position of a point, and the vectors to its right neighbour and to its
  * farther neighbour. */
-static void rest_at(const tp_level *level, const row_of_points *row, int32_t x, int32_t y,
-                    tp_fx at[2], tp_fx step[2][2])
+static void sample_rest(const tp_level *level, const row_of_points *row, int32_t x,
+                        int32_t y, tp_fx at[2], tp_fx step[2][2])
 {
     const tp_level_sum *sums[2] = { &level->east, &level->south };
     const tp_fx eye[2] = { level->x, level->z };
     tp_level_reach reach = row->reach, beyond = row->beyond;
 
     if (level->rolled) {
-        int64_t down = tp_level_at(&level->down, x, y);
-        reach = reach_of(level, down);
-        beyond = reach_of(level, down - level->down.y * CELL);
+        int64_t down = tp_level_evaluate(&level->down, x, y);
+        reach = make_clamped_reach(level, down);
+        beyond = make_clamped_reach(level, down - level->down.y * CELL);
     }
     for (int axis = 0; axis < 2; axis++) {
-        int64_t way = tp_level_at(sums[axis], x, y);
-        int64_t here = tp_level_along(reach, way);
-        int64_t far = tp_level_along(beyond, way - sums[axis]->y * CELL);
+        int64_t way = tp_level_evaluate(sums[axis], x, y);
+        int64_t here = tp_level_metres(reach, way);
+        int64_t far = tp_level_metres(beyond, way - sums[axis]->y * CELL);
         at[axis] = tp_fx_held(eye[axis] + here);
-        step[0][axis] = tp_fx_held(tp_level_along(reach, sums[axis]->x * CELL));
+        step[0][axis] = tp_fx_held(tp_level_metres(reach, sums[axis]->x * CELL));
         step[1][axis] = tp_fx_held(far - here);
     }
 }
 
-static uint32_t slopes_at(const tp_frame *frame, const row_of_points *row, int32_t x,
-                          int32_t y)
+static uint32_t sample_slopes(const tp_frame *frame, const row_of_points *row, int32_t x,
+                              int32_t y)
 {
     const tp_level *level = frame->parts.level;
     tp_fx at[2], step[2][2];
 
-    rest_at(level, row, x, y, at, step);
+    sample_rest(level, row, x, y, at, step);
     tp_sea_point point = frame->surface.by->swells->point(level, &frame->surface, at, step);
     return tp_level_slopes(&point);
 }
@@ -112,14 +112,14 @@ static uint32_t slopes_at(const tp_frame *frame, const row_of_points *row, int32
 /* Computes a row of slopes.  Slopes above the horizon are 0 and not evaluated. */
 static void place_row(tp_frame *frame, int32_t y, uint32_t cols, uint32_t *slopes)
 {
-    const row_of_points row = row_at(frame->parts.level, y);
+    const row_of_points row = make_row(frame->parts.level, y);
     int64_t down = row.down;
 
     for (uint32_t i = 0; i < cols; i++, down += row.step) {
         slopes[i] = 0;
         if (down <= 0)
             continue;
-        slopes[i] = slopes_at(frame, &row, (int32_t)i * CELL, y);
+        slopes[i] = sample_slopes(frame, &row, (int32_t)i * CELL, y);
         frame->stats.vertices++;
     }
 }
@@ -128,7 +128,7 @@ void tp_frame_place_slopes(tp_frame *frame)
 {
     TP_ASSERT(frame->parts.slopes != NULL && frame->parts.slope_cols > 0);
     const uint32_t cols = frame->parts.slope_cols;
-    const uint32_t rows = points_over(frame->config.height);
+    const uint32_t rows = count_points(frame->config.height);
 
     for (uint32_t j = 0; j < rows; j++)
         place_row(frame, (int32_t)j * CELL, cols, frame->parts.slopes + j * cols);

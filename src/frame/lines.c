@@ -168,7 +168,7 @@ static void set_box(tp_frame *frame, uint32_t k)
     }
 }
 
-static bool is_inside(const tp_frame *frame, int32_t u)
+static bool is_on_screen(const tp_frame *frame, int32_t u)
 {
     return u != TP_GRID_CUT && u > 0 && u < 16 * (int32_t)frame->config.width;
 }
@@ -178,7 +178,7 @@ static bool is_sided(const tp_frame *frame, uint32_t k)
     for (uint32_t far = 0; far < 2; far++) {
         tp_row_point end[2];
         tp_line_ends(frame, &frame->parts.grid->window, k + far, end);
-        if (is_inside(frame, end[0].u) || is_inside(frame, end[1].u))
+        if (is_on_screen(frame, end[0].u) || is_on_screen(frame, end[1].u))
             return true;
     }
     return false;

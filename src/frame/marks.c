@@ -24,7 +24,7 @@ uint32_t tp_marks_deal(tp_marks *marks, uint32_t wanted)
 
 /* Returns the index of list i's first stage in the shared memory of all lists; only the
  * water's list is long. */
-static uint32_t room_before(uint32_t i)
+static uint32_t list_offset(uint32_t i)
 {
     return i * TP_SHADERS_OTHER
          + (i > TP_LIST_WATER ? TP_SHADERS_WATER - TP_SHADERS_OTHER : 0);
@@ -32,7 +32,7 @@ static uint32_t room_before(uint32_t i)
 
 void tp_marks_layout(tp_marks *marks, tp_arena *arena)
 {
-    const uint32_t room = room_before(marks->lists);
+    const uint32_t room = list_offset(marks->lists);
     tp_shader *shader;
     uint8_t   *place;
 
@@ -45,8 +45,8 @@ void tp_marks_layout(tp_marks *marks, tp_arena *arena)
     for (uint32_t i = 0; i < marks->lists; i++)
         tp_shaders_init(&marks->list[i],
                         i < LISTS ? (tp_list_kind)i : TP_LIST_THINGS,
-                        shader + room_before(i), place + room_before(i),
-                        room_before(i + 1) - room_before(i));
+                        shader + list_offset(i), place + list_offset(i),
+                        list_offset(i + 1) - list_offset(i));
     tp_marks_give(marks, TP_LIST_SKY, TP_MARK_SKY, NULL);
     tp_marks_give(marks, TP_LIST_WATER, TP_MARK_WATER, NULL);
 }

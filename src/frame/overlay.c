@@ -4,7 +4,7 @@
 
 /* Depth key: near / depth in the upper 24 bits.  A span at or before the near plane covers
  * everything. */
-static uint32_t key_of(tp_fx near, tp_fx depth)
+static uint32_t make_depth_key(tp_fx near, tp_fx depth)
 {
     if (depth <= near)
         return UINT32_MAX;
@@ -39,7 +39,7 @@ void tp_overlay_span(const tp_overlay_row *row, int32_t x, uint32_t count, tp_fx
     const int64_t past = (int64_t)x + count;
     const int64_t begin = x > (int64_t)row->x0 ? x : (int64_t)row->x0;
     const int64_t end = past < (int64_t)row->x1 ? past : (int64_t)row->x1;
-    const uint32_t nearer = key_of(row->near, depth) & ~0xffu;
+    const uint32_t nearer = make_depth_key(row->near, depth) & ~0xffu;
 
     for (int64_t i = begin; i < end; i++) {
         const uint32_t over = argb[i - x];

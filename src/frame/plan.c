@@ -4,7 +4,7 @@
 #include "frame/frame.h"
 #include "scene/light.h"
 
-static void light_from(tp_frame *frame)
+static void set_light_direction(tp_frame *frame)
 {
     tp_view_axes *axes = &frame->shade.world;
     tp_dir3 light = tp_light_direction(frame->drawn.light_heading,
@@ -36,7 +36,7 @@ static void choose_water(tp_frame *frame)
 }
 
 /* Fills the water's list for the surface seen from below. */
-static void choose_below(tp_frame *frame)
+static void choose_underside(tp_frame *frame)
 {
     tp_shaders *water = tp_frame_list(frame, TP_MARK_WATER);
 
@@ -75,7 +75,7 @@ static void choose_stages(tp_frame *frame)
     count_lacks(frame, tp_frame_list(frame, TP_MARK_SKY), TP_LACKING_SKY);
     tp_frame_list_modules(frame);
     if (frame->under)
-        choose_below(frame);
+        choose_underside(frame);
     else
         choose_water(frame);
     count_lacks(frame, tp_frame_list(frame, TP_MARK_WATER), 0);
@@ -91,7 +91,7 @@ void tp_frame_plan(tp_frame *frame)
     shade->ambient = scene->light.ambient >> 8;
     shade->mirror = scene->water.reflection >> 8;
     shade->light_colour = (uint32_t)scene->light.colour;
-    light_from(frame);
+    set_light_direction(frame);
     shade->water_colour = (uint32_t)scene->water.colour;
     shade->shine = NULL;
     shade->fresnel = tp_fresnel_table;

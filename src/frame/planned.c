@@ -8,12 +8,12 @@
 
 static tp_rungs measured_rungs(const tp_plan_input *in)
 {
-    return tp_rungs_by(&tp_prices_measured, in);
+    return tp_rungs_choose_priced(&tp_prices_measured, in);
 }
 
 static tp_ladder measured_ladder(const tp_plan_input *in)
 {
-    return tp_ladder_by(&tp_prices_measured, in);
+    return tp_ladder_make_priced(&tp_prices_measured, in);
 }
 
 static void carve_thin(tp_frame_parts *parts, tp_arena *arena, const tp_plan_input *in)
@@ -33,7 +33,7 @@ static void thin_sea(tp_frame *frame)
 
     if (!thin || surface->ocean)
         return;
-    tp_faint_limits limits = tp_faint_limits_of(frame->scene, surface->sea->count,
+    tp_faint_limits limits = tp_faint_limits_make(frame->scene, surface->sea->count,
                                                 slope_colour);
     limits.focal = lens->focal >> 16;
     limits.near = tp_faint_near(tp_fx_held((int64_t)lens->eye.y - surface->sea->height),

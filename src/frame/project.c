@@ -15,7 +15,7 @@ static int64_t along(const tp_lens *lens, tp_vec3 place, tp_dir3 axis)
 
 /* Returns focal x way / depth, px, 16.16, saturated.  Both lengths are halved until depth
  * fits 31 bits; if the product would still not fit, the point lies far outside. */
-static tp_fx pixels_of(const tp_lens *lens, int64_t way, int64_t depth)
+static tp_fx project_pixels(const tp_lens *lens, int64_t way, int64_t depth)
 {
     int64_t most;
 
@@ -37,9 +37,9 @@ bool tp_frame_project(const tp_frame *frame, tp_vec3 place, tp_fx *x_px, tp_fx *
     if (far >> 14 < lens->near)
         return false;
     *x_px = tp_fx_held((int64_t)frame->config.width * (TP_FX_ONE / 2)
-                       + pixels_of(lens, along(lens, place, lens->turn.x), far));
+                       + project_pixels(lens, along(lens, place, lens->turn.x), far));
     *y_px = tp_fx_held((int64_t)frame->config.height * (TP_FX_ONE / 2)
-                       - pixels_of(lens, along(lens, place, lens->turn.y), far));
+                       - project_pixels(lens, along(lens, place, lens->turn.y), far));
     *depth = tp_fx_held((far + (1 << 13)) >> 14);
     return true;
 }

@@ -26,7 +26,7 @@ enum { CELL = 8, RUN = 16 };
 /* -- range of the lines -------------------------------------------------------------- */
 
 /* Returns G of the file's head for a ray with a fall of `fall` per metre. */
-static tp_fx rise_of(const tp_sea *sea, tp_fx fall)
+static tp_fx bound_rise(const tp_sea *sea, tp_fx fall)
 {
     int64_t sum = 0;
 
@@ -44,7 +44,7 @@ static tp_fx rise_of(const tp_sea *sea, tp_fx fall)
 
 /* Returns the fall of a ray per metre of depth, from its pixels below the horizon in
  * Q.30. */
-static tp_fx fall_of(const tp_frame *frame, int64_t down)
+static tp_fx ray_fall(const tp_frame *frame, int64_t down)
 {
     TP_ASSERT(frame->lens.focal > 0);
     return tp_fx_div((tp_fx)(down >> 14), frame->lens.focal);
@@ -52,10 +52,11 @@ static tp_fx fall_of(const tp_frame *frame, int64_t down)
 
 /* Returns the first line, px below the horizon and a multiple of 4, that stays below a ray
  * for any phase of the waves; 0: no line does. */
-static int32_t start_below(const tp_frame *frame, int64_t down)
+static int32_t find_start(const tp_frame *frame, int64_t down)
 {
     const tp_level *level = frame->parts.level;
-    tp_fx h = level->height, low = h - rise_of(frame->surface.sea, fall_of(frame, down));
+    tp_fx h = level->height,
+          low = h - bound_rise(frame->surface.sea, ray_fall(frame, down));
 
     if (low < h / 4)
         return 0;
@@ -64,7 +65,7 @@ static int32_t start_below(const tp_frame *frame, int64_t down)
 }
 
 /* Returns how many pixels a line extends beyond each side: f / D is -d.y / h. */
-static int32_t margin_of(const tp_frame *frame, int64_t down)
+static int32_t side_margin(const tp_frame *frame, int64_t down)
 {
     const tp_projected *p = frame->parts.projected;
     return (int32_t)((down >> 14) * p->share >> 32) + 2 * CELL;
@@ -72,7 +73,7 @@ static int32_t margin_of(const tp_frame *frame, int64_t down)
 
 /* -- conditions ---------------------------------------------------------------------- */
 
-static int64_t row_below(const tp_projected *p, int32_t x, int32_t rows)
+static int64_t line_row(const tp_projected *p, int32_t x, int32_t rows)
 {
     return p->horizon.at + p->horizon.x * x + (int64_t)rows * TP_Q30_ONE;
 }
@@ -84,9 +85,9 @@ static bool is_ordered(const tp_frame *frame, int32_t x, int32_t y)
     const tp_level *level = frame->parts.level;
     const tp_lens  *lens = &frame->lens;
     const tp_sea   *sea = frame->surface.sea;
-    int64_t east = tp_level_at(&level->east, x, y) >> 14;
-    int64_t south = tp_level_at(&level->south, x, y) >> 14;
-    int64_t down = tp_level_at(&level->down, x, y) >> 14;
+    int64_t east = tp_level_evaluate(&level->east, x, y) >> 14;
+    int64_t south = tp_level_evaluate(&level->south, x, y) >> 14;
+    int64_t down = tp_level_evaluate(&level->down, x, y) >> 14;
     int64_t ahead = (east * lens->ahead.x + south * lens->ahead.z) >> 30;
     int64_t aside = (east * lens->ahead.z - south * lens->ahead.x) >> 30;
     tp_fx   tilt = 0;
@@ -106,8 +107,8 @@ static bool is_ordered(const tp_frame *frame, int32_t x, int32_t y)
  * is such an end or lies outside; false if it crosses the lines otherwise. */
 static bool add_side(tp_projected *p, const tp_level_sum *side, int32_t x0, int32_t x1)
 {
-    int64_t below[2] = { row_below(p, x0, p->start), row_below(p, x1, p->start) };
-    int64_t above[2] = { row_below(p, x0, 0), row_below(p, x1, 0) };
+    int64_t below[2] = { line_row(p, x0, p->start), line_row(p, x1, p->start) };
+    int64_t above[2] = { line_row(p, x0, 0), line_row(p, x1, 0) };
 
     if (tp_level_at_row(side, x0, below[0]) < 0 || tp_level_at_row(side, x1, below[1]) < 0)
         return false;
@@ -120,7 +121,7 @@ static bool add_side(tp_projected *p, const tp_level_sum *side, int32_t x0, int3
     return true;
 }
 
-static int64_t down_at(const tp_frame *frame, int32_t rows)
+static int64_t line_descent(const tp_frame *frame, int32_t rows)
 {
     return frame->parts.level->down.y * rows;
 }
@@ -132,17 +133,17 @@ static bool place(tp_frame *frame)
     const tp_level *level = frame->parts.level;
     tp_projected *p = frame->parts.projected;
     const int32_t wide = (int32_t)frame->config.width, high = (int32_t)frame->config.height;
-    int64_t left = tp_level_at(&level->down, 0, high);
+    int64_t left = tp_level_evaluate(&level->down, 0, high);
     int64_t down = left + (level->down.x > 0 ? level->down.x * wide : 0);
 
-    p->start = down > 0 ? start_below(frame, down) : 4;
+    p->start = down > 0 ? find_start(frame, down) : 4;
     if (p->start == 0 || p->start > 4096)
         return false;
-    down = down_at(frame, p->start);
+    down = line_descent(frame, p->start);
     int64_t depth = (int64_t)frame->lens.focal * level->height / (down >> 14);
     if (depth < 2 * (int64_t)frame->lens.near + p->towards)
         return false;
-    int32_t x0 = -margin_of(frame, down), x1 = wide - x0;
+    int32_t x0 = -side_margin(frame, down), x1 = wide - x0;
     if (x1 > 6000 || !is_ordered(frame, -CELL, high + CELL)
         || !is_ordered(frame, wide + CELL, high + CELL))
         return false;
@@ -197,13 +198,13 @@ typedef struct {
     tp_level_reach reach, beyond;
 } line;
 
-static tp_level_reach reach_of(const tp_level *level, int64_t down)
+static tp_level_reach make_clamped_reach(const tp_level *level, int64_t down)
 {
-    return tp_level_reach_of(level, down > 0 ? down : 1);
+    return tp_level_reach_make(level, down > 0 ? down : 1);
 }
 
 /* Returns the row of the water's far end in column x. */
-static int64_t end_of(const tp_projected *p, int32_t x)
+static int64_t water_end_row(const tp_projected *p, int32_t x)
 {
     int64_t row = p->horizon.at + p->horizon.x * x;
 
@@ -216,8 +217,8 @@ static int64_t end_of(const tp_projected *p, int32_t x)
 
 /* Rest position of the point in column x at `row`, and the vectors to its right neighbour
  * and to the next line's point. */
-static void rest_at(const line *l, int32_t x, int64_t row, bool ends, tp_fx at[2],
-                    tp_fx step[2][2])
+static void sample_rest(const line *l, int32_t x, int64_t row, bool ends, tp_fx at[2],
+                        tp_fx step[2][2])
 {
     const tp_level *level = l->frame->parts.level;
     const tp_level_sum *sums[2] = { &level->east, &level->south };
@@ -226,18 +227,18 @@ static void rest_at(const line *l, int32_t x, int64_t row, bool ends, tp_fx at[2
 
     if (ends) {
         int64_t down = tp_level_at_row(&level->down, x, row);
-        reach = reach_of(level, down);
-        beyond = reach_of(level, down - l->gap);
+        reach = make_clamped_reach(level, down);
+        beyond = make_clamped_reach(level, down - l->gap);
     }
     for (int axis = 0; axis < 2; axis++) {
         const tp_level_sum *sum = sums[axis];
         int64_t way = tp_level_at_row(sum, x, row);
         int64_t across = sum->x + (sum->y * l->frame->parts.projected->horizon.x >> 30);
         int64_t farther = way - (sum->y * (l->gap >> 14) / (level->down.y >> 14));
-        int64_t here = tp_level_along(reach, way);
+        int64_t here = tp_level_metres(reach, way);
         at[axis] = tp_fx_held(eye[axis] + here);
-        step[0][axis] = tp_fx_held(tp_level_along(reach, across * CELL));
-        step[1][axis] = tp_fx_held(tp_level_along(beyond, farther) - here);
+        step[0][axis] = tp_fx_held(tp_level_metres(reach, across * CELL));
+        step[1][axis] = tp_fx_held(tp_level_metres(beyond, farther) - here);
     }
 }
 
@@ -252,17 +253,17 @@ static void project(const tp_frame *frame, const tp_sea_point *from, tp_row_poin
         tp_lens_project(&frame->lens, &c, &to->u, &to->v, &to->zi);
 }
 
-static tp_row_point point_at(const line *l, int32_t x)
+static tp_row_point sample_point(const line *l, int32_t x)
 {
     const tp_frame *frame = l->frame;
     const tp_level *level = frame->parts.level;
-    int64_t row = row_below(frame->parts.projected, x, l->rows);
-    int64_t end = end_of(frame->parts.projected, x);
+    int64_t row = line_row(frame->parts.projected, x, l->rows);
+    int64_t end = water_end_row(frame->parts.projected, x);
     tp_fx   at[2], step[2][2];
 
     bool ends = row <= end;
     row = ends ? end : row;
-    rest_at(l, x, row, ends, at, step);
+    sample_rest(l, x, row, ends, at, step);
     tp_row_point p = {
         .u = 16 * x + 8, .v = (int32_t)((row + (1 << 25)) >> 26) + 8,
         .zi = (uint32_t)(tp_level_at_row(&level->zi, x, row) >> TP_LEVEL_ZI),
@@ -281,7 +282,7 @@ static tp_row_point point_at(const line *l, int32_t x)
 /* -- lines ----------------------------------------------------------------------------- */
 
 /* Returns the next line: 1/16 nearer to the horizon, at most 4 px. */
-static int32_t next_of(int32_t rows)
+static int32_t next_line(int32_t rows)
 {
     return rows > 64 ? rows - 4 : rows > 32 ? rows - 2 : rows - 1;
 }
@@ -292,7 +293,7 @@ static void lay_line(const line *l, tp_rows *rows, int32_t x0, int32_t x1)
     uint32_t count = 0;
 
     for (int32_t x = x0; x <= x1; x += CELL) {
-        run[count++] = point_at(l, x);
+        run[count++] = sample_point(l, x);
         if (count == RUN + 1 || x + CELL > x1) {
             tp_rows_line(rows, run, count);
             run[0] = run[count - 1];
@@ -305,12 +306,13 @@ static void lay(const tp_frame *frame, tp_rows *rows, int32_t below)
 {
     const tp_samples *tile = rows->tile;
     const tp_level *level = frame->parts.level;
-    int32_t next = below > 0 ? next_of(below) : 0;
-    int64_t down = down_at(frame, below > 0 ? below : 1);
-    line l = { frame, below, down_at(frame, below > 0 ? below - next : 1),
-               reach_of(level, down), reach_of(level, down_at(frame, next)) };
-    int32_t margin = tp_surface_has_swells(&frame->surface) ? margin_of(frame, down)
-                                                            : 2 * CELL;
+    int32_t next = below > 0 ? next_line(below) : 0;
+    int64_t down = line_descent(frame, below > 0 ? below : 1);
+    line l = { frame, below, line_descent(frame, below > 0 ? below - next : 1),
+               make_clamped_reach(level, down),
+               make_clamped_reach(level, line_descent(frame, next)) };
+    int32_t margin =
+        tp_surface_has_swells(&frame->surface) ? side_margin(frame, down) : 2 * CELL;
 
     lay_line(&l, rows, (tile->x0 - margin) & ~(CELL - 1), tile->x1 + margin);
 }
@@ -322,7 +324,7 @@ static int32_t last_line(const tp_frame *frame, const tp_samples *tile)
     int64_t least = (int64_t)4096 * TP_Q30_ONE;
 
     for (int32_t x = tile->x0 & ~(CELL - 1); x < tile->x1 + CELL; x += CELL) {
-        int64_t below = end_of(p, x) - p->horizon.at - p->horizon.x * x;
+        int64_t below = water_end_row(p, x) - p->horizon.at - p->horizon.x * x;
         least = below < least ? below : least;
     }
     return (int32_t)(least >> 30);
@@ -333,15 +335,15 @@ static void draw_projected(const tp_frame *frame, tp_samples *tile, void *memory
     const tp_level *level = frame->parts.level;
     const tp_projected *p = frame->parts.projected;
     int32_t side = level->down.x > 0 ? tile->x1 : tile->x0;
-    int64_t down = tp_level_at(&level->down, side, tile->y1);
+    int64_t down = tp_level_evaluate(&level->down, side, tile->y1);
     tp_rows rows;
 
     if (down <= 0)
         return;
     tp_rows_begin(&rows, tile, memory, true);
-    int32_t below = start_below(frame, down), last = last_line(frame, tile);
+    int32_t below = find_start(frame, down), last = last_line(frame, tile);
     below = below > 0 && below < p->start ? below : p->start;
-    for (; below > last && rows.open > 0; below = next_of(below))
+    for (; below > last && rows.open > 0; below = next_line(below))
         lay(frame, &rows, below);
     if (rows.open > 0)
         lay(frame, &rows, 0);

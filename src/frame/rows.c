@@ -31,7 +31,7 @@ static bool is_beside(const tp_grid_box *box, int32_t x0, int32_t x1)
     return box->x0 >= x1 || box->x1 < x0;
 }
 
-static const tp_grid_box *boxes_of(const tp_frame *frame, uint32_t k)
+static const tp_grid_box *row_boxes(const tp_frame *frame, uint32_t k)
 {
     return frame->parts.lines->box + (size_t)k * frame->parts.lines->blocks;
 }
@@ -41,7 +41,7 @@ static void find_columns(const walk *w, uint32_t k, int32_t *x0, int32_t *x1)
 {
     const tp_samples *tile = w->rows.tile;
     const tp_frame_line *line = &w->frame->parts.lines->line[k];
-    const tp_grid_box *box = boxes_of(w->frame, k);
+    const tp_grid_box *box = row_boxes(w->frame, k);
 
     *x0 = tile->x1;
     *x1 = tile->x0;
@@ -61,7 +61,7 @@ static void find_columns(const walk *w, uint32_t k, int32_t *x0, int32_t *x1)
 static void draw_triangles(walk *w, uint32_t k)
 {
     const tp_frame_line *line = &w->frame->parts.lines->line[k];
-    const tp_grid_box *box = boxes_of(w->frame, k);
+    const tp_grid_box *box = row_boxes(w->frame, k);
 
     for (uint32_t b = line->cells.first / TP_GRID_BLOCK;
          b * TP_GRID_BLOCK < line->cells.end; b++) {
@@ -86,7 +86,7 @@ static bool is_land(const tp_frame *frame, uint32_t k, uint32_t m)
         && (k + 1 == frame->parts.lines->lines || tp_line_is_dry(frame, k, m));
 }
 
-static bool is_out(const walk *w, int32_t left, int32_t right)
+static bool is_outside_tile(const walk *w, int32_t left, int32_t right)
 {
     return left == TP_GRID_CUT || right == TP_GRID_CUT || right <= 16 * w->rows.x0
         || left >= 16 * w->rows.x1;
@@ -105,7 +105,7 @@ static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
     for (int32_t n = part.end - part.first; n > 0; n--, m += way) {
         int32_t from = left;
         left = tp_line_vertex(frame, &w->window, k, (uint32_t)(m + way))->u;
-        bool out = is_out(w, from, left);
+        bool out = is_outside_tile(w, from, left);
         if (!out && land && is_land(frame, k, (uint32_t)(back ? m - 1 : m))) {
             tp_rows_gap(&w->rows, from, left);
             out = true;
@@ -163,7 +163,7 @@ static void lay_line(walk *w, uint32_t k, int how)
 /* -- middle lines -------------------------------------------------------------------- */
 
 /* Middle of an edge on the screen; world coordinates are perspective-correct. */
-static tp_row_point middle_of(const tp_row_point *a, const tp_row_point *b)
+static tp_row_point edge_middle(const tp_row_point *a, const tp_row_point *b)
 {
     uint32_t sum = (a->zi >> 1) + (b->zi >> 1) + 1;
     int      shift = tp_clz(sum);
@@ -182,7 +182,7 @@ static tp_row_point middle_of(const tp_row_point *a, const tp_row_point *b)
 
 /* Middles of three edges of cell m of row k, from left to right: left side, diagonal,
  * right side.  Returns false if a vertex is clipped or the cell is land. */
-static bool middles_of(const walk *w, uint32_t k, uint32_t m, tp_row_point to[3])
+static bool find_edge_middles(const walk *w, uint32_t k, uint32_t m, tp_row_point to[3])
 {
     const tp_frame *frame = w->frame;
     tp_row_point p[4];
@@ -194,9 +194,9 @@ static bool middles_of(const walk *w, uint32_t k, uint32_t m, tp_row_point to[3]
     for (int i = 0; i < 4; i++)
         if (p[i].u == TP_GRID_CUT)
             return false;
-    to[back ? 2 : 0] = middle_of(&p[0], &p[1]);
-    to[1] = middle_of(&p[0], &p[3]);
-    to[back ? 0 : 2] = middle_of(&p[2], &p[3]);
+    to[back ? 2 : 0] = edge_middle(&p[0], &p[1]);
+    to[1] = edge_middle(&p[0], &p[3]);
+    to[back ? 0 : 2] = edge_middle(&p[2], &p[3]);
     return !tp_line_is_dry(frame, k, m);
 }
 
@@ -215,7 +215,7 @@ static bool is_beside_cell(const walk *w, uint32_t k, uint32_t m)
 
 /* Draws the middle line of row k, for cells large in the picture: the triangles' own
  * points half way. */
-static void lay_between(walk *w, uint32_t k)
+static void lay_middles(walk *w, uint32_t k)
 {
     const tp_frame *frame = w->frame;
     tp_grid_span cells = frame->parts.lines->line[k].cells;
@@ -224,7 +224,7 @@ static void lay_between(walk *w, uint32_t k)
         bool     back = frame->parts.lines->points_back;
         uint32_t m = back ? cells.end - 1u - (n - cells.first) : n;
         tp_row_point run[3];
-        if (!is_beside_cell(w, k, m) && middles_of(w, k, m, run))
+        if (!is_beside_cell(w, k, m) && find_edge_middles(w, k, m, run))
             tp_rows_line(&w->rows, run, 3);
     }
 }
@@ -250,7 +250,7 @@ static void lay_sided(walk *w, uint32_t last, uint32_t row, uint32_t k)
     if (right)
         tp_rows_side(&w->rows, &was[1], &now[1]);
     if (w->frame->parts.lines->line[row].is & TP_LINE_WIDE)
-        lay_between(w, row);
+        lay_middles(w, row);
     if (left)
         lay_one(w, &was[0], &now[0]);
     lay_line(w, k, ON);
@@ -259,7 +259,7 @@ static void lay_sided(walk *w, uint32_t last, uint32_t row, uint32_t k)
 }
 
 /* Draws line k, the far end of the current row of cells and the near end of the next. */
-static void go_to(walk *w, uint32_t last, uint32_t k, uint32_t next, int how)
+static void advance_to_line(walk *w, uint32_t last, uint32_t k, uint32_t next, int how)
 {
     int32_t x0 = w->x0, x1 = w->x1, next0 = 0, next1 = 0;
 
@@ -283,7 +283,7 @@ static void go_to(walk *w, uint32_t last, uint32_t k, uint32_t next, int how)
         return;
     }
     if (is & TP_LINE_WIDE)
-        lay_between(w, row);
+        lay_middles(w, row);
     lay_line(w, k, how);
 }
 
@@ -299,7 +299,7 @@ static void draw_rows(const tp_frame *frame, tp_samples *tile, void *memory)
         uint32_t k = lines->lines_back ? lines->lines - 1 - n : n;
         uint32_t last = lines->lines_back ? k + 1 : k - 1;
         uint32_t next = lines->lines_back ? k - 1 : k;      /* next row of cells */
-        go_to(&w, last, k, next, how);
+        advance_to_line(&w, last, k, next, how);
         if (next >= lines->lines - 1)
             break;
         if (lines->line[next].cells.first >= lines->line[next].cells.end) {

@@ -4,7 +4,7 @@
 
 /* Returns the depth in m.  A key keeps 24 bits of near / depth, rounded down: the middle
  * of the interval is used. */
-static tp_fx depth_of(const tp_lens *lens, uint32_t key)
+static tp_fx key_depth(const tp_lens *lens, uint32_t key)
 {
     const uint32_t zi = TP_ZI(key) + 0x40;
 
@@ -16,11 +16,11 @@ static void put_depths(const tp_frame *frame, const uint32_t *key, uint32_t coun
 {
     for (uint32_t x = 0; x < count; x++)
         depth[x] =
-            TP_MARK(key[x]) == TP_MARK_SKY ? TP_FX_MAX : depth_of(&frame->lens, key[x]);
+            TP_MARK(key[x]) == TP_MARK_SKY ? TP_FX_MAX : key_depth(&frame->lens, key[x]);
 }
 
 /* Returns the kind declared by the module of the sample's list. */
-static tp_sample_kind kind_of(const tp_frame *frame, uint32_t mark)
+static tp_sample_kind mark_kind(const tp_frame *frame, uint32_t mark)
 {
     const struct tp_drawing *owner;
     uint32_t kind = 0;
@@ -43,7 +43,7 @@ static void put_kinds(const tp_frame *frame, const uint32_t *key, uint32_t count
     for (uint32_t x = 0; x < count; x++) {
         if (TP_MARK(key[x]) != mark) {
             mark = TP_MARK(key[x]);
-            known = (uint8_t)kind_of(frame, mark);
+            known = (uint8_t)mark_kind(frame, mark);
         }
         kind[x] = known;
     }

@@ -7,7 +7,7 @@ tp_fx tp_sight_level(const tp_frame *frame)
     return tp_frame_anchor(frame).level;
 }
 
-bool tp_sight_above(const tp_frame *frame, tp_fx level)
+bool tp_sight_is_above_level(const tp_frame *frame, tp_fx level)
 {
     return !frame->under && frame->lens.eye.y > level;
 }

@@ -68,7 +68,7 @@ void tp_sight_look(tp_frame *frame, const tp_lens *lens);
 
 /* True if the camera is above water and above still water of height `level`: the water
  * then mirrors. */
-bool tp_sight_above(const tp_frame *frame, tp_fx level);
+bool tp_sight_is_above_level(const tp_frame *frame, tp_fx level);
 
 void tp_sight_begin(tp_frame *frame, const tp_sight *sight);
 

@@ -6,7 +6,7 @@
 #include "frame/tools.h"
 #include "pixel/pixel.h"
 
-static tp_samples samples_of(const tp_frame *frame, void *scratch, const tp_tile *tile)
+static tp_samples make_samples(const tp_frame *frame, void *scratch, const tp_tile *tile)
 {
     const tp_config *c = &frame->config;
     size_t    plane = (size_t)c->tile_width * c->tile_height;
@@ -18,7 +18,7 @@ static tp_samples samples_of(const tp_frame *frame, void *scratch, const tp_tile
     };
 }
 
-static void *pixels_of(const tp_frame *frame, void *scratch)
+static void *scratch_pixels(const tp_frame *frame, void *scratch)
 {
     size_t plane = (size_t)frame->config.tile_width * frame->config.tile_height;
     return (uint32_t *)scratch + 4 * plane;
@@ -39,7 +39,7 @@ static int32_t run_length(const uint32_t *key, int32_t most)
 }
 
 /* Sets up the run at (x, y) and returns its shader list. */
-static const tp_shaders *run_at(const tp_frame *frame, const tp_samples *tile, int32_t x,
+static const tp_shaders *begin_run(const tp_frame *frame, const tp_samples *tile, int32_t x,
                              int32_t y, tp_run *run)
 {
     TP_ASSERT(x >= tile->x0 && x < tile->x1 && y >= tile->y0 && y < tile->y1);
@@ -76,7 +76,7 @@ static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, 
     tp_run run;
 
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
-        const tp_shaders *plan = run_at(frame, tile, x, y, &run);
+        const tp_shaders *plan = begin_run(frame, tile, x, y, &run);
         shade_run(frame, plan, &run);
         if (frame->toned)
             frame->store_toned(frame->toned, (uint16_t *)row + x - tile->x0, run.colour,
@@ -98,7 +98,7 @@ void tp_frame_overlay_row(const tp_frame *frame, const void *samples, int32_t y,
     tp_run run;
 
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
-        const tp_shaders *plan = run_at(frame, tile, x, y, &run);
+        const tp_shaders *plan = begin_run(frame, tile, x, y, &run);
         shade_run(frame, plan, &run);
         memcpy(to + (x - tile->x0), run.colour, (size_t)run.count * sizeof *to);
     }
@@ -122,7 +122,7 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t 
             to[x++ - tile->x0] = 0;
             continue;
         }
-        const tp_shaders *plan = run_at(frame, tile, x, y, &run);
+        const tp_shaders *plan = begin_run(frame, tile, x, y, &run);
         for (uint32_t i = 0; i < plan->count && plan->place[i] < TP_AT_TONE; i++) {
             run.mine = plan->shader[i].mine;
             plan->shader[i].stage(&frame->shade, &run);
@@ -140,7 +140,7 @@ static void draw_samples(const tp_frame *frame, tp_samples *samples, void *memor
     tp_samples_clear(samples);
     tp_frame_draw_modules(frame, &frame->sight, samples);
     tp_frame_draw_surface(frame, samples, memory);
-    tp_frame_draw_over(frame, samples);
+    tp_frame_draw_post_water(frame, samples);
 }
 
 /* Sets the tile's box.  Returns false if tile i does not exist or `scratch` is unusable. */
@@ -170,8 +170,8 @@ static void overlay_rows(const tp_frame *frame, const tp_samples *samples,
 static void draw_tile(const tp_frame *frame, void *scratch, const tp_tile *tile,
                       uint8_t *row)
 {
-    tp_samples samples = samples_of(frame, scratch, tile);
-    draw_samples(frame, &samples, pixels_of(frame, scratch));
+    tp_samples samples = make_samples(frame, scratch, tile);
+    draw_samples(frame, &samples, scratch_pixels(frame, scratch));
     if (frame->config.overlay.draw) {
         overlay_rows(frame, &samples, tile, row);
         return;
@@ -187,9 +187,9 @@ bool tp_frame_draw_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_til
 
     if (!place_tile(frame, i, scratch, tile))
         return false;
-    tile->pixels = pixels_of(frame, scratch);
+    tile->pixels = scratch_pixels(frame, scratch);
     tile->stride = tp_format_row_bytes(c->format, (int)c->tile_width);
-    draw_tile(frame, scratch, tile, pixels_of(frame, scratch));
+    draw_tile(frame, scratch, tile, scratch_pixels(frame, scratch));
     return true;
 }
 

@@ -34,7 +34,7 @@ tp_reach tp_frame_reach(const tp_program *program, const tp_scene *scene,
     const tp_plan_input in = tp_frame_plan_input(program, scene, assets, config);
     const tp_ladder ladder = rungs ? rungs->ladder(&in)
                                    : (tp_ladder){ { named(scene) }, 1 };
-    return tp_reach_of(&ladder);
+    return tp_ladder_reach(&ladder);
 }
 
 static bool has(uint8_t bits, unsigned rung)
@@ -84,7 +84,7 @@ void tp_frame_choose_rungs(tp_frame *frame)
 
 /* Cell size, m.  A grid wider than 16 km gets smaller cells, for coordinates to stay in
  * range. */
-static tp_fx cell_of(const tp_scene *scene)
+static tp_fx clamp_cell(const tp_scene *scene)
 {
     TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2 && scene->grid.cell > 0);
     int32_t lines = scene->grid.cols > scene->grid.rows ? scene->grid.cols
@@ -108,11 +108,11 @@ static void view_water(tp_frame *frame)
         .surface = &frame->surface,
         .width = frame->config.width,
         .height = frame->config.height,
-        .cell = cell_of(frame->scene),
+        .cell = clamp_cell(frame->scene),
         .reach = frame->scene->grid.reach,
         .follow = frame->scene->grid.follow != 0,
         .lod = frame->rungs.lod == TP_LOD_ON && frame->surface.by->lod
-            && is_plain(&frame->surface),
+               && is_plain(&frame->surface),
     };
 }
 

@@ -4,7 +4,7 @@
 #include "frame/tools.h"
 #include "geom/waters.h"
 
-static tp_corner corner_of(const tp_grid *grid, const tp_grid_window *window, uint32_t i,
+static tp_corner make_corner(const tp_grid *grid, const tp_grid_window *window, uint32_t i,
                            uint32_t j)
 {
     const tp_grid_vertex *vertex = &window->line[j & 1][i];
@@ -74,15 +74,15 @@ void tp_frame_draw_cells(const tp_frame *frame, const tp_samples *tile,
 
     tp_grid_see(grid, window, j, first, end + 1);
     tp_grid_see(grid, window, j + 1, first, end + 1);
-    tp_corner side[2][2] = { { corner_of(grid, window, first, j),
-                               corner_of(grid, window, first, j + 1) } };
+    tp_corner side[2][2] = { { make_corner(grid, window, first, j),
+                               make_corner(grid, window, first, j + 1) } };
     int left = 0;
 
     for (uint32_t i = first; i < end; i++) {
         bool dry = tp_grid_cell_is_dry(grid, i, j);
         int right = 1 - left;
-        side[right][0] = corner_of(grid, window, i + 1, j);
-        side[right][1] = corner_of(grid, window, i + 1, j + 1);
+        side[right][0] = make_corner(grid, window, i + 1, j);
+        side[right][1] = make_corner(grid, window, i + 1, j + 1);
         const tp_corner *const p[4] = { &side[left][0], &side[right][0],
                                         &side[right][1], &side[left][1] };
         if (!dry)
@@ -92,7 +92,7 @@ void tp_frame_draw_cells(const tp_frame *frame, const tp_samples *tile,
 }
 
 /* Returns the cells of block b, without cells out of view. */
-static tp_grid_span block_of(tp_grid_span span, uint32_t b)
+static tp_grid_span block_span(tp_grid_span span, uint32_t b)
 {
     uint32_t first = b * TP_GRID_BLOCK, end = first + TP_GRID_BLOCK;
 
@@ -124,10 +124,10 @@ tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint
     tp_grid_see(grid, window, j, first, end + 1);
     tp_grid_see(grid, window, j + 1, first, end + 1);
     for (uint32_t i = first; i < end; i++) {
-        const tp_corner c[4] = { corner_of(grid, window, i, j),
-                                 corner_of(grid, window, i + 1, j),
-                                 corner_of(grid, window, i + 1, j + 1),
-                                 corner_of(grid, window, i, j + 1) };
+        const tp_corner c[4] = { make_corner(grid, window, i, j),
+                                 make_corner(grid, window, i + 1, j),
+                                 make_corner(grid, window, i + 1, j + 1),
+                                 make_corner(grid, window, i, j + 1) };
         const tp_corner *const p[4] = { &c[0], &c[1], &c[2], &c[3] };
         if (is_cut(p))
             widen_by_cut(frame, &box, i, j);
@@ -146,7 +146,7 @@ static void place_cut_boxes(tp_frame *frame, uint32_t j)
     tp_grid_span span = grid->span[j];
 
     for (uint32_t b = span.first / TP_GRID_BLOCK; b * TP_GRID_BLOCK < span.end; b++) {
-        tp_grid_span cells = block_of(span, b);
+        tp_grid_span cells = block_span(span, b);
         tp_grid_box *box = &grid->box[(size_t)j * grid->blocks + b];
         if (box->x0 == INT16_MIN)
             *box = tp_frame_cells_box(frame, j, cells.first, cells.end);
@@ -186,7 +186,7 @@ tp_grid_window tp_frame_window(const tp_frame *frame, void *memory)
 {
     void *rows =
         (uint8_t *)memory + tp_method_bytes(frame->program) * frame->config.tile_width;
-    return tp_grid_window_over(rows);
+    return tp_grid_window_init(rows);
 }
 
 static void draw_blocks(const tp_frame *frame, const tp_samples *tile,
@@ -197,7 +197,7 @@ static void draw_blocks(const tp_frame *frame, const tp_samples *tile,
     tp_grid_span span = grid->span[j];
 
     for (uint32_t b = span.first / TP_GRID_BLOCK; b * TP_GRID_BLOCK < span.end; b++) {
-        tp_grid_span cells = block_of(span, b);
+        tp_grid_span cells = block_span(span, b);
         if (cells.first < cells.end && tp_sight_touches(&box[b], tile))
             tp_frame_draw_cells(frame, tile, window, j, cells.first, cells.end);
     }

@@ -134,7 +134,7 @@ tp_dir3 tp_normalise(int32_t x, int32_t y, int32_t z);
 /* Heading turns the -z axis towards +x (clockwise from above), pitch lifts the -z axis,
  * roll then lowers the right side.  The rows of the result are right, up and backward
  * (local +z) of the turned frame in world axes: v_local = R v_world. */
-tp_rotation tp_rotation_of(tp_turn heading, tp_turn pitch, tp_turn roll);
+tp_rotation tp_rotation_from_angles(tp_turn heading, tp_turn pitch, tp_turn roll);
 tp_vec3 tp_rotate(const tp_rotation *r, tp_vec3 v);      /* R v: world to local */
 tp_vec3 tp_rotate_back(const tp_rotation *r, tp_vec3 v); /* R^T v: local to world */
 tp_rotation tp_rotation_mul(const tp_rotation *a, const tp_rotation *b);    /* A B */

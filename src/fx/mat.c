@@ -38,7 +38,7 @@ static tp_dir3 blend(tp_dir3 a, tp_q30 s, tp_dir3 b, tp_q30 t)
     };
 }
 
-tp_rotation tp_rotation_of(tp_turn heading, tp_turn pitch, tp_turn roll)
+tp_rotation tp_rotation_from_angles(tp_turn heading, tp_turn pitch, tp_turn roll)
 {
     const pair h = sine_pair(heading), p = sine_pair(pitch), r = sine_pair(roll);
     const tp_dir3 world_up = { 0, TP_Q30_ONE, 0 };

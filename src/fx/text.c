@@ -116,7 +116,7 @@ static int64_t signed_unit(uint64_t halves, bool exact, bool negative)
 
 /* Returns the number in units of 2^-16.  Numbers below 10^-6 round to 0, and 10^14 is the
  * end of the range: only powers in between need the digits. */
-static int64_t number_of(const digits *number, int64_t power, bool negative)
+static int64_t evaluate_digits(const digits *number, int64_t power, bool negative)
 {
     if (number->first == NULL || power < -6)
         return 0;
@@ -140,7 +140,7 @@ uint32_t tp_fx_read_wide(const char *text, uint32_t bytes, int64_t *x)
         return 0;
     int64_t exponent;
     at = scan_exponent(number.end, end, &exponent);
-    *x = number_of(&number, number.power + exponent, negative);
+    *x = evaluate_digits(&number, number.power + exponent, negative);
     return (uint32_t)(at - text);
 }
 

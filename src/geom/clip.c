@@ -83,7 +83,7 @@ static int clip_side(const sides *of, const tp_view_corner *in, int count,
     return kept;
 }
 
-int tp_clip_triangle_at(const tp_lens *lens, const tp_view_plane *plane,
+int tp_clip_triangle_plane(const tp_lens *lens, const tp_view_plane *plane,
                         const tp_view_corner in[3], tp_view_corner out[TP_CLIP_CORNERS])
 {
     const sides of = { lens, plane };
@@ -107,5 +107,5 @@ int tp_clip_triangle_at(const tp_lens *lens, const tp_view_plane *plane,
 int tp_clip_triangle(const tp_lens *lens, const tp_view_corner in[3],
                      tp_view_corner out[TP_CLIP_CORNERS])
 {
-    return tp_clip_triangle_at(lens, NULL, in, out);
+    return tp_clip_triangle_plane(lens, NULL, in, out);
 }

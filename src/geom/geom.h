@@ -58,7 +58,7 @@ void tp_lens_turned(tp_lens *lens, tp_vec3 eye, tp_rotation turn, tp_fx fov, tp_
 /* Returns d . axis, clamped to +-32000 m.  From corner to corner, water and boats can be
  * farther apart than the range of 16.16; without the clamp they would wrap to the
  * opposite side. */
-TP_ALWAYS_INLINE int32_t tp_lens_along(tp_vec3 d, tp_dir3 axis)
+TP_ALWAYS_INLINE int32_t tp_lens_dot(tp_vec3 d, tp_dir3 axis)
 {
     const int32_t most = 32000 * TP_FX_ONE;
     int64_t way = ((int64_t)d.x * axis.x + (int64_t)d.y * axis.y + (int64_t)d.z * axis.z
@@ -71,9 +71,9 @@ TP_ALWAYS_INLINE int32_t tp_lens_along(tp_vec3 d, tp_dir3 axis)
 TP_ALWAYS_INLINE void tp_lens_view(const tp_lens *lens, tp_vec3 p, tp_view_corner *c)
 {
     tp_vec3 d = tp_vec3_sub(p, lens->eye);
-    c->x = tp_lens_along(d, lens->right);
-    c->y = tp_lens_along(d, lens->up);
-    c->depth = tp_lens_along(d, lens->ahead);
+    c->x = tp_lens_dot(d, lens->right);
+    c->y = tp_lens_dot(d, lens->up);
+    c->depth = tp_lens_dot(d, lens->ahead);
 }
 
 /* True if the vertex is in front of the near plane and inside the guard band, and may be
@@ -185,7 +185,7 @@ TP_ALWAYS_INLINE int64_t tp_view_height(const tp_view_plane *plane,
 }
 
 /* Same as tp_clip_triangle, also clipped by `plane` unless `plane` is NULL. */
-int tp_clip_triangle_at(const tp_lens *lens, const tp_view_plane *plane,
+int tp_clip_triangle_plane(const tp_lens *lens, const tp_view_plane *plane,
                         const tp_view_corner in[3], tp_view_corner out[TP_CLIP_CORNERS]);
 
 /* Returns the same view for a picture of half the width and height.  The result is exact,

@@ -32,7 +32,7 @@ void tp_grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows)
     carve_lines(grid, arena, cols, rows, TP_WAVES);
     grid->vertex = tp_arena_take(arena, (size_t)cols * rows, sizeof *grid->vertex);
     grid->streams = false;
-    grid->window = tp_grid_window_over(NULL);
+    grid->window = tp_grid_window_init(NULL);
 }
 
 void tp_grid_carve_streamed(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
@@ -41,7 +41,7 @@ void tp_grid_carve_streamed(tp_grid *grid, tp_arena *arena, uint32_t cols, uint3
     carve_lines(grid, arena, cols, rows, waves);
     grid->vertex = NULL;
     grid->streams = true;
-    grid->window = tp_grid_window_over(
+    grid->window = tp_grid_window_init(
         tp_arena_take(arena, 2 * (size_t)cols, sizeof *grid->vertex));
 }
 
@@ -67,8 +67,8 @@ static int64_t plane_rest(const tp_plane *p, tp_fx z0, tp_fx z1, tp_fx reach)
  * before the row enters the inner side; else: the first column outside, after the row
  * leaves the inner side.  Coordinates of columns increase, so the column is unique.  The
  * search starts at the result of the previous row. */
-static uint32_t side_of(const tp_grid *grid, const tp_plane *plane, int64_t rest,
-                        uint32_t at)
+static uint32_t find_side_column(const tp_grid *grid, const tp_plane *plane, int64_t rest,
+                                 uint32_t at)
 {
     const tp_grid_line *column = grid->column;
     uint32_t last = grid->cols - 1;
@@ -97,7 +97,7 @@ static tp_grid_span seen_cells(const tp_grid *grid, const tp_plane *planes, uint
     for (int k = 0; k < TP_LENS_PLANES; k++) {
         int64_t rest = plane_rest(&planes[k], grid->row[j].place,
                                   grid->row[j + 1].place, reach);
-        side[k] = side_of(grid, &planes[k], rest, side[k]);
+        side[k] = find_side_column(grid, &planes[k], rest, side[k]);
         if (planes[k].n.x > 0)
             first = side[k] > first ? side[k] : first;
         else
@@ -146,7 +146,7 @@ static bool is_still(const tp_grid *grid, uint32_t i, uint32_t j)
     return grid->row[j].fade == 0 || grid->column[i].fade == 0;
 }
 
-static tp_view_corner corner_of(const tp_grid *grid, uint32_t i, uint32_t j)
+static tp_view_corner make_corner(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     tp_vertex_row row;
 
@@ -159,8 +159,8 @@ tp_view_corner tp_grid_corner(const tp_grid *grid, const tp_grid_vertex *vertex,
 {
     TP_ASSERT(i < grid->cols && j < grid->rows);
     tp_view_corner c = tp_sheet_is(grid)
-                     ? grid->frame.surface->by->ocean->corner(grid, i, j)
-                     : corner_of(grid, i, j);
+                           ? grid->frame.surface->by->ocean->corner(grid, i, j)
+                           : make_corner(grid, i, j);
 
     c.n[0] = vertex->slope_x;
     c.n[1] = vertex->slope_z;
@@ -191,7 +191,7 @@ static void place_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t 
 
 /* -- windows ------------------------------------------------------------------------- */
 
-tp_grid_window tp_grid_window_over(void *memory)
+tp_grid_window tp_grid_window_init(void *memory)
 {
     return (tp_grid_window){ .memory = memory, .row = { UINT32_MAX, UINT32_MAX } };
 }
@@ -229,7 +229,7 @@ static const tp_grid_box everywhere = { INT16_MIN, INT16_MIN, INT16_MAX, INT16_M
 
 /* If any vertex needs clipping, its u = TP_GRID_CUT is the smallest u; the box is then
  * unbounded. */
-static tp_grid_box box_of(const tp_grid_vertex *vertex, uint32_t count)
+static tp_grid_box bound_vertices(const tp_grid_vertex *vertex, uint32_t count)
 {
     int32_t u0 = INT32_MAX, u1 = INT32_MIN, v0 = INT32_MAX, v1 = INT32_MIN;
 
@@ -262,7 +262,7 @@ static void place_boxes(tp_grid *grid, uint32_t j, uint32_t first, uint32_t end)
         uint32_t from = b * TP_GRID_BLOCK, to = from + TP_GRID_BLOCK + 1;
         from = from > first ? from : first;
         to = to < end ? to : end;
-        tp_grid_box box = box_of(vertex + from, to - from);
+        tp_grid_box box = bound_vertices(vertex + from, to - from);
         size_t at = (size_t)j * grid->blocks + b;
         if (j > 0)
             grid->box[at - grid->blocks] = both(grid->box[at - grid->blocks], box);
@@ -317,7 +317,7 @@ void tp_grid_begin(tp_grid *grid, const tp_grid_view *view)
                     grid->row[0].place, grid->row[grid->rows - 1].place);
     grid->waves = wave_columns(grid);
 
-    grid->window = tp_grid_window_over(grid->window.memory);
+    grid->window = tp_grid_window_init(grid->window.memory);
     grid->vertices = 0;
     grid->sheets = 0;
     for (uint32_t j = 0; j + 1 < grid->rows; j++)

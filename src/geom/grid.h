@@ -117,7 +117,7 @@ void tp_grid_place_row(tp_grid *grid, uint32_t j);
 /* Returns a window of the caller, so that several threads can read a placed grid.
  * `memory` has TP_GRID_WINDOW(most_cols) bytes; unused if vertices are stored. */
 #define TP_GRID_WINDOW(cols) (2 * (size_t)(cols) * sizeof(tp_grid_vertex))
-tp_grid_window tp_grid_window_over(void *memory);
+tp_grid_window tp_grid_window_init(void *memory);
 
 /* Makes vertices first to end - 1 of row j available in the window.  They replace row
  * j - 2 or j + 2, and extend vertices of row j already in the window. */

@@ -16,13 +16,15 @@ static tp_dir3 dir_scaled(tp_dir3 d, tp_fx focal, int m)
 void tp_lens_init(tp_lens *lens, tp_vec3 eye, tp_turn heading, tp_turn pitch, tp_fx fov,
                   tp_fx near, uint32_t width, uint32_t height)
 {
-    tp_lens_turned(lens, eye, tp_rotation_of(heading, pitch, 0), fov, near, width, height);
+    tp_lens_turned(lens, eye, tp_rotation_from_angles(heading, pitch, 0), fov, near,
+                   width, height);
 }
 
 void tp_lens_turned(tp_lens *lens, tp_vec3 eye, tp_rotation turn, tp_fx fov, tp_fx near,
                     uint32_t width, uint32_t height)
 {
-    tp_dir3 half = tp_rotation_of(tp_turn_of_degrees(fov) / 2, 0, 0).x; /* cos, 0, sin */
+    tp_dir3 half =
+        tp_rotation_from_angles(tp_turn_of_degrees(fov) / 2, 0, 0).x; /* cos, 0, sin */
 
     TP_ASSERT(width > 0 && height > 0 && near > 0 && half.z > 0);
     lens->eye = eye;

@@ -11,7 +11,7 @@ static int64_t shifted(int64_t x, int right)
 /* -- sums ------------------------------------------------------------------------------ */
 
 /* Returns d . n as a sum over X and Y. focal is below 2^14 px, so a sum has 46 bits. */
-static tp_level_sum sum_of(const tp_lens *lens, tp_dir3 n)
+static tp_level_sum make_sum(const tp_lens *lens, tp_dir3 n)
 {
     tp_q30 right = tp_dir3_dot(lens->turn.x, n), up = tp_dir3_dot(lens->turn.y, n);
     tp_q30 ahead = tp_dir3_dot(lens->ahead, n);
@@ -26,7 +26,7 @@ static tp_level_sum sum_of(const tp_lens *lens, tp_dir3 n)
 /* Returns near / depth as a sum: near / (h focal) times -d.y.  `over` has the quotient's
  * 31 upper bits: with h and focal in 16.16 and near / over in Q.30, zi in Q1.43 is down
  * over / 2^right. */
-static tp_level_sum zi_of(const tp_lens *lens, const tp_level_sum *down)
+static tp_level_sum make_zi_sum(const tp_lens *lens, const tp_level_sum *down)
 {
     uint64_t under = (uint64_t)lens->eye.y * (uint32_t)lens->focal;
     int      up = under >> 32 ? tp_clz((uint32_t)(under >> 32))
@@ -46,10 +46,10 @@ static tp_level_sum zi_of(const tp_lens *lens, const tp_level_sum *down)
 /* Returns the inside of the plane through the eye and a side of the water.  `way`:
  * distance of the side from the eye along x or z, m; `sign`: direction of the side on
  * that axis. */
-static tp_level_sum side_of(const tp_lens *lens, int sign, int64_t way, bool along_z)
+static tp_level_sum make_side_sum(const tp_lens *lens, int sign, int64_t way, bool along_z)
 {
     tp_fx h = lens->eye.y * -sign, w = tp_fx_held(way * -sign);
-    return sum_of(lens, along_z ? tp_normalise(0, w, h) : tp_normalise(h, w, 0));
+    return make_sum(lens, along_z ? tp_normalise(0, w, h) : tp_normalise(h, w, 0));
 }
 
 void tp_level_begin(tp_level *level, const tp_lens *lens, const tp_grid_extent *across,
@@ -58,14 +58,14 @@ void tp_level_begin(tp_level *level, const tp_lens *lens, const tp_grid_extent *
     const tp_vec3 *eye = &lens->eye;
 
     TP_ASSERT(eye->y >= TP_LEVEL_HEIGHT);
-    level->down = sum_of(lens, (tp_dir3){ 0, -TP_Q30_ONE, 0 });
-    level->east = sum_of(lens, (tp_dir3){ TP_Q30_ONE, 0, 0 });
-    level->south = sum_of(lens, (tp_dir3){ 0, 0, TP_Q30_ONE });
-    level->zi = zi_of(lens, &level->down);
-    level->side[0] = side_of(lens, -1, (int64_t)across->first - eye->x, false);
-    level->side[1] = side_of(lens, 1, (int64_t)across->last - eye->x, false);
-    level->side[2] = side_of(lens, -1, (int64_t)along->first - eye->z, true);
-    level->side[3] = side_of(lens, 1, (int64_t)along->last - eye->z, true);
+    level->down = make_sum(lens, (tp_dir3){ 0, -TP_Q30_ONE, 0 });
+    level->east = make_sum(lens, (tp_dir3){ TP_Q30_ONE, 0, 0 });
+    level->south = make_sum(lens, (tp_dir3){ 0, 0, TP_Q30_ONE });
+    level->zi = make_zi_sum(lens, &level->down);
+    level->side[0] = make_side_sum(lens, -1, (int64_t)across->first - eye->x, false);
+    level->side[1] = make_side_sum(lens, 1, (int64_t)across->last - eye->x, false);
+    level->side[2] = make_side_sum(lens, -1, (int64_t)along->first - eye->z, true);
+    level->side[3] = make_side_sum(lens, 1, (int64_t)along->last - eye->z, true);
     level->side[4] = (tp_level_sum){
         ((int64_t)255 << (23 + TP_LEVEL_ZI)) - level->zi.at, -level->zi.x, -level->zi.y,
     };
@@ -88,7 +88,7 @@ tp_level_line tp_level_zero(const tp_level_sum *sum)
 /* -- positions ------------------------------------------------------------------------- */
 
 /* 1 / down is r 2^(up - 95); Q.30 pixels are treated as integers; h r has 59 bits. */
-tp_level_reach tp_level_reach_of(const tp_level *level, int64_t down)
+tp_level_reach tp_level_reach_make(const tp_level *level, int64_t down)
 {
     TP_ASSERT(down > 0);
     uint32_t high = (uint32_t)((uint64_t)down >> 32);
@@ -106,13 +106,13 @@ tp_level_reach tp_level_reach_of(const tp_level *level, int64_t down)
 
 bool tp_level_place(const tp_level *level, int32_t x, int32_t y, tp_fx place[2])
 {
-    int64_t down = tp_level_at(&level->down, x, y);
+    int64_t down = tp_level_evaluate(&level->down, x, y);
 
     if (down <= 0)
         return false;
-    tp_level_reach reach = tp_level_reach_of(level, down);
-    int64_t s = level->x + tp_level_along(reach, tp_level_at(&level->east, x, y));
-    int64_t t = level->z + tp_level_along(reach, tp_level_at(&level->south, x, y));
+    tp_level_reach reach = tp_level_reach_make(level, down);
+    int64_t s = level->x + tp_level_metres(reach, tp_level_evaluate(&level->east, x, y));
+    int64_t t = level->z + tp_level_metres(reach, tp_level_evaluate(&level->south, x, y));
     place[0] = (tp_fx)s;
     place[1] = (tp_fx)t;
     return place[0] == s && place[1] == t;
@@ -122,13 +122,13 @@ bool tp_level_place(const tp_level *level, int32_t x, int32_t y, tp_fx place[2])
 
 /* Returns the first pixel between a and b with b's sign of the sum; the sign changes
  * once. */
-static int32_t change_of(const tp_level_sum *sum, int32_t y, int32_t a, int32_t b)
+static int32_t find_sign_change(const tp_level_sum *sum, int32_t y, int32_t a, int32_t b)
 {
-    bool negative = tp_level_at(sum, b, y) < 0;
+    bool negative = tp_level_evaluate(sum, b, y) < 0;
 
     while (b - a > 1) {
         int32_t middle = (a + b) / 2;
-        if ((tp_level_at(sum, middle, y) < 0) == negative)
+        if ((tp_level_evaluate(sum, middle, y) < 0) == negative)
             b = middle;
         else
             a = middle;
@@ -143,14 +143,14 @@ void tp_level_span(const tp_level *level, unsigned mask, int32_t y, int32_t *x0,
         const tp_level_sum *side = &level->side[k];
         if (!(mask >> k & 1))
             continue;
-        bool first = tp_level_at(side, *x0, y) < 0;
-        bool last = tp_level_at(side, *x1 - 1, y) < 0;
+        bool first = tp_level_evaluate(side, *x0, y) < 0;
+        bool last = tp_level_evaluate(side, *x1 - 1, y) < 0;
         if (first && last)
             *x1 = *x0;
         else if (first)
-            *x0 = change_of(side, y, *x0, *x1 - 1);
+            *x0 = find_sign_change(side, y, *x0, *x1 - 1);
         else if (last)
-            *x1 = change_of(side, y, *x0, *x1 - 1);
+            *x1 = find_sign_change(side, y, *x0, *x1 - 1);
     }
 }
 
@@ -162,7 +162,7 @@ unsigned tp_level_mask(const tp_level *level, int32_t x0, int32_t y0, int32_t x1
     for (int k = 0; k < TP_LEVEL_SIDES; k++) {
         const tp_level_sum *side = &level->side[k];
         int32_t x = side->x < 0 ? x1 - 1 : x0, y = side->y < 0 ? y1 - 1 : y0;
-        mask |= (unsigned)(tp_level_at(side, x, y) < 0) << k;
+        mask |= (unsigned)(tp_level_evaluate(side, x, y) < 0) << k;
     }
     return mask;
 }
@@ -171,7 +171,7 @@ unsigned tp_level_mask(const tp_level *level, int32_t x0, int32_t y0, int32_t x1
 
 /* Returns the weight of a wave for a step between sample points, in turns of the wave,
  * Q.32: 1 up to a quarter turn, 0 from half a turn on, smooth between. */
-static tp_fx share_of(const tp_swell *w, const tp_fx step[2])
+static tp_fx swell_share(const tp_swell *w, const tp_fx step[2])
 {
     int64_t turns = (w->turns_x >> 2) * (step[0] >> 4) + (w->turns_z >> 2) * (step[1] >> 4);
     int64_t most = (int64_t)1 << 31;
@@ -214,7 +214,7 @@ tp_sea_point tp_level_point(const tp_level *level, const tp_surface *surface,
 
     for (uint32_t k = 0; k < surface->sea->count && fade > 0; k++) {
         const tp_swell *w = &surface->sea->swell[k];
-        tp_fx share = share_of(w, step[0]), other = share_of(w, step[1]);
+        tp_fx share = swell_share(w, step[0]), other = swell_share(w, step[1]);
         share = share < other ? share : other;
         if (share == 0)
             continue;

@@ -38,7 +38,7 @@ typedef struct {
 void tp_level_begin(tp_level *level, const tp_lens *lens, const tp_grid_extent *across,
                     const tp_grid_extent *along);
 
-TP_ALWAYS_INLINE int64_t tp_level_at(const tp_level_sum *sum, int32_t x, int32_t y)
+TP_ALWAYS_INLINE int64_t tp_level_evaluate(const tp_level_sum *sum, int32_t x, int32_t y)
 {
     return sum->at + sum->x * x + sum->y * y;
 }
@@ -64,10 +64,10 @@ typedef struct {
     int     shift;
 } tp_level_reach;
 
-tp_level_reach tp_level_reach_of(const tp_level *level, int64_t down);      /* `down` > 0 */
+tp_level_reach tp_level_reach_make(const tp_level *level, int64_t down); /* `down` > 0 */
 
 /* Returns metres, 16.16: 31 bits times 30. Bits above 32 are cut off. */
-TP_ALWAYS_INLINE int64_t tp_level_along(tp_level_reach reach, int64_t pixels_q30)
+TP_ALWAYS_INLINE int64_t tp_level_metres(tp_level_reach reach, int64_t pixels_q30)
 {
     return (int64_t)reach.factor * (int32_t)(pixels_q30 >> 14) >> reach.shift;
 }

@@ -16,7 +16,7 @@ static int64_t series(tp_fx cell, int64_t ratio, uint32_t n)
 }
 
 /* Returns the ratio, 16.16, for n growing steps over the distance `way`; at least 1. */
-static int64_t ratio_over(tp_fx cell, int64_t way, uint32_t n)
+static int64_t solve_ratio(tp_fx cell, int64_t way, uint32_t n)
 {
     int64_t low = TP_FX_ONE, high = 256 * TP_FX_ONE;
 
@@ -38,7 +38,7 @@ uint32_t tp_lines_flank(uint32_t count, const tp_grid_view *view)
 
 /* Returns the ratio of the skirts' steps.  A skirt ends at the scene's reach, or at 16000
  * m from the centre. */
-static int64_t ratio_of(uint32_t count, const tp_grid_view *view)
+static int64_t flank_ratio(uint32_t count, const tp_grid_view *view)
 {
     TP_ASSERT(count >= 2 && view->cell > 0);
     uint32_t flank = tp_lines_flank(count, view);
@@ -46,12 +46,12 @@ static int64_t ratio_of(uint32_t count, const tp_grid_view *view)
     int64_t most = 16000 * TP_FX_ONE - half;
     int64_t way = view->reach < most ? view->reach : most;
 
-    return flank ? ratio_over(view->cell, way, flank) : 0;
+    return flank ? solve_ratio(view->cell, way, flank) : 0;
 }
 
 /* Returns the centre of the grid, in whole cells.  The grid lies ahead of the eye; the
  * eye is a tenth of the middle away from the rear edge. */
-static tp_fx centre_of(tp_fx eye, tp_q30 ahead, uint32_t count, const tp_grid_view *view)
+static tp_fx grid_centre(tp_fx eye, tp_q30 ahead, uint32_t count, const tp_grid_view *view)
 {
     if (!view->follow)
         return 0;
@@ -61,11 +61,11 @@ static tp_fx centre_of(tp_fx eye, tp_q30 ahead, uint32_t count, const tp_grid_vi
     return (tp_fx)(cells * view->cell);
 }
 
-static tp_fx centre_along(uint32_t count, const tp_grid_view *view, bool along_z)
+static tp_fx axis_centre(uint32_t count, const tp_grid_view *view, bool along_z)
 {
     const tp_lens *lens = view->lens;
-    return along_z ? centre_of(lens->eye.z, lens->ahead.z, count, view)
-                   : centre_of(lens->eye.x, lens->ahead.x, count, view);
+    return along_z ? grid_centre(lens->eye.z, lens->ahead.z, count, view)
+                   : grid_centre(lens->eye.x, lens->ahead.x, count, view);
 }
 
 void tp_lines_lay(tp_grid_line *line, uint32_t count, const tp_grid_view *view,
@@ -73,9 +73,9 @@ void tp_lines_lay(tp_grid_line *line, uint32_t count, const tp_grid_view *view,
 {
     uint32_t flank = tp_lines_flank(count, view);
     uint32_t core = count - 2 * flank, last = flank + core - 1;
-    tp_fx centre = centre_along(count, view, along_z);
+    tp_fx centre = axis_centre(count, view, along_z);
     tp_fx half = (tp_fx)((int64_t)view->cell * (core - 1) / 2);
-    int64_t ratio = ratio_of(count, view), step = view->cell;
+    int64_t ratio = flank_ratio(count, view), step = view->cell;
     uint32_t fading = flank ? core / 8 + 1 : 0;
 
     for (uint32_t k = flank; k <= last; k++) {
@@ -95,10 +95,10 @@ void tp_lines_lay(tp_grid_line *line, uint32_t count, const tp_grid_view *view,
 tp_grid_extent tp_lines_extent(uint32_t count, const tp_grid_view *view, bool along_z)
 {
     uint32_t flank = tp_lines_flank(count, view), core = count - 2 * flank;
-    tp_fx centre = centre_along(count, view, along_z);
+    tp_fx centre = axis_centre(count, view, along_z);
     tp_fx half = (tp_fx)((int64_t)view->cell * (core - 1) / 2);
     tp_fx low = centre - half, high = low + (tp_fx)(core - 1) * view->cell;
-    int64_t ratio = ratio_of(count, view), step = view->cell;
+    int64_t ratio = flank_ratio(count, view), step = view->cell;
     tp_grid_extent extent = {
         low, high, { low, high }, flank ? view->cell * (tp_fx)(core / 8 + 1) : 0,
     };

@@ -19,7 +19,7 @@ static int64_t along(const tp_lens *lens, int32_t u, int32_t v, tp_q30 right, tp
 
 /* Returns the ray through a corner (u, v) of the picture, 28.4 px from its centre, for
  * the heading (hx, hz). */
-static ray ray_of(const tp_lens *lens, int32_t u, int32_t v, tp_q30 hx, tp_q30 hz)
+static ray corner_ray(const tp_lens *lens, int32_t u, int32_t v, tp_q30 hx, tp_q30 hz)
 {
     int64_t x = along(lens, u, v, lens->turn.x.x, lens->turn.y.x, lens->ahead.x);
     int64_t y = along(lens, u, v, lens->turn.x.y, lens->turn.y.y, lens->ahead.y);
@@ -31,13 +31,13 @@ static ray ray_of(const tp_lens *lens, int32_t u, int32_t v, tp_q30 hx, tp_q30 h
 
 /* Returns the widest tangent between the heading and a corner of the picture, 0 if a ray
  * leads backwards. *down: the steepest fall of a ray, px. */
-static tp_fx widest_of(const tp_lens *lens, tp_dir3 heading, int64_t *down)
+static tp_fx find_widest(const tp_lens *lens, tp_dir3 heading, int64_t *down)
 {
     tp_fx wide = 1;
 
     *down = 1;
     for (int k = 0; k < 4; k++) {
-        ray r = ray_of(lens, k & 1 ? lens->u0 : -lens->u0, k & 2 ? lens->v0 : -lens->v0,
+        ray r = corner_ray(lens, k & 1 ? lens->u0 : -lens->u0, k & 2 ? lens->v0 : -lens->v0,
                        heading.x, heading.z);
         *down = r.down > *down ? r.down : *down;
         if (r.ahead <= 0 || r.aside >= r.ahead * 64)
@@ -52,7 +52,7 @@ static tp_fx widest_of(const tp_lens *lens, tp_dir3 heading, int64_t *down)
  * sin belong to the angle between the heading and the direction of a side's lines, tan is
  * the view's widest tangent.  If cos + sin tan <= 0 the lines are not visible and the
  * rate is the maximum. */
-static int32_t rate_of(const tp_lens *lens, tp_fx wide, tp_q30 cosine, tp_q30 sine)
+static int32_t side_rate(const tp_lens *lens, tp_fx wide, tp_q30 cosine, tp_q30 sine)
 {
     int64_t share = cosine + ((int64_t)tp_abs(sine) * wide >> 16);     /* Q.30 */
     int64_t most = (int64_t)1 << 24;
@@ -68,19 +68,19 @@ static void begin(tp_thinning lod[2], const tp_lens *lens, tp_fx height, tp_fx c
 {
     tp_dir3 heading = tp_normalise(lens->ahead.x, 0, lens->ahead.z);
     int64_t down;
-    tp_fx   wide = widest_of(lens, heading, &down);
+    tp_fx   wide = find_widest(lens, heading, &down);
     tp_fx   over = lens->eye.y - height;
     int64_t least = over > 0 ? (int64_t)over * TP_LOD_PIXELS * TP_FX_ONE / down : 0;
 
     lod[0] = (tp_thinning){
         lens->eye.x, cell, tp_fx_held(least),
-        { rate_of(lens, wide, -heading.x, heading.z),
-          rate_of(lens, wide, heading.x, heading.z) },
+        { side_rate(lens, wide, -heading.x, heading.z),
+          side_rate(lens, wide, heading.x, heading.z) },
     };
     lod[1] = (tp_thinning){
         lens->eye.z, cell, tp_fx_held(least),
-        { rate_of(lens, wide, -heading.z, heading.x),
-          rate_of(lens, wide, heading.z, heading.x) },
+        { side_rate(lens, wide, -heading.z, heading.x),
+          side_rate(lens, wide, heading.z, heading.x) },
     };
 }
 
@@ -96,7 +96,7 @@ tp_fx tp_lod_step(const tp_thinning *lod, tp_fx place)
 
 /* Returns the index of the cell at a position, counted from the world's origin; lines may
  * lie in the middle of cells. */
-static int32_t cell_at(const tp_thinning *lod, tp_fx place)
+static int32_t cell_index(const tp_thinning *lod, tp_fx place)
 {
     TP_ASSERT(lod->cell > 0);
     int64_t cells = (int64_t)place / lod->cell;
@@ -110,7 +110,7 @@ static uint32_t thin(const tp_thinning *lod, tp_grid_line *line, uint32_t count,
 {
     uint32_t first = flank, last = count - 1 - flank;
     TP_ASSERT(first <= last && last < count);
-    uint32_t at = (uint32_t)cell_at(lod, line[first].place), left = first + 1;
+    uint32_t at = (uint32_t)cell_index(lod, line[first].place), left = first + 1;
 
     for (uint32_t k = first + 1; k < count; k++) {
         uint32_t level = 0;
@@ -150,7 +150,7 @@ static tp_fx carried(uint64_t turns, tp_fx still)
     return share > still ? share : still;
 }
 
-tp_lod_share tp_lod_share_of(const tp_thinning *lod, tp_fx step, int64_t turns)
+tp_lod_share tp_lod_swell_share(const tp_thinning *lod, tp_fx step, int64_t turns)
 {
     uint64_t of_step = (uint64_t)(turns < 0 ? -turns : turns) * (uint32_t)step >> 32;
     tp_fx    still = 0;

@@ -40,7 +40,7 @@ typedef struct {
     tp_fx height, slope;
 } tp_lod_share;
 
-tp_lod_share tp_lod_share_of(const tp_thinning *lod, tp_fx step, int64_t turns);
+tp_lod_share tp_lod_swell_share(const tp_thinning *lod, tp_fx step, int64_t turns);
 
 /* Functions that a program links for level of detail. */
 struct tp_water_lod {

@@ -4,7 +4,7 @@
 
 /* -- displaced vertices ---------------------------------------------------------------- */
 
-static tp_fx fade_at(const tp_grid *grid, uint32_t i, uint32_t j)
+static tp_fx vertex_fade(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     return tp_fx_mul(grid->column[i].fade, grid->row[j].fade);
 }
@@ -15,7 +15,7 @@ static tp_vec3 displaced(const tp_grid *grid, uint32_t i, uint32_t j, tp_fx *dep
 {
     const tp_surface *surface = grid->frame.surface;
     tp_vec3 rest = { grid->column[i].place, 0, grid->row[j].place };
-    tp_fx   fade = fade_at(grid, i, j);
+    tp_fx   fade = vertex_fade(grid, i, j);
 
     if (fade == 0) {
         if (depth)
@@ -72,7 +72,7 @@ static void displace_row(tp_grid *grid, uint32_t j)
 
 /* -- slopes ---------------------------------------------------------------------------- */
 
-/* Shifts a vector to a length below 2 km, the limit of tp_slopes_across.  In a grid with
+/* Shifts a vector to a length below 2 km, the limit of tp_slopes_from_tangents.  In a grid with
  * cells of kilometres, smaller slopes cannot be told from flat. */
 static tp_vec3 shortened(tp_vec3 v, int shift)
 {
@@ -89,8 +89,8 @@ static tp_vec3 finished(const tp_vec3 around[4], const tp_grid *grid, tp_vec3 mi
     tp_relief sum = { 0, 0, 0 };
 
     if (fade != 0)
-        tp_slopes_across(shortened(across, shift), shortened(along, shift), &sum.slope_x,
-                         &sum.slope_z);
+        tp_slopes_from_tangents(shortened(across, shift), shortened(along, shift),
+                                &sum.slope_x, &sum.slope_z);
     if (tp_surface_has_relief(surface)) {
         tp_relief relief = tp_surface_relief_faded(surface, middle.x, middle.z, fade);
         middle.y += relief.height;
@@ -142,7 +142,7 @@ void tp_sheet_place_row(tp_grid *grid, uint32_t j, tp_grid_span needed)
         const tp_vec3 around[4] = { row[before(i)], row[after(i, grid->cols)],
                                     grid->sheet[near % 3][i], grid->sheet[far % 3][i] };
         int16_t slope[3];
-        tp_vec3 at = finished(around, grid, row[i], fade_at(grid, i, j), slope);
+        tp_vec3 at = finished(around, grid, row[i], vertex_fade(grid, i, j), slope);
         place(grid->frame.lens, at, slope, &grid->vertex[(size_t)j * grid->cols + i]);
     }
 }
@@ -154,7 +154,8 @@ tp_view_corner tp_sheet_corner(const tp_grid *grid, uint32_t i, uint32_t j)
     tp_view_corner c = { .s = grid->column[i].place, .t = grid->row[j].place };
 
     if (tp_surface_has_relief(surface))
-        at.y += tp_surface_relief_faded(surface, at.x, at.z, fade_at(grid, i, j)).height;
+        at.y +=
+            tp_surface_relief_faded(surface, at.x, at.z, vertex_fade(grid, i, j)).height;
     tp_lens_view(grid->frame.lens, at, &c);
     return c;
 }

@@ -104,8 +104,8 @@ static int64_t mixed(const search *u, const search *w, int64_t dx, int64_t dz)
 
 /* Finds the surface point of coastal water, without slopes: they are differences
  * (ocean_slopes), because waves over a floor have no closed form. */
-static tp_sea_point ocean_above(const tp_surface *surface, tp_fx x, tp_fx z,
-                                tp_fx rest[2])
+static tp_sea_point sample_ocean(const tp_surface *surface, tp_fx x, tp_fx z,
+                                 tp_fx rest[2])
 {
     tp_fx most = tp_ocean_reach(surface->ocean), reach = most < REACH ? most : REACH;
     search u = { x, 0, 0 }, w = { z, 0, 0 };
@@ -139,20 +139,20 @@ static void ocean_slopes(const tp_surface *surface, tp_sea_point *at, const tp_f
         p[k] = tp_ocean_smooth(surface->ocean, surface->phases,
                                tp_fx_plus(rest[0], way[k][0]),
                                tp_fx_plus(rest[1], way[k][1])).position;
-    tp_slopes_across(tp_vec3_sub(p[1], p[0]), tp_vec3_sub(p[3], p[2]), &at->slope_x,
+    tp_slopes_from_tangents(tp_vec3_sub(p[1], p[0]), tp_vec3_sub(p[3], p[2]), &at->slope_x,
                      &at->slope_z);
 }
 
-tp_sea_point tp_surface_ocean_above(const tp_surface *surface, tp_fx x, tp_fx z,
-                                    tp_fx rest[2])
+tp_sea_point tp_surface_ocean_sample(const tp_surface *surface, tp_fx x, tp_fx z,
+                                     tp_fx rest[2])
 {
     TP_ASSERT(surface->ocean != NULL && rest != NULL);
-    tp_sea_point at = ocean_above(surface, x, z, rest);
+    tp_sea_point at = sample_ocean(surface, x, z, rest);
     ocean_slopes(surface, &at, rest);
     return at;
 }
 
-tp_sea_point tp_surface_above(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx rest[2])
+tp_sea_point tp_surface_sample(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx rest[2])
 {
     tp_fx from[2] = { x, z };
     tp_sea_point at = { .position = { x, 0, z } };
@@ -174,7 +174,8 @@ tp_sea_point tp_surface_above(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx
 
 /* Computes N = along_z x along_x, with the directions of the grid's rows and columns; a
  * slope is -N / N.y.  N.y has a lower limit, so an overhang gets the steepest slope. */
-void tp_slopes_across(tp_vec3 along_x, tp_vec3 along_z, tp_fx *slope_x, tp_fx *slope_z)
+void tp_slopes_from_tangents(tp_vec3 along_x, tp_vec3 along_z, tp_fx *slope_x,
+                             tp_fx *slope_z)
 {
     int64_t nx = (int64_t)along_z.y * along_x.z - (int64_t)along_z.z * along_x.y;
     int64_t ny = (int64_t)along_z.z * along_x.x - (int64_t)along_z.x * along_x.z;

@@ -49,14 +49,15 @@ tp_fx tp_surface_height(const tp_surface *surface);
 /* Returns the surface point above or below a position; ignores overhangs.  `rest` (x0,
  * z0) may be NULL; otherwise it is the start of the search and receives the rest position
  * found. */
-tp_sea_point tp_surface_above(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx rest[2]);
+tp_sea_point tp_surface_sample(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx rest[2]);
 
 /* Same for coastal water, without rings and pools; `rest` is not NULL. */
-tp_sea_point tp_surface_ocean_above(const tp_surface *surface, tp_fx x, tp_fx z,
-                                    tp_fx rest[2]);
+tp_sea_point tp_surface_ocean_sample(const tp_surface *surface, tp_fx x, tp_fx z,
+                                     tp_fx rest[2]);
 
 /* Computes dy/dx and dy/dz of a surface that goes along_x from column to column and
  * along_z from row to row (16.16 m, lengths below 2 km).  Slopes are within +-8;
  * overhangs get the limit. */
-void tp_slopes_across(tp_vec3 along_x, tp_vec3 along_z, tp_fx *slope_x, tp_fx *slope_z);
+void tp_slopes_from_tangents(tp_vec3 along_x, tp_vec3 along_z, tp_fx *slope_x,
+                             tp_fx *slope_z);
 #endif

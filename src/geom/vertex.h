@@ -101,7 +101,7 @@ void tp_vertex_rest_x(const tp_vertex_frame *frame, tp_fx x, int32_t rest[3]);
 void tp_vertex_rest_z(const tp_vertex_frame *frame, tp_fx z, int32_t rest[3]);
 
 /* Returns sine and cosine within 2^-28. */
-tp_vertex_turn tp_vertex_turn_of(tp_turn angle);
+tp_vertex_turn tp_vertex_turn_from_angle(tp_turn angle);
 
 /* Returns sine and cosine of the sum of two phases. */
 TP_ALWAYS_INLINE tp_vertex_turn tp_vertex_turned(tp_vertex_turn a, tp_vertex_turn b)

@@ -14,8 +14,8 @@ typedef struct {
     int64_t hx, hz, bxx, bxz, bzz;
 } sums;
 
-TP_ALWAYS_INLINE tp_vertex_turn turn_at(const tp_vertex_place_of *place, uint32_t i,
-                                        uint32_t k)
+TP_ALWAYS_INLINE tp_vertex_turn vertex_phase(const tp_vertex_place_of *place, uint32_t i,
+                                             uint32_t k)
 {
     tp_vertex_turn a = place->columns->turn[(size_t)(place->first + i)
                                             * place->frame->count + k];
@@ -48,7 +48,7 @@ TP_ALWAYS_INLINE int32_t kept(int64_t sum, int down, tp_fx fade)
     return fade == TP_FX_ONE ? whole : tp_fx_mul(whole, fade);
 }
 
-TP_ALWAYS_INLINE tp_fx fade_of(const tp_vertex_place_of *place, uint32_t i)
+TP_ALWAYS_INLINE tp_fx vertex_fade(const tp_vertex_place_of *place, uint32_t i)
 {
     return tp_fx_mul(place->row->line.fade, place->columns->line[place->first + i].fade);
 }
@@ -63,12 +63,12 @@ static void lean_sharpened(const tp_vertex_place_of *place, tp_vertex_run *run)
     for (uint32_t i = 0; i < place->count; i++) {
         int64_t rise = 0;
         for (uint32_t k = 0; k < frame->count; k++) {
-            const tp_vertex_turn th = turn_at(place, i, k);
+            const tp_vertex_turn th = vertex_phase(place, i, k);
             int32_t f, df;
             tp_swell_sharpen(&sea->swell[k], th.sin, th.cos, &f, &df);
             rise += (int64_t)frame->swell[k].rise_x * f;
         }
-        run->at[0][i] += kept(rise * 64, 34, fade_of(place, i));
+        run->at[0][i] += kept(rise * 64, 34, vertex_fade(place, i));
     }
 }
 
@@ -83,7 +83,7 @@ void tp_run_sharpen(const tp_vertex_place_of *place, tp_vertex_run *run,
                                place->columns->line[place->first + i].fade);
         sums sum = { 0 };
         for (uint32_t k = 0; k < frame->count; k++)
-            add(&sum, &frame->swell[k], &sea->swell[k], turn_at(place, i, k));
+            add(&sum, &frame->swell[k], &sea->swell[k], vertex_phase(place, i, k));
         run->at[0][i] += kept(sum.along[0], 34, fade);
         run->at[1][i] += kept(sum.along[1] + sum.rise[0] * 64, 34, fade);
         run->at[2][i] += kept(sum.along[2] + sum.rise[1] * 64, 34, fade);
@@ -103,7 +103,8 @@ void tp_run_sharpen(const tp_vertex_place_of *place, tp_vertex_run *run,
 /* -- rings and pools ------------------------------------------------------------------- */
 
 /* Computes the world position of a displaced vertex. */
-TP_ALWAYS_INLINE void place_at(const tp_vertex_place_of *place, uint32_t i, tp_fx *x, tp_fx *z)
+TP_ALWAYS_INLINE void displace_vertex(const tp_vertex_place_of *place, uint32_t i,
+                                      tp_fx *x, tp_fx *z)
 {
     const tp_vertex_frame *frame = place->frame;
     const tp_sea *sea = frame->surface->sea;
@@ -111,7 +112,7 @@ TP_ALWAYS_INLINE void place_at(const tp_vertex_place_of *place, uint32_t i, tp_f
     tp_fx along_x = 0, along_z = 0;
 
     for (uint32_t k = 0; k < frame->count && !place->still; k++) {
-        tp_q30 c = turn_at(place, i, k).cos;
+        tp_q30 c = vertex_phase(place, i, k).cos;
         along_x += tp_q30_mul(sea->swell[k].reach_x, c);
         along_z += tp_q30_mul(sea->swell[k].reach_z, c);
     }
@@ -130,9 +131,9 @@ static void lean_relief(const tp_vertex_place_of *place, tp_vertex_run *run)
 {
     for (uint32_t i = 0; i < place->count; i++) {
         tp_fx x, z;
-        place_at(place, i, &x, &z);
+        displace_vertex(place, i, &x, &z);
         const tp_relief relief = tp_surface_relief_faded(place->frame->surface, x, z,
-                                                         fade_of(place, i));
+                                                         vertex_fade(place, i));
         run->at[0][i] += tp_q30_mul(relief.height, place->frame->lens->lean);
     }
 }
@@ -146,7 +147,7 @@ void tp_run_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
         tp_fx x, z;
         tp_fx fade = tp_fx_mul(place->row->line.fade,
                                place->columns->line[place->first + i].fade);
-        place_at(place, i, &x, &z);
+        displace_vertex(place, i, &x, &z);
         tp_relief relief = tp_surface_relief_faded(place->frame->surface, x, z, fade);
         run->at[1][i] += tp_q30_mul(relief.height, lens->up.y);
         run->at[2][i] += tp_q30_mul(relief.height, lens->ahead.y);

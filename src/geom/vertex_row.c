@@ -19,7 +19,7 @@ static int32_t tilted(tp_q30 slope, int tilt)
     return (int32_t)(((int64_t)slope * (1 << tilt) + (1 << 15)) >> 16);
 }
 
-static tp_vertex_swell swell_of(const tp_vertex_frame *frame, const tp_swell *w)
+static tp_vertex_swell project_swell(const tp_vertex_frame *frame, const tp_swell *w)
 {
     const tp_lens *lens = frame->lens;
     bool crossed = frame->surface->sea->crossed;
@@ -42,7 +42,7 @@ static tp_vertex_swell swell_of(const tp_vertex_frame *frame, const tp_swell *w)
 /* Returns the number of fraction bits for slopes.  Each number of a row stays below 32000
  * in Q.tilt, to fit half of a pair.  The sum over all swells stays below 64000; it bounds
  * every sum of products with a sine and a cosine in Q.15, so the sum stays below 2^31. */
-static int tilt_of(const tp_sea *sea)
+static int choose_tilt_bits(const tp_sea *sea)
 {
     int64_t sum = 0, most = 0;
     int     tilt = 19;
@@ -61,7 +61,7 @@ static int tilt_of(const tp_sea *sea)
 
 /* Computes the view coordinates of a vector.  Rows of the lens are no longer than 1.42,
  * and the eye is at most 24 km from water. */
-static void seen_along(const tp_vertex_frame *frame, tp_vec3 d, int32_t rest[3])
+static void transform_to_view(const tp_vertex_frame *frame, tp_vec3 d, int32_t rest[3])
 {
     const tp_lens *lens = frame->lens;
     const tp_dir3 axis[3] = { lens->right, lens->up, lens->ahead };
@@ -77,13 +77,13 @@ static void seen_along(const tp_vertex_frame *frame, tp_vec3 d, int32_t rest[3])
 
 void tp_vertex_rest_x(const tp_vertex_frame *frame, tp_fx x, int32_t rest[3])
 {
-    seen_along(frame, (tp_vec3){ x - frame->lens->eye.x, 0, 0 }, rest);
+    transform_to_view(frame, (tp_vec3){ x - frame->lens->eye.x, 0, 0 }, rest);
 }
 
 void tp_vertex_rest_z(const tp_vertex_frame *frame, tp_fx z, int32_t rest[3])
 {
     const tp_vec3 *eye = &frame->lens->eye;
-    seen_along(frame, (tp_vec3){ 0, -eye->y, z - eye->z }, rest);
+    transform_to_view(frame, (tp_vec3){ 0, -eye->y, z - eye->z }, rest);
 }
 
 /* True if view coordinates may exceed 16.16.  View coordinates are linear over columns
@@ -128,9 +128,9 @@ void tp_vertex_set_swells(tp_vertex_frame *frame)
 {
     const tp_sea *sea = frame->surface->sea;
 
-    frame->tilt = tilt_of(sea);
+    frame->tilt = choose_tilt_bits(sea);
     for (uint32_t i = 0; i < sea->count; i++)
-        frame->swell[i] = swell_of(frame, &sea->swell[i]);
+        frame->swell[i] = project_swell(frame, &sea->swell[i]);
 }
 
 /* -- phases ---------------------------------------------------------------------------- */
@@ -139,7 +139,7 @@ void tp_vertex_set_swells(tp_vertex_frame *frame)
  * d <= 2 pi / 2048:
  *     sin(a + d) = sin a + d cos a - d^2/2 sin a,  less d^3/6 < 5e-9.
  * d is Q.38 and below 2^30, d^2/2 is Q.45. */
-tp_vertex_turn tp_vertex_turn_of(tp_turn angle)
+tp_vertex_turn tp_vertex_turn_from_angle(tp_turn angle)
 {
     const int32_t two_pi = 1686629713;                      /* 2 pi, Q.28 */
     tp_turn whole = (angle + (1u << 21)) & ~((1u << 22) - 1);
@@ -153,7 +153,7 @@ tp_vertex_turn tp_vertex_turn_of(tp_turn angle)
     };
 }
 
-static uint32_t pair_of(int32_t low, int32_t high)
+static uint32_t pack_pair(int32_t low, int32_t high)
 {
     low = tp_clamp(low, -INT16_MAX, INT16_MAX);
     high = tp_clamp(high, -INT16_MAX, INT16_MAX);
@@ -167,13 +167,13 @@ static tp_vertex_turn faded(tp_vertex_turn turn, tp_fx fade)
 
 static uint32_t pair_of_turn(tp_vertex_turn turn)
 {
-    return pair_of((turn.sin + (1 << 14)) >> 15, (turn.cos + (1 << 14)) >> 15);
+    return pack_pair((turn.sin + (1 << 14)) >> 15, (turn.cos + (1 << 14)) >> 15);
 }
 
 /* Returns the remaining weight of a swell on a line of columns (`way` 0) or rows (`way`
  * 1). */
-static tp_lod_share share_of(const tp_vertex_frame *frame, int way, tp_fx place,
-                             int64_t turns)
+static tp_lod_share line_swell_share(const tp_vertex_frame *frame, int way, tp_fx place,
+                                     int64_t turns)
 {
     const struct tp_water_lod *lod = frame->surface->by->lod;
 
@@ -195,18 +195,18 @@ static void set_column_turns(const tp_vertex_frame *frame,
 {
     const int64_t turns_x = frame->surface->sea->swell[k].turns_x;
     const bool fading = !frame->surface->sea->sharpened;
-    tp_vertex_turn step = tp_vertex_turn_of(tp_swell_turns(turns_x, cell));
+    tp_vertex_turn step = tp_vertex_turn_from_angle(tp_swell_turns(turns_x, cell));
     tp_vertex_turn now = { 0, 0 };
 
     for (uint32_t i = first; i < end; i++) {
         const tp_grid_line *line = &columns->line[i];
         size_t at = (size_t)i * frame->count + k;
         if ((i - first) % TP_VERTEX_RUN == 0 || line->place - line[-1].place != cell)
-            now = tp_vertex_turn_of(tp_swell_turns(turns_x, line->place));
+            now = tp_vertex_turn_from_angle(tp_swell_turns(turns_x, line->place));
         else
             now = tp_vertex_turned(now, step);
         tp_vertex_turn turn = fading ? kept(now, line->fade) : now;
-        tp_lod_share share = share_of(frame, 0, line->place, turns_x);
+        tp_lod_share share = line_swell_share(frame, 0, line->place, turns_x);
         columns->turn[at] = kept(turn, share.height);
         columns->pair[at] = pair_of_turn(kept(turn, share.slope));
     }
@@ -247,9 +247,9 @@ static void set_places(const tp_vertex_frame *frame, tp_vertex_row *row)
     for (uint32_t k = 0; k < frame->count; k++) {
         const tp_vertex_swell *w = &frame->swell[k];
         const int64_t turns_z = surface->sea->swell[k].turns_z;
-        tp_vertex_turn b = tp_vertex_turn_of(surface->phases[k]
+        tp_vertex_turn b = tp_vertex_turn_from_angle(surface->phases[k]
                                              + tp_swell_turns(turns_z, row->line.place));
-        tp_lod_share share = share_of(frame, 1, row->line.place, turns_z);
+        tp_lod_share share = line_swell_share(frame, 1, row->line.place, turns_z);
         if (!surface->sea->sharpened)
             b = kept(b, row->line.fade);
         row->turn[k] = kept(b, share.slope);

@@ -37,7 +37,7 @@ int tp_format_bits(tp_format format)
     return (unsigned)format < TP_FORMAT_COUNT ? formats[format].bits : 0;
 }
 
-int tp_format_of(const char *name, uint32_t bytes)
+int tp_format_find(const char *name, uint32_t bytes)
 {
     TP_ASSERT(name != NULL || bytes == 0);
     for (int i = 0; i < TP_FORMAT_COUNT; i++)

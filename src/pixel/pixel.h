@@ -7,7 +7,7 @@
 
 const char *tp_format_name(tp_format format);           /* e.g. "xrgb8888" */
 int         tp_format_bits(tp_format format);
-int         tp_format_of(const char *name, uint32_t bytes);   /* -1: no such name */
+int         tp_format_find(const char *name, uint32_t bytes);   /* -1: no such name */
 
 /* Returns pixel x of a row as 0x00RRGGBB.  565 is expanded by bit replication; a grey fills
  * all three channels. */

@@ -11,7 +11,7 @@
 
 static const tp_fx feed_sigma = TP_FX(2.5);     /* cells; waves of some 11 cells */
 
-/* sum_of_squares adds the squares of all heights.  limit_of gives the same sum for a pool
+/* sum_of_squares adds the squares of all heights.  energy_limit gives the same sum for a pool
  * with the height `rms` in each cell.  32-bit heights are cut to Q8.16: 2^18 cells of
  * (2^22)^2 are below 2^63. */
 static int64_t sum_of_squares(const tp_pool *pool)
@@ -21,20 +21,20 @@ static int64_t sum_of_squares(const tp_pool *pool)
     int64_t sum = 0;
 
     for (uint32_t i = 0; i < count; i++) {
-        const int64_t h = tp_pool_height_at(pool, i) >> shift;
+        const int64_t h = tp_pool_cell_height(pool, i) >> shift;
         sum += h * h;
     }
     return sum;
 }
 
-static int64_t limit_of(const tp_pool *pool, tp_fx rms)
+static int64_t energy_limit(const tp_pool *pool, tp_fx rms)
 {
     const int64_t lsb = tp_pool_lsb(pool, rms);
     const int64_t h = pool->cells == TP_CELLS_32 ? lsb >> 8 : lsb;
     return h * h * tp_pool_count(pool);
 }
 
-static uint32_t random_below(tp_pool *pool, uint32_t end)
+static uint32_t random_index(tp_pool *pool, uint32_t end)
 {
     return (uint32_t)((uint64_t)tp_random(&pool->random) * end >> 32);
 }
@@ -42,8 +42,8 @@ static uint32_t random_below(tp_pool *pool, uint32_t end)
 static void inject(tp_pool *pool)
 {
     TP_ASSERT(pool->feed_peak >= 0 && pool->feed_peak <= tp_pool_full(pool));
-    const uint32_t col = random_below(pool, pool->cols);
-    const uint32_t row = random_below(pool, pool->rows);
+    const uint32_t col = random_index(pool, pool->cols);
+    const uint32_t row = random_index(pool, pool->rows);
     const uint64_t half = (uint64_t)1 << 31;
 
     pool->feed_hits++;
@@ -70,8 +70,8 @@ void tp_pool_feed(tp_pool *pool)
 {
     const int64_t sum = sum_of_squares(pool);
 
-    if (sum < limit_of(pool, pool->feed_low))
+    if (sum < energy_limit(pool, pool->feed_low))
         inject(pool);
     if (++pool->feed_ticks == TP_FEED_WINDOW)
-        adapt(pool, sum > limit_of(pool, pool->feed_high));
+        adapt(pool, sum > energy_limit(pool, pool->feed_high));
 }

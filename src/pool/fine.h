@@ -15,7 +15,7 @@ TP_ALWAYS_INLINE int32_t tp_pool_fine(const tp_pool *pool, uint32_t col, uint32_
                                       uint32_t base, tp_fx back, tp_cells cells,
                                       int moves)
 {
-    const void *const from = tp_pool_from(pool, sizeof *pool);
+    const void *const from = tp_pool_const_pointer(pool, sizeof *pool);
     const uint32_t i = base + col;
 
     if (cells == TP_CELLS_8) {

@@ -44,8 +44,8 @@ TP_ALWAYS_INLINE int32_t flux(int32_t q, int32_t from, int32_t to, int32_t rate,
 }
 
 /* Returns the flux of cell x; `walls` and `sponge` are literals. */
-TP_ALWAYS_INLINE int32_t flux_of(int32_t q, int32_t from, int32_t to, size_t x,
-                                 const edges *e, int walls, int sponge)
+TP_ALWAYS_INLINE int32_t cell_flux(int32_t q, int32_t from, int32_t to, size_t x,
+                                   const edges *e, int walls, int sponge)
 {
     const int32_t column = sponge ? e->sponge[x] : e->damping;
     const int32_t damping = column < e->damping ? column : e->damping;
@@ -68,12 +68,12 @@ TP_ALWAYS_INLINE int32_t flow(int32_t *restrict q, const int32_t *restrict from,
     for (; x + 8 <= count; x += 8) {
         for (size_t i = 0; i < 8; i++) {
             const size_t n = x + i;
-            q[n] = flux_of(q[n], from[n], to[n], n, &e, walls, sponge);
+            q[n] = cell_flux(q[n], from[n], to[n], n, &e, walls, sponge);
             moved[i] |= q[n];
         }
     }
     for (; x < count; x++) {
-        q[x] = flux_of(q[x], from[x], to[x], x, &e, walls, sponge);
+        q[x] = cell_flux(q[x], from[x], to[x], x, &e, walls, sponge);
         moved[0] |= q[x];
     }
     return moved[0] | moved[1] | moved[2] | moved[3] | moved[4] | moved[5] | moved[6]
@@ -181,12 +181,12 @@ static int32_t step_rows(const sheet *s)
 void tp_pool_step_32(tp_pool *pool)
 {
     const size_t count = tp_pool_count(pool);
-    int32_t *const h = tp_pool_at(pool, sizeof *pool);
+    int32_t *const h = tp_pool_pointer(pool, sizeof *pool);
     const sheet s = {
         .h = h, .right = h + count, .down = h + 2 * count,
         .cols = pool->cols, .rows = pool->rows, .tiled = pool->edges == TP_EDGES_TILE,
-        .walls = pool->walls != 0 ? tp_pool_from(pool, pool->walls) : NULL,
-        .sponge = pool->sponge != 0 ? tp_pool_from(pool, pool->sponge) : NULL,
+        .walls = pool->walls != 0 ? tp_pool_const_pointer(pool, pool->walls) : NULL,
+        .sponge = pool->sponge != 0 ? tp_pool_const_pointer(pool, pool->sponge) : NULL,
         .edge = { .rate = (int32_t)tp_pool_r2q(pool), .damping = (int32_t)pool->damping },
     };
     TP_ASSERT(s.edge.rate <= TP_R2Q_MAX && s.edge.damping >= 4);

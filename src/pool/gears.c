@@ -32,7 +32,7 @@ typedef struct {
     int32_t  whole;         /* denominator of S: 2^(11+m) <= 2^21 */
 } gear;
 
-static gear gear_of(const tp_pool *pool)
+static gear make_gear(const tp_pool *pool)
 {
     return (gear){ (int32_t)tp_pool_r2q(pool), pool->damping + 1,
                    (int32_t)1 << (11 + pool->damping) };
@@ -46,10 +46,10 @@ TP_ALWAYS_INLINE int32_t spread(int32_t t, const gear *g, int32_t *carry)
 {
     const int32_t w = *carry - t;
     int32_t s = (t + (w >> g->down)) >> 10;
-    int32_t rest = tp_pool_up(t - s * 1024, g->down) + w;
+    int32_t rest = tp_pool_shift_left(t - s * 1024, g->down) + w;
 
     if (rest == 0 && s <= 0) {
-        rest = tp_pool_up(1024, g->down);
+        rest = tp_pool_shift_left(1024, g->down);
         s--;
     }
     *carry = rest;

@@ -43,7 +43,7 @@ static int64_t bell(int32_t s)
 }
 
 /* Returns s of a cell of the window; S_MAX for a cell beyond the reach of the hat. */
-static int32_t s_of(const splash *h, int32_t x, int32_t y)
+static int32_t cell_exponent(const splash *h, int32_t x, int32_t y)
 {
     const int64_t du = (int64_t)(h->col + x) * 256 + 128 - h->u;
     const int64_t dw = (int64_t)(h->row + y) * 256 + 128 - h->w;
@@ -79,7 +79,7 @@ static void balance(splash *h)
 
     for (int32_t y = 0; y < h->rows; y++) {
         for (int32_t x = 0; x < h->cols; x++) {
-            const int32_t s = s_of(h, x, y);
+            const int32_t s = cell_exponent(h, x, y);
             if (s < S_MAX && !is_wall(h, x, y)) {
                 bells += bell(s);
                 hats += (TP_FX_ONE - s) * bell(s) >> 16;
@@ -102,7 +102,7 @@ static int64_t add_hat(const splash *h, int32_t peak)
 
     for (int32_t y = 0; y < h->rows; y++) {
         for (int32_t x = 0; x < h->cols; x++) {
-            const int32_t s = s_of(h, x, y);
+            const int32_t s = cell_exponent(h, x, y);
             if (s >= S_MAX || is_wall(h, x, y))
                 continue;
             const int64_t hat = (TP_FX_ONE - s) * bell(s) >> 16;
@@ -121,7 +121,7 @@ static int64_t take(const splash *h, int64_t sum, int64_t share)
 {
     for (int32_t y = 0; y < h->rows; y++) {
         for (int32_t x = 0; x < h->cols && sum != 0; x++) {
-            if (s_of(h, x, y) < S_MAX)
+            if (cell_exponent(h, x, y) < S_MAX)
                 sum += give(h, x, y, (int32_t)-tp_limit(sum, share));
         }
     }

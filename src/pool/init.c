@@ -28,7 +28,7 @@ static uint32_t r2q_bound(uint32_t damping)
  * 52 bits at the most. */
 tp_fx tp_pool_noise(tp_fx courant, uint32_t damping)
 {
-    const uint32_t r2q = tp_pool_r2q_of(courant), m = damping < 10 ? damping : 10;
+    const uint32_t r2q = tp_pool_square_courant(courant), m = damping < 10 ? damping : 10;
     return (tp_fx)tp_isqrt64(((uint64_t)1 << (42 + m)) / (24 * (r2q ? r2q : 1)));
 }
 
@@ -69,7 +69,7 @@ static tp_status check_courant(const tp_pool_config *c, tp_error *err)
     const uint32_t bound = r2q_bound(c->damping);
     const uint32_t asked = ((uint32_t)c->courant * 1000 + 0x8000) >> 16;
 
-    if (tp_pool_r2q_of(c->courant) <= bound)
+    if (tp_pool_square_courant(c->courant) <= bound)
         return TP_OK;
     return tp_error_blame(err, TP_FAIL(err, TP_E_POOL_COURANT, 0, asked,
                                        tp_isqrt64((uint64_t)bound * 1000000 / 1024)),
@@ -104,7 +104,7 @@ static uint32_t part(uint32_t *bytes, uint32_t size)
     return size != 0 ? at : 0;
 }
 
-tp_pool_layout tp_pool_lay_out(const tp_pool_config *config)
+tp_pool_layout tp_pool_layout_make(const tp_pool_config *config)
 {
     TP_ASSERT(config->cols >= 16 && config->cols <= 512);
     TP_ASSERT(config->rows >= 16 && config->rows <= 512);
@@ -126,7 +126,7 @@ tp_pool_layout tp_pool_lay_out(const tp_pool_config *config)
 
 size_t tp_pool_bytes(const tp_pool_config *config)
 {
-    return tp_pool_check(config, NULL) == TP_OK ? tp_pool_lay_out(config).bytes : 0;
+    return tp_pool_check(config, NULL) == TP_OK ? tp_pool_layout_make(config).bytes : 0;
 }
 
 /* Returns q with num / den = q / 2^shift, 2^29 <= q <= 2^30; num < 2^47, 0 < den < 2^34. */
@@ -160,7 +160,7 @@ static void set_units(tp_pool *pool)
 }
 
 /* Returns 2^64 / n, n > 1, rounded down. */
-static uint64_t turns_over(uint64_t n)
+static uint64_t reciprocal_q64(uint64_t n)
 {
     TP_ASSERT(n > 1);
     return (UINT64_MAX - (n - 1)) / n + 1;
@@ -174,15 +174,15 @@ tp_status tp_pool_init(tp_pool *pool, const tp_pool_config *config, tp_error *er
         status = tp_pool_check(config, err);
     if (status != TP_OK)
         return status;
-    const tp_pool_layout at = tp_pool_lay_out(config);
+    const tp_pool_layout at = tp_pool_layout_make(config);
     memset(pool, 0, at.bytes);
     *pool = (tp_pool){
         .cols = config->cols, .rows = config->rows,
         .cells = config->cells, .edges = config->edges,
-        .r2q = tp_pool_r2q_of(config->courant), .damping = config->damping,
+        .r2q = tp_pool_square_courant(config->courant), .damping = config->damping,
         .range = config->range, .cell = config->cell, .x = config->x, .z = config->z,
-        .turns_x = turns_over((uint64_t)config->cell * config->cols),
-        .turns_z = turns_over((uint64_t)config->cell * config->rows),
+        .turns_x = reciprocal_q64((uint64_t)config->cell * config->cols),
+        .turns_z = reciprocal_q64((uint64_t)config->cell * config->rows),
         .feed_low = config->feed_low, .feed_high = config->feed_high,
         .feed = config->feed, .random = 1, .at_rest = 1, .still = 1,
         .walls = at.walls, .sponge = at.sponge, .work = at.work, .first = at.first,

@@ -4,9 +4,9 @@
 #include "base/assert.h"
 #include "pool/pool.h"
 
-int32_t tp_pool_height_at(const tp_pool *pool, uint32_t index)
+int32_t tp_pool_cell_height(const tp_pool *pool, uint32_t index)
 {
-    const void *const cells = tp_pool_from(pool, sizeof *pool);
+    const void *const cells = tp_pool_const_pointer(pool, sizeof *pool);
 
     switch (pool->cells) {
     case TP_CELLS_8:  return ((const tp_pool_pair_8 *)cells)[index].h;
@@ -15,9 +15,9 @@ int32_t tp_pool_height_at(const tp_pool *pool, uint32_t index)
     }
 }
 
-static int32_t velocity_at(const tp_pool *pool, uint32_t col, uint32_t row)
+static int32_t cell_velocity(const tp_pool *pool, uint32_t col, uint32_t row)
 {
-    const void *const cells = tp_pool_from(pool, sizeof *pool);
+    const void *const cells = tp_pool_const_pointer(pool, sizeof *pool);
     const uint32_t index = row * pool->cols + col;
 
     switch (pool->cells) {
@@ -34,12 +34,12 @@ static bool has_cell(const tp_pool *pool, uint32_t col, uint32_t row)
 
 int32_t tp_pool_height(const tp_pool *pool, uint32_t col, uint32_t row)
 {
-    return has_cell(pool, col, row) ? tp_pool_height_at(pool, row * pool->cols + col) : 0;
+    return has_cell(pool, col, row) ? tp_pool_cell_height(pool, row * pool->cols + col) : 0;
 }
 
 int32_t tp_pool_velocity(const tp_pool *pool, uint32_t col, uint32_t row)
 {
-    return has_cell(pool, col, row) ? velocity_at(pool, col, row) : 0;
+    return has_cell(pool, col, row) ? cell_velocity(pool, col, row) : 0;
 }
 
 bool tp_pool_wall(const tp_pool *pool, uint32_t col, uint32_t row)
@@ -54,10 +54,10 @@ int32_t tp_pool_add(tp_pool *pool, uint32_t col, uint32_t row, int32_t lsb)
 {
     if (tp_pool_wall(pool, col, row))
         return 0;
-    void *const cells = tp_pool_at(pool, sizeof *pool);
+    void *const cells = tp_pool_pointer(pool, sizeof *pool);
     const uint32_t i = row * pool->cols + col;
-    const int32_t full = tp_pool_full(pool), h = tp_pool_height_at(pool, i);
-    const int32_t v = velocity_at(pool, col, row);
+    const int32_t full = tp_pool_full(pool), h = tp_pool_cell_height(pool, i);
+    const int32_t v = cell_velocity(pool, col, row);
     const int32_t low = (v > 0 ? v - full : -full) - h;
     const int32_t added = tp_clamp(lsb, low, (v < 0 ? v + full : full) - h);
 
@@ -72,7 +72,7 @@ int32_t tp_pool_add(tp_pool *pool, uint32_t col, uint32_t row, int32_t lsb)
 
 /* Returns ln x in Q4.28 for 1 <= x < 2^16.  Computes the digits of the binary logarithm by
  * repeated squaring, then multiplies by ln 2. */
-static uint64_t log_of(uint32_t x)
+static uint64_t natural_log(uint32_t x)
 {
     TP_ASSERT(x > 0 && x < 1u << 16);
     const uint64_t ln2 = 0xb17217f7;                        /* Q0.32 */
@@ -94,8 +94,8 @@ static void take(tp_pool *pool, uint32_t i, int64_t *h, int64_t *v, int64_t h_pa
                  int64_t v_part)
 {
     const int32_t full = tp_pool_full(pool);
-    const int32_t here = tp_pool_height_at(pool, i);
-    const int32_t speed = velocity_at(pool, i % pool->cols, i / pool->cols);
+    const int32_t here = tp_pool_cell_height(pool, i);
+    const int32_t speed = cell_velocity(pool, i % pool->cols, i / pool->cols);
     const int64_t next = here - h_part, now = speed - v_part;
 
     if (tp_pool_is_wall(pool, i) || next > full || next < -full || next - now > full
@@ -104,10 +104,10 @@ static void take(tp_pool *pool, uint32_t i, int64_t *h, int64_t *v, int64_t h_pa
     *h -= h_part;
     *v -= v_part;
     if (pool->cells == TP_CELLS_8)
-        ((tp_pool_pair_8 *)tp_pool_at(pool, sizeof *pool))[i] =
+        ((tp_pool_pair_8 *)tp_pool_pointer(pool, sizeof *pool))[i] =
             (tp_pool_pair_8){ (int8_t)next, (int8_t)now };
     else
-        ((tp_pool_pair_16 *)tp_pool_at(pool, sizeof *pool))[i] =
+        ((tp_pool_pair_16 *)tp_pool_pointer(pool, sizeof *pool))[i] =
             (tp_pool_pair_16){ (int16_t)next, (int16_t)now };
 }
 
@@ -122,8 +122,8 @@ static void level(tp_pool *pool)
     int64_t h = 0, v = 0;
 
     for (uint32_t i = 0; i < count; i++) {
-        h += tp_pool_height_at(pool, i);
-        v += velocity_at(pool, i % pool->cols, i / pool->cols);
+        h += tp_pool_cell_height(pool, i);
+        v += cell_velocity(pool, i % pool->cols, i / pool->cols);
     }
     const int64_t h_mean = h / count, v_mean = v / count;
     for (uint32_t i = 0; i < count && (h_mean | v_mean) != 0; i++)
@@ -141,7 +141,7 @@ void tp_pool_stirred(tp_pool *pool, int32_t peak_lsb)
 
     if (pool->cells == TP_CELLS_32 || peak <= 8)
         return;
-    const uint64_t time = ((log_of(peak) - log_of(8)) << (pool->damping + 1))
+    const uint64_t time = ((natural_log(peak) - natural_log(8)) << (pool->damping + 1))
                         + (1u << 28) - 1;
     if (pool->gear == 0 && !pool->at_rest && pool->tick > 0)
         level(pool);

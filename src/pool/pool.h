@@ -181,24 +181,24 @@ static inline uint32_t tp_pool_count(const tp_pool *pool)
 }
 
 /* Address at an offset in bytes from the head of the block. */
-static inline void *tp_pool_at(tp_pool *pool, uint32_t bytes)
+static inline void *tp_pool_pointer(tp_pool *pool, uint32_t bytes)
 {
     return (char *)pool + bytes;
 }
 
-static inline const void *tp_pool_from(const tp_pool *pool, uint32_t bytes)
+static inline const void *tp_pool_const_pointer(const tp_pool *pool, uint32_t bytes)
 {
     return (const char *)pool + bytes;
 }
 
 static inline bool tp_pool_is_wall(const tp_pool *pool, uint32_t index)
 {
-    const uint8_t *walls = tp_pool_from(pool, pool->walls);
+    const uint8_t *walls = tp_pool_const_pointer(pool, pool->walls);
     return pool->walls != 0 && (walls[index] & TP_WALL) != 0;
 }
 
 /* Returns 1024 r^2 for r < 1. */
-static inline uint32_t tp_pool_r2q_of(tp_fx courant)
+static inline uint32_t tp_pool_square_courant(tp_fx courant)
 {
     return (uint32_t)(((uint64_t)courant * (uint64_t)courant * 1024 + (1u << 31)) >> 32);
 }
@@ -209,14 +209,14 @@ static inline uint32_t tp_pool_r2q(const tp_pool *pool)
 }
 
 /* Returns x 2^n, for n >= 0 and results in range. */
-static inline int32_t tp_pool_up(int32_t x, uint32_t n)
+static inline int32_t tp_pool_shift_left(int32_t x, uint32_t n)
 {
     return (int32_t)((uint32_t)x << n);
 }
 
 /* Layout of the block of a config: offsets of the parts, and `bytes`, the total size. */
 typedef struct { uint32_t walls, sponge, work, first, bytes; } tp_pool_layout;
-tp_pool_layout tp_pool_lay_out(const tp_pool_config *config);
+tp_pool_layout tp_pool_layout_make(const tp_pool_config *config);
 
 /* Marks the walls of `mask` (may be NULL) and of the edges.  The sizes must already be
  * set. */
@@ -225,7 +225,7 @@ void tp_pool_set_walls(tp_pool *pool, const tp_grey *mask);
 void tp_pool_set_sponge(tp_pool *pool, uint32_t width);
 
 /* Returns the stored height of a cell inside the field. */
-int32_t tp_pool_height_at(const tp_pool *pool, uint32_t index);
+int32_t tp_pool_cell_height(const tp_pool *pool, uint32_t index);
 
 /* For 32-bit cells: returns the inflow of a cell in the last step less its outflow.  Fluxes
  * through walls are 0, and so are fluxes across the edge of a field that is not tiled: the
@@ -234,7 +234,7 @@ int32_t tp_pool_height_at(const tp_pool *pool, uint32_t index);
 static inline int32_t tp_pool_gain(const tp_pool *pool, uint32_t col, uint32_t row)
 {
     const uint32_t cols = pool->cols, count = tp_pool_count(pool);
-    const int32_t *const h = tp_pool_from(pool, sizeof *pool);
+    const int32_t *const h = tp_pool_const_pointer(pool, sizeof *pool);
     const int32_t *const right = h + count, *const down = right + count;
     const uint32_t here = row * cols + col;
     const uint32_t left = col != 0 ? here - 1 : here + cols - 1;

@@ -9,8 +9,8 @@
  * tiled field wrap at no cost.  `turns` is rounded down: inside a field that is not
  * tiled the product stays within half a turn.  The far edge itself counts as the last
  * position in the last cell. */
-static bool place_along(const tp_pool *pool, int64_t from_centre, uint64_t turns,
-                        uint32_t cells, uint64_t *u)
+static bool locate_on_axis(const tp_pool *pool, int64_t from_centre, uint64_t turns,
+                           uint32_t cells, uint64_t *u)
 {
     const int64_t side = (int64_t)pool->cell * (int64_t)cells;
     const uint64_t turn = (uint64_t)from_centre * turns + ((uint64_t)1 << 63);
@@ -25,8 +25,8 @@ bool tp_pool_place(const tp_pool *pool, tp_fx x, tp_fx z, uint64_t *u, uint64_t 
 {
     const int64_t dx = (int64_t)x - pool->x, dz = (int64_t)z - pool->z;
 
-    return place_along(pool, dx, pool->turns_x, pool->cols, u)
-        && place_along(pool, dz, pool->turns_z, pool->rows, w);
+    return locate_on_axis(pool, dx, pool->turns_x, pool->cols, u)
+           && locate_on_axis(pool, dz, pool->turns_z, pool->rows, w);
 }
 
 bool tp_pool_cell(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col, uint32_t *row)
@@ -167,7 +167,7 @@ static tp_fx scaled(int32_t x, int32_t factor, int32_t shift)
     return (tp_fx)(((int64_t)x * factor + ((int64_t)1 << (shift - 1))) >> shift);
 }
 
-static tp_relief relief_of(const tp_pool *pool, const patch *p, const heights *of)
+static tp_relief interpolate_relief(const tp_pool *pool, const patch *p, const heights *of)
 {
     int32_t across[4], down[4];     /* across: columns at the point's row; down:
                                      * rows at its column */
@@ -208,5 +208,5 @@ tp_relief tp_pool_relief(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx back)
         gather_walls(pool, &p, &of, col, row);
     else
         gather(pool, &p, &of);
-    return relief_of(pool, &p, &of);
+    return interpolate_relief(pool, &p, &of);
 }

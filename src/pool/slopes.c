@@ -13,7 +13,7 @@ typedef struct {
 } line;
 
 /* Slopes in 16.16 are far below 2^31: 64 m over two cells of a centimetre are 2^27. */
-static int16_t slope_of(const line *l, int32_t difference)
+static int16_t scale_slope(const line *l, int32_t difference)
 {
     const tp_pool *const pool = l->pool;
     const int64_t slope = (int64_t)difference * pool->slope_q >> pool->slope_shift;
@@ -39,7 +39,7 @@ TP_ALWAYS_INLINE void open_row(const line *l, tp_pool_slope *to, tp_cells cells,
                                         moves)
                          - tp_pool_fine(pool, at, l->up, l->up * cols, l->back, cells,
                                         moves);
-        *to++ = (tp_pool_slope){ slope_of(l, x), slope_of(l, z) };
+        *to++ = (tp_pool_slope){ scale_slope(l, x), scale_slope(l, z) };
     }
 }
 
@@ -60,7 +60,7 @@ static void walled_row(const line *l, tp_pool_slope *to)
                          - tp_pool_fine_or_wall(pool, left, l->row, l->back, own);
         const int32_t  z = tp_pool_fine_or_wall(pool, at, l->down, l->back, own)
                          - tp_pool_fine_or_wall(pool, at, l->up, l->back, own);
-        *to++ = (tp_pool_slope){ slope_of(l, x), slope_of(l, z) };
+        *to++ = (tp_pool_slope){ scale_slope(l, x), scale_slope(l, z) };
     }
 }
 

@@ -13,7 +13,7 @@ bool tp_pool_tune(tp_pool *pool, const tp_pool_config *config)
 {
     if (!is_same_block(pool, config) || tp_pool_check(config, NULL) != TP_OK)
         return false;
-    pool->r2q = tp_pool_r2q_of(config->courant);
+    pool->r2q = tp_pool_square_courant(config->courant);
     pool->damping = config->damping;
     pool->range = config->range;        /* 32-bit cells ignore the range; it may differ */
     if (pool->sponge != 0)              /* the sponge is never weaker than the field */

@@ -33,7 +33,9 @@ static bool is_same_part(const tp_pool *pool, const tp_pool *fresh, uint32_t at,
                          uint32_t bytes)
 {
     return at == 0
-        || memcmp(tp_pool_from(pool, at), tp_pool_from(fresh, at), bytes) == 0;
+           || memcmp(tp_pool_const_pointer(pool, at), tp_pool_const_pointer(fresh, at),
+                     bytes)
+                  == 0;
 }
 
 static bool are_gears_valid(const tp_pool *pool)
@@ -56,7 +58,7 @@ static bool are_gears_valid(const tp_pool *pool)
 static bool goes(const tp_pool *pool, uint32_t col, uint32_t row, bool down)
 {
     const bool last = down ? row + 1 == pool->rows : col + 1 == pool->cols;
-    const uint8_t *walls = tp_pool_from(pool, pool->walls);
+    const uint8_t *walls = tp_pool_const_pointer(pool, pool->walls);
 
     if (pool->walls != 0)
         return walls[row * pool->cols + col] & (down ? TP_OPEN_DOWN : TP_OPEN_RIGHT);
@@ -71,7 +73,8 @@ static bool is_flux_valid(int32_t flux, bool goes)
 static bool are_fluxes_valid(const tp_pool *pool)
 {
     const uint32_t cols = pool->cols, count = tp_pool_count(pool);
-    const int32_t *const right = (const int32_t *)tp_pool_from(pool, sizeof *pool) + count;
+    const int32_t *const right =
+        (const int32_t *)tp_pool_const_pointer(pool, sizeof *pool) + count;
 
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t col = i % cols, row = i / cols;

@@ -24,7 +24,7 @@ static bool is_open(const tp_pool *pool, uint32_t x, uint32_t y)
     return !tp_pool_is_wall(pool, y * pool->cols + x);
 }
 
-static uint8_t ways_from(const tp_pool *pool, uint32_t x, uint32_t y)
+static uint8_t open_ways(const tp_pool *pool, uint32_t x, uint32_t y)
 {
     return (uint8_t)((is_open(pool, x - 1, y) ? TP_OPEN_LEFT : 0)
                      | (is_open(pool, x + 1, y) ? TP_OPEN_RIGHT : 0)
@@ -35,7 +35,7 @@ static uint8_t ways_from(const tp_pool *pool, uint32_t x, uint32_t y)
 void tp_pool_set_walls(tp_pool *pool, const tp_grey *mask)
 {
     TP_ASSERT(pool->walls != 0);
-    uint8_t *const walls = tp_pool_at(pool, pool->walls);
+    uint8_t *const walls = tp_pool_pointer(pool, pool->walls);
 
     for (uint32_t y = 0; mask != NULL && y < pool->rows; y++)
         for (uint32_t x = 0; x < pool->cols; x++)
@@ -43,13 +43,13 @@ void tp_pool_set_walls(tp_pool *pool, const tp_grey *mask)
     for (uint32_t y = 0; y < pool->rows; y++)
         for (uint32_t x = 0; x < pool->cols; x++)
             if (walls[y * pool->cols + x] != TP_WALL)
-                walls[y * pool->cols + x] = ways_from(pool, x, y);
+                walls[y * pool->cols + x] = open_ways(pool, x, y);
 }
 
 /* Returns the j >= 1 with 2^-j nearest to delta = 8 (W - d)^2 / (max(W, 16) W^2), nearest
  * in the exponent: the first j with delta^2 2^(2j+1) >= 1, at most `most`.  Both sides of
  * the comparison are below 2^52. */
-static uint8_t sponge_at(uint32_t d, uint32_t width, uint32_t most)
+static uint8_t sponge_exponent(uint32_t d, uint32_t width, uint32_t most)
 {
     const uint64_t least = width > 16 ? width : 16, w2 = width * width;
     const uint64_t depth2 = d < width ? (uint64_t)(width - d) * (width - d) : 0;
@@ -63,12 +63,12 @@ static uint8_t sponge_at(uint32_t d, uint32_t width, uint32_t most)
 void tp_pool_set_sponge(tp_pool *pool, uint32_t width)
 {
     TP_ASSERT(pool->sponge != 0 && width >= 4 && width <= 64);
-    uint8_t *const column = tp_pool_at(pool, pool->sponge);
+    uint8_t *const column = tp_pool_pointer(pool, pool->sponge);
     uint8_t *const row = column + pool->cols;
     const uint32_t right = pool->cols - 1, bottom = pool->rows - 1;
 
     for (uint32_t x = 0; x <= right; x++)
-        column[x] = sponge_at(x < right - x ? x : right - x, width, pool->damping);
+        column[x] = sponge_exponent(x < right - x ? x : right - x, width, pool->damping);
     for (uint32_t y = 0; y <= bottom; y++)
-        row[y] = sponge_at(y < bottom - y ? y : bottom - y, width, pool->damping);
+        row[y] = sponge_exponent(y < bottom - y ? y : bottom - y, width, pool->damping);
 }

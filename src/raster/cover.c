@@ -26,7 +26,7 @@ int32_t tp_row_deep_share(int32_t share, uint32_t za, uint32_t zb)
 static const uint32_t over[17] = { 0, 65536, 32768, 21845, 16384, 13107, 10923, 9362,
                                    8192, 7282, 6554, 5958, 5461, 5041, 4681, 4369, 4096 };
 
-uint32_t tp_row_step_between(uint32_t from, uint32_t to, int32_t n)
+uint32_t tp_row_place_step(uint32_t from, uint32_t to, int32_t n)
 {
     TP_ASSERT(n >= 0 && n <= 16);
     return (uint32_t)((int64_t)(int32_t)(to - from) * over[n] >> 16);
@@ -38,7 +38,7 @@ TP_ALWAYS_INLINE uint32_t key_step(int32_t zi_step)
     return ((uint32_t)zi_step * 2 + 128) & ~(uint32_t)0xff;
 }
 
-TP_ALWAYS_INLINE void step_down(sample *p, const sample *step, uint32_t rows)
+TP_ALWAYS_INLINE void step_rows(sample *p, const sample *step, uint32_t rows)
 {
     p->key += step->key * rows;
     p->s += step->s * rows;
@@ -50,14 +50,14 @@ TP_ALWAYS_INLINE void step_down(sample *p, const sample *step, uint32_t rows)
 TP_ALWAYS_INLINE void fill(const tp_samples *tile, int32_t x, int32_t y, int32_t end,
                            int32_t top, sample now, sample step, bool tested)
 {
-    const size_t plane = plane_of(tile), stride = tile->stride;
-    uint32_t *at = place_in(tile, x, y);
+    const size_t plane = plane_stride(tile), stride = tile->stride;
+    uint32_t *at = key_pointer(tile, x, y);
 
     if (y > top)
-        step_down(&now, &step, (uint32_t)(y - top));
+        step_rows(&now, &step, (uint32_t)(y - top));
     for (int32_t count = end - y; count > 0; count--, at += stride) {
         put(at, plane, &now, tested);
-        step_down(&now, &step, 1);
+        step_rows(&now, &step, 1);
     }
 }
 
@@ -75,14 +75,14 @@ typedef struct {
     int32_t  up;                /* share per row upwards, negative, Q.30; if rows > 1 */
 } between;
 
-TP_ALWAYS_INLINE between between_of(const tp_row_sample *far, const tp_row_sample *near)
+TP_ALWAYS_INLINE between make_interval(const tp_row_sample *far, const tp_row_sample *near)
 {
     TP_ASSERT((near->v - far->v) >> 8 > 0);
     uint32_t inverse = 0x7fffffffu / ((uint32_t)(near->v - far->v) >> 8);
     return (between){ far, near, inverse, (int32_t)(0u - 128 * inverse) };
 }
 
-TP_ALWAYS_INLINE int32_t share_at(const between *b, int32_t y)
+TP_ALWAYS_INLINE int32_t row_share(const between *b, int32_t y)
 {
     return (int32_t)((uint32_t)((y * ROW + ROW / 2 - b->far->v) >> 8) * b->inverse);
 }
@@ -91,10 +91,10 @@ TP_ALWAYS_INLINE int32_t share_at(const between *b, int32_t y)
 TP_ALWAYS_INLINE void set_straight(const between *b, int32_t y, sample *now, sample *step)
 {
     const tp_row_sample *far = b->far, *near = b->near;
-    int32_t share = share_at(b, y), up = b->up, d;
+    int32_t share = row_share(b, y), up = b->up, d;
 
     d = difference((int32_t)far->zi, (int32_t)near->zi);
-    now->key = key_of((uint32_t)part((int32_t)far->zi, d, share));
+    now->key = make_water_key((uint32_t)part((int32_t)far->zi, d, share));
     step->key = key_step(-tp_mul_upper(d, up) * 4);
     d = difference(far->s, near->s);
     now->s = (uint32_t)part(far->s, d, share);
@@ -102,7 +102,7 @@ TP_ALWAYS_INLINE void set_straight(const between *b, int32_t y, sample *now, sam
     d = difference(far->t, near->t);
     now->t = (uint32_t)part(far->t, d, share);
     step->t = 0u - (uint32_t)tp_mul_upper(d, up) * 4;
-    now->n = slopes_between(far->n, near->n, share);
+    now->n = interpolate_slopes(far->n, near->n, share);
     step->n = slopes_step(near->n, far->n, up);
 }
 
@@ -110,10 +110,10 @@ typedef struct {
     uint32_t s, t;
 } place;
 
-static place place_at(const between *b, int32_t y)
+static place interpolate_place(const between *b, int32_t y)
 {
     const tp_row_sample *far = b->far, *near = b->near;
-    int32_t share = tp_row_deep_share(share_at(b, y), far->zi, near->zi);
+    int32_t share = tp_row_deep_share(row_share(b, y), far->zi, near->zi);
 
     return (place){ (uint32_t)part(far->s, difference(far->s, near->s), share),
                     (uint32_t)part(far->t, difference(far->t, near->t), share) };
@@ -126,21 +126,21 @@ static __attribute__((noinline)) void fill_deep(const tp_rows *rows,
                                                 const tp_row_sample *far, int32_t x,
                                                 int32_t y, int32_t end, int32_t top)
 {
-    const between b = between_of(far, near);
+    const between b = make_interval(far, near);
     int32_t last = first_row(near->v) - 1;
     int32_t from = (y & ~15) > top ? y & ~15 : top;
-    place   p = place_at(&b, from);
+    place   p = interpolate_place(&b, from);
     sample  now, step;
 
     for (int32_t stop; y < end; y = from = stop) {
         int32_t next = (from | 15) + 1, to = next < last ? next : last;
-        place   q = to > from ? place_at(&b, to) : p;
+        place   q = to > from ? interpolate_place(&b, to) : p;
         stop = next < end ? next : end;
         set_straight(&b, from, &now, &step);
         now.s = p.s;
         now.t = p.t;
-        step.s = to > from ? tp_row_step_between(p.s, q.s, to - from) : 0;
-        step.t = to > from ? tp_row_step_between(p.t, q.t, to - from) : 0;
+        step.s = to > from ? tp_row_place_step(p.s, q.s, to - from) : 0;
+        step.t = to > from ? tp_row_place_step(p.t, q.t, to - from) : 0;
         fill_tested(rows->tile, x, y, stop, from, &now, &step);
         p = q;
     }
@@ -152,19 +152,19 @@ TP_ALWAYS_INLINE void fill_few(const tp_rows *rows, const tp_row_sample *near,
                                int32_t end)
 {
     const tp_samples *tile = rows->tile;
-    const size_t plane = plane_of(tile);
+    const size_t plane = plane_stride(tile);
     const uint32_t inverse = 0x7fffffffu / ((uint32_t)(near->v - far->v) >> 8);
     const int32_t dz = difference((int32_t)far->zi, (int32_t)near->zi);
     const int32_t ds = difference(far->s, near->s), dt = difference(far->t, near->t);
     uint32_t share = (uint32_t)((y * ROW + ROW / 2 - far->v) >> 8) * inverse;
-    uint32_t *at = place_in(tile, x, y);
+    uint32_t *at = key_pointer(tile, x, y);
 
     for (;;) {
         const int32_t w = (int32_t)share;
         const sample now = {
-            key_of((uint32_t)part((int32_t)far->zi, dz, w)),
+            make_water_key((uint32_t)part((int32_t)far->zi, dz, w)),
             (uint32_t)part(far->s, ds, w), (uint32_t)part(far->t, dt, w),
-            slopes_between(far->n, near->n, w),
+            interpolate_slopes(far->n, near->n, w),
         };
         put(at, plane, &now, rows->solid);
         if (++y >= end)
@@ -179,7 +179,7 @@ static __attribute__((noinline)) void fill_many(const tp_rows *rows,
                                                 const tp_row_sample *far, int32_t x,
                                                 int32_t y, int32_t end, int32_t top)
 {
-    const between b = between_of(far, near);
+    const between b = make_interval(far, near);
     sample now, step;
 
     set_straight(&b, top, &now, &step);
@@ -213,10 +213,11 @@ void tp_row_start(tp_rows *rows, tp_row_column *column, const tp_row_sample *lin
     const tp_samples *tile = rows->tile;
     int32_t top = first_row(line->v), y = top > tile->y0 ? top : tile->y0;
     int32_t end = (column->limit + ROW / 2) >> 16;
-    const sample p = { key_of(line->zi), (uint32_t)line->s, (uint32_t)line->t, line->n };
+    const sample p = { make_water_key(line->zi), (uint32_t)line->s, (uint32_t)line->t,
+                       line->n };
 
     close_column(rows, column, y);
     if (joined && top >= tile->y0 && top < end)
-        put(place_in(tile, tile->x0 + (int32_t)(column - rows->column), top),
-            plane_of(tile), &p, rows->solid);
+        put(key_pointer(tile, tile->x0 + (int32_t)(column - rows->column), top),
+            plane_stride(tile), &p, rows->solid);
 }

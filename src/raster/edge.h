@@ -25,7 +25,7 @@ typedef struct {
 /* Returns the edge from the upper end (u0, v0) to the lower end (u1, v1), v0 < v1, on its
  * first row.  `along` is in 1/16 px; `left` is the remainder in units of the edge.
  * `left` is below 30 dv, so the loop adds at most two pixels. */
-TP_ALWAYS_INLINE tp_edge tp_edge_of(int32_t u0, int32_t v0, int32_t u1, int32_t v1)
+TP_ALWAYS_INLINE tp_edge tp_edge_begin(int32_t u0, int32_t v0, int32_t u1, int32_t v1)
 {
     TP_ASSERT(v0 < v1);
     int32_t dv = v1 - v0, whole = (u1 - u0) / dv, part = (u1 - u0) % dv;

@@ -13,7 +13,7 @@
 
 /* Returns the limit of a column covered from row `top` down; a line with v <= limit
  * begins above. */
-static inline int32_t limit_of(int32_t top)
+static inline int32_t column_limit(int32_t top)
 {
     return top * ROW - ROW / 2;
 }
@@ -37,7 +37,7 @@ TP_ALWAYS_INLINE int32_t difference(int32_t from, int32_t to)
 
 /* Interpolates packed slopes, share in Q.31.  The halved difference loses its lowest bit.
  * The sum wraps to 16 bits; the result is between two slopes and fits. */
-TP_ALWAYS_INLINE uint32_t slopes_between(uint32_t from, uint32_t to, int32_t share)
+TP_ALWAYS_INLINE uint32_t interpolate_slopes(uint32_t from, uint32_t to, int32_t share)
 {
     uint32_t half = tp_shsub16(to, from);
     uint32_t z = (uint32_t)(tp_smulwb(share, half) >> 14);
@@ -69,7 +69,7 @@ typedef struct {
     uint32_t key, s, t, n;
 } sample;
 
-TP_ALWAYS_INLINE uint32_t key_of(uint32_t zi)
+TP_ALWAYS_INLINE uint32_t make_water_key(uint32_t zi)
 {
     return (zi << 1 & ~(uint32_t)0xff) | TP_MARK_WATER;
 }
@@ -86,12 +86,12 @@ TP_ALWAYS_INLINE void put(uint32_t *at, size_t plane, const sample *p, bool test
     at[3 * plane] = p->n;
 }
 
-TP_ALWAYS_INLINE size_t plane_of(const tp_samples *tile)
+TP_ALWAYS_INLINE size_t plane_stride(const tp_samples *tile)
 {
     return (size_t)(tile->s - tile->key);
 }
 
-TP_ALWAYS_INLINE uint32_t *place_in(const tp_samples *tile, int32_t x, int32_t y)
+TP_ALWAYS_INLINE uint32_t *key_pointer(const tp_samples *tile, int32_t x, int32_t y)
 {
     TP_ASSERT(x >= tile->x0 && x < tile->x1 && y >= tile->y0 && y < tile->y1);
     return tile->key + (size_t)(uint32_t)(y - tile->y0) * tile->stride
@@ -101,7 +101,7 @@ TP_ALWAYS_INLINE uint32_t *place_in(const tp_samples *tile, int32_t x, int32_t y
 /* Marks a column as covered from row y down. */
 TP_ALWAYS_INLINE void close_column(tp_rows *rows, tp_row_column *column, int32_t y)
 {
-    column->limit = limit_of(y);
+    column->limit = column_limit(y);
     if (y == rows->tile->y0) {
         column->limit = INT32_MIN;
         rows->open--;
@@ -112,7 +112,7 @@ TP_ALWAYS_INLINE void close_column(tp_rows *rows, tp_row_column *column, int32_t
 int32_t tp_row_deep_share(int32_t share, uint32_t za, uint32_t zb);
 
 /* Returns the step between two exact positions, n = 1..16 rows or columns apart. */
-uint32_t tp_row_step_between(uint32_t from, uint32_t to, int32_t n);
+uint32_t tp_row_place_step(uint32_t from, uint32_t to, int32_t n);
 
 /* Fills rows [y, end) of column x between two lines; the whole piece begins at row
  * `top`. */

@@ -32,7 +32,7 @@ static bool holds_any(const tp_samples *tile)
 void tp_rows_begin(tp_rows *rows, const tp_samples *tile, void *memory, bool solid)
 {
     TP_ASSERT(tile->x0 < tile->x1 && (uintptr_t)memory % 4 == 0);
-    int32_t limit = limit_of(tile->y1);
+    int32_t limit = column_limit(tile->y1);
 
     *rows = (tp_rows){
         .tile = tile, .column = memory, .x0 = tile->x0, .x1 = tile->x1,
@@ -61,16 +61,17 @@ TP_ALWAYS_INLINE void put_close(const tp_rows *rows, const tp_row_sample *near,
                                 const tp_row_sample *far, int32_t x, int32_t y)
 {
     const tp_samples *tile = rows->tile;
-    uint32_t *at = place_in(tile, x, y);
-    const size_t plane = plane_of(tile);
+    uint32_t *at = key_pointer(tile, x, y);
+    const size_t plane = plane_stride(tile);
     const int32_t down = y * ROW + ROW / 2 - far->v;
 
     if (down > near->v - far->v - down) {
-        const sample p = { key_of(near->zi), (uint32_t)near->s, (uint32_t)near->t,
+        const sample p = { make_water_key(near->zi), (uint32_t)near->s, (uint32_t)near->t,
                            near->n };
         put(at, plane, &p, rows->solid);
     } else {
-        const sample p = { key_of(far->zi), (uint32_t)far->s, (uint32_t)far->t, far->n };
+        const sample p = { make_water_key(far->zi), (uint32_t)far->s, (uint32_t)far->t,
+                           far->n };
         put(at, plane, &p, rows->solid);
     }
 }
@@ -85,7 +86,7 @@ TP_ALWAYS_INLINE void cover(tp_rows *rows, tp_row_column *column,
     int32_t y = top;
 
     if (top > y0) {
-        column->limit = limit_of(top);
+        column->limit = column_limit(top);
     } else {
         y = y0;
         column->limit = INT32_MIN;
@@ -140,14 +141,14 @@ typedef struct {
     bool     deep;
 } segment;
 
-static int32_t share_of(const segment *g, int32_t x)
+static int32_t column_share(const segment *g, int32_t x)
 {
     return (int32_t)((uint32_t)(16 * x + 8 - g->a->u) * g->inverse);
 }
 
-static place place_along(const segment *g, int32_t x)
+static place interpolate_place(const segment *g, int32_t x)
 {
-    int32_t share = share_of(g, x);
+    int32_t share = column_share(g, x);
 
     if (g->deep)
         share = tp_row_deep_share(share, g->a->zi, g->b->zi);
@@ -156,7 +157,7 @@ static place place_along(const segment *g, int32_t x)
 }
 
 /* Returns the steps from column to column; the segment has more than one column. */
-static tp_row_sample steps_of(const segment *g)
+static tp_row_sample column_steps(const segment *g)
 {
     int32_t per = (int32_t)(g->inverse * 8);
 
@@ -169,20 +170,20 @@ static tp_row_sample steps_of(const segment *g)
     };
 }
 
-static tp_row_sample value_at(const segment *g, int32_t x)
+static tp_row_sample interpolate_sample(const segment *g, int32_t x)
 {
-    int32_t share = share_of(g, x);
-    place   p = place_along(g, x);
+    int32_t share = column_share(g, x);
+    place   p = interpolate_place(g, x);
 
     return (tp_row_sample){
         .v = part(g->a->v * 4096, g->dv, share),
         .zi = (uint32_t)part((int32_t)g->a->zi, g->dz, share),
         .s = (int32_t)p.s, .t = (int32_t)p.t,
-        .n = slopes_between(g->a->n, g->b->n, share),
+        .n = interpolate_slopes(g->a->n, g->b->n, share),
     };
 }
 
-static void go_along(tp_row_sample *now, const tp_row_sample *step, int32_t columns)
+static void advance_columns(tp_row_sample *now, const tp_row_sample *step, int32_t columns)
 {
     uint32_t n = (uint32_t)columns;
 
@@ -200,21 +201,21 @@ TP_ALWAYS_INLINE void walk_segment(tp_rows *rows, const segment *g, int32_t firs
     tp_row_sample step = { .v = 0 };
 
     if (stop - first > 1)
-        step = steps_of(g);
+        step = column_steps(g);
     for (int32_t to; x < end; x = to) {
         int32_t from = (x & ~15) > first ? x & ~15 : first, next = (from | 15) + 1;
-        tp_row_sample now = value_at(g, from);
+        tp_row_sample now = interpolate_sample(g, from);
         if (g->deep && stop - first > 1) {
             int32_t last = next < stop ? next : stop - 1;
-            place   q = place_along(g, last);
+            place   q = interpolate_place(g, last);
             step.s = step.t = 0;
             if (last > from) {
-                step.s = (int32_t)tp_row_step_between((uint32_t)now.s, q.s, last - from);
-                step.t = (int32_t)tp_row_step_between((uint32_t)now.t, q.t, last - from);
+                step.s = (int32_t)tp_row_place_step((uint32_t)now.s, q.s, last - from);
+                step.t = (int32_t)tp_row_place_step((uint32_t)now.t, q.t, last - from);
             }
         }
         to = next < end ? next : end;
-        go_along(&now, &step, x - from);
+        advance_columns(&now, &step, x - from);
         walk(rows, &now, &step, x, to, kind);
     }
 }

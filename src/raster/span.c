@@ -93,7 +93,7 @@ static int32_t times_w(int32_t d, uint32_t w_q29)
     return (int32_t)((int64_t)d * w_q29 >> 29);
 }
 
-static perspective perspective_of(const tp_tri *tri)
+static perspective make_perspective(const tp_tri *tri)
 {
     const tp_corner *p[3] = { tri->a, tri->b, tri->c };
     uint32_t near = p[0]->zi | p[1]->zi | p[2]->zi;
@@ -115,7 +115,7 @@ static perspective perspective_of(const tp_tri *tri)
     };
 }
 
-static int64_t value_at(const tp_gradient *g, int32_t dx, int32_t dy)
+static int64_t evaluate_gradient(const tp_gradient *g, int32_t dx, int32_t dy)
 {
     return g->base + g->dx * dx + g->dy * dy;
 }
@@ -135,21 +135,21 @@ typedef struct {
     uint32_t s, t;
 } place;
 
-static place place_at(const perspective *p, const tp_tri *tri, int32_t x, int32_t y)
+static place evaluate_place(const perspective *p, const tp_tri *tri, int32_t x, int32_t y)
 {
     int32_t dx = x - tri->x_ref, dy = y - tri->y_ref;
-    int64_t w = value_at(&p->w, dx, dy) >> PLUS;
+    int64_t w = evaluate_gradient(&p->w, dx, dy) >> PLUS;
     uint32_t n = w < 1 ? 1 : (uint32_t)w;       /* rounding may give 0 for a far w */
     int      shift = tp_clz(n);
     uint32_t r = tp_recip_norm(n << shift);
 
     return (place){
-        p->s0 + divided(value_at(&p->sw, dx, dy), r, shift),
-        p->t0 + divided(value_at(&p->tw, dx, dy), r, shift),
+        p->s0 + divided(evaluate_gradient(&p->sw, dx, dy), r, shift),
+        p->t0 + divided(evaluate_gradient(&p->tw, dx, dy), r, shift),
     };
 }
 
-static uint32_t step_between(uint32_t from, uint32_t to, int32_t n)
+static uint32_t place_step(uint32_t from, uint32_t to, int32_t n)
 {
     return (uint32_t)((int64_t)(int32_t)(to - from) * tp_span_over[n] >> 16);
 }
@@ -164,14 +164,14 @@ typedef struct {
 } painter;
 
 /* Returns the value at (dx, dy) from the triangle's reference pixel, modulo 2^32. */
-TP_ALWAYS_INLINE walker walker_at(const tp_gradient *g, uint32_t dx, uint32_t dy)
+TP_ALWAYS_INLINE walker make_walker(const tp_gradient *g, uint32_t dx, uint32_t dy)
 {
     uint32_t step = (uint32_t)g->dx;
     return (walker){ (uint32_t)g->base + step * dx + (uint32_t)g->dy * dy, step };
 }
 
 /* Fills pixels [x, end) of a span at x and moves the span past them. */
-TP_ALWAYS_INLINE void fill_to(span *sp, int32_t x, int32_t end, int kind)
+TP_ALWAYS_INLINE void fill_pixels(span *sp, int32_t x, int32_t end, int kind)
 {
     sp->x = x;
     sp->count = end - x;
@@ -190,17 +190,17 @@ TP_ALWAYS_INLINE void fill_perspective(const painter *p, span *sp, int32_t y,
     int32_t from = x & -TP_SPAN_STEP;
 
     from = from > left ? from : left;
-    place a = place_at(&p->persp, p->tri, from, y);
+    place a = evaluate_place(&p->persp, p->tri, from, y);
     while (x < end) {
         int32_t next = (from | (TP_SPAN_STEP - 1)) + 1;
         int32_t to = next < right ? next : right - 1;
         int32_t stop = next < end ? next : end;
-        place   b = to > from ? place_at(&p->persp, p->tri, to, y) : a;
-        sp->s.step = step_between(a.s, b.s, to - from);
-        sp->t.step = step_between(a.t, b.t, to - from);
+        place   b = to > from ? evaluate_place(&p->persp, p->tri, to, y) : a;
+        sp->s.step = place_step(a.s, b.s, to - from);
+        sp->t.step = place_step(a.t, b.t, to - from);
         sp->s.now = a.s + sp->s.step * (uint32_t)(x - from);
         sp->t.now = a.t + sp->t.step * (uint32_t)(x - from);
-        fill_to(sp, x, stop, kind);
+        fill_pixels(sp, x, stop, kind);
         x = from = stop;
         a = b;
     }
@@ -221,20 +221,20 @@ TP_ALWAYS_INLINE void row(const painter *p, const tp_samples *tile, int32_t y,
     span sp = {
         .key = tile->key + at, .s_out = tile->s + at, .t_out = tile->t + at,
         .n_out = tile->n + at, .mark = p->mark, .x = x, .count = end - x,
-        .zi = walker_at(&p->zi, dx, dy),
-        .n0 = walker_at(&p->n0, dx, dy),
-        .n1 = walker_at(&p->n1, dx, dy),
+        .zi = make_walker(&p->zi, dx, dy),
+        .n0 = make_walker(&p->n0, dx, dy),
+        .n1 = make_walker(&p->n1, dx, dy),
     };
     if (kind == SOLID) {
-        sp.n2 = walker_at(&p->n2, dx, dy);
+        sp.n2 = make_walker(&p->n2, dx, dy);
         sp.face = p->face;
         sp.pattern = p->pattern_rows >> 4 * (y & 3) & 15;
     }
     if (exact) {
         fill_perspective(p, &sp, y, left, right, x, end, kind);
     } else {
-        sp.s = walker_at(&p->s, dx, dy);
-        sp.t = walker_at(&p->t, dx, dy);
+        sp.s = make_walker(&p->s, dx, dy);
+        sp.t = make_walker(&p->t, dx, dy);
         fill(&sp, kind);
     }
 }
@@ -279,7 +279,7 @@ TP_ALWAYS_INLINE void set_places(painter *p)
 
     p->zi = tp_tri_gradient(tri, tri->a->zi, tri->b->zi, tri->c->zi, 0);
     if (TP_SPAN_STEP && tri->perspective) {
-        p->persp = perspective_of(tri);
+        p->persp = make_perspective(tri);
     } else {
         p->s = tp_tri_gradient(tri, tri->a->s, tri->b->s, tri->c->s, 0);
         p->t = tp_tri_gradient(tri, tri->a->t, tri->b->t, tri->c->t, 0);
@@ -306,7 +306,7 @@ void tp_tri_water(const tp_samples *tile, const tp_corner *a, const tp_corner *b
 }
 
 /* Returns the rows of a 4x4 ordered pattern with `opacity` of 16 bits set. */
-static uint32_t pattern_of(int opacity)
+static uint32_t dither_pattern(int opacity)
 {
     static const uint8_t order[16] = { 0, 8, 2, 10, 12, 4, 14, 6,
                                        3, 11, 1, 9, 15, 7, 13, 5 };
@@ -329,7 +329,7 @@ void tp_tri_solid(const tp_samples *tile, const tp_corner *a, const tp_corner *b
     p.tri = &tri;
     p.mark = mark;
     p.face = face;
-    p.pattern_rows = opacity < 16 ? pattern_of(opacity) : 0xffff;
+    p.pattern_rows = opacity < 16 ? dither_pattern(opacity) : 0xffff;
     set_places(&p);
     p.n0 = normal_gradient(&tri, 0, NORMAL_SHIFT);
     p.n1 = normal_gradient(&tri, 1, NORMAL_SHIFT);

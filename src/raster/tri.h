@@ -176,11 +176,11 @@ TP_ALWAYS_INLINE bool tp_tri_begin(tp_tri *tri, const tp_samples *tile,
     set_factors(tri, area);
     tri->long_left = area > 0;          /* b is right of the long edge */
     tri->middle = tp_first_centre(b->v);
-    tri->length = tp_edge_of(a->u, a->v, c->u, c->v);
+    tri->length = tp_edge_begin(a->u, a->v, c->u, c->v);
     if (b->v > a->v)
-        tri->upper = tp_edge_of(a->u, a->v, b->u, b->v);
+        tri->upper = tp_edge_begin(a->u, a->v, b->u, b->v);
     if (c->v > b->v)
-        tri->lower = tp_edge_of(b->u, b->v, c->u, c->v);
+        tri->lower = tp_edge_begin(b->u, b->v, c->u, c->v);
     tri->x_ref = a->u >> 4;
     tri->y_ref = a->v >> 4;
     tri->off_u = 16 * tri->x_ref + 8 - a->u;

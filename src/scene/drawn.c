@@ -6,18 +6,18 @@
 #include "scene/drawn.h"
 
 /* Interpolates from b to a along the shorter arc. */
-static tp_turn turn_between(tp_turn a, tp_turn b, tp_fx back)
+static tp_turn interpolate_turn(tp_turn a, tp_turn b, tp_fx back)
 {
     return b + (tp_turn)((int64_t)(int32_t)(a - b) * back >> 16);
 }
 
-static tp_pose boat_between(const tp_pose *a, const tp_pose *b, tp_fx back)
+static tp_pose interpolate_pose(const tp_pose *a, const tp_pose *b, tp_fx back)
 {
     return (tp_pose){
-        tp_place_between(a->place, b->place, back),
-        turn_between(a->heading, b->heading, back),
-        turn_between(a->pitch, b->pitch, back),
-        turn_between(a->roll, b->roll, back),
+        tp_place_interpolate(a->place, b->place, back),
+        interpolate_turn(a->heading, b->heading, back),
+        interpolate_turn(a->pitch, b->pitch, back),
+        interpolate_turn(a->roll, b->roll, back),
     };
 }
 
@@ -26,7 +26,8 @@ static tp_pose boat_between(const tp_pose *a, const tp_pose *b, tp_fx back)
  * camera. */
 static tp_camera carried(const tp_camera *deck, const tp_pose *boat)
 {
-    const tp_rotation turn = tp_rotation_of(boat->heading, boat->pitch, boat->roll);
+    const tp_rotation turn =
+        tp_rotation_from_angles(boat->heading, boat->pitch, boat->roll);
     const tp_vec3 offset = tp_rotate_back(&turn, deck->eye);
     const tp_fx most = 8000 * TP_FX_ONE;
 
@@ -38,24 +39,24 @@ static tp_camera carried(const tp_camera *deck, const tp_pose *boat)
     };
 }
 
-tp_camera tp_camera_between(const tp_world *world, tp_fx back)
+tp_camera tp_camera_interpolate(const tp_world *world, tp_fx back)
 {
     TP_ASSERT(back >= 0 && back <= TP_FX_ONE);
-    const tp_turn heading = turn_between(world->last_heading, world->heading, back);
-    const tp_turn pitch = turn_between(world->last_pitch, world->pitch, back);
-    const tp_turn roll = turn_between(world->last_roll, world->roll, back);
-    const tp_camera camera = { tp_place_between(world->last_eye, world->eye, back),
-                               tp_rotation_of(heading, pitch, roll) };
+    const tp_turn heading = interpolate_turn(world->last_heading, world->heading, back);
+    const tp_turn pitch = interpolate_turn(world->last_pitch, world->pitch, back);
+    const tp_turn roll = interpolate_turn(world->last_roll, world->roll, back);
+    const tp_camera camera = { tp_place_interpolate(world->last_eye, world->eye, back),
+                               tp_rotation_from_angles(heading, pitch, roll) };
 
     if (world->aboard != TP_ABOARD_DECK)
         return camera;
-    const tp_pose boat = boat_between(&world->last_boat, &world->boat, back);
+    const tp_pose boat = interpolate_pose(&world->last_boat, &world->boat, back);
     return carried(&camera, &boat);
 }
 
 tp_camera tp_world_camera(const tp_world *world)
 {
-    return tp_camera_between(world, world->back);
+    return tp_camera_interpolate(world, world->back);
 }
 
 tp_drawn tp_world_drawn(const tp_world *world)
@@ -63,12 +64,12 @@ tp_drawn tp_world_drawn(const tp_world *world)
     tp_fx    back = world->back;
     tp_drawn at = {
         .camera = tp_world_camera(world),
-        .boat = boat_between(&world->last_boat, &world->boat, back),
-        .light_heading = turn_between(world->last_light_heading, world->light_heading,
+        .boat = interpolate_pose(&world->last_boat, &world->boat, back),
+        .light_heading = interpolate_turn(world->last_light_heading, world->light_heading,
                                       back),
-        .light_elevation = turn_between(world->last_light_elevation,
+        .light_elevation = interpolate_turn(world->last_light_elevation,
                                         world->light_elevation, back),
-        .exposure = tp_between(world->last_exposure, world->exposure, back),
+        .exposure = tp_interpolate(world->last_exposure, world->exposure, back),
         .time = (int64_t)(world->tick * TP_FX_ONE) - back,
     };
 

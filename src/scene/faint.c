@@ -10,8 +10,8 @@
 
 #define TWO_PI_Q16 411775
 
-tp_faint_limits tp_faint_limits_of(const tp_scene *scene, uint32_t waves,
-                                   tp_fx slope_colour)
+tp_faint_limits tp_faint_limits_make(const tp_scene *scene, uint32_t waves,
+                                     tp_fx slope_colour)
 {
     const tp_fx root = tp_fx_sqrt((tp_fx)(waves > 0 ? waves : 1) * TP_FX_ONE);
     const tp_fx colour = tp_fx_div(scene->quality.error_colour / TP_FAINT_SHARE, root);
@@ -30,7 +30,7 @@ tp_faint_limits tp_faint_limits_of(const tp_scene *scene, uint32_t waves,
  * below is in view if its angle to the view axis is below half of the field of view. */
 tp_fx tp_faint_near(tp_fx height, const tp_rotation *turn, tp_fx fov)
 {
-    const tp_dir3 half = tp_rotation_of(tp_turn_of_degrees(fov) / 2, 0, 0).x;
+    const tp_dir3 half = tp_rotation_from_angles(tp_turn_of_degrees(fov) / 2, 0, 0).x;
     const tp_q30 down = tp_q30_mul(turn->z.y, half.x) + tp_q30_mul(turn->y.y, half.z);
 
     if (height <= 0)
@@ -49,7 +49,7 @@ static tp_fx ramp(int64_t x, tp_fx limit)
     return over <= 0 ? 0 : over >= limit ? TP_FX_ONE : (tp_fx)((over << 16) / limit);
 }
 
-static int64_t px_of(const tp_faint_limits *limits, tp_fx amplitude)
+static int64_t amplitude_px(const tp_faint_limits *limits, tp_fx amplitude)
 {
     TP_ASSERT(limits->near > 0);
     return ((int64_t)amplitude * limits->focal * 65536) / limits->near;
@@ -59,13 +59,13 @@ tp_fx tp_faint_weight(const tp_faint_limits *limits, tp_fx amplitude, tp_fx slop
 {
     if (limits->px <= 0 || limits->slope <= 0)
         return TP_FX_ONE;
-    const tp_fx high = ramp(px_of(limits, amplitude), limits->px);
+    const tp_fx high = ramp(amplitude_px(limits, amplitude), limits->px);
     const tp_fx steep = ramp(slope, limits->slope);
     return high > steep ? high : steep;
 }
 
-tp_faint tp_faint_of(const tp_scene *scene, const tp_faint_limits *limits,
-                     tp_fx slope_colour)
+tp_faint tp_faint_evaluate(const tp_scene *scene, const tp_faint_limits *limits,
+                           tp_fx slope_colour)
 {
     tp_faint faint = { .left = 0 };
     uint64_t px = 0, slopes = 0;
@@ -80,7 +80,8 @@ tp_faint tp_faint_of(const tp_scene *scene, const tp_faint_limits *limits,
         faint.any = faint.any || weight < TP_FX_ONE;
         if (weight == TP_FX_ONE)
             continue;
-        const uint64_t p = (uint64_t)(px_of(limits, w->amplitude) * (TP_FX_ONE - weight));
+        const uint64_t p =
+            (uint64_t)(amplitude_px(limits, w->amplitude) * (TP_FX_ONE - weight));
         const uint64_t s = (uint64_t)slope * (uint64_t)(TP_FX_ONE - weight);
         px += (p >> 16) * (p >> 16);
         slopes += (s >> 16) * (s >> 16);

@@ -23,8 +23,8 @@ typedef struct {
 
 /* `waves`: number of waves with an amplitude.  `slope_colour`: rms colour error (of 255)
  * caused by slopes of rms 1; 0 means unknown, and no wave is culled. */
-tp_faint_limits tp_faint_limits_of(const tp_scene *scene, uint32_t waves,
-                                   tp_fx slope_colour);
+tp_faint_limits tp_faint_limits_make(const tp_scene *scene, uint32_t waves,
+                                     tp_fx slope_colour);
 
 /* Returns the distance to the nearest water in view, for a camera `height` m above the
  * crests: the point where the lowest ray of the view meets the crest level. */
@@ -35,8 +35,8 @@ tp_fx tp_faint_near(tp_fx height, const tp_rotation *turn, tp_fx fov);
  * The ramp between the limits prevents sudden appearance or disappearance. */
 tp_fx tp_faint_weight(const tp_faint_limits *limits, tp_fx amplitude, tp_fx slope);
 
-tp_faint tp_faint_of(const tp_scene *scene, const tp_faint_limits *limits,
-                     tp_fx slope_colour);
+tp_faint tp_faint_evaluate(const tp_scene *scene, const tp_faint_limits *limits,
+                           tp_fx slope_colour);
 
 /* Writes the culled sea and its phases to `thin` and `thin_phases`.  Returns false and
  * writes nothing if no wave is culled.  The bounds in `thin` stay the bounds of `whole`. */

@@ -26,7 +26,7 @@ tp_rungs tp_governor_rungs(const tp_governor *governor)
     return governor->ladder.rung[governor->at];
 }
 
-tp_reach tp_reach_of(const tp_ladder *ladder)
+tp_reach tp_ladder_reach(const tp_ladder *ladder)
 {
     TP_ASSERT(ladder->count <= TP_LADDER);
     tp_reach reach = { 1 << TP_VISIBILITY_TRIANGLES, 1 << TP_SHADING_EXACT,
@@ -53,7 +53,7 @@ static int step(tp_governor *g, int by)
  * below 2^32, so the product fits 64 bits.  The prediction is limited to four times the
  * current mean: if the load fell during the step down, the measured ratio is too high and
  * must not prevent a step up for ever. */
-static bool has_room_above(const tp_governor *g)
+static bool can_raise_rung(const tp_governor *g)
 {
     TP_ASSERT(g->at > 0 && g->after[g->at] > 0);
     const uint64_t most = 4 * (uint64_t)g->mean;
@@ -76,7 +76,7 @@ static int judge(tp_governor *g)
         g->after[g->at + 1] = 0;
         return step(g, 1);
     }
-    g->calm = g->at > 0 && has_room_above(g) ? g->calm + 1 : 0;
+    g->calm = g->at > 0 && can_raise_rung(g) ? g->calm + 1 : 0;
     return g->calm >= CALM ? step(g, -1) : 0;
 }
 

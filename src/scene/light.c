@@ -26,7 +26,7 @@ bool tp_has_dome(const tp_scene *scene)
         || scene->sky.kind == TP_SKY_NIGHT;
 }
 
-tp_dome_config tp_dome_of(const tp_scene *scene)
+tp_dome_config tp_dome_config_make(const tp_scene *scene)
 {
     return (tp_dome_config){
         .kind = scene->sky.kind == TP_SKY_DUSK    ? TP_DOME_DUSK

@@ -12,7 +12,7 @@ typedef struct {
     uint32_t id, bytes;
 } chunk;
 
-static chunk *chunk_at(const tp_world *world, uint32_t at)
+static chunk *chunk_pointer(const tp_world *world, uint32_t at)
 {
     TP_ASSERT(at % 8 == 0);
     return (chunk *)(void *)((char *)(uintptr_t)world + at);
@@ -21,7 +21,7 @@ static chunk *chunk_at(const tp_world *world, uint32_t at)
 /* Returns the offset of the next chunk. */
 static uint32_t chunk_end(const tp_world *world, uint32_t at)
 {
-    return at + (uint32_t)sizeof(chunk) + chunk_at(world, at)->bytes;
+    return at + (uint32_t)sizeof(chunk) + chunk_pointer(world, at)->bytes;
 }
 
 /* Asks each module in list order, because `want` tells later modules the bits of earlier
@@ -40,8 +40,8 @@ static size_t state_bytes(const tp_module *module, const tp_want *want)
 static chunk *find_chunk(const tp_world *world, uint32_t at, uint32_t id)
 {
     for (; at && at < world->parts.bytes; at = chunk_end(world, at))
-        if (chunk_at(world, at)->id == id)
-            return chunk_at(world, at);
+        if (chunk_pointer(world, at)->id == id)
+            return chunk_pointer(world, at);
     return NULL;
 }
 
@@ -125,7 +125,7 @@ static void put_heads(const tp_program *program, tp_world *world, tp_want want)
     for (const tp_use *u = program->modules; u && u->module; u++) {
         if (!has_state(u->module, &want))
             continue;
-        *chunk_at(world, at) = (chunk){ u->module->id,
+        *chunk_pointer(world, at) = (chunk){ u->module->id,
                                         (uint32_t)state_bytes(u->module, &want) };
         at = chunk_end(world, at);
     }
@@ -152,7 +152,7 @@ bool tp_modules_fit(const tp_program *program, const tp_world *world, tp_want wa
             continue;
         if (at == 0 || at >= world->parts.bytes)
             return false;
-        const chunk *c = chunk_at(world, at);
+        const chunk *c = chunk_pointer(world, at);
         if (c->id != u->module->id || c->bytes != state_bytes(u->module, &want)
             || (u->module->fits && !u->module->fits(c + 1, want.scene)))
             return false;
@@ -216,7 +216,7 @@ bool tp_modules_hit(const tp_program *program, tp_world *world, const tp_scene *
     return moves;
 }
 
-static const char *name_of(const tp_program *program, uint32_t id)
+static const char *module_name(const tp_program *program, uint32_t id)
 {
     for (const tp_use *u = program->modules; u && u->module; u++)
         if (u->module->id == id)
@@ -233,8 +233,8 @@ static const char *find_other_chunk(const tp_program *program, const tp_world *w
     uint32_t at = fresh->parts.modules;
 
     for (; at && at < fresh->parts.bytes; at = chunk_end(fresh, at))
-        if (memcmp(chunk_at(world, at), chunk_at(fresh, at), sizeof(chunk)) != 0)
-            return name_of(program, chunk_at(fresh, at)->id);
+        if (memcmp(chunk_pointer(world, at), chunk_pointer(fresh, at), sizeof(chunk)) != 0)
+            return module_name(program, chunk_pointer(fresh, at)->id);
     return NULL;
 }
 

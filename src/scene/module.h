@@ -72,8 +72,8 @@ typedef struct tp_want {
 } tp_want;
 
 /* Returns the conditions for a world. */
-static inline tp_want tp_want_by(const tp_program *program, const tp_scene *scene,
-                                 const tp_assets *assets)
+static inline tp_want tp_world_want(const tp_program *program, const tp_scene *scene,
+                                    const tp_assets *assets)
 {
     return (tp_want){ .scene = scene,
                       .assets = tp_scene_pictures(scene, assets),

@@ -34,7 +34,7 @@ static uint32_t water_rays(const tp_stand *at)
 /* -- vertices ------------------------------------------------------------------------ */
 
 /* Returns the coordinate of the n-th of SPOTS points on an axis of `lines` lines. */
-static int64_t spot_of(const tp_scene *s, int32_t lines, int64_t centre, int32_t n)
+static int64_t spot_coordinate(const tp_scene *s, int32_t lines, int64_t centre, int32_t n)
 {
     return tp_stand_line(s, lines, centre,
                          (int64_t)(lines - 1) * (2 * n + 1 - SPOTS) * 32768 / SPOTS);
@@ -85,9 +85,9 @@ static viewed viewed_spots(const tp_stand *at, const tp_scene *s, int32_t focal)
     viewed all = { 0, 0 };
 
     for (int32_t j = 0; j < SPOTS; j++) {
-        const int64_t z = spot_of(s, s->grid.rows, at->z, j);
+        const int64_t z = spot_coordinate(s, s->grid.rows, at->z, j);
         for (int32_t i = 0; i < SPOTS; i++)
-            view_spot(&all, at, s, focal, spot_of(s, s->grid.cols, at->x, i), z);
+            view_spot(&all, at, s, focal, spot_coordinate(s, s->grid.cols, at->x, i), z);
     }
     return all;
 }
@@ -96,14 +96,14 @@ static viewed viewed_spots(const tp_stand *at, const tp_scene *s, int32_t focal)
 
 /* Lines of the projected method (frame/projected.c) in the first `rows` rows below the
  * horizon: every row, then every 2nd, then every 4th. */
-static int64_t lines_below(int64_t rows)
+static int64_t count_lines(int64_t rows)
 {
     return rows > 64 ? 48 + (rows - 64) / 4 : rows > 32 ? 32 + (rows - 32) / 2
          : rows > 0 ? rows : 0;
 }
 
 /* Returns the number of rows from the horizon to the lower edge of the picture. */
-static int64_t rows_below(const tp_stand *at, int32_t focal, uint32_t height)
+static int64_t count_rows(const tp_stand *at, int32_t focal, uint32_t height)
 {
     const int64_t up = at->turn.y.y > 1 << 20
                      ? (int64_t)focal * at->turn.z.y / at->turn.y.y : 4096;
@@ -115,7 +115,7 @@ static int64_t rows_below(const tp_stand *at, int32_t focal, uint32_t height)
 static uint32_t projected_points(const tp_stand *at, int32_t focal, int64_t waves,
                                  uint32_t width, uint32_t height)
 {
-    const int64_t below = rows_below(at, focal, height), eye = at->eye.y;
+    const int64_t below = count_rows(at, focal, height), eye = at->eye.y;
     int64_t lines = 0;
 
     if (eye <= waves)
@@ -123,7 +123,7 @@ static uint32_t projected_points(const tp_stand *at, int32_t focal, int64_t wave
     for (int64_t low = below; low > 0 && low > below - height; low -= BAND) {
         const int64_t first = low * eye / (eye - waves) + (waves > 0 ? 8 : 4);
         const int64_t last = (low - BAND) * eye / (eye + waves);
-        lines += lines_below(first) - lines_below(last) + 1;
+        lines += count_lines(first) - count_lines(last) + 1;
     }
     return (uint32_t)tp_limit(lines * (width / 8 + 5), POINTS);
 }
@@ -132,7 +132,7 @@ static uint32_t projected_points(const tp_stand *at, int32_t focal, int64_t wave
 static uint32_t flat_points(const tp_stand *at, int32_t focal, int64_t waves, uint32_t width,
                             uint32_t height)
 {
-    const int64_t below = rows_below(at, focal, height);
+    const int64_t below = count_rows(at, focal, height);
     const int64_t rows = below < height ? below : height;
 
     return waves > 0 && rows > 0 ? (uint32_t)((rows / 8 + 1) * (width / 8 + 1)) : 0;
@@ -161,7 +161,7 @@ static bool stays_in_order(const tp_scene *s, bool coastal, bool upright, int64_
 
     for (int i = 0; i < TP_WAVES; i++) {
         const tp_wave *w = &s->wave[i];
-        const tp_dir3  d = tp_rotation_of(tp_turn_of_degrees(w->heading), 0, 0).x;
+        const tp_dir3  d = tp_rotation_from_angles(tp_turn_of_degrees(w->heading), 0, 0).x;
         const int64_t  m = upright ? d.x >> 14 : d.z >> 14, k = upright ? d.z >> 14
                                                                         : d.x >> 14;
         const int64_t  bend = (m * m + (t * m >> 16) * k) >> 16;
@@ -196,7 +196,7 @@ static bool rows_hold(const tp_scene *s, bool coastal, const tp_stand *at)
 }
 
 /* Returns the metres along the lines for each metre across them, straight ahead. */
-static tp_fx slant_of(const tp_stand *at)
+static tp_fx view_slant(const tp_stand *at)
 {
     const int64_t x = tp_abs(at->turn.z.x), z = tp_abs(at->turn.z.z);
     const int64_t across = x > z ? x : z, along = x > z ? z : x;
@@ -259,7 +259,7 @@ static void list_modules(tp_outlook *o, const tp_use *modules, tp_want want)
 
 /* Returns the gloss class of the specular lobe.  The steepest slope of the lobe is about
  * its height times the square root of its exponent. */
-static int gloss_of(const tp_scene *s)
+static int gloss_class(const tp_scene *s)
 {
     const int64_t square = (int64_t)s->water.specular * s->water.specular >> 16;
 
@@ -282,7 +282,7 @@ static void list_sea(tp_outlook *o, const tp_scene *s)
     const int most = o->ocean ? TP_SEA_OCEAN : TP_SEA_STEEP;
     const int steep = slope > TP_FX_ONE / 4 ? most
                     : slope > 0 || o->stirred ? TP_SEA_GENTLE : TP_SEA_LEVEL;
-    o->sea = (uint8_t)(steep + gloss_of(s));
+    o->sea = (uint8_t)(steep + gloss_class(s));
 }
 
 static void list_waves(tp_outlook *o, const tp_scene *s)
@@ -305,14 +305,14 @@ tp_want tp_plan_want(const tp_plan_input *in)
     };
 }
 
-tp_outlook tp_outlook_of(const tp_plan_input *in)
+tp_outlook tp_outlook_estimate(const tp_plan_input *in)
 {
     const tp_scene  *scene = in->scene;
     const tp_assets *assets = in->assets;
     const uint32_t   width = in->width, height = in->height;
     TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2);
     const tp_want want = tp_plan_want(in);
-    const tp_stand at = tp_stand_of(scene, width, height);
+    const tp_stand at = tp_stand_make(scene, width, height);
     const uint64_t pixels = (uint64_t)width * height;
     const tp_vec3 low = tp_stand_ray(&at, 0, -at.high);
     const int64_t ahead = (int64_t)low.x * -at.turn.z.x + (int64_t)low.z * -at.turn.z.z;
@@ -331,7 +331,7 @@ tp_outlook tp_outlook_of(const tp_plan_input *in)
     o.quick = (o.modules & TP_MODULE_FAST) != 0;
     list_sea(&o, scene);
     o.floor = (uint8_t)(tp_has_floor(scene) + (tp_has_floor(scene) && assets->floor));
-    o.slant = slant_of(&at);
+    o.slant = view_slant(&at);
     list_waves(&o, scene);
     for (int i = 0; i < TP_WAVES; i++)
         waves += scene->wave[i].amplitude > 0 ? scene->wave[i].amplitude : 0;

@@ -5,7 +5,7 @@
 #include "geom/waters.h"
 
 /* Returns the number of swells that the world needs memory for. */
-static size_t swells_of(const tp_program *program, const tp_scene *scene)
+static size_t count_swells(const tp_program *program, const tp_scene *scene)
 {
     size_t count = 0;
 
@@ -16,10 +16,10 @@ static size_t swells_of(const tp_program *program, const tp_scene *scene)
     return count;
 }
 
-tp_status tp_parts_of(const tp_program *program, tp_world_parts *parts,
-                      const tp_scene *scene, const tp_assets *assets, tp_error *err)
+tp_status tp_parts_measure(const tp_program *program, tp_world_parts *parts,
+                           const tp_scene *scene, const tp_assets *assets, tp_error *err)
 {
-    tp_arena  arena = tp_arena_over(NULL, 0);
+    tp_arena  arena = tp_arena_init(NULL, 0);
     tp_status status = tp_program_fits(program, scene, assets, err);
 
     *parts = (tp_world_parts){ .version = TP_WORLD_VERSION };
@@ -27,8 +27,8 @@ tp_status tp_parts_of(const tp_program *program, tp_world_parts *parts,
         return status;
     tp_arena_take(&arena, 1,
                   offsetof(tp_world, sea.swell)
-                      + swells_of(program, scene) * sizeof(tp_swell));
-    status = tp_modules_take(program, &arena, tp_want_by(program, scene, assets),
+                      + count_swells(program, scene) * sizeof(tp_swell));
+    status = tp_modules_take(program, &arena, tp_world_want(program, scene, assets),
                              &parts->modules, err);
     parts->bytes = status == TP_OK ? (uint32_t)arena.used : 0;
     return status;

@@ -24,8 +24,8 @@ const tp_ocean *tp_world_ocean(const tp_world *world);
 
 /* Computes the layout of a scene's world and the size of the block; parts->bytes is 0 if
  * the scene is refused.  If a pool is invalid, err->word is the parameter at fault. */
-tp_status tp_parts_of(const tp_program *program, tp_world_parts *parts,
-                      const tp_scene *scene, const tp_assets *assets, tp_error *err);
+tp_status tp_parts_measure(const tp_program *program, tp_world_parts *parts,
+                           const tp_scene *scene, const tp_assets *assets, tp_error *err);
 
 /* Returns TP_E_NULL for a NULL scene, else the result of the program's own check of the
  * scene.  All init functions call this check through tp_program_fits. */

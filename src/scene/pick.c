@@ -39,8 +39,8 @@ typedef struct {
 /* Builds the ray through a point of the picture.  Pixels are Q14: offsets of up to 2^16
  * px from the centre, and the focal length with the same limit, stay within the range of
  * tp_rotate_back. */
-static ray ray_of(const tp_surface *surface, const tp_camera *camera,
-                  const tp_scene *scene, const uint32_t side[2], tp_fx x_px, tp_fx y_px)
+static ray make_ray(const tp_surface *surface, const tp_camera *camera,
+                    const tp_scene *scene, const uint32_t side[2], tp_fx x_px, tp_fx y_px)
 {
     const tp_turn half = tp_turn_of_degrees(scene->camera.fov) / 2;
     const int64_t focal = (int64_t)side[1] * (1 << 13) * tp_cos(half) / tp_sin(half);
@@ -63,7 +63,7 @@ static ray ray_of(const tp_surface *surface, const tp_camera *camera,
     return r;
 }
 
-static tp_vec3 place_at(const ray *r, int64_t t)
+static tp_vec3 ray_point(const ray *r, int64_t t)
 {
     const tp_fx far = (tp_fx)t;
 
@@ -74,12 +74,12 @@ static tp_vec3 place_at(const ray *r, int64_t t)
 
 /* -- the surface -------------------------------------------------------------------- */
 
-static tp_fx water_at(const ray *r, tp_fx x, tp_fx z)
+static tp_fx sample_water(const ray *r, tp_fx x, tp_fx z)
 {
-    return tp_surface_above(r->surface, x, z, NULL).position.y;
+    return tp_surface_sample(r->surface, x, z, NULL).position.y;
 }
 
-static tp_fx land_at(const ray *r, tp_fx x, tp_fx z)
+static tp_fx sample_land(const ray *r, tp_fx x, tp_fx z)
 {
     const tp_surface *s = r->surface;
     return r->floor ? -s->by->ocean->floor(s->ocean, x, z).depth : TP_FX_MIN;
@@ -89,8 +89,8 @@ static tp_fx land_at(const ray *r, tp_fx x, tp_fx z)
  * below. */
 static int64_t over(const ray *r, int64_t t)
 {
-    const tp_vec3 p = place_at(r, t);
-    const tp_fx water = water_at(r, p.x, p.z), land = land_at(r, p.x, p.z);
+    const tp_vec3 p = ray_point(r, t);
+    const tp_fx water = sample_water(r, p.x, p.z), land = sample_land(r, p.x, p.z);
 
     return (int64_t)p.y - (water > land ? water : land);
 }
@@ -118,7 +118,7 @@ static bool cut_by_tank(stretch *s, const ray *r, const tp_rectangle *sides)
 }
 
 /* Land may be higher than any water, so a scene with a floor has no upper limit. */
-static bool stretch_of(const ray *r, const tp_scene *scene, stretch *s)
+static bool find_stretch(const ray *r, const tp_scene *scene, stretch *s)
 {
     const int64_t high = (int64_t)tp_surface_height(r->surface) + LEAST;
     const tp_rectangle sides = tp_pool_sides(scene);
@@ -128,7 +128,7 @@ static bool stretch_of(const ray *r, const tp_scene *scene, stretch *s)
            && (!tp_has_tank(scene) || cut_by_tank(s, r, &sides));
 }
 
-static int64_t step_of(const ray *r, int64_t t, int64_t high)
+static int64_t step_length(const ray *r, int64_t t, int64_t high)
 {
     const int64_t half = (high < 0 ? -high : high) / 2;
     const int64_t pixels = t * 2 * (1 << 14) / r->focal_q14;
@@ -158,7 +158,7 @@ static bool walk(const ray *r, const stretch *s, int64_t *t)
     const bool above = high > 0;
 
     while (from < s->to) {
-        const int64_t next = from + step_of(r, from, high);
+        const int64_t next = from + step_length(r, from, high);
         const int64_t to = next < s->to ? next : s->to;
         high = over(r, to);
         if ((high > 0) != above) {
@@ -187,10 +187,10 @@ bool tp_world_pick(const tp_program *program, const tp_world *world,
     if (width == 0 || height == 0 || width > MOST || height > MOST)
         return false;
     const uint32_t side[2] = { width, height };
-    const ray r = ray_of(&surface, &drawn.camera, scene, side, x_px, y_px);
-    if (!stretch_of(&r, scene, &s) || !walk(&r, &s, &t))
+    const ray r = make_ray(&surface, &drawn.camera, scene, side, x_px, y_px);
+    if (!find_stretch(&r, scene, &s) || !walk(&r, &s, &t))
         return false;
-    *at = place_at(&r, t);
-    at->y = water_at(&r, at->x, at->z);
-    return at->y >= land_at(&r, at->x, at->z);
+    *at = ray_point(&r, t);
+    at->y = sample_water(&r, at->x, at->z);
+    return at->y >= sample_land(&r, at->x, at->z);
 }

@@ -29,8 +29,8 @@ typedef struct {
  * quality.error_colour.  Rungs named in quality.* are taken regardless of their error;
  * the other rungs are chosen with the rest of the budget.  Rungs without a known cost are
  * never chosen. */
-tp_rungs tp_rungs_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                     uint32_t height);
+tp_rungs tp_rungs_choose(const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                         uint32_t height);
 
 /* -- the choice and its reasons ------------------------------------------------------ */
 
@@ -72,7 +72,7 @@ typedef struct {
     uint8_t  rung_count[TP_KINDS];
 } tp_plan_report;
 
-tp_plan_report tp_plan_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
+tp_plan_report tp_plan_make(const tp_scene *scene, const tp_assets *assets, uint32_t width,
                           uint32_t height);
 
 /* -- the ladder and the governor ----------------------------------------------------- */
@@ -87,8 +87,8 @@ typedef struct {
     uint32_t count;             /* number of steps, from 1 */
 } tp_ladder;
 
-tp_ladder tp_ladder_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                       uint32_t height);
+tp_ladder tp_ladder_make(const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                         uint32_t height);
 
 /* Rung masks: a bit 1 << rung for each rung of a kind that a frame may use, the exact
  * rungs and all rungs of its ladder.  A frame has no memory for other rungs and does not
@@ -97,7 +97,7 @@ typedef struct {
     uint8_t visibility, shading, rate, lod;
 } tp_reach;
 
-tp_reach tp_reach_of(const tp_ladder *ladder);
+tp_reach tp_ladder_reach(const tp_ladder *ladder);
 
 /* Controls the frame time: steps down the ladder if frames take too long, and up again if
  * there is room.  The port owns the clock; it passes the duration of each frame, in any

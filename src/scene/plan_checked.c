@@ -18,8 +18,8 @@ static bool can_plan(const tp_plan_input *in)
 }
 
 /* Returns the input of a plan with the modules of tp_program_all; NULL assets: none. */
-static tp_plan_input input_of(const tp_scene *scene, const tp_assets *assets,
-                              uint32_t width, uint32_t height)
+static tp_plan_input make_input(const tp_scene *scene, const tp_assets *assets,
+                                uint32_t width, uint32_t height)
 {
     static const tp_assets none;
 
@@ -27,28 +27,28 @@ static tp_plan_input input_of(const tp_scene *scene, const tp_assets *assets,
                             height };
 }
 
-tp_rungs tp_rungs_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                     uint32_t height)
+tp_rungs tp_rungs_choose(const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                         uint32_t height)
 {
-    const tp_plan_input in = input_of(scene, assets, width, height);
+    const tp_plan_input in = make_input(scene, assets, width, height);
 
-    return can_plan(&in) ? tp_rungs_by(&tp_prices_measured, &in) : exact;
+    return can_plan(&in) ? tp_rungs_choose_priced(&tp_prices_measured, &in) : exact;
 }
 
-tp_plan_report tp_plan_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
+tp_plan_report tp_plan_make(const tp_scene *scene, const tp_assets *assets, uint32_t width,
                           uint32_t height)
 {
-    const tp_plan_input in = input_of(scene, assets, width, height);
+    const tp_plan_input in = make_input(scene, assets, width, height);
 
-    return can_plan(&in) ? tp_plan_by(&tp_prices_measured, &in)
+    return can_plan(&in) ? tp_plan_make_priced(&tp_prices_measured, &in)
                          : (tp_plan_report){ .rungs = exact };
 }
 
-tp_ladder tp_ladder_of(const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                       uint32_t height)
+tp_ladder tp_ladder_make(const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                         uint32_t height)
 {
-    const tp_plan_input in = input_of(scene, assets, width, height);
+    const tp_plan_input in = make_input(scene, assets, width, height);
 
-    return can_plan(&in) ? tp_ladder_by(&tp_prices_measured, &in)
+    return can_plan(&in) ? tp_ladder_make_priced(&tp_prices_measured, &in)
                          : (tp_ladder){ .rung = { exact }, .count = 1 };
 }

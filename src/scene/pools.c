@@ -24,7 +24,7 @@ tp_pool_config tp_pools_config(const tp_scene *scene, const tp_assets *assets, b
 static void name_parameter(tp_error *err, const char *part)
 {
     char name[sizeof err->word];
-    tp_text text = tp_text_over(name, sizeof name);
+    tp_text text = tp_text_init(name, sizeof name);
 
     if (!err)
         return;
@@ -47,7 +47,7 @@ tp_status tp_pools_check(const tp_scene *scene, const tp_assets *assets, bool fi
     return status;
 }
 
-static tp_pool *pool_of(const tp_world *world, uint32_t id)
+static tp_pool *find_pool(const tp_world *world, uint32_t id)
 {
     tp_basin *basin = tp_world_part(world, id);
     return basin ? &basin->pool : NULL;
@@ -55,20 +55,20 @@ static tp_pool *pool_of(const tp_world *world, uint32_t id)
 
 tp_pool *tp_parts_pool(const tp_world *world)
 {
-    return pool_of(world, TP_POOL_ID);
+    return find_pool(world, TP_POOL_ID);
 }
 
 tp_pool *tp_parts_field(const tp_world *world)
 {
-    return pool_of(world, TP_FIELD_ID);
+    return find_pool(world, TP_FIELD_ID);
 }
 
 const tp_pool *tp_world_pool(const tp_world *world)
 {
-    return pool_of(world, TP_POOL_ID);
+    return find_pool(world, TP_POOL_ID);
 }
 
 const tp_pool *tp_world_field(const tp_world *world)
 {
-    return pool_of(world, TP_FIELD_ID);
+    return find_pool(world, TP_FIELD_ID);
 }

@@ -111,14 +111,14 @@ typedef struct {
 } tp_plan_input;
 
 /* Compute the rungs and the plan with a given cost table. */
-tp_rungs tp_rungs_by(const tp_prices *prices, const tp_plan_input *in);
-tp_plan_report tp_plan_by(const tp_prices *prices, const tp_plan_input *in);
+tp_rungs tp_rungs_choose_priced(const tp_prices *prices, const tp_plan_input *in);
+tp_plan_report tp_plan_make_priced(const tp_prices *prices, const tp_plan_input *in);
 
 /* Returns the cost used to choose rungs.  The cost excludes the works: the rungs hardly
  * change them, so only reports add them. */
-tp_price tp_price_by(const tp_prices *prices, const tp_plan_input *in);
+tp_price tp_price_estimate(const tp_prices *prices, const tp_plan_input *in);
 
-tp_ladder tp_ladder_by(const tp_prices *prices, const tp_plan_input *in);
+tp_ladder tp_ladder_make_priced(const tp_prices *prices, const tp_plan_input *in);
 
 /* True if a wave is culled or drawn lower, seen from the scene's camera. */
 bool tp_thins_sea(const tp_plan_input *in);
@@ -143,10 +143,10 @@ typedef struct {
     uint8_t  quick;             /* true if the fast stages support all features */
 } tp_outlook;
 
-tp_outlook tp_outlook_of(const tp_plan_input *in);
+tp_outlook tp_outlook_estimate(const tp_plan_input *in);
 
 /* -- works.c: fixed cost besides the water ------------------------------------------- */
 
 /* Counts the fixed cost of a frame. `quick`: the water uses the fast stages. */
-tp_works tp_works_of(const tp_plan_input *in, const tp_outlook *outlook, bool quick);
+tp_works tp_works_estimate(const tp_plan_input *in, const tp_outlook *outlook, bool quick);
 #endif

@@ -44,7 +44,7 @@ static bool push_open_water(const tp_program *program, tp_world *world,
         || is_far(z))
         return false;
     return tp_modules_hit(program, world, scene, &impact,
-                          tp_surface_above(&surface, x, z, NULL).position.y);
+                          tp_surface_sample(&surface, x, z, NULL).position.y);
 }
 
 bool tp_world_push(const tp_program *program, tp_world *world, const tp_scene *scene,

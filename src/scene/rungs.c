@@ -32,7 +32,7 @@ typedef struct {
     uint32_t   hidden;                  /* water pixels behind solid objects */
 } ground;
 
-static choice choice_of(uint32_t number)
+static choice decode_choice(uint32_t number)
 {
     TP_ASSERT(number < COMBINATIONS);
     choice c;
@@ -44,7 +44,7 @@ static choice choice_of(uint32_t number)
     return c;
 }
 
-static tp_rungs rungs_of(choice c)
+static tp_rungs make_rungs(choice c)
 {
     return (tp_rungs){ (tp_visibility)(c.of[0] + 1), (tp_shading)(c.of[1] + 1),
                        (tp_rate)(c.of[2] + 1), (tp_lod)(c.of[3] + 1) };
@@ -61,12 +61,12 @@ static bool is_fit(const ground *g, int kind, int rung)
          : kind != TP_KIND_SHADING || rung == 0 || g->outlook.quick;
 }
 
-static tp_error_price error_of(const ground *g, int kind, int rung)
+static tp_error_price rung_error(const ground *g, int kind, int rung)
 {
     return g->prices->error[kind][is_fit(g, kind, rung) ? rung : 0][g->outlook.sea];
 }
 
-static int method_of(const ground *g, choice c)
+static int drawn_method(const ground *g, choice c)
 {
     const int v = c.of[TP_KIND_VISIBILITY];
     return is_fit(g, TP_KIND_VISIBILITY, v) ? v : 0;
@@ -74,15 +74,15 @@ static int method_of(const ground *g, choice c)
 
 /* Returns the cost of finding the water.  Some measured settings change nothing and have
  * no cost of their own: a level of detail that is not `known` here, a rate that is not
- * `known` in shaded_of.  The cost without the setting applies. */
-static const tp_seen_price *seen_of(const ground *g, choice c)
+ * `known` in shaded_price.  The cost without the setting applies. */
+static const tp_seen_price *seen_price(const ground *g, choice c)
 {
-    const tp_seen_price *seen = g->prices->seen[method_of(g, c)];
+    const tp_seen_price *seen = g->prices->seen[drawn_method(g, c)];
     const int lod = c.of[TP_KIND_LOD];
     return &seen[is_fit(g, TP_KIND_LOD, lod) && seen[lod].known ? lod : 0];
 }
 
-static const tp_shaded_price *shaded_of(const ground *g, choice c)
+static const tp_shaded_price *shaded_price(const ground *g, choice c)
 {
     const int s = c.of[TP_KIND_SHADING];
     const int drawn = is_fit(g, TP_KIND_SHADING, s) ? s : 0;
@@ -115,23 +115,23 @@ static int64_t point_price(const ground *g, const tp_seen_price *seen)
 }
 
 /* Costs are below 2^31, pixels below 2^24, vertices below 2^20; waves are at most 16. */
-static tp_price price_of(const ground *g, choice c)
+static tp_price estimate_price(const ground *g, choice c)
 {
     const tp_prices *p = g->prices;
     const tp_outlook *o = &g->outlook;
-    const tp_seen_price *seen = seen_of(g, c);
-    const tp_shaded_price *shaded = shaded_of(g, c);
+    const tp_seen_price *seen = seen_price(g, c);
+    const tp_shaded_price *shaded = shaded_price(g, c);
     const tp_fx pixel = o->still ? seen->still : seen->pixel;
     const int64_t cost = (int64_t)p->frame * 1000 + (int64_t)p->sky * o->other_pixels
                        + (pixel + pixel_price(o, shaded)) * o->water_pixels
                        + (int64_t)seen->drawn * o->drawn
-                       + point_price(g, seen) * o->points[method_of(g, c)] + g->works;
+                       + point_price(g, seen) * o->points[drawn_method(g, c)] + g->works;
     tp_price price = { .cost = cost > 0 ? (uint64_t)cost >> 16 : 0,
                        .error_px = g->faint.px, .error_colour = g->faint.colour,
                        .known = seen->known && shaded->known };
 
     for (int k = 0; k < TP_KINDS; k++) {
-        const tp_error_price error = error_of(g, k, c.of[k]);
+        const tp_error_price error = rung_error(g, k, c.of[k]);
         price.known = price.known && error.known;
         price.error_px += error.px;
         price.error_colour += error.colour;
@@ -156,8 +156,8 @@ static bool is_within(const ground *g, choice c)
     tp_fx px = 0, colour = 0;
 
     for (int k = 0; k < TP_KINDS; k++) {
-        px += is_open(g, k) ? error_of(g, k, c.of[k]).px : 0;
-        colour += is_open(g, k) ? error_of(g, k, c.of[k]).colour : 0;
+        px += is_open(g, k) ? rung_error(g, k, c.of[k]).px : 0;
+        colour += is_open(g, k) ? rung_error(g, k, c.of[k]).colour : 0;
     }
     return px <= g->left_px && colour <= g->left_colour;
 }
@@ -172,7 +172,7 @@ static bool is_named_so(const ground *g, choice c)
 
 /* Returns the named rungs and, for each open kind, the exact rung.  An exact rung needs
  * no known cost. */
-static choice exact_of(const ground *g)
+static choice exact_choice(const ground *g)
 {
     choice c;
 
@@ -181,14 +181,14 @@ static choice exact_of(const ground *g)
     return c;
 }
 
-static choice cheapest_of(const ground *g)
+static choice find_cheapest(const ground *g)
 {
-    choice   best = exact_of(g);
-    tp_price least = price_of(g, best);
+    choice   best = exact_choice(g);
+    tp_price least = estimate_price(g, best);
 
     for (uint32_t i = 0; least.known && i < COMBINATIONS; i++) {
-        const choice   c = choice_of(i);
-        const tp_price price = price_of(g, c);
+        const choice   c = decode_choice(i);
+        const tp_price price = estimate_price(g, c);
         if (price.known && price.cost < least.cost && is_named_so(g, c) && all_fit(g, c)
             && is_within(g, c)) {
             best = c;
@@ -201,32 +201,32 @@ static choice cheapest_of(const ground *g)
 /* -- the inputs of a plan ------------------------------------------------------------ */
 
 /* Returns the named rung, or -1. A number out of range counts as open. */
-static int8_t named_of(int32_t rung, int kind)
+static int8_t named_rung(int32_t rung, int kind)
 {
     return rung > 0 && rung <= counts[kind] ? (int8_t)(rung - 1) : -1;
 }
 
-static ground ground_of(const tp_prices *prices, const tp_plan_input *in)
+static ground make_ground(const tp_prices *prices, const tp_plan_input *in)
 {
     TP_ASSERT(in->width > 0 && in->height > 0);
     const tp_scene *scene = in->scene;
     const int32_t asked[TP_KINDS] = { scene->quality.visibility, scene->quality.shading,
                                       scene->quality.rate, scene->quality.lod };
-    ground g = { .prices = prices, .outlook = tp_outlook_of(in) };
+    ground g = { .prices = prices, .outlook = tp_outlook_estimate(in) };
 
-    tp_faint_limits limits = tp_faint_limits_of(scene, g.outlook.waves,
+    tp_faint_limits limits = tp_faint_limits_make(scene, g.outlook.waves,
                                                 prices->slope_colour);
     limits.focal = g.outlook.focal;
     limits.near = g.outlook.near;
-    g.faint = tp_faint_of(scene, &limits, prices->slope_colour);
+    g.faint = tp_faint_evaluate(scene, &limits, prices->slope_colour);
     g.left_px = scene->quality.error_px - scene->quality.error_px / TP_FAINT_SHARE;
     g.left_colour = scene->quality.error_colour
                   - scene->quality.error_colour / TP_FAINT_SHARE;
     for (int k = 0; k < TP_KINDS; k++) {
-        g.named[k] = named_of(asked[k], k);
+        g.named[k] = named_rung(asked[k], k);
         if (g.named[k] >= 0) {
-            g.left_px -= error_of(&g, k, g.named[k]).px;
-            g.left_colour -= error_of(&g, k, g.named[k]).colour;
+            g.left_px -= rung_error(&g, k, g.named[k]).px;
+            g.left_colour -= rung_error(&g, k, g.named[k]).colour;
         }
     }
     g.left_px = g.left_px > 0 ? g.left_px : 0;
@@ -236,14 +236,14 @@ static ground ground_of(const tp_prices *prices, const tp_plan_input *in)
 
 bool tp_thins_sea(const tp_plan_input *in)
 {
-    const ground g = ground_of(&tp_prices_measured, in);
+    const ground g = make_ground(&tp_prices_measured, in);
     return g.faint.any && !g.outlook.ocean;
 }
 
-tp_rungs tp_rungs_by(const tp_prices *prices, const tp_plan_input *in)
+tp_rungs tp_rungs_choose_priced(const tp_prices *prices, const tp_plan_input *in)
 {
-    const ground g = ground_of(prices, in);
-    return rungs_of(cheapest_of(&g));
+    const ground g = make_ground(prices, in);
+    return make_rungs(find_cheapest(&g));
 }
 
 /* -- reports ------------------------------------------------------------------------- */
@@ -263,7 +263,7 @@ static int64_t exact_pixel(const ground *g)
 static void add_works(ground *g, choice chosen, const tp_plan_input *in)
 {
     const bool quick = chosen.of[TP_KIND_SHADING] > 0 && g->outlook.quick;
-    const tp_works works = tp_works_of(in, &g->outlook, quick);
+    const tp_works works = tp_works_estimate(in, &g->outlook, quick);
     int64_t sum = -exact_pixel(g) * works.hidden;
 
     for (int i = 0; i < TP_WORK_COUNT; i++)
@@ -272,9 +272,9 @@ static void add_works(ground *g, choice chosen, const tp_plan_input *in)
     g->hidden = works.hidden;
 }
 
-static tp_why why_of(const ground *g, int kind, choice chosen, choice c)
+static tp_why explain_rung(const ground *g, int kind, choice chosen, choice c)
 {
-    const tp_price price = price_of(g, c);
+    const tp_price price = estimate_price(g, c);
 
     if (c.of[kind] == chosen.of[kind])
         return is_open(g, kind) ? TP_WHY_CHOSEN : TP_WHY_NAMED;
@@ -287,31 +287,31 @@ static tp_why why_of(const ground *g, int kind, choice chosen, choice c)
     return is_within(g, c) ? TP_WHY_COST : TP_WHY_ERROR;
 }
 
-static tp_rung_report report_of(const ground *g, int kind, choice chosen, int rung)
+static tp_rung_report report_rung(const ground *g, int kind, choice chosen, int rung)
 {
-    const tp_error_price error = error_of(g, kind, rung);
+    const tp_error_price error = rung_error(g, kind, rung);
     choice c = chosen;
 
     c.of[kind] = (uint8_t)rung;
-    tp_rung_report report = { price_of(g, c), why_of(g, kind, chosen, c) };
+    tp_rung_report report = { estimate_price(g, c), explain_rung(g, kind, chosen, c) };
     report.price.error_px = error.px;
     report.price.error_colour = error.colour;
     return report;
 }
 
-tp_price tp_price_by(const tp_prices *prices, const tp_plan_input *in)
+tp_price tp_price_estimate(const tp_prices *prices, const tp_plan_input *in)
 {
-    const ground g = ground_of(prices, in);
-    return price_of(&g, cheapest_of(&g));
+    const ground g = make_ground(prices, in);
+    return estimate_price(&g, find_cheapest(&g));
 }
 
-tp_plan_report tp_plan_by(const tp_prices *prices, const tp_plan_input *in)
+tp_plan_report tp_plan_make_priced(const tp_prices *prices, const tp_plan_input *in)
 {
-    ground g = ground_of(prices, in);
-    const choice chosen = cheapest_of(&g);
+    ground g = make_ground(prices, in);
+    const choice chosen = find_cheapest(&g);
     add_works(&g, chosen, in);
     tp_plan_report r = {
-        .rungs = rungs_of(chosen), .total = price_of(&g, chosen),
+        .rungs = make_rungs(chosen), .total = estimate_price(&g, chosen),
         .water_pixels = g.outlook.water_pixels - g.hidden, .vertices = g.outlook.vertices,
         .waves = g.faint.left, .waves_dropped = g.outlook.waves - g.faint.left,
         .waves_px = g.faint.px, .waves_colour = g.faint.colour,
@@ -320,7 +320,7 @@ tp_plan_report tp_plan_by(const tp_prices *prices, const tp_plan_input *in)
     for (int k = 0; k < TP_KINDS; k++) {
         r.rung_count[k] = counts[k];
         for (int i = 0; i < counts[k]; i++)
-            r.rung[k][i] = report_of(&g, k, chosen, i);
+            r.rung[k][i] = report_rung(&g, k, chosen, i);
     }
     return r;
 }
@@ -329,15 +329,15 @@ tp_plan_report tp_plan_by(const tp_prices *prices, const tp_plan_input *in)
 
 /* Returns the combined error, Q18: 4 x outline error in px + colour error in levels.  The
  * weight follows the default budget of half a pixel and two levels. */
-static uint64_t harm_of(tp_price price)
+static uint64_t weigh_errors(tp_price price)
 {
     return 4 * (uint64_t)price.error_px + (uint64_t)price.error_colour;
 }
 
 /* Takes the step from `from` that adds the least error per instruction saved. */
-static bool step_down(const ground *g, choice *from)
+static bool lower_choice(const ground *g, choice *from)
 {
-    const tp_price here = price_of(g, *from);
+    const tp_price here = estimate_price(g, *from);
     choice   best = *from;
     uint64_t added = 1, saved = 0;              /* of the best step; 1 / 0: infinite */
 
@@ -345,12 +345,13 @@ static bool step_down(const ground *g, choice *from)
         for (uint8_t i = 0; is_open(g, k) && i < counts[k]; i++) {
             choice c = *from;
             c.of[k] = i;
-            const tp_price p = price_of(g, c);
+            const tp_price p = estimate_price(g, c);
             if (!p.known || p.cost >= here.cost || !all_fit(g, c))
                 continue;
             const uint64_t save = here.cost - p.cost;
-            const uint64_t more = harm_of(p) > harm_of(here) ? harm_of(p) - harm_of(here)
-                                                             : 0;
+            const uint64_t more = weigh_errors(p) > weigh_errors(here)
+                                      ? weigh_errors(p) - weigh_errors(here)
+                                      : 0;
             if (more * (saved >> 8) < added * (save >> 8)) {
                 best = c;
                 added = more;
@@ -362,14 +363,15 @@ static bool step_down(const ground *g, choice *from)
     return saved > 0;
 }
 
-tp_ladder tp_ladder_by(const tp_prices *prices, const tp_plan_input *in)
+tp_ladder tp_ladder_make_priced(const tp_prices *prices, const tp_plan_input *in)
 {
-    const ground g = ground_of(prices, in);
-    choice c = cheapest_of(&g);
+    const ground g = make_ground(prices, in);
+    choice c = find_cheapest(&g);
     tp_ladder ladder = { .count = 0 };
 
-    ladder.rung[ladder.count++] = rungs_of(c);
-    while (in->scene->quality.frame_ms > 0 && ladder.count < TP_LADDER && step_down(&g, &c))
-        ladder.rung[ladder.count++] = rungs_of(c);
+    ladder.rung[ladder.count++] = make_rungs(c);
+    while (in->scene->quality.frame_ms > 0 && ladder.count < TP_LADDER
+           && lower_choice(&g, &c))
+        ladder.rung[ladder.count++] = make_rungs(c);
     return ladder;
 }

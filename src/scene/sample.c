@@ -7,7 +7,7 @@
 #include "scene/program.h"
 
 /* Returns the height of all rings at `time`. */
-static tp_fx rings_at(const tp_surface *s, int64_t time, tp_fx x, tp_fx z)
+static tp_fx sample_rings(const tp_surface *s, int64_t time, tp_fx x, tp_fx z)
 {
     tp_ring_now now;
     tp_fx sum = 0;
@@ -19,7 +19,7 @@ static tp_fx rings_at(const tp_surface *s, int64_t time, tp_fx x, tp_fx z)
 }
 
 /* Returns the displaced surface point of a rest position. */
-static tp_vec3 point_at(const tp_surface *s, const tp_fx rest[2])
+static tp_vec3 sample_point(const tp_surface *s, const tp_fx rest[2])
 {
     if (s->ocean)
         return s->by->ocean->smooth(s->ocean, s->phases, rest[0], rest[1]).position;
@@ -30,15 +30,16 @@ static tp_vec3 point_at(const tp_surface *s, const tp_fx rest[2])
 
 /* Returns the surface point of a rest position at `time`.  Phases and pool interpolation
  * come from `then`, set for the same time. */
-static tp_vec3 moving_at(const tp_surface *then, const tp_fx rest[2], int64_t time)
+static tp_vec3 sample_moving_point(const tp_surface *then, const tp_fx rest[2],
+                                   int64_t time)
 {
-    tp_vec3 p = point_at(then, rest);
+    tp_vec3 p = sample_point(then, rest);
     tp_surface pools = *then;
 
     pools.rings = 0;
     p.y += tp_surface_relief(&pools, p.x, p.z).height;
     if (then->rings)
-        p.y += rings_at(then, time, p.x, p.z);
+        p.y += sample_rings(then, time, p.x, p.z);
     return p;
 }
 
@@ -55,14 +56,14 @@ tp_water tp_world_sample(const tp_program *program, const tp_world *world, tp_fx
     const int64_t time = (int64_t)(world->tick * TP_FX_ONE);
     tp_surface surface = tp_world_surface(program, world);
     tp_fx rest[2] = { x, z };
-    const tp_sea_point at = tp_surface_above(&surface, x, z, rest);
-    const tp_vec3 now = moving_at(&surface, rest, time);
+    const tp_sea_point at = tp_surface_sample(&surface, x, z, rest);
+    const tp_vec3 now = sample_moving_point(&surface, rest, time);
     tp_turn phases[TP_WAVES];
 
     tp_sea_phases(&world->sea, world->tick, TP_FX_ONE, phases);
     surface.phases = phases;
     surface.back = TP_FX_ONE;
-    const tp_vec3 before = moving_at(&surface, rest, time - TP_FX_ONE);
+    const tp_vec3 before = sample_moving_point(&surface, rest, time - TP_FX_ONE);
     return (tp_water){
         at.position.y,
         at.slope_x,

@@ -12,7 +12,7 @@ static const tp_texture ripple = {
 
 static const tp_assets pictures = { .ripple = &ripple };
 
-static tp_wave wave_of(tp_fx amplitude, tp_fx length, tp_fx heading, tp_fx phase)
+static tp_wave make_wave(tp_fx amplitude, tp_fx length, tp_fx heading, tp_fx phase)
 {
     return (tp_wave){
         .amplitude = amplitude, .length = length, .steepness = TP_FX(0.25),
@@ -42,9 +42,9 @@ static void set_water(tp_scene *scene)
     scene->ripple.map.drift_x = TP_FX(0.12);
     scene->ripple.map.drift_z = TP_FX(0.05);
     scene->ripple.bump = TP_FX(0.6);
-    scene->wave[0] = wave_of(TP_FX(0.3), TP_FX(19), TP_FX(30), 0);
-    scene->wave[1] = wave_of(TP_FX(0.16), TP_FX(11), TP_FX(75), TP_FX(140));
-    scene->wave[2] = wave_of(TP_FX(0.09), TP_FX(6), TP_FX(350), TP_FX(250));
+    scene->wave[0] = make_wave(TP_FX(0.3), TP_FX(19), TP_FX(30), 0);
+    scene->wave[1] = make_wave(TP_FX(0.16), TP_FX(11), TP_FX(75), TP_FX(140));
+    scene->wave[2] = make_wave(TP_FX(0.09), TP_FX(6), TP_FX(350), TP_FX(250));
     scene->grid.cols = scene->grid.rows = 64;
     scene->grid.cell = TP_FX(1.5);
 }

@@ -26,13 +26,13 @@ int64_t tp_stand_line(const tp_scene *s, int32_t lines, int64_t centre, int64_t 
 }
 
 /* Returns the position of the eye. A camera on the boat has a position in deck axes. */
-static tp_vec3 eye_of(const tp_scene *s)
+static tp_vec3 start_eye(const tp_scene *s)
 {
     tp_vec3 eye = { s->camera.x, s->camera.y, s->camera.z };
 
     if (s->camera.follow == TP_FOLLOW_BOAT) {
         const tp_turn heading = tp_turn_of_degrees(s->boat.heading);
-        const tp_rotation boat = tp_rotation_of(heading, 0, 0);
+        const tp_rotation boat = tp_rotation_from_angles(heading, 0, 0);
         eye = tp_rotate_back(&boat, eye);
         eye.x = tp_fx_held((int64_t)eye.x + s->boat.x);
         eye.z = tp_fx_held((int64_t)eye.z + s->boat.z);
@@ -59,16 +59,17 @@ static void place_water(tp_stand *at, const tp_scene *s)
         at->water = tp_pool_sides(s);
 }
 
-tp_stand tp_stand_of(const tp_scene *s, uint32_t width, uint32_t height)
+tp_stand tp_stand_make(const tp_scene *s, uint32_t width, uint32_t height)
 {
     TP_ASSERT(width > 0 && height > 0);
-    const tp_dir3 half = tp_rotation_of(tp_turn_of_degrees(s->camera.fov) / 2, 0, 0).x;
+    const tp_dir3 half =
+        tp_rotation_from_angles(tp_turn_of_degrees(s->camera.fov) / 2, 0, 0).x;
     const tp_turn aboard = s->camera.follow == TP_FOLLOW_BOAT
                          ? tp_turn_of_degrees(s->boat.heading) : 0;
-    tp_stand at = { .eye = eye_of(s) };
+    tp_stand at = { .eye = start_eye(s) };
 
-    at.turn = tp_rotation_of(aboard + tp_turn_of_degrees(s->camera.heading),
-                             tp_turn_of_degrees(s->camera.pitch), 0);
+    at.turn = tp_rotation_from_angles(aboard + tp_turn_of_degrees(s->camera.heading),
+                                      tp_turn_of_degrees(s->camera.pitch), 0);
     at.high = ((int64_t)half.z * 65536) / half.x;
     at.wide = at.high * width / height;
     place_water(&at, s);

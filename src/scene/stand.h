@@ -13,7 +13,7 @@ typedef struct {
     tp_rectangle water;         /* extent of the water */
 } tp_stand;
 
-tp_stand tp_stand_of(const tp_scene *scene, uint32_t width, uint32_t height);
+tp_stand tp_stand_make(const tp_scene *scene, uint32_t width, uint32_t height);
 
 /* Returns the distance from the centre of the grid to the end of the even cells, m.
  * *flank: number of lines beyond that end. */

@@ -56,7 +56,7 @@ _Static_assert(FIELDS <= 64, "a bit of an uint64_t says which were read");
 
 /* -- writing ------------------------------------------------------------------------- */
 
-static int32_t value_of(const tp_input *input, const field *f)
+static int32_t field_value(const tp_input *input, const field *f)
 {
     return *(const int32_t *)(const void *)((const char *)input + f->offset);
 }
@@ -91,10 +91,10 @@ static void put_field(tp_text *out, const field *f, int32_t value)
 
 size_t tp_tape_write(const tp_tape_entry *entry, char *text, size_t bytes)
 {
-    tp_text out = tp_text_over(text, bytes);
+    tp_text out = tp_text_init(text, bytes);
 
     for (int i = 0; i < FIELDS; i++) {
-        const int32_t value = value_of(&entry->input, &fields[i]);
+        const int32_t value = field_value(&entry->input, &fields[i]);
         if (value == 0)
             continue;
         if (out.length == 0)
@@ -222,7 +222,7 @@ tp_status tp_tape_read(tp_tape_entry *entry, const char *text, size_t bytes,
 
 size_t tp_tape_head_write(const char *scene, char *text, size_t bytes)
 {
-    tp_text out = tp_text_over(text, bytes);
+    tp_text out = tp_text_init(text, bytes);
     tp_text_add(&out, "tape 1 ");
     tp_text_add(&out, scene);
     return out.length;

@@ -101,7 +101,7 @@ static tp_status check_text(tp_piece w)
 }
 
 /* Returns the address of a row's value: an int32_t or a char[TP_NAME_BYTES]. */
-static void *value_of(tp_scene *scene, const tp_param *param)
+static void *value_pointer(tp_scene *scene, const tp_param *param)
 {
     TP_ASSERT(param->offset < sizeof *scene);
     return (char *)scene + param->offset;
@@ -112,7 +112,7 @@ static tp_status set_text(tp_scene *scene, const tp_param *param, tp_piece w)
     const tp_status status = check_text(w);
     if (status != TP_OK)
         return status;
-    char *const name = value_of(scene, param);
+    char *const name = value_pointer(scene, param);
     memset(name, 0, TP_NAME_BYTES);     /* equal scenes must be equal byte by byte */
     memcpy(name, w.text, w.bytes);
     return TP_OK;
@@ -123,7 +123,7 @@ static tp_status set_number(tp_scene *scene, const tp_param *param, tp_piece w)
     int32_t value = 0;
     const tp_status status = read_number(param, w, &value);
     if (status == TP_OK)
-        *(int32_t *)value_of(scene, param) = value;
+        *(int32_t *)value_pointer(scene, param) = value;
     return status;
 }
 
@@ -183,7 +183,7 @@ static void put_fx(tp_text *out, tp_fx number)
 size_t tp_param_number_text(const tp_param *param, int32_t number, char *text,
                             size_t bytes)
 {
-    tp_text out = tp_text_over(text, bytes);
+    tp_text out = tp_text_init(text, bytes);
     switch (param->kind) {
     case TP_PARAM_FX:     put_fx(&out, number);                         break;
     case TP_PARAM_INT:    tp_text_int(&out, number);                    break;
@@ -202,7 +202,7 @@ size_t tp_param_text(const tp_scene *scene, const tp_param *param, char *text,
     if (!tp_param_is_text(param))
         return tp_param_number_text(param, *(const int32_t *)(const void *)value, text,
                                     bytes);
-    tp_text out = tp_text_over(text, bytes);
+    tp_text out = tp_text_init(text, bytes);
     tp_text_add(&out, value);
     return out.length;
 }
@@ -216,8 +216,8 @@ void tp_scene_level(tp_scene *scene)
     for (uint32_t i = 0; i < count; i++) {
         const tp_param *const row = &rows[i];
         if (tp_param_is_text(row))
-            memcpy(value_of(scene, row), row->text, tp_text_length(row->text));
+            memcpy(value_pointer(scene, row), row->text, tp_text_length(row->text));
         else
-            *(int32_t *)value_of(scene, row) = row->normal;
+            *(int32_t *)value_pointer(scene, row) = row->normal;
     }
 }

@@ -12,7 +12,7 @@ typedef struct {
     uint32_t count;
 } costs;
 
-static costs costs_of(const tp_plan_input *in, tp_want want)
+static costs collect_costs(const tp_plan_input *in, tp_want want)
 {
     costs all = { .count = 0 };
 
@@ -22,7 +22,7 @@ static costs costs_of(const tp_plan_input *in, tp_want want)
     return all;
 }
 
-static uint32_t bits_of(uint32_t word)
+static uint32_t count_bits(uint32_t word)
 {
     uint32_t n = 0;
 
@@ -75,19 +75,19 @@ static void add_pixels(tp_site *w, costs *all)
 
     cast_rays(w, all, near);
     for (int j = 0; j < TP_RAYS; j++) {
-        solid += bits_of(w->solid[j]);
-        hidden += bits_of(w->wet[j] & w->solid[j]);
-        water += bits_of(w->wet[j] & ~w->solid[j]);
-        looks += bits_of(near[j] & ~w->solid[j]);
-        sky += bits_of(~(w->wet[j] | w->solid[j]));
+        solid += count_bits(w->solid[j]);
+        hidden += count_bits(w->wet[j] & w->solid[j]);
+        water += count_bits(w->wet[j] & ~w->solid[j]);
+        looks += count_bits(near[j] & ~w->solid[j]);
+        sky += count_bits(~(w->wet[j] | w->solid[j]));
     }
-    w->works.hidden = tp_work_pixels_of(w, hidden);
-    w->works.solid = tp_work_pixels_of(w, solid);
-    w->works.of[TP_WORK_solid] = tp_work_pixels_of(w, solid - w->apart);
+    w->works.hidden = tp_work_ray_pixels(w, hidden);
+    w->works.solid = tp_work_ray_pixels(w, solid);
+    w->works.of[TP_WORK_solid] = tp_work_ray_pixels(w, solid - w->apart);
     for (uint32_t k = 0; k < all->count; k++) {
         const tp_work_pixels pixels = {
-            tp_work_pixels_of(w, sky), tp_work_pixels_of(w, water),
-            tp_work_pixels_of(w, solid - w->apart), tp_work_pixels_of(w, looks),
+            tp_work_ray_pixels(w, sky), tp_work_ray_pixels(w, water),
+            tp_work_ray_pixels(w, solid - w->apart), tp_work_ray_pixels(w, looks),
             all->stopped[k],
         };
         if (all->cost[k]->pixels)
@@ -95,14 +95,14 @@ static void add_pixels(tp_site *w, costs *all)
     }
 }
 
-tp_works tp_works_of(const tp_plan_input *in, const tp_outlook *outlook, bool quick)
+tp_works tp_works_estimate(const tp_plan_input *in, const tp_outlook *outlook, bool quick)
 {
     tp_site w = {
         .scene = in->scene, .assets = in->assets, .outlook = outlook, .quick = quick,
         .width = in->width, .height = in->height,
-        .at = tp_stand_of(in->scene, in->width, in->height), .is = outlook->modules,
+        .at = tp_stand_make(in->scene, in->width, in->height), .is = outlook->modules,
     };
-    costs all = costs_of(in, tp_plan_want(in));
+    costs all = collect_costs(in, tp_plan_want(in));
 
     w.mirrors = w.is & TP_MODULE_MIRROR && w.at.eye.y > 0;
     for (uint32_t k = 0; k < all.count; k++)

@@ -49,7 +49,7 @@ typedef struct tp_cost {
 } tp_cost;
 
 /* Returns the number of pixels for a number of rays. */
-static inline uint32_t tp_work_pixels_of(const tp_site *site, uint32_t rays)
+static inline uint32_t tp_work_ray_pixels(const tp_site *site, uint32_t rays)
 {
     return (uint32_t)((uint64_t)site->width * site->height * rays / (TP_RAYS * TP_RAYS));
 }

@@ -29,7 +29,8 @@ size_t tp_world_bytes(const tp_program *program, const tp_scene *scene,
 {
     tp_world_parts parts;
     program = tp_program_or_linked(program);
-    return tp_parts_of(program, &parts, scene, assets, NULL) == TP_OK ? parts.bytes : 0;
+    return tp_parts_measure(program, &parts, scene, assets, NULL) == TP_OK ? parts.bytes
+                                                                           : 0;
 }
 
 static void keep_camera(tp_world *world)
@@ -64,7 +65,7 @@ tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes
     program = tp_program_or_linked(program);
 
     if (status == TP_OK)
-        status = tp_parts_of(program, &parts, scene, assets, err);
+        status = tp_parts_measure(program, &parts, scene, assets, err);
     if (status != TP_OK)
         return status;
     if (bytes < parts.bytes)
@@ -77,7 +78,7 @@ tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes
     tp_clock_init(&world->clock, scene->clock.scale);
     world->clock_scale = scene->clock.scale;
     place_sea(program, world, scene);
-    status = tp_modules_init(program, world, tp_want_by(program, scene, assets), err);
+    status = tp_modules_init(program, world, tp_world_want(program, scene, assets), err);
     if (status != TP_OK)
         return status;
     tp_modules_settle(program, world, scene);
@@ -90,10 +91,10 @@ bool tp_world_apply(const tp_program *program, tp_world *world, const tp_scene *
 {
     TP_ASSERT(world != NULL && world->parts.bytes > 0);
     program = tp_program_or_linked(program);
-    const tp_want want = tp_want_by(program, scene, assets);
+    const tp_want want = tp_world_want(program, scene, assets);
     tp_world_parts parts;
 
-    if (tp_parts_of(program, &parts, scene, assets, NULL) != TP_OK
+    if (tp_parts_measure(program, &parts, scene, assets, NULL) != TP_OK
         || memcmp(&parts, &world->parts, sizeof parts) != 0
         || !tp_modules_fit(program, world, want))
         return false;
@@ -196,7 +197,7 @@ void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *s
 }
 
 /* Returns the number of ticks needed to draw at the clock's time. */
-static uint64_t ticks_for(const tp_clock *clock)
+static uint64_t ticks_needed(const tp_clock *clock)
 {
     return tp_clock_ticks(clock) + (tp_clock_fraction(clock) > 0);
 }
@@ -209,10 +210,10 @@ uint64_t tp_world_tick(const tp_world *world)
 uint32_t tp_world_advance_clock(tp_world *world)
 {
     TP_ASSERT(world != NULL && world->clock.scale_q40 > 0);
-    uint64_t before = ticks_for(&world->clock);
+    uint64_t before = ticks_needed(&world->clock);
     tp_clock_next(&world->clock);
     tp_fx part = tp_clock_fraction(&world->clock);
 
     world->back = part > 0 ? TP_FX_ONE - part : 0;
-    return (uint32_t)(ticks_for(&world->clock) - before);
+    return (uint32_t)(ticks_needed(&world->clock) - before);
 }

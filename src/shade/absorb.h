@@ -35,8 +35,8 @@ TP_ALWAYS_INLINE uint32_t tp_absorbed_channel(uint32_t halvings, tp_fx metres,
 
 /* Attenuates `colour` over `metres` of water of colour `deep`; both colours are
  * 0x00RRGGBB.  Negative distances count as 0. */
-TP_ALWAYS_INLINE uint32_t tp_absorb_at(const tp_absorb *absorb, uint32_t colour,
-                                       uint32_t deep, tp_fx metres)
+TP_ALWAYS_INLINE uint32_t tp_absorb_apply(const tp_absorb *absorb, uint32_t colour,
+                                          uint32_t deep, tp_fx metres)
 {
     const uint32_t *halvings = absorb->halvings;
     tp_fx way = metres > 0 ? metres : 0;

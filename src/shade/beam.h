@@ -42,8 +42,8 @@ TP_ALWAYS_INLINE int32_t tp_inside_cosine(tp_ray in, tp_ray n)
 
 /* Refracts a ray from air into water [F4].  `in` points towards the surface, `n` is the
  * surface normal out of the water, `ci` the cosine between them, all Q1.14. */
-TP_ALWAYS_INLINE tp_ray tp_inside_bent_at(const tp_inside *inside, int channel, tp_ray in,
-                                          tp_ray n, int32_t ci)
+TP_ALWAYS_INLINE tp_ray tp_inside_bent_with_cosine(const tp_inside *inside, int channel,
+                                                   tp_ray in, tp_ray n, int32_t ci)
 {
     int32_t  eta = inside->eta[channel];
     uint32_t s2 = (1u << 28) - (uint32_t)(ci * ci);
@@ -57,7 +57,7 @@ TP_ALWAYS_INLINE tp_ray tp_inside_bent_at(const tp_inside *inside, int channel, 
 TP_ALWAYS_INLINE tp_ray tp_inside_bent(const tp_inside *inside, int channel, tp_ray in,
                                        tp_ray n)
 {
-    return tp_inside_bent_at(inside, channel, in, n, tp_inside_cosine(in, n));
+    return tp_inside_bent_with_cosine(inside, channel, in, n, tp_inside_cosine(in, n));
 }
 
 /* Fills beam[].at and beam[].far with the world positions of samples [i, stop) of a run.
@@ -71,8 +71,8 @@ void tp_inside_places(const tp_shade *shade, const tp_run *run, int32_t i, int32
 tp_bed tp_inside_bed(const tp_shade *shade, const tp_beam *beam);
 
 /* Returns the colour seen along a beam; `body` is the colour of the water itself. */
-uint32_t tp_inside_at(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
-                      uint32_t body);
+uint32_t tp_inside_trace(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
+                         uint32_t body);
 
 /* The floor plane below one point: its depth there in m, its slopes along x and z, and
  * N.L. */
@@ -97,9 +97,9 @@ void tp_inside_row_channel(const tp_shade *shade, const tp_ground *under,
 /* Colour of a beam that goes up and has reached the surface, whose normal is n: the sky
  * through Snell's window mixed with the water mirrored by the Fresnel share.  Beyond 48.6
  * degrees all light is mirrored [F1]. */
-uint32_t tp_inside_up(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
-                      tp_ray n, uint32_t body);
+uint32_t tp_inside_trace_surface(const tp_shade *shade, const tp_bed *bed,
+                                 const tp_beam *beam, tp_ray n, uint32_t body);
 
 /* Returns the caustics' factor of the sunlight on a floor or a wall, 256 is 1. */
-int32_t tp_caustic_at(const tp_caustic *caustic, tp_vec3 at);
+int32_t tp_caustic_sample(const tp_caustic *caustic, tp_vec3 at);
 #endif

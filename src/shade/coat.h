@@ -9,14 +9,14 @@
 TP_ALWAYS_INLINE tp_level tp_coat_level(const tp_coat *coat, tp_fx far, bool ground)
 {
     int32_t log_far = tp_log2_q8((uint32_t)far | 1) - 16 * 256;
-    return tp_level_at(coat->texture, tp_level_of(coat->lod, log_far, ground,
-                                                  coat->texture->levels));
+    return tp_level_select(coat->texture, tp_level_choose(coat->lod, log_far, ground,
+                                                          coat->texture->levels));
 }
 
 /* Colour of the material at (x, z) metres in its plane, seen from `far` metres away.
  * `ground`: true if the plane is level. */
-TP_ALWAYS_INLINE uint32_t tp_coat_at(const tp_coat *coat, tp_fx x, tp_fx z, tp_fx far,
-                                     bool ground)
+TP_ALWAYS_INLINE uint32_t tp_coat_sample(const tp_coat *coat, tp_fx x, tp_fx z, tp_fx far,
+                                         bool ground)
 {
     if (!coat->texture)
         return coat->colour;
@@ -26,7 +26,7 @@ TP_ALWAYS_INLINE uint32_t tp_coat_at(const tp_coat *coat, tp_fx x, tp_fx z, tp_f
     return tp_colour_times(texel, coat->colour);
 }
 
-/* The channel at bit `shift` of tp_coat_at, 0..255. */
+/* The channel at bit `shift` of tp_coat_sample, 0..255. */
 TP_ALWAYS_INLINE uint32_t tp_coat_channel(const tp_coat *coat, tp_fx x, tp_fx z,
                                           tp_fx far, bool ground, int shift)
 {
@@ -35,7 +35,7 @@ TP_ALWAYS_INLINE uint32_t tp_coat_channel(const tp_coat *coat, tp_fx x, tp_fx z,
     if (!coat->texture)
         return colour;
     tp_level level = tp_coat_level(coat, far, ground);
-    tp_four  f = tp_four_around(&level, (uint32_t)x * coat->per_metre,
+    tp_four  f = tp_four_gather_centred(&level, (uint32_t)x * coat->per_metre,
                                 (uint32_t)z * coat->per_metre);
     uint32_t above = tp_channel_mix(f.texel[0] >> shift & 0xff,
                                     f.texel[1] >> shift & 0xff, f.fs);

@@ -42,7 +42,7 @@ typedef struct {
     uint32_t rb, g;
 } tp_parted;
 
-TP_ALWAYS_INLINE tp_parted tp_parted_of(uint32_t colour)
+TP_ALWAYS_INLINE tp_parted tp_parted_split(uint32_t colour)
 {
     return (tp_parted){ tp_even_bytes(colour), colour >> 8 & 0xff };
 }
@@ -87,7 +87,7 @@ TP_ALWAYS_INLINE uint32_t tp_parted_times(tp_parted a, tp_parted b)
 
 static inline uint32_t tp_colour_times(uint32_t a, uint32_t b)
 {
-    return tp_parted_times(tp_parted_of(a), tp_parted_of(b));
+    return tp_parted_times(tp_parted_split(a), tp_parted_split(b));
 }
 
 /* Sum of each channel, clamped to 255. */
@@ -132,7 +132,7 @@ TP_ALWAYS_INLINE uint32_t tp_light_mix(uint32_t a, uint32_t b, uint32_t share)
 }
 
 /* Mixes all four bytes: f / 32 of b and the rest of a, rounded; f 0..32. */
-static inline uint32_t tp_bytes_between(uint32_t a, uint32_t b, uint32_t f)
+static inline uint32_t tp_bytes_mix(uint32_t a, uint32_t b, uint32_t f)
 {
     uint32_t low = (a & 0x00ff00ffu) * (32 - f) + (b & 0x00ff00ffu) * f + 0x00100010u;
     uint32_t high = (a >> 8 & 0x00ff00ffu) * (32 - f) + (b >> 8 & 0x00ff00ffu) * f
@@ -142,7 +142,7 @@ static inline uint32_t tp_bytes_between(uint32_t a, uint32_t b, uint32_t f)
 
 /* Lays `top`, a colour premultiplied by its alpha, over light whose alpha is the intensity
  * beyond white.  Covered light loses that intensity too. */
-static inline uint32_t tp_colour_over(uint32_t under, uint32_t top)
+static inline uint32_t tp_colour_composite(uint32_t under, uint32_t top)
 {
     uint32_t alpha = top >> 24, left = 256 - alpha - (alpha >> 7);
     uint32_t beyond = (under >> 24) * left >> 8;

@@ -21,7 +21,7 @@ static inline uint32_t tp_key_zi(uint32_t key)
 }
 
 /* Returns the depth for zi != 0 in m, 16.16, within a relative error of 2^-16. */
-static inline int64_t tp_depth_of(tp_fx zi_near, uint32_t zi)
+static inline int64_t tp_depth_from_zi(tp_fx zi_near, uint32_t zi)
 {
     int shift = tp_clz(zi);
     return (int64_t)zi_near * tp_recip_rough(zi << shift) >> (31 - shift);
@@ -37,7 +37,8 @@ static inline int32_t tp_log_depth(const tp_shade *shade, uint32_t key)
  * surfaces texels per pixel grow in proportion to the depth.  On level ground they grow in
  * proportion across the view and by the square along the view; the geometric mean
  * counts. */
-static inline int32_t tp_level_of(int32_t lod, int32_t log_depth, bool ground, int levels)
+static inline int32_t tp_level_choose(int32_t lod, int32_t log_depth, bool ground,
+                                      int levels)
 {
     int32_t level = lod + log_depth + (ground && log_depth > 0 ? log_depth / 2 : 0);
     return tp_clamp(level >> 8, 0, levels - 1);

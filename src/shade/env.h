@@ -26,7 +26,7 @@ TP_ALWAYS_INLINE uint32_t tp_env_gradient(const tp_shade *shade, int32_t y)
 /* -- the dome ---------------------------------------------------------------------- */
 
 /* Squared chord between two unit vectors, Q28: 2 - 2 cos. */
-TP_ALWAYS_INLINE uint32_t tp_square_of(int32_t dx, int32_t dy, int32_t dz)
+TP_ALWAYS_INLINE uint32_t tp_square_length(int32_t dx, int32_t dy, int32_t dz)
 {
     return (uint32_t)(dx * dx) + (uint32_t)(dy * dy) + (uint32_t)(dz * dz);
 }
@@ -48,7 +48,7 @@ TP_ALWAYS_INLINE uint32_t tp_towards_light(uint32_t square)
 TP_ALWAYS_INLINE uint32_t tp_from_light(const tp_shade *shade, int32_t x, int32_t y,
                                         int32_t z)
 {
-    return tp_square_of(x - shade->world.lx, y - shade->world.ly, z - shade->world.lz);
+    return tp_square_length(x - shade->world.lx, y - shade->world.ly, z - shade->world.lz);
 }
 
 /* Returns the glow at a squared chord of at least `least`, a minimum that leaves the disc
@@ -61,8 +61,8 @@ TP_ALWAYS_INLINE uint32_t tp_dome_halo(const tp_dome *dome, uint32_t least,
 
 /* Returns the mixed gradients at height y plus `glow`; `square` is the squared chord to
  * the light.  Below the horizon the sky darkens, to a quarter within 11 degrees. */
-TP_ALWAYS_INLINE uint32_t tp_dome_with(const tp_dome *dome, uint32_t square, int32_t y,
-                                       uint32_t glow)
+TP_ALWAYS_INLINE uint32_t tp_dome_colour(const tp_dome *dome, uint32_t square, int32_t y,
+                                         uint32_t glow)
 {
     int32_t  sine = y >> 6, i = tp_clamp(sine, 0, TP_SKY);
     uint32_t base = tp_colour_mix(dome->away[i], dome->towards[i],
@@ -81,7 +81,7 @@ TP_ALWAYS_INLINE uint32_t tp_env_dome(const tp_shade *shade, uint32_t least, int
     const tp_dome *dome = shade->env.dome;
     uint32_t square = tp_from_light(shade, x, y, z);
 
-    return tp_dome_with(dome, square, y, tp_dome_halo(dome, least, square));
+    return tp_dome_colour(dome, square, y, tp_dome_halo(dome, least, square));
 }
 
 /* -- the cube ---------------------------------------------------------------------- */
@@ -121,7 +121,7 @@ typedef struct {
 
 /* Selects the face by the largest component; the other two over it give the position
  * [F7]. */
-TP_ALWAYS_INLINE tp_cube_place tp_cube_at(const uint32_t *recip, int32_t x, int32_t y,
+TP_ALWAYS_INLINE tp_cube_place tp_cube_project(const uint32_t *recip, int32_t x, int32_t y,
                                           int32_t z)
 {
     tp_cube_ray c = tp_cube_face(x, y, z);
@@ -139,7 +139,7 @@ typedef struct {
     int32_t log2_w, log2_h;
 } tp_cube_side;
 
-TP_ALWAYS_INLINE tp_cube_side tp_cube_side_at(const tp_texture *face, int level)
+TP_ALWAYS_INLINE tp_cube_side tp_cube_side_select(const tp_texture *face, int level)
 {
     int l = level < face->levels ? level : face->levels - 1;
     return (tp_cube_side){ face->level[l], face->log2_w > l ? face->log2_w - l : 0,
@@ -161,7 +161,7 @@ TP_ALWAYS_INLINE int32_t tp_cube_texel(int32_t ratio, int32_t log2)
     return tp_clamp(u, 0, (256 << log2) - 256);
 }
 
-TP_ALWAYS_INLINE tp_cube_four tp_cube_around(const uint32_t *recip, int32_t m,
+TP_ALWAYS_INLINE tp_cube_four tp_cube_gather(const uint32_t *recip, int32_t m,
                                              int32_t right, int32_t down, int32_t log2_w,
                                              int32_t log2_h)
 {
@@ -190,7 +190,7 @@ TP_ALWAYS_INLINE uint32_t tp_cube_mix(uint32_t a, uint32_t b, uint32_t c, uint32
 TP_ALWAYS_INLINE uint32_t tp_cube_look(const tp_shade *shade, const tp_cube_ray *ray,
                                        const tp_cube_side *side)
 {
-    tp_cube_four f = tp_cube_around(shade->env.recip, ray->m, ray->right, ray->down,
+    tp_cube_four f = tp_cube_gather(shade->env.recip, ray->m, ray->right, ray->down,
                                     side->log2_w, side->log2_h);
     const uint32_t *at = side->texel + f.first, *low = at + f.below;
 
@@ -202,7 +202,7 @@ TP_ALWAYS_INLINE uint32_t tp_env_cube(const tp_shade *shade, int level, int32_t 
                                       int32_t y, int32_t z)
 {
     tp_cube_ray  ray = tp_cube_face(x, y, z);
-    tp_cube_side side = tp_cube_side_at(shade->env.cube->face[ray.face], level);
+    tp_cube_side side = tp_cube_side_select(shade->env.cube->face[ray.face], level);
 
     return tp_cube_look(shade, &ray, &side);
 }
@@ -215,8 +215,8 @@ TP_ALWAYS_INLINE uint32_t tp_env_cube(const tp_shade *shade, int level, int32_t 
     X(cube,     TP_ENV_CUBE)
 
 /* `kind` is a literal or shade->env.kind; `level` is a cube's mipmap level. */
-TP_ALWAYS_INLINE uint32_t tp_env_of(const tp_shade *shade, tp_env_kind kind, int level,
-                                    int32_t x, int32_t y, int32_t z)
+TP_ALWAYS_INLINE uint32_t tp_env_sample_kind(const tp_shade *shade, tp_env_kind kind,
+                                             int level, int32_t x, int32_t y, int32_t z)
 {
     return kind == TP_ENV_DOME ? tp_env_dome(shade, 0, x, y, z)
          : kind == TP_ENV_CUBE ? tp_env_cube(shade, level, x, y, z)
@@ -233,10 +233,11 @@ TP_ALWAYS_INLINE int tp_env_level(const tp_shade *shade, tp_env_kind kind, int32
 }
 
 /* Returns 0xAARRGGBB for the world direction (x, y, z). */
-static inline uint32_t tp_env_at(const tp_shade *shade, int32_t x, int32_t y, int32_t z)
+static inline uint32_t tp_env_sample(const tp_shade *shade, int32_t x, int32_t y,
+                                     int32_t z)
 {
-    return tp_env_of(shade, shade->env.kind, tp_env_level(shade, shade->env.kind, 0),
-                     x, y, z);
+    return tp_env_sample_kind(shade, shade->env.kind,
+                              tp_env_level(shade, shade->env.kind, 0), x, y, z);
 }
 
 /* Returns 256 times the intensity of light with this alpha [F8]. */

@@ -13,7 +13,7 @@ const uint16_t tp_inside_root[65] = {
 
 /* Returns the distance along a ray, m, until a `gap` >= 0 m is closed; the gap shrinks by
  * `speed` > 0 per metre, Q1.14. */
-static inline tp_fx way_for(tp_fx gap, int32_t speed)
+static inline tp_fx closing_distance(tp_fx gap, int32_t speed)
 {
     int     shift = tp_clz((uint32_t)speed);
     int64_t way = (int64_t)gap * tp_recip_rough((uint32_t)speed << shift) >> (48 - shift);
@@ -32,29 +32,29 @@ static inline tp_vec3 gone(tp_vec3 from, tp_ray way, tp_fx metres)
 /* -- the floor ------------------------------------------------------------------------ */
 
 /* Rise of the plane from the world's origin to a point, Q32; sums may wrap. */
-static inline uint64_t rise_to(const tp_bed *bed, tp_fx x, tp_fx z)
+static inline uint64_t plane_rise(const tp_bed *bed, tp_fx x, tp_fx z)
 {
     return (uint64_t)((int64_t)bed->rise_x * x) + (uint64_t)((int64_t)bed->rise_z * z);
 }
 
 /* Depth of the plane below a point, m, clamped to 16 km. */
-static inline tp_fx depth_under(const tp_bed *bed, tp_vec3 at)
+static inline tp_fx plane_depth(const tp_bed *bed, tp_vec3 at)
 {
-    int64_t rise = (int64_t)(rise_to(bed, at.x, at.z) - rise_to(bed, bed->x, bed->z));
+    int64_t rise = (int64_t)(plane_rise(bed, at.x, at.z) - plane_rise(bed, bed->x, bed->z));
     return (tp_fx)tp_limit(bed->depth - (rise >> 16), TP_INSIDE_FAR);
 }
 
-static inline tp_ground ground_under(const tp_bed *bed, tp_vec3 at)
+static inline tp_ground sample_ground(const tp_bed *bed, tp_vec3 at)
 {
-    return (tp_ground){ depth_under(bed, at), bed->rise_x, bed->rise_z, bed->nl };
+    return (tp_ground){ plane_depth(bed, at), bed->rise_x, bed->rise_z, bed->nl };
 }
 
 /* Interpolates two floor planes: share / 16 of b, the rest of a.  The two depths differ by
  * less than 2^31. */
-static inline tp_ground ground_between(const tp_bed *a, const tp_bed *b, int32_t share,
+static inline tp_ground interpolate_ground(const tp_bed *a, const tp_bed *b, int32_t share,
                                     tp_vec3 at)
 {
-    int32_t one = depth_under(a, at), other = depth_under(b, at);
+    int32_t one = plane_depth(a, at), other = plane_depth(b, at);
 
     return (tp_ground){
         one + (int32_t)((int64_t)(other - one) * share >> 4),
@@ -74,7 +74,7 @@ static inline tp_fx way_to_floor(const tp_ground *under, tp_fx from_y, tp_ray wa
 
     if (gap <= 0)
         return 0;
-    return down < 16 ? TP_INSIDE_FAR : way_for(gap, down);
+    return down < 16 ? TP_INSIDE_FAR : closing_distance(gap, down);
 }
 
 static int32_t lit_floor(const tp_inside *in, tp_fx rise_x, tp_fx rise_z)
@@ -85,7 +85,7 @@ static int32_t lit_floor(const tp_inside *in, tp_fx rise_x, tp_fx rise_z)
     return nl > 0 ? nl >> 14 : 0;
 }
 
-static tp_bed bed_under(const tp_inside *in, tp_vec3 at)
+static tp_bed sample_bed(const tp_inside *in, tp_vec3 at)
 {
     tp_floor_at floor = tp_ocean_floor(in->ocean, at.x, at.z);
     return (tp_bed){ at.x, at.z, floor.depth, floor.rise_x, floor.rise_z, 0 };
@@ -101,14 +101,14 @@ tp_bed tp_inside_bed(const tp_shade *shade, const tp_beam *beam)
 
     if (!in->ocean)
         return in->bed;
-    tp_bed here = bed_under(in, beam->at), bed = here;
+    tp_bed here = sample_bed(in, beam->at), bed = here;
     for (int n = 0; n < 2; n++) {
-        tp_ground under = ground_under(&bed, beam->at);
+        tp_ground under = sample_ground(&bed, beam->at);
         tp_fx  way = way_to_floor(&under, beam->at.y, down);
         way = way < 200 * TP_FX_ONE ? way : 200 * TP_FX_ONE;
-        bed = bed_under(in, gone(beam->at, down, way));
+        bed = sample_bed(in, gone(beam->at, down, way));
     }
-    if (depth_under(&bed, beam->at) + (int64_t)beam->at.y <= 0)
+    if (plane_depth(&bed, beam->at) + (int64_t)beam->at.y <= 0)
         bed = here;             /* a far bank's slope does not pass under this point */
     bed.nl = lit_floor(in, bed.rise_x, bed.rise_z);
     return bed;
@@ -118,7 +118,7 @@ tp_bed tp_inside_bed(const tp_shade *shade, const tp_beam *beam)
 
 /* Coordinate on the caustics map in cells, 16.16, mirrored at the map's edges and clamped
  * to the range between the centres of the first and the last cell. */
-static inline int32_t cells_from(int64_t metres, uint32_t per_metre, uint32_t cells)
+static inline int32_t map_coordinate(int64_t metres, uint32_t per_metre, uint32_t cells)
 {
     int64_t at = metres * (int64_t)per_metre >> 16, side = (int64_t)cells * 65536;
 
@@ -135,14 +135,14 @@ static inline int32_t within(int32_t at, uint32_t cells)
     return share < 256 ? share : 256;
 }
 
-int32_t tp_caustic_at(const tp_caustic *c, tp_vec3 at)
+int32_t tp_caustic_sample(const tp_caustic *c, tp_vec3 at)
 {
     if (at.y >= 0)
         return 256;
     int64_t x = (int64_t)at.x - c->x - ((int64_t)c->lean_x * at.y >> 14);
     int64_t z = (int64_t)at.z - c->z - ((int64_t)c->lean_z * at.y >> 14);
-    int32_t u = cells_from(x, c->per_metre_x, c->cells);
-    int32_t v = cells_from(z, c->per_metre_z, c->cells);
+    int32_t u = map_coordinate(x, c->per_metre_x, c->cells);
+    int32_t v = map_coordinate(z, c->per_metre_z, c->cells);
     uint32_t i = (uint32_t)u >> 16, j = (uint32_t)v >> 16, n = c->cells;
     uint32_t right = i + 1 < n ? 1 : 0, below = j + 1 < n ? n : 0;
     const uint16_t *cell = c->light + j * n + i;
@@ -162,10 +162,10 @@ int32_t tp_caustic_at(const tp_caustic *c, tp_vec3 at)
 }
 
 /* Returns the factor of a colour in the light at a point, Q8. */
-static inline uint32_t light_at(const tp_shade *shade, int32_t nl, tp_vec3 at)
+static inline uint32_t light_factor(const tp_shade *shade, int32_t nl, tp_vec3 at)
 {
     int32_t sun = (256 - shade->ambient) * (nl < 16384 ? nl : 16384) >> 14;
-    int32_t light = shade->caustic ? tp_caustic_at(shade->caustic, at) : 256;
+    int32_t light = shade->caustic ? tp_caustic_sample(shade->caustic, at) : 256;
     return (uint32_t)(shade->ambient + (sun * light >> 8));
 }
 
@@ -189,7 +189,7 @@ static inline tp_fx way_to_side(tp_fx from, int32_t speed, tp_fx low, tp_fx high
 
     if (speed == 0)
         return TP_INSIDE_FAR;
-    return gap > 0 ? way_for(gap, speed > 0 ? speed : -speed) : 0;
+    return gap > 0 ? closing_distance(gap, speed > 0 ? speed : -speed) : 0;
 }
 
 static inline hit first_hit(const tp_inside *in, const tp_ground *under, tp_vec3 from,
@@ -217,8 +217,8 @@ typedef struct {
 
 /* Describes the hit point.  Walls are lit from inside: their normal points against the
  * ray. */
-static inline spot spot_of(const tp_shade *shade, int32_t floor_nl, hit h, tp_vec3 from,
-                           tp_ray way, tp_fx far)
+static inline spot make_spot(const tp_shade *shade, int32_t floor_nl, hit h, tp_vec3 from,
+                             tp_ray way, tp_fx far)
 {
     const tp_inside *in = shade->inside;
     tp_vec3 at = gone(from, way, h.way);
@@ -226,33 +226,34 @@ static inline spot spot_of(const tp_shade *shade, int32_t floor_nl, hit h, tp_ve
 
     if (h.what == FLOOR)
         return (spot){ &in->floor, at.x, at.z, from_eye, true,
-                       light_at(shade, floor_nl, at) };
+                       light_factor(shade, floor_nl, at) };
     int32_t across = h.what == WALL_X ? way.x : way.z;
     int32_t sun = h.what == WALL_X ? in->sun_x : in->sun_z;
     int32_t nl = across > 0 ? -sun : sun;
     return (spot){ &in->wall, h.what == WALL_X ? at.z : at.x, -at.y, from_eye, false,
-                   light_at(shade, nl > 0 ? nl : 0, at) };
+                   light_factor(shade, nl > 0 ? nl : 0, at) };
 }
 
 /* Returns the colour along a ray that starts at `from`, without the surface: the colour of
  * the hit point, attenuated by the water on the path. */
-static inline uint32_t seen_along(const tp_shade *shade, int32_t floor_nl, hit h,
-                                  tp_vec3 from, tp_ray way, tp_fx far, uint32_t body)
+static inline uint32_t shade_hit(const tp_shade *shade, int32_t floor_nl, hit h,
+                                 tp_vec3 from, tp_ray way, tp_fx far, uint32_t body)
 {
     if (h.what == NOTHING)
         return body;
-    spot s = spot_of(shade, floor_nl, h, from, way, far);
-    uint32_t colour = tp_coat_at(s.coat, s.x, s.z, s.far, s.ground);
-    return tp_absorb_at(&shade->inside->absorb, tp_colour_brighten(colour, s.light), body, h.way);
+    spot s = make_spot(shade, floor_nl, h, from, way, far);
+    uint32_t colour = tp_coat_sample(s.coat, s.x, s.z, s.far, s.ground);
+    return tp_absorb_apply(&shade->inside->absorb, tp_colour_brighten(colour, s.light),
+                           body, h.way);
 }
 
-/* One channel of seen_along, shifted to its place in a colour. */
-static inline uint32_t channel_along(const tp_shade *shade, int32_t floor_nl, hit h,
-                                     const tp_beam *beam, uint32_t body, int shift)
+/* One channel of shade_hit, shifted to its place in a colour. */
+static inline uint32_t shade_hit_channel(const tp_shade *shade, int32_t floor_nl, hit h,
+                                         const tp_beam *beam, uint32_t body, int shift)
 {
     if (h.what == NOTHING)
         return body & (uint32_t)0xff << shift;
-    spot s = spot_of(shade, floor_nl, h, beam->at, beam->way, beam->far);
+    spot s = make_spot(shade, floor_nl, h, beam->at, beam->way, beam->far);
     uint32_t c = tp_coat_channel(s.coat, s.x, s.z, s.far, s.ground, shift);
     return tp_absorbed_channel(shade->inside->absorb.halvings[2 - shift / 8], h.way,
                                tp_channel_brighten(c, s.light), body >> shift) << shift;
@@ -262,11 +263,11 @@ static inline uint32_t channel_along(const tp_shade *shade, int32_t floor_nl, hi
 static const uint16_t over[TP_INSIDE_ROW] = { 0, 4096, 2048, 1365, 1024, 819, 683, 585,
                                               512, 455, 410, 372, 341, 315, 293, 273 };
 
-TP_ALWAYS_INLINE tp_ground ground_of(const tp_inside *in, const tp_bed ends[2],
-                                     int32_t sixteenths, tp_vec3 at)
+TP_ALWAYS_INLINE tp_ground row_ground(const tp_inside *in, const tp_bed ends[2],
+                                      int32_t sixteenths, tp_vec3 at)
 {
-    return in->ocean ? ground_between(&ends[0], &ends[1], sixteenths, at)
-                     : ground_under(&ends[0], at);
+    return in->ocean ? interpolate_ground(&ends[0], &ends[1], sixteenths, at)
+                     : sample_ground(&ends[0], at);
 }
 
 void tp_inside_ground(const tp_shade *shade, const tp_bed ends[2], const tp_beam *beam,
@@ -276,7 +277,7 @@ void tp_inside_ground(const tp_shade *shade, const tp_bed ends[2], const tp_beam
     const int32_t each = over[count - 1];
 
     for (int32_t k = 0; k < count; k++)
-        under[k] = ground_of(shade->inside, ends, k * each >> 8, beam[k].at);
+        under[k] = row_ground(shade->inside, ends, k * each >> 8, beam[k].at);
 }
 
 void tp_inside_row(const tp_shade *shade, const tp_bed ends[2], const tp_beam *beam,
@@ -287,9 +288,9 @@ void tp_inside_row(const tp_shade *shade, const tp_bed ends[2], const tp_beam *b
     const int32_t each = over[count - 1];
 
     for (int32_t k = 0; k < count; k++, beam++) {
-        tp_ground g = ground_of(in, ends, k * each >> 8, beam->at);
+        tp_ground g = row_ground(in, ends, k * each >> 8, beam->at);
         hit h = first_hit(in, &g, beam->at, beam->way);
-        seen[k] = seen_along(shade, g.nl, h, beam->at, beam->way, beam->far, body[k]);
+        seen[k] = shade_hit(shade, g.nl, h, beam->at, beam->way, beam->far, body[k]);
     }
 }
 
@@ -299,7 +300,7 @@ void tp_inside_row_channel(const tp_shade *shade, const tp_ground *under,
 {
     for (int32_t k = 0; k < count; k++, beam++, under++) {
         hit h = first_hit(shade->inside, under, beam->at, beam->way);
-        seen[k] |= channel_along(shade, under->nl, h, beam, body[k], shift);
+        seen[k] |= shade_hit_channel(shade, under->nl, h, beam, body[k], shift);
     }
 }
 
@@ -323,7 +324,7 @@ static inline int32_t cos_in_air(int32_t ci)
 
 /* Fresnel share, interpolated between the table's entries: near the rim of Snell's window
  * neighbouring entries differ by 6 levels. */
-static inline uint32_t share_of(const tp_shade *shade, int32_t cosine)
+static inline uint32_t fresnel_share(const tp_shade *shade, int32_t cosine)
 {
     const tp_entry8 *at = shade->fresnel + (cosine >> 6);
     if (cosine >= 16384)
@@ -332,17 +333,17 @@ static inline uint32_t share_of(const tp_shade *shade, int32_t cosine)
     return (uint32_t)(a + ((b - a) * (cosine & 63) >> 6));
 }
 
-uint32_t tp_inside_up(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
-                      tp_ray n, uint32_t body)
+uint32_t tp_inside_trace_surface(const tp_shade *shade, const tp_bed *bed,
+                                 const tp_beam *beam, tp_ray n, uint32_t body)
 {
     tp_ray  way = beam->way;
     int32_t ci = (way.x * n.x + way.y * n.y + way.z * n.z) >> 14;
 
     ci = tp_clamp(ci, 0, 16384);
     int32_t  ct = cos_in_air(ci), lean = ct - (INDEX * ci >> 14);
-    uint32_t share = ct > 0 ? share_of(shade, ct) : 256, sky = 0;
+    uint32_t share = ct > 0 ? fresnel_share(shade, ct) : 256, sky = 0;
     if (share < 256)
-        sky = tp_env_at(shade, (INDEX * way.x + lean * n.x) >> 14,
+        sky = tp_env_sample(shade, (INDEX * way.x + lean * n.x) >> 14,
                         (INDEX * way.y + lean * n.y) >> 14,
                         (INDEX * way.z + lean * n.z) >> 14) & 0xffffff;
     if (share < 4)
@@ -352,24 +353,25 @@ uint32_t tp_inside_up(const tp_shade *shade, const tp_bed *bed, const tp_beam *b
     if (back.y > -64)           /* reflected upwards by a steep slope: taken as nearly
                                  * level */
         back.y = -64;
-    tp_ground under = ground_under(bed, beam->at);
+    tp_ground under = sample_ground(bed, beam->at);
     hit h = first_hit(shade->inside, &under, beam->at, back);
-    uint32_t mirrored = seen_along(shade, bed->nl, h, beam->at, back, beam->far, body);
+    uint32_t mirrored = shade_hit(shade, bed->nl, h, beam->at, back, beam->far, body);
     return tp_colour_mix(sky, mirrored, share);
 }
 
-uint32_t tp_inside_at(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
-                      uint32_t body)
+uint32_t tp_inside_trace(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
+                         uint32_t body)
 {
-    tp_ground under = ground_under(bed, beam->at);
+    tp_ground under = sample_ground(bed, beam->at);
     hit    h = first_hit(shade->inside, &under, beam->at, beam->way);
     tp_fx  deep = beam->at.y < 0 ? -(beam->at.y + (beam->at.y == TP_FX_MIN)) : 0;
 
-    if (beam->way.y <= 0 || way_for(deep, beam->way.y) >= h.way)
-        return seen_along(shade, bed->nl, h, beam->at, beam->way, beam->far, body);
-    tp_fx   way = way_for(deep, beam->way.y);
+    if (beam->way.y <= 0 || closing_distance(deep, beam->way.y) >= h.way)
+        return shade_hit(shade, bed->nl, h, beam->at, beam->way, beam->far, body);
+    tp_fx   way = closing_distance(deep, beam->way.y);
     tp_beam on = { gone(beam->at, beam->way, way), beam->way,
                    tp_fx_held((int64_t)beam->far + way) };
-    uint32_t colour = tp_inside_up(shade, bed, &on, (tp_ray){ 0, 16384, 0, 0 }, body);
-    return tp_absorb_at(&shade->inside->absorb, colour, body, way);
+    uint32_t colour =
+        tp_inside_trace_surface(shade, bed, &on, (tp_ray){ 0, 16384, 0, 0 }, body);
+    return tp_absorb_apply(&shade->inside->absorb, colour, body, way);
 }

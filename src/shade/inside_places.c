@@ -33,7 +33,7 @@ void tp_inside_places(const tp_shade *shade, const tp_run *run, int32_t i, int32
         view[k] = in->right[k] * u + in->up[k] * v - behind[k] * (int64_t)4096;
     for (; i < stop; i++, beam++) {
         uint32_t zi = (run->key[i] >> 1 & ~(uint32_t)0x7f) | 0x40;
-        int64_t  depth = tp_depth_of(in->zi_near, zi);
+        int64_t  depth = tp_depth_from_zi(in->zi_near, zi);
         int32_t  at[3];
         for (int k = 0; k < 3; k++) {
             at[k] = tp_fx_held(eye[k] + (depth * (view[k] >> 22) >> 20));

@@ -56,13 +56,13 @@ tp_q30 tp_fresnel_schlick(tp_q30 cos_i)
 
 /* Returns the clamped dot product: unit vectors are rounded, and their dot product may
  * exceed 1 by a few LSB. */
-static tp_q30 cos_of(tp_dir3 a, tp_dir3 b)
+static tp_q30 clamped_cosine(tp_dir3 a, tp_dir3 b)
 {
     return tp_clamp(tp_dir3_dot(a, b), -TP_Q30_ONE, TP_Q30_ONE);
 }
 
 /* in a + normal b, rounded once: |in a| + |normal b| <= 2^60 + 2^61. */
-static tp_dir3 sum_of(tp_dir3 in, tp_q30 a, tp_dir3 normal, int64_t b)
+static tp_dir3 weighted_sum(tp_dir3 in, tp_q30 a, tp_dir3 normal, int64_t b)
 {
     return (tp_dir3){ q30_round((int64_t)in.x * a + normal.x * b),
                       q30_round((int64_t)in.y * a + normal.y * b),
@@ -71,15 +71,16 @@ static tp_dir3 sum_of(tp_dir3 in, tp_q30 a, tp_dir3 normal, int64_t b)
 
 tp_dir3 tp_reflect(tp_dir3 incident, tp_dir3 normal)
 {
-    return sum_of(incident, TP_Q30_ONE, normal, -2 * (int64_t)cos_of(incident, normal));
+    return weighted_sum(incident, TP_Q30_ONE, normal,
+                        -2 * (int64_t)clamped_cosine(incident, normal));
 }
 
 tp_dir3 tp_refract(tp_dir3 incident, tp_dir3 normal)
 {
-    const tp_q30 ci = -cos_of(incident, normal);
+    const tp_q30 ci = -clamped_cosine(incident, normal);
     const int64_t lean = (int64_t)tp_q30_mul(ETA, ci) - cos_refracted(ci);
 
-    return sum_of(incident, ETA, normal, lean);
+    return weighted_sum(incident, ETA, normal, lean);
 }
 
 /* depth a / b, rounded half up, b > 0; |depth a| <= 2^31 2^30.01. */

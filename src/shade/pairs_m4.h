@@ -10,7 +10,7 @@ typedef struct {
 } pair;
 
 /* Loads from[skip] and from[skip + 1]; `skip` is a literal, in words. */
-TP_ALWAYS_INLINE pair pair_at(const uint32_t *from, int skip)
+TP_ALWAYS_INLINE pair pair_load(const uint32_t *from, int skip)
 {
     pair p;
 #if TP_DSP
@@ -37,7 +37,7 @@ TP_ALWAYS_INLINE pair pair_next(const uint32_t **from)
     return p;
 }
 
-TP_ALWAYS_INLINE void pair_to(uint32_t *to, int skip, uint32_t first, uint32_t second)
+TP_ALWAYS_INLINE void pair_store(uint32_t *to, int skip, uint32_t first, uint32_t second)
 {
 #if TP_DSP
     __asm__("strd %2, %3, [%4, %5]" : "=m"(to[skip]), "=m"(to[skip + 1])

@@ -8,7 +8,7 @@
 
 /* The specular lobe at R.V, interpolated between table entries: near the peak of a sharp
  * lobe neighbouring entries differ much. */
-static inline uint32_t tp_gloss_of(const tp_solid *solid, int32_t rv)
+static inline uint32_t tp_gloss_lookup(const tp_solid *solid, int32_t rv)
 {
     int32_t at = rv * (TP_GLOSS - 1), i = at >> 14, part = (at & 16383) >> 6;
     int32_t here = solid->gloss[i], next = solid->gloss[i + 1 < TP_GLOSS ? i + 1 : i];
@@ -23,9 +23,9 @@ TP_ALWAYS_INLINE uint32_t tp_phong(const tp_shade *shade, const tp_view_axes *ax
 {
     tp_vec_q14 light = { axes->lx, axes->ly, axes->lz };
     int32_t nl = tp_clamp(tp_vec_q14_dot(n, light), 0, 16384);
-    int32_t rv = tp_clamp(tp_lobe_at(nl, tp_vec_q14_dot(n, v), lv, blinn), 0, 16384);
+    int32_t rv = tp_clamp(tp_lobe_cosine(nl, tp_vec_q14_dot(n, v), lv, blinn), 0, 16384);
     uint32_t bright = (uint32_t)tp_lit_share(shade->ambient, nl);
-    uint32_t gloss = nl > 0 ? tp_gloss_of(solid, rv) : 0;
+    uint32_t gloss = nl > 0 ? tp_gloss_lookup(solid, rv) : 0;
     uint32_t shine = tp_colour_times(solid->specular, shade->light_colour);
 
     return tp_colour_add(tp_colour_scale(diffuse, bright), tp_colour_scale(shine, gloss));

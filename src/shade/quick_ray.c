@@ -2,7 +2,7 @@
 /* View rays of the fast stages; see quick_ray.h. */
 #include "shade/quick_ray.h"
 
-tp_quick_row tp_quick_row_at(const tp_shade *shade, int32_t y)
+tp_quick_row tp_quick_row_make(const tp_shade *shade, int32_t y)
 {
     const tp_view_axes *a = &shade->world;
     int32_t v = tp_quick_over_focal(shade, shade->v0 - 16 * y - 8);
@@ -17,5 +17,5 @@ tp_quick_row tp_quick_row_at(const tp_shade *shade, int32_t y)
 
 tp_ray tp_quick_ray(const tp_shade *shade, const tp_quick_row *row, int32_t sixteenths)
 {
-    return tp_quick_ray_at(shade, row, sixteenths);
+    return tp_quick_ray_inline(shade, row, sixteenths);
 }

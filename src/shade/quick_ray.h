@@ -14,9 +14,9 @@ typedef struct {
     uint32_t square;
 } tp_quick_row;
 
-tp_quick_row tp_quick_row_at(const tp_shade *shade, int32_t y);
+tp_quick_row tp_quick_row_make(const tp_shade *shade, int32_t y);
 
-/* tp_quick_ray_at as a function call, for callers with few rays. */
+/* tp_quick_ray_inline as a function call, for callers with few rays. */
 tp_ray tp_quick_ray(const tp_shade *shade, const tp_quick_row *row, int32_t sixteenths);
 
 /* Returns sixteenths of a pixel over the focal length, Q14, clamped to -4..4. */
@@ -26,7 +26,7 @@ static inline int32_t tp_quick_over_focal(const tp_shade *shade, int32_t sixteen
 }
 
 /* Returns the unit vector to the eye; member l is its y in Q26. */
-TP_ALWAYS_INLINE tp_ray tp_quick_ray_at(const tp_shade *shade, const tp_quick_row *row,
+TP_ALWAYS_INLINE tp_ray tp_quick_ray_inline(const tp_shade *shade, const tp_quick_row *row,
                                         int32_t sixteenths)
 {
     const tp_view_axes *a = &shade->world;

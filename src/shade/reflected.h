@@ -8,7 +8,7 @@
 
 /* Fills rx and rz of sample i, Q1.14, and returns the mirrored vector.  A vector that
  * points down is made level. */
-TP_ALWAYS_INLINE tp_ray tp_reflected_at(tp_run *run, int32_t i)
+TP_ALWAYS_INLINE tp_ray tp_reflected_compute(tp_run *run, int32_t i)
 {
     int32_t up = run->up[i], k = up + run->vy[i];
     int32_t rx = -(k * run->sx[i] >> 12) - run->vx[i];

@@ -26,7 +26,7 @@ typedef struct {
     uint32_t log2_w;
 } tp_level;
 
-static inline tp_level tp_level_at(const tp_texture *texture, int l)
+static inline tp_level tp_level_select(const tp_texture *texture, int l)
 {
     uint32_t log2_w = (uint32_t)(texture->log2_w > l ? texture->log2_w - l : 0);
     uint32_t log2_h = (uint32_t)(texture->log2_h > l ? texture->log2_h - l : 0);
@@ -47,7 +47,7 @@ typedef struct {
 
 /* Returns the texel at (s, t), Q0.32 repeats, and its right and lower neighbours.  The
  * caller subtracts half a texel from the sampled point first. */
-TP_ALWAYS_INLINE tp_four tp_four_at(const tp_level *l, uint32_t s, uint32_t t)
+TP_ALWAYS_INLINE tp_four tp_four_gather(const tp_level *l, uint32_t s, uint32_t t)
 {
     uint32_t su = s >> l->down_s, tv = t >> l->down_t, u = su >> 8, v = tv >> 8;
     uint32_t u1 = (u + 1) & l->last_s, row = v << l->log2_w;
@@ -60,23 +60,23 @@ TP_ALWAYS_INLINE tp_four tp_four_at(const tp_level *l, uint32_t s, uint32_t t)
 
 /* Returns the four texels around the point (s, t).  Weights are the eight bits below a
  * texel. */
-TP_ALWAYS_INLINE tp_four tp_four_around(const tp_level *l, uint32_t s, uint32_t t)
+TP_ALWAYS_INLINE tp_four tp_four_gather_centred(const tp_level *l, uint32_t s, uint32_t t)
 {
-    return tp_four_at(l, s - l->half_s, t - l->half_t);
+    return tp_four_gather(l, s - l->half_s, t - l->half_t);
 }
 
 TP_ALWAYS_INLINE tp_parted tp_four_mean(const tp_four *f)
 {
-    tp_parted above = tp_parted_mix(tp_parted_of(f->texel[0]), tp_parted_of(f->texel[1]),
-                                    f->fs);
-    tp_parted below = tp_parted_mix(tp_parted_of(f->texel[2]), tp_parted_of(f->texel[3]),
-                                    f->fs);
+    tp_parted above =
+        tp_parted_mix(tp_parted_split(f->texel[0]), tp_parted_split(f->texel[1]), f->fs);
+    tp_parted below =
+        tp_parted_mix(tp_parted_split(f->texel[2]), tp_parted_split(f->texel[3]), f->fs);
     return tp_parted_mix(above, below, f->ft);
 }
 
 TP_ALWAYS_INLINE uint32_t tp_linear(const tp_level *l, uint32_t s, uint32_t t)
 {
-    tp_four f = tp_four_around(l, s, t);
+    tp_four f = tp_four_gather_centred(l, s, t);
     return tp_parted_whole(tp_four_mean(&f));
 }
 
@@ -85,8 +85,8 @@ TP_ALWAYS_INLINE uint32_t tp_linear(const tp_level *l, uint32_t s, uint32_t t)
 static inline int tp_level_near(const tp_shade *shade, const tp_layer *layer,
                                 uint32_t key)
 {
-    return tp_level_of(layer->lod, tp_log_depth(shade, key), true,
-                       layer->texture->levels);
+    return tp_level_choose(layer->lod, tp_log_depth(shade, key), true,
+                           layer->texture->levels);
 }
 
 /* Neighbouring samples of a run with one mipmap level: the unit of the sampling loops. */
@@ -98,7 +98,7 @@ typedef struct {
 
 /* Returns the stretch that starts at sample `begin`, the start of 16 columns or of the
  * run; s and t are the run's arrays. */
-static inline tp_stretch tp_stretch_from(const tp_shade *shade, const tp_run *run,
+static inline tp_stretch tp_stretch_find(const tp_shade *shade, const tp_run *run,
                                          const tp_layer *layer, const uint32_t *s,
                                          const uint32_t *t, int32_t begin)
 {
@@ -119,7 +119,7 @@ typedef struct {
 /* Sampler of four texels. */
 static inline tp_sampler tp_sampler_linear(const tp_layer *layer, int level)
 {
-    tp_level l = tp_level_at(layer->texture, level);
+    tp_level l = tp_level_select(layer->texture, level);
 
     return (tp_sampler){ l, layer->per_metre, layer->per_metre,
                          layer->drift_s - l.half_s, layer->drift_t - l.half_t };
@@ -127,14 +127,14 @@ static inline tp_sampler tp_sampler_linear(const tp_layer *layer, int level)
 
 TP_ALWAYS_INLINE tp_four tp_sampler_four(const tp_sampler *p, uint32_t s, uint32_t t)
 {
-    return tp_four_at(&p->level, s * p->per_s + p->drift_s, t * p->per_s + p->drift_t);
+    return tp_four_gather(&p->level, s * p->per_s + p->drift_s, t * p->per_s + p->drift_t);
 }
 
 /* Sampler of one texel: shifts go to whole texels.  A side of one texel would need a shift
  * by 32; its positions are set to 0 instead. */
 static inline tp_sampler tp_sampler_nearest(const tp_layer *layer, int level)
 {
-    tp_level l = tp_level_at(layer->texture, level);
+    tp_level l = tp_level_select(layer->texture, level);
     bool one_s = l.last_s == 0, one_t = l.last_t == 0;
 
     l.down_s = one_s ? 0 : l.down_s + 8;
@@ -154,7 +154,7 @@ TP_ALWAYS_INLINE uint32_t tp_sampler_texel(const tp_sampler *p, uint32_t s, uint
 }
 
 /* Sampler of one texel, or of the mean of four; `filter` is a literal, 0 or 1. */
-static inline tp_sampler tp_sampler_for(const tp_layer *layer, int level, int filter)
+static inline tp_sampler tp_sampler_choose(const tp_layer *layer, int level, int filter)
 {
     TP_ASSERT(level >= 0 && level < layer->texture->levels);
     return filter ? tp_sampler_linear(layer, level) : tp_sampler_nearest(layer, level);
@@ -164,7 +164,7 @@ TP_ALWAYS_INLINE tp_parted tp_sampled(const tp_sampler *p, uint32_t s, uint32_t 
                                       int filter)
 {
     if (!filter)
-        return tp_parted_of(tp_sampler_texel(p, s, t));
+        return tp_parted_split(tp_sampler_texel(p, s, t));
     tp_four f = tp_sampler_four(p, s, t);
     return tp_four_mean(&f);
 }

@@ -65,7 +65,7 @@ TP_ALWAYS_INLINE tp_ray tp_slope_normal(int32_t sx, int32_t sz)
     return (tp_ray){ -(sx * ny >> 12), ny, -(sz * ny >> 12), 0 };
 }
 
-TP_ALWAYS_INLINE tp_ray tp_slope_normal_of(const tp_run *run, int32_t i,
+TP_ALWAYS_INLINE tp_ray tp_slope_run_normal(const tp_run *run, int32_t i,
                                            int rippled)
 {
     return tp_slope_normal(tp_slope_x(run, i, rippled), tp_slope_z(run, i, rippled));

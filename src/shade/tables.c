@@ -45,7 +45,7 @@ static tp_q30 blinn(tp_q30 c, uint32_t n)
 }
 
 /* Converts a lobe value of 0..1 into a table entry, scaled by the strength. */
-static uint16_t shine_of(tp_q30 lobe, tp_fx strength)
+static uint16_t shine_entry(tp_q30 lobe, tp_fx strength)
 {
     return (uint16_t)(tp_fx_mul(lobe >> 14, strength) >> 8);
 }
@@ -54,16 +54,16 @@ void tp_shade_shine(tp_entry16 shine[TP_SHINE + 1], tp_fx shininess, tp_fx stren
 {
     TP_ASSERT(shine != NULL && strength >= 0);
     for (int32_t i = 0; i <= TP_SHINE; i++)
-        shine[i] = shine_of(power(i * (TP_Q30_ONE / TP_SHINE), exponent(shininess)),
-                            strength);
+        shine[i] = shine_entry(power(i * (TP_Q30_ONE / TP_SHINE), exponent(shininess)),
+                               strength);
 }
 
 void tp_shade_shine_blinn(tp_entry16 shine[TP_SHINE + 1], tp_fx shininess, tp_fx strength)
 {
     TP_ASSERT(shine != NULL && strength >= 0);
     for (int32_t i = 0; i <= TP_SHINE; i++)
-        shine[i] = shine_of(blinn(i * (TP_Q30_ONE / TP_SHINE), exponent(shininess)),
-                            strength);
+        shine[i] = shine_entry(blinn(i * (TP_Q30_ONE / TP_SHINE), exponent(shininess)),
+                               strength);
 }
 
 void tp_shade_gloss(uint8_t gloss[TP_GLOSS], tp_fx shininess)

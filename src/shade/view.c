@@ -13,7 +13,7 @@ typedef struct {
     int64_t x, y, z;
 } way;
 
-static way way_at(const tp_shade *shade, const tp_view_axes *a, int32_t x, int32_t y)
+static way pixel_way(const tp_shade *shade, const tp_view_axes *a, int32_t x, int32_t y)
 {
     int64_t u = 16 * x + 8 - shade->u0, v = shade->v0 - 16 * y - 8, f = shade->focal;
 
@@ -25,7 +25,7 @@ static way way_at(const tp_shade *shade, const tp_view_axes *a, int32_t x, int32
 }
 
 /* Normalises a vector, reduced to Q10. */
-static tp_ray ray_along(const tp_view_axes *a, way w)
+static tp_ray normalise_ray(const tp_view_axes *a, way w)
 {
     tp_dir3 d = tp_normalise((int32_t)(w.x >> 20), (int32_t)(w.y >> 20),
                              (int32_t)(w.z >> 20));
@@ -37,7 +37,7 @@ static tp_ray ray_along(const tp_view_axes *a, way w)
 
 tp_ray tp_view_ray(const tp_shade *shade, const tp_view_axes *a, int32_t x, int32_t y)
 {
-    return ray_along(a, way_at(shade, a, x, y));
+    return normalise_ray(a, pixel_way(shade, a, x, y));
 }
 
 /* Returns the ray 16 columns further right: unnormalised rays are exactly linear in the
@@ -47,7 +47,7 @@ static tp_ray next_ray(const tp_view_axes *a, way *w)
     w->x -= 256 * (int64_t)a->right.x;
     w->y -= 256 * (int64_t)a->right.y;
     w->z -= 256 * (int64_t)a->right.z;
-    return ray_along(a, *w);
+    return normalise_ray(a, *w);
 }
 
 /* One component between the knots a and b; `before` and `after` are the outer neighbour
@@ -56,7 +56,7 @@ typedef struct {
     int32_t begin, step, bow;
 } arc;
 
-static inline arc arc_of(int32_t before, int32_t a, int32_t b, int32_t after)
+static inline arc make_arc(int32_t before, int32_t a, int32_t b, int32_t after)
 {
     return (arc){ a * 1024, (b - a) * 64, a + b - before - after };
 }
@@ -93,9 +93,9 @@ static void between_knots(const tp_ray knot[4], int32_t k, int32_t count, tp_run
 {
     const tp_ray *a = knot, *b = knot + 1, *c = knot + 2, *d = knot + 3;
 
-    between(arc_of(a->x, b->x, c->x, d->x), arc_of(a->y, b->y, c->y, d->y), k, count,
+    between(make_arc(a->x, b->x, c->x, d->x), make_arc(a->y, b->y, c->y, d->y), k, count,
             run->vx + at, run->vy + at);
-    between(arc_of(a->z, b->z, c->z, d->z), arc_of(a->l, b->l, c->l, d->l), k, count,
+    between(make_arc(a->z, b->z, c->z, d->z), make_arc(a->l, b->l, c->l, d->l), k, count,
             run->vz + at, run->lv + at);
 }
 
@@ -103,8 +103,8 @@ void tp_view_run(const tp_shade *shade, const tp_view_axes *axes, tp_run *run)
 {
     TP_ASSERT(run->count > 0 && run->count <= TP_RUN);
     int32_t from = run->x & ~15;
-    way     w = way_at(shade, axes, from - 16, run->y);
-    tp_ray  knot[4] = { ray_along(axes, w) };
+    way     w = pixel_way(shade, axes, from - 16, run->y);
+    tp_ray  knot[4] = { normalise_ray(axes, w) };
 
     knot[1] = next_ray(axes, &w);
     knot[2] = next_ray(axes, &w);

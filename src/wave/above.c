@@ -43,7 +43,7 @@ static place displacement(const tp_sea *sea, const tp_turn phases[TP_WAVES], pla
 /* Returns the weight 1 / (1 + 2 (k e)^2) in 16.16 for an error e in 16.16 below 2^11 m.
  * With t = k e / 2 pi the weight is 1 / (1 + 79 t^2).  34 and 27 bits make t.  From 16
  * turns on the wave counts for almost nothing, and 79 t^2 has 47 bits. */
-static uint32_t weight_of(const tp_swell *w, uint32_t error)
+static uint32_t wave_weight(const tp_swell *w, uint32_t error)
 {
     uint64_t t = w->turns * error >> 32;
     uint64_t most = t < 16 << 16 ? t : 16 << 16;
@@ -52,14 +52,14 @@ static uint32_t weight_of(const tp_swell *w, uint32_t error)
 
 /* Returns the step against the error e = P(p0) - p: -e over the weighted J, Q4.28.  The
  * eigenvalues of J are 0.05 or more, and det > 0.047; 27 and 30 bits make the numerator. */
-static place step_from(const tp_sea *sea, const int32_t sine[TP_WAVES], place e)
+static place newton_step(const tp_sea *sea, const int32_t sine[TP_WAVES], place e)
 {
     uint32_t error = tp_isqrt64((uint64_t)((int64_t)e.x * e.x + (int64_t)e.z * e.z));
     int64_t  bxx = 0, bxz = 0, bzz = 0;
 
     for (uint32_t i = 0; i < sea->count; i++) {
         const tp_swell *w = &sea->swell[i];
-        int64_t s = (int64_t)sine[i] * weight_of(w, error) >> 16;
+        int64_t s = (int64_t)sine[i] * wave_weight(w, error) >> 16;
         bxx += w->bend_xx * s;
         bxz += w->bend_xz * s;
         bzz += w->bend_zz * s;
@@ -75,7 +75,7 @@ static place step_from(const tp_sea *sea, const int32_t sine[TP_WAVES], place e)
  * for the rounding of a point. */
 typedef struct { place low, high; } box;
 
-static box box_around(const tp_sea *sea, tp_fx x, tp_fx z)
+static box search_box(const tp_sea *sea, tp_fx x, tp_fx z)
 {
     const tp_fx reach = sea->reach + 1;
     return (box){ { tp_fx_minus(x, reach), tp_fx_minus(z, reach) },
@@ -99,11 +99,11 @@ static bool is_near(tp_fx e)
 }
 
 /* Within the box the differences of coordinates fit 32 bits. */
-tp_sea_point tp_sea_above(const tp_sea *sea, const tp_turn phases[TP_WAVES],
+tp_sea_point tp_sea_sample(const tp_sea *sea, const tp_turn phases[TP_WAVES],
                           tp_fx x, tp_fx z, tp_fx rest[2])
 {
     const place still = { 0, 0 };
-    const box   around = box_around(sea, x, z);
+    const box   around = search_box(sea, x, z);
     place at = { x, z };
     int32_t sine[TP_WAVES];
 
@@ -114,7 +114,7 @@ tp_sea_point tp_sea_above(const tp_sea *sea, const tp_turn phases[TP_WAVES],
         place e = { at.x - x + d.x, at.z - z + d.z };
         if (is_near(e.x) && is_near(e.z))
             break;
-        at = held(&around, at, step_from(sea, sine, e));
+        at = held(&around, at, newton_step(sea, sine, e));
     }
     if (rest) {
         rest[0] = at.x;

@@ -28,7 +28,7 @@ tp_turn tp_orbit_lowest(const tp_ellipse *orbit)
 /* Returns the ramp of a phase, Q30: 0 between the joints, 1 at the crest.  The ramp in
  * front is a third of a turn long, the ramp behind a sixteenth: factors 3/4 and 4
  * convert Q32 to Q30. */
-static tp_q30 ramp_at(int32_t p)
+static tp_q30 ramp_position(int32_t p)
 {
     if (p < -FRONT)
         return (tp_q30)(((uint64_t)(-(int64_t)p - FRONT) * 3) >> 2);
@@ -36,7 +36,7 @@ static tp_q30 ramp_at(int32_t p)
 }
 
 /* Returns (p / pi)^2 as Q30; |p| <= 2^31. */
-static tp_q30 square_of(int32_t p)
+static tp_q30 phase_square(int32_t p)
 {
     const uint64_t size = p < 0 ? 0u - (uint32_t)p : (uint32_t)p;
     return (tp_q30)((size * size + 0x80000000u) >> 32);
@@ -48,14 +48,14 @@ tp_breaking tp_breaking_shape(const tp_breaker *breaker, tp_turn phi)
     TP_ASSERT(breaker->kept_lip >= 0 && breaker->kept_lip <= TP_FX_ONE);
     const tp_ellipse *orbit = &breaker->orbit;
     const int32_t p = (int32_t)(phi - tp_orbit_lowest(orbit));
-    const tp_q30 ramp = ramp_at(p);
+    const tp_q30 ramp = ramp_position(p);
     const int32_t tilt = (int32_t)tp_atan2(orbit->sin, orbit->cos);
     tp_breaking at = {
         .p = p,
-        .stretch = tp_q30_mul(breaker->stretch, square_of(p)),
+        .stretch = tp_q30_mul(breaker->stretch, phase_square(p)),
         .displacement = tp_q30_mul(breaker->lip, ramp),
         .orientation = tilt + tp_q30_mul(DOWN - tilt, ramp),
-        .offset = tp_orbit_at(orbit, phi),
+        .offset = tp_orbit_offset(orbit, phi),
     };
     const tp_fx stretch = tp_fx_mul(at.stretch, breaker->kept_stretch);
     const tp_fx lip = tp_fx_mul(at.displacement, breaker->kept_lip);

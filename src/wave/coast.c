@@ -49,7 +49,7 @@ static int64_t smaller(int64_t a, int64_t b)
 /* Returns the depth at x, Q32.  x is in halves of 2^-16 m, to have midpoints.  |x| <=
  * 2^32 + 2^24 and slope <= 2^30: 63 bits.  One node past the shore the depth is half of
  * the least depth. */
-static int64_t depth_at(const beach *b, int64_t halves)
+static int64_t beach_depth(const beach *b, int64_t halves)
 {
     const int64_t rise = (halves * b->slope_q30 + (1 << 14)) >> 15;
     return larger(b->depth_q32 - rise, b->least_q32 / 2);
@@ -74,7 +74,7 @@ static void find_ends(beach *b, const tp_coast_shape *s)
     b->x_first = s->x_from;
     b->x_last = s->x_to > s->x_from ? s->x_to : s->x_from;
     if (b->slope_q30 > 0 && b->k_inf.m != 0) {
-        const tp_scaled reach = tp_scaled_mul(tp_scaled_of(TP_DEPTH_DEEP_Q24, 24),
+        const tp_scaled reach = tp_scaled_mul(tp_scaled_from_fixed(TP_DEPTH_DEEP_Q24, 24),
                                               tp_scaled_recip(b->k_inf));
         const int64_t deep = smaller(tp_scaled_fixed(reach, 32), DEPTH_MOST_Q32 - 1);
         b->x_first = (tp_fx)larger(b->x_first, where(b, deep));
@@ -82,17 +82,18 @@ static void find_ends(beach *b, const tp_coast_shape *s)
     }
     if (b->slope_q30 == 0 || b->k_inf.m == 0 || b->x_first >= b->x_last)
         b->x_first = b->x_last = s->x_from;
-    b->shore_q32 = larger(depth_at(b, 2 * (int64_t)b->x_last), b->least_q32);
+    b->shore_q32 = larger(beach_depth(b, 2 * (int64_t)b->x_last), b->least_q32);
 }
 
-static beach beach_of(const tp_coast_shape *s)
+static beach make_beach(const tp_coast_shape *s)
 {
     const int64_t k = smaller(larger(s->k_inf_q32, 0), K_MOST_Q32);
     const int64_t kz = larger(smaller(s->kz_q32, k), -k);
     const tp_fx least = s->least > TP_DEPTH_LEAST ? s->least : TP_DEPTH_LEAST;
     beach b = {
-        .k_inf = tp_number_of(k),
-        .across_squared = tp_scaled_mul(tp_number_of(k - kz), tp_number_of(k + kz)),
+        .k_inf = tp_number_from_q32(k),
+        .across_squared =
+            tp_scaled_mul(tp_number_from_q32(k - kz), tp_number_from_q32(k + kz)),
         .depth_q32 = (int64_t)s->depth * 65536,
         .least_q32 = (int64_t)least * 65536,
         .slope_q30 = tp_clamp(s->slope, 0, TP_Q30_ONE),
@@ -106,7 +107,7 @@ static beach beach_of(const tp_coast_shape *s)
  * would lose bits. */
 static tp_scaled across_squared(const beach *b, int64_t depth_q32)
 {
-    const tp_scaled h = tp_scaled_of((uint64_t)depth_q32, 32);
+    const tp_scaled h = tp_scaled_from_fixed((uint64_t)depth_q32, 32);
     const tp_scaled x = tp_scaled_mul(tp_depth_number_scaled(b->k_inf, h, 3), h);
     const tp_scaled bent = tp_scaled_mul(b->k_inf, b->k_inf);
 
@@ -116,22 +117,22 @@ static tp_scaled across_squared(const beach *b, int64_t depth_q32)
 }
 
 /* Returns sqrt(k^2 - kz^2) / 2 pi in turns per metre, Q31.32. */
-static int64_t rise_at(const beach *b, int64_t depth_q32)
+static int64_t phase_rise(const beach *b, int64_t depth_q32)
 {
     if (b->k_inf.m == 0)
         return 0;
     const tp_scaled across = tp_scaled_sqrt(across_squared(b, depth_q32));
-    const tp_scaled over_two_pi = tp_scaled_of(TP_OVER_TWO_PI_Q32, 32);
+    const tp_scaled over_two_pi = tp_scaled_from_fixed(TP_OVER_TWO_PI_Q32, 32);
     return tp_scaled_fixed(tp_scaled_mul(across, over_two_pi), 32);
 }
 
 /* Returns the distance of nodes as a power of two of 2^-16 m; the bounds are in the
  * head of this file. */
-static uint32_t bits_between(const beach *b)
+static uint32_t node_spacing_bits(const beach *b)
 {
-    const tp_scaled h = tp_scaled_of((uint64_t)b->shore_q32, 32);
+    const tp_scaled h = tp_scaled_from_fixed((uint64_t)b->shore_q32, 32);
     const tp_scaled k = tp_depth_number_scaled(b->k_inf, h, 3);
-    const tp_scaled part = tp_scaled_mul(tp_scaled_of(SIXTEENTH_Q32, 32),
+    const tp_scaled part = tp_scaled_mul(tp_scaled_from_fixed(SIXTEENTH_Q32, 32),
                                          tp_scaled_recip(k));
     const int64_t steep = b->shore_q32 * (1 << 13) / b->slope_q30;
     const int64_t most = smaller(smaller(tp_scaled_fixed(part, 16), steep),
@@ -139,35 +140,35 @@ static uint32_t bits_between(const beach *b)
     return most > 1 ? 31 - (uint32_t)tp_clz((uint32_t)most) : 0;
 }
 
-static uint32_t count_of(const beach *b, uint32_t bits)
+static uint32_t count_nodes(const beach *b, uint32_t bits)
 {
     return (((uint32_t)b->x_last - (uint32_t)b->x_first) >> bits) + 2;
 }
 
 size_t tp_coast_bytes(const tp_coast_shape *shape)
 {
-    const beach b = beach_of(shape);
+    const beach b = make_beach(shape);
     size_t bytes = sizeof(tp_coast);
 
     if (b.x_first < b.x_last)
-        bytes += count_of(&b, bits_between(&b)) * sizeof(tp_coast_node);
+        bytes += count_nodes(&b, node_spacing_bits(&b)) * sizeof(tp_coast_node);
     return (bytes + 7) / 8 * 8;
 }
 
 /* The nodes begin where the head ends. */
 _Static_assert(sizeof(tp_coast) % _Alignof(tp_coast_node) == 0, "nodes are aligned");
 
-static inline tp_coast_node *nodes_of(const tp_coast *coast)
+static inline tp_coast_node *coast_nodes(const tp_coast *coast)
 {
     return (tp_coast_node *)(coast + 1);
 }
 
-static tp_coast_node node_of(int64_t turns, uint32_t rise)
+static tp_coast_node make_node(int64_t turns, uint32_t rise)
 {
     return (tp_coast_node){ (tp_turn)turns, (int32_t)(turns >> 32), rise };
 }
 
-static int64_t turns_of(const tp_coast_node *n)
+static int64_t node_turns(const tp_coast_node *n)
 {
     return (int64_t)((uint64_t)(uint32_t)n->turns << 32 | n->part);
 }
@@ -176,16 +177,16 @@ static int64_t turns_of(const tp_coast_node *n)
  * 11th of a turn: six of them are below 2^47 in Q48. */
 static void integrate(tp_coast *coast, const beach *b)
 {
-    tp_coast_node *const node = nodes_of(coast);
+    tp_coast_node *const node = coast_nodes(coast);
     const int64_t step = (int64_t)1 << coast->bits, half = TP_FX_ONE / 2;
     int64_t halves = 2 * (int64_t)b->x_first, sum = 0;
-    int64_t from = rise_at(b, depth_at(b, halves));
+    int64_t from = phase_rise(b, beach_depth(b, halves));
 
     for (uint32_t i = 0; i < coast->count; i++) {
         const int64_t rise = (from * step + half) >> 16;
-        node[i] = node_of(sum, (uint32_t)rise);
-        const int64_t middle = rise_at(b, depth_at(b, halves + step));
-        const int64_t to = rise_at(b, depth_at(b, halves + 2 * step));
+        node[i] = make_node(sum, (uint32_t)rise);
+        const int64_t middle = phase_rise(b, beach_depth(b, halves + step));
+        const int64_t to = phase_rise(b, beach_depth(b, halves + 2 * step));
         sum += ((from + 4 * middle + to) * step + 6 * half) / (6 * TP_FX_ONE);
         halves += 2 * step;
         from = to;
@@ -198,7 +199,7 @@ static int64_t between(const tp_coast *coast, tp_fx x)
 {
     const uint32_t way = (uint32_t)x - (uint32_t)coast->x_first;
     TP_ASSERT((way >> coast->bits) + 1 < coast->count);
-    const tp_coast_node *const n = nodes_of(coast) + (way >> coast->bits);
+    const tp_coast_node *const n = coast_nodes(coast) + (way >> coast->bits);
     const int64_t half = ((int64_t)1 << coast->bits) / 2;
     const int64_t t = way & (((uint32_t)1 << coast->bits) - 1);
     const int64_t all = (int32_t)(n[1].part - n[0].part);
@@ -207,7 +208,7 @@ static int64_t between(const tp_coast *coast, tp_fx x)
 
     y = 3 * all - 2 * r0 - r1 + ((y * t + half) >> coast->bits);
     y = r0 + ((y * t + half) >> coast->bits);
-    return turns_of(n) + ((y * t + half) >> coast->bits);
+    return node_turns(n) + ((y * t + half) >> coast->bits);
 }
 
 /* Returns rise x way.  Rises are below 2^40 and ways below 2^32: the product is
@@ -229,26 +230,26 @@ int64_t tp_coast_phase(const tp_coast *coast, tp_fx x)
 
 void tp_coast_init(tp_coast *coast, const tp_coast_shape *shape)
 {
-    const beach b = beach_of(shape);
+    const beach b = make_beach(shape);
     const bool bent = b.x_first < b.x_last;
     const int64_t sea = b.x_first > shape->x_from ? DEPTH_MOST_Q32 - 1
-                      : larger(depth_at(&b, 2 * (int64_t)b.x_first), b.least_q32);
+                      : larger(beach_depth(&b, 2 * (int64_t)b.x_first), b.least_q32);
 
     *coast = (tp_coast){
         .x_first = b.x_first, .x_last = b.x_last,
-        .rise_first = rise_at(&b, sea),
-        .rise_last = rise_at(&b, b.shore_q32),
+        .rise_first = phase_rise(&b, sea),
+        .rise_last = phase_rise(&b, b.shore_q32),
     };
     if (bent) {
-        coast->bits = bits_between(&b);
-        coast->count = count_of(&b, coast->bits);
+        coast->bits = node_spacing_bits(&b);
+        coast->count = count_nodes(&b, coast->bits);
         integrate(coast, &b);
         coast->last = between(coast, b.x_last);
     }
     const int64_t zero = tp_coast_phase(coast, 0);
     coast->first -= zero;
     coast->last -= zero;
-    tp_coast_node *const node = nodes_of(coast);
+    tp_coast_node *const node = coast_nodes(coast);
     for (uint32_t i = 0; i < coast->count; i++)
-        node[i] = node_of(turns_of(&node[i]) - zero, node[i].rise);
+        node[i] = make_node(node_turns(&node[i]) - zero, node[i].rise);
 }

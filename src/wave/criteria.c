@@ -10,7 +10,7 @@
  * tanh(kh)/k is h. */
 static tp_scaled miche(tp_scaled k, tp_fx depth)
 {
-    const tp_scaled h = tp_depth_of(depth), share = tp_scaled_of(MICHE_Q32, 32);
+    const tp_scaled h = tp_depth_scaled(depth), share = tp_scaled_from_fixed(MICHE_Q32, 32);
 
     if (k.m == 0)
         return tp_scaled_mul(share, h);
@@ -20,17 +20,17 @@ static tp_scaled miche(tp_scaled k, tp_fx depth)
 
 tp_fx tp_miche_height(int64_t k_q32, tp_fx depth)
 {
-    return depth > 0 ? tp_scaled_fx(miche(tp_number_of(k_q32), depth)) : 0;
+    return depth > 0 ? tp_scaled_fx(miche(tp_number_from_q32(k_q32), depth)) : 0;
 }
 
 uint32_t tp_breaking_flags(tp_fx height, int64_t k_q32, tp_fx depth)
 {
-    const tp_scaled k = tp_number_of(k_q32);
+    const tp_scaled k = tp_number_from_q32(k_q32);
     uint32_t flags = 0;
 
     if (height <= 0)
         return 0;
-    const tp_scaled h = tp_scaled_of((uint32_t)height, 16);
+    const tp_scaled h = tp_scaled_from_fixed((uint32_t)height, 16);
     if (tp_scaled_fixed(tp_scaled_mul(h, k), 32) > STEEP_Q32)
         flags |= TP_BREAKING_STEEP;
     if ((int64_t)height * 100 > (int64_t)depth * 78)
@@ -46,13 +46,14 @@ tp_fx tp_iribarren(tp_q30 slope, tp_fx height, tp_fx length)
         return 0;
     if (height <= 0)
         return TP_FX_MAX;
-    const tp_scaled over = tp_scaled_recip(tp_scaled_of((uint32_t)height, 16));
-    const tp_scaled slender = tp_scaled_mul(tp_scaled_of((uint32_t)length, 16), over);
-    return tp_scaled_fx(tp_scaled_mul(tp_scaled_of((uint32_t)slope, 30),
+    const tp_scaled over = tp_scaled_recip(tp_scaled_from_fixed((uint32_t)height, 16));
+    const tp_scaled slender =
+        tp_scaled_mul(tp_scaled_from_fixed((uint32_t)length, 16), over);
+    return tp_scaled_fx(tp_scaled_mul(tp_scaled_from_fixed((uint32_t)slope, 30),
                                       tp_scaled_sqrt(slender)));
 }
 
-tp_breaker_type tp_breaker_type_of(tp_fx iribarren)
+tp_breaker_type tp_breaker_classify(tp_fx iribarren)
 {
     return iribarren < TP_FX(0.5) ? TP_BREAKER_SPILLING
          : iribarren <= TP_FX(3.3) ? TP_BREAKER_PLUNGING : TP_BREAKER_SURGING;

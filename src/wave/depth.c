@@ -12,9 +12,9 @@
 
 #define PI_Q32 13493037705              /* 2^32 pi */
 
-tp_scaled tp_depth_of(tp_fx depth)
+tp_scaled tp_depth_scaled(tp_fx depth)
 {
-    return tp_scaled_of((uint32_t)(depth > 0 ? depth : TP_DEPTH_LEAST), 16);
+    return tp_scaled_from_fixed((uint32_t)(depth > 0 ? depth : TP_DEPTH_LEAST), 16);
 }
 
 uint32_t tp_depth_argument(tp_scaled x)
@@ -43,12 +43,12 @@ tp_scaled tp_depth_number_scaled(tp_scaled k_inf, tp_scaled depth, int steps)
 
     if (y_q24 >= TP_DEPTH_DEEP_Q24)
         return k_inf;
-    tp_scaled u = tp_scaled_of(tp_tanh_of(y_q24).ratio_q31, 31);
+    tp_scaled u = tp_scaled_from_fixed(tp_tanh_evaluate(y_q24).ratio_q31, 31);
     tp_scaled k = tp_scaled_mul(k_inf, tp_scaled_rsqrt(tp_scaled_mul(y, u)));
     for (int i = 0; i < steps; i++) {
-        const tp_tanh at = tp_tanh_of(tp_depth_argument(tp_scaled_mul(k, depth)));
+        const tp_tanh at = tp_tanh_evaluate(tp_depth_argument(tp_scaled_mul(k, depth)));
         const uint32_t u_q31 = (uint32_t)tp_scaled_fixed(u, 31);
-        const tp_scaled factor = tp_scaled_of(newton(at, u_q31), 31);
+        const tp_scaled factor = tp_scaled_from_fixed(newton(at, u_q31), 31);
         k = tp_scaled_mul(k, factor);
         if (i + 1 == steps)
             break;
@@ -62,8 +62,8 @@ static int64_t number(int64_t k_inf_q32, tp_fx depth, int steps)
 {
     if (k_inf_q32 <= 0)
         return 0;
-    const tp_scaled k_inf = tp_number_of(k_inf_q32);
-    const tp_scaled k = tp_depth_number_scaled(k_inf, tp_depth_of(depth), steps);
+    const tp_scaled k_inf = tp_number_from_q32(k_inf_q32);
+    const tp_scaled k = tp_depth_number_scaled(k_inf, tp_depth_scaled(depth), steps);
     const int64_t rounded = tp_scaled_fixed(k, 32);
     return rounded > k_inf_q32 ? rounded : k_inf_q32;   /* k >= k_inf: its scaled form may
                                                          * have been truncated */
@@ -102,7 +102,7 @@ static uint32_t cube_root(uint64_t n)
 static tp_scaled scaled_cube_root(tp_scaled x)
 {
     const int up = 29 + ((x.e - 29) % 3 + 3) % 3;
-    tp_scaled root = tp_scaled_of(cube_root((uint64_t)x.m << up), 0);
+    tp_scaled root = tp_scaled_from_fixed(cube_root((uint64_t)x.m << up), 0);
 
     root.e += (x.e - up) / 3;
     return root;
@@ -110,18 +110,18 @@ static tp_scaled scaled_cube_root(tp_scaled x)
 
 tp_scaled tp_tanh_scaled(tp_scaled x)
 {
-    const tp_tanh at = tp_tanh_of(tp_depth_argument(x));
+    const tp_tanh at = tp_tanh_evaluate(tp_depth_argument(x));
     if (x.e + 31 >= 4)                                              /* x >= 16 */
-        return tp_scaled_of(1, 0);
-    return tp_scaled_mul(x, tp_scaled_of(at.ratio_q31, 31));
+        return tp_scaled_from_fixed(1, 0);
+    return tp_scaled_mul(x, tp_scaled_from_fixed(at.ratio_q31, 31));
 }
 
 int64_t tp_depth_number_fenton(int64_t k_inf_q32, tp_fx depth)
 {
     if (k_inf_q32 <= 0)
         return 0;
-    const tp_scaled k_inf = tp_number_of(k_inf_q32);
-    const tp_scaled root = tp_scaled_sqrt(tp_scaled_mul(k_inf, tp_depth_of(depth)));
+    const tp_scaled k_inf = tp_number_from_q32(k_inf_q32);
+    const tp_scaled root = tp_scaled_sqrt(tp_scaled_mul(k_inf, tp_depth_scaled(depth)));
     const tp_scaled t = tp_tanh_scaled(tp_scaled_mul(root, tp_scaled_sqrt(root)));
     const tp_scaled below = scaled_cube_root(tp_scaled_mul(t, t));
     return tp_scaled_fixed(tp_scaled_mul(k_inf, tp_scaled_recip(below)), 32);
@@ -134,10 +134,10 @@ int64_t tp_depth_number_deep(tp_fx length)
     return (2 * (int64_t)PI_Q32 * 65536 + least / 2) / least;
 }
 
-tp_depth_regime tp_depth_regime_of(int64_t k_q32, tp_fx depth)
+tp_depth_regime tp_depth_classify(int64_t k_q32, tp_fx depth)
 {
-    const tp_scaled k = tp_number_of(k_q32);
-    const int64_t x = tp_scaled_fixed(tp_scaled_mul(k, tp_depth_of(depth)), 32);
+    const tp_scaled k = tp_number_from_q32(k_q32);
+    const int64_t x = tp_scaled_fixed(tp_scaled_mul(k, tp_depth_scaled(depth)), 32);
     return x >= PI_Q32 ? TP_DEPTH_DEEP
          : x > PI_Q32 / 10 ? TP_DEPTH_TRANSITION : TP_DEPTH_SHALLOW;
 }

@@ -34,7 +34,7 @@ int64_t tp_depth_number_exact(int64_t k_inf_q32, tp_fx depth);
 
 /* Regime [B1] by depth / local wave length: deep from 1/2 on, shallow up to 1/20. */
 typedef enum { TP_DEPTH_SHALLOW, TP_DEPTH_TRANSITION, TP_DEPTH_DEEP } tp_depth_regime;
-tp_depth_regime tp_depth_regime_of(int64_t k_q32, tp_fx depth);
+tp_depth_regime tp_depth_classify(int64_t k_q32, tp_fx depth);
 
 /* Phase speed c = sqrt(g k_inf) / k [B3] and group speed [B7], m/s; both
  * saturate.  k <= 0 gives 0. */
@@ -138,5 +138,5 @@ tp_fx tp_iribarren(tp_q30 slope, tp_fx height, tp_fx length);
 
 typedef enum { TP_BREAKER_SPILLING, TP_BREAKER_PLUNGING, TP_BREAKER_SURGING }
     tp_breaker_type;
-tp_breaker_type tp_breaker_type_of(tp_fx iribarren);
+tp_breaker_type tp_breaker_classify(tp_fx iribarren);
 #endif

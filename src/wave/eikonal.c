@@ -25,8 +25,8 @@ typedef struct {
     int64_t number;
 } before;
 
-static before lower_of(const lattice *l, size_t at, size_t step, bool has_low,
-                       bool has_high)
+static before lower_neighbour(const lattice *l, size_t at, size_t step, bool has_low,
+                              bool has_high)
 {
     const int64_t low = has_low ? l->turns[at - step] : UNKNOWN;
     const int64_t high = has_high ? l->turns[at + step] : UNKNOWN;
@@ -44,7 +44,7 @@ static int64_t way_back(int64_t here, int64_t there)
 }
 
 /* Returns sqrt(2 f^2 - d^2) for |d| < f; f is first shifted down to 31 bits. */
-static int64_t root_of(int64_t f, int64_t d)
+static int64_t wavefront_root(int64_t f, int64_t d)
 {
     int down = 0;
 
@@ -71,14 +71,14 @@ static int64_t settled(int64_t number, before a, before b)
     const int64_t d = b.turns - a.turns;
     if (d >= f)
         return a.turns + alone;
-    return (a.turns + b.turns + root_of(f, d)) / 2;
+    return (a.turns + b.turns + wavefront_root(f, d)) / 2;
 }
 
 static bool settle(const lattice *l, uint32_t col, uint32_t row)
 {
     const size_t at = (size_t)row * l->cols + col;
-    const before x = lower_of(l, at, 1, col > 0, col + 1 < l->cols);
-    const before z = lower_of(l, at, l->cols, row > 0, row + 1 < l->rows);
+    const before x = lower_neighbour(l, at, 1, col > 0, col + 1 < l->cols);
+    const before z = lower_neighbour(l, at, l->cols, row > 0, row + 1 < l->rows);
     const int64_t turns = settled((uint32_t)l->ray[at].turns, x, z);
 
     if (turns >= l->turns[at])

@@ -48,7 +48,7 @@ static tp_tanh tanh_small(uint32_t x_q24)
 /* tanh x = (1 - e) / (1 + e), e = e^-2x.  (1 + e)/2 has 32 bits: its reciprocal gives 2^32
  * / (1 + e), and the product is below 2^64.  tanh / x uses the reciprocal of the shifted x,
  * 2^63 / (x 2^up): tanh 2^32 / (x 2^24) then has 40 - up bits too many. */
-tp_tanh tp_tanh_of(uint32_t x_q24)
+tp_tanh tp_tanh_evaluate(uint32_t x_q24)
 {
     if (x_q24 < 1u << 21)
         return tanh_small(x_q24);
@@ -67,15 +67,15 @@ tp_scaled tp_csch_squared(tp_scaled x)
     const uint32_t x_q24 = tp_depth_argument(x);
 
     if (x_q24 < 1u << 24) {
-        const tp_tanh at = tp_tanh_of(x_q24);
-        const tp_scaled t = tp_scaled_mul(x, tp_scaled_of(at.ratio_q31, 31));
+        const tp_tanh at = tp_tanh_evaluate(x_q24);
+        const tp_scaled t = tp_scaled_mul(x, tp_scaled_from_fixed(at.ratio_q31, 31));
         const tp_scaled over = tp_scaled_recip(t);
-        return tp_scaled_mul(tp_scaled_of(tp_sech_squared(at), 31),
+        return tp_scaled_mul(tp_scaled_from_fixed(tp_sech_squared(at), 31),
                              tp_scaled_mul(over, over));
     }
     const uint64_t e = tp_exp_neg(x_q24);
     const uint64_t below = 0x100000000u - (e * e >> 32);
-    const tp_scaled over = tp_scaled_recip(tp_scaled_of(below, 32));
-    const tp_scaled root = tp_scaled_mul(tp_scaled_of(e, 31), over);
+    const tp_scaled over = tp_scaled_recip(tp_scaled_from_fixed(below, 32));
+    const tp_scaled root = tp_scaled_mul(tp_scaled_from_fixed(e, 31), over);
     return tp_scaled_mul(root, root);
 }

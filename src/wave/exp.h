@@ -20,7 +20,7 @@ static inline tp_q30 tp_exp_neg_q30(uint32_t x_q24)
 typedef struct {
     uint32_t tanh_q32, ratio_q31;
 } tp_tanh;
-tp_tanh tp_tanh_of(uint32_t x_q24);
+tp_tanh tp_tanh_evaluate(uint32_t x_q24);
 
 /* Returns 1 - tanh^2 x as Q1.31. */
 static inline uint32_t tp_sech_squared(tp_tanh at)
@@ -35,15 +35,15 @@ tp_scaled tp_tanh_scaled(tp_scaled x);
  * 2^-30 from there on. */
 tp_scaled tp_csch_squared(tp_scaled x);
 
-/* tp_depth_of converts a depth; land counts as 1/16 m.  tp_depth_argument converts x to
+/* tp_depth_scaled converts a depth; land counts as 1/16 m.  tp_depth_argument converts x to
  * 8.24, saturated. */
-tp_scaled tp_depth_of(tp_fx depth);
+tp_scaled tp_depth_scaled(tp_fx depth);
 uint32_t  tp_depth_argument(tp_scaled x);
 
 /* Converts a wave number from Q31.32; negative numbers count as 0. */
-static inline tp_scaled tp_number_of(int64_t k_q32)
+static inline tp_scaled tp_number_from_q32(int64_t k_q32)
 {
-    return tp_scaled_of(k_q32 > 0 ? (uint64_t)k_q32 : 0, 32);
+    return tp_scaled_from_fixed(k_q32 > 0 ? (uint64_t)k_q32 : 0, 32);
 }
 
 /* Solves k tanh(kh) = k_inf for k, by [B4] and `steps` of [B6]; see tp_depth_number.  Both

@@ -8,23 +8,23 @@
 
 #define RISE_MAX TP_FX(8)
 
-tp_way tp_way_of(tp_fx degrees)
+tp_way tp_way_from_degrees(tp_fx degrees)
 {
-    const tp_rotation turned = tp_rotation_of(tp_turn_of_degrees(degrees), 0, 0);
+    const tp_rotation turned = tp_rotation_from_angles(tp_turn_of_degrees(degrees), 0, 0);
     return (tp_way){ turned.x.z, -turned.x.x };
 }
 
 /* |x|, |z| <= 2^31 and a direction of length 1 in Q30: the sum of products is below
  * 2^62. */
-tp_fx tp_way_along(tp_way way, tp_fx x, tp_fx z)
+tp_fx tp_way_project(tp_way way, tp_fx x, tp_fx z)
 {
     return tp_fx_held(((int64_t)way.x * x + (int64_t)way.z * z + (1 << 29)) >> 30);
 }
 
-static tp_floor_at slope_under(const tp_floor *floor, tp_fx x, tp_fx z)
+static tp_floor_at sample_plane(const tp_floor *floor, tp_fx x, tp_fx z)
 {
-    const tp_way up = tp_way_of(floor->heading);
-    const int64_t rise = (int64_t)floor->slope * tp_way_along(up, x, z);
+    const tp_way up = tp_way_from_degrees(floor->heading);
+    const int64_t rise = (int64_t)floor->slope * tp_way_project(up, x, z);
 
     return (tp_floor_at){
         .depth = tp_fx_held(floor->depth - ((rise + 0x8000) >> 16)),
@@ -43,7 +43,7 @@ typedef struct {
 
 /* `way` is the distance from the middle of the map; `cells` samples have a pitch of `size`
  * / `across` metres.  |way| < 2^32 and across <= 2^12 leave room for 16 more bits. */
-static place place_of(int64_t way, uint32_t cells, uint32_t across, tp_fx size)
+static place locate_sample(int64_t way, uint32_t cells, uint32_t across, tp_fx size)
 {
     TP_ASSERT(cells > 0 && across > 0 && across <= 4096 && size > 0);
     const int64_t at = way * (int64_t)across * TP_FX_ONE / size
@@ -69,7 +69,7 @@ static int64_t of_range(const tp_floor *floor, int64_t sample_q8)
 /* Converts a difference of neighbours (17 bits) to a slope, m/m.  The range has 33 bits and
  * the number of columns 12: the product fits 64 bits.  The factor 2^16 / 65535 of white is
  * approximated by 1 + 1/65535. */
-static tp_fx rise_of(const tp_floor *floor, int64_t step)
+static tp_fx map_rise(const tp_floor *floor, int64_t step)
 {
     const int64_t range = (int64_t)floor->map_high - floor->map_low;
     const int64_t rise = range * floor->map->cols * step / floor->map_size;
@@ -81,12 +81,12 @@ static int64_t between(int64_t a, int64_t b, int32_t part)
     return a * TP_FX_ONE + (b - a) * part;
 }
 
-static tp_floor_at map_under(const tp_floor *floor, tp_fx x, tp_fx z)
+static tp_floor_at sample_map(const tp_floor *floor, tp_fx x, tp_fx z)
 {
     const tp_grey *map = floor->map;
-    const place u = place_of((int64_t)x - floor->map_x, map->cols, map->cols,
+    const place u = locate_sample((int64_t)x - floor->map_x, map->cols, map->cols,
                              floor->map_size);
-    const place v = place_of((int64_t)z - floor->map_z, map->rows, map->cols,
+    const place v = locate_sample((int64_t)z - floor->map_z, map->rows, map->cols,
                              floor->map_size);
     const uint16_t *north = map->sample + (size_t)v.sample * map->cols;
     const uint16_t *south = map->sample + (size_t)v.next * map->cols;
@@ -98,16 +98,16 @@ static tp_floor_at map_under(const tp_floor *floor, tp_fx x, tp_fx z)
 
     return (tp_floor_at){
         .depth = tp_fx_held(-(floor->map_low + of_range(floor, middle))),
-        .rise_x = u.outside ? 0 : rise_of(floor, (east - west + 0x8000) >> 16),
-        .rise_z = v.outside ? 0 : rise_of(floor, (low - high + 0x8000) >> 16),
+        .rise_x = u.outside ? 0 : map_rise(floor, (east - west + 0x8000) >> 16),
+        .rise_z = v.outside ? 0 : map_rise(floor, (low - high + 0x8000) >> 16),
     };
 }
 
-tp_floor_at tp_floor_under(const tp_floor *floor, tp_fx x, tp_fx z)
+tp_floor_at tp_floor_sample(const tp_floor *floor, tp_fx x, tp_fx z)
 {
     if (floor->map != NULL)
-        return map_under(floor, x, z);
+        return sample_map(floor, x, z);
     if (floor->depth == 0)
         return (tp_floor_at){ .depth = TP_FX_MAX };
-    return slope_under(floor, x, z);
+    return sample_plane(floor, x, z);
 }

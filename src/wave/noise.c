@@ -7,7 +7,7 @@
 
 /* Two rounds of multiply and shift after Wang.  Only the high bits need to be well
  * mixed. */
-static tp_fx height_at(uint32_t u, uint32_t v, uint32_t seed)
+static tp_fx hash_height(uint32_t u, uint32_t v, uint32_t seed)
 {
     uint32_t h = (u & 0xffff) * 0x9e3779b1u ^ (v % V_CELLS) * 0x85ebca77u ^ seed;
 
@@ -21,8 +21,9 @@ tp_fx tp_noise(uint32_t u_q16, uint32_t v_q16, uint32_t seed)
     const uint32_t u = u_q16 >> 16, v = v_q16 >> 16;
     const tp_fx s = tp_smoothstep((tp_fx)(u_q16 & 0xffff));
     const tp_fx t = tp_smoothstep((tp_fx)(v_q16 & 0xffff));
-    const tp_fx near = tp_ocean_mix(height_at(u, v, seed), height_at(u + 1, v, seed), s);
-    const tp_fx far = tp_ocean_mix(height_at(u, v + 1, seed),
-                                 height_at(u + 1, v + 1, seed), s);
+    const tp_fx near =
+        tp_ocean_mix(hash_height(u, v, seed), hash_height(u + 1, v, seed), s);
+    const tp_fx far =
+        tp_ocean_mix(hash_height(u, v + 1, seed), hash_height(u + 1, v + 1, seed), s);
     return tp_ocean_mix(near, far, t);
 }

@@ -26,7 +26,7 @@ typedef struct {
 /* Returns the distance from the first node in nodes, Q16, clamped to the map.  |way| <= 128
  * steps and a step of at least 2^9 leave the product 57 bits.  map_per_step is rounded
  * down: the quotient of a way below `last` is below nodes - 1. */
-static uint32_t nodes_of(const tp_ocean *ocean, int64_t way, uint32_t nodes)
+static uint32_t node_coordinate(const tp_ocean *ocean, int64_t way, uint32_t nodes)
 {
     const int64_t last = (int64_t)ocean->map_step * (nodes - 1);
 
@@ -46,8 +46,8 @@ static inline int32_t patch(int32_t a, int32_t b, int32_t c, int32_t d, const pl
 
 static void find_on_map(const tp_ocean *ocean, tp_fx x, tp_fx z, place *p)
 {
-    const uint32_t u = nodes_of(ocean, x - ocean->map_x, ocean->map_cols);
-    const uint32_t v = nodes_of(ocean, z - ocean->map_z, ocean->map_rows);
+    const uint32_t u = node_coordinate(ocean, x - ocean->map_x, ocean->map_cols);
+    const uint32_t v = node_coordinate(ocean, z - ocean->map_z, ocean->map_rows);
 
     TP_ASSERT((u >> 16) + 1 < ocean->map_cols && (v >> 16) + 1 < ocean->map_rows);
     p->node = (size_t)(v >> 16) * ocean->map_cols + (u >> 16);
@@ -61,7 +61,7 @@ static void find_on_map(const tp_ocean *ocean, tp_fx x, tp_fx z, place *p)
 
 static void find_straight(const tp_ocean *ocean, tp_fx x, tp_fx z, place *p)
 {
-    const tp_fx along = tp_way_along((tp_way){ ocean->up_x, ocean->up_z }, x, z);
+    const tp_fx along = tp_way_project((tp_way){ ocean->up_x, ocean->up_z }, x, z);
     const int64_t rise = (int64_t)ocean->slope * along;
 
     p->depth = tp_fx_held(ocean->depth - ((rise + 0x8000) >> 16));
@@ -76,7 +76,7 @@ static place find(const tp_ocean *ocean, tp_fx x, tp_fx z)
     else
         find_straight(ocean, x, z, &p);
     if (p.depth > 0)
-        p.at = tp_ocean_where_of(p.depth);
+        p.at = tp_ocean_where_find(p.depth);
     return p;
 }
 
@@ -100,7 +100,7 @@ typedef struct {
 
 /* Interpolates the phase in excess of deep water: Q16 turns in the nodes, Q0.32 as
  * result. */
-static tp_turn turns_between(int64_t a, int64_t b, int32_t part)
+static tp_turn interpolate_turns(int64_t a, int64_t b, int32_t part)
 {
     return (tp_turn)(uint64_t)(a * TP_FX_ONE + (b - a) * part);
 }
@@ -155,7 +155,7 @@ static void move_straight(const tp_ocean_table *table, const place *p, motion *m
     const tp_ocean_depth *d = table->depth + p->at.depth;
     const int32_t *turns = table->turns + p->at.phase, part = p->at.depth_part;
 
-    m->phi += turns_between(turns[0], turns[1], p->at.phase_part);
+    m->phi += interpolate_turns(turns[0], turns[1], p->at.phase_part);
     m->way.x = tp_ocean_mix(d[0].way_x, d[1].way_x, part);
     m->way.z = tp_ocean_mix(d[0].way_z, d[1].way_z, part);
     if ((d[0].tilt_sin | d[1].tilt_sin) == 0)
@@ -196,8 +196,8 @@ static motion move(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, tp_
  * direction two waves.  If there is another wave, one beat between the two waves moves the
  * noise on by eight cells.  Both coordinates wrap: 2^16 turns across are 2^17 cells, 16
  * turns along are eight cells. */
-static tp_fx noise_at(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, tp_fx x0,
-                      tp_fx z0)
+static tp_fx sample_noise(const tp_ocean *ocean, uint32_t i, const tp_turn *phases,
+                          tp_fx x0, tp_fx z0)
 {
     const tp_ocean_wave *wave = &ocean->wave[i];
     const uint64_t x = (uint64_t)(int64_t)x0, z = (uint64_t)(int64_t)z0;
@@ -210,8 +210,8 @@ static tp_fx noise_at(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, 
 }
 
 /* Returns the gate of [B15], 16.16: 0 closed, 1 fully open. */
-static tp_fx gate_of(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, tp_fx x0,
-                     tp_fx z0, const place *p)
+static tp_fx breaking_gate(const tp_ocean *ocean, uint32_t i, const tp_turn *phases,
+                           tp_fx x0, tp_fx z0, const place *p)
 {
     const tp_ocean_depth *d = tp_ocean_tables(ocean)[i].depth + p->at.depth;
     tp_fx ratio = tp_ocean_mix(d[0].ratio, d[1].ratio, p->at.depth_part);
@@ -219,7 +219,7 @@ static tp_fx gate_of(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, t
     if (ratio < TP_OCEAN_RATIO_LEAST)
         return 0;
     if (ocean->irregular) {
-        const tp_fx noise = noise_at(ocean, i, phases, x0, z0);
+        const tp_fx noise = sample_noise(ocean, i, phases, x0, z0);
         ratio += tp_fx_mul(ratio, tp_fx_mul(ocean->irregular, noise) / 2);
     }
     return tp_breaking_gate(ratio);
@@ -227,7 +227,7 @@ static tp_fx gate_of(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, t
 
 /* Returns the foam of a gate, 0..255: none in the trough half, full on the crest,
  * quadratic in between. */
-static uint32_t foam_of(tp_fx gate, int32_t p)
+static uint32_t gate_foam(tp_fx gate, int32_t p)
 {
     const uint32_t far = p < 0 ? 0u - (uint32_t)p : (uint32_t)p;
     const uint32_t near = far > QUARTER ? (far - QUARTER) >> 15 : 0;    /* 0..2^15 */
@@ -242,14 +242,14 @@ static tp_offset surf_offset(const tp_ocean *ocean, uint32_t i, const tp_turn *p
 {
     const tp_ocean_wave *wave = &ocean->wave[i];
     const tp_ocean_depth *d = tp_ocean_tables(ocean)[i].depth + p->at.depth;
-    const tp_fx gate = gate_of(ocean, i, phases, x0, z0, p);
+    const tp_fx gate = breaking_gate(ocean, i, phases, x0, z0, p);
     const tp_fx steep = tp_ocean_mix(d[0].steep, d[1].steep, p->at.depth_part) * 4;
     const int32_t phase = (int32_t)(m->phi - tp_orbit_lowest(&m->orbit));
-    const uint32_t here = foam_of(gate > steep ? gate : steep, phase);
+    const uint32_t here = gate_foam(gate > steep ? gate : steep, phase);
 
     *foam = here > *foam ? here : *foam;
     if (!whole || gate == 0 || wave->stretch == 0)
-        return tp_orbit_at(&m->orbit, m->phi);
+        return tp_orbit_offset(&m->orbit, m->phi);
     const tp_fx lip = tp_ocean_mix(d[0].lip, d[1].lip, p->at.depth_part);
     const tp_breaker breaker = {
         .orbit = m->orbit, .stretch = tp_fx_mul(lip, wave->stretch),
@@ -260,8 +260,8 @@ static tp_offset surf_offset(const tp_ocean *ocean, uint32_t i, const tp_turn *p
 
 /* -- points ------------------------------------------------------------------------ */
 
-static tp_ocean_point point_at(const tp_ocean *ocean, const tp_turn *phases, tp_fx x0,
-                               tp_fx z0, bool whole)
+static tp_ocean_point sample_point(const tp_ocean *ocean, const tp_turn *phases, tp_fx x0,
+                                   tp_fx z0, bool whole)
 {
     const place p = find(ocean, x0, z0);
     const uint32_t count = p.depth > 0 ? ocean->count : 0;      /* dry land does not move */
@@ -271,7 +271,7 @@ static tp_ocean_point point_at(const tp_ocean *ocean, const tp_turn *phases, tp_
     for (uint32_t i = 0; i < count; i++) {
         const motion m = move(ocean, i, phases, x0, z0, &p);
         const tp_offset o = p.at.depth >= ocean->wave[i].calm
-                          ? tp_orbit_at(&m.orbit, m.phi)
+                          ? tp_orbit_offset(&m.orbit, m.phi)
                           : surf_offset(ocean, i, phases, &p, &m, x0, z0, whole, &foam);
         point.position.x += tp_q30_mul(o.along, m.way.x);
         point.position.y += o.up;
@@ -286,13 +286,13 @@ static tp_ocean_point point_at(const tp_ocean *ocean, const tp_turn *phases, tp_
 tp_ocean_point tp_ocean_at_rest(const tp_ocean *ocean, const tp_turn phases[TP_WAVES],
                                 tp_fx x0, tp_fx z0)
 {
-    return point_at(ocean, phases, x0, z0, true);
+    return sample_point(ocean, phases, x0, z0, true);
 }
 
 tp_ocean_point tp_ocean_smooth(const tp_ocean *ocean, const tp_turn phases[TP_WAVES],
                                tp_fx x0, tp_fx z0)
 {
-    return point_at(ocean, phases, x0, z0, false);
+    return sample_point(ocean, phases, x0, z0, false);
 }
 
 tp_fx tp_ocean_reach(const tp_ocean *ocean)

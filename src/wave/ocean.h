@@ -38,7 +38,7 @@ typedef struct {
     tp_fx depth;
     tp_fx rise_x, rise_z;   /* slopes of the floor, m/m, within +-8 */
 } tp_floor_at;
-tp_floor_at tp_floor_under(const tp_floor *floor, tp_fx x, tp_fx z);
+tp_floor_at tp_floor_sample(const tp_floor *floor, tp_fx x, tp_fx z);
 
 /* -- waves over the floor ---------------------------------------------------------- */
 
@@ -199,8 +199,8 @@ typedef struct {
 /* Returns the orbit of [B11]-[B13].  r is the amplitude (0..64 m), k the wave number.
  * gamma is the angle of the floor's rise along the direction of travel.  k0, kx and ky are
  * as in the config. */
-tp_ellipse tp_orbit_of(tp_fx r, tp_fx depth, tp_turn gamma, int64_t k_q32, tp_fx k0,
-                       tp_fx kx, tp_fx ky);
+tp_ellipse tp_orbit_ellipse(tp_fx r, tp_fx depth, tp_turn gamma, int64_t k_q32, tp_fx k0,
+                            tp_fx kx, tp_fx ky);
 
 /* Returns the offset of the particle at phase Phi; Phi is 0 in the trough [A7]. */
 tp_offset tp_orbit(const tp_ellipse *orbit, tp_turn phi);

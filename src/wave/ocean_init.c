@@ -31,13 +31,13 @@ static bool map_usable(const tp_grey *map)
 /* Returns the number of nodes along a side.  Nodes cover the map between the centres of its
  * outermost pixels; outside the edge goes on level.  The longer side has `steps` steps, the
  * other side as many as fit. */
-static uint32_t nodes_along(uint32_t steps, uint32_t pixels, uint32_t most)
+static uint32_t count_nodes(uint32_t steps, uint32_t pixels, uint32_t most)
 {
     const uint32_t nodes = most > 1 ? steps * (pixels - 1) / (most - 1) + 1 : 2;
     return nodes < 2 ? 2 : nodes;
 }
 
-static layout plan_of(const tp_grey *map, uint32_t count)
+static layout make_layout(const tp_grey *map, uint32_t count)
 {
     const size_t tables = rounded(sizeof(tp_ocean) + count * sizeof(tp_ocean_table));
     if (map == NULL)
@@ -46,8 +46,8 @@ static layout plan_of(const tp_grey *map, uint32_t count)
     const uint32_t most = map->cols >= map->rows ? map->cols : map->rows;
     const uint32_t nodes = (uint32_t)tp_clamp((int32_t)most, NODES_LEAST, NODES_MOST);
     layout plan = {
-        .beds = tables, .cols = nodes_along(nodes - 1, map->cols, most),
-        .rows = nodes_along(nodes - 1, map->rows, most),
+        .beds = tables, .cols = count_nodes(nodes - 1, map->cols, most),
+        .rows = count_nodes(nodes - 1, map->rows, most),
     };
     const size_t all = (size_t)plan.cols * plan.rows;
     plan.rays = plan.beds + rounded(all * sizeof(tp_ocean_bed));
@@ -60,7 +60,7 @@ size_t tp_ocean_bytes(const tp_ocean_config *config, const tp_sea *sea)
 {
     if (config == NULL || sea == NULL || !map_usable(config->floor.map))
         return 0;
-    return plan_of(config->floor.map, sea->count).bytes;
+    return make_layout(config->floor.map, sea->count).bytes;
 }
 
 static void *at_byte(const tp_ocean *ocean, size_t offset)
@@ -82,7 +82,7 @@ tp_ocean_ray *tp_ocean_rays(const tp_ocean *ocean, const tp_ocean_wave *wave)
 
 /* A map ignores the numbers of the straight floor, and a straight floor ignores the
  * numbers of a map. */
-static tp_ocean_floor_key floor_key_of(const tp_ocean_config *config)
+static tp_ocean_floor_key make_floor_key(const tp_ocean_config *config)
 {
     const tp_floor *f = &config->floor;
 
@@ -95,7 +95,7 @@ static tp_ocean_floor_key floor_key_of(const tp_ocean_config *config)
                                  .heading = f->heading };
 }
 
-static tp_ocean_model_key model_key_of(const tp_ocean_config *config)
+static tp_ocean_model_key make_model_key(const tp_ocean_config *config)
 {
     return (tp_ocean_model_key){ config->wind, config->wind_heading, config->k0,
                                  config->kx, config->ky, config->stretch,
@@ -103,7 +103,7 @@ static tp_ocean_model_key model_key_of(const tp_ocean_config *config)
 }
 
 /* The turns per metre of a swell follow from length and heading, and need no field. */
-static tp_ocean_swell_key swell_key_of(const tp_wave *wave, const tp_swell *swell)
+static tp_ocean_swell_key make_swell_key(const tp_wave *wave, const tp_swell *swell)
 {
     return (tp_ocean_swell_key){ wave->length, wave->heading, swell->amplitude,
                                  swell->reach_x, swell->reach_z };
@@ -111,7 +111,7 @@ static tp_ocean_swell_key swell_key_of(const tp_wave *wave, const tp_swell *swel
 
 static bool same_nodes(const tp_ocean *ocean, const tp_grey *map)
 {
-    const layout plan = plan_of(map, ocean->count);
+    const layout plan = make_layout(map, ocean->count);
     return plan.cols == ocean->map_cols && plan.rows == ocean->map_rows;
 }
 
@@ -119,7 +119,7 @@ static bool same_nodes(const tp_ocean *ocean, const tp_grey *map)
 
 static void make_straight(tp_ocean *ocean, const tp_floor *floor)
 {
-    const tp_way up = tp_way_of(floor->heading);
+    const tp_way up = tp_way_from_degrees(floor->heading);
 
     ocean->depth = floor->depth == 0 ? TP_FX_MAX : floor->depth;
     ocean->slope = floor->depth == 0 ? 0 : tp_clamp(floor->slope, 0, TP_FX_ONE);
@@ -132,7 +132,7 @@ static void make_straight(tp_ocean *ocean, const tp_floor *floor)
 /* Returns the distance of nodes, m, 16.16.  If pixels are finer than nodes, a node's depth
  * is the mean of four points a quarter of a step around the node: the outermost nodes keep
  * this distance from the edge.  4096 times 8000 m has 41 bits. */
-static uint32_t step_of(const tp_floor *floor, uint32_t nodes)
+static uint32_t node_step(const tp_floor *floor, uint32_t nodes)
 {
     const tp_grey *map = floor->map;
     const uint32_t most = map->cols >= map->rows ? map->cols : map->rows;
@@ -149,7 +149,7 @@ static void make_map(tp_ocean *ocean, const tp_floor *floor, const layout *plan,
 
     ocean->map_cols = plan->cols;
     ocean->map_rows = plan->rows;
-    ocean->map_step = step_of(floor, plan->cols > plan->rows ? plan->cols : plan->rows);
+    ocean->map_step = node_step(floor, plan->cols > plan->rows ? plan->cols : plan->rows);
     ocean->map_per_step = ((uint64_t)1 << 48) / ocean->map_step;
     ocean->map_x = tp_clamp(floor->map_x, -far, far)
                  - (int64_t)ocean->map_step * (plan->cols - 1) / 2;
@@ -164,18 +164,18 @@ static void make_map(tp_ocean *ocean, const tp_floor *floor, const layout *plan,
 
 /* Returns the length of (x, z) in 16.16, rounded to nearest: 2^25 squared, twice,
  * and 8 more bits. */
-static tp_fx length_of(tp_fx x, tp_fx z)
+static tp_fx vector_length(tp_fx x, tp_fx z)
 {
     const uint64_t square = (uint64_t)((int64_t)x * x + (int64_t)z * z);
     return (tp_fx)((tp_isqrt64(square << 8) + 8) >> 4);
 }
 
-static tp_ocean_swell swell_of(const tp_ocean *ocean, const tp_wave *wave,
-                               const tp_swell *swell)
+static tp_ocean_swell make_swell(const tp_ocean *ocean, const tp_wave *wave,
+                                 const tp_swell *swell)
 {
     tp_ocean_swell w = {
-        .way = tp_way_of(wave->heading), .amplitude = swell->amplitude,
-        .reach = length_of(swell->reach_x, swell->reach_z),
+        .way = tp_way_from_degrees(wave->heading), .amplitude = swell->amplitude,
+        .reach = vector_length(swell->reach_x, swell->reach_z),
         .length = tp_clamp(wave->length, TP_FX(0.25), TP_FX(2000)),
     };
     const tp_way along = { -ocean->up_z, ocean->up_x };
@@ -195,7 +195,7 @@ static void set_breaker(tp_ocean *ocean, tp_ocean_wave *wave, const tp_ocean_swe
                                          : ocean->slope * (1 << 14);
     const tp_fx height = 2 * w->amplitude;
     const tp_breaker_type type =
-        tp_breaker_type_of(tp_iribarren(slope, height, w->length));
+        tp_breaker_classify(tp_iribarren(slope, height, w->length));
 
     stretch = tp_clamp(stretch, 0, 2 * TP_FX_ONE);
     if (type == TP_BREAKER_PLUNGING) {
@@ -211,7 +211,7 @@ static void shorten(tp_ocean *ocean, tp_ocean_wave *wave, const tp_ocean_swell *
 {
     if (ocean->slope > 0 || ocean->map_cols || ocean->depth >= 1 << TP_OCEAN_LAST)
         return;
-    const int64_t k = tp_ocean_number_at(w->k_inf_q32, ocean->depth);
+    const int64_t k = tp_ocean_local_number(w->k_inf_q32, ocean->depth);
     const int64_t more = tp_ocean_turns(k - w->k_inf_q32);
     wave->turns_x += tp_ocean_part(more, w->way.x);
     wave->turns_z += tp_ocean_part(more, w->way.z);
@@ -220,8 +220,8 @@ static void shorten(tp_ocean *ocean, tp_ocean_wave *wave, const tp_ocean_swell *
 static void make_wave(tp_ocean *ocean, uint32_t i, const tp_wave *given,
                       const tp_swell *swell, const tp_ocean_config *config)
 {
-    const tp_ocean_swell w = swell_of(ocean, given, swell);
-    const tp_way wind = tp_way_of(config->wind_heading);
+    const tp_ocean_swell w = make_swell(ocean, given, swell);
+    const tp_way wind = tp_way_from_degrees(config->wind_heading);
     tp_ocean_wave *wave = &ocean->wave[i];
 
     *wave = (tp_ocean_wave){
@@ -238,7 +238,7 @@ static void make_wave(tp_ocean *ocean, uint32_t i, const tp_wave *given,
 static void make_far(tp_ocean *ocean, uint32_t i, const tp_wave *given,
                      const tp_swell *swell, const layout *plan, bool keep_rays)
 {
-    const tp_ocean_swell w = swell_of(ocean, given, swell);
+    const tp_ocean_swell w = make_swell(ocean, given, swell);
     const size_t all = (size_t)plan->cols * plan->rows;
 
     tp_ocean_make_phases(ocean, i, &w);
@@ -293,14 +293,14 @@ static void make(tp_ocean *ocean, const tp_ocean_config *config, const tp_sea *s
                  const tp_wave *const wave[TP_WAVES], parts_kept kept)
 {
     const tp_floor *floor = &config->floor;
-    const layout plan = plan_of(floor->map, sea->count);
+    const layout plan = make_layout(floor->map, sea->count);
 
     memset(ocean, 0, sizeof *ocean);
     ocean->count = sea->count;
     ocean->irregular = tp_clamp(config->irregular, 0, TP_FX_ONE);
     ocean->depth = TP_FX_MAX;
-    ocean->floor_key = floor_key_of(config);
-    ocean->model_key = model_key_of(config);
+    ocean->floor_key = make_floor_key(config);
+    ocean->model_key = make_model_key(config);
     if (floor->map)
         make_map(ocean, floor, &plan, kept.beds);
     else
@@ -309,7 +309,7 @@ static void make(tp_ocean *ocean, const tp_ocean_config *config, const tp_sea *s
         ocean->fall[n] = tp_orbit_fall(config->k0, tp_ocean_node_depth(n, 3));
     make_waves(ocean, config, sea, wave, &plan, kept);
     for (uint32_t i = 0; i < sea->count; i++)
-        tp_ocean_tables(ocean)[i].key = swell_key_of(wave[i], &sea->swell[i]);
+        tp_ocean_tables(ocean)[i].key = make_swell_key(wave[i], &sea->swell[i]);
     clear_turns(ocean, &plan);
 }
 
@@ -374,13 +374,13 @@ tp_status tp_ocean_refresh(tp_ocean *ocean, const tp_ocean_config *config,
         || !same_nodes(ocean, config->floor.map))
         return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
 
-    const tp_ocean_floor_key floor = floor_key_of(config);
-    const tp_ocean_model_key model = model_key_of(config);
+    const tp_ocean_floor_key floor = make_floor_key(config);
+    const tp_ocean_model_key model = make_model_key(config);
     parts_kept kept = { .beds = memcmp(&floor, &ocean->floor_key, sizeof floor) == 0 };
     bool same = kept.beds && memcmp(&model, &ocean->model_key, sizeof model) == 0;
 
     for (uint32_t i = 0; i < sea->count; i++) {
-        const tp_ocean_swell_key key = swell_key_of(wave[i], &sea->swell[i]);
+        const tp_ocean_swell_key key = make_swell_key(wave[i], &sea->swell[i]);
         const tp_ocean_swell_key *was = &tp_ocean_tables(ocean)[i].key;
         if (kept.beds && key.length == was->length && key.heading == was->heading)
             kept.rays |= (uint32_t)1 << i;

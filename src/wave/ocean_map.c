@@ -20,8 +20,8 @@
 
 /* Returns the depth at a node.  A map with more pixels than nodes is sampled at four points
  * around the node. */
-static tp_fx depth_around(const tp_ocean *ocean, const tp_floor *floor, int64_t x,
-                          int64_t z)
+static tp_fx average_depth(const tp_ocean *ocean, const tp_floor *floor, int64_t x,
+                           int64_t z)
 {
     const uint32_t cols = floor->map->cols, rows = floor->map->rows;
     const bool fine = cols > ocean->map_cols || rows > ocean->map_rows;
@@ -30,7 +30,7 @@ static tp_fx depth_around(const tp_ocean *ocean, const tp_floor *floor, int64_t 
 
     for (int n = 0; n < 4; n++) {
         const int64_t at_x = x + (n & 1 ? way : -way), at_z = z + (n & 2 ? way : -way);
-        sum += tp_floor_under(floor, (tp_fx)at_x, (tp_fx)at_z).depth;
+        sum += tp_floor_sample(floor, (tp_fx)at_x, (tp_fx)at_z).depth;
     }
     return (tp_fx)(sum >> 2);
 }
@@ -41,7 +41,7 @@ typedef struct {
     int64_t x, z;
 } fall;
 
-static fall fall_at(const tp_ocean *ocean, size_t at)
+static fall node_fall(const tp_ocean *ocean, size_t at)
 {
     const size_t cols = ocean->map_cols, col = at % cols, row = at / cols;
     const tp_ocean_bed *bed = tp_ocean_beds(ocean) + at;
@@ -56,7 +56,7 @@ static fall fall_at(const tp_ocean *ocean, size_t at)
 }
 
 /* Converts a fall to a slope, Q4.11, clamped: the floor rises away from deeper water. */
-static int16_t rise_of(int64_t deeper, int64_t step)
+static int16_t pack_rise(int64_t deeper, int64_t step)
 {
     return (int16_t)tp_limit(deeper * 1024 / step, 16384);
 }
@@ -64,9 +64,9 @@ static int16_t rise_of(int64_t deeper, int64_t step)
 static void find_rises(const tp_ocean *ocean, tp_ocean_bed *beds)
 {
     for (size_t i = 0; i < (size_t)ocean->map_cols * ocean->map_rows; i++) {
-        const fall f = fall_at(ocean, i);
-        beds[i].rise_x = rise_of(f.x, ocean->map_step);
-        beds[i].rise_z = rise_of(f.z, ocean->map_step);
+        const fall f = node_fall(ocean, i);
+        beds[i].rise_x = pack_rise(f.x, ocean->map_step);
+        beds[i].rise_z = pack_rise(f.z, ocean->map_step);
     }
 }
 
@@ -76,7 +76,7 @@ void tp_ocean_make_beds(tp_ocean *ocean, const tp_floor *floor)
 
     for (uint32_t r = 0; r < ocean->map_rows; r++) {
         for (uint32_t c = 0; c < ocean->map_cols; c++, bed++)
-            bed->depth = depth_around(ocean, floor,
+            bed->depth = average_depth(ocean, floor,
                                       ocean->map_x + (int64_t)c * ocean->map_step,
                                       ocean->map_z + (int64_t)r * ocean->map_step);
     }
@@ -106,30 +106,31 @@ tp_q30 tp_ocean_beach(const tp_ocean *ocean, tp_fx amplitude)
 
 /* -- waves ------------------------------------------------------------------------- */
 
-static tp_dir3 way_of(int64_t x, int64_t z)
+static tp_dir3 normalise_way(int64_t x, int64_t z)
 {
     for (; x > TP_Q30_ONE || x < -TP_Q30_ONE || z > TP_Q30_ONE || z < -TP_Q30_ONE; z /= 2)
         x /= 2;
     return tp_normalise((int32_t)x, 0, (int32_t)z);
 }
 
-/* number_at returns the wave number at a node, rad/m; bent_at returns the wave vector. */
-static int64_t number_at(const tp_ocean *ocean, const tp_ocean_swell *w, size_t at)
+/* node_number returns the wave number at a node, rad/m; node_bent_number returns the wave vector. */
+static int64_t node_number(const tp_ocean *ocean, const tp_ocean_swell *w, size_t at)
 {
-    return tp_ocean_number_at(w->k_inf_q32, tp_ocean_beds(ocean)[at].depth);
+    return tp_ocean_local_number(w->k_inf_q32, tp_ocean_beds(ocean)[at].depth);
 }
 
-static tp_ocean_number bent_at(const tp_ocean *ocean, const tp_ocean_swell *w, size_t at)
+static tp_ocean_number node_bent_number(const tp_ocean *ocean, const tp_ocean_swell *w,
+                                        size_t at)
 {
-    const fall f = fall_at(ocean, at);
+    const fall f = node_fall(ocean, at);
     const int64_t least = ocean->map_step / RISE_LEAST;
     tp_way up = { 0, 0 };
 
     if (f.x > least || f.x < -least || f.z > least || f.z < -least) {
-        const tp_dir3 dir = way_of(f.x, f.z);
+        const tp_dir3 dir = normalise_way(f.x, f.z);
         up = (tp_way){ dir.x, dir.z };
     }
-    return tp_ocean_bent(w, up, number_at(ocean, w, at));
+    return tp_ocean_bent(w, up, node_number(ocean, w, at));
 }
 
 /* Turns in a step between nodes: 2^34 times 2^23 at the most. */
@@ -146,10 +147,10 @@ static void walk_edge(const tp_ocean *ocean, const tp_ocean_swell *w, int64_t *t
 {
     const bool east_west = step == 1 || step == -1;
     const int sign = step < 0 ? -1 : 1;
-    tp_ocean_number here = bent_at(ocean, w, (size_t)at);
+    tp_ocean_number here = node_bent_number(ocean, w, (size_t)at);
 
     for (uint32_t n = 1; n < count; n++, at += step) {
-        const tp_ocean_number next = bent_at(ocean, w, (size_t)(at + step));
+        const tp_ocean_number next = node_bent_number(ocean, w, (size_t)(at + step));
         const int64_t mean = east_west ? (here.x_q32 + next.x_q32) / 2
                                        : (here.z_q32 + next.z_q32) / 2;
         turns[at + step] = turns[at] + sign * turns_a_step(ocean, mean);
@@ -160,8 +161,8 @@ static void walk_edge(const tp_ocean *ocean, const tp_ocean_swell *w, int64_t *t
 /* Returns the phase of deep water at a node as Q32.32, equal to the bits of
  * tp_swell_turns, but with 16 bits of whole turns.  More turns wrap, and the difference
  * from this phase wraps too. */
-static int64_t plane_at(const tp_ocean *ocean, const tp_ocean_wave *wave, uint32_t col,
-                        uint32_t row)
+static int64_t plane_phase(const tp_ocean *ocean, const tp_ocean_wave *wave, uint32_t col,
+                           uint32_t row)
 {
     const int64_t x = ocean->map_x + (int64_t)col * ocean->map_step;
     const int64_t z = ocean->map_z + (int64_t)row * ocean->map_step;
@@ -178,11 +179,11 @@ static void start(const tp_ocean *ocean, const tp_ocean_wave *wave, tp_ocean_ray
     const size_t corner = (size_t)row * cols + col, count = (size_t)cols * rows;
 
     for (size_t i = 0; i < count; i++) {
-        const int64_t f = (turns_a_step(ocean, number_at(ocean, w, i)) + 0x80) >> 8;
+        const int64_t f = (turns_a_step(ocean, node_number(ocean, w, i)) + 0x80) >> 8;
         rays[i].turns = (int32_t)(uint32_t)(f < UINT32_MAX ? f : UINT32_MAX);
         turns[i] = UNKNOWN;
     }
-    turns[corner] = plane_at(ocean, wave, col, row);
+    turns[corner] = plane_phase(ocean, wave, col, row);
     if (w->way.z != 0)
         walk_edge(ocean, w, turns, (ptrdiff_t)corner, w->way.x < 0 ? -1 : 1, cols);
     if (w->way.x != 0)
@@ -215,11 +216,11 @@ static void finish(const tp_ocean *ocean, const tp_ocean_wave *wave, tp_ocean_ra
             const size_t west = c > 0 ? c - 1 : c, east = c + 1 < cols ? c + 1 : c;
             const int64_t x = turns[r * cols + east] - turns[r * cols + west];
             const int64_t z = turns[south * cols + c] - turns[north * cols + c];
-            const tp_dir3 way = way_of(x * (east - west == 2 ? 1 : 2),
-                                       z * (south - north == 2 ? 1 : 2));
+            const tp_dir3 way = normalise_way(x * (east - west == 2 ? 1 : 2),
+                                              z * (south - north == 2 ? 1 : 2));
             tp_ocean_ray *ray = &rays[r * cols + c];
             ray->turns = beyond(turns[r * cols + c],
-                                plane_at(ocean, wave, (uint32_t)c, (uint32_t)r));
+                                plane_phase(ocean, wave, (uint32_t)c, (uint32_t)r));
             ray->way_x = to_q13((int64_t)way.x - wave->way_x);
             ray->way_z = to_q13((int64_t)way.z - wave->way_z);
         }

@@ -16,7 +16,7 @@
 #define TWO_PI     TP_FX(6.283185307)
 #define DEEP       (TP_OCEAN_DEPTHS - 1)
 
-int64_t tp_ocean_across(int64_t k_q32, int64_t kz_q32)
+int64_t tp_ocean_cross_shore_number(int64_t k_q32, int64_t kz_q32)
 {
     uint64_t k = (uint64_t)k_q32, kz = (uint64_t)(kz_q32 < 0 ? -kz_q32 : kz_q32);
     int up = 0, down = 0;
@@ -41,7 +41,7 @@ tp_ocean_number tp_ocean_bent(const tp_ocean_swell *swell, tp_way up, int64_t k_
         return (tp_ocean_number){ tp_ocean_part(k_q32, swell->way.x),
                                   tp_ocean_part(k_q32, swell->way.z) };
     const int64_t kz = tp_ocean_part(swell->k_inf_q32, tp_way_dot(swell->way, along));
-    const int64_t across = tp_ocean_across(k_q32, kz);
+    const int64_t across = tp_ocean_cross_shore_number(k_q32, kz);
     const int64_t kx = tp_way_dot(swell->way, up) < 0 ? -across : across;
     return (tp_ocean_number){
         tp_ocean_part(kx, up.x) + tp_ocean_part(kz, along.x),
@@ -51,7 +51,7 @@ tp_ocean_number tp_ocean_bent(const tp_ocean_swell *swell, tp_way up, int64_t k_
 
 /* Returns part / whole as Q30; |part| <= whole but for roundings.  Both are first shifted
  * down to 31 bits. */
-static tp_q30 share_of(int64_t part, int64_t whole)
+static tp_q30 q30_share(int64_t part, int64_t whole)
 {
     TP_ASSERT(part < 2 * whole && part > -2 * whole);
     for (; whole >> 31 != 0; whole >>= 1)
@@ -74,21 +74,21 @@ static tp_fx miche_amplitude(const tp_ocean_swell *w, int64_t k_q32, tp_fx h)
 }
 
 /* Returns H / h before the cap of [B15]. */
-static tp_fx ratio_of(const tp_ocean_swell *w, tp_fx ks, tp_fx kr, tp_fx h)
+static tp_fx height_depth_ratio(const tp_ocean_swell *w, tp_fx ks, tp_fx kr, tp_fx h)
 {
     const int64_t shoaled = (int64_t)tp_fx_mul(w->amplitude, ks) * kr >> 15;
     const int64_t ratio = shoaled * TP_FX_ONE / h;
     return ratio < RATIO_MAX ? (tp_fx)ratio : RATIO_MAX;
 }
 
-static int16_t q14_of(tp_q30 x)
+static int16_t round_to_q14(tp_q30 x)
 {
     return (int16_t)((x + 0x8000) >> 16);
 }
 
 /* Returns the strength of breaking by steepness: k r from pi / 7, the breaking steepness,
  * to 0.5, where slopes are 30 degrees. */
-static int16_t steep_of(int64_t k_q32, tp_fx amplitude)
+static int16_t steep_share(int64_t k_q32, tp_fx amplitude)
 {
     const int64_t kr = k_q32 * amplitude >> 32;
     const tp_fx over = tp_clamp((tp_fx)kr - TP_FX(0.4488), 0, TP_FX(0.0512));
@@ -98,7 +98,8 @@ static int16_t steep_of(int64_t k_q32, tp_fx amplitude)
 /* Returns QA A/A_inf Sx, clamped to 0.95 / k.  QA <= 303 m and A < 2^26 have 51 bits.
  * Their quotient is below 2^25 (512 m, above any 0.95 / k) before the 37 bits of Sx >=
  * 1. */
-static tp_fx along_of(const tp_ocean_swell *w, tp_fx amplitude, int64_t k_q32, int64_t sx)
+static tp_fx along_semi_axis(const tp_ocean_swell *w, tp_fx amplitude, int64_t k_q32,
+                             int64_t sx)
 {
     TP_ASSERT(k_q32 > 0 && w->amplitude > 0);
     const int64_t most = ((int64_t)TP_FX(0.95) << 32) / k_q32;
@@ -118,7 +119,7 @@ static void turn_node(const tp_ocean *ocean, tp_ocean_depth *node, uint32_t fall
 {
     const tp_way up = { ocean->up_x, ocean->up_z };
     const tp_ocean_number k = tp_ocean_bent(w, up, k_q32);
-    const tp_way way = { share_of(k.x_q32, k_q32), share_of(k.z_q32, k_q32) };
+    const tp_way way = { q30_share(k.x_q32, k_q32), q30_share(k.z_q32, k_q32) };
     const int64_t rise = (int64_t)ocean->slope * tp_way_dot(way, up) >> 16; /* Q30 */
     const uint64_t length = tp_isqrt64(((uint64_t)1 << 60) + (uint64_t)(rise * rise));
     tp_q30 sin = 0;
@@ -127,8 +128,8 @@ static void turn_node(const tp_ocean *ocean, tp_ocean_depth *node, uint32_t fall
         sin = (tp_q30)((rise * TP_Q30_ONE / (int64_t)length * (fall_q32 >> 2)) >> 30);
     node->way_x = way.x;
     node->way_z = way.z;
-    node->tilt_sin = q14_of(sin);
-    node->tilt_cos = q14_of(tp_cos_of_sin(sin));
+    node->tilt_sin = round_to_q14(sin);
+    node->tilt_cos = round_to_q14(tp_cos_of_sin(sin));
 }
 
 /* Returns the last node: deep water. */
@@ -136,14 +137,14 @@ static tp_ocean_depth deep_node(const tp_ocean_swell *w)
 {
     return (tp_ocean_depth){
         .along = w->reach, .up = w->amplitude, .way_x = w->way.x, .way_z = w->way.z,
-        .tilt_cos = 1 << 14, .steep = steep_of(w->k_inf_q32, w->amplitude),
+        .tilt_cos = 1 << 14, .steep = steep_share(w->k_inf_q32, w->amplitude),
     };
 }
 
-static tp_ocean_depth node_at(const tp_ocean *ocean, const tp_ocean_swell *w, tp_fx h,
-                              int64_t k_q32, const tp_ocean_config *config)
+static tp_ocean_depth make_node(const tp_ocean *ocean, const tp_ocean_swell *w, tp_fx h,
+                                int64_t k_q32, const tp_ocean_config *config)
 {
-    const tp_orbit_scale s = tp_orbit_scale_of(h, config->kx, config->ky);
+    const tp_orbit_scale s = tp_orbit_scale_make(h, config->kx, config->ky);
     const tp_fx ks = tp_depth_shoaling(w->k_inf_q32, k_q32, h);
     const tp_fx kr = ocean->map_cols ? TP_FX_ONE
                    : tp_depth_refraction(w->k_inf_q32, k_q32, w->kz_q32);
@@ -152,18 +153,18 @@ static tp_ocean_depth node_at(const tp_ocean *ocean, const tp_ocean_swell *w, tp
     const tp_fx amplitude = held < miche ? held : miche;
 
     return (tp_ocean_depth){
-        .along = along_of(w, amplitude, k_q32, s.x_q24),
+        .along = along_semi_axis(w, amplitude, k_q32, s.x_q24),
         .up = (tp_fx)((amplitude * s.y_q24 + (1 << 23)) >> 24),
-        .ratio = ratio_of(w, ks, kr, h),
+        .ratio = height_depth_ratio(w, ks, kr, h),
         .lip = (tp_fx)((int64_t)amplitude * tp_orbit_fall(KEPT_RATE, h) >> 32),
         .way_x = w->way.x, .way_z = w->way.z, .tilt_cos = 1 << 14,
-        .steep = steep_of(k_q32, amplitude),
+        .steep = steep_share(k_q32, amplitude),
     };
 }
 
 /* Returns k along (1 + |push|), 16.16: the wave's part of the steepness
  * sum.  k along < 2^48. */
-static int32_t steepness_of(const tp_ocean_depth *node, int64_t k_q32, tp_fx lambda)
+static int32_t node_steepness(const tp_ocean_depth *node, int64_t k_q32, tp_fx lambda)
 {
     const int64_t q = k_q32 * node->along >> 32;
     return (int32_t)(q + (q * tp_wind_push(lambda, node->up) >> 30)) + 1;
@@ -178,13 +179,13 @@ void tp_ocean_make_table(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swel
 
     for (uint32_t n = 1; n < TP_OCEAN_DEPTHS; n++) {
         const tp_fx h = tp_ocean_node_depth(n, 3);
-        const int64_t k = n < DEEP ? tp_ocean_number_at(swell->k_inf_q32, h)
+        const int64_t k = n < DEEP ? tp_ocean_local_number(swell->k_inf_q32, h)
                                    : swell->k_inf_q32;
         tp_ocean_depth *node = &table->depth[n];
-        *node = n < DEEP ? node_at(ocean, swell, h, k, config) : deep_node(swell);
+        *node = n < DEEP ? make_node(ocean, swell, h, k, config) : deep_node(swell);
         if (ocean->slope > 0 && n < DEEP)
             turn_node(ocean, node, ocean->fall[n], swell, k);
-        table->turns[n] = steepness_of(node, k, wave->lambda);
+        table->turns[n] = node_steepness(node, k, wave->lambda);
         const int times = tp_wind_iterations(tp_wind_push(wave->lambda, node->up));
         if (times > wave->iterations)
             wave->iterations = times;
@@ -210,10 +211,10 @@ void tp_ocean_share(tp_ocean *ocean)
 /* -- phases ------------------------------------------------------------------------ */
 
 /* Returns the wave number towards the shore at a depth less the number in deep water. */
-static int64_t excess_at(const tp_ocean_swell *w, tp_fx h)
+static int64_t number_excess(const tp_ocean_swell *w, tp_fx h)
 {
-    return tp_ocean_across(tp_ocean_number_at(w->k_inf_q32, h), w->kz_q32)
-         - tp_ocean_across(w->k_inf_q32, w->kz_q32);
+    return tp_ocean_cross_shore_number(tp_ocean_local_number(w->k_inf_q32, h), w->kz_q32)
+           - tp_ocean_cross_shore_number(w->k_inf_q32, w->kz_q32);
 }
 
 /* [B8] [B9] as the difference from deep water.  With h = depth - slope x the integral
@@ -236,8 +237,8 @@ void tp_ocean_make_phases(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swe
             turns[n] = 0;
             continue;
         }
-        const int64_t low = excess_at(swell, h);
-        const int64_t six = low + 4 * excess_at(swell, h + (top - h) / 2) + high;
+        const int64_t low = number_excess(swell, h);
+        const int64_t six = low + 4 * number_excess(swell, h + (top - h) / 2) + high;
         sum += (six * (top - h) / 6 + 0x8000) >> 16;
         high = low;
         turns[n] = (int32_t)(sign * (sum * TP_FX_ONE / over));

@@ -13,8 +13,8 @@ typedef struct {
     tp_q30 x, z;
 } tp_way;
 
-tp_way tp_way_of(tp_fx heading_degrees);
-tp_fx  tp_way_along(tp_way way, tp_fx x, tp_fx z);  /* m along `way`; saturates */
+tp_way tp_way_from_degrees(tp_fx heading_degrees);
+tp_fx  tp_way_project(tp_way way, tp_fx x, tp_fx z);  /* m along `way`; saturates */
 
 static inline tp_q30 tp_way_dot(tp_way a, tp_way b)
 {
@@ -47,7 +47,7 @@ typedef struct {
 } tp_ocean_where;
 
 /* Returns the table position of a depth > 0. */
-static inline tp_ocean_where tp_ocean_where_of(tp_fx h)
+static inline tp_ocean_where tp_ocean_where_find(tp_fx h)
 {
     TP_ASSERT(h > 0);
     if (h < 1 << TP_OCEAN_FIRST)
@@ -80,7 +80,7 @@ static inline tp_fx tp_ocean_node_depth(uint32_t i, int bits)
 typedef struct {
     int64_t x_q24, y_q24;
 } tp_orbit_scale;
-tp_orbit_scale tp_orbit_scale_of(tp_fx depth, tp_fx kx, tp_fx ky);
+tp_orbit_scale tp_orbit_scale_make(tp_fx depth, tp_fx kx, tp_fx ky);
 
 /* Returns e^-K h as Q0.32. */
 uint32_t tp_orbit_fall(tp_fx rate, tp_fx depth);
@@ -91,7 +91,7 @@ tp_q30 tp_cos_of_sin(tp_q30 sin);
 /* Returns the offset of an orbit at a phase.  Along the direction of travel the semi-axis
  * `up` counts at most as `along`: with Q < 1 `up` may be longer, and k along bounds the
  * horizontal Jacobian [B13]. */
-static inline tp_offset tp_orbit_at(const tp_ellipse *o, tp_turn phi)
+static inline tp_offset tp_orbit_offset(const tp_ellipse *o, tp_turn phi)
 {
     const int32_t a = tp_q30_mul(o->along, tp_sin(phi));
     const tp_q30 cos = tp_cos(phi);
@@ -135,7 +135,7 @@ typedef struct {
 
 /* Returns k at a depth; depths below 1/16 m count as 1/16 m.  k is below 29 rad/m for
  * waves of 0.25 m. */
-static inline int64_t tp_ocean_number_at(int64_t k_inf_q32, tp_fx depth)
+static inline int64_t tp_ocean_local_number(int64_t k_inf_q32, tp_fx depth)
 {
     return tp_depth_number_exact(k_inf_q32,
                                  depth < TP_DEPTH_LEAST ? TP_DEPTH_LEAST : depth);
@@ -154,7 +154,7 @@ static inline int64_t tp_ocean_part(int64_t x, tp_q30 y)
 }
 
 /* Returns sqrt(k^2 - kz^2) for |kz| <= k; else 0. */
-int64_t tp_ocean_across(int64_t k_q32, int64_t kz_q32);
+int64_t tp_ocean_cross_shore_number(int64_t k_q32, int64_t kz_q32);
 
 /* Wave vector k over a floor that rises towards `up`: by Snell's law [B9] the component
  * along the depth contours stays.  up = (0, 0): no change of direction. */

@@ -11,20 +11,20 @@
 #define AXIS_MAX TP_FX(0.95)
 #define R_MAX    TP_FX(64)      /* m; times Sx, 2^37 in 8.24: 59 bits */
 
-static tp_fx depth_of(tp_fx depth)
+static tp_fx clamp_depth(tp_fx depth)
 {
     return depth < TP_DEPTH_LEAST ? TP_DEPTH_LEAST : depth;
 }
 
 uint32_t tp_orbit_fall(tp_fx rate, tp_fx depth)
 {
-    const int64_t x = ((int64_t)(rate > 0 ? rate : 0) * depth_of(depth) + 0x80) >> 8;
+    const int64_t x = ((int64_t)(rate > 0 ? rate : 0) * clamp_depth(depth) + 0x80) >> 8;
     return x >= (int64_t)23 << 24 ? 0 : tp_exp_neg((uint32_t)x);
 }
 
 /* The exponentials are within 2^-30.  1 - e^-Kx h is at least 0.0068 with the usual rates
  * and has a relative error below 2^-22. */
-tp_orbit_scale tp_orbit_scale_of(tp_fx depth, tp_fx kx, tp_fx ky)
+tp_orbit_scale tp_orbit_scale_make(tp_fx depth, tp_fx kx, tp_fx ky)
 {
     const int64_t one = (int64_t)1 << 32, most = (int64_t)1 << 37, two = 1 << 25;
     const int64_t lack_x = one - tp_orbit_fall(kx, depth);
@@ -50,12 +50,12 @@ static tp_fx axis_most(int64_t k_q32)
     return tp_fx_held(most);
 }
 
-tp_ellipse tp_orbit_of(tp_fx r, tp_fx depth, tp_turn gamma, int64_t k_q32, tp_fx k0,
-                       tp_fx kx, tp_fx ky)
+tp_ellipse tp_orbit_ellipse(tp_fx r, tp_fx depth, tp_turn gamma, int64_t k_q32, tp_fx k0,
+                            tp_fx kx, tp_fx ky)
 {
     const tp_fx most = axis_most(k_q32);
     const tp_fx held = tp_clamp(r, 0, most < R_MAX ? most : R_MAX);
-    const tp_orbit_scale s = tp_orbit_scale_of(depth, kx, ky);
+    const tp_orbit_scale s = tp_orbit_scale_make(depth, kx, ky);
     const int64_t half = 1 << 23;
     const int64_t along = (held * s.x_q24 + half) >> 24;
     const tp_q30 rise = tp_sin(gamma);
@@ -71,5 +71,5 @@ tp_ellipse tp_orbit_of(tp_fx r, tp_fx depth, tp_turn gamma, int64_t k_q32, tp_fx
 
 tp_offset tp_orbit(const tp_ellipse *orbit, tp_turn phi)
 {
-    return tp_orbit_at(orbit, phi);
+    return tp_orbit_offset(orbit, phi);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Rings of droplets, [A4] [A5] of the models.
  *
- * tp_ring_at computes the terms that do not depend on the point (age, crest, decay) once
+ * tp_ring_evaluate computes the terms that do not depend on the point (age, crest, decay) once
  * a picture, including all divisions.  At a point most rings cost one comparison of x.
  * For the others squared distances decide, in 64 bits.  The few rings with the point in
  * their band cost two reciprocal roots.  1 / rho gives the distance and the direction.  q
@@ -36,14 +36,14 @@ bool tp_ring_is_valid(const tp_ring *ring)
 /* -- once a picture ------------------------------------------------------------------ */
 
 /* Returns ticks x 65536 since the impact. */
-static int64_t age_of(const tp_ring *ring, int64_t now)
+static int64_t ring_age(const tp_ring *ring, int64_t now)
 {
     return (int64_t)((uint64_t)now - (uint64_t)ring->start);
 }
 
 /* True if the age exceeds DECAYS: nothing is left.  Younger ages are < 1200 x 2^26 <
  * 2^37. */
-static bool faded_out(const tp_ring *ring, int64_t age)
+static bool has_faded(const tp_ring *ring, int64_t age)
 {
     return age >= (int64_t)DECAYS * TP_TICKS_PER_SECOND * ring->decay;
 }
@@ -76,21 +76,21 @@ static tp_q30 risen(const tp_ring *ring, int64_t age)
 }
 
 /* Returns A0 times a share: 16.16 and Q2.30 to Q8.24. */
-static int32_t gain_of(const tp_ring *ring, tp_q30 share)
+static int32_t ring_gain(const tp_ring *ring, tp_q30 share)
 {
     return (int32_t)(((int64_t)ring->amplitude * share + (1 << 21)) >> 22);
 }
 
-bool tp_ring_at(const tp_ring *ring, int64_t now, tp_ring_now *at)
+bool tp_ring_evaluate(const tp_ring *ring, int64_t now, tp_ring_now *at)
 {
     TP_ASSERT(ring->length > 0 && ring->decay > 0 && ring->attack >= 0);
-    int64_t age = age_of(ring, now);
+    int64_t age = ring_age(ring, now);
 
-    if (age <= 0 || faded_out(ring, age))
+    if (age <= 0 || has_faded(ring, age))
         return false;
     int64_t rear = rear_q24(ring, age);
     int64_t outer = ((rear + 255) >> 8) + ring->length;
-    int32_t gain = gain_of(ring, tp_q30_mul(decayed(ring, age), risen(ring, age)));
+    int32_t gain = ring_gain(ring, tp_q30_mul(decayed(ring, age), risen(ring, age)));
     if (outer >= REACH || gain <= 0)
         return false;
 
@@ -121,7 +121,7 @@ typedef struct {
     int      half;
 } root;
 
-static inline root root_of(uint64_t x)
+static inline root make_root(uint64_t x)
 {
     uint32_t high = (uint32_t)(x >> 32);
     int      half = (high ? tp_clz(high) : 32 + tp_clz((uint32_t)x)) >> 1;
@@ -137,7 +137,7 @@ static inline tp_q30 spreading(const tp_ring_now *ring, int64_t rho_q24,
 {
     const int64_t sum = rho_q24 + (int64_t)ring->spread * 256;
     TP_ASSERT(sum >> 17 > 0 && sum >> 39 == 0);
-    root q = root_of((uint64_t)sum);
+    root q = make_root((uint64_t)sum);
     uint64_t s = (uint64_t)ring->root_q24 * q.r >> (45 - q.half);
 
     *bend_q22 = (int32_t)((uint64_t)q.r * q.r >> 32 >> (49 - 2 * q.half));
@@ -154,7 +154,7 @@ static void add_ring(sums *sum, const tp_ring_now *ring, int32_t dx, int32_t dz,
                      uint64_t d2)
 {
     TP_ASSERT(d2 > 0 && d2 >> 60 == 0);
-    root     over = root_of(d2);
+    root     over = make_root(d2);
     int64_t  rho = (int64_t)((uint64_t)over.n * over.r >> (23 + over.half));
     int64_t  way = rho - ring->rear_q24;            /* 0 at the rear, L at the front */
 
@@ -205,11 +205,11 @@ tp_relief tp_ring_relief(const tp_ring_now *rings, uint32_t count, tp_fx x, tp_f
 
 bool tp_ring_spent(const tp_ring *ring, int64_t now, tp_fx beyond)
 {
-    int64_t age = age_of(ring, now);
+    int64_t age = ring_age(ring, now);
 
     if (age <= 0)
         return false;
-    if (faded_out(ring, age))
+    if (has_faded(ring, age))
         return true;
     int64_t rear = rear_q24(ring, age);
     if ((rear >> 8) > beyond || (rear >> 8) + ring->length >= REACH)
@@ -220,5 +220,5 @@ bool tp_ring_spent(const tp_ring *ring, int64_t now, tp_fx beyond)
     };
     int32_t bend;
     tp_q30  s = spreading(&at, rear + (int64_t)ring->length * 128, &bend);
-    return tp_q30_mul(gain_of(ring, decayed(ring, age)), s) < 1 << 8;
+    return tp_q30_mul(ring_gain(ring, decayed(ring, age)), s) < 1 << 8;
 }

@@ -43,7 +43,7 @@ typedef struct {
 
 /* Prepares a ring for the time `now`, ticks x 65536.  Returns false if the ring has not
  * begun, has no height left, or has run 16384 m. */
-bool tp_ring_at(const tp_ring *ring, int64_t now, tp_ring_now *at);
+bool tp_ring_evaluate(const tp_ring *ring, int64_t now, tp_ring_now *at);
 
 /* True if the ring can be removed: its height A0 exp(-a / decay) s(rc) is below 1/65536 m,
  * or its rear is more than `beyond` metres (16.16) from its centre, or its front has run

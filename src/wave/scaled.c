@@ -5,7 +5,7 @@
 #include "wave/scaled.h"
 #include "fx/fx.h"
 
-tp_scaled tp_scaled_of(uint64_t x, int bits)
+tp_scaled tp_scaled_from_fixed(uint64_t x, int bits)
 {
     const uint32_t high = (uint32_t)(x >> 32);
 
@@ -17,7 +17,7 @@ tp_scaled tp_scaled_of(uint64_t x, int bits)
 
 tp_scaled tp_scaled_mul(tp_scaled a, tp_scaled b)
 {
-    tp_scaled p = tp_scaled_of((uint64_t)a.m * b.m, 0);
+    tp_scaled p = tp_scaled_from_fixed((uint64_t)a.m * b.m, 0);
 
     p.e += a.e + b.e;
     return p;
@@ -28,7 +28,8 @@ tp_scaled tp_scaled_add(tp_scaled a, tp_scaled b)
     const bool swap = a.m == 0 || (b.m != 0 && b.e > a.e);
     const tp_scaled large = swap ? b : a, small = swap ? a : b;
     const int down = small.m == 0 || large.e - small.e > 31 ? 32 : large.e - small.e;
-    tp_scaled sum = tp_scaled_of((uint64_t)large.m + ((uint64_t)small.m >> down), 0);
+    tp_scaled sum =
+        tp_scaled_from_fixed((uint64_t)large.m + ((uint64_t)small.m >> down), 0);
 
     sum.e += large.e;
     return sum;

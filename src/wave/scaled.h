@@ -18,7 +18,7 @@ typedef struct {
 
 /* Returns x / 2^bits.  An x of more than 32 bits is truncated, with a relative
  * error below 2^-31. */
-tp_scaled tp_scaled_of(uint64_t x, int bits);
+tp_scaled tp_scaled_from_fixed(uint64_t x, int bits);
 
 tp_scaled tp_scaled_add(tp_scaled a, tp_scaled b);
 tp_scaled tp_scaled_mul(tp_scaled a, tp_scaled b);

@@ -10,16 +10,16 @@
  * water.  T >= 1/256. */
 static tp_scaled group_share(tp_scaled k, tp_fx depth)
 {
-    const tp_scaled x = tp_scaled_mul(k, tp_depth_of(depth));
-    const tp_tanh at = tp_tanh_of(tp_depth_argument(x));
+    const tp_scaled x = tp_scaled_mul(k, tp_depth_scaled(depth));
+    const tp_tanh at = tp_tanh_evaluate(tp_depth_argument(x));
     const uint64_t sum = (uint64_t)at.ratio_q31 + tp_sech_squared(at);
-    const tp_scaled over = tp_scaled_recip(tp_scaled_of(at.ratio_q31, 31));
-    return tp_scaled_mul(tp_scaled_of(sum, 32), over);
+    const tp_scaled over = tp_scaled_recip(tp_scaled_from_fixed(at.ratio_q31, 31));
+    return tp_scaled_mul(tp_scaled_from_fixed(sum, 32), over);
 }
 
 static tp_scaled speed(tp_scaled k_inf, tp_scaled k, tp_fx gravity)
 {
-    const tp_scaled g = tp_scaled_of((uint32_t)(gravity > 0 ? gravity : 0), 16);
+    const tp_scaled g = tp_scaled_from_fixed((uint32_t)(gravity > 0 ? gravity : 0), 16);
     const tp_scaled omega = tp_scaled_sqrt(tp_scaled_mul(g, k_inf));
     return tp_scaled_mul(omega, tp_scaled_recip(k));
 }
@@ -28,15 +28,15 @@ tp_fx tp_depth_speed(int64_t k_inf_q32, int64_t k_q32, tp_fx gravity)
 {
     if (k_q32 <= 0)
         return 0;
-    return tp_scaled_fx(speed(tp_number_of(k_inf_q32), tp_number_of(k_q32), gravity));
+    return tp_scaled_fx(speed(tp_number_from_q32(k_inf_q32), tp_number_from_q32(k_q32), gravity));
 }
 
 tp_fx tp_depth_group_speed(int64_t k_inf_q32, int64_t k_q32, tp_fx depth, tp_fx gravity)
 {
     if (k_q32 <= 0)
         return 0;
-    const tp_scaled k = tp_number_of(k_q32);
-    const tp_scaled c = speed(tp_number_of(k_inf_q32), k, gravity);
+    const tp_scaled k = tp_number_from_q32(k_q32);
+    const tp_scaled c = speed(tp_number_from_q32(k_inf_q32), k, gravity);
     return tp_scaled_fx(tp_scaled_mul(c, group_share(k, depth)));
 }
 
@@ -45,8 +45,8 @@ tp_fx tp_depth_shoaling(int64_t k_inf_q32, int64_t k_q32, tp_fx depth)
 {
     if (k_inf_q32 <= 0 || k_q32 <= 0)
         return TP_FX_ONE;
-    const tp_scaled k = tp_number_of(k_q32);
-    tp_scaled below = tp_scaled_mul(tp_number_of(k_inf_q32), group_share(k, depth));
+    const tp_scaled k = tp_number_from_q32(k_q32);
+    tp_scaled below = tp_scaled_mul(tp_number_from_q32(k_inf_q32), group_share(k, depth));
     below.e++;
     const tp_scaled square = tp_scaled_mul(k, tp_scaled_recip(below));
     return tp_scaled_fx(tp_scaled_sqrt(square));
@@ -56,14 +56,14 @@ tp_fx tp_depth_shoaling(int64_t k_inf_q32, int64_t k_q32, tp_fx depth)
  * The product (k - kz)(k + kz) keeps the bits that 1 - (kz/k)^2 would lose. */
 static tp_scaled cosine_squared(int64_t k_q32, uint64_t kz_q32)
 {
-    const tp_scaled least = tp_scaled_of(1, 8);
+    const tp_scaled least = tp_scaled_from_fixed(1, 8);
     const uint64_t k = k_q32 > 0 ? (uint64_t)k_q32 : 0;
 
     if (k <= kz_q32)
         return least;
-    const tp_scaled over = tp_scaled_recip(tp_scaled_of(k, 32));
-    const tp_scaled less = tp_scaled_mul(tp_scaled_of(k - kz_q32, 32), over);
-    const tp_scaled more = tp_scaled_mul(tp_scaled_of(k + kz_q32, 32), over);
+    const tp_scaled over = tp_scaled_recip(tp_scaled_from_fixed(k, 32));
+    const tp_scaled less = tp_scaled_mul(tp_scaled_from_fixed(k - kz_q32, 32), over);
+    const tp_scaled more = tp_scaled_mul(tp_scaled_from_fixed(k + kz_q32, 32), over);
     const tp_scaled square = tp_scaled_mul(less, more);
     return tp_scaled_fixed(square, 31) > 1 << 23 ? square : least;
 }
@@ -79,7 +79,7 @@ tp_fx tp_depth_refraction(int64_t k_inf_q32, int64_t k_q32, int64_t kz_q32)
 
 static tp_scaled positive(tp_fx x)
 {
-    return tp_scaled_of((uint32_t)(x > 0 ? x : 0), 16);
+    return tp_scaled_from_fixed((uint32_t)(x > 0 ? x : 0), 16);
 }
 
 tp_fx tp_depth_amplitude(tp_fx amplitude, tp_fx ks, tp_fx kr, tp_fx depth)

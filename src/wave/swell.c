@@ -35,7 +35,7 @@ static void frequency_squared(tp_fx gravity, tp_fx length, uint64_t half[2])
 /* Returns the square root of a number of 128 bits, > 0, within 2 of 2^64 after the
  * number is shifted up.  As in long division: first the root s of the high half, then
  * the rest over 2 s. */
-static uint64_t root_of(const uint64_t half[2])
+static uint64_t root_128(const uint64_t half[2])
 {
     TP_ASSERT((half[0] | half[1]) != 0);
     uint64_t high = half[0], low = half[1];
@@ -61,7 +61,7 @@ static uint64_t turns_per_tick(tp_fx gravity, tp_fx length, tp_fx speed)
     if (gravity <= 0)
         return 0;
     frequency_squared(gravity, length, half);
-    uint64_t root = root_of(half);                          /* Q4.60, below 8 */
+    uint64_t root = root_128(half);                          /* Q4.60, below 8 */
     uint64_t high = (root >> 32) * (uint32_t)speed;
     uint64_t low = (root & 0xffffffff) * (uint32_t)speed;
     return (high / over << 32) + ((high % over << 32) + low + over / 2) / over;
@@ -69,21 +69,21 @@ static uint64_t turns_per_tick(tp_fx gravity, tp_fx length, tp_fx speed)
 
 /* Returns Q0.32 times Q2.30 in Q0.32.  Turns have up to 34 bits: the product is
  * computed in two halves. */
-static int64_t turns_along(uint64_t turns, tp_q30 d)
+static int64_t scale_turns(uint64_t turns, tp_q30 d)
 {
     int64_t high = (int64_t)(turns >> 16) * d, low = (int64_t)(turns & 0xffff) * d;
     return (high + (low >> 16) + (1 << 13)) >> 14;
 }
 
 /* Returns Q A = (Q k A) L / 2 pi: 30 and 27 bits make Q.46, over Q.28 gives Q.18. */
-static tp_fx reach_of(tp_q30 bend, tp_fx length)
+static tp_fx swell_reach(tp_q30 bend, tp_fx length)
 {
     return (tp_fx)(((int64_t)bend * length / TWO_PI_Q28 + 2) >> 2);
 }
 
 /* Returns k A = 2 pi A / L: 31 and 20 bits make Q.44; two more bits, and the
  * quotient is Q2.30. */
-static tp_q30 slope_of(tp_fx amplitude, tp_fx length)
+static tp_q30 swell_slope(tp_fx amplitude, tp_fx length)
 {
     return (tp_q30)((TWO_PI_Q28 * amplitude * 4 + length / 2) / length);
 }
@@ -93,7 +93,7 @@ static tp_q30 slope_of(tp_fx amplitude, tp_fx length)
  * greater of q1 k2 A2 and q2 k1 A1, because the sine of one wave meets the cosine of the
  * other.  Over 1 - sum q the result bounds the angle in radians.  Rounded up.  The tilt of
  * sharpened waves counts twice, because their sine and their f' are large together. */
-static tp_fx twist_of(const tp_sea *sea, const tp_swell *w)
+static tp_fx swell_twist(const tp_sea *sea, const tp_swell *w)
 {
     tp_fx sum = 0;
 
@@ -113,16 +113,16 @@ static bool needs_cross(const tp_sea *sea)
             || sea->twist > tp_q30_mul(most, TP_Q30_ONE - sea->bend));
 }
 
-static tp_swell swell_of(const tp_wave_exact *w, tp_fx amplitude, tp_fx length,
+static tp_swell make_swell(const tp_wave_exact *w, tp_fx amplitude, tp_fx length,
                          tp_q30 bend)
 {
-    tp_fx   reach = reach_of(bend, length);
-    tp_q30  slope = slope_of(amplitude, length);
+    tp_fx   reach = swell_reach(bend, length);
+    tp_q30  slope = swell_slope(amplitude, length);
     int32_t power = tp_clamp(w->power, 1, 8);
 
     return (tp_swell){
-        .turns_x = turns_along(w->turns, w->dx),
-        .turns_z = turns_along(w->turns, w->dz),
+        .turns_x = scale_turns(w->turns, w->dx),
+        .turns_z = scale_turns(w->turns, w->dz),
         .turns_tick = w->turns_tick,
         .turns = w->turns,
         .phase = w->phase,
@@ -157,20 +157,20 @@ void tp_sea_add(tp_sea *sea, const tp_wave_exact *wave)
     sea->clamped |= wave->steepness > left;
     sea->sharpened |= wave->power > 1;
     sea->height += tp_sharp_height(amplitude, wave->power);
-    sea->reach += reach_of(bend, length) + 1;
+    sea->reach += swell_reach(bend, length) + 1;
     sea->steepness += (wave->steepness + (1 << 13)) >> 14;
     sea->bend += bend;
     tp_swell *w = &sea->swell[sea->count];
-    *w = swell_of(wave, amplitude, length, bend);
-    sea->twist += twist_of(sea, w);
+    *w = make_swell(wave, amplitude, length, bend);
+    sea->twist += swell_twist(sea, w);
     sea->count++;
     sea->crossed = needs_cross(sea);
 }
 
-static tp_wave_exact exact_of(const tp_wave *w, tp_q30 steepness, tp_fx gravity)
+static tp_wave_exact make_exact(const tp_wave *w, tp_q30 steepness, tp_fx gravity)
 {
     TP_ASSERT(w->length >= TP_FX_ONE / 4);
-    tp_rotation turned = tp_rotation_of(tp_turn_of_degrees(w->heading), 0, 0);
+    tp_rotation turned = tp_rotation_from_angles(tp_turn_of_degrees(w->heading), 0, 0);
 
     return (tp_wave_exact){
         .turns = (((uint64_t)1 << 48) + (uint32_t)w->length / 2) / (uint32_t)w->length,
@@ -184,7 +184,7 @@ static tp_wave_exact exact_of(const tp_wave *w, tp_q30 steepness, tp_fx gravity)
 }
 
 /* The sum of the steepnesses fits 32 bits: at most sixteen of 1. */
-static tp_fx steepness_of(const tp_wave *waves, uint32_t count)
+static tp_fx sum_steepness(const tp_wave *waves, uint32_t count)
 {
     tp_fx sum = 0;
 
@@ -202,7 +202,7 @@ void tp_sea_init(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravit
 void tp_sea_init_few(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity)
 {
     count = count < TP_WAVES ? count : TP_WAVES;
-    tp_fx asked = steepness_of(waves, count);
+    tp_fx asked = sum_steepness(waves, count);
     bool  clamped = asked > TP_FX(0.95);
 
     memset(sea, 0, offsetof(tp_sea, swell));
@@ -211,7 +211,7 @@ void tp_sea_init_few(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gr
             continue;
         int64_t share = waves[i].steepness;
         share = clamped ? share * BEND_MAX / asked : share << 14;
-        tp_wave_exact exact = exact_of(&waves[i], (tp_q30)share, gravity);
+        tp_wave_exact exact = make_exact(&waves[i], (tp_q30)share, gravity);
         tp_sea_add(sea, &exact);
     }
     sea->steepness = asked;

@@ -110,7 +110,7 @@ tp_sea_point tp_sea_at_rest(const tp_sea *sea, const tp_turn phases[TP_WAVES],
  * tells where the search ended.  `rest`, if not NULL, holds the start of the search (any
  * point; the result of the last tick is a good start), and receives the rest point found.
  * The result is tp_sea_at_rest of this rest point. */
-tp_sea_point tp_sea_above(const tp_sea *sea, const tp_turn phases[TP_WAVES],
+tp_sea_point tp_sea_sample(const tp_sea *sea, const tp_turn phases[TP_WAVES],
                           tp_fx x, tp_fx z, tp_fx rest[2]);
 
 /* Returns the n-th plain step of [E1] towards the same point, from p0 = (x, z), which is

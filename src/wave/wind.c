@@ -43,12 +43,12 @@ tp_turn tp_wind_phase(tp_turn theta, tp_q30 push, int iterations)
 tp_fx tp_wind_radius(int64_t k_q32, tp_fx lambda)
 {
     const uint64_t l = (uint64_t)(lambda < 0 ? -(int64_t)lambda : lambda);
-    const tp_scaled k = tp_number_of(k_q32);
-    const tp_scaled side = tp_scaled_of(l, 16);
+    const tp_scaled k = tp_number_from_q32(k_q32);
+    const tp_scaled side = tp_scaled_from_fixed(l, 16);
     const tp_scaled sum = tp_scaled_add(tp_scaled_mul(k, k), tp_scaled_mul(side, side));
 
     if (sum.m == 0)
         return TP_FX_MAX;
     return tp_scaled_fx(tp_scaled_mul(tp_scaled_rsqrt(sum),
-                                      tp_scaled_of((uint32_t)TP_Q30(0.95), 30)));
+                                      tp_scaled_from_fixed((uint32_t)TP_Q30(0.95), 30)));
 }

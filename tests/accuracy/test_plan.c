@@ -55,7 +55,7 @@ static void look_at(const char *name)
     snprintf(path, sizeof path, "assets/scenes/%s.ini", name);
     assert_int_equal(stage_open(&s, &o), 0);
     const tp_scene *scene = &s.file.scene;
-    const tp_plan_report r = tp_plan_of(scene, &s.assets.names, width, height);
+    const tp_plan_report r = tp_plan_make(scene, &s.assets.names, width, height);
     assert_true(r.total.known);
     if (!names_any(scene)) {
         assert_true(r.total.error_px <= scene->quality.error_px);

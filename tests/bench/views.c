@@ -42,7 +42,7 @@ static place random_place(const tp_world *world, tp_fx reach)
 {
     place p = { .x = between(-reach, reach), .z = between(-reach, reach),
                 .heading = between(0, TP_FX(360)), .pitch = between(TP_FX(-60), 0) };
-    const tp_sea_point under = tp_sea_above(&world->sea, world->phases, p.x, p.z, NULL);
+    const tp_sea_point under = tp_sea_sample(&world->sea, world->phases, p.x, p.z, NULL);
     p.y = under.position.y + between(TP_FX(0.5), TP_FX(20));
     return p;
 }

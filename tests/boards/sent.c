@@ -86,7 +86,7 @@ int main(int argc, char **argv)
         || sscanf(argv[2], "%" SCNu32 "x%" SCNu32, &f.tile_width, &f.tile_height) != 2
         || f.tile_width == 0 || f.tile_height == 0)
         fail("usage: sent WIDTHxHEIGHT TILExTILE FORMAT");
-    const int format = tp_format_of(argv[3], (uint32_t)strlen(argv[3]));
+    const int format = tp_format_find(argv[3], (uint32_t)strlen(argv[3]));
     f.format = format < 0 ? TP_FORMAT_COUNT : (tp_format)format;
     const lcd_config config = config_of(&panel, &f);
     const size_t bytes = lcd_bytes(&config, &why);

@@ -91,7 +91,7 @@ static void compare_all(const stage *s, uint32_t tick)
 
     const tp_plan_input in = { tp_program_all.modules, &s->file.scene, &s->assets.names,
                                width, height };
-    g.outlook = tp_outlook_of(&in);
+    g.outlook = tp_outlook_estimate(&in);
     g.tick = tick;
     draw(&exact, s, &scene, s->world);
     for (uint32_t i = 0; i < 2; i++) {

@@ -150,7 +150,7 @@ static void set_rings(void)
             .amplitude = TP_FX(0.1), .length = TP_FX(1), .speed = TP_FX(2),
             .decay = TP_FX(4), .spread = TP_FX(1),
         };
-        model_expect(tp_ring_at(&raised, 120 * TP_FX_ONE, &ring[i]), "no ring");
+        model_expect(tp_ring_evaluate(&raised, 120 * TP_FX_ONE, &ring[i]), "no ring");
     }
     surface.ring = ring;
     surface.rings = 4;
@@ -172,7 +172,7 @@ static void prepare_grid(int kind)
         surface.pool = model_pool(MODEL_POOL(TP_CELLS_16, 128, OPEN));
         below = sizeof model.block / 2;
     }
-    tp_arena arena = tp_arena_over(model.block.byte + below, sizeof model.block - below);
+    tp_arena arena = tp_arena_init(model.block.byte + below, sizeof model.block - below);
     tp_grid_carve(&grid, &arena, SIDE, SIDE);
     model_expect(!arena.failed, "no memory for the grid");
     tp_lens_init(&lens, (tp_vec3){ 0, TP_FX(30), TP_FX(40) }, 0,

@@ -51,7 +51,7 @@ COUNTED(sea)
 COUNTED(above)
 {
     for (uint32_t i = 0; i < model.count; i++) {
-        const tp_sea_point at = tp_sea_above(&model.sea, model.phases,
+        const tp_sea_point at = tp_sea_sample(&model.sea, model.phases,
                                              PLACE_X(i, TP_FX(200)),
                                              PLACE_Z(i, TP_FX(200)), NULL);
         KEEP(at);
@@ -69,7 +69,7 @@ static void prepare_again(int kind)
     for (int i = 0; i < 4; i++) {
         last_rest[i][0] = 7 * i * TP_FX_ONE;
         last_rest[i][1] = 0;
-        tp_sea_above(&model.sea, model.phases, 7 * i * TP_FX_ONE, 0, last_rest[i]);
+        tp_sea_sample(&model.sea, model.phases, 7 * i * TP_FX_ONE, 0, last_rest[i]);
     }
 }
 
@@ -78,7 +78,7 @@ COUNTED(again)
     for (uint32_t i = 0; i < model.count; i++) {
         for (uint32_t k = 0; i % 4 == 0 && k < model.sea.count; k++)
             model.phases[k] -= (tp_turn)(model.sea.swell[k].turns_tick >> 32);
-        const tp_sea_point at = tp_sea_above(&model.sea, model.phases,
+        const tp_sea_point at = tp_sea_sample(&model.sea, model.phases,
                                              (tp_fx)(7 * (i % 4)) * TP_FX_ONE, 0,
                                              last_rest[i % 4]);
         KEEP(at);
@@ -115,7 +115,7 @@ static void prepare_ring(int kind)
 {
     (void)kind;
     model.bytes = sizeof(tp_ring) + sizeof(tp_ring_now);
-    model_expect(tp_ring_at(&ring, 120 * TP_FX_ONE, &ring_now), "no ring");
+    model_expect(tp_ring_evaluate(&ring, 120 * TP_FX_ONE, &ring_now), "no ring");
     for (uint32_t i = 0; i < 64; i++) {
         const tp_fx far = TP_FX(2.8) + PLACE_X(i, TP_FX(0.35));
         beside[i][0] = tp_q30_mul(far, tp_sin(i << 26));
@@ -147,7 +147,7 @@ COUNTED(ring_far)
 COUNTED(ring_begin)
 {
     for (uint32_t i = 0; i < model.count; i++) {
-        const bool there = tp_ring_at(&ring, (int64_t)(i + 1) * TP_FX_ONE, &ring_now);
+        const bool there = tp_ring_evaluate(&ring, (int64_t)(i + 1) * TP_FX_ONE, &ring_now);
         KEEP(there);
     }
 }

@@ -38,14 +38,14 @@ MARK(count_section)
 
 static _Alignas(64) uint8_t memory[16 << 20];
 
-static tp_arena whole_arena(void) { return tp_arena_over(memory, sizeof memory); }
+static tp_arena whole_arena(void) { return tp_arena_init(memory, sizeof memory); }
 _Noreturn static void leave(int code) { exit(code); }
 #else
 #include "cortex-m/board.h"
 
 static tp_arena whole_arena(void)
 {
-    return tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
+    return tp_arena_init(arena_start, (size_t)(arena_end - arena_start));
 }
 
 _Noreturn static void leave(int code) { semihost_exit(code); }

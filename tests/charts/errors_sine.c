@@ -10,7 +10,7 @@
 #define STRIDE 4093u
 
 /* tp_sin is what waves, foam and paddles have, of every scene; rotations have another,
- * which tp_rotation_of alone shows: it is the engine's if their bits agree. */
+ * which tp_rotation_from_angles alone shows: it is the engine's if their bits agree. */
 static bool is_the_engines(const kernel *k)
 {
     static int32_t in[KERNEL_UNITS], out[KERNEL_UNITS];
@@ -21,7 +21,7 @@ static bool is_the_engines(const kernel *k)
     for (uint32_t i = 0; i < KERNEL_UNITS; i++) {
         const tp_turn a = (tp_turn)in[i];
         as_sin = as_sin && out[i] == tp_sin(a);
-        as_rotation = as_rotation && out[i] == tp_rotation_of(a, 0, 0).x.z;
+        as_rotation = as_rotation && out[i] == tp_rotation_from_angles(a, 0, 0).x.z;
     }
     return as_sin || as_rotation;
 }

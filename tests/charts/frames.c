@@ -74,13 +74,13 @@ static rungs rungs_of(const tp_scene *shipped, const tp_assets *names, uint32_t 
                       uint32_t height)
 {
     const tp_plan_input in = { tp_program_all.modules, shipped, names, width, height };
-    const tp_outlook o = tp_outlook_of(&in);
+    const tp_outlook o = tp_outlook_estimate(&in);
     const uint8_t *fits = o.fits;
     tp_scene held = *shipped;
     rungs all = { .count = 0 };
 
     held.quality.frame_ms = TP_FX_ONE;
-    const tp_ladder ladder = tp_ladder_of(&held, names, width, height);
+    const tp_ladder ladder = tp_ladder_make(&held, names, width, height);
     add_exact(&all, "exact", "", true);
     add_exact(&all, "rows", "quality.visibility=rows", fits[TP_VISIBILITY_ROWS - 1]);
     add_exact(&all, "projected", "quality.visibility=projected",

@@ -51,7 +51,7 @@ RUN(tp_depth_number_exact)
 
 METHOD steps_2(int64_t k_inf, tp_fx depth)
 {
-    const tp_scaled k = tp_number_of(k_inf), h = tp_depth_of(depth);
+    const tp_scaled k = tp_number_from_q32(k_inf), h = tp_depth_scaled(depth);
     return tp_scaled_fixed(tp_depth_number_scaled(k, h, 2), 32);
 }
 RUN(steps_2)
@@ -67,8 +67,9 @@ RUN(deep)
 
 METHOD shallow(int64_t k_inf, tp_fx depth)
 {
-    const tp_scaled over = tp_scaled_recip(tp_depth_of(depth));
-    return tp_scaled_fixed(tp_scaled_sqrt(tp_scaled_mul(tp_number_of(k_inf), over)), 32);
+    const tp_scaled over = tp_scaled_recip(tp_depth_scaled(depth));
+    return tp_scaled_fixed(tp_scaled_sqrt(tp_scaled_mul(tp_number_from_q32(k_inf), over)),
+                           32);
 }
 RUN(shallow)
 
@@ -87,14 +88,15 @@ static inline uint32_t polynomial(uint32_t y_q24, const uint32_t *of, int terms)
 /* k = k_inf sqrt(1 + 1 / (y P)). */
 static inline int64_t hunt(int64_t k_inf, tp_fx depth, const uint32_t *of, int terms)
 {
-    const tp_scaled k = tp_number_of(k_inf), y = tp_scaled_mul(k, tp_depth_of(depth));
+    const tp_scaled k = tp_number_from_q32(k_inf),
+                    y = tp_scaled_mul(k, tp_depth_scaled(depth));
     const uint32_t y_q24 = tp_depth_argument(y);
 
     if (y_q24 >= TP_DEPTH_DEEP_Q24)
         return k_inf;
-    const tp_scaled p = tp_scaled_of(polynomial(y_q24, of, terms), 17);
+    const tp_scaled p = tp_scaled_from_fixed(polynomial(y_q24, of, terms), 17);
     const tp_scaled part = tp_scaled_recip(tp_scaled_mul(y, p));
-    const tp_scaled root = tp_scaled_sqrt(tp_scaled_add(tp_scaled_of(1, 0), part));
+    const tp_scaled root = tp_scaled_sqrt(tp_scaled_add(tp_scaled_from_fixed(1, 0), part));
     return tp_scaled_fixed(tp_scaled_mul(k, root), 32);
 }
 
@@ -128,8 +130,8 @@ static void fill_table(int32_t *in, int bits)
     table[0] = 1u << 28;
     for (uint32_t i = 1; i <= (1u << bits) + 1; i++) {
         const int64_t y_q32 = (int64_t)i << (35 - bits);
-        const tp_scaled x = tp_number_of(tp_depth_number_exact(y_q32, TP_FX_ONE));
-        const tp_scaled over = tp_scaled_rsqrt(tp_scaled_of((uint64_t)y_q32, 32));
+        const tp_scaled x = tp_number_from_q32(tp_depth_number_exact(y_q32, TP_FX_ONE));
+        const tp_scaled over = tp_scaled_rsqrt(tp_scaled_from_fixed((uint64_t)y_q32, 32));
         table[i] = (uint32_t)tp_scaled_fixed(tp_scaled_mul(x, over), 28);
     }
 }
@@ -140,7 +142,7 @@ static inline tp_scaled near_number(tp_scaled k, tp_scaled y, uint32_t y_q24, in
     const uint32_t *at = table + (y_q24 >> (27 - bits));
     const uint32_t part = y_q24 << (5 + bits);
     const uint32_t s = at[0] + (uint32_t)((uint64_t)(at[1] - at[0]) * part >> 32);
-    return tp_scaled_mul(k, tp_scaled_mul(tp_scaled_of(s, 28), tp_scaled_rsqrt(y)));
+    return tp_scaled_mul(k, tp_scaled_mul(tp_scaled_from_fixed(s, 28), tp_scaled_rsqrt(y)));
 }
 
 /* [B6] as the engine has it: x times 1 - (T - y / x^2) / (T + sech^2 x), T = tanh x / x. */
@@ -148,19 +150,19 @@ static inline tp_scaled step(tp_scaled k, tp_scaled h, tp_scaled y)
 {
     const tp_scaled x = tp_scaled_mul(k, h), over = tp_scaled_recip(x);
     const tp_scaled u = tp_scaled_mul(y, tp_scaled_mul(over, over));
-    const tp_tanh at = tp_tanh_of(tp_depth_argument(x));
+    const tp_tanh at = tp_tanh_evaluate(tp_depth_argument(x));
     const uint32_t below = (at.ratio_q31 >> 1) + (tp_sech_squared(at) >> 1);
     const int up = tp_clz(below);
     const int64_t gap = (int64_t)at.ratio_q31 - (uint32_t)tp_scaled_fixed(u, 31);
     const int64_t part = gap * (int64_t)tp_recip_norm(below << up);
     const uint32_t factor = 0x80000000u
                           - (uint32_t)((part + ((int64_t)1 << (32 - up))) >> (33 - up));
-    return tp_scaled_mul(k, tp_scaled_of(factor, 31));
+    return tp_scaled_mul(k, tp_scaled_from_fixed(factor, 31));
 }
 
 static inline int64_t by_table(int64_t k_inf, tp_fx depth, int bits, int steps)
 {
-    const tp_scaled k = tp_number_of(k_inf), h = tp_depth_of(depth);
+    const tp_scaled k = tp_number_from_q32(k_inf), h = tp_depth_scaled(depth);
     const tp_scaled y = tp_scaled_mul(k, h);
     const uint32_t y_q24 = tp_depth_argument(y);
 

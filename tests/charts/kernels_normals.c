@@ -28,7 +28,7 @@ static bool    known;
 
 static tp_fx height(tp_fx x, tp_fx z)
 {
-    return tp_sea_above(&sea, phases, x, z, NULL).position.y;
+    return tp_sea_sample(&sea, phases, x, z, NULL).position.y;
 }
 
 static void look_up(uint32_t i)
@@ -37,7 +37,7 @@ static void look_up(uint32_t i)
 
     rest[i][0] = x;
     rest[i][1] = z;
-    tp_sea_above(&sea, phases, x, z, rest[i]);
+    tp_sea_sample(&sea, phases, x, z, rest[i]);
     for (int n = 0; n < STEPS; n++) {
         const tp_fx far = NORMALS_CELL << n;
         around[i][n][0] = height(x - far, z);

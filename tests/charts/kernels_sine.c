@@ -39,7 +39,7 @@ static tp_q30  table[LARGEST + LARGEST / 4];
 
 static tp_q30 fine_sine(tp_turn angle)
 {
-    return tp_rotation_of(angle, 0, 0).x.z;
+    return tp_rotation_from_angles(angle, 0, 0).x.z;
 }
 
 static void fill(int32_t *in)
@@ -258,7 +258,7 @@ const kernel kernels_sine[] = {
     ROW("parabolas;64", fill_middle_6, parabolas, 264),
     ROW("knots;64", fill_6, knots_64, 320),
     ROW("knots;256", fill_8, knots_256, 1280),
-    ROW("tp_rotation_of;1024", fill, rotations, 1032),
+    ROW("tp_rotation_from_angles;1024", fill, rotations, 1032),
     ROW("parabola;2", fill, parabola, 0),
     ROW("parabola;4", fill, refined, 0),
     ROW("polynomial;3", fill, poly_3, 0),

@@ -107,7 +107,7 @@ static double energy_of(const tp_pool *pool, double r2, bool heights)
 /* What tp_pool_look says, without the velocities of 32-bit cells. */
 static tp_pool_state look_quickly(const tp_pool *pool)
 {
-    const void *const cells = tp_pool_from(pool, sizeof *pool);
+    const void *const cells = tp_pool_const_pointer(pool, sizeof *pool);
     const bool small = pool->cells == TP_CELLS_8, whole = pool->cells == TP_CELLS_32;
     tp_pool_state look = { 0 };
 

@@ -19,14 +19,14 @@ MARK(count_section)
 #include <stdio.h>
 static uint64_t memory[4 << 20];
 static void say(const char *text) { fputs(text, stdout); }
-static tp_arena whole(void) { return tp_arena_over(memory, sizeof memory); }
+static tp_arena whole(void) { return tp_arena_init(memory, sizeof memory); }
 #else
 #include "cortex-m/board.h"
 #include "cortex-m/semihost.h"
 static void say(const char *text) { semihost_write(text); }
 static tp_arena whole(void)
 {
-    return tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
+    return tp_arena_init(arena_start, (size_t)(arena_end - arena_start));
 }
 #endif
 

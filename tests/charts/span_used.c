@@ -26,7 +26,7 @@ static void read_scene(size_t i)
     if (stage_load(&s, &o))
         exit(EXIT_FAILURE);
     shipped[i].scene = s.file.scene;
-    shipped[i].rungs = tp_rungs_of(&s.file.scene, &s.assets.names, 320, 240);
+    shipped[i].rungs = tp_rungs_choose(&s.file.scene, &s.assets.names, 320, 240);
     stage_close(&s);
     free(path);
 }

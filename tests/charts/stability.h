@@ -60,7 +60,7 @@ double stability_border(int criterion, double h_over_l);
 
 typedef enum {
     STABILITY_PLAIN,            /* so many plain steps */
-    STABILITY_COLD,             /* tp_sea_above from the place itself */
+    STABILITY_COLD,             /* tp_sea_sample from the place itself */
     STABILITY_WARM              /* ... from where the last tick's search ended */
 } stability_search;
 

@@ -58,7 +58,7 @@ static tp_sea_point found(const tp_sea *sea, const tp_turn *phases, tp_fx x, tp_
                           stability_search how, uint32_t n, tp_fx rest[2])
 {
     return how == STABILITY_PLAIN ? tp_sea_iterate(sea, phases, x, z, n)
-                                  : tp_sea_above(sea, phases, x, z,
+                                  : tp_sea_sample(sea, phases, x, z,
                                                  how == STABILITY_WARM ? rest : NULL);
 }
 

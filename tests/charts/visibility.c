@@ -75,7 +75,7 @@ typedef struct {
 static points points_of(const ref_stand *shipped, uint32_t width, uint32_t height)
 {
     const tp_scene *scene = &shipped->file.scene;
-    const tp_rungs r = tp_rungs_of(scene, &shipped->assets.names, width, height);
+    const tp_rungs r = tp_rungs_choose(scene, &shipped->assets.names, width, height);
     points all = { .count = 0 };
 
     for (int m = 0; m < METHODS; m++) {

@@ -24,7 +24,7 @@ static tp_world *world_begin(void)
     tp_world *world = claim(bytes);
     tp_error  err = { 0 };
     if (tp_world_init(&tp_program_all, world, bytes, &baked_scene, &baked_assets, &err))
-        exit(fail_at("film", &err));
+        exit(fail_with_error("film", &err));
     return world;
 }
 
@@ -53,7 +53,7 @@ static int draw(const char *name, tp_config config, uint32_t first, uint32_t las
     tp_error  err = { 0 };
     film to;
     if (tp_frame_init(&frame, &config, &baked_scene, block, bytes, &err))
-        return fail_at("film", &err);
+        return fail_with_error("film", &err);
     int code = film_open(&to, name, config.width, config.height, 1);
     for (uint32_t n = 0; n <= last && !code; n++) {
         for (uint32_t ticks = n ? tp_world_advance_clock(world) : 0; ticks > 0; ticks--)

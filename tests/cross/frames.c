@@ -141,7 +141,7 @@ static int format_of(const char *name)
     uint32_t length = 0;
     while (name[length])
         length++;
-    return tp_format_of(name, length);
+    return tp_format_find(name, length);
 }
 
 int main(int argc, char **argv)

@@ -90,7 +90,7 @@ static void looks(tp_host *host, const char *unused)
             printf("%s: %s\n", names[way], err.text);
             continue;
         }
-        printf("%s %08x", names[tp_host_way_of(host)], (unsigned)crc_of(host));
+        printf("%s %08x", names[tp_host_get_way(host)], (unsigned)crc_of(host));
         for (int i = 0; i < 20; i++)
             tp_host_turn(host, &round);
         printf(" %08x\n", (unsigned)crc_of(host));

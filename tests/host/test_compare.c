@@ -95,7 +95,7 @@ static void nothing_is_shown_when_it_is_off(void **state)
     (void)state;
     open_with(&b, SEA, 64, 48, NULL, 0);
     assert_null(draw(&b));
-    assert_int_equal(compare_how_of(b.compare), COMPARE_OFF);
+    assert_int_equal(compare_get_how(b.compare), COMPARE_OFF);
     assert_true(compare_psnr(b.compare) < 0);
     assert_string_equal(compare_note(b.compare), "");
     finish(&b);

@@ -81,8 +81,8 @@ static void what_is_on_the_tape_is_read(void **state)
     assert_int_equal(deck_next(&d, 120)->kind, DECK_LOOK);
     assert_int_equal(deck_next(&d, 120)->kind, DECK_STEP);
     assert_null(deck_next(&d, 120));
-    assert_false(deck_over(&d, 121));
-    assert_false(deck_over(&d, UINT64_MAX));
+    assert_false(deck_has_ended(&d, 121));
+    assert_false(deck_has_ended(&d, UINT64_MAX));
     assert_string_equal(deck_next(&d, UINT64_MAX)->setting, "camera.x=1");
     assert_int_equal(deck_close(&d), 0);
 }
@@ -93,12 +93,12 @@ static void a_tape_is_over_after_its_last_line(void **state)
     deck d;
     spill("tape 1 pond\n");
     assert_int_equal(deck_read(&d, tape, "pond"), 0);
-    assert_true(deck_over(&d, 0));
+    assert_true(deck_has_ended(&d, 0));
     assert_int_equal(deck_close(&d), 0);
     spill("tape 1 pond\n7 look turn=1\n");
     assert_int_equal(deck_read(&d, tape, "pond"), 0);
-    assert_false(deck_over(&d, 7));
-    assert_true(deck_over(&d, 8));
+    assert_false(deck_has_ended(&d, 7));
+    assert_true(deck_has_ended(&d, 8));
     assert_int_equal(deck_close(&d), 0);
 }
 
@@ -170,7 +170,7 @@ static void a_deck_without_a_tape_takes_all(void **state)
     deck_set(&d, 1, "camera.x=4");
     deck_cut(&d, 0);
     assert_null(deck_next(&d, 1));
-    assert_true(deck_over(&d, 0));
+    assert_true(deck_has_ended(&d, 0));
     assert_int_equal(deck_close(&d), 0);
 }
 

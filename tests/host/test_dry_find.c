@@ -39,7 +39,7 @@ static void ask(asked *a, const char *scene, bool acts)
         .terms = { .format = TP_FORMAT_RGB565, .few = true },
         .acts = acts,
     };
-    const tp_rungs r = tp_rungs_of(s, names, 64, 48);
+    const tp_rungs r = tp_rungs_choose(s, names, 64, 48);
     a->named.quality.visibility = (int32_t)r.visibility;
     a->named.quality.shading = (int32_t)r.shading;
     a->named.quality.rate = (int32_t)r.rate;
@@ -220,8 +220,8 @@ static void what_may_not_be_switched_on_is_refused(void **state)
         const int  where = found.in.has[i] + found.refused.has[i] + a.wish.without.has[i];
         assert_int_equal(module ? where : found.refused.has[i], module);
         if (module && found.refused.has[i])
-            assert_false(piece_is_on(i, &found.in, &a.wish.terms, a.wish.scene,
-                                     a.wish.assets));
+            assert_false(piece_is_active(i, &found.in, &a.wish.terms, a.wish.scene,
+                                         a.wish.assets));
         refused += found.refused.has[i];
         undrawn += module && found.in.has[i] && pieces[i + 1].kind == PIECE_DRAWING
                    && !found.in.has[i + 1];

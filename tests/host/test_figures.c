@@ -219,7 +219,7 @@ static void the_plan_follows_the_scene(void **state)
     (void)state;
     open_scene(&s, NULL, 0);
     figures_stage(f, &kept, &s, NULL);
-    const tp_plan_report r = tp_plan_of(&s.file.scene, &s.assets.names, 160, 120);
+    const tp_plan_report r = tp_plan_make(&s.file.scene, &s.assets.names, 160, 120);
     panel_figures p = shown_of(f, SECOND);
     assert_memory_equal(p.plan, "visibility\t", 11);
     plan_word(0, (int)r.rungs.visibility - 1, word);

@@ -117,7 +117,7 @@ static void assert_loads(const char *scene, const char *set)
                         .strict = true };
     assert_int_equal(stage_load(&s, &o), EXIT_DONE);
     assert_non_null(s.assets.names.boat);
-    char *path = scene_file_path_of(&s.file, row());
+    char *path = scene_file_resolve_path(&s.file, row());
     assert_string_equal(path, mesh);
     free(path);
     stage_close(&s);
@@ -170,7 +170,7 @@ static void a_saved_scene_names_it_in_full(void **state)
     assert_int_equal(scene_save(&file, "saved.ini"), EXIT_DONE);    /* over the same file */
     scene_file_close(&file);
     assert_int_equal(scene_file_open(&file, "./saved.ini"), EXIT_DONE);
-    char *path = scene_file_path_of(&file, row());
+    char *path = scene_file_resolve_path(&file, row());
     assert_int_equal(access(path, R_OK), 0);
     assert_non_null(strstr(path, "/boat.obj"));
     free(path);

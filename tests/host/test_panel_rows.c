@@ -38,7 +38,7 @@ static void every_place_is_a_value_that_the_table_takes(void **state)
         if (!is_number(p))
             continue;
         const panel_row row = row_of(p);
-        const panel_span span = panel_span_of(&row, 0);
+        const panel_span span = panel_span_choose(&row, 0);
         for (int place = 0; place <= span.steps; place++) {
             char text[PANEL_TEXT];
             tp_error err;
@@ -59,7 +59,7 @@ static void values_stand_at_their_places(void **state)
         if (!is_number(p))
             continue;
         const panel_row row = row_of(p);
-        const panel_span span = panel_span_of(&row, 0);
+        const panel_span span = panel_span_choose(&row, 0);
         assert_int_equal(panel_place(&span, span.low), 0);
         assert_int_equal(panel_place(&span, span.high), span.steps);
         double before = -1e9;
@@ -81,7 +81,7 @@ static void a_place_in(const char *name, double value, int place, const char *wa
 {
     char text[PANEL_TEXT];
     const panel_row row = row_of(tp_param_find(name, strlen(name)));
-    const panel_span span = panel_span_of(&row, value);
+    const panel_span span = panel_span_choose(&row, value);
     panel_number(&span, place < 0 ? panel_place(&span, value) : place, text);
     assert_string_equal(text, want);
 }
@@ -101,7 +101,8 @@ static void a_heading_has_the_turn_it_lies_in(void **state)
 {
     (void)state;
     const panel_row row = row_of(tp_param_find("camera.heading", 14));
-    const panel_span near = panel_span_of(&row, 30), far = panel_span_of(&row, 1000);
+    const panel_span near = panel_span_choose(&row, 30),
+                     far = panel_span_choose(&row, 1000);
     assert_true(near.low == -180 && near.high == 180 && near.fine == 0);
     assert_true(far.low == 900 && far.high == 1260);
 }
@@ -197,7 +198,7 @@ static void what_is_not_in_the_scene_is_idle(void **state)
     const panel_host host = { .row = four, .rows = 4, .get = get,
                               .is_normal = is_normal };
     panel_group g[PANEL_GROUPS];
-    assert_int_equal(panel_groups_of(&host, g), 3);
+    assert_int_equal(panel_groups_collect(&host, g), 3);
     assert_string_equal(g[1].name, "camera");
     assert_int_equal(g[1].first, 2);
     for (int i = 0; i < 3; i++)

@@ -219,7 +219,7 @@ static void crc_does_not_see_the_unused_bits_of_a_row(void **state)
 static void nearest_name_is_the_one_that_was_meant(void **state)
 {
     (void)state;
-    nearest n = nearest_to("wave0.steepnes");
+    nearest n = nearest_make("wave0.steepnes");
     nearest_offer(&n, "wave0.amplitude");
     assert_null(n.name);
     nearest_offer(&n, "wave1.steepness");

@@ -55,8 +55,8 @@ static void assert_same_scene(const scene_file *a, const scene_file *b)
         tp_param_text(&b->scene, &params[i], of_b, sizeof of_b);
         const tp_param_kind kind = params[i].kind;
         if (kind >= TP_PARAM_MESH && kind <= TP_PARAM_GREY && of_a[0]) {
-            char *file_a = scene_file_path_of(a, &params[i]);
-            char *file_b = scene_file_path_of(b, &params[i]);
+            char *file_a = scene_file_resolve_path(a, &params[i]);
+            char *file_b = scene_file_resolve_path(b, &params[i]);
             char *real_a = realpath(file_a, NULL), *real_b = realpath(file_b, NULL);
             if (!real_a || !real_b || strcmp(real_a, real_b) != 0)
                 fail_msg("%s: %s is not %s", params[i].name, file_b, file_a);

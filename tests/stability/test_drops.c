@@ -50,7 +50,7 @@ static void ripple(const tp_drops *drops, int64_t now, tp_ring_now *rings, figur
     uint32_t count = 0;
 
     for (uint32_t i = 0; i < drops->rings; i++)
-        count += tp_ring_at(&tp_drops_rings(drops)[i], now, &rings[count]);
+        count += tp_ring_evaluate(&tp_drops_rings(drops)[i], now, &rings[count]);
     for (int k = 0; k < 16; k++) {
         const tp_relief at = tp_ring_relief(rings, count, chance_fx(&chance, -25, 25),
                                             chance_fx(&chance, -25, 25));

@@ -61,7 +61,7 @@ static void ask_all(const tp_world *world, tp_fx x, tp_fx z)
     const tp_ocean *ocean = tp_world_ocean(world);
     const int64_t reach = ocean ? tp_ocean_reach(ocean) : world->sea.reach;
     const tp_surface surface = tp_world_surface(&tp_program_all, world);
-    const tp_sea_point p = tp_surface_above(&surface, x, z, NULL);
+    const tp_sea_point p = tp_surface_sample(&surface, x, z, NULL);
 
     assert_true(llabs((int64_t)p.position.y) <= HIGHEST);
     assert_near(p.position.x, x, 2 * reach + 64);
@@ -106,7 +106,7 @@ static void ask_parts(tp_world *world, tp_fx x, tp_fx z)
     if (tp_parts_field(world))
         ask_pool(tp_parts_field(world), x, z);
     if (tp_world_foam(world))
-        tp_foam_at(tp_world_foam(world), x, z);
+        tp_foam_sample(tp_world_foam(world), x, z);
 }
 
 static void every_place_has_a_height(void **state)
@@ -146,7 +146,7 @@ static void every_place_has_a_floor(void **state)
             .map_low = chance_fx(&chance, -8000, 100),
             .map_high = chance_fx(&chance, -8000, 100),
         };
-        const tp_floor_at at = tp_floor_under(&floor, chance_word(&chance),
+        const tp_floor_at at = tp_floor_sample(&floor, chance_word(&chance),
                                               chance_word(&chance));
         assert_true(abs(at.rise_x) <= 8 * TP_FX_ONE && abs(at.rise_z) <= 8 * TP_FX_ONE);
     }

@@ -60,7 +60,7 @@ static void search_one(const ocean_made *o, search *s)
 
     for (int i = 0; i < TP_WAVES; i++)
         phases[i] = (tp_turn)random_next(&chance);
-    const tp_sea_point p = tp_surface_above(&surface, x, z, rest);
+    const tp_sea_point p = tp_surface_sample(&surface, x, z, rest);
     const double off = hypot(p.position.x - x, p.position.z - z) * LSB;
     assert_true(off <= 0.001);
     assert_true(abs(p.position.y) <= tp_ocean_height(o->ocean));

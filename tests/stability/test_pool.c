@@ -271,7 +271,7 @@ static void volume(tp_cells cells, tp_edges edges)
     assert_true(tp_pool_hat(pool, chance_fx(&chance, -5, 5), chance_fx(&chance, -5, 5),
                             TP_FX(1), TP_FX(0.7)));
     for (uint32_t i = 0; i < tp_pool_count(pool); i++)
-        moved += abs(tp_pool_height_at(pool, i)) / 2.0;
+        moved += abs(tp_pool_cell_height(pool, i)) / 2.0;
     for (; !pool->at_rest; ticks++) {
         assert_true(ticks < 20000);
         tp_pool_step(pool);

@@ -30,7 +30,7 @@ static void look(const tp_pool *pool, record *r)
     int64_t sum = 0;
 
     for (uint32_t i = 0; i < count; i++) {
-        const int32_t h = tp_pool_height_at(pool, i);
+        const int32_t h = tp_pool_cell_height(pool, i);
         assert_true(abs(h) <= tp_pool_full(pool));
         sum += h;
         squares += (double)h * h;

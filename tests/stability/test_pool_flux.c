@@ -14,7 +14,7 @@ static uint64_t chance;
 
 static int64_t sum_of(const tp_pool *pool)
 {
-    const int32_t *const h = tp_pool_from(pool, sizeof *pool);
+    const int32_t *const h = tp_pool_const_pointer(pool, sizeof *pool);
     int64_t sum = 0;
 
     for (uint32_t i = 0; i < tp_pool_count(pool); i++)
@@ -24,7 +24,7 @@ static int64_t sum_of(const tp_pool *pool)
 
 static bool flows(const tp_pool *pool)
 {
-    const int32_t *const h = tp_pool_from(pool, sizeof *pool);
+    const int32_t *const h = tp_pool_const_pointer(pool, sizeof *pool);
     const uint32_t count = tp_pool_count(pool);
     int32_t any = 0;
 
@@ -52,7 +52,7 @@ static int rest_of_fluxes(uint32_t size, uint32_t m, double r, int32_t *residue)
     assert_false(flows(pool));
     *residue = 0;
     for (uint32_t i = 0; i < size * size; i++) {
-        const int32_t h = tp_pool_height_at(pool, i);
+        const int32_t h = tp_pool_cell_height(pool, i);
         const int32_t off = abs(h - (int32_t)(sum / size / size));
         *residue = off > *residue ? off : *residue;
     }

@@ -202,7 +202,7 @@ static void assert_refused(const tp_scene *scene, const tp_assets *assets, tp_st
     memcpy(before, block, sizeof block);
     assert_false(tp_world_apply(&tp_program_all, world, scene, assets));
     assert_memory_equal(before, block, sizeof block);
-    assert_int_equal(tp_plan_of(scene, assets, 64, 48).total.cost, 0);
+    assert_int_equal(tp_plan_make(scene, assets, 64, 48).total.cost, 0);
 }
 
 /* -- what is drawn --------------------------------------------------------------------- */

@@ -38,11 +38,11 @@ static inline int64_t area_of(const point *p, int n)
 
 static inline struct tp_obj_cut *carve_cut(cutting *c, int n)
 {
-    tp_arena count = tp_arena_over(NULL, 0);
+    tp_arena count = tp_arena_init(NULL, 0);
     tp_cut_carve(&count, (uint32_t)n);
     c->block = malloc(count.used);
     memset(c->block, 0xA5, count.used);
-    tp_arena arena = tp_arena_over(c->block, count.used);
+    tp_arena arena = tp_arena_init(c->block, count.used);
     struct tp_obj_cut *const cut = tp_cut_carve(&arena, (uint32_t)n);
     assert_false(arena.failed);
     return cut;

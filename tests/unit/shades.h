@@ -18,8 +18,8 @@ static tp_entry16 shade_shine[TP_SHINE + 1];
 static inline tp_shade shade_any(uint64_t *state)
 {
     const tp_rotation turn =
-        tp_rotation_of((tp_turn)random_next(state),
-                       (tp_turn)chance_int(state, -400000000, 400000000), 0);
+        tp_rotation_from_angles((tp_turn)random_next(state),
+                                (tp_turn)chance_int(state, -400000000, 400000000), 0);
     const tp_dir3 light = tp_normalise(chance_int(state, -1000, 1000),
                                        chance_int(state, 20, 1000),
                                        chance_int(state, -1000, 1000));

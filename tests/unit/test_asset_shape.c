@@ -279,7 +279,7 @@ static void area_vectors_are_exact_at_the_ends_of_the_range(void **state)
     (void)state;
     enum { E = INT32_MAX - 1 };
     const int64_t square = (int64_t)E * E;
-    const tp_area a = tp_area_of((tp_vec3){ E, -E, E }, (tp_vec3){ E, E, -E });
+    const tp_area a = tp_area_cross((tp_vec3){ E, -E, E }, (tp_vec3){ E, E, -E });
     assert_true(a.x == 0 && a.y == 2 * square && a.z == 2 * square);
     const double length = sqrt(2.) * 2 * (double)square;
     const double off = (double)tp_area_length(tp_area_scaled(a, 1)) * 2 / length - 1;

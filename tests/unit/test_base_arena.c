@@ -12,7 +12,7 @@ static void takes_are_aligned_and_do_not_overlap(void **state)
 {
     (void)state;
     _Alignas(8) uint8_t block[64];
-    tp_arena arena = tp_arena_over(block, sizeof block);
+    tp_arena arena = tp_arena_init(block, sizeof block);
     assert_ptr_equal(tp_arena_take(&arena, 3, 1), block);
     assert_ptr_equal(tp_arena_take(&arena, 1, 8), block + 8);
     assert_ptr_equal(tp_arena_take(&arena, 3, 4), block + 16);
@@ -28,7 +28,7 @@ static void counting_tells_exactly_what_carving_needs(void **state)
         { 1, 1 }, { 7, 3 }, { 0, 5 }, { 5, 0 }, { 2, 8 }, { 1, 9 },
     };
     enum { PARTS = sizeof parts / sizeof parts[0] };
-    tp_arena counter = tp_arena_over(NULL, 0);
+    tp_arena counter = tp_arena_init(NULL, 0);
     for (int i = 0; i < PARTS; i++)
         assert_null(tp_arena_take(&counter, parts[i].count, parts[i].size));
     assert_false(counter.failed);
@@ -36,7 +36,7 @@ static void counting_tells_exactly_what_carving_needs(void **state)
 
     _Alignas(8) uint8_t block[128];
     memset(block, 0xa5, sizeof block);
-    tp_arena arena = tp_arena_over(block, counter.used);
+    tp_arena arena = tp_arena_init(block, counter.used);
     for (int i = 0; i < PARTS; i++) {
         void *const part = tp_arena_take(&arena, parts[i].count, parts[i].size);
         assert_non_null(part);
@@ -51,7 +51,7 @@ static void a_take_that_does_not_fit_fails_and_tells_the_need(void **state)
 {
     (void)state;
     _Alignas(8) uint8_t block[16];
-    tp_arena arena = tp_arena_over(block, sizeof block);
+    tp_arena arena = tp_arena_init(block, sizeof block);
     assert_non_null(tp_arena_take(&arena, 1, 8));
     assert_null(tp_arena_take(&arena, 2, 8));
     assert_true(arena.failed);
@@ -69,7 +69,7 @@ static void sizes_that_overflow_fail(void **state)
     _Alignas(8) uint8_t block[64];
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++)
         for (int counting = 0; counting < 2; counting++) {
-            tp_arena arena = tp_arena_over(counting ? NULL : block, sizeof block);
+            tp_arena arena = tp_arena_init(counting ? NULL : block, sizeof block);
             tp_arena_take(&arena, 1, 8);
             assert_null(tp_arena_take(&arena, parts[i].count, parts[i].size));
             assert_true(arena.failed);
@@ -81,7 +81,7 @@ static void sizes_that_overflow_fail(void **state)
 static void sums_that_overflow_fail(void **state)
 {
     (void)state;
-    tp_arena arena = tp_arena_over(NULL, 0);
+    tp_arena arena = tp_arena_init(NULL, 0);
     tp_arena_take(&arena, SIZE_MAX / 2, 1);
     assert_false(arena.failed);
     tp_arena_take(&arena, SIZE_MAX / 2, 1);

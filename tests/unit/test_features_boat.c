@@ -14,7 +14,7 @@ static uint64_t chance;
 
 static tp_rotation turn_of(const tp_world *w)
 {
-    return tp_rotation_of(w->boat.heading, w->boat.pitch, w->boat.roll);
+    return tp_rotation_from_angles(w->boat.heading, w->boat.pitch, w->boat.roll);
 }
 
 /* How much the boat's bow and right side point up, as sines. */

@@ -104,11 +104,11 @@ static void drift_moves_foam_without_spreading_it(void **state)
     scene.foam.map.drift_z = TP_FX(-0.7);
     tp_foam_blob(tp_foam_of_world(world), TP_FX(2.25), TP_FX(1.25), TP_FX(0.2), 200);
     const double sum = sum_of(world);
-    const int there = tp_foam_at(tp_world_foam(world), TP_FX(2.25), TP_FX(1.25));
+    const int there = tp_foam_sample(tp_world_foam(world), TP_FX(2.25), TP_FX(1.25));
     assert_true(there > 100);
     step(world, &scene, 37);
     assert_true(sum_of(world) <= sum && sum_of(world) > 0.99 * sum - 4);
-    assert_true(abs(tp_foam_at(tp_world_foam(world), TP_FX(2.25 + 0.925),
+    assert_true(abs(tp_foam_sample(tp_world_foam(world), TP_FX(2.25 + 0.925),
                                TP_FX(1.25 - 0.43167)) - there) <= 3);
     free(world);
 }
@@ -144,10 +144,10 @@ static void the_window_follows_the_eye(void **state)
     const tp_input aside = { .strafe = TP_FX(0.1) };
 
     tp_foam_blob(tp_foam_of_world(world), TP_FX(5.25), TP_FX(0.25), TP_FX(0.5), 250);
-    const int there = tp_foam_at(tp_world_foam(world), TP_FX(5.25), TP_FX(0.25));
+    const int there = tp_foam_sample(tp_world_foam(world), TP_FX(5.25), TP_FX(0.25));
     for (int i = 0; i < 190; i++)
         tp_world_step(&tp_program_all, world, &scene, &aside);
-    assert_true(abs(tp_foam_at(tp_world_foam(world), TP_FX(5.25), TP_FX(0.25)) - there)
+    assert_true(abs(tp_foam_sample(tp_world_foam(world), TP_FX(5.25), TP_FX(0.25)) - there)
                 <= 4);
     for (int i = 0; i < 40; i++)
         tp_world_step(&tp_program_all, world, &scene, &aside);
@@ -169,14 +169,14 @@ static void beyond_the_window_there_is_no_foam(void **state)
     assert_true(foam->drift_x == 0 && foam->drift_z == 0);
     memset(tp_foam_cover(tp_foam_of_world(world)), 255, 64 * 64);
     for (tp_fx way = 0; way < side; way += off * 61) {
-        assert_int_equal(tp_foam_at(foam, left, near + way), 255);
-        assert_int_equal(tp_foam_at(foam, left - off, near + way), 0);
-        assert_int_equal(tp_foam_at(foam, left + side - 1, near + way), 255);
-        assert_int_equal(tp_foam_at(foam, left + side, near + way), 0);
-        assert_int_equal(tp_foam_at(foam, left + way, near), 255);
-        assert_int_equal(tp_foam_at(foam, left + way, near - off), 0);
-        assert_int_equal(tp_foam_at(foam, left + way, near + side - 1), 255);
-        assert_int_equal(tp_foam_at(foam, left + way, near + side), 0);
+        assert_int_equal(tp_foam_sample(foam, left, near + way), 255);
+        assert_int_equal(tp_foam_sample(foam, left - off, near + way), 0);
+        assert_int_equal(tp_foam_sample(foam, left + side - 1, near + way), 255);
+        assert_int_equal(tp_foam_sample(foam, left + side, near + way), 0);
+        assert_int_equal(tp_foam_sample(foam, left + way, near), 255);
+        assert_int_equal(tp_foam_sample(foam, left + way, near - off), 0);
+        assert_int_equal(tp_foam_sample(foam, left + way, near + side - 1), 255);
+        assert_int_equal(tp_foam_sample(foam, left + way, near + side), 0);
     }
     free(world);
 }

@@ -123,9 +123,11 @@ static void the_shore_foams_where_it_moves(void **state)
         tp_world_step(&tp_program_all, world, &s, NULL);
     int strip = 0;
     for (int x = -20; x < 20; x++) {
-        strip += tp_foam_at(tp_world_foam(world), x * TP_FX_ONE, TP_FX(-15));
-        assert_int_equal(tp_foam_at(tp_world_foam(world), x * TP_FX_ONE, TP_FX(-25)), 0);
-        assert_int_equal(tp_foam_at(tp_world_foam(world), x * TP_FX_ONE, TP_FX(5)), 0);
+        strip += tp_foam_sample(tp_world_foam(world), x * TP_FX_ONE, TP_FX(-15));
+        assert_int_equal(tp_foam_sample(tp_world_foam(world), x * TP_FX_ONE, TP_FX(-25)),
+                         0);
+        assert_int_equal(tp_foam_sample(tp_world_foam(world), x * TP_FX_ONE, TP_FX(5)),
+                         0);
     }
     assert_true(strip > 40 * 5);
     free(world);
@@ -152,7 +154,7 @@ static void walls_foam_where_the_water_moves(void **state)
         tp_world_step(&tp_program_all, world, &s, NULL);
     assert_true(mean_of(world) > 0.1);
     for (int x = -20; x < 20; x++)
-        assert_int_equal(tp_foam_at(tp_world_foam(world), x * TP_FX(0.1), 0), 0);
+        assert_int_equal(tp_foam_sample(tp_world_foam(world), x * TP_FX(0.1), 0), 0);
     free(world);
 }
 
@@ -171,7 +173,7 @@ static tp_scene with_boat(tp_fx speed)
 
 static int at(const tp_world *world, double x, double z)
 {
-    return tp_foam_at(tp_world_foam(world), (tp_fx)(x * 65536), (tp_fx)(z * 65536));
+    return tp_foam_sample(tp_world_foam(world), (tp_fx)(x * 65536), (tp_fx)(z * 65536));
 }
 
 /* The hull is 3 m wide in its middle: a line along it, nothing away from it. */

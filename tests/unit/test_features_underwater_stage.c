@@ -278,7 +278,7 @@ static void the_surface_from_below_follows_fresnel(void **state)
             place_sample(&s, &r, i, far[i] > 0 ? far[i] : 1);
         }
         tp_stage_view(&s.shade, &r.run);
-        tp_stage_below(&s.shade, &r.run);
+        tp_stage_underside(&s.shade, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
             const ref_vec way = view_way(&s, &r.run, i);
             const ref_vec at = far[i] > 0 ? place_sample(&s, &r, i, far[i]) : s.eye;
@@ -307,8 +307,8 @@ static void snells_window_ends_at_48_6_degrees(void **state)
         const tp_beam beam = { { 0, 0, 0 }, { (int32_t)lround(sin(angle) * Q14),
                                (int32_t)lround(cos(angle) * Q14), 0, 0 }, 0 };
         water.walled = water.floored = false;
-        const uint32_t c = tp_inside_up(&s.shade, &s.shade.inside->bed, &beam,
-                                        (tp_ray){ 0, 16384, 0, 0 }, 0);
+        const uint32_t c = tp_inside_trace_surface(&s.shade, &s.shade.inside->bed, &beam,
+                                                   (tp_ray){ 0, 16384, 0, 0 }, 0);
         if ((c & 0xff) > 8)
             rim = k / 100.0;
         else

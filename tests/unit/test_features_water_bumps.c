@@ -40,7 +40,7 @@ static bumped any_bumped(tp_cells cells, tp_edges edges, const tp_grey *mask, tp
     tp_pool_slopes(b.pool, TP_FX(0.3), gain, b.slope);
     b.shade.zi_log = 29 * 256;
     b.bumps.pool[1].slope = NULL;
-    b.bumps.pool[0] = tp_pool_bump_of(b.pool, b.slope);
+    b.bumps.pool[0] = tp_pool_bump_make(b.pool, b.slope);
     b.bumps.pool[0].lod = -20000;
     return b;
 }

@@ -65,7 +65,7 @@ static void grades_are_saturation_clamp_and_colour(void **state)
         run_any(&r, 0, &chance);
         tp_shade s = layer_at_level(&r, &layer, level);
         own.base.layer = layer;
-        own.base.grade = tp_grade_of(w.saturation, w.clamp, w.colour);
+        own.base.grade = tp_grade_make(w.saturation, w.clamp, w.colour);
         run_by(tp_stage_texture_graded, &s, &own.base, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
             const double e = ref_off(r.run.colour[i],
@@ -96,7 +96,7 @@ static void a_grade_that_asks_for_nothing_does_nothing(void **state)
         run_any(&r, 0, &chance);
         const tp_shade s = { .zi_log = 29 * 256 };
         own.base.layer = layer_any(&chance, &t);
-        own.base.grade = tp_grade_of(TP_FX_ONE, 0, 0xffffff);
+        own.base.grade = tp_grade_make(TP_FX_ONE, 0, 0xffffff);
         tp_run other = r.run;
         run_by(plain[n % 2], &s, &own.base, &r.run);
         run_by(graded[n % 2], &s, &own.base, &other);
@@ -122,12 +122,12 @@ static void grades_reach_their_ends(void **state)
     own.base.layer = layer;
     for (uint32_t i = 0; i < TP_RUN; i++)
         r.s[i] = i << 16 | 0x8000;
-    own.base.grade = tp_grade_of(0, 0, 0xffffff);
+    own.base.grade = tp_grade_make(0, 0, 0xffffff);
     run_by(tp_stage_texture_graded, &s, &own.base, &r.run);
     assert_int_equal(r.run.colour[0], 0x4d4d4d);        /* 77 / 256 */
     assert_int_equal(r.run.colour[1], 0xffffff);
     assert_int_equal(r.run.colour[2], 0);
-    own.base.grade = tp_grade_of(4 * TP_FX_ONE, TP_FX(0.95), 0xffffff);
+    own.base.grade = tp_grade_make(4 * TP_FX_ONE, TP_FX(0.95), 0xffffff);
     run_by(tp_stage_texture_graded, &s, &own.base, &r.run);
     assert_int_equal(r.run.colour[0], 0xff0000);
     assert_int_equal(r.run.colour[1], 0xffffff);
@@ -151,7 +151,7 @@ static void compare_added(const tp_texture *t, int filter, measure *off)
         own.layers.added[k] = layer[k];
         own.layers.colour[k] = w[k].colour;
         own.layers.graded[k] = chance_int(&chance, 0, 1);
-        own.layers.grade[k] = tp_grade_of(w[k].saturation, w[k].clamp, w[k].colour);
+        own.layers.grade[k] = tp_grade_make(w[k].saturation, w[k].clamp, w[k].colour);
     }
     if (chance_int(&chance, 0, 2) == 0)
         own.layers.added[chance_int(&chance, 0, 1)].texture = NULL;
@@ -276,7 +276,7 @@ static void runs_may_be_cut_at_sixteenths(void **state)
         own.layers.added[1] = own.layers.bend = own.base.layer;
         own.layers.strength = 5 * TP_FX_ONE;
         own.layers.graded[1] = true;
-        own.base.grade = own.layers.grade[1] = tp_grade_of(w.saturation, w.clamp,
+        own.base.grade = own.layers.grade[1] = tp_grade_make(w.saturation, w.clamp,
                                                             w.colour);
         own.base.layer.lod = chance_int(&chance, -2000, 2000);
         const tp_run before = r.run;

@@ -24,7 +24,7 @@ typedef struct {
     { \
         plain_even(shade, run, env); \
         if (lobe == TP_LOBE_NONE) \
-            tp_quick_fill_between(run); \
+            tp_quick_odd_fill(run); \
         else \
             plain_glint(shade, run, lobe); \
     } \
@@ -32,7 +32,7 @@ typedef struct {
     { \
         packed_even(shade, run, env); \
         if (lobe == TP_LOBE_NONE) \
-            tp_quick_fill_between(run); \
+            tp_quick_odd_fill(run); \
         else \
             packed_glint(shade, run, lobe); \
     }

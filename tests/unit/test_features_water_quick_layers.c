@@ -18,7 +18,7 @@ static tp_quick_map prepared(const tp_layer *from, const tp_texture *to)
 {
     tp_layer layer = *from;
     layer.texture = to;
-    return tp_quick_map_of(&layer);
+    return tp_quick_map_make(&layer);
 }
 
 static void quick_free(tp_texture *t)
@@ -183,7 +183,7 @@ static void layers_are_the_exact_ones_of_nearest_texels(void **state)
             tp_layer layer = own.base.layer;
             layer.drift_s += (uint32_t)k * 77777777u;
             *(k ? &own.layers.grade[k - 1] : &own.base.grade) =
-                tp_grade_of(saturation, clamp, colour);
+                tp_grade_make(saturation, clamp, colour);
             if (k) {
                 own.layers.added[k - 1] = layer;
                 own.layers.colour[k - 1] = colour;

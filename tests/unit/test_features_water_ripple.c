@@ -227,7 +227,7 @@ static void ripples_lie_on_what_pools_have_bent(void **state)
             over.sz[i] = (int16_t)(r.n[i] & 0xffff);
         }
         run_by(tp_stage_ripple, &s, &own.ripple, &r.run);
-        run_by(tp_stage_ripple_over, &s, &own.ripple, &over);
+        run_by(tp_stage_ripple_pool_slopes, &s, &own.ripple, &over);
         assert_memory_equal(over.sx, r.run.sx, sizeof r.run.sx);
         assert_memory_equal(over.sz, r.run.sz, sizeof r.run.sz);
     }
@@ -238,7 +238,7 @@ static void runs_may_be_cut_at_sixteenths(void **state)
 {
     (void)state;
     static stage *const stages[] = { tp_stage_ripple, tp_stage_ripple_gentle,
-                                     tp_stage_ripple_over };
+                                     tp_stage_ripple_pool_slopes };
     tp_texture t = layer_texture(&chance, 64, 16);
 
     for (int n = 0; n < 600; n++) {

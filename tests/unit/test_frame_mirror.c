@@ -133,7 +133,7 @@ static int compare(const tp_frame *frame, const tp_half *half, covers *is_there,
     for (int y = 0; y < HEIGHT; y++)
         for (int x = 0; x < WIDTH; x++) {
             const bool drawn = half->colour
-                && tp_half_at(half, 16 * x + 8, 16 * y + 8) >> 24 >= 128;
+                && tp_half_sample(half, 16 * x + 8, 16 * y + 8) >> 24 >= 128;
             count += drawn;
             measure_add(off, distance_to(is_there, &c, &box, x + 0.5, y + 0.5, drawn), x,
                         y, count);
@@ -179,7 +179,7 @@ static void odd_sizes_have_their_mirror_in_place(void **state)
             const int x = (int)(i % w), y = (int)(i / w);
             const tp_half *half = mirror_of(f.frame);
             const bool drawn = half->colour
-                && tp_half_at(half, 16 * x + 8, 16 * y + 8) >> 24 >= 128;
+                && tp_half_sample(half, 16 * x + 8, 16 * y + 8) >> 24 >= 128;
             assert_true(distance_to(ref_mirrors, &c, &box, x + 0.5, y + 0.5, drawn)
                         <= 1);
         }
@@ -285,7 +285,7 @@ static void no_sky_shows_between_an_object_and_its_mirror(void **state)
             if (!half->colour || !at_the_foot(&c, &box, key, x, y))
                 continue;
             feet++;
-            light += tp_half_at(half, 16 * x + 8, 16 * y + 8) >> 24 < 250;
+            light += tp_half_sample(half, 16 * x + 8, 16 * y + 8) >> 24 < 250;
         }
         frame_free(&f);
         free(world);

@@ -200,7 +200,7 @@ static void a_program_without_a_quick_stage_takes_the_next_better_rung(void **st
     OF_HALVES(X)
 #undef X
     tp_program own = tp_program_all;
-    WITHOUT_STAGE(own, use, table, fast_water, quick_between);
+    WITHOUT_STAGE(own, use, table, fast_water, quick_odd_fill);
 #define X(name) table[TP_NTH_##name] = NULL;
     OF_OTHERS(X)
 #undef X

@@ -22,7 +22,7 @@ static void assert_dir(tp_dir3 d, tp_q30 x, tp_q30 y, tp_q30 z)
 static void no_turn_is_the_world_itself(void **state)
 {
     (void)state;
-    const tp_rotation r = tp_rotation_of(0, 0, 0);
+    const tp_rotation r = tp_rotation_from_angles(0, 0, 0);
     assert_dir(r.x, TP_Q30_ONE, 0, 0);
     assert_dir(r.y, 0, TP_Q30_ONE, 0);
     assert_dir(r.z, 0, 0, TP_Q30_ONE);
@@ -31,17 +31,17 @@ static void no_turn_is_the_world_itself(void **state)
 static void heading_turns_the_look_from_minus_z_to_plus_x(void **state)
 {
     (void)state;
-    const tp_rotation r = tp_rotation_of(TP_DEG(90), 0, 0);
+    const tp_rotation r = tp_rotation_from_angles(TP_DEG(90), 0, 0);
     assert_dir(r.z, -TP_Q30_ONE, 0, 0);     /* looks along +x, so back is -x */
     assert_dir(r.x, 0, 0, TP_Q30_ONE);
     assert_dir(r.y, 0, TP_Q30_ONE, 0);
-    assert_true(tp_rotation_of(TP_DEG(10), 0, 0).z.x < 0);
+    assert_true(tp_rotation_from_angles(TP_DEG(10), 0, 0).z.x < 0);
 }
 
 static void pitch_lifts_the_look(void **state)
 {
     (void)state;
-    const tp_rotation r = tp_rotation_of(0, TP_DEG(90), 0);
+    const tp_rotation r = tp_rotation_from_angles(0, TP_DEG(90), 0);
     assert_dir(r.z, 0, -TP_Q30_ONE, 0);     /* looks straight up */
     assert_dir(r.y, 0, 0, TP_Q30_ONE);
     assert_dir(r.x, TP_Q30_ONE, 0, 0);
@@ -50,11 +50,11 @@ static void pitch_lifts_the_look(void **state)
 static void roll_lowers_the_right_side(void **state)
 {
     (void)state;
-    const tp_rotation r = tp_rotation_of(0, 0, TP_DEG(90));
+    const tp_rotation r = tp_rotation_from_angles(0, 0, TP_DEG(90));
     assert_dir(r.x, 0, -TP_Q30_ONE, 0);
     assert_dir(r.y, TP_Q30_ONE, 0, 0);
     assert_dir(r.z, 0, 0, TP_Q30_ONE);
-    assert_true(tp_rotation_of(TP_DEG(77), TP_DEG(-20), TP_DEG(1)).x.y < 0);
+    assert_true(tp_rotation_from_angles(TP_DEG(77), TP_DEG(-20), TP_DEG(1)).x.y < 0);
 }
 
 /* Roll, lift and turn of a vector of the local frame, one after the other. */
@@ -73,7 +73,7 @@ static void turned(const double v[3], const double angle[3], double out[3])
 static void every_entry_is_within_2e_8(void **state)
 {
     (void)state;
-    measure m = { .what = "tp_rotation_of", .unit = "" };
+    measure m = { .what = "tp_rotation_from_angles", .unit = "" };
     uint64_t random = seed;
     for (int i = 0; i < INPUTS; i++) {
         const tp_turn t[3] = { (tp_turn)random_next(&random),
@@ -81,7 +81,7 @@ static void every_entry_is_within_2e_8(void **state)
                                (tp_turn)random_next(&random) };
         const double unit = 6.283185307179586476925 * 0x1p-32;
         const double angle[3] = { t[0] * unit, t[1] * unit, t[2] * unit };
-        const tp_rotation r = tp_rotation_of(t[0], t[1], t[2]);
+        const tp_rotation r = tp_rotation_from_angles(t[0], t[1], t[2]);
         const tp_dir3 rows[3] = { r.x, r.y, r.z };
         for (int row = 0; row < 3; row++) {
             const double axis[3] = { row == 0, row == 1, row == 2 };
@@ -98,8 +98,9 @@ static void every_entry_is_within_2e_8(void **state)
 
 static tp_rotation random_rotation(uint64_t *random)
 {
-    return tp_rotation_of((tp_turn)random_next(random), (tp_turn)random_next(random),
-                          (tp_turn)random_next(random));
+    return tp_rotation_from_angles((tp_turn)random_next(random),
+                                   (tp_turn)random_next(random),
+                                   (tp_turn)random_next(random));
 }
 
 static void turning_there_and_back_returns_the_vector(void **state)

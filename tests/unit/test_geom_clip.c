@@ -320,7 +320,7 @@ static void a_level_cuts_off_what_lies_beyond_it(void **state)
         const tp_view_corner in[3] = { any_corner(30, 30), any_corner(30, 30),
                                        any_corner(30, 30) };
         tp_view_corner out[TP_CLIP_CORNERS];
-        const int count = tp_clip_triangle_at(&v.lens, &plane, in, out);
+        const int count = tp_clip_triangle_plane(&v.lens, &plane, in, out);
         assert_in_range(count, 0, TP_CLIP_CORNERS);
         for (int i = 0; i < 3; i++)
             measure_add(&height, ldexp((double)tp_view_height(&plane, &in[i]), -32)
@@ -352,8 +352,8 @@ static void a_level_cuts_an_edge_once(void **state)
         if ((tp_view_height(&plane, &a) >= 0) == (tp_view_height(&plane, &b) >= 0))
             continue;
         tp_view_corner p[TP_CLIP_CORNERS], q[TP_CLIP_CORNERS];
-        const int np = tp_clip_triangle_at(&v.lens, &plane, one, p);
-        const int nq = tp_clip_triangle_at(&v.lens, &plane, two, q);
+        const int np = tp_clip_triangle_plane(&v.lens, &plane, one, p);
+        const int nq = tp_clip_triangle_plane(&v.lens, &plane, two, q);
         int same = 0;
         for (int i = 0; i < np; i++)
             for (int k = 0; k < nq; k++)

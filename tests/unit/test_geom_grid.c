@@ -32,12 +32,12 @@ typedef struct {
 
 static void carve(pond *p, uint32_t cols, uint32_t rows)
 {
-    tp_arena count = tp_arena_over(NULL, 0);
+    tp_arena count = tp_arena_init(NULL, 0);
 
     tp_grid_carve(&p->grid, &count, cols, rows);
     p->block = malloc(count.used);
     memset(p->block, 0xa5, count.used);
-    tp_arena arena = tp_arena_over(p->block, count.used);
+    tp_arena arena = tp_arena_init(p->block, count.used);
     tp_grid_carve(&p->grid, &arena, cols, rows);
     assert_false(arena.failed);
 }

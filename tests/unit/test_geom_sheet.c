@@ -30,13 +30,13 @@ typedef struct {
 
 static void carve(beach *s, uint32_t cols, uint32_t rows)
 {
-    tp_arena count = tp_arena_over(NULL, 0);
+    tp_arena count = tp_arena_init(NULL, 0);
 
     tp_grid_carve(&s->grid, &count, cols, rows);
     tp_grid_carve_ocean(&s->grid, &count);
     s->block = malloc(count.used);
     memset(s->block, 0xa5, count.used);
-    tp_arena arena = tp_arena_over(s->block, count.used);
+    tp_arena arena = tp_arena_init(s->block, count.used);
     tp_grid_carve(&s->grid, &arena, cols, rows);
     tp_grid_carve_ocean(&s->grid, &arena);
     assert_false(arena.failed);

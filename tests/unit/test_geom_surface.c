@@ -50,8 +50,8 @@ static tp_surface surface_make(water *w, double q)
             .amplitude = chance_fx(&chance, 0.01, 0.5), .length = chance_fx(&chance, 1, 4),
             .speed = TP_FX(1.2), .decay = TP_FX(4), .spread = TP_FX_ONE,
         };
-        assert_true(tp_ring_at(&ring, (int64_t)chance_int(&chance, 20, 300) * 65536,
-                               &w->ring[i]));
+        assert_true(tp_ring_evaluate(&ring, (int64_t)chance_int(&chance, 20, 300) * 65536,
+                                     &w->ring[i]));
     }
     w->pool = stirred_pool((tp_cells)random_below(&chance, 3), TP_EDGES_WALL);
     w->field = stirred_pool((tp_cells)random_below(&chance, 3), TP_EDGES_TILE);
@@ -160,8 +160,9 @@ static void above_the_open_sea_is_the_sea_and_the_relief(void **state)
             const tp_relief r = tp_surface_relief(&s, x, z);
             tp_fx rest[2] = { x + 99, z - 99 }, same[2] = { x + 99, z - 99 };
             tp_fx *from = k % 2 ? rest : NULL;
-            const tp_sea_point got = tp_surface_above(&s, x, z, from);
-            const tp_sea_point sea = tp_sea_above(s.sea, s.phases, x, z, from ? same : NULL);
+            const tp_sea_point got = tp_surface_sample(&s, x, z, from);
+            const tp_sea_point sea =
+                tp_sea_sample(s.sea, s.phases, x, z, from ? same : NULL);
             assert_int_equal(got.position.x, sea.position.x);
             assert_int_equal(got.position.z, sea.position.z);
             assert_int_equal(got.position.y, sea.position.y + r.height);
@@ -197,7 +198,7 @@ static void ocean_errors(double q, bool floor, measure *m, uint32_t *coarse)
         for (int k = 0; k < 60; k++) {
             const tp_fx x = chance_fx(&chance, -50, 50), z = chance_fx(&chance, -50, 50);
             tp_fx rest[2] = { x, z };
-            const tp_sea_point got = tp_surface_above(&s, x, z, rest);
+            const tp_sea_point got = tp_surface_sample(&s, x, z, rest);
             const tp_ocean_point at = tp_ocean_smooth(s.ocean, s.phases, rest[0], rest[1]);
             const double off = hypot(at.position.x - x, at.position.z - z) * LSB;
             const tp_relief r = tp_surface_relief(&s, x, z);
@@ -240,13 +241,13 @@ static void slopes_over_an_ocean_are_those_of_its_heights(void **state)
         for (int k = 0; k < 40; k++) {
             const tp_fx x = chance_fx(&chance, -50, 50), z = chance_fx(&chance, -50, 50);
             const tp_fx d = TP_FX(0.02);
-            const tp_sea_point at = tp_surface_above(&s, x, z, NULL);
-            const double sx = (tp_surface_above(&s, x + d, z, NULL).position.y
-                               - tp_surface_above(&s, x - d, z, NULL).position.y)
-                            / (2.0 * d);
-            const double sz = (tp_surface_above(&s, x, z + d, NULL).position.y
-                               - tp_surface_above(&s, x, z - d, NULL).position.y)
-                            / (2.0 * d);
+            const tp_sea_point at = tp_surface_sample(&s, x, z, NULL);
+            const double sx = (tp_surface_sample(&s, x + d, z, NULL).position.y
+                               - tp_surface_sample(&s, x - d, z, NULL).position.y)
+                              / (2.0 * d);
+            const double sz = (tp_surface_sample(&s, x, z + d, NULL).position.y
+                               - tp_surface_sample(&s, x, z - d, NULL).position.y)
+                              / (2.0 * d);
             measure_add(&m, at.slope_x * LSB - sx, x, z, 0);
             measure_add(&m, at.slope_z * LSB - sz, x, z, 1);
         }
@@ -293,7 +294,7 @@ static void slopes_across_are_those_of_the_cross_product(void **state)
         double sx, sz, size;
         tp_fx gx, gz;
         held += slopes_of(a, b, &sx, &sz, &size);
-        tp_slopes_across(a, b, &gx, &gz);
+        tp_slopes_from_tangents(a, b, &gx, &gz);
         assert_true(abs(gx) <= 8 * TP_FX_ONE && abs(gz) <= 8 * TP_FX_ONE);
         if (size < 8388608)             /* small ones have few digits */
             continue;
@@ -315,7 +316,7 @@ static void sheets_without_a_size_are_level(void **state)
 
     for (size_t i = 0; i < sizeof pair / sizeof pair[0]; i++) {
         tp_fx sx = 1, sz = 1;
-        tp_slopes_across(pair[i][0], pair[i][1], &sx, &sz);
+        tp_slopes_from_tangents(pair[i][0], pair[i][1], &sx, &sz);
         assert_int_equal(sx, 0);
         assert_int_equal(sz, 0);
     }
@@ -329,10 +330,10 @@ static void what_overhangs_is_as_steep_as_can_be(void **state)
     const tp_vec3 wide = { 2047 * TP_FX_ONE, -2047 * TP_FX_ONE, 2047 * TP_FX_ONE };
     tp_fx sx, sz;
 
-    tp_slopes_across(over, along, &sx, &sz);
+    tp_slopes_from_tangents(over, along, &sx, &sz);
     assert_true(sx > TP_FX(7.9) && sx <= 8 * TP_FX_ONE);
     assert_int_equal(sz, 0);
-    tp_slopes_across(huge, wide, &sx, &sz);
+    tp_slopes_from_tangents(huge, wide, &sx, &sz);
     assert_true(abs(sx) <= 8 * TP_FX_ONE && abs(sz) <= 8 * TP_FX_ONE);
 }
 

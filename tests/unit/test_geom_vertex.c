@@ -26,12 +26,12 @@ typedef struct {
 
 static void carve(pond *p)
 {
-    tp_arena count = tp_arena_over(NULL, 0);
+    tp_arena count = tp_arena_init(NULL, 0);
 
     tp_grid_carve(&p->grid, &count, SIDE, SIDE);
     p->block = malloc(count.used);
     memset(p->block, 0xa5, count.used);
-    tp_arena arena = tp_arena_over(p->block, count.used);
+    tp_arena arena = tp_arena_init(p->block, count.used);
     tp_grid_carve(&p->grid, &arena, SIDE, SIDE);
     assert_false(arena.failed);
 }
@@ -234,7 +234,7 @@ static void sines_of_phases_are_right_to_28_bits(void **state)
 
     for (int n = 0; n < 300000; n++) {
         const tp_turn angle = (tp_turn)random_next(&chance);
-        const tp_vertex_turn got = tp_vertex_turn_of(angle);
+        const tp_vertex_turn got = tp_vertex_turn_from_angle(angle);
         const double th = angle / 4294967296.0 * 2 * PI;
         measure_add(&error, got.sin - sin(th) * 1073741824.0, angle, 0, 0);
         measure_add(&error, got.cos - cos(th) * 1073741824.0, angle, 1, 0);
@@ -296,7 +296,7 @@ static void rings_lie_on_the_displaced_water(void **state)
             .decay = 10 * TP_FX_ONE, .spread = 10 * TP_FX_ONE, .attack = TP_FX(0.1),
         };
         tp_ring_now now;
-        assert_true(tp_ring_at(&ring, (int64_t)(60 + random_below(&chance, 120)) << 16,
+        assert_true(tp_ring_evaluate(&ring, (int64_t)(60 + random_below(&chance, 120)) << 16,
                                &now));
         for (int k = 0; k < 100; k++) {
             const uint32_t i = random_below(&chance, SIDE), j = random_below(&chance, SIDE);

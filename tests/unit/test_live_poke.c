@@ -86,7 +86,7 @@ static void there_must_be_water_and_a_point(void **state)
     assert_int_equal(poke_point(&scene, POKE_POINTS).height, 0);
     scene.pool.cols = 0;
     assert_int_equal(poke_point(&scene, 0).height, 0);
-    assert_int_equal(poke_at(&scene, 9, 9).height, 0);
+    assert_int_equal(poke_make_push(&scene, 9, 9).height, 0);
 }
 
 /* -- several in a tick --------------------------------------------------------------- */

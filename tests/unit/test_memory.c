@@ -183,8 +183,8 @@ static void assets_of_null_are_none(void **state)
 {
     (void)state;
     const tp_scene scene = scene_plain();
-    const tp_rungs a = tp_rungs_of(&scene, NULL, WIDTH, HEIGHT);
-    const tp_rungs b = tp_rungs_of(&scene, &none, WIDTH, HEIGHT);
+    const tp_rungs a = tp_rungs_choose(&scene, NULL, WIDTH, HEIGHT);
+    const tp_rungs b = tp_rungs_choose(&scene, &none, WIDTH, HEIGHT);
 
     assert_int_equal(tp_world_bytes(&tp_program_all, &scene, NULL),
                      tp_world_bytes(&tp_program_all, &scene, &none));
@@ -192,9 +192,9 @@ static void assets_of_null_are_none(void **state)
     assert_int_equal(tp_frame_bytes(&picture, &scene), tp_frame_bytes(&without, &scene));
     assert_int_equal(frame_crc(NULL), frame_crc(&none));
     assert_memory_equal(&a, &b, sizeof a);
-    assert_true(tp_plan_of(&scene, NULL, WIDTH, HEIGHT).total.cost
-                == tp_plan_of(&scene, &none, WIDTH, HEIGHT).total.cost);
-    assert_int_equal(tp_ladder_of(&scene, NULL, WIDTH, HEIGHT).count, 1);
+    assert_true(tp_plan_make(&scene, NULL, WIDTH, HEIGHT).total.cost
+                == tp_plan_make(&scene, &none, WIDTH, HEIGHT).total.cost);
+    assert_int_equal(tp_ladder_make(&scene, NULL, WIDTH, HEIGHT).count, 1);
 }
 
 static void tiles_are_not_drawn_without_memory(void **state)
@@ -226,13 +226,13 @@ static void pictures_beyond_the_sizes_are_not_planned(void **state)
     const tp_scene scene = scene_plain();
 
     for (size_t i = 0; i < sizeof side / sizeof *side; i++) {
-        assert_int_equal(tp_plan_of(&scene, &none, side[i], 240).total.cost, 0);
-        assert_int_equal(tp_plan_of(&scene, &none, 320, side[i]).total.cost, 0);
-        assert_int_equal(tp_rungs_of(&scene, &none, side[i], 240).visibility,
+        assert_int_equal(tp_plan_make(&scene, &none, side[i], 240).total.cost, 0);
+        assert_int_equal(tp_plan_make(&scene, &none, 320, side[i]).total.cost, 0);
+        assert_int_equal(tp_rungs_choose(&scene, &none, side[i], 240).visibility,
                          TP_VISIBILITY_TRIANGLES);
-        assert_int_equal(tp_ladder_of(&scene, &none, 320, side[i]).count, 1);
+        assert_int_equal(tp_ladder_make(&scene, &none, 320, side[i]).count, 1);
     }
-    assert_true(tp_plan_of(&scene, &none, 16, 4096).total.cost > 0);
+    assert_true(tp_plan_make(&scene, &none, 16, 4096).total.cost > 0);
 }
 
 int main(void)

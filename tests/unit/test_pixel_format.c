@@ -13,10 +13,10 @@ static void every_format_is_found_by_its_name(void **state)
     (void)state;
     for (int f = 0; f < TP_FORMAT_COUNT; f++) {
         const char *const name = tp_format_name((tp_format)f);
-        assert_int_equal(tp_format_of(name, (uint32_t)strlen(name)), f);
+        assert_int_equal(tp_format_find(name, (uint32_t)strlen(name)), f);
     }
-    assert_int_equal(tp_format_of("rgb565be and more", 8), TP_FORMAT_RGB565BE);
-    assert_int_equal(tp_format_of("rgb565be", 6), TP_FORMAT_RGB565);
+    assert_int_equal(tp_format_find("rgb565be and more", 8), TP_FORMAT_RGB565BE);
+    assert_int_equal(tp_format_find("rgb565be", 6), TP_FORMAT_RGB565);
 }
 
 static void other_names_are_none(void **state)
@@ -25,7 +25,7 @@ static void other_names_are_none(void **state)
     static const char *const others[] = { "",    "rgb", "rgb56", "RGB565",
                                           "p88", "i1 ", "565" };
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++)
-        assert_int_equal(tp_format_of(others[i], (uint32_t)strlen(others[i])), -1);
+        assert_int_equal(tp_format_find(others[i], (uint32_t)strlen(others[i])), -1);
     assert_string_equal(tp_format_name(TP_FORMAT_COUNT), "");
     assert_int_equal(tp_format_bits(TP_FORMAT_COUNT), 0);
 }

@@ -43,7 +43,8 @@ static tp_lens lens_of(const tp_world *w)
 /* Where a point of the deck appears, pixels. */
 static void seen_at(const tp_world *w, tp_vec3 deck, double *u, double *v)
 {
-    const tp_rotation turn = tp_rotation_of(w->boat.heading, w->boat.pitch, w->boat.roll);
+    const tp_rotation turn =
+        tp_rotation_from_angles(w->boat.heading, w->boat.pitch, w->boat.roll);
     const tp_vec3 way = tp_rotate_back(&turn, deck);
     const tp_lens lens = lens_of(w);
     tp_view_corner c;
@@ -67,8 +68,9 @@ static void the_deck_stands_still_in_the_picture(void **state)
         const tp_scene scene = aboard_scene();
         tp_world w = boat_world(&scene);
         const tp_camera start = tp_world_camera(&w);
-        const tp_rotation turn = tp_rotation_of(tp_turn_of_degrees(scene.camera.heading),
-                                                tp_turn_of_degrees(scene.camera.pitch), 0);
+        const tp_rotation turn =
+            tp_rotation_from_angles(tp_turn_of_degrees(scene.camera.heading),
+                                    tp_turn_of_degrees(scene.camera.pitch), 0);
         const tp_vec3 ahead = tp_rotate_back(&turn, (tp_vec3){ TP_FX(1.5), TP_FX(-1),
                                                                TP_FX(-7) });
         const tp_vec3 point = tp_vec3_add(ahead, w.eye);

@@ -31,7 +31,7 @@ static placed place_any(tp_world *w)
 static void assert_seen_from(const tp_world *w, const placed *p)
 {
     const tp_camera camera = tp_world_camera(w);
-    const tp_rotation turn = tp_rotation_of(p->heading, p->pitch, p->roll);
+    const tp_rotation turn = tp_rotation_from_angles(p->heading, p->pitch, p->roll);
 
     assert_memory_equal(&camera.eye, &p->eye, sizeof p->eye);
     assert_memory_equal(&camera.turn, &turn, sizeof turn);
@@ -86,7 +86,7 @@ static void between_ticks_roll_goes_the_shorter_way(void **state)
     w.roll = TP_DEG(30);
     w.back = TP_FX_ONE / 2;
     const tp_rotation turn = tp_world_camera(&w).turn,
-                      want = tp_rotation_of(0, 0, TP_DEG(10));
+                      want = tp_rotation_from_angles(0, 0, TP_DEG(10));
     assert_in_range(turn.x.y - want.x.y + 64, 0, 128);
     assert_in_range(turn.x.x - want.x.x + 64, 0, 128);
 }

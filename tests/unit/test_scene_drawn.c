@@ -39,7 +39,7 @@ static void assert_pose(const tp_pose *a, const tp_pose *b)
 
 static void assert_camera(const tp_camera *at, tp_vec3 eye, tp_turn heading, tp_turn pitch)
 {
-    const tp_rotation turn = tp_rotation_of(heading, pitch, 0);
+    const tp_rotation turn = tp_rotation_from_angles(heading, pitch, 0);
     assert_memory_equal(&at->eye, &eye, sizeof eye);
     assert_memory_equal(&at->turn, &turn, sizeof turn);
 }
@@ -96,8 +96,8 @@ static void between_them_all_is_monotone(void **state)
         tp_scene scene;
         tp_world w = moved(&scene, 5);
         int32_t x = w.last_eye.x, y = w.last_eye.y, place = w.last_boat.place.z;
-        const int32_t last = tp_rotation_of(w.last_heading, w.last_pitch, 0).x.z;
-        const int32_t now = tp_rotation_of(w.heading, w.pitch, 0).x.z;
+        const int32_t last = tp_rotation_from_angles(w.last_heading, w.last_pitch, 0).x.z;
+        const int32_t now = tp_rotation_from_angles(w.heading, w.pitch, 0).x.z;
         int32_t right = last, roll = 0;
         for (tp_fx back = TP_FX_ONE; back >= 0; back -= 257) {
             w.back = back;
@@ -138,9 +138,9 @@ static void far_places_are_interpolated_too(void **state)
     (void)state;
     const tp_fx far = 8000 * TP_FX_ONE;
 
-    assert_int_equal(tp_between(-far, far, TP_FX_ONE), -far);
-    assert_int_equal(tp_between(-far, far, TP_FX_ONE / 2), 0);
-    assert_int_equal(tp_between(far, -far, TP_FX_ONE / 4), -far / 2);
+    assert_int_equal(tp_interpolate(-far, far, TP_FX_ONE), -far);
+    assert_int_equal(tp_interpolate(-far, far, TP_FX_ONE / 2), 0);
+    assert_int_equal(tp_interpolate(far, -far, TP_FX_ONE / 4), -far / 2);
 }
 
 /* -- the clock --------------------------------------------------------------------- */

@@ -165,7 +165,7 @@ static void the_default_scene_is_the_defaults_of_the_rows(void **state)
 }
 
 /* One step beyond either end, as text. */
-static void check_beyond(const tp_param *row, int32_t number)
+static void check_excess(const tp_param *row, int32_t number)
 {
     tp_scene scene, before;
     tp_error err;
@@ -188,8 +188,8 @@ static void numbers_just_beyond_their_range_are_refused(void **state)
     const tp_param *const rows = tp_params(&count);
     for (uint32_t i = 0; i < count; i++)
         if (rows[i].kind == TP_PARAM_FX || rows[i].kind == TP_PARAM_INT) {
-            check_beyond(&rows[i], rows[i].low - 1);
-            check_beyond(&rows[i], rows[i].high + 1);
+            check_excess(&rows[i], rows[i].low - 1);
+            check_excess(&rows[i], rows[i].high + 1);
         }
 }
 

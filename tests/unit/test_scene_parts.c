@@ -288,14 +288,14 @@ static void the_surface_names_every_part(void **state)
     uint32_t rings = 0;
     for (uint32_t i = 0; i < drops->rings; i++) {
         tp_ring_now at;
-        if (tp_ring_at(&tp_drops_rings(drops)[i], now, &at))
+        if (tp_ring_evaluate(&tp_drops_rings(drops)[i], now, &at))
             assert_memory_equal(&at, &s.ring[rings++], sizeof at);
     }
     assert_int_equal(s.rings, rings);
     for (int n = 0; n < 50; n++) {
         const tp_fx x = chance_fx(&chance, -20, 20), z = chance_fx(&chance, -20, 20);
         const tp_water a = tp_world_sample(&tp_program_all, world, x, z);
-        const tp_sea_point b = tp_surface_above(&s, x, z, NULL);
+        const tp_sea_point b = tp_surface_sample(&s, x, z, NULL);
         assert_int_equal(a.height, b.position.y);
         assert_int_equal(a.slope_x, b.slope_x);
         assert_int_equal(a.slope_z, b.slope_z);

@@ -78,13 +78,13 @@ static tp_plan_input input_of(const trial *t)
 static tp_plan_report report_of(const trial *t)
 {
     const tp_plan_input in = input_of(t);
-    return tp_plan_by(&t->prices, &in);
+    return tp_plan_make_priced(&t->prices, &in);
 }
 
 static tp_price weighed(const trial *t)
 {
     const tp_plan_input in = input_of(t);
-    return tp_price_by(&t->prices, &in);
+    return tp_price_estimate(&t->prices, &in);
 }
 
 static void a_larger_budget_never_costs_more(void **state)
@@ -206,10 +206,10 @@ static void a_ladder_goes_down_and_ends(void **state)
         trial_make(&t, &chance);
         t.scene.quality.frame_ms = 0;
         const tp_plan_input in = input_of(&t);
-        tp_ladder ladder = tp_ladder_by(&t.prices, &in);
+        tp_ladder ladder = tp_ladder_make_priced(&t.prices, &in);
         assert_int_equal(ladder.count, 1);
         t.scene.quality.frame_ms = TP_FX_ONE;
-        ladder = tp_ladder_by(&t.prices, &in);
+        ladder = tp_ladder_make_priced(&t.prices, &in);
         uint64_t last = UINT64_MAX;
         for (uint32_t k = 0; k < ladder.count; k++) {
             t.scene.quality.visibility = (int32_t)ladder.rung[k].visibility;
@@ -232,7 +232,7 @@ static void the_ladder_of_a_sea_has_several_steps(void **state)
     (void)state;
     s.quality.error_px = s.quality.error_colour = 0;
     s.quality.frame_ms = TP_FX_ONE;
-    const tp_ladder ladder = tp_ladder_of(&s, &none, 320, 240);
+    const tp_ladder ladder = tp_ladder_make(&s, &none, 320, 240);
     print_message("    %u steps\n", (unsigned)ladder.count);
     assert_true(ladder.count > 2);
 }
@@ -354,14 +354,14 @@ static void errors_of_faint_waves_add_up_as_squares(void **state)
     (void)state;
     memset(s.wave, 0, sizeof s.wave);
     s.wave[0] = low[2];
-    tp_faint got = tp_faint_of(&s, &coarse, 100 * TP_FX_ONE);
+    tp_faint got = tp_faint_evaluate(&s, &coarse, 100 * TP_FX_ONE);
     assert_false(got.any);
     assert_int_equal(got.left, 1);
     assert_int_equal(got.px, 0);
     assert_int_equal(got.colour, 0);
 
     memcpy(s.wave, low, sizeof low);
-    got = tp_faint_of(&s, &coarse, 100 * TP_FX_ONE);
+    got = tp_faint_evaluate(&s, &coarse, 100 * TP_FX_ONE);
     assert_true(got.any);
     assert_int_equal(got.left, 2);
     assert_true(fabs(got.px / 65536.0 - sqrt(9.6 * 9.6 + 2 * 2)) < 0.001);
@@ -376,10 +376,10 @@ static void a_budget_of_0_keeps_every_wave(void **state)
     (void)state;
     s.wave[0].amplitude = 1;
     s.quality.error_px = s.quality.error_colour = 0;
-    assert_int_equal(tp_plan_of(&s, &none, 320, 240).waves, 3);
+    assert_int_equal(tp_plan_make(&s, &none, 320, 240).waves, 3);
     s.quality.error_px = TP_FX_ONE;
     s.quality.error_colour = 2 * TP_FX_ONE;
-    assert_int_equal(tp_plan_of(&s, &none, 320, 240).waves, 2);
+    assert_int_equal(tp_plan_make(&s, &none, 320, 240).waves, 2);
 }
 
 int main(void)

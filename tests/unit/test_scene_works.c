@@ -41,9 +41,9 @@ static void view_open(view *v, const char *of, uint32_t width, uint32_t height)
     assert_int_equal(assets_open(&v->assets, &v->file), 0);
     const tp_plan_input in = { tp_program_all.modules, &v->file.scene, &v->assets.names,
                                width, height };
-    v->outlook = tp_outlook_of(&in);
-    v->works = tp_works_of(&in, &v->outlook,
-                           v->file.scene.quality.shading == TP_SHADING_QUICK);
+    v->outlook = tp_outlook_estimate(&in);
+    v->works = tp_works_estimate(&in, &v->outlook,
+                                 v->file.scene.quality.shading == TP_SHADING_QUICK);
 }
 
 static void view_close(view *v)

@@ -88,13 +88,13 @@ static void the_disc_is_the_brightest_and_beyond_white(void **state)
         sky_dome(&sky, &s, &chance);
         if (s.world.ly < 1000)
             continue;
-        const uint32_t sun = tp_env_at(&s, s.world.lx, s.world.ly, s.world.lz);
+        const uint32_t sun = tp_env_sample(&s, s.world.lx, s.world.ly, s.world.lz);
         const double white = fmin(1, sky.config.sun / 65536.0);
         const ref_colour c = ref_colour_of(sun), l = ref_colour_of(sky.config.light);
         for (int k = 0; k < 3; k++)
             assert_true(c.c[k] >= floor(l.c[k] * white) - 2);
         assert_true(fabs((sun >> 24) - 255 * (sky.config.sun / 65536.0) / 16) <= 2);
-        const uint32_t zenith = tp_env_at(&s, -s.world.lx, s.world.ly, -s.world.lz);
+        const uint32_t zenith = tp_env_sample(&s, -s.world.lx, s.world.ly, -s.world.lz);
         if (s.world.ly < 14000)
             assert_int_equal(zenith >> 24, 0);
     }
@@ -132,7 +132,8 @@ static void cubes_are_looked_up_between_their_texels(void **state)
             const ref_dir d = sky_direction(&chance);
             const ref_place p = ref_cube_at(d);
             const double near = fmin(fmin(p.s, 1 - p.s), fmin(p.t, 1 - p.t));
-            const uint32_t got = tp_env_at(&s, sky_q14(d.x), sky_q14(d.y), sky_q14(d.z));
+            const uint32_t got =
+                tp_env_sample(&s, sky_q14(d.x), sky_q14(d.y), sky_q14(d.z));
             const ref_light want = ref_face_texel(sky.texel[p.face], SKY_SIDE, SKY_SIDE,
                                                   p.s, p.t);
             if (near < 0.001)   /* may be the next face's */
@@ -176,7 +177,7 @@ static void seams_do_not_show(void **state)
                 v[(axis + 1) % 3] = a * out;
                 v[(axis + 2) % 3] = b;
                 const ref_dir d = ref_unit((ref_dir){ v[0], v[1], v[2] });
-                side[which] = tp_env_at(&s, sky_q14(d.x), sky_q14(d.y), sky_q14(d.z));
+                side[which] = tp_env_sample(&s, sky_q14(d.x), sky_q14(d.y), sky_q14(d.z));
                 tally_add(&off, side[which], ref_colour_of(smooth(d, NULL)));
             }
             step = fmax(step, ref_off(side[0], ref_colour_of(side[1])));
@@ -184,8 +185,8 @@ static void seams_do_not_show(void **state)
     }
     for (int i = 0; i < 20000; i++) {
         const ref_dir d = sky_direction(&chance);
-        tally_add(&whole, tp_env_at(&s, sky_q14(d.x), sky_q14(d.y), sky_q14(d.z)),
-                   ref_colour_of(smooth(d, NULL)));
+        tally_add(&whole, tp_env_sample(&s, sky_q14(d.x), sky_q14(d.y), sky_q14(d.z)),
+                  ref_colour_of(smooth(d, NULL)));
     }
     tally_print(&off);
     tally_print(&whole);
@@ -205,9 +206,9 @@ static void pictures_without_alpha_have_no_light_beyond_white(void **state)
     tp_shade s = shade_any(&chance);
 
     sky_cube(&sky, &s, opaque, NULL);
-    assert_int_equal(tp_env_at(&s, 16384, 0, 0) >> 24, 0);
+    assert_int_equal(tp_env_sample(&s, 16384, 0, 0) >> 24, 0);
     sky_cube(&sky, &s, smooth, NULL);
-    assert_int_equal(tp_env_at(&s, 16384, 0, 0) >> 24, 0x40);
+    assert_int_equal(tp_env_sample(&s, 16384, 0, 0) >> 24, 0x40);
 }
 
 /* Each face as its viewer has it: what stands to his right, and over him. */
@@ -224,7 +225,7 @@ static void faces_stand_as_the_header_says(void **state)
             const ref_dir n = ref_unit(d);
             uint32_t recip[TP_RECIP + 2];
             tp_recip_init(recip);
-            const tp_cube_place p = tp_cube_at(recip, sky_q14(n.x), sky_q14(n.y),
+            const tp_cube_place p = tp_cube_project(recip, sky_q14(n.x), sky_q14(n.y),
                                                sky_q14(n.z));
             assert_int_equal(p.face, f);
             assert_true(abs(p.s - (int32_t)((u + 1) * 32768)) < 8);

@@ -64,8 +64,8 @@ static tp_grade any_grade(void)
 {
     const tp_fx saturation = chance_int(&chance, 0, TP_FX(4));
 
-    return tp_grade_of(saturation, chance_int(&chance, 0, TP_FX(0.95)),
-                       (uint32_t)random_next(&chance) & 0xffffff);
+    return tp_grade_make(saturation, chance_int(&chance, 0, TP_FX(0.95)),
+                         (uint32_t)random_next(&chance) & 0xffffff);
 }
 
 static tp_shade any_shade(void)

@@ -98,7 +98,8 @@ static void the_view_is_reflected_by_the_bent_normal(void **state)
             assert_true(e <= 60 / Q14);
             measure_add(&off, e * Q14, (int32_t)r.n[i], i, 0);
             const int32_t up = r.run.up[i] > 0 ? r.run.up[i] : 0;
-            assert_int_equal(r.run.mirror[i], tp_env_at(&s, r.run.rx[i], up, r.run.rz[i]));
+            assert_int_equal(r.run.mirror[i],
+                             tp_env_sample(&s, r.run.rx[i], up, r.run.rz[i]));
         }
     }
     measure_print(&off);
@@ -212,7 +213,7 @@ static void air_takes_the_horizon_s_colour_in_its_direction(void **state)
             const ref_dir flat = ref_unit((ref_dir){ -v.x, 0, -v.z });
             const uint64_t entry = (uint64_t)(r.key[i] >> 1) * haze.scale >> 32;
             const double share = tp_haze_table[entry < TP_HAZE ? entry : TP_HAZE] / 256.0;
-            const uint32_t light = tp_env_at(&s, sky_q14(flat.x), 0, sky_q14(flat.z));
+            const uint32_t light = tp_env_sample(&s, sky_q14(flat.x), 0, sky_q14(flat.z));
             if (fabs(v.y) > 0.7 || light >> 24)
                 continue;       /* 16 columns are many degrees there */
             tally_add(&off, r.run.colour[i], ref_mix(ref_colour_of(before.colour[i]),

@@ -289,7 +289,7 @@ static uint32_t key_at(double near, double depth, uint32_t mark)
 static void levels_follow_the_depth(void **state)
 {
     (void)state;
-    measure m = { .what = "tp_level_of", .unit = "levels" };
+    measure m = { .what = "tp_level_choose", .unit = "levels" };
 
     for (int n = 0; n < 200000; n++) {
         const tp_fx near = chance_scale(&chance, 0.05, 10);
@@ -300,7 +300,7 @@ static void levels_follow_the_depth(void **state)
         const double z = log2(depth);
         const double want = lod / 256.0 + z + (ground && z > 0 ? z / 2 : 0);
         shade.zi_log = tp_log2_q8((uint32_t)near) + 15 * 256;
-        const int got = tp_level_of(lod, tp_log_depth(&shade, key), ground, 13);
+        const int got = tp_level_choose(lod, tp_log_depth(&shade, key), ground, 13);
         if (want < 0.3 || want > 12.3) {
             assert_in_range(got, want > 12.3 ? 12 : 0, want < 0.3 ? 0 : 12);
             continue;
@@ -324,7 +324,7 @@ static void levels_never_fall_with_the_depth(void **state)
         for (uint32_t key = 0xffffffff; key > 256; key -= key / 97 + 1) {
             for (int ground = 0; ground < 2; ground++) {
                 const int32_t depth = tp_log_depth(&shade, (key & ~0xffu) | mark);
-                const int l = tp_level_of(lod, depth, ground, levels);
+                const int l = tp_level_choose(lod, depth, ground, levels);
                 assert_in_range(l, before[ground], levels - 1);
                 before[ground] = l;
             }

@@ -22,7 +22,7 @@ static distance distance_of(const char *along, const char *up)
 /* How far the point found is from the place, and from the reference's height there. */
 static void look_above(const ocean *o, tp_fx x, tp_fx z, tp_fx rest[2], distance *d)
 {
-    const tp_sea_point got = tp_sea_above(&o->sea, o->phases, x, z, rest);
+    const tp_sea_point got = tp_sea_sample(&o->sea, o->phases, x, z, rest);
     const ref_point want = ref_above(&o->ref, o->ref_phases, x * LSB, z * LSB);
 
     assert_true(hypot(want.x - x * LSB, want.z - z * LSB) < 1e-6);
@@ -69,7 +69,7 @@ static void along(const ocean *o, tp_fx rest[2], measure *m)
 {
     const tp_fx x = chance_fx(&chance, -29000, 29000);
     const tp_fx z = chance_fx(&chance, -29000, 29000);
-    const tp_sea_point got = tp_sea_above(&o->sea, o->phases, x, z, rest);
+    const tp_sea_point got = tp_sea_sample(&o->sea, o->phases, x, z, rest);
     measure_add(m, hypot(got.position.x - x, got.position.z - z) * LSB * 1000, x, z,
                 o->count);
 }
@@ -128,7 +128,7 @@ static void it_is_found_from_any_start(void **state)
         ocean_settle(&o);
         look_above(&o, x, z, rest, &d);
         const tp_sea_point there = tp_sea_at_rest(&o.sea, o.phases, rest[0], rest[1]);
-        const tp_sea_point again = tp_sea_above(&o.sea, o.phases, x, z, rest);
+        const tp_sea_point again = tp_sea_sample(&o.sea, o.phases, x, z, rest);
         assert_memory_equal(&there, &again, sizeof there);
     }
     distance_print(&d);
@@ -144,9 +144,9 @@ static void a_place_once_found_is_found_again(void **state)
         const ocean o = ocean_usual(&chance, TP_WAVES, chance_double(&chance, 0, 0.95));
         const tp_fx x = chance_fx(&chance, -500, 500), z = chance_fx(&chance, -500, 500);
         tp_fx rest[2] = { x, z };
-        tp_sea_above(&o.sea, o.phases, x, z, rest);
+        tp_sea_sample(&o.sea, o.phases, x, z, rest);
         const tp_fx found[2] = { rest[0], rest[1] };
-        tp_sea_above(&o.sea, o.phases, x, z, rest);
+        tp_sea_sample(&o.sea, o.phases, x, z, rest);
         assert_memory_equal(rest, found, sizeof found);
     }
 }
@@ -206,7 +206,7 @@ static void above_any_place_there_is_an_answer(void **state)
         const tp_fx x = chance_word(&chance), z = chance_word(&chance);
         const int64_t most = 2 * ((int64_t)o.sea.reach + 2);
         tp_fx rest[2] = { chance_word(&chance), chance_word(&chance) };
-        const tp_sea_point got = tp_sea_above(&o.sea, o.phases, x, z, rest);
+        const tp_sea_point got = tp_sea_sample(&o.sea, o.phases, x, z, rest);
         const tp_sea_point there = tp_sea_at_rest(&o.sea, o.phases, rest[0], rest[1]);
         const int64_t dx = (int64_t)got.position.x - x, dz = (int64_t)got.position.z - z;
         const bool room = has_room(x, z, most);
@@ -260,7 +260,7 @@ static void both_searches_follow_the_table(void **state)
         tp_turn phases[TP_WAVES];
         rows_sea(&r, 1, &sea);
         rows_phases(&r, r.at[2], phases);
-        const tp_sea_point got = tp_sea_above(&sea, phases, x, z, rest);
+        const tp_sea_point got = tp_sea_sample(&sea, phases, x, z, rest);
         measure_add(&e.place, row_error(rest[0], r.at[3]) * 1000, r.rows, 0, 0);
         measure_add(&e.place, row_error(rest[1], r.at[4]) * 1000, r.rows, 0, 0);
         measure_add(&e.height, row_error(got.position.y, r.at[5]) * 1000, r.rows, 0, 0);

@@ -23,9 +23,10 @@ static tp_breaker row_breaker(const double *v)
 {
     const tp_fx gate = tp_breaking_gate(row_fx(2 * v[0] / v[1]));
     return (tp_breaker){
-        .orbit = tp_orbit_of(row_fx(v[0]), row_fx(v[1]), row_turn(v[2]), ref_to_q32(v[3]),
-                             K0, KX, KY),
-        .stretch = row_fx(v[4]), .lip = 2 * row_fx(v[0]),
+        .orbit = tp_orbit_ellipse(row_fx(v[0]), row_fx(v[1]), row_turn(v[2]),
+                                  ref_to_q32(v[3]), K0, KX, KY),
+        .stretch = row_fx(v[4]),
+        .lip = 2 * row_fx(v[0]),
         .kept_stretch = tp_fx_mul(gate, row_fx(exp(-v[5] * v[1]))),
         .kept_lip = tp_fx_mul(gate, row_fx(exp(-v[6] * v[1]))),
     };
@@ -90,7 +91,7 @@ static tp_breaker any_breaker(void)
     const tp_fx r = chance_fx(&chance, 0.01, length / 14);
     const tp_fx h = (tp_fx)(r / 0.39);
     return (tp_breaker){
-        .orbit = tp_orbit_of(r, h, (tp_turn)chance_int(&chance, 0, 0x0fffffff),
+        .orbit = tp_orbit_ellipse(r, h, (tp_turn)chance_int(&chance, 0, 0x0fffffff),
                              ref_to_q32(2 * PI / length), K0, KX, KY),
         .stretch = (tp_fx)(r * chance_double(&chance, 0, 2)), .lip = 2 * r,
         .kept_stretch = TP_FX_ONE, .kept_lip = chance_fx(&chance, 0, 1),

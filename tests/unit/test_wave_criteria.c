@@ -54,7 +54,7 @@ static void criteria_follow_their_vectors(void **state)
         measure_add(&shoaling, 100 * (tp_depth_shoaling(deep, k, h) * LSB / v[5] - 1),
                     rows, 0, 0);
         measure_add(&xi, (xi0 * LSB - v[13]) / (LSB + 1e-4 * v[13]), rows, 0, 0);
-        assert_string_equal(names[tp_breaker_type_of(xi0)], word);
+        assert_string_equal(names[tp_breaker_classify(xi0)], word);
         rows++;
     }
     fclose(file);
@@ -98,10 +98,10 @@ static void thresholds_are_not_above_themselves(void **state)
     (void)state;
     assert_int_equal(tp_breaking_flags(TP_FX(78), 0, TP_FX(100)), 0);
     assert_int_equal(tp_breaking_flags(TP_FX(78) + 1, 0, TP_FX(100)), TP_BREAKING_DEPTH);
-    assert_int_equal(tp_breaker_type_of(TP_FX(0.5) - 1), TP_BREAKER_SPILLING);
-    assert_int_equal(tp_breaker_type_of(TP_FX(0.5)), TP_BREAKER_PLUNGING);
-    assert_int_equal(tp_breaker_type_of(TP_FX(3.3)), TP_BREAKER_PLUNGING);
-    assert_int_equal(tp_breaker_type_of(TP_FX(3.3) + 1), TP_BREAKER_SURGING);
+    assert_int_equal(tp_breaker_classify(TP_FX(0.5) - 1), TP_BREAKER_SPILLING);
+    assert_int_equal(tp_breaker_classify(TP_FX(0.5)), TP_BREAKER_PLUNGING);
+    assert_int_equal(tp_breaker_classify(TP_FX(3.3)), TP_BREAKER_PLUNGING);
+    assert_int_equal(tp_breaker_classify(TP_FX(3.3) + 1), TP_BREAKER_SURGING);
 }
 
 static void what_has_no_height_does_not_break_and_what_has_no_depth_does(void **state)
@@ -133,7 +133,7 @@ static void any_words_are_accepted(void **state)
         assert_in_range(tp_breaking_flags(a, k, b), 0, 7);
         assert_true(tp_miche_height(k, a) >= 0);
         assert_true(tp_iribarren(a, b, random_number(&chance)) >= 0);
-        assert_in_range(tp_breaker_type_of(a), TP_BREAKER_SPILLING, TP_BREAKER_SURGING);
+        assert_in_range(tp_breaker_classify(a), TP_BREAKER_SPILLING, TP_BREAKER_SURGING);
     }
 }
 

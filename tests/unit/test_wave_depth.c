@@ -66,7 +66,7 @@ static void dispersion_follows_its_vectors(void **state)
                                         v[10]), rows, 1, 0);
         measure_add(&shoaling, 100 * apart(tp_depth_shoaling(k_inf, k, h) * LSB, v[11]),
                     rows, 0, 0);
-        assert_string_equal(names[tp_depth_regime_of(fine, h)], word);
+        assert_string_equal(names[tp_depth_classify(fine, h)], word);
         rows++;
     }
     fclose(file);
@@ -160,13 +160,13 @@ static void regimes_change_at_a_half_and_a_twentieth(void **state)
     (void)state;
     const int64_t k = 1000 * tp_depth_number_deep(TP_FX(1000));     /* 2 pi / m */
 
-    assert_int_equal(tp_depth_regime_of(k, TP_FX(0.51)), TP_DEPTH_DEEP);
-    assert_int_equal(tp_depth_regime_of(k, TP_FX(0.49)), TP_DEPTH_TRANSITION);
-    assert_int_equal(tp_depth_regime_of(k, TP_FX(0.051)), TP_DEPTH_TRANSITION);
-    assert_int_equal(tp_depth_regime_of(k, TP_FX(0.049)), TP_DEPTH_SHALLOW);
-    assert_int_equal(tp_depth_regime_of(k, 1), TP_DEPTH_SHALLOW);
-    assert_int_equal(tp_depth_regime_of(k, TP_FX_MAX), TP_DEPTH_DEEP);
-    assert_int_equal(tp_depth_regime_of(0, TP_FX_MAX), TP_DEPTH_SHALLOW);
+    assert_int_equal(tp_depth_classify(k, TP_FX(0.51)), TP_DEPTH_DEEP);
+    assert_int_equal(tp_depth_classify(k, TP_FX(0.49)), TP_DEPTH_TRANSITION);
+    assert_int_equal(tp_depth_classify(k, TP_FX(0.051)), TP_DEPTH_TRANSITION);
+    assert_int_equal(tp_depth_classify(k, TP_FX(0.049)), TP_DEPTH_SHALLOW);
+    assert_int_equal(tp_depth_classify(k, 1), TP_DEPTH_SHALLOW);
+    assert_int_equal(tp_depth_classify(k, TP_FX_MAX), TP_DEPTH_DEEP);
+    assert_int_equal(tp_depth_classify(0, TP_FX_MAX), TP_DEPTH_SHALLOW);
 }
 
 static void land_counts_as_a_film_of_a_16th(void **state)
@@ -179,7 +179,7 @@ static void land_counts_as_a_film_of_a_16th(void **state)
     assert_int_equal(tp_depth_number(k_inf, TP_FX_MIN), film);
     assert_int_equal(tp_depth_number_fenton(k_inf, -1),
                      tp_depth_number_fenton(k_inf, TP_DEPTH_LEAST));
-    assert_int_equal(tp_depth_regime_of(film, 0), TP_DEPTH_SHALLOW);
+    assert_int_equal(tp_depth_classify(film, 0), TP_DEPTH_SHALLOW);
     assert_int_equal(tp_depth_shoaling(k_inf, film, -5),
                      tp_depth_shoaling(k_inf, film, TP_DEPTH_LEAST));
 }
@@ -207,7 +207,7 @@ static void any_words_are_accepted(void **state)
         assert_true(tp_depth_speed(k_inf, other, (tp_fx)any_word()) >= 0);
         assert_true(tp_depth_group_speed(k_inf, other, h, (tp_fx)any_word()) >= 0);
         assert_true(tp_depth_number_deep(h) > 0);
-        tp_depth_regime_of(other, h);
+        tp_depth_classify(other, h);
     }
 }
 
@@ -220,7 +220,7 @@ static void exponentials_keep_their_errors(void **state)
 
     for (uint32_t x = 0; x < 25u << 24; x += x < 1 << 22 ? 61 : 3001) {
         const double v = x / 16777216.0;
-        const tp_tanh at = tp_tanh_of(x);
+        const tp_tanh at = tp_tanh_evaluate(x);
         const double ratio = x == 0 ? 1 : tanh(v) / v;
         measure_add(&e, tp_exp_neg(x) - exp(-v) * 4294967296.0, x, 0, 0);
         measure_add(&t, at.tanh_q32 - tanh(v) * 4294967296.0, x, 0, 0);
@@ -232,7 +232,7 @@ static void exponentials_keep_their_errors(void **state)
     assert_true(e.worst < 4 && t.worst < 8);
     assert_true(r.worst < 1.2e-8);
     assert_int_equal(tp_exp_neg(UINT32_MAX), 0);
-    assert_true(tp_tanh_of(UINT32_MAX).tanh_q32 == UINT32_MAX);
+    assert_true(tp_tanh_evaluate(UINT32_MAX).tanh_q32 == UINT32_MAX);
     assert_int_equal(tp_exp_neg_q30(0), TP_Q30_ONE);
 }
 

@@ -17,7 +17,7 @@ static void no_floor_is_deep_everywhere(void **state)
 {
     (void)state;
     const tp_floor floor = { .depth = 0, .slope = TP_FX(0.5) };
-    const tp_floor_at at = tp_floor_under(&floor, TP_FX(1000), TP_FX(-1000));
+    const tp_floor_at at = tp_floor_sample(&floor, TP_FX(1000), TP_FX(-1000));
     assert_int_equal(at.depth, TP_FX_MAX);
     assert_int_equal(at.rise_x, 0);
     assert_int_equal(at.rise_z, 0);
@@ -38,7 +38,7 @@ static void slopes_follow_their_plane(void **state)
         };
         const tp_fx x = chance_fx(&chance, -8000, 8000),
                     z = chance_fx(&chance, -8000, 8000);
-        const tp_floor_at got = tp_floor_under(&floor, x, z);
+        const tp_floor_at got = tp_floor_sample(&floor, x, z);
         const double heading = floor.heading * LSB * PI / 180, slope = floor.slope * LSB;
         const double way = (sin(heading) * x - cos(heading) * z) * LSB;
         const double want = floor.depth * LSB - slope * way;
@@ -128,7 +128,7 @@ static void maps_are_bilinear_between_the_middles_of_their_pixels(void **state)
         for (int k = 0; k < 20; k++) {
             const tp_fx x = m.floor.map_x + chance_fx(&chance, -size, size);
             const tp_fx z = m.floor.map_z + chance_fx(&chance, -size, size);
-            const tp_floor_at got = tp_floor_under(&m.floor, x, z);
+            const tp_floor_at got = tp_floor_sample(&m.floor, x, z);
             const ref_floor want = ref_under(&m, x, z);
             measure_add(&height, (-got.depth * LSB - want.height) / range, x, z, n);
             assert_true(fabs(-got.depth * LSB - want.height)
@@ -157,13 +157,13 @@ static void beyond_a_map_its_edge_goes_on(void **state)
         const tp_fx far = m.floor.map_size + 2 * TP_FX_ONE;
         const int64_t tall = (int64_t)m.floor.map_size * m.picture.rows / m.picture.cols;
         const tp_fx z = m.floor.map_z;
-        const tp_floor_at at = tp_floor_under(&m.floor, m.floor.map_x + far, z);
-        const tp_floor_at on = tp_floor_under(&m.floor, m.floor.map_x + far + far / 2, z);
+        const tp_floor_at at = tp_floor_sample(&m.floor, m.floor.map_x + far, z);
+        const tp_floor_at on = tp_floor_sample(&m.floor, m.floor.map_x + far + far / 2, z);
         assert_int_equal(at.depth, on.depth);
         assert_int_equal(at.rise_x, 0);
         if (tall < TP_FX(20000))
             assert_int_equal(
-                tp_floor_under(&m.floor, m.floor.map_x, z + (tp_fx)tall).rise_z, 0);
+                tp_floor_sample(&m.floor, m.floor.map_x, z + (tp_fx)tall).rise_z, 0);
     }
 }
 

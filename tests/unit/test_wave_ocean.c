@@ -273,7 +273,7 @@ static void the_floor_is_the_floor(void **state)
                                chance_double(&chance, 0, 360));
         ocean_build(&o);
         const tp_fx x = chance_fx(&chance, -500, 500), z = chance_fx(&chance, -500, 500);
-        const tp_floor_at a = tp_floor_under(&o.config.floor, x, z);
+        const tp_floor_at a = tp_floor_sample(&o.config.floor, x, z);
         const tp_floor_at b = tp_ocean_floor(o.ocean, x, z);
         assert_memory_equal(&a, &b, sizeof a);
         ocean_end(&o);

@@ -19,8 +19,8 @@ static uint64_t chance;
 
 static tp_ellipse row_orbit(const double *v)
 {
-    return tp_orbit_of(row_fx(v[0]), row_fx(v[1]), row_turn(v[2]), ref_to_q32(v[3]), K0,
-                       KX, KY);
+    return tp_orbit_ellipse(row_fx(v[0]), row_fx(v[1]), row_turn(v[2]), ref_to_q32(v[3]),
+                            K0, KX, KY);
 }
 
 /* tp_sin's 4.8e-6, and K0 as 16.16, which is 6.2e-6 more than 0.1, times h. */
@@ -67,7 +67,7 @@ static void any_orbit_follows_the_models(void **state)
         const tp_fx h = chance_scale(&chance, 0.001, 4000);
         const tp_turn gamma = (tp_turn)(chance_int(&chance, -0x20000000, 0x20000000));
         const tp_turn phi = (tp_turn)random_next(&chance);
-        const tp_ellipse o = tp_orbit_of(r, h, gamma, ref_to_q32(k), K0, KX, KY);
+        const tp_ellipse o = tp_orbit_ellipse(r, h, gamma, ref_to_q32(k), K0, KX, KY);
         const ref_ellipse want = ref_orbit_of(r / 65536.0, h / 65536.0,
                                               (int32_t)gamma / 4294967296.0 * 2 * PI, k,
                                               0.1, 0.11, 0.09);
@@ -84,7 +84,7 @@ static void any_orbit_follows_the_models(void **state)
 static void deep_orbits_are_circles(void **state)
 {
     (void)state;
-    const tp_ellipse o = tp_orbit_of(TP_FX(2), TP_FX(2000), TP_DEG(10),
+    const tp_ellipse o = tp_orbit_ellipse(TP_FX(2), TP_FX(2000), TP_DEG(10),
                                      ref_to_q32(0.1), K0, KX, KY);
     assert_int_equal(o.along, TP_FX(2));
     assert_int_equal(o.up, TP_FX(2));
@@ -96,7 +96,7 @@ static void no_axis_is_longer_than_its_wave_allows(void **state)
     (void)state;
     for (int n = 0; n < 20000; n++) {
         const double k = 2 * PI / (chance_scale(&chance, 0.25, 2000) / 65536.0);
-        const tp_ellipse o = tp_orbit_of(
+        const tp_ellipse o = tp_orbit_ellipse(
             chance_fx(&chance, 0, 64), chance_fx(&chance, -1, 20),
             (tp_turn)random_next(&chance), ref_to_q32(k), chance_fx(&chance, 0, 4),
             chance_fx(&chance, 0, 4), chance_fx(&chance, 0, 4));
@@ -111,7 +111,7 @@ static void a_falling_floor_does_not_tilt_orbits(void **state)
     (void)state;
     for (int n = 0; n < 1000; n++) {
         const tp_turn gamma = (tp_turn)-chance_int(&chance, 0, 0x3fffffff);
-        const tp_ellipse o = tp_orbit_of(TP_FX(0.5), chance_fx(&chance, 0, 20), gamma,
+        const tp_ellipse o = tp_orbit_ellipse(TP_FX(0.5), chance_fx(&chance, 0, 20), gamma,
                                          ref_to_q32(0.3), K0, KX, KY);
         assert_int_equal(o.sin, 0);
         assert_int_equal(o.cos, TP_Q30_ONE);

@@ -104,7 +104,7 @@ static double held(double slope)
 static void compare(const tp_ring *r, int64_t age, tp_fx x, tp_fx z, errors *e)
 {
     tp_ring_now at;
-    if (!tp_ring_at(r, r->start + age, &at)) {
+    if (!tp_ring_evaluate(r, r->start + age, &at)) {
         assert_true(ref_gain(r, (double)age / SECOND) < 1 / 16777216.0);
         return;
     }
@@ -183,7 +183,7 @@ static uint32_t rings_at(const tp_ring *ring, uint32_t count, int64_t now,
 {
     uint32_t shown = 0;
     for (uint32_t i = 0; i < count; i++)
-        shown += tp_ring_at(&ring[i], now, &at[shown]);
+        shown += tp_ring_evaluate(&ring[i], now, &at[shown]);
     return shown;
 }
 
@@ -226,7 +226,7 @@ static void a_ring_has_exactly_one_crest(void **state)
         tp_ring_now at;
         r.amplitude = chance_scale(&chance, 0.05, 4);
         const int64_t age = any_age(&r);
-        if (!tp_ring_at(&r, r.start + age, &at))
+        if (!tp_ring_evaluate(&r, r.start + age, &at))
             continue;
         const double rear = r.speed * LSB * (double)age / SECOND;
         tp_fx last = 0;
@@ -254,7 +254,7 @@ static void its_centre_lies_still_from_the_first_moment(void **state)
         const tp_ring r = any_ring();
         tp_ring_now at;
         const int64_t age = n % 2 ? any_age(&r) : 1 + n % 7;
-        if (!tp_ring_at(&r, r.start + age, &at))
+        if (!tp_ring_evaluate(&r, r.start + age, &at))
             continue;
         const tp_relief middle = tp_ring_relief(&at, 1, r.x, r.z);
         assert_int_equal(middle.height, 0);
@@ -273,10 +273,10 @@ static void a_ring_starts_between_ticks(void **state)
         tp_ring_now a, b;
         const int64_t shift = chance_int(&chance, 1, 65535), age = any_age(&r);
         later.start += shift;
-        assert_false(tp_ring_at(&later, later.start, &b));
-        assert_false(tp_ring_at(&later, r.start, &b));
-        const bool there = tp_ring_at(&r, r.start + age, &a);
-        assert_int_equal(tp_ring_at(&later, later.start + age, &b), there);
+        assert_false(tp_ring_evaluate(&later, later.start, &b));
+        assert_false(tp_ring_evaluate(&later, r.start, &b));
+        const bool there = tp_ring_evaluate(&r, r.start + age, &a);
+        assert_int_equal(tp_ring_evaluate(&later, later.start + age, &b), there);
         if (there)
             assert_memory_equal(&a, &b, sizeof a);
     }
@@ -292,12 +292,12 @@ static void it_rises_without_a_jump(void **state)
     tp_ring_now at;
 
     for (int64_t age = 1; age < 6 * 65536; age += 4096) {
-        const int32_t gain = tp_ring_at(&r, age, &at) ? at.gain_q24 : 0;
+        const int32_t gain = tp_ring_evaluate(&r, age, &at) ? at.gain_q24 : 0;
         assert_in_range(gain, last, last + (int)(1.6 / 96 * 0.1 * 16777216));
         last = gain;
     }
     r.attack = 0;
-    assert_true(tp_ring_at(&r, 1, &at));
+    assert_true(tp_ring_evaluate(&r, 1, &at));
     assert_in_range(at.gain_q24, r.amplitude * 256 - 64, r.amplitude * 256);
 }
 
@@ -317,7 +317,7 @@ static void rings_add_up(void **state)
             r.z = chance_fx(&chance, -5, 5);
             r.length = chance_scale(&chance, 1, 64);
             r.start = now - chance_int(&chance, 0, 600 * 65536);
-            count += tp_ring_at(&r, now, &at[count]);
+            count += tp_ring_evaluate(&r, now, &at[count]);
         }
         const tp_fx x = chance_fx(&chance, -10, 10), z = chance_fx(&chance, -10, 10);
         const tp_relief all = tp_ring_relief(at, count, x, z);
@@ -346,7 +346,7 @@ static void no_place_is_out_of_range(void **state)
         tp_ring_now at;
         r.x = (tp_fx)(uint32_t)random_next(&chance);
         r.z = (tp_fx)(uint32_t)random_next(&chance);
-        if (!tp_ring_at(&r, r.start + any_age(&r), &at))
+        if (!tp_ring_evaluate(&r, r.start + any_age(&r), &at))
             continue;
         const tp_fx x = (tp_fx)(uint32_t)random_next(&chance);
         const tp_fx near = (tp_fx)tp_clamp((int32_t)(r.x / 2 + (at.outer - 1) / 2),

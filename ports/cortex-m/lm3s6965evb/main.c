@@ -52,7 +52,7 @@ static void say(const char *what, size_t n)
     evb_number((uint32_t)n, 10, 1);
 }
 
-_Noreturn static void stop_on(const char *why)
+_Noreturn static void halt_with_error(const char *why)
 {
     evb_text(NULL, "\nerror ");
     evb_text(NULL, why);
@@ -67,7 +67,7 @@ static void *take(tp_arena *arena, const char *what, size_t bytes)
     void *memory = tp_arena_take(arena, 1, bytes);
     say(what, bytes);
     if (!memory)
-        stop_on("that does not fit");
+        halt_with_error("that does not fit");
     return memory;
 }
 
@@ -79,7 +79,7 @@ static void open_scene(void)
         .wires = { NULL, evb_command, evb_data, NULL, evb_pause },
     };
     const size_t bytes = tp_world_bytes(program, &baked_scene, &baked_assets);
-    tp_arena arena = tp_arena_over(arena_start, (size_t)(arena_end - arena_start));
+    tp_arena arena = tp_arena_init(arena_start, (size_t)(arena_end - arena_start));
     tp_error err;
     char     text[160];
 
@@ -92,11 +92,11 @@ static void open_scene(void)
     say(" left ", arena.bytes - arena.used);
     const lcd_status status = lcd_open(&panel, &config, sends);
     if (status != LCD_OK)
-        stop_on(lcd_status_text(status));
+        halt_with_error(lcd_status_text(status));
     if (tp_world_init(program, world, bytes, &scene, &baked_assets, &err)
         || tp_frame_init(&frame, picture, &scene, block, frame_bytes, &err)) {
         tp_error_text(&err, text, sizeof text);
-        stop_on(text);
+        halt_with_error(text);
     }
     const tp_ram_use ram = tp_frame_ram(frame);
     say(" vertices ", ram.vertices);

@@ -23,9 +23,9 @@ static size_t bytes(const tp_want *want)
 }
 
 /* Returns the pose at rest on the water: at its height, perpendicular to its surface. */
-static buoy_pose pose_of(const tp_surface *water, const tp_scene *scene)
+static buoy_pose sample_pose(const tp_surface *water, const tp_scene *scene)
 {
-    const tp_sea_point at = tp_surface_above(water, scene->own[BUOY_X],
+    const tp_sea_point at = tp_surface_sample(water, scene->own[BUOY_X],
                                              scene->own[BUOY_Z], NULL);
 
     return (buoy_pose){
@@ -43,7 +43,7 @@ static void settle(void *mine, const tp_program *program, tp_world *world,
     buoy_state *buoy = mine;
 
     if (!buoy->afloat)
-        buoy->now = buoy->last = pose_of(&water, scene);
+        buoy->now = buoy->last = sample_pose(&water, scene);
     buoy->afloat = 1;
 }
 
@@ -51,7 +51,7 @@ static void step(void *mine, const tp_program *program, tp_world *world,
                  const tp_scene *scene, const tp_input *input)
 {
     const tp_surface water = tp_world_surface(program, world);
-    const buoy_pose  to = pose_of(&water, scene);
+    const buoy_pose  to = sample_pose(&water, scene);
     buoy_state *buoy = mine;
 
     (void)input;

@@ -36,12 +36,12 @@ static tp_vec3 leant(const buoy_pose *pose, const tp_scene *scene, int x, int y,
     };
 }
 
-static buoy_pose pose_between(const buoy_state *state, tp_fx back)
+static buoy_pose interpolate_pose(const buoy_state *state, tp_fx back)
 {
     return (buoy_pose){
-        tp_between(state->last.height, state->now.height, back),
-        tp_between(state->last.lean_x, state->now.lean_x, back),
-        tp_between(state->last.lean_z, state->now.lean_z, back),
+        tp_interpolate(state->last.height, state->now.height, back),
+        tp_interpolate(state->last.lean_x, state->now.lean_x, back),
+        tp_interpolate(state->last.lean_z, state->now.lean_z, back),
     };
 }
 
@@ -54,7 +54,7 @@ static void begin(tp_frame *frame, void *mine)
 
     if (!state)
         return;
-    const buoy_pose pose = pose_between(state, frame->world->back);
+    const buoy_pose pose = interpolate_pose(state, frame->world->back);
     for (int k = 0; k < SIDES; k++)
         b->point[k] = leant(&pose, scene, around[k][0] / 32, 2, around[k][1] / 32);
     b->point[BOTTOM] = leant(&pose, scene, 0, -16, 0);

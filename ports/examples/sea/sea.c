@@ -112,7 +112,7 @@ static void draw(tp_engine *sea, uint32_t tick, uint32_t *picture)
         memcpy(picture + tile.y0 * WIDTH, tile.pixels, (tile.y1 - tile.y0) * tile.stride);
 }
 
-static bool is_over(void)
+static bool has_quit_event(void)
 {
     SDL_Event e;
     bool over = false;
@@ -141,7 +141,7 @@ int main(int argc, char **argv)
     SDL_Surface *picture = SDL_CreateRGBSurface(0, WIDTH, HEIGHT, 32, 0, 0, 0, 0);
     if (window == NULL || picture == NULL)
         return 1;
-    for (uint32_t tick = 0; tick < end && !is_over(); tick++) {
+    for (uint32_t tick = 0; tick < end && !has_quit_event(); tick++) {
         draw(sea, tick, picture->pixels);
         SDL_BlitSurface(picture, NULL, SDL_GetWindowSurface(window), NULL);
         SDL_UpdateWindowSurface(window);

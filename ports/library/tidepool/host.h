@@ -131,7 +131,7 @@ typedef enum {
  * again.  Sets the scene's camera.follow.  False: the scene has no boat to stand on, there is
  * no such mode, or memory is short; *err says which, nothing has changed. */
 bool tp_host_look(tp_host *host, tp_host_way way, tp_host_error *err);
-tp_host_way tp_host_way_of(const tp_host *host);
+tp_host_way tp_host_get_way(const tp_host *host);
 
 /* -- pictures -------------------------------------------------------------------------- */
 

@@ -38,13 +38,13 @@ static int64_t sailed(int64_t way, tp_fx from, const tp_scene *scene, tp_fx low,
     return at - start;
 }
 
-static tp_fx place_of(int64_t way, tp_fx from)
+static tp_fx travelled_place(int64_t way, tp_fx from)
 {
     int64_t at = tp_limit((int64_t)from * TP_FX_ONE + way, PLACE_MOST);
     return (tp_fx)((at + 0x8000) >> 16);
 }
 
-static tp_turn heading_of(const tp_afloat *afloat, const tp_scene *scene)
+static tp_turn boat_heading(const tp_afloat *afloat, const tp_scene *scene)
 {
     return tp_turn_of_degrees(scene->boat.heading)
          + (tp_turn)((afloat->turned + 0x80000000u) >> 32);
@@ -65,7 +65,7 @@ static void sail(tp_afloat *afloat, const tp_scene *scene, const tp_input *in)
     int64_t speed = tp_limit((int64_t)scene->boat.speed + throttle, SPEED_MOST);
 
     afloat->turned += (uint64_t)(turn * degree);
-    tp_turn heading = heading_of(afloat, scene);
+    tp_turn heading = boat_heading(afloat, scene);
     int64_t x = tp_quotient(speed * tp_sin(heading), over);
     int64_t z = tp_quotient(speed * tp_cos(heading), over);
     tp_rectangle r = tp_pool_sides(scene);
@@ -75,9 +75,9 @@ static void sail(tp_afloat *afloat, const tp_scene *scene, const tp_input *in)
 
 static void place(tp_afloat *afloat, const tp_scene *scene)
 {
-    afloat->hull.x = place_of(afloat->sailed_x, scene->boat.x);
-    afloat->hull.z = place_of(afloat->sailed_z, scene->boat.z);
-    afloat->hull.heading = heading_of(afloat, scene);
+    afloat->hull.x = travelled_place(afloat->sailed_x, scene->boat.x);
+    afloat->hull.z = travelled_place(afloat->sailed_z, scene->boat.z);
+    afloat->hull.heading = boat_heading(afloat, scene);
 }
 
 /* -- attitude ----------------------------------------------------------------------- */
@@ -108,7 +108,7 @@ static waters feel(const tp_program *program, tp_world *world, tp_fx points[4][2
 
     for (int i = 0; i < 4; i++) {
         tp_fx x = points[i][0], z = points[i][1];
-        tp_sea_point at = tp_surface_above(&surface, x, z, world->afloat.rest[i]);
+        tp_sea_point at = tp_surface_sample(&surface, x, z, world->afloat.rest[i]);
         tp_fx high = stirred ? program->water.pools->relief(stirred, x, z, 0).height : 0;
         w.all[i] = tp_clamp(at.position.y, -WATER_MOST, WATER_MOST);
         w.alone[i] = tp_clamp(at.position.y - high, -WATER_MOST, WATER_MOST);

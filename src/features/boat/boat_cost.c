@@ -24,8 +24,8 @@ static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
 
 /* Returns the projection of the planar reflection: the eye mirrored at the water's level,
  * the picture upside down. */
-static tp_lens mirror_of(const tp_lens *lens, const tp_scene *s, uint32_t width,
-                         uint32_t height)
+static tp_lens mirror_lens(const tp_lens *lens, const tp_scene *s, uint32_t width,
+                           uint32_t height)
 {
     const tp_dir3 r = lens->turn.x, up = lens->turn.y, back = lens->turn.z;
     const tp_rotation turn = { { r.x, -r.y, r.z }, { -up.x, up.y, -up.z },
@@ -52,7 +52,8 @@ static void place_level(look *l, const tp_scene *s)
 
 static void place_lens(look *l, const tp_scene *s)
 {
-    const tp_rotation turn = tp_rotation_of(tp_turn_of_degrees(s->boat.heading), 0, 0);
+    const tp_rotation turn =
+        tp_rotation_from_angles(tp_turn_of_degrees(s->boat.heading), 0, 0);
     const tp_vec3 place = { s->boat.x, s->boat.lift, s->boat.z };
 
     place_level(l, s);
@@ -64,7 +65,7 @@ static void place_lens(look *l, const tp_scene *s)
 
 /* Transforms a mesh position to view space.  `scale`: metres per 1.0 of the mesh's
  * positions, Q16.16. */
-static tp_view_corner seen_by(const look *l, int64_t scale, tp_vec3 at)
+static tp_view_corner transform_point(const look *l, int64_t scale, tp_vec3 at)
 {
     const int64_t most = 4000 * TP_FX_ONE;
     tp_view_corner c;
@@ -141,7 +142,7 @@ static void look_at_faces(tp_site *w, look *l)
         int low = 0, cut = 0;
         for (int k = 0; k < 3; k++) {
             const tp_view_corner c =
-                seen_by(l, metres, mesh->vertices[mesh->faces[f].vertex[k]].position);
+                transform_point(l, metres, mesh->vertices[mesh->faces[f].vertex[k]].position);
             uint32_t zi;
             const bool under = l->mirrored && tp_view_height(&l->level, &c) < 0;
             low += under;
@@ -197,7 +198,7 @@ static void work(tp_site *w)
     const int by = s->mirror.size == TP_MIRROR_QUARTER ? 4 : 2;
     l = (look){ .rows = (int32_t)w->height / by, .cols = (int32_t)w->width / by,
                 .band = TP_WORK_STRIP, .mirrored = true,
-                .lens = mirror_of(&lens, s, w->width, w->height) };
+                .lens = mirror_lens(&lens, s, w->width, w->height) };
     place_lens(&l, s);
     look_at_faces(w, &l);
     add_look(w, &l);

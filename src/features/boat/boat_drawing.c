@@ -33,7 +33,8 @@ static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
 static void turn_view(const tp_frame *frame, drawn_boat *b, const tp_sight *sight,
                       const tp_pose *boat)
 {
-    const tp_rotation turn = tp_rotation_of(boat->heading, boat->pitch, boat->roll);
+    const tp_rotation turn =
+        tp_rotation_from_angles(boat->heading, boat->pitch, boat->roll);
     const tp_rotation *r = &turn;
     tp_vec3 way = tp_vec3_sub(sight->lens->eye, boat->place);
     tp_view_axes *axes = &b->look.axes;
@@ -65,7 +66,7 @@ static tp_fx scaled(tp_fx x, tp_fx scale)
     return (tp_fx)(metres > most ? most : metres < -most ? -most : metres);
 }
 
-static tp_view_corner view_of(const drawn_boat *b, const tp_mesh_vertex *vertex)
+static tp_view_corner transform_vertex(const drawn_boat *b, const tp_mesh_vertex *vertex)
 {
     tp_fx scale = b->metres;
     tp_vec3 p = { scaled(vertex->position.x, scale), scaled(vertex->position.y, scale),
@@ -88,7 +89,7 @@ static tp_view_corner view_of(const drawn_boat *b, const tp_mesh_vertex *vertex)
 static void place_vertex(const drawn_boat *b, const tp_sight *sight, uint32_t i)
 {
     tp_boat_vertex *to = &b->vertex[i];
-    tp_view_corner c = view_of(b, &b->look.mesh->vertices[i]);
+    tp_view_corner c = transform_vertex(b, &b->look.mesh->vertices[i]);
 
     if (sight->cut && tp_view_height(&sight->level, &c) < 0)
         to->u = OUTSIDE;
@@ -104,7 +105,7 @@ static int clipped(const drawn_boat *b, const tp_sight *sight, const tp_mesh_fac
     tp_view_corner in[3];
 
     for (int k = 0; k < 3; k++)
-        in[k] = view_of(b, &b->look.mesh->vertices[face->vertex[k]]);
+        in[k] = transform_vertex(b, &b->look.mesh->vertices[face->vertex[k]]);
     return tp_clipped_corners(&b->lens, tp_sight_cut(sight), in, corner);
 }
 
@@ -147,7 +148,7 @@ static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box
 
 /* -- faces ------------------------------------------------------------------------ */
 
-static uint32_t material_of(uint32_t material)
+static uint32_t clamp_material(uint32_t material)
 {
     return material < TP_BOAT_MATERIALS ? material : TP_BOAT_MATERIALS - 1;
 }
@@ -178,7 +179,7 @@ static void draw_triangle(const pass *p, const tp_corner corner[3], uint32_t f)
         tp_tri_lid(p->tile, &corner[0], &corner[1], &corner[2]);
     else
         tp_tri_solid(p->tile, &corner[0], &corner[1], &corner[2],
-                     p->mark + material_of(material), f, (opacity * 16 + 0x8000) >> 16);
+                     p->mark + clamp_material(material), f, (opacity * 16 + 0x8000) >> 16);
 }
 
 static void draw_clipped(const pass *p, uint32_t f)
@@ -192,7 +193,7 @@ static void draw_clipped(const pass *p, uint32_t f)
     }
 }
 
-static tp_corner corner_of(const tp_boat_vertex *at, const tp_mesh_vertex *vertex)
+static tp_corner make_corner(const tp_boat_vertex *at, const tp_mesh_vertex *vertex)
 {
     return (tp_corner){
         .u = at->u, .v = at->v, .zi = at->zi, .s = vertex->s, .t = vertex->t,
@@ -219,9 +220,9 @@ static void draw_face(const pass *p, const tp_mesh_face *face, uint32_t f)
         || (a->v >= bottom && b->v >= bottom && c->v >= bottom))
         return;
     const tp_mesh_vertex *vertex = p->mesh->vertices;
-    const tp_corner corner[3] = { corner_of(a, &vertex[face->vertex[0]]),
-                                  corner_of(b, &vertex[face->vertex[1]]),
-                                  corner_of(c, &vertex[face->vertex[2]]) };
+    const tp_corner corner[3] = { make_corner(a, &vertex[face->vertex[0]]),
+                                  make_corner(b, &vertex[face->vertex[1]]),
+                                  make_corner(c, &vertex[face->vertex[2]]) };
     draw_triangle(p, corner, f);
 }
 
@@ -330,7 +331,8 @@ static bool set_anchor(const tp_frame *frame, const void *mine, tp_sight_anchor 
     const tp_mesh *mesh = b->look.mesh;
     const tp_pose *boat = &frame->drawn.boat;
     const tp_fx scale = tp_mesh_metres(mesh, frame->scene->boat.scale);
-    const tp_rotation turn = tp_rotation_of(boat->heading, boat->pitch, boat->roll);
+    const tp_rotation turn =
+        tp_rotation_from_angles(boat->heading, boat->pitch, boat->roll);
     const tp_vec3 at = { middle(mesh->low.x, mesh->high.x, scale),
                          middle(mesh->low.y, mesh->high.y, scale),
                          middle(mesh->low.z, mesh->high.z, scale) };

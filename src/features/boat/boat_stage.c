@@ -25,7 +25,7 @@ static vec cross(vec a, vec b)
 
 /* Returns the texel at `st`, two coordinates in 0.16 repeats: s in the high half, t in
  * the low. */
-static uint32_t texel_at(const tp_texture *texture, int l, uint32_t st)
+static uint32_t fetch_texel(const tp_texture *texture, int l, uint32_t st)
 {
     int w = texture->log2_w > l ? texture->log2_w - l : 0;
     int h = texture->log2_h > l ? texture->log2_h - l : 0;
@@ -37,7 +37,7 @@ static uint32_t texel_at(const tp_texture *texture, int l, uint32_t st)
 static vec bent(vec n, const tp_solid *solid, int level, uint32_t st,
                 tp_packed_dir tangent)
 {
-    uint32_t texel = texel_at(solid->normal_map, level, st);
+    uint32_t texel = fetch_texel(solid->normal_map, level, st);
     vec t = unpacked(tangent), b = cross(n, t);
     int32_t hand = tangent >> 30 & 1 ? -1 : 1;
     int32_t nx = ((int32_t)(texel >> 16 & 0xff) - 128) * solid->bump >> 8;
@@ -61,11 +61,11 @@ TP_ALWAYS_INLINE void solid_run(const tp_shade *shade, tp_run *run, int blinn)
         uint32_t st = run->s[i], diffuse = solid->diffuse;
         vec n = unpacked(run->n[i]);
         if (picture) {
-            int level = tp_level_of(solid->lod, depth, false, picture->levels);
-            diffuse = tp_colour_times(texel_at(picture, level, st), diffuse);
+            int level = tp_level_choose(solid->lod, depth, false, picture->levels);
+            diffuse = tp_colour_times(fetch_texel(picture, level, st), diffuse);
         }
         if (normals) {
-            int level = tp_level_of(solid->lod, depth, false, normals->levels);
+            int level = tp_level_choose(solid->lod, depth, false, normals->levels);
             n = bent(n, solid, level, st, look->mesh->faces[run->t[i]].tangent);
         }
         n = tp_vec_q14_unit(n.x, n.y, n.z);

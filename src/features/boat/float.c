@@ -57,7 +57,7 @@ static int64_t share(int64_t x, uint32_t q)
 
 /* Computes the water's own attitude, Q40 m.  The result is exact, also the mean's
  * quarter. */
-static void aim_at(const tp_fx water[4], int64_t aim[3])
+static void compute_aim(const tp_fx water[4], int64_t aim[3])
 {
     int64_t sum = (int64_t)water[TP_BOW] + water[TP_STERN] + water[TP_PORT]
                 + water[TP_STARBOARD];
@@ -69,7 +69,7 @@ static void aim_at(const tp_fx water[4], int64_t aim[3])
 
 void tp_boat_lay(tp_lie *lie, const tp_fx water[4])
 {
-    aim_at(water, lie->at);
+    compute_aim(water, lie->at);
     for (int k = 0; k < 3; k++)
         lie->speed[k] = 0;
 }
@@ -95,7 +95,7 @@ static void follow(tp_lie *lie, tp_fx tau, const tp_fx water[4])
     int64_t  aim[3];
     uint32_t k = following(tau);
 
-    aim_at(water, aim);
+    compute_aim(water, aim);
     for (int i = 0; i < 3; i++) {
         lie->at[i] += share(aim[i] - lie->at[i], k);
         lie->speed[i] = 0;
@@ -130,7 +130,7 @@ static uint32_t kept(uint64_t spring, tp_fx drag)
     return loss >= one ? 0 : (uint32_t)(((one - loss) << 32) / (one + 1 + loss));
 }
 
-static swing swing_of(const tp_scene *scene)
+static swing compute_swing(const tp_scene *scene)
 {
     tp_fx    draft = tp_clamp(scene->boat.draft, DRAFT_LEAST, DRAFT_MOST);
     uint64_t tick = spring(tp_clamp(scene->water.gravity, 0, GRAVITY_MOST), draft);
@@ -146,8 +146,8 @@ static swing swing_of(const tp_scene *scene)
 /* Computes the pushes on heave, rise and tilt, Q40 m of water.  The waterline of the bow
  * lies half a rise above the heave, of the stern half a rise below; likewise port and
  * starboard. */
-static void push_of(const tp_lie *lie, tp_fx draft, const tp_fx water[4],
-                    int64_t push[3])
+static void compute_push(const tp_lie *lie, tp_fx draft, const tp_fx water[4],
+                         int64_t push[3])
 {
     int64_t half_rise = lie->at[1] / 2, half_tilt = lie->at[2] / 2;
     const int64_t over[4] = { half_rise, half_rise - lie->at[1], half_tilt,
@@ -176,7 +176,7 @@ static void step(tp_lie *lie, const swing *s, tp_fx draft, const tp_fx water[4])
     TP_ASSERT(s->steps > 0 && draft > 0);
     int64_t push[3];
 
-    push_of(lie, draft, water, push);
+    compute_push(lie, draft, water, push);
     bool still = is_within(push, STILL) && is_within(lie->speed, STILL_TICK);
     for (int i = 0; i < 3; i++) {
         int64_t speed = share(lie->speed[i], s->keep) + share(push[i], s->kick);
@@ -191,7 +191,7 @@ static void step(tp_lie *lie, const swing *s, tp_fx draft, const tp_fx water[4])
 void tp_boat_float(tp_lie *lie, const tp_scene *scene, const tp_fx water[4])
 {
     if (scene->boat.mode == TP_BOAT_DYNAMIC) {
-        const swing s = swing_of(scene);
+        const swing s = compute_swing(scene);
         for (int n = 0; n < s.steps; n++)
             step(lie, &s, scene->boat.draft, water);
     } else if (scene->boat.smooth > 0) {
@@ -205,7 +205,7 @@ void tp_boat_sink(tp_hull *hull, const tp_lie *lie, const tp_fx water[4])
 {
     int64_t aim[3];
 
-    aim_at(water, aim);
+    compute_aim(water, aim);
     for (int k = 0; k < 3; k++)
         hull->sunk[k] = tp_clamp(tp_fx_of_q40(aim[k] - lie->at[k]), -SUNK_MOST,
                                  SUNK_MOST);

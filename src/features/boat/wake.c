@@ -51,7 +51,7 @@ static tp_fx half_side(tp_fx side, const tp_pool *pool)
 
 /* Returns the hull's form over the pool.  A sine over half a side, 0.05 m or more, is
  * below 2^29 in Q24. */
-static form form_of(const tp_hull *hull, const tp_scene *scene, const tp_pool *pool)
+static form make_form(const tp_hull *hull, const tp_scene *scene, const tp_pool *pool)
 {
     tp_fx   length = half_side(scene->boat.length, pool);
     tp_fx   beam = half_side(scene->boat.beam, pool);
@@ -76,7 +76,7 @@ static form form_of(const tp_hull *hull, const tp_scene *scene, const tp_pool *p
 /* Computes alpha and beta of a place, 16.16.  A distance is below 2^32 and an axis below
  * 2^29, so the sum of two products stays below 2^62.  After the shift up to 38 bits
  * remain. */
-static void place_in(const form *f, tp_fx x, tp_fx z, int64_t at[2])
+static void hull_coordinates(const form *f, tp_fx x, tp_fx z, int64_t at[2])
 {
     const int64_t dx = (int64_t)x - f->x, dz = (int64_t)z - f->z, half = 1 << 23;
 
@@ -95,7 +95,7 @@ static int32_t column(const form *f, const tp_pool *pool, tp_fx x, tp_fx z)
 {
     int64_t at[2];
 
-    place_in(f, x, z, at);
+    hull_coordinates(f, x, z, at);
     if (!is_within(at, TP_FX_ONE))
         return 0;
     tp_fx alpha = (tp_fx)at[0], beta = (tp_fx)at[1];
@@ -145,7 +145,7 @@ static tp_fx centre(tp_fx middle, tp_fx side, uint32_t count, int32_t i)
     return (tp_fx)(edge(middle, side, count) + side / 2 + (int64_t)i * side);
 }
 
-static cell cell_at(const tp_pool *pool, int32_t col, int32_t row)
+static cell make_cell(const tp_pool *pool, int32_t col, int32_t row)
 {
     TP_ASSERT(pool->cols > 0 && pool->rows > 0);
     return (cell){
@@ -174,7 +174,7 @@ static bool next(const tp_pool *pool, const box *b, cell *at)
     }
     if (at->row >= b->row1)
         return false;
-    *at = cell_at(pool, b->col0, at->row + 1);
+    *at = make_cell(pool, b->col0, at->row + 1);
     return true;
 }
 
@@ -209,7 +209,7 @@ static tp_fx extent(const form *f, tp_turn heading)
 }
 
 /* Returns the cells reached by both hulls, enlarged `reach` times. */
-static box box_of(const wake *w, tp_fx reach)
+static box hull_cell_box(const wake *w, tp_fx reach)
 {
     const form *a = &w->before, *b = &w->now;
     const tp_pool *pool = w->pool;
@@ -238,11 +238,11 @@ static int32_t gain(const wake *w, const cell *at)
 
 /* True for a water cell around the current hull: outside of the hull, within AROUND of
  * it. */
-static bool is_around(const wake *w, const cell *at)
+static bool is_surrounding_cell(const wake *w, const cell *at)
 {
     int64_t way[2];
 
-    place_in(&w->now, at->x, at->z, way);
+    hull_coordinates(&w->now, at->x, at->z, way);
     return is_within(way, AROUND) && !is_within(way, TP_FX_ONE)
         && !tp_pool_wall(w->pool, at->in_col, at->in_row);
 }
@@ -282,24 +282,24 @@ static int64_t push_aside(wake *w, const box *b)
     return sum;
 }
 
-static int64_t count_around(const wake *w, const box *b)
+static int64_t count_surrounding_cells(const wake *w, const box *b)
 {
     int64_t count = 0;
 
     for (cell at = before_first(b); next(w->pool, b, &at);)
-        count += is_around(w, &at);
+        count += is_surrounding_cell(w, &at);
     return count;
 }
 
 /* Spreads `sum` evenly over the cells around the hull: of n cells the i-th gets the part
  * between (i - 1) sum / n and i sum / n.  |sum| is below 2^18 cells of 2^31.  Returns the
  * remainder that did not fit. */
-static int64_t spread_around(wake *w, const box *b, int64_t sum)
+static int64_t fill_surrounding_cells(wake *w, const box *b, int64_t sum)
 {
-    int64_t n = count_around(w, b), i = 0, given = 0, left = sum;
+    int64_t n = count_surrounding_cells(w, b), i = 0, given = 0, left = sum;
 
     for (cell at = before_first(b); next(w->pool, b, &at);) {
-        if (!is_around(w, &at))
+        if (!is_surrounding_cell(w, &at))
             continue;
         i++;
         int64_t due = sum / n * i + sum % n * i / n;
@@ -321,8 +321,8 @@ static void stir(wake *w, const box *hulls)
     int64_t left = -push_aside(w, hulls);
 
     if (left != 0) {
-        const box around = box_of(w, AROUND);
-        left = spread_around(w, &around, left);
+        const box around = hull_cell_box(w, AROUND);
+        left = fill_surrounding_cells(w, &around, left);
         pour(w, &around, left);
     }
     tp_pool_stirred(w->pool, w->peak);
@@ -350,9 +350,9 @@ void tp_boat_wake(tp_world *world, const tp_scene *scene)
 
     if (!w.pool || is_same(&a->hull, &a->stirred))
         return;
-    w.before = form_of(&a->stirred, scene, w.pool);
-    w.now = form_of(&a->hull, scene, w.pool);
-    const box hulls = box_of(&w, TP_FX_ONE);
+    w.before = make_form(&a->stirred, scene, w.pool);
+    w.now = make_form(&a->hull, scene, w.pool);
+    const box hulls = hull_cell_box(&w, TP_FX_ONE);
     int32_t peak = highest_gain(&w, &hulls);
     if (peak >= PEAK_LEAST) {
         stir(&w, &hulls);

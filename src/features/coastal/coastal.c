@@ -9,7 +9,7 @@
 #include "scene/sides.h"
 #include "wave/ocean_tables.h"
 
-static tp_ocean_config config_of(const tp_scene *scene, const tp_assets *assets)
+static tp_ocean_config make_ocean_config(const tp_scene *scene, const tp_assets *assets)
 {
     return (tp_ocean_config){
         .floor = {
@@ -37,7 +37,7 @@ bool tp_coastal_enabled(const tp_want *want)
 static size_t bytes(const tp_want *want)
 {
     const tp_scene *scene = want->scene;
-    const tp_ocean_config config = config_of(scene, want->assets);
+    const tp_ocean_config config = make_ocean_config(scene, want->assets);
     tp_sea sea;
 
     tp_sea_init(&sea, scene->wave, TP_WAVES, scene->water.gravity);
@@ -52,14 +52,14 @@ static tp_status check(const tp_want *want, tp_error *err)
 
 static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
 {
-    const tp_ocean_config config = config_of(want->scene, want->assets);
+    const tp_ocean_config config = make_ocean_config(want->scene, want->assets);
     return tp_ocean_init(mine, &config, &world->sea, want->scene->wave, TP_WAVES, err);
 }
 
 /* Recomputes the tables whose inputs have changed. */
 static bool refresh(void *mine, tp_world *world, const tp_want *want)
 {
-    const tp_ocean_config config = config_of(want->scene, want->assets);
+    const tp_ocean_config config = make_ocean_config(want->scene, want->assets);
     return tp_ocean_refresh(mine, &config, &world->sea, want->scene->wave, TP_WAVES, NULL)
         == TP_OK;
 }

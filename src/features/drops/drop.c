@@ -94,7 +94,7 @@ static int64_t q32(tp_fx x)
 
 /* Returns the relative motion.  A level that jumps has no speed: a jump must not throw
  * drops. */
-static crossing crossing_of(const tp_drop *drop, const fall *to, tp_fx level)
+static crossing make_crossing(const tp_drop *drop, const fall *to, tp_fx level)
 {
     tp_fx   before = drop->level == TP_DROP_NEW ? level : drop->level;
     int64_t water = ((int64_t)level - before) * (256 * RATE);
@@ -112,7 +112,7 @@ static crossing crossing_of(const tp_drop *drop, const fall *to, tp_fx level)
 
 /* Returns the time in the tick, 16.16, at which the parabola with high[0] >= 0 > high[1]
  * falls through 0.  The terms are below 2^35, so products with 17 bits of time fit. */
-static int32_t time_of(const crossing *c)
+static int32_t find_crossing_time(const crossing *c)
 {
     TP_ASSERT(c->high[0] >= 0 && c->high[1] < 0);
     int64_t slope = over(c->speed[0] * 256, RATE);
@@ -182,8 +182,8 @@ static int32_t ring_height(const tp_scene_drops *config, tp_fx gravity, uint64_t
     return height < INT32_MAX ? (int32_t)height : INT32_MAX;
 }
 
-static tp_impact impact_of(const tp_drop *drop, const tp_scene_drops *config,
-                           tp_fx gravity, int64_t speed, int64_t time)
+static tp_impact make_impact(const tp_drop *drop, const tp_scene_drops *config,
+                             tp_fx gravity, int64_t speed, int64_t time)
 {
     uint64_t radius = (uint64_t)drop->radius, size = (uint64_t)speed;
     int32_t  height_q24 = ring_height(config, gravity, radius, size);
@@ -216,7 +216,7 @@ static fall bounced(int64_t speed, tp_fx gravity, int64_t left, const crossing *
 
 /* Returns |speed| / whole x `of`; the quotient is at most 1.  `speed` in Q24 m/s, `whole`
  * in m/s. */
-static int32_t part_of(int64_t speed, int32_t whole, int32_t of)
+static int32_t speed_share(int64_t speed, int32_t whole, int32_t of)
 {
     int64_t q16 = (speed < 0 ? -speed : speed) >> 8;
     return q16 >= whole * TP_FX_ONE ? of : (int32_t)(q16 * of / whole >> 16);
@@ -226,7 +226,7 @@ static int32_t part_of(int64_t speed, int32_t whole, int32_t of)
  * squash for the current speed. */
 static void wobble(tp_drop *drop)
 {
-    int32_t rest = part_of(drop->fall_q24, 12, 6000);
+    int32_t rest = speed_share(drop->fall_q24, 12, 6000);
 
     drop->squash_speed += ((rest - drop->squash + 4) >> 3)
                         - ((drop->squash_speed + 2) >> 2);
@@ -235,7 +235,7 @@ static void wobble(tp_drop *drop)
 
 static void flatten(tp_drop *drop, int64_t speed)
 {
-    drop->squash = -part_of(speed, 6, SQUASH_MOST);
+    drop->squash = -speed_share(speed, 6, SQUASH_MOST);
     drop->squash_speed = 0;
 }
 
@@ -243,7 +243,7 @@ static void flatten(tp_drop *drop, int64_t speed)
 
 /* Moves the drop.  Heights above HIGH_MOST are clamped; they need a change of gravity in
  * flight. */
-static void move_to(tp_drop *drop, const fall *to)
+static void apply_fall(tp_drop *drop, const fall *to)
 {
     drop->high_q32 = to->high_q32 < HIGH_MOST ? to->high_q32 : HIGH_MOST;
     drop->fall_q24 = to->fall_q24;
@@ -254,15 +254,15 @@ static void move_to(tp_drop *drop, const fall *to)
 static void strike(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
                    const crossing *c, uint64_t tick, tp_impact *impact)
 {
-    int64_t t = time_of(c);
+    int64_t t = find_crossing_time(c);
     int64_t speed = -(c->speed[0] + ((c->speed[1] - c->speed[0]) * t >> 16));
 
     if (speed < 0)
         speed = 0;
-    *impact = impact_of(drop, config, gravity, speed, (int64_t)((tick - 1) * 65536) + t);
+    *impact = make_impact(drop, config, gravity, speed, (int64_t)((tick - 1) * 65536) + t);
     fall to = bounced(speed * config->bounce >> 16, gravity, TP_FX_ONE - t, c);
     to.high_q32 += q32(drop->level);
-    move_to(drop, &to);
+    apply_fall(drop, &to);
     flatten(drop, speed);
     drop->radius = tp_q30_mul(drop->radius, CUBE_ROOT);
     if (++drop->impacts >= (uint32_t)config->impacts)
@@ -278,7 +278,7 @@ bool tp_drop_step(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
     if (gravity < TP_FX(0.1))
         gravity = TP_FX(0.1);               /* lower bound in the parameter table */
     fall     to = fallen(drop, config, gravity);
-    crossing c = crossing_of(drop, &to, level);
+    crossing c = make_crossing(drop, &to, level);
 
     drop->last = drop->place;
     drop->level = level;
@@ -290,7 +290,7 @@ bool tp_drop_step(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
         to.high_q32 = q32(level);
         to.fall_q24 = (int32_t)(to.fall_q24 > c.water ? to.fall_q24 : c.water);
     }
-    move_to(drop, &to);
+    apply_fall(drop, &to);
     wobble(drop);
     return false;
 }

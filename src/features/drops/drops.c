@@ -14,7 +14,7 @@ enum { DROPS_AT = (sizeof(tp_drops) + 7) & ~7u };
 _Static_assert(sizeof(tp_drop) % 8 == 0 && sizeof(tp_ring) % 8 == 0,
                "both hold int64_t and follow each other");
 
-static uint32_t capacity_of(int32_t asked)
+static uint32_t clamp_capacity(int32_t asked)
 {
     return (uint32_t)tp_clamp(asked, 0, MOST);
 }
@@ -23,16 +23,16 @@ size_t tp_drops_bytes(const tp_scene_drops *config)
 {
     if (config->count <= 0)
         return 0;
-    return DROPS_AT + capacity_of(config->count) * sizeof(tp_drop)
-         + capacity_of(config->rings) * sizeof(tp_ring);
+    return DROPS_AT + clamp_capacity(config->count) * sizeof(tp_drop)
+           + clamp_capacity(config->rings) * sizeof(tp_ring);
 }
 
 void tp_drops_init(tp_drops *drops, const tp_scene_drops *config)
 {
     TP_ASSERT((uintptr_t)drops % 8 == 0 && config->count > 0);
     memset(drops, 0, tp_drops_bytes(config));
-    drops->capacity = capacity_of(config->count);
-    drops->ring_capacity = capacity_of(config->rings);
+    drops->capacity = clamp_capacity(config->count);
+    drops->ring_capacity = clamp_capacity(config->rings);
     drops->random = 1;
     drops->sphere = (tp_vec3){ config->x, config->y, config->z };
     drops->last_sphere = drops->sphere;
@@ -232,7 +232,7 @@ typedef struct {
     tp_ring_now ring[];
 } rings_now;
 
-static rings_now *now_of(const tp_drops *drops)
+static rings_now *current_rings(const tp_drops *drops)
 {
     const tp_ring *end = tp_drops_rings(drops) + drops->ring_capacity;
     return (rings_now *)(uintptr_t)end;
@@ -248,9 +248,9 @@ bool tp_drops_enabled(const tp_want *want)
     return want->scene->drops.count > 0;
 }
 
-static uint32_t room_of(const tp_scene_drops *config)
+static uint32_t configured_ring_capacity(const tp_scene_drops *config)
 {
-    return config->into == TP_DROPS_RINGS ? capacity_of(config->rings) : 0;
+    return config->into == TP_DROPS_RINGS ? clamp_capacity(config->rings) : 0;
 }
 
 static size_t bytes(const tp_want *want)
@@ -258,14 +258,15 @@ static size_t bytes(const tp_want *want)
     const tp_scene_drops *config = &want->scene->drops;
 
     return tp_drops_bytes(config) + sizeof(rings_now)
-         + room_of(config) * sizeof(tp_ring_now);
+           + configured_ring_capacity(config) * sizeof(tp_ring_now);
 }
 
 static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
 {
     (void)world, (void)err;
     tp_drops_init(mine, &want->scene->drops);
-    *now_of(mine) = (rings_now){ .room = room_of(&want->scene->drops) };
+    *current_rings(mine) =
+        (rings_now){ .room = configured_ring_capacity(&want->scene->drops) };
     return TP_OK;
 }
 
@@ -273,9 +274,9 @@ static bool fits(const void *mine, const tp_scene *scene)
 {
     const tp_drops *drops = mine;
 
-    return drops->capacity == capacity_of(scene->drops.count)
-        && drops->ring_capacity == capacity_of(scene->drops.rings)
-        && now_of(drops)->room == room_of(&scene->drops);
+    return drops->capacity == clamp_capacity(scene->drops.count)
+           && drops->ring_capacity == clamp_capacity(scene->drops.rings)
+           && current_rings(drops)->room == configured_ring_capacity(&scene->drops);
 }
 
 static bool refresh(void *mine, tp_world *world, const tp_want *want)
@@ -307,7 +308,7 @@ static void move_drops(tp_drops *drops, const tp_program *program, tp_world *wor
     tp_impact impact;
 
     for (uint32_t i = 0; i < drops->count; i++) {
-        tp_fx level = tp_surface_above(&surface, drop[i].place.x, drop[i].place.z,
+        tp_fx level = tp_surface_sample(&surface, drop[i].place.x, drop[i].place.z,
                                        NULL).position.y;
         if (tp_drops_step(drops, &scene->drops, i, scene->water.gravity, level,
                           world->tick, &impact))
@@ -315,8 +316,8 @@ static void move_drops(tp_drops *drops, const tp_program *program, tp_world *wor
     }
 }
 
-uint32_t tp_drops_rings_at(const tp_drops *drops, const tp_program *program, int64_t time,
-                           tp_ring_now *to, uint32_t room)
+uint32_t tp_drops_rings_evaluate(const tp_drops *drops, const tp_program *program,
+                                 int64_t time, tp_ring_now *to, uint32_t room)
 {
     const tp_ring *ring = tp_drops_rings(drops);
     uint32_t n = 0;
@@ -331,7 +332,7 @@ static void step(void *mine, const tp_program *program, tp_world *world,
 {
     const int64_t time = (int64_t)(world->tick * TP_FX_ONE);
     tp_drops *drops = mine;
-    rings_now *now = now_of(drops);
+    rings_now *now = current_rings(drops);
 
     tp_drops_steer(drops, in ? in->sphere_x : 0, in ? in->sphere_z : 0);
     tp_drops_release_due(drops, &scene->drops);
@@ -339,12 +340,12 @@ static void step(void *mine, const tp_program *program, tp_world *world,
         tp_drops_release(drops, &scene->drops, (uint32_t)in->drops);
     move_drops(drops, program, world, scene);
     tp_drops_tidy(drops, time, 200 * TP_FX_ONE);
-    now->count = tp_drops_rings_at(drops, program, time, now->ring, now->room);
+    now->count = tp_drops_rings_evaluate(drops, program, time, now->ring, now->room);
 }
 
 static void add_surface(const void *mine, tp_surface *surface)
 {
-    const rings_now *now = now_of(mine);
+    const rings_now *now = current_rings(mine);
 
     surface->ring = now->ring;
     surface->rings = now->count;
@@ -361,7 +362,7 @@ static bool are_rings_valid(const tp_drops *drops, const rings_now *now, int64_t
         return true;
     for (uint32_t i = 0; i < drops->rings && n < now->count && n < now->room; i++) {
         tp_ring_now at;
-        if (!tp_ring_at(&tp_drops_rings(drops)[i], time, &at))
+        if (!tp_ring_evaluate(&tp_drops_rings(drops)[i], time, &at))
             continue;
         if (memcmp(&at, &now->ring[n++], sizeof at) != 0)
             return false;
@@ -372,8 +373,8 @@ static bool are_rings_valid(const tp_drops *drops, const rings_now *now, int64_t
 static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 {
     return tp_drops_are_valid(mine, fresh, world->tick)
-        && now_of(mine)->room == now_of(fresh)->room
-        && are_rings_valid(mine, now_of(mine), (int64_t)(world->tick * TP_FX_ONE));
+        && current_rings(mine)->room == current_rings(fresh)->room
+        && are_rings_valid(mine, current_rings(mine), (int64_t)(world->tick * TP_FX_ONE));
 }
 
 const tp_module tp_drops_module = {

@@ -88,6 +88,6 @@ const tp_drops *tp_world_drops(const tp_world *world);
 #define TP_DROPS_ID TP_MODULE_ID('d', 'r', 'o', 'p')
 
 /* Fills `to` with the rings at `time`, ticks x 65536, up to `room`.  Returns the count. */
-uint32_t tp_drops_rings_at(const tp_drops *drops, const tp_program *program, int64_t time,
-                           tp_ring_now *to, uint32_t room);
+uint32_t tp_drops_rings_evaluate(const tp_drops *drops, const tp_program *program,
+                                 int64_t time, tp_ring_now *to, uint32_t room);
 #endif

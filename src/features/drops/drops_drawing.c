@@ -74,14 +74,14 @@ static spheroid number(const tp_drops *drops, tp_fx back, uint32_t i, uint32_t s
     const tp_drop *drop = tp_drops_list(drops) + (sphere ? 0 : i);
     tp_vec3 a = sphere ? drops->last_sphere : drop->last;
     tp_vec3 b = sphere ? drops->sphere : drop->place;
-    tp_vec3 at = tp_place_between(a, b, back);
+    tp_vec3 at = tp_place_interpolate(a, b, back);
 
     return sphere ? (spheroid){ at, drops->sphere_radius, drops->sphere_radius }
                   : shaped(at, drop->radius, drop->squash);
 }
 
-static tp_view_corner corner_of(const tp_sight *sight, const spheroid *s,
-                                const ball_point *p)
+static tp_view_corner transform_point(const tp_sight *sight, const spheroid *s,
+                                      const ball_point *p)
 {
     tp_vec3 at = { s->centre.x + (tp_fx)((int64_t)p->x * s->wide >> 14),
                    s->centre.y + (tp_fx)((int64_t)p->y * s->high >> 14),
@@ -106,7 +106,7 @@ static void see_ring(const drawn_drops *d, const tp_sight *sight, const spheroid
     const ball_point *ring = &d->ball[south ? BALL - 1 : north ? 0 : 1 + (j - 1) * ROUND];
 
     for (uint32_t i = 0; i < ROUND; i += step)
-        to[i] = (north || south) && i > 0 ? to[0] : corner_of(sight, s, &ring[i]);
+        to[i] = (north || south) && i > 0 ? to[0] : transform_point(sight, s, &ring[i]);
 }
 
 /* -- placing ------------------------------------------------------------------------ */
@@ -115,7 +115,7 @@ static const tp_grid_box nowhere = { 1, 1, 0, 0 };
 
 /* Returns the pixel box of a spheroid's vertices; all pixels if a vertex must be clipped.
  * A spheroid cut by the clip level counts in full. */
-static tp_grid_box box_of(const drawn_drops *d, const tp_sight *sight, const spheroid *s,
+static tp_grid_box ball_box(const drawn_drops *d, const tp_sight *sight, const spheroid *s,
                           uint32_t step)
 {
     tp_grid_box box = TP_BOX_NONE;
@@ -142,7 +142,7 @@ static tp_grid_box box_of(const drawn_drops *d, const tp_sight *sight, const sph
 
 /* Returns the step between meridians and parallels.  Up to 16 px across step 2 is enough:
  * the outline is off by 8 % of the radius. */
-static uint32_t step_of(const tp_grid_box *box)
+static uint32_t ball_step(const tp_grid_box *box)
 {
     return box->x1 - box->x0 > 16 || box->y1 - box->y0 > 16 ? 1 : 2;
 }
@@ -164,10 +164,10 @@ static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box
     frame->stats.dropped += drops->count - d->seen;
     for (uint32_t i = 0; i <= d->seen; i++) {
         spheroid s = number(drops, frame->world->back, i, d->seen);
-        d->box[i] = box_of(d, sight, &s, 2);
-        uint32_t step = step_of(&d->box[i]);
+        d->box[i] = ball_box(d, sight, &s, 2);
+        uint32_t step = ball_step(&d->box[i]);
         if (step == 1)
-            d->box[i] = box_of(d, sight, &s, 1);
+            d->box[i] = ball_box(d, sight, &s, 1);
         if (d->box[i].x0 <= d->box[i].x1) {
             uint32_t points = ROUND / step * (RINGS / step);
             widen(box, &d->box[i]);
@@ -219,7 +219,7 @@ static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
         if (!tp_sight_touches(&d->box[i], samples))
             continue;
         spheroid s = number(drops, frame->world->back, i, d->seen);
-        draw_one(d, sight, samples, &s, step_of(&d->box[i]), mark);
+        draw_one(d, sight, samples, &s, ball_step(&d->box[i]), mark);
     }
 }
 
@@ -248,7 +248,7 @@ static void add_surface(tp_frame *frame, void *mine, tp_surface *surface)
     drawn_drops *d = mine;
 
     surface->ring = d->ring;
-    surface->rings = drops ? tp_drops_rings_at(drops, frame->program, frame->drawn.time,
+    surface->rings = drops ? tp_drops_rings_evaluate(drops, frame->program, frame->drawn.time,
                                                d->ring, d->ring_room)
                            : 0;
 }

@@ -25,7 +25,7 @@ static vec sum(vec x, int32_t a, vec y, int32_t b)
  * and the sun. */
 static uint32_t around(const tp_shade *shade, vec d)
 {
-    uint32_t light = tp_env_at(shade, d.x, d.y > 0 ? d.y : 0, d.z);
+    uint32_t light = tp_env_sample(shade, d.x, d.y > 0 ? d.y : 0, d.z);
     uint32_t sky = tp_light_colour(shade, light);
 
     if (d.y >= 0)

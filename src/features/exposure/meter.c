@@ -44,7 +44,7 @@ typedef struct {
 
 /* -- the tables --------------------------------------------------------------------- */
 
-static uint16_t grey_of(uint32_t light, uint32_t beyond)
+static uint16_t hdr_grey(uint32_t light, uint32_t beyond)
 {
     TP_ASSERT(beyond <= 256 * TP_WHITES);
     uint32_t grey = (77 * (light >> 16 & 0xff) + 150 * (light >> 8 & 0xff)
@@ -60,15 +60,15 @@ static uint16_t grey_of(uint32_t light, uint32_t beyond)
 static void fill_dome(probe *p, const tp_scene *scene, uint32_t beyond)
 {
     const bool dome = tp_has_dome(scene);
-    const tp_dome_config config = tp_dome_of(scene);
+    const tp_dome_config config = tp_dome_config_make(scene);
 
     for (int32_t i = 0; i <= BANDS; i++) {
         int32_t sine = i * TP_SKY / BANDS;
-        p->low[0][i] = grey_of(tp_dome_gradient(&config, false, sine), 0);
-        p->low[1][i] = grey_of(tp_dome_gradient(&config, dome, sine), 0);
+        p->low[0][i] = hdr_grey(tp_dome_gradient(&config, false, sine), 0);
+        p->low[1][i] = hdr_grey(tp_dome_gradient(&config, dome, sine), 0);
     }
     for (uint32_t i = 0; i <= GLOWS; i++)
-        p->glow[i] = dome ? grey_of(tp_dome_glow(&config, tp_glow_square(8 * i)), beyond)
+        p->glow[i] = dome ? hdr_grey(tp_dome_glow(&config, tp_glow_square(8 * i)), beyond)
                           : 0;
 }
 
@@ -84,7 +84,7 @@ static void fill_face(uint16_t to[SIDE * SIDE], const tp_cube *cube, int i, uint
 
     for (int at = 0; at < SIDE * SIDE; at++) {
         int u = at % SIDE << w >> 3, v = at / SIDE << h >> 3;
-        to[at] = grey_of(face->level[level][(v << w) + u] & cube->mask[i], beyond);
+        to[at] = hdr_grey(face->level[level][(v << w) + u] & cube->mask[i], beyond);
     }
 }
 
@@ -96,7 +96,7 @@ static void fill_water(probe *p, const tp_scene *scene, const tp_assets *assets)
 
     if (layer)
         colour = tp_colour_times(layer->level[layer->levels - 1][0], colour);
-    p->water = grey_of(colour & 0xffffff, 0);
+    p->water = hdr_grey(colour & 0xffffff, 0);
     for (int32_t i = 0; i <= BANDS; i++) {
         tp_q30 c = i * (TP_Q30_ONE / BANDS);
         tp_q30 r = scene->water.fresnel == TP_FRESNEL_SCHLICK ? tp_fresnel_schlick(c)
@@ -105,7 +105,7 @@ static void fill_water(probe *p, const tp_scene *scene, const tp_assets *assets)
     }
 }
 
-static source source_of(const tp_scene *scene)
+static source make_source(const tp_scene *scene)
 {
     return (source){
         .kind = scene->sky.kind, .horizon = scene->sky.horizon,
@@ -122,7 +122,7 @@ static void make(probe *p, const tp_scene *scene, const tp_assets *assets)
     tp_cube  cube;
 
     memset(p, 0, sizeof *p);            /* clears tables of another kind of sky */
-    p->made_of = source_of(scene);
+    p->made_of = make_source(scene);
     p->cube = tp_has_cube(scene, assets) && tp_cube_init(&cube, assets->sky);
     if (!p->cube)
         fill_dome(p, scene, beyond);
@@ -137,13 +137,13 @@ typedef struct {
     int32_t x, y, z;            /* direction, Q1.14 */
 } way;
 
-static way way_of(tp_dir3 d)
+static way make_way(tp_dir3 d)
 {
     return (way){ d.x >> 16, d.y >> 16, d.z >> 16 };
 }
 
 /* Returns the grey of the sky in direction d, with d.y >= 0. */
-static uint32_t sky_at(const probe *p, way light, way d)
+static uint32_t sample_sky(const probe *p, way light, way d)
 {
     if (p->cube) {
         tp_cube_ray at = tp_cube_face(d.x, d.y, d.z);
@@ -151,7 +151,7 @@ static uint32_t sky_at(const probe *p, way light, way d)
         int32_t v = tp_clamp((at.m + at.down) * SIDE / (2 * at.m), 0, SIDE - 1);
         return p->face[at.face][v * SIDE + u];
     }
-    uint32_t square = tp_square_of(d.x - light.x, d.y - light.y, d.z - light.z);
+    uint32_t square = tp_square_length(d.x - light.x, d.y - light.y, d.z - light.z);
     uint32_t share = tp_towards_light(square);
     int32_t  band = tp_clamp(d.y >> 8, 0, BANDS);
     uint32_t low = (p->low[0][band] * (256 - share) + p->low[1][band] * share) >> 8;
@@ -160,13 +160,13 @@ static uint32_t sky_at(const probe *p, way light, way d)
     return sum < BRIGHTEST ? sum : BRIGHTEST;
 }
 
-static uint32_t ray_at(const probe *p, const tp_scene *scene, way light, way d)
+static uint32_t trace_ray(const probe *p, const tp_scene *scene, way light, way d)
 {
     if (d.y >= 0)
-        return sky_at(p, light, d);
+        return sample_sky(p, light, d);
     uint32_t lit = (uint32_t)tp_lit_share(scene->light.ambient >> 8, light.y);
     uint32_t share = p->fresnel[tp_clamp(-d.y >> 8, 0, BANDS)];
-    uint32_t mirror = sky_at(p, light, (way){ d.x, -d.y, d.z });
+    uint32_t mirror = sample_sky(p, light, (way){ d.x, -d.y, d.z });
 
     return ((p->water * lit >> 8) * (256 - share) + mirror * share) >> 8;
 }
@@ -179,14 +179,14 @@ tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene)
     const probe *p = tp_world_part(world, TP_METER_ID);
     tp_turn half = tp_turn_of_degrees(scene->camera.fov) / 2;
     int32_t s = tp_sin(half) >> 16, c = tp_cos(half) >> 16;
-    tp_rotation turn = tp_camera_between(world, 0).turn;
-    way right = way_of(turn.x), up = way_of(turn.y), back = way_of(turn.z);
-    way light = way_of(tp_light_direction(world->light_heading, world->light_elevation));
+    tp_rotation turn = tp_camera_interpolate(world, 0).turn;
+    way right = make_way(turn.x), up = make_way(turn.y), back = make_way(turn.z);
+    way light = make_way(tp_light_direction(world->light_heading, world->light_elevation));
     uint32_t sum = 0;
 
     for (int32_t k = 0; p && k < ACROSS * DOWN; k++) {
         int32_t u = s * (2 * (k % ACROSS) - 31) / 24, v = s * (23 - 2 * (k / ACROSS)) / 24;
-        sum += ray_at(p, scene, light, way_of(tp_normalise(
+        sum += trace_ray(p, scene, light, make_way(tp_normalise(
             right.x * u + up.x * v - back.x * c, right.y * u + up.y * v - back.y * c,
             right.z * u + up.z * v - back.z * c)));
     }
@@ -216,7 +216,7 @@ static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error
 static bool refresh(void *mine, tp_world *world, const tp_want *want)
 {
     const probe *p = mine;
-    const source of = source_of(want->scene);
+    const source of = make_source(want->scene);
 
     (void)world;
     if (memcmp(&of, &p->made_of, sizeof of) != 0)

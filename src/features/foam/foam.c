@@ -43,14 +43,14 @@ static size_t bytes(const tp_want *want)
 }
 
 /* Returns the window's side, Q32 m: below 2^46. */
-static int64_t side_of(const tp_foam *foam)
+static int64_t window_side(const tp_foam *foam)
 {
     return (int64_t)foam->cells * foam->cell * 65536;
 }
 
 /* Returns the lowest lattice cell of a window around `middle`, m.  The drift is within
  * 0..side. */
-static int32_t first_around(const tp_foam *foam, tp_fx middle, int64_t drift_q32)
+static int32_t first_window_cell(const tp_foam *foam, tp_fx middle, int64_t drift_q32)
 {
     TP_ASSERT(foam->cells > 0 && foam->cell > 0);
     int64_t from = (int64_t)middle - (drift_q32 >> 16), cell = foam->cell;
@@ -62,12 +62,12 @@ static int32_t first_around(const tp_foam *foam, tp_fx middle, int64_t drift_q32
 static void place_window(tp_foam *foam, const tp_world *world, const tp_scene *scene)
 {
     bool  pool = tp_world_pool(world) != NULL;
-    tp_vec3 eye = tp_camera_between(world, 0).eye;
+    tp_vec3 eye = tp_camera_interpolate(world, 0).eye;
     tp_fx x = pool ? scene->pool.x : eye.x;
     tp_fx z = pool ? scene->pool.z : eye.z;
 
-    foam->first_x = first_around(foam, x, foam->drift_x);
-    foam->first_z = first_around(foam, z, foam->drift_z);
+    foam->first_x = first_window_cell(foam, x, foam->drift_x);
+    foam->first_z = first_window_cell(foam, z, foam->drift_z);
 }
 
 static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
@@ -95,7 +95,7 @@ static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error
  * shifted instead. */
 static int64_t drifted(tp_foam *foam, int64_t drift, tp_fx speed, int way)
 {
-    int64_t side = side_of(foam), step = (int64_t)speed * 65536 / TP_TICKS_PER_SECOND;
+    int64_t side = window_side(foam), step = (int64_t)speed * 65536 / TP_TICKS_PER_SECOND;
     int32_t turns = 0;
 
     for (drift += step % side; drift >= side; drift -= side)
@@ -114,19 +114,19 @@ typedef struct {
     uint32_t seam, cells;
 } axis;
 
-static axis axis_of(int32_t first, uint32_t cells)
+static axis make_axis(int32_t first, uint32_t cells)
 {
     return (axis){ first, tp_foam_mod(first, cells), cells };
 }
 
 /* Returns the lattice cell number of a column or row. */
-static int32_t number_of(const axis *a, uint32_t i)
+static int32_t lattice_index(const axis *a, uint32_t i)
 {
     return a->first + (int32_t)(i >= a->seam ? i - a->seam : i + a->cells - a->seam);
 }
 
 /* Returns the centre of a lattice cell, m. */
-static tp_fx place_of(const tp_foam *foam, int32_t number, int64_t drift)
+static tp_fx cell_centre(const tp_foam *foam, int32_t number, int64_t drift)
 {
     return (tp_fx)((int64_t)number * foam->cell + foam->cell / 2 + (drift >> 16));
 }
@@ -160,11 +160,11 @@ static uint8_t covered(uint32_t cover, const visit *v, uint32_t col, uint32_t ga
     return (uint8_t)((held + threshold) >> 24);
 }
 
-static void look_above(visit *v, const tp_foam *foam)
+static void seed_previous_row(visit *v, const tp_foam *foam)
 {
     for (uint32_t i = 0; i < foam->cells; i++)
-        tp_foam_maker_above(&v->make, i,
-                            place_of(foam, number_of(&v->x, i), foam->drift_x));
+        tp_foam_maker_seed_cell(&v->make, i,
+                            cell_centre(foam, lattice_index(&v->x, i), foam->drift_x));
 }
 
 static void visit_row(visit *v, tp_foam *foam, uint8_t *cover)
@@ -172,10 +172,10 @@ static void visit_row(visit *v, tp_foam *foam, uint8_t *cover)
     int32_t last = INT32_MIN;
 
     for (uint32_t i = 0; i < foam->cells; i++) {
-        int32_t number = number_of(&v->x, i);
-        tp_fx   x = place_of(foam, number, foam->drift_x);
+        int32_t number = lattice_index(&v->x, i);
+        tp_fx   x = cell_centre(foam, number, foam->drift_x);
         uint32_t gain = tp_foam_maker_gain(&v->make, i, x, number - 1 == last);
-        bool    same = number == number_of(&v->seen_x, i);
+        bool    same = number == lattice_index(&v->seen_x, i);
         last = number;
         cover[i] = gain == TP_FOAM_DRY ? 0 : covered(same ? cover[i] : 0, v, i, gain);
     }
@@ -187,19 +187,19 @@ static void visit_quarter(visit *v, tp_foam *foam)
     uint32_t end = (q + 1) * cells / TP_FOAM_TICKS;
     int32_t  last = INT32_MIN;
 
-    v->x = axis_of(foam->first_x, cells);
-    v->z = axis_of(foam->first_z, cells);
-    v->seen_x = axis_of(foam->seen[q][0], cells);
-    v->seen_z = axis_of(foam->seen[q][1], cells);
+    v->x = make_axis(foam->first_x, cells);
+    v->z = make_axis(foam->first_z, cells);
+    v->seen_x = make_axis(foam->seen[q][0], cells);
+    v->seen_z = make_axis(foam->seen[q][1], cells);
     for (uint32_t j = q * cells / TP_FOAM_TICKS; j < end; j++) {
-        int32_t  number = number_of(&v->z, j);
+        int32_t  number = lattice_index(&v->z, j);
         uint8_t *cover = tp_foam_cover(foam) + (size_t)j * cells;
-        if (number != number_of(&v->seen_z, j))
+        if (number != lattice_index(&v->seen_z, j))
             memset(cover, 0, cells);
         v->threshold_q24 = foam->visits / TP_FOAM_TICKS * GOLDEN + j * (GOLDEN / 7);
-        v->make.z = place_of(foam, number, foam->drift_z);
+        v->make.z = cell_centre(foam, number, foam->drift_z);
         if (foam->work && number - 1 != last)
-            look_above(v, foam);
+            seed_previous_row(v, foam);
         last = number;
         visit_row(v, foam, cover);
     }
@@ -223,7 +223,8 @@ void tp_foam_step(tp_foam *foam, const tp_world *world, const tp_scene *scene)
 
 /* Returns the distance of a place from the window's low side, cells, Q8.  The place may
  * lie outside. */
-static int64_t cells_from(const tp_foam *foam, tp_fx place, int32_t first, int64_t drift)
+static int64_t window_offset_q8(const tp_foam *foam, tp_fx place, int32_t first,
+                                int64_t drift)
 {
     int64_t low = (int64_t)first * foam->cell + (drift >> 16);
     return ((int64_t)place - low) * 256 / foam->cell;
@@ -233,8 +234,8 @@ static int64_t cells_from(const tp_foam *foam, tp_fx place, int32_t first, int64
 void tp_foam_blob(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t cover)
 {
     TP_ASSERT(radius >= 0 && cover <= 255);
-    int64_t u = cells_from(foam, x, foam->first_x, foam->drift_x);
-    int64_t w = cells_from(foam, z, foam->first_z, foam->drift_z);
+    int64_t u = window_offset_q8(foam, x, foam->first_x, foam->drift_x);
+    int64_t w = window_offset_q8(foam, z, foam->first_z, foam->drift_z);
     int64_t r = (int64_t)radius * 256 / foam->cell, cells = foam->cells;
 
     r = r < 192 ? 192 : r > 16 * 256 ? 16 * 256 : r;
@@ -253,10 +254,10 @@ void tp_foam_blob(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t cover)
     }
 }
 
-uint8_t tp_foam_at(const tp_foam *foam, tp_fx x, tp_fx z)
+uint8_t tp_foam_sample(const tp_foam *foam, tp_fx x, tp_fx z)
 {
-    int64_t u = cells_from(foam, x, foam->first_x, foam->drift_x);
-    int64_t w = cells_from(foam, z, foam->first_z, foam->drift_z);
+    int64_t u = window_offset_q8(foam, x, foam->first_x, foam->drift_x);
+    int64_t w = window_offset_q8(foam, z, foam->first_z, foam->drift_z);
     const uint8_t *cover = (const uint8_t *)(foam + 1);
     int64_t most = (int64_t)foam->cells * 256, sum = 0;
 
@@ -288,7 +289,7 @@ static bool is_valid(const void *mine, const void *made, const tp_world *world)
 {
     (void)world;
     const tp_foam *foam = mine, *fresh = made;
-    const int64_t cells = fresh->cells, side = side_of(fresh);
+    const int64_t cells = fresh->cells, side = window_side(fresh);
     bool valid = foam->cells == fresh->cells && foam->cell == fresh->cell
               && foam->work == fresh->work
               && foam->drift_x >= 0 && foam->drift_x < side

@@ -30,7 +30,7 @@ typedef struct {
 } tp_foam;
 
 /* Returns the cover 0..255 at a rest position, bilinear between cell centres; 0 outside. */
-uint8_t tp_foam_at(const tp_foam *foam, tp_fx x, tp_fx z);
+uint8_t tp_foam_sample(const tp_foam *foam, tp_fx x, tp_fx z);
 
 const tp_foam  *tp_world_foam(const tp_world *world);
 
@@ -94,7 +94,7 @@ void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_world *world,
 /* Coastal water only.  Prepares the displaced positions of the row at m->z - cell.  Call
  * once for each cell of a row before asking for the row, unless the last row was the
  * neighbour at z - cell. */
-void tp_foam_maker_above(tp_foam_maker *m, uint32_t col, tp_fx x);
+void tp_foam_maker_seed_cell(tp_foam_maker *m, uint32_t col, tp_fx x);
 
 /* Returns the cover gained by the cell at x in TP_FOAM_TICKS ticks, in 1/256 of a byte's
  * units, below 2^16; or TP_FOAM_DRY for a dry cell.  Ask for the cells of a row in order

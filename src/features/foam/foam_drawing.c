@@ -8,7 +8,7 @@
 
 /* Returns the drift in m at the drawn moment, `back` of a tick before the world's current
  * tick. */
-static tp_fx drifted_before(int64_t drift_q32, tp_fx speed, tp_fx back)
+static tp_fx interpolate_drift(int64_t drift_q32, tp_fx speed, tp_fx back)
 {
     return (tp_fx)((drift_q32 - (int64_t)speed * back / TP_TICKS_PER_SECOND) >> 16);
 }
@@ -26,9 +26,9 @@ static void place_foam(tp_shade_foam *f, const tp_foam *foam, const tp_scene_map
     f->col = (uint32_t)((foam->first_x % cells + cells) % cells);
     f->row = (uint32_t)((foam->first_z % cells + cells) % cells);
     f->low_s = (tp_fx)((int64_t)foam->first_x * foam->cell
-                       + drifted_before(foam->drift_x, map->drift_x, back));
+                       + interpolate_drift(foam->drift_x, map->drift_x, back));
     f->low_t = (tp_fx)((int64_t)foam->first_z * foam->cell
-                       + drifted_before(foam->drift_z, map->drift_z, back));
+                       + interpolate_drift(foam->drift_z, map->drift_z, back));
     f->side = foam->cells * (uint32_t)foam->cell;
     f->per_metre = ((uint64_t)1 << 48) / (uint32_t)foam->cell;
 }

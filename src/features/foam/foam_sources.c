@@ -15,7 +15,7 @@
 
 /* Returns share x units of cover in 1/256 units, clamped to 0..GAIN_MOST.  `share` is
  * 16.16. */
-static uint32_t part_of(tp_fx share, int32_t units)
+static uint32_t scale_gain(tp_fx share, int32_t units)
 {
     int64_t gain = (int64_t)share * units >> 8;
     return gain < 0 ? 0 : gain > GAIN_MOST ? GAIN_MOST : (uint32_t)gain;
@@ -30,23 +30,23 @@ static uint32_t part_of(tp_fx share, int32_t units)
 static uint32_t crest_gain(const tp_foam_maker *m, tp_fx squeeze)
 {
     tp_fx below = m->scene->foam.crest - squeeze;
-    return part_of(tp_clamp(below, 0, CREST_MOST), CREST_UNITS);
+    return scale_gain(tp_clamp(below, 0, CREST_MOST), CREST_UNITS);
 }
 
-static tp_ocean_point ocean_at(const tp_foam_maker *m, tp_fx x, tp_fx z)
+static tp_ocean_point sample_ocean(const tp_foam_maker *m, tp_fx x, tp_fx z)
 {
     return tp_ocean_at_rest(m->ocean, m->world->phases, x, z);
 }
 
 /* Returns the stretch over one cell, clamped to +-8.  Larger values occur only on land. */
-static tp_fx stretch_of(const tp_foam_maker *m, int64_t difference)
+static tp_fx cell_stretch(const tp_foam_maker *m, int64_t difference)
 {
     return (tp_fx)tp_limit(tp_limit(difference, 1 << 24) * m->per_cell >> 16,
                            8 * TP_FX_ONE);
 }
 
 /* Returns the array of displaced positions of the row at z - cell. */
-static tp_vec3 *above_of(const tp_foam_maker *m)
+static tp_vec3 *previous_row(const tp_foam_maker *m)
 {
     return (tp_vec3 *)(void *)((char *)m->foam + m->foam->work);
 }
@@ -54,11 +54,11 @@ static tp_vec3 *above_of(const tp_foam_maker *m)
 /* Returns the Jacobian of the displacement, from differences over one cell. */
 static tp_fx ocean_squeeze(tp_foam_maker *m, uint32_t col, tp_vec3 here)
 {
-    tp_vec3 *above = above_of(m) + col;
-    int64_t jxx = stretch_of(m, (int64_t)here.x - m->left.x);
-    int64_t jzx = stretch_of(m, (int64_t)here.z - m->left.z);
-    int64_t jxz = stretch_of(m, (int64_t)here.x - above->x);
-    int64_t jzz = stretch_of(m, (int64_t)here.z - above->z);
+    tp_vec3 *above = previous_row(m) + col;
+    int64_t jxx = cell_stretch(m, (int64_t)here.x - m->left.x);
+    int64_t jzx = cell_stretch(m, (int64_t)here.z - m->left.z);
+    int64_t jxz = cell_stretch(m, (int64_t)here.x - above->x);
+    int64_t jzz = cell_stretch(m, (int64_t)here.z - above->z);
 
     m->left = here;
     *above = here;
@@ -86,20 +86,21 @@ static uint32_t shore_gain(const tp_foam_maker *m, const tp_ocean_point *at)
     tp_fx shallow = TP_FX_ONE - tp_fx_mul(at->depth, m->per_shore);
     int64_t lifted = ((int64_t)tp_abs(at->position.y) * m->per_shore + 0x8000) >> 16;
     tp_fx moves = (tp_fx)tp_limit(lifted + at->breaking * 128, TP_FX_ONE);
-    return part_of(tp_fx_mul(shallow, moves), 40);
+    return scale_gain(tp_fx_mul(shallow, moves), 40);
 }
 
 static uint32_t ocean_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool joined)
 {
     if (!joined)
-        m->left = ocean_at(m, x - m->foam->cell, m->z).position;
-    tp_ocean_point at = ocean_at(m, x, m->z);
+        m->left = sample_ocean(m, x - m->foam->cell, m->z).position;
+    tp_ocean_point at = sample_ocean(m, x, m->z);
     tp_fx squeeze = ocean_squeeze(m, col, at.position);
 
     if (at.depth <= 0)
         return TP_FOAM_DRY;
     return deep_part(m, at.depth, crest_gain(m, squeeze)) + shore_gain(m, &at)
-         + part_of(tp_fx_mul(at.breaking * 257, m->scene->foam.breaking), BREAKING_UNITS);
+           + scale_gain(tp_fx_mul(at.breaking * 257, m->scene->foam.breaking),
+                        BREAKING_UNITS);
 }
 
 /* -- walls --------------------------------------------------------------------------- */
@@ -134,7 +135,7 @@ static uint32_t wall_gain(const tp_foam_maker *m, tp_fx x)
     int64_t lsb = tp_abs(tp_pool_velocity(pool, col, row));
     tp_fx speed = (tp_fx)tp_limit(lsb * m->per_lsb >> 32, 64 * TP_FX_ONE) - WALL_STILL;
     return speed > 0 && m->scene->foam.wall > 0 && is_wall_near(m, x)
-         ? part_of(tp_fx_mul(speed, m->scene->foam.wall), WALL_UNITS) : 0;
+         ? scale_gain(tp_fx_mul(speed, m->scene->foam.wall), WALL_UNITS) : 0;
 }
 
 /* -- the hull ------------------------------------------------------------------------ */
@@ -159,8 +160,8 @@ static tp_fx band(tp_fx e, tp_fx wide)
 /* Returns the intensity of the wake, 0..1: two arms from the bow, kept outside of the
  * hull, and turbulent water behind the stern.  `behind`: distance from the bow, `side`:
  * distance from the hull's axis, `wide`: half width of the hull there; all in m. */
-static tp_fx wake_of(const tp_foam_hull *h, tp_fx behind, tp_fx side, tp_fx wide,
-                     tp_fx line)
+static tp_fx sample_wake(const tp_foam_hull *h, tp_fx behind, tp_fx side, tp_fx wide,
+                         tp_fx line)
 {
     tp_fx reach = ARM_LONG * h->length, stern = behind - 2 * h->length;
 
@@ -192,13 +193,13 @@ static uint32_t hull_gain(const tp_foam_maker *m, tp_fx x)
     if (tp_abs(tp_clamp(alpha, -TP_FX_MAX, TP_FX_MAX)) <= TP_FX_ONE) {
         wide = tp_fx_mul(h->beam, TP_FX_ONE - tp_fx_mul(alpha, alpha));
         tp_fx hugs = band(side - wide - line / 2, line);
-        gain = part_of(hugs, LINE_UNITS) + part_of(tp_fx_mul(hugs, pace), PACE_UNITS);
+        gain = scale_gain(hugs, LINE_UNITS) + scale_gain(tp_fx_mul(hugs, pace), PACE_UNITS);
     }
     if (pace > 0) {
         int64_t ahead = h->pace > 0 ? alpha : -(int64_t)alpha;
         tp_fx behind = tp_fx_held((TP_FX_ONE - ahead) * h->length >> 16);
-        tp_fx wake = wake_of(h, behind, side, wide, line);
-        gain += part_of(tp_fx_mul(wake, pace), PACE_UNITS);
+        tp_fx wake = sample_wake(h, behind, side, wide, line);
+        gain += scale_gain(tp_fx_mul(wake, pace), PACE_UNITS);
     }
     return (uint32_t)((uint64_t)gain * (uint32_t)m->scene->foam.hull >> 16);
 }
@@ -258,9 +259,9 @@ void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_world *world,
     find_hull(m);
 }
 
-void tp_foam_maker_above(tp_foam_maker *m, uint32_t col, tp_fx x)
+void tp_foam_maker_seed_cell(tp_foam_maker *m, uint32_t col, tp_fx x)
 {
-    above_of(m)[col] = ocean_at(m, x, m->z - m->foam->cell).position;
+    previous_row(m)[col] = sample_ocean(m, x, m->z - m->foam->cell).position;
 }
 
 uint32_t tp_foam_maker_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool joined)

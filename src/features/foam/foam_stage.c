@@ -35,7 +35,7 @@ void tp_shade_foam_rank(tp_shade_foam *foam, const tp_texture *texture)
 
 /* Returns the cover 0..255, bilinear between cell centres.  u and w: cells from the
  * window's low corner, Q16. */
-TP_ALWAYS_INLINE uint32_t cover_at(const tp_shade_foam *f, uint32_t u, uint32_t w)
+TP_ALWAYS_INLINE uint32_t sample_cover(const tp_shade_foam *f, uint32_t u, uint32_t w)
 {
     uint32_t n = f->cells;
     uint32_t a = u + n * 65536 - 32768, b = w + n * 65536 - 32768;
@@ -72,7 +72,7 @@ TP_ALWAYS_INLINE uint32_t covered(const tp_shade_foam *f, uint32_t s, uint32_t t
         return 0;
     uint32_t u = (uint32_t)(ds * f->per_metre >> 32);
     uint32_t w = (uint32_t)(dt * f->per_metre >> 32);
-    uint32_t cover = cover_at(f, u, w);
+    uint32_t cover = sample_cover(f, u, w);
     return cover ? (cover * inside(f, u, w) + 128) >> 8 : 0;
 }
 
@@ -101,7 +101,8 @@ static void soften(lace *l, int32_t n, int32_t mean)
     l->middle = 128 + (mean - 128) * n * 51 / 256;
 }
 
-static void lace_for(const tp_shade *shade, const tp_shade_foam *f, uint32_t key, lace *l)
+static void select_lace(const tp_shade *shade, const tp_shade_foam *f, uint32_t key,
+                        lace *l)
 {
     const tp_texture *texture = f->texture;
 
@@ -110,8 +111,8 @@ static void lace_for(const tp_shade *shade, const tp_shade_foam *f, uint32_t key
         soften(l, SOFTS, 128);
         return;
     }
-    int n = tp_level_of(f->lod, tp_log_depth(shade, key), true, texture->levels);
-    l->level = tp_level_at(texture, n);
+    int n = tp_level_choose(f->lod, tp_log_depth(shade, key), true, texture->levels);
+    l->level = tp_level_select(texture, n);
     soften(l, n, f->mean);
 }
 
@@ -121,9 +122,9 @@ static uint32_t green(uint32_t texel)
 }
 
 /* Returns the bilinear green of four texels; s, t in repeats, Q0.32. */
-static uint32_t bubbles_at(const tp_level *level, uint32_t s, uint32_t t)
+static uint32_t sample_bubbles(const tp_level *level, uint32_t s, uint32_t t)
 {
-    tp_four  f = tp_four_around(level, s, t);
+    tp_four  f = tp_four_gather_centred(level, s, t);
     uint32_t over = green(f.texel[0]) * (256 - f.fs) + green(f.texel[1]) * f.fs;
     uint32_t under = green(f.texel[2]) * (256 - f.fs) + green(f.texel[3]) * f.fs;
 
@@ -138,8 +139,8 @@ static uint32_t white(const tp_shade_foam *f, const lace *l, uint32_t cover, uin
 {
     int32_t rank = 128;
     if (l->level.texel)
-        rank = f->rank[bubbles_at(&l->level, s * f->repeats + f->drift_s,
-                                  t * f->repeats + f->drift_t)];
+        rank = f->rank[sample_bubbles(&l->level, s * f->repeats + f->drift_s,
+                                      t * f->repeats + f->drift_t)];
     int32_t most = (int32_t)(cover * LACE >> 8);
     int32_t up = rank - l->middle + l->soft / 2 - (l->span * (128 - most) >> 7);
 
@@ -182,7 +183,7 @@ TP_ALWAYS_INLINE void foam(const tp_shade *shade, tp_run *run, int rippled, int 
             if (cover == 0)     /* the case of most water pixels */
                 continue;
             if (!laced)
-                lace_for(shade, f, run->key[first], &l);
+                select_lace(shade, f, run->key[first], &l);
             laced = true;
             uint32_t share = white(f, &l, cover, run->s[i], run->t[i]) * OPAQUE >> 8;
             uint32_t colour = tp_colour_scale(f->colour, lit(shade, run, i, rippled));

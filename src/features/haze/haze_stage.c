@@ -14,7 +14,7 @@ const tp_entry8 tp_haze_table[TP_HAZE + 1] = {
 #include "features/haze/haze_table.inc"
 };
 
-TP_ALWAYS_INLINE uint32_t share_of(uint32_t scale, uint32_t key)
+TP_ALWAYS_INLINE uint32_t haze_share(uint32_t scale, uint32_t key)
 {
     uint32_t entry = (uint32_t)((uint64_t)(key >> 1) * scale >> 32);
     return tp_haze_table[entry < TP_HAZE ? entry : TP_HAZE];
@@ -28,18 +28,19 @@ void tp_stage_haze(const tp_shade *restrict shade, tp_run *restrict run)
 
     for (int32_t i = 0; i < count; i++)
         run->colour[i] = tp_colour_mix(run->colour[i], horizon,
-                                       share_of(scale, run->key[i]));
+                                       haze_share(scale, run->key[i]));
 }
 
 /* Returns the horizon's colour in column x.  A cube is read at the mipmap level of the
  * sky view. */
-TP_ALWAYS_INLINE uint32_t horizon_at(const tp_shade *shade, tp_env_kind kind, int32_t x,
+TP_ALWAYS_INLINE uint32_t sample_horizon(const tp_shade *shade, tp_env_kind kind, int32_t x,
                                      int32_t y)
 {
     tp_ray  ray = tp_view_ray(shade, &shade->world, x, y);
     tp_dir3 d = tp_normalise(-ray.x, 0, -ray.z);
     int     level = tp_env_level(shade, kind, 0);
-    uint32_t light = tp_env_of(shade, kind, level, d.x >> 16, d.y >> 16, d.z >> 16);
+    uint32_t light =
+        tp_env_sample_kind(shade, kind, level, d.x >> 16, d.y >> 16, d.z >> 16);
 
     return tp_light_colour(shade, light);
 }
@@ -50,15 +51,15 @@ TP_ALWAYS_INLINE void haze(const tp_shade *restrict shade, tp_run *restrict run,
     const tp_haze *mine = run->mine;
     const uint32_t scale = mine->scale;
     int32_t  x = run->x, end = run->x + run->count;
-    uint32_t a = horizon_at(shade, kind, x & ~15, run->y);
+    uint32_t a = sample_horizon(shade, kind, x & ~15, run->y);
 
     for (int32_t i = 0; x < end; ) {
         int32_t  from = x & ~15, stop = from + 16 < end ? from + 16 : end;
-        uint32_t b = horizon_at(shade, kind, from + 16, run->y);
+        uint32_t b = sample_horizon(shade, kind, from + 16, run->y);
         for (; x < stop; x++, i++) {
             uint32_t horizon = tp_colour_mix(a, b, (uint32_t)(x - from) * 16);
             run->colour[i] = tp_colour_mix(run->colour[i], horizon,
-                                           share_of(scale, run->key[i]));
+                                           haze_share(scale, run->key[i]));
         }
         a = b;
     }

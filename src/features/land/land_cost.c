@@ -13,7 +13,7 @@
 /* Returns the highest crest of a wave over a shoaling floor, m, with the bound of
  * wave/ocean.c: the wave grows, its orbit tilts with the floor, its crest is thrown.
  * Over a map the mean rise counts and no crest is thrown. */
-static tp_fx crest_of(const tp_scene *s, const tp_wave *given, tp_fx steep)
+static tp_fx bound_crest_height(const tp_scene *s, const tp_wave *given, tp_fx steep)
 {
     const tp_fx   slope = tp_clamp(steep, 0, TP_FX_ONE);
     const tp_wave held = {
@@ -23,7 +23,7 @@ static tp_fx crest_of(const tp_scene *s, const tp_wave *given, tp_fx steep)
     };
     const tp_wave *wave = &held;
     const int64_t k_inf = tp_depth_number_deep(wave->length);
-    const tp_breaker_type type = tp_breaker_type_of(
+    const tp_breaker_type type = tp_breaker_classify(
         tp_iribarren(slope * (1 << 14), 2 * wave->amplitude, wave->length));
     const bool throws = type == TP_BREAKER_PLUNGING && !s->floor.map[0];
     const int64_t lips = throws ? 3 * (int64_t)s->surf.stretch : 0;
@@ -31,10 +31,10 @@ static tp_fx crest_of(const tp_scene *s, const tp_wave *given, tp_fx steep)
 
     for (uint32_t n = 1; n < TP_OCEAN_DEPTHS - 8; n += 4) {
         const tp_fx   h = tp_ocean_node_depth(n, 3);
-        const int64_t k = tp_ocean_number_at(k_inf, h);
+        const int64_t k = tp_ocean_local_number(k_inf, h);
         const tp_fx   a = tp_depth_amplitude(wave->amplitude,
                                              tp_depth_shoaling(k_inf, k, h), TP_FX_ONE, h);
-        const tp_orbit_scale sc = tp_orbit_scale_of(h, s->surf.kx, s->surf.ky);
+        const tp_orbit_scale sc = tp_orbit_scale_make(h, s->surf.kx, s->surf.ky);
         const int64_t most = ((int64_t)TP_FX(0.95) << 32) / k;
         const int64_t reach = ((int64_t)wave->steepness << 32) / k_inf;
         const int64_t round = reach * a / wave->amplitude * (sc.x_q24 >> 8) >> 16;
@@ -59,7 +59,7 @@ typedef struct {
     int32_t  cols, rows;        /* size of the picture, px */
 } ground;
 
-static tp_floor floor_of(const tp_site *w)
+static tp_floor make_floor(const tp_site *w)
 {
     const tp_scene *s = w->scene;
 
@@ -76,9 +76,9 @@ typedef struct {
     int32_t u, v;
 } corner;
 
-static int64_t depth_at(const ground *g, int64_t x, int64_t z)
+static int64_t sample_depth(const ground *g, int64_t x, int64_t z)
 {
-    return tp_floor_under(&g->floor, tp_fx_held(x), tp_fx_held(z)).depth;
+    return tp_floor_sample(&g->floor, tp_fx_held(x), tp_fx_held(z)).depth;
 }
 
 /* Returns the floor's steepest rise.  A map is sampled on a lattice of 64 x 64, with
@@ -94,22 +94,22 @@ static tp_fx steepest(const ground *g)
     for (int64_t n = 0; n < 64 * 64; n++) {
         const int64_t x = s->floor.map_x + s->floor.map_size * (2 * (n % 64) - 63) / 128;
         const int64_t z = s->floor.map_z + s->floor.map_size * (2 * (n / 64) - 63) / 128;
-        const int64_t over_x = depth_at(g, x + d, z) - depth_at(g, x - d, z);
-        const int64_t over_z = depth_at(g, x, z + d) - depth_at(g, x, z - d);
+        const int64_t over_x = sample_depth(g, x + d, z) - sample_depth(g, x - d, z);
+        const int64_t over_z = sample_depth(g, x, z + d) - sample_depth(g, x, z - d);
         const int64_t rise = over_x * over_x + over_z * over_z;
         most = rise > most ? rise : most;
     }
     return (tp_fx)((int64_t)tp_isqrt64((uint64_t)most) * TP_FX_ONE / (2 * d));
 }
 
-static corner corner_of(const ground *g, int32_t i, int32_t j)
+static corner project_corner(const ground *g, int32_t i, int32_t j)
 {
     const tp_scene *s = g->scene;
     const int64_t x = tp_stand_line(s, s->grid.cols, g->x,
                                     (2 * (int64_t)i + 1 - s->grid.cols) * 32768);
     const int64_t z = tp_stand_line(s, s->grid.rows, g->z,
                                     (2 * (int64_t)j + 1 - s->grid.rows) * 32768);
-    const tp_floor_at at = tp_floor_under(&g->floor, tp_fx_held(x), tp_fx_held(z));
+    const tp_floor_at at = tp_floor_sample(&g->floor, tp_fx_held(x), tp_fx_held(z));
     const tp_vec3 place = { tp_fx_held(x), tp_fx_held(-(int64_t)at.depth),
                             tp_fx_held(z) };
     tp_view_corner c;
@@ -188,13 +188,14 @@ static void add_cell(const ground *g, strip *to, const corner p[4])
     }
 }
 
-static strip strip_of(const ground *g, int32_t j)
+static strip measure_strip(const ground *g, int32_t j)
 {
     strip to = { 0, 0, 0, 0, 0, 0, INT32_MAX, INT32_MIN };
-    corner left[2] = { corner_of(g, 0, j), corner_of(g, 0, j + 1) };
+    corner left[2] = { project_corner(g, 0, j), project_corner(g, 0, j + 1) };
 
     for (int32_t i = 0; i + 1 < g->scene->grid.cols; i++) {
-        const corner right[2] = { corner_of(g, i + 1, j), corner_of(g, i + 1, j + 1) };
+        const corner right[2] = { project_corner(g, i + 1, j),
+                                  project_corner(g, i + 1, j + 1) };
         const corner all[4] = { left[0], left[1], right[0], right[1] };
         add_cell(g, &to, all);
         left[0] = right[0];
@@ -203,7 +204,7 @@ static strip strip_of(const ground *g, int32_t j)
     return to;
 }
 
-static uint32_t tiles_of(const ground *g, const strip *s)
+static uint32_t count_tiles(const ground *g, const strip *s)
 {
     const int32_t top = s->top < 0 ? 0 : s->top;
     const int32_t bottom = s->bottom < g->rows ? s->bottom : g->rows - 1;
@@ -215,19 +216,20 @@ static uint32_t tiles_of(const ground *g, const strip *s)
 static void work(tp_site *w)
 {
     const tp_scene *s = w->scene;
-    ground g = { .scene = s, .floor = floor_of(w), .x = w->at.x, .z = w->at.z,
+    ground g = { .scene = s, .floor = make_floor(w), .x = w->at.x, .z = w->at.z,
                  .deepest = TP_FX_ONE, .cols = (int32_t)w->width,
                  .rows = (int32_t)w->height };
     uint64_t drawn = 0;
 
     const tp_fx slope = steepest(&g);
     for (int i = 0; i < TP_WAVES; i++)
-        g.deepest += s->wave[i].amplitude > 0 ? crest_of(s, &s->wave[i], slope) : 0;
+        g.deepest +=
+            s->wave[i].amplitude > 0 ? bound_crest_height(s, &s->wave[i], slope) : 0;
     tp_lens_turned(&g.lens, w->at.eye, w->at.turn, s->camera.fov, s->camera.near, w->width,
                    w->height);
     for (int32_t j = 0; j + 1 < s->grid.rows; j++) {
-        const strip row = strip_of(&g, j);
-        const uint32_t tiles = tiles_of(&g, &row);
+        const strip row = measure_strip(&g, j);
+        const uint32_t tiles = count_tiles(&g, &row);
         w->works.of[TP_WORK_land_row] += tiles * (uint32_t)(s->grid.cols - 1);
         w->works.of[TP_WORK_land_cell] += tiles * row.tries;
         w->works.of[TP_WORK_land_cut] += tiles * row.cuts;
@@ -243,16 +245,16 @@ static void work(tp_site *w)
  * meet the water. */
 static bool stops(const tp_site *w, tp_vec3 ray, int64_t far)
 {
-    const tp_floor floor = floor_of(w);
+    const tp_floor floor = make_floor(w);
     const tp_fx x = tp_fx_held(w->at.eye.x + (far * ray.x >> 16));
     const tp_fx z = tp_fx_held(w->at.eye.z + (far * ray.z >> 16));
 
-    return !tp_has_tank(w->scene) && tp_floor_under(&floor, x, z).depth <= 0;
+    return !tp_has_tank(w->scene) && tp_floor_sample(&floor, x, z).depth <= 0;
 }
 
 static void pixels(tp_site *w, const tp_work_pixels *px)
 {
-    w->works.of[TP_WORK_land] = tp_work_pixels_of(w, px->stopped);
+    w->works.of[TP_WORK_land] = tp_work_ray_pixels(w, px->stopped);
 }
 
 const tp_cost tp_land_cost = { .work = work, .stops = stops, .pixels = pixels };

@@ -33,13 +33,13 @@ typedef struct {
  * difference must fit Q16.16. */
 #define HEIGHT_MOST (24000 * TP_FX_ONE)
 
-static corner *vertex_at(const tp_frame *frame, const land *l, uint32_t i, uint32_t j)
+static corner *grid_vertex(const tp_frame *frame, const land *l, uint32_t i, uint32_t j)
 {
     return l->at + (size_t)j * frame->parts.grid->cols + i;
 }
 
-static tp_view_corner corner_at(const tp_frame *frame, uint32_t i, uint32_t j,
-                                tp_floor_at *floor)
+static tp_view_corner transform_vertex(const tp_frame *frame, uint32_t i, uint32_t j,
+                                       tp_floor_at *floor)
 {
     tp_fx x = frame->parts.grid->column[i].place, z = frame->parts.grid->row[j].place;
     tp_view_corner c;
@@ -65,9 +65,9 @@ static void place_corner(const tp_frame *frame, const land *l, uint32_t i, uint3
                          tp_fx deepest)
 {
     TP_ASSERT(i < frame->parts.grid->cols && j < frame->parts.grid->rows);
-    corner *to = vertex_at(frame, l, i, j);
+    corner *to = grid_vertex(frame, l, i, j);
     tp_floor_at floor;
-    tp_view_corner c = corner_at(frame, i, j, &floor);
+    tp_view_corner c = transform_vertex(frame, i, j, &floor);
 
     set_normal(to->n, floor.rise_x, floor.rise_z);
     to->out = (int16_t)((floor.depth > deepest ? DEEP : 0)
@@ -79,7 +79,7 @@ static void place_corner(const tp_frame *frame, const land *l, uint32_t i, uint3
 }
 
 /* True if all corners of a cell are DEEP, or all are BEHIND.  Other cells are drawn. */
-static bool is_out(const corner *const p[4])
+static bool is_culled(const corner *const p[4])
 {
     return (p[0]->out & p[1]->out & p[2]->out & p[3]->out) != 0;
 }
@@ -93,14 +93,14 @@ static bool is_cut(const corner *const p[4])
 /* Sets the pixel rows touched by a row of cells; y0 > y1: none. */
 static void place_band(const tp_frame *frame, const land *l, uint32_t j)
 {
-    const corner *at = vertex_at(frame, l, 0, j);
+    const corner *at = grid_vertex(frame, l, 0, j);
     band rows = { INT32_MAX, INT32_MIN };
 
     for (uint32_t i = 0; i + 1 < frame->parts.grid->cols; i++) {
         const corner *below = at + i + frame->parts.grid->cols;
         const corner *const p[4] = { at + i, at + i + 1, below, below + 1 };
         bool cut = is_cut(p);
-        for (int k = 0; k < 4 && !is_out(p); k++) {
+        for (int k = 0; k < 4 && !is_culled(p); k++) {
             int32_t low = cut ? INT32_MIN : p[k]->v >> 4;
             int32_t high = cut ? INT32_MAX : p[k]->v >> 4;
             rows.y0 = low < rows.y0 ? low : rows.y0;
@@ -143,7 +143,7 @@ static void draw_clipped(const tp_frame *frame, const tp_samples *tile,
     tp_floor_at floor;
 
     for (int k = 0; k < 3; k++) {
-        in[k] = corner_at(frame, at[k][0], at[k][1], &floor);
+        in[k] = transform_vertex(frame, at[k][0], at[k][1], &floor);
         set_normal(in[k].n, floor.rise_x, floor.rise_z);
     }
     tp_clipped_draw(&frame->lens, NULL, tile, in, mark, 0);
@@ -152,12 +152,12 @@ static void draw_clipped(const tp_frame *frame, const tp_samples *tile,
 static void draw_cell(const tp_frame *frame, const land *l, const tp_samples *tile,
                       uint32_t i, uint32_t j, uint32_t mark)
 {
-    const corner *a = vertex_at(frame, l, i, j);
+    const corner *a = grid_vertex(frame, l, i, j);
     const corner *b = a + 1, *d = a + frame->parts.grid->cols, *c = d + 1;
 
     const corner *const all[4] = { a, b, c, d };
 
-    if (is_out(all))
+    if (is_culled(all))
         return;
     if (is_cut(all)) {
         const uint32_t first[3][2] = { { i, j }, { i, j + 1 }, { i + 1, j + 1 } };

@@ -24,7 +24,7 @@ void tp_stage_ground(const tp_shade *shade, tp_run *run)
     for (int32_t i = 0; i < run->count; i++) {
         tp_beam beam;
         tp_inside_places(shade, run, i, i + 1, &beam);
-        run->colour[i] = tp_coat_lit(shade, tp_coat_at(&shade->inside->floor, beam.at.x,
+        run->colour[i] = tp_coat_lit(shade, tp_coat_sample(&shade->inside->floor, beam.at.x,
                                                        beam.at.z, beam.far, true),
                                      run->n[i]);
     }

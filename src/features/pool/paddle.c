@@ -30,7 +30,7 @@ static tp_turn half_turn(const tp_scene_pool *scene)
  * has 29 bits; the push is below 2^60 before its division.  The push is at most the
  * amplitude, so a pool too short for its wave gets a lower wave.  The shortest waves of a
  * grid do not travel, so k is clamped just below 1/2 turn. */
-static stroke stroke_of(const tp_pool *pool, const tp_scene_pool *scene)
+static stroke compute_stroke(const tp_pool *pool, const tp_scene_pool *scene)
 {
     TP_ASSERT(scene->courant > 0 && scene->paddle >= 0);
     bool    walls = pool->edges == TP_EDGES_WALL;
@@ -68,7 +68,7 @@ static void push_column(tp_pool *pool, const stroke *s, uint32_t col, int32_t pu
 
 void tp_paddle_push(tp_pool *pool, const tp_scene_pool *scene, uint64_t tick)
 {
-    stroke  s = stroke_of(pool, scene);
+    stroke  s = compute_stroke(pool, scene);
     tp_turn phase = (tp_turn)(2 * (uint64_t)half_turn(scene) * tick);
     int32_t push = tp_q30_mul(s.push, tp_sin(phase));
 

@@ -9,19 +9,19 @@
 
 /* -- enabled pools ------------------------------------------------------------------- */
 
-static bool is_on(const tp_want *want, const tp_scene_pool *pool)
+static bool is_pool_enabled(const tp_want *want, const tp_scene_pool *pool)
 {
     return pool->cols > 0 && (!want->water || want->water->pools);
 }
 
 bool tp_main_pool_enabled(const tp_want *want)
 {
-    return is_on(want, &want->scene->pool);
+    return is_pool_enabled(want, &want->scene->pool);
 }
 
 bool tp_field_enabled(const tp_want *want)
 {
-    return is_on(want, &want->scene->field);
+    return is_pool_enabled(want, &want->scene->field);
 }
 
 /* -- splashes ------------------------------------------------------------------------ */
@@ -78,7 +78,7 @@ const tp_module tp_pokes_module = {
 
 /* -- common to both pools ------------------------------------------------------------ */
 
-static size_t bytes_of(const tp_want *want, bool field)
+static size_t basin_bytes(const tp_want *want, bool field)
 {
     const tp_pool_config config = tp_pools_config(want->scene, want->assets, field);
     return offsetof(tp_basin, pool) + tp_pool_bytes(&config);
@@ -132,7 +132,7 @@ static tp_status pool_check(const tp_want *want, tp_error *err)
 
 static size_t pool_bytes(const tp_want *want)
 {
-    return bytes_of(want, false);
+    return basin_bytes(want, false);
 }
 
 static tp_status pool_init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
@@ -185,7 +185,7 @@ static tp_status field_check(const tp_want *want, tp_error *err)
 
 static size_t field_bytes(const tp_want *want)
 {
-    return bytes_of(want, true);
+    return basin_bytes(want, true);
 }
 
 static tp_status field_init(void *mine, tp_world *world, const tp_want *want, tp_error *err)

@@ -114,7 +114,7 @@ static void look(tp_frame *frame, void *mine)
     tp_half *half = &m->look.half;
 
     half->colour = NULL;
-    if (!tp_sight_above(frame, level))
+    if (!tp_sight_is_above_level(frame, level))
         return;
     tp_lens  lens = mirror_lens(frame, &m->store, level);
     tp_sight sight = { .lens = &lens, .cut = true, .walls = true,
@@ -139,7 +139,7 @@ bool tp_mirror_enabled(const tp_want *want)
 
 /* Returns the number of halvings.  The projection of a small picture can be halved only
  * once. */
-static uint32_t halvings_of(const tp_want *want)
+static uint32_t count_halvings(const tp_want *want)
 {
     return want->scene->mirror.size == TP_MIRROR_QUARTER && want->width >= 64
            && want->height >= 64 ? 2 : 1;
@@ -149,7 +149,7 @@ static void *layout(tp_arena *arena, const tp_want *want)
 {
     mirror *m = tp_arena_take(arena, 1, sizeof *m), made = { .look.bend = 0 };
 
-    tp_planar_layout(&made.store, arena, want, halvings_of(want));
+    tp_planar_layout(&made.store, arena, want, count_halvings(want));
     made.look.zi = made.zi = tp_arena_take(arena, made.store.cols, sizeof *made.zi);
     if (m)
         *m = made;

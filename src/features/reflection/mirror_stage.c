@@ -35,7 +35,7 @@ typedef struct {
     int32_t x, y, z;            /* direction, Q16 */
 } axis;
 
-static axis axis_of(tp_dir3 d, int sign)
+static axis make_axis(tp_dir3 d, int sign)
 {
     return (axis){ sign * (d.x >> 14), sign * (d.y >> 14), sign * (d.z >> 14) };
 }
@@ -46,7 +46,7 @@ static int32_t way(int64_t q16, int32_t focal)
     return (int32_t)tp_limit(q16 * focal >> 16, 1 << 20);
 }
 
-static int32_t ray_of(const tp_shade *shade, int32_t sixteenths)
+static int32_t ray_coordinate(const tp_shade *shade, int32_t sixteenths)
 {
     TP_ASSERT(shade->per_focal > 0);
     return (int32_t)tp_limit(tp_over_focal(shade, sixteenths), 1 << 27);
@@ -61,13 +61,13 @@ TP_ALWAYS_INLINE int64_t crossed(int32_t a, int32_t b, int32_t c, int32_t d)
 /* Computes the factors at column x.  Wide views have rays up to 300, 2^25 in Q16.  Rays
  * are clamped to 2048, so cross products with an axis stay below 2^30 and products of two
  * such numbers below 2^58. */
-static push push_at(const tp_shade *shade, int32_t x, int32_t y)
+static push compute_push(const tp_shade *shade, int32_t x, int32_t y)
 {
     const tp_view_axes *axes = &shade->world;
-    const axis r = axis_of(axes->right, 1), up = axis_of(axes->up, 1),
-               a = axis_of(axes->back, -1);
-    const int32_t qu = ray_of(shade, 16 * x + 8 - shade->u0);
-    const int32_t qv = ray_of(shade, shade->v0 - 16 * y - 8);
+    const axis r = make_axis(axes->right, 1), up = make_axis(axes->up, 1),
+               a = make_axis(axes->back, -1);
+    const int32_t qu = ray_coordinate(shade, 16 * x + 8 - shade->u0);
+    const int32_t qv = ray_coordinate(shade, shade->v0 - 16 * y - 8);
     const int32_t dx = a.x + (int32_t)crossed(qu, r.x, -qv, up.x);
     const int32_t dy = a.y + (int32_t)crossed(qu, r.y, -qv, up.y);
     const int32_t dz = a.z + (int32_t)crossed(qu, r.z, -qv, up.z);
@@ -87,7 +87,7 @@ static push push_at(const tp_shade *shade, int32_t x, int32_t y)
     };
 }
 
-static push step_between(const push *a, const push *b)
+static push push_difference(const push *a, const push *b)
 {
     return (push){ b->xu - a->xu, b->xv - a->xv, b->zu - a->zu, b->zv - a->zv,
                    b->hu - a->hu, b->hv - a->hv, b->dy - a->dy };
@@ -145,8 +145,8 @@ TP_ALWAYS_INLINE uint32_t seen(const tp_mirror *look, int32_t y, const push *a,
                        at(a->hu, step->hu, k), h);
     int32_t dv = moved(at(a->xv, step->xv, k), sx, at(a->zv, step->zv, k), sz, share,
                        at(a->hv, step->hv, k), h);
-    return tp_half_at(half, (16 * x + 8 + du) >> half->coarser,
-                      (16 * y + 8 + dv) >> half->coarser);
+    return tp_half_sample(half, (16 * x + 8 + du) >> half->coarser,
+                          (16 * y + 8 + dv) >> half->coarser);
 }
 
 void tp_stage_mirrored(const tp_shade *shade, tp_run *run)
@@ -157,15 +157,15 @@ void tp_stage_mirrored(const tp_shade *shade, tp_run *run)
 
     if (!look->half.colour)
         return;
-    push a = push_at(shade, x & ~15, run->y);
+    push a = compute_push(shade, x & ~15, run->y);
     for (int32_t i = 0; x < end; ) {
         int32_t next = (x & ~15) + 16, stop = next < end ? next : end;
-        push b = push_at(shade, next, run->y), step = step_between(&a, &b);
+        push b = compute_push(shade, next, run->y), step = push_difference(&a, &b);
         for (; x < stop; x++, i++) {
             uint32_t top = seen(look, run->y, &a, &step, x, run->key[i], run->sx[i],
                                 run->sz[i]);
             if (top)
-                run->mirror[i] = tp_colour_over(run->mirror[i], top);
+                run->mirror[i] = tp_colour_composite(run->mirror[i], top);
         }
         a = b;
     }

@@ -23,7 +23,7 @@ static tp_vec3 towards(tp_vec3 eye, tp_vec3 to, tp_fx part, tp_fx level)
 }
 
 /* Fills *cube except for its colours.  Returns the point. */
-static tp_vec3 set_around(const tp_frame *frame, tp_around *cube, tp_fx level)
+static tp_vec3 set_object_cube(const tp_frame *frame, tp_around *cube, tp_fx level)
 {
     const tp_vec3 eye = frame->lens.eye, to = tp_frame_anchor(frame).middle;
     const tp_fx up = eye.y - level, high = to.y - level > TP_FX_ONE / 4
@@ -84,10 +84,10 @@ static void look(tp_frame *frame, void *mine)
     bool seen = false;
 
     m->around.colour = NULL;
-    if (!tp_sight_above(frame, level)
+    if (!tp_sight_is_above_level(frame, level)
         || !tp_frame_has_module(frame, TP_MODULE_SOLID))
         return;
-    const tp_vec3 point = set_around(frame, &m->around, level);
+    const tp_vec3 point = set_object_cube(frame, &m->around, level);
     for (uint32_t f = 0; f < TP_AROUND_FACES; f++) {
         tp_lens lens;
         tp_lens_init(&lens, point, (uint32_t)turn[f][0] * quarter,

@@ -49,7 +49,7 @@ static int facing(const way *w, int64_t *right, int64_t *up, int64_t *ahead)
 
 /* Returns the colour, bilinear within one face.  The divisor `ahead` is shifted below
  * 2^31. */
-static uint32_t cube_at(const tp_around *cube, const way *w)
+static uint32_t sample_cube(const tp_around *cube, const way *w)
 {
     int64_t right, up, ahead;
     int     face = facing(w, &right, &up, &ahead), down = 0;
@@ -70,13 +70,13 @@ static uint32_t cube_at(const tp_around *cube, const way *w)
 
     i >>= 5;
     j >>= 5;
-    return tp_bytes_between(
-        tp_bytes_between(texel(from, i, j), texel(from, i + 1, j), fi),
-        tp_bytes_between(texel(from, i, j + 1), texel(from, i + 1, j + 1), fi), fj);
+    return tp_bytes_mix(
+        tp_bytes_mix(texel(from, i, j), texel(from, i + 1, j), fi),
+        tp_bytes_mix(texel(from, i, j + 1), texel(from, i + 1, j + 1), fi), fj);
 }
 
 /* Returns the view ray at column x with 1 along the camera's axis, Q16. */
-static way ray_at(const tp_shade *shade, int32_t x, int32_t y)
+static way compute_view_ray(const tp_shade *shade, int32_t x, int32_t y)
 {
     const tp_view_axes *a = &shade->world;
     const int64_t u = tp_over_focal(shade, 16 * x + 8 - shade->u0);
@@ -90,9 +90,9 @@ static way ray_at(const tp_shade *shade, int32_t x, int32_t y)
 }
 
 /* Returns the vector from the point to the water at a pixel, m, 16.16. */
-static way water_from(const tp_around *cube, const way *ray, uint32_t key)
+static way water_offset(const tp_around *cube, const way *ray, uint32_t key)
 {
-    int64_t z = tp_depth_of(cube->zi_near, tp_key_zi(key));
+    int64_t z = tp_depth_from_zi(cube->zi_near, tp_key_zi(key));
 
     return (way){ cube->from.x + (ray->x * z >> 16), cube->from.y + (ray->y * z >> 16),
                   cube->from.z + (ray->z * z >> 16) };
@@ -108,17 +108,17 @@ void tp_stage_mirrored_cube(const tp_shade *shade, tp_run *run)
         return;
     for (int32_t i = 0; i < run->count; i++) {
         int64_t rx = run->rx[i], ry = run->up[i], rz = run->rz[i];
-        way ray = ray_at(shade, run->x + i, run->y);
-        way p = water_from(cube, &ray, run->key[i]);
+        way ray = compute_view_ray(shade, run->x + i, run->y);
+        way p = water_offset(cube, &ray, run->key[i]);
         int64_t a = ((cube->to.x - p.x) * cube->nx + (cube->to.z - p.z) * cube->nz) >> 22;
         int64_t b = (rx * cube->nx + rz * cube->nz) >> 14;
         if (a <= 0 || b <= 0)       /* behind the plane, or the ray leads away from it */
             continue;
         way w = { rx * a + (p.x >> 8) * b, ry * a + (p.y >> 8) * b,
                   rz * a + (p.z >> 8) * b };
-        uint32_t top = cube_at(cube, &w);
+        uint32_t top = sample_cube(cube, &w);
         if (top)
-            run->mirror[i] = tp_colour_over(run->mirror[i], top);
+            run->mirror[i] = tp_colour_composite(run->mirror[i], top);
     }
 }
 

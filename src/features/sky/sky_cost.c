@@ -3,7 +3,7 @@
 #include "features/sky/sky.h"
 #include "scene/works.h"
 
-static void add_beyond(tp_site *w, const tp_work_pixels *px)
+static void add_hdr_work(tp_site *w, const tp_work_pixels *px)
 {
     const tp_scene *s = w->scene;
 
@@ -18,13 +18,13 @@ static void dome_pixels(tp_site *w, const tp_work_pixels *px)
     const bool quick = w->quick && !(w->is & TP_MODULE_STARS);
 
     w->works.of[quick ? TP_WORK_sky_quick : TP_WORK_sky_dome] = px->sky;
-    add_beyond(w, px);
+    add_hdr_work(w, px);
 }
 
 static void cube_pixels(tp_site *w, const tp_work_pixels *px)
 {
     w->works.of[TP_WORK_sky_cube] = px->sky;
-    add_beyond(w, px);
+    add_hdr_work(w, px);
 }
 
 static void star_pixels(tp_site *w, const tp_work_pixels *px)

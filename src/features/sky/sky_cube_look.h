@@ -11,14 +11,14 @@ typedef struct {
     tp_cube_side side[TP_CUBE_FACES];
 } tp_cube_sides;
 
-TP_ALWAYS_INLINE void tp_cube_sides_at(tp_cube_sides *sides, const tp_cube *cube,
-                                       int level)
+TP_ALWAYS_INLINE void tp_cube_sides_select(tp_cube_sides *sides, const tp_cube *cube,
+                                           int level)
 {
     if (sides->level == level)
         return;
     sides->level = level;
     for (int i = 0; i < TP_CUBE_FACES; i++)
-        sides->side[i] = tp_cube_side_at(cube->face[i], level);
+        sides->side[i] = tp_cube_side_select(cube->face[i], level);
 }
 
 #define TP_CUBE_ROW 16
@@ -38,7 +38,7 @@ TP_ALWAYS_INLINE void tp_cube_row_wide(const tp_shade *restrict shade,
 
     for (int32_t i = 0; i < count; i++) {
         tp_cube_ray  c = tp_cube_face(x[i], y[i], z[i]);
-        tp_cube_four f = tp_cube_around(shade->env.recip, c.m, c.right, c.down,
+        tp_cube_four f = tp_cube_gather(shade->env.recip, c.m, c.right, c.down,
                                         side[c.face].log2_w, side[c.face].log2_h);
         face[i] = c.face;
         first[i] = f.first;

@@ -30,7 +30,7 @@ TP_ALWAYS_INLINE void empty(const tp_shade *shade, tp_run *run, int hdr)
     tp_cube_sides sides = { .level = -1 };
 
     tp_view_run(shade, &shade->world, run);
-    tp_cube_sides_at(&sides, shade->env.cube, tp_env_level(shade, TP_ENV_CUBE, 0));
+    tp_cube_sides_select(&sides, shade->env.cube, tp_env_level(shade, TP_ENV_CUBE, 0));
     for (int32_t i = 0; i < run->count; ) {
         int32_t stop = tp_block_end(run, i);
         if (TP_WIDE) {
@@ -62,7 +62,7 @@ TP_ALWAYS_INLINE void reflect_wide(const tp_shade *restrict shade, tp_run *restr
     int32_t x[TP_CUBE_ROW], y[TP_CUBE_ROW], z[TP_CUBE_ROW], count = stop - i;
 
     for (int32_t k = 0; k < count; k++) {
-        tp_ray to = tp_reflected_at(run, i + k);
+        tp_ray to = tp_reflected_compute(run, i + k);
         x[k] = to.x;
         y[k] = to.y;
         z[k] = to.z;
@@ -81,14 +81,14 @@ void tp_stage_reflect_cube(const tp_shade *restrict shade, tp_run *restrict run)
     for (int32_t i = 0; i < run->count; ) {
         int32_t depth = tp_log_depth(shade, run->key[i]), stop = tp_block_end(run, i);
         int     coarser = 128 + (depth > 0 ? depth / 2 : 0);
-        tp_cube_sides_at(&sides, shade->env.cube,
-                         tp_env_level(shade, TP_ENV_CUBE, coarser));
+        tp_cube_sides_select(&sides, shade->env.cube,
+                             tp_env_level(shade, TP_ENV_CUBE, coarser));
         if (TP_WIDE) {
             reflect_wide(shade, run, sides.side, i, stop);
             i = stop;
         }
         for (; i < stop; i++) {
-            tp_ray to = tp_reflected_at(run, i);
+            tp_ray to = tp_reflected_compute(run, i);
             tp_cube_ray ray = tp_cube_face(to.x, to.y, to.z);
             run->mirror[i] = tp_cube_look(shade, &ray, &sides.side[ray.face]);
         }

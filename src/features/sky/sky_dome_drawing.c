@@ -24,7 +24,7 @@ static void init(tp_frame *frame, void *mine)
 static void begin(tp_frame *frame, void *mine)
 {
     const tp_scene *scene = frame->scene;
-    const tp_dome_config config = tp_dome_of(scene);
+    const tp_dome_config config = tp_dome_config_make(scene);
     tp_dome *dome = mine;
     tp_env  *env = &frame->shade.env;
 

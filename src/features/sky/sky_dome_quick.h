@@ -12,7 +12,7 @@ typedef struct {
     uint32_t rb, g, rb_step, g_step;
 } tp_quick_shade;
 
-static inline tp_quick_shade tp_quick_between(uint32_t a, uint32_t b)
+static inline tp_quick_shade tp_quick_shade_make(uint32_t a, uint32_t b)
 {
     uint32_t from = tp_even_bytes(a), to = tp_even_bytes(b);
 

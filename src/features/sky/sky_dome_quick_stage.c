@@ -12,14 +12,14 @@
 
 #define CLOSE (1u << 23)        /* square of 10 degrees: beyond it the glow is smooth */
 
-static uint32_t colour_of(const tp_shade *shade, tp_ray v)
+static uint32_t sample_dome(const tp_shade *shade, tp_ray v)
 {
     return tp_env_dome(shade, 0, -v.x, -v.y, -v.z) & 0x00ffffff;
 }
 
 static bool is_close(const tp_shade *shade, tp_ray v)
 {
-    return tp_square_of(v.x + shade->world.lx, v.y + shade->world.ly,
+    return tp_square_length(v.x + shade->world.lx, v.y + shade->world.ly,
                         v.z + shade->world.lz) < CLOSE;
 }
 
@@ -30,25 +30,25 @@ static void look(const tp_shade *shade, uint32_t *colour, tp_ray a, tp_ray b, in
     for (; k < end; k++) {
         tp_ray v = { a.x + ((b.x - a.x) * k >> 4), a.y + ((b.y - a.y) * k >> 4),
                      a.z + ((b.z - a.z) * k >> 4), 0 };
-        *colour++ = colour_of(shade, v);
+        *colour++ = sample_dome(shade, v);
     }
 }
 
 void tp_stage_quick_sky_dome(const tp_shade *shade, tp_run *run)
 {
-    const tp_quick_row row = tp_quick_row_at(shade, run->y);
+    const tp_quick_row row = tp_quick_row_make(shade, run->y);
     int32_t  x = run->x, end = run->x + run->count;
     tp_ray   a = tp_quick_ray(shade, &row, 16 * (x & ~15) + 8);
-    uint32_t here = colour_of(shade, a);
+    uint32_t here = sample_dome(shade, a);
 
     while (x < end) {
         int32_t  from = x & ~15, stop = from + 16 < end ? from + 16 : end;
         tp_ray   b = tp_quick_ray(shade, &row, 16 * from + 16 * 16 + 8);
-        uint32_t there = colour_of(shade, b), *colour = run->colour + (x - run->x);
+        uint32_t there = sample_dome(shade, b), *colour = run->colour + (x - run->x);
         if (is_close(shade, a) || is_close(shade, b))
             look(shade, colour, a, b, x - from, stop - from);
         else
-            FILL(colour, tp_quick_between(here, there), x - from, stop - from);
+            FILL(colour, tp_quick_shade_make(here, there), x - from, stop - from);
         x = stop;
         a = b;
         here = there;

@@ -34,7 +34,7 @@ TP_ALWAYS_INLINE void dome_wide(const tp_dome *restrict dome,
                                 uint32_t *restrict out)
 {
     for (int32_t i = 0; i < count; i++)
-        out[i] = tp_dome_with(dome, square[i], up[i] > 0 ? up[i] : 0, glow[i]);
+        out[i] = tp_dome_colour(dome, square[i], up[i] > 0 ? up[i] : 0, glow[i]);
 }
 
 /* Shades the reflection in three loops.  The glow needs a logarithm, which is not
@@ -46,7 +46,7 @@ TP_ALWAYS_INLINE void reflect_wide(const tp_shade *restrict shade, tp_run *restr
     uint32_t square[TP_RUN], glow[TP_RUN];
 
     for (int32_t i = 0; i < count; i++) {
-        tp_ray to = tp_reflected_at(run, i);
+        tp_ray to = tp_reflected_compute(run, i);
         square[i] = tp_from_light(shade, to.x, to.y, to.z);
     }
     for (int32_t i = 0; i < count; i++)
@@ -64,7 +64,7 @@ void tp_stage_reflect_dome(const tp_shade *restrict shade, tp_run *restrict run)
         return;
     }
     for (int32_t i = 0; i < count; i++) {
-        tp_ray to = tp_reflected_at(run, i);
+        tp_ray to = tp_reflected_compute(run, i);
         run->mirror[i] = tp_env_dome(shade, shade->env.least, to.x, to.y, to.z);
     }
 }

@@ -109,7 +109,7 @@ static tp_vec3 point(const tp_surface *surface, tp_fx x, tp_fx z)
 
 /* Returns the water level at a place, by one step of the search of [E1].  The error shows
  * only in steep waves, and steep waves throw enough specks to hide the error. */
-static tp_fx level_at(const tp_surface *surface, tp_fx x, tp_fx z)
+static tp_fx sample_level(const tp_surface *surface, tp_fx x, tp_fx z)
 {
     tp_vec3 first = point(surface, x, z);
     tp_fx level = point(surface, 2 * x - first.x, 2 * z - first.z).y;
@@ -145,15 +145,15 @@ static void fly(tp_speck *s, tp_fx gravity)
 
 /* True if a speck's life has ended.  Falling specks and bubbles are tested against the
  * water in turn, each every fourth tick. */
-static bool is_over(const tp_speck *s, const tp_surface *surface)
+static bool has_speck_ended(const tp_speck *s, const tp_surface *surface)
 {
     if (s->kind == TP_SPECK_BUBBLE)
         return s->age >= BUBBLE_AGE
-            || ((s->age & 3) == 0 && s->place.y >= level_at(surface, s->place.x,
+            || ((s->age & 3) == 0 && s->place.y >= sample_level(surface, s->place.x,
                                                             s->place.z));
     return s->age >= SPRAY_AGE
-        || (s->speed.y < 0 && (s->age & 3) == 0
-            && s->place.y <= level_at(surface, s->place.x, s->place.z));
+           || (s->speed.y < 0 && (s->age & 3) == 0
+               && s->place.y <= sample_level(surface, s->place.x, s->place.z));
 }
 
 static void fly_all(tp_spray *spray, const tp_scene *scene, const tp_surface *surface)
@@ -161,7 +161,7 @@ static void fly_all(tp_spray *spray, const tp_scene *scene, const tp_surface *su
     for (uint32_t i = 0; i < spray->count; ) {
         tp_speck *s = &list(spray)[i];
         fly(s, scene->water.gravity);
-        if (is_over(s, surface))
+        if (has_speck_ended(s, surface))
             *s = list(spray)[--spray->count];
         else
             i++;
@@ -173,7 +173,7 @@ static void fly_all(tp_spray *spray, const tp_scene *scene, const tp_surface *su
 /* Returns the Jacobian u.x w.z - u.z w.x from differences over half a metre, clamped to
  * +-8.  Water with spray never exceeds 8, since the highest waves of the table stand 256
  * m apart. */
-static tp_fx jacobian_of(tp_vec3 u, tp_vec3 w)
+static tp_fx difference_jacobian(tp_vec3 u, tp_vec3 w)
 {
     int64_t across = ((int64_t)u.x * w.z * 4 + 0x8000) >> 16;
     int64_t along = ((int64_t)u.z * w.x * 4 + 0x8000) >> 16;
@@ -191,11 +191,11 @@ static tp_fx ocean_strength(const tp_surface *surface, tp_fx x, tp_fx z)
         return at.breaking * 257;
     tp_vec3 u = tp_vec3_sub(point(surface, x + d, z), point(surface, x - d, z));
     tp_vec3 w = tp_vec3_sub(point(surface, x, z + d), point(surface, x, z - d));
-    tp_fx jacobian = jacobian_of(u, w);
+    tp_fx jacobian = difference_jacobian(u, w);
     return jacobian < SHARP ? (SHARP - jacobian) * 4 : 0;
 }
 
-static tp_fx strength_at(const tp_surface *surface, tp_fx x, tp_fx z)
+static tp_fx sample_strength(const tp_surface *surface, tp_fx x, tp_fx z)
 {
     if (surface->ocean)
         return ocean_strength(surface, x, z);
@@ -204,8 +204,8 @@ static tp_fx strength_at(const tp_surface *surface, tp_fx x, tp_fx z)
 }
 
 /* Returns the velocity of the water particle with the rest position (x, z), m/s. */
-static tp_vec3 motion_at(const tp_surface *now, const tp_surface *before, tp_fx x,
-                         tp_fx z)
+static tp_vec3 sample_velocity(const tp_surface *now, const tp_surface *before, tp_fx x,
+                               tp_fx z)
 {
     tp_vec3 way = tp_vec3_sub(point(now, x, z), point(before, x, z));
     const int64_t rate = TP_TICKS_PER_SECOND;
@@ -217,10 +217,10 @@ static tp_vec3 motion_at(const tp_surface *now, const tp_surface *before, tp_fx 
 
 /* Throws the specks of a crest.  Specks start scattered over +-1/3 m, with the water's
  * horizontal velocity times 1 to 2, and a random part upwards. */
-static void throw_off(tp_spray *spray, const tp_surface *now, const tp_surface *before,
-                      tp_fx x, tp_fx z, tp_fx strength)
+static void throw_specks(tp_spray *spray, const tp_surface *now, const tp_surface *before,
+                         tp_fx x, tp_fx z, tp_fx strength)
 {
-    tp_vec3 from = point(now, x, z), flow = motion_at(now, before, x, z);
+    tp_vec3 from = point(now, x, z), flow = sample_velocity(now, before, x, z);
     int32_t count = 3 + (tp_fx_mul(strength, 9 * TP_FX_ONE) >> 16);
 
     for (int32_t i = 0; i < count; i++) {
@@ -242,7 +242,7 @@ static void try_crests(tp_world *world, const tp_scene *scene, tp_spray *spray,
 {
     tp_turn phases[TP_WAVES];
     tp_surface before = *now;
-    tp_vec3  eye = tp_camera_between(world, 0).eye;
+    tp_vec3  eye = tp_camera_interpolate(world, 0).eye;
     uint32_t tries = spray->capacity / TRIES + 1;
 
     if (scene->spray.crest <= 0 || (!now->ocean && world->sea.bend == 0))
@@ -254,9 +254,9 @@ static void try_crests(tp_world *world, const tp_scene *scene, tp_spray *spray,
         tp_fx far = share(spray) * REACH;
         tp_fx x = eye.x + tp_q30_mul(far, tp_sin(way));
         tp_fx z = eye.z + tp_q30_mul(far, tp_cos(way));
-        tp_fx strength = tp_fx_mul(strength_at(now, x, z), scene->spray.crest);
+        tp_fx strength = tp_fx_mul(sample_strength(now, x, z), scene->spray.crest);
         if (strength > share(spray))
-            throw_off(spray, now, &before, x, z, tp_clamp(strength, 0, TP_FX_ONE));
+            throw_specks(spray, now, &before, x, z, tp_clamp(strength, 0, TP_FX_ONE));
     }
 }
 
@@ -315,7 +315,7 @@ static void throw_bow(tp_world *world, const tp_scene *scene, tp_spray *spray,
                        hull->z - tp_q30_mul(ahead, c) + tp_q30_mul(aside, s) };
         tp_fx out = tp_fx_mul(over / 3 + TP_FX(0.3) + share(spray), side);
         tp_fx on = over / 3, lift = share(spray), up = share(spray);
-        at.y = level_at(surface, at.x, at.z);
+        at.y = sample_level(surface, at.x, at.z);
         throw(spray, at,
               (tp_vec3){ tp_q30_mul(on, s) + tp_q30_mul(out, c),
                          TP_FX(0.8) + tp_fx_mul(on, lift) + up,

@@ -24,9 +24,9 @@ typedef struct {
 
 /* Returns the speck's place at the drawn moment.  A point under flat water appears at 3/4
  * of its depth [F4]. */
-static tp_vec3 place_of(const tp_speck *s, tp_fx back, bool through)
+static tp_vec3 interpolate_speck(const tp_speck *s, tp_fx back, bool through)
 {
-    tp_vec3 at = tp_place_between(s->last, s->place, back);
+    tp_vec3 at = tp_place_interpolate(s->last, s->place, back);
 
     if (through && at.y < 0)
         at.y -= at.y / 4;
@@ -36,7 +36,7 @@ static tp_vec3 place_of(const tp_speck *s, tp_fx back, bool through)
 /* Returns the diameter, 28.4 px: spray.size times 0.5 to 1.5.  Returns 0 for a speck
  * below one pixel with too high a `chance`.  The place is in front of the near plane, so
  * depth >= near. */
-static uint32_t width_of(const tp_frame *frame, const tp_speck *s, tp_fx depth)
+static uint32_t speck_width(const tp_frame *frame, const tp_speck *s, tp_fx depth)
 {
     TP_ASSERT(depth >= frame->lens.near);
     int32_t own = 128 + (uint8_t)(s->chance * 77);  /* random factor of the size, Q8 */
@@ -52,11 +52,11 @@ static bool project(const tp_frame *frame, const tp_speck *s, bool through, disc
 {
     tp_view_corner view;
 
-    tp_lens_view(&frame->lens, place_of(s, frame->world->back, through), &view);
+    tp_lens_view(&frame->lens, interpolate_speck(s, frame->world->back, through), &view);
     if (!tp_lens_holds(&frame->lens, &view))
         return false;
     tp_lens_project(&frame->lens, &view, &to->u, &to->v, &to->zi);
-    to->wide = (uint16_t)width_of(frame, s, view.depth);
+    to->wide = (uint16_t)speck_width(frame, s, view.depth);
     to->through = through;
     return to->wide > 0;
 }

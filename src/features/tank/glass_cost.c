@@ -72,8 +72,8 @@ static void pixels(tp_site *w, const tp_work_pixels *px)
     uint32_t *work_of = w->works.of;
 
     (void)px;
-    work_of[TP_WORK_side] = tp_work_pixels_of(w, work_of[TP_WORK_side]);
-    work_of[TP_WORK_pane] = tp_work_pixels_of(w, work_of[TP_WORK_pane]);
+    work_of[TP_WORK_side] = tp_work_ray_pixels(w, work_of[TP_WORK_side]);
+    work_of[TP_WORK_pane] = tp_work_ray_pixels(w, work_of[TP_WORK_pane]);
 }
 
 const tp_cost tp_glass_cost = { .work = work, .pixels = pixels };

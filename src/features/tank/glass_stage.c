@@ -10,7 +10,7 @@
 #include "shade/env.h"
 
 /* Returns the outward normal of wall `face`: +x, -x, +z, -z. */
-static tp_ray normal_of(uint32_t face)
+static tp_ray wall_normal(uint32_t face)
 {
     int32_t one = face & 1 ? -16384 : 16384;
     return face & 2 ? (tp_ray){ 0, 0, one, 0 } : (tp_ray){ one, 0, 0, 0 };
@@ -23,8 +23,8 @@ void tp_stage_side(const tp_shade *shade, tp_run *run)
         tp_ray  in = { -run->vx[i], -run->vy[i], -run->vz[i], 0 };
         tp_beam beam;
         tp_inside_places(shade, run, i, i + 1, &beam);
-        beam.way = tp_inside_bent(shade->inside, 1, in, normal_of(run->t[i]));
-        run->colour[i] = tp_inside_at(shade, &shade->inside->bed, &beam,
+        beam.way = tp_inside_bent(shade->inside, 1, in, wall_normal(run->t[i]));
+        run->colour[i] = tp_inside_trace(shade, &shade->inside->bed, &beam,
                                       shade->inside->deep);
     }
 }
@@ -47,7 +47,7 @@ static part covered(const tp_pane *pane, const tp_run *run)
         int a = pane->v[k] < pane->v[n] ? k : n, b = a == k ? n : k;
         if (tp_first_centre(pane->v[a]) > y || tp_first_centre(pane->v[b]) <= y)
             continue;
-        tp_edge edge = tp_edge_of(pane->u[a], pane->v[a], pane->u[b], pane->v[b]);
+        tp_edge edge = tp_edge_begin(pane->u[a], pane->v[a], pane->u[b], pane->v[b]);
         tp_edge_go(&edge, y);
         x0 = edge.pixel < x0 ? edge.pixel : x0;
         x1 = edge.pixel > x1 ? edge.pixel : x1;
@@ -60,7 +60,7 @@ static part covered(const tp_pane *pane, const tp_run *run)
 
 /* True if a sample lies behind the glass: depth > gap / (n . D), or zi < zi_near (n .
  * D) / gap.  The test is multiplied by `gap`; the formats are Q42, and 16.16 times Q31. */
-static bool is_behind(const tp_shade *shade, const tp_glass_wall *wall, uint32_t key,
+static bool is_behind_glass(const tp_shade *shade, const tp_glass_wall *wall, uint32_t key,
                       int64_t view)
 {
     int64_t near = (int64_t)shade->inside->zi_near * (view >> 22);      /* Q36 */
@@ -75,14 +75,14 @@ static bool is_behind(const tp_shade *shade, const tp_glass_wall *wall, uint32_t
 static void tint(const tp_shade *shade, const tp_glass *glass, tp_run *run, part p,
                  uint32_t face)
 {
-    tp_ray n = normal_of(face);
+    tp_ray n = wall_normal(face);
 
     for (int32_t i = p.first; i < p.end; i++) {
         int32_t  vx = run->vx[i], vy = run->vy[i], vz = run->vz[i];
         int32_t  nv = (vx * n.x + vz * n.z) >> 14;
         uint32_t share = shade->fresnel[tp_clamp(nv, 0, 16384) >> 6];
-        uint32_t sky = tp_env_at(shade, (2 * nv * n.x >> 14) - vx, -vy,
-                                 (2 * nv * n.z >> 14) - vz);
+        uint32_t sky = tp_env_sample(shade, (2 * nv * n.x >> 14) - vx, -vy,
+                                     (2 * nv * n.z >> 14) - vz);
         uint32_t c = tp_colour_mix(run->colour[i], glass->colour, glass->share);
         run->colour[i] = tp_colour_mix(c, sky, share);
     }
@@ -97,8 +97,8 @@ static void glaze(const tp_shade *shade, const tp_glass *glass, const tp_glass_w
         int32_t from = i;
         int64_t u = 16 * (run->x + i) + 8 - shade->u0;
         int64_t view = wall->right * u + wall->up * v + wall->ahead;
-        bool seen = is_behind(shade, wall, run->key[i], view);
-        for (; i < p.end && seen == is_behind(shade, wall, run->key[i], view); i++)
+        bool seen = is_behind_glass(shade, wall, run->key[i], view);
+        for (; i < p.end && seen == is_behind_glass(shade, wall, run->key[i], view); i++)
             view += wall->right * 16;
         if (seen)
             tint(shade, glass, run, (part){ from, i }, wall->face);

@@ -41,7 +41,7 @@ static bool stops(const tp_site *w, tp_vec3 ray, int64_t far)
 
 /* Returns the number of blocks: runs of wall cells in a row without an equal run in the
  * row before, joined as in tank_drawing.c. */
-static uint32_t blocks_of(const tp_site *w)
+static uint32_t count_blocks(const tp_site *w)
 {
     const tp_scene_pool *pool = &w->scene->pool;
     const tp_rectangle r = tp_pool_sides(w->scene);
@@ -74,7 +74,7 @@ static void work(tp_site *w)
 
     if (w->assets->pool_mask) {
         w->works.of[TP_WORK_walled] = w->outlook->vertices;
-        quads += 5 * blocks_of(w);
+        quads += 5 * count_blocks(w);
     }
     if (tp_has_tank(s))
         quads += s->tank.kind == TP_TANK_STONE ? 12 : 6;
@@ -87,7 +87,7 @@ static void work(tp_site *w)
 
 static void pixels(tp_site *w, const tp_work_pixels *px)
 {
-    w->works.of[TP_WORK_wall] = tp_work_pixels_of(w, px->stopped);
+    w->works.of[TP_WORK_wall] = tp_work_ray_pixels(w, px->stopped);
 }
 
 const tp_cost tp_tank_cost = { .work = work, .stops = stops, .pixels = pixels };

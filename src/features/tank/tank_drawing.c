@@ -183,7 +183,7 @@ static tp_fx line(tp_fx centre, tp_fx cell, uint32_t i, uint32_t cells)
 
 /* Lengthens a block with the same x range that ends at r.z0 to r.z1.  Returns false if
  * there is no such block. */
-static bool goes_on(tp_tank *tank, tp_rectangle r)
+static bool extend_block(tp_tank *tank, tp_rectangle r)
 {
     for (uint32_t i = 0; i < tank->blocks; i++) {
         tp_rectangle *b = &tank->block[i];
@@ -207,7 +207,7 @@ static void add_row(tp_tank *tank, const tp_pool *pool, uint32_t row)
                            line(pool->x, pool->cell, end, pool->cols),
                            line(pool->z, pool->cell, row, pool->rows),
                            line(pool->z, pool->cell, row + 1, pool->rows) };
-        if (!wall || goes_on(tank, r))
+        if (!wall || extend_block(tank, r))
             continue;
         if (tank->blocks < TP_BLOCKS)
             tank->block[tank->blocks++] = r;

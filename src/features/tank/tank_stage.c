@@ -15,7 +15,7 @@ void tp_stage_wall(const tp_shade *shade, tp_run *run)
         tp_inside_places(shade, run, i, i + 1, &beam);
         tp_fx s = x > y && x > z ? beam.at.z : beam.at.x;
         tp_fx t = y >= x && y >= z ? beam.at.z : -beam.at.y;
-        uint32_t colour = tp_coat_at(&shade->inside->wall, s, t, beam.far, false);
+        uint32_t colour = tp_coat_sample(&shade->inside->wall, s, t, beam.far, false);
         run->colour[i] = tp_coat_lit(shade, colour, n);
     }
 }

@@ -25,7 +25,7 @@ static tp_fx snapped(tp_fx eye, int32_t behind, tp_fx size, int32_t cells)
     return tp_fx_held(corner / cell * cell);
 }
 
-static tp_rectangle place_of(const tp_frame *frame, int32_t cells)
+static tp_rectangle caustic_rectangle(const tp_frame *frame, int32_t cells)
 {
     const tp_scene *scene = frame->scene;
     tp_fx size = scene->water.caustic_size;
@@ -38,7 +38,7 @@ static tp_rectangle place_of(const tp_frame *frame, int32_t cells)
                            tp_fx_held((int64_t)z + size) };
 }
 
-static tp_fx depth_at(const tp_frame *frame, tp_fx x, tp_fx z)
+static tp_fx sample_depth(const tp_frame *frame, tp_fx x, tp_fx z)
 {
     const tp_inside *in = frame->shade.inside;
     tp_fx depth = in->ocean ? tp_ocean_floor(in->ocean, x, z).depth : in->bed.depth;
@@ -49,7 +49,7 @@ static tp_fx depth_at(const tp_frame *frame, tp_fx x, tp_fx z)
 
 /* Returns the refracted fall at a surface with these slopes, by Snell's law.  The
  * downward component of the ray is at least 1/10. */
-static tp_fall fall_through(const tp_shade *shade, tp_fx slope_x, tp_fx slope_z)
+static tp_fall refract_light(const tp_shade *shade, tp_fx slope_x, tp_fx slope_z)
 {
     tp_ray in = { -shade->world.lx, -shade->world.ly, -shade->world.lz, 0 };
     tp_ray n = tp_slope_normal(tp_clamp(slope_x >> 4, -16000, 16000),
@@ -68,8 +68,8 @@ static tp_sea_point ocean_point(const tp_surface *s, tp_fx x, tp_fx z)
     tp_vec3 south = tp_ocean_smooth(s->ocean, s->phases, x, z + d).position;
     tp_sea_point p = { .position = at };
 
-    tp_slopes_across(tp_vec3_sub(east, at), tp_vec3_sub(south, at), &p.slope_x,
-                     &p.slope_z);
+    tp_slopes_from_tangents(tp_vec3_sub(east, at), tp_vec3_sub(south, at), &p.slope_x,
+                            &p.slope_z);
     return p;
 }
 
@@ -105,9 +105,9 @@ static void trace(const tp_frame *frame, const tp_caustics *map, const tp_surfac
     tp_fx x = r.x0 + (tp_fx)(((int64_t)r.x1 - r.x0) * i / c->cells);
     tp_fx z = r.z0 + (tp_fx)(((int64_t)r.z1 - r.z0) * j / c->cells);
     tp_sea_point p = surface_point(surface, x, z);
-    tp_fall fall = fall_through(&frame->shade, p.slope_x, p.slope_z);
+    tp_fall fall = refract_light(&frame->shade, p.slope_x, p.slope_z);
     tp_fall still = map->still;
-    int64_t high = depth_at(frame, p.position.x, p.position.z) + (int64_t)p.position.y;
+    int64_t high = sample_depth(frame, p.position.x, p.position.z) + (int64_t)p.position.y;
     int64_t away_x = (int64_t)p.position.x - x, away_z = (int64_t)p.position.z - z;
 
     high = high > 0 ? high : 0;
@@ -191,10 +191,10 @@ static void begin(tp_frame *frame, void *mine)
     const tp_scene *scene = frame->scene;
     tp_caustics *map = mine;
     uint32_t cells = map->look.cells;
-    tp_rectangle r = place_of(frame, (int32_t)cells);
+    tp_rectangle r = caustic_rectangle(frame, (int32_t)cells);
     tp_fx   wide = tp_fx_held((int64_t)r.x1 - r.x0), deep = tp_fx_held((int64_t)r.z1 - r.z0);
-    tp_fx   depth = depth_at(frame, r.x0 / 2 + r.x1 / 2, r.z0 / 2 + r.z1 / 2);
-    tp_fall still = fall_through(&frame->shade, 0, 0);
+    tp_fx   depth = sample_depth(frame, r.x0 / 2 + r.x1 / 2, r.z0 / 2 + r.z1 / 2);
+    tp_fall still = refract_light(&frame->shade, 0, 0);
 
     map->look = (tp_caustic){
         .light = map->light, .x = r.x0, .z = r.z0, .cells = cells,

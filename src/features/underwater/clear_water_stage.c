@@ -19,7 +19,7 @@ typedef struct {
     int16_t x, y, z, cosine;
 } facet;
 
-TP_ALWAYS_INLINE tp_ray seen_along(const tp_run *run, int32_t i)
+TP_ALWAYS_INLINE tp_ray view_direction(const tp_run *run, int32_t i)
 {
     return (tp_ray){ -run->vx[i], -run->vy[i], -run->vz[i], 0 };
 }
@@ -28,9 +28,9 @@ TP_ALWAYS_INLINE void facets(const tp_run *run, int32_t i, int32_t stop, int rip
                              facet *to)
 {
     for (; i < stop; i++, to++) {
-        tp_ray n = tp_slope_normal_of(run, i, rippled);
+        tp_ray n = tp_slope_run_normal(run, i, rippled);
         *to = (facet){ (int16_t)n.x, (int16_t)n.y, (int16_t)n.z,
-                       (int16_t)tp_inside_cosine(seen_along(run, i), n) };
+                       (int16_t)tp_inside_cosine(view_direction(run, i), n) };
     }
 }
 
@@ -40,8 +40,8 @@ TP_ALWAYS_INLINE void bend(const tp_shade *shade, const tp_run *run, int32_t i,
 {
     for (; i < stop; i++, at++, beam++) {
         tp_ray n = { at->x, at->y, at->z, 0 };
-        tp_ray way = tp_inside_bent_at(shade->inside, channel, seen_along(run, i), n,
-                                       at->cosine);
+        tp_ray way = tp_inside_bent_with_cosine(shade->inside, channel,
+                                                view_direction(run, i), n, at->cosine);
         if (way.y > -1638)      /* a steep ripple would bend the ray out of the water */
             way.y = -1638;
         beam->way = way;

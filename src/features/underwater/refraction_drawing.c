@@ -30,7 +30,7 @@ static tp_lens sunken_lens(const tp_lens *lens, tp_fx level)
 /* Returns the length of the ray under water per metre of apparent depth, 16.16.  The
  * refracted ray has ETA times the sine, and the true depth is the apparent depth over
  * ETA. */
-static tp_fx way_of(const tp_frame *frame, int32_t x, int32_t y)
+static tp_fx path_per_depth(const tp_frame *frame, int32_t x, int32_t y)
 {
     tp_ray  ray = tp_view_ray(&frame->shade, &frame->shade.world, x, y);
     int64_t s2 = (1 << 28) - (int64_t)ray.y * ray.y;            /* Q28 */
@@ -49,22 +49,22 @@ static void absorb_row(const tp_frame *frame, const tp_lens *lens, tp_fx height,
     const int64_t middle = -((lens->ahead.y >> 14) + (v * (lens->turn.y.y >> 14) >> 16));
     const int64_t aside = -(lens->turn.x.y >> 14)               /* per 1/16 px */
                         * (int64_t)frame->shade.per_focal;
-    tp_fx way = way_of(frame, band->x0, y);
+    tp_fx way = path_per_depth(frame, band->x0, y);
 
     for (int32_t x = band->x0; x < band->x1; x++, key++, to++) {
         if (x % 16 == 0)
-            way = way_of(frame, x + 8, y);
+            way = path_per_depth(frame, x + 8, y);
         if (*to == 0)
             continue;
-        int64_t z = tp_depth_of(lens->zi_near, tp_key_zi(*key));
+        int64_t z = tp_depth_from_zi(lens->zi_near, tp_key_zi(*key));
         int64_t fall = middle + ((16 * x + 8 - lens->u0) * aside >> 32);
         tp_fx   depth = tp_fx_held((fall * z >> 16) - height);
-        *to = tp_absorb_at(&frame->shade.inside->absorb, *to & 0xffffff, deep,
+        *to = tp_absorb_apply(&frame->shade.inside->absorb, *to & 0xffffff, deep,
                            tp_fx_mul(depth > 0 ? depth : 0, way)) | 0xff000000u;
     }
 }
 
-static void draw_below(tp_frame *frame, const refraction *r, const tp_sight *sight,
+static void draw_refraction_map(tp_frame *frame, const refraction *r, const tp_sight *sight,
                        const tp_lens *lens, tp_fx height)
 {
     const tp_planar_store *store = &r->store;
@@ -91,7 +91,7 @@ static void look(tp_frame *frame, void *mine)
     tp_half *half = &r->half;
 
     half->colour = NULL;
-    if (!clear || !tp_sight_above(frame, level))
+    if (!clear || !tp_sight_is_above_level(frame, level))
         return;
     const tp_lens lens = tp_lens_halved(&frame->lens);
     const tp_lens bent = sunken_lens(&lens, level);
@@ -101,7 +101,7 @@ static void look(tp_frame *frame, void *mine)
     tp_grid_box box = tp_sight_place(frame, &sight);
     if (!tp_planar_begin(&r->store, &box, half))
         return;
-    draw_below(frame, r, &sight, &lens, frame->lens.eye.y - level);
+    draw_refraction_map(frame, r, &sight, &lens, frame->lens.eye.y - level);
     clear->sunken = half;
 }
 

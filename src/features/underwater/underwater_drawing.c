@@ -15,8 +15,8 @@ enum { BELOW, BELOW_RIPPLED, DEEP, ABSORB };
 
 /* Returns a wall material.  For the ground the mipmap level includes the slant of the
  * view, with the eye's height plus 1 m, because water lies over the ground. */
-static tp_coat coat_of(const tp_frame *frame, const tp_texture *texture, tp_fx size,
-                       int32_t colour, bool ground)
+static tp_coat make_coat(const tp_frame *frame, const tp_texture *texture, tp_fx size,
+                         int32_t colour, bool ground)
 {
     tp_coat coat = { .texture = texture, .colour = (uint32_t)colour };
 
@@ -72,16 +72,16 @@ static void set_box(const tp_frame *frame, tp_inside *in)
     in->z0 = r.z0;
     in->z1 = r.z1;
     in->bed = (tp_bed){ .depth = scene->tank.depth, .nl = in->sun_y };
-    in->wall = coat_of(frame, frame->assets.tank_wall, scene->tank.tile,
-                       scene->tank.wall_colour, false);
-    in->floor = tank ? coat_of(frame, frame->assets.tank_floor, scene->tank.tile,
-                               scene->tank.floor_colour, true)
-                     : coat_of(frame, frame->assets.floor_texture,
-                               scene->floor.texture_size, scene->floor.colour, true);
+    in->wall = make_coat(frame, frame->assets.tank_wall, scene->tank.tile,
+                         scene->tank.wall_colour, false);
+    in->floor = tank ? make_coat(frame, frame->assets.tank_floor, scene->tank.tile,
+                                 scene->tank.floor_colour, true)
+                     : make_coat(frame, frame->assets.floor_texture,
+                                 scene->floor.texture_size, scene->floor.colour, true);
 }
 
 /* True if the eye is under the surface, and inside the tank if there is a tank. */
-static bool is_under(const tp_frame *frame)
+static bool is_eye_submerged(const tp_frame *frame)
 {
     tp_vec3 eye = frame->lens.eye;
     tp_rectangle r = tp_pool_sides(frame->scene);
@@ -91,7 +91,7 @@ static bool is_under(const tp_frame *frame)
     if (tp_frame_has_tank(frame)
         && (eye.x <= r.x0 || eye.x >= r.x1 || eye.z <= r.z0 || eye.z >= r.z1))
         return false;
-    return eye.y < tp_surface_above(&frame->surface, eye.x, eye.z, NULL).position.y;
+    return eye.y < tp_surface_sample(&frame->surface, eye.x, eye.z, NULL).position.y;
 }
 
 /* True if the program has all stages of the view from under water.  Otherwise the view
@@ -109,7 +109,7 @@ static void begin(tp_frame *frame, void *mine)
     tp_inside *in = mine;
 
     frame->shade.caustic = NULL;
-    frame->under = can_show(frame) && is_under(frame);
+    frame->under = can_show(frame) && is_eye_submerged(frame);
     if (!frame->under && scene->water.clear == 0 && !frame->assets.floor_texture
         && !tp_frame_has_module(frame, TP_MODULE_WALLS))
         return;

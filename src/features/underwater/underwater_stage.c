@@ -7,7 +7,7 @@
 #include "shade/slope.h"
 
 /* Returns the view ray of sample i; run->vx, vy, vz are set. */
-TP_ALWAYS_INLINE tp_ray seen_along(const tp_run *run, int32_t i)
+TP_ALWAYS_INLINE tp_ray view_direction(const tp_run *run, int32_t i)
 {
     return (tp_ray){ -run->vx[i], -run->vy[i], -run->vz[i], 0 };
 }
@@ -30,23 +30,23 @@ TP_ALWAYS_INLINE void below(const tp_shade *shade, tp_run *run, int rippled)
     const tp_inside *in = shade->inside;
 
     for (int32_t i = 0; i < run->count; i++) {
-        tp_ray  n = tp_slope_normal_of(run, i, rippled);
+        tp_ray  n = tp_slope_run_normal(run, i, rippled);
         tp_beam beam;
         tp_inside_places(shade, run, i, i + 1, &beam);
-        beam.way = seen_along(run, i);
+        beam.way = view_direction(run, i);
         tp_bed  bed = tp_inside_bed(shade, &beam);
-        uint32_t c = tp_inside_up(shade, &bed, &beam, n, in->deep);
-        run->colour[i] = tp_absorb_at(&in->absorb, c, in->deep,
+        uint32_t c = tp_inside_trace_surface(shade, &bed, &beam, n, in->deep);
+        run->colour[i] = tp_absorb_apply(&in->absorb, c, in->deep,
                                       along(shade, beam.way, beam.far));
     }
 }
 
-void tp_stage_below(const tp_shade *shade, tp_run *run)
+void tp_stage_underside(const tp_shade *shade, tp_run *run)
 {
     below(shade, run, 0);
 }
 
-void tp_stage_below_rippled(const tp_shade *shade, tp_run *run)
+void tp_stage_underside_rippled(const tp_shade *shade, tp_run *run)
 {
     below(shade, run, 1);
 }
@@ -56,9 +56,9 @@ void tp_stage_deep(const tp_shade *shade, tp_run *run)
 {
     tp_view_run(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++) {
-        tp_beam beam = { shade->eye, seen_along(run, i), 0 };
+        tp_beam beam = { shade->eye, view_direction(run, i), 0 };
         tp_bed  bed = tp_inside_bed(shade, &beam);
-        run->colour[i] = tp_inside_at(shade, &bed, &beam, shade->inside->deep);
+        run->colour[i] = tp_inside_trace(shade, &bed, &beam, shade->inside->deep);
     }
 }
 
@@ -70,8 +70,8 @@ void tp_stage_absorb(const tp_shade *shade, tp_run *run)
     for (int32_t i = 0; i < run->count; i++) {
         tp_beam beam;
         tp_inside_places(shade, run, i, i + 1, &beam);
-        run->colour[i] = tp_absorb_at(&in->absorb, run->colour[i], in->deep,
-                                      along(shade, seen_along(run, i), beam.far));
+        run->colour[i] = tp_absorb_apply(&in->absorb, run->colour[i], in->deep,
+                                         along(shade, view_direction(run, i), beam.far));
     }
 }
 

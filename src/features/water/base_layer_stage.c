@@ -10,7 +10,7 @@ TP_ALWAYS_INLINE void lay(const tp_sampler *sampler, uint32_t tint,
                           int tinted)
 {
     const tp_sampler p = *sampler;
-    const tp_parted  with = tp_parted_of(tint);
+    const tp_parted  with = tp_parted_split(tint);
     const uint32_t *restrict s = over->s, *restrict t = over->t;
     const int32_t count = over->count;
 
@@ -27,8 +27,8 @@ TP_ALWAYS_INLINE void texture(const tp_shade *shade, tp_run *run, int filter, in
     tp_stretch w;
 
     for (int32_t i = 0; i < run->count; i += w.count) {
-        w = tp_stretch_from(shade, run, layer, run->ls, run->lt, i);
-        const tp_sampler p = tp_sampler_for(layer, w.level, filter);
+        w = tp_stretch_find(shade, run, layer, run->ls, run->lt, i);
+        const tp_sampler p = tp_sampler_choose(layer, w.level, filter);
         lay(&p, shade->water_colour, &w, run->colour + i, filter, tinted);
     }
 }

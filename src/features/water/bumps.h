@@ -18,7 +18,7 @@ typedef struct {
 } tp_pool_bump;
 
 /* Returns the data of a pool, except the lod. */
-tp_pool_bump tp_pool_bump_of(const tp_pool *pool, const tp_pool_slope *slope);
+tp_pool_bump tp_pool_bump_make(const tp_pool *pool, const tp_pool_slope *slope);
 
 #define TP_POOL_BUMPS 2         /* the scene's pool and field */
 

@@ -13,7 +13,7 @@ typedef struct {
 } bumps;
 
 /* Returns the cells of a slope map: the pool and one more cell on each side. */
-static uint32_t cells_of(const tp_scene_pool *pool)
+static uint32_t padded_cell_count(const tp_scene_pool *pool)
 {
     return pool->cols <= 0 ? 0 : (uint32_t)(pool->cols + 2) * (uint32_t)(pool->rows + 2);
 }
@@ -24,7 +24,7 @@ static void *layout(tp_arena *arena, const tp_want *want)
     bumps *b = tp_arena_take(arena, 1, sizeof *b), made = { .cells = { 0 } };
 
     for (int k = 0; k < TP_POOL_BUMPS; k++) {
-        made.cells[k] = cells_of(pool[k]);
+        made.cells[k] = padded_cell_count(pool[k]);
         made.slope[k] = tp_arena_take(arena, made.cells[k], sizeof *made.slope[k]);
     }
     if (b)
@@ -49,7 +49,7 @@ static void begin(tp_frame *frame, void *mine)
         bump->slope = NULL;
         if (!pool || is_flat(pool) || (pool->cols + 2) * (pool->rows + 2) > b->cells[k])
             continue;
-        *bump = tp_pool_bump_of(pool, b->slope[k]);
+        *bump = tp_pool_bump_make(pool, b->slope[k]);
         bump->lod = tp_frame_lod(frame, tp_fx_recip(pool->cell), true);
         tp_pool_slopes(pool, frame->world->back, frame->scene->water.pool_bump,
                        b->slope[k]);

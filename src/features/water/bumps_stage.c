@@ -13,7 +13,7 @@
 #include "features/water/bumps.h"
 #include "shade/sampler.h"
 
-tp_pool_bump tp_pool_bump_of(const tp_pool *pool, const tp_pool_slope *slope)
+tp_pool_bump tp_pool_bump_make(const tp_pool *pool, const tp_pool_slope *slope)
 {
     const bool tiled = pool->edges == TP_EDGES_TILE;
 
@@ -47,7 +47,7 @@ TP_ALWAYS_INLINE bool within(uint32_t from_middle, uint32_t side)
 }
 
 /* Returns the weight 0..256 of the slopes, for a block of 16 columns. */
-static int32_t share_at(const tp_shade *shade, const tp_pool_bump *pool, uint32_t key)
+static int32_t bump_share(const tp_shade *shade, const tp_pool_bump *pool, uint32_t key)
 {
     int32_t depth = tp_log_depth(shade, key);
     int32_t level = pool->lod + depth + (depth > 0 ? depth / 2 : 0);
@@ -81,7 +81,7 @@ static void bump_run(const tp_shade *shade, const tp_pool_bump *pool, tp_run *ru
     const tp_pool_bump own = *pool;
 
     for (int32_t i = 0; i < run->count; ) {
-        int32_t share = share_at(shade, &own, run->key[i]), stop = tp_block_end(run, i);
+        int32_t share = bump_share(shade, &own, run->key[i]), stop = tp_block_end(run, i);
         if (share == 0) {
             i = stop;
             continue;

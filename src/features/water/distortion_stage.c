@@ -52,7 +52,7 @@ void tp_stage_bend(const tp_shade *shade, tp_run *run)
     tp_stretch w;
 
     for (int32_t i = 0; i < run->count; i += w.count) {
-        w = tp_stretch_from(shade, run, layer, run->s, run->t, i);
+        w = tp_stretch_find(shade, run, layer, run->s, run->t, i);
         const tp_sampler p = tp_sampler_linear(layer, w.level);
         bend(&p, 2 * layers->strength, &w, run->bent_s + i, run->bent_t + i);
     }

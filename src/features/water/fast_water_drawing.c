@@ -14,7 +14,7 @@ static bool has_ripples(const tp_frame *frame, const tp_quick_layers *layers)
 
 /* Returns the lobe.  A dome always needs a lobe, because its glow is in the lobe's
  * table. */
-static tp_lobe lobe_of(const tp_frame *frame)
+static tp_lobe select_lobe(const tp_frame *frame)
 {
     if (frame->scene->water.specular <= 0 && frame->shade.env.kind != TP_ENV_DOME)
         return TP_LOBE_NONE;
@@ -23,12 +23,12 @@ static tp_lobe lobe_of(const tp_frame *frame)
 
 /* Collects all numbers used by the tables.  The camera's pitch enters only through a
  * dome's share at the sun. */
-static void key_of(int32_t key[TP_QUICK_KEY], const tp_frame *frame, bool ripples)
+static void fill_table_key(int32_t key[TP_QUICK_KEY], const tp_frame *frame, bool ripples)
 {
     const tp_scene *scene = frame->scene;
     const tp_shade *shade = &frame->shade;
     const int32_t numbers[TP_QUICK_KEY] = {
-        (int32_t)shade->env.kind, (int32_t)lobe_of(frame), shade->world.lx,
+        (int32_t)shade->env.kind, (int32_t)select_lobe(frame), shade->world.lx,
         shade->world.ly, shade->world.lz, shade->mirror, scene->light.colour,
         scene->water.shininess, scene->water.specular, scene->water.fresnel,
         scene->sky.horizon, scene->sky.zenith, scene->sky.kind,
@@ -45,11 +45,11 @@ static void make_tables(tp_frame *frame, struct tp_quick_light *light, bool ripp
     const bool shiny = frame->scene->water.specular > 0 && frame->shade.shine;
     int32_t key[TP_QUICK_KEY];
 
-    key_of(key, frame, ripples);
+    fill_table_key(key, frame, ripples);
     if (memcmp(key, light->made_for, sizeof key) == 0)
         return;
     memcpy(light->made_for, key, sizeof key);
-    tp_quick_light_init(light, &frame->shade, lobe_of(frame), shiny, ripples);
+    tp_quick_light_init(light, &frame->shade, select_lobe(frame), shiny, ripples);
 }
 
 static void begin(tp_frame *frame, void *mine)
@@ -122,8 +122,8 @@ static void link_layers(chain *c, const tp_frame *frame, const tp_quick_layers *
     link_stage(c, stage[ripples ? TP_NTH_quick_ripple : TP_NTH_quick_slopes]);
 }
 
-static chain columns_of(const tp_frame *frame, const tp_quick_layers *layers,
-                        const tp_stage *stage)
+static chain make_column_chain(const tp_frame *frame, const tp_quick_layers *layers,
+                               const tp_stage *stage)
 {
     static const uint8_t light[3][3] = {
         { TP_NTH_quick_gradient, TP_NTH_quick_gradient_phong,
@@ -134,23 +134,23 @@ static chain columns_of(const tp_frame *frame, const tp_quick_layers *layers,
     chain c = { .count = 0 };
 
     link_layers(&c, frame, layers, stage, false);
-    link_stage(&c, stage[light[frame->shade.env.kind][lobe_of(frame)]]);
+    link_stage(&c, stage[light[frame->shade.env.kind][select_lobe(frame)]]);
     return c;
 }
 
 /* Returns the stages at half rate: light and reflection of every second column. */
-static chain halves_of(const tp_frame *frame, const tp_quick_layers *layers,
-                       const tp_stage *stage)
+static chain make_half_chain(const tp_frame *frame, const tp_quick_layers *layers,
+                             const tp_stage *stage)
 {
     static const uint8_t light[] = { TP_NTH_quick_gradient_even, TP_NTH_quick_dome_even,
                                      TP_NTH_quick_cube_even };
-    static const uint8_t rest[] = { TP_NTH_quick_between, TP_NTH_quick_glint_phong,
+    static const uint8_t rest[] = { TP_NTH_quick_odd_fill, TP_NTH_quick_glint_phong,
                                     TP_NTH_quick_glint_blinn };
     chain c = { .count = 0 };
 
     link_layers(&c, frame, layers, stage, true);
     link_stage(&c, stage[light[frame->shade.env.kind]]);
-    link_stage(&c, stage[rest[lobe_of(frame)]]);
+    link_stage(&c, stage[rest[select_lobe(frame)]]);
     return c;
 }
 
@@ -173,10 +173,10 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 
     if (list->kind != TP_LIST_FAST)
         return;
-    const chain halves = halves_of(frame, layers, stage);
+    const chain halves = make_half_chain(frame, layers, stage);
     if (frame->rungs.rate == TP_RATE_COLOUR && add_chain(list, &halves, mine))
         return;
-    const chain columns = columns_of(frame, layers, stage);
+    const chain columns = make_column_chain(frame, layers, stage);
     add_chain(list, &columns, mine);
 }
 

@@ -21,7 +21,7 @@ typedef struct {
 } tp_grade;
 
 /* layers_stage.c.  Returns the grading for saturation 0..4, clamp 0..0.95. */
-tp_grade tp_grade_of(tp_fx saturation, tp_fx clamp, uint32_t colour);
+tp_grade tp_grade_make(tp_fx saturation, tp_fx clamp, uint32_t colour);
 
 /* True if a layer needs grading; false if a multiplication by the colour is enough. */
 static inline bool tp_is_graded(tp_fx saturation, tp_fx clamp)

@@ -22,7 +22,7 @@ static void begin_base(tp_frame *frame, void *mine)
     if (!base->layer.texture)
         return;
     shade->water_colour = tp_colour_times(shade->water_colour, (uint32_t)layer->colour);
-    base->grade = tp_grade_of(layer->saturation, layer->clamp, shade->water_colour);
+    base->grade = tp_grade_make(layer->saturation, layer->clamp, shade->water_colour);
 }
 
 static tp_stage texture_stage(const tp_frame *frame, const tp_stage *stage)
@@ -69,7 +69,7 @@ static void begin_layer(const tp_frame *frame, tp_layers *layers, int k)
     layers->added[k] = tp_frame_layer(frame, frame->assets.layer[1 + k], &layer->map);
     layers->colour[k] = colour;
     layers->graded[k] = tp_is_graded(layer->saturation, layer->clamp);
-    layers->grade[k] = tp_grade_of(layer->saturation, layer->clamp, colour);
+    layers->grade[k] = tp_grade_make(layer->saturation, layer->clamp, colour);
 }
 
 static void begin_layers(tp_frame *frame, void *mine)

@@ -6,7 +6,7 @@
 #include "shade/sampler.h"
 
 /* The span is at least 12 levels of 255. */
-tp_grade tp_grade_of(tp_fx saturation, tp_fx clamp, uint32_t colour)
+tp_grade tp_grade_make(tp_fx saturation, tp_fx clamp, uint32_t colour)
 {
     TP_ASSERT(saturation >= 0 && saturation <= 4 * TP_FX_ONE);
     TP_ASSERT(clamp >= 0 && clamp < TP_FX_ONE);
@@ -28,7 +28,7 @@ TP_ALWAYS_INLINE void lay(const tp_sampler *sampler, const tp_grade *grade, uint
 {
     const tp_sampler p = *sampler;
     const tp_grade   g = *grade;
-    const tp_parted  with = tp_parted_of(tint);
+    const tp_parted  with = tp_parted_split(tint);
     const uint32_t *restrict s = over->s, *restrict t = over->t;
     const int32_t count = over->count;
 
@@ -47,8 +47,8 @@ TP_ALWAYS_INLINE void lay_all(const tp_shade *shade, tp_run *run, const tp_layer
     tp_stretch w;
 
     for (int32_t i = 0; i < run->count; i += w.count) {
-        w = tp_stretch_from(shade, run, layer, run->ls, run->lt, i);
-        const tp_sampler p = tp_sampler_for(layer, w.level, filter);
+        w = tp_stretch_find(shade, run, layer, run->ls, run->lt, i);
+        const tp_sampler p = tp_sampler_choose(layer, w.level, filter);
         lay(&p, grade, tint, &w, run->colour + i, filter, how, add);
     }
 }

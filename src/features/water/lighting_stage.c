@@ -31,7 +31,7 @@ TP_ALWAYS_INLINE void diffuse(const tp_shade *restrict shade, tp_run *restrict r
 
 /* Returns the lobe at R.V, interpolated between table entries: on smooth water the
  * entries of a sharp lobe would show as rings.  Most samples lie outside of the lobe. */
-TP_ALWAYS_INLINE int32_t shine_of(const tp_shade *shade, int32_t rv)
+TP_ALWAYS_INLINE int32_t sample_shine(const tp_shade *shade, int32_t rv)
 {
     rv = tp_clamp(rv, 0, 16384);
     int32_t here = (int32_t)shade->shine[rv >> 4];
@@ -66,11 +66,11 @@ TP_ALWAYS_INLINE void light(const tp_shade *restrict shade, tp_run *restrict run
         int32_t seen = tp_clamp(nv * ny >> 14, 0, 16384);
         nv = rippled && seen < RIPPLED_VIEW ? RIPPLED_VIEW : seen;
         nl = tp_clamp(nl * ny >> 14, 0, 16384);
-        int32_t rv = tp_lobe_at(nl, seen, run->lv[i], blinn);
+        int32_t rv = tp_lobe_cosine(nl, seen, run->lv[i], blinn);
         int32_t up = (2 * nv * ny >> 14) - vy;
         run->nv[i] = (int16_t)nv;
         run->up[i] = (int16_t)(up > 16384 ? 16384 : up);    /* vy is at most 1 */
-        int32_t shine = TP_WIDE || nl > 0 ? shine_of(shade, rv) : 0;
+        int32_t shine = TP_WIDE || nl > 0 ? sample_shine(shade, rv) : 0;
         run->glint[i] = (uint16_t)(nl > 0 ? shine : 0);
         run->colour[i] = tp_colour_scale(run->colour[i],
                                          (uint32_t)tp_lit_share(ambient, nl));

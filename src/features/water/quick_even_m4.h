@@ -22,7 +22,7 @@ TP_ALWAYS_INLINE void packed_even_span(const tp_shade *shade, tp_quick_sun sun,
     uint32_t *even = run->even + ((x - run->x + (run->x & 1)) >> 1);
 
     if (x & (SPAN - 1))
-        v = tp_quick_at(v, step, (x & (SPAN - 1)) >> 2);
+        v = tp_quick_view_advance(v, step, (x & (SPAN - 1)) >> 2);
     uint32_t back = v.back;
     int32_t  y = v.y;
 #define SEEN(i) \
@@ -58,16 +58,16 @@ TP_ALWAYS_INLINE void packed_even_span(const tp_shade *shade, tp_quick_sun sun,
  * run, for the glints. */
 TP_ALWAYS_INLINE void packed_even(const tp_shade *shade, tp_run *run, int env)
 {
-    const tp_quick_sun sun = tp_quick_sun_of(shade);
-    const tp_quick_row row = tp_quick_row_at(shade, run->y);
+    const tp_quick_sun sun = tp_quick_sun_make(shade);
+    const tp_quick_row row = tp_quick_row_make(shade, run->y);
     int32_t   x = run->x, end = run->x + run->count;
     uint32_t *half = run->half;
-    tp_quick_view v = tp_quick_blinn_at(shade, &row, x & -SPAN);
+    tp_quick_view v = tp_quick_blinn_sample(shade, &row, x & -SPAN);
 
     *half++ = v.half;
     while (x < end) {
         int32_t next = (x & -SPAN) + SPAN, stop = next < end ? next : end;
-        const tp_quick_view to = tp_quick_blinn_at(shade, &row, next);
+        const tp_quick_view to = tp_quick_blinn_sample(shade, &row, next);
         packed_even_span(shade, sun, run, v, tp_quick_step(v, to, TP_LOBE_NONE), x, stop,
                          env);
         *half++ = to.half;
@@ -87,27 +87,27 @@ TP_ALWAYS_INLINE void packed_phong_span(const struct tp_quick_light *quick,
     const uint32_t *slope = run->slope + (x - run->x);
     uint32_t *colour = run->colour + (x - run->x);
 
-    v = tp_quick_at(v, step, (x & (TP_QUICK_SPAN(TP_LOBE_PHONG) - 1)) >> 1);
+    v = tp_quick_view_advance(v, step, (x & (TP_QUICK_SPAN(TP_LOBE_PHONG) - 1)) >> 1);
     for (; x < stop; x++) {
         *colour = packed_gleaming(quick, sun, v, *slope++, *colour, TP_LOBE_PHONG);
         colour++;
         if (x & 1)
-            v = tp_quick_at(v, step, 1);
+            v = tp_quick_view_advance(v, step, 1);
     }
 }
 
 TP_ALWAYS_INLINE void packed_phong(const tp_shade *shade, tp_run *run)
 {
-    const tp_quick_sun sun = tp_quick_sun_of(shade);
-    const tp_quick_row row = tp_quick_row_at(shade, run->y);
+    const tp_quick_sun sun = tp_quick_sun_make(shade);
+    const tp_quick_row row = tp_quick_row_make(shade, run->y);
     const int32_t end = run->x + run->count, span = TP_QUICK_SPAN(TP_LOBE_PHONG);
     int32_t x = run->x;
-    tp_quick_view v = tp_quick_phong_at(shade, &row, x & -span);
+    tp_quick_view v = tp_quick_phong_sample(shade, &row, x & -span);
 
-    tp_quick_fill_between(run);
+    tp_quick_odd_fill(run);
     while (x < end) {
         int32_t next = (x & -span) + span, stop = next < end ? next : end;
-        const tp_quick_view to = tp_quick_phong_at(shade, &row, next);
+        const tp_quick_view to = tp_quick_phong_sample(shade, &row, next);
         packed_phong_span(shade->quick, sun, run, v, tp_quick_step(v, to, TP_LOBE_PHONG),
                           x, stop);
         v = to;
@@ -131,20 +131,20 @@ TP_ALWAYS_INLINE uint32_t packed_blinn_four(const uint32_t *lobe, uint32_t half,
                                             tp_quick_walk walk, uint32_t *colour,
                                             uint32_t a, uint32_t b, uint32_t c)
 {
-    const pair s = pair_at(colour, SLOPES), t = pair_at(colour, SLOPES + 2);
+    const pair s = pair_load(colour, SLOPES), t = pair_load(colour, SLOPES + 2);
     const uint32_t second = tp_sadd16(half, walk.quarter);
     const uint32_t third = tp_sadd16(second, walk.quarter);
     const uint32_t fourth = tp_sadd16(third, walk.quarter);
 
-    pair_to(colour, 0, packed_blinn(lobe, s.first, half, a),
-            packed_blinn(lobe, s.second, second, tp_uhadd8(a, b)));
-    pair_to(colour, 2, packed_blinn(lobe, t.first, third, b),
-            packed_blinn(lobe, t.second, fourth, tp_uhadd8(b, c)));
+    pair_store(colour, 0, packed_blinn(lobe, s.first, half, a),
+               packed_blinn(lobe, s.second, second, tp_uhadd8(a, b)));
+    pair_store(colour, 2, packed_blinn(lobe, t.first, third, b),
+               packed_blinn(lobe, t.second, fourth, tp_uhadd8(b, c)));
     return tp_sadd16(fourth, walk.rest);
 }
 
-/* Returns the colour of column i, like tp_quick_fill_between. */
-TP_ALWAYS_INLINE uint32_t packed_between(const tp_run *run, int32_t i)
+/* Returns the colour of column i, like tp_quick_odd_fill. */
+TP_ALWAYS_INLINE uint32_t packed_column_colour(const tp_run *run, int32_t i)
 {
     const int32_t odd = run->x & 1, x = run->x + i;
     const uint32_t *even = run->even + ((i + odd) >> 1);
@@ -157,14 +157,14 @@ TP_ALWAYS_INLINE uint32_t packed_between(const tp_run *run, int32_t i)
 
 /* Returns the half vector of column x, and its steps in *walk, from the half vectors left
  * in the run at the ends of spans. */
-TP_ALWAYS_INLINE uint32_t packed_half_at(const tp_run *run, int32_t x,
-                                         tp_quick_walk *walk)
+TP_ALWAYS_INLINE uint32_t packed_half_sample(const tp_run *run, int32_t x,
+                                             tp_quick_walk *walk)
 {
     const uint32_t *half = run->half + ((x >> 5) - (run->x >> 5));
     const uint32_t step = tp_quick_eighth(half[0], half[1]);
 
-    *walk = tp_quick_walk_of(step);
-    return tp_quick_half_at(tp_quick_half_first(half[0], *walk), step, x & (SPAN - 1));
+    *walk = tp_quick_walk_make(step);
+    return tp_quick_half_advance(tp_quick_half_first(half[0], *walk), step, x & (SPAN - 1));
 }
 
 /* Adds glints to the columns of an incomplete block. */
@@ -172,8 +172,9 @@ TP_LOOP packed_blinn_part(const uint32_t *lobe, tp_run *run, int32_t i, int32_t 
 {
     for (; i < end; i++) {
         tp_quick_walk walk;
-        uint32_t half = packed_half_at(run, run->x + i, &walk);
-        run->colour[i] = packed_blinn(lobe, run->slope[i], half, packed_between(run, i));
+        uint32_t half = packed_half_sample(run, run->x + i, &walk);
+        run->colour[i] =
+            packed_blinn(lobe, run->slope[i], half, packed_column_colour(run, i));
     }
 }
 
@@ -187,7 +188,7 @@ TP_ALWAYS_INLINE void packed_blinn_blocks(const uint32_t *lobe, tp_run *run, int
 
     for (bool begun = false; i < end; i += 16, begun = true) {
         if (!begun || ((run->x + i) & (SPAN - 1)) == 0)
-            half = packed_half_at(run, run->x + i, &walk);
+            half = packed_half_sample(run, run->x + i, &walk);
         uint32_t a = even[0];
         for (uint32_t *const last = colour + 12; colour != last; colour += 4, even += 2) {
             const uint32_t b = even[1], c = even[2];

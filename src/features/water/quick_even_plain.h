@@ -16,7 +16,7 @@ TP_ALWAYS_INLINE void plain_evens(const plain_tables tables, const tp_run *restr
     const int32_t  *restrict y = run->view_y + odd;
 
     for (int32_t k = 0; k < places; k++) {
-        plain_column c = plain_column_of(&tables, slope[2 * k], back[2 * k], y[2 * k]);
+        plain_column c = plain_column_make(&tables, slope[2 * k], back[2 * k], y[2 * k]);
         even[k] = plain_mirrored(&tables, c, env == TP_ENV_DOME ? column[2 * k] : 0,
                                  even[k], env);
     }
@@ -24,12 +24,12 @@ TP_ALWAYS_INLINE void plain_evens(const plain_tables tables, const tp_run *restr
 
 TP_ALWAYS_INLINE void plain_even(const tp_shade *shade, tp_run *run, int env)
 {
-    const plain_tables tables = plain_tables_of(shade, env);
+    const plain_tables tables = plain_tables_make(shade, env);
     const int32_t odd = run->x & 1;
 
     tp_quick_view_run(shade, run, TP_LOBE_BLINN);
     if (odd) {
-        plain_column c = plain_column_of(&tables, run->slope[0], run->back[0],
+        plain_column c = plain_column_make(&tables, run->slope[0], run->back[0],
                                          run->view_y[0]);
         run->even[0] = plain_mirrored(&tables, c, env == TP_ENV_DOME ? run->column[0] : 0,
                                       run->even[0], env);
@@ -41,14 +41,14 @@ TP_ALWAYS_INLINE void plain_even(const tp_shade *shade, tp_run *run, int env)
  * columns. */
 TP_ALWAYS_INLINE void plain_glint(const tp_shade *shade, tp_run *run, int lobe)
 {
-    const plain_tables tables = plain_tables_of(shade, TP_ENV_GRADIENT);
+    const plain_tables tables = plain_tables_make(shade, TP_ENV_GRADIENT);
     uint32_t *restrict colour = run->colour;
 
-    tp_quick_fill_between(run);
+    tp_quick_odd_fill(run);
     if (lobe == TP_LOBE_PHONG)
         tp_quick_view_run(shade, run, lobe);
     for (int32_t i = 0; i < run->count; i++) {
-        plain_column c = plain_column_of(&tables, run->slope[i], run->back[i],
+        plain_column c = plain_column_make(&tables, run->slope[i], run->back[i],
                                          run->view_y[i]);
         colour[i] = lobe == TP_LOBE_PHONG
                         ? plain_phong(&tables, c, run->view_l[i], colour[i])

@@ -31,7 +31,7 @@ typedef struct {
 } tp_quick_layers;
 
 /* Returns the map of a layer; its texture is baked, or NULL. */
-tp_quick_map tp_quick_map_of(const tp_layer *layer);
+tp_quick_map tp_quick_map_make(const tp_layer *layer);
 
 /* -- baking, at a frame's init or beforehand for textures in ROM --------------------- */
 

@@ -7,13 +7,13 @@
 
 enum { OFFSETS = TP_LAYERS, SLOPES };
 
-static const tp_texture *source_of(const tp_assets *assets, int i)
+static const tp_texture *source_texture(const tp_assets *assets, int i)
 {
     return i == OFFSETS ? assets->distortion : i == SLOPES ? assets->ripple
          : assets->layer[i];
 }
 
-static const tp_texture *ready_of(const tp_assets *assets, int i)
+static const tp_texture *baked_texture(const tp_assets *assets, int i)
 {
     return i == OFFSETS ? assets->offsets : i == SLOPES ? assets->slopes
          : assets->graded[i];
@@ -23,8 +23,8 @@ void tp_quick_layout_pictures(void *memory[TP_PREPARED], tp_arena *arena,
                               const tp_assets *assets)
 {
     for (int i = 0; i < TP_PREPARED; i++) {
-        const tp_texture *source = source_of(assets, i);
-        const bool made_here = source && !ready_of(assets, i);
+        const tp_texture *source = source_texture(assets, i);
+        const bool made_here = source && !baked_texture(assets, i);
         memory[i] = made_here ? tp_arena_take(arena, 1, tp_quick_bytes(source)) : NULL;
     }
 }
@@ -33,7 +33,7 @@ void tp_quick_layout_pictures(void *memory[TP_PREPARED], tp_arena *arena,
 
 /* Returns the colour of layer i.  The base layer includes the water's colour, as in
  * layers_drawing.c. */
-static uint32_t colour_of(const tp_scene *scene, const tp_assets *assets, int i)
+static uint32_t layer_colour(const tp_scene *scene, const tp_assets *assets, int i)
 {
     const uint32_t colour = (uint32_t)scene->layer[i].colour;
 
@@ -43,7 +43,7 @@ static uint32_t colour_of(const tp_scene *scene, const tp_assets *assets, int i)
                             : (uint32_t)scene->water.colour;
 }
 
-static tp_quick_wish wish_of(const tp_scene *scene, const tp_assets *assets, int i)
+static tp_quick_wish make_wish(const tp_scene *scene, const tp_assets *assets, int i)
 {
     if (i == OFFSETS)
         return (tp_quick_wish){ .amount = scene->distortion.strength };
@@ -51,7 +51,7 @@ static tp_quick_wish wish_of(const tp_scene *scene, const tp_assets *assets, int
         return (tp_quick_wish){ .amount = scene->ripple.bump };
     return (tp_quick_wish){
         .amount = scene->layer[i].saturation, .clamp = scene->layer[i].clamp,
-        .colour = colour_of(scene, assets, i),
+        .colour = layer_colour(scene, assets, i),
     };
 }
 
@@ -74,7 +74,7 @@ static void make(tp_texture *to, int i, const tp_texture *source,
 size_t tp_prepared_bytes(const tp_assets *assets, int i)
 {
     TP_ASSERT(assets != NULL && i >= 0 && i < TP_PREPARED);
-    const tp_texture *source = source_of(assets, i);
+    const tp_texture *source = source_texture(assets, i);
     return source ? tp_quick_bytes(source) : 0;
 }
 
@@ -82,32 +82,33 @@ void tp_prepare(tp_texture *to, const tp_scene *scene, const tp_assets *assets, 
                 void *memory)
 {
     TP_ASSERT(i >= 0 && i < TP_PREPARED);
-    const tp_quick_wish wish = wish_of(scene, assets, i);
-    make(to, i, source_of(assets, i), &wish, memory);
+    const tp_quick_wish wish = make_wish(scene, assets, i);
+    make(to, i, source_texture(assets, i), &wish, memory);
 }
 
 /* Returns the baked texture i, baked now if needed; NULL: none. */
-static const tp_texture *picture_of(const tp_frame *frame, tp_fast_water *fast, int i)
+static const tp_texture *prepare_picture(const tp_frame *frame, tp_fast_water *fast, int i)
 {
-    const tp_quick_wish wish = wish_of(frame->scene, &frame->assets, i);
+    const tp_quick_wish wish = make_wish(frame->scene, &frame->assets, i);
 
-    if (ready_of(&frame->assets, i))
-        return ready_of(&frame->assets, i);
+    if (baked_texture(&frame->assets, i))
+        return baked_texture(&frame->assets, i);
     if (!fast->memory[i])
         return NULL;
     if (fast->picture[i].levels == 0 || !is_same(&fast->made[i], &wish))
-        make(&fast->picture[i], i, source_of(&frame->assets, i), &wish, fast->memory[i]);
+        make(&fast->picture[i], i, source_texture(&frame->assets, i), &wish,
+             fast->memory[i]);
     fast->made[i] = wish;
     return &fast->picture[i];
 }
 
-static tp_quick_map map_of(const tp_frame *frame, tp_fast_water *fast, int i,
-                           const tp_scene_map *map, int32_t lod)
+static tp_quick_map make_map(const tp_frame *frame, tp_fast_water *fast, int i,
+                             const tp_scene_map *map, int32_t lod)
 {
-    tp_layer layer = tp_frame_layer(frame, picture_of(frame, fast, i), map);
+    tp_layer layer = tp_frame_layer(frame, prepare_picture(frame, fast, i), map);
 
     layer.lod += lod;
-    return tp_quick_map_of(&layer);
+    return tp_quick_map_make(&layer);
 }
 
 void tp_quick_begin_layers(tp_frame *frame, tp_fast_water *fast)
@@ -116,7 +117,7 @@ void tp_quick_begin_layers(tp_frame *frame, tp_fast_water *fast)
     tp_quick_layers *layers = &fast->layers;
 
     for (int k = 0; k < TP_LAYERS; k++)
-        layers->layer[k] = map_of(frame, fast, k, &scene->layer[k].map, 0);
-    layers->bend = map_of(frame, fast, OFFSETS, &scene->distortion.map, 0);
-    layers->ripple = map_of(frame, fast, SLOPES, &scene->ripple.map, TP_RIPPLE_LOD);
+        layers->layer[k] = make_map(frame, fast, k, &scene->layer[k].map, 0);
+    layers->bend = make_map(frame, fast, OFFSETS, &scene->distortion.map, 0);
+    layers->ripple = make_map(frame, fast, SLOPES, &scene->ripple.map, TP_RIPPLE_LOD);
 }

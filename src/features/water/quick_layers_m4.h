@@ -14,7 +14,7 @@
  * otherwise replace the multiplication by a shift and an addition. */
 TP_ALWAYS_INLINE tp_lookup packed_lookup(const tp_quick_map *map, int32_t far)
 {
-    tp_lookup l = tp_lookup_at(map, far);
+    tp_lookup l = tp_lookup_make(map, far);
 #if TP_DSP
     __asm__("" : "+r"(l.side));
 #endif
@@ -31,10 +31,10 @@ TP_ALWAYS_INLINE uint32_t packed_texel(const tp_lookup *l, uint32_t s, uint32_t 
 TP_ALWAYS_INLINE void packed_first_pair(const tp_lookup *l, const uint32_t *place,
                                         uint32_t *colour, int skip)
 {
-    const pair s = pair_at(place, skip), t = pair_at(place, skip + TP_RUN);
+    const pair s = pair_load(place, skip), t = pair_load(place, skip + TP_RUN);
 
-    pair_to(colour, skip, packed_texel(l, s.first, t.first),
-            packed_texel(l, s.second, t.second));
+    pair_store(colour, skip, packed_texel(l, s.first, t.first),
+               packed_texel(l, s.second, t.second));
 }
 
 TP_LOOP packed_first(const tp_quick_map *map, int32_t far, const uint32_t *place, uint32_t *colour,
@@ -56,12 +56,12 @@ TP_LOOP packed_first(const tp_quick_map *map, int32_t far, const uint32_t *place
 TP_ALWAYS_INLINE void packed_added_pair(const tp_lookup *l, const uint32_t *place,
                                         uint32_t *colour, int skip)
 {
-    const pair s = pair_at(place, skip), t = pair_at(place, skip + TP_RUN);
+    const pair s = pair_load(place, skip), t = pair_load(place, skip + TP_RUN);
     uint32_t a = packed_texel(l, s.first, t.first);
     uint32_t b = packed_texel(l, s.second, t.second);
-    const pair c = pair_at(colour, skip);
+    const pair c = pair_load(colour, skip);
 
-    pair_to(colour, skip, tp_uqadd8(c.first, a), tp_uqadd8(c.second, b));
+    pair_store(colour, skip, tp_uqadd8(c.first, a), tp_uqadd8(c.second, b));
 }
 
 TP_LOOP packed_added(const tp_quick_map *map, int32_t far, const uint32_t *place, uint32_t *colour,
@@ -107,9 +107,9 @@ TP_ALWAYS_INLINE void packed_bent_pair(const tp_lookup *l, const uint32_t **s,
     const pair ss = pair_next(s), tt = pair_next(t);
     uint32_t off = packed_texel(l, ss.first, tt.first), off_t = off << 16;
 
-    pair_to(place, skip, packed_along_s(ss.first, off), packed_along_s(ss.second, off));
-    pair_to(place, skip + TP_RUN, packed_along_t(tt.first, off_t),
-            packed_along_t(tt.second, off_t));
+    pair_store(place, skip, packed_along_s(ss.first, off), packed_along_s(ss.second, off));
+    pair_store(place, skip + TP_RUN, packed_along_t(tt.first, off_t),
+               packed_along_t(tt.second, off_t));
 }
 
 TP_LOOP packed_bent(const tp_quick_map *map, int32_t far, const tp_columns *columns,
@@ -150,9 +150,9 @@ TP_LOOP packed_bent_thin(const tp_quick_map *map, int32_t far, const tp_columns 
     const uint32_t *end = place + (count >> 2 << 1);
     for (; place != end; place += 2, s += 4, t += 4) {
         const uint32_t a = packed_texel(&l, s[0], t[0]), b = packed_texel(&l, s[2], t[2]);
-        pair_to(place, 0, packed_along_s(s[0], a), packed_along_s(s[2], b));
-        pair_to(place, TP_RUN, packed_along_t(t[0], a << 16),
-                packed_along_t(t[2], b << 16));
+        pair_store(place, 0, packed_along_s(s[0], a), packed_along_s(s[2], b));
+        pair_store(place, TP_RUN, packed_along_t(t[0], a << 16),
+                   packed_along_t(t[2], b << 16));
     }
     if (count & 3)
         packed_bent_place(&l, s[0], t[0], place);
@@ -171,7 +171,7 @@ TP_ALWAYS_INLINE void packed_rippled_pair(const tp_lookup *l, const uint32_t **s
     uint32_t b = packed_texel(l, ss.second, tt.second);
     const pair nn = pair_next(n);
 
-    pair_to(slope, skip, tp_qadd16(nn.first, a), tp_qadd16(nn.second, b));
+    pair_store(slope, skip, tp_qadd16(nn.first, a), tp_qadd16(nn.second, b));
 }
 
 TP_LOOP packed_rippled(const tp_quick_map *map, int32_t far, const tp_columns *columns,
@@ -196,11 +196,11 @@ TP_LOOP packed_paired(const uint32_t *thin, uint32_t *colour, int32_t pairs)
 
     for (; thin != end; thin += 2, colour += 4) {
         uint32_t b = thin[1], c = thin[2];
-        pair_to(colour, 0, a, tp_uhadd8(a, b));
-        pair_to(colour, 2, b, tp_uhadd8(b, c));
+        pair_store(colour, 0, a, tp_uhadd8(a, b));
+        pair_store(colour, 2, b, tp_uhadd8(b, c));
         a = c;
     }
     if (pairs & 1)
-        pair_to(colour, 0, a, tp_uhadd8(a, thin[1]));
+        pair_store(colour, 0, a, tp_uhadd8(a, thin[1]));
 }
 #endif

@@ -43,7 +43,7 @@ void tp_stage_quick_far(const tp_shade *shade, tp_run *run)
     run->spans = spans;
 }
 
-static tp_columns columns_of(const tp_run *run, int32_t at, int32_t end)
+static tp_columns make_columns(const tp_run *run, int32_t at, int32_t end)
 {
     return (tp_columns){ run->s + at, run->t + at, run->n + at, end - at,
                          (uint32_t)(run->x + at) & 1 };
@@ -84,7 +84,7 @@ void tp_stage_quick_bend(const tp_shade *shade, tp_run *run)
 
     (void)shade;
     for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
-        const tp_columns c = columns_of(run, (int32_t)at, run->span[k].end);
+        const tp_columns c = make_columns(run, (int32_t)at, run->span[k].end);
         LOOP(bent)(&quick->bend, run->span[k].far, &c, run->place + at);
     }
 }
@@ -95,7 +95,7 @@ void tp_stage_quick_bend_thin(const tp_shade *shade, tp_run *run)
 
     (void)shade;
     for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
-        const tp_columns c = columns_of(run, (int32_t)at, run->span[k].end);
+        const tp_columns c = make_columns(run, (int32_t)at, run->span[k].end);
         LOOP(bent_thin)(&quick->bend, run->span[k].far, &c,
                         run->place + (k ? run->span[k - 1].places : 0));
     }
@@ -143,7 +143,7 @@ void tp_stage_quick_layers(const tp_shade *shade, tp_run *run)
 /* Fills the columns in between with the mean of their neighbours.  At the end of a block
  * of 16 columns, a possible tile border, and at the run's end, a column copies the column
  * before. */
-static void fill_between(const uint32_t *restrict thin, tp_run *run)
+static void fill_odd_columns(const uint32_t *restrict thin, tp_run *run)
 {
     const int32_t odd = run->x & 1, count = run->count, pairs = (count - odd) >> 1;
     uint32_t *restrict colour = run->colour + odd;
@@ -165,7 +165,7 @@ static void fill_between(const uint32_t *restrict thin, tp_run *run)
 void tp_stage_quick_layers_thin(const tp_shade *shade, tp_run *run)
 {
     lay_all(shade, run, run->slope, 1);
-    fill_between(run->slope, run);
+    fill_odd_columns(run->slope, run);
 }
 
 void tp_stage_quick_layers_even(const tp_shade *shade, tp_run *run)
@@ -173,15 +173,15 @@ void tp_stage_quick_layers_even(const tp_shade *shade, tp_run *run)
     lay_all(shade, run, run->even, 1);
 }
 
-void tp_quick_fill_between(tp_run *run)
+void tp_quick_odd_fill(tp_run *run)
 {
-    fill_between(run->even, run);
+    fill_odd_columns(run->even, run);
 }
 
-void tp_stage_quick_between(const tp_shade *shade, tp_run *run)
+void tp_stage_quick_odd_fill(const tp_shade *shade, tp_run *run)
 {
     (void)shade;
-    tp_quick_fill_between(run);
+    tp_quick_odd_fill(run);
 }
 
 /* -- slopes ---------------------------------------------------------------------------- */
@@ -192,7 +192,7 @@ void tp_stage_quick_ripple(const tp_shade *shade, tp_run *run)
 
     (void)shade;
     for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
-        const tp_columns c = columns_of(run, (int32_t)at, run->span[k].end);
+        const tp_columns c = make_columns(run, (int32_t)at, run->span[k].end);
         LOOP(rippled)(&quick->ripple, run->span[k].far, &c, run->slope + at);
     }
 }

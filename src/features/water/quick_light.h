@@ -67,7 +67,7 @@ void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
                          tp_lobe lobe, bool shiny, bool rippled);
 
 /* quick_layers_stage.c.  Fills the colours of odd columns from the even columns. */
-void tp_quick_fill_between(tp_run *run);
+void tp_quick_odd_fill(tp_run *run);
 
 /* -- the view -------------------------------------------------------------------------- */
 
@@ -80,17 +80,17 @@ typedef struct {
 
 /* Return the view in the middle of the step that begins with column x: the first with
  * L.V; the second with h, also used without a lobe. */
-tp_quick_view tp_quick_phong_at(const tp_shade *shade, const tp_quick_row *row,
-                                int32_t x);
-tp_quick_view tp_quick_blinn_at(const tp_shade *shade, const tp_quick_row *row,
-                                int32_t x);
+tp_quick_view tp_quick_phong_sample(const tp_shade *shade, const tp_quick_row *row,
+                                    int32_t x);
+tp_quick_view tp_quick_blinn_sample(const tp_shade *shade, const tp_quick_row *row,
+                                    int32_t x);
 
-TP_ALWAYS_INLINE tp_quick_view tp_quick_view_at(const tp_shade *shade,
-                                                const tp_quick_row *row, int32_t x,
-                                                int lobe)
+TP_ALWAYS_INLINE tp_quick_view tp_quick_view_sample(const tp_shade *shade,
+                                                    const tp_quick_row *row, int32_t x,
+                                                    int lobe)
 {
-    return lobe == TP_LOBE_PHONG ? tp_quick_phong_at(shade, row, x)
-                                 : tp_quick_blinn_at(shade, row, x);
+    return lobe == TP_LOBE_PHONG ? tp_quick_phong_sample(shade, row, x)
+                                 : tp_quick_blinn_sample(shade, row, x);
 }
 
 /* Fills the arrays of a whole run, for the plain loops. */
@@ -121,7 +121,7 @@ typedef struct {
     uint32_t quarter, rest;
 } tp_quick_walk;
 
-TP_ALWAYS_INLINE tp_quick_walk tp_quick_walk_of(uint32_t step)
+TP_ALWAYS_INLINE tp_quick_walk tp_quick_walk_make(uint32_t step)
 {
     uint32_t quarter = tp_shadd16(tp_shadd16(step, 0), 0);
 
@@ -144,7 +144,7 @@ static inline uint32_t tp_quick_plus(uint32_t a, uint32_t step, int32_t k)
 }
 
 /* Returns h in column k; `first` is h in column 0. */
-TP_ALWAYS_INLINE uint32_t tp_quick_half_at(uint32_t first, uint32_t step, int32_t k)
+TP_ALWAYS_INLINE uint32_t tp_quick_half_advance(uint32_t first, uint32_t step, int32_t k)
 {
     return tp_pair16(tp_high16(first) + (k >> 2) * tp_high16(step)
                          + (k & 3) * (tp_high16(step) >> 2),
@@ -152,7 +152,8 @@ TP_ALWAYS_INLINE uint32_t tp_quick_half_at(uint32_t first, uint32_t step, int32_
                          + (k & 3) * (tp_low16(step) >> 2));
 }
 
-TP_ALWAYS_INLINE tp_quick_view tp_quick_at(tp_quick_view v, tp_quick_view step, int32_t k)
+TP_ALWAYS_INLINE tp_quick_view tp_quick_view_advance(tp_quick_view v, tp_quick_view step,
+                                                     int32_t k)
 {
     return (tp_quick_view){ tp_quick_plus(v.back, step.back, k),
                             tp_quick_plus(v.half, step.half, k),
@@ -166,7 +167,7 @@ typedef struct {
     int32_t  y, ambient, direct;
 } tp_quick_sun;
 
-static inline tp_quick_sun tp_quick_sun_of(const tp_shade *shade)
+static inline tp_quick_sun tp_quick_sun_make(const tp_shade *shade)
 {
     return (tp_quick_sun){ tp_pair16(-shade->world.lx, -shade->world.lz),
                            shade->world.ly * 4096, shade->ambient * 256,

@@ -70,13 +70,13 @@ TP_ALWAYS_INLINE uint32_t packed_seen(const struct tp_quick_light *quick,
 
 /* Returns the address of a word in a run: `sample` is the run plus 4 bytes per column,
  * `place` the offset of an array. */
-TP_ALWAYS_INLINE uint32_t *packed_word_at(char *sample, size_t place)
+TP_ALWAYS_INLINE uint32_t *packed_word_pointer(char *sample, size_t place)
 {
     return (uint32_t *)(void *)(sample + place);
 }
 
-#define COLOUR(sample, i) packed_word_at(sample, offsetof(tp_run, colour))[i]
-#define SLOPE(sample, i)  packed_word_at(sample, offsetof(tp_run, slope))[i]
+#define COLOUR(sample, i) packed_word_pointer(sample, offsetof(tp_run, colour))[i]
+#define SLOPE(sample, i)  packed_word_pointer(sample, offsetof(tp_run, slope))[i]
 
 /* Shades columns x to stop of one span.  One pointer serves all arrays, because registers
  * are few.  Half vectors are computed for Blinn's lobe only; the lane instructions set
@@ -95,13 +95,13 @@ TP_ALWAYS_INLINE void packed_span(const tp_shade *shade, tp_quick_sun sun, tp_ru
     tp_quick_walk walk = { 0 };
     uint32_t half = 0;
     if (lobe == TP_LOBE_BLINN) {
-        walk = tp_quick_walk_of(step.half);
+        walk = tp_quick_walk_make(step.half);
         half = tp_quick_half_first(v.half, walk);
         if (begun)
-            half = tp_quick_half_at(half, step.half, begun);
+            half = tp_quick_half_advance(half, step.half, begun);
     }
     if (begun)
-        v = tp_quick_at(v, step, begun / width);
+        v = tp_quick_view_advance(v, step, begun / width);
     uint32_t back = v.back;
     int32_t  y = v.y, lv = v.lv;
 
@@ -137,14 +137,14 @@ TP_ALWAYS_INLINE void packed_span(const tp_shade *shade, tp_quick_sun sun, tp_ru
 
 TP_ALWAYS_INLINE void packed_light(const tp_shade *shade, tp_run *run, int env, int lobe)
 {
-    const tp_quick_sun sun = tp_quick_sun_of(shade);
-    const tp_quick_row row = tp_quick_row_at(shade, run->y);
+    const tp_quick_sun sun = tp_quick_sun_make(shade);
+    const tp_quick_row row = tp_quick_row_make(shade, run->y);
     int32_t x = run->x, end = run->x + run->count, span = TP_QUICK_SPAN(lobe);
-    tp_quick_view v = tp_quick_view_at(shade, &row, x & -span, lobe);
+    tp_quick_view v = tp_quick_view_sample(shade, &row, x & -span, lobe);
 
     while (x < end) {
         int32_t next = (x & -span) + span, stop = next < end ? next : end;
-        const tp_quick_view to = tp_quick_view_at(shade, &row, next, lobe);
+        const tp_quick_view to = tp_quick_view_sample(shade, &row, next, lobe);
         packed_span(shade, sun, run, v, tp_quick_step(v, to, lobe), x, stop, env, lobe);
         v = to;
         x = stop;

@@ -40,10 +40,10 @@ typedef struct {
     int32_t least, lx, lz;
 } plain_tables;
 
-TP_ALWAYS_INLINE plain_tables plain_tables_of(const tp_shade *shade, int env)
+TP_ALWAYS_INLINE plain_tables plain_tables_make(const tp_shade *shade, int env)
 {
     const struct tp_quick_light *quick = shade->quick;
-    const tp_quick_sun sun = tp_quick_sun_of(shade);
+    const tp_quick_sun sun = tp_quick_sun_make(shade);
 
     return (plain_tables){
         quick->sky + (env == TP_ENV_CUBE ? 0 : TP_QUICK_HEIGHTS / 2), quick->share,
@@ -56,8 +56,8 @@ typedef struct {
     int32_t sx, sz, vx, vz, y, n, l;
 } plain_column;
 
-TP_ALWAYS_INLINE plain_column plain_column_of(const plain_tables *t, uint32_t slope,
-                                              uint32_t back, int32_t y)
+TP_ALWAYS_INLINE plain_column plain_column_make(const plain_tables *t, uint32_t slope,
+                                                uint32_t back, int32_t y)
 {
     int32_t sx = tp_high16(slope), sz = tp_low16(slope);
     int32_t vx = tp_high16(back), vz = tp_low16(back);
@@ -106,7 +106,7 @@ TP_ALWAYS_INLINE void plain_lit(const plain_tables tables, const tp_run *restric
                                 int lobe)
 {
     for (int32_t i = 0; i < count; i++) {
-        plain_column c = plain_column_of(&tables, run->slope[i], run->back[i],
+        plain_column c = plain_column_make(&tables, run->slope[i], run->back[i],
                                          run->view_y[i]);
         uint32_t column = env == TP_ENV_DOME ? run->column[i] : 0;
         uint32_t colour = plain_mirrored(&tables, c, column, colours[i], env);
@@ -121,6 +121,6 @@ TP_ALWAYS_INLINE void plain_lit(const plain_tables tables, const tp_run *restric
 TP_ALWAYS_INLINE void plain_light(const tp_shade *shade, tp_run *run, int env, int lobe)
 {
     tp_quick_view_run(shade, run, lobe);
-    plain_lit(plain_tables_of(shade, env), run, run->colour, run->count, env, lobe);
+    plain_lit(plain_tables_make(shade, env), run, run->colour, run->count, env, lobe);
 }
 #endif

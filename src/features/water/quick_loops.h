@@ -18,7 +18,7 @@ typedef struct {
     uint32_t down, side;        /* 32 - log2 of the side, 24..31; the side */
 } tp_lookup;
 
-TP_ALWAYS_INLINE tp_lookup tp_lookup_at(const tp_quick_map *map, int32_t far)
+TP_ALWAYS_INLINE tp_lookup tp_lookup_make(const tp_quick_map *map, int32_t far)
 {
     TP_ASSERT(map->level != NULL && map->last >= 0 && map->last <= (int32_t)map->log2);
     int32_t  level = tp_clamp((map->lod + far) >> 8, 0, map->last);

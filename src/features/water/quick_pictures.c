@@ -20,7 +20,7 @@ static uint32_t longer(const tp_texture *t)
 }
 
 /* Returns log2 of the baked side, 1..TP_QUICK_LOG2. */
-static uint32_t side_of(const tp_texture *from)
+static uint32_t side_log2(const tp_texture *from)
 {
     return (uint32_t)tp_clamp((int32_t)longer(from), 1, TP_QUICK_LOG2);
 }
@@ -28,10 +28,10 @@ static uint32_t side_of(const tp_texture *from)
 /* Sum of 4^n words for n of 0..side. */
 size_t tp_quick_bytes(const tp_texture *from)
 {
-    return ((4u << 2 * side_of(from)) - 1) / 3 * sizeof(uint32_t);
+    return ((4u << 2 * side_log2(from)) - 1) / 3 * sizeof(uint32_t);
 }
 
-static uint32_t log2_at(uint32_t log2, uint32_t level)
+static uint32_t level_log2(uint32_t log2, uint32_t level)
 {
     return log2 > level ? log2 - level : 0;
 }
@@ -39,8 +39,8 @@ static uint32_t log2_at(uint32_t log2, uint32_t level)
 static void prepare_level(uint32_t *to, uint32_t log2, const tp_texture *from,
                           uint32_t level, texel_work texel, const work *w)
 {
-    const uint32_t log2_w = log2_at(from->log2_w, level);
-    const uint32_t log2_h = log2_at(from->log2_h, level);
+    const uint32_t log2_w = level_log2(from->log2_w, level);
+    const uint32_t log2_h = level_log2(from->log2_h, level);
     const uint32_t right = log2 - log2_w, down = log2 - log2_h;
 
     for (uint32_t y = 0; y < 1u << log2; y++) {
@@ -54,7 +54,7 @@ static void prepare(tp_texture *to, const tp_texture *from, texel_work texel,
                     const work *w, uint32_t *mem)
 {
     TP_ASSERT(from->levels > 0 && (uintptr_t)mem % 4 == 0);
-    const uint32_t side = side_of(from), whole = longer(from);
+    const uint32_t side = side_log2(from), whole = longer(from);
     const uint32_t left_out = whole > side ? whole - side : 0;
 
     *to = (tp_texture){ .log2_w = (uint8_t)side, .log2_h = (uint8_t)side,
@@ -67,7 +67,7 @@ static void prepare(tp_texture *to, const tp_texture *from, texel_work texel,
     }
 }
 
-tp_quick_map tp_quick_map_of(const tp_layer *layer)
+tp_quick_map tp_quick_map_make(const tp_layer *layer)
 {
     const tp_texture *texture = layer->texture;
 
@@ -81,14 +81,14 @@ tp_quick_map tp_quick_map_of(const tp_layer *layer)
 
 static uint32_t graded_texel(const work *w, uint32_t texel)
 {
-    return w->graded ? tp_graded(&w->grade, tp_parted_of(texel))
+    return w->graded ? tp_graded(&w->grade, tp_parted_split(texel))
                      : tp_colour_times(texel, w->tint);
 }
 
 void tp_quick_graded(tp_texture *to, const tp_texture *from, tp_fx saturation, tp_fx clamp,
                      uint32_t colour, void *mem)
 {
-    const work w = { .grade = tp_grade_of(saturation, clamp, colour), .tint = colour,
+    const work w = { .grade = tp_grade_make(saturation, clamp, colour), .tint = colour,
                      .graded = tp_is_graded(saturation, clamp) };
     prepare(to, from, graded_texel, &w, mem);
 }

@@ -26,7 +26,7 @@ TP_ALWAYS_INLINE uint32_t plain_sum(uint32_t a, uint32_t b)
 TP_LOOP plain_first(const tp_quick_map *map, int32_t far, const uint32_t *restrict place,
                         uint32_t *restrict colour, int32_t count)
 {
-    const tp_lookup l = tp_lookup_at(map, far);
+    const tp_lookup l = tp_lookup_make(map, far);
 
     for (int32_t i = 0; i < count; i++)
         colour[i] = plain_texel(&l, place[i], place[i + TP_RUN]);
@@ -36,7 +36,7 @@ TP_LOOP plain_first(const tp_quick_map *map, int32_t far, const uint32_t *restri
 TP_LOOP plain_added(const tp_quick_map *map, int32_t far, const uint32_t *restrict place,
                         uint32_t *restrict colour, int32_t count)
 {
-    const tp_lookup l = tp_lookup_at(map, far);
+    const tp_lookup l = tp_lookup_make(map, far);
 
     for (int32_t i = 0; i < count; i++)
         colour[i] = plain_sum(colour[i], plain_texel(&l, place[i], place[i + TP_RUN]));
@@ -67,7 +67,7 @@ TP_ALWAYS_INLINE void plain_bent_place(const tp_lookup *l, const tp_columns *c, 
 TP_LOOP plain_bent(const tp_quick_map *map, int32_t far, const tp_columns *columns,
                    uint32_t *restrict place)
 {
-    const tp_lookup  l = tp_lookup_at(map, far);
+    const tp_lookup  l = tp_lookup_make(map, far);
     const tp_columns c = *columns;
     const int32_t    odd = (int32_t)c.odd, pairs = (c.count - odd) >> 1;
     const uint32_t *restrict s = c.s + odd, *restrict t = c.t + odd;
@@ -90,7 +90,7 @@ TP_LOOP plain_bent(const tp_quick_map *map, int32_t far, const tp_columns *colum
 TP_LOOP plain_bent_thin(const tp_quick_map *map, int32_t far,
                             const tp_columns *columns, uint32_t *restrict place)
 {
-    const tp_lookup  l = tp_lookup_at(map, far);
+    const tp_lookup  l = tp_lookup_make(map, far);
     const tp_columns c = *columns;
     const int32_t    odd = (int32_t)c.odd, evens = (c.count - odd + 1) >> 1;
     const uint32_t *restrict s = c.s + odd, *restrict t = c.t + odd;
@@ -109,7 +109,7 @@ TP_LOOP plain_bent_thin(const tp_quick_map *map, int32_t far,
 TP_LOOP plain_rippled(const tp_quick_map *map, int32_t far, const tp_columns *columns,
                           uint32_t *restrict slope)
 {
-    const tp_lookup l = tp_lookup_at(map, far);
+    const tp_lookup l = tp_lookup_make(map, far);
     const uint32_t *restrict s = columns->s, *restrict t = columns->t;
     const uint32_t *restrict n = columns->n;
     const int32_t count = columns->count;

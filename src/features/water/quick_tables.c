@@ -19,7 +19,7 @@ static void make_shares(struct tp_quick_light *quick, const tp_shade *shade)
 }
 
 /* Returns the root of a Q28 number, Q14. */
-static int32_t root_of(int32_t q28)
+static int32_t root_q14(int32_t q28)
 {
     return (int32_t)tp_isqrt64((uint64_t)(q28 > 0 ? q28 : 0));
 }
@@ -29,15 +29,16 @@ static int32_t root_of(int32_t q28)
 uint32_t tp_quick_share_at_sun(const tp_shade *shade)
 {
     int32_t l = shade->world.ly, v = tp_clamp(shade->world.back.y >> 16, 0, 16384);
-    int32_t far = (root_of((1 << 28) - l * l) * root_of((1 << 28) - v * v)) >> 14;
+    int32_t far = (root_q14((1 << 28) - l * l) * root_q14((1 << 28) - v * v)) >> 14;
     int32_t cos_lv = tp_clamp((l * v >> 14) - far, -16384, 16384);
 
-    return shade->fresnel[root_of((16384 + cos_lv) << 13) >> 6]
+    return shade->fresnel[root_q14((16384 + cos_lv) << 13) >> 6]
          * (uint32_t)shade->mirror >> 8;
 }
 
 /* Returns the colour of lobe and glow at c, Q14; c is R.V or 2 (N.H)^2 - 1. */
-static uint32_t lobe_at(const tp_shade *shade, int32_t c, bool shiny, uint32_t glow_share)
+static uint32_t lobe_colour(const tp_shade *shade, int32_t c, bool shiny,
+                            uint32_t glow_share)
 {
     uint32_t light = 0;
 
@@ -66,7 +67,7 @@ static void make_lobe(struct tp_quick_light *quick, const tp_shade *shade, tp_lo
         int32_t w = 8 * i + 4;
         int32_t c = lobe == TP_LOBE_BLINN ? (16384 - w) * 16384 / (16384 + w)
                                           : 16384 - w;
-        quick->lobe[i] = lobe_at(shade, c, shiny, glow_share);
+        quick->lobe[i] = lobe_colour(shade, c, shiny, glow_share);
     }
 }
 
@@ -98,13 +99,13 @@ static void make_heights(struct tp_quick_light *quick, const tp_shade *shade)
 
 /* Returns the height y, Q14, at which the contracted horizontal part sqrt(1 - y^2) (1 -
  * y / 2) is `far` / 16384.  The horizontal part falls with y. */
-static int32_t height_of(int32_t far)
+static int32_t solve_height(int32_t far)
 {
     int32_t low = 0, high = 16384;
 
     for (int k = 0; k < 14; k++) {
         int32_t y = (low + high) / 2;
-        if (root_of((1 << 28) - y * y) * (int64_t)(32768 - y) >> 15 > far)
+        if (root_q14((1 << 28) - y * y) * (int64_t)(32768 - y) >> 15 > far)
             low = y;
         else
             high = y;
@@ -113,7 +114,7 @@ static int32_t height_of(int32_t far)
 }
 
 /* Returns the mipmap level of a face with 16 texels across, about as many as in the map. */
-static int level_of(const tp_texture *face)
+static int choose_level(const tp_texture *face)
 {
     return face->log2_w > 4 ? face->log2_w - 4 : 0;
 }
@@ -125,11 +126,11 @@ static void make_cube(struct tp_quick_light *quick, const tp_shade *shade)
     for (int32_t i = 0; i < TP_QUICK_SIDE * TP_QUICK_SIDE; i++) {
         int32_t u = (i % TP_QUICK_SIDE - 16) * 1024 + 512;
         int32_t v = (i / TP_QUICK_SIDE - 16) * 1024 + 512;
-        int32_t far = tp_clamp(root_of(u * u + v * v), 1, 32767), y = height_of(far);
-        int32_t level_part = root_of((1 << 28) - y * y);
+        int32_t far = tp_clamp(root_q14(u * u + v * v), 1, 32767), y = solve_height(far);
+        int32_t level_part = root_q14((1 << 28) - y * y);
         int32_t x = -u * level_part / far, z = -v * level_part / far;
         const tp_texture *face = shade->env.cube->face[tp_cube_face(x, y, z).face];
-        quick->sky[i] = tp_env_cube(shade, level_of(face), x, y, z) & 0xffffff;
+        quick->sky[i] = tp_env_cube(shade, choose_level(face), x, y, z) & 0xffffff;
     }
 }
 

@@ -5,7 +5,8 @@
 
 /* Returns the slopes of L + V, both Q1.14, clamped to +-4.  The sum's y is at least
  * 1/16. */
-TP_ALWAYS_INLINE uint32_t half_of(const tp_view_axes *a, int32_t x, int32_t y, int32_t z)
+TP_ALWAYS_INLINE uint32_t half_vector_slopes(const tp_view_axes *a, int32_t x, int32_t y,
+                                             int32_t z)
 {
     uint32_t hy = (uint32_t)tp_clamp(a->ly + y, 1024, 32767);
     int      shift = tp_clz(hy);                        /* 17..21 */
@@ -16,15 +17,15 @@ TP_ALWAYS_INLINE uint32_t half_of(const tp_view_axes *a, int32_t x, int32_t y, i
     return tp_pair16(tp_clamp(sx, -16384, 16383), tp_clamp(sz, -16384, 16383));
 }
 
-TP_ALWAYS_INLINE tp_quick_view view_at(const tp_shade *shade, const tp_quick_row *row,
-                                       int32_t x, int lobe)
+TP_ALWAYS_INLINE tp_quick_view make_view(const tp_shade *shade, const tp_quick_row *row,
+                                         int32_t x, int lobe)
 {
     const tp_view_axes *a = &shade->world;
-    const tp_ray r = tp_quick_ray_at(shade, row, 16 * x + 8 * TP_QUICK_STEP(lobe));
+    const tp_ray r = tp_quick_ray_inline(shade, row, 16 * x + 8 * TP_QUICK_STEP(lobe));
     tp_quick_view v = { tp_pair16(-r.x, -r.z), 0, r.l - shade->quick->least, 0 };
 
     if (lobe == TP_LOBE_BLINN) {
-        v.half = half_of(a, r.x, r.y, r.z);
+        v.half = half_vector_slopes(a, r.x, r.y, r.z);
     } else {
         int32_t lv = r.x * a->lx + r.y * a->ly + r.z * a->lz;
         v.lv = tp_clamp((1 << 28) + lv, 0, (1 << 29) - 1) * 4;
@@ -32,14 +33,16 @@ TP_ALWAYS_INLINE tp_quick_view view_at(const tp_shade *shade, const tp_quick_row
     return v;
 }
 
-tp_quick_view tp_quick_phong_at(const tp_shade *shade, const tp_quick_row *row, int32_t x)
+tp_quick_view tp_quick_phong_sample(const tp_shade *shade, const tp_quick_row *row,
+                                    int32_t x)
 {
-    return view_at(shade, row, x, TP_LOBE_PHONG);
+    return make_view(shade, row, x, TP_LOBE_PHONG);
 }
 
-tp_quick_view tp_quick_blinn_at(const tp_shade *shade, const tp_quick_row *row, int32_t x)
+tp_quick_view tp_quick_blinn_sample(const tp_shade *shade, const tp_quick_row *row,
+                                    int32_t x)
 {
-    return view_at(shade, row, x, TP_LOBE_BLINN);
+    return make_view(shade, row, x, TP_LOBE_BLINN);
 }
 
 /* Returns the dome's column.  The value (1 + cos)^2 / 4, with the angle from the sun to
@@ -64,15 +67,16 @@ TP_ALWAYS_INLINE void fill(tp_run *restrict run, int32_t i, int32_t stop, int32_
     int32_t  *restrict y = run->view_y, *restrict lv = run->view_l;
     uint32_t *restrict columns = run->column;
     const uint32_t first = tp_quick_half_first(v->half,
-                                               tp_quick_walk_of(step->half));
+                                               tp_quick_walk_make(step->half));
 
     for (; i < stop; i++, k++) {
-        tp_quick_view at = tp_quick_at(*v, *step, k >> (lobe == TP_LOBE_PHONG ? 1 : 2));
+        tp_quick_view at =
+            tp_quick_view_advance(*v, *step, k >> (lobe == TP_LOBE_PHONG ? 1 : 2));
         back[i] = at.back;
         y[i] = at.y;
         columns[i] = column;
         if (lobe == TP_LOBE_BLINN)
-            half[i] = tp_quick_half_at(first, step->half, k);
+            half[i] = tp_quick_half_advance(first, step->half, k);
         if (lobe == TP_LOBE_PHONG)
             lv[i] = at.lv;
     }
@@ -81,13 +85,13 @@ TP_ALWAYS_INLINE void fill(tp_run *restrict run, int32_t i, int32_t stop, int32_
 /* Fills the arrays of a whole run. */
 TP_ALWAYS_INLINE void view_run(const tp_shade *shade, tp_run *run, int lobe)
 {
-    tp_quick_row  row = tp_quick_row_at(shade, run->y);
+    tp_quick_row  row = tp_quick_row_make(shade, run->y);
     int32_t       x = run->x, end = run->x + run->count, span = TP_QUICK_SPAN(lobe);
-    tp_quick_view a = tp_quick_view_at(shade, &row, x & -span, lobe);
+    tp_quick_view a = tp_quick_view_sample(shade, &row, x & -span, lobe);
 
     while (x < end) {
         int32_t from = x & -span, stop = from + span < end ? from + span : end;
-        tp_quick_view b = tp_quick_view_at(shade, &row, from + span, lobe);
+        tp_quick_view b = tp_quick_view_sample(shade, &row, from + span, lobe);
         tp_quick_view step = tp_quick_step(a, b, lobe);
         fill(run, x - run->x, stop - run->x, x - from, &a, &step,
              tp_quick_column(shade, &a), lobe);

@@ -10,22 +10,23 @@
 /* Returns the weight of a reflected ray by its height, 128..256.  A ray downwards meets
  * other water, half as bright as the horizon: the weight fades to a half within 7 degrees
  * below level. */
-TP_ALWAYS_INLINE uint32_t above_of(int32_t up)
+TP_ALWAYS_INLINE uint32_t horizon_fade(int32_t up)
 {
     return (uint32_t)tp_clamp(256 + 4 * (up >> 6), 128, 256);
 }
 
-TP_ALWAYS_INLINE uint32_t share_of(const tp_shade *shade, int32_t nv, int32_t up)
+TP_ALWAYS_INLINE uint32_t reflected_share(const tp_shade *shade, int32_t nv, int32_t up)
 {
     uint32_t share = shade->fresnel[nv >> 6] * (uint32_t)shade->mirror >> 8;
-    return share * above_of(up) >> 8;
+    return share * horizon_fade(up) >> 8;
 }
 
-/* Returns share_of in 1/65536: light of many whites multiplies the rounding error. */
-TP_ALWAYS_INLINE uint32_t fine_share_of(const tp_shade *shade, int32_t nv, int32_t up)
+/* Returns reflected_share in 1/65536: light of many whites multiplies the rounding error. */
+TP_ALWAYS_INLINE uint32_t fine_reflected_share(const tp_shade *shade, int32_t nv,
+                                               int32_t up)
 {
     uint32_t share = shade->fresnel[nv >> 6] * (uint32_t)shade->mirror;
-    return share * above_of(up) >> 8;
+    return share * horizon_fade(up) >> 8;
 }
 
 void tp_stage_mirror(const tp_shade *restrict shade, tp_run *restrict run)
@@ -35,7 +36,7 @@ void tp_stage_mirror(const tp_shade *restrict shade, tp_run *restrict run)
     for (int32_t i = 0; i < count; i++) {
         uint32_t sky = tp_env_gradient(shade, run->up[i]);
         run->colour[i] = tp_colour_mix(run->colour[i], sky,
-                                       share_of(shade, run->nv[i], run->up[i]));
+                                       reflected_share(shade, run->nv[i], run->up[i]));
     }
 }
 
@@ -57,7 +58,7 @@ void tp_stage_reflect_gradient(const tp_shade *restrict shade, tp_run *restrict 
     const int32_t count = run->count;
 
     for (int32_t i = 0; i < count; i++) {
-        tp_ray to = tp_reflected_at(run, i);
+        tp_ray to = tp_reflected_compute(run, i);
         run->mirror[i] = tp_env_gradient(shade, to.y);
     }
 }
@@ -85,9 +86,9 @@ TP_ALWAYS_INLINE void fresnel(const tp_shade *restrict shade, tp_run *restrict r
         uint32_t light = run->mirror[i], colour = run->colour[i], bright = 0;
         int32_t  nv = run->nv[i], up = run->up[i];
         if (hdr && (TP_WIDE || light >> 24))
-            bright = bright_mix(colour, light, fine_share_of(shade, nv, up),
+            bright = bright_mix(colour, light, fine_reflected_share(shade, nv, up),
                                 tp_light_gain(shade, light));
-        uint32_t mixed = tp_colour_mix(colour, light, share_of(shade, nv, up));
+        uint32_t mixed = tp_colour_mix(colour, light, reflected_share(shade, nv, up));
         run->colour[i] = hdr && light >> 24 ? bright : mixed;
     }
 }

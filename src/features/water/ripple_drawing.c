@@ -42,7 +42,7 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
     if (!tp_shaders_is_exact_water(list) || !ripple->layer.texture)
         return;
     if (list->rippled)
-        how = stage[TP_NTH_ripple_over];
+        how = stage[TP_NTH_ripple_pool_slopes];
     else if (stage[TP_NTH_ripple_gentle] && is_gentle(&frame->surface))
         how = stage[TP_NTH_ripple_gentle];
     tp_shaders_add(list, TP_AT_SLOPE, how, mine);

@@ -37,7 +37,7 @@ TP_ALWAYS_INLINE int32_t signed_mix(uint32_t above, uint32_t below, uint32_t ft)
 
 /* Returns the filtered normal.  The first mixes fill halves of a word, the second mixes
  * have 24 bits: with 8 bits a ripple near the eye would have steps of half a degree. */
-TP_ALWAYS_INLINE bump bump_of(const tp_four *f, int32_t gain)
+TP_ALWAYS_INLINE bump filter_bump(const tp_four *f, int32_t gain)
 {
     const uint32_t fs = f->fs, gs = 256 - fs;
     uint32_t rb = tp_even_bytes(f->texel[0]) * gs + tp_even_bytes(f->texel[1]) * fs;
@@ -63,7 +63,7 @@ TP_ALWAYS_INLINE int32_t times(int32_t x, int32_t y, int n)
 }
 
 /* Returns sqrt(1 + q), Q13, from the table of the inverse root. */
-TP_ALWAYS_INLINE int32_t root_of(uint32_t q)
+TP_ALWAYS_INLINE int32_t sqrt_one_plus(uint32_t q)
 {
     return (int32_t)((((1u << 24) + q) >> 10) * (uint32_t)tp_steep_near(q) >> 15);
 }
@@ -77,13 +77,13 @@ TP_ALWAYS_INLINE int32_t held(int32_t slope)
 }
 
 /* Returns n / y in Q12; n and y are below 2^21 and have the same scale. */
-TP_ALWAYS_INLINE int32_t slope_of(int32_t n, int32_t recip, int shift)
+TP_ALWAYS_INLINE int32_t divide_slope(int32_t n, int32_t recip, int shift)
 {
     return held(tp_mul_upper(n * 1024, recip) >> (28 - shift));
 }
 
 /* Returns tp_clz of y in [2^9, 2^21), for vector units without such an instruction. */
-TP_ALWAYS_INLINE int zeros_of(uint32_t y)
+TP_ALWAYS_INLINE int leading_zeros(uint32_t y)
 {
     if (!TP_WIDE)
         return tp_clz(y);
@@ -104,17 +104,17 @@ typedef struct {
 TP_ALWAYS_INLINE slopes turned(int32_t sx, int32_t sz, bump m)
 {
     uint32_t qx = (uint32_t)(sx * sx), qz = (uint32_t)(sz * sz);
-    int32_t  a = root_of(qx), w = root_of(qx + qz);
+    int32_t  a = sqrt_one_plus(qx), w = sqrt_one_plus(qx + qz);
     int32_t  up = (a * m.nz >> 13) - (sz * m.ny >> 12);
     int32_t  side = (a * m.ny >> 13) + (sz * m.nz >> 12);
     int32_t  along = w * (m.nx >> 1) >> 12;
     int32_t  y = up + times(sx, along, 12);
 
     y = y < UP_LEAST ? UP_LEAST : y;
-    int      shift = zeros_of((uint32_t)y);
+    int      shift = leading_zeros((uint32_t)y);
     int32_t  recip = tp_recip_rough((uint32_t)y << shift);
-    return (slopes){ slope_of(times(sx, up, 12) - along, recip, shift),
-                     slope_of(times(a, side, 13), recip, shift) };
+    return (slopes){ divide_slope(times(sx, up, 12) - along, recip, shift),
+                     divide_slope(times(a, side, 13), recip, shift) };
 }
 
 /* Returns the sum of the slopes: -nx / nz along s and ny / nz along t, with 2 - nz for
@@ -140,7 +140,7 @@ TP_ALWAYS_INLINE void bend(const tp_sampler *sampler, int32_t gain,
 
     for (int32_t i = 0; i < count; i++) {
         tp_four f = tp_sampler_four(&p, s[i], t[i]);
-        bump    m = bump_of(&f, gain);
+        bump    m = filter_bump(&f, gain);
         int32_t x = how == OVER ? sx[i] : (int32_t)n[i] >> 16;
         int32_t z = how == OVER ? sz[i] : (int16_t)(n[i] & 0xffff);
         slopes  to = how == GENTLE ? added(x, z, m) : turned(x, z, m);
@@ -156,7 +156,7 @@ TP_ALWAYS_INLINE void ripple(const tp_shade *shade, tp_run *run, int how)
     tp_stretch w;
 
     for (int32_t i = 0; i < run->count; i += w.count) {
-        w = tp_stretch_from(shade, run, layer, run->s, run->t, i);
+        w = tp_stretch_find(shade, run, layer, run->s, run->t, i);
         const tp_sampler p = tp_sampler_linear(layer, w.level);
         bend(&p, own->gain, &w, run->n + i, run->sx + i, run->sz + i, how);
     }
@@ -167,7 +167,7 @@ void tp_stage_ripple(const tp_shade *shade, tp_run *run)
     ripple(shade, run, TURNED);
 }
 
-void tp_stage_ripple_over(const tp_shade *shade, tp_run *run)
+void tp_stage_ripple_pool_slopes(const tp_shade *shade, tp_run *run)
 {
     ripple(shade, run, OVER);
 }

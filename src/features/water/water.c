@@ -52,7 +52,7 @@ static void count_layers(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
 
 /* -- slopes -------------------------------------------------------------------------- */
 
-static uint8_t bumps_of(const tp_want *want)
+static uint8_t pool_bump_count(const tp_want *want)
 {
     const tp_scene *scene = want->scene;
 
@@ -62,12 +62,12 @@ static uint8_t bumps_of(const tp_want *want)
 
 bool tp_bumps_enabled(const tp_want *want)
 {
-    return bumps_of(want) > 0;
+    return pool_bump_count(want) > 0;
 }
 
 static void count_bumps(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
 {
-    trait[TP_TRAIT_bump] = bumps_of(want);
+    trait[TP_TRAIT_bump] = pool_bump_count(want);
 }
 
 bool tp_ripple_enabled(const tp_want *want)
