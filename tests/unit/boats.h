@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A boat in its world, for tests. */
+/* Worlds with a boat, for tests. */
 #ifndef TP_TESTS_BOATS_H
 #define TP_TESTS_BOATS_H
 #include "scene/world.h"
@@ -8,7 +8,7 @@
 
 #define LSB (1 / 65536.0)
 
-/* Of a scene with nothing behind the world's head. */
+/* Initialises the world of a scene that needs no memory behind the world's head. */
 static inline tp_world boat_world(const tp_scene *scene)
 {
     tp_world world;
@@ -19,7 +19,7 @@ static inline tp_world boat_world(const tp_scene *scene)
     return world;
 }
 
-/* Still water, a boat away from the origin. */
+/* Still water, and a boat away from the origin. */
 static inline tp_scene boat_calm_scene(void)
 {
     tp_scene scene;

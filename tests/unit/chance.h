@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Random numbers of the kinds that tests of the drawing need; measure.h has the seed. */
+/* Random numbers of the kinds that the drawing tests need; the seed is in measure.h. */
 #ifndef TP_TESTS_CHANCE_H
 #define TP_TESTS_CHANCE_H
 #include "measure.h"
@@ -10,7 +10,7 @@ static inline double chance_double(uint64_t *state, double low, double high)
     return low + (high - low) * (double)(random_next(state) >> 11) / 9007199254740992.0;
 }
 
-/* Both ends included. */
+/* Returns an integer in [low, high], both ends included. */
 static inline int32_t chance_int(uint64_t *state, int32_t low, int32_t high)
 {
     const uint64_t count = (uint64_t)((int64_t)high - low) + 1;
@@ -22,13 +22,13 @@ static inline tp_fx chance_fx(uint64_t *state, double low, double high)
     return (tp_fx)lround(chance_double(state, low, high) * 65536);
 }
 
-/* Evenly in the logarithm. */
+/* Returns a number in [low, high], uniform in its logarithm. */
 static inline tp_fx chance_scale(uint64_t *state, double low, double high)
 {
     return (tp_fx)lround(low * pow(high / low, chance_double(state, 0, 1)) * 65536);
 }
 
-/* A wave from anywhere in the table's ranges. */
+/* A random wave from the whole ranges of the parameter table. */
 static inline tp_wave chance_wave(uint64_t *state)
 {
     return (tp_wave){
@@ -41,7 +41,8 @@ static inline tp_wave chance_wave(uint64_t *state)
     };
 }
 
-/* Any bits, near numbers, and what lies at the ends of 32 bits and near them. */
+/* Returns a word: any bits, a number near 0, an end of the 32-bit range, or a number near
+ * an end. */
 static inline int32_t chance_word(uint64_t *state)
 {
     const int32_t near = (int32_t)(random_next(state) >> (33 + random_below(state, 31)));
@@ -55,7 +56,7 @@ static inline int32_t chance_word(uint64_t *state)
     }
 }
 
-/* Input of any bits, a third of it 0. */
+/* Input with arbitrary bits in each field; a third of the fields are 0. */
 static inline tp_input chance_input(uint64_t *state)
 {
     tp_input in;

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of the models' vectors: numbers between commas, behind a head and comments. */
+/* Reads rows of the models' test vectors: numbers separated by commas, below a header and
+ * comments. */
 #ifndef TP_TESTS_CSV_ROWS_H
 #define TP_TESTS_CSV_ROWS_H
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-/* The next row's numbers; how many, 0 at the end of the file. */
+/* Reads the next row's numbers.  Returns their count, 0 at the end of the file. */
 static inline int csv_row(FILE *file, double *number, int most)
 {
     char line[2048];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of the models' vectors that end in a word; see csv_rows.h. */
+/* Reads rows of the models' test vectors with a word as last column; see csv_rows.h. */
 #ifndef TP_TESTS_CSV_WORDS_H
 #define TP_TESTS_CSV_WORDS_H
 #include <ctype.h>
@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The next row's numbers and the word behind them; how many, 0 at the end. */
+/* Reads the next row's numbers and the word behind the numbers.  Returns the count of
+ * numbers, 0 at the end of the file. */
 static inline int csv_row_word(FILE *file, double *number, int most, char word[16])
 {
     char line[2048];

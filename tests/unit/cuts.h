@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Polygons that are cut in memory of exact size, filled with 0xA5; and the check that
- * triangles cover an outline once and nothing else.
- *
- * That holds exactly if every triangle turns the polygon's way and the triangles' edges,
- * those that run against each other cancelled, are the polygon's: then each point is
- * covered as often as the outline winds around it. */
+/* Triangulates polygons in memory of exact size, filled with 0xA5 before, and checks
+ * that the triangles cover an outline exactly once and cover nothing outside.  The
+ * check: every triangle has the orientation of the polygon, and the triangles' edges
+ * are the polygon's edges after each pair of opposite edges cancels.  Then the number
+ * of triangles over any point equals the winding number of the outline around the
+ * point. */
 #ifndef TEST_CUTS_H
 #define TEST_CUTS_H
 #include <stdlib.h>
@@ -18,10 +18,10 @@ typedef struct {
     void     *block;
     uint32_t (*triangle)[3];
     uint32_t  count;
-    uint64_t  steps;            /* that were left at the end */
+    uint64_t  steps;            /* steps left at the end */
 } cutting;
 
-/* Twice the area of a, b, c.  Points lie within +-2^29 here. */
+/* Returns twice the signed area of the triangle a, b, c.  Coordinates are within +-2^29. */
 static inline int64_t turn(point a, point b, point c)
 {
     return ((int64_t)b.u - a.u) * ((int64_t)c.v - a.v)
@@ -48,7 +48,7 @@ static inline struct tp_obj_cut *carve_cut(cutting *c, int n)
     return cut;
 }
 
-/* Corners are placed. */
+/* Triangulates a polygon; the caller has stored the coordinates. */
 static inline void run_cut(cutting *c, struct tp_obj_cut *cut, int n)
 {
     c->triangle = malloc((size_t)n * sizeof *c->triangle);
@@ -60,8 +60,9 @@ static inline void run_cut(cutting *c, struct tp_obj_cut *cut, int n)
     c->steps = cut->steps;
 }
 
-/* Lays the polygon into one of six planes: three square to an axis, three aslant, which
- * look largest along another axis than the one it is drawn for.  Then cuts it. */
+/* Places the polygon in one of six planes and triangulates: three planes are square to an
+ * axis, three are oblique, and a projection along a different axis has their largest
+ * area. */
 static inline cutting cut_in_plane(const point *p, int n, int plane)
 {
     cutting c;
@@ -82,7 +83,8 @@ static inline void free_cut(cutting *c)
     free(c->block);
 }
 
-/* An edge by its ends, the smaller first, and how often it runs up less down. */
+/* An edge: its two ends, the smaller index first, and the number of upward runs minus
+ * downward runs. */
 typedef struct { uint32_t a, b; int32_t runs; } cut_edge;
 
 static inline int compare_edges(const void *left, const void *right)
@@ -96,7 +98,7 @@ static inline cut_edge edge_of(uint32_t a, uint32_t b, int32_t runs)
     return a < b ? (cut_edge){ a, b, runs } : (cut_edge){ b, a, -runs };
 }
 
-/* The triangles' edges, less the outline's n, cancel. */
+/* Asserts that the triangles' edges minus the n edges of the outline cancel. */
 static inline void assert_edges(const cutting *c, int corners)
 {
     const uint32_t n = (uint32_t)corners;
@@ -121,7 +123,8 @@ static inline void assert_edges(const cutting *c, int corners)
     free(edge);
 }
 
-/* `simple`: the outline does not touch itself, so every triangle has an area. */
+/* Asserts exact cover.  `simple` is true if the outline does not touch itself; then every
+ * triangle has a positive area. */
 static inline void assert_covered(const cutting *c, const point *p, int n, bool simple)
 {
     const int64_t whole = area_of(p, n);
@@ -163,7 +166,7 @@ static inline int make_comb(point *p, int teeth)
 static inline int make_spiral(point *p, int half)
 {
     static const point step[4] = { {1,0}, {0,1}, {-1,0}, {0,-1} };
-    for (int i = 0; i < half; i++) {        /* out along the inner side ... */
+    for (int i = 0; i < half; i++) {        /* out along the inner side */
         const point *const d = &step[i % 4], *const e = &step[(i + 1) % 4];
         const int32_t r = 4 * (i + 4);
         p[i] = (point){ d->u * r - e->u * (r - 4), d->v * r - e->v * (r - 4) };
@@ -172,7 +175,8 @@ static inline int make_spiral(point *p, int half)
     return 2 * half;
 }
 
-/* Sorted by angle around the origin, without floating point: directions on a square. */
+/* Makes a star polygon: corners sorted by angle around the origin.  Directions lie on a
+ * square, without floating point. */
 static inline int make_star(point *p, int n, uint64_t *random, uint32_t reach)
 {
     for (int i = 0; i < n; i++) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Drops for tests: a usual one, any of the table's ranges, one let go above a place. */
+/* Drops for tests: a usual drop, a drop from the whole ranges of the parameter table, and a
+ * drop released above a point. */
 #ifndef TP_TESTS_DROP_CASES_H
 #define TP_TESTS_DROP_CASES_H
 #include "chance.h"

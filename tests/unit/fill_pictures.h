@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* What triangles cover, as pictures of 16 x 16 pixels.
- *
- * Corners in 28.4: 16 a pixel, the centre of pixel (x, y) is (16 x + 8, 16 y + 8).  The
- * n-th triangle is drawn as the digit n, a pixel of two triangles as X. */
+/* Pixel coverage of triangles, as pictures of 16 x 16 pixels.  Corners are in
+ * 28.4: 16 units per pixel; the centre of pixel (x, y) is (16 x + 8, 16 y +
+ * 8).  The n-th triangle is drawn as the digit n, a pixel in two triangles as
+ * X. */
 #ifndef TP_TESTS_FILL_PICTURES_H
 #define TP_TESTS_FILL_PICTURES_H
 #include <stdint.h>
 
 static const struct {
     const char *name;
-    int         count;          /* of triangles */
-    int32_t     at[24][2];      /* their corners */
+    int         count;          /* number of triangles */
+    int32_t     at[24][2];      /* corners of the triangles */
     const char *rows[16];
 } pictures[] = {
     { "edges on centres: left and top are in, right and bottom are not",

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Boats that float, for tests. */
+/* Floating boats, for tests. */
 #ifndef TP_TESTS_FLOATS_H
 #define TP_TESTS_FLOATS_H
 #include "features/boat/boat.h"
@@ -8,7 +8,7 @@
 #define Q40 1099511627776.0
 #define LSB (1 / 65536.0)
 
-/* A boat from anywhere in the table's ranges. */
+/* A boat from the whole ranges of the parameter table. */
 static inline tp_scene any_boat(uint64_t *chance, tp_boat_mode mode)
 {
     tp_scene s;
@@ -21,7 +21,8 @@ static inline tp_scene any_boat(uint64_t *chance, tp_boat_mode mode)
     return s;
 }
 
-/* omega dt of [E3]; of as many steps as keep it to an eighth. */
+/* omega dt of [E3] for one tick.  omega_step() is the same for one of the substeps, whose
+ * number keeps omega dt at 1/8 or below. */
 static inline double omega_tick(const tp_scene *s)
 {
     return sqrt((double)s->water.gravity / s->boat.draft) / TP_TICKS_PER_SECOND;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The kind of thing that a mark stands for: each frame deals its own marks. */
+/* Kind of object behind a stencil value.  Each frame assigns its own stencil values. */
 #ifndef TP_TESTS_KINDS_H
 #define TP_TESTS_KINDS_H
 #include "frame/frame.h"
@@ -9,7 +9,7 @@ typedef enum {
     MARKS_SPRAY
 } marks_kind;
 
-/* The owner of a mark's list tells the kind. */
+/* Returns the kind from the owner of the stencil value's shader list. */
 static inline marks_kind marks_kind_of(const tp_frame *frame, uint32_t mark)
 {
     if (mark < TP_MARK_SOLID)
@@ -23,7 +23,7 @@ static inline marks_kind marks_kind_of(const tp_frame *frame, uint32_t mark)
          : owner == &tp_drops_drawing ? MARKS_DROP : MARKS_BOAT;
 }
 
-/* The kind of each mark of the frame. */
+/* Stores the kind of each stencil value of the frame. */
 static inline void marks_list_kinds(const tp_frame *frame, uint8_t kind[TP_MARKS])
 {
     for (uint32_t mark = 0; mark < TP_MARKS; mark++)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Everything that a scene can name, small and awkward: pictures of odd sides, six faces
- * of a sky, heights, masks, a boat whose second material is a lid; and scenes that have
- * all of it before the eye. */
+/* Every asset that a scene can name, small and awkward: textures with odd sides, six sky
+ * faces, a height map, masks, a boat with a lid as second material; and scenes with all of
+ * these assets in front of the camera. */
 #ifndef TP_TESTS_KIT_H
 #define TP_TESTS_KIT_H
 #include "scenes.h"
@@ -21,7 +21,7 @@ static inline void kit_picture(test_kit *kit, int i, uint32_t w, uint32_t h,
 {
     uint32_t pixels[1024];
 
-    for (uint32_t k = 0; k < w * h; k++)        /* two in three without alpha's light */
+    for (uint32_t k = 0; k < w * h; k++)        /* two thirds of the pixels have alpha 0 */
         pixels[k] = (uint32_t)random_next(state) | (i % 3 ? 0xff000000u : 0);
     if (tp_texture_bytes(w, h) > sizeof kit->texel[i]
         || tp_texture_init(&kit->picture[i], pixels, w, h, kit->texel[i],
@@ -38,7 +38,7 @@ static inline void kit_make(test_kit *kit, uint64_t *state)
     boat_make(&kit->boat, state);
     for (int i = 0; i < KIT_PICTURES; i++)
         kit_picture(kit, i, side[i][0], side[i][1], state);
-    for (uint32_t i = 0; i < 24 * 16; i++) {    /* rising to the north-east, with a hole */
+    for (uint32_t i = 0; i < 24 * 16; i++) {    /* rises to the north-east, with a hole */
         kit->high[i] = (uint16_t)(i % 24 * 2000 + (16 - i / 24) * 1000);
         kit->solid[i] = i % 24 / 2 == i / 24 / 2 && i % 5 ? 0 : 65535;
     }
@@ -53,7 +53,7 @@ static inline const tp_texture *kit_any(const test_kit *kit, uint64_t *state)
     return i < KIT_PICTURES ? &kit->picture[i] : NULL;
 }
 
-/* Some of it, named in the scene where a name counts. */
+/* Picks random assets; sets the name in the scene for assets that count only when named. */
 static inline tp_assets kit_assets(test_kit *kit, tp_scene *s, uint64_t *state)
 {
     tp_assets a = { .boat = random_below(state, 4) ? &kit->boat.mesh : NULL };
@@ -80,7 +80,7 @@ static inline tp_assets kit_assets(test_kit *kit, tp_scene *s, uint64_t *state)
     return a;
 }
 
-/* Lattices of a size that a test can wait for. */
+/* Limits grids and counts to sizes that a test can wait for. */
 static inline void kit_hold(tp_scene *s, int32_t grid, int32_t cells)
 {
     int32_t *const side[] = { &s->grid.cols, &s->grid.rows, &s->pool.cols, &s->pool.rows,
@@ -99,8 +99,8 @@ static inline void kit_hold(tp_scene *s, int32_t grid, int32_t cells)
         s->field.courant = TP_FX(0.48);
 }
 
-/* Pool, boat and drops lie around the origin, and so does the eye: over the water, in it,
- * in a tank, aboard. */
+/* Gathers pool, boat, drops and camera around the origin: the camera is above the water,
+ * under water, in a tank, or aboard. */
 static inline void kit_gather(tp_scene *s, uint64_t *state)
 {
     const uint32_t where = random_below(state, 5);
@@ -128,7 +128,7 @@ static inline void kit_gather(tp_scene *s, uint64_t *state)
     s->camera.pitch = where == 0 ? chance_fx(state, -60, 80) : chance_fx(state, -60, 5);
     s->camera.heading = (tp_fx)lround(atan2(-s->camera.x, s->camera.z) * 57.29578 * 65536);
     s->camera.follow = where == 1 ? TP_FOLLOW_BOAT : TP_FOLLOW_NONE;
-    if (where < 3) {            /* within the walls, or the hull */
+    if (where < 3) {            /* within the walls or the hull */
         s->camera.x /= where == 1 ? 12 : 6;
         s->camera.z /= where == 1 ? 12 : 6;
         s->camera.heading = chance_fx(state, -180, 180);
@@ -139,7 +139,7 @@ static inline void kit_gather(tp_scene *s, uint64_t *state)
         s->sky.haze = 500 * TP_FX_ONE;
 }
 
-/* Of the rows that switch something on or off, all on. */
+/* Switches on every feature that a row can switch on or off. */
 static inline void kit_switch_on(tp_scene *s, uint64_t *state)
 {
     s->sky.kind = chance_int(state, TP_SKY_GRADIENT, TP_SKY_CUBE);
@@ -163,7 +163,8 @@ static inline void kit_switch_on(tp_scene *s, uint64_t *state)
     s->drops.every = TP_FX(0.05);
 }
 
-/* Any numbers; in three scenes of four with all that the kit has, before the eye. */
+/* A scene of random numbers; three in four scenes have all assets in front of the
+ * camera. */
 static inline tp_scene kit_scene(uint64_t *state, int32_t grid, int32_t cells)
 {
     tp_scene s = scene_any(state);

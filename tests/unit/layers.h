@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Random pictures of awkward sides, and how the water's stages lay them. */
+/* Random textures with odd sides, and the way the stages of the water apply texture
+ * layers. */
 #ifndef TP_TESTS_LAYERS_H
 #define TP_TESTS_LAYERS_H
 #include <stdlib.h>
@@ -9,7 +10,8 @@
 
 typedef void stage(const tp_shade *shade, tp_run *run);
 
-/* What the stages of the water's modules read; tests use one of each at a time. */
+/* Data that the stages of the water modules read; tests use one instance of each at a
+ * time. */
 static struct {
     tp_base_layer base;
     tp_layers     layers;
@@ -22,7 +24,7 @@ static inline void run_by(stage *by, const tp_shade *shade, const void *mine, tp
     by(shade, run);
 }
 
-/* A texture of random texels, alpha too, in memory of its own. */
+/* A texture of random texels, alpha included, in memory of its own. */
 static inline tp_texture layer_texture(uint64_t *chance, uint32_t w, uint32_t h)
 {
     uint32_t *const pixels = malloc((size_t)w * h * sizeof *pixels);
@@ -42,7 +44,7 @@ static inline void layer_free(tp_texture *t)
     free((void *)(uintptr_t)t->level[0]);
 }
 
-/* All samples at one depth, where `layer` is at the texture's level. */
+/* Gives all samples one depth, at which `layer` uses the given mipmap level. */
 static inline tp_shade layer_at_level(test_run *r, tp_layer *layer, int level)
 {
     const tp_shade s = { .zi_log = 15 * 256 + 14 * 256 };
@@ -65,7 +67,7 @@ static inline tp_layer layer_any(uint64_t *chance, const tp_texture *texture)
     };
 }
 
-/* The place in repeats as the layer's numbers state it: Q0.32, wrapping. */
+/* Texture coordinate in repeats from the layer's parameters: Q0.32, wrapping. */
 static inline double repeats(uint32_t place, uint32_t per_metre, uint32_t drift)
 {
     return (place * per_metre + drift) / 4294967296.0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Two frames of one moment, by two ways of finding the water, sample by sample. */
+/* Two frames of one moment, drawn by two water renderers and compared sample by sample. */
 #ifndef TP_TESTS_LEVELS_H
 #define TP_TESTS_LEVELS_H
 #include "frame/frame.h"
@@ -11,7 +11,7 @@
 #endif
 #define LEVEL_PIXELS (LEVEL_WIDTH * LEVEL_HEIGHT)
 
-/* A frame's samples, drawn as one tile; the frame is the caller's to free. */
+/* G-buffer of a frame that is drawn as one tile; the caller frees the frame. */
 typedef struct {
     test_frame frame;
     tp_world   world;
@@ -51,7 +51,7 @@ static inline bool level_is_water(const level_shot *shot, int i)
     return TP_MARK(shot->key[i]) == TP_MARK_WATER;
 }
 
-/* Pixels that are water by one way and not by the other. */
+/* Returns the number of pixels that are water in one frame only. */
 static inline int level_apart(const level_shot *a, const level_shot *b)
 {
     int count = 0;
@@ -61,7 +61,7 @@ static inline int level_apart(const level_shot *a, const level_shot *b)
     return count;
 }
 
-/* Mean difference of the pictures' channels. */
+/* Mean absolute difference of the colour channels of both pictures. */
 static inline double level_colour_apart(const level_shot *a, const level_shot *b)
 {
     double sum = 0;
@@ -72,7 +72,7 @@ static inline double level_colour_apart(const level_shot *a, const level_shot *b
     return sum / 3 / LEVEL_PIXELS;
 }
 
-/* Every tile of a begun frame is that part of the picture. */
+/* Asserts that every tile of a begun frame equals its part of the picture. */
 static inline void level_compare_tiles(const test_frame *f, const uint32_t *picture)
 {
     tp_tile tile;
@@ -87,7 +87,7 @@ static inline void level_compare_tiles(const test_frame *f, const uint32_t *pict
     assert_true(frame_guard_holds(f->scratch, f->scratch_bytes));
 }
 
-/* Every tiling of the frame that was drawn whole. */
+/* Asserts that every tiling gives the same pixels as the frame drawn whole. */
 static inline void level_compare_tilings(const level_shot *whole, const tp_scene *scene,
                                          const tp_assets *assets)
 {
@@ -107,7 +107,7 @@ static inline void level_compare_tilings(const level_shot *whole, const tp_scene
     }
 }
 
-/* Aboard a boat, which rolls. */
+/* Puts the camera aboard a rolling boat. */
 static inline void level_board(tp_scene *scene, tp_fx height)
 {
     scene->camera.follow = TP_FOLLOW_BOAT;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Listings that are checked in: a line for each case, "CASE: VALUES".  A test works the
- * values of each case out and compares them.  Run with --write it lists them anew: say in
- * the commit why they changed. */
+/* Listings under version control: one line for each case, "CASE: VALUES".  A test computes
+ * the values of each case and compares.  The option --write lists all cases anew; the
+ * commit message must give the reason for the change. */
 #ifndef TP_TESTS_LISTING_H
 #define TP_TESTS_LISTING_H
 #include <stdbool.h>
@@ -44,13 +44,14 @@ static inline void listing_write(const listing *l)
         fclose(file);
 }
 
-/* What line i is of. */
+/* Copies the case name of line i. */
 static inline void listing_case(const listing *l, uint32_t i, char to[LISTING_CASE])
 {
     snprintf(to, LISTING_CASE, "%.*s", (int)strcspn(l->line[i], ":"), l->line[i]);
 }
 
-/* True if line i is "OF: VALUES"; says from which word on it is another, or takes it. */
+/* True if line i is "OF: VALUES".  Otherwise prints the first word that differs, or stores
+ * the new line when writing. */
 static inline bool listing_holds(listing *l, uint32_t i, const char *of,
                                  const char *values)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A world that is looked at in a way, as the view makes its ticks, for tests. */
+/* A world with a camera mode, stepped as the view steps it, for tests. */
 #ifndef TP_TESTS_LOOKS_H
 #define TP_TESTS_LOOKS_H
 #include "../../ports/live/look.h"
@@ -9,7 +9,7 @@
 
 static uint64_t chance;
 
-/* Swells, a camera that looks down at them, a boat out of its sight. */
+/* Swells, a camera that looks down at the swells, and a boat outside the view. */
 static inline tp_scene sea(void)
 {
     tp_scene s = scene_plain();
@@ -22,7 +22,7 @@ static inline tp_scene sea(void)
     return s;
 }
 
-/* What a person may do in a tick. */
+/* Random input within the range of one tick of a person's input. */
 static inline tp_input any_input(void)
 {
     return (tp_input){
@@ -38,14 +38,14 @@ static inline tp_input any_input(void)
     };
 }
 
-/* One tick as the view makes it. */
+/* Advances one tick as the view does. */
 static inline void go(look *l, tp_world *w, const tp_scene *s, tp_input in)
 {
     look_steer(l, w, s, &in);
     tp_world_step(&tp_program_all, w, s, &in);
 }
 
-/* Begins, and takes camera.follow as the view does. */
+/* Begins a camera mode and sets camera.follow as the view does. */
 static inline void begin(look *l, look_mode mode, tp_world *w, tp_scene *s)
 {
     const tp_scene filed = sea();
@@ -55,7 +55,7 @@ static inline void begin(look *l, look_mode mode, tp_world *w, tp_scene *s)
     assert_true(tp_world_apply(&tp_program_all, w, s, NULL));
 }
 
-/* The same of a world at its beginning. */
+/* Begins a camera mode in a new world. */
 static inline look started(look_mode mode, tp_world *w, tp_scene *s)
 {
     look l = { .mode = LOOK_FREE };

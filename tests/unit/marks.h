@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures with the kind of thing that each pixel shows. */
+/* Pictures with the kind of object that each pixel shows. */
 #ifndef TP_TESTS_MARKS_H
 #define TP_TESTS_MARKS_H
 #include "kinds.h"
 #include "scenes.h"
 
-/* The whole picture as one tile; `key` has a word for each pixel and may be NULL: depths,
- * and kinds in place of marks. */
+/* Draws the whole picture as one tile.  `key` has one word per pixel and may be NULL; it
+ * receives depths, with object kinds in place of stencil values. */
 static inline void marks_draw(const tp_scene *scene, const tp_assets *assets,
                               const tp_world *world, tp_config config, uint32_t *key,
                               uint32_t *pixels)
@@ -45,7 +45,8 @@ static inline uint32_t marks_count(const uint32_t *key, size_t pixels, marks_kin
     return count;
 }
 
-/* The picture has the same pixels in tiles of each of these sizes as in one. */
+/* Asserts that the picture has the same pixels in tiles of each of these sizes as in one
+ * tile. */
 static inline void marks_assert_tiled(const tp_scene *scene, const tp_assets *assets,
                                       const tp_world *world, tp_config config,
                                       const uint32_t size[][2], size_t count,
@@ -66,7 +67,7 @@ static inline void marks_assert_tiled(const tp_scene *scene, const tp_assets *as
     free(tiled);
 }
 
-/* Still water below an eye so high that looks to -z. */
+/* Still water below a camera at this height in m that looks to -z. */
 static inline tp_scene marks_still(int32_t metres)
 {
     tp_scene s;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Errors measured over many inputs, printed as a table; and the inputs: a sweep through
- * all 32-bit words at an odd stride, or random words of a seed that is printed.
+/* Error statistics over many inputs, printed as a table; and the inputs: a sweep over
+ * all 32-bit words at an odd stride, or random words from a seed that is printed.
  *
  *     TP_SEED=n       repeats the random inputs of a run
- *     TP_SWEEP=all    sweeps take every word instead of 10^7 of them */
+ *     TP_SWEEP=all    sweeps take every word instead of 10^7 words */
 #ifndef TP_TESTS_MEASURE_H
 #define TP_TESTS_MEASURE_H
 #include <inttypes.h>
@@ -18,14 +18,14 @@ typedef struct {
     const char *what;
     const char *unit;
     uint64_t inputs;
-    double   worst;             /* magnitude, in `unit` */
-    int64_t  at[3];             /* the input that had it */
+    double   worst;             /* largest magnitude, in `unit` */
+    int64_t  at[3];             /* input with the worst error */
 } measure;
 
 static inline void measure_add(measure *m, double error, int64_t a, int64_t b, int64_t c)
 {
     m->inputs++;
-    if (!(fabs(error) <= m->worst)) {       /* also when it is no number */
+    if (!(fabs(error) <= m->worst)) {       /* true for NaN too */
         m->worst = fabs(error);
         m->at[0] = a;
         m->at[1] = b;
@@ -40,7 +40,8 @@ static inline void measure_print(const measure *m)
            m->at[2]);
 }
 
-/* 2^32 / 429 is a little over 10^7; 429 = 3 11 13 hits every residue of the tables. */
+/* Stride of a sweep.  2^32 / 429 is a little over 10^7; 429 = 3 11 13 hits every residue of
+ * the tables. */
 static inline uint32_t sweep_stride(void)
 {
     const char *const asked = getenv("TP_SWEEP");
@@ -69,7 +70,7 @@ static inline uint32_t random_below(uint64_t *state, uint32_t end)
     return (uint32_t)((random_next(state) >> 32) * end >> 32);
 }
 
-/* A signed number of random length, 0 to 31 bits, so that small ones are not rare. */
+/* A signed number of random bit length, 0 to 31, so that small numbers are frequent. */
 static inline int32_t random_number(uint64_t *state)
 {
     const uint64_t word = random_next(state);

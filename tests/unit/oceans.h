@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Oceans for tests: built in a block of exactly their size, so that a sanitizer sees what
- * lies outside; and a wave's phase read off its surface. */
+/* Coastal waters for tests, each in a block of exactly the required size so that a
+ * sanitizer sees any access outside; and the phase of a wave, read from the surface. */
 #ifndef TP_TESTS_OCEANS_H
 #define TP_TESTS_OCEANS_H
 #include "chance.h"
@@ -65,8 +65,9 @@ static inline tp_floor shore(double depth, double slope, double heading)
                        .heading = (tp_fx)lround(heading * 65536) };
 }
 
-/* The phase of an ocean of one plain sine (steepness 0: its particles move up and down
- * alone), in turns of [A7]'s Phi: y = -V cos Phi now and V sin Phi a quarter later. */
+/* Phase of coastal water with a single sine wave (steepness 0: particles move vertically
+ * only), in turns of Phi in [A7]: y = -V cos Phi now and V sin Phi a quarter period
+ * later. */
 static inline double ocean_phase(const ocean_made *o, tp_fx x, tp_fx z)
 {
     const tp_turn now[TP_WAVES] = { 0 }, later[TP_WAVES] = { 0x40000000u };
@@ -75,13 +76,13 @@ static inline double ocean_phase(const ocean_made *o, tp_fx x, tp_fx z)
     return atan2(s, c) / (2 * 3.14159265358979323846);
 }
 
-/* b - a to the nearest turn. */
+/* Returns b - a, reduced to the nearest turn. */
 static inline double ocean_turns_from(double a, double b)
 {
     return b - a - round(b - a);
 }
 
-/* A picture of a straight slope: depth at the middle, falling from white to black. */
+/* Height map of a straight slope: `depth` at the middle, falling from white to black. */
 typedef struct {
     uint16_t *sample;
     tp_grey   picture;

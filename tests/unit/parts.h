@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Scenes with parts behind the world's head, for tests. */
+/* Scenes with buffers behind the world's head, for tests. */
 #ifndef TP_TESTS_PARTS_H
 #define TP_TESTS_PARTS_H
 #include "scene/parts.h"
@@ -25,7 +25,7 @@ static inline tp_scene_pool some_pool(uint64_t *chance)
     return s.pool;
 }
 
-/* The parts by bits: floor, wind, pool, field, drops. */
+/* A scene with the parts selected by bits 0 to 4: floor, wind, pool, field, drops. */
 static inline tp_scene scene_with(uint64_t *chance, uint32_t parts)
 {
     tp_scene s = scene_plain();

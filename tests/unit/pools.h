@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Pools for tests: in a block of exactly the bytes that they ask for, filled with 0xa5
- * before, so that the sanitizers see each byte beyond. */
+/* Pools for tests, each in a block of exactly the bytes that the pool requires, filled with
+ * 0xa5 before, so that the sanitizers see any access beyond. */
 #ifndef TP_TESTS_POOLS_H
 #define TP_TESTS_POOLS_H
 #include "chance.h"
@@ -33,7 +33,7 @@ static inline void pool_steps(tp_pool *pool, int ticks)
         tp_pool_step(pool);
 }
 
-/* Any heights up to `most` LSB. */
+/* Fills the pool with random heights within +-`most` LSB. */
 static inline void pool_fill(tp_pool *pool, uint64_t *chance, int32_t most)
 {
     for (uint32_t y = 0; y < pool->rows; y++)
@@ -42,7 +42,7 @@ static inline void pool_fill(tp_pool *pool, uint64_t *chance, int32_t most)
     tp_pool_stirred(pool, most);
 }
 
-/* A mask of `walls` in 256 of the cells, for pools of at most 64 x 64. */
+/* A mask with walls in about `walls` of 256 cells, for pools of at most 64 x 64. */
 static inline const tp_grey *pool_mask(uint64_t *chance, uint32_t cols, uint32_t rows,
                                        uint32_t walls)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Shades and checks for tests of quick light, with any sky and lobe. */
+/* Shades and checks for tests of fast shading, with any sky and any lobe. */
 #ifndef TP_TESTS_QUICK_LIGHTS_H
 #define TP_TESTS_QUICK_LIGHTS_H
 #include "features/water/quick_light.h"
@@ -10,7 +10,7 @@ typedef struct {
     struct tp_quick_light quick;
 } quick_lights;
 
-/* A sky that changes slowly. */
+/* A sky colour that varies slowly with the direction. */
 static inline uint32_t quick_smooth(ref_dir d, void *with)
 {
     (void)with;
@@ -18,7 +18,7 @@ static inline uint32_t quick_smooth(ref_dir d, void *with)
          | (uint32_t)(128 + 100 * d.z);
 }
 
-/* Valid as long as `kept` is. */
+/* A random shade for the sky and the lobe; valid as long as `kept` is. */
 static inline tp_shade quick_shade(quick_lights *kept, int env, int lobe, uint64_t *state)
 {
     tp_shade s = shade_any(state);
@@ -40,7 +40,8 @@ static inline tp_shade quick_shade(quick_lights *kept, int env, int lobe, uint64
     return s;
 }
 
-/* Slopes as sampled; of steep ones every eighth as steep as 16 bits go. */
+/* Slopes as sampled.  If `steep` is large, every eighth slope has the steepest 16-bit
+ * value. */
 static inline void quick_run(test_run *r, uint32_t *slope, int32_t steep, uint64_t *state)
 {
     run_any(r, steep, state);
@@ -50,7 +51,7 @@ static inline void quick_run(test_run *r, uint32_t *slope, int32_t steep, uint64
                        : r->n[i];
 }
 
-/* Both bodies of a stage make the same colours of a run, and leave no alpha. */
+/* Asserts that both bodies of a stage compute the same colours for a run, with alpha 0. */
 static inline void quick_assert_same(stage *plain, stage *packed, const tp_shade *shade,
                                      const tp_run *run)
 {
@@ -63,7 +64,7 @@ static inline void quick_assert_same(stage *plain, stage *packed, const tp_shade
         assert_int_equal(one.colour[i] >> 24, 0);
 }
 
-/* A run has the same colours whole and in two parts. */
+/* Asserts that a run has the same colours whole and in two parts. */
 static inline void quick_assert_cut(stage *body, const tp_shade *shade, tp_run whole,
                                     tp_run left, tp_run right)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Runs of random samples for the stages of shading. */
+/* Spans of random samples for the shading stages. */
 #ifndef TP_TESTS_RUNS_H
 #define TP_TESTS_RUNS_H
 #include "chance.h"
@@ -10,7 +10,7 @@ typedef struct {
     uint32_t key[TP_RUN], s[TP_RUN], t[TP_RUN], n[TP_RUN];
 } test_run;
 
-/* A whole run of colours and samples; slopes within `steep`, 4096 is 1. */
+/* A full span of random colours and samples; slopes within +-`steep`, 4096 is 1. */
 static inline void run_any(test_run *r, int32_t steep, uint64_t *state)
 {
     memset(r, 0xa5, sizeof *r);
@@ -34,7 +34,8 @@ static inline void run_any(test_run *r, int32_t steep, uint64_t *state)
     }
 }
 
-/* The part [from, end) of a run as one of its own; what stages hand on goes with it. */
+/* The part [from, end) of a span as a span of its own, with the data that stages hand
+ * on. */
 static inline tp_run run_part(const tp_run *r, int32_t from, int32_t end)
 {
     tp_run part = *r;

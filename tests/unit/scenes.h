@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Scenes for tests: plain ones, and any that the table of parameters allows; with a boat
- * of twelve triangles, two materials and textures of awkward sides. */
+/* Scenes for tests: plain scenes, and scenes with any value that the parameter table
+ * allows; with a boat of twelve triangles, two materials and textures with odd sides. */
 #ifndef TP_TESTS_SCENES_H
 #define TP_TESTS_SCENES_H
 #include <string.h>
@@ -22,7 +22,7 @@ static inline tp_scene scene_plain(void)
     }
     s.grid.cols = 60;
     s.grid.rows = 50;
-    strcpy(s.boat.mesh, "boat.obj");    /* that the caller gives, if he does */
+    strcpy(s.boat.mesh, "boat.obj");    /* the caller gives the mesh, if any */
     return s;
 }
 
@@ -38,12 +38,13 @@ static inline bool scene_is_number(const tp_param *row)
         && row->kind != TP_PARAM_TEXT;
 }
 
-/* Every row at its least, its most, its default or anywhere between. */
+/* Sets every row to its minimum, its maximum, its default or a value between. */
 static inline tp_scene scene_any(uint64_t *state)
 {
     uint32_t count = 0;
     const tp_param *rows = tp_params(&count);
-    const uint32_t bold = random_below(state, 4);       /* how many rows go to an end */
+    const uint32_t bold = random_below(state, 4);       /* how many rows take an end of
+                                                         * their range */
     tp_scene s;
 
     tp_scene_level(&s);
@@ -59,7 +60,8 @@ static inline tp_scene scene_any(uint64_t *state)
     return s;
 }
 
-/* The scene's world in memory of its own, to free; NULL: it cannot be used. */
+/* The scene's world in memory of its own; the caller frees it.  NULL if the scene is
+ * invalid. */
 static inline tp_world *scene_world(const tp_scene *scene, const tp_assets *assets)
 {
     const size_t bytes = tp_world_bytes(&tp_program_all, scene, assets);
@@ -96,8 +98,8 @@ static inline void boat_texture(test_boat *b, int i, uint32_t w, uint32_t h,
 
 static inline void boat_box(test_boat *b, tp_fx x, tp_fx y, tp_fx z)
 {
-    /* Two triangles a side, counter-clockwise from outside; bit 0 of a corner is +x,
-     * bit 1 +y, bit 2 +z. */
+    /* Two triangles a side, counter-clockwise from outside.  In a corner's index bit 0 is
+     * +x, bit 1 +y, bit 2 +z. */
     static const uint8_t side[6][4] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 },
                                         { 2, 6, 7, 3 }, { 0, 2, 3, 1 }, { 4, 5, 7, 6 } };
 
@@ -150,7 +152,7 @@ typedef struct {
     size_t    bytes, scratch_bytes;
 } test_frame;
 
-/* Blocks are exact to the byte, filled with 0xA5, and FRAME_GUARD more stand behind. */
+/* A block of exact size, filled with 0xA5, with FRAME_GUARD more bytes behind its end. */
 static inline uint8_t *frame_block(size_t bytes)
 {
     uint8_t *block = malloc(bytes + FRAME_GUARD);
@@ -167,7 +169,7 @@ static inline bool frame_guard_holds(const uint8_t *block, size_t bytes)
     return true;
 }
 
-/* The config for another program and its pictures. */
+/* The config with another program and with the assets. */
 static inline tp_config config_with(const tp_config *config, const tp_program *by,
                                     const tp_assets *assets)
 {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Seas at random, in the core and in double precision side by side, and how far apart the
- * formats let the two be.  Bounds are worked out for each point, see phase_error(). */
+/* Random deep water in the core's formats and in double precision, side by side, and bounds
+ * for the difference that the formats allow.  Bounds are computed for each point, see
+ * phase_error(). */
 #ifndef TP_TESTS_SEAS_H
 #define TP_TESTS_SEAS_H
 #include "../reference/sea.h"
@@ -9,7 +10,7 @@
 
 #define TEN_YEARS (3652ull * 24 * 3600 * TP_TICKS_PER_SECOND)
 #define LSB       (1 / 65536.0)
-#define SINE      4.8e-6        /* error of tp_sin, see fx.h, and of its cut to Q24 */
+#define SINE      4.8e-6        /* error of tp_sin (fx.h), and of its rounding to Q24 */
 
 typedef struct {
     tp_wave wave[TP_WAVES];
@@ -31,7 +32,7 @@ static inline void ocean_settle(ocean *o)
     ref_phases(&o->ref, o->tick, o->ref_phases);
 }
 
-/* `most` waves of the table's whole ranges. */
+/* One to `most` random waves from the whole ranges of the parameter table. */
 static inline ocean ocean_any(uint64_t *chance, int most)
 {
     ocean o = { .count = chance_int(chance, 1, most) };
@@ -44,7 +45,8 @@ static inline ocean ocean_any(uint64_t *chance, int most)
     return o;
 }
 
-/* Waves as scenes have them: 1 m and longer, no higher than a seventh of that. */
+/* Waves as usual scenes have them: 1 m or longer, at most as high as a seventh of the
+ * length. */
 static inline ocean ocean_usual(uint64_t *chance, int most, double steepness)
 {
     ocean o = { .count = chance_int(chance, 1, most), .gravity = TP_FX(9.81) };
@@ -63,7 +65,7 @@ static inline ocean ocean_usual(uint64_t *chance, int most, double steepness)
     return o;
 }
 
-/* Powers of [A3] for the waves of a sea. */
+/* Gives the waves random powers of [A3]. */
 static inline void ocean_sharpen(uint64_t *chance, ocean *o)
 {
     for (int i = 0; i < o->count; i++)
@@ -71,9 +73,10 @@ static inline void ocean_sharpen(uint64_t *chance, ocean *o)
     ocean_settle(o);
 }
 
-/* How far a wave's phase may be off, in radians: turns a metre are rounded to Q0.32 and
- * their direction has 28 bits (rotations, fx.h) and a heading of 2^-31 turn; phases are
- * cut to 2^-32 turn four times; the clock is off by 2^-62 turn a tick (speed up to 8). */
+/* Bound of a wave's phase error, in radians.  Wave numbers in turns per metre are rounded
+ * to Q0.32; directions have 28 bits (rotations, fx.h) and a heading of 2^-31 turn; phases
+ * are truncated to 2^-32 turn four times; the clock errs by 2^-62 turn per tick (speed up
+ * to 8). */
 static inline double phase_error(const ocean *o, int i, double x0, double z0)
 {
     const double e32 = 1 / 4294967296.0, way = fabs(x0) + fabs(z0);
@@ -82,8 +85,8 @@ static inline double phase_error(const ocean *o, int i, double x0, double z0)
          + o->ref.wave[i].k * way * direction;
 }
 
-/* How far f and f' of [A3] move with sine, cosine and phase: f = 2 b^n by n at the most,
- * f' = n b^(n-1) cos by n + n(n-1)/2. */
+/* Sensitivity of f and f' of [A3] to sine, cosine and phase: f = 2 b^n changes at most by
+ * n, f' = n b^(n-1) cos at most by n + n(n-1)/2. */
 static inline double rise_most(const ref_wave *w)
 {
     return w->power;
@@ -94,7 +97,7 @@ static inline double turn_most(const ref_wave *w)
     return w->power * (w->power + 1) / 2.0;
 }
 
-/* The height's error: each wave's profile, A rounded to 16.16, the sum rounded. */
+/* Bound of the height error: each wave's profile, A rounded to 16.16, the sum rounded. */
 static inline double height_error(const ocean *o, double x0, double z0)
 {
     double sum = LSB;
@@ -105,7 +108,8 @@ static inline double height_error(const ocean *o, double x0, double z0)
     return sum;
 }
 
-/* Of x or z: QA is Q k A L / 2 pi, L known to 2.5e-7 of itself, rounded twice. */
+/* Bound of the error in x or z: QA is Q k A L / 2 pi, L has a relative error of 2.5e-7, and
+ * two roundings. */
 static inline double place_error(const ocean *o, double x0, double z0)
 {
     double sum = LSB;
@@ -116,9 +120,10 @@ static inline double place_error(const ocean *o, double x0, double z0)
     return sum;
 }
 
-/* Of the normal's direction, in radians.  h is the sum of k A f' with A off by half an
- * LSB and L by 2.5e-7 of itself, J the sum of q sin th with q off by 2e-8; N is made of
- * products of both.  Slopes come out within an LSB and are held within 7.99. */
+/* Bound of the angle error of the normal, in radians.  h is the sum of k A f' with A off by
+ * half an LSB and L by 2.5e-7 relative, J the sum of q sin th with q off by 2e-8; N
+ * consists of products of both.  Slopes have an error of one LSB and are clamped to
+ * 7.99. */
 static inline double normal_error(const ocean *o, const ref_point *p, double x0,
                                   double z0)
 {
@@ -137,14 +142,15 @@ static inline double normal_error(const ocean *o, const ref_point *p, double x0,
     return asin(fmin(1, n / length)) + 2 * LSB;
 }
 
-/* The angle between two normals given as slopes, in radians. */
+/* Angle between two normals given as slopes, in radians. */
 static inline double slope_angle(double ax, double az, double bx, double bz)
 {
     const double cx = az - bz, cy = bx * az - bz * ax, cz = bx - ax;
     return atan2(sqrt(cx * cx + cy * cy + cz * cz), 1 + ax * bx + az * bz);
 }
 
-/* Between the slopes' normal and the reference's, whose slopes are held likewise. */
+/* Angle between the slopes' normal and the reference normal, whose slopes are clamped
+ * likewise. */
 static inline double normal_angle(const ref_point *p, const tp_sea_point *got)
 {
     const double most = 7.99;
@@ -170,7 +176,8 @@ static inline void errors_print(const errors *e)
     measure_print(&e->normal);
 }
 
-/* The point of rest place (x, z) against the reference, within the bounds above. */
+/* Compares the point with rest position (x, z) with the reference, within the bounds
+ * above. */
 static inline void ocean_compare(const ocean *o, tp_fx x, tp_fx z, errors *e)
 {
     const double x0 = x * LSB, z0 = z * LSB;

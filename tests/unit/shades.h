@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Random cameras, lights and colours for the stages of shading, and what the reference
- * needs of them. */
+/* Random cameras, lights and colours for the shading stages, and the values that the
+ * reference needs from them. */
 #ifndef TP_TESTS_SHADES_H
 #define TP_TESTS_SHADES_H
 #include "../reference/shading.h"
@@ -11,8 +11,8 @@
 
 typedef void stage(const tp_shade *shade, tp_run *run);
 
-/* 640 x 480 at 60 degrees and the like: a focal length of 200 to 1000 pixels. */
-/* Of all shades: tests use one at a time. */
+/* Focal lengths of 200 to 1000 pixels, as for 640 x 480 pixels at 60 degrees. */
+/* Table shared by all shades: tests use one shade at a time. */
 static tp_entry16 shade_shine[TP_SHINE + 1];
 
 static inline tp_shade shade_any(uint64_t *state)
@@ -57,7 +57,7 @@ static inline ref_dir shade_light(const tp_view_axes *a)
     return (ref_dir){ a->lx / Q14, a->ly / Q14, a->lz / Q14 };
 }
 
-/* From the pixel's centre to the eye. */
+/* Direction from the pixel's centre to the eye. */
 static inline ref_dir shade_view(const tp_shade *s, const tp_view_axes *axes, int32_t x,
                                  int32_t y)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Random domes and cubes for shades of tests. */
+/* Random sky domes and sky cubes for the shades of tests. */
 #ifndef TP_TESTS_SKIES_H
 #define TP_TESTS_SKIES_H
 #include "../reference/env.h"
@@ -7,7 +7,7 @@
 #include "shade/env.h"
 #include "shades.h"
 
-#define SKY_SIDE 64             /* of a cube's faces */
+#define SKY_SIDE 64             /* side of a cube face, px */
 
 typedef struct {
     tp_dome        dome;
@@ -33,7 +33,7 @@ static inline void sky_dome(test_sky *sky, tp_shade *shade, uint64_t *state)
                            .beyond = (uint32_t)chance_int(state, 0, 16 * 256) };
 }
 
-/* Faces painted by `paint`, level 0 alone of interest. */
+/* Makes a cube sky of faces painted by `paint`; only mipmap level 0 matters. */
 static inline void sky_cube(test_sky *sky, tp_shade *shade,
                             uint32_t (*paint)(ref_dir d, void *with), void *with)
 {

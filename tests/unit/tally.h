@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Differences of colours in levels of 255: the largest and the root of their mean
+/* Differences of colours in levels of 255: the largest difference and the root mean
  * square. */
 #ifndef TP_TESTS_TALLY_H
 #define TP_TESTS_TALLY_H

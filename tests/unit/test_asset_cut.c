@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Polygons are cut into triangles that cover them once and nothing else. */
+/* Polygons are triangulated: the triangles cover the polygon exactly once and cover nothing
+ * outside. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -21,7 +22,7 @@ static void assert_cut_everywhere(const point *p, int n, bool simple)
     }
 }
 
-/* -- by hand ------------------------------------------------------------------------ */
+/* -- hand-made polygons ------------------------------------------------------------- */
 
 static void convex_polygons_are_cut_as_a_fan(void **state)
 {
@@ -90,13 +91,13 @@ static void the_largest_polygons_do_not_overflow(void **state)
             cut->at[(k + 1) % 3][i] = i & 2 ? FAR : -FAR;
             cut->at[(k + 2) % 3][i] = 0;
         }
-        run_cut(&c, cut, MOST);                 /* a square, gone round 64 times */
+        run_cut(&c, cut, MOST);                 /* a square, run around 64 times */
         assert_edges(&c, MOST);
         free_cut(&c);
     }
 }
 
-/* -- at random ---------------------------------------------------------------------- */
+/* -- random polygons ---------------------------------------------------------------- */
 
 static void combs_and_spirals_are_cut(void **state)
 {
@@ -137,7 +138,8 @@ static bool touch(point a, point b, point c, point d)
         || on_segment(c, d, b);
 }
 
-/* May `x` stand between corners i and i + 1 without the outline touching itself? */
+/* True if `x` can be inserted between corners i and i + 1 without a self-contact of the
+ * outline. */
 static bool may_insert(const point *p, int n, int i, point x)
 {
     const point a = p[i], b = p[(i + 1) % n];
@@ -155,7 +157,7 @@ static bool may_insert(const point *p, int n, int i, point x)
     return true;
 }
 
-/* Grows a simple polygon on a grid so coarse that many corners lie on a line. */
+/* Grows a simple polygon on a coarse grid, where many corners are collinear. */
 static int make_simple(point *p, int want, uint32_t grid, uint64_t *random)
 {
     int n = 3;
@@ -189,7 +191,7 @@ static void random_simple_polygons_are_cut(void **state)
     assert_true(largest > 50);
 }
 
-/* Twists the outline of a random hole into a random simple polygon ten times as big. */
+/* Inserts the outline of a random hole into a random simple polygon ten times as large. */
 static void random_holes_are_cut(void **state)
 {
     uint64_t random = *(const uint64_t *)*state;
@@ -199,7 +201,8 @@ static void random_holes_are_cut(void **state)
         const int32_t far = 30 + (int32_t)(next_random(&random) % 30);
         const point box[] = { {-far, -9}, {40, -far}, {far, far}, {-8, 40} };
         int least = 0;
-        for (int k = 1; k < n; k++)             /* nothing of the hole is left of it */
+        for (int k = 1; k < n; k++)             /* no corner of the hole is left of the
+                                                 * corner `least` */
             if (hole[k].u < hole[least].u
                 || (hole[k].u == hole[least].u && hole[k].v < hole[least].v))
                 least = k;
@@ -209,7 +212,7 @@ static void random_holes_are_cut(void **state)
             p[m++] = box[k % 4];
         for (int k = 0; k <= n; k++)
             p[m++] = hole[(least + k * sense) % n];
-        bool open = true;                       /* the bridge crosses nothing */
+        bool open = true;                       /* the bridge crosses no edge */
         for (int k = 0; k < n; k++) {
             const point c = hole[k], d = hole[(k + 1) % n];
             if (k != least && (k + 1) % n != least && touch(box[0], hole[least], c, d))
@@ -220,8 +223,8 @@ static void random_holes_are_cut(void **state)
     }
 }
 
-/* Do the insides of two triangles, both turning left, have nothing in common?  Then an
- * edge of one of them has the other on its right. */
+/* True if the interiors of two triangles, both counter-clockwise, are disjoint.  Then an
+ * edge of one triangle has the other triangle on its right side. */
 static bool apart(const point a[3], const point b[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -233,8 +236,8 @@ static bool apart(const point a[3], const point b[3])
     return false;
 }
 
-/* Grows a polygon by triangles that lie apart: it may touch itself, at corners and along
- * edges, but nowhere covers a point twice. */
+/* Grows a polygon from disjoint triangles: the polygon may touch itself at corners and
+ * along edges, but covers no point twice. */
 static int make_touching(point *p, int want, uint32_t grid, uint64_t *random)
 {
     point made[MOST][3] = { { {0, 0}, {2, 0}, {0, 2} } };
@@ -286,7 +289,7 @@ static void any_outline_gives_two_triangles_less_than_corners(void **state)
                                  - 0x3fffffff;
         run_cut(&c, cut, n);
         assert_edges(&c, n);
-        assert_true(c.steps > 0);               /* no corner was cut untested */
+        assert_true(c.steps > 0);               /* no corner was cut without a test */
         free_cut(&c);
     }
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Polygons of very many corners are cut as exactly as small ones, in a few steps a corner,
- * and no outline takes more than its bound. */
+/* Polygons of very many corners are triangulated as exactly as small polygons, in a few
+ * steps per corner, and no outline takes more steps than its bound. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -10,11 +10,11 @@
 #include "cuts.h"
 #include "fx/fx.h"
 
-enum { MOST = 30000, STEPS = 2048 };   /* of asset/cut.c */
+enum { MOST = 30000, STEPS = 2048 };   /* step bound of asset/cut.c */
 
 static point p[MOST];
 
-/* The mean of the steps that a corner took. */
+/* Triangulates and checks; returns the mean number of steps per corner. */
 static uint32_t cut_and_check(int n, int plane, bool simple)
 {
     cutting c = cut_in_plane(p, n, plane);
@@ -24,7 +24,7 @@ static uint32_t cut_and_check(int n, int plane, bool simple)
     return (uint32_t)(taken / (uint64_t)n);
 }
 
-/* The directions of a circle, on a square's border and then to one radius. */
+/* Stores a circle: directions on the border of a square, then scaled to one radius. */
 static void put_circle(point *to, int n, int32_t radius)
 {
     uint64_t random = 1;
@@ -53,7 +53,7 @@ static void a_ring_of_20000_corners_keeps_its_hole(void **state)
     put_circle(p, SIDE, 1 << 24);
     p[SIDE] = p[0];
     put_circle(p + SIDE + 1, SIDE, 1 << 23);
-    for (int i = 1; i <= SIDE / 2; i++) {       /* the other way round */
+    for (int i = 1; i <= SIDE / 2; i++) {       /* in the opposite direction */
         const point keep = p[SIDE + 1 + i];
         p[SIDE + 1 + i] = p[2 * SIDE + 1 - i];
         p[2 * SIDE + 1 - i] = keep;
@@ -91,7 +91,7 @@ static void stars_of_up_to_20000_corners_are_cut(void **state)
     }
 }
 
-/* Such an outline has hardly an ear: without a bound it would take 10^9 steps. */
+/* A random outline has hardly any ear: without a bound the cut would take 10^9 steps. */
 static void an_outline_at_random_ends_within_its_steps(void **state)
 {
     uint64_t random = *(const uint64_t *)*state;
@@ -104,7 +104,8 @@ static void an_outline_at_random_ends_within_its_steps(void **state)
     free_cut(&c);
 }
 
-/* More than 2^8 corners at the ends of the range: their areas sum up beyond 63 bits. */
+/* More than 2^8 corners at the ends of the range: the sum of their areas exceeds 63
+ * bits. */
 static void the_widest_outlines_turn_the_right_way(void **state)
 {
     (void)state;
@@ -112,7 +113,7 @@ static void the_widest_outlines_turn_the_right_way(void **state)
     for (int back = 0; back <= 1; back++) {
         cutting c;
         struct tp_obj_cut *const cut = carve_cut(&c, N);
-        for (int i = 0; i < N; i++) {           /* a square, gone round 1000 times */
+        for (int i = 0; i < N; i++) {           /* a square, run around 1000 times */
             const int k = back ? N - 1 - i : i;
             cut->at[0][i] = (k & 1) != (k >> 1 & 1) ? FAR : -FAR;
             cut->at[1][i] = k & 2 ? FAR : -FAR;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* OBJ files as they are found: faces without an area, polygons and lines of any length,
- * positions in millimetres, texture coordinates never set, names without end. */
+/* OBJ files with the oddities of real files: faces without area, polygons and lines of any
+ * length, positions in millimetres, missing texture coordinates, very long names. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -31,7 +31,7 @@ static void faces_of_fewer_than_three_corners_are_left_out_and_counted(void **st
     assert_int_equal(r.mesh.n_faces, 1);
     assert_int_equal(r.obj.short_faces, 5);
     assert_int_equal(r.obj.dropped, 0);
-    assert_int_equal(r.mesh.n_vertices, 3);     /* 4 is in none that is drawn */
+    assert_int_equal(r.mesh.n_vertices, 3);     /* vertex 4 belongs to no drawn face */
     assert_int_equal(r.mesh.high.x, ONE);
     finish(&r);
 }
@@ -44,11 +44,12 @@ static void what_a_short_face_names_is_not_looked_at(void **state)
     assert_int_equal(r.obj.short_faces, 3);
     finish(&r);
     accept(&r, TRIANGLE "f 1 2\nusemtl a\nf 1 2 3\n");
-    assert_int_equal(r.mesh.n_materials, 1);    /* no nameless one */
+    assert_int_equal(r.mesh.n_materials, 1);    /* no material without a name */
     finish(&r);
 }
 
-/* A row of corners above and one below, in one face, its line as long as it gets. */
+/* A face with a row of corners above and a row below; the line reaches the maximum
+ * length. */
 static char *make_long_face(uint32_t corners, const char *blank, const char *end)
 {
     char *const text = malloc(corners * 40 + 100);
@@ -118,7 +119,7 @@ static void an_error_in_a_long_face_is_located_alike_in_all_pieces(void **state)
     }
 }
 
-/* A corner of 4100 digits, and what is passed over: names of parts, unknown statements. */
+/* A corner of 4100 digits, and skipped words: names of parts, unknown statements. */
 static void words_longer_than_a_part_are_refused_only_where_they_count(void **state)
 {
     (void)state;
@@ -148,7 +149,8 @@ static void words_longer_than_a_part_are_refused_only_where_they_count(void **st
 
 /* -- numbers ---------------------------------------------------------------------- */
 
-/* The unit is the least power of two of which 16384 reach the farthest position. */
+/* The unit is the smallest power of two such that 16384 units reach the farthest
+ * position. */
 static void positions_beyond_16384_units_are_stored_coarser(void **state)
 {
     (void)state;
@@ -172,7 +174,7 @@ static void positions_beyond_16384_units_are_stored_coarser(void **state)
     }
 }
 
-/* A picture on a square has as many texels on a metre, whatever the unit. */
+/* A texture on a square has the same texels per metre in every unit. */
 static void texels_are_those_of_the_stored_unit(void **state)
 {
     (void)state;
@@ -227,7 +229,7 @@ static void normals_of_any_length_point_the_same_way(void **state)
 
 /* -- materials -------------------------------------------------------------------- */
 
-/* usemtl lines of `names` different names, each with a face. */
+/* A file of `lines` usemtl lines with `names` different names, a face after each line. */
 static char *make_materials(uint32_t lines, uint32_t names, size_t *bytes)
 {
     char *const text = malloc(lines * 40 + 100);
@@ -238,7 +240,7 @@ static char *make_materials(uint32_t lines, uint32_t names, size_t *bytes)
     return text;
 }
 
-/* What a file of that many lines takes beyond the same without their names. */
+/* Memory for the names of a file: bytes beyond the same file with a single name. */
 static size_t bytes_of_names(uint32_t lines, uint32_t names)
 {
     size_t bytes, all, bare;

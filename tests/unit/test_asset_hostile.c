@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Damaged files: whatever the bytes, the reader ends with a sound mesh or a located
- * error, and the same one however the bytes are fed. */
+/* Damaged files: for any bytes the reader returns a valid mesh or an error with its line,
+ * and the same result for any split of the bytes. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -74,7 +74,7 @@ static void assert_sound(const reader *r)
                 == (const char *)r->mem + tp_obj_kept_bytes(&r->obj));
 }
 
-/* Compares what two readings of the same bytes made of them. */
+/* Asserts that two readings of the same bytes have equal results. */
 static void assert_alike(const reader *a, const reader *b)
 {
     const tp_mesh *const m = &a->mesh, *const n = &b->mesh;
@@ -105,7 +105,7 @@ static void assert_same_error(const tp_error *a, const tp_error *b)
 
 typedef enum { GOOD, WARNED, BAD, OUTCOMES } outcome;
 
-/* Reads the two texts whole and in pieces; returns how it went. */
+/* Reads both texts whole and in pieces and asserts equal results; returns the outcome. */
 static outcome read_both_ways(const char *obj, size_t bytes, const char *mtl,
                               size_t mtl_bytes, size_t piece)
 {
@@ -150,7 +150,8 @@ static void an_obj_cut_off_at_any_byte_is_good_or_located(void **state)
     int count[OUTCOMES] = { 0 };
     for (size_t n = 0; n <= OBJ_BYTES; n++)
         count[read_both_ways(obj_text, n, mtl_text, MTL_BYTES, n % 3 == 0 ? 1 : 7)]++;
-    assert_true(count[GOOD] > 20 && count[BAD] > 200);  /* most lack the rest of a line */
+    assert_true(count[GOOD] > 20 && count[BAD] > 200);  /* most pieces lack the rest of a
+                                                         * line */
 }
 
 static void an_mtl_cut_off_at_any_byte_is_good_or_warned_of(void **state)
@@ -197,7 +198,7 @@ static void nul_bytes_anywhere_are_survived(void **state)
     }
 }
 
-/* Lines of the format and, now and then, scraps of them and wild numbers. */
+/* Lines of the format, at random mixed with fragments and extreme numbers. */
 static size_t random_file(char *text, size_t room, uint64_t *random)
 {
     static const char *const lines[] = {
@@ -239,10 +240,10 @@ static void random_words_are_good_or_located(void **state)
         finish(&whole);
         finish(&pieces);
     }
-    assert_in_range(good, 500, 3500);   /* both kinds came up, many times */
+    assert_in_range(good, 500, 3500);   /* both outcomes occurred many times */
 }
 
-/* -- a file that changes between its readings ------------------------------------- */
+/* -- a file that changes between the two passes ----------------------------------- */
 
 static tp_status read_two(const char *first, size_t first_bytes, const char *second,
                           size_t second_bytes)
@@ -290,7 +291,7 @@ static void any_other_file_in_the_second_pass_is_refused(void **state)
         char first[1500], second[1500];
         const size_t m = random_file(first, sizeof first, &random);
         size_t n = random_file(second, sizeof second, &random);
-        if (i % 2 == 0 && m < sizeof second) {  /* the same with another end */
+        if (i % 2 == 0 && m < sizeof second) {  /* the same file with another end */
             memmove(second + m / 2, second, n = n < m / 2 ? n : m / 2);
             memcpy(second, first, m / 2);
             n += m / 2;
@@ -299,7 +300,7 @@ static void any_other_file_in_the_second_pass_is_refused(void **state)
             continue;
         const tp_status status = read_two(first, m, second, n);
         tried += status != TP_E_ARG;
-        if (status == TP_OK)                    /* the same numbers, written otherwise */
+        if (status == TP_OK)                    /* the same numbers in another notation */
             assert_int_equal(n, m);
     }
     assert_true(tried > 100);

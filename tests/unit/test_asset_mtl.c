@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Materials: what the MTL reader takes, and what binding makes of it. */
+/* Materials: the statements that the MTL reader accepts, and the material after binding. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -13,7 +13,7 @@
 #define TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
 #define ONE_MATERIAL "mtllib m.mtl\nusemtl wood\n" TRIANGLE "f 1 2 3\n"
 
-/* The material of a mesh that has one, defined by `mtl`. */
+/* The material of a mesh with a single material, defined by `mtl`. */
 static tp_material material_of(reader *r, const char *mtl)
 {
     if (read_text(r, ONE_MATERIAL, mtl) != TP_OK)
@@ -55,7 +55,8 @@ static void values_out_of_range_are_clamped(void **state)
     assert_int_equal(r.warned.code, TP_E_MTL_RANGE);
     assert_int_equal(r.warned.where, 2);
     assert_string_equal(r.warned.word, "Kd");
-    assert_int_equal(r.obj.warnings, 0);        /* of binding; the library's were: */
+    assert_int_equal(r.obj.warnings, 0);        /* warnings of binding; those of the
+                                                 * library: */
     assert_int_equal(material_of(&r, "newmtl wood\nNs 0\nKd 0 1 0.5\nd 1\n").shininess,
                      ONE);
     assert_int_equal(r.warnings, 0);
@@ -93,7 +94,7 @@ static void keywords_are_read_in_any_case(void **state)
     assert_int_equal(m.bump, 2 * ONE);
 }
 
-/* The colour of the material that `mtl` gives a map, with or without the picture. */
+/* Diffuse colour of a material with a map in `mtl`, with or without the texture. */
 static uint32_t colour_with(const char *mtl, bool picture)
 {
     static const tp_texture texture = { .levels = 1 };
@@ -167,7 +168,7 @@ static void each_bump_keyword_names_the_normal_map(void **state)
         strcat(strcat(mtl, words[i]), " -bm 0.5 dents.png\nnorm other.png\n");
         reader r;
         assert_int_equal(read_text(&r, ONE_MATERIAL, mtl), TP_OK);
-        assert_int_equal(r.obj.images, 1);      /* the first counts */
+        assert_int_equal(r.obj.images, 1);      /* the first definition counts */
         assert_string_equal(tp_obj_image(&r.obj, 0), "dents.png");
         assert_int_equal(r.mesh.materials[0].bump, ONE / 2);
         assert_int_equal(r.obj.skipped, 1);
@@ -207,7 +208,7 @@ static void images_are_listed_once_for_each_library(void **state)
         list[i] = &textures[i];
         textures[i] = (tp_texture){ .levels = 1 };
     }
-    list[2] = NULL;                             /* could not be had */
+    list[2] = NULL;                             /* a texture that is not available */
     assert_int_equal(tp_obj_bind(&r.obj, list, &r.mesh, &r.err), TP_OK);
     assert_ptr_equal(r.mesh.materials[0].diffuse_map, &textures[1]);
     assert_null(r.mesh.materials[0].normal_map);
@@ -240,7 +241,7 @@ static void an_undefined_material_is_grey_and_warned_of_once_all_libraries_are_r
     assert_int_equal(read_text(&r, "mtllib m.mtl\n" TRIANGLE "f 1 2 3\nusemtl old oak\n"
                                "f 1 2 3\nusemtl wood\nf 1 2 3\nusemtl elm\nf 1 2 3\n"
                                "usemtl old oak\nf 1 2 3\n", "newmtl wood\n"), TP_OK);
-    assert_int_equal(r.obj.warnings, 2);        /* one for each name */
+    assert_int_equal(r.obj.warnings, 2);        /* one warning for each name */
     assert_int_equal(r.obj.warning[0].code, TP_E_MTL_NAME);
     assert_int_equal(r.obj.warning[0].where, 6);
     assert_string_equal(r.obj.warning[0].word, "old oak");
@@ -248,7 +249,7 @@ static void an_undefined_material_is_grey_and_warned_of_once_all_libraries_are_r
     assert_string_equal(r.obj.warning[1].word, "elm");
     assert_int_equal(r.mesh.materials[r.mesh.faces[1].material].diffuse, 0x808080);
     finish(&r);
-    assert_int_equal(read_text(&r, ONE_MATERIAL, NULL), TP_OK);     /* m.mtl not read */
+    assert_int_equal(read_text(&r, ONE_MATERIAL, NULL), TP_OK);     /* m.mtl is not read */
     assert_int_equal(r.mesh.materials[0].diffuse, 0x808080);
     assert_int_equal(r.warnings, 0);
     finish(&r);
@@ -266,8 +267,8 @@ static void materials_that_are_not_used_are_not_looked_into(void **state)
     assert_int_equal(r.obj.skipped, 3);
 }
 
-/* A square of `side` metres that shows s of a picture across and t down, as two
- * triangles, under a picture of 2^log2_w x 2^log2_h. */
+/* Texel density of a square of `side` metres, two triangles, that shows s of a texture
+ * across and t down; the texture has 2^log2_w x 2^log2_h texels. */
 static tp_fx texels_of(const char *side, const char *s, const char *t, uint8_t log2_w,
                        uint8_t log2_h)
 {

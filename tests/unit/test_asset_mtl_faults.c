@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What is wrong in an MTL is no error: each line that cannot be used is warned of. */
+/* Faults in an MTL are no errors: each line that cannot be used gives a warning. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -10,7 +10,7 @@
 #define ONE TP_FX_ONE
 #define ONE_MATERIAL "mtllib m.mtl\nusemtl wood\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 
-/* What a warning says, as the program prints it. */
+/* Asserts the text of a warning as the program prints it. */
 static void assert_warning(const char *mtl, uint32_t line, const char *want)
 {
     reader r;
@@ -80,7 +80,8 @@ static void a_line_that_cannot_be_read_is_left_out_and_warned_of(void **state)
     }
 }
 
-/* The material before it must not get what belongs to the one whose name cannot be read. */
+/* The preceding material must not receive the properties of a material with an unreadable
+ * name. */
 static void a_name_that_cannot_be_read_hides_its_material(void **state)
 {
     (void)state;
@@ -101,7 +102,7 @@ static void a_name_that_cannot_be_read_hides_its_material(void **state)
     finish(&r);
 }
 
-/* A picture may lie as deep as a path can be long. */
+/* The path of a texture may be as long as the line allows. */
 static void names_of_pictures_may_fill_a_line(void **state)
 {
     (void)state;
@@ -121,7 +122,7 @@ static void names_of_pictures_may_fill_a_line(void **state)
     finish(&r);
 }
 
-/* Two materials share room for 4 names of 256 bytes and one of any length. */
+/* Two materials share room for 4 names of 256 bytes and one name of any length. */
 static void names_of_pictures_beyond_their_room_are_left_out(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the OBJ reader takes, and what it says about what it does not take. */
+/* Statements that the OBJ reader accepts, and the errors for statements that it refuses. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -30,7 +30,7 @@ static void assert_position(const reader *r, uint32_t vertex, tp_fx x, tp_fx y, 
     assert_int_equal(p.z, z);
 }
 
-/* -- good files --------------------------------------------------------------------- */
+/* -- valid files -------------------------------------------------------------------- */
 
 static void a_triangle_is_read(void **state)
 {
@@ -103,7 +103,7 @@ static void corners_alike_are_one_vertex(void **state)
     accept(&r, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 2\n"
                "f 1//1 2//1 3//1\nf 1//1 3//1 4//1\nf 4//1 3//1 2//2\n");
     assert_int_equal(r.mesh.n_faces, 3);
-    assert_int_equal(r.mesh.n_vertices, 5);     /* 4, and corner 2 with normal 2 */
+    assert_int_equal(r.mesh.n_vertices, 5);     /* vertex 4 and corner 2 with normal 2 */
     finish(&r);
 }
 
@@ -256,7 +256,7 @@ static void a_new_scan_forgets_everything(void **state)
     finish(&r);
 }
 
-/* -- what is refused ---------------------------------------------------------------- */
+/* -- refused files ------------------------------------------------------------------ */
 
 typedef struct {
     const char *text;
@@ -377,7 +377,8 @@ static void more_than_2_to_the_24_of_one_kind_are_refused(void **state)
     free(text);
 }
 
-/* Names so long that few of them are remembered, so nearly every one is counted. */
+/* Names so long that the reader remembers few of them; nearly every name is counted
+ * anew. */
 static void more_than_2_to_the_20_libraries_are_refused(void **state)
 {
     (void)state;

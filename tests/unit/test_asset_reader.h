@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads OBJ and MTL texts as a port would, in the most revealing way: every piece of
- * text is a heap block of its own and of exact size that is gone after the call, and the
- * mesh's memory is exactly what was asked for, filled with 0xA5. */
+/* Reads OBJ and MTL texts as a port would, in the way that reveals most faults: every piece
+ * of text is a heap block of exact size that is freed after the call, and the mesh memory
+ * has exactly the required size and is filled with 0xA5. */
 #ifndef TEST_ASSET_READER_H
 #define TEST_ASSET_READER_H
 #include <stdlib.h>
@@ -13,7 +13,7 @@ typedef struct {
     tp_error err;
     tp_mesh  mesh;
     void    *mem;               /* NULL until loading begins */
-    uint32_t warnings;          /* of all steps, and the first of them */
+    uint32_t warnings;          /* count over all steps, and the first warning */
     tp_error warned;
 } reader;
 
@@ -53,7 +53,7 @@ static inline tp_status load_text(reader *r, const char *text, size_t bytes, siz
     return status != TP_OK ? status : tp_obj_loaded(&r->obj, &r->err);
 }
 
-/* What the step that ended warned of. */
+/* Adds the warnings of the step that has just ended. */
 static inline void note_warnings(reader *r)
 {
     if (r->warnings == 0 && r->obj.warnings > 0)
@@ -61,7 +61,8 @@ static inline void note_warnings(reader *r)
     r->warnings += r->obj.warnings;
 }
 
-/* Both passes; every library that is named reads `mtl`, if that is not NULL. */
+/* Runs both passes.  Every library that the file names reads `mtl`, if `mtl` is not
+ * NULL. */
 static inline tp_status read_bytes(reader *r, const char *text, size_t bytes,
                                    const char *mtl, size_t mtl_bytes, size_t piece)
 {
@@ -96,7 +97,7 @@ static inline void finish(reader *r)
     r->mem = NULL;
 }
 
-/* The random numbers of all asset tests: splitmix64. */
+/* Random numbers of all asset tests: splitmix64. */
 static inline uint32_t next_random(uint64_t *state)
 {
     uint64_t z = *state += 0x9e3779b97f4a7c15u;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Normals, tangents and packed directions of a mesh that was read. */
+/* Normals, tangents and packed directions of a mesh from a file. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -11,7 +11,8 @@
 #include "asset/mesh.h"
 #include "test_asset_reader.h"
 
-/* A unit packed into 10 bits is off by half a step in each part. */
+/* Asserts a direction: a unit vector in 10 bits per component errs by half a step in
+ * each. */
 static void assert_dir(tp_packed_dir n, double x, double y, double z)
 {
     const double length = sqrt(x * x + y * y + z * z);
@@ -57,7 +58,7 @@ static void a_packed_direction_is_within_half_a_step(void **state)
 
 /* -- normals ------------------------------------------------------------------------ */
 
-/* Two squares that meet at a right angle along the z axis: floor and wall. */
+/* Two squares that meet at a right angle along the z axis: a floor and a wall. */
 #define CORNER "v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nv 0 1 0\nv 0 1 1\n"
 #define FLOOR "f 1 2 3 4\n"
 #define WALL  "f 1 5 6 2\n"
@@ -116,7 +117,7 @@ static void two_smoothing_groups_do_not(void **state)
 static void larger_faces_weigh_more(void **state)
 {
     (void)state;
-    reader r;                                   /* the wall is three times as high */
+    reader r;                                   /* the wall has three times the height */
     accept(&r, "v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nv 0 3 0\nv 0 3 1\ns 7\n" FLOOR WALL);
     assert_normal(&r, 0, 1, 3, 1, 0);
     finish(&r);
@@ -150,7 +151,8 @@ static void tiny_and_vast_meshes_get_their_normals(void **state)
     finish(&r);
 }
 
-/* A sphere of 40 x 20 quads, all one group: computed normals point from the centre. */
+/* A sphere of 40 x 20 quads in one smoothing group: computed normals point away from the
+ * centre. */
 static void a_smooth_sphere_is_round(void **state)
 {
     (void)state;
@@ -177,10 +179,11 @@ static void a_smooth_sphere_is_round(void **state)
         const double x = tp_dir_x(v->normal), y = tp_dir_y(v->normal);
         const double z = tp_dir_z(v->normal), length = sqrt(x * x + y * y + z * z);
         const double along = x * v->position.x + y * v->position.y + z * v->position.z;
-        if (abs((int)v->position.y) < 3 * 65536 / 2)        /* not the rims */
+        if (abs((int)v->position.y) < 3 * 65536 / 2)        /* without the rims */
             worst = fmin(worst, along / (length * 2 * 65536));
     }
-    assert_true(worst > cos(0.5 * 3.14159265358979 / 180)); /* a flat quad errs by 6 */
+    assert_true(worst > cos(0.5 * 3.14159265358979 / 180)); /* a flat quad would err by 6
+                                                             * degrees */
     finish(&r);
 }
 
@@ -188,7 +191,7 @@ static void a_smooth_sphere_is_round(void **state)
 
 typedef struct { double x, y, z; } vec;
 
-/* The tangent in double: T = (e dt_f - f dt_e) / (ds_e dt_f - ds_f dt_e). */
+/* Tangent in double precision: T = (e dt_f - f dt_e) / (ds_e dt_f - ds_f dt_e). */
 static vec tangent_of(const vec p[3], const double s[3], const double t[3])
 {
     const double dse = s[1] - s[0], dsf = s[2] - s[0];
@@ -231,7 +234,8 @@ static void random_tangents_agree_with_double(void **state)
     }
 }
 
-/* N x T, negated if the bit says so, points to the picture's top: growing vt. */
+/* N x T, negated if the sign bit is set, points to the texture's top: the direction of
+ * growing vt. */
 static void the_bitangent_points_to_the_pictures_top(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Textures: sizes, levels and resampling, in memory that is exact to the byte. */
+/* Textures: sizes, mipmap levels and resampling, in memory of exact size. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -119,7 +119,8 @@ static void a_level_is_the_rounded_mean_of_the_one_before(void **state)
     }
 }
 
-/* One channel of the repeating picture at (x, y) in pixels, pixel centres at 1/2. */
+/* One channel of the repeating texture at (x, y) in pixels, pixel centres at 1/2,
+ * bilinear. */
 static double sample(const uint32_t *pixels, int w, int h, double x, double y, int shift)
 {
     const double at_x = x - 0.5, at_y = y - 0.5;
@@ -155,7 +156,7 @@ static void other_sizes_are_resampled_to_the_next_above(void **state)
             }
         free(mem);
     }
-    /* Rounding, and positions cut to 1/256 pixel along both axes. */
+    /* Rounding, and positions truncated to 1/256 pixel along both axes. */
     assert_true(worst <= 0.5 + 2 * 255 / 256.);
 }
 

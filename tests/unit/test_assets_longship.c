@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The longship as it lies in assets/boats: closed, outward, textured, sized as promised.
- * The OBJ text is read here by itself, not by the core's reader.
- * Run in the sources' top folder, or name it in TP_ROOT. */
+/* The longship mesh in assets/boats: closed, outward normals, textured, with the stated
+ * size.  The test has an OBJ parser of its own, independent of the core's reader.  The
+ * working folder is the top folder of the sources, or TP_ROOT names that folder. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -57,7 +57,7 @@ static int material_index(model *m, const char *name)
     return m->materials++;
 }
 
-/* All three corners must name position, texture coordinate and normal. */
+/* Reads a face; all three corners must have position, texture coordinate and normal. */
 static void read_face(model *m, const char *line, int material, bool hull)
 {
     assert_true(m->faces < FACES);
@@ -145,7 +145,7 @@ static void every_corner_names_what_the_file_holds(void **state)
     check_indices(&low);
 }
 
-/* Faces of the hull with the edge from a to b. */
+/* Returns the number of hull faces with the edge from a to b. */
 static int edges(const model *m, int a, int b)
 {
     int count = 0;
@@ -178,7 +178,8 @@ static void the_hull_is_watertight(void **state)
     check_closed(&low);
 }
 
-/* Else two corners at one place could pass for different ones and hide a crack. */
+/* Two corners at the same position could otherwise count as different corners and hide a
+ * crack. */
 static void no_position_is_written_twice(void **state)
 {
     (void)state;
@@ -203,7 +204,7 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* The volume by the divergence theorem: negative if the hull were inside out. */
+/* Volume by the divergence theorem: negative if the hull were inside out. */
 static double hull_volume(const model *m)
 {
     double sum = 0.0, cross[3];
@@ -291,7 +292,7 @@ static void put_word(const unsigned char *from, uint32_t *to)
           | from[3];
 }
 
-/* The sides from the picture's own header. */
+/* Checks the side lengths in the picture's own header. */
 static void check_png(const char *folder, const char *name)
 {
     char path[256];
@@ -310,7 +311,7 @@ static void check_png(const char *folder, const char *name)
 
 enum { HAS_KD = 1, HAS_KS = 2, HAS_NS = 4, HAS_MAP = 8, HAS_BUMP = 16, HAS_ALL = 15 };
 
-/* Marks, by material of `m`, what longship.mtl says of it. */
+/* Sets bits for each material of `m` from the statements in longship.mtl. */
 static void read_library(model *m, int *has)
 {
     FILE *file = open_asset("boats/longship.mtl");
@@ -341,7 +342,7 @@ static void check_materials(model *m)
     read_library(m, has);
     for (int i = 0; i < used; i++) {
         const char *name = m->material[i];
-        if (strcmp(name, "lid") == 0)       /* is never seen */
+        if (strcmp(name, "lid") == 0)       /* never visible */
             continue;
         if ((has[i] & HAS_ALL) != HAS_ALL)
             fail_msg("material %s lacks colour, highlight or picture", name);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The pictures as they lie in assets/: seamless, balanced, normal maps of unit length,
- * cubes whose faces join.
- * Run in the sources' top folder, or name it in TP_ROOT. */
+/* The textures in assets/: seamless, balanced, normal maps of unit length, cubes with
+ * continuous edges.  The working folder is the top folder of the sources, or TP_ROOT names
+ * that folder. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -49,7 +49,7 @@ static picture read_picture(const char *name)
     return read_format(name, PNG_FORMAT_RGB);
 }
 
-/* Mean difference of colour between columns (or rows) a and b. */
+/* Mean colour difference between columns (or rows) a and b. */
 static double step_between(const picture *p, int a, int b, bool rows)
 {
     int n = rows ? p->w : p->h, sum = 0;
@@ -61,7 +61,7 @@ static double step_between(const picture *p, int a, int b, bool rows)
     return sum / (3.0 * n);
 }
 
-/* The seam is a step like the others: no bigger than twice the mean one. */
+/* The step across the seam is at most twice the mean step between neighbours. */
 static void check_seam(const picture *p, const char *name, bool rows)
 {
     int sides = rows ? p->h : p->w;
@@ -112,7 +112,7 @@ static void water_is_pale_and_distortion_rests_at_128(void **state)
     free(push.rgb);
 }
 
-/* A threshold at t leaves 1 - t / 256 of the picture. */
+/* A threshold at t leaves 1 - t / 256 of the texture. */
 static void foam_s_greys_stand_equally_often(void **state)
 {
     int count[256] = { 0 }, below = 0;
@@ -140,7 +140,7 @@ static void crests_are_threads_on_black(void **state)
     free(crests.rgb);
 }
 
-/* The steepest slope of a normal map whose normals are unit within 8 bits' rounding. */
+/* Steepest slope of a normal map; asserts unit normals within the rounding of 8 bits. */
 static double steepest_slope(const char *name)
 {
     picture p = read_picture(name);
@@ -179,7 +179,7 @@ typedef struct {
     int ahead[3], right[3], down[3];
 } face;
 
-/* As an eye in the middle sees them. */
+/* The faces as seen by an eye in the middle of the cube. */
 static const face faces[6] = {
     { "east", { 1, 0, 0 }, { 0, 0, 1 }, { 0, -1, 0 } },
     { "west", { -1, 0, 0 }, { 0, 0, -1 }, { 0, -1, 0 } },
@@ -217,7 +217,7 @@ static int dot(const int a[3], const int b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* The texel of face f that holds a point of the cube, whose half side is n. */
+/* Texel of face f at a point of the cube; the cube has half side n. */
 static const uint8_t *texel_of(const cube *c, int f, const int at[3], int n)
 {
     int column = (dot(at, faces[f].right) + n) / 2, row = (dot(at, faces[f].down) + n) / 2;
@@ -226,7 +226,7 @@ static const uint8_t *texel_of(const cube *c, int f, const int at[3], int n)
     return c->face[f].rgb + 4 * (row * n + column);
 }
 
-/* The mean difference of the texels on both sides of the edge between two faces. */
+/* Mean difference of the texels on both sides of the edge between two faces. */
 static double step_over(const cube *c, int f, int g)
 {
     int n = c->face[0].w, sum = 0;
@@ -266,7 +266,7 @@ static void skies_join_along_their_twelve_edges(void **state)
     }
 }
 
-/* The angle in degrees between a texel and a heading and elevation. */
+/* Angle in degrees between a texel and the direction of a heading and elevation. */
 static double degrees_off(int f, int column, int row, int n, double heading, double up)
 {
     double at[3], sun[3] = { cos(up) * sin(heading), sin(up), -cos(up) * cos(heading) };
@@ -280,7 +280,7 @@ static double degrees_off(int f, int column, int row, int n, double heading, dou
     return acos(fmin(1.0, along / sqrt(square))) * 180.0 / acos(-1.0);
 }
 
-/* Alpha is full somewhere, and only near the one light. */
+/* Asserts that alpha is full somewhere, and only near the single light. */
 static void check_alpha(const char *sky, double heading, double elevation, double reach)
 {
     cube c = read_cube(sky);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The bump allocator: counting and carving agree, and no size can fool it. */
+/* The bump allocator: counting and allocating agree, and no size makes it overflow. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -73,7 +73,7 @@ static void sizes_that_overflow_fail(void **state)
             tp_arena_take(&arena, 1, 8);
             assert_null(tp_arena_take(&arena, parts[i].count, parts[i].size));
             assert_true(arena.failed);
-            assert_null(tp_arena_take(&arena, 1, 8));   /* nor does anything later fit */
+            assert_null(tp_arena_take(&arena, 1, 8));   /* no later request fits either */
             assert_int_equal(arena.used, SIZE_MAX);
         }
 }

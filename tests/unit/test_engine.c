@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The engine: what its parts draw alone, in one block of the size that it says. */
+/* The engine object: draws the same as its parts do alone, in one block of the stated
+ * size. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -58,7 +59,8 @@ static void an_engine_draws_what_its_parts_draw(void **state)
         for (uint32_t i = 0; tp_frame_draw_tile(f.frame, i, f.scratch, &tile); i++)
             crc = tp_crc32(crc, tile.pixels, tile.stride * (tile.y1 - tile.y0));
         assert_int_equal(picture_of(engine), crc);
-        assert_int_equal(picture_of(engine), crc);      /* begun again, the same */
+        assert_int_equal(picture_of(engine), crc);      /* after a new beginning, the
+                                                         * same */
         tp_world_step(NULL, world, &scene, NULL);
         tp_engine_step(engine, NULL);
     }
@@ -84,7 +86,7 @@ static void the_scenes_clock_slows_an_engine_down(void **state)
     free(block);
 }
 
-/* While the water stands. */
+/* Changed values take effect at once, even while the water stands still. */
 static void changed_values_are_seen_at_once(void **state)
 {
     (void)state;

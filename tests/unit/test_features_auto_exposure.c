@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The camera's exposure against its rule in double precision [F8]. */
+/* Auto exposure compared with its rule in double precision [F8]. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -17,8 +17,8 @@ static double ref_target(tp_fx mean)
     return fmin(8, fmax(0.125, 0.5 / fmax(1 / 16.0, mean * LSB)));
 }
 
-/* The target and the product are each rounded by half an LSB, and a step that would be
- * less than half an LSB is made one. */
+/* The target and the product are each rounded by half an LSB; a step below half an LSB
+ * becomes one LSB. */
 static void a_step_is_the_rule_within_an_lsb(void **state)
 {
     (void)state;
@@ -37,8 +37,8 @@ static void a_step_is_the_rule_within_an_lsb(void **state)
     assert_true(m.worst <= 1.01);
 }
 
-/* A long run over a changing scene: roundings do not add up, for each tick forgets a part
- * of what came before: an LSB a tick over the rate. */
+/* A long run over a changing scene: roundings do not accumulate, because each tick forgets
+ * a share of the past.  The error is at most one LSB per tick divided by the rate. */
 static void errors_do_not_add_up(void **state)
 {
     (void)state;
@@ -69,7 +69,7 @@ static void the_target_is_reached_and_kept(void **state)
         tp_fx exposure = chance_scale(&chance, 0.125, 8);
         for (int tick = 0; tick < 6000; tick++)
             exposure = tp_exposure_step(exposure, mean, rate);
-        assert_in_range(exposure, target - 1, target + 1);  /* halves up, away from 0 */
+        assert_in_range(exposure, target - 1, target + 1);  /* rounds halves away from 0 */
         assert_int_equal(tp_exposure_step(exposure, mean, rate), exposure);
     }
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How a boat lies on waves, [E1] [E2] [E3]. */
+/* Pose of a boat on waves, [E1] [E2] [E3]. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -17,7 +17,7 @@ static tp_rotation turn_of(const tp_world *w)
     return tp_rotation_from_angles(w->boat.heading, w->boat.pitch, w->boat.roll);
 }
 
-/* How much the boat's bow and right side point up, as sines. */
+/* Upward components of the boat's bow and right side, as sines. */
 static double bow_up(const tp_world *w)
 {
     const tp_rotation turn = turn_of(w);
@@ -30,10 +30,10 @@ static double starboard_up(const tp_world *w)
     return tp_rotate_back(&turn, (tp_vec3){ TP_Q30_ONE, 0, 0 }).y / Q30;
 }
 
-/* -- how it lies --------------------------------------------------------------------- */
+/* -- the pose ------------------------------------------------------------------------ */
 
-/* A swell of 200 m and 2 m that stands still, rising from the origin to where it heads;
- * the boat at the origin. */
+/* A standing swell of 200 m length and 2 m amplitude that rises from the origin in its
+ * heading; the boat is at the origin. */
 static tp_world slope_world(tp_fx swell, tp_fx boat, tp_scene *scene)
 {
     *scene = boat_calm_scene();
@@ -77,8 +77,8 @@ static void the_boat_lies_as_the_water_slopes(void **state)
     assert_true(abs(w.boat.place.y) < 64);
 }
 
-/* A slope of 0.9 at 45 degrees to the boat: its mast stands on the plane, which it would
- * miss by 6 degrees if roll were measured in the level frame. */
+/* A slope of 0.9 at 45 degrees to the boat: the mast is normal to the plane.  Roll measured
+ * in the level frame would give an error of 6 degrees. */
 static void the_mast_is_square_to_a_steep_slope(void **state)
 {
     (void)state;
@@ -134,8 +134,8 @@ static void calm_water_carries_the_boat_level(void **state)
     }
 }
 
-/* [E2] in double precision: four heights, their mean and two angles, roll about the
- * boat's own axis. */
+/* [E2] in double precision: four heights, their mean and two angles, roll about the boat's
+ * own axis. */
 static void compare_boat(const tp_scene *scene, const tp_world *w, measure *heave,
                          measure *tilt)
 {
@@ -163,8 +163,8 @@ static void compare_boat(const tp_scene *scene, const tp_world *w, measure *heav
     measure_add(tilt, fmax(fabs(bow), fabs(side)) * 180 / PI, (int64_t)w->tick, 0, 0);
 }
 
-/* A millimetre of the search [E1] is, over a beam of 2 m and a slope below 1.2, less than
- * 0.07 degrees; so is its height. */
+/* An error of 1 mm in the search [E1], over a beam of 2 m and a slope below 1.2, gives less
+ * than 0.07 degrees; the height has the same error of 1 mm. */
 static void the_boat_follows_the_models(void **state)
 {
     (void)state;
@@ -187,10 +187,11 @@ static void the_boat_follows_the_models(void **state)
     assert_true(tilt.worst < 0.07);
 }
 
-/* A sine of 120 m under a boat that swings at 4 rad/s: it lags by what the model says,
- * 1 - 1 / (1 - r^2 + 2 i zeta r), r the swell's frequency over its own.  The mean of the
- * hull's four points is the swell's height times (1 + cos(k length / 2)) / 2.  Its steps
- * know the water of the tick that they lead to, so it is compared with the next. */
+/* A sine of 120 m under a boat with a natural frequency of 4 rad/s: the lag equals the
+ * model's 1 - 1 / (1 - r^2 + 2 i zeta r), where r is the swell's frequency over the natural
+ * frequency.  The mean of the hull's four points is the swell's height times (1 + cos(k
+ * length / 2)) / 2.  A step uses the water of the tick at its end, so the test compares
+ * with the next tick. */
 static void a_floating_boat_lags_behind_long_swells(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Where a boat goes: it sails by its speed and rudder, stays where nothing moves it, and
- * a run can be repeated bit for bit. */
+/* Course of a boat: the boat sails by speed and rudder, stays at rest where nothing moves
+ * the boat, and a run repeats bit for bit. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -11,7 +11,7 @@
 
 static uint64_t chance;
 
-/* -- where it goes ------------------------------------------------------------------- */
+/* -- course -------------------------------------------------------------------------- */
 
 static void a_boat_without_way_keeps_its_place(void **state)
 {
@@ -46,7 +46,7 @@ static void it_sails_where_its_bow_points(void **state)
     }
 }
 
-/* A tenth of a millimetre a second is a tenth of an LSB a tick. */
+/* A speed of 0.1 mm/s is 0.1 LSB per tick. */
 static void slow_boats_arrive_too(void **state)
 {
     (void)state;
@@ -59,7 +59,7 @@ static void slow_boats_arrive_too(void **state)
     assert_int_equal(w.boat.place.x, scene.boat.x);
 }
 
-/* 6 degrees a second are a turn a minute; at 5 m/s its radius is 47.7 m. */
+/* 6 degrees per second are one turn per minute; at 5 m/s the radius is 47.7 m. */
 static void the_rudder_makes_a_circle(void **state)
 {
     (void)state;
@@ -117,9 +117,9 @@ static void it_stays_within_eight_kilometres(void **state)
     }
 }
 
-/* As the preview's sliders do. */
-/* Whatever way it sails, half its length is free before each wall of the tank; where the
- * walls stand closer than that it lies in the middle. */
+/* The scene changes as by the preview's sliders. */
+/* On any course the tank leaves half the boat's length free before each wall; between
+ * closer walls the boat lies in the middle. */
 static void it_stays_within_a_tank(void **state)
 {
     (void)state;
@@ -171,7 +171,8 @@ static void a_changed_place_moves_the_boat(void **state)
     assert_true(abs(w.boat.place.x - scene.boat.x - 10 * TP_FX_ONE) < 8);
 }
 
-/* A boat that floats or follows goes on from where it lay; others lie on new water. */
+/* A boat with floating or smoothed motion continues from its pose; any other boat takes the
+ * pose of the new water. */
 static void a_refresh_does_not_lift_a_floating_boat(void **state)
 {
     (void)state;
@@ -191,9 +192,9 @@ static void a_refresh_does_not_lift_a_floating_boat(void **state)
     }
 }
 
-/* -- repeated ------------------------------------------------------------------------ */
+/* -- repeatability ------------------------------------------------------------------- */
 
-/* A scene from anywhere in the table, with nothing behind the world's head. */
+/* A scene from the whole ranges of the table, without buffers behind the world's head. */
 static tp_scene any_scene(void)
 {
     tp_scene scene = scene_any(&chance);

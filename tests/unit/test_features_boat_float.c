@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* How a boat lies on the water [E2] [E3], away from any world: heights under four points
- * go in, a lie comes out.  Compared with the same in double precision. */
+/* Motion of a boat on the water [E2] [E3] without a world: input are the heights at four
+ * points, output is the boat's attitude.  Compared with the same in double precision. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -35,7 +35,8 @@ static double ref_force(double e, double draft)
     return fmax(-draft, fmin(draft, e));
 }
 
-/* Columns at four points, each of a quarter of mass and area; speeds are a step's. */
+/* Water columns at four points, each with a quarter of mass and area; speeds are per
+ * step. */
 static void ref_step(ref_float *f, const tp_scene *s, const tp_fx water[4])
 {
     const double a = omega_step(s), damp = fmin(1, s->boat.drag * LSB * a);
@@ -113,7 +114,7 @@ static void smoothing_follows_the_models(void **state)
     assert_true(off.worst < LSB);
 }
 
-/* And then stays there: all of the pose is what the water says. */
+/* The smoothed pose stays there exactly: all of the pose equals the pose of the water. */
 static void smoothing_ends_exactly_on_flat_water(void **state)
 {
     (void)state;
@@ -162,8 +163,8 @@ static void compare_swing(int n, measure *off)
     }
 }
 
-/* Waves of up to 40 m under boats of any kind, so that many points leave the water or are
- * drowned; of the waves' height. */
+/* Waves of up to 40 m under boats of any kind, so that many points leave the water or
+ * submerge.  The error is relative to the waves' height. */
 static void floating_follows_the_models(void **state)
 {
     (void)state;
@@ -175,7 +176,7 @@ static void floating_follows_the_models(void **state)
     assert_true(off.worst < 1e-4);
 }
 
-/* The time between two passages upwards, from eight of them. */
+/* Mean time between two upward zero crossings, from eight periods. */
 static double period_of(const tp_scene *s)
 {
     tp_lie a = { .at = { -(int64_t)s->boat.draft * (1 << 23), 0, 0 } };
@@ -194,7 +195,8 @@ static double period_of(const tp_scene *s)
     return (last - first) / 8;
 }
 
-/* 2 pi sqrt(draft / g), by (omega dt)^2 / 24 of itself too fast; 1/8 gives 1/1536. */
+/* 2 pi sqrt(draft / g), too fast by the relative error (omega dt)^2 / 24; 1/8 gives
+ * 1/1536. */
 static void it_swings_at_the_root_of_gravity_over_draft(void **state)
 {
     (void)state;
@@ -211,7 +213,7 @@ static void it_swings_at_the_root_of_gravity_over_draft(void **state)
     assert_true(off.worst < 0.001);
 }
 
-/* An amplitude falls by exp(-2 pi zeta / sqrt(1 - zeta^2)) from swing to swing. */
+/* The amplitude falls by exp(-2 pi zeta / sqrt(1 - zeta^2)) from swing to swing. */
 static void drag_is_the_share_of_the_critical(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A floating boat on still water: no energy from nowhere [C3], exact rest at its draft,
- * and no boat of the table leaves its range. */
+/* A floating boat on still water: energy never grows [C3], the boat comes to exact rest at
+ * its draft, and no boat of the table leaves its range. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -23,7 +23,7 @@ static tp_lie any_lie(double most, double fastest)
     return a;
 }
 
-/* [C3] of the three swings on water of height 0, in m^2 a square step. */
+/* Energy [C3] of the three oscillations on water of height 0, in m^2 per squared step. */
 static double swing_energy(const tp_lie *a, const tp_scene *s)
 {
     const double mass[3] = { 4, 0.5, 0.5 }, spring = pow(omega_step(s), 2);
@@ -80,9 +80,9 @@ static double full_energy(const tp_lie *a, const tp_scene *s)
     return sum;
 }
 
-/* Thrown from up to eight drafts: with drag above a tenth energy never exceeds the first;
- * without, it wavers by (1 + a) / (1 - a), a = omega dt / 2 of a step, as that of any
- * step does: 1.133 for the most, 1/16. */
+/* Released from up to eight drafts.  With drag above 0.1 energy never exceeds the initial
+ * energy.  Without drag energy varies by (1 + a) / (1 - a), a = omega dt / 2 of a step, as
+ * in any single step: 1.133 at most, for a = 1/16. */
 static void no_throw_gains_energy_on_still_water(void **state)
 {
     (void)state;
@@ -107,8 +107,8 @@ static void no_throw_gains_energy_on_still_water(void **state)
     assert_true(some.worst <= 1);
 }
 
-/* Amplitude falls by zeta omega dt a tick at the least, or slower where it creeps:
- * omega dt / (2 zeta).  2^-18 m of 100 m is e^-17. */
+/* The amplitude falls by zeta omega dt per tick at least, or, if overdamped, by omega dt /
+ * (2 zeta).  2^-18 m of 100 m is e^-17. */
 static void it_comes_to_exact_rest_at_its_draft(void **state)
 {
     (void)state;
@@ -139,7 +139,7 @@ static void it_comes_to_exact_rest_at_its_draft(void **state)
     print_message("# rest after %.2f of the ticks allowed\n", longest);
 }
 
-/* Water of any height that jumps each tick, out of every draft's reach. */
+/* Water of any height that jumps each tick, beyond any draft. */
 static void no_boat_of_the_table_leaves_its_range(void **state)
 {
     (void)state;

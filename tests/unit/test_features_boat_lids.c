@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A lid keeps water out of what it covers, and lets in what rises above it. */
+/* A lid keeps water out of the covered area and lets higher water in. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -10,7 +10,7 @@
 
 enum { WIDTH = 160, HEIGHT = 120, FLOOR = 2 };
 
-/* -- in the raster -------------------------------------------------------------------- */
+/* -- in the rasterizer ---------------------------------------------------------------- */
 
 static void square(const test_tile *tile, int32_t side, uint32_t zi, uint32_t mark)
 {
@@ -33,7 +33,8 @@ static uint32_t mark_at(const test_tile *tile, int32_t x)
     return TP_MARK(tile->samples.key[tile_at(tile, x, x)]);
 }
 
-/* A solid of 8 pixels, a lid of 12 before it; then water behind the lid, then before. */
+/* A solid of 8 px and a lid of 12 px before the solid; then water behind the lid, then
+ * before the lid. */
 static void a_lid_holds_water_back_only_before_solids(void **state)
 {
     (void)state;
@@ -71,7 +72,8 @@ static void a_lid_behind_a_solid_changes_nothing(void **state)
 
 /* -- in a picture --------------------------------------------------------------------- */
 
-/* A floor of 4 x 8 m at y = 0 and a lid as large 1 m over it, both facing up. */
+/* A floor of 4 x 8 m at y = 0 and a lid of the same size 1 m above the floor, both facing
+ * up. */
 typedef struct {
     tp_mesh        mesh;
     tp_mesh_vertex vertex[8];
@@ -103,7 +105,7 @@ static void hull_make(hull *h, bool lid)
                          .n_faces = lid ? 4 : 2, .n_materials = 2 };
 }
 
-/* The floor lies `sunk` under still water; seen from above it fills the picture. */
+/* The floor is `sunk` m below still water; seen from above the floor fills the picture. */
 static uint32_t floor_pixels(bool lid, double sunk)
 {
     static uint32_t key[WIDTH * HEIGHT];

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Programs that lack things at random. */
+/* Programs with random pointers removed. */
 #ifndef TP_TESTS_THIN_H
 #define TP_TESTS_THIN_H
 #include <string.h>
 #include "chance.h"
 #include "tidepool/modules.h"
 
-/* A pointer of every `in` is NULL; stores, sky, plain stay. */
+/* Sets about one pointer in `in` to NULL; the stores, sky and plain pointers stay. */
 static inline void thin_out(void *pointers, size_t bytes, uint32_t in, uint64_t *state)
 {
     void **p = pointers;
@@ -17,7 +17,7 @@ static inline void thin_out(void *pointers, size_t bytes, uint32_t in, uint64_t 
 
 enum { THIN_MODULES = 48, THIN_STAGES = 32 };
 
-/* Stages of each module in the order of the list. */
+/* Number of stages of each module, in the order of the module list. */
 static const uint8_t thin_stages[] = {
 #define ONE(name) + 1
 #define SEEN(name) 0 TP_STAGES_OF_##name(ONE),
@@ -28,7 +28,8 @@ static const uint8_t thin_stages[] = {
 #undef ONE
 };
 
-/* The list with uses, drawings and stages left out.  The last four lists stay. */
+/* The module list with random uses, drawings and stages left out.  The last four results
+ * stay valid. */
 static inline const tp_use *thin_modules(const tp_use *list, uint32_t in, uint64_t *state)
 {
     static tp_use use[4][THIN_MODULES];
@@ -55,12 +56,14 @@ static inline const tp_use *thin_modules(const tp_use *list, uint32_t in, uint64
     return use[turn % 4];
 }
 
-/* A list with one stage of one module left out.  Names are of the module and its stage. */
+/* Removes one stage of one module from the program's list.  The arguments name the module
+ * and the stage. */
 #define WITHOUT_STAGE(program, use, table, module, stage)                                \
     without_stage(&(program), use, table, tp_##module##_stages, TP_COUNT_OF_##module,    \
                   TP_NTH_##stage)
 
-/* The program's list goes to `use`, the table of the module that has `of` to `table`. */
+/* Copies the program's list to `use`, and the stage table of the module with the stages
+ * `of` to `table`, without stage `nth`. */
 static inline void without_stage(tp_program *program, tp_use use[THIN_MODULES],
                                  tp_stage *table, const tp_stage *of, uint32_t count,
                                  uint32_t nth)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A tile of samples for tests: memory of its own, all of it known before drawing. */
+/* A G-buffer tile for tests in memory of its own, with known contents before drawing. */
 #ifndef TP_TESTS_TILE_H
 #define TP_TESTS_TILE_H
 #include <stdlib.h>
@@ -11,10 +11,10 @@
 typedef struct {
     tp_samples samples;
     uint32_t  *block;
-    size_t     words;           /* of one plane */
+    size_t     words;           /* words of one plane */
 } test_tile;
 
-/* Rows are `spare` samples longer than the tile is wide. */
+/* A tile; rows are `spare` samples longer than the tile's width. */
 static inline test_tile tile_of(int32_t x0, int32_t y0, int32_t x1, int32_t y1,
                                 uint32_t spare)
 {
@@ -36,7 +36,7 @@ static inline void tile_free(test_tile *tile)
     tile->block = NULL;
 }
 
-/* Where pixel (x, y) of the picture lies in each plane. */
+/* Index of pixel (x, y) in each plane. */
 static inline size_t tile_at(const test_tile *tile, int32_t x, int32_t y)
 {
     const tp_samples *s = &tile->samples;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene drawn twice, whole and in tiles of any size and order, by frames that live on:
- * both must hold the same bits, and write nothing outside of their memory.  Counts what the
- * pictures had in them, since a test of a stage that never runs says nothing. */
+/* Draws a scene twice, whole and in tiles of any size and order, with frames that live on:
+ * both pictures must have the same bits, and nothing outside the frames' memory may be
+ * written.  Counts the contents of the pictures, because a test of a stage that never runs
+ * proves nothing. */
 #ifndef TP_TESTS_TWICE_H
 #define TP_TESTS_TWICE_H
 #include "features/exposure/exposure.h"
@@ -31,17 +32,17 @@ typedef struct {
 } twice_reached;
 
 typedef struct {
-    const tp_program *by;       /* NULL: everything */
-    const tp_program *tiled_by; /* of the tiles; NULL: the same */
-    bool          backwards;    /* the last tile first */
+    const tp_program *by;       /* NULL: all modules */
+    const tp_program *tiled_by; /* program of the tiled frame; NULL: the same */
+    bool          backwards;    /* draws the last tile first */
     test_frame    whole, tiled;
-    tp_config config; /* of the tiles */
+    tp_config config; /* config of the tiled frame */
     size_t        pixels;
     uint32_t     *picture[2];
     twice_reached reached;
 } test_twice;
 
-/* Pictures of any size, whole and in these tiles. */
+/* Begins pictures of any size, whole and in the given tiles. */
 static inline void twice_begin_at(test_twice *t, const tp_scene *scene,
                                   const tp_assets *assets, const tp_config *tiles)
 {
@@ -146,7 +147,7 @@ static inline bool twice_reached_all(const twice_reached *r)
 #undef X
 }
 
-/* Into a scratch full of other things. */
+/* Draws all tiles; the scratch memory holds other data before. */
 static inline void twice_paint(const test_frame *f, bool backwards, uint32_t *picture)
 {
     const tp_config *config = &f->frame->config;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A camera for tests, in the core's numbers and in double precision. */
+/* A camera for tests, in the core's formats and in double precision. */
 #ifndef TP_TESTS_VIEW_H
 #define TP_TESTS_VIEW_H
 #include "../reference/camera.h"
@@ -22,7 +22,8 @@ static inline view view_of(tp_vec3 eye, tp_turn heading, tp_turn pitch, tp_fx fo
     return v;
 }
 
-/* Anywhere in the table's ranges, every fourth at their ends. */
+/* A camera from the whole ranges of the parameter table, every fourth at the ends of the
+ * ranges. */
 static inline view view_any(uint64_t *state)
 {
     const bool ends = random_below(state, 4) == 0;
@@ -40,7 +41,8 @@ static inline view view_any(uint64_t *state)
                    ends ? 4096 : (uint32_t)chance_int(state, 16, 4096));
 }
 
-/* The world's point at pixel place (u, v) and depth, 16.16; false beyond its range. */
+/* World point at pixel position (u, v) and depth, in 16.16; false if the point is out of
+ * range. */
 static inline bool view_point(const view *v, double u, double w, double depth, tp_vec3 *p)
 {
     const ref_camera *c = &v->ref;

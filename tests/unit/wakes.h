@@ -6,7 +6,7 @@
 #include "scene/pools.h"
 #include "scenes.h"
 
-/* 96 cells of 1/4 m each way, a boat of 4 m in the middle. */
+/* A pool of 96 x 96 cells of 1/4 m, with a boat of 4 m in the middle. */
 static inline tp_scene pool_scene(tp_cells cells, tp_edges edges)
 {
     tp_scene s;
@@ -41,14 +41,14 @@ static inline tp_pool *water_of(tp_world *world)
     return tp_parts_pool(world) ? tp_parts_pool(world) : tp_parts_field(world);
 }
 
-/* The boat alone, one tick further. */
+/* Advances the boat and its wake by one tick, nothing else. */
 static inline void sail(tp_world *world, const tp_scene *scene, const tp_input *in)
 {
     tp_boat_step(&tp_program_all, world, scene, in);
     tp_boat_wake(world, scene);
 }
 
-/* LSB of a metre. */
+/* Size of the pool's height LSB in m. */
 static inline double lsb_of(const tp_pool *pool)
 {
     return tp_pool_lsb(pool, TP_FX_ONE / 2) * 2;

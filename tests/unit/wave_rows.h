@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The tables of tests/vectors: numbers separated by commas below '#' lines and one of
- * column names.  Waves are written as "# wave 0: L=7.2 k=0.86 ... Q=0.69 (units)". */
+/* Reads the tables of tests/vectors: numbers separated by commas, below '#' lines and a
+ * line of column names.  Waves are written as "# wave 0: L=7.2 k=0.86 ... Q=0.69
+ * (units)". */
 #ifndef TP_TESTS_WAVE_ROWS_H
 #define TP_TESTS_WAVE_ROWS_H
 #include "measure.h"
@@ -9,7 +10,7 @@
 #define ROW_COLUMNS 24
 #define TURN        6.28318530717958647692
 
-/* A wave of the models in double precision; its speed is omega = sqrt(g k). */
+/* A wave of the models in double precision; the angular frequency is omega = sqrt(g k). */
 typedef struct {
     double k, omega, dx, dz, phase, amplitude, q;
 } row_wave;
@@ -18,8 +19,8 @@ typedef struct {
     FILE    *file;
     row_wave wave[TP_WAVES];
     int      waves, columns;
-    double   at[ROW_COLUMNS];   /* the row */
-    int      rows;              /* read so far */
+    double   at[ROW_COLUMNS];   /* values of the current row */
+    int      rows;              /* rows read until now */
 } rows;
 
 static inline double row_letter(const char *line, const char *name)
@@ -38,7 +39,7 @@ static inline rows rows_of(const char *name)
     return r;
 }
 
-/* Reads on to the next row; false, and the file closed, after the last. */
+/* Reads the next row.  Returns false after the last row and closes the file. */
 static inline bool rows_next(rows *r)
 {
     char line[1024];
@@ -85,7 +86,7 @@ static inline tp_wave_exact row_exact(const row_wave *w)
     };
 }
 
-/* The sea of the table's waves, with Q as told or 0, and its phases at time t. */
+/* Deep water of the table's waves, with the table's Q times q, where q is 0 or 1. */
 static inline void rows_sea(const rows *r, double q, tp_sea *sea)
 {
     *sea = (tp_sea){ .count = 0 };
@@ -105,7 +106,7 @@ static inline void rows_phases(const rows *r, double t, tp_turn phases[TP_WAVES]
         phases[i] = row_turn(r->wave[i].phase - r->wave[i].omega * t);
 }
 
-/* The angle between a point's normal and a unit vector, in degrees. */
+/* Angle between a point's normal and a unit vector, in degrees. */
 static inline double row_angle(const tp_sea_point *p, const double n[3])
 {
     const double x = -p->slope_x / 65536.0, z = -p->slope_z / 65536.0;
