@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A mesh's materials and pictures: which way a normal map bends the light, what leaves it
- * unbent, whose tangent, material and level a sample takes. */
+/* Materials and textures of a mesh: the direction in which a normal map tilts the normal,
+ * the cases without tilt, and the choice of tangent, material and mipmap level for a
+ * sample. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -11,7 +12,7 @@
 #include "runs.h"
 
 #define NEAR TP_FX(0.25)
-#define FLAT 0xff8080ffu        /* a normal map's texel that points straight out */
+#define FLAT 0xff8080ffu        /* texel of a normal map that points straight out */
 
 static uint64_t chance;
 
@@ -29,7 +30,8 @@ typedef struct {
 
 static model m;
 
-/* 1.0 and 0 are what they say; all else is cut to the format, 511 is 1. */
+/* Packs a direction; 1.0 and 0 are exact, any other value is rounded to the format, 511 is
+ * 1. */
 static tp_packed_dir packed(double x, double y, double z)
 {
     const double n = sqrt(x * x + y * y + z * z) / 1073741823.0;
@@ -44,7 +46,7 @@ static void light_from(double x, double y, double z)
     m.look.axes.lz = (int32_t)lround(z / n);
 }
 
-/* A picture of one texel. */
+/* A texture of one texel. */
 static const tp_texture *dot_of(int which, uint32_t texel)
 {
     assert_int_equal(tp_texture_init(&m.picture[which], &texel, 1, 1, m.texel[which],
@@ -58,8 +60,8 @@ static uint32_t key_at(double depth)
     return (uint32_t)(NEAR / 65536.0 / depth * 2147483648.0) << 1 >> 8 << 8 | 2;
 }
 
-/* White things that face +z at 1 m, lit from there alone, seen from there by a camera
- * that looks along -z; tangents along +x, so that the picture's top is +y. */
+/* White samples that face +z at a depth of 1 m, lit from +z only, seen by a camera that
+ * looks along -z; tangents along +x, so that the top of the texture is +y. */
 static void model_begin(void)
 {
     memset(&m, 0, sizeof m);
@@ -94,9 +96,9 @@ static void model_draw(void)
     tp_stage_solid(&m.shade, &m.samples.run);
 }
 
-/* -- which way --------------------------------------------------------------------------- */
+/* -- direction of the tilt --------------------------------------------------------------- */
 
-/* A texel half along red, green or straight out (64 of 128), and a light. */
+/* A texel tilted by half along red, green or straight out (64 of 128), and a light. */
 static const struct {
     uint32_t texel, mirrored;
     double   light[3], cosine;
@@ -104,10 +106,10 @@ static const struct {
     { 0xc080c0, 0, {  1,  0, 0 }, 0.7071 },     /* red: along the tangent */
     { 0xc080c0, 0, { -1,  0, 0 }, 0 },
     { 0x4080c0, 0, { -1,  0, 0 }, 0.7071 },
-    { 0x80c0c0, 0, {  0,  1, 0 }, 0.7071 },     /* green: to the picture's top */
+    { 0x80c0c0, 0, {  0,  1, 0 }, 0.7071 },     /* green: to the top of the texture */
     { 0x80c0c0, 0, {  0, -1, 0 }, 0 },
     { 0x8040c0, 0, {  0, -1, 0 }, 0.7071 },
-    { 0x80c0c0, 1, {  0, -1, 0 }, 0.7071 },     /* mirrored: its top is -y */
+    { 0x80c0c0, 1, {  0, -1, 0 }, 0.7071 },     /* mirrored: the top is -y */
     { 0xc080c0, 1, {  1,  0, 0 }, 0.7071 },
     { 0xc0c0c0, 0, {  1,  1, 1 }, 1 },
     { 0xc080c0, 0, {  0,  0, 1 }, 0.7071 },
@@ -115,8 +117,8 @@ static const struct {
 };
 enum { LEANINGS = sizeof leanings / sizeof leanings[0] };
 
-/* The formats' cuts are 1/511 at the worst; the share is cut to a 256th, its
- * product rounded. */
+/* Rounding of the formats is at most 1/511; the share is truncated to 1/256, the product is
+ * rounded. */
 static void red_leans_along_the_tangent_and_green_to_the_top(void **state)
 {
     (void)state;
@@ -134,7 +136,7 @@ static void red_leans_along_the_tangent_and_green_to_the_top(void **state)
     }
 }
 
-/* Twice the bump, twice the slope; none, none. */
+/* Twice the bump gives twice the slope; a bump of 0 gives a slope of 0. */
 static void bump_is_the_slope_s_factor(void **state)
 {
     (void)state;
@@ -151,10 +153,11 @@ static void bump_is_the_slope_s_factor(void **state)
     }
 }
 
-/* -- what changes nothing ---------------------------------------------------------------- */
+/* -- maps without effect ----------------------------------------------------------------- */
 
-/* Draws random normals under a random light without a map, then with this one: a cut of
- * a 256th more or less in the diffuse share and one in the lobe, a level each. */
+/* Draws random normals under a random light without a map and with this map.  The
+ * difference is at most one 256th in the diffuse share and one in the lobe, a level
+ * each. */
 static void assert_unbent(uint32_t texel, int32_t bump)
 {
     uint32_t plain[TP_RUN];
@@ -175,7 +178,7 @@ static void assert_unbent(uint32_t texel, int32_t bump)
     for (int i = 0; i < TP_RUN; i++) {
         const int32_t now = (int32_t)(m.samples.run.colour[i] & 0xff);
         const int32_t was = (int32_t)(plain[i] & 0xff);
-        if (was > 33)           /* else the light may be about to set, and its lobe too */
+        if (was > 33)           /* a darker light may be about to set, with its lobe */
             assert_true(abs(now - was) <= 2);
     }
 }
@@ -196,7 +199,7 @@ static void without_bump_a_map_changes_nothing(void **state)
         assert_unbent((uint32_t)random_next(&chance), 0);
 }
 
-/* Blue below the middle would turn surfaces inside out; it is held above. */
+/* Blue below the middle would turn surfaces inside out; the stage clamps blue. */
 static void a_map_that_points_inwards_does_not_turn_the_surface(void **state)
 {
     (void)state;
@@ -205,9 +208,9 @@ static void a_map_that_points_inwards_does_not_turn_the_surface(void **state)
         assert_unbent(0x808000u | random_below(&chance, 128), 256);
 }
 
-/* -- whose ------------------------------------------------------------------------------- */
+/* -- tangent and material ---------------------------------------------------------------- */
 
-/* Samples carry their face's number, the run its material's. */
+/* Samples carry the number of their face, the span that of its material. */
 static void each_face_brings_its_own_tangent(void **state)
 {
     (void)state;
@@ -242,7 +245,7 @@ static void a_run_has_the_colours_of_its_material(void **state)
     }
 }
 
-/* Kd times the texel, which shows as it is where the light comes from all sides. */
+/* Kd times the texel; full ambient light shows the product unchanged. */
 static void kd_tints_the_picture(void **state)
 {
     (void)state;
@@ -262,9 +265,9 @@ static void kd_tints_the_picture(void **state)
     }
 }
 
-/* Face to face with the sun Ks times its colour goes on top, or a little less: normal and
- * view are cut, which takes a level of Kd and perhaps the lobe's last entry but one, 0.96
- * at this exponent. */
+/* Where sun and eye are on the normal, Ks times the sun's colour is added, or slightly
+ * less: normal and view are rounded.  Rounding costs a level of Kd and perhaps one entry of
+ * the lobe: the last entry but one is 0.96 at this exponent. */
 static void the_lobe_peaks_where_sun_and_eye_meet(void **state)
 {
     (void)state;
@@ -282,14 +285,14 @@ static void the_lobe_peaks_where_sun_and_eye_meet(void **state)
     assert_in_range(m.samples.run.colour[0] & 0xff, 0x0f, 0x10);
     for (int i = 1; i < TP_RUN; i++)
         assert_true(m.samples.run.colour[i] >> 16 <= m.samples.run.colour[i - 1] >> 16);
-    light_from(0, 0, -1);                           /* from behind: black, no lobe */
+    light_from(0, 0, -1);                           /* from behind: black, without a lobe */
     model_draw();
     assert_int_equal(m.samples.run.colour[0], 0);
 }
 
-/* -- levels ------------------------------------------------------------------------------ */
+/* -- mipmap levels ----------------------------------------------------------------------- */
 
-/* Eight texels square and less: level k is `texel[k]` all over. */
+/* A texture of 4 x 4 texels and its mipmap levels: level k is `texel[k]` everywhere. */
 static const tp_texture *levels_of(int which, const uint32_t texel[4])
 {
     tp_texture *t = &m.picture[which];
@@ -304,8 +307,8 @@ static const tp_texture *levels_of(int which, const uint32_t texel[4])
     return t;
 }
 
-/* Things that face the eye have texels a pixel in proportion to the depth: one level for
- * each doubling, unlike water's one and a half. */
+/* For surfaces that face the eye, texels per pixel are proportional to the depth: one level
+ * for each doubling.  Water takes one and a half. */
 static void levels_double_with_the_depth(void **state)
 {
     (void)state;
@@ -332,8 +335,8 @@ static void levels_double_with_the_depth(void **state)
         assert_true(((m.samples.run.colour[i] & 0xff) < 200) == (i % 6 == 2));
 }
 
-/* A level for each sample, whatever its neighbours show: mapped solids too may be cut
- * anywhere. */
+/* Each sample selects its level without its neighbours: spans of solids with maps too may
+ * be cut anywhere. */
 static void mapped_runs_may_be_cut_anywhere(void **state)
 {
     (void)state;

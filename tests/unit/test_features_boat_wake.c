@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What a boat does to the pool it floats in [E4]: water is pushed aside and none is lost,
- * a boat at rest leaves the pool at rest, one that is faster than waves leaves a V. */
+/* Effect of a boat on the pool in which the boat floats [E4]: the hull displaces water
+ * without loss, a boat at rest leaves the pool at rest, and a boat faster than the waves
+ * leaves a V-shaped wake. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -14,7 +15,7 @@ static uint64_t chance;
 
 /* -- the hull, in double precision --------------------------------------------------- */
 
-/* The submerged column at a place, m: the form of wake.c. */
+/* Depth of the submerged column at a point, m: the formula of wake.c. */
 static double ref_column(const tp_scene *s, const tp_pool *pool, const tp_hull *hull,
                          double x, double z)
 {
@@ -54,8 +55,8 @@ static void any_small_boat(tp_scene *s)
     s->boat.heading = chance_fx(&chance, -360, 360);
 }
 
-/* One stroke from hull to hull over still water, cell by cell; where the hull is not and
- * was not, cells share what the roundings of the others left. */
+/* One step of the hull from pose to pose over still water, cell by cell; cells outside both
+ * poses share the remainder of the roundings. */
 static void compare_stroke(tp_scene *s, measure *off)
 {
     tp_world *w = wake_world(s);
@@ -75,7 +76,7 @@ static void compare_stroke(tp_scene *s, measure *off)
             const double x = cell_x(pool, col), z = cell_z(pool, row);
             const double was = ref_column(s, pool, &before, x, z);
             const double is = ref_column(s, pool, &now, x, z);
-            if (is > 0.001)     /* well within: no share of the rest goes there */
+            if (is > 0.001)     /* well within: no share of the remainder goes here */
                 measure_add(off, tp_pool_height(pool, col, row) - (was - is) * lsb,
                             (int64_t)col, row, 0);
         }
@@ -101,8 +102,8 @@ static void the_hull_s_column_follows_the_models(void **state)
 
 /* -- volume -------------------------------------------------------------------------- */
 
-/* Boats of every size that sail anywhere over pools of every kind, over their edges, in
- * water that has no room for them. */
+/* Boats of every size that sail anywhere over pools of every kind, over the edges, in water
+ * without room for the boat. */
 static void no_water_is_lost_or_won(void **state)
 {
     (void)state;
@@ -130,7 +131,7 @@ static void no_water_is_lost_or_won(void **state)
                                && !water->at_rest;
             sail(w, &s, &in);
             const tp_pool_state after = tp_pool_look(water);
-            if (!settling || after.sum != 0)    /* what settles drifts, and is levelled */
+            if (!settling || after.sum != 0)    /* a settling pool drifts and is levelled */
                 assert_int_equal(after.sum, before);
             full += s.pool.cells != TP_CELLS_32
                  && after.highest >= lsb_of(water_of(w)) * high - 1;
@@ -143,7 +144,7 @@ static void no_water_is_lost_or_won(void **state)
     assert_true(full > 50);
 }
 
-/* The highest |height| over the hull as it is. */
+/* Returns the highest |height| of the cells under the hull's present pose. */
 static int32_t highest_under(tp_world *w, const tp_scene *s)
 {
     const tp_pool *pool = water_of(w);
@@ -161,8 +162,8 @@ static int32_t highest_under(tp_world *w, const tp_scene *s)
     return highest;
 }
 
-/* Sunk and lifted in its place it gives back all it took, but for what is below its dead
- * zone; around it each stroke leaves a rounding. */
+/* A hull that is lowered and lifted in place gives back all displaced water except for
+ * movements below the dead zone; around the hull each stroke leaves a rounding. */
 static void a_hull_that_comes_back_has_added_nothing(void **state)
 {
     (void)state;
@@ -183,10 +184,10 @@ static void a_hull_that_comes_back_has_added_nothing(void **state)
     }
 }
 
-/* -- the V --------------------------------------------------------------------------- */
+/* -- the V-shaped wake --------------------------------------------------------------- */
 
-/* How fast the highest water's row goes outwards, along columns behind the boat: a line
- * through 8 m to 24 m astern by least squares. */
+/* Slope of the crest line behind the boat: along the columns from 8 m to 24 m astern, the
+ * row of the highest water, fitted by least squares. */
 static double spread_of(const tp_world *w, const tp_pool *pool, int side)
 {
     double n = 0, sx = 0, sz = 0, sxx = 0, sxz = 0;
@@ -213,7 +214,7 @@ static double spread_of(const tp_world *w, const tp_pool *pool, int side)
     return (n * sxz - sx * sz) / (n * sxx - sx * sx);
 }
 
-/* tan of the half-angle is that of asin(c / U): the pool's waves all have one speed. */
+/* The tangent of the half-angle asin(c / U): all waves of the pool have one speed. */
 static void a_boat_faster_than_waves_leaves_a_v(void **state)
 {
     (void)state;
@@ -240,7 +241,7 @@ static void a_boat_faster_than_waves_leaves_a_v(void **state)
     }
 }
 
-/* -- repeated ------------------------------------------------------------------------ */
+/* -- repeatability ------------------------------------------------------------------- */
 
 static void a_wake_replays_bit_for_bit(void **state)
 {
@@ -267,7 +268,7 @@ static void a_wake_replays_bit_for_bit(void **state)
     }
 }
 
-/* Every size and place of the table, over pools of every size and place. */
+/* Boats of every size and position of the table, over pools of every size and position. */
 static void any_boat_may_stir_any_pool(void **state)
 {
     (void)state;

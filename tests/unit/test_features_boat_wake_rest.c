@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Boat and pool come to rest [E4]: the hull does not answer to its own ripples. */
+/* Boat and pool come to rest [E4]: the hull does not react to its own ripples. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -35,8 +35,8 @@ static bool is_at_rest(const tp_world *w)
         && memcmp(&w->boat, &w->last_boat, sizeof w->boat) == 0;
 }
 
-/* A boat that sails for two seconds, turns, and stops: ticks until nothing moves for 200
- * more, and how often it stirred the pool before it stopped. */
+/* A boat sails for two seconds, turns and stops.  Returns the ticks until nothing moves for
+ * 200 more ticks, and counts the strokes into the pool before the stop. */
 static int ticks_to_rest(const tp_scene *s, int most, uint32_t *strokes)
 {
     tp_world *w = wake_world(s);
@@ -55,8 +55,8 @@ static int ticks_to_rest(const tp_scene *s, int most, uint32_t *strokes)
     return t - rests;
 }
 
-/* 16 bits at rest are flat, so the boat is too; that is [C10].  Smoothed and floating
- * boats answer to the ripples that they make. */
+/* At rest 16-bit cells are flat, hence the boat too; this is [C10].  Smoothed and floating
+ * boats react to their own ripples. */
 static void pool_and_boat_come_to_exact_rest(void **state)
 {
     (void)state;
@@ -74,8 +74,8 @@ static void pool_and_boat_come_to_exact_rest(void **state)
     }
 }
 
-/* Small pools that ring for long, boats that fill them and lag far behind their waves: a
- * hull that answered to its own ripples would stir these on for ever. */
+/* Small pools with long ringing, and boats that fill the pool and lag far behind its waves:
+ * a hull that reacted to its own ripples would excite the ripples forever. */
 static void no_boat_stirs_its_own_ripples_on(void **state)
 {
     (void)state;
@@ -97,11 +97,11 @@ static void no_boat_stirs_its_own_ripples_on(void **state)
         assert_true(ticks_to_rest(&s, 12000, &strokes) < 11800);
         sum += strokes;
     }
-    assert_true(sum > 100);         /* a small one in coarse cells hardly stirs them */
+    assert_true(sum > 100);         /* a small boat in coarse cells hardly stirs the pool */
 }
 
-/* A floating boat in a swell over a pool rocks against the swell, and its ripples go out;
- * one that lies on the swell makes none. */
+/* A floating boat in a swell over a pool rocks relative to the swell, and its ripples
+ * spread; a kinematic boat makes no ripples. */
 static void a_boat_that_rocks_stirs_the_pool(void **state)
 {
     (void)state;

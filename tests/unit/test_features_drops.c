@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The sphere and the block that holds drops and rings: what is released, what finds no
- * place, what is tidied away.  Blocks are of the exact size, so that the sanitizer sees a
- * byte too far. */
+/* The spawn volume and the block that holds drops and rings: release, lack of
+ * room, removal.  Blocks have exact size so that the sanitizer sees any access
+ * beyond. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -36,7 +36,7 @@ static tp_drops *block_of(const tp_scene_drops *c)
     return drops;
 }
 
-/* A tick as a world makes it, over still water; returns the impacts. */
+/* One tick as a world makes it, over still water; returns the number of impacts. */
 static uint32_t tick_of(tp_drops *drops, const tp_scene_drops *c, uint64_t tick)
 {
     uint32_t struck = 0;
@@ -102,7 +102,8 @@ static void many_at_once_are_counted_and_apart(void **state)
     free(drops);
 }
 
-/* A quarter of the drops lies within half the reach: evenly by area. */
+/* A quarter of the drops lies within half the radius: the distribution is uniform by
+ * area. */
 static void scatter_is_even_and_ends_where_it_says(void **state)
 {
     (void)state;
@@ -131,12 +132,12 @@ static void drops_fall_by_themselves_every_so_often(void **state)
     tp_drops *const drops = block_of(&c);
     for (int tick = 0; tick < 100; tick++)
         tp_drops_release_due(drops, &c);
-    assert_int_equal(drops->released, 0);               /* every is 0 */
+    assert_int_equal(drops->released, 0);               /* `every` is 0 */
     c.every = TP_FX(0.5);
     for (int tick = 0; tick < 600; tick++)
         tp_drops_release_due(drops, &c);
     assert_int_equal(drops->released, 20);
-    c.every = TP_FX_ONE / 180;                          /* three a tick, or nearly */
+    c.every = TP_FX_ONE / 180;                          /* about three per tick */
     drops->count = 0;
     for (int tick = 0; tick < 60; tick++)
         tp_drops_release_due(drops, &c);
@@ -227,7 +228,7 @@ static void rings_without_room_are_counted(void **state)
     free(drops);
 }
 
-/* Blocks with the same story are the same bytes. */
+/* Blocks with the same history have the same bytes. */
 static void a_story_repeats_bit_for_bit(void **state)
 {
     (void)state;
