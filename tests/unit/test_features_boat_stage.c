@@ -96,7 +96,7 @@ static void model_draw(void)
     tp_stage_solid(&m.shade, &m.samples.run);
 }
 
-/* -- direction of the tilt --------------------------------------------------------------- */
+/* -- direction of the tilt ------------------------------------------------------------- */
 
 /* A texel tilted by half along red, green or straight out (64 of 128), and a light. */
 static const struct {
@@ -153,7 +153,7 @@ static void bump_is_the_slope_s_factor(void **state)
     }
 }
 
-/* -- maps without effect ----------------------------------------------------------------- */
+/* -- maps without effect --------------------------------------------------------------- */
 
 /* Draws random normals under a random light without a map and with this map.  The
  * difference is at most one 256th in the diffuse share and one in the lobe, a level
@@ -208,7 +208,7 @@ static void a_map_that_points_inwards_does_not_turn_the_surface(void **state)
         assert_unbent(0x808000u | random_below(&chance, 128), 256);
 }
 
-/* -- tangent and material ---------------------------------------------------------------- */
+/* -- tangent and material -------------------------------------------------------------- */
 
 /* Samples carry the number of their face, the span that of its material. */
 static void each_face_brings_its_own_tangent(void **state)
@@ -290,7 +290,7 @@ static void the_lobe_peaks_where_sun_and_eye_meet(void **state)
     assert_int_equal(m.samples.run.colour[0], 0);
 }
 
-/* -- mipmap levels ----------------------------------------------------------------------- */
+/* -- mipmap levels --------------------------------------------------------------------- */
 
 /* A texture of 4 x 4 texels and its mipmap levels: level k is `texel[k]` everywhere. */
 static const tp_texture *levels_of(int which, const uint32_t texel[4])

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Drops in the picture: where a spheroid in double precision lies, whatever the tiles.
- *
- * The ball has ten meridians and five parallels, all on the spheroid: its outline lies
- * inside the true one by 8 % (1 - cos 18 cos 15 degrees) at the most, and squashed ones are
- * wrong by 3 % more: up to 9 pixels from the middle that is within a pixel.  Larger ones
- * have twice as many, inside by 2 %. */
+/* Drops in the picture, compared with a spheroid in double precision, for any
+ * tiling.  The mesh has ten meridians and five parallels, all on the spheroid:
+ * its outline lies inside the true outline by at most 8 % (1 - cos 18 cos 15
+ * degrees), and flattened drops err by 3 % more: up to a radius of 9 px the error
+ * is below a pixel.  Larger drops have twice as many lines and lie inside by 2
+ * %. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -23,7 +23,7 @@ static const tp_config config = {
     .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_XRGB8888
 };
 
-/* Still water far below, the sphere behind the eye, which looks to -z. */
+/* Still water far below, the spawn volume behind the eye, which looks to -z. */
 static tp_scene scene_of(int32_t count)
 {
     tp_scene s = marks_still(50);
@@ -68,7 +68,8 @@ static ball ball_of(const tp_world *w, const tp_scene *s, tp_vec3 at, tp_fx radi
     };
 }
 
-/* Whether the ray through (u, v) pixels meets it: the spheroid made a unit sphere. */
+/* True if the ray through (u, v) px meets the drop: the spheroid is scaled to a unit
+ * sphere. */
 static bool meets(const ball *b, double u, double v)
 {
     const ref_camera *c = &b->camera;
@@ -82,7 +83,8 @@ static bool meets(const ball *b, double u, double v)
     return along > 0 && along * along >= ref_dot(way, way) * (ref_dot(d, d) - 1);
 }
 
-/* How many of eight points a pixel away, and the middle, meet it: 0..9. */
+/* Counts the rays that meet the drop, of the pixel's centre and eight points a pixel away:
+ * 0..9. */
 static int met(const ball *b, int x, int y)
 {
     int count = meets(b, x + 0.5, y + 0.5);
@@ -92,7 +94,7 @@ static int met(const ball *b, int x, int y)
     return count;
 }
 
-/* Of random drops with radii of so many pixels: their area, of the true one. */
+/* Area of random drops with radii in this range of pixels, relative to the true area. */
 static double area_of_drops(double least, double most)
 {
     double area = 0, true_area = 0;
@@ -147,7 +149,7 @@ static void a_drop_covers_the_pixels_of_its_spheroid(void **state)
     assert_true(large > 0.95 && large < 1.01);
 }
 
-/* Outward normals: the middle of the picture looks at the viewer. */
+/* Normals point outward: the middle of the picture faces the viewer. */
 static void the_near_side_is_seen(void **state)
 {
     (void)state;
@@ -184,7 +186,7 @@ static void what_is_behind_the_eye_is_not_drawn(void **state)
     free(world);
 }
 
-/* From the near plane through the eye itself. */
+/* Drops from the near plane to the eye position. */
 static void drops_around_the_eye_are_cut(void **state)
 {
     (void)state;
@@ -207,7 +209,7 @@ static tp_world *many(tp_scene *scene, int32_t count)
     drops_of(world)->sphere.z = -6 * TP_FX_ONE;
     drops_of(world)->last_sphere.z = -7 * TP_FX_ONE;
     world->back = chance_int(&chance, 0, 65535);
-    put(world, (tp_vec3){ 0, 50 * TP_FX_ONE, -8 * TP_FX_ONE }, TP_FX(0.5), 0);   /* seen */
+    put(world, (tp_vec3){ 0, 50 * TP_FX_ONE, -8 * TP_FX_ONE }, TP_FX(0.5), 0);   /* visible */
     for (int n = 1; n < count; n++)
         put(world, (tp_vec3){ chance_fx(&chance, -8, 8), chance_fx(&chance, 44, 56),
                               chance_fx(&chance, -15, 1) },
@@ -241,7 +243,7 @@ static void a_thousand_drops_are_drawn(void **state)
     free(world);
 }
 
-/* Half way back it is half way between its two places. */
+/* An interpolation of one half draws the drop half way between its last two positions. */
 static void a_drop_is_drawn_between_its_last_two_places(void **state)
 {
     (void)state;

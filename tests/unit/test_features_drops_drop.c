@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Drops against [D1]-[D4] in double precision and against the models' vectors: fall and
+/* Drops compared with [D1]-[D4] in double precision and with the models' vectors: fall and
  * impacts over still water. */
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,7 +23,8 @@ static double speed_of(const tp_drop *drop)
 
 /* -- the models' vectors ------------------------------------------------------------- */
 
-/* Rows: case, y0, e, eff, impact, t, m, rad, v, E, L, A0; six to a case, no drag. */
+/* Rows: case, y0, e, eff, impact, t, m, rad, v, E, L, A0; six rows for each case, no
+ * drag. */
 typedef struct {
     measure time, height, energy, radius;
 } row_errors;
@@ -85,7 +86,8 @@ static void rows_of_the_models_agree(void **state)
 
 /* -- fall ---------------------------------------------------------------------------- */
 
-/* Speed after falling from rest, drag v^2 / vt^2 g: vt tanh(g t / vt), exactly. */
+/* Terminal speed vt.  Speed after falling from rest with drag v^2 / vt^2 g is exactly vt
+ * tanh(g t / vt). */
 static double terminal(const tp_scene_drops *c, double g)
 {
     return sqrt(8 * g * (c->density * LSB) * (c->radius * LSB)
@@ -115,7 +117,8 @@ static void falling_with_drag_follows_the_models(void **state)
                                                                  : log(cosh(g * t / vt)));
             if (want > 126)
                 break;
-            /* Of second order: half a tick's kick over the terminal speed, squared. */
+            /* The error is of second order: the square of half a tick's speed gain over the
+             * terminal speed. */
             const double share = kick * kick / (vt * vt) + 1e-4;
             assert_true(fabs(-speed_of(&drop) - want) <= share * want + 1e-5);
             assert_true(fabs(16000 - drop.place.y * LSB - fallen)
@@ -166,7 +169,7 @@ static void heavier_drops_fall_faster_through_air_alone(void **state)
     light.drag = heavy.drag = small.drag = 0;
     assert_true(fall_time(&heavy) == fall_time(&light));
     assert_true(fall_time(&small) == fall_time(&light));
-    /* sqrt(2 h / g) */
+    /* The reference is sqrt(2 h / g). */
     assert_true(fabs(fall_time(&light) - 60 * sqrt(40 / 9.81)) < 0.001);
 }
 
@@ -212,7 +215,7 @@ static void speed_comes_back_by_the_bounce(void **state)
         while (!tp_drop_step(&drop, &c, G, 0, ++tick, &impact))
             top = fmax(top, drop.place.y * LSB);
         const double e = c.bounce * LSB;
-        /* Between ticks the top may lie g (dt / 2)^2 / 2 higher. */
+        /* Between ticks the top may be up to g (dt / 2)^2 / 2 higher. */
         assert_true(fabs(top - e * e * y) < 0.0004 + 2e-4 * y);
     }
 }
@@ -227,7 +230,7 @@ static void rings_are_no_steeper_than_waves_can_be(void **state)
         tp_drop drop = drop_at(&c, chance_double(&chance, 0.01, 100));
         tp_impact impact = { .time = 0 };
         uint64_t tick = 0;
-        /* In the least gravity the smallest sink with 4 cm a second. */
+        /* In the lowest gravity the smallest drops fall at 4 cm/s. */
         while (!tp_drop_step(&drop, &c, gravity, 0, ++tick, &impact))
             assert_true(tick < 180000);
         assert_true(impact.amplitude * 14 <= impact.length);
@@ -238,7 +241,7 @@ static void rings_are_no_steeper_than_waves_can_be(void **state)
     assert_in_range(capped, 100, 4900);
 }
 
-/* A0 as [D4] is printed, from the speed with which it strikes. */
+/* A0 by the printed form of [D4], from the impact speed. */
 static void ring_heights_follow_the_energy(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Drops: clear balls, in which the world stands upside down. */
+/* Shading of drops: clear balls that show the world upside down. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -13,7 +13,7 @@ static uint64_t chance;
 static uint8_t gloss[TP_GLOSS];
 static const tp_solid clear = { .diffuse = 0xffffff, .gloss = gloss };
 
-/* A level camera to the north, a blue sky over a white horizon and black water. */
+/* A level camera that looks north, a blue sky over a white horizon, and black water. */
 static tp_shade level_view(void)
 {
     tp_shade s = {
@@ -26,7 +26,7 @@ static tp_shade level_view(void)
     return s;
 }
 
-/* The drop's colour where its normal leans so far up or down from the view. */
+/* Colour of the drop where its normal is tilted up or down from the view by this angle. */
 static uint32_t drop_at(const tp_shade *s, const tp_solid *drop, double lean)
 {
     test_run r;
@@ -42,15 +42,16 @@ static uint32_t drop_at(const tp_shade *s, const tp_solid *drop, double lean)
     return r.run.colour[32];
 }
 
-/* By twice i - r, sin i = 1.333 sin r, towards the middle: rays low on the ball go up. */
+/* Elevation of the refracted ray: turned by twice i - r, sin i = 1.333 sin r, towards the
+ * middle; rays low on the ball go up. */
 static double elevation(double lean)
 {
     return -2 * (lean - asin(sin(lean) / 1.333));
 }
 
-/* Red tells the elevation: (1 - sine)^2 of it is the horizon's.  The parabolas are within
- * 0.05 of the true way, twice 255 of which is the gradient's slope; Fresnel's share of what
- * is mirrored is below 0.07 here. */
+/* Red is a measure of the elevation: the horizon's share is (1 - sine)^2.  The parabolas
+ * are within 0.05 of the true direction, twice 255 of which is the gradient's slope; the
+ * Fresnel share of the reflection is below 0.07 here. */
 static void the_world_stands_upside_down_in_a_drop(void **state)
 {
     (void)state;
@@ -63,15 +64,16 @@ static void the_world_stands_upside_down_in_a_drop(void **state)
     }
     assert_true((drop_at(&s, &clear, -0.9) >> 16) < 120);           /* sky below */
     assert_true((drop_at(&s, &clear, 0.9) & 0xff) < 120);           /* water above */
-    assert_true((drop_at(&s, &clear, 0) >> 16) > 240);              /* the horizon through it */
+    assert_true((drop_at(&s, &clear, 0) >> 16) > 240);              /* the horizon seen
+                                                                     * through the drop */
 }
 
-/* Seen along its edge a drop mirrors what stands behind it: all of it. */
+/* At grazing view a drop reflects everything behind the drop. */
 static void its_rim_mirrors(void **state)
 {
     (void)state;
     const tp_shade s = level_view();
-    const tp_solid dark = { .gloss = gloss };   /* nothing is seen through it */
+    const tp_solid dark = { .gloss = gloss };   /* no light passes through */
 
     assert_true((drop_at(&s, &dark, -0.2) >> 16) < 12);
     assert_true((drop_at(&s, &dark, 1.55) >> 16) > 180);

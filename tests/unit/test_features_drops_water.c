@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Drops over water that moves, their shape, and the table's whole ranges. */
+/* Drops over moving water, the shape of drops, and the whole ranges of the parameter
+ * table. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -12,10 +13,10 @@
 
 static uint64_t chance;
 
-/* -- water that moves ---------------------------------------------------------------- */
+/* -- moving water -------------------------------------------------------------------- */
 
-/* Waves of up to 3 m and 16 m/s under a drop: it is never left under water, strikes as
- * often as it may and is gone. */
+/* Waves of up to 3 m and 16 m/s under a drop: the drop never stays under water, bounces up
+ * to the permitted number of times and ends. */
 static void no_wave_swallows_a_drop(void **state)
 {
     (void)state;
@@ -44,14 +45,15 @@ static void no_wave_swallows_a_drop(void **state)
     printf("    longest life       %10d ticks\n", longest);
 }
 
-/* In a lift that moves evenly all is as at rest, the impacts' parts of ticks too. */
+/* With a level that moves uniformly, everything is as at rest, the impacts' fractions of
+ * ticks too. */
 static void evenly_moving_water_is_still_water(void **state)
 {
     (void)state;
     tp_scene_drops c = usual;
     c.drag = 0;
     for (int n = 0; n < 500; n++) {
-        const int32_t rise = chance_int(&chance, -8000, 8000);  /* LSB a tick: 7.3 m/s */
+        const int32_t rise = chance_int(&chance, -8000, 8000);  /* LSB per tick: 7.3 m/s */
         tp_drop still = drop_at(&c, 4), lifted = still;
         still.level = lifted.level = 0;
         lifted.fall_q24 = rise * (256 * 60);
@@ -70,7 +72,7 @@ static void evenly_moving_water_is_still_water(void **state)
     }
 }
 
-/* A level that is set, by hand or by a new scene, lifts the drop and throws nothing. */
+/* A level set by hand or by a new scene lifts the drop and gives the drop no speed. */
 static void a_leap_of_the_level_throws_no_drop(void **state)
 {
     (void)state;
@@ -90,7 +92,7 @@ static void a_leap_of_the_level_throws_no_drop(void **state)
     assert_int_equal(struck, usual.impacts);
 }
 
-/* Bounces lower than a tick is long: each strikes no harder than it rose. */
+/* Bounces shorter than a tick: no impact is harder than the preceding rise. */
 static void no_bounce_gains_speed(void **state)
 {
     (void)state;
@@ -103,7 +105,8 @@ static void no_bounce_gains_speed(void **state)
             tp_impact impact;
             if (!tp_drop_step(&drop, &c, gravity, 0, tick, &impact))
                 continue;
-            /* A0 is proportional to speed and to the root of the radius: 2^(-1/6). */
+            /* A0 is proportional to the speed and to the radius to the power of 1/2: a
+             * factor of 2^(-1/6). */
             assert_true(impact.uncapped_q24 <= 0.8 * 0.9 * (double)last + 3);
             last = impact.uncapped_q24;
         }
@@ -136,7 +139,7 @@ static void a_fast_drop_is_long_and_an_impact_flattens_it(void **state)
     assert_true(most > 0);
 }
 
-/* -- everything in range ------------------------------------------------------------- */
+/* -- all values in range ------------------------------------------------------------- */
 
 /* Levels, gravities and configs that change at every tick, for the sanitizers. */
 static void nothing_in_the_ranges_goes_astray(void **state)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The camera's exposure as a table, against its formula in double precision. */
+/* The exposure curve as a table, compared with its formula in double precision. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The foam's field: it fades as it should and to nothing, drifts without loss, follows
- * the eye, and is one with its world's copies. */
+/* The foam field: foam fades by its time constant and to zero, drifts without loss, follows
+ * the eye, and is the same in copies of the world. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -12,7 +12,7 @@
 
 static uint64_t chance;
 
-/* Still water with a field of 64 cells of half a metre around the eye. */
+/* Still water with a foam field of 64 cells of 0.5 m around the eye. */
 static tp_scene still(tp_fx fade)
 {
     tp_scene s;
@@ -51,7 +51,7 @@ static void step(tp_world *world, const tp_scene *scene, int ticks)
 
 /* -- fading -------------------------------------------------------------------------- */
 
-/* The sum over 4096 cells against e^(-t / fade): roundings are even. */
+/* The sum over 4096 cells compared with e^(-t / fade): roundings are unbiased. */
 static void foam_fades_by_its_time(void **state)
 {
     static const double fades[] = { 0.1, 0.5, 4, 30, 600 };
@@ -92,8 +92,8 @@ static void still_water_ends_without_any(void **state)
 
 /* -- drift --------------------------------------------------------------------------- */
 
-/* A blob lies where it has drifted to and none of it is lost, however fast: 37 ticks of
- * 1.5 m/s are 0.925 m, almost two cells. */
+/* A patch of foam lies at its drifted position without loss, at any speed: 37 ticks at 1.5
+ * m/s are 0.925 m, almost two cells. */
 static void drift_moves_foam_without_spreading_it(void **state)
 {
     (void)state;
@@ -113,7 +113,8 @@ static void drift_moves_foam_without_spreading_it(void **state)
     free(world);
 }
 
-/* Over many sides of the field, and back at the start after as many the other way. */
+/* Drift over many sides of the field, and back to the start after the same drift in
+ * reverse. */
 static void drift_goes_round(void **state)
 {
     (void)state;
@@ -134,8 +135,8 @@ static void drift_goes_round(void **state)
 
 /* -- the window ---------------------------------------------------------------------- */
 
-/* What lies within 16 m of the eye stays where it is in the world; what is left behind is
- * gone, and does not come back on the other side. */
+/* Foam within 16 m of the eye keeps its position in the world; foam that the window leaves
+ * behind is gone and does not reappear at the other side. */
 static void the_window_follows_the_eye(void **state)
 {
     (void)state;
@@ -155,8 +156,8 @@ static void the_window_follows_the_eye(void **state)
     free(world);
 }
 
-/* The field is stored modulo its side: beyond one side lie the addresses of the cells at
- * the other. */
+/* The field is stored modulo its side: addresses beyond one side are those of cells at the
+ * other side. */
 static void beyond_the_window_there_is_no_foam(void **state)
 {
     (void)state;
@@ -181,7 +182,7 @@ static void beyond_the_window_there_is_no_foam(void **state)
     free(world);
 }
 
-/* -- as a part of the world ---------------------------------------------------------- */
+/* -- the foam as a part of the world ------------------------------------------------- */
 
 static void other_cells_need_another_world(void **state)
 {

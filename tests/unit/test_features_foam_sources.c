@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What makes foam: the Jacobian against a double one, crests, shore, walls and a hull. */
+/* Sources of foam: the Jacobian compared with double precision, crests, shore, walls and a
+ * hull. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -106,8 +107,8 @@ static void sharp_crests_foam_and_round_ones_do_not(void **state)
     assert_true(mean_after(&s, 600) == 0);
 }
 
-/* A beach that falls towards +z, its line at z = -20: foam on a strip along it if waves
- * come in, none on land, none of water that lies still. */
+/* A beach that falls towards +z, with the shore line at z = -20: foam in a strip along the
+ * line if waves come in, no foam on land, no foam on still water. */
 static void the_shore_foams_where_it_moves(void **state)
 {
     (void)state;
@@ -136,7 +137,7 @@ static void the_shore_foams_where_it_moves(void **state)
     assert_true(mean_after(&s, 100) == 0);
 }
 
-/* A pool that is poked: foam along its walls alone. */
+/* A pool with splashes: foam along its walls only. */
 static void walls_foam_where_the_water_moves(void **state)
 {
     (void)state;
@@ -176,7 +177,8 @@ static int at(const tp_world *world, double x, double z)
     return tp_foam_sample(tp_world_foam(world), (tp_fx)(x * 65536), (tp_fx)(z * 65536));
 }
 
-/* The hull is 3 m wide in its middle: a line along it, nothing away from it. */
+/* The hull is 3 m wide amidships: a line of foam along the hull, nothing away from the
+ * hull. */
 static void a_hull_at_rest_has_a_line_around_it(void **state)
 {
     (void)state;
@@ -190,7 +192,7 @@ static void a_hull_at_rest_has_a_line_around_it(void **state)
     free(world);
 }
 
-/* Having sailed for 3 s at 4 m/s: foam behind it to both sides, in a V; none ahead. */
+/* After 3 s at 4 m/s: foam behind the boat on both sides, in a V; no foam ahead. */
 static void a_hull_that_sails_leaves_a_wake(void **state)
 {
     (void)state;

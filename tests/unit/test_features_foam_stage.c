@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The stage of foam against a double version of what its head states: cover between four
- * cells of a torus, its edge, the picture's ranks, light, and the glint that is left. */
+/* The foam stage compared with a double-precision version of the file head's formulas:
+ * cover interpolated between four cells of a torus, its soft edge, the texture's ranks,
+ * light, and the remaining glint. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -34,9 +35,10 @@ static void make_picture(void)
         TP_OK);
 }
 
-static tp_shade_foam foam;              /* of the run that was made last */
+static tp_shade_foam foam;              /* foam data of the last run */
 
-/* Half a metre a cell, somewhere; all samples at the picture's level `level`. */
+/* Cells of 0.5 m at a random position; all samples use the texture's mipmap level
+ * `level`. */
 static tp_shade shade_foam(test_run *r, bool textured, int level)
 {
     tp_shade s = shade_any(&chance);
@@ -92,7 +94,7 @@ static double cover_of(const tp_shade_foam *f, uint32_t s, uint32_t t)
     return (over * (1 - ft) + under * ft) * least(1, edge);
 }
 
-/* The share of level 0's texels that a green exceeds, halves of its equals, 0..255. */
+/* Share of the texels of level 0 below a green value, equal texels counted half, 0..255. */
 static double rank_of(double green)
 {
     const int v = (int)(green + 0.5);
@@ -105,7 +107,7 @@ static double rank_of(double green)
     return below * 255 / (64 * 64);
 }
 
-/* Soft by 80 ranks of 256 in level 0, by all in the fifth. */
+/* The edge is soft by 80 ranks of 256 in level 0, by all ranks in level 5. */
 static double white_of(const tp_shade_foam *f, double c, double rank, double mean,
                        int level)
 {
@@ -125,7 +127,7 @@ static double lit_of(const tp_shade *s, const test_run *r, int i)
     return (1 + ambient + (1 - ambient) * ref_clamp(nl / sqrt(1 + q), 0, 1)) / 2;
 }
 
-/* -- comparing ----------------------------------------------------------------------- */
+/* -- comparison ---------------------------------------------------------------------- */
 
 typedef struct { measure worst; double square; uint64_t count; } spread;
 
@@ -181,7 +183,7 @@ static void plain_foam_is_as_stated(void **state)
     bounded("plain", false, 6, 1.5);
 }
 
-/* Greens are cut to whole levels before they are ranked: up to three of 80 ranks. */
+/* Greens are truncated to whole levels before the ranking: up to three of 80 ranks. */
 static void foam_of_a_picture_is_as_stated(void **state)
 {
     (void)state;
@@ -204,7 +206,7 @@ static void without_cover_nothing_changes(void **state)
     assert_memory_equal(&r.run.glint, &before.run.glint, sizeof r.run.glint);
 }
 
-/* Cover by half: as much of a picture is white near by as far away, on the mean. */
+/* At half cover the mean share of white is the same near and far. */
 static void levels_agree_on_the_mean(void **state)
 {
     (void)state;
@@ -234,7 +236,7 @@ static void levels_agree_on_the_mean(void **state)
     }
 }
 
-/* Any two parts of a run, cut at 16 columns. */
+/* Any two parts of a run, cut at a multiple of 16 columns. */
 static void where_a_run_is_cut_never_shows(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Land in the picture: before water that lies behind it, behind water that lies before
- * it, the same however the picture is cut, and nothing of a floor that is deep. */
+/* Land in the picture: in front of water behind the land, behind water in front of the
+ * land, the same for every tiling, and no picture of a deep floor. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -34,14 +34,14 @@ static tp_scene beach(double depth, double slope)
     return s;
 }
 
-/* How far along the ray y falls to, or rises to, a plane's height: y = rise z + level. */
+/* Distance along the ray to the plane y = rise z + level. */
 static double way_to(ref_vec eye, ref_vec way, double rise, double level)
 {
     const double t = (rise * eye.z + level - eye.y) / (way.y - rise * way.z);
     return t > 0 ? t : 1e9;
 }
 
-/* What the ray of a pixel's place meets first; SKY: neither, or beyond the grid. */
+/* First object that the ray of a pixel position meets; SKY if none, or beyond the grid. */
 static uint32_t first_met(const ref_camera *c, const tp_scene *s, double u, double v)
 {
     const double x = (u - c->u0) / c->focal, y = (c->v0 - v) / c->focal;
@@ -58,7 +58,8 @@ static uint32_t first_met(const ref_camera *c, const tp_scene *s, double u, doub
     return water < land ? MARKS_WATER : MARKS_LAND;
 }
 
-/* The same at the pixel's middle and 1.5 pixels all around, or SKY. */
+/* The first object if the same at the pixel's centre and 1.5 px all around, otherwise
+ * SKY. */
 static uint32_t surely_met(const ref_camera *c, const tp_scene *s, int x, int y)
 {
     const uint32_t mark = first_met(c, s, x + 0.5, y + 0.5);
@@ -99,7 +100,7 @@ static void the_nearer_of_land_and_water_is_seen(void **state)
     assert_true(seen[MARKS_LAND] > 1000 && seen[MARKS_WATER] > 1000);
 }
 
-/* A ridge behind which water lies, as a picture of heights. */
+/* A ridge with water behind the ridge, as a height map. */
 static void a_ridge_hides_the_water_behind_it(void **state)
 {
     (void)state;
@@ -172,8 +173,8 @@ static void every_tiling_gives_the_same_bits(void **state)
     assert_true(land > 1000);
 }
 
-/* Cells with corners both shallow and deep are drawn whole in every band of rows: seen
- * past the water's edge, from below. */
+/* Cells with both shallow and deep corners are drawn whole in every band of rows: seen from
+ * below, past the water's edge. */
 static void a_slope_into_the_deep_is_the_same_in_all_bands(void **state)
 {
     (void)state;

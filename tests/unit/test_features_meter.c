@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Automatic exposure: what the meter sees, and where the camera settles. */
+/* Auto exposure: the mean that the meter measures, and the value at which exposure
+ * settles. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -39,7 +40,7 @@ static double grey(ref_colour c)
     return (77 * c.c[0] + 150 * c.c[1] + 29 * c.c[2]) / 256 / 255;
 }
 
-/* Towards d, whose y counts as its size: of generated skies with the glow. */
+/* Reference sky towards d, with |d.y|: generated skies include the glow. */
 static double ref_sky_at(const tp_scene *s, ref_dir d)
 {
     const double rad = 3.14159265358979 / 180 / 65536;
@@ -52,7 +53,7 @@ static double ref_sky_at(const tp_scene *s, ref_dir d)
     return grey(ref_dome(&scene, (ref_vec){ d.x, fabs(d.y), d.z }, true).colour);
 }
 
-/* The same rays in double precision. */
+/* The meter's rays in double precision. */
 static double ref_mean(const tp_scene *s)
 {
     const double rad = 3.14159265358979 / 180 / 65536;
@@ -101,8 +102,9 @@ static void the_meter_sees_what_the_formulas_say(void **state)
 }
 
 /* The light in the middle of the picture, where the glow is as bright as the rest of the
- * sky; its disc is smaller than the angle between rays and is left out.  High up, and not
- * at dusk: there the glow makes the red full, and the meter adds greys, which end later. */
+ * sky; its disc is smaller than the angle between rays and is left out.  The light is high
+ * and the sky is not dusk: at dusk the glow saturates red, while the meter adds greys,
+ * which saturate later. */
 static void domes_are_metered_with_their_glow(void **state)
 {
     (void)state;
@@ -125,7 +127,7 @@ static void domes_are_metered_with_their_glow(void **state)
     measure_print(&off);
 }
 
-/* From the darkest and the brightest exposure to 0.5 / mean, and there it stays. */
+/* From the lowest and the highest exposure to 0.5 / mean, and constant from there on. */
 static void it_settles_at_a_mean_of_a_half(void **state)
 {
     (void)state;
@@ -156,7 +158,8 @@ static void nights_brighten_and_snow_darkens(void **state)
     assert_true(settled(&s, 600, &mean) < TP_FX(0.55));
 }
 
-/* The mean does not hang on the exposure: it only ever goes towards its target. */
+/* The mean does not depend on the exposure, so the exposure moves towards its target
+ * monotonically. */
 static void it_never_swings(void **state)
 {
     (void)state;
@@ -177,7 +180,7 @@ static void it_never_swings(void **state)
     }
 }
 
-/* A sun that turns changes what the meter sees, and a copy of the world sees the same. */
+/* A turning sun changes the metered mean, and a copy of the world meters the same. */
 static void a_copy_of_the_world_meters_the_same(void **state)
 {
     (void)state;
@@ -201,7 +204,8 @@ static void a_copy_of_the_world_meters_the_same(void **state)
     free(copy);
 }
 
-/* Six faces of one grey: the probe keeps the pictures' light without the pictures. */
+/* Six faces of one grey: the meter's probe keeps the textures' mean light without the
+ * textures. */
 static void cubes_are_metered_by_their_pictures(void **state)
 {
     (void)state;

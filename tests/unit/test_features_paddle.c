@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The paddle: no water comes or goes, and waves are about as high as asked for.
- *
- * Waves are measured between one and two wave lengths or more south of the paddle, before
- * they come back: damping 10 takes 5 % by there, 16-bit cells a little more by their gears.
- * The height is from trough to crest. */
+/* The paddle: water volume is constant, and waves have about the requested
+ * height.  Waves are measured from one to two or more wave lengths south of the
+ * paddle, before the reflection returns: damping 10 takes 5 % until there,
+ * 16-bit cells slightly more by their gears.  The height is from trough to
+ * crest. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -39,7 +39,7 @@ static tp_pool *pool_for(const tp_scene_pool *s)
     return pool_make(&c);
 }
 
-/* From the lowest to the highest of a column's rows, m. */
+/* Height difference between the lowest and the highest row of a column, m. */
 static double height_of(const tp_pool *pool, uint32_t first, uint32_t end)
 {
     int32_t low = INT32_MAX, high = INT32_MIN;
@@ -109,7 +109,8 @@ static void waves_are_as_high_as_asked_for(void **state)
         if (wave * 4 > ROWS)
             continue;
         const int ticks = (int)((3.5 * wave + 20) / r);
-        if (ticks * r > ROWS - 3 * wave)    /* a tiled one meets what went north */
+        if (ticks * r > ROWS - 3 * wave)    /* in a tiled pool the waves meet those that
+                                             * went north */
             continue;
         tp_pool *pool = pool_for(&s);
         for (int tick = 1; tick < ticks; tick++) {
@@ -145,7 +146,7 @@ static void twice_the_height_is_twice_the_wave(void **state)
     assert_true(fabs(height[1] / height[0] - 2) < 0.01);
 }
 
-/* Only the open water's side; a sponge swallows the other. */
+/* Only the side of open water counts; the sponge absorbs the other waves. */
 static void before_a_sponge_waves_go_south(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Objects over the mirrored sky, against geometry in double precision.  The pictures are
- * ramps whose red and green tell where they were looked at, so an error of a level is one
- * of a half pixel, or of an eighth of a cube's texel. */
+/* Object reflections over the reflected sky, compared with geometry in double precision.
+ * The textures are ramps; red and green give the sampled position, so an error of one level
+ * is half a pixel, or an eighth of a texel of the cube map. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -39,9 +39,9 @@ static void print(const char *what, const level_error *e)
     assert_true(e->count > 3000);
 }
 
-/* -- the mirrored picture -------------------------------------------------------------- */
+/* -- the planar reflection ------------------------------------------------------------- */
 
-/* The ray of pixel place (u, v), 1 along the camera's axis. */
+/* Ray of the pixel position (u, v), with length 1 along the camera's axis. */
 static ref_dir ray_at(const tp_shade *s, double u, double v)
 {
     const ref_dir r = shade_dir(s->world.right), up = shade_dir(s->world.up),
@@ -53,8 +53,8 @@ static ref_dir ray_at(const tp_shade *s, double u, double v)
                       x * r.z + y * up.z - back.z };
 }
 
-/* Where on the screen the image is that water at depth z with these slopes, h over the
- * level, shows of what level water shows at depth zm along the same ray. */
+/* Screen position of an image: water at depth z with these slopes, h above the level,
+ * reflects the point that level water reflects to depth zm along the same ray. */
 static void image_at(const tp_shade *s, ref_dir d, double z, double zm, double sx,
                      double sz, double h, double *u, double *v)
 {
@@ -71,7 +71,7 @@ static void image_at(const tp_shade *s, ref_dir d, double z, double zm, double s
     *v = s->v0 / 16.0 - f * ref_dir_dot(m, up) / ahead;
 }
 
-/* To first order in slopes and height, by differences. */
+/* Image position to first order in slopes and height, by finite differences. */
 static void moved_to(const tp_shade *s, double x, double y, double z, double zm,
                      const double by[3], double *u, double *v)
 {
@@ -90,7 +90,7 @@ static void moved_to(const tp_shade *s, double x, double y, double z, double zm,
     }
 }
 
-/* What the stages read, of the shade that was made last. */
+/* Data that the stages read for the last shade. */
 static tp_mirror mirror;
 static tp_around around;
 
@@ -156,7 +156,7 @@ static void the_look_is_bent_as_the_ray_is(void **state)
     assert_true(off.worst <= 0.8 && sqrt(off.squares / off.count) <= 0.35);
 }
 
-/* Water beyond the object, or no picture at all: the sky stays. */
+/* Water beyond the object, or no reflection map: the sky colour stays. */
 static void water_behind_an_object_mirrors_none_of_it(void **state)
 {
     (void)state;
@@ -179,9 +179,10 @@ static void water_behind_an_object_mirrors_none_of_it(void **state)
     assert_int_equal(r.run.mirror[5], 0x123456);
 }
 
-/* -- the cube ------------------------------------------------------------------------- */
+/* -- the cube map --------------------------------------------------------------------- */
 
-/* Face and place, in eighths of texels' levels, of a way; as in object_cube.h. */
+/* Face of the cube map and position in eighths of a texel, for a direction; as in
+ * object_cube.h. */
 static int face_of(ref_dir w, double *i, double *j)
 {
     const double ax = fabs(w.x), az = fabs(w.z);

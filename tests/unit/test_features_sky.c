@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Skies in whole frames: every tiling the same, nothing carved that is not used; a cube
- * with a hole, or a sky that the program lacks, is the gradient. */
+/* Skies in whole frames: every tiling gives the same picture, no memory is laid out for
+ * unused parts; a cube with a missing face, or a sky that the program lacks, falls back to
+ * the gradient. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -113,7 +114,7 @@ static void skies_are_carved_for_those_who_have_them(void **state)
     tp_scene s = scene_plain();
     const size_t plain = tp_frame_bytes(&c, &s);
 
-    s.sky.kind = TP_SKY_CUBE;           /* without its pictures */
+    s.sky.kind = TP_SKY_CUBE;           /* without its textures */
     assert_int_equal(tp_frame_bytes(&c, &s), plain);
     s.sky.kind = TP_SKY_DAY;
     assert_in_range(tp_frame_bytes(&c, &s), plain + sizeof(tp_dome),
@@ -124,8 +125,8 @@ static void skies_are_carved_for_those_who_have_them(void **state)
     assert_in_range(tp_frame_bytes(&c, &s), toned, toned + 16);
 }
 
-/* The scene's numbers may change under a frame: what has no tables stays the gradient, a
- * model of light and a law of reflection are taken. */
+/* The scene's numbers may change while a frame lives: a sky without tables stays the
+ * gradient; the light model and the reflection law are taken over. */
 static void a_live_change_is_drawn_as_far_as_there_are_tables(void **state)
 {
     (void)state;
@@ -153,7 +154,7 @@ static void a_live_change_is_drawn_as_far_as_there_are_tables(void **state)
     free(w);
 }
 
-/* Tables that a frame keeps leave no trace in the next picture. */
+/* Tables that a frame keeps do not affect the next picture. */
 static void a_camera_that_turns_draws_as_a_fresh_frame_does(void **state)
 {
     (void)state;
@@ -184,9 +185,9 @@ static void a_camera_that_turns_draws_as_a_fresh_frame_does(void **state)
     free(w);
 }
 
-/* -- a program that lacks a sky ---------------------------------------------------------- */
+/* -- a program without one of the skies ------------------------------------------------ */
 
-/* The list of everything with another use of the dome, or none. */
+/* The full module list with another use of the dome, or with none. */
 static tp_program program_with_dome(const tp_use *dome)
 {
     static tp_use list[TP_MODULES + 1];
@@ -204,7 +205,7 @@ static tp_program program_with_dome(const tp_use *dome)
     return program;
 }
 
-/* How many things were left out. */
+/* Returns the number of features left out. */
 static uint32_t draw_by(const tp_program *program, const tp_scene *s, uint32_t *to)
 {
     const tp_assets a = { .layer[0] = &boat.texture[0] };
@@ -253,11 +254,11 @@ static void a_sky_that_a_program_lacks_is_the_gradient_and_is_told(void **state)
     }
 }
 
-/* Its table has no stage of the mirror: */
+/* The use's table has no mirror stage: */
 static const tp_use unmirrored =
     TP_USE_WITH(sky_dome, tp_stage_sky_dome, tp_stage_sky_dome_hdr, NULL, NULL);
 
-/* the water is drawn without Fresnel's share. */
+/* the water is drawn without the Fresnel share. */
 static void a_mirror_stage_that_a_program_lacks_is_left_out_and_is_told(void **state)
 {
     const tp_program lacking = program_with_dome(&unmirrored);

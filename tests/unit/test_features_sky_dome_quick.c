@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The quick sky of a dome against the exact one, and however runs are cut; the quick map
- * of a cube. */
+/* Fast sky of a dome compared with the exact sky, for any cuts of spans; the fast map of a
+ * cube sky. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -13,7 +13,7 @@ static uint64_t chance;
 static test_sky sky;
 static quick_lights lights;
 
-/* As cameras look up, near the sun too: a picture of 640 columns at 60 degrees. */
+/* Cameras that look up, also near the sun: a picture of 640 columns at 60 degrees. */
 static tp_shade shade_for(int32_t focal)
 {
     tp_shade s = shade_any(&chance);
@@ -84,9 +84,9 @@ static void it_is_the_sky_that_it_was(void **state)
     compare("320 columns", 277, 1.5);
 }
 
-/* -- the map of a cube's sky ------------------------------------------------------------ */
+/* -- map of a cube sky ----------------------------------------------------------------- */
 
-/* Faces of 8 to 64 texels a side, painted with a sky that changes slowly. */
+/* Paints faces of 8 to 64 texels a side with a slowly varying sky. */
 static void paint_unequal(const int log2_side[6])
 {
     static uint32_t pixels[SKY_SIDE * SKY_SIDE];
@@ -107,7 +107,7 @@ static void paint_unequal(const int log2_side[6])
     assert_true(tp_cube_init(&lights.sky.cube, face));
 }
 
-/* A cell shows the sky opposite to it, whatever the sizes of the faces. */
+/* A cell shows the sky in its own direction for any sizes of the faces. */
 static void faces_of_unequal_size_are_one_sky(void **state)
 {
     (void)state;
@@ -130,9 +130,9 @@ static void faces_of_unequal_size_are_one_sky(void **state)
     assert_true(tally_rms(&off) < 1 && off.largest < 6);
 }
 
-/* Upwards too: places are drawn in by half the height.  The middle of a cell is up to
- * 1/32 away in u and v, that of a texel, of 16 a face, 1/16 in both; a colour changes by
- * 100 over a unit, which makes 9 or so. */
+/* For directions above the horizon too; positions are scaled towards the centre by half the
+ * height.  The centre of a cell is up to 1/32 away in u and v, that of a texel, 16 on a
+ * face, 1/16 in both.  The colour changes by 100 over a unit, an error of about 9. */
 static void a_direction_finds_its_own_sky(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Spray and bubbles: how they fly against closed forms, where they end, and what a list
- * that is full does. */
+/* Spray and bubbles: flight compared with closed forms, the end of particles, and the
+ * behaviour of a full list. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -51,8 +51,8 @@ static void a_speck_falls_with_its_drag(void **state)
     }
 }
 
-/* Thrown up from the level it is gone within four ticks of its return; so is a bubble at
- * the surface.  Their last places are those of a tick ago. */
+/* A particle thrown up from the level is gone within four ticks of its return; a bubble
+ * likewise at the surface.  Last positions are those of the preceding tick. */
 static void specks_end_at_the_water(void **state)
 {
     (void)state;
@@ -98,7 +98,7 @@ static void a_full_list_counts_what_it_drops(void **state)
     free(world);
 }
 
-/* Crown outwards and up, bubbles below. */
+/* The crown flies outwards and up, bubbles go below. */
 static void a_splash_is_a_crown(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Specks in the picture: where they lie, how large they are, what hides them. */
+/* Spray particles in the picture: position, size, occlusion. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -68,7 +68,7 @@ static void a_speck_lies_where_the_camera_sees_it(void **state)
     }
 }
 
-/* Of 256 specks a quarter of a pixel wide a quarter are drawn, one pixel each. */
+/* Among 256 specks a quarter of a pixel wide, a quarter is drawn, one pixel each. */
 static void far_specks_thin_out(void **state)
 {
     (void)state;
@@ -85,7 +85,7 @@ static void far_specks_thin_out(void **state)
     free(world);
 }
 
-/* Under water from above it is hidden, over it not. */
+/* A particle under water is hidden from above; a particle over the water is visible. */
 static void water_hides_what_lies_under_it(void **state)
 {
     (void)state;
@@ -101,7 +101,7 @@ static void water_hides_what_lies_under_it(void **state)
     free(world);
 }
 
-/* Bubbles: through clear water alone. */
+/* Bubbles are visible only through clear water. */
 static void bubbles_are_seen_through_clear_water(void **state)
 {
     (void)state;
@@ -117,7 +117,7 @@ static void bubbles_are_seen_through_clear_water(void **state)
     free(world);
 }
 
-/* A speck between its last two ticks is drawn between its last two places. */
+/* A particle between two ticks is drawn between its last two positions. */
 static void specks_glide_between_ticks(void **state)
 {
     (void)state;
@@ -139,7 +139,7 @@ static void specks_glide_between_ticks(void **state)
     free(world);
 }
 
-/* With foam and spray on a moving sea, in bands, strips and blocks. */
+/* Foam and spray on moving deep water, drawn in bands, strips and blocks. */
 static void every_tiling_gives_the_same_picture(void **state)
 {
     static const uint32_t tiles[][2] = { { 0, 1 }, { 16, 0 }, { 48, 13 } };

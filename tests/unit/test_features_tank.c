@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The tank's floor and walls, seen through its surface and through its glass, against
- * rays in double: where the floor ends and walls begin must be right to a pixel. */
+/* The tank's floor and walls, seen through the surface and through the glass, compared with
+ * rays in double precision: the borders of floor and walls are right to a pixel. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -14,7 +14,8 @@ enum { WIDE = 320, HIGH = 240 };
 
 static uint64_t chance;
 
-/* 3 x 2 x 1.1 m: a red floor, black walls and sky, water as clear as it can be. */
+/* A tank of 3 x 2 x 1.1 m: a red floor, black walls and sky, water of the greatest
+ * clarity. */
 static tp_scene tank_scene(void)
 {
     tp_scene s;
@@ -47,7 +48,7 @@ static tp_scene tank_scene(void)
 
 static const ref_box box = { -1.5, 1.5, -1, 1, 1.1 };
 
-/* Somewhere around, looking at the middle of the water. */
+/* Puts the camera at a point outside, looking at the middle of the water. */
 static void look_from(tp_scene *s, double x, double y, double z)
 {
     const double level = sqrt(x * x + z * z), turn = 180 / 3.14159265358979;
@@ -86,7 +87,7 @@ static ref_camera camera_of(const tp_scene *s)
                          s->camera.near, WIDE, HIGH);
 }
 
-/* All within a pixel see the same. */
+/* True if all nine rays within a pixel see the same part. */
 static bool is_sure(const ref_camera *c, int x, int y, double index, ref_sight sight)
 {
     for (int k = 0; k < 9; k++)
@@ -97,12 +98,12 @@ static bool is_sure(const ref_camera *c, int x, int y, double index, ref_sight s
 }
 
 typedef struct {
-    int sights[6];              /* pixels that were sure, by ref_sight */
+    int sights[6];              /* pixels with a sure result, by ref_sight */
     int wrong;
 } tally;
 
-/* A floor is bright in the channel `shift` and walls are not; `top`: only what is seen
- * through the surface counts. */
+/* Compares the picture: a floor is bright in the channel `shift`, walls are dark.  If `top`
+ * is set, only parts seen through the surface count. */
 static void compare(const tp_scene *s, int shift, double index, bool top, tally *t)
 {
     static uint32_t pixels[WIDE * HIGH];
@@ -133,7 +134,7 @@ static void walls_stand_where_rays_say(void **state)
         tp_scene s = tank_scene();
         const double r = chance_double(&chance, 2.6, 5);
         double a, x, z;
-        do {                    /* not along a pane, which mirrors all light then */
+        do {                    /* not along a pane, where the pane reflects all light */
             a = chance_double(&chance, 0, 6.2832);
             x = r * sin(a);
             z = r * cos(a);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* One truth: what a module says of itself is what the frame reserves, what it draws and
- * what the plan counts, in random scenes; and a scene gets the fast stages where the plan
- * promised them. */
+/* A module's own statement is the single source: the frame's memory, the drawn passes and
+ * the plan's counts agree with the statement in random scenes, and a scene gets the fast
+ * stages that the plan promised. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -46,7 +46,7 @@ static void compare_scene(tally *t)
         .width = 64, .height = 48, .tile_height = 48, .format = TP_FORMAT_XRGB8888
     };
 
-    if (random_below(&chance, 2))           /* the fast stages know none of these */
+    if (random_below(&chance, 2))           /* the fast stages support none of these */
         scene.water.clear = scene.hdr.share = scene.foam.cells = 0;
     scene.quality.shading = TP_SHADING_QUICK;
     scene.quality.rate = TP_RATE_FULL;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Frames that look into the water: the same for every tiling, whatever they hold; and the
- * light on the floor. */
+/* Frames that look into the water: the same picture for every tiling and any contents; and
+ * the light on the floor. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -19,7 +19,8 @@ enum { WIDE = 160, HIGH = 96 };
 static uint64_t chance;
 static test_boat boat;
 
-/* 3.2 m across and stirred: of glass, of stone, or a sea over a slope. */
+/* Water of 3.2 m across with waves: in a glass tank, in a stone basin, or open water over a
+ * slope. */
 static tp_scene wet_scene(int kind)
 {
     tp_scene s;
@@ -110,7 +111,8 @@ static void every_tiling_sees_the_same_water(void **state)
 
 /* -- a beach -------------------------------------------------------------------------- */
 
-/* Way through still water to the plane y = -depth + slope x; < 0: none, or above it. */
+/* Distance through still water to the plane y = -depth + slope x; < 0: no hit, or above the
+ * water. */
 static double way_to_beach(ref_vec eye, ref_vec way, double depth, double slope)
 {
     const ref_vec at = ref_along(eye, way, -eye.y / way.y);
@@ -118,7 +120,8 @@ static double way_to_beach(ref_vec eye, ref_vec way, double depth, double slope)
     return (depth - slope * at.x) / (slope * in.x - in.y);
 }
 
-/* A white beach in grey water that sends no light: what is left of white is the way. */
+/* A white beach in grey water that sends no light: the remaining white gives the
+ * distance. */
 static void a_beach_lies_as_deep_as_rays_say(void **state)
 {
     (void)state;
@@ -164,7 +167,8 @@ static void a_beach_lies_as_deep_as_rays_say(void **state)
 
 /* -- caustics ------------------------------------------------------------------------- */
 
-/* The map of a scene's light, 256 is even; `cells` of its side. */
+/* Caustic map of a scene's light, 256 is even light; its side has water.caustic_cells
+ * cells. */
 static void light_of(const tp_scene *s, const tp_world *world, uint16_t *light)
 {
     const tp_assets assets = { 0 };
@@ -224,7 +228,8 @@ static void no_light_is_lost_or_made(void **state)
     assert_true(off.worst < 0.01);
 }
 
-/* Rays of a zenith sun through the pool's relief, in double: 16 a cell's side. */
+/* Rays of a zenith sun through the pool's surface, in double precision: 16 rays per side of
+ * a cell. */
 static void deal_rays(const tp_scene *s, const tp_world *world, double *light)
 {
     const tp_pool *pool = tp_world_pool(world);
@@ -248,7 +253,7 @@ static void deal_rays(const tp_scene *s, const tp_world *world, double *light)
         }
 }
 
-/* A hat is a lens: its light gathers under it, as much as rays say. */
+/* A splash acts as a lens: its light gathers below, in the amount that the rays give. */
 static void a_lens_gathers_light_where_rays_say(void **state)
 {
     (void)state;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The stages that look into the water, each against rays and Beer's law in double.
- * Errors are in levels of 255; samples whose ray meets two faces within 2 cm and 2 %
- * of its way do not count, nor do those that a steep ripple throws out of the water again. */
+/* The stages that look into the water, each compared with rays and Beer's law in double
+ * precision.  Errors are in levels of 255.  Two kinds of samples do not count: a ray that
+ * meets two faces within 2 cm and 2 % of its length, and a ray that a steep ripple turns
+ * out of the water again. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -50,7 +51,7 @@ typedef struct {
     uint32_t tint;
 } scene;
 
-static tp_inside water;         /* of all scenes: tests use one at a time */
+static tp_inside water;         /* data of all scenes: tests use one scene at a time */
 static tp_clear_water clear;
 
 static void set_optics(tp_shade *s)
@@ -75,7 +76,7 @@ static void set_optics(tp_shade *s)
     in->zi_near = TP_FX(0.1);
 }
 
-/* The eye within 4 m of the box's middle, as high as asked. */
+/* A scene with the eye within 4 m of the box's middle, at a height in [low, high]. */
 static scene scene_inside(double low, double high)
 {
     scene s = { .shade = shade_any(&chance), .clear = chance_double(&chance, 0.5, 20) };
@@ -104,7 +105,7 @@ static scene scene_inside(double low, double high)
     return s;
 }
 
-/* Beer's law. */
+/* Applies Beer's law over a distance in m. */
 static ref_colour through(const scene *s, ref_colour c, ref_colour body, double metres)
 {
     for (int k = 0; k < 3; k++) {
@@ -126,7 +127,7 @@ static ref_colour lit_face(const scene *s, ref_face face, ref_vec way)
                      light);
 }
 
-/* False: too near to an edge to say. */
+/* Colour of a ray in the water; false if too near to an edge for a sure result. */
 static bool look(const scene *s, ref_vec from, ref_vec way, ref_colour body, ref_colour *c)
 {
     const ref_hit h = ref_in_box(&s->box, from, way);
@@ -137,7 +138,7 @@ static bool look(const scene *s, ref_vec from, ref_vec way, ref_colour body, ref
     return true;
 }
 
-/* The way of a ray up through the surface: sky, and the water mirrored. */
+/* Colour of a ray up through the surface: the sky, and the reflected water. */
 static bool look_up(const scene *s, ref_vec at, ref_vec way, ref_vec n, ref_colour body,
                     ref_colour *c)
 {
@@ -166,8 +167,8 @@ static ref_vec view_way(const scene *s, const tp_run *run, int i)
     return (ref_vec){ -v.x, -v.y, -v.z };
 }
 
-/* Sets the sample's key so that it lies `metres` along its way; returns where it then
- * does lie, as keys are 24 bits. */
+/* Sets the sample's key for a distance of `metres` along its ray; returns the actual
+ * position, because keys have 24 bits. */
 static ref_vec place_sample(const scene *s, test_run *r, int i, double metres)
 {
     const ref_vec way = view_way(s, &r->run, i);
@@ -291,10 +292,11 @@ static void the_surface_from_below_follows_fresnel(void **state)
                 error_add(&off, r.run.colour[i], through(&s, want, body, far[i]), n, i);
         }
     }
-    error_check(&off, 8);     /* at the rim of the window, one in 10^5 */
+    error_check(&off, 8);     /* at the rim of Snell's window, one in 10^5 */
 }
 
-/* A white sky over black water: the window's rim is at asin(1 / 1.333) = 48.61 degrees. */
+/* A white sky over black water: the rim of Snell's window is at asin(1 / 1.333) = 48.61
+ * degrees. */
 static void snells_window_ends_at_48_6_degrees(void **state)
 {
     (void)state;

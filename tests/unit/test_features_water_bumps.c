@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Pools that bend the light: the slopes of a sample's place are those of tp_pool_relief,
- * which test_pool_sample.c compares with double precision. */
+/* Pools in the shading normals: the slopes at a sample's position equal those of
+ * tp_pool_relief, which test_pool_sample.c compares with double precision. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -21,7 +21,7 @@ typedef struct {
     tp_pool_bumps  bumps;
 } bumped;
 
-/* A pool somewhere, stirred; its cells are larger than pixels. */
+/* A stirred pool at a random position; its cells are larger than pixels. */
 static bumped any_bumped(tp_cells cells, tp_edges edges, const tp_grey *mask, tp_fx gain)
 {
     tp_pool_config c = pool_config(cells, edges, (uint32_t)chance_int(&chance, 16, 64),
@@ -57,7 +57,7 @@ static void bumped_free(bumped *b)
     free(b->slope);
 }
 
-/* Places inside and, a quarter of them, around. */
+/* Positions inside the pool and, a quarter of the samples, around the pool. */
 static void places_near(const tp_pool *pool, test_run *r)
 {
     const int64_t wide = (int64_t)pool->cell * pool->cols * 2 / 3;
@@ -71,8 +71,8 @@ static void places_near(const tp_pool *pool, test_run *r)
     }
 }
 
-/* Between cells by weights of 1/256; half an LSB of the picture and of the sum.  Within
- * 1/100 of a cell of an edge one may be in and the other out. */
+/* Interpolates between cells with weights of 1/256; half an LSB of the map and of the sum.
+ * Within 1/100 of a cell of an edge either result may be inside or outside. */
 static void compare(const bumped *b, double gain, measure *off, measure *mean)
 {
     test_run r;
@@ -112,7 +112,7 @@ static void bumps_are_the_slopes_of_the_relief(void **state)
     assert_true(mean.worst / (double)mean.inputs <= 0.001);
 }
 
-/* A flat wall mirrors: beside it slopes are the relief's too. */
+/* A flat wall reflects: beside the wall the slopes equal those of the pool's relief too. */
 static void walls_mirror_the_water_before_them(void **state)
 {
     (void)state;
@@ -143,7 +143,8 @@ static void walls_mirror_the_water_before_them(void **state)
     assert_true(off.inputs > 500 && off.worst <= 0.03);
 }
 
-/* Whole where a cell is a pixel or more, nothing where a pixel holds four. */
+/* The slope is full where a cell covers a pixel or more, and zero where a pixel covers four
+ * cells. */
 static void bumps_fade_where_pixels_hold_cells(void **state)
 {
     (void)state;
@@ -175,7 +176,7 @@ static void bumps_fade_where_pixels_hold_cells(void **state)
     bumped_free(&b);
 }
 
-/* Both pools' slopes on top of the mesh's. */
+/* Slopes of both pools add to the slope of the mesh. */
 static void pool_and_field_add_up(void **state)
 {
     (void)state;

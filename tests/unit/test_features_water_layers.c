@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's layers against a plain sampler: saturation, clamp and colour, what is
- * added, and places bent by a distortion. */
+/* Texture layers of the water compared with a plain sampler: saturation, clamp and colour,
+ * added layers, and positions offset by a distortion. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -11,7 +11,7 @@
 
 static uint64_t chance;
 
-/* What a layer is to do, in the scene's numbers. */
+/* Requested treatment of a layer, in the scene's numbers. */
 typedef struct {
     tp_fx    saturation, clamp;
     uint32_t colour;
@@ -41,8 +41,9 @@ static ref_colour granted(const wish *w, ref_colour texel)
 
 /* -- the first layer ----------------------------------------------------------------- */
 
-/* Saturation is cut to 1/256 of up to 255 levels, then spread; a filtered texel, 4 levels
- * off, is three times as much more so as its saturation says. */
+/* Error bound in levels.  Saturation is truncated to 1/256 of up to 255 levels, then
+ * spread; a filtered texel has 4 levels of error, which saturation multiplies by up to
+ * three. */
 static double slack(const wish *w, int filter)
 {
     const double spread = 65536.0 / (65536 - w->clamp), s = w->saturation / 65536.0;
@@ -82,7 +83,7 @@ static void grades_are_saturation_clamp_and_colour(void **state)
     assert_true(sqrt(sum / count) <= 1.5);
 }
 
-/* Saturation 1, no clamp, white: texels come out as they are. */
+/* Saturation 1, no clamp, white: texels stay unchanged. */
 static void a_grade_that_asks_for_nothing_does_nothing(void **state)
 {
     (void)state;
@@ -105,7 +106,7 @@ static void a_grade_that_asks_for_nothing_does_nothing(void **state)
     layer_free(&t);
 }
 
-/* The ends of both numbers: a grey, and black but for the whitest. */
+/* The ends of both parameters: grey, and black except for the whitest texels. */
 static void grades_reach_their_ends(void **state)
 {
     (void)state;
@@ -134,9 +135,9 @@ static void grades_reach_their_ends(void **state)
     assert_int_equal(r.run.colour[3], 0);               /* 242 / 255 is below 0.95 */
 }
 
-/* -- the others ---------------------------------------------------------------------- */
+/* -- the other layers ---------------------------------------------------------------- */
 
-/* Both on top of what is there, each channel's sum held at white. */
+/* Both layers are added to the colour; each channel's sum saturates at white. */
 static void compare_added(const tp_texture *t, int filter, measure *off)
 {
     const int level = chance_int(&chance, 0, t->levels - 1);
@@ -192,7 +193,8 @@ static void layers_are_added_and_held_at_white(void **state)
 
 /* -- distortion ---------------------------------------------------------------------- */
 
-/* Weights are cut to 1/256 of up to 255 levels each way, a level is 1/128 strength. */
+/* Weights are truncated to 1/256 of up to 255 levels in each direction; a level is 1/128 of
+ * the strength. */
 static void distortions_move_places_by_red_and_green(void **state)
 {
     (void)state;
@@ -225,7 +227,7 @@ static void distortions_move_places_by_red_and_green(void **state)
     measure_print(&off);
 }
 
-/* Layers are sampled where the distortion puts them, what follows is not. */
+/* Layers are sampled at the distorted positions, later stages are not. */
 static void bent_places_are_the_layers_alone(void **state)
 {
     (void)state;

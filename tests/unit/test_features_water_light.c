@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Light on water against Phong and Fresnel in double precision.  Errors are in levels of
- * 255; shares are cut, up to a level, products and mixes of colours rounded. */
+/* Light on water compared with Phong and Fresnel in double precision.  Errors are in levels
+ * of 255; shares are truncated (up to a level), products and mixes of colours are
+ * rounded. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -21,8 +22,8 @@ static ref_dir normal_of(const test_run *r, int i)
     return ref_normal(run_sx(r, i), run_sz(r, i));
 }
 
-/* Every other run to a slope of 2 in all, where the root's table ends, and as far as 16
- * bits go, where it is used up to three times over. */
+/* Every second run has slopes up to 2 in total, the end of the root's table; the other runs
+ * have slopes as steep as 16 bits allow, where the table is used up to three times. */
 static void compare_diffuse(stage *diffuse, measure *off, double most)
 {
     for (int n = 0; n < 2000; n++) {
@@ -46,8 +47,8 @@ static void compare_diffuse(stage *diffuse, measure *off, double most)
     measure_print(off);
 }
 
-/* The share in 256ths is cut (a level), the product rounded (half of one); the root's
- * nearest entry of 1/128 is off by 0.2 % (half a level). */
+/* The share in 256ths is truncated (a level), the product rounded (half a level); the
+ * root's nearest entry of 1/128 errs by 0.2 % (half a level). */
 static void diffuse_follows_lambert(void **state)
 {
     (void)state;
@@ -55,7 +56,7 @@ static void diffuse_follows_lambert(void **state)
     compare_diffuse(tp_stage_diffuse, &off, 2);
 }
 
-/* The same, but that the root is interpolated. */
+/* The same with an interpolated root. */
 static void light_follows_lambert(void **state)
 {
     (void)state;
@@ -63,8 +64,8 @@ static void light_follows_lambert(void **state)
     compare_diffuse(tp_stage_light, &off, 1.6);
 }
 
-/* Waves and ripples may be as steep as their 16 bits.  No colour comes out brighter than
- * it went in: a share above 1 would carry one channel into the next. */
+/* Waves and ripples may be as steep as 16 bits allow.  No colour gets brighter than the
+ * input: a share above 1 would carry from one channel into the next. */
 static void no_slope_makes_water_brighter_than_itself(void **state)
 {
     (void)state;
@@ -96,7 +97,7 @@ static void no_slope_makes_water_brighter_than_itself(void **state)
     }
 }
 
-/* N.V and the mirrored view's height, of eyes above the water. */
+/* N.V and the height of the reflected view, for eyes above the water. */
 static void light_hands_on_view_and_mirror(void **state)
 {
     (void)state;
@@ -113,9 +114,10 @@ static void light_hands_on_view_and_mirror(void **state)
             const ref_dir v = view_of(&r, i), normal = normal_of(&r, i);
             const double nv = ref_clamp(ref_dir_dot(normal, v), 0, 1);
             const double up = ref_clamp(2 * nv * normal.y - v.y, -1, 1);
-            /* The root is cut in its table and between its entries, 2 units, times a sum
-             * of up to 2.2 that is cut by one too; the product by one more: 7 units.  The
-             * height is twice nv ny, with the root's 2 again and two more cuts: 20. */
+            /* The root is truncated in its table and between its entries, 2 units, times a
+             * sum of up to 2.2 with a truncation of 1; the product adds one more: 7 units.
+             * The height is twice nv ny, with the root's 2 again and two more truncations:
+             * 20. */
             assert_true(fabs(r.run.nv[i] / Q14 - nv) <= 7 / Q14);
             assert_true(fabs(r.run.up[i] / Q14 - up) <= 20 / Q14);
             measure_add(&nv_off, (r.run.nv[i] / Q14 - nv) * Q14, (int32_t)r.n[i], 0, 0);
@@ -146,7 +148,8 @@ static void light_any(shiny *x, bool blinn, int most)
     (blinn ? tp_stage_light_blinn : tp_stage_light)(&x->s, &x->r.run);
 }
 
-/* The glint is between two of the lobe's powers, and two levels more; 1 if it is seen. */
+/* Asserts that the glint is between two powers of the lobe, with a tolerance of two levels;
+ * returns 1 if the glint is visible. */
 static int assert_glint(const shiny *x, int i, double low, double high)
 {
     assert_true(x->r.run.glint[i] >= low * x->strength * 256 - 2);
@@ -154,8 +157,8 @@ static int assert_glint(const shiny *x, int i, double low, double high)
     return x->r.run.glint[i] > 0;
 }
 
-/* The lobe lies between those of a slightly lesser and a slightly larger R.V: the table
- * has 1024 entries; R.V is 2 N.L N.V - L.V, of which N.L and N.V are right to 7 units of
+/* The glint lies between the lobes of a slightly smaller and a slightly larger R.V: the
+ * table has 1024 entries; R.V is 2 N.L N.V - L.V, where N.L and N.V are right to 7 units of
  * 1/16384: 30 in all. */
 static void glints_follow_the_phong_lobe(void **state)
 {
@@ -180,9 +183,9 @@ static void glints_follow_the_phong_lobe(void **state)
     assert_true(lit > 1000);
 }
 
-/* Blinn's lobe, (N.H)^(4 n): N.L, N.V and L.V are right to 7, 7 and 2 units of 1/16384,
- * and V is up to 13 short of a unit between its columns; a half of |L + V|^2 divides it
- * all, which is 0 where light comes from behind.  The table has 1024 entries. */
+/* Blinn's lobe, (N.H)^(4 n): N.L, N.V and L.V are right to 7, 7 and 2 units of 1/16384, and
+ * V is up to 13 units short between its columns.  All is divided by half of |L + V|^2,
+ * which is 0 for light from behind.  The table has 1024 entries. */
 static void blinn_glints_follow_the_half_vector(void **state)
 {
     (void)state;
@@ -210,8 +213,8 @@ static void blinn_glints_follow_the_half_vector(void **state)
     assert_true(lit > 1000);
 }
 
-/* Whatever Fresnel's share takes N.V for, the lobe of rippled water is that of smooth
- * water of the same slopes. */
+/* The lobe of rippled water equals that of smooth water with the same slopes, for any N.V
+ * that the Fresnel share uses. */
 static void ripples_glint_as_their_slopes_say(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Quick light at half the rate: its plain and packed bodies have the same bits, however
- * runs are cut at 16 columns, and even columns are those of the whole rate. */
+/* Fast light at half rate: the plain and the packed bodies give the same bits for any cuts
+ * of spans at 16 columns, and even columns equal those of the full rate. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -18,7 +18,7 @@ typedef struct {
     int    env, lobe;
 } bodies;
 
-/* Everything after the layers. */
+/* All stages after the layers. */
 #define X(name, env, lobe) \
     static void plain_##name(const tp_shade *shade, tp_run *run) \
     { \
@@ -47,7 +47,7 @@ static const bodies all[] = {
 };
 enum { ALL = sizeof all / sizeof *all };
 
-/* A run for the n-th body, before it is lit. */
+/* A run for the n-th body, before the light. */
 typedef struct {
     const bodies *by;
     tp_shade shade;
@@ -62,7 +62,7 @@ static void unlit_make(unlit *u, int n, int32_t steep)
     quick_run(&u->r, u->slope, steep, &chance);
 }
 
-/* Columns [from, end) with slopes and the layers' colours of every second one. */
+/* Columns [from, end) with slopes, and the layers' colours of every second column. */
 static tp_run part_of(const unlit *u, int32_t from, int32_t end)
 {
     const uint32_t *colour = u->r.run.colour;
@@ -102,7 +102,7 @@ static void where_tiles_begin_does_not_show(void **state)
     }
 }
 
-/* With Blinn's lobe or none, whose view goes by the same steps. */
+/* Bodies with Blinn's lobe or without lobe, whose view has the same steps. */
 static void even_columns_are_those_of_the_whole_rate(void **state)
 {
     (void)state;

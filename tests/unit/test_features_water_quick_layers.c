@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The quick rung's first half: its plain and packed loops give the same bits, its stages
- * what the exact ones give of the nearest texels, however runs are cut. */
+/* The first half of the fast rung: the plain and the packed loops give the same bits; the
+ * stages equal the exact stages with nearest texels, for any cuts of spans. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -13,7 +13,7 @@
 
 static uint64_t chance;
 
-/* A layer of the same places whose picture is prepared. */
+/* A layer of the same mapping with a prepared texture. */
 static tp_quick_map prepared(const tp_layer *from, const tp_texture *to)
 {
     tp_layer layer = *from;
@@ -31,7 +31,7 @@ static uint32_t any_colour(void)
     return (uint32_t)random_next(&chance) & 0xffffff;
 }
 
-/* Words of which many are at the ends of their bytes and halves. */
+/* Random words, many of which are at the ends of bytes and halves. */
 static uint32_t any_word(void)
 {
     static const uint32_t ends[] = { 0, 0xffffffff, 0x7fff8000, 0x80007fff, 0x80008000,
@@ -40,7 +40,7 @@ static uint32_t any_word(void)
                                      : ends[chance_int(&chance, 0, 8)];
 }
 
-/* -- both bodies ----------------------------------------------------------------------- */
+/* -- plain and packed bodies ----------------------------------------------------------- */
 
 enum { TEXELS = 256 * 256 };
 static uint32_t texel[TEXELS];
@@ -54,7 +54,7 @@ static void any_texels(tp_quick_map *map, const uint32_t *const *levels, uint32_
     *map = (tp_quick_map){ any_word(), any_word(), any_word(), 0, 0, log2, levels };
 }
 
-/* Places, samples, then what is written by each body. */
+/* Positions, samples, then the output of each body. */
 typedef struct {
     uint32_t s[TP_RUN], t[TP_RUN], n[TP_RUN], place[2][2 * TP_RUN], to[2][2 * TP_RUN];
 } lanes;
@@ -72,7 +72,7 @@ static void any_lanes(lanes *l, uint32_t mask)
     }
 }
 
-/* A part of a run, from any word on and of any length. */
+/* A part of a run, from any word and of any length. */
 static tp_columns any_columns(const lanes *l, int32_t *at)
 {
     *at = chance_int(&chance, 0, 7);
@@ -153,13 +153,13 @@ static void both_bodies_fill_the_same_columns(void **state)
     }
 }
 
-/* -- against the exact stages ------------------------------------------------------------ */
+/* -- comparison with the exact stages -------------------------------------------------- */
 
 static const uint32_t small[][2] = { { 1, 1 }, { 2, 1 }, { 1, 64 }, { 256, 256 },
                                      { 16, 128 }, { 256, 2 }, { 64, 64 } };
 enum { SMALL = sizeof small / sizeof small[0] };
 
-/* To the bit: only sides over 256 differ. */
+/* Equal to the bit; only sides over 256 differ. */
 static void layers_are_the_exact_ones_of_nearest_texels(void **state)
 {
     (void)state;
@@ -173,7 +173,7 @@ static void layers_are_the_exact_ones_of_nearest_texels(void **state)
         tp_shade s = layer_at_level(&r, &first, t.levels > 1
                                                     ? chance_int(&chance, 0, t.levels - 2)
                                                     : 0);
-        first.lod += 64;        /* amid the level */
+        first.lod += 64;        /* middle of the level */
         own.base.layer = first;
         s.water_colour = any_colour();
         for (int k = 0; k < TP_QUICK_LAYERS; k++) {
@@ -207,7 +207,7 @@ static void layers_are_the_exact_ones_of_nearest_texels(void **state)
     }
 }
 
-/* To half of 1/1024 m. */
+/* Offsets are exact to half of 1/1024 m. */
 static void offsets_are_red_and_green_of_the_strength(void **state)
 {
     (void)state;
@@ -234,7 +234,7 @@ static void offsets_are_red_and_green_of_the_strength(void **state)
     measure_print(&off);
 }
 
-/* To the last bit of Q3.12, what is steeper than 7.8 held there. */
+/* Slopes are exact to the last bit of Q3.12; slopes steeper than 7.8 are clamped. */
 static void slopes_are_those_of_the_normal_map(void **state)
 {
     (void)state;
@@ -332,7 +332,7 @@ static void runs_may_be_cut_at_sixteenths(void **state)
     }
 }
 
-/* Even columns are as ever, those between within what their neighbours are. */
+/* Half rate keeps the even columns; columns between lie within their neighbours' values. */
 static void thin_runs_keep_their_even_columns(void **state)
 {
     (void)state;

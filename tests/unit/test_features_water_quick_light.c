@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Quick light: its plain and packed bodies have the same bits, however runs are cut, and
- * it is not far from what the exact stages make of the same slopes. */
+/* Fast light: the plain and the packed bodies give the same bits for any cuts of spans,
+ * close to the result of the exact stages for the same slopes. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -64,7 +64,7 @@ static void where_a_run_is_cut_does_not_show(void **state)
     }
 }
 
-/* -- against the exact stages -------------------------------------------------------- */
+/* -- comparison with the exact stages ------------------------------------------------ */
 
 static void exact(const bodies *b, const tp_shade *s, tp_run *run)
 {
@@ -88,7 +88,7 @@ static void exact(const bodies *b, const tp_shade *s, tp_run *run)
         tp_stage_glint(s, run);
 }
 
-/* Water seen from above. */
+/* True if the sample is water seen from above. */
 static bool is_seen(const tp_run *run, int i)
 {
     return run->vy[i] > 800;

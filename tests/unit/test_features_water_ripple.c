@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Capillary waves against the exact matrix [F6] in double: turned into the surface, and
- * added to it where it is gentle. */
+/* Capillary waves compared with the exact matrix [F6] in double precision: rotated into the
+ * surface, and added to a gentle surface. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -14,7 +14,7 @@
 
 static uint64_t chance;
 
-/* A normal map of slopes up to `steep`, blue as it must be. */
+/* A normal map with slopes up to `steep`; blue is consistent. */
 static tp_texture normal_map(uint32_t w, uint32_t h, double steep)
 {
     uint32_t *const pixels = malloc((size_t)w * h * sizeof *pixels);
@@ -46,8 +46,9 @@ static void bump_of(const test_run *r, const tp_layer *layer, int level, int i,
     n[2] = fmax(n[2], 0.125);
 }
 
-/* Of one stage over surfaces to `surface` and ripples to `ripple`: slopes' rms and worst,
- * and the rms of normals in 1/255 of their length, which no light can tell more of. */
+/* Errors of one stage for surfaces up to the slope `surface` and ripples up to `ripple`:
+ * rms and worst of slopes, and rms of normals in 1/255 of their length, the resolution of
+ * the light. */
 typedef struct {
     double sum, worst, levels;
     int    count;
@@ -100,7 +101,7 @@ static void ripples_are_turned_into_the_surface(void **state)
     static const struct {
         double surface, ripple, levels, added;
     } rows[] = {
-        { 0, 0.35, 0.3, 0.4 },  { 0.17, 0.35, 0.4, 1.5 },   /* 0.24 both ways */
+        { 0, 0.35, 0.3, 0.4 },  { 0.17, 0.35, 0.4, 1.5 },   /* 0.24 in both directions */
         { 0.5, 0.35, 0.4, 5 },  { 1, 0.7, 0.6, 25 },
         { 3, 0.35, 0.5, 25 },   { 7.9, 0.35, 0.8, 45 },
     };
@@ -118,8 +119,8 @@ static void ripples_are_turned_into_the_surface(void **state)
     }
 }
 
-/* Any texels at any gain on surfaces as steep as they can be: no slope beyond its range,
- * and within some of the exact ones where those are not held. */
+/* Any texels at any gain on surfaces of the greatest slope: no slope leaves its range, and
+ * slopes that are not clamped are close to the exact slopes. */
 static void no_ripple_turns_the_water_upside_down(void **state)
 {
     (void)state;
@@ -155,7 +156,7 @@ static void no_ripple_turns_the_water_upside_down(void **state)
     measure_print(&off);
 }
 
-/* Blue straight up is no ripple. */
+/* Blue straight up means no ripple. */
 static void a_flat_map_leaves_the_surface(void **state)
 {
     (void)state;
@@ -177,8 +178,8 @@ static void a_flat_map_leaves_the_surface(void **state)
 
 /* -- gentle surfaces ----------------------------------------------------------------- */
 
-/* Slopes of a normal map: -nx along s, +ny along t, 128 being 1, times the gain; the
- * sampler's 4 levels and two cuts. */
+/* Slopes of a normal map: -nx along s, +ny along t, 128 is 1, times the gain; tolerance:
+ * the sampler's 4 levels and two truncations. */
 static void gentle_ripples_add_the_slopes_of_a_normal_map(void **state)
 {
     (void)state;
@@ -209,7 +210,7 @@ static void gentle_ripples_add_the_slopes_of_a_normal_map(void **state)
     measure_print(&off);
 }
 
-/* -- over pools, and cut ------------------------------------------------------------- */
+/* -- over pools, and cuts ------------------------------------------------------------ */
 
 static void ripples_lie_on_what_pools_have_bent(void **state)
 {

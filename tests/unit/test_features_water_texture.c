@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Textures on water and meshes against a plain sampler: any sides, all levels, places far
- * beyond the first repeat; and which level is taken. */
+/* Textures on water and meshes compared with a plain sampler: any sides, all mipmap levels,
+ * positions far beyond the first repeat; and the selection of the level. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -56,8 +56,8 @@ static void nearest_takes_the_texel_that_holds_the_place(void **state)
     }
 }
 
-/* Weights are cut to 1/256 of up to 255 levels, one a direction; two mixes, one of the
- * other, are rounded. */
+/* Weights are truncated to 1/256 of up to 255 levels in each direction; two mixes, the
+ * second of the first, are rounded. */
 static void compare_linear(const tp_texture *texture, int level, measure *off)
 {
     test_run r;
@@ -93,7 +93,8 @@ static void linear_mixes_the_four_around_the_place(void **state)
     measure_print(&off);
 }
 
-/* A texture of one colour, however filtered, tinted by white or moved, is that colour. */
+/* A texture of a single colour keeps the colour under any filter, a white tint or an
+ * offset. */
 static void one_colour_stays_one_colour(void **state)
 {
     (void)state;
@@ -121,13 +122,13 @@ static void one_colour_stays_one_colour(void **state)
     }
 }
 
-/* Repeats end where they begin: a place and the same some repeats on are one texel. */
+/* Repeats are seamless: positions a whole number of repeats apart give the same texel. */
 static void repeats_wrap_around(void **state)
 {
     (void)state;
     tp_texture t = layer_texture(&chance, 8, 32);
     test_run r;
-    tp_layer layer = { .texture = &t, .per_metre = 1u << 13 };      /* 8 m a repeat */
+    tp_layer layer = { .texture = &t, .per_metre = 1u << 13 };      /* 8 m per repeat */
     run_any(&r, 0, &chance);
     tp_shade s = layer_at_level(&r, &layer, 0);
     own.base.layer = layer;
@@ -142,9 +143,9 @@ static void repeats_wrap_around(void **state)
     layer_free(&t);
 }
 
-/* -- levels -------------------------------------------------------------------------- */
+/* -- mipmap levels ------------------------------------------------------------------- */
 
-/* A texture whose levels tell their number. */
+/* A texture whose texels hold the number of their level. */
 static tp_texture numbered(void)
 {
     tp_texture t = layer_texture(&chance, 256, 256);
@@ -157,7 +158,8 @@ static tp_texture numbered(void)
     return t;
 }
 
-/* The level by whole numbers, except where the logarithms' twelfths may tip it. */
+/* The level is a whole number, except near borders where the logarithms' errors of a
+ * twelfth may decide. */
 static void levels_go_by_the_depth(void **state)
 {
     (void)state;
@@ -174,7 +176,7 @@ static void levels_go_by_the_depth(void **state)
         for (int i = 0; i < TP_RUN; i++)
             r.key[i] = r.key[0];
         run_by(tp_stage_texture, &s, &own.base, &r.run);
-        /* Metres, where key is 2^32 near / depth. */
+        /* Depth in metres for key = 2^32 near / depth. */
         const double depth = log2(zi_near * 4294967296.0 / r.key[0]);
         const double level = layer.lod / 256.0 + depth + (depth > 0 ? depth / 2 : 0);
         const double slack = 0.1 * (depth > 0 ? 1.5 : 1) + 0.02;
@@ -188,7 +190,7 @@ static void levels_go_by_the_depth(void **state)
     layer_free(&t);
 }
 
-/* The first sample of each 16 columns chooses for all of them. */
+/* The first sample of each 16 columns selects the level for all 16. */
 static void a_level_holds_for_sixteen_columns(void **state)
 {
     (void)state;
@@ -212,7 +214,7 @@ static void a_level_holds_for_sixteen_columns(void **state)
 
 /* -- meshes -------------------------------------------------------------------------- */
 
-/* Full ambient light and nothing else: the texel times the diffuse colour. */
+/* Full ambient light alone: the colour is the texel times the diffuse colour. */
 static void solids_show_the_texel_that_holds_the_place(void **state)
 {
     (void)state;
@@ -254,7 +256,7 @@ static void solids_show_the_texel_that_holds_the_place(void **state)
 
 /* -- cuts ---------------------------------------------------------------------------- */
 
-/* Tiles begin at multiples of 16, so runs are cut there. */
+/* Tiles begin at multiples of 16, so spans are cut there. */
 static void runs_may_be_cut_at_sixteenths(void **state)
 {
     (void)state;

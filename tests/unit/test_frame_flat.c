@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Level water pixel by pixel is the level mesh's picture, for any camera above it. */
+/* The per-pixel renderer of level water gives the picture of the level mesh, for any camera
+ * above the water. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -20,7 +21,7 @@ static tp_scene calm_scene(void)
     return s;
 }
 
-/* Anywhere above the water; every third time aboard a boat, which rolls. */
+/* A camera anywhere above the water; every third camera is aboard a rolling boat. */
 static tp_scene any_view(bool calm)
 {
     tp_scene s = calm ? calm_scene() : scene_plain();
@@ -45,7 +46,7 @@ static double metres(uint32_t place)
     return (int32_t)place / 65536.0;
 }
 
-/* Along an axis of the world, pixels. */
+/* Component of the pixel's ray along a world axis, in pixels. */
 static double ray_in_doubles(const tp_lens *lens, int i, int32_t right, int32_t up,
                              int32_t ahead)
 {
@@ -54,7 +55,7 @@ static double ray_in_doubles(const tp_lens *lens, int i, int32_t right, int32_t 
     return (lens->focal / 65536.0 * ahead + u * right + v * up) / TP_Q30_ONE;
 }
 
-/* near / depth of level water, in parts of 2^24. */
+/* near / depth of level water, in units of 2^-24. */
 static double zi_in_doubles(const tp_lens *lens, int i)
 {
     const double down = -ray_in_doubles(lens, i, lens->turn.x.y, lens->turn.y.y,
@@ -62,7 +63,7 @@ static double zi_in_doubles(const tp_lens *lens, int i)
     return 16777216.0 * lens->zi_near / lens->eye.y * down / (lens->focal / 65536.0);
 }
 
-/* Where the ray of pixel i meets the level. */
+/* Point where the ray of pixel i meets the level. */
 static void place_in_doubles(const tp_lens *lens, int i, double place[2])
 {
     const double down = -ray_in_doubles(lens, i, lens->turn.x.y, lens->turn.y.y,
@@ -77,7 +78,7 @@ static void place_in_doubles(const tp_lens *lens, int i, double place[2])
                                       lens->ahead.z);
 }
 
-/* How far the sample's place lies from there as the eye sees it, pixels. */
+/* Distance of the sample's position from that point as seen by the eye, px. */
 static double off_in_pixels(const tp_lens *lens, const level_shot *shot, int i)
 {
     double at[2];
@@ -106,7 +107,8 @@ static void level_water_is_the_level_mesh(void **state)
         assert_int_equal(flat.frame.frame->stats.vertices, 0);
         const int differ = level_apart(&mesh, &flat);
         apart += differ;
-        /* The mesh's corners lie on sixteenths of a pixel: a row of its edge's may be. */
+        /* The mesh's screen vertices are rounded to 1/16 px, so a row of pixels at its edge
+         * may differ. */
         assert_in_range(differ, 0, LEVEL_WIDTH);
         for (int i = 0; i < LEVEL_PIXELS; i++) {
             if (!level_is_water(&mesh, i) || !level_is_water(&flat, i))
@@ -129,7 +131,7 @@ static void level_water_is_the_level_mesh(void **state)
     assert_true(deep < 2);
 }
 
-/* With waves, from a camera that rolls: the lattice of slopes and the single pixels. */
+/* With waves, from a rolling camera: the slope grid and the single pixels. */
 static void every_tiling_of_flat_water_is_the_same(void **state)
 {
     (void)state;
@@ -153,8 +155,8 @@ static void every_tiling_of_flat_water_is_the_same(void **state)
     assert_true(rolled > 3);
 }
 
-/* Depth changes by up to a 32nd over the 16 pixels between exact places: half way the
- * linear place is that of a pixel 16 / 4 / 32 px off, an eighth. */
+/* Depth changes by up to 1/32 over the 16 pixels between exact positions: at the middle the
+ * linear position is that of a pixel 16 / 4 / 32 px away, 1/8 px. */
 static void water_that_rolls_lies_where_its_rays_end(void **state)
 {
     (void)state;
@@ -184,8 +186,8 @@ static void water_that_rolls_lies_where_its_rays_end(void **state)
     assert_true(most < 0.14);
 }
 
-/* The slopes of waves that the lattice carries, against those of the mesh: swells so low
- * that both see the same place, and long beside 8 pixels where they are looked at. */
+/* Slopes of waves from the slope grid compared with those of the mesh: swells low enough
+ * for the same position in both, and much longer than 8 px at the viewed distance. */
 static void long_waves_have_the_slopes_of_the_mesh(void **state)
 {
     (void)state;
@@ -230,7 +232,7 @@ static void long_waves_have_the_slopes_of_the_mesh(void **state)
     assert_true(sqrt(sum / seen) < 3);
 }
 
-/* What it cannot show goes by triangles. */
+/* Water that the flat renderer cannot show is drawn by triangles. */
 static void water_that_is_not_level_goes_by_triangles(void **state)
 {
     (void)state;
@@ -264,7 +266,8 @@ static void water_that_is_not_level_goes_by_triangles(void **state)
     }
 }
 
-/* A camera that comes down to calm water is shown the same on both sides of the border. */
+/* A camera that descends to calm water gets the same picture on both sides of the renderer
+ * switch. */
 static void nothing_jumps_at_the_border(void **state)
 {
     (void)state;

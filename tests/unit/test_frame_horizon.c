@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a frame shows: sky above the horizon and water below, in every pixel; the boat
- * where the water does not hide it. */
+/* Contents of a frame: sky above the horizon and water below in every pixel; the boat where
+ * no water hides the boat. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -19,7 +19,8 @@ typedef struct {
     uint32_t sky, water, solid;
 } marks;
 
-/* Marks of rows [from, to), or the whole picture, of a frame drawn as one tile. */
+/* Counts stencil values in rows [from, to), or in the whole picture, of a frame drawn as
+ * one tile. */
 static marks marks_of(const test_frame *f, uint32_t from, uint32_t to)
 {
     const uint32_t *key = (const uint32_t *)(const void *)f->scratch;
@@ -44,8 +45,8 @@ static tp_scene calm_scene(void)
     return s;
 }
 
-/* The picture's row of the horizon, down from the top: level water seen from `height`
- * ends `far` metres away. */
+/* Row of the horizon, counted from the top: level water seen from the camera's height ends
+ * `far` m away. */
 static double horizon_row(const tp_scene *s, double far)
 {
     const double half = s->camera.fov / 65536.0 / 2 * 3.14159265358979 / 180;
@@ -55,8 +56,8 @@ static double horizon_row(const tp_scene *s, double far)
 }
 
 /* Calm water, level or tilted camera, any heading: sky above the horizon, water below, no
- * holes.  The grid ends between 16 km and its corner, the eye stands 1/10 back in it; all
- * columns of a level line share one row. */
+ * holes.  The grid ends between 16 km and its corner, and the eye is 1/10 from its rear;
+ * all columns of a grid line share one row. */
 static void calm_water_fills_everything_below_the_horizon(void **state)
 {
     (void)state;
@@ -79,8 +80,8 @@ static void calm_water_fills_everything_below_the_horizon(void **state)
         tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
         tp_frame_begin(f.frame, &world);
         assert_true(tp_frame_draw_tile(f.frame, 0, f.scratch, &tile));
-        /* The edge is a straight line of the world: in the picture it bends by no more
-         * than the dip of its nearest place, 15 km. */
+        /* The grid's edge is a straight line in the world: in the picture the edge bends by
+         * no more than the dip of its nearest point, at 15 km. */
         const double first = horizon_row(&scene, 40000),
                      last = horizon_row(&scene, 15000);
         const uint32_t sky = (uint32_t)fmax(0, fmin(HEIGHT, floor(first - 0.6)));
@@ -93,8 +94,8 @@ static void calm_water_fills_everything_below_the_horizon(void **state)
     }
 }
 
-/* With waves the horizon is ragged, but no pixel a little below it lets the sky through:
- * neighbouring triangles leave no gap, and cut ones neither. */
+/* With waves the horizon is ragged, but no pixel slightly below shows the sky: neighbouring
+ * triangles leave no gap, clipped triangles neither. */
 static void waves_leave_no_holes(void **state)
 {
     (void)state;
@@ -121,7 +122,7 @@ static void waves_leave_no_holes(void **state)
         tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
         tp_frame_begin(f.frame, &world);
         assert_true(tp_frame_draw_tile(f.frame, 0, f.scratch, &tile));
-        /* The lowest the water's edge can look: level water at 15 km, minus 1.5 m. */
+        /* Lowest possible row of the water's edge: level water at 15 km, minus 1.5 m. */
         const double last = horizon_row(&scene, 15000);
         const uint32_t sea = (uint32_t)fmax(0, fmin(HEIGHT, ceil(last + 0.6)));
         assert_int_equal(marks_of(&f, sea, HEIGHT).water, (HEIGHT - sea) * WIDTH);
@@ -129,7 +130,8 @@ static void waves_leave_no_holes(void **state)
     }
 }
 
-/* No reach: the grid's own cells, 10 x 10 m around the origin, seen from above. */
+/* Without reach the grid has only its own cells, 10 x 10 m around the origin, seen from
+ * above. */
 static void without_reach_the_grid_is_all(void **state)
 {
     (void)state;
@@ -152,7 +154,7 @@ static void without_reach_the_grid_is_all(void **state)
     tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
     tp_frame_begin(f.frame, &world);
     assert_true(tp_frame_draw_tile(f.frame, 0, f.scratch, &tile));
-    /* 10 m from 20 m: 10 / 20 x 77.94 = 38.97 pixels square, tilted by a degree. */
+    /* 10 m seen from 20 m: 10 / 20 x 77.94 = 38.97 px square, tilted by a degree. */
     const double side = 0.5 * HEIGHT / 2 / tan(3.14159265358979 / 6);
     assert_true(fabs(sqrt(marks_of(&f, 0, HEIGHT).water) - side) < 1);
     frame_free(&f);
@@ -185,7 +187,7 @@ static void the_boat_floats_on_the_water_and_sinks_below_it(void **state)
     const marks floating = marks_with_lift(0), flying = marks_with_lift(TP_FX_ONE);
     const marks sunk = marks_with_lift(TP_FX(-0.6)), half = marks_with_lift(TP_FX(-0.25));
 
-    assert_true(flying.solid > floating.solid);     /* half of it was under water */
+    assert_true(flying.solid > floating.solid);     /* half of the boat was under water */
     assert_true(floating.solid > half.solid && half.solid > 0);
     assert_int_equal(sunk.solid, 0);
     assert_int_equal(sunk.sky, floating.sky);

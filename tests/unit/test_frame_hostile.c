@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Whatever a scene, a world or an input asks for within the table's ranges can be drawn:
- * no undefined behaviour (under the sanitizers), nothing written outside the memory asked
- * for, and every pixel of the picture set. */
+/* Every scene, world and input within the table's ranges can be drawn: no undefined
+ * behaviour (under the sanitizers), no write outside the requested memory, and every pixel
+ * of the picture is set. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -13,7 +13,7 @@ static uint64_t chance;
 static test_kit kit;
 static test_twice twice;
 
-/* Grids as large as time allows: the points of one are one in twenty thousand. */
+/* Halves the grid until the test's time allows the size: 4000 vertices at most. */
 static void hold_grid(tp_scene *s)
 {
     while (s->grid.cols * s->grid.rows > 4000) {
@@ -24,7 +24,7 @@ static void hold_grid(tp_scene *s)
     }
 }
 
-/* As a whole and in tiles: the same picture. */
+/* Draws the frame whole and in tiles: the same picture. */
 static void draw_both(const tp_scene *scene, const tp_assets *assets,
                       const tp_world *world)
 {
@@ -33,7 +33,7 @@ static void draw_both(const tp_scene *scene, const tp_assets *assets,
     twice_end(&twice);
 }
 
-/* A world of its own, and everything that can be seen in it. */
+/* Draws a scene with a world of its own and every visible feature. */
 static void draw_any(tp_scene *scene, const test_boat *boat)
 {
     tp_assets assets = kit_assets(&kit, scene, &chance);
@@ -84,7 +84,7 @@ static void any_scene_of_the_table_is_drawn(void **state)
     assert_true(twice.reached.water > 50);
 }
 
-/* All rows at their least, all at their most, and each alone at either end. */
+/* All rows at their minimum, all at their maximum, and each row alone at either end. */
 static void every_row_at_its_ends_is_drawn(void **state)
 {
     (void)state;
@@ -132,7 +132,8 @@ static void grids_of_any_shape_are_drawn(void **state)
     }
 }
 
-/* The eye at the world's corners, at the surface, below it, straight down and up. */
+/* The eye at the world's corners, at the surface, below the surface, straight down and
+ * straight up. */
 static void the_eye_may_be_anywhere(void **state)
 {
     (void)state;
@@ -160,7 +161,7 @@ static void the_eye_may_be_anywhere(void **state)
     }
 }
 
-/* A mesh at the ends of what the reader takes, at every scale. */
+/* A mesh at the ends of the reader's range, at every scale. */
 static void a_boat_of_any_size_is_drawn(void **state)
 {
     (void)state;
@@ -179,7 +180,7 @@ static void a_boat_of_any_size_is_drawn(void **state)
             giant.vertex[i].s = i & 1 ? 16384 * TP_FX_ONE - 1 : 1 - 16384 * TP_FX_ONE;
             giant.vertex[i].t = i & 2 ? 16384 * TP_FX_ONE - 1 : 1 - 16384 * TP_FX_ONE;
         }
-        for (int i = 0; aside && i < 8; i++)    /* its origin at a corner */
+        for (int i = 0; aside && i < 8; i++)    /* origin of the mesh at a corner */
             giant.vertex[i].position = (tp_vec3){ i & 1 ? side : 0, i & 2 ? side : 0,
                                                   i & 4 ? side : 0 };
         giant.mesh.low = giant.vertex[0].position;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Layers, distortion, ripples and bumps in whole frames: the same however cut, at the
- * ends of their numbers, when these change while a frame lives, and after years. */
+/* Layers, distortion, ripples and bumps in whole frames: the same for every tiling, at the
+ * ends of the parameters, under parameter changes while a frame lives, and after years. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -14,7 +14,7 @@
 enum { WIDTH = 150, HEIGHT = 90, PIXELS = WIDTH * HEIGHT };
 
 static uint64_t chance;
-static test_boat pictures;              /* for its textures of awkward sides */
+static test_boat pictures;              /* for its textures with odd sides */
 static tp_texture wide, square;         /* 4096 x 1, 64 x 64 */
 
 static tp_assets all_assets(void)
@@ -25,7 +25,7 @@ static tp_assets all_assets(void)
     };
 }
 
-/* A picture that no way of drifting leaves as it is. */
+/* A texture that any drift changes. */
 static tp_assets square_assets(void)
 {
     return (tp_assets){ .layer = { &square, &square, &square }, .distortion = &square,
@@ -39,7 +39,7 @@ static void any_map(tp_scene_map *map)
     map->drift_z = chance_fx(&chance, -20, 20);
 }
 
-/* Everything that the water may carry, a pool and a field too. */
+/* A scene with every feature of the water, a pool and a field included. */
 static tp_scene busy_scene(void)
 {
     tp_scene s = scene_plain();
@@ -80,7 +80,7 @@ static tp_world *world_of(const tp_scene *scene)
     return world;
 }
 
-/* Begins nothing: the frame as it is, in tiles. */
+/* Draws the begun frame in tiles, without a new beginning. */
 static void draw(const test_frame *f, uint32_t *picture)
 {
     tp_tile tile;
@@ -128,7 +128,7 @@ static void every_tiling_gives_the_same_bits(void **state)
         tp_scene scene = busy_scene();
         tp_world *world = world_of(&scene);
         tp_assets assets = all_assets();
-        if (n % 3 == 0) {                       /* the roughest, and 1 x 1 */
+        if (n % 3 == 0) {                       /* the roughest scene, and 1 x 1 tiles */
             scene.distortion.strength = 20 * TP_FX_ONE;
             scene.distortion.map.size = scene.layer[2].map.size = TP_FX(0.1);
             assets.layer[1] = &pictures.texture[2];
@@ -142,10 +142,10 @@ static void every_tiling_gives_the_same_bits(void **state)
     }
 }
 
-/* -- numbers that change ------------------------------------------------------------- */
+/* -- parameters that change ---------------------------------------------------------- */
 
-/* A frame that has lived through other numbers draws as a new one does; and each number
- * is seen: the picture is another. */
+/* A frame that has drawn with other parameters draws the same as a new frame; and each
+ * parameter has an effect on the picture. */
 static void numbers_may_change_while_the_frame_lives(void **state)
 {
     (void)state;
@@ -199,7 +199,7 @@ static tp_stage stage_at(const tp_frame *frame, int i)
     return tp_frame_list(frame, TP_MARK_WATER)->shader[i].stage;
 }
 
-/* What a scene does not use is not there: 0, 1 and white are the plain stage. */
+/* Values without effect, 0, 1 and white, select the plain stage. */
 static void plain_layers_are_the_plain_stage(void **state)
 {
     (void)state;
@@ -226,7 +226,7 @@ static void plain_layers_are_the_plain_stage(void **state)
 
 /* -- bumps --------------------------------------------------------------------------- */
 
-/* The mesh is that of a scene without pools, the light is not. */
+/* The mesh equals that of a scene without pools, the light does not. */
 static void bumped_pools_leave_the_mesh(void **state)
 {
     (void)state;
@@ -263,7 +263,7 @@ static void bumped_pools_leave_the_mesh(void **state)
     free(calm);
 }
 
-/* A frame that was made without their pictures draws pools as heights. */
+/* A frame that was made without the pools' slope maps draws pools as heights. */
 static void bumps_without_room_are_heights(void **state)
 {
     (void)state;
@@ -286,7 +286,7 @@ static void bumps_without_room_are_heights(void **state)
     free(world);
 }
 
-/* Slopes are taken when the frame begins. */
+/* Slopes are computed when the frame begins. */
 static void the_world_may_move_on_while_tiles_are_drawn(void **state)
 {
     (void)state;
@@ -309,8 +309,8 @@ static void the_world_may_move_on_while_tiles_are_drawn(void **state)
 
 /* -- years --------------------------------------------------------------------------- */
 
-/* Repeats drifted since tick 0 against long double, up to 30 years: places are cut to
- * 16.16, a tick's way to Q48. */
+/* Repeats drifted since tick 0 compared with long double, up to 30 years: positions are
+ * truncated to 16.16, the drift per tick to Q48. */
 static void pictures_drift_for_years(void **state)
 {
     (void)state;

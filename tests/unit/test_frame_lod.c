@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Fewer lines far away: what is left out, how the picture changes, and that it does not
- * jump as the camera moves. */
+/* Level of detail of the grid: omitted lines, the change of the picture, and continuity
+ * under camera motion. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -13,7 +13,7 @@
 static uint64_t chance;
 static test_boat boat;
 
-/* The mesh of count-100, seen from any heading. */
+/* The mesh of count-100, seen at any heading. */
 static tp_scene far_scene(void)
 {
     tp_scene s = scene_plain();
@@ -47,8 +47,9 @@ static void draw(level_shot *shot, tp_scene *scene, tp_visibility how, bool lod)
     level_draw(shot, scene, &none, how, 40);
 }
 
-/* Cells in view whose sides are both below 6 pixels at their depth: what is left are those
- * of lines that are seen nearer elsewhere, as of a heading between the axes. */
+/* Counts cells in view with both sides below 6 px at their depth.  The remaining small
+ * cells belong to lines that are seen nearer elsewhere, as at a heading between the
+ * axes. */
 static void fewer_cells_in_view_are_below_six_pixels(void **state)
 {
     (void)state;
@@ -104,8 +105,8 @@ static void the_picture_stays_what_it_was(void **state)
     assert_true(most < 2);
 }
 
-/* 2 m in steps of 1 cm, so past every row's or column's threshold: the most that a step
- * changes. */
+/* Moves 2 m in steps of 1 cm, past every threshold of rows or columns, and returns the
+ * largest change in a step. */
 static double most_change(tp_scene *scene, bool lod, bool along_x)
 {
     static level_shot shot[2];

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The half pictures that water looks into: objects mirrored and sunken lie where rays in
- * double precision meet them, and nothing shows on the wrong side of the level. */
+/* The reflection and refraction maps of the water: reflected and submerged objects lie
+ * where rays in double precision meet the objects, and nothing shows on the wrong side of
+ * the level. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -18,7 +19,7 @@ enum { WIDTH = 320, HEIGHT = 240 };
 
 static const tp_half nothing = { .colour = NULL };
 
-/* The maps of the last picture; without colours where there is none. */
+/* The maps of the last picture; without colours if there is no map. */
 static const tp_half *mirror_of(const tp_frame *frame)
 {
     const tp_mirror *mirror = tp_frame_part(frame, TP_MIRROR_ID);
@@ -41,7 +42,8 @@ static const tp_assets *assets_of_boat(void)
     return &assets;
 }
 
-/* A box of 2 x 1 x 4 m, `lift` over still water, somewhere before the camera. */
+/* A box of 2 x 1 x 4 m, `lift` m above still water, at a random position in front of the
+ * camera. */
 static tp_scene calm_scene(double lift)
 {
     tp_scene s = scene_plain();
@@ -99,7 +101,8 @@ static ref_box box_of(const tp_frame *frame)
 
 typedef bool covers(const ref_camera *c, const ref_box *box, double u, double v);
 
-/* What is mirrored reaches up behind the box, where no water shows it. */
+/* True if drawing and reference agree.  The reflection may extend behind the box, where no
+ * water shows the reflection. */
 static bool agrees(covers *is_there, const ref_camera *c, const ref_box *box, double u,
                    double v, bool drawn)
 {
@@ -107,7 +110,8 @@ static bool agrees(covers *is_there, const ref_camera *c, const ref_box *box, do
         || (is_there == ref_mirrors && ref_hides(c, box, u, v));
 }
 
-/* How far from the pixel's centre the reference first agrees with what was drawn. */
+/* Distance from the pixel's centre at which the reference first agrees with the drawing,
+ * px. */
 static double distance_to(covers *is_there, const ref_camera *c, const ref_box *box,
                           double u, double v, bool drawn)
 {
@@ -122,7 +126,7 @@ static double distance_to(covers *is_there, const ref_camera *c, const ref_box *
     return 4;
 }
 
-/* Returns how many pixels show it. */
+/* Returns the number of pixels that show the object. */
 static int compare(const tp_frame *frame, const tp_half *half, covers *is_there,
                    measure *off)
 {
@@ -141,8 +145,8 @@ static int compare(const tp_frame *frame, const tp_half *half, covers *is_there,
     return count;
 }
 
-/* Half pixels put an edge within one pixel, of a box that stands out by more than the
- * mirror reaches below the level. */
+/* Half-resolution pixels put an edge within one pixel, for a box that rises above the level
+ * by more than the reflection's depth below the level. */
 static void outlines_lie_within_a_pixel_of_a_double_ray(void **state)
 {
     (void)state;
@@ -216,7 +220,7 @@ static void an_eye_under_water_sees_neither(void **state)
     frame_free(&f);
 }
 
-/* A box far down has gone into the deep water's colour, one at the level has not. */
+/* A box far down has the deep water's colour, a box at the level does not. */
 static void depth_takes_the_colour_of_what_is_sunken(void **state)
 {
     (void)state;
@@ -243,9 +247,10 @@ static void depth_takes_the_colour_of_what_is_sunken(void **state)
     assert_true(off[0] > 100 && off[1] == 0);
 }
 
-/* -- at its foot ---------------------------------------------------------------------- */
+/* -- at the foot of an object --------------------------------------------------------- */
 
-/* A pixel of water right under one of the box, all about which mirrors the box. */
+/* True for a pixel of water directly below a pixel of the box, surrounded by pixels that
+ * reflect the box. */
 static bool at_the_foot(const ref_camera *c, const ref_box *box, const uint32_t *key,
                         int x, int y)
 {
@@ -260,8 +265,9 @@ static bool at_the_foot(const ref_camera *c, const ref_box *box, const uint32_t 
     return true;
 }
 
-/* Half pixels on both sides of the level are mixed there: empty ones are light.  Looking
- * steeply down a pixel is more of an object's height, so a few of a thousand are left. */
+/* Half-resolution pixels on both sides of the level are mixed there: empty pixels are
+ * light.  In a steep view downwards a pixel covers more of an object's height, so a few
+ * pixels in a thousand remain. */
 static void no_sky_shows_between_an_object_and_its_mirror(void **state)
 {
     (void)state;
@@ -304,8 +310,9 @@ static bool differ(uint32_t a, uint32_t b)
     return false;
 }
 
-/* What the mirror changes, beyond what two ways of mixing round, lies over water
- * that is nearer than the boat, as far from the flat mirror as slopes and crests push. */
+/* Changes by the reflection, beyond the rounding of two ways of mixing, are over water
+ * nearer than the boat, as far from the flat reflection as slopes and crests displace the
+ * image. */
 static void the_mirror_under_waves_stays_under_the_boat(void **state)
 {
     (void)state;
@@ -346,7 +353,8 @@ static void the_mirror_under_waves_stays_under_the_boat(void **state)
     assert_true(changed > 1000);
 }
 
-/* A trough bares the box's sides below the level, and its mirror is made of those. */
+/* A trough exposes the box's sides below the level, and the reflection shows these
+ * sides. */
 static void troughs_mirror_what_they_bare(void **state)
 {
     (void)state;
@@ -359,7 +367,7 @@ static void troughs_mirror_what_they_bare(void **state)
 
     for (int n = 0; n < 40; n++) {
         tp_scene s = calm_scene(0);
-        s.camera.y = TP_FX_ONE;             /* water seen steeply mirrors too little */
+        s.camera.y = TP_FX_ONE;             /* water seen steeply reflects too little */
         s.camera.pitch = 0;
         s.water.clear = 0;
         s.water.reflection = TP_FX_ONE;
@@ -382,7 +390,7 @@ static void troughs_mirror_what_they_bare(void **state)
     assert_true(feet > 400 && 14 * bare <= feet);
 }
 
-/* The head of include/tidepool/frame.h says so. */
+/* The head of include/tidepool/frame.h states these sizes. */
 static void mirrors_cost_the_bytes_that_are_told(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Programs that lack things: what a program leaves out is left out of the picture,
- * whatever the scene asks for, and nothing else changes. */
+/* Programs without some modules: a feature that the program lacks is left out of the
+ * picture for any scene, and nothing else changes. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -31,7 +31,7 @@ static tp_world *world_by(const tp_program *by, const tp_scene *scene,
     return world;
 }
 
-/* The frame's program may differ from the world's. */
+/* The frame's program may differ from the world's program. */
 static void draw_by(const tp_program *by, const tp_program *moved_by)
 {
     tp_scene scene = kit_scene(&chance, 40, 24);
@@ -62,13 +62,14 @@ static void any_program_draws_any_scene(void **state)
         draw_by(&by, n % 3 ? &by : n % 2 ? &tp_program_all : &other);
     }
     twice_print(&twice.reached);
-    const twice_reached *r = &twice.reached;    /* rare things are other tests' */
+    const twice_reached *r = &twice.reached;    /* rare features are covered by other
+                                                 * tests */
     assert_true(r->under && r->water && r->solids && r->drops && r->tank && r->mirrored
                 && r->sunken && r->cube && r->caustics && r->bumps && r->foam && r->dome
                 && r->cube_sky && r->exposed && r->dispersed && r->between_ticks);
 }
 
-/* -- what is left out -------------------------------------------------------------- */
+/* -- features left out ------------------------------------------------------------- */
 
 enum { W = 64, H = 48 };
 
@@ -101,7 +102,8 @@ static void a_program_of_what_a_scene_needs_draws_it_as_all_does(void **state)
     (void)state;
     tp_scene_level(&scene);
     scene.water.reflection = scene.water.specular = 0;
-    scene.quality.visibility = TP_VISIBILITY_TRIANGLES;     /* the plan is not in it */
+    scene.quality.visibility = TP_VISIBILITY_TRIANGLES;     /* the plan has no part in
+                                                             * this */
     scene.quality.shading = TP_SHADING_EXACT;
     scene.quality.lod = TP_LOD_OFF;
     own.modules = (const tp_use[]){ TP_USE(haze), TP_USE(base_layer), TP_USE(diffuse),
@@ -111,8 +113,8 @@ static void a_program_of_what_a_scene_needs_draws_it_as_all_does(void **state)
     assert_int_equal(crc, drawn_by(&tp_program_all, &scene, &assets, &lacks));
 }
 
-/* As if the scene did not ask for it; what the list of modules does not know it cannot
- * count. */
+/* The same as if the scene did not ask for the feature; the count covers only modules in
+ * the program's list. */
 static void what_a_program_lacks_is_left_out_and_counted(void **state)
 {
     tp_assets assets = { .boat = &kit.boat.mesh, .layer[0] = &kit.picture[0],
@@ -147,7 +149,7 @@ static void what_a_program_lacks_is_left_out_and_counted(void **state)
     X(quick_still) X(quick_still_thin) X(quick_layers_thin) X(quick_slopes) \
     X(quick_gradient) X(quick_dome_phong) X(quick_cube_phong) X(quick_dome_even)
 
-/* Bent layers and ripples under a plain sky, by the quick stages. */
+/* A scene with distorted layers and ripples under a plain sky, drawn by the fast stages. */
 static tp_scene quick_scene(int32_t rate)
 {
     tp_scene s;
@@ -161,9 +163,9 @@ static tp_scene quick_scene(int32_t rate)
     return s;
 }
 
-/* A stage reads the results of the stage before it: a program that lacks a stage of the
- * quick list draws exactly, and without a stage of every second column it draws all
- * columns.  Quick stages that the scene does not run are not asked for. */
+/* A stage reads the results of the preceding stage: a program without a stage of the fast
+ * list draws exactly, and without a stage of the half rate the program draws all columns.
+ * Fast stages that the scene does not run are not required. */
 static void a_program_without_a_quick_stage_takes_the_next_better_rung(void **state)
 {
     const tp_assets assets = { .layer[0] = &kit.picture[0], .layer[1] = &kit.picture[1],
@@ -208,7 +210,7 @@ static void a_program_without_a_quick_stage_takes_the_next_better_rung(void **st
     assert_int_equal(lacks, 0);
 }
 
-/* -- stages that are missing, by name ----------------------------------------------- */
+/* -- missing stages by name --------------------------------------------------------- */
 
 static const char *lacks_of(const tp_program *by, const tp_scene *scene,
                             const tp_assets *assets)
@@ -227,7 +229,7 @@ static const char *lacks_of(const tp_program *by, const tp_scene *scene,
     return name;
 }
 
-/* The sky's stages are asked for first, then those of solids, then the water's. */
+/* The sky's stages are requested first, then those of solids, then those of the water. */
 static void the_first_module_without_a_stage_is_told(void **state)
 {
     const tp_assets assets = { .boat = &kit.boat.mesh, .layer[0] = &kit.picture[0] };

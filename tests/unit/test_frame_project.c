@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Places of the world in the picture and back, by cameras of any roll. */
+/* Projection of world points into the picture and back, for cameras with any roll. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -72,7 +72,7 @@ static tp_scene scene_of(uint32_t parts)
     return s;
 }
 
-/* Any place, 16 km away or at the camera's nose. */
+/* Any point, from 16 km away to directly before the camera. */
 static void a_place_is_where_a_pinhole_sees_it(void **state)
 {
     (void)state;
@@ -139,7 +139,7 @@ static void places_far_outside_are_held(void **state)
     free(w);
 }
 
-/* With pools, rings, an ocean and between ticks; also from below. */
+/* With pools, rings, coastal water and between ticks; also from below. */
 static void a_picked_place_projects_to_its_pixel(void **state)
 {
     (void)state;
@@ -174,14 +174,14 @@ static void a_picked_place_projects_to_its_pixel(void **state)
     assert_true(worst < 0.5);
 }
 
-/* -- what is drawn -------------------------------------------------------------------- */
+/* -- drawn pixels --------------------------------------------------------------------- */
 
 typedef struct {
     int water, other, wrong, far;
 } agreement;
 
-/* Picks of a drawn tile: its kinds and depths, but for a pixel's breadth around.  The
- * mesh ends 62 m from the origin. */
+/* Compares picks with a drawn tile: kinds and depths agree except within a pixel of an
+ * edge.  The mesh ends 62 m from the origin. */
 static void compare_tile(const test_frame *f, const tp_tile *tile, agreement *a)
 {
     static uint8_t kind[3][800];
@@ -225,7 +225,8 @@ static void picks_agree_with_the_samples_of_tiles(void **state)
     (void)state;
     agreement a = { 0 };
     for (int n = 0; n < 16; n++) {
-        static const uint32_t parts[] = { 0, 16, 4, 1 }; /* swells, rings, pool, ocean */
+        static const uint32_t parts[] = { 0, 16, 4, 1 }; /* swells, rings, pool, coastal
+                                                          * water */
         tp_scene scene = scene_of(parts[n % 4]);
         scene.grid.cols = scene.grid.rows = 250;
         scene.grid.cell = TP_FX(0.5);
@@ -234,7 +235,7 @@ static void picks_agree_with_the_samples_of_tiles(void **state)
         scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
         scene.drops.into = TP_DROPS_RINGS;
         scene.drops.rings = 40;
-        scene.drops.radius = TP_FX(0.01); /* too small to be seen in the air */
+        scene.drops.radius = TP_FX(0.01); /* too small to be visible in the air */
         tp_world *w = scene_world(&scene, NULL);
         const tp_config config = {
             .width = 320, .height = 200, .tile_width = n & 1 ? 160 : 0, .tile_height = 50

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Water by lines laid over the picture is the picture of a fine mesh, up to the border of
- * where it holds. */
+/* Water drawn by a screen grid equals the picture of a fine mesh, up to the limit of the
+ * renderer's validity. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -13,7 +13,7 @@
 static uint64_t chance;
 static test_boat boat;
 
-/* Three swells, a mesh so fine that it is what they are. */
+/* Three swells and a mesh fine enough to represent the swells. */
 static tp_scene fine_scene(void)
 {
     tp_scene s = scene_plain();
@@ -33,7 +33,7 @@ static tp_scene fine_scene(void)
     return s;
 }
 
-/* The topmost row of water in a column; below it all is, or -1: there is a hole. */
+/* Topmost row of water in a column with water down to the bottom; -1 if there is a hole. */
 static int top_of(const level_shot *shot, int x)
 {
     int y = 0;
@@ -47,8 +47,8 @@ static int top_of(const level_shot *shot, int x)
 }
 
 typedef struct {
-    int    most, columns;       /* rows that outlines are apart, at the most */
-    double sum, colour;         /* of rows; mean of 255 */
+    int    most, columns;       /* largest row distance between the outlines */
+    double sum, colour;         /* sum of rows; mean of 255 */
 } difference;
 
 static difference compare(const level_shot *mesh, const level_shot *lines)
@@ -73,7 +73,7 @@ static void add(difference *all, const difference *d)
     all->colour = fmax(all->colour, d->colour);
 }
 
-/* Whether projected holds; then the two are compared. */
+/* True if the projected renderer is valid for the scene; then compares both pictures. */
 static bool look(tp_scene *scene, const tp_assets *assets, difference *all)
 {
     static level_shot mesh, lines;
@@ -116,8 +116,8 @@ static void lines_over_the_picture_are_the_fine_mesh(void **state)
     assert_in_range(held, 15, 59);
 }
 
-/* One number of a scene goes from where projected holds to where it does not: up to the
- * last step it shows what the mesh shows. */
+/* A scene parameter that moves from the validity of the projected renderer to outside: up
+ * to the last valid step the picture equals the mesh's picture. */
 typedef struct {
     const char *name;
     int32_t     from, to;

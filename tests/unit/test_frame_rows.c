@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Water by rows reads the boxes of its own cells only. */
-#define _DEFAULT_SOURCE         /* MAP_ANONYMOUS */
+/* Scanline water reads only the boxes of its own cells. */
+#define _DEFAULT_SOURCE         /* for MAP_ANONYMOUS */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -16,8 +16,8 @@ enum { WIDTH = 160, HEIGHT = 90 };
 
 static uint64_t chance;
 
-/* Boxes that end where memory does: a frame is one block, in which no sanitizer sees an
- * array's end. */
+/* Boxes that end at the end of a memory page: a frame is one block, where no sanitizer sees
+ * the end of an array. */
 typedef struct {
     uint8_t     *pages;
     size_t       bytes;         /* with the last page, which cannot be read */
@@ -38,9 +38,9 @@ static guarded guarded_copy(const tp_grid_box *box, size_t count)
     return g;
 }
 
-/* Seen from one side of the grid, so that near rows, which the lens cuts, have cells
- * beyond the 256th.  There a walk past the last block comes to one that passes for a block
- * of the row: 4096 blocks on its first cell, in 16 bits, is the same. */
+/* A view from one side of the grid: near rows, which the near plane clips, have cells
+ * beyond the 256th.  There a walk past the last block reaches a block that looks like one
+ * of the row: 4096 blocks after its first cell is the same in 16 bits. */
 static tp_scene scene_wide(bool along_x)
 {
     tp_scene s = scene_plain();

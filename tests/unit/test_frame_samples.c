@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Depth and kind of each pixel of a drawn tile: every kind of thing is told from every
- * other one, by its list of stages, and the nearer key has the nearer depth. */
+/* Depth and kind of each pixel of a drawn tile: the shader lists tell every kind apart, and
+ * the nearer key has the nearer depth. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -21,7 +21,7 @@ static const tp_sample_kind kind_of[] = {
     [MARKS_SIDE] = TP_SAMPLE_GLASS,  [MARKS_SPRAY] = TP_SAMPLE_SPRAY,
 };
 
-/* Counts the pixels of each kind of a drawn tile. */
+/* Counts the pixels of each kind in a drawn tile. */
 static void compare_tile(const test_frame *f, const tp_tile *tile, uint32_t *count)
 {
     const uint32_t *key = (const uint32_t *)(const void *)f->scratch;
@@ -52,7 +52,7 @@ static void each_kind_of_thing_is_told(void **state)
     kit_make(&kit, &chance);
     for (int n = 0; n < SCENES; n++) {
         tp_scene scene = kit_scene(&chance, 20, 40);
-        scene.spray.size = TP_FX(0.8);      /* else a speck is seldom a pixel */
+        scene.spray.size = TP_FX(0.8);      /* otherwise a particle seldom covers a pixel */
         const tp_assets assets = kit_assets(&kit, &scene, &chance);
         const tp_config config = { .width = WIDTH, .height = HEIGHT, .tile_height = 32 };
         tp_world *world = scene_world(&scene, &assets);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Frames for little memory: crossings streamed, pixels straight into the picture.  They
- * draw what others draw, bit for bit. */
+/* Frames for little memory: streamed grid vertices and pixels written straight into the
+ * picture.  These frames draw the same as others, bit for bit. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -18,7 +18,7 @@ static test_kit kit;
 static tp_program streamed;
 static uint32_t by_rows, by_streams;
 
-/* With as much as asked for, and anything in it. */
+/* Draws with exactly the requested scratch memory, filled with any data. */
 static void draw_into(const test_frame *f, const tp_config *config, uint8_t *picture)
 {
     const tp_config into = config_with(config, &streamed, NULL);
@@ -48,7 +48,8 @@ static void draw_tiles(const test_frame *f, const tp_config *config, uint8_t *pi
                    (const uint8_t *)tile.pixels + (y - tile.y0) * tile.stride, row_bytes);
 }
 
-/* By the small frame's method: it has no lines of columns, and draws triangles there. */
+/* Compares by the small frame's renderer: a small frame has no scanline tables along
+ * columns and draws triangles there. */
 static void compare(const tp_scene *scene, const tp_assets *assets, const tp_world *world)
 {
     static uint8_t picture[2][HEIGHT * STRIDE];
@@ -67,7 +68,8 @@ static void compare(const tp_scene *scene, const tp_assets *assets, const tp_wor
     memset(picture, 0, sizeof picture);
     assert_true(small.bytes <= kept.bytes);
     by_streams += small.frame->parts.grid->streams;
-    for (int k = 0; k < 2; k++) {               /* the second in memory full of the first */
+    for (int k = 0; k < 2; k++) {               /* the second draw in memory full of the
+                                                 * first */
         tp_frame_begin(small.frame, world);
         tp_rungs rungs = small.frame->rungs;
         rungs.visibility = small.frame->visibility;
@@ -82,7 +84,7 @@ static void compare(const tp_scene *scene, const tp_assets *assets, const tp_wor
     frame_free(&small);
 }
 
-/* Every kind of scene but an ocean, whose crossings are kept. */
+/* Every kind of scene except coastal water, whose grid vertices are stored. */
 static void streamed_crossings_draw_the_same(void **state)
 {
     (void)state;
@@ -106,7 +108,8 @@ static void streamed_crossings_draw_the_same(void **state)
     assert_true(by_streams > 30);
 }
 
-/* The plain scene, from where rows hold: along z they are streamed, along x triangles. */
+/* The plain scene from a view where the scanline renderer is valid: along z rows are
+ * streamed, along x triangles. */
 static void streamed_rows_draw_the_same(void **state)
 {
     (void)state;
@@ -167,7 +170,7 @@ static void waves_beyond_those_at_init_are_left_out(void **state)
     frame_free(&f);
 }
 
-/* Calm water that mirrors a boat and no sky of its own. */
+/* Calm water that reflects a boat and no sky of its own. */
 static tp_scene mirror_scene(void)
 {
     tp_scene s = scene_plain();
@@ -212,7 +215,7 @@ static int64_t difference(const uint8_t *a, const uint8_t *b)
     return sum;
 }
 
-/* Coarser, in the same place. */
+/* The quarter-resolution reflection is coarser, in the same place. */
 static void a_quarter_mirror_shows_what_a_half_one_does(void **state)
 {
     (void)state;

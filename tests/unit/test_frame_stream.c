@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Crossings that are not stored draw what stored ones do, bit for bit, and nothing else
- * is written: whatever the scene, the tiles, the method. */
+/* Streamed grid vertices give the same picture as stored vertices, bit for bit, without any
+ * other write: for any scene, tiling and renderer. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -13,7 +13,7 @@ enum { WIDTH = TWICE_WIDTH, HEIGHT = TWICE_HEIGHT };
 
 static uint64_t chance;
 static test_kit kit;
-static tp_program small; /* everything, without a store */
+static tp_program small; /* all modules, without a store */
 
 typedef struct {
     uint32_t drawn, streamed, cut, rows, thinned;
@@ -28,7 +28,8 @@ static bool is_cut(const tp_grid *grid)
     return false;
 }
 
-/* By the method of the streamed frame: where the camera looks along x it has no rows. */
+/* Compares by the streamed frame's renderer: with a camera that looks along x it has no
+ * scanlines. */
 static void compare(const tp_scene *scene, const tp_assets *assets, const tp_world *world,
                     counts *count)
 {
@@ -45,7 +46,8 @@ static void compare(const tp_scene *scene, const tp_assets *assets, const tp_wor
     test_frame kept = frame_of(scene, assets, &whole);
     test_frame some = frame_by(&small, scene, assets, &tiled);
 
-    for (int k = 0; k < 2; k++) {               /* the second in memory full of the first */
+    for (int k = 0; k < 2; k++) {               /* the second draw in memory full of the
+                                                 * first */
         tp_frame_begin(some.frame, world);
         tp_rungs rungs = some.frame->rungs;
         rungs.visibility = some.frame->visibility;
@@ -93,7 +95,7 @@ static void any_scene_is_drawn_the_same(void **state)
     assert_true(count.streamed > 50 && count.cut > 20);
 }
 
-/* Seen from where rows hold, or nearly, with and without LOD. */
+/* Views where the scanline renderer is valid, or nearly so, with and without LOD. */
 static void rows_are_drawn_the_same(void **state)
 {
     (void)state;
@@ -152,14 +154,14 @@ static void what_is_not_stored_takes_no_memory(void **state)
     scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
     const size_t saved =
         tp_frame_bytes(&config, &scene) - tp_frame_bytes(&streamed, &scene);
-    const size_t waves = TP_WAVES - 3;          /* the plain scene's are three */
+    const size_t waves = TP_WAVES - 3;          /* the plain scene has three waves */
     assert_int_equal(saved, (62 * sizeof(tp_grid_vertex)
                              + waves * (sizeof(tp_vertex_turn) + 4)) * 64);
     assert_true(tp_frame_scratch_bytes(&streamed, &scene)
                 <= tp_frame_scratch_bytes(&config, &scene) + TP_GRID_WINDOW(64));
 }
 
-/* Their columns' tables have no room. */
+/* The tables of the columns have no room for these waves. */
 static void waves_beyond_those_at_init_are_left_out(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A frame is the same however it is cut, in memory of exactly the size asked for. */
+/* A frame is the same for every tiling, in memory of exactly the requested size. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -14,7 +14,7 @@ enum { WIDTH = 150, HEIGHT = 90 };
 static uint64_t chance;
 static test_boat boat;
 
-/* The whole picture as 0x00RRGGBB, put together from tiles in the order of `step`. */
+/* The whole picture as 0x00RRGGBB, assembled from tiles in the order of `step`. */
 static void draw(const test_frame *f, const tp_config *config, uint32_t step,
                  uint32_t *picture)
 {
@@ -54,7 +54,7 @@ static const tp_assets *all_assets(void)
     return &assets;
 }
 
-/* The plain scene with the boat close by, looked at from somewhere. */
+/* The plain scene with the boat close by, seen from a random position. */
 static tp_scene busy_scene(tp_world *world)
 {
     tp_scene s = scene_plain();
@@ -72,7 +72,7 @@ static tp_scene busy_scene(tp_world *world)
     s.layer[0].map.size = 3 * TP_FX_ONE;
     s.boat.length = 4 * TP_FX_ONE;
     s.boat.beam = 2 * TP_FX_ONE;
-    if (random_below(&chance, 3) == 0) {        /* from its deck, which rolls */
+    if (random_below(&chance, 3) == 0) {        /* from the rolling deck */
         s.camera.follow = TP_FOLLOW_BOAT;
         s.camera.x = 0;
         s.camera.y = chance_fx(&chance, 0.6, 2);
@@ -111,8 +111,8 @@ static void every_tiling_gives_the_same_bits(void **state)
     }
 }
 
-/* Everything that a scene can have, in ticks and between them, in frames that live on
- * while the world and the scene's numbers do. */
+/* Every feature that a scene can have, at ticks and between ticks, in frames that live on
+ * while world and scene change. */
 static void every_kind_of_scene_gives_the_same_bits_in_tiles(void **state)
 {
     (void)state;
@@ -150,7 +150,8 @@ static void every_kind_of_scene_gives_the_same_bits_in_tiles(void **state)
     assert_true(twice_reached_all(&twice.reached));
 }
 
-/* Backwards or leaping, into a scratch full of other things; into other memory. */
+/* Draws the tiles backwards or in leaps, into a scratch full of other data, and into other
+ * memory. */
 static void order_and_old_memory_do_not_matter(void **state)
 {
     (void)state;
@@ -169,7 +170,8 @@ static void order_and_old_memory_do_not_matter(void **state)
         tp_frame_begin(f.frame, &world);
         for (size_t i = 0; i < f.scratch_bytes; i++)
             f.scratch[i] = (uint8_t)random_next(&chance);
-        draw(&f, &config, 7, part);         /* 50 tiles: 7 and 49 reach them all */
+        draw(&f, &config, 7, part);         /* 50 tiles: steps of 7 and 49 reach all
+                                             * tiles */
         assert_memory_equal(part, whole, sizeof whole);
         draw(&f, &config, 49, part);
         assert_memory_equal(part, whole, sizeof whole);
@@ -181,7 +183,7 @@ static void order_and_old_memory_do_not_matter(void **state)
         tp_frame_begin(f.frame, &world);
         draw(&f, &config, 1, part);
         assert_memory_equal(part, whole, sizeof whole);
-        tp_frame_begin(f.frame, &world);    /* and again over its own remains */
+        tp_frame_begin(f.frame, &world);    /* once more over its own remains */
         draw(&f, &config, 1, part);
         assert_memory_equal(part, whole, sizeof whole);
         frame_free(&f);
@@ -212,7 +214,7 @@ static void the_world_may_move_on_while_tiles_are_drawn(void **state)
     frame_free(&f);
 }
 
-/* Every format is the true colours put through its store. */
+/* Every format equals the true colours passed through the format's store. */
 static void formats_differ_only_in_how_colours_are_stored(void **state)
 {
     (void)state;
@@ -344,7 +346,7 @@ static void the_ends_of_the_config_are_taken(void **state)
     }
 }
 
-/* -- numbers ------------------------------------------------------------------------- */
+/* -- statistics ---------------------------------------------------------------------- */
 
 static void the_numbers_of_a_frame_add_up(void **state)
 {

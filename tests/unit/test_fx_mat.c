@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Rotations: the signs that the header promises, and every entry against double. */
+/* Rotations: the signs that the header promises, and every entry compared with double
+ * precision. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -57,7 +58,7 @@ static void roll_lowers_the_right_side(void **state)
     assert_true(tp_rotation_from_angles(TP_DEG(77), TP_DEG(-20), TP_DEG(1)).x.y < 0);
 }
 
-/* Roll, lift and turn of a vector of the local frame, one after the other. */
+/* Applies roll, pitch and heading to a vector of the local frame, one after the other. */
 static void turned(const double v[3], const double angle[3], double out[3])
 {
     const double sr = sin(angle[2]), cr = cos(angle[2]);
@@ -118,7 +119,7 @@ static void turning_there_and_back_returns_the_vector(void **state)
         measure_add(&m, off, v.x, v.y, v.z);
     }
     measure_print(&m);
-    assert_true(m.worst <= 6);              /* 2^25 long, and twice rounded */
+    assert_true(m.worst <= 6);              /* 2^25 long and rounded twice */
 }
 
 static void a_product_turns_as_its_factors_one_after_the_other(void **state)

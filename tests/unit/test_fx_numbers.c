@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Products and quotients of 16.16 against the rounding rule itself. */
+/* Products and quotients of 16.16 compared with the rounding rule. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -49,8 +49,8 @@ static void small_helpers_do_what_they_say(void **state)
     }
 }
 
-/* q = floor(n / b + 1/2) exactly when 2 q b <= 2 n + b < 2 (q + 1) b, for b > 0; at an
- * end of the range the quotient may lie beyond it. */
+/* True if q = floor(n / b + 1/2): exactly when 2 q b <= 2 n + b < 2 (q + 1) b, for b > 0.
+ * At an end of the range the quotient may lie beyond. */
 static int is_quotient(int64_t n, int64_t b, int64_t q)
 {
     if (b < 0) {

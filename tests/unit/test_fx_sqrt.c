@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Roots and normalised reciprocals: exact ones by their definition, others in double. */
+/* Roots and normalised reciprocals: exact functions by their definition, others in double
+ * precision. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -71,7 +72,7 @@ static void isqrt64_is_the_floor(void **state)
         const uint64_t x = random_next(&random);
         check_floor_root(x >> (i & 63));
         const uint64_t r = (uint32_t)random_next(&random) >> (i & 31);
-        check_floor_root(r * r);            /* where the floor steps */
+        check_floor_root(r * r);            /* here the floor steps */
         check_floor_root(r * r - (r > 0));
         check_floor_root(r * r + 2 * r);
     }
@@ -86,7 +87,7 @@ static void isqrt64_is_the_floor(void **state)
     printf("    %-18s %10d inputs, exact\n", "tp_isqrt64", 2 * INPUTS + 5 * (1 << 20));
 }
 
-/* Relative to the true value, counted so that 1 is 2^-29. */
+/* Error relative to the true value, in units of 2^-29. */
 static void check_recip(measure *m, uint32_t n)
 {
     const uint32_t r = tp_recip_norm(n);
@@ -112,7 +113,7 @@ static void recip_norm_errs_by_less_than_2_to_minus_29(void **state)
     assert_int_equal(tp_recip_norm(0x80000000u), UINT32_MAX);
 }
 
-/* Relative, counted so that 1 is 2^-28: half the error of x y^2. */
+/* Relative error in units of 2^-28: half the error of x y^2. */
 static void check_rsqrt(measure *m, uint32_t n)
 {
     const uint32_t r = tp_rsqrt_norm(n);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Decimal text: the rounding against boundaries written out in decimal, long numbers,
- * large exponents, and every written number read back. */
+/* Decimal text: rounding compared with boundaries written in decimal, long numbers, large
+ * exponents, and every written number read back. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -59,8 +59,8 @@ static void numbers_beyond_the_range_saturate(void **state)
 {
     (void)state;
     reads_as("32767.9999923706054687499", TP_FX_MAX, 0);
-    reads_as("32767.99999237060546875", TP_FX_MAX, 1);  /* the half above the top */
-    reads_as("-32768.00000762939453125", TP_FX_MIN, 0); /* the half below the bottom */
+    reads_as("32767.99999237060546875", TP_FX_MAX, 1);  /* half an LSB above the maximum */
+    reads_as("-32768.00000762939453125", TP_FX_MIN, 0); /* half an LSB below the minimum */
     reads_as("-32768.000007629394531251", TP_FX_MIN, 1);
     reads_as("32768", TP_FX_MAX, 1);
     reads_as("99999.9", TP_FX_MAX, 1);
@@ -121,7 +121,7 @@ static void no_byte_behind_the_end_is_read(void **state)
 {
     (void)state;
     const char text[] = "-12.5e-1";
-    static const tp_fx want[] = {       /* of its first 0, 1, 2, ... bytes */
+    static const tp_fx want[] = {       /* for the first 0, 1, 2, ... bytes */
         12345, 12345, TP_FX(-1), TP_FX(-12), TP_FX(-12), TP_FX(-12.5), TP_FX(-12.5),
         TP_FX(-12.5), TP_FX(-1.25),
     };
@@ -137,8 +137,8 @@ static void no_byte_behind_the_end_is_read(void **state)
     }
 }
 
-/* Compares whole.digits with the boundary half / 2^17, which has 17 places, as decimals
- * are compared: digit by digit.  half >= 0. */
+/* Compares whole.digits with the boundary half / 2^17, which has 17 places, digit by digit.
+ * half >= 0. */
 static int compare(uint32_t whole, const char *digits, uint64_t half)
 {
     const uint64_t half_whole = half >> 17;
@@ -158,7 +158,8 @@ static int compare(uint32_t whole, const char *digits, uint64_t half)
     return 0;
 }
 
-/* x is right when 2 x - 1 <= number < 2 x + 1 in halves, for either sign. */
+/* True if x is the rounded number: 2 x - 1 <= number < 2 x + 1 in halves, for either
+ * sign. */
 static int is_rounded(int negative, uint32_t whole, const char *digits, tp_fx x)
 {
     const int64_t low = 2 * (int64_t)x - 1, high = 2 * (int64_t)x + 1;
@@ -169,7 +170,7 @@ static int is_rounded(int negative, uint32_t whole, const char *digits, tp_fx x)
         && compare(whole, digits, (uint64_t)-low) <= 0;
 }
 
-/* A fraction at or near a boundary, or any; up to 60 digits. */
+/* A fraction at or near a boundary, or any fraction; up to 60 digits. */
 static void random_fraction(uint64_t *random, char digits[64])
 {
     int n = 0;
@@ -184,7 +185,8 @@ static void random_fraction(uint64_t *random, char digits[64])
     digits[n] = '\0';
 }
 
-/* whole.digits with its point moved `shift` places to the right, and e-shift. */
+/* Writes whole.digits with the point moved `shift` places to the right, and the exponent
+ * e-shift. */
 static void write_shifted(char *text, size_t bytes, int negative, uint32_t whole,
                           const char *digits, int shift)
 {
@@ -242,7 +244,7 @@ static void wide_numbers_are_read_up_to_10_to_the_14(void **state)
     wide_reads_as("-1e999999999999999999999", -TP_WIDE_MAX);
 }
 
-/* The whole part moves a number and changes nothing about how it is rounded. */
+/* The whole part shifts a number and does not change the rounding of the fraction. */
 static void any_wide_number_is_rounded_as_its_fraction(void **state)
 {
     (void)state;
@@ -262,7 +264,7 @@ static void any_wide_number_is_rounded_as_its_fraction(void **state)
     }
 }
 
-/* before, `count` times `fill`, after. */
+/* Reads the text: before, `count` times `fill`, after. */
 static void long_reads_as(const char *before, char fill, size_t count, const char *after,
                           tp_fx want, int want_beyond)
 {
@@ -313,7 +315,7 @@ static void check_written(tp_fx x)
         fail_msg("%d is written %s and reads back as %d", (int)x, text, (int)back);
 }
 
-/* Neither of the two decimals of one place less around it reads back. */
+/* Asserts that neither neighbour decimal with one place less reads back as x. */
 static void check_shortest(tp_fx x)
 {
     char text[16], cut[24];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Sines and angles against double. */
+/* Sines and angles compared with double precision. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -10,7 +10,8 @@
 
 enum { INPUTS = 10100000 };
 
-static const double RADIANS = 6.283185307179586476925 / 4294967296.0;   /* of a tp_turn */
+static const double RADIANS = 6.283185307179586476925 / 4294967296.0;   /* radians per unit
+                                                                         * of tp_turn */
 
 static uint64_t seed;
 
@@ -50,7 +51,7 @@ static void check_sine(sine_errors *e, tp_turn angle)
     measure_add(&e->fx, tp_fx_cos(angle) - c * 65536.0, angle, 0, 0);
 }
 
-/* All steps of the table, 33 points in each and its two ends, and the whole turn. */
+/* All steps of the table, 33 points in each step and both ends, and the whole turn. */
 static void sine_errs_by_less_than_5e_6_and_one_unit_of_16_16(void **state)
 {
     (void)state;
@@ -95,7 +96,7 @@ static void sine_rises_through_its_first_quarter(void **state)
     }
 }
 
-/* The angle between two turns, in turns. */
+/* Difference between two angles, in turns. */
 static double turns_apart(tp_turn a, double radians)
 {
     const double d = a * 0x1p-32 - radians / 6.283185307179586476925;
@@ -138,7 +139,7 @@ static void atan2_is_exact_on_the_axes(void **state)
     assert_int_equal(tp_atan2(0, 0), 0);
 }
 
-/* 2^32 / 360 of a turn a degree is 8192 / 45 for each unit of 16.16. */
+/* A degree is 2^32 / 360 units of a turn: 8192 / 45 for each unit of 16.16. */
 static void degrees_become_turns(void **state)
 {
     (void)state;

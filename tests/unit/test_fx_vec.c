@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Directions, lengths and products of vectors against double. */
+/* Directions, lengths and products of vectors compared with double precision. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -75,7 +75,7 @@ static void length_is_the_nearest_and_saturates(void **state)
             measure_add(&m, r - length, v.x, v.y, v.z);
     }
     measure_print(&m);
-    assert_true(m.worst <= 0.5 + 1e-6);     /* of the double's own rounding */
+    assert_true(m.worst <= 0.5 + 1e-6);     /* rounding of the double itself */
     assert_int_equal(tp_vec3_length((tp_vec3){ INT32_MIN, INT32_MIN, INT32_MIN }),
                      TP_FX_MAX);
     assert_int_equal(tp_vec3_length((tp_vec3){ INT32_MIN, 0, 0 }), TP_FX_MAX);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Clipping: what is left lies inside, shows what was there, and fits its neighbours. */
+/* Clipping: the clipped polygon lies inside, shows the same content, and matches its
+ * neighbours. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -29,7 +30,7 @@ static ref_clip_corner ref_of(const tp_view_corner *c)
     return (ref_clip_corner){ c->x * LSB, c->y * LSB, c->depth * LSB };
 }
 
-/* |x| <= band z is the guard band of 8192 pixels in scaled coordinates. */
+/* Width of the guard band: |x| <= band z is 8192 px in scaled coordinates. */
 static double band_of(const view *v)
 {
     return ldexp(1, TP_GUARD_LOG2 - v->lens.m);
@@ -41,7 +42,7 @@ static bool is_same(const tp_view_corner *a, const tp_view_corner *b)
         && a->t == b->t && a->n[0] == b->n[0] && a->n[1] == b->n[1] && a->n[2] == b->n[2];
 }
 
-/* -- what is left -------------------------------------------------------------------- */
+/* -- the clipped polygon ------------------------------------------------------------- */
 
 static void what_is_left_can_be_projected(void **state)
 {
@@ -76,9 +77,9 @@ static void what_is_left_can_be_projected(void **state)
                 && counts[5] && counts[6]);
 }
 
-/* On the screen twice the polygon's area is the reference's.  A corner that is off by e
- * changes it by e times its two sides; e is 1/16 pixel or so of rounding, and near the
- * near plane what 2^-16 m are worth there. */
+/* On the screen twice the area of the polygon equals the reference's.  An error e of a
+ * corner changes the area by e times the adjacent sides; e is about 1/16 px of rounding,
+ * and near the near plane the size of 2^-16 m in pixels. */
 static void what_is_left_shows_the_same_area(void **state)
 {
     (void)state;
@@ -106,8 +107,8 @@ static void what_is_left_shows_the_same_area(void **state)
             side += hypot(a.u - b.u, a.v - b.v) / 16;
         }
         const double off = fabs(sum / 256 - ref_clip_area(want, wanted) * m * m);
-        /* Pixels that 4 LSB of each coordinate are worth at the near plane, where the
-         * band is 8192 pixels aside. */
+        /* Size in pixels of 4 LSB of each coordinate at the near plane, where the band is
+         * 8192 px wide. */
         const double corner = 0.1 + 4 * LSB / v.ref.near * (m + 8192);
         assert_true(off <= 2 * corner * (side + 4 * corner) + 1);
         measure_add(&area, side > 0 ? off / side : 0, in[0].x, in[0].y, in[0].depth);
@@ -115,8 +116,8 @@ static void what_is_left_shows_the_same_area(void **state)
     measure_print(&area);
 }
 
-/* A new corner lies on an edge of the triangle, and its s, t and normal are those of its
- * place there. */
+/* A new corner lies on an edge of the triangle, and its s, t and normal are those of the
+ * point on the edge. */
 static void what_corners_carry_is_cut_where_they_are(void **state)
 {
     (void)state;
@@ -133,8 +134,9 @@ static void what_corners_carry_is_cut_where_they_are(void **state)
             const double share = (way[0] * ((double)out[i].x - a.x)
                                 + way[1] * ((double)out[i].y - a.y)
                                 + way[2] * ((double)out[i].depth - a.depth)) / length2;
-            /* Each of five cuts rounds its share to 2^-30 and each number to 1; a place
-             * known to 5 LSB of an edge of `length` moves s by as much of its own way. */
+            /* Each of five clips rounds its share to 2^-30 and each number to 1; a position
+             * known to 5 LSB on an edge of `length` moves s by the same share of its own
+             * difference. */
             const double slack = 8 / sqrt(length2);
             assert_true(share >= -slack && share <= 1 + slack);
             assert_true(fabs(out[i].x - (a.x + share * way[0])) <= 8);
@@ -161,7 +163,7 @@ static bool has(const tp_view_corner *corners, int count, const tp_view_corner *
     return false;
 }
 
-/* How far (x, y, depth) is from the line a-b, LSB. */
+/* Distance of (x, y, depth) from the line a-b, LSB. */
 static double off_line(const tp_view_corner *c, const tp_view_corner *a,
                        const tp_view_corner *b)
 {
@@ -175,8 +177,8 @@ static double off_line(const tp_view_corner *c, const tp_view_corner *a,
                 + pow(d[2] - k * w[2], 2));
 }
 
-/* Where two of the five planes meet, far outside every picture: there a cut of one LSB by
- * the second plane depends on how the first was rounded. */
+/* True where two of the five planes meet, far outside every picture: there a clip by the
+ * second plane depends by one LSB on the rounding of the first. */
 static bool is_at_two_planes(const view *v, const tp_view_corner *c)
 {
     const double band = band_of(v), near = 64;
@@ -185,8 +187,8 @@ static bool is_at_two_planes(const view *v, const tp_view_corner *c)
     return (abs(c->depth - v->lens.near) < near) + x + y >= 2;
 }
 
-/* Two triangles on either side of an edge: every corner that one cuts from the edge the
- * other cuts too, bit by bit. */
+/* Two triangles on either side of an edge: every corner that one triangle's clip puts on
+ * the edge is equal, bit for bit, in the other. */
 static void neighbours_are_cut_to_the_same_corners(void **state)
 {
     (void)state;
@@ -207,7 +209,7 @@ static void neighbours_are_cut_to_the_same_corners(void **state)
             if (off_line(&one[i], &a, &b) > 4 || off_line(&one[i], &b, &left[2]) <= 8
                 || off_line(&one[i], &left[2], &a) <= 8
                 || is_at_two_planes(&v, &one[i]))
-                continue;       /* not of the edge, or of another's too */
+                continue;       /* not of the edge, or also of another edge */
             cuts += !is_same(&one[i], &a) && !is_same(&one[i], &b);
             assert_true(has(two, twos, &one[i]));
         }
@@ -216,7 +218,7 @@ static void neighbours_are_cut_to_the_same_corners(void **state)
     assert_true(cuts > 1000);
 }
 
-/* -- all or nothing ------------------------------------------------------------------ */
+/* -- wholly inside or outside -------------------------------------------------------- */
 
 static void what_lies_inside_stays_as_it_is(void **state)
 {
@@ -252,7 +254,7 @@ static void what_lies_outside_is_gone(void **state)
         for (int i = 0; i < 3; i++) {
             in[i] = any_corner(1000, 100);
             const double band = band_of(&v) * fmax(1, (double)in[i].depth) + 8;
-            switch (n % 5) {    /* all beyond the same side */
+            switch (n % 5) {    /* all beyond the same plane */
             case 0: in[i].depth = v.lens.near - 1 - abs(in[i].depth); break;
             case 1: in[i].x = (int32_t)fmin(2e9, band); break;
             case 2: in[i].x = (int32_t)fmax(-2e9, -band); break;
@@ -266,7 +268,7 @@ static void what_lies_outside_is_gone(void **state)
     }
 }
 
-/* Corners as far as tp_lens_view puts them, anything of s and t. */
+/* Corners as far away as tp_lens_view allows, with any s and t. */
 static void the_ends_of_the_numbers_are_safe(void **state)
 {
     (void)state;
@@ -296,9 +298,9 @@ static void the_ends_of_the_numbers_are_safe(void **state)
     }
 }
 
-/* -- a plane of the caller's ----------------------------------------------------------- */
+/* -- a plane given by the caller ------------------------------------------------------- */
 
-/* Height over the level of a view corner, metres. */
+/* Height of a view corner above the level, m. */
 static double height_of(const view *v, const tp_view_corner *c, double level)
 {
     const double k = ldexp(1, v->lens.m) / v->ref.focal;
@@ -335,7 +337,8 @@ static void a_level_cuts_off_what_lies_beyond_it(void **state)
     assert_true(height.worst <= 0.0005 && cut > 5000);
 }
 
-/* Two triangles of an edge get the same corner on it, whichever way they name it. */
+/* Two triangles with a common edge get the same corner on the edge, for either direction of
+ * the edge. */
 static void a_level_cuts_an_edge_once(void **state)
 {
     (void)state;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's grid: how its lines lie, what it takes for seen, what crossings hold. */
+/* The water grid: positions of its lines, visibility of its cells, contents of its
+ * vertices. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -13,8 +14,8 @@
 
 static uint64_t chance;
 
-/* A grid with its memory and all that it looks at. */
-/* A corner of a placed grid that keeps its crossings. */
+/* A grid with its memory and all the data of its view. */
+/* View corner of a grid vertex, for a placed grid that stores its vertices. */
 static tp_view_corner grid_corner(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     return tp_grid_corner(grid, &grid->vertex[j * grid->cols + i], i, j);
@@ -53,7 +54,7 @@ static void place(pond *p)
     tp_grid_place(&p->grid, &p->look);
 }
 
-/* The longest cell that keeps a grid within 16 km, as the frame holds it. */
+/* Longest cell that keeps a grid within 16 km, the frame's bound. */
 static tp_fx cell_most(uint32_t cols, uint32_t rows)
 {
     const uint32_t lines = cols > rows ? cols : rows;
@@ -67,7 +68,7 @@ static uint32_t any_lines(void)
                                     : (uint32_t)chance_int(&chance, 2, 120);
 }
 
-/* Any legal scene's grid; waves of the table's whole ranges. */
+/* The grid of any legal scene; waves from the whole ranges of the table. */
 static pond any_pond(uint32_t cols, uint32_t rows)
 {
     pond p = { .v = view_any(&chance) };
@@ -93,7 +94,7 @@ static void pond_free(pond *p)
     free(p->block);
 }
 
-/* -- lines --------------------------------------------------------------------------- */
+/* -- grid lines ---------------------------------------------------------------------- */
 
 static uint32_t flank_of(const pond *p, uint32_t count)
 {
@@ -113,7 +114,8 @@ static void check_lines(const pond *p, const tp_grid_line *line, uint32_t count)
         if (k >= flank && k < last)
             assert_int_equal(step, p->look.cell);
     }
-    for (uint32_t k = last; k + 2 < count; k++) {       /* by one ratio, each step cut */
+    for (uint32_t k = last; k + 2 < count; k++) {       /* by one ratio, each step
+                                                         * truncated */
         const double a = line[k + 1].place - (double)line[k].place;
         const double b = line[k + 2].place - (double)line[k + 1].place;
         const double cut = 1 / a + 1 / 65536.0 + b / (a * a);
@@ -121,7 +123,7 @@ static void check_lines(const pond *p, const tp_grid_line *line, uint32_t count)
         assert_true(ratio == 0 || fabs(b / a - ratio) <= 2 * cut + ratio / a);
         ratio = b / a;
     }
-    for (uint32_t k = 0; k < count; k++) {              /* both ways alike */
+    for (uint32_t k = 0; k < count; k++) {              /* the same in both directions */
         assert_true(labs((long)line[k].place - line[0].place
                          - ((long)line[count - 1].place - line[count - 1 - k].place))
                     <= 1);
@@ -132,10 +134,10 @@ static void check_lines(const pond *p, const tp_grid_line *line, uint32_t count)
     }
     if (flank == 0)
         assert_int_equal(line[0].fade, TP_FX_ONE);
-    /* As far as asked beyond the middle, 16 km from the centre at the most.  2^-16 of the
-     * ratio counts `flank` times; a step's cut of up to one is in all steps after it, so
-     * of reach/cell it makes up to 1/ratio, the next step's 1/ratio^2 and so on.  A step
-     * grows by 256 at the most. */
+    /* The grid extends as far as requested beyond its middle, at most 16 km from the
+     * centre.  An error of 2^-16 in the ratio counts `flank` times; the truncation of a
+     * step, up to one unit, is in all later steps: of reach/cell the next step makes
+     * 1/ratio, the second 1/ratio^2 and so on.  A step grows by a factor of 256 at most. */
     const double way = (line[count - 1].place - (double)line[0].place) / 2;
     const double reach = fmin(p->look.reach, 16000 * 65536.0 - core / 2);
     const double most = 256.0 * p->look.cell, cuts = fmin(flank, 1 / (ratio - 1));
@@ -165,7 +167,7 @@ static void lines_grow_evenly_then_by_one_ratio(void **state)
     }
 }
 
-/* Wherever the eye, the middle's lines are the same ones of the world. */
+/* For any eye position, the middle's lines are the same lines of the world. */
 static void a_grid_that_follows_moves_by_whole_cells(void **state)
 {
     (void)state;
@@ -185,7 +187,7 @@ static void a_grid_that_follows_moves_by_whole_cells(void **state)
             place(&p);
             const tp_fx now = p.grid.column[flank_of(&p, p.grid.cols)].place % cell;
             assert_int_equal((now - first + 2 * (int64_t)cell) % cell, 0);
-            /* The eye stands on the water, also between the rear lines. */
+            /* The eye is above the water, also between the rear lines. */
             assert_true(p.grid.column[0].place <= p.v.lens.eye.x + 2 * cell);
             assert_true(p.grid.column[p.grid.cols - 1].place
                         >= p.v.lens.eye.x - 2 * cell);
@@ -208,7 +210,7 @@ static void a_grid_that_stays_lies_around_the_origin(void **state)
     }
 }
 
-/* The smoothstep in double; x and the result are rounded to 16.16. */
+/* The smoothstep in double precision; x and the result are rounded to 16.16. */
 static void waves_fade_alike_on_lines_and_between(void **state)
 {
     (void)state;
@@ -231,11 +233,11 @@ static void waves_fade_alike_on_lines_and_between(void **state)
     }
 }
 
-/* -- crossings ----------------------------------------------------------------------- */
+/* -- grid vertices ------------------------------------------------------------------- */
 
-/* Away from the fading edge a crossing is the sea's own point: x, y and depth within what
- * both make of sines, 5e-6 of the waves' heights, and what a wide view's
- * two bits less leave.  Slopes are compared in test_geom_vertex.c. */
+/* Away from the fading edge a grid vertex is the point of the deep water itself.  x, y and
+ * depth agree within the errors of both sines, 5e-6 of the wave heights, and within the two
+ * bits that a wide view lacks.  Slopes are compared in test_geom_vertex.c. */
 static void crossings_are_points_of_the_sea(void **state)
 {
     (void)state;
@@ -275,7 +277,8 @@ static void crossings_are_points_of_the_sea(void **state)
     assert_true(checked > 1000 && flat > 100);
 }
 
-/* The four corners of each cell that may be seen were evaluated, and none needlessly. */
+/* The four corners of each possibly visible cell are evaluated, and no corner
+ * needlessly. */
 static void every_corner_of_a_seen_cell_is_there(void **state)
 {
     (void)state;
@@ -312,10 +315,10 @@ static void every_corner_of_a_seen_cell_is_there(void **state)
     assert_true(cells > 1000);
 }
 
-/* -- what may be seen ---------------------------------------------------------------- */
+/* -- visibility ---------------------------------------------------------------------- */
 
-/* Whether a triangle of three crossings shows in the picture, in double precision.  x is
- * scaled to make the picture square. */
+/* True if a triangle of three grid vertices shows in the picture, in double precision.  x
+ * is scaled to make the picture square. */
 static bool is_seen(const pond *p, const uint32_t at[3][2])
 {
     const double tall = p->v.height / 2.0 / ldexp(1, p->v.lens.m);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The camera against a pinhole in double precision: where points come out on the screen,
- * what counts as held, and the planes that tell what may be seen. */
+/* The projection compared with a pinhole camera in double precision: screen positions of
+ * points, the clamp, and the planes of the frustum. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -20,7 +20,7 @@ static void the_lens_is_the_pinhole_asked_for(void **state)
     for (int n = 0; n < 20000; n++) {
         const view v = view_any(&chance);
         const double error = v.lens.focal * LSB / v.ref.focal - 1;
-        /* sine and cosine of 28 bits and the angle's 2^-31 turn, of a sine of 0.17. */
+        /* Sine and cosine have 28 bits and the angle 2^-31 turn, for a sine of 0.17. */
         assert_true(fabs(error) <= 1e-7 + LSB / v.ref.focal);
         measure_add(&focal, error, n, v.width, v.height);
         assert_int_equal(v.lens.u0, v.width * 8);
@@ -30,10 +30,10 @@ static void the_lens_is_the_pinhole_asked_for(void **state)
     measure_print(&focal);
 }
 
-/* What a projected point may be off by, 1/16 pixels.  A scaled coordinate is within 1/2
- * of 2^-16 m and its axis within 2^-30 (direction and scale: 7e-9), so x/depth in pixels
- * is off by 2^m times that over the depth; likewise the depth.  The reciprocal's 2^-29,
- * the focal length's error as above. */
+/* Bound of the error of a projected point, in 1/16 px.  A scaled coordinate is within 1/2
+ * of 2^-16 m and its axis within 2^-30 (direction and scale: 7e-9), so the error of x/depth
+ * in pixels is 2^m times that over the depth; the depth likewise.  The reciprocal adds
+ * 2^-29, the focal length its error as above. */
 static double place_error(const view *v, ref_vec at, double way)
 {
     const double scale = ldexp(1, v->lens.m), far = hypot(at.x, at.y) / at.z;
@@ -62,7 +62,7 @@ static void points_come_out_where_the_pinhole_has_them(void **state)
         const ref_vec at = ref_view(&v.ref, ref_vec_of(p));
         tp_view_corner c;
         tp_lens_view(&v.lens, p, &c);
-        /* Scaled by 1.42 at the most; beyond 32000 m they are held. */
+        /* Coordinates are scaled by at most 1.42 and clamped beyond 32000 m. */
         if (!tp_lens_holds(&v.lens, &c) || hypot(at.x, at.y) > 22000)
             continue;
         int32_t u, w;
@@ -74,7 +74,8 @@ static void points_come_out_where_the_pinhole_has_them(void **state)
         const double most = place_error(&v, at, sqrt(ref_dot(way, way)));
         assert_true(off <= most);
         measure_add(&place[n % 3], off, p.x, p.y, p.z);
-        /* zi is cut, of a depth rounded, of 255/256 near rounded up. */
+        /* zi is truncated; its inputs are a rounded depth and 255/256 of near, rounded
+         * up. */
         const double want = v.lens.zi_near * LSB / at.z;
         const double error =
             ldexp(1, -31)
@@ -88,7 +89,7 @@ static void points_come_out_where_the_pinhole_has_them(void **state)
     measure_print(&depth);
 }
 
-/* Scenes look at things from 1 m to 100 m: there 28.4 is what limits a place. */
+/* Scenes show objects from 1 m to 100 m: there 28.4 limits the precision. */
 static void a_usual_view_is_right_to_a_sixteenth_of_a_pixel(void **state)
 {
     (void)state;
@@ -138,13 +139,14 @@ static void ahead_is_up_the_screen_and_right_is_right(void **state)
     assert_int_equal(a.u, 160 * 16);
     assert_true(b.v < a.v && b.zi < a.zi && d.v < a.v);
     assert_true(c.u > a.u && c.v == a.v);
-    /* From above, counter-clockwise: near, right, far.  Its area on the screen is < 0. */
+    /* Seen from above, counter-clockwise: near, right, far.  The area on the screen is <
+     * 0. */
     assert_true((int64_t)(c.u - a.u) * (b.v - a.v) - (int64_t)(b.u - a.u) * (c.v - a.v)
                 < 0);
 }
 
-/* Corners of everything that may stand in a scene, seen from the camera's own: what is
- * held is in front and inside the guard band indeed. */
+/* Corners of any object in a scene, in the camera's frame: a point that tp_lens_holds
+ * accepts is in front of the near plane and inside the guard band. */
 static void what_is_held_is_in_front_however_far(void **state)
 {
     (void)state;
@@ -164,7 +166,7 @@ static void what_is_held_is_in_front_however_far(void **state)
         const ref_vec at = ref_view(&v.ref, ref_vec_of(p));
         tp_view_corner c;
         tp_lens_view(&v.lens, p, &c);
-        /* Signs are kept even where the number is held at 32000 m. */
+        /* Signs are kept even for numbers that are clamped at 32000 m. */
         if (fabs(at.x) > 1)
             assert_int_equal(c.x < 0, at.x < 0);
         if (fabs(at.z) > 1)
@@ -183,7 +185,7 @@ static void what_is_held_is_in_front_however_far(void **state)
     assert_true(held > 0 && behind > 0);
 }
 
-/* -- planes -------------------------------------------------------------------------- */
+/* -- frustum planes ------------------------------------------------------------------ */
 
 static double inside_plane(const tp_plane *plane, tp_vec3 p)
 {
@@ -192,7 +194,7 @@ static double inside_plane(const tp_plane *plane, tp_vec3 p)
             + plane->d) * LSB;
 }
 
-/* Normals have 27 bits, so a plane is off by 2e-4 m at 24 km. */
+/* Normals have 27 bits, so a plane errs by 2e-4 m at 24 km. */
 static void planes_hold_all_that_the_picture_shows_and_little_more(void **state)
 {
     (void)state;
@@ -212,7 +214,7 @@ static void planes_hold_all_that_the_picture_shows_and_little_more(void **state)
         tp_lens_planes(&v.lens, v.width, v.height, planes);
         const bool in = u >= 0 && u <= v.width && w >= 0 && w <= v.height
                      && d > v.ref.near + 2 * LSB;
-        /* Beyond the margin of a pixel, and a pixel more. */
+        /* Outside the margin of a pixel by one more pixel. */
         const bool out = u < -2.5 || u > v.width + 2.5 || w < -2.5 || w > v.height + 2.5
                       || d < v.ref.near - 0.01;
         bool holds = true;
@@ -223,7 +225,8 @@ static void planes_hold_all_that_the_picture_shows_and_little_more(void **state)
             seen++;
         }
         outside += out;
-        /* Where a pixel is less than what 16.16 and the normals leave open: skip. */
+        /* Skips points where a pixel is smaller than the errors of 16.16 and of the
+         * normals. */
         const bool fine = d / v.ref.focal > 0.001;
         kept_outside += out && holds && fine;
     }

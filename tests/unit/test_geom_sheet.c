@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The grid over a sea floor: where its crossings lie, how the sheet between them slopes,
- * and which of them are on land. */
+/* The grid of coastal water: positions of its vertices, slopes of the surface between the
+ * vertices, and vertices on land. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -12,7 +12,7 @@
 
 static uint64_t chance;
 
-/* A corner of a placed grid that keeps its crossings. */
+/* View corner of a grid vertex, for a placed grid that stores its vertices. */
 static tp_view_corner grid_corner(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     return tp_grid_corner(grid, &grid->vertex[j * grid->cols + i], i, j);
@@ -42,7 +42,7 @@ static void carve(beach *s, uint32_t cols, uint32_t rows)
     assert_false(arena.failed);
 }
 
-/* A beach that rises from 8 m of water through the grid, the eye anywhere over it. */
+/* A beach that rises from 8 m of water through the grid, with the eye anywhere above. */
 static void make(beach *s)
 {
     const tp_vec3 eye = { chance_fx(&chance, -60, 60), chance_fx(&chance, 1, 40),
@@ -80,7 +80,7 @@ static void beach_free(beach *s)
     ocean_end(&s->ocean);
 }
 
-/* The ocean's own point, faded. */
+/* The point of the coastal water itself, faded. */
 static tp_ocean_point point_at(const beach *s, uint32_t i, uint32_t j)
 {
     const tp_grid_line *column = &s->grid.column[i], *row = &s->grid.row[j];
@@ -135,8 +135,8 @@ static void crossings_are_the_oceans_points(void **state)
     assert_true(checked > 1000 && dry > 100);
 }
 
-/* dP/dcolumn x dP/drow in double precision, by the four neighbours or at a side by three.
- * Sheets that nearly stand are left out: they are held. */
+/* dP/dcolumn x dP/drow in double precision, from four neighbours, or at a side from three.
+ * Nearly vertical surfaces are left out, because their slopes are clamped. */
 static void slopes_are_those_between_neighbours(void **state)
 {
     (void)state;

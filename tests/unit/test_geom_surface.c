@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The surface, all models together: sums are the sums of their parts, the inversion over
- * an ocean finds its place, and slopes across are those of the cross product. */
+/* The surface with all wave models: the sum equals the sum of the parts, the inversion over
+ * coastal water finds its point, and the slopes across equal those of the cross product. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -15,7 +15,7 @@ enum { RINGS = 5 };
 static uint64_t chance;
 
 typedef struct {
-    ocean_made  sea;            /* without an ocean unless built */
+    ocean_made  sea;            /* without coastal water unless built */
     tp_turn     phases[TP_WAVES];
     tp_ring_now ring[RINGS];
     tp_pool    *pool, *field;
@@ -33,7 +33,7 @@ static tp_pool *stirred_pool(tp_cells cells, tp_edges edges)
     return pool;
 }
 
-/* Waves of steepness sum q, rings, pool and field. */
+/* Waves with a steepness sum of q, rings, pool and field. */
 static tp_surface surface_make(water *w, double q)
 {
     memset(w, 0, sizeof *w);
@@ -107,7 +107,7 @@ static void relief_is_the_sum_of_rings_pool_and_field(void **state)
     }
 }
 
-/* At any moment between two ticks: 32-bit cells are not held to a range. */
+/* At any moment between two ticks: 32-bit cells are not clamped to a range. */
 static void no_relief_is_higher_than_the_surface_says(void **state)
 {
     (void)state;
@@ -142,12 +142,13 @@ static void a_falling_pool_of_32_bits_was_higher_a_tick_ago(void **state)
         const tp_fx h = tp_surface_relief(&s, i * 2048, TP_FX(0.1)).height;
         most = h > most ? h : most;
     }
-    assert_true(most > (tp_pool_look(pool).highest >> 8) + 1);  /* else this shows nothing */
+    assert_true(most > (tp_pool_look(pool).highest >> 8) + 1);  /* otherwise the test proves
+                                                                 * nothing */
     assert_true(most <= tp_surface_height(&s));
     free(pool);
 }
 
-/* -- above a place --------------------------------------------------------------------- */
+/* -- points above a position ----------------------------------------------------------- */
 
 static void above_the_open_sea_is_the_sea_and_the_relief(void **state)
 {
@@ -188,7 +189,7 @@ static void ocean_make(water *w, tp_surface *s, double q, bool floor)
     s->ocean = w->sea.ocean;
 }
 
-/* How far from (x, z) the point lies that the search over an ocean ends with. */
+/* Distance between (x, z) and the final point of the search over coastal water. */
 static void ocean_errors(double q, bool floor, measure *m, uint32_t *coarse)
 {
     for (int n = 0; n < 8; n++) {
@@ -226,7 +227,7 @@ static void over_an_ocean_the_place_is_found_by_inversion(void **state)
     }
 }
 
-/* Against heights 2 cm to either side. */
+/* Slopes compared with heights 2 cm to either side. */
 static void slopes_over_an_ocean_are_those_of_its_heights(void **state)
 {
     (void)state;
@@ -259,7 +260,7 @@ static void slopes_over_an_ocean_are_those_of_its_heights(void **state)
 
 /* -- slopes across --------------------------------------------------------------------- */
 
-/* -N over N.y, held as the header says. */
+/* Slopes -N over N.y, clamped as the header states. */
 static bool slopes_of(tp_vec3 a, tp_vec3 b, double *sx, double *sz,
                       double *size)
 {
@@ -296,7 +297,7 @@ static void slopes_across_are_those_of_the_cross_product(void **state)
         held += slopes_of(a, b, &sx, &sz, &size);
         tp_slopes_from_tangents(a, b, &gx, &gz);
         assert_true(abs(gx) <= 8 * TP_FX_ONE && abs(gz) <= 8 * TP_FX_ONE);
-        if (size < 8388608)             /* small ones have few digits */
+        if (size < 8388608)             /* small vectors have few digits */
             continue;
         measure_add(&m, gx - sx * 65536, a.x, a.y, a.z);
         measure_add(&m, gz - sz * 65536, b.x, b.y, b.z);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Crossings against the models in double precision, and that a crossing is the same
- * however it is come by. */
+/* Grid vertices compared with the models in double precision; a vertex is the same for
+ * every way of evaluation. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -14,7 +14,7 @@ static uint64_t chance;
 
 #define SIDE 40
 
-/* A grid over a sea; the eye anywhere above it. */
+/* A grid over deep water; the eye is anywhere above. */
 typedef struct {
     tp_grid grid;
     void   *block;
@@ -69,9 +69,9 @@ static void pond_free(pond *p)
     free(p->block);
 }
 
-/* -- against the models ---------------------------------------------------------------- */
+/* -- comparison with the models -------------------------------------------------------- */
 
-/* Where a crossing is in the world: its view coordinates along the lens's own axes. */
+/* World position of a grid vertex: its view coordinates along the projection's own axes. */
 static ref_vec world_of(const view *v, const tp_view_corner *c)
 {
     const tp_dir3 axis[3] = { v->lens.right, v->lens.up, v->lens.ahead };
@@ -87,7 +87,7 @@ static ref_vec world_of(const view *v, const tp_view_corner *c)
     return p;
 }
 
-/* All that waves add, faded, and the normal that this makes. */
+/* Multiplies the displacement of the waves by the fade; the normal follows. */
 static ref_point faded(ref_point p, double x0, double z0, double fade, bool crossed)
 {
     p.x = x0 + fade * (p.x - x0);
@@ -104,9 +104,9 @@ static ref_point faded(ref_point p, double x0, double z0, double fade, bool cros
     return crossed ? p : ref_uncrossed(p);
 }
 
-/* Of a normal made of sines and numbers of 16 bits: each product of both is off by a part
- * in 2^16 of the number, and by half a bit of its own format, two of them to a swell.
- * Slopes come out in Q.12. */
+/* Bound of the normal's error.  The normal is computed from sines and 16-bit numbers: each
+ * product errs by 2^-16 of the number and by half a bit of its own format, two products for
+ * each swell.  Slopes are in Q.12. */
 static double coarse_normal_error(const ocean *o, const tp_grid *grid, const ref_point *p,
                                   double x0, double z0)
 {
@@ -126,7 +126,7 @@ static double coarse_normal_error(const ocean *o, const tp_grid *grid, const ref
     return asin(fmin(1, n / length)) + 3e-4;
 }
 
-/* A crossing anywhere in the grid, with its slopes. */
+/* A grid vertex anywhere in the grid, with its slopes. */
 static tp_view_corner corner_of(const pond *p, uint32_t i, uint32_t j)
 {
     const bool still = p->grid.column[i].fade == 0 || p->grid.row[j].fade == 0;
@@ -155,7 +155,7 @@ static void compare(pond *p, uint32_t i, uint32_t j, bool usual, errors *e)
     const double height = got.y - want.y;
     const double off = fmax(fabs(got.x - want.x), fabs(got.z - want.z));
     const double angle = normal_angle(&want, &slopes);
-    /* Three view coordinates to an LSB of 1/2 m scaled at the least, on axes of Q.30. */
+    /* Three view coordinates to an LSB, scaled by 1/2 at least, on axes of Q.30. */
     const double seen = 4 * LSB + 2e-9 * (fabs(got.x - p->v.ref.eye.x)
                                           + fabs(got.z - p->v.ref.eye.z));
 
@@ -179,7 +179,7 @@ static void compare_some(pond *p, bool usual, errors *e)
         compare(p, random_below(&chance, SIDE), random_below(&chance, SIDE), usual, e);
 }
 
-/* Up to eight waves of 2 m and steepnesses up to 0.7, ten years. */
+/* Up to eight waves of 2 m with steepnesses up to 0.7, over ten years. */
 static void usual_seas_are_right_to_a_quarter_millimetre_and_a_fiftieth_of_a_degree(
     void **state)
 {
@@ -243,9 +243,9 @@ static void sines_of_phases_are_right_to_28_bits(void **state)
     assert_true(error.worst < 8);
 }
 
-/* -- the same bits --------------------------------------------------------------------- */
+/* -- equal bits ------------------------------------------------------------------------ */
 
-/* A row in runs of any lengths gives what it gives crossing by crossing. */
+/* A row in runs of any lengths gives the same as vertex by vertex. */
 static void where_a_run_begins_does_not_show(void **state)
 {
     (void)state;
@@ -275,10 +275,11 @@ static void where_a_run_begins_does_not_show(void **state)
     }
 }
 
-/* -- what lies on the swells ----------------------------------------------------------- */
+/* -- models on top of the swells ------------------------------------------------------- */
 
-/* A ring raises a crossing by its height at the displaced place and adds its slopes, less
- * where the mesh lets its waves fade.  The place is read off the view, to 4 LSB. */
+/* A ring raises a grid vertex by its height at the displaced position and adds its slopes,
+ * less where the mesh fades the ring's waves.  The position is read from the view, to 4
+ * LSB. */
 static void rings_lie_on_the_displaced_water(void **state)
 {
     (void)state;

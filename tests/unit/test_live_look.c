@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Ways to look: the bent inputs lead the camera exactly where the way wants it, wherever
- * it was, and replay without the way. */
+/* Camera modes: the modified inputs lead the camera exactly to the mode's position from any
+ * position, and replay without the mode. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "looks.h"
 
-/* Metres between what is looked at and the line through the picture's middle. */
+/* Distance of the target from the line through the middle of the picture, m. */
 static double off_centre(const look *l, const tp_world *w)
 {
     const tp_camera c = tp_world_camera(w);
@@ -16,7 +16,7 @@ static double off_centre(const look *l, const tp_world *w)
     return hypot(local.x, local.y) / 65536;
 }
 
-/* -- free --------------------------------------------------------------------------- */
+/* -- free mode ---------------------------------------------------------------------- */
 
 static void free_input_stays_as_it_is(void **state)
 {
@@ -66,7 +66,7 @@ static void leaving_a_way_leads_back_to_where_the_camera_was_free(void **state)
     assert_memory_equal(&in, &out, sizeof in);
 }
 
-/* -- round -------------------------------------------------------------------------- */
+/* -- orbit mode --------------------------------------------------------------------- */
 
 static void going_round_begins_where_the_camera_is(void **state)
 {
@@ -101,7 +101,8 @@ static void what_is_looked_at_is_the_water_in_the_middle(void **state)
     assert_true(fabs(distance(w.eye, l.about) - l.away / 65536.0) < 0.01);
 }
 
-/* For a thousand ticks of anything it stays in the middle, as far as the way says. */
+/* For a thousand ticks of any input the target stays in the middle, within the mode's
+ * precision. */
 static void what_is_looked_at_stays_in_the_middle(void **state)
 {
     (void)state;
@@ -139,7 +140,7 @@ static void each_way_round_does_what_it_stands_for(void **state)
     go(&l, &w, &s, (tp_input){ .strafe = TP_FX(0.2) });
     const double level = cos((int32_t)l.pitch * 6.283185307179586 / 4294967296.0);
     assert_true(fabs(distance(w.eye, eye) - 0.2 * level) < 0.002);
-    assert_true((int32_t)(l.heading - from.heading) < 0);   /* to the right of it */
+    assert_true((int32_t)(l.heading - from.heading) < 0);   /* to the right of the target */
 }
 
 static void from_far_away_steps_are_longer(void **state)
@@ -165,7 +166,7 @@ static void from_above_it_glides(void **state)
     tp_scene s = sea();
     tp_world w;
     look l = started(LOOK_TOP, &w, &s);
-    go(&l, &w, &s, any_input());        /* the first one jumps, whatever it says */
+    go(&l, &w, &s, any_input());        /* the first input jumps, for any values */
     assert_int_equal((int32_t)w.pitch, -(int32_t)TP_DEG(89));
     assert_int_equal(w.heading, tp_turn_of_degrees(s.camera.heading));
     l.away = TP_FX(10);
@@ -183,9 +184,9 @@ static void from_above_it_glides(void **state)
     assert_in_range(w.eye.y - high, TP_FX(0.249), TP_FX(0.251));
 }
 
-/* -- all ---------------------------------------------------------------------------- */
+/* -- all modes ---------------------------------------------------------------------- */
 
-/* The inputs as they were bent, given to a world that knows of no way. */
+/* The modified inputs give the same bits in a world without a camera mode. */
 static void bent_inputs_replay_to_the_same_bits(void **state)
 {
     (void)state;
@@ -206,7 +207,7 @@ static void bent_inputs_replay_to_the_same_bits(void **state)
     }
 }
 
-/* From any place to any: exactly, and within the world. */
+/* From any position to any other: exactly, and within the world. */
 static void any_jump_ends_where_it_should(void **state)
 {
     (void)state;
@@ -242,7 +243,8 @@ static tp_input huge_input(int32_t most)
     };
 }
 
-/* Inputs of any size: nothing overflows, nothing goes through what is looked at. */
+/* Inputs of any size: nothing overflows, and the camera does not pass through the
+ * target. */
 static void no_input_is_too_large(void **state)
 {
     (void)state;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Ways to look, and the boat: from its deck, and round it while it sails. */
+/* Camera modes and the boat: the view from the deck, and the orbit around a sailing
+ * boat. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -21,7 +22,8 @@ static void without_a_boat_there_is_no_way_aboard(void **state)
     assert_memory_equal(&before, &l, sizeof l);
 }
 
-/* By its length: on a boat of 12 m 6 m abaft the middle. */
+/* The deck position scales with the length: on a boat of 12 m it is 6 m abaft the
+ * middle. */
 static void the_deck_is_one_jump_away_and_then_free(void **state)
 {
     (void)state;
@@ -36,7 +38,7 @@ static void the_deck_is_one_jump_away_and_then_free(void **state)
     assert_at(w.eye, (tp_vec3){ 0, TP_FX(2.72), TP_FX(6) }, 12);
     assert_int_equal(w.heading, 0);
     assert_true((int32_t)w.pitch < 0);
-    assert_int_equal(out.drops, in.drops);          /* not the camera's */
+    assert_int_equal(out.drops, in.drops);          /* these inputs are not the camera's */
     assert_true(distance(tp_world_camera(&w).eye, w.boat.place) < 8);
     out = in;
     look_steer(&l, &w, &s, &out);
@@ -58,7 +60,7 @@ static void from_the_deck_it_goes_round_the_boat(void **state)
     assert_true(fabs((w.heading - tp_turn_of_degrees(s.boat.heading)) / 11930464.7) < 10);
 }
 
-/* As far from it after a minute's sail as at first. */
+/* The distance after a minute's sail equals the distance at the start. */
 static void a_boat_in_the_middle_is_gone_with(void **state)
 {
     (void)state;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Pokes and stirs: where they fall, that all of a tick act, and what waits. */
+/* Splashes and drags by the pointer: their position, the effect of all within a tick, and
+ * the queue. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -9,7 +10,7 @@
 #include "scene/pools.h"
 #include "scenes.h"
 
-/* A pool of 12 x 8 m around (5, -7), still. */
+/* A still pool of 12 x 8 m around (5, -7). */
 static tp_scene pool(void)
 {
     tp_scene s;
@@ -40,7 +41,7 @@ static void points_lie_as_they_are_seen_from_the_south(void **state)
     }
 }
 
-/* The highest cell of still water after one tick is the one that was poked. */
+/* After one tick the highest cell of still water is the cell that was poked. */
 static void the_water_rises_where_it_was_poked(void **state)
 {
     (void)state;
@@ -89,10 +90,10 @@ static void there_must_be_water_and_a_point(void **state)
     assert_int_equal(poke_make_push(&scene, 9, 9).height, 0);
 }
 
-/* -- several in a tick --------------------------------------------------------------- */
+/* -- several splashes in a tick ------------------------------------------------------ */
 
-/* Six hats in one tick against one hat in each of six worlds: far enough apart to add up
- * cell by cell, but for the last bits of the water that runs between them. */
+/* Six splashes in one tick compared with one splash in each of six worlds: far enough apart
+ * to add up cell by cell, except for the last bits of the water that runs between. */
 static void all_pokes_of_a_tick_act(void **state)
 {
     (void)state;
@@ -155,7 +156,7 @@ static void what_does_not_fit_waits_for_the_next_tick(void **state)
             const tp_push push = numbered(next++);
             assert_true(poke_add(&queue, &push));
         }
-        tp_input in = { .push[2].height = -1 };         /* taken already */
+        tp_input in = { .push[2].height = -1 };         /* already in use */
         poke_take(&queue, &scene, &in);
         for (int i = 0; i < TP_PUSHES; i++)
             if (i != 2)
@@ -178,7 +179,7 @@ static void beyond_what_can_wait_it_is_told(void **state)
     assert_int_equal(queue.count, POKE_WAITS);
 }
 
-/* -- stirs --------------------------------------------------------------------------- */
+/* -- drags --------------------------------------------------------------------------- */
 
 static void a_stir_is_a_third_of_a_poke(void **state)
 {
@@ -195,8 +196,8 @@ static void a_stir_is_a_third_of_a_poke(void **state)
     assert_int_equal(in.push[1].height, 0);
 }
 
-/* However often the place is told: all of a short path, some of a long one, its end
- * always. */
+/* For any number of reported positions: all of a short path, some of a long path, and
+ * always its end. */
 static void a_path_shares_the_stir_of_a_tick(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Parameters changed while the world moves: what goes on, what is made anew, and that
- * nothing is left half changed; what a world made anew takes over. */
+/* Parameters changed while the world moves: changes that apply at once, changes that need a
+ * new world, no change by half; and the state that a new world takes over. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -28,7 +28,7 @@ static live live_of(const tp_scene *scene, int ticks)
     return l;
 }
 
-/* A sea with a boat, a pool far from it, and drops. */
+/* Deep water with a boat, a pool far from the boat, and drops. */
 static tp_scene scene_some(void)
 {
     tp_scene s = scene_with(&chance, 4 + 16);
@@ -54,7 +54,7 @@ static setting_result put(live *l, const char *name, const char *text)
                        strlen(text), &l->err);
 }
 
-/* The world that it asks for, with all that is taken over. */
+/* Replaces the world by a new world with the carried state. */
 static void make_anew(live *l)
 {
     tp_world *from = l->world;
@@ -170,7 +170,7 @@ static void what_is_a_name_or_the_grid_is_known(void **state)
     assert_int_equal(grids, 2);
 }
 
-/* As a page does that opens a link: its values come before there is a world. */
+/* A page that opens a link sets values before a world exists. */
 static void without_a_world_numbers_are_checked_all_the_same(void **state)
 {
     (void)state;
@@ -208,7 +208,7 @@ static void walls_move_with_a_pool_that_has_some(void **state)
     assert_int_equal(found, 2);
 }
 
-/* Both ends of every row, one after another, each on what the others left. */
+/* Both ends of every row, one after another, each on top of the preceding values. */
 static void every_parameter_is_taken_made_anew_or_refused(void **state)
 {
     (void)state;
@@ -235,7 +235,7 @@ static void every_parameter_is_taken_made_anew_or_refused(void **state)
             make_anew(&l);
         } else if (result == SETTING_ANEW) {
             tp_world_step(&tp_program_all, l.world, &before,
-                          NULL); /* goes on as it was */
+                          NULL); /* continues unchanged */
             assert_int_equal(put(&l, row->name, old), SETTING_DONE);
             assert_memory_equal(&before, &l.scene, sizeof before);
         }
@@ -248,9 +248,9 @@ static void every_parameter_is_taken_made_anew_or_refused(void **state)
     free(l.world);
 }
 
-/* -- worlds made anew --------------------------------------------------------------- */
+/* -- new worlds --------------------------------------------------------------------- */
 
-/* A pool of another size, and all but the pool goes on as in the world that was. */
+/* With a pool of another size, everything except the pool continues as in the old world. */
 static void a_world_made_anew_goes_on(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The memory that callers hand to inits: NULL, short or misaligned it is refused with the
- * argument's name, and nothing is written; NULL assets mean none everywhere. */
+/* Memory that callers give to init functions: NULL, short or misaligned memory is refused
+ * with the argument's name and without a write; NULL assets mean no assets. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -218,7 +218,7 @@ static void tiles_are_not_drawn_without_memory(void **state)
     free(world);
 }
 
-/* The plan takes no picture that a frame does not. */
+/* The plan refuses every picture size that a frame refuses. */
 static void pictures_beyond_the_sizes_are_not_planned(void **state)
 {
     (void)state;

@@ -35,7 +35,7 @@ static void a_sum_in_pieces_is_the_sum_of_the_whole(void **state)
                          whole);
 }
 
-/* Whatever the format, the sum is that of its pixels read as four bytes, low first. */
+/* For any format the sum is that of the pixels read as four bytes, low byte first. */
 static void the_sum_of_pixels_is_the_sum_of_their_colours(void **state)
 {
     (void)state;

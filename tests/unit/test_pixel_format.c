@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The formats' names, sizes and palette, and reading pixels. */
+/* Names, sizes and palette of the formats, and reading pixels. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>

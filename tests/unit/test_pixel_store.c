@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Stored pixels: nearest levels, the dither's means, and runs that leave no seam. */
+/* Stored pixels: nearest levels, means of the dither, and runs without seams. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -20,7 +20,8 @@ static uint32_t part_of(uint32_t colour, int part)  /* 0 blue, 1 green, 2 red */
     return colour >> 8 * part & 0xff;
 }
 
-/* All 2^24 colours, and levels by division: the nearest, ends on ends. */
+/* All 2^24 colours compared with levels by division: the nearest level, ends map to
+ * ends. */
 static void rgb565_takes_the_nearest_levels(void **state)
 {
     (void)state;
@@ -48,7 +49,7 @@ static void rgb565_takes_the_nearest_levels(void **state)
     }
 }
 
-/* As cores that hold two pixels in a word do it: every level of every part, beside others. */
+/* The two-pixels-per-word variant: every level of every channel, beside other values. */
 static void pairs_of_pixels_are_two_pixels(void **state)
 {
     (void)state;
@@ -169,7 +170,7 @@ static void i1_is_white_in_proportion(void **state)
     assert_true(m.worst <= 0.5);
 }
 
-/* Any 64 neighbours hold every rank, wherever the tile begins. */
+/* Any 64 neighbours hold every rank, for any start of the tile. */
 static void the_mean_is_kept_wherever_the_tile_lies(void **state)
 {
     (void)state;
@@ -193,7 +194,7 @@ static void black_and_white_have_no_dots(void **state)
         }
 }
 
-/* Ranks made by Bayer's rule: a quarter's pixel goes on as 4 rank + 0, 2, 3 or 1. */
+/* Rank by Bayer's rule: the pixel of a quarter continues as 4 rank + 0, 2, 3 or 1. */
 static unsigned bayer_rank(unsigned x, unsigned y)
 {
     static const unsigned quarter[2][2] = { { 0, 2 }, { 3, 1 } };
@@ -214,8 +215,8 @@ static void dots_appear_in_the_order_of_bayer(void **state)
     }
 }
 
-/* Pixels [first, end) of `row` are those of `run`, all others and the bytes behind the
- * row are those of `rest`. */
+/* Asserts that pixels [first, end) of `row` equal those of `run`, and that all other pixels
+ * and the bytes behind the row equal those of `rest`. */
 static void check_run(tp_format format, const uint32_t row[WIDTH],
                       const uint32_t run[WIDTH], const uint32_t rest[WIDTH], int first,
                       int end)
@@ -231,7 +232,8 @@ static void check_run(tp_format format, const uint32_t row[WIDTH],
                         WIDTH * sizeof *row - used);
 }
 
-/* Runs of every place and length into a row of random bytes, against one long run. */
+/* Runs of every position and length into a row of random bytes, compared with one long
+ * run. */
 static void runs_leave_no_seam_and_touch_no_other_pixel(void **state)
 {
     (void)state;
@@ -255,7 +257,7 @@ static void runs_leave_no_seam_and_touch_no_other_pixel(void **state)
     }
 }
 
-/* A tile's row begins at its own pixel 0, whatever the picture's x is. */
+/* A tile's row begins at its own pixel 0, for any x in the picture. */
 static void a_strip_has_the_dither_of_the_picture(void **state)
 {
     (void)state;
@@ -273,7 +275,7 @@ static void a_strip_has_the_dither_of_the_picture(void **state)
         }
 }
 
-/* One look has the tone and its level. */
+/* A single table look-up gives the tone and its level. */
 static void a_toned_pixel_is_that_of_the_toned_colour(void **state)
 {
     (void)state;

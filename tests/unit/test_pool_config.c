@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Which pools can be had, what they say otherwise, and that a pool is its bytes. */
+/* Pools that can be made, the errors of the others, and the rule that a pool equals its
+ * bytes. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -77,7 +78,7 @@ static void r_beyond_the_bound_is_refused(void **state)
     }
 }
 
-/* What the sentence names as the bound can be used, and 0.49 whatever the damping. */
+/* The bound in the message is usable, and 0.49 is usable for any damping. */
 static void the_bound_that_is_said_is_none_too_high(void **state)
 {
     (void)state;
@@ -102,7 +103,8 @@ static void the_bound_that_is_said_is_none_too_high(void **state)
                     "would not come to rest");
 }
 
-/* In the block of just its bytes (the sanitizers look on), also when the block moves. */
+/* A copy in a block of exactly its bytes (under the sanitizers), also after a move of the
+ * block. */
 static void a_copy_of_its_bytes_is_a_snapshot(void **state)
 {
     (void)state;
@@ -142,7 +144,7 @@ static void a_pool_begins_still_and_stays_so(void **state)
     }
 }
 
-/* 4 x 2 samples over 16 x 16 cells: each covers 4 x 8 of them. */
+/* 4 x 2 samples over 16 x 16 cells: each sample covers 4 x 8 cells. */
 static void the_mask_is_laid_over_all_cells(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Cells of 32 bits: the model's own sentence in 64 bits, the wave's closed form, and what
- * fluxes promise: an exact sum, exact rest, and no height beyond the range. */
+/* Cells of 32 bits: the model's own equation in 64 bits, the closed form of a wave, and the
+ * promises of the fluxes: an exact sum, exact rest, and no height beyond the range. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -136,7 +136,7 @@ static void a_drop_comes_to_exact_rest_and_stays(void **state)
                       look.highest);
         assert_true(look.at_rest && look.sum == 0 && look.fastest == 0);
         assert_true(look.highest < 1 << 12);
-        /* asleep or not, it would not move any more */
+        /* awake or asleep, the pool would not move */
         const uint32_t crc = tp_crc32(0, pool + 1, tp_pool_bytes(&c) - sizeof *pool);
         pool->at_rest = 0;
         pool_steps(pool, 10);
@@ -184,7 +184,8 @@ static void velocity_is_the_last_change_of_height(void **state)
     }
 }
 
-/* However high: between two ticks water stands at H - back V, which has to be in range. */
+/* For any height: between two ticks the water stands at H - back V, which must be in
+ * range. */
 static void what_is_added_keeps_both_ends_of_the_last_tick_in_the_range(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Cells of 8 and 16 bits: the shared vectors, the models' own sentences in 64 bits, and
- * what two gears promise: bounded, exact rest, no drift. */
+/* Cells of 8 and 16 bits: the shared vectors, the models' own equations in 64 bits, and the
+ * promises of the two gears: bounded, exact rest, no drift. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -31,8 +31,8 @@ static uint32_t crc_of(const tp_pool *pool)
     return tp_crc32(0, bytes, n);
 }
 
-/* The vectors' tanks are smaller than a pool may be: one of 16 rows is cut to theirs,
- * which no part of the step can tell. */
+/* The vectors' tanks are smaller than a pool may be: a pool of 16 rows is cut to the
+ * vector's rows, which no part of the step can notice. */
 static tp_pool *vector_pool(uint32_t bits, uint32_t cols, uint32_t rows, uint32_t r2q,
                             uint32_t m, const char *init)
 {
@@ -87,7 +87,7 @@ static void steps_match_the_vectors(void **state)
     assert_int_equal(rows, 78);
 }
 
-/* -- the models, as they are printed ----------------------------------------------- */
+/* -- the models, as printed -------------------------------------------------------- */
 
 static void assert_same(const tp_pool *pool, const ref_pool *ref)
 {
@@ -99,7 +99,7 @@ static void assert_same(const tp_pool *pool, const ref_pool *ref)
     assert_int_equal(pool->at_rest, ref->at_rest);
 }
 
-/* The sponge's damping by its own formula in double. */
+/* The sponge's damping by its own formula in double precision. */
 static void soak_reference(ref_pool *ref, double width)
 {
     const double dmax = width > 16 ? 8 / width : 0.5;
@@ -125,7 +125,7 @@ static void step_equals_the_models(tp_edges edges, uint32_t walls)
         c.sponge = (uint32_t)chance_int(&chance, 4, 64);
         c.mask = walls ? pool_mask(&chance, c.cols, c.rows, walls) : NULL;
         tp_pool *const pool = pool_make(&c);
-        /* also what cannot be configured: odd, and beyond every bound */
+        /* includes values that cannot be configured: odd, and beyond every bound */
         pool->r2q = (uint32_t)chance_int(&chance, 0, 767);
         pool_fill(pool, &chance, n % 3 ? 40 : 32767);
         pool->gear = 30;
@@ -170,7 +170,7 @@ static void sponge_steps_are_the_models(void **state)
 
 /* -- promises ---------------------------------------------------------------------- */
 
-/* Ticks until all is 0; -1: more than `most`. */
+/* Ticks until all cells are 0; -1 if more than `most`. */
 static int ticks_to_rest(tp_pool *pool, int most)
 {
     for (int tick = 1; tick <= most; tick++) {
@@ -208,8 +208,8 @@ static void the_droplet_of_the_table_rests_when_it_says(void **state)
     }
 }
 
-/* A pocket between walls may begin with its cells at the full range, all alike: nothing
- * but peeling empties it, one LSB a tick. */
+/* A pocket between walls may begin with all cells at the same full height: only peeling
+ * empties the pocket, one LSB per tick. */
 static void full_range_water_stays_in_range_and_rests(void **state)
 {
     (void)state;
@@ -232,7 +232,7 @@ static void full_range_water_stays_in_range_and_rests(void **state)
     }
 }
 
-/* Roundings of a step add up to less than half, so far from the clamps the sum is
+/* Roundings of a step add up to less than half, so away from the clamps the sum is
  * exact. */
 static void the_sum_is_exact_in_gear_a(void **state)
 {
@@ -254,7 +254,7 @@ static void the_sum_is_exact_in_gear_a(void **state)
     }
 }
 
-/* Waves stirred up in the sponge itself take their sum with them; the mean goes back. */
+/* Waves started inside the sponge take their sum along; the mean returns. */
 static void a_sponge_does_not_drift(void **state)
 {
     (void)state;
@@ -278,7 +278,7 @@ static void a_sponge_does_not_drift(void **state)
     }
 }
 
-/* Sampled velocities are what the heights changed by, peeling apart. */
+/* Sampled velocities equal the change of the heights, without peeling. */
 static void velocity_is_the_last_change_of_height(void **state)
 {
     (void)state;
