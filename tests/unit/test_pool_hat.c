@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What is put into a pool: the hat's shape and its sum, single cells, the gear's time,
- * and feeding. */
+/* Water put into a pool: the shape and the sum of a splash, single cells, the duration of
+ * the gear, and the drive. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -10,8 +10,8 @@
 
 static uint64_t chance;
 
-/* In the open the hat is (1 - s) exp(-s) within 1/2 LSB for rounding, one for the carry,
- * and 1e-4 of the height for the bell. */
+/* In open water the splash is (1 - s) exp(-s), within 1/2 LSB of rounding, one LSB of
+ * carry, and 1e-4 of the height for the bell table. */
 static void the_hat_is_a_hat(void **state)
 {
     (void)state;
@@ -45,7 +45,7 @@ static void the_hat_is_a_hat(void **state)
     assert_true(worst.worst <= 1);
 }
 
-/* Anywhere, also half in a corner or between walls; many of them, until cells are
+/* Splashes anywhere, also half in a corner or between walls; many splashes, until cells are
  * full. */
 static void hats_add_up_to_nothing(void **state)
 {
@@ -90,7 +90,7 @@ static void a_cell_takes_what_fits(void **state)
     }
 }
 
-/* [C5]: the height of a tick ago has to stay in the range as well. */
+/* [C5]: the height of the preceding tick must stay in range too. */
 static void what_is_added_keeps_the_past_in_range(void **state)
 {
     (void)state;
@@ -132,10 +132,10 @@ static void gear_a_lasts_as_long_as_the_model_says(void **state)
     pool->gear = 0;
     tp_pool_stirred(pool, 25600);
     assert_int_equal(pool->gear, 1034);
-    tp_pool_stirred(pool, 100);             /* less does not cut it short */
+    tp_pool_stirred(pool, 100);             /* a smaller splash does not shorten the gear */
     assert_int_equal(pool->gear, 1034);
     tp_pool_stirred(pool, INT32_MIN);
-    assert_int_equal(pool->gear, 1065);     /* as the full range */
+    assert_int_equal(pool->gear, 1065);     /* the same as at full range */
     free(pool);
 }
 
@@ -167,8 +167,8 @@ static double rms(const tp_pool *pool)
     return sqrt(sum / (pool->cols * pool->rows));
 }
 
-/* [C16] measured 492 to 597 for these numbers in 38000 ticks of another sequence; this
- * one (no chance in it) 478 to 593 in 8000. */
+/* [C16] measured 492 to 597 for these numbers in 38000 ticks of another sequence; the
+ * present sequence, without random numbers, gives 478 to 593 in 8000. */
 static void feeding_holds_the_band(void **state)
 {
     (void)state;
@@ -192,7 +192,7 @@ static void feeding_holds_the_band(void **state)
     free(pool);
 }
 
-/* A hat of 1/4 of the height alone holds 344 of 512. */
+/* A splash of 1/4 of the height alone holds 344 of 512. */
 static void too_low_a_feed_gains_authority(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The pool's surface between cells and ticks against double precision. */
+/* The pool's surface between cells and ticks compared with double precision. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -17,7 +17,7 @@ static double metres_per_lsb(const tp_pool *pool)
          : pool->cells == TP_CELLS_16 ? pool->range / 65536.0 / 32767 : pow(2, -24);
 }
 
-/* Of a cell that may lie beyond: mirrored at a wall or wrapped. */
+/* Height of a cell that may lie outside: mirrored at a wall, or wrapped. */
 static double height_at(const tp_pool *pool, int x, int y, double back)
 {
     const int cols = (int)pool->cols, rows = (int)pool->rows;
@@ -72,8 +72,9 @@ static tp_pool *any_pool(tp_cells cells, tp_edges edges)
     return pool;
 }
 
-/* Tolerances: a height is rounded to 2^-16 m; a weight has 16 bits of a difference of up
- * to two ranges, both ways, a place 2^-33 of the field; slopes alike over two cells. */
+/* Tolerances: a height is rounded to 2^-16 m; a weight has 16 bits for a difference of up
+ * to two ranges, in both directions; a position has 2^-33 of the field; slopes likewise
+ * over two cells. */
 static void samples_are_bilinear(void **state)
 {
     (void)state;
@@ -112,8 +113,8 @@ static void samples_are_bilinear(void **state)
     }
 }
 
-/* What is seen at the end of a tick that lies a whole tick back is what was seen
- * before. */
+/* A sample one whole tick back equals the sample of the preceding
+ * tick. */
 static void a_whole_tick_back_is_the_tick_before(void **state)
 {
     (void)state;
@@ -150,8 +151,8 @@ static void the_surface_glides_between_two_ticks(void **state)
     }
 }
 
-/* A tiled field seen from anywhere is the same but for a last bit; its seam is nowhere to
- * be seen. */
+/* A tiled field is the same from every repeat except for a last bit, and has no visible
+ * seam. */
 static void a_tiled_field_has_no_seam(void **state)
 {
     (void)state;
@@ -191,7 +192,7 @@ static void outside_there_is_no_water(void **state)
     for (uint32_t y = 0; y < 20; y++)
         for (uint32_t x = 0; x < 17; x++)
             tp_pool_add(pool, x, y, 32767);
-    /* 17 cells of 1/4 m around x = 100: 97.875 to 102.125; 20 around z = 0 */
+    /* 17 cells of 1/4 m around x = 100: 97.875 to 102.125; 20 cells around z = 0 */
     assert_int_equal(tp_pool_relief(pool, TP_FX(97.875), 0, 0).height, TP_FX_ONE);
     assert_int_equal(tp_pool_relief(pool, TP_FX(97.875) - 1, 0, 0).height, 0);
     assert_int_equal(tp_pool_relief(pool, TP_FX(102.125) - 1, 0, 0).height, TP_FX_ONE);
@@ -209,7 +210,7 @@ static void outside_there_is_no_water(void **state)
     free(pool);
 }
 
-/* Level water of any height is level up to a wall, and nothing is in it. */
+/* Level water of any height is level up to a wall, and the wall has no water. */
 static void level_water_is_level_beside_walls(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Depth, places and normals inside triangles, against the exact plane and the exact
- * perspective of the same corners in double precision. */
+/* Depth, texture coordinates and normals inside triangles, compared with the exact plane
+ * and the exact perspective of the same corners in double precision. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -18,13 +18,14 @@ static uint64_t chance;
 typedef struct {
     tp_corner corner[3];
     const tp_corner *at[3];
-    bool      perspective;      /* as the rasterizer decides */
+    bool      perspective;      /* decided as the rasterizer does */
     double    length;           /* longest side along an axis, 28.4 */
     double    thinness;         /* length^2 over twice the area */
     double    low, high;        /* of zi */
 } face;
 
-/* False: no area, or so thin that its values are its upper corner's. */
+/* False for a triangle without area, or too thin: then its values are those of the upper
+ * corner. */
 static bool face_of(face *f, const tp_samples *tile)
 {
     tp_tri tri;
@@ -53,8 +54,9 @@ static tp_corner corner_within(int32_t far)
                         .v = HEIGHT * 8 + chance_int(&chance, -far, far) };
 }
 
-/* What a value of `range` may be off by far from its corner: the gradients' factors, see
- * set_factors(), and each gradient cut by one unit of its last place a pixel. */
+/* Error bound of a value with this `range`, far from its corner: the gradients' factors,
+ * see set_factors(), and the truncation of each gradient by one unit of its last place per
+ * pixel. */
 static double plane_error(const face *f, double range, double unit)
 {
     return 5 / 134217728.0 * range * f->thinness + unit * (2 + f->length / 8);
@@ -113,7 +115,7 @@ static void depth_lies_in_the_plane_of_the_corners(void **state)
         measure_print(&error[i]);
 }
 
-/* The third corner within an LSB or two of the line between the others. */
+/* A triangle with the third corner within an LSB or two of the line between the others. */
 static void make_sliver(tp_corner c[3], int32_t far)
 {
     const double way = chance_double(&chance, 0, 1);
@@ -126,8 +128,8 @@ static void make_sliver(tp_corner c[3], int32_t far)
         (int32_t)lround(c[0].v + way * (c[1].v - c[0].v)) + chance_int(&chance, -2, 2);
 }
 
-/* One that holds the centre of a pixel at least: an edge runs through it, to whole
- * numbers on both sides, and the third corner is next to an end. */
+/* A sliver that contains the centre of at least one pixel: an edge runs through the centre,
+ * to whole coordinates on both sides, and the third corner is next to an end. */
 static void make_sliver_through_centre(tp_corner c[3], int32_t far)
 {
     const int32_t du = chance_int(&chance, -far / 8, far / 8);
@@ -146,7 +148,7 @@ static void make_sliver_through_centre(tp_corner c[3], int32_t far)
 }
 
 /* Slivers of all kinds: no depth is nearer than the nearest corner or farther than the
- * farthest, but for 1/256 of the range: what the head of geom.h leaves for rounding. */
+ * farthest corner, except for 1/256 of the range, the allowance of geom.h for rounding. */
 static void no_sliver_leaves_the_depths_of_its_corners(void **state)
 {
     (void)state;
@@ -181,9 +183,9 @@ static void no_sliver_leaves_the_depths_of_its_corners(void **state)
     tile_free(&tile);
 }
 
-/* -- places -------------------------------------------------------------------------- */
+/* -- texture coordinates ------------------------------------------------------------- */
 
-/* The depth's ratio over the 16 pixels that hold x. */
+/* Ratio of the depths over the 16 pixels that contain x. */
 static double ratio_at(const face *f, int32_t x, int32_t y)
 {
     const double a = ref_sample_at(f->at, x & ~15, y).zi;
@@ -192,7 +194,8 @@ static double ratio_at(const face *f, int32_t x, int32_t y)
     return high / low;
 }
 
-/* How many pixels away the picture has the value that was found at (x, y). */
+/* Measures the distance in pixels between (x, y) and the point where the reference has the
+ * drawn value. */
 static void compare_places(const face *f, const test_tile *tile, int32_t x, int32_t y,
                            measure *m)
 {
@@ -210,12 +213,13 @@ static void compare_places(const face *f, const test_tile *tile, int32_t x, int3
     for (int k = 0; k < 3; k++)
         range = fmax(range, fmax(fabs((double)f->corner[k].s - f->at[0]->s),
                                  fabs((double)f->corner[k].t - f->at[0]->t)));
-    /* Exact every 16 pixels: a straight line over a depth ratio r strays from the true
-     * course by (r - 1) / 4 of its length at the most, its pixels differing by r; and a
-     * 16th of it is known to 5e-5.  An affine triangle has r - 1 < 1 / its size, so it
-     * strays by a quarter of a pixel for each of two directions. */
+    /* Exact every 16 pixels: a straight line over a depth ratio r deviates from the true
+     * course by at most (r - 1) / 4 of its length, where pixels differ by r; and a 16th of
+     * the length is known to 5e-5.  An affine triangle has r - 1 < 1 / its size, so it
+     * deviates by a quarter of a pixel in each of two directions. */
     const double pixels = f->perspective ? 16 * ((ratio - 1) / 4 + 5e-5) * ratio : 0.5;
-    /* 16 steps cut by one each; 1/w s w with w of 29 bits in the nearest corner. */
+    /* 16 steps with a truncation of one unit each; 1/w s w with w of 29 bits in the nearest
+     * corner. */
     const double units = 16 + range * extent / 67108864.0
                        + plane_error(f, range * extent,
                                      f->perspective ? extent / 256 : 1);
@@ -259,7 +263,7 @@ static void compare_normals(const face *f, const test_tile *tile, int32_t x, int
 {
     const uint32_t n = tile->samples.n[tile_at(tile, x, y)];
     const ref_sample want = ref_sample_at(f->at, x, y);
-    /* Cut to a whole unit; 16 more bits on the way. */
+    /* Truncated to a whole unit, with 16 more bits in between. */
     const double most = 1 + plane_error(f, 65454, 1 / 65536.0);
     const double off_x = fabs((int16_t)(n >> 16) + 0.5 - want.n[0]) - 0.5;
     const double off_z = fabs((int16_t)(n & 0xffff) + 0.5 - want.n[1]) - 0.5;
@@ -293,7 +297,7 @@ static int32_t part(uint32_t n, int k)
     return (int32_t)((n >> 10 * k & 1023) ^ 512) - 512;
 }
 
-/* Solids pack three parts of 10 bits and s and t into 16 bits each, which wrap. */
+/* Solids pack three components of 10 bits, and s and t into 16 bits each, which wrap. */
 static void solids_carry_normal_texture_and_face(void **state)
 {
     (void)state;
@@ -329,10 +333,10 @@ static void solids_carry_normal_texture_and_face(void **state)
     }
 }
 
-/* -- anything ------------------------------------------------------------------------ */
+/* -- any input ----------------------------------------------------------------------- */
 
-/* Whatever corners within the guard band hold: defined behaviour, as UBSan sees it, and
- * nothing outside the tile, as ASan does. */
+/* Any corners within the guard band: defined behaviour, as UBSan sees it, and no access
+ * outside the tile, as ASan sees it. */
 static void any_corners_are_safe(void **state)
 {
     (void)state;

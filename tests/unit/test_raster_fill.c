@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Which pixels a triangle covers: by pictures, by the rule worked out in exact integers,
- * and by closed meshes, of which every pixel is drawn exactly once. */
+/* Pixel coverage of a triangle: by pictures, by the fill rule in exact integers, and by
+ * closed meshes, where every pixel is drawn exactly once. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -60,9 +60,9 @@ static void pictures_come_out_as_drawn_here(void **state)
     }
 }
 
-/* -- the rule in exact integers ------------------------------------------------------ */
+/* -- the fill rule in exact integers ------------------------------------------------- */
 
-/* The tile is one of the picture's, here 192 x 128 at (64, 32). */
+/* The tile is a part of the picture: 192 x 128 px at (64, 32). */
 static void compare(const tp_corner c[3], uint64_t *pixels)
 {
     const tp_corner *const corners[3] = { &c[0], &c[1], &c[2] };
@@ -86,7 +86,8 @@ static void compare(const tp_corner c[3], uint64_t *pixels)
     tile_free(&tile);
 }
 
-/* `far` sixteenths around the tile's middle; every fourth corner on a pixel's centre. */
+/* A corner within `far` sixteenths of the tile's middle; three in four are on a pixel's
+ * centre. */
 static tp_corner any_corner(int32_t far)
 {
     const int32_t grain = random_below(&chance, 4) ? 1 : 16;
@@ -112,7 +113,7 @@ static void triangles_cover_what_the_rule_says(void **state)
     }
 }
 
-/* The third corner within an LSB or two of the line between the others. */
+/* The third corner is within an LSB or two of the line between the others. */
 static void slivers_cover_what_the_rule_says(void **state)
 {
     (void)state;
@@ -166,7 +167,7 @@ enum { POINTS = 240, FACES = 2 * POINTS };
 
 typedef struct {
     int32_t point[POINTS][2];
-    int     face[FACES][3];     /* all turn the same way */
+    int     face[FACES][3];     /* all have the same orientation */
     int     points, faces;
 } mesh;
 
@@ -176,7 +177,7 @@ static int64_t turn(const mesh *m, int a, int b, int32_t u, int32_t v)
          - (int64_t)(m->point[b][1] - m->point[a][1]) * (u - m->point[a][0]);
 }
 
-/* Puts a point strictly inside a face, which becomes three. */
+/* Puts a point strictly inside a face and splits the face into three. */
 static void split(mesh *m, int f, int32_t u, int32_t v)
 {
     const int a = m->face[f][0], b = m->face[f][1], c = m->face[f][2], p = m->points++;
@@ -189,8 +190,8 @@ static void split(mesh *m, int f, int32_t u, int32_t v)
     memcpy(m->face[m->faces++], made[2], sizeof made[2]);
 }
 
-/* A square around the tile's middle cut into faces by random points, half of them inside
- * the tile.  Repeated splitting makes slivers by itself. */
+/* A square around the tile's middle, split into faces by random points, half of the points
+ * inside the tile.  Repeated splitting produces slivers. */
 static mesh any_mesh(int32_t far)
 {
     mesh m = { .point = { { 1280 - far, 1280 - far }, { 1280 + far, 1280 - far },
@@ -289,7 +290,7 @@ static void assert_same_samples(const test_tile *part, const test_tile *whole)
     }
 }
 
-/* Tiles that begin and end anywhere, rows of memory longer than they. */
+/* Tiles begin and end anywhere, and their rows in memory are longer than the tile. */
 static void tiles_cut_anywhere_give_the_same_samples(void **state)
 {
     (void)state;
@@ -318,7 +319,7 @@ static void tiles_cut_anywhere_give_the_same_samples(void **state)
     }
 }
 
-/* -- depth, marks, patterns ---------------------------------------------------------- */
+/* -- depth, stencil values, patterns ------------------------------------------------- */
 
 static void cover_all(const tp_samples *tile, uint32_t zi, uint32_t mark, int opacity)
 {
@@ -348,7 +349,7 @@ static void the_nearer_stays_and_of_equals_the_first(void **state)
     tile_free(&tile);
 }
 
-/* A front face, counter-clockwise as seen, has a negative area on a screen whose v grows
+/* A front face is counter-clockwise as seen, with a negative area on a screen whose v grows
  * downwards. */
 static void back_faces_are_left_out_where_that_is_asked_for(void **state)
 {
@@ -374,7 +375,8 @@ static void back_faces_are_left_out_where_that_is_asked_for(void **state)
     }
 }
 
-/* Sixteenths of every 4 x 4 pixels; a pattern holds those of all lesser ones. */
+/* A pattern covers sixteenths of every 4 x 4 pixels and includes the patterns of lower
+ * opacity. */
 static void opacity_lets_sixteenths_of_the_pixels_through(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Lines of water against a version in double precision, and in tiles of all sizes. */
+/* Scanline water compared with a double-precision version, and in tiles of all sizes. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -14,14 +14,15 @@ enum { WIDTH = 96, HEIGHT = 80, LINES = 30, POINTS = 24 };
 
 static uint64_t chance;
 
-/* A field seen from above: lines at growing depths, points bumped up and down. */
+/* A field seen from above: lines at growing depths, with points displaced up and down. */
 typedef struct {
     uint32_t lines, points;
     tp_row_point point[LINES][POINTS];
-    bool     gap[LINES];        /* nothing lies before the line */
+    bool     gap[LINES];        /* nothing is drawn before the line */
 } field;
 
-/* Depth d is 1 / zi of a plane whose horizon is at row 4; s goes with u d, t with d. */
+/* Depth d is 1 / zi of a plane with its horizon at row 4; s is proportional to u d, t to
+ * d. */
 static tp_row_point point_at(double u, double depth, double high)
 {
     const double s = (u - WIDTH / 2) * depth / 60;
@@ -58,7 +59,7 @@ static field any_field(bool gaps)
     return f;
 }
 
-/* Samples that are there before the water, the same in every tile. */
+/* Samples in the tile before the water, the same in every tile. */
 static void put_solids(test_tile *tile)
 {
     const tp_samples *s = &tile->samples;
@@ -127,13 +128,14 @@ static void every_tile_gives_the_same_bits(void **state)
     }
 }
 
-/* -- the same in double ---------------------------------------------------------------- */
+/* -- the same in double precision ------------------------------------------------------ */
 
 typedef struct {
     double v, zi, s, t, nx, nz;
 } value;
 
-/* A share f of the way on the screen; places in perspective. */
+/* Interpolates by a share f of the distance on the screen; texture coordinates in
+ * perspective. */
 static value mixed(const value *a, const value *b, double f)
 {
     const double zi = a->zi + f * (b->zi - a->zi), g = f * b->zi / zi;
@@ -162,11 +164,11 @@ static value value_at(const field *f, uint32_t k, int32_t x)
 }
 
 typedef struct {
-    double   place, zi, slope;  /* largest: pixels, shares, LSB */
+    double   place, zi, slope;  /* largest errors: pixels, shares, LSB */
     uint32_t pixels, wrong;
 } errors;
 
-/* How far a place is off, in pixels down the piece: its change over that of a row. */
+/* Error of a position in pixels down the piece: its difference over the change per row. */
 static void judge(errors *e, const test_tile *tile, int32_t x, int32_t y, const value *near,
                   const value *far)
 {
@@ -203,7 +205,8 @@ static void lines_are_drawn_as_in_double_precision(void **state)
             horizon = near.v;
             for (uint32_t k = 1; k < f.lines; k++) {
                 const value far = value_at(&f, k, x);
-                for (int32_t y = 0; y < HEIGHT; y++)     /* pixels near an edge are left */
+                for (int32_t y = 0; y < HEIGHT; y++)     /* pixels near an edge are
+                                                          * skipped */
                     if (y + 0.5 > far.v + 0.02 && y + 0.5 < horizon - 0.02
                         && near.v - far.v > 0.52)
                         judge(&e, &tile, x, y, &near, &far);
@@ -220,9 +223,9 @@ static void lines_are_drawn_as_in_double_precision(void **state)
            e.pixels, e.place, e.zi, e.slope);
     assert_true(e.pixels > 200000);
     assert_int_equal(e.wrong, 0);
-    assert_true(e.place < 1.5);         /* half of one along the line, half down it */
+    assert_true(e.place < 1.5);         /* half a pixel along the line, half down */
     assert_true(e.zi < 0.008);
-    assert_true(e.slope < 300);         /* of 18000 within a pixel or two */
+    assert_true(e.slope < 300);         /* of 18000, within a pixel or two */
 }
 
 int main(void)

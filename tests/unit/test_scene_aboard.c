@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The camera that goes with the boat: it stays on the deck, whatever the sea does. */
+/* The camera aboard the boat: the camera stays on the deck in any motion of the water. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -12,7 +12,7 @@
 
 static uint64_t chance;
 
-/* A boat that sails, turns and rocks, seen from somewhere on its deck. */
+/* A boat that sails, turns and rocks, seen from a random point on its deck. */
 static tp_scene aboard_scene(void)
 {
     tp_scene s = scene_plain();
@@ -40,7 +40,7 @@ static tp_lens lens_of(const tp_world *w)
     return lens;
 }
 
-/* Where a point of the deck appears, pixels. */
+/* Screen position of a point on the deck, px. */
 static void seen_at(const tp_world *w, tp_vec3 deck, double *u, double *v)
 {
     const tp_rotation turn =
@@ -58,8 +58,8 @@ static void seen_at(const tp_world *w, tp_vec3 deck, double *u, double *v)
     *v = at[1] / 16.0;
 }
 
-/* A point that is drawn at 7 m from the eye stays within 1/8 pixel, which is 28.4's
- * rounding twice, for as long as the boat sails; the world around it does not. */
+/* A point drawn 7 m from the eye stays within 1/8 px, twice the rounding of 28.4, as long
+ * as the boat sails; the world around the boat moves. */
 static void the_deck_stands_still_in_the_picture(void **state)
 {
     (void)state;
@@ -90,7 +90,8 @@ static void the_deck_stands_still_in_the_picture(void **state)
     assert_true(least > 0);
 }
 
-/* Against the same in double: the deck's place and axes turned by roll, pitch, heading. */
+/* Compared with double precision: the deck's position and axes, rotated by roll, pitch,
+ * heading. */
 static void the_eye_is_where_the_deck_carries_it(void **state)
 {
     (void)state;
@@ -103,7 +104,8 @@ static void the_eye_is_where_the_deck_carries_it(void **state)
         const double h = w.boat.heading * turn, p = w.boat.pitch * turn;
         const double r = w.boat.roll * turn;
         const double e[3] = { w.eye.x, w.eye.y, w.eye.z };
-        /* Rolled about the bow's axis, lifted about the right, turned about the mast. */
+        /* Rolled about the bow's axis, pitched about the right axis, turned about the
+         * mast. */
         const double x = e[0] * cos(r) + e[1] * sin(r);
         const double y1 = e[1] * cos(r) - e[0] * sin(r);
         const double y = y1 * cos(p) - e[2] * sin(p), z = e[2] * cos(p) + y1 * sin(p);
@@ -130,7 +132,7 @@ static void a_boat_at_rest_carries_the_camera_as_the_world_does(void **state)
         assert_true(abs(a[i] - b[i]) <= 1);
 }
 
-/* Between two ticks the deck stands still too. */
+/* Between two ticks the deck also stands still in the picture. */
 static void a_picture_between_ticks_is_of_both_boat_and_camera(void **state)
 {
     (void)state;
@@ -198,7 +200,7 @@ static void a_change_of_the_scene_goes_aboard_and_ashore(void **state)
     assert_int_equal(w.aboard, 1);
 }
 
-/* A copy that takes the same inputs sees the same, to the bit. */
+/* A copy of the world with the same inputs sees the same, to the bit. */
 static void a_snapshot_goes_on_with_the_same_bits(void **state)
 {
     (void)state;
@@ -220,7 +222,7 @@ static void a_snapshot_goes_on_with_the_same_bits(void **state)
     assert_memory_equal(&a, &b, sizeof a);
 }
 
-/* A boat at the world's corner, a camera as far from it as there is. */
+/* A boat at the world's corner, and a camera at the greatest distance from the boat. */
 static void the_eye_stays_within_the_world(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A camera that the application places: where it stands, how long, and what else moves
- * it. */
+/* A camera that the application places: its position, the duration, and the inputs that
+ * move the camera. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -47,7 +47,7 @@ static tp_scene following(void)
     return s;
 }
 
-/* In any part of a tick, and also after ticks whose input is empty. */
+/* At any fraction of a tick, and also after ticks with empty input. */
 static void the_picture_is_seen_from_the_place(void **state)
 {
     (void)state;
@@ -62,7 +62,8 @@ static void the_picture_is_seen_from_the_place(void **state)
     }
 }
 
-/* Local right is (1, 0, 0): rolled by a quarter it points down, upside down to -x. */
+/* Local right is (1, 0, 0): rolled by a quarter turn right points down, upside down to
+ * -x. */
 static void roll_lowers_the_right_side(void **state)
 {
     (void)state;
@@ -103,7 +104,7 @@ static void a_place_out_of_the_world_is_held_at_its_border(void **state)
     assert_int_equal(w.eye.z, -8000 * TP_FX_ONE);
 }
 
-/* Refreshes alone do not go aboard again; the scene does by asking anew, and a reset. */
+/* A refresh alone does not go aboard again; a new request by the scene and a reset do. */
 static void following_ends_until_it_is_asked_for(void **state)
 {
     (void)state;
@@ -134,7 +135,7 @@ static void following_ends_until_it_is_asked_for(void **state)
     }
 }
 
-/* As the scene first placed it: the same bits. */
+/* The position equals the scene's first placement, to the bit. */
 static void a_reset_is_the_first_place(void **state)
 {
     (void)state;
@@ -148,7 +149,7 @@ static void a_reset_is_the_first_place(void **state)
     assert_memory_equal(&again, &first, sizeof first);
 }
 
-/* Input goes on from there; only a tilt is held short of upright. */
+/* Input continues from the placed camera; only a tilt is limited short of the vertical. */
 static void input_moves_a_placed_camera(void **state)
 {
     (void)state;
@@ -164,7 +165,8 @@ static void input_moves_a_placed_camera(void **state)
     assert_int_equal(w.pitch, TP_DEG(-89));
 }
 
-/* A copy from outside may have left the deck, not boarded one that there is not. */
+/* A world from outside may have left the deck, but not boarded a boat that does not
+ * exist. */
 static void a_stored_world_may_have_left_the_deck(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Scenes that a program has filled in: every row just beyond its range and far beyond,
- * names without an end, combinations.  Each entry point refuses the same scenes and names
- * the same row; the scenes that they take are stepped and drawn under the sanitizers. */
+/* Scenes filled in by a program: every row just beyond its range and far beyond, names
+ * without an end, combinations.  Every entry point refuses the same scenes and names the
+ * same row; accepted scenes are stepped and drawn under the sanitizers. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -20,12 +20,12 @@ static uint64_t chance;
 static test_kit kit;
 
 typedef struct {
-    tp_scene  scene;            /* that the world was made of */
+    tp_scene  scene;            /* the world's scene */
     tp_world *world;
     size_t    world_bytes;
     void     *block;            /* as large as a frame of any scene here */
     size_t    block_bytes;
-    void     *copy;             /* of the world */
+    void     *copy;             /* copy of the world */
 } stand;
 
 static stand stand_of(const tp_scene *scene)
@@ -59,7 +59,8 @@ static void assert_refused(tp_status status, const tp_error *err, const tp_error
                  tp_status_text(status), err->word, tp_status_text(why->code), why->word);
 }
 
-/* Every entry point refuses the scene as tp_scene_check does, and changes nothing. */
+/* Asserts that every entry point refuses the scene as tp_scene_check does, and changes
+ * nothing. */
 static void all_refuse(stand *s, const tp_scene *bad, const tp_error *why)
 {
     tp_error  err;
@@ -85,7 +86,7 @@ static void all_refuse(stand *s, const tp_scene *bad, const tp_error *why)
     assert_int_equal(tp_ladder_make(bad, NULL, WIDTH, HEIGHT).count, 1);
 }
 
-/* Steps and draws it; the sanitizers watch. */
+/* Steps and draws the scene under the sanitizers. */
 static void use(const tp_scene *scene, const tp_assets *assets)
 {
     tp_world *world = scene_world(scene, assets);
@@ -129,7 +130,7 @@ static void every_number_beyond_its_range_is_refused_by_its_name(void **state)
     stand_free(&s);
 }
 
-/* In a scene of plain waves; a lattice of a million points is left to slower tests. */
+/* A scene of plain waves; a grid of a million points is left to slower tests. */
 static void every_number_at_the_ends_of_its_range_is_taken(void **state)
 {
     (void)state;
@@ -168,7 +169,7 @@ static void names_without_an_end_and_with_control_characters_are_refused(void **
         assert_int_equal(tp_scene_check(&bad, &why), TP_E_UNENDED);
         assert_string_equal(why.word, rows[i].name);
         all_refuse(&s, &bad, &why);
-        name[TP_NAME_BYTES - 1] = '\0';             /* the longest there is */
+        name[TP_NAME_BYTES - 1] = '\0';             /* the longest possible name */
         assert_int_equal(tp_scene_check(&bad, NULL), TP_OK);
         name[1] = '\n';
         assert_int_equal(tp_scene_check(&bad, &why), TP_E_TEXT);
@@ -178,7 +179,7 @@ static void names_without_an_end_and_with_control_characters_are_refused(void **
     stand_free(&s);
 }
 
-/* What no single row tells; the same words as from a file. */
+/* Combinations of rows are refused with the same words as from a file. */
 static void combinations_that_cannot_be_used_are_refused(void **state)
 {
     (void)state;
@@ -237,7 +238,8 @@ static bool in_range(const tp_scene *scene)
     return true;
 }
 
-/* Any scene of the table with up to three rows set to anything: refused by all, or used. */
+/* Any scene of the table with up to three rows set to any value: every entry point refuses
+ * the scene, or the scene works. */
 static void scenes_of_any_numbers_are_refused_or_can_be_used(void **state)
 {
     (void)state;
@@ -266,7 +268,7 @@ static void scenes_of_any_numbers_are_refused_or_can_be_used(void **state)
     stand_free(&s);
 }
 
-/* A program without the check takes what a baked scene may hold unread: texts. */
+/* A program without the check accepts unread content of a baked scene: texts. */
 static void a_program_without_the_check_trusts_its_scene(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The clock against [D6] in double precision and against the models' vectors. */
+/* The clock compared with [D6] in double precision and with the models' vectors. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -55,8 +55,8 @@ static void rows_of_the_models_agree(void **state)
     assert_true(time.worst < 1e-3);
 }
 
-/* An hour of pictures with a target that jumps: the sum of s stays the reference's within
- * what snapping gives away, 2 LSB of s for each change of target, 24 pictures long. */
+/* An hour of pictures with a target that jumps.  The sum of s stays within the loss by
+ * snapping: 2 LSB of s for each change of target, over 24 pictures. */
 static void any_targets_follow_the_models(void **state)
 {
     (void)state;
@@ -74,7 +74,8 @@ static void any_targets_follow_the_models(void **state)
         tp_clock_next(&clock);
         s += (clock.target * LSB - s) * SLIDE;
         sum += s;
-        /* 2 LSB of a snap, and at the most as much that is left of the one before. */
+        /* 2 LSB by a snap, and at most the same amount left over from the preceding
+         * snap. */
         assert_true(fabs(scale_of(&clock) - s) <= 4 * LSB);
         assert_true(fabs(time_of(&clock) - sum) <= (changes + 1) * 50 * LSB);
         measure_add(&time, time_of(&clock) - sum, n, 0, 0);
@@ -148,7 +149,7 @@ static void at_scale_one_a_picture_is_a_tick(void **state)
     }
 }
 
-/* At 1/8 each picture lies an eighth further: slow motion glides. */
+/* At scale 1/8 each picture is an eighth of a tick further: slow motion is smooth. */
 static void the_fraction_glides_between_ticks(void **state)
 {
     (void)state;

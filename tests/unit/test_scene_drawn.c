@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The world between its last two ticks, and the clock that says where. */
+/* The world between its last two ticks, and the clock that gives the fraction. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -10,7 +10,7 @@
 
 static uint64_t chance;
 
-/* A world that has moved, its boat and camera turning through the wrap. */
+/* A moved world; boat and camera turn through the wrap of the heading. */
 static tp_world moved(tp_scene *scene, int ticks)
 {
     tp_world world;
@@ -81,7 +81,7 @@ static void back_1_is_the_last_tick(void **state)
     }
 }
 
-/* a at back 1, b at 0: between them, and never the other way. */
+/* Asserts that `now` is between a (back 1) and b (back 0) and moves monotonically. */
 static void assert_between(int32_t a, int32_t b, int32_t now, int32_t *last)
 {
     assert_true(b >= a ? now >= a && now <= b : now <= a && now >= b);
@@ -145,7 +145,8 @@ static void far_places_are_interpolated_too(void **state)
 
 /* -- the clock --------------------------------------------------------------------- */
 
-/* One picture: steps what the clock asks for; the time it shows, ticks x 65536. */
+/* Shows one picture: steps the ticks that the clock requests.  Returns the shown time in
+ * ticks x 65536. */
 static int64_t show(tp_world *w, const tp_scene *scene)
 {
     for (uint32_t ticks = tp_world_advance_clock(w); ticks > 0; ticks--)
@@ -195,7 +196,7 @@ static void a_wave_s_phase_advances_evenly_in_slow_motion(void **state)
     }
 }
 
-/* Neither the keys nor a change of the scene makes time jump or go back. */
+/* Neither input nor a change of the scene makes the time jump or run backwards. */
 static void no_time_is_skipped_when_the_scale_changes(void **state)
 {
     (void)state;
@@ -219,7 +220,7 @@ static void no_time_is_skipped_when_the_scale_changes(void **state)
         const int64_t now = show(&w, &scene);
         const double step = (double)(now - last) / 65536;
         assert_true(step > 0.12 && step < 4.01);
-        assert_true(fabs(step - scale) < 4 / 24.0 + 0.01);      /* 1/24 of the way */
+        assert_true(fabs(step - scale) < 4 / 24.0 + 0.01);      /* 1/24 of the distance */
         scale = step;
         last = now;
     }
@@ -246,7 +247,7 @@ static void the_ticks_stepped_are_the_clock_s(void **state)
     }
 }
 
-/* Looking around while the water stands has no tick to draw between. */
+/* A camera move while the water stands still has no tick to interpolate. */
 static void a_look_is_seen_at_once(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The governor fed with times from a script: what each rung costs, and how heavy the load
- * is at each frame. */
+/* The governor, driven by scripted frame times: the cost of each rung, and the load of each
+ * frame. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -11,7 +11,7 @@
 
 static uint64_t chance;
 
-/* Four rungs that differ in nothing but their number. */
+/* Rungs that differ only in their number. */
 static tp_ladder ladder_of(uint32_t count)
 {
     tp_ladder ladder = { .count = count };
@@ -23,8 +23,8 @@ static tp_ladder ladder_of(uint32_t count)
 
 typedef struct {
     tp_governor governor;
-    uint32_t steps, down;       /* taken */
-    uint32_t last;              /* frame of the last of them */
+    uint32_t steps, down;       /* steps taken */
+    uint32_t last;              /* frame of the last step */
     uint32_t frame;
 } drive;
 
@@ -37,9 +37,10 @@ static drive drive_of(uint32_t rungs, uint32_t limit)
     return d;
 }
 
-static const uint32_t share[] = { 100, 70, 60, 30 };       /* of a rung, percent */
+static const uint32_t share[] = { 100, 70, 60, 30 };       /* cost of a rung, percent */
 
-/* `load`: us that the first rung takes; `noise`: percent of it, up and down. */
+/* Feeds frames.  `load`: time of the first rung, us; `noise`: variation in percent, up and
+ * down. */
 static void run(drive *d, uint32_t frames, uint32_t load, int32_t noise)
 {
     for (uint32_t i = 0; i < frames; i++, d->frame++) {
@@ -85,7 +86,7 @@ static void it_settles_on_the_first_rung_that_keeps_the_limit(void **state)
 {
     static const struct { uint32_t load, rung; } rows[] = {
         { 34000, 1 }, { 41000, 1 }, { 50000, 2 }, { 60000, 3 }, { 100000, 3 },
-        { 1000000, 3 },         /* nothing keeps it */
+        { 1000000, 3 },         /* no budget holds */
     };
 
     (void)state;
@@ -98,7 +99,7 @@ static void it_settles_on_the_first_rung_that_keeps_the_limit(void **state)
     }
 }
 
-/* Whatever the load, as long as it stays within its noise. */
+/* True for any load, as long as the load stays within its noise. */
 static void it_does_not_swing(void **state)
 {
     (void)state;
@@ -108,7 +109,7 @@ static void it_does_not_swing(void **state)
         run(&d, 600, load, 8);
         const uint32_t then = d.steps;
         run(&d, 6000, load, 8);
-        assert_true(d.steps - then <= 2);       /* the last window may lie on the limit */
+        assert_true(d.steps - then <= 2);       /* the last window may be on the limit */
     }
 }
 
@@ -139,7 +140,7 @@ static void it_comes_back_when_the_load_has_gone(void **state)
     assert_int_equal(d.steps, 7);
 }
 
-/* The step was measured while the load fell: it is not believed for ever. */
+/* The step was measured under a falling load, so the measurement must not last forever. */
 static void a_step_under_a_falling_load_is_undone(void **state)
 {
     drive d = drive_of(2, 33000);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What a program lacks is refused by name: in random scenes exactly where the program of
- * everything has that module on, by every init alike, and nothing is half done. */
+/* A program without a module refuses a scene by the module's name: in random scenes exactly
+ * where the full program has the module on, by every init function alike, and without a
+ * partial result. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -30,7 +31,7 @@ static bool (*const conditions[])(const tp_want *) = {
 
 enum { COUNT = sizeof names / sizeof *names };
 
-/* -- programs that lack modules ---------------------------------------------------- */
+/* -- programs without some modules ------------------------------------------------- */
 
 typedef struct {
     tp_program program;
@@ -58,14 +59,14 @@ static void leave_out(lacking *to, const bool out[COUNT])
 typedef struct {
     tp_scene scene;
     tp_assets assets;
-    bool on[COUNT]; /* by the program of everything, in its frame */
+    bool on[COUNT]; /* by the full program, in its frame */
 } shown;
 
 static const tp_config config = {
     .width = 64, .height = 48, .tile_height = 48, .format = TP_FORMAT_XRGB8888
 };
 
-/* Half of them without much, so that fast stages are on too. */
+/* A random scene; half of the scenes have few features, so that fast stages are on too. */
 static bool any_scene(shown *s)
 {
     s->scene = kit_scene(&chance, 14, 40);
@@ -90,7 +91,7 @@ static bool any_scene(shown *s)
     return true;
 }
 
-/* -- refused or taken ---------------------------------------------------------------- */
+/* -- refused or accepted ------------------------------------------------------------- */
 
 static bool is_all(const uint64_t *block, size_t words, uint64_t value)
 {
@@ -100,7 +101,8 @@ static bool is_all(const uint64_t *block, size_t words, uint64_t value)
     return true;
 }
 
-/* Everything that takes a scene says the same; `name` NULL: the scene is taken. */
+/* Asserts that every function that takes a scene has the same result; `name` NULL: the
+ * scene is accepted. */
 static void compare_inits(const tp_program *by, const shown *s, const char *name)
 {
     static uint64_t block[4096];
@@ -163,7 +165,7 @@ static void one_module_lacked_is_refused_where_it_is_on(void **state)
     }
 }
 
-/* The name is that of the first in the list's order. */
+/* The name is that of the first missing module in the list's order. */
 static void many_modules_lacked_are_refused_by_the_first_that_is_on(void **state)
 {
     static lacking l;
@@ -220,13 +222,13 @@ static void a_world_refuses_to_switch_on_what_its_program_lacks(void **state)
     assert_memory_equal(before, world, bytes);
     assert_int_equal(tp_program_fits(&l.program, &scene, &assets, &err), TP_E_PROGRAM);
     assert_string_equal(err.word, "exposure");
-    l.program.refuse = NULL;            /* left out of the picture, as ever */
+    l.program.refuse = NULL;            /* left out of the picture, as always */
     assert_true(tp_world_apply(&l.program, world, &scene, &assets));
     assert_memory_not_equal(before, world, bytes);
     free(world);
 }
 
-/* Exact stages draw what a plan would have by fast ones. */
+/* Without fast stages the exact stages draw the plan's rungs. */
 static void fast_stages_are_lacking_only_by_name(void **state)
 {
     static lacking l;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The light that moves: by the scene, by input, between ticks. */
+/* The moving light: by the scene, by input, between ticks. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -60,7 +60,7 @@ static void it_goes_round_by_degrees_a_second(void **state)
     }
 }
 
-/* Never under the horizon, never over the top. */
+/* The light stays above the horizon and does not pass the zenith. */
 static void input_turns_it_and_tilts_it_within_1_and_90_degrees(void **state)
 {
     (void)state;
@@ -100,8 +100,8 @@ static void between_ticks_it_is_between(void **state)
     free(w);
 }
 
-/* A refresh for another number's sake leaves it where it went; a new place in the scene
- * is taken. */
+/* A refresh for another parameter leaves the light in place; a new direction in the scene
+ * applies. */
 static void a_refresh_takes_what_has_changed(void **state)
 {
     (void)state;

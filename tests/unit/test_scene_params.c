@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The table of parameters: every row there and back, and bad texts of every kind. */
+/* The table of parameters: every row written and read back, and invalid texts of every
+ * kind. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -39,7 +40,8 @@ static void the_rows_cover_the_scene_exactly(void **state)
             rows_of[rows[i].offset + k]++;
     }
     for (size_t at = 0; at < sizeof rows_of; at++) {
-        const bool own = at >= offsetof(tp_scene, own);     /* of programs' own modules */
+        const bool own = at >= offsetof(tp_scene, own);     /* row of a module of the
+                                                             * program's own */
         if (rows_of[at] != !own)
             fail_msg("byte %zu of the scene belongs to %d rows", at, rows_of[at]);
     }
@@ -164,7 +166,7 @@ static void the_default_scene_is_the_defaults_of_the_rows(void **state)
             assert_int_equal(number_at(&scene, &rows[i]), rows[i].normal);
 }
 
-/* One step beyond either end, as text. */
+/* Checks one step beyond either end, as text. */
 static void check_excess(const tp_param *row, int32_t number)
 {
     tp_scene scene, before;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The table of parameters as tests/golden/params.txt lists it: unit, range and default of
- * each row; and the constant that each word of a choice stands for. */
+/* The table of parameters as listed in tests/golden/params.txt: unit, range and default of
+ * each row; and the constant for each word of a choice. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -12,7 +12,7 @@
 
 static listing listed;
 
-/* "fx m, -8000 to 8000, 0": kind, unit, range, default; names have no range. */
+/* Writes "fx m, -8000 to 8000, 0": kind, unit, range, default; names have no range. */
 static void tell(const tp_param *row, char *to, size_t bytes)
 {
     static const char *const kinds[] = {
@@ -137,7 +137,7 @@ static void words_stand_for_their_constants(void **state)
     }
 }
 
-/* The lists above and of the rows are as long as the ranges. */
+/* The lists above and those of the rows are as long as the ranges. */
 static void every_choice_has_a_word_for_each_of_its_numbers(void **state)
 {
     uint32_t count;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The world's block: exact to the byte, its parts side by side, a snapshot by copying it,
- * refused where the scene cannot be used. */
+/* The world's block: exact to the byte, its buffers side by side, snapshots by copying, and
+ * a refusal for an invalid scene. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -14,7 +14,7 @@ static uint64_t chance;
 
 /* -- the block --------------------------------------------------------------------- */
 
-/* Of these bytes exactly, full of other things: sanitizers see what lies outside. */
+/* A block of exactly these bytes, full of other data: sanitizers see any access outside. */
 static void a_block_of_the_bytes_asked_for_is_enough(void **state)
 {
     (void)state;
@@ -48,8 +48,9 @@ static void a_world_without_parts_is_its_head_alone(void **state)
     assert_int_equal(tp_world_bytes(&tp_program_all, &scene, NULL), sizeof(tp_world));
 }
 
-/* With tp_water_few_swells a world ends after its scene's swells, and moves as with all; a
- * change of their number needs another world.  A program without swells keeps none. */
+/* With tp_water_few_swells a world ends after its scene's swells and moves as with all
+ * swells; a change of their number needs another world.  A program without swells keeps no
+ * swell. */
 static void a_world_ends_after_the_swells_of_its_program(void **state)
 {
     const size_t head = offsetof(tp_world, sea.swell);
@@ -65,7 +66,7 @@ static void a_world_ends_after_the_swells_of_its_program(void **state)
         const size_t bytes = head + (size_t)n * sizeof(tp_swell);
         assert_int_equal(tp_world_bytes(&none, &scene, NULL), head);
         assert_int_equal(tp_world_bytes(&few, &scene, NULL), bytes);
-        tp_world *a = malloc(bytes), b;         /* of exactly so many */
+        tp_world *a = malloc(bytes), b;         /* of exactly this size */
         assert_int_equal(tp_world_init(&few, a, bytes, &scene, NULL, NULL), TP_OK);
         assert_int_equal(tp_world_init(&tp_program_all, &b, sizeof b, &scene, NULL, NULL),
                          TP_OK);
@@ -115,7 +116,7 @@ static void parts_are_aligned_and_lie_side_by_side(void **state)
         const uint32_t at[] = { p->modules, p->bytes };
         uint32_t before = 0;
 
-        /* In the order in which they were laid out, each behind the one before. */
+        /* Buffers are in the order of the layout, each behind the preceding buffer. */
         for (size_t i = 0; i < 2; i++) {
             assert_int_equal(at[i] % 8, 0);
             if (at[i] == 0)
@@ -176,9 +177,9 @@ static void the_same_scene_runs_the_same_in_any_memory(void **state)
     free(b);
 }
 
-/* -- what cannot be used ----------------------------------------------------------- */
+/* -- refused scenes ---------------------------------------------------------------- */
 
-/* `word`: the parameter that is wrong, or "". */
+/* Asserts the refusal; `word` is the wrong parameter, or "". */
 static void refuses(const tp_scene *scene, const tp_assets *assets, tp_status status,
                     const char *word)
 {
@@ -239,9 +240,10 @@ static void a_bad_picture_of_the_floor_is_refused(void **state)
     }
 }
 
-/* -- pokes ------------------------------------------------------------------------- */
+/* -- splashes ---------------------------------------------------------------------- */
 
-/* Ticks at which the flat pool without paddle is stirred, by its random numbers. */
+/* Counts the ticks at which a flat pool without paddle is stirred, by its random
+ * numbers. */
 static void pokes_come_as_often_as_the_scene_says(void **state)
 {
     (void)state;
@@ -261,7 +263,8 @@ static void pokes_come_as_often_as_the_scene_says(void **state)
     scene.pool.poke_every = 600 * TP_FX_ONE;
     for (int i = 0; i < 40; i++)
         tp_world_step(&tp_program_all, world, &scene, NULL);
-    scene.pool.poke_every = TP_FX(0.1);     /* the long wait is not sat out */
+    scene.pool.poke_every = TP_FX(0.1);     /* the test does not wait out the long
+                                             * interval */
     random = world->random;
     for (int i = 0; i < 7; i++)
         tp_world_step(&tp_program_all, world, &scene, NULL);

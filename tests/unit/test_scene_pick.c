@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The place under a pixel: it is drawn at that pixel, lies on the water, and no water
- * that a pixel could show stands before it. */
+/* The water point under a pixel: the point projects to the pixel, lies on the water, and no
+ * visible water stands in front. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -23,7 +23,7 @@ static void water_free(water *w)
     free(w->world);
 }
 
-/* Ticks with pokes, drops and a walk. */
+/* A world after ticks with splashes, drops and a walk. */
 static water water_of(const tp_scene *scene, int ticks)
 {
     water w = { *scene, scene_world(scene, NULL) };
@@ -90,7 +90,7 @@ static tp_scene tank(void)
     return s;
 }
 
-/* -- what it must be, in double precision ------------------------------------------ */
+/* -- the reference in double precision --------------------------------------------- */
 
 typedef struct { double u, v, depth; } seen;
 
@@ -114,8 +114,8 @@ static seen seen_at(const water *w, tp_vec3 place)
                    HEIGHT / 2.0 - axis(&c.turn.y, p) * focal / depth, depth };
 }
 
-/* Water that stands before the place by more pixels than this, each half pixel of the
- * way. */
+/* Largest height in pixels by which water covers the point, at each half pixel of the
+ * ray. */
 static double hidden_by(const water *w, tp_vec3 at)
 {
     const tp_vec3 eye = tp_world_camera(w->world).eye;
@@ -145,7 +145,7 @@ static bool pick_pixel(const tp_world *world, const tp_scene *scene, uint32_t wi
                          tp_pixel_middle(px), tp_pixel_middle(py), at);
 }
 
-/* A pixel of the usual picture. */
+/* Picks a pixel of the usual picture. */
 static bool pick(const water *w, int32_t px, int32_t py, tp_vec3 *at)
 {
     return pick_pixel(w->world, &w->scene, WIDTH, HEIGHT, px, py, at);
@@ -223,7 +223,7 @@ static void from_below_the_surface_is_met_too(void **state)
     try_scene("pool", pool(), -3, -1.5, 25);
 }
 
-/* Rows above the horizon from above, below it from below. */
+/* Rows above the horizon for an eye above the water, below the horizon for an eye below. */
 static void sky_and_depth_are_missed(void **state)
 {
     (void)state;
@@ -303,8 +303,8 @@ static void land_is_no_water(void **state)
     water_free(&w);
 }
 
-/* White sky, black water: what is drawn dark, and what is picked; but for a pixel's
- * breadth they are the same, crests before the sky and all. */
+/* White sky, black water: dark pixels and picked pixels agree within a pixel, crests before
+ * the sky included. */
 static void what_is_drawn_as_water_is_picked(void **state)
 {
     static const tp_config config = {
@@ -363,7 +363,7 @@ static void water_before_the_near_plane_is_not_seen(void **state)
     water_free(&w);
 }
 
-/* Ends of all ranges: nothing but an answer. */
+/* At the ends of all ranges the only requirement is an answer. */
 static void any_scene_and_pixel_is_answered(void **state)
 {
     (void)state;

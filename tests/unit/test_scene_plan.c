@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The plan by invented tables of prices and any scenes. */
+/* The quality plan with invented cost tables and any scenes. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -16,7 +16,7 @@ enum { SCENES = 400 };
 
 static uint64_t chance;
 
-/* Exact rungs are dearest and without error; some are not known. */
+/* A cost table: exact rungs are the dearest and have no error; some rungs are not known. */
 static tp_prices prices_of(uint64_t *state)
 {
     tp_prices p = { .frame = chance_fx(state, 0, 200), .sky = chance_fx(state, 0, 60),
@@ -123,7 +123,7 @@ static void errors_stay_within_the_budget(void **state)
     }
 }
 
-/* Of all that are within the budget, none that is named is cheaper. */
+/* Among all rungs within the budget no named rung is cheaper. */
 static void no_single_change_would_be_cheaper(void **state)
 {
     static trial t;
@@ -160,7 +160,8 @@ static void what_the_scene_names_is_taken(void **state)
     }
 }
 
-/* What nobody has measured is not chosen, and without any price nothing but exactness. */
+/* A rung without measurement is not chosen; without any cost only exact rungs are
+ * chosen. */
 static void without_prices_all_is_exact(void **state)
 {
     static const tp_prices none;
@@ -223,7 +224,7 @@ static void a_ladder_goes_down_and_ends(void **state)
     }
 }
 
-/* Invented prices seldom leave more than two steps; the measured ones do. */
+/* Invented costs seldom leave more than two steps; the measured costs do. */
 static void the_ladder_of_a_sea_has_several_steps(void **state)
 {
     tp_scene s = scene_plain();
@@ -237,7 +238,7 @@ static void the_ladder_of_a_sea_has_several_steps(void **state)
     assert_true(ladder.count > 2);
 }
 
-/* The bits of many plans by tables that are the same everywhere. */
+/* Checksum of many plans with cost tables that are the same on every machine. */
 static void plans_are_the_same_on_every_machine(void **state)
 {
     static trial t;
@@ -246,7 +247,8 @@ static void plans_are_the_same_on_every_machine(void **state)
     (void)state;
     for (int i = 0; i < 200; i++) {
         trial_make(&t, &fixed);
-        t.scene = scene_any(&fixed);            /* no function of the C library in it */
+        t.scene = scene_any(&fixed);            /* no function of the C library is
+                                                 * involved */
         const tp_plan_report r = report_of(&t);
         const uint64_t part[] = { r.rungs.visibility, r.rungs.shading, r.rungs.rate,
                                   r.rungs.lod, r.total.cost, (uint64_t)r.total.error_px,
@@ -259,7 +261,7 @@ static void plans_are_the_same_on_every_machine(void **state)
     assert_true(sum == PLANS);
 }
 
-/* Rungs that it has no memory for, and no rungs at all. */
+/* Rungs for which the frame has no memory, and no rungs at all. */
 static void a_frame_takes_any_rungs(void **state)
 {
     const tp_config config = { .width = 48, .height = 32, .tile_height = 32 };
@@ -290,9 +292,10 @@ static void a_frame_takes_any_rungs(void **state)
     free(world);
 }
 
-/* -- faint waves -------------------------------------------------------------------- */
+/* -- wave culling ------------------------------------------------------------------- */
 
-/* As its amplitude slides up a wave comes in without a jump, and never drawn larger. */
+/* As its amplitude grows, a wave appears without a jump, and is never drawn larger than its
+ * amplitude. */
 static void a_faint_wave_fades_in(void **state)
 {
     const tp_faint_limits limits = { .px = TP_FX(0.1), .slope = TP_FX(0.001),
@@ -311,7 +314,7 @@ static void a_faint_wave_fades_in(void **state)
     assert_true(last == TP_FX(0.05) - 1);
 }
 
-/* Waves of 12 and 2 px, drawn by a fifth and not at all, and one drawn whole. */
+/* Waves of 12 px (drawn by a fifth) and 2 px (not drawn), and a wave drawn whole. */
 static const tp_faint_limits coarse = { .px = 10 * TP_FX_ONE, .slope = TP_FX(0.1),
                                         .focal = 200, .near = 10 * TP_FX_ONE };
 static const tp_wave low[3] = {
@@ -344,8 +347,8 @@ static void a_sea_is_thinned_only_if_some_wave_is_faint(void **state)
     assert_int_equal(thin.height, sea.height);
 }
 
-/* Errors of the first two: squares of 9.6 and 2 px, and of their slopes, of which the rms
- * is the greatest over root 2. */
+/* Errors of the first two waves: squares of 9.6 and 2 px, and of their slopes, whose rms is
+ * the maximum over root 2. */
 static void errors_of_faint_waves_add_up_as_squares(void **state)
 {
     const double slope = 3.14159265 / 30 * sqrt((0.48 * 0.48 + 0.1 * 0.1) / 2);

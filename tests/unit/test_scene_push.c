@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Pushes between ticks: which water takes them, and the same bits as a tick's own. */
+/* Pushes between ticks: the water that takes a push, and the same bits as a push within a
+ * tick. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -26,7 +27,7 @@ static bool push(tp_world *world, const tp_scene *scene, const tp_push *p)
                          p->height);
 }
 
-/* Within the pool, or anywhere. */
+/* A push within the pool, or anywhere. */
 static tp_push push_any(const tp_scene *s)
 {
     const tp_fx half = s->pool.cell * s->pool.cols / 2;
@@ -61,7 +62,7 @@ static void a_pool_takes_the_bits_of_a_ticks_own_pushes(void **state)
     assert_true(taken > 1000 && missed > 100);
 }
 
-/* More than a tick's own: the water's sum stays 0, the waves add up. */
+/* More pushes than a tick accepts: the water's sum stays 0, the waves add up. */
 static void any_number_is_taken(void **state)
 {
     (void)state;
@@ -74,12 +75,13 @@ static void any_number_is_taken(void **state)
         tp_world_push(&tp_program_all, w, &scene, scene.pool.x, scene.pool.z,
                       scene.pool.poke_size, TP_FX(0.01));
     const tp_pool_state look = tp_pool_look(tp_world_pool(w));
-    assert_true(look.highest > 3 << 24); /* 5 m less what a hat's mean takes */
+    assert_true(look.highest > 3 << 24); /* 5 m less the mean of a splash */
     assert_int_equal(look.sum, 0);
     free(w);
 }
 
-/* The pool lies on the field; beside it the field has the place; a height of 0 is none. */
+/* The pool lies on the field and has priority; beside the pool the field takes the push; a
+ * height of 0 is no push. */
 static void a_pool_goes_before_a_field(void **state)
 {
     (void)state;
@@ -112,7 +114,7 @@ static tp_scene scene_rings(int32_t rings)
     return s;
 }
 
-/* A crest as high as the push, whether up or down, as long as four radii. */
+/* A crest as high as the push, up or down, and a ring as long as four radii. */
 static void open_water_takes_a_ring(void **state)
 {
     (void)state;
@@ -146,7 +148,8 @@ static void open_water_takes_a_ring(void **state)
     }
 }
 
-/* Nothing is there to take it; no room for one more; drops that stir pools raise none. */
+/* Refused pushes: without water that takes a push, without room for another ring, and with
+ * drops that stir pools and make no rings. */
 static void what_nothing_takes_is_told(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A world whose scene's numbers change: what it takes while it moves, and what asks for a
- * new one. */
+/* A world under changes of its scene: changes that apply while the world moves, and changes
+ * that need a new world. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -18,7 +18,7 @@ static void a_refresh_of_the_same_scene_changes_nothing(void **state)
 {
     (void)state;
     tp_scene scene = scene_with(&chance, 31);
-    scene.boat.mesh[0] = '\0';          /* a boat is laid anew */
+    scene.boat.mesh[0] = '\0';          /* a boat is placed anew */
     tp_world *world = scene_world(&scene, NULL);
     const size_t bytes = world->parts.bytes;
     run(&chance, world, &scene, 30);
@@ -31,7 +31,8 @@ static void a_refresh_of_the_same_scene_changes_nothing(void **state)
     free(world);
 }
 
-/* Changes a number and tells whether the refresh was done; if not, that nothing was. */
+/* Changes a number.  True if the refresh was done; otherwise asserts that nothing has
+ * changed. */
 static bool refreshes(tp_scene scene, int32_t *(*number)(tp_scene *), int32_t value)
 {
     tp_world *world = scene_world(&scene, NULL);
@@ -94,7 +95,7 @@ static void what_sizes_the_block_asks_for_a_new_world(void **state)
     assert_false(refreshes(s, drops_rings, 21));
     assert_false(refreshes(s, drops_into, TP_DROPS_POOL));
     assert_false(refreshes(s, floor_depth, 0));
-    assert_false(refreshes(s, wave_count, TP_FX(0.1)));     /* a table more */
+    assert_false(refreshes(s, wave_count, TP_FX(0.1)));     /* needs another table */
 }
 
 static void what_cannot_be_tuned_asks_for_a_new_world(void **state)
@@ -107,7 +108,7 @@ static void what_cannot_be_tuned_asks_for_a_new_world(void **state)
     assert_false(refreshes(s, pool_range, s.pool.range + 1));
     assert_false(refreshes(s, pool_courant, TP_FX(0.7)));
     assert_false(refreshes(s, field_courant, TP_FX(0.7)));
-    s.field.cols = 64;                  /* as many cells in another shape */
+    s.field.cols = 64;                  /* the same number of cells in another shape */
     s.field.rows = 16;
     tp_world *world = scene_world(&s, NULL);
     s.field.cols = 16;
@@ -135,10 +136,10 @@ static void what_may_change_is_taken(void **state)
     assert_true(refreshes(s, scale, TP_FX_ONE / 4));
 }
 
-/* -- by need ----------------------------------------------------------------------- */
+/* -- refresh by need --------------------------------------------------------------- */
 
-/* What the tables keep of the numbers that they were made of is spoiled, so that the next
- * refresh makes all of them again. */
+/* Spoils the keys that the tables keep of their input parameters, so the next refresh
+ * computes all tables again. */
 static void forget_numbers(tp_world *world)
 {
     tp_ocean *ocean = tp_world_part(world, TP_OCEAN_ID);
@@ -148,14 +149,14 @@ static void forget_numbers(tp_world *world)
             tp_ocean_tables(ocean)[i].key.length ^= 1;
     }
     uint32_t *meter = tp_world_part(world, TP_METER_ID);
-    if (meter)                          /* it begins with the kind of sky */
+    if (meter)                          /* the part begins with the kind of sky */
         *meter ^= 1u << 30;
 }
 
 typedef struct {
     tp_scene  scene;
     tp_assets assets;
-    tp_world *need, *full;      /* by need, and with all made again each time */
+    tp_world *need, *full;      /* refreshed by need, and with all tables each time */
     uint32_t  done;
 } pair;
 
@@ -187,7 +188,7 @@ static void step_both(pair *p, const tp_param *row)
     assert_same(p, row, "after a tick");
 }
 
-/* Every row to any value and back, with ticks between. */
+/* Sets every row to a random value and back, with ticks between. */
 static void turn_every_row(pair *p)
 {
     uint32_t count;
@@ -200,7 +201,7 @@ static void turn_every_row(pair *p)
         *number = chance_int(&chance, rows[i].low, rows[i].high);
         const uint32_t done = p->done;
         refresh_both(p, &rows[i]);
-        if (p->done == done)            /* it asks for a world made anew */
+        if (p->done == done)            /* needs a new world */
             *number = before;
         step_both(p, &rows[i]);
         *number = before;
@@ -211,7 +212,8 @@ static void turn_every_row(pair *p)
 
 static void a_refresh_by_need_is_a_full_one(void **state)
 {
-    static const tp_grey strip = { SAMPLES, 3, sample };    /* few nodes, made quickly */
+    static const tp_grey strip = { SAMPLES, 3, sample };    /* few nodes, quick to
+                                                             * compute */
     (void)state;
     for (uint32_t kind = 0; kind < 4; kind++) {
         pair p = { .scene = scene_with(&chance, kind == 0 ? 4 : 3 + 4 + 16) };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The velocity of the water at a place: against the orbits of Gerstner waves in closed
- * form, and against the places of points a tick apart. */
+/* The velocity of the water at a point, compared with the orbits of Gerstner waves in
+ * closed form, and with positions of points a tick apart. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -36,9 +36,9 @@ typedef struct {
     double x, y, z;
 } speed;
 
-/* [A7]: the point at rest in x0, z0 goes round by d/dt of (QA D cos th, A sin th), t = th
- * of the middle of the last tick.  The rest is found by bisection along the way of
- * travel. */
+/* [A7]: the point with rest position x0, z0 moves by d/dt of (QA D cos th, A sin th), t =
+ * th of the middle of the last tick.  Bisection along the wave's direction finds the rest
+ * position. */
 static speed orbit(const tp_scene *s, double x, double z, double seconds)
 {
     const tp_wave *w = &s->wave[0];
@@ -85,8 +85,8 @@ static void a_wave_moves_its_points_in_orbits(void **state)
     assert_true(worst < 0.002);
 }
 
-/* The point that is at a place now was v / 60 from there a tick ago, on the surface of
- * then: all models together, by differences of its positions in double precision. */
+/* A point that is here now was v / 60 away a tick ago, on the surface of that tick: all
+ * wave models together, by differences of positions in double precision. */
 static void follow_points(uint32_t parts, double *worst, double *fastest)
 {
     tp_scene scene = scene_with(&chance, parts);
@@ -97,7 +97,7 @@ static void follow_points(uint32_t parts, double *worst, double *fastest)
 
     for (int i = 0; i < 200; i++)
         tp_world_step(&tp_program_all, w, &scene, NULL);
-    scene.pool.poke_every = scene.field.poke_every = 0; /* hats are no motion */
+    scene.pool.poke_every = scene.field.poke_every = 0; /* splashes are no motion */
     scene.pool.paddle = scene.field.paddle = 0;
     for (int i = 0; i < 40; i++) {
         const tp_fx x = chance_fx(&chance, -6, 6), z = chance_fx(&chance, -6, 6);
@@ -128,7 +128,7 @@ static void points_come_from_where_velocities_say(void **state)
     }
 }
 
-/* What is a height alone lifts the point and moves it nowhere. */
+/* A pure height model lifts the point and does not move the point sideways. */
 static void still_water_stands_still(void **state)
 {
     (void)state;
@@ -147,7 +147,7 @@ static void still_water_stands_still(void **state)
     tp_world_step(&tp_program_all, w, &scene, NULL);
     water = tp_world_sample(&tp_program_all, w, scene.pool.x, scene.pool.z);
     assert_int_equal(water.velocity.x, 0);
-    assert_true(water.velocity.y < 0); /* a hat sinks */
+    assert_true(water.velocity.y < 0); /* a splash sinks */
     free(w);
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Tapes: every input there and back, what is refused and how it is said, random bytes. */
+/* Tapes: every input written and read back, refusals and their messages, random bytes. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -12,9 +12,9 @@ enum { FIELDS = sizeof(tp_input) / sizeof(int32_t) };
 
 static uint64_t chance;
 
-/* -- there and back ------------------------------------------------------------------ */
+/* -- write and read back ------------------------------------------------------------- */
 
-/* Any bits in any of the fields, short numbers and 0 among them. */
+/* An entry with any bits in any field, short numbers and 0 included. */
 static tp_tape_entry any_entry(void)
 {
     tp_tape_entry entry = { .tick = random_next(&chance) >> random_below(&chance, 64) };
@@ -43,7 +43,7 @@ static void every_input_comes_back_bit_for_bit(void **state)
     }
 }
 
-/* Each field alone, with the numbers at its ends. */
+/* Each field alone, with numbers at its ends. */
 static void every_field_has_its_own_name(void **state)
 {
     (void)state;
@@ -84,7 +84,7 @@ static void lines_look_as_documented(void **state)
     assert_string_equal(text, "");
 }
 
-/* All fields at their longest numbers. */
+/* All fields with their longest numbers. */
 static void no_line_is_longer_than_the_header_says(void **state)
 {
     (void)state;
@@ -104,7 +104,7 @@ static void no_line_is_longer_than_the_header_says(void **state)
     assert_int_equal(tp_tape_write(&entry, NULL, 0), bytes);
 }
 
-/* A line as it was when a tick took one poke. */
+/* A line from the time when a tick took a single poke. */
 static void one_poke_is_told_by_the_names_that_it_always_had(void **state)
 {
     (void)state;
@@ -132,7 +132,7 @@ static void order_and_blanks_are_free(void **state)
     assert_int_equal(entry.input.up, 0);
 }
 
-/* -- what is refused ----------------------------------------------------------------- */
+/* -- refusals ------------------------------------------------------------------------ */
 
 static const struct {
     const char *line, *says;
@@ -262,8 +262,8 @@ static void bad_heads_say_what_was_expected(void **state)
 
 /* -- random bytes -------------------------------------------------------------------- */
 
-/* Of the letters that lines are made of, and some that they are not, in a block of exact
- * size so that the sanitizer sees a byte too far.  What was read is written and read
+/* Lines from the letters of the format and some other letters, in a block of exact size,
+ * so that the sanitizer sees any access beyond.  Accepted lines are written and read
  * again. */
 static void random_bytes_are_refused_or_read(void **state)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Estimates of the work of a frame: pixels are compared with those that are drawn, and
- * every number with tests/golden/works.txt, which lists views of shipped scenes. */
+/* Estimates of a frame's work: pixels are compared with drawn pixels, and all numbers with
+ * tests/golden/works.txt, which lists views of shipped scenes. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -28,7 +28,7 @@ typedef struct {
     tp_works   works;
 } view;
 
-/* "pond camera.y=1": a scene, and settings of it. */
+/* Opens a view: "pond camera.y=1" is a scene and settings of the scene. */
 static void view_open(view *v, const char *of, uint32_t width, uint32_t height)
 {
     char text[LISTING_CASE], path[160];
@@ -60,7 +60,7 @@ static size_t add(char *to, size_t at, const char *name, int64_t number)
                                          (long long)number) : at;
 }
 
-/* All numbers but zeros. */
+/* Writes all numbers except zeros. */
 static void tell(const view *v, char *to)
 {
     const tp_outlook *o = &v->outlook;
@@ -136,11 +136,11 @@ static void every_kind_of_work_is_listed(void **state)
     }
 }
 
-/* -- beside what is drawn ------------------------------------------------------------ */
+/* -- comparison with drawn pixels ---------------------------------------------------- */
 
 enum { WIDTH = 160, HEIGHT = 120 };
 
-/* Shares of the picture, in percent: water in sight, the sky, all else. */
+/* Shares of the picture in percent: visible water, sky, everything else. */
 typedef struct {
     double water, sky, other;
 } shares;
@@ -154,7 +154,7 @@ static double most_of(const uint32_t *work, int from, int to)
     return most;
 }
 
-/* Stars are counted beside the sky that is behind them. */
+/* Stars are counted in addition to the sky behind the stars. */
 static shares estimated(const view *v)
 {
     const double all = WIDTH * HEIGHT / 100.0;
@@ -180,7 +180,7 @@ static shares drawn(const view *v)
     return (shares){ water, sky, 100 - water - sky };
 }
 
-/* At the first tick.  A plain sky has no price, so that it is not counted. */
+/* At the first tick.  A plain sky has no cost and is not counted. */
 static void pixels_are_within_4_percent_of_the_picture(void **state)
 {
     static view v;

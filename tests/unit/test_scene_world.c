@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The world from tick to tick: the camera's steps and the sea's clock; and that a run can
- * be repeated bit for bit.  The boat has its own tests. */
+/* The world from tick to tick: the camera's steps and the clock of the deep water; a run
+ * repeats bit for bit.  The boat has its own tests. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -39,7 +39,7 @@ static tp_world world_at(tp_fx heading, tp_scene *scene)
     return world;
 }
 
-/* Where one step of `in` takes the eye, to the nearest metre. */
+/* Asserts the eye's displacement by one step of `in`, to the nearest metre. */
 static void assert_goes(tp_fx heading, tp_input in, int x, int y, int z)
 {
     tp_scene scene;
@@ -84,7 +84,7 @@ static void steps_go_where_the_camera_looks(void **state)
     assert_goes(turn, up, 0, 3, 0);
 }
 
-/* Each step turns first, then goes. */
+/* Each step turns first, then moves. */
 static void turns_are_clockwise_and_tilts_are_up(void **state)
 {
     (void)state;
@@ -135,7 +135,7 @@ static void the_eye_stays_within_eight_kilometres(void **state)
     }
 }
 
-/* 1000 steps of up to 1 cm forth and as many back, anywhere: rounding is no drift. */
+/* 1000 steps of up to 1 cm forth and as many back, anywhere: rounding causes no drift. */
 static void a_walk_forth_and_back_ends_where_it_began(void **state)
 {
     (void)state;
@@ -186,7 +186,7 @@ static int32_t at_most(int32_t x, int32_t most)
     return x < most ? x : most;
 }
 
-/* Any scene that can be used, its pools small enough to be quick. */
+/* Any valid scene, with pools small enough for a quick test. */
 static tp_scene any_moving_scene(void)
 {
     tp_scene scene = scene_any(&chance);
@@ -209,8 +209,8 @@ static void play(tp_world *world, const tp_scene *scene, const tp_input tape[100
         tp_world_step(&tp_program_all, world, scene, i % 7 ? &tape[i] : NULL);
 }
 
-/* A tape played twice, and once from a copy made on the way: equal to the last byte of
- * the whole block, whatever lay there before. */
+/* A tape is played twice, and once from a copy made on the way: the whole blocks are equal
+ * to the last byte, for any previous contents. */
 static void a_tape_replays_bit_for_bit(void **state)
 {
     (void)state;
@@ -243,7 +243,7 @@ static void a_tape_replays_bit_for_bit(void **state)
     }
 }
 
-/* A tick's sea does not depend on how it was reached. */
+/* The deep water of a tick does not depend on the path to the tick. */
 static void a_leap_in_time_is_as_good_as_its_steps(void **state)
 {
     (void)state;
@@ -254,7 +254,8 @@ static void a_leap_in_time_is_as_good_as_its_steps(void **state)
         scene.floor.depth = scene.wind.strength = 0;
         scene.hdr.exposure = TP_EXPOSURE_FIXED;
         scene.foam.cells = scene.spray.count = 0;
-        scene.boat.mesh[0] = '\0';      /* its searches begin where the last ones ended */
+        scene.boat.mesh[0] = '\0';      /* its searches begin at the results of the last
+                                         * searches */
         tp_world_init(&tp_program_all, &steps, sizeof steps, &scene, NULL, NULL);
         tp_world_init(&tp_program_all, &leap, sizeof leap, &scene, NULL, NULL);
         steps.tick = leap.tick = random_next(&chance) >> 20;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Worlds from outside: what steps lead to is taken, whatever the scene and the input; what
- * they cannot lead to is refused, and named. */
+/* Worlds from outside: any state that steps can reach is accepted, for any scene and input;
+ * any other state is refused with the name of the faulty field. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -16,9 +16,9 @@
 
 static uint64_t chance;
 
-/* -- what is taken ----------------------------------------------------------------- */
+/* -- accepted worlds --------------------------------------------------------------- */
 
-/* Of the scene as it is now. */
+/* Asserts that the world is valid for the scene as it is now. */
 static void assert_valid(const tp_world *world, const tp_scene *scene,
                          const tp_assets *assets)
 {
@@ -31,7 +31,7 @@ static void assert_valid(const tp_world *world, const tp_scene *scene,
     free(fresh);
 }
 
-/* Everything at once, as hard as a port can ask for it. */
+/* Input with everything at once, as extreme as a port can request. */
 static tp_input input_wild(void)
 {
     const int32_t most = chance_int(&chance, 0, 3) ? TP_FX_ONE : INT32_MAX;
@@ -56,7 +56,7 @@ static tp_input input_wild(void)
     };
 }
 
-/* Any that the table allows, of sizes that a test has time for. */
+/* Any scene of the table, limited to sizes that a test has time for. */
 static tp_scene scene_small(void)
 {
     tp_scene s = scene_any(&chance);
@@ -108,7 +108,7 @@ static void worlds_that_step_are_valid(void **state)
     }
 }
 
-/* Numbers change while it moves: what follows from them is a new world's. */
+/* Parameters change while the world moves: derived values equal those of a new world. */
 static void worlds_that_were_refreshed_are_valid(void **state)
 {
     (void)state;
@@ -136,9 +136,9 @@ static void worlds_that_were_refreshed_are_valid(void **state)
     }
 }
 
-/* -- what is refused --------------------------------------------------------------- */
+/* -- refused worlds ---------------------------------------------------------------- */
 
-/* One with every part, after some time; and one of the same scene at tick 0. */
+/* A world with every part after some time, and a world of the same scene at tick 0. */
 static tp_scene scene;
 static tp_world *kept, *fresh;
 
@@ -179,7 +179,7 @@ static void assert_refused(const char *what, const char *word)
         fail_msg("%s is refused for %s, expected %s", what, err.word, word);
 }
 
-/* A number of 4 or 8 bytes takes hostile values; each is refused. */
+/* Writes hostile values into a number of 4 or 8 bytes; each value must be refused. */
 static void refused(const void *at, size_t size, const char *what, const char *word)
 {
     static const int32_t hostile[] = { INT32_MIN, INT32_MAX, -0x40000000, 0x40000000 };
@@ -235,7 +235,7 @@ static void the_boat_is_checked(void **state)
     REFUSED(kept->afloat.stirred.sunk[1], "hull");
 }
 
-/* Truth values of 2 to 255 are none. */
+/* Boolean values of 2 to 255 are invalid. */
 static void the_sea_is_checked(void **state)
 {
     (void)state;
@@ -317,7 +317,8 @@ static void what_floats_in_the_air_is_checked(void **state)
     REFUSED(drop->squash_speed, "drops");
     REFUSED(ring->decay, "drops");
     REFUSED(ring->start, "drops");
-    REFUSED(now[0], "drops");                   /* count and room of the tick's rings */
+    REFUSED(now[0], "drops");                   /* number of and room for the tick's
+                                                 * rings */
     REFUSED(now[1], "drops");
     REFUSED(spray->capacity, "spray");
     REFUSED(spray->count, "spray");
@@ -334,7 +335,7 @@ static void what_floats_in_the_air_is_checked(void **state)
     *probe ^= 1;
 }
 
-/* The id and the length before the state of every module that has one. */
+/* The id and the length before the state of every module with a state. */
 static void the_chunks_are_checked(void **state)
 {
     (void)state;
@@ -351,8 +352,8 @@ static void the_chunks_are_checked(void **state)
     assert_true(chunks >= 7);
 }
 
-/* A head that ends before its version, one of version 0, as worlds had before there was a
- * number, and one of a later version. */
+/* A head that ends before its version, a head of version 0 as before version numbers
+ * existed, and a head of a later version. */
 static void worlds_of_other_versions_are_refused(void **state)
 {
     (void)state;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Domes, cubes and their stages against double precision.  Errors are in levels of 255. */
+/* Domes, cubes and their stages compared with double precision.  Errors are in levels of
+ * 255. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -13,8 +14,8 @@ static test_sky sky;
 
 /* -- the dome -------------------------------------------------------------------------- */
 
-/* What the dome shows towards d, its gradients taken between their entries; beside the
- * disc's edge, where a direction's last bit is many levels, *edge. */
+/* The dome's light towards d, with gradients interpolated between their entries.  Sets
+ * *edge beside the disc's edge, where a direction's last bit is worth many levels. */
 static ref_light dome_at(const tp_shade *s, ref_dir d, bool *edge)
 {
     const ref_dir l = shade_light(&s->world);
@@ -42,9 +43,9 @@ static ref_colour shown(ref_light light, const tp_shade *s)
     return (ref_colour){ { fmin(255, c.c[0]), fmin(255, c.c[1]), fmin(255, c.c[2]) } };
 }
 
-/* Every other run looks at the light.  Entries of gradients and glow, two mixes and the
- * tables' steps are a level each at the most; beyond white an alpha of 255 is 16 whites,
- * so one of its steps may be 16 levels. */
+/* Every second run looks at the light.  Entries of gradients and glow, two mixes and the
+ * tables' steps give at most a level each; in HDR an alpha of 255 is 16 whites, so a step
+ * of alpha may be 16 levels. */
 static void domes_follow_their_formulas(void **state)
 {
     (void)state;
@@ -100,7 +101,7 @@ static void the_disc_is_the_brightest_and_beyond_white(void **state)
     }
 }
 
-/* Water that glitters leaves the disc to its lobe: what it mirrors has no edge. */
+/* Glittering water leaves the sun's disc to its lobe: the reflected sky has no edge. */
 static void mirrors_may_leave_the_disc_out(void **state)
 {
     (void)state;
@@ -117,8 +118,8 @@ static void mirrors_may_leave_the_disc_out(void **state)
 
 /* -- the cube -------------------------------------------------------------------------- */
 
-/* Weights have 8 bits and each of three mixes is cut; a place is right to 1/200 texel, of
- * noise that is a level; alpha likewise. */
+/* Weights have 8 bits and each of three mixes is truncated; a position is right to 1/200
+ * texel, a level in noise; alpha likewise. */
 static void cubes_are_looked_up_between_their_texels(void **state)
 {
     (void)state;
@@ -136,7 +137,7 @@ static void cubes_are_looked_up_between_their_texels(void **state)
                 tp_env_sample(&s, sky_q14(d.x), sky_q14(d.y), sky_q14(d.z));
             const ref_light want = ref_face_texel(sky.texel[p.face], SKY_SIDE, SKY_SIDE,
                                                   p.s, p.t);
-            if (near < 0.001)   /* may be the next face's */
+            if (near < 0.001)   /* may be on the next face */
                 continue;
             tally_add(&off, got, want.colour);
             alpha = fmax(alpha, fabs((got >> 24) - want.alpha));
@@ -147,7 +148,7 @@ static void cubes_are_looked_up_between_their_texels(void **state)
     assert_true(alpha <= 7);
 }
 
-/* A smooth picture of the whole sphere: 100 levels to a radian. */
+/* A smooth picture of the whole sphere: 100 levels per radian. */
 static uint32_t smooth(ref_dir d, void *with)
 {
     (void)with;
@@ -156,8 +157,8 @@ static uint32_t smooth(ref_dir d, void *with)
          | (uint32_t)lround(c[2]);
 }
 
-/* Along all twelve edges, and the eight corners at their ends: a thousandth to either
- * side.  A texel is 3 levels; the picture ends half of one before the edge. */
+/* All twelve edges and the eight corners at their ends, a thousandth to either side.  A
+ * texel is 3 levels; the picture ends half a texel before the edge. */
 static void seams_do_not_show(void **state)
 {
     (void)state;
@@ -211,7 +212,7 @@ static void pictures_without_alpha_have_no_light_beyond_white(void **state)
     assert_int_equal(tp_env_sample(&s, 16384, 0, 0) >> 24, 0x40);
 }
 
-/* Each face as its viewer has it: what stands to his right, and over him. */
+/* Each face as its viewer sees the face: its right side and its top. */
 static void faces_stand_as_the_header_says(void **state)
 {
     (void)state;
@@ -263,7 +264,8 @@ static void stars_are_few_and_only_overhead(void **state)
             }
         }
     }
-    /* An eighth of the cells, each with a dot of 2 % of it, over half of the sphere. */
+    /* An eighth of the cells has a star with 2 % of the cell's area, over half of the
+     * sphere. */
     assert_int_equal(lit[0], 0);
     assert_in_range(lit[1], 128000 / 2 * 0.002 / 2, 128000 / 2 * 0.002 * 3);
     assert_true(lit[2] > lit[1] * 3 / 2 && lit[2] < lit[1] * 3);

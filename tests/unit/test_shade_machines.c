@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's pictures, ripples and views have the same bits by every build of the core
- * that this processor can run: over random runs of any length, slopes up to 8, pictures of
- * any side, and of levels that change within a run. */
+/* The water's textures, ripples and views have the same bits in every build of the core
+ * that the present processor can run: over random runs of any length, slopes up to 8,
+ * textures of any side, and with mipmap levels that change within a run. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -16,11 +16,11 @@ enum { ROUNDS = 4000 };
 static uint64_t chance;
 static tp_texture texture[SIDES];
 
-/* A stage of a module, or of the program; what it reads of the module. */
+/* A stage of a module, or of the program, and the module data that the stage reads. */
 typedef struct {
     const char *name;
     const struct tp_module *module; /* NULL: the program's */
-    size_t      at;             /* in its table, or of its pointer in tp_stages */
+    size_t      at;             /* in its table, or the pointer's place in tp_stages */
     const void *mine;
 } row;
 
@@ -101,7 +101,7 @@ static tp_run any_run(test_run *r)
     return run_part(&r->run, from, chance_int(&chance, from + 1, TP_RUN));
 }
 
-/* All that stages write: the run from its colours on. */
+/* Compares all data that stages write: the run from its colours on. */
 static void compare(const row *r, const machine *a, const machine *b)
 {
     const tp_shade shade = any_shade();

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What water mirrors: the fused stage, the reflected vector, Fresnel's mix with light
- * beyond white, and the air's horizon, in double precision.  Errors are in levels of
+/* Light reflected by water: the fused stage, the reflected vector, the Fresnel mix with
+ * HDR light, and haze at the horizon, in double precision.  Errors are in levels of
  * 255. */
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,9 +13,9 @@
 static uint64_t chance;
 static test_sky sky;
 
-/* Fresnel's share is in 255ths by 1/256 of N.V, whose curve falls by up to 6 (at grazing
- * views): 6 levels of 255 an entry; the sky's entry is 1/256, 2 levels of it; the
- * share is cut twice, the mix rounded. */
+/* The Fresnel share is in 255ths for 1/256 of N.V and falls by up to 6 (at grazing views):
+ * 6 levels of 255 per entry; the sky's entry is 1/256, 2 levels; the share is truncated
+ * twice, the mix rounded. */
 static void mirrors_show_the_sky_by_fresnel(void **state)
 {
     (void)state;
@@ -60,7 +60,7 @@ static void fresnel_has_the_known_ends(void **state)
     assert_int_equal(tp_fresnel_table[256], 5);        /* 0.0204 */
 }
 
-/* Schlick's rule in the same table. */
+/* The same table by Schlick's rule. */
 static void schlick_takes_the_place_of_the_exact_law(void **state)
 {
     (void)state;
@@ -70,7 +70,7 @@ static void schlick_takes_the_place_of_the_exact_law(void **state)
     }
 }
 
-/* -- the parts ------------------------------------------------------------------------- */
+/* -- the parts of the fused stage ------------------------------------------------------ */
 
 /* N.V and the height are right to 20 units of 1/16384, slopes are up to 1.4: 60. */
 static void the_view_is_reflected_by_the_bent_normal(void **state)
@@ -105,7 +105,7 @@ static void the_view_is_reflected_by_the_bent_normal(void **state)
     measure_print(&off);
 }
 
-/* The parts, one after the other, are the fused stage, bit for bit. */
+/* The parts in sequence equal the fused stage, bit for bit. */
 static void reflection_in_parts_is_the_fused_one(void **state)
 {
     (void)state;
@@ -124,7 +124,8 @@ static void reflection_in_parts_is_the_fused_one(void **state)
     }
 }
 
-/* Far water takes coarser levels of a cube, near water and smooth pictures the same. */
+/* Far water takes coarser mipmap levels of a cube; near water and smooth pictures give the
+ * same result. */
 static void far_water_mirrors_a_coarser_picture(void **state)
 {
     (void)state;
@@ -136,7 +137,7 @@ static void far_water_mirrors_a_coarser_picture(void **state)
         test_run r;
         run_any(&r, 2000, &chance);
         for (int i = 0; i < TP_RUN; i++) {
-            r.key[i] = n % 2 ? 0x8000 : 0x20000000;         /* depth 2^15 apart */
+            r.key[i] = n % 2 ? 0x8000 : 0x20000000;         /* depths differ by 2^15 */
             r.run.up[i] = (int16_t)chance_int(&chance, 0, 16384);
             r.run.vy[i] = (int16_t)chance_int(&chance, 0, 16384 - r.run.up[i]);
             r.run.vx[i] = (int16_t)chance_int(&chance, -9999, 9999);
@@ -151,8 +152,8 @@ static void far_water_mirrors_a_coarser_picture(void **state)
     assert_true(spread[1] < spread[0] / 2);
 }
 
-/* The share is cut twice and the mix rounded; beyond white it is cut, and an alpha of 255
- * counts as 255 of 256. */
+/* The share is truncated twice and the mix rounded; in HDR the mix is truncated, and an
+ * alpha of 255 counts as 255 of 256. */
 static void fresnel_mixes_light_beyond_white(void **state)
 {
     (void)state;
@@ -190,9 +191,9 @@ static void fresnel_mixes_light_beyond_white(void **state)
     assert_true(hdr.largest <= 8 && tally_rms(&hdr) <= 1.5);
 }
 
-/* -- the air --------------------------------------------------------------------------- */
+/* -- haze ------------------------------------------------------------------------------ */
 
-/* The horizon where each column looks; at 16 columns' ends as the sky has it. */
+/* The horizon in the direction of each column; exact at the ends of 16 columns. */
 static void air_takes_the_horizon_s_colour_in_its_direction(void **state)
 {
     (void)state;
@@ -215,7 +216,7 @@ static void air_takes_the_horizon_s_colour_in_its_direction(void **state)
             const double share = tp_haze_table[entry < TP_HAZE ? entry : TP_HAZE] / 256.0;
             const uint32_t light = tp_env_sample(&s, sky_q14(flat.x), 0, sky_q14(flat.z));
             if (fabs(v.y) > 0.7 || light >> 24)
-                continue;       /* 16 columns are many degrees there */
+                continue;       /* 16 columns cover many degrees there */
             tally_add(&off, r.run.colour[i], ref_mix(ref_colour_of(before.colour[i]),
                                                      ref_colour_of(light), share));
         }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Fresnel, reflection and refraction against their formulas in double precision. */
+/* Fresnel, reflection and refraction compared with their formulas in double precision. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -14,7 +14,7 @@
 
 static uint64_t chance;
 
-/* -- shares ------------------------------------------------------------------------ */
+/* -- Fresnel shares ---------------------------------------------------------------- */
 
 static void fresnel_is_the_exact_formula(void **state)
 {
@@ -41,7 +41,7 @@ static void a_cosine_outside_its_range_is_held(void **state)
     }
 }
 
-/* [F2] states the worst of Schlick's rule: 0.059, at 83.8 degrees. */
+/* [F2] states the largest error of Schlick's rule: 0.059, at 83.8 degrees. */
 static void schlick_is_his_rule_and_as_far_off_as_the_models_say(void **state)
 {
     (void)state;
@@ -69,7 +69,7 @@ static tp_dir3 any_direction(void)
                         random_number(&chance));
 }
 
-/* Nearly across `normal`: within 2^-12 of grazing, either side. */
+/* A direction nearly perpendicular to `normal`: within 2^-12 of grazing, on either side. */
 static tp_dir3 grazing(tp_dir3 normal)
 {
     const tp_dir3 across = tp_dir3_cross(normal, any_direction());
@@ -141,8 +141,8 @@ static void light_from_above_is_not_bent(void **state)
     assert_true(t.x == 0 && t.z == 0 && tp_abs(t.y + TP_Q30_ONE) <= 1);
 }
 
-/* The sine of the refracted angle is that of the incident over 1.333, so what lies at a
- * depth is seen at three quarters of it. */
+/* The sine of the refracted angle is that of the incident angle over 1.333, so an object at
+ * a depth appears at three quarters of the depth. */
 static void a_floor_seen_from_above_appears_at_three_quarters(void **state)
 {
     (void)state;
@@ -168,7 +168,7 @@ static void offsets_are_quotients_and_saturate(void **state)
         measure_add(&m, at.x - held, t.x, t.y, depth);
     }
     measure_print(&m);
-    assert_true(m.worst < 0.500001);        /* the oracle has 53 bits */
+    assert_true(m.worst < 0.500001);        /* the reference has 53 bits */
     const tp_floor_offset flat = tp_refract_offset((tp_dir3){ -TP_Q30_ONE, 0, 0 }, 1);
     assert_true(flat.x == TP_FX_MIN && flat.z == 0);
 }

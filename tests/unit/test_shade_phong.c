@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Phong on meshes, with and without a normal map, in double precision.  Errors are in
- * levels of 255. */
+/* Phong shading on meshes, with and without a normal map, in double precision.  Errors are
+ * in levels of 255. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -24,13 +24,13 @@ static ref_dir unpacked(tp_packed_dir n)
     return ref_unit((ref_dir){ tp_dir_x(n), tp_dir_y(n), tp_dir_z(n) });
 }
 
-/* Where the light just grazes, the lobe begins or ends at once. */
+/* True where the light grazes the surface: there the lobe begins or ends abruptly. */
 static bool grazes(const tp_shade *s, ref_dir normal, double slack)
 {
     return fabs(ref_dir_dot(normal, shade_light(&s->world))) < slack;
 }
 
-/* Phong with the lobe at R.V less or more than it is. */
+/* Phong with a lobe at R.V plus `slack`. */
 static ref_colour phong(const tp_shade *s, ref_colour diffuse, uint32_t specular,
                         int shininess, ref_dir normal, const tp_run *run, int i,
                         double slack)
@@ -46,9 +46,9 @@ static ref_colour phong(const tp_shade *s, ref_colour diffuse, uint32_t specular
                                        ref_colour_of(s->light_colour)), lobe));
 }
 
-/* The gloss has 256 entries, between which it is linear; colours lose a level at the
- * diffuse's share, its product, the specular's product and the lobe's, and the lobe is a
- * 256th short at its peak. */
+/* The gloss table has 256 entries with linear interpolation.  Colours lose a level at the
+ * diffuse share, its product, the specular product and the lobe's product, and the lobe is
+ * a 256th short at its peak. */
 static void assert_between(uint32_t got, ref_colour low, ref_colour high, measure *off)
 {
     const ref_colour g = ref_colour_of(got);
@@ -92,8 +92,8 @@ static void solids_follow_phong(void **state)
     measure_print(&off);
 }
 
-/* One texel of a normal map and a face's tangent: N bends along T and B, which points to
- * the picture's top and is -(N x T) where the picture is mirrored. */
+/* One texel of a normal map and a face's tangent: N tilts along T and B.  B points to the
+ * texture's top and is -(N x T) where the texture is mirrored. */
 static void normal_maps_bend_solids(void **state)
 {
     (void)state;
@@ -122,7 +122,7 @@ static void normal_maps_bend_solids(void **state)
         const ref_dir nn = unpacked(packed), o = unpacked(other);
         const double along = ref_dir_dot(nn, o);
         if (fabs(along) > 0.8)
-            continue;           /* T, to be square to N, would be short */
+            continue;           /* T would be short after the projection square to N */
         const ref_dir t = ref_unit((ref_dir){ o.x - along * nn.x, o.y - along * nn.y,
                                               o.z - along * nn.z });
         const ref_dir b = { nn.y * t.z - nn.z * t.y, nn.z * t.x - nn.x * t.z,
@@ -144,8 +144,9 @@ static void normal_maps_bend_solids(void **state)
                             nn.y * nz + t.y * nx + b.y * ny,
                             nn.z * nz + t.z * nx + b.z * ny };
         const ref_dir bent = ref_unit(v);
-        /* nx and ny are cut to whole 128ths; T has 10 bits a part, N and B are 1/511
-         * short: so far is the normal off, and R.V four times that. */
+        /* nx and ny are truncated to whole 128ths; T has 10 bits per component, N and B are
+         * 1/511 short: the sum is the normal's error, and R.V errs by four times as
+         * much. */
         const double e =
             (1.5 + 0.006 * hypot(nx, ny)) / sqrt(ref_dir_dot(v, v)) + 2 / 511.0;
         for (int i = 0; i < TP_RUN && !grazes(&s, bent, e); i++) {

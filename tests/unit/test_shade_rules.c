@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What stages work out once for several pixels: at multiples of 16 or 32 of the picture,
- * wherever a run begins, and between them just as their files say, bit for bit. */
+/* Values that stages compute once for several pixels: exact at multiples of 16 or 32 of the
+ * picture, for any begin of a run, and between the multiples by the formulas of their
+ * files, bit for bit. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -33,7 +34,7 @@ static tp_shade shade_of(const view *v)
     return s;
 }
 
-/* Samples [from, end) of what is in `r`, as a run. */
+/* Makes a run of the samples [from, end) in `r`. */
 static void run_of(test_run *r, int32_t x, int32_t from, int32_t end)
 {
     r->run.x = x + from;
@@ -50,9 +51,10 @@ static void any_part(test_run *r)
     run_of(r, r->run.x, from, chance_int(&chance, from + 1, TP_RUN));
 }
 
-/* -- views and the sky ------------------------------------------------------------------ */
+/* -- views and sky --------------------------------------------------------------------- */
 
-/* Both ends in Q1.14, k / 16 of the way and a bow by the second differences; cut. */
+/* Both ends in Q1.14, k / 16 of the difference, and a bow by the second differences;
+ * truncated. */
 static int32_t bowed(int32_t before, int32_t a, int32_t b, int32_t after, int32_t k)
 {
     const double bow = a + b - before - after;
@@ -83,8 +85,8 @@ static void views_are_bowed_between_multiples_of_16(void **state)
     }
 }
 
-/* In the usual picture: two cuts of each part, and one of the bow, which up to 15 * 15 / 4
- * of a unit in 1024 are made of. */
+/* In the usual picture: two truncations of each component and one of the bow, which has up
+ * to 15 * 15 / 4 units of 1/1024. */
 static void views_are_no_more_than_2_in_10000_short(void **state)
 {
     (void)state;
@@ -107,7 +109,7 @@ static void views_are_no_more_than_2_in_10000_short(void **state)
     assert_true(m.worst <= 0.0002);
 }
 
-/* The entry's number stands for its colour. */
+/* The colour of each entry is the entry's number. */
 static void number_the_sky(tp_shade *s)
 {
     for (uint32_t i = 0; i <= TP_SKY; i++)
@@ -136,7 +138,8 @@ static void the_sky_is_linear_between_multiples_of_32(void **state)
     }
 }
 
-/* As sky.c says; an entry stands for all sines up to the next one's. */
+/* The error as stated in sky.c; an entry stands for all sines up to the next entry's
+ * sine. */
 static void the_skys_height_is_as_near_as_stated(void **state)
 {
     (void)state;
@@ -162,10 +165,10 @@ static void the_skys_height_is_as_near_as_stated(void **state)
     assert_true(m.worst <= 0.0016 + 0.5 / 256 + 1 / Q14);
 }
 
-/* -- levels ------------------------------------------------------------------------------ */
+/* -- mipmap levels --------------------------------------------------------------------- */
 
-/* Level k of 8 texels has red and green of 30 k + 30; as a normal map it leans by as
- * much. */
+/* Level k of 8 texels has red and green of 30 k + 30; as a normal map it has a tilt of the
+ * same size. */
 static tp_texture numbered(uint32_t texel[4])
 {
     tp_texture t = { .log2_w = 3, .log2_h = 0, .levels = 4 };
@@ -179,8 +182,8 @@ static tp_texture numbered(uint32_t texel[4])
     return t;
 }
 
-/* The samples of a run of 16 columns all have the level of its first, though it may begin
- * in the middle of them; a depth of 2^(2/3) is a level on water. */
+/* All samples of 16 columns take the level of the first sample in the run, even if the run
+ * begins in the middle of the columns; a depth factor of 2^(2/3) is a level on water. */
 static void a_level_is_that_of_the_first_sample_of_16_columns(void **state)
 {
     (void)state;
@@ -218,8 +221,8 @@ static void a_level_is_that_of_the_first_sample_of_16_columns(void **state)
 
 /* -- rippled water ----------------------------------------------------------------------- */
 
-/* N.V of rippled water stays at a tenth however it is turned; smooth water may lie edge
- * on.  All else is the same. */
+/* N.V of rippled water stays at 0.1 or above for any tilt; smooth water may be seen edge
+ * on.  Everything else is the same. */
 static void rippled_water_stays_turned_to_the_eye(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* View, sky, glint and haze against their formulas in double precision, and what holds
- * for all stages.  Errors are in levels of 255; products and mixes of colours are rounded,
- * so a stage may be off by half a level for each. */
+/* View, sky, glint and haze compared with their formulas in double precision, and rules for
+ * all stages.  Errors are in levels of 255; products and mixes of colours are rounded, so a
+ * stage may err by half a level for each. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -17,7 +17,8 @@ static test_sky sky;
 
 /* -- view and sky -------------------------------------------------------------------- */
 
-/* A chord over n pixels of a circle of radius f lies (n/f)^2 / 8 below its middle. */
+/* A chord over n pixels of a circle of radius f lies (n/f)^2 / 8 below the circle at its
+ * middle. */
 static double chord(const tp_shade *s, double pixels)
 {
     const double angle = pixels / (s->focal / 16.0);
@@ -37,9 +38,9 @@ static void the_view_points_to_the_eye(void **state)
         for (int i = 0; i < TP_RUN; i++) {
             const ref_dir v = shade_view(&s, &s.world, r.run.x + i, r.run.y);
             const ref_dir l = shade_light(&s.world);
-            /* Two ends cut to Q1.14, the way between them too: three units.  The bow leaves
-             * a twentieth of what the chord falls short.  The light's product adds up three
-             * cuts of 1. */
+            /* Two ends truncated to Q1.14 and the interpolation truncated too: three units.
+             * The bow leaves a twentieth of the chord's error.  The light's product adds
+             * three truncations of 1. */
             const double most = chord(&s, 16) / 20 + 3 / Q14, most_l = most * 1.8 + 2 / Q14;
             const double e = fmax(fmax(fabs(r.run.vx[i] / Q14 - v.x),
                                        fabs(r.run.vy[i] / Q14 - v.y)),
@@ -67,7 +68,7 @@ static void the_sky_turns_from_horizon_to_zenith(void **state)
             const double e = ref_off(r.run.colour[i],
                                      ref_sky(s.sky[0], s.sky[TP_SKY], -v.y));
             /* The gradient rises by 2 at the horizon, times 255 levels: an entry of 1/256
-             * is up to 2 of them, and so is what the chord over 64 pixels is short. */
+             * is up to 2 levels, and the chord's error over 64 pixels likewise. */
             assert_true(e <= 2 * 255 * (1 / 256.0 + chord(&s, 64) + 3 / Q14) + 2);
             measure_add(&off, e, r.run.x + i, r.run.y, s.focal);
         }
@@ -102,8 +103,8 @@ static void glints_add_the_light_and_hold_at_white(void **state)
     measure_print(&off);
 }
 
-/* Share z^2 / (z^2 + h^2) by 32 h / z in whole entries: near 18 of them, where it is
- * steepest, an entry is 0.02 or 5 levels; 255 of 256 at the most; a mix. */
+/* Share z^2 / (z^2 + h^2) by 32 h / z in whole entries: near entry 18, the steepest point,
+ * an entry is 0.02 or 5 levels; at most 255 of 256; a mix. */
 static void haze_goes_into_the_horizon(void **state)
 {
     (void)state;
@@ -134,7 +135,7 @@ static void haze_goes_into_the_horizon(void **state)
 
 /* -- cuts ---------------------------------------------------------------------------- */
 
-/* A row in pieces is the row as a whole: cut anywhere, as boats and tiles do. */
+/* A row in pieces equals the whole row, for any cuts: boats and tiles cut rows anywhere. */
 static void runs_may_be_cut_anywhere(void **state)
 {
     (void)state;
