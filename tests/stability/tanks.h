@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Tanks whose r is set by hand, and what never may happen in any of them. */
+/* Tanks with an r set by the test, and invariants of all tanks. */
 #ifndef TP_TESTS_TANKS_H
 #define TP_TESTS_TANKS_H
 #include "tests/unit/pools.h"
@@ -7,7 +7,7 @@
 
 enum { RATES = 16 };            /* r = 0.05 .. 0.8 */
 
-/* Whether minutes are asked for instead of seconds. */
+/* True if the environment asks for runs of minutes instead of seconds. */
 static inline bool soak(void)
 {
     return getenv("TP_SOAK") != NULL;
@@ -33,7 +33,7 @@ static inline tp_pool *tank(tp_cells cells, tp_edges edges, uint32_t size, uint3
     return pool;
 }
 
-/* What tp_pool_check lets pass [C9]. */
+/* True if tp_pool_check accepts r and the damping [C9]. */
 static inline bool is_bounded(double r, uint32_t m)
 {
     tp_pool_config c = pool_config(TP_CELLS_16, TP_EDGES_WALL, 16, 16);
@@ -42,7 +42,7 @@ static inline bool is_bounded(double r, uint32_t m)
     return tp_pool_check(&c, NULL) == TP_OK;
 }
 
-/* Nothing leaves its range. */
+/* Asserts that no cell leaves its range. */
 static inline tp_pool_state look_bounded(const tp_pool *pool)
 {
     const tp_pool_state look = tp_pool_look(pool);

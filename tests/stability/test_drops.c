@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A thousand drops for a minute, over water that swells, and a clock whose target jumps
- * from end to end with every picture.  Prints what was reached. */
+/* A thousand drops for a minute, over water with swell, and a clock whose target jumps from
+ * end to end with every picture.  The test prints the maxima. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -16,12 +16,12 @@
 static uint64_t chance;
 
 typedef struct {
-    uint32_t drops, rings;      /* most at once */
+    uint32_t drops, rings;      /* largest numbers at once */
     tp_fx    highest, fastest;  /* m, m/s */
-    tp_fx    surface;           /* highest of the rings' sum, m */
+    tp_fx    surface;           /* highest sum of the rings, m */
 } figures;
 
-/* A swell of 0.5 m and 25 m that runs along x. */
+/* A swell of 0.5 m height and 25 m length along x. */
 static tp_fx level_at(tp_fx x, uint64_t tick)
 {
     const tp_turn turns = (tp_turn)((int64_t)x * 2621) - (tp_turn)tick * 17895697u;
@@ -108,7 +108,7 @@ static void a_thousand_drops_fall_for_a_minute(void **state)
     free(rings);
 }
 
-/* When nothing is released any more everything comes to its end. */
+/* Without further releases all drops and rings end. */
 static void all_drops_and_rings_come_to_an_end(void **state)
 {
     (void)state;
@@ -163,7 +163,7 @@ static void a_clock_flipped_every_picture_runs_evenly(void **state)
            "all\n", least, most, last);
 }
 
-/* Any targets: time never stands, and never leaps. */
+/* With any targets, time never stands still and never jumps. */
 static void any_targets_keep_time_within_its_ends(void **state)
 {
     (void)state;

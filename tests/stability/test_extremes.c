@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Any place and any input is safe: heights are asked for at any x and z of 16.16, its ends
+/* Any position and any input is safe: heights are requested at any x and z of 16.16, the ends
  * included, and a tick takes any 32 bits in each number of its input.  Scenes are random,
- * with every part of a world.  The build with UBSan and ASan sees what goes wrong inside;
- * here answers are held to what the headers say.
+ * with every part of a world.  The build with UBSan and ASan detects faults inside; the test
+ * asserts the limits that the headers state.
  *
- *     TP_SCENES=n     so many random scenes instead of 100 */
+ *     TP_SCENES=n     number of random scenes, default 100 */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -29,7 +29,7 @@ static int scenes(void)
     return asked ? atoi(asked) : 100;
 }
 
-/* One in eight has the widest grid there is: 51 km. */
+/* A random scene; one in eight has the widest possible grid: 51 km. */
 static tp_scene any_scene(void)
 {
     tp_scene s = kit_scene(&chance, 14, 40);
@@ -48,14 +48,15 @@ static tp_world *world_of(const tp_scene *scene, const tp_assets *assets)
                                                           : NULL;
 }
 
-/* -- places ---------------------------------------------------------------------------- */
+/* -- positions ------------------------------------------------------------------------- */
 
 static void assert_near(tp_fx got, tp_fx place, int64_t most)
 {
     assert_true(llabs((int64_t)got - place) <= most);
 }
 
-/* The search and the point that it found each stay within the waves' reach. */
+/* The result of the search and the point itself each stay within the waves'
+ * displacement. */
 static void ask_all(const tp_world *world, tp_fx x, tp_fx z)
 {
     const tp_ocean *ocean = tp_world_ocean(world);
@@ -83,7 +84,7 @@ static void ask_ocean(const tp_ocean *ocean, const tp_turn *phases, tp_fx x, tp_
     assert_int_equal(whole.depth, tp_ocean_floor(ocean, x, z).depth);
 }
 
-/* And a hat of any size there. */
+/* Samples the pool and adds a splash of any size. */
 static void ask_pool(tp_pool *pool, tp_fx x, tp_fx z)
 {
     const tp_fx back = chance_int(&chance, 0, TP_FX_ONE);
@@ -131,7 +132,7 @@ static void every_place_has_a_height(void **state)
     assert_true(asked > 30 * (uint32_t)scenes());
 }
 
-/* A map as tp_floor has it, for its edges' sake. */
+/* Floors with a map as in tp_floor, for the edges of the map. */
 static void every_place_has_a_floor(void **state)
 {
     (void)state;
@@ -191,7 +192,7 @@ static void a_tick_takes_any_input(void **state)
     }
 }
 
-/* Eleven minutes at 100 m/s are 67 km, as are hours at a usual speed. */
+/* Eleven minutes at 100 m/s are 67 km, the same as hours at a usual speed. */
 static void a_boat_that_sails_on_and_on_stays_within_8_km(void **state)
 {
     (void)state;

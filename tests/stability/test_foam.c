@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Foam and spray where they could go wrong: any numbers that the table allows, any eye
- * that jumps, and the slowest fading there is.
+/* Foam and spray at their limits: any numbers of the parameter table, an eye that jumps,
+ * and the slowest fading.
  *
- *     TP_SCENES=n     random scenes instead of 300 */
+ *     TP_SCENES=n     number of random scenes, default 300 */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -35,7 +35,7 @@ static tp_scene any_with_foam(void)
     return s;
 }
 
-/* The eye leaps anywhere, the sea and the numbers change on the way. */
+/* Moves the eye to any position and changes the water and the parameters. */
 static void shake(tp_world *world, tp_scene *scene)
 {
     const tp_scene other = any_with_foam();
@@ -82,8 +82,8 @@ static void nothing_shakes_foam_or_spray(void **state)
     assert_true(ran > scenes / 3);
 }
 
-/* Every fading, from white to nothing, with drift: at the longest 255 units and some of
- * the threshold's rounds, of 2^24 visits / (a visit's loss), each. */
+/* Every fade time, from white to zero, with drift: at most 255 units and some rounds of the
+ * threshold, each of 2^24 visits / (a visit's loss). */
 static void foam_always_ends(void **state)
 {
     static const double fades[] = { 0.1, 0.3, 1, 3.7, 20, 60 };
@@ -110,7 +110,7 @@ static void foam_always_ends(void **state)
     }
 }
 
-/* From a storm to a calm: what was thrown comes down, what was white fades. */
+/* From a storm to a calm: thrown spray comes down, white foam fades. */
 static void a_storm_ends_in_clear_water(void **state)
 {
     (void)state;

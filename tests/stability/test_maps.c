@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The stability maps of assets/charts: what is measured there is what the theory says. */
+/* The stability maps of assets/charts: measured borders agree with the theory. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -11,7 +11,7 @@
 
 #define ROUNDING 1e-6           /* of the engine's sines and sums, Q8.24 */
 
-/* So near do all crests come to one place in the sweep, as a share of the sum. */
+/* Closeness of all crests to one position in the sweep, as a share of the sum. */
 static const struct {
     int    waves;
     double fan, share;
@@ -28,7 +28,7 @@ static void the_jacobian_falls_to_where_all_crests_meet(void **state)
         for (double sum = 0.3; sum < 1.9; sum += 0.4) {
             const tp_sea sea = stability_sea_unheld(swept[n].waves, swept[n].fan, sum);
             const double theory = stability_crests(&sea), least = stability_least(&sea);
-            if (swept[n].fan == 0)              /* a wave's share is halved, and cut */
+            if (swept[n].fan == 0)              /* a wave's share is halved and truncated */
                 assert_true(fabs(theory - (1 - sum))
                             < 1.5 * swept[n].waves * STABILITY_LSB + ROUNDING);
             assert_true(least > theory - ROUNDING);
@@ -36,7 +36,8 @@ static void the_jacobian_falls_to_where_all_crests_meet(void **state)
         }
 }
 
-/* A single wave and two of one way are at 1 - sum to the rounding of what was asked. */
+/* A single wave and two waves of one direction reach 1 - sum, to the rounding of the
+ * requested sum. */
 static void loops_begin_at_a_sum_of_1(void **state)
 {
     (void)state;
@@ -48,7 +49,7 @@ static void loops_begin_at_a_sum_of_1(void **state)
     }
 }
 
-/* The unheld seas are the engine's own where it does not clamp. */
+/* Deep water without the clamp equals the engine's own where the engine does not clamp. */
 static void the_clamp_leaves_a_twentieth_of_the_jacobian(void **state)
 {
     (void)state;
@@ -63,7 +64,8 @@ static void the_clamp_leaves_a_twentieth_of_the_jacobian(void **state)
         }
 }
 
-/* How far along the first wave's way a point lies that rests `from` beyond a crest. */
+/* Position along the first wave's direction of a point that rests `from` m beyond a
+ * crest. */
 static double moved_along(const tp_sea *sea, double from)
 {
     const tp_swell *w = &sea->swell[0];
@@ -75,7 +77,7 @@ static double moved_along(const tp_sea *sea, double from)
     return (p.x * x + p.z * z) / turns * STABILITY_LSB;
 }
 
-/* Two points side by side at a crest draw together as the Jacobian says, and pass each
+/* Two neighbour points at a crest approach each other as the Jacobian gives, and pass each
  * other. */
 static void points_fold_where_the_jacobian_is_below_0(void **state)
 {
@@ -96,7 +98,8 @@ static uint32_t flags_at(int i, int j)
     return stability_flags(stability_rise(i), stability_depth(j));
 }
 
-/* Between them heights of 16.16 m, the least of 8000 units, which bisection finds. */
+/* Heights between the limits in 16.16 m, at least 8000 units; bisection finds the
+ * border. */
 static void criteria_begin_where_the_theory_says(void **state)
 {
     (void)state;
@@ -114,7 +117,7 @@ static void criteria_begin_where_the_theory_says(void **state)
         }
 }
 
-/* In each column of the map the first row whose flag is set is the first beyond the
+/* In each column of the map the first row with the flag set is the first row beyond the
  * theory, or its neighbour. */
 static void criteria_begin_within_one_step_of_the_theory(void **state)
 {
@@ -153,7 +156,8 @@ static void plain_steps_stay_below_their_bound(void **state)
         }
 }
 
-/* They fail where theory lets them: at q = 1 and beyond more of them are no better. */
+/* Plain steps fail where theory permits: at q = 1 and beyond more steps give no
+ * improvement. */
 static void plain_steps_fail_beyond_a_sum_of_1(void **state)
 {
     (void)state;
@@ -166,7 +170,7 @@ static void plain_steps_fail_beyond_a_sum_of_1(void **state)
                 > stability_inversion(&above, STABILITY_PLAIN, 4).along);
 }
 
-/* Up that times the slope, which is below 8. */
+/* The height error is the horizontal error times the slope, which is below 8. */
 static void the_engine_finds_the_surface_up_to_the_clamp(void **state)
 {
     (void)state;
@@ -190,7 +194,7 @@ static void the_truth_solves_its_equation(void **state)
         assert_true(fabs(stability_kh(kh * tanh(kh)) / kh - 1) < 1e-14);
 }
 
-/* To 2^-19, which is what Fenton and McKee's root of 20 bits leaves. */
+/* Exact to 2^-19, the resolution of the 20-bit root of Fenton and McKee. */
 static void fixed_point_has_its_formulas_errors(void **state)
 {
     (void)state;
@@ -203,7 +207,7 @@ static void fixed_point_has_its_formulas_errors(void **state)
     }
 }
 
-/* MODELS' own figures, and where they are met. */
+/* The stated errors of the models, and the points where the errors occur. */
 static void formulas_are_off_as_the_models_say(void **state)
 {
     (void)state;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Where waves over a floor fail: at the waterline, on cliffs, under too much wind, where
- * a mesh is too coarse for them, where rays cross.  Prints what was measured of
+/* Limits of waves over a floor: the waterline, cliffs, too strong wind, a mesh too coarse for
+ * the waves, crossing rays.  The test prints the measured values of
  * [B7]-[B15].
  *
- *     TP_SOAK=1       twenty times as many oceans */
+ *     TP_SOAK=1       twenty times as many coastal waters */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -41,7 +41,7 @@ static tp_floor floor_of(double depth, double slope, double up)
 
 typedef struct { double up, along; } extent;
 
-/* The largest of all phases at the origin, m; `whole`: with what breaks. */
+/* Largest displacements over all phases at the origin, m; `whole`: with breaking. */
 static extent extent_of(const ocean_made *o, bool whole)
 {
     extent e = { 0, 0 };
@@ -56,7 +56,8 @@ static extent extent_of(const ocean_made *o, bool whole)
     return e;
 }
 
-/* Steep as [A11] allows.  No height above 0.39 h, no way above 0.95 / k. */
+/* The steepness is at the limit of [A11].  No height above 0.39 h, no displacement above
+ * 0.95 / k. */
 static void heights_go_to_0_with_the_depth(void **state)
 {
     (void)state;
@@ -82,8 +83,8 @@ static void heights_go_to_0_with_the_depth(void **state)
 
 /* -- shores -------------------------------------------------------------------------- */
 
-/* Largest step of the surface over steps of 1/64 m towards the shore, from 30 m before to
- * 2 m behind it, in m. */
+/* Largest step of the surface over steps of 1/64 m towards the shore, from 30 m before to 2
+ * m behind the shore, in m. */
 static double jump_to_shore(const ocean_made *o, double shore, double z)
 {
     const double d = 1 / 64.0;
@@ -108,8 +109,9 @@ static double jump_to_shore(const ocean_made *o, double shore, double z)
     return most;
 }
 
-/* What moves along in 1/16 m of water comes to rest within 1/16 m of depth [B13]: on the
- * way there the surface is stretched by 16 slope times that; elsewhere 2.5 is enough. */
+/* Horizontal displacement in 1/16 m of water comes to rest within 1/16 m of depth [B13]:
+ * there the surface is stretched by 16 slope times the displacement; elsewhere 2.5 is
+ * enough. */
 static void walk(double slope, double length, double heading, double stretch[2])
 {
     ocean_made o = one_wave(length, length / 30, 0.5, heading);
@@ -150,8 +152,8 @@ static void the_surface_ends_at_the_shore_without_a_jump(void **state)
     }
 }
 
-/* Orbits lie along the rising floor [B11]: across their tilt they are no higher than over
- * a level one, but along it they climb with all of their way. */
+/* Orbits lie along the rising floor [B11]: across their tilt orbits are no higher than over
+ * a level floor, but along the tilt orbits climb with all of their displacement. */
 static void on_slopes_water_climbs_no_more_than_the_floor(void **state)
 {
     (void)state;
@@ -182,7 +184,7 @@ static void on_slopes_water_climbs_no_more_than_the_floor(void **state)
 static uint16_t sample[SIDE * SIDE];
 static const tp_grey picture = { SIDE, SIDE, sample };
 
-/* Soft hills and hollows. */
+/* Draws soft hills and hollows. */
 static void draw_hills(void)
 {
     static double height[SIDE * SIDE];
@@ -222,8 +224,8 @@ static tp_floor map_of(double low, double high)
                        .map_high = (tp_fx)lround(high * 65536) };
 }
 
-/* A rise counts as 8 m a metre at the most.  Where the cliff comes out of the water all
- * that moves in 1/16 m of depth ends within 8 mm: a step, but within the reach. */
+/* A rise counts as 8 m per metre at most.  Where the cliff leaves the water, all motion in
+ * 1/16 m of depth ends within 8 mm: a step, but within the bound of the displacement. */
 static void at_a_cliff_the_surface_stays_within_its_reach(void **state)
 {
     (void)state;
@@ -253,12 +255,12 @@ static void at_a_cliff_the_surface_stays_within_its_reach(void **state)
 
 typedef struct {
     int    places;
-    int    against_deep;        /* the phase falls along the way of deep water ... */
-    int    against_own;         /* ... or along the way that the particles move */
+    int    against_deep;        /* the phase falls along the direction of deep water ... */
+    int    against_own;         /* ... or along the direction of the particles */
 } run;
 
-/* The phase's gradient by places 0.1 m on; its own way by where a particle goes a quarter
- * of a turn behind the trough. */
+/* The phase's gradient by points 0.1 m apart; the particles' own direction by a particle a
+ * quarter turn behind the trough. */
 static void look_at(const ocean_made *o, const ocean_made *moving, double heading, run *r)
 {
     const tp_fx x = chance_fx(&chance, -170, 170), z = chance_fx(&chance, -170, 170);
@@ -320,8 +322,8 @@ static void print_run(const char *what, const run *r)
            100.0 * r->against_deep / r->places, 100.0 * r->against_own / r->places);
 }
 
-/* Over slopes never.  Behind hills rays bend far and cross; there the first to arrive
- * counts, and where two meet the phase has an edge that a map's nodes smear. */
+/* Over slopes never.  Behind hills rays turn far and cross; there the first arrival counts,
+ * and where two arrivals meet the phase has an edge that a map's nodes blur. */
 static void crests_run_backwards_over_no_slope_and_hardly_any_map(void **state)
 {
     (void)state;
@@ -355,8 +357,8 @@ static void crests_run_backwards_over_no_slope_and_hardly_any_map(void **state)
 
 /* -- wind ---------------------------------------------------------------------------- */
 
-/* Least step of the surface for a step of the place at rest, as a part of it: below 0 the
- * crest has a loop. */
+/* Smallest step of the surface for a step of the rest position, relative: below 0 the crest
+ * has a loop. */
 static double least_step(const ocean_made *o, double length)
 {
     const tp_fx d = (tp_fx)(length / 512 * 65536) + 1;
@@ -374,7 +376,7 @@ static double least_step(const ocean_made *o, double length)
     return least;
 }
 
-/* lambda r at its bound of 0.5 and far beyond, on waves as steep as can be [B10]. */
+/* lambda r at its bound of 0.5 and far beyond, on waves of the largest steepness [B10]. */
 static void no_wind_makes_loops(void **state)
 {
     (void)state;
@@ -406,8 +408,8 @@ static void no_wind_makes_loops(void **state)
 
 /* -- meshes that are too coarse ------------------------------------------------------ */
 
-/* Largest height of grid points `cell` apart, and largest error between them, where two
- * are joined by a line; of the wave's own height. */
+/* Largest height of grid points `cell` apart, and largest error between the points, where a
+ * line joins two neighbours; relative to the wave's height. */
 static extent alias_of(const ocean_made *o, double cell, double height)
 {
     const tp_turn phases[TP_WAVES] = { (tp_turn)random_next(&chance) };
@@ -425,7 +427,7 @@ static extent alias_of(const ocean_made *o, double cell, double height)
     return e;
 }
 
-/* A line between two points of a sine misses it by 1 - cos(pi / points a wave). */
+/* A line between two points of a sine has an error of 1 - cos(pi / points per wave). */
 static void waves_shorter_than_two_cells_stay_within_their_height(void **state)
 {
     (void)state;

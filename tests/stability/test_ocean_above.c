@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The surface above a place over a floor [E1]: how far the search misses it, where the sum
- * of steepnesses is near 1.  In shallow water it always is: orbits grow along their way
- * until they are held at 0.95 [B13].  Twelve plain steps were up to 1.4 m off there.
+/* The surface above a point over a floor [E1]: the error of the search where the sum of
+ * steepnesses is near 1.  In shallow water the sum is always near 1: orbits grow in length
+ * up to the clamp at 0.95 [B13].  Twelve plain steps had errors up to 1.4 m there.
  *
- *     TP_SOAK=1       twenty times as many oceans */
+ *     TP_SOAK=1       twenty times as many coastal waters */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>

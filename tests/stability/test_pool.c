@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Where pools of 8 and 16 bits fail: r beyond its bound, starts at the full range,
- * dampings at both ends, water too low to move; and the volume of all kinds.  Prints what
- * happens; asserts what [C8]-[C18] promise: nothing leaves its range, water that can be
- * configured comes to exact rest, nothing drifts.
+/* Limits of pools of 8 and 16 bits: r beyond its bound, starts at the full range, dampings
+ * at both ends, water too low to move; and the volume of all kinds of cells.  The test prints
+ * the results and asserts [C8]-[C18]: nothing leaves its range, a pool in a valid
+ * configuration comes to exact rest, nothing drifts.
  *
  *     TP_SOAK=1       more sizes and starts: minutes instead of seconds */
 #include <stdarg.h>
@@ -16,7 +16,7 @@
 
 static uint64_t chance;
 
-/* Full-range heights whose sum is 0: each has its opposite. */
+/* Sets full-range heights with a sum of 0: each height has its opposite. */
 static void stir(tp_pool *pool)
 {
     const uint32_t count = pool->cols * pool->rows;
@@ -31,7 +31,7 @@ static void stir(tp_pool *pool)
     tp_pool_stirred(pool, full);
 }
 
-/* Ticks until rest, or `most`. */
+/* Returns the ticks until rest, or `most`. */
 static int run(tp_pool *pool, int most)
 {
     int tick = 0;
@@ -46,7 +46,7 @@ static int run(tp_pool *pool, int most)
 
 /* -- 8 and 16 bits: Courant x damping x starts --------------------------------------- */
 
-/* Ticks after which all cells are as they are now; 0: more than 4. */
+/* Returns the period in ticks after which all cells repeat; 0: more than 4. */
 static int cycle_of(tp_pool *pool)
 {
     const size_t bytes = tp_pool_count(pool) * (pool->cells == TP_CELLS_8 ? 2 : 4);
@@ -62,7 +62,7 @@ static int cycle_of(tp_pool *pool)
     return ticks <= 4 ? ticks : 0;
 }
 
-/* Beyond the bound: rests after all, or a cycle of so many ticks, or saturated. */
+/* Beyond the bound: prints the ticks until rest, the period of a cycle, or saturation. */
 static void print_end(tp_pool *pool)
 {
     for (int ticks = 0; ticks < 100000; ticks += 512) {
@@ -82,7 +82,7 @@ static void print_end(tp_pool *pool)
     printf("     m");
 }
 
-/* Returns how far the mean has gone by the end of gear A, in parts of the range. */
+/* Returns the displacement of the mean at the end of gear A, relative to the range. */
 static double settle(tp_cells cells, uint32_t size, uint32_t m, double r)
 {
     tp_pool *const pool = tank(cells, TP_EDGES_WALL, size, m, r);
@@ -103,8 +103,8 @@ static double settle(tp_cells cells, uint32_t size, uint32_t m, double r)
     return is_bounded(r, m) ? mean : 0;
 }
 
-/* The models' clamps [C5] keep the energy, not the sum: where water hits the range's end
- * its cells stop, and what the others still move goes on to move the mean for 2^m
+/* The models' clamps [C5] keep the energy, not the sum: where water hits the range's
+ * end its cells stop, and the motion of the other cells displaces the mean for 2^m
  * ticks. */
 static void sweep(uint32_t size)
 {
@@ -163,8 +163,8 @@ static void gear_b_alone_comes_to_a_stand(void **state)
 
 /* -- drift --------------------------------------------------------------------------- */
 
-/* The zero-sum hat of the models' table, or another one; the largest |mean| in LSB.  In
- * gear A it is exactly 0.  `rest`: ticks of gear B. */
+/* Largest |mean| in LSB after the zero-sum splash of the models' table, or after another
+ * splash.  In gear A the mean is exactly 0.  `rest`: ticks of gear B. */
 static double mean_of_hat(tp_cells cells, uint32_t m, double r, bool any, int *rest)
 {
     tp_pool *const pool = tank(cells, TP_EDGES_WALL, 64, m, r);
@@ -189,7 +189,7 @@ static double mean_of_hat(tp_cells cells, uint32_t m, double r, bool any, int *r
     return worst;
 }
 
-/* The models' figures for r >= 0.35: 0.72 LSB at the most, and 82 ticks of gear B. */
+/* The models' figures for r >= 0.35: 0.72 LSB at most, and 82 ticks of gear B. */
 static void two_gears_drift_by_less_than_one_lsb(void **state)
 {
     (void)state;
@@ -218,10 +218,10 @@ static void two_gears_drift_by_less_than_one_lsb(void **state)
     printf("# any hat, anywhere: up to %.4f LSB\n", any);
 }
 
-/* Injections into water that gear B has begun to settle: what its cuts leave of the sum
- * of velocities must not become gear A's drift, which lasts 2^m ticks and reached 452 LSB
- * at m = 10.  What is left is the drift of gear B itself between two hats: 1.19 LSB at the
- * most in 62 runs, all at m = 10. */
+/* Injections into water that gear B has begun to settle: the remainder of the velocities'
+ * sum after gear B's truncation must not become gear A's drift, which lasts 2^m ticks and
+ * once reached 452 LSB at m = 10.  The remaining drift is that of gear B itself between two
+ * splashes: 1.19 LSB at most in 62 runs, all at m = 10. */
 static double mean_of_hats(tp_cells cells, uint32_t m)
 {
     tp_pool *const pool = tank(cells, TP_EDGES_WALL, 24, m, 0.484);
@@ -261,7 +261,7 @@ static void water_stirred_again_while_it_settles_does_not_drift(void **state)
     assert_true(worst < 2);
 }
 
-/* What one hat's water becomes until it rests, by kind of cells and of edges. */
+/* Volume of a splash's water until rest, by kind of cells and of edges. */
 static void volume(tp_cells cells, tp_edges edges)
 {
     tp_pool *const pool = tank(cells, edges, 48, 6, 0.484);
@@ -298,7 +298,7 @@ static void no_volume_is_lost(void **state)
 
 /* -- dead zones [C14] ---------------------------------------------------------------- */
 
-/* Whether anything moves in one step; if not nothing ever will. */
+/* True if any cell moves in one step; otherwise none ever will. */
 static bool moves(tp_pool *pool, bool gear_a)
 {
     pool->gear = gear_a ? 2 : 0;
@@ -316,7 +316,7 @@ static bool cell_moves(double r, bool gear_a, int32_t height)
     return moved;
 }
 
-/* The lowest mode of an N x 16 tank: along z nothing changes. */
+/* True if the lowest mode of an N x 16 tank moves: along z the mode is constant. */
 static bool mode_moves(double r, bool gear_a, uint32_t n, int32_t height)
 {
     tp_pool_config c = pool_config(TP_CELLS_16, TP_EDGES_WALL, n, 16);
@@ -330,8 +330,8 @@ static bool mode_moves(double r, bool gear_a, uint32_t n, int32_t height)
     return moved;
 }
 
-/* With q = r^2 (1 - delta / 2) a lone cell is dead while 4 q height < 1 in either gear:
- * what F moves below the cell's own -4 is its neighbours', which the carry brings. */
+/* With q = r^2 (1 - delta / 2) a single cell does not move while 4 q height < 1, in either
+ * gear: motion of F below the cell's own -4 comes from its neighbours, by the carry. */
 static int least_cell(double r, bool gear_a)
 {
     int32_t height = 1;
@@ -340,9 +340,9 @@ static int least_cell(double r, bool gear_a)
     return height;
 }
 
-/* The first height that moves, and the first from which on all do.  Gear A's carry sums F
- * up to the slope: dead while q pi height / N < 1/2.  Gear B asks for q F >= 1 somewhere,
- * F = pi^2 height / N^2, to which the rounding of the heights adds. */
+/* Finds the first height that moves, and the height from which on all heights move.  Gear
+ * A's carry sums F up to the slope: no motion while q pi height / N < 1/2.  Gear B needs q
+ * F >= 1 somewhere, F = pi^2 height / N^2, to which the rounding of the heights adds. */
 static void live_modes(double r, bool gear_a, uint32_t n, double formula,
                        int first_last[2])
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Water that is fed for hours: its rms stays in a band, its mean at 0 [C16].
+/* Driven water over hours: its rms stays in a band, its mean at 0 [C16].
  *
  *     TP_SOAK=1       10^6 ticks instead of 10^5 */
 #include <stdarg.h>
@@ -16,7 +16,7 @@ static int ticks_asked(int usual)
     return soak() ? 1000000 : usual;
 }
 
-/* What a pool was seen to do, after the ticks that it takes to fill; in LSB. */
+/* Observed values of a pool after the ticks for filling; in LSB. */
 typedef struct {
     double   low, high;         /* rms of the heights */
     double   mean;              /* the largest */
@@ -56,7 +56,7 @@ static record feed(const tp_pool_config *config, int ticks)
     return r;
 }
 
-/* A band from `low` LSB to a sixth above it, as [C16] has its own. */
+/* A pool with a drive band from `low` LSB to a sixth above, as in [C16]. */
 static tp_pool_config fed(tp_cells cells, tp_edges edges, uint32_t size, uint32_t m,
                           double low, double hat)
 {
@@ -91,8 +91,8 @@ static void print_head(void)
 }
 
 /* [C16]: rms 492 to 597 for a low end of 512 LSB, on 64 x 64 cells; 40 runs had 0.93 to
- * 1.16 of it.  A hat is a larger part of a smaller field: 0.74 to 1.44. */
-enum { LEAST = 65, MOST = 165 };        /* in 100, for runs of 10^6 ticks as well */
+ * 1.16 of the low end.  A splash is a larger part of a smaller field: 0.74 to 1.44. */
+enum { LEAST = 65, MOST = 165 };        /* in percent, also for runs of 10^6 ticks */
 
 static void assert_band(const record *r, double low)
 {
@@ -131,7 +131,7 @@ static void all_kinds_of_cells_are_fed(void **state)
     }
 }
 
-/* A sponge takes the sum with it [C15]: the spring brings it back. */
+/* A sponge absorbs the sum too [C15]: the spring restores the mean. */
 static void behind_a_sponge_the_mean_comes_back(void **state)
 {
     (void)state;
@@ -142,7 +142,7 @@ static void behind_a_sponge_the_mean_comes_back(void **state)
     assert_true(r.mean < 0.01 * 32767);
 }
 
-/* Hats that are far too low: they grow until the band is reached [C16]. */
+/* Splashes far too low: the amplitude grows until the band is reached [C16]. */
 static void a_weak_feed_gains_authority(void **state)
 {
     (void)state;
@@ -153,8 +153,9 @@ static void a_weak_feed_gains_authority(void **state)
     assert_true(r.mean == 0);
 }
 
-/* Gear A's noise holds such water up, so that it is not fed, and gear B takes over whenever
- * its time has come.  Not in a band, but quiet and level. */
+/* Gear A's noise keeps such water above the band, so the drive adds nothing, and gear B
+ * takes over when gear A's time is over.  The water is not in the band, but quiet and
+ * level. */
 static void a_band_below_the_noise_is_harmless(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Where pools of 32 bits fail [C17]: starts at the full range, r beyond its bound, where
- * fluxes grow; and r of any kind of cells that nobody could configure.
+/* Limits of pools of 32 bits [C17]: starts at the full range, r beyond its bound, where
+ * fluxes grow; and r of any kind of cells that no configuration allows.
  *
  *     TP_SOAK=1       larger fields and all r: minutes instead of seconds */
 #include <stdarg.h>
@@ -33,9 +33,10 @@ static bool flows(const tp_pool *pool)
     return any != 0;
 }
 
-/* Full-range starts of any sum, which no step changes; returns the ticks until all fluxes
- * are 0, and how far heights are then from their mean.  The overdamped corner r = 0.05,
- * m = 4 creeps: 64 x 64 cells took 224427 ticks there.  A million would be never. */
+/* Full-range starts with any sum, which no step changes.  Returns the ticks until all
+ * fluxes are 0, and the largest difference between heights and their mean.  The overdamped
+ * corner r = 0.05, m = 4 is slow: 64 x 64 cells took 224427 ticks there.  A million counts
+ * as never. */
 static int rest_of_fluxes(uint32_t size, uint32_t m, double r, int32_t *residue)
 {
     tp_pool *const pool = tank(TP_CELLS_32, TP_EDGES_WALL, size, m, r);
@@ -102,14 +103,14 @@ static void what_would_not_rest_is_refused(void **state)
 }
 
 /* The checkerboard is a mode with mu = 8: z^2 - (1 + d - 8 d a) z + d = 0, whose larger
- * root is what a step multiplies it by. */
+ * root is the growth per step. */
 static double growth_of_model(double a, double d)
 {
     const double half = (1 + d - 8 * d * a) / 2, root = half * half - d;
     return root < 0 ? sqrt(d) : fabs(half) + sqrt(root);
 }
 
-/* Between 2^14 and 2^26 LSB; 0: it does not grow. */
+/* Growth per step between 2^14 and 2^26 LSB; 0: no growth. */
 static double growth_measured(tp_pool *pool, int *full_at)
 {
     double from = 0, log_rise = 0;
@@ -168,7 +169,7 @@ static void beyond_the_bound_fluxes_grow_to_the_range_and_no_further(void **stat
             grow(m, rate[i]);
 }
 
-/* No r2q is undefined: above 767 it counts as that. */
+/* Every r2q is defined: above 767 it counts as 767. */
 static void any_r_set_by_hand_is_held(void **state)
 {
     (void)state;

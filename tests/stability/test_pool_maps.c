@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What the stability charts show of pools, held: within the bound on configurations no
- * noise grows and nothing drifts, beyond von Neumann's line it grows to the range's end,
- * rest comes when theory says; and where 8 bits are too few, gear A's roundings feed the
- * water. */
+/* The pool statements of the stability charts as tests.  Within the bound of configurations
+ * no noise grows and nothing drifts; beyond von Neumann's line noise grows to the range's
+ * end; rest comes at the time of the theory; and where 8 bits are too few, gear A's
+ * roundings add energy to the water. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -18,7 +18,7 @@ static pool_tank tank_of(tp_cells cells, uint32_t side, uint32_t m, double r)
     return (pool_tank){ cells, side, side, (uint32_t)lround(r * r * POOL_WHOLE), m };
 }
 
-/* Rounded inwards, so that what is asked for is within. */
+/* Rounded downwards, so that the requested value is within the bound. */
 static pool_tank tank_within(tp_cells cells, uint32_t side, uint32_t m, double r2)
 {
     return (pool_tank){ cells, side, side, (uint32_t)floor(r2 * POOL_WHOLE), m };
@@ -26,8 +26,8 @@ static pool_tank tank_within(tp_cells cells, uint32_t side, uint32_t m, double r
 
 /* -- theory -------------------------------------------------------------------------- */
 
-/* The shortest mode of a tank of 16 x 16 by the rule without rounding, which multiplies
- * it by the root a tick; and the root passes 1 at von Neumann's line. */
+/* The shortest mode of a tank of 16 x 16 by the rule without rounding: the root multiplies
+ * the mode per tick, and the root passes 1 at von Neumann's line. */
 static void a_mode_grows_by_its_root(void **state)
 {
     (void)state;
@@ -59,7 +59,7 @@ static void a_mode_grows_by_its_root(void **state)
 
 /* -- growth -------------------------------------------------------------------------- */
 
-/* 16 and 32 bits: as the rule without rounding, everywhere that a pool may be. */
+/* 16 and 32 bits: the same as the rule without rounding, for every valid pool. */
 static void within_the_bound_noise_dies_away_as_theory_says(void **state)
 {
     (void)state;
@@ -109,7 +109,7 @@ static void beyond_von_neumann_noise_grows_to_the_ranges_end(void **state)
     assert_true(apart < 1e-3);
 }
 
-/* 8 bits: gear A's roundings win left of the line of noise. */
+/* 8 bits: gear A's roundings prevail left of the line of noise. */
 static void eight_bits_are_fed_by_rounding_left_of_the_line(void **state)
 {
     (void)state;
@@ -151,7 +151,7 @@ static void nothing_drifts_until_gear_b(void **state)
     assert_true(worst < 1);
 }
 
-/* Where waves swing: r beyond the line of creeping by a third.  Gear B takes up to 100
+/* Oscillating waves: r is beyond the line of creeping by a third.  Gear B takes up to 100
  * ticks more than gear A's time. */
 static void rest_comes_when_theory_says(void **state)
 {
@@ -175,7 +175,7 @@ static void rest_comes_when_theory_says(void **state)
     }
 }
 
-/* Left of it the tank's longest wave takes far longer than gear A's time. */
+/* Left of the line the tank's longest wave takes far longer than gear A's time. */
 static void long_waves_creep_left_of_the_line(void **state)
 {
     (void)state;

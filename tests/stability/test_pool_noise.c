@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The noise of 8- and 16-bit cells is what pool/pool.h says, over all that a pool can
- * be configured to: the rms that moving water keeps, and how far a wave is off its closed
+/* The noise of 8- and 16-bit cells equals the statement in pool/pool.h for every pool
+ * configuration: the rms that moving water keeps, and a wave's error against its closed
  * form [C6].
  *
  *     TP_SOAK=1       twenty times as many waves */
@@ -23,7 +23,7 @@ static double noise_of(const tp_pool_config *c)
     return tp_pool_noise(c->courant, c->damping) / 65536.0;
 }
 
-/* r as 1024 r^2 has it, which is what a pool keeps. */
+/* r from 1024 r^2, the number that a pool stores. */
 static tp_fx courant_of(uint32_t r2q)
 {
     return (tp_fx)lround(sqrt(r2q / 1024.0) * 65536);
@@ -47,12 +47,12 @@ static void the_noise_is_the_root_of_2_to_m_over_24_by_courant(void **state)
         assert_true(fabs(pool_noise_r(tp_pool_noise(TP_FX_ONE / 2, m) / 65536.0, m) - 0.5)
                     < 1e-5);
     }
-    assert_true(tp_pool_noise(0, 99) > 0);      /* of nonsense, a number */
+    assert_true(tp_pool_noise(0, 99) > 0);      /* invalid input also gives a number */
 }
 
-/* -- water that moves for ever ----------------------------------------------------------- */
+/* -- water that moves forever ---------------------------------------------------------- */
 
-/* Of gear A over 3 2^m ticks, when what it began with has gone. */
+/* Rms of gear A over 3 2^m ticks, after the initial water has decayed. */
 static double kept_rms(const tp_pool_config *c)
 {
     tp_pool *const pool = pool_make(c);
@@ -102,7 +102,7 @@ static void moving_water_keeps_the_noise_that_is_said(void **state)
     assert_true(most < 1.05);
 }
 
-/* -- one wave ---------------------------------------------------------------------------- */
+/* -- single wave ----------------------------------------------------------------------- */
 
 typedef struct {
     tp_pool_config config;
@@ -135,7 +135,7 @@ static void shape(wave *w, uint32_t p, uint32_t q, uint32_t r2q, uint32_t m)
         w->z[i] = cos(PI * q * (i + 0.5) / rows);
 }
 
-/* Long waves and those along the walls are as likely as any. */
+/* Long waves and waves along the walls are as likely as others. */
 static uint32_t any_count(uint32_t side)
 {
     const uint32_t kind = random_below(&chance, 4);
@@ -178,7 +178,7 @@ static miss miss_of(const tp_pool *pool, const wave *w, double high)
     return (miss){ sqrt(squares / (pool->cols * pool->rows)), corner };
 }
 
-/* The worst of its first ticks; [C4] in double precision beside it. */
+/* Largest error of the first ticks; [C4] in double precision runs beside the pool. */
 static miss worst_of(const wave *w, int ticks)
 {
     tp_pool *const pool = pool_make(&w->config);
@@ -250,7 +250,7 @@ static void a_wave_stays_within_its_noise(void **state)
     assert_shares(&s[1]);
 }
 
-/* r^2 = 1/16 at every damping: 8 bits once passed their budget there. */
+/* r^2 = 1/16 at every damping: 8 bits once exceeded their budget there. */
 static void so_do_waves_at_a_courant_of_a_quarter(void **state)
 {
     (void)state;
@@ -263,7 +263,7 @@ static void so_do_waves_at_a_courant_of_a_quarter(void **state)
     assert_shares(&s);
 }
 
-/* Of 150,000 random ones. */
+/* The worst of 150,000 random waves. */
 static void so_do_the_worst_waves_that_are_known(void **state)
 {
     (void)state;
@@ -302,13 +302,14 @@ static void waves_of_8_bits_stay_within_it_later(void **state)
             compare(&s, &w, LATER);
     }
     wave worst = { .config = pool_config(TP_CELLS_8, TP_EDGES_WALL, 32, 32) };
-    shape(&worst, 0, 25, 27, 4);                /* of 5600 random ones */
+    shape(&worst, 0, 25, 27, 4);                /* of 5600 random waves */
     compare(&s, &worst, LATER);
     assert_shares(&s);
     assert_true(s.rms.worst > 0.8);
 }
 
-/* The worst of 17,000 random ones: the bound of the first ticks is none for later. */
+/* The worst of 17,000 random waves: the bound of the first ticks does not hold for later
+ * ticks. */
 static void the_worst_known_of_16_bits_pass_it_later_by_4_times(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The water that pools are judged by, tests/charts/pool_truth.c, is that of the damped
- * wave equation: its modes obey it, it is the limit of ever finer cells and ticks, and it
- * is d'Alembert's pair of waves where nothing is damped. */
+/* The reference water for pools, tests/charts/pool_truth.c, is that of the damped wave
+ * equation: its modes obey the equation, it is the limit of ever finer cells and ticks, and
+ * without damping it is d'Alembert's pair of waves. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -15,7 +15,7 @@
 
 static uint64_t chance;
 
-/* -- one mode ------------------------------------------------------------------------ */
+/* -- single mode --------------------------------------------------------------------- */
 
 /* h'' + 2 g h' + omega^2 h = 0 by differences, from waves to creeping. */
 static void a_mode_obeys_its_equation(void **state)
@@ -58,7 +58,8 @@ static void a_mode_begins_as_it_is_told(void **state)
     }
 }
 
-/* The cells' rules lose as much: a swinging mode's root is e^-g of the same damping. */
+/* The cells' rules lose the same amount: an oscillating mode's root is e^-g of the same
+ * damping. */
 static void the_rules_of_cells_are_damped_alike(void **state)
 {
     (void)state;
@@ -84,7 +85,8 @@ static double hat(double x, double z)
     return (1 - s / 2) * exp(-s / 2);
 }
 
-/* Of sigma 3 cells at (13.2, 10.6), with its images in the walls: no wall cuts it. */
+/* A splash of sigma 3 cells at (13.2, 10.6), with its images in the walls, so that no wall
+ * cuts the shape. */
 static double hat_at(double x, double z)
 {
     double h = 0;
@@ -137,7 +139,7 @@ static void step_fine(double *h, double *before, uint32_t finer, double gamma, i
     memcpy(h, next, cols * rows * sizeof *h);
 }
 
-/* The rms by which `ticks` of cells `finer` times as small miss the truth. */
+/* Rms difference from the reference after `ticks`, for cells `finer` times as small. */
 static double miss(const pool_truth *truth, double gamma, uint32_t finer, uint32_t ticks)
 {
     static double h[CELLS], before[CELLS], right[CELLS];
@@ -150,8 +152,8 @@ static double miss(const pool_truth *truth, double gamma, uint32_t finer, uint32
     return rms_of(h, right, count) / rms_of(right, NULL, count);
 }
 
-/* Halving cells and ticks together takes three fourths of the error away, so what is left
- * at the finest is a third of the last step's gain: their limit is the truth. */
+/* Halving cells and ticks together removes three fourths of the error, so the remaining
+ * error at the finest step is a third of the last gain: the limit is the reference. */
 static void finer_cells_and_ticks_converge_on_it(void **state)
 {
     (void)state;
@@ -175,7 +177,8 @@ static void finer_cells_and_ticks_converge_on_it(void **state)
     }
 }
 
-/* A ridge along z, undamped: two halves that run apart and are mirrored at the walls. */
+/* A ridge along z without damping: two halves that run apart and are reflected at the
+ * walls. */
 static double ridge(double x)
 {
     double h = 0;
@@ -208,7 +211,7 @@ static void without_damping_it_is_two_waves_running_apart(void **state)
     assert_true(worst < 1e-9);
 }
 
-/* Between the ticks that it was given as well: both are met. */
+/* The reference passes through both given ticks. */
 static void a_field_passes_through_its_start(void **state)
 {
     (void)state;

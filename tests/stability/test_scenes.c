@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Any number that the table of parameters allows is safe: every row at its ends, at 0 and
- * one least bit beside each, in a scene that has every model at once; and scenes of random
- * numbers.  Each is stepped, asked for heights, and drawn whole and in tiles; then its
- * numbers change under the same frames.  The build with UBSan and ASan sees what goes
- * wrong inside.
+/* Any number of the parameter table is safe: every row at its ends, at 0 and at one LSB beside
+ * each, in a scene that has every model at once; and scenes of random numbers.  Each scene
+ * is stepped, sampled for heights, and drawn whole and in tiles; then its numbers change
+ * under the same frames.  The build with UBSan and ASan detects faults inside.
  *
- *     TP_SCENES=n     so many random scenes instead of 300 (`make soak`: 100000) */
+ *
+ *     TP_SCENES=n     number of random scenes, default 300 (`make soak`: 100000) */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -85,7 +85,7 @@ static void step(tp_world *world, const tp_scene *scene, int ticks)
         tp_world_step(&tp_program_all, world, scene, NULL);
 }
 
-/* Any numbers become any others, but those that size a frame. */
+/* Changes any numbers to any others, except numbers that size a frame. */
 static void change(tp_scene *scene)
 {
     const tp_scene other = kit_scene(&chance, 14, 40);
@@ -103,7 +103,7 @@ static void change(tp_scene *scene)
     scene->grid.rows = rows;
 }
 
-/* NULL: refused, which is as good. */
+/* The scene's world; NULL if the scene is refused, also a valid result. */
 static tp_world *world_of(const tp_scene *scene, const tp_assets *assets)
 {
     const size_t bytes = tp_world_bytes(&tp_program_all, scene, assets);
@@ -117,7 +117,8 @@ static tp_world *world_of(const tp_scene *scene, const tp_assets *assets)
     return world;
 }
 
-/* The same frames while numbers change; a world that does not take them is made anew. */
+/* Draws with the same frames while numbers change; a world that refuses the change is made
+ * anew. */
 static void live_on(tp_world **world, tp_scene *scene, const tp_assets *assets)
 {
     change(scene);
@@ -129,7 +130,7 @@ static void live_on(tp_world **world, tp_scene *scene, const tp_assets *assets)
         step(*world, scene, chance_int(&chance, 0, 4));
 }
 
-/* A copy of a world goes on as the world does. */
+/* Asserts that a copy of a world continues as the world does. */
 static void compare_with_copy(tp_world *world, const tp_scene *scene)
 {
     tp_world *copy = malloc(world->parts.bytes);
@@ -167,7 +168,7 @@ static bool run(const tp_scene *wanted, int ticks, int lives)
 
 /* -- one row at a time ----------------------------------------------------------------- */
 
-/* Whether a value of the row is to be tried: it may have it, and had it not before. */
+/* True if value k of the row is valid and has not been tried before. */
 static bool is_another(const tp_param *row, const int64_t *value, size_t k)
 {
     for (size_t i = 0; i < k; i++)
@@ -194,7 +195,7 @@ static void every_number_is_safe_at_its_ends_and_beside_them(void **state)
             if (!is_another(row, value, k))
                 continue;
             if (strncmp(row->name, "grid.", 5) == 0 && value[k] > 1000)
-                continue;               /* those are the frame's, and take long */
+                continue;               /* these rows belong to the frame and take long */
             *scene_number(&scene, row) = (int32_t)value[k];
             refused += !run(&scene, 3, 0);
             tried++;
@@ -202,7 +203,7 @@ static void every_number_is_safe_at_its_ends_and_beside_them(void **state)
     }
     printf("# %u values of %u rows, %u refused\n", (unsigned)tried, (unsigned)count,
            (unsigned)refused);
-    assert_true(refused < tried / 50);  /* courant and sizes of pools alone */
+    assert_true(refused < tried / 50);  /* only courant and sizes of pools */
 }
 
 /* -- all at once ----------------------------------------------------------------------- */

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Random scenes of the whole range that the table of parameters allows: grids to 1024
  * points a side, pools to 512 cells, pictures to 2048 pixels, any format, tiling and program.
- * A scene that tp_scene_check refuses is refused by every entry; any other is stepped,
- * asked for heights at places of any 32 bits, and drawn whole and in tiles, by another program
- * where that draws the same.  The build with UBSan and ASan sees what goes wrong inside.
+ * A scene that tp_scene_check refuses is refused by every entry point; any other scene is
+ * stepped, sampled for heights at any 32-bit position, and drawn whole and in tiles, with
+ * another program where the result is the same.  UBSan and ASan detect faults inside.
  *
  *     TP_SOAK=1       the whole range; otherwise sides stay small, for seconds
- *     TP_WIDE=n       so many scenes instead of 12, or 1500 with TP_SOAK
+ *     TP_WIDE=n       number of scenes, default 12, or 1500 with TP_SOAK
  *     TP_FIRST=n      from number n on: with TP_SEED and TP_WIDE=1 one scene alone */
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,8 +19,8 @@
 
 #define HIGHEST (2200 * (int64_t)TP_FX_ONE)     /* 16 waves, 1024 rings, two pools */
 
-/* Tiles of a frame times points of its grid: a tile looks through the grid's lines, or
- * evaluates all that are not stored. */
+/* Limit of a frame's tiles times the points of its grid: a tile scans the grid's lines, or
+ * evaluates all points that are not stored. */
 #define TILED_MOST 60000000u
 
 static uint64_t seed, chance;
@@ -41,7 +41,7 @@ static uint32_t asked(const char *name, uint32_t usual)
 
 /* -- scenes ---------------------------------------------------------------------------- */
 
-/* Evenly in the logarithm; some at an end. */
+/* Returns a side in [low, high], uniform in the logarithm; some sides are at an end. */
 static int32_t any_side(int32_t low, int32_t high)
 {
     switch (random_below(&chance, 16)) {
@@ -66,7 +66,7 @@ static void size_lattices(tp_scene *s)
     s->field.rows = any_side(16, cells);
 }
 
-/* Numbers of a pool that go together. */
+/* Makes the numbers of a pool consistent. */
 static void fit_pool(tp_scene_pool *p)
 {
     p->courant = chance_fx(&chance, 0.25, 0.48);
@@ -74,7 +74,7 @@ static void fit_pool(tp_scene_pool *p)
         p->feed_low = p->feed_high;
 }
 
-/* Most of them are drawn, the others refused for their pools. */
+/* A random scene; most scenes are drawn, the others are refused for their pools. */
 static tp_scene any_scene(void)
 {
     tp_scene s = scene_any(&chance);
@@ -91,7 +91,7 @@ static tp_scene any_scene(void)
     return s;
 }
 
-/* One number just outside of its range, or far. */
+/* Sets one number just outside its range, or far outside. */
 static void spoil(tp_scene *s)
 {
     uint32_t count = 0;
@@ -107,7 +107,7 @@ static void spoil(tp_scene *s)
         *scene_number(s, row) = (int32_t)to;
 }
 
-/* Tiles of any size, not so many that they take minutes. */
+/* A config with tiles of any size, in a number that does not take minutes. */
 static tp_config any_config(const tp_scene *s)
 {
     const int32_t most = soak() ? 2048 : 96;
@@ -136,7 +136,7 @@ typedef struct {
     const char *name;
 } programs;
 
-/* The tiles' program draws the bits of the whole picture's. */
+/* Picks a pair of programs that draw the same bits, for the whole picture and for tiles. */
 static programs any_programs(void)
 {
     size_t count;
@@ -165,7 +165,7 @@ static programs any_programs(void)
     return k;
 }
 
-/* -- what is refused ------------------------------------------------------------------- */
+/* -- refused scenes -------------------------------------------------------------------- */
 
 static void assert_refusal(tp_status status, const tp_error *err, tp_status as,
                            const tp_error *why)
@@ -205,7 +205,7 @@ static void assert_refused(const tp_scene *scene, const tp_assets *assets, tp_st
     assert_int_equal(tp_plan_make(scene, assets, 64, 48).total.cost, 0);
 }
 
-/* -- what is drawn --------------------------------------------------------------------- */
+/* -- drawn scenes ---------------------------------------------------------------------- */
 
 static void ask(const programs *k, const tp_world *world, int places)
 {
@@ -233,8 +233,8 @@ static void draw(const tp_world *world)
     counts.frames += 2;
 }
 
-/* The same frames while the numbers of another scene come, but those that size the grid;
- * the world goes on where it takes them. */
+/* The same frames with numbers of another scene, except those that size the grid; the world
+ * continues if it accepts the numbers. */
 static void live_on(const programs *k, tp_world *world, tp_scene *scene,
                     const tp_assets *assets)
 {
@@ -257,7 +257,8 @@ static void live_on(const programs *k, tp_world *world, tp_scene *scene,
     draw(world);
 }
 
-/* False: what the scene names does not fit it, which only an init can tell. */
+/* Draws the scene.  False if an asset does not fit the scene, which only an init function
+ * can detect. */
 static bool draw_scene(const programs *k, tp_scene *scene, const tp_assets *assets,
                        const tp_config *config)
 {
@@ -293,7 +294,7 @@ static void tell(uint32_t number, const tp_scene *s, const tp_config *c, const c
            (int)s->pool.rows, (int)s->field.cols, (int)s->field.rows, (unsigned)c->width,
            (unsigned)c->height, tp_format_name(c->format), (unsigned)c->tile_width,
            (unsigned)c->tile_height, how);
-    fflush(stdout);             /* what comes next may end in a crash */
+    fflush(stdout);             /* the next step may end in a crash */
 }
 
 static void run_scene(uint32_t number)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Where sums of swells fail: crests that loop, inversion that has no one answer, waves
- * shorter than the mesh, clocks that have run for years. */
+/* Limits of sums of swells: crests with loops, ambiguous inversion, waves shorter than the
+ * mesh, clocks after years. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -15,10 +15,10 @@
 
 static uint64_t chance;
 
-/* -- crests that loop [A11] ------------------------------------------------------------ */
+/* -- crests with loops [A11] ----------------------------------------------------------- */
 
-/* `count` waves whose steepnesses sum up to `sum`, all crests through the origin; half of
- * such seas run one way, which is the worst. */
+/* Deep water of `count` waves with steepnesses that sum up to `sum`, all crests through the
+ * origin; half of the cases have a single direction, the worst case. */
 static tp_sea steep_sea(int count, double sum, tp_turn phases[TP_WAVES])
 {
     const bool one_way = random_below(&chance, 2);
@@ -35,11 +35,11 @@ static tp_sea steep_sea(int count, double sum, tp_turn phases[TP_WAVES])
     }
     tp_sea_init(&sea, wave, (uint32_t)count, TP_FX(9.81));
     for (int i = 0; i < TP_WAVES; i++)
-        phases[i] = 0x40000000;             /* sin th = 1: where the Jacobian is least */
+        phases[i] = 0x40000000;             /* sin th = 1: where the Jacobian is smallest */
     return sea;
 }
 
-/* The smaller eigenvalue of J [A11] at a place at rest. */
+/* Smaller eigenvalue of J [A11] at a rest position. */
 static double least_eigenvalue(const tp_sea *sea, const tp_turn phases[TP_WAVES],
                                double x, double z)
 {
@@ -75,13 +75,14 @@ static void no_crest_loops_whatever_the_steepness(void **state)
         }
         printf("# %13.2f   %.4f\n", sum, least);
         assert_true(least >= 0);
-        assert_true(least <= fmax(1 - sum, 0.05) + 1e-3);   /* the worst place was seen */
+        assert_true(least <= fmax(1 - sum, 0.05) + 1e-3);   /* the worst position was
+                                                             * sampled */
     }
 }
 
 /* -- inversion at its bound [E1] ------------------------------------------------------- */
 
-/* Places found are on the surface, and near what was asked for. */
+/* Points found are on the surface and near the requested position. */
 static double inversion_error(double sum)
 {
     double worst = 0;
@@ -112,7 +113,7 @@ static void the_height_query_holds_at_and_over_its_bound(void **state)
         printf("# %13.2f   %.6f\n", sums[i], worst);
         if (sums[i] <= 0.9)
             assert_true(worst <= 0.001);
-        assert_true(worst < 10);            /* never away */
+        assert_true(worst < 10);            /* never far away */
     }
 }
 
@@ -121,7 +122,7 @@ static void the_height_query_holds_at_and_over_its_bound(void **state)
 /* Bits 32 to 63 of a product, from parts of 16 bits. */
 static tp_turn product(uint64_t a, uint64_t b)
 {
-    uint32_t word[4] = { 0 };           /* 16 bits each, and what they carry */
+    uint32_t word[4] = { 0 };           /* 16 bits each, and their carry */
 
     for (int i = 0; i < 4; i++) {
         uint32_t carry = 0;
@@ -136,7 +137,8 @@ static tp_turn product(uint64_t a, uint64_t b)
     return word[3] << 16 | word[2];
 }
 
-/* n x increment modulo a turn, as on paper, against the core after ten years. */
+/* n x increment modulo a turn, by long multiplication, compared with the core after ten
+ * years. */
 static void phases_after_ten_years_are_exact(void **state)
 {
     (void)state;
@@ -160,7 +162,7 @@ static void phases_after_ten_years_are_exact(void **state)
     assert_true(worst <= 1);
 }
 
-/* Between two ticks phases go on evenly: half a tick back is half way. */
+/* Between two ticks phases advance uniformly: half a tick back is half the phase step. */
 static void phases_between_ticks_lie_between(void **state)
 {
     (void)state;

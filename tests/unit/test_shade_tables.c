@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What stages look into and calculate with: the tables against their formulas in double
- * precision, and colours of three channels in one word against one channel at a time. */
+/* Tables of the shading stages compared with their formulas in double precision, and
+ * colours of three channels in one word compared with one channel at a time. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -30,8 +30,8 @@ static uint32_t chance_colour(void)
 
 /* -- tables ------------------------------------------------------------------------- */
 
-/* Entries are rounded to 1/256 and 255 is the most: 1/512 in the middle, 1/256 at the
- * grazing end; the formula's own roundings in 16.16 are below 1/10000. */
+/* Entries are rounded to 1/256 with a maximum of 255: the error is 1/512 in the middle,
+ * 1/256 at the grazing end; the formula's own roundings in 16.16 are below 1/10000. */
 static void fresnel_is_the_exact_formula_within_a_level(void **state)
 {
     (void)state;
@@ -48,7 +48,7 @@ static void fresnel_is_the_exact_formula_within_a_level(void **state)
     measure_print(&m);
 }
 
-/* The root of a floor, then a floor: less than 1 of Q14 short, never long. */
+/* Floor of the root of a floor: less than 1 of Q14 too small, never too large. */
 static void steep_is_the_root_cut_to_its_format(void **state)
 {
     (void)state;
@@ -75,13 +75,13 @@ static void haze_is_the_rule_cut_to_255ths(void **state)
     assert_int_equal(tp_haze_table[TP_HAZE], 0);       /* none within h / 16 */
 }
 
-/* Of a Q2.30 in 256ths. */
+/* Converts a Q2.30 share to 256ths. */
 static uint8_t share_of(tp_q30 r)
 {
     return (uint8_t)tp_clamp((r + (1 << 21)) >> 22, 0, 255);
 }
 
-/* Each by the rule at its head, to the bit. */
+/* Each table follows the rule at its head, to the bit. */
 static void constant_tables_are_as_generated(void **state)
 {
     (void)state;
@@ -101,7 +101,8 @@ static void constant_tables_are_as_generated(void **state)
 }
 
 /* Roundings of the squares to 2^-31 add up to less than n / 2^30, 1e-6 at 1000.  The lobe
- * is cut to 2^-16 and made up to 1024: 0.016 short; then cut to a whole. */
+ * is truncated to 2^-16 and multiplied by up to 1024: 0.016 too small; then truncated to an
+ * integer. */
 static void shine_is_a_power(void **state)
 {
     (void)state;
@@ -119,7 +120,7 @@ static void shine_is_a_power(void **state)
     measure_print(&m);
 }
 
-/* The most of a gloss is 255, so entries lie within 1 below 256 times the power. */
+/* A gloss entry is at most 255, so entries lie within 1 below 256 times the power. */
 static void gloss_is_a_power(void **state)
 {
     (void)state;
@@ -138,8 +139,8 @@ static void gloss_is_a_power(void **state)
     measure_print(&m);
 }
 
-/* Blinn's, by c = 2 (N.H)^2 - 1: the cosine of the half angle to the 4 n.  Twice the
- * exponent makes twice the error of the roundings. */
+/* Blinn's lobes by c = 2 (N.H)^2 - 1: the cosine of the half angle to the power 4 n.  Twice
+ * the exponent doubles the error of the roundings. */
 static void lobes_of_blinn_are_powers_of_the_half_angle(void **state)
 {
     (void)state;
@@ -180,8 +181,8 @@ static void an_exponent_outside_its_range_is_held(void **state)
     assert_memory_equal(high, most, sizeof most);
 }
 
-/* Ends are the colours themselves; between, the share is cut to 1/256 (one level of the
- * widest difference) and the mix rounded. */
+/* The ends are the colours themselves; between, the share is truncated to 1/256 (one level
+ * of the widest difference) and the mix is rounded. */
 static void the_sky_goes_from_horizon_to_zenith(void **state)
 {
     (void)state;
@@ -204,14 +205,15 @@ static void the_sky_goes_from_horizon_to_zenith(void **state)
 
 /* -- colours ------------------------------------------------------------------------ */
 
-/* One channel's value of a colour in which the other two and the top byte are `noise`. */
+/* A colour with the channel's value at `shift`; the other two channels and the top byte are
+ * `noise`. */
 static uint32_t placed(uint32_t value, int shift, uint32_t noise)
 {
     return (noise & ~(0xffu << shift)) | value << shift;
 }
 
 typedef struct {
-    uint32_t a, b, share;       /* of the channel, the rest is noise */
+    uint32_t a, b, share;       /* values of the channel; the rest is noise */
     uint32_t scale, mix, times, add;
 } channel;
 
@@ -239,8 +241,8 @@ static void check_channel(const channel *c, int shift)
         assert_int_equal(got[i] >> 24, 0);
 }
 
-/* All pairs of values and, turn by turn, all shares: the neighbours hold noise, of which
- * nothing may be carried over. */
+/* All pairs of values and, in turn, all shares: the neighbour channels hold noise, and no
+ * carry may pass from the noise. */
 static void channels_do_not_know_of_each_other(void **state)
 {
     (void)state;
@@ -276,16 +278,16 @@ static void full_and_empty_shares_are_exact(void **state)
     }
 }
 
-/* -- levels -------------------------------------------------------------------------- */
+/* -- mipmap levels ------------------------------------------------------------------- */
 
-/* The key of something `depth` metres from an eye whose near plane is at `near`. */
+/* Key of a point `depth` m from an eye with its near plane at `near` m. */
 static uint32_t key_at(double near, double depth, uint32_t mark)
 {
     return (uint32_t)(near / depth * 2147483648.0) << 1 >> 8 << 8 | mark;
 }
 
-/* Texels a pixel grow with the depth, on level ground with its power 3/2; logarithms are
- * up to 1/11 short, twice, and times 3/2. */
+/* Texels per pixel grow with the depth, on level ground with its power 3/2; logarithms are
+ * up to 1/11 too small, twice, and times 3/2. */
 static void levels_follow_the_depth(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The surface above a place [E1]: Newton's steps against the models in double precision,
- * from anywhere and on seas made to lead them astray; plain steps against the table of
- * tests/vectors. */
+/* The surface above a point [E1]: Newton's method compared with the models in double
+ * precision, from any start and on deep water made to mislead the search; plain steps
+ * compared with the table of tests/vectors. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -19,7 +19,8 @@ static distance distance_of(const char *along, const char *up)
     return (distance){ { .what = along, .unit = "mm" }, { .what = up, .unit = "mm" } };
 }
 
-/* How far the point found is from the place, and from the reference's height there. */
+/* Adds the distance of the found point from the requested point, and from the reference's
+ * height there. */
 static void look_above(const ocean *o, tp_fx x, tp_fx z, tp_fx rest[2], distance *d)
 {
     const tp_sea_point got = tp_sea_sample(&o->sea, o->phases, x, z, rest);
@@ -74,7 +75,8 @@ static void along(const ocean *o, tp_fx rest[2], measure *m)
                 o->count);
 }
 
-/* Waves of the whole ranges reach 300 m sideways, 0.25 m of length beside 2000 m. */
+/* Waves of the whole ranges displace up to 300 m sideways, with lengths from 0.25 m to 2000
+ * m. */
 static void on_any_legal_sea_the_search_ends_at_the_place(void **state)
 {
     (void)state;
@@ -90,8 +92,8 @@ static void on_any_legal_sea_the_search_ends_at_the_place(void **state)
     assert_true(m.worst < 1);
 }
 
-/* Two waves one way, or nearly, as steep as the clamp allows and of any two lengths: what
- * a short one says about the slope misleads the search for the long one's place. */
+/* Two waves in one direction, or nearly so, with the steepness at the clamp and any two
+ * lengths: the short wave's slope misleads the search for the long wave's point. */
 static void two_waves_at_the_clamp_do_not_mislead_it(void **state)
 {
     (void)state;
@@ -112,8 +114,8 @@ static void two_waves_at_the_clamp_do_not_mislead_it(void **state)
     assert_true(m.worst < 1);
 }
 
-/* Kept from the last tick, or nonsense: either way the place is found, and the point is
- * that of the rest place handed back. */
+/* The start is the last tick's rest position, or any number: the search finds the point in
+ * both cases, and the returned point is that of the returned rest position. */
 static void it_is_found_from_any_start(void **state)
 {
     (void)state;
@@ -136,7 +138,8 @@ static void it_is_found_from_any_start(void **state)
     assert_true(d.up.worst < 1);
 }
 
-/* From the rest place found a tick ago the search has little to do: the same place. */
+/* From the rest position of the preceding tick the search has little to do and finds the
+ * same point. */
 static void a_place_once_found_is_found_again(void **state)
 {
     (void)state;
@@ -158,8 +161,8 @@ static tp_fx held_fx(double metres)
     return (tp_fx)fmax(TP_FX_MIN, fmin(TP_FX_MAX, round(metres * 65536)));
 }
 
-/* Heights are the reference's at any place of 16.16, the ends included; positions are held
- * at the ends. */
+/* Heights equal the reference at any position of 16.16, the ends included; positions are
+ * clamped at the ends. */
 static void a_place_at_rest_has_its_height_anywhere(void **state)
 {
     (void)state;
@@ -193,8 +196,8 @@ static bool has_room(tp_fx x, tp_fx z, int64_t most)
     return x <= end && x >= -end && z <= end && z >= -end;
 }
 
-/* The place is found as far as its box lies within 16.16, which 30 km do; nearer to the
- * ends the search stays in the box. */
+/* The search finds the point wherever its box lies within 16.16, which includes 30 km;
+ * nearer to the ends the search stays in the box. */
 static void above_any_place_there_is_an_answer(void **state)
 {
     (void)state;
@@ -224,7 +227,7 @@ static void above_any_place_there_is_an_answer(void **state)
 
 /* -- plain steps --------------------------------------------------------------------- */
 
-/* [E1]: q^n / (1 - q) of the first distance, and what each step's rounding adds. */
+/* [E1]: q^n / (1 - q) of the first distance, plus the rounding of each step. */
 static void plain_steps_keep_their_bound(void **state)
 {
     (void)state;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Breaking crests against the models' vectors, and what [B16]-[B19] promise of them. */
+/* Breaking crests compared with the models' vectors, and with the promises of
+ * [B16]-[B19]. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -32,8 +33,8 @@ static tp_breaker row_breaker(const double *v)
     };
 }
 
-/* At the joints and on the crest the slopes of all three jump, and Phi as turns may lie
- * on the other side. */
+/* True at the joints and on the crest: there the slopes of all three parts jump, and Phi as
+ * turns may lie on the other side. */
 static bool near_a_joint(double p)
 {
     const double joint[] = { -PI, -PI / 3, 7 * PI / 8, PI };
@@ -98,8 +99,8 @@ static tp_breaker any_breaker(void)
     };
 }
 
-/* A step of 2^-16 turn moves a particle by the slopes' worst: 2 pi r Sx of the orbit,
- * 4 St of the stretch, 16 lips and as many turns of their way. */
+/* A step of 2^-16 turn moves a particle at most by the largest slopes: 2 pi r Sx of the
+ * orbit, 4 St of the stretch, 16 lips and as many turns of their displacement. */
 static void the_shape_has_no_gap_anywhere_round_the_turn(void **state)
 {
     (void)state;
@@ -131,7 +132,7 @@ static void a_shut_gate_leaves_the_orbit(void **state)
     }
 }
 
-/* [B16]: nothing of the orbit lies lower than at Phi_min. */
+/* [B16]: no point of the orbit is lower than the point at Phi_min. */
 static void the_lowest_phase_is_the_lowest(void **state)
 {
     (void)state;

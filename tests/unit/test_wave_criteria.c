@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Where waves break and how, against the models' vectors and formulas. */
+/* Breaking and its type, compared with the models' vectors and formulas. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -14,7 +14,8 @@
 
 static uint64_t chance;
 
-/* `got` says whether x is above `limit`, as it must unless they are a rounding apart. */
+/* Asserts that `got` is true exactly if x is above `limit`, except within a rounding of the
+ * limit. */
 static void check_flag(uint32_t got, double want, double x, double limit, uint32_t *close)
 {
     if (fabs(x / limit - 1) < 1e-4)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Wave numbers over a depth against the models' vectors and against bisection in double
+/* Wave numbers over a depth compared with the models' vectors and with bisection in double
  * precision, over the whole range of lengths and of depths. */
 #include <stdarg.h>
 #include <stddef.h>
@@ -29,8 +29,8 @@ static double apart(double got, double want)
     return got / want - 1;
 }
 
-/* Every number there, from k_inf and h as the formats hold them: h in 16.16 is within
- * 7e-5 of itself at the vectors' least, 0.11 m, which k follows by half. */
+/* Every column, from k_inf and h in the core's formats: h in 16.16 has a relative error of
+ * 7e-5 at the vectors' minimum, 0.11 m; k has half of this error. */
 static void dispersion_follows_its_vectors(void **state)
 {
     (void)state;
@@ -114,8 +114,8 @@ static void four_methods_err_as_the_models_say(void **state)
     assert_true(m[3].worst < 1 / 67108864.0);
 }
 
-/* At 2^-16 m all waves are shallow: k = sqrt(k_inf / h) (1 + k_inf h / 6).  At 1000 times
- * 12 / k_inf they do not feel the floor at all. */
+/* At 2^-16 m all waves are shallow: k = sqrt(k_inf / h) (1 + k_inf h / 6).  At depths above
+ * 12 / k_inf waves do not feel the floor at all. */
 static void both_ends_of_depth_are_exact(void **state)
 {
     (void)state;
@@ -136,7 +136,7 @@ static void both_ends_of_depth_are_exact(void **state)
     }
 }
 
-/* Shoaling never lengthens a wave, but by what the formats round. */
+/* Shoaling never lengthens a wave, except for the formats' rounding. */
 static void shallower_is_shorter(void **state)
 {
     (void)state;
@@ -190,7 +190,7 @@ static int64_t any_word(void)
     return (int64_t)word >> (random_next(&chance) & 63);
 }
 
-/* The sanitized run of this shows that nothing overflows. */
+/* The sanitizer build of the test shows that nothing overflows. */
 static void any_words_are_accepted(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The five-height normal [A6]: exact on planes, the sum of its four triangles' normals,
- * and near a wave's own. */
+/* The normal from four neighbour heights [A6]: exact on planes, equal to the sum of its
+ * four triangles' normals, and near a wave's own normal. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -21,7 +21,7 @@ static void a_plane_gives_its_slopes(void **state)
         const tp_fx around[4] = { (tp_fx)lround(-rise), (tp_fx)lround(rise),
                                   (tp_fx)lround(-run), (tp_fx)lround(run) };
         const tp_relief got = tp_five_heights(7, around, d);
-        /* Each height is rounded by half an LSB, of a base of 2 d. */
+        /* Each height has a rounding error of half an LSB, over a base of 2 d. */
         assert_int_equal(got.height, 7);
         assert_true(fabs(got.slope_x - sx / LSB) <= 0.5 / (d * LSB) + 0.51);
         assert_true(fabs(got.slope_z - sz / LSB) <= 0.5 / (d * LSB) + 0.51);
@@ -34,8 +34,8 @@ static void a_plane_gives_its_slopes(void **state)
     }
 }
 
-/* The four triangles between the middle and its neighbours, their normals not made unit
- * vectors, add up to 2 d times the differences' vector: in whole numbers, so exactly. */
+/* The normals of the four triangles between the middle and its neighbours, not normalised,
+ * add up to 2 d times the vector of the differences: in integers, hence exactly. */
 static void it_is_the_sum_of_four_triangles_normals(void **state)
 {
     (void)state;
@@ -92,8 +92,8 @@ static void it_comes_near_a_waves_own_normal(void **state)
     assert_true(slope.worst > 1e-4);
 }
 
-/* At a wall the missing height is the mirrored one: half the slope where the wall lies
- * half a spacing beyond, none where points lie on it. */
+/* At a wall the missing height is the mirrored height: half the slope if the wall lies half
+ * a spacing beyond, zero slope if points lie on the wall. */
 static void a_wall_mirrors_the_missing_height(void **state)
 {
     (void)state;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The sea floor against double precision: slopes of any heading, pictures of any size. */
+/* The floor compared with double precision: slopes of any heading, height maps of any
+ * size. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -23,8 +24,8 @@ static void no_floor_is_deep_everywhere(void **state)
     assert_int_equal(at.rise_z, 0);
 }
 
-/* The way up is a unit vector within 7e-9 (wave.h's rotations); a place far away times
- * that, the roundings of the place and of the depth. */
+/* The uphill direction is a unit vector within 7e-9 (wave.h's rotations): the bound is the
+ * distance times 7e-9, plus the roundings of position and depth. */
 static void slopes_follow_their_plane(void **state)
 {
     (void)state;
@@ -80,7 +81,7 @@ static void any_map(map *m)
 
 typedef struct {
     double height, rise_x, rise_z;
-    bool   at_a_joint;          /* where rises jump */
+    bool   at_a_joint;          /* where the rise jumps */
 } ref_floor;
 
 static double sample_at(const map *m, double col, double row)
@@ -113,7 +114,8 @@ static ref_floor ref_under(const map *m, tp_fx x, tp_fx z)
     };
 }
 
-/* A place is cut to 2^-16 of a cell, which the full range may take: range / 65536. */
+/* A position is truncated to 2^-16 of a cell, where the full range may change: range /
+ * 65536. */
 static void maps_are_bilinear_between_the_middles_of_their_pixels(void **state)
 {
     (void)state;

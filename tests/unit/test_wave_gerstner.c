@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The sea against the models in double precision: any legal waves, anywhere, any tick of
- * ten years, and the tables of tests/vectors.  What was reached is printed. */
+/* Deep water compared with the models in double precision: any legal waves, at any
+ * position, at any tick of ten years, and the tables of tests/vectors.  The test prints the
+ * errors. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -25,9 +26,9 @@ static void any_legal_sea_follows_the_models(void **state)
     errors_print(&e);
 }
 
-/* [G4] asks for .13 mm and .01 degrees of eight waves; the heights here add up to 8 x 2 m
- * at the most.  Steeper than [A10]'s 0.7 the surface nearly stands at its crests, and
- * errors grow as 1 / (1 - steepness). */
+/* [G4] allows .13 mm and .01 degrees for eight waves; the heights here add up to 8 x 2 m at
+ * most.  Beyond the steepness 0.7 of [A10] the surface is nearly vertical at its crests,
+ * and errors grow as 1 / (1 - steepness). */
 static void usual_seas_keep_the_error_budget(void **state)
 {
     (void)state;
@@ -44,8 +45,9 @@ static void usual_seas_keep_the_error_budget(void **state)
     assert_true(e.normal.worst < 0.01);
 }
 
-/* [A10]: what leaving the cross terms out costs where seas do so: of two waves and of
- * many, with Q = 1, any Q, and one high but not steep beside others the reverse. */
+/* [A10]: the error from omitting the cross terms, where the deep water omits the terms: two
+ * waves and many waves, with Q = 1, any Q, and a high wave of low steepness beside waves of
+ * the opposite kind. */
 static void normals_without_cross_terms_are_within_a_degree_and_a_half(void **state)
 {
     (void)state;
@@ -91,8 +93,8 @@ static bool crossed(tp_fx a, tp_fx b, uint32_t count)
     return sea.crossed;
 }
 
-/* k A is 0.314 and 0.0314: together they turn normals by the greater of 0.0314 a and
- * 0.314 b, over 1 - a - b, of which 0.026 is allowed. */
+/* k A is 0.314 and 0.0314: together the waves turn normals by the greater of 0.0314 a and
+ * 0.314 b, over 1 - a - b; the limit is 0.026. */
 static void cross_terms_are_taken_where_they_count(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The noise along crests: bounded, continuous, periodic, and not the same everywhere. */
+/* Noise along crests: bounded, continuous, periodic, and not constant. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -21,7 +21,7 @@ static void noise_stays_within_one(void **state)
     }
 }
 
-/* A smoothstep's steepest slope is 1.5, over heights 2 apart: 3 a cell. */
+/* A smoothstep's largest slope is 1.5, over height differences of 2: 3 per cell. */
 static void noise_is_continuous_and_wraps(void **state)
 {
     (void)state;
@@ -38,7 +38,7 @@ static void noise_is_continuous_and_wraps(void **state)
     }
 }
 
-/* Of whole cells: mean 0 within five sigma of 65536 numbers, variance a third. */
+/* Whole cells: mean 0 within five sigma of 65536 numbers, variance a third. */
 static void heights_are_spread_evenly(void **state)
 {
     (void)state;

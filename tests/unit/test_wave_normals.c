@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Normals stay within the bounds of wave.h: one trochoid [A8] swept over steepness, length,
- * direction, phase and place, and seas of any waves [A10]; against double precision. */
+ * direction, phase and position, and deep water of any waves [A10]; compared with double
+ * precision. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -8,24 +9,24 @@
 #include <cmocka.h>
 #include "seas.h"
 
-#define FAR 30000.0             /* m each way that wave.h speaks of */
+#define FAR 30000.0             /* m in each direction, as in wave.h */
 
 static uint64_t chance;
 
-/* The phase's error by the way from the origin, rad. */
+/* Bound of the phase error by the distance from the origin, rad. */
 static double phase_bound(double k, double x0, double z0)
 {
     return (fabs(x0) + fabs(z0)) * (1.5e-9 + 1e-8 * k);
 }
 
-/* -- one wave -------------------------------------------------------------------------- */
+/* -- single wave ----------------------------------------------------------------------- */
 
 static double trochoid_bound(double s, double k, double x0, double z0)
 {
     return (2.5e-6 + s * phase_bound(k, x0, z0)) / (1 - s) + 1.1e-5;
 }
 
-/* Q = 1: A = S / k, as near as 16.16 has it; what is left of Q is the wave's own. */
+/* Q = 1: A = S / k, rounded to 16.16; the wave keeps the remaining Q. */
 static ocean trochoid(double s, double length)
 {
     const double k = 2 * PI / length;
@@ -40,7 +41,7 @@ static ocean trochoid(double s, double length)
     return o;
 }
 
-/* Steep waves are off most just beside their crests, where the slope turns over. */
+/* Steep waves have the largest errors beside their crests, where the slope changes sign. */
 static void look(ocean *o, double far, double *worst, measure *m)
 {
     const ref_wave *w = &o->ref.wave[0];
@@ -91,7 +92,7 @@ static void one_trochoid_keeps_its_bound(void **state)
     assert_true(all > 0.5);
 }
 
-/* -- any sea --------------------------------------------------------------------------- */
+/* -- any deep water -------------------------------------------------------------------- */
 
 static double sea_bound(const ocean *o, double x0, double z0)
 {

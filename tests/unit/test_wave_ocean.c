@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The ocean as a whole: limits where it is the sea and where it is quiet, bounds, and any
- * numbers at all. */
+/* Coastal water as a whole: the limits of deep water and of rest, bounds, and any
+ * numbers. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -56,9 +56,9 @@ static void without_a_floor_the_ocean_is_the_sea(void **state)
     assert_true(m.worst < 1);
 }
 
-/* Over 200 m, e^-Kx h is 2.8e-10 and waves of 60 m feel nothing; neither do tables.  A
- * map keeps phases to 2^-17 turn and its ways to 2^-14: 1e-4 of a wave's amplitude and
- * reach. */
+/* Over 200 m e^-Kx h is 2.8e-10, and waves of 60 m do not feel the floor; neither do their
+ * tables.  A map keeps phases to 2^-17 turn and its displacements to 2^-14: 1e-4 of a
+ * wave's amplitude and displacement. */
 static void over_a_deep_floor_the_ocean_is_the_sea(void **state)
 {
     (void)state;
@@ -91,8 +91,8 @@ static void over_a_deep_floor_the_ocean_is_the_sea(void **state)
     assert_true(level.worst < 1 && slope.worst < 1 && map.worst < 1);
 }
 
-/* The last 1/16 m brings everything to rest: heights are capped at 0.39 h and what moves
- * along is held below 0.95 / k there and shrinks with h. */
+/* The last 1/16 m brings everything to rest: heights are capped at 0.39 h; horizontal
+ * displacement is limited below 0.95 / k there and shrinks with h. */
 static void at_the_waterline_the_sea_is_quiet(void **state)
 {
     (void)state;
@@ -126,7 +126,7 @@ static void at_the_waterline_the_sea_is_quiet(void **state)
     assert_true(most.worst < 60);
 }
 
-/* -- any ocean --------------------------------------------------------------------- */
+/* -- any coastal water ------------------------------------------------------------- */
 
 static void any_floor(ocean_made *o, const tp_grey *picture, int kind)
 {
@@ -202,7 +202,7 @@ static void no_point_of_any_ocean_is_beyond_its_bounds(void **state)
     }
 }
 
-/* Configs are held in their ranges; a map's size alone is checked. */
+/* Configs are clamped to their ranges; only the size of a map is checked. */
 static void any_numbers_at_all_make_an_ocean(void **state)
 {
     (void)state;
@@ -239,7 +239,7 @@ static void any_numbers_at_all_make_an_ocean(void **state)
     }
 }
 
-/* The sum of [A11] and [B13] at every node, so at every place: no loops. */
+/* The sum of [A11] and [B13] at every node, hence at every position: no loops. */
 static void the_smooth_surface_never_folds_over_a_level_floor(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* An ocean whose numbers change: what is made again, and that the block is then the one
- * that tp_ocean_init makes, byte for byte. */
+/* Coastal water under changed parameters: the parts computed again; and the block then
+ * equals a block from tp_ocean_init, byte for byte. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -17,7 +17,8 @@ static uint64_t chance;
 static uint16_t sample[24 * 18];
 static const tp_grey map = { 24, 18, sample };
 
-/* Three swells over a map, a straight slope, or no floor; the last wave stands. */
+/* Three swells over a map, a straight slope, or no floor; the last wave has no
+ * amplitude. */
 static ocean_made any_ocean(int kind)
 {
     ocean_made o = { .count = 4, .config = ocean_usual() };
@@ -45,7 +46,7 @@ static tp_status refresh(ocean_made *o)
     return tp_ocean_refresh(o->ocean, &o->config, &o->sea, o->wave, o->count, NULL);
 }
 
-/* Both in memory that was all 0, so that gaps between parts count as well. */
+/* The memory is all 0 before, so that gaps between parts compare equal. */
 static void build(ocean_made *o)
 {
     tp_sea_init(&o->sea, o->wave, o->count, TP_FX(9.81));
@@ -67,7 +68,7 @@ static void assert_as_built(const ocean_made *o, const char *change)
     ocean_end(&want);
 }
 
-/* -- every number -------------------------------------------------------------------- */
+/* -- every parameter ----------------------------------------------------------------- */
 
 #define CONFIG(member) { #member, offsetof(ocean_made, config.member) }
 #define WAVE(member)   { "wave1 " #member, offsetof(ocean_made, wave[1].member) }
@@ -96,7 +97,7 @@ static void a_refresh_makes_what_init_makes(void **state)
     }
 }
 
-/* A wave that comes while another goes: as many swells, at other places of the list. */
+/* One wave appears while another disappears: the same number of swells at other indices. */
 static void waves_may_change_places(void **state)
 {
     (void)state;
@@ -111,12 +112,12 @@ static void waves_may_change_places(void **state)
     }
 }
 
-/* -- what is left as it is ----------------------------------------------------------- */
+/* -- parts kept unchanged ------------------------------------------------------------ */
 
 enum { BEDS = 1, RAYS0 = 2, RAYS1 = 4, RAYS2 = 8, TABLES = 16, ALL = 31 };
 
-/* A bit of each part is turned over; those that are right after the refresh were made
- * again. */
+/* Flips a bit in each part; counts the parts that are right after the refresh, hence
+ * computed again. */
 static int made_again(ocean_made *o)
 {
     tp_ocean_bed *bed = tp_ocean_beds(o->ocean);
@@ -150,8 +151,8 @@ static void what_depends_on_no_changed_number_is_left_as_it_is(void **state)
     assert_int_equal(made_again(&o), 0);
     o.wave[1].speed++;
     o.wave[1].phase++;
-    o.wave[3].length++;                 /* it does not move */
-    o.config.floor.slope += 99;         /* there is a map */
+    o.wave[3].length++;                 /* no amplitude */
+    o.config.floor.slope += 99;         /* the map replaces the slope */
     assert_int_equal(made_again(&o), 0);
     o.wave[1].amplitude += 99;
     assert_int_equal(made_again(&o), TABLES);
@@ -169,7 +170,7 @@ static void what_depends_on_no_changed_number_is_left_as_it_is(void **state)
     ocean_end(&o);
 }
 
-/* -- what is refused ----------------------------------------------------------------- */
+/* -- refused changes ----------------------------------------------------------------- */
 
 static void an_ocean_of_another_size_is_refused_and_left_as_it_is(void **state)
 {
@@ -178,7 +179,7 @@ static void an_ocean_of_another_size_is_refused_and_left_as_it_is(void **state)
     ocean_made o = any_ocean(0);
     build(&o);
     const ocean_made was = o;
-    o.wave[3].amplitude = 1;                            /* a swell more */
+    o.wave[3].amplitude = 1;                            /* one more swell */
     assert_int_equal(refresh(&o), TP_E_ARG);
     o = was;
     o.config.floor.map = &wider;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Elliptic orbits against the models' vectors and against [B11]-[B13] in double. */
+/* Elliptic orbits compared with the models' vectors and with [B11]-[B13] in double
+ * precision. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -23,7 +24,7 @@ static tp_ellipse row_orbit(const double *v)
                             K0, KX, KY);
 }
 
-/* tp_sin's 4.8e-6, and K0 as 16.16, which is 6.2e-6 more than 0.1, times h. */
+/* Error of tp_sin, 4.8e-6, and of K0 in 16.16, which is 6.2e-6 more than 0.1, times h. */
 static double sine_error(const double *v)
 {
     return 4.8e-6 + v[5] * v[1] * 6.2e-6 + 1e-7;
@@ -53,8 +54,8 @@ static void orbits_follow_their_vectors_to_a_millimetre(void **state)
     assert_true(up.worst < 1);
 }
 
-/* Any wave of the ocean's ranges; the longest have axes of hundreds of metres, so errors
- * are taken against them. */
+/* Any wave of the coastal water's ranges; the longest waves have axes of hundreds of
+ * metres, so errors are relative to the axes. */
 static void any_orbit_follows_the_models(void **state)
 {
     (void)state;
@@ -105,7 +106,7 @@ static void no_axis_is_longer_than_its_wave_allows(void **state)
     }
 }
 
-/* [B11]: the bottom that falls does not tilt them. */
+/* [B11]: a falling floor does not tilt orbits. */
 static void a_falling_floor_does_not_tilt_orbits(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What the floor does to the ocean's waves: length and height over a level one, phases
- * over a slope against the integral in double, over a map of a slope against the
- * slope. */
+/* Effects of the floor on coastal waves: length and height over a level floor, phases over
+ * a slope compared with the integral in double precision, and a map of a slope compared
+ * with the slope. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -15,8 +15,8 @@ static uint64_t chance;
 
 /* -- level floors ------------------------------------------------------------------ */
 
-/* The three limits of an amplitude.  Tables cut the corner between two of them: slopes of
- * h^-1/4 and h^1, and nodes h/8 apart, lower it by 1.25 / 8 / 4 of itself, 3.9 %. */
+/* The three limits of an amplitude.  Tables cut the corner between two limits: with slopes
+ * of h^-1/4 and h^1, and nodes h/8 apart, the relative error is 1.25 / 8 / 4, 3.9 %. */
 typedef struct {
     double shoaled, depth, miche;
 } limits;
@@ -32,7 +32,7 @@ static bool at_a_corner(const limits *a)
     return (a->shoaled < next) + (a->depth < next) + (a->miche < next) > 1;
 }
 
-/* A(h) [B7] capped by [B15] and by Miche, and k(h). */
+/* A(h) [B7] capped by [B15] and by Miche's limit, and k(h). */
 static void level_floors_shorten_and_raise_waves(void **state)
 {
     (void)state;
@@ -78,7 +78,8 @@ typedef struct {
     double length, heading, depth, slope;
 } coast;
 
-/* All of it as 16.16 holds it: a slope's last bit is radians after a hundred waves. */
+/* A random coast in 16.16: the last bit of a slope is worth radians after a hundred
+ * waves. */
 static coast any_coast(void)
 {
     return (coast){ chance_scale(&chance, 5, 200) * LSB, chance_fx(&chance, 0, 360) * LSB,
@@ -95,8 +96,8 @@ static ocean_made coast_ocean(const coast *c, double up)
     return o;
 }
 
-/* [B8] [B9]: from one place to another towards the shore, and along it, up to 0.3 m deep.
- * The chord between nodes a 32nd of an octave apart is the error. */
+/* [B8] [B9]: phase difference towards the shore and along the shore, in water down to 0.3
+ * m.  The error is that of the chord between nodes a 32nd of an octave apart. */
 static void slopes_have_the_phases_of_the_integral(void **state)
 {
     (void)state;
@@ -124,7 +125,7 @@ static void slopes_have_the_phases_of_the_integral(void **state)
     assert_true(m.worst < 0.01);
 }
 
-/* Along the way of deep water, however oblique, the phase grows with every step. */
+/* Along the direction of deep water, at any angle, the phase grows with every step. */
 static void crests_never_run_backwards(void **state)
 {
     (void)state;
@@ -146,7 +147,8 @@ static void crests_never_run_backwards(void **state)
             const double phase = ocean_phase(&o, x, z);
             const double on = ocean_turns_from(last, phase);
             if (wet)
-                assert_true(on > -2e-4);    /* what heights of 16.16 tell of a phase */
+                assert_true(on > -2e-4);    /* resolution of a phase from heights of
+                                             * 16.16 */
             walked += wet ? on : 0;
             most = fmax(most, walked);
             assert_true(walked > most - 5e-4);
@@ -189,8 +191,8 @@ static void a_map_of_a_slope_has_the_phases_of_the_slope(void **state)
     assert_true(far.worst < 0.15);
 }
 
-/* Straight on, so that neither bends and their heights are the same: what the tables of a
- * slope hold of ways and tilts and what is worked out over a map. */
+/* Waves straight onto the shore, so that no refraction changes the heights: the slope's
+ * tables of displacements and tilts compared with the values computed over a map. */
 static void a_map_of_a_slope_moves_as_the_slope(void **state)
 {
     (void)state;
@@ -207,7 +209,7 @@ static void a_map_of_a_slope_moves_as_the_slope(void **state)
         ocean_build(&straight);
         mapped.config.floor.map = &p.picture;
         ocean_build(&mapped);
-        /* The same phase in the middle; the map begins at its edge. */
+        /* Equal phases in the middle; the phase of the map begins at its edge. */
         straight.wave[0].steepness = mapped.wave[0].steepness = 0;
         ocean_made a = straight, b = mapped;
         ocean_build(&a);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Rings of droplets against [A4] [A5] in double precision: the models' vectors, and any
- * rings of the header's ranges at any place and time.  Tolerances are what the formats
- * can hold, see bounds_of(); what was reached is printed. */
+/* Rings of drops compared with [A4] [A5] in double precision: the models' vectors, and any
+ * rings of the header's ranges at any position and time.  Tolerances are the resolution of
+ * the formats, see bounds_of(); the test prints the errors. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -13,9 +13,9 @@
 
 #define LSB    (1 / 65536.0)
 #define TAU    6.283185307179586
-#define SECOND (60 * 65536.0)           /* of ring times */
+#define SECOND (60 * 65536.0)           /* in ring time units */
 #define SINE   4.8e-6                   /* error of tp_sin, see fx.h */
-#define STEEP  7.99                     /* that slopes are held within */
+#define STEEP  7.99                     /* clamp of slopes */
 
 static uint64_t chance;
 
@@ -31,7 +31,7 @@ static double ref_gain(const tp_ring *r, double a)
     return r->amplitude * LSB * t * t * (3 - 2 * t) * exp(-a / (r->decay * LSB));
 }
 
-/* `a` seconds after its start, rho metres from its centre. */
+/* Height and slope `a` seconds after the ring's start, rho m from its centre. */
 static ref_relief ref_ring(const tp_ring *r, double a, double rho)
 {
     const double length = r->length * LSB, spread = r->spread * LSB;
@@ -44,10 +44,10 @@ static ref_relief ref_ring(const tp_ring *r, double a, double rho)
                          ref_gain(r, a) * (s * dw - s * s * s * w / (2 * spread)) };
 }
 
-/* What the formats can hold.  Distance: 2^-28 of itself by its root and 2^-24 by its
- * format, the rear 2^-25; as a share of the length that is the phase's error, with half
- * of 2^-32 turns a metre.  Roots and e^-x are within 2^-28, gains within 2^-24, pi / L
- * within 2^-22 and 2^-22 of itself, the sum is rounded to an LSB. */
+/* Error bounds of the formats.  Distance: 2^-28 relative by its root and 2^-24 by its
+ * format, the rear 2^-25; as a share of the length the sum is the phase error, plus half of
+ * 2^-32 turns per metre.  Roots and e^-x are within 2^-28, gains within 2^-24, pi / L
+ * within 2^-22 absolute and 2^-22 relative, the sum is rounded to an LSB. */
 static ref_relief bounds_of(const tp_ring *r, double a, double rho)
 {
     const double q22 = 1 / 4194304.0, q24 = 1 / 16777216.0, q28 = 1 / 268435456.0;
@@ -76,7 +76,7 @@ static tp_ring any_ring(void)
     };
 }
 
-/* An age at which something may be left of it, ticks x 65536. */
+/* An age at which a part of the ring may be left, ticks x 65536. */
 static int64_t any_age(const tp_ring *r)
 {
     const double most = 6 * r->decay * LSB, far = 12000.0 * TP_FX_ONE / r->speed;
@@ -100,7 +100,7 @@ static double held(double slope)
     return fmax(-STEEP, fmin(STEEP, slope));
 }
 
-/* One ring at a place. */
+/* Compares one ring at a point. */
 static void compare(const tp_ring *r, int64_t age, tp_fx x, tp_fx z, errors *e)
 {
     tp_ring_now at;
@@ -124,7 +124,7 @@ static void compare(const tp_ring *r, int64_t age, tp_fx x, tp_fx z, errors *e)
     assert_true(tilt <= bound.slope);
 }
 
-/* Within its band, and a little beside it. */
+/* Points within the ring's band, and slightly beside. */
 static void any_ring_follows_the_models(void **state)
 {
     (void)state;
@@ -145,7 +145,7 @@ static void any_ring_follows_the_models(void **state)
     measure_print(&e.slope);
 }
 
-/* The vectors' rings stand in comments: centre, start, A, L, c, tau, rho0, attack. */
+/* Reads the vectors' rings from comments: centre, start, A, L, c, tau, rho0, attack. */
 static uint32_t read_rings(FILE *file, tp_ring ring[8])
 {
     char     line[512];
@@ -169,7 +169,7 @@ static uint32_t read_rings(FILE *file, tp_ring ring[8])
     return count;
 }
 
-/* Between two normals, in degrees. */
+/* Angle between two normals, in degrees. */
 static double angle(const double a[3], const double b[3])
 {
     const double c[3] = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
@@ -215,9 +215,9 @@ static void rows_of_the_models_agree(void **state)
     assert_true(e.normal.worst < 0.05);
 }
 
-/* -- its form ------------------------------------------------------------------------ */
+/* -- shape of a ring ----------------------------------------------------------------- */
 
-/* Along a radius: nothing up to the rear, up to one crest, down, then nothing. */
+/* Along a radius: zero up to the rear, a rise to one crest, a fall, then zero. */
 static void a_ring_has_exactly_one_crest(void **state)
 {
     (void)state;
@@ -240,7 +240,7 @@ static void a_ring_has_exactly_one_crest(void **state)
             assert_true(y >= 0);
             if (k <= 0 || k >= 201)
                 assert_in_range(y, 0, 1);
-            falling |= y < last - 1;        /* a flat crest may round to and fro */
+            falling |= y < last - 1;        /* a flat crest may round up and down */
             assert_true(!falling || y <= last + 1);
             last = y;
         }
@@ -263,7 +263,7 @@ static void its_centre_lies_still_from_the_first_moment(void **state)
     }
 }
 
-/* Shifting start and moment by the same part of a tick changes no bit. */
+/* A shift of start and moment by the same fraction of a tick changes no bit. */
 static void a_ring_starts_between_ticks(void **state)
 {
     (void)state;
@@ -282,7 +282,7 @@ static void a_ring_starts_between_ticks(void **state)
     }
 }
 
-/* The height that it has just before and after `attack`, and right at the start. */
+/* The height shortly before and after `attack`, and directly at the start. */
 static void it_rises_without_a_jump(void **state)
 {
     (void)state;
@@ -301,7 +301,7 @@ static void it_rises_without_a_jump(void **state)
     assert_in_range(at.gain_q24, r.amplitude * 256 - 64, r.amplitude * 256);
 }
 
-/* -- many ---------------------------------------------------------------------------- */
+/* -- many rings ---------------------------------------------------------------------- */
 
 static void rings_add_up(void **state)
 {
@@ -334,7 +334,7 @@ static void rings_add_up(void **state)
     }
 }
 
-/* Rings of any size and age at places of the whole format: for the sanitizers. */
+/* Rings of any size and age at any position of the format, for the sanitizers. */
 static void no_place_is_out_of_range(void **state)
 {
     (void)state;
@@ -360,7 +360,7 @@ static void no_place_is_out_of_range(void **state)
     }
 }
 
-/* -- its end ------------------------------------------------------------------------- */
+/* -- end of a ring ------------------------------------------------------------------- */
 
 static double height_left(const tp_ring *r, int64_t age)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Sharpened sines, [A3]: against the models in double precision and the table of
- * tests/vectors, and that they neither lift the water nor leave the bounds. */
+/* Sharpened sines, [A3]: compared with the models in double precision and with the table of
+ * tests/vectors; sharpened sines keep the mean level and the bounds. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -11,7 +11,7 @@
 
 static uint64_t chance;
 
-/* k, A, theta; then f, mean, y and dy/dtheta.  Of a wave with 1 rad/m the last is its
+/* k, A, theta; then f, mean, y and dy/dtheta.  For a wave of 1 rad/m the last column is its
  * slope. */
 static void sharpened_sines_follow_the_table(void **state)
 {
@@ -55,8 +55,8 @@ static void any_legal_sharpened_sea_follows_the_models(void **state)
     errors_print(&e);
 }
 
-/* Slopes of all waves at their most add up beyond what 31 bits of Q.23 hold before they
- * are held; UBSan watches. */
+/* Slopes of all waves at their maximum add up beyond 31 bits of Q.23 before the clamp;
+ * UBSan checks. */
 static void the_steepest_sharpened_sea_stays_in_its_formats(void **state)
 {
     (void)state;
@@ -87,7 +87,8 @@ static tp_sea one_wave(int32_t power)
     return sea;
 }
 
-/* The mean of f is taken off; from trough to crest it is 2 A; the crest is the height. */
+/* The mean of f is subtracted; from trough to crest the height is 2 A; the crest is the
+ * stated height. */
 static void the_level_stays_whatever_the_power(void **state)
 {
     (void)state;
@@ -121,7 +122,7 @@ static void powers_beyond_the_range_count_as_its_ends(void **state)
     assert_int_equal(one_wave(1).swell[0].mean_q24, 1 << 24);
 }
 
-/* A sine is the same beside a sharpened wave that does nothing, within an LSB. */
+/* A sine is the same beside a sharpened wave without effect, within an LSB. */
 static void a_sine_is_a_sine_in_a_sharpened_sea(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Heights over a depth, and the phase of waves that come in over a straight coast,
- * against the models' vectors and integrals in double precision. */
+/* Heights over a depth, and the phase of waves that come in over a straight coast, compared
+ * with the models' vectors and with integrals in double precision. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -76,7 +76,7 @@ static void refraction_follows_snell_up_to_grazing(void **state)
     assert_true(m.worst < 0.6);
 }
 
-/* Along the shore, beyond it, and with numbers that no wave has. */
+/* Waves along the shore and beyond, and numbers that no wave has. */
 static void refraction_is_bounded_for_any_words(void **state)
 {
     (void)state;
@@ -177,7 +177,7 @@ static void phase_integral_follows_its_vectors(void **state)
     assert_true(m.worst < 0.002);
 }
 
-/* Whatever the models' ranges allow, some of it steep and shallow to the end. */
+/* Any shape in the models' ranges, some of the shapes steep and shallow to the end. */
 static tp_coast_shape chance_shape(void)
 {
     const int64_t k_inf = tp_depth_number_deep(chance_scale(&chance, 1, 500));
@@ -194,7 +194,7 @@ static tp_coast_shape chance_shape(void)
     };
 }
 
-/* The phase from x = 0 by the reference, along the three parts of the way. */
+/* Phase from x = 0 by the reference, along the three parts of the coast. */
 static double ref_phase(const tp_coast_shape *s, double x)
 {
     const double k_inf = ref_q32(s->k_inf_q32), kz = ref_q32(s->kz_q32);
@@ -207,7 +207,8 @@ static double ref_phase(const tp_coast_shape *s, double x)
          + (x - wet) * sqrt(k * k - kz * kz);
 }
 
-/* Wave numbers err by a part in 2^26; a wave that grazes leaves 2 e^-12 / slope out. */
+/* Wave numbers have a relative error of 2^-26; a grazing wave leaves 2 e^-12 / slope
+ * out. */
 static void coasts_of_any_shape_keep_the_budget(void **state)
 {
     (void)state;
@@ -217,7 +218,8 @@ static void coasts_of_any_shape_keep_the_budget(void **state)
     for (int i = 0; i < 25; i++) {
         tp_coast_shape s = chance_shape();
         if (i % 5 == 0)
-            s.kz_q32 = i % 10 ? s.k_inf_q32 : 0;            /* grazing, and straight in */
+            s.kz_q32 = i % 10 ? s.k_inf_q32 : 0;            /* grazing, and straight onto
+                                                             * the shore */
         tp_coast *const coast = coast_of(&s);
         measure_add(&node, (double)tp_coast_bytes(&s), i, 0, 0);
         assert_int_equal(tp_coast_phase(coast, 0), 0);
@@ -235,8 +237,8 @@ static void coasts_of_any_shape_keep_the_budget(void **state)
     measure_print(&node);
 }
 
-/* Beyond the range, behind the beach and out at sea the phase is straight; it is all one
- * line over a level floor, and nothing at all without a wave. */
+/* Outside the table, behind the beach and in deep water the phase is straight; over a level
+ * floor the phase is one line, and zero without a wave. */
 static void phases_go_straight_on_beyond_the_table(void **state)
 {
     (void)state;
@@ -267,7 +269,7 @@ static void phases_go_straight_on_beyond_the_table(void **state)
     free(coast);
 }
 
-/* Crests never run backwards: not at the joints of the table either. */
+/* Crests never run backwards, not even at the joints of the table. */
 static void phases_grow_towards_the_shore(void **state)
 {
     (void)state;
@@ -292,7 +294,7 @@ static void phases_grow_towards_the_shore(void **state)
     }
 }
 
-/* No table is built for what would not fit here; its size is worked out all the same. */
+/* No table is built for a shape that would not fit here; its size is computed anyway. */
 static void shapes_of_any_words_are_accepted(void **state)
 {
     (void)state;

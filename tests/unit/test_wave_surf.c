@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Waves that break on a beach: overhang, direction, continuity and bounds. */
+/* Breaking waves on a beach: overhang, direction, continuity and bounds. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -10,8 +10,8 @@
 
 static uint64_t chance;
 
-/* A swell 24 m long and 0.8 m high: xi0 = 5.5 times the slope, so that it spills below
- * 1 in 11 and plunges above. */
+/* A swell of 24 m length and 0.8 m height: xi0 = 5.5 times the slope, so the swell spills
+ * below a slope of 1 in 11 and plunges above. */
 static ocean_made beach(double slope, double heading, double steepness,
                         double irregular)
 {
@@ -23,7 +23,7 @@ static ocean_made beach(double slope, double heading, double steepness,
     return o;
 }
 
-/* How far x runs back over the rest places from deep to shallow, in metres. */
+/* Largest decrease of x over rest positions from deep to shallow water, m. */
 static double overhang(const ocean_made *o, tp_turn phase, bool whole)
 {
     const tp_turn phases[TP_WAVES] = { phase };
@@ -65,7 +65,8 @@ static void waves_that_leave_the_shore_do_not_break_backwards(void **state)
     ocean_made o = beach(0.125, 270, 0.1, 0);
     const tp_turn now[TP_WAVES] = { 0 };
 
-    /* Offshore-going crests lean, if at all, to where they go: the orbit is level. */
+    /* Crests that move offshore lean, if at all, in their own direction: the orbit is
+     * level. */
     for (int i = 0; i < TP_OCEAN_DEPTHS; i++) {
         assert_int_equal(tp_ocean_tables(o.ocean)[0].depth[i].tilt_sin, 0);
         assert_true(tp_ocean_tables(o.ocean)[0].depth[i].way_x < 0);
@@ -78,7 +79,8 @@ static void waves_that_leave_the_shore_do_not_break_backwards(void **state)
     ocean_end(&o);
 }
 
-/* Without steepness nothing moves along but what overhangs: there the bounds are near. */
+/* Without steepness only the overhang moves points horizontally: there the bounds are
+ * close. */
 static void what_overhangs_is_within_the_bounds(void **state)
 {
     (void)state;
@@ -104,8 +106,8 @@ static void what_overhangs_is_within_the_bounds(void **state)
     assert_true(part.worst > 0.5);
 }
 
-/* Steps of 2 mm towards the shore, through the gate: no step of the surface is longer
- * than the shape's own slopes allow, 40 lips a turn and the orbit. */
+/* Steps of 2 mm towards the shore, through the gate: no step of the surface is longer than
+ * the slopes of the shape allow, 40 lips per turn plus the orbit. */
 static void the_surface_is_continuous_across_the_gate(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* From waves to swells: the clock, the phases, the clamps of steepness and amplitude, and
- * what they promise to the sums. */
+/* Conversion of waves to swells: the clock, the phases, the clamps of steepness and
+ * amplitude, and the guarantees for the sums. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -34,7 +34,8 @@ static void the_clock_is_right_after_ten_years(void **state)
     measure_print(&tick);
 }
 
-/* Tick by tick and in one leap the phase is the same: it is computed, not accumulated. */
+/* Tick by tick and in one leap the phase is the same: the phase is computed, not
+ * accumulated. */
 static void phases_are_exact_products(void **state)
 {
     (void)state;
@@ -47,7 +48,7 @@ static void phases_are_exact_products(void **state)
     }
 }
 
-/* A part of a tick earlier: within the bits that are cut, 2^-32 turn. */
+/* A fraction of a tick earlier: equal within the truncated bits, 2^-32 turn. */
 static void phases_within_a_tick_lie_between_those_of_its_ends(void **state)
 {
     (void)state;
@@ -96,8 +97,8 @@ static void a_steepness_sum_above_095_is_scaled_down_and_reported(void **state)
             got += (int64_t)o.sea.swell[i].bend_xx + o.sea.swell[i].bend_zz;
         assert_int_equal(o.sea.steepness, asked);
         assert_int_equal(o.sea.clamped, asked > TP_FX(0.95));
-        /* Each share and product is rounded by half an LSB; xx + zz is Q k A in Q2.30,
-         * which the direction's 28 bits make off by 2^-26. */
+        /* Each share and product is rounded by half an LSB; xx + zz is Q k A in Q2.30, with
+         * an error of 2^-26 by the direction's 28 bits. */
         const double sum = (double)asked * LSB, most = asked > TP_FX(0.95) ? 0.95 : sum;
         assert_true(fabs((double)got / 1073741824.0 - most) <= o.count * (LSB + 1.5e-8)
                                                                + LSB * sum);
@@ -117,7 +118,7 @@ static void the_clamp_keeps_heights_and_places_alike(void **state)
     assert_int_equal(sea.steepness, TP_FX(0.8) + TP_FX(0.2));
     assert_int_equal(sea.swell[0].amplitude, TP_FX_ONE);
     assert_int_equal(sea.height, 2 * TP_FX_ONE);
-    /* 4 to 1 as asked for, within the rounding of 16.16. */
+    /* A ratio of 4 to 1 as requested, within the rounding of 16.16. */
     assert_true(labs((long)sea.swell[0].bend_zz - 4L * sea.swell[1].bend_zz) < 5 * 16384);
 }
 
@@ -153,7 +154,7 @@ static void waves_without_amplitude_are_left_out(void **state)
     assert_int_equal(sea.height, 0);
 }
 
-/* A sea is no steeper for being added up wave by wave. */
+/* Waves added one by one give the same limit of steepness. */
 static void what_is_added_beyond_a_steepness_of_095_is_taken_from_the_last(void **state)
 {
     (void)state;
@@ -182,8 +183,8 @@ static void what_is_added_beyond_a_steepness_of_095_is_taken_from_the_last(void 
     assert_int_equal(sea.height, TP_WAVES * TP_FX_ONE);
 }
 
-/* All waves along one axis, each where cos th is 1: the displacement is sum QA.  A wave
- * adds up to an LSB and a half to the bound, the rounding of the point half of one. */
+/* All waves along one axis, each with cos th = 1: the displacement is sum QA.  A wave adds
+ * up to one and a half LSB to the bound, the rounding of the point half an LSB. */
 static void the_reach_is_the_greatest_displacement(void **state)
 {
     (void)state;
@@ -201,8 +202,8 @@ static void the_reach_is_the_greatest_displacement(void **state)
     }
 }
 
-/* [A11]: all waves one way, their crests at one place, and the sum of Q k A far too high.
- * det J is then 1 - 0.95, along with what 16 roundings of half an LSB may add. */
+/* [A11]: all waves in one direction, all crests at one position, and a sum of Q k A far
+ * above the limit.  Then det J is 1 - 0.95, plus 16 roundings of half an LSB. */
 static void det_stays_above_zero_where_all_crests_meet(void **state)
 {
     (void)state;

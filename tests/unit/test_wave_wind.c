@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The phase under wind against the models' vectors and against its equation. */
+/* The phase under wind compared with the models' vectors and with its equation. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -51,7 +51,8 @@ static void iterates_follow_their_vectors(void **state)
     assert_true(m.worst < 0.001);
 }
 
-/* The root by 60 iterations in double; |push|^(n+1) is left after n, and sines' 5e-6. */
+/* The root by 60 iterations in double precision; after n iterations the error is
+ * |push|^(n+1), plus 5e-6 of the sines. */
 static void iterates_close_in_on_the_root(void **state)
 {
     (void)state;
@@ -117,8 +118,8 @@ static void a_push_is_held_at_half_a_radian(void **state)
     }
 }
 
-/* dy = -r cos Phi: the trough is at Phi = 0, the crest at pi.  The place whose theta is
- * pi is behind the crest, which has gone on to theta = pi + push: phases grow ahead. */
+/* dy = -r cos Phi: the trough is at Phi = 0, the crest at pi.  The point with theta = pi is
+ * behind the crest, which has moved on to theta = pi + push: phases grow ahead. */
 static void crests_run_ahead_and_troughs_lag(void **state)
 {
     (void)state;
@@ -130,7 +131,7 @@ static void crests_run_ahead_and_troughs_lag(void **state)
     assert_true(fabs(trough + crest) < 1e-5);
 }
 
-/* Settled, Phi grows with theta for every push that is let through, so crests keep their
+/* After convergence Phi grows with theta for every permitted push, so crests keep their
  * order.  A step of 2^20 is 1.5e-3 rad; sines err by 5e-6. */
 static void phases_stay_in_order(void **state)
 {
