@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Any position and any input is safe: heights are requested at any x and z of 16.16, the ends
- * included, and a tick takes any 32 bits in each number of its input.  Scenes are random,
- * with every part of a world.  The build with UBSan and ASan detects faults inside; the test
- * asserts the limits that the headers state.
+/* Any position and any input is safe: heights are requested at any x and z of 16.16, the
+ * ends included, and a tick takes any 32 bits in each number of its input.  Scenes are
+ * random, with every part of a world.  The build with UBSan and ASan detects faults inside;
+ * the test asserts the limits that the headers state.
  *
  *     TP_SCENES=n     number of random scenes, default 100 */
 #include <stdarg.h>

@@ -11,7 +11,8 @@
 
 #define ROUNDING 1e-6           /* of the engine's sines and sums, Q8.24 */
 
-/* Closeness of all crests to one position in the sweep, as a share of the sum. */
+/* Bound of the difference between the sweep's minimum and the minimum where all crests
+ * meet, as a share of the sum. */
 static const struct {
     int    waves;
     double fan, share;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Limits of waves over a floor: the waterline, cliffs, too strong wind, a mesh too coarse for
- * the waves, crossing rays.  The test prints the measured values of
+/* Limits of waves over a floor: the waterline, cliffs, too strong wind, a mesh too
+ * coarse for the waves, crossing rays.  The test prints the measured values of
  * [B7]-[B15].
  *
  *     TP_SOAK=1       twenty times as many coastal waters */

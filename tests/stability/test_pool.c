@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Limits of pools of 8 and 16 bits: r beyond its bound, starts at the full range, dampings
- * at both ends, water too low to move; and the volume of all kinds of cells.  The test prints
- * the results and asserts [C8]-[C18]: nothing leaves its range, a pool in a valid
+ * at both ends, water too low to move; and the volume of all kinds of cells.  The test
+ * prints the results and asserts [C8]-[C18]: nothing leaves its range, a pool in a valid
  * configuration comes to exact rest, nothing drifts.
  *
  *     TP_SOAK=1       more sizes and starts: minutes instead of seconds */

@@ -107,7 +107,7 @@ static void moving_water_keeps_the_noise_that_is_said(void **state)
 typedef struct {
     tp_pool_config config;
     uint32_t p, q;
-    double   k, mu, height;             /* height: LSB, of 1/4 of the range */
+    double   k, mu, height;             /* height: amplitude in LSB, 1/4 of the range */
     double   x[SIDE_MOST], z[SIDE_MOST];
 } wave;
 

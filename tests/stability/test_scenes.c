@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Any number of the parameter table is safe: every row at its ends, at 0 and at one LSB beside
- * each, in a scene that has every model at once; and scenes of random numbers.  Each scene
- * is stepped, sampled for heights, and drawn whole and in tiles; then its numbers change
- * under the same frames.  The build with UBSan and ASan detects faults inside.
- *
+/* Any number of the parameter table is safe: every row at its ends, at 0 and at one LSB
+ * beside each, in a scene that has every model at once; and scenes of random numbers.
+ * Each scene is stepped, sampled for heights, and drawn whole and in tiles; then its
+ * numbers change under the same frames.  The build with UBSan and ASan detects faults
+ * inside.
  *
  *     TP_SCENES=n     number of random scenes, default 300 (`make soak`: 100000) */
 #include <stdarg.h>

@@ -75,8 +75,7 @@ static void no_crest_loops_whatever_the_steepness(void **state)
         }
         printf("# %13.2f   %.4f\n", sum, least);
         assert_true(least >= 0);
-        assert_true(least <= fmax(1 - sum, 0.05) + 1e-3);   /* the worst position was
-                                                             * sampled */
+        assert_true(least <= fmax(1 - sum, 0.05) + 1e-3);   /* worst position sampled */
     }
 }
 

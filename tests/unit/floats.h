@@ -21,8 +21,7 @@ static inline tp_scene any_boat(uint64_t *chance, tp_boat_mode mode)
     return s;
 }
 
-/* omega dt of [E3] for one tick.  omega_step() is the same for one of the substeps, whose
- * number keeps omega dt at 1/8 or below. */
+/* omega dt of [E3] for one tick; omega_step() is omega dt of a substep, at most 1/8. */
 static inline double omega_tick(const tp_scene *s)
 {
     return sqrt((double)s->water.gravity / s->boat.draft) / TP_TICKS_PER_SECOND;

@@ -21,7 +21,7 @@ static inline void kit_picture(test_kit *kit, int i, uint32_t w, uint32_t h,
 {
     uint32_t pixels[1024];
 
-    for (uint32_t k = 0; k < w * h; k++)        /* two thirds of the pixels have alpha 0 */
+    for (uint32_t k = 0; k < w * h; k++)        /* two in three: full alpha */
         pixels[k] = (uint32_t)random_next(state) | (i % 3 ? 0xff000000u : 0);
     if (tp_texture_bytes(w, h) > sizeof kit->texel[i]
         || tp_texture_init(&kit->picture[i], pixels, w, h, kit->texel[i],

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Error statistics over many inputs, printed as a table; and the inputs: a sweep over
- * all 32-bit words at an odd stride, or random words from a seed that is printed.
+/* Error statistics over many inputs, printed as a table; and the inputs: a sweep over all
+ * 32-bit words at an odd stride, or random words from a seed that is printed.
  *
  *     TP_SEED=n       repeats the random inputs of a run
  *     TP_SWEEP=all    sweeps take every word instead of 10^7 words */

@@ -43,8 +43,7 @@ static inline tp_scene scene_any(uint64_t *state)
 {
     uint32_t count = 0;
     const tp_param *rows = tp_params(&count);
-    const uint32_t bold = random_below(state, 4);       /* how many rows take an end of
-                                                         * their range */
+    const uint32_t bold = random_below(state, 4);       /* rows at an end of their range */
     tp_scene s;
 
     tp_scene_level(&s);

@@ -201,8 +201,7 @@ static void random_holes_are_cut(void **state)
         const int32_t far = 30 + (int32_t)(next_random(&random) % 30);
         const point box[] = { {-far, -9}, {40, -far}, {far, far}, {-8, 40} };
         int least = 0;
-        for (int k = 1; k < n; k++)             /* no corner of the hole is left of the
-                                                 * corner `least` */
+        for (int k = 1; k < n; k++)             /* no corner left of corner `least` */
             if (hole[k].u < hole[least].u
                 || (hole[k].u == hole[least].u && hole[k].v < hole[least].v))
                 least = k;

@@ -150,8 +150,7 @@ static void an_obj_cut_off_at_any_byte_is_good_or_located(void **state)
     int count[OUTCOMES] = { 0 };
     for (size_t n = 0; n <= OBJ_BYTES; n++)
         count[read_both_ways(obj_text, n, mtl_text, MTL_BYTES, n % 3 == 0 ? 1 : 7)]++;
-    assert_true(count[GOOD] > 20 && count[BAD] > 200);  /* most pieces lack the rest of a
-                                                         * line */
+    assert_true(count[GOOD] > 20 && count[BAD] > 200);  /* most lack the line's rest */
 }
 
 static void an_mtl_cut_off_at_any_byte_is_good_or_warned_of(void **state)

@@ -182,8 +182,7 @@ static void a_smooth_sphere_is_round(void **state)
         if (abs((int)v->position.y) < 3 * 65536 / 2)        /* without the rims */
             worst = fmin(worst, along / (length * 2 * 65536));
     }
-    assert_true(worst > cos(0.5 * 3.14159265358979 / 180)); /* a flat quad would err by 6
-                                                             * degrees */
+    assert_true(worst > cos(0.5 * 3.14159265358979 / 180)); /* a flat quad errs by 6 deg */
     finish(&r);
 }
 

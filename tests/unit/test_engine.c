@@ -59,8 +59,7 @@ static void an_engine_draws_what_its_parts_draw(void **state)
         for (uint32_t i = 0; tp_frame_draw_tile(f.frame, i, f.scratch, &tile); i++)
             crc = tp_crc32(crc, tile.pixels, tile.stride * (tile.y1 - tile.y0));
         assert_int_equal(picture_of(engine), crc);
-        assert_int_equal(picture_of(engine), crc);      /* after a new beginning, the
-                                                         * same */
+        assert_int_equal(picture_of(engine), crc);      /* same after a new begin */
         tp_world_step(NULL, world, &scene, NULL);
         tp_engine_step(engine, NULL);
     }

@@ -265,9 +265,9 @@ static void kd_tints_the_picture(void **state)
     }
 }
 
-/* Where sun and eye are on the normal, Ks times the sun's colour is added, or slightly
- * less: normal and view are rounded.  Rounding costs a level of Kd and perhaps one entry of
- * the lobe: the last entry but one is 0.96 at this exponent. */
+/* The lobe peaks where sun and eye are on the normal: Ks times the sun's colour is added,
+ * or slightly less.  Rounding of normal and view costs a level of Kd and perhaps one entry
+ * of the lobe: the last entry but one is 0.96 at this exponent. */
 static void the_lobe_peaks_where_sun_and_eye_meet(void **state)
 {
     (void)state;

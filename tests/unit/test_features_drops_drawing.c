@@ -209,7 +209,7 @@ static tp_world *many(tp_scene *scene, int32_t count)
     drops_of(world)->sphere.z = -6 * TP_FX_ONE;
     drops_of(world)->last_sphere.z = -7 * TP_FX_ONE;
     world->back = chance_int(&chance, 0, 65535);
-    put(world, (tp_vec3){ 0, 50 * TP_FX_ONE, -8 * TP_FX_ONE }, TP_FX(0.5), 0);   /* visible */
+    put(world, (tp_vec3){ 0, 50 * TP_FX_ONE, -8 * TP_FX_ONE }, TP_FX(0.5), 0);   /* seen */
     for (int n = 1; n < count; n++)
         put(world, (tp_vec3){ chance_fx(&chance, -8, 8), chance_fx(&chance, 44, 56),
                               chance_fx(&chance, -15, 1) },

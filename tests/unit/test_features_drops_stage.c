@@ -64,8 +64,7 @@ static void the_world_stands_upside_down_in_a_drop(void **state)
     }
     assert_true((drop_at(&s, &clear, -0.9) >> 16) < 120);           /* sky below */
     assert_true((drop_at(&s, &clear, 0.9) & 0xff) < 120);           /* water above */
-    assert_true((drop_at(&s, &clear, 0) >> 16) > 240);              /* the horizon seen
-                                                                     * through the drop */
+    assert_true((drop_at(&s, &clear, 0) >> 16) > 240);              /* the horizon */
 }
 
 /* At grazing view a drop reflects everything behind the drop. */

@@ -137,7 +137,7 @@ static void the_shore_foams_where_it_moves(void **state)
     assert_true(mean_after(&s, 100) == 0);
 }
 
-/* A pool with splashes: foam along its walls only. */
+/* A poked pool: foam along its walls only. */
 static void walls_foam_where_the_water_moves(void **state)
 {
     (void)state;

@@ -109,8 +109,7 @@ static void waves_are_as_high_as_asked_for(void **state)
         if (wave * 4 > ROWS)
             continue;
         const int ticks = (int)((3.5 * wave + 20) / r);
-        if (ticks * r > ROWS - 3 * wave)    /* in a tiled pool the waves meet those that
-                                             * went north */
+        if (ticks * r > ROWS - 3 * wave)    /* waves that went north come round */
             continue;
         tp_pool *pool = pool_for(&s);
         for (int tick = 1; tick < ticks; tick++) {

@@ -107,7 +107,7 @@ static void paint_unequal(const int log2_side[6])
     assert_true(tp_cube_init(&lights.sky.cube, face));
 }
 
-/* A cell shows the sky in its own direction for any sizes of the faces. */
+/* The cell at (u, v) shows the sky towards -(u, v), for any sizes of the faces. */
 static void faces_of_unequal_size_are_one_sky(void **state)
 {
     (void)state;

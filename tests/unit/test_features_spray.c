@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Spray and bubbles: flight compared with closed forms, the end of particles, and the
+/* Spray and bubbles: flight compared with closed forms, the end of specks, and the
  * behaviour of a full list. */
 #include <stdarg.h>
 #include <stddef.h>
@@ -51,7 +51,7 @@ static void a_speck_falls_with_its_drag(void **state)
     }
 }
 
-/* A particle thrown up from the level is gone within four ticks of its return; a bubble
+/* A speck thrown up from the level is gone within four ticks of its return; a bubble
  * likewise at the surface.  Last positions are those of the preceding tick. */
 static void specks_end_at_the_water(void **state)
 {

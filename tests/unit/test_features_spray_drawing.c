@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Spray particles in the picture: position, size, occlusion. */
+/* Specks in the picture: position, size, occlusion. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -85,7 +85,7 @@ static void far_specks_thin_out(void **state)
     free(world);
 }
 
-/* A particle under water is hidden from above; a particle over the water is visible. */
+/* A speck under water is hidden from above; a speck over the water is visible. */
 static void water_hides_what_lies_under_it(void **state)
 {
     (void)state;
@@ -117,7 +117,7 @@ static void bubbles_are_seen_through_clear_water(void **state)
     free(world);
 }
 
-/* A particle between two ticks is drawn between its last two positions. */
+/* A speck between two ticks is drawn between its last two positions. */
 static void specks_glide_between_ticks(void **state)
 {
     (void)state;

@@ -62,8 +62,7 @@ static void any_program_draws_any_scene(void **state)
         draw_by(&by, n % 3 ? &by : n % 2 ? &tp_program_all : &other);
     }
     twice_print(&twice.reached);
-    const twice_reached *r = &twice.reached;    /* rare features are covered by other
-                                                 * tests */
+    const twice_reached *r = &twice.reached;    /* other tests cover rare features */
     assert_true(r->under && r->water && r->solids && r->drops && r->tank && r->mirrored
                 && r->sunken && r->cube && r->caustics && r->bumps && r->foam && r->dome
                 && r->cube_sky && r->exposed && r->dispersed && r->between_ticks);
@@ -102,8 +101,7 @@ static void a_program_of_what_a_scene_needs_draws_it_as_all_does(void **state)
     (void)state;
     tp_scene_level(&scene);
     scene.water.reflection = scene.water.specular = 0;
-    scene.quality.visibility = TP_VISIBILITY_TRIANGLES;     /* the plan has no part in
-                                                             * this */
+    scene.quality.visibility = TP_VISIBILITY_TRIANGLES;     /* no part of the plan */
     scene.quality.shading = TP_SHADING_EXACT;
     scene.quality.lod = TP_LOD_OFF;
     own.modules = (const tp_use[]){ TP_USE(haze), TP_USE(base_layer), TP_USE(diffuse),

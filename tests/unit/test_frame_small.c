@@ -68,8 +68,7 @@ static void compare(const tp_scene *scene, const tp_assets *assets, const tp_wor
     memset(picture, 0, sizeof picture);
     assert_true(small.bytes <= kept.bytes);
     by_streams += small.frame->parts.grid->streams;
-    for (int k = 0; k < 2; k++) {               /* the second draw in memory full of the
-                                                 * first */
+    for (int k = 0; k < 2; k++) {               /* second draw: memory full of the first */
         tp_frame_begin(small.frame, world);
         tp_rungs rungs = small.frame->rungs;
         rungs.visibility = small.frame->visibility;

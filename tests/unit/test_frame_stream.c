@@ -46,8 +46,7 @@ static void compare(const tp_scene *scene, const tp_assets *assets, const tp_wor
     test_frame kept = frame_of(scene, assets, &whole);
     test_frame some = frame_by(&small, scene, assets, &tiled);
 
-    for (int k = 0; k < 2; k++) {               /* the second draw in memory full of the
-                                                 * first */
+    for (int k = 0; k < 2; k++) {               /* second draw: memory full of the first */
         tp_frame_begin(some.frame, world);
         tp_rungs rungs = some.frame->rungs;
         rungs.visibility = some.frame->visibility;

@@ -170,8 +170,7 @@ static void order_and_old_memory_do_not_matter(void **state)
         tp_frame_begin(f.frame, &world);
         for (size_t i = 0; i < f.scratch_bytes; i++)
             f.scratch[i] = (uint8_t)random_next(&chance);
-        draw(&f, &config, 7, part);         /* 50 tiles: steps of 7 and 49 reach all
-                                             * tiles */
+        draw(&f, &config, 7, part);         /* 50 tiles: 7 and 49 reach all tiles */
         assert_memory_equal(part, whole, sizeof whole);
         draw(&f, &config, 49, part);
         assert_memory_equal(part, whole, sizeof whole);

@@ -10,8 +10,7 @@
 
 enum { INPUTS = 10100000 };
 
-static const double RADIANS = 6.283185307179586476925 / 4294967296.0;   /* radians per unit
-                                                                         * of tp_turn */
+static const double RADIANS = 6.283185307179586476925 / 4294967296.0;   /* per tp_turn */
 
 static uint64_t seed;
 

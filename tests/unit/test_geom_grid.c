@@ -114,8 +114,7 @@ static void check_lines(const pond *p, const tp_grid_line *line, uint32_t count)
         if (k >= flank && k < last)
             assert_int_equal(step, p->look.cell);
     }
-    for (uint32_t k = last; k + 2 < count; k++) {       /* by one ratio, each step
-                                                         * truncated */
+    for (uint32_t k = last; k + 2 < count; k++) {       /* by one ratio, truncated */
         const double a = line[k + 1].place - (double)line[k].place;
         const double b = line[k + 2].place - (double)line[k + 1].place;
         const double cut = 1 / a + 1 / 65536.0 + b / (a * a);

@@ -142,8 +142,7 @@ static void a_falling_pool_of_32_bits_was_higher_a_tick_ago(void **state)
         const tp_fx h = tp_surface_relief(&s, i * 2048, TP_FX(0.1)).height;
         most = h > most ? h : most;
     }
-    assert_true(most > (tp_pool_look(pool).highest >> 8) + 1);  /* otherwise the test proves
-                                                                 * nothing */
+    assert_true(most > (tp_pool_look(pool).highest >> 8) + 1);  /* the test has effect */
     assert_true(most <= tp_surface_height(&s));
     free(pool);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Splashes and drags by the pointer: their position, the effect of all within a tick, and
- * the queue. */
+/* Pokes and stirs of the pool: their position, the effect of all pokes of a tick, and the
+ * queue. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -90,7 +90,7 @@ static void there_must_be_water_and_a_point(void **state)
     assert_int_equal(poke_make_push(&scene, 9, 9).height, 0);
 }
 
-/* -- several splashes in a tick ------------------------------------------------------ */
+/* -- several pokes in a tick --------------------------------------------------------- */
 
 /* Six splashes in one tick compared with one splash in each of six worlds: far enough apart
  * to add up cell by cell, except for the last bits of the water that runs between. */
@@ -179,7 +179,7 @@ static void beyond_what_can_wait_it_is_told(void **state)
     assert_int_equal(queue.count, POKE_WAITS);
 }
 
-/* -- drags --------------------------------------------------------------------------- */
+/* -- stirs --------------------------------------------------------------------------- */
 
 static void a_stir_is_a_third_of_a_poke(void **state)
 {

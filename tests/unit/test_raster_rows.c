@@ -205,8 +205,7 @@ static void lines_are_drawn_as_in_double_precision(void **state)
             horizon = near.v;
             for (uint32_t k = 1; k < f.lines; k++) {
                 const value far = value_at(&f, k, x);
-                for (int32_t y = 0; y < HEIGHT; y++)     /* pixels near an edge are
-                                                          * skipped */
+                for (int32_t y = 0; y < HEIGHT; y++)     /* skips pixels at edges */
                     if (y + 0.5 > far.v + 0.02 && y + 0.5 < horizon - 0.02
                         && near.v - far.v > 0.52)
                         judge(&e, &tile, x, y, &near, &far);

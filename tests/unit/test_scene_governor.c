@@ -86,7 +86,7 @@ static void it_settles_on_the_first_rung_that_keeps_the_limit(void **state)
 {
     static const struct { uint32_t load, rung; } rows[] = {
         { 34000, 1 }, { 41000, 1 }, { 50000, 2 }, { 60000, 3 }, { 100000, 3 },
-        { 1000000, 3 },         /* no budget holds */
+        { 1000000, 3 },         /* no rung holds the budget */
     };
 
     (void)state;
@@ -99,7 +99,7 @@ static void it_settles_on_the_first_rung_that_keeps_the_limit(void **state)
     }
 }
 
-/* True for any load, as long as the load stays within its noise. */
+/* Holds for any load that stays within its noise. */
 static void it_does_not_swing(void **state)
 {
     (void)state;

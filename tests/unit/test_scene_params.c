@@ -40,8 +40,7 @@ static void the_rows_cover_the_scene_exactly(void **state)
             rows_of[rows[i].offset + k]++;
     }
     for (size_t at = 0; at < sizeof rows_of; at++) {
-        const bool own = at >= offsetof(tp_scene, own);     /* row of a module of the
-                                                             * program's own */
+        const bool own = at >= offsetof(tp_scene, own);     /* a program's own module */
         if (rows_of[at] != !own)
             fail_msg("byte %zu of the scene belongs to %d rows", at, rows_of[at]);
     }

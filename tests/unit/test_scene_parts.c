@@ -240,7 +240,7 @@ static void a_bad_picture_of_the_floor_is_refused(void **state)
     }
 }
 
-/* -- splashes ---------------------------------------------------------------------- */
+/* -- pokes ------------------------------------------------------------------------- */
 
 /* Counts the ticks at which a flat pool without paddle is stirred, by its random
  * numbers. */
@@ -263,8 +263,7 @@ static void pokes_come_as_often_as_the_scene_says(void **state)
     scene.pool.poke_every = 600 * TP_FX_ONE;
     for (int i = 0; i < 40; i++)
         tp_world_step(&tp_program_all, world, &scene, NULL);
-    scene.pool.poke_every = TP_FX(0.1);     /* the test does not wait out the long
-                                             * interval */
+    scene.pool.poke_every = TP_FX(0.1);     /* the long interval is not simulated */
     random = world->random;
     for (int i = 0; i < 7; i++)
         tp_world_step(&tp_program_all, world, &scene, NULL);

@@ -23,7 +23,7 @@ static void water_free(water *w)
     free(w->world);
 }
 
-/* A world after ticks with splashes, drops and a walk. */
+/* A world after ticks with pokes, drops and a walk. */
 static water water_of(const tp_scene *scene, int ticks)
 {
     water w = { *scene, scene_world(scene, NULL) };

@@ -123,7 +123,7 @@ static void errors_stay_within_the_budget(void **state)
     }
 }
 
-/* Among all rungs within the budget no named rung is cheaper. */
+/* No rung that the report rejects for its cost is cheaper than the plan. */
 static void no_single_change_would_be_cheaper(void **state)
 {
     static trial t;
@@ -247,8 +247,7 @@ static void plans_are_the_same_on_every_machine(void **state)
     (void)state;
     for (int i = 0; i < 200; i++) {
         trial_make(&t, &fixed);
-        t.scene = scene_any(&fixed);            /* no function of the C library is
-                                                 * involved */
+        t.scene = scene_any(&fixed);            /* without C library functions */
         const tp_plan_report r = report_of(&t);
         const uint64_t part[] = { r.rungs.visibility, r.rungs.shading, r.rungs.rate,
                                   r.rungs.lod, r.total.cost, (uint64_t)r.total.error_px,

@@ -212,8 +212,7 @@ static void turn_every_row(pair *p)
 
 static void a_refresh_by_need_is_a_full_one(void **state)
 {
-    static const tp_grey strip = { SAMPLES, 3, sample };    /* few nodes, quick to
-                                                             * compute */
+    static const tp_grey strip = { SAMPLES, 3, sample };    /* few nodes: quick */
     (void)state;
     for (uint32_t kind = 0; kind < 4; kind++) {
         pair p = { .scene = scene_with(&chance, kind == 0 ? 4 : 3 + 4 + 16) };

@@ -254,8 +254,7 @@ static void a_leap_in_time_is_as_good_as_its_steps(void **state)
         scene.floor.depth = scene.wind.strength = 0;
         scene.hdr.exposure = TP_EXPOSURE_FIXED;
         scene.foam.cells = scene.spray.count = 0;
-        scene.boat.mesh[0] = '\0';      /* its searches begin at the results of the last
-                                         * searches */
+        scene.boat.mesh[0] = '\0';      /* searches begin at the last results */
         tp_world_init(&tp_program_all, &steps, sizeof steps, &scene, NULL, NULL);
         tp_world_init(&tp_program_all, &leap, sizeof leap, &scene, NULL, NULL);
         steps.tick = leap.tick = random_next(&chance) >> 20;

@@ -317,8 +317,7 @@ static void what_floats_in_the_air_is_checked(void **state)
     REFUSED(drop->squash_speed, "drops");
     REFUSED(ring->decay, "drops");
     REFUSED(ring->start, "drops");
-    REFUSED(now[0], "drops");                   /* number of and room for the tick's
-                                                 * rings */
+    REFUSED(now[0], "drops");                   /* number and room of the tick's rings */
     REFUSED(now[1], "drops");
     REFUSED(spray->capacity, "spray");
     REFUSED(spray->count, "spray");

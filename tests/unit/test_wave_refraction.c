@@ -147,8 +147,7 @@ static void crests_never_run_backwards(void **state)
             const double phase = ocean_phase(&o, x, z);
             const double on = ocean_turns_from(last, phase);
             if (wet)
-                assert_true(on > -2e-4);    /* resolution of a phase from heights of
-                                             * 16.16 */
+                assert_true(on > -2e-4);    /* limit of the phase from 16.16 heights */
             walked += wet ? on : 0;
             most = fmax(most, walked);
             assert_true(walked > most - 5e-4);
@@ -209,7 +208,8 @@ static void a_map_of_a_slope_moves_as_the_slope(void **state)
         ocean_build(&straight);
         mapped.config.floor.map = &p.picture;
         ocean_build(&mapped);
-        /* Equal phases in the middle; the phase of the map begins at its edge. */
+        /* Subtracts the phase difference in the middle, because the phase of the map begins
+         * at its edge. */
         straight.wave[0].steepness = mapped.wave[0].steepness = 0;
         ocean_made a = straight, b = mapped;
         ocean_build(&a);

@@ -218,8 +218,7 @@ static void coasts_of_any_shape_keep_the_budget(void **state)
     for (int i = 0; i < 25; i++) {
         tp_coast_shape s = chance_shape();
         if (i % 5 == 0)
-            s.kz_q32 = i % 10 ? s.k_inf_q32 : 0;            /* grazing, and straight onto
-                                                             * the shore */
+            s.kz_q32 = i % 10 ? s.k_inf_q32 : 0;            /* grazing, straight in */
         tp_coast *const coast = coast_of(&s);
         measure_add(&node, (double)tp_coast_bytes(&s), i, 0, 0);
         assert_int_equal(tp_coast_phase(coast, 0), 0);
