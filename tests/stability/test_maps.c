@@ -9,7 +9,7 @@
 
 /* -- crests that fold [A11] ---------------------------------------------------------- */
 
-#define ROUNDING 1e-6           /* of the engine's sines and sums, Q8.24 */
+#define ROUNDING 1e-6           /* by the engine's sines and sums, Q8.24 */
 
 /* Bound of the difference between the sweep's minimum and the minimum where all crests
  * meet, as a share of the sum. */

@@ -302,7 +302,7 @@ static void waves_of_8_bits_stay_within_it_later(void **state)
             compare(&s, &w, LATER);
     }
     wave worst = { .config = pool_config(TP_CELLS_8, TP_EDGES_WALL, 32, 32) };
-    shape(&worst, 0, 25, 27, 4);                /* of 5600 random waves */
+    shape(&worst, 0, 25, 27, 4);                /* worst of 5600 random waves */
     compare(&s, &worst, LATER);
     assert_shares(&s);
     assert_true(s.rms.worst > 0.8);

@@ -55,7 +55,7 @@ static void values_out_of_range_are_clamped(void **state)
     assert_int_equal(r.warned.code, TP_E_MTL_RANGE);
     assert_int_equal(r.warned.where, 2);
     assert_string_equal(r.warned.word, "Kd");
-    assert_int_equal(r.obj.warnings, 0);        /* of binding; of the library: */
+    assert_int_equal(r.obj.warnings, 0);        /* from binding; in the library: */
     assert_int_equal(material_of(&r, "newmtl wood\nNs 0\nKd 0 1 0.5\nd 1\n").shininess,
                      ONE);
     assert_int_equal(r.warnings, 0);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The spawn volume and the block that holds drops and rings: release, lack of
+/* The releasing sphere and the block that holds drops and rings: release, lack of
  * room, removal.  Blocks have exact size so that the sanitizer sees any access
  * beyond. */
 #include <stdarg.h>

@@ -23,7 +23,7 @@ static const tp_config config = {
     .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_XRGB8888
 };
 
-/* Still water far below, the spawn volume behind the eye, which looks to -z. */
+/* Still water far below; the releasing sphere is behind the eye, which looks to -z. */
 static tp_scene scene_of(int32_t count)
 {
     tp_scene s = marks_still(50);

@@ -190,7 +190,7 @@ static void foam_of_a_picture_is_as_stated(void **state)
     bounded("picture", true, 14, 1.5);
 }
 
-/* -- the rest ------------------------------------------------------------------------ */
+/* -- further properties -------------------------------------------------------------- */
 
 static void without_cover_nothing_changes(void **state)
 {

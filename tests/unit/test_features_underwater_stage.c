@@ -168,7 +168,7 @@ static ref_vec view_way(const scene *s, const tp_run *run, int i)
 }
 
 /* Sets the sample's key for a distance of `metres` along its ray; returns the actual
- * position, because keys have 24 bits. */
+ * position, which differs because keys have 24 bits. */
 static ref_vec place_sample(const scene *s, test_run *r, int i, double metres)
 {
     const ref_vec way = view_way(s, &r->run, i);

@@ -46,9 +46,9 @@ static void bump_of(const test_run *r, const tp_layer *layer, int level, int i,
     n[2] = fmax(n[2], 0.125);
 }
 
-/* Errors of one stage for surfaces up to the slope `surface` and ripples up to `ripple`:
- * rms and worst of slopes, and rms of normals in 1/255 of their length, the resolution of
- * the light. */
+/* Errors of one stage, for surfaces up to the slope `surface` and ripples up to `ripple`:
+ * rms and worst of slopes, and rms of normals in 1/255 of their length.  Light has no finer
+ * resolution. */
 typedef struct {
     double sum, worst, levels;
     int    count;

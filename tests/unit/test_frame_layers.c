@@ -332,7 +332,7 @@ static void pictures_drift_for_years(void **state)
         const long double repeats = -way * layer->per_metre / 4294967296.0L;
         const double want = (double)(repeats - floorl(repeats));
         double off = fabs(layer->drift_s / 4294967296.0 - want);
-        off = fmin(off, 1 - off) * scene.ripple.map.size;       /* of 1/65536 m */
+        off = fmin(off, 1 - off) * scene.ripple.map.size;       /* 1/65536 m */
         worst = fmax(worst, off);
         assert_true(off <= 1.5 + (double)world->tick / 4294967296.0);
         frame_free(&f);

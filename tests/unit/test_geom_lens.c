@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The projection compared with a pinhole camera in double precision: screen positions of
- * points, the clamp, and the planes of the frustum. */
+ * points, the points that tp_lens_holds() accepts, and the planes of the frustum. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -145,7 +145,7 @@ static void ahead_is_up_the_screen_and_right_is_right(void **state)
                 < 0);
 }
 
-/* Corners of any object in a scene, in the camera's frame: a point that tp_lens_holds
+/* Corners of any object in a scene, in the camera's frame: a point that tp_lens_holds()
  * accepts is in front of the near plane and inside the guard band. */
 static void what_is_held_is_in_front_however_far(void **state)
 {

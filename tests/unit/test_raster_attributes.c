@@ -21,7 +21,7 @@ typedef struct {
     bool      perspective;      /* decided as the rasterizer does */
     double    length;           /* longest side along an axis, 28.4 */
     double    thinness;         /* length^2 over twice the area */
-    double    low, high;        /* of zi */
+    double    low, high;        /* zi */
 } face;
 
 /* False for a triangle without area, or too thin: then its values are those of the upper

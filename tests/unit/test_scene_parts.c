@@ -66,7 +66,7 @@ static void a_world_ends_after_the_swells_of_its_program(void **state)
         const size_t bytes = head + (size_t)n * sizeof(tp_swell);
         assert_int_equal(tp_world_bytes(&none, &scene, NULL), head);
         assert_int_equal(tp_world_bytes(&few, &scene, NULL), bytes);
-        tp_world *a = malloc(bytes), b;         /* of exactly this size */
+        tp_world *a = malloc(bytes), b;         /* exact size */
         assert_int_equal(tp_world_init(&few, a, bytes, &scene, NULL, NULL), TP_OK);
         assert_int_equal(tp_world_init(&tp_program_all, &b, sizeof b, &scene, NULL, NULL),
                          TP_OK);

@@ -114,8 +114,8 @@ static seen seen_at(const water *w, tp_vec3 place)
                    HEIGHT / 2.0 - axis(&c.turn.y, p) * focal / depth, depth };
 }
 
-/* Largest height in pixels by which water covers the point, at each half pixel of the
- * ray. */
+/* Largest height in pixels by which water covers the point, over steps of half a pixel
+ * along the ray. */
 static double hidden_by(const water *w, tp_vec3 at)
 {
     const tp_vec3 eye = tp_world_camera(w->world).eye;

@@ -81,7 +81,7 @@ static void any_map(map *m)
 
 typedef struct {
     double height, rise_x, rise_z;
-    bool   at_a_joint;          /* where the rise jumps */
+    bool   at_a_joint;          /* here the rise jumps */
 } ref_floor;
 
 static double sample_at(const map *m, double col, double row)

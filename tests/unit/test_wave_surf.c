@@ -23,7 +23,8 @@ static ocean_made beach(double slope, double heading, double steepness,
     return o;
 }
 
-/* Largest decrease of x over rest positions from deep to shallow water, m. */
+/* Overhang: largest distance of x behind its preceding maximum, over rest positions from
+ * deep to shallow water, m. */
 static double overhang(const ocean_made *o, tp_turn phase, bool whole)
 {
     const tp_turn phases[TP_WAVES] = { phase };
