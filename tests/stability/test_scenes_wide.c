@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Random scenes of the whole range that the table of parameters allows: grids to 1024
- * points a side, pools to 512 cells, pictures to 2048 pixels, any format, tiling and
- * program.  A scene that tp_scene_check refuses is refused by every entry point; any other
- * scene is stepped, sampled for heights at any 32-bit position, and drawn whole and in
- * tiles, with another program where the result is the same.  UBSan and ASan detect faults
- * inside.
+/* Random scenes of the whole range of the parameter table: grids to 1024 points a side,
+ * pools to 512 cells, pictures to 2048 pixels, any format, tiling and program.  A scene
+ * refused by tp_scene_check is refused by every entry point; any other scene is stepped,
+ * sampled for heights at any 32-bit position, and drawn whole and in tiles, where possible
+ * with another program of equal results.  UBSan and ASan detect faults inside.
  *
  *     TP_SOAK=1       the whole range; otherwise sides stay small, for seconds
  *     TP_WIDE=n       number of scenes, default 12, or 1500 with TP_SOAK

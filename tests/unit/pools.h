@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Pools for tests, each in a block of exactly the bytes that the pool requires, filled with
- * 0xa5 before, so that the sanitizers see any access beyond. */
+/* Pools for tests, each in a block of exactly the required bytes, filled with 0xa5 before:
+ * the sanitizers see any access beyond. */
 #ifndef TP_TESTS_POOLS_H
 #define TP_TESTS_POOLS_H
 #include "chance.h"

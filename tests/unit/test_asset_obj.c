@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Statements that the OBJ reader accepts, and the errors for statements that it refuses. */
+/* Statements accepted by the OBJ reader, and the errors for refused statements. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads OBJ and MTL texts as a port would, in the way that reveals most faults: every piece
- * of text is a heap block of exact size that is freed after the call, and the mesh memory
+/* Reads OBJ and MTL texts as a port would, in the way most likely to reveal faults: every
+ * piece of text is a heap block of exact size, freed after the call, and the mesh memory
  * has exactly the required size and is filled with 0xA5. */
 #ifndef TEST_ASSET_READER_H
 #define TEST_ASSET_READER_H

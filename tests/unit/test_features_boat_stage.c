@@ -60,8 +60,8 @@ static uint32_t key_at(double depth)
     return (uint32_t)(NEAR / 65536.0 / depth * 2147483648.0) << 1 >> 8 << 8 | 2;
 }
 
-/* White samples that face +z at a depth of 1 m, lit from +z only, seen by a camera that
- * looks along -z; tangents along +x, so that the top of the texture is +y. */
+/* White samples facing +z at a depth of 1 m, lit from +z only, seen by a camera looking
+ * along -z; tangents along +x, hence the top of the texture is +y. */
 static void model_begin(void)
 {
     memset(&m, 0, sizeof m);

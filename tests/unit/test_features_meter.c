@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Auto exposure: the mean that the meter measures, and the value at which exposure
- * settles. */
+/* Auto exposure: the metered mean, and the final value of the exposure. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>

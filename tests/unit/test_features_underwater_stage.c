@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The stages that look into the water, each compared with rays and Beer's law in double
- * precision.  Errors are in levels of 255.  Two kinds of samples do not count: a ray that
- * meets two faces within 2 cm and 2 % of its length, and a ray that a steep ripple turns
- * out of the water again. */
+ * precision.  Errors are in levels of 255.  Two kinds of samples do not count: rays with
+ * two faces within 2 cm and 2 % of their length, and rays turned out of the water again by
+ * a steep ripple. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>

@@ -213,8 +213,8 @@ static void blinn_glints_follow_the_half_vector(void **state)
     assert_true(lit > 1000);
 }
 
-/* The lobe of rippled water equals that of smooth water with the same slopes, for any N.V
- * that the Fresnel share uses. */
+/* The lobe of rippled water equals the lobe of smooth water with the same slopes, for any
+ * N.V in the Fresnel share. */
 static void ripples_glint_as_their_slopes_say(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Parameters changed while the world moves: changes that apply at once, changes that need a
- * new world, no change by half; and the state that a new world takes over. */
+/* Parameters changed while the world moves: changes applied at once, changes with a new
+ * world, no change by half; and the state carried into a new world. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>

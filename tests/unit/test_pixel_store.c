@@ -215,8 +215,8 @@ static void dots_appear_in_the_order_of_bayer(void **state)
     }
 }
 
-/* Asserts that pixels [first, end) of `row` equal those of `run`, and that all other pixels
- * and the bytes behind the row equal those of `rest`. */
+/* Asserts: pixels [first, end) of `row` equal those of `run`; all other pixels and the
+ * bytes behind the row equal those of `rest`. */
 static void check_run(tp_format format, const uint32_t row[WIDTH],
                       const uint32_t run[WIDTH], const uint32_t rest[WIDTH], int first,
                       int end)

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Pools that can be made, the errors of the others, and the rule that a pool equals its
- * bytes. */
+/* Valid pools, the errors for invalid configurations, and copies of a pool by its bytes. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>

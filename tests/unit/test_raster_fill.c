@@ -258,7 +258,7 @@ static tp_corner any_sample_corner(int32_t far)
 
 typedef struct {
     tp_corner corner[3];
-    int       opacity;          /* opacity of a solid; -1: water */
+    int       opacity;          /* for a solid; -1: water */
 } shape;
 
 static void draw_shapes(const tp_samples *tile, const shape *shapes, int count)

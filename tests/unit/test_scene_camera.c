@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A camera that the application places: its position, the duration, and the inputs that
- * move the camera. */
+/* A camera placed by the application: its position, the duration, and the inputs that move
+ * the camera. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>

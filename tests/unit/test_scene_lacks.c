@@ -101,8 +101,8 @@ static bool is_all(const uint64_t *block, size_t words, uint64_t value)
     return true;
 }
 
-/* Asserts that every function that takes a scene has the same result; `name` NULL: the
- * scene is accepted. */
+/* Asserts the same result from every function with a scene argument; `name` NULL: the scene
+ * is accepted. */
 static void compare_inits(const tp_program *by, const shown *s, const char *name)
 {
     static uint64_t block[4096];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A world under changes of its scene: changes that apply while the world moves, and changes
+/* A world under changes of its scene: changes applied while the world moves, and changes
  * that need a new world. */
 #include <stdarg.h>
 #include <stddef.h>

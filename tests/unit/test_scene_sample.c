@@ -85,8 +85,8 @@ static void a_wave_moves_its_points_in_orbits(void **state)
     assert_true(worst < 0.002);
 }
 
-/* A point that is here now was v / 60 away a tick ago, on the surface of that tick: all
- * wave models together, by differences of positions in double precision. */
+/* A point that is here now was v / 60 away a tick ago, on the surface of the preceding
+ * tick: all wave models together, by differences of positions in double precision. */
 static void follow_points(uint32_t parts, double *worst, double *fastest)
 {
     tp_scene scene = scene_with(&chance, parts);

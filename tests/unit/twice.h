@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Draws a scene twice, whole and in tiles of any size and order, with frames that live on:
- * both pictures must have the same bits, and nothing outside the frames' memory may be
- * written.  Counts the contents of the pictures, because a test of a stage that never runs
- * proves nothing. */
+ * both pictures must have the same bits, without a write outside the frames' memory.
+ * Counts the contents of the pictures, because a test of a stage proves nothing if the
+ * stage never runs. */
 #ifndef TP_TESTS_TWICE_H
 #define TP_TESTS_TWICE_H
 #include "features/exposure/exposure.h"
