@@ -114,7 +114,7 @@ static void smoothing_follows_the_models(void **state)
     assert_true(off.worst < LSB);
 }
 
-/* The smoothed pose stays there exactly: all of the pose equals the pose of the water. */
+/* Smoothing ends: afterwards the pose stays exactly equal to the pose of the water. */
 static void smoothing_ends_exactly_on_flat_water(void **state)
 {
     (void)state;

@@ -86,7 +86,7 @@ static void compare(const tp_corner c[3], uint64_t *pixels)
     tile_free(&tile);
 }
 
-/* A corner within `far` sixteenths of the tile's middle; three in four are on a pixel's
+/* A corner within `far` sixteenths of the tile's middle; one in four is on a pixel's
  * centre. */
 static tp_corner any_corner(int32_t far)
 {
