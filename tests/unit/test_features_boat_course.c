@@ -46,7 +46,7 @@ static void it_sails_where_its_bow_points(void **state)
     }
 }
 
-/* A speed of 0.1 mm/s is 0.1 LSB per tick. */
+/* A speed of 0.1 mm/s is about 0.1 LSB per tick. */
 static void slow_boats_arrive_too(void **state)
 {
     (void)state;

@@ -224,7 +224,7 @@ static void lines_are_drawn_as_in_double_precision(void **state)
     assert_int_equal(e.wrong, 0);
     assert_true(e.place < 1.5);         /* half a pixel along the line, half down */
     assert_true(e.zi < 0.008);
-    assert_true(e.slope < 300);         /* range: 18000, within 1 or 2 px */
+    assert_true(e.slope < 300);         /* slopes span 18000; 1 or 2 px */
 }
 
 int main(void)
