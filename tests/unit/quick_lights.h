@@ -51,7 +51,7 @@ static inline void quick_run(test_run *r, uint32_t *slope, int32_t steep, uint64
                        : r->n[i];
 }
 
-/* Asserts that both bodies of a stage compute the same colours for a run, with alpha 0. */
+/* Asserts that both bodies of a stage compute the same colours for a span, with alpha 0. */
 static inline void quick_assert_same(stage *plain, stage *packed, const tp_shade *shade,
                                      const tp_run *run)
 {
@@ -64,7 +64,7 @@ static inline void quick_assert_same(stage *plain, stage *packed, const tp_shade
         assert_int_equal(one.colour[i] >> 24, 0);
 }
 
-/* Asserts that a run has the same colours whole and in two parts. */
+/* Asserts that a span has the same colours whole and in two parts. */
 static inline void quick_assert_cut(stage *body, const tp_shade *shade, tp_run whole,
                                     tp_run left, tp_run right)
 {

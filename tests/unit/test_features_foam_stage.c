@@ -35,7 +35,7 @@ static void make_picture(void)
         TP_OK);
 }
 
-static tp_shade_foam foam;              /* foam data of the last run */
+static tp_shade_foam foam;              /* foam data of the last span */
 
 /* Cells of 0.5 m at a random position; all samples use the texture's mipmap level
  * `level`. */
@@ -236,7 +236,7 @@ static void levels_agree_on_the_mean(void **state)
     }
 }
 
-/* Any two parts of a run, cut at a multiple of 16 columns. */
+/* Any two parts of a span, cut at a multiple of 16 columns. */
 static void where_a_run_is_cut_never_shows(void **state)
 {
     (void)state;

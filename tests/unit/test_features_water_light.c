@@ -22,8 +22,9 @@ static ref_dir normal_of(const test_run *r, int i)
     return ref_normal(run_sx(r, i), run_sz(r, i));
 }
 
-/* Every second run has slopes up to 2 in total, the end of the root's table; the other runs
- * have slopes as steep as 16 bits allow, where the table is used up to three times. */
+/* Every second span has slopes up to 2 in total, the end of the root's table; the other
+ * spans have slopes as steep as 16 bits allow, where the table is used up to three
+ * times. */
 static void compare_diffuse(stage *diffuse, measure *off, double most)
 {
     for (int n = 0; n < 2000; n++) {
@@ -128,7 +129,7 @@ static void light_hands_on_view_and_mirror(void **state)
     measure_print(&up_off);
 }
 
-/* A run lit with a lobe of random strength and shininess. */
+/* A span lit with a lobe of random strength and shininess. */
 typedef struct {
     tp_shade s;
     test_run r;

@@ -47,7 +47,7 @@ static const bodies all[] = {
 };
 enum { ALL = sizeof all / sizeof *all };
 
-/* A run for the n-th body, before the light. */
+/* A span for the n-th body, before the light. */
 typedef struct {
     const bodies *by;
     tp_shade shade;

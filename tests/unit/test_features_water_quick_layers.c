@@ -72,7 +72,7 @@ static void any_lanes(lanes *l, uint32_t mask)
     }
 }
 
-/* A part of a run, from any word and of any length. */
+/* A part of a span, from any word and of any length. */
 static tp_columns any_columns(const lanes *l, int32_t *at)
 {
     *at = chance_int(&chance, 0, 7);

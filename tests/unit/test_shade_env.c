@@ -43,7 +43,7 @@ static ref_colour shown(ref_light light, const tp_shade *s)
     return (ref_colour){ { fmin(255, c.c[0]), fmin(255, c.c[1]), fmin(255, c.c[2]) } };
 }
 
-/* Every second run looks at the light.  Entries of gradients and glow, two mixes and the
+/* Every second span looks at the light.  Entries of gradients and glow, two mixes and the
  * tables' steps give at most a level each; in HDR an alpha of 255 is 16 whites, so a step
  * of alpha may be 16 levels. */
 static void domes_follow_their_formulas(void **state)

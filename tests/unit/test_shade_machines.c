@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The water's textures, ripples and views have the same bits in every build of the core
- * that the present processor can run: over random runs of any length, slopes up to 8,
- * textures of any side, and with mipmap levels that change within a run. */
+ * that the present processor can run: over random spans of any length, slopes up to 8,
+ * textures of any side, and with mipmap levels that change within a span. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -101,7 +101,7 @@ static tp_run any_run(test_run *r)
     return run_part(&r->run, from, chance_int(&chance, from + 1, TP_RUN));
 }
 
-/* Compares all data that stages write: the run from its colours on. */
+/* Compares all data that stages write: the span from its colours on. */
 static void compare(const row *r, const machine *a, const machine *b)
 {
     const tp_shade shade = any_shade();

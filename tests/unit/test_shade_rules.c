@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Values that stages compute once for several pixels: exact at multiples of 16 or 32 of the
- * picture, for any begin of a run, and between the multiples by the formulas of their
+ * picture, for any begin of a span, and between the multiples by the formulas of their
  * files, bit for bit. */
 #include <stdarg.h>
 #include <stddef.h>
@@ -34,7 +34,7 @@ static tp_shade shade_of(const view *v)
     return s;
 }
 
-/* Makes a run of the samples [from, end) in `r`. */
+/* Makes a span of the samples [from, end) in `r`. */
 static void run_of(test_run *r, int32_t x, int32_t from, int32_t end)
 {
     r->run.x = x + from;
@@ -182,8 +182,9 @@ static tp_texture numbered(uint32_t texel[4])
     return t;
 }
 
-/* All samples of 16 columns take the level of the first sample in the run, even if the run
- * begins in the middle of the columns; a depth factor of 2^(2/3) is a level on water. */
+/* All samples of 16 columns take the level of the first sample in the span, even if the
+ * span begins in the middle of the columns; a depth factor of 2^(2/3) is a level on
+ * water. */
 static void a_level_is_that_of_the_first_sample_of_16_columns(void **state)
 {
     (void)state;
