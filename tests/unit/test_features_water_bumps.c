@@ -71,8 +71,9 @@ static void places_near(const tp_pool *pool, test_run *r)
     }
 }
 
-/* Interpolates between cells with weights of 1/256; half an LSB of the map and of the sum.
- * Within 1/100 of a cell of an edge either result may be inside or outside. */
+/* Compares the slopes.  The bound: weights of 1/256 between cells, half an LSB of the map
+ * and of the sum.  Within 1/100 of a cell of an edge either result may be inside or
+ * outside. */
 static void compare(const bumped *b, double gain, measure *off, measure *mean)
 {
     test_run r;

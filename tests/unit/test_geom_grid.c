@@ -186,7 +186,7 @@ static void a_grid_that_follows_moves_by_whole_cells(void **state)
             place(&p);
             const tp_fx now = p.grid.column[flank_of(&p, p.grid.cols)].place % cell;
             assert_int_equal((now - first + 2 * (int64_t)cell) % cell, 0);
-            /* The eye is above the water, also between the rear lines. */
+            /* The grid extends below the eye, also between its rear lines. */
             assert_true(p.grid.column[0].place <= p.v.lens.eye.x + 2 * cell);
             assert_true(p.grid.column[p.grid.cols - 1].place
                         >= p.v.lens.eye.x - 2 * cell);

@@ -56,9 +56,9 @@ static void without_a_floor_the_ocean_is_the_sea(void **state)
     assert_true(m.worst < 1);
 }
 
-/* Over 200 m e^-Kx h is 2.8e-10, and waves of 60 m do not feel the floor; neither do their
- * tables.  A map keeps phases to 2^-17 turn and its displacements to 2^-14: 1e-4 of a
- * wave's amplitude and displacement. */
+/* Over 200 m of water e^-Kx h is 2.8e-10, and waves of 60 m do not feel the floor; neither
+ * do their tables.  A map keeps phases to 2^-17 turn and its displacements to 2^-14: 1e-4
+ * of a wave's amplitude and displacement. */
 static void over_a_deep_floor_the_ocean_is_the_sea(void **state)
 {
     (void)state;
