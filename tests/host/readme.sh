@@ -126,7 +126,8 @@ sed '/^<!-- boards/,/^<!-- \/boards/s/[1-9] |$/0 |/' README.md >"$scratch/stale"
 refuse "a table with another figure is not" brief "$scratch/stale"
 links()         # each link of a page leads to a file or a folder
 {
-    for page in README.md assets/charts/README.md $(find include ports src tests -name '[A-Z]*.md'); do
+    for page in README.md assets/charts/README.md \
+        $(find include ports src tests -name '[A-Z]*.md'); do
         for link in $(grep -o '](\([^)#: ]*\))' "$page" | sed 's/^](//; s/)$//'); do
             [ -e "$(dirname "$page")/$link" ] || { echo "$page: no $link"; return 1; }
         done
