@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The README's first program compiles as printed and draws a whole picture; the files it
-# shows exist, and every shipped scene is in the gallery.
+# The README's first program compiles as printed and draws a whole picture.  The pictures and
+# links of the pages exist, their figures are right, and the gallery has every shipped scene.
 . tests/gates/lib.sh
 
 # -- the first program ------------------------------------------------------------------
@@ -19,7 +19,7 @@ check "its picture 30 is that of the scene file with the same numbers" draws "$p
 moves() { ! cmp -s "$scratch/want" "$scratch/still"; }
 "${TP_PROGRAM:-build/host/tidepool}" render tests/host/first.ini --texels 16 \
     --size 320x240 --frames 0:0 --hash | sed 's/.* //' >"$scratch/still"
-check "which is another than picture 0" moves
+check "picture 30 differs from picture 0" moves
 # The built-in picture is generated from the shipped one.
 ripple()
 {
@@ -73,7 +73,7 @@ sizes()
             "$(echo "$bytes" | tr -d ,)" ] || { echo "$width $bytes"; return 1; }
     done <"$scratch/rows"
 }
-check "the page for embedders gives the bytes that are measured" sizes
+check "include/tidepool/README.md gives the measured bytes" sizes
 
 # -- pictures ---------------------------------------------------------------------------
 
@@ -96,7 +96,7 @@ pictures()      # prints the README's links to pictures
     done
 }
 check "the README's pictures are there" pictures
-check "one of them is the sheet" grep -q 'assets/gallery/sheet.png' README.md
+check "one picture is the sheet of all scenes" grep -q 'assets/gallery/sheet.png' README.md
 light() { [ "$(wc -c <"$1")" -le "$2" ]; }
 check "the sheet is no heavier than 1.5 MB" light assets/gallery/sheet.png 1500000
 for picture in assets/gallery/tour-*.png; do
