@@ -232,7 +232,7 @@ count: $(PROGRAM) build/host/count.so
 ## what two scenes take of a board's memory, by use and size of tile
 ram: $(PROGRAM) build/host/count.so
 	@tests/budgets/ram.sh
-## memory, flash and instructions on emulated boards; WRITE=1: into the README
+## memory, flash and instructions on emulated boards; WRITE=1: into ports/BOARDS.md
 boards: $(PROGRAM)
 	@tests/boards/table.sh $(if $(WRITE),--write)
 ## times and instructions of the scene that other renderers were measured on

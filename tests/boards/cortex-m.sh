@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Bare Cortex-M boards, emulated: their frames are the host's, their memory is enough, what
-# goes wrong on them is told, and README.md's table of them is what is measured.
+# goes wrong on them is told, and the tables of ports/BOARDS.md are what is measured.
 #     cortex-m.sh PROGRAM
 . tests/gates/lib.sh
 . tests/boards/linked.sh
@@ -144,18 +144,18 @@ refuse "mps2-an386: and no others" draws 61
 
 # -- the table ------------------------------------------------------------------------
 
-stands_in()     # README: the table between its two lines of comment
+stands_in()     # PAGE: the tables between its two comment lines equal the measured ones
 {
     sed -n '/^<!-- boards/,/^<!-- \/boards/p' "$1" | sed '1d;$d' | diff - "$scratch/table"
 }
-want=$(sed -n 's/^<!-- boards: make boards, \(.*\) -->$/\1/p' README.md)
+want=$(sed -n 's/^<!-- boards: make boards, \(.*\) -->$/\1/p' ports/BOARDS.md)
 here="arm-none-eabi-gcc $(arm-none-eabi-gcc -dumpfullversion)"
-check "README.md has a table of boards" test -n "$want"
+check "ports/BOARDS.md has tables of boards" test -n "$want"
 if [ "$want" = "$here" ]; then
-    check "it is what make boards prints" stands_in README.md
-    sed '/^<!-- boards/,/^<!-- \/boards/s/[1-9] |$/0 |/' README.md >"$scratch/stale"
-    refuse "one with another figure is not" stands_in "$scratch/stale"
+    check "they are what make boards prints" stands_in ports/BOARDS.md
+    sed '/^<!-- boards/,/^<!-- \/boards/s/[1-9] |$/0 |/' ports/BOARDS.md >"$scratch/stale"
+    refuse "tables with another figure are not" stands_in "$scratch/stale"
 elif [ -n "$want" ]; then
-    echo "skipped: the table of boards by $want, here $here (package ${want% *})"
+    echo "skipped: the tables of boards by $want, here $here (package ${want% *})"
 fi
 exit $((failures > 0))

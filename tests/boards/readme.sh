@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The program in ports/README.md, whole, over the callbacks that it gives for each maker's
-# functions, which stand-ins have here: it shows the right picture on a model of the panel.
+# The whole program of ports/README.md, with its callbacks for each vendor's functions.  The
+# functions are stand-ins.  The program shows the right picture on a model of the panel.
 . tests/gates/lib.sh
 
 page=ports/README.md
@@ -17,7 +17,7 @@ code()          # HEADING FROM: the code after a heading, from the block that ho
         within && on { print substr($0, 5) }' $page
 }
 
-made()          # NAME HEADING FROM: a program of the example and one maker's callbacks
+made()          # NAME HEADING FROM: a program of the example and one vendor's callbacks
 {
     {
         echo '#include "lcd/lcd.h"'
@@ -33,7 +33,7 @@ made()          # NAME HEADING FROM: a program of the example and one maker's ca
         build/host/libtidepool.a -o "$scratch/$1"
 }
 
-# A program may not wait for ever: three frames stand for its endless loop.
+# Three frames replace the endless loop.
 example()
 {
     code "The worked example" '#include "lcd/lcd.h"' |
@@ -58,7 +58,7 @@ ready()
         done
 }
 
-parallel()      # the callbacks for a parallel bus, which nothing here can run
+parallel()      # the callbacks for a parallel bus: compiled, not run
 {
     {
         echo '#include "lcd/lcd.h"'
@@ -70,19 +70,19 @@ parallel()      # the callbacks for a parallel bus, which nothing here can run
     cc $warn -Iinclude -Iports -c "$scratch/parallel.c" -o "$scratch/parallel.o"
 }
 
-check "what the program needs is there" ready
+check "the baked scene, the panel and the driver compile" ready
 check "the worked example compiles without a warning" example
 for maker in "pico:### Raspberry Pi Pico:static uint dma" "esp:### ESP32-S3:static spi" \
     "stm32:### STM32:static void command"; do
     sdk=${maker%%:*} rest=${maker#*:}
     check "$sdk: the callbacks compile" made "$sdk" "${rest%%:*}" "${rest#*:}"
     check "$sdk: they show the frame" "$scratch/$sdk"
-    check "$sdk: a panel that is stuck is told" timeout 20 "$scratch/$sdk" stuck
+    check "$sdk: a stuck panel is reported" timeout 20 "$scratch/$sdk" stuck
 done
 "$scratch/pico"
 check "the callbacks for a parallel bus compile" parallel
 
-# The page's figures: two bytes a pixel and 11 for a window, as test_lcd holds the driver to.
+# Figures of the page: two bytes a pixel and 11 bytes a window; test_lcd checks the driver.
 figures()
 {
     used=$("$scratch/pico" | awk '{ print $(NF - 1); exit }')
@@ -90,9 +90,9 @@ figures()
         grep -q "$(echo "$figure" | sed 's/\(...\)$/,\1/')" $page || { echo "$figure"; return 1; }
     done
 }
-check "the page gives the figures that are measured" figures
+check "the page gives the measured figures" figures
 
-# The port is freestanding: registers alone, memcpy and memset, no memory of its own.
+# The driver is freestanding: general registers, memcpy and memset, no memory of its own.
 bare()
 {
     for file in clear lcd panels turn; do
@@ -109,7 +109,7 @@ short() { [ "$(wc -l <ports/lcd/lcd.c)" -le 300 ] && [ "$(wc -l <ports/lcd/panel
 check "the driver is freestanding, and has no memory of its own" bare
 check "it is no longer than 300 lines" short
 
-# What a reader could get wrong is found.
+# The model of the panel finds the likely mistakes of a reader.
 broken()        # NAME SED: the same callbacks, changed
 {
     sed "$2" "$scratch/pico.c" >"$scratch/$1.c"

@@ -1,13 +1,14 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What scenes take of boards, as the table of README.md's part `Boards`: flash, working
-# memory, stack, instructions of a frame and what a display is sent.
+# Measures scenes on boards for the tables of ports/BOARDS.md: flash, working memory, stack,
+# instructions of a frame and the bytes sent to a display.
 #
 #   tests/boards/table.sh [FOLDER | --write]
 #
-# Programs are run on the emulated boards, and counted by the plugin; FOLDER keeps what
-# each said (BOARD/SCENE.said) for who wants to look at the frames.
-# With --write they take their place in README.md, with the compiler's version.
+# Runs the programs on emulated boards and counts their instructions by the plugin.  FOLDER
+# keeps the output of each program (BOARD/SCENE.said), which has the frames.
+# --write writes the tables into ports/BOARDS.md, with the compiler's version, and their
+# short form (brief.awk) into README.md.
 . tests/gates/lib.sh
 . tests/boards/live.sh
 
@@ -79,11 +80,19 @@ done >"$scratch/shots" || exit 1
 awk -v from="$to" -f tests/boards/table.awk "$scratch/shots" >"$scratch/table" || exit 1
 cat "$scratch/table"
 [ "${1:-}" = --write ] || exit 0
-awk -v table="$scratch/table" -v by="$(arm-none-eabi-gcc -dumpfullversion)" '
-    /^<!-- \/boards/ { within = 0 }
-    /^<!-- boards/ {
-        print "<!-- boards: make boards, arm-none-eabi-gcc " by " -->"
-        while ((getline line < table) > 0) print line
-        within = 1
-    }
-    !within' README.md >"$scratch/readme" && cp "$scratch/readme" README.md
+
+put()           # PAGE TABLE HEAD: the table between the page's two comment lines
+{
+    awk -v table="$2" -v head="$3" '
+        /^<!-- \/boards/ { within = 0 }
+        /^<!-- boards/ {
+            print "<!-- boards: " head " -->"
+            while ((getline line < table) > 0) print line
+            within = 1
+        }
+        !within' "$1" >"$scratch/page" && cp "$scratch/page" "$1"
+}
+put ports/BOARDS.md "$scratch/table" \
+    "make boards, arm-none-eabi-gcc $(arm-none-eabi-gcc -dumpfullversion)" &&
+    awk -f tests/boards/brief.awk ports/BOARDS.md >"$scratch/brief" &&
+    put README.md "$scratch/brief" "short form of ports/BOARDS.md"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What `tidepool charts` measures with: programs of this machine and of an emulated board.
-# Part of the Makefile, which has the names used here.
+# Measuring programs of `tidepool charts`, for this machine and for an emulated board.
+# A part of the Makefile, which defines the names used here.
 
 AT := $(BUILD)/tests/charts
 
@@ -34,8 +34,8 @@ $(AT)/errors: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/errors*.c)) \
           $(filter-out %/kernels.o,$(KERNELS_O)) \
           $(AT)/used.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
-# Rows of triangles at other steps, instead of the library's.  Of affine ones alone, which
-# are inlined further, compilers do not see that an edge left unset is never walked.
+# Spans of triangles with other steps, instead of the library's.  In affine spans, which are
+# inlined further, compilers do not see that an unset edge is never walked.
 $(SPAN_STEPS:%=$(AT)/span_step_%.o): \
           $(AT)/span_step_%.o: src/raster/span.c $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -54,7 +54,7 @@ $(SPAN_SCENES:%=$(AT)/span_errors-%): $(AT)/span_errors-%: \
 $(AT)/stability: $(AT)/stability.o $(STABILITY_O) \
           $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
-# Baked as scenes are, which boards cannot read.
+# Bakes the scenes: boards cannot read files.
 build/baked/pool_points.c: tests/charts/pool_points.c $(BAKES) $(SHIPPED) \
           | build/host/tests/charts/pool_points
 	@mkdir -p $(@D)

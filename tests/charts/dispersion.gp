@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What a wave number over a depth costs, and how far it is off.
+# Cost of a wave number against its error.
 @panels
 @decades_x
 @decades_y

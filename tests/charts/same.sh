@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What the charts count is what is drawn: board.c's pictures on the emulated Cortex-M4 and
-# on this machine, by other rungs, grids and sizes, have the same CRCs, and as
-# the scene is the program's; no two in a row are one.
+# The charts count the pictures that the program draws: the pictures of board.c have the
+# same CRCs on the emulated Cortex-M4 and on this machine, by all rungs, grids and sizes; the
+# picture of the unchanged scene equals the program's; successive pictures differ.
 #
 #   tests/charts/same.sh [PROGRAM [SCENE...]]
 . tests/gates/lib.sh

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Cost against error: instructions on a Cortex-M4, and on x86-64 beside; the line is the
-# Pareto front by the M4's.  A family of methods has a colour and a shape; with each point
-# are its table's entries, its degree or its steps.
+# Cost against error: instructions on a Cortex-M4, with x86-64 beside; the line is the
+# Pareto front by the Cortex-M4.  Each family of methods has a colour and a shape; numbers are
+# table entries, degrees or steps.
 @panels
 @log_x
 @decades_y

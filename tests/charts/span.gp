@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# Perspective in large triangles: what their rows cost a water pixel, against what the
-# picture is off.  A line for each scene is its Pareto front; the numbers are pixels from
-# one true place to the next.
+# Perspective in large triangles: cost of their spans for a water pixel against the error of
+# the picture.  The line of each scene is its Pareto front; numbers are the pixels between
+# two exact texture positions.
 scenes = "plane three-swells from-above"
 of(name, i) = strcol("scene") eq word(scenes, i) ? column(name) : NaN
-# Far outside the picture where it is not, as a set of no points at all is complained of.
+# A point outside of the picture replaces a missing value: gnuplot warns about empty sets.
 taken(name, i) = is_used(strcol("used")) && strcol("scene") eq word(scenes, i) ? \
     column(name) : 1e-3
 best(name, i) = column("front") == 1 ? of(name, i) : NaN

@@ -4,8 +4,8 @@
 #
 #   tests/charts/span.sh m4|x86 span|filter SCENE
 #
-# "filter" has those of the water's stages.  "span" has those of the triangles' rows, with
-# the reciprocals beyond the affine ones', and of the whole picture as frame_m4.
+# "filter" counts the water stages.  "span" counts the spans of the triangles, with the
+# reciprocals beyond the affine spans, and the whole picture as frame_m4.
 . tests/gates/lib.sh
 . tests/budgets/board.sh
 
@@ -15,7 +15,7 @@ m4)
     built=build/cortex-m core=build/cortex-m4 nm=arm-none-eabi-nm
     emulate "build/cortex-m/span-$scene.elf" "$scratch/said" "$scratch/counts" ;;
 x86)
-    # QEMU 7.2 falls over gathers of newer processors.
+    # QEMU 7.2 fails at gather instructions of newer processors.
     built=build/host core=build/host nm=nm
     qemu-x86_64 -cpu Nehalem -plugin $plugin "build/host/tests/charts/span-$scene" \
         >"$scratch/said" 2>"$scratch/counts" ;;
@@ -33,7 +33,7 @@ awk -v column="$column" -v chart="$chart" -v scene="$scene" '
     {
         return from[i] == "-" ? scene ";" key[i] : key[i]
     }
-    # The affine row of the same scene, which reciprocals are counted from.
+    # The affine row of the same scene: the base for the count of reciprocals.
     function base(i,    k)
     {
         for (k = i; of[k] == chart && from[k] == from[i]; k++)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The surface above a place: how far along the point is off, beside it how far up.  Dashed
-# lines are the theory of plain steps, q^n of the first distance.
+# Search for the surface above a place: horizontal error, with the vertical error beside.
+# Dashed lines are the theory of plain steps, q^n of the first distance.
 @decades_y
 set yrange [2e-6:30]
 set xrange [0:1.3]

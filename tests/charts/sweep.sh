@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The charts that are shipped: each is whole, and a small sweep makes the same counts on
-# the Cortex-M4 and the same errors, cell by cell.  Counts of x86-64, which are of this
-# machine's compiler, and times are compared with nothing.
+# The shipped charts are complete, and a small sweep gives the same counts on the Cortex-M4
+# and the same errors, cell by cell.  Counts of x86-64 depend on this machine's compiler:
+# they are not compared, nor are times.
 #     sweep.sh PROGRAM
 . tests/gates/lib.sh
 . tests/budgets/hold.sh
@@ -10,7 +10,7 @@
 program=${1:-build/host/tidepool}
 shipped=assets/charts
 
-# -- what lies there --------------------------------------------------------------------
+# -- files ------------------------------------------------------------------------------
 
 whole()         # CHART: its description, drawing, text, table and pictures
 {
@@ -67,7 +67,7 @@ done
 skip=
 pinned tests/budgets/scenes.csv m4 arm-none-eabi-gcc || skip=m4
 
-# same CHART: what the small sweep has is in the shipped table, and the same.
+# same CHART: each row of the small sweep is in the shipped table, with the same values.
 same()
 {
     keys=$(awk '$1 == "keys" { n += NF - 2 } END { print n }' "tests/charts/$1.ini")
@@ -138,7 +138,7 @@ done
 program=$(realpath "$program")
 cat >"$scratch/ssh" <<'END'
 #!/bin/sh
-# In the place of ssh, which needs machines: [OPTION]... HOST [--] COMMAND...
+# Stand-in for ssh without other machines: [OPTION]... HOST [--] COMMAND...
 while [ "${1#-}" != "$1" ]; do shift; done
 echo "$1" >>"$0.hosts"
 shift

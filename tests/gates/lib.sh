@@ -106,7 +106,7 @@ first_program()
 #include "tidepool/tidepool.h"
 static void show(const tp_tile *tile);
 END
-    sed -n '/^## A first program/,/^## A board/s/^    //p' README.md
+    sed -n '/^## A first program/,/^## /s/^    //p' README.md
     cat <<'END'
 static void show(const tp_tile *tile)
 {

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The README's first program compiles as printed and draws a whole picture; the files it
-# shows exist, and every shipped scene is in the gallery.
+# The README's first program compiles as printed and draws a whole picture.  The pictures and
+# links of the pages exist, their figures are right, and the gallery has every shipped scene.
 . tests/gates/lib.sh
 
 # -- the first program ------------------------------------------------------------------
@@ -19,7 +19,7 @@ check "its picture 30 is that of the scene file with the same numbers" draws "$p
 moves() { ! cmp -s "$scratch/want" "$scratch/still"; }
 "${TP_PROGRAM:-build/host/tidepool}" render tests/host/first.ini --texels 16 \
     --size 320x240 --frames 0:0 --hash | sed 's/.* //' >"$scratch/still"
-check "which is another than picture 0" moves
+check "picture 30 differs from picture 0" moves
 # The built-in picture is generated from the shipped one.
 ripple()
 {
@@ -73,7 +73,7 @@ sizes()
             "$(echo "$bytes" | tr -d ,)" ] || { echo "$width $bytes"; return 1; }
     done <"$scratch/rows"
 }
-check "the page for embedders gives the bytes that are measured" sizes
+check "include/tidepool/README.md gives the measured bytes" sizes
 
 # -- pictures ---------------------------------------------------------------------------
 
@@ -96,13 +96,12 @@ pictures()      # prints the README's links to pictures
     done
 }
 check "the README's pictures are there" pictures
-check "one of them is the sheet" grep -q 'assets/gallery/sheet.png' README.md
+check "one picture is the sheet of all scenes" grep -q 'assets/gallery/sheet.png' README.md
 light() { [ "$(wc -c <"$1")" -le "$2" ]; }
 check "the sheet is no heavier than 1.5 MB" light assets/gallery/sheet.png 1500000
 for picture in assets/gallery/tour-*.png; do
     [ ! -e "$picture" ] || check "$picture is no heavier than 120 KB" light "$picture" 120000
 done
-preview() { sed -n '/^## The preview/,/^## /p' README.md; }
 keys()          # prints the preview's keys: the first one of each action
 {
     "${TP_PROGRAM:-build/host/tidepool}" manual >"$scratch/page"
@@ -110,8 +109,29 @@ keys()          # prints the preview's keys: the first one of each action
         sed 's/\\fR$//; s/\\-/-/g' >"$scratch/keys"
     grep -qx F1 "$scratch/keys" || { echo "the manual lists no keys"; return 1; }
     while read -r key; do
-        preview | grep -qF "\`$key\`" || { echo "the README lacks $key"; return 1; }
+        grep -qF "\`$key\`" ports/sdl2/KEYS.md || { echo "the page lacks $key"; return 1; }
     done <"$scratch/keys"
 }
-check "the README knows the preview's keys" keys
+check "ports/sdl2/KEYS.md lists the preview's keys" keys
+
+# -- tables and links -------------------------------------------------------------------
+
+brief()         # PAGE: its short table of boards is made of the tables of ports/BOARDS.md
+{
+    sed -n '/^<!-- boards/,/^<!-- \/boards/p' "$1" | sed '1d;$d' >"$scratch/brief"
+    awk -f tests/boards/brief.awk ports/BOARDS.md | diff "$scratch/brief" -
+}
+check "the README's table of boards is the short form of ports/BOARDS.md" brief README.md
+sed '/^<!-- boards/,/^<!-- \/boards/s/[1-9] |$/0 |/' README.md >"$scratch/stale"
+refuse "a table with another figure is not" brief "$scratch/stale"
+links()         # each link of a page leads to a file or a folder
+{
+    for page in README.md assets/charts/README.md \
+        $(find include ports src tests -name '[A-Z]*.md'); do
+        for link in $(grep -o '](\([^)#: ]*\))' "$page" | sed 's/^](//; s/)$//'); do
+            [ -e "$(dirname "$page")/$link" ] || { echo "$page: no $link"; return 1; }
+        done
+    done
+}
+check "every link of a page leads to a file" links
 exit $((failures > 0))
