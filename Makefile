@@ -178,7 +178,7 @@ FRAMES  := $(CROSS:%=$(BUILD)/tests/cross/frames-%)
 BAKES   := $(wildcard ports/host/bake*.c ports/host/assets*.c ports/host/png_read.c \
                ports/host/scene*.c ports/host/ini_read.c src/asset/*.c \
                src/features/all_rows.c include/tidepool/*.h)
-SHIPPED := $(wildcard assets/scenes/* assets/boats/*.[mop]* assets/textures/*.png \
+SHIPPED := $(wildcard assets/scenes/*.ini assets/boats/*.[mop]* assets/textures/*.png \
                assets/skies/*.png)
 
 # What tells other builds of the installed library, as CMakeLists.txt does.
