@@ -339,7 +339,8 @@ host-tests: everything
 	    tests/host/screen.sh $(SAN_UNIT:build/host/%=build/san/%) \
 	    $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) $(GOLDEN:build/host/%=build/san/%) \
 	    $(if $(LEFT_OUT),tests/gates/left-out.sh) tests/gates/host.sh \
-	    tests/gates/headers.sh tests/gates/selftest.sh tests/mutants/selftest.sh \
+	    tests/gates/headers.sh tests/gates/glossary.sh tests/gates/words.sh \
+	    tests/gates/selftest.sh tests/mutants/selftest.sh \
 	    tests/host/cli.sh \
 	    tests/host/manual.sh tests/host/exits.sh tests/host/output.sh tests/host/bake.sh \
 	    tests/host/check.sh tests/host/check_ranges.sh tests/host/tape.sh \
