@@ -178,8 +178,8 @@ FRAMES  := $(CROSS:%=$(BUILD)/tests/cross/frames-%)
 BAKES   := $(wildcard ports/host/bake*.c ports/host/assets*.c ports/host/png_read.c \
                ports/host/scene*.c ports/host/ini_read.c src/asset/*.c \
                src/features/all_rows.c include/tidepool/*.h)
-SHIPPED := $(wildcard assets/scenes/*.ini assets/boats/*.[mop]* assets/textures/*.png \
-               assets/skies/*.png)
+SHIPPED := $(wildcard assets/scenes/*.ini $(addprefix assets/boats/*.,mtl obj png) \
+               assets/textures/*.png assets/skies/*.png)
 
 # What tells other builds of the installed library, as CMakeLists.txt does.
 PACKAGES := $(addprefix cmake/tidepool/tidepool-,config.cmake config-version.cmake) \
