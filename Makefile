@@ -178,8 +178,8 @@ FRAMES  := $(CROSS:%=$(BUILD)/tests/cross/frames-%)
 BAKES   := $(wildcard ports/host/bake*.c ports/host/assets*.c ports/host/png_read.c \
                ports/host/scene*.c ports/host/ini_read.c src/asset/*.c \
                src/features/all_rows.c include/tidepool/*.h)
-SHIPPED := $(wildcard assets/scenes/* assets/boats/*.[mop]* assets/textures/*.png \
-               assets/skies/*.png)
+SHIPPED := $(wildcard assets/scenes/*.ini $(addprefix assets/boats/*.,mtl obj png) \
+               assets/textures/*.png assets/skies/*.png)
 
 # What tells other builds of the installed library, as CMakeLists.txt does.
 PACKAGES := $(addprefix cmake/tidepool/tidepool-,config.cmake config-version.cmake) \
@@ -339,7 +339,8 @@ host-tests: everything
 	    tests/host/screen.sh $(SAN_UNIT:build/host/%=build/san/%) \
 	    $(filter-out $(SAN_UNIT),$(UNIT)) $(GOLDEN) $(GOLDEN:build/host/%=build/san/%) \
 	    $(if $(LEFT_OUT),tests/gates/left-out.sh) tests/gates/host.sh \
-	    tests/gates/headers.sh tests/gates/selftest.sh tests/mutants/selftest.sh \
+	    tests/gates/headers.sh tests/gates/glossary.sh tests/gates/words.sh \
+	    tests/gates/selftest.sh tests/mutants/selftest.sh \
 	    tests/host/cli.sh \
 	    tests/host/manual.sh tests/host/exits.sh tests/host/output.sh tests/host/bake.sh \
 	    tests/host/check.sh tests/host/check_ranges.sh tests/host/tape.sh \
