@@ -36,8 +36,8 @@ static const char *const off[] = {
 
 enum { OFF = sizeof off / sizeof *off };
 
-/* The goal is 3. The scenes above the goal and the reasons; in brackets both figures,
- * with and without glitter, for cells a third as wide:
+/* The goal is 3. The scenes above the goal and the reasons; in brackets both figures, with
+ * and without glitter, for cells a third as wide:
  *  - coarse cells: slopes are linear between grid vertices, so mirrored objects move and,
  *    most of all, a lobe of light moves: three-swells (1.1 1.1; at dusk 2.6 1.2),
  *    calm-bay (2.2 2.0), raindrops (1.9 1.5 of half the width), deep-sea (2.1 1.3, the
@@ -48,7 +48,7 @@ enum { OFF = sizeof off / sizeof *off };
  *    texel or two (4.6 with cells of 0.3 m, 3.8 with 0.1 m); without waves the rest is
  *    two rows of pixels with another mipmap level, and far cracks (2.8 at 320 pixels);
  *  - harbour: walls of a mask are not visible through the water (1.1 1.0 of opaque water);
- *  - shore-break: the reference leaves out overhanging water (2.3 with surf.stretch = 0). */
+ *  - shore-break: the reference leaves out overhangs (2.3 with surf.stretch = 0). */
 /* No mirror of the boat: the engine bends that mirror by the waves to first order only (3.6
  * and 3.7 with the mirror). */
 #define BARE "mirror.objects=none"
