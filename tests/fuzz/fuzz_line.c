@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Lines that people write, for libFuzzer: the first byte chooses a tape's head, a tape's
- * line, or which parameter the rest is the value of.  What is read must read back the
- * same from what is written of it. */
+/* Fuzzes lines written by people: the first byte selects a tape's head, a tape's line, or a
+ * parameter whose value is the rest. A line that is read reads back the same from its
+ * printed form. */
 #include "fuzz.h"
 #include "scene/tape.h"
 #include "scene/value.h"
@@ -32,7 +32,7 @@ static void try_entry(const char *text, size_t bytes)
         return;
     const size_t length = tp_tape_write(&entry, line, sizeof line);
     REQUIRE(length < sizeof line);
-    if (length == 0)                /* nothing of it was set */
+    if (length == 0)                /* the line has set nothing */
         return;
     REQUIRE(tp_tape_read(&again, line, length, &err) == TP_OK);
     REQUIRE(again.tick == entry.tick);
@@ -50,7 +50,8 @@ static void try_value(uint32_t row, const char *text, size_t bytes)
     tp_scene_level(&scene);
     tp_scene_level(&again);
     if (tp_param_set(&scene, param, text, bytes, &err) != TP_OK) {
-        REQUIRE(memcmp(&scene, &again, sizeof scene) == 0);     /* nothing half-done */
+        REQUIRE(memcmp(&scene, &again, sizeof scene) == 0);     /* an error changes
+                                                                 * nothing */
         return;
     }
     const size_t length = tp_param_text(&scene, param, value, sizeof value);
