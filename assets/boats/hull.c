@@ -92,8 +92,7 @@ typedef struct {
 } hull_plan;
 
 typedef struct {
-    vec at[POINTS_MAX];     /* two a plank, three for the gunwale, one for the deck's
-                             * edge */
+    vec at[POINTS_MAX];     /* two a plank, 3 gunwale, 1 edge of the deck */
     double way[PLANKS_MAX]; /* distance along each plank from the bow, m */
 } station;
 
@@ -127,8 +126,7 @@ static void station_at(const hull_plan *plan, double u, station *to)
 static void measure_planks(const hull_plan *plan, station *s)
 {
     for (int k = 0; k < plan->planks; k++) {
-        s[0].way[k] = .37 * TILE * k; /* offset, so that no grain continues into the next
-                                       * strake */
+        s[0].way[k] = .37 * TILE * k; /* no grain continues into the next strake */
         for (int i = 1; i < plan->stations; i++) {
             vec a = vec_mix(s[i - 1].at[2 * k], s[i - 1].at[2 * k + 1], .5);
             vec b = vec_mix(s[i].at[2 * k], s[i].at[2 * k + 1], .5);

@@ -21,8 +21,7 @@ void posts_build_low(mesh *m);
 /* Point of strake edge 0 (keel) .. STRAKES (gunwale) on the starboard side; u runs from -1
  * at the bow to 1 at the stern. */
 vec hull_point(double edge, double u);
-vec hull_outward(double edge, double u); /* normal across the strake, level with the
-                                          * frame */
+vec hull_outward(double edge, double u); /* across the strake, level with the frame */
 double hull_u_at(double edge, double z); /* the u of the edge's point with this z */
 double hull_inner_x(double y, double u); /* half the inner breadth between the skins */
 

@@ -39,8 +39,7 @@ corner corner_of(vec at, double s, double t);
 
 typedef struct {
     int32_t at[3], map[2]; /* 1/10000 */
-    vec normal;            /* sum over the faces of its smoothing number, not yet a unit
-                            * vector */
+    vec normal;            /* sum over its smoothing number's faces, not unit */
 } mesh_corner;
 
 typedef struct {

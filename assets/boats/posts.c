@@ -130,8 +130,7 @@ static void keel(mesh *m)
 
 enum { HEAD_SIDES = 8 };
 
-static const double HEAD = 1.3; /* length of the head, m; the sizes below are for a head of
-                                 * one metre */
+static const double HEAD = 1.3; /* head length, m; the sizes below are for 1 m */
 
 typedef struct {
     double f, v, degrees, wide, up, down;

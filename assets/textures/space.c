@@ -6,8 +6,7 @@
 vec unit(int32_t x, int32_t y, int32_t z)
 {
     int64_t square = (int64_t)x * x + (int64_t)y * y + (int64_t)z * z;
-    int64_t length = root_u64((uint64_t)square << 8); /* 16 times the length, for a finer
-                                                       * division */
+    int64_t length = root_u64((uint64_t)square << 8); /* 16 times it, for a fine division */
     int64_t half = length / 2;
     vec v = { (int32_t)(((int64_t)x * (1 << 18) + (x < 0 ? -half : half)) / length),
               (int32_t)(((int64_t)y * (1 << 18) + (y < 0 ? -half : half)) / length),

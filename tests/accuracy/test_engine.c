@@ -22,16 +22,14 @@ typedef struct {
     uint32_t tick;
     double   whole, dull;       /* bounds of the rms, of 255: `whole` with glitter, `dull`
                                  * without; 0: no glitter in view */
-    double   elsewhere;         /* bound of the share of pixels that show another kind of
-                                 * surface */
+    double   elsewhere;         /* bound of the share of pixels with another surface */
     const char *set[SETTINGS];  /* further settings, ended by NULL */
 } row;
 
 static const char *const off[] = {
     REF_WITHOUT,
     "quality.visibility=triangles", "quality.shading=exact", "quality.rate=full",
-    "quality.lod=off",          /* exact quality; the other rungs are compared with the
-                                 * exact rungs in test_plan.c */
+    "quality.lod=off",          /* exact rungs; test_plan.c compares the others */
 };
 
 enum { OFF = sizeof off / sizeof *off };

@@ -54,8 +54,7 @@ static void measure_bent(measure *off, const view_of_ref *v, const noise_picture
         const double body = between(channel(v->scene.water.deep, k),
                                     channel(v->scene.water.colour, k) * lit, 0.25);
         if (fabs(met) > PI / 2 || fabs(way) > 1.4)
-            continue;           /* the surface is seen from behind, or the floor point is
-                                 * far away */
+            continue;           /* surface seen from behind, or floor far away */
         const double sand = floor_of(v, p, 0, -north - depth * tan(way), wet, k);
         measure_add(off, seen.colour.c[k] - beer_of(&v->scene, sand, body,
                                                     depth / cos(way), k), n, k,

@@ -82,8 +82,7 @@ static void measure_mirror(measure *off, const tilt *t, const view_of_ref *v, do
                       * fmin(1, fmax(0.5, 1 + 4 * sin(up)));
 
     if (cos(angle) < 0.101 || PI / 2 - down + t->north > PI / 2)
-        return;                 /* seen from behind, or the cosine is clamped: tested
-                                 * below */
+        return;                 /* seen from behind, or clamped: tested below */
     for (int k = 0; k < 3; k++)
         measure_add(off, seen.colour.c[k] - between(channel(v->scene.water.colour, k),
                                                     gradient_of(&v->scene, up, k),

@@ -175,9 +175,7 @@ static void a_drop_turns_light_as_a_ball_does(void **state)
             v.scene.light.heading = chance_fx(&seed, 170, 190);
         view_open(&v, 64, 48);
         const double rise = 4 - v.world->eye.y / 65536.0, middle = atan2(rise, 8);
-        const double pass = chance_double(&seed, -0.999, 0.999);    /* distance from the
-                                                                     * centre, in radii of 2
-                                                                     * m */
+        const double pass = chance_double(&seed, -0.999, 0.999);    /* of the radius, 2 m */
         const double up = middle + asin(pass * 2 / hypot(8, rise));
         const double i = asin(pass), r = asin(pass / WATER);
         const sight mirrored = { 0, up + (i > 0 ? PI : -PI) - 2 * i };

@@ -152,8 +152,7 @@ static uint32_t dcs_seen(const panel *p, uint32_t x, uint32_t y)
         return PANEL_DARK;
     if (c == PANEL_NOTHING)
         return c;
-    if (p->inverted == ili)                     /* one panel needs inversion, the other
-                                                 * not */
+    if (p->inverted == ili)                     /* only one panel inverts */
         c = ~c & 0xffff;
     const uint32_t r = c >> 11, g = c >> 5 & 63, b = c & 31;
     const uint32_t red = r << 3 | r >> 2, blue = b << 3 | b >> 2;
@@ -246,8 +245,7 @@ void panel_power(panel *p, panel_kind kind)
     for (size_t i = 0; i < sizeof p->memory / sizeof *p->memory; i++)
         p->memory[i] = PANEL_NOTHING;
     for (size_t i = 0; i < sizeof p->paper; i++) {
-        p->plane[0][i] = (uint8_t)(i * 37);             /* arbitrary content after power
-                                                         * on */
+        p->plane[0][i] = (uint8_t)(i * 37);             /* content after power on */
         p->plane[1][i] = (uint8_t)(i * 101 + 7);
         p->paper[i] = (uint8_t)(i * 59 + 3);
     }

@@ -24,8 +24,7 @@ typedef struct {
 
 typedef struct {
     panel_kind  kind;
-    uint32_t    ms, ready_ms, wake_ms;  /* now; earliest time for commands, and for
-                                         * SLPOUT */
+    uint32_t    ms, ready_ms, wake_ms;  /* now; earliest for commands; for SLPOUT */
     bool        reset, awake, lit, inverted, busy;
     int         command;                /* -1: none yet */
     uint8_t     argument[16];
@@ -33,23 +32,19 @@ typedef struct {
     uint8_t     walk, pixel_size;       /* MADCTL or data entry; COLMOD */
     uint32_t    x0, x1, y0, y1;         /* window set by commands */
     uint32_t    x, y;                   /* next pixel or byte in the window */
-    bool        begun;                  /* a write has begun, and no write was refused
-                                         * since */
+    bool        begun;                  /* write begun, and none refused since */
     uint8_t     option, sequence;       /* 37h, 22h of e-paper */
     uint32_t    memory[PANEL_ROWS * PANEL_COLS];    /* by raw row and column */
     uint8_t     plane[2][PANEL_ROWS * PANEL_COLS / 8];      /* 24h, 26h of e-paper */
     uint8_t     paper[PANEL_ROWS * PANEL_COLS / 8];         /* displayed picture */
-    uint64_t    bytes, pixels, wraps;   /* received; written; times that the window was
-                                         * full */
+    uint64_t    bytes, pixels, wraps;   /* received; written; window overflows */
     uint32_t    updates, partial;
     uint32_t    faults;
     const char *fault;                  /* first fault */
     /* the wires: transfers handed over and not yet sent */
     panel_transfer pending[PANEL_PENDING];
-    uint32_t    waiting, late;          /* pending transfers; allowed number of pending
-                                         * transfers */
-    uint32_t    overwritten;            /* transfers whose bytes changed before they were
-                                         * sent */
+    uint32_t    waiting, late;          /* pending transfers; allowed number */
+    uint32_t    overwritten;            /* transfers with bytes changed too early */
     uint32_t    overlapped;             /* pixels drawn during a transfer */
 } panel;
 

@@ -21,8 +21,7 @@ uint32_t sdk_ms;
 
 static panel    shown;
 static bool     dc, stuck;
-static uint32_t to_end, to_leave;       /* queries until the DMA ends, and until the last
-                                         * bytes are sent */
+static uint32_t to_end, to_leave;       /* queries until DMA end, until all is sent */
 
 /* -- the wires ---------------------------------------------------------------------- */
 

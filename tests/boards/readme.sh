@@ -1,14 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The program in ports/README.md, whole, over the callbacks that it gives for each maker's
-# functions, which stand-ins have here: it shows the right picture on a model of the panel.
+# The whole program of ports/README.md, with the README's callbacks for each maker's
+# functions, which are stand-ins here: the program shows the right picture on a model of
+# the panel.
 . tests/gates/lib.sh
 
 page=ports/README.md
 program=${TP_PROGRAM:-build/host/tidepool}
 warn="-std=c11 -Wall -Wextra -Wno-unused-parameter -Wno-unused-variable -Werror"
 
-code()          # HEADING FROM: the code after a heading, from the block that holds FROM
+code()          # HEADING FROM: the code block with FROM after a heading
 {
     awk -v heading="$1" -v from="$2" '
         /^#/ { within = index($0, heading) > 0 }
@@ -33,7 +34,7 @@ made()          # NAME HEADING FROM: a program of the example and one maker's ca
         build/host/libtidepool.a -o "$scratch/$1"
 }
 
-# A program may not wait for ever: three frames stand for its endless loop.
+# The test replaces the program's endless loop by three frames.
 example()
 {
     code "The worked example" '#include "lcd/lcd.h"' |
@@ -58,7 +59,7 @@ ready()
         done
 }
 
-parallel()      # the callbacks for a parallel bus, which nothing here can run
+parallel()      # compiles the callbacks for a parallel bus, which cannot run here
 {
     {
         echo '#include "lcd/lcd.h"'
@@ -82,7 +83,7 @@ done
 "$scratch/pico"
 check "the callbacks for a parallel bus compile" parallel
 
-# The page's figures: two bytes a pixel and 11 for a window, as test_lcd holds the driver to.
+# Figures of the page: two bytes a pixel and 11 for a window, the same as in test_lcd.
 figures()
 {
     used=$("$scratch/pico" | awk '{ print $(NF - 1); exit }')
@@ -92,7 +93,7 @@ figures()
 }
 check "the page gives the figures that are measured" figures
 
-# The port is freestanding: registers alone, memcpy and memset, no memory of its own.
+# The port is freestanding: registers, memcpy and memset, no memory of its own.
 bare()
 {
     for file in clear lcd panels turn; do
@@ -109,7 +110,7 @@ short() { [ "$(wc -l <ports/lcd/lcd.c)" -le 300 ] && [ "$(wc -l <ports/lcd/panel
 check "the driver is freestanding, and has no memory of its own" bare
 check "it is no longer than 300 lines" short
 
-# What a reader could get wrong is found.
+# Likely mistakes of a reader are detected.
 broken()        # NAME SED: the same callbacks, changed
 {
     sed "$2" "$scratch/pico.c" >"$scratch/$1.c"

@@ -1,17 +1,17 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What scenes take of boards, as the table of README.md's part `Boards`: flash, working
-# memory, stack, instructions of a frame and what a display is sent.
+# Costs of scenes on boards, as the table of README.md's section `Boards`: flash, working
+# memory, stack, instructions of a frame and bytes sent to a display.
 #
 #   tests/boards/table.sh [FOLDER | --write]
 #
-# Programs are run on the emulated boards, and counted by the plugin; FOLDER keeps what
-# each said (BOARD/SCENE.said) for who wants to look at the frames.
-# With --write they take their place in README.md, with the compiler's version.
+# The programs run on the emulated boards, and the plugin counts. FOLDER keeps each
+# board's output (BOARD/SCENE.said), to look at the frames. With --write the tables
+# replace those in README.md, with the compiler's version.
 . tests/gates/lib.sh
 . tests/boards/live.sh
 
-# board | scene, @ the most texels of a picture's side; one of them is live
+# board | scene, @ largest side of its textures in texels; one of the boards is live
 shots='
 netduinoplus2     count-64@64
 netduinoplus2     lava@64
@@ -39,8 +39,8 @@ run()           # BOARD SCENE
         echo "sent $(cat "$scratch/sent")" >"$to/$1/$2.sent"
 }
 
-# Draws the same two, told to by lines, and counts itself what it sends.  What is counted
-# is the picture that `state` draws: nothing comes meanwhile that would interrupt it.
+# Draws the same two frames by commands; the board counts the sent bytes itself. The
+# counted picture is drawn by `state`: no other line arrives meanwhile to interrupt it.
 talk()          # BOARD SCENE
 {
     begin "$elf" -plugin $plugin || { finish; cat "$scratch/emulator" >&2; return 1; }

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-# What board.c said and the plugin counted, a line a picture; see board.sh.
+# Combines the output of board.c and the plugin's counts, a line a picture; see board.sh.
 #
 #   awk -v pictures=N -f tests/charts/board.awk SYMBOLS SAID COUNTS
 #
-# SYMBOLS are nm's, sorted, in decimal, with files.
+# SYMBOLS is the output of nm, sorted, in decimal, with files.
 FNR == 1 { file++ }
 file == 1 {
     if (tolower($2) == "t" || $2 == "W") {
@@ -24,7 +24,7 @@ $1 == "count" {
         seen[$2] += $5
 }
 
-# Whether it helps to find the water, and is not of its colours.
+# True if the function helps to find the water, and does not compute colours.
 function finds(account, place)
 {
     return account == "frame" ? place !~ /^(shade|pixel)$/ \

@@ -1,18 +1,19 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Exact instructions of a shipped scene's pictures, drawn by board.c in one go.
+# Exact instructions of a shipped scene's pictures, drawn by board.c in one run.
 #
 #   tests/charts/board.sh m4|x86 SCENE SIZE TICK GROUP...
 #
-# Each GROUP is an argument of settings, parted by blanks, and of size and tick if they
-# are others; '' is the scene as it is.  For each a line of words
+# Each GROUP is an argument of settings, separated by blanks, with size and tick if they
+# change; '' is the scene without changes. Prints for each a line of words
 #     N WIDTH HEIGHT WATER_PIXELS VERTICES TICK FRAME TILES SEEN CRC32
-# with the instructions of the tick that led there, of a frame's beginning, of all its
-# tiles; and of both the part that finds the water: in tiles what src/geom, raster, frame
-# and wave execute themselves, before them all but src/shade and src/pixel.
+# with the instructions of the tick before the picture, of the frame's beginning, and of
+# all tiles. SEEN is the part of both that finds the water: in tiles the functions of
+# src/geom, raster, frame and wave, at the frame's beginning all except src/shade and
+# src/pixel.
 #
-# m4: an emulated Cortex-M4, the board's compiler at -O2; x86: x86-64 as any has it, -O2,
-# by QEMU's user mode.  `make charts-tools` builds what is run here.
+# m4: an emulated Cortex-M4, the board's compiler at -O2; x86: baseline x86-64, -O2, by
+# QEMU's user mode. `make charts-tools` builds the programs.
 . tests/gates/lib.sh
 plugin=build/host/count.so
 
@@ -35,7 +36,7 @@ m4)
         2>"$scratch/counts" </dev/null ;;
 x86)
     elf=build/host/tests/charts/board-$scene nm=nm
-    # Words are one argument, as they are of semihosting.
+    # The words are one argument, as with semihosting.
     timeout 300 qemu-x86_64 -cpu Nehalem -plugin $plugin "$elf" "$words" \
         >"$scratch/said" 2>"$scratch/counts" </dev/null ;;
 *)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What `tidepool charts` measures with: programs of this machine and of an emulated board.
-# Part of the Makefile, which has the names used here.
+# Measuring programs of `tidepool charts`, for this machine and for an emulated board.
+# Part of the Makefile; uses the Makefile's names.
 
 AT := $(BUILD)/tests/charts
 
@@ -22,7 +22,7 @@ CHARTS_ELF  := $(patsubst %,build/cortex-m/%.elf,kernels pool_count \
 charts-tools: all build/host/count.so $(CHARTS)
 	@$(MAKE) --no-print-directory BOARD=cortex-m $(CHARTS_ELF)
 
-# -- of this machine ---------------------------------------------------------------------
+# -- for this machine --------------------------------------------------------------------
 
 $(AT)/kernels: $(KERNELS_O) $(LIB)
 	$(SAY)$(LINK) $^ -lm -o $@
@@ -34,8 +34,8 @@ $(AT)/errors: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/errors*.c)) \
           $(filter-out %/kernels.o,$(KERNELS_O)) \
           $(AT)/used.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
-# Rows of triangles at other steps, instead of the library's.  Of affine ones alone, which
-# are inlined further, compilers do not see that an edge left unset is never walked.
+# Triangle rows with other steps replace the library's rows. The affine variant is inlined
+# further, and compilers then do not see that an unset edge is never walked.
 $(SPAN_STEPS:%=$(AT)/span_step_%.o): \
           $(AT)/span_step_%.o: src/raster/span.c $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -54,7 +54,7 @@ $(SPAN_SCENES:%=$(AT)/span_errors-%): $(AT)/span_errors-%: \
 $(AT)/stability: $(AT)/stability.o $(STABILITY_O) \
           $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
-# Baked as scenes are, which boards cannot read.
+# Baked like scenes, which boards cannot read.
 build/baked/pool_points.c: tests/charts/pool_points.c $(BAKES) $(SHIPPED) \
           | build/host/tests/charts/pool_points
 	@mkdir -p $(@D)
@@ -66,7 +66,7 @@ $(AT)/pool_count: $(AT)/pool_count.o \
 $(AT)/pools: $(POOLS_O) $(AT)/used.o \
           build/baked/$(MACHINE)/pool_points.o
 
-# -- of the board ----------------------------------------------------------------------
+# -- for the board ---------------------------------------------------------------------
 
 $(SPAN_SCENES:%=$(BUILD)/span-%.elf): $(BUILD)/span-%.elf: \
           $(AT)/span.o $(SPAN_O) build/baked/$(MACHINE)/%.o \

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Exact instructions of a chart's kernels, a unit each, as rows of the sweep.
+# Exact instructions per unit of a chart's kernels, as rows of the sweep.
 #
 #   tests/charts/count.sh m4|x86 CHART
 . tests/gates/lib.sh

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-# What a counting program of the charts said, and what it executed; read by `.`.
+# Runs a counting program of the charts and keeps its output and its counts; read by `.`.
 
-# counted m4|x86 PROGRAM: $scratch/said and $scratch/counts of it, on an emulated Cortex-M4
-# by the board's compiler, or on this machine; both at -O2.
+# counted m4|x86 PROGRAM: writes $scratch/said and $scratch/counts, on an emulated
+# Cortex-M4 by the board's compiler, or on this machine; both at -O2.
 counted()
 {
     case $1 in

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What a wave number over a depth costs, and how far it is off.
+# Cost and error of a wave number over a depth.
 @panels
 @decades_x
 @decades_y

@@ -29,8 +29,7 @@ static double one_of(const kernel *k)
 }
 
 typedef struct {
-    spread angle, length, whole;        /* degrees; error of the length 1; error of the
-                                         * whole vector */
+    spread angle, length, whole;        /* degrees; of the length 1; of the vector */
 } errors;
 
 static void judge_one(errors *e, const int32_t *slope, const int32_t *got, double one)

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: MIT
-# Filters and rates: what the water's stages cost, against what the picture is off 8 x 8
-# samples a pixel.  Names ending in -1 have the pictures' first level alone; the dashed
-# lines are what the samples of level water are off rays.
+# Filters and rates: the cost of the water's stages against the picture's difference from
+# 8 x 8 samples a pixel. Names ending in -1 have only the textures' first mipmap level;
+# the dashed lines are the difference of the samples of level water from rays.
 scenes = "three-swells from-above"
 of(name, i) = strcol("scene") eq word(scenes, i) ? column(name) : NaN
 quick(name, i, rate) = strcol("filter") eq "quick" && strcol("rate") eq rate ? \
     of(name, i) : NaN
 exact(name, i, filter) = strcol("filter") eq filter ? of(name, i) : NaN
-# Far outside the picture where it is not, as a set of no points at all is complained of.
+# Rows without a point lie far outside the picture, since gnuplot rejects an empty set of
+# points.
 taken(name, i) = is_used(strcol("used")) && strcol("scene") eq word(scenes, i) ? \
     column(name) : 1e-3
 rays(i) = strcol("filter") eq "linear" ? of("floor_rms", i) : NaN

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-# Whole frames: a line a scene, its Pareto front from the cheapest rung to the one nearest to
-# the reference renderer.  Filled: what the plan chose; hollow: the exact rung.
+# Whole frames: one line a scene, its Pareto front from the cheapest rung to the rung
+# nearest to the reference renderer. Filled: the plan's choice; hollow: the exact rung.
 scenes = system("awk -F, 'NR > 1 && !seen[$1]++ { print $1 }' '" . csv . "'")
 best(y, s) = strcol("scene") eq s && column("front") == 1 ? column(y) : NaN
 exact(y) = strcol("rung") eq "exact" ? column(y) : NaN
 taken(y) = is_used(strcol("used")) ? column(y) : NaN
 
-# Names stand right of their points, but for these.
+# Names stand right of their points, with these exceptions.
 left  = " calm-bay storm from-above "
 above = " minimal count-100 harbour shallows "
 below = " lava count-64 shore-break tank "

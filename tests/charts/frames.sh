@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Whole frames of a shipped scene at 320x240, tick 60, by each of its rungs (frames.c), as
-# rows of the sweep: instructions a pixel of the picture, sky and all; or errors.
+# rows of the sweep: instructions per pixel of the picture, sky included; or errors.
 #
 #   tests/charts/frames.sh m4|x86|error SCENE
 . tests/gates/lib.sh

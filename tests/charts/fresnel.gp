@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What a share of mirrored light costs, and how far it is off; numbers are a table's steps.
-# The law itself lies far below the picture.
+# Cost and error of the Fresnel reflectance; the numbers are a table's steps. The exact
+# law lies far below the picture.
 @panels
 @log_x
 @decades_y

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: MIT
-# Gerstner waves: what a vertex costs, against the error of its normal, above, and of its
-# place, below.  On each line lie the points of 1, 2, 3, 4 and 8 waves, as its numbers
-# say.
-# The grey steps are the Pareto front of so many waves.  Exact and sharpened ones of
-# steepness 0.3 lie on those of 0.7.
+# Gerstner waves: cost per vertex against the error of the normal (above) and of the place
+# (below). Each line has points for 1, 2, 3, 4 and 8 waves, as its numbers show. The grey
+# steps are the Pareto front for each number of waves. Exact and sharpened waves of
+# steepness 0.3 coincide with those of 0.7.
 of(name, form, sum) = strcol("form") eq form && column("steepness") == sum ? \
     column(name) : NaN
 series(name, i) = of(name, word("cheap cheap exact sharp", i), i == 2 ? 0.3 : 0.7)
 best(name, n) = column("front") == 1 && column("waves") == n && kind(strcol("form")) < 4 \
     && column("steepness") > 0.5 ? column(name) : NaN
 kind(form) = form eq "sharp" ? 4 : form eq "exact" ? 3 : column("steepness") < 0.5 ? 2 : 1
-# Far outside the picture where it is not, as a set of no points at all is complained of.
+# Rows without a point lie far outside the picture, since gnuplot rejects an empty set of
+# points.
 taken(name, i) = is_used(strcol("used")) && kind(strcol("form")) == i ? \
     column(name) : 1e-3
 array name[4] = ["cheap at 0.7", "cheap at 0.3", "exact", "sharpened"]

@@ -6,8 +6,7 @@
 #define KERNELS_H
 #include "tidepool/tidepool.h"
 
-enum { KERNEL_UNITS = 1024, KERNEL_WIDTH = 16 };    /* results a run; most numbers per
-                                                     * result */
+enum { KERNEL_UNITS = 1024, KERNEL_WIDTH = 16 };    /* results; numbers of each */
 
 /* A kernel. Inputs lie consecutively, `in` numbers for each unit, and results likewise. The
  * method's cost is all that `run` executes over KERNEL_UNITS, including loads, stores and

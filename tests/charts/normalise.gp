@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# What a unit normal costs, and how far it is from the true one.
+# Cost and error of a unit normal.
 @panels
 @log_x
 @decades_y
 set yrange [2e-10:5]
-# Where each name stands: beside its point but for these.
+# Positions of the names: beside the point, with these exceptions.
 above = " slopes steep-near packed-32 "
 below = " packed series-1 tp_normalise unit-14 "
 left  = " steep "

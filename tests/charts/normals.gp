@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Ways to a normal: instructions against the rms of what they are off.
+# Methods for a normal: instructions against the rms error.
 @panels
 @log_x
 @decades_y

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# A line a scene: how far the plan's prediction is off what was counted; the band is 10 %
-# each way.  Beside the names, what was counted.
+# One line a scene: difference of the plan's prediction from the counted cost; the band is
+# 10 % to each side. Beside the names: the counted cost.
 set xrange [-15:15]
 set yrange [*:*] reverse
 set offsets 0, 0, 0.7, 0.7

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Above: instructions a cell against error after 200 ticks, of all pools; the line is the
-# front of 64 x 64 cells at r = 0.484, damping 1/64.  Below, along the damping, for r =
-# 0.484: error, and what the grid alone is off (dashed), and ticks until rest.
+# Above: instructions per cell against the error after 200 ticks, for all pools; the line
+# is the front of 64 x 64 cells at r = 0.484, damping 1/64. Below, over the damping, for r
+# = 0.484: error, error of the grid alone (dashed), and ticks until rest.
 bits(n) = int(column("bits")) == 4 * 2**n
 usual(any) = column("size") == 64 && column("r") == 0.484
 along(n, name) = bits(n) && usual(0) ? column(name) : NaN
@@ -10,7 +10,7 @@ shape(bits) = bits == 8 ? 6 : bits == 16 ? 8 : 4
 rgb_of(bits) = bits == 8 ? 0xD55E00 : bits == 16 ? 0x0072B2 : 0x009E73
 colour(n) = word("#D55E00 #0072B2 #009E73", n)
 
-# Of no scene, hollow, and of a scene, filled: x, y, shape, colour.
+# Hollow: used by no scene; filled: used by a scene. Columns: x, y, shape, colour.
 hollow_ones = 'with points pointtype variable linecolor rgb variable pointsize 0.9 linewidth 1'
 filled_ones = 'with points pointtype variable linecolor rgb variable pointsize 1.5'
 

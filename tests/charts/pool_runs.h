@@ -48,8 +48,7 @@ typedef struct {
     pool_ending ending;
     uint32_t    ticks;
     bool        full;               /* a cell has reached the end of the range */
-    double      drift, drift_a;     /* largest |mean height|, LSB: of the run; before
-                                     * gear B */
+    double      drift, drift_a;     /* largest |mean height|, LSB: all, before gear B */
     int32_t     residue;            /* highest |height| at the end, LSB */
 } pool_rest;
 pool_rest pool_tank_rest(const pool_tank *tank, uint32_t most);

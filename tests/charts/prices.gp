@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# A line for each thing that a pixel of water may have: its price by three ways to shade.
-# What costs less than one instruction lies at one.
+# One line for each feature of a water pixel: its cost by three methods of shading. Costs
+# below one instruction are drawn at one.
 of(rung) = strcol("what") eq "shaded" && strcol("rung") eq rung
 price    = '(column("figure") > 1 ? column("figure") : 1)'
 set yrange [*:*] reverse

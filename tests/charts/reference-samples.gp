@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The reference's picture by samples a pixel: a line for each scene, with its slope beside
-# its name; of the small pictures where the sweep made no others.
+# Error of the reference's picture by samples a pixel: one line a scene, with its slope
+# beside its name; from the small pictures if the sweep has no others.
 scenes = "three-swells storm tank count-64"
 larger = int(system(sprintf("grep -c 160x120 '%s' || true", csv)))
 size   = larger > 0 ? "160x120" : "40x30"

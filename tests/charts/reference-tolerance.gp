@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The reference's picture by how close a ray's root is: what it is off, above, and the
-# time that it takes, below, where times were measured.  Of the pictures of 80x60.
+# The reference's picture by the accuracy of a ray's root: error (above) and, if times
+# were measured, time (below). From the pictures of 80x60.
 scenes = "three-swells storm shore-break tank"
 size   = "80x60"
 of(name, i) = strcol("scene") eq word(scenes, i) && strcol("size") eq size \

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Reciprocals, roots and reciprocal roots, a panel each: instructions on a Cortex-M4 above,
-# on x86-64 below; lines are the Pareto fronts.  A start has a colour and a shape: with
-# each step of Newton (or Heron) its points go down.
+# Reciprocals, roots and reciprocal roots, a panel each: instructions on a Cortex-M4
+# above, on x86-64 below; lines are the Pareto fronts. Each start has a colour and a
+# shape: its points descend with each step of Newton (or Heron).
 set multiplot
 @log_x
 @decades_y
@@ -26,7 +26,7 @@ above(n)       = strcol("method") eq "tp_fx_recip"
 left(t)        = 0.115 + 0.3 * (t - 1)
 array at[9] = [0.03, 0.135, 0.24, 0.345, 0.43, 0.53, 0.665, 0.81, 0.905]
 
-# What stands for what, over the panels.
+# Legend above the panels.
 do for [s=1:8] {
     set label s word(titles, s) at screen at[s], screen 0.97 left offset 1.2,0 \
         point pointtype shape(s) pointsize 1.3 linewidth 2 linecolor rgb colour(s)

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What the charts count is what is drawn: board.c's pictures on the emulated Cortex-M4 and
-# on this machine, by other rungs, grids and sizes, have the same CRCs, and as
-# the scene is the program's; no two in a row are one.
+# The counted pictures are the drawn pictures: board.c's pictures on the emulated
+# Cortex-M4 and on this machine, with other rungs, grids and sizes, have equal CRCs, and
+# for the unchanged scene the program's CRC; no two consecutive pictures are equal.
 #
 #   tests/charts/same.sh [PROGRAM [SCENE...]]
 . tests/gates/lib.sh

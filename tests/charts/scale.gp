@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# What a frame, or of cells a tick, costs by how many it has of each, in millions of
-# instructions, and the line that is nearest, whose equation is told; of threads how many
-# frames a second there are, if it was measured.
+# Cost of a frame (for cells: of a tick), in millions of instructions, over the number of
+# elements of each kind, with the fitted line and its equation; for threads the frames per
+# second, if measured.
 array kinds[4] = ["pixels", "vertices", "waves", "cells"]
 array words_[4] = ["pixels", "vertices of the grid", "waves", "cells of a pool, a tick"]
 array processor[2] = ["m4", "x86"]

@@ -1,21 +1,21 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# How cost grows with what a scene has more of, as rows of the sweep: instructions, and the
-# line base + slope n that is least off them in squares of shares.
+# Growth of the cost with the size of a scene, as rows of the sweep: instructions, and the
+# line base + slope n with the least sum of squared relative errors.
 #
 #   tests/charts/scale.sh m4|x86 pixels|vertices|waves|cells
 #   tests/charts/scale.sh time threads          milliseconds a frame, by this machine
 #
-# pixels, vertices, waves: count-64's frame; cells: a tick of the tank's 16-bit cells,
-# when waves have crossed it: cells at rest cost less.
+# pixels, vertices, waves: count-64's frame; cells: a tick of the tank's 16-bit cells
+# after waves have crossed the tank: cells at rest cost less.
 . tests/gates/lib.sh
 
 usage() { echo "usage: scale.sh m4|x86|time pixels|vertices|waves|cells|threads" >&2; exit 2; }
 [ $# = 2 ] || usage
 column=$1 kind=$2 scene=count-64 of=frame
 
-# Waves ever shorter, so low that there is as much water in view of any number of them;
-# none is left out.
+# Waves with decreasing length, so low that the same amount of water is in view for each
+# number of waves; no wave is left out.
 waves()         # N
 {
     awk -v n="$1" 'BEGIN {

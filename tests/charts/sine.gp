@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Cost against error: instructions on a Cortex-M4, and on x86-64 beside; the line is the
-# Pareto front by the M4's.  A family of methods has a colour and a shape; with each point
-# are its table's entries, its degree or its steps.
+# Pareto front for the M4. A family of methods has a colour and a shape; the label of each
+# point is its table's entries, its degree or its steps.
 @panels
 @log_x
 @decades_y

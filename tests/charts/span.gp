@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-# Perspective in large triangles: what their rows cost a water pixel, against what the
-# picture is off.  A line for each scene is its Pareto front; the numbers are pixels from
-# one true place to the next.
+# Perspective in large triangles: cost of the rows per water pixel against the error of
+# the picture. The line of a scene is its Pareto front; the numbers are pixels between
+# exact places.
 scenes = "plane three-swells from-above"
 of(name, i) = strcol("scene") eq word(scenes, i) ? column(name) : NaN
-# Far outside the picture where it is not, as a set of no points at all is complained of.
+# Rows without a point lie far outside the picture, since gnuplot rejects an empty set of
+# points.
 taken(name, i) = is_used(strcol("used")) && strcol("scene") eq word(scenes, i) ? \
     column(name) : 1e-3
 best(name, i) = column("front") == 1 ? of(name, i) : NaN

@@ -9,8 +9,7 @@
 typedef struct {
     const char *chart;          /* NULL: end of the list */
     const char *from;           /* base scene; NULL: any scene */
-    const char *key;            /* the point's keys behind the scene, or with the scene if
-                                 * `from` is set */
+    const char *key;            /* the point's keys; with the scene if `from` is set */
     const char *set;            /* settings, separated by blanks */
     int32_t     step;           /* pixels; see span_step */
     bool        one_level;      /* textures have only their first mipmap level */

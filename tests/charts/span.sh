@@ -1,11 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Exact instructions a water pixel of the pictures of span.h, as rows of the sweep.
+# Exact instructions per water pixel of the pictures of span.h, as rows of the sweep.
 #
 #   tests/charts/span.sh m4|x86 span|filter SCENE
 #
-# "filter" has those of the water's stages.  "span" has those of the triangles' rows, with
-# the reciprocals beyond the affine ones', and of the whole picture as frame_m4.
+# "filter" prints the instructions of the water's stages. "span" prints those of the
+# triangles' rows, including the reciprocals beyond the affine rows', and as frame_m4
+# those of the whole picture.
 . tests/gates/lib.sh
 . tests/budgets/board.sh
 
@@ -15,7 +16,7 @@ m4)
     built=build/cortex-m core=build/cortex-m4 nm=arm-none-eabi-nm
     emulate "build/cortex-m/span-$scene.elf" "$scratch/said" "$scratch/counts" ;;
 x86)
-    # QEMU 7.2 falls over gathers of newer processors.
+    # QEMU 7.2 fails on gathers of newer processors.
     built=build/host core=build/host nm=nm
     qemu-x86_64 -cpu Nehalem -plugin $plugin "build/host/tests/charts/span-$scene" \
         >"$scratch/said" 2>"$scratch/counts" ;;
@@ -33,7 +34,7 @@ awk -v column="$column" -v chart="$chart" -v scene="$scene" '
     {
         return from[i] == "-" ? scene ";" key[i] : key[i]
     }
-    # The affine row of the same scene, which reciprocals are counted from.
+    # The affine row of the same scene, the base of the count of reciprocals.
     function base(i,    k)
     {
         for (k = i; of[k] == chart && from[k] == from[i]; k++)

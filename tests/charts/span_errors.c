@@ -103,8 +103,7 @@ static void begin(const span_row *row)
 
 typedef struct {
     double colour, psnr;        /* rms of 255 of the worst channel; dB of all three */
-    double texels, texels_most; /* texels of the first layer's finest level, rms and
-                                 * largest */
+    double texels, texels_most; /* of the first layer's finest level, rms and largest */
 } error;
 
 static double square_apart(uint32_t a, uint32_t b, int c)

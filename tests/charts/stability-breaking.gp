@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Which criterion the engine says is passed, as areas; the criteria themselves as lines;
-# and the shipped scenes' waves on their way from deep water to the shore.
+# Breaking criteria: areas are the engine's flags, lines the criteria; and the paths of
+# the shipped scenes' waves from deep water to the shore.
 set logscale xy
 set xrange [0.01:1]
 set yrange [0.004:0.4]
@@ -12,7 +12,7 @@ unset key
 unset grid
 set lmargin 9; set rmargin 3; set tmargin 1
 
-# By the sum of 1 for steepness, 2 for depth and 4 for Miche.
+# Index: sum of 1 for steepness, 2 for depth and 4 for Miche.
 array tint[8] = [0xFFFFFF, 0xFFFFFF, 0xF6D9A8, 0xFFFFFF, 0xC6E6F8, 0x9CC3DE, 0xB4E0D0, \
                  0xD8D8D8]
 area(flags) = tint[int(flags) + 1]

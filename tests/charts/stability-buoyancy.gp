@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The surface above a place: how far along the point is off, beside it how far up.  Dashed
-# lines are the theory of plain steps, q^n of the first distance.
+# The surface above a place: error along (left) and up (right). Dashed lines are the
+# theory of plain steps, q^n of the first distance.
 @decades_y
 set yrange [2e-6:30]
 set xrange [0:1.3]

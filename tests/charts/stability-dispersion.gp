@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What the approximations of k are off: lines are the formulas, points the engine's fixed
+# Errors of the approximations of k: lines are the formulas, points the engine's fixed
 # point.
 set logscale x
 @decades_y

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# A map for each kind of cell: how far the mean height drifts between a drop and rest, over
-# r and damping; von Neumann's line and the bound on configurations over it, and dots where
-# cells meet the end of their range.
+# One map for each kind of cell: drift of the mean height between a drop and rest, over r
+# and damping; with von Neumann's line, the bound on configurations, and dots where cells
+# reach the end of their range.
 of(bits) = sprintf("< awk -F, 'NR == 1 || $1 == %d' '%s'", bits, csv)
 once(r, name) = r == 0.05 ? column(name) : NaN
 

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-# A map for each kind of cell: what a tick does to noise, over r and damping; von Neumann's
-# line, the bound on configurations and the line of noise over it, and dots where cells
-# meet the end of their range.
+# One map for each kind of cell: growth of noise per tick, over r and damping; with von
+# Neumann's line, the bound on configurations, the line of noise, and dots where cells
+# reach the end of their range.
 of(bits) = sprintf("< awk -F, 'NR == 1 || $1 == %d' '%s'", bits, csv)
 once(r, name) = r == 0.05 ? column(name) : NaN
 
-# Percent a tick, on a scale that has tenths and hundreds: dark dies away, bright grows.
+# Percent a tick, on a signed logarithmic scale from tenths to hundreds: dark decays,
+# bright grows.
 place(p) = sgn(p) * log10(1 + abs(p) / 0.02)
 set palette defined (-1 "#00204D", -0.45 "#31446B", -0.05 "#8f9bb3", 0 "#ffffff", \
     0.05 "#d8cf9a", 0.5 "#EBCB45", 1 "#B58900")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Where crests fold: points are measured without the clamp, dashed lines are the theory of
-# all crests at one place, solid ones what the engine draws.
+# Folding of crests: points are measured without the clamp, dashed lines are the theory of
+# all crests at one place, solid lines are the engine's result.
 set xrange [0:1.9]
 set yrange [-0.75:1.05]
 set xlabel "sum of steepnesses QkA that is asked for"
@@ -28,7 +28,7 @@ array where[3] = [1.4, 1.4, 1.25]
 solid = 'with lines linetype type[i] linewidth 3.2'
 dashed = 'with lines linecolor rgb grey dashtype 2'
 
-# Names of scenes go to the side where there is room.
+# Names of scenes stand on the side with more room.
 is_low = 'column("engine") < 1 - 0.8 * column("sum")'
 low(y)  = (@is_low) ? y : NaN
 high(y) = (@is_low) ? NaN : y

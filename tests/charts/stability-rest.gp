@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: MIT
-# A map for each kind of cell: ticks from a drop until exact rest, over r and damping; what
-# theory says as contours of the same ticks over it, the bound on configurations, and the
-# line left of which long waves creep.
+# One map for each kind of cell: ticks from a drop until exact rest, over r and damping;
+# with theory as contours of the same ticks, the bound on configurations, and the line
+# left of which long waves creep.
 of(bits) = sprintf("< awk -F, 'NR == 1 || $1 == %d { $1 = $1; print }' '%s'", bits, csv)
 set datafile separator whitespace
 once(r, name) = r == 0.05 ? column(name) : NaN
-# Theory, a scan for each damping, as far as water rests.
+# Theory: a scan for each damping, as far as the water comes to rest.
 grid(bits) = sprintf("< awk -F, '$1 == %d && $3 < 0.69 { if ($2 != last && last) print " . \
     "\"\"; last = $2; print $3, $2, log($5) / log(10) }' '%s'", bits, csv)
 at_rest(name) = strcol("ending") eq "rests" ? column(name) : NaN
 
-# Steps of brightness at each 100, 316, 1000 ... ticks, as theory's contours.
+# Steps of brightness at 100, 316, 1000 ... ticks, equal to the contours of theory.
 set palette maxcolors 8 defined (0 "#00204D", 0.25 "#31446B", 0.5 "#7C7B78", \
     0.75 "#BCAF6F", 1 "#FFEA46")
 set cbrange [1.5:5.5]

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-# What all charts share; read before NAME.gp, with
+# Style shared by all charts; read before NAME.gp, with
 #
 #   csv, time_csv   NAME.csv and NAME.time.csv        out   the picture, without suffix
 #   term            "svg" or "png"
 #
-# 900x600 with letters that can be read when the picture is shown 600 wide.  Colours are
-# those of Okabe and Ito, and each has a shape of its own, hollow (pt) and filled (pt + 1).
-# A macro, @name, is a line's beginning or whole commands; the rest are functions.
+# Pictures are 900x600 with letters that are legible at a width of 600. Colours are those
+# of Okabe and Ito, and each has a shape of its own, hollow (pt) and filled (pt + 1). A
+# macro, @name, is the beginning of a line or whole commands; the others are functions.
 
 font = "DejaVu Sans"
 if (term eq "svg") {
@@ -35,7 +35,8 @@ set for [i=1:8] linetype i linecolor rgb word(colours, i) linewidth 2 \
     pointtype int(word(shapes, i)) pointsize 1.4
 set linetype cycle 8
 
-# Values by brightness too, dark is low; and about a middle: blue, white, vermillion.
+# Palettes of values that also differ in brightness, dark is low; and around a middle:
+# blue, white, vermillion.
 heat = 'set palette defined (0 "#00204D", 1 "#31446B", 2 "#666970", 3 "#958F78", ' . \
        '4 "#CAB969", 5 "#FFEA46")'
 diverging = 'set palette defined (-1 "#0072B2", 0 "#FFFFFF", 1 "#D55E00")'
@@ -49,7 +50,8 @@ set key at screen 0.11,0.985 left top Left reverse horizontal maxrows 1 samplen 
 set autoscale fix
 set lmargin 10; set rmargin 3; set tmargin 3.2; set bmargin 3.6
 
-# Log axes: with 1, 2 and 5 of each decade (up to three decades), or with powers of ten.
+# Logarithmic axes: with 1, 2 and 5 of each decade (up to three decades), or with powers
+# of ten.
 count(v) = v >= 1000 ? gprintf("%.0s%c", v) : sprintf("%g", v)
 ones(axis) = 'set logscale ' . axis . '; set ' . axis . 'tics (); ' . \
     'set for [e=-9:12] for [m in "1 2 5"] ' . axis . \
@@ -57,7 +59,7 @@ ones(axis) = 'set logscale ' . axis . '; set ' . axis . 'tics (); ' . \
 tens(axis) = 'set logscale ' . axis . '; set format ' . axis . ' "10^{%L}"'
 log_x = ones('x'); log_y = ones('y'); decades_x = tens('x'); decades_y = tens('y')
 
-# Two panels that share the y axis: the first, wider, for the Cortex-M4, and x86-64 beside.
+# Two panels that share the y axis: a wider one for the Cortex-M4, and x86-64 beside.
 #     @panels
 #     @first;  set xlabel "..."; plot ...
 #     @second; set xlabel "..."; plot ...
@@ -69,20 +71,21 @@ second = 'set lmargin at screen 0.68; set rmargin at screen 0.975; ' . \
 
 # -- points ----------------------------------------------------------------------------
 
-# Whether a row is on the Pareto front, and whether a shipped scene uses it.
+# Tests of a row: on the Pareto front; used by a shipped scene.
 is_used(u)    = u ne "" && u ne "-"
 
-# A column's value on rows that are so; else nothing is drawn.
+# A column's value on rows that pass the test; other rows are not drawn.
 front(name)  = column("front") == 1 ? column(name) : NaN
 used(name)   = is_used(strcol("used")) ? column(name) : NaN
 unused(name) = is_used(strcol("used")) ? NaN : column(name)
 
-# A used point's label: its name, and by whom.
+# Label of a used point: its name and its users.
 who(u)       = u eq "all" ? "every scene" : \
                words(u) > 2 ? sprintf("%d scenes", words(u)) : u
 by(name)     = strcol(name) . ": " . who(strcol("used"))
 
-# plot csv using ...: the front's line, points, the used ones filled, and their names.
+# plot csv using ...: the front's line, the points, the used points filled, and their
+# names.
 front_line   = 'smooth unique with steps linecolor rgb grey linewidth 1.2'
 hollow       = 'with points linecolor rgb blue pointtype 6 pointsize 1.6 linewidth 1.6'
 filled       = 'with points linecolor rgb vermillion pointtype 7 pointsize 2.0'

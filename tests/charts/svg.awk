@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Points of gnuplot's SVG as large and as thick as those of its PNG: it draws them by the
-# height of letters, twice as large, with the same thin line whatever the line's width.
+# Makes the points of gnuplot's SVG as large and thick as those of its PNG: gnuplot scales
+# them by the height of letters, twice as large, with a thin line for each line width.
 #
 #   awk -f tests/charts/svg.awk FROM.svg >TO.svg
 /id='gpPt[0-9]+' stroke-width='/ {

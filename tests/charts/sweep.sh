@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The charts that are shipped: each is whole, and a small sweep makes the same counts on
-# the Cortex-M4 and the same errors, cell by cell.  Counts of x86-64, which are of this
-# machine's compiler, and times are compared with nothing.
+# The shipped charts: each is complete, and a small sweep gives the same counts on the
+# Cortex-M4 and the same errors, cell by cell. Counts of x86-64, which depend on this
+# machine's compiler, and times are not compared.
 #     sweep.sh PROGRAM
 . tests/gates/lib.sh
 . tests/budgets/hold.sh
@@ -10,7 +10,7 @@
 program=${1:-build/host/tidepool}
 shipped=assets/charts
 
-# -- what lies there --------------------------------------------------------------------
+# -- shipped files ----------------------------------------------------------------------
 
 whole()         # CHART: its description, drawing, text, table and pictures
 {
@@ -28,7 +28,7 @@ described()     # no table without its chart
         [ -s "tests/charts/$of.ini" ] || { echo "$table is of no chart"; return 1; }
     done
 }
-light()         # pictures are for a page
+light()         # pictures are small enough for a page
 {
     find $shipped -name '*.png' -size +200k -o -name '*.svg' -size +1000k | grep . && return 1
     return 0
@@ -42,7 +42,7 @@ done
 check "every table has its chart" described
 check "no picture is heavy" light
 
-drawn()         # CHART: its table can be drawn, without a word
+drawn()         # CHART: gnuplot draws its table without a message
 {
     for term in png svg; do
         gnuplot -e "csv='$shipped/$1.csv'; time_csv='$shipped/$1.time.csv'" \
@@ -67,7 +67,7 @@ done
 skip=
 pinned tests/budgets/scenes.csv m4 arm-none-eabi-gcc || skip=m4
 
-# same CHART: what the small sweep has is in the shipped table, and the same.
+# same CHART: the rows of the small sweep are in the shipped table, with equal values.
 same()
 {
     keys=$(awk '$1 == "keys" { n += NF - 2 } END { print n }' "tests/charts/$1.ini")
@@ -114,7 +114,7 @@ same()
             exit bad || !compared
         }' $shipped/"$1.csv" "$scratch/small/$1.csv"
 }
-altered()       # CHART: the same, with one figure more
+altered()       # CHART: the same with one changed figure
 {
     cp "$scratch/small/$1.csv" "$scratch/kept"
     awk -F, -v OFS=, 'NR == 2 { for (i = 2; i < NF; i++) if ($i ~ /^[0-9.]+$/) $i += 1 }
@@ -133,17 +133,17 @@ for chart in $charts; do
 done
 [ -n "$first" ] && refuse "another figure would be found" altered "$first"
 
-# -- and by GNU parallel, on two machines -----------------------------------------------
+# -- with GNU parallel, on two machines -------------------------------------------------
 
 program=$(realpath "$program")
 cat >"$scratch/ssh" <<'END'
 #!/bin/sh
-# In the place of ssh, which needs machines: [OPTION]... HOST [--] COMMAND...
+# A stand-in for ssh, which needs machines: [OPTION]... HOST [--] COMMAND...
 while [ "${1#-}" != "$1" ]; do shift; done
 echo "$1" >>"$0.hosts"
 shift
 [ "$1" != -- ] || shift
-cd / && SHELL=/bin/sh exec sh -c "$*"      # SHELL as of a login
+cd / && SHELL=/bin/sh exec sh -c "$*"      # SHELL as set by a login
 END
 chmod +x "$scratch/ssh"
 on_two()        # [OPTION]... [COMMAND]...
@@ -152,14 +152,14 @@ on_two()        # [OPTION]... [COMMAND]...
     parallel --ssh "$scratch/ssh" -S 1/one,1/two --wd "$PWD" "$@" &&
         [ "$(sort -u "$scratch/ssh.hosts" | wc -l)" = 2 ]
 }
-jobs()          # of one chart
+jobs()          # jobs of one chart
 {
     "$program" charts --list --only sine >"$scratch/list" &&
         on_two <"$scratch/list" >"$scratch/rows" &&
         "$program" charts --collect "$scratch/rows" "$scratch/apart" --only sine &&
         cmp "$scratch/apart/sine.csv" "$scratch/small/sine.csv"
 }
-film()          # of three ranges
+film()          # a film of three ranges
 {
     on_two --results "$scratch/{#}.y4m" "$program" render storm --size 64x48 \
         --frames {} --out - ::: 0:9 10:19 20:29 >/dev/null &&

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-# Ways to see the water, a gentle scene above and a steep one below: what finding it costs,
-# against the colours' error.  On each line lie grids of 32, 64, 128 and 256 lines and the
-# scene's own; projected and flat have none, and are points.  Filled: what the scene uses;
-# dotted: the Pareto front.
+# Water renderers, a gentle scene above and a steep scene below: cost of finding the water
+# against the error of the colours. Each line has the grids of 32, 64, 128 and 256 lines
+# and the scene's own; projected and flat have no grid, and are points. Filled: the
+# scene's renderer; dotted: the Pareto front.
 array name[4] = ["triangles", "rows", "projected", "flat"]
 method(n) = n eq "triangles" ? 1 : n eq "rows" ? 2 : n eq "projected" ? 3 : 4
 here(y) = strcol("scene") eq scene ? column(y) : NaN

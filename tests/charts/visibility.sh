@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Ways to see the water of a shipped scene at 320x240, tick 60 (visibility.c), as rows of
-# the sweep: instructions a pixel of water; or errors.
+# Water renderers on a shipped scene at 320x240, tick 60 (visibility.c), as rows of the
+# sweep: instructions per pixel of water; or errors.
 #
 #   tests/charts/visibility.sh m4|x86|error SCENE
 . tests/gates/lib.sh

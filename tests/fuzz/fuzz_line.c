@@ -50,8 +50,7 @@ static void try_value(uint32_t row, const char *text, size_t bytes)
     tp_scene_level(&scene);
     tp_scene_level(&again);
     if (tp_param_set(&scene, param, text, bytes, &err) != TP_OK) {
-        REQUIRE(memcmp(&scene, &again, sizeof scene) == 0);     /* an error changes
-                                                                 * nothing */
+        REQUIRE(memcmp(&scene, &again, sizeof scene) == 0);     /* nothing half-done */
         return;
     }
     const size_t length = tp_param_text(&scene, param, value, sizeof value);

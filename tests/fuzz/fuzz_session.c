@@ -53,8 +53,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const bool whole = fuzz_byte(&data, &size) % 4 == 3;
     write_session(data, size, whole);
     if (session_read(&state) == 0) {
-        REQUIRE(state.scene != NULL || state.count == 0);   /* no part of a rejected file is
-                                                             * kept */
+        REQUIRE(state.scene != NULL || state.count == 0);   /* all or nothing is kept */
         set_all(&state);
     }
     session_free(&state);

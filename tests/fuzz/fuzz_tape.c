@@ -118,8 +118,7 @@ static void play(const char *path, unsigned lines)
     if (replay_open(&r, &s, &o, REPLAY_ALL))
         fuzz_refused(path, lines);
     else
-        REQUIRE(play_ticks(&r, &s, &o) == EXIT_DONE);   /* the inputs were validated
-                                                         * before */
+        REQUIRE(play_ticks(&r, &s, &o) == EXIT_DONE);   /* validated before */
     replay_close(&r);
     stage_close(&s);
 }

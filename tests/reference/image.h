@@ -5,15 +5,13 @@
 #include <stdatomic.h>
 #include "trace.h"
 
-enum { REF_SAMPLES = 16 };      /* samples a pixel for pictures that serve as the reference
-                                 * of others */
+enum { REF_SAMPLES = 16 };      /* samples a pixel of reference pictures */
 
 typedef struct {
     uint32_t    width, height;
     ref_colour *colour;         /* mean of the samples of each pixel */
     uint8_t    *kind;           /* ref_kind of each pixel's last sample */
-    uint8_t    *in_mirror;      /* object in the water's mirror at the last sample,
-                                 * ref_kind */
+    uint8_t    *in_mirror;      /* object mirrored at the last sample, ref_kind */
     double     *near;           /* 1 / depth of the last sample, 1/m; 0: no depth */
 } ref_image;
 

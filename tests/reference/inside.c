@@ -4,12 +4,10 @@
 #include "trace.h"
 #include "water.h"
 
-#define START 1e-6              /* start of a ray, m: prevents hits on the surface of
-                                 * origin */
+#define START 1e-6              /* ray start, m: no hit on the surface of origin */
 #define FAR   1e5
 
-#define CLEAR 4                 /* clear distance in opaque water for an eye under water,
-                                 * m */
+#define CLEAR 4                 /* m of clear view in opaque water, from within */
 
 static ref_colour own(const ref_scene *s)
 {

@@ -10,9 +10,8 @@
 
 typedef struct {
     ref_vec  low, high;
-    uint32_t first, count;      /* faces of a leaf; count 0: inner node, */
-    uint32_t other;             /* with the index of the second child; the first child is
-                                 * the next box */
+    uint32_t first, count;      /* faces of a leaf; count 0: inner node */
+    uint32_t other;             /* index of the second child; the first is the next box */
 } ref_box;
 
 typedef struct {

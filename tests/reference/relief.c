@@ -146,8 +146,7 @@ static void read_cells(ref_relief *relief, ref_cells *c, const tp_pool *pool, do
 }
 
 typedef struct {
-    double h[4][4];             /* heights of the 4 x 4 cells around the place, by row and
-                                 * column */
+    double h[4][4];             /* heights of the cells around, by row and column */
     double s, t;                /* place between the second and the third cell, 0..1 */
 } patch;
 

@@ -30,8 +30,7 @@ typedef struct {
     ref_cells cells[2];         /* pool and moving field; cols 0: none */
     double    high, steep;      /* bounds of height and slope */
     double    fine;             /* width of the narrowest feature, m */
-    double    bump;             /* > 0: cells only bend the normals, by this factor, and
-                                 * lift nothing */
+    double    bump;             /* > 0: cells bend normals by this factor, lift nothing */
 } ref_relief;
 
 typedef struct {

@@ -18,8 +18,7 @@ typedef struct {
     double x, z;                /* centre, m */
     double half_x, half_z;      /* half sides of the even cells, m */
     double out_x, out_z;        /* half sides of the whole water, m */
-    double fade;                /* width of the fade inside the edge of the even cells, m;
-                                 * 0: no fading */
+    double fade;                /* m inside of the even cells' edge; 0: no fading */
 } ref_extent;
 
 #define REF_CLOSE 1e-10         /* m; tests/charts/reference.c shows the reason */

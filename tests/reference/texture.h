@@ -50,8 +50,7 @@ static inline void ref_turned(double sx, double sz, const double n[3], double sl
     const double y = n[0] * along.y - n[1] * down.y + n[2] * up.y;
     const double z = n[0] * along.z - n[1] * down.z + n[2] * up.z;
     const double steep = sqrt((1 + sx * sx) * (1 + sx * sx + sz * sz));
-    const double held = fmax(y, 1 / (8 * steep));      /* clamped as in the engine's
-                                                        * stage */
+    const double held = fmax(y, 1 / (8 * steep));      /* clamped like in the stage */
 
     slope[0] = -x / held;
     slope[1] = -z / held;

@@ -13,11 +13,9 @@ enum { DC = 4 };
 extern uint32_t sdk_ms;             /* clock; each query advances it by one */
 
 void sdk_dc(bool data);
-void sdk_send(const uint8_t *bytes, size_t count);      /* returns when the bytes are
-                                                         * sent */
+void sdk_send(const uint8_t *bytes, size_t count);      /* returns after the last bit */
 void sdk_dma(const uint8_t *bytes, size_t count);
-bool sdk_dma_busy(void);            /* true for two queries; for ever if the panel is
-                                     * stuck */
+bool sdk_dma_busy(void);            /* for two queries; for ever if stuck */
 bool sdk_wire_busy(void);           /* true for one more query */
 bool sdk_idle(void);                /* neither DMA nor wire is busy */
 void sdk_pause(uint32_t ms);
