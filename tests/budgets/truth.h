@@ -7,11 +7,11 @@
  * samples: such glints would hide the differences of the renderers. Measured at several
  * ticks and in two sizes.
  *
- * Outline error: pixels that are water in one picture only, over the number of sky-to-water
- * borders down the columns of the reference. Colour error: rms of 255 of the worst channel,
- * over pixels that are water in both. A rung's error is the part beyond the exact rung:
- * max(0, e - e_exact). Since the squares of independent errors add up, several rungs
- * together add at most the sum of their errors. */
+ * Outline error: pixels that are water in one picture only, over the number of changes
+ * between water and other surfaces down the columns of the reference. Colour error: rms of
+ * 255 of the worst channel, over pixels that are water in both. A rung's error is the part
+ * beyond the exact rung: max(0, e - e_exact). Since the squares of independent errors add
+ * up, several rungs together add at most the sum of their errors. */
 #ifndef TP_TRUTH_H
 #define TP_TRUTH_H
 #include <math.h>

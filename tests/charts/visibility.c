@@ -11,9 +11,9 @@
  * stages at the full rate, no lines and no waves left out. Both pictures have one sample a
  * pixel: glints smaller than a pixel would hide the differences of the renderers. Both have
  * the engine's extent of waves and mipmap levels. Outline error: pixels that are water in
- * one picture only, over the number of sky-to-water borders down the columns of the
- * reference. Colour error: rms of 255 of the worst channel, over pixels that are water in
- * both. */
+ * one picture only, over the number of changes between water and other surfaces down the
+ * columns of the reference. Colour error: rms of 255 of the worst channel, over pixels that
+ * are water in both. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

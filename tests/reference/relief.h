@@ -27,7 +27,7 @@ typedef struct {
 typedef struct {
     ref_ring *ring;
     int       rings;
-    ref_cells cells[2];         /* pool and moving field; cols 0: none */
+    ref_cells cells[2];         /* pool and field; cols 0: none */
     double    high, steep;      /* bounds of height and slope */
     double    fine;             /* width of the narrowest feature, m */
     double    bump;             /* > 0: cells bend normals by this factor, lift nothing */
