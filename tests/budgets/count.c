@@ -63,7 +63,7 @@ typedef struct run {
 
 static run        *runs, *chains[CHAINS];
 static const char *account_name[ACCOUNTS];
-static int         account = -1;        /* account that counts now; -1: none */
+static int         account = -1;        /* account in use; -1: none */
 static unsigned    section = 1;
 
 static run *run_of(const char *function, uint64_t address)

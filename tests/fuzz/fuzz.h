@@ -90,7 +90,7 @@ static inline char *fuzz_line(char *line)
 
 enum { FUZZ_FILES = 3 };
 
-/* Path of file `i`, which then contains these bytes. The path is equal in all runs. */
+/* Path of file `i`, with these bytes from now on. The path is equal in all runs. */
 static inline const char *fuzz_file(int i, const void *data, size_t size)
 {
     static struct { char path[32]; int fd; } files[FUZZ_FILES];
@@ -141,7 +141,7 @@ static inline unsigned fuzz_lines(const uint8_t *data, size_t size)
 }
 
 /* True if a message is "PLACE: sentence" or "PLACE:LINE: sentence", LINE 1..lines, without
- * control characters, which might control a terminal. */
+ * control characters: they might control a terminal. */
 static inline bool fuzz_says(const char *message, const char *place, unsigned lines)
 {
     const size_t n = strlen(place);
@@ -160,7 +160,7 @@ static inline bool fuzz_says(const char *message, const char *place, unsigned li
     return message[0] == ' ' && message[1] && message[1] != ' ';
 }
 
-/* Requires that the program has just reported an error. */
+/* Requires an error message from the last call. */
 static inline void fuzz_refused(const char *place, unsigned lines)
 {
     static unsigned before;

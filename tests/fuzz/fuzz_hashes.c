@@ -55,7 +55,7 @@ static void read_back(const hashes *h)
     free(text);
 }
 
-/* Requires that a frame has one CRC in the whole list. */
+/* Each frame has one CRC in the whole list. */
 static void look_up(const hashes *h)
 {
     for (size_t i = 0; i < h->count; i++) {

@@ -57,8 +57,8 @@ static bool set_all(scene_file *file, const uint8_t *data, size_t size)
     return memcmp(&before, &file->scene, sizeof before) != 0;
 }
 
-/* Compares two scenes. File names that were set are stored relative to the scene file,
- * which lies in another folder than the program: only file names may change. */
+/* Compares two scenes. File names from settings are stored relative to the scene file, in
+ * another folder than the program: only file names may change. */
 static void compare(const tp_scene *a, const tp_scene *b)
 {
     uint32_t count;

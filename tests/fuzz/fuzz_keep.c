@@ -28,7 +28,8 @@ static uint32_t place_of(const kept *k, const void *part)
     return part ? (uint32_t)((const char *)part - (const char *)k->fresh) : 0;
 }
 
-/* Offset of a part in the file; 0, the file's own head, for a part that the scene lacks. */
+/* Offset of the target WHERE in the file; the world's head for a part missing in the
+ * scene. */
 static size_t begin_of(const kept *k, uint32_t where)
 {
     const tp_world_parts *p = &k->fresh->parts;

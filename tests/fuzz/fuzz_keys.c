@@ -20,7 +20,7 @@ static size_t count_words(const char *text)
     return count;
 }
 
-/* Requires that each key has the action that it was assigned to. */
+/* Requires each key to have its assigned action. */
 static void press_all(const keymap *m)
 {
     for (int of = 0; of < ACTIONS; of++)

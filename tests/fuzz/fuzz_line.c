@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Fuzzes lines written by people: the first byte selects a tape's head, a tape's line, or a
- * parameter whose value is the rest. A line that is read reads back the same from its
+ * parameter with the rest as its value. An accepted line reads back the same from its
  * printed form. */
 #include "fuzz.h"
 #include "scene/tape.h"

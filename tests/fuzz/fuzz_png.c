@@ -38,7 +38,7 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned
     return size;
 }
 
-/* -- what is read ------------------------------------------------------------------ */
+/* -- use of accepted pictures ------------------------------------------------------ */
 
 static void make_texture(const uint32_t *pixels, uint32_t w, uint32_t h)
 {

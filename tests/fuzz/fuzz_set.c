@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Fuzzes lines as words behind --set. A rejected word changes nothing and is reported; an
- * accepted word prints as a text that sets the same value. */
+ * accepted word prints as a text for the same value. */
 #include "fuzz.h"
 #include "host/scene_file.h"
 #include "scene/value.h"
