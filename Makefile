@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: MIT
-# Tidepool.  `make help` lists the targets.  What is made lies under build/TARGET/, so
-# that builds of several kinds live side by side:  make TARGET=clang CC=clang
-# A board is a target of its own, described in its folder:  make BOARD=cortex-m elf
-# (and tells its stacks, for tests/gates/arm.sh)
+# Tidepool. `make help` lists the targets. Output goes to build/TARGET/, so builds of
+# several kinds can coexist:
+#   make TARGET=clang CC=clang
+# A board is a target, described in its folder; board builds also write stack sizes, for
+# tests/gates/arm.sh:
+#   make BOARD=cortex-m elf
 
 MAKEFLAGS += --no-builtin-rules
 TARGET  ?= host
 MACHINE ?= $(TARGET)
-# Lines alone for debuggers, of which optimised code has little more:  OPT='-Og -g'
+# Only line numbers for debuggers: optimised code has little more; or OPT='-Og -g'
 OPT     ?= -O2 -g1
 ARCH    ?=
 PREFIX  ?= /usr/local
@@ -15,7 +17,7 @@ SCENE   ?= three-swells
 OBJCOPY ?= objcopy
 all:
 ifdef BOARD
-include ports/$(BOARD)/board.mk # TRIPLE- of its compiler, ARCH, BOARD_C; BOARD_LD
+include ports/$(BOARD)/board.mk # TRIPLE, ARCH, BOARD_C; optional BOARD_LD, BAKE
 TARGET   := $(notdir $(BOARD))
 ARCH     += -fstack-usage -fcallgraph-info=su
 CC       := $(TRIPLE)gcc
@@ -23,7 +25,7 @@ AR       := $(TRIPLE)ar
 OBJCOPY  := $(TRIPLE)objcopy
 BOARD_LD ?= ports/$(BOARD)/board.ld
 LD_FILES := $(BOARD_LD) $(wildcard $(dir $(BOARD_LD))../*.ld)
-# Boards of one processor share the core's library, which tests make first.
+# Boards with the same processor share the core's library; tests build the library first.
 CORE_AT  := build/$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(ARCH)))$(if \
               $(filter -DTP_RUN=%,$(ARCH)),-small)
 endif
@@ -64,22 +66,22 @@ CORE := $(addprefix src/, \
     engine/engine.c) \
     $(sort $(wildcard src/features/*.c src/features/*/*.c))
 
-# -- the program, for machines with files and threads ----------------------------------
+# -- the tools, for machines with files and threads ------------------------------------
 
-# Those folders' files but programs' own; the reference of tests, which the preview
-# compares with.
+# All files of these folders except the programs' main files; the tests' reference
+# renderer is included, for the preview's comparison.
 PORTS := $(filter-out %/main.c %/reference.c,$(wildcard $(addsuffix /*.c,\
              ports/host ports/live ports/screen ports/linuxfb ports/null tests/reference)) \
              $(addprefix ports/board/,answer.c buttons.c control.c control_set.c))
 MAIN  := ports/host/main.c
-# Linux's screens, where the kernel's headers are.
+# Screens on Linux, if the kernel's headers are installed.
 ifeq ($(shell $(CC) -E ports/kms/choose.h >/dev/null 2>&1 && echo yes),yes)
 PORTS += $(addprefix ports/kms/, buffer.c card.c choose.c heads.c kms.c)
 KMS_CFLAGS := -DTP_HAVE_KMS
 endif
 ifneq ($(shell pkg-config --exists sdl2 2>/dev/null && echo yes),)
 PORTS += $(filter-out %/panel_none.c,$(wildcard ports/sdl2/*.c))
-# The panel is C++, of Dear ImGui; the compiler is of $(CC)'s kind.
+# The panel is C++, with Dear ImGui; the compiler is of the same kind as $(CC).
 ifeq ($(origin CXX),default)
 CXX := $(if $(findstring clang,$(CC)),$(subst clang,clang++,$(CC)),$(if \
            $(findstring gcc,$(CC)),$(subst gcc,g++,$(CC)),g++))
@@ -100,7 +102,7 @@ SDL_LIBS   := $(shell pkg-config --libs sdl2)
 endif
 LIBS := -lpng -linih -lpthread -lm $(PANEL_LIBS) $(SDL_LIBS)
 
-# -- how to compile; CFLAGS and LDFLAGS are the user's ---------------------------------
+# -- compiler flags; CFLAGS and LDFLAGS belong to the user -----------------------------
 
 WARN   := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wvla -Wdouble-promotion \
           -Wstrict-prototypes -Wmissing-prototypes -Werror
@@ -110,29 +112,29 @@ BARE   := -Isrc -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := -Iports -Iports/library -Isrc -I. $(SDL_CFLAGS) $(KMS_CFLAGS)
 COMPILE = $(CC) $(FLAGS) $(CPPFLAGS) $(CFLAGS)
 LINK    = $(CC) $(OPT) $(ARCH) $(LDFLAGS)
-# The quicker linker, where it is, for the hundreds of programs that tests are.
+# The faster linker, if installed: tests are hundreds of programs.
 GOLD    := $(if $(shell command -v ld.gold),-fuse-ld=gold)
 LINK_ELF = $(LINK) -nostdlib -T $(BOARD_LD) -Wl,--gc-sections $(filter %.o,$^) \
            $(LIB) -lgcc -o $@
-# One short line for each thing made; with V=1 the whole command.
+# Prints one short line for each output; with V=1 the whole command.
 SAY     = $(if $(V),,@echo '  $@';)
 
-# On x86-64 the loops over pixels once more, for processors of level v3: tp_program_v3, of
-# whose code nobody else sees a name.  Tuned so that compilers use gathers.
-# Who wants none says V3_C= .
+# On x86-64 the pixel loops are compiled a second time, for processors of level v3:
+# tp_program_v3, whose other names are hidden. The tuning makes compilers use gathers.
+# V3_C= turns the second copy off.
 ifeq ($(firstword $(subst -, ,$(shell $(CC) -dumpmachine 2>/dev/null))),x86_64)
 V3_C   := $(filter src/pixel/% src/geom/% src/raster/% src/shade/% src/frame/% \
               src/features/all.c %_drawing.c %_stage.c,$(CORE))
 V3_OPT := -O3 -march=x86-64-v3 -mtune=skylake
-# Whose source is that of both: without loops that are for vector units alone.
+# Files with the same source for both copies: files without loops for vector units.
 ifdef V3_SAME_OPT
 V3_SAME := $(filter-out $(shell grep -lE 'TP_WIDE|slope\.h"|_plain\.h"' $(V3_C)),$(V3_C))
 endif
 HOSTED += $(if $(V3_C),-DTP_HAVE_PROGRAM_V3)
 endif
 
-# Asserts (src/base/assert.h) are off in a release and on with CHECKED=1.  Unit tests link
-# a library that has them on.
+# Asserts (src/base/assert.h) are off in a release and on with CHECKED=1. Unit tests link
+# a library with asserts.
 LIB     := $(CORE_AT)/libtidepool.a
 HOST_LIB := $(BUILD)/libtidepool-host.a
 UNIT_LIB := $(if $(CHECKED),$(LIB),$(BUILD)/checked/libtidepool.a)
@@ -146,8 +148,8 @@ FUZZ    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
 GOLDEN  := $(BUILD)/tests/golden/test_frames $(BUILD)/tests/golden/test_harness
 LISTS   := $(BUILD)/tests/unit/test_scene_params_list $(BUILD)/tests/unit/test_scene_works
 CMOCKA  := -lcmocka
-# Tests that a missing library leaves out: LEFT_OUT names them as TEST=PACKAGE, and
-# tests/gates/left-out.sh tells of them.
+# Tests left out because a library is missing: LEFT_OUT lists them as TEST=PACKAGE, and
+# tests/gates/left-out.sh reports them.
 LEFT_OUT :=
 without = $(eval LEFT_OUT += $(patsubst $(BUILD)/%,%=$1,$(filter $2,$(UNIT) $(GOLDEN)))) \
           $(eval UNIT := $(filter-out $2,$(UNIT))) \
@@ -170,9 +172,9 @@ $(call without,$(if $(shell pkg-config --exists imgui 2>/dev/null && echo yes),g
 endif
 SCENES  := $(patsubst assets/scenes/%.ini,%,$(wildcard assets/scenes/*.ini))
 ONE     := $(if $(filter command,$(firstword $(origin SCENE))),$(SCENE))
-# Scenes that only tests draw.
+# Scenes drawn by tests only.
 DRAWN   := $(patsubst tests/golden/scenes/%.ini,%,$(wildcard tests/golden/scenes/*.ini))
-# Scenes whose frames every processor must draw: between them, every model.
+# Scenes that each processor must draw with equal frames; together they cover all models.
 CROSS   := three-swells raindrops tank pond shore-break deep-sea storm count-64 $(DRAWN)
 FRAMES  := $(CROSS:%=$(BUILD)/tests/cross/frames-%)
 BAKES   := $(wildcard ports/host/bake*.c ports/host/assets*.c ports/host/png_read.c \
@@ -181,40 +183,40 @@ BAKES   := $(wildcard ports/host/bake*.c ports/host/assets*.c ports/host/png_rea
 SHIPPED := $(wildcard assets/scenes/*.ini $(addprefix assets/boats/*.,mtl obj png) \
                assets/textures/*.png assets/skies/*.png)
 
-# What tells other builds of the installed library, as CMakeLists.txt does.
+# Files by which other builds find the installed library, as in CMakeLists.txt.
 PACKAGES := $(addprefix cmake/tidepool/tidepool-,config.cmake config-version.cmake) \
             pkgconfig/tidepool.pc pkgconfig/tidepool-host.pc
 PACKAGED = -e 's|@TP_PREFIX@|../..|; s|@TP_LIBDIR@|lib|; s|@TP_INCLUDEDIR@|include|' \
            -e "s|@TP_VERSION@|$$(sed -n 's/^.define TP_VERSION_M[AI].* //p; \
                s/^.define TP_VERSION_PATCH *//p' include/tidepool/*.h | paste -sd.)|"
 
-# Modules of somebody else's: their folder, see below.
+# Folder of modules from outside the project; see below.
 MORE    ?=
 MORE_AT := $(BUILD)/more/$(notdir $(MORE))
 
-# -- what people ask for ---------------------------------------------------------------
+# -- targets for users -----------------------------------------------------------------
 
 ## build the program, the library and the host library
 all: $(PROGRAM) $(LIB) $(HOST_LIB)
-## build the program with modules of your own: MORE=ports/examples/buoy
+## build the program with your own modules: MORE=ports/examples/buoy
 more: $(MORE_AT)/tidepool
 ## build the library alone
 lib: $(LIB)
-## install what is missing, build, show SCENE; without a display draw it to files
+## install missing packages, build, show SCENE; without a display write pictures
 run:
 	@ports/setup.sh run
 	@$(MAKE) --no-print-directory $(PROGRAM)
 	@ports/run.sh $(PROGRAM) $(SCENE)
-## install what is light and run the host's tests
+## install the small packages and run the host's tests
 test:
 	@ports/setup.sh test
 	@$(MAKE) --no-print-directory host-tests
-## install the rest and run every test: other processors, boards, windows
+## install the other packages and run all tests: processors, boards, windows
 test-all:
 	@ports/setup.sh all
 	@$(if $(TESTED),,$(MAKE) --no-print-directory host-tests)
 	@$(MAKE) --no-print-directory more-tests
-## the long sweeps: random scenes of any size, 300 s of each fuzz target, all builds' frames
+## run the long tests: random scenes, 300 s of each fuzz target, frames of all builds
 soak:
 	@ports/setup.sh all
 	@$(MAKE) --no-print-directory everything build/host/count.so
@@ -224,55 +226,55 @@ soak:
 	    tests/cross/run.sh tests/budgets/prices.sh tests/fuzz/run.sh \
 	    $(patsubst build/host/%,build/san/%,$(filter $(BUILD)/tests/stability/% \
 	        $(BUILD)/tests/accuracy/%,$(UNIT)))
-## what scenes and models cost, against their budgets; SCENE=x by function; WRITE=1
+## compare costs of scenes and models with the budgets; SCENE=x by function; WRITE=1
 count: $(PROGRAM) build/host/count.so
 	@tests/budgets/scenes-count.sh $(if $(WRITE),--write) $(ONE)
 	@$(if $(ONE),tests/budgets/host-count.sh $(ONE),tests/budgets/models-count.sh \
 	    $(if $(WRITE),--write))
-## what two scenes take of a board's memory, by use and size of tile
+## print the memory of two scenes on a board, by use and tile size
 ram: $(PROGRAM) build/host/count.so
 	@tests/budgets/ram.sh
 ## memory, flash and instructions on emulated boards; WRITE=1: into ports/BOARDS.md
 boards: $(PROGRAM)
 	@tests/boards/table.sh $(if $(WRITE),--write)
-## times and instructions of the scene that other renderers were measured on
+## measure time and instructions of the scene for comparison with other renderers
 bench: $(PROGRAM) $(BUILD)/tests/bench/scene_s
 	@$(PROGRAM) bench
 	@tests/bench/run.sh $(BUILD)/tests/bench/scene_s
-## the dearest of 10000 random views of scenes, over the median, in instructions
+## find the dearest of 10000 random views, over the median, in instructions
 views: $(BUILD)/tests/bench/views build/host/tally.so
 	@TP_VIEWS=10000 tests/bench/views.sh
-## speed against accuracy: the whole sweep into assets/charts
+## run the whole sweep of speed against accuracy into assets/charts
 charts: charts-tools
 	@$(PROGRAM) charts assets/charts
-## the slow renderer in double precision that pictures are judged by
+## build the reference renderer: double precision, slow
 reference: $(BUILD)/reference
-## feed the readers random input, FUZZ_SECONDS (6) for each
+## feed random input to all readers, FUZZ_SECONDS (6) for each
 fuzz:
 	@tests/fuzz/run.sh
-## the share of the core's lines and branches that tests reach, and the lowest files
+## print line and branch coverage of the core, and the least covered files
 coverage:
 	@tests/coverage/run.sh
-## break the core in N (100) random places by SEED (1), and count what tests notice
+## break the core in N (100) random places by SEED (1), count the detected breaks
 mutants:
 	@tests/mutants/run.sh $(or $(N),100) $(or $(SEED),1)
-## write the golden frames and listings anew; say in the commit why, and the PSNR it prints
+## rewrite golden frames and listings; state the reason and the printed PSNR in the commit
 golden: $(LISTS) $(BUILD)/tests/golden/test_frames
 	for test in $^; do $$test --write || exit 1; done
-## draw every scene for the README, and the sheet of them
+## draw the README's pictures of all scenes, and the contact sheet
 gallery:
 	@ports/setup.sh gallery
 	@$(MAKE) --no-print-directory $(PROGRAM)
 	@ports/gallery.sh $(PROGRAM) assets/gallery
-## make the boats and textures anew from their generators
+## make the boats and textures again with their generators
 assets: $(BUILD)/longship $(BUILD)/textures
 	$(BUILD)/longship assets/boats
 	$(BUILD)/textures assets/textures assets/skies
-## a page that runs in a browser, from a folder: build/web/index.html
+## build the web page build/web/index.html, which runs in a browser from its folder
 web:
 	@ports/setup.sh web
 	@$(MAKE) --no-print-directory page
-## the same at http://localhost:8080, or the next port that is free
+## serve the web page at http://localhost:8080, or at the next free port
 serve:
 	@ports/setup.sh serve
 	@$(MAKE) --no-print-directory page
@@ -298,25 +300,25 @@ install: all
 	done
 	for f in $(SHIPPED); do \
 	    install -Dm 644 $$f $(DESTDIR)$(PREFIX)/share/tidepool/$${f#assets/}; done
-## lay the sources out by .clang-format
+## format the sources by .clang-format
 format:
 	clang-format -i include/tidepool/*.h src/*/*.[ch] src/*/*/*.[ch] ports/*/*.[ch] \
 	    ports/*/*/*.[ch] tests/*/*.[ch]
-## remove everything that was made
+## remove all build output
 clean:
 	rm -rf build out
-## this list
+## print this list
 help:
 	@awk '/^## / { text = substr($$0, 4); getline; sub(/:.*/, ""); \
 	    printf "  %-10s %s\n", $$0, text }' Makefile
 
 # -- tests -----------------------------------------------------------------------------
 
-# Tests run under the sanitizers, and alone there; the golden frames' twice, since the
-# library that is shipped must draw them.  The second one need not be quick, and
-# only where its source is not the first one's it is watched as well.  Tests that tell how
-# far something is off run without sanitizers, but in the soak; threads have one of their
-# own.
+# Tests run under the sanitizers only, except: the golden frames also run without, since
+# the shipped library must draw them; tests that measure errors run without sanitizers
+# unless in the soak; threads have a test of their own. The second copy of the pixel loops
+# is compiled with light optimisation, and sanitized only where its source differs from
+# the first copy.
 V3_LITE := V3_OPT='-O1 -march=x86-64-v3'
 SAN := TARGET=san OPT='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all' \
        $(V3_LITE) V3_SAME_OPT=-fno-sanitize=all CHECKED=1
@@ -348,7 +350,8 @@ host-tests: everything
 	    tests/host/packages.sh tests/host/library.sh \
 	    tests/host/charts_stop.sh tests/boards/readme.sh \
 	    tests/host/generators.sh tests/host/readme.sh tests/host/examples.sh
-# First what several of them want of the board's compiler; the longest tests begin first.
+# Builds first what several tests need from the board's compiler; the longest tests begin
+# first.
 more-tests: everything build/host/count.so build/host/tally.so
 	@! command -v arm-none-eabi-gcc >/dev/null || \
 	    for goals in 'BOARD=cortex-m elves' 'BOARD=cortex-m/microbit lib' \
@@ -365,7 +368,7 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    tests/budgets/scenes-count.sh tests/budgets/ram.sh tests/budgets/programs.sh \
 	    tests/charts/same.sh tests/budgets/plan-count.sh
 fuzzers: $(FUZZ)
-# Other renderers for `tidepool bench --peers`, of whatever packages are there.
+# Other renderers for `tidepool bench --peers`, as far as their packages are installed.
 PEERS := $(BUILD)/tests/bench/peers
 peers:
 	@for peer in osmesa=osmesa:libosmesa6-dev sdl=sdl2:libsdl2-dev; do \
@@ -393,7 +396,7 @@ list-tests:
 	    echo $$test; \
 	done
 
-# -- how things are made ---------------------------------------------------------------
+# -- rules -----------------------------------------------------------------------------
 
 ASSERT_O := $(BUILD)/tests/assert_failed.o
 $(LIB): $(CORE_O) $(if $(CHECKED),$(ASSERT_O))
@@ -402,21 +405,23 @@ $(BUILD)/ports.a: $(PORTS_O)
 %.a:
 	@rm -f $@
 	$(SAY)$(AR) rcs $@ $^
-# The host library: what it takes of the ports, and of that the public names alone.
+# The host library: the parts of the ports that it uses, with only the public names
+# visible.
 $(HOST_LIB): $(BUILD)/host-library.o
 $(BUILD)/host-library.o: $(patsubst %.c,$(BUILD)/%.o,$(wildcard ports/library/*.c)) \
           $(BUILD)/ports.a
 	$(SAY)$(LD) -r $^ -o $@
 	@$(OBJCOPY) --wildcard --keep-global-symbol='tp_host_*' $@
-# The core as one file that tests load: what tests/mutants/run.sh builds them with.  By its
-# whole path, since some tests run a copy of themselves in another folder.
+# The core as a shared library for tests: tests/mutants/run.sh links with it. The path is
+# absolute, since some tests run a copy of themselves in another folder.
 %.so:
 	@mkdir -p $(@D)
 	$(SAY)$(LINK) -shared -Wl,-soname,$(abspath $@) $^ -o $@
 $(PROGRAM): $(MAIN:%.c=$(BUILD)/%.o) $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
-# The program with modules of somebody else's: MORE is their folder, whose list.h lists
-# them.  What reads the library's list and its table of parameters is compiled again.
+# The program with modules from outside the project: MORE is their folder, and its list.h
+# lists them. Files that read the library's module list or its parameter table are
+# compiled again.
 MORE_O  := $(patsubst %.c,$(MORE_AT)/%.o,src/features/all.c src/features/all_rows.c \
                $(addprefix ports/host/,machine.c pieces.c stopwatch.c) \
                $(wildcard $(addsuffix /*.c,$(MORE))))
@@ -439,7 +444,7 @@ $(BUILD)/tests/boards/sent: $(filter %/clear.o %/lcd.o %/panels.o %/turn.o,$(LCD
 $(BUILD)/tests/host/test_kms: $(BUILD)/tests/host/fake_kms.o
 $(BUILD)/reference: $(BUILD)/tests/reference/reference.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
-# Whatever reads bytes, of core and ports.
+# Fuzz targets: all readers of bytes, in the core and the ports.
 $(FUZZ): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) -fsanitize=fuzzer -Wl,--as-needed $(filter %.o,$^) $(BUILD)/ports.a \
 	    $(LIB) $(LIBS) -o $@
@@ -448,15 +453,16 @@ $(BUILD)/longship: $(patsubst %.c,$(BUILD)/%.o,$(wildcard assets/boats/*.c) \
 	$(SAY)$(LINK) $^ -lpng -lm -o $@
 $(BUILD)/textures: $(patsubst %.c,$(BUILD)/%.o,$(wildcard assets/textures/*.c))
 	$(SAY)$(LINK) $^ -lpng -o $@
-# The scene as constants, for what has no files: built once for each processor, and anew
-# when what writes them changes, which most of the program does not.  With the pictures
-# cut: SCENE=harbour@32, no more than 32 texels a side.
+# Scenes as constants, for machines without files: built once for each processor, and
+# again when the code that writes them changes. SCENE=harbour@32 limits textures to 32
+# texels a side.
 BAKED_FROM := $(BAKES) $(SHIPPED) | build/host/tidepool
 define bake
 	@mkdir -p $$(@D)
 	$$(SAY)build/host/tidepool bake $1 --name baked $2 -o $$@
 endef
-# Into a folder, with options; what they follow from beside the scene.
+# Rules for baked scenes in a folder, with options, and with prerequisites besides the
+# scene.
 define baked_in
 $1/%.c: ports/cortex-m/scenes/%.ini $3 $$(BAKED_FROM)
 	$(call bake,$$<,$2)
@@ -475,7 +481,8 @@ baked = $(eval $(call baked_in,$1,$2,$3)) $(foreach n,16 32 64 128,$(foreach fol
     assets/scenes ports/cortex-m/scenes tests/budgets, \
         $(eval $(call baked_at,$1,$2,$3,$n,$(folder)))))
 $(call baked,build/baked)
-# A board's with the list that it is linked by: what is in that follows from all that draws.
+# A board's baked scenes include the module list for the link, which depends on all
+# drawing code.
 ifdef BAKE
 $(call baked,$(BUILD)/baked,$(BAKE),build/host/tidepool ports/$(BOARD)/board.mk)
 endif
@@ -487,7 +494,8 @@ build/baked/$(MACHINE)/%.o: build/baked/%.c
 	$(SAY)$(COMPILE) -c $< -o $@
 $(BUILD)/baked/%.o: $(BUILD)/baked/%.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -c $< -o $@
-# Made if it is not there, as if nothing had been said of boards and compilers.
+# Builds the host program if it is missing, without the variables for boards and
+# compilers.
 ifneq ($(PROGRAM),build/host/tidepool)
 build/host/tidepool build/host/tests/charts/pool_points:
 	@env -i PATH="$$PATH" HOME="$$HOME" $(MAKE) -j2 --no-print-directory $@
@@ -496,14 +504,14 @@ $(patsubst %,$(BUILD)/tests/cross/frames-%,$(SCENES) $(DRAWN)): \
           $(BUILD)/tests/cross/frames-%: $(BUILD)/tests/cross/frames.o \
           build/baked/$(MACHINE)/%.o $(LIB)
 	$(SAY)$(LINK) $^ -o $@
-# And as a film: of the program that part alone.
+# The film program: of the tools only the parts for films.
 FILM_O  := $(addprefix $(BUILD)/ports/host/,atomic_file.o film.o output.o path.o \
                picture.o say.o)
 $(SCENES:%=$(BUILD)/tests/cross/film-%): \
           $(BUILD)/tests/cross/film-%: $(BUILD)/tests/cross/film.o $(FILM_O) \
           build/baked/$(MACHINE)/%.o $(LIB)
 	$(SAY)$(LINK) $^ -o $@
-# And on a raw screen: one static file for a small Linux board.
+# The program for raw screens: one static file for a small Linux board.
 SCREEN_O := $(patsubst %.c,$(BUILD)/%.o,$(filter ports/linuxfb/% ports/kms/% \
                ports/screen/%,$(PORTS)) ports/screen/main.c $(addprefix ports/host/, \
                atomic_file.c hashes.c picture.c say.c streams.c timing.c) \
@@ -516,7 +524,7 @@ $(BUILD)/tests/host/apng_frames: LIBS += -lz
 $(BUILD)/tests/budgets/errors: $(BUILD)/tests/budgets/errors.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 MODELS_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/budgets/models*.c))
-# By a board's mem*: the C library picks its own by the processor that it runs on.
+# Uses the board's mem*: the C library selects its own at run time by the processor.
 $(BUILD)/tests/budgets/models: $(MODELS_O) $(BUILD)/ports/cortex-m/memory.o $(LIB)
 	$(SAY)$(LINK) $^ -o $@
 build/host/count.so: tests/budgets/count.c $(BUILD)/flags
@@ -557,7 +565,7 @@ $(BUILD)/v3/src/%.o: src/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) $(BARE) $(V3_OPT) -Dtp_program_all=tp_program_v3 \
 	    $(if $(filter $<,$(V3_SAME)),$(V3_SAME_OPT)) -c $< -o $@
-# The least program, and programs with the first n features more.
+# The minimal program, and programs with the first n features in addition.
 FEATURES := tests/budgets/features.txt
 PROGRAMS := $(addprefix $(BUILD)/features/,$(shell seq 0 $$(grep -vc '^\#' $(FEATURES))))
 programs: $(PROGRAMS:%=%.elf)
@@ -585,7 +593,7 @@ $(BUILD)/%.o: %.cpp $(BUILD)/flags
 $(BUILD)/%.o: %.S $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) -c $< -o $@
-# Another compiler or other flags are a reason to compile again.
+# Recompiles everything if the compiler or the flags change.
 $(sort $(BUILD)/flags $(CORE_AT)/flags): force
 	@mkdir -p $(@D)
 	@echo '$(COMPILE) $(SDL_CFLAGS)' | cmp -s - $@ || echo '$(COMPILE) $(SDL_CFLAGS)' >$@

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Ends a program of tests where a contract of the core's is broken: base/assert.h. */
+/* Ends a test program when a contract of the core is broken: base/assert.h. */
 #include <stdio.h>
 #include <stdlib.h>
 #ifndef TP_CHECKED

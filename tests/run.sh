@@ -1,17 +1,17 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Runs tests, TP_JOBS at a time, and adds up what they say.  One more than there are
-# processors, since some wait for a screen or a machine.
+# Runs tests, TP_JOBS at a time, and adds up their results. The default is one more than
+# the number of processors, since some tests wait for a screen or a machine.
 #
 #   tests/run.sh LOGS TEST...
 #
-# A test is a program or script that exits with 0 when all went well, or with 77 when it
-# could not run.  It prints a line for each case: cmocka's own, or of scripts, which are
-# given TP_PROGRAM to work on,
+# A test is a program or script that exits with 0 if it passed, or with 77 if it could not
+# run. Scripts receive TP_PROGRAM as the program under test. A test prints a line for each
+# case, cmocka's lines or for scripts
 #     ok - NAME        FAILED - NAME        skipped: NAME (package PKG)
-# Its whole output goes to LOGS/TEST.log and is shown when it fails.  A skip is printed
-# and counted, and fails nothing unless TP_STRICT is set.  The last line printed here is
-# "N passed, N failed[, N skipped]".
+# The whole output goes to LOGS/TEST.log and is shown if the test fails. A skip is printed
+# and counted, and fails nothing unless TP_STRICT is set. The last line of the run is "N
+# passed, N failed[, N skipped]".
 set -u
 export TP_PROGRAM="${TP_PROGRAM:-build/host/tidepool}" TP_BUILD="${TP_BUILD:-build/host}"
 
@@ -38,7 +38,7 @@ run_one()       # LOGS TEST
                 skip[skipped = 1] = "skipped: " name " (exit 77, no reason given)"
             if (code == 77 && !failed) code = 0
             if (code && !failed) failed = 1         # crashed, or hung and was ended
-            if (!code && failed) code = 1           # says it failed, but exits with 0
+            if (!code && failed) code = 1           # reports a failure, but exits with 0
             line = sprintf("%-44s %4d passed %3ds", name, passed, seconds)
             if (failed) line = line sprintf("  %d FAILED (exit %d)", failed, code)
             print line

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What lies in the hull and hangs on it: shields, oars, the steering oar, thwarts.
- * Things that stand on both sides are built to starboard and mirrored. */
+/* Gear of the longship, in the hull and along the rails: shields, oars, the steering oar,
+ * thwarts. Parts on both sides are built to starboard and mirrored. */
 #include "longship.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@ static const double TURN = 6.283185307179586;
 
 enum { SHIELDS = 14, OARS = 9, RIM = 10, BOSS = 6 };
 
-static const double RADIUS = .43; /* of a shield */
+static const double RADIUS = .43; /* radius of a shield, m */
 
 /* -- shields ------------------------------------------------------------------------- */
 
@@ -51,7 +51,7 @@ static void shield(mesh *m, const stand *s, int design, int smoothing)
         mesh_triangle(m, centre, rim[i], rim[(i + 1) % RIM], smoothing);
 }
 
-/* The bare boards, seen from inside. */
+/* The bare boards of a shield's inner side. */
 static void shield_back(mesh *m, const stand *s, int smoothing)
 {
     corner centre = corner_of(on_stand(s, 0, 0, -.015), .1, .5), rim[RIM];
@@ -99,7 +99,7 @@ static void shields(mesh *m)
 
 /* -- oars ---------------------------------------------------------------------------- */
 
-/* Half measures of a diamond across the loom, and its place between the ends. */
+/* Half sizes of a diamond across the loom, and its place between the ends. */
 typedef struct {
     double along, flat, edge;
 } oar_key;
@@ -142,7 +142,8 @@ static void oars(mesh *m)
     m->mirror = false;
 }
 
-/* Hung outside the starboard quarter; the tiller lies athwart over the deck. */
+/* The steering oar hangs outside the starboard quarter; the tiller lies athwart above the
+ * deck. */
 static void steering_oar(mesh *m, bool low)
 {
     static const oar_key key[] = {
@@ -170,7 +171,7 @@ static void steering_oar(mesh *m, bool low)
               block);
 }
 
-/* -- inside -------------------------------------------------------------------------- */
+/* -- inside the hull ----------------------------------------------------------------- */
 
 static void thwarts(mesh *m)
 {

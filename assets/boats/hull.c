@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* The clinker hull: one closed skin of planks outside, gunwale, bulwark and deck inside.
  *
- * Every strake edge is a curve of its own from stern post to stem.  Amidships the edges
- * follow the frame of `frame_at`; towards the ends their breadth goes to the post's as
- * 1 - |u|^p and their height to the place in the post's rabbet as |u|^e.  The lower edge
- * of each strake stands off the one below by a plank's thickness, which makes the steps.
- * A station is the row of points from keel to deck at one u; mirrored and joined to its
- * neighbours it makes a closed tube.  A lid that is never drawn lies from gunwale to
- * gunwale.  Proportions after the Oseberg and Gokstad ships. */
+ * Each strake edge is a curve from stern post to stem. Amidships the edges follow the frame
+ * of `frame_at`; towards the ends their breadth approaches the post's breadth as 1 - |u|^p,
+ * and their height approaches the place in the post's rabbet as |u|^e. The lower edge of
+ * each strake is offset from the strake below by a plank's thickness, which makes the
+ * steps. A station is the row of points from keel to deck at one u; mirrored and joined to
+ * its neighbours, a station makes a closed tube. A lid, which is never drawn, spans the
+ * hull from gunwale to gunwale. Proportions after the Oseberg and Gokstad ships. */
 #include "longship.h"
 
 #include <math.h>
@@ -18,10 +18,10 @@ static const double frame_at[STRAKES + 1][2] = {
     { 1.75, .20 }, { 1.87, .456 }, { 1.94, .702 }, { 1.985, .905 }, { 2.003, 1.085 },
 };
 
-static const double END_BREADTH = .055; /* half, at the posts */
+static const double END_BREADTH = .055; /* half breadth at the posts, m */
 static const double DECK_HEIGHT = .402;
-static const double WATERLINE = 4.0; /* the strake edge up to which the hull is tarred */
-static const double TILE = 2.4;      /* metres of plank that the wood texture covers */
+static const double WATERLINE = 4.0; /* strake edge of the upper limit of the tar */
+static const double TILE = 2.4;      /* length of plank that the wood texture covers, m */
 
 static double frame_value(double edge, int axis)
 {
@@ -61,7 +61,7 @@ double hull_u_at(double edge, double z)
     return low;
 }
 
-/* The outer skin's point at a height, planks taken as straight between their edges. */
+/* Point of the outer skin at a height; planks are straight between their edges. */
 static vec skin_at(double y, double u)
 {
     int k = 0;
@@ -81,19 +81,19 @@ double hull_inner_x(double y, double u)
 
 enum { PLANKS_MAX = STRAKES, POINTS_MAX = 2 * PLANKS_MAX + 4, STATIONS_MAX = 32 };
 
-/* Which edges bound the planks, and where the stations stand. */
+/* Strake edges that bound the planks, and positions of the stations. */
 typedef struct {
     int planks, stations;
     double edge[PLANKS_MAX + 1];
     double u[STATIONS_MAX];
     double lap, rail; /* thickness of a plank, height of the gunwale */
-    double decked;    /* |u| from which the deck lies at the gunwale */
+    double decked;    /* u| from which the deck lies at the gunwale */
     bool painted;     /* shields are painted on the uppermost plank */
 } hull_plan;
 
 typedef struct {
-    vec at[POINTS_MAX];     /* two a plank, gunwale 3, deck's edge */
-    double way[PLANKS_MAX]; /* metres along each plank from the bow */
+    vec at[POINTS_MAX];     /* two a plank, 3 gunwale, 1 edge of the deck */
+    double way[PLANKS_MAX]; /* distance along each plank from the bow, m */
 } station;
 
 static vec deck_edge(double u, double decked, vec rail)
@@ -126,7 +126,7 @@ static void station_at(const hull_plan *plan, double u, station *to)
 static void measure_planks(const hull_plan *plan, station *s)
 {
     for (int k = 0; k < plan->planks; k++) {
-        s[0].way[k] = .37 * TILE * k; /* so that no grain runs on into the next strake */
+        s[0].way[k] = .37 * TILE * k; /* no grain continues into the next strake */
         for (int i = 1; i < plan->stations; i++) {
             vec a = vec_mix(s[i - 1].at[2 * k], s[i - 1].at[2 * k + 1], .5);
             vec b = vec_mix(s[i].at[2 * k], s[i].at[2 * k + 1], .5);
@@ -137,7 +137,8 @@ static void measure_planks(const hull_plan *plan, station *s)
 
 /* -- skins --------------------------------------------------------------------------- */
 
-/* Smoothing numbers: PLANK_FACE and PLANK_STEP are the first of as many as planks. */
+/* Smoothing numbers: PLANK_FACE and PLANK_STEP are each the first of as many numbers as
+ * there are planks. */
 enum {
     PLANK_FACE = 1,
     PLANK_STEP = 20,
@@ -149,8 +150,8 @@ enum {
     BOTTOM
 };
 
-/* t0 and t1 are the texture's t at the strip's first and second edge; by_height makes t
- * follow the wall's height instead, so that the planks inside keep their width. */
+/* t0 and t1 are the texture's t at the strip's first and second edge; with by_height t
+ * follows the height of the wall instead, so that the inner planks keep their width. */
 typedef struct {
     double t0, t1, tile;
     int smoothing;
@@ -162,7 +163,7 @@ static double height_t(const station *s, int p, strip_style w)
     return w.by_height ? w.t0 - .8 * (s->at[p].y - s->at[p + 1].y) : w.t1;
 }
 
-/* The strip between points p and p + 1 of all stations, way taken from plank k. */
+/* Strip between the points p and p + 1 of all stations, with the distances of plank k. */
 static void strip(mesh *m, const hull_plan *plan, const station *s, int p, int k,
                   strip_style w)
 {
@@ -212,7 +213,7 @@ static corner flat_corner(vec at)
     return corner_of(at, at.z / TILE, at.x * .8 + .5);
 }
 
-/* Deck and keel's underside, from side to side. */
+/* Deck and underside of the keel, from side to side. */
 static void across(mesh *m, const station *a, const station *b, int p, bool up)
 {
     vec ra = a->at[p], rb = b->at[p];
@@ -222,7 +223,7 @@ static void across(mesh *m, const station *a, const station *b, int p, bool up)
               flat_corner(fourth), up ? DECK : BOTTOM);
 }
 
-/* The closing strips inside a post; `fore` at the bow. */
+/* Closing strips inside a post; `fore`: at the bow. */
 static void end_cap(mesh *m, const station *s, int points, bool fore)
 {
     for (int p = 0; p + 1 < points; p++) {
@@ -294,7 +295,7 @@ void hull_build(mesh *m)
     build(m, &plan);
 }
 
-/* Without laps and rail their strips have no area and fall away. */
+/* Without laps and rail the strips of laps and rail have no area, so they are dropped. */
 void hull_build_low(mesh *m)
 {
     static const hull_plan plan = {

@@ -4,11 +4,11 @@
  *     cc -std=c11 -O2 assets/boats/?*.c assets/textures/canvas.c -lpng -lm -o longship
  *     ./longship assets/boats
  *
- * longship.obj is the ship with every plank, shield and oar; longship-low.obj has its
- * lines in at most 300 triangles, with the shields painted on.  Both use longship.mtl,
- * and both have a lid over the hull, which is never drawn: it keeps water out.
- * Shapes are computed in double and rounded so that every machine writes the same text
- * (mesh.h); the textures are painted in integers.  What it writes is CC0-1.0. */
+ * longship.obj is the ship with all planks, shields and oars; longship-low.obj has the same
+ * lines in at most 300 triangles, with painted shields. Both meshes use longship.mtl, and
+ * both have a lid over the hull, which is never drawn and keeps the water out. Shapes are
+ * computed in double precision and rounded so that each machine writes the same text
+ * (mesh.h); the textures are painted in integers. The output is CC0-1.0. */
 #include "longship.h"
 
 #include <stdio.h>

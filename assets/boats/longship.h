@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The parts of the longship.  Shapes are given in metres in the boat's own frame: x to
- * starboard, y up from the waterline, z aft, origin amidships. */
+/* Parts of the longship. Shapes are in metres in the boat's own frame: x to starboard, y up
+ * from the waterline, z aft, origin amidships. */
 #ifndef LONGSHIP_H
 #define LONGSHIP_H
 #include "mesh.h"
@@ -11,19 +11,19 @@ enum { STRAKES = 9 };
 
 typedef enum { BOW, STERN } ship_end;
 
-/* Where the planks of strake edge 0..STRAKES run into the post. */
+/* Point where the planks of strake edge 0..STRAKES meet the post. */
 vec post_rabbet(ship_end end, double edge);
 void posts_build(mesh *m);
 void posts_build_low(mesh *m);
 
 /* -- hull.c -------------------------------------------------------------------------- */
 
-/* A point of strake edge 0 (keel) .. STRAKES (gunwale) on the starboard side; u runs from
- * -1 at the bow to 1 at the stern. */
+/* Point of strake edge 0 (keel) .. STRAKES (gunwale) on the starboard side; u runs from -1
+ * at the bow to 1 at the stern. */
 vec hull_point(double edge, double u);
 vec hull_outward(double edge, double u); /* across the strake, level with the frame */
-double hull_u_at(double edge, double z); /* the u whose point has that z */
-double hull_inner_x(double y, double u); /* half the room between the skins */
+double hull_u_at(double edge, double z); /* the u of the edge's point with this z */
+double hull_inner_x(double y, double u); /* half the inner breadth between the skins */
 
 void hull_build(mesh *m);
 void hull_build_low(mesh *m);

@@ -75,8 +75,9 @@ static void fail(const char *what)
     exit(3);
 }
 
-/* Ten-thousandths.  Borders stand at .4863 instead of .5, where no decimal that a person
- * writes will fall; the sign is kept apart so that both sides of the boat are equal. */
+/* Converts to ten-thousandths. The rounding borders lie at .4863 instead of .5, where no
+ * decimal written by hand falls; the sign is handled separately, so both sides of the boat
+ * are equal. */
 static int32_t units(double v)
 {
     double scaled = fabs(v) * 10000.0 + 0.5137, whole = floor(scaled);
@@ -110,7 +111,8 @@ static vec way_between(const mesh_corner *from, const mesh_corner *to)
                   to->at[2] - from->at[2]);
 }
 
-/* Exact: the products of ways within 30 m, in units, stay below 2^53. */
+/* True if the triangle has no area. The test is exact: products of distances within 30 m,
+ * in units, stay below 2^53. */
 static bool is_flat(const mesh_face *f)
 {
     vec cross = vec_cross(way_between(&f->corner[0], &f->corner[1]),
@@ -147,7 +149,8 @@ static vec ring_centre(const vec *ring, int sides)
     return vec_scale(sum, 1.0 / sides);
 }
 
-/* A fan over a ring, flat mapped: s and t by the place in the ring's own directions. */
+/* Closes a ring by a fan with a flat mapping: s and t from the position in the ring's own
+ * directions. */
 static void close_ring(mesh *m, const vec *ring, int sides, bool first, tube_style style)
 {
     vec centre = ring_centre(ring, sides);
@@ -215,8 +218,8 @@ static bool same_at(const mesh_corner *a, const mesh_corner *b)
     return memcmp(a->at, b->at, sizeof a->at) == 0;
 }
 
-/* The face's unit normal times its angle at corner k: so a side counts the same however
- * it is cut into triangles. */
+/* The face's unit normal times its angle at corner k: a side then counts the same for each
+ * division into triangles. */
 static vec corner_share(const mesh_face *f, int k)
 {
     vec a = way_between(&f->corner[k], &f->corner[(k + 1) % 3]);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The longship's textures, painted in integers.  Each comes with a relief where light
- * should find one; its normal map is taken from that, so colour and bumps agree. */
+/* Textures of the longship, painted in integers. A texture with relief gets its normal map
+ * from the same relief as its colours, so colour and bumps agree. */
 #include "../textures/canvas.h"
 #include "longship.h"
 
@@ -45,7 +45,7 @@ static int grain(int x, int y)
     return (fine * 3 + broad * 2) / 5;
 }
 
-/* Iron rivets in a row above the lap, 0..256 by nearness. */
+/* Iron rivets in a row above the lap; 0..256, greatest at a rivet's middle. */
 static int rivet(int x, int row)
 {
     int dx = (x + 8) % 32 - 16, dy = row - 9, d2 = dx * dx + dy * dy;
@@ -58,7 +58,7 @@ static void paint_wood(const char *dir)
     start(WOOD, WOOD);
     for (int i = 0; i < WOOD * WOOD; i++) {
         int x = i % WOOD, y = i / WOOD, plank = y / PLANK;
-        int row = PLANK - 1 - y % PLANK; /* from its lower edge */
+        int row = PLANK - 1 - y % PLANK; /* from the plank's lower edge */
         int streak = (grain(x, y) - 32768) / 256;
         int worn = (fractal(x, y, WOOD, WOOD, 4, 4, 4, 85) - 32768) / 256;
         uint32_t wood =
@@ -80,8 +80,8 @@ static void paint_wood(const char *dir)
 
 enum { CARVING_W = 128, CARVING_H = 64 };
 
-/* The braid's relief at a point, 0 for the ground.  Band i swings as sin a and passes
- * over or under as sin 2a, a = x + i/3 turn. */
+/* Relief of the braid at a point, 0 for the ground. Band i swings as sin a and passes over
+ * or under as sin 2a, a = x + i/3 turn. */
 static int braid(int x, int y)
 {
     int best = 0, top = -32768;
@@ -94,7 +94,7 @@ static int braid(int x, int y)
             top = over;
             best = 300 + over / 3 + 240 - off * off / 150;
             if (off > 158)
-                best = 60; /* cut around the band */
+                best = 60; /* groove around the band */
         }
     }
     return best;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Keel, stem and stern posts: one timber that sweeps up into a dragon's head before and
- * coils into its tail behind.
+/* Keel, stem and stern posts: one timber that rises to a dragon's head at the bow and coils
+ * into a tail at the stern.
  *
- * A post's middle line is drawn by its heading: an angle given at some lengths along it
- * and eased between them, walked in small steps.  So its curvature is plain to shape and
- * has no kinks.  (d, y) are metres outboard along the keel and up. */
+ * The centre line of a post is defined by its heading: an angle at some lengths along the
+ * line, eased between them and walked in small steps. The curvature is then easy to shape
+ * and has no kinks. (d, y) are metres outboard along the keel and up. */
 #include "longship.h"
 
 #include <math.h>
@@ -74,8 +74,8 @@ vec post_rabbet(ship_end end, double edge)
 
 /* -- timbers ------------------------------------------------------------------------- */
 
-/* One ring: n inboard of the middle line, x to the side, in the order that turns
- * right-handed about the way outboard. */
+/* One ring: n inboard from the centre line, x to the side, in an order that is right-handed
+ * about the direction outboard. */
 static void put_ring(ship_end end, path_point p, double (*nx)[2], int sides, vec *to)
 {
     for (int i = 0; i < sides; i++) {
@@ -86,7 +86,7 @@ static void put_ring(ship_end end, path_point p, double (*nx)[2], int sides, vec
 
 enum { POST_SIDES = 6, RINGS_MAX = 40 };
 
-/* Flat inboard, widest in the middle, narrow where it cuts the water. */
+/* Cross section of a post: flat inboard, widest in the middle, narrow at the cutwater. */
 static void post_ring(ship_end end, double s, double depth, double width, vec *to)
 {
     double nx[POST_SIDES][2] = {
@@ -130,13 +130,13 @@ static void keel(mesh *m)
 
 enum { HEAD_SIDES = 8 };
 
-static const double HEAD = 1.3; /* the measures below are for a metre of head */
+static const double HEAD = 1.3; /* head length, m; the sizes below are for 1 m */
 
 typedef struct {
     double f, v, degrees, wide, up, down;
 } head_key;
 
-/* f forward and v up from the neck's end, then the half measures of an oval. */
+/* f forward and v up from the neck's end, then the half axes of an oval. */
 static const head_key skull[] = {
     { -.06, -.05, 42, .105, .145, .145 }, { .10, .09, 26, .150, .170, .150 },
     { .29, .155, 6, .160, .165, .115 },   { .43, .125, -12, .115, .105, .085 },
@@ -173,7 +173,7 @@ static void head_part(mesh *m, path_point neck, const head_key *k, int keys,
     mesh_tube(m, ring, keys, HEAD_SIDES, style);
 }
 
-/* A spike with a base of four corners, turning right-handed about the way to the tip. */
+/* A spike over a base of four corners, right-handed about the direction to the tip. */
 static void spike(mesh *m, const vec *base, vec tip)
 {
     for (int i = 0; i < 4; i++) {
@@ -207,7 +207,7 @@ static void mane(mesh *m)
     }
 }
 
-/* A cone of rings towards the head's starboard; the mirror makes the other. */
+/* A horn: a cone of rings on the head's starboard side; the mirror makes the other horn. */
 static void horn(mesh *m, path_point neck)
 {
     static const double line[4][5] = {
@@ -230,7 +230,8 @@ static void horn(mesh *m, path_point neck)
     mesh_tube(m, ring, 4, 4, style);
 }
 
-/* Two upper teeth of starboard, and the lower one between them. */
+/* Teeth of the starboard side: two in the upper jaw, and one between them in the lower
+ * jaw. */
 static void teeth(mesh *m, path_point neck)
 {
     static const double tooth[4][4] = {
@@ -299,7 +300,7 @@ void posts_build(mesh *m)
     dragon(m);
 }
 
-/* -- for small boards ---------------------------------------------------------------- */
+/* -- low-detail posts ---------------------------------------------------------------- */
 
 static void post_low(mesh *m, ship_end end, const double *at, int rings, int smoothing)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Mast, yard, square sail and ropes.  The wind comes from astern: the sail bellies
- * towards the bow, most below its middle, held at the yard and at its lower corners. */
+/* Mast, yard, square sail and ropes. The wind comes from astern: the sail bellies towards
+ * the bow, most below its middle, and is held at the yard and at its lower corners. */
 #include "longship.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@ static const double TURN = 6.283185307179586;
 static const double MAST_Z = .25, MAST_TOP = 10.15, YARD_Y = 9.18, YARD_Z = -.02;
 static const double SAIL_HEIGHT = 6.35, SAIL_HALF = 3.75;
 
-/* A ring of `sides` about a point of an axis that is upright or lies athwart. */
+/* A ring of `sides` points around a point of an upright or athwart axis. */
 static void ring_at(vec centre, bool upright, double radius, int sides, vec *to)
 {
     for (int i = 0; i < sides; i++) {
@@ -41,7 +41,7 @@ static void yard(mesh *m, int sides)
     mesh_tube(m, ring, 5, sides, style);
 }
 
-/* x from -1 (port) to 1, down from 0 (yard) to 1 (foot). */
+/* Point of the sail: x from -1 (port) to 1, down from 0 (yard) to 1 (foot). */
 static vec sail_point(double x, double down)
 {
     double belly = .95 * sin(TURN * .5 * pow(down, .8)) + .42 * down;
@@ -53,8 +53,8 @@ static vec sail_point(double x, double down)
                   YARD_Z - .12 - belly * held);
 }
 
-/* Both sides of the cloth, a finger apart and sewn together at the edges.  Four and a
- * half pairs of stripes, so that both edges are red. */
+/* Both sides of the cloth, a finger apart and joined at the edges. Four and a half pairs of
+ * stripes, so that both edges are red. */
 static corner sail_corner(int i, int j, int cols, int rows, bool fore)
 {
     double x = 2.0 * i / cols - 1.0, down = (double)j / rows;
@@ -64,8 +64,9 @@ static corner sail_corner(int i, int j, int cols, int rows, bool fore)
     return corner_of(at, 4.5 * i / cols, 4.0 - 4.0 * down);
 }
 
-/* Both sides are cut along the same diagonals, or they would cross; these run inwards
- * from the corners, or the two sides' corner triangles would be one. */
+/* Both sides are divided along the same diagonals, otherwise the sides would cross. The
+ * diagonals run inwards from the corners, otherwise the corner triangles of the two sides
+ * would coincide. */
 static void sail(mesh *m, int cols, int rows)
 {
     for (int side = 0; side < 2; side++) {
@@ -83,7 +84,7 @@ static void sail(mesh *m, int cols, int rows)
     }
 }
 
-/* Three sides suffice for what is mostly a line. */
+/* Three sides are enough for a rope, which is mostly seen as a line. */
 static void rope(mesh *m, vec a, vec b, double radius, int smoothing)
 {
     vec way = vec_unit(vec_sub(b, a));

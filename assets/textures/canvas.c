@@ -61,8 +61,8 @@ uint32_t hash(int x, int y, uint32_t seed)
     return h ^ h >> 16;
 }
 
-/* A quarter wave by the odd polynomial of degree 5 in u = 4 turns that is exact at both
- * ends: (pi/2) u - (pi - 5/2) u^3 + (pi/2 - 3/2) u^5, error below 4.5e-4. */
+/* Quarter wave by the odd polynomial of degree 5 in u = 4 turns that is exact at both ends:
+ * (pi/2) u - (pi - 5/2) u^3 + (pi/2 - 3/2) u^5, error below 4.5e-4. */
 int32_t sine_q14(int32_t turn_q16)
 {
     int32_t t = turn_q16 & 65535;
@@ -137,7 +137,7 @@ cells cells_at(int32_t x_q8, int32_t y_q8, int n, uint32_t seed)
     return found;
 }
 
-/* v / length of a unit vector as 0..255 around 127.5, rounded. */
+/* Component v / length of a unit vector as 0..255 around 127.5, rounded. */
 static int normal_channel(int64_t v, int64_t length)
 {
     return (int)((v * 255 + length * 256) / (length * 2));

@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* Clouds; see the header.  Cumulus is marched through: noise in space above a need that
- * is least at the base and grows upwards gives level bases and heaped tops; each sample
- * is dimmed by what lies between it and the sun. */
+/* Clouds; see the header. Cumulus is ray-marched: 3-D noise above a threshold that is
+ * lowest at the base and rises with height gives level bases and heaped tops; the cloud
+ * between a sample and the sun dims the sample. */
 #include "clouds.h"
 #include "canvas.h"
 
 enum {
     BASE = 1000,
     TOP = 2000,       /* m */
-    CELL = 850,       /* m, of the coarsest heaps */
+    CELL = 850,       /* size of the coarsest heaps, m */
     FARTHEST = 32000, /* m */
     STEPS = 36,
     ASIDE_X = 15700,
-    ASIDE_Z = 44100, /* m: where this sky's noise was found */
-    DENSE = 70       /* m in which dense cloud takes 1 / e of the light */
+    ASIDE_Z = 44100, /* offset of this sky in the noise, m */
+    DENSE = 70       /* distance in dense cloud that reduces light to 1 / e, m */
 };
 
 static vec along(vec dir, int32_t metres)
@@ -30,7 +30,7 @@ static vec sum(vec a, vec b)
     return v;
 }
 
-/* The noise that cloud needs at a height: much under the base, more and more above. */
+/* Threshold of the noise at a height: high under the base, and rising above the base. */
 static int need_at(int32_t y, int cover)
 {
     int h = (y - BASE) * 256 / (TOP - BASE);
@@ -38,7 +38,8 @@ static int need_at(int32_t y, int cover)
     return 39500 - cover + low + h * 24 + h * h * 13 / 64;
 }
 
-/* 0..256 of dense cloud.  Finer octaves can add 9000 at most, or the place is clear. */
+/* Density, 0..256 of dense cloud. Finer octaves add at most 9000; without a chance to reach
+ * the threshold the place is clear. */
 static int density(vec p, int octaves)
 {
     if (p.y < BASE || p.y > TOP)
@@ -56,15 +57,15 @@ static int density(vec p, int octaves)
     return clamp_int((coarse + fine - need) / 14, 0, 256);
 }
 
-/* 1 / e^tau for tau in 1/256, by the first terms; Q14. */
+/* Transmittance 1 / e^tau for tau in 1/256, by the first terms; Q14. */
 static int32_t fading(int tau_q8)
 {
     int64_t t = tau_q8;
     return (int32_t)(16384 * 65536 / (65536 + t * 256 + t * t / 2));
 }
 
-/* Sunlight that reaches a place, Q14.  Light scattered forwards many times comes deeper
- * than Beer's law says: the second term. */
+/* Sunlight at a place, Q14. Multiple forward scattering reaches deeper than Beer's law: the
+ * second term. */
 static int32_t sunlight(vec p, vec sun)
 {
     static const int32_t at[5] = { 40, 100, 190, 320, 520 };
@@ -77,7 +78,7 @@ static int32_t sunlight(vec p, vec sun)
     return fading(tau) * 11 / 16 + fading(tau / 5) * 5 / 16;
 }
 
-/* The light that a sample sends to the eye. */
+/* Light of a sample towards the eye. */
 static light sample_shine(vec p, vec sun)
 {
     int high = clamp_int((p.y - BASE) * 16 / (TOP - BASE), 0, 16);
@@ -115,7 +116,7 @@ cloud_look cumulus(vec dir, vec sun)
     return look;
 }
 
-/* A layer 5 km up whose noise is stretched four times along z. */
+/* Thickness of a layer 5 km up with noise stretched four times along z. */
 int32_t cloud_bars(vec dir)
 {
     if (dir.y < 500)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What lies under water and around it; see the header.  Each is a relief first, then
- * colours of its parts, then light on the relief. */
+/* Ground under water and walls around water; see the header. Each picture starts with a
+ * relief, then gets the colours of its parts, then light from the relief. */
 #include "ground.h"
 
 enum { SIDE = 256 };
@@ -17,7 +17,7 @@ static uint32_t rgb_add(uint32_t c, int v)
     return rgb((int)(c >> 16 & 255) + v, (int)(c >> 8 & 255) + v, (int)(c & 255) + v);
 }
 
-/* How deep in 1/256 pixel a point lies in a rectangle about 0 whose corners are rounded;
+/* Depth in 1/256 pixel of a point inside a rectangle around 0 with rounded corners;
  * negative outside. */
 static int inside_q8(int x_q8, int y_q8, int half_w_q8, int half_h_q8, int round_q8)
 {
@@ -28,7 +28,7 @@ static int inside_q8(int x_q8, int y_q8, int half_w_q8, int half_h_q8, int round
     return round_q8 - (dx > dy ? dx : dy);
 }
 
-/* A bevel: rises over `width` as a quarter of a circle does, to `height`. */
+/* Bevel: rises over `width` along a quarter circle to `height`. */
 static int bevel(int depth_q8, int width_q8, int height_q8)
 {
     int64_t rest = width_q8 - clamp_int(depth_q8, 0, width_q8);
@@ -46,7 +46,7 @@ static int tile_depth(int x, int y)
                      TILE_HALF_Q8, TILE_HALF_Q8, 4 * 256);
 }
 
-/* Glaze pools unevenly: each tile has its own tint, clouds in it, and a paler rim. */
+/* Uneven glaze: each tile has its own tint, clouds, and a paler rim. */
 static uint32_t glaze(int x, int y, int depth)
 {
     uint32_t id = hash(x / TILE, y / TILE, 81);
@@ -77,12 +77,12 @@ void paint_tiles(canvas *to)
 enum { COURSES = 4, COURSE = SIDE / COURSES };
 
 typedef struct {
-    int depth_q8; /* into the block, from its joint */
+    int depth_q8; /* depth in the block from its joint */
     uint32_t id;
 } block;
 
-/* Three blocks a course, their joints away from those above and below, and not ruled.
- * Half a course stands at the top, so that no joint runs along the seam. */
+/* Three blocks a course; the joints are offset from the courses above and below, at
+ * irregular places. Half a course lies at the top, so that no joint runs along the seam. */
 static block block_at(int x, int y)
 {
     static const int joint[COURSES][4] = { { 76, 166, 242, 332 },
@@ -131,7 +131,7 @@ void paint_stone(canvas *to)
 
 /* -- sand ---------------------------------------------------------------------------- */
 
-/* Ripples of a bed are steeper on one side, wander, and are worn down in places. */
+/* Sand ripples are steeper on one side, wander, and are worn down in places. */
 static int sand_height(int x, int y)
 {
     int wander = (fractal(x, y, SIDE, SIDE, 3, 3, 3, 96) - 32768) * 5 / 2;
@@ -162,11 +162,11 @@ void paint_sand(canvas *to)
 /* -- pebbles ------------------------------------------------------------------------- */
 
 typedef struct {
-    int depth_q8; /* into the pebble, from its rim */
+    int depth_q8; /* depth in the pebble from its rim */
     uint32_t id;
 } pebble;
 
-/* A cell's middle: as far from its neighbours as from a circle, whichever is nearer. */
+/* Pebble at a point: depth from the cell's border or from a circle, whichever is nearer. */
 static pebble pebble_at(int x, int y)
 {
     int px = x * 256 + (fractal(x, y, SIDE, SIDE, 18, 18, 2, 103) - 32768) / 40;

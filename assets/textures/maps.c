@@ -2,7 +2,7 @@
 /* Pictures that scenes read as numbers; see the header. */
 #include "maps.h"
 
-/* 65536 at the middle of a round hill of `radius` pixels, 0 from there on. */
+/* Round hill: 65536 at the middle, 0 from `radius` pixels on. */
 static int hill(int dx, int dy, int radius)
 {
     int64_t square = (int64_t)dx * dx + (int64_t)dy * dy, most = (int64_t)radius * radius;
@@ -10,8 +10,8 @@ static int hill(int dx, int dy, int radius)
     return (int)(rest * rest);
 }
 
-/* The floor rises from the south-west to a beach in the north-east, with a bank on the
- * way; noise of a few pixels keeps contours from being ruled lines. */
+/* The floor rises from the south-west to a beach in the north-east, with a bank before the
+ * beach; noise of a few pixels makes the contours irregular. */
 void paint_shoal(canvas *to)
 {
     for (int i = 0; i < to->w * to->h; i++) {
@@ -25,7 +25,7 @@ void paint_shoal(canvas *to)
     }
 }
 
-/* A mole across the middle, five pixels thick, with a gap of six. */
+/* A breakwater across the middle, five pixels thick, with a gap of six. */
 void paint_harbour(canvas *to)
 {
     for (int i = 0; i < to->w * to->h; i++) {

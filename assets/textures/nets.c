@@ -4,13 +4,13 @@
 
 enum { SIDE = 256 };
 
-/* A signed offset from noise of n cells a tile, +-reach / 256 of a pixel about 0. */
+/* Signed offset from noise with n cells a tile, +-reach pixels, in 1/256 pixel. */
 static int offset_q8(int x, int y, int n, int octaves, int reach_px, uint32_t seed)
 {
     return (fractal(x, y, SIDE, SIDE, n, n, octaves, seed) - 32768) * reach_px / 128;
 }
 
-/* How near, 0..256, a point lies to the border between cells; `width` in 1/256 cell. */
+/* Nearness of a point to the border between cells, 0..256; `width` in 1/256 cell. */
 static int border(const cells *c, int width)
 {
     int gap = clamp_int(c->next - c->near, 0, width);
@@ -18,7 +18,8 @@ static int border(const cells *c, int width)
     return t * t / 256;
 }
 
-/* Cells of a warped tile.  The warp is what makes straight borders run like water. */
+/* Cells of a warped tile. The warp bends straight borders into lines that look like
+ * water. */
 static cells warped_cells(int x, int y, int n, int reach_px, uint32_t seed)
 {
     int32_t px = x * 256 + offset_q8(x, y, n, 3, reach_px, seed + 100);
@@ -59,8 +60,8 @@ void paint_water(canvas *to)
 
 /* -- foam ---------------------------------------------------------------------------- */
 
-/* Brings the levels to 0..255 so that each stands as often: of a threshold at t, the
- * share 1 - t / 256 of the picture lies above.  `level` is 0..RANKS - 1. */
+/* Spreads the levels evenly over 0..255: the share 1 - t / 256 of the picture lies above a
+ * threshold t. `level` is 0..RANKS - 1. */
 enum { RANKS = 4096 };
 
 static void spread_evenly(const int *level, canvas *to)
@@ -80,8 +81,8 @@ static void spread_evenly(const int *level, canvas *to)
     }
 }
 
-/* Films between bubbles of three sizes: thin foam is torn lace, thick foam closes over
- * the smallest bubbles last. */
+/* Films between bubbles of three sizes: thin foam is torn lace; in thick foam the smallest
+ * bubbles close last. */
 void paint_foam(canvas *to)
 {
     static int level[SIDE * SIDE];
@@ -101,7 +102,7 @@ void paint_foam(canvas *to)
 
 /* -- crests -------------------------------------------------------------------------- */
 
-/* 0..256, a thin line where a sum of waves passes 0; waves go up and down the tile. */
+/* 0..256: a thin line where a sum of waves passes 0; waves go up and down the tile. */
 static int thread(int x_q8, int y_q8, int steep, int width, uint32_t seed)
 {
     int sum = 0;
@@ -115,7 +116,8 @@ static int thread(int x_q8, int y_q8, int steep, int width, uint32_t seed)
     return t * t / 256;
 }
 
-/* Broken threads of light: two families of lines, each seen where a cloud lets it. */
+/* Broken threads of light: two families of lines, each visible where a cloud of noise
+ * permits. */
 void paint_crests(canvas *to)
 {
     for (int i = 0; i < SIDE * SIDE; i++) {
@@ -135,7 +137,7 @@ void paint_crests(canvas *to)
 
 /* -- lava ---------------------------------------------------------------------------- */
 
-/* Black crust, dull red, orange, yellow: what a black body shows from 800 to 1400 K. */
+/* Black crust, dull red, orange, yellow: colours of a black body from 800 to 1400 K. */
 static uint32_t glow(int heat_256)
 {
     static const uint32_t ramp[6] = { 0x120c0b, 0x3a0d06, 0x9c1c04,
@@ -161,8 +163,8 @@ void paint_lava(canvas *to)
     }
 }
 
-/* Layers of one lava: crust and glow have the same plates, so that they may lie on each
- * other, or drift apart.  Here the crust, ropes of rock that is black but for its rim. */
+/* Layers of one lava: crust and glow have the same plates, so the layers may lie on each
+ * other or drift apart. The crust: ropes of rock, black except the rim. */
 void paint_lava_crust(canvas *to)
 {
     static relief rock = { SIDE, SIDE, { 0 } };
@@ -183,7 +185,7 @@ void paint_lava_crust(canvas *to)
     }
 }
 
-/* Its glow on black: veins with a dull halo, hotter here and there. */
+/* Glow on black: veins with a dull halo, hotter in places. */
 void paint_lava_glow(canvas *to)
 {
     for (int i = 0; i < SIDE * SIDE; i++) {

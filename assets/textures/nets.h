@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures that are nets of warped cells: light on water, foam, cracked lava. */
+/* Pictures of warped cell nets: light on water, foam, cracked lava. */
 #ifndef NETS_H
 #define NETS_H
 #include "canvas.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Skies as cubes; see the header.  Each is a function of the direction alone, so that
+/* Skies as cube maps; see the header. Each sky is a function of the direction alone, so the
  * faces join. */
 #include "skies.h"
 #include "canvas.h"
@@ -10,14 +10,16 @@
 
 enum { FACE = 256, ONE = 16384 };
 
-/* 256 within a disc's radius, 0 outside, soft over a texel's width; Q14 radians. */
+/* Coverage of a disc: 256 within its radius, 0 outside, soft over a texel's width; Q14
+ * radians. */
 static int disc_at(int32_t off, int32_t radius)
 {
     return clamp_int((radius + 80 - off) * 256 / 160, 0, 256);
 }
 
-/* A disc's light beyond white, 0..255, and around it a glow of `glow` at the rim.  Inside
- * it rises as a cube: many times white, a steeper edge would show its texels. */
+/* Alpha of a disc, brightness above white, 0..255, with a glow of `glow` at the rim. The
+ * alpha rises inside as a cube: at many times white, a steeper edge would show its
+ * texels. */
 static int disc_alpha(int32_t off, int32_t radius, int32_t reach, int glow)
 {
     int64_t t = clamp_int((reach - off) * 256 / (reach - radius), 0, 256);
@@ -25,7 +27,7 @@ static int disc_alpha(int32_t off, int32_t radius, int32_t reach, int glow)
     return mix_int((int)(glow * t * t * t >> 24), 255, (int)(disc * disc * disc >> 16));
 }
 
-/* 1 at the middle of a glow, falling off as 1 / (1 + (off / width)^2); Q14. */
+/* Glow 1 / (1 + (off / width)^2): 1 at the middle; Q14. */
 static int32_t glow_at(int32_t off, int32_t width)
 {
     int64_t w = (int64_t)width * width;
@@ -79,7 +81,7 @@ static light dusk_air(vec dir, int32_t towards)
     return light_mix(shade, lit, share * 2 / 5 + share * share / ONE * 3 / 5);
 }
 
-/* Thin cloud takes the low sun's colour, thick cloud keeps its own dusk. */
+/* Thin cloud takes the low sun's colour; thick cloud keeps its own dusk colour. */
 static light dusk_cloud(int32_t thick, int32_t towards, int32_t off)
 {
     int32_t share = (ONE + towards) / 2;
@@ -124,8 +126,8 @@ static int distance(int32_t v)
     return v < 0 ? -v : v;
 }
 
-/* Whether a direction lies in a face's outermost texels, where two components are all but
- * equal; a star there would be cut in two. */
+/* True if a direction lies in a face's outermost texels, where two components are almost
+ * equal; an edge would cut a star there in two. */
 static bool at_edge(vec d)
 {
     int x = distance(d.x), y = distance(d.y), z = distance(d.z);
@@ -133,7 +135,7 @@ static bool at_edge(vec d)
            || distance(z - x) < z / 128;
 }
 
-/* One texel in some hundred holds a star, by its own direction; few are bright. */
+/* One texel in some hundred holds a star, chosen by its direction; few stars are bright. */
 static light star(vec dir)
 {
     light none = { 0, 0, 0 };
@@ -189,7 +191,7 @@ static const face faces[6] = {
     { "north", { 0, 0, -1 }, { 1, 0, 0 }, { 0, -1, 0 } },
 };
 
-/* Where a texel's middle lies on a cube whose sides are FACE from the middle. */
+/* Direction of a texel's middle, on a cube whose faces are FACE from the centre. */
 static vec texel_at(const face *f, int column, int row)
 {
     int32_t u = 2 * column + 1 - FACE, v = 2 * row + 1 - FACE;

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Skies as cubes: six pictures each, DIR/day-east.png and so on, 256x256 RGBA.
+/* Skies as cube maps: six pictures each, DIR/day-east.png and so on, 256x256 RGBA.
  *
- * A face is what an eye in the cube's middle sees along an axis, upright on the four
- * sides; the lower edge of `up` joins the south, and so does the upper edge of `down`.
- * Alpha is light beyond white [F8], and only the sun or the moon has any.
+ * A face is the view of an eye at the cube's centre along an axis, upright on the four
+ * sides; the lower edge of `up` joins the south face, and the upper edge of `down` joins
+ * the south face too. Alpha is brightness above white [F8]; only the sun or the moon has
+ * alpha.
  *
  * day    cumulus, the sun in the south-west (heading 225), 42 degrees up
  * dusk   lit bars of cloud, the sun in the west (heading 270), 6 degrees up

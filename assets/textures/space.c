@@ -6,7 +6,7 @@
 vec unit(int32_t x, int32_t y, int32_t z)
 {
     int64_t square = (int64_t)x * x + (int64_t)y * y + (int64_t)z * z;
-    int64_t length = root_u64((uint64_t)square << 8); /* 16 times it, to divide finely */
+    int64_t length = root_u64((uint64_t)square << 8); /* 16 times it, for a fine division */
     int64_t half = length / 2;
     vec v = { (int32_t)(((int64_t)x * (1 << 18) + (x < 0 ? -half : half)) / length),
               (int32_t)(((int64_t)y * (1 << 18) + (y < 0 ? -half : half)) / length),
@@ -85,13 +85,13 @@ static int32_t floor_cell(int32_t v_q8)
     return (v_q8 - (v_q8 & 255)) / 256;
 }
 
-/* 3t^2 - 2t^3 of t in 1/256; 0..4096. */
+/* Smoothstep 3t^2 - 2t^3 of t in 1/256; 0..4096. */
 static int64_t smooth(int32_t t)
 {
     return (int64_t)t * t * (3 * 256 - 2 * t) >> 12;
 }
 
-/* The four corners of a cell's floor or ceiling, mixed. */
+/* Bilinear mix of the four corners of a cell's floor or ceiling. */
 static int64_t level_of(int32_t x, int32_t z, int64_t fx, int64_t fz, uint32_t seed)
 {
     int64_t a = hash(x, z, seed) >> 16, b = hash(x + 1, z, seed) >> 16;

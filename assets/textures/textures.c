@@ -1,22 +1,23 @@
 /* SPDX-License-Identifier: MIT */
-/* Paints the scenes' own textures and the skies, in integers, the same everywhere.
+/* Paints the scenes' own textures and the skies, in integers, equal on all machines.
  *
  *     cc -std=c11 -O2 assets/textures/?*.c -lpng -o textures
  *     ./textures assets/textures assets/skies
  *
- * water.png         pale net of light with streaks, mean 200: multiply a colour
+ * water.png         pale net of light with streaks, mean 200: multiply by a colour
  * water-normal.png  capillary ripples, tangent space, green up, slopes to 0.35
- * crests.png        threads of light on black: add it
+ * crests.png        threads of light on black: add
  * noise.png         grey, six octaves
  * distortion.png    64x64, red and green: smooth offsets, 128 is none
- * foam.png          bubbles' films; each grey as often: a threshold sets the coverage
+ * foam.png          films of bubbles; all greys equally frequent: a threshold sets the
+ *                   coverage
  * lava.png          cooling crust over glowing cracks; lava-crust.png and lava-glow.png
  *                   are the same in two layers
  * tiles.png, stone.png, sand.png, pebbles.png    walls and floors
  * shoal.png, harbour.png    maps that scenes read as numbers; see maps.h
  *
- * 256x256 where nothing else is said, and all but the maps tile both ways.  The skies
- * are cubes of six faces; see skies.h.  The pictures are CC0-1.0. */
+ * Pictures are 256x256 unless noted, and all except the maps tile along both axes. The
+ * skies are cubes of six faces; see skies.h. The pictures are CC0-1.0. */
 #include "canvas.h"
 #include "ground.h"
 #include "maps.h"
@@ -33,12 +34,12 @@ enum { SIDE = 256 };
 enum { RIPPLES = 56, RIPPLE_SLOPE_Q16 = 1530 };
 
 typedef struct {
-    int32_t kx, ky;    /* whole waves a tile, so that the tile closes */
-    int32_t length_q8; /* of (kx, ky) */
+    int32_t kx, ky;    /* whole waves a tile, so that the tile wraps */
+    int32_t length_q8; /* length of (kx, ky) */
     int32_t phase_q16;
 } ripple;
 
-/* Wave vectors drawn evenly from a ring; those outside are drawn again. */
+/* Wave vectors uniform in a ring, by rejection: vectors outside are drawn again. */
 static void draw_ripples(ripple r[RIPPLES])
 {
     int n = 0;
@@ -55,7 +56,7 @@ static void draw_ripples(ripple r[RIPPLES])
     }
 }
 
-/* Slopes of the sum at a point in 1/256 pixel; long waves are a little steeper. */
+/* Slopes of the sum at a point in 1/256 pixel; long waves are slightly steeper. */
 static void ripple_slopes(const ripple *r, int32_t x_q8, int32_t y_q8, int32_t slope[2])
 {
     int64_t sx = 0, sy = 0;
@@ -70,7 +71,7 @@ static void ripple_slopes(const ripple *r, int32_t x_q8, int32_t y_q8, int32_t s
     slope[1] = (int32_t)sy;
 }
 
-/* Reading the slopes a little uphill pulls the crests together, as real ripples do. */
+/* Reading the slopes slightly uphill sharpens the crests, as in real ripples. */
 static void paint_ripples(canvas *to)
 {
     ripple r[RIPPLES];
@@ -96,8 +97,8 @@ static void paint_noise(canvas *to)
 
 enum { PUSHES = 14, PUSH_SIDE = 64 };
 
-/* Waves of two to five a tile whose lengths fade like a sea's: smooth both ways, and of
- * mean 0, or the distortion would push the whole picture aside. */
+/* Waves of two to five a tile, with amplitudes that fade like a sea's: smooth along both
+ * axes, with mean 0, since a mean offset would shift the whole picture. */
 static int push(int x, int y, uint32_t seed)
 {
     int sum = 0;

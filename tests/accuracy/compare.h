@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The engine's picture beside the reference's, of one moment and one sample a pixel. */
+/* Compares the engine's picture with the reference's: the same moment, one sample a
+ * pixel. */
 #ifndef TP_TESTS_ACCURACY_COMPARE_H
 #define TP_TESTS_ACCURACY_COMPARE_H
 #include <stdbool.h>
@@ -10,18 +11,19 @@
 #include "tests/reference/image.h"
 #include "tests/reference/stand.h"
 
-/* Settings without what the reference does not draw, or not as the engine draws it. */
+/* Settings that turn off features the reference does not draw, or draws in another way. */
 #define REF_WITHOUT "foam.cells=0", "spray.count=0", "water.caustics=0", \
                     "sky.stars=0", "mirror.bend=1"
 
-/* The engine's: colours, and what is there. */
+/* The engine's picture: colours and the kind of surface in each pixel. */
 typedef struct {
     uint32_t  width, height;
     uint32_t *pixel;            /* 0x00RRGGBB */
     uint8_t  *kind;             /* ref_kind */
 } drawn_image;
 
-/* One tile over all; the samples' keys are the first plane of its scratch. */
+/* Draws the picture as a single tile; the G-buffer's keys are the first plane of the tile's
+ * scratch memory. */
 static inline drawn_image drawn_of(const ref_stand *stand, uint32_t width,
                                    uint32_t height)
 {
@@ -66,23 +68,24 @@ static inline void drawn_free(drawn_image *image)
     free(image->kind);
 }
 
-/* How two pictures differ. */
+/* Difference of two pictures. */
 typedef struct {
-    uint32_t pixels, water;     /* of the picture; compared */
-    uint32_t elsewhere;         /* pixels that show another thing */
-    double   rms[3], worst[3];  /* levels of 255, of water away from edges */
-    double   mean[3];           /* the engine's less the reference's */
+    uint32_t pixels, water;     /* pixels of the picture; pixels compared */
+    uint32_t elsewhere;         /* pixels with another kind of surface */
+    double   rms[3], worst[3];  /* of 255: water away from edges */
+    double   mean[3];           /* engine minus reference, of 255 */
 } difference;
 
-/* Whether 1 / depth, which is linear on a plane, bends by a tenth from one side of a
- * pixel to the other: there is a crest's edge. */
+/* True if the reciprocal depth changes its slope by more than a tenth of its value across
+ * the pixel. 1 / depth is linear on a plane, so a bend marks the edge of a crest. */
 static inline bool is_bent(const ref_image *b, size_t at, size_t step)
 {
     return fabs(b->near[at - step] + b->near[at + step] - 2 * b->near[at])
            > 0.1 * b->near[at];
 }
 
-/* Whether an object in the mirror ends within two pixels, which are one of its picture. */
+/* True if a mirrored object ends within two pixels. The engine draws the mirror at half the
+ * size, so two pixels are one pixel of the mirror's picture. */
 static inline bool is_mirror_edge(const ref_image *b, uint32_t x, uint32_t y)
 {
     const uint8_t own = b->in_mirror[(size_t)y * b->width + x];
@@ -96,7 +99,8 @@ static inline bool is_mirror_edge(const ref_image *b, uint32_t x, uint32_t y)
     return false;
 }
 
-/* Water in both, and so all its neighbours; no crest ends here, and no mirror. */
+/* True if the pixel and its eight neighbours are water in both pictures and neither a crest
+ * nor a mirrored object ends at the pixel. */
 static inline bool is_inner(const drawn_image *a, const ref_image *b, uint32_t x,
                             uint32_t y)
 {

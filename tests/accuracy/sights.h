@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* Looking from a camera in a direction, by angles alone: what the reference draws there
- * beside closed forms that share nothing with it but the scene's numbers. */
+/* Directions of sight as angles, and closed forms for the colour seen in a direction. The
+ * closed forms share nothing with the reference but the numbers of the scene. */
 #ifndef TP_TESTS_ACCURACY_SIGHTS_H
 #define TP_TESTS_ACCURACY_SIGHTS_H
 #include "scene/world.h"
 #include "tests/unit/measure.h"
 #include "views.h"
 
-/* Radians: clockwise from north, -z, and above the horizon. */
+/* Direction in radians: azimuth clockwise from north (-z), elevation above the horizon. */
 typedef struct {
     double azimuth, elevation;
 } sight;
 
-/* A colour's channel k, red first. */
+/* Channel k of a colour: 0 red, 1 green, 2 blue. */
 static inline double channel(int32_t colour, int k)
 {
     return (uint32_t)colour >> (16 - 8 * k) & 255;
@@ -28,14 +28,14 @@ static inline double radians(tp_turn turn)
     return turn * (2 * PI / 4294967296.0);
 }
 
-/* Of the angle between two, by the sides of a spherical triangle. */
+/* Cosine of the angle between two directions, by the spherical law of cosines. */
 static inline double sight_cos(sight a, sight b)
 {
     return sin(a.elevation) * sin(b.elevation)
          + cos(a.elevation) * cos(b.elevation) * cos(a.azimuth - b.azimuth);
 }
 
-/* The world's light, quantised as the world holds it. */
+/* Direction of the world's light, quantised as the world stores the angles. */
 static inline sight sight_light(const view_of_ref *v)
 {
     return (sight){ radians(v->world->light_heading),
@@ -48,7 +48,8 @@ static inline sight sight_ahead(const view_of_ref *v)
                     (int32_t)v->world->pitch * (2 * PI / 4294967296.0) };
 }
 
-/* Where that direction lies in a picture of width x height; false: not in it. */
+/* Projects the direction `to` into a picture of width x height pixels: `place` in pixels.
+ * Returns false if the direction is outside the picture. */
 static inline bool sight_place(const view_of_ref *v, sight to, uint32_t width,
                                uint32_t height, double place[2])
 {
@@ -66,7 +67,8 @@ static inline bool sight_place(const view_of_ref *v, sight to, uint32_t width,
         && place[1] < height;
 }
 
-/* Of a view opened as 64x48 pixels, for a direction that it holds. */
+/* Colour that the reference sees in a direction; for a view opened at 64x48 pixels that
+ * contains the direction. */
 static inline ref_seen sight_look(const view_of_ref *v, sight to)
 {
     double place[2];
@@ -75,7 +77,7 @@ static inline ref_seen sight_look(const view_of_ref *v, sight to)
     return ref_look(&v->ref, place[0], place[1]);
 }
 
-/* Any direction of the picture from one elevation to another. */
+/* Random direction inside the picture, with an elevation from `low` to `high`. */
 static inline sight sight_any(const view_of_ref *v, uint64_t *state, double low,
                               double high)
 {
@@ -90,7 +92,7 @@ static inline sight sight_any(const view_of_ref *v, uint64_t *state, double low,
     return s;
 }
 
-/* A light, and water that is seen through, of any kind. */
+/* Scene of transparent water with random light and random water colours. */
 static inline tp_scene scene_clear_any(uint64_t *state)
 {
     tp_scene s = scene_level();
@@ -105,12 +107,12 @@ static inline tp_scene scene_clear_any(uint64_t *state)
     return s;
 }
 
-/* -- what light does --------------------------------------------------------------- */
+/* -- optics ------------------------------------------------------------------------ */
 
 #define WATER 1.333
 
-/* Fresnel's laws by sines and tangents of the angles, from index 1 into `e`; not for a
- * look square to the surface. */
+/* Fresnel reflectance of unpolarised light from index 1 into index `e`, by the sines and
+ * tangents of the angles. The form has no value at normal incidence. */
 static inline double fresnel_of(double angle, double e)
 {
     const double bent = asin(sin(angle) / e);
@@ -118,7 +120,8 @@ static inline double fresnel_of(double angle, double e)
             + pow(tan(angle - bent) / tan(angle + bent), 2)) / 2;
 }
 
-/* The gradient's sky: of the zenith's colour all but a square of 1 - sine. */
+/* Gradient sky: the zenith's colour plus (1 - sine)^2 of the difference to the
+ * horizon's. */
 static inline double gradient_of(const tp_scene *s, double elevation, int k)
 {
     const double rest = 1 - fmax(0, sin(elevation));
@@ -126,8 +129,8 @@ static inline double gradient_of(const tp_scene *s, double elevation, int k)
          + rest * rest * (channel(s->sky.horizon, k) - channel(s->sky.zenith, k));
 }
 
-/* The light under water is steeper; of what it lays on a face a level one has as much as
- * it would have dry. */
+/* Cosine of the light on a face under water. The refracted light is steeper; the factor
+ * keeps the light on a level face equal to the light on a dry level face. */
 static inline double wet_cos(const view_of_ref *v, sight face)
 {
     const sight light = sight_light(v);
@@ -136,7 +139,8 @@ static inline double wet_cos(const view_of_ref *v, sight face)
     return sight_cos(face, bent) * sin(light.elevation) / sin(bent.elevation);
 }
 
-/* Of `seen` after `way` m of water, what is lost made up by `body`. */
+/* Beer's law: `seen` after `way` m of water; the part of the light that the water absorbs
+ * is replaced by the colour `body`. */
 static inline double beer_of(const tp_scene *s, double seen, double body, double way,
                              int k)
 {
@@ -144,14 +148,15 @@ static inline double beer_of(const tp_scene *s, double seen, double body, double
     return between(body, seen, exp(way / clear * log(channel(s->water.tint, k) / 255)));
 }
 
-/* What is lit by the light at a cosine. */
+/* Brightness of a surface that the light meets at an angle with this cosine: ambient plus
+ * diffuse light, 0..1. */
 static inline double lit_of(const tp_scene *s, double cosine)
 {
     const double ambient = s->light.ambient / 65536.0;
     return ambient + (1 - ambient) * fmax(0, cosine);
 }
 
-/* A picture of noise. */
+/* Texture of noise. */
 enum { NOISE = 16 };
 
 typedef struct {
@@ -170,8 +175,8 @@ static inline const tp_texture *noise_of(noise_picture *p, uint64_t *state)
     return &p->texture;
 }
 
-/* Its channel k between texels' centres, repeated: each texel's share is what is left of
- * 1 beside its distance, both ways. */
+/* Channel k of the repeated noise at (x, y) by bilinear filtering: the weight of each texel
+ * is 1 minus the distance to its centre, in x and in y. */
 static inline double tents_of(const noise_picture *p, double x, double y, int k)
 {
     double sum = 0;
@@ -187,7 +192,8 @@ static inline double tents_of(const noise_picture *p, double x, double y, int k)
     return sum;
 }
 
-/* Its texel at a place; NAN so near to an edge that either may be meant. */
+/* Channel k of the texel at (s, t), nearest filter. NAN within 1e-7 texel of a texel's
+ * edge, where rounding decides which texel is meant. */
 static inline double texel_at(const noise_picture *p, double s, double t, int k)
 {
     const double x = (s - floor(s)) * NOISE, y = (t - floor(t)) * NOISE;
@@ -197,7 +203,7 @@ static inline double texel_at(const noise_picture *p, double s, double t, int k)
     return channel((int32_t)p->pixel[(int)y % NOISE * NOISE + (int)x % NOISE], k);
 }
 
-/* A picture of one colour. */
+/* Texture of a single colour. */
 typedef struct {
     tp_texture texture;
     uint32_t   texel[4];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Scenes under any sky, for the reference's own checks. */
+/* Scenes with each kind of sky for the reference's own checks. */
 #ifndef TP_TESTS_ACCURACY_SKIES_H
 #define TP_TESTS_ACCURACY_SKIES_H
 #include "sights.h"
@@ -20,7 +20,7 @@ static inline tp_scene scene_sky(uint64_t *state, int32_t kind)
     return s;
 }
 
-/* A place with no water below it; it may still be seen, far away. */
+/* Moves the camera to a place without water below; water far away may stay visible. */
 static inline void go_ashore(tp_scene *s)
 {
     s->camera.x = 4000 * TP_FX_ONE;

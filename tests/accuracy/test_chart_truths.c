@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What the charts judge by: the sea in double precision against the tables of
- * tests/vectors, places of triangles against the ray of each pixel, and the steps that the
- * chart "span" compares. */
+/* Checks of the references that the charts compare with: the deep water in double precision
+ * against the tables of tests/vectors, texture places of triangles against the ray of each
+ * pixel, and the steps that the chart "span" compares. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -13,7 +13,7 @@
 #include "tests/unit/chance.h"
 #include "tests/unit/wave_rows.h"
 
-/* -- the sea ------------------------------------------------------------------------- */
+/* -- deep water ---------------------------------------------------------------------- */
 
 static ref_sea sea_of(const rows *r, double phase[TP_WAVES])
 {
@@ -66,7 +66,8 @@ static tp_samples tile_of(int i)
                          plane[i][2], plane[i][3], false };
 }
 
-/* Large, and up to four times as deep at one corner as at another: never affine. */
+/* Random large triangle, up to four times as deep at one vertex as at another: the
+ * perspective is never affine. */
 static void any_triangle(void)
 {
     for (int i = 0; i < 3; i++) {
@@ -95,8 +96,8 @@ static double determinant(const double a[3], const double b[3], const double c[3
          + c[0] * (a[1] * b[2] - a[2] * b[1]);
 }
 
-/* Where the ray of a pixel meets the plane of the corners in space, by Cramer's rule: s in
- * 16.16, unrounded. */
+/* Texture coordinate s (or t) in 16.16, unrounded, at the point where the ray of a pixel
+ * meets the plane of the triangle in space; by Cramer's rule. */
 static double place_on_ray(int x, int y, bool t)
 {
     const double ray[3] = { 16 * x + 8, 16 * y + 8, 1 };
@@ -135,7 +136,8 @@ static void places_in_double_lie_on_the_pixels_rays(void **state)
     assert_true(off.worst < 0.51);
 }
 
-/* The depths are those of the truth: only places differ, and only between multiples. */
+/* The depths are equal to the reference's depths: only the texture coordinates differ, and
+ * only between the multiples of the step. */
 static void steps_are_true_at_their_multiples(void **state)
 {
     static const int32_t steps[] = { 1, 8, 16, 32 };
@@ -163,7 +165,7 @@ static void steps_are_true_at_their_multiples(void **state)
     }
 }
 
-/* Along a row each pixel is as far from the last as that from the one before. */
+/* Along a row the difference between neighbouring pixels is constant. */
 static void affine_places_lie_on_a_plane(void **state)
 {
     (void)state;

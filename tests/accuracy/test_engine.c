@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The engine's frames against the reference's: shipped scenes at 160x120, one sample a
- * pixel, both with the waves' extent and the textures' levels of the engine.  Compared is
- * water away from edges: its own, crests', and those of what it mirrors, which the engine
- * draws at half the size (with these flat-calm would be at 9.8).
+/* Compares frames of the engine with the reference: shipped scenes at 160x120, one sample a
+ * pixel, both with the engine's extent of waves and mipmap levels. Only water away from
+ * edges is compared: away from the water's own edges, from crests and from the edges of
+ * mirrored objects, because the engine draws the mirror at half the size (with the mirror's
+ * edges flat-calm would be at 9.8).
  *
- * What is left is what the engine approximates: the surface by a mesh of cells with
- * slopes between their corners, its tables, its roundings. */
+ * The remaining difference is the engine's approximation: the surface as a mesh of cells
+ * with slopes interpolated between grid vertices, the tables, and the rounding. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -19,34 +20,35 @@ enum { WIDTH = 160, HEIGHT = 120, SETTINGS = 10 };
 typedef struct {
     const char *name;
     uint32_t tick;
-    double   whole, dull;       /* bounds of the rms of 255: as it is; without glitter, 0:
-                                   there is none in view */
-    double   elsewhere;         /* of the share of pixels that show another thing */
-    const char *set[SETTINGS];  /* besides; ended by NULL */
+    double   whole, dull;       /* bounds of the rms, of 255: `whole` with glitter, `dull`
+                                 * without; 0: no glitter in view */
+    double   elsewhere;         /* bound of the share of pixels with another surface */
+    const char *set[SETTINGS];  /* further settings, ended by NULL */
 } row;
 
 static const char *const off[] = {
     REF_WITHOUT,
     "quality.visibility=triangles", "quality.shading=exact", "quality.rate=full",
-    "quality.lod=off",          /* what the others are judged by; test_plan.c */
+    "quality.lod=off",          /* exact rungs; test_plan.c compares the others */
 };
 
 enum { OFF = sizeof off / sizeof *off };
 
-/* The goal is 3.  Above it, and why; in brackets both figures, with glitter and without,
- * of cells a third as wide:
- *  - coarse cells, between whose corners slopes are straight lines, which moves what is
- *    mirrored and, most of all, a lobe of light: three-swells (1.1 1.1; at dusk 2.6 1.2),
+/* The goal is 3. The scenes above the goal and the reasons; in brackets both figures, with
+ * and without glitter, for cells a third as wide:
+ *  - coarse cells: slopes are linear between grid vertices, so mirrored objects move and,
+ *    most of all, a lobe of light moves: three-swells (1.1 1.1; at dusk 2.6 1.2),
  *    calm-bay (2.2 2.0), raindrops (1.9 1.5 of half the width), deep-sea (2.1 1.3, the
- *    last row), count-64 (1.6 0.8), night-sea (6.7 0.9; exposed by itself 5.1 1.7);
- *  - night-sea also by its lobe of 1.5 times the light at a shininess of 200, whose points
- *    are smaller than a pixel; a night that is exposed has its errors brightened too;
+ *    last row), count-64 (1.6 0.8), night-sea (6.7 0.9; with automatic exposure 5.1 1.7);
+ *  - night-sea also has a lobe of 1.5 times the light at a shininess of 200: its highlights
+ *    are smaller than a pixel; the exposure of a night brightens the errors too;
  *  - lava: blunt waves 3 m long on cells of 0.9 m move a picture of bright cracks by a
- *    texel or two (4.6 with cells of 0.3 m, 3.8 with 0.1 m); without waves what is left is
- *    two rows of pixels that choose another level, and far cracks (2.8 at 320 pixels);
- *  - harbour: walls of a mask are not seen through the water (1.1 1.0 of opaque water);
- *  - shore-break: the reference leaves out what overhangs (2.3 with surf.stretch = 0). */
-/* Without the boat's mirror, which waves bend to first order (3.6 and 3.7 with it). */
+ *    texel or two (4.6 with cells of 0.3 m, 3.8 with 0.1 m); without waves the rest is
+ *    two rows of pixels with another mipmap level, and far cracks (2.8 at 320 pixels);
+ *  - harbour: walls of a mask are not visible through the water (1.1 1.0 of opaque water);
+ *  - shore-break: the reference leaves out overhangs (2.3 with surf.stretch = 0). */
+/* No mirror of the boat: the engine bends that mirror by the waves to first order only (3.6
+ * and 3.7 with the mirror). */
 #define BARE "mirror.objects=none"
 #define STILL "wave0.amplitude=0", "wave1.amplitude=0", "wave2.amplitude=0"
 
@@ -68,7 +70,7 @@ static const row rows[] = {
     { "from-above", 100, 1.2, 1.1, 0.0005, { NULL } },
     { "count-64", 100, 6.0, 4.4, 0.0005, { NULL } },
 
-    /* layers of all kinds and their distortion */
+    /* layers of all kinds and the distortion of the layers */
     { "from-above", 100, 1.1, 0, 0.0005, { STILL } },
     { "from-above", 100, 1.3, 0, 0.0005, { "water.filter=nearest", STILL } },
     { "lava", 100, 4.3, 0, 0.0005, { STILL } },
@@ -89,20 +91,21 @@ static const row rows[] = {
         "sky.down=assets/skies/day-down.png", "sky.south=assets/skies/day-south.png",
         "sky.north=assets/skies/day-north.png" } },
 
-    /* under the surface */
+    /* under water */
     { "tank", 100, 1.4, 0, 0.0005, { "tank.kind=stone", "water.clear=2" } },
     { "tank", 100, 2.2, 0, 0.0025, { "water.dispersion=0.2" } },
     { "tank", 100, 1.2, 0, 0.003, { "camera.y=0.9", "camera.pitch=-14" } },
     { "pond", 100, 1.7, 0, 0.0005, { "water.pool_bump=0" } },
     { "shallows", 100, 1.9, 0, 0.0005, { "water.clear=15" } },
 
-    /* without what is above the goal */
+    /* scenes above the goal, without the feature that causes the difference */
     { "shore-break", 100, 2.3, 0, 0.0005, { "surf.stretch=0" } },
     { "deep-sea", 100, 2.1, 1.3, 0.0005,
       { "grid.cell=0.6", "grid.cols=450", "grid.rows=450" } },
 };
 
-/* Without glitter a lobe's height for a small error of its slopes does not count. */
+/* Compares one scene. Without glitter (`glitter` false), large changes of a lobe caused by
+ * small errors of the slopes do not count. */
 static difference compare(const row *r, bool glitter)
 {
     const char *set[OFF + SETTINGS + 1];

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* How far pictures are off each other, by closed forms: tests/charts/picture.h. */
+/* Checks the measures of picture difference in tests/charts/picture.h against closed
+ * forms. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -16,7 +17,7 @@ static uint32_t grey(uint32_t of)
     return of << 16 | of << 8 | of;
 }
 
-/* Some pattern, up to 200. */
+/* Fills a picture with a fixed pattern of greys up to 200. */
 static void fill(uint32_t *p)
 {
     for (uint32_t i = 0; i < COUNT; i++)
@@ -43,11 +44,11 @@ static void psnr_of_a_shift_is_that_of_its_levels(void **state)
         b[i] = a[i] + grey(5);
     NEAR(picture_psnr(a, b, COUNT), 20 * log10(255 / 5.0));
     for (int i = 0; i < COUNT; i++)
-        b[i] = a[i] + 0x000300;                 /* of one channel in three */
+        b[i] = a[i] + 0x000300;                 /* one channel of three differs */
     NEAR(picture_psnr(a, b, COUNT), 10 * log10(255 * 255 * 3 / 9.0));
 }
 
-/* Of even pictures the means alone count: (2 a b + C1) / (a^2 + b^2 + C1). */
+/* For pictures of one grey only the means count: SSIM = (2 a b + C1) / (a^2 + b^2 + C1). */
 static void ssim_of_even_pictures_is_that_of_their_means(void **state)
 {
     const double c1 = 2.55 * 2.55;
@@ -62,9 +63,9 @@ static void ssim_of_even_pictures_is_that_of_their_means(void **state)
          (2 * 100.0 * 120 + c1) / (100.0 * 100 + 120.0 * 120 + c1));
 }
 
-/* Half as much contrast about an equal mean: (2 k s + C2) / ((1 + k^2) s + C2), s the
- * variance of the weighted window, which is one for all of a board's windows but for the
- * sign of its mean's small part. */
+/* A picture with k = half the contrast about an equal mean: SSIM = (2 k s + C2) / ((1 +
+ * k^2) s + C2). s is the variance of the weighted window; on a chequerboard s is equal for
+ * all windows, only the sign of the small part of the mean differs. */
 static void ssim_of_less_contrast_follows_its_variances(void **state)
 {
     const double c1 = 2.55 * 2.55, c2 = 7.65 * 7.65;
@@ -101,9 +102,9 @@ static void borders_are_told_apart_by_rows(void **state)
         const uint32_t x = i % WIDTH, y = i / WIDTH;
         a[i] = y < 8 ? SHOWS_SKY : SHOWS_WATER;
         b[i] = y < 8 + (x == 3 ? 4 : x == 5) ? SHOWS_SKY : SHOWS_WATER;
-        if (x == 9)             /* a mast: no border of water */
+        if (x == 9)             /* a mast: no border of water in this column */
             b[i] = SHOWS_OTHER;
-        if (x == 10)            /* no sky */
+        if (x == 10)            /* a column without sky */
             a[i] = SHOWS_WATER;
     }
     const border_shift shift = picture_shift(a, b, WIDTH, HEIGHT);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Shipped scenes as planned: the estimates beside what is drawn, and what the picture
- * adds to the exact rungs' distance from the truth, within the scene's budget. */
+/* Checks the quality plan of shipped scenes: the plan's estimates against drawn frames, and
+ * the error that the planned picture adds to the error of the exact rungs, against the
+ * scene's error budget. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -10,8 +11,9 @@
 #include "tests/budgets/truth.h"
 #include "host/path.h"
 
-/* By the truth of outlines or that of shading: no farther off than the plan says.  Beside
- * the exact rungs with every wave. */
+/* Compares the planned picture with the reference picture of outlines or of shading: the
+ * error is at most the plan's estimate above the error of the exact rungs with all
+ * waves. */
 static void compare(const stage *s, const tp_plan_report *r, uint32_t tick)
 {
     static drawing planned, exact, truth;

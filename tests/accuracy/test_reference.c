@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The reference's rays against closed forms and brute force: where they meet water. */
+/* Checks the reference's intersection of rays and water against closed forms and brute
+ * force. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -48,7 +49,8 @@ static double along(const trochoid *w, double x0)
     return x0 + w->q / w->k * cos(w->k * x0 + w->phase);
 }
 
-/* The first of a million chords that a ray in the plane of x and y comes from above. */
+/* x of the first intersection of a ray in the x-y plane with a million chords of the wave,
+ * from above. */
 static double chord_met(const trochoid *w, const ref_ray *ray, double x_end)
 {
     const int    count = 1000000;
@@ -92,7 +94,7 @@ static void a_wave_is_met_where_brute_force_finds_it(void **state)
     }
     view_close(&v);
     measure_print(&off);
-    assert_true(off.worst < 1e-9 / 0.05);   /* of chords no longer than 0.1 mm */
+    assert_true(off.worst < 1e-9 / 0.05);   /* the chords are at most 0.1 mm long */
 }
 
 /* -- crossing swells ----------------------------------------------------------------- */
@@ -109,7 +111,7 @@ static tp_scene scene_crossing(void)
     return s;
 }
 
-/* The same over a beach and before a wind. */
+/* The crossing swells over a beach and in wind. */
 static tp_scene scene_beach(void)
 {
     tp_scene s = scene_crossing();
@@ -129,7 +131,7 @@ static ref_point point_at_rest(const ref_surface *s, double x0, double z0)
                     : ref_at_rest(&s->sea, s->phase, x0, z0);
 }
 
-/* dy/dx by heights a tenth of a millimetre to each side. */
+/* dy/dx from the heights 0.1 mm to each side. */
 static double slope_by_steps(const ref_surface *s, ref_vec at, double x0, double z0)
 {
     double rest[2] = { x0, z0 }, h[2];
@@ -139,7 +141,7 @@ static double slope_by_steps(const ref_surface *s, ref_vec at, double x0, double
     return (h[1] - h[0]) / 2e-4;
 }
 
-/* The point again by the place at rest that was found. */
+/* Computes the surface point again from the rest point that the root finder returns. */
 static void measure_roots(const tp_scene *scene)
 {
     uint64_t seed = random_seed();
@@ -176,7 +178,7 @@ static void roots_are_closer_than_a_nanometre(void **state)
     measure_roots(&beach);
 }
 
-/* Nothing stands between the eye and what was met: F > 0 all the way. */
+/* No water stands between the eye and the intersection: F > 0 along the whole ray. */
 static void no_crest_is_passed(void **state)
 {
     uint64_t seed = random_seed();
@@ -200,12 +202,13 @@ static void no_crest_is_passed(void **state)
     }
     view_close(&v);
     measure_print(&deep);
-    assert_true(deep.worst < 1e-4);     /* the tips that a least step may miss */
+    assert_true(deep.worst < 1e-4);     /* crests thinner than the least step */
 }
 
 /* -- pictures ------------------------------------------------------------------------ */
 
-/* At the water's end the eye looks down by its height over the way there. */
+/* The end of the water is seen below the horizontal by the angle of eye height over
+ * distance. */
 static void the_horizon_lies_in_its_row(void **state)
 {
     view_of_ref v = { .scene = scene_level() };
@@ -234,7 +237,8 @@ static double rms_between(const ref_image *a, const ref_image *b)
     return sqrt(sum / (3.0 * a->width * a->height));
 }
 
-/* Four times the samples: half the error at the least, as if they lay at random. */
+/* With four times the samples the error is at most half, as for independent random
+ * samples. */
 static void more_samples_converge(void **state)
 {
     view_of_ref v = { .scene = scene_crossing() };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The reference's sky of six pictures against closed forms, seen and mirrored, with light
- * beyond white. */
+/* Checks the reference's cube map sky against closed forms: seen directly and mirrored,
+ * with highlights brighter than white. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -17,7 +17,8 @@ typedef struct {
     uint32_t   texel[6][2 * SIDE * SIDE];
 } ramps;
 
-/* Red goes to the right, green down, blue tells the face. */
+/* Paints the six faces: red grows to the right, green downwards, blue is the number of the
+ * face. */
 static void paint_cube(ramps *r, view_of_ref *v, uint32_t alpha)
 {
     uint32_t pixel[SIDE * SIDE];
@@ -34,8 +35,9 @@ static void paint_cube(ramps *r, view_of_ref *v, uint32_t alpha)
     }
 }
 
-/* Where a direction passes the cube: faces are east, west, up, down, south, north.  On an
- * upright one, by tangents from its middle; up and down join the south. */
+/* Returns the face that a direction passes, and the place on the face. Faces: east, west,
+ * up, down, south, north. On an upright face the place is given by tangents from the face's
+ * middle; up and down join the south face. */
 static int cube_place(sight to, double place[2])
 {
     static const double middle[4] = { PI / 2, -PI / 2, PI, 0 };
@@ -69,7 +71,7 @@ static double ramp_of(sight to, int k)
     return 3 * fmin(SIDE - 1, fmax(0, place[k] * SIDE - 0.5)) + (k ? 5 : 9);
 }
 
-/* Its alpha is light beyond white, but where all of it is full. */
+/* Alpha is brightness above white, unless alpha is full everywhere. */
 static void a_cube_shows_the_face_that_lies_there(void **state)
 {
     static ramps r;
@@ -108,8 +110,9 @@ static void a_cube_shows_the_face_that_lies_there(void **state)
     assert_true(off.worst < 1e-9);
 }
 
-/* Of water tilted away a look down by less than twice the tilt is mirrored downwards:
- * what lies at the horizon below is seen, darker as it goes down. */
+/* On water tilted away from the eye a shallow look (less than twice the tilt below the
+ * horizontal) is mirrored downwards. The mirror then shows the colour at the horizon below
+ * the direction, darker the farther the direction points down. */
 static void a_mirrored_look_ends_at_the_horizon(void **state)
 {
     static ramps r;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What the reference sees through the water against closed forms: Snell's angles and
- * Beer's law on tilted water, light spread by colour, floors wet and dry, and the surface
- * from below with its window and what it reflects wholly. */
+/* Checks the view through the water against closed forms: Snell's angles and Beer's law on
+ * tilted water, dispersion by colour, wet and dry floors, and the surface from below with
+ * Snell's window and total internal reflection. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -24,9 +24,9 @@ static tp_scene scene_clear(void)
     return s;
 }
 
-/* -- looking in -------------------------------------------------------------------- */
+/* -- from above -------------------------------------------------------------------- */
 
-/* The floor's own light at a place. */
+/* Colour of the floor at a point under light of brightness `lit`. */
 static double floor_of(const view_of_ref *v, const noise_picture *p, double x, double z,
                        double lit, int k)
 {
@@ -35,8 +35,8 @@ static double floor_of(const view_of_ref *v, const noise_picture *p, double x, d
          * channel(v->scene.floor.colour, k) * lit;
 }
 
-/* A look north through water tilted north by `tilt`, all of it in one plane: the angles
- * from straight down.  Red is bent least. */
+/* Measures a look north through water tilted north by `tilt` radians; all rays lie in a
+ * vertical plane, angles from straight down. Red is refracted least. */
 static void measure_bent(measure *off, const view_of_ref *v, const noise_picture *p,
                          double tilt, double down, int n)
 {
@@ -54,7 +54,7 @@ static void measure_bent(measure *off, const view_of_ref *v, const noise_picture
         const double body = between(channel(v->scene.water.deep, k),
                                     channel(v->scene.water.colour, k) * lit, 0.25);
         if (fabs(met) > PI / 2 || fabs(way) > 1.4)
-            continue;           /* seen from behind; or far away */
+            continue;           /* surface seen from behind, or floor far away */
         const double sand = floor_of(v, p, 0, -north - depth * tan(way), wet, k);
         measure_add(off, seen.colour.c[k] - beer_of(&v->scene, sand, body,
                                                     depth / cos(way), k), n, k,
@@ -92,8 +92,9 @@ static void the_floor_is_seen_where_light_of_each_colour_is_bent(void **state)
 
 /* -- a beach ----------------------------------------------------------------------- */
 
-/* Along a look the floor y = rise q - depth, q metres towards where it rises: met after
- * (eye's height + depth - rise of its place) over the fall against it. */
+/* Distance along a look to the floor y = rise q - depth, q in metres towards the uphill
+ * side: (eye height + depth - rise at the eye's place) over the fall of the ray relative to
+ * the floor. */
 static double beach_met(const view_of_ref *v, sight to, double high, double q)
 {
     const double rise = v->scene.floor.slope / 65536.0;
@@ -149,7 +150,8 @@ static void a_beach_is_lit_by_its_slope_wet_and_dry(void **state)
 
 /* -- from below -------------------------------------------------------------------- */
 
-/* What comes back down from the surface: the floor, or the water alone where none is. */
+/* Colour of light that the surface reflects down: the floor, or the water's own colour if
+ * the scene has no floor. */
 static double from_above(const view_of_ref *v, double up, int k)
 {
     const double depth = v->scene.floor.depth / 65536.0;
@@ -162,8 +164,8 @@ static double from_above(const view_of_ref *v, double up, int k)
                    depth / sin(up), k);
 }
 
-/* Within 48.6 degrees of the zenith the sky, by what Fresnel lets through; beyond, the
- * water's own mirror. */
+/* Within 48.6 degrees of the zenith the surface shows the sky times the Fresnel
+ * transmittance; beyond, total internal reflection. */
 static void the_surface_from_below_is_a_window_and_a_mirror(void **state)
 {
     measure window = { .what = "window", .unit = "of 255" };

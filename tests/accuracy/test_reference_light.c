@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The reference's light on level water against closed forms. */
+/* Checks the reference's light on level water against closed forms. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -9,8 +9,8 @@
 #include "tests/reference/inside.h"
 #include "tests/unit/measure.h"
 
-/* Fresnel's laws by the angles themselves, sines and tangents of their sum and
- * difference; not for a look straight down. */
+/* Fresnel reflectance from the sines and tangents of the sum and the difference of the
+ * angles; not for a look straight down. */
 static double fresnel_by_angles(double i)
 {
     const double t = asin(sin(i) / 1.333);
@@ -35,7 +35,7 @@ static void fresnels_share_is_that_of_the_angles(void **state)
                      - fresnel_by_angles(asin(1.333 * sin(0.7)))) < 1e-12);
 }
 
-/* The elevation of the look through a pixel, downwards. */
+/* Unit direction of the look through the pixel (u, v). */
 static ref_vec way_of(const ref_camera *c, double u, double v)
 {
     return ref_unit_vec(ref_plus(ref_plus(ref_times_vec(c->right, u - c->u0),
@@ -87,7 +87,8 @@ static tp_scene scene_clear(void)
     return s;
 }
 
-/* A floor at depth d is d tan t away, t by Snell; the way there is d / cos t. */
+/* A floor at depth d is hit at the horizontal distance d tan t, with t by Snell's law; the
+ * path in the water is d / cos t. */
 static void the_floor_lies_where_snell_says(void **state)
 {
     measure off = { .what = "floor", .unit = "m" };
@@ -125,8 +126,8 @@ static void the_floor_lies_where_snell_says(void **state)
     assert_true(colour.worst < 1e-9);
 }
 
-/* From below the sky fills a window of 48.6 degrees around the zenith; beyond it the
- * water is all that is mirrored. */
+/* From below, the sky fills Snell's window of 48.6 degrees around the zenith; beyond the
+ * window the surface mirrors the water alone. */
 static void a_sunken_eye_sees_snells_window(void **state)
 {
     view_of_ref v = { .scene = scene_clear() };
@@ -152,9 +153,9 @@ static void a_sunken_eye_sees_snells_window(void **state)
     view_close(&v);
 }
 
-/* -- mirrored things --------------------------------------------------------------- */
+/* -- mirrored objects -------------------------------------------------------------- */
 
-/* What level water mirrors is what an eye as deep below it sees of the things above. */
+/* Level water mirrors the view of an eye as deep below the level as the camera is above. */
 static void a_mirror_is_an_eye_below_the_level(void **state)
 {
     static test_boat boat;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Meshes that the reference draws against closed forms: pictures, bent normals and lobes,
- * in air and under water, and lids. */
+/* Checks the reference's meshes against closed forms: textures, normal maps and specular
+ * lobes in air and under water, and lids. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -10,8 +10,8 @@
 
 static uint64_t seed;
 
-/* Squares of 2 m whose pictures are their own size: upright, facing the mesh's back, or
- * lying, facing up. */
+/* Squares of 2 m with textures of the same size: upright and facing the mesh's back, or
+ * lying and facing up. */
 typedef struct {
     tp_mesh        mesh;
     tp_mesh_vertex vertex[8];
@@ -44,7 +44,7 @@ static void lay(board *b, int which, bool lying, tp_fx high)
                          .n_materials = (uint32_t)which + 1 };
 }
 
-/* `v` with the board at a pose. */
+/* Opens `v` with the board at a pose. */
 static void open_posed(view_of_ref *v, const board *b, tp_pose pose)
 {
     strcpy(v->scene.boat.mesh, "board.obj");
@@ -54,7 +54,7 @@ static void open_posed(view_of_ref *v, const board *b, tp_pose pose)
     ref_scene_open(&v->ref, &v->scene, &v->assets, v->world, 64, 48, false);
 }
 
-/* Phong's lobe of a look, or Blinn's of four times the exponent. */
+/* Phong's lobe for a look, or Blinn's lobe with four times the exponent. */
 static double gloss_of(int32_t model, sight light, sight normal, sight to, double power)
 {
     const sight eye = { to.azimuth + PI, -to.elevation };
@@ -68,7 +68,7 @@ static double gloss_of(int32_t model, sight light, sight normal, sight to, doubl
     return pow(fmax(0, 2 * nl * ne - le), power);
 }
 
-/* Any coat, its normals bent by a texel (nx, ny, 100). */
+/* Random material with the normal map's texel (nx, ny, 100). */
 static void paint(board *b, noise_picture *p, plain_picture *bump, int32_t nx, int32_t ny)
 {
     b->material[0] = (tp_material){
@@ -82,7 +82,7 @@ static void paint(board *b, noise_picture *p, plain_picture *bump, int32_t nx, i
     };
 }
 
-/* A place (x, y) of an upright board that is turned, 5 m ahead. */
+/* Measures a random point (x, y) of an upright, turned board 5 m ahead. */
 static void measure_board(measure *off, int *bright, view_of_ref *v, int32_t heading)
 {
     static noise_picture p;
@@ -138,7 +138,8 @@ static void a_mesh_has_its_pictures_and_its_gloss(void **state)
     assert_true(off.worst < 1e-9);
 }
 
-/* Under the water the beam is narrower and steeper, its lobe as wide as ever. */
+/* Under water the refracted beam is narrower and steeper; the width of the lobe does not
+ * change. */
 static void a_sunken_mesh_shines_in_the_bent_light(void **state)
 {
     measure off = { .what = "sunken", .unit = "of 255" };
@@ -183,8 +184,8 @@ static void a_sunken_mesh_shines_in_the_bent_light(void **state)
     assert_true(off.worst < 1e-9);
 }
 
-/* A floor below the level under a lid above it: no water is seen in there, but where it
- * stands over the lid; the lid itself is never seen. */
+/* A floor below the water level and a lid above the floor: no water is seen inside, except
+ * where the water stands higher than the lid. The lid itself is never seen. */
 static void a_lid_keeps_water_out(void **state)
 {
     (void)state;
@@ -192,7 +193,7 @@ static void a_lid_keeps_water_out(void **state)
         view_of_ref v = { .scene = scene_clear_any(&seed) };
         const double x = chance_double(&seed, -1.5, 1.5);
         const double z = chance_double(&seed, -1.5, 1.5);
-        const double high = chance_double(&seed, -0.6, 0.6);   /* of the lid */
+        const double high = chance_double(&seed, -0.6, 0.6);   /* height of the lid, m */
         board b;
         lay(&b, 0, true, -TP_FX_ONE);
         lay(&b, 1, true, 0);

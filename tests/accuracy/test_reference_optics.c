@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The reference's light at the water's surface against closed forms: mirror, share, lit
- * side, lobes, air and exposure, on level water and on water that a normal map of one
- * colour tilts.  All by angles: no vector formula of the reference is used. */
+/* Checks the reference's light at the water's surface against closed forms: mirror, Fresnel
+ * share, diffuse light, lobes, haze and exposure, on level water and on water tilted by a
+ * normal map of one colour. All closed forms use angles; none uses a vector formula of the
+ * reference. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -11,10 +12,10 @@
 
 static uint64_t seed;
 
-/* A normal map that tilts level water by whole texels, towards the north or the east. */
+/* Normal map that tilts level water by whole texels, towards the north or the east. */
 typedef struct {
     plain_picture picture;
-    double        north, east;  /* radians; one is 0 */
+    double        north, east;  /* tilt in radians; one of the two is 0 */
 } tilt;
 
 static void tilt_any(tilt *t, view_of_ref *v, bool north)
@@ -28,7 +29,7 @@ static void tilt_any(tilt *t, view_of_ref *v, bool north)
                                              + ((uint32_t)aside << (north ? 8 : 16)));
 }
 
-/* The normal as a direction. */
+/* Normal as a direction. */
 static sight tilt_normal(const tilt *t)
 {
     return (sight){ t->north != 0 ? 0 : PI / 2, PI / 2 - t->north - t->east };
@@ -47,20 +48,21 @@ static tp_scene scene_tilted(void)
 
 /* -- the mirror -------------------------------------------------------------------- */
 
-/* How high the mirrored ray of a look north, down by `down`, goes: turned by twice the
- * tilt, in the plane of both, or about the look's own axis. */
+/* Elevation of the mirrored ray for a look north, `down` radians below the horizontal. A
+ * north tilt turns the ray by twice the tilt in the plane of both; an east tilt turns the
+ * ray about the look's own axis. */
 static double mirrored_up(const tilt *t, double down)
 {
     return t->north != 0 ? down - 2 * t->north : asin(sin(down) * cos(2 * t->east));
 }
 
-/* The angle at which the surface is met. */
+/* Angle of incidence on the surface. */
 static double met_at(const tilt *t, double down)
 {
     return t->north != 0 ? fabs(PI / 2 - down + t->north) : acos(sin(down) * cos(t->east));
 }
 
-/* Schlick's share [F2] of indices 1 and 1.333. */
+/* Fresnel share: Schlick's form [F2] for the indices 1 and 1.333, or the exact share. */
 static double share_of(const tp_scene *s, double angle)
 {
     const double straight = pow(0.333 / 2.333, 2);
@@ -70,7 +72,8 @@ static double share_of(const tp_scene *s, double angle)
     return fresnel_of(angle, WATER);
 }
 
-/* What goes below the horizon meets water, half as bright at the least. */
+/* Measures the mirror. A mirrored ray below the horizon meets water and is darker: at least
+ * half as bright. */
 static void measure_mirror(measure *off, const tilt *t, const view_of_ref *v, double down)
 {
     const double up = mirrored_up(t, down), angle = met_at(t, down);
@@ -79,7 +82,7 @@ static void measure_mirror(measure *off, const tilt *t, const view_of_ref *v, do
                       * fmin(1, fmax(0.5, 1 + 4 * sin(up)));
 
     if (cos(angle) < 0.101 || PI / 2 - down + t->north > PI / 2)
-        return;                 /* seen from behind, or held: below */
+        return;                 /* seen from behind, or clamped: tested below */
     for (int k = 0; k < 3; k++)
         measure_add(off, seen.colour.c[k] - between(channel(v->scene.water.colour, k),
                                                     gradient_of(&v->scene, up, k),
@@ -109,8 +112,8 @@ static void tilted_water_mirrors_by_twice_its_tilt(void **state)
     }
 }
 
-/* Under a sky of one colour the share alone is seen: that of a cosine of a tenth where
- * water is met at less, or from behind. */
+/* Under a sky of one colour only the Fresnel share is seen. The share's cosine is clamped
+ * to at least 0.1, also where the water is seen from behind. */
 static void the_share_of_rippled_water_is_held(void **state)
 {
     measure off = { .what = "held share", .unit = "of 255" };
@@ -120,7 +123,7 @@ static void the_share_of_rippled_water_is_held(void **state)
 
     (void)state;
     v.scene.sky.horizon = v.scene.sky.zenith = 0xf0d0b0;
-    v.assets.ripple = plain_of(&picture, 0x80e4c0);     /* 57 degrees to the north */
+    v.assets.ripple = plain_of(&picture, 0x80e4c0);     /* tilted 57 degrees to the north */
     v.scene.ripple.bump = TP_FX_ONE;
     view_open(&v, 64, 48);
     for (int n = 0; n < 100; n++) {
@@ -174,9 +177,9 @@ static void water_is_lit_by_the_cosine_of_its_tilt(void **state)
     assert_true(off.worst < 1e-10);
 }
 
-/* Of a look north on water tilted north: Phong's of the mirrored ray, which goes straight
- * on from water seen from behind; Blinn's of the half way, whose length is twice the
- * cosine of half the angle between. */
+/* Specular lobe for a look north on water tilted north. Phong: by the mirrored ray, or the
+ * straight ray where the water is seen from behind. Blinn: by the half vector, with length
+ * 2 cos(half the angle between light and eye). */
 static double lobe_of(const view_of_ref *v, const tilt *t, double down)
 {
     const double power = v->scene.water.shininess / TP_FX_ONE;
@@ -228,8 +231,8 @@ static void glints_are_the_lobes_of_their_angles(void **state)
 
 /* -- air and camera ---------------------------------------------------------------- */
 
-/* The share z^2 / (z^2 + h^2) at a depth z: the eye's height over the sine of the look,
- * times the cosine from the camera's axis. */
+/* Haze: the share z^2 / (z^2 + h^2) at depth z. z is the eye's height over the sine of the
+ * look, times the cosine of the angle to the camera's axis. */
 static void air_mixes_the_horizon_in_by_depth(void **state)
 {
     measure off = { .what = "haze", .unit = "of 255" };
@@ -258,8 +261,9 @@ static void air_mixes_the_horizon_in_by_depth(void **state)
     assert_true(off.worst < 1e-10);
 }
 
-/* E t / (1 + (E - 1) t^k), k 1 where E brightens and 4 where it darkens: white stays
- * white, black black, and what is dark is E times as bright. */
+/* Exposure curve E t / (1 + (E - 1) t^k) with k = 1 where E brightens and k = 4 where E
+ * darkens: white stays white, black stays black, and dark tones become E times as
+ * bright. */
 static void exposure_bends_between_black_and_white(void **state)
 {
     measure off = { .what = "exposure", .unit = "of 255" };

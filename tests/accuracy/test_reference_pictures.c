@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What lies on the reference's water against closed forms: layers, their filter, tones and
- * drift, the distortion, ripples, and pools. */
+/* Checks textures on the reference's water against closed forms: layers with filter, tones
+ * and drift, the distortion, ripples, and pools. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -38,7 +38,7 @@ static tp_scene scene_pictured(bool linear)
     return s;
 }
 
-/* Where a look meets level water. */
+/* Point where a look meets level water, m. */
 static void meet(const view_of_ref *v, sight to, double at[2])
 {
     const double far = v->world->eye.y / 65536.0 / tan(-to.elevation);
@@ -47,7 +47,7 @@ static void meet(const view_of_ref *v, sight to, double at[2])
     at[1] = v->world->eye.z / 65536.0 - far * cos(to.azimuth);
 }
 
-/* In repeats: the picture has gone with its drift since the beginning. */
+/* Texture place in repeats: the texture has drifted since tick 0. */
 static void place_in(const tp_scene_map *map, const double at[2], double place[2])
 {
     const double seconds = TICKS / (double)TP_TICKS_PER_SECOND;
@@ -62,14 +62,15 @@ static double texel_of(const noise_picture *p, const double place[2], bool linea
                   : texel_at(p, place[0], place[1], k);
 }
 
-/* Not what is NAN. */
+/* Adds a difference unless the expected value is NAN. */
 static void add(measure *off, double got, double want, int n, int k)
 {
     if (!isnan(want))
         measure_add(off, got - want, n, k, 0);
 }
 
-/* The first is multiplied by the water's colour, the others are added, up to white. */
+/* The first layer is multiplied by the water's colour; the other layers are added, up to
+ * white. */
 static void layers_lie_and_drift_as_their_maps_say(void **state)
 {
     (void)state;
@@ -105,8 +106,8 @@ static void layers_lie_and_drift_as_their_maps_say(void **state)
     }
 }
 
-/* Saturation about the grey, held to 0..1; what is above the clamp spread over 0..1; then
- * the layer's own colour. */
+/* Tones of a layer: saturation about the grey, clamped to 0..1; the values above the clamp
+ * threshold spread over 0..1; then the layer's own colour. */
 static void a_layer_is_toned(void **state)
 {
     measure off = { .what = "tones", .unit = "of 255" };
@@ -139,8 +140,8 @@ static void a_layer_is_toned(void **state)
     assert_true(off.worst < 1e-10);
 }
 
-/* Red moves a layer's place to the east, green to the south, by the strength at the
- * most; its own map is drawn between texels whatever the water's filter is. */
+/* The distortion map's red moves a layer to the east, green to the south, by at most the
+ * strength. The distortion map is bilinear with each of the water's filters. */
 static void a_distortion_moves_the_layers(void **state)
 {
     measure off = { .what = "distortion", .unit = "of 255" };
@@ -172,7 +173,8 @@ static void a_distortion_moves_the_layers(void **state)
     assert_true(off.worst < 1e-8);
 }
 
-/* A normal map has its texel's tilt wherever it lies: of a ramp the share follows. */
+/* A normal map tilts the surface by the texel's slope at each place: the Fresnel share of a
+ * ramp follows the tilt. */
 static void ripples_lie_as_their_map_says(void **state)
 {
     measure off = { .what = "ripples", .unit = "of 255" };
@@ -218,7 +220,7 @@ static double height_at(const view_of_ref *v, int col, int row)
          * (v->scene.pool.range / 65536.0) / 32767;
 }
 
-/* A pool that was poked, from 6 m above and 5 m before its middle. */
+/* Pool after a poke, seen from 6 m above and 5 m before its middle. */
 static void open_poked(view_of_ref *v, bool bump)
 {
     tp_scene *s = &v->scene;
@@ -241,8 +243,8 @@ static void open_poked(view_of_ref *v, bool bump)
     ref_scene_open(&v->ref, s, &v->assets, v->world, 64, 48, false);
 }
 
-/* At the centre of a cell the slope is that between the cells beside it, times the bump;
- * else the water is as high as the cell too. */
+/* At a cell's centre the slope is the difference of the neighbouring cells times the bump.
+ * Without bump mapping the surface is also at the cell's height. */
 static void pools_are_as_steep_as_their_cells(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The reference's generated skies against closed forms, seen and mirrored, with light
- * beyond white. */
+/* Checks the reference's generated skies against closed forms: seen directly and mirrored,
+ * with highlights brighter than white. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -10,8 +10,9 @@
 
 static uint64_t seed;
 
-/* Of the light's colour: two halos over its distance, 2 sin of half the angle, which end
- * opposite of it; peaks in 256ths, widths as one over the distance's square. */
+/* Brightness of the two halos around the light, relative to the light's colour. The halos
+ * fall with the chord 2 sin(angle / 2) and end opposite the light; peaks in 1/256, widths
+ * as 1 over the chord squared. */
 static double halo_of(const tp_scene *s, double cosine)
 {
     static const double peak[3][2] = { { 96, 72 }, { 88, 96 }, { 80, 52 } };
@@ -25,14 +26,14 @@ static double halo_of(const tp_scene *s, double cosine)
     return sum;
 }
 
-/* How much of the disc is there: all of it to 1.095 degrees, none from 1.266 on. */
+/* Share of the light's disc: 1 up to 1.095 degrees, 0 from 1.266 degrees on. */
 static double disc_of(double cosine)
 {
     const double square = 2 * (1 - cosine) * 0x1p28;
     return fmin(1, fmax(0, (131072 - square) / 33072));
 }
 
-/* A day's, before the light of it is held or goes beyond white. */
+/* Day sky before the light is clamped, that is, with light brighter than white. */
 static double day_of(const tp_scene *s, sight to, double cosine, bool disc, int k)
 {
     const double low = pow(1 - fmax(0, sin(to.elevation)), 4) * 5 / 8;
@@ -45,7 +46,7 @@ static double day_of(const tp_scene *s, sight to, double cosine, bool disc, int 
          + light * (halo_of(s, disc ? cosine : fmin(cosine, 1 - 131072 / 0x1p29)) + more);
 }
 
-/* Towards the light, so that half of them see its disc. */
+/* Random direction near the light: half of the directions see the disc. */
 static sight near_light(const view_of_ref *v)
 {
     sight s = sight_light(v);
@@ -82,11 +83,11 @@ static void a_day_has_its_gradient_halos_and_disc(void **state)
     }
     measure_print(&off);
     assert_true(in_disc > 100);
-    assert_true(off.worst < 1e-8);      /* the disc's edge is 1 in 8000 of a radian */
+    assert_true(off.worst < 1e-8);      /* the disc's edge is 1/8000 rad wide */
 }
 
-/* Below the horizon it grows dark, to a quarter within 11 degrees; nothing is beyond
- * white there. */
+/* Below the horizon the sky darkens to a quarter within 11 degrees, and no part is brighter
+ * than white. */
 static void a_day_grows_dark_below_the_horizon(void **state)
 {
     measure off = { .what = "below", .unit = "of 255" };
@@ -97,7 +98,7 @@ static void a_day_grows_dark_below_the_horizon(void **state)
         go_ashore(&v.scene);
         v.scene.camera.pitch = -20 * TP_FX_ONE;
         v.scene.hdr.share = TP_FX_ONE;
-        if (n % 2) {            /* half of its disc has set */
+        if (n % 2) {            /* half of the light's disc has set */
             v.scene.camera.heading = v.scene.light.heading;
             v.scene.light.elevation = TP_FX_ONE;
         }
@@ -119,8 +120,8 @@ static void a_day_grows_dark_below_the_horizon(void **state)
     assert_true(off.worst < 1e-8);
 }
 
-/* Without a disc where there is glitter; light beyond white counts though the water shows
- * but a share of it. */
+/* With glitter the mirrored sky has no disc. Light brighter than white counts although the
+ * water reflects only a share of it. */
 static void level_water_mirrors_a_day(void **state)
 {
     measure off = { .what = "mirrored day", .unit = "of 255" };
@@ -134,7 +135,7 @@ static void level_water_mirrors_a_day(void **state)
         v.scene.camera.heading = v.scene.light.heading;
         v.scene.camera.pitch = -30 * TP_FX_ONE;
         v.scene.light.elevation = chance_fx(&seed, 5, 60);
-        v.scene.water.specular = disc ? 0 : 1;      /* 2^-16 */
+        v.scene.water.specular = disc ? 0 : 1;      /* 2^-16, the least glitter */
         view_open(&v, 64, 48);
         const sight up = near_light(&v);
         const double cosine = sight_cos(up, sight_light(&v));
@@ -157,7 +158,7 @@ static void level_water_mirrors_a_day(void **state)
     assert_true(off.worst < 1e-8);
 }
 
-/* The colour in a direction where the light is black, or of a colour. */
+/* Sky colour in a direction with the light's colour replaced. */
 static ref_colour lit_sky(tp_scene scene, int32_t colour, sight to)
 {
     view_of_ref v = { .scene = scene };
@@ -169,9 +170,9 @@ static ref_colour lit_sky(tp_scene scene, int32_t colour, sight to)
     return seen.colour;
 }
 
-/* Without their light, at one elevation, dusk and night go from the dark side's colour to
- * the bright one's by cos^4 of half the angle from the light: of three places the third
- * follows.  What a light adds are its halos. */
+/* Dusk and night with a black light: at one elevation the colour goes from the dark side to
+ * the bright side by cos^4 of half the angle from the light, so two directions predict a
+ * third. A coloured light adds only halos. */
 static void dusk_and_night_have_two_sides_and_halos(void **state)
 {
     measure sides = { .what = "two sides", .unit = "of 255" };

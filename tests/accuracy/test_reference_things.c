@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Things of water that the reference draws against closed forms: a tank behind its glass,
- * a drop as a ball. */
+/* Checks the reference's objects of water against closed forms: a tank behind glass, a drop
+ * as a ball. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -12,7 +12,7 @@ static uint64_t seed;
 
 /* -- a tank ------------------------------------------------------------------------ */
 
-#define HALF 4.0                /* m, of its sides; the eye is as far before it */
+#define HALF 4.0                /* half side, m; the eye is as far before the glass */
 
 static tp_scene scene_tank(void)
 {
@@ -37,8 +37,8 @@ static tp_scene scene_tank(void)
     return s;
 }
 
-/* What a look up by `up` that comes to the glass at a height finds in the water; a ray
- * that reaches the surface from below comes down again as if it had gone on above. */
+/* Colour in the water for a look `up` radians above the horizontal that meets the glass at
+ * `height`. A ray that meets the surface from below continues as its mirror image. */
 static double side_of(const view_of_ref *v, const noise_picture *p, double height,
                       double up, int k)
 {
@@ -62,7 +62,8 @@ static double side_of(const view_of_ref *v, const noise_picture *p, double heigh
     return beer_of(&v->scene, seen, deep, hypot(fall, across), k);
 }
 
-/* Above the water: the far wall's own side, dry, or the sky above it.  NAN: neither. */
+/* Colour above the water: the far wall's dry inner side, or the sky above the wall. NAN:
+ * neither of the two. */
 static double above_of(const view_of_ref *v, const noise_picture *p, double height,
                        double up, int k)
 {
@@ -78,7 +79,7 @@ static double above_of(const view_of_ref *v, const noise_picture *p, double heig
          * lit_of(&v->scene, sight_cos((sight){ PI, 0 }, sight_light(v)));
 }
 
-/* The glass has a colour of its own, and mirrors the sky behind the eye. */
+/* The glass has a colour of its own and mirrors the sky behind the eye. */
 static void a_tank_is_seen_through_its_glass(void **state)
 {
     measure wet = { .what = "behind glass", .unit = "of 255" };
@@ -113,7 +114,7 @@ static void a_tank_is_seen_through_its_glass(void **state)
     assert_true(wet.worst < 1e-8 && dry.worst < 1e-8);
 }
 
-/* Of a sky that has another colour on each side the southern one. */
+/* The glass mirrors the south side of a sky with another colour on each side. */
 static void glass_mirrors_what_is_behind_the_eye(void **state)
 {
     measure off = { .what = "mirror of glass", .unit = "of 255" };
@@ -144,7 +145,8 @@ static void glass_mirrors_what_is_behind_the_eye(void **state)
 
 /* -- a drop ------------------------------------------------------------------------ */
 
-/* The sky, and below the horizon the lit water with a quarter of it. */
+/* Surroundings of a drop: the sky, and below the horizon the lit water with a quarter of
+ * the sky. */
 static double around_of(const tp_scene *s, double height, double lit, int k)
 {
     const double sky = gradient_of(s, fmax(0, height), k);
@@ -153,8 +155,9 @@ static double around_of(const tp_scene *s, double height, double lit, int k)
     return between(sky, water, fmin(1, fmax(0, -4 * sin(height))));
 }
 
-/* A look meets the ball at an angle i whose sine is how far it passes the middle; it goes
- * on turned by 2 (i - r) towards the middle, and is mirrored turned by 180 - 2 i away. */
+/* A look meets the ball at an angle i; sin i is the distance of the ray from the centre, in
+ * radii. The refracted ray is turned by 2 (i - r) towards the centre, the mirrored ray by
+ * 180 - 2 i degrees away from the centre. */
 static void a_drop_turns_light_as_a_ball_does(void **state)
 {
     measure off = { .what = "drop", .unit = "of 255" };
@@ -172,7 +175,7 @@ static void a_drop_turns_light_as_a_ball_does(void **state)
             v.scene.light.heading = chance_fx(&seed, 170, 190);
         view_open(&v, 64, 48);
         const double rise = 4 - v.world->eye.y / 65536.0, middle = atan2(rise, 8);
-        const double pass = chance_double(&seed, -0.999, 0.999);    /* of its radius, 2 */
+        const double pass = chance_double(&seed, -0.999, 0.999);    /* of the radius, 2 m */
         const double up = middle + asin(pass * 2 / hypot(8, rise));
         const double i = asin(pass), r = asin(pass / WATER);
         const sight mirrored = { 0, up + (i > 0 ? PI : -PI) - 2 * i };

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Shipped scenes seen by a camera that rolls: half a turn is the same picture upside down,
- * and every way of finding the water draws what triangles draw.
+/* Draws shipped scenes with a rolled camera: half a turn gives the same picture upside
+ * down, and each water renderer draws the picture that triangles draw.
  *
- * A picture upside down is the unrolled one turned by half a turn but where pixel centres
- * fall on an edge, where blocks of perspective begin, and in what follows the picture's
- * own pixels: screen doors, faint stars.  TP_ROLLED_PICTURES=FOLDER keeps the pictures. */
+ * An upside-down picture is the unrolled picture turned by half a turn, except where pixel
+ * centres fall on an edge, where blocks of perspective begin, and for patterns tied to the
+ * picture's own pixels: screen doors, faint stars. TP_ROLLED_PICTURES=FOLDER keeps the
+ * pictures. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -65,8 +66,8 @@ static void keep(const picture *p, const char *name, const char *how, int degree
     assert_int_equal(picture_write_png(p, path), 0);
 }
 
-/* By one way of finding the water; `quick`: with the plan's other rungs, else with exact
- * ones. */
+/* Draws with one water renderer; `quick`: with the plan's other rungs, else with the exact
+ * rungs. */
 static void draw(stand *s, const char *name, tp_visibility how, bool quick, int degrees,
                  uint32_t *pixels)
 {
@@ -90,7 +91,7 @@ static void draw(stand *s, const char *name, tp_visibility how, bool quick, int 
     canvas_close(&c);
 }
 
-/* The share of pixels, %, some channel of which is off by more than 24. */
+/* Share of pixels, %, with a channel off by more than 24. */
 static double apart(const uint32_t *a, const uint32_t *b, bool turned)
 {
     int count = 0;
@@ -156,7 +157,8 @@ static void half_a_turn_is_the_picture_upside_down(void **state)
     }
 }
 
-/* By every way that holds, in %; `off`: of rows, projected, flat and the plan's own. */
+/* Draws with each renderer that holds. Differences in %; `off`: of rows, projected, flat
+ * and the plan's own. */
 static void try_methods(stand *s, const char *name, int degrees, double off[4])
 {
     draw(s, name, TP_VISIBILITY_TRIANGLES, false, degrees, level);
@@ -171,7 +173,8 @@ static void try_methods(stand *s, const char *name, int degrees, double off[4])
            name, degrees, off[0], off[1], off[2], off[3]);
 }
 
-/* Projected and flat are approximations: rolled, they are no more than twice as far off. */
+/* Projected and flat are approximations: rolled, the difference is at most twice the
+ * difference of the upright picture. */
 static void every_method_draws_what_triangles_draw(void **state)
 {
     static const int degrees[] = { 10, 45, 90, 180, 225 };

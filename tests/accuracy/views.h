@@ -14,7 +14,7 @@ typedef struct {
     ref_scene ref;
 } view_of_ref;
 
-/* Level water under a clear gradient, nothing else: no haze, no glitter. */
+/* Level water under a plain gradient sky: no haze, no glitter. */
 static inline tp_scene scene_level(void)
 {
     tp_scene s;
@@ -26,7 +26,8 @@ static inline tp_scene scene_level(void)
     return s;
 }
 
-/* `v->scene` and `v->assets` are set; waves go on to the end of the water. */
+/* Opens a view; the caller sets `v->scene` and `v->assets`. Waves extend to the end of the
+ * water. */
 static inline void view_open_at(view_of_ref *v, uint32_t width, uint32_t height,
                                 uint32_t ticks)
 {

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Scene S in instructions, by callgrind, of a second tp_frame_begin and tp_frame_draw_tile: a
-# whole frame, waves and sky included, on 128 x 128 points.
+# Instructions of scene S by callgrind, for a second tp_frame_begin and
+# tp_frame_draw_tile: a whole frame, waves and sky included, on 128 x 128 points.
 #
 #   tests/bench/run.sh SCENE_S [NAME=VALUE]...         (quality.visibility=rows)
 . tests/gates/lib.sh

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Two frames of the benchmark's scene, by the program that suits this processor: the first
- * makes what lasts, the second is to be counted, a begin and one tile.
+/* Draws two frames of the benchmark's scene with the shader list for this processor. The
+ * first frame fills caches; the second is counted: a begin and one tile.
  *
  *   scene_s WIDTH HEIGHT POINTS WORK [NAME=VALUE]...
  *
- * WORK is plain, full or smooth; a NAME is a parameter (quality.visibility=rows).  Prints
- * the water's pixels and the frame's CRC. */
+ * WORK is plain, full or smooth; NAME is a parameter (quality.visibility=rows). Prints the
+ * number of water pixels and the frame's CRC. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -63,7 +63,7 @@ static void draw(tp_frame *frame, const tp_world *world, void *scratch, tp_tile 
         exit(1);
 }
 
-/* Callgrind collects while it is in here. */
+/* Callgrind collects inside this function. */
 void counted(tp_frame *frame, const tp_world *world, void *scratch, tp_tile *tile);
 __attribute__((noinline)) void counted(tp_frame *frame, const tp_world *world,
                                        void *scratch, tp_tile *tile)

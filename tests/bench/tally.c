@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* A plugin of QEMU's user mode: at every getppid() of the program it prints how many
- * instructions have been executed so far, exactly, as "insns N" on stderr.
+/* Plugin of QEMU's user mode: at each getppid() of the program the plugin prints the exact
+ * number of instructions executed, as "insns N" on stderr.
  *
  *   qemu-x86_64 -plugin tally.so,call=110 PROGRAM      (the number of getppid)
  *
- * Declares what it uses of QEMU's plugin interface, version 1 (QEMU 4.2 to 8.2), since
- * Debian ships no header of it. */
+ * The file declares the part of QEMU's plugin interface, version 1 (QEMU 4.2 to 8.2), that
+ * the plugin uses: Debian ships no header. */
 #include <inttypes.h>
 #include <stddef.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Lines "insns x y z heading pitch water", sorted: what the dearest view costs over the
-# median, and where it is.
+# Reads lines "insns x y z heading pitch water", sorted; prints the cost of the dearest
+# view over the median, and the place of that view.
 #
 #   awk -v most=MEDIANS -f tests/bench/views.awk VIEWS
 { insns[NR] = $1; line[NR] = $0 }

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene from random places, every second within 40 m of its origin, where boats are:
- * 0.5 to 20 m above the water, every heading, 0 to 60 degrees down.  Views of which less
- * than a tenth is water are drawn and not reported.
+/* Draws a scene from random places. Every second place is within 40 m of the origin, where
+ * boats are; 0.5 to 20 m above the water, any heading, 0 to 60 degrees down. Views with
+ * less than a tenth of water are drawn but not reported.
  *
  *   views SCENE VIEWS SEED WIDTH HEIGHT [NAME=VALUE]...
  *
- * getppid() before and after each frame is the mark for tally.c; the line after them is
+ * getppid() before and after each frame is the mark for tally.c; the line behind the marks
+ * is
  *     view NUMBER x y z heading pitch water_pixels us
- * with the frame's processor time for want of better. */
+ * with the processor time of the frame, a substitute where tally.c is not used. */
 #define _POSIX_C_SOURCE 200809L         /* getppid */
 #include <inttypes.h>
 #include <stdio.h>
@@ -28,7 +29,7 @@ static uint32_t next_random(void)       /* xorshift32, Marsaglia 2003 */
     return seed;
 }
 
-/* 16.16, evenly from low to high. */
+/* Random number in 16.16, uniform from low to high. */
 static tp_fx between(tp_fx low, tp_fx high)
 {
     return low + (tp_fx)((uint64_t)next_random() * (uint32_t)(high - low) >> 32);
@@ -53,7 +54,7 @@ static void stand(tp_world *world, const place *p)
                         tp_turn_of_degrees(p->heading), tp_turn_of_degrees(p->pitch), 0);
 }
 
-/* One draw is counted; a time is the least of three. */
+/* Draws the view. A counted view is drawn once; a time is the least of three. */
 static uint64_t draw(stage *s, bool timed)
 {
     uint64_t least = 0;

@@ -1,12 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The dearest frame of random views, over the median: exact instructions of whole frames
-# at 320x240, by QEMU's user mode.  A view counts if a tenth of it is water.
+# Cost of the dearest frame of random views over the median: exact instructions of whole
+# frames at 320x240, by QEMU's user mode. A view counts if a tenth of it is water.
 #
 #   tests/bench/views.sh [PROGRAM [SCENE[,NAME=VALUE]...]...]
 #
-# TP_VIEWS (200) of each scene, TP_SEED sets the places.  A case fails beyond TP_MOST
-# medians, 4 if not set.  PROGRAM is what every test is given and no use is made of.
+# TP_VIEWS (200) of each scene; TP_SEED sets the places. A case fails above TP_MOST (4)
+# times the median. PROGRAM is given to each test and is not used here.
 . tests/gates/lib.sh
 
 views=${TP_VIEWS:-200}
@@ -15,11 +15,11 @@ views=${TP_VIEWS:-200}
 build=${TP_BUILD:-build/host}
 case $(uname -m) in
 x86_64) call=110 ;;
-*)      call=173 ;;     # of every processor that came to Linux late
+*)      call=173 ;;     # newer Linux architectures
 esac
 emulator=qemu-$(uname -m)
 lacks "$emulator" qemu-user "random views" && exit 77
-# The program for any x86-64: QEMU 7.2 falls over gathers of the other.
+# The program for any x86-64: QEMU 7.2 fails on gathers of the v3 program.
 [ "$emulator" != qemu-x86_64 ] || emulator="$emulator -cpu Nehalem"
 
 for scene in "$@"; do

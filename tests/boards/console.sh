@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# A program that shows a scene leaves the console of a Debian kernel as it found it, in
-# whatever way it ends: the mode, the keyboard, the switching, the terminal, the frame
-# buffer, the card and the text on the screen are the same before and after.
+# A program that shows a scene restores the console of a Debian kernel, however the
+# program ends: mode, keyboard, console switching, terminal, frame buffer, card and the
+# screen's text are equal before and after.
 #
 #   tests/boards/console.sh [PROGRAM]
 . tests/gates/lib.sh
@@ -17,7 +17,7 @@ check "one static file shows a scene" alone build "$screen"
 cat >"$scratch/common" <<'EOF'
 shows="tank-screen --on $on --size 64x48"
 
-# Somebody has to have a console open, or the kernel forgets its terminal's settings.
+# A process keeps a console open; otherwise the kernel forgets its terminal's settings.
 hold()
 {
     [ -z "$holder" ] || kill $holder 2>/dev/null
@@ -25,7 +25,8 @@ hold()
     holder=$!
 }
 
-# begin PROGRAM...: on the first console, as a login there starts it; until it draws.
+# begin PROGRAM...: starts the program on the first console, like a login there, and waits
+# until it draws.
 begin()
 {
     hold
@@ -36,7 +37,7 @@ begin()
     child=$(grep -l "^PPid:[^0-9]$parent$" /proc/[0-9]*/status | sed "s/[^0-9]//g")
 }
 
-# left CODE: the console is as it was, and that is how the program ended.
+# left CODE: the program has ended with this code, and the console is restored.
 left()
 {
     [ -z "$parent" ] || { wait $parent 2>/dev/null; code=$?; }
@@ -46,7 +47,7 @@ left()
     diff /tmp/before /tmp/after && [ $code = "$1" ]
 }
 
-# While it draws, nothing is as it was.
+# During the drawing all settings differ.
 drawing()
 {
     vm_state /dev/tty1 >/tmp/during
@@ -144,7 +145,7 @@ vm_state /dev/tty1 text
 EOF
 
 cat >"$scratch/careless" <<'EOF'
-# What a careless program leaves behind is found; each against what was left before.
+# The state left by a careless program is detected; each thing against the state before.
 for thing in $(echo "$things" | tr , " "); do
     vm_state /dev/tty1 >/tmp/before
     vm_state /dev/tty1 $thing &
@@ -155,7 +156,7 @@ for thing in $(echo "$things" | tr , " "); do
 done
 EOF
 
-# name | what the kernel is told | modules | what is left behind
+# name | words for the kernel | modules | things left behind
 while IFS="|" read -r on words modules things; do
     on=$(echo $on) words=$(echo $words) things=$(echo $things)
     cat "$scratch/common" "$scratch/failures" "$scratch/careless" >"$scratch/cases"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Lines to a live board: what each is answered, and that the board then draws what the
-# host draws of the scene so changed.
+# Lines sent to a live board: the answer to each line, and the board's picture after the
+# change, which must equal the host's picture of the changed scene.
 #
 #   tests/boards/control.sh [PROGRAM]
 . tests/gates/lib.sh
@@ -11,7 +11,7 @@ program=${TP_PROGRAM:-${1:-build/host/tidepool}}
 ready "control of a Cortex-M3"
 
 answered()      { is "$(ask "$1")" "$2"; }
-draws()         # [OPTION]...: the next picture is the host's of that tick
+draws()         # [OPTION]...: the next picture is the host's at that tick
 {
     state=$(ask state)
     is "$(crc_of "$state")" "$(host_crc "$(tick_of "$state")" "$@")"
@@ -52,7 +52,8 @@ check "bytes that are no text" answered "$(printf 'set \377\001')" \
     "error line with byte 255, which is no text"
 check "and the next line is read" answered "get wave0.amplitude" \
     "ok wave0.amplitude = 0.1 m of 0..16"
-# More than its ring holds, while it makes ticks and reads nothing.
+# More bytes than the port's ring buffer holds, while the board computes ticks and reads
+# nothing.
 ask "step 400" >/dev/null
 before=$(answers)
 {
@@ -88,9 +89,9 @@ check "as the host with the same numbers" draws --set light.elevation=60 \
 refuse "which differ from others" draws --set light.elevation=60 \
     --set camera.pitch=-30 --set wave0.amplitude=0.24 --set water.colour=#808080
 
-# Each line needs a piece of the program that the scene as it was baked does without.
+# Each line needs a module that the scene as baked does not use.
 changes="light.elevation=60 camera.pitch=-30 wave0.amplitude=0.25 water.colour=#808080"
-switched()      # NAME=VALUE: and all before it
+switched()      # NAME=VALUE: in addition to all earlier changes
 {
     changes="$changes $1"
     answered "set $1" "ok $(echo "$1" | sed 's/=/ = /')$2" && restarted 60 || return 1

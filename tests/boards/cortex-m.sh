@@ -13,11 +13,11 @@ lacks qemu-system-arm qemu-system-arm "Cortex-M boards" && exit 0
 
 # -- frames ---------------------------------------------------------------------------
 
-said()          # WORD FILE: what follows it there
+said()          # WORD FILE: the text behind the word
 {
     awk -v word="$1" '{ for (i = 1; i < NF; i++) if ($i == word) print $(i + 1) }' "$2"
 }
-hashes()        # SCENE[@TEXELS] SIZE FORMAT FIRST: of two frames, by the host
+hashes()        # SCENE[@TEXELS] SIZE FORMAT FIRST: two frames, by the host
 {
     ini=${1%@*}
     for folder in ports/cortex-m/scenes tests/budgets; do
@@ -29,7 +29,7 @@ hashes()        # SCENE[@TEXELS] SIZE FORMAT FIRST: of two frames, by the host
     "$program" render "$ini" $texels --size "$2" --format "$3" --hash \
         --frames "$4:$(($4 + 1))" | sed 's/^frame [0-9]* //'
 }
-frames_are()    # BOARD/SCENE FIRST: two frames, beginning there
+frames_are()    # BOARD/SCENE FIRST: two frames equal the host's
 {
     of=$shots/$1.said
     hashes "${1#*/}" $(awk '/^picture/ { print $2, $3 }' "$of") "$2" >"$scratch/want"
@@ -40,18 +40,18 @@ whole()         # BOARD/SCENE: nothing was left out
 {
     [ "$(said dropped "$shots/$1.said" | sort -u)" = 0 ]
 }
-links_its_list()        # BOARD/SCENE: and no other piece
+links_its_list()        # BOARD/SCENE: and no other module
 {
     pieces_of "build/${1%/*}/scenes/${1#*/}.elf" >"$scratch/pieces"
     links_no_more "$scratch/pieces" "build/${1%/*}/baked/${1#*/}.c"
 }
-links_another() # BOARD/SCENE: the same with a piece that no list of these boards has
+links_another() # BOARD/SCENE: the same with a module in no list of these boards
 {
     pieces_of "build/${1%/*}/scenes/${1#*/}.elf" >"$scratch/pieces"
     echo tp_stage_foam >>"$scratch/pieces"
     links_no_more "$scratch/pieces" "build/${1%/*}/baked/${1#*/}.c"
 }
-stack_holds()   # BOARD/SCENE: with room for an exception's frame besides
+stack_holds()   # BOARD/SCENE: with room for an exception's frame
 {
     of=$shots/$1.said
     [ "$(($(said stack "$of") + 32))" -le "$(said reserve "$of")" ]
@@ -71,9 +71,9 @@ for shot in "$shots"/*/*.said; do
     refuse "$shot: nor is foam" links_another "$shot"
 done
 
-# -- what goes wrong ------------------------------------------------------------------
+# -- faults ---------------------------------------------------------------------------
 
-# emulate BOARD ELF: its exit code in $code, what it says in $scratch/said
+# emulate BOARD ELF: sets the exit code in $code; output in $scratch/said
 emulate()
 {
     timeout 20 qemu-system-arm -M "$1" -nographic -monitor none -serial null \
@@ -82,13 +82,13 @@ emulate()
     code=$?
     cat "$scratch/said"
 }
-faults()        # BOARD FOLDER WHAT LINE: ends with 139 and says so, and no more
+faults()        # BOARD FOLDER WHAT LINE: ends with 139 and prints only this line
 {
     emulate "$1" "$2/faults/$3.elf"
     [ $code = 139 ] && [ "$(wc -l <"$scratch/said")" = 2 ] &&
         grep -q "^fault $4" "$scratch/said"
 }
-in_main()       # FOLDER WHAT: the place that was said lies in the function that did it
+in_main()       # FOLDER WHAT: the reported address lies in the faulty function
 {
     arm-none-eabi-nm -S "$1/faults/$2.elf" | awk -v at="$(sed -n \
         's/^fault .* at \([0-9a-f]*\),.*/\1/p' "$scratch/said")" '
@@ -105,7 +105,7 @@ too_large()     # BOARD
     ! alone build -s BOARD="cortex-m/$1" "build/$1/faults/ram.elf" >"$scratch/log" 2>&1 &&
         grep "region .RAM' overflowed" "$scratch/log"
 }
-faulty()        # BOARD FOLDER WHAT...: their programs
+faulty()        # BOARD FOLDER WHAT...: builds the faulty programs
 {
     kind=$1 folder=$2 goals=
     shift 2

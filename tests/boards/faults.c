@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Programs that go wrong on purpose, by -DFAULT_NAME: a board must tell each by a line and
- * exit with 2, or its linker refuse it.  One that comes to its end exits with 0. */
+/* Programs with deliberate faults, selected by -DFAULT_NAME. A board must report each fault
+ * in a line and exit with 2, or the linker must reject the program. A program that runs to
+ * its end exits with 0. */
 #include "cortex-m/board.h"
 #include "cortex-m/semihost.h"
 
-#ifdef FAULT_address            /* where no board has anything */
+#ifdef FAULT_address            /* address without memory or device on all boards */
 static void go_wrong(void)
 {
     *(volatile uint32_t *)(uintptr_t)0xa0000000u = 1;
@@ -18,7 +19,7 @@ static void go_wrong(void)
 }
 #endif
 
-#ifdef FAULT_stack              /* calls within calls, of 256 bytes each */
+#ifdef FAULT_stack              /* nested calls with 256 bytes of stack each */
 static volatile uint32_t deepest = 100000;
 
 static uint32_t fall(uint32_t depth)
@@ -34,7 +35,7 @@ static void go_wrong(void)
 }
 #endif
 
-#ifdef FAULT_ram                /* more than any of the boards has */
+#ifdef FAULT_ram                /* more RAM than any of the boards has */
 static volatile uint8_t picture[256 * 1024];
 
 static void go_wrong(void)

@@ -1,26 +1,26 @@
 #!/bin/busybox sh
 # SPDX-License-Identifier: MIT
-# The first process of an emulated machine: mounts what there is, loads the modules, reads
-# the test's script of cases, and asks to be put out.  What the cases print goes to the
-# serial port, which vm.sh listens to.
+# The first process of an emulated machine: mounts file systems, loads modules, runs the
+# test's script of cases, and requests power-off. The output of the cases goes to the
+# serial port, which vm.sh reads.
 /bin/busybox --install -s /bin
 PATH=/bin; export PATH
 mount -t devtmpfs none /dev
 mount -t proc none /proc
 mount -t sysfs none /sys
 stty -echo </dev/console
-for module in /modules/*.ko; do          # $module_words: of the kernel's command line
+for module in /modules/*.ko; do          # $module_words: from the kernel's command line
     [ ! -e "$module" ] || insmod "$module" $module_words || echo "FAILED - $module"
 done
 
-# ask WORDS: what only the outside can do; returns when it was done.
+# ask WORDS: requests an action from outside the machine; returns when the action is done.
 ask()
 {
     echo "vm: $*"
     read -r _ </dev/console
 }
 
-# check NAME COMMAND...: one case; what it prints is shown if it fails.
+# check NAME COMMAND...: one case; prints the command's output if the case fails.
 check()
 {
     name=$1; shift
@@ -32,7 +32,7 @@ check()
     fi
 }
 
-# until COMMAND...: tries for ten seconds.
+# until_true COMMAND...: repeats for at most ten seconds.
 until_true()
 {
     for _ in $(seq 200); do
@@ -42,8 +42,8 @@ until_true()
     return 1
 }
 
-# show NAME PROGRAM...: it holds its last frame until the screen has been dumped as
-# $boot-NAME; then it is asked to end.
+# show NAME PROGRAM...: the program holds its last frame until the screen has been dumped
+# as $boot-NAME; then the program is ended.
 show()
 {
     shown=$1; shift
@@ -56,7 +56,7 @@ show()
         ended 143 $? "^frame"
 }
 
-# ended WANTED CODE WORDS: how a program ended, and what it said.
+# ended WANTED CODE WORDS: checks a program's exit code and output.
 ended()
 {
     cat /tmp/said

@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# DRM's mode setting of Debian kernels, on an emulated PC (bochs) and an emulated aarch64
-# board (virtio-gpu): what the screen shows, dumped from outside of the machine, is the
-# golden frame and the host's picture, pixel by pixel.  So it does by /dev/fb0, of two pages
-# that these drivers cannot pan between, though they say so.
+# DRM mode setting of Debian kernels, on an emulated PC (bochs) and an emulated aarch64
+# board (virtio-gpu): the screen, dumped from outside of the machine, equals the golden
+# frame and the host's picture, pixel by pixel. The same by /dev/fb0 with two pages,
+# between which these drivers cannot pan although they report that they can.
 #
 #   tests/boards/kms.sh [PROGRAM]
 . tests/gates/lib.sh
@@ -11,7 +11,7 @@
 
 program=${1:-build/host/tidepool}
 scene=three-swells golden=tests/golden/three-swells/xrgb8888-0100.png
-arm=cross/aarch64-gcc-O2        # whose core other tests need too
+arm=cross/aarch64-gcc-O2        # other tests need its core too
 
 vm_lacks "screens by KMS" amd64 arm64 && exit 0
 check "one static file shows a scene" alone build build/host/scenes/$scene-screen

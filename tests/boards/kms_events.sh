@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What happens to a screen of ports/kms while it shows a picture, on an emulated PC with a
-# Debian kernel: the monitor is unplugged and plugged in, the whole card goes and comes
-# back with a monitor of another size; what refuses to start says why in one line.
+# Events at a screen of ports/kms while a picture is shown, on an emulated PC with a
+# Debian kernel: the monitor is unplugged and plugged in; the whole card disappears and
+# returns with a monitor of another size. A program that refuses to start prints the
+# reason in one line.
 #
 #   tests/boards/kms_events.sh [PROGRAM]
 . tests/gates/lib.sh
@@ -26,7 +27,7 @@ start()
     $show </dev/tty1 >$said 2>&1 &
     shown=$!
 }
-drawn()         # COUNT: that often the picture was drawn
+drawn()         # COUNT: the picture was drawn this often
 {
     [ "$(grep -c "^frame" $said)" -ge "$1" ]
 }
@@ -38,7 +39,7 @@ dark()
 {
     vm_state /dev/tty1 | grep -q "^crtc .*buffer 0 "
 }
-refused()       # WORDS OPTION...: exit 4 and one line, and the console is as before
+refused()       # WORDS OPTION...: exit 4 and one line; the console does not change
 {
     words=$1; shift
     three-swells-screen --on kms --frames 3:3 "$@" </dev/tty1 >/tmp/refused 2>&1

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-# What a program links of the pieces that a list may name, against its baked list; read
-# after tests/gates/lib.sh.
+# Compares the pieces that a program links with its baked list; read after
+# tests/gates/lib.sh.
 
-# pieces_of ELF: modules, drawings, stages, wave models, movers, parts and methods.
+# pieces_of ELF: modules, passes, stages, wave models, systems, parts and renderers.
 pieces_of()
 {
     arm-none-eabi-nm --defined-only "$1" | sed -n \
@@ -10,13 +10,13 @@ pieces_of()
          s/.* [Rr] \(tp_[a-z0-9_]*_\(module\|drawing\)\)$/\1/p' | sort -u
 }
 
-# listed BAKED.c: those that its list names.
+# listed BAKED.c: pieces named by its list.
 listed()
 {
     grep -o 'tp_[a-z0-9_]*' "$1" | sort -u
 }
 
-# links_no_more PIECES BAKED.c: each piece that is linked is listed; there are some.
+# links_no_more PIECES BAKED.c: each linked piece is listed, and at least one is linked.
 links_no_more()
 {
     listed "$2" >"$1.listed"

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# /dev/fb0 of a Debian kernel on an emulated PC, in 8, 15, 16, 24, 32 bits a pixel: what
-# its screen shows, dumped from outside of it, is the golden frame and the host's picture,
-# pixel by pixel.
+# /dev/fb0 of a Debian kernel on an emulated PC, with 8, 15, 16, 24, 32 bits a pixel: the
+# screen, dumped from outside of the machine, equals the golden frame and the host's
+# picture, pixel by pixel.
 #
 #   tests/boards/linuxfb.sh [PROGRAM]
 . tests/gates/lib.sh
@@ -15,7 +15,7 @@ golden=tests/golden/$scene
 vm_lacks "screens of /dev/fb0" amd64 && exit 0
 check "one static file shows a scene" alone build "$screen"
 [ "$failures" = 0 ] || exit 1
-exits()         # CODE WORDS ARGUMENT...: of that file on this machine, which has no screen
+exits()         # CODE WORDS ARGUMENT...: that file on this machine, which has no screen
 {
     want=$1 words=$2
     shift 2
@@ -36,7 +36,7 @@ three-swells-screen --on fb --size 641x480 2>/tmp/said
 check "what is larger than the screen is refused" ended 4 $? "smaller than the picture"
 EOF
 
-# mode | VESA's number | the format that it takes best | bits a channel that it has
+# mode | VESA's number | best format for the mode | significant bits a channel
 while IFS='|' read -r mode number format bits; do
     mode=$(echo $mode) format=$(echo $format) bits=$(echo $bits)
     "$program" render $scene --size 640x480 --frames 3:3 --format $format \

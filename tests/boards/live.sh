@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
-# A live board under the emulator, that is talked to over its serial port and its monitor;
-# read by `.` after tests/gates/lib.sh.
+# A live board under the emulator, controlled over its serial port and its monitor; read
+# by `.` after tests/gates/lib.sh.
 #
-#   begin ELF [OPTION]...      starts it and waits until it says "ok NAME"
+#   begin ELF [OPTION]...      starts the board and waits for its "ok NAME"
 #   ask LINE                   sends a line; prints its answer, or nothing after 10 s
-#   monitor COMMAND            to the emulator
+#   monitor COMMAND            sends a command to the emulator
 #   dump FILE                  waits for the picture of the screen
-#   finish
+#   finish                     ends the emulator
 #
-# What the board says is in $scratch/said.  No wait is longer than 10 s, no run than 60.
+# The board's output is in $scratch/said. No wait exceeds 10 s, no run exceeds 60 s.
 
 board=cortex-m/lm3s6965evb
 elf=build/lm3s6965evb/scenes/tarn.elf
@@ -43,7 +43,7 @@ begin()
     until_true said_more 0
 }
 
-# Lines are answers once they have ended.
+# Only complete lines are answers.
 whole_lines()   { head -n "$(wc -l <"$scratch/said")" "$scratch/said"; }
 answers()       { whole_lines | grep -c '^ok\|^error'; }
 said_more()     { [ "$(answers)" -gt "$1" ]; }
@@ -74,13 +74,13 @@ finish()
     emulator=
 }
 
-# Of the answer to `state`.
+# Fields of the answer to `state`.
 tick_of()       { echo "$1" | sed 's/ok tick \([0-9]*\).*/\1/'; }
 crc_of()        { echo "$1" | sed 's/.* crc32 \([0-9a-f]*\).*/\1/'; }
 bytes_of()      { echo "$1" | sed 's/.* bytes sent \([0-9]*\).*/\1/'; }
 clocks_of()     { echo "$1" | sed 's/.* clocks \([0-9]*\).*/\1/'; }
 
-# The host's CRC at a tick.
+# Prints the host's CRC at a tick.
 host_crc()      # TICK [OPTION]...
 {
     at=$1; shift
@@ -90,7 +90,7 @@ host_crc()      # TICK [OPTION]...
 
 is()            { [ "$1" = "$2" ] || { echo "$1, not $2"; false; }; }
 
-ready()         # WHAT: leaves with 77 if a tool is missing; builds the program
+ready()         # WHAT: exits with 77 if a tool is missing; builds the program
 {
     lacks qemu-system-arm qemu-system-arm "$1" && exit 77
     lacks arm-none-eabi-gcc gcc-arm-none-eabi "$1" && exit 77

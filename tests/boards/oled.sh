@@ -1,11 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The OLED of the LM3S6965's evaluation board, live under the emulator: its screen is the
-# host's picture in 16 greys, every pixel, also after each of its buttons.
+# The OLED of the LM3S6965's evaluation board, live under the emulator: its screen equals
+# the host's picture in 16 greys, each pixel, also after each of its buttons.
 #
 #   tests/boards/oled.sh [PROGRAM]
 #
-# The board writes what its buttons put in as the lines of a tape, which the host replays.
+# The board prints the inputs of its buttons as lines of a tape, and the host replays
+# them.
 . tests/gates/lib.sh
 . tests/boards/live.sh
 
@@ -35,12 +36,12 @@ refuse "another tick's picture is another" shows $((tick + 1))
 bytes=$(bytes_of "$state")
 check "a frame is its pixels and one window" is "$bytes" $((128 * 64 / 2 + 6))
 
-# Buttons act when they are let go, which takes the emulator some time.
+# Buttons act on release, which takes the emulator some time.
 tape=$scratch/tape
 inputs()        { whole_lines | grep '^[0-9]'; }
 has_input()     { ask step >/dev/null; [ "$(inputs | wc -l)" -eq "$1" ]; }
 pressed=0
-press()         # KEY: and then some ticks
+press()         # KEY: presses a key, then lets some ticks pass
 {
     pressed=$((pressed + 1))
     monitor "sendkey $1"
@@ -64,7 +65,7 @@ done
 check "so is the screen, every pixel" shows "$tick" --tape "$tape"
 refuse "it is not that of untouched water" shows "$tick"
 
-# With 32 ns for an instruction and 20 for a clock.
+# With 32 ns an instruction, and 20 ns a clock cycle.
 finish
 check "it starts by a clock of instructions" begin $elf -icount shift=5
 ask pause >/dev/null; ask restart >/dev/null; ask "step 40" >/dev/null

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What an OLED of 16 greys shows of a picture, as its emulator draws it: the upper four
- * bits of each pixel, spread over the whole range, in squares of 4 x 4.
+/* Converts a picture to the display of an OLED with 16 greys, drawn like its emulator does:
+ * the upper four bits of each pixel, spread over the whole range, in squares of 4 x 4.
  *
  *     oled_greys PICTURE.png >SCREEN.ppm */
 #include <stdio.h>

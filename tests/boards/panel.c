@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Models of panels; see panel.h.  Of each command the number of its arguments is known and
- * held; pixels walk the window in the order that MADCTL gives and begin again at its
- * corner when it is full. */
+/* Models of panels; see panel.h. The number of arguments of each command is known and
+ * enforced. Pixels fill the window in MADCTL's order and continue at its first corner when
+ * the window is full. */
 #include "panel.h"
 #include "pixel/pixel.h"
 #include <string.h>
@@ -43,7 +43,7 @@ static int find(const known *list, size_t count, uint8_t code)
     return -1;
 }
 
-/* How many arguments the kind's command has; -1: there is no such command. */
+/* Number of arguments of a command of this kind of panel; -1: no such command. */
 static int arguments_of(panel_kind kind, uint8_t code)
 {
     int n = kind == PANEL_SSD1680 ? find(ssd1680, sizeof ssd1680 / sizeof *ssd1680, code)
@@ -111,7 +111,7 @@ static void dcs_arguments(panel *p)
     }
 }
 
-/* The pixel after this one; false: the window is refused. */
+/* Advances to the next pixel of the window, and wraps at its end. */
 static void step(panel *p)
 {
     p->pixels++;
@@ -152,7 +152,7 @@ static uint32_t dcs_seen(const panel *p, uint32_t x, uint32_t y)
         return PANEL_DARK;
     if (c == PANEL_NOTHING)
         return c;
-    if (p->inverted == ili)                     /* one glass wants it, the other not */
+    if (p->inverted == ili)                     /* only one panel inverts */
         c = ~c & 0xffff;
     const uint32_t r = c >> 11, g = c >> 5 & 63, b = c & 31;
     const uint32_t red = r << 3 | r >> 2, blue = b << 3 | b >> 2;
@@ -162,8 +162,8 @@ static uint32_t dcs_seen(const panel *p, uint32_t x, uint32_t y)
 
 /* -- SSD1680 ------------------------------------------------------------------------ */
 
-/* Mode 1 shows what 24h holds; mode 2 drives what differs from 26h alone, and exchanges
- * the two if it is told so. */
+/* Update of the e-paper. Mode 1 shows the content of 24h; mode 2 drives the pixels that
+ * differ from 26h, and exchanges 24h and 26h on request. */
 static void paper_update(panel *p)
 {
     const bool differing = p->sequence & 0x08;
@@ -235,7 +235,7 @@ static uint32_t paper_seen(const panel *p, uint32_t x, uint32_t y)
     return p->paper[y * PANEL_COLS / 8 + x / 8] >> (7 - x % 8) & 1 ? 0xffffff : 0;
 }
 
-/* -- any ---------------------------------------------------------------------------- */
+/* -- all panels --------------------------------------------------------------------- */
 
 void panel_power(panel *p, panel_kind kind)
 {
@@ -245,7 +245,7 @@ void panel_power(panel *p, panel_kind kind)
     for (size_t i = 0; i < sizeof p->memory / sizeof *p->memory; i++)
         p->memory[i] = PANEL_NOTHING;
     for (size_t i = 0; i < sizeof p->paper; i++) {
-        p->plane[0][i] = (uint8_t)(i * 37);             /* what power left there */
+        p->plane[0][i] = (uint8_t)(i * 37);             /* content after power on */
         p->plane[1][i] = (uint8_t)(i * 101 + 7);
         p->paper[i] = (uint8_t)(i * 59 + 3);
     }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Models of panels, by the bytes that reach them: ILI9341 and ST7789 (MIPI DCS, 16 bits a
- * pixel) and SSD1680 (e-paper).  They know nothing of the driver, only what data sheets
- * say, and refuse what those do not allow: each such byte is a fault. */
+/* Models of panels driven by the bytes on the wires: ILI9341 and ST7789 (MIPI DCS, 16 bits
+ * a pixel) and SSD1680 (e-paper). The models share no code with the driver and follow the
+ * data sheets; each byte that a data sheet does not allow is a fault. */
 #ifndef PANEL_H
 #define PANEL_H
 #include <stdbool.h>
@@ -12,40 +12,40 @@ typedef enum { PANEL_ILI9341, PANEL_ST7789, PANEL_SSD1680 } panel_kind;
 
 enum { PANEL_COLS = 240, PANEL_ROWS = 320, PANEL_PENDING = 4 };
 
-/* What the glass shows where it shows nothing: off, asleep, or never written. */
+/* Colours of the glass without a picture: off or asleep, and never written. */
 #define PANEL_DARK   0xff000000u
 #define PANEL_NOTHING 0xdead0000u
 
 typedef struct {
     const uint8_t *bytes;
     size_t         count;
-    uint32_t       crc;                 /* when it was handed over */
+    uint32_t       crc;                 /* CRC at hand-over */
 } panel_transfer;
 
 typedef struct {
     panel_kind  kind;
-    uint32_t    ms, ready_ms, wake_ms;  /* now; when commands, when SLPOUT are taken */
+    uint32_t    ms, ready_ms, wake_ms;  /* now; earliest for commands; for SLPOUT */
     bool        reset, awake, lit, inverted, busy;
     int         command;                /* -1: none yet */
     uint8_t     argument[16];
-    uint32_t    arguments;              /* of the command so far */
+    uint32_t    arguments;              /* received arguments of the command */
     uint8_t     walk, pixel_size;       /* MADCTL or data entry; COLMOD */
-    uint32_t    x0, x1, y0, y1;         /* the window as commands give it */
-    uint32_t    x, y;                   /* the next pixel or byte in it */
-    bool        begun;                  /* a write has, and none was refused since */
+    uint32_t    x0, x1, y0, y1;         /* window set by commands */
+    uint32_t    x, y;                   /* next pixel or byte in the window */
+    bool        begun;                  /* write begun, and none refused since */
     uint8_t     option, sequence;       /* 37h, 22h of e-paper */
     uint32_t    memory[PANEL_ROWS * PANEL_COLS];    /* by raw row and column */
     uint8_t     plane[2][PANEL_ROWS * PANEL_COLS / 8];      /* 24h, 26h of e-paper */
-    uint8_t     paper[PANEL_ROWS * PANEL_COLS / 8];         /* what it shows */
-    uint64_t    bytes, pixels, wraps;   /* taken; written; the window was full */
+    uint8_t     paper[PANEL_ROWS * PANEL_COLS / 8];         /* displayed picture */
+    uint64_t    bytes, pixels, wraps;   /* received; written; window overflows */
     uint32_t    updates, partial;
     uint32_t    faults;
-    const char *fault;                  /* the first one */
-    /* the wires: transfers that are handed over and not yet taken */
+    const char *fault;                  /* first fault */
+    /* the wires: transfers handed over and not yet sent */
     panel_transfer pending[PANEL_PENDING];
-    uint32_t    waiting, late;          /* of them; so many may be */
-    uint32_t    overwritten;            /* transfers whose bytes changed on the way */
-    uint32_t    overlapped;             /* drawn pixels while one was on the way */
+    uint32_t    waiting, late;          /* pending transfers; allowed number */
+    uint32_t    overwritten;            /* transfers with bytes changed too early */
+    uint32_t    overlapped;             /* pixels drawn during a transfer */
 } panel;
 
 void panel_power(panel *p, panel_kind kind);

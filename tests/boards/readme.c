@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The program of ports/README.md over callbacks of its own, on a model of the panel:
+/* Runs the program of ports/README.md with test callbacks on a model of the panel:
  *
- *     readme          what it shows after its frames is the picture, drawn whole
- *     readme stuck    it says that the screen is not there */
+ *     readme          the panel shows the whole picture after the program's frames
+ *     readme stuck    the program reports that the screen is missing */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,7 +21,7 @@ uint32_t sdk_ms;
 
 static panel    shown;
 static bool     dc, stuck;
-static uint32_t to_end, to_leave;       /* questions until the DMA ends, the last bytes go */
+static uint32_t to_end, to_leave;       /* queries until DMA end, until all is sent */
 
 /* -- the wires ---------------------------------------------------------------------- */
 
@@ -88,10 +88,10 @@ void sdk_pause(uint32_t ms)
     panel_pause(&shown, ms);
 }
 
-/* -- what it shows ------------------------------------------------------------------ */
+/* -- displayed picture -------------------------------------------------------------- */
 
-/* Pixels of the glass, turned by a quarter, that are not the frame's; exits if they cannot
- * be told. */
+/* Number of pixels of the glass, turned by a quarter, that differ from the frame; ends the
+ * program if the comparison is impossible. */
 static uint32_t wrong(void)
 {
     const tp_scene *s = &baked_scene;

@@ -8,7 +8,7 @@ page=ports/README.md
 program=${TP_PROGRAM:-build/host/tidepool}
 warn="-std=c11 -Wall -Wextra -Wno-unused-parameter -Wno-unused-variable -Werror"
 
-code()          # HEADING FROM: the code after a heading, from the block that holds FROM
+code()          # HEADING FROM: the code block with FROM after a heading
 {
     awk -v heading="$1" -v from="$2" '
         /^#/ { within = index($0, heading) > 0 }

@@ -1,19 +1,19 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The Raspberry Pi's boards, emulated: what the screen shows is the golden frame pixel by
-# pixel, in 32 and in 16 bits, from the ELF file and from the image that lies on a card;
-# frames told on the serial port are the host's, after lines that set the scene's numbers
-# too; what goes wrong is one clear line.
+# Raspberry Pi boards, emulated: the screen equals the golden frame pixel by pixel, in 32
+# and in 16 bits, from the ELF file and from the image for a card; frames reported on the
+# serial port equal the host's, also after lines that set the scene's numbers; each fault
+# is one clear line.
 #     rpi.sh [PROGRAM]
 . tests/gates/lib.sh
 
 program=${1:-build/host/tidepool}
 scene=three-swells
-size='width 208 height 150'     # of golden frames
+size='width 208 height 150'     # size of golden frames
 set=wave0.amplitude
 same=${TP_BUILD:-build/host}/tests/boards/same_picture
 
-# board | emulator | triple | how a card's image gets where the firmware loads it
+# board | emulator | triple | option that loads a card's image at the firmware's address
 loader='-device loader,force-raw=on,cpu-num=0,addr=0x8000,file=@'
 boards="
 raspi0  | arm     | arm-none-eabi     | $loader
@@ -21,9 +21,9 @@ raspi2b | arm     | arm-none-eabi     | $loader
 raspi3b | aarch64 | aarch64-linux-gnu | -kernel @
 "
 
-# -- what the boards say and show --------------------------------------------------------
+# -- output and pictures of the boards ---------------------------------------------------
 
-# heard WORDS: waits for them, or the emulator's end, ten seconds at the most.
+# heard WORDS: waits for the words, or for the emulator's end, at most ten seconds.
 heard()
 {
     for i in $(seq 200); do
@@ -32,8 +32,8 @@ heard()
     done
 }
 
-# emulate NAME WORDS LINES UNTIL OPTION...: with words as a command line, if any,
-# and lines for the serial port; takes the screen when UNTIL has been said.  Leaves
+# emulate NAME WORDS LINES UNTIL OPTION...: runs with WORDS as a command line, if any, and
+# LINES for the serial port; dumps the screen when UNTIL has been printed. Writes
 # NAME.said, .ppm and .code.
 emulate()
 {
@@ -43,7 +43,7 @@ emulate()
         [ -z "$lines" ] || heard "^screen"
         printf "$lines"
         heard "$until"
-        printf '\001c'                          # from here on it is the monitor's
+        printf '\001c'                          # switches to the monitor
         echo "screendump $name.ppm"
         echo quit
     } | {
@@ -55,7 +55,7 @@ emulate()
     }
 }
 
-# broken BYTES: the ELF file with these instead of main's first ones.
+# broken BYTES: the ELF file with these bytes at the beginning of main.
 broken()
 {
     at=$("$triple-readelf" -SW "$elf" | awk '/ \.text / {
@@ -90,7 +90,7 @@ run_board()
     emulate deeper 'frames 1' '' halted -kernel "$scratch/$board-broken.elf"
 }
 
-# -- what they should --------------------------------------------------------------------
+# -- expected output and pictures --------------------------------------------------------
 
 for format in xrgb8888 rgb565; do
     "$program" render $scene --size 208x150 --frames 99:100 --format $format \
@@ -110,16 +110,16 @@ ended()         # RUN CODE
 {
     [ "$(cat "$scratch/$board-$1.code")" = "$2" ]
 }
-golden()        # FORMAT: its line of frame 100
+golden()        # FORMAT: the golden line of frame 100
 {
     grep '^frame 0100 ' tests/golden/$scene/$1.crc
 }
-other()         # PICTURE OTHER [565]: there are both, and they differ
+other()         # PICTURE OTHER [565]: both exist, and they differ
 {
     $same "$@"
     [ $? = 1 ]
 }
-# The frame that it had come to by itself, and two steps, is the host's of that tick.
+# The last frame drawn without requests, and two steps, equal the host's at that tick.
 by_itself()
 {
     frame=$(grep -a '^frame' "$scratch/$board-alone.said" | tail -n 1 | tr -d '\r')
@@ -128,8 +128,8 @@ by_itself()
         grep -x "$frame"
 }
 
-# The firmware of a real Raspberry Pi 2 starts its processor as a hypervisor, which the
-# emulated one is not; another machine's Cortex-A7 is.
+# The firmware of a real Raspberry Pi 2 starts the processor in hypervisor mode; the
+# emulated board does not, but the Cortex-A7 of another emulated machine does.
 hypervisor()
 (
     name=$scratch/hypervisor

@@ -1,20 +1,22 @@
 /* SPDX-License-Identifier: MIT */
-/* Compares what a screen shows with what it should show.
+/* Compares a screen's picture with the expected picture.
  *
  *     same_picture A B [565 [centred]]
  *
- * A and B are PNG files, or PPM files of 8 bits a channel as emulators dump them.  Prints
- * of how many pixels they differ, and the first of them; exits with 1 if there is one or
- * the sizes differ.  The digits are the bits of red, green and blue that count, the upper
- * ones: a screen of 16 bits a pixel is shown by some with lower bits 0, by others with
- * the upper bits repeated in them.  A centred B is in the middle of A, all else black. */
+ * A and B are PNG files, or PPM files with 8 bits a channel, the dump format of emulators.
+ * Prints the number of different pixels and the first of them; exits with 1 if there is a
+ * difference or the sizes differ. The digits are the numbers of significant (upper) bits of
+ * red, green and blue: a screen with 16 bits a pixel appears with lower bits 0 in some
+ * emulators, and with the upper bits repeated in others. A centred B lies in the middle of
+ * A; all other pixels of A must be black. */
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "host/picture.h"
 
-/* 0x00RRGGBB, one a pixel, to free; NULL: it is no such PPM. */
+/* Reads a PPM as 0x00RRGGBB, one value a pixel; the caller frees the result. Returns NULL
+ * if the file is no such PPM. */
 static uint32_t *read_ppm(FILE *file, uint32_t *w, uint32_t *h)
 {
     unsigned most = 0;
@@ -50,7 +52,7 @@ static uint32_t *read_picture(const char *name, uint32_t *w, uint32_t *h)
     return pixels;
 }
 
-/* The bits that count of 0x00RRGGBB, by three digits 1..8; 0: they are none. */
+/* Mask of the significant bits of 0x00RRGGBB from three digits 1..8; 0: invalid digits. */
 static uint32_t mask_of(const char *digits)
 {
     uint32_t mask = 0;
@@ -62,7 +64,8 @@ static uint32_t mask_of(const char *digits)
     return mask;
 }
 
-/* `from` in the middle of w by h, black around it, to free; frees `from`. */
+/* `from` in the middle of w by h pixels with black around; the caller frees the result.
+ * Frees `from`. */
 static uint32_t *centre(uint32_t *from, uint32_t *from_w, uint32_t *from_h, uint32_t w,
                         uint32_t h)
 {

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* What the driver of ports/lcd sends a display for one frame, in bytes, commands too: the
- * tiles of a picture go through it as a board's would, into wires that count.
+/* Counts the bytes, commands included, that the driver of ports/lcd sends to a display for
+ * one frame: a picture's tiles go through the driver into counting wires.
  *
  *     sent WIDTHxHEIGHT TILExTILE FORMAT
  *
- * Colours go to an ILI9341, a bit a pixel to an SSD1680, with glass of the picture's size;
- * the frame is the third, whose update of e-paper is no longer a whole one. */
+ * Colours go to an ILI9341, one bit a pixel to an SSD1680, with glass of the picture's
+ * size. The measured frame is the third: its e-paper update is partial. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -44,7 +44,7 @@ static void fail(const char *why)
     exit(2);
 }
 
-/* Lying pictures are shown turned. */
+/* Landscape pictures are shown turned. */
 static lcd_config config_of(lcd_panel *panel, const tp_config *frame)
 {
     const bool turned = frame->format != TP_FORMAT_I1 && frame->width > frame->height;

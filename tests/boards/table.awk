@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-# The tables of boards and scenes, in Markdown.
+# Tables of boards and scenes, in Markdown.
 #
 #   awk -v from=FOLDER -f tests/boards/table.awk SHOTS
 #
-# SHOTS has lines BOARD/SCENE; FOLDER of each what `size -A` tells (.size), what the board
-# said (.said), what the plugin counted (.counts) and what a display is sent (.sent).
+# SHOTS has lines BOARD/SCENE. FOLDER has for each the output of `size -A` (.size), the
+# board's output (.said), the plugin's counts (.counts) and the bytes sent to a display
+# (.sent).
 BEGIN {
     FS = "/"
     memory = "| board, scene | frame | water | mirror | tile | world | in all | stack |\n" \

@@ -12,7 +12,7 @@
 . tests/gates/lib.sh
 . tests/boards/live.sh
 
-# board | scene, @ the most texels of a picture's side; one of them is live
+# board | scene, @ largest side of its textures in texels; one of the boards is live
 shots='
 netduinoplus2     count-64@64
 netduinoplus2     lava@64
@@ -40,8 +40,8 @@ run()           # BOARD SCENE
         echo "sent $(cat "$scratch/sent")" >"$to/$1/$2.sent"
 }
 
-# Draws the same two, told to by lines, and counts itself what it sends.  What is counted
-# is the picture that `state` draws: nothing comes meanwhile that would interrupt it.
+# Draws the same two frames by commands; the board counts the sent bytes itself. The
+# counted picture is drawn by `state`: no other line arrives meanwhile to interrupt it.
 talk()          # BOARD SCENE
 {
     begin "$elf" -plugin $plugin || { finish; cat "$scratch/emulator" >&2; return 1; }

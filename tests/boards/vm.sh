@@ -1,20 +1,20 @@
 # SPDX-License-Identifier: MIT
-# Machines that run Debian's own kernel, emulated; read by `.` after tests/gates/lib.sh.
+# Emulated machines with Debian's own kernel; read by `.` after tests/gates/lib.sh.
 #
-# A test makes a boot's first and only file system of busybox, init.sh, programs of ours
-# and a script of cases, and boots it.  The cases print lines on the serial port; those
-# that begin with "vm: " ask this side for what only the machine's outside can do:
+# A test builds a boot's only file system from busybox, init.sh, the project's programs
+# and a script of cases, and boots it. The cases print lines on the serial port; lines
+# that begin with "vm: " request an action from outside the machine:
 #
-#     vm: shot NAME       the screen as it is shown now, to $vm_work/NAME.ppm
-#     vm: key KEYS        a key, by the monitor's names: ctrl-c, alt-f2
-#     vm: end             all cases were run; the machine is put out
+#     vm: shot NAME       dump the present screen to $vm_work/NAME.ppm
+#     vm: key KEYS        send a key, by the monitor's names: ctrl-c, alt-f2
+#     vm: end             all cases were run; power off
 #
-# Each is answered with a line, so the two sides never wait for a time.  Lines "ok - ..."
-# and "FAILED - ..." are the cases' results: vm_results takes them over.
+# Each request is answered with a line, so neither side waits for a fixed time. Lines "ok
+# - ..." and "FAILED - ..." are the results of the cases: vm_results takes them over.
 #
-# Kernels come from Debian by apt into build/vm/ARCH, with lists of their own: neither
-# root nor this machine's architecture or state matter.  Of a package of 400 MB only what
-# screens need is unpacked.
+# apt downloads the kernels from Debian into build/vm/ARCH, with package lists of their
+# own: root rights, architecture and state of this machine do not matter. Of a package of
+# 400 MB only the parts for screens are unpacked.
 
 PATH=$PATH:/usr/sbin:/sbin       # depmod, for users too
 TP_BUILD=${TP_BUILD:-build/host}
@@ -22,7 +22,8 @@ vm_folder=build/vm
 vm_work=$scratch/vm
 mkdir -p "$vm_work"
 
-# vm_lacks NAME: true, and says so, when a tool is not there or the kernels cannot be had.
+# vm_lacks NAME: true, with a message, if a tool is missing or the kernels are not
+# available.
 vm_lacks()      # NAME ARCH...
 (
     name=$1; shift
@@ -42,7 +43,7 @@ vm_lacks()      # NAME ARCH...
     return 1
 )
 
-# What of a kernel's package is needed: itself, and modules for screens.
+# Needed parts of a kernel's package: the kernel, and modules for screens.
 vm_paths()
 {
     cat <<'EOF'
@@ -54,8 +55,8 @@ vm_paths()
 EOF
 }
 
-# vm_kernel ARCH: the kernel, its modules and busybox in build/vm/ARCH, unless they are
-# there.  One at a time: several tests want the same.
+# vm_kernel ARCH: downloads the kernel, its modules and busybox to build/vm/ARCH unless
+# present. Locked, since several tests need the same files.
 vm_kernel()
 {
     mkdir -p "$vm_folder" && (
@@ -84,7 +85,7 @@ vm_fetch()      # ARCH FOLDER
         mv "lib/modules/$version" modules && rmdir lib/modules lib
 )
 
-# vm_modules ARCH MODULE...: their files, each after those it needs, none twice.
+# vm_modules ARCH MODULE...: their files, each behind the files it needs, none twice.
 vm_modules()
 (
     arch=$1; shift
@@ -95,7 +96,8 @@ vm_modules()
     done | awk '!seen[$0]++'
 )
 
-# vm_disk NAME ARCH CASES "MODULE..." PROGRAM...: a file system to boot, $vm_work/NAME.gz.
+# vm_disk NAME ARCH CASES "MODULE..." PROGRAM...: makes a file system to boot,
+# $vm_work/NAME.gz.
 vm_disk()
 (
     disk=$vm_work/$1 arch=$2 cases=$3 modules=$4; shift 4
@@ -114,7 +116,7 @@ vm_disk()
     (cd "$disk" && find . | cpio -o -H newc --quiet | gzip -1) >"$disk.gz"
 )
 
-# What a machine is, besides what a test says of its screen.
+# Options of a machine, in addition to the test's options for the screen.
 vm_machine()    # ARCH
 {
     case $1 in
@@ -127,12 +129,12 @@ vm_console()    # ARCH
     case $1 in amd64) echo ttyS0 ;; arm64) echo ttyAMA0 ;; esac
 }
 
-# vm_boot NAME ARCH WORDS OPTION...: boots disk NAME with WORDS for the kernel, answers,
-# and leaves what the machine said in $vm_work/NAME.log.  At most a minute and a half.
+# vm_boot NAME ARCH WORDS OPTION...: boots disk NAME with WORDS for the kernel, answers
+# requests, and writes the machine's output to $vm_work/NAME.log. At most 90 s.
 vm_boot()
 (
     boot=$1 arch=$2 words=$3; shift 3
-    quick="nokaslr mitigations=off"         # a second less
+    quick="nokaslr mitigations=off"         # one second shorter
     port=$vm_work/$boot.port monitor=$vm_work/$boot.monitor log=$vm_work/$boot.log
     rm -f "$port.in" "$port.out" "$monitor"
     mkfifo "$port.in" "$port.out" "$monitor" || return 1
@@ -157,7 +159,7 @@ vm_boot()
     return 1
 )
 
-# Reads the machine's lines, writes them on, does what they ask for.
+# Reads the machine's lines, prints them, and carries out the requests.
 vm_answer()
 {
     while IFS= read -r line; do
@@ -176,20 +178,20 @@ vm_answer()
     done
 }
 
-# vm_want NAME PICTURE [565 [centred]]: what the screen is to show by that name.
+# vm_want NAME PICTURE [565 [centred]]: sets the expected picture of a dump.
 vm_want()
 (
     name=$1; shift
     echo "$*" >"$vm_work/$name.want"
 )
 
-# vm_same NAME: whether it was shown.
+# vm_same NAME: true if the dump equals the expected picture.
 vm_same()
 {
     "$TP_BUILD/tests/boards/same_picture" "$vm_work/$1.ppm" $(cat "$vm_work/$1.want")
 }
 
-# The monitor does one thing after the other: when it wrote NAME.done, NAME.ppm is whole.
+# The monitor runs its commands in order: when NAME.done exists, NAME.ppm is complete.
 vm_dump()       # NAME
 {
     rm -f "$vm_work/$1.done"
@@ -203,8 +205,8 @@ vm_dump()       # NAME
     return 1
 }
 
-# A picture that was handed to the kernel may take a moment to the screen: if one is
-# wanted it is waited for, for five seconds.
+# A picture may reach the screen with a delay: an expected picture is waited for, at most
+# five seconds.
 vm_shot()       # NAME
 {
     for _ in $(seq 50); do
@@ -214,8 +216,8 @@ vm_shot()       # NAME
     done
 }
 
-# vm_results NAME: the results of a boot's cases as this test's own; a boot that
-# told none has failed.
+# vm_results NAME: reports the results of a boot's cases as results of this test; a boot
+# without results has failed.
 vm_results()
 {
     if ! grep -E '^(ok|FAILED) - ' "$vm_work/$1.log" >"$scratch/results"; then

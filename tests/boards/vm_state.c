@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The state of a console, in lines that can be compared.
+/* Prints the state of a console in lines that can be compared.
  *
- *     vm_state TTY            what the console, its framebuffer and its card are set to
- *     vm_state TTY THING      sets it, as a careless program does:
+ *     vm_state TTY            settings of the console, its framebuffer and its card
+ *     vm_state TTY THING      sets one, in the way of a careless program:
  *                             text, graphics, raw, process, pan, colours, crtc, master
  *
- * What a program of ours has to leave as it found it.  A thing that is not there (no
- * card, no framebuffer) has no lines.  `crtc` and `master` keep the card for a minute. */
+ * The project's programs must restore this state. A missing device (card, framebuffer) has
+ * no lines. `crtc` and `master` hold the card for a minute. */
 #define _DEFAULT_SOURCE
 #include <fcntl.h>
 #include <stdint.h>
@@ -74,7 +74,7 @@ static void tell_framebuffer(int fb)
             printf("colour %d %04x %04x %04x\n", i, c[0][i], c[1][i], c[2][i]);
 }
 
-/* Where nobody is master of the card, who opens it is. */
+/* If no process is master of the card, the process that opens the card becomes master. */
 static void tell_card(int card)
 {
     uint32_t ids[CRTCS];
@@ -125,7 +125,7 @@ static int leave_framebuffer(int fb, const char *thing)
     return ioctl(fb, FBIOPAN_DISPLAY, &v);
 }
 
-/* The first CRTC off, by a master who then stays. */
+/* Turns the first CRTC off as master, and stays. */
 static int leave_card(int card, const char *thing)
 {
     uint32_t id;

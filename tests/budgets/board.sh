@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-# The emulated Cortex-M4 with the plugin that counts; read after tests/gates/lib.sh.
+# The emulated Cortex-M4 with the counting plugin; read after tests/gates/lib.sh.
 
 plugin=build/host/count.so
 
-# emulate ELF SAID COUNTS: what the program says, and what the plugin counted.
+# emulate ELF SAID COUNTS: writes the program's output to SAID and the plugin's counts to
+# COUNTS.
 emulate()
 {
     timeout 300 qemu-system-arm -M mps2-an386 -nographic -monitor none -serial null \

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: MIT
-# Budgets: exact figures, and the one rule that they are held by.
+# Budgets: exact figures, and the rule for comparing them.
 #
 #   awk [-v whole=1] [-v write=1] [-v skip="MEASURE..."] \
 #       -f tests/budgets/budgets.awk BUDGETS.csv FIGURES
 #
 # BUDGETS.csv has rows NAME,MEASURE,FIGURE,GOAL; FIGURES has lines "figure NAME MEASURE
-# VALUE", others are passed over.  A figure may be up to 1 % above its row's.  One with a
-# dot is a part of `instructions`, and has to grow by 0.1 % of those too; a part without
-# a row was 0.  `whole`: every name of the budgets is to be there.  `skip`: measures that
-# another compiler made.  A GOAL is what a figure is to come down to.
+# VALUE", other lines are ignored. A figure may exceed its row by at most 1 %. A measure
+# with a dot is a part of `instructions`: it fails only if it also grows by 0.1 % of
+# `instructions`; a part without a row counts as 0. `whole`: all names of the budgets must
+# be present. `skip`: measures of another compiler. A GOAL is the aim for a figure.
 #
-# With write=1 prints the budgets anew: names that were counted have their new figures
-# and their goals, others their old ones, or none if `whole`.
+# With write=1 prints new budgets: counted names with their new figures and their goals,
+# other names with their old figures, or not at all with `whole`.
 BEGIN { FS = "," }
 
 FILENAME == ARGV[1] {
@@ -80,7 +80,7 @@ function print_row(name, measure, figure)
     print name "," measure "," figure "," goal[name, measure]
 }
 
-# All rows of a name, once.
+# Prints all rows of a name, once.
 function print_name(name,    i)
 {
     for (i = 1; i <= news && (name in seen) && !(name in printed); i++)
@@ -89,7 +89,7 @@ function print_name(name,    i)
     printed[name]
 }
 
-# A name that was there stays in its place.
+# Names keep their order.
 function print_budgets(    i)
 {
     printf "%s", head

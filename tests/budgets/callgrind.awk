@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Callgrind's dumps, each a section, as the lines of count.c's plugin:
+# Converts callgrind's dumps, one for each section, to the lines of count.c's plugin:
 #     count SECTION model FUNCTION INSTRUCTIONS
-# What a call cost stands behind its line "calls=" and is the callee's.
+# The cost of a call stands behind its line "calls=" and belongs to the callee.
 #
 #   awk -f tests/budgets/callgrind.awk DUMP...
 /^part:/   { section = $2 }

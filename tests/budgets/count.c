@@ -1,26 +1,27 @@
 /* SPDX-License-Identifier: MIT */
-/* A QEMU plugin that counts the instructions of each function.  The emulated program says
- * what is counted by calling functions of these names, whose own instructions are not:
- *     count_as_NAME       from now on, on the account NAME
- *     count_end           no more
- *     count_section       what was counted so far is a section of its own
+/* A QEMU plugin that counts the instructions of each function. The emulated program
+ * controls the count by calling functions with these names, whose own instructions do not
+ * count:
+ *     count_as_NAME       count from now on to the account NAME
+ *     count_end           stop counting
+ *     count_section       close a section with the counts so far
  *
- * For each section, account and run of instructions that follow each other a line
+ * For each section, account and run of consecutive instructions the plugin prints a line
  *     count SECTION ACCOUNT FUNCTION INSTRUCTIONS ADDRESS
  *
- * Counting is exact: what the emulator translates as one block is executed as a whole, so
- * a block adds to its functions' counters as many as it has of their instructions.
- * Functions are those of the ELF's symbol table, so what was inlined counts for its
- * caller; the address, in decimal, tells functions of one name apart.  Declares what it
- * uses of QEMU's plugin interface, version 1 (QEMU 4.2 to 8.2), since Debian ships no
- * header of it. */
+ * The count is exact: a block that the emulator translates is executed as a whole, so each
+ * execution adds the block's number of instructions to its functions' counters. Functions
+ * come from the ELF's symbol table, so inlined code counts for its caller; the address, in
+ * decimal, distinguishes functions with the same name. The file declares the part of QEMU's
+ * plugin interface, version 1 (QEMU 4.2 to 8.2), that the plugin uses: Debian ships no
+ * header. */
 #include <inttypes.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* -- QEMU's side --------------------------------------------------------------- */
+/* -- QEMU's interface ---------------------------------------------------------- */
 
 #define EXPORT __attribute__((visibility("default")))
 
@@ -51,18 +52,18 @@ int qemu_plugin_version = 1;
 
 enum { ACCOUNTS = 8, CHAINS = 4096 };
 
-/* Instructions that follow each other in a block and in a function. */
+/* Consecutive instructions within a block and a function. */
 typedef struct run {
     const char *function;
-    uint64_t address;                   /* of the first of them */
-    uint64_t executed, before;          /* ever, and when counting began */
+    uint64_t address;                   /* address of the first instruction */
+    uint64_t executed, before;          /* total executions; total when counting began */
     uint64_t counted[ACCOUNTS];
     struct run *next, *chained;
 } run;
 
 static run        *runs, *chains[CHAINS];
 static const char *account_name[ACCOUNTS];
-static int         account = -1;        /* that is counted on; -1: none */
+static int         account = -1;        /* account in use; -1: none */
 static unsigned    section = 1;
 
 static run *run_of(const char *function, uint64_t address)
@@ -123,9 +124,9 @@ static void count_section(unsigned cpu, void *data)
     section++;
 }
 
-/* -- watching the program ------------------------------------------------------ */
+/* -- marks of the program ------------------------------------------------------ */
 
-/* What to do at a mark's first instruction; the others of it do nothing. */
+/* Callback for the first instruction of a mark; the mark's other instructions have none. */
 static insn_call *mark_of(const char *name)
 {
     return !strncmp(name, "count_as_", 9) ? count_as

@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* How far each rung is off: shipped scenes by it, at 160x120 and 320x240, beside the
- * truth (truth.h).
+/* Measures the error of each rung: shipped scenes at 160x120 and 320x240, against the
+ * reference picture (truth.h).
  *
  *     errors SCENE.ini...
  *
- * Lines: error RUNG CLASS PX COLOUR SCENE TICK, what the rung adds to the errors of the
- * exact one; lines "exact ..." of those themselves; and
- *     slope COLOUR SCENE: the rms that an added small wave makes over its slopes' */
+ * Prints lines: error RUNG CLASS PX COLOUR SCENE TICK, the error that the rung adds to the
+ * exact rung's error; "exact ..." with the exact rungs' errors; and
+ *     slope COLOUR SCENE: rms of the picture that a small added wave causes, per slope */
 #include <stdio.h>
 #include "scene/parts.h"
 #include "scene/prices.h"
 #include "truth.h"
 
-#define SMALL_SLOPE  0.02       /* k A */
-#define SMALL_LENGTH 4          /* m */
+#define SMALL_SLOPE  0.02       /* k A, the slope */
+#define SMALL_LENGTH 4          /* wavelength, m */
 
 static const char *const rungs[TP_KINDS][TP_KIND_RUNGS] = {
     { "triangles", "rows", "projected", "flat" }, { "exact", "quick" },
@@ -46,8 +46,8 @@ static tp_scene scene_by(const stage *s, choice c)
 }
 
 typedef struct {
-    drawing    truth[2];        /* of methods, of shading */
-    error      exact[2];        /* off them */
+    drawing    truth[2];        /* reference of renderers; reference of shading */
+    error      exact[2];        /* errors of the exact rungs */
     tp_outlook outlook;
     uint32_t   tick;
 } ground;
@@ -58,8 +58,9 @@ static void say(const stage *s, const ground *g, const char *rung, error e)
            s->file.name, (unsigned)g->tick);
 }
 
-/* All of a kind, the other kinds as in `base`; beyond the first of it, or the exact
- * rungs where those are off farther. */
+/* Compares all rungs of a kind, with the other kinds as in `base`. The printed error is
+ * the part beyond the error of the kind's first rung, or of the exact rungs if that is
+ * greater. */
 static void compare(const stage *s, const ground *g, choice base, int kind)
 {
     static drawing other;
@@ -80,8 +81,8 @@ static void compare(const stage *s, const ground *g, choice base, int kind)
     }
 }
 
-/* Rates with each shading, and lines left out with each way to see that fits the scene:
- * what a rung spoils may depend on the others. */
+/* Compares shading rates with each shading, and left-out lines with each renderer that fits
+ * the scene: the error of a rung may depend on the other rungs. */
 static void compare_all(const stage *s, uint32_t tick)
 {
     static drawing exact;
@@ -114,7 +115,7 @@ static void compare_all(const stage *s, uint32_t tick)
     }
 }
 
-/* Of scenes whose waves are plain; the wave's phase is any. */
+/* Adds a small wave to a scene with plain waves; the wave's phase does not matter. */
 static void lay_a_wave(stage *s)
 {
     static drawing without, more;

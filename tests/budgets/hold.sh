@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# How budgets are held and written; read after tests/gates/lib.sh.  Figures are lines of
-# $scratch/figures; $whole is 1 where they are to be all, $skip names measures that are
-# not held.  See budgets.awk for the rule.
+# Checks and writes budgets; read after tests/gates/lib.sh. The figures are the lines of
+# $scratch/figures; $whole is 1 if all names must be present, $skip names measures that
+# are not compared. budgets.awk has the rule.
 
 budgets_by()    # BUDGETS [VARIABLE]...
 {
@@ -11,7 +11,7 @@ budgets_by()    # BUDGETS [VARIABLE]...
         "$scratch/figures"
 }
 
-# And budgets can be missed: of figures that are 2 % lower some are.
+# Checks a budget, and that budgets can fail: with budgets lowered by 2 % some must fail.
 hold()          # BUDGETS
 {
     awk -F, -v OFS=, '$3 ~ /^[0-9]/ { $3 /= 1.02 } { print }' "$1" >"$scratch/lower"
@@ -31,8 +31,8 @@ rewrite()       # BUDGETS BUILD=COMPILER...
     cp "$scratch/budgets" "$of"
 }
 
-# pinned BUDGETS BUILD COMPILER: whether it is the version that made the budgets, which
-# are of no other.
+# pinned BUDGETS BUILD COMPILER: true if the compiler has the version that made the
+# budgets; other versions are skipped.
 pinned()
 {
     want=$(sed -n "s/^# compiler $2 //p" "$1")

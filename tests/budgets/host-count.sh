@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# A scene on this machine: exact instructions of the core by function, by callgrind.
+# Exact instructions of the core by function for a scene on this machine, by callgrind.
 #
 #   tests/budgets/host-count.sh SCENE
 . tests/gates/lib.sh

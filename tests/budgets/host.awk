@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What the frames held, and callgrind's two lists of functions, as a table for people.
-# A function that was inlined counts for the one that it was inlined into.
+# Contents of the frames and callgrind's two lists of functions, as a readable table. An
+# inlined function counts for its caller.
 #
 #   awk -v size=WxH -f tests/budgets/host.awk HELD LISTS
 $1 == "held" { frames++; water += $3; vertices += $5; next }

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-# What of the core a program links, from ld's map: bytes of text and of constants.
+# Parts of the core that a program links, from ld's map: bytes of text and of constants.
 #
 #   awk [-v each=1] -f tests/budgets/map.awk PROGRAM.map
 #
-# With each=1 every section, the largest first if sorted by the second column.
+# With each=1 prints each section; sort by the second column to get the largest first.
 function number(hex,    i, n)
 {
     for (i = 3; i <= length(hex); i++)
@@ -14,8 +14,8 @@ function number(hex,    i, n)
 /^Linker script and memory map/ { mapped = 1 }
 !mapped { next }
 
-# Counts the section that was read last, unless the next one begins where it does: of strings
-# that were merged into others' the map tells the size of all.
+# Counts the last section, unless the next section begins at the same address: for merged
+# strings the map prints the size of all of them.
 function take(next_at)
 {
     if (name && at != next_at) {

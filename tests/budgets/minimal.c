@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The baked scene on a bare Cortex-M by its baked program, and nothing else of the core:
- * what it costs who needs the least.  Bands of 16 rows are drawn and thrown away. */
+/* Draws the baked scene on a bare Cortex-M with its baked shader list and no other part of
+ * the core: the cost for the smallest user. Bands of 16 rows are drawn and discarded. */
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"
 #include "cortex-m/marks.h"
@@ -14,7 +14,7 @@ MARK(count_as_tiles)
 MARK(count_end)
 MARK(count_section)
 
-/* Water pixels. */
+/* Draws the bands and returns the number of water pixels. */
 static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)
 {
     uint32_t water = 0;

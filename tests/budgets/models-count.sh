@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What every model of the water costs: instructions a vertex, cell, drop or ring on this
-# machine and on an emulated Cortex-M4, exact and repeatable; held against models.csv.
+# Cost of each model of the water: instructions a vertex, cell, drop or ring on this
+# machine and on an emulated Cortex-M4, exact and repeatable; compared with models.csv.
 #
-#   tests/budgets/models-count.sh [--write]     writes models.csv anew
+#   tests/budgets/models-count.sh [--write]     writes a new models.csv
 . tests/gates/lib.sh
 . tests/budgets/board.sh
 . tests/budgets/hold.sh
@@ -13,9 +13,9 @@ write=
 budgets=tests/budgets/models.csv
 runs=                           # build=NAME SAID COUNTS ...
 whole=1
-skip=                           # builds without figures, or of another compiler
+skip=                           # builds without figures, or by another compiler
 
-# By callgrind, a dump at each section's end.
+# Counts with callgrind: one dump at the end of each section.
 profile()       # BUILD PROGRAM
 {
     valgrind --tool=callgrind --callgrind-out-file="$scratch/$1/dump" \
@@ -51,7 +51,7 @@ elif lacks valgrind valgrind "models on x86-64"; then
     skip="o2 o3 v3"
 else
     host o2 host "-O2 -g1"
-    host o3 cross/host-gcc-O3 -O3 "" gcc        # which tests/cross/run.sh builds too
+    host o3 cross/host-gcc-O3 -O3 "" gcc        # built by tests/cross/run.sh too
     if grep -qw avx2 /proc/cpuinfo; then
         host v3 count-v3 -O3 -march=x86-64-v3
     else

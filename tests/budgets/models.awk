@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-# What the models cost, as a table for people, and as figures for budgets.awk.
+# Cost of the models, as a readable table and as figures for budgets.awk.
 #
 #   awk -f tests/budgets/models.awk build=o2 SAID COUNTS build=m4 SAID COUNTS
 #
-# A build's figure is the sum of a section's functions over the units that the program
-# said; the counting program's own functions are left out.  Bytes are the same in all
-# builds, or that is a failure.
+# A build's figure is the sum of a section's functions over the number of units that the
+# program printed; the counting program's own functions do not count. Bytes must be equal
+# in all builds.
 BEGIN {
     split("o2 o3 v3 m4", column, " ")
     title["o2"] = "x86 -O2"

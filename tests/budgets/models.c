@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Every model of the water, each worked for a known number of units, for whoever counts
- * instructions: callgrind on this machine, count.c's plugin on an emulated board.
+/* Runs each model of the water for a known number of units between counting marks:
+ * callgrind counts on this machine, count.c's plugin on an emulated board.
  *
- * A model is prepared, then counted_NAME runs between the marks; count_section ends its
- * section, and a line says what the section held:
+ * A model is prepared, then counted_NAME runs between the marks; count_section ends the
+ * model's section, and a line describes the section:
  *     model NAME UNIT units N bytes B EACH
- * Units are what the figure is divided by; B is the memory that the model keeps for what
- * EACH says, 0: none.  Only what the core executes is a model's: the instructions of
- * counted_NAME itself, its loop and the choice of places, are left out by who adds up.
+ * N is the divisor of the figure. B is the memory that the model keeps for each EACH, 0:
+ * none. Only the core's instructions belong to a model: the scripts leave out the
+ * instructions of counted_NAME itself, its loop and the choice of places.
  *
- * Freestanding where the compiler is told so: static memory, words by semihosting.  What
- * a row promises (no breaking, water that moves, all in view) is looked at as it runs;
- * a row that does not hold ends the program with 1. */
+ * Freestanding if the compiler is in freestanding mode: static memory, words by
+ * semihosting. Each row's assumptions (no breaking, moving water, all in view) are checked
+ * during the run; a row that fails ends the program with 1. */
 #include "cortex-m/marks.h"
 #include "tests/budgets/models.h"
 #include "tests/budgets/say.h"
@@ -29,7 +29,7 @@ MARK(count_as_model)
 MARK(count_end)
 MARK(count_section)
 
-/* -- all of them --------------------------------------------------------------------- */
+/* -- run of the rows ----------------------------------------------------------------- */
 
 static bool count(const model_row *row)
 {

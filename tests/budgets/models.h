@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* What the models that are counted share; see models.c. */
+/* Shared by the counted models; see models.c. */
 #ifndef MODELS_H
 #define MODELS_H
 #include "pool/pool.h"
 #include "tidepool/tidepool.h"
 #include "wave/wave.h"
 
-/* A model: how often it is run, what makes it ready, what is counted.  A list ends with
- * a row of zeros. */
+/* A model: its preparation, its counted function, and its number of units. A row of zeros
+ * ends a list. */
 typedef struct {
-    const char *name, *unit;        /* without blanks */
-    const char *each;               /* what its bytes are: "a wave" */
+    const char *name, *unit;        /* no blanks */
+    const char *each;               /* owner of the bytes: "a wave" */
     void      (*prepare)(int kind);
     void      (*run)(void);
     int         kind;
@@ -20,7 +20,7 @@ typedef struct {
 extern const model_row model_seas[], model_oceans[], model_pools[], model_drops[],
                        model_grids[];
 
-/* What rows work on; `prepare` may change count, and sets bytes. */
+/* State of the row at work; `prepare` may change count, and sets bytes. */
 typedef struct {
     uint32_t count, bytes;
     tp_sea   sea;
@@ -31,22 +31,22 @@ extern model_place model;
 
 void model_expect(bool holds, const char *otherwise);
 
-/* Three crossing waves with a sum of steepness in 16.16, at a tick. */
+/* Sets three crossing waves with a sum of steepness in 16.16, at a tick. */
 void model_sea(tp_fx steepness, int32_t power);
 extern const tp_wave model_waves[3];
 
-/* A pool of this row's kind, moving; in the block. */
+/* Makes a moving pool of this row's kind in the block. */
 tp_pool *model_pool(int kind);
 #define MODEL_POOL(cells, side, with) ((cells) + 4 * ((side) == 128) + 8 * (with))
 enum { OPEN, MASK, SPONGE, TILED, SETTLE, FED };
 
-/* What is counted: a function that the compiler does not open. */
+/* Counted function; the compiler may not inline it. */
 #define COUNTED(name) static __attribute__((noinline)) void counted_##name(void)
 
-/* The compiler is to believe that the value is used. */
+/* Makes the compiler treat the value as used. */
 #define KEEP(value) __asm__ volatile("" :: "r"(&(value)) : "memory")
 
-/* The i-th of places in +-`half` metres, spread evenly in no order. */
+/* The i-th of places within +-`half` metres, spread evenly in no order. */
 static inline tp_fx model_spread(uint32_t i, uint32_t step, tp_fx half)
 {
     return (tp_fx)((int64_t)(int32_t)(i * step) * half >> 31);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Waves over a floor and under wind, and what a depth makes of one; see models.c. */
+/* Models of coastal water: waves over a floor and in wind, and one wave at a depth; see
+ * models.c. */
 #include "tests/budgets/models.h"
 #include "wave/ocean.h"
 
@@ -8,7 +9,7 @@ enum { SWELL, WIND, SLOPE, MAP, BREAKING, MAP_SIDE = 64 };
 static uint16_t heights[MAP_SIDE * MAP_SIDE];
 static const tp_grey map = { MAP_SIDE, MAP_SIDE, heights };
 
-/* A slope with a shoal in its middle. */
+/* Slope with a shoal in the middle. */
 static void draw_map(void)
 {
     for (int z = 0; z < MAP_SIDE; z++)
@@ -37,7 +38,7 @@ static tp_ocean_config config_of(int kind)
 }
 
 static tp_ocean *const ocean = (tp_ocean *)(void *)&model.block;
-static tp_fx half;                  /* m: of the places */
+static tp_fx half;                  /* half width of the places, m */
 
 static void prepare_ocean(int kind)
 {
@@ -58,7 +59,8 @@ static void prepare_ocean(int kind)
     half = kind == BREAKING ? TP_FX(15) : TP_FX(150);
 }
 
-/* Breaking: some wave of a place is above the gate, whether or not its crest is there. */
+/* Points of coastal water. Breaking: at least one wave of a place is above the breaking
+ * gate, whether or not its crest is there. */
 COUNTED(ocean)
 {
     uint32_t breaking = 0;
@@ -76,7 +78,7 @@ COUNTED(ocean)
         model_expect(breaking == 0, "something breaks");
 }
 
-/* -- one wave over a depth ----------------------------------------------------------- */
+/* -- one wave at a depth ------------------------------------------------------------- */
 
 enum { ECKART, FENTON, NEWTON, THREE };
 static int64_t (*number)(int64_t k_inf_q32, tp_fx depth);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The pool: its steps a cell, its surface a point; see models.c. */
+/* Models of the pool: steps per cell, surface per point; see models.c. */
 #include "tests/budgets/models.h"
 
 enum { TICKS = 2, MASK_SIDE = 64 };
@@ -7,7 +7,7 @@ enum { TICKS = 2, MASK_SIDE = 64 };
 static tp_pool *const pool = (tp_pool *)(void *)&model.block;
 static uint32_t pool_bytes;
 
-/* Pillars of 4 x 4 cells of 64, one in each 16 x 16. */
+/* Mask with pillars of 4 x 4 cells, one in each 16 x 16 of 64 x 64 cells. */
 static const tp_grey *pillars(void)
 {
     static uint16_t sample[MASK_SIDE * MASK_SIDE];
@@ -19,7 +19,7 @@ static const tp_grey *pillars(void)
     return &mask;
 }
 
-/* Standing waves along and across of 16 cells and more, `high` each at the most. */
+/* Adds standing waves along and across, of 16 cells and more, at most `high` each. */
 static void ruffle(int32_t high)
 {
     for (uint32_t z = 0; z < pool->rows; z++)
@@ -30,7 +30,7 @@ static void ruffle(int32_t high)
         }
 }
 
-/* Gear A, but where it is to settle; two steps, so that all cells move. */
+/* Gear A, except the settling pool; two steps, so that all cells move. */
 tp_pool *model_pool(int kind)
 {
     const int      with = kind / 8;
@@ -59,7 +59,7 @@ tp_pool *model_pool(int kind)
     return pool;
 }
 
-/* Bytes of a cell: of the block without its head, to the nearest. */
+/* Bytes of a cell: the block without its head, per cell, rounded. */
 static void prepare_step(int kind)
 {
     const uint32_t head = sizeof(tp_pool);
@@ -91,7 +91,7 @@ COUNTED(relief)
     }
 }
 
-/* Of sigma 2 cells: a window of 23 x 23. */
+/* Splash of sigma 2 cells: a window of 23 x 23. */
 COUNTED(hat)
 {
     for (uint32_t i = 0; i < model.count; i++)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What moves in a scene: drops, boats, the world's tick; and the water's mesh; see
- * models.c. */
+/* Models of moving parts of a scene: drops, boats, the world's tick; and the water's mesh;
+ * see models.c. */
 #include "features/drops/drops.h"
 #include "geom/grid.h"
 #include "features/boat/boat.h"
@@ -37,7 +37,7 @@ COUNTED(fall)
                      "an impact");
 }
 
-/* From its release until it is gone. */
+/* Life of a drop, from release to end. */
 COUNTED(life)
 {
     tp_impact impact;
@@ -59,7 +59,7 @@ static tp_scene scene;
 static tp_world *const world = (tp_world *)(void *)&model.block;
 static const tp_input no_input;
 
-/* The boat's functions are called by hand, so the scene need not name a mesh. */
+/* The boat's functions are called directly, so the scene needs no mesh name. */
 static void prepare_world(int kind)
 {
     tp_scene_level(&scene);
@@ -100,7 +100,7 @@ COUNTED(boat)
         tp_boat_step(&tp_program_all, world, &scene, &no_input);
 }
 
-/* The boat has moved a tick's way before each. */
+/* The boat has moved by a tick's distance before each call. */
 COUNTED(wake)
 {
     tp_boat_wake(world, &scene);
@@ -156,8 +156,8 @@ static void set_rings(void)
     surface.rings = 4;
 }
 
-/* 30 m up and 40 m off, looking down: every crossing is in view and none is cut.  The
- * pool, where there is one, lies under the grid in the block. */
+/* The camera is 30 m up and 40 m away and looks down: all grid vertices are in view and no
+ * triangle is clipped. A pool lies in the block below the grid. */
 static void prepare_grid(int kind)
 {
     size_t below = 0;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The open sea, rings, five heights, light, and an ocean over its floor; see models.c. */
+/* Models of deep water, rings, slopes from neighbours, light, and coastal water; see
+ * models.c. */
 #include "features/exposure/exposure.h"
 #include "shade/optics.h"
 #include "tests/budgets/models.h"
@@ -8,7 +9,7 @@
 
 enum { CHEAP, EXACT, SHARP };
 
-/* Of three-swells, with a third of the steepness each. */
+/* Waves of three-swells, with a third of the steepness each. */
 const tp_wave model_waves[3] = {
     { TP_FX(0.45), TP_FX(22), 0, TP_FX(70), 0, TP_FX_ONE, 1 },
     { TP_FX(0.30), TP_FX(13), 0, TP_FX(115), TP_FX(140), TP_FX_ONE, 1 },
@@ -28,7 +29,7 @@ void model_sea(tp_fx steepness, int32_t power)
     tp_sea_phases(&model.sea, TICK, 0, model.phases);
 }
 
-/* -- the open sea -------------------------------------------------------------------- */
+/* -- deep water ---------------------------------------------------------------------- */
 
 static void prepare_sea(int kind)
 {
@@ -58,8 +59,8 @@ COUNTED(above)
     }
 }
 
-/* Four places that stay, as under a hull: the last tick's rest is where the next tick's
- * search begins. */
+/* Four fixed places, like the points of a hull: the rest point of the last tick is the
+ * start of the next tick's search. */
 static tp_fx last_rest[4][2];
 
 static void prepare_again(int kind)
@@ -110,7 +111,8 @@ static const tp_ring ring = {
 static tp_ring_now ring_now;
 static tp_fx beside[64][2];
 
-/* Two seconds old: the band from 2.4 m to 3.2 m, and places on it all around. */
+/* A ring two seconds old: the band from 2.4 m to 3.2 m, and places on the band all
+ * around. */
 static void prepare_ring(int kind)
 {
     (void)kind;

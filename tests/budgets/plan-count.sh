@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What the plan says that a frame costs, beside what was counted: within 10 % for every
-# shipped scene.  scenes-count.sh holds scenes.csv to the counts; nothing is drawn here.
+# Compares the plan's estimate of a frame's cost with the counted cost: within 10 % for
+# each shipped scene. The counts are those of scenes.csv, which scenes-count.sh checks;
+# nothing is drawn here.
 #
 #   tests/budgets/plan-count.sh             the test
 #   tests/budgets/plan-count.sh --rows      rows of the chart `plan`

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-# From what prices.c said and the plugin counted to rows of prices.csv.
+# Converts the output of prices.c and the plugin's counts to rows of prices.csv.
 #
 #   awk -f tests/budgets/prices-count.awk SHADE SAID COUNTS
 #
-# SHADE lists the functions of src/shade.  A figure is a difference of two pictures, over
-# what differs between them; those of what is seen fit all views (predictions and counts
-# go to the standard error).  Rungs that draw with the same instructions as the ones that
-# they stand for are not there yet, and have no rows.
+# SHADE lists the functions of src/shade. A figure is a difference of two pictures over
+# the number of units in which they differ; figures of visibility are fitted to all views
+# (predictions and counts go to the standard error). A rung that executes the same
+# instructions as its substitute is not implemented yet, and has no rows.
 FNR == 1 { file++ }
 file == 1 { shades[$1]; next }
 file == 2 && $1 == "run" {
@@ -46,17 +46,18 @@ function row(what, rung, item, figure)
     printf "%s,%s,%s,%.3f\n", what, rung, item, figure
 }
 
-# What a point pays for it.
+# Extra cost of an item per vertex.
 function more(item, near)
 {
     sub(/near$/, "", near)
     return (cost[near item] - cost[near "near"]) / vertices[near "near"]
 }
 
-# pixel n + vertex P + wave W P + a fourth of each view, as near its cost as can be in
-# shares of it, none of them below 0: steps down along one of the four, until none moves.
-# The fourth is slant S P of rows, who mind how lines lie to the view, drawn D of triangles,
-# of which those without a pixel are soon done.
+# Fits cost = pixel n + vertex P + wave W P + a fourth term to all views, with the least
+# relative error and no coefficient below 0: coordinate descent, until no coefficient
+# changes. The fourth term is slant S P for rows, whose cost depends on the angle of the
+# lines to the view, and drawn D for triangles, since triangles without a pixel cost
+# little.
 function fit(rung,    item, views, v, name, i, j, k, moved, rest, a, b, part, off, some)
 {
     some = rung ~ /^(rows|triangles)/ ? 4 : 3
@@ -120,7 +121,7 @@ function seen(rung,    near)
         row("seen", rung, rung ~ /^rows/ ? "slant" : "drawn", coefficient[4])
     row("seen", rung, "still", still(rung))
     if (rung !~ /^(triangles|rows)/)
-        return                              # these know swells alone
+        return                              # these renderers support only plain swells
     row("seen", rung, "sharp", more("sharp", near) / waves[near])
     row("seen", rung, "pool", more("pool", near))
     row("seen", rung, "ocean", more("ocean", near))
@@ -129,7 +130,7 @@ function seen(rung,    near)
 
 }
 
-# A pixel of level water.
+# Cost of a pixel of level water.
 function still(rung,    name, points)
 {
     name = "seen " rung " still"
@@ -139,7 +140,8 @@ function still(rung,    name, points)
             (rung ~ /^tri/ ? coefficient[4] * drawn[name] : 0)) / water[name] - plain
 }
 
-# Of a thing, what the pixels of water (or all) pay for it over what is drawn without it.
+# Cost of a feature per pixel of water (or of the whole picture): the picture with the
+# feature minus the picture without.
 function part(rung, item, with, without, over,    a, b)
 {
     a = "shaded " rung " " with
@@ -152,14 +154,14 @@ function of(rung, item)
     return cost["shaded " rung " " item]
 }
 
-# What is seen below, without what `behind` has of it.
+# Cost of the floor or walls below, without the part that belongs to `behind`.
 function ground(rung, item, n)
 {
     row("shaded", rung, item, (of(rung, item) - of(rung, item "0") - \
         of(rung, "behind") + of(rung, "mirror")) / n)
 }
 
-# `plain` is measured where water is lit: the light has a price of its own.
+# `plain` is measured on lit water: the light has a cost of its own.
 function shaded(rung,    n)
 {
     n = water["shaded " rung " plain"]
@@ -196,8 +198,8 @@ function shaded(rung,    n)
     part(rung, "expose", "expose", "plain", pixels["shaded " rung " plain"])
 }
 
-# Pairs of pictures: what the second costs more than the first, over what it has more of;
-# none of them below 0.  Pixels of water and sky are known.
+# Pairs of pictures: the extra cost of the second picture over its extra amount of work;
+# no figure is below 0. The costs of water pixels and sky pixels are known.
 function works(    r, name, than, i, j, k, moved, off, sum, share, right, square, some, with)
 {
     for (r = 1; r <= runs; r++) {
@@ -207,7 +209,7 @@ function works(    r, name, than, i, j, k, moved, off, sum, share, right, square
         than = beside[name]
         left[name] = cost[name] - cost[than] - (water[name] - water[than]) * \
                      (off_pixel + plain - sky)
-        if (name ~ / (lit|sunny)$/)         # the tiles' part is the pixels' own
+        if (name ~ / (lit|sunny)$/)         # the tiles' part belongs to the pixels
             left[name] -= tiles[name] - tiles[than]
         if (name ~ /_mirror$/)
             left[name] -= objects * water[name]
@@ -219,7 +221,7 @@ function works(    r, name, than, i, j, k, moved, off, sum, share, right, square
             for (j = 1; j <= items; j++)
                 square[i, j] += share[i] * share[j]
     }
-    for (i = 1; i <= items; i++)                # most have nothing to do with most
+    for (i = 1; i <= items; i++)                # most items do not occur together
         for (j = 1; j <= items; j++)
             if (j != i && square[i, j])
                 with[i, ++some[i]] = j
@@ -280,7 +282,7 @@ END {
           (pixels["sky - large"] - pixels["sky - small"])
     whole = cost["sky - large"] - sky * pixels["sky - large"]
     plain = shading["seen triangles.off near"]
-    # the sky's share of it was paid there too
+    # the pictures of the sky contain the sky's shading too
     plain = (plain - sky_shading()) / water["seen triangles.off near"]
     row("whole", "-", "frame", whole / 1000)
     row("whole", "-", "sky", sky)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-# From what errors.c said to rows of prices.csv: of each rung and class of seas the worst
-# of its scenes; a class without a scene is taken for the next one that has some.
+# Converts the output of errors.c to rows of prices.csv: for each rung and class of water
+# the worst of its scenes; a class without scenes takes the figure of the next class with
+# scenes.
 #
 #   awk -f tests/budgets/prices-error.awk COSTS SAID
 #
-# Rungs without a cost are not there yet.
+# A rung without a cost is not implemented yet.
 FNR == 1 { file++ }
 file == 1 {
     split($0, field, ",")

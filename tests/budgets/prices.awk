@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-# The table of prices as C, from its CSV: one initializer a row.
+# Converts the cost table from CSV to C, one initializer a row.
 #
 #   awk -f tests/budgets/prices.awk assets/charts/prices.csv >src/scene/prices.inc
 #
-# Rows: what,rung,item,figure.  A rung without rows is not known to the plan.
+# Rows: what,rung,item,figure. The plan does not know a rung without rows.
 BEGIN {
     FS = ","
     n["visibility"] = split("triangles rows projected flat", visibility, " ")
@@ -24,7 +24,7 @@ function index_of(names, count,    i)
         at[names[i]] = i - 1
 }
 
-# "rows.on" as [1][1]; words that are no rung end it all.
+# "rows.on" as [1][1]; an unknown word ends the program.
 function places(text,    part, count, i, made)
 {
     count = split(text, part, ".")
@@ -67,7 +67,7 @@ $1 == "shaded" {
     printf "    %s.part[TP_TRAIT_%s] = TP_FX(%s),\n", path, $3, $4
     next
 }
-# error,rows,gentle_glossy.px,0.25
+# example: error,rows,gentle_glossy.px,0.25
 $1 == "error" {
     split($3, part, ".")
     of = $2 ~ /^(triangles|rows|projected|flat)$/ ? "VISIBILITY" : \

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What the plan's prices are made of, on a bare Cortex-M: the baked prices.ini with all
- * of it switched off and one thing after another on, by every rung.  Says which picture is
- * which section of the plugin's counts; prices-count.awk takes the differences. */
+/* Measures the parts of the plan's cost table on a bare Cortex-M: draws the baked
+ * prices.ini with all features off, then with one feature after another on, for each rung.
+ * Prints the picture of each section of the plugin's counts; prices-count.awk takes the
+ * differences. */
 #include "base/arena.h"
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"
@@ -13,7 +14,7 @@
 #include "scene/value.h"
 
 #define BAND  16
-#define STEPS 60                /* of pools and foam, until all of it moves */
+#define STEPS 60                /* of pools and foam, until all of the water moves */
 
 MARK(count_as_frame)
 MARK(count_as_tiles)
@@ -32,7 +33,7 @@ static const char *const rates[] = { "full", "layers", "colour" };
 static tp_scene  scene;
 static tp_assets assets;
 
-/* Up to the first of either, or the end. */
+/* Number of characters before the first `a`, the first `b` or the end. */
 static size_t until(const char *text, char a, char b)
 {
     size_t n = 0;
@@ -42,8 +43,8 @@ static size_t until(const char *text, char a, char b)
     return n;
 }
 
-/* By their first letters: layer0, layer1, distortion, ripple, foam, boat, map and sand of
- * the floor, tank, walls of a pool. */
+/* Enables an asset by the first letter of its name: layer0, layer1, distortion, ripple,
+ * foam, boat, map and sand of the floor, tank, walls of a pool. */
 static void keep(const char *name)
 {
     switch (name[0]) {
@@ -124,7 +125,7 @@ static void draw(const char *what, const char *rung, const char *other, const ch
     const bool moves = scene.pool.cols > 0 || scene.drops.count > 1 || assets.foam;
     for (int i = 0; i < STEPS && moves; i++)
         tp_world_step(&tp_program_all, world, &scene, NULL);
-    tp_frame_begin(frame, world);           /* the first fills tables */
+    tp_frame_begin(frame, world);           /* the first begin fills tables */
     count_as_frame();
     tp_frame_begin(frame, world);
     count_as_tiles();

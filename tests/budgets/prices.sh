@@ -1,14 +1,14 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The plan's prices, measured: instructions on an emulated Cortex-M4, errors on this
+# Measures the plan's cost table: instructions on an emulated Cortex-M4, errors on this
 # machine over the shipped scenes.
 #
-#   tests/budgets/prices.sh             whether the chart `prices` is what is measured here;
-#                                       its errors, which test_plan holds, with TP_SOAK alone
+#   tests/budgets/prices.sh             test: the chart `prices` equals the measurement;
+#                                       its errors, which test_plan checks, only with TP_SOAK
 #   tests/budgets/prices.sh --rows      rows of that chart
-#   tests/budgets/prices.sh --write     writes the chart and src/scene/prices.inc anew
+#   tests/budgets/prices.sh --write     writes a new chart and a new src/scene/prices.inc
 #
-# Then build again: the plan of a scene may be another one, and so its pictures.
+# Build again after --write: the plan of a scene may change, and with it the pictures.
 . tests/gates/lib.sh
 . tests/budgets/board.sh
 
@@ -63,7 +63,7 @@ if [ "${1:-}" = --rows ]; then
     exit
 fi
 
-# Within a twentieth: another compiler counts a little differently.
+# Within 5 %: other compilers count slightly differently.
 near()
 {
     awk -F, -v errors="$errors" 'FNR == 1 { file++ }

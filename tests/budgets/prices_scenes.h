@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The scenes that prices.c draws: prices.ini with some of it switched on. */
+/* Scenes of prices.c: prices.ini with some features switched on. */
 #ifndef TP_PRICES_SCENES_H
 #define TP_PRICES_SCENES_H
 
-/* Settings, parted by blanks; a name without "=" keeps the picture that it names. */
+/* Settings, separated by blanks; a name without "=" enables the asset of that name. */
 typedef struct {
     const char *name, *set;
 } row;
@@ -13,7 +13,7 @@ typedef struct {
 
 #define STILL "wave0.amplitude=0 wave1.amplitude=0 wave2.amplitude=0 "
 
-/* stirred before it is drawn: water at rest is cheaper */
+/* the pool is stirred before the frame: water at rest costs less */
 #define POOL "pool.cols=64 pool.rows=64 pool.cells=16 pool.cell=2 pool.range=2 " \
              "pool.edges=tile pool.poke_every=0.1 pool.poke=0.12 pool.poke_size=8 "
 
@@ -33,7 +33,7 @@ static const row shaded[] = {
     { "glint", "water.specular=1" },
     { "both", "water.reflection=0.6 water.specular=1" },
     { "haze", "sky.haze=2000" },
-    /* rippled: the quick stages leave smooth water under these skies to the exact ones */
+    /* rippled: fast shading leaves smooth water under these skies to the exact stages */
     { "mirror1", "ripple ripple.bump=0.8 water.reflection=0.6" },
     { "dome0", "ripple ripple.bump=0.8 sky.kind=day" },
     { "dome", "ripple ripple.bump=0.8 sky.kind=day water.reflection=0.6" },
@@ -68,7 +68,7 @@ static const row seen[] = {
                "wave1.amplitude=0.3 wave2.amplitude=0.15" },
     { "turned", "camera.heading=28 camera.y=8 camera.pitch=-15 camera.fov=52" },
     { "above", "camera.y=50 camera.pitch=-86 camera.fov=50 grid.cols=110 grid.rows=110 "
-               "grid.cell=0.9 grid.follow=off" },     /* triangles alone */
+               "grid.cell=0.9 grid.follow=off" },     /* triangles only */
     { "swell", "camera.heading=16 camera.y=1.6 camera.pitch=-1 camera.fov=46 "
                "grid.cell=1.3 grid.cols=90 grid.rows=90 grid.reach=2000 "
                "wave0.amplitude=0.1 wave1.amplitude=0.05 wave2.amplitude=0.03" },
@@ -80,7 +80,7 @@ static const row seen[] = {
     { "map", "map floor.map_size=400 floor.map_low=-20 floor.map_high=-10" },
 };
 
-/* What else is done: each beside another of these, before it. */
+/* Further measurements: each scene is drawn beside another of these scenes. */
 typedef struct {
     const char *name, *beside, *set;
 } pair;

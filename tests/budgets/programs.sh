@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Pay for what you use: what the least program costs on a Cortex-M4, which no feature may
-# raise, and the text that each feature adds to what a program links.
+# Pay for what you use: the cost of the minimal program on a Cortex-M4, which no feature
+# may raise, and the text size that each feature adds to a program.
 #
-#   tests/budgets/programs.sh [--write]     writes minimal.csv anew
+#   tests/budgets/programs.sh [--write]     writes a new minimal.csv
 . tests/gates/lib.sh
 . tests/budgets/board.sh
 
@@ -17,7 +17,7 @@ check "all programs build" build BOARD=cortex-m programs
 check "the plugin builds" build $plugin
 check "the least one runs to its end" emulate $programs/0.elf "$scratch/said" "$scratch/counts"
 [ "$failures" = 0 ] || exit 1
-draws()         # it draws water, and leaves nothing out
+draws()         # the program draws water, and leaves nothing out
 {
     awk '/^water/ { frames++; bad += $2 == 0 || $NF != 0 } END { exit bad || frames != 2 }' "$1"
 }
@@ -25,7 +25,7 @@ check "it draws water, and leaves nothing out" draws "$scratch/said"
 sed 's/dropped 0/dropped 1/' "$scratch/said" >"$scratch/dropped"
 refuse "one that leaves something out" draws "$scratch/dropped"
 
-# One line each: what, number.  Instructions are those of both frames.
+# One line each: name, number. Instructions are the sum of both frames.
 figures()
 {
     echo "compiler,arm-none-eabi-gcc $(arm-none-eabi-gcc -dumpversion | sed 's/\..*//')"

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# A scene's working memory as a table for people.
+# A scene's working memory as a readable table.
 #
 #   awk -v scene=NAME -v goal=BYTES -f tests/budgets/ram.awk COUNTS SAID
 #
-# A section of the counts is a line of what was said.  `in all` is what the scene takes
-# beside its tables; the least of all rows is held against the goal.
+# Each section of the counts belongs to a line of the output. `in all` is the scene's
+# memory without its tables; the least of all rows is compared with the goal.
 $1 == "count" { insns[$2] += $5; next }
 $1 == "ram" {
     for (i = 3; i < NF; i += 2)

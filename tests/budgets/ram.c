@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* What a scene takes of a bare Cortex-M's memory, tile by tile size: the baked scene is
- * drawn into a picture of the whole size, once with its crossings kept and then with them
- * streamed, by a frame in memory of exactly the bytes asked for.
+/* Measures the memory that a scene takes on a bare Cortex-M, by tile size: the baked scene
+ * is drawn into a picture of the whole size, first with its grid vertices kept, then with
+ * streamed grid vertices, each with exactly the bytes that the frame asks for.
  *
- * Says for each what the memory is for, and the picture's CRC, which is one for all; the
- * marks let the plugin count the frame's instructions. */
+ * Prints the use of the memory for each case, and the picture's CRC, which is equal in all
+ * cases; the marks let the plugin count the frame's instructions. */
 #include "base/arena.h"
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"
@@ -34,7 +34,7 @@ static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)
     uint32_t crc = 0;
     tp_tile  tile;
 
-    tp_frame_begin(frame, world);           /* the first fills tables */
+    tp_frame_begin(frame, world);           /* the first begin fills tables */
     count_as_frame();
     tp_frame_begin(frame, world);
     count_as_tiles();

@@ -1,12 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What scenes take of a Cortex-M4's working memory at 320x240, by use and by size of tile,
-# beside the frame buffer and what lies in ROM; and whether the goals are met.
+# Working memory of scenes on a Cortex-M4 at 320x240, by use and by tile size, in addition
+# to the frame buffer and the data in ROM; and a comparison with the goals.
 #
 #   tests/budgets/ram.sh
 #
-# Tables that depend on the scene's numbers alone are counted apart: they could lie in ROM.
-# Each frame must be the host's.  A goal that is missed is said, and fails nothing.
+# Tables that depend only on the scene's numbers are counted separately: they could lie in
+# ROM. Each frame must equal the host's. A missed goal is reported but does not fail the
+# test.
 . tests/gates/lib.sh
 . tests/budgets/board.sh
 
@@ -14,7 +15,7 @@ program=${TP_PROGRAM:-build/host/tidepool}
 lacks arm-none-eabi-gcc gcc-arm-none-eabi "memory on a Cortex-M4" && exit 77
 lacks qemu-system-arm qemu-system-arm "memory on a Cortex-M4" && exit 77
 
-drawn()         # SCENE: whether all pictures are one, and that the host's
+drawn()         # SCENE: true if all pictures are equal, and equal the host's
 {
     want=$("$program" render "$2" --size 320x240 --frames 60:60 --format rgb565 --hash)
     got=$(awk '{ print $NF }' "$scratch/$1.said" | sort -u)

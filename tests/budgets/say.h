@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Words of programs that run on this machine and on a bare board alike. */
+/* Output of programs that run on this machine and on a bare board. */
 #ifndef SAY_H
 #define SAY_H
 #include <stdint.h>

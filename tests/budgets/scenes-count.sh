@@ -1,12 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Every shipped scene, linked by the list that bake finds for it, on an emulated Cortex-M4:
-# its frames must be the host's, nothing may be linked that the list lacks, and the costs in
-# instructions by stage, RAM and stack are held against scenes.csv.
+# Each shipped scene on an emulated Cortex-M4, linked by the list that bake writes for the
+# scene: its frames must equal the host's, no piece outside of the list may be linked, and
+# the costs in instructions by stage, RAM and stack are compared with scenes.csv.
 #
 #   tests/budgets/scenes-count.sh [--write] [SCENE...]
 #
-# Of scenes that are named the functions are listed too.  --write writes scenes.csv anew.
+# For named scenes the functions are listed too. --write writes a new scenes.csv.
 . tests/gates/lib.sh
 . tests/budgets/board.sh
 . tests/budgets/hold.sh
@@ -16,7 +16,7 @@ budgets=tests/budgets/scenes.csv
 write=
 skip=
 [ "${1:-}" = --write ] && write=1 && shift
-case ${1:-} in */tidepool) shift ;; esac        # tests/run.sh names the program
+case ${1:-} in */tidepool) shift ;; esac        # tests/run.sh passes the program
 program=${TP_PROGRAM:-build/host/tidepool}
 whole=
 [ $# = 0 ] && whole=1 && set -- $(build -s list-scenes)
@@ -28,9 +28,9 @@ check "the plugin builds" build $plugin
 check "the programs for the board build" build BOARD=cortex-m SCENES="$*" elves
 [ "$failures" = 0 ] || exit 1
 
-# -- what is done for each, side by side ----------------------------------------------
+# -- one scene; scenes run in parallel ------------------------------------------------
 
-one()           # SCENE: its figures, or why there are none
+one()           # SCENE: its figures, or the reason why there are none
 {
     elf=build/cortex-m/scenes/$1.elf
     to=$scratch/$1
@@ -59,7 +59,7 @@ for first in $waited; do
     check "${first#*:} draws on the board as here" wait "${first%%:*}"
 done
 
-# -- all of them ----------------------------------------------------------------------
+# -- all scenes -----------------------------------------------------------------------
 
 for scene; do
     [ -f "$scratch/$scene.functions" ] && cat "$scratch/$scene.functions"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The scenes' figures as a table for people, beside what their budgets are.
+# The scenes' figures as a readable table, beside their budgets.
 #
 #   awk -f tests/budgets/scenes.awk scenes.csv FIGURES
 FILENAME == ARGV[1] {

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
-# One scene on the board: its figures by stage, for budgets.awk and people.
+# Figures of one scene on the board by stage, for budgets.awk and for people.
 #
 #   awk -v scene=NAME [-v functions=1] -f tests/budgets/stages.awk SYMBOLS SAID COUNTS
 #
-# SYMBOLS are nm's, sorted, in decimal, with files; SAID is what the board said, COUNTS
-# what the plugin counted.  Prints lines
+# SYMBOLS is the output of nm, sorted, in decimal, with files; SAID is the board's output,
+# COUNTS the plugin's counts. Prints lines
 #     figure SCENE MEASURE VALUE
-# a frame, or of `tick` a tick; a measure with a dot is a stage, part of `instructions`:
-# frame.X of what is done once, tiles.X of what is done in tiles, X by the file that the
-# function lies in.  With functions=1 these are listed instead, the largest first.
+# per frame, or for `tick` per tick. A measure with a dot is a stage, a part of
+# `instructions`: frame.X for work once per frame, tiles.X for work in tiles, with X from
+# the function's file. With functions=1 lists the functions instead, the largest first.
 FILENAME == ARGV[1] {
     if (tolower($2) == "t" || $2 == "W") {
         start[++symbols] = $1 + 0
@@ -40,14 +40,14 @@ function symbol_at(address,    low, high, middle)
     return low
 }
 
-# The stage that a file's functions are counted for: of the shading its own name.
+# Stage of a file's functions: for shading the file's own name.
 function stage_of(account, path,    folder, name)
 {
     sub(/:[0-9]*$/, "", path)
     if (!match(path, /src\/[a-z]+\/([a-z_]+\/)?[^\/]*$/))
-        return "helpers"                    # of the compiler, mem*
+        return "helpers"                    # functions of the compiler, mem*
     path = substr(path, RSTART + 4)
-    if (sub(/^features\//, "", path))       # a module: its stages, or its drawing
+    if (sub(/^features\//, "", path))       # a module: its stages, or its pass
         path = (path ~ /_stage\.[a-z]*$/ ? "shade/" : "frame/") \
             substr(path, index(path, "/") + 1)
     folder = substr(path, 1, index(path, "/") - 1)

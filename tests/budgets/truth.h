@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* The truth about a scene's picture, and how far others are off it.  Triangles, rows and
- * exact stages are all approximations of one surface and its light: the truth is drawn by
- * the exact rungs on a mesh four times finer each way.  For shading it is drawn at twice
- * the picture's size too, each pixel the mean of four: glints smaller than pixels then
- * count for exact and quick stages alike.  For ways to see the water it has the picture's
- * own samples: those glints would drown what they differ by.  At several ticks, and
- * in two sizes.
+/* Reference picture of a scene, and the error of other pictures. Triangles, rows and exact
+ * stages all approximate one surface and its light, so the reference is drawn by the exact
+ * rungs on a mesh four times finer along each axis. The reference of shading also has twice
+ * the picture's size, and each pixel is the mean of four: glints smaller than a pixel then
+ * count for exact and fast stages alike. The reference of renderers has the picture's own
+ * samples: such glints would hide the differences of the renderers. Measured at several
+ * ticks and in two sizes.
  *
- * Outlines: pixels that are water in one picture alone, over the truth's borders of water
- * met going down its columns.  Colours: the rms of 255 of the worst channel, of pixels
- * that are water in both.  What counts of a rung is what it adds to the error of the
- * exact one: max(0, e - e_exact).  As squares of independent errors add up, those of
- * several rungs together add at most the sum. */
+ * Outline error: pixels that are water in one picture only, over the number of changes
+ * between water and other surfaces down the columns of the reference. Colour error: rms of
+ * 255 of the worst channel, over pixels that are water in both. A rung's error is the part
+ * beyond the exact rung: max(0, e - e_exact). Since the squares of independent errors add
+ * up, several rungs together add at most the sum of their errors. */
 #ifndef TP_TRUTH_H
 #define TP_TRUTH_H
 #include <math.h>
@@ -22,7 +22,7 @@
 
 enum { FINER = 4, LAST = 300, MOST = 320 * 240 };
 
-/* Of the pictures that are compared; no more than MOST in all. */
+/* Size of the compared pictures; at most MOST pixels. */
 static uint32_t width = 160, height = 120;
 
 static inline bool is_looked_at(uint32_t tick)
@@ -33,7 +33,7 @@ static inline bool is_looked_at(uint32_t tick)
 
 typedef struct {
     uint32_t pixel[MOST];
-    uint8_t  water[MOST];      /* of its samples, 4 if all are */
+    uint8_t  water[MOST];      /* number of its samples that are water, 0..4 */
     uint32_t vertices;
 } drawing;
 
@@ -41,9 +41,10 @@ typedef struct {
     double px, colour;
 } error;
 
-/* `parts` samples each way; in one tile over all the samples' keys are the first plane of
- * its scratch.  The program does not check the scene: the truth's cells may be finer than a
- * scene's, down to a quarter of 1 cm. */
+/* Draws with `parts` samples along each axis. With one tile over the whole picture, the
+ * G-buffer's keys are the first plane of the tile's scratch memory. The shader list does
+ * not check the scene: the reference's cells may be finer than a scene allows, down to a
+ * quarter of 1 cm. */
 static inline void draw_at(drawing *to, const stage *s, const tp_scene *scene,
                            const tp_world *world, uint32_t parts)
 {

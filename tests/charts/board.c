@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* A baked scene as its settings want it, picture after picture: one program a scene on a
- * bare Cortex-M and on this machine, for whoever counts what they cost.
+/* Draws a baked scene with other settings, picture after picture, on a bare Cortex-M and on
+ * this machine; one program a scene. board.sh counts the instructions of each picture.
  *
  *     WIDTHxHEIGHT TICK [WORD]... / [WIDTHxHEIGHT] [TICK] [WORD]... / ...
  *
- * Words (words.h; "bare" leaves the boat out) parted by blanks, of the command line or the
- * semihosting one; each "/" begins another picture, of the scene as it was baked; size and
- * tick stay as they were if they are not told anew.  Of each a line
+ * The words (words.h; "bare" leaves the boat out) are separated by blanks, and come from
+ * the command line or by semihosting. Each "/" begins another picture of the scene as
+ * baked; size and tick stay unless given again. Each picture prints a line
  *     run WIDTH HEIGHT TICK WATER_PIXELS VERTICES TRIANGLES DROPPED CRC32
  *
- * The marks count a tick, the one that leads to TICK, a frame's beginning and its tiles,
- * after a frame that has filled what is filled once. */
+ * The marks count the tick that leads to TICK, a frame's beginning, and the frame's tiles,
+ * after a first frame that has filled the caches. */
 #include "base/arena.h"
 #include "cortex-m/baked.h"
 #include "cortex-m/marks.h"
@@ -60,13 +60,13 @@ _Noreturn static void stop(const char *why, const char *what)
     leave(1);
 }
 
-/* -- a picture's wishes -------------------------------------------------------------- */
+/* -- settings of a picture ----------------------------------------------------------- */
 
 typedef struct {
     tp_scene  scene;
     tp_assets assets;
     uint32_t  width, height, tick;
-    bool      still;            /* nothing was set that the world knows of */
+    bool      still;            /* no setting that the world depends on was changed */
 } wish;
 
 static void read_word(wish *w, const char *word, size_t bytes)
@@ -88,7 +88,7 @@ static void read_word(wish *w, const char *word, size_t bytes)
     }
 }
 
-/* Up to the next "/", and past it. */
+/* Reads the words up to the next "/" and returns the text behind the "/". */
 static const char *read_wish(wish *w, const char *text)
 {
     w->scene = baked_scene;
@@ -106,11 +106,11 @@ static const char *read_wish(wish *w, const char *text)
 /* -- pictures ------------------------------------------------------------------------ */
 
 typedef struct {
-    tp_world *world;            /* a tick before the picture's, or at 0 */
+    tp_world *world;            /* world one tick before the picture's tick, or at tick 0 */
     size_t    bytes;
-    tp_arena  left;             /* behind it */
-    uint32_t  tick;             /* that the picture is of */
-    bool      usual;            /* of the scene as baked */
+    tp_arena  left;             /* memory behind the world */
+    uint32_t  tick;             /* tick of the picture */
+    bool      usual;            /* the scene as baked, without changes */
 } past;
 
 static void make_past(past *p, const wish *w)
@@ -209,7 +209,7 @@ static void draw_all(const char *text)
 }
 
 #if __STDC_HOSTED__
-/* Arguments become one text, as semihosting gives them. */
+/* Joins the arguments into one text, as semihosting supplies them. */
 int main(int argc, char **argv)
 {
     static char words[WORDS];

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Exact instructions of a shipped scene's pictures, drawn by board.c in one go.
+# Exact instructions of a shipped scene's pictures, drawn by board.c in one run.
 #
 #   tests/charts/board.sh m4|x86 SCENE SIZE TICK GROUP...
 #

@@ -22,7 +22,7 @@ CHARTS_ELF  := $(patsubst %,build/cortex-m/%.elf,kernels pool_count \
 charts-tools: all build/host/count.so $(CHARTS)
 	@$(MAKE) --no-print-directory BOARD=cortex-m $(CHARTS_ELF)
 
-# -- of this machine ---------------------------------------------------------------------
+# -- for this machine --------------------------------------------------------------------
 
 $(AT)/kernels: $(KERNELS_O) $(LIB)
 	$(SAY)$(LINK) $^ -lm -o $@
@@ -66,7 +66,7 @@ $(AT)/pool_count: $(AT)/pool_count.o \
 $(AT)/pools: $(POOLS_O) $(AT)/used.o \
           build/baked/$(MACHINE)/pool_points.o
 
-# -- of the board ----------------------------------------------------------------------
+# -- for the board ---------------------------------------------------------------------
 
 $(SPAN_SCENES:%=$(BUILD)/span-%.elf): $(BUILD)/span-%.elf: \
           $(AT)/span.o $(SPAN_O) build/baked/$(MACHINE)/%.o \

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the kernels' methods are off, as rows of the sweep:
+/* Prints the errors of the kernels' methods as rows of the sweep:
  *
  *     errors CHART */
 #include <stdlib.h>

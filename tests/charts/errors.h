@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The kernels' results against the truth in double precision; see kernels.h. */
+/* Compares the kernels' results with references in double precision; see kernels.h. */
 #ifndef ERRORS_H
 #define ERRORS_H
 #include <math.h>
@@ -11,7 +11,7 @@ typedef void judge(const kernel *k, const int32_t *in, const int32_t *out);
 judge judge_gerstner, judge_normals, judge_roots, judge_normalise, judge_sine,
       judge_dispersion, judge_fresnel;
 
-/* A row of the sweep, CHART,KEYS,COLUMN,VALUE, with four digits that count. */
+/* Prints a row of the sweep, CHART,KEYS,COLUMN,VALUE, with four significant digits. */
 static inline void error_row(const kernel *k, const char *column, double value)
 {
     printf("%s,%s,%s,%.4g\n", k->chart, k->point, column, value);

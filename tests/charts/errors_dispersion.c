@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Wave numbers over a depth against x tanh x = y in double precision, for y from 1e-4 to
- * 10, which is k h of 0.01 to 10, each so many times the last.  The numbers are made in
- * integers: no C library's logarithm moves them. */
+/* Wave numbers over a depth against x tanh x = y in double precision, for y from 1e-4 to 10
+ * in a geometric series: k h from 0.01 to 10. The inputs are computed in integers, so no C
+ * library's logarithm changes them. */
 #include <stdlib.h>
 #include "tests/charts/spread.h"
 #include "tests/charts/used.h"
@@ -10,7 +10,8 @@
 
 enum { BLOCKS = 32 };
 
-/* From Eckart's by Newton's steps; that they have ended is asked of the law itself. */
+/* Newton's method from Eckart's approximation; the dispersion relation itself tells if the
+ * iteration has converged. */
 static double depth_of(double y)
 {
     double x = y / sqrt(tanh(y));
@@ -26,7 +27,7 @@ static double depth_of(double y)
     return x;
 }
 
-/* The wave of y in Q40 over the n-th depth, and its true k h: of the numbers as rounded. */
+/* Input for y in Q40 over the n-th depth. Returns the exact k h of the rounded input. */
 static double wave_of(uint64_t y, uint32_t n, int32_t *in)
 {
     const tp_fx h = TP_FX(1.75) + kernel_spread(n, KERNEL_STEP, TP_FX(1.25));
@@ -43,7 +44,7 @@ static double number_of(const int32_t *out)
     return ((double)out[1] * TWO_32 + (uint32_t)out[0]) / TWO_32;
 }
 
-/* Swells over a floor, or under wind. */
+/* True if the scene has waves over a floor or in wind. */
 static bool has_ocean(const tp_scene *s, int32_t unused)
 {
     bool waves = false;
@@ -60,7 +61,7 @@ static bool never(const tp_scene *s, int32_t unused)
     return false;
 }
 
-/* Such seas are made with tp_depth_number_exact; the engine calls no other. */
+/* Coastal waves are set up with tp_depth_number_exact; the engine calls no other method. */
 static used_test *user_of(const kernel *k)
 {
     return strcmp(k->point, "newton-3") == 0 ? has_ocean : never;
@@ -70,7 +71,7 @@ void judge_dispersion(const kernel *k, const int32_t *counted, const int32_t *co
 {
     static int32_t in[3 * KERNEL_UNITS], out[2 * KERNEL_UNITS];
     static double  x[KERNEL_UNITS];
-    uint64_t y = 109951163;             /* 1e-4, and 10^(5/32767) - 1 as Q32 */
+    uint64_t y = 109951163;             /* 1e-4; the factor is 10^(5/32767) - 1 as Q32 */
     spread s = { 0 };
 
     (void)counted, (void)counted_out;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Shares of mirrored light against the exact law of [F1] in double precision, at every N.V
- * that Q1.14 has. */
+/* Fresnel reflectance against the exact law [F1] in double precision, at every N.V of
+ * Q1.14. */
 #include <stdlib.h>
 #include "shade/optics.h"
 #include "tests/charts/spread.h"
@@ -16,8 +16,8 @@ static double law(double c)
     return (s * s + p * p) / 2;
 }
 
-/* The same by the angles, Rs = (sin(i - t) / sin(i + t))^2 and Rp with tangents: what the
- * truth is held to before anything is held to it. */
+/* Checks the reference itself: the exact law by angles, Rs = (sin(i - t) / sin(i + t))^2
+ * and Rp with tangents. */
 static void prove_law(void)
 {
     for (int32_t nv = 1; nv < ONE; nv++) {
@@ -31,8 +31,8 @@ static void prove_law(void)
     }
 }
 
-/* What stands for 1 in a method's results: formulas are Q30, lines and Schlick's in 32
- * bits Q16, bytes 256ths. */
+/* Value of 1 in a method's results: formulas are Q30, lines and the 32-bit Schlick form are
+ * Q16, bytes are 1/256. */
 static double one_of(const kernel *k)
 {
     return begins(k->point, "law") || begins(k->point, "schlick;") ? TP_Q30_ONE

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Points of the sea against [A7]-[A10] in double precision, from the numbers of the waves
- * alone.  `normal` is what is off the exact normal; `rounding` what fixed point alone is
- * off, against the same form in double. */
+/* Points of deep water against [A7]-[A10] in double precision, from the numbers of the
+ * waves alone. `normal` is the error against the exact normal; `rounding` is the error of
+ * fixed point alone, against the same form in double precision. */
 #include "tests/charts/errors.h"
 #include "tests/charts/gerstner.h"
 #include "tests/charts/used.h"
@@ -19,8 +19,9 @@ static double degrees_between(const ref_point *p, const double n[3])
     return atan2(sqrt(x * x + y * y + z * z), dot) * 180 / PI;
 }
 
-/* The scenes of that many waves whose sea takes the form; up to a sum of 0.3 they stand
- * with the gentle one.  Waves over a floor or in wind are an ocean's, not these. */
+/* True if the scene has that number of waves and uses the form; sums of steepness up to 0.3
+ * count with the gentle form. Waves over a floor or in wind are coastal water and do not
+ * count. */
 static bool takes(const tp_scene *scene, int32_t point)
 {
     const char form = (char)(point & 0xff);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Unit normals against those of double precision, over slopes spread evenly within 1. */
+/* Unit normals against double precision, over slopes spread evenly within 1. */
 #include <stdlib.h>
 #include "scene/sides.h"
 #include "shade/normal.h"
@@ -7,11 +7,11 @@
 #include "tests/charts/used.h"
 
 #define PI    3.14159265358979323846
-#define NOISE 1e-13         /* what double precision itself is off, and more */
+#define NOISE 1e-13         /* above the error of double precision */
 
 enum { BLOCKS = 256, ONE = 4096 };
 
-/* What stands for 1 in a method's results. */
+/* Value of 1 in a method's results. */
 static double one_of(const kernel *k)
 {
     static const struct {
@@ -29,7 +29,7 @@ static double one_of(const kernel *k)
 }
 
 typedef struct {
-    spread angle, length, whole;        /* degrees; of a length of 1: also of the vector */
+    spread angle, length, whole;        /* degrees; of the length 1; of the vector */
 } errors;
 
 static void judge_one(errors *e, const int32_t *slope, const int32_t *got, double one)
@@ -49,23 +49,23 @@ static void judge_one(errors *e, const int32_t *slope, const int32_t *got, doubl
     spread_add(&e->whole, sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
 }
 
-/* -- who has which ------------------------------------------------------------------- */
+/* -- scenes that use a method -------------------------------------------------------- */
 
-/* The exact stage of light interpolates in the root's table, the plan's choice for water
- * that shines, mirrors or is clear; that of plain water takes the nearest entry. */
+/* The exact light stage interpolates in the table of roots if the water shines, mirrors or
+ * is clear; the light stage of plain water takes the nearest entry. */
 static bool is_lit(const tp_scene *s, int32_t lit)
 {
     return (s->water.specular > 0 || s->water.reflection > 0 || s->water.clear > 0) == lit;
 }
 
-/* Walls, drops and land keep their normals packed. */
+/* Walls, drops and land keep packed normals. */
 static bool has_packed(const tp_scene *s, int32_t unused)
 {
     (void)unused;
     return tp_has_tank(s) || s->drops.count > 0 || s->floor.slope > 0 || s->floor.map[0];
 }
 
-/* Meshes bend theirs by maps, and make units of what comes out. */
+/* Meshes bend their normals by normal maps and normalise the result. */
 static bool has_mesh(const tp_scene *s, int32_t unused)
 {
     (void)unused;
@@ -98,7 +98,7 @@ static void say_who(const kernel *k)
     used_row(k->chart, k->point, never, 0);
 }
 
-/* A packed normal is given in one word, as meshes are read. */
+/* Fills the input; packed normals are one word, the format of meshes. */
 static void give(const kernel *k, const int32_t *slope, int32_t *in)
 {
     memcpy(in, slope, 2 * KERNEL_UNITS * sizeof *in);
@@ -106,7 +106,7 @@ static void give(const kernel *k, const int32_t *slope, int32_t *in)
         in[i] = (int32_t)tp_dir_pack(tp_normalise(-slope[i], ONE, -slope[i + 1]));
 }
 
-/* packed-32 is there for having the engine's bits. */
+/* Checks packed-32: the method must return the engine's bits. */
 static void prove_bits(const kernel *k, const int32_t *in, const int32_t *out)
 {
     for (uint32_t i = 0; strcmp(k->point, "packed-32") == 0 && i < KERNEL_UNITS; i++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Normals against the exact one [A10] of the same place of the world, in double
- * precision: the place at rest is solved for there too. */
+/* Normals against the exact normal [A10] at the same place of the world in double
+ * precision; the rest point is solved for in double precision too. */
 #include <string.h>
 #include "tests/charts/errors.h"
 #include "tests/charts/normals.h"
@@ -10,7 +10,7 @@
 
 #define LSB (1 / 65536.0)
 
-/* Degrees between the surface's normal and that of slopes in 16.16. */
+/* Angle between the surface's normal and the normal of slopes in 16.16, degrees. */
 static double degrees_off(const ref_point *p, const int32_t slope[2])
 {
     const double n[3] = { -slope[0] * LSB, 1, -slope[1] * LSB };
@@ -21,9 +21,9 @@ static double degrees_off(const ref_point *p, const int32_t slope[2])
     return atan2(sqrt(x * x + y * y + z * z), dot) * 180 / PI;
 }
 
-/* By the method's first letter: waves whose normals have cross terms, or none; a pool,
- * whose slopes are taken over one cell; maps of ripples, which have 8 bits.  Waves over
- * a floor or in wind are an ocean's, not these. */
+/* True if the scene uses the method, by the method's first letter: waves with or without
+ * cross terms in their normals; a pool, whose slopes span one cell; ripple maps, with 8
+ * bits. Waves over a floor or in wind are coastal water and do not count. */
 static bool takes(const tp_scene *scene, int32_t method)
 {
     tp_sea sea;
@@ -39,7 +39,7 @@ static bool takes(const tp_scene *scene, int32_t method)
     }
 }
 
-/* 0 of those that no scene could use. */
+/* Returns 0 for a method that no scene can use. */
 static int32_t method_of(const char *point)
 {
     static const char *const engine[] = { "exact", "cheap", "five-1", "map-8" };

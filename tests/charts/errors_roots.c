@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Reciprocals and roots against those of double precision: relative errors over numbers
- * 4093 or 2039 apart, all that the tasks of kernels_roots.c allow. */
+/* Reciprocals and roots against double precision: relative errors over inputs 4093 or 2039
+ * apart, over the whole range of the tasks in kernels_roots.c. */
 #include "tests/charts/spread.h"
 #include "tests/charts/used.h"
 
@@ -15,14 +15,15 @@ static double truth(int what, double n)
                                                               : TWO_47 / sqrt(n);
 }
 
-/* Functions of 16.16 are given n / 2^16 and answer for no more of it. */
+/* Functions of 16.16 receive n / 2^16, and their reference uses the truncated input too. */
 static uint32_t given(const kernel *k, uint32_t n)
 {
     return begins(method_of(k), "tp_fx") ? n & 0xffff0000u : n;
 }
 
-/* The engine sees, bounds and lights every scene with all of these but tp_fx_recip, which
- * is of fields of foam and of pools that bend normals; it has no call of tp_fx_rsqrt. */
+/* True if the scene has fields of foam or pools that bend normals: the only users of
+ * tp_fx_recip. The engine uses the other functions in every scene, and never calls
+ * tp_fx_rsqrt. */
 static bool has_cells(const tp_scene *s, int32_t unused)
 {
     (void)unused;

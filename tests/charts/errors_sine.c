@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Sines against those of the C library, at phases 4093 of 2^32 apart: a prime, so that
- * they fall anywhere within the steps of tables. */
+/* Sines against the C library's, at phases 4093 of 2^32 apart: 4093 is prime, so the phases
+ * fall anywhere within the steps of tables. */
 #include "fx/fx.h"
 #include "tests/charts/spread.h"
 #include "tests/charts/used.h"
@@ -9,8 +9,9 @@
 #define PI     3.14159265358979323846
 #define STRIDE 4093u
 
-/* tp_sin is what waves, foam and paddles have, of every scene; rotations have another,
- * which tp_rotation_from_angles alone shows: it is the engine's if their bits agree. */
+/* True if the method's results have the bits of the engine. Waves, foam and paddles of
+ * every scene use tp_sin; rotations use another sine, visible only through
+ * tp_rotation_from_angles. */
 static bool is_the_engines(const kernel *k)
 {
     static int32_t in[KERNEL_UNITS], out[KERNEL_UNITS];

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Whole frames by each quality rung: what they are off the reference renderer.
+/* Compares whole frames at each rung of quality with the reference renderer.
  *
  *     frames rungs SCENE WIDTH HEIGHT
- *         those that the scene has, a line each: NAME;WORDS, as board.sh takes them
+ *         prints the scene's rungs, one a line: NAME;WORDS, the format of board.sh
  *     frames errors SCENE WIDTH HEIGHT TICK
- *         rows of the sweep
+ *         prints rows of the sweep
  *
  * The reference (tests/reference, double precision, rays) takes 16 samples a pixel of the
- * surface itself, so what it shows is not the engine's mesh but the sea.  What it does not
- * draw as the engine does is left out of both pictures: foam, spray, caustics, stars, and
- * mirrors bend to first order.  Costs are of scenes as they are shipped. */
+ * exact surface, not of the engine's mesh. Features that the reference draws in another way
+ * are left out of both pictures: foam, spray, caustics, stars; and mirrors bend to first
+ * order. Costs are those of the shipped scenes. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +24,8 @@ enum { THREADS = 2, RUNGS = 16, WORDS_BYTES = 320 };
 
 static const char *const off[] = { REF_WITHOUT };
 
-/* Each but the plan's and the ladder's differs from the exact rung by what it names. */
+/* Exact rung. Each other rung changes only the setting that it is named after, except the
+ * planned rung and the rungs of the ladder. */
 #define EXACT "quality.visibility=triangles quality.shading=exact quality.rate=full " \
               "quality.lod=off quality.error_px=0 quality.error_colour=0"
 
@@ -37,7 +38,7 @@ typedef struct {
     uint32_t count;
 } rungs;
 
-/* -- which there are ----------------------------------------------------------------- */
+/* -- list of rungs ------------------------------------------------------------------- */
 
 static void add(rungs *all, const char *name, const char *words)
 {
@@ -69,7 +70,8 @@ static void add_planned(rungs *all, const char *name, tp_rungs r)
     add(all, name, words);
 }
 
-/* The least is where a governor would end. */
+/* Lists the scene's rungs. The lowest is the last step of the ladder, where the frame
+ * governor would end. */
 static rungs rungs_of(const tp_scene *shipped, const tp_assets *names, uint32_t width,
                       uint32_t height)
 {
@@ -97,7 +99,7 @@ static rungs rungs_of(const tp_scene *shipped, const tp_assets *names, uint32_t 
     return all;
 }
 
-/* -- how far they are off ------------------------------------------------------------ */
+/* -- errors -------------------------------------------------------------------------- */
 
 typedef struct {
     uint32_t  width, height;
@@ -120,7 +122,7 @@ static view view_of(uint32_t width, uint32_t height)
     return v;
 }
 
-/* What is there is told by the pixels' centres, as the engine sees it. */
+/* Reference picture. The kind of surface is taken at pixel centres, like the engine's. */
 static view truth_of(const ref_stand *stand, uint32_t width, uint32_t height)
 {
     view v = view_of(width, height);
@@ -176,7 +178,7 @@ static void judge_all(const char *name, const rungs *all, const ref_stand *stand
     free(truth.shows);
 }
 
-/* -- what is asked for --------------------------------------------------------------- */
+/* -- command line -------------------------------------------------------------------- */
 
 static int usage(void)
 {

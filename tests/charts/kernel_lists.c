@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* All kernels, chart by chart. */
+/* List of all kernels, by chart. */
 #include "tests/charts/kernels.h"
 
 const kernel *const kernel_lists[] = {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Runs every kernel once between the marks that count.sh counts by, and says which it
- * was:
+/* Runs each kernel once between the marks of count.sh and prints its name:
  *     kernel CHART POINT
- * Freestanding where the compiler is told so: static memory, words by semihosting. */
+ * Freestanding if the compiler is in freestanding mode: static memory, words by
+ * semihosting. */
 #include "cortex-m/marks.h"
 #include "tests/budgets/say.h"
 #include "tests/charts/kernels.h"

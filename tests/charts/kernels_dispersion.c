@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Wave numbers over a depth: k of k tanh(kh) = k_inf [B2], for k h of 0.01 to 10, by the
+/* Wave numbers over a depth: k of k tanh(kh) = k_inf [B2], for k h from 0.01 to 10, by the
  * limits, by formulas without iteration [B4] [B5], by Newton's steps [B6], by Hunt's
  * fractions and by a table.
  *
- * With y = k_inf h and x = kh, Hunt's (1979) are x^2 = y^2 + y / P(y), P a polynomial; the
- * table is of x / sqrt(y), which is 1 at 0 and has no corner.  Numbers are k_inf in Q31.32,
- * in two words, and the depth; results k in the same. */
+ * With y = k_inf h and x = kh, Hunt (1979) has x^2 = y^2 + y / P(y) with a polynomial P.
+ * The table holds x / sqrt(y), which is 1 at 0 and smooth. Inputs are k_inf in Q31.32, in
+ * two words, and the depth; the result is k in the same format. */
 #include "tests/charts/kernels.h"
 #include "wave/depth.h"
 #include "wave/exp.h"
@@ -26,8 +26,8 @@ static inline int64_t number_in(const int32_t *in)
     return (int64_t)((uint64_t)(uint32_t)in[1] << 32 | (uint32_t)in[0]);
 }
 
-/* y rises from 1e-4 by the same factor each time, to 10; depths are 0.5 to 3 m, in no
- * order: lengths are then the engine's own, 0.3 to 1900 m. */
+/* y rises from 1e-4 to 10 by a constant factor; depths are 0.5 to 3 m in no order: the
+ * wavelengths are then in the engine's range, 0.3 to 1900 m. */
 static void fill(int32_t *in)
 {
     uint64_t y = 429497;
@@ -42,7 +42,7 @@ static void fill(int32_t *in)
     }
 }
 
-/* -- the engine's -------------------------------------------------------------------- */
+/* -- the engine's functions ---------------------------------------------------------- */
 
 RUN(tp_depth_number_eckart)
 RUN(tp_depth_number_fenton)
@@ -56,7 +56,7 @@ METHOD steps_2(int64_t k_inf, tp_fx depth)
 }
 RUN(steps_2)
 
-/* -- the limits ---------------------------------------------------------------------- */
+/* -- limits -------------------------------------------------------------------------- */
 
 METHOD deep(int64_t k_inf, tp_fx depth)
 {
@@ -73,9 +73,9 @@ METHOD shallow(int64_t k_inf, tp_fx depth)
 }
 RUN(shallow)
 
-/* -- Hunt's -------------------------------------------------------------------------- */
+/* -- Hunt's fractions ---------------------------------------------------------------- */
 
-/* P(y) as Q15.17: below 12 it is below 2^15. */
+/* P(y) as Q15.17: for y below 12, P is below 2^15. */
 static inline uint32_t polynomial(uint32_t y_q24, const uint32_t *of, int terms)
 {
     uint32_t p = 0;
@@ -120,7 +120,7 @@ RUN(hunt_6)
 
 /* -- a table ------------------------------------------------------------------------- */
 
-enum { TABLE_END = 8 };             /* y from which tanh x is 1 within 3e-7 */
+enum { TABLE_END = 8 };             /* tanh x is 1 within 3e-7 from this y on */
 
 static uint32_t table[258];         /* Q4.28 */
 
@@ -145,7 +145,8 @@ static inline tp_scaled near_number(tp_scaled k, tp_scaled y, uint32_t y_q24, in
     return tp_scaled_mul(k, tp_scaled_mul(tp_scaled_from_fixed(s, 28), tp_scaled_rsqrt(y)));
 }
 
-/* [B6] as the engine has it: x times 1 - (T - y / x^2) / (T + sech^2 x), T = tanh x / x. */
+/* Newton's step [B6] in the engine's form: x times 1 - (T - y / x^2) / (T + sech^2 x), T =
+ * tanh x / x. */
 static inline tp_scaled step(tp_scaled k, tp_scaled h, tp_scaled y)
 {
     const tp_scaled x = tp_scaled_mul(k, h), over = tp_scaled_recip(x);
@@ -186,9 +187,9 @@ TABLE(256, 8)
 STEPPED(32, 5)
 STEPPED(64, 6)
 
-/* -- all of them --------------------------------------------------------------------- */
+/* -- list of kernels ----------------------------------------------------------------- */
 
-/* Of reciprocals, of roots, and of powers of e. */
+/* Bytes of the tables of reciprocals, roots, and powers of e. */
 enum { RECIP = 514, RSQRT = 386, EXP = 256 };
 
 #define ROW(name, fill, method, bytes) \

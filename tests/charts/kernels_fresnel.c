@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The share of light that water mirrors, of a view's N.V as Q1.14, 0..1 [F1] [F2]: by the
- * formulas, and by tables of so many steps, their nearest entry or lines between them.
+/* Fresnel reflectance of water for N.V as Q1.14, 0..1 [F1] [F2]: by the formulas, and by
+ * tables with a number of steps, nearest entry or linear interpolation.
  *
- * A table's entry is a byte, 256 of which are 1, as the engine's are; lines have entries of
- * 16 bits.  Tables are made by the exact law before anything is counted. */
+ * A table's entry is a byte, in 1/256, like the engine's tables; interpolated tables have
+ * 16-bit entries. The exact law fills the tables before the count begins. */
 #include "shade/optics.h"
 #include "tests/charts/kernels.h"
 #include "shade/shade.h"
@@ -27,14 +27,14 @@ static void fill(int32_t *in)
         in[i] = kernel_ramp(i, 0, ONE);
 }
 
-/* -- the law and the shortcut -------------------------------------------------------- */
+/* -- exact law and Schlick's form ---------------------------------------------------- */
 
 METHOD law(int32_t nv) { return tp_fresnel(nv << 16); }
 METHOD shortcut(int32_t nv) { return tp_fresnel_schlick(nv << 16); }
 RUN(law)
 RUN(shortcut)
 
-/* Schlick's in 32 bits: r0 + (1 - r0) (1 - c)^5, Q16. */
+/* Schlick's form in 32 bits: r0 + (1 - r0) (1 - c)^5, Q16. */
 METHOD shortcut_q16(int32_t nv)
 {
     const uint32_t m = (uint32_t)(ONE - nv) << 2, m2 = m * (m >> 1) >> 15;
@@ -60,7 +60,8 @@ static uint8_t byte_of(tp_q30 share)
     return (uint8_t)(b > 255 ? 255 : b);
 }
 
-/* The middles of steps, and so the nearest; the last entry is for N.V = 1 alone. */
+/* Entries at the middles of steps, so the nearest entry is taken; the last entry is for N.V
+ * = 1 alone. */
 static void fill_bytes(int32_t *in, int bits)
 {
     fill(in);
@@ -78,7 +79,7 @@ NEAREST(64, 6)
 NEAREST(128, 7)
 NEAREST(256, 8)
 
-/* -- lines --------------------------------------------------------------------------- */
+/* -- linear interpolation ------------------------------------------------------------ */
 
 static void fill_words(int32_t *in, int bits)
 {
@@ -105,7 +106,7 @@ LINES(64, 6)
 LINES(128, 7)
 LINES(256, 8)
 
-/* -- all of them --------------------------------------------------------------------- */
+/* -- list of kernels ----------------------------------------------------------------- */
 
 #define ROW(name, fill, method, bytes) { "fresnel", name, fill, run_##method, 1, 1, bytes }
 const kernel kernels_fresnel[] = {

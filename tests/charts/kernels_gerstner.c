@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Points of a sea of Gerstner waves: how many there are, and the form of their normal,
- * [A7]-[A10].  `exact` has the cross terms of [A10], `cheap` has none; the engine takes
- * that up to a steepness of 0.3 and the other beyond.  `sharp` is the exact one of crests
- * to the power 2 [A3].  Results: place, then slopes dy/dx and dy/dz. */
+/* Points of deep water: number of Gerstner waves, and form of the normal, [A7]-[A10].
+ * `exact` has the cross terms of [A10], `cheap` has no cross terms; the engine uses `cheap`
+ * up to a steepness of 0.3 and `exact` beyond. `sharp` is the exact form for crests with
+ * power 2 [A3]. Results: place, then slopes dy/dx and dy/dz. */
 #include "tests/charts/gerstner.h"
 #include "tests/charts/kernels.h"
 #include "wave/wave.h"

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Unit normals (-sx, 1, -sz) / sqrt(1 + sx^2 + sz^2) of slopes within 1, Q3.12, as the
- * engine's stages have them: to the last bit, by a root's table with and without Newton's
- * steps, by the first terms of its series, and left as slopes.
+/* Unit normals (-sx, 1, -sz) / sqrt(1 + sx^2 + sz^2) of slopes within 1, Q3.12, the format
+ * of the engine's stages: to the last bit, by a table of roots with and without Newton's
+ * steps, by the first terms of the series, and as plain slopes.
  *
- * Results are Q2.30 or coarser; errors_normalise.c knows which. */
+ * Results are Q2.30 or coarser; errors_normalise.c lists the formats. */
 #include "tests/charts/kernels.h"
 #include "shade/normal.h"
 #include "shade/slope.h"
@@ -46,7 +46,7 @@ static inline uint32_t high(uint32_t a, uint32_t b)
     return (uint32_t)((uint64_t)a * b >> 32);
 }
 
-/* -- the engine's -------------------------------------------------------------------- */
+/* -- the engine's functions ---------------------------------------------------------- */
 
 METHOD whole(int32_t sx, int32_t sz) { return tp_normalise(-sx, ONE, -sz); }
 RUN(whole)
@@ -72,8 +72,8 @@ METHOD steep_near(int32_t sx, int32_t sz)
 }
 RUN(steep_near)
 
-/* From one word with ten bits of each part, as meshes keep normals: as it is, and made a
- * unit. */
+/* Unpacks a normal from one word with ten bits for each part, the format of meshes; as
+ * stored, and normalised. */
 METHOD packed(int32_t word, int32_t unused)
 {
     const tp_packed_dir n = (tp_packed_dir)word;
@@ -90,8 +90,8 @@ METHOD packed_unit(int32_t word, int32_t unused)
 }
 RUN(packed_unit)
 
-/* The same bits by a sum of 20 bits, moved up to 2^30..2^32 by 2 half, and products that
- * are rounded once: (x 2^half inverse) / 2^33 as Q2.30, cut to Q1.14. */
+/* The engine's bits from a sum of 20 bits, shifted up to 2^30..2^32 by 2 half, and products
+ * that are rounded once: (x 2^half inverse) / 2^33 as Q2.30, truncated to Q1.14. */
 static inline int32_t part_of(int32_t x, int half, uint32_t inverse)
 {
     return (int32_t)(((int64_t)(x * (1 << (half - 1))) * inverse + 0x8000) >> 32);
@@ -112,22 +112,23 @@ RUN(packed_32)
 
 /* -- the sum in 32 bits -------------------------------------------------------------- */
 
-/* Slopes below 1.2 each leave 1 + sx^2 + sz^2 below 4: as Q26 it is between 2^26 and
- * 2^28, and 64 of it lie in the range of tp_rsqrt_norm, with no zeros to count. */
+/* Slopes below 1.2 each keep 1 + sx^2 + sz^2 below 4: as Q26 the sum is between 2^26 and
+ * 2^28, and 64 times the sum is in the range of tp_rsqrt_norm, without leading zeros to
+ * count. */
 static inline uint32_t normal_sum(int32_t sx, int32_t sz)
 {
     return ((1u << 24) + tp_slope_square(sx, sz)) << 6;
 }
 
-/* By the normal's height, Q2.30, with its sign turned: products that are negative keep
- * compilers from taking them for unsigned ones. */
+/* Normal from its height, Q2.30, with the sign of the height reversed: negative products
+ * keep compilers from unsigned multiplication. */
 static inline tp_dir3 by_height(int32_t sx, int32_t sz, int32_t minus)
 {
     return (tp_dir3){ (int32_t)((int64_t)sx * minus >> 12), -minus,
                       (int32_t)((int64_t)sz * minus >> 12) };
 }
 
-/* By 1 / sqrt of that sum, Q1.31 of twice the height. */
+/* Normal from 1 / sqrt of the sum, Q1.31 of twice the height. */
 static inline tp_dir3 by_root(int32_t sx, int32_t sz, uint32_t r)
 {
     return by_height(sx, sz, -(int32_t)(r >> 2));
@@ -143,7 +144,7 @@ static const uint16_t lines[193] = {
 #include "fx/rsqrt_table.inc"
 };
 
-/* tp_rsqrt_norm without its step of Newton. */
+/* tp_rsqrt_norm without Newton's step. */
 METHOD sum_lines(int32_t sx, int32_t sz)
 {
     const uint32_t n = normal_sum(sx, sz);
@@ -154,7 +155,7 @@ METHOD sum_lines(int32_t sx, int32_t sz)
 }
 RUN(sum_lines)
 
-/* From the nearest of 48 entries; steps r (3 - n r^2) / 2, r in Q2.30. */
+/* Nearest of 48 entries, then Newton's steps r (3 - n r^2) / 2, r in Q2.30. */
 static inline tp_dir3 by_table(int32_t sx, int32_t sz, int steps)
 {
     const uint32_t n = normal_sum(sx, sz);
@@ -173,7 +174,7 @@ RUN(newton_2)
 
 /* -- without a root ------------------------------------------------------------------ */
 
-/* 1 - q/2 and 1 - q/2 + 3 q^2 / 8, Q2.30 of a q that is Q24. */
+/* 1 - q/2, and 1 - q/2 + 3 q^2 / 8, in Q2.30 from q in Q24. */
 METHOD series_1(int32_t sx, int32_t sz)
 {
     const int32_t ny = TP_Q30_ONE - (int32_t)(tp_slope_square(sx, sz) << 5);
@@ -194,7 +195,7 @@ RUN(series_2)
 METHOD slopes(int32_t sx, int32_t sz) { return (tp_dir3){ -sx, ONE, -sz }; }
 RUN(slopes)
 
-/* -- all of them --------------------------------------------------------------------- */
+/* -- list of kernels ----------------------------------------------------------------- */
 
 #define ROW(name, method, bytes) { "normalise", name, fill, run_##method, 2, 3, bytes }
 #define PACKED(name, method, bytes) \

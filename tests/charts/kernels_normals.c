@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Ways to the water's normal, as slopes dy/dx and dy/dz:
- *     exact   of the waves' sum, with the cross terms of [A10]
- *     cheap   without them
+/* Methods for the water's normal, as slopes dy/dx and dy/dz:
+ *     exact   from the sum of waves, with the cross terms of [A10]
+ *     cheap   without cross terms
  *     five-N  from the heights N cells of 0.25 m to the four sides [A6]
- *     map-N   from a normal map whose three channels have N bits each, as made from the
- *             exact ones: unpacked, and a division */
+ *     map-N   from a normal map with N bits in each of three channels, made from the exact
+ *             normals: unpacking and a division */
 #include "base/base.h"
 #include "tests/charts/normals.h"
 #include "wave/wave.h"
@@ -17,7 +17,7 @@ const tp_wave normals_wave[NORMALS_WAVES] = {
     WAVE(0.45, 22, 70, 0), WAVE(0.30, 13, 115, 140), WAVE(0.15, 7, 20, 250),
 };
 
-/* -- the water, looked up once ------------------------------------------------------- */
+/* -- the water, evaluated once ------------------------------------------------------- */
 
 enum { STEPS = 4 };             /* of 1, 2, 4 and 8 cells */
 
@@ -59,7 +59,7 @@ static void prepare(bool crossed)
     sea.crossed = crossed;
 }
 
-/* -- of the waves -------------------------------------------------------------------- */
+/* -- from the waves ------------------------------------------------------------------ */
 
 static void fill_rest(int32_t *in)
 {
@@ -90,7 +90,7 @@ static void run_waves(const int32_t *in, int32_t *out)
     }
 }
 
-/* -- of five heights ----------------------------------------------------------------- */
+/* -- from five heights --------------------------------------------------------------- */
 
 static void fill_heights(int32_t *in, int n)
 {
@@ -118,10 +118,10 @@ FIVE(2, 1)
 FIVE(4, 2)
 FIVE(8, 3)
 
-/* -- of a map ------------------------------------------------------------------------ */
+/* -- from a map ---------------------------------------------------------------------- */
 
-/* Channels count from the middle one, half = 2^(bits - 1): up to 8 bits all three lie in
- * a word, else z stands in one of its own. */
+/* Channels are relative to the middle value, half = 2^(bits - 1). Up to 8 bits all three
+ * channels fit one word; with more bits z has a word of its own. */
 static int32_t channel(tp_q30 n, int bits)
 {
     const int64_t most = (1 << (bits - 1)) - 1, half = (int64_t)1 << 29;
@@ -141,7 +141,8 @@ static void fill_map(int32_t *in, int bits)
     }
 }
 
-/* 2^31 / up: a channel over it is below 2^16, and Q.31 of that has 47 bits. */
+/* Reciprocal 2^31 / up: a channel times the reciprocal is below 2^16, as Q.31 below
+ * 2^47. */
 TP_ALWAYS_INLINE void map(const int32_t *in, int32_t *out, int bits)
 {
     const uint32_t mask = (1u << bits) - 1;
@@ -168,7 +169,7 @@ MAP(7)
 MAP(8)
 MAP(16)
 
-/* Bytes of a place: a height in 16.16, a texel. */
+/* Last number: bytes of a place, a height in 16.16 or a texel. */
 #define FIVE_ROW(cells) \
     { "normals", "five-" #cells, fill_five_##cells, run_five_##cells, 4, 2, 4 }
 #define MAP_ROW(bits) \

@@ -5,8 +5,8 @@
  *     root    2^16 sqrt n       n in [2^30, 2^32)   as Q0.32, the same
  *     rsqrt   2^47 / sqrt n     n in [2^30, 2^32)   as Q1.31, the same
  *
- * The engine's functions of 16.16 have the high half of n, and their results are moved to
- * where the others are.  Tables are made in integers before anything is counted. */
+ * The engine's functions of 16.16 receive the high half of n, and their results are shifted
+ * to the same format. The tables are computed in integers before the count begins. */
 #include "fx/fx.h"
 #include "tests/charts/kernels.h"
 
@@ -23,7 +23,8 @@ static inline uint32_t high(uint32_t a, uint32_t b)
     return (uint32_t)((uint64_t)a * b >> 32);
 }
 
-/* Q1.31 of Q2.30: what came out at 2 or a little more is the last number below it. */
+/* Q1.31 from Q2.30; a result of 2 or slightly more is clamped to the last number below
+ * 2. */
 static inline uint32_t q31_of(uint32_t q30)
 {
     return q30 >> 31 ? UINT32_MAX : 2 * q30;
@@ -36,7 +37,7 @@ static inline uint32_t q31_of_fx(tp_fx x)
 
 /* -- numbers and tables -------------------------------------------------------------- */
 
-static uint16_t table[256];         /* the result at each step's middle, its high half */
+static uint16_t table[256];         /* high half of the result at each step's middle */
 
 static void fill_halves(int32_t *in)
 {
@@ -50,7 +51,7 @@ static void fill_quarters(int32_t *in)
         in[i] = (int32_t)((1u << 30) + high(3u << 30, i * KERNEL_STEP));
 }
 
-/* By the `bits` that follow the leading one. */
+/* Table indexed by the `bits` behind the leading bit. */
 static void fill_recip(int32_t *in, int bits)
 {
     fill_halves(in);
@@ -59,7 +60,7 @@ static void fill_recip(int32_t *in, int bits)
                               / (0x80000000u + ((2 * i + 1) << (30 - bits))));
 }
 
-/* By the top `bits`, of which those that are below 1/4 do not come. */
+/* Table indexed by the top `bits`; indices below 1/4 do not occur. */
 static void fill_rsqrt(int32_t *in, int bits)
 {
     fill_quarters(in);
@@ -96,7 +97,7 @@ RUN(fx_div)
 RUN(divide_32)
 RUN(divide_64)
 
-/* The engine's without Newton's step. */
+/* The engine's table without Newton's step. */
 static const uint16_t recip_lines[257] = {
 #include "fx/recip_table.inc"
 };
@@ -110,7 +111,7 @@ METHOD lines_recip(uint32_t n)
 }
 RUN(lines_recip)
 
-/* Steps r (2 - n r) in Q2.30. */
+/* Newton's steps r (2 - n r) in Q2.30. */
 static inline uint32_t recip_newton(uint32_t n, uint32_t r, int steps)
 {
     for (; steps > 0; steps--)
@@ -128,7 +129,7 @@ RECIP_TABLE(4, 0) RECIP_TABLE(4, 1) RECIP_TABLE(4, 2) RECIP_TABLE(4, 3)
 RECIP_TABLE(6, 0) RECIP_TABLE(6, 1) RECIP_TABLE(6, 2)
 RECIP_TABLE(8, 0) RECIP_TABLE(8, 1) RECIP_TABLE(8, 2)
 
-/* From the line 48/17 - 32/17 n, which is 1/17 off. */
+/* Starts from the line 48/17 - 32/17 n, with an error of at most 1/17. */
 #define RECIP_LINE(steps) \
     METHOD recip_line_##steps(uint32_t n) \
     { \
@@ -149,7 +150,7 @@ RUN(fx_sqrt)
 RUN(by_rsqrt)
 RUN(root_256)
 
-/* Bit by bit: what is left of n is compared with the next bit's square. */
+/* Bit by bit: compares the remainder of n with the square of the next bit. */
 METHOD bits_16(uint32_t n)
 {
     uint32_t root = 0;
@@ -180,8 +181,8 @@ METHOD bits_32(uint32_t n)
 RUN(bits_16)
 RUN(bits_32)
 
-/* Heron's (r + n / r) / 2 in 16 bits, by the processor's division, from the line
- * 0.3431 + 0.6863 n, 0.03 off. */
+/* Heron's steps (r + n / r) / 2 in 16 bits, with the processor's division, from the line
+ * 0.3431 + 0.6863 n with an error of at most 0.03. */
 static inline uint32_t heron(uint32_t n, int steps)
 {
     uint32_t r = 22488 + high(n, 44977);
@@ -220,7 +221,7 @@ METHOD lines_rsqrt(uint32_t n)
 }
 RUN(lines_rsqrt)
 
-/* Steps r (3 - n r^2) / 2, r in Q2.30 and n r^2 in Q4.28. */
+/* Newton's steps r (3 - n r^2) / 2, r in Q2.30 and n r^2 in Q4.28. */
 static inline uint32_t rsqrt_newton(uint32_t n, uint32_t r, int steps)
 {
     for (; steps > 0; steps--)
@@ -238,7 +239,7 @@ RSQRT_TABLE(4, 0) RSQRT_TABLE(4, 1) RSQRT_TABLE(4, 2) RSQRT_TABLE(4, 3)
 RSQRT_TABLE(6, 0) RSQRT_TABLE(6, 1) RSQRT_TABLE(6, 2)
 RSQRT_TABLE(8, 0) RSQRT_TABLE(8, 1) RSQRT_TABLE(8, 2)
 
-/* From the line 2.1328 - 1.21875 n, 0.086 off. */
+/* Starts from the line 2.1328 - 1.21875 n, with an error of at most 0.086. */
 #define RSQRT_LINE(steps) \
     METHOD rsqrt_line_##steps(uint32_t n) \
     { \
@@ -248,7 +249,7 @@ RSQRT_TABLE(8, 0) RSQRT_TABLE(8, 1) RSQRT_TABLE(8, 2)
     RUN(rsqrt_line_##steps)
 RSQRT_LINE(1) RSQRT_LINE(2) RSQRT_LINE(3)
 
-/* -- all of them --------------------------------------------------------------------- */
+/* -- list of kernels ----------------------------------------------------------------- */
 
 #define ROW(name, fill, method, bytes) { "roots", name, fill, run_##method, 1, 1, bytes }
 #define RECIPS(name, bits, steps, bytes) \

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Sines of a turn, Q2.30, by methods of [G5] and some others: the nearest entry of a table,
- * straight lines and parabolas between entries, a Taylor series at the nearest entry,
- * polynomials over a quarter of a turn, and CORDIC's turns by halves.
+/* Sine of a turn, Q2.30, by the methods of [G5] and others: nearest entry of a table,
+ * linear and parabolic interpolation, a Taylor series at the nearest entry, polynomials
+ * over a quarter of a turn, and CORDIC.
  *
- * Tables are made in integers before anything is counted, by the engine's own rotations,
- * whose sine is right to 5e-9.  All methods are functions of their own, as tp_sin is, so
- * that a call costs each the same. */
+ * The engine's own rotations, whose sine is accurate to 5e-9, fill the tables in integers
+ * before the count begins. Each method is a function of its own, like tp_sin, so the cost
+ * of the call is equal for all. */
 #include "fx/fx.h"
 #include "tests/charts/kernels.h"
 
 #define METHOD static __attribute__((noinline)) tp_q30
 
-/* The name begins with run_: by it callgrind knows what to count. */
+/* The name begins with run_: callgrind selects the counted functions by this prefix. */
 #define RUN(method) \
     static void run_##method(const int32_t *in, int32_t *out) \
     { \
@@ -21,7 +21,7 @@
 
 enum { LARGEST = 4096 };
 
-/* The high word: a quarter of a product of two Q2.30, or the product by a Q0.32. */
+/* High word: a quarter of a product of two Q2.30, or the product with a Q0.32. */
 static inline int32_t high(int32_t a, int32_t b)
 {
     return (int32_t)((int64_t)a * b >> 32);
@@ -34,7 +34,7 @@ static inline uint32_t high_of(uint32_t a, uint32_t b)
 
 /* -- tables -------------------------------------------------------------------------- */
 
-static int16_t near_table[LARGEST];             /* Q1.14, by the middles of steps */
+static int16_t near_table[LARGEST];             /* Q1.14, at the middles of steps */
 static tp_q30  table[LARGEST + LARGEST / 4];
 
 static tp_q30 fine_sine(tp_turn angle)
@@ -55,7 +55,7 @@ static void fill_near(int32_t *in, int bits)
         near_table[i] = (int16_t)((fine_sine((2 * i + 1) << (31 - bits)) + 0x8000) >> 16);
 }
 
-/* A turn and a quarter, from `before` entries before 0. */
+/* Fills a turn and a quarter, from `before` entries before 0. */
 static void fill_table(int32_t *in, int bits, uint32_t before)
 {
     fill(in);
@@ -63,8 +63,8 @@ static void fill_table(int32_t *in, int bits, uint32_t before)
         table[i] = fine_sine((i - before) << (32 - bits));
 }
 
-/* Lines on either side of the sine: a chord lies pi^2 / 2 / 1024^2 of the sine below it
- * at the most, and half of that is added to every entry. */
+/* Chords on both sides of the sine: a chord lies at most pi^2 / 2 / 1024^2 of the sine
+ * below the sine, and half of that is added to each entry. */
 static void fill_between(int32_t *in)
 {
     fill_table(in, 10, 0);
@@ -80,7 +80,7 @@ FILL_NEAR(8) FILL_NEAR(10) FILL_NEAR(12)
 FILL_TABLE(6) FILL_TABLE(8) FILL_TABLE(10)
 static void fill_middle_6(int32_t *in) { fill_table(in, 6, 1); }
 
-/* -- the nearest entry --------------------------------------------------------------- */
+/* -- nearest entry ------------------------------------------------------------------- */
 
 #define NEAREST(n, bits) \
     METHOD nearest_##n(tp_turn a) { return near_table[a >> (32 - bits)] * 65536; } \
@@ -89,11 +89,11 @@ NEAREST(256, 8)
 NEAREST(1024, 10)
 NEAREST(4096, 12)
 
-/* -- between entries ----------------------------------------------------------------- */
+/* -- interpolation ------------------------------------------------------------------- */
 
 RUN(tp_sin)
 
-/* tp_sin's own lines. */
+/* Linear interpolation in the table of tp_sin. */
 METHOD between(tp_turn angle)
 {
     const uint32_t a = angle & 0x40000000 ? 0u - angle : angle;
@@ -104,8 +104,8 @@ METHOD between(tp_turn angle)
 }
 RUN(between)
 
-/* A whole turn needs no folding, and four times the bytes.  Entries differ by less than
- * 2^27. */
+/* A table of a whole turn needs no folding, and four times the bytes. Neighbouring entries
+ * differ by less than 2^27. */
 #define LINES(n, bits) \
     METHOD lines_##n(tp_turn a) \
     { \
@@ -117,8 +117,8 @@ LINES(64, 6)
 LINES(256, 8)
 LINES(1024, 10)
 
-/* The parabola through the nearest entry and its neighbours, t of the way, -1/2..1/2:
- * b + t ((c - a) + t (a + c - 2 b)) / 2. */
+/* Parabola through the nearest entry b and its neighbours a and c, at t = -1/2..1/2: b + t
+ * ((c - a) + t (a + c - 2 b)) / 2. */
 METHOD parabolas(tp_turn angle)
 {
     const tp_q30 *at = table + ((angle + (1u << 25)) >> 26);
@@ -128,7 +128,8 @@ METHOD parabolas(tp_turn angle)
 }
 RUN(parabolas)
 
-/* sin(a + d) = sin a + d cos a - d^2/2 sin a from the nearest entry; d in radians. */
+/* Taylor series sin(a + d) = sin a + d cos a - d^2/2 sin a at the nearest entry; d in
+ * radians. */
 #define TWO_PI_Q32 26986075409
 #define KNOTS(n, bits) \
     METHOD knots_##n(tp_turn a) \
@@ -141,7 +142,8 @@ RUN(parabolas)
 KNOTS(64, 6)
 KNOTS(256, 8)
 
-/* The same from tp_sin's entries, to the last bit as the engine's rotations have it. */
+/* Taylor series from the entries of tp_sin, equal to the last bit to the engine's
+ * rotations. */
 METHOD rotations(tp_turn angle)
 {
     const tp_turn knot = (angle + (1u << 21)) & ~((1u << 22) - 1);
@@ -156,7 +158,7 @@ RUN(rotations)
 
 /* -- without a table ----------------------------------------------------------------- */
 
-/* 4 x (1 - |x|), x half turns from -1 to 1; Q2.30 from Q0.31. */
+/* Parabola 4 x (1 - |x|), x in half turns from -1 to 1; Q2.30 from Q0.31. */
 static inline tp_q30 parabola_of(tp_turn angle)
 {
     const int32_t x = (int32_t)angle;
@@ -166,7 +168,8 @@ static inline tp_q30 parabola_of(tp_turn angle)
 METHOD parabola(tp_turn angle) { return parabola_of(angle); }
 RUN(parabola)
 
-/* y + 0.225 (y |y| - y): the well-known correction, by its 0 in the middle of the curve. */
+/* Corrected parabola y + 0.225 (y |y| - y), the well-known refinement; the correction is 0
+ * in the middle of the curve. */
 METHOD refined(tp_turn angle)
 {
     const tp_q30 y = parabola_of(angle);
@@ -174,13 +177,14 @@ METHOD refined(tp_turn angle)
 }
 RUN(refined)
 
-/* Quarters of a turn from -1 to 1, Q2.30: what lies beyond is mirrored. */
+/* Angle in quarters of a turn from -1 to 1, Q2.30; angles outside are mirrored. */
 static inline int32_t quarters(tp_turn a)
 {
     return (int32_t)((a ^ a << 1) & 0x80000000u ? 0x80000000u - a : a);
 }
 
-/* Least largest errors over a quarter; v is u^2 in Q1.31, and each step Q2.30. */
+/* Minimax polynomials over a quarter of a turn; v is u^2 in Q1.31, and each step is
+ * Q2.30. */
 #define SQUARE uint32_t v = (uint32_t)((uint64_t)((int64_t)u * u) >> 29)
 #define TAKE(from, rest) ((uint32_t)TP_Q30(from) - 2 * high_of(v, rest))
 
@@ -218,7 +222,8 @@ METHOD poly_9(tp_turn angle)
 }
 RUN(poly_9)
 
-/* Turns by +- atan 2^-i, each of which lengthens the vector: from 0.60725 it ends at 1. */
+/* CORDIC angles +- atan 2^-i. Each rotation lengthens the vector: a start of 0.60725 ends
+ * at length 1. */
 static const tp_turn arcs[24] = {
     536870912, 316933406, 167458907, 85004756, 42667331, 21354465, 10679838, 5340245,
     2670163, 1335087, 667544, 333772, 166886, 83443, 41722, 20861, 10430, 5215, 2608,
@@ -243,7 +248,7 @@ METHOD cordic_24(tp_turn angle) { return cordic(angle, 24); }
 RUN(cordic_16)
 RUN(cordic_24)
 
-/* -- all of them --------------------------------------------------------------------- */
+/* -- list of kernels ----------------------------------------------------------------- */
 
 #define ROW(name, fill, method, bytes) { "sine", name, fill, run_##method, 1, 1, bytes }
 const kernel kernels_sine[] = {

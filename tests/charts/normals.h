@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The water of the chart "normals", which kernels and judge make alike: three-swells', its
- * steepnesses adding up to 0.7, over places of the world spread around the origin. */
+/* Water of the chart "normals", shared by kernels and their checks: the waves of
+ * three-swells with steepnesses that add up to 0.7, over places of the world spread around
+ * the origin. */
 #ifndef CHARTS_NORMALS_H
 #define CHARTS_NORMALS_H
 #include "tests/charts/kernels.h"
@@ -8,7 +9,7 @@
 enum { NORMALS_WAVES = 3, NORMALS_TICK = 1234 };
 
 #define NORMALS_GRAVITY TP_FX(9.81)
-#define NORMALS_CELL    TP_FX(0.25)     /* m: the shortest wave is 28 of them */
+#define NORMALS_CELL    TP_FX(0.25)     /* m: the shortest wave is 28 cells long */
 
 extern const tp_wave normals_wave[NORMALS_WAVES];
 

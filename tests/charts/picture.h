@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* How far a picture is off another one of the same size, 0x00RRGGBB row by row. */
+/* Measures of the difference of two pictures of the same size, 0x00RRGGBB row by row. */
 #ifndef TP_CHARTS_PICTURE_H
 #define TP_CHARTS_PICTURE_H
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
-enum { SSIM_SIDE = 11 };        /* of its window */
+enum { SSIM_SIDE = 11 };        /* side of the window, px */
 
-/* Peak signal to noise over all channels, dB: 10 log10(255^2 / mean square); infinite of
- * the same picture. */
+/* Peak signal-to-noise ratio over all channels, dB: 10 log10(255^2 / mean square error);
+ * infinite for equal pictures. */
 static inline double picture_psnr(const uint32_t *a, const uint32_t *b, size_t pixels)
 {
     double sum = 0;
@@ -22,13 +22,13 @@ static inline double picture_psnr(const uint32_t *a, const uint32_t *b, size_t p
     return 10 * log10(255.0 * 255 * 3 * (double)pixels / sum);
 }
 
-/* Of ITU-R BT.601, 0..255. */
+/* Luma by ITU-R BT.601, 0..255. */
 static inline double picture_luma(uint32_t p)
 {
     return 0.299 * (p >> 16 & 255) + 0.587 * (p >> 8 & 255) + 0.114 * (p & 255);
 }
 
-/* Sums of a window, each pixel by its weight. */
+/* Weighted sums over a window of the pixels a and b, their squares and their product. */
 typedef struct {
     double a, b, aa, bb, ab;
 } ssim_sums;
@@ -53,8 +53,8 @@ static inline ssim_sums ssim_look(const uint32_t *a, const uint32_t *b, uint32_t
 }
 
 /* Structural similarity of luma (Wang, Bovik, Sheikh and Simoncelli 2004): a Gaussian
- * window of 11x11, sigma 1.5, K1 = 0.01, K2 = 0.03, the mean over all windows that lie in
- * the picture; 1 is the same. */
+ * window of 11x11, sigma 1.5, K1 = 0.01, K2 = 0.03, the mean over all windows inside the
+ * picture; 1 for equal pictures. */
 static inline double picture_ssim(const uint32_t *a, const uint32_t *b, uint32_t width,
                                   uint32_t height)
 {
@@ -81,12 +81,12 @@ static inline double picture_ssim(const uint32_t *a, const uint32_t *b, uint32_t
     return sum / (double)windows;
 }
 
-/* -- the border of sky and water ----------------------------------------------------- */
+/* -- border of sky and water --------------------------------------------------------- */
 
-/* What a pixel shows, of borders. */
+/* Kind of surface of a pixel. */
 typedef enum { SHOWS_SKY, SHOWS_WATER, SHOWS_OTHER } picture_shows;
 
-/* The row where a column's sky ends at water; -1: it ends at another thing, or never. */
+/* Row where a column's sky ends at water; -1: the sky ends at another surface, or never. */
 static inline int32_t picture_border(const uint8_t *shows, uint32_t width,
                                      uint32_t height, uint32_t x)
 {
@@ -98,8 +98,8 @@ static inline int32_t picture_border(const uint8_t *shows, uint32_t width,
          ? (int32_t)y : -1;
 }
 
-/* The most rows that the border lies off, over columns that have one in both; and the
- * mean.  0 if there are none. */
+/* Largest and mean shift of the border, in rows, over columns with a border in both
+ * pictures; 0 if there are none. */
 typedef struct {
     double most, mean;
 } border_shift;

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Exact instructions a cell of the pools' steps, as rows of the sweep.
+# Exact instructions per cell of the pools' steps, as rows of the sweep.
 #
 #   tests/charts/pool-count.sh m4|x86
 . tests/gates/lib.sh

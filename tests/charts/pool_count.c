@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Steps every pool of the chart between the marks that pool-count.sh counts by, and says
- * which it was:
+/* Steps each pool of the chart between the marks of pool-count.sh, and prints its name:
  *     pool KEYS wall|sponge CELLS
- * once between walls, and once in a sponge, as pools of scenes are.  Standing waves of 16
- * cells and more, so that all cells move; in gear A.  Freestanding where the compiler is
- * told so: static memory, words by semihosting. */
+ * once between walls, and once with a sponge layer, the two cases of scenes. The water has
+ * standing waves of 16 cells and more, so all cells move, in gear A. Freestanding if the
+ * compiler is in freestanding mode: static memory, words by semihosting. */
 #include "cortex-m/marks.h"
 #include "pool/pool.h"
 #include "tests/budgets/say.h"
 #include "tests/charts/pool_points.h"
 #include "tidepool/tidepool.h"
 
-/* Bytes of the largest tank, 256 x 256 of 32 bits, in a sponge. */
+/* Bytes of the largest tank, 256 x 256 cells of 32 bits with a sponge layer. */
 enum { TICKS = 2, ROOM = 900 << 10 };
 
 static union { uint64_t aligned; uint8_t byte[ROOM]; } block;

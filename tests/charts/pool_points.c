@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Writes the list of pool_points.h, as C:
+/* Writes the list of pool_points.h as C:
  *
  *     pool_points >FILE
  *
- * The grid, then those pools of shipped scenes that are not in it.  Boards cannot read
- * scenes, and so have the list compiled in. */
+ * The grid, then the pools of shipped scenes outside the grid. Boards cannot read scenes,
+ * so the list is compiled in. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,7 +21,7 @@ static const tp_fx    rates[] = { TP_FX(0.1), TP_FX(0.25), TP_FX(0.35), TP_FX(0.
 static char     known[POINTS][KEYS_BYTES];
 static unsigned n_known;
 
-/* A point once, with what the engine has it at. */
+/* Prints each point once, with the engine's settings for the point. */
 static void print_point(int32_t cells, uint32_t cols, uint32_t rows, uint32_t m,
                         tp_fx courant)
 {

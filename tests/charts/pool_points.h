@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The pools of the chart `pool`: a grid of cells, sizes, r and dampings, and those of the
- * shipped scenes. */
+/* Pools of the chart `pool`: a grid of cell sizes, tank sizes, r and dampings, and the
+ * pools of the shipped scenes. */
 #ifndef POOL_POINTS_H
 #define POOL_POINTS_H
 #include "tidepool/scene.h"
@@ -12,6 +12,7 @@ typedef struct {
     const char *keys;           /* "16;64;6;0.484": bits, side (or 80x64), m and r */
 } pool_point;
 
-/* As C, by `pools points`, which can read scenes; a row of zeros ends it. */
+/* List as C, written by pool_points.c, which can read scenes; a row of zeros ends the
+ * list. */
 extern const pool_point pool_points[];
 #endif

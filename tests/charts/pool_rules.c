@@ -16,7 +16,7 @@ pool_rule pool_rule_of(tp_cells cells, double r2, uint32_t m)
     return (pool_rule){ keep, cells == TP_CELLS_32 ? keep * r2 : (1 + keep) * r2 / 2 };
 }
 
-/* Of z^2 - (1 + keep - kick mu) z + keep. */
+/* Larger root of z^2 - (1 + keep - kick mu) z + keep. */
 double pool_rule_root(pool_rule rule, double mu)
 {
     const double half = (1 + rule.keep - rule.kick * mu) / 2;
@@ -25,7 +25,7 @@ double pool_rule_root(pool_rule rule, double mu)
     return square < 0 ? sqrt(rule.keep) : fabs(half) + sqrt(square);
 }
 
-/* kick mu < 2 (1 + keep) for all mu < 8. */
+/* Stable if kick mu < 2 (1 + keep) for all mu < 8. */
 double pool_neumann_r2(tp_cells cells, uint32_t m)
 {
     const double keep = 1 - ldexp(1, -(int)m);
@@ -48,7 +48,7 @@ double pool_creep_r(uint32_t cols, uint32_t m)
     return -log(1 - ldexp(1, -(int)m)) / 2 * cols / PI;
 }
 
-/* -- fields in double ---------------------------------------------------------------- */
+/* -- fields in double precision ------------------------------------------------------ */
 
 void pool_give_up(const char *what)
 {

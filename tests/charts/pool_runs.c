@@ -8,7 +8,7 @@
 #include "tests/charts/pool_truth.h"
 
 #define PI   3.14159265358979323846
-#define DROP (100.0 / 127)              /* m */
+#define DROP (100.0 / 127)              /* height of the splash, m */
 
 static tp_pool_config config_of(const pool_tank *tank)
 {
@@ -79,7 +79,7 @@ void pool_tank_errors(const pool_tank *tank, double r, const uint32_t *ticks, in
 
 /* -- growth -------------------------------------------------------------------------- */
 
-/* Noise whose sum is 0: each cell has its opposite. */
+/* Adds noise with the sum 0: each cell has an opposite cell. */
 static void stir(tp_pool *pool, int32_t part)
 {
     const uint32_t cols = pool->cols, half = tp_pool_count(pool) / 2;
@@ -104,7 +104,7 @@ static double energy_of(const tp_pool *pool, double r2, bool heights)
     return e;
 }
 
-/* What tp_pool_look says, without the velocities of 32-bit cells. */
+/* The statistics of tp_pool_look, without the velocities of 32-bit cells. */
 static tp_pool_state look_quickly(const tp_pool *pool)
 {
     const void *const cells = tp_pool_const_pointer(pool, sizeof *pool);
@@ -124,14 +124,15 @@ static tp_pool_state look_quickly(const tp_pool *pool)
     return look;
 }
 
-/* Whether a cell is beyond 1 / share of its range. */
+/* True if a cell is above 1 / share of its range. */
 static bool is_full(const tp_pool *pool, const tp_pool_state *look, int32_t share)
 {
     const int32_t end = tp_pool_full(pool) / share;
     return look->highest >= end || look->fastest >= end;
 }
 
-/* From noise of 1 / part of the range. */
+/* Tick at which a cell is above 1 / share of its range, from noise of 1 / part of the
+ * range. */
 static int32_t full_at(const pool_tank *tank, int32_t part, int32_t share)
 {
     tp_pool *const pool = pool_tank_new(tank);
@@ -148,7 +149,7 @@ static int32_t full_at(const pool_tank *tank, int32_t part, int32_t share)
     return at;
 }
 
-/* Adds the logarithm, `sign` times, of the energies or squares of both. */
+/* Adds the logarithm, `sign` times, of the energies or squares of both fields. */
 static void add_logs(pool_growth *g, const tp_pool *pool, const pool_field *plain,
                      double r2, bool beyond, double sign)
 {
@@ -176,7 +177,7 @@ pool_growth pool_tank_growth(const pool_tank *tank)
             add_logs(&g, pool, &plain, r2, beyond, -1);
         if (tick == end)
             add_logs(&g, pool, &plain, r2, beyond, 1);
-        pool->gear = 2;                         /* A, as long as it takes */
+        pool->gear = 2;                         /* gear A for as long as the test runs */
         tp_pool_step(pool);
         pool_field_step(&plain, rule);
     }
@@ -189,7 +190,7 @@ pool_growth pool_tank_growth(const pool_tank *tank)
 
 /* -- rest and drift ------------------------------------------------------------------ */
 
-/* Whether the cells will be as they are within 4 ticks. */
+/* True if the cells return to their present state within 4 ticks. */
 static bool flickers(const tp_pool *pool, size_t bytes)
 {
     tp_pool *const copy = malloc(bytes);
@@ -208,7 +209,7 @@ static bool flickers(const tp_pool *pool, size_t bytes)
     return same;
 }
 
-/* Beyond von Neumann's line what is full stays so; inside it settles as anything does. */
+/* Beyond von Neumann's bound a full pool stays full; inside, a full pool settles too. */
 static bool goes_on(const tp_pool *pool, size_t bytes, const pool_rest *rest,
                     uint32_t most, bool beyond)
 {

@@ -8,7 +8,7 @@
 
 /* -- one mode ------------------------------------------------------------------------ */
 
-/* h = e^-gt (A C(t) + B S(t)): C and S are cos and sin(nt)/n of n^2 = omega^2 - g^2, or,
+/* h = e^-gt (A C(t) + B S(t)): C and S are cos(nt) and sin(nt)/n with n^2 = omega^2 - g^2;
  * where damping is too strong for waves, cosh and sinh. */
 static double even(double square, double t)
 {
@@ -53,7 +53,7 @@ static double *room_for(size_t count)
     return room;
 }
 
-/* Mode p of n at the i-th of `places` centres. */
+/* Cosines of mode p of n at the i-th of `places` centres. */
 static double *cosines(uint32_t n, uint32_t places)
 {
     double *const table = room_for((size_t)n * places);
@@ -64,7 +64,7 @@ static double *cosines(uint32_t n, uint32_t places)
     return table;
 }
 
-/* to[i][j] = sum over k of a[i][k] b[j][k]. */
+/* Matrix product: to[i][j] = sum over k of a[i][k] b[j][k]. */
 static void multiply(const double *a, const double *b, double *to, uint32_t rows,
                      uint32_t cols, uint32_t length)
 {
@@ -90,7 +90,7 @@ static double *turned(double *table, uint32_t rows, uint32_t cols)
     return to;
 }
 
-/* Amplitudes of the modes of heights at the cells' centres. */
+/* Amplitudes of the modes, from the heights at cell centres. */
 static double *modes_of(const double *h, uint32_t cols, uint32_t rows)
 {
     double *const x = turned(cosines(cols, cols), cols, cols);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Pools for the charts, as rows of the sweep, CHART,KEYS,COLUMN,VALUE:
+/* Prints measurements of pools for the charts as rows of the sweep,
+ * CHART,KEYS,COLUMN,VALUE:
  *
- *     pools pool BITS LEAST MOST              of tanks with so many columns
- *     pools stability-growth BITS LEAST MOST  of dampings 2^-m with so large an m
+ *     pools pool BITS LEAST MOST              tanks with LEAST to MOST columns
+ *     pools stability-growth BITS LEAST MOST  dampings 2^-m with m from LEAST to MOST
  *     pools stability-rest BITS LEAST MOST
  *     pools stability-drift BITS LEAST MOST */
 #include <math.h>
@@ -15,16 +16,16 @@
 
 enum { SIDE = 64, REST_MOST = 40000 };
 
-/* What is asked for. */
+/* Arguments of the command line. */
 typedef struct {
     const char *chart;
     tp_cells    cells;
     uint32_t    least, most;
 } asked;
 
-/* -- pool ---------------------------------------------------------------------------- */
+/* -- chart "pool" -------------------------------------------------------------------- */
 
-static const pool_point *sought;        /* by is_in */
+static const pool_point *sought;        /* argument of is_in */
 
 static bool is_it(const tp_scene_pool *pool)
 {
@@ -74,7 +75,7 @@ static void print_points(const asked *a)
             print_point(p);
 }
 
-/* -- stability ----------------------------------------------------------------------- */
+/* -- stability charts ---------------------------------------------------------------- */
 
 static void say(const asked *a, uint32_t m, double r, const char *column, double value)
 {
@@ -120,7 +121,7 @@ static void print_rest(const asked *a, uint32_t m, double r)
     say(a, m, r, "bound", sqrt(pool_bound_r2(m)));
 }
 
-/* r = 0.05 .. 0.8625, all that a step takes, by `step` 80ths. */
+/* r = 0.05 .. 0.8625, the whole range of a step, in steps of `step` / 80. */
 static void print_map(const asked *a, int step,
                       void (*print)(const asked *a, uint32_t m, double r))
 {
@@ -129,7 +130,7 @@ static void print_map(const asked *a, int step,
             print(a, m, i / 80.0);
 }
 
-/* -- which --------------------------------------------------------------------------- */
+/* -- choice of the chart ------------------------------------------------------------- */
 
 static bool print_chart(const asked *a)
 {

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* The reference renderer judged by itself: how its picture converges.
+/* Convergence of the reference renderer, measured against itself.
  *
  *     reference samples WIDTH HEIGHT TICK SCENE...
  *         rows of the chart reference-samples: 1, 4, 16 and 64 samples a pixel against
  *         256, and the slope of a line through their logarithms
  *     reference tolerance WIDTH HEIGHT TICK SCENE...
- *         rows of reference-tolerance: how close a ray's root is, 1e-2 to 1e-10 m,
- *         against 1e-12, of one sample a pixel
+ *         rows of reference-tolerance: accuracy of a ray's root, 1e-2 to 1e-10 m,
+ *         against 1e-12, with one sample a pixel
  *     reference times WIDTH HEIGHT TICK SCENE...
- *         what those pictures take: ms of this machine, the least of three
+ *         time of these pictures on this machine, ms, least of three runs
  *
- * Differences are of 255, before they are rounded.  What is less than 1e-6 counts as
- * that: there the C library's functions show. */
+ * Differences are of 255, before rounding. Differences below 1e-6 are raised to 1e-6:
+ * smaller ones depend on the C library's functions. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -66,7 +66,7 @@ static difference apart(const ref_image *a, const ref_image *b)
     return d;
 }
 
-/* Of ln rms over ln samples, by least squares. */
+/* Slope of ln rms over ln samples, by least squares. */
 static double slope_of(const difference d[COUNTS])
 {
     double x = 0, y = 0, xx = 0, xy = 0;
@@ -88,14 +88,15 @@ static void row(const char *chart, const place *p, const char *point, const char
            (unsigned)p->height, point, column, value);
 }
 
-/* Others are judged by pictures of this setting, in every scene. */
+/* Row "used": pictures with this setting are the references of other charts, in each
+ * scene. */
 static void used_row(const char *chart, const place *p, const char *point, bool used)
 {
     printf("%s,%s;%ux%u;%s,used,%s\n", chart, p->name, (unsigned)p->width,
            (unsigned)p->height, point, used ? "all" : "-");
 }
 
-/* -- what is asked for --------------------------------------------------------------- */
+/* -- command line -------------------------------------------------------------------- */
 
 static void judge_samples(place *p)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws a baked scene by every row of span.h between the marks that span.sh counts by, and
- * says
+/* Draws a baked scene for each row of span.h between the marks of span.sh, and prints
  *     run CHART FROM KEY WATER-PIXELS
- * Freestanding where the compiler is told so, with a C library else. */
+ *
+ * Freestanding if the compiler is in freestanding mode, else with a C library. */
 #include "tests/charts/span.h"
 #include "base/arena.h"
 #include "frame/tools.h"
@@ -46,7 +46,7 @@ static void say_number(uint32_t n)
 
 static span_scene s;
 
-/* False: it cannot be drawn. */
+/* Draws the scene. Returns false if the scene cannot be drawn. */
 static bool draw(uint32_t *water)
 {
     const tp_config config = { .width = WIDTH,

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Exact instructions a water pixel of the pictures of span.h, as rows of the sweep.
+# Exact instructions per water pixel of the pictures of span.h, as rows of the sweep.
 #
 #   tests/charts/span.sh m4|x86 span|filter SCENE
 #

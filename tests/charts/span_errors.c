@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the pictures of span.h are off, as rows of the sweep; NAME is the baked scene's.
+/* Errors of the pictures of span.h, as rows of the sweep; NAME is the baked scene's.
  *
  *     span_errors-NAME span NAME      steps, against places in double precision
  *     span_errors-NAME filter NAME    filters and rates, against 8 x 8 samples a pixel:
@@ -20,7 +20,7 @@ enum { WIDTH = 320, HEIGHT = 240, COUNT = WIDTH * HEIGHT, PARTS = 8, RAYS = 64 }
 
 typedef struct {
     uint32_t pixel[COUNT], s[COUNT], t[COUNT];
-    bool     water[COUNT];      /* all of the pixel */
+    bool     water[COUNT];      /* the whole pixel is water */
 } drawing;
 
 static span_scene now;
@@ -66,7 +66,7 @@ static void gather(drawing *to, const uint32_t *samples, const uint32_t *pixels,
     }
 }
 
-/* `parts` samples each way, of the scene as it is now. */
+/* Draws the present scene with `parts` x `parts` samples a pixel. */
 static void draw(drawing *to, uint32_t parts)
 {
     const tp_config config = { .width = WIDTH * parts,
@@ -103,7 +103,7 @@ static void begin(const span_row *row)
 
 typedef struct {
     double colour, psnr;        /* rms of 255 of the worst channel; dB of all three */
-    double texels, texels_most; /* of the first picture's first level, rms and largest */
+    double texels, texels_most; /* of the first layer's finest level, rms and largest */
 } error;
 
 static double square_apart(uint32_t a, uint32_t b, int c)
@@ -157,7 +157,7 @@ static void say(const char *chart, const char *column, double value)
         printf("%s,%s,%s,%.4g\n", chart, point, column, value);
 }
 
-/* -- who draws so -------------------------------------------------------------------- */
+/* -- scenes that use a row ----------------------------------------------------------- */
 
 static bool by_triangles(const tp_scene *scene, const tp_rungs *rungs, const void *of)
 {
@@ -165,7 +165,8 @@ static bool by_triangles(const tp_scene *scene, const tp_rungs *rungs, const voi
     return rungs->visibility == TP_VISIBILITY_TRIANGLES;
 }
 
-/* As the row's settings say; scenes without pictures filter none. */
+/* True if the scene is drawn with the row's settings; scenes without textures have no
+ * filter. */
 static bool as_row(const tp_scene *scene, const tp_rungs *rungs, const void *of)
 {
     const tp_scene *row = of;
@@ -201,7 +202,8 @@ static void judge_steps(const char *name)
     }
 }
 
-/* Linear texels of all levels at every pixel, eight times as large each way. */
+/* Reference samples: bilinear texels of all levels at each pixel, eight times the size
+ * along each axis. */
 static void begin_samples(void)
 {
     const span_row *row = span_rows;
@@ -229,8 +231,8 @@ static void judge_filters(const char *name)
     }
 }
 
-/* On level water, as a mesh of waves strays from the exact surface farther than filters
- * from each other. */
+/* Level water only: a mesh of waves differs more from the exact surface than the filters
+ * differ from each other. */
 static void judge_samples(const char *name)
 {
     ref_scene scene;

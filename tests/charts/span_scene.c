@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* The scenes of span.h: shipped ones without their boats and foam, and settings. */
+/* Scenes of span.h: shipped scenes without boats and foam, and settings. */
 #include "cortex-m/baked.h"
 #include "scene/value.h"
 #include "tests/charts/span.h"
 
 #define WATER "boat.mesh= mirror.objects=none foam.cells=0 quality.lod=off "
 
-/* Steps: by triangles and exact stages; `plane` is the first picture on level water of
- * four squares of 50 m, as large as triangles come. */
+/* Settings of the steps: triangles and exact stages. `plane` is the first texture on level
+ * water of four squares of 50 m, the largest triangles. */
 #define MESH  WATER "quality.visibility=triangles quality.shading=exact quality.rate=full "
 #define PLANE MESH "wave0.amplitude=0 wave1.amplitude=0 wave2.amplitude=0 grid.cols=3 " \
     "grid.rows=3 grid.cell=50 camera.pitch=-20 water.filter=linear water.specular=0 " \
     "water.reflection=0 ripple.bump=0 distortion.strength=0 sky.kind=gradient " \
     "hdr.share=0 "
 
-/* Filters, and rates, which the quick stages alone know: the pictures without glints and
- * mirrors, which would hide what they differ by. */
+/* Settings of the filters and of the shading rates, which only the fast stages have: no
+ * glints and no mirrors, which would hide the differences. */
 #define LAYERS WATER "quality.visibility=rows water.specular=0 water.reflection=0 " \
     "ripple.bump=0 sky.kind=gradient sky.haze=0 hdr.share=0 "
 #define NEAREST LAYERS "quality.shading=exact water.filter=nearest "

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* src/raster/span.c, compiled once for each step, stands here in place of the library's:
- * its functions' names then end in _STEP. */
+/* Compiles src/raster/span.c once for each step, in place of the library's copy; the names
+ * of the functions end in _STEP. */
 #include "raster/raster.h"
 #include "tests/charts/span.h"
 #include "tests/charts/span_true.h"
@@ -32,7 +32,7 @@ void tp_tri_water(const tp_samples *tile, CORNERS)
     }
 }
 
-/* What is no water is drawn as the engine does it. */
+/* Solids are drawn by the engine's step. */
 void tp_tri_solid(const tp_samples *tile, CORNERS, uint32_t mark, uint32_t face,
                   int opacity)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The place of a pixel in a triangle: with weights w of the corners on the screen it is
- * sum w zi s / sum w zi, in double precision. */
+/* Texture place of a pixel in a triangle in double precision: with barycentric weights w on
+ * the screen, s = sum w zi s / sum w zi. */
 #include "tests/charts/span_true.h"
 
 #if !__STDC_HOSTED__
@@ -13,11 +13,11 @@ void span_true(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
 #include <math.h>
 #include <string.h>
 
-enum { MOST = 640 * 480 };        /* pixels of a tile */
+enum { MOST = 640 * 480 };        /* pixels of a tile, at most */
 
 static uint32_t before[MOST];
 
-/* Twice the area of two corners and a point, 28.4. */
+/* Twice the area of two vertices and a point, 28.4. */
 static double area(const tp_corner *a, const tp_corner *b, double u, double v)
 {
     return ((double)b->u - a->u) * (v - a->v) - (u - a->u) * ((double)b->v - a->v);
@@ -28,7 +28,7 @@ static uint32_t moved(int32_t from, double by)
     return (uint32_t)from + (uint32_t)(int32_t)lround(by);
 }
 
-/* Differences of s and t wrap, as those of the engine do. */
+/* Writes s and t of a pixel. Differences of s and t wrap, like the engine's. */
 static void put(const tp_samples *tile, size_t at, const tp_corner *const p[3], double u,
                 double v)
 {

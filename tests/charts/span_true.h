@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Water's triangles with places in double precision: what all steps are off from.  Only
- * where there is a C library: elsewhere it draws by `exact`. */
+/* Water triangles with places in double precision: the reference of all steps. Needs a C
+ * library; without a C library draws by `exact`. */
 #ifndef CHARTS_SPAN_TRUE_H
 #define CHARTS_SPAN_TRUE_H
 #include "raster/raster.h"
@@ -8,7 +8,7 @@
 typedef void span_draw(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
                        const tp_corner *c);
 
-/* Pixels are those of `exact`. */
+/* Draws the pixels that `exact` draws. */
 void span_true(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
                const tp_corner *c, span_draw *exact);
 #endif

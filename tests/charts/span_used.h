@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Which shipped scenes the plan draws by what, at 320x240 with their files read. */
+/* Lists the shipped scenes by the plan's rungs, at 320x240 with their files read. */
 #ifndef CHARTS_SPAN_USED_H
 #define CHARTS_SPAN_USED_H
 #include <stdbool.h>
@@ -7,7 +7,7 @@
 
 typedef bool rungs_test(const tp_scene *scene, const tp_rungs *rungs, const void *of);
 
-/* Their names parted by blanks, "all" or "-"; until the next call.  Ends the program if a
- * scene cannot be read. */
+/* Names of the scenes that pass the test, separated by blanks, "all" or "-"; valid until
+ * the next call. Ends the program if a scene cannot be read. */
 const char *span_used(rungs_test *test, const void *of);
 #endif

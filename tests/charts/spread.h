@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* How far a method is off over many more inputs than it is counted over: its kernel is run
- * block after block, and the largest and the rms of its errors are kept. */
+/* Error of a method over many more inputs than the counted run has: runs the kernel block
+ * after block, and keeps the largest and the rms error. */
 #ifndef SPREAD_H
 #define SPREAD_H
 #include <string.h>
@@ -23,14 +23,14 @@ static inline double spread_rms(const spread *s)
     return sqrt(s->squares / s->count);
 }
 
-/* Columns error_max and error_rms. */
+/* Prints the columns error_max and error_rms. */
 static inline void spread_rows(const kernel *k, const spread *s)
 {
     error_row(k, "error_max", s->most);
     error_row(k, "error_rms", spread_rms(s));
 }
 
-/* The method of a point "what;method". */
+/* Method of a point "task;method". */
 static inline const char *method_of(const kernel *k)
 {
     const char *parted = strrchr(k->point, ';');

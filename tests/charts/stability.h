@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Stability maps: where methods fail, measured by calling the engine's fixed point
- * functions, with the theory in double precision beside.  tests/stability/test_maps.c
- * holds the one to the other.
+/* Stability maps: the limits of methods, measured with the engine's fixed-point functions,
+ * beside the theory in double precision. tests/stability/test_maps.c compares the two.
  *
- *     stability CHART         rows of the sweep, CHART,KEYS,COLUMN,VALUE */
+ *     stability CHART         prints rows of the sweep, CHART,KEYS,COLUMN,VALUE */
 #ifndef STABILITY_H
 #define STABILITY_H
 #include <math.h>
@@ -17,28 +16,31 @@
 void stability_jacobian(void), stability_breaking(void), stability_buoyancy(void),
      stability_dispersion(void);
 
-/* -- seas of equal shares: stability_seas.c ------------------------------------------ */
+/* -- deep water with equal steepnesses: stability_seas.c ----------------------------- */
 
 #define STABILITY_WAVES 8
 
-/* So many waves, the golden ratio apart in length, 24 m the longest, whose steepnesses
- * add up to `sum`; their headings are spread evenly over `fan` degrees. */
+/* Deep water with that number of waves, their lengths the golden ratio apart, the longest
+ * 24 m; their steepnesses add up to `sum`, and their headings are spread evenly over `fan`
+ * degrees. */
 tp_sea stability_sea(int waves, double fan, double sum);
 
-/* The same sea without the clamp of [A11], for a sum up to 1.9; and any waves' sea. */
+/* The same water without the clamp of [A11], for a sum up to 1.9; and the same for given
+ * waves. */
 tp_sea stability_sea_unheld(int waves, double fan, double sum);
 tp_sea stability_unheld(const tp_wave *wave, uint32_t count, tp_fx gravity);
 
-/* Sum of QkA as it is. */
+/* Sum of QkA without the clamp. */
 double stability_sum(const tp_sea *sea);
 
-/* 1 less the greatest eigenvalue of sum QkA D D^T: where all crests meet [A11]. */
+/* 1 minus the greatest eigenvalue of sum QkA D D^T: the Jacobian where all crests meet
+ * [A11]. */
 double stability_crests(const tp_sea *sea);
 
-/* -- the Jacobian [A9] [A11] --------------------------------------------------------- */
+/* -- Jacobian [A9] [A11] ------------------------------------------------------------- */
 
-/* Its smaller eigenvalue, of the engine's sums: least over a sweep of the surface and
- * time, and then downhill from the least of each time. */
+/* Least of the Jacobian's smaller eigenvalue, from the engine's sums: over a sweep of the
+ * surface and of time, then downhill from the least of each time. */
 double stability_least(const tp_sea *sea);
 
 /* -- breaking [B14] [B15] ------------------------------------------------------------ */
@@ -46,46 +48,46 @@ double stability_least(const tp_sea *sea);
 enum { STABILITY_STEEP, STABILITY_DEPTH, STABILITY_MICHE, STABILITY_CRITERIA };
 enum { STABILITY_RISES = 57, STABILITY_DEPTHS = 49 };
 
-/* Of the map: H/L and h/L at its points, in equal ratios. */
+/* H/L and h/L of the map's points, in geometric series. */
 double stability_rise(int i);
 double stability_depth(int j);
 
-/* The engine's flags there. */
+/* The engine's flags at a point. */
 uint32_t stability_flags(double rise, double depth);
 
-/* H/L from which a criterion says that a wave breaks. */
+/* Least H/L at which a criterion calls a wave breaking. */
 double stability_border(int criterion, double h_over_l);
 
 /* -- inversion [E1] ------------------------------------------------------------------ */
 
 typedef enum {
-    STABILITY_PLAIN,            /* so many plain steps */
+    STABILITY_PLAIN,            /* a number of plain steps */
     STABILITY_COLD,             /* tp_sea_sample from the place itself */
-    STABILITY_WARM              /* ... from where the last tick's search ended */
+    STABILITY_WARM              /* ... from the end of the last tick's search */
 } stability_search;
 
-/* How far the point found is from the place asked for, and from the truth's height above
- * it, at the most, over places and times; m. */
+/* Largest distance of the point found from the place asked for, and from the reference's
+ * height above the place, over places and times; m. */
 typedef struct {
     double along, up;
 } stability_off;
 stability_off stability_inversion(const tp_sea *sea, stability_search how, uint32_t n);
 
-/* Above which no search ends: of n plain steps q^n of the first distance off; of the
- * engine's the 2 LSB of x and of z with which it is content. */
+/* Upper bound of a search's error: q^n of the first distance for n plain steps; for the
+ * engine the 2 LSB of x and z at which the search stops. */
 double stability_bound(const tp_sea *sea, stability_search how, uint32_t n);
 
 /* -- wave numbers [B2]-[B6] ---------------------------------------------------------- */
 
-/* x with x tanh x = y, to 1e-15 of it. */
+/* x with x tanh x = y, with a relative accuracy of 1e-15. */
 double stability_kh(double y);
 
-/* An approximation's k over the true one, less 1: by the engine for a wave of so many
- * metres on deep water, and its formula in double precision. */
+/* An approximation of k: the engine's function, and its formula in double precision. Errors
+ * are k over the true k, minus 1, for a wave with a given length on deep water. */
 typedef struct {
     const char *name;
-    int64_t (*engine)(int64_t k_inf_q32, tp_fx depth);  /* or NULL: not the engine's */
-    double  (*formula)(double y);       /* kh of k_inf h; NULL: it is the truth's own */
+    int64_t (*engine)(int64_t k_inf_q32, tp_fx depth);  /* or NULL: not in the engine */
+    double  (*formula)(double y);       /* kh of k_inf h; NULL: the exact one */
 } stability_number;
 enum { STABILITY_NUMBERS = 7 };
 extern const stability_number stability_numbers[STABILITY_NUMBERS];

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Which criterion says that a wave breaks [B14] [B15], over its height and the depth,
- * both in lengths of the wave there; and the way of the shipped scenes' waves up to the
- * shore, which shoal [B7] and are not yet held down. */
+/* Breaking criteria [B14] [B15] over a wave's height and the depth, both in local
+ * wavelengths; and the path of the shipped scenes' waves up to the shore, with shoaling
+ * [B7] and without the cap. */
 #include "tests/charts/stability.h"
 #include "tests/charts/used.h"
 #include "wave/depth.h"
 
 #define CHART  "stability-breaking"
-#define LENGTH 16.0             /* m, of the map's wave */
+#define LENGTH 16.0             /* wavelength of the map's wave, m */
 
 double stability_rise(int i)
 {
@@ -40,7 +40,7 @@ static void row(const char *set, double h, double rise, uint32_t flags, const ch
     printf(CHART ",%s;%.3g;%.3g,used,%s\n", set, h, rise, used);
 }
 
-/* One wave over all depths that the scene has and the map shows. */
+/* Rows of one wave over all depths of the scene that the map shows. */
 static void rows_of_wave(const char *name, int n, const tp_wave *wave, double deepest)
 {
     const int64_t k_inf = tp_depth_number_deep(wave->length);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The surface above a place [E1]: how far each way of finding it is off, over q, the sum
- * of steepnesses. */
+/* The surface above a place [E1]: errors of each search method over q, the sum of
+ * steepnesses. */
 #include "tests/charts/stability.h"
 #include "tests/charts/used.h"
 
@@ -8,21 +8,22 @@
 
 enum { WAVES = 2, SIDE = 16, TIMES = 24, TRUE_STEPS = 4000 };
 
-#define BETWEEN TP_FX(3.21875)  /* m, of the places */
-#define LATER   7               /* ticks, of the times */
+#define BETWEEN TP_FX(3.21875)  /* distance of the places, m */
+#define LATER   7               /* distance of the times, ticks */
 
 typedef struct {
     double x, y, z;
 } spot;
 
-/* f - mean of [A3], and the sine itself with a power of 1. */
+/* f - mean of [A3]; with a power of 1 the sine itself. */
 static double profile(const tp_swell *w, double sine)
 {
     return w->power > 1 ? 2 * pow((sine + 1) / 2, w->power) - w->mean_q24 / 16777216.0
                         : sine;
 }
 
-/* The swells' own numbers in double precision, so that what is off is the search. */
+/* Displaced point in double precision from the engine's own wave numbers, so the only error
+ * measured is the search. */
 static spot moved(const tp_sea *sea, const tp_turn *phases, double x, double z)
 {
     const double turn = 2 * STABILITY_PI, whole = 4294967296.0;
@@ -39,7 +40,8 @@ static spot moved(const tp_sea *sea, const tp_turn *phases, double x, double z)
     return s;
 }
 
-/* Plain steps, each q nearer, until they stay. */
+/* Height by plain steps, each reducing the distance by q, until the point no longer
+ * moves. */
 static double height_above(const tp_sea *sea, const tp_turn *phases, double x, double z)
 {
     double at_x = x, at_z = z;
@@ -62,7 +64,8 @@ static tp_sea_point found(const tp_sea *sea, const tp_turn *phases, tp_fx x, tp_
                                                  how == STABILITY_WARM ? rest : NULL);
 }
 
-/* One place over all times; a warm search begins with a cold one, which counts too. */
+/* Measures one place over all times; a warm search begins with a cold search, which counts
+ * too. */
 static void look(const tp_sea *sea, tp_fx x, tp_fx z, stability_search how, uint32_t n,
                  stability_off *off)
 {
@@ -127,7 +130,7 @@ static void rows_of_scenes(void)
     }
 }
 
-/* Plain steps go on to where the clamp does not let the engine's seas go. */
+/* Plain steps also cover sums above the clamp of the engine's deep water. */
 static void rows_of_plain(uint32_t steps)
 {
     char name[16];

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Wave numbers over a depth, k tanh(kh) = k_inf [B2]: what the approximations are off,
- * over kh.  A deep wave takes k for k_inf, a shallow one tanh(kh) for kh; Hunt's is his
- * sum of 1979 up to the sixth power. */
+/* Wave numbers over a depth, k tanh(kh) = k_inf [B2]: errors of the approximations over kh.
+ * Deep: k = k_inf. Shallow: tanh(kh) = kh. Hunt: the sum of 1979 up to the sixth power. */
 #include "tests/charts/stability.h"
 #include "tests/charts/used.h"
 #include "wave/depth.h"
 
 #define CHART "stability-dispersion"
 
-/* By Newton: x tanh x is convex, so that the steps come down to the root from above. */
+/* Newton's method: x tanh x is convex, so the steps approach the root from above. */
 double stability_kh(double y)
 {
     double x = y > 1 ? y : sqrt(y);
@@ -67,7 +66,7 @@ const stability_number stability_numbers[STABILITY_NUMBERS] = {
     { "hunt", NULL, hunt }, { "deep", NULL, deep }, { "shallow", NULL, shallow },
 };
 
-/* The truth is that of the numbers the engine is given, not of those they round. */
+/* The reference uses the engine's rounded inputs, not the values before rounding. */
 double stability_number_off(const stability_number *n, double kh, double length)
 {
     const int64_t k_inf = tp_depth_number_deep(TP_FX(length));
@@ -88,7 +87,8 @@ double stability_formula_off(const stability_number *n, double kh)
 
 static const double lengths[] = { 5, 40, 300 };     /* m on deep water */
 
-/* What no double tells from none is none, so that every machine prints the same. */
+/* Prints a row. Errors at the level of double precision print as 0, so each machine prints
+ * the same. */
 static void row(double kh, const char *column, const char *suffix, double off)
 {
     printf(CHART ",%.3g,%s%s,%.3g\n", kh, column, suffix,
@@ -111,7 +111,8 @@ static double point_of(int i)
     return 0.01 * pow(1000, i / (POINTS - 1.0));
 }
 
-/* Scenes with a wave whose kh at the scene's greatest depth is nearest to this point. */
+/* True if the scene has a wave whose kh at the scene's greatest depth is nearest to this
+ * point. */
 static bool is_of(const tp_scene *scene, int32_t point)
 {
     const tp_fx deepest = scene->floor.map[0] ? -scene->floor.map_low

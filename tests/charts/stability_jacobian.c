@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Where crests begin to loop [A11]: the least eigenvalue of the Jacobian, which is 0
- * where the surface folds, over the sum of steepnesses. */
+/* Onset of looping crests [A11]: the least eigenvalue of the Jacobian, 0 where the surface
+ * folds, over the sum of steepnesses. */
 #include "tests/charts/stability.h"
 #include <string.h>
 #include "tests/charts/used.h"
@@ -10,8 +10,8 @@
 
 enum { SIDE = 48, TIMES = 40, HALVINGS = 12 };
 
-#define BETWEEN TP_FX(1.0625)   /* m, of the sweep's places */
-#define LATER   433             /* ticks, of its times */
+#define BETWEEN TP_FX(1.0625)   /* distance of the sweep's places, m */
+#define LATER   433             /* distance of the sweep's times, ticks */
 
 typedef struct {
     int64_t x, z, tick;
@@ -40,7 +40,7 @@ static double eigenvalue_at(const tp_sea *sea, const tp_turn *phases, int64_t x,
     return eigenvalue(&sum);
 }
 
-/* The least of the sweep's places at one time. */
+/* Least of the sweep's places at one time. */
 static spot swept(const tp_sea *sea, int64_t tick)
 {
     spot    best = { 0, 0, tick, 9 };
@@ -72,7 +72,7 @@ static bool better(const tp_sea *sea, spot *best, int64_t dx, int64_t dz, int64_
     return true;
 }
 
-/* Downhill along places and time, by steps half as long each time. */
+/* Descends over places and time, halving the steps. */
 static double settled(const tp_sea *sea, spot at)
 {
     int64_t step = BETWEEN / 2, ticks = 64;
@@ -143,7 +143,7 @@ static bool is_told(size_t i)
     return false;
 }
 
-/* The shipped scenes' own seas, as on deep water, each once. */
+/* Rows of the shipped scenes' own waves, treated as deep water, each once. */
 static void rows_of_scenes(void)
 {
     const char *name;

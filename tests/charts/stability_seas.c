@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Seas for the maps of the Jacobian and of inversion. */
+/* Deep water for the maps of the Jacobian and of inversion. */
 #include "tests/charts/stability.h"
 
-#define FIRST_HEADING 30.0      /* off the axes */
+#define FIRST_HEADING 30.0      /* degrees off the axes */
 
 #define GRAVITY       TP_FX(9.81)
 
-/* Lengths have no common measure: all crests come as close together as one likes. */
+/* Sets the waves. The lengths have no common measure, so all crests come arbitrarily close
+ * together. */
 static void waves_of(tp_wave wave[STABILITY_WAVES], int waves, double fan, double sum)
 {
     double length = 24;
@@ -39,8 +40,8 @@ tp_sea stability_sea_unheld(int waves, double fan, double sum)
     return stability_unheld(wave, (uint32_t)waves, GRAVITY);
 }
 
-/* Half of it, doubled: below 2 each bend fits its Q2.30.  For the sums of J, and for
- * plain steps; what a point's slopes need is not there. */
+/* Half the steepnesses, doubled: below a sum of 2 each bend fits its Q2.30. Valid for the
+ * sums of J and for plain steps; the fields for a point's slopes are not set. */
 tp_sea stability_unheld(const tp_wave *wave, uint32_t count, tp_fx gravity)
 {
     tp_wave half[TP_WAVES];
@@ -60,7 +61,7 @@ tp_sea stability_unheld(const tp_wave *wave, uint32_t count, tp_fx gravity)
         w->reach_x *= 2;
         w->reach_z *= 2;
     }
-    sea.bend = 0;               /* which says nothing of it any more */
+    sea.bend = 0;               /* invalid from here on */
     sea.steepness *= 2;
     sea.reach *= 2;
     return sea;

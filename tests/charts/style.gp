@@ -50,7 +50,8 @@ set key at screen 0.11,0.985 left top Left reverse horizontal maxrows 1 samplen 
 set autoscale fix
 set lmargin 10; set rmargin 3; set tmargin 3.2; set bmargin 3.6
 
-# Log axes: with 1, 2 and 5 of each decade (up to three decades), or with powers of ten.
+# Logarithmic axes: with 1, 2 and 5 of each decade (up to three decades), or with powers
+# of ten.
 count(v) = v >= 1000 ? gprintf("%.0s%c", v) : sprintf("%g", v)
 ones(axis) = 'set logscale ' . axis . '; set ' . axis . 'tics (); ' . \
     'set for [e=-9:12] for [m in "1 2 5"] ' . axis . \

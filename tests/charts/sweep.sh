@@ -28,7 +28,7 @@ described()     # no table without its chart
         [ -s "tests/charts/$of.ini" ] || { echo "$table is of no chart"; return 1; }
     done
 }
-light()         # pictures are for a page
+light()         # pictures are small enough for a page
 {
     find $shipped -name '*.png' -size +200k -o -name '*.svg' -size +1000k | grep . && return 1
     return 0
@@ -42,7 +42,7 @@ done
 check "every table has its chart" described
 check "no picture is heavy" light
 
-drawn()         # CHART: its table can be drawn, without a word
+drawn()         # CHART: gnuplot draws its table without a message
 {
     for term in png svg; do
         gnuplot -e "csv='$shipped/$1.csv'; time_csv='$shipped/$1.time.csv'" \
@@ -114,7 +114,7 @@ same()
             exit bad || !compared
         }' $shipped/"$1.csv" "$scratch/small/$1.csv"
 }
-altered()       # CHART: the same, with one figure more
+altered()       # CHART: the same with one changed figure
 {
     cp "$scratch/small/$1.csv" "$scratch/kept"
     awk -F, -v OFS=, 'NR == 2 { for (i = 2; i < NF; i++) if ($i ~ /^[0-9.]+$/) $i += 1 }
@@ -133,7 +133,7 @@ for chart in $charts; do
 done
 [ -n "$first" ] && refuse "another figure would be found" altered "$first"
 
-# -- and by GNU parallel, on two machines -----------------------------------------------
+# -- with GNU parallel, on two machines -------------------------------------------------
 
 program=$(realpath "$program")
 cat >"$scratch/ssh" <<'END'
@@ -143,7 +143,7 @@ while [ "${1#-}" != "$1" ]; do shift; done
 echo "$1" >>"$0.hosts"
 shift
 [ "$1" != -- ] || shift
-cd / && SHELL=/bin/sh exec sh -c "$*"      # SHELL as of a login
+cd / && SHELL=/bin/sh exec sh -c "$*"      # SHELL as set by a login
 END
 chmod +x "$scratch/ssh"
 on_two()        # [OPTION]... [COMMAND]...
@@ -152,14 +152,14 @@ on_two()        # [OPTION]... [COMMAND]...
     parallel --ssh "$scratch/ssh" -S 1/one,1/two --wd "$PWD" "$@" &&
         [ "$(sort -u "$scratch/ssh.hosts" | wc -l)" = 2 ]
 }
-jobs()          # of one chart
+jobs()          # jobs of one chart
 {
     "$program" charts --list --only sine >"$scratch/list" &&
         on_two <"$scratch/list" >"$scratch/rows" &&
         "$program" charts --collect "$scratch/rows" "$scratch/apart" --only sine &&
         cmp "$scratch/apart/sine.csv" "$scratch/small/sine.csv"
 }
-film()          # of three ranges
+film()          # a film of three ranges
 {
     on_two --results "$scratch/{#}.y4m" "$program" render storm --size 64x48 \
         --frames {} --out - ::: 0:9 10:19 20:29 >/dev/null &&

@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* Ways to see a scene's water by grids of so many lines over the same stretch: what they
- * are off the reference renderer.
+/* Compares the water renderers, with grids of several line counts over the same area, with
+ * the reference renderer.
  *
  *     visibility points SCENE WIDTH HEIGHT
- *         each as METHOD;GRID and words for board.sh
+ *         prints each point as METHOD;GRID and words for board.sh
  *     visibility errors SCENE WIDTH HEIGHT TICK
- *         rows of the sweep
+ *         prints rows of the sweep
  *
- * Without the boat and what the reference does not draw, exact stages at the full rate, no
- * lines and no waves left out.  One sample a pixel by both, as glints smaller than pixels
- * would drown what methods differ by; waves end where the engine lets them, and textures
- * have its levels.  Outlines: pixels that are water in one picture alone, over the
- * reference's borders of water met going down its columns.  Colours: the rms of 255 of the
- * worst channel, of pixels that are water in both. */
+ * Drawn without the boat and without features that the reference leaves out, with exact
+ * stages at the full rate, no lines and no waves left out. Both pictures have one sample a
+ * pixel: glints smaller than a pixel would hide the differences of the renderers. Both have
+ * the engine's extent of waves and mipmap levels. Outline error: pixels that are water in
+ * one picture only, over the number of changes between water and other surfaces down the
+ * columns of the reference. Colour error: rms of 255 of the worst channel, over pixels that
+ * are water in both. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,7 +56,7 @@ static error error_of(const drawn_image *a, const ref_image *b)
 
 /* -- points -------------------------------------------------------------------------- */
 
-/* Grids beside the scene's own. */
+/* Grid sizes, in addition to the scene's own. */
 static const int32_t grids[] = { 32, 64, 128, 256 };
 static const char *const methods[] = { "triangles", "rows", "projected", "flat" };
 
@@ -64,7 +65,7 @@ enum { GRIDS = sizeof grids / sizeof *grids, METHODS = 4, POINTS = METHODS * (GR
 typedef struct {
     int     method;
     int32_t grid;
-    bool    chosen;             /* what the scene is drawn by */
+    bool    chosen;             /* renderer of the shipped scene */
 } point;
 
 typedef struct {

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* A picture's settings as words of a chart's job, for whoever draws it, counted or judged.
+/* Settings of a picture as words of a chart's job; shared by the programs that count and
+ * the programs that compare.
  *
  *     NAME=VALUE      a parameter of the scene
- *     grid=N          N lines of the grid each way, over the same stretch of water
+ *     grid=N          N lines of the grid along each axis, over the same area of water
  *     grid/N          one line of N */
 #ifndef WORDS_H
 #define WORDS_H
 #include "scene/value.h"
 
-/* Characters up to a blank, `end` or the text's end. */
+/* Number of characters up to a blank, `end` or the end of the text. */
 static inline size_t word_until(const char *text, char end)
 {
     size_t n = 0;
@@ -43,7 +44,8 @@ static inline void word_grid(tp_scene *scene, int32_t cols, int32_t rows)
     scene->grid.rows = rows < 2 ? 2 : rows;
 }
 
-/* False: it is not understood.  *still becomes false if the world knows of what is set. */
+/* Applies one word. Returns false if the word is not understood. *still becomes false if
+ * the world depends on the setting. */
 static inline bool word_set(tp_scene *scene, const char *word, size_t bytes, bool *still)
 {
     const size_t name = word_until(word, '=');
@@ -63,7 +65,7 @@ static inline bool word_set(tp_scene *scene, const char *word, size_t bytes, boo
     return param && !tp_param_set(scene, param, word + name + 1, bytes - name - 1, NULL);
 }
 
-/* All words of a text. */
+/* Applies all words of a text. */
 static inline bool words_set(tp_scene *scene, const char *text)
 {
     bool still = true, done = true;

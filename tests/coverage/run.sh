@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Prints which share of the core's lines and branches the unit tests, the program's own
-# and the golden frames reach: of all, and of the files that have the least.
+# Prints the share of the core's lines and branches that the unit tests, the program's
+# tests and the golden frames reach: in total, and for the files with the lowest share.
 #
-#   tests/coverage/run.sh [N]           the N lowest files, 20 unless told
+#   tests/coverage/run.sh [N]           the N lowest files, 20 by default
 #
-# For the lines of one of them:  gcov -b -t build/coverage/src/fx/fx.gcda
-# Built without asserts, whose failing branch no test takes, and without the program for newer
-# processors.  Headers are left out: gcov tells of each as often as it is included.
+# For the lines of one file:  gcov -b -t build/coverage/src/fx/fx.gcda
+# Built without asserts, whose failing branch no test takes, and without the program for
+# newer processors. Headers are left out: gcov reports them once for each inclusion.
 set -eu
 
 build=build/coverage
@@ -19,7 +19,7 @@ in_build()      # GOAL...
 tests=$(in_build -s list-tests | sed -n "s,^tests/\(unit\|host\|golden\)/[^=]*$,$build/&,p")
 in_build all $tests >$build.log 2>&1 || { tail $build.log; exit 1; }
 find $build -name '*.gcda' -delete
-tests/run.sh build/log/coverage $tests || :     # what failed has reached lines as well
+tests/run.sh build/log/coverage $tests || :     # failed tests have reached lines too
 
 find $build/src -name '*.gcda' -exec gcov -b -n {} + 2>/dev/null | awk -F"[':% ]+" '
     /^File /  { file = $2 }

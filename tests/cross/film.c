@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The baked scene's frames as a film, by the program's own conversion, on machines that
- * the program itself is not built for:
+/* Writes the baked scene's frames as a film with the tools' own conversion, on machines
+ * that the tools themselves are not built for:
  *
  *   film WxH FIRST:LAST FILE.y4m */
 #include <inttypes.h>
@@ -28,7 +28,7 @@ static tp_world *world_begin(void)
     return world;
 }
 
-/* One tile is the whole picture. */
+/* One tile covers the whole picture. */
 static int add_frame(film *to, const picture *p, tp_frame *frame, const tp_world *world,
                      void *scratch)
 {

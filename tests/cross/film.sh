@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# A film whose ranges were drawn on two machines, this one and an emulated aarch64, has
-# the bits of a single run.
+# A film whose ranges were drawn on two machines, this machine and an emulated aarch64,
+# has the bits of a single run.
 #     film.sh PROGRAM
 . tests/gates/lib.sh
 
@@ -35,11 +35,11 @@ there()
 {
     qemu-aarch64 "build/$target/tests/cross/film-$scene" $size "$1" "$scratch/$2"
 }
-joined()        # PART...: they are the single run
+joined()        # PART...: joined, they equal the single run
 {
     (cd "$scratch" && "$program" join film.y4m "$@" && cmp film.y4m all.y4m)
 }
-differs()       # PART...: they make a film, which is another one
+differs()       # PART...: joined, they make a different film
 {
     (cd "$scratch" && "$program" join film.y4m "$@" && ! cmp -s film.y4m all.y4m)
 }

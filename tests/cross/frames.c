@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The baked scene's frames as CRCs, with nothing but the core and printf: what every
- * processor, compiler and level of optimisation must agree on.
+/* Prints the CRCs of the baked scene's frames, with nothing but the core and printf. All
+ * processors, compilers and optimisation levels must print the same CRCs.
  *
- *   frames                                 the golden frames of every pixel format
- *   frames WxH FIRST:LAST FORMAT STRIPxBAND    any others; sides of 0: all in one tile
+ *   frames                                     golden frames of each pixel format
+ *   frames WxH FIRST:LAST FORMAT STRIPxBAND    other frames; sides of 0: all in one tile
  *
- * The second form adds a line of what the frames held, for those who count. */
+ * The second form adds a line with the contents of the frames, for counting. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -52,7 +52,7 @@ static painter painter_of(tp_config config)
     return p;
 }
 
-/* Tiles begin at whole bytes, since their columns are multiples of 16. */
+/* Copies a tile. Tiles begin at whole bytes: their columns are multiples of 16. */
 static void keep(painter *p, const tp_tile *tile)
 {
     const uint8_t *from = tile->pixels;

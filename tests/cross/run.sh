@@ -1,14 +1,14 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The same bits everywhere: builds the core and tests/cross/frames for each machine,
-# compiler and level of optimisation, and compares the golden frames' CRCs.  Both compilers
-# and all levels are dealt out to the machines but riscv64, which is to C what aarch64 is;
-# with TP_SOAK set all have all.  This machine's gcc at -O2 is what the golden tests run by,
-# and at -O1 what tests/gates/coverage.sh does.  Asserts are on but at -O3, whose frames are
-# those of a release.
+# Equal bits everywhere: builds the core and tests/cross/frames for each machine, compiler
+# and optimisation level, and compares the golden frames' CRCs. The pairs of compiler and
+# level are distributed over the machines except riscv64, which equals aarch64 as seen
+# from C; with TP_SOAK set each machine gets all pairs. The golden tests run with this
+# machine's gcc at -O2, and tests/gates/coverage.sh with -O1. Asserts are on except at
+# -O3, whose frames are those of a release.
 #
-# -O2 draws every pixel format, the other levels xrgb8888 alone.  LTO is -O2 -flto by gcc,
-# which compiles the whole core anew for each scene: it draws two of them.
+# -O2 draws all pixel formats, the other levels only xrgb8888. LTO is gcc with -O2 -flto,
+# which compiles the whole core again for each scene: LTO draws two scenes.
 . tests/gates/lib.sh
 
 scenes=$(build -s list-cross)
@@ -25,13 +25,14 @@ riscv64 | riscv64-linux-gnu   | qemu-riscv64 | riscv64 | -     | -
 s390x   | s390x-linux-gnu     | qemu-s390x   | s390x   | O2    | -
 "
 
-# "three-swells rgb565 frame 0000 crc32 1234abcd": as referred to, and as drawn.
+# "three-swells rgb565 frame 0000 crc32 1234abcd": expected lines; the drawn lines look
+# the same.
 for scene in $scenes; do
     for list in "tests/golden/$scene"/*.crc; do
         sed "s/^/$scene $(basename "$list" .crc) /" "$list"
     done
 done | sort >"$scratch/expected"
-frames_at()     # LEVEL: those of the golden frames that are drawn there
+frames_at()     # LEVEL: the golden frames drawn at that level
 {
     case $1 in
     O2)  cat "$scratch/expected" ;;
@@ -41,7 +42,7 @@ frames_at()     # LEVEL: those of the golden frames that are drawn there
     *)   grep xrgb8888 "$scratch/expected" ;;
     esac
 }
-draw()          # FOLDER FRAMES: they by the programs there, a scene on each core
+draw()          # FOLDER FRAMES: draws them with FOLDER's programs, one scene a core
 {
     rm -rf "$scratch/drawn" && mkdir "$scratch/drawn" || return 1
     cut -d' ' -f1,2 "$2" | uniq |
@@ -52,7 +53,7 @@ draw()          # FOLDER FRAMES: they by the programs there, a scene on each cor
 }
 check "there are golden frames to compare with" test -s "$scratch/expected"
 
-# try MACHINE COMPILER LEVEL: builds, runs, compares; tells "equal" or what went wrong.
+# try MACHINE COMPILER LEVEL: builds, runs, compares; prints "equal" or the error.
 try()
 {
     target=cross/$1-$2-$3
@@ -61,7 +62,7 @@ try()
     gcc)   cc=${triple:+$triple-}gcc ;;
     clang) cc="clang${triple:+ --target=$triple -isystem /usr/$triple/include}" ;;
     esac
-    if [ "$3" = LTO ]; then             # its objects are of a kind of their own
+    if [ "$3" = LTO ]; then             # LTO objects have a format of their own
         baked=$1-lto ar=${triple:+$triple-}gcc-ar opt='-O2 -flto' goals=
         for scene in $scenes_of_lto; do
             goals="$goals build/$target/tests/cross/frames-$scene"
@@ -96,11 +97,11 @@ while IFS='|' read -r machine triple emulator debian by_gcc by_clang; do
     [ -n "$machine" ] || continue
     case "${TP_SOAK:-}$by_gcc$by_clang" in
     *[!\ -]*) ;;
-    *) continue ;;                      # the soak's alone
+    *) continue ;;                      # in the soak only
     esac
     if [ -n "$triple" ]; then
         lacks "$triple-gcc" "gcc-$triple" "frames on $machine" && continue
-        [ "$machine/$(uname -m)" != i386/x86_64 ] || emulator=      # runs those itself
+        [ "$machine/$(uname -m)" != i386/x86_64 ] || emulator=      # runs them itself
         if [ -n "$emulator" ]; then
             lacks "$emulator" qemu-user "frames on $machine" && continue
         fi

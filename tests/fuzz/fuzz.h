@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Shared by the fuzz targets: a check that stays in every build, files that lie in
- * memory, and the form of a refusal.  Messages go to stderr as ever; tests/fuzz/run.sh
- * lets libFuzzer close it.  Include it first. */
+/* Shared by the fuzz targets: a check that all builds keep, files in memory, and the format
+ * of error messages. Messages go to stderr; tests/fuzz/run.sh lets libFuzzer close stderr.
+ * Include this header first. */
 #ifndef TP_TESTS_FUZZ_H
 #define TP_TESTS_FUZZ_H
 #define _GNU_SOURCE             /* memfd_create */
@@ -19,7 +19,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 #define REQUIRE(x) ((x) ? (void)0 : fuzz_stop(#x, __FILE__, __LINE__))
 
-/* Says so where the sanitizers say theirs: stderr may be closed. */
+/* Prints the failure where the sanitizers print: stderr may be closed. */
 static inline void fuzz_stop(const char *what, const char *file, int line)
 {
     char text[512];
@@ -30,7 +30,7 @@ static inline void fuzz_stop(const char *what, const char *file, int line)
 
 /* -- input ------------------------------------------------------------------------- */
 
-/* Takes the first byte off; 0 where there is none. */
+/* Removes and returns the first byte; 0 if there is none. */
 static inline uint8_t fuzz_byte(const uint8_t **data, size_t *size)
 {
     const uint8_t byte = *size ? **data : 0;
@@ -39,7 +39,8 @@ static inline uint8_t fuzz_byte(const uint8_t **data, size_t *size)
     return byte;
 }
 
-/* Takes off what stands before a line "%%", and that line; all, where there is none. */
+/* Removes and returns the part before a line "%%", and removes that line; returns all if
+ * there is no such line. */
 static inline const uint8_t *fuzz_part(const uint8_t **data, size_t *size, size_t *bytes)
 {
     const uint8_t *part = *data;
@@ -56,7 +57,7 @@ static inline const uint8_t *fuzz_part(const uint8_t **data, size_t *size, size_
     return part;
 }
 
-/* A heap block of exactly these bytes, so that ASan sees a read behind its end. */
+/* Heap block of exactly these bytes, so that ASan detects a read beyond the end. */
 static inline char *fuzz_copy(const uint8_t *data, size_t size)
 {
     char *copy = malloc(size ? size : 1);
@@ -65,7 +66,7 @@ static inline char *fuzz_copy(const uint8_t *data, size_t size)
     return copy;
 }
 
-/* The same, terminated. */
+/* Heap block with these bytes and a terminating 0. */
 static inline char *fuzz_text(const uint8_t *data, size_t size)
 {
     char *text = malloc(size + 1);
@@ -75,7 +76,7 @@ static inline char *fuzz_text(const uint8_t *data, size_t size)
     return text;
 }
 
-/* Ends a line; the next one, or NULL. */
+/* Ends the line and returns the next line, or NULL. */
 static inline char *fuzz_line(char *line)
 {
     char *end = line + strcspn(line, "\n");
@@ -89,7 +90,7 @@ static inline char *fuzz_line(char *line)
 
 enum { FUZZ_FILES = 3 };
 
-/* The path of file `i`, which then holds these bytes.  It is the same in every run. */
+/* Path of file `i`, with these bytes from now on. The path is equal in all runs. */
 static inline const char *fuzz_file(int i, const void *data, size_t size)
 {
     static struct { char path[32]; int fd; } files[FUZZ_FILES];
@@ -103,7 +104,7 @@ static inline const char *fuzz_file(int i, const void *data, size_t size)
     return files[i].path;
 }
 
-/* The bytes of a file as it is now, to free; *size: how many. */
+/* Present contents of a file; *size: number of bytes. The caller frees the result. */
 static inline uint8_t *fuzz_contents(const char *path, size_t *size)
 {
     FILE *file = fopen(path, "rb");
@@ -116,7 +117,7 @@ static inline uint8_t *fuzz_contents(const char *path, size_t *size)
     return bytes;
 }
 
-/* A folder of this process alone, in $TMPDIR. */
+/* A folder in $TMPDIR for this process only. */
 static inline const char *fuzz_folder(void)
 {
     static char folder[4096];
@@ -128,9 +129,9 @@ static inline const char *fuzz_folder(void)
     return folder;
 }
 
-/* -- refusals ---------------------------------------------------------------------- */
+/* -- error messages ---------------------------------------------------------------- */
 
-/* Counts lines, the last one with or without an end. */
+/* Number of lines; the last line may lack its end. */
 static inline unsigned fuzz_lines(const uint8_t *data, size_t size)
 {
     unsigned lines = size > 0 && data[size - 1] != '\n';
@@ -140,7 +141,7 @@ static inline unsigned fuzz_lines(const uint8_t *data, size_t size)
 }
 
 /* True if a message is "PLACE: sentence" or "PLACE:LINE: sentence", LINE 1..lines, without
- * control characters, which a terminal might obey. */
+ * control characters: they might control a terminal. */
 static inline bool fuzz_says(const char *message, const char *place, unsigned lines)
 {
     const size_t n = strlen(place);
@@ -159,7 +160,7 @@ static inline bool fuzz_says(const char *message, const char *place, unsigned li
     return message[0] == ' ' && message[1] && message[1] != ' ';
 }
 
-/* The host refused something, and has just said why. */
+/* Requires an error message from the last call. */
 static inline void fuzz_refused(const char *place, unsigned lines)
 {
     static unsigned before;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Command lines: the first byte chooses the command, then a word stands in each line.
- * Options that are taken are within their ranges; others are said with the command. */
+/* Fuzzes command lines: the first byte selects the command, then each line is a word.
+ * Accepted options are within their ranges; errors name the command. */
 #include "fuzz.h"
 #include "host/args.h"
 
@@ -24,7 +24,7 @@ static void require_ranges(const options *o, int words)
     REQUIRE(o->n_settings + o->n_names < (uint32_t)words);
 }
 
-/* Every word that was kept is one of those that were given, or a piece of one. */
+/* Each stored word is one of the given words, or a part of one. */
 static void require_words(const options *o, char *const *words, int count)
 {
     for (uint32_t i = 0; i < o->n_settings + o->n_names; i++) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A sweep's files, parted by lines "%%": the description of a chart, rows as --collect
- * reads them, the page's frame.  Rows give the same table in any order, and the table is
- * one that can be read. */
+/* Fuzzes a sweep's files, separated by lines "%%": the description of a chart, rows as read
+ * by --collect, and the frame of the page. Rows give the same table in any order, and the
+ * table can be read back. */
 #include "fuzz.h"
 #include "host/charts.h"
 #include "host/csv.h"
@@ -42,7 +42,8 @@ static int read_rows(cells *all, const charts *c, const char *path)
     return code;
 }
 
-/* An order of all keys: of two one is first, and three do not go round. */
+/* Requires a total order of all keys: of two keys one is first, and three keys have no
+ * cycle. */
 static void require_natural_order(const cells *all)
 {
     const size_t n = all->count < 12 ? all->count : 12;
@@ -57,7 +58,7 @@ static void require_natural_order(const cells *all)
         }
 }
 
-/* The lines from the last to the first, each ended. */
+/* The lines in reverse order, each with its end. */
 static char *turned(const uint8_t *rows, size_t size, size_t *bytes)
 {
     char *text = malloc(size + 2), *to = text;
@@ -77,7 +78,8 @@ static char *turned(const uint8_t *rows, size_t size, size_t *bytes)
     return text;
 }
 
-/* The table's bytes, to free; NULL: refused, or there is no row. */
+/* Contents of the table; the caller frees them. NULL: the rows were rejected, or there are
+ * none. */
 static uint8_t *table_of(const charts *c, cells *all, size_t *bytes)
 {
     const char *path = in_folder("a.csv");

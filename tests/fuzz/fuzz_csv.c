@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tables, as `check --vectors` reads them.  The first byte says of which model the rest
- * is; a table that is taken reads back the same, then the model works through it. */
+/* Fuzzes tables as read by `check --vectors`. The first byte selects the model of the
+ * table. An accepted table reads back the same, then the model runs on the table. */
 #include "fuzz.h"
 #include "host/check.h"
 #include "host/commands.h"
@@ -34,7 +34,8 @@ static void compare(const csv *a, const csv *b)
         REQUIRE(strcmp(a->fields[i], b->fields[i]) == 0);
 }
 
-/* Pools of 512x512 cells may be asked for a million steps, row by row: minutes. */
+/* True if the model may run for minutes: a table may ask for a million steps of a pool of
+ * 512x512 cells, row by row. */
 static bool takes_long(const csv *t)
 {
     static const struct { const char *column; double most; } limits[] = {
@@ -49,14 +50,15 @@ static bool takes_long(const csv *t)
     return false;
 }
 
-/* False: refused, and said why, or its model takes long. */
+/* Reads the table. Returns false if the table was rejected with a message, or if the model
+ * would take long. */
 static bool read_table(const char *path, unsigned lines)
 {
     csv table, again;
     char *text;
     size_t bytes;
     if (csv_read(&table, path)) {
-        fuzz_refused(path, lines + 1);      /* the line that lacks may be the next one */
+        fuzz_refused(path, lines + 1);      /* a missing line may be the next one */
         REQUIRE(!table.text && !table.notes && !table.fields);
         return false;
     }
@@ -73,7 +75,7 @@ static bool read_table(const char *path, unsigned lines)
 
 /* -- its model --------------------------------------------------------------------- */
 
-/* The folder's only table, which is a link to the file; *table is its path. */
+/* Makes the file the only table of the folder, by a link; *table is the link's path. */
 static void link_table(const char *model, const char *path, char *table, size_t bytes)
 {
     static char last[4200];

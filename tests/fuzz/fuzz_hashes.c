@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Lists of frames' CRCs, as --expect reads them.  Every line of a list that is taken is a
- * hash, a comment or blank, and what is printed of it reads back the same. */
+/* Fuzzes lists of frames' CRCs as read by --expect. Each line of an accepted list is a
+ * hash, a comment or blank, and its printed form reads back the same. */
 #include "fuzz.h"
 #include "host/hashes.h"
 
 #define BLANKS     " \t\r\v\f"
 #define HASH_BYTES "framec0123456789abcdefABCDEF" BLANKS    /* no sign, no "0x" */
 
-/* Four words of such bytes up to the line's end. */
+/* True if the line is four words of hash bytes up to the line's end. */
 static bool is_hash(const char *line)
 {
     unsigned words = 0;
@@ -55,7 +55,7 @@ static void read_back(const hashes *h)
     free(text);
 }
 
-/* A frame has one CRC in the whole list. */
+/* Each frame has one CRC in the whole list. */
 static void look_up(const hashes *h)
 {
     for (size_t i = 0; i < h->count; i++) {

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Scene files: the file, then behind a line "%%" lines as of --set.  A scene that is read
- * is within the table's ranges; saved over its own file, with what was set, it reads back
- * the same, and a scene that nothing was set in keeps its file's bytes. */
+/* Fuzzes scene files: the file, then behind a line "%%" lines in the form of --set. An
+ * accepted scene is within the ranges of the table; saved over its own file after the
+ * settings, the scene reads back the same, and without settings the file's bytes do not
+ * change. */
 #include "fuzz.h"
 #include "host/scene_save.h"
 #include "scene/value.h"
@@ -43,7 +44,7 @@ static void require_contents(const char *path, const uint8_t *data, size_t size)
     free(now);
 }
 
-/* True: something is set that was not so. */
+/* Applies the settings. Returns true if a value has changed. */
 static bool set_all(scene_file *file, const uint8_t *data, size_t size)
 {
     const tp_scene before = file->scene;
@@ -56,8 +57,8 @@ static bool set_all(scene_file *file, const uint8_t *data, size_t size)
     return memcmp(&before, &file->scene, sizeof before) != 0;
 }
 
-/* Names that were set are told relative to the file, which lies in another folder than
- * the program: they may change, and nothing else. */
+/* Compares two scenes. File names from settings are stored relative to the scene file, in
+ * another folder than the program: only file names may change. */
 static void compare(const tp_scene *a, const tp_scene *b)
 {
     uint32_t count;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Kept worlds for libFuzzer, under a right CRC: what is taken is drawn, moved by three
- * ticks and drawn again.  The first byte chooses one of the worlds of tests/host/kept.h;
- * 255: the rest is the whole file.  Then any number of changes:
+/* Fuzzes saved worlds under a correct CRC: an accepted world is drawn, moved by three ticks
+ * and drawn again. The first byte selects one of the worlds of tests/host/kept.h; 255: the
+ * rest is the whole file. Then follows any number of changes:
  *
- *     WHERE       a byte: 0: the file's head; 1: the world's; 2..7: a part
- *     OFFSET      two bytes, in words of 4; of a part from where it begins
+ *     WHERE       a byte: 0: the file's head; 1: the world's head; 2..7: a part
+ *     OFFSET      two bytes, in words of 4 from the beginning of the target
  *     HOW         a byte: 0..5: a hostile value; else 1 to 8 bytes that follow */
 #include "fuzz.h"
 #include "features/drops/drops.h"
@@ -22,13 +22,14 @@ static uint32_t take_bytes(input *in, int count)
     return value;
 }
 
-/* Where a part of the scene's world lies; 0: it has none. */
+/* Offset of a part in the scene's world; 0: the world has no such part. */
 static uint32_t place_of(const kept *k, const void *part)
 {
     return part ? (uint32_t)((const char *)part - (const char *)k->fresh) : 0;
 }
 
-/* Where a part begins in the file: the file's own for one that the scene lacks. */
+/* Offset of the target WHERE in the file; the world's head for a part missing in the
+ * scene. */
 static size_t begin_of(const kept *k, uint32_t where)
 {
     const tp_world_parts *p = &k->fresh->parts;

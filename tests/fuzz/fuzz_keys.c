@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Files of keys, as `view --keys` reads them.  A file that is refused changes no key; of
- * one that is taken no key asks for two things, and what the help shows reads back as the
- * same keys. */
+/* Fuzzes key files as read by `view --keys`. A rejected file changes no key. In an accepted
+ * file no key has two actions, and the help's text reads back as the same keys. */
 #include "fuzz.h"
 #include "sdl2/keymap.h"
 
@@ -21,7 +20,7 @@ static size_t count_words(const char *text)
     return count;
 }
 
-/* Every key asks for the action that it was given to. */
+/* Requires each key to have its assigned action. */
 static void press_all(const keymap *m)
 {
     for (int of = 0; of < ACTIONS; of++)
@@ -37,8 +36,8 @@ static void press_all(const keymap *m)
         }
 }
 
-/* As a file; a semicolon alone would begin a comment.  False: a text has no room for all
- * of its keys. */
+/* Writes the keys as a file; a semicolon alone would begin a comment. Returns false if a
+ * text is too short for all of its keys. */
 static bool write_all(const keymap *m, FILE *to)
 {
     bool whole = true;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Lines that people write, for libFuzzer: the first byte chooses a tape's head, a tape's
- * line, or which parameter the rest is the value of.  What is read must read back the
- * same from what is written of it. */
+/* Fuzzes lines written by people: the first byte selects a tape's head, a tape's line, or a
+ * parameter with the rest as its value. An accepted line reads back the same from its
+ * printed form. */
 #include "fuzz.h"
 #include "scene/tape.h"
 #include "scene/value.h"
@@ -32,7 +32,7 @@ static void try_entry(const char *text, size_t bytes)
         return;
     const size_t length = tp_tape_write(&entry, line, sizeof line);
     REQUIRE(length < sizeof line);
-    if (length == 0)                /* nothing of it was set */
+    if (length == 0)                /* the line has set nothing */
         return;
     REQUIRE(tp_tape_read(&again, line, length, &err) == TP_OK);
     REQUIRE(again.tick == entry.tick);

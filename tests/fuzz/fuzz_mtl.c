@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* MTL files for libFuzzer, read as the two libraries of a small OBJ.  The first byte
- * tells how large the pieces are in which the rest is fed.  Nothing in an MTL is an error,
- * and each warning has its line. */
+/* Fuzzes MTL files, read as the two libraries of a small OBJ. The first byte sets the size
+ * of the pieces in which the rest is fed. Nothing in an MTL is an error, and each warning
+ * has its line. */
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* OBJ files for libFuzzer.  The first byte tells how large the pieces are in which the
- * rest is fed; each is a heap block of its own.  What is read must hold together. */
+/* Fuzzes OBJ files. The first byte sets the size of the pieces in which the rest is fed;
+ * each piece is a heap block of its own. An accepted mesh must be consistent. */
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* PNG files, as textures and as greys.  Mutations keep the chunks' CRCs right, or nearly
- * every file would be refused by its first one.  What is read becomes a texture; as a
- * drawn picture it is written and reads back the same. */
+/* Fuzzes PNG files, as textures and as grey maps. Mutations keep the chunks' CRCs correct;
+ * otherwise the reader would reject nearly each file by its first CRC. An accepted picture
+ * becomes a texture; written as a drawn picture it reads back the same. */
 #include "fuzz.h"
 #include "host/picture.h"
 #include "pixel/pixel.h"
 
-enum { PIXELS_MOST = 4096 };        /* that are written and read again */
+enum { PIXELS_MOST = 4096 };        /* most pixels to write and read again */
 
 size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t most);
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned seed);
 
-/* -- right CRCs -------------------------------------------------------------------- */
+/* -- correct CRCs ------------------------------------------------------------------ */
 
 static uint32_t word_at(const uint8_t *at)
 {
@@ -38,7 +38,7 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned
     return size;
 }
 
-/* -- what is read ------------------------------------------------------------------ */
+/* -- use of accepted pictures ------------------------------------------------------ */
 
 static void make_texture(const uint32_t *pixels, uint32_t w, uint32_t h)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Bytes of a board's serial port.  Every line is answered by "ok" or "error"; an error
- * has changed nothing, and whatever was set the scene stays one that can be drawn: some
- * ticks of it are made, and a picture, in the memory that was there at the beginning. */
+/* Fuzzes the bytes of a board's serial port. Each line is answered by "ok" or "error"; an
+ * error changes nothing. After any settings the scene can still be drawn: some ticks and a
+ * picture are made, in the memory of the start. */
 #include "fuzz.h"
 #include "board/control.h"
 #include "tidepool/modules.h"
@@ -58,7 +58,8 @@ static void make_scene(tp_scene *s, uint8_t kind)
     s->sky.kind = kind & 32 ? TP_SKY_DUSK : TP_SKY_GRADIENT;
 }
 
-/* The scene lies in ROM where `kind` says so; blocks have the bytes asked for. */
+/* Opens a board. `kind` decides if the scene lies in ROM; the blocks have exactly the bytes
+ * asked for. */
 static void board_open(board *b, uint8_t kind)
 {
     memset(b, 0, sizeof *b);
@@ -95,7 +96,7 @@ static void board_close(board *b)
 
 /* -- lines ------------------------------------------------------------------------- */
 
-/* Whole lines, of which the last one begins so. */
+/* True if the output is whole lines and the last line begins with `word`. */
 static bool ends_with_line(const board *b, const char *word)
 {
     size_t at = b->length;
@@ -107,7 +108,7 @@ static bool ends_with_line(const board *b, const char *word)
         && b->said[at + strlen(word)] > ' ';
 }
 
-/* True: it ended a line. */
+/* Feeds a byte. Returns true if the byte ended a line. */
 static bool feed(board *b, uint8_t byte)
 {
     const tp_scene scene = b->scene;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The preview's session for libFuzzer: the first byte chooses whether the rest is all of
- * session.ini, or the lines that follow the world's name, which is then right.  Settings
- * that are read are set on a scene, as --resume does. */
+/* Fuzzes the preview's session file: the first byte decides if the rest is all of
+ * session.ini, or the lines behind a correct name of the world. The settings are applied to
+ * a scene, as --resume does. */
 #include "fuzz.h"
 #include "host/scene_file.h"
 #include "host/session.h"
@@ -31,7 +31,7 @@ static void write_session(const uint8_t *data, size_t size, bool whole)
     REQUIRE(fwrite(data, 1, size, to) == size && fclose(to) == 0);
 }
 
-/* "name=value", which names a row of the table or is refused. */
+/* Applies "name=value" lines; each names a row of the parameter table or is rejected. */
 static void set_all(const session_state *state)
 {
     scene_file file;
@@ -53,7 +53,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const bool whole = fuzz_byte(&data, &size) % 4 == 3;
     write_session(data, size, whole);
     if (session_read(&state) == 0) {
-        REQUIRE(state.scene != NULL || state.count == 0);   /* nothing whole is kept */
+        REQUIRE(state.scene != NULL || state.count == 0);   /* all or nothing is kept */
         set_all(&state);
     }
     session_free(&state);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Lines as words behind --set.  What is refused has changed nothing and is said; what is
- * taken is told as a text that sets the same. */
+/* Fuzzes lines as words behind --set. A rejected word changes nothing and is reported; an
+ * accepted word prints as a text for the same value. */
 #include "fuzz.h"
 #include "host/scene_file.h"
 #include "scene/value.h"
@@ -18,7 +18,7 @@ static scene_file file_of(uint32_t *set_at)
     return file;
 }
 
-/* A place is "--set", or tells what lacks of a word without a name. */
+/* Requires a message whose place is "--set", or a message about a word without a name. */
 static void require_message(void)
 {
     unsigned count;
@@ -41,7 +41,7 @@ static void require_row(const scene_file *file, const char *setting)
     REQUIRE(*number >= param->low && *number <= param->high);
 }
 
-/* Each row that was set, as text, sets another scene to the same. */
+/* Each changed row, printed as text, sets another scene to the same value. */
 static void set_again(const scene_file *file)
 {
     static uint32_t set_at[ROWS];

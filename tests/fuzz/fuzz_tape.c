@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tapes, whole files of them, of a scene called "pond".  What is read is recorded again
- * and reads back the same; then it is played to that scene, the first ticks of it. */
+/* Fuzzes whole tape files for a scene called "pond". An accepted tape is recorded again and
+ * reads back the same; then the tape is played to the scene for the first ticks. */
 #include "fuzz.h"
 #include "host/replay.h"
 
@@ -27,7 +27,7 @@ static void require_order(const deck *d, unsigned lines)
     }
 }
 
-/* A recording has no line for an entry that asks for nothing. */
+/* Records a tape. A recording has no line for an entry without input. */
 static void record(const deck *d, const char *path)
 {
     deck to;
@@ -61,7 +61,7 @@ static void compare(const deck *d, const deck *again)
     REQUIRE(k == again->count);
 }
 
-/* False: refused. */
+/* Reads a tape. Returns false if the tape was rejected. */
 static bool read_tape(const char *path, unsigned lines)
 {
     deck d, again;
@@ -83,7 +83,7 @@ static bool read_tape(const char *path, unsigned lines)
 
 /* -- its scene --------------------------------------------------------------------- */
 
-/* As small as a scene with waves, pool and drops can be. */
+/* Path of the smallest scene with waves, pool and drops. */
 static const char *scene_path(void)
 {
     static const char text[] = "[grid]\ncols = 4\nrows = 4\n[pool]\ncols = 16\nrows = 16\n"
@@ -118,7 +118,7 @@ static void play(const char *path, unsigned lines)
     if (replay_open(&r, &s, &o, REPLAY_ALL))
         fuzz_refused(path, lines);
     else
-        REQUIRE(play_ticks(&r, &s, &o) == EXIT_DONE);   /* all was tried before */
+        REQUIRE(play_ticks(&r, &s, &o) == EXIT_DONE);   /* validated before */
     replay_close(&r);
     stage_close(&s);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Bytes of a terminal, as `show` reads keys: a first byte of 0 is a tick, of 1 a pause
- * that tells an Esc from a sequence, of others that many bytes at once.  Whatever comes,
- * an input stays small, and keys go up again. */
+/* Fuzzes the bytes of a terminal, as `show` reads keys: a first byte of 0 is a tick, 1 is a
+ * pause between Esc and a sequence, other values are a number of bytes at once. After any
+ * bytes the input stays small, and all keys are released. */
 #include "fuzz.h"
 #include "live/wish.h"
 #include "screen/keys.h"
@@ -26,7 +26,7 @@ static void require_input(const tp_input *in, size_t bytes)
         REQUIRE(in->push[i].height == 0);
 }
 
-/* Without more bytes nothing is held after as many ticks as a byte can count. */
+/* Without more bytes no key is held after 256 ticks, the most that a byte can count. */
 static void let_go(keys *k, size_t bytes)
 {
     for (int i = 0; i < 256; i++) {

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Films, as `join` reads them: one or two, parted by a line "%%".  A film joined from one
- * part is that part; from two, the second one's frames follow the first one's. */
+/* Fuzzes films as read by `join`: one or two, separated by a line "%%". A film joined from
+ * one part equals the part; in a film of two parts, the second part's frames follow the
+ * first part's. */
 #include "fuzz.h"
 #include "host/commands.h"
 
-/* An exit code; the film is there if it is 0, and nothing is otherwise. */
+/* Joins films. Returns an exit code; the output file exists if the code is 0, and only
+ * then. */
 static int join(const char *out, const char *first, const char *second)
 {
     char *words[] = { "join", (char *)out, (char *)first, (char *)second, NULL };

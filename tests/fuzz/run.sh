@@ -1,16 +1,16 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Feeds every fuzz target random input for FUZZ_SECONDS (6) under ASan and UBSan, as many
-# at a time as there are processors.  FUZZ_ONLY="csv tape" runs some of them.
+# Feeds each fuzz target random input for FUZZ_SECONDS (6) under ASan and UBSan, in
+# parallel on all processors. FUZZ_ONLY="csv tape" selects targets.
 #
-# Seeds and inputs that once broke something lie in tests/fuzz/NAME/ and are run first;
-# words that an input is made of in tests/fuzz/NAME.dict.  TP_SEED repeats the random
-# numbers of a run, up to how fast the machine is.
+# Seeds and inputs of past failures lie in tests/fuzz/NAME/ and run first; the words of an
+# input format are in tests/fuzz/NAME.dict. TP_SEED repeats the random numbers of a run,
+# apart from the effect of the machine's speed.
 . tests/gates/lib.sh
 
 seconds=${FUZZ_SECONDS:-6}
 
-# Leaves in $scratch/NAME what it found; what breaks a target stays in build/fuzz.
+# Writes the result to $scratch/NAME; an input that breaks the target stays in build/fuzz.
 run_one()       # NAME
 {
     program=build/fuzz/tests/fuzz/fuzz_$1
@@ -48,7 +48,7 @@ clang -fsanitize=fuzzer "$scratch/try.c" -o "$scratch/try" 2>/dev/null ||
     { echo "skipped: fuzzing (package libclang-rt-dev)"; exit 77; }
 
 sanitize=address,undefined
-# Calls through pointers are checked in C++ alone, by a library that C does not link.
+# Only C++ has the check of calls through pointers, by a library that C does not link.
 check "the fuzz targets build" build SAY=@ TARGET=fuzz CC=clang V3_C= CHECKED=1 \
     OPT="-O1 -g1 -fsanitize=fuzzer-no-link,$sanitize -fno-sanitize=function \
          -fno-sanitize-recover=all" LDFLAGS="-fsanitize=$sanitize" fuzzers

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The same gates on the core as Cortex-M0 and Cortex-M4 run it.
+# The gates on the core's code for Cortex-M0 and Cortex-M4.
 . tests/gates/lib.sh
 
 stack_limit=4096

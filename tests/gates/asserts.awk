@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-# What TP_ASSERT is given has no effect: a release leaves it out.
+# Arguments of TP_ASSERT must have no effect: a release leaves them out.
 #
 #   awk -f tests/gates/asserts.awk src/*/*
 #
-# No assignment, no ++ and --, and no call but of macros and of the functions named here,
-# which change nothing.  Prints how many asserts a folder has in a thousand lines, then
-# the core: fewer than `least` or more than `most` of the core are wrong, if those are
-# given.
+# Forbidden: assignments, ++ and --, and calls except of macros and of the functions named
+# here, which change nothing. Prints the number of asserts per thousand lines of each
+# folder and of the core. A core figure below `least` or above `most`, if given, is an
+# error.
 BEGIN {
     n = split("sizeof tp_abs tp_clz tp_corner_fits tp_lens_holds tp_pool_full " \
               "tp_sheet_is", name, " ")
@@ -20,7 +20,7 @@ function folder_of(file,    part)
     return part[2]
 }
 
-# What is within the parentheses that TP_ASSERT opens, or "" while they are open.
+# Text within the parentheses of TP_ASSERT, or "" while they are open.
 function within(text,    from, i, c, depth)
 {
     from = index(text, "TP_ASSERT(") + 10

@@ -1,16 +1,16 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# clang finds nothing to warn of either, in the core, the program and the tests.
+# clang reports no warnings in the core, the program and the tests.
 #
-# Its warnings come of reading the source alone, and it is slower to start than to read a
-# file: so all files that make would compile by the same flags are read by one process,
-# which the driver does not offer and tells how to call.  tests/cross/run.sh has clang
-# make objects.
+# The warnings only need the sources, and clang takes longer to start than to read a file:
+# all files that make would compile with the same flags are read by one process. The
+# driver has no option for this, but prints the command to call. tests/cross/run.sh
+# compiles objects with clang.
 . tests/gates/lib.sh
 
 lacks clang clang "clang's warnings" && exit 77
 
-# What make would compile of those goals, "FILE FLAGS" a line.
+# Files that make would compile for these goals, "FILE FLAGS" a line.
 wanted()
 {
     build -n V=1 TARGET=clang MACHINE=host CC=clang OPT=-O0 CHECKED=1 \
@@ -27,7 +27,7 @@ wanted()
         }' | LC_ALL=C sort -u
 }
 
-# warned FILE: reads the list of that name; what clang says, false if that is anything.
+# warned FILE: reads the list of that name; prints clang's output, false if there is any.
 warned()
 {
     cut -d' ' -f2- "$1" | LC_ALL=C sort -u >"$1.flags"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The core builds at -O1 and tells gcov which lines were reached; with TP_SOAK set the
-# program and every unit test build so.
+# The core builds at -O1 and reports its reached lines to gcov; with TP_SOAK set the
+# program and each unit test build in the same way.
 . tests/gates/lib.sh
 
 lacks gcov gcc "coverage" && exit 77
@@ -12,12 +12,12 @@ built()         # GOAL...
 {
     build TARGET=$target OPT='-O1 --coverage' "$@"
 }
-golden()        # the frames are the golden ones
+golden()        # the frames are the golden frames
 {
     $frames xrgb8888 | cut -d' ' -f2- >"$scratch/frames" &&
         diff tests/golden/$scene/xrgb8888.crc "$scratch/frames"
 }
-reached()       # FILE PERCENT: at least so much of its lines
+reached()       # FILE PERCENT: at least this share of its lines
 {
     gcov -n "build/$target/${1%.c}.gcda" >"$scratch/gcov" 2>/dev/null &&
         awk -v file="'$1'" -v least="$2" -F'[:% ]' '

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
-# A feature is known in its own folder alone.
+# A feature is known only in its own folder.
 #
 #   awk -f tests/gates/features.awk include/tidepool/*.h src/*/*.[ch] src/*/*/*.[ch]
 #
-# A header of src/features/NAME is included by files of that folder, and names that begin
-# with tp_FEATURE_ stand there alone.  A feature is what declares a module, so the list of
-# names follows the code.  The list of modules, tidepool/modules.h, and features/all*.c name
-# them all; public headers may declare a feature's functions.
+# Headers of src/features/NAME are included only by files of that folder, and names that
+# begin with tp_FEATURE_ occur only there. Each file that declares a module is a feature,
+# so the list of names follows the code. The list of modules, tidepool/modules.h, and
+# features/all*.c name all features; public headers may declare a feature's functions.
 BEGIN {
-    # Modules by their prefixes; files are read twice, first for these.
+    # Prefixes of the modules; files are read twice, first for the prefixes.
     for (i = 1; i < ARGC; i++)
         if (ARGV[i] ~ /src\/features\/[a-z_]+\//) {
             folder = ARGV[i]

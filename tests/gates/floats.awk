@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Floating-point arithmetic and conversion in x86-64 code.  Vector moves and whole-number
-# vector arithmetic are the compiler's good right.
+# Finds floating-point arithmetic and conversion in x86-64 code. Vector moves and integer
+# vector arithmetic are allowed.
 #
 #   objdump -d --no-show-raw-insn libtidepool.a | awk -f tests/gates/floats.awk
 /^[0-9a-f]+ <.*>:$/ { here = $2; functions++ }

@@ -1,15 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The public headers are C and C++: each compiles alone without a warning, what they
-# declare is linked from both, and both draw the same picture.  tests/gates/clang.sh has
-# clang compile them too.
+# The public headers are C and C++: each compiles alone without a warning, the declared
+# functions link from both, and both draw the same picture. tests/gates/clang.sh compiles
+# the headers with clang too.
 . tests/gates/lib.sh
 
 library=${TP_BUILD:-build/host}/libtidepool.a
 
 check "gcc compiles every public header alone, as C11 to C++20" headers_alone gcc g++
 
-# Names of all functions and constants that the headers declare, without inline ones.
+# Names of all functions and constants that the headers declare, except inline functions.
 declared()
 {
     echo '#include "tidepool/tidepool.h"' >"$scratch/all.c"
@@ -23,8 +23,8 @@ declared()
 }
 check "the headers' functions and constants are found" declared
 
-# An application reads few headers, and few functions.  Stages, stores, conditions and the
-# check of lacks are no functions to call: a program's list names them.
+# An application needs few headers and few functions. Stages, stores, conditions and
+# tp_lacks_check do not count: a program's list names them, no application calls them.
 few()
 {
     grep -v '^tp_\(stage\|store\)_\|^tp_[a-z_]*_enabled$\|^tp_lacks_check$' \
@@ -35,7 +35,7 @@ few()
 }
 check "there are at most 8 headers and 50 functions" few
 
-# Their addresses, taken in C++.
+# Takes the functions' addresses in C++.
 linked()
 {
     {
@@ -54,7 +54,7 @@ linked()
 }
 check "C++ links every one of them" linked
 
-# What macros give is constant in C++ too; header and library are of one version.
+# Macros give constants in C++ too; header and library have the same version.
 constants()
 {
     cat >"$scratch/constants.cpp" <<'END'
@@ -76,7 +76,7 @@ END
 }
 check "constants and versions are C++'s too" constants
 
-# The README's first program by both languages; C++ before 2020 lacks its initialisers.
+# The README's first program in both languages; C++ before 2020 lacks its initialisers.
 same_picture()
 {
     first_program | tee "$scratch/first.c" >"$scratch/first.cpp"
@@ -88,7 +88,7 @@ same_picture()
 }
 check "the README's first program draws one picture in C and C++" same_picture
 
-# The version's numbers stand in its header; the program tells the library's.
+# The version's numbers stand in the header; the program prints the library's.
 version=$(sed -n 's/^#define TP_VERSION_\(MAJOR\|MINOR\|PATCH\) *//p' \
     include/tidepool/tidepool.h | paste -sd.)
 written_once()

@@ -16,15 +16,15 @@ contracts() { awk "$@" -f $gates/asserts.awk $(core_files | grep '^src/'); }
 check "asserts have no effect: $(contracts | sed -n 's/^core *//p')" contracts
 check "5 to 10 of them in a thousand lines" contracts -v least=5 -v most=10
 
-listed()        # the Makefile's list of core files is the folder's
+listed()        # the Makefile's list of core files equals the folder's content
 {
     build -s list-core | tr ' ' '\n' | sort >"$scratch/listed"
     find src -name '*.c' | sort | diff "$scratch/listed" -
 }
 check "the Makefile lists every file of the core" listed
 
-# Compiled for the general registers alone: floating point is then an error or a call of
-# the compiler's soft-float library, which the gate on symbols finds.
+# Compiled for general registers only: floating point is then an error, or a call of the
+# compiler's soft-float library, which the gate on symbols finds.
 whole=build/gates/libtidepool.a
 compiled()
 {
@@ -42,7 +42,7 @@ x86_64)
         no_floats "${TP_BUILD:-build/host}/libtidepool.a" ;;
 esac
 
-# What ports for pages and boards share: no heap, no files, no floats either.
+# Ports shared by pages and boards: no heap, no files, no floats either.
 shared()
 {
     for file in ports/live/*.c; do

@@ -1,27 +1,29 @@
 # SPDX-License-Identifier: MIT
-# Includes point down.
+# Includes point to lower ranks.
 #
 #   awk -f tests/gates/layers.awk include/tidepool/*.h src/*/* ports/*/*.[ch]
 #
-# Ranks low to high; modules on one line are peers and do not see each other.  A public
-# header has the rank of the module that implements it; `types` names who sees one from
-# below that rank, for its types.  Public headers include those before them in their order.
+# Ranks from low to high; modules on one line are peers and do not include each other. A
+# public header has the rank of the module that implements it; `types` names the lower
+# modules that may include a header for its types. A public header may include the headers
+# before it in their order.
 #
-# Host, sdl2, screen, linuxfb, kms and null are tools: they see every header of src.  Other
-# ports see the public headers and themselves, and of src what `grants` names:
-#   rpi, cortex-m   share one block out (arena.h) and print a picture's checksum (pixel.h);
+# Host, sdl2, screen, linuxfb, kms and null are tools: they may include all headers of
+# src. Other ports include the public headers and their own, and from src those named in
+# `grants`:
+#   rpi, cortex-m   share one block of memory (arena.h), print a picture's checksum (pixel.h),
 #                   count pixels of water (tools.h), write buttons as a tape (tape.h)
-#   board           a serial line is a tape's, and sets rows by their texts (value.h)
-#   live            carries a world's state over a change (world.h, meter.h), and looks for
+#   board           a serial line has the tape's format, and sets rows by text (value.h)
+#   live            keeps a world's state over a change (world.h, meter.h), and finds
 #                   the water under a pixel (parts.h, pools.h, drops.h, fx.h)
 #   web             reads OBJ in pieces (reader.h), has a governor (tools.h), keeps the camera
-#                   of a world that it makes anew (world.h)
-# Raw screens, linuxfb and kms, are shown by screen, which host hands its pictures to.  What
-# live knows of input and changes is for every port where somebody acts.  The preview
-# compares its pictures with the reference's, which is in tests.  The host library, in
-# ports/library, gives others what host and live have.  A module that a program
-# brings itself, in ports/examples, sees what the library's own modules see; TP_MORE names
-# the header that lists such modules.
+#                   of a world that it makes again (world.h)
+# The raw screens linuxfb and kms are driven by screen, and host passes its pictures to
+# screen. The input and the changes of live are for all interactive ports. The preview
+# compares its pictures with the reference's, which is in tests. The host library, in
+# ports/library, offers the parts of host and live to other programs. A program's own
+# modules, in ports/examples, include the same headers as the library's modules; TP_MORE
+# names the header that lists such modules.
 BEGIN {
     levels = split("base|fx|pixel|asset wave pool|geom|raster shade|scene|frame|features|" \
                    "engine", level, "|")
@@ -69,7 +71,7 @@ BEGIN {
         guest[sights[i]]
 }
 
-# The module of a public header, by its name without folder and ".h".
+# Module of a public header, by its name without folder and ".h".
 function module_of(name)
 {
     sub(/\.h$/, "", name)
@@ -106,7 +108,7 @@ FNR == 1 {
     public = step[1] == "tidepool"
     if (tree == "ports") {
         if ($0 ~ /</ && !public)
-            next                                    # the system's
+            next                                    # a system header
         if (step[1] == "..")
             step[1] = step[2]
         if (step[1] in rank && (folder in tool || (folder "=" name) in granted))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-# What the gates share; read by `.`, from the project's root.
+# Functions shared by the gates; read by `.`, from the project's root.
 
 failures=0
 
-# check NAME COMMAND...: one case; what the command prints is shown if it fails.
+# check NAME COMMAND...: one case; prints the command's output if the case fails.
 check()
 {
     name=$1; shift
@@ -16,7 +16,7 @@ check()
     fi
 }
 
-# refuse NAME COMMAND...: a case that holds when the command finds something wrong.
+# refuse NAME COMMAND...: a case that passes if the command finds an error.
 refuse()
 {
     name=$1; shift
@@ -28,20 +28,20 @@ refuse()
     fi
 }
 
-# lacks TOOL PACKAGE NAME: true, and says so, when the tool is not there.
+# lacks TOOL PACKAGE NAME: true, with a message, if the tool is missing.
 lacks()
 {
     ! command -v "$1" >/dev/null && echo "skipped: $3 (package $2)"
 }
 
-# A build of its own, outside of the make that may have called us.
+# A separate build, independent of a make that may have called this script.
 build()         # [VARIABLE=VALUE]... GOAL...
 {
     env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS make -j2 --no-print-directory "$@"
 }
 
-# alone COMMAND...: of those that build for other processors one at a time, since several
-# tests use what they make.
+# alone COMMAND...: runs commands that build for other processors one at a time, since
+# several tests use their output.
 alone()
 {
     mkdir -p build/cross && (flock 9 && "$@") 9<build/cross
@@ -62,7 +62,8 @@ every_file()
         -print | sort
 }
 
-# Gates on an archive, by the tools of a target: "" is this machine, or "arm-none-eabi-".
+# Gates on an archive, with the tools of a target: "" is this machine, or
+# "arm-none-eabi-".
 symbols()     { "$1nm" -A "$2" | awk -f $gates/symbols.awk; }
 no_state()    { "$1size" -A "$2" | awk -f $gates/state.awk; }
 no_deeper()                     # BYTES FILE.ci...
@@ -75,7 +76,7 @@ no_floats()   { objdump -d --no-show-raw-insn "$1" | awk -f $gates/floats.awk; }
 strict="-pedantic-errors -Wall -Wextra -Wconversion -Wshadow -Werror"
 
 # headers_alone CC CXX [FOLDER]: each header of FOLDER/tidepool compiles alone, included
-# twice, by every standard of C and C++ that it is meant for.
+# twice, by each standard of C and C++ that it supports.
 headers_alone()
 {
     folder=${3:-include} alone=$scratch/alone
@@ -96,8 +97,8 @@ headers_alone()
     done
 }
 
-# The README's first program as it stands there, with a show() that prints the CRC-32 of
-# picture 30 and ends; it fails unless every pixel of each picture was shown.
+# The README's first program, unchanged, with a show() that prints the CRC-32 of picture
+# 30 and ends; fails unless all pixels of each picture were shown.
 first_program()
 {
     cat <<'END'

@@ -1,12 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The gates find what they are there to find: each is fed a good and some bad examples.
+# Tests of the gates: each gate gets a good example and some bad ones.
 . tests/gates/lib.sh
 
 mkdir -p "$scratch/src/fx" "$scratch/src/wave" "$scratch/src/pool" "$scratch/src/odd" \
     "$scratch/include/tidepool" "$scratch/ports/sdl2"
 
-# put FILE LINE...: a file of those lines under a licence line.
+# put FILE LINE...: writes a file with these lines under a licence line.
 put()
 {
     file=$scratch/$1; shift
@@ -108,7 +108,7 @@ refuse "headers: one that cannot be included twice" headers one
 put one/tidepool/a.h '#ifndef TP_A_H' '#define TP_A_H' 'extern uint32_t tp_a;' '#endif'
 refuse "headers: one that leans on another" headers one
 
-# compile NAME TEXT: NAME.a and NAME.ci under the scratch folder.
+# compile NAME TEXT: makes NAME.a and NAME.ci in the scratch folder.
 compile()
 {
     printf '%s\n' "$2" >"$scratch/$1.c"
@@ -173,7 +173,7 @@ refuse "asserts: a call that may have an effect" asserts src/pool/d.c
 put src/pool/e.c 'int f(int n) { return n; }'
 refuse "asserts: code without any" asserts src/pool/e.c
 
-# assert_by FLAG...: a program whose assert does not hold: what it says, its exit code.
+# assert_by FLAG...: a program whose assert fails; prints its output and its exit code.
 cat >"$scratch/broken.c" <<'END'
 #include "base/assert.h"
 int main(int count, char **words) { TP_ASSERT(count == 0); return words == 0; }
@@ -207,7 +207,7 @@ check  "runner: a skip is no failure" \
 refuse "runner: a skip is a failure under TP_STRICT" \
     env TP_STRICT=1 tests/run.sh "$scratch/log" "$scratch/skips"
 
-# tells STRICT TEST PATTERN: the runner passes FINE and TEST, and prints such a line.
+# tells STRICT TEST PATTERN: the runner runs FINE and TEST, and prints a matching line.
 tells()
 {
     env TP_STRICT="$1" tests/run.sh "$scratch/log" "$scratch/fine" "$scratch/$2" \
@@ -226,8 +226,9 @@ check  "runner: exit 77 without a reason is printed" tells "" mute 'skipped: .*m
 fake both   'echo "FAILED - a"; echo "skipped: b (package c)"; exit 77'
 refuse "runner: a failed case fails in a test that exits with 77" tells "" both '.*'
 
-# Without libraries the Makefile builds fewer tests; those left out are told by name.
-every_test()    # LIBRARIES: pkg-config knows those alone; no kernel headers
+# Without libraries the Makefile builds fewer tests, and reports the missing tests by
+# name.
+every_test()    # LIBRARIES: pkg-config knows only these; no kernel headers
 {
     for library in $1; do
         cp "$(pkg-config --variable=pcfiledir "$library")/$library.pc" "$scratch/pc/" ||

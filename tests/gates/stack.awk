@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 # The deepest stack of the core, from gcc -fcallgraph-info=su: no recursion, no frame of
-# a size not known before, and no more than LIMIT bytes from any public function down.
+# unknown size, and at most LIMIT bytes below any public function.
 #
 #   awk -v limit=BYTES -v pointers=FILE -f tests/gates/stack.awk FILE.ci...
 #
-# FILE says which functions call through a pointer and whom; a call through a pointer
-# that it does not know is an error.  Functions of the compiler's library have no figure;
-# they are leaves of a few words.
+# FILE lists the functions that call through a pointer, and their targets; a call through
+# an unlisted pointer is an error. Functions of the compiler's library have no figure;
+# they are leaves with a few words of stack.
 BEGIN {
     while ((getline line < pointers) > 0)
         if (line !~ /^#/ && split(line, column, " ") == 2) {
@@ -15,7 +15,7 @@ BEGIN {
         }
 }
 
-# "src/frame/tile.c:shade_row.isra.0" is plainly shade_row.
+# Plain name: "src/frame/tile.c:shade_row.isra.0" is shade_row.
 function plain(name)
 {
     sub(/.*:/, "", name)
@@ -56,7 +56,7 @@ function field(key,    s)
         calls[from, ++n_calls[from]] = to
 }
 
-# The calls of `from` through pointers, as the rules have them.
+# Adds the calls of `from` through pointers, by the rules.
 function follow(from,    i, name, found)
 {
     for (i = 1; i <= rules; i++)
@@ -72,7 +72,7 @@ function follow(from,    i, name, found)
     }
 }
 
-# Depth of the stack below and with `name`; `path` is the chain of callers.
+# Depth of the stack from `name` down; `path` is the chain of callers.
 function depth(name, path,    i, deepest, d, to)
 {
     if (index(path, " " name " ")) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # The core keeps no state of its own: nothing in .data, .bss or thread-local storage.
-# Constant tables of addresses (.data.rel.ro) are no state.
+# Constant tables of addresses (.data.rel.ro) do not count as state.
 #
 #   size -A libtidepool.a | awk -f tests/gates/state.awk
 / :$|ex / || /:$/ { file = $1 }

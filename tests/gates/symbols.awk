@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-# What the whole core asks of its surroundings, and what it shows them.
+# External symbols of the whole core: undefined and exported names.
 #
 #   nm -A libtidepool.a | awk -f tests/gates/symbols.awk
 #
-# Undefined may be mem*, and the compiler's helpers for whole numbers.  A soft-float call
-# (__aeabi_fmul, __muldf3 ...) is none of them, so this is a gate against floats as well.
-# Every name that is defined for others begins with tp_.
+# Allowed as undefined: mem*, and the compiler's helpers for integers. A soft-float call
+# (__aeabi_fmul, __muldf3 ...) is not allowed, so this is also a gate against floats. Each
+# exported name begins with tp_.
 BEGIN {
     allowed = "^(mem(cpy|set|move|cmp)|__aeabi_(u?i|u?l)div(mod)?" \
               "|__aeabi_(lmul|llsl|llsr|lasr|lcmp|ulcmp|mem.*)|__gnu_thumb1_case_.*" \

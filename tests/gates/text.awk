@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What every source file keeps to: a licence line on top, no tab outside of makefiles and
-# scripts, no blank at a line's end, and 90 columns, of which 100 are the hard limit.
+# Rules for each source file: a licence line at the top, no tab outside of makefiles and
+# scripts, no blank at a line's end, and 90 columns, with a hard limit of 100.
 #
 #   awk -f tests/gates/text.awk FILE...
 function wrong(why)

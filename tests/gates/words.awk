@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Words that the core does not use: floating point, the heap, the C library, jumps,
-# threads and what holds them.
-# Comments and strings are free to.
+# Words forbidden in the core: floating point, the heap, the C library, jumps, threads and
+# locks. Comments and strings may contain them.
 #
 #   awk -f tests/gates/words.awk include/tidepool/*.h src/*/*
 BEGIN {

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
-# Prints the lines that sites.awk lists in a random order given by `seed`, in which every
-# operator is as likely as the others.
+# Prints the lines of sites.awk in a random order given by `seed`; all operators are
+# equally likely.
 BEGIN { FS = "\t" }
 {
     if (!($5 in count)) operators[++kinds] = $5
     sites[$5, ++count[$5]] = $0
 }
 
-# A whole number from 1 to n, by the minimal standard generator: its products stay below
-# 2^47, so that every awk draws the same.
+# A random integer from 1 to n, by the minimal standard generator: its products stay below
+# 2^47, so all awks draw the same numbers.
 function chance(n) {
     seed = seed * 16807 % 2147483647
     return seed % n + 1

@@ -1,19 +1,20 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Breaks the core in random places, one at a time, and counts the breaks that tests notice.
+# Mutation test: breaks the core in random places, one at a time, and counts the mutants
+# that tests detect.
 #
 #   tests/mutants/run.sh [N [SEED [FILE...]]]       100 mutants, seed 1, of the core
 #
-# sites.awk lists the places and the operators, each of which is equally likely.  A mutant
-# that does not compile, or compiles to the code of the original, is replaced by another.
-# Tests of the mutated file run first, then those of its folder, the golden frames, and
-# the rest, quick ones before slow ones; the first that fails has killed the mutant.  A
-# test may take five times its usual processor time.  With MUTANTS_MOST set, tests that
-# usually take more seconds than that are left out; with MUTANTS_ONLY set, tests of other
-# names than that pattern of grep.
+# sites.awk lists the places and the operators; all operators are equally likely. A mutant
+# that does not compile, or compiles to the original's code, is replaced by another. Tests
+# of the mutated file run first, then tests of its folder, the golden frames, and the
+# rest, fast tests before slow ones; the first failing test kills the mutant. A test may
+# take five times its usual processor time. With MUTANTS_MOST set, tests that usually take
+# more seconds are left out; with MUTANTS_ONLY set, tests whose names do not match that
+# grep pattern are left out.
 #
-# All of it happens to a copy of the sources, in build/mutants.  The tests are linked with
-# the core as a shared library, so that a mutant costs one compilation.
+# The mutants are made in a copy of the sources, in build/mutants. The tests are linked
+# with the core as a shared library, so a mutant costs one compilation.
 set -eu
 
 count=${1:-100} seed=${2:-1}
@@ -22,7 +23,7 @@ count=${1:-100} seed=${2:-1}
 here=$(pwd)/tests/mutants top=build/mutants tree=build/mutants/tree
 export TP_SEED=1
 
-# -- the copy, built and timed ---------------------------------------------------------
+# -- copy, build and timing ------------------------------------------------------------
 
 mkdir -p $tree
 find Makefile LICENSE README.md assets include ports src tests -type f >$top/files
@@ -39,14 +40,15 @@ in_tree()       # GOAL...
         TARGET=mutants V3_C= CHECKED=1 OPT='-O2 -fPIC' CFLAGS=-w LIB=$core "$@"
 }
 
-# passes TEST SECONDS: within that processor time.
+# passes TEST SECONDS: true if the test passes within that processor time.
 passes()
 {
     (cd $tree && ulimit -c 0 && ulimit -t "$2" && ulimit -v 8000000 &&
         exec timeout -k 5 $(($2 * 20)) "$1" >test.log 2>&1 </dev/null)
 }
 
-# timed TEST: whether it passes; prints its name and seconds of processor time, rounded up.
+# timed TEST: true if the test passes; prints its name and its processor time in seconds,
+# rounded up.
 timed()
 {
     (passes "$1" 900 && times) >$top/took || { cat $tree/test.log; return 1; }
@@ -58,7 +60,7 @@ echo "building the tests"
 in_tree list-tests | grep -v = |
     grep -e "${MUTANTS_ONLY:-.}" | sed 's,^,build/mutants/,' >$top/tests
 in_tree $core $(cat $top/tests) >$top/log 2>&1 || { tail $top/log; exit 1; }
-# Times hold as long as the sources do.
+# The times are valid while the sources do not change.
 { xargs cksum <$top/files; cat $top/tests; } | cksum >$top/sum.new
 if ! cmp -s $top/sum.new $top/sum; then
     echo "timing them"
@@ -70,7 +72,7 @@ fi
 
 # -- mutants ---------------------------------------------------------------------------
 
-# order FILE: the tests that run, as said above.
+# order FILE: the tests to run, in the order described above.
 order()
 {
     unit=${1#src/}
@@ -81,7 +83,7 @@ order()
             print rank, $2, $1 }' $top/times | sort -k1,1n -k2,2n | cut -d' ' -f2,3
 }
 
-# killer FILE: the test that notices, or nothing.
+# killer FILE: the test that detects the mutant, or nothing.
 killer()
 {
     order "$1" | while read -r seconds test; do

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The list of mutants: what it takes for a place to break, and what not.
+# Tests of the list of mutants: places that can break, and places that cannot.
 . tests/gates/lib.sh
 
 sites()         # C-LINE...: the mutants as OPERATOR:NEW

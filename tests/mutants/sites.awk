@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: MIT
-# Lists the mutants of C files, one a line, tab-separated:
+# Lists the mutants of C files, one a line, separated by tabs:
 #     FILE LINE COLUMN LENGTH OPERATOR NEW
-# COLUMN and LENGTH are the text that NEW replaces.  Operators:
+# NEW replaces the text at COLUMN with LENGTH. Operators:
 #     sum       + and - exchanged
 #     product   * and / exchanged
 #     bound     < and <=, > and >=, == and != exchanged
 #     logic     && and || exchanged
-#     constant  a whole number one more or one less
+#     constant  an integer plus or minus one
 #     delete    an assignment or a call left out
-#     negate    the condition of an if turned round
-# Comments, strings, preprocessor lines and assertions hold none.  Binary
-# operators are told from unary ones by the blanks around them.
+#     negate    the condition of an if inverted
+# Comments, strings, preprocessor lines and assertions have no mutants. Blanks around an
+# operator distinguish binary from unary operators.
 
 function site(column, length_, operator, new) {
     print FILENAME "\t" FNR "\t" column "\t" length_ "\t" operator "\t" new
 }
 
-# The line with comments, strings and characters blanked; `inside`: of a comment.
+# The line with comments, strings and characters blanked; `inside`: within a comment.
 function bare_of(line,    out, c, two, i, quote) {
     out = ""
     quote = ""
@@ -94,7 +94,7 @@ function is_balanced(text,    i, c, depth) {
     return depth == 0
 }
 
-# Whole statements of one line, that follow one that has ended.
+# Whole statements on one line, behind a complete statement.
 function statements(bare,    text, from) {
     text = bare
     sub(/ +$/, "", text)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The camera in double precision: axes from heading and pitch, a pinhole, no more. */
+/* The camera in double precision: a pinhole with axes from heading and pitch. */
 #ifndef TP_REFERENCE_CAMERA_H
 #define TP_REFERENCE_CAMERA_H
 #include <math.h>
@@ -11,8 +11,8 @@ typedef struct {
 
 typedef struct {
     ref_vec eye, right, up, ahead;
-    double  focal, near;        /* pixels; m */
-    double  u0, v0;             /* the picture's centre, pixels */
+    double  focal, near;        /* focal length, pixels; near plane, m */
+    double  u0, v0;             /* centre of the picture, pixels */
 } ref_camera;
 
 static inline double ref_dot(ref_vec a, ref_vec b)
@@ -49,7 +49,7 @@ static inline ref_camera ref_camera_of(tp_vec3 eye, tp_turn heading, tp_turn pit
     };
 }
 
-/* x right, y up, z the depth ahead, metres. */
+/* World to view space: x right, y up, z depth ahead, m. */
 static inline ref_vec ref_view(const ref_camera *c, ref_vec p)
 {
     const ref_vec d = ref_sub(p, c->eye);

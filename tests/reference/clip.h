@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Sutherland and Hodgman's clipping in double precision, plane after plane. */
+/* Polygon clipping by Sutherland and Hodgman in double precision, one plane after
+ * another. */
 #ifndef TP_REFERENCE_CLIP_H
 #define TP_REFERENCE_CLIP_H
 #include <math.h>
 
-/* Scaled view coordinates, metres: inside where z >= near and |x|, |y| <= band z. */
+/* Vertex in scaled view coordinates, m: inside if z >= near and |x|, |y| <= band z. */
 typedef struct {
     double x, y, z;
 } ref_clip_corner;
@@ -55,7 +56,7 @@ static inline int ref_clip(const ref_clip_corner in[3], ref_clip_corner out[8],
     return count;
 }
 
-/* Twice the area on the screen of x/z, y/z. */
+/* Twice the area of the polygon on the screen, with vertices (x/z, y/z). */
 static inline double ref_clip_area(const ref_clip_corner *c, int count)
 {
     double sum = 0;

@@ -15,7 +15,8 @@ static ref_vec unpacked(tp_packed_dir n)
     return (ref_vec){ tp_dir_x(n) / 511.0, tp_dir_y(n) / 511.0, tp_dir_z(n) / 511.0 };
 }
 
-/* The sun's light from L, less than a unit long where its beam is narrowed. */
+/* Vector towards the sun; shorter than 1 under water, where the refracted beam is
+ * narrower. */
 static ref_vec sun_at(const ref_scene *s, bool wet)
 {
     ref_vec down;
@@ -26,7 +27,7 @@ static ref_vec sun_at(const ref_scene *s, bool wet)
     return ref_times_vec(down, -s->light.y / -down.y);
 }
 
-/* [F5]: Phong's, or Blinn's of four times the exponent. */
+/* Specular lobe [F5]: Phong's, or Blinn's with four times the exponent. */
 static double lobe(const ref_scene *s, double shininess, ref_vec n, ref_vec way,
                    ref_vec sun)
 {
@@ -41,8 +42,8 @@ static double lobe(const ref_scene *s, double shininess, ref_vec n, ref_vec way,
     return pow(ref_clamp(rv, 0, 1), shininess);
 }
 
-/* Colour, normal and the way that is looked along.  A narrowed beam has its own share of
- * light, and a lobe of the same width. */
+/* Phong shading of a material with normal `n` seen along `way`. A narrowed beam scales the
+ * diffuse light and the lobe; the width of the lobe does not change. */
 static ref_colour phong(const ref_scene *s, const coat *c, ref_vec n, ref_vec way,
                         ref_vec sun)
 {
@@ -58,7 +59,8 @@ static ref_colour phong(const ref_scene *s, const coat *c, ref_vec n, ref_vec wa
 
 /* -- the boat ------------------------------------------------------------------------ */
 
-/* N bent by a texel along the tangent T and the bitangent B = +-N x T. */
+/* Normal N bent by a normal map's texel along the tangent T and the bitangent B = +-N x
+ * T. */
 static ref_vec bent(ref_vec n, uint32_t texel, double bump, tp_packed_dir tangent)
 {
     const ref_vec t = unpacked(tangent), b = ref_cross(n, t);
@@ -119,8 +121,9 @@ static ref_colour boat_colour(const ref_scene *s, const ref_solid *solid, ref_ve
 
 /* -- drops --------------------------------------------------------------------------- */
 
-/* Below the horizon lies the water: its colour in the light of all sides and the sun's,
- * a quarter of the horizon in it, grows out of the horizon's within 14 degrees. */
+/* Surroundings of a drop. Below the horizon lies water: the water's colour in ambient and
+ * sun light, mixed with a quarter of the horizon's colour. The water blends with the
+ * horizon within 14 degrees. */
 static ref_colour around(const ref_scene *s, ref_vec d)
 {
     const ref_colour sky = ref_heaven(s, (ref_vec){ d.x, fmax(d.y, 0), d.z });
@@ -129,8 +132,8 @@ static ref_colour around(const ref_scene *s, ref_vec d)
     return ref_mix(sky, ref_mix(water, sky, 0.25), ref_clamp(-4 * d.y, 0, 1));
 }
 
-/* A ball of water: a ray leaves it turned by 2 (i - r) towards its middle [F4]; what the
- * first surface mirrors comes on top, and Phong's lobe. */
+/* Colour of a drop, a ball of water: the refracted ray leaves turned by 2 (i - r) towards
+ * the centre [F4]; the reflection of the first surface and Phong's lobe are added. */
 static ref_colour drop_colour(const ref_scene *s, ref_vec n, ref_vec way)
 {
     const double c = ref_clamp(-ref_dot(n, way), 0, 1), i = acos(c);
@@ -150,10 +153,11 @@ static ref_colour drop_colour(const ref_scene *s, ref_vec n, ref_vec way)
                              nl > 0 ? pow(ref_clamp(rv, 0, 1), 40) : 0));
 }
 
-/* -- the rest ------------------------------------------------------------------------ */
+/* -- ground and walls ---------------------------------------------------------------- */
 
-/* A picture laid over a plane in world metres, `far` metres away.  Of the ground the
- * slant counts, from a metre more than the eye's height. */
+/* Texture laid over a plane in world metres, seen from a distance of `far` m. For the
+ * ground the mipmap level also counts the slant of the view; the eye's height counts as at
+ * least one metre. */
 static ref_colour laid(const ref_scene *s, const tp_texture *t, int32_t colour,
                        tp_fx size, double u, double v, double far, bool ground)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Waves over a depth in double precision: [B2], [B7] and [B8] of the models as they are
- * printed, solved until nothing changes any more. */
+/* Waves over a finite depth in double precision: [B2], [B7] and [B8] of the models as
+ * printed, iterated until the result no longer changes. */
 #ifndef TP_REFERENCE_DEPTH_H
 #define TP_REFERENCE_DEPTH_H
 #include <math.h>
@@ -18,7 +18,8 @@ static inline int64_t ref_to_q32(double x)
     return (int64_t)llround(x * 4294967296.0);
 }
 
-/* k tanh(kh) = k_inf: x tanh x grows with x, so halving an interval cannot fail. */
+/* Solves k tanh(kh) = k_inf by bisection: x tanh x grows with x, so bisection cannot
+ * fail. */
 static inline double ref_depth_number(double k_inf, double h)
 {
     double low = k_inf, high = k_inf + 2 * sqrt(k_inf / h);
@@ -33,7 +34,7 @@ static inline double ref_depth_number(double k_inf, double h)
     return (low + high) / 2;
 }
 
-/* cg / c [B7]. */
+/* Group velocity over phase velocity, cg / c [B7]. */
 static inline double ref_group_share(double k, double h)
 {
     const double x = 2 * k * h;
@@ -45,8 +46,8 @@ static inline double ref_shoaling(double k_inf, double k, double h)
     return sqrt(k / k_inf / (2 * ref_group_share(k, h)));
 }
 
-/* int sqrt(k^2 - kz^2) dx by Simpson in steps that are even in sqrt(h), which k is not
- * far from a straight line of: from x0 to x1 on a floor that rises by `slope`. */
+/* Phase integral of sqrt(k^2 - kz^2) dx from x0 to x1 on a floor that rises by `slope`;
+ * Simpson's rule in even steps of sqrt(h), in which k is almost linear. */
 static inline double ref_slope_phase(double k_inf, double kz, double depth, double slope,
                                      double x0, double x1, int steps)
 {

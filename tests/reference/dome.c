@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Generated skies; palettes are the engine's, as data. */
+/* Generated skies. The palettes are the engine's, copied as data. */
 #include "dome.h"
 
 typedef struct {
-    int      sine;              /* 256ths */
+    int      sine;              /* sine of the elevation, in 1/256 */
     uint32_t colour;
 } stop;
 
@@ -37,7 +37,8 @@ static ref_colour between_stops(const stop *s, double sine)
                    ref_clamp(share, 0, 1));
 }
 
-/* Towards the sun the low air is as bright as it. */
+/* Colour of the day sky's two gradients; towards the sun the air near the horizon is as
+ * bright as the sun's light. */
 static ref_colour day(const tp_scene *scene, bool towards, double sine)
 {
     const double left = 1 - sine, low = left * left;
@@ -56,10 +57,10 @@ static ref_colour gradient(const tp_scene *scene, bool towards, double sine)
     return day(scene, towards, sine);
 }
 
-#define WHOLE    0x1p28         /* squares of env.h have 28 places */
-#define DISC_END 131072         /* where the disc's edge has faded */
+#define WHOLE    0x1p28         /* scale of the squared chords in env.h: 28 binary places */
+#define DISC_END 131072         /* squared chord at which the disc's edge has faded out */
 
-/* Below the horizon it grows dark, to a quarter within 11 degrees. */
+/* Below the horizon the sky darkens, to a quarter within 11 degrees. */
 ref_light ref_dome(const ref_scene *s, ref_vec way, bool disc)
 {
     const tp_scene *scene = s->scene;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Environments in double precision, as src/shade/env.h and dome.c state them. */
+/* Environments in double precision, by the definitions of src/shade/env.h and dome.c. */
 #ifndef TP_REFERENCE_ENV_H
 #define TP_REFERENCE_ENV_H
 #include "shading.h"
 
-/* Light with an alpha of 0..255. */
+/* Colour with an alpha of 0..255: brightness above white. */
 typedef struct {
     ref_colour colour;
     double     alpha;
@@ -15,7 +15,8 @@ static inline ref_light ref_light_of(uint32_t light)
     return (ref_light){ ref_colour_of(light), light >> 24 };
 }
 
-/* An alpha of 255 is 16 whites more, of which `share` counts; not held at white. */
+/* Colour with its brightness above white, not clamped: an alpha of 255 adds 16 times white,
+ * and `share` of that counts. */
 static inline ref_colour ref_beyond(ref_light light, double share)
 {
     return ref_scale(light.colour, 1 + light.alpha / 255 * 16 * share);
@@ -23,14 +24,15 @@ static inline ref_colour ref_beyond(ref_light light, double share)
 
 /* -- the dome ------------------------------------------------------------------------ */
 
-/* Peak and width of a halo, as square of 28 places. */
+/* Halo with a peak and a width; `square` and `width` are squared chords with 28 binary
+ * places. */
 static inline double ref_halo(double peak, double width, double square)
 {
     const double far = 1073741824.0;
     return fmax(0, peak / (1 + square / width) - peak / (1 + far / width));
 }
 
-/* `kind`: day, dusk, night. */
+/* Glow around the light; `kind`: 0 day, 1 dusk, 2 night. */
 static inline ref_light ref_glow(int kind, uint32_t light, double sun, double square)
 {
     static const double peak[3][2] = { { 96, 72 }, { 88, 96 }, { 80, 52 } };
@@ -46,7 +48,7 @@ static inline ref_light ref_glow(int kind, uint32_t light, double sun, double sq
                         255 * sun / 16 * cover };
 }
 
-/* The share of the light's side towards d. */
+/* Share of the gradient on the light's side, from the squared chord to the light. */
 static inline double ref_towards(double square)
 {
     const double t = ref_clamp(1 - square / 1073741824.0, 0, 1);
@@ -60,7 +62,7 @@ typedef struct {
     double s, t;                /* 0..1 from the picture's top left corner */
 } ref_place;
 
-/* The faces as their viewer has them: the way ahead, to his right, up. */
+/* Axes of each face for a viewer inside the cube: ahead, right, up. */
 static const ref_dir ref_cube_axes[6][3] = {
     { { 1, 0, 0 }, { 0, 0, 1 }, { 0, 1, 0 } },
     { { -1, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 } },
@@ -87,7 +89,7 @@ static inline ref_place ref_cube_at(ref_dir d)
     return p;
 }
 
-/* The direction of a place on a face. */
+/* Direction of a place on a face. */
 static inline ref_dir ref_cube_to(int face, double s, double t)
 {
     const ref_dir *a = ref_cube_axes[face];
@@ -98,7 +100,7 @@ static inline ref_dir ref_cube_to(int face, double s, double t)
                                a[0].z + u * a[1].z + v * a[2].z });
 }
 
-/* Four texels of a picture of w x h, held at its edges. */
+/* Bilinear sample of a picture of w x h texels, clamped at the edges. */
 static inline ref_light ref_face_texel(const uint32_t *texel, int w, int h, double s,
                                        double t)
 {

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Skies by direction, from the parts of env.h; the generated ones' gradients are in
- * dome.c. */
+/* Sky colour by direction, built from the parts of env.h; the gradients of generated skies
+ * are in dome.c. */
 #include "heaven.h"
 #include "dome.h"
 #include "map.h"
 
-/* A face whose alpha is full everywhere has none. */
+/* Cube map sample. A face with full alpha everywhere has no brightness above white. */
 static ref_light cube_at(const ref_scene *s, ref_vec way, double coarser)
 {
     const ref_place p = ref_cube_at((ref_dir){ way.x, way.y, way.z });
@@ -41,7 +41,7 @@ static ref_light light_from(const ref_scene *s, ref_vec way, double coarser, boo
                                 way.y), 0 };
 }
 
-/* Below the horizon it is the horizon's. */
+/* Sky in the water's mirror. A direction below the horizon gets the horizon's colour. */
 ref_light ref_heaven_mirrored(const ref_scene *s, ref_vec way, ref_vec at)
 {
     const ref_camera *c = &s->camera;
@@ -63,7 +63,7 @@ ref_colour ref_heaven(const ref_scene *s, ref_vec way)
                    (ref_colour){ { 0, 0, 0 } });
 }
 
-/* -- on the way to the eye ----------------------------------------------------------- */
+/* -- between object and eye ---------------------------------------------------------- */
 
 ref_colour ref_heaven_haze(const ref_scene *s, ref_colour colour, ref_vec at)
 {

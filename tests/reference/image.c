@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures by samples and threads. */
+/* Draws pictures with several samples a pixel on several threads. */
 #define _POSIX_C_SOURCE 200809L
 #include "image.h"
 #include <pthread.h>
@@ -13,13 +13,13 @@ enum { THREADS = 64 };
 typedef struct {
     ref_image *image;
     const ref_scene *scene;
-    uint32_t side;              /* of the square of samples */
+    uint32_t side;              /* samples along a side of the pixel's square */
     ref_pace *pace;
-    atomic_uint row;            /* the next to be drawn */
+    atomic_uint row;            /* next row to draw */
 } work;
 
-/* Sample (i, j) lies in its own cell of the square, and in its own column and row of the
- * finer one. */
+/* Draws one pixel. Sample (i, j) lies in its own cell of the square of samples, and in its
+ * own column and row of the finer grid. */
 static void draw_pixel(work *w, uint32_t x, uint32_t y)
 {
     const double side = w->side;
@@ -86,7 +86,8 @@ static bool allocate(ref_image *image, uint32_t width, uint32_t height)
     return image->colour && image->kind && image->in_mirror && image->near;
 }
 
-/* By this thread too, which tells of the progress if it has a terminal's line for it. */
+/* Draws on the helper threads and on the calling thread; the calling thread reports the
+ * progress if the terminal has a progress line. */
 static void draw_all(work *w, uint32_t threads, progress *p)
 {
     pthread_t thread[THREADS];

@@ -4,10 +4,10 @@
 #include "trace.h"
 #include "water.h"
 
-#define START 1e-6              /* m: a ray does not meet what it comes from */
+#define START 1e-6              /* ray start, m: no hit on the surface of origin */
 #define FAR   1e5
 
-#define CLEAR 4                 /* m: of opaque water to those who are in it */
+#define CLEAR 4                 /* m of clear view in opaque water, from within */
 
 static ref_colour own(const ref_scene *s)
 {
@@ -19,7 +19,7 @@ static double depth_of(const ref_scene *s, ref_vec at)
     return ref_dot(ref_sub(at, s->camera.eye), s->camera.ahead);
 }
 
-/* What is left of a colour after `way` m. */
+/* Colour `seen` after `way` m of water whose own light is `body`. */
 static ref_colour through(const ref_scene *s, ref_colour seen, ref_colour body,
                           double way)
 {
@@ -68,7 +68,8 @@ ref_colour ref_under(const ref_scene *s, const ref_ray *ray, int bounces)
     return ref_inside(s, ray, &wet);
 }
 
-/* Three parts of the water's own light are its depth's, one is the lit surface's. */
+/* Colour behind the surface. The water's own light is three parts deep colour, one part lit
+ * surface. */
 ref_colour ref_behind(const ref_scene *s, ref_vec at, ref_vec normal, ref_vec way,
                       ref_colour lit)
 {

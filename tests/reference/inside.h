@@ -1,26 +1,26 @@
 /* SPDX-License-Identifier: MIT */
-/* What is seen along a ray in the water: floor, walls and things, through what the water
- * takes (Beer) and gives; and the surface from below, where light is refracted out, or
- * reflected, all of it beyond 48.6 degrees.  Caustics are left out: the sun falls as
- * through level water. */
+/* Colour along a ray in the water: floor, walls and objects through absorption (Beer) and
+ * the water's own light; and the surface from below, which refracts the ray out or reflects
+ * it, beyond 48.6 degrees totally. Caustics are left out: the sun shines as through level
+ * water. */
 #ifndef TP_REFERENCE_INSIDE_H
 #define TP_REFERENCE_INSIDE_H
 #include "scene.h"
 
 typedef struct {
     double     index;
-    ref_colour body;            /* what the water itself sends */
-    int        bounces;         /* of reflections from below so many are followed */
-    double     far;             /* m of depth where the ray begins */
+    ref_colour body;            /* light of the water itself */
+    int        bounces;         /* number of reflections from below to follow */
+    double     far;             /* depth where the ray begins, m */
 } ref_wet;
 
 ref_colour ref_inside(const ref_scene *s, const ref_ray *ray, const ref_wet *wet);
 
-/* The same for a ray that came in under the surface. */
+/* Colour along a ray that came in through the surface. */
 ref_colour ref_under(const ref_scene *s, const ref_ray *ray, int bounces);
 
-/* What is seen through the surface at `at` by a look along `way`, where the surface
- * itself is lit so; three rays of three indices where light is dispersed. */
+/* Colour seen through the surface at `at` along `way`; `lit` is the brightness of the
+ * surface itself. Dispersion follows three rays with three indices. */
 ref_colour ref_behind(const ref_scene *s, ref_vec at, ref_vec normal, ref_vec way,
                       ref_colour lit);
 #endif

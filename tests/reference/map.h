@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures laid over things: which level, and the texel there.
+/* Texture lookup: mipmap level and texel.
  *
- * Of one sample a pixel the level is the engine's: the logarithm of texels a pixel, its
- * fraction by a straight line between whole ones.  Of several samples it is the
- * finest. */
+ * With one sample a pixel the level is the engine's: the logarithm of texels a pixel, with
+ * the fraction interpolated linearly between powers of two. With several samples a pixel
+ * the level is the finest. */
 #ifndef TP_REFERENCE_MAP_H
 #define TP_REFERENCE_MAP_H
 #include "scene.h"
@@ -17,8 +17,8 @@ static inline double ref_rough_log2(double x)
     return e - 1 + (2 * m - 1);
 }
 
-/* The level for `texels` a metre, 2^far metres away, as a number that is not whole.
- * Ground, `over` metres below the eye, is seen at a slant; over 0: it is upright. */
+/* Level of detail, not rounded, for `texels` a metre at a distance of 2^far m. The ground
+ * lies `over` metres below the eye and is seen at a slant; over = 0: upright. */
 static inline double ref_lod(const ref_scene *s, double texels, double far, double over)
 {
     const double lod = ref_rough_log2(fmax(texels, 1.0 / 65536))
@@ -26,7 +26,7 @@ static inline double ref_lod(const ref_scene *s, double texels, double far, doub
     return over > 0 ? lod + (fmax(0, far) - ref_rough_log2(over)) / 2 : lod;
 }
 
-/* log2 of the depth, as the samples' 1 / z give it. */
+/* log2 of the depth from the G-buffer's 1 / z. */
 static inline double ref_far(const ref_scene *s, ref_vec at)
 {
     const ref_camera *c = &s->camera;
@@ -35,7 +35,7 @@ static inline double ref_far(const ref_scene *s, ref_vec at)
     return ref_rough_log2(near) - ref_rough_log2(near / z);
 }
 
-/* Of the water's plane. */
+/* Level of detail on the water's plane. */
 static inline double ref_water_lod(const ref_scene *s, double texels, ref_vec at)
 {
     return ref_lod(s, texels, ref_far(s, at), fmax(1, fabs(s->camera.eye.y)));
@@ -46,7 +46,7 @@ static inline int ref_level(const ref_scene *s, const tp_texture *t, double lod)
     return s->meshed ? (int)ref_clamp(floor(lod), 0, t->levels - 1) : 0;
 }
 
-/* A drifting picture at a place (x, z) at rest. */
+/* Colour of a drifting texture at a rest point (x, z). */
 static inline ref_colour ref_map_at(const ref_scene *s, const tp_texture *t,
                                     const tp_scene_map *map, double x, double z,
                                     double coarser, ref_vec at, bool linear)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Boxes over triangles; see the header. */
+/* Bounding box tree over triangles; see the header. */
 #include "mesh.h"
 #include <stdlib.h>
 
@@ -11,7 +11,7 @@ static ref_vec corner(const ref_mesh *m, uint32_t face, int k)
     return ref_times_vec(ref_vec_of(m->mesh->vertices[f->vertex[k]].position), m->scale);
 }
 
-/* -- making -------------------------------------------------------------------------- */
+/* -- building ------------------------------------------------------------------------ */
 
 static double axis_of(ref_vec v, int axis)
 {
@@ -32,8 +32,8 @@ static void widen(ref_box *box, ref_vec p)
                            fmax(box->high.z, p.z) };
 }
 
-/* The face at `want` of a part of the list is the one that sorting would put there, with
- * none greater before it (Hoare). */
+/* Quickselect (Hoare): moves the face that belongs at index `want` by order along the axis
+ * to that index, with no greater face before it. */
 static void part_at(const ref_mesh *m, uint32_t *face, int64_t low, int64_t high,
                     int64_t want, int axis)
 {
@@ -109,7 +109,7 @@ void ref_mesh_free(ref_mesh *mesh)
 
 /* -- rays ---------------------------------------------------------------------------- */
 
-/* Moeller and Trumbore; faces that show their back are not there. */
+/* Intersection by Moeller and Trumbore; back faces do not count. */
 static void try_face(const ref_mesh *m, uint32_t face, const ref_ray *ray, double t0,
                      ref_face_hit *hit)
 {

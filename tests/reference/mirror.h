@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A box over flat water in double precision, ray by ray: seen in the water by the mirrored
- * ray, or through it where flat water shows what lies below, 3 / 4 as deep [F4]. */
+/* A box over flat water in double precision, ray by ray: in the water's mirror, and
+ * refracted, where flat water shows objects below at 3 / 4 of their depth [F4]. */
 #ifndef TP_REFERENCE_MIRROR_H
 #define TP_REFERENCE_MIRROR_H
 #include <stdbool.h>
@@ -8,12 +8,12 @@
 
 typedef struct {
     ref_vec place;
-    double  heading;            /* radians, clockwise */
-    double  half[3];            /* across, up, along; m */
+    double  heading;            /* heading in radians, clockwise */
+    double  half[3];            /* half sides across, up, along; m */
 } ref_box;
 
-/* Whether p + t d, t > 0, meets the part of the box on one side of the level y = 0: with
- * `side` 1 above it, with -1 below. */
+/* True if the ray p + t d, t > 0, meets the part of the box above (`side` 1) or below
+ * (`side` -1) the level y = 0. */
 static inline bool ref_meets(const ref_box *box, ref_vec p, ref_vec d, int side)
 {
     const double c = cos(box->heading), s = sin(box->heading);
@@ -27,7 +27,7 @@ static inline bool ref_meets(const ref_box *box, ref_vec p, ref_vec d, int side)
         first = fmax(first, fmin(a, b));
         last = fmin(last, fmax(a, b));
     }
-    const double level = -p.y / d.y;        /* where the ray passes the level */
+    const double level = -p.y / d.y;        /* t where the ray crosses the level */
     if (side * d.y > 0)
         first = fmax(first, level);
     else
@@ -43,7 +43,7 @@ static inline ref_vec ref_ray(const ref_camera *c, double u, double v)
                       c->ahead.z + x * c->right.z + y * c->up.z };
 }
 
-/* Where the box itself stands in the level there is no water that could show it. */
+/* True if p lies inside the box at the level, where there is no water to show the box. */
 static inline bool ref_stands(const ref_box *box, ref_vec p)
 {
     const double c = cos(box->heading), s = sin(box->heading);
@@ -59,7 +59,7 @@ static inline ref_vec ref_water(const ref_camera *c, ref_vec d)
     return (ref_vec){ c->eye.x + t * d.x, 0, c->eye.z + t * d.z };
 }
 
-/* Water at pixel place (u, v) mirrors the box. */
+/* True if the water at pixel place (u, v) mirrors the box. */
 static inline bool ref_mirrors(const ref_camera *c, const ref_box *box, double u, double v)
 {
     const ref_vec d = ref_ray(c, u, v);
@@ -70,13 +70,14 @@ static inline bool ref_mirrors(const ref_camera *c, const ref_box *box, double u
     return !ref_stands(box, p) && ref_meets(box, p, (ref_vec){ d.x, -d.y, d.z }, 1);
 }
 
-/* No water is seen at pixel place (u, v): the box stands before it. */
+/* True if the box hides the water at pixel place (u, v). */
 static inline bool ref_hides(const ref_camera *c, const ref_box *box, double u, double v)
 {
     return ref_meets(box, c->eye, ref_ray(c, u, v), 1);
 }
 
-/* Water at pixel place (u, v) shows the box below it, drawn 1 / 1.333 as deep. */
+/* True if the water at pixel place (u, v) shows the box below the level, drawn at 1 / 1.333
+ * of its depth. */
 static inline bool ref_sinks(const ref_camera *c, const ref_box *box, double u, double v)
 {
     const ref_vec d = ref_ray(c, u, v);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The ocean at a place; its tables are made in ocean_make.c. */
+/* Evaluates the coastal water at a place; ocean_make.c builds the tables. */
 #include "ocean.h"
 
-/* -- places -------------------------------------------------------------------------- */
+/* -- grid places --------------------------------------------------------------------- */
 
 typedef struct {
     int    col, row;
@@ -59,9 +59,9 @@ ref_bed ref_ocean_bed(const ref_ocean *ocean, double x, double z)
     };
 }
 
-/* -- one wave there ------------------------------------------------------------------ */
+/* -- one wave ------------------------------------------------------------------------ */
 
-/* Catmull and Rom's cubic through four numbers. */
+/* Catmull-Rom cubic through four numbers. */
 static double cubic(const double p[4], double s)
 {
     const double a = p[3] - 3 * p[2] + 3 * p[1] - p[0];
@@ -79,7 +79,8 @@ static int around(int i)
                              w->node[around(i + 1)].field, \
                              w->node[around(i + 2)].field }, s)
 
-/* Below 1/16 m all is that depth's, and its orbit shrinks with the depth. */
+/* Table entry for a depth. Below 1/16 m the entry of 1/16 m holds, and its orbit shrinks
+ * with the depth. */
 static ref_depth_node node_at(const ref_ocean_wave *w, double depth)
 {
     const double at = held(log2(fmax(depth, 1 / 16.0) * 16) * 64, 0, REF_DEPTHS - 1);
@@ -91,7 +92,8 @@ static ref_depth_node node_at(const ref_ocean_wave *w, double depth)
                              NODE(excess) };
 }
 
-/* A map's: phase and way between its nodes, the tilt by the rise along the way. */
+/* Adds the map's refraction: phase and direction interpolated between nodes, the tilt from
+ * the rise of the floor along the direction. */
 static void bend(const ref_ocean *ocean, int i, double x0, double z0, const ref_bed *bed,
                  ref_depth_node *n)
 {
@@ -110,7 +112,7 @@ static void bend(const ref_ocean *ocean, int i, double x0, double z0, const ref_
     n->sine = rise > 0 ? rise / hypot(1, rise) * exp(-ocean->k0 * bed->depth) : 0;
 }
 
-/* Phi and dPhi/dtheta of [B10], after a few steps as printed. */
+/* Phi and dPhi/dtheta of [B10] after `iterations` steps as printed. */
 static double blown(double theta, double push, int iterations, double *rate)
 {
     double phi = theta, d = 1;
@@ -123,7 +125,8 @@ static double blown(double theta, double push, int iterations, double *rate)
     return phi;
 }
 
-/* What the wave adds, its orbit at phi: along its way and up, and their derivatives. */
+/* Adds the wave's orbit at phi to the point: displacement along its direction and up, and
+ * the derivatives. */
 static void add_wave(const ref_ocean_wave *w, const ref_depth_node *n, double theta,
                      ref_point *p)
 {
@@ -172,7 +175,7 @@ ref_point ref_ocean_rest(const ref_ocean *ocean, const double phase[TP_WAVES], d
 
 #define STEP 1e-3
 
-/* The derivative along x (or z) of what is displaced, by four points. */
+/* Derivative of the displacement along x or z, by four points. */
 static ref_point rate_along(const ref_ocean *ocean, const double *phase, double x0,
                             double z0, double dx, double dz)
 {
@@ -198,7 +201,7 @@ ref_point ref_ocean_exact(const ref_ocean *ocean, const double phase[TP_WAVES], 
         return p;
     const ref_point a = rate_along(ocean, phase, x0, z0, STEP, 0);
     const ref_point b = rate_along(ocean, phase, x0, z0, 0, STEP);
-    p.nx = b.y * a.z - b.z * a.y;           /* B x T [A10], J no longer symmetric */
+    p.nx = b.y * a.z - b.z * a.y;           /* B x T [A10]; J is no longer symmetric */
     p.ny = b.z * a.x - b.x * a.z;
     p.nz = b.x * a.y - b.y * a.x;
     return p;

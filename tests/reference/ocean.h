@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Waves over a floor and under wind in double precision: [B2], [B7]-[B15] of the models,
- * from the waves' own numbers.
+/* Waves over a floor and in wind in double precision: [B2], [B7]-[B15] of the models, from
+ * the waves' own numbers.
  *
- * Over a picture of heights the floor and the phases come from the world's nodes, as
- * data: the eikonal equation is not solved again.  What overhangs ([B16]-[B19]) is left
- * out: the surface is a height field, so a breaking crest is met without its lip. */
+ * Over a height map the floor and the phases come from the world's nodes, as data: the
+ * eikonal equation is not solved again. Overhanging water ([B16]-[B19]) is left out: the
+ * surface is a height field, so a ray meets a breaking crest without its lip. */
 #ifndef TP_REFERENCE_OCEAN_H
 #define TP_REFERENCE_OCEAN_H
 #include <stdbool.h>
@@ -13,27 +13,27 @@
 
 enum { REF_DEPTHS = 64 * 15 + 1 };      /* 64 an octave from 1/16 to 2048 m */
 
-/* A wave at a depth. */
+/* A wave at one depth. */
 typedef struct {
     double k, along, up, push;  /* rad/m; semi-axes, m; lambda up of [B10] */
-    double way_x, way_z;        /* where it travels to */
-    double sine;                /* of the tilt [B11], over a straight floor */
-    double excess;              /* rad beyond deep water's phase */
+    double way_x, way_z;        /* direction of travel */
+    double sine;                /* sine of the tilt [B11], over a straight floor */
+    double excess;              /* phase beyond the deep-water phase, rad */
 } ref_depth_node;
 
 typedef struct {
     ref_wave deep;
-    double lambda, k_deep;      /* k_deep: of the phase's linear part */
+    double lambda, k_deep;      /* k_deep: wave number of the linear part of the phase */
     int    iterations;
     ref_depth_node node[REF_DEPTHS];
 } ref_ocean_wave;
 
 typedef struct {
     int    count;
-    bool   floored;             /* there is a floor */
+    bool   floored;             /* true: the scene has a floor */
     double depth, slope, up_x, up_z, k0;
-    const tp_ocean *map;        /* its nodes, or NULL */
-    double high, reach, steep;  /* bounds */
+    const tp_ocean *map;        /* map with nodes, or NULL */
+    double high, reach, steep;  /* bounds of height, displacement and slope */
     ref_ocean_wave wave[TP_WAVES];
 } ref_ocean;
 
@@ -41,18 +41,19 @@ typedef struct {
     double depth, rise_x, rise_z;
 } ref_bed;
 
-/* NULL: the scene's sea has neither wind nor floor.  To free. */
+/* Builds the coastal water. Returns NULL if the scene has neither wind nor floor. The
+ * caller frees it. */
 ref_ocean *ref_ocean_of(const tp_scene *scene, const tp_world *world, const ref_sea *sea);
 
-/* Depth of still water under a place, m; <= 0 is land. */
+/* Depth of still water at (x, z), m; <= 0 is land. */
 ref_bed ref_ocean_bed(const ref_ocean *ocean, double x, double z);
 
-/* The point of a place at rest; its derivatives take depth, way and tilt for constants,
- * which is exact over level floors.  On land it is at rest. */
+/* Displaced point of a rest point. The derivatives treat depth, direction and tilt as
+ * constant, which is exact over level floors. On land the point is at rest. */
 ref_point ref_ocean_rest(const ref_ocean *ocean, const double phase[TP_WAVES], double x0,
                          double z0);
 
-/* The same with derivatives by differences of fourth order, exact to 1e-9. */
+/* Displaced point with derivatives by differences of fourth order, exact to 1e-9. */
 ref_point ref_ocean_exact(const ref_ocean *ocean, const double phase[TP_WAVES], double x0,
                           double z0);
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What each wave of the ocean is at a depth: [B2]-[B15], a table of doubles. */
+/* Properties of each coastal wave by depth: [B2]-[B15], as a table of doubles. */
 #include <stdlib.h>
 #include "depth.h"
 #include "ocean.h"
@@ -21,8 +21,8 @@ static double across(double k, double kz)
     return k > fabs(kz) ? sqrt(k * k - kz * kz) : 0;
 }
 
-/* A Ks Kr, capped by [B15] and by Miche's height, the latter no less of it than the wave
- * has on deep water already. */
+/* Amplitude A Ks Kr, capped by [B15] and by Miche's height. Miche's cap is never below the
+ * part of it that the wave already has on deep water. */
 static double amplitude_at(const ref_ocean_wave *w, double k, double kz, double h,
                            bool mapped)
 {
@@ -69,8 +69,8 @@ static ref_depth_node node_of(const ref_ocean *o, const ref_ocean_wave *w,
     return n;
 }
 
-/* [B8] [B9]: the excess over deep water's number towards the shore, over depth, from the
- * deep end; Simpson in ln h. */
+/* [B8] [B9]: integral over depth of the wave number towards the shore minus the deep-water
+ * number, from the deep end; Simpson's rule in ln h. */
 static void add_phases(const ref_ocean *o, ref_ocean_wave *w, double kz)
 {
     const double up = w->deep.dx * o->up_x + w->deep.dz * o->up_z;
@@ -108,7 +108,7 @@ static void make_wave(ref_ocean *o, ref_ocean_wave *w, const tp_scene *scene)
     add_phases(o, w, kz);
 }
 
-/* [A11] [B13]: all orbits of a depth narrowed by one factor; and the bounds. */
+/* [A11] [B13]: scales all orbits of a depth by one factor, and computes the bounds. */
 static void share(ref_ocean *o)
 {
     for (int n = o->floored ? 0 : REF_DEPTHS - 1; n < REF_DEPTHS; n++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Light at a surface in double precision, both ways through it: [F1]-[F4] as printed,
- * with total reflection, and absorption by depth (Beer). */
+/* Light at a surface in double precision, in both directions: [F1]-[F4] as printed, with
+ * total reflection, and absorption by distance (Beer). */
 #ifndef TP_REFERENCE_OPTICS_H
 #define TP_REFERENCE_OPTICS_H
 #include <stdbool.h>
@@ -9,8 +9,8 @@
 
 #define REF_INDEX 1.333
 
-/* The share that is reflected at a cosine, `e` the index beyond over the one before;
- * 1 where all is. */
+/* Fresnel reflectance at an angle with cosine `c`; `e` is the index beyond the surface over
+ * the index before it. Returns 1 for total reflection. */
 static inline double ref_fresnel_into(double c, double e)
 {
     const double s2 = (1 - c * c) / (e * e);
@@ -21,20 +21,20 @@ static inline double ref_fresnel_into(double c, double e)
     return (rs * rs + rp * rp) / 2;
 }
 
-/* [F2] */
+/* Schlick's approximation of the reflectance [F2]. */
 static inline double ref_schlick(double c)
 {
     const double r0 = (REF_INDEX - 1) / (REF_INDEX + 1), m = 1 - c;
     return r0 * r0 + (1 - r0 * r0) * m * m * m * m * m;
 }
 
-/* [F3]; `n` against the ray. */
+/* Reflected ray [F3]; `n` points against the ray. */
 static inline ref_vec ref_reflected(ref_vec way, ref_vec n)
 {
     return ref_plus(way, ref_times_vec(n, -2 * ref_dot(way, n)));
 }
 
-/* [F4]; `n` against the ray.  False: all is reflected. */
+/* Refracted ray [F4]; `n` points against the ray. Returns false for total reflection. */
 static inline bool ref_refracted(ref_vec way, ref_vec n, double e, ref_vec *to)
 {
     const double c = -ref_dot(way, n), s2 = (1 - c * c) / (e * e);
@@ -45,8 +45,8 @@ static inline bool ref_refracted(ref_vec way, ref_vec n, double e, ref_vec *to)
     return true;
 }
 
-/* What is left of `seen` behind `way` m of water that turns white into `tint` after
- * `clear` m; what is lost comes back as the water's own light, `deep`. */
+/* Colour `seen` through `way` m of water that turns white into `tint` after `clear` m; the
+ * absorbed part is replaced by the water's own light, `deep`. */
 static inline ref_colour ref_through(ref_colour seen, ref_colour deep, ref_colour tint,
                                      double clear, double way)
 {

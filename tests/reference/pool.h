@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The automaton as the models print it, cell by cell in 64 bits, with a full copy of the
- * old heights: [C8]-[C11] and [C17].  Reads walls from the pool, nothing else. */
+/* The pool's automaton as the models print it, cell by cell in 64 bits, with a full copy of
+ * the old heights: [C8]-[C11] and [C17]. Reads nothing but the walls from the pool. */
 #ifndef TP_TESTS_REFERENCE_POOL_H
 #define TP_TESTS_REFERENCE_POOL_H
 #include <stdbool.h>
@@ -9,7 +9,7 @@
 #include <string.h>
 #include "pool/pool.h"
 
-enum { REF_POOL = 64 * 64 };        /* cells at most */
+enum { REF_POOL = 64 * 64 };        /* most cells */
 
 typedef struct {
     int32_t cols, rows, full, r2q, m;
@@ -17,12 +17,12 @@ typedef struct {
     int32_t gear;
     bool    at_rest;
     bool    wall[REF_POOL];
-    int32_t own[REF_POOL];          /* damping of each cell, in a sponge */
+    int32_t own[REF_POOL];          /* damping of each cell in a sponge layer */
     int64_t h[REF_POOL], v[REF_POOL];
-    int64_t right[REF_POOL], down[REF_POOL];    /* [C17] */
+    int64_t right[REF_POOL], down[REF_POOL];    /* fluxes [C17] */
 } ref_pool;
 
-/* The neighbour's index, -1: none. */
+/* Index of the neighbour at (x, y); -1: none. */
 static inline int32_t ref_beside(const ref_pool *p, int32_t x, int32_t y)
 {
     if (p->tiled) {
@@ -68,7 +68,7 @@ static inline int64_t ref_force(const ref_pool *p, const int64_t *h, int32_t i)
     return f;
 }
 
-/* Half away from 0. */
+/* Quotient rounded to nearest, halves away from 0. */
 static inline int64_t ref_nearest(int64_t n, int64_t d)
 {
     return n < 0 ? -((-n + d / 2) / d) : (n + d / 2) / d;
@@ -100,7 +100,8 @@ static inline void ref_gears(ref_pool *p)
     for (int32_t i = 0; i < p->cols * p->rows; i++) {
         const int32_t m = a ? p->own[i] : p->m;
         const int64_t v = p->v[i], f = p->wall[i] ? 0 : ref_force(p, old, i);
-        /* a spring of (delta / 2)^2 in sponges, beside r^2 F: 2048 (delta / 2)^2 / 2 */
+        /* in a sponge layer a spring of (delta / 2)^2 beside r^2 F: 2048 (delta / 2)^2 /
+         * 2 */
         const int64_t pull = a && p->sponge && m < p->m && m <= 4
                            ? old[i] * (256 >> 2 * m) : 0;
         const int64_t x = (((int64_t)2 << m) - 1) * (2048 * v + p->r2q * f - pull)
@@ -122,7 +123,8 @@ static inline void ref_gears(ref_pool *p)
         ref_peel(p);
 }
 
-/* tz(tz(q + tz(fall a)) d), with the bound of flux.c; C cuts towards 0. */
+/* Flux tz(tz(q + tz(fall a)) d) with the bound of flux.c; C division truncates towards
+ * 0. */
 static inline int64_t ref_flux(const ref_pool *p, int64_t q, int32_t i, int32_t j)
 {
     const int64_t one = (int64_t)1 << p->own[i], from = p->h[i], to = p->h[j];

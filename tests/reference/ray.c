@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Rays and the water; see the header. */
+/* Intersection of rays and water; see the header. */
 #include "ray.h"
 
 #define STEEPEST 6
-#define ROUGH    1e-4           /* m, along, while marching */
+#define ROUGH    1e-4           /* accuracy of the rest point while marching, m along */
 
 typedef struct {
     const ref_surface *surface;
@@ -17,15 +17,15 @@ static double off_at(probe *p, double t, double along)
     return at.y - ref_surface_height(p->surface, at.x, at.z, p->rest, along);
 }
 
-/* Its sign is right: near a root it is worked out again. */
+/* F with the right sign: near a root F is computed again with full accuracy. */
 static double sign_at(probe *p, double t)
 {
     const double f = off_at(p, t, ROUGH);
     return fabs(f) < 20 * ROUGH ? off_at(p, t, p->surface->close / 100) : f;
 }
 
-/* The root between a and b, where F has different signs: regula falsi after Illinois,
- * and halving wherever that does not at least halve in three steps. */
+/* Root between a and b, where F has different signs: regula falsi with the Illinois rule,
+ * and bisection if three steps do not at least halve the interval. */
 static double root_between(probe *p, double a, double b, double fa, double fb)
 {
     double wide = b - a;
@@ -60,7 +60,7 @@ static bool accept(probe *p, double t, bool from_below, ref_meeting *m)
     return m->water.wet;
 }
 
-/* Through water that moves. */
+/* Marches through moving water. */
 static bool march(probe *p, double t0, double t1, bool below, ref_meeting *m)
 {
     const ref_surface *s = p->surface;
@@ -81,7 +81,7 @@ static bool march(probe *p, double t0, double t1, bool below, ref_meeting *m)
     return false;
 }
 
-/* Level water. */
+/* Intersection with level water. */
 static bool meets_level(probe *p, double t0, double t1, bool below, ref_meeting *m)
 {
     const double t = -p->ray->from.y / p->ray->way.y;
@@ -108,7 +108,7 @@ bool ref_ray_meets(const ref_surface *s, const ref_ray *ray, double t0, double t
     if (e->fade == 0)
         return march(&p, t0, t1, below, meeting);
 
-    double w0 = t0, w1 = t1;            /* where the water moves */
+    double w0 = t0, w1 = t1;            /* interval with moving water */
     if (!ref_ray_between(ray->from.x, ray->way.x, e->x - e->half_x - reach,
                          e->x + e->half_x + reach, &w0, &w1)
         || !ref_ray_between(ray->from.z, ray->way.z, e->z - e->half_z - reach,

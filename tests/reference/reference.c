@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* reference SCENE: the picture that the engine's is judged by. */
+/* reference SCENE: draws the picture that the engine's picture is compared with. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -53,7 +53,7 @@ static bool read_size(const char *text, wishes *w)
         && read_number(by + 1, 1, 4096, &w->height);
 }
 
-/* False: the option is not known, or its value is none. */
+/* Reads one option. Returns false if the option is unknown or its value is invalid. */
 static bool read_option(const char *name, const char *value, wishes *w)
 {
     if (strcmp(name, "--out") == 0)

@@ -11,7 +11,7 @@
 
 /* -- rings --------------------------------------------------------------------------- */
 
-/* Ticks x 65536. */
+/* Evaluates a ring; `now` in ticks x 65536. */
 static bool ring_of(const tp_ring *from, int64_t now, ref_ring *ring)
 {
     const double age = (double)(now - from->start) / 65536 / TP_TICKS_PER_SECOND;
@@ -107,7 +107,8 @@ static void read_heights(ref_cells *c, const tp_pool *pool, double back)
     }
 }
 
-/* The steepest step between neighbours, times the root of 2 for both ways. */
+/* Bounds of height and slope: the steepest step between neighbours times sqrt(2) for both
+ * axes. */
 static void bound_cells(const ref_cells *c, ref_relief *relief)
 {
     double high = 0, step = 0;
@@ -145,8 +146,8 @@ static void read_cells(ref_relief *relief, ref_cells *c, const tp_pool *pool, do
 }
 
 typedef struct {
-    double h[4][4];             /* of the cells around, by row and column */
-    double s, t;                /* from the second to the third */
+    double h[4][4];             /* heights of the cells around, by row and column */
+    double s, t;                /* place between the second and the third cell, 0..1 */
 } patch;
 
 static patch patch_at(const ref_cells *c, double u, double w)
@@ -180,7 +181,7 @@ static void add_cells(const ref_cells *c, double x, double z, ref_heights *sum)
     }
     if (u < 0 || w < 0 || u > c->cols || w > c->rows)
         return;
-    u = fmin(u, c->cols - 1e-9);        /* the far edge is the last cell's */
+    u = fmin(u, c->cols - 1e-9);        /* the far edge belongs to the last cell */
     w = fmin(w, c->rows - 1e-9);
     if (c->wall[(int)w * c->cols + (int)u])
         return;
@@ -195,7 +196,7 @@ static void add_cells(const ref_cells *c, double x, double z, ref_heights *sum)
     sum->slope_z += steep * mixed(down[2] - down[0], down[3] - down[1], p.t);
 }
 
-/* -- together ------------------------------------------------------------------------ */
+/* -- rings and cells together -------------------------------------------------------- */
 
 ref_relief ref_relief_of(const tp_world *world, double bump)
 {

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Rings of droplets [A4] [A5] and pools of cells, in double precision: heights over a
- * place of the world.  Cells and rings are read from the world, which alone evolves
- * them; a ring is evaluated by its formula, a pool bilinear between its cells' centres
- * as pool/pool.h says, with a cell's slope that of its two neighbours.  Where
- * water.pool_bump is above 0 their slopes, times that, are told apart. */
+/* Rings of droplets [A4] [A5] and cells of pools in double precision, as heights over a
+ * place of the world. Rings and cells are read from the world, which evolves them. A ring
+ * is evaluated by its formula; a pool is bilinear between cell centres as defined in
+ * pool/pool.h, and a cell's slope is the difference of its two neighbours. If
+ * water.pool_bump is above 0, the slopes of pools times the bump are kept separate. */
 #ifndef TP_REFERENCE_RELIEF_H
 #define TP_REFERENCE_RELIEF_H
 #include <stdbool.h>
@@ -11,16 +11,16 @@
 
 typedef struct {
     double x, z;                /* centre, m */
-    double length, crest;       /* L and rc, m */
-    double gain, spread;        /* A0 smoothstep exp, m; rho0, m */
+    double length, crest;       /* wavelength L and crest radius rc, m */
+    double gain, spread;        /* amplitude A0 smoothstep exp, m; rho0, m */
 } ref_ring;
 
 typedef struct {
     int     cols, rows;
     bool    tiled;
-    double  cell, x, z;         /* m: side, and the north-west corner */
-    double *height;             /* m; of a wall the mean of the open cells beside it, or
-                                   NAN deep inside */
+    double  cell, x, z;         /* side of a cell; north-west corner; m */
+    double *height;             /* m; a wall has the mean of the open cells beside it, or
+                                 * NAN deep inside a wall */
     bool   *wall;
 } ref_cells;
 
@@ -29,8 +29,8 @@ typedef struct {
     int       rings;
     ref_cells cells[2];         /* pool and field; cols 0: none */
     double    high, steep;      /* bounds of height and slope */
-    double    fine;             /* m: nothing is narrower */
-    double    bump;             /* > 0: cells bend slopes, so much, and lift nothing */
+    double    fine;             /* width of the narrowest feature, m */
+    double    bump;             /* > 0: cells bend normals by this factor, lift nothing */
 } ref_relief;
 
 typedef struct {
@@ -38,7 +38,8 @@ typedef struct {
     double bump_x[2], bump_z[2];    /* slopes of cells that lift nothing */
 } ref_heights;
 
-/* The world's, world->back of a tick before its last one. */
+/* Reads rings and cells of the world; world->back: fraction of a tick before the last
+ * tick. */
 ref_relief  ref_relief_of(const tp_world *world, double bump);
 void        ref_relief_free(ref_relief *relief);
 ref_heights ref_relief_at(const ref_relief *relief, double x, double z);

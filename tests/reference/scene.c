@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reading a scene and its world. */
+/* Reads a scene and its world. */
 #include "scene.h"
 #include "features/drops/drops.h"
 #include "scene/world.h"
@@ -12,7 +12,7 @@ static ref_vec between(tp_vec3 last, tp_vec3 now, double back)
     return ref_plus(a, ref_times_vec(ref_sub(b, a), back));
 }
 
-/* The shorter way round. */
+/* Interpolates angles along the shorter arc. */
 static tp_turn turn_between(tp_turn last, tp_turn now, double back)
 {
     return now + (tp_turn)(int64_t)floor((int32_t)(last - now) * back);
@@ -38,7 +38,7 @@ static void place_light(ref_scene *s, const tp_scene *scene, const tp_world *wor
                               - ref_number(world->exposure));
 }
 
-/* About its way ahead: the right side sinks. */
+/* Rolls the camera about its axis ahead: the right side sinks. */
 static void roll_camera(ref_camera *camera, tp_turn roll)
 {
     const double angle = (int32_t)roll * (6.283185307179586476925 / 4294967296.0);
@@ -50,7 +50,7 @@ static void roll_camera(ref_camera *camera, tp_turn roll)
         ref_plus(ref_times_vec(up, cos(angle)), ref_times_vec(right, sin(angle)));
 }
 
-/* Of the deck, if it goes with the boat; that is placed before. */
+/* Places the camera; a camera on deck moves with the boat, which must be placed first. */
 static void place_camera(ref_scene *s, const tp_world *world, uint32_t width,
                          uint32_t height, double back)
 {
@@ -83,7 +83,8 @@ static void place_boat(ref_scene *s, const tp_world *world, double back)
     s->boat_place = between(a->place, b->place, back);
 }
 
-/* A drop keeps its volume: with a = height over width, width goes with a^(-1/3). */
+/* A drop keeps its volume: with the aspect a = height / width, the width scales with
+ * a^(-1/3). */
 static ref_drop drop_of(const tp_drop *drop, double back)
 {
     const double a = 1 + fmax(-0.5, fmin(0.5, drop->squash / 16384.0));
@@ -120,7 +121,7 @@ static void place_tank(ref_scene *s)
     };
 }
 
-/* Stone walls around the water; where the eye stands outside of one of glass, none. */
+/* Adds the stone walls around the water. A glass tank has no walls for an eye outside. */
 static void add_walls(ref_scene *s)
 {
     const ref_tank *b = &s->tank;
@@ -145,7 +146,7 @@ static void add_walls(ref_scene *s)
                                              b->z0 };
 }
 
-/* A row's cells of wall, run by run; three cells high where no rim says it. */
+/* Adds a row's wall cells as blocks, run by run; three cells high where no rim is given. */
 static void add_row(ref_scene *s, const ref_cells *c, int row, double low, double high)
 {
     for (int col = 0, end; col < c->cols; col = end) {
@@ -176,7 +177,7 @@ static void place_blocks(ref_scene *s)
         add_row(s, c, row, low, high);
 }
 
-/* Beside a tank there is no water. */
+/* True if the eye is under water. Beside a tank there is no water. */
 static bool is_sunk(const ref_scene *s)
 {
     const ref_vec e = s->camera.eye;

@@ -1,27 +1,27 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene as the reference sees it: the engine's scene, assets and world read as data,
- * everything else worked out anew in double precision.
+/* Scene of the reference: the engine's scene, assets and world are read as data; everything
+ * else is computed again in double precision.
  *
- * What it covers is told in the heads of surface.h, ocean.h, heaven.h, water.h,
- * solids.h and inside.h. */
+ * The heads of surface.h, ocean.h, heaven.h, water.h, solids.h and inside.h list the
+ * features. */
 #ifndef TP_REFERENCE_SCENE_H
 #define TP_REFERENCE_SCENE_H
 #include "mesh.h"
 #include "optics.h"
 #include "ray.h"
 
-/* A drop: half axes in m. */
+/* A drop: half axes, m. */
 typedef struct {
     ref_vec centre;
     double  wide, high;
 } ref_drop;
 
-/* A block of stone: a wall of a tank, or of cells that a pool's mask names. */
+/* A block of stone: a wall of a tank, or wall cells of a pool's mask. */
 typedef struct {
     double x0, x1, y0, y1, z0, z1;
 } ref_block;
 
-/* A pool's box: stone, or glass that is seen through. */
+/* Box of a pool: stone or transparent glass. */
 typedef struct {
     int    kind;                /* tp_tank_kind */
     double x0, x1, z0, z1, depth, rim;
@@ -30,13 +30,13 @@ typedef struct {
 typedef struct {
     const tp_scene  *scene;
     const tp_assets *assets;
-    bool       meshed;          /* waves fade, and textures have the levels that the
-                                   engine chooses: for comparing one sample a pixel */
+    bool       meshed;          /* waves fade and textures have the engine's mipmap levels:
+                                 * for comparisons with one sample a pixel */
     ref_camera camera;
     ref_surface surface;
-    ref_vec    light;           /* towards it */
-    double     ambient, haze;   /* share; m */
-    double     exposure;        /* of the camera, 1: as it is */
+    ref_vec    light;           /* towards the light */
+    double     ambient, haze;   /* ambient light, 0..1; haze, m */
+    double     exposure;        /* exposure of the camera; 1: neutral */
     double     seconds;         /* since tick 0 */
     bool       sunk;            /* the eye is under water */
     ref_mesh   boat, lids;
@@ -49,7 +49,7 @@ typedef struct {
     int        blocks;
 } ref_scene;
 
-/* Scene, assets and world must outlive it. */
+/* Opens a scene. Scene, assets and world must outlive the result. */
 void ref_scene_open(ref_scene *s, const tp_scene *scene, const tp_assets *assets,
                     const tp_world *world, uint32_t width, uint32_t height, bool meshed);
 void ref_scene_close(ref_scene *s);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The sea in double precision, as slow as it is plain: [A1]-[A3] and [A7]-[A11] of the
- * models with the stated clamps, from the numbers of the waves and nothing that the core
- * worked out. */
+/* Deep water in double precision, slow and plain: [A1]-[A3] and [A7]-[A11] of the models
+ * with the stated clamps, from the numbers of the waves and no intermediate result of the
+ * core. */
 #ifndef TP_REFERENCE_SEA_H
 #define TP_REFERENCE_SEA_H
 #include <math.h>
@@ -11,10 +11,10 @@
 
 typedef struct {
     double amplitude, k, q;     /* m, rad/m, Q k A after the clamp */
-    double dx, dz;              /* of travel */
-    double phase;               /* rad, at tick 0 */
+    double dx, dz;              /* direction of travel */
+    double phase;               /* phase at tick 0, rad */
     long double turns_tick;     /* turns a tick */
-    int power;                  /* of [A3]; 1: a sine */
+    int power;                  /* exponent of [A3]; 1: a sine */
 } ref_wave;
 
 typedef struct {
@@ -66,8 +66,8 @@ static inline ref_sea ref_sea_of(const tp_wave *waves, int count, tp_fx gravity)
     return sea;
 }
 
-/* The phases of a tick in radians.  After ten years there are 2^35 turns at the most, of
- * which a long double of 64 bits keeps 2^-29. */
+/* Phases of a tick, rad. After ten years there are at most 2^35 turns, and a long double
+ * with 64 bits keeps a precision of 2^-29 turns. */
 static inline void ref_phases(const ref_sea *sea, uint64_t tick, double phase[TP_WAVES])
 {
     for (int i = 0; i < sea->count; i++) {
@@ -76,7 +76,7 @@ static inline void ref_phases(const ref_sea *sea, uint64_t tick, double phase[TP
     }
 }
 
-/* f - mean of [A3], and f': the mean of 2 b^n is 2 C(2n, n) / 4^n. */
+/* f - mean of [A3], and f'. The mean of 2 b^n is 2 C(2n, n) / 4^n. */
 static inline double ref_profile(int power, double th, double *slope)
 {
     const double b = (sin(th) + 1) / 2;
@@ -120,7 +120,7 @@ static inline ref_point ref_at_rest(const ref_sea *sea, const double phase[TP_WA
     return p;
 }
 
-/* [A10] without the cross terms: N = (-hx, 1 - sum q sin th, -hz). */
+/* Normal [A10] without the cross terms: N = (-hx, 1 - sum q sin th, -hz). */
 static inline ref_point ref_uncrossed(ref_point p)
 {
     p.nx = -p.hx;
@@ -129,8 +129,8 @@ static inline ref_point ref_uncrossed(ref_point p)
     return p;
 }
 
-/* The surface above or below (x, z), by Newton's method with a halved step where the full
- * one does not come nearer. */
+/* Surface point above or below (x, z) by Newton's method; the step is halved if the full
+ * step does not come nearer. */
 static inline ref_point ref_above(const ref_sea *sea, const double phase[TP_WAVES],
                                   double x, double z)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Shading in double precision: Phong [F5], Fresnel [F1], haze and sky as the stages'
- * heads state them.  Colours are levels of 255, shares 0..1. */
+/* Shading in double precision: Phong [F5], Fresnel [F1], haze and sky by the formulas at
+ * the heads of the engine's stages. Colours in levels of 255, shares 0..1. */
 #ifndef TP_REFERENCE_SHADING_H
 #define TP_REFERENCE_SHADING_H
 #include <math.h>
@@ -64,13 +64,13 @@ static inline ref_colour ref_add(ref_colour a, ref_colour b)
     return r;
 }
 
-/* The normal of a surface with these slopes. */
+/* Normal of a surface with the slopes sx and sz. */
 static inline ref_dir ref_normal(double sx, double sz)
 {
     return ref_unit((ref_dir){ -sx, 1, -sz });
 }
 
-/* Mean of both polarisations, from air into water. */
+/* Fresnel reflectance from air into water, mean of both polarisations. */
 static inline double ref_fresnel(double c)
 {
     const double e = 1.333, ct = sqrt(1 - (1 - c * c) / (e * e));
@@ -78,14 +78,14 @@ static inline double ref_fresnel(double c)
     return (rs * rs + rp * rp) / 2;
 }
 
-/* The sky at the sine of an elevation. */
+/* Gradient sky at the sine of an elevation. */
 static inline ref_colour ref_sky(uint32_t horizon, uint32_t zenith, double sine)
 {
     const double left = 1 - ref_clamp(sine, 0, 1);
     return ref_mix(ref_colour_of(horizon), ref_colour_of(zenith), 1 - left * left);
 }
 
-/* The largest difference of the three channels. */
+/* Largest difference of the three channels. */
 static inline double ref_off(uint32_t got, ref_colour want)
 {
     const ref_colour g = ref_colour_of(got);

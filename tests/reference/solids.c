@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Where rays meet solids; their colours are in coats.c. */
+/* Intersections of rays and solids; the colours are in coats.c. */
 #include "solids.h"
 
 static bool is_nearer(ref_solid *solid, double t0, double t, ref_kind kind,
@@ -39,7 +39,7 @@ static void try_boat(const ref_scene *s, const ref_ray *ray, double t0, ref_soli
     }
 }
 
-/* A spheroid is a sphere where its axes are of length 1. */
+/* A spheroid is intersected as a sphere, in coordinates scaled by its axes. */
 static void try_drop(const ref_drop *drop, const ref_ray *ray, double t0,
                      ref_solid *solid)
 {
@@ -67,7 +67,8 @@ static double over_floor(const ref_scene *s, const ref_ray *ray, double t)
     return at.y + ref_ocean_bed(s->surface.ocean, at.x, at.z).depth;
 }
 
-/* Marched by a quarter of what is between, then halved 50 times. */
+/* Root of the height over the floor: marched in steps of a quarter of the gap, then halved
+ * 50 times. */
 static double floor_root(const ref_scene *s, const ref_ray *ray, double t0, double t1)
 {
     double t = t0, f = over_floor(s, ray, t);
@@ -124,7 +125,7 @@ static bool in_box(const ref_tank *b, ref_vec at)
         && at.z <= b->z1 + off && at.y >= -b->depth - off && at.y <= b->rim + off;
 }
 
-/* A side of the tank, whose inner face has this normal. */
+/* Tests a side of the tank; `normal` is the normal of the inner face. */
 static void try_side(const ref_scene *s, const ref_ray *ray, double from, double way,
                      double at, ref_vec normal, double t0, ref_solid *solid)
 {
@@ -148,7 +149,7 @@ static void try_tank(const ref_scene *s, const ref_ray *ray, double t0, ref_soli
     try_side(s, ray, f.z, w.z, b->z1, (ref_vec){ 0, 0, -1 }, t0, solid);
 }
 
-/* Entered by the last of its three near sides. */
+/* A ray enters the block at the last of the three near sides. */
 static void try_block(const ref_block *b, const ref_ray *ray, double t0,
                       ref_solid *solid)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Loading scenes for the reference. */
+/* Loads scenes for the reference. */
 #include "stand.h"
 #include "scene/world.h"
 #include "tidepool/modules.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A shipped scene at a tick, for the reference and the engine alike. */
+/* Loads a shipped scene at a tick, for both the reference and the engine. */
 #ifndef TP_REFERENCE_STAND_H
 #define TP_REFERENCE_STAND_H
 #include "host/assets.h"
@@ -11,7 +11,8 @@ typedef struct {
     tp_world  *world;
 } ref_stand;
 
-/* Settings as "name=value"; an exit code, having said why.  Close in any case. */
+/* Opens a scene with settings as "name=value". Returns an exit code; prints the reason of a
+ * failure. Close the stand in either case. */
 int  ref_stand_open(ref_stand *stand, const char *name, const char *const *settings,
                     uint32_t count, uint32_t ticks);
 void ref_stand_close(ref_stand *stand);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Orbits over a floor and breaking crests in double precision: [B11]-[B13] and
- * [B16]-[B19] of the models as they are printed. */
+/* Orbits over a floor and breaking crests in double precision: [B11]-[B13] and [B16]-[B19]
+ * of the models as printed. */
 #ifndef TP_REFERENCE_SURF_H
 #define TP_REFERENCE_SURF_H
 #include <math.h>

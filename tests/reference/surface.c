@@ -1,20 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's surface; see the header. */
+/* Surface of the water; see the header. */
 #include "surface.h"
 #include "scene/world.h"
 #include <stdlib.h>
 #include "depth.h"
 #include "surf.h"
 
-/* -- the rectangle ------------------------------------------------------------------- */
+/* -- extent -------------------------------------------------------------------------- */
 
-/* How far the growing steps of a flank go: `way`, or that many even ones. */
+/* Width of a skirt, the growing steps beside the even cells: up to `reach`, or `flank` even
+ * cells. */
 static double flanks(double cell, int flank, double half, double reach)
 {
     return flank ? fmax(fmin(reach, 16000 - half), cell * flank) : 0;
 }
 
-/* Of a grid that follows: ahead of the eye, by whole cells. */
+/* Centre of a grid that follows the eye: ahead of the eye, in whole cells. */
 static double centre_of(double eye, double ahead, double cell, int count, bool follow)
 {
     return follow ? cell * trunc((eye + cell * (count - 2 * (count / 8)) * 0.4 * ahead)
@@ -58,9 +59,9 @@ bool ref_surface_moves(const ref_surface *s, double x, double z)
                             && fabs(z - e->z) < e->half_z + s->reach);
 }
 
-/* -- making -------------------------------------------------------------------------- */
+/* -- construction -------------------------------------------------------------------- */
 
-/* Of a sea: [A11] bounds the smallest stretch of its places. */
+/* Bounds of deep water: [A11] bounds the smallest stretch of rest points. */
 static void bound_sea(ref_surface *s)
 {
     double q = 0;
@@ -114,7 +115,7 @@ void ref_surface_free(ref_surface *surface)
 
 /* -- points -------------------------------------------------------------------------- */
 
-/* The displaced point of a place at rest, its Jacobian faded with it. */
+/* Displaced point of a rest point; the fade scales the Jacobian too. */
 static ref_point rest_at(const ref_surface *s, double x0, double z0, bool exact)
 {
     const double fade = fade_at(&s->extent, x0, z0);
@@ -143,7 +144,7 @@ static ref_point rest_at(const ref_surface *s, double x0, double z0, bool exact)
     return p;
 }
 
-/* Newton's method, the step halved where the full one does not come nearer. */
+/* Newton's method; the step is halved if the full step does not come nearer. */
 static ref_point above(const ref_surface *s, double x, double z, double rest[2],
                        double off)
 {
@@ -169,7 +170,7 @@ static ref_point above(const ref_surface *s, double x, double z, double rest[2],
     return p;
 }
 
-/* A search begun too far away starts at the place itself. */
+/* Restarts the search at the place itself if the start is too far away. */
 static void begin_near(const ref_surface *s, double x, double z, double rest[2])
 {
     if (!(hypot(rest[0] - x, rest[1] - z) <= s->reach)) {

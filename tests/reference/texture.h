@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A texture sampled plainly: places in repeats, wrapping both ways. */
+/* Plain texture sampling: places in repeats, wrapped along both axes. */
 #ifndef TP_REFERENCE_TEXTURE_H
 #define TP_REFERENCE_TEXTURE_H
 #include <math.h>
@@ -17,14 +17,14 @@ static inline uint32_t ref_texel(const tp_texture *t, int level, int x, int y)
     return t->level[level][((y % h + h) % h) * w + (x % w + w) % w];
 }
 
-/* The texel that holds the place. */
+/* Texel that contains the place. */
 static inline uint32_t ref_nearest(const tp_texture *t, int level, double s, double v)
 {
     return ref_texel(t, level, (int)floor(s * ref_side(t->log2_w, level)),
                      (int)floor(v * ref_side(t->log2_h, level)));
 }
 
-/* Between the four texels whose centres are around the place. */
+/* Bilinear sample of the four texels whose centres surround the place. */
 static inline ref_colour ref_linear(const tp_texture *t, int level, double s, double v)
 {
     const double x = s * ref_side(t->log2_w, level) - 0.5;
@@ -38,8 +38,9 @@ static inline ref_colour ref_linear(const tp_texture *t, int level, double s, do
     return ref_mix(above, below, y - j);
 }
 
-/* The slopes of a bump (nx, ny, nz), green up the picture, on a surface with slopes sx
- * and sz: T along (1, sx, 0), N the normal, B = (0, sz, 1) made orthogonal to both. */
+/* Slopes after a normal map's texel (nx, ny, nz), green up the picture, on a surface with
+ * slopes sx and sz: T along (1, sx, 0), N the normal, B = (0, sz, 1) made orthogonal to
+ * both. */
 static inline void ref_turned(double sx, double sz, const double n[3], double slope[2])
 {
     const ref_dir up = ref_normal(sx, sz), along = ref_unit((ref_dir){ 1, sx, 0 });
@@ -49,13 +50,13 @@ static inline void ref_turned(double sx, double sz, const double n[3], double sl
     const double y = n[0] * along.y - n[1] * down.y + n[2] * up.y;
     const double z = n[0] * along.z - n[1] * down.z + n[2] * up.z;
     const double steep = sqrt((1 + sx * sx) * (1 + sx * sx + sz * sz));
-    const double held = fmax(y, 1 / (8 * steep));      /* as the stage holds it */
+    const double held = fmax(y, 1 / (8 * steep));      /* clamped like in the stage */
 
     slope[0] = -x / held;
     slope[1] = -z / held;
 }
 
-/* A texel brought to another saturation, clamped and coloured. */
+/* Tones of a texel: saturation, clamp and colour. */
 static inline ref_colour ref_grade(ref_colour a, double saturation, double clamp,
                                    ref_colour colour)
 {

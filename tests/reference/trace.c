@@ -21,7 +21,7 @@ ref_seen ref_dry(const ref_scene *s, const ref_ray *ray, double t0, double t1,
                        .kind = solid.kind };
 }
 
-/* The first of a glass tank's outer sides, its outward normal in *n. */
+/* Distance to the first outer side of a glass tank; outward normal in *n. */
 static double glass_at(const ref_scene *s, const ref_ray *ray, ref_vec *n)
 {
     const ref_tank *b = &s->tank;
@@ -32,7 +32,7 @@ static double glass_at(const ref_scene *s, const ref_ray *ray, ref_vec *n)
         || !ref_ray_between(ray->from.x, dx, b->x0, b->x1, &tx, &out)
         || !ref_ray_between(ray->from.z, dz, b->z0, b->z1, &tz, &out))
         return HUGE_VAL;
-    const double t = fmax(tx, tz);              /* a box is entered by its last side */
+    const double t = fmax(tx, tz);              /* a ray enters a box at the last side */
     const double y = ray->from.y + t * ray->way.y;
     if (!(t > 0 && t <= out && y >= -b->depth && y <= b->rim))
         return HUGE_VAL;
@@ -41,7 +41,8 @@ static double glass_at(const ref_scene *s, const ref_ray *ray, ref_vec *n)
     return t;
 }
 
-/* The water behind the glass, below its edge; false: there is air. */
+/* Colour of the water behind the glass, below its surface. Returns false if there is
+ * air. */
 static bool side_of(const ref_scene *s, const ref_ray *ray, double t, ref_vec n,
                     ref_colour *colour)
 {
@@ -55,7 +56,8 @@ static bool side_of(const ref_scene *s, const ref_ray *ray, double t, ref_vec n,
     return true;
 }
 
-/* The glass before what is seen: its own colour, and the sky by Fresnel's share. */
+/* Adds the glass before the colour: the glass's own colour, and the sky by the Fresnel
+ * share. */
 static ref_colour glazed(const ref_scene *s, ref_colour c, ref_vec way, ref_vec n)
 {
     const ref_colour sky = ref_heaven(s, ref_reflected(way, n));
@@ -74,7 +76,7 @@ static ref_ray ray_at(const ref_camera *c, double u, double v)
                                                     ref_times_vec(c->ahead, c->focal))) };
 }
 
-/* As air shows it. */
+/* Colour seen through haze. */
 static ref_seen hazed(const ref_scene *s, ref_colour colour, ref_kind kind, ref_vec at)
 {
     const double depth = ref_dot(ref_sub(at, s->camera.eye), s->camera.ahead);
@@ -92,7 +94,7 @@ static ref_seen wet(const ref_scene *s, const ref_water *water, ref_vec way)
     return seen;
 }
 
-/* Without the glass. */
+/* Traces a ray without the tank's glass. */
 static ref_seen bare(const ref_scene *s, const ref_ray *ray, double t0, double *far)
 {
     ref_meeting m;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* A triangle without approximation: the fill rule in exact integers, and what it shows in
- * double precision.  The rule is the one written at the head of raster.h. */
+/* A triangle without approximation: the fill rule in exact integers, the sample values in
+ * double precision. raster.h states the rule at its head. */
 #ifndef TP_REFERENCE_TRIANGLE_H
 #define TP_REFERENCE_TRIANGLE_H
 #include <math.h>
 #include "raster/raster.h"
 
-/* The first pixel whose centre lies at or right of the edge's crossing with row y:
- * the least x with 16 x + 8 >= u0 + (u1 - u0) (16 y + 8 - v0) / (v1 - v0). */
+/* The first pixel whose centre lies at or right of the edge's intersection with row y: the
+ * least x with 16 x + 8 >= u0 + (u1 - u0) (16 y + 8 - v0) / (v1 - v0). */
 static inline int64_t ref_edge_pixel(const tp_corner *a, const tp_corner *b, int32_t y)
 {
     const int64_t dv = (int64_t)b->v - a->v, du = (int64_t)b->u - a->u;
@@ -17,7 +17,7 @@ static inline int64_t ref_edge_pixel(const tp_corner *a, const tp_corner *b, int
     return over >= 0 ? (over + by - 1) / by : -(-over / by);
 }
 
-/* Pixels [*left, *right) of row y. */
+/* Pixels [*left, *right) of row y inside the triangle. */
 static inline void ref_fill_row(const tp_corner *const corner[3], int32_t y,
                                 int64_t *left, int64_t *right)
 {
@@ -34,7 +34,8 @@ static inline void ref_fill_row(const tp_corner *const corner[3], int32_t y,
     *right = x[0] < x[1] ? x[1] : x[0];
 }
 
-/* Shares of the three corners at the centre of pixel (x, y); they sum to 1. */
+/* Barycentric weights of the three vertices at the centre of pixel (x, y); their sum is
+ * 1. */
 static inline void ref_shares(const tp_corner *const c[3], int32_t x, int32_t y,
                               double share[3])
 {
@@ -50,7 +51,7 @@ static inline void ref_shares(const tp_corner *const c[3], int32_t x, int32_t y,
         share[i] /= sum;
 }
 
-/* zi, s and t of perspective, and the first two numbers of the normal. */
+/* Perspective-correct zi, s and t, and the first two numbers of the normal. */
 typedef struct {
     double zi, s, t, n[3];
 } ref_sample;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* What rays need of vectors beside the camera's, in double precision. */
+/* Vector operations for rays, in addition to the camera's, in double precision. */
 #ifndef TP_REFERENCE_VECTOR_H
 #define TP_REFERENCE_VECTOR_H
 #include "camera.h"
 
 typedef struct {
-    ref_vec from, way;          /* way of unit length */
+    ref_vec from, way;          /* way: unit vector */
 } ref_ray;
 
 static inline ref_vec ref_plus(ref_vec a, ref_vec b)
@@ -34,8 +34,9 @@ static inline ref_vec ref_ray_at(const ref_ray *ray, double t)
     return ref_plus(ray->from, ref_times_vec(ray->way, t));
 }
 
-/* Three rows of unit vectors: right, up and back of a frame that is turned by its heading
- * about y, lifted by its pitch about its own right, then rolled about its own back. */
+/* Rotation as three rows of unit vectors: right, up and back of a frame that is turned by
+ * its heading about y, lifted by its pitch about its right axis, then rolled about its back
+ * axis. */
 typedef struct {
     ref_vec x, y, z;
 } ref_rows;
@@ -54,7 +55,7 @@ static inline ref_rows ref_rows_of(tp_turn heading, tp_turn pitch, tp_turn roll)
     };
 }
 
-/* From the world's axes into the frame's, and back. */
+/* From the world's axes into the frame's axes, and back. */
 static inline ref_vec ref_into(const ref_rows *r, ref_vec v)
 {
     return (ref_vec){ ref_dot(v, r->x), ref_dot(v, r->y), ref_dot(v, r->z) };

@@ -13,7 +13,8 @@ static double fx(tp_fx x)
 
 /* -- layers -------------------------------------------------------------------------- */
 
-/* Saturation about the texel's grey, then what is above `clamp` spread over 0..1. */
+/* Tones: saturation about the texel's grey, then the values above `clamp` spread over
+ * 0..1. */
 static ref_colour toned(ref_colour c, const tp_scene_layer *layer)
 {
     const double grey = (c.c[0] * 77 + c.c[1] * 150 + c.c[2] * 29) / 256;
@@ -58,15 +59,15 @@ static bool has_ripples(const ref_scene *s)
     return s->assets->ripple && s->scene->ripple.bump > 0;
 }
 
-/* Whether normals are not those of the mesh. */
+/* True if the normals differ from the mesh's normals. */
 static bool is_rippled(const ref_scene *s)
 {
     const ref_relief *r = &s->surface.relief;
     return has_ripples(s) || (r->bump > 0 && (r->cells[0].cols || r->cells[1].cols));
 }
 
-/* Pools that only bend the light (water.pool_bump) fade where a pixel holds two of their
- * cells, and are gone where it holds four. */
+/* Bump share of a pool with bump mapping only (water.pool_bump): fades from two cells in a
+ * pixel, 0 from four cells in a pixel. */
 static double bump_share(const ref_scene *s, const ref_cells *c, ref_vec at)
 {
     if (!s->meshed || c->cols == 0)
@@ -74,8 +75,8 @@ static double bump_share(const ref_scene *s, const ref_cells *c, ref_vec at)
     return ref_clamp(2 - ref_water_lod(s, 1 / c->cell, at), 0, 1);
 }
 
-/* A texel (nx, ny, nz), green up the picture, in the surface's tangent space; its level
- * is 7/8 coarser. */
+/* Normal with ripples: a texel (nx, ny, nz), green up the picture, in the surface's tangent
+ * space; the mipmap level is 7/8 coarser. */
 ref_vec ref_water_normal(const ref_scene *s, const ref_water *w)
 {
     double slope[2] = { w->slope_x, w->slope_z };
@@ -99,7 +100,7 @@ ref_vec ref_water_normal(const ref_scene *s, const ref_water *w)
 
 /* -- mirror -------------------------------------------------------------------------- */
 
-/* The object along the mirrored ray: boat, drops and walls; REF_SKY: none. */
+/* Object along the mirrored ray: boat, drops or walls; REF_SKY: none. */
 static ref_seen object_in(const ref_scene *s, const ref_water *w, ref_vec n, ref_vec way)
 {
     const ref_ray ray = { w->at, ref_reflected(way, n) };
@@ -113,8 +114,8 @@ static ref_seen object_in(const ref_scene *s, const ref_water *w, ref_vec n, ref
     return seen;
 }
 
-/* What comes along the mirrored ray; *share falls where that is other water.  R is made
- * of N.V as it was raised: its height is 2 N.V Ny - Vy. */
+/* Light along the mirrored ray; *share falls where the ray meets other water. R uses the
+ * raised N.V: the height of R is 2 N.V Ny - Vy. */
 static ref_light mirrored(const ref_scene *s, const ref_water *w, ref_vec n, double nv,
                           ref_vec way, double *share, ref_kind *in_mirror)
 {
@@ -128,13 +129,13 @@ static ref_light mirrored(const ref_scene *s, const ref_water *w, ref_vec n, dou
     return ref_heaven_mirrored(s, r, w->at);
 }
 
-/* Light beyond white times a small share need not be beyond it. */
+/* Adds the mirror. Light above white times a small share may end below white. */
 static ref_colour with_mirror(const ref_scene *s, ref_colour c, ref_light m, double share)
 {
     return ref_add(ref_scale(c, 1 - share), ref_scale(ref_heaven_whole(s, m), share));
 }
 
-/* [F5]; Blinn's exponent is four times Phong's. */
+/* Specular lobe [F5]; Blinn's exponent is four times Phong's. */
 static double lobe(const ref_scene *s, ref_vec n, double nv, double nl, ref_vec way)
 {
     const double power = fmax(1, floor(fx(s->scene->water.shininess)));
@@ -146,8 +147,8 @@ static double lobe(const ref_scene *s, ref_vec n, double nv, double nl, ref_vec 
     return pow(ref_clamp(2 * nl * nv + ref_dot(s->light, way), 0, 1), power);
 }
 
-/* Ripples too small for a pixel keep a part of the water turned to the eye: N.V of
- * rippled water stays above a tenth, but for the lobe, which takes it as it is. */
+/* Colour of the water. Ripples too small for a pixel leave a part of the water turned to
+ * the eye, so N.V of rippled water is at least 0.1; only the lobe uses the actual N.V. */
 ref_colour ref_water_colour(const ref_scene *s, const ref_water *w, ref_vec way,
                             ref_kind *in_mirror)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Rays in a box of water, in double: bent at its surface or its glass by Snell's law,
- * then straight to the floor or a wall. */
+/* Rays in a box of water in double precision: refracted at the surface or the glass by
+ * Snell's law, then straight to the floor or a wall. */
 #ifndef TP_REFERENCE_WATER_RAY_H
 #define TP_REFERENCE_WATER_RAY_H
 #include <math.h>
@@ -15,7 +15,7 @@ typedef enum { REF_NOTHING, REF_FLOOR, REF_WALL_X, REF_WALL_Z, REF_SURFACE } ref
 
 typedef struct {
     ref_face face;
-    double   way, next;         /* m to it, and to what would come next */
+    double   way, next;         /* distance to the hit and to the next hit behind it, m */
     ref_vec  at;
 } ref_hit;
 
@@ -30,7 +30,8 @@ static inline ref_vec ref_unit_vec(ref_vec v)
     return (ref_vec){ v.x / l, v.y / l, v.z / l };
 }
 
-/* By angles, not by the vector formula: in the plane of both the sine shrinks. */
+/* Refraction by angles instead of the vector formula: the sine shrinks in the plane of both
+ * vectors. */
 static inline ref_vec ref_bent(ref_vec in, ref_vec n, double index)
 {
     const double c = -ref_dot(in, n);
@@ -69,7 +70,7 @@ static inline ref_hit ref_in_box(const ref_box *b, ref_vec from, ref_vec way)
     return h;
 }
 
-/* The view through the middle of pixel (x, y), or a part of a pixel beside it. */
+/* View ray through the middle of pixel (x, y); fractions address places within a pixel. */
 static inline ref_vec ref_pixel_ray(const ref_camera *c, double x, double y)
 {
     const double u = (x + 0.5 - c->u0) / c->focal, v = (c->v0 - y - 0.5) / c->focal;
@@ -78,11 +79,11 @@ static inline ref_vec ref_pixel_ray(const ref_camera *c, double x, double y)
                                    c->ahead.z + u * c->right.z + v * c->up.z });
 }
 
-/* What an eye outside and above or beside the box sees of it in that direction. */
+/* Part of the box that an eye outside, above or beside the box, sees in a direction. */
 typedef enum { REF_OUTSIDE, REF_TOP_FLOOR, REF_TOP_WALL, REF_SIDE_FLOOR, REF_SIDE_WALL,
                REF_SIDE_UP } ref_sight;
 
-/* Way to a side of the box that the eye stands outside of; 1e9: none. */
+/* Distance to the side of the box that faces an eye outside; 1e9: none. */
 static inline double ref_pane(const ref_box *b, ref_vec eye, ref_vec way, ref_vec *n)
 {
     const double x = eye.x > b->x1 ? b->x1 : b->x0, z = eye.z > b->z1 ? b->z1 : b->z0;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Frames of the page's module without a browser, to compare with the program's:
+// Draws frames with the page's module without a browser, for comparison with the
+// program's frames:
 //
 //   node tests/web/frames.js PAGE <LIST
 //
-// PAGE is the folder that `make web` writes; a line of LIST is "SCENE WxH FORMAT
-// FRAME...", frames rising.  Prints "SCENE WxH FORMAT frame 0000 crc32 ...".
+// PAGE is the output folder of `make web`; a line of LIST is "SCENE WxH FORMAT
+// FRAME...", frames in rising order. Prints "SCENE WxH FORMAT frame 0000 crc32 ...".
 'use strict';
 const fs = require('fs'), path = require('path'), vm = require('vm');
 

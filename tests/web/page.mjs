@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Drives a browser over the page as a person would, and compares what is shown with what
-// the program draws.
+// Drives a browser through the page like a user, and compares the displayed picture with
+// the program's frames.
 //
 //   node tests/web/page.mjs CLIENT PAGE PROGRAM URL ASSETS
 //
-// CLIENT holds node_modules, PAGE is build/web, URL where it is served.  One line a case.
+// CLIENT holds node_modules, PAGE is build/web, URL is the address of the served page.
+// Prints one line a case.
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import { createRequire } from 'node:module';
@@ -31,7 +32,7 @@ function told(scene, size, frame, ...settings) {
     { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }).trim();
 }
 
-/* The same sum of pixels 0x__RRGGBB. */
+/* CRC of the pixels 0x__RRGGBB, the program's sum. */
 function crcOf(pixels) {
     let crc = -1;
     for (const pixel of pixels)
@@ -43,7 +44,7 @@ function crcOf(pixels) {
     return (~crc >>> 0).toString(16).padStart(8, '0');
 }
 
-/* -- the page's parts ------------------------------------------------------------ */
+/* -- parts of the page ----------------------------------------------------------- */
 
 const complaints = [], asked = [];
 
@@ -73,14 +74,14 @@ const value = (page, name) => page.inputValue(field(name));
 const frame = page => page.evaluate(() => tidepool.state.frame);
 const camera = page => page.evaluate(() => [...tidepool.engine.camera()].join(' '));
 
-/* After a change has reached the picture. */
+/* Waits until a change has reached the picture. */
 async function settle(page) {
     await page.evaluate(() => new Promise(done =>
         requestAnimationFrame(() => requestAnimationFrame(done))));
     await idle(page);
 }
 
-/* Whether the camera moves while a key is down. */
+/* True if the camera moves while a key is held. */
 async function held(page, key) {
     const before = await camera(page);
     await page.locator('#canvas').focus();
@@ -403,7 +404,7 @@ async function phone(browser) {
     await context.close();
 }
 
-/* -- all ------------------------------------------------------------------------- */
+/* -- run of all cases ------------------------------------------------------------ */
 
 async function named(page) {
     const without = await page.$$eval(

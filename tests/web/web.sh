@@ -1,13 +1,14 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The page: its module draws what the program draws, a browser shows it, and hands work.
+# The page: its module draws the program's frames, a browser shows the page, and input
+# works.
 #
 #   tests/web/web.sh PROGRAM
 #
-# Without a browser the frames are compared all the same, by Node.js.
+# Without a browser the frames are still compared, with Node.js.
 root=$PWD
 page=$root/build/web
-client=$root/build/tests/web            # where the browser's driver is installed
+client=$root/build/tests/web            # the browser's driver is installed here
 . tests/host/lib.sh
 
 skip() { echo "skipped: $1 (package $2)"; }
@@ -19,7 +20,7 @@ for tool in clang=clang wasm-ld=lld node=nodejs; do
     }
 done
 
-# A home that is nobody's, to which browsers write; npm reads the user's settings.
+# An empty home folder for the browsers; npm reads the user's settings.
 mkdir home
 settled=${HOME:-$work/home}
 export HOME="$work/home" XDG_CONFIG_HOME="$work/home" XDG_CACHE_HOME="$work/home"
@@ -38,7 +39,7 @@ else
     skip "the size of the module" binaryen
 fi
 
-# -- the same bits as the program's ----------------------------------------------------
+# -- frames equal the program's --------------------------------------------------------
 
 asked() {
     for scene in $(cd "$root" && make -s list-scenes); do

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Mesa's software renderers by OSMesa; GALLIUM_DRIVER is llvmpipe or softpipe.  A frame
- * is a clear, the upload of the points, the draw calls and a finish; the waves' own time
- * is not in it, which favours them. */
+/* Draws with Mesa's software renderers by OSMesa; GALLIUM_DRIVER is llvmpipe or softpipe. A
+ * frame is a clear, the upload of the points, the draw calls and a finish. The computation
+ * of the waves is not timed, which favours these renderers. */
 #define GL_GLEXT_PROTOTYPES
 #include <GL/osmesa.h>
 #include <GL/glext.h>
@@ -98,8 +98,8 @@ static void upload(const tp_texture *t, int unit, bool linear)
                     linear ? GL_LINEAR : GL_NEAREST);
 }
 
-/* Sides of GL are seen from outside with its own ups and downs: each texel is sought by
- * its way.  (x, y, z) of GL's side at right and down -1..1: */
+/* OpenGL's cube faces are seen from outside with their own right and down, so each texel is
+ * found by its direction: (x, y, z) of OpenGL's face at right r and down d, -1..1. */
 static void way_of(int face, int r, int d, int one, int way[3])
 {
     const int ways[6][3] = { { one, -d, -r }, { -one, -d, r }, { r, one, d },
@@ -107,7 +107,7 @@ static void way_of(int face, int r, int d, int one, int way[3])
     memcpy(way, ways[face], sizeof ways[face]);
 }
 
-/* The same way on the engine's side, its right and down (src/shade/env.h). */
+/* Place of the same direction on the engine's face: right and down (src/shade/env.h). */
 static void place_of(int face, const int way[3], int *r, int *d)
 {
     const int x = way[0], y = way[1], z = way[2];
@@ -141,7 +141,7 @@ static void upload_sky(const bench_scene *s, int unit)
     glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-/* The engine's logarithm: linear between powers of two. */
+/* Logarithm of the engine: linear between powers of two. */
 static float rough_log2(float x)
 {
     int e;
@@ -149,8 +149,8 @@ static float rough_log2(float x)
     return (float)(e - 1) + 2 * m - 1;
 }
 
-/* Repeats a metre, the drift of BENCH_TICK, and the level at 1 m (src/frame/
- * layer.c). */
+/* Sets a texture map: repeats a metre, the drift at BENCH_TICK, and the mipmap level at 1 m
+ * (src/frame/layer.c). */
 static void set_map(const gl *g, int unit, const char *sampler, const char *how,
                     const tp_texture *texture, const tp_scene_map *map, bool linear,
                     float coarser)
@@ -189,7 +189,7 @@ static void set_maps(const gl *g)
 
 /* -- camera and light ------------------------------------------------------------- */
 
-/* Columns first, as GL has them. */
+/* Matrices in column-major order, OpenGL's order. */
 static void set_camera(const gl *g)
 {
     const tp_scene *s = &g->job.s.scene;
@@ -223,7 +223,7 @@ static void set_camera(const gl *g)
     set(g->sky, "exposure", peer_metres(s->hdr.value));
 }
 
-/* The tint is the product of both colours; the engine's are 8 bits. */
+/* The tint is the product of both colours; the engine's colours have 8 bits. */
 static void set_water(const gl *g)
 {
     const tp_scene *s = &g->job.s.scene;

@@ -48,7 +48,7 @@ static void make_mesh(peer_job *job)
     }
 }
 
-/* From near to far, so that a depth test has least to draw. */
+/* Triangles from near to far, so that the depth test rejects most pixels. */
 static void make_index(peer_job *job)
 {
     const uint32_t n = job->points;
@@ -110,7 +110,7 @@ void peer_light(const peer_job *job, float light[3])
 int peer_run(peer_job *job, void (*draw)(void *user), void *user, const uint32_t *pixels)
 {
     timings times = { 0 };
-    draw(user);                         /* compiles what is compiled late */
+    draw(user);                         /* includes what drivers compile late */
     for (uint32_t i = 0; i < job->frames; i++) {
         const uint64_t begin = processor_us();
         draw(user);

@@ -1,7 +1,7 @@
 #version 330
 // SPDX-License-Identifier: MIT
-// A picture, lit.  Levels are chosen as the engine does, by depth: bits of 1 / depth are
-// its logarithm, linear between powers of two.
+// A texture with light. The mipmap level comes from the depth, by the engine's rule: the
+// bits of 1 / depth are its logarithm, linear between powers of two.
 in vec2 still;
 in float lit;
 uniform sampler2D layer0;

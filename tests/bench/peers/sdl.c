@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* SDL_RenderGeometry by SDL's software renderer: affine texture coordinates, no depth, no
- * repeat.  So the picture is repeated beforehand, the far rows are drawn first, and
- * points behind the eye are left out.  Points are transformed in the frame, waves are
- * not. */
+/* Draws with SDL_RenderGeometry and SDL's software renderer: affine texture coordinates, no
+ * depth test, no repeat. The texture is therefore repeated beforehand, far rows are drawn
+ * first, and points behind the eye are left out. The frame transforms the points; the waves
+ * are computed before. */
 #include <SDL.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -39,7 +39,7 @@ static void repeat_picture(sdl *s)
     SDL_SetTextureScaleMode(s->texture, SDL_ScaleModeNearest);
 }
 
-/* The surface's light on white. */
+/* Light of the surface on white. */
 static Uint8 lit(const sdl *s, const peer_point *p)
 {
     const float *l = s->light, sx = p->slope[0], sz = p->slope[1];
@@ -87,7 +87,7 @@ static void draw(void *user)
     SDL_RenderFlush(s->renderer);
 }
 
-/* Far rows first: the job's order turned round. */
+/* Far rows first: the job's order reversed. */
 static void order(sdl *s)
 {
     const uint32_t n = s->job.indices;

@@ -1,6 +1,6 @@
 #version 330
 // SPDX-License-Identifier: MIT
-// The sea's points; of plain water the light too, as other renderers have it.
+// Points of the water; for plain water also the light, as in other renderers.
 layout(location = 0) in vec3 place;
 layout(location = 1) in vec2 rest;
 layout(location = 2) in vec2 slope;

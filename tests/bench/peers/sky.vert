@@ -1,6 +1,6 @@
 #version 330
 // SPDX-License-Identifier: MIT
-// One triangle over the picture, behind everything.
+// One triangle over the whole picture, behind all geometry.
 uniform mat4 rays;              // clip to world
 out vec3 way;
 

@@ -1,7 +1,7 @@
 #version 330
 // SPDX-License-Identifier: MIT
-// All of the water, by the equations of the engine's exact stages (src/shade):
-// distortion, three layers, a normal map turned into the surface, Phong's terms,
+// Complete water by the equations of the engine's exact stages (src/shade):
+// distortion, three layers, a normal map in the surface's tangent space, Phong's terms,
 // Schlick's share of a cube map, exposure.
 in vec3 at;
 in vec2 still, tilt;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Stands for ESP-IDF's spi_master and gpio drivers, and FreeRTOS. */
+/* Stand-in for ESP-IDF's spi_master and gpio drivers, and FreeRTOS. */
 #include "tests/boards/sdk/sdk.h"
 
 typedef int esp_err_t;
@@ -14,7 +14,7 @@ typedef struct {
 enum { ESP_OK = 0, ESP_ERR_INVALID_STATE = 0x103, ESP_ERR_TIMEOUT = 0x107 };
 #define SPI_TRANS_USE_TXDATA (1u << 3)
 #define portMAX_DELAY        0xffffffffu
-#define pdMS_TO_TICKS(ms)    ((TickType_t)(ms) / 10)    /* 100 Hz, as IDF is set */
+#define pdMS_TO_TICKS(ms)    ((TickType_t)(ms) / 10)    /* 100 Hz, the default of ESP-IDF */
 
 static spi_transaction_t *sdk_queued;
 
@@ -40,7 +40,7 @@ static inline esp_err_t spi_device_queue_trans(spi_device_handle_t d, spi_transa
 {
     (void)d, (void)ticks;
     if (sdk_queued)
-        return ESP_ERR_TIMEOUT;                         /* a queue of one */
+        return ESP_ERR_TIMEOUT;                         /* the queue has one entry */
     sdk_queued = t;
     sdk_dma(t->tx_buffer, t->length / 8);
     return ESP_OK;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Stands for the Pico SDK's hardware_spi, hardware_dma, hardware_gpio and pico_time. */
+/* Stand-in for the Pico SDK's hardware_spi, hardware_dma, hardware_gpio and pico_time. */
 #include "tests/boards/sdk/sdk.h"
 
 typedef unsigned uint;
@@ -45,7 +45,7 @@ static inline void channel_config_set_dreq(dma_channel_config *c, uint dreq)
     c->dreq = dreq;
 }
 
-/* As many transfers of the size that was set; paced by the SPI's sending side. */
+/* Starts `count` transfers of the configured size, paced by the SPI's transmit side. */
 static inline void dma_channel_configure(uint channel, const dma_channel_config *c,
                                          volatile void *to, const volatile void *from,
                                          uint count, bool start)

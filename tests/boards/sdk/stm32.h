@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Stands for the STM32 HAL: SPI by DMA, whose interrupt waits for the last byte. */
+/* Stand-in for the STM32 HAL: SPI by DMA, whose interrupt waits for the last byte. */
 #include "tests/boards/sdk/sdk.h"
 
 typedef struct { int unused; } SPI_HandleTypeDef, GPIO_TypeDef;
