@@ -14,7 +14,7 @@ absent() {
 
 # -- refused scenes -------------------------------------------------------------------
 
-expect "no scene to bake" 2 "which scene" bake -o a.c
+expect "no scene to bake" 2 "SCENE is missing" bake -o a.c
 expect "no file to bake into" 2 "It takes -o FILE.c" bake minimal
 expect "-o without its value" 2 "needs a value" bake minimal -o
 expect "a size that is too small" 2 "16..4096" bake minimal -o a.c --size 15x16

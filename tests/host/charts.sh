@@ -286,8 +286,8 @@ expect "a folder without charts" 3 "rows: no chart is described there" charts ba
     --from rows
 expect "an unknown chart is asked for" 2 "no chart dem; did you mean demo?" charts bad \
     --from charts --only scenes,dem
-expect "no folder" 2 "which folder?" charts
-expect "no files" 2 "which files, and which folder?" charts --collect bad
+expect "no folder" 2 "DIR is missing" charts
+expect "no files" 2 "needs FILE and DIR" charts --collect bad
 expect "two folders" 2 "too many names" charts one two
 expect "a folder for the list" 2 "too many names" charts --list one
 expect "list and collect" 2 "exclude each other" charts --list --collect a b

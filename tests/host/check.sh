@@ -141,7 +141,7 @@ expect "a folder without tables" 3 "empty: no .csv file there" check --vectors e
 expect "a folder that is not there" 3 "nowhere: No such file" check --vectors nowhere
 touch README
 expect "a file for a folder" 3 "README: Not a directory" check --vectors README
-expect "no folder" 2 "which folder" check
+expect "no folder" 2 "--vectors DIR is missing" check
 expect "an empty name" 2 "expected a folder" check --vectors ""
 expect "a scene" 2 "too many names" check three-swells --vectors empty
 expect "an option of another command" 2 "no option --hash" check --hash

@@ -45,8 +45,8 @@ for word in version -V; do
 done
 expect "a version of something" 2 "too many names" version render
 
-expect "no command" 2 "which command"
-expect "a command of no letters" 2 "which command" ""
+expect "no command" 2 "COMMAND is missing"
+expect "a command of no letters" 2 "COMMAND is missing" ""
 expect "an option for a command" 2 "no option -x; it takes --help" -x
 for scene in storm my.ini ./sub/my.ini; do
     expect "a scene for a command: $scene" 2 \
@@ -66,7 +66,7 @@ expect "option without its value" 2 "needs a value" render three-swells --size
 expect "switch with a value" 2 "no option --hash=1" render three-swells --hash=1
 expect "an empty value" 2 "render: --size '': expected WIDTHx" render minimal --size ""
 expect "an empty setting" 2 "^tidepool: --set '': expected name=value" render minimal --set ""
-expect "no scene" 2 "which scene" render
+expect "no scene" 2 "SCENE is missing" render
 expect "two scenes" 2 "too many names" render three-swells minimal
 expect "band and strip together" 2 "exclude" render minimal --band 8 --strip 16
 for size in 0x0 15x16 16x4097 640 640x480x3 -1x16 64x 99999999999999999999x16 64X48; do
@@ -147,7 +147,7 @@ refused "a part that is no film" "^a.ini: no YUV4MPEG2 film$" a.ini
 refused "a part that is not there" "^nowhere.y4m: No such file" nowhere.y4m
 refused "a folder" "^\.: Is a directory$" .
 expect "a film of another kind" 3 "full.y4m: no film of 4:2:0" join all.y4m full.y4m
-expect "no parts" 2 "which film, and which parts?" join all.y4m
+expect "no parts" 2 "needs FILM.y4m and PART.y4m" join all.y4m
 expect "a name that is no film's" 2 "a film's name ends in .y4m" join all.mp4 0:6.y4m
 rm -f ./*.y4m
 
@@ -189,7 +189,7 @@ for scene in count-64 three-swells pond; do
     fits plan $scene --size 320x240
 done
 fits plan three-swells --size 4096x4096 --set water.specular=4
-expect "plan of no scene" 2 "which scene" plan
+expect "plan of no scene" 2 "SCENE is missing" plan
 expect "plan of an unknown scene" 3 "did you mean three-swells?" plan three-swels
 run plan minimal --csv
 same "a plan as a table: a line each rung, the head, the total" \
@@ -345,7 +345,7 @@ printf 'newmtl red\nKd 1 0 0\nmap_Kd skin.png\n' >sub/red.mtl
 expect "bad number in an OBJ" 3 "^bad.obj:3: expected a number, found x" \
     $small --set boat.mesh=bad.obj --out boat.png
 absent "bad OBJ leaves no picture" "boat.png\|tidepool-"
-expect "face of a vertex that is not there" 3 "^far.obj:4: face names vertex 9 of 3" \
+expect "face of a vertex that is not there" 3 "^far.obj:4: face uses vertex 9 of 3" \
     $small --set boat.mesh=far.obj
 expect "OBJ that does not exist" 3 "^--set: boat.mesh: no.obj: No such file" \
     $small --set boat.mesh=no.obj
@@ -451,7 +451,7 @@ if (ulimit -v 200000; timeout 60 "$program" --version >out 2>&1); then
      timeout 60 "$program" render minimal --size 4096x4096 --band 4096 --out big.png 2>err)
     code=$?
     judge "memory that the system has not" 3 \
-        "^tidepool: out of memory: [0-9]* bytes asked$"
+        "^tidepool: out of memory: [0-9]* bytes needed$"
     absent "a picture without memory" "big.png\|tidepool-"
 fi
 

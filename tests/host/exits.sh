@@ -58,10 +58,10 @@ exits 2 "no option" params --sett
 exits 3 "No such file" params nowhere.ini
 exits 0 "" bake minimal -o a.c
 exits 1 "asks for it: .* haze" bake minimal -o a.c --size 32x32 --without haze --strict
-exits 2 "which file" bake minimal
+exits 2 "-o FILE.c is missing" bake minimal
 exits 3 "No such file" bake minimal -o no/a.c
 exits 0 "in all" plan minimal
-exits 2 "which scene" plan
+exits 2 "SCENE is missing" plan
 exits 3 "No such file" plan nowhere.ini
 mkdir tables
 head -20 "$vectors/sine.csv" >tables/sine.csv
@@ -70,7 +70,7 @@ awk -F, -v OFS=, '/^[^#]/ && ++n == 2 { $NF = 65536 - $NF } { print }' tables/si
     >wrong
 mv wrong tables/sine.csv
 exits 1 "sine" check --vectors tables
-exits 2 "which folder" check
+exits 2 "vectors DIR is missing" check
 exits 3 "No such file" check --vectors nowhere
 exits 0 "plain" bench --size 64x48 --points 16 --frames 1
 exits 2 "expected" bench --points 0
@@ -85,7 +85,7 @@ printf '[chart]\ntitle = Demo\nkeys = k\nvalues = v\njob = %s\n' 'echo "demo,a,v
 exits 0 "" charts out.d --from charts --small
 sed -i 's/^job.*/job = false/' charts/demo.ini
 exits 1 "exit 1: false" charts out.d --from charts --small
-exits 2 "which folder" charts
+exits 2 "DIR is missing" charts
 exits 3 "no chart is described" charts out.d --from tables
 exits 0 "complete" completion bash
 exits 2 "expected bash, zsh or fish" completion csh
@@ -177,7 +177,7 @@ run --help
 same "the program's help says what each code means" \
     "$(sed -n '/^Exit:/,$p' out | tr '\n' ' ' | tr -s ' ')" "Exit: 0 done, \
 1 a check failed, 2 usage, 3 bad input, 4 no display or device, 5 display lost. "
-exits 2 "which command"
+exits 2 "COMMAND is missing"
 exits 2 "no command" sail
 
 # -- scripts ----------------------------------------------------------------------------

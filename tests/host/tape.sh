@@ -65,7 +65,7 @@ for lacks in "$one $two" "$one $last" "$two $last"; do
     else verdict "each poke acts: others than $lacks" ""; fi
 done
 bad "a poke too many" "no input is called poke9" "4 poke=1 poke9=1"
-bad "a poke twice" "poke2 stands twice" "4 poke2=1 poke2=1"
+bad "a poke twice" "poke2 occurs twice" "4 poke2=1 poke2=1"
 
 tape none.tape "5" "6" "# nothing"
 same "lines without inputs change nothing" "$(hashes minimal --tape none.tape)" "$plain"
@@ -208,7 +208,7 @@ bad "a tick beyond all" "99999999999999999999 is outside its range" \
 bad "a name alone" "expected NAME=NUMBER, found ahead" "4 ahead"
 bad "a number alone" "expected NAME=NUMBER, found =1" "4 =1"
 bad "an unknown name" "no input is called sideways" "4 sideways=1"
-bad "a name twice" "ahead stands twice" "4 ahead=1 ahead=1"
+bad "a name twice" "ahead occurs twice" "4 ahead=1 ahead=1"
 bad "no number" "expected a number" "4 ahead="
 bad "a bad number" "expected a number, found 1m" "4 ahead=1m"
 bad "a fraction of what is whole" "expected a number, found 1.5" "4 drops=1.5"

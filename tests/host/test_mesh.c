@@ -217,7 +217,7 @@ static void an_obj_that_cannot_be_read_is_refused(void **state)
     asset_set a;
     write_mesh(CORNERS "f 1 2 9\n", NULL);
     assert_int_equal(open_mesh(&a, "1", (assets_options){ 0 }), EXIT_INPUT);
-    assert_string_equal(said, "./boat.obj:7: face names vertex 9 of 3\n");
+    assert_string_equal(said, "./boat.obj:7: face uses vertex 9 of 3\n");
     remove("boat.obj");
     assert_int_equal(open_mesh(&a, "1", (assets_options){ 0 }), EXIT_INPUT);
     assert_string_equal(said, "./case.ini:2: boat.mesh: ./boat.obj: No such file or"
