@@ -199,10 +199,10 @@ run plan minimal --csv
 same "the same plan again" "$(cat out)" "$(cat table)"
 run plan minimal --csv --set quality.shading=quick
 same "what the scene names is taken" \
-    "$(grep -c '^shading,quick,as the scene says,' out)" 1
+    "$(grep -c '^shading,quick,set by the scene,' out)" 1
 run plan minimal --csv --visibility rows
 same "and what the command line names" \
-    "$(grep -c '^visibility,rows,as the scene says,' out)" 1
+    "$(grep -c '^visibility,rows,set by the scene,' out)" 1
 cost_of() {
     run plan "$1" --csv --size 320x240 --set "quality.error_px=$2" \
         --set "quality.error_colour=$2"
