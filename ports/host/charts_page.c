@@ -63,7 +63,7 @@ static void print_chart(page *p, const chart *of)
     if (is_there(p->dir, of, ".png"))
         fprintf(p->file, "![%s](%s.png)\n\n", of->title, of->name);
     copy_text(p, of);
-    fprintf(p->file, "\n`tidepool charts DIR --only %s` makes it anew:"
+    fprintf(p->file, "\n`tidepool charts DIR --only %s` redraws this chart:"
             " [the table](%s.csv)", of->name, of->name);
     if (is_there(p->dir, of, ".time.csv"))
         fprintf(p->file, ", [times](%s.time.csv)", of->name);

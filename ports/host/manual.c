@@ -33,8 +33,8 @@ static const entry files[] = {
     { "FILE of --keep", "The world that `tidepool show` draws. Every number in the file is"
       " checked before use. If the file was altered, or saved by another build or for"
       " another scene, a message says so and the scene starts from the beginning." },
-    { "SCENE-0001.png, .mp4, .y4m, .tape", "Recordings of the preview, in the folder where it"
-      " was started, with the next free number." },
+    { "SCENE-0001.png, .mp4, .y4m, .tape", "Recordings of the preview, in its current"
+      " folder, with the next free number." },
     { "SCENE.png, SCENE.apng", "The pictures of `tidepool render SCENE` without --out." },
     { "share/tidepool/scenes/", "The shipped scenes, under the prefix of the"
       " installation." },

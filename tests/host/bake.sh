@@ -15,7 +15,7 @@ absent() {
 # -- refused scenes -------------------------------------------------------------------
 
 expect "no scene to bake" 2 "SCENE is missing" bake -o a.c
-expect "no file to bake into" 2 "It takes -o FILE.c" bake minimal
+expect "no file to bake into" 2 "o FILE.c is missing" bake minimal
 expect "-o without its value" 2 "needs a value" bake minimal -o
 expect "a size that is too small" 2 "16..4096" bake minimal -o a.c --size 15x16
 expect "a size that is too large" 2 "16..4096" bake minimal -o a.c --size 16x4097
@@ -31,7 +31,7 @@ expect "a piece that is wanted and not" 2 "foam is both in --with and in --witho
 expect "a list of no size and format" 2 "--with is of a program's list" \
     bake minimal -o a.c --with foam
 for name in 3x a-b tp tp_x "" "a b" ä; do
-    expect "the name '$name'" 2 "expected a name" bake minimal -o a.c --name "$name"
+    expect "the name '$name'" 2 "expected a C identifier" bake minimal -o a.c --name "$name"
 done
 for texels in 0 -1 4097 x; do
     expect "$texels texels" 2 "1..4096" bake minimal -o a.c --texels "$texels"

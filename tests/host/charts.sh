@@ -280,8 +280,8 @@ expect "a folder that cannot be" 3 "^rows/a/x: Not a directory$" charts rows/a/x
 expect "a file for a folder" 3 "^rows/a: Not a directory$" charts rows/a --from charts
 expect "a file of rows that is not there" 3 "^nowhere: No such file" charts --collect \
     nowhere bad --from charts
-expect "no project here" 3 "start it in the project's folder$" charts bad
-expect "nor for the list" 3 "start it in the project's folder$" charts --list
+expect "no project here" 3 "run it in the project's folder$" charts bad
+expect "nor for the list" 3 "run it in the project's folder$" charts --list
 expect "a folder without charts" 3 "rows: no chart is described there" charts bad \
     --from rows
 expect "an unknown chart is asked for" 2 "no chart dem; did you mean demo?" charts bad \
@@ -303,8 +303,8 @@ ini "a section that is none" "2: \[charts\]; expected \[chart\]" '1s/t]/ts]/'
 ini "no name at all" "3: neither" '3s/=//'
 ini "two titles" "3: title: twice" '2p'
 ini "an empty list" "3: keys: empty" '3s/=.*/=/'
-ini "no title" " it takes a title, keys and values" '2d'
-ini "no keys" " it takes a title, keys and values" '3d'
+ini "no title" " a chart needs title, keys and values" '2d'
+ini "no keys" " a chart needs title, keys and values" '3d'
 ini "no job" " no job" '/cat rows.[abc]/d'
 ini "a front of one value" " pareto: expected two values" 's/cost error$/cost/;5!b'
 ini "a front of no value" " pareto: no value is called ms" '/pareto/s/error/ms/'

@@ -103,7 +103,7 @@ broken "a field more" "t/sine.csv:4: 6 fields; there are 5 columns" sine '4s/$/,
 broken "an empty line" "t/sine.csv:4: 0 fields; there are 5 columns" sine '4s/.*//'
 broken "a number beyond its range" "t/sine.csv:4: sin = 1.5 is outside -1..1" sine \
     '4s/,[^,]*,/,1.5,/'
-broken "a fraction where there is none" "phase_u32 = 0.5 .* or no whole number" sine \
+broken "a fraction where there is none" "phase_u32 = 0.5 .* or not a whole number" sine \
     '4s/^[^,]*/0.5/'
 broken "an unknown word" "dispersion.csv:3: class = 'wet' is none of shallow|" dispersion \
     '3s/[a-z]*$/wet/'

@@ -107,7 +107,7 @@ same "a bench as CSV: a line of names and three of figures" "$(wc -l <out)" 4
 expect "unknown format" 2 "rgb565be" render minimal --format rgb555
 expect "visibility of no kind" 2 "auto, triangles" render minimal --visibility cubes
 expect "output of unknown kind" 2 "ends in .png, .apng or .y4m" render minimal --out picture.jpg
-expect "several frames, one name" 2 "need a place" render minimal --frames 2 --out f.png
+expect "several frames, one name" 2 "need a number" render minimal --frames 2 --out f.png
 expect "a % that is no number" 2 "%04d" render minimal --out f-%s.png
 
 # -- films in parts -----------------------------------------------------------------
@@ -434,7 +434,7 @@ need="three-swells --size 64x48 --threads 2"
 {
 expect "more memory than is allowed" 3 \
     "^three-swells needs [0-9]* bytes (frame [0-9]*, world [0-9]*, scratch [0-9]*), "\
-"--memory allows 65536; what it names, [0-9]* bytes, is not counted$" \
+"--memory allows 65536; [0-9]* bytes of pictures and mesh are not counted$" \
     render $need --memory 64k --out refused.png
 absent "a picture that needs too much" "refused.png\|tidepool-"
 bytes=$(sed -n 's/.* needs \([0-9]*\) bytes.*/\1/p' err)

@@ -43,7 +43,7 @@ exits 2 "expected WIDTHxHEIGHT" render minimal --size 1
 exits 3 "No such file" render nowhere.ini
 run render minimal --size 32x32 --out a.y4m
 exits 0 "" join b.y4m a.y4m
-exits 2 "which parts" join b.y4m
+exits 2 "needs FILM.y4m and PART.y4m" join b.y4m
 exits 3 "No such file" join b.y4m nowhere.y4m
 for command in scenes manual version; do
     exits 0 "storm\|0\." $command
@@ -57,7 +57,7 @@ exits 0 "wave0" params minimal
 exits 2 "no option" params --sett
 exits 3 "No such file" params nowhere.ini
 exits 0 "" bake minimal -o a.c
-exits 1 "asks for it: .* haze" bake minimal -o a.c --size 32x32 --without haze --strict
+exits 1 "the scene uses it: .* haze" bake minimal -o a.c --size 32x32 --without haze --strict
 exits 2 "-o FILE.c is missing" bake minimal
 exits 3 "No such file" bake minimal -o no/a.c
 exits 0 "in all" plan minimal
@@ -86,7 +86,7 @@ exits 0 "" charts out.d --from charts --small
 sed -i 's/^job.*/job = false/' charts/demo.ini
 exits 1 "exit 1: false" charts out.d --from charts --small
 exits 2 "DIR is missing" charts
-exits 3 "no chart is described" charts out.d --from tables
+exits 3 "no chart in this folder" charts out.d --from tables
 exits 0 "complete" completion bash
 exits 2 "expected bash, zsh or fish" completion csh
 full completion bash
@@ -106,7 +106,7 @@ met show 0 "^frame 0000" "show"
 exits 2 "expected fb or kms" show minimal --on paper
 exits 3 "No such file" show nowhere.ini
 exits 4 "cannot be opened" show minimal --device nowhere
-exits 4 "is no frame buffer" show minimal --device list
+exits 4 "is not a frame buffer" show minimal --device list
 show minimal --device fb0 --size 97x64
 met show 4 "smaller than the picture" "show, larger than its screen"
 : >out

@@ -80,8 +80,8 @@ expect "no such device" 4 "^nowhere: cannot be opened: No such file" \
     show $scene --device nowhere
 same "and that in one line" "$(wc -l <err)" 1
 expect "a folder" 4 "^folder: cannot be opened: Is a directory" show $scene --device folder
-expect "a file" 4 "^text: is no frame buffer$" show $scene --device text
-expect "another device" 4 "^/dev/null: is no frame buffer$" show $scene --device /dev/null
+expect "a file" 4 "^text: is not a frame buffer$" show $scene --device text
+expect "another device" 4 "^/dev/null: is not a frame buffer$" show $scene --device /dev/null
 expect "no such port" 2 "expected fb or kms" show $scene --on paper
 expect "--hold without --frames" 2 "hold" show $scene --hold
 expect "no such scene" 3 "nothing.ini" show nothing.ini --device text
@@ -357,17 +357,17 @@ fresh() {
 }
 bytes=$(wc -c <killed)
 head -c $((bytes - 1)) killed >world
-fresh "cut off" "is not whole"
+fresh "cut off" "is incomplete"
 { cat killed; printf x; } >world
-fresh "longer" "is not whole"
+fresh "longer" "is incomplete"
 { head -c $((bytes / 2)) killed; printf '\252\125'; tail -c +$((bytes / 2 + 3)) killed; } >world
-fresh "altered" "is not whole"
+fresh "altered" "is incomplete"
 : >world
-fresh "empty" "is no kept world"
+fresh "empty" "is not a saved world"
 cp fb0 world
-fresh "something else" "is no kept world"
+fresh "something else" "is not a saved world"
 { head -c 12 killed; printf '\252\125'; tail -c +15 killed; } >world
-fresh "of another build" "was kept by another build"
+fresh "of another build" "was saved by another build"
 { head -c 7 killed; printf '\002'; tail -c +9 killed; } >world
 fresh "of an older version" "holds a world of version 2, this program has version 4"
 cp killed world
@@ -402,7 +402,7 @@ whole --frames 0:39 --keep world --tape slow.tape
 same "in slow motion too" "$code $(tail -n 15 all | cmp - out)" "0 "
 { echo "tape 1 $scene"; echo "3 drops=1"; echo "4 set pool.cols=40"; } >anew.tape
 refused "a tape that makes the world anew" 3 \
-    "^anew.tape:3: pool.cols=40 makes the world anew, .* expected what goes on in the same" \
+    "^anew.tape:3: pool.cols=40 restarts the world, .* only changes that keep the world" \
     --tape anew.tape
 
 finish

@@ -127,7 +127,7 @@ static void what_is_drawn_so_anyway_is_told(void **state)
     compare_set(b.compare, COMPARE_SPLIT, AGAINST_EXACT);
     assert_non_null(draw(&b));
     assert_string_equal(compare_note(b.compare),
-                        "the scene is drawn so: nothing to compare");
+                        "the scene is drawn with this method: nothing to compare");
     compare_set(b.compare, COMPARE_SPLIT, AGAINST_LOD);
     assert_non_null(draw(&b));
     assert_null(strstr(compare_note(b.compare), "nothing to compare"));

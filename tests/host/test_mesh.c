@@ -179,7 +179,7 @@ static void a_mesh_too_large_for_its_scale_is_told_one_that_fits(void **state)
     assets_close(&a);
     assert_drawn_without("1", "./boat.obj: reaches 25000 m from its origin at boat.scale 1,"
                          " expected 4000 at the most: boat.scale = 0.15999 fits",
-                         "what lies farther is drawn there");
+                         "farther vertices are moved to this distance");
     assert_int_equal(open_mesh(&a, "0.15999", (assets_options){ .strict = true }),
                      EXIT_DONE);
     assets_close(&a);

@@ -236,7 +236,7 @@ static void ffmpeg_that_fails_at_the_end_leaves_nothing(void **state)
     record(r, 2);
     assert_int_equal(recorder_end(r), 3);
     assert_said("pond-0001.mp4: ffmpeg ended with 7 after 2 pictures;"
-                " there is no film\n");
+                " no film was written\n");
     assert_files(0, NULL);
 }
 

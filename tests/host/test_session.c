@@ -271,7 +271,7 @@ static void a_cut_file_is_not_gone_on_with(void **state)
         assert_int_equal(session_read(&got), 0);
         assert_null(got.scene);
         session_free(&got);
-        assert_heard("session.ini: is not whole: a fresh start\n");
+        assert_heard("session.ini: incomplete: a fresh start\n");
     }
     free(path);
     stage_close(&s);
@@ -317,7 +317,7 @@ static void a_cut_or_foreign_world_is_not_taken(void **state)
     assert_int_equal(truncate(path, size_of(path) - 1), 0);
     listen();
     assert_false(take(&s));
-    assert_heard("is not whole: a fresh start\n");
+    assert_heard("incomplete: a fresh start\n");
     unlink(path);
     listen();
     assert_false(take(&s));
