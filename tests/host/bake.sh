@@ -21,12 +21,12 @@ expect "a size that is too small" 2 "16..4096" bake minimal -o a.c --size 15x16
 expect "a size that is too large" 2 "16..4096" bake minimal -o a.c --size 16x4097
 expect "a format of nobody" 2 "expected xrgb8888" bake minimal -o a.c --format rgb888
 for option in with without; do
-    expect "--$option of what is no piece" 2 "--$option fome: no such piece; did you mean" \
+    expect "--$option of what is no piece" 2 "--$option fome: no such module; did you mean" \
         bake minimal -o a.c --size 32x32 "--$option" ripple,fome
     expect "--$option of an empty name" 2 "--$option" \
         bake minimal -o a.c --size 32x32 "--$option" ""
 done
-expect "a piece that is wanted and not" 2 "foam is both in --with and in --without" \
+expect "a piece that is wanted and not" 2 "foam is in both --with and --without" \
     bake minimal -o a.c --size 32x32 --with foam --without foam
 expect "a list of no size and format" 2 "--with is of a program's list" \
     bake minimal -o a.c --with foam
@@ -117,7 +117,7 @@ same "a list is told of in the head" "$code $(grep -c '^ \* *stage  sky plain' h
 run bake minimal -o i.c --size 64x48 --no-input --name baked
 same "it is the same each time" "$(cmp h.c i.c)" ""
 run bake minimal -o i.c --size 64x48 --no-input --without haze
-same "what is left out is told" "$code $(grep -c 'asks for it: .* haze$' err)" "0 1"
+same "what is left out is told" "$code $(grep -c 'uses it: .* haze$' err)" "0 1"
 run bake minimal -o i.c --size 64x48 --no-input --without foam
 same "unless nobody asks for it" "$code $(cat err)" "0 "
 run bake minimal -o i.c --format i1 --no-input --with foam

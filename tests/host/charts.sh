@@ -256,13 +256,14 @@ only_direct() { # NAME PATTERN ROW: rows that only a job's own list forbids
     printf '%s\n' "$3" >rows/b
     expect "$1" 3 "$2" charts bad --from charts
 }
-only_direct "rows of another chart" ":1: the job is none of chart scenes" "scenes,x,n,1"
+only_direct "rows of another chart" ":1: the job does not belong to chart scenes" \
+    "scenes,x,n,1"
 only_direct "a time of a job that is none" "only a .time. job prints times: ms" \
     "demo,x;1,ms,1"
 cp b.good rows/b
 cp rows/t t.good
 echo "demo,x;1,cost,1" >rows/t
-expect "a value of a time job" 3 "a .time. job prints times alone: cost" charts bad \
+expect "a value of a time job" 3 "a .time. job prints only times: cost" charts bad \
     --from charts
 cp t.good rows/t
 echo "demo,lin;8,cost,21" >rows/c
@@ -282,7 +283,7 @@ expect "a file of rows that is not there" 3 "^nowhere: No such file" charts --co
     nowhere bad --from charts
 expect "no project here" 3 "run it in the project's folder$" charts bad
 expect "nor for the list" 3 "run it in the project's folder$" charts --list
-expect "a folder without charts" 3 "rows: no chart is described there" charts bad \
+expect "a folder without charts" 3 "rows: no chart in this folder" charts bad \
     --from rows
 expect "an unknown chart is asked for" 2 "no chart dem; did you mean demo?" charts bad \
     --from charts --only scenes,dem

@@ -75,10 +75,10 @@ expect "a step is compared with itself, not with the root" 1 "step 1 is off" \
 
 folder sine
 mv t/sine.csv t/sines.csv
-expect "an unknown name" 3 "t/sines.csv: no model is called so; did you mean sine.csv?" \
+expect "an unknown name" 3 "t/sines.csv: no model has this name; did you mean sine.csv?" \
     check --vectors t
 mv t/sines.csv t/something_else.csv
-expect "a name far from all" 3 "t/something_else.csv: no model is called so$" \
+expect "a name far from all" 3 "t/something_else.csv: no model has this name$" \
     check --vectors t
 broken "an unknown column" "t/sine.csv:2: unknown column 'sinn'; did you mean sin?" sine \
     '2s/,sin,/,sinn,/'
@@ -116,7 +116,7 @@ broken "a parameter line with a bad number" "exposure.csv:1: unknown parameter l
 broken "a parameter beyond its range" "exposure.csv:1: e0 = 99 is outside 0.125..8" \
     exposure '1s/e0=1/e0=99/'
 broken "a parameter line that is missing" "sine.csv:1: no parameter line '# \[G1\]" sine 1d
-broken "a parameter line twice" "sine.csv:2: one parameter line of this kind too many" \
+broken "a parameter line twice" "sine.csv:2: too many parameter lines of this kind" \
     sine '1{p}'
 broken "waves out of their order" "gerstner_sum.csv:3: number 2; expected 1" gerstner_sum \
     '3s/wave 1/wave 2/'
@@ -130,7 +130,7 @@ broken "a pool that the core refuses" "no pool of .* can be made" automaton_mode
     's/,0.234375,0.0625,/,0.25,0.0625,/'
 folder sine
 printf 'a\0b\n' >>t/sine.csv
-expect "a zero byte" 3 "t/sine.csv: a zero byte in it" check --vectors t
+expect "a zero byte" 3 "t/sine.csv: contains a zero byte" check --vectors t
 mkdir t/fresnel.csv
 expect "a folder for a table" 3 "t/fresnel.csv: Is a directory" check --vectors t
 

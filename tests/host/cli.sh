@@ -136,17 +136,17 @@ refused() {     # NAME PATTERN PART...
     verdict "$1: no film" "$(ls -A | grep -e '^all' -e tidepool-)"
 }
 refused "a part of another size" \
-    "^other.y4m: its head is not that of 0:6.y4m: W32 H17 .*; W33 H17" other.y4m
+    "^other.y4m: its head differs from that of 0:6.y4m: W32 H17 .*; W33 H17" other.y4m
 refused "a part cut off" "^cut.y4m: ends inside of frame 0$" cut.y4m
 refused "in its first row" "^half.y4m: ends inside of frame 0$" half.y4m
 refused "a part without frames" "^empty.y4m: a film without frames$" empty.y4m
-refused "a part with more behind" "^more.y4m: where frame 1 begins there is none" more.y4m
-refused "a part of no bytes" "^nothing.y4m: no YUV4MPEG2 film$" nothing.y4m
+refused "a part with more behind" "^more.y4m: expected the head of frame 1" more.y4m
+refused "a part of no bytes" "^nothing.y4m: not a YUV4MPEG2 film$" nothing.y4m
 echo "; a scene" >a.ini
-refused "a part that is no film" "^a.ini: no YUV4MPEG2 film$" a.ini
+refused "a part that is no film" "^a.ini: not a YUV4MPEG2 film$" a.ini
 refused "a part that is not there" "^nowhere.y4m: No such file" nowhere.y4m
 refused "a folder" "^\.: Is a directory$" .
-expect "a film of another kind" 3 "full.y4m: no film of 4:2:0" join all.y4m full.y4m
+expect "a film of another kind" 3 "full.y4m: not a 4:2:0 film" join all.y4m full.y4m
 expect "no parts" 2 "needs FILM.y4m and PART.y4m" join all.y4m
 expect "a name that is no film's" 2 "a film's name ends in .y4m" join all.mp4 0:6.y4m
 rm -f ./*.y4m
@@ -292,7 +292,7 @@ expect "clamp of the steepness sum" 0 \
 coarse="--set pool.cols=16 --set pool.rows=16 --set pool.cells=8 --set pool.damping=10"
 # shellcheck disable=SC2086
 expect "a pool of cells too coarse for its numbers" 0 \
-    "^--set: pool.courant: 8-bit cells make noise of 21 % of their range; 0.409 or more" \
+    "^--set: pool.courant: 8-bit cells have noise of 21 % of their range; 0.409 or more" \
     render minimal --size 16x16 --hash $coarse --set pool.courant=0.25
 # shellcheck disable=SC2086
 expect "and one that keeps to what is said" 0 "" \

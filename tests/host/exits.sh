@@ -146,7 +146,7 @@ else
     met view 0 "" "view"
     SDL_VIDEODRIVER=dummy timeout $seconds "$program" view --resume --frames 2 >out 2>err
     code=$?
-    met view 0 "session.ini: nothing is kept: a fresh start" "view --resume, nothing kept"
+    met view 0 "session.ini: no saved state: a fresh start" "view --resume, nothing kept"
     same "it says so in one line" "$(wc -l <err)" 1
     exits 2 "expected 1..16" view --scale 0
     exits 3 "No such file" view nowhere.ini

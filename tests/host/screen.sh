@@ -112,12 +112,12 @@ rm -f copy
 memory "$wide"
 refused "smaller than the picture" 4 "^fb0: 96x64 pixels, smaller than .* 97x64$" --size 97x64
 memory "15 64 32 384 64 2 16 8 8 8 0 8 24 8 0 0"
-refused "smaller than any picture" 4 "15x64 pixels; a scene takes 16x16 at the least"
+refused "smaller than any picture" 4 "15x64 pixels; a scene needs at least 16x16"
 for bad in "96 64 4 384 64 2 0 4 0 4 0 4 0 0 0 0" "96 64 32 384 64 2 16 8 16 8 0 8 0 0 0 0" \
            "96 64 32 384 64 0 16 8 8 8 0 8 0 0 0 0" "96 64 32 380 64 2 16 8 8 8 0 8 0 0 0 0" \
            "96 64 32 384 60 2 16 8 8 8 0 8 0 0 0 0" "96 64 8 96 64 4 0 8 0 8 0 8 0 0 0 0"; do
     memory "$bad"
-    refused "a strange layout: $bad" 4 "^fb0: a layout that is not known"
+    refused "a strange layout: $bad" 4 "^fb0: unknown pixel layout"
 done
 memory "96 64 8 96 64 3 0 8 0 8 0 8 0 0 0 0"
 refused "colours that indices do not have" 4 "8 bits a pixel take p8, l8 or i1, not rgb565" \
@@ -318,7 +318,7 @@ mv out all
 begin --frames 0:150 --keep world
 until [ -s world ] || ! kill -0 $parent; do sleep 0.05; done
 same "with nothing kept it begins, and says so in one line" "$(cat err)" \
-    "world: nothing is kept: a fresh start"
+    "world: no saved world: a fresh start"
 sleep 0.4
 end KILL "$child"
 same "killed amid" "$(kill -l $code)" KILL
@@ -326,7 +326,7 @@ reached=$(last_frame)
 cp world killed
 whole --frames 0:150 --keep world
 again=$(awk 'NR == 1 { print $2 + 0 }' out)
-same "it goes on" "$code $(grep -c "goes on at frame $again" err)" "0 1"
+same "it goes on" "$code $(grep -c "continues at frame $again" err)" "0 1"
 [ "$again" -gt 0 ] && [ "$again" -le "$reached" ]
 same "from before it was killed" $? 0
 same "to the end" "$(last_frame)" 150
@@ -335,7 +335,7 @@ same "and it is not another run" "$(tail -n $((150 - again)) all | cmp -s - out;
 whole --frames 0:150 --keep world
 same "at the end it has nothing to draw but the end" "$(cat out)" "$(tail -1 all)"
 whole --frames 0:100 --keep world
-judge "one that is past the frames" 3 "is at frame 150 already, past 100"
+judge "one that is past the frames" 3 "already at frame 150, past 100"
 
 FAKE_SLOW=1
 export FAKE_SLOW
@@ -372,10 +372,10 @@ fresh "of another build" "was saved by another build"
 fresh "of an older version" "holds a world of version 2, this program has version 4"
 cp killed world
 whole --frames 0:1 --keep world --set wave0.length=9
-judge "of a changed scene" 0 "^world: is of another scene: a fresh start$"
+judge "of a changed scene" 0 "^world: belongs to another scene: a fresh start$"
 rm -rf world && mkdir world world.new
 whole --frames 0:1 --keep world
-judge "what cannot be kept" 3 "^world: cannot be kept: "
+judge "what cannot be kept" 3 "^world: cannot be saved: "
 same "is drawn all the same" "$(grep -c '^frame' out)" 2
 
 # -- tapes -----------------------------------------------------------------------------

@@ -376,8 +376,8 @@ static void every_poke_of_a_tick_is_taken(void **state)
         ask(b, "poke 1 1\n");
     const tp_input before = b->control.input;
     ask(b, "input poke=1 poke2=1 turn=9\n");
-    assert_string_equal(b->said, "error 8 pokes wait for the next tick, which takes no"
-                                 " more\n");
+    assert_string_equal(b->said, "error 8 pokes wait for the next tick, the most it"
+                                 " takes\n");
     assert_memory_equal(&before, &b->control.input, sizeof before);
     ask(b, "poke 1 1\n");
     assert_string_equal(b->said, "ok poke\n");

@@ -6,7 +6,7 @@
 
 #define TP_ROW_POOL(name, part) \
     TP_ROW_COUNT(name ".cols", part.cols, "cells", 0, 512, 0, \
-        "cells along x, 16 or more; 0: no such pool"), \
+        "cells along x, 16 or more; 0: no pool"), \
     TP_ROW_COUNT(name ".rows", part.rows, "cells", 16, 512, 64, "cells along z"), \
     TP_ROW_CHOICE(name ".cells", part.cells, "8|16|32", TP_CELLS_32, TP_CELLS_16, \
         "bits of a cell: 8 saves memory, 32 keeps volume and detail"), \
