@@ -114,10 +114,10 @@ static const char *read_memory(options *o, const char *value)
     const char *end;
     uint32_t count;
     if (!read_count(value, &end, 1, UINT32_MAX, &count))
-        return "a number of bytes from 1, such as 96k or 2M";
+        return "bytes from 1, such as 96k or 2M";
     const uint32_t unit = *end == 'k' ? 1u << 10 : *end == 'M' ? 1u << 20 : 1;
     o->memory = (uint64_t)count * unit;
-    return end[unit > 1] ? "a number of bytes from 1, such as 96k or 2M" : NULL;
+    return end[unit > 1] ? "bytes from 1, such as 96k or 2M" : NULL;
 }
 
 static const char *read_visibility(options *o, const char *value)

@@ -329,7 +329,7 @@ static const char *const pass_text[] = {
     [TRACER_16] = "16 samples per pixel",
 };
 
-/* Writes "1 sample a pixel; 4 samples a pixel: 40%". */
+/* Writes "1 sample per pixel; 4 samples per pixel: 40%". */
 static void note_reference(compare *c)
 {
     uint32_t percent = 0;

@@ -28,7 +28,7 @@ for option in with without; do
 done
 expect "a piece that is wanted and not" 2 "foam is in both --with and --without" \
     bake minimal -o a.c --size 32x32 --with foam --without foam
-expect "a list of no size and format" 2 "--with is of a program's list" \
+expect "a list of no size and format" 2 "--with is an option of the program" \
     bake minimal -o a.c --with foam
 for name in 3x a-b tp tp_x "" "a b" ä; do
     expect "the name '$name'" 2 "expected a C identifier" bake minimal -o a.c --name "$name"

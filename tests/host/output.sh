@@ -63,8 +63,8 @@ expect "--out replaces it" 0 "" render minimal --size 64x48 --out minimal.png
 expect "and then it is ours" 0 "frame 0" render minimal --size 64x48
 rm minimal.png
 mkdir minimal.png minimal.apng
-expect "a folder of that name" 3 "^minimal.png: is there" render minimal --size 64x48
-expect "and of a film's" 3 "^minimal.apng: is there" render minimal --size 64x48 \
+expect "a folder of that name" 3 "^minimal.png: exists" render minimal --size 64x48
+expect "and of a film's" 3 "^minimal.apng: exists" render minimal --size 64x48 \
     --frames 2
 cd .. || exit 2
 rm -r here
