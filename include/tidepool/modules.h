@@ -366,7 +366,7 @@ extern const tp_program *const tp_program_linked;
  * line of help.
  *
  *     static const tp_param rows[] = {
- *         TP_ROW_NUMBER("foam.cell", foam.cell, "m", 0.01, 50, 0.5, "side of such a cell"),
+ *         TP_ROW_NUMBER("foam.cell", foam.cell, "m", 0.01, 50, 0.5, "side of a cell"),
  *     };
  *
  * The macros take ranges in plain numbers; a row stores them in 16.16.
@@ -377,7 +377,7 @@ extern const tp_program *const tp_program_linked;
  *
  *     enum { BUOY_ON = BUOY_AT, BUOY_HEIGHT };
  *     TP_ROW_SWITCH("buoy.on", own[BUOY_ON], 0, "a buoy floats on the water"),
- *     TP_ROW_NUMBER("buoy.height", own[BUOY_HEIGHT], "m", 0.1, 20, 2, "of its mast"),
+ *     TP_ROW_NUMBER("buoy.height", own[BUOY_HEIGHT], "m", 0.1, 20, 2, "height of its mast"),
  *
  * The header that lists a program's own modules assigns the words (BUOY_AT) and registers
  * the modules by TP_MORE; see ports/README.md. */
@@ -411,8 +411,10 @@ extern const tp_program *const tp_program_linked;
     TP_ROW_NAME(name ".texture", part.texture, TEXTURE, help), \
     TP_ROW_NUMBER(name ".size", part.size, "m", 0.1, 1000, normal, \
         "side of the square that one repeat covers"), \
-    TP_ROW_NUMBER(name ".drift_x", part.drift_x, "m/s", -20, 20, 0, "along x"), \
-    TP_ROW_NUMBER(name ".drift_z", part.drift_z, "m/s", -20, 20, 0, "along z")
+    TP_ROW_NUMBER(name ".drift_x", part.drift_x, "m/s", -20, 20, 0, \
+        "drift speed along x"), \
+    TP_ROW_NUMBER(name ".drift_z", part.drift_z, "m/s", -20, 20, 0, \
+        "drift speed along z")
 
 TP_END_C
 #endif

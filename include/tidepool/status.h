@@ -3,7 +3,7 @@
  *
  * Only init functions, setters and readers can fail.  An error stores the line of the
  * input (`where`) and up to two numbers and a word for its sentence.  The application
- * knows the file's name and prints, for example, "boat.obj:41: face names vertex 9 of
+ * knows the file's name and prints, for example, "boat.obj:41: face uses vertex 9 of
  * 3". */
 #ifndef TP_STATUS_H
 #define TP_STATUS_H
@@ -18,11 +18,11 @@ TP_BEGIN_C
 #define TP_STATUS_LIST(X)                                                                \
     X(OK, "ok")                                                                          \
     X(E_ARG, "argument out of range")                                                    \
-    X(E_NOSPACE, "out of memory: %a bytes asked, %b there")                              \
+    X(E_NOSPACE, "out of memory: %a bytes needed, %b available")                         \
     X(E_NULL, "%s is NULL")                                                              \
     X(E_ALIGN, "%s is not aligned to %a bytes")                                          \
     X(E_SIZE, "picture of %a x %b pixels; 16 x 16 to 4096 x 4096 can be drawn")          \
-    X(E_TILE, "tile of %a x %b pixels; widths are multiples of 16")                      \
+    X(E_TILE, "tile of %a x %b pixels; the width must be a multiple of 16")              \
     X(E_PROGRAM, "the program lacks %s")                                                 \
     X(E_NAME, "no parameter is called %s")                                               \
     X(E_NUMBER, "expected a number, found %s")                                           \
@@ -36,34 +36,34 @@ TP_BEGIN_C
     X(E_OBJ_NUMBER, "expected a number, found %s")                                       \
     X(E_OBJ_MISSING, "%s needs %a numbers, found %b")                                    \
     X(E_OBJ_ZERO, "index 0; indices start at 1")                                         \
-    X(E_OBJ_VERTEX, "face names vertex %a of %b")                                        \
-    X(E_OBJ_TEXCOORD, "face names texture coordinate %a of %b")                          \
-    X(E_OBJ_NORMAL, "face names normal %a of %b")                                        \
-    X(E_OBJ_MIXED, "face whose corners differ in form")                                  \
+    X(E_OBJ_VERTEX, "face uses vertex %a of %b")                                         \
+    X(E_OBJ_TEXCOORD, "face uses texture coordinate %a of %b")                           \
+    X(E_OBJ_NORMAL, "face uses normal %a of %b")                                         \
+    X(E_OBJ_MIXED, "corners of a face in different forms, such as 1 and 1/1")            \
     X(E_OBJ_RANGE, "coordinate beyond +-%a")                                             \
     X(E_OBJ_LINE, "line longer than %a bytes")                                           \
-    X(E_OBJ_NAME, "name with a zero byte in it")                                         \
-    X(E_OBJ_EMPTY, "no face with an area in the file")                                   \
-    X(E_OBJ_COUNT, "more than %a of one kind")                                           \
+    X(E_OBJ_NAME, "name contains a zero byte")                                           \
+    X(E_OBJ_EMPTY, "no face of the file has an area")                                    \
+    X(E_OBJ_COUNT, "more than %a elements of one kind")                                  \
     X(E_OBJ_CHANGED, "the file changed between its two readings")                        \
     X(E_OBJ_MATERIALS, "more than %a materials")                                         \
     X(E_MTL_NAME, "material %s is not defined")                                          \
     X(E_MTL_ORDER, "%s before any newmtl")                                               \
     X(E_MTL_RANGE, "%s is outside %a..%b")                                               \
-    X(E_MTL_IMAGES, "names of pictures are longer than %a bytes together")               \
+    X(E_MTL_IMAGES, "names of pictures exceed %a bytes in total")                        \
     X(E_POOL_SIZE, "%s: pool of %a x %b cells; 16 x 16 to 512 x 512 can be "             \
                    "computed")                                                           \
     X(E_POOL_COURANT, "%s of 0.%a is above 0.%b, the bound of this damping; water "      \
                       "would not come to rest")                                          \
     X(E_POOL_RANGE, "%s is outside the range of pools")                                  \
     X(E_POOL_FEED, "%s is above feed_high")                                              \
-    X(E_POOL_MASK, "%s of %a x %b samples")                                              \
-    X(E_WORLD, "the world's %s does not fit its scene")                                  \
+    X(E_POOL_MASK, "%s has no samples: %a x %b")                                         \
+    X(E_WORLD, "the world's %s does not match its scene")                                \
     X(E_TAPE_HEAD, "expected \"tape 1 SCENE\", found %s")                                \
     X(E_TAPE_TICK, "expected a tick, found %s")                                          \
     X(E_TAPE_VALUE, "expected NAME=NUMBER, found %s")                                    \
     X(E_TAPE_NAME, "no input is called %s")                                              \
-    X(E_TAPE_TWICE, "%s stands twice in the line")
+    X(E_TAPE_TWICE, "%s occurs twice in the line")
 
 typedef enum {
 #define X(name, text) TP_##name,

@@ -64,7 +64,7 @@ static void refuse_full(const control *c)
 {
     answer(c, "error ");
     answer_number(c, TP_PUSHES);
-    answer(c, " pokes wait for the next tick, which takes no more\n");
+    answer(c, " pokes wait for the next tick, the most it takes\n");
 }
 
 static void poke(control *c, control_word rest)
@@ -144,7 +144,7 @@ static void step(control *c, control_word rest)
     if (word.bytes == 0)
         ticks = 1;
     if (n < word.bytes || ticks > STEPS_MOST || rest.bytes > 0) {
-        refuse(c, "expected step [TICKS], 100000 at the most");
+        refuse(c, "expected step [TICKS], at most 100000");
         return;
     }
     c->paused = true;
@@ -225,7 +225,7 @@ static bool end_line(control *c)
     if (c->odd) {
         answer(c, "error line with byte ");
         answer_number(c, c->odd - 1);
-        answer(c, ", which is no text\n");
+        answer(c, ", which is not text\n");
     } else if (c->length > CONTROL_LINE) {
         answer(c, "error line longer than ");
         answer_number(c, CONTROL_LINE);

@@ -38,7 +38,7 @@ static void take_back(const control *c, const tp_param *param, void *number,
         answer_number(c, (uint32_t)s->world_bytes);
         answer(c, "\n");
     } else {
-        answer(c, " cannot be had while the water moves\n");
+        answer(c, " cannot change in a running world\n");
     }
     memcpy(number, before, sizeof(int32_t));
 }

@@ -15,80 +15,82 @@ enum { USUAL = CODE(DONE) | CODE(USAGE) | CODE(INPUT), CHECKS = USUAL | CODE(CHE
 
 static const about_row rows[] = {
     { FOR_VIEW, "tidepool view [SCENE] [OPTION]...",
-      "Opens a window on SCENE, a shipped one or an INI file, else three-swells; F1\n"
-      "there lists the keys.  What it shows is kept each second, for --resume.\n",
+      "Shows SCENE, a shipped scene or an INI file, in a window; without SCENE it shows\n"
+      "three-swells.  F1 lists the keys.  The state is saved each second, for --resume.\n",
       "", SHOWS, NULL },
     { FOR_RENDER, "tidepool render SCENE [OPTION]...",
-      "Draws SCENE, a shipped one or an INI file.  Without --out, --hash, --expect or\n"
-      "--stats the picture becomes SCENE.png in this folder; several become SCENE.apng,\n"
-      "an animated PNG.  A file that is no picture of tidepool's is not replaced so.\n",
+      "Draws SCENE, a shipped scene or an INI file.  Without --out, --hash, --expect or\n"
+      "--stats it writes SCENE.png into the current folder, or, for several frames,\n"
+      "SCENE.apng, an animated PNG.  It replaces only a file that tidepool has made.\n",
       "", CHECKS, "a frame differs from --expect" },
     { FOR_SHOW, "tidepool show SCENE [OPTION]...",
-      "Shows SCENE on a raw screen.  W A S D Q E and the arrows move, [ ] turns the\n"
-      "light, F lets a drop fall, Space pauses, Esc ends.\n",
+      "Shows SCENE on a screen without a window system.  W A S D Q E and the arrows\n"
+      "move, [ ] turn the light, F releases a drop, Space pauses, Esc ends.\n",
       "", SHOWS, NULL },
-    { FOR_SCENES, "tidepool scenes", "Lists the shipped scenes and what each shows.\n",
+    { FOR_SCENES, "tidepool scenes", "Lists the shipped scenes and describes each.\n",
       "", USUAL, NULL },
     { FOR_JOIN, "tidepool join FILM.y4m PART.y4m...",
-      "Makes one film of parts in their order, as `render --frames A:B` draws them on\n"
-      "one machine or on many: the same bits as drawn in one go.  FILM may be -.\n",
+      "Joins the parts, in this order, into one film.  `render --frames A:B` draws the\n"
+      "parts, on one machine or on several: the film has the same bits as a film drawn\n"
+      "in one go.  FILM may be - for standard output.\n",
       "", USUAL, NULL },
     { FOR_PARAMS, "tidepool params [SCENE] [OPTION]...",
       "Lists every parameter with its default, or with its value in a scene.\n", "",
       USUAL, NULL },
     { FOR_BAKE, "tidepool bake SCENE -o FILE.c [OPTION]...",
-      "Writes a scene, its mesh, pictures and maps as constants in C, for a board:\n"
-      "NAME_scene and NAME_assets, which the file's head declares and measures.\n"
-      "With --size or --format NAME_program too, which lists what the scene needs to\n"
-      "be drawn so: what is linked by it has no other code, and draws the same bits.\n",
-      "The file needs -I for the folder of tidepool/modules.h and nothing else.\n", CHECKS,
-      "a list draws another picture" },
+      "Writes a scene, its mesh, pictures and maps as C constants for a board:\n"
+      "NAME_scene and NAME_assets.  The head of the file declares them and gives their\n"
+      "bytes.  --size or --format adds NAME_program, the list of modules that the scene\n"
+      "needs at this size and format: a build that links it contains no other modules\n"
+      "and draws the same bits.\n",
+      "The file compiles with -I for the folder of tidepool/modules.h, nothing else.\n",
+      CHECKS, "the program would draw another picture" },
     { FOR_PLAN, "tidepool plan SCENE [OPTION]...",
-      "Prints by which methods the scene is drawn: for each what a frame costs a\n"
-      "Cortex-M4 with it, how far outlines and colours may be off, and its bytes.\n"
-      "Both are measured against the truth, a mesh and pixels many times finer;\n"
-      "what counts is how much farther off it a rung is than the exact one.\n"
-      "The cheapest within quality.error_px and quality.error_colour are taken;\n"
-      "what the scene names (quality.visibility, shading, rate, lod) is taken\n"
-      "whatever its error.\n",
+      "Prints the rungs that draw the scene: the cost of a frame on a Cortex-M4, the\n"
+      "errors of outlines and colours, and the bytes.  The reference of an error is a\n"
+      "mesh and pixels many times finer; a rung's error counts beyond that of the exact\n"
+      "rung.  The plan takes the cheapest rungs within quality.error_px and\n"
+      "quality.error_colour.  A rung that the scene names (quality.visibility, shading,\n"
+      "rate, lod) is taken whatever its error.\n",
       "", USUAL, NULL },
     { FOR_CHECK, "tidepool check --vectors DIR",
-      "Compares the fixed-point models with tables of known values: every .csv\n"
-      "of the folder.  Prints of each quantity how many rows there are, its\n"
-      "largest and rms error, and the budget.\n",
-      "A table is lines beginning with # that hold parameters, a line of\n"
-      "column names, and rows.  Its name says which model it belongs to.\n",
-      CHECKS, "some are not within their budgets" },
+      "Compares the fixed-point models with tables of known values, all .csv files of\n"
+      "DIR.  Prints for each quantity the number of rows, the largest error, the rms\n"
+      "error and the budget.\n",
+      "A table has lines of parameters that begin with #, a line of column names, and\n"
+      "rows.  The name of the file selects the model.\n",
+      CHECKS, "an error is over its budget" },
     { FOR_BENCH, "tidepool bench [OPTION]...",
-      "Times whole frames of one scene, on which others were measured too: a sea of\n"
-      "20 m x 20 m as a grid of points, plain (a texture, light, depth), full (waves\n"
-      "that bend three layers, bump, Fresnel, a cube map, glitter, exposure) and\n"
-      "smooth (full, with linear layers).\n",
-      "`ratio` is the time over that of the case's first line, `dB` its picture's PSNR.\n"
-      "--peers runs in the project's folder and leaves pictures in " BENCH_FOLDER ".\n",
+      "Times whole frames of one scene that other renderers can draw too: a sea of\n"
+      "20 m x 20 m as a grid of points.  plain: a texture, light, depth.  full: waves\n"
+      "distort three layers, bump, Fresnel, a cube map, glitter, exposure.  smooth:\n"
+      "full with linear layers.\n",
+      "`ratio` is the time divided by that of the case's first line, `dB` the PSNR of\n"
+      "the picture.  --peers needs the project's folder and leaves pictures in\n"
+      BENCH_FOLDER ".\n",
       USUAL, NULL },
     { FOR_CHARTS,
       "tidepool charts DIR [OPTION]...\n"
       "tidepool charts --list [OPTION]...\n"
       "tidepool charts --collect FILE... DIR [OPTION]...",
-      "Runs what " CHARTS_FOLDER " describes, in the project's folder, into DIR:\n"
-      "tables, pictures (if gnuplot is there) and README.md.  --list prints the jobs,\n"
-      "a command a line; --collect merges what they print, in any order (FILE may be\n"
-      "- for standard input).\n",
+      "Runs the charts of " CHARTS_FOLDER ", in the project's folder, and writes tables,\n"
+      "pictures (if gnuplot is installed) and README.md into DIR.  --list prints the\n"
+      "jobs, one command a line; --collect merges the output of jobs, in any order\n"
+      "(FILE may be - for standard input).\n",
       "", CHECKS, "a job failed" },
     { FOR_MANUAL, "tidepool manual [--scene]",
-      "Prints the manual page tidepool(1), or tidepool-scene(5): into a FILE, which\n"
-      "`man -l FILE` shows.  `make install` puts both where man finds them.\n",
+      "Prints the manual page tidepool(1), or with --scene tidepool-scene(5).  Save it\n"
+      "as FILE and read it with `man -l FILE`; `make install` installs both.\n",
       "", USUAL, NULL },
     { FOR_COMPLETION, "tidepool completion SHELL",
-      "Prints what bash, zsh or fish complete: commands, options, scenes, names and\n"
-      "values.  `make install` puts it where they look.  By hand, in ~/.bashrc:\n"
+      "Prints a script that completes commands, options, scenes, names and values in\n"
+      "bash, zsh or fish.  `make install` installs it.  By hand, in ~/.bashrc:\n"
       "eval \"$(tidepool completion bash)\"; in config.fish: tidepool completion fish |\n"
-      "source; for zsh as _tidepool in a folder of its fpath.\n",
+      "source; for zsh: save it as _tidepool in a folder of its fpath.\n",
       "", USUAL, NULL },
     { FOR_HELP, "tidepool help [COMMAND]",
-      "Lists the commands, or tells of one of them and of its options: the same as\n"
-      "`tidepool --help` and `tidepool COMMAND --help`.\n",
+      "Lists the commands, or describes one command and its options, as\n"
+      "`tidepool --help` and `tidepool COMMAND --help` do.\n",
       "", USUAL, NULL },
     { FOR_VERSION, "tidepool version",
       "Prints the version, as `tidepool --version` and `tidepool -V` do.\n", "", USUAL,

@@ -10,12 +10,12 @@ const action_row actions[ACTIONS] = {
 
 const action_note action_notes[] = {
     { "left drag",     "turn and tilt the camera" },
-    { "right click",   "poke the water there" },
-    { "right drag",    "stir it" },
-    { "wheel",         "nearer and farther (going round, from above)" },
+    { "right click",   "poke the water" },
+    { "right drag",    "stir the water" },
+    { "wheel",         "nearer, farther (in orbit, from above)" },
     { "drop a file",   "open the scene" },
     { "left stick",    "move; right stick: turn; triggers: down, up" },
-    { "pad A B X Y",   "drop, pause, look round, from the boat" },
+    { "pad A B X Y",   "drop, pause, orbit, boat's deck" },
     { "pad shoulders", "slower, faster; Start: help; Back: panel" },
 };
 

@@ -120,21 +120,21 @@ static int check(const options *o, unsigned command)
     if (o->play && o->resume)
         return refuse(o, "--play and --resume exclude each other");
     if (!o->scene && all && (command & (FOR_RENDER | FOR_SHOW | FOR_BAKE | FOR_PLAN)))
-        return refuse(o, "which scene?");
+        return refuse(o, "SCENE is missing");
     if (!o->scene && all && (command & FOR_COMPLETION))
-        return refuse(o, "which shell?  It knows bash, zsh and fish");
+        return refuse(o, "SHELL is missing: bash, zsh or fish");
     if (!o->out && all && (command & FOR_BAKE))
-        return refuse(o, "which file?  It takes -o FILE.c");
+        return refuse(o, "-o FILE.c is missing");
     if (o->hold && !o->counted)
-        return refuse(o, "--hold is of the last of --frames");
+        return refuse(o, "--hold needs --frames");
     if (!o->vectors && all && (command & FOR_CHECK))
-        return refuse(o, "which folder?  It takes --vectors DIR");
+        return refuse(o, "--vectors DIR is missing");
     if (!all || !(command & MANY))
         return EXIT_DONE;
     const uint32_t least = o->list ? 0 : command & FOR_JOIN || o->collect ? 2 : 1;
     if (o->n_names < least)
-        return refuse(o, least == 1 ? "which folder?" : command & FOR_JOIN
-                      ? "which film, and which parts?" : "which files, and which folder?");
+        return refuse(o, least == 1 ? "DIR is missing" : command & FOR_JOIN
+                      ? "needs FILM.y4m and PART.y4m" : "needs FILE and DIR");
     if (command & FOR_CHARTS && !o->collect && o->n_names > least)
         return refuse(o, "too many names");
     return EXIT_DONE;

@@ -121,7 +121,7 @@ static int warn_reach(loading *l, const tp_mesh *mesh, tp_fx scale)
     tp_fx_write(fitting, fits + strlen(fits));
     if (fitting < tp_param_find("boat.scale", 10)->low)
         strcpy(fits, "no boat.scale");
-    return warn(l, "what lies farther is drawn there",
+    return warn(l, "farther vertices are moved to this distance",
                 "%s: reaches %u m from its origin at boat.scale %s, expected %d at the"
                 " most: %s fits", l->path, (unsigned)(metres >> 16), now, METRES, fits);
 }

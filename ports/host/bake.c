@@ -164,7 +164,7 @@ static void put_head(const bake *b, const options *o, const stage *s)
 {
     fprintf(b->out, "/* ");
     put_remark(b->out, s->file.name);
-    fprintf(b->out, ", a scene as constants: made by `tidepool bake`, not written.\n");
+    fprintf(b->out, ", a scene as constants: made by `tidepool bake`; do not edit.\n");
     if (o->texels)
         fprintf(b->out, " * No picture is larger than %" PRIu32 " texels a side.\n",
                 o->texels);
@@ -173,7 +173,7 @@ static void put_head(const bake *b, const options *o, const stage *s)
         put_remark(b->out, o->settings[i]);
         fprintf(b->out, "\n");
     }
-    fprintf(b->out, " *\n * A program declares what it draws:\n"
+    fprintf(b->out, " *\n * A program declares:\n"
             " *     extern const tp_scene %s_scene;\n"
             " *     extern const tp_assets %s_assets;\n", b->name, b->name);
     if (b->program)
@@ -317,7 +317,7 @@ static int run(stage *s, const options *o)
     void *memory[TP_PREPARED] = { NULL };
     tp_texture made[TP_PREPARED];
     if (o->name && !can_be_name(o->name))
-        return fail(EXIT_USAGE, "tidepool bake: --name %.40s: expected a name in C that"
+        return fail(EXIT_USAGE, "tidepool bake: --name %.40s: expected a C identifier that"
                     " begins with a letter, not with tp_", o->name);
     int code = bake_check_options(o);
     if (!code)

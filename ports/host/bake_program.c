@@ -21,7 +21,7 @@ int bake_check_options(const options *o)
                    : o->strip ? "--strip" : NULL;
     if (!of || bake_has_program(o))
         return EXIT_DONE;
-    return fail(EXIT_USAGE, "tidepool bake: %s is of a program's list, which takes --size"
+    return fail(EXIT_USAGE, "tidepool bake: %s is an option of the program: add --size"
                 " or --format", of);
 }
 
@@ -33,8 +33,8 @@ static int refuse_piece(const char *option, const char *name, size_t length)
     for (size_t i = 0; i < piece_count; i++)
         nearest_offer(&best, pieces[i].name);
     if (!best.name)
-        return fail(EXIT_USAGE, "tidepool bake: %s %s: no such piece", option, word);
-    return fail(EXIT_USAGE, "tidepool bake: %s %s: no such piece; did you mean %s?",
+        return fail(EXIT_USAGE, "tidepool bake: %s %s: no such module", option, word);
+    return fail(EXIT_USAGE, "tidepool bake: %s %s: no such module; did you mean %s?",
                 option, word, best.name);
 }
 
@@ -54,7 +54,7 @@ static int check_pieces(const dry_wish *wish)
 {
     for (size_t i = 0; i < piece_count; i++)
         if (wish->with.has[i] && wish->without.has[i])
-            return fail(EXIT_USAGE, "tidepool bake: %s is both in --with and in --without",
+            return fail(EXIT_USAGE, "tidepool bake: %s is in both --with and --without",
                         pieces[i].name);
     return EXIT_DONE;
 }
@@ -97,10 +97,10 @@ static int tell_lacks(const dry_found *found, bool strict)
         if (!found->lacks.has[i] || !strcmp(pieces[i].name, last))
             continue;
         last = pieces[i].name;
-        say("left out, and the scene asks for it: %s %s", piece_word(i), last);
+        say("left out, but the scene uses it: %s %s", piece_word(i), last);
     }
-    return strict && *last ? fail(EXIT_CHECK, "tidepool bake: the program would draw another"
-                                  " picture than with everything there is") : EXIT_DONE;
+    return strict && *last ? fail(EXIT_CHECK, "tidepool bake: the program would draw"
+                                  " another picture than one with every module") : EXIT_DONE;
 }
 
 int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
@@ -179,8 +179,8 @@ void bake_put_pieces(const bake_program *p, FILE *out)
             " *\n * %" PRIu32 "x%" PRIu32 " %s: %" PRIu32 " pictures are those of the"
             " whole list.",
             c->width, c->height, tp_format_name(c->format), p->found.pictures);
-    put_set(out, "In the program", &p->found.in);
-    put_set(out, "Refused by name when the scene comes to have it", &p->found.refused);
+    put_set(out, "Modules of the program", &p->found.in);
+    put_set(out, "Refused by name if the scene switches it on", &p->found.refused);
     fprintf(out, "\n");
 }
 
@@ -202,7 +202,7 @@ void bake_put_program(const bake_program *p, FILE *out, const char *name)
             name, name, c->width, c->height, c->tile_width, c->tile_height,
             format[c->format], name, name);
     fprintf(out,
-            "\n/* The program of who names none, unless another file defines it. */\n"
+            "\n/* The default program, unless another file defines it. */\n"
             "#ifdef __GNUC__\n__attribute__((weak))\n#endif\n"
             "const tp_program *const tp_program_linked = &%s_program;\n",
             name);

@@ -21,7 +21,7 @@ static int check_place(const options *o)
 {
     if (o->from || access(CHARTS_FOLDER "/style.gp", R_OK) == 0)
         return EXIT_DONE;
-    return fail(EXIT_INPUT, "tidepool charts: " CHARTS_FOLDER " is not here: start it in"
+    return fail(EXIT_INPUT, "tidepool charts: " CHARTS_FOLDER " not found: run it in"
                 " the project's folder");
 }
 
@@ -31,7 +31,7 @@ static int build_tools(const options *o)
     snprintf(make, sizeof make, "env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS make -s -j%u"
              " --no-print-directory charts-tools >&2", (unsigned)o->jobs);
     if (!o->from && system(make))
-        return fail(EXIT_INPUT, "tidepool charts: what it measures with cannot be built");
+        return fail(EXIT_INPUT, "tidepool charts: its measuring tools cannot be built");
     return EXIT_DONE;
 }
 
@@ -134,7 +134,7 @@ static int write_charts(const charts *c, const cells *all, const options *o,
             continue;
         code = chart_write(of, all, dir, !o->small, &written[i]);
         if (!code && !written[i] && !o->small)
-            say("chart %s: no rows, so no table", of->name);
+            say("chart %s: no rows, no table", of->name);
     }
     if (!code && !o->small)
         code = charts_draw(c, written, dir, o->jobs);

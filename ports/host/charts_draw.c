@@ -237,7 +237,7 @@ int charts_draw(const charts *c, const bool *written, const char *dir, unsigned 
     chart_jobs jobs = { 0 };
     chart_hold hold;
     if (!has_gnuplot())
-        return fail(EXIT_DONE, "tidepool charts: tables alone; pictures need gnuplot"
+        return fail(EXIT_DONE, "tidepool charts: tables only; pictures need gnuplot"
                     " (package gnuplot-nox)");
     charts_hold(&hold);
     char *drawn = make_folder();

@@ -144,11 +144,11 @@ static int check_names(const chart *c)
 static int check(const chart *c)
 {
     if (!c->title || !c->keys.count || !c->values.count)
-        return wrong(c, "it takes a title, keys and values", "");
+        return wrong(c, "a chart needs title, keys and values", "");
     if (c->pareto.count != 0 && c->pareto.count != 2)
         return wrong(c, "pareto: expected two values", "");
     if (c->group.count && !c->pareto.count)
-        return wrong(c, "group: of what is not there, pareto", "");
+        return wrong(c, "group: needs pareto", "");
     if (!c->commands[CHART_JOB].count && !c->commands[CHART_LARGE].count)
         return wrong(c, "no job", "");
     if (!c->times.count != !c->commands[CHART_TIME].count)
@@ -220,7 +220,7 @@ int charts_read(charts *c, const char *folder, const char *only)
     }
     path_free_names(names, count);
     if (!code && !count)
-        code = fail(EXIT_INPUT, "%s: no chart is described there", folder);
+        code = fail(EXIT_INPUT, "%s: no chart in this folder", folder);
     return code ? code : ask(c, only);
 }
 

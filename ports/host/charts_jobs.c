@@ -183,5 +183,5 @@ void chart_jobs_keep(chart_jobs *jobs, bool resume)
     if (resume)
         say("tidepool charts: %zu of %zu jobs are done", taken, jobs->count);
     if (old)
-        say("tidepool charts: %zu more were run by older tools, and run again", old);
+        say("tidepool charts: %zu jobs of older tools run again", old);
 }

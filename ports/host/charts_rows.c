@@ -49,7 +49,7 @@ static int find_chart(const row_place *at, const char *word, const chart **of)
     if (!*of)
         return wrong_name(at, "chart", word, best);
     if (at->mine && !at->mine[*of - c->of])
-        return wrong(at, "the job is none of chart ", word);
+        return wrong(at, "the job does not belong to chart ", word);
     return EXIT_DONE;
 }
 
@@ -65,7 +65,7 @@ static int find_column(const row_place *at, const chart *of, const char *word,
     if (value < 0 && time < 0)
         return wrong_name(at, "column", word, best);
     if (at->mine && at->timed != (time >= 0))
-        return wrong(at, at->timed ? "a `time` job prints times alone: "
+        return wrong(at, at->timed ? "a `time` job prints only times: "
                                    : "only a `time` job prints times: ", word);
     *column = (unsigned)(value >= 0 ? value : time + (int)of->values.count);
     return EXIT_DONE;

@@ -219,7 +219,7 @@ int chart_jobs_run(chart_jobs *jobs, unsigned most, const char *what)
     for (size_t i = 0; i < jobs->count; i++)
         done += jobs->of[i].done;
     if (jobs->stopped)
-        say("tidepool charts: stopped after %zu of %zu %s; --resume goes on", done,
+        say("tidepool charts: stopped after %zu of %zu %s; --resume continues", done,
             jobs->count, what);
     return done == jobs->count ? EXIT_DONE : EXIT_CHECK;
 }

@@ -137,7 +137,7 @@ static void tell_missing(const table *t)
             say("chart %s: %s has no %s", t->of->name, t->keys[i / columns],
                 t->columns->of[i % columns]);
     if (missing > TOLD)
-        say("chart %s: and %zu cells more", t->of->name, missing - TOLD);
+        say("chart %s: and %zu more cells", t->of->name, missing - TOLD);
 }
 
 static void print_rows(const table *t, bool front, FILE *file)

@@ -92,7 +92,7 @@ static int refuse_range(const check_run *run, unsigned line, const check_field *
 {
     return fail(EXIT_INPUT, "%s:%u: %s = %.9g is outside %.9g..%.9g%s", run->table.name,
                 line, field->name, value, field->low, field->high,
-                field->kind == CHECK_WHOLE ? ", or no whole number" : "");
+                field->kind == CHECK_WHOLE ? ", or not a whole number" : "");
 }
 
 static bool in_range(const check_field *field, double value)
@@ -177,7 +177,7 @@ static int keep_line(check_run *run, unsigned n, unsigned line, const double *va
         if (!in_range(&note->numbers[i], value[i]))
             return refuse_range(run, line, &note->numbers[i], value[i]);
     if (found == (note->list ? CHECK_LINES : 1))
-        return fail(EXIT_INPUT, "%s:%u: one parameter line of this kind too many",
+        return fail(EXIT_INPUT, "%s:%u: too many parameter lines of this kind",
                     run->table.name, line);
     if (note->list && value[0] != found)
         return fail(EXIT_INPUT, "%s:%u: number %g; expected %u", run->table.name, line,
@@ -303,9 +303,9 @@ static const check_model *find_model(const char *folder, const char *file)
         nearest_offer(&best, models[i].file);
     }
     if (best.name)
-        say("%s/%s: no model is called so; did you mean %s?", folder, file, best.name);
+        say("%s/%s: no model has this name; did you mean %s?", folder, file, best.name);
     else
-        say("%s/%s: no model is called so", folder, file);
+        say("%s/%s: no model has this name", folder, file);
     return NULL;
 }
 

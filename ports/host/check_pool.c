@@ -134,7 +134,7 @@ static int run_case(check_run *run, unsigned *row, tp_pool *pool)
         if (v[STEP] <= step)
             return check_refuse(run, *row, "step %g after step %g", v[STEP], step);
         if ((v[GEAR] > 0) != (v[STEP] <= last_a))
-            return check_refuse(run, *row, "step %g is not of that gear", v[STEP]);
+            return check_refuse(run, *row, "step %g does not belong to that gear", v[STEP]);
         while (step < v[STEP]) {
             pool->gear = ++step <= last_a;
             tp_pool_step(pool);

@@ -324,12 +324,12 @@ static void add_lacks(const tp_scene *s, char *note, size_t bytes)
 }
 
 static const char *const pass_text[] = {
-    [TRACER_NONE] = "", [TRACER_COARSE] = "1 sample for 16 pixels",
-    [TRACER_1] = "1 sample a pixel", [TRACER_4] = "4 samples a pixel",
-    [TRACER_16] = "16 samples a pixel",
+    [TRACER_NONE] = "", [TRACER_COARSE] = "1 sample per 16 pixels",
+    [TRACER_1] = "1 sample per pixel", [TRACER_4] = "4 samples per pixel",
+    [TRACER_16] = "16 samples per pixel",
 };
 
-/* Writes "1 sample a pixel; 4 samples a pixel: 40%". */
+/* Writes "1 sample per pixel; 4 samples per pixel: 40%". */
 static void note_reference(compare *c)
 {
     uint32_t percent = 0;
@@ -339,7 +339,7 @@ static void note_reference(compare *c)
     if (c->pass == TRACER_NONE && c->tracer && over && !tracer_has_news(c->tracer))
         snprintf(c->note, sizeof c->note, "no memory for the reference");
     else if (c->pass == TRACER_NONE)
-        snprintf(c->note, sizeof c->note, "the reference draws: %u%%", (unsigned)percent);
+        snprintf(c->note, sizeof c->note, "drawing the reference: %u%%", (unsigned)percent);
     else if (over)
         snprintf(c->note, sizeof c->note, "%s", pass_text[c->pass]);
     else
@@ -361,7 +361,7 @@ const char *compare_note(compare *c)
         return c->note;
     }
     if (c->same && c->psnr >= 100)
-        return "the scene is drawn so: nothing to compare";
+        return "the scene is drawn with this method: nothing to compare";
     if (!c->unfit)
         return "";
     return water ? "not for this scene: triangles are drawn"

@@ -70,7 +70,7 @@ static int take_bytes(csv *table, FILE *file, size_t *bytes)
         return fail(EXIT_INPUT, "%s: %s", table->name, strerror(errno));
     table->text[*bytes] = 0;
     if (memchr(table->text, 0, *bytes))
-        return fail(EXIT_INPUT, "%s: a zero byte in it; not a table", table->name);
+        return fail(EXIT_INPUT, "%s: contains a zero byte; not a table", table->name);
     return EXIT_DONE;
 }
 

@@ -82,11 +82,11 @@ static int add(deck *d, const reader *r, const deck_entry *entry)
     const deck_entry *last = d->count > 0 ? &d->entries[d->count - 1] : NULL;
     if (last && entry->tick == last->tick && last->kind == DECK_STEP
         && entry->kind != DECK_STEP)
-        return fail(EXIT_INPUT, "%s:%u: expected looks and sets before their tick's"
-                    " input", r->name, (unsigned)r->line);
+        return fail(EXIT_INPUT, "%s:%u: expected look and set lines before the input"
+                    " of their tick", r->name, (unsigned)r->line);
     if (last && (entry->tick < last->tick
                  || (entry->tick == last->tick && last->kind == DECK_STEP)))
-        return fail(EXIT_INPUT, "%s:%u: ticks must rise", r->name, (unsigned)r->line);
+        return fail(EXIT_INPUT, "%s:%u: ticks must increase", r->name, (unsigned)r->line);
     if ((d->count & (d->count - 1)) == 0) {         /* the array is full at powers of two */
         const size_t room = d->count ? 2 * d->count : 1;
         deck_entry *more = realloc(d->entries, room * sizeof *more);
@@ -124,7 +124,7 @@ static int read_look(const reader *r, char *text, size_t bytes, char *word,
     rest.forward = rest.strafe = rest.up = 0;
     rest.turn = rest.tilt = 0;
     if (memcmp(&rest, &(tp_input){ 0 }, sizeof rest) != 0)
-        return fail(EXIT_INPUT, "%s:%u: a look moves the camera alone: expected ahead,"
+        return fail(EXIT_INPUT, "%s:%u: a look only moves the camera: expected ahead,"
                     " aside, up, turn or tilt", r->name, (unsigned)r->line);
     *entry = (deck_entry){ .tick = read.tick, .kind = DECK_LOOK, .input = read.input };
     return EXIT_DONE;

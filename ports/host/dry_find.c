@@ -232,16 +232,16 @@ static int refuse(const search *s, uint32_t camera)
     if (s->code)
         return s->code;
     if (camera == s->run.cameras)
-        return fail(EXIT_CHECK, "tidepool bake: the program's world does not move as with"
-                    " everything there is");
+        return fail(EXIT_CHECK, "tidepool bake: the program's world does not move as"
+                    " with every module");
     if (c->own)
         return fail(EXIT_CHECK, "tidepool bake: the scene's own camera sees another picture"
-                    " than with everything there is");
+                    " than with every module");
     tp_fx_write(c->eye.x, place[0]);
     tp_fx_write(c->eye.y, place[1]);
     tp_fx_write(c->eye.z, place[2]);
     return fail(EXIT_CHECK, "tidepool bake: from %s %s %s the program draws another picture"
-                " than with everything there is", place[0], place[1], place[2]);
+                " than with every module", place[0], place[1], place[2]);
 }
 
 /* Leaves out the stages that did not run, then other pieces.  False: no list is right for

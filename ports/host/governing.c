@@ -16,7 +16,7 @@ void governing_begin(governing *g, const stage *s)
     tp_governor_init(&g->governor, &ladder, limit);
     g->frame = s->canvas.frame;
     if (limit > 0 && ladder.count < 2)
-        say("%s: nothing to step down to, quality.frame_ms is not held", s->file.name);
+        say("%s: no cheaper rung, quality.frame_ms cannot be held", s->file.name);
 }
 
 static uint32_t rung_value(unsigned kind, tp_rungs r)

@@ -29,7 +29,7 @@ static void refuse(const char *name)
     for (size_t i = 0; i < command_count; i++)
         nearest_offer(&best, commands[i].name);
     if (!*name)
-        say("tidepool: which command?  See `tidepool help`");
+        say("tidepool: COMMAND is missing; see `tidepool help`");
     else if (name[0] == '-')
         say("tidepool: no option %.60s; it takes --help, --version or a command", name);
     else if (best.name)

@@ -60,7 +60,7 @@ static int open_part(part *p, const char *name)
     errno = 0;
     if (!read_line(p->file, p->head) || strncmp(p->head, "YUV4MPEG2 ", 10) != 0)
         return fail(EXIT_INPUT, "%s: %s", name, errno ? strerror(errno)
-                                                      : "no YUV4MPEG2 film");
+                                                      : "not a YUV4MPEG2 film");
     return EXIT_DONE;
 }
 
@@ -69,7 +69,7 @@ static int take_head(joined *j, const part *p)
 {
     const uint32_t w = parse_side(p->head, 'W'), h = parse_side(p->head, 'H');
     if (!w || !h || !strstr(p->head, " C420"))
-        return fail(EXIT_INPUT, "%s: no film of 4:2:0 with a width and a height",
+        return fail(EXIT_INPUT, "%s: not a 4:2:0 film with width and height",
                     p->name);
     j->first = p->name;
     memcpy(j->head, p->head, sizeof j->head);
@@ -102,7 +102,7 @@ static int add_frames(joined *j, const part *p)
         ungetc(c, p->file);
         if (!read_line(p->file, mark)
             || (strcmp(mark, "FRAME") != 0 && strncmp(mark, "FRAME ", 6) != 0))
-            return fail(EXIT_INPUT, "%s: where frame %u begins there is none", p->name,
+            return fail(EXIT_INPUT, "%s: expected the head of frame %u", p->name,
                         count);
         code = fprintf(j->out.file, "%s\n", mark) < 0 ? output_failed(&j->out, EIO)
                                                      : copy_frame(j, p, count);
@@ -121,8 +121,8 @@ static int add_part(joined *j, const char *name)
     if (!code && !j->first)
         code = take_head(j, &p);
     if (!code && strcmp(p.head, j->head) != 0)
-        code = fail(EXIT_INPUT, "%s: its head is not that of %s: %s; %s", name, j->first,
-                    p.head + 10, j->head + 10);
+        code = fail(EXIT_INPUT, "%s: its head differs from that of %s: %s; %s", name,
+                    j->first, p.head + 10, j->head + 10);
     if (!code)
         code = add_frames(j, &p);
     if (p.file)
@@ -138,8 +138,8 @@ static int run(const options *o)
         return fail(EXIT_USAGE, "tidepool join: %s: a film's name ends in .y4m, or is -"
                     " for standard output", o->names[0]);
     if (to_stdout && isatty(STDOUT_FILENO))
-        return fail(EXIT_USAGE, "tidepool join: standard output is a terminal; lead it"
-                    " into a file or a player");
+        return fail(EXIT_USAGE, "tidepool join: standard output is a terminal; send"
+                    " it to a file or a player");
     int code = output_open(&j.out, o->names[0]);
     if (code)
         return code;

@@ -16,27 +16,26 @@
 typedef struct { const char *name, *help; } entry;
 
 static const entry environment[] = {
-    { "DISPLAY, WAYLAND_DISPLAY", "Where the preview opens its window; without them `make"
-      " run` draws to files." },
-    { "SDL_VIDEODRIVER, SDL_RENDER_DRIVER", "The drivers that SDL is to use for it." },
-    { "PATH", "Where ffmpeg is looked for, by which the preview records its films; without"
-      " it they are Y4M." },
+    { "DISPLAY, WAYLAND_DISPLAY", "The display on which the preview opens its window."
+      " Without them `make run` draws to files." },
+    { "SDL_VIDEODRIVER, SDL_RENDER_DRIVER", "SDL's drivers of the preview's window." },
+    { "PATH", "The folders searched for ffmpeg, which encodes the preview's films; without"
+      " ffmpeg films are Y4M." },
     { "XDG_CONFIG_HOME", "The folder of tidepool/keys.ini, ~/.config by default." },
-    { "XDG_STATE_HOME", "The folder of what --resume goes on from, ~/.local/state by"
-      " default." },
-    { "TERM", "A terminal that is not dumb is told how far a long drawing is." },
+    { "XDG_STATE_HOME", "The folder of the state that --resume restores,"
+      " ~/.local/state by default." },
+    { "TERM", "A terminal other than dumb shows the progress of a long drawing." },
 };
 
 static const entry files[] = {
     { "~/.config/tidepool/keys.ini", "The preview's keys, as under KEYS." },
-    { "~/.local/state/tidepool/", "What the preview was doing, for --resume." },
-    { "FILE of --keep", "The world that `tidepool show` draws. Every number of it is checked"
-      " before it is used; one that was altered, or that another build or scene kept, is"
-      " named on standard error, and the scene starts anew." },
-    { "SCENE-0001.png, .mp4, .y4m, .tape", "What the preview records, in the folder where"
-      " it was started, under the next free number." },
-    { "SCENE.png, SCENE.apng", "What `tidepool render SCENE` draws where it is not told"
-      " where to." },
+    { "~/.local/state/tidepool/", "The state of the preview, for --resume." },
+    { "FILE of --keep", "The world that `tidepool show` draws. Every number in the file is"
+      " checked before use. If the file was altered, or saved by another build or for"
+      " another scene, a message says so and the scene starts from the beginning." },
+    { "SCENE-0001.png, .mp4, .y4m, .tape", "Recordings of the preview, in its current"
+      " folder, with the next free number." },
+    { "SCENE.png, SCENE.apng", "The pictures of `tidepool render SCENE` without --out." },
     { "share/tidepool/scenes/", "The shipped scenes, under the prefix of the"
       " installation." },
 };
@@ -45,10 +44,10 @@ static const entry examples[] = {
     { "tidepool view", "A window on three swells; F1 lists the keys." },
     { "tidepool render storm", "A picture: storm.png." },
     { "tidepool render storm --frames 180 --every 3",
-      "Three seconds of it as an animated PNG, storm.apng, for browsers and web pages." },
+      "Three seconds of the storm as an animated PNG, storm.apng, for web pages." },
     { "tidepool render storm --frames 300 --out storm.y4m",
       "A film of five seconds, for players and encoders." },
-    { "tidepool params storm --only wave0.", "What can be changed of a wave." },
+    { "tidepool params storm --only wave0.", "The parameters of a wave." },
     { "tidepool render storm --set wave0.amplitude=2 --out high.png",
       "A picture of a higher sea." },
 };
@@ -180,12 +179,12 @@ static void print_keys(void)
 {
     bool done[ACTIONS] = { false };
     roff_macro(".SH KEYS");
-    roff_text("Of the preview, each with its name in a file of keys, which gives it"
-              " others: a line");
+    roff_text("The preview's default keys, each with the name of its action. A file of keys"
+              " changes them: a line");
     roff_macro(".PP");
     roff_text("    drop = Return Ctrl+D");
     roff_macro(".PP");
-    roff_text("for each, no key behind = for none.");
+    roff_text("sets the keys of an action; a line without a key removes them.");
     for (int i = 0; i < ACTIONS; i++) {
         if (done[i])
             continue;
@@ -209,8 +208,8 @@ static void print_exits(void)
         snprintf(code, sizeof code, "%d", i);
         print_key(code, exits[i].words, exits[i].sentence);
     }
-    print_key("128 + N", "as shells tell it", "Signal N ended it; a screen was given back"
-              " first.");
+    print_key("128 + N", "as shells report it", "Signal N ended the program; the"
+              " screen was restored first.");
 }
 
 static void print_program(void)
@@ -224,8 +223,8 @@ static void print_program(void)
     }
     roff_macro(".SH DESCRIPTION");
     roff_text("Models seas, pools, drops and a boat in 16.16 fixed point and draws them:"
-              " in a window, on a raw screen, to pictures and films. The same bits come"
-              " out on every machine.");
+              " in a window, on a screen without a window system, into pictures and"
+              " films. Every machine draws the same bits.");
     roff_macro(".PP");
     roff_italic("SCENE");
     roff_text(" is the name of a shipped scene or the path of an INI file, see ");

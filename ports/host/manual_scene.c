@@ -11,22 +11,22 @@
 static void print_file(void)
 {
     roff_macro(".SH DESCRIPTION");
-    roff_text("A scene is a text of sections and lines. What it does not name keeps its"
-              " default, so that the least scene is empty; of what it names twice the"
-              " last holds. Comments begin with ; or #, lines have up to 4351 bytes. Names"
-              " of files are taken from the scene's own folder. A file that is wrong is"
-              " refused, with the line.");
+    roff_text("A scene is a text of sections and lines. A parameter without a line has its"
+              " default; an empty file is a scene. If a parameter has two lines, the last"
+              " counts. Comments begin with ; or #, lines have up to 4351 bytes. Names of"
+              " files are relative to the scene's own folder. An error in the file is"
+              " reported with its line, and the scene is refused.");
     roff_macro(".PP");
-    roff_text("A mesh is an OBJ file, with the MTL files and PNG pictures that it names."
-              " Pictures that are missing or of another kind, materials that no MTL"
-              " defines, lines of an MTL that cannot be read and faces of fewer than three"
-              " corners are left out, each with a line that says so; ");
+    roff_text("A mesh is an OBJ file with its MTL files and PNG pictures. Missing pictures,"
+              " pictures of another format, undefined materials, unreadable lines of an"
+              " MTL and faces of fewer than three corners are left out, each with a"
+              " warning; ");
     roff_bold("--strict");
-    roff_text(" refuses them.");
+    roff_text(" turns the warnings into errors.");
     roff_macro(".PP");
-    roff_text("In a command ");
+    roff_text("On a command line ");
     roff_bold("--set section.name=value");
-    roff_text(" comes after the file.");
+    roff_text(" overrides the file.");
     roff_macro(".SH EXAMPLE");
     roff_macro(".EX");
     roff_macro("[scene]\ntitle = Evening\n[wave0]\namplitude = 0.6 ; m\nlength = 12\n"
@@ -121,7 +121,7 @@ static void print_groups(void)
     uint32_t count;
     const tp_param *at = tp_params(&count), *end = at + count;
     roff_macro(".SH PARAMETERS");
-    roff_text("Each with its range and unit, then its default.");
+    roff_text("Each parameter with its range, unit and default.");
     while (at < end) {
         const uint32_t size = group_size(at, end), times = repeats(at, size, end);
         const int first = (int)strcspn(at->name, ".");
@@ -140,7 +140,7 @@ static void print_groups(void)
 void manual_scene(void)
 {
     manual_head("TIDEPOOL-SCENE", 5, "File Formats",
-                "tidepool-scene - what a scene of tidepool's can have");
+                "tidepool-scene - the file of a scene, and its parameters");
     print_file();
     print_groups();
     roff_macro(".SH SEE ALSO");

@@ -101,12 +101,12 @@ static void print_total(const plan *p)
                plan_number(r->total.error_colour, colour),
                r->total.cost ? (double)SPEED / cost : 0, MHZ);
     else
-        puts("\nin all: not known, as a rung has no price yet");
+        puts("\nin all: unknown, because a rung has no measured cost yet");
     printf("bytes: frame %zu (vertices %zu, tables %zu, mirror %zu),\n  a tile's scratch"
            " %zu, world %zu\n", ram.frame, ram.vertices, ram.tables, ram.mirror,
            ram.scratch, p->stage->world_bytes);
-    puts("Instructions are a Cortex-M4's of a frame at the scene's start, without ticks."
-         "\nErrors are the most that was measured, beyond the exact rungs' own.");
+    puts("Instructions: one frame on a Cortex-M4 at the scene's start, without ticks."
+         "\nErrors: the largest measured, beyond those of the exact rungs.");
 }
 
 static int run(const options *o)

@@ -8,9 +8,9 @@
 const char *const plan_kind[TP_KINDS] = { "visibility", "shading", "rate", "lod" };
 
 const char *const plan_why[] = {
-    [TP_WHY_CHOSEN] = "chosen", [TP_WHY_NAMED] = "as the scene says",
-    [TP_WHY_OTHER_NAMED] = "the scene says otherwise", [TP_WHY_ERROR] = "over the budget",
-    [TP_WHY_COST] = "no cheaper", [TP_WHY_UNKNOWN] = "has no price yet",
+    [TP_WHY_CHOSEN] = "chosen", [TP_WHY_NAMED] = "set by the scene",
+    [TP_WHY_OTHER_NAMED] = "the scene sets another", [TP_WHY_ERROR] = "over the budget",
+    [TP_WHY_COST] = "no cheaper", [TP_WHY_UNKNOWN] = "no measured cost yet",
     [TP_WHY_UNFIT] = "not for this scene",
 };
 

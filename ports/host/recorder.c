@@ -92,10 +92,10 @@ static bool ffmpeg_ended_well(recorder *r)
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
         return true;
     if (WIFSIGNALED(status))
-        say("%s: ffmpeg was ended by signal %d after %u pictures; there is no film",
+        say("%s: ffmpeg was ended by signal %d after %u pictures; no film was written",
             r->name, WTERMSIG(status), (unsigned)r->pictures);
     else
-        say("%s: ffmpeg ended with %d after %u pictures; there is no film", r->name,
+        say("%s: ffmpeg ended with %d after %u pictures; no film was written", r->name,
             WEXITSTATUS(status), (unsigned)r->pictures);
     return false;
 }
@@ -150,7 +150,7 @@ recorder *recorder_begin(const char *scene, uint32_t width, uint32_t height)
         error = film_open(&r->film, r->name, width, height, 1);
         const unsigned kilobytes = (unsigned)(r->film.bytes * TP_TICKS_PER_SECOND / 1000);
         if (!error)
-            say("%s: recording as it is, %u.%u MB a second: there is no ffmpeg for MP4",
+            say("%s: recording uncompressed, %u.%u MB a second: no ffmpeg for MP4",
                 r->name, kilobytes / 1000, kilobytes / 100 % 10);
     } else if (!error) {
         say("%s: recording through ffmpeg", r->name);
@@ -196,7 +196,7 @@ bool recorder_add(recorder *r, const picture *p)
     if (r->over)
         return false;
     if (p->width != r->width || p->height != r->height) {
-        say("%s: the picture's size has changed, the film ends", r->name);
+        say("%s: the size of the picture has changed, the film ends", r->name);
         (void)finish(r);
         return false;
     }

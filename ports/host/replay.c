@@ -58,9 +58,9 @@ static int try_all(const replay *r, stage *s, const options *o, replay_room room
         code = set_all(r, i, count, s, o, &opened);
         i += count - 1;
         if (!code && room == REPLAY_SAME_WORLD && s->world != world)
-            code = fail(EXIT_INPUT, "%s:%u: %s makes the world anew, which a raw screen"
-                        " does not show: expected what goes on in the same world;"
-                        " `tidepool render` plays all", r->tape.name,
+            code = fail(EXIT_INPUT, "%s:%u: %s restarts the world, but `tidepool show`"
+                        " plays only changes that keep the world;"
+                        " `tidepool render` plays every tape", r->tape.name,
                         (unsigned)entry->line, entry->setting);
     }
     return code;

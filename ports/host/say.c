@@ -141,5 +141,5 @@ int fail_with_error(const char *file, const tp_error *err)
 
 int fail_memory(size_t bytes)
 {
-    return fail(EXIT_INPUT, "tidepool: out of memory: %zu bytes asked", bytes);
+    return fail(EXIT_INPUT, "tidepool: out of memory: %zu bytes needed", bytes);
 }

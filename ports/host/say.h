@@ -10,16 +10,15 @@
  * programs of ports/ use the same exit codes.  A program ended by a signal ends by that
  * signal. */
 #define EXIT_LIST(X) \
-    X(DONE,    0, "done", "All that was asked for was done.") \
-    X(CHECK,   1, "a check failed", "A comparison that was asked for failed: of" \
-      " --expect, of check, or a job of charts.") \
+    X(DONE,    0, "done", "Everything requested was done.") \
+    X(CHECK,   1, "a check failed", "A requested comparison failed: --expect," \
+      " check, or a job of charts.") \
     X(USAGE,   2, "usage", "The command line is wrong; nothing was done.") \
     X(INPUT,   3, "bad input", "A file cannot be read, used or written, or there is too" \
       " little memory.") \
     X(DISPLAY, 4, "no display or device", "No window or screen can be opened, or" \
-      " none that shows such a picture.") \
-    X(LOST,    5, "display lost", "The display or screen went away while it was drawn" \
-      " to.")
+      " none can show this picture.") \
+    X(LOST,    5, "display lost", "The display or screen was lost while drawing.")
 
 enum {
 #define X(name, code, words, sentence) EXIT_##name = code,

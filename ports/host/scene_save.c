@@ -96,7 +96,7 @@ static int check_text(const save *s, const tp_param *param, const char *text)
     for (const char *c = text; *c; white = isspace((unsigned char)*c++) != 0)
         if (*c == ';' && white)
             return fail(EXIT_INPUT, "%s: %s = %s: \" ;\" begins a comment in an INI file;"
-                        " expected a text without", s->name, param->name, text);
+                        " expected a text without it", s->name, param->name, text);
     return EXIT_DONE;
 }
 

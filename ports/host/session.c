@@ -82,7 +82,7 @@ static int write_file(session *s)
         return EXIT_DONE;
     const bool done = atomic_file_write(s->ini, s->text, strlen(s->text), "", 0);
     if (!done && !s->failed)
-        say("%s: cannot be kept: %s", s->ini, strerror(errno));
+        say("%s: cannot be saved: %s", s->ini, strerror(errno));
     s->failed = !done;
     if (done)
         remove_others(s);
@@ -211,10 +211,10 @@ static void say_once(const char *folder, int why)
 {
     static bool said;
     if (!said && !folder && !why)
-        say("tidepool view: neither XDG_STATE_HOME nor HOME is set: nothing is kept for"
-            " --resume");
+        say("tidepool view: neither XDG_STATE_HOME nor HOME is set: nothing is saved"
+            " for --resume");
     else if (!said)
-        say("tidepool view: %s: nothing is kept for --resume", strerror(why));
+        say("tidepool view: %s: nothing is saved for --resume", strerror(why));
     said = true;
 }
 

@@ -17,7 +17,7 @@
 #include "words.h"
 
 #define PART 120                /* bytes of a value per line */
-#define HEAD "# What `tidepool view --resume` goes on with.\n[session]\nworld = "
+#define HEAD "# State of `tidepool view`, for --resume.\n[session]\nworld = "
 
 /* -- the folder ------------------------------------------------------------------ */
 
@@ -176,12 +176,12 @@ char *session_load(const char *folder, session_world_name *world, int *code)
     char *text = file ? slurp(file) : NULL;
     *code = EXIT_DONE;
     if (!text && path && !file && (errno == ENOENT || errno == ENOTDIR)) {
-        say("%s: nothing is kept: a fresh start", path);
+        say("%s: no saved state: a fresh start", path);
     } else if (!text) {
-        *code = fail(EXIT_INPUT, "%s: %s: nothing to go on with", path ? path : folder,
+        *code = fail(EXIT_INPUT, "%s: %s: nothing to resume", path ? path : folder,
                      strerror(errno));
     } else if (!is_whole(text, world)) {
-        say("%s: is not whole: a fresh start", path);
+        say("%s: incomplete: a fresh start", path);
         free(text);
         text = NULL;
     }
@@ -246,7 +246,7 @@ static int to_state(lines *l, session_state *state)
 {
     static const char scene[] = "session.scene=";
     if (l->list.count < 2 || strncmp(l->list.of[1], scene, strlen(scene)) != 0)
-        return fail(EXIT_INPUT, SESSION_INI ": names no scene: nothing to go on with");
+        return fail(EXIT_INPUT, SESSION_INI ": no scene: nothing to resume");
     for (size_t i = 0; i < l->list.count; i++)
         decode(l->list.of[i]);
     state->scene = path_copy(l->list.of[1] + strlen(scene),

@@ -66,11 +66,11 @@ static int open_png(sink *s, const options *o)
     unsigned numbers;
     s->kind = SINK_PNG;
     if (!frame_name(o->out, o->last, name, &numbers))
-        return fail(EXIT_USAGE, "tidepool render: --out %s: a number's place is written"
-                    " %%d or %%04d, a percent sign %%%%", o->out);
+        return fail(EXIT_USAGE, "tidepool render: --out %s: write %%d or %%04d for the"
+                    " number, %%%% for a percent sign", o->out);
     if (!numbers && args_frames(o) > 1)
-        return fail(EXIT_USAGE, "tidepool render: --out %s: %u frames need a place for"
-                    " their number, as in f-%%04d.png", o->out,
+        return fail(EXIT_USAGE, "tidepool render: --out %s: %u frames need a number in"
+                    " the name, as in f-%%04d.png", o->out,
                     (unsigned)args_frames(o));
     return EXIT_DONE;
 }
@@ -95,7 +95,7 @@ static int open_own(sink *s, const options *o)
     if (!s->own)
         return fail_memory(room);
     if (access(s->own, F_OK) == 0 && !picture_is_ours(s->own))
-        return fail(EXIT_INPUT, "%s: is there, and is no picture of tidepool's; --out %s"
+        return fail(EXIT_INPUT, "%s: exists, and tidepool did not make it; --out %s"
                     " replaces it", s->own, s->own);
     s->out = s->own;
     s->kind = SINK_PNG;
@@ -117,7 +117,7 @@ int sink_open(sink *s, const options *o)
                     " or .y4m, or is - for a film on standard output", o->out);
     if (to_stdout && isatty(STDOUT_FILENO))
         return fail(EXIT_USAGE, "tidepool render: --out -: standard output is a terminal;"
-                    " lead it into a file or a player");
+                    " send it to a file or a player");
     s->kind = SINK_FILM;
     return film_open(&s->film, o->out, o->width, o->height, o->every);
 }

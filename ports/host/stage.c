@@ -56,8 +56,8 @@ static void report_noise(const scene_file *file, const tp_scene_pool *pool,
     while (is_noisy(thousandths * TP_FX_ONE / 1000, pool->damping))
         thousandths++;
     scene_file_who(file, tp_param_find(courant, strlen(courant)), who, sizeof who);
-    say("%s: 8-bit cells make noise of %d %% of their range; 0.%03d or more makes less"
-        " than 13 %%, and so do cells = 16", who, (int)((noise * 100 / 127 + 0xffff) >> 16),
+    say("%s: 8-bit cells have noise of %d %% of their range; 0.%03d or more, or cells = 16,"
+        " gives less than 13 %%", who, (int)((noise * 100 / 127 + 0xffff) >> 16),
         thousandths);
 }
 
@@ -151,7 +151,8 @@ static int check_memory(const stage *s, const canvas *c, const asset_set *a,
     if (!allowed || bytes <= allowed)
         return EXIT_DONE;
     if (named)
-        snprintf(rom, sizeof rom, "; what it names, %zu bytes, is not counted", named);
+        snprintf(rom, sizeof rom, "; %zu bytes of pictures and mesh are not counted",
+                 named);
     return fail(EXIT_INPUT, "%s needs %zu bytes (frame %zu, world %zu, scratch %zu),"
                 " --memory allows %" PRIu64 "%s", s->file.name, bytes, c->frame_bytes,
                 world_bytes, c->scratch_bytes, allowed, rom);

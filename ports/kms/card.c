@@ -41,11 +41,11 @@ static bool is_card(kms_card *c)
     struct drm_get_cap dumb = { .capability = DRM_CAP_DUMB_BUFFER };
     struct epoll_event wanted = { .events = EPOLLIN };
     if (!ask(c, DRM_IOCTL_VERSION, &version))
-        return cannot(c, "is no graphics card");
+        return cannot(c, "is not a graphics card");
     errno = EOPNOTSUPP;
     c->blind = !ask(c, DRM_IOCTL_GET_CAP, &dumb) || !dumb.value;
     if (c->blind)
-        return cannot(c, "has no plain buffers for screens");
+        return cannot(c, "has no dumb buffers");
     return epoll_ctl(c->both, EPOLL_CTL_ADD, c->fd, &wanted) == 0
         || cannot(c, "has no events");
 }
@@ -143,7 +143,7 @@ static bool remember(kms_card *c)
     if (c->before.crtc_id)
         return true;
     if (!ask(c, DRM_IOCTL_MODE_GETCRTC, &was))
-        return cannot(c, "does not say what it shows");
+        return cannot(c, "does not report its current mode");
     was.count_connectors = 0;
     for (uint32_t i = 0; i < c->heads.n_connectors; i++)
         if (c->heads.driven_by[i] == was.crtc_id)
@@ -156,17 +156,17 @@ bool kms_take(kms_card *c, bool fits)
 {
     static const char *const lacks[] = {
         [KMS_NOTHING] = "nothing is connected to it",
-        [KMS_NO_MODE] = "what is connected to it has no mode",
-        [KMS_NO_CRTC] = "it cannot drive what is connected to it",
+        [KMS_NO_MODE] = "the connected display has no mode",
+        [KMS_NO_CRTC] = "it cannot drive the connected display",
     };
     if (c->fd < 0 && !open_card(c))
         return false;
     c->master = ask(c, DRM_IOCTL_SET_MASTER, NULL);
     if (!c->master)
-        return cannot(c, "another program has the screen");
+        return cannot(c, "another program uses the screen");
     c->blind = !kms_scan(c->fd, &c->heads, c->wanted_w, c->wanted_h, &c->now);
     if (c->blind)
-        return cannot(c, "sets no modes");
+        return cannot(c, "cannot set a mode");
     if (c->now.verdict < KMS_SMALL)
         snprintf(c->why, sizeof c->why, "%s", lacks[c->now.verdict]);
     else if (c->now.verdict == KMS_SMALL && fits)

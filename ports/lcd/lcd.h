@@ -21,9 +21,9 @@
 
 #define LCD_STATUS_LIST(X) \
     X(OK,        "ok") \
-    X(E_TURN,    "the panel cannot be turned or mirrored so") \
+    X(E_TURN,    "the panel cannot be turned or mirrored this way") \
     X(E_FORMAT,  "the panel shows another pixel format") \
-    X(E_SIZE,    "tile or picture of no size, or no part of it on the panel") \
+    X(E_SIZE,    "tile or picture is empty or outside the panel") \
     X(E_PLACE,   "the picture begins or ends within a byte of the panel") \
     X(E_WIRES,   "a function of the wires is missing") \
     X(E_BLOCKED, "the panel does not answer")

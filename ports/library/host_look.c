@@ -31,7 +31,7 @@ static bool begin(tp_host *h, tp_host_way way)
     const look before = h->look;
     if (!look_begin(&h->look, (look_mode)way, h->stage.world, &h->stage.file.scene)) {
         say("tp_host_look: %s",
-            way == TP_HOST_BOAT ? "the scene has no boat" : "there is no such way");
+            way == TP_HOST_BOAT ? "the scene has no boat" : "no such camera mode");
         return false;
     }
     if (host_follow(h)) {

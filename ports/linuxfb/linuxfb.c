@@ -94,10 +94,10 @@ static int look(screen *s)
     if (ioctl(s->fd, FBIOGET_VSCREENINFO, &s->var)
         || ioctl(s->fd, FBIOGET_FSCREENINFO, &s->fix))
         return errno == ENOTTY || errno == EINVAL
-             ? fail(EXIT_DISPLAY, "%s: is no frame buffer", s->device)
+             ? fail(EXIT_DISPLAY, "%s: is not a frame buffer", s->device)
              : refuse(s, "its mode");
     if (!describe(s) || !fits(s))
-        return fail(EXIT_DISPLAY, "%s: a layout that is not known: %u bits, red %u/%u,"
+        return fail(EXIT_DISPLAY, "%s: unknown pixel layout: %u bits, red %u/%u,"
                     " green %u/%u, blue %u/%u, visual %u, %ux%u, lines of %u bytes",
                     s->device, v->bits_per_pixel, v->red.offset, v->red.length,
                     v->green.offset, v->green.length, v->blue.offset, v->blue.length,
@@ -304,7 +304,7 @@ static int fb_open(screen **to, const char *device, uint32_t width, uint32_t hei
                    .fd = open(device, O_RDWR | O_CLOEXEC) };
     int code = s->fd < 0 ? refuse(s, "cannot be opened") : EXIT_DONE;
     if (!code && flock(s->fd, LOCK_EX | LOCK_NB) && errno == EWOULDBLOCK)
-        code = fail(EXIT_DISPLAY, "%s: busy, another program shows a scene there", device);
+        code = fail(EXIT_DISPLAY, "%s: busy, another program shows a scene on it", device);
     code = code ? code : look(s);
     code = code ? code : choose_size(s, width, height);
     code = code ? code : save(s);

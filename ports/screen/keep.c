@@ -101,18 +101,18 @@ static const char *check_file(const keep *k, const head *h, const void *world,
                               size_t bytes, size_t got, char text[128])
 {
     if (got < sizeof *h || memcmp(h->magic, magic, sizeof magic) != 0)
-        return "is no kept world";
+        return "is not a saved world";
     if (h->version != VERSION) {
         snprintf(text, 128, "holds a world of version %u, this program has version %u",
                  h->version, (unsigned)VERSION);
         return text;
     }
     if (h->build != k->build)
-        return "was kept by another build";
+        return "was saved by another build";
     if (h->scene != k->scene || h->bytes != bytes)
-        return "is of another scene";
+        return "belongs to another scene";
     if (got != sizeof *h + bytes || h->crc != digest(*h, world))
-        return "is not whole";
+        return "is incomplete";
     return NULL;
 }
 
@@ -124,7 +124,7 @@ static const char *check_world(const keep *k, const head *h, const tp_world *kep
     const uint32_t played = h->at.played;
     tp_error err;
     if (played && (!k->remake || !k->remake(k->user, played)))
-        return "was kept with another tape";
+        return "was saved with another tape";
     if (tp_world_check(&tp_program_all, kept, h->bytes, fresh, &err) == TP_OK)
         return NULL;
     tp_error_text(&err, text, 128);
@@ -149,7 +149,8 @@ static const char *take(const keep *k, FILE *file, tp_world *world, size_t bytes
 {
     head h;
     void *copy = malloc(bytes + 1);
-    const char *wrong = copy ? read_file(k, file, &h, copy, bytes, text) : "finds no memory";
+    const char *wrong = copy ? read_file(k, file, &h, copy, bytes, text)
+                             : "no memory to read it";
     if (!wrong)
         wrong = check_world(k, &h, copy, world, text);
     if (!wrong) {
@@ -167,7 +168,7 @@ bool keep_take(const keep *k, tp_world *world, size_t bytes, keep_at *at)
     if (!k->name)
         return false;
     const char *wrong = file ? take(k, file, world, bytes, at, text)
-                      : errno == ENOENT ? "nothing is kept" : strerror(errno);
+                      : errno == ENOENT ? "no saved world" : strerror(errno);
     if (file)
         fclose(file);
     if (wrong)
@@ -187,7 +188,7 @@ int keep_put(keep *k, const tp_world *world, size_t bytes, keep_at at)
     h.crc = digest(h, world);
     const bool done = atomic_file_write(k->name, &h, sizeof h, world, bytes);
     if (!done && !k->failed)
-        say("%s: cannot be kept: %s", k->name, strerror(errno));
+        say("%s: cannot be saved: %s", k->name, strerror(errno));
     k->failed = !done;
     return done ? EXIT_DONE : EXIT_INPUT;
 }

@@ -74,7 +74,7 @@ static const picture *draw(void *user, const tp_world *world, uint32_t frame)
 
 static int refuse(const char *word)
 {
-    return fail(EXIT_USAGE, "%s: not understood; it takes " TAKES, word);
+    return fail(EXIT_USAGE, "%s: unknown option; expected " TAKES, word);
 }
 
 /* Refuses signs and blanks, accepted by sscanf. */
@@ -144,7 +144,8 @@ int main(int argc, char **argv)
     tp_error err = { 0 };
     begin_streams();
     if (argc == 2 && strcmp(argv[1], "--help") == 0) {
-        puts("Shows a scene on a raw screen.  It takes\n" TAKES "; Esc ends it.");
+        puts("Shows a scene on a screen without a window system.  Options:\n" TAKES
+             "; Esc ends it.");
         return finish_stdout();
     }
     const int code = read_all(&s, argc, argv);

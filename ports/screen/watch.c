@@ -154,7 +154,7 @@ static int watch_run(watch *w)
     const int code = w->child < 0 ? EXIT_INPUT : wait_child(w, &set, &by);
     give_back(w);
     if (w->child < 0)
-        return fail(EXIT_INPUT, "tidepool: no process to draw in: %s", strerror(error));
+        return fail(EXIT_INPUT, "tidepool: cannot start a process: %s", strerror(error));
     if (by)
         die_by_signal(by);
     sigprocmask(SIG_SETMASK, &before, NULL);
@@ -169,7 +169,7 @@ static int check_size(const show *what, const screen *on, const char *device)
     what->port->size(on, &width, &height);
     if (width >= SIDE_LOW && height >= SIDE_LOW)
         return EXIT_DONE;
-    return fail(EXIT_DISPLAY, "%s: %ux%u pixels; a scene takes %ux%u at the least", device,
+    return fail(EXIT_DISPLAY, "%s: %ux%u pixels; a scene needs at least %ux%u", device,
                 width, height, SIDE_LOW, SIDE_LOW);
 }
 
@@ -184,9 +184,9 @@ static int take_kept(watch *w)
         return EXIT_DONE;
     w->frame = at.frame;
     if (what->counted && w->frame > what->last)
-        return fail(EXIT_INPUT, "%s: is at frame %u already, past %u", what->keep,
+        return fail(EXIT_INPUT, "%s: already at frame %u, past %u", what->keep,
                     w->frame, what->last);
-    say("%s: goes on at frame %u", what->keep, w->frame);
+    say("%s: continues at frame %u", what->keep, w->frame);
     return EXIT_DONE;
 }
 

@@ -137,7 +137,7 @@ static void write_all(sheet *s, const panel_figures *f, const panel_compare *c)
     for (uint32_t i = 0; i < f->part_count && i < PANEL_TIMES; i++)
         write_time(s, green, &f->parts[i]);
     if (f->stage_count)
-        write_text(s, blue, "its pixels, the dearest stages");
+        write_text(s, blue, "its pixels, the most costly stages");
     for (uint32_t i = 0; i < f->stage_count && i < STAGES; i++)
         write_time(s, amber, &f->stages[i]);
 }

@@ -126,14 +126,14 @@ void panel_figures_show(panel *p)
     const panel_figures *const f = p->host->figures;
     char text[96];
     pen_scroll("##figures");
-    snprintf(text, sizeof text, "%.1f ms   %.0f/s   answers in %.0f ms",
+    snprintf(text, sizeof text, "%.1f ms   %.0f/s   latency %.0f ms",
              (double)f->median_ms, (double)f->shown_per_s, (double)f->latency_ms);
     panel_line(PEN_TEXT, text);
     show_graph(f);
     if (f->state && f->state[0])
         pen_say_wrapped(PEN_DIM, f->state);
     if (p->host->compare) {
-        section("compared with another way to draw");
+        section("compared with another method");
         show_compare(p, p->host->compare);
     }
     section("a picture's time");
@@ -142,7 +142,7 @@ void panel_figures_show(panel *p)
     show_times(f->stages, f->stage_count);
     if (f->stage_count == 0)
         pen_say(PEN_DIM, "not measured");
-    section("plan of this moment");
+    section("quality plan");
     show_lines(f->plan);
     section("memory");
     show_lines(f->ram);

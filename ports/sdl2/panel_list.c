@@ -74,10 +74,10 @@ static void show_found(panel *p)
     const uint32_t here = count_found(p, false), more = count_found(p, true);
     show_matches(p, false);
     if (here == 0 && more == 0) {
-        panel_line(PEN_DIM, "no name and no help has these words");
+        panel_line(PEN_DIM, "no name or help has these words");
     } else if (here == 0) {
         show_matches(p, true);
-        panel_line(PEN_DIM, "not in this scene: values put it there");
+        panel_line(PEN_DIM, "not in this scene; its values add it");
     } else if (more > 0 && show_head("more, not in this scene", more, false)) {
         pen_indent(true);
         show_matches(p, true);

@@ -204,7 +204,7 @@ static void show_reset(panel *p, uint32_t row, bool filed)
         p->host->reset(p->host->user, row);
     const SDL_FRect at = pen_last();
     if (pen_hovered())
-        pen_tip(filed ? "to the default" : "as the scene's file has it");
+        pen_tip(filed ? "reset to the default" : "reset to the file's value");
     pen_write_framed(at.x + SDL_floorf((side - pen_letter()) / 2), at.y,
                      filed ? PEN_DIM : PEN_EDITED, "<");
 }

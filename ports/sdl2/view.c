@@ -41,7 +41,7 @@ static void on_exit(void)
     if (v->film)
         recorder_end(v->film);
     deck_close(&v->tape);
-    say("tidepool view: the display is lost; `tidepool view --resume` goes on");
+    say("tidepool view: the display is lost; `tidepool view --resume` continues");
     fflush(NULL);
     _exit(EXIT_LOST);
 }
@@ -171,7 +171,7 @@ static int open_window(view *v)
     snprintf(title, sizeof title, "tidepool: %s", scene_title(v));
     if (!window_open(&v->window, title, (int)o->width, (int)o->height, v->scale, 0)) {
         say("tidepool view: no window can be opened: %s", SDL_GetError());
-        return fail(EXIT_DISPLAY, "Without a display, this draws a picture:"
+        return fail(EXIT_DISPLAY, "Without a display this command draws a picture:"
                     " tidepool render %s", o->resume ? v->stage->file.path : o->scene);
     }
     v->window.usual = beside;
@@ -216,7 +216,7 @@ static int run(view *v)
     if (!v->options->counted)
         v->session = session_begin();
     if (v->picture > 0)
-        view_say(v, "going on at picture %u  -  F1: all keys", (unsigned)v->picture);
+        view_say(v, "continues at picture %u  -  F1: all keys", (unsigned)v->picture);
     else
         view_say(v, "%s  -  F1: all keys   drag: look round   W A S D: move   P: pause",
                  scene_title(v));

@@ -38,7 +38,7 @@ static void drop(view *v)
     if (tp_world_drops(v->stage->world))
         v->wish.drops += v->wish.drops < 1024;
     else
-        view_say(v, "this scene has no drops: drops.count in the panel gives it some");
+        view_say(v, "this scene has no drops: set drops.count in the panel");
 }
 
 static void poke(view *v, uint32_t number)
@@ -57,11 +57,11 @@ static void shift_clock(view *v, int slower)
     const int64_t to = slower > 0 ? target / 2 : target * 2;
     v->wish.slowdown += slower;
     if (to < TP_CLOCK_SLOWEST || to > TP_CLOCK_FASTEST)
-        view_say(v, "that is as %s as it goes", slower > 0 ? "slow" : "fast");
+        view_say(v, "this is the %s speed", slower > 0 ? "slowest" : "fastest");
     else if (to >= TP_FX_ONE)
-        view_say(v, "time goes %d times as fast", (int)(to >> 16));
+        view_say(v, "speed of time: %d", (int)(to >> 16));
     else
-        view_say(v, "time goes at 1/%d", (int)(TP_FX_ONE / to));
+        view_say(v, "speed of time: 1/%d", (int)(TP_FX_ONE / to));
 }
 
 static void pause(view *v, bool on)
@@ -103,7 +103,7 @@ static void compare_next(view *v, bool against)
     if (how == COMPARE_OFF && against)
         how = COMPARE_SPLIT;
     compare_set(v->compare, how, other);
-    view_say(v, how == COMPARE_OFF ? "one picture" : "%s: %s", compare_how_name[how],
+    view_say(v, how == COMPARE_OFF ? "comparison off" : "%s: %s", compare_how_name[how],
              compare_against_name[other]);
     v->stale = true;
 }
@@ -195,7 +195,7 @@ void view_act(view *v, action what)
     case ACT_FASTER:     shift_clock(v, -1); break;
     case ACT_STEP:       pause(v, true); view_step(v); break;
     case ACT_STEP_BACK:  pause(v, true); view_back(v); break;
-    case ACT_RESTART:    view_restart(v); view_say(v, "from the beginning"); break;
+    case ACT_RESTART:    view_restart(v); view_say(v, "restarted"); break;
     case ACT_NEXT_SCENE: view_step_scene(v, 1); break;
     case ACT_LAST_SCENE: view_step_scene(v, -1); break;
     case ACT_RELOAD:     reload(v); break;

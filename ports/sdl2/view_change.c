@@ -122,7 +122,7 @@ void view_undo(view *v, bool again)
     const undo_result result =
         (again ? undo_again : undo_back)(&v->edits, v->stage, v->options, &done, &opened);
     if (result == UNDO_NOTHING)
-        view_say(v, again ? "nothing to make again" : "nothing to undo");
+        view_say(v, again ? "nothing to redo" : "nothing to undo");
     if (result == UNDO_NOTHING || result == UNDO_REFUSED)
         return;
     const tp_param *param = row_param(done->row);
@@ -168,7 +168,7 @@ void view_begin_here(view *v)
     };
     uint32_t count;
     if (v->stage->file.scene.camera.follow != v->filed.camera.follow) {
-        view_say(v, "the scene cannot begin in this way to look");
+        view_say(v, "the scene cannot start in this camera mode");
         return;
     }
     for (size_t i = 0; i < sizeof camera / sizeof *camera; i++) {
@@ -178,7 +178,7 @@ void view_begin_here(view *v)
         if (!view_set(v, (uint32_t)(row - tp_params(&count)), text, false))
             return;
     }
-    view_say(v, "the scene begins here");
+    view_say(v, "the scene starts at this camera");
 }
 
 /* -- files ----------------------------------------------------------------------- */
@@ -219,7 +219,7 @@ int view_resume(view *v, const char *otherwise)
                                 v->stage->world, v->stage->world_bytes, &number)) {
         v->picture = number;
         v->changed = true;
-        say("going on with %s at picture %u", v->stage->file.name, (unsigned)number);
+        say("continuing %s at picture %u", v->stage->file.name, (unsigned)number);
     }
     session_free(&state);
     return opened ? EXIT_DONE : EXIT_INPUT;

@@ -20,7 +20,7 @@ int view_size(view *v)
 {
     options *o = v->options;
     if (v->film) {
-        view_say(v, "the film has ended: its pictures have one size");
+        view_say(v, "the film has ended: the picture's size changed");
         view_film(v, false);
     }
     window_fits(&v->window, v->scale, &o->width, &o->height);

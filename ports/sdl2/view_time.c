@@ -70,7 +70,7 @@ void view_step(view *v)
         poke_take(&v->pokes, &v->stage->file.scene, &v->wish);
     if (v->playing && deck_has_ended(&v->replay.tape, v->replay.tick)) {
         view_untape(v);
-        view_say(v, "the tape has ended: the keys are yours");
+        view_say(v, "the tape has ended: keys work again");
     }
     if (v->playing)
         play_acts(v);
@@ -95,12 +95,13 @@ void view_back(view *v)
     const tp_scene before = s->file.scene;
     uint32_t from;
     if (v->playing) {
-        view_say(v, "a tape that plays does not run backwards");
+        view_say(v, "a tape cannot play backwards");
         return;
     }
     if (v->picture == 0 || !past_take(v->past, v->picture - 1, s->world, s->world_bytes,
                                       &s->file.scene, &from)) {
-        view_say(v, v->picture == 0 ? "this is the beginning" : "no farther back");
+        view_say(v, v->picture == 0 ? "this is the beginning"
+                                    : "no older pictures are stored");
         return;
     }
     for (; from < v->picture - 1; from++) {
@@ -128,7 +129,7 @@ void view_back(view *v)
 void view_poke(view *v, const tp_push *push)
 {
     if (!poke_add(&v->pokes, push))
-        view_say(v, "%d pokes wait, and no more can: P lets the water go on", POKE_WAITS);
+        view_say(v, "%d pokes wait, the most: P continues the water", POKE_WAITS);
 }
 
 /* Pokes or stirs the water under a pixel of the window. */
@@ -148,7 +149,7 @@ static void aim(view *v, const control_place *place)
     else if (scene->pool.cols || scene->field.cols)
         view_poke(v, &push);
     else
-        view_say(v, "no pool is there to poke: Space lets a drop fall");
+        view_say(v, "no pool to poke here: Space releases a drop");
 }
 
 static void gather_input(view *v, tp_input *input)

@@ -60,7 +60,7 @@ bool window_open(window *w, const char *title, int width, int height, int scale,
     if (SDL_Init(SDL_INIT_VIDEO) != 0)
         return false;
     if (shows_nothing()) {
-        SDL_SetError("there is no display, or it cannot be reached");
+        SDL_SetError("no display, or the display cannot be reached");
         return false;
     }
     w->window = SDL_CreateWindow(title, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,

@@ -46,8 +46,8 @@
     root.shareSheet = async function (link) {
         const field = make('input', { type: 'text', readOnly: true, value: link,
                                       'aria-label': 'Link', id: 'link' });
-        const said = make('p', {}, 'Opens what you see: scene, changes, camera.');
-        openSheet('A link to this', said, field);
+        const said = make('p', {}, 'Opens this view: scene, changes, camera.');
+        openSheet('Link to this view', said, field);
         field.select();
         try {
             await navigator.clipboard.writeText(link);
@@ -66,8 +66,8 @@
                                                                make('dd', {}, does)])),
         ]);
         openSheet('Keys, mouse, fingers', ...lists, make('p', {},
-            `The program with its scenes: ${Math.round(kb(TIDEPOOL.module))} KB; `
+            `Program and scenes: ${Math.round(kb(TIDEPOOL.module))} KB; `
             + `pictures and boats: ${Math.round(files)} KB. `
-            + 'Nothing is fetched, nothing is kept.'));
+            + 'The page loads nothing else and stores nothing.'));
     };
 })(globalThis);

@@ -58,7 +58,7 @@
             return;
         const middle = times.sort((a, b) => a - b)[times.length >> 1];
         const speed = Math.round(1000 * times.length / (now - shown));
-        const steps = state.steps ? ` · ${state.steps} steps cheaper` : '';
+        const steps = state.steps ? ` · quality ${state.steps} steps down` : '';
         const size = `${state.width} × ${state.height}${steps}`;
         $('rate').textContent = state.paused ? `paused at frame ${state.frame} · ${size}`
             : `${speed} frames/s · ${middle ? middle.toFixed(1) : '–'} ms · ${size}`;
@@ -106,7 +106,7 @@
 
     function pause(on) {
         state.paused = on;
-        $('pause').textContent = on ? 'Go on' : 'Pause';
+        $('pause').textContent = on ? 'Continue' : 'Pause';
         $('pause').setAttribute('aria-pressed', on);
         shown = 0;
     }
@@ -247,7 +247,8 @@
      * scene (`fresh`) in the free mode keeps its own camera.follow. */
     function steer(mode, fresh) {
         if (!engine.c.look(mode)) {
-            tell(mode === 3 ? 'This scene has no boat.' : 'Nothing is there.', true);
+            tell(mode === 3 ? 'This scene has no boat.'
+                : 'This camera mode has no target in this scene.', true);
             mode = state.look;
         }
         state.look = mode;
@@ -308,7 +309,7 @@
                                          Math.floor(y * state.height), stir);
             poked(found);
             if (found === 2 && !stir)
-                tell('Nothing here takes a drop.', true, 'Let drops fall',
+                tell('This scene has no drops.', true, 'Add drops',
                      () => rain(x, y));
         },
         panel: () => toggle(document.body.classList.contains('closed')),
@@ -321,7 +322,7 @@
     /* Handles the result of touch or poke; 3 is FULL in web.c. */
     function poked(found) {
         if (found === 3)
-            tell('No more pokes can wait: P lets the water go on.', true);
+            tell('Too many pokes wait: P continues the water.', true);
     }
 
     function act(name, ...rest) {
@@ -405,7 +406,7 @@
         tell('Drag turns, a tap pokes or drops, two fingers move.', true);
     if (matchMedia('(prefers-reduced-motion: reduce)').matches) {
         pause(true);
-        tell('It stands still, as your system asks for less motion: P moves it.', true);
+        tell('Paused, because your system asks for reduced motion: P continues.', true);
     }
     requestAnimationFrame(loop);
     globalThis.tidepool = { engine, state };

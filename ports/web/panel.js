@@ -139,7 +139,7 @@
             row.give = text => change(p, text);
             row.control = control(row, p, files);
             const undo = make('button', {
-                type: 'button', className: 'undo', title: 'As in the file',
+                type: 'button', className: 'undo', title: "Reset to the file's value",
                 'aria-label': `Reset ${p.name}`, onclick: () => change(p, row.filed),
             }, '↺');
             row.node = make('div', { className: 'row' },
@@ -216,7 +216,7 @@
 
         /* Search: every word must be in the name or in the help. */
         const none = make('p', { className: 'none', hidden: true },
-                          'No parameter is called so.');
+                          'No parameter matches.');
         box.append(none);
         let opened = null;      /* groups open before the search */
         search.addEventListener('input', () => {

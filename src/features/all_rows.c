@@ -31,50 +31,54 @@
 
 #define WAVE(n) \
     TP_ROW_NUMBER("wave" #n ".amplitude", wave[n].amplitude, "m", 0, 16, 0, \
-        "half the height from trough to crest; 0: no such wave"), \
+        "half the height from trough to crest; 0: no wave"), \
     TP_ROW_NUMBER("wave" #n ".length", wave[n].length, "m", 0.25, 2000, 10, \
-        "from crest to crest"), \
+        "wavelength, from crest to crest"), \
     TP_ROW_NUMBER("wave" #n ".steepness", wave[n].steepness, "", 0, 1, 0.25, \
-        "sharpness of the crests; 0: a plain sine; their sum is held below 0.95"), \
+        "sharpness of crests; 0: a sine; the sum is clamped to 0.95"), \
     TP_ROW_HEADING("wave" #n ".heading", wave[n].heading, 0, \
-        "where the wave travels to, clockwise from -z"), \
+        "direction of travel, clockwise from -z"), \
     TP_ROW_HEADING("wave" #n ".phase", wave[n].phase, 0, \
-        "of the wave at the origin when the clock starts"), \
+        "phase at the origin at tick 0"), \
     TP_ROW_NUMBER("wave" #n ".speed", wave[n].speed, "", 0, 8, 1, \
-        "of its natural speed; 0: it stands still"), \
+        "factor of the wave's natural speed; 0: the wave stands still"), \
     TP_ROW_COUNT("wave" #n ".power", wave[n].power, "", 1, 8, 1, \
-        "1: a sine; more raise its crests and flatten its troughs")
+        "1: a sine; more: sharper crests and flatter troughs")
 
 static const tp_param rows[] = {
-    TP_ROW_NAME("scene.title", title, TEXT, "what the preview's window is called"),
-    TP_ROW_NAME("scene.shows", shows, TEXT, "one line for `tidepool scenes`"),
+    TP_ROW_NAME("scene.title", title, TEXT, "title of the preview's window"),
+    TP_ROW_NAME("scene.shows", shows, TEXT,
+        "description of the scene for `tidepool scenes`, one line"),
 
     TP_ROW_NUMBER("camera.x", camera.x, "m", -8000, 8000, 0,
-        "to the right of the origin"),
+        "position, to the right of the origin"),
     TP_ROW_NUMBER("camera.y", camera.y, "m", -100, 2000, 4,
-        "above the level of still water"),
-    TP_ROW_NUMBER("camera.z", camera.z, "m", -8000, 8000, 0, "towards the viewer"),
-    TP_ROW_HEADING("camera.heading", camera.heading, 0, "clockwise from -z"),
+        "height above the level of still water"),
+    TP_ROW_NUMBER("camera.z", camera.z, "m", -8000, 8000, 0,
+        "position, from the origin towards the viewer"),
+    TP_ROW_HEADING("camera.heading", camera.heading, 0,
+        "direction of view, clockwise from -z"),
     TP_ROW_NUMBER("camera.pitch", camera.pitch, "degrees", -89, 89, -6,
-        "above the horizon"),
+        "direction of view, above the horizon"),
     TP_ROW_NUMBER("camera.fov", camera.fov, "degrees", 20, 100, 60,
         "angle of view from the bottom to the top of the picture"),
     TP_ROW_NUMBER("camera.near", camera.near, "m", 0.05, 10, 0.25,
-        "nearer things are cut away"),
+        "nearer objects are clipped"),
     TP_ROW_CHOICE("camera.follow", camera.follow, "none|boat", TP_FOLLOW_BOAT,
-        TP_FOLLOW_NONE, "place and angles are of the world, or of the boat's deck"),
+        TP_FOLLOW_NONE,
+        "position and angles are relative to the world or to the boat's deck"),
 
     TP_ROW_HEADING("light.heading", light.heading, 45,
-        "where the sun stands, clockwise from -z"),
+        "direction of the sun, clockwise from -z"),
     TP_ROW_NUMBER("light.elevation", light.elevation, "degrees", 1, 90, 35,
-        "of the sun above the horizon"),
-    TP_ROW_COLOUR("light.colour", light.colour, 0xfff4e0, "of the sun"),
+        "elevation of the sun above the horizon"),
+    TP_ROW_COLOUR("light.colour", light.colour, 0xfff4e0, "colour of the sun"),
     TP_ROW_NUMBER("light.ambient", light.ambient, "", 0, 1, 0.35,
-        "share of light from all sides"),
+        "share of ambient light, from all sides"),
     TP_ROW_CHOICE("light.model", light.model, "phong|blinn", TP_LIGHT_BLINN,
-        TP_LIGHT_PHONG, "how the glitter is reckoned"),
+        TP_LIGHT_PHONG, "reflection model of the glitter"),
     TP_ROW_NUMBER("light.turn", light.turn, "degrees/s", -90, 90, 0,
-        "that the sun goes round"),
+        "angular speed of the sun's heading"),
 
     TP_SKY_COLOUR_ROWS,
     TP_HAZE_ROWS,
@@ -93,50 +97,54 @@ static const tp_param rows[] = {
     TP_REFLECTION_ROWS,
 
     TP_ROW_COUNT("grid.cols", grid.cols, "points", 2, 1024, 100,
-        "of the water's mesh along x"),
+        "points of the water's mesh along x"),
     TP_ROW_COUNT("grid.rows", grid.rows, "points", 2, 1024, 100,
-        "of the water's mesh along z"),
-    TP_ROW_NUMBER("grid.cell", grid.cell, "m", 0.01, 50, 1.5, "from point to point"),
+        "points of the water's mesh along z"),
+    TP_ROW_NUMBER("grid.cell", grid.cell, "m", 0.01, 50, 1.5,
+        "distance between points of the mesh"),
     TP_ROW_NUMBER("grid.reach", grid.reach, "m", 0, 16000, 4000,
-        "how far water goes on beyond the cells; 0: the grid is all"),
-    TP_ROW_SWITCH("grid.follow", grid.follow, 1, "the grid goes with the camera"),
+        "distance of water beyond the mesh; 0: the mesh alone"),
+    TP_ROW_SWITCH("grid.follow", grid.follow, 1, "the mesh moves with the camera"),
 
     WAVE(0),  WAVE(1),  WAVE(2),  WAVE(3),  WAVE(4),  WAVE(5),  WAVE(6),  WAVE(7),
     WAVE(8),  WAVE(9),  WAVE(10), WAVE(11), WAVE(12), WAVE(13), WAVE(14), WAVE(15),
 
     TP_ROW_NUMBER("floor.depth", floor.depth, "m", 0, 8000, 0,
-        "of still water at the origin; 0 without a map: no floor at all"),
+        "depth of still water at the origin; 0 without a map: no floor"),
     TP_ROW_NUMBER("floor.slope", floor.slope, "", 0, 1, 0,
         "rise of the floor per metre"),
-    TP_ROW_HEADING("floor.heading", floor.heading, 0, "towards which it rises"),
+    TP_ROW_HEADING("floor.heading", floor.heading, 0,
+        "direction in which the floor rises, clockwise from -z"),
     TP_ROW_NAME("floor.map", floor.map, GREY,
-        "PNG of the floor's heights; empty: a slope"),
+        "PNG of the floor's heights; empty: a plane slope"),
     TP_ROW_NUMBER("floor.map_x", floor.map_x, "m", -8000, 8000, 0,
-        "of the map's centre"),
+        "centre of the map, to the right of the origin"),
     TP_ROW_NUMBER("floor.map_z", floor.map_z, "m", -8000, 8000, 0,
-        "of the map's centre"),
+        "centre of the map, from the origin towards the viewer"),
     TP_ROW_NUMBER("floor.map_size", floor.map_size, "m", 1, 8000, 200,
-        "the map's width"),
+        "width of the map"),
     TP_ROW_NUMBER("floor.map_low", floor.map_low, "m", -8000, 100, -10,
-        "height of its black"),
+        "height of black in the map"),
     TP_ROW_NUMBER("floor.map_high", floor.map_high, "m", -8000, 100, 2,
-        "height of its white"),
+        "height of white in the map"),
 
     TP_LAND_ROWS,
 
     TP_ROW_NUMBER("wind.strength", wind.strength, "rad/m", 0, 1, 0,
-        "how far crests lean over before the wind, per metre of height"),
+        "lean of crests in the wind's direction, per metre of height"),
     TP_ROW_HEADING("wind.heading", wind.heading, 0,
-        "where it blows to, clockwise from -z"),
+        "direction in which the wind blows, clockwise from -z"),
 
     TP_ROW_NUMBER("surf.k0", surf.k0, "1/m", 0, 4, 0.1,
-        "how soon orbits tilt with the floor"),
-    TP_ROW_NUMBER("surf.kx", surf.kx, "1/m", 0.001, 4, 0.11, "how soon orbits widen"),
-    TP_ROW_NUMBER("surf.ky", surf.ky, "1/m", 0.001, 4, 0.09, "how soon orbits flatten"),
+        "decay with depth of the tilt of orbits towards the floor"),
+    TP_ROW_NUMBER("surf.kx", surf.kx, "1/m", 0.001, 4, 0.11,
+        "decay with depth of the widening of orbits"),
+    TP_ROW_NUMBER("surf.ky", surf.ky, "1/m", 0.001, 4, 0.09,
+        "decay with depth of the flattening of orbits"),
     TP_ROW_NUMBER("surf.stretch", surf.stretch, "", 0, 2, 1,
-        "of breaking crests; 1: as their type"),
+        "stretch of breaking crests; 1: as their breaker type demands"),
     TP_ROW_NUMBER("surf.irregular", surf.irregular, "", 0, 1, 0.3,
-        "of breaking crests, by noise"),
+        "irregularity of breaking crests, by noise"),
 
     TP_POOL_ROWS,
     TP_TANK_ROWS,
@@ -146,24 +154,25 @@ static const tp_param rows[] = {
     TP_BOAT_ROWS,
 
     TP_ROW_NUMBER("clock.scale", clock.scale, "", 0.125, 4, 1,
-        "slow motion to fast forward"),
+        "speed of time; below 1: slow motion"),
 
     TP_ROW_NUMBER("quality.error_px", quality.error_px, "px", 0, 64, 0.5,
-        "that outlines may be off, for speed"),
+        "largest error of outlines allowed for speed"),
     TP_ROW_NUMBER("quality.error_colour", quality.error_colour, "levels", 0, 255, 2,
-        "that colours may be off, rms of 255, for speed"),
+        "largest error of colours allowed for speed, rms of 255"),
     TP_ROW_CHOICE("quality.visibility", quality.visibility,
         "auto|triangles|rows|projected|flat", TP_VISIBILITY_FLAT, TP_VISIBILITY_AUTO,
-        "how water is found in the picture"),
+        "method that finds the water's surface in each pixel"),
     TP_ROW_CHOICE("quality.shading", quality.shading, "auto|exact|quick",
         TP_SHADING_QUICK, TP_SHADING_AUTO,
-        "of the water: exact, or by slopes and nearest texels"),
+        "shading of water: exact, or fast with slopes and nearest texels"),
     TP_ROW_CHOICE("quality.rate", quality.rate, "auto|full|layers|colour",
-        TP_RATE_COLOUR, TP_RATE_AUTO, "what is worked out for every second pixel"),
+        TP_RATE_COLOUR, TP_RATE_AUTO,
+        "computed for every second pixel only: nothing, the layers, the colour"),
     TP_ROW_CHOICE("quality.lod", quality.lod, "auto|off|on", TP_LOD_ON, TP_LOD_AUTO,
-        "fewer lines of the grid where they lie close"),
+        "fewer lines of the mesh where they lie close together"),
     TP_ROW_NUMBER("quality.frame_ms", quality.frame_ms, "ms", 0, 10000, 0,
-        "of a frame, held by stepping down rungs; 0: off"),
+        "time limit of a frame; quality steps down to hold it; 0: off"),
 
     TP_MORE_ROWS
 };

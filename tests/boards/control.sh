@@ -49,7 +49,7 @@ check "as it was" answered "set wave2.amplitude 0" "ok wave2.amplitude = 0 m"
 long=$(printf '%0700d' 0)
 check "a line too long" answered "$long" "error line longer than 160 bytes"
 check "bytes that are no text" answered "$(printf 'set \377\001')" \
-    "error line with byte 255, which is no text"
+    "error line with byte 255, which is not text"
 check "and the next line is read" answered "get wave0.amplitude" \
     "ok wave0.amplitude = 0.1 m of 0..16"
 # More bytes than the port's ring buffer holds, while the board computes ticks and reads

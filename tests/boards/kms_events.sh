@@ -56,7 +56,7 @@ vm_state /dev/tty1 >/tmp/before
 connector=$(echo /sys/class/drm/card0-*)
 
 check "a device that is not there" refused "No such file" --device /dev/dri/card7
-check "a device that is no card" refused "no graphics card" --device /dev/null
+check "a device that is no card" refused "is not a graphics card" --device /dev/null
 check "a picture larger than every mode" refused "smaller than" --size 4096x4000
 echo off >"$connector/status"
 check "no monitor" refused "nothing is connected"
@@ -64,8 +64,8 @@ echo detect >"$connector/status"
 
 start
 check "it starts" until_true drawn 1
-check "another program has the screen" eval \
-    'vm_state /dev/tty1 >/tmp/before; refused "another program has the screen"'
+check "another program uses the screen" eval \
+    'vm_state /dev/tty1 >/tmp/before; refused "another program uses the screen"'
 ask shot start
 echo off >"$connector/status"
 check "unplugged, it goes on without a screen" until_true dark

@@ -8,7 +8,7 @@
 #include "pixel/pixel.h"
 #include <sys/stat.h>
 
-#define HEAD "# What `tidepool view --resume` goes on with.\n[session]\nworld = "
+#define HEAD "# State of `tidepool view`, for --resume.\n[session]\nworld = "
 
 static char path[4096];
 

@@ -14,24 +14,24 @@ absent() {
 
 # -- refused scenes -------------------------------------------------------------------
 
-expect "no scene to bake" 2 "which scene" bake -o a.c
-expect "no file to bake into" 2 "It takes -o FILE.c" bake minimal
+expect "no scene to bake" 2 "SCENE is missing" bake -o a.c
+expect "no file to bake into" 2 "o FILE.c is missing" bake minimal
 expect "-o without its value" 2 "needs a value" bake minimal -o
 expect "a size that is too small" 2 "16..4096" bake minimal -o a.c --size 15x16
 expect "a size that is too large" 2 "16..4096" bake minimal -o a.c --size 16x4097
 expect "a format of nobody" 2 "expected xrgb8888" bake minimal -o a.c --format rgb888
 for option in with without; do
-    expect "--$option of what is no piece" 2 "--$option fome: no such piece; did you mean" \
+    expect "--$option of what is no piece" 2 "--$option fome: no such module; did you mean" \
         bake minimal -o a.c --size 32x32 "--$option" ripple,fome
     expect "--$option of an empty name" 2 "--$option" \
         bake minimal -o a.c --size 32x32 "--$option" ""
 done
-expect "a piece that is wanted and not" 2 "foam is both in --with and in --without" \
+expect "a piece that is wanted and not" 2 "foam is in both --with and --without" \
     bake minimal -o a.c --size 32x32 --with foam --without foam
-expect "a list of no size and format" 2 "--with is of a program's list" \
+expect "a list of no size and format" 2 "--with is an option of the program" \
     bake minimal -o a.c --with foam
 for name in 3x a-b tp tp_x "" "a b" ä; do
-    expect "the name '$name'" 2 "expected a name" bake minimal -o a.c --name "$name"
+    expect "the name '$name'" 2 "expected a C identifier" bake minimal -o a.c --name "$name"
 done
 for texels in 0 -1 4097 x; do
     expect "$texels texels" 2 "1..4096" bake minimal -o a.c --texels "$texels"
@@ -117,7 +117,7 @@ same "a list is told of in the head" "$code $(grep -c '^ \* *stage  sky plain' h
 run bake minimal -o i.c --size 64x48 --no-input --name baked
 same "it is the same each time" "$(cmp h.c i.c)" ""
 run bake minimal -o i.c --size 64x48 --no-input --without haze
-same "what is left out is told" "$code $(grep -c 'asks for it: .* haze$' err)" "0 1"
+same "what is left out is told" "$code $(grep -c 'uses it: .* haze$' err)" "0 1"
 run bake minimal -o i.c --size 64x48 --no-input --without foam
 same "unless nobody asks for it" "$code $(cat err)" "0 "
 run bake minimal -o i.c --format i1 --no-input --with foam

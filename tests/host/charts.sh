@@ -256,13 +256,14 @@ only_direct() { # NAME PATTERN ROW: rows that only a job's own list forbids
     printf '%s\n' "$3" >rows/b
     expect "$1" 3 "$2" charts bad --from charts
 }
-only_direct "rows of another chart" ":1: the job is none of chart scenes" "scenes,x,n,1"
+only_direct "rows of another chart" ":1: the job does not belong to chart scenes" \
+    "scenes,x,n,1"
 only_direct "a time of a job that is none" "only a .time. job prints times: ms" \
     "demo,x;1,ms,1"
 cp b.good rows/b
 cp rows/t t.good
 echo "demo,x;1,cost,1" >rows/t
-expect "a value of a time job" 3 "a .time. job prints times alone: cost" charts bad \
+expect "a value of a time job" 3 "a .time. job prints only times: cost" charts bad \
     --from charts
 cp t.good rows/t
 echo "demo,lin;8,cost,21" >rows/c
@@ -280,14 +281,14 @@ expect "a folder that cannot be" 3 "^rows/a/x: Not a directory$" charts rows/a/x
 expect "a file for a folder" 3 "^rows/a: Not a directory$" charts rows/a --from charts
 expect "a file of rows that is not there" 3 "^nowhere: No such file" charts --collect \
     nowhere bad --from charts
-expect "no project here" 3 "start it in the project's folder$" charts bad
-expect "nor for the list" 3 "start it in the project's folder$" charts --list
-expect "a folder without charts" 3 "rows: no chart is described there" charts bad \
+expect "no project here" 3 "run it in the project's folder$" charts bad
+expect "nor for the list" 3 "run it in the project's folder$" charts --list
+expect "a folder without charts" 3 "rows: no chart in this folder" charts bad \
     --from rows
 expect "an unknown chart is asked for" 2 "no chart dem; did you mean demo?" charts bad \
     --from charts --only scenes,dem
-expect "no folder" 2 "which folder?" charts
-expect "no files" 2 "which files, and which folder?" charts --collect bad
+expect "no folder" 2 "DIR is missing" charts
+expect "no files" 2 "needs FILE and DIR" charts --collect bad
 expect "two folders" 2 "too many names" charts one two
 expect "a folder for the list" 2 "too many names" charts --list one
 expect "list and collect" 2 "exclude each other" charts --list --collect a b
@@ -303,8 +304,8 @@ ini "a section that is none" "2: \[charts\]; expected \[chart\]" '1s/t]/ts]/'
 ini "no name at all" "3: neither" '3s/=//'
 ini "two titles" "3: title: twice" '2p'
 ini "an empty list" "3: keys: empty" '3s/=.*/=/'
-ini "no title" " it takes a title, keys and values" '2d'
-ini "no keys" " it takes a title, keys and values" '3d'
+ini "no title" " a chart needs title, keys and values" '2d'
+ini "no keys" " a chart needs title, keys and values" '3d'
 ini "no job" " no job" '/cat rows.[abc]/d'
 ini "a front of one value" " pareto: expected two values" 's/cost error$/cost/;5!b'
 ini "a front of no value" " pareto: no value is called ms" '/pareto/s/error/ms/'

@@ -106,7 +106,7 @@ for signal in 1 15; do
     kill -$signal $pid
     { wait $pid; } 2>/dev/null
     same "stopped by signal $signal" "$? $(cat err)" "$((128 + signal)) tidepool charts: \
-stopped after 2 of 4 jobs; --resume goes on"
+stopped after 2 of 4 jobs; --resume continues"
     same "nothing is written, two jobs are kept" "$(ls -A slowly) $(ls build/charts/rows |
         grep -c 'rows$') $(find build -name '*.part')" " 2 "
 done
@@ -125,7 +125,7 @@ touch -d '+1 minute' build/host/tidepool
 run charts slowly --from slow --resume --jobs 1
 same "but not beyond another build of what measures" "$(cat err) $(wc -l <ran)" \
     "tidepool charts: 0 of 4 jobs are done
-tidepool charts: 4 more were run by older tools, and run again 9"
+tidepool charts: 4 jobs of older tools run again 9"
 rm build/host/tidepool
 run charts slowly --from slow
 same "nor without --resume" "$code $(wc -l <ran)" "0 13"

@@ -75,10 +75,10 @@ expect "a step is compared with itself, not with the root" 1 "step 1 is off" \
 
 folder sine
 mv t/sine.csv t/sines.csv
-expect "an unknown name" 3 "t/sines.csv: no model is called so; did you mean sine.csv?" \
+expect "an unknown name" 3 "t/sines.csv: no model has this name; did you mean sine.csv?" \
     check --vectors t
 mv t/sines.csv t/something_else.csv
-expect "a name far from all" 3 "t/something_else.csv: no model is called so$" \
+expect "a name far from all" 3 "t/something_else.csv: no model has this name$" \
     check --vectors t
 broken "an unknown column" "t/sine.csv:2: unknown column 'sinn'; did you mean sin?" sine \
     '2s/,sin,/,sinn,/'
@@ -103,7 +103,7 @@ broken "a field more" "t/sine.csv:4: 6 fields; there are 5 columns" sine '4s/$/,
 broken "an empty line" "t/sine.csv:4: 0 fields; there are 5 columns" sine '4s/.*//'
 broken "a number beyond its range" "t/sine.csv:4: sin = 1.5 is outside -1..1" sine \
     '4s/,[^,]*,/,1.5,/'
-broken "a fraction where there is none" "phase_u32 = 0.5 .* or no whole number" sine \
+broken "a fraction where there is none" "phase_u32 = 0.5 .* or not a whole number" sine \
     '4s/^[^,]*/0.5/'
 broken "an unknown word" "dispersion.csv:3: class = 'wet' is none of shallow|" dispersion \
     '3s/[a-z]*$/wet/'
@@ -116,7 +116,7 @@ broken "a parameter line with a bad number" "exposure.csv:1: unknown parameter l
 broken "a parameter beyond its range" "exposure.csv:1: e0 = 99 is outside 0.125..8" \
     exposure '1s/e0=1/e0=99/'
 broken "a parameter line that is missing" "sine.csv:1: no parameter line '# \[G1\]" sine 1d
-broken "a parameter line twice" "sine.csv:2: one parameter line of this kind too many" \
+broken "a parameter line twice" "sine.csv:2: too many parameter lines of this kind" \
     sine '1{p}'
 broken "waves out of their order" "gerstner_sum.csv:3: number 2; expected 1" gerstner_sum \
     '3s/wave 1/wave 2/'
@@ -130,7 +130,7 @@ broken "a pool that the core refuses" "no pool of .* can be made" automaton_mode
     's/,0.234375,0.0625,/,0.25,0.0625,/'
 folder sine
 printf 'a\0b\n' >>t/sine.csv
-expect "a zero byte" 3 "t/sine.csv: a zero byte in it" check --vectors t
+expect "a zero byte" 3 "t/sine.csv: contains a zero byte" check --vectors t
 mkdir t/fresnel.csv
 expect "a folder for a table" 3 "t/fresnel.csv: Is a directory" check --vectors t
 
@@ -141,7 +141,7 @@ expect "a folder without tables" 3 "empty: no .csv file there" check --vectors e
 expect "a folder that is not there" 3 "nowhere: No such file" check --vectors nowhere
 touch README
 expect "a file for a folder" 3 "README: Not a directory" check --vectors README
-expect "no folder" 2 "which folder" check
+expect "no folder" 2 "--vectors DIR is missing" check
 expect "an empty name" 2 "expected a folder" check --vectors ""
 expect "a scene" 2 "too many names" check three-swells --vectors empty
 expect "an option of another command" 2 "no option --hash" check --hash

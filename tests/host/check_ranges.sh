@@ -248,7 +248,7 @@ holds "the lightest and the heaviest drop, from the least and the greatest heigh
 beyond y0 100.1 "0.01..100"
 beyond y0 0.0099 "0.01..100"
 beyond eff 1.01 "1.52587891e-05..1"
-beyond b 7 "0..6, or no whole number"
+beyond b 7 "0..6, or not a whole number"
 beyond m 41901 "5e-08..41900"
 beyond m 4.9e-08 "5e-08..41900"
 beyond rad 0.000499 "0.0005..1"

@@ -45,8 +45,8 @@ for word in version -V; do
 done
 expect "a version of something" 2 "too many names" version render
 
-expect "no command" 2 "which command"
-expect "a command of no letters" 2 "which command" ""
+expect "no command" 2 "COMMAND is missing"
+expect "a command of no letters" 2 "COMMAND is missing" ""
 expect "an option for a command" 2 "no option -x; it takes --help" -x
 for scene in storm my.ini ./sub/my.ini; do
     expect "a scene for a command: $scene" 2 \
@@ -66,7 +66,7 @@ expect "option without its value" 2 "needs a value" render three-swells --size
 expect "switch with a value" 2 "no option --hash=1" render three-swells --hash=1
 expect "an empty value" 2 "render: --size '': expected WIDTHx" render minimal --size ""
 expect "an empty setting" 2 "^tidepool: --set '': expected name=value" render minimal --set ""
-expect "no scene" 2 "which scene" render
+expect "no scene" 2 "SCENE is missing" render
 expect "two scenes" 2 "too many names" render three-swells minimal
 expect "band and strip together" 2 "exclude" render minimal --band 8 --strip 16
 for size in 0x0 15x16 16x4097 640 640x480x3 -1x16 64x 99999999999999999999x16 64X48; do
@@ -107,7 +107,7 @@ same "a bench as CSV: a line of names and three of figures" "$(wc -l <out)" 4
 expect "unknown format" 2 "rgb565be" render minimal --format rgb555
 expect "visibility of no kind" 2 "auto, triangles" render minimal --visibility cubes
 expect "output of unknown kind" 2 "ends in .png, .apng or .y4m" render minimal --out picture.jpg
-expect "several frames, one name" 2 "need a place" render minimal --frames 2 --out f.png
+expect "several frames, one name" 2 "need a number" render minimal --frames 2 --out f.png
 expect "a % that is no number" 2 "%04d" render minimal --out f-%s.png
 
 # -- films in parts -----------------------------------------------------------------
@@ -136,18 +136,18 @@ refused() {     # NAME PATTERN PART...
     verdict "$1: no film" "$(ls -A | grep -e '^all' -e tidepool-)"
 }
 refused "a part of another size" \
-    "^other.y4m: its head is not that of 0:6.y4m: W32 H17 .*; W33 H17" other.y4m
+    "^other.y4m: its head differs from that of 0:6.y4m: W32 H17 .*; W33 H17" other.y4m
 refused "a part cut off" "^cut.y4m: ends inside of frame 0$" cut.y4m
 refused "in its first row" "^half.y4m: ends inside of frame 0$" half.y4m
 refused "a part without frames" "^empty.y4m: a film without frames$" empty.y4m
-refused "a part with more behind" "^more.y4m: where frame 1 begins there is none" more.y4m
-refused "a part of no bytes" "^nothing.y4m: no YUV4MPEG2 film$" nothing.y4m
+refused "a part with more behind" "^more.y4m: expected the head of frame 1" more.y4m
+refused "a part of no bytes" "^nothing.y4m: not a YUV4MPEG2 film$" nothing.y4m
 echo "; a scene" >a.ini
-refused "a part that is no film" "^a.ini: no YUV4MPEG2 film$" a.ini
+refused "a part that is no film" "^a.ini: not a YUV4MPEG2 film$" a.ini
 refused "a part that is not there" "^nowhere.y4m: No such file" nowhere.y4m
 refused "a folder" "^\.: Is a directory$" .
-expect "a film of another kind" 3 "full.y4m: no film of 4:2:0" join all.y4m full.y4m
-expect "no parts" 2 "which film, and which parts?" join all.y4m
+expect "a film of another kind" 3 "full.y4m: not a 4:2:0 film" join all.y4m full.y4m
+expect "no parts" 2 "needs FILM.y4m and PART.y4m" join all.y4m
 expect "a name that is no film's" 2 "a film's name ends in .y4m" join all.mp4 0:6.y4m
 rm -f ./*.y4m
 
@@ -189,7 +189,7 @@ for scene in count-64 three-swells pond; do
     fits plan $scene --size 320x240
 done
 fits plan three-swells --size 4096x4096 --set water.specular=4
-expect "plan of no scene" 2 "which scene" plan
+expect "plan of no scene" 2 "SCENE is missing" plan
 expect "plan of an unknown scene" 3 "did you mean three-swells?" plan three-swels
 run plan minimal --csv
 same "a plan as a table: a line each rung, the head, the total" \
@@ -199,10 +199,10 @@ run plan minimal --csv
 same "the same plan again" "$(cat out)" "$(cat table)"
 run plan minimal --csv --set quality.shading=quick
 same "what the scene names is taken" \
-    "$(grep -c '^shading,quick,as the scene says,' out)" 1
+    "$(grep -c '^shading,quick,set by the scene,' out)" 1
 run plan minimal --csv --visibility rows
 same "and what the command line names" \
-    "$(grep -c '^visibility,rows,as the scene says,' out)" 1
+    "$(grep -c '^visibility,rows,set by the scene,' out)" 1
 cost_of() {
     run plan "$1" --csv --size 320x240 --set "quality.error_px=$2" \
         --set "quality.error_colour=$2"
@@ -292,7 +292,7 @@ expect "clamp of the steepness sum" 0 \
 coarse="--set pool.cols=16 --set pool.rows=16 --set pool.cells=8 --set pool.damping=10"
 # shellcheck disable=SC2086
 expect "a pool of cells too coarse for its numbers" 0 \
-    "^--set: pool.courant: 8-bit cells make noise of 21 % of their range; 0.409 or more" \
+    "^--set: pool.courant: 8-bit cells have noise of 21 % of their range; 0.409 or more" \
     render minimal --size 16x16 --hash $coarse --set pool.courant=0.25
 # shellcheck disable=SC2086
 expect "and one that keeps to what is said" 0 "" \
@@ -345,7 +345,7 @@ printf 'newmtl red\nKd 1 0 0\nmap_Kd skin.png\n' >sub/red.mtl
 expect "bad number in an OBJ" 3 "^bad.obj:3: expected a number, found x" \
     $small --set boat.mesh=bad.obj --out boat.png
 absent "bad OBJ leaves no picture" "boat.png\|tidepool-"
-expect "face of a vertex that is not there" 3 "^far.obj:4: face names vertex 9 of 3" \
+expect "face of a vertex that is not there" 3 "^far.obj:4: face uses vertex 9 of 3" \
     $small --set boat.mesh=far.obj
 expect "OBJ that does not exist" 3 "^--set: boat.mesh: no.obj: No such file" \
     $small --set boat.mesh=no.obj
@@ -434,7 +434,7 @@ need="three-swells --size 64x48 --threads 2"
 {
 expect "more memory than is allowed" 3 \
     "^three-swells needs [0-9]* bytes (frame [0-9]*, world [0-9]*, scratch [0-9]*), "\
-"--memory allows 65536; what it names, [0-9]* bytes, is not counted$" \
+"--memory allows 65536; [0-9]* bytes of pictures and mesh are not counted$" \
     render $need --memory 64k --out refused.png
 absent "a picture that needs too much" "refused.png\|tidepool-"
 bytes=$(sed -n 's/.* needs \([0-9]*\) bytes.*/\1/p' err)
@@ -451,7 +451,7 @@ if (ulimit -v 200000; timeout 60 "$program" --version >out 2>&1); then
      timeout 60 "$program" render minimal --size 4096x4096 --band 4096 --out big.png 2>err)
     code=$?
     judge "memory that the system has not" 3 \
-        "^tidepool: out of memory: [0-9]* bytes asked$"
+        "^tidepool: out of memory: [0-9]* bytes needed$"
     absent "a picture without memory" "big.png\|tidepool-"
 fi
 

@@ -43,7 +43,7 @@ exits 2 "expected WIDTHxHEIGHT" render minimal --size 1
 exits 3 "No such file" render nowhere.ini
 run render minimal --size 32x32 --out a.y4m
 exits 0 "" join b.y4m a.y4m
-exits 2 "which parts" join b.y4m
+exits 2 "needs FILM.y4m and PART.y4m" join b.y4m
 exits 3 "No such file" join b.y4m nowhere.y4m
 for command in scenes manual version; do
     exits 0 "storm\|0\." $command
@@ -57,11 +57,11 @@ exits 0 "wave0" params minimal
 exits 2 "no option" params --sett
 exits 3 "No such file" params nowhere.ini
 exits 0 "" bake minimal -o a.c
-exits 1 "asks for it: .* haze" bake minimal -o a.c --size 32x32 --without haze --strict
-exits 2 "which file" bake minimal
+exits 1 "the scene uses it: .* haze" bake minimal -o a.c --size 32x32 --without haze --strict
+exits 2 "-o FILE.c is missing" bake minimal
 exits 3 "No such file" bake minimal -o no/a.c
 exits 0 "in all" plan minimal
-exits 2 "which scene" plan
+exits 2 "SCENE is missing" plan
 exits 3 "No such file" plan nowhere.ini
 mkdir tables
 head -20 "$vectors/sine.csv" >tables/sine.csv
@@ -70,7 +70,7 @@ awk -F, -v OFS=, '/^[^#]/ && ++n == 2 { $NF = 65536 - $NF } { print }' tables/si
     >wrong
 mv wrong tables/sine.csv
 exits 1 "sine" check --vectors tables
-exits 2 "which folder" check
+exits 2 "vectors DIR is missing" check
 exits 3 "No such file" check --vectors nowhere
 exits 0 "plain" bench --size 64x48 --points 16 --frames 1
 exits 2 "expected" bench --points 0
@@ -85,8 +85,8 @@ printf '[chart]\ntitle = Demo\nkeys = k\nvalues = v\njob = %s\n' 'echo "demo,a,v
 exits 0 "" charts out.d --from charts --small
 sed -i 's/^job.*/job = false/' charts/demo.ini
 exits 1 "exit 1: false" charts out.d --from charts --small
-exits 2 "which folder" charts
-exits 3 "no chart is described" charts out.d --from tables
+exits 2 "DIR is missing" charts
+exits 3 "no chart in this folder" charts out.d --from tables
 exits 0 "complete" completion bash
 exits 2 "expected bash, zsh or fish" completion csh
 full completion bash
@@ -106,7 +106,7 @@ met show 0 "^frame 0000" "show"
 exits 2 "expected fb or kms" show minimal --on paper
 exits 3 "No such file" show nowhere.ini
 exits 4 "cannot be opened" show minimal --device nowhere
-exits 4 "is no frame buffer" show minimal --device list
+exits 4 "is not a frame buffer" show minimal --device list
 show minimal --device fb0 --size 97x64
 met show 4 "smaller than the picture" "show, larger than its screen"
 : >out
@@ -146,7 +146,7 @@ else
     met view 0 "" "view"
     SDL_VIDEODRIVER=dummy timeout $seconds "$program" view --resume --frames 2 >out 2>err
     code=$?
-    met view 0 "session.ini: nothing is kept: a fresh start" "view --resume, nothing kept"
+    met view 0 "session.ini: no saved state: a fresh start" "view --resume, nothing kept"
     same "it says so in one line" "$(wc -l <err)" 1
     exits 2 "expected 1..16" view --scale 0
     exits 3 "No such file" view nowhere.ini
@@ -177,7 +177,7 @@ run --help
 same "the program's help says what each code means" \
     "$(sed -n '/^Exit:/,$p' out | tr '\n' ' ' | tr -s ' ')" "Exit: 0 done, \
 1 a check failed, 2 usage, 3 bad input, 4 no display or device, 5 display lost. "
-exits 2 "which command"
+exits 2 "COMMAND is missing"
 exits 2 "no command" sail
 
 # -- scripts ----------------------------------------------------------------------------

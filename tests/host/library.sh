@@ -57,7 +57,7 @@ same "the camera is there at once" "$(awk -v last="$(drawn "$scenes/three-swells
     cut -d' ' -f4)" 'NR <= 4 && $1 != "orbit" && $2 != last { at_once++ }
         { last = $3 } END { print at_once }' looks)" 3
 same "free again the camera is where it was" "$(sed -n 5p looks)" "the eye is back"
-same "there is no fifth" "$(tail -n 1 looks)" "no way 0: tp_host_look: there is no such way"
+same "there is no fifth" "$(tail -n 1 looks)" "no way 0: tp_host_look: no such camera mode"
 same "without a boat nobody stands on it" \
     "$(use looks "$scenes/pond.ini" - | grep boat)" \
     "boat: tp_host_look: the scene has no boat"

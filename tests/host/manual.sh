@@ -80,7 +80,7 @@ done
 
 # -- bash -----------------------------------------------------------------------------
 
-expect "completion of no shell" 2 "which shell" completion
+expect "completion of no shell" 2 "SHELL is missing" completion
 expect "of an unknown shell" 2 "expected bash, zsh or fish" completion csh
 expect "completion of bash" 0 "" completion bash
 cp out tidepool.bash

@@ -55,7 +55,7 @@ for old in "no PNG at all" "$(printf '\211PNG\r\n\032\n') of another program"; d
     printf '%s' "$old" >minimal.png
     cp minimal.png before
     expect "$(printf '%.12s' "$old" | tr -dc ' A-z'): none of ours is kept" 3 \
-        "^minimal.png: is there, and is no picture of tidepool's; --out minimal.png rep" \
+        "^minimal.png: exists, and tidepool did not make it; --out minimal.png rep" \
         render minimal --size 64x48
     same "as it was" "$(cmp minimal.png before)" ""
 done
@@ -63,8 +63,8 @@ expect "--out replaces it" 0 "" render minimal --size 64x48 --out minimal.png
 expect "and then it is ours" 0 "frame 0" render minimal --size 64x48
 rm minimal.png
 mkdir minimal.png minimal.apng
-expect "a folder of that name" 3 "^minimal.png: is there" render minimal --size 64x48
-expect "and of a film's" 3 "^minimal.apng: is there" render minimal --size 64x48 \
+expect "a folder of that name" 3 "^minimal.png: exists" render minimal --size 64x48
+expect "and of a film's" 3 "^minimal.apng: exists" render minimal --size 64x48 \
     --frames 2
 cd .. || exit 2
 rm -r here
@@ -171,7 +171,7 @@ run render storm --size 32x32 --frames 6:11 --every 3 --out b.y4m
 run join joined.y4m a.y4m b.y4m
 same "parts of it are joined" "$code $(cmp joined.y4m all.y4m)" "0 "
 run render storm --size 32x32 --frames 6:11 --out c.y4m
-expect "parts of another pace are not" 3 "its head is not that of a.y4m" \
+expect "parts of another pace are not" 3 "its head differs from that of a.y4m" \
     join joined.y4m a.y4m c.y4m
 
 finish

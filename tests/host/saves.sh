@@ -148,7 +148,7 @@ fi
     "$saves" keep 1 large "$scene" >out 2>err
 )
 code=$?
-judge "a world that is larger than a file may be" 3 "^large: cannot be kept: File too large$"
+judge "a world that is larger than a file may be" 3 "^large: cannot be saved: File too large$"
 same "leaves nothing" "$(ls -A | grep large)" ""
 nothing_left "a world that is too large"
 

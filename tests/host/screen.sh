@@ -80,8 +80,8 @@ expect "no such device" 4 "^nowhere: cannot be opened: No such file" \
     show $scene --device nowhere
 same "and that in one line" "$(wc -l <err)" 1
 expect "a folder" 4 "^folder: cannot be opened: Is a directory" show $scene --device folder
-expect "a file" 4 "^text: is no frame buffer$" show $scene --device text
-expect "another device" 4 "^/dev/null: is no frame buffer$" show $scene --device /dev/null
+expect "a file" 4 "^text: is not a frame buffer$" show $scene --device text
+expect "another device" 4 "^/dev/null: is not a frame buffer$" show $scene --device /dev/null
 expect "no such port" 2 "expected fb or kms" show $scene --on paper
 expect "--hold without --frames" 2 "hold" show $scene --hold
 expect "no such scene" 3 "nothing.ini" show nothing.ini --device text
@@ -112,12 +112,12 @@ rm -f copy
 memory "$wide"
 refused "smaller than the picture" 4 "^fb0: 96x64 pixels, smaller than .* 97x64$" --size 97x64
 memory "15 64 32 384 64 2 16 8 8 8 0 8 24 8 0 0"
-refused "smaller than any picture" 4 "15x64 pixels; a scene takes 16x16 at the least"
+refused "smaller than any picture" 4 "15x64 pixels; a scene needs at least 16x16"
 for bad in "96 64 4 384 64 2 0 4 0 4 0 4 0 0 0 0" "96 64 32 384 64 2 16 8 16 8 0 8 0 0 0 0" \
            "96 64 32 384 64 0 16 8 8 8 0 8 0 0 0 0" "96 64 32 380 64 2 16 8 8 8 0 8 0 0 0 0" \
            "96 64 32 384 60 2 16 8 8 8 0 8 0 0 0 0" "96 64 8 96 64 4 0 8 0 8 0 8 0 0 0 0"; do
     memory "$bad"
-    refused "a strange layout: $bad" 4 "^fb0: a layout that is not known"
+    refused "a strange layout: $bad" 4 "^fb0: unknown pixel layout"
 done
 memory "96 64 8 96 64 3 0 8 0 8 0 8 0 0 0 0"
 refused "colours that indices do not have" 4 "8 bits a pixel take p8, l8 or i1, not rgb565" \
@@ -318,7 +318,7 @@ mv out all
 begin --frames 0:150 --keep world
 until [ -s world ] || ! kill -0 $parent; do sleep 0.05; done
 same "with nothing kept it begins, and says so in one line" "$(cat err)" \
-    "world: nothing is kept: a fresh start"
+    "world: no saved world: a fresh start"
 sleep 0.4
 end KILL "$child"
 same "killed amid" "$(kill -l $code)" KILL
@@ -326,7 +326,7 @@ reached=$(last_frame)
 cp world killed
 whole --frames 0:150 --keep world
 again=$(awk 'NR == 1 { print $2 + 0 }' out)
-same "it goes on" "$code $(grep -c "goes on at frame $again" err)" "0 1"
+same "it goes on" "$code $(grep -c "continues at frame $again" err)" "0 1"
 [ "$again" -gt 0 ] && [ "$again" -le "$reached" ]
 same "from before it was killed" $? 0
 same "to the end" "$(last_frame)" 150
@@ -335,7 +335,7 @@ same "and it is not another run" "$(tail -n $((150 - again)) all | cmp -s - out;
 whole --frames 0:150 --keep world
 same "at the end it has nothing to draw but the end" "$(cat out)" "$(tail -1 all)"
 whole --frames 0:100 --keep world
-judge "one that is past the frames" 3 "is at frame 150 already, past 100"
+judge "one that is past the frames" 3 "already at frame 150, past 100"
 
 FAKE_SLOW=1
 export FAKE_SLOW
@@ -357,25 +357,25 @@ fresh() {
 }
 bytes=$(wc -c <killed)
 head -c $((bytes - 1)) killed >world
-fresh "cut off" "is not whole"
+fresh "cut off" "is incomplete"
 { cat killed; printf x; } >world
-fresh "longer" "is not whole"
+fresh "longer" "is incomplete"
 { head -c $((bytes / 2)) killed; printf '\252\125'; tail -c +$((bytes / 2 + 3)) killed; } >world
-fresh "altered" "is not whole"
+fresh "altered" "is incomplete"
 : >world
-fresh "empty" "is no kept world"
+fresh "empty" "is not a saved world"
 cp fb0 world
-fresh "something else" "is no kept world"
+fresh "something else" "is not a saved world"
 { head -c 12 killed; printf '\252\125'; tail -c +15 killed; } >world
-fresh "of another build" "was kept by another build"
+fresh "of another build" "was saved by another build"
 { head -c 7 killed; printf '\002'; tail -c +9 killed; } >world
 fresh "of an older version" "holds a world of version 2, this program has version 4"
 cp killed world
 whole --frames 0:1 --keep world --set wave0.length=9
-judge "of a changed scene" 0 "^world: is of another scene: a fresh start$"
+judge "of a changed scene" 0 "^world: belongs to another scene: a fresh start$"
 rm -rf world && mkdir world world.new
 whole --frames 0:1 --keep world
-judge "what cannot be kept" 3 "^world: cannot be kept: "
+judge "what cannot be kept" 3 "^world: cannot be saved: "
 same "is drawn all the same" "$(grep -c '^frame' out)" 2
 
 # -- tapes -----------------------------------------------------------------------------
@@ -402,7 +402,7 @@ whole --frames 0:39 --keep world --tape slow.tape
 same "in slow motion too" "$code $(tail -n 15 all | cmp - out)" "0 "
 { echo "tape 1 $scene"; echo "3 drops=1"; echo "4 set pool.cols=40"; } >anew.tape
 refused "a tape that makes the world anew" 3 \
-    "^anew.tape:3: pool.cols=40 makes the world anew, .* expected what goes on in the same" \
+    "^anew.tape:3: pool.cols=40 restarts the world, .* only changes that keep the world" \
     --tape anew.tape
 
 finish

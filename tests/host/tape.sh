@@ -65,7 +65,7 @@ for lacks in "$one $two" "$one $last" "$two $last"; do
     else verdict "each poke acts: others than $lacks" ""; fi
 done
 bad "a poke too many" "no input is called poke9" "4 poke=1 poke9=1"
-bad "a poke twice" "poke2 stands twice" "4 poke2=1 poke2=1"
+bad "a poke twice" "poke2 occurs twice" "4 poke2=1 poke2=1"
 
 tape none.tape "5" "6" "# nothing"
 same "lines without inputs change nothing" "$(hashes minimal --tape none.tape)" "$plain"
@@ -208,16 +208,16 @@ bad "a tick beyond all" "99999999999999999999 is outside its range" \
 bad "a name alone" "expected NAME=NUMBER, found ahead" "4 ahead"
 bad "a number alone" "expected NAME=NUMBER, found =1" "4 =1"
 bad "an unknown name" "no input is called sideways" "4 sideways=1"
-bad "a name twice" "ahead stands twice" "4 ahead=1 ahead=1"
+bad "a name twice" "ahead occurs twice" "4 ahead=1 ahead=1"
 bad "no number" "expected a number" "4 ahead="
 bad "a bad number" "expected a number, found 1m" "4 ahead=1m"
 bad "a fraction of what is whole" "expected a number, found 1.5" "4 drops=1.5"
 bad "a number beyond its type" "ahead=40000 is outside" "4 ahead=40000"
 bad "more drops than can be" "drops=1025 is outside" "4 drops=1025"
 bad "fewer drops than none" "drops=-1 is outside" "4 drops=-1"
-bad "the same tick again" "ticks must rise" "3 ahead=1"
-bad "an earlier tick" "ticks must rise" "2 ahead=1"
-bad "an earlier tick without input" "ticks must rise" "0"
+bad "the same tick again" "ticks must increase" "3 ahead=1"
+bad "an earlier tick" "ticks must increase" "2 ahead=1"
+bad "an earlier tick without input" "ticks must increase" "0"
 bad "a line that is too long" "longer than" "4 ahead=1$(printf '%01100d' 0)"
 bad "a line that is too long but for a good beginning" "longer than" \
     "4 ahead=1$(printf '%1100s' '')5 ahead=1"
@@ -241,11 +241,12 @@ bad "a set of a file that is no picture" "layer0.texture: bad.tape: not a PNG" \
 bad "a sky of pictures that are not named" "sky.kind: a cube needs six pictures" \
     "4 set sky.kind=cube"
 bad "a set at no tick" "expected a tick, found set" "set camera.x=4"
-bad "a set at an earlier tick" "ticks must rise" "2 set camera.x=4"
-bad "a set after its tick's input" "expected looks and sets before their tick's input" \
+bad "a set at an earlier tick" "ticks must increase" "2 set camera.x=4"
+bad "a set after its tick's input" \
+    "expected look and set lines before the input of their tick" \
     "3 set camera.x=4"
-bad "a look after its tick's input" "expected looks and sets before" "3 look turn=4"
-bad "a look that lets drops fall" "a look moves the camera alone" "4 look turn=4 drops=1"
+bad "a look after its tick's input" "expected look and set lines before" "3 look turn=4"
+bad "a look that lets drops fall" "a look only moves the camera" "4 look turn=4 drops=1"
 bad "a look with an unknown name" "no input is called sideways" "4 look sideways=1"
 bad "a word that is neither" "expected NAME=NUMBER, found looks" "4 looks turn=1"
 tape twice.tape "4 set pool.cols=64" "4 set pool.feed_low=0.5" "4 set pool.feed_high=1"

@@ -210,10 +210,10 @@ static void wrong_lines_say_what_was_expected(void **state)
         { "poke 1 2 3 4\n", "error expected poke X Z [HEIGHT], in m\n" },
         { "poke 1 2x\n", "error expected poke X Z [HEIGHT], in m\n" },
         { "poke 40000 2\n", "error expected poke X Z [HEIGHT], in m\n" },
-        { "step -1\n", "error expected step [TICKS], 100000 at the most\n" },
-        { "step 100001\n", "error expected step [TICKS], 100000 at the most\n" },
-        { "step 99999999999\n", "error expected step [TICKS], 100000 at the most\n" },
-        { "step 3 4\n", "error expected step [TICKS], 100000 at the most\n" },
+        { "step -1\n", "error expected step [TICKS], at most 100000\n" },
+        { "step 100001\n", "error expected step [TICKS], at most 100000\n" },
+        { "step 99999999999\n", "error expected step [TICKS], at most 100000\n" },
+        { "step 3 4\n", "error expected step [TICKS], at most 100000\n" },
         { "input height=3\n", "error no input is called height\n" },
         { "SET wave0.amplitude 1\n",
           "error expected set get list drop poke input pause go step restart state\n" },
@@ -272,7 +272,7 @@ static void what_the_world_has_no_room_for_is_taken_back(void **state)
                         " bound of this damping; water would not come to rest\n");
     assert_memory_equal(&before, &b->scene, sizeof before);
     assert_string_equal(ask(b, "set pool.range 2\n"),
-                        "error pool.range = 2 m cannot be had while the water moves\n");
+                        "error pool.range = 2 m cannot change in a running world\n");
     assert_memory_equal(&before, &b->scene, sizeof before);
 }
 
@@ -376,8 +376,8 @@ static void every_poke_of_a_tick_is_taken(void **state)
         ask(b, "poke 1 1\n");
     const tp_input before = b->control.input;
     ask(b, "input poke=1 poke2=1 turn=9\n");
-    assert_string_equal(b->said, "error 8 pokes wait for the next tick, which takes no"
-                                 " more\n");
+    assert_string_equal(b->said, "error 8 pokes wait for the next tick, the most it"
+                                 " takes\n");
     assert_memory_equal(&before, &b->control.input, sizeof before);
     ask(b, "poke 1 1\n");
     assert_string_equal(b->said, "ok poke\n");
@@ -438,7 +438,7 @@ static void a_bad_line_does_not_cost_the_next(void **state)
         if (byte == '\n' || byte == '\r' || byte == '\t' || (byte >= ' ' && byte <= '~'))
             continue;
         odd[12] = (char)byte;
-        snprintf(want, sizeof want, "error line with byte %d, which is no text\n"
+        snprintf(want, sizeof want, "error line with byte %d, which is not text\n"
                  "ok camera.y = 4 m of -100..2000\n", byte);
         assert_string_equal(answer_to(b, odd, sizeof odd - 1), want);
     }

@@ -231,7 +231,7 @@ static void the_plan_follows_the_scene(void **state)
     figures_stage(f, &kept, &s, NULL);
     p = shown_of(f, SECOND);
     assert_non_null(strstr(p.plan, "*flat\t"));
-    assert_non_null(strstr(p.plan, "as the scene says"));
+    assert_non_null(strstr(p.plan, "set by the scene"));
     stage_close(&s);
     figures_end(f);
 }

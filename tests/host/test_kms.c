@@ -222,13 +222,13 @@ static void bad_devices_are_told_in_a_line(void **state)
     expect_refusal("/nowhere/card0", 0, "No such file");
     expect_refusal("/tmp", 0, "cannot be opened");
     fake.no_card = true;
-    expect_refusal(plain_name, 0, "is no graphics card");
+    expect_refusal(plain_name, 0, "is not a graphics card");
     fake.no_dumb = true;
-    expect_refusal(pipe_name, 0, "plain buffers");
+    expect_refusal(pipe_name, 0, "dumb buffers");
     fake.taken = true;
-    expect_refusal(pipe_name, 0, "another program has the screen");
+    expect_refusal(pipe_name, 0, "another program uses the screen");
     refuse(0, DRM_IOCTL_MODE_GETRESOURCES, EOPNOTSUPP, 0);
-    expect_refusal(pipe_name, 0, "sets no modes");
+    expect_refusal(pipe_name, 0, "cannot set a mode");
     fake.status = KMS_DISCONNECTED;
     expect_refusal(pipe_name, 0, "nothing is connected");
     fake.n_modes = 0;

@@ -179,7 +179,7 @@ static void a_mesh_too_large_for_its_scale_is_told_one_that_fits(void **state)
     assets_close(&a);
     assert_drawn_without("1", "./boat.obj: reaches 25000 m from its origin at boat.scale 1,"
                          " expected 4000 at the most: boat.scale = 0.15999 fits",
-                         "what lies farther is drawn there");
+                         "farther vertices are moved to this distance");
     assert_int_equal(open_mesh(&a, "0.15999", (assets_options){ .strict = true }),
                      EXIT_DONE);
     assets_close(&a);
@@ -217,7 +217,7 @@ static void an_obj_that_cannot_be_read_is_refused(void **state)
     asset_set a;
     write_mesh(CORNERS "f 1 2 9\n", NULL);
     assert_int_equal(open_mesh(&a, "1", (assets_options){ 0 }), EXIT_INPUT);
-    assert_string_equal(said, "./boat.obj:7: face names vertex 9 of 3\n");
+    assert_string_equal(said, "./boat.obj:7: face uses vertex 9 of 3\n");
     remove("boat.obj");
     assert_int_equal(open_mesh(&a, "1", (assets_options){ 0 }), EXIT_INPUT);
     assert_string_equal(said, "./case.ini:2: boat.mesh: ./boat.obj: No such file or"

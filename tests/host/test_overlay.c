@@ -208,7 +208,7 @@ static void other_keys_are_shown_as_they_are(void **state)
     strcpy(keys.text[ACT_FILM], "");
     strcpy(keys.text[ACT_FORWARD], "KeypadEnter");
     help((SDL_Rect){ 0, 0, 640, 480 }, 1);
-    assert_non_null(strstr(joined, "Return Ctrl+\1 let a drop fall"));
+    assert_non_null(strstr(joined, "Return Ctrl+\1 release a drop"));
     assert_non_null(strstr(joined, "- record a film"));
     help((SDL_Rect){ 0, 0, 400, 300 }, 1);
     assert_non_null(strstr(joined, "KeypadEnter forward"));

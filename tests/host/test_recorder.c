@@ -171,7 +171,7 @@ static void without_ffmpeg_it_is_y4m_and_said(void **state)
     assert_string_equal(recorder_name(r), "pond-0001.y4m");
     record(r, 3);
     assert_int_equal(recorder_end(r), 0);
-    assert_said("pond-0001.y4m: recording as it is, 1.7 MB a second: there is no ffmpeg"
+    assert_said("pond-0001.y4m: recording uncompressed, 1.7 MB a second: no ffmpeg"
                 " for MP4\npond-0001.y4m: 3 pictures, 0.05 s\n");
     assert_int_equal(size_of("pond-0001.y4m"), strlen(HEAD) + 3 * PICTURE_BYTES);
     FILES("pond-0001.y4m");
@@ -204,7 +204,7 @@ static void another_size_ends_the_film(void **state)
     assert_int_equal(size_of("pond-0001.mp4"), strlen(HEAD) + 60 * PICTURE_BYTES);
     assert_false(recorder_add(r, &p));
     assert_int_equal(recorder_end(r), 0);
-    assert_said("pond-0001.mp4: the picture's size has changed, the film ends\n"
+    assert_said("pond-0001.mp4: the size of the picture has changed, the film ends\n"
                 "pond-0001.mp4: 60 pictures, 1.00 s\n");
     FILES("args", "pond-0001.mp4");
 }
@@ -236,7 +236,7 @@ static void ffmpeg_that_fails_at_the_end_leaves_nothing(void **state)
     record(r, 2);
     assert_int_equal(recorder_end(r), 3);
     assert_said("pond-0001.mp4: ffmpeg ended with 7 after 2 pictures;"
-                " there is no film\n");
+                " no film was written\n");
     assert_files(0, NULL);
 }
 

@@ -271,7 +271,7 @@ static void a_cut_file_is_not_gone_on_with(void **state)
         assert_int_equal(session_read(&got), 0);
         assert_null(got.scene);
         session_free(&got);
-        assert_heard("session.ini: is not whole: a fresh start\n");
+        assert_heard("session.ini: incomplete: a fresh start\n");
     }
     free(path);
     stage_close(&s);
@@ -305,7 +305,7 @@ static void a_cut_or_foreign_world_is_not_taken(void **state)
     put_byte(path, 12, build ^ 1);
     listen();
     assert_false(take(&s));
-    assert_heard("was kept by another build: a fresh start\n");
+    assert_heard("was saved by another build: a fresh start\n");
     put_byte(path, 12, build);
     assert_true(take(&s));
     put_byte(path, 7, TP_WORLD_VERSION - 1);
@@ -317,7 +317,7 @@ static void a_cut_or_foreign_world_is_not_taken(void **state)
     assert_int_equal(truncate(path, size_of(path) - 1), 0);
     listen();
     assert_false(take(&s));
-    assert_heard("is not whole: a fresh start\n");
+    assert_heard("incomplete: a fresh start\n");
     unlink(path);
     listen();
     assert_false(take(&s));
@@ -338,7 +338,7 @@ static void another_scene_is_not_taken(void **state)
     assert_int_equal(scene_file_set(&s.file, "wave0.amplitude=0.9"), 0);
     listen();
     assert_false(take(&s));
-    assert_heard("is of another scene: a fresh start\n");
+    assert_heard("belongs to another scene: a fresh start\n");
     stage_close(&s);
 }
 
@@ -357,7 +357,7 @@ static void nowhere_is_said_once(void **state)
     unsetenv("HOME");
     assert_null(session_begin());
     heard();
-    assert_string_equal(said_text, "tidepool view: Not a directory: nothing is kept for"
+    assert_string_equal(said_text, "tidepool view: Not a directory: nothing is saved for"
                         " --resume\n");
     listen();
     assert_int_equal(session_read(&got), 0);
@@ -397,7 +397,7 @@ static void nothing_kept_is_said(void **state)
     assert_int_equal(session_read(&got), 0);
     assert_null(got.scene);
     session_free(&got);
-    assert_heard("/nonexistent/tidepool/session.ini: nothing is kept: a fresh start\n");
+    assert_heard("/nonexistent/tidepool/session.ini: no saved state: a fresh start\n");
 }
 
 static void what_is_kept_and_cannot_be_read_is_refused(void **state)
@@ -413,7 +413,7 @@ static void what_is_kept_and_cannot_be_read_is_refused(void **state)
     listen();
     assert_int_equal(session_read(&got), 3);
     session_free(&got);
-    assert_heard("session.ini: Is a directory: nothing to go on with\n");
+    assert_heard("session.ini: Is a directory: nothing to resume\n");
     assert_int_equal(rmdir(path), 0);
     free(path);
 }
@@ -433,7 +433,7 @@ static void a_lost_folder_is_said(void **state)
     assert_int_equal(put(to, &s, 1), 3);
     assert_int_equal(put(to, &s, 2), 3);
     heard();
-    assert_non_null(strstr(said_text, ": cannot be kept: No such file or directory\n"));
+    assert_non_null(strstr(said_text, ": cannot be saved: No such file or directory\n"));
     assert_ptr_equal(strchr(said_text, '\n'), strrchr(said_text, '\n'));
     stage_close(&s);
     session_end(to);

@@ -149,7 +149,7 @@ check "and says how to go on" grep -q -e "--resume" log
 begin_server
 check "--resume opens a window" open_view --resume --size 320x240 --no-panel
 check "and tells the picture it goes on with" until_true grep -q \
-    "going on with three-swells at picture [1-9]" log
+    "continuing three-swells at picture [1-9]" log
 press p
 press F5
 shot again.png

@@ -47,8 +47,8 @@ static void the_sentence_holds_numbers_and_word(void **state)
     tp_error err;
     char text[80];
     TP_FAIL(&err, TP_E_OBJ_VERTEX, 41, INT32_MIN, INT32_MAX);
-    assert_int_equal(tp_error_text(&err, text, sizeof text), 43);
-    assert_string_equal(text, "face names vertex -2147483648 of 2147483647");
+    assert_int_equal(tp_error_text(&err, text, sizeof text), 42);
+    assert_string_equal(text, "face uses vertex -2147483648 of 2147483647");
     TP_FAIL(&err, TP_E_OBJ_MISSING, 1, 3, 0);
     tp_error_word(&err, "vt%a", 2);
     tp_error_text(&err, text, sizeof text);

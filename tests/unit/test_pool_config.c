@@ -58,7 +58,7 @@ static void numbers_have_ranges(void **state)
     assert_says(&c, "cells is outside the range of pools");
     const tp_grey none = { 4, 0, NULL };
     c = good, c.mask = &none;
-    assert_says(&c, "mask of 4 x 0 samples");
+    assert_says(&c, "mask has no samples: 4 x 0");
 }
 
 /* (1 - 1 / (2 - delta)) / 2 for every damping, from both sides. */

@@ -153,7 +153,7 @@ static const struct {
     { "1 poke02=1", "no input is called poke02" },
     { "1 poke2_y=1", "no input is called poke2_y" },
     { "1 poke_2x=1", "no input is called poke_2x" },
-    { "1 poke3=1 poke2=1 poke3=1", "poke3 stands twice in the line" },
+    { "1 poke3=1 poke2=1 poke3=1", "poke3 occurs twice in the line" },
     { "1 poke4=32768", "poke4=32768 is outside its range" },
     { "1 ahead", "expected NAME=NUMBER, found ahead" },
     { "1 =5", "expected NAME=NUMBER, found =5" },
@@ -173,8 +173,8 @@ static const struct {
     { "1 turn=99999999999999999999", "turn=99999999999999999999 is outside its range" },
     { "1 drops=-1", "drops=-1 is outside its range" },
     { "1 drops=1025", "drops=1025 is outside its range" },
-    { "1 up=1 up=2", "up stands twice in the line" },
-    { "1 drops=0 up=1 drops=0", "drops stands twice in the line" },
+    { "1 up=1 up=2", "up occurs twice in the line" },
+    { "1 drops=0 up=1 drops=0", "drops occurs twice in the line" },
     { "1 a\x1b[31m=1", "no input is called a?[31m" },
 };
 

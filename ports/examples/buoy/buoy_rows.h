@@ -15,9 +15,10 @@
 #define BUOY_ROWS \
     TP_ROW_SWITCH("buoy.on", own[BUOY_ON], 0, "a buoy floats on the water"), \
     TP_ROW_NUMBER("buoy.x", own[BUOY_X], "m", -8000, 8000, 0, \
-        "to the right of the origin"), \
-    TP_ROW_NUMBER("buoy.z", own[BUOY_Z], "m", -8000, 8000, -8, "towards the viewer"), \
+        "position, to the right of the origin"), \
+    TP_ROW_NUMBER("buoy.z", own[BUOY_Z], "m", -8000, 8000, -8, \
+        "position, from the origin towards the viewer"), \
     TP_ROW_NUMBER("buoy.size", own[BUOY_SIZE], "m", 0.05, 10, 0.5, "radius of its body"), \
-    TP_ROW_COLOUR("buoy.colour", own[BUOY_COLOUR], 0xe8a010, "of its body"), \
-    TP_ROW_COLOUR("buoy.flag", own[BUOY_FLAG], 0xd02020, "of its flag")
+    TP_ROW_COLOUR("buoy.colour", own[BUOY_COLOUR], 0xe8a010, "colour of its body"), \
+    TP_ROW_COLOUR("buoy.flag", own[BUOY_FLAG], 0xd02020, "colour of its flag")
 #endif

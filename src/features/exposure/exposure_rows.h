@@ -6,11 +6,11 @@
 
 #define TP_EXPOSURE_ROWS \
     TP_ROW_NUMBER("hdr.share", hdr.share, "", 0, 1, 0, \
-        "of the light beyond white that suns and skies carry; 0: no HDR"), \
+        "share of sun and sky light above white; 0: no HDR"), \
     TP_ROW_CHOICE("hdr.exposure", hdr.exposure, "fixed|auto", TP_EXPOSURE_AUTO, \
-        TP_EXPOSURE_FIXED, "of the camera"), \
+        TP_EXPOSURE_FIXED, "fixed or automatic exposure of the camera"), \
     TP_ROW_NUMBER("hdr.value", hdr.value, "", 0.125, 8, 1, \
-        "exposure, or where it begins"), \
+        "exposure; start value of automatic exposure"), \
     TP_ROW_NUMBER("hdr.rate", hdr.rate, "", 0, 1, 0.03, \
-        "share of the way that automatic exposure goes in a tick")
+        "automatic exposure: share of the difference made up each tick")
 #endif

@@ -6,5 +6,5 @@
 
 #define TP_HAZE_ROWS \
     TP_ROW_NUMBER("sky.haze", sky.haze, "m", 0, 32000, 2000, \
-        "distance at which half of a colour has gone into the horizon")
+        "distance at which a colour is half the horizon's; 0: no haze")
 #endif

@@ -8,22 +8,22 @@
 
 #define TP_SKY_COLOUR_ROWS \
     TP_ROW_CHOICE("sky.kind", sky.kind, "gradient|day|dusk|night|cube", TP_SKY_CUBE, \
-        TP_SKY_GRADIENT, "two colours, a generated sky, or six pictures"), \
+        TP_SKY_GRADIENT, "two colours, a generated sky, or a cube map of six PNGs"), \
     TP_ROW_COLOUR("sky.horizon", sky.horizon, 0xc8d8e4, \
-        "of a gradient's or day's sky at the horizon"), \
+        "colour at the horizon, for gradient and day"), \
     TP_ROW_COLOUR("sky.zenith", sky.zenith, 0x3a6ea5, \
-        "of a gradient's or day's sky overhead")
+        "colour overhead, for gradient and day")
 
 #define TP_SKY_LIGHT_ROWS \
     TP_ROW_NUMBER("sky.sun", sky.sun, "", 0, 16, 1, \
-        "of a generated sky's disc; what is above 1 shows by hdr.share"), \
+        "brightness of a generated sun; above 1 needs hdr.share"), \
     TP_ROW_NUMBER("sky.stars", sky.stars, "", 0, 1, 0.5, \
-        "how many stars a night has"), \
+        "density of stars in a night sky"), \
     TP_ROW_FACE("east", east, \
-        "PNG of a cube's side towards +x; alpha is light beyond white"), \
-    TP_ROW_FACE("west", west, "towards -x"), \
-    TP_ROW_FACE("up", up, "overhead; its lower edge joins the south"), \
-    TP_ROW_FACE("down", down, "underfoot; its upper edge joins the south"), \
-    TP_ROW_FACE("south", south, "towards +z"), \
-    TP_ROW_FACE("north", north, "towards -z")
+        "PNG of the cube's face towards +x; alpha: light above white"), \
+    TP_ROW_FACE("west", west, "PNG of the face towards -x"), \
+    TP_ROW_FACE("up", up, "PNG overhead; its lower edge joins the south face"), \
+    TP_ROW_FACE("down", down, "PNG underfoot; its upper edge joins the south face"), \
+    TP_ROW_FACE("south", south, "PNG of the face towards +z"), \
+    TP_ROW_FACE("north", north, "PNG of the face towards -z")
 #endif

@@ -6,9 +6,10 @@
 
 #define TP_SPRAY_ROWS \
     TP_ROW_COUNT("spray.count", spray.count, "", 0, 1024, 0, \
-        "specks of spray and bubbles at once; 0: none"), \
+        "most specks of spray and bubbles at once; 0: none"), \
     TP_ROW_NUMBER("spray.crest", spray.crest, "", 0, 4, 1, \
-        "thrown off breaking crests"), \
-    TP_ROW_NUMBER("spray.impact", spray.impact, "", 0, 4, 1, "thrown up by drops"), \
-    TP_ROW_NUMBER("spray.size", spray.size, "m", 0.001, 1, 0.03, "of a speck")
+        "amount of spray from breaking crests"), \
+    TP_ROW_NUMBER("spray.impact", spray.impact, "", 0, 4, 1, \
+        "amount of spray from drops"), \
+    TP_ROW_NUMBER("spray.size", spray.size, "m", 0.001, 1, 0.03, "size of a speck")
 #endif

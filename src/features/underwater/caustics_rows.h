@@ -6,9 +6,9 @@
 
 #define TP_CAUSTICS_ROWS \
     TP_ROW_NUMBER("water.caustics", water.caustics, "", 0, 4, 0, \
-        "strength of the light that waves gather on the floor; 0: none"), \
+        "strength of light that waves focus on the floor; 0: none"), \
     TP_ROW_COUNT("water.caustic_cells", water.caustic_cells, "cells", 16, 256, 64, \
-        "of the side of its map"), \
+        "cells along a side of the caustics map"), \
     TP_ROW_NUMBER("water.caustic_size", water.caustic_size, "m", 1, 1000, 20, \
-        "side of its map, where there is no pool")
+        "side of the caustics map if there is no pool")
 #endif

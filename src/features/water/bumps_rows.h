@@ -6,5 +6,5 @@
 
 #define TP_BUMPS_ROWS \
     TP_ROW_NUMBER("water.pool_bump", water.pool_bump, "", 0, 4, 0, \
-        "above 0 pools bend the light only, so much; the mesh stays as it is")
+        "above 0: pools bend normals with this strength, not the mesh")
 #endif

@@ -7,18 +7,18 @@
 #define TP_ROW_LAYER(n, help) \
     TP_ROW_MAP("layer" #n, layer[n].map, 8, help), \
     TP_ROW_NUMBER("layer" #n ".saturation", layer[n].saturation, "", 0, 4, 1, \
-        "0: greys; 1: the PNG's own colours"), \
+        "0: grey; 1: the PNG's own colours"), \
     TP_ROW_NUMBER("layer" #n ".clamp", layer[n].clamp, "", 0, 0.95, 0, \
-        "darker texels are black, brighter ones spread over the whole range"), \
+        "darker texels turn black, brighter texels fill the whole range"), \
     TP_ROW_COLOUR("layer" #n ".colour", layer[n].colour, 0xffffff, \
-        "multiplies the layer")
+        "colour that multiplies the layer")
 
 #define TP_LAYERS_ROWS \
-    TP_ROW_LAYER(0, "PNG laid over the water; empty: none"), \
+    TP_ROW_LAYER(0, "PNG over the water; empty: none"), \
     TP_ROW_LAYER(1, "PNG added to the first; empty: none"), \
     TP_ROW_LAYER(2, "PNG added to the first; empty: none"), \
     TP_ROW_MAP("distortion", distortion.map, 8, \
-        "PNG whose red and green bend the layers"), \
+        "PNG whose red and green shift the layers; empty: none"), \
     TP_ROW_NUMBER("distortion.strength", distortion.strength, "m", 0, 20, 0.5, \
-        "that it moves them at the most")
+        "greatest shift of the layers")
 #endif

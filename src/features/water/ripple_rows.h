@@ -6,7 +6,7 @@
 
 #define TP_RIPPLE_ROWS \
     TP_ROW_MAP("ripple", ripple.map, 4, \
-        "PNG of capillary waves, a normal map; empty: none"), \
+        "PNG normal map of capillary waves; empty: none"), \
     TP_ROW_NUMBER("ripple.bump", ripple.bump, "", 0, 4, 1, \
-        "1: as steep as the PNG says")
+        "strength of ripples; 1: as steep as the PNG says")
 #endif

@@ -6,15 +6,16 @@
 
 #define TP_WATER_ROWS \
     TP_ROW_COLOUR("water.colour", water.colour, 0x2a5a6e, \
-        "multiplies the first layer"), \
+        "colour that multiplies the first layer"), \
     TP_ROW_CHOICE("water.filter", water.filter, "nearest|linear", TP_FILTER_LINEAR, \
-        TP_FILTER_LINEAR, "of the layers"), \
+        TP_FILTER_LINEAR, "filter of the layers' textures"), \
     TP_ROW_NUMBER("water.specular", water.specular, "", 0, 4, 1, \
         "brightness of the sun's glitter"), \
     TP_ROW_NUMBER("water.shininess", water.shininess, "", 1, 1000, 80, \
         "exponent of the glitter: higher is smaller and sharper"), \
     TP_ROW_NUMBER("water.reflection", water.reflection, "", 0, 1, 0.6, \
-        "share of the sky in what a grazing look sees"), \
+        "share of sky in the colour at grazing angles"), \
     TP_ROW_CHOICE("water.fresnel", water.fresnel, "table|schlick", TP_FRESNEL_SCHLICK, \
-        TP_FRESNEL_TABLE, "the exact law of reflection, or the usual shortcut")
+        TP_FRESNEL_TABLE, \
+        "exact Fresnel reflection from a table, or Schlick's approximation")
 #endif
