@@ -36,33 +36,33 @@ CORE_AT ?= $(BUILD)
 
 CORE := $(addprefix src/, \
     base/arena.c base/given.c base/status.c base/text.c base/version.c \
-    fx/fx.c fx/mat.c fx/sqrt.c fx/text.c fx/trig.c fx/vec.c \
+    fx/fx.c fx/mat.c fx/sqrt.c fx/fx_text.c fx/trig.c fx/vec.c \
     pixel/crc32.c pixel/format.c pixel/store.c \
     asset/area.c asset/bind.c asset/cut.c asset/cut_grid.c asset/face.c \
-    asset/line.c asset/mtl.c asset/names.c asset/obj.c asset/shape.c asset/store.c asset/texture.c \
-    asset/use.c asset/word.c \
-    wave/above.c wave/breaking.c wave/coast.c wave/criteria.c wave/depth.c \
+    asset/line.c asset/mtl.c asset/names.c asset/obj.c asset/obj_store.c asset/shape.c \
+    asset/texture.c asset/use.c asset/word.c \
+    wave/above.c wave/breaking.c wave/coast.c wave/criteria.c wave/water_depth.c \
     wave/eikonal.c wave/exp.c wave/five.c wave/floor.c wave/gerstner.c \
     wave/jacobian.c wave/noise.c wave/ocean.c wave/ocean_init.c wave/ocean_map.c \
     wave/ocean_tables.c wave/orbit.c wave/ring.c wave/scaled.c wave/sharp.c \
     wave/shoal.c wave/swell.c wave/wind.c \
-    pool/feed.c pool/flux.c pool/gears.c pool/hat.c pool/init.c pool/look.c \
-    pool/sample.c pool/slopes.c pool/tune.c pool/valid.c pool/walls.c \
-    geom/clip.c geom/grid.c geom/lens.c geom/level.c geom/lines.c geom/lod.c \
+    pool/feed.c pool/flux.c pool/gears.c pool/splash.c pool/init.c pool/stats.c \
+    pool/pool_sample.c pool/slopes.c pool/tune.c pool/valid.c pool/walls.c \
+    geom/clip.c geom/grid.c geom/projection.c geom/level.c geom/grid_lines.c geom/lod.c \
     geom/sheet.c geom/surface.c geom/vertex.c geom/vertex_more.c geom/vertex_row.c \
-    geom/waters.c raster/cover.c raster/rows.c raster/span.c \
+    geom/waters.c raster/cover.c raster/scanlines.c raster/span.c \
     shade/absorb.c shade/cube.c shade/dome.c shade/inside.c shade/inside_places.c \
     shade/optics.c shade/plain.c shade/quick_ray.c shade/sky.c shade/tables.c \
-    shade/view.c scene/check.c scene/clock.c scene/drawn.c scene/faint.c \
-    scene/governor.c scene/light.c scene/module.c scene/outlook.c scene/parts.c \
-    scene/pick.c scene/piece.c scene/plan_checked.c scene/pools.c scene/prices.c \
-    scene/push.c scene/rungs.c scene/sample.c scene/sea.c scene/stand.c scene/tape.c \
-    scene/value.c scene/works.c scene/world.c scene/world_check.c \
-    frame/carve.c frame/clipped.c frame/drawing.c frame/flat.c frame/frame.c \
-    frame/holds.c frame/lattice.c frame/layer.c frame/lines.c frame/marks.c \
+    shade/view.c scene/check.c scene/clock.c scene/drawn.c scene/wave_culling.c \
+    scene/governor.c scene/light.c scene/module.c scene/view_estimate.c scene/world_parts.c \
+    scene/pick.c scene/string_view.c scene/plan_checked.c scene/pools.c scene/prices.c \
+    scene/push.c scene/rungs.c scene/world_sample.c scene/sea.c scene/start_view.c scene/tape.c \
+    scene/value.c scene/fixed_cost.c scene/world.c scene/world_check.c \
+    frame/layout.c frame/clipped.c frame/drawing.c frame/flat.c frame/frame.c \
+    frame/holds.c frame/lattice.c frame/layer.c frame/scanline_grid.c frame/marks.c \
     frame/overlay.c frame/planar_map.c frame/plan.c frame/planned.c frame/project.c \
-    frame/projected.c frame/rows.c frame/samples.c frame/shaders.c frame/sight.c \
-    frame/tile.c frame/visibility.c frame/water.c \
+    frame/projected.c frame/scanline_water.c frame/samples.c frame/shaders.c frame/view.c \
+    frame/tile.c frame/visibility.c frame/grid_water.c \
     engine/engine.c) \
     $(sort $(wildcard src/features/*.c src/features/*/*.c))
 

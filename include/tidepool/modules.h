@@ -99,7 +99,7 @@ typedef struct {
  * made anew. */
 extern const struct tp_water_swells tp_water_few_swells;
 
-/* -- water renderers and the quality plan; src/frame/parts.h ------------------------ */
+/* -- water renderers and the quality plan; src/frame/buffers.h ------------------------ */
 
 #define TP_DRAW_LIST(X) X(rungs) /* the quality plan */
 

@@ -17,7 +17,7 @@ static tp_fx held(const tp_scene *scene, int32_t cells, tp_fx middle, tp_fx x)
     const int64_t half = (int64_t)cells * scene->pool.cell / 2;
     const int64_t from = x < middle - half ? middle - half : x;
     const int64_t in = from > middle + half ? middle + half : from;
-    return scene->field.cols ? x : tp_fx_held(in);
+    return scene->field.cols ? x : tp_fx_saturate(in);
 }
 
 /* Adds a push where the view ray of the picture's middle meets still water; if it meets

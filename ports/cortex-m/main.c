@@ -99,7 +99,7 @@ static void say_picture(void)
 static void *take(tp_arena *arena, size_t bytes, const char *what)
 {
     const size_t left = arena->bytes - arena->used;
-    void *memory = tp_arena_take(arena, 1, bytes);
+    void *memory = tp_arena_alloc(arena, 1, bytes);
 
     if (!memory) {
         semihost_decimal(what, (uint32_t)bytes);

@@ -249,16 +249,16 @@ static int load_images(loading *l, const tp_texture *const **list)
 
 static int load_text(loading *l, const char *who)
 {
-    tp_obj_scan(l->obj);
-    int code = pass_obj(l, who, tp_obj_scanned);
+    tp_obj_begin_count(l->obj);
+    int code = pass_obj(l, who, tp_obj_end_count);
     if (code)
         return code;
     void *memory = assets_take(l->assets, tp_obj_bytes(l->obj));
     if (!memory)
         return EXIT_INPUT;
     l->assets->mesh_bytes += tp_obj_bytes(l->obj);
-    tp_obj_load(l->obj, memory);
-    code = pass_obj(l, who, tp_obj_loaded);
+    tp_obj_begin_load(l->obj, memory);
+    code = pass_obj(l, who, tp_obj_end_load);
     if (!code)
         code = warn_noted(l, l->path);
     return code ? code : warn_counted(l);
@@ -271,7 +271,7 @@ static int load_parts(loading *l, tp_mesh *mesh, tp_fx scale)
     int code = load_libraries(l);
     if (!code)
         code = load_images(l, &textures);
-    if (!code && tp_obj_bind(l->obj, textures, mesh, &err))
+    if (!code && tp_obj_finish(l->obj, textures, mesh, &err))
         code = fail_with_error(l->path, &err);
     if (!code)
         code = warn_noted(l, l->path);

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "check.h"
-#include "wave/depth.h"
+#include "wave/water_depth.h"
 
 #define GRAVITY TP_FX(9.81)
 #define Q32     4294967296.0

@@ -57,7 +57,7 @@ static tp_dir3 five_normal(const tp_ring_now *now, uint32_t count, tp_fx x, tp_f
                               tp_ring_relief(now, count, x + d, z).height,
                               tp_ring_relief(now, count, x, z - d).height,
                               tp_ring_relief(now, count, x, z + d).height };
-    return tp_five_normal(around, d);
+    return tp_neighbour_normal(around, d);
 }
 
 /* Bounds of the errors explained by rounding at the point v[0], v[1] and the time v[2]:

@@ -52,11 +52,11 @@ static void settle(check_run *run, unsigned row, tp_pool *pool)
 {
     const double *v = check_row(run, row);
     const bool small = pool->cells == TP_CELLS_8;
-    tp_pool_hat(pool, 0, 0, 4 * pool->cell,
-                small ? TP_FX(100 / 127.0) : TP_FX(25600 / 32767.0));
+    tp_pool_add_splash(pool, 0, 0, 4 * pool->cell,
+                       small ? TP_FX(100 / 127.0) : TP_FX(25600 / 32767.0));
     check_add(run, GEAR_A, row, pool->gear - v[TA]);
     const double off = steps_to_rest(pool) - v[SETTLE];
-    const tp_pool_state left = tp_pool_look(pool);
+    const tp_pool_state left = tp_pool_stats(pool);
     check_add(run, v[COURANT] < WEAK ? REST_WEAK : REST, row, 100 * off / v[SETTLE]);
     check_add(run, LEFT, row, left.highest + left.fastest);
 }

@@ -2,7 +2,7 @@
 /* The table of pieces, made from the lists of tidepool/modules.h: a piece added or removed
  * there needs no change here. */
 #include "pieces.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include <inttypes.h>
 #include <stdatomic.h>
 #include <stddef.h>

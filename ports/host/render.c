@@ -93,7 +93,7 @@ static void print_stats(render *r)
     const tp_ram_use ram = tp_frame_ram(c->frame);
     const tp_pool *water = tp_world_pool(s->world);
     const uint32_t cells = water ? water->cols * water->rows : 0;
-    const tp_pool_state pool = water ? tp_pool_look(water)
+    const tp_pool_state pool = water ? tp_pool_stats(water)
                                      : (tp_pool_state){ .at_rest = true };
     const tp_drops drops = tp_world_drops(s->world) ? *tp_world_drops(s->world)
                                                     : (tp_drops){ 0 };

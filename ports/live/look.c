@@ -52,7 +52,7 @@ tp_camera_follow look_follow(const look *l, const tp_scene *filed)
 
 static tp_fx held(int64_t x, int64_t most)
 {
-    return (tp_fx)tp_limit(x, most);
+    return (tp_fx)tp_clamp_abs(x, most);
 }
 
 /* Returns the point at signed distance `far` m (Q16.16) from `from` along `back`;
@@ -146,7 +146,7 @@ static void begin_orbit(look *l, const tp_world *world, const tp_scene *scene)
 
     face(l, &camera, world);
     l->about = along(camera.eye, camera.turn.z, -far);
-    l->away = tp_clamp((int32_t)tp_limit(far, AWAY_MOST), AWAY_LEAST, AWAY_MOST);
+    l->away = tp_clamp((int32_t)tp_clamp_abs(far, AWAY_MOST), AWAY_LEAST, AWAY_MOST);
     if (world->aboard == TP_ABOARD_DECK)
         leave_deck(l, world, scene);
     if (l->mode == LOOK_TOP) {
@@ -195,7 +195,7 @@ bool look_begin(look *l, look_mode mode, const tp_world *world, const tp_scene *
 static int64_t scaled(const look *l, tp_fx step)
 {
     const int64_t by = l->away / AWAY_USUAL;
-    return by > TP_FX_ONE ? tp_limit(step * by >> 16, TP_FX_MAX) : step;
+    return by > TP_FX_ONE ? tp_clamp_abs(step * by >> 16, TP_FX_MAX) : step;
 }
 
 static void go_away(look *l, int64_t by, tp_fx near)
@@ -213,8 +213,8 @@ static void go_round(look *l, const tp_scene *scene, const tp_input *input)
     const int64_t aside = scaled(l, input->strafe) * radian / l->away;
 
     l->heading += (tp_turn)input->turn - (tp_turn)aside;
-    l->pitch = (tp_turn)(int32_t)tp_limit((int64_t)(int32_t)l->pitch + input->tilt,
-                                          PITCH_MOST);
+    l->pitch = (tp_turn)(int32_t)tp_clamp_abs((int64_t)(int32_t)l->pitch + input->tilt,
+                                              PITCH_MOST);
     l->about.y = held(l->about.y + scaled(l, input->up), PLACE_MOST);
     go_away(l, -scaled(l, input->forward), scene->camera.near);
 }
@@ -256,8 +256,8 @@ static void lead(const look *l, const tp_world *world, tp_input *input)
 
     input->turn = (int32_t)(l->heading - world->heading);
     input->tilt = (int32_t)(l->pitch - world->pitch);
-    input->forward = tp_fx_held(tp_quotient(dx * s - dz * c, one));
-    input->strafe = tp_fx_held(tp_quotient(dx * c + dz * s, one));
+    input->forward = tp_fx_saturate(tp_quotient(dx * s - dz * c, one));
+    input->strafe = tp_fx_saturate(tp_quotient(dx * c + dz * s, one));
     input->up = tp_fx_minus(held(eye.y, PLACE_MOST), world->eye.y);
 }
 

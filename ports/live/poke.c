@@ -15,7 +15,7 @@ static const tp_scene_pool *poked(const tp_scene *scene)
 /* Returns a coordinate `quarters` quarters of a side from the middle, m. */
 static tp_fx place(tp_fx middle, int32_t cells, tp_fx cell, int32_t quarters)
 {
-    return tp_fx_held(middle + (int64_t)cells * cell * quarters / 4);
+    return tp_fx_saturate(middle + (int64_t)cells * cell * quarters / 4);
 }
 
 tp_push poke_point(const tp_scene *scene, uint32_t number)

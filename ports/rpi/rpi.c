@@ -192,12 +192,12 @@ static void work_begin(work *w, const screen *s)
     const size_t bytes = tp_frame_bytes(&w->config, &scene);
     const size_t world_bytes = tp_world_bytes(&tp_program_all, &scene, &baked_assets);
     tp_arena arena = tp_arena_init(arena_start, (size_t)(arena_end - arena_start));
-    void    *block = tp_arena_take(&arena, 1, bytes);
+    void    *block = tp_arena_alloc(&arena, 1, bytes);
     tp_error err;
 
     w->scratch =
-        tp_arena_take(&arena, 1, tp_frame_direct_scratch_bytes(&w->config, &scene));
-    w->world = tp_arena_take(&arena, 1, world_bytes);
+        tp_arena_alloc(&arena, 1, tp_frame_direct_scratch_bytes(&w->config, &scene));
+    w->world = tp_arena_alloc(&arena, 1, world_bytes);
     if (arena.failed || tp_frame_init(&w->frame, &w->config, &scene, block, bytes, &err))
         stop("the frame does not fit");
     if (tp_world_init(&tp_program_all, w->world, world_bytes, &scene, &baked_assets,

@@ -142,7 +142,7 @@ static bool want_of_mesh(file *f)
             return true;
         textures[i] = &picture->texture;
     }
-    tp_obj_bind(&all.obj, textures, &f->mesh, &all.error);
+    tp_obj_finish(&all.obj, textures, &f->mesh, &all.error);
     f->stage = BOUND;
     all.reading = NULL;
     return false;
@@ -155,7 +155,7 @@ static const tp_mesh *have_mesh(const char *name)
     if (!f) {
         f = all.reading = add();
         if (f)
-            tp_obj_scan(&all.obj);
+            tp_obj_begin_count(&all.obj);
     }
     if (!f || f->stage <= LOAD)
         return NULL;
@@ -178,14 +178,14 @@ static tp_status take_text(void)
     file *f = all.reading;
     void *memory;
     if (f->stage == SCAN) {
-        if (tp_obj_scanned(&all.obj, &all.error))
+        if (tp_obj_end_count(&all.obj, &all.error))
             return all.error.code;
         memory = web_take(tp_obj_bytes(&all.obj));
         if (!memory)
             return TP_FAIL(&all.error, TP_E_NOSPACE, 0, tp_obj_bytes(&all.obj), 0);
-        tp_obj_load(&all.obj, memory);
+        tp_obj_begin_load(&all.obj, memory);
     } else if (f->stage == LOAD) {
-        if (tp_obj_loaded(&all.obj, &all.error))
+        if (tp_obj_end_load(&all.obj, &all.error))
             return all.error.code;
     } else {
         f->library++;

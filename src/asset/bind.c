@@ -122,8 +122,8 @@ static void check_defined(tp_obj *obj)
     }
 }
 
-tp_status tp_obj_bind(tp_obj *obj, const tp_texture *const *textures, tp_mesh *mesh,
-                      tp_error *err)
+tp_status tp_obj_finish(tp_obj *obj, const tp_texture *const *textures, tp_mesh *mesh,
+                        tp_error *err)
 {
     if (obj->stage != TP_STAGE_LOADED)
         return tp_obj_settle(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));

@@ -218,15 +218,15 @@ static uint32_t choose(struct tp_obj_cut *cut)
 
 struct tp_obj_cut *tp_cut_carve(tp_arena *arena, uint32_t corners)
 {
-    struct tp_obj_cut *const cut = tp_arena_take(arena, 1, sizeof *cut);
+    struct tp_obj_cut *const cut = tp_arena_alloc(arena, 1, sizeof *cut);
     struct tp_obj_cut lists = { .left = 0 };
     for (int k = 0; k < 3; k++)
-        lists.at[k] = tp_arena_take(arena, corners, sizeof *lists.at[k]);
-    lists.before = tp_arena_take(arena, corners, sizeof *lists.before);
-    lists.after  = tp_arena_take(arena, corners, sizeof *lists.after);
-    lists.tried  = tp_arena_take(arena, corners, sizeof *lists.tried);
-    lists.next   = tp_arena_take(arena, corners, sizeof *lists.next);
-    lists.cell   = tp_arena_take(arena, tp_cut_cells(corners), sizeof *lists.cell);
+        lists.at[k] = tp_arena_alloc(arena, corners, sizeof *lists.at[k]);
+    lists.before = tp_arena_alloc(arena, corners, sizeof *lists.before);
+    lists.after  = tp_arena_alloc(arena, corners, sizeof *lists.after);
+    lists.tried  = tp_arena_alloc(arena, corners, sizeof *lists.tried);
+    lists.next   = tp_arena_alloc(arena, corners, sizeof *lists.next);
+    lists.cell   = tp_arena_alloc(arena, tp_cut_cells(corners), sizeof *lists.cell);
     if (cut != NULL)
         *cut = lists;
     return cut;

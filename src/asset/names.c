@@ -11,11 +11,11 @@ void tp_names_carve(tp_obj_names *names, tp_arena *arena, uint32_t most, uint32_
     names->most = most;
     names->room = room;
     names->mask = tp_table_size(most) - 1;
-    names->start = tp_arena_take(arena, most, sizeof *names->start);
-    names->tag = tp_arena_take(arena, most, sizeof *names->tag);
-    names->line = tp_arena_take(arena, most, sizeof *names->line);
-    names->table = tp_arena_take(arena, (size_t)names->mask + 1, sizeof *names->table);
-    names->text = tp_arena_take(arena, room, 1);
+    names->start = tp_arena_alloc(arena, most, sizeof *names->start);
+    names->tag = tp_arena_alloc(arena, most, sizeof *names->tag);
+    names->line = tp_arena_alloc(arena, most, sizeof *names->line);
+    names->table = tp_arena_alloc(arena, (size_t)names->mask + 1, sizeof *names->table);
+    names->text = tp_arena_alloc(arena, room, 1);
 }
 
 void tp_names_clear(tp_obj_names *names)

@@ -270,7 +270,7 @@ static void begin_pass(tp_obj *obj, uint32_t stage)
     tp_lines_begin(&obj->lines);
 }
 
-void tp_obj_scan(tp_obj *obj)
+void tp_obj_begin_count(tp_obj *obj)
 {
     begin_pass(obj, TP_STAGE_SCAN);
     obj->bytes = 0;
@@ -289,7 +289,7 @@ tp_status tp_obj_feed(tp_obj *obj, const void *text, size_t bytes, tp_error *err
     return tp_obj_lines_feed(obj, text, bytes, statement, err);
 }
 
-tp_status tp_obj_scanned(tp_obj *obj, tp_error *err)
+tp_status tp_obj_end_count(tp_obj *obj, tp_error *err)
 {
     if (obj->stage != TP_STAGE_SCAN)
         return tp_obj_settle(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
@@ -316,7 +316,7 @@ size_t tp_obj_bytes(const tp_obj *obj)
     return obj->bytes;
 }
 
-void tp_obj_load(tp_obj *obj, void *mem)
+void tp_obj_begin_load(tp_obj *obj, void *mem)
 {
     if (obj->stage != TP_STAGE_SCANNED || mem == NULL) {
         obj->stage = TP_STAGE_FAILED;
@@ -332,7 +332,7 @@ void tp_obj_load(tp_obj *obj, void *mem)
     obj->store.n_vertices = obj->store.n_faces = obj->store.n_slots = 0;
 }
 
-tp_status tp_obj_loaded(tp_obj *obj, tp_error *err)
+tp_status tp_obj_end_load(tp_obj *obj, tp_error *err)
 {
     if (obj->stage != TP_STAGE_LOAD)
         return tp_obj_settle(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
@@ -343,7 +343,7 @@ tp_status tp_obj_loaded(tp_obj *obj, tp_error *err)
         status = tp_obj_shape(obj, err);
     if (status != TP_OK)
         return tp_obj_settle(obj, status);
-    /* Image names reuse the memory of loading, which ends here; store.c defines the
+    /* Image names reuse the memory of loading, which ends here; obj_store.c defines the
      * layout. */
     tp_names_clear(&obj->store.image_names);
     obj->libraries = obj->store.library_names.count;

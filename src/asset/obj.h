@@ -92,7 +92,7 @@ tp_status tp_obj_no_material(tp_obj *obj, tp_error *err);
 /* face.c: the statement f, or a part of it. */
 tp_status tp_obj_face(tp_obj *obj, tp_words *words, tp_error *err);
 
-/* store.c: lays out the store; an arena without a block only counts. */
+/* obj_store.c: lays out the store; an arena without a block only counts. */
 void tp_obj_carve(tp_obj *obj, tp_arena *arena);
 
 /* shape.c: turns polygons into faces; computes normals and the final form of vertices. */

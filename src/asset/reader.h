@@ -4,19 +4,19 @@
  * A mesh is read from Wavefront OBJ text in two passes.  The first pass checks and counts;
  * the second fills memory of the counted size.
  *
- *     tp_obj_scan(&obj);        feed the bytes ...  tp_obj_scanned(&obj, &err)
+ *     tp_obj_begin_count(&obj);        feed the bytes ...  tp_obj_end_count(&obj, &err)
  *     mem = tp_obj_bytes(&obj)
- *     tp_obj_load(&obj, mem);   feed the same bytes ...  tp_obj_loaded(&obj, &err)
+ *     tp_obj_begin_load(&obj, mem);   feed the same bytes ...  tp_obj_end_load(&obj, &err)
  *     for each i < obj.libraries: read the file tp_obj_library(&obj, i), then
  *         tp_mtl_begin(&obj, i);  feed its bytes ...  tp_mtl_end(&obj, &err)
  *     for each i < obj.images: make a texture of the file tp_obj_image(&obj, i)
- *     tp_obj_bind(&obj, textures, &mesh, &err)
+ *     tp_obj_finish(&obj, textures, &mesh, &err)
  *
  * Every function with an error argument returns the code of the error.  After a failure
- * only a new tp_obj_scan may follow, and no mesh exists.
+ * only a new tp_obj_begin_count may follow, and no mesh exists.
  *
- * A fault in a part that can be skipped is a warning: tp_obj_loaded, tp_mtl_end and
- * tp_obj_bind store their warnings in obj.warning.  A missing library is skipped: its
+ * A fault in a part that can be skipped is a warning: tp_obj_end_load, tp_mtl_end and
+ * tp_obj_finish store their warnings in obj.warning.  A missing library is skipped: its
  * materials are grey. */
 #ifndef TP_ASSET_READER_H
 #define TP_ASSET_READER_H
@@ -111,7 +111,7 @@ typedef struct {
     union  tp_obj_vertex  *vertices;    /* one per distinct corner */
     struct tp_obj_made    *made;        /* private data of each material */
     tp_obj_names           material_names, library_names;
-    /* Used until tp_obj_loaded: */
+    /* Used until tp_obj_end_load: */
     tp_vec3               *positions;
     struct tp_obj_texcoord *texcoords;
     tp_packed_dir         *normals;
@@ -122,7 +122,7 @@ typedef struct {
     uint32_t              *table;       /* index + 1 of vertices, then of slots */
     uint32_t               mask;
     uint32_t               n_vertices, n_faces, n_slots;
-    /* Used after tp_obj_loaded, in the same memory: */
+    /* Used after tp_obj_end_load, in the same memory: */
     tp_obj_names           image_names;
 } tp_obj_store;
 
@@ -157,12 +157,12 @@ typedef struct tp_obj {
     char     seen[2048];                /* scan: names already counted */
 } tp_obj;
 
-void      tp_obj_scan(tp_obj *obj);
+void      tp_obj_begin_count(tp_obj *obj);
 tp_status tp_obj_feed(tp_obj *obj, const void *text, size_t bytes, tp_error *err);
-tp_status tp_obj_scanned(tp_obj *obj, tp_error *err);
+tp_status tp_obj_end_count(tp_obj *obj, tp_error *err);
 size_t    tp_obj_bytes(const tp_obj *obj);      /* size of the memory, aligned to 8, */
-void      tp_obj_load(tp_obj *obj, void *mem);  /* for loading and binding together */
-tp_status tp_obj_loaded(tp_obj *obj, tp_error *err);
+void      tp_obj_begin_load(tp_obj *obj, void *mem);  /* for loading and binding together */
+tp_status tp_obj_end_load(tp_obj *obj, tp_error *err);
 
 const char *tp_obj_library(const tp_obj *obj, uint32_t i);  /* as written, terminated */
 uint32_t    tp_obj_library_line(const tp_obj *obj, uint32_t i); /* line in the OBJ */
@@ -175,12 +175,12 @@ uint32_t    tp_obj_image_library(const tp_obj *obj, uint32_t i);    /* library n
 uint32_t    tp_obj_image_line(const tp_obj *obj, uint32_t i);       /* library's line */
 
 /* `textures` holds one texture per image, or NULL for a missing image: its materials
- * keep their plain colour.  The mesh points into the memory given to tp_obj_load and
+ * keep their plain colour.  The mesh points into the memory given to tp_obj_begin_load and
  * to the textures. */
-tp_status tp_obj_bind(tp_obj *obj, const tp_texture *const *textures, tp_mesh *mesh,
-                      tp_error *err);
+tp_status tp_obj_finish(tp_obj *obj, const tp_texture *const *textures, tp_mesh *mesh,
+                        tp_error *err);
 
 /* Returns the number of bytes from the start of the memory that the mesh uses after
- * tp_obj_bind; the rest is free for other use. */
+ * tp_obj_finish; the rest is free for other use. */
 size_t    tp_obj_kept_bytes(const tp_obj *obj);
 #endif

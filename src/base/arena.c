@@ -21,7 +21,7 @@ static size_t whole_size(size_t count, size_t size)
     return (count * size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
 }
 
-void *tp_arena_take(tp_arena *arena, size_t count, size_t size)
+void *tp_arena_alloc(tp_arena *arena, size_t count, size_t size)
 {
     TP_ASSERT(arena != NULL);
     TP_ASSERT(arena->failed || arena->block == NULL || arena->used <= arena->bytes);

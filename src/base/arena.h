@@ -21,5 +21,5 @@ tp_arena tp_arena_init(void *block, size_t bytes);
 
 /* Allocates count x size bytes, aligned to 8.  Returns NULL when counting, or when the
  * block has no room left. */
-void *tp_arena_take(tp_arena *arena, size_t count, size_t size);
+void *tp_arena_alloc(tp_arena *arena, size_t count, size_t size);
 #endif

@@ -5,7 +5,7 @@
 #include "base/base.h"
 #include "base/fail.h"
 #include "base/given.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "tidepool/tidepool.h"
 
 /* The engine's state at the start of the block; world, frame and scratch follow. */
@@ -41,10 +41,10 @@ static bool are_known(const blocks *b)
 /* Lays out the block; with a counting arena, only counts bytes. */
 static void allocate_blocks(blocks *b, tp_arena *arena)
 {
-    tp_arena_take(arena, 1, sizeof(tp_engine));
-    b->world = tp_arena_take(arena, 1, b->world_bytes);
-    b->frame = tp_arena_take(arena, 1, b->frame_bytes);
-    b->scratch = tp_arena_take(arena, 1, b->scratch_bytes);
+    tp_arena_alloc(arena, 1, sizeof(tp_engine));
+    b->world = tp_arena_alloc(arena, 1, b->world_bytes);
+    b->frame = tp_arena_alloc(arena, 1, b->frame_bytes);
+    b->scratch = tp_arena_alloc(arena, 1, b->scratch_bytes);
 }
 
 size_t tp_engine_bytes(const tp_config *config, const tp_scene *scene)

@@ -23,7 +23,7 @@
 #include "features/water/layers_rows.h"
 #include "features/water/ripple_rows.h"
 #include "features/water/water_rows.h"
-#include "scene/piece.h"
+#include "scene/string_view.h"
 #include "scene/value.h"
 #ifndef TP_MORE_ROWS            /* rows of a program's own modules */
 #define TP_MORE_ROWS
@@ -190,7 +190,7 @@ const tp_param *tp_params(uint32_t *count)
 const tp_param *tp_param_find(const char *name, size_t bytes)
 {
     for (uint32_t i = 0; i < ROWS; i++)
-        if (tp_piece_is((tp_piece){ name, bytes }, rows[i].name))
+        if (tp_string_view_is((tp_string_view){ name, bytes }, rows[i].name))
             return &rows[i];
     return NULL;
 }

@@ -46,8 +46,8 @@ void tp_frame_layout_modules(const tp_program *program, tp_frame_parts *parts,
     while (u && u[count].module)
         count++;
     TP_ASSERT(count <= TP_MODULES);
-    parts->module = tp_arena_take(arena, count, sizeof *parts->module);
-    parts->mark = tp_arena_take(arena, count, sizeof *parts->mark);
+    parts->module = tp_arena_alloc(arena, count, sizeof *parts->module);
+    parts->mark = tp_arena_alloc(arena, count, sizeof *parts->mark);
     tp_marks_init(&parts->marks);
     for (uint32_t i = 0; i < count; i++) {
         const bool on = deal(parts, &u[i], &want, &mark);
@@ -145,9 +145,9 @@ void tp_frame_begin_modules(tp_frame *frame)
             use[i].drawing->begin(frame, frame->parts.module[i]);
 }
 
-tp_sight_anchor tp_frame_anchor(const tp_frame *frame)
+tp_view_anchor tp_frame_anchor(const tp_frame *frame)
 {
-    tp_sight_anchor anchor = { .level = 0 };
+    tp_view_anchor anchor = { .level = 0 };
 
     EACH_ON(i, use, frame)
         if (use[i].drawing->anchor
@@ -174,23 +174,23 @@ void tp_frame_add_modules(const tp_frame *frame, tp_shaders *list)
     }
 }
 
-void tp_frame_place_modules(tp_frame *frame, tp_sight *sight, tp_grid_box *box)
+void tp_frame_place_modules(tp_frame *frame, tp_view *view, tp_grid_box *box)
 {
     EACH_ON(i, use, frame)
         if (use[i].drawing->place)
-            use[i].drawing->place(frame, frame->parts.module[i], sight, box);
+            use[i].drawing->place(frame, frame->parts.module[i], view, box);
 }
 
-void tp_frame_draw_modules(const tp_frame *frame, const tp_sight *sight,
-                           tp_samples *samples)
+void tp_frame_draw_modules(const tp_frame *frame, const tp_view *view,
+                           tp_gbuffer *samples)
 {
     EACH_OF(frame->modules_drawn, i, use, frame->program)
     if (use[i].drawing->draw)
-        use[i].drawing->draw(frame, frame->parts.module[i], sight, samples,
+        use[i].drawing->draw(frame, frame->parts.module[i], view, samples,
                              frame->parts.mark[i]);
 }
 
-void tp_frame_draw_post_water(const tp_frame *frame, const tp_samples *samples)
+void tp_frame_draw_post_water(const tp_frame *frame, const tp_gbuffer *samples)
 {
     EACH_OF(frame->modules_drawn, i, use, frame->program)
     if (use[i].drawing->over)

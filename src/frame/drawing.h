@@ -5,7 +5,7 @@
 #define TP_FRAME_DRAWING_H
 #include "base/arena.h"
 #include "frame/marks.h"
-#include "frame/sight.h"
+#include "frame/view.h"
 #include "raster/raster.h"
 #include "scene/module.h"
 #include "tidepool/modules.h"
@@ -39,19 +39,19 @@ typedef struct tp_drawing {
     /* Tells mirrors where the module's objects are.  The first module with objects
      * counts. */
     bool  (*anchor)(const struct tp_frame *frame, const void *mine,
-                    tp_sight_anchor *anchor);
+                    tp_view_anchor *anchor);
 
     /* Projects the module's objects for one render view, and widens the box by all pixels
      * of the objects.  Views are placed and drawn one after the other, the picture's view
      * last: `mine` stores the projection of one view only.  Some modules skip all other
      * views. */
-    void  (*place)(struct tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box);
+    void  (*place)(struct tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box);
 
     /* Draws the objects of the view placed last: samples with stencil values from `mark`
      * on.  The water is drawn after them; `over` draws over the finished water. */
-    void  (*draw)(const struct tp_frame *frame, const void *mine, const tp_sight *sight,
-                  tp_samples *samples, uint32_t mark);
-    void  (*over)(const struct tp_frame *frame, const void *mine, const tp_samples *samples,
+    void  (*draw)(const struct tp_frame *frame, const void *mine, const tp_view *view,
+                  tp_gbuffer *samples, uint32_t mark);
+    void  (*over)(const struct tp_frame *frame, const void *mine, const tp_gbuffer *samples,
                   uint32_t mark);
 
     /* Adds stages to a list, after the modules earlier in the program's list.  The list of
@@ -76,16 +76,16 @@ void tp_frame_add_surface(struct tp_frame *frame, tp_surface *surface);
 void tp_frame_begin_modules(struct tp_frame *frame);
 void tp_frame_look_modules(struct tp_frame *frame);
 void tp_frame_add_modules(const struct tp_frame *frame, tp_shaders *list);
-void tp_frame_place_modules(struct tp_frame *frame, tp_sight *sight, tp_grid_box *box);
-void tp_frame_draw_modules(const struct tp_frame *frame, const tp_sight *sight,
-                           tp_samples *samples);
-void tp_frame_draw_post_water(const struct tp_frame *frame, const tp_samples *samples);
+void tp_frame_place_modules(struct tp_frame *frame, tp_view *view, tp_grid_box *box);
+void tp_frame_draw_modules(const struct tp_frame *frame, const tp_view *view,
+                           tp_gbuffer *samples);
+void tp_frame_draw_post_water(const struct tp_frame *frame, const tp_gbuffer *samples);
 
 /* Fills the shader lists of the modules' own samples. */
 void tp_frame_list_modules(struct tp_frame *frame);
 
 /* Returns the anchor of the first module with objects; the origin if none has. */
-tp_sight_anchor tp_frame_anchor(const struct tp_frame *frame);
+tp_view_anchor tp_frame_anchor(const struct tp_frame *frame);
 
 /* True if a module draws samples before the water. */
 bool tp_frame_has_solids(const struct tp_frame *frame);

@@ -8,7 +8,7 @@
  * Valid for any camera above the highest crest at any pitch and roll, and for water of any
  * outline.  Not valid if the surface shows more than waves: rings and pools as heights, a
  * coastal floor or wind tables, a tank. */
-#include "frame/parts.h"
+#include "frame/buffers.h"
 
 enum { CELL = TP_LATTICE_CELL, BLOCK = 16 };
 
@@ -261,7 +261,7 @@ static bool holds_any(const uint32_t *key, int32_t count)
     return any != 0;
 }
 
-static void draw_flat(const tp_frame *frame, tp_samples *tile, void *memory)
+static void draw_flat(const tp_frame *frame, tp_gbuffer *tile, void *memory)
 {
     const tp_level *level = frame->parts.level;
     unsigned mask = tp_level_mask(level, tile->x0, tile->y0, tile->x1, tile->y1);
@@ -288,7 +288,7 @@ static void draw_flat(const tp_frame *frame, tp_samples *tile, void *memory)
 static void carve_flat(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
                        const tp_scene *scene, const tp_config *config)
 {
-    parts->level = tp_arena_take(arena, 1, sizeof *parts->level);
+    parts->level = tp_arena_alloc(arena, 1, sizeof *parts->level);
     if (program->water.swells)
         tp_frame_carve_slopes(parts, arena, scene, config);
 }

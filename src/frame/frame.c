@@ -6,7 +6,7 @@
 #include "frame/tools.h"
 #include "geom/waters.h"
 #include "pixel/pixel.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "scene/pools.h"
 #include "scene/program.h"
 
@@ -216,9 +216,10 @@ static void place_solids(tp_frame *frame)
 
     tp_frame_look_modules(frame);
     frame->stats = stats;
-    frame->sight = (tp_sight){ .lens = &frame->lens, .picture = true, .walls = true };
-    tp_sight_begin(frame, &frame->sight);
-    tp_sight_place(frame, &frame->sight);
+    frame->view =
+        (tp_view){ .projection = &frame->projection, .picture = true, .walls = true };
+    tp_view_begin(frame, &frame->view);
+    tp_view_place(frame, &frame->view);
 }
 
 void tp_frame_begin(tp_frame *frame, const tp_world *world)
@@ -233,11 +234,11 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     frame->drawn = tp_world_drawn(world);
     tp_frame_enable_modules(frame);
     place_surface(frame);
-    tp_lens_turned(&frame->lens, frame->drawn.camera.eye, frame->drawn.camera.turn,
+    tp_projection_init_turned(&frame->projection, frame->drawn.camera.eye, frame->drawn.camera.turn,
                    scene->camera.fov, scene->camera.near,
                    frame->config.width, frame->config.height);
     if (world->aboard == TP_ABOARD_DECK)
-        frame->lens.lean = 0;           /* golden frames of the deck camera have no lean */
+        frame->projection.lean = 0; /* golden frames of the deck camera have no lean */
     tp_frame_choose_rungs(frame);
     if (draw->rungs)
         draw->rungs->thin(frame);

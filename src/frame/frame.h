@@ -3,7 +3,7 @@
 #ifndef TP_FRAME_INSIDE_H
 #define TP_FRAME_INSIDE_H
 #include "frame/drawing.h"
-#include "frame/sight.h"
+#include "frame/view.h"
 #include "frame/tools.h"
 #include "geom/level.h"
 #include "pixel/toned.h"
@@ -32,13 +32,14 @@ typedef struct {
  * others.  A feature switched on later finds no memory and is left out. */
 typedef struct tp_frame_parts {
     tp_grid         *grid;              /* NULL: no renderer stores grid vertices */
-    tp_reach         reach;             /* rungs with memory */
+    tp_rung_mask         reach;             /* rungs with memory */
     tp_level        *level;             /* level plane of flat and screen grid */
     tp_projected    *projected;
     uint32_t        *slopes;            /* flat: slope grid, row by row */
     uint32_t         slope_cols;
     tp_thin_sea     *thin;
-    struct tp_frame_lines *lines;       /* scanline grid, lines.h; NULL: rows cannot draw */
+    struct tp_frame_lines
+        *lines; /* scanline grid, scanline_grid.h; NULL: rows cannot draw */
     uint32_t         lacks;             /* modules without enough stencil values */
     void           **module;            /* memory of each module of the program, or NULL */
     uint8_t         *mark;              /* first stencil value of each module, or 0 */
@@ -58,7 +59,7 @@ struct tp_frame {
     tp_ram_use ram;
     tp_frame_parts   parts;
 
-    tp_lens          lens;
+    tp_projection          projection;
     const tp_world  *world;
     tp_drawn         drawn;
     tp_surface       surface;
@@ -70,7 +71,7 @@ struct tp_frame {
     uint8_t          quality[sizeof ((tp_scene *)0)->quality];  /* the plan's settings */
     tp_visibility    visibility;        /* water renderer of this frame */
 
-    tp_sight         sight;             /* render view of the picture itself */
+    tp_view         view;             /* render view of the picture itself */
     uint64_t         modules_on;        /* bits in the order of the program's list */
     uint64_t         modules_drawn;     /* enabled modules with samples */
 
@@ -90,7 +91,7 @@ static inline tp_shaders *tp_frame_list(const tp_frame *frame, uint32_t mark)
     return tp_marks_list(&frame->parts.marks, mark);
 }
 
-/* carve.c: the layout of the block, the frame itself first.  Called with a counting arena,
+/* layout.c: the layout of the block, the frame itself first.  Called with a counting arena,
  * then with the block.  Returns sizes in `ram`. */
 tp_frame *tp_frame_carve(const tp_program *program, tp_frame_parts *parts,
                          tp_ram_use *ram, tp_arena *arena, const tp_scene *scene,
@@ -110,11 +111,11 @@ tp_plan_input tp_frame_plan_input(const tp_program *program, const tp_scene *sce
 const struct tp_method *tp_frame_method(const tp_program *program,
                                         tp_visibility visibility);
 void tp_frame_choose_rungs(tp_frame *frame);
-tp_reach tp_frame_reach(const tp_program *program, const tp_scene *scene,
-                        const tp_assets *assets, const tp_config *config);
+tp_rung_mask tp_frame_rung_mask(const tp_program *program, const tp_scene *scene,
+                                const tp_assets *assets, const tp_config *config);
 void tp_frame_choose_visibility(tp_frame *frame);
 void tp_frame_place_surface(tp_frame *frame);
-void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile, void *memory);
+void tp_frame_draw_surface(const tp_frame *frame, tp_gbuffer *tile, void *memory);
 
 /* lattice.c: the slope grid of flat water.  tp_frame_is_swell is true if the water is
  * swells alone, below the eye, and has memory.  The other functions place the level
@@ -125,14 +126,14 @@ void tp_frame_place_level(tp_frame *frame);
 void tp_frame_carve_slopes(tp_frame_parts *parts, tp_arena *arena, const tp_scene *scene,
                            const tp_config *config);
 void tp_frame_place_slopes(tp_frame *frame);
-/* water.c: starts the grid's lines, then places the points of line j, in order from 0.  A
+/* grid_water.c: starts the grid's lines, then places the points of line j, in order from 0.  A
  * tile reads them through a window in its renderer's memory.  Cells [first, end) of row j
  * are drawn, or their box after the frustum clip is returned; they need the line placed
  * last and the line before it, or any stored lines. */
 void tp_frame_begin_water(tp_frame *frame);
 void tp_frame_place_line(tp_frame *frame, uint32_t j);
 tp_grid_window tp_frame_window(const tp_frame *frame, void *memory);
-void tp_frame_draw_cells(const tp_frame *frame, const tp_samples *tile,
+void tp_frame_draw_cells(const tp_frame *frame, const tp_gbuffer *tile,
                          tp_grid_window *window, uint32_t j, uint32_t first, uint32_t end);
 tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint32_t end);
 
@@ -151,7 +152,7 @@ static inline bool tp_frame_has_tank(const tp_frame *frame)
 
 /* tile.c: row y of a tile as 0xffRRGGBB before tone mapping, 0 for sky.  `to` may be the
  * row's normals. */
-void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t y,
+void tp_frame_colour_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y,
                          uint32_t *to);
 
 /* plan.c: builds the shader lists for the scene, and their numbers. */
@@ -174,5 +175,5 @@ int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_g
 /* frame.c: the surface including pools of pool_bump; light falls through all pools. */
 tp_surface tp_frame_lit_surface(const tp_frame *frame);
 
-#include "frame/parts.h"
+#include "frame/buffers.h"
 #endif

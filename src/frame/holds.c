@@ -31,7 +31,7 @@ typedef struct {
 
 static bool is_upright(const tp_frame *frame)
 {
-    const tp_dir3 *back = &frame->lens.turn.z;
+    const tp_dir3 *back = &frame->projection.turn.z;
     return tp_abs(back->x) > tp_abs(back->z);
 }
 
@@ -39,9 +39,9 @@ static bool is_upright(const tp_frame *frame)
  * focal length is below 2^16. */
 static level_ray corner_ray(const tp_frame *frame, int corner)
 {
-    const tp_rotation *turn = &frame->lens.turn;
+    const tp_rotation *turn = &frame->projection.turn;
     int64_t u = (int64_t)frame->config.width << 15, v = (int64_t)frame->config.height << 15;
-    int64_t far = frame->lens.focal;
+    int64_t far = frame->projection.focal;
 
     u = corner & 1 ? u : -u;
     v = corner & 2 ? v : -v;
@@ -68,7 +68,7 @@ static bool stays_in_order(const tp_frame *frame, tp_fx t)
  * lines on each keep their order. */
 static bool rays_hold(const tp_frame *frame)
 {
-    const tp_dir3 *back = &frame->lens.turn.z;
+    const tp_dir3 *back = &frame->projection.turn.z;
     bool behind = (is_upright(frame) ? back->x : back->z) > 0;
 
     for (int corner = 0; corner < 4; corner++) {
@@ -95,8 +95,9 @@ bool tp_frame_rows_hold(tp_frame *frame)
 {
     return frame->parts.lines && frame->parts.grid
            && !(frame->parts.grid->streams && is_upright(frame)) /* read row by row */
-           && tp_abs(frame->lens.turn.x.y >> 14) < ROLL && frame->lens.turn.y.y > 0
-           && frame->lens.eye.y > tp_surface_height(&frame->surface) + ABOVE
+           && tp_abs(frame->projection.turn.x.y >> 14) < ROLL
+           && frame->projection.turn.y.y > 0
+           && frame->projection.eye.y > tp_surface_height(&frame->surface) + ABOVE
            && rays_hold(frame)
            && !(frame->surface.ocean && may_break(frame->surface.ocean));
 }

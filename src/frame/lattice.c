@@ -28,7 +28,7 @@ void tp_frame_carve_slopes(tp_frame_parts *parts, tp_arena *arena, const tp_scen
     if (!has_waves(scene))
         return;
     parts->slope_cols = count_points(config->width);
-    parts->slopes = tp_arena_take(arena, (size_t)parts->slope_cols
+    parts->slopes = tp_arena_alloc(arena, (size_t)parts->slope_cols
                                              * count_points(config->height),
                                   sizeof *parts->slopes);
 }
@@ -38,8 +38,8 @@ bool tp_frame_is_swell(const tp_frame *frame)
     const tp_surface *surface = &frame->surface;
 
     return frame->parts.level && !surface->ocean && !tp_surface_has_relief(surface)
-        && !tp_has_tank(frame->scene)
-        && frame->lens.eye.y >= tp_surface_height(surface) + TP_LEVEL_HEIGHT;
+           && !tp_has_tank(frame->scene)
+           && frame->projection.eye.y >= tp_surface_height(surface) + TP_LEVEL_HEIGHT;
 }
 
 void tp_frame_place_level(tp_frame *frame)
@@ -51,7 +51,7 @@ void tp_frame_place_level(tp_frame *frame)
     tp_grid_extent along = tp_lines_extent((uint32_t)scene->grid.rows, &frame->grid_view,
                                            true);
 
-    tp_level_begin(frame->parts.level, &frame->lens, &across, &along);
+    tp_level_begin(frame->parts.level, &frame->projection, &across, &along);
 }
 
 /* -- slope grid ---------------------------------------------------------------------- */
@@ -92,9 +92,9 @@ static void sample_rest(const tp_level *level, const row_of_points *row, int32_t
         int64_t way = tp_level_evaluate(sums[axis], x, y);
         int64_t here = tp_level_metres(reach, way);
         int64_t far = tp_level_metres(beyond, way - sums[axis]->y * CELL);
-        at[axis] = tp_fx_held(eye[axis] + here);
-        step[0][axis] = tp_fx_held(tp_level_metres(reach, sums[axis]->x * CELL));
-        step[1][axis] = tp_fx_held(far - here);
+        at[axis] = tp_fx_saturate(eye[axis] + here);
+        step[0][axis] = tp_fx_saturate(tp_level_metres(reach, sums[axis]->x * CELL));
+        step[1][axis] = tp_fx_saturate(far - here);
     }
 }
 

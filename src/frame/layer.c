@@ -14,10 +14,10 @@ static uint32_t drifted(tp_fx metres_per_second, int64_t time)
  * ground half of log2 of the eye's height is subtracted for the slant (see tp_level_choose). */
 int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_ground)
 {
-    TP_ASSERT(frame->lens.focal > 0);
+    TP_ASSERT(frame->projection.focal > 0);
     int32_t lod = tp_log2_q8((uint32_t)(texels_per_metre > 0 ? texels_per_metre : 1))
-                - tp_log2_q8((uint32_t)frame->lens.focal);
-    tp_fx height = tp_abs(frame->lens.eye.y);
+                  - tp_log2_q8((uint32_t)frame->projection.focal);
+    tp_fx height = tp_abs(frame->projection.eye.y);
 
     if (height < TP_FX_ONE)
         height = TP_FX_ONE;

@@ -36,9 +36,9 @@ void tp_marks_layout(tp_marks *marks, tp_arena *arena)
     tp_shader *shader;
     uint8_t   *place;
 
-    marks->list = tp_arena_take(arena, marks->lists, sizeof *marks->list);
-    shader = tp_arena_take(arena, room, sizeof *shader);
-    place = tp_arena_take(arena, room + marks->count, sizeof *place);
+    marks->list = tp_arena_alloc(arena, marks->lists, sizeof *marks->list);
+    shader = tp_arena_alloc(arena, room, sizeof *shader);
+    place = tp_arena_alloc(arena, room + marks->count, sizeof *place);
     if (!marks->list)
         return;
     marks->list_of = place + room;

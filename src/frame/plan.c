@@ -83,11 +83,11 @@ static void choose_stages(tp_frame *frame)
 
 void tp_frame_plan(tp_frame *frame)
 {
-    TP_ASSERT(frame->lens.zi_near > 0);
+    TP_ASSERT(frame->projection.zi_near > 0);
     const tp_scene *scene = frame->scene;
     tp_shade *shade = &frame->shade;
 
-    tp_sight_look(frame, &frame->lens);
+    tp_view_set_shade(frame, &frame->projection);
     shade->ambient = scene->light.ambient >> 8;
     shade->mirror = scene->water.reflection >> 8;
     shade->light_colour = (uint32_t)scene->light.colour;

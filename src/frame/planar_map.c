@@ -9,10 +9,10 @@ void tp_planar_layout(tp_planar_store *store, tp_arena *arena, const tp_want *wa
     store->halvings = halvings;
     store->cols = (want->width + (1u << halvings) - 1) >> halvings;
     store->rows = (want->height + (1u << halvings) - 1) >> halvings;
-    store->colour = tp_arena_take(arena, (size_t)store->cols * store->rows,
+    store->colour = tp_arena_alloc(arena, (size_t)store->cols * store->rows,
                                   sizeof *store->colour);
-    store->samples = tp_arena_take(arena, (size_t)store->cols * TP_PLANAR_BAND,
-                                   4 * sizeof *store->samples);
+    store->samples = tp_arena_alloc(arena, (size_t)store->cols * TP_PLANAR_BAND,
+                                    4 * sizeof *store->samples);
 }
 
 bool tp_planar_begin(const tp_planar_store *store, const tp_grid_box *box, tp_half *half)
@@ -31,12 +31,12 @@ bool tp_planar_begin(const tp_planar_store *store, const tp_grid_box *box, tp_ha
     return false;
 }
 
-tp_samples tp_planar_samples(const tp_planar_store *store, const tp_half *half, int32_t y0)
+tp_gbuffer tp_planar_gbuffer(const tp_planar_store *store, const tp_half *half, int32_t y0)
 {
     size_t plane = (size_t)store->cols * TP_PLANAR_BAND;
     int32_t y1 = y0 + TP_PLANAR_BAND < half->y1 ? y0 + TP_PLANAR_BAND : half->y1;
 
-    return (tp_samples){ half->x0, y0, half->x1, y1, store->cols, store->samples,
+    return (tp_gbuffer){ half->x0, y0, half->x1, y1, store->cols, store->samples,
                          store->samples + plane, store->samples + 2 * plane,
                          store->samples + 3 * plane, false };
 }

@@ -5,7 +5,7 @@
 #ifndef TP_FRAME_PLANAR_MAP_H
 #define TP_FRAME_PLANAR_MAP_H
 #include "base/arena.h"
-#include "frame/sight.h"
+#include "frame/view.h"
 #include "scene/module.h"
 #include "shade/shade.h"
 
@@ -27,5 +27,5 @@ void tp_planar_layout(tp_planar_store *store, tp_arena *arena, const tp_want *wa
 bool tp_planar_begin(const tp_planar_store *store, const tp_grid_box *box, tp_half *half);
 
 /* Returns the G-buffer of the band at row y0. */
-tp_samples tp_planar_samples(const tp_planar_store *store, const tp_half *half, int32_t y0);
+tp_gbuffer tp_planar_gbuffer(const tp_planar_store *store, const tp_half *half, int32_t y0);
 #endif

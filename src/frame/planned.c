@@ -3,7 +3,7 @@
  * be seen.  A program without the plan uses the rungs named by the scene, and the exact
  * rung of each kind left open. */
 #include "frame/frame.h"
-#include "scene/faint.h"
+#include "scene/wave_culling.h"
 #include "scene/prices.h"
 
 static tp_rungs measured_rungs(const tp_plan_input *in)
@@ -19,26 +19,27 @@ static tp_ladder measured_ladder(const tp_plan_input *in)
 static void carve_thin(tp_frame_parts *parts, tp_arena *arena, const tp_plan_input *in)
 {
     if (tp_thins_sea(in))
-        parts->thin = tp_arena_take(arena, 1, sizeof *parts->thin);
+        parts->thin = tp_arena_alloc(arena, 1, sizeof *parts->thin);
 }
 
 /* Drops faint waves for this frame's camera, by the plan's rule for the scene's start
  * camera. */
 static void thin_sea(tp_frame *frame)
 {
-    const tp_lens *lens = &frame->lens;
+    const tp_projection *projection = &frame->projection;
     tp_surface *surface = &frame->surface;
     tp_thin_sea *thin = frame->parts.thin;
     const tp_fx slope_colour = tp_prices_measured.slope_colour;
 
     if (!thin || surface->ocean)
         return;
-    tp_faint_limits limits = tp_faint_limits_make(frame->scene, surface->sea->count,
+    tp_wave_cull_limits limits = tp_wave_cull_limits_make(frame->scene, surface->sea->count,
                                                 slope_colour);
-    limits.focal = lens->focal >> 16;
-    limits.near = tp_faint_near(tp_fx_held((int64_t)lens->eye.y - surface->sea->height),
-                                &lens->turn, frame->scene->camera.fov);
-    if (tp_faint_sea(&thin->sea, thin->phases, surface->sea, surface->phases, &limits)) {
+    limits.focal = projection->focal >> 16;
+    limits.near = tp_wave_cull_near(
+        tp_fx_saturate((int64_t)projection->eye.y - surface->sea->height),
+        &projection->turn, frame->scene->camera.fov);
+    if (tp_wave_cull_sea(&thin->sea, thin->phases, surface->sea, surface->phases, &limits)) {
         surface->sea = &thin->sea;
         surface->phases = thin->phases;
     }

@@ -4,43 +4,45 @@
 
 /* Component of a position relative to the eye along an axis of the view, m, Q30.
  * Differences below 2^32 times 2^30 fit 64 bits; three of them fit once 16 bits are cut. */
-static int64_t along(const tp_lens *lens, tp_vec3 place, tp_dir3 axis)
+static int64_t along(const tp_projection *projection, tp_vec3 place, tp_dir3 axis)
 {
-    const int64_t x = (int64_t)place.x - lens->eye.x;
-    const int64_t y = (int64_t)place.y - lens->eye.y;
-    const int64_t z = (int64_t)place.z - lens->eye.z;
+    const int64_t x = (int64_t)place.x - projection->eye.x;
+    const int64_t y = (int64_t)place.y - projection->eye.y;
+    const int64_t z = (int64_t)place.z - projection->eye.z;
 
     return (x * axis.x >> 16) + (y * axis.y >> 16) + (z * axis.z >> 16);
 }
 
 /* Returns focal x way / depth, px, 16.16, saturated.  Both lengths are halved until depth
  * fits 31 bits; if the product would still not fit, the point lies far outside. */
-static tp_fx project_pixels(const tp_lens *lens, int64_t way, int64_t depth)
+static tp_fx project_pixels(const tp_projection *projection, int64_t way, int64_t depth)
 {
     int64_t most;
 
     for (; depth >> 31 > 0; depth >>= 1)
         way /= 2;
-    most = INT64_MAX / 2 / lens->focal;
+    most = INT64_MAX / 2 / projection->focal;
     if (way > most || way < -most)
         return way > 0 ? TP_FX_MAX : TP_FX_MIN;
-    return tp_fx_held(tp_quotient(way * lens->focal, depth));
+    return tp_fx_saturate(tp_quotient(way * projection->focal, depth));
 }
 
 bool tp_frame_project(const tp_frame *frame, tp_vec3 place, tp_fx *x_px, tp_fx *y_px,
                       tp_fx *depth)
 {
     TP_ASSERT(frame != NULL && frame->world != NULL);
-    const tp_lens *lens = &frame->lens;
-    const int64_t far = along(lens, place, lens->ahead);
+    const tp_projection *projection = &frame->projection;
+    const int64_t far = along(projection, place, projection->ahead);
 
-    if (far >> 14 < lens->near)
+    if (far >> 14 < projection->near)
         return false;
-    *x_px = tp_fx_held((int64_t)frame->config.width * (TP_FX_ONE / 2)
-                       + project_pixels(lens, along(lens, place, lens->turn.x), far));
-    *y_px = tp_fx_held((int64_t)frame->config.height * (TP_FX_ONE / 2)
-                       - project_pixels(lens, along(lens, place, lens->turn.y), far));
-    *depth = tp_fx_held((far + (1 << 13)) >> 14);
+    *x_px = tp_fx_saturate(
+        (int64_t)frame->config.width * (TP_FX_ONE / 2)
+        + project_pixels(projection, along(projection, place, projection->turn.x), far));
+    *y_px = tp_fx_saturate(
+        (int64_t)frame->config.height * (TP_FX_ONE / 2)
+        - project_pixels(projection, along(projection, place, projection->turn.y), far));
+    *depth = tp_fx_saturate((far + (1 << 13)) >> 14);
     return true;
 }
 

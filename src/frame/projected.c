@@ -17,7 +17,7 @@
  *     B (1 + sec phi) / 2 + K (tan phi sin pitch + sin roll) < 1,
  * B the sum of Q k A, K that of k A, phi the widest angle between a ray and the camera's
  * heading.  Rays must lead forwards, for nearer lines to hide farther ones. */
-#include "frame/parts.h"
+#include "frame/buffers.h"
 #include "geom/waters.h"
 #include "wave/wave.h"
 
@@ -39,15 +39,15 @@ static tp_fx bound_rise(const tp_sea *sea, tp_fx fall)
         q = q < INT32_MAX ? q : INT32_MAX;
         sum += tp_isqrt64((uint64_t)(a * a + q * q)) + 1;
     }
-    return tp_fx_held(sum);
+    return tp_fx_saturate(sum);
 }
 
 /* Returns the fall of a ray per metre of depth, from its pixels below the horizon in
  * Q.30. */
 static tp_fx ray_fall(const tp_frame *frame, int64_t down)
 {
-    TP_ASSERT(frame->lens.focal > 0);
-    return tp_fx_div((tp_fx)(down >> 14), frame->lens.focal);
+    TP_ASSERT(frame->projection.focal > 0);
+    return tp_fx_div((tp_fx)(down >> 14), frame->projection.focal);
 }
 
 /* Returns the first line, px below the horizon and a multiple of 4, that stays below a ray
@@ -83,13 +83,13 @@ static int64_t line_row(const tp_projected *p, int32_t x, int32_t rows)
 static bool is_ordered(const tp_frame *frame, int32_t x, int32_t y)
 {
     const tp_level *level = frame->parts.level;
-    const tp_lens  *lens = &frame->lens;
+    const tp_projection  *projection = &frame->projection;
     const tp_sea   *sea = frame->surface.sea;
     int64_t east = tp_level_evaluate(&level->east, x, y) >> 14;
     int64_t south = tp_level_evaluate(&level->south, x, y) >> 14;
     int64_t down = tp_level_evaluate(&level->down, x, y) >> 14;
-    int64_t ahead = (east * lens->ahead.x + south * lens->ahead.z) >> 30;
-    int64_t aside = (east * lens->ahead.z - south * lens->ahead.x) >> 30;
+    int64_t ahead = (east * projection->ahead.x + south * projection->ahead.z) >> 30;
+    int64_t aside = (east * projection->ahead.z - south * projection->ahead.x) >> 30;
     tp_fx   tilt = 0;
 
     if (ahead * 4 < down || ahead <= 0)
@@ -98,7 +98,8 @@ static bool is_ordered(const tp_frame *frame, int32_t x, int32_t y)
         tilt += sea->swell[i].tilt;
     aside = aside < 0 ? -aside : aside;
     int64_t slant = ahead + tp_isqrt64((uint64_t)(ahead * ahead + aside * aside));
-    int64_t turned = aside * tp_abs(lens->ahead.y) + ahead * tp_abs(lens->turn.x.y);
+    int64_t turned =
+        aside * tp_abs(projection->ahead.y) + ahead * tp_abs(projection->turn.x.y);
     return (slant * sea->bend >> 31) + ((turned >> 30) * tilt >> 16)
         <= ahead * 15 / 16;
 }
@@ -140,8 +141,8 @@ static bool place(tp_frame *frame)
     if (p->start == 0 || p->start > 4096)
         return false;
     down = line_descent(frame, p->start);
-    int64_t depth = (int64_t)frame->lens.focal * level->height / (down >> 14);
-    if (depth < 2 * (int64_t)frame->lens.near + p->towards)
+    int64_t depth = (int64_t)frame->projection.focal * level->height / (down >> 14);
+    if (depth < 2 * (int64_t)frame->projection.near + p->towards)
         return false;
     int32_t x0 = -side_margin(frame, down), x1 = wide - x0;
     if (x1 > 6000 || !is_ordered(frame, -CELL, high + CELL)
@@ -159,18 +160,18 @@ static bool place(tp_frame *frame)
  * and roll. */
 static void set_ways(tp_frame *frame)
 {
-    const tp_lens *lens = &frame->lens;
+    const tp_projection *projection = &frame->projection;
     tp_projected *p = frame->parts.projected;
-    tp_fx wide = tp_fx_div((tp_fx)(frame->config.width << 15), lens->focal);
+    tp_fx wide = tp_fx_div((tp_fx)(frame->config.width << 15), projection->focal);
     tp_fx slant = tp_fx_sqrt(tp_fx_mul(wide, wide) + TP_FX_ONE);
     tp_fx sideways = tp_surface_reach(&frame->surface);
     tp_fx high = tp_surface_height(&frame->surface);
     tp_fx aside = tp_fx_mul(sideways, slant)
-                + tp_fx_mul(tp_q30_mul(high, tp_abs(lens->ahead.y)), wide)
-                + tp_q30_mul(high, tp_abs(lens->turn.x.y));
+                  + tp_fx_mul(tp_q30_mul(high, tp_abs(projection->ahead.y)), wide)
+                  + tp_q30_mul(high, tp_abs(projection->turn.x.y));
 
-    p->towards = sideways + tp_q30_mul(high, tp_abs(lens->ahead.y));
-    p->share = tp_fx_div(aside, lens->eye.y);
+    p->towards = sideways + tp_q30_mul(high, tp_abs(projection->ahead.y));
+    p->share = tp_fx_div(aside, projection->eye.y);
 }
 
 static bool hold_projected(tp_frame *frame)
@@ -236,9 +237,9 @@ static void sample_rest(const line *l, int32_t x, int64_t row, bool ends, tp_fx 
         int64_t across = sum->x + (sum->y * l->frame->parts.projected->horizon.x >> 30);
         int64_t farther = way - (sum->y * (l->gap >> 14) / (level->down.y >> 14));
         int64_t here = tp_level_metres(reach, way);
-        at[axis] = tp_fx_held(eye[axis] + here);
-        step[0][axis] = tp_fx_held(tp_level_metres(reach, across * CELL));
-        step[1][axis] = tp_fx_held(tp_level_metres(beyond, farther) - here);
+        at[axis] = tp_fx_saturate(eye[axis] + here);
+        step[0][axis] = tp_fx_saturate(tp_level_metres(reach, across * CELL));
+        step[1][axis] = tp_fx_saturate(tp_level_metres(beyond, farther) - here);
     }
 }
 
@@ -246,11 +247,11 @@ static void sample_rest(const line *l, int32_t x, int64_t row, bool ends, tp_fx 
  * waves of a valid sea do not move points there. */
 static void project(const tp_frame *frame, const tp_sea_point *from, tp_row_point *to)
 {
-    tp_view_corner c = { .s = 0 };
+    tp_view_vertex c = { .s = 0 };
 
-    tp_lens_view(&frame->lens, from->position, &c);
-    if (tp_lens_holds(&frame->lens, &c))
-        tp_lens_project(&frame->lens, &c, &to->u, &to->v, &to->zi);
+    tp_projection_view_vertex(&frame->projection, from->position, &c);
+    if (tp_projection_contains(&frame->projection, &c))
+        tp_projection_project(&frame->projection, &c, &to->u, &to->v, &to->zi);
 }
 
 static tp_row_point sample_point(const line *l, int32_t x)
@@ -304,7 +305,7 @@ static void lay_line(const line *l, tp_rows *rows, int32_t x0, int32_t x1)
 
 static void lay(const tp_frame *frame, tp_rows *rows, int32_t below)
 {
-    const tp_samples *tile = rows->tile;
+    const tp_gbuffer *tile = rows->tile;
     const tp_level *level = frame->parts.level;
     int32_t next = below > 0 ? next_line(below) : 0;
     int64_t down = line_descent(frame, below > 0 ? below : 1);
@@ -318,7 +319,7 @@ static void lay(const tp_frame *frame, tp_rows *rows, int32_t below)
 }
 
 /* Returns the farthest line before the water's end in at least one column. */
-static int32_t last_line(const tp_frame *frame, const tp_samples *tile)
+static int32_t last_line(const tp_frame *frame, const tp_gbuffer *tile)
 {
     const tp_projected *p = frame->parts.projected;
     int64_t least = (int64_t)4096 * TP_Q30_ONE;
@@ -330,7 +331,7 @@ static int32_t last_line(const tp_frame *frame, const tp_samples *tile)
     return (int32_t)(least >> 30);
 }
 
-static void draw_projected(const tp_frame *frame, tp_samples *tile, void *memory)
+static void draw_projected(const tp_frame *frame, tp_gbuffer *tile, void *memory)
 {
     const tp_level *level = frame->parts.level;
     const tp_projected *p = frame->parts.projected;
@@ -359,8 +360,8 @@ static void carve_projected(tp_frame_parts *parts, tp_arena *arena,
 {
     (void)scene, (void)config;
     if (!(parts->reach.visibility >> TP_VISIBILITY_FLAT & 1) || !program->method.flat)
-        parts->level = tp_arena_take(arena, 1, sizeof *parts->level);
-    parts->projected = tp_arena_take(arena, 1, sizeof *parts->projected);
+        parts->level = tp_arena_alloc(arena, 1, sizeof *parts->level);
+    parts->projected = tp_arena_alloc(arena, 1, sizeof *parts->projected);
 }
 
 /* Does nothing: hold_projected has set all data. */

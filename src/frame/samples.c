@@ -4,19 +4,20 @@
 
 /* Returns the depth in m.  A key keeps 24 bits of near / depth, rounded down: the middle
  * of the interval is used. */
-static tp_fx key_depth(const tp_lens *lens, uint32_t key)
+static tp_fx key_depth(const tp_projection *projection, uint32_t key)
 {
     const uint32_t zi = TP_ZI(key) + 0x40;
 
-    return tp_fx_held(((int64_t)lens->zi_near * ((int64_t)1 << 31) + zi / 2) / zi);
+    return tp_fx_saturate(((int64_t)projection->zi_near * ((int64_t)1 << 31) + zi / 2)
+                          / zi);
 }
 
 static void put_depths(const tp_frame *frame, const uint32_t *key, uint32_t count,
                        tp_fx *depth)
 {
     for (uint32_t x = 0; x < count; x++)
-        depth[x] =
-            TP_MARK(key[x]) == TP_MARK_SKY ? TP_FX_MAX : key_depth(&frame->lens, key[x]);
+        depth[x] = TP_MARK(key[x]) == TP_MARK_SKY ? TP_FX_MAX
+                                                  : key_depth(&frame->projection, key[x]);
 }
 
 /* Returns the kind declared by the module of the sample's list. */

@@ -6,13 +6,13 @@
 #include "frame/tools.h"
 #include "pixel/pixel.h"
 
-static tp_samples make_samples(const tp_frame *frame, void *scratch, const tp_tile *tile)
+static tp_gbuffer make_samples(const tp_frame *frame, void *scratch, const tp_tile *tile)
 {
     const tp_config *c = &frame->config;
     size_t    plane = (size_t)c->tile_width * c->tile_height;
     uint32_t *at = scratch;
 
-    return (tp_samples){
+    return (tp_gbuffer){
         (int32_t)tile->x0, (int32_t)tile->y0, (int32_t)tile->x1, (int32_t)tile->y1,
         c->tile_width, at, at + plane, at + 2 * plane, at + 3 * plane, false,
     };
@@ -39,7 +39,7 @@ static int32_t run_length(const uint32_t *key, int32_t most)
 }
 
 /* Sets up the run at (x, y) and returns its shader list. */
-static const tp_shaders *begin_run(const tp_frame *frame, const tp_samples *tile, int32_t x,
+static const tp_shaders *begin_run(const tp_frame *frame, const tp_gbuffer *tile, int32_t x,
                              int32_t y, tp_run *run)
 {
     TP_ASSERT(x >= tile->x0 && x < tile->x1 && y >= tile->y0 && y < tile->y1);
@@ -70,7 +70,7 @@ static void shade_run(const tp_frame *frame, const tp_shaders *list, tp_run *run
     }
 }
 
-static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, void *row)
+static void shade_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, void *row)
 {
     const tp_store store = frame->program->store[frame->config.format];
     tp_run run;
@@ -91,7 +91,7 @@ static void shade_row(const tp_frame *frame, const tp_samples *tile, int32_t y, 
 void tp_frame_overlay_row(const tp_frame *frame, const void *samples, int32_t y,
                           void *row)
 {
-    const tp_samples *tile = samples;
+    const tp_gbuffer *tile = samples;
     const size_t at = (size_t)(uint32_t)(y - tile->y0) * tile->stride;
     const tp_overlay *overlay = &frame->config.overlay;
     uint32_t *to = tile->n + at;
@@ -104,14 +104,14 @@ void tp_frame_overlay_row(const tp_frame *frame, const void *samples, int32_t y,
     }
     tp_overlay_row over = {
         (uint32_t)y, (uint32_t)tile->x0, (uint32_t)tile->x1,
-        to,          tile->key + at,     frame->lens.zi_near,
+        to,          tile->key + at,     frame->projection.zi_near,
     };
     overlay->row(overlay->user, &over);
     frame->program->store[frame->config.format](row, 0, tile->x0, y, to,
                                                 tile->x1 - tile->x0);
 }
 
-void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t y,
+void tp_frame_colour_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y,
                          uint32_t *to)
 {
     const uint32_t *key = tile->key + (size_t)(uint32_t)(y - tile->y0) * tile->stride;
@@ -133,12 +133,12 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_samples *tile, int32_t 
 }
 
 /* Draws all geometry into the tile: solids first, the water after them. */
-static void draw_samples(const tp_frame *frame, tp_samples *samples, void *memory)
+static void draw_samples(const tp_frame *frame, tp_gbuffer *samples, void *memory)
 {
     TP_ASSERT(frame->world != NULL);
 
-    tp_samples_clear(samples);
-    tp_frame_draw_modules(frame, &frame->sight, samples);
+    tp_gbuffer_clear(samples);
+    tp_frame_draw_modules(frame, &frame->view, samples);
     tp_frame_draw_surface(frame, samples, memory);
     tp_frame_draw_post_water(frame, samples);
 }
@@ -159,7 +159,7 @@ static bool place_tile(const tp_frame *frame, uint32_t i, const void *scratch,
     return true;
 }
 
-static void overlay_rows(const tp_frame *frame, const tp_samples *samples,
+static void overlay_rows(const tp_frame *frame, const tp_gbuffer *samples,
                          const tp_tile *tile, uint8_t *row)
 {
     for (int32_t y = samples->y0; y < samples->y1; y++, row += tile->stride)
@@ -170,7 +170,7 @@ static void overlay_rows(const tp_frame *frame, const tp_samples *samples,
 static void draw_tile(const tp_frame *frame, void *scratch, const tp_tile *tile,
                       uint8_t *row)
 {
-    tp_samples samples = make_samples(frame, scratch, tile);
+    tp_gbuffer samples = make_samples(frame, scratch, tile);
     draw_samples(frame, &samples, scratch_pixels(frame, scratch));
     if (frame->config.overlay.draw) {
         overlay_rows(frame, &samples, tile, row);

@@ -29,7 +29,7 @@ tp_ram_use tp_frame_ram(const tp_frame *frame);
 
 /* Sets the rungs of the following frames, for a frame governor.  NULL: back to the plan,
  * which is made at init and again when quality.* changes.  A rung without memory in this
- * frame (tp_reach) is replaced by the exact rung. */
+ * frame (tp_rung_mask) is replaced by the exact rung. */
 void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs);
 
 /* Returns the number of tiles of the picture. */

@@ -27,8 +27,8 @@ static tp_rungs named(const tp_scene *scene)
     };
 }
 
-tp_reach tp_frame_reach(const tp_program *program, const tp_scene *scene,
-                        const tp_assets *assets, const tp_config *config)
+tp_rung_mask tp_frame_rung_mask(const tp_program *program, const tp_scene *scene,
+                                const tp_assets *assets, const tp_config *config)
 {
     const struct tp_draw_rungs *rungs = program->draw.rungs;
     const tp_plan_input in = tp_frame_plan_input(program, scene, assets, config);
@@ -43,7 +43,7 @@ static bool has(uint8_t bits, unsigned rung)
 }
 
 /* Replaces rungs without memory, or out of range, by the exact rung. */
-static tp_rungs within(tp_reach reach, tp_rungs r)
+static tp_rungs within(tp_rung_mask reach, tp_rungs r)
 {
     return (tp_rungs){
         has(reach.visibility, r.visibility) ? r.visibility : TP_VISIBILITY_TRIANGLES,
@@ -104,7 +104,7 @@ static bool is_plain(const tp_surface *surface)
 static void view_water(tp_frame *frame)
 {
     frame->grid_view = (tp_grid_view){
-        .lens = &frame->lens,
+        .projection = &frame->projection,
         .surface = &frame->surface,
         .width = frame->config.width,
         .height = frame->config.height,
@@ -137,7 +137,7 @@ void tp_frame_place_surface(tp_frame *frame)
         method->place(frame);
 }
 
-void tp_frame_draw_surface(const tp_frame *frame, tp_samples *tile, void *memory)
+void tp_frame_draw_surface(const tp_frame *frame, tp_gbuffer *tile, void *memory)
 {
     const struct tp_method *method = tp_frame_method(frame->program, frame->visibility);
 

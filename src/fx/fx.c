@@ -14,7 +14,7 @@ static tp_fx quotient(int64_t n, int64_t d)
     int64_t q = twice / whole;
     if (twice % whole != 0 && (twice < 0) != (whole < 0))
         q--;                            /* C rounds towards 0; floor rounds down */
-    return tp_fx_held(q);
+    return tp_fx_saturate(q);
 }
 
 tp_fx tp_fx_div(tp_fx a, tp_fx b)

@@ -18,13 +18,13 @@ static inline int32_t tp_clamp(int32_t x, int32_t low, int32_t high)
 
 static inline int32_t tp_abs(int32_t x) { return x < 0 ? -x : x; }  /* x > INT32_MIN */
 
-/* tp_limit clamps x to -most..most, most >= 0.  tp_fx_held saturates x to 16.16. */
-static inline int64_t tp_limit(int64_t x, int64_t most)
+/* tp_clamp_abs clamps x to -most..most, most >= 0.  tp_fx_saturate saturates x to 16.16. */
+static inline int64_t tp_clamp_abs(int64_t x, int64_t most)
 {
     return x > most ? most : x < -most ? -most : x;
 }
 
-static inline tp_fx tp_fx_held(int64_t x)
+static inline tp_fx tp_fx_saturate(int64_t x)
 {
     return x > TP_FX_MAX ? TP_FX_MAX : x < TP_FX_MIN ? TP_FX_MIN : (tp_fx)x;
 }
@@ -38,7 +38,7 @@ static inline tp_fx tp_fx_plus(tp_fx a, tp_fx b)
         return a < 0 ? TP_FX_MIN : TP_FX_MAX;
     return sum;
 #else
-    return tp_fx_held((int64_t)a + b);
+    return tp_fx_saturate((int64_t)a + b);
 #endif
 }
 
@@ -50,7 +50,7 @@ static inline tp_fx tp_fx_minus(tp_fx a, tp_fx b)
         return a < 0 ? TP_FX_MIN : TP_FX_MAX;
     return left;
 #else
-    return tp_fx_held((int64_t)a - b);
+    return tp_fx_saturate((int64_t)a - b);
 #endif
 }
 

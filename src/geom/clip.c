@@ -13,20 +13,20 @@ enum { SIDE_NEAR, SIDE_LEFT, SIDE_RIGHT, SIDE_BOTTOM, SIDE_TOP, SIDE_PLANE };
 
 /* The inputs of all sides. */
 typedef struct {
-    const tp_lens       *lens;
+    const tp_projection       *projection;
     const tp_view_plane *plane;
 } sides;
 
 /* Returns the distance inside a side, without a fixed unit; >= 0 is inside.  Five cuts
  * round by one each; the margin of four keeps the new vertices within the strict test of
- * tp_lens_holds. */
-static int64_t inside(const sides *of, const tp_view_corner *c, int side)
+ * tp_projection_contains. */
+static int64_t inside(const sides *of, const tp_view_vertex *c, int side)
 {
-    const tp_lens *lens = of->lens;
-    int64_t band = ((int64_t)c->depth - 4) * (1 << (TP_GUARD_LOG2 - lens->m)) - 4;
+    const tp_projection *projection = of->projection;
+    int64_t band = ((int64_t)c->depth - 4) * (1 << (TP_GUARD_LOG2 - projection->m)) - 4;
 
     switch (side) {
-    case SIDE_NEAR:   return (int64_t)c->depth - lens->near;
+    case SIDE_NEAR:   return (int64_t)c->depth - projection->near;
     case SIDE_LEFT:   return band + c->x;
     case SIDE_RIGHT:  return band - c->x;
     case SIDE_BOTTOM: return band + c->y;
@@ -41,13 +41,13 @@ static int32_t along(int32_t a, int32_t b, int64_t share)
     return (int32_t)(a + ((((int64_t)b - a) * share) >> 30));
 }
 
-static tp_view_corner cut(const tp_lens *lens, const tp_view_corner *in,
-                          const tp_view_corner *out, int64_t d_in, int64_t d_out)
+static tp_view_vertex cut(const tp_projection *projection, const tp_view_vertex *in,
+                          const tp_view_vertex *out, int64_t d_in, int64_t d_out)
 {
     TP_ASSERT(d_in >= 0 && d_out < 0);
     uint64_t span = (uint64_t)(d_in - d_out);           /* > 0, below 2^48 */
     int      shift = 0;
-    tp_view_corner c;
+    tp_view_vertex c;
 
     while (span >> shift >= (uint64_t)1 << 32)
         shift++;
@@ -55,8 +55,8 @@ static tp_view_corner cut(const tp_lens *lens, const tp_view_corner *in,
     c.x = along(in->x, out->x, share);
     c.y = along(in->y, out->y, share);
     c.depth = along(in->depth, out->depth, share);
-    if (c.depth < lens->near)
-        c.depth = lens->near;
+    if (c.depth < projection->near)
+        c.depth = projection->near;
     c.s = along(in->s, out->s, share);
     c.t = along(in->t, out->t, share);
     for (int i = 0; i < 3; i++)
@@ -64,30 +64,30 @@ static tp_view_corner cut(const tp_lens *lens, const tp_view_corner *in,
     return c;
 }
 
-static int clip_side(const sides *of, const tp_view_corner *in, int count,
-                     tp_view_corner *out, int side)
+static int clip_side(const sides *of, const tp_view_vertex *in, int count,
+                     tp_view_vertex *out, int side)
 {
     int kept = 0;
 
     for (int i = 0; i < count; i++) {
-        const tp_view_corner *a = &in[i], *b = &in[i + 1 < count ? i + 1 : 0];
+        const tp_view_vertex *a = &in[i], *b = &in[i + 1 < count ? i + 1 : 0];
         int64_t da = inside(of, a, side), db = inside(of, b, side);
         if (da >= 0)
             out[kept++] = *a;
         if (da >= 0 && db < 0)
-            out[kept++] = cut(of->lens, a, b, da, db);
+            out[kept++] = cut(of->projection, a, b, da, db);
         else if (da < 0 && db >= 0)
-            out[kept++] = cut(of->lens, b, a, db, da);
+            out[kept++] = cut(of->projection, b, a, db, da);
     }
-    TP_ASSERT(kept <= TP_CLIP_CORNERS);
+    TP_ASSERT(kept <= TP_CLIP_VERTICES);
     return kept;
 }
 
-int tp_clip_triangle_plane(const tp_lens *lens, const tp_view_plane *plane,
-                        const tp_view_corner in[3], tp_view_corner out[TP_CLIP_CORNERS])
+int tp_clip_triangle_plane(const tp_projection *projection, const tp_view_plane *plane,
+                        const tp_view_vertex in[3], tp_view_vertex out[TP_CLIP_VERTICES])
 {
-    const sides of = { lens, plane };
-    tp_view_corner other[TP_CLIP_CORNERS];
+    const sides of = { projection, plane };
+    tp_view_vertex other[TP_CLIP_VERTICES];
     int count = clip_side(&of, in, 3, other, SIDE_NEAR);        /* <= 4 vertices */
 
     if (plane) {
@@ -104,8 +104,8 @@ int tp_clip_triangle_plane(const tp_lens *lens, const tp_view_plane *plane,
     return count >= 3 ? count : 0;
 }
 
-int tp_clip_triangle(const tp_lens *lens, const tp_view_corner in[3],
-                     tp_view_corner out[TP_CLIP_CORNERS])
+int tp_clip_triangle(const tp_projection *projection, const tp_view_vertex in[3],
+                     tp_view_vertex out[TP_CLIP_VERTICES])
 {
-    return tp_clip_triangle_plane(lens, NULL, in, out);
+    return tp_clip_triangle_plane(projection, NULL, in, out);
 }

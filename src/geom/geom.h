@@ -22,7 +22,7 @@ typedef struct {
     uint32_t zi;                /* 255/256 near / depth, Q1.31; rounding cannot reach 1 */
     int32_t  s, t;              /* texture position, m or repeats, 16.16 */
     int16_t  n[3];              /* water: slopes Q3.12; solids: normal, 511 is 1 */
-} tp_corner;
+} tp_screen_vertex;
 
 /* A vertex in view space. */
 typedef struct {
@@ -30,7 +30,7 @@ typedef struct {
     int32_t depth;              /* distance ahead of the eye, 16.16 m */
     int32_t s, t;
     int16_t n[3];
-} tp_view_corner;
+} tp_view_vertex;
 
 #define TP_GUARD_LOG2 13        /* +-8192 px around the picture's centre */
 
@@ -45,20 +45,21 @@ typedef struct {
     tp_fx   near;
     tp_fx   zi_near;            /* 255/256 near: depth = zi_near / zi */
     int32_t u0, v0;             /* centre of the picture, 28.4 px */
-} tp_lens;
+} tp_projection;
 
-void tp_lens_init(tp_lens *lens, tp_vec3 eye, tp_turn heading, tp_turn pitch, tp_fx fov,
-                  tp_fx near, uint32_t width, uint32_t height);
+void tp_projection_init(tp_projection *projection, tp_vec3 eye, tp_turn heading,
+                        tp_turn pitch, tp_fx fov, tp_fx near, uint32_t width,
+                        uint32_t height);
 
-/* Same as tp_lens_init for any rotation, including roll; rows of `turn`: right, up,
+/* Same as tp_projection_init for any rotation, including roll; rows of `turn`: right, up,
  * backward. */
-void tp_lens_turned(tp_lens *lens, tp_vec3 eye, tp_rotation turn, tp_fx fov, tp_fx near,
-                    uint32_t width, uint32_t height);
+void tp_projection_init_turned(tp_projection *projection, tp_vec3 eye, tp_rotation turn,
+                               tp_fx fov, tp_fx near, uint32_t width, uint32_t height);
 
 /* Returns d . axis, clamped to +-32000 m.  From corner to corner, water and boats can be
  * farther apart than the range of 16.16; without the clamp they would wrap to the
  * opposite side. */
-TP_ALWAYS_INLINE int32_t tp_lens_dot(tp_vec3 d, tp_dir3 axis)
+TP_ALWAYS_INLINE int32_t tp_projection_axis(tp_vec3 d, tp_dir3 axis)
 {
     const int32_t most = 32000 * TP_FX_ONE;
     int64_t way = ((int64_t)d.x * axis.x + (int64_t)d.y * axis.y + (int64_t)d.z * axis.z
@@ -68,22 +69,24 @@ TP_ALWAYS_INLINE int32_t tp_lens_dot(tp_vec3 d, tp_dir3 axis)
 
 /* Transforms a world point to scaled view coordinates; does not write s, t and n.
  * |p - eye| < 32768 m along each world axis. */
-TP_ALWAYS_INLINE void tp_lens_view(const tp_lens *lens, tp_vec3 p, tp_view_corner *c)
+TP_ALWAYS_INLINE void tp_projection_view_vertex(const tp_projection *projection,
+                                                tp_vec3 p, tp_view_vertex *c)
 {
-    tp_vec3 d = tp_vec3_sub(p, lens->eye);
-    c->x = tp_lens_dot(d, lens->right);
-    c->y = tp_lens_dot(d, lens->up);
-    c->depth = tp_lens_dot(d, lens->ahead);
+    tp_vec3 d = tp_vec3_sub(p, projection->eye);
+    c->x = tp_projection_axis(d, projection->right);
+    c->y = tp_projection_axis(d, projection->up);
+    c->depth = tp_projection_axis(d, projection->ahead);
 }
 
 /* True if the vertex is in front of the near plane and inside the guard band, and may be
  * projected. */
-TP_ALWAYS_INLINE bool tp_lens_holds(const tp_lens *lens, const tp_view_corner *c)
+TP_ALWAYS_INLINE bool tp_projection_contains(const tp_projection *projection,
+                                             const tp_view_vertex *c)
 {
-    int shift = TP_GUARD_LOG2 - lens->m;
+    int shift = TP_GUARD_LOG2 - projection->m;
     int32_t ax = c->x < 0 ? -c->x : c->x, ay = c->y < 0 ? -c->y : c->y;
     int32_t most = (ax > ay ? ax : ay) >> shift;
-    return c->depth >= lens->near && most < c->depth;
+    return c->depth >= projection->near && most < c->depth;
 }
 
 /* Returns the upper word of a product, rounded down; a single instruction on a Cortex-M4.
@@ -125,44 +128,48 @@ TP_ALWAYS_INLINE int32_t tp_recip_fine(uint32_t n)
 
 /* Returns x r / 2^(32 + down), rounded half up.  For a positive `down` the upper word of
  * the product is enough, because a floor of a floor is exact. */
-TP_ALWAYS_INLINE int32_t tp_lens_scaled(int32_t x, int32_t r, int down, bool far)
+TP_ALWAYS_INLINE int32_t tp_projection_scale(int32_t x, int32_t r, int down, bool far)
 {
     if (far || down > 0)
         return (tp_mul_upper(x, r) + (1 << (down - 1))) >> down;
     return (int32_t)(((int64_t)x * r + ((int64_t)1 << (31 + down))) >> (32 + down));
 }
 
-/* Projects view coordinates inside the lens (tp_lens_holds).  `far`: depth >= 2^(6 + m).
+/* Projects view coordinates inside the projection (tp_projection_contains).  `far`:
+ * depth >= 2^(6 + m).
  * r is 2^62 / (depth x 2^shift); near >= 1/20 m and m <= 13, so down >= -7.  The shift of
  * zi_near loses no bits, because zi_near <= depth. */
-TP_ALWAYS_INLINE void tp_lens_project_as(const tp_lens *lens, int32_t x, int32_t y,
-                                         int32_t depth, bool far, int32_t *u, int32_t *v,
-                                         uint32_t *zi)
+TP_ALWAYS_INLINE void tp_projection_project_scaled(const tp_projection *projection,
+                                                   int32_t x, int32_t y, int32_t depth,
+                                                   bool far, int32_t *u, int32_t *v,
+                                                   uint32_t *zi)
 {
-    int shift = tp_clz((uint32_t)depth), down = 26 - lens->m - shift;
+    int shift = tp_clz((uint32_t)depth), down = 26 - projection->m - shift;
     int32_t r = tp_recip_fine((uint32_t)depth << shift);
 
-    *u = lens->u0 + tp_lens_scaled(x, r, down, far);
-    *v = lens->v0 - tp_lens_scaled(y, r, down, far);
-    *zi = (uint32_t)((uint64_t)((uint32_t)lens->zi_near << shift) * ((uint32_t)r << 1)
+    *u = projection->u0 + tp_projection_scale(x, r, down, far);
+    *v = projection->v0 - tp_projection_scale(y, r, down, far);
+    *zi = (uint32_t)((uint64_t)((uint32_t)projection->zi_near << shift) * ((uint32_t)r << 1)
                      >> 32);
 }
 
-/* Projects a vertex inside the lens (tp_lens_holds). */
-TP_ALWAYS_INLINE void tp_lens_project(const tp_lens *lens, const tp_view_corner *c,
-                                      int32_t *u, int32_t *v, uint32_t *zi)
+/* Projects a vertex inside the projection (tp_projection_contains). */
+TP_ALWAYS_INLINE void tp_projection_project(const tp_projection *projection,
+                                            const tp_view_vertex *c, int32_t *u,
+                                            int32_t *v, uint32_t *zi)
 {
-    tp_lens_project_as(lens, c->x, c->y, c->depth, false, u, v, zi);
+    tp_projection_project_scaled(projection, c->x, c->y, c->depth, false, u, v, zi);
 }
 
-void tp_corner_project(const tp_lens *lens, const tp_view_corner *from, tp_corner *to);
+void tp_view_vertex_project(const tp_projection *projection, const tp_view_vertex *from,
+                            tp_screen_vertex *to);
 
 /* Clips a triangle by the near plane and the four sides of the guard band.  Writes up to
- * TP_CLIP_CORNERS vertices of a convex polygon and returns their number (0: nothing
+ * TP_CLIP_VERTICES vertices of a convex polygon and returns their number (0: nothing
  * left).  Both triangles of a cut edge get the same new vertex. */
-#define TP_CLIP_CORNERS 9
-int tp_clip_triangle(const tp_lens *lens, const tp_view_corner in[3],
-                     tp_view_corner out[TP_CLIP_CORNERS]);
+#define TP_CLIP_VERTICES 9
+int tp_clip_triangle(const tp_projection *projection, const tp_view_vertex in[3],
+                     tp_view_vertex out[TP_CLIP_VERTICES]);
 
 /* A world plane in view coordinates: weights of x, y and depth towards the inner side,
  * Q4.28, and the signed distance of the eye, 16.16 m. */
@@ -172,25 +179,26 @@ typedef struct {
 } tp_view_plane;
 
 /* Returns the horizontal plane y = `level`; inside is above, or below for `side` = -1. */
-tp_view_plane tp_lens_level(const tp_lens *lens, tp_fx level, int side);
+tp_view_plane tp_projection_level_plane(const tp_projection *projection, tp_fx level,
+                                        int side);
 
 /* Returns the signed distance to the plane, Q.32 m; >= 0 on the inner side.  Coordinates
  * are below 2^31 and weights below 2^29, so three products and the eye's 2^59 stay within
  * 63 bits. */
 TP_ALWAYS_INLINE int64_t tp_view_height(const tp_view_plane *plane,
-                                        const tp_view_corner *c)
+                                        const tp_view_vertex *c)
 {
     return ((int64_t)plane->x * c->x + (int64_t)plane->y * c->y
             + (int64_t)plane->depth * c->depth + (int64_t)plane->eye * (1 << 28)) >> 12;
 }
 
 /* Same as tp_clip_triangle, also clipped by `plane` unless `plane` is NULL. */
-int tp_clip_triangle_plane(const tp_lens *lens, const tp_view_plane *plane,
-                        const tp_view_corner in[3], tp_view_corner out[TP_CLIP_CORNERS]);
+int tp_clip_triangle_plane(const tp_projection *projection, const tp_view_plane *plane,
+                        const tp_view_vertex in[3], tp_view_vertex out[TP_CLIP_VERTICES]);
 
 /* Returns the same view for a picture of half the width and height.  The result is exact,
  * because only the power of two in the view coordinates is halved. */
-tp_lens tp_lens_halved(const tp_lens *lens);
+tp_projection tp_projection_halve(const tp_projection *projection);
 
 /* A side of the view frustum as a half-space: a point p (world, m) is inside if
  * n . p + d >= 0. */
@@ -199,7 +207,7 @@ typedef struct {
     tp_fx   d;
 } tp_plane;
 
-#define TP_LENS_PLANES 5        /* near, left, right, bottom, top */
-void tp_lens_planes(const tp_lens *lens, uint32_t width, uint32_t height,
-                    tp_plane planes[TP_LENS_PLANES]);
+#define TP_PROJECTION_PLANES 5        /* near, left, right, bottom, top */
+void tp_projection_planes(const tp_projection *projection, uint32_t width, uint32_t height,
+                    tp_plane planes[TP_PROJECTION_PLANES]);
 #endif

@@ -11,16 +11,16 @@ static void carve_lines(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t 
     grid->cols = grid->most_cols = cols;
     grid->rows = grid->most_rows = rows;
     grid->blocks = (cols - 2) / TP_GRID_BLOCK + 1;
-    grid->column = tp_arena_take(arena, cols, sizeof *grid->column);
-    grid->row = tp_arena_take(arena, rows, sizeof *grid->row);
+    grid->column = tp_arena_alloc(arena, cols, sizeof *grid->column);
+    grid->row = tp_arena_alloc(arena, rows, sizeof *grid->row);
     grid->columns.line = grid->column;
     for (int axis = 0; axis < 3; axis++)
-        grid->columns.rest[axis] = tp_arena_take(arena, cols, sizeof(int32_t));
+        grid->columns.rest[axis] = tp_arena_alloc(arena, cols, sizeof(int32_t));
     grid->frame.most = waves;
-    grid->columns.turn = tp_arena_take(arena, cols * waves, sizeof *grid->columns.turn);
-    grid->columns.pair = tp_arena_take(arena, cols * waves, sizeof *grid->columns.pair);
-    grid->span = tp_arena_take(arena, rows - 1, sizeof *grid->span);
-    grid->box = tp_arena_take(arena, (size_t)(rows - 1) * grid->blocks,
+    grid->columns.turn = tp_arena_alloc(arena, cols * waves, sizeof *grid->columns.turn);
+    grid->columns.pair = tp_arena_alloc(arena, cols * waves, sizeof *grid->columns.pair);
+    grid->span = tp_arena_alloc(arena, rows - 1, sizeof *grid->span);
+    grid->box = tp_arena_alloc(arena, (size_t)(rows - 1) * grid->blocks,
                               sizeof *grid->box);
     grid->sheet[0] = grid->sheet[1] = grid->sheet[2] = NULL;
     grid->dry = NULL;
@@ -30,7 +30,7 @@ static void carve_lines(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t 
 void tp_grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows)
 {
     carve_lines(grid, arena, cols, rows, TP_WAVES);
-    grid->vertex = tp_arena_take(arena, (size_t)cols * rows, sizeof *grid->vertex);
+    grid->vertex = tp_arena_alloc(arena, (size_t)cols * rows, sizeof *grid->vertex);
     grid->streams = false;
     grid->window = tp_grid_window_init(NULL);
 }
@@ -42,15 +42,15 @@ void tp_grid_carve_streamed(tp_grid *grid, tp_arena *arena, uint32_t cols, uint3
     grid->vertex = NULL;
     grid->streams = true;
     grid->window = tp_grid_window_init(
-        tp_arena_take(arena, 2 * (size_t)cols, sizeof *grid->vertex));
+        tp_arena_alloc(arena, 2 * (size_t)cols, sizeof *grid->vertex));
 }
 
 void tp_grid_carve_ocean(tp_grid *grid, tp_arena *arena)
 {
     for (int k = 0; k < 3; k++)
-        grid->sheet[k] = tp_arena_take(arena, grid->cols, sizeof *grid->sheet[k]);
-    grid->dry = tp_arena_take(arena, ((size_t)grid->cols * grid->rows + 31) / 32,
-                              sizeof *grid->dry);
+        grid->sheet[k] = tp_arena_alloc(arena, grid->cols, sizeof *grid->sheet[k]);
+    grid->dry = tp_arena_alloc(arena, ((size_t)grid->cols * grid->rows + 31) / 32,
+                               sizeof *grid->dry);
 }
 
 /* -- visible cells ------------------------------------------------------------------- */
@@ -90,11 +90,11 @@ static uint32_t find_side_column(const tp_grid *grid, const tp_plane *plane, int
 
 /* Returns the cells of row j that touch the view: the cells between all planes' columns. */
 static tp_grid_span seen_cells(const tp_grid *grid, const tp_plane *planes, uint32_t j,
-                               tp_fx reach, uint32_t side[TP_LENS_PLANES])
+                               tp_fx reach, uint32_t side[TP_PROJECTION_PLANES])
 {
     uint32_t first = 0, end = grid->cols - 1;
 
-    for (int k = 0; k < TP_LENS_PLANES; k++) {
+    for (int k = 0; k < TP_PROJECTION_PLANES; k++) {
         int64_t rest = plane_rest(&planes[k], grid->row[j].place,
                                   grid->row[j + 1].place, reach);
         side[k] = find_side_column(grid, &planes[k], rest, side[k]);
@@ -146,7 +146,7 @@ static bool is_still(const tp_grid *grid, uint32_t i, uint32_t j)
     return grid->row[j].fade == 0 || grid->column[i].fade == 0;
 }
 
-static tp_view_corner make_corner(const tp_grid *grid, uint32_t i, uint32_t j)
+static tp_view_vertex make_corner(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     tp_vertex_row row;
 
@@ -154,11 +154,11 @@ static tp_view_corner make_corner(const tp_grid *grid, uint32_t i, uint32_t j)
     return tp_vertex_corner(&grid->frame, &grid->columns, &row, i, is_still(grid, i, j));
 }
 
-tp_view_corner tp_grid_corner(const tp_grid *grid, const tp_grid_vertex *vertex,
-                              uint32_t i, uint32_t j)
+tp_view_vertex tp_grid_place_vertex(const tp_grid *grid, const tp_grid_vertex *vertex,
+                                    uint32_t i, uint32_t j)
 {
     TP_ASSERT(i < grid->cols && j < grid->rows);
-    tp_view_corner c = tp_sheet_is(grid)
+    tp_view_vertex c = tp_sheet_is(grid)
                            ? grid->frame.surface->by->ocean->corner(grid, i, j)
                            : make_corner(grid, i, j);
 
@@ -305,13 +305,13 @@ static void lay(tp_grid *grid, const tp_grid_view *view)
 void tp_grid_begin(tp_grid *grid, const tp_grid_view *view)
 {
     TP_ASSERT(view->cell > 0);
-    tp_plane planes[TP_LENS_PLANES];
-    uint32_t side[TP_LENS_PLANES] = { 0 };
+    tp_plane planes[TP_PROJECTION_PLANES];
+    uint32_t side[TP_PROJECTION_PLANES] = { 0 };
     tp_vertex_frame *frame = &grid->frame;
 
     lay(grid, view);
-    tp_lens_planes(view->lens, view->width, view->height, planes);
-    frame->lens = view->lens;
+    tp_projection_planes(view->projection, view->width, view->height, planes);
+    frame->projection = view->projection;
     frame->surface = view->surface;
     tp_vertex_begin(frame, grid->column[0].place, grid->column[grid->cols - 1].place,
                     grid->row[0].place, grid->row[grid->rows - 1].place);

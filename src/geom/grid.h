@@ -69,7 +69,7 @@ void tp_grid_carve_ocean(tp_grid *grid, tp_arena *arena);
 
 /* The inputs of a grid for a frame. */
 typedef struct {
-    const tp_lens *lens;
+    const tp_projection *projection;
     const tp_surface *surface;
     uint32_t width, height;     /* size of the picture, px */
     tp_fx cell, reach;
@@ -91,7 +91,7 @@ static inline bool tp_grid_cell_is_dry(const tp_grid *grid, uint32_t i, uint32_t
         && tp_grid_is_dry(grid, i, j + 1) && tp_grid_is_dry(grid, i + 1, j + 1);
 }
 
-/* lines.c: sets the positions of the columns, or of the rows along z; returns the number
+/* grid_lines.c: sets the positions of the columns, or of the rows along z; returns the number
  * of skirt lines at each side. */
 void tp_lines_lay(tp_grid_line *line, uint32_t count, const tp_grid_view *view,
                   bool along_z);
@@ -127,6 +127,6 @@ void tp_grid_see(const tp_grid *grid, tp_grid_window *window, uint32_t j, uint32
 /* Evaluates a vertex of a visible cell again, before projection, for cells that need
  * clipping.  Lens and surface are those of the last tp_grid_place; slopes come from
  * `vertex`. */
-tp_view_corner tp_grid_corner(const tp_grid *grid, const tp_grid_vertex *vertex,
-                              uint32_t i, uint32_t j);
+tp_view_vertex tp_grid_place_vertex(const tp_grid *grid, const tp_grid_vertex *vertex,
+                                    uint32_t i, uint32_t j);
 #endif

@@ -11,27 +11,31 @@ static int64_t shifted(int64_t x, int right)
 /* -- sums ------------------------------------------------------------------------------ */
 
 /* Returns d . n as a sum over X and Y. focal is below 2^14 px, so a sum has 46 bits. */
-static tp_level_sum make_sum(const tp_lens *lens, tp_dir3 n)
+static tp_level_sum make_sum(const tp_projection *projection, tp_dir3 n)
 {
-    tp_q30 right = tp_dir3_dot(lens->turn.x, n), up = tp_dir3_dot(lens->turn.y, n);
-    tp_q30 ahead = tp_dir3_dot(lens->ahead, n);
+    tp_q30 right = tp_dir3_dot(projection->turn.x, n),
+           up = tp_dir3_dot(projection->turn.y, n);
+    tp_q30 ahead = tp_dir3_dot(projection->ahead, n);
 
     return (tp_level_sum){
-        ((int64_t)lens->focal * ahead >> 16)
-            + (((int64_t)(8 - lens->u0) * right + (int64_t)(lens->v0 - 8) * up) >> 4),
-        right, -(int64_t)up,
+        ((int64_t)projection->focal * ahead >> 16)
+            + (((int64_t)(8 - projection->u0) * right
+                + (int64_t)(projection->v0 - 8) * up)
+               >> 4),
+        right,
+        -(int64_t)up,
     };
 }
 
 /* Returns near / depth as a sum: near / (h focal) times -d.y.  `over` has the quotient's
  * 31 upper bits: with h and focal in 16.16 and near / over in Q.30, zi in Q1.43 is down
  * over / 2^right. */
-static tp_level_sum make_zi_sum(const tp_lens *lens, const tp_level_sum *down)
+static tp_level_sum make_zi_sum(const tp_projection *projection, const tp_level_sum *down)
 {
-    uint64_t under = (uint64_t)lens->eye.y * (uint32_t)lens->focal;
+    uint64_t under = (uint64_t)projection->eye.y * (uint32_t)projection->focal;
     int      up = under >> 32 ? tp_clz((uint32_t)(under >> 32))
                               : 32 + tp_clz((uint32_t)under);
-    uint64_t over = (uint64_t)lens->zi_near
+    uint64_t over = (uint64_t)projection->zi_near
                   * tp_recip_norm((uint32_t)(under << up >> 32));
     int      right = 66 - up;
 
@@ -46,26 +50,27 @@ static tp_level_sum make_zi_sum(const tp_lens *lens, const tp_level_sum *down)
 /* Returns the inside of the plane through the eye and a side of the water.  `way`:
  * distance of the side from the eye along x or z, m; `sign`: direction of the side on
  * that axis. */
-static tp_level_sum make_side_sum(const tp_lens *lens, int sign, int64_t way, bool along_z)
+static tp_level_sum make_side_sum(const tp_projection *projection, int sign, int64_t way,
+                                  bool along_z)
 {
-    tp_fx h = lens->eye.y * -sign, w = tp_fx_held(way * -sign);
-    return make_sum(lens, along_z ? tp_normalise(0, w, h) : tp_normalise(h, w, 0));
+    tp_fx h = projection->eye.y * -sign, w = tp_fx_saturate(way * -sign);
+    return make_sum(projection, along_z ? tp_normalise(0, w, h) : tp_normalise(h, w, 0));
 }
 
-void tp_level_begin(tp_level *level, const tp_lens *lens, const tp_grid_extent *across,
-                    const tp_grid_extent *along)
+void tp_level_begin(tp_level *level, const tp_projection *projection,
+                    const tp_grid_extent *across, const tp_grid_extent *along)
 {
-    const tp_vec3 *eye = &lens->eye;
+    const tp_vec3 *eye = &projection->eye;
 
     TP_ASSERT(eye->y >= TP_LEVEL_HEIGHT);
-    level->down = make_sum(lens, (tp_dir3){ 0, -TP_Q30_ONE, 0 });
-    level->east = make_sum(lens, (tp_dir3){ TP_Q30_ONE, 0, 0 });
-    level->south = make_sum(lens, (tp_dir3){ 0, 0, TP_Q30_ONE });
-    level->zi = make_zi_sum(lens, &level->down);
-    level->side[0] = make_side_sum(lens, -1, (int64_t)across->first - eye->x, false);
-    level->side[1] = make_side_sum(lens, 1, (int64_t)across->last - eye->x, false);
-    level->side[2] = make_side_sum(lens, -1, (int64_t)along->first - eye->z, true);
-    level->side[3] = make_side_sum(lens, 1, (int64_t)along->last - eye->z, true);
+    level->down = make_sum(projection, (tp_dir3){ 0, -TP_Q30_ONE, 0 });
+    level->east = make_sum(projection, (tp_dir3){ TP_Q30_ONE, 0, 0 });
+    level->south = make_sum(projection, (tp_dir3){ 0, 0, TP_Q30_ONE });
+    level->zi = make_zi_sum(projection, &level->down);
+    level->side[0] = make_side_sum(projection, -1, (int64_t)across->first - eye->x, false);
+    level->side[1] = make_side_sum(projection, 1, (int64_t)across->last - eye->x, false);
+    level->side[2] = make_side_sum(projection, -1, (int64_t)along->first - eye->z, true);
+    level->side[3] = make_side_sum(projection, 1, (int64_t)along->last - eye->z, true);
     level->side[4] = (tp_level_sum){
         ((int64_t)255 << (23 + TP_LEVEL_ZI)) - level->zi.at, -level->zi.x, -level->zi.y,
     };

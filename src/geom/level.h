@@ -35,8 +35,8 @@ typedef struct {
 #define TP_LEVEL_HEIGHT TP_FX(0.0625)   /* smallest height of the eye, m */
 
 /* Sets up the sums. The eye is at least TP_LEVEL_HEIGHT above the level. */
-void tp_level_begin(tp_level *level, const tp_lens *lens, const tp_grid_extent *across,
-                    const tp_grid_extent *along);
+void tp_level_begin(tp_level *level, const tp_projection *projection,
+                    const tp_grid_extent *across, const tp_grid_extent *along);
 
 TP_ALWAYS_INLINE int64_t tp_level_evaluate(const tp_level_sum *sum, int32_t x, int32_t y)
 {

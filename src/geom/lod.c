@@ -10,20 +10,24 @@ typedef struct {
     int64_t ahead, aside, down;
 } ray;
 
-static int64_t along(const tp_lens *lens, int32_t u, int32_t v, tp_q30 right, tp_q30 up,
-                     tp_q30 ahead)
+static int64_t along(const tp_projection *projection, int32_t u, int32_t v, tp_q30 right,
+                     tp_q30 up, tp_q30 ahead)
 {
-    return ((int64_t)lens->focal * ahead + (int64_t)u * 4096 * right
+    return ((int64_t)projection->focal * ahead + (int64_t)u * 4096 * right
             + (int64_t)v * 4096 * up) >> 30;
 }
 
 /* Returns the ray through a corner (u, v) of the picture, 28.4 px from its centre, for
  * the heading (hx, hz). */
-static ray corner_ray(const tp_lens *lens, int32_t u, int32_t v, tp_q30 hx, tp_q30 hz)
+static ray corner_ray(const tp_projection *projection, int32_t u, int32_t v, tp_q30 hx,
+                      tp_q30 hz)
 {
-    int64_t x = along(lens, u, v, lens->turn.x.x, lens->turn.y.x, lens->ahead.x);
-    int64_t y = along(lens, u, v, lens->turn.x.y, lens->turn.y.y, lens->ahead.y);
-    int64_t z = along(lens, u, v, lens->turn.x.z, lens->turn.y.z, lens->ahead.z);
+    int64_t x = along(projection, u, v, projection->turn.x.x, projection->turn.y.x,
+                      projection->ahead.x);
+    int64_t y = along(projection, u, v, projection->turn.x.y, projection->turn.y.y,
+                      projection->ahead.y);
+    int64_t z = along(projection, u, v, projection->turn.x.z, projection->turn.y.z,
+                      projection->ahead.z);
     int64_t aside = (x * hz - z * hx) >> 30;
 
     return (ray){ (x * hx + z * hz) >> 30, aside < 0 ? -aside : aside, -y };
@@ -31,14 +35,15 @@ static ray corner_ray(const tp_lens *lens, int32_t u, int32_t v, tp_q30 hx, tp_q
 
 /* Returns the widest tangent between the heading and a corner of the picture, 0 if a ray
  * leads backwards. *down: the steepest fall of a ray, px. */
-static tp_fx find_widest(const tp_lens *lens, tp_dir3 heading, int64_t *down)
+static tp_fx find_widest(const tp_projection *projection, tp_dir3 heading, int64_t *down)
 {
     tp_fx wide = 1;
 
     *down = 1;
     for (int k = 0; k < 4; k++) {
-        ray r = corner_ray(lens, k & 1 ? lens->u0 : -lens->u0, k & 2 ? lens->v0 : -lens->v0,
-                       heading.x, heading.z);
+        ray r =
+            corner_ray(projection, k & 1 ? projection->u0 : -projection->u0,
+                       k & 2 ? projection->v0 : -projection->v0, heading.x, heading.z);
         *down = r.down > *down ? r.down : *down;
         if (r.ahead <= 0 || r.aside >= r.ahead * 64)
             return 0;
@@ -52,35 +57,38 @@ static tp_fx find_widest(const tp_lens *lens, tp_dir3 heading, int64_t *down)
  * sin belong to the angle between the heading and the direction of a side's lines, tan is
  * the view's widest tangent.  If cos + sin tan <= 0 the lines are not visible and the
  * rate is the maximum. */
-static int32_t side_rate(const tp_lens *lens, tp_fx wide, tp_q30 cosine, tp_q30 sine)
+static int32_t side_rate(const tp_projection *projection, tp_fx wide, tp_q30 cosine,
+                         tp_q30 sine)
 {
     int64_t share = cosine + ((int64_t)tp_abs(sine) * wide >> 16);     /* Q.30 */
     int64_t most = (int64_t)1 << 24;
 
     if (wide == 0 || share <= 0)
         return wide == 0 ? 0 : (int32_t)most;
-    int64_t rate = ((int64_t)TP_LOD_PIXELS << 46) / ((lens->focal * (share >> 4)) >> 20);
+    int64_t rate =
+        ((int64_t)TP_LOD_PIXELS << 46) / ((projection->focal * (share >> 4)) >> 20);
     return (int32_t)(rate < most ? rate : most);
 }
 
 /* Sets the step limits of both axes, for water no higher than `height`. */
-static void begin(tp_thinning lod[2], const tp_lens *lens, tp_fx height, tp_fx cell)
+static void begin(tp_thinning lod[2], const tp_projection *projection, tp_fx height,
+                  tp_fx cell)
 {
-    tp_dir3 heading = tp_normalise(lens->ahead.x, 0, lens->ahead.z);
+    tp_dir3 heading = tp_normalise(projection->ahead.x, 0, projection->ahead.z);
     int64_t down;
-    tp_fx   wide = find_widest(lens, heading, &down);
-    tp_fx   over = lens->eye.y - height;
+    tp_fx   wide = find_widest(projection, heading, &down);
+    tp_fx   over = projection->eye.y - height;
     int64_t least = over > 0 ? (int64_t)over * TP_LOD_PIXELS * TP_FX_ONE / down : 0;
 
     lod[0] = (tp_thinning){
-        lens->eye.x, cell, tp_fx_held(least),
-        { side_rate(lens, wide, -heading.x, heading.z),
-          side_rate(lens, wide, heading.x, heading.z) },
+        projection->eye.x, cell, tp_fx_saturate(least),
+        { side_rate(projection, wide, -heading.x, heading.z),
+          side_rate(projection, wide, heading.x, heading.z) },
     };
     lod[1] = (tp_thinning){
-        lens->eye.z, cell, tp_fx_held(least),
-        { side_rate(lens, wide, -heading.z, heading.x),
-          side_rate(lens, wide, heading.z, heading.x) },
+        projection->eye.z, cell, tp_fx_saturate(least),
+        { side_rate(projection, wide, -heading.z, heading.x),
+          side_rate(projection, wide, heading.z, heading.x) },
     };
 }
 
@@ -89,7 +97,7 @@ tp_fx tp_lod_step(const tp_thinning *lod, tp_fx place)
     int64_t way = (int64_t)place - lod->eye;
     int64_t step = (way < 0 ? -way : way) * lod->rate[way >= 0] >> 24;
 
-    return tp_fx_held(step > lod->least ? step : lod->least);
+    return tp_fx_saturate(step > lod->least ? step : lod->least);
 }
 
 /* -- lines ----------------------------------------------------------------------------- */
@@ -125,7 +133,7 @@ static uint32_t thin(const tp_thinning *lod, tp_grid_line *line, uint32_t count,
 
 void tp_lod_thin(tp_grid *grid, const tp_grid_view *view)
 {
-    begin(grid->lod, view->lens, tp_surface_height(view->surface), view->cell);
+    begin(grid->lod, view->projection, tp_surface_height(view->surface), view->cell);
     grid->cols = thin(&grid->lod[0], grid->column, grid->cols,
                       tp_lines_flank(grid->cols, view));
     grid->rows = thin(&grid->lod[1], grid->row, grid->rows,
@@ -134,7 +142,7 @@ void tp_lod_thin(tp_grid *grid, const tp_grid_view *view)
 
 void tp_lod_carve(tp_grid *grid, tp_arena *arena)
 {
-    struct tp_thinning *lod = tp_arena_take(arena, 2, sizeof *lod);
+    struct tp_thinning *lod = tp_arena_alloc(arena, 2, sizeof *lod);
     if (lod)                    /* NULL if the arena only counts bytes */
         grid->lod = lod;
 }

@@ -115,16 +115,16 @@ static uint32_t after(uint32_t k, uint32_t count)
     return k + 1 < count ? k + 1 : k;
 }
 
-static void place(const tp_lens *lens, tp_vec3 at, const int16_t slope[3],
+static void place(const tp_projection *projection, tp_vec3 at, const int16_t slope[3],
                   tp_grid_vertex *to)
 {
-    tp_view_corner c;
+    tp_view_vertex c;
 
-    tp_lens_view(lens, at, &c);
+    tp_projection_view_vertex(projection, at, &c);
     to->slope_x = slope[0];
     to->slope_z = slope[1];
-    if (tp_lens_holds(lens, &c))
-        tp_lens_project(lens, &c, &to->u, &to->v, &to->zi);
+    if (tp_projection_contains(projection, &c))
+        tp_projection_project(projection, &c, &to->u, &to->v, &to->zi);
     else
         to->u = TP_GRID_CUT;
 }
@@ -143,19 +143,19 @@ void tp_sheet_place_row(tp_grid *grid, uint32_t j, tp_grid_span needed)
                                     grid->sheet[near % 3][i], grid->sheet[far % 3][i] };
         int16_t slope[3];
         tp_vec3 at = finished(around, grid, row[i], vertex_fade(grid, i, j), slope);
-        place(grid->frame.lens, at, slope, &grid->vertex[(size_t)j * grid->cols + i]);
+        place(grid->frame.projection, at, slope, &grid->vertex[(size_t)j * grid->cols + i]);
     }
 }
 
-tp_view_corner tp_sheet_corner(const tp_grid *grid, uint32_t i, uint32_t j)
+tp_view_vertex tp_sheet_corner(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     const tp_surface *surface = grid->frame.surface;
     tp_vec3 at = displaced(grid, i, j, NULL);
-    tp_view_corner c = { .s = grid->column[i].place, .t = grid->row[j].place };
+    tp_view_vertex c = { .s = grid->column[i].place, .t = grid->row[j].place };
 
     if (tp_surface_has_relief(surface))
         at.y +=
             tp_surface_relief_faded(surface, at.x, at.z, vertex_fade(grid, i, j)).height;
-    tp_lens_view(grid->frame.lens, at, &c);
+    tp_projection_view_vertex(grid->frame.projection, at, &c);
     return c;
 }

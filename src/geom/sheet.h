@@ -18,5 +18,5 @@ tp_grid_span tp_grid_needed(const tp_grid *grid, uint32_t j);
 void tp_sheet_place_row(tp_grid *grid, uint32_t j, tp_grid_span needed);
 
 /* Returns a vertex before projection; its slopes stay 0. */
-tp_view_corner tp_sheet_corner(const tp_grid *grid, uint32_t i, uint32_t j);
+tp_view_vertex tp_sheet_corner(const tp_grid *grid, uint32_t i, uint32_t j);
 #endif

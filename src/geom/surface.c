@@ -84,8 +84,8 @@ typedef struct {
 static void go(search *s, int64_t error, int64_t by, tp_fx place, tp_fx reach)
 {
     int64_t step = error - by * (s->step + error - s->error) / 256;
-    int64_t off = tp_limit(s->at + step - place, reach);
-    tp_fx   to = tp_fx_held(place + off);
+    int64_t off = tp_clamp_abs(s->at + step - place, reach);
+    tp_fx   to = tp_fx_saturate(place + off);
 
     s->step = (int64_t)to - s->at;
     s->error = error;

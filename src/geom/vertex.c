@@ -146,7 +146,7 @@ static inline int32_t larger(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-/* True if the whole run is inside the lens and far away.  Both undisplaced ends of the
+/* True if the whole run is inside the projection and far away.  Both undisplaced ends of the
  * run must be, with a margin above any displacement.  Between the ends, positions change
  * in a single direction. */
 static bool is_far(const tp_vertex_place_of *place)
@@ -168,29 +168,32 @@ static bool is_far(const tp_vertex_place_of *place)
     }
     int32_t least = (end[2][0] < end[2][1] ? end[2][0] : end[2][1]) - frame->margin;
     return least >= frame->far
-        && (most + frame->margin) >> (TP_GUARD_LOG2 - frame->lens->m) < least;
+           && (most + frame->margin) >> (TP_GUARD_LOG2 - frame->projection->m) < least;
 }
 
-static void project_far(const tp_lens *lens, const tp_vertex_run *from, uint32_t count,
-                        tp_grid_vertex *to)
+static void project_far(const tp_projection *projection, const tp_vertex_run *from,
+                        uint32_t count, tp_grid_vertex *to)
 {
-    const tp_lens local = { .m = lens->m, .zi_near = lens->zi_near,
-                            .u0 = lens->u0, .v0 = lens->v0 };
+    const tp_projection local = { .m = projection->m,
+                                  .zi_near = projection->zi_near,
+                                  .u0 = projection->u0,
+                                  .v0 = projection->v0 };
     const int32_t *at = from->at[0];
 
     for (uint32_t i = count; i > 0; i--, to++, at++)
-        tp_lens_project_as(&local, at[0], at[TP_VERTEX_RUN], at[2 * TP_VERTEX_RUN], true,
-                           &to->u, &to->v, &to->zi);
+        tp_projection_project_scaled(&local, at[0], at[TP_VERTEX_RUN],
+                                     at[2 * TP_VERTEX_RUN], true, &to->u, &to->v,
+                                     &to->zi);
 }
 
-static void project_any(const tp_lens *lens, const tp_vertex_run *from, uint32_t count,
-                        tp_grid_vertex *to)
+static void project_any(const tp_projection *projection, const tp_vertex_run *from,
+                        uint32_t count, tp_grid_vertex *to)
 {
     for (uint32_t i = 0; i < count; i++, to++) {
-        const tp_view_corner c = { .x = from->at[0][i], .y = from->at[1][i],
+        const tp_view_vertex c = { .x = from->at[0][i], .y = from->at[1][i],
                                    .depth = from->at[2][i] };
-        if (tp_lens_holds(lens, &c))
-            tp_lens_project(lens, &c, &to->u, &to->v, &to->zi);
+        if (tp_projection_contains(projection, &c))
+            tp_projection_project(projection, &c, &to->u, &to->v, &to->zi);
         else
             to->u = TP_GRID_CUT;
     }
@@ -232,12 +235,12 @@ void tp_vertex_place(const tp_vertex_frame *frame, const tp_vertex_columns *colu
 
     displace(&place, true, &run, vertex);
     if (is_far(&place))
-        project_far(frame->lens, &run, count, vertex);
+        project_far(frame->projection, &run, count, vertex);
     else
-        project_any(frame->lens, &run, count, vertex);
+        project_any(frame->projection, &run, count, vertex);
 }
 
-tp_view_corner tp_vertex_corner(const tp_vertex_frame *frame,
+tp_view_vertex tp_vertex_corner(const tp_vertex_frame *frame,
                                 const tp_vertex_columns *columns,
                                 const tp_vertex_row *row, uint32_t column, bool still)
 {
@@ -246,7 +249,7 @@ tp_view_corner tp_vertex_corner(const tp_vertex_frame *frame,
     tp_vertex_run run;
 
     displace(&place, false, &run, &vertex);
-    return (tp_view_corner){
+    return (tp_view_vertex){
         .x = run.at[0][0], .y = run.at[1][0], .depth = run.at[2][0],
         .s = columns->line[column].place, .t = row->line.place,
     };

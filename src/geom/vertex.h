@@ -53,7 +53,7 @@ typedef struct {
 struct tp_thinning;                     /* defined in geom/lod.h */
 
 typedef struct {
-    const tp_lens    *lens;
+    const tp_projection    *projection;
     const tp_surface *surface;
     const struct tp_thinning *lod;      /* for columns and rows; NULL: all lines are kept */
     tp_vertex_swell   swell[TP_WAVES];
@@ -88,7 +88,7 @@ typedef struct {
     tp_vertex_tilt tilt[TP_WAVES];
 } tp_vertex_row;
 
-/* Starts a frame for water in x0..x1 and z0..z1.  The caller sets lens, surface and lod;
+/* Starts a frame for water in x0..x1 and z0..z1.  The caller sets projection, surface and lod;
  * the function sets all other members. */
 void tp_vertex_begin(tp_vertex_frame *frame, tp_fx x0, tp_fx x1, tp_fx z0, tp_fx z1);
 
@@ -130,7 +130,7 @@ void tp_vertex_place(const tp_vertex_frame *frame, const tp_vertex_columns *colu
 
 /* Returns a vertex before projection, with the same bits that tp_vertex_place projects;
  * its slopes stay 0.  The row needs no tilts. */
-tp_view_corner tp_vertex_corner(const tp_vertex_frame *frame,
+tp_view_vertex tp_vertex_corner(const tp_vertex_frame *frame,
                                 const tp_vertex_columns *columns,
                                 const tp_vertex_row *row, uint32_t column, bool still);
 #endif

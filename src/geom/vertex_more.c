@@ -96,7 +96,7 @@ void tp_run_sharpen(const tp_vertex_place_of *place, tp_vertex_run *run,
         };
         tp_set_slopes(&j, frame->tilt, sea->crossed, &vertex[i]);
     }
-    if (frame->lens->lean != 0)
+    if (frame->projection->lean != 0)
         lean_sharpened(place, run);
 }
 
@@ -134,14 +134,14 @@ static void lean_relief(const tp_vertex_place_of *place, tp_vertex_run *run)
         displace_vertex(place, i, &x, &z);
         const tp_relief relief = tp_surface_relief_faded(place->frame->surface, x, z,
                                                          vertex_fade(place, i));
-        run->at[0][i] += tp_q30_mul(relief.height, place->frame->lens->lean);
+        run->at[0][i] += tp_q30_mul(relief.height, place->frame->projection->lean);
     }
 }
 
 void tp_run_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
                    tp_grid_vertex *vertex)
 {
-    const tp_lens *lens = place->frame->lens;
+    const tp_projection *projection = place->frame->projection;
 
     for (uint32_t i = 0; i < place->count; i++) {
         tp_fx x, z;
@@ -149,13 +149,13 @@ void tp_run_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
                                place->columns->line[place->first + i].fade);
         displace_vertex(place, i, &x, &z);
         tp_relief relief = tp_surface_relief_faded(place->frame->surface, x, z, fade);
-        run->at[1][i] += tp_q30_mul(relief.height, lens->up.y);
-        run->at[2][i] += tp_q30_mul(relief.height, lens->ahead.y);
+        run->at[1][i] += tp_q30_mul(relief.height, projection->up.y);
+        run->at[2][i] += tp_q30_mul(relief.height, projection->ahead.y);
         vertex[i].slope_x = tp_saturated(vertex[i].slope_x
                                          + ((relief.slope_x + 8) >> 4));
         vertex[i].slope_z = tp_saturated(vertex[i].slope_z
                                          + ((relief.slope_z + 8) >> 4));
     }
-    if (lens->lean != 0)
+    if (projection->lean != 0)
         lean_relief(place, run);
 }

@@ -21,16 +21,16 @@ static int32_t tilted(tp_q30 slope, int tilt)
 
 static tp_vertex_swell project_swell(const tp_vertex_frame *frame, const tp_swell *w)
 {
-    const tp_lens *lens = frame->lens;
+    const tp_projection *projection = frame->projection;
     bool crossed = frame->surface->sea->crossed;
 
     return (tp_vertex_swell){
-        .x = along(w->reach_x, lens->right.x, w->reach_z, lens->right.z),
-        .y = along(w->reach_x, lens->up.x, w->reach_z, lens->up.z),
-        .depth = along(w->reach_x, lens->ahead.x, w->reach_z, lens->ahead.z),
-        .rise_x = along(w->amplitude, lens->lean, 0, 0),
-        .rise_y = along(w->amplitude, lens->up.y, 0, 0),
-        .rise_depth = along(w->amplitude, lens->ahead.y, 0, 0),
+        .x = along(w->reach_x, projection->right.x, w->reach_z, projection->right.z),
+        .y = along(w->reach_x, projection->up.x, w->reach_z, projection->up.z),
+        .depth = along(w->reach_x, projection->ahead.x, w->reach_z, projection->ahead.z),
+        .rise_x = along(w->amplitude, projection->lean, 0, 0),
+        .rise_y = along(w->amplitude, projection->up.y, 0, 0),
+        .rise_depth = along(w->amplitude, projection->ahead.y, 0, 0),
         .tilt_x = tilted(w->slope_x, frame->tilt),
         .tilt_z = tilted(w->slope_z, frame->tilt),
         .bend_xx = ((crossed ? w->bend_xx : w->bend) + 1) >> 1,
@@ -59,12 +59,12 @@ static int choose_tilt_bits(const tp_sea *sea)
 
 /* -- rest positions -------------------------------------------------------------------- */
 
-/* Computes the view coordinates of a vector.  Rows of the lens are no longer than 1.42,
+/* Computes the view coordinates of a vector.  Rows of the projection are no longer than 1.42,
  * and the eye is at most 24 km from water. */
 static void transform_to_view(const tp_vertex_frame *frame, tp_vec3 d, int32_t rest[3])
 {
-    const tp_lens *lens = frame->lens;
-    const tp_dir3 axis[3] = { lens->right, lens->up, lens->ahead };
+    const tp_projection *projection = frame->projection;
+    const tp_dir3 axis[3] = { projection->right, projection->up, projection->ahead };
     int down = frame->wide ? 32 : 30;
 
     for (int i = 0; i < 3; i++) {
@@ -77,12 +77,12 @@ static void transform_to_view(const tp_vertex_frame *frame, tp_vec3 d, int32_t r
 
 void tp_vertex_rest_x(const tp_vertex_frame *frame, tp_fx x, int32_t rest[3])
 {
-    transform_to_view(frame, (tp_vec3){ x - frame->lens->eye.x, 0, 0 }, rest);
+    transform_to_view(frame, (tp_vec3){ x - frame->projection->eye.x, 0, 0 }, rest);
 }
 
 void tp_vertex_rest_z(const tp_vertex_frame *frame, tp_fx z, int32_t rest[3])
 {
-    const tp_vec3 *eye = &frame->lens->eye;
+    const tp_vec3 *eye = &frame->projection->eye;
     transform_to_view(frame, (tp_vec3){ 0, -eye->y, z - eye->z }, rest);
 }
 
@@ -116,9 +116,9 @@ void tp_vertex_begin(tp_vertex_frame *frame, tp_fx x0, tp_fx x1, tp_fx z0, tp_fx
         frame->count = 0;
     frame->reach = tp_surface_height(frame->surface) + tp_surface_reach(frame->surface);
     frame->margin = frame->reach + frame->reach / 2 + 4;
-    frame->far = 1 << (6 + frame->lens->m);
-    if (frame->far < frame->lens->near)
-        frame->far = frame->lens->near;
+    frame->far = 1 << (6 + frame->projection->m);
+    if (frame->far < frame->projection->near)
+        frame->far = frame->projection->near;
     frame->wide = is_wide(frame, x, z);
     if (frame->count > 0)
         frame->surface->by->swells->begin(frame);

@@ -56,6 +56,6 @@ struct tp_water_ocean {
     tp_floor_at (*floor)(const tp_ocean *ocean, tp_fx x, tp_fx z);
     void (*carve)(tp_grid *grid, tp_arena *arena);
     void (*row)(tp_grid *grid, uint32_t j, tp_grid_span needed);
-    tp_view_corner (*corner)(const tp_grid *grid, uint32_t i, uint32_t j);
+    tp_view_vertex (*corner)(const tp_grid *grid, uint32_t i, uint32_t j);
 };
 #endif

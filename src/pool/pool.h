@@ -100,7 +100,7 @@ tp_status tp_pool_init(tp_pool *pool, const tp_pool_config *config, tp_error *er
 /* Applies the fields of a config that may change while the water moves: courant, damping,
  * sponge width, position and drive.  Returns false and changes nothing if the config is not
  * valid or describes another block. */
-bool tp_pool_tune(tp_pool *pool, const tp_pool_config *config);
+bool tp_pool_set_config(tp_pool *pool, const tp_pool_config *config);
 
 /* Computes one tick.  Accepts an r2q beyond the bound, set by hand: charts show the
  * result. */
@@ -116,7 +116,7 @@ tp_relief tp_pool_relief(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx back);
 /* Makes a splash of zero sum [C11] [D5]: `height` m in the middle, width sigma m (at least
  * 1.5 cells).  A part inside walls or outside of the field is left out, and the rest is
  * balanced to sum 0 again.  Returns false if the middle lies outside or in a wall. */
-bool tp_pool_hat(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx height);
+bool tp_pool_add_splash(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx height);
 
 /* Finds the cell at a point.  Returns false outside of the field or in a wall. */
 bool tp_pool_cell(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col, uint32_t *row);
@@ -142,7 +142,7 @@ typedef struct {
     int32_t  fastest;
     bool     at_rest;
 } tp_pool_state;
-tp_pool_state tp_pool_look(const tp_pool *pool);
+tp_pool_state tp_pool_stats(const tp_pool *pool);
 
 /* -- private to src/pool ------------------------------------------------------------- */
 

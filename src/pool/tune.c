@@ -9,7 +9,7 @@ static bool is_same_block(const tp_pool *pool, const tp_pool_config *c)
         && (pool->range == c->range || pool->cells == TP_CELLS_32);
 }
 
-bool tp_pool_tune(tp_pool *pool, const tp_pool_config *config)
+bool tp_pool_set_config(tp_pool *pool, const tp_pool_config *config)
 {
     if (!is_same_block(pool, config) || tp_pool_check(config, NULL) != TP_OK)
         return false;
@@ -35,6 +35,6 @@ tp_fx tp_pool_highest(const tp_pool *pool)
 {
     if (pool->cells != TP_CELLS_32)
         return pool->range;
-    tp_pool_state state = tp_pool_look(pool);
+    tp_pool_state state = tp_pool_stats(pool);
     return (tp_fx)((((int64_t)state.highest + state.fastest) >> 8) + 1);
 }

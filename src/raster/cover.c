@@ -5,7 +5,7 @@
  * and deep enough to show perspective: there s and t are exact at multiples of 16 rows
  * and at the ends of the piece, and linear between.  Every piece counts from its own
  * upper end, independent of the tile. */
-#include "raster/piece.h"
+#include "raster/row_piece.h"
 
 #define FEW  2                  /* rows up to this number are computed one by one */
 #define DEEP 4                  /* from this number of rows on, perspective is tested */
@@ -47,7 +47,7 @@ TP_ALWAYS_INLINE void step_rows(sample *p, const sample *step, uint32_t rows)
 }
 
 /* Fills rows [y, end); `now` is the sample at row `top`. */
-TP_ALWAYS_INLINE void fill(const tp_samples *tile, int32_t x, int32_t y, int32_t end,
+TP_ALWAYS_INLINE void fill(const tp_gbuffer *tile, int32_t x, int32_t y, int32_t end,
                            int32_t top, sample now, sample step, bool tested)
 {
     const size_t plane = plane_stride(tile), stride = tile->stride;
@@ -61,7 +61,7 @@ TP_ALWAYS_INLINE void fill(const tp_samples *tile, int32_t x, int32_t y, int32_t
     }
 }
 
-static __attribute__((noinline)) void fill_tested(const tp_samples *tile, int32_t x,
+static __attribute__((noinline)) void fill_tested(const tp_gbuffer *tile, int32_t x,
                                                   int32_t y, int32_t end, int32_t top,
                                                   const sample *now, const sample *step)
 {
@@ -151,7 +151,7 @@ TP_ALWAYS_INLINE void fill_few(const tp_rows *rows, const tp_row_sample *near,
                                const tp_row_sample *far, int32_t x, int32_t y,
                                int32_t end)
 {
-    const tp_samples *tile = rows->tile;
+    const tp_gbuffer *tile = rows->tile;
     const size_t plane = plane_stride(tile);
     const uint32_t inverse = 0x7fffffffu / ((uint32_t)(near->v - far->v) >> 8);
     const int32_t dz = difference((int32_t)far->zi, (int32_t)near->zi);
@@ -210,7 +210,7 @@ void tp_row_piece(const tp_rows *rows, const tp_row_sample *near,
 void tp_row_start(tp_rows *rows, tp_row_column *column, const tp_row_sample *line,
                   bool joined)
 {
-    const tp_samples *tile = rows->tile;
+    const tp_gbuffer *tile = rows->tile;
     int32_t top = first_row(line->v), y = top > tile->y0 ? top : tile->y0;
     int32_t end = (column->limit + ROW / 2) >> 16;
     const sample p = { make_water_key(line->zi), (uint32_t)line->s, (uint32_t)line->t,

@@ -34,28 +34,29 @@ typedef struct {
     uint32_t *t;                /* water: rest z, 16.16 m; solids: face number */
     uint32_t *n;                /* water: slopes x:z, Q3.12 each; solids: packed normal */
     bool      front_only;       /* skip triangles with area >= 0, see tp_tri_area */
-} tp_samples;
+} tp_gbuffer;
 
-void tp_samples_clear(const tp_samples *tile);
+void tp_gbuffer_clear(const tp_gbuffer *tile);
 
-/* Draws a water triangle. Vertices come from tp_lens_project and tp_clip_triangle. */
-void tp_tri_water(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
-                  const tp_corner *c);
+/* Draws a water triangle. Vertices come from tp_projection_project and tp_clip_triangle. */
+void tp_tri_water(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                  const tp_screen_vertex *b, const tp_screen_vertex *c);
 
 /* Draws a solid triangle.  `mark`: stencil value; `face`: face number in the samples;
  * `opacity`: number of pixels drawn out of 16, in an ordered pattern. */
-void tp_tri_solid(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
-                  const tp_corner *c, uint32_t mark, uint32_t face, int opacity);
+void tp_tri_solid(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                  const tp_screen_vertex *b, const tp_screen_vertex *c, uint32_t mark,
+                  uint32_t face, int opacity);
 
 /* Draws a lid, after the solids.  A lid writes depth only: a solid sample behind the lid
  * gets the lid's depth and keeps its stencil.  Water behind the lid is then hidden, and
  * water in front of the lid is drawn. */
-void tp_tri_lid(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
-                const tp_corner *c);
+void tp_tri_lid(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                const tp_screen_vertex *b, const tp_screen_vertex *c);
 
 /* Returns twice the signed area, 1/256 square px; negative for a front face. */
-static inline int64_t tp_tri_area(const tp_corner *a, const tp_corner *b,
-                                  const tp_corner *c)
+static inline int64_t tp_tri_area(const tp_screen_vertex *a, const tp_screen_vertex *b,
+                                  const tp_screen_vertex *c)
 {
     return (int64_t)(b->u - a->u) * (c->v - a->v)
          - (int64_t)(c->u - a->u) * (b->v - a->v);

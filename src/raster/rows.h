@@ -40,7 +40,7 @@ typedef struct {
 #define TP_ROW_NONE (-(1 << 30))  /* below all lines, by less than 2^31 */
 
 typedef struct {
-    const tp_samples *tile;
+    const tp_gbuffer *tile;
     tp_row_column    *column;   /* a state for each column of the tile */
     int32_t x0, x1;             /* columns to walk, x1 not included */
     int32_t open;               /* columns of the tile not yet covered to its upper edge */
@@ -52,7 +52,7 @@ size_t tp_rows_bytes(uint32_t columns);         /* size of the columns' states *
 /* Begins a tile.  `memory`: tp_rows_bytes(x1 - x0) bytes, aligned to 4.  `solid`: the
  * tile may already have samples.  Of the lines below the tile only the last is needed,
  * and only in columns where the next line is not below: limit x0 and x1 accordingly. */
-void tp_rows_begin(tp_rows *rows, const tp_samples *tile, void *memory, bool solid);
+void tp_rows_begin(tp_rows *rows, const tp_gbuffer *tile, void *memory, bool solid);
 
 /* Draws the next line, farther than the previous line, with water between both; the first
  * line starts the water. u must increase from point to point; points that break the order

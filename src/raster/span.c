@@ -95,7 +95,7 @@ static int32_t times_w(int32_t d, uint32_t w_q29)
 
 static perspective make_perspective(const tp_tri *tri)
 {
-    const tp_corner *p[3] = { tri->a, tri->b, tri->c };
+    const tp_screen_vertex *p[3] = { tri->a, tri->b, tri->c };
     uint32_t near = p[0]->zi | p[1]->zi | p[2]->zi;
     int      shift = tp_clz(near) - 3;
     int64_t  w[3], sw[3], tw[3];
@@ -207,7 +207,7 @@ TP_ALWAYS_INLINE void fill_perspective(const painter *p, span *sp, int32_t y,
 }
 
 /* Fills a row from `left` to `right`, clipped to the tile. */
-TP_ALWAYS_INLINE void row(const painter *p, const tp_samples *tile, int32_t y,
+TP_ALWAYS_INLINE void row(const painter *p, const tp_gbuffer *tile, int32_t y,
                           int32_t left, int32_t right, int kind, int exact)
 {
     int32_t x = left > tile->x0 ? left : tile->x0;
@@ -240,7 +240,7 @@ TP_ALWAYS_INLINE void row(const painter *p, const tp_samples *tile, int32_t y,
 }
 
 /* Fills all rows of a triangle; the flags are literals. */
-TP_ALWAYS_INLINE void rows(const painter *p, const tp_samples *tile, int kind,
+TP_ALWAYS_INLINE void rows(const painter *p, const tp_gbuffer *tile, int kind,
                            int exact)
 {
     const tp_tri *tri = p->tri;
@@ -286,8 +286,8 @@ TP_ALWAYS_INLINE void set_places(painter *p)
     }
 }
 
-void tp_tri_water(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
-                  const tp_corner *c)
+void tp_tri_water(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                  const tp_screen_vertex *b, const tp_screen_vertex *c)
 {
     tp_tri  tri;
     painter p;
@@ -317,8 +317,9 @@ static uint32_t dither_pattern(int opacity)
     return rows_of_bits;
 }
 
-void tp_tri_solid(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
-                  const tp_corner *c, uint32_t mark, uint32_t face, int opacity)
+void tp_tri_solid(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                  const tp_screen_vertex *b, const tp_screen_vertex *c, uint32_t mark,
+                  uint32_t face, int opacity)
 {
     TP_ASSERT(mark >= TP_MARK_SOLID && mark <= 0xff && opacity >= 0);
     tp_tri  tri;
@@ -340,8 +341,8 @@ void tp_tri_solid(const tp_samples *tile, const tp_corner *a, const tp_corner *b
         rows(&p, tile, SOLID, 0);
 }
 
-void tp_tri_lid(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
-                const tp_corner *c)
+void tp_tri_lid(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                const tp_screen_vertex *b, const tp_screen_vertex *c)
 {
     tp_tri tri = { 0 };
 
@@ -353,7 +354,7 @@ void tp_tri_lid(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
     rows(&p, tile, LID, 0);
 }
 
-void tp_samples_clear(const tp_samples *tile)
+void tp_gbuffer_clear(const tp_gbuffer *tile)
 {
     TP_ASSERT(tile->x0 < tile->x1 && tile->y0 < tile->y1);
     TP_ASSERT((uint32_t)(tile->x1 - tile->x0) <= tile->stride);

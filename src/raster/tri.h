@@ -11,7 +11,7 @@
 
 /* A triangle with vertices sorted by row, and the constants shared by all planes. */
 typedef struct {
-    const tp_corner *a, *b, *c; /* vertices, v ascending */
+    const tp_screen_vertex *a, *b, *c; /* vertices, v ascending */
     int32_t  top, bottom;       /* rows, clipped to the tile */
     int32_t  middle;            /* first row of the lower short edge */
     bool     long_left;
@@ -52,7 +52,7 @@ TP_ALWAYS_INLINE tp_gradient tp_tri_gradient(const tp_tri *tri, int64_t at_a,
 
 /* True if a vertex is inside the guard band.  The centre of the band is up to half a
  * picture from the corner; another pixel allows for rounding in the projection. */
-static inline bool tp_corner_fits(const tp_corner *c)
+static inline bool tp_screen_vertex_fits(const tp_screen_vertex *c)
 {
     const int32_t most = 16 * ((1 << TP_GUARD_LOG2) + 2048 + 1);
     return tp_abs(c->u) <= most && tp_abs(c->v) <= most;
@@ -60,8 +60,8 @@ static inline bool tp_corner_fits(const tp_corner *c)
 
 /* -- set-up ------------------------------------------------------------------------ */
 
-TP_ALWAYS_INLINE bool misses(const tp_samples *tile, const tp_corner *a,
-                             const tp_corner *b, const tp_corner *c)
+TP_ALWAYS_INLINE bool misses(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                             const tp_screen_vertex *b, const tp_screen_vertex *c)
 {
     int32_t low = a->u < b->u ? a->u : b->u, high = a->u > b->u ? a->u : b->u;
 
@@ -73,10 +73,10 @@ TP_ALWAYS_INLINE bool misses(const tp_samples *tile, const tp_corner *a,
 
 /* Sorts the vertices by row.  True: the order was reversed, so the sign of the area is
  * too. */
-TP_ALWAYS_INLINE bool sort(tp_tri *tri, const tp_corner *a, const tp_corner *b,
-                           const tp_corner *c)
+TP_ALWAYS_INLINE bool sort(tp_tri *tri, const tp_screen_vertex *a,
+                           const tp_screen_vertex *b, const tp_screen_vertex *c)
 {
-    const tp_corner *swap;
+    const tp_screen_vertex *swap;
     bool odd = false;
 
     if (b->v < a->v) {
@@ -118,7 +118,7 @@ TP_ALWAYS_INLINE int32_t larger(int32_t a, int32_t b)
  * an extrapolated depth could put a sliver in front of everything. */
 TP_ALWAYS_INLINE void set_factors(tp_tri *tri, int64_t area)
 {
-    const tp_corner *a = tri->a, *b = tri->b, *c = tri->c;
+    const tp_screen_vertex *a = tri->a, *b = tri->b, *c = tri->c;
     int32_t  du1 = b->u - a->u, dv1 = b->v - a->v, du2 = c->u - a->u, dv2 = c->v - a->v;
     int32_t  most = larger(larger(tp_abs(du1), tp_abs(du2)), dv2);
     uint64_t size = (uint64_t)(area < 0 ? -area : area);
@@ -154,9 +154,9 @@ TP_ALWAYS_INLINE bool needs_perspective(const tp_tri *tri, int32_t width)
 }
 
 /* Sets up a triangle. False: no pixel centre of the tile can be inside. */
-TP_ALWAYS_INLINE bool tp_tri_begin(tp_tri *tri, const tp_samples *tile,
-                                   const tp_corner *a, const tp_corner *b,
-                                   const tp_corner *c)
+TP_ALWAYS_INLINE bool tp_tri_begin(tp_tri *tri, const tp_gbuffer *tile,
+                                   const tp_screen_vertex *a, const tp_screen_vertex *b,
+                                   const tp_screen_vertex *c)
 {
     if (misses(tile, a, b, c))
         return false;
@@ -169,7 +169,8 @@ TP_ALWAYS_INLINE bool tp_tri_begin(tp_tri *tri, const tp_samples *tile,
     tri->bottom = bottom < tile->y1 ? bottom : tile->y1;
     if (tri->top >= tri->bottom)
         return false;
-    TP_ASSERT(tp_corner_fits(a) && tp_corner_fits(b) && tp_corner_fits(c));
+    TP_ASSERT(tp_screen_vertex_fits(a) && tp_screen_vertex_fits(b)
+              && tp_screen_vertex_fits(c));
     int64_t area = tp_tri_area(a, b, c);
     if (area == 0 || (tile->front_only && (area > 0) != odd))
         return false;

@@ -5,8 +5,8 @@
 #include "base/base.h"
 #include "base/fail.h"
 #include "base/given.h"
-#include "scene/parts.h"
-#include "scene/piece.h"
+#include "scene/world_parts.h"
+#include "scene/string_view.h"
 #include "scene/pools.h"
 #include "scene/value.h"
 
@@ -31,7 +31,7 @@ static tp_status check_name(const tp_scene *scene, const tp_param *row, tp_error
     if (bytes == TP_NAME_BYTES)
         return tp_error_blame(err, TP_FAIL(err, TP_E_UNENDED, 0, TP_NAME_BYTES, 0),
                               row->name);
-    if (tp_piece_has_control((tp_piece){ name, bytes }))
+    if (tp_string_view_has_control((tp_string_view){ name, bytes }))
         return tp_error_blame(err, TP_FAIL(err, TP_E_TEXT, 0, 0, 0), row->name);
     return TP_OK;
 }

@@ -32,9 +32,9 @@ static tp_camera carried(const tp_camera *deck, const tp_pose *boat)
     const tp_fx most = 8000 * TP_FX_ONE;
 
     return (tp_camera){
-        { (tp_fx)tp_limit((int64_t)boat->place.x + offset.x, most),
-          (tp_fx)tp_limit((int64_t)boat->place.y + offset.y, most),
-          (tp_fx)tp_limit((int64_t)boat->place.z + offset.z, most) },
+        { (tp_fx)tp_clamp_abs((int64_t)boat->place.x + offset.x, most),
+          (tp_fx)tp_clamp_abs((int64_t)boat->place.y + offset.y, most),
+          (tp_fx)tp_clamp_abs((int64_t)boat->place.z + offset.z, most) },
         tp_rotation_mul(&deck->turn, &turn),
     };
 }

@@ -26,11 +26,11 @@ tp_rungs tp_governor_rungs(const tp_governor *governor)
     return governor->ladder.rung[governor->at];
 }
 
-tp_reach tp_ladder_reach(const tp_ladder *ladder)
+tp_rung_mask tp_ladder_reach(const tp_ladder *ladder)
 {
     TP_ASSERT(ladder->count <= TP_LADDER);
-    tp_reach reach = { 1 << TP_VISIBILITY_TRIANGLES, 1 << TP_SHADING_EXACT,
-                       1 << TP_RATE_FULL, 1 << TP_LOD_OFF };
+    tp_rung_mask reach = { 1 << TP_VISIBILITY_TRIANGLES, 1 << TP_SHADING_EXACT,
+                           1 << TP_RATE_FULL, 1 << TP_LOD_OFF };
 
     for (uint32_t i = 0; i < ladder->count; i++) {
         reach.visibility |= (uint8_t)(1u << ladder->rung[i].visibility);

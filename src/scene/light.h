@@ -2,7 +2,7 @@
 /* The light of a world, and its camera's exposure. */
 #ifndef TP_SCENE_LIGHT_H
 #define TP_SCENE_LIGHT_H
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "shade/skies.h"
 
 /* Returns the unit vector from the world towards the light. */

@@ -4,7 +4,7 @@
 #include "base/assert.h"
 #include "base/base.h"
 #include "base/fail.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "scene/program.h"
 
 /* Header of a chunk. The module's state follows, aligned to 8 bytes. */
@@ -112,7 +112,7 @@ tp_status tp_modules_take(const tp_program *program, tp_arena *arena, tp_want wa
         if (m->check && (status = m->check(&want, err)) != TP_OK)
             return status;
         if (m->bytes)
-            tp_arena_take(arena, 1, sizeof(chunk) + state_bytes(m, &want));
+            tp_arena_alloc(arena, 1, sizeof(chunk) + state_bytes(m, &want));
     }
     *at = arena->used > begin ? (uint32_t)begin : 0;
     return TP_OK;

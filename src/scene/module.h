@@ -133,7 +133,7 @@ typedef struct tp_module {
     bool (*is_valid)(const void *mine, const void *fresh, const tp_world *world);
 } tp_module;
 
-/* Returns the conditions for the quality plan; outlook.c. */
+/* Returns the conditions for the quality plan; estimate.c. */
 tp_want tp_plan_want(const tp_plan_input *in);
 
 /* True if the module is on. Then adds its bits to want->above for the later modules. */

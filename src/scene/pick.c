@@ -17,7 +17,7 @@
 #include "base/base.h"
 #include "geom/waters.h"
 #include "scene/drawn.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "scene/program.h"
 #include "scene/sides.h"
 
@@ -50,15 +50,15 @@ static ray make_ray(const tp_surface *surface, const tp_camera *camera,
     ray r = {
         .surface = surface,
         .eye = camera->eye,
-        .focal_q14 = (int32_t)tp_limit(focal, most),
+        .focal_q14 = (int32_t)tp_clamp_abs(focal, most),
         .floor = surface->ocean && tp_has_floor(scene),
     };
     const tp_vec3 way = tp_rotate_back(
-        &camera->turn,
-        (tp_vec3){ (tp_fx)tp_limit(u, most), (tp_fx)tp_limit(v, most), -r.focal_q14 });
+        &camera->turn, (tp_vec3){ (tp_fx)tp_clamp_abs(u, most),
+                                  (tp_fx)tp_clamp_abs(v, most), -r.focal_q14 });
 
     r.way = tp_normalise(way.x, way.y, way.z);
-    r.near = tp_fx_held(((int64_t)scene->camera.near * TP_Q30_ONE)
+    r.near = tp_fx_saturate(((int64_t)scene->camera.near * TP_Q30_ONE)
                         / tp_clamp(-tp_dir3_dot(r.way, camera->turn.z), 1, TP_Q30_ONE));
     return r;
 }

@@ -95,9 +95,9 @@ tp_ladder tp_ladder_make(const tp_scene *scene, const tp_assets *assets, uint32_
  * draw with them. */
 typedef struct {
     uint8_t visibility, shading, rate, lod;
-} tp_reach;
+} tp_rung_mask;
 
-tp_reach tp_ladder_reach(const tp_ladder *ladder);
+tp_rung_mask tp_ladder_reach(const tp_ladder *ladder);
 
 /* Controls the frame time: steps down the ladder if frames take too long, and up again if
  * there is room.  The port owns the clock; it passes the duration of each frame, in any

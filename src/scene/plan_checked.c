@@ -2,7 +2,7 @@
 /* The quality plan for callers of the library: checks the scene and uses the measured
  * costs.  Frames call rungs.c directly, because tp_frame_init has already checked their
  * scene. */
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "scene/prices.h"
 
 /* The exact rungs can draw every scene. */

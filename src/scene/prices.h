@@ -46,7 +46,7 @@ typedef struct {
     tp_fx wave, sharp, pool;    /* per wave; per wave of a sharpened sea, extra; per pool */
     tp_fx ocean, floor, map;    /* coastal: with wind only; over a plane; over a map */
     tp_fx drawn;                /* per grid cell that gets a pixel */
-    tp_fx slant;                /* times tp_outlook.slant */
+    tp_fx slant;                /* times tp_view_estimate.slant */
     tp_fx still;                /* replaces `pixel` for level water */
 } tp_seen_price;
 
@@ -62,7 +62,7 @@ typedef struct {
     tp_fx px, colour;
 } tp_error_price;
 
-/* Work besides finding and shading the water; works.c counts each kind, and each kind has
+/* Work besides finding and shading the water; fixed_cost.c counts each kind, and each kind has
  * a cost.  For the boat: boat_face counts the faces of the mesh; boat_scan the faces
  * visited per band of rows; boat_back, boat_piece and boat_fill the back faces, front
  * faces and pixels per band; boat_cut the faces clipped by the water level or the view,
@@ -87,7 +87,7 @@ typedef struct {
     uint32_t of[TP_WORK_COUNT];
     uint32_t hidden;            /* water pixels behind solid objects */
     uint32_t solid;             /* pixels of solid objects */
-} tp_works;
+} tp_fixed_cost;
 
 typedef struct {
     tp_fx frame;                /* thousands of instructions per frame */
@@ -123,7 +123,7 @@ tp_ladder tp_ladder_make_priced(const tp_prices *prices, const tp_plan_input *in
 /* True if a wave is culled or drawn lower, seen from the scene's camera. */
 bool tp_thins_sea(const tp_plan_input *in);
 
-/* -- outlook.c: an estimate of the start camera's view -------------------------------- */
+/* -- estimate.c: an estimate of the start camera's view -------------------------------- */
 
 typedef struct {
     uint32_t water_pixels, other_pixels, vertices, waves;
@@ -141,12 +141,13 @@ typedef struct {
     uint8_t  fits[TP_VISIBILITIES];     /* true if the method can draw the view */
     uint32_t modules;           /* bits of tp_module.is of the enabled modules */
     uint8_t  quick;             /* true if the fast stages support all features */
-} tp_outlook;
+} tp_view_estimate;
 
-tp_outlook tp_outlook_estimate(const tp_plan_input *in);
+tp_view_estimate tp_view_estimate_make(const tp_plan_input *in);
 
-/* -- works.c: fixed cost besides the water ------------------------------------------- */
+/* -- fixed_cost.c: fixed cost besides the water ------------------------------------------- */
 
 /* Counts the fixed cost of a frame. `quick`: the water uses the fast stages. */
-tp_works tp_works_estimate(const tp_plan_input *in, const tp_outlook *outlook, bool quick);
+tp_fixed_cost tp_fixed_cost_estimate(const tp_plan_input *in,
+                                     const tp_view_estimate *estimate, bool quick);
 #endif

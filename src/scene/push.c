@@ -2,7 +2,7 @@
 /* Lets an application push the water between ticks; tp_input.push does so within a tick. */
 #include "base/base.h"
 #include "geom/waters.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "scene/pools.h"
 #include "scene/program.h"
 
@@ -15,8 +15,8 @@ static bool push_pools(const tp_world *world, tp_fx x, tp_fx z, tp_fx radius,
 {
     tp_pool *const pool = tp_parts_pool(world), *const field = tp_parts_field(world);
 
-    return (pool && tp_pool_hat(pool, x, z, radius, height))
-           || (field && tp_pool_hat(field, x, z, radius, height));
+    return (pool && tp_pool_add_splash(pool, x, z, radius, height))
+           || (field && tp_pool_add_splash(field, x, z, radius, height));
 }
 
 static bool is_far(tp_fx x)
@@ -35,7 +35,7 @@ static bool push_open_water(const tp_program *program, tp_world *world,
         .x = x,
         .z = z,
         .time = (int64_t)(world->tick * TP_FX_ONE),
-        .amplitude = (tp_fx)tp_limit(height < 0 ? -(int64_t)height : height, RING_MOST),
+        .amplitude = (tp_fx)tp_clamp_abs(height < 0 ? -(int64_t)height : height, RING_MOST),
         .length = 4 * tp_clamp(radius, 0, RADIUS_MOST),
     };
     const tp_surface surface = tp_world_surface(program, world);

@@ -8,7 +8,7 @@
  * fit the budget, so a plan always exists.  A larger budget allows every plan of a
  * smaller budget, so a larger budget never costs more. */
 #include "base/assert.h"
-#include "scene/faint.h"
+#include "scene/wave_culling.h"
 #include "scene/prices.h"
 #include "scene/sides.h"
 
@@ -24,8 +24,8 @@ typedef struct {
 
 typedef struct {
     const tp_prices *prices;
-    tp_outlook outlook;
-    tp_faint   faint;
+    tp_view_estimate estimate;
+    tp_wave_cull   faint;
     int8_t     named[TP_KINDS];         /* rung named by the scene; -1: open */
     tp_fx      left_px, left_colour;    /* budget left for the open kinds */
     int64_t    works;                   /* fixed cost, instructions, Q16 */
@@ -56,14 +56,14 @@ static tp_rungs make_rungs(choice c)
  * the kind. */
 static bool is_fit(const ground *g, int kind, int rung)
 {
-    return kind == TP_KIND_VISIBILITY ? g->outlook.fits[rung] != 0
-         : kind == TP_KIND_LOD ? rung == 0 || g->outlook.plain
-         : kind != TP_KIND_SHADING || rung == 0 || g->outlook.quick;
+    return kind == TP_KIND_VISIBILITY ? g->estimate.fits[rung] != 0
+         : kind == TP_KIND_LOD ? rung == 0 || g->estimate.plain
+         : kind != TP_KIND_SHADING || rung == 0 || g->estimate.quick;
 }
 
 static tp_error_price rung_error(const ground *g, int kind, int rung)
 {
-    return g->prices->error[kind][is_fit(g, kind, rung) ? rung : 0][g->outlook.sea];
+    return g->prices->error[kind][is_fit(g, kind, rung) ? rung : 0][g->estimate.sea];
 }
 
 static int drawn_method(const ground *g, choice c)
@@ -95,7 +95,7 @@ static bool is_open(const ground *g, int kind)
     return g->named[kind] < 0;
 }
 
-static int64_t pixel_price(const tp_outlook *o, const tp_shaded_price *shaded)
+static int64_t pixel_price(const tp_view_estimate *o, const tp_shaded_price *shaded)
 {
     int64_t sum = 0;
 
@@ -106,7 +106,7 @@ static int64_t pixel_price(const tp_outlook *o, const tp_shaded_price *shaded)
 
 static int64_t point_price(const ground *g, const tp_seen_price *seen)
 {
-    const tp_outlook *o = &g->outlook;
+    const tp_view_estimate *o = &g->estimate;
     const int64_t wave = (int64_t)seen->wave + (o->sharp ? seen->sharp : 0);
     const tp_fx   ocean = o->floor > 1 ? seen->map : o->floor ? seen->floor : seen->ocean;
 
@@ -118,7 +118,7 @@ static int64_t point_price(const ground *g, const tp_seen_price *seen)
 static tp_price estimate_price(const ground *g, choice c)
 {
     const tp_prices *p = g->prices;
-    const tp_outlook *o = &g->outlook;
+    const tp_view_estimate *o = &g->estimate;
     const tp_seen_price *seen = seen_price(g, c);
     const tp_shaded_price *shaded = shaded_price(g, c);
     const tp_fx pixel = o->still ? seen->still : seen->pixel;
@@ -212,16 +212,16 @@ static ground make_ground(const tp_prices *prices, const tp_plan_input *in)
     const tp_scene *scene = in->scene;
     const int32_t asked[TP_KINDS] = { scene->quality.visibility, scene->quality.shading,
                                       scene->quality.rate, scene->quality.lod };
-    ground g = { .prices = prices, .outlook = tp_outlook_estimate(in) };
+    ground g = { .prices = prices, .estimate = tp_view_estimate_make(in) };
 
-    tp_faint_limits limits = tp_faint_limits_make(scene, g.outlook.waves,
+    tp_wave_cull_limits limits = tp_wave_cull_limits_make(scene, g.estimate.waves,
                                                 prices->slope_colour);
-    limits.focal = g.outlook.focal;
-    limits.near = g.outlook.near;
-    g.faint = tp_faint_evaluate(scene, &limits, prices->slope_colour);
-    g.left_px = scene->quality.error_px - scene->quality.error_px / TP_FAINT_SHARE;
+    limits.focal = g.estimate.focal;
+    limits.near = g.estimate.near;
+    g.faint = tp_wave_cull_evaluate(scene, &limits, prices->slope_colour);
+    g.left_px = scene->quality.error_px - scene->quality.error_px / TP_WAVE_CULL_SHARE;
     g.left_colour = scene->quality.error_colour
-                  - scene->quality.error_colour / TP_FAINT_SHARE;
+                  - scene->quality.error_colour / TP_WAVE_CULL_SHARE;
     for (int k = 0; k < TP_KINDS; k++) {
         g.named[k] = named_rung(asked[k], k);
         if (g.named[k] >= 0) {
@@ -237,7 +237,7 @@ static ground make_ground(const tp_prices *prices, const tp_plan_input *in)
 bool tp_thins_sea(const tp_plan_input *in)
 {
     const ground g = make_ground(&tp_prices_measured, in);
-    return g.faint.any && !g.outlook.ocean;
+    return g.faint.any && !g.estimate.ocean;
 }
 
 tp_rungs tp_rungs_choose_priced(const tp_prices *prices, const tp_plan_input *in)
@@ -253,8 +253,8 @@ static int64_t exact_pixel(const ground *g)
 {
     const tp_seen_price *seen = &g->prices->seen[0][0];
 
-    return (g->outlook.still ? seen->still : seen->pixel)
-         + pixel_price(&g->outlook, &g->prices->shaded[0][0]) - g->prices->sky;
+    return (g->estimate.still ? seen->still : seen->pixel)
+           + pixel_price(&g->estimate, &g->prices->shaded[0][0]) - g->prices->sky;
 }
 
 /* Adds the fixed cost after the rungs are chosen, and subtracts the water pixels hidden
@@ -262,8 +262,8 @@ static int64_t exact_pixel(const ground *g)
  * sum is the same for all rungs. */
 static void add_works(ground *g, choice chosen, const tp_plan_input *in)
 {
-    const bool quick = chosen.of[TP_KIND_SHADING] > 0 && g->outlook.quick;
-    const tp_works works = tp_works_estimate(in, &g->outlook, quick);
+    const bool quick = chosen.of[TP_KIND_SHADING] > 0 && g->estimate.quick;
+    const tp_fixed_cost works = tp_fixed_cost_estimate(in, &g->estimate, quick);
     int64_t sum = -exact_pixel(g) * works.hidden;
 
     for (int i = 0; i < TP_WORK_COUNT; i++)
@@ -312,8 +312,8 @@ tp_plan_report tp_plan_make_priced(const tp_prices *prices, const tp_plan_input 
     add_works(&g, chosen, in);
     tp_plan_report r = {
         .rungs = make_rungs(chosen), .total = estimate_price(&g, chosen),
-        .water_pixels = g.outlook.water_pixels - g.hidden, .vertices = g.outlook.vertices,
-        .waves = g.faint.left, .waves_dropped = g.outlook.waves - g.faint.left,
+        .water_pixels = g.estimate.water_pixels - g.hidden, .vertices = g.estimate.vertices,
+        .waves = g.faint.left, .waves_dropped = g.estimate.waves - g.faint.left,
         .waves_px = g.faint.px, .waves_colour = g.faint.colour,
     };
 

@@ -15,10 +15,10 @@ static inline tp_rectangle tp_pool_sides(const tp_scene *scene)
     int64_t wide = (int64_t)scene->pool.cell * scene->pool.cols / 2;
     int64_t deep = (int64_t)scene->pool.cell * scene->pool.rows / 2;
 
-    return (tp_rectangle){ tp_fx_held(scene->pool.x - wide),
-                           tp_fx_held(scene->pool.x + wide),
-                           tp_fx_held(scene->pool.z - deep),
-                           tp_fx_held(scene->pool.z + deep) };
+    return (tp_rectangle){ tp_fx_saturate(scene->pool.x - wide),
+                           tp_fx_saturate(scene->pool.x + wide),
+                           tp_fx_saturate(scene->pool.z - deep),
+                           tp_fx_saturate(scene->pool.z + deep) };
 }
 
 static inline bool tp_has_tank(const tp_scene *scene)

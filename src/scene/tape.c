@@ -5,7 +5,7 @@
 #include "base/fail.h"
 #include "base/text.h"
 #include "fx/fx.h"
-#include "scene/piece.h"
+#include "scene/string_view.h"
 #include "scene/tape.h"
 
 typedef struct {
@@ -108,13 +108,13 @@ size_t tp_tape_write(const tp_tape_entry *entry, char *text, size_t bytes)
 
 /* Returns the next word of a line and removes the word from the line; 0 bytes at the
  * end. */
-static tp_piece next_word(tp_piece *line)
+static tp_string_view next_word(tp_string_view *line)
 {
     while (line->bytes > 0 && tp_is_white(*line->text)) {
         line->text++;
         line->bytes--;
     }
-    tp_piece w = { line->text, 0 };
+    tp_string_view w = { line->text, 0 };
     while (w.bytes < line->bytes && !tp_is_white(w.text[w.bytes]))
         w.bytes++;
     line->text += w.bytes;
@@ -122,7 +122,7 @@ static tp_piece next_word(tp_piece *line)
     return w;
 }
 
-static tp_status fail_word(tp_error *err, tp_status code, tp_piece w)
+static tp_status fail_word(tp_error *err, tp_status code, tp_string_view w)
 {
     TP_FAIL(err, code, 0, 0, 0);
     tp_error_word(err, w.bytes ? w.text : "nothing", w.bytes ? w.bytes : 7);
@@ -130,7 +130,7 @@ static tp_status fail_word(tp_error *err, tp_status code, tp_piece w)
 }
 
 /* Reads decimal digits. TP_E_NUMBER: another character. TP_E_RANGE: above `most`. */
-static tp_status read_digits(tp_piece w, uint64_t most, uint64_t *number)
+static tp_status read_digits(tp_string_view w, uint64_t most, uint64_t *number)
 {
     uint64_t sum = 0;
     bool     beyond = false;
@@ -149,30 +149,31 @@ static tp_status read_digits(tp_piece w, uint64_t most, uint64_t *number)
     return beyond ? TP_E_RANGE : TP_OK;
 }
 
-static tp_status read_whole(tp_piece w, int32_t *value)
+static tp_status read_whole(tp_string_view w, int32_t *value)
 {
     const bool negative = w.bytes > 0 && w.text[0] == '-';
     const size_t sign = negative || (w.bytes > 0 && w.text[0] == '+');
     uint64_t size = 0;
-    const tp_status status = read_digits((tp_piece){ w.text + sign, w.bytes - sign },
+    const tp_status status = read_digits((tp_string_view){ w.text + sign, w.bytes - sign },
                                          (uint64_t)INT32_MAX + negative, &size);
     if (status == TP_OK)
         *value = (int32_t)(negative ? -(int64_t)size : (int64_t)size);
     return status;
 }
 
-static int find_field(tp_piece name)
+static int find_field(tp_string_view name)
 {
     int i = 0;
-    while (i < FIELDS && !tp_piece_is(name, fields[i].name))
+    while (i < FIELDS && !tp_string_view_is(name, fields[i].name))
         i++;
     return i;
 }
 
 /* Reads NAME=NUMBER into the input. `seen` has a bit for each field read so far. */
-static tp_status read_field(tp_input *input, tp_piece w, uint64_t *seen, tp_error *err)
+static tp_status read_field(tp_input *input, tp_string_view w, uint64_t *seen,
+                            tp_error *err)
 {
-    tp_piece name = { w.text, 0 };
+    tp_string_view name = { w.text, 0 };
     int32_t value = 0;
 
     while (name.bytes < w.bytes && w.text[name.bytes] != '=')
@@ -187,9 +188,9 @@ static tp_status read_field(tp_input *input, tp_piece w, uint64_t *seen, tp_erro
     *seen |= (uint64_t)1 << i;
 
     const field *f = &fields[i];
-    const tp_piece number = { name.text + name.bytes + 1, w.bytes - name.bytes - 1 };
+    const tp_string_view number = { name.text + name.bytes + 1, w.bytes - name.bytes - 1 };
     tp_status status = f->whole ? read_whole(number, &value)
-                                : tp_piece_fx(number, &value);
+                                : tp_string_view_fx(number, &value);
     if (status == TP_OK && (value < f->low || value > f->high))
         status = TP_E_RANGE;
     if (status != TP_OK)
@@ -202,7 +203,7 @@ tp_status tp_tape_read(tp_tape_entry *entry, const char *text, size_t bytes,
                        tp_error *err)
 {
     TP_ASSERT(entry != NULL && (text != NULL || bytes == 0));
-    tp_piece line = { text, bytes }, w = next_word(&line);
+    tp_string_view line = { text, bytes }, w = next_word(&line);
     tp_tape_entry read = { .tick = 0 };
     uint64_t seen = 0;
     tp_status status = read_digits(w, UINT64_MAX, &read.tick);
@@ -231,15 +232,15 @@ size_t tp_tape_head_write(const char *scene, char *text, size_t bytes)
 tp_status tp_tape_head_read(char *scene, size_t room, const char *text, size_t bytes,
                             tp_error *err)
 {
-    tp_piece line = { text, bytes };
-    const bool ours = tp_piece_is(next_word(&line), "tape")
-                   && tp_piece_is(next_word(&line), "1");
-    const tp_piece first = next_word(&line);
-    const tp_piece name = tp_piece_trimmed((tp_piece){ first.text,
+    tp_string_view line = { text, bytes };
+    const bool ours = tp_string_view_is(next_word(&line), "tape")
+                      && tp_string_view_is(next_word(&line), "1");
+    const tp_string_view first = next_word(&line);
+    const tp_string_view name = tp_string_view_trim((tp_string_view){ first.text,
                                                        first.bytes + line.bytes });
     if (!ours || name.bytes == 0)
-        return fail_word(err, TP_E_TAPE_HEAD, (tp_piece){ text, bytes });
-    if (tp_piece_has_control(name))
+        return fail_word(err, TP_E_TAPE_HEAD, (tp_string_view){ text, bytes });
+    if (tp_string_view_has_control(name))
         return fail_word(err, TP_E_TEXT, name);
     if (name.bytes >= room)
         return TP_FAIL(err, TP_E_LONG, 0, room > 0 ? room - 1 : 0, 0);

@@ -6,12 +6,12 @@
 #include "base/given.h"
 #include "base/text.h"
 #include "fx/fx.h"
-#include "scene/piece.h"
+#include "scene/string_view.h"
 #include "scene/value.h"
 
 /* ---- text to value */
 
-static tp_status read_int(tp_piece w, int32_t *value)
+static tp_status read_int(tp_string_view w, int32_t *value)
 {
     const bool negative = w.bytes > 0 && w.text[0] == '-';
     const size_t first = w.bytes > 0 && (negative || w.text[0] == '+');
@@ -37,7 +37,7 @@ static int hex_digit(char c)
          : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-static tp_status read_colour(tp_piece w, int32_t *value)
+static tp_status read_colour(tp_string_view w, int32_t *value)
 {
     int32_t colour = 0;
     if (w.bytes != 7 || w.text[0] != '#')
@@ -53,7 +53,7 @@ static tp_status read_colour(tp_piece w, int32_t *value)
 }
 
 /* Reads a word of a list like "nearest|linear"; the value is the word's index. */
-static tp_status read_choice(tp_piece w, const char *list, int32_t *value)
+static tp_status read_choice(tp_string_view w, const char *list, int32_t *value)
 {
     for (int32_t i = 0;; i++) {
         size_t n = 0;
@@ -69,7 +69,7 @@ static tp_status read_choice(tp_piece w, const char *list, int32_t *value)
     }
 }
 
-static tp_status read_switch(tp_piece w, int32_t *value)
+static tp_status read_switch(tp_string_view w, int32_t *value)
 {
     const tp_status status = read_choice(w, "off|on|no|yes|false|true|0|1", value);
     if (status == TP_OK)
@@ -77,11 +77,11 @@ static tp_status read_switch(tp_piece w, int32_t *value)
     return status;
 }
 
-static tp_status read_number(const tp_param *param, tp_piece w, int32_t *value)
+static tp_status read_number(const tp_param *param, tp_string_view w, int32_t *value)
 {
     tp_status status = TP_OK;
     switch (param->kind) {
-    case TP_PARAM_FX:     status = tp_piece_fx(w, value);               break;
+    case TP_PARAM_FX:     status = tp_string_view_fx(w, value);               break;
     case TP_PARAM_INT:    status = read_int(w, value);                  break;
     case TP_PARAM_BOOL:   status = read_switch(w, value);               break;
     case TP_PARAM_COLOUR: status = read_colour(w, value);               break;
@@ -93,11 +93,11 @@ static tp_status read_number(const tp_param *param, tp_piece w, int32_t *value)
     return status;
 }
 
-static tp_status check_text(tp_piece w)
+static tp_status check_text(tp_string_view w)
 {
     if (w.bytes >= TP_NAME_BYTES)
         return TP_E_LONG;
-    return tp_piece_has_control(w) ? TP_E_TEXT : TP_OK;
+    return tp_string_view_has_control(w) ? TP_E_TEXT : TP_OK;
 }
 
 /* Returns the address of a row's value: an int32_t or a char[TP_NAME_BYTES]. */
@@ -107,7 +107,7 @@ static void *value_pointer(tp_scene *scene, const tp_param *param)
     return (char *)scene + param->offset;
 }
 
-static tp_status set_text(tp_scene *scene, const tp_param *param, tp_piece w)
+static tp_status set_text(tp_scene *scene, const tp_param *param, tp_string_view w)
 {
     const tp_status status = check_text(w);
     if (status != TP_OK)
@@ -118,7 +118,7 @@ static tp_status set_text(tp_scene *scene, const tp_param *param, tp_piece w)
     return TP_OK;
 }
 
-static tp_status set_number(tp_scene *scene, const tp_param *param, tp_piece w)
+static tp_status set_number(tp_scene *scene, const tp_param *param, tp_string_view w)
 {
     int32_t value = 0;
     const tp_status status = read_number(param, w, &value);
@@ -144,7 +144,7 @@ tp_status tp_param_set(tp_scene *scene, const tp_param *param, const char *text,
                        size_t bytes, tp_error *err)
 {
     TP_ASSERT(scene != NULL && param != NULL && (text != NULL || bytes == 0));
-    const tp_piece w = tp_piece_trimmed((tp_piece){ text, bytes });
+    const tp_string_view w = tp_string_view_trim((tp_string_view){ text, bytes });
     const tp_status status = tp_param_is_text(param) ? set_text(scene, param, w)
                                             : set_number(scene, param, w);
     if (status == TP_OK)

@@ -8,7 +8,7 @@
 #include "scene/drawn.h"
 #include "scene/light.h"
 #include "scene/module.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "scene/program.h"
 
 #define PITCH_MOST TP_DEG(89)
@@ -117,12 +117,12 @@ static tp_turn tilted(tp_turn pitch, int32_t tilt)
 {
     if (tilt == 0)
         return pitch;
-    return (tp_turn)(int32_t)tp_limit((int64_t)(int32_t)pitch + tilt, PITCH_MOST);
+    return (tp_turn)(int32_t)tp_clamp_abs((int64_t)(int32_t)pitch + tilt, PITCH_MOST);
 }
 
 static tp_fx held(int64_t x)
 {
-    return (tp_fx)tp_limit(x, EYE_MOST);
+    return (tp_fx)tp_clamp_abs(x, EYE_MOST);
 }
 
 /* Moves the camera. Rounding makes a walk forth and back end at its start. */

@@ -27,23 +27,24 @@ typedef struct {
 typedef struct {
     tp_fx    x, z;
     tp_turn  heading;
-    tp_fx    sunk[3];
+    tp_fx    immersion[3];
 } tp_hull;
 
 /* Boat attitude, three lengths in Q40 m: height of the waterline, bow minus stern, port
  * minus starboard; and for a floating boat their change per tick. */
-typedef struct { int64_t at[3], speed[3]; } tp_lie;
+typedef struct { int64_t at[3], speed[3]; } tp_boat_attitude;
 
 /* The moving state of a boat. */
 typedef struct {
     int64_t  sailed_x, sailed_z;    /* distance from the scene's position, Q32 m */
     uint64_t turned;                /* turn from the scene's heading, Q64 turn */
-    tp_lie   lie, alone;        /* alone: attitude without the pool that the boat stirs */
+    tp_boat_attitude lie,
+        alone;                  /* alone: attitude without the pool that the boat stirs */
     tp_fx    rest[4][2];        /* rest positions of bow, stern, port, starboard [E1] */
     tp_hull  hull, stirred;     /* hull now, and at its last disturbance of the pool [E4] */
     uint32_t laid;              /* 1: the boat has been placed on the water */
     uint32_t stirs;             /* number of ticks so far that disturbed the pool */
-} tp_afloat;
+} tp_boat_state;
 
 /* The frame of reference of a world's camera. */
 typedef enum {
@@ -61,7 +62,7 @@ struct tp_world {
     tp_turn  phases[TP_WAVES];  /* phases at this tick */
     uint32_t random;            /* random state of the pokes */
     tp_pose  boat, last_boat;
-    tp_afloat afloat;           /* state of the boat */
+    tp_boat_state afloat;           /* state of the boat */
     tp_turn  light_heading, light_elevation;    /* light as moved by input and time */
     tp_turn  last_light_heading, last_light_elevation;
     tp_fx    scene_light[2];    /* last seen heading and elevation of the scene */

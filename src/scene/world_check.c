@@ -10,7 +10,7 @@
 #include "scene/drawn.h"
 #include "scene/light.h"
 #include "scene/module.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "scene/program.h"
 
 #define TICKS_MOST ((uint64_t)1 << 40)  /* 580 years; times in ticks x 65536 fit 64 bits */

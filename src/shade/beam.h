@@ -22,7 +22,7 @@ typedef struct {
     tp_ray  way;
     tp_fx   far;                /* distance from the eye to the start point, m,
                                  * approximate */
-} tp_beam;
+} tp_refracted_ray;
 
 /* Entry i is sqrt(1 - i / 64), Q1.14. */
 extern const uint16_t tp_inside_root[65];
@@ -63,16 +63,16 @@ TP_ALWAYS_INLINE tp_ray tp_inside_bent(const tp_inside *inside, int channel, tp_
 /* Fills beam[].at and beam[].far with the world positions of samples [i, stop) of a run.
  * The directions are left unchanged. */
 void tp_inside_places(const tp_shade *shade, const tp_run *run, int32_t i, int32_t stop,
-                      tp_beam *beam);
+                      tp_refracted_ray *beam);
 
 /* -- colour along a ray --------------------------------------------------------------- */
 
 /* Returns the floor, as a plane, near the point where the beam would hit the floor. */
-tp_bed tp_inside_bed(const tp_shade *shade, const tp_beam *beam);
+tp_bed tp_inside_bed(const tp_shade *shade, const tp_refracted_ray *beam);
 
 /* Returns the colour seen along a beam; `body` is the colour of the water itself. */
-uint32_t tp_inside_trace(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
-                         uint32_t body);
+uint32_t tp_inside_trace(const tp_shade *shade, const tp_bed *bed,
+                         const tp_refracted_ray *beam, uint32_t body);
 
 /* The floor plane below one point: its depth there in m, its slopes along x and z, and
  * N.L. */
@@ -83,22 +83,23 @@ typedef struct {
 
 /* Returns the floor below up to 16 neighbouring beams, interpolated between the planes of
  * the first beam and the last beam. */
-void tp_inside_ground(const tp_shade *shade, const tp_bed ends[2], const tp_beam *beam,
-                      int32_t count, tp_ground *under);
+void tp_inside_ground(const tp_shade *shade, const tp_bed ends[2],
+                      const tp_refracted_ray *beam, int32_t count, tp_ground *under);
 
 /* Colours seen along beams that go down.  The second function computes only the channel at
  * bit `shift` and adds the channel to the others in `seen`. */
-void tp_inside_row(const tp_shade *shade, const tp_bed ends[2], const tp_beam *beam,
-                   int32_t count, const uint32_t *body, uint32_t *seen);
+void tp_inside_row(const tp_shade *shade, const tp_bed ends[2],
+                   const tp_refracted_ray *beam, int32_t count, const uint32_t *body,
+                   uint32_t *seen);
 void tp_inside_row_channel(const tp_shade *shade, const tp_ground *under,
-                           const tp_beam *beam, int32_t count, const uint32_t *body,
-                           int shift, uint32_t *seen);
+                           const tp_refracted_ray *beam, int32_t count,
+                           const uint32_t *body, int shift, uint32_t *seen);
 
 /* Colour of a beam that goes up and has reached the surface, whose normal is n: the sky
  * through Snell's window mixed with the water mirrored by the Fresnel share.  Beyond 48.6
  * degrees all light is mirrored [F1]. */
 uint32_t tp_inside_trace_surface(const tp_shade *shade, const tp_bed *bed,
-                                 const tp_beam *beam, tp_ray n, uint32_t body);
+                                 const tp_refracted_ray *beam, tp_ray n, uint32_t body);
 
 /* Returns the caustics' factor of the sunlight on a floor or a wall, 256 is 1. */
 int32_t tp_caustic_sample(const tp_caustic *caustic, tp_vec3 at);

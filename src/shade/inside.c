@@ -2,7 +2,7 @@
 /* View rays in the water: intersection with floor or walls, and the light from the hit
  * point; see inside.h and beam.h. */
 #include "shade/beam.h"
-#include "shade/coat.h"
+#include "shade/wall_material.h"
 #include "shade/env.h"
 
 const uint16_t tp_inside_root[65] = {
@@ -41,7 +41,7 @@ static inline uint64_t plane_rise(const tp_bed *bed, tp_fx x, tp_fx z)
 static inline tp_fx plane_depth(const tp_bed *bed, tp_vec3 at)
 {
     int64_t rise = (int64_t)(plane_rise(bed, at.x, at.z) - plane_rise(bed, bed->x, bed->z));
-    return (tp_fx)tp_limit(bed->depth - (rise >> 16), TP_INSIDE_FAR);
+    return (tp_fx)tp_clamp_abs(bed->depth - (rise >> 16), TP_INSIDE_FAR);
 }
 
 static inline tp_ground sample_ground(const tp_bed *bed, tp_vec3 at)
@@ -94,7 +94,7 @@ static tp_bed sample_bed(const tp_inside *in, tp_vec3 at)
 /* Finds the floor's tangent plane near the hit point by two iterations; after them the
  * curvature of a beach leaves an error below a hundredth of its depth.  A beam that goes
  * up meets the floor after its reflection at the surface. */
-tp_bed tp_inside_bed(const tp_shade *shade, const tp_beam *beam)
+tp_bed tp_inside_bed(const tp_shade *shade, const tp_refracted_ray *beam)
 {
     const tp_inside *in = shade->inside;
     tp_ray down = { beam->way.x, -tp_abs(beam->way.y), beam->way.z, 0 };
@@ -209,7 +209,7 @@ static inline hit first_hit(const tp_inside *in, const tp_ground *under, tp_vec3
 /* The material at a hit point, the position in its plane, the distance from the eye, and
  * the light there. */
 typedef struct {
-    const tp_coat *coat;
+    const tp_wall_material *coat;
     tp_fx    x, z, far;
     bool     ground;
     uint32_t light;
@@ -242,19 +242,20 @@ static inline uint32_t shade_hit(const tp_shade *shade, int32_t floor_nl, hit h,
     if (h.what == NOTHING)
         return body;
     spot s = make_spot(shade, floor_nl, h, from, way, far);
-    uint32_t colour = tp_coat_sample(s.coat, s.x, s.z, s.far, s.ground);
+    uint32_t colour = tp_wall_material_sample(s.coat, s.x, s.z, s.far, s.ground);
     return tp_absorb_apply(&shade->inside->absorb, tp_colour_brighten(colour, s.light),
                            body, h.way);
 }
 
 /* One channel of shade_hit, shifted to its place in a colour. */
 static inline uint32_t shade_hit_channel(const tp_shade *shade, int32_t floor_nl, hit h,
-                                         const tp_beam *beam, uint32_t body, int shift)
+                                         const tp_refracted_ray *beam, uint32_t body,
+                                         int shift)
 {
     if (h.what == NOTHING)
         return body & (uint32_t)0xff << shift;
     spot s = make_spot(shade, floor_nl, h, beam->at, beam->way, beam->far);
-    uint32_t c = tp_coat_channel(s.coat, s.x, s.z, s.far, s.ground, shift);
+    uint32_t c = tp_wall_material_channel(s.coat, s.x, s.z, s.far, s.ground, shift);
     return tp_absorbed_channel(shade->inside->absorb.halvings[2 - shift / 8], h.way,
                                tp_channel_brighten(c, s.light), body >> shift) << shift;
 }
@@ -270,8 +271,8 @@ TP_ALWAYS_INLINE tp_ground row_ground(const tp_inside *in, const tp_bed ends[2],
                      : sample_ground(&ends[0], at);
 }
 
-void tp_inside_ground(const tp_shade *shade, const tp_bed ends[2], const tp_beam *beam,
-                      int32_t count, tp_ground *under)
+void tp_inside_ground(const tp_shade *shade, const tp_bed ends[2],
+                      const tp_refracted_ray *beam, int32_t count, tp_ground *under)
 {
     TP_ASSERT(count > 0 && count <= TP_INSIDE_ROW);
     const int32_t each = over[count - 1];
@@ -280,8 +281,9 @@ void tp_inside_ground(const tp_shade *shade, const tp_bed ends[2], const tp_beam
         under[k] = row_ground(shade->inside, ends, k * each >> 8, beam[k].at);
 }
 
-void tp_inside_row(const tp_shade *shade, const tp_bed ends[2], const tp_beam *beam,
-                   int32_t count, const uint32_t *body, uint32_t *seen)
+void tp_inside_row(const tp_shade *shade, const tp_bed ends[2],
+                   const tp_refracted_ray *beam, int32_t count, const uint32_t *body,
+                   uint32_t *seen)
 {
     TP_ASSERT(count > 0 && count <= TP_INSIDE_ROW);
     const tp_inside *in = shade->inside;
@@ -295,8 +297,8 @@ void tp_inside_row(const tp_shade *shade, const tp_bed ends[2], const tp_beam *b
 }
 
 void tp_inside_row_channel(const tp_shade *shade, const tp_ground *under,
-                           const tp_beam *beam, int32_t count, const uint32_t *body,
-                           int shift, uint32_t *seen)
+                           const tp_refracted_ray *beam, int32_t count,
+                           const uint32_t *body, int shift, uint32_t *seen)
 {
     for (int32_t k = 0; k < count; k++, beam++, under++) {
         hit h = first_hit(shade->inside, under, beam->at, beam->way);
@@ -334,7 +336,7 @@ static inline uint32_t fresnel_share(const tp_shade *shade, int32_t cosine)
 }
 
 uint32_t tp_inside_trace_surface(const tp_shade *shade, const tp_bed *bed,
-                                 const tp_beam *beam, tp_ray n, uint32_t body)
+                                 const tp_refracted_ray *beam, tp_ray n, uint32_t body)
 {
     tp_ray  way = beam->way;
     int32_t ci = (way.x * n.x + way.y * n.y + way.z * n.z) >> 14;
@@ -359,8 +361,8 @@ uint32_t tp_inside_trace_surface(const tp_shade *shade, const tp_bed *bed,
     return tp_colour_mix(sky, mirrored, share);
 }
 
-uint32_t tp_inside_trace(const tp_shade *shade, const tp_bed *bed, const tp_beam *beam,
-                         uint32_t body)
+uint32_t tp_inside_trace(const tp_shade *shade, const tp_bed *bed,
+                         const tp_refracted_ray *beam, uint32_t body)
 {
     tp_ground under = sample_ground(bed, beam->at);
     hit    h = first_hit(shade->inside, &under, beam->at, beam->way);
@@ -369,8 +371,8 @@ uint32_t tp_inside_trace(const tp_shade *shade, const tp_bed *bed, const tp_beam
     if (beam->way.y <= 0 || closing_distance(deep, beam->way.y) >= h.way)
         return shade_hit(shade, bed->nl, h, beam->at, beam->way, beam->far, body);
     tp_fx   way = closing_distance(deep, beam->way.y);
-    tp_beam on = { gone(beam->at, beam->way, way), beam->way,
-                   tp_fx_held((int64_t)beam->far + way) };
+    tp_refracted_ray on = { gone(beam->at, beam->way, way), beam->way,
+                            tp_fx_saturate((int64_t)beam->far + way) };
     uint32_t colour =
         tp_inside_trace_surface(shade, bed, &on, (tp_ray){ 0, 16384, 0, 0 }, body);
     return tp_absorb_apply(&shade->inside->absorb, colour, body, way);

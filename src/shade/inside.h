@@ -23,7 +23,7 @@ typedef struct {
     uint32_t colour;            /* multiplies the texture */
     uint32_t per_metre;         /* texture repeats per metre, Q0.32 per Q16.16 metre */
     int32_t  lod;               /* mipmap level at 1 m, Q8 */
-} tp_coat;
+} tp_wall_material;
 
 /* Caustics map: the light that falls through the surface on to the floor. */
 typedef struct {
@@ -49,7 +49,7 @@ typedef struct {
     tp_fx   x0, x1, z0, z1;     /* walls, m */
     const tp_ocean *ocean;      /* coastal water whose floor counts; NULL: `bed` counts */
     tp_bed  bed;
-    tp_coat wall, floor;
+    tp_wall_material wall, floor;
     uint32_t deep;              /* colour of bottomless water */
     tp_absorb absorb;           /* attenuation of other light on its path */
     int32_t sun_x, sun_y, sun_z;/* direction to the sun in water, scaled by cos i / cos t;

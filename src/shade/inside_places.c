@@ -20,7 +20,7 @@ void tp_inside_view(tp_inside *in, const tp_shade *shade, tp_fx zi_near)
  * Q42 steps times 2^16 sixteenths of a pixel stay below 2^58; reduced to Q20, products
  * with 2^31 of depth do too. */
 void tp_inside_places(const tp_shade *shade, const tp_run *run, int32_t i, int32_t stop,
-                      tp_beam *beam)
+                      tp_refracted_ray *beam)
 {
     const tp_inside *in = shade->inside;
     const tp_dir3 back = shade->world.back;
@@ -36,10 +36,10 @@ void tp_inside_places(const tp_shade *shade, const tp_run *run, int32_t i, int32
         int64_t  depth = tp_depth_from_zi(in->zi_near, zi);
         int32_t  at[3];
         for (int k = 0; k < 3; k++) {
-            at[k] = tp_fx_held(eye[k] + (depth * (view[k] >> 22) >> 20));
+            at[k] = tp_fx_saturate(eye[k] + (depth * (view[k] >> 22) >> 20));
             view[k] += in->right[k] * 16;
         }
         beam->at = (tp_vec3){ at[0], at[1], at[2] };
-        beam->far = tp_fx_held(depth);
+        beam->far = tp_fx_saturate(depth);
     }
 }

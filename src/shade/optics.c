@@ -94,7 +94,7 @@ static tp_fx offset(tp_fx depth, tp_q30 a, tp_q30 b)
         rest += b;
     }
     q += rest >= b - rest;              /* ... and halves up */
-    return tp_fx_held(q);
+    return tp_fx_saturate(q);
 }
 
 static tp_fx end_towards(tp_q30 a)

@@ -17,7 +17,7 @@
  * table; this effect is left out: 2 e^-12 / slope rad at the most. */
 #include <stdbool.h>
 #include "base/assert.h"
-#include "wave/depth.h"
+#include "wave/water_depth.h"
 #include "wave/exp.h"
 
 #define K_MOST_Q32      ((int64_t)1024 << 32)
@@ -64,7 +64,7 @@ static tp_fx where(const beach *b, int64_t depth_q32)
     const int64_t rise = (b->depth_q32 - depth_q32) >> 16;
     const int64_t up = rise > 0 ? b->slope_q30 - 1 : 0;
     const int64_t x = (rise * ((int64_t)1 << 30) + up) / b->slope_q30;
-    return tp_fx_held(x);
+    return tp_fx_saturate(x);
 }
 
 /* Finds the ends of the table: from the point where the wave begins to feel the floor, to

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Breaking criteria and breaker types, [B14], [B15] and [B20] of the models. */
-#include "wave/depth.h"
+#include "wave/water_depth.h"
 #include "wave/exp.h"
 
 #define STEEP_Q32 3855153630            /* 2^32 2 pi / 7: H/L > 1/7 is Hk > 2 pi/7 */

@@ -5,7 +5,7 @@
 #include "base/assert.h"
 #include "wave/wave.h"
 
-tp_relief tp_five_heights(tp_fx middle, const tp_fx around[4], tp_fx spacing)
+tp_relief tp_neighbour_heights(tp_fx middle, const tp_fx around[4], tp_fx spacing)
 {
     TP_ASSERT(spacing > 0 && spacing < 8192 * TP_FX_ONE);
     return (tp_relief){
@@ -15,7 +15,7 @@ tp_relief tp_five_heights(tp_fx middle, const tp_fx around[4], tp_fx spacing)
     };
 }
 
-tp_dir3 tp_five_normal(const tp_fx around[4], tp_fx spacing)
+tp_dir3 tp_neighbour_normal(const tp_fx around[4], tp_fx spacing)
 {
     TP_ASSERT(spacing > 0 && spacing < 8192 * TP_FX_ONE);
     return tp_normalise(around[0] - around[1], 2 * spacing, around[2] - around[3]);

@@ -18,7 +18,7 @@ tp_way tp_way_from_degrees(tp_fx degrees)
  * 2^62. */
 tp_fx tp_way_project(tp_way way, tp_fx x, tp_fx z)
 {
-    return tp_fx_held(((int64_t)way.x * x + (int64_t)way.z * z + (1 << 29)) >> 30);
+    return tp_fx_saturate(((int64_t)way.x * x + (int64_t)way.z * z + (1 << 29)) >> 30);
 }
 
 static tp_floor_at sample_plane(const tp_floor *floor, tp_fx x, tp_fx z)
@@ -27,7 +27,7 @@ static tp_floor_at sample_plane(const tp_floor *floor, tp_fx x, tp_fx z)
     const int64_t rise = (int64_t)floor->slope * tp_way_project(up, x, z);
 
     return (tp_floor_at){
-        .depth = tp_fx_held(floor->depth - ((rise + 0x8000) >> 16)),
+        .depth = tp_fx_saturate(floor->depth - ((rise + 0x8000) >> 16)),
         .rise_x = tp_q30_mul(floor->slope, up.x),
         .rise_z = tp_q30_mul(floor->slope, up.z),
     };
@@ -73,7 +73,7 @@ static tp_fx map_rise(const tp_floor *floor, int64_t step)
 {
     const int64_t range = (int64_t)floor->map_high - floor->map_low;
     const int64_t rise = range * floor->map->cols * step / floor->map_size;
-    return (tp_fx)tp_limit(rise + rise / 65535, RISE_MAX);
+    return (tp_fx)tp_clamp_abs(rise + rise / 65535, RISE_MAX);
 }
 
 static int64_t between(int64_t a, int64_t b, int32_t part)
@@ -97,7 +97,7 @@ static tp_floor_at sample_map(const tp_floor *floor, tp_fx x, tp_fx z)
     const int64_t middle = (between(high, low, v.part) + (1 << 23)) >> 24;
 
     return (tp_floor_at){
-        .depth = tp_fx_held(-(floor->map_low + of_range(floor, middle))),
+        .depth = tp_fx_saturate(-(floor->map_low + of_range(floor, middle))),
         .rise_x = u.outside ? 0 : map_rise(floor, (east - west + 0x8000) >> 16),
         .rise_z = v.outside ? 0 : map_rise(floor, (low - high + 0x8000) >> 16),
     };

@@ -64,7 +64,7 @@ static void find_straight(const tp_ocean *ocean, tp_fx x, tp_fx z, place *p)
     const tp_fx along = tp_way_project((tp_way){ ocean->up_x, ocean->up_z }, x, z);
     const int64_t rise = (int64_t)ocean->slope * along;
 
-    p->depth = tp_fx_held(ocean->depth - ((rise + 0x8000) >> 16));
+    p->depth = tp_fx_saturate(ocean->depth - ((rise + 0x8000) >> 16));
 }
 
 static place find(const tp_ocean *ocean, tp_fx x, tp_fx z)
@@ -307,5 +307,5 @@ tp_fx tp_ocean_height(const tp_ocean *ocean)
 
 tp_fx tp_ocean_breaking_depth(const tp_ocean *ocean)
 {
-    return (tp_fx)tp_limit((int64_t)tp_ocean_height(ocean) * 8, 2048 * TP_FX_ONE);
+    return (tp_fx)tp_clamp_abs((int64_t)tp_ocean_height(ocean) * 8, 2048 * TP_FX_ONE);
 }

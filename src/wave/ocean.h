@@ -15,7 +15,7 @@
 #define TP_WAVE_OCEAN_H
 #include <stdbool.h>
 #include "tidepool/assets.h"
-#include "wave/depth.h"
+#include "wave/water_depth.h"
 #include "wave/wave.h"
 
 /* -- the floor --------------------------------------------------------------------- */

@@ -58,7 +58,7 @@ static fall node_fall(const tp_ocean *ocean, size_t at)
 /* Converts a fall to a slope, Q4.11, clamped: the floor rises away from deeper water. */
 static int16_t pack_rise(int64_t deeper, int64_t step)
 {
-    return (int16_t)tp_limit(deeper * 1024 / step, 16384);
+    return (int16_t)tp_clamp_abs(deeper * 1024 / step, 16384);
 }
 
 static void find_rises(const tp_ocean *ocean, tp_ocean_bed *beds)
@@ -113,7 +113,8 @@ static tp_dir3 normalise_way(int64_t x, int64_t z)
     return tp_normalise((int32_t)x, 0, (int32_t)z);
 }
 
-/* node_number returns the wave number at a node, rad/m; node_bent_number returns the wave vector. */
+/* node_number returns the wave number at a node, rad/m; node_bent_number returns the
+ * wave vector. */
 static int64_t node_number(const tp_ocean *ocean, const tp_ocean_swell *w, size_t at)
 {
     return tp_ocean_local_number(w->k_inf_q32, tp_ocean_beds(ocean)[at].depth);

@@ -70,7 +70,7 @@ static tp_fx miche_amplitude(const tp_ocean_swell *w, int64_t k_q32, tp_fx h)
     const int64_t deep = tp_miche_height(w->k_inf_q32, 1 << TP_OCEAN_LAST);
     const int64_t share = deep > 0 ? here * w->amplitude / deep : 0;
     const int64_t most = here / 2 > share ? here / 2 : share;
-    return tp_fx_held(most);
+    return tp_fx_saturate(most);
 }
 
 /* Returns H / h before the cap of [B15]. */

@@ -47,7 +47,7 @@ static tp_fx axis_most(int64_t k_q32)
     if (k_q32 <= 0)
         return TP_FX_MAX;
     const int64_t most = ((int64_t)AXIS_MAX << 32) / k_q32;
-    return tp_fx_held(most);
+    return tp_fx_saturate(most);
 }
 
 tp_ellipse tp_orbit_ellipse(tp_fx r, tp_fx depth, tp_turn gamma, int64_t k_q32, tp_fx k0,

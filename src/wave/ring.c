@@ -168,7 +168,7 @@ static void add_ring(sums *sum, const tp_ring_now *ring, int32_t dx, int32_t dz,
     /* s W' - s^3 W / (2 rho0) over s, Q22: pi / L < 2^29.3, the rest < 2^28. */
     int64_t steep = ((int64_t)ring->steep_q22 * tp_sin(turns)
                      - (int64_t)bend * w) >> 30;
-    int64_t slope = tp_limit((high * steep + (1 << 21)) >> 22, SLOPE_MOST);
+    int64_t slope = tp_clamp_abs((high * steep + (1 << 21)) >> 22, SLOPE_MOST);
     /* Divides by rho: d r < 2^62, and 2^(33 - half) turns the product into a Q2.30
      * of magnitude <= 1. */
     int     down = 33 - over.half;
@@ -181,7 +181,7 @@ static void add_ring(sums *sum, const tp_ring_now *ring, int32_t dx, int32_t dz,
 
 static tp_fx rounded(int64_t q24)
 {
-    return tp_fx_held((q24 + 128) >> 8);
+    return tp_fx_saturate((q24 + 128) >> 8);
 }
 
 tp_relief tp_ring_relief(const tp_ring_now *rings, uint32_t count, tp_fx x, tp_fx z)

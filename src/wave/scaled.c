@@ -67,5 +67,5 @@ int64_t tp_scaled_fixed(tp_scaled x, int bits)
 
 tp_fx tp_scaled_fx(tp_scaled x)
 {
-    return tp_fx_held(tp_scaled_fixed(x, 16));
+    return tp_fx_saturate(tp_scaled_fixed(x, 16));
 }

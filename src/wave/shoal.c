@@ -3,7 +3,7 @@
  *
  * With x = kh and T = tanh x / x, the factor 1 + 2x / sinh 2x of [B7] is (T
  * + sech^2 x) / T. */
-#include "wave/depth.h"
+#include "wave/water_depth.h"
 #include "wave/exp.h"
 
 /* Returns (1 + 2x / sinh 2x) / 2 = cg / c at x = kh: 1/2 in deep water, 1 in shallow

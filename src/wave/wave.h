@@ -125,8 +125,8 @@ tp_sea_point tp_sea_iterate(const tp_sea *sea, const tp_turn phases[TP_WAVES],
  * passes the height of the opposite neighbour.  If the wall lies half a spacing beyond,
  * the caller passes the height of the middle.  |height| < 8192 m, 0 < spacing < 8192 m;
  * slopes saturate. */
-tp_relief tp_five_heights(tp_fx middle, const tp_fx around[4], tp_fx spacing);
-tp_dir3   tp_five_normal(const tp_fx around[4], tp_fx spacing);
+tp_relief tp_neighbour_heights(tp_fx middle, const tp_fx around[4], tp_fx spacing);
+tp_dir3   tp_neighbour_normal(const tp_fx around[4], tp_fx spacing);
 
 /* -- the sum, for grids -------------------------------------------------------------- */
 

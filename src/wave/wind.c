@@ -5,7 +5,7 @@
  * Phi = theta + lambda r cos Phi is a contraction by |lambda r|, iterated from theta.  The
  * source can also be read as a sum of (omega + lambda dy) dt over the ticks.  This reading
  * is not used: it slows waves down by their height and depends on history. */
-#include "wave/depth.h"
+#include "wave/water_depth.h"
 #include "wave/exp.h"
 
 #define PUSH_MOST       TP_Q30(0.5)
@@ -19,7 +19,7 @@ tp_fx tp_wind_lambda(tp_fx lambda, tp_q30 along)
 /* Q32 to Q30. */
 tp_q30 tp_wind_push(tp_fx lambda, tp_fx radius)
 {
-    return (tp_q30)tp_limit(((int64_t)lambda * radius + 2) >> 2, PUSH_MOST);
+    return (tp_q30)tp_clamp_abs(((int64_t)lambda * radius + 2) >> 2, PUSH_MOST);
 }
 
 int tp_wind_iterations(tp_q30 push)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Directions of sight as angles, and closed forms for the colour seen in a direction. The
+/* Directions of view as angles, and closed forms for the colour seen in a direction. The
  * closed forms share nothing with the reference but the numbers of the scene. */
 #ifndef TP_TESTS_ACCURACY_SIGHTS_H
 #define TP_TESTS_ACCURACY_SIGHTS_H
@@ -10,7 +10,7 @@
 /* Direction in radians: azimuth clockwise from north (-z), elevation above the horizon. */
 typedef struct {
     double azimuth, elevation;
-} sight;
+} view;
 
 /* Channel k of a colour: 0 red, 1 green, 2 blue. */
 static inline double channel(int32_t colour, int k)
@@ -29,31 +29,31 @@ static inline double radians(tp_turn turn)
 }
 
 /* Cosine of the angle between two directions, by the spherical law of cosines. */
-static inline double sight_cos(sight a, sight b)
+static inline double sight_cos(view a, view b)
 {
     return sin(a.elevation) * sin(b.elevation)
          + cos(a.elevation) * cos(b.elevation) * cos(a.azimuth - b.azimuth);
 }
 
 /* Direction of the world's light, quantised as the world stores the angles. */
-static inline sight sight_light(const view_of_ref *v)
+static inline view sight_light(const view_of_ref *v)
 {
-    return (sight){ radians(v->world->light_heading),
+    return (view){ radians(v->world->light_heading),
                     radians(v->world->light_elevation) };
 }
 
-static inline sight sight_ahead(const view_of_ref *v)
+static inline view sight_ahead(const view_of_ref *v)
 {
-    return (sight){ radians(v->world->heading),
-                    (int32_t)v->world->pitch * (2 * PI / 4294967296.0) };
+    return (view){ radians(v->world->heading),
+                   (int32_t)v->world->pitch * (2 * PI / 4294967296.0) };
 }
 
 /* Projects the direction `to` into a picture of width x height pixels: `place` in pixels.
  * Returns false if the direction is outside the picture. */
-static inline bool sight_place(const view_of_ref *v, sight to, uint32_t width,
+static inline bool sight_place(const view_of_ref *v, view to, uint32_t width,
                                uint32_t height, double place[2])
 {
-    const sight axis = sight_ahead(v);
+    const view axis = sight_ahead(v);
     const double focal = height / 2.0 / tan(v->scene.camera.fov / 65536.0 * PI / 360);
     const double level = cos(to.elevation) * cos(to.azimuth - axis.azimuth);
     const double aside = cos(to.elevation) * sin(to.azimuth - axis.azimuth);
@@ -69,7 +69,7 @@ static inline bool sight_place(const view_of_ref *v, sight to, uint32_t width,
 
 /* Colour that the reference sees in a direction; for a view opened at 64x48 pixels that
  * contains the direction. */
-static inline ref_seen sight_look(const view_of_ref *v, sight to)
+static inline ref_seen sight_look(const view_of_ref *v, view to)
 {
     double place[2];
 
@@ -78,16 +78,16 @@ static inline ref_seen sight_look(const view_of_ref *v, sight to)
 }
 
 /* Random direction inside the picture, with an elevation from `low` to `high`. */
-static inline sight sight_any(const view_of_ref *v, uint64_t *state, double low,
-                              double high)
+static inline view sight_any(const view_of_ref *v, uint64_t *state, double low,
+                             double high)
 {
-    const sight axis = sight_ahead(v);
+    const view axis = sight_ahead(v);
     double place[2];
-    sight s;
+    view s;
 
     do
-        s = (sight){ axis.azimuth + chance_double(state, -1, 1) * PI,
-                     chance_double(state, low, high) };
+        s = (view){ axis.azimuth + chance_double(state, -1, 1) * PI,
+                    chance_double(state, low, high) };
     while (!sight_place(v, s, 64, 48, place));
     return s;
 }
@@ -131,10 +131,10 @@ static inline double gradient_of(const tp_scene *s, double elevation, int k)
 
 /* Cosine of the light on a face under water. The refracted light is steeper; the factor
  * keeps the light on a level face equal to the light on a dry level face. */
-static inline double wet_cos(const view_of_ref *v, sight face)
+static inline double wet_cos(const view_of_ref *v, view face)
 {
-    const sight light = sight_light(v);
-    const sight bent = { light.azimuth, acos(cos(light.elevation) / WATER) };
+    const view light = sight_light(v);
+    const view bent = { light.azimuth, acos(cos(light.elevation) / WATER) };
 
     return sight_cos(face, bent) * sin(light.elevation) / sin(bent.elevation);
 }

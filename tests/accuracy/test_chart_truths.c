@@ -58,11 +58,11 @@ enum { WIDTH = 160, HEIGHT = 120, TRIANGLES = 300 };
 
 static uint64_t   chance;
 static uint32_t   plane[2][4][HEIGHT * WIDTH];
-static tp_corner  corner[3];
+static tp_screen_vertex  corner[3];
 
-static tp_samples tile_of(int i)
+static tp_gbuffer tile_of(int i)
 {
-    return (tp_samples){ 0, 0, WIDTH, HEIGHT, WIDTH, plane[i][0], plane[i][1],
+    return (tp_gbuffer){ 0, 0, WIDTH, HEIGHT, WIDTH, plane[i][0], plane[i][1],
                          plane[i][2], plane[i][3], false };
 }
 
@@ -72,7 +72,7 @@ static void any_triangle(void)
 {
     for (int i = 0; i < 3; i++) {
         const double turn = (i + chance_double(&chance, 0, 0.6)) * 2 * PI / 3;
-        corner[i] = (tp_corner){
+        corner[i] = (tp_screen_vertex){
             .u = (int32_t)(16 * (WIDTH / 2 + 70 * cos(turn))),
             .v = (int32_t)(16 * (HEIGHT / 2 + 55 * sin(turn))),
             .zi = (uint32_t)((double)(1u << 28) * (i ? chance_double(&chance, 1.5, 4) : 1)),
@@ -83,9 +83,9 @@ static void any_triangle(void)
 
 static void draw(int i, int32_t step)
 {
-    const tp_samples tile = tile_of(i);
+    const tp_gbuffer tile = tile_of(i);
 
-    tp_samples_clear(&tile);
+    tp_gbuffer_clear(&tile);
     span_step = step;
     tp_tri_water(&tile, &corner[0], &corner[1], &corner[2]);
 }

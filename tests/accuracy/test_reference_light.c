@@ -139,7 +139,7 @@ static void a_sunken_eye_sees_snells_window(void **state)
     v.scene.camera.fov = 80 * TP_FX_ONE;
     v.scene.water.clear = 200 * TP_FX_ONE;
     view_open(&v, 64, 48);
-    assert_true(v.ref.sunk);
+    assert_true(v.ref.immersion);
     const ref_colour deep = ref_colour_of((uint32_t)v.scene.water.deep);
     for (uint32_t y = 0; y < 48; y++) {
         const ref_vec way = way_of(&v.ref.camera, 32, y + 0.5);

@@ -55,9 +55,9 @@ static void open_posed(view_of_ref *v, const board *b, tp_pose pose)
 }
 
 /* Phong's lobe for a look, or Blinn's lobe with four times the exponent. */
-static double gloss_of(int32_t model, sight light, sight normal, sight to, double power)
+static double gloss_of(int32_t model, view light, view normal, view to, double power)
 {
-    const sight eye = { to.azimuth + PI, -to.elevation };
+    const view eye = { to.azimuth + PI, -to.elevation };
     const double nl = sight_cos(normal, light), ne = sight_cos(normal, eye);
     const double le = sight_cos(light, eye);
 
@@ -92,7 +92,7 @@ static void measure_board(measure *off, int *bright, view_of_ref *v, int32_t hea
     const double x = chance_double(&seed, -1, 1), y = chance_double(&seed, -1, 1);
     const double turn = heading * (2 * PI / 4294967296.0);
     const double east = x * cos(turn), north = 5 - x * sin(turn);
-    const sight to = { atan2(east, north), atan2(y, hypot(east, north)) };
+    const view to = { atan2(east, north), atan2(y, hypot(east, north)) };
 
     lay(&b, 0, false, 0);
     paint(&b, &p, &bump, nx, ny);
@@ -100,8 +100,8 @@ static void measure_board(measure *off, int *bright, view_of_ref *v, int32_t hea
                                  .heading = (tp_turn)heading });
     const tp_material *m = &b.material[0];
     const double bold = m->bump / 65536.0;
-    const sight normal = { turn + atan2(nx * bold, -100),
-                           atan2(ny * bold, hypot(nx * bold, 100)) };
+    const view normal = { turn + atan2(nx * bold, -100),
+                          atan2(ny * bold, hypot(nx * bold, 100)) };
     const double lit = lit_of(&v->scene, sight_cos(normal, sight_light(v)));
     const double gloss = gloss_of(v->scene.light.model, sight_light(v), normal, to,
                                   m->shininess / TP_FX_ONE);
@@ -160,13 +160,13 @@ static void a_sunken_mesh_shines_in_the_bent_light(void **state)
         open_posed(&v, &b, (tp_pose){ .place = { 0, -TP_FX_ONE, -3 * TP_FX_ONE } });
         const double met = chance_double(&seed, 0.75, 0.95);    /* from straight down */
         const double bent = asin(sin(met) / WATER), north = 2 * tan(met) + tan(bent);
-        const sight light = sight_light(&v);
+        const view light = sight_light(&v);
         const double steep = acos(cos(light.elevation) / WATER);
         const double beam = sin(light.elevation) / sin(steep);
-        const ref_seen seen = sight_look(&v, (sight){ 0, met - PI / 2 });
-        const sight down = { light.azimuth, steep };
-        const double gloss = gloss_of(v.scene.light.model, down, (sight){ 0, PI / 2 },
-                                      (sight){ 0, bent - PI / 2 }, 6);
+        const ref_seen seen = sight_look(&v, (view){ 0, met - PI / 2 });
+        const view down = { light.azimuth, steep };
+        const double gloss = gloss_of(v.scene.light.model, down, (view){ 0, PI / 2 },
+                                      (view){ 0, bent - PI / 2 }, 6);
         assert_true(north > 2 && north < 4);
         for (int k = 0; k < 3; k++) {
             const double lit = lit_of(&v.scene, sin(light.elevation));
@@ -205,7 +205,7 @@ static void a_lid_keeps_water_out(void **state)
         v.scene.water.clear = 0;
         open_posed(&v, &b, (tp_pose){ .place = { 0, (tp_fx)(high * 65536),
                                                  -2 * TP_FX_ONE } });
-        const sight to = { atan2(x, 2 - z), -atan2(90 - high, hypot(x, 2 - z)) };
+        const view to = { atan2(x, 2 - z), -atan2(90 - high, hypot(x, 2 - z)) };
         const bool covered = fabs(x) < 0.9 && fabs(z) < 0.9;
         const ref_seen seen = sight_look(&v, to);
         const double lit = lit_of(&v.scene, sin(sight_light(&v).elevation));

@@ -8,7 +8,7 @@
  * exact rung's error; "exact ..." with the exact rungs' errors; and
  *     slope COLOUR SCENE: rms of the picture that a small added wave causes, per slope */
 #include <stdio.h>
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "scene/prices.h"
 #include "truth.h"
 
@@ -48,13 +48,13 @@ static tp_scene scene_by(const stage *s, choice c)
 typedef struct {
     drawing    truth[2];        /* reference of renderers; reference of shading */
     error      exact[2];        /* errors of the exact rungs */
-    tp_outlook outlook;
+    tp_view_estimate estimate;
     uint32_t   tick;
 } ground;
 
 static void say(const stage *s, const ground *g, const char *rung, error e)
 {
-    printf("error %s %s %.4f %.4f %s %u\n", rung, classes[g->outlook.sea], e.px, e.colour,
+    printf("error %s %s %.4f %.4f %s %u\n", rung, classes[g->estimate.sea], e.px, e.colour,
            s->file.name, (unsigned)g->tick);
 }
 
@@ -68,9 +68,9 @@ static void compare(const stage *s, const ground *g, choice base, int kind)
     error first = { 0, 0 };
 
     for (uint8_t i = 0; i < counts[kind]; i++) {
-        if (kind == TP_KIND_VISIBILITY && !g->outlook.fits[i])
+        if (kind == TP_KIND_VISIBILITY && !g->estimate.fits[i])
             continue;
-        if (kind == TP_KIND_SHADING && i > 0 && !g->outlook.quick)
+        if (kind == TP_KIND_SHADING && i > 0 && !g->estimate.quick)
             continue;
         base.of[kind] = i;
         const tp_scene scene = scene_by(s, base);
@@ -92,7 +92,7 @@ static void compare_all(const stage *s, uint32_t tick)
 
     const tp_plan_input in = { tp_program_all.modules, &s->file.scene, &s->assets.names,
                                width, height };
-    g.outlook = tp_outlook_estimate(&in);
+    g.estimate = tp_view_estimate_make(&in);
     g.tick = tick;
     draw(&exact, s, &scene, s->world);
     for (uint32_t i = 0; i < 2; i++) {
@@ -103,14 +103,14 @@ static void compare_all(const stage *s, uint32_t tick)
     }
     compare(s, &g, base, TP_KIND_VISIBILITY);
     compare(s, &g, base, TP_KIND_SHADING);
-    for (uint8_t i = 0; i < (g.outlook.quick ? TP_SHADINGS : 1); i++) {
+    for (uint8_t i = 0; i < (g.estimate.quick ? TP_SHADINGS : 1); i++) {
         base.of[TP_KIND_SHADING] = i;
         compare(s, &g, base, TP_KIND_RATE);
     }
     base.of[TP_KIND_SHADING] = 0;
     for (uint8_t i = 0; i < TP_VISIBILITIES; i++) {
         base.of[TP_KIND_VISIBILITY] = i;
-        if (g.outlook.fits[i])
+        if (g.estimate.fits[i])
             compare(s, &g, base, TP_KIND_LOD);
     }
 }

@@ -95,8 +95,8 @@ COUNTED(relief)
 COUNTED(hat)
 {
     for (uint32_t i = 0; i < model.count; i++)
-        tp_pool_hat(pool, PLACE_X(i, TP_FX(4)), PLACE_Z(i, TP_FX(4)), TP_FX(0.5),
-                    TP_FX(0.1));
+        tp_pool_add_splash(pool, PLACE_X(i, TP_FX(4)), PLACE_Z(i, TP_FX(4)), TP_FX(0.5),
+                           TP_FX(0.1));
 }
 
 #define STEP(name, cells, side, with) \

@@ -85,7 +85,7 @@ static void prepare_world(int kind)
         "no world");
     tp_boat_init(&tp_program_all, world, &scene);
     model.bytes = kind == PLAIN ? sizeof(tp_world)
-                                : (uint32_t)(sizeof(tp_afloat) + 2 * sizeof(tp_pose));
+                                : (uint32_t)(sizeof(tp_boat_state) + 2 * sizeof(tp_pose));
 }
 
 COUNTED(world)
@@ -133,12 +133,12 @@ const model_row model_drops[] = {
 enum { CHEAP, EXACT, SHARP, RINGS, POOL, SIDE = 100, WIDTH = 320, HEIGHT = 240 };
 
 static tp_grid     grid;
-static tp_lens     lens;
+static tp_projection     projection;
 static tp_surface  surface;
 static tp_ring_now ring[4];
 
 static const tp_grid_view view = {
-    .lens = &lens, .surface = &surface, .width = WIDTH, .height = HEIGHT,
+    .projection = &projection, .surface = &surface, .width = WIDTH, .height = HEIGHT,
     .cell = TP_FX(0.5),
 };
 
@@ -175,7 +175,7 @@ static void prepare_grid(int kind)
     tp_arena arena = tp_arena_init(model.block.byte + below, sizeof model.block - below);
     tp_grid_carve(&grid, &arena, SIDE, SIDE);
     model_expect(!arena.failed, "no memory for the grid");
-    tp_lens_init(&lens, (tp_vec3){ 0, TP_FX(30), TP_FX(40) }, 0,
+    tp_projection_init(&projection, (tp_vec3){ 0, TP_FX(30), TP_FX(40) }, 0,
                  tp_turn_of_degrees(TP_FX(-40)), TP_FX(90), TP_FX(0.5), WIDTH, HEIGHT);
     model.count = SIDE * SIDE;
     model.bytes = (uint32_t)((arena.used + model.count / 2) / model.count);

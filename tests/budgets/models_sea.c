@@ -96,7 +96,7 @@ COUNTED(five)
     for (uint32_t i = 0; i < model.count; i++) {
         const tp_fx around[4] = { PLACE_X(i, TP_FX_ONE), PLACE_Z(i, TP_FX_ONE),
                                   PLACE_X(i + 1, TP_FX_ONE), PLACE_Z(i + 1, TP_FX_ONE) };
-        const tp_relief at = tp_five_heights(0, around, TP_FX(0.5));
+        const tp_relief at = tp_neighbour_heights(0, around, TP_FX(0.5));
         KEEP(at);
     }
 }

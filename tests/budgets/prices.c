@@ -110,9 +110,9 @@ static void draw(const char *what, const char *rung, const char *other, const ch
                                .assets = &assets };
     const size_t world_bytes = tp_world_bytes(&tp_program_all, &scene, &assets);
     tp_arena  arena = tp_arena_init(arena_start, (size_t)(arena_end - arena_start));
-    void *block = tp_arena_take(&arena, 1, tp_frame_bytes(&config, &scene));
-    void *scratch = tp_arena_take(&arena, 1, tp_frame_scratch_bytes(&config, &scene));
-    tp_world *world = tp_arena_take(&arena, 1, world_bytes);
+    void *block = tp_arena_alloc(&arena, 1, tp_frame_bytes(&config, &scene));
+    void *scratch = tp_arena_alloc(&arena, 1, tp_frame_scratch_bytes(&config, &scene));
+    tp_world *world = tp_arena_alloc(&arena, 1, world_bytes);
     uint32_t  water = 0;
     tp_frame *frame;
     tp_tile   tile;
@@ -146,11 +146,11 @@ static void draw(const char *what, const char *rung, const char *other, const ch
     semihost_decimal(" ", width * height);
     semihost_decimal(" ", water);
     const tp_plan_input in = { tp_program_all.modules, &scene, &assets, width, height };
-    const tp_outlook outlook = tp_outlook_estimate(&in);
-    semihost_decimal(" ", outlook.points[scene.quality.visibility - 1]);
-    semihost_decimal(" ", outlook.waves);
-    semihost_decimal(" ", (uint32_t)outlook.slant);
-    semihost_decimal(" ", outlook.drawn);
+    const tp_view_estimate estimate = tp_view_estimate_make(&in);
+    semihost_decimal(" ", estimate.points[scene.quality.visibility - 1]);
+    semihost_decimal(" ", estimate.waves);
+    semihost_decimal(" ", (uint32_t)estimate.slant);
+    semihost_decimal(" ", estimate.drawn);
     semihost_write("\n");
 }
 
@@ -173,8 +173,8 @@ static void draw_works(void)
         semihost_write(works[i].beside);
         semihost_write("\n");
         const tp_plan_input in = { tp_program_all.modules, &scene, &assets, 320, 240 };
-        const tp_outlook outlook = tp_outlook_estimate(&in);
-        const tp_works done = tp_works_estimate(&in, &outlook,
+        const tp_view_estimate estimate = tp_view_estimate_make(&in);
+        const tp_fixed_cost done = tp_fixed_cost_estimate(&in, &estimate,
                                           scene.quality.shading == TP_SHADING_QUICK);
         for (size_t k = 0; k < TP_WORK_COUNT; k++) {
             semihost_write("work ");

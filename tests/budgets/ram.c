@@ -79,9 +79,9 @@ static void measure(const char *how, const uint32_t size[2])
         tp_world_bytes(&tp_program_all, &baked_scene, &baked_assets);
     const size_t scratch_bytes = tp_frame_direct_scratch_bytes(&config, &baked_scene);
     tp_arena  arena = tp_arena_init(arena_start, (size_t)(arena_end - arena_start));
-    void *block = tp_arena_take(&arena, 1, tp_frame_bytes(&config, &baked_scene));
-    void     *scratch = tp_arena_take(&arena, 1, scratch_bytes);
-    tp_world *world = tp_arena_take(&arena, 1, world_bytes);
+    void *block = tp_arena_alloc(&arena, 1, tp_frame_bytes(&config, &baked_scene));
+    void     *scratch = tp_arena_alloc(&arena, 1, scratch_bytes);
+    tp_world *world = tp_arena_alloc(&arena, 1, world_bytes);
     tp_frame *frame;
 
     if (arena.failed

@@ -120,7 +120,7 @@ static void make_past(past *p, const wish *w)
     if (p->world && p->usual && w->still && p->tick == w->tick)
         return;
     p->bytes = tp_world_bytes(&tp_program_all, &w->scene, &w->assets);
-    p->world = tp_arena_take(&arena, 1, p->bytes);
+    p->world = tp_arena_alloc(&arena, 1, p->bytes);
     p->left = arena;
     p->tick = w->tick;
     p->usual = w->still;
@@ -171,9 +171,9 @@ static void draw(const wish *w, const past *p)
                                .format = format,
                                .assets = &w->assets };
     tp_arena  arena = p->left;
-    tp_world *world = tp_arena_take(&arena, 1, p->bytes);
-    void *scratch = tp_arena_take(&arena, 1, tp_frame_scratch_bytes(&config, &w->scene));
-    void *block = tp_arena_take(&arena, 1, tp_frame_bytes(&config, &w->scene));
+    tp_world *world = tp_arena_alloc(&arena, 1, p->bytes);
+    void *scratch = tp_arena_alloc(&arena, 1, tp_frame_scratch_bytes(&config, &w->scene));
+    void *block = tp_arena_alloc(&arena, 1, tp_frame_bytes(&config, &w->scene));
     uint32_t  crc = 0;
     tp_frame *frame;
 

@@ -40,7 +40,7 @@ $(SPAN_STEPS:%=$(AT)/span_step_%.o): \
           $(AT)/span_step_%.o: src/raster/span.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) $(BARE) -DTP_SPAN_STEP=$* $(foreach f,tri_water tri_solid tri_lid \
-	    samples_clear,-Dtp_$f=tp_$f_$*) $(if $(*:0=),,-Wno-unknown-warning-option \
+	    gbuffer_clear,-Dtp_$f=tp_$f_$*) $(if $(*:0=),,-Wno-unknown-warning-option \
 	    -Wno-maybe-uninitialized) \
 	    -c $< -o $@
 $(SPAN_SCENES:%=$(AT)/span-%): $(AT)/span-%: \

@@ -76,7 +76,7 @@ static rungs rungs_of(const tp_scene *shipped, const tp_assets *names, uint32_t 
                       uint32_t height)
 {
     const tp_plan_input in = { tp_program_all.modules, shipped, names, width, height };
-    const tp_outlook o = tp_outlook_estimate(&in);
+    const tp_view_estimate o = tp_view_estimate_make(&in);
     const uint8_t *fits = o.fits;
     tp_scene held = *shipped;
     rungs all = { .count = 0 };

@@ -103,7 +103,7 @@ static void fill_heights(int32_t *in, int n)
 TP_ALWAYS_INLINE void five(const int32_t *in, int32_t *out, tp_fx spacing)
 {
     for (uint32_t i = 0; i < KERNEL_UNITS; i++, in += 4, out += 2) {
-        const tp_relief at = tp_five_heights(0, in, spacing);
+        const tp_relief at = tp_neighbour_heights(0, in, spacing);
         out[0] = at.slope_x;
         out[1] = at.slope_z;
     }

@@ -40,8 +40,8 @@ tp_pool *pool_tank_new(const pool_tank *tank)
 
 void pool_tank_drop(tp_pool *pool)
 {
-    if (!tp_pool_hat(pool, -(tp_fx)pool->cols * 1024, (tp_fx)pool->rows * 512, TP_FX(1),
-                     TP_FX(DROP)))
+    if (!tp_pool_add_splash(pool, -(tp_fx)pool->cols * 1024, (tp_fx)pool->rows * 512,
+                            TP_FX(1), TP_FX(DROP)))
         pool_give_up("a drop beside the tank");
 }
 
@@ -104,7 +104,7 @@ static double energy_of(const tp_pool *pool, double r2, bool heights)
     return e;
 }
 
-/* The statistics of tp_pool_look, without the velocities of 32-bit cells. */
+/* The statistics of tp_pool_stats, without the velocities of 32-bit cells. */
 static tp_pool_state look_quickly(const tp_pool *pool)
 {
     const void *const cells = tp_pool_const_pointer(pool, sizeof *pool);

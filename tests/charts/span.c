@@ -56,9 +56,9 @@ static bool draw(uint32_t *water)
                                .assets = &s.assets };
     const size_t world_bytes = tp_world_bytes(&tp_program_all, &s.scene, &s.assets);
     tp_arena  arena = whole();
-    void *block = tp_arena_take(&arena, 1, tp_frame_bytes(&config, &s.scene));
-    void *scratch = tp_arena_take(&arena, 1, tp_frame_scratch_bytes(&config, &s.scene));
-    tp_world *world = tp_arena_take(&arena, 1, world_bytes);
+    void *block = tp_arena_alloc(&arena, 1, tp_frame_bytes(&config, &s.scene));
+    void *scratch = tp_arena_alloc(&arena, 1, tp_frame_scratch_bytes(&config, &s.scene));
+    tp_world *world = tp_arena_alloc(&arena, 1, world_bytes);
     tp_frame *frame;
     tp_tile   tile;
 

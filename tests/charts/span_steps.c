@@ -7,20 +7,20 @@
 
 int32_t span_step = 16;
 
-#define CORNERS const tp_corner *a, const tp_corner *b, const tp_corner *c
+#define CORNERS const tp_screen_vertex *a, const tp_screen_vertex *b, const tp_screen_vertex *c
 #define DECLARE(step) \
-    void tp_tri_water_##step(const tp_samples *tile, CORNERS); \
-    void tp_tri_solid_##step(const tp_samples *tile, CORNERS, uint32_t mark, \
+    void tp_tri_water_##step(const tp_gbuffer *tile, CORNERS); \
+    void tp_tri_solid_##step(const tp_gbuffer *tile, CORNERS, uint32_t mark, \
                              uint32_t face, int opacity); \
-    void tp_tri_lid_##step(const tp_samples *tile, CORNERS); \
-    void tp_samples_clear_##step(const tp_samples *tile);
+    void tp_tri_lid_##step(const tp_gbuffer *tile, CORNERS); \
+    void tp_gbuffer_clear_##step(const tp_gbuffer *tile);
 DECLARE(0)
 DECLARE(1)
 DECLARE(8)
 DECLARE(16)
 DECLARE(32)
 
-void tp_tri_water(const tp_samples *tile, CORNERS)
+void tp_tri_water(const tp_gbuffer *tile, CORNERS)
 {
     switch (span_step) {
     case SPAN_TRUE: span_true(tile, a, b, c, tp_tri_water_1); break;
@@ -33,18 +33,18 @@ void tp_tri_water(const tp_samples *tile, CORNERS)
 }
 
 /* Solids are drawn by the engine's step. */
-void tp_tri_solid(const tp_samples *tile, CORNERS, uint32_t mark, uint32_t face,
+void tp_tri_solid(const tp_gbuffer *tile, CORNERS, uint32_t mark, uint32_t face,
                   int opacity)
 {
     tp_tri_solid_16(tile, a, b, c, mark, face, opacity);
 }
 
-void tp_tri_lid(const tp_samples *tile, CORNERS)
+void tp_tri_lid(const tp_gbuffer *tile, CORNERS)
 {
     tp_tri_lid_16(tile, a, b, c);
 }
 
-void tp_samples_clear(const tp_samples *tile)
+void tp_gbuffer_clear(const tp_gbuffer *tile)
 {
-    tp_samples_clear_16(tile);
+    tp_gbuffer_clear_16(tile);
 }

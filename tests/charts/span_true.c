@@ -4,8 +4,8 @@
 #include "tests/charts/span_true.h"
 
 #if !__STDC_HOSTED__
-void span_true(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
-               const tp_corner *c, span_draw *exact)
+void span_true(const tp_gbuffer *tile, const tp_screen_vertex *a, const tp_screen_vertex *b,
+               const tp_screen_vertex *c, span_draw *exact)
 {
     exact(tile, a, b, c);
 }
@@ -18,7 +18,7 @@ enum { MOST = 640 * 480 };        /* pixels of a tile, at most */
 static uint32_t before[MOST];
 
 /* Twice the area of two vertices and a point, 28.4. */
-static double area(const tp_corner *a, const tp_corner *b, double u, double v)
+static double area(const tp_screen_vertex *a, const tp_screen_vertex *b, double u, double v)
 {
     return ((double)b->u - a->u) * (v - a->v) - (u - a->u) * ((double)b->v - a->v);
 }
@@ -29,8 +29,8 @@ static uint32_t moved(int32_t from, double by)
 }
 
 /* Writes s and t of a pixel. Differences of s and t wrap, like the engine's. */
-static void put(const tp_samples *tile, size_t at, const tp_corner *const p[3], double u,
-                double v)
+static void put(const tp_gbuffer *tile, size_t at, const tp_screen_vertex *const p[3],
+                double u, double v)
 {
     double sum = 0, s = 0, t = 0;
 
@@ -54,10 +54,10 @@ static int32_t most(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-void span_true(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
-               const tp_corner *c, span_draw *exact)
+void span_true(const tp_gbuffer *tile, const tp_screen_vertex *a, const tp_screen_vertex *b,
+               const tp_screen_vertex *c, span_draw *exact)
 {
-    const tp_corner *const p[3] = { a, b, c };
+    const tp_screen_vertex *const p[3] = { a, b, c };
     const int32_t x0 = most(least(least(a->u, b->u), c->u) >> 4, tile->x0);
     const int32_t y0 = most(least(least(a->v, b->v), c->v) >> 4, tile->y0);
     const int32_t x1 = least((most(most(a->u, b->u), c->u) >> 4) + 1, tile->x1);

@@ -5,10 +5,10 @@
 #define CHARTS_SPAN_TRUE_H
 #include "raster/raster.h"
 
-typedef void span_draw(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
-                       const tp_corner *c);
+typedef void span_draw(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                       const tp_screen_vertex *b, const tp_screen_vertex *c);
 
 /* Draws the pixels that `exact` draws. */
-void span_true(const tp_samples *tile, const tp_corner *a, const tp_corner *b,
-               const tp_corner *c, span_draw *exact);
+void span_true(const tp_gbuffer *tile, const tp_screen_vertex *a, const tp_screen_vertex *b,
+               const tp_screen_vertex *c, span_draw *exact);
 #endif

@@ -17,15 +17,15 @@ static const char obj_text[] =
 
 static void *load(tp_obj *obj)
 {
-    tp_obj_scan(obj);
+    tp_obj_begin_count(obj);
     REQUIRE(tp_obj_feed(obj, obj_text, sizeof obj_text - 1, NULL) == TP_OK);
-    REQUIRE(tp_obj_scanned(obj, NULL) == TP_OK);
+    REQUIRE(tp_obj_end_count(obj, NULL) == TP_OK);
     void *const mem = malloc(tp_obj_bytes(obj));
     REQUIRE(mem != NULL);
     memset(mem, 0xA5, tp_obj_bytes(obj));
-    tp_obj_load(obj, mem);
+    tp_obj_begin_load(obj, mem);
     REQUIRE(tp_obj_feed(obj, obj_text, sizeof obj_text - 1, NULL) == TP_OK);
-    REQUIRE(tp_obj_loaded(obj, NULL) == TP_OK);
+    REQUIRE(tp_obj_end_load(obj, NULL) == TP_OK);
     return mem;
 }
 
@@ -86,7 +86,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     REQUIRE(read_library(&obj, 1, data + 1 + half, size - 1 - half, piece, NULL) == TP_OK);
     check_warnings(&obj);
     tp_mesh mesh;
-    REQUIRE(tp_obj_bind(&obj, textures, &mesh, NULL) == TP_OK);
+    REQUIRE(tp_obj_finish(&obj, textures, &mesh, NULL) == TP_OK);
     check_warnings(&obj);
     check(&obj, &mesh);
     free(mem);

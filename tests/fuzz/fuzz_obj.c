@@ -62,25 +62,25 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const size_t piece = data[0] < 64 ? data[0] + 1u : 1u << 20;
     const uint8_t *const text = data + 1;
     tp_error err = { .code = TP_OK };
-    tp_obj_scan(&obj);
+    tp_obj_begin_count(&obj);
     tp_status status = feed(&obj, text, size - 1, piece, &err);
     if (status == TP_OK)
-        status = tp_obj_scanned(&obj, &err);
+        status = tp_obj_end_count(&obj, &err);
     void *mem = NULL;
     if (status == TP_OK) {
         mem = malloc(tp_obj_bytes(&obj));
         REQUIRE(mem != NULL);
         memset(mem, 0xA5, tp_obj_bytes(&obj));
-        tp_obj_load(&obj, mem);
+        tp_obj_begin_load(&obj, mem);
         status = feed(&obj, text, size - 1, piece, &err);
     }
     if (status == TP_OK)
-        status = tp_obj_loaded(&obj, &err);
+        status = tp_obj_end_load(&obj, &err);
     if (status == TP_OK)
         check_warnings(&obj);
     tp_mesh mesh;
     if (status == TP_OK)
-        status = tp_obj_bind(&obj, NULL, &mesh, &err);
+        status = tp_obj_finish(&obj, NULL, &mesh, &err);
     if (status == TP_OK)
         check(&obj, &mesh);
     else

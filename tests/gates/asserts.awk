@@ -8,7 +8,7 @@
 # folder and of the core. A core figure below `least` or above `most`, if given, is an
 # error.
 BEGIN {
-    n = split("sizeof tp_abs tp_clz tp_corner_fits tp_lens_holds tp_pool_full " \
+    n = split("sizeof tp_abs tp_clz tp_screen_vertex_fits tp_projection_contains tp_pool_full " \
               "tp_sheet_is", name, " ")
     for (i = 1; i <= n; i++)
         pure[name[i]]

@@ -49,7 +49,7 @@ BEGIN {
           "cortex-m=pixel/pixel.h cortex-m=frame/tools.h cortex-m=scene/tape.h " \
           "board=base/fail.h board=scene/value.h board=scene/tape.h " \
           "board=scene/pools.h board=features/drops/drops.h " \
-          "live=fx/fx.h live=scene/value.h live=scene/world.h live=scene/parts.h " \
+          "live=fx/fx.h live=scene/value.h live=scene/world.h live=scene/world_parts.h " \
           "live=scene/pools.h live=features/drops/drops.h " \
           "live=features/exposure/meter.h " \
           "web=asset/reader.h web=base/fail.h web=scene/value.h web=scene/world.h " \

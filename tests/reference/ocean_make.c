@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include "depth.h"
 #include "ocean.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "surf.h"
 
 static double least(double a, double b)

@@ -208,7 +208,7 @@ void ref_scene_open(ref_scene *s, const tp_scene *scene, const tp_assets *assets
     place_tank(s);
     s->surface = ref_surface_of(scene, world, s->camera.eye, s->camera.ahead, meshed);
     place_blocks(s);
-    s->sunk = is_sunk(s);
+    s->immersion = is_sunk(s);
 }
 
 void ref_scene_close(ref_scene *s)

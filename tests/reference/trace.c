@@ -121,7 +121,7 @@ static ref_seen look(const ref_scene *s, double u, double v)
     ref_vec n = { 0, 1, 0 };
     double far;
 
-    if (s->sunk)
+    if (s->immersion)
         return (ref_seen){ .colour = ref_under(s, &ray, 2), .kind = REF_WATER };
     const double glass = glass_at(s, &ray, &n);
     ref_seen seen = bare(s, &ray, t0, &far);

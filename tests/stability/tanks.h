@@ -45,7 +45,7 @@ static inline bool is_bounded(double r, uint32_t m)
 /* Asserts that no cell leaves its range. */
 static inline tp_pool_state look_bounded(const tp_pool *pool)
 {
-    const tp_pool_state look = tp_pool_look(pool);
+    const tp_pool_state look = tp_pool_stats(pool);
     assert_true(look.highest <= tp_pool_full(pool));
     assert_true(pool->cells == TP_CELLS_32 || look.fastest <= tp_pool_full(pool));
     return look;

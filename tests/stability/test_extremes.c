@@ -13,7 +13,7 @@
 #include "features/drops/drops.h"
 #include "tests/unit/twice.h"
 #include "scene/pools.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "wave/ocean_tables.h"
 
 #define HIGHEST (2200 * (int64_t)TP_FX_ONE)     /* 16 waves, 1024 rings, two pools */
@@ -94,7 +94,7 @@ static void ask_pool(tp_pool *pool, tp_fx x, tp_fx z)
 
     assert_true(abs(r.height) <= tp_pool_highest(pool));
     assert_true(!cell || (col < pool->cols && row < pool->rows));
-    assert_int_equal(cell, tp_pool_hat(pool, x, z, chance_word(&chance),
+    assert_int_equal(cell, tp_pool_add_splash(pool, x, z, chance_word(&chance),
                                        chance_word(&chance)));
 }
 

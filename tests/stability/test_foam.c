@@ -10,7 +10,7 @@
 #include <cmocka.h>
 #include "features/foam/foam.h"
 #include "features/spray/spray.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "tests/unit/scenes.h"
 
 static uint64_t chance;

@@ -89,11 +89,11 @@ static double settle(tp_cells cells, uint32_t size, uint32_t m, double r)
 
     stir(pool);
     run(pool, (int)pool->gear);
-    const double mean = fabs((double)tp_pool_look(pool).sum) / (size * size)
+    const double mean = fabs((double)tp_pool_stats(pool).sum) / (size * size)
                       / tp_pool_full(pool);
     if (is_bounded(r, m)) {
         printf(" %5d", run(pool, 200000));
-        const tp_pool_state look = tp_pool_look(pool);
+        const tp_pool_state look = tp_pool_stats(pool);
         assert_true(look.at_rest && look.sum == 0 && look.highest == 0);
         assert_int_equal(look.fastest, 0);
     } else {
@@ -172,17 +172,17 @@ static double mean_of_hat(tp_cells cells, uint32_t m, double r, bool any, int *r
                                              : TP_FX(25600.0 / 32767);
     double worst = 0;
 
-    assert_true(any ? tp_pool_hat(pool, chance_fx(&chance, -7.9, 7.9),
-                                  chance_fx(&chance, -7.9, 7.9),
-                                  chance_fx(&chance, 0.4, 2), height)
-                    : tp_pool_hat(pool, 0, 0, TP_FX(1), height));
+    assert_true(any ? tp_pool_add_splash(pool, chance_fx(&chance, -7.9, 7.9),
+                                         chance_fx(&chance, -7.9, 7.9),
+                                         chance_fx(&chance, 0.4, 2), height)
+                    : tp_pool_add_splash(pool, 0, 0, TP_FX(1), height));
     while (pool->gear != 0) {
         run(pool, pool->gear < 64 ? (int)pool->gear : 64);
-        assert_true(tp_pool_look(pool).sum == 0);
+        assert_true(tp_pool_stats(pool).sum == 0);
     }
     for (*rest = 0; !pool->at_rest; ++*rest) {
         tp_pool_step(pool);
-        worst = fmax(worst, fabs((double)tp_pool_look(pool).sum) / 4096);
+        worst = fmax(worst, fabs((double)tp_pool_stats(pool).sum) / 4096);
         assert_true(*rest < 5000);
     }
     free(pool);
@@ -230,7 +230,7 @@ static double mean_of_hats(tp_cells cells, uint32_t m)
 
     for (int tick = 0, still = 0; tick < 12000; tick++) {
         if (pool->gear == 0 && still++ == (int)m + 3) {
-            assert_true(tp_pool_hat(pool, chance_fx(&chance, -2.9, 2.9),
+            assert_true(tp_pool_add_splash(pool, chance_fx(&chance, -2.9, 2.9),
                                     chance_fx(&chance, -2.9, 2.9), TP_FX(0.6), height));
             still = 0;
         }
@@ -268,18 +268,18 @@ static void volume(tp_cells cells, tp_edges edges)
     double worst = 0, moved = 0;
     int ticks = 0;
 
-    assert_true(tp_pool_hat(pool, chance_fx(&chance, -5, 5), chance_fx(&chance, -5, 5),
-                            TP_FX(1), TP_FX(0.7)));
+    assert_true(tp_pool_add_splash(pool, chance_fx(&chance, -5, 5),
+                                   chance_fx(&chance, -5, 5), TP_FX(1), TP_FX(0.7)));
     for (uint32_t i = 0; i < tp_pool_count(pool); i++)
         moved += abs(tp_pool_cell_height(pool, i)) / 2.0;
     for (; !pool->at_rest; ticks++) {
         assert_true(ticks < 20000);
         tp_pool_step(pool);
-        const int64_t sum = tp_pool_look(pool).sum;
+        const int64_t sum = tp_pool_stats(pool).sum;
         worst = fmax(worst, fabs((double)sum));
         assert_true(cells != TP_CELLS_32 || sum == 0);
     }
-    const tp_pool_state look = tp_pool_look(pool);
+    const tp_pool_state look = tp_pool_stats(pool);
     printf("# %4d  %-6s  %17.0f  %10.3g %%  %8d  %7d\n", 8 << cells,
            edges == TP_EDGES_WALL ? "walls" : edges == TP_EDGES_TILE ? "tiled" : "sponge",
            worst, 100 * worst / moved, ticks, look.highest);
@@ -304,7 +304,7 @@ static bool moves(tp_pool *pool, bool gear_a)
     pool->gear = gear_a ? 2 : 0;
     pool->at_rest = 0;
     tp_pool_step(pool);
-    return tp_pool_look(pool).fastest != 0;
+    return tp_pool_stats(pool).fastest != 0;
 }
 
 static bool cell_moves(double r, bool gear_a, int32_t height)

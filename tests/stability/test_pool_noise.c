@@ -61,7 +61,7 @@ static double kept_rms(const tp_pool_config *c)
     int    looks = 0;
 
     pool_fill(pool, &chance, 20);
-    const double mean = (double)tp_pool_look(pool).sum / (c->cols * c->rows);
+    const double mean = (double)tp_pool_stats(pool).sum / (c->cols * c->rows);
     for (int n = 0; n < before + after; n++) {
         pool->gear = FOR_EVER;
         tp_pool_step(pool);

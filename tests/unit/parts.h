@@ -2,7 +2,7 @@
 /* Scenes with buffers behind the world's head, for tests. */
 #ifndef TP_TESTS_PARTS_H
 #define TP_TESTS_PARTS_H
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "scenes.h"
 
 enum { SAMPLES = 24 };

@@ -187,7 +187,7 @@ static void texels_are_those_of_the_stored_unit(void **state)
         assert_int_equal(read_text(&r, text, "newmtl a\nmap_Kd x\n"), TP_OK);
         const tp_texture texture = { .log2_w = 12, .log2_h = 12, .levels = 13 };
         const tp_texture *const list[1] = { &texture };
-        assert_int_equal(tp_obj_bind(&r.obj, list, &r.mesh, &r.err), TP_OK);
+        assert_int_equal(tp_obj_finish(&r.obj, list, &r.mesh, &r.err), TP_OK);
         assert_int_equal(r.mesh.log2_unit, log2);
         assert_in_range(r.mesh.materials[0].texels, 4096 * ONE / 16000 - 2,
                         4096 * ONE / 16000 + 2);

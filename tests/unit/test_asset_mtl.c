@@ -100,7 +100,7 @@ static uint32_t colour_with(const char *mtl, bool picture)
     const tp_texture *const list[1] = { picture ? &texture : NULL };
     reader r;
     assert_int_equal(read_text(&r, ONE_MATERIAL, mtl), TP_OK);
-    assert_int_equal(tp_obj_bind(&r.obj, list, &r.mesh, &r.err), TP_OK);
+    assert_int_equal(tp_obj_finish(&r.obj, list, &r.mesh, &r.err), TP_OK);
     const uint32_t colour = r.mesh.materials[0].diffuse;
     finish(&r);
     return colour;
@@ -208,7 +208,7 @@ static void images_are_listed_once_for_each_library(void **state)
         textures[i] = (tp_texture){ .levels = 1 };
     }
     list[2] = NULL;                             /* a texture that is not available */
-    assert_int_equal(tp_obj_bind(&r.obj, list, &r.mesh, &r.err), TP_OK);
+    assert_int_equal(tp_obj_finish(&r.obj, list, &r.mesh, &r.err), TP_OK);
     assert_ptr_equal(r.mesh.materials[0].diffuse_map, &textures[1]);
     assert_null(r.mesh.materials[0].normal_map);
     assert_ptr_equal(r.mesh.materials[1].diffuse_map, &textures[1]);
@@ -281,7 +281,7 @@ static tp_fx texels_of(const char *side, const char *s, const char *t, uint8_t l
     assert_int_equal(read_text(&r, obj, "newmtl wood\nmap_Kd x.png\n"), TP_OK);
     const tp_texture texture = { .log2_w = log2_w, .log2_h = log2_h };
     const tp_texture *const list[1] = { &texture };
-    assert_int_equal(tp_obj_bind(&r.obj, list, &r.mesh, &r.err), TP_OK);
+    assert_int_equal(tp_obj_finish(&r.obj, list, &r.mesh, &r.err), TP_OK);
     const tp_fx texels = r.mesh.materials[0].texels;
     finish(&r);
     return texels;

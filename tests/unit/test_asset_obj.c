@@ -248,11 +248,11 @@ static void a_new_scan_forgets_everything(void **state)
     (void)state;
     reader r;
     accept(&r, TRIANGLE "usemtl a\nf 1 2 3\n");
-    tp_obj_scan(&r.obj);
+    tp_obj_begin_count(&r.obj);
     assert_int_equal(tp_obj_feed(&r.obj, "f 1 2 x\n", 8, &r.err), TP_E_OBJ_NUMBER);
-    tp_obj_scan(&r.obj);
+    tp_obj_begin_count(&r.obj);
     assert_int_equal(tp_obj_feed(&r.obj, TRIANGLE "f 1 2 3", 31, &r.err), TP_OK);
-    assert_int_equal(tp_obj_scanned(&r.obj, &r.err), TP_OK);
+    assert_int_equal(tp_obj_end_count(&r.obj, &r.err), TP_OK);
     finish(&r);
 }
 
@@ -368,7 +368,7 @@ static void more_than_2_to_the_24_of_one_kind_are_refused(void **state)
     for (size_t i = 0; i < LINES; i++)
         memcpy(text + i * 5, "vt 0\n", 5);
     reader r;
-    tp_obj_scan(&r.obj);
+    tp_obj_begin_count(&r.obj);
     for (uint32_t i = 0; i < TP_OBJ_COUNT / LINES; i++)
         assert_int_equal(tp_obj_feed(&r.obj, text, LINES * 5, &r.err), TP_OK);
     assert_int_equal(tp_obj_feed(&r.obj, text, LINES * 5, &r.err), TP_E_OBJ_COUNT);
@@ -385,7 +385,7 @@ static void more_than_2_to_the_20_libraries_are_refused(void **state)
     enum { LINES = 1 << 12, BYTES = 100, MOST = 1 << 20 };
     char *const text = malloc(LINES * BYTES + 1);
     reader r;
-    tp_obj_scan(&r.obj);
+    tp_obj_begin_count(&r.obj);
     tp_status status = TP_OK;
     for (uint32_t i = 0; i <= MOST && status == TP_OK; i += LINES) {
         for (uint32_t k = 0; k < LINES; k++)
@@ -402,13 +402,13 @@ static void calls_out_of_order_are_refused(void **state)
 {
     (void)state;
     reader r;
-    tp_obj_scan(&r.obj);
-    assert_int_equal(tp_obj_loaded(&r.obj, &r.err), TP_E_ARG);
-    tp_obj_scan(&r.obj);
-    tp_obj_load(&r.obj, &r);
+    tp_obj_begin_count(&r.obj);
+    assert_int_equal(tp_obj_end_load(&r.obj, &r.err), TP_E_ARG);
+    tp_obj_begin_count(&r.obj);
+    tp_obj_begin_load(&r.obj, &r);
     assert_int_equal(tp_obj_feed(&r.obj, "#", 1, &r.err), TP_E_ARG);
-    tp_obj_scan(&r.obj);
-    assert_int_equal(tp_obj_bind(&r.obj, NULL, &r.mesh, NULL), TP_E_ARG);
+    tp_obj_begin_count(&r.obj);
+    assert_int_equal(tp_obj_finish(&r.obj, NULL, &r.mesh, NULL), TP_E_ARG);
     accept(&r, TRIANGLE "f 1 2 3\n");
     tp_mtl_begin(&r.obj, 0);                    /* the file names no library */
     assert_int_equal(tp_mtl_feed(&r.obj, "#", 1, &r.err), TP_E_ARG);
@@ -416,11 +416,11 @@ static void calls_out_of_order_are_refused(void **state)
     accept(&r, TRIANGLE "f 1 2 3\n");
     assert_int_equal(tp_mtl_end(&r.obj, &r.err), TP_E_ARG);
     finish(&r);
-    tp_obj_scan(&r.obj);
+    tp_obj_begin_count(&r.obj);
     assert_int_equal(tp_obj_feed(&r.obj, NULL, 0, &r.err), TP_OK);
     assert_int_equal(tp_obj_feed(&r.obj, TRIANGLE "f 1 2 3\n", 32, &r.err), TP_OK);
-    assert_int_equal(tp_obj_scanned(&r.obj, &r.err), TP_OK);
-    assert_int_equal(tp_obj_scanned(&r.obj, &r.err), TP_E_ARG);
+    assert_int_equal(tp_obj_end_count(&r.obj, &r.err), TP_OK);
+    assert_int_equal(tp_obj_end_count(&r.obj, &r.err), TP_E_ARG);
 }
 
 int main(void)

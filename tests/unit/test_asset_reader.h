@@ -39,18 +39,18 @@ static inline tp_status scan_text(reader *r, const char *text, size_t bytes, siz
     r->err.code = r->warned.code = TP_OK;
     r->mem = NULL;
     r->warnings = 0;
-    tp_obj_scan(&r->obj);
+    tp_obj_begin_count(&r->obj);
     tp_status status = feed_pieces(tp_obj_feed, &r->obj, text, bytes, piece, &r->err);
-    return status != TP_OK ? status : tp_obj_scanned(&r->obj, &r->err);
+    return status != TP_OK ? status : tp_obj_end_count(&r->obj, &r->err);
 }
 
 static inline tp_status load_text(reader *r, const char *text, size_t bytes, size_t piece)
 {
     r->mem = malloc(tp_obj_bytes(&r->obj));
     memset(r->mem, 0xA5, tp_obj_bytes(&r->obj));
-    tp_obj_load(&r->obj, r->mem);
+    tp_obj_begin_load(&r->obj, r->mem);
     tp_status status = feed_pieces(tp_obj_feed, &r->obj, text, bytes, piece, &r->err);
-    return status != TP_OK ? status : tp_obj_loaded(&r->obj, &r->err);
+    return status != TP_OK ? status : tp_obj_end_load(&r->obj, &r->err);
 }
 
 /* Adds the warnings of the step that has just ended. */
@@ -80,7 +80,7 @@ static inline tp_status read_bytes(reader *r, const char *text, size_t bytes,
             note_warnings(r);
     }
     if (status == TP_OK)
-        status = tp_obj_bind(&r->obj, NULL, &r->mesh, &r->err);
+        status = tp_obj_finish(&r->obj, NULL, &r->mesh, &r->err);
     if (status == TP_OK)
         note_warnings(r);
     return status;

@@ -13,10 +13,10 @@ static void takes_are_aligned_and_do_not_overlap(void **state)
     (void)state;
     _Alignas(8) uint8_t block[64];
     tp_arena arena = tp_arena_init(block, sizeof block);
-    assert_ptr_equal(tp_arena_take(&arena, 3, 1), block);
-    assert_ptr_equal(tp_arena_take(&arena, 1, 8), block + 8);
-    assert_ptr_equal(tp_arena_take(&arena, 3, 4), block + 16);
-    assert_ptr_equal(tp_arena_take(&arena, 1, 1), block + 32);
+    assert_ptr_equal(tp_arena_alloc(&arena, 3, 1), block);
+    assert_ptr_equal(tp_arena_alloc(&arena, 1, 8), block + 8);
+    assert_ptr_equal(tp_arena_alloc(&arena, 3, 4), block + 16);
+    assert_ptr_equal(tp_arena_alloc(&arena, 1, 1), block + 32);
     assert_int_equal(arena.used, 40);
     assert_false(arena.failed);
 }
@@ -30,7 +30,7 @@ static void counting_tells_exactly_what_carving_needs(void **state)
     enum { PARTS = sizeof parts / sizeof parts[0] };
     tp_arena counter = tp_arena_init(NULL, 0);
     for (int i = 0; i < PARTS; i++)
-        assert_null(tp_arena_take(&counter, parts[i].count, parts[i].size));
+        assert_null(tp_arena_alloc(&counter, parts[i].count, parts[i].size));
     assert_false(counter.failed);
     assert_int_equal(counter.used, 8 + 24 + 0 + 0 + 16 + 16);
 
@@ -38,7 +38,7 @@ static void counting_tells_exactly_what_carving_needs(void **state)
     memset(block, 0xa5, sizeof block);
     tp_arena arena = tp_arena_init(block, counter.used);
     for (int i = 0; i < PARTS; i++) {
-        void *const part = tp_arena_take(&arena, parts[i].count, parts[i].size);
+        void *const part = tp_arena_alloc(&arena, parts[i].count, parts[i].size);
         assert_non_null(part);
         memset(part, 0, parts[i].count * parts[i].size);
     }
@@ -52,10 +52,10 @@ static void a_take_that_does_not_fit_fails_and_tells_the_need(void **state)
     (void)state;
     _Alignas(8) uint8_t block[16];
     tp_arena arena = tp_arena_init(block, sizeof block);
-    assert_non_null(tp_arena_take(&arena, 1, 8));
-    assert_null(tp_arena_take(&arena, 2, 8));
+    assert_non_null(tp_arena_alloc(&arena, 1, 8));
+    assert_null(tp_arena_alloc(&arena, 2, 8));
     assert_true(arena.failed);
-    assert_null(tp_arena_take(&arena, 1, 1));
+    assert_null(tp_arena_alloc(&arena, 1, 1));
     assert_int_equal(arena.used, 32);
 }
 
@@ -70,10 +70,10 @@ static void sizes_that_overflow_fail(void **state)
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++)
         for (int counting = 0; counting < 2; counting++) {
             tp_arena arena = tp_arena_init(counting ? NULL : block, sizeof block);
-            tp_arena_take(&arena, 1, 8);
-            assert_null(tp_arena_take(&arena, parts[i].count, parts[i].size));
+            tp_arena_alloc(&arena, 1, 8);
+            assert_null(tp_arena_alloc(&arena, parts[i].count, parts[i].size));
             assert_true(arena.failed);
-            assert_null(tp_arena_take(&arena, 1, 8));   /* no later request fits either */
+            assert_null(tp_arena_alloc(&arena, 1, 8));   /* no later request fits either */
             assert_int_equal(arena.used, SIZE_MAX);
         }
 }
@@ -82,9 +82,9 @@ static void sums_that_overflow_fail(void **state)
 {
     (void)state;
     tp_arena arena = tp_arena_init(NULL, 0);
-    tp_arena_take(&arena, SIZE_MAX / 2, 1);
+    tp_arena_alloc(&arena, SIZE_MAX / 2, 1);
     assert_false(arena.failed);
-    tp_arena_take(&arena, SIZE_MAX / 2, 1);
+    tp_arena_alloc(&arena, SIZE_MAX / 2, 1);
     assert_true(arena.failed);
 }
 

@@ -72,8 +72,8 @@ static void a_kinematic_boat_takes_the_water_s_lie(void **state)
     const tp_scene s = any_boat(&chance, TP_BOAT_KINEMATIC);
 
     for (int n = 0; n < 2000; n++) {
-        tp_lie a = { .speed = { 5, 6, 7 } };
-        tp_hull hull = { .sunk = { 1, 2, 3 } };
+        tp_boat_attitude a = { .speed = { 5, 6, 7 } };
+        tp_hull hull = { .immersion = { 1, 2, 3 } };
         tp_fx water[4];
         double aim[3];
         for (int i = 0; i < 4; i++)
@@ -84,7 +84,7 @@ static void a_kinematic_boat_takes_the_water_s_lie(void **state)
         for (int k = 0; k < 3; k++) {
             assert_true((double)a.at[k] == aim[k] * Q40);
             assert_int_equal(a.speed[k], 0);
-            assert_int_equal(hull.sunk[k], 0);
+            assert_int_equal(hull.immersion[k], 0);
         }
     }
 }
@@ -96,7 +96,7 @@ static void smoothing_follows_the_models(void **state)
 
     for (int n = 0; n < 40; n++) {
         tp_scene s = any_boat(&chance, TP_BOAT_KINEMATIC);
-        tp_lie a = { .at = { 0 } };
+        tp_boat_attitude a = { .at = { 0 } };
         ref_float f = { .lie = { 0 } };
         tp_fx water[4] = { 0 };
         s.boat.smooth = n == 0 ? 1 : n == 1 ? 10 * TP_FX_ONE
@@ -120,7 +120,7 @@ static void smoothing_ends_exactly_on_flat_water(void **state)
     (void)state;
     for (int n = 0; n < 40; n++) {
         tp_scene s = any_boat(&chance, TP_BOAT_KINEMATIC);
-        tp_lie a = { .at = { 0 } };
+        tp_boat_attitude a = { .at = { 0 } };
         tp_fx water[4];
         const tp_fx level = chance_fx(&chance, -100, 100);
         for (int i = 0; i < 4; i++)
@@ -133,9 +133,10 @@ static void smoothing_ends_exactly_on_flat_water(void **state)
         assert_int_equal(tp_fx_of_q40(a.at[0]), level);
         assert_int_equal(tp_fx_of_q40(a.at[1]), 0);
         assert_int_equal(tp_fx_of_q40(a.at[2]), 0);
-        tp_hull hull = { .sunk = { 1, 2, 3 } };
+        tp_hull hull = { .immersion = { 1, 2, 3 } };
         tp_boat_sink(&hull, &a, water);
-        assert_true(hull.sunk[0] == 0 && hull.sunk[1] == 0 && hull.sunk[2] == 0);
+        assert_true(hull.immersion[0] == 0 && hull.immersion[1] == 0
+                    && hull.immersion[2] == 0);
     }
 }
 
@@ -144,7 +145,7 @@ static void smoothing_ends_exactly_on_flat_water(void **state)
 static void compare_swing(int n, measure *off)
 {
     tp_scene s = any_boat(&chance, TP_BOAT_DYNAMIC);
-    tp_lie a = { .at = { 0 } };
+    tp_boat_attitude a = { .at = { 0 } };
     ref_float f = { .lie = { 0 } };
     const double high = chance_scale(&chance, 0.01, 40) * LSB;
     const double step = chance_double(&chance, 0, 0.2);
@@ -179,7 +180,7 @@ static void floating_follows_the_models(void **state)
 /* Mean time between two upward zero crossings, from eight periods. */
 static double period_of(const tp_scene *s)
 {
-    tp_lie a = { .at = { -(int64_t)s->boat.draft * (1 << 23), 0, 0 } };
+    tp_boat_attitude a = { .at = { -(int64_t)s->boat.draft * (1 << 23), 0, 0 } };
     const tp_fx water[4] = { 0 };
     double first = 0, last = 0;
     int count = 0;
@@ -225,7 +226,7 @@ static void drag_is_the_share_of_the_critical(void **state)
     s.water.gravity = TP_FX(9.81);
     s.boat.draft = 8 * TP_FX_ONE;       /* omega dt = 0.018 */
     s.boat.drag = TP_FX(0.1);
-    tp_lie a = { .at = { (int64_t)4 << 40, 0, 0 } };
+    tp_boat_attitude a = { .at = { (int64_t)4 << 40, 0, 0 } };
     int64_t before = a.at[0];
     for (int t = 0; tops < 3; t++) {
         const int64_t now = a.at[0];
@@ -252,8 +253,9 @@ static void critical_drag_does_not_overshoot(void **state)
             s.water.gravity = 100 * TP_FX_ONE;
             s.boat.draft = TP_FX(0.05);
         }
-        tp_lie a = { .at = { (int64_t)s.boat.draft << 23, (int64_t)s.boat.draft << 24,
-                                 (int64_t)s.boat.draft << 21 } };
+        tp_boat_attitude a = { .at = { (int64_t)s.boat.draft << 23,
+                                       (int64_t)s.boat.draft << 24,
+                                       (int64_t)s.boat.draft << 21 } };
         for (int t = 0; t < 3000; t++) {
             tp_boat_float(&a, &s, water);
             assert_true(a.at[0] >= 0 && a.at[1] >= 0 && a.at[2] >= 0);

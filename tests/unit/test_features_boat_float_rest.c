@@ -12,9 +12,9 @@ static uint64_t chance;
 
 /* -- energy and rest ----------------------------------------------------------------- */
 
-static tp_lie any_lie(double most, double fastest)
+static tp_boat_attitude any_lie(double most, double fastest)
 {
-    tp_lie a = { .at = { 0 } };
+    tp_boat_attitude a = { .at = { 0 } };
 
     for (int k = 0; k < 3; k++) {
         a.at[k] = (int64_t)(chance_double(&chance, -most, most) * Q40);
@@ -24,7 +24,7 @@ static tp_lie any_lie(double most, double fastest)
 }
 
 /* Energy [C3] of the three oscillations on water of height 0, in m^2 per squared step. */
-static double swing_energy(const tp_lie *a, const tp_scene *s)
+static double swing_energy(const tp_boat_attitude *a, const tp_scene *s)
 {
     const double mass[3] = { 4, 0.5, 0.5 }, spring = pow(omega_step(s), 2);
     double sum = 0;
@@ -47,7 +47,7 @@ static void energy_never_grows_on_still_water(void **state)
     for (int n = 0; n < 200; n++) {
         tp_scene s = any_boat(&chance, TP_BOAT_DYNAMIC);
         const double a = omega_tick(&s), draft = s.boat.draft * LSB;
-        tp_lie at = any_lie(draft / 4, a * draft / 8);
+        tp_boat_attitude at = any_lie(draft / 4, a * draft / 8);
         const tp_fx water[4] = { 0 };
         s.boat.drag = n % 4 ? chance_fx(&chance, 0, 2) : 0;
         double before = swing_energy(&at, &s);
@@ -63,7 +63,7 @@ static void energy_never_grows_on_still_water(void **state)
     assert_true(grown.worst < 1e-6);
 }
 
-static double full_energy(const tp_lie *a, const tp_scene *s)
+static double full_energy(const tp_boat_attitude *a, const tp_scene *s)
 {
     const double k = pow(omega_tick(s), 2), draft = s->boat.draft * LSB;
     const double over[4] = { (double)a->at[1] / 2, -(double)a->at[1] / 2,
@@ -92,7 +92,7 @@ static void no_throw_gains_energy_on_still_water(void **state)
     for (int n = 0; n < 100; n++) {
         tp_scene s = any_boat(&chance, TP_BOAT_DYNAMIC);
         const double a = omega_tick(&s), draft = s.boat.draft * LSB;
-        tp_lie at = any_lie(8 * draft, a * draft);
+        tp_boat_attitude at = any_lie(8 * draft, a * draft);
         const tp_fx water[4] = { 0 };
         s.boat.drag = n % 2 ? chance_scale(&chance, 0.1, 2) : 0;
         const double first = full_energy(&at, &s);
@@ -117,7 +117,7 @@ static void it_comes_to_exact_rest_at_its_draft(void **state)
     for (int n = 0; n < 60; n++) {
         tp_scene s = any_boat(&chance, TP_BOAT_DYNAMIC);
         s.water.gravity = chance_scale(&chance, 1, 100);
-        tp_lie at = any_lie(n % 2 ? 100 : 1, n % 3 ? 1 : 0.01);
+        tp_boat_attitude at = any_lie(n % 2 ? 100 : 1, n % 3 ? 1 : 0.01);
         tp_fx water[4];
         const tp_fx level = chance_fx(&chance, -100, 100);
         const double a = omega_tick(&s), drag = s.boat.drag * LSB;
@@ -132,7 +132,7 @@ static void it_comes_to_exact_rest_at_its_draft(void **state)
                 || at.speed[0] || at.speed[1] || at.speed[2]) && t++ < most);
         longest = fmax(longest, (double)t / most);
         assert_true(t < most);
-        const tp_lie rest = at;
+        const tp_boat_attitude rest = at;
         tp_boat_float(&at, &s, water);
         assert_memory_equal(&rest, &at, sizeof at);
     }
@@ -145,7 +145,7 @@ static void no_boat_of_the_table_leaves_its_range(void **state)
     (void)state;
     for (int n = 0; n < 200; n++) {
         tp_scene s = any_boat(&chance, TP_BOAT_DYNAMIC);
-        tp_lie at = any_lie(n % 2 ? 4000 : 1, n % 3 ? 60 : 0);
+        tp_boat_attitude at = any_lie(n % 2 ? 4000 : 1, n % 3 ? 60 : 0);
         s.boat.drag = n % 4 ? chance_fx(&chance, 0, 2) : 0;
         if (n % 5 == 0) {
             s.water.gravity = n % 2 ? 100 * TP_FX_ONE : TP_FX(0.1);
@@ -161,7 +161,7 @@ static void no_boat_of_the_table_leaves_its_range(void **state)
             for (int k = 0; k < 3; k++) {
                 assert_true(fabs((double)at.at[k] / Q40) <= 4096);
                 assert_true(fabs((double)at.speed[k] / Q40) <= 64);
-                assert_true(abs(hull.sunk[k]) <= 256 * TP_FX_ONE);
+                assert_true(abs(hull.immersion[k]) <= 256 * TP_FX_ONE);
             }
         }
     }

@@ -14,9 +14,10 @@ enum { WIDTH = 160, HEIGHT = 120, FLOOR = 2 };
 
 static void square(const test_tile *tile, int32_t side, uint32_t zi, uint32_t mark)
 {
-    const tp_corner p[4] = { { .u = 0, .v = 0, .zi = zi }, { .u = 0, .v = side, .zi = zi },
-                             { .u = side, .v = side, .zi = zi },
-                             { .u = side, .v = 0, .zi = zi } };
+    const tp_screen_vertex p[4] = { { .u = 0, .v = 0, .zi = zi },
+                                    { .u = 0, .v = side, .zi = zi },
+                                    { .u = side, .v = side, .zi = zi },
+                                    { .u = side, .v = 0, .zi = zi } };
 
     for (int k = 2; k < 4; k++) {
         if (mark == TP_MARK_SKY)
@@ -105,8 +106,8 @@ static void hull_make(hull *h, bool lid)
                          .n_faces = lid ? 4 : 2, .n_materials = 2 };
 }
 
-/* The floor is `sunk` m below still water; seen from above the floor fills the picture. */
-static uint32_t floor_pixels(bool lid, double sunk)
+/* The floor is `immersion` m below still water; seen from above the floor fills the picture. */
+static uint32_t floor_pixels(bool lid, double immersion)
 {
     static uint32_t key[WIDTH * HEIGHT];
     const tp_config config = { .width = WIDTH,
@@ -125,7 +126,7 @@ static uint32_t floor_pixels(bool lid, double sunk)
     s.camera.pitch = -50 * TP_FX_ONE;
     s.camera.heading = 0;
     s.boat.x = s.boat.z = 0;
-    s.boat.lift = TP_FX(-sunk);
+    s.boat.lift = TP_FX(-immersion);
     const tp_assets assets = { .boat = &h.mesh };
     tp_world *world = scene_world(&s, &assets);
     marks_draw(&s, &assets, world, config, key, NULL);

@@ -26,8 +26,8 @@ static double ref_column(const tp_scene *s, const tp_pool *pool, const tp_hull *
     const double a = (dx * sin(turn) - dz * cos(turn)) / fmax(length, least);
     const double b = (dx * cos(turn) + dz * sin(turn)) / fmax(beam, least);
     const double draft = s->boat.draft * LSB;
-    const double deep = draft + (hull->sunk[0] + a * hull->sunk[1] / 2
-                                 - b * hull->sunk[2] / 2) * LSB;
+    const double deep = draft + (hull->immersion[0] + a * hull->immersion[1] / 2
+                                 - b * hull->immersion[2] / 2) * LSB;
     const double shallow = fmin(1, length / least) * fmin(1, beam / least);
 
     if (fabs(a) >= 1 || fabs(b) >= 1)
@@ -68,7 +68,7 @@ static void compare_stroke(tp_scene *s, measure *off)
     hull->z += chance_fx(&chance, -0.5, 0.5);
     hull->heading += (tp_turn)chance_int(&chance, -100000000, 100000000);
     for (int k = 0; k < 3; k++)
-        hull->sunk[k] = chance_fx(&chance, -0.3, 0.3);
+        hull->immersion[k] = chance_fx(&chance, -0.3, 0.3);
     const tp_hull before = w->afloat.stirred, now = *hull;
     tp_boat_wake(w, s);
     for (uint32_t row = 0; row < pool->rows; row++) {
@@ -81,7 +81,7 @@ static void compare_stroke(tp_scene *s, measure *off)
                             (int64_t)col, row, 0);
         }
     }
-    assert_int_equal(tp_pool_look(pool).sum, 0);
+    assert_int_equal(tp_pool_stats(pool).sum, 0);
     free(w);
 }
 
@@ -125,12 +125,12 @@ static void no_water_is_lost_or_won(void **state)
             const tp_input in = { .throttle = chance_fx(&chance, -4, 30),
                                   .rudder = chance_fx(&chance, -90, 90) };
             tp_pool_step(water_of(w));
-            const int64_t before = tp_pool_look(water_of(w)).sum;
+            const int64_t before = tp_pool_stats(water_of(w)).sum;
             const tp_pool *water = water_of(w);
             const bool settling = s.pool.cells != TP_CELLS_32 && water->gear == 0
                                && !water->at_rest;
             sail(w, &s, &in);
-            const tp_pool_state after = tp_pool_look(water);
+            const tp_pool_state after = tp_pool_stats(water);
             if (!settling || after.sum != 0)    /* a settling pool drifts and is levelled */
                 assert_int_equal(after.sum, before);
             full += s.pool.cells != TP_CELLS_32
@@ -174,12 +174,12 @@ static void a_hull_that_comes_back_has_added_nothing(void **state)
         tp_world *w = wake_world(&s);
         const tp_hull rest = w->afloat.hull;
         for (int t = 0; t < 20; t++) {
-            w->afloat.hull.sunk[0] = t == 19 ? rest.sunk[0]
+            w->afloat.hull.immersion[0] = t == 19 ? rest.immersion[0]
                                              : chance_fx(&chance, -0.4, 0.4);
             tp_boat_wake(w, &s);
         }
         assert_true(highest_under(w, &s) < 2);
-        assert_true(tp_pool_look(water_of(w)).highest <= 20);
+        assert_true(tp_pool_stats(water_of(w)).highest <= 20);
         free(w);
     }
 }
@@ -292,9 +292,9 @@ static void any_boat_may_stir_any_pool(void **state)
         for (int t = 0; t < 20; t++) {
             const tp_input in = { .throttle = random_number(&chance),
                                   .rudder = random_number(&chance) };
-            const int64_t before = tp_pool_look(water_of(w)).sum;
+            const int64_t before = tp_pool_stats(water_of(w)).sum;
             sail(w, &s, &in);
-            assert_int_equal(tp_pool_look(water_of(w)).sum, before);
+            assert_int_equal(tp_pool_stats(water_of(w)).sum, before);
         }
         free(w);
     }

@@ -20,7 +20,7 @@ static void a_boat_at_rest_leaves_still_water_still(void **state)
         tp_world *w = wake_world(&s);
         for (int t = 0; t < 200; t++)
             tp_world_step(&tp_program_all, w, &s, NULL);
-        const tp_pool_state look = tp_pool_look(water_of(w));
+        const tp_pool_state look = tp_pool_stats(water_of(w));
         assert_int_equal(w->afloat.stirs, 0);
         assert_true(look.at_rest && look.highest == 0 && look.fastest == 0);
         free(w);
@@ -31,8 +31,8 @@ static bool is_at_rest(const tp_world *w)
 {
     const int64_t *speed = w->afloat.lie.speed;
 
-    return tp_pool_look(tp_world_pool(w)).at_rest && !speed[0] && !speed[1] && !speed[2]
-        && memcmp(&w->boat, &w->last_boat, sizeof w->boat) == 0;
+    return tp_pool_stats(tp_world_pool(w)).at_rest && !speed[0] && !speed[1] && !speed[2]
+           && memcmp(&w->boat, &w->last_boat, sizeof w->boat) == 0;
 }
 
 /* A boat sails for two seconds, turns and stops.  Returns the ticks until nothing moves for

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "features/foam/foam.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "scenes.h"
 
 static uint64_t chance;

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "features/foam/foam.h"
 #include "wave/wave.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "scenes.h"
 
 static uint64_t chance;

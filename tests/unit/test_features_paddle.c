@@ -10,7 +10,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "pools.h"
-#include "features/pool/pool.h"
+#include "features/pool/pool_module.h"
 
 enum { COLS = 16, ROWS = 240 };
 
@@ -65,9 +65,9 @@ static void the_sum_stays_exactly_0(void **state)
         s.sponge = chance_int(&chance, 4, 64);
         tp_pool *pool = pool_for(&s);
         for (uint32_t tick = 1; tick < 40; tick++) {
-            const int64_t before = tp_pool_look(pool).sum;
+            const int64_t before = tp_pool_stats(pool).sum;
             tp_paddle_push(pool, &s, tick);
-            assert_int_equal(tp_pool_look(pool).sum, before);
+            assert_int_equal(tp_pool_stats(pool).sum, before);
             if (s.cells == TP_CELLS_32)
                 assert_int_equal(before, 0);
             tp_pool_step(pool);
@@ -87,9 +87,9 @@ static void the_sum_stays_0_where_walls_stand_in_a_paddle_s_way(void **state)
     for (uint32_t tick = 1; tick < 300; tick++) {
         tp_paddle_push(pool, &s, tick);
         tp_pool_step(pool);
-        assert_int_equal(tp_pool_look(pool).sum, 0);
+        assert_int_equal(tp_pool_stats(pool).sum, 0);
     }
-    assert_true(tp_pool_look(pool).highest > 0);
+    assert_true(tp_pool_stats(pool).highest > 0);
     free(pool);
 }
 
@@ -178,7 +178,7 @@ static void any_paddle_and_any_tick_are_taken(void **state)
         tp_pool *pool = pool_for(&s);
         for (int k = 0; k < 5; k++)
             tp_paddle_push(pool, &s, random_next(&chance));
-        assert_int_equal(tp_pool_look(pool).sum, 0);
+        assert_int_equal(tp_pool_stats(pool).sum, 0);
         free(pool);
     }
 }

@@ -18,7 +18,7 @@ enum { SIDE = 240 };
 static uint64_t chance;
 static uint32_t ramp[SIDE * SIDE];
 static tp_mirrored_zi zi[SIDE];
-static uint32_t faces[TP_AROUND_FACES * TP_AROUND_SIDE * TP_AROUND_SIDE];
+static uint32_t faces[TP_OBJECT_CUBE_FACES * TP_OBJECT_CUBE_SIDE * TP_OBJECT_CUBE_SIDE];
 
 typedef struct {
     double worst, squares;
@@ -92,7 +92,7 @@ static void moved_to(const tp_shade *s, double x, double y, double z, double zm,
 
 /* Data that the stages read for the last shade. */
 static tp_mirror mirror;
-static tp_around around;
+static tp_object_cube around;
 
 static tp_shade any_mirror(double zm, double height)
 {
@@ -196,8 +196,8 @@ static int face_of(ref_dir w, double *i, double *j)
         up = w.z;
         ahead = w.y;
     }
-    *i = (right / ahead + 1) * TP_AROUND_SIDE / 2 - 0.5;
-    *j = (1 - up / ahead) * TP_AROUND_SIDE / 2 - 0.5;
+    *i = (right / ahead + 1) * TP_OBJECT_CUBE_SIDE / 2 - 0.5;
+    *j = (1 - up / ahead) * TP_OBJECT_CUBE_SIDE / 2 - 0.5;
     return face;
 }
 
@@ -206,7 +206,7 @@ static tp_shade any_cube(void)
     tp_shade s = shade_any(&chance);
     const double a = chance_double(&chance, 0, 6.28);
 
-    around = (tp_around){
+    around = (tp_object_cube){
         faces, { chance_fx(&chance, -9, 9), chance_fx(&chance, 1, 9),
                  chance_fx(&chance, -9, 9) },
         { TP_FX(8 * cos(a)), TP_FX(2), TP_FX(8 * sin(a)) },
@@ -218,7 +218,7 @@ static tp_shade any_cube(void)
 
 static void compare_cube(const tp_shade *s, test_run *r, int k, level_error *off)
 {
-    const tp_around *c = &around;
+    const tp_object_cube *c = &around;
     const ref_dir d = ray_at(s, r->run.x + k + 0.5, r->run.y + 0.5);
     const double z = 0.25 * 2147483648.0 / ((r->key[k] | 0xff) >> 1);
     const double px = c->from.x / 65536.0 + z * d.x, py = c->from.y / 65536.0 + z * d.y,
@@ -233,7 +233,8 @@ static void compare_cube(const tp_shade *s, test_run *r, int k, level_error *off
     if (a < 0.5 || b < 0.05)
         return;
     const int face = face_of(w, &i, &j);
-    if (i < 0.2 || j < 0.2 || i > TP_AROUND_SIDE - 1.2 || j > TP_AROUND_SIDE - 1.2)
+    if (i < 0.2 || j < 0.2 || i > TP_OBJECT_CUBE_SIDE - 1.2
+        || j > TP_OBJECT_CUBE_SIDE - 1.2)
         return;
     const uint32_t got = r->run.mirror[k];
     assert_int_equal((got & 0xff) / 40, face);
@@ -275,7 +276,7 @@ static int make_ramps(void **state)
     (void)state;
     for (uint32_t i = 0; i < SIDE * SIDE; i++)
         ramp[i] = 0xff000000u | i % SIDE << 16 | i / SIDE << 8;
-    for (uint32_t i = 0; i < TP_AROUND_FACES * 1024; i++)
+    for (uint32_t i = 0; i < TP_OBJECT_CUBE_FACES * 1024; i++)
         faces[i] = 0xff000000u | i % 32 * 8 << 16 | i / 32 % 32 * 8 << 8 | i / 1024 * 40;
     return 0;
 }

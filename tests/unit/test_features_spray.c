@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "features/spray/spray.h"
 #include "scenes.h"
 

@@ -88,11 +88,11 @@ static ref_camera camera_of(const tp_scene *s)
 }
 
 /* True if all nine rays within a pixel see the same part. */
-static bool is_sure(const ref_camera *c, int x, int y, double index, ref_sight sight)
+static bool is_sure(const ref_camera *c, int x, int y, double index, ref_sight view)
 {
     for (int k = 0; k < 9; k++)
         if (ref_look_into(&box, c->eye, ref_pixel_ray(c, x + k % 3 - 1, y + k / 3 - 1),
-                          index) != sight)
+                          index) != view)
             return false;
     return true;
 }
@@ -112,16 +112,16 @@ static void compare(const tp_scene *s, int shift, double index, bool top, tally 
     picture_of(s, pixels);
     for (int y = 1; y < HIGH - 1; y++)
         for (int x = 1; x < WIDE - 1; x++) {
-            const ref_sight sight = ref_look_into(&box, c.eye, ref_pixel_ray(&c, x, y),
+            const ref_sight view = ref_look_into(&box, c.eye, ref_pixel_ray(&c, x, y),
                                                   index);
             const uint32_t p = pixels[y * WIDE + x];
             const bool floor = (p >> shift & 0xff) > 4;
-            if (sight == REF_OUTSIDE || sight == REF_SIDE_UP
-                || (top && sight != REF_TOP_FLOOR && sight != REF_TOP_WALL)
-                || !is_sure(&c, x, y, index, sight))
+            if (view == REF_OUTSIDE || view == REF_SIDE_UP
+                || (top && view != REF_TOP_FLOOR && view != REF_TOP_WALL)
+                || !is_sure(&c, x, y, index, view))
                 continue;
-            t->sights[sight]++;
-            t->wrong += floor != (sight == REF_TOP_FLOOR || sight == REF_SIDE_FLOOR);
+            t->sights[view]++;
+            t->wrong += floor != (view == REF_TOP_FLOOR || view == REF_SIDE_FLOOR);
         }
 }
 

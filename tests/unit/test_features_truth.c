@@ -56,7 +56,7 @@ static void compare_scene(tally *t)
     if (!world)
         return;
     const tp_plan_input in = { tp_program_all.modules, &scene, &assets, 64, 48 };
-    const tp_outlook told = tp_outlook_estimate(&in);
+    const tp_view_estimate told = tp_view_estimate_make(&in);
     test_frame f = frame_by(&tp_program_all, &scene, &assets, &config);
     tp_frame_begin(f.frame, world);
     const tp_want want = tp_frame_want(&tp_program_all, &f.frame->parts, &scene,

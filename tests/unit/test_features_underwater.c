@@ -253,7 +253,7 @@ static void deal_rays(const tp_scene *s, const tp_world *world, double *light)
         }
 }
 
-/* A splash acts as a lens: its light gathers below, in the amount that the rays give. */
+/* A splash acts as a projection: its light gathers below, in the amount that the rays give. */
 static void a_lens_gathers_light_where_rays_say(void **state)
 {
     (void)state;

@@ -306,7 +306,7 @@ static void snells_window_ends_at_48_6_degrees(void **state)
     tp_shade_sky(&s.shade, 0xffffff, 0xffffff);
     for (int k = 0; k < 9000; k++) {
         const double angle = k / 100.0 * 3.14159265358979 / 180;
-        const tp_beam beam = { { 0, 0, 0 }, { (int32_t)lround(sin(angle) * Q14),
+        const tp_refracted_ray beam = { { 0, 0, 0 }, { (int32_t)lround(sin(angle) * Q14),
                                (int32_t)lround(cos(angle) * Q14), 0, 0 }, 0 };
         water.walled = water.floored = false;
         const uint32_t c = tp_inside_trace_surface(&s.shade, &s.shade.inside->bed, &beam,

@@ -47,48 +47,53 @@ static double metres(uint32_t place)
 }
 
 /* Component of the pixel's ray along a world axis, in pixels. */
-static double ray_in_doubles(const tp_lens *lens, int i, int32_t right, int32_t up,
-                             int32_t ahead)
+static double ray_in_doubles(const tp_projection *projection, int i, int32_t right,
+                             int32_t up, int32_t ahead)
 {
-    const double u = i % LEVEL_WIDTH + 0.5 - lens->u0 / 16.0,
-                 v = lens->v0 / 16.0 - i / LEVEL_WIDTH - 0.5;
-    return (lens->focal / 65536.0 * ahead + u * right + v * up) / TP_Q30_ONE;
+    const double u = i % LEVEL_WIDTH + 0.5 - projection->u0 / 16.0,
+                 v = projection->v0 / 16.0 - i / LEVEL_WIDTH - 0.5;
+    return (projection->focal / 65536.0 * ahead + u * right + v * up) / TP_Q30_ONE;
 }
 
 /* near / depth of level water, in units of 2^-24. */
-static double zi_in_doubles(const tp_lens *lens, int i)
+static double zi_in_doubles(const tp_projection *projection, int i)
 {
-    const double down = -ray_in_doubles(lens, i, lens->turn.x.y, lens->turn.y.y,
-                                        lens->ahead.y);
-    return 16777216.0 * lens->zi_near / lens->eye.y * down / (lens->focal / 65536.0);
+    const double down = -ray_in_doubles(projection, i, projection->turn.x.y,
+                                        projection->turn.y.y, projection->ahead.y);
+    return 16777216.0 * projection->zi_near / projection->eye.y * down
+           / (projection->focal / 65536.0);
 }
 
 /* Point where the ray of pixel i meets the level. */
-static void place_in_doubles(const tp_lens *lens, int i, double place[2])
+static void place_in_doubles(const tp_projection *projection, int i, double place[2])
 {
-    const double down = -ray_in_doubles(lens, i, lens->turn.x.y, lens->turn.y.y,
-                                        lens->ahead.y);
-    const double reach = lens->eye.y / 65536.0 / down;
+    const double down = -ray_in_doubles(projection, i, projection->turn.x.y,
+                                        projection->turn.y.y, projection->ahead.y);
+    const double reach = projection->eye.y / 65536.0 / down;
 
-    place[0] = lens->eye.x / 65536.0
-             + reach * ray_in_doubles(lens, i, lens->turn.x.x, lens->turn.y.x,
-                                      lens->ahead.x);
-    place[1] = lens->eye.z / 65536.0
-             + reach * ray_in_doubles(lens, i, lens->turn.x.z, lens->turn.y.z,
-                                      lens->ahead.z);
+    place[0] = projection->eye.x / 65536.0
+               + reach
+                     * ray_in_doubles(projection, i, projection->turn.x.x,
+                                      projection->turn.y.x, projection->ahead.x);
+    place[1] = projection->eye.z / 65536.0
+               + reach
+                     * ray_in_doubles(projection, i, projection->turn.x.z,
+                                      projection->turn.y.z, projection->ahead.z);
 }
 
 /* Distance of the sample's position from that point as seen by the eye, px. */
-static double off_in_pixels(const tp_lens *lens, const level_shot *shot, int i)
+static double off_in_pixels(const tp_projection *projection, const level_shot *shot, int i)
 {
     double at[2];
 
-    place_in_doubles(lens, i, at);
-    const double x = at[0] - lens->eye.x / 65536.0, z = at[1] - lens->eye.z / 65536.0;
-    const double h = lens->eye.y / 65536.0, way2 = x * x + z * z + h * h;
+    place_in_doubles(projection, i, at);
+    const double x = at[0] - projection->eye.x / 65536.0,
+                 z = at[1] - projection->eye.z / 65536.0;
+    const double h = projection->eye.y / 65536.0, way2 = x * x + z * z + h * h;
     const double ds = metres(shot->s[i]) - at[0], dt = metres(shot->t[i]) - at[1];
     const double along = (ds * x + dt * z) / sqrt(way2);
-    return sqrt(fmax(0, ds * ds + dt * dt - along * along) / way2) * lens->focal / 65536.0;
+    return sqrt(fmax(0, ds * ds + dt * dt - along * along) / way2) * projection->focal
+           / 65536.0;
 }
 
 static void level_water_is_the_level_mesh(void **state)
@@ -113,8 +118,8 @@ static void level_water_is_the_level_mesh(void **state)
         for (int i = 0; i < LEVEL_PIXELS; i++) {
             if (!level_is_water(&mesh, i) || !level_is_water(&flat, i))
                 continue;
-            const double off = off_in_pixels(&flat.frame.frame->lens, &flat, i);
-            const double depth = zi_in_doubles(&flat.frame.frame->lens, i);
+            const double off = off_in_pixels(&flat.frame.frame->projection, &flat, i);
+            const double depth = zi_in_doubles(&flat.frame.frame->projection, i);
             most = fmax(most, off);
             sum += off;
             deep = fmax(deep, fabs(depth - (flat.key[i] >> 8) - 0.5));
@@ -176,7 +181,7 @@ static void water_that_rolls_lies_where_its_rays_end(void **state)
             if (frame->visibility != TP_VISIBILITY_FLAT || !frame->parts.level->rolled
                 || !level_is_water(&flat, i))
                 continue;
-            most = fmax(most, off_in_pixels(&frame->lens, &flat, i));
+            most = fmax(most, off_in_pixels(&frame->projection, &flat, i));
             seen++;
         }
         frame_free(&flat.frame);

@@ -185,12 +185,13 @@ static void the_boat_floats_on_the_water_and_sinks_below_it(void **state)
 {
     (void)state;
     const marks floating = marks_with_lift(0), flying = marks_with_lift(TP_FX_ONE);
-    const marks sunk = marks_with_lift(TP_FX(-0.6)), half = marks_with_lift(TP_FX(-0.25));
+    const marks immersion = marks_with_lift(TP_FX(-0.6)),
+                half = marks_with_lift(TP_FX(-0.25));
 
     assert_true(flying.solid > floating.solid);     /* half of the boat was under water */
     assert_true(floating.solid > half.solid && half.solid > 0);
-    assert_int_equal(sunk.solid, 0);
-    assert_int_equal(sunk.sky, floating.sky);
+    assert_int_equal(immersion.solid, 0);
+    assert_int_equal(immersion.sky, floating.sky);
 }
 
 int main(void)

@@ -71,7 +71,8 @@ static void fewer_cells_in_view_are_below_six_pixels(void **state)
                 const double depth = 0.25 * 255 / 256 * 2147483648.0 / v->zi;
                 const double side = (along > across ? along : across) / 65536.0;
                 all += (uint32_t)n % 2;
-                small[n % 2] += side * shot.frame.frame->lens.focal / 65536 / depth < 6;
+                small[n % 2] +=
+                    side * shot.frame.frame->projection.focal / 65536 / depth < 6;
             }
         }
         frame_free(&shot.frame);

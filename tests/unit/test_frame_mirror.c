@@ -84,7 +84,7 @@ static test_frame begun(const tp_scene *scene, uint32_t width, uint32_t height)
 static ref_camera camera_of(const tp_frame *frame, uint32_t width, uint32_t height)
 {
     const tp_scene *s = frame->scene;
-    return ref_camera_of(frame->lens.eye, tp_turn_of_degrees(s->camera.heading),
+    return ref_camera_of(frame->projection.eye, tp_turn_of_degrees(s->camera.heading),
                          tp_turn_of_degrees(s->camera.pitch), s->camera.fov,
                          s->camera.near, width, height);
 }
@@ -332,7 +332,7 @@ static void the_mirror_under_waves_stays_under_the_boat(void **state)
         tp_world *world = scene_world(&s, assets_of_boat());
         test_frame f = begun(&s, WIDTH, HEIGHT);
         const tp_half half = *mirror_of(f.frame);
-        const double focal = f.frame->lens.focal / 65536.0;
+        const double focal = f.frame->projection.focal / 65536.0;
         const int most = (int)(2 * 0.07 * focal) + 12;
         marks_draw(&s, assets_of_boat(), world, config, key, with);
         s.mirror.objects = TP_MIRROR_NONE;

@@ -9,7 +9,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 #include "frame/frame.h"
-#include "frame/lines.h"
+#include "frame/scanline_grid.h"
 #include "scenes.h"
 
 enum { WIDTH = 160, HEIGHT = 90 };

@@ -13,9 +13,9 @@
 
 static uint64_t chance;
 
-static tp_view_corner any_corner(double far, double depth)
+static tp_view_vertex any_corner(double far, double depth)
 {
-    tp_view_corner c = {
+    tp_view_vertex c = {
         .x = chance_fx(&chance, -far, far), .y = chance_fx(&chance, -far, far),
         .depth = chance_fx(&chance, -depth, depth),
         .s = chance_fx(&chance, -8000, 8000), .t = chance_fx(&chance, -8000, 8000),
@@ -25,7 +25,7 @@ static tp_view_corner any_corner(double far, double depth)
     return c;
 }
 
-static ref_clip_corner ref_of(const tp_view_corner *c)
+static ref_clip_corner ref_of(const tp_view_vertex *c)
 {
     return (ref_clip_corner){ c->x * LSB, c->y * LSB, c->depth * LSB };
 }
@@ -33,10 +33,10 @@ static ref_clip_corner ref_of(const tp_view_corner *c)
 /* Width of the guard band: |x| <= band z is 8192 px in scaled coordinates. */
 static double band_of(const view *v)
 {
-    return ldexp(1, TP_GUARD_LOG2 - v->lens.m);
+    return ldexp(1, TP_GUARD_LOG2 - v->projection.m);
 }
 
-static bool is_same(const tp_view_corner *a, const tp_view_corner *b)
+static bool is_same(const tp_view_vertex *a, const tp_view_vertex *b)
 {
     return a->x == b->x && a->y == b->y && a->depth == b->depth && a->s == b->s
         && a->t == b->t && a->n[0] == b->n[0] && a->n[1] == b->n[1] && a->n[2] == b->n[2];
@@ -47,30 +47,30 @@ static bool is_same(const tp_view_corner *a, const tp_view_corner *b)
 static void what_is_left_can_be_projected(void **state)
 {
     (void)state;
-    int counts[TP_CLIP_CORNERS + 1] = { 0 };
+    int counts[TP_CLIP_VERTICES + 1] = { 0 };
     static const double fars[] = { 1, 40, 3000, 32000 },
                         depths[] = { 1, 20, 2000, 32000 };
 
     for (int n = 0; n < 100000; n++) {
         const view v = view_any(&chance);
         const double far = fars[n % 4], depth = depths[n / 4 % 4];
-        const tp_view_corner in[3] = { any_corner(far, depth), any_corner(far, depth),
+        const tp_view_vertex in[3] = { any_corner(far, depth), any_corner(far, depth),
                                        any_corner(far, depth) };
-        tp_view_corner out[TP_CLIP_CORNERS];
-        const int count = tp_clip_triangle(&v.lens, in, out);
-        assert_in_range(count, 0, TP_CLIP_CORNERS);
+        tp_view_vertex out[TP_CLIP_VERTICES];
+        const int count = tp_clip_triangle(&v.projection, in, out);
+        assert_in_range(count, 0, TP_CLIP_VERTICES);
         counts[count]++;
         for (int i = 0; i < count; i++) {
-            tp_corner c;
-            assert_true(tp_lens_holds(&v.lens, &out[i]));
-            tp_corner_project(&v.lens, &out[i], &c);
-            assert_true(abs(c.u - v.lens.u0) <= 8192 * 16);
-            assert_true(abs(c.v - v.lens.v0) <= 8192 * 16);
+            tp_screen_vertex c;
+            assert_true(tp_projection_contains(&v.projection, &out[i]));
+            tp_view_vertex_project(&v.projection, &out[i], &c);
+            assert_true(abs(c.u - v.projection.u0) <= 8192 * 16);
+            assert_true(abs(c.v - v.projection.v0) <= 8192 * 16);
             assert_true(c.zi < 0x80000000u);
         }
     }
     printf("    corners left:");
-    for (int i = 0; i <= TP_CLIP_CORNERS; i++)
+    for (int i = 0; i <= TP_CLIP_VERTICES; i++)
         printf(" %d:%d", i, counts[i]);
     printf("\n");
     assert_true(counts[0] && !counts[1] && !counts[2] && counts[3] && counts[4]
@@ -87,23 +87,23 @@ static void what_is_left_shows_the_same_area(void **state)
 
     for (int n = 0; n < 40000; n++) {
         const view v = view_any(&chance);
-        const double far = n % 2 ? 30 : 1000, m = ldexp(1, v.lens.m);
-        const tp_view_corner in[3] = { any_corner(far, far), any_corner(far, far),
+        const double far = n % 2 ? 30 : 1000, m = ldexp(1, v.projection.m);
+        const tp_view_vertex in[3] = { any_corner(far, far), any_corner(far, far),
                                        any_corner(far, far) };
         const ref_clip_corner corners[3] = { ref_of(&in[0]), ref_of(&in[1]),
                                              ref_of(&in[2]) };
         ref_clip_corner want[8];
-        tp_view_corner got[TP_CLIP_CORNERS];
+        tp_view_vertex got[TP_CLIP_VERTICES];
         const int wanted = ref_clip(corners, want, v.ref.near, band_of(&v));
-        const int count = tp_clip_triangle(&v.lens, in, got);
+        const int count = tp_clip_triangle(&v.projection, in, got);
         double sum = 0, side = 0;
-        tp_corner at[TP_CLIP_CORNERS];
+        tp_screen_vertex at[TP_CLIP_VERTICES];
         for (int i = 0; i < count; i++)
-            tp_corner_project(&v.lens, &got[i], &at[i]);
+            tp_view_vertex_project(&v.projection, &got[i], &at[i]);
         for (int i = 0; i < count; i++) {
-            const tp_corner a = at[i], b = at[(i + 1) % count];
-            sum -= (double)(a.u - v.lens.u0) * (b.v - v.lens.v0)
-                 - (double)(b.u - v.lens.u0) * (a.v - v.lens.v0);
+            const tp_screen_vertex a = at[i], b = at[(i + 1) % count];
+            sum -= (double)(a.u - v.projection.u0) * (b.v - v.projection.v0)
+                   - (double)(b.u - v.projection.u0) * (a.v - v.projection.v0);
             side += hypot(a.u - b.u, a.v - b.v) / 16;
         }
         const double off = fabs(sum / 256 - ref_clip_area(want, wanted) * m * m);
@@ -123,10 +123,10 @@ static void what_corners_carry_is_cut_where_they_are(void **state)
     (void)state;
     for (int n = 0; n < 40000; n++) {
         const view v = view_any(&chance);
-        const tp_view_corner a = any_corner(20, 20), b = any_corner(20, 20);
-        const tp_view_corner in[3] = { a, b, a };       /* an edge, there and back */
-        tp_view_corner out[TP_CLIP_CORNERS];
-        const int count = tp_clip_triangle(&v.lens, in, out);
+        const tp_view_vertex a = any_corner(20, 20), b = any_corner(20, 20);
+        const tp_view_vertex in[3] = { a, b, a };       /* an edge, there and back */
+        tp_view_vertex out[TP_CLIP_VERTICES];
+        const int count = tp_clip_triangle(&v.projection, in, out);
         const double way[3] = { (double)b.x - a.x, (double)b.y - a.y,
                                 (double)b.depth - a.depth };
         const double length2 = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
@@ -154,7 +154,7 @@ static void what_corners_carry_is_cut_where_they_are(void **state)
 
 /* -- neighbours ---------------------------------------------------------------------- */
 
-static bool has(const tp_view_corner *corners, int count, const tp_view_corner *c)
+static bool has(const tp_view_vertex *corners, int count, const tp_view_vertex *c)
 {
     for (int i = 0; i < count; i++) {
         if (is_same(&corners[i], c))
@@ -164,8 +164,8 @@ static bool has(const tp_view_corner *corners, int count, const tp_view_corner *
 }
 
 /* Distance of (x, y, depth) from the line a-b, LSB. */
-static double off_line(const tp_view_corner *c, const tp_view_corner *a,
-                       const tp_view_corner *b)
+static double off_line(const tp_view_vertex *c, const tp_view_vertex *a,
+                       const tp_view_vertex *b)
 {
     const double w[3] = { (double)b->x - a->x, (double)b->y - a->y,
                           (double)b->depth - a->depth };
@@ -179,12 +179,12 @@ static double off_line(const tp_view_corner *c, const tp_view_corner *a,
 
 /* True where two of the five planes meet, far outside every picture: there a clip by the
  * second plane depends by one LSB on the rounding of the first. */
-static bool is_at_two_planes(const view *v, const tp_view_corner *c)
+static bool is_at_two_planes(const view *v, const tp_view_vertex *c)
 {
     const double band = band_of(v), near = 64;
     const bool x = fabs(abs(c->x) - band * c->depth) < near * (1 + band);
     const bool y = fabs(abs(c->y) - band * c->depth) < near * (1 + band);
-    return (abs(c->depth - v->lens.near) < near) + x + y >= 2;
+    return (abs(c->depth - v->projection.near) < near) + x + y >= 2;
 }
 
 /* Two triangles on either side of an edge: every corner that one triangle's clip puts on
@@ -197,12 +197,12 @@ static void neighbours_are_cut_to_the_same_corners(void **state)
     for (int n = 0; n < 40000; n++) {
         const view v = view_any(&chance);
         const double far = n % 2 ? 20 : 2000;
-        const tp_view_corner a = any_corner(far, far), b = any_corner(far, far);
-        const tp_view_corner left[3] = { a, b, any_corner(far, far) };
-        const tp_view_corner right[3] = { any_corner(far, far), b, a };
-        tp_view_corner one[TP_CLIP_CORNERS], two[TP_CLIP_CORNERS];
-        const int ones = tp_clip_triangle(&v.lens, left, one);
-        const int twos = tp_clip_triangle(&v.lens, right, two);
+        const tp_view_vertex a = any_corner(far, far), b = any_corner(far, far);
+        const tp_view_vertex left[3] = { a, b, any_corner(far, far) };
+        const tp_view_vertex right[3] = { any_corner(far, far), b, a };
+        tp_view_vertex one[TP_CLIP_VERTICES], two[TP_CLIP_VERTICES];
+        const int ones = tp_clip_triangle(&v.projection, left, one);
+        const int twos = tp_clip_triangle(&v.projection, right, two);
         if (ones == 0 || twos == 0)
             continue;
         for (int i = 0; i < ones; i++) {
@@ -227,18 +227,18 @@ static void what_lies_inside_stays_as_it_is(void **state)
 
     for (int n = 0; n < 40000; n++) {
         const view v = view_any(&chance);
-        tp_view_corner in[3], out[TP_CLIP_CORNERS];
+        tp_view_vertex in[3], out[TP_CLIP_VERTICES];
         bool inside = true;
         for (int i = 0; i < 3; i++) {
             in[i] = any_corner(30, 100);
             const double most = band_of(&v) * ((double)in[i].depth - 5) - 5;
-            inside = inside && in[i].depth >= v.lens.near && abs(in[i].x) <= most
-                  && abs(in[i].y) <= most;
+            inside = inside && in[i].depth >= v.projection.near && abs(in[i].x) <= most
+                     && abs(in[i].y) <= most;
         }
         if (!inside)
             continue;
         tried++;
-        assert_int_equal(tp_clip_triangle(&v.lens, in, out), 3);
+        assert_int_equal(tp_clip_triangle(&v.projection, in, out), 3);
         for (int i = 0; i < 3; i++)
             assert_true(is_same(&in[i], &out[i]));
     }
@@ -250,12 +250,12 @@ static void what_lies_outside_is_gone(void **state)
     (void)state;
     for (int n = 0; n < 20000; n++) {
         const view v = view_any(&chance);
-        tp_view_corner in[3], out[TP_CLIP_CORNERS];
+        tp_view_vertex in[3], out[TP_CLIP_VERTICES];
         for (int i = 0; i < 3; i++) {
             in[i] = any_corner(1000, 100);
             const double band = band_of(&v) * fmax(1, (double)in[i].depth) + 8;
             switch (n % 5) {    /* all beyond the same plane */
-            case 0: in[i].depth = v.lens.near - 1 - abs(in[i].depth); break;
+            case 0: in[i].depth = v.projection.near - 1 - abs(in[i].depth); break;
             case 1: in[i].x = (int32_t)fmin(2e9, band); break;
             case 2: in[i].x = (int32_t)fmax(-2e9, -band); break;
             case 3: in[i].y = (int32_t)fmin(2e9, band); break;
@@ -264,11 +264,11 @@ static void what_lies_outside_is_gone(void **state)
             if (n % 5 && band > 2e9)
                 in[i].depth = -1;
         }
-        assert_int_equal(tp_clip_triangle(&v.lens, in, out), 0);
+        assert_int_equal(tp_clip_triangle(&v.projection, in, out), 0);
     }
 }
 
-/* Corners as far away as tp_lens_view allows, with any s and t. */
+/* Corners as far away as tp_projection_view_vertex allows, with any s and t. */
 static void the_ends_of_the_numbers_are_safe(void **state)
 {
     (void)state;
@@ -278,7 +278,7 @@ static void the_ends_of_the_numbers_are_safe(void **state)
 
     for (int n = 0; n < 40000; n++) {
         const view v = view_any(&chance);
-        tp_view_corner in[3], out[TP_CLIP_CORNERS];
+        tp_view_vertex in[3], out[TP_CLIP_VERTICES];
         for (int i = 0; i < 3; i++) {
             in[i] = any_corner(1000, 1000);
             int32_t *const number[] = { &in[i].x, &in[i].y, &in[i].depth };
@@ -289,11 +289,11 @@ static void the_ends_of_the_numbers_are_safe(void **state)
             in[i].s = random_below(&chance, 2) ? INT32_MIN : INT32_MAX;
             in[i].t = (int32_t)(uint32_t)random_next(&chance);
         }
-        const int count = tp_clip_triangle(&v.lens, in, out);
+        const int count = tp_clip_triangle(&v.projection, in, out);
         for (int i = 0; i < count; i++) {
-            tp_corner c;
-            assert_true(tp_lens_holds(&v.lens, &out[i]));
-            tp_corner_project(&v.lens, &out[i], &c);
+            tp_screen_vertex c;
+            assert_true(tp_projection_contains(&v.projection, &out[i]));
+            tp_view_vertex_project(&v.projection, &out[i], &c);
         }
     }
 }
@@ -301,9 +301,9 @@ static void the_ends_of_the_numbers_are_safe(void **state)
 /* -- a plane given by the caller ------------------------------------------------------- */
 
 /* Height of a view corner above the level, m. */
-static double height_of(const view *v, const tp_view_corner *c, double level)
+static double height_of(const view *v, const tp_view_vertex *c, double level)
 {
-    const double k = ldexp(1, v->lens.m) / v->ref.focal;
+    const double k = ldexp(1, v->projection.m) / v->ref.focal;
     return v->ref.eye.y - level + (c->x * LSB * v->ref.right.y + c->y * LSB * v->ref.up.y)
                                 * k + c->depth * LSB * v->ref.ahead.y;
 }
@@ -318,17 +318,18 @@ static void a_level_cuts_off_what_lies_beyond_it(void **state)
         const view v = view_any(&chance);
         const double level = v.ref.eye.y + chance_double(&chance, -10, 10);
         const int side = n % 2 ? 1 : -1;
-        const tp_view_plane plane = tp_lens_level(&v.lens, TP_FX(level), side);
-        const tp_view_corner in[3] = { any_corner(30, 30), any_corner(30, 30),
+        const tp_view_plane plane =
+            tp_projection_level_plane(&v.projection, TP_FX(level), side);
+        const tp_view_vertex in[3] = { any_corner(30, 30), any_corner(30, 30),
                                        any_corner(30, 30) };
-        tp_view_corner out[TP_CLIP_CORNERS];
-        const int count = tp_clip_triangle_plane(&v.lens, &plane, in, out);
-        assert_in_range(count, 0, TP_CLIP_CORNERS);
+        tp_view_vertex out[TP_CLIP_VERTICES];
+        const int count = tp_clip_triangle_plane(&v.projection, &plane, in, out);
+        assert_in_range(count, 0, TP_CLIP_VERTICES);
         for (int i = 0; i < 3; i++)
             measure_add(&height, ldexp((double)tp_view_height(&plane, &in[i]), -32)
                                  - side * height_of(&v, &in[i], level), n, i, 0);
         for (int i = 0; i < count; i++) {
-            assert_true(tp_lens_holds(&v.lens, &out[i]));
+            assert_true(tp_projection_contains(&v.projection, &out[i]));
             assert_true(side * height_of(&v, &out[i], level) >= -0.0005);
         }
         cut += count > 3;
@@ -346,23 +347,23 @@ static void a_level_cuts_an_edge_once(void **state)
 
     for (int n = 0; n < 20000; n++) {
         const view v = view_any(&chance);
-        const tp_view_plane plane =
-            tp_lens_level(&v.lens, v.lens.eye.y + chance_fx(&chance, -5, 5), 1);
-        tp_view_corner a = any_corner(3, 30), b = any_corner(3, 30);
+        const tp_view_plane plane = tp_projection_level_plane(
+            &v.projection, v.projection.eye.y + chance_fx(&chance, -5, 5), 1);
+        tp_view_vertex a = any_corner(3, 30), b = any_corner(3, 30);
         a.depth = b.depth = 20 * TP_FX_ONE;
-        const tp_view_corner one[3] = { a, b, any_corner(3, 30) };
-        const tp_view_corner two[3] = { b, a, any_corner(3, 30) };
+        const tp_view_vertex one[3] = { a, b, any_corner(3, 30) };
+        const tp_view_vertex two[3] = { b, a, any_corner(3, 30) };
         if ((tp_view_height(&plane, &a) >= 0) == (tp_view_height(&plane, &b) >= 0))
             continue;
-        tp_view_corner p[TP_CLIP_CORNERS], q[TP_CLIP_CORNERS];
-        const int np = tp_clip_triangle_plane(&v.lens, &plane, one, p);
-        const int nq = tp_clip_triangle_plane(&v.lens, &plane, two, q);
+        tp_view_vertex p[TP_CLIP_VERTICES], q[TP_CLIP_VERTICES];
+        const int np = tp_clip_triangle_plane(&v.projection, &plane, one, p);
+        const int nq = tp_clip_triangle_plane(&v.projection, &plane, two, q);
         int same = 0;
         for (int i = 0; i < np; i++)
             for (int k = 0; k < nq; k++)
                 same += is_same(&p[i], &q[k]);
-        assert_true(same >= 2 || !tp_lens_holds(&v.lens, &a)
-                    || !tp_lens_holds(&v.lens, &b));
+        assert_true(same >= 2 || !tp_projection_contains(&v.projection, &a)
+                    || !tp_projection_contains(&v.projection, &b));
         shared += same >= 2;
     }
     printf("    %d edges shared\n", shared);

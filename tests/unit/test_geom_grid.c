@@ -16,9 +16,9 @@ static uint64_t chance;
 
 /* A grid with its memory and all the data of its view. */
 /* View corner of a grid vertex, for a placed grid that stores its vertices. */
-static tp_view_corner grid_corner(const tp_grid *grid, uint32_t i, uint32_t j)
+static tp_view_vertex grid_corner(const tp_grid *grid, uint32_t i, uint32_t j)
 {
-    return tp_grid_corner(grid, &grid->vertex[j * grid->cols + i], i, j);
+    return tp_grid_place_vertex(grid, &grid->vertex[j * grid->cols + i], i, j);
 }
 
 typedef struct {
@@ -45,7 +45,7 @@ static void carve(pond *p, uint32_t cols, uint32_t rows)
 
 static void place(pond *p)
 {
-    p->look.lens = &p->v.lens;
+    p->look.projection = &p->v.projection;
     p->surface =
         (tp_surface){ .by = &tp_program_all.water, .sea = &p->sea, .phases = p->phases };
     p->look.surface = &p->surface;
@@ -181,15 +181,15 @@ static void a_grid_that_follows_moves_by_whole_cells(void **state)
         const tp_fx cell = p.look.cell;
         const tp_fx first = p.grid.column[flank_of(&p, p.grid.cols)].place % cell;
         for (int k = 0; k < 5; k++) {
-            p.v.lens.eye.x = chance_fx(&chance, -8000, 8000);
-            p.v.lens.eye.z = chance_fx(&chance, -8000, 8000);
+            p.v.projection.eye.x = chance_fx(&chance, -8000, 8000);
+            p.v.projection.eye.z = chance_fx(&chance, -8000, 8000);
             place(&p);
             const tp_fx now = p.grid.column[flank_of(&p, p.grid.cols)].place % cell;
             assert_int_equal((now - first + 2 * (int64_t)cell) % cell, 0);
             /* The grid extends below the eye, also between its rear lines. */
-            assert_true(p.grid.column[0].place <= p.v.lens.eye.x + 2 * cell);
+            assert_true(p.grid.column[0].place <= p.v.projection.eye.x + 2 * cell);
             assert_true(p.grid.column[p.grid.cols - 1].place
-                        >= p.v.lens.eye.x - 2 * cell);
+                        >= p.v.projection.eye.x - 2 * cell);
         }
         pond_free(&p);
     }
@@ -251,15 +251,15 @@ static void crossings_are_points_of_the_sea(void **state)
             const uint32_t i = random_below(&chance, p.grid.cols);
             const uint32_t j = random_below(&chance, p.grid.rows);
             const tp_grid_line *column = &p.grid.column[i], *row = &p.grid.row[j];
-            const tp_view_corner got = grid_corner(&p.grid, i, j);
+            const tp_view_vertex got = grid_corner(&p.grid, i, j);
             const tp_fx fade = tp_fx_mul(column->fade, row->fade);
             tp_sea_point at = { .position = { column->place, 0, row->place } };
             if (fade > 0 && fade < TP_FX_ONE)
                 continue;
             if (fade)
                 at = tp_sea_at_rest(&p.sea, p.phases, column->place, row->place);
-            tp_view_corner want;
-            tp_lens_view(&p.v.lens, at.position, &want);
+            tp_view_vertex want;
+            tp_projection_view_vertex(&p.v.projection, at.position, &want);
             const double off = (p.grid.frame.wide ? 8 : 4) + 1.5 * reach / LSB * 1e-5;
             if (abs(want.x) < 31000 * TP_FX_ONE && abs(want.y) < 31000 * TP_FX_ONE) {
                 assert_true(fabs((double)got.x - want.x) <= off);
@@ -293,11 +293,11 @@ static void every_corner_of_a_seen_cell_is_there(void **state)
                 for (uint32_t k = 0; k < 4; k++) {
                     const uint32_t x = i + (k & 1), y = j + (k >> 1);
                     const tp_grid_vertex *got = &p.grid.vertex[y * p.grid.cols + x];
-                    const tp_view_corner c = grid_corner(&p.grid, x, y);
+                    const tp_view_vertex c = grid_corner(&p.grid, x, y);
                     int32_t u = TP_GRID_CUT, w = got->v;
                     uint32_t zi = got->zi;
-                    if (tp_lens_holds(&p.v.lens, &c))
-                        tp_lens_project(&p.v.lens, &c, &u, &w, &zi);
+                    if (tp_projection_contains(&p.v.projection, &c))
+                        tp_projection_project(&p.v.projection, &c, &u, &w, &zi);
                     assert_int_equal(got->u, u);
                     assert_int_equal(got->v, w);
                     assert_int_equal(got->zi, zi);
@@ -320,11 +320,11 @@ static void every_corner_of_a_seen_cell_is_there(void **state)
  * is scaled to make the picture square. */
 static bool is_seen(const pond *p, const uint32_t at[3][2])
 {
-    const double tall = p->v.height / 2.0 / ldexp(1, p->v.lens.m);
+    const double tall = p->v.height / 2.0 / ldexp(1, p->v.projection.m);
     ref_clip_corner corner[3], left[8];
 
     for (int k = 0; k < 3; k++) {
-        const tp_view_corner c = grid_corner(&p->grid, at[k][0], at[k][1]);
+        const tp_view_vertex c = grid_corner(&p->grid, at[k][0], at[k][1]);
         corner[k] = (ref_clip_corner){ c.x * LSB * p->v.height / p->v.width, c.y * LSB,
                                        c.depth * LSB };
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The projection compared with a pinhole camera in double precision: screen positions of
- * points, the points that tp_lens_holds() accepts, and the planes of the frustum. */
+ * points, the points that tp_projection_contains() accepts, and the planes of the frustum. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -19,13 +19,14 @@ static void the_lens_is_the_pinhole_asked_for(void **state)
 
     for (int n = 0; n < 20000; n++) {
         const view v = view_any(&chance);
-        const double error = v.lens.focal * LSB / v.ref.focal - 1;
+        const double error = v.projection.focal * LSB / v.ref.focal - 1;
         /* Sine and cosine have 28 bits and the angle 2^-31 turn, for a sine of 0.17. */
         assert_true(fabs(error) <= 1e-7 + LSB / v.ref.focal);
         measure_add(&focal, error, n, v.width, v.height);
-        assert_int_equal(v.lens.u0, v.width * 8);
-        assert_int_equal(v.lens.v0, v.height * 8);
-        assert_true(v.lens.m == TP_GUARD_LOG2 || v.lens.focal <= TP_FX_ONE << v.lens.m);
+        assert_int_equal(v.projection.u0, v.width * 8);
+        assert_int_equal(v.projection.v0, v.height * 8);
+        assert_true(v.projection.m == TP_GUARD_LOG2
+                    || v.projection.focal <= TP_FX_ONE << v.projection.m);
     }
     measure_print(&focal);
 }
@@ -36,7 +37,7 @@ static void the_lens_is_the_pinhole_asked_for(void **state)
  * 2^-29, the focal length its error as above. */
 static double place_error(const view *v, ref_vec at, double way)
 {
-    const double scale = ldexp(1, v->lens.m), far = hypot(at.x, at.y) / at.z;
+    const double scale = ldexp(1, v->projection.m), far = hypot(at.x, at.y) / at.z;
     const double axis = 1.5e-8 * way, coordinate = LSB / 2 + axis;
     return 0.5 + 16 * scale * coordinate / at.z
          + 16 * v->ref.focal * far * coordinate / at.z
@@ -60,14 +61,14 @@ static void points_come_out_where_the_pinhole_has_them(void **state)
                         chance_double(&chance, -2000, 6000), d, &p))
             continue;
         const ref_vec at = ref_view(&v.ref, ref_vec_of(p));
-        tp_view_corner c;
-        tp_lens_view(&v.lens, p, &c);
+        tp_view_vertex c;
+        tp_projection_view_vertex(&v.projection, p, &c);
         /* Coordinates are scaled by at most 1.42 and clamped beyond 32000 m. */
-        if (!tp_lens_holds(&v.lens, &c) || hypot(at.x, at.y) > 22000)
+        if (!tp_projection_contains(&v.projection, &c) || hypot(at.x, at.y) > 22000)
             continue;
         int32_t u, w;
         uint32_t zi;
-        tp_lens_project(&v.lens, &c, &u, &w, &zi);
+        tp_projection_project(&v.projection, &c, &u, &w, &zi);
         const double off = fmax(fabs(u - 16 * ref_u(&v.ref, at)),
                                 fabs(w - 16 * ref_v(&v.ref, at)));
         const ref_vec way = ref_sub(ref_vec_of(p), v.ref.eye);
@@ -76,7 +77,7 @@ static void points_come_out_where_the_pinhole_has_them(void **state)
         measure_add(&place[n % 3], off, p.x, p.y, p.z);
         /* zi is truncated; its inputs are a rounded depth and 255/256 of near, rounded
          * up. */
-        const double want = v.lens.zi_near * LSB / at.z;
+        const double want = v.projection.zi_near * LSB / at.z;
         const double error =
             ldexp(1, -31)
             + want * (LSB / 2 / at.z + 4e-9 + 1.5e-8 * sqrt(ref_dot(way, way)) / at.z);
@@ -106,12 +107,12 @@ static void a_usual_view_is_right_to_a_sixteenth_of_a_pixel(void **state)
                                chance_double(&chance, 0, 480),
                                chance_double(&chance, 1, 100), &p));
         const ref_vec at = ref_view(&v.ref, ref_vec_of(p));
-        tp_view_corner c;
-        tp_lens_view(&v.lens, p, &c);
-        assert_true(tp_lens_holds(&v.lens, &c));
+        tp_view_vertex c;
+        tp_projection_view_vertex(&v.projection, p, &c);
+        assert_true(tp_projection_contains(&v.projection, &c));
         int32_t u, w;
         uint32_t zi;
-        tp_lens_project(&v.lens, &c, &u, &w, &zi);
+        tp_projection_project(&v.projection, &c, &u, &w, &zi);
         measure_add(&place, fmax(fabs(u - 16 * ref_u(&v.ref, at)),
                                  fabs(w - 16 * ref_v(&v.ref, at))), p.x, p.y, p.z);
     }
@@ -124,18 +125,20 @@ static void ahead_is_up_the_screen_and_right_is_right(void **state)
     (void)state;
     const view v = view_of((tp_vec3){ 0, 4 * TP_FX_ONE, 0 }, 0, 0, 60 * TP_FX_ONE,
                            TP_FX(0.25), 320, 240);
-    tp_view_corner near, far, right, up;
+    tp_view_vertex near, far, right, up;
 
-    tp_lens_view(&v.lens, (tp_vec3){ 0, 0, -10 * TP_FX_ONE }, &near);
-    tp_lens_view(&v.lens, (tp_vec3){ 0, 0, -20 * TP_FX_ONE }, &far);
-    tp_lens_view(&v.lens, (tp_vec3){ TP_FX_ONE, 0, -10 * TP_FX_ONE }, &right);
-    tp_lens_view(&v.lens, (tp_vec3){ 0, TP_FX_ONE, -10 * TP_FX_ONE }, &up);
+    tp_projection_view_vertex(&v.projection, (tp_vec3){ 0, 0, -10 * TP_FX_ONE }, &near);
+    tp_projection_view_vertex(&v.projection, (tp_vec3){ 0, 0, -20 * TP_FX_ONE }, &far);
+    tp_projection_view_vertex(&v.projection, (tp_vec3){ TP_FX_ONE, 0, -10 * TP_FX_ONE },
+                              &right);
+    tp_projection_view_vertex(&v.projection, (tp_vec3){ 0, TP_FX_ONE, -10 * TP_FX_ONE },
+                              &up);
     assert_int_equal(near.depth, 10 * TP_FX_ONE);
-    tp_corner a, b, c, d;
-    tp_corner_project(&v.lens, &near, &a);
-    tp_corner_project(&v.lens, &far, &b);
-    tp_corner_project(&v.lens, &right, &c);
-    tp_corner_project(&v.lens, &up, &d);
+    tp_screen_vertex a, b, c, d;
+    tp_view_vertex_project(&v.projection, &near, &a);
+    tp_view_vertex_project(&v.projection, &far, &b);
+    tp_view_vertex_project(&v.projection, &right, &c);
+    tp_view_vertex_project(&v.projection, &up, &d);
     assert_int_equal(a.u, 160 * 16);
     assert_true(b.v < a.v && b.zi < a.zi && d.v < a.v);
     assert_true(c.u > a.u && c.v == a.v);
@@ -145,7 +148,7 @@ static void ahead_is_up_the_screen_and_right_is_right(void **state)
                 < 0);
 }
 
-/* Corners of any object in a scene, in the camera's frame: a point that tp_lens_holds()
+/* Corners of any object in a scene, in the camera's frame: a point that tp_projection_contains()
  * accepts is in front of the near plane and inside the guard band. */
 static void what_is_held_is_in_front_however_far(void **state)
 {
@@ -164,22 +167,23 @@ static void what_is_held_is_in_front_however_far(void **state)
             || fabs(p.z * LSB - v.ref.eye.z) > 32700)
             continue;
         const ref_vec at = ref_view(&v.ref, ref_vec_of(p));
-        tp_view_corner c;
-        tp_lens_view(&v.lens, p, &c);
+        tp_view_vertex c;
+        tp_projection_view_vertex(&v.projection, p, &c);
         /* Signs are kept even for numbers that are clamped at 32000 m. */
         if (fabs(at.x) > 1)
             assert_int_equal(c.x < 0, at.x < 0);
         if (fabs(at.z) > 1)
             assert_int_equal(c.depth < 0, at.z < 0);
         behind += at.z < 0;
-        if (!tp_lens_holds(&v.lens, &c))
+        if (!tp_projection_contains(&v.projection, &c))
             continue;
         int32_t u, w;
         uint32_t zi;
-        tp_lens_project(&v.lens, &c, &u, &w, &zi);
+        tp_projection_project(&v.projection, &c, &u, &w, &zi);
         held++;
         assert_true(at.z >= v.ref.near - 0.01);
-        assert_true(abs(u - v.lens.u0) <= 8192 * 16 && abs(w - v.lens.v0) <= 8192 * 16);
+        assert_true(abs(u - v.projection.u0) <= 8192 * 16
+                    && abs(w - v.projection.v0) <= 8192 * 16);
     }
     printf("    %d held, %d behind\n", held, behind);
     assert_true(held > 0 && behind > 0);
@@ -207,18 +211,18 @@ static void planes_hold_all_that_the_picture_shows_and_little_more(void **state)
         const double w = chance_double(&chance, -over, 1 + over) * v.height;
         const double d = v.ref.near * chance_double(&chance, 0.5, 1)
                        + chance_scale(&chance, 0.01, 20000) * LSB * (n % 3 > 0);
-        tp_plane planes[TP_LENS_PLANES];
+        tp_plane planes[TP_PROJECTION_PLANES];
         tp_vec3 p = { 0, 0, 0 };
         if (!view_point(&v, u, w, d, &p))
             continue;
-        tp_lens_planes(&v.lens, v.width, v.height, planes);
+        tp_projection_planes(&v.projection, v.width, v.height, planes);
         const bool in = u >= 0 && u <= v.width && w >= 0 && w <= v.height
                      && d > v.ref.near + 2 * LSB;
         /* Outside the margin of a pixel by one more pixel. */
         const bool out = u < -2.5 || u > v.width + 2.5 || w < -2.5 || w > v.height + 2.5
                       || d < v.ref.near - 0.01;
         bool holds = true;
-        for (int i = 0; i < TP_LENS_PLANES; i++)
+        for (int i = 0; i < TP_PROJECTION_PLANES; i++)
             holds = holds && inside_plane(&planes[i], p) >= 0;
         if (in) {
             assert_true(holds);
@@ -246,5 +250,5 @@ int main(void)
         cmocka_unit_test(what_is_held_is_in_front_however_far),
         cmocka_unit_test(planes_hold_all_that_the_picture_shows_and_little_more),
     };
-    return cmocka_run_group_tests_name("lens", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("projection", tests, NULL, NULL);
 }

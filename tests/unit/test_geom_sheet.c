@@ -13,9 +13,9 @@
 static uint64_t chance;
 
 /* View corner of a grid vertex, for a placed grid that stores its vertices. */
-static tp_view_corner grid_corner(const tp_grid *grid, uint32_t i, uint32_t j)
+static tp_view_vertex grid_corner(const tp_grid *grid, uint32_t i, uint32_t j)
 {
-    return tp_grid_corner(grid, &grid->vertex[j * grid->cols + i], i, j);
+    return tp_grid_place_vertex(grid, &grid->vertex[j * grid->cols + i], i, j);
 }
 
 typedef struct {
@@ -66,8 +66,11 @@ static void make(beach *s)
                                .sea = &s->ocean.sea,
                                .phases = s->phases,
                                .ocean = s->ocean.ocean };
-    s->look = (tp_grid_view){ .lens = &s->v.lens, .surface = &s->surface, .width = 320,
-                              .height = 240, .cell = chance_fx(&chance, 0.5, 4),
+    s->look = (tp_grid_view){ .projection = &s->v.projection,
+                              .surface = &s->surface,
+                              .width = 320,
+                              .height = 240,
+                              .cell = chance_fx(&chance, 0.5, 4),
                               .reach = random_below(&chance, 2) ? 500 * TP_FX_ONE : 0,
                               .follow = random_below(&chance, 2) > 0 };
     carve(s, (uint32_t)chance_int(&chance, 2, 40), (uint32_t)chance_int(&chance, 2, 40));
@@ -113,18 +116,18 @@ static void crossings_are_the_oceans_points(void **state)
                 if (!is_needed(&s, i, j))
                     continue;
                 const tp_ocean_point p = point_at(&s, i, j);
-                const tp_view_corner got = grid_corner(&s.grid, i, j);
+                const tp_view_vertex got = grid_corner(&s.grid, i, j);
                 const tp_grid_vertex *vertex = &s.grid.vertex[j * s.grid.cols + i];
-                tp_view_corner want;
-                tp_lens_view(&s.v.lens, p.position, &want);
+                tp_view_vertex want;
+                tp_projection_view_vertex(&s.v.projection, p.position, &want);
                 assert_int_equal(got.x, want.x);
                 assert_int_equal(got.y, want.y);
                 assert_int_equal(got.depth, want.depth);
                 assert_int_equal(tp_grid_is_dry(&s.grid, i, j), p.depth <= 0);
                 int32_t u = TP_GRID_CUT, v = vertex->v;
                 uint32_t zi = vertex->zi;
-                if (tp_lens_holds(&s.v.lens, &want))
-                    tp_lens_project(&s.v.lens, &want, &u, &v, &zi);
+                if (tp_projection_contains(&s.v.projection, &want))
+                    tp_projection_project(&s.v.projection, &want, &u, &v, &zi);
                 assert_true(vertex->u == u && vertex->v == v && vertex->zi == zi);
                 checked++;
                 dry += p.depth <= 0;

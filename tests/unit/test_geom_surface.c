@@ -27,8 +27,8 @@ static tp_pool *stirred_pool(tp_cells cells, tp_edges edges)
     c.cell = TP_FX(0.5);
     tp_pool *pool = pool_make(&c);
     for (int n = 0; n < 8; n++)
-        tp_pool_hat(pool, chance_fx(&chance, -11, 11), chance_fx(&chance, -9, 9),
-                    TP_FX_ONE, chance_fx(&chance, -0.6, 0.6));
+        tp_pool_add_splash(pool, chance_fx(&chance, -11, 11), chance_fx(&chance, -9, 9),
+                           TP_FX_ONE, chance_fx(&chance, -0.6, 0.6));
     pool_steps(pool, 20);
     return pool;
 }
@@ -135,14 +135,14 @@ static void a_falling_pool_of_32_bits_was_higher_a_tick_ago(void **state)
         .by = &tp_program_all.water, .sea = &sea, .pool = pool, .back = TP_FX_ONE
     };
 
-    assert_true(tp_pool_hat(pool, 0, 0, TP_FX(0.5), TP_FX_ONE));
+    assert_true(tp_pool_add_splash(pool, 0, 0, TP_FX(0.5), TP_FX_ONE));
     tp_pool_step(pool);
     tp_fx most = 0;
     for (int32_t i = -64; i <= 64; i++) {
         const tp_fx h = tp_surface_relief(&s, i * 2048, TP_FX(0.1)).height;
         most = h > most ? h : most;
     }
-    assert_true(most > (tp_pool_look(pool).highest >> 8) + 1);  /* the test has effect */
+    assert_true(most > (tp_pool_stats(pool).highest >> 8) + 1);  /* the test has effect */
     assert_true(most <= tp_surface_height(&s));
     free(pool);
 }

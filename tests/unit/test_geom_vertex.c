@@ -41,7 +41,7 @@ static void place(pond *p)
     p->surface.by = &tp_program_all.water;
     p->surface.sea = &p->sea.sea;
     p->surface.phases = p->sea.phases;
-    p->look.lens = &p->v.lens;
+    p->look.projection = &p->v.projection;
     p->look.surface = &p->surface;
     p->look.width = p->v.width;
     p->look.height = p->v.height;
@@ -72,9 +72,9 @@ static void pond_free(pond *p)
 /* -- comparison with the models -------------------------------------------------------- */
 
 /* World position of a grid vertex: its view coordinates along the projection's own axes. */
-static ref_vec world_of(const view *v, const tp_view_corner *c)
+static ref_vec world_of(const view *v, const tp_view_vertex *c)
 {
-    const tp_dir3 axis[3] = { v->lens.right, v->lens.up, v->lens.ahead };
+    const tp_dir3 axis[3] = { v->projection.right, v->projection.up, v->projection.ahead };
     const double way[3] = { c->x * LSB, c->y * LSB, c->depth * LSB };
     ref_vec p = v->ref.eye;
 
@@ -127,7 +127,7 @@ static double coarse_normal_error(const ocean *o, const tp_grid *grid, const ref
 }
 
 /* A grid vertex anywhere in the grid, with its slopes. */
-static tp_view_corner corner_of(const pond *p, uint32_t i, uint32_t j)
+static tp_view_vertex corner_of(const pond *p, uint32_t i, uint32_t j)
 {
     const bool still = p->grid.column[i].fade == 0 || p->grid.row[j].fade == 0;
     tp_vertex_row row = { .line = p->grid.row[j] };
@@ -136,7 +136,7 @@ static tp_view_corner corner_of(const pond *p, uint32_t i, uint32_t j)
     tp_vertex_rest_z(&p->grid.frame, row.line.place, row.rest);
     tp_vertex_set_row(&p->grid.frame, &row, true);
     tp_vertex_place(&p->grid.frame, &p->grid.columns, &row, i, 1, still, &vertex);
-    tp_view_corner c = tp_vertex_corner(&p->grid.frame, &p->grid.columns, &row, i, still);
+    tp_view_vertex c = tp_vertex_corner(&p->grid.frame, &p->grid.columns, &row, i, still);
     c.n[0] = vertex.slope_x;
     c.n[1] = vertex.slope_z;
     return c;
@@ -149,7 +149,7 @@ static void compare(pond *p, uint32_t i, uint32_t j, bool usual, errors *e)
     const double fade = column->fade * LSB * row->fade * LSB;
     const ref_point want = faded(ref_at_rest(&p->sea.ref, p->sea.ref_phases, x0, z0), x0,
                                  z0, fade, p->sea.sea.crossed);
-    const tp_view_corner c = corner_of(p, i, j);
+    const tp_view_vertex c = corner_of(p, i, j);
     const tp_sea_point slopes = { .slope_x = c.n[0] * 16, .slope_z = c.n[1] * 16 };
     const ref_vec got = world_of(&p->v, &c);
     const double height = got.y - want.y;
@@ -302,10 +302,10 @@ static void rings_lie_on_the_displaced_water(void **state)
         for (int k = 0; k < 100; k++) {
             const uint32_t i = random_below(&chance, SIDE), j = random_below(&chance, SIDE);
             p.surface.rings = 0;
-            const tp_view_corner still = corner_of(&p, i, j);
+            const tp_view_vertex still = corner_of(&p, i, j);
             p.surface.ring = &now;
             p.surface.rings = 1;
-            const tp_view_corner c = corner_of(&p, i, j);
+            const tp_view_vertex c = corner_of(&p, i, j);
             const ref_vec a = world_of(&p.v, &still), b = world_of(&p.v, &c);
             const tp_relief want = tp_ring_relief(&now, 1, (tp_fx)lround(a.x / LSB),
                                                   (tp_fx)lround(a.z / LSB));

@@ -136,7 +136,7 @@ static void a_pool_begins_still_and_stays_so(void **state)
                                              16);
         tp_pool *const pool = pool_make(&c);
         pool_steps(pool, 3);
-        const tp_pool_state look = tp_pool_look(pool);
+        const tp_pool_state look = tp_pool_stats(pool);
         assert_true(look.at_rest && look.sum == 0 && look.highest == 0);
         assert_int_equal(pool->tick, 3);
         free(pool);
@@ -172,7 +172,7 @@ static void nothing_passes_a_wall_but_through_its_gap(void **state)
         for (int i = 0; i < 32 * 32; i++)
             sample[i] = i % 32 == 16 && !(gap && i / 32 == 16) ? 0 : 65535;
         tp_pool *const pool = pool_make(&c);
-        assert_true(tp_pool_hat(pool, TP_FX(-2), 0, TP_FX(0.1), TP_FX(0.9)));
+        assert_true(tp_pool_add_splash(pool, TP_FX(-2), 0, TP_FX(0.1), TP_FX(0.9)));
         pool_steps(pool, 60);
         int32_t beyond = 0;
         for (uint32_t i = 0; i < 32 * 15; i++)

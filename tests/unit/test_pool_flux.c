@@ -48,12 +48,12 @@ static void step_equals_the_model(tp_edges edges, uint32_t walls)
         ref_pool_read(&ref, pool);
         if (edges == TP_EDGES_SPONGE)
             soak_reference(&ref, pool);
-        const int64_t sum = tp_pool_look(pool).sum;
+        const int64_t sum = tp_pool_stats(pool).sum;
         for (int tick = 0; tick < 60; tick++) {
             tp_pool_step(pool);
             ref_fluxes(&ref);
             assert_same(pool, &ref);
-            const tp_pool_state look = tp_pool_look(pool);
+            const tp_pool_state look = tp_pool_stats(pool);
             assert_true(look.sum == sum && look.highest <= FULL);
         }
         free(pool);
@@ -127,11 +127,11 @@ static void a_drop_comes_to_exact_rest_and_stays(void **state)
         tp_pool_config c = pool_config(TP_CELLS_32, (tp_edges)n, 40, 40);
         c.damping = 5;
         tp_pool *const pool = pool_make(&c);
-        tp_pool_hat(pool, 0, 0, TP_FX(1), TP_FX(0.5));
+        tp_pool_add_splash(pool, 0, 0, TP_FX(1), TP_FX(0.5));
         int tick = 0;
-        for (; tick < 6000 && !tp_pool_look(pool).at_rest; tick++)
+        for (; tick < 6000 && !tp_pool_stats(pool).at_rest; tick++)
             tp_pool_step(pool);
-        const tp_pool_state look = tp_pool_look(pool);
+        const tp_pool_state look = tp_pool_stats(pool);
         print_message("    edges %d: rests at %d, residue %d LSB of 2^-24 m\n", n, tick,
                       look.highest);
         assert_true(look.at_rest && look.sum == 0 && look.fastest == 0);
@@ -154,13 +154,13 @@ static void no_height_leaves_the_range_whatever_r_is(void **state)
     for (uint32_t y = 0; y < 33; y++)
         for (uint32_t x = 0; x < 17; x++)
             tp_pool_add(pool, x, y, random_next(&chance) & 1 ? INT32_MAX : -INT32_MAX);
-    assert_int_equal(tp_pool_look(pool).highest, FULL);
-    const int64_t sum = tp_pool_look(pool).sum;
+    assert_int_equal(tp_pool_stats(pool).highest, FULL);
+    const int64_t sum = tp_pool_stats(pool).sum;
     pool->r2q = UINT32_MAX;
     for (int tick = 0; tick < 500; tick++) {
         tp_pool_step(pool);
-        assert_true(tp_pool_look(pool).highest <= FULL);
-        assert_true(tp_pool_look(pool).sum == sum);
+        assert_true(tp_pool_stats(pool).highest <= FULL);
+        assert_true(tp_pool_stats(pool).sum == sum);
     }
     free(pool);
 }

@@ -77,8 +77,8 @@ static void steps_match_the_vectors(void **state)
         }
         pool_steps(pool, (int)(step - (uint32_t)pool->tick));
         assert_int_equal(crc_of(pool), crc);
-        assert_int_equal(tp_pool_look(pool).sum, sum_h);
-        assert_int_equal(tp_pool_look(pool).highest, highest);
+        assert_int_equal(tp_pool_stats(pool).sum, sum_h);
+        assert_int_equal(tp_pool_stats(pool).highest, highest);
         rows++;
     }
     free(pool);
@@ -175,7 +175,7 @@ static int ticks_to_rest(tp_pool *pool, int most)
 {
     for (int tick = 1; tick <= most; tick++) {
         tp_pool_step(pool);
-        if (tp_pool_look(pool).at_rest)
+        if (tp_pool_stats(pool).at_rest)
             return tick;
     }
     return -1;
@@ -196,10 +196,10 @@ static void the_droplet_of_the_table_rests_when_it_says(void **state)
         c.damping = (uint32_t)row[1];
         tp_pool *const pool = pool_make(&c);
         const tp_fx height = row[0] == 8 ? TP_FX(100.0 / 127) : TP_FX(25600.0 / 32767);
-        assert_true(tp_pool_hat(pool, 0, 0, TP_FX(1), height));
+        assert_true(tp_pool_add_splash(pool, 0, 0, TP_FX(1), height));
         assert_int_equal(pool->gear, row[2]);
         const int rest = ticks_to_rest(pool, 2000);
-        const tp_pool_state look = tp_pool_look(pool);
+        const tp_pool_state look = tp_pool_stats(pool);
         print_message("    %2d bits, m %d: rests at %d (table %d)\n", row[0], row[1],
                       rest, row[3]);
         assert_in_range(rest, (unsigned)row[2], (unsigned)row[3] + 30);
@@ -222,12 +222,12 @@ static void full_range_water_stays_in_range_and_rests(void **state)
         tp_pool *const pool = pool_make(&c);
         pool_fill(pool, &chance, full);
         int tick = 0;
-        for (; tick < 40000 && !tp_pool_look(pool).at_rest; tick++) {
+        for (; tick < 40000 && !tp_pool_stats(pool).at_rest; tick++) {
             tp_pool_step(pool);
-            const tp_pool_state look = tp_pool_look(pool);
+            const tp_pool_state look = tp_pool_stats(pool);
             assert_true(look.highest <= full && look.fastest <= full);
         }
-        assert_true(tp_pool_look(pool).at_rest);
+        assert_true(tp_pool_stats(pool).at_rest);
         free(pool);
     }
 }
@@ -245,10 +245,10 @@ static void the_sum_is_exact_in_gear_a(void **state)
         tp_pool *const pool = pool_make(&c);
         pool_fill(pool, &chance, 12);
         pool->gear = 2000;
-        const int64_t sum = tp_pool_look(pool).sum;
+        const int64_t sum = tp_pool_stats(pool).sum;
         for (int tick = 0; tick < 1000; tick++) {
             tp_pool_step(pool);
-            assert_int_equal(tp_pool_look(pool).sum, sum);
+            assert_int_equal(tp_pool_stats(pool).sum, sum);
         }
         free(pool);
     }
@@ -267,10 +267,10 @@ static void a_sponge_does_not_drift(void **state)
         double worst = 0;
         for (int tick = 0; tick < 1500; tick++) {
             if (tick % 20 == 0)
-                tp_pool_hat(pool, chance_fx(&chance, -5.5, 5.5),
-                            chance_fx(&chance, -5.5, 5.5), TP_FX(1), TP_FX(0.25));
+                tp_pool_add_splash(pool, chance_fx(&chance, -5.5, 5.5),
+                                   chance_fx(&chance, -5.5, 5.5), TP_FX(1), TP_FX(0.25));
             tp_pool_step(pool);
-            worst = fmax(worst, fabs((double)tp_pool_look(pool).sum) / (48 * 48) / full);
+            worst = fmax(worst, fabs((double)tp_pool_stats(pool).sum) / (48 * 48) / full);
         }
         print_message("    mean up to %.2g of the range\n", worst);
         assert_true(worst < 0.01);
@@ -300,10 +300,10 @@ static void beyond_the_bound_water_does_not_rest_but_stays_in_range(void **state
     const tp_pool_config c = pool_config(TP_CELLS_16, TP_EDGES_WALL, 32, 32);
     tp_pool *const pool = pool_make(&c);
     pool->r2q = 576;                        /* r = 0.75 */
-    tp_pool_hat(pool, 0, 0, TP_FX(1), TP_FX(0.05));
+    tp_pool_add_splash(pool, 0, 0, TP_FX(1), TP_FX(0.05));
     pool_steps(pool, 2000);
-    assert_int_equal(tp_pool_look(pool).fastest, 32767);
-    assert_false(tp_pool_look(pool).at_rest);
+    assert_int_equal(tp_pool_stats(pool).fastest, 32767);
+    assert_false(tp_pool_stats(pool).at_rest);
     free(pool);
 }
 

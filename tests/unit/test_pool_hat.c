@@ -24,8 +24,8 @@ static void the_hat_is_a_hat(void **state)
         const double sigma = chance_double(&chance, 1.5, 5.5);         /* cells */
         const tp_fx x = chance_fx(&chance, -8, 8), z = chance_fx(&chance, -8, 8);
         const double peak = tp_pool_lsb(pool, TP_FX(0.75));
-        assert_true(tp_pool_hat(pool, x, z, (tp_fx)lround(sigma * 0.25 * 65536),
-                                TP_FX(0.75)));
+        assert_true(tp_pool_add_splash(pool, x, z, (tp_fx)lround(sigma * 0.25 * 65536),
+                                       TP_FX(0.75)));
         for (uint32_t row = 0; row < 64; row++) {
             for (uint32_t col = 0; col < 64; col++) {
                 double dx = fabs(col + 0.5 - 32 - x / 16384.0);
@@ -38,7 +38,7 @@ static void the_hat_is_a_hat(void **state)
                             / (2.5 + peak * 3e-3), n, col, row);
             }
         }
-        assert_true(tp_pool_look(pool).sum == 0);
+        assert_true(tp_pool_stats(pool).sum == 0);
         free(pool);
     }
     measure_print(&worst);
@@ -61,10 +61,10 @@ static void hats_add_up_to_nothing(void **state)
             const tp_fx x = chance_fx(&chance, -7, 7), z = chance_fx(&chance, -5, 5);
             uint32_t col, row;
             const bool open = tp_pool_cell(pool, x, z, &col, &row);
-            assert_int_equal(tp_pool_hat(pool, x, z, chance_scale(&chance, 0.01, 40),
+            assert_int_equal(tp_pool_add_splash(pool, x, z, chance_scale(&chance, 0.01, 40),
                                          chance_fx(&chance, -1.5, 1.5)), open);
             refused += !open;
-            assert_true(tp_pool_look(pool).sum == 0);
+            assert_true(tp_pool_stats(pool).sum == 0);
         }
         free(pool);
     }
@@ -188,7 +188,7 @@ static void feeding_holds_the_band(void **state)
     print_message("    rms %.0f to %.0f for 512, %" PRIu32 " injections\n", low, high,
                   pool->injections);
     assert_true(low > 475 && high < 600);
-    assert_true(tp_pool_look(pool).sum == 0);
+    assert_true(tp_pool_stats(pool).sum == 0);
     free(pool);
 }
 

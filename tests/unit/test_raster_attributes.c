@@ -16,8 +16,8 @@ enum { WIDTH = 256, HEIGHT = 160 };
 static uint64_t chance;
 
 typedef struct {
-    tp_corner corner[3];
-    const tp_corner *at[3];
+    tp_screen_vertex corner[3];
+    const tp_screen_vertex *at[3];
     bool      perspective;      /* decided as the rasterizer does */
     double    length;           /* longest side along an axis, 28.4 */
     double    thinness;         /* length^2 over twice the area */
@@ -26,10 +26,10 @@ typedef struct {
 
 /* False for a triangle without area, or too thin: then its values are those of the upper
  * corner. */
-static bool face_of(face *f, const tp_samples *tile)
+static bool face_of(face *f, const tp_gbuffer *tile)
 {
     tp_tri tri;
-    const tp_corner *c = f->corner;
+    const tp_screen_vertex *c = f->corner;
     const double area = (double)llabs(tp_tri_area(&c[0], &c[1], &c[2]));
 
     f->length = 1;
@@ -48,10 +48,10 @@ static bool face_of(face *f, const tp_samples *tile)
     return true;
 }
 
-static tp_corner corner_within(int32_t far)
+static tp_screen_vertex corner_within(int32_t far)
 {
-    return (tp_corner){ .u = WIDTH * 8 + chance_int(&chance, -far, far),
-                        .v = HEIGHT * 8 + chance_int(&chance, -far, far) };
+    return (tp_screen_vertex){ .u = WIDTH * 8 + chance_int(&chance, -far, far),
+                               .v = HEIGHT * 8 + chance_int(&chance, -far, far) };
 }
 
 /* Error bound of a value with this `range`, far from its corner: the gradients' factors,
@@ -116,7 +116,7 @@ static void depth_lies_in_the_plane_of_the_corners(void **state)
 }
 
 /* A triangle with the third corner within an LSB or two of the line between the others. */
-static void make_sliver(tp_corner c[3], int32_t far)
+static void make_sliver(tp_screen_vertex c[3], int32_t far)
 {
     const double way = chance_double(&chance, 0, 1);
 
@@ -130,7 +130,7 @@ static void make_sliver(tp_corner c[3], int32_t far)
 
 /* A sliver that contains the centre of at least one pixel: an edge runs through the centre,
  * to whole coordinates on both sides, and the third corner is next to an end. */
-static void make_sliver_through_centre(tp_corner c[3], int32_t far)
+static void make_sliver_through_centre(tp_screen_vertex c[3], int32_t far)
 {
     const int32_t du = chance_int(&chance, -far / 8, far / 8);
     const int32_t dv =
@@ -157,7 +157,7 @@ static void no_sliver_leaves_the_depths_of_its_corners(void **state)
     uint64_t pixels = 0;
 
     for (int n = 0; n < 5000; n++) {
-        tp_corner c[3] = { { .s = 0 } };
+        tp_screen_vertex c[3] = { { .s = 0 } };
         int64_t low = INT32_MAX, high = 0;
         if (n & 1)
             make_sliver(c, fars[n % 3]);
@@ -168,7 +168,7 @@ static void no_sliver_leaves_the_depths_of_its_corners(void **state)
             low = c[i].zi < low ? c[i].zi : low;
             high = c[i].zi > high ? c[i].zi : high;
         }
-        tp_samples_clear(&tile.samples);
+        tp_gbuffer_clear(&tile.samples);
         tp_tri_water(&tile.samples, &c[0], &c[1], &c[2]);
         for (int i = 0; i < WIDTH * HEIGHT; i++) {
             const uint32_t key = tile.samples.key[i];
@@ -312,8 +312,8 @@ static void solids_carry_normal_texture_and_face(void **state)
                 f.corner[i].n[k] = (int16_t)chance_int(&chance, -511, 511);
         }
         test_tile tile = tile_of(0, 0, WIDTH, HEIGHT, 0);
-        const tp_samples *s = &tile.samples;
-        const tp_corner *c = f.corner;
+        const tp_gbuffer *s = &tile.samples;
+        const tp_screen_vertex *c = f.corner;
         tp_tri_solid(s, &c[0], &c[1], &c[2], TP_MARK_SOLID + 3, 0x12345678, 16);
         const bool thick = face_of(&f, s);
         for (int32_t i = 0; thick && i < WIDTH * HEIGHT; i++) {
@@ -344,7 +344,7 @@ static void any_corners_are_safe(void **state)
     static const int32_t ends[] = { -8192 * 16, 8192 * 16, 0, 16000, 8000, 7999, 16001 };
 
     for (int n = 0; n < 30000; n++) {
-        tp_corner c[3];
+        tp_screen_vertex c[3];
         for (int i = 0; i < 3; i++) {
             c[i].u =
                 2048 * 16 + ends[random_below(&chance, 7)] + chance_int(&chance, -3, 3);
@@ -357,7 +357,7 @@ static void any_corners_are_safe(void **state)
                 c[i].n[k] = (int16_t)chance_int(&chance, -511, 511);
         }
         if (n % 3 == 0)
-            tp_samples_clear(&tile.samples);
+            tp_gbuffer_clear(&tile.samples);
         if (n % 4)
             tp_tri_water(&tile.samples, &c[0], &c[1], &c[2]);
         else

@@ -15,9 +15,9 @@
 
 static uint64_t chance;
 
-static tp_corner corner(int32_t u, int32_t v)
+static tp_screen_vertex corner(int32_t u, int32_t v)
 {
-    return (tp_corner){ .u = u, .v = v, .zi = 1u << 30 };
+    return (tp_screen_vertex){ .u = u, .v = v, .zi = 1u << 30 };
 }
 
 static bool is_drawn(const test_tile *tile, int32_t x, int32_t y)
@@ -32,9 +32,9 @@ static void draw_picture(int count, const int32_t at[24][2], char rows[16][17])
     memset(rows, '.', 16 * sizeof *rows);
     for (int n = 0; n < count; n++) {
         test_tile tile = tile_of(0, 0, 16, 16, 0);
-        const tp_corner a = corner(at[3 * n][0], at[3 * n][1]);
-        const tp_corner b = corner(at[3 * n + 1][0], at[3 * n + 1][1]);
-        const tp_corner c = corner(at[3 * n + 2][0], at[3 * n + 2][1]);
+        const tp_screen_vertex a = corner(at[3 * n][0], at[3 * n][1]);
+        const tp_screen_vertex b = corner(at[3 * n + 1][0], at[3 * n + 1][1]);
+        const tp_screen_vertex c = corner(at[3 * n + 2][0], at[3 * n + 2][1]);
         tp_tri_water(&tile.samples, &a, &b, &c);
         for (int i = 0; i < 256; i++) {
             char *to = &rows[i / 16][i % 16];
@@ -63,9 +63,9 @@ static void pictures_come_out_as_drawn_here(void **state)
 /* -- the fill rule in exact integers ------------------------------------------------- */
 
 /* The tile is a part of the picture: 192 x 128 px at (64, 32). */
-static void compare(const tp_corner c[3], uint64_t *pixels)
+static void compare(const tp_screen_vertex c[3], uint64_t *pixels)
 {
-    const tp_corner *const corners[3] = { &c[0], &c[1], &c[2] };
+    const tp_screen_vertex *const corners[3] = { &c[0], &c[1], &c[2] };
     const bool flat = tp_tri_area(&c[0], &c[1], &c[2]) == 0;
     test_tile tile = tile_of(64, 32, 256, 160, 0);
 
@@ -88,7 +88,7 @@ static void compare(const tp_corner c[3], uint64_t *pixels)
 
 /* A corner within `far` sixteenths of the tile's middle; one in four is on a pixel's
  * centre. */
-static tp_corner any_corner(int32_t far)
+static tp_screen_vertex any_corner(int32_t far)
 {
     const int32_t grain = random_below(&chance, 4) ? 1 : 16;
     return corner(160 * 16 + chance_int(&chance, -far, far) / grain * grain + 8,
@@ -103,8 +103,8 @@ static void triangles_cover_what_the_rule_says(void **state)
     for (size_t i = 0; i < sizeof fars / sizeof fars[0]; i++) {
         uint64_t pixels = 0;
         for (int n = 0; n < 400; n++) {
-            const tp_corner c[3] = { any_corner(fars[i]), any_corner(fars[i]),
-                                     any_corner(fars[i]) };
+            const tp_screen_vertex c[3] = { any_corner(fars[i]), any_corner(fars[i]),
+                                            any_corner(fars[i]) };
             compare(c, &pixels);
         }
         printf("    corners within %7.1f px: %9" PRIu64 " pixels\n", fars[i] / 16.0,
@@ -122,7 +122,7 @@ static void slivers_cover_what_the_rule_says(void **state)
     for (size_t i = 0; i < sizeof fars / sizeof fars[0]; i++) {
         uint64_t pixels = 0;
         for (int n = 0; n < 700; n++) {
-            tp_corner c[3] = { any_corner(fars[i]), any_corner(fars[i]) };
+            tp_screen_vertex c[3] = { any_corner(fars[i]), any_corner(fars[i]) };
             const double way = chance_double(&chance, -0.2, 1.2);
             c[2] = corner((int32_t)lround(c[0].u + way * (c[1].u - c[0].u))
                               + chance_int(&chance, -2, 2),
@@ -144,7 +144,7 @@ static void the_order_of_the_corners_does_not_matter(void **state)
                                      { 0, 2, 1 }, { 2, 1, 0 }, { 1, 0, 2 } };
 
     for (int n = 0; n < 60; n++) {
-        const tp_corner c[3] = { any_corner(900), any_corner(900), any_corner(900) };
+        const tp_screen_vertex c[3] = { any_corner(900), any_corner(900), any_corner(900) };
         test_tile first = tile_of(64, 32, 256, 160, 0);
         tp_tri_water(&first.samples, &c[0], &c[1], &c[2]);
         for (int k = 1; k < 6; k++) {
@@ -225,10 +225,10 @@ static void each_pixel_of_a_closed_mesh_is_drawn_once(void **state)
         memset(count, 0, sizeof count);
         test_tile tile = tile_of(0, 0, 160, 160, 0);
         for (int f = 0; f < m.faces; f++) {
-            tp_corner c[3];
+            tp_screen_vertex c[3];
             for (int k = 0; k < 3; k++)
                 c[k] = corner(m.point[m.face[f][k]][0], m.point[m.face[f][k]][1]);
-            tp_samples_clear(&tile.samples);
+            tp_gbuffer_clear(&tile.samples);
             tp_tri_water(&tile.samples, &c[0], &c[1], &c[2]);
             for (int i = 0; i < 160 * 160; i++)
                 count[i] = (uint8_t)(count[i] + (tile.samples.key[i] != 0));
@@ -244,9 +244,9 @@ static void each_pixel_of_a_closed_mesh_is_drawn_once(void **state)
 
 /* -- tiles --------------------------------------------------------------------------- */
 
-static tp_corner any_sample_corner(int32_t far)
+static tp_screen_vertex any_sample_corner(int32_t far)
 {
-    tp_corner c = any_corner(far);
+    tp_screen_vertex c = any_corner(far);
 
     c.zi = (uint32_t)chance_int(&chance, 1 << 16, 0x7f7fffff);
     c.s = chance_int(&chance, -1000 * TP_FX_ONE, 1000 * TP_FX_ONE);
@@ -257,14 +257,14 @@ static tp_corner any_sample_corner(int32_t far)
 }
 
 typedef struct {
-    tp_corner corner[3];
+    tp_screen_vertex corner[3];
     int       opacity;          /* for a solid; -1: water */
 } shape;
 
-static void draw_shapes(const tp_samples *tile, const shape *shapes, int count)
+static void draw_shapes(const tp_gbuffer *tile, const shape *shapes, int count)
 {
     for (int i = 0; i < count; i++) {
-        const tp_corner *c = shapes[i].corner;
+        const tp_screen_vertex *c = shapes[i].corner;
         if (shapes[i].opacity < 0)
             tp_tri_water(tile, &c[0], &c[1], &c[2]);
         else
@@ -275,7 +275,7 @@ static void draw_shapes(const tp_samples *tile, const shape *shapes, int count)
 
 static void assert_same_samples(const test_tile *part, const test_tile *whole)
 {
-    const tp_samples *p = &part->samples, *w = &whole->samples;
+    const tp_gbuffer *p = &part->samples, *w = &whole->samples;
 
     for (int32_t y = p->y0; y < p->y1; y++) {
         for (int32_t x = p->x0; x < p->x1; x++) {
@@ -321,9 +321,10 @@ static void tiles_cut_anywhere_give_the_same_samples(void **state)
 
 /* -- depth, stencil values, patterns ------------------------------------------------- */
 
-static void cover_all(const tp_samples *tile, uint32_t zi, uint32_t mark, int opacity)
+static void cover_all(const tp_gbuffer *tile, uint32_t zi, uint32_t mark, int opacity)
 {
-    tp_corner c[3] = { corner(-2000, -2000), corner(6000, -2000), corner(-2000, 6000) };
+    tp_screen_vertex c[3] = { corner(-2000, -2000), corner(6000, -2000),
+                              corner(-2000, 6000) };
 
     for (int k = 0; k < 3; k++)
         c[k].zi = zi;
@@ -355,7 +356,7 @@ static void back_faces_are_left_out_where_that_is_asked_for(void **state)
 {
     (void)state;
     for (int n = 0; n < 150; n++) {
-        const tp_corner c[3] = { any_corner(900), any_corner(900), any_corner(900) };
+        const tp_screen_vertex c[3] = { any_corner(900), any_corner(900), any_corner(900) };
         const bool front = tp_tri_area(&c[0], &c[1], &c[2]) < 0;
         test_tile all = tile_of(64, 32, 256, 160, 0), some = tile_of(64, 32, 256, 160, 0);
         some.samples.front_only = true;

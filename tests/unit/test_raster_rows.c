@@ -62,7 +62,7 @@ static field any_field(bool gaps)
 /* Samples in the tile before the water, the same in every tile. */
 static void put_solids(test_tile *tile)
 {
-    const tp_samples *s = &tile->samples;
+    const tp_gbuffer *s = &tile->samples;
 
     for (int32_t y = s->y0; y < s->y1; y++)
         for (int32_t x = s->x0; x < s->x1; x++)

@@ -31,13 +31,14 @@ static tp_scene aboard_scene(void)
     return s;
 }
 
-static tp_lens lens_of(const tp_world *w)
+static tp_projection lens_of(const tp_world *w)
 {
     const tp_camera camera = tp_world_camera(w);
-    tp_lens lens;
+    tp_projection projection;
 
-    tp_lens_turned(&lens, camera.eye, camera.turn, 60 * TP_FX_ONE, TP_FX(0.25), 640, 480);
-    return lens;
+    tp_projection_init_turned(&projection, camera.eye, camera.turn, 60 * TP_FX_ONE,
+                              TP_FX(0.25), 640, 480);
+    return projection;
 }
 
 /* Screen position of a point on the deck, px. */
@@ -46,14 +47,14 @@ static void seen_at(const tp_world *w, tp_vec3 deck, double *u, double *v)
     const tp_rotation turn =
         tp_rotation_from_angles(w->boat.heading, w->boat.pitch, w->boat.roll);
     const tp_vec3 way = tp_rotate_back(&turn, deck);
-    const tp_lens lens = lens_of(w);
-    tp_view_corner c;
+    const tp_projection projection = lens_of(w);
+    tp_view_vertex c;
     int32_t at[2];
     uint32_t zi;
 
-    tp_lens_view(&lens, tp_vec3_add(w->boat.place, way), &c);
-    assert_true(tp_lens_holds(&lens, &c));
-    tp_lens_project(&lens, &c, &at[0], &at[1], &zi);
+    tp_projection_view_vertex(&projection, tp_vec3_add(w->boat.place, way), &c);
+    assert_true(tp_projection_contains(&projection, &c));
+    tp_projection_project(&projection, &c, &at[0], &at[1], &zi);
     *u = at[0] / 16.0;
     *v = at[1] / 16.0;
 }

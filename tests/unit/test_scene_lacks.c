@@ -9,7 +9,7 @@
 #include <cmocka.h>
 #include "frame/frame.h"
 #include "kit.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "scenes.h"
 
 enum { SCENES = 400 };

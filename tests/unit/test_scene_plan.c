@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include "frame/tools.h"
 #include "kit.h"
-#include "scene/faint.h"
+#include "scene/wave_culling.h"
 #include "scene/prices.h"
 
 enum { SCENES = 400 };
@@ -297,14 +297,14 @@ static void a_frame_takes_any_rungs(void **state)
  * amplitude. */
 static void a_faint_wave_fades_in(void **state)
 {
-    const tp_faint_limits limits = { .px = TP_FX(0.1), .slope = TP_FX(0.001),
+    const tp_wave_cull_limits limits = { .px = TP_FX(0.1), .slope = TP_FX(0.001),
                                      .focal = 200, .near = 10 * TP_FX_ONE };
     tp_fx last = 0;
 
     (void)state;
     for (tp_fx a = 1; a < TP_FX(0.05); a++) {
         const tp_fx slope = a / 16;
-        const tp_fx weight = tp_faint_weight(&limits, a, slope);
+        const tp_fx weight = tp_wave_cull_weight(&limits, a, slope);
         const tp_fx drawn = tp_fx_mul(a, weight);
         assert_in_range(weight, 0, TP_FX_ONE);
         assert_true(drawn >= last && drawn <= last + 8 && drawn <= a);
@@ -314,7 +314,7 @@ static void a_faint_wave_fades_in(void **state)
 }
 
 /* Waves of 12 px (drawn by a fifth) and 2 px (not drawn), and a wave drawn whole. */
-static const tp_faint_limits coarse = { .px = 10 * TP_FX_ONE, .slope = TP_FX(0.1),
+static const tp_wave_cull_limits coarse = { .px = 10 * TP_FX_ONE, .slope = TP_FX(0.1),
                                         .focal = 200, .near = 10 * TP_FX_ONE };
 static const tp_wave low[3] = {
     { .amplitude = TP_FX(0.6), .length = 60 * TP_FX_ONE },
@@ -332,12 +332,12 @@ static void a_sea_is_thinned_only_if_some_wave_is_faint(void **state)
     memset(&thin, 0xa5, sizeof thin);
     memset(&untouched, 0xa5, sizeof untouched);
     tp_sea_init(&sea, &low[2], 1, TP_FX(9.81));
-    assert_false(tp_faint_sea(&thin, thin_phases, &sea, phases, &coarse));
+    assert_false(tp_wave_cull_sea(&thin, thin_phases, &sea, phases, &coarse));
     assert_memory_equal(&thin, &untouched, sizeof thin);
     assert_int_equal(thin_phases[0], 44);
 
     tp_sea_init(&sea, low, 3, TP_FX(9.81));
-    assert_true(tp_faint_sea(&thin, thin_phases, &sea, phases, &coarse));
+    assert_true(tp_wave_cull_sea(&thin, thin_phases, &sea, phases, &coarse));
     assert_int_equal(thin.count, 2);
     assert_true(abs(thin.swell[0].amplitude - TP_FX(0.12)) <= 2);
     assert_int_equal(thin.swell[1].amplitude, 2 * TP_FX_ONE);
@@ -356,14 +356,14 @@ static void errors_of_faint_waves_add_up_as_squares(void **state)
     (void)state;
     memset(s.wave, 0, sizeof s.wave);
     s.wave[0] = low[2];
-    tp_faint got = tp_faint_evaluate(&s, &coarse, 100 * TP_FX_ONE);
+    tp_wave_cull got = tp_wave_cull_evaluate(&s, &coarse, 100 * TP_FX_ONE);
     assert_false(got.any);
     assert_int_equal(got.left, 1);
     assert_int_equal(got.px, 0);
     assert_int_equal(got.colour, 0);
 
     memcpy(s.wave, low, sizeof low);
-    got = tp_faint_evaluate(&s, &coarse, 100 * TP_FX_ONE);
+    got = tp_wave_cull_evaluate(&s, &coarse, 100 * TP_FX_ONE);
     assert_true(got.any);
     assert_int_equal(got.left, 2);
     assert_true(fabs(got.px / 65536.0 - sqrt(9.6 * 9.6 + 2 * 2)) < 0.001);

@@ -74,7 +74,7 @@ static void any_number_is_taken(void **state)
     for (int i = 0; i < 500; i++)
         tp_world_push(&tp_program_all, w, &scene, scene.pool.x, scene.pool.z,
                       scene.pool.poke_size, TP_FX(0.01));
-    const tp_pool_state look = tp_pool_look(tp_world_pool(w));
+    const tp_pool_state look = tp_pool_stats(tp_world_pool(w));
     assert_true(look.highest > 3 << 24); /* 5 m less the mean of a splash */
     assert_int_equal(look.sum, 0);
     free(w);
@@ -92,14 +92,14 @@ static void a_pool_goes_before_a_field(void **state)
 
     assert_false(tp_world_push(&tp_program_all, w, &scene, scene.pool.x, scene.pool.z,
                                TP_FX_ONE, 0));
-    assert_true(tp_pool_look(tp_world_pool(w)).at_rest);
+    assert_true(tp_pool_stats(tp_world_pool(w)).at_rest);
     assert_true(tp_world_push(&tp_program_all, w, &scene, scene.pool.x, scene.pool.z,
                               TP_FX_ONE, TP_FX(0.3)));
-    assert_true(tp_pool_look(tp_world_pool(w)).highest > 0);
-    assert_int_equal(tp_pool_look(tp_world_field(w)).highest, 0);
+    assert_true(tp_pool_stats(tp_world_pool(w)).highest > 0);
+    assert_int_equal(tp_pool_stats(tp_world_field(w)).highest, 0);
     assert_true(tp_world_push(&tp_program_all, w, &scene, scene.pool.x + 500 * TP_FX_ONE,
                               scene.pool.z, TP_FX_ONE, TP_FX(0.3)));
-    assert_true(tp_pool_look(tp_world_field(w)).highest > 0);
+    assert_true(tp_pool_stats(tp_world_field(w)).highest > 0);
     free(w);
 }
 

@@ -24,8 +24,8 @@ static const char *const names[] = {
 typedef struct {
     scene_file file;
     asset_set  assets;
-    tp_outlook outlook;
-    tp_works   works;
+    tp_view_estimate estimate;
+    tp_fixed_cost   works;
 } view;
 
 /* Opens a view: "pond camera.y=1" is a scene and settings of the scene. */
@@ -41,9 +41,9 @@ static void view_open(view *v, const char *of, uint32_t width, uint32_t height)
     assert_int_equal(assets_open(&v->assets, &v->file), 0);
     const tp_plan_input in = { tp_program_all.modules, &v->file.scene, &v->assets.names,
                                width, height };
-    v->outlook = tp_outlook_estimate(&in);
-    v->works = tp_works_estimate(&in, &v->outlook,
-                                 v->file.scene.quality.shading == TP_SHADING_QUICK);
+    v->estimate = tp_view_estimate_make(&in);
+    v->works = tp_fixed_cost_estimate(&in, &v->estimate,
+                                      v->file.scene.quality.shading == TP_SHADING_QUICK);
 }
 
 static void view_close(view *v)
@@ -63,7 +63,7 @@ static size_t add(char *to, size_t at, const char *name, int64_t number)
 /* Writes all numbers except zeros. */
 static void tell(const view *v, char *to)
 {
-    const tp_outlook *o = &v->outlook;
+    const tp_view_estimate *o = &v->estimate;
     size_t at = add(to, 0, "water", o->water_pixels);
 
     at = add(to, at, "other", o->other_pixels);
@@ -159,7 +159,7 @@ static shares estimated(const view *v)
 {
     const double all = WIDTH * HEIGHT / 100.0;
 
-    return (shares){ (v->outlook.water_pixels - v->works.hidden) / all,
+    return (shares){ (v->estimate.water_pixels - v->works.hidden) / all,
                      most_of(v->works.of, TP_WORK_sky_dome, TP_WORK_sky_cube) / all,
                      v->works.solid / all };
 }

@@ -232,7 +232,7 @@ static void the_boat_is_checked(void **state)
     REFUSED(kept->afloat.lie.at[0], "hull");
     REFUSED(kept->afloat.alone.speed[2], "hull");
     REFUSED(kept->afloat.hull.z, "hull");
-    REFUSED(kept->afloat.stirred.sunk[1], "hull");
+    REFUSED(kept->afloat.stirred.immersion[1], "hull");
 }
 
 /* Boolean values of 2 to 255 are invalid. */

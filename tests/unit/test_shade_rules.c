@@ -21,14 +21,14 @@ static tp_entry16 shine[TP_SHINE + 1];
 
 static tp_shade shade_of(const view *v)
 {
-    const tp_rotation *turn = &v->lens.turn;
+    const tp_rotation *turn = &v->projection.turn;
     const tp_rotation light = tp_rotation_from_angles((tp_turn)random_next(&chance),
                                                       (tp_turn)random_next(&chance), 0);
     tp_shade s = {
-        .u0 = v->lens.u0, .v0 = v->lens.v0, .focal = v->lens.focal >> 12,
+        .u0 = v->projection.u0, .v0 = v->projection.v0, .focal = v->projection.focal >> 12,
         .world = { turn->x, turn->y, turn->z, light.y.x >> 16, light.y.y >> 16,
                    light.y.z >> 16 },
-        .zi_log = tp_log2_q8((uint32_t)v->lens.zi_near) + 15 * 256,
+        .zi_log = tp_log2_q8((uint32_t)v->projection.zi_near) + 15 * 256,
         .fresnel = tp_fresnel_table, .shine = shine,
     };
     return s;

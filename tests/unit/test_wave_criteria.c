@@ -8,7 +8,7 @@
 #include "../reference/depth.h"
 #include "chance.h"
 #include "csv_words.h"
-#include "wave/depth.h"
+#include "wave/water_depth.h"
 
 #define LSB (1 / 65536.0)
 

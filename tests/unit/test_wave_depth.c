@@ -9,7 +9,7 @@
 #include "../reference/depth.h"
 #include "chance.h"
 #include "csv_words.h"
-#include "wave/depth.h"
+#include "wave/water_depth.h"
 #include "wave/exp.h"
 
 #define LSB   (1 / 65536.0)

@@ -20,12 +20,12 @@ static void a_plane_gives_its_slopes(void **state)
         const double rise = sx * d, run = sz * d;
         const tp_fx around[4] = { (tp_fx)lround(-rise), (tp_fx)lround(rise),
                                   (tp_fx)lround(-run), (tp_fx)lround(run) };
-        const tp_relief got = tp_five_heights(7, around, d);
+        const tp_relief got = tp_neighbour_heights(7, around, d);
         /* Each height has a rounding error of half an LSB, over a base of 2 d. */
         assert_int_equal(got.height, 7);
         assert_true(fabs(got.slope_x - sx / LSB) <= 0.5 / (d * LSB) + 0.51);
         assert_true(fabs(got.slope_z - sz / LSB) <= 0.5 / (d * LSB) + 0.51);
-        const tp_dir3 normal = tp_five_normal(around, d);
+        const tp_dir3 normal = tp_neighbour_normal(around, d);
         const double x = -got.slope_x * LSB, z = -got.slope_z * LSB;
         const double length = sqrt(x * x + 1 + z * z);
         assert_true(fabs(normal.x / 1073741824.0 - x / length) < 2 * LSB);
@@ -55,7 +55,7 @@ static void it_is_the_sum_of_four_triangles_normals(void **state)
             z += up * -rise_z * to_x;
         }
         const tp_dir3 want = tp_normalise((int32_t)x, (int32_t)y, (int32_t)z);
-        const tp_dir3 got = tp_five_normal(around, (tp_fx)d);
+        const tp_dir3 got = tp_neighbour_normal(around, (tp_fx)d);
         assert_true(abs(got.x - want.x) <= 16);
         assert_true(abs(got.y - want.y) <= 16);
         assert_true(abs(got.z - want.z) <= 16);
@@ -83,7 +83,7 @@ static void it_comes_near_a_waves_own_normal(void **state)
             tp_sea_at_rest(&sea, phases, x, -step).position.y,
             tp_sea_at_rest(&sea, phases, x, step).position.y,
         };
-        const tp_relief got = tp_five_heights(at.position.y, around, step);
+        const tp_relief got = tp_neighbour_heights(at.position.y, around, step);
         measure_add(&slope, (got.slope_x - at.slope_x) * LSB, x, 0, 0);
         assert_true(abs(got.slope_z - at.slope_z) <= 2);
     }
@@ -100,9 +100,9 @@ static void a_wall_mirrors_the_missing_height(void **state)
     const tp_fx middle = 3 * TP_FX_ONE, east = 5 * TP_FX_ONE, d = TP_FX_ONE;
     const tp_fx beyond[4] = { middle, east, 0, 0 }, on[4] = { east, east, 0, 0 };
 
-    assert_int_equal(tp_five_heights(middle, beyond, d).slope_x, TP_FX_ONE);
-    assert_int_equal(tp_five_heights(middle, on, d).slope_x, 0);
-    assert_int_equal(tp_five_normal(on, d).y, TP_Q30_ONE);
+    assert_int_equal(tp_neighbour_heights(middle, beyond, d).slope_x, TP_FX_ONE);
+    assert_int_equal(tp_neighbour_heights(middle, on, d).slope_x, 0);
+    assert_int_equal(tp_neighbour_normal(on, d).y, TP_Q30_ONE);
 }
 
 static void slopes_saturate_at_the_ends_of_the_ranges(void **state)
@@ -111,10 +111,10 @@ static void slopes_saturate_at_the_ends_of_the_ranges(void **state)
     const tp_fx most = 8192 * TP_FX_ONE - 1;
     const tp_fx cliff[4] = { -most, most, most, -most };
 
-    assert_int_equal(tp_five_heights(most, cliff, 1).slope_x, TP_FX_MAX);
-    assert_int_equal(tp_five_heights(most, cliff, 1).slope_z, TP_FX_MIN);
-    assert_int_equal(tp_five_heights(most, cliff, most).slope_x, TP_FX_ONE);
-    assert_true(tp_five_normal(cliff, most).y > 0);
+    assert_int_equal(tp_neighbour_heights(most, cliff, 1).slope_x, TP_FX_MAX);
+    assert_int_equal(tp_neighbour_heights(most, cliff, 1).slope_z, TP_FX_MIN);
+    assert_int_equal(tp_neighbour_heights(most, cliff, most).slope_x, TP_FX_ONE);
+    assert_true(tp_neighbour_normal(cliff, most).y > 0);
 }
 
 int main(void)

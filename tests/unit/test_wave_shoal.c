@@ -9,7 +9,7 @@
 #include "../reference/depth.h"
 #include "chance.h"
 #include "csv_rows.h"
-#include "wave/depth.h"
+#include "wave/water_depth.h"
 
 #define LSB (1 / 65536.0)
 

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include "chance.h"
 #include "csv_rows.h"
-#include "wave/depth.h"
+#include "wave/water_depth.h"
 
 #define LSB    (1 / 65536.0)
 #define TWO_PI 6.28318530717958647693

@@ -9,7 +9,7 @@
 #define TILE_UNSET 0xa5a5a5a5u
 
 typedef struct {
-    tp_samples samples;
+    tp_gbuffer samples;
     uint32_t  *block;
     size_t     words;           /* words of one plane */
 } test_tile;
@@ -23,10 +23,10 @@ static inline test_tile tile_of(int32_t x0, int32_t y0, int32_t x1, int32_t y1,
 
     tile.block = malloc(4 * tile.words * sizeof *tile.block);
     memset(tile.block, 0xa5, 4 * tile.words * sizeof *tile.block);
-    tile.samples = (tp_samples){ x0, y0, x1, y1, stride, tile.block,
+    tile.samples = (tp_gbuffer){ x0, y0, x1, y1, stride, tile.block,
                                  tile.block + tile.words, tile.block + 2 * tile.words,
                                  tile.block + 3 * tile.words, false };
-    tp_samples_clear(&tile.samples);
+    tp_gbuffer_clear(&tile.samples);
     return tile;
 }
 
@@ -39,7 +39,7 @@ static inline void tile_free(test_tile *tile)
 /* Index of pixel (x, y) in each plane. */
 static inline size_t tile_at(const test_tile *tile, int32_t x, int32_t y)
 {
-    const tp_samples *s = &tile->samples;
+    const tp_gbuffer *s = &tile->samples;
     return (size_t)(uint32_t)(y - s->y0) * s->stride + (uint32_t)(x - s->x0);
 }
 #endif

@@ -114,7 +114,7 @@ static inline void twice_count(const tp_frame *f, const uint32_t *key, size_t pi
     r->glass += glass && glass->walls > 0;
     r->blocks += tank && tank->blocks > 0;
     const tp_mirror *mirror = tp_frame_part(f, TP_MIRROR_ID);
-    const tp_around *cube = tp_frame_part(f, TP_OBJECT_CUBE_ID);
+    const tp_object_cube *cube = tp_frame_part(f, TP_OBJECT_CUBE_ID);
     r->mirrored += mirror && mirror->half.colour;
     const tp_clear_water *clear = tp_frame_part(f, TP_CLEAR_WATER_ID);
     r->sunken += clear && clear->sunken;

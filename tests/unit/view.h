@@ -7,7 +7,7 @@
 #include "geom/geom.h"
 
 typedef struct {
-    tp_lens    lens;
+    tp_projection    projection;
     ref_camera ref;
     uint32_t   width, height;
 } view;
@@ -17,7 +17,7 @@ static inline view view_of(tp_vec3 eye, tp_turn heading, tp_turn pitch, tp_fx fo
 {
     view v = { .width = width, .height = height };
 
-    tp_lens_init(&v.lens, eye, heading, pitch, fov, near, width, height);
+    tp_projection_init(&v.projection, eye, heading, pitch, fov, near, width, height);
     v.ref = ref_camera_of(eye, heading, pitch, fov, near, width, height);
     return v;
 }

@@ -64,7 +64,7 @@ _Noreturn static void halt_with_error(const char *why)
 /* Allocates memory in the arena and reports its size in the first line. */
 static void *take(tp_arena *arena, const char *what, size_t bytes)
 {
-    void *memory = tp_arena_take(arena, 1, bytes);
+    void *memory = tp_arena_alloc(arena, 1, bytes);
     say(what, bytes);
     if (!memory)
         halt_with_error("that does not fit");

@@ -3,7 +3,7 @@
  * water's slope. */
 #include "buoy.h"
 #include "geom/surface.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 
 #define STIFFNESS 8             /* rise per tick: + 1 / 8 of the way to the water */
 #define DAMPING   4             /* and - 1 / 4 of itself */

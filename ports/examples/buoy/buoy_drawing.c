@@ -69,20 +69,20 @@ static void begin(tp_frame *frame, void *mine)
 
 /* Projects the vertices and widens the box.  A vertex outside of the frustum makes the box
  * unbounded. */
-static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
+static void place(tp_frame *frame, void *mine, tp_view *sight, tp_grid_box *box)
 {
     const buoy *b = mine;
     const int16_t no_normal[3] = { 0, 0, 0 };
 
     (void)frame;
     for (int k = 0; k < POINTS; k++) {
-        const tp_view_corner c = tp_clipped_corner(sight->lens, b->point[k], no_normal);
-        tp_corner p;
-        if (!tp_lens_holds(sight->lens, &c)) {
+        const tp_view_vertex c = tp_clipped_vertex(sight->lens, b->point[k], no_normal);
+        tp_screen_vertex p;
+        if (!tp_projection_contains(sight->lens, &c)) {
             *box = (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
             return;
         }
-        tp_lens_project(sight->lens, &c, &p.u, &p.v, &p.zi);
+        tp_projection_project(sight->lens, &c, &p.u, &p.v, &p.zi);
         tp_box_widen(box, p.u - 16, p.v - 16);
         tp_box_widen(box, p.u + 16, p.v + 16);
     }
@@ -92,8 +92,8 @@ static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box
 
 typedef struct {
     const buoy       *b;
-    const tp_sight   *sight;
-    const tp_samples *samples;
+    const tp_view   *sight;
+    const tp_gbuffer *samples;
     uint32_t          mark;
 } pen;
 
@@ -101,12 +101,12 @@ typedef struct {
 static void draw_triangle(const pen *to, const int corner[3], const int16_t n[3],
                           uint32_t part)
 {
-    tp_view_corner in[3];
+    tp_view_vertex in[3];
 
     for (int k = 0; k < 3; k++)
-        in[k] = tp_clipped_corner(to->sight->lens, to->b->point[corner[k]], n);
-    tp_clipped_draw(to->sight->lens, tp_sight_cut(to->sight), to->samples, in, to->mark,
-                    part);
+        in[k] = tp_clipped_vertex(to->sight->lens, to->b->point[corner[k]], n);
+    tp_clipped_draw(to->sight->lens, tp_view_clip_plane(to->sight), to->samples, in,
+                    to->mark, part);
 }
 
 static void draw_body(const pen *to)
@@ -143,8 +143,8 @@ static void draw_mast(const pen *to)
     draw_triangle(to, flag, front, FLAG);
 }
 
-static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
-                 tp_samples *samples, uint32_t mark)
+static void draw(const tp_frame *frame, const void *mine, const tp_view *sight,
+                 tp_gbuffer *samples, uint32_t mark)
 {
     const pen to = { mine, sight, samples, mark };
 
@@ -183,7 +183,7 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     (void)want;
-    return tp_arena_take(arena, 1, sizeof(buoy));
+    return tp_arena_alloc(arena, 1, sizeof(buoy));
 }
 
 const tp_drawing tp_buoy_drawing = {

@@ -11,7 +11,7 @@
  * tilt / beam x cos(pitch). */
 #include "features/boat/boat.h"
 #include "geom/waters.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "scene/sides.h"
 
 #define PLACE_MOST ((int64_t)8000 << 32)
@@ -29,22 +29,22 @@ static int64_t sailed(int64_t way, tp_fx from, const tp_scene *scene, tp_fx low,
                       tp_fx high)
 {
     int64_t start = (int64_t)from * TP_FX_ONE;
-    int64_t at = tp_limit(start + way, PLACE_MOST);
+    int64_t at = tp_clamp_abs(start + way, PLACE_MOST);
     int64_t middle = ((int64_t)low + high) * (TP_FX_ONE / 2);
     int64_t room = ((int64_t)high - low - scene->boat.length) * (TP_FX_ONE / 2);
 
     if (tp_has_tank(scene))
-        at = middle + tp_limit(at - middle, room > 0 ? room : 0);
+        at = middle + tp_clamp_abs(at - middle, room > 0 ? room : 0);
     return at - start;
 }
 
 static tp_fx travelled_place(int64_t way, tp_fx from)
 {
-    int64_t at = tp_limit((int64_t)from * TP_FX_ONE + way, PLACE_MOST);
+    int64_t at = tp_clamp_abs((int64_t)from * TP_FX_ONE + way, PLACE_MOST);
     return (tp_fx)((at + 0x8000) >> 16);
 }
 
-static tp_turn boat_heading(const tp_afloat *afloat, const tp_scene *scene)
+static tp_turn boat_heading(const tp_boat_state *afloat, const tp_scene *scene)
 {
     return tp_turn_of_degrees(scene->boat.heading)
          + (tp_turn)((afloat->turned + 0x80000000u) >> 32);
@@ -57,12 +57,12 @@ static tp_turn boat_heading(const tp_afloat *afloat, const tp_scene *scene)
  * speed| <= 2^23 keeps the product below 2^53.  One degree/s in Q16.16 is 2^48 / (360 x 60)
  * of a turn per tick in Q64; 360 degrees/s are below 2^59.  Quotients round
  * symmetrically: sailing forth and back by the same way sums to exactly 0. */
-static void sail(tp_afloat *afloat, const tp_scene *scene, const tp_input *in)
+static void sail(tp_boat_state *afloat, const tp_scene *scene, const tp_input *in)
 {
     const int64_t over = TP_TICKS_PER_SECOND << 14, degree = 13031248922;
     const tp_fx rudder = in ? in->rudder : 0, throttle = in ? in->throttle : 0;
-    int64_t turn = tp_limit((int64_t)scene->boat.rudder + rudder, TURN_MOST);
-    int64_t speed = tp_limit((int64_t)scene->boat.speed + throttle, SPEED_MOST);
+    int64_t turn = tp_clamp_abs((int64_t)scene->boat.rudder + rudder, TURN_MOST);
+    int64_t speed = tp_clamp_abs((int64_t)scene->boat.speed + throttle, SPEED_MOST);
 
     afloat->turned += (uint64_t)(turn * degree);
     tp_turn heading = boat_heading(afloat, scene);
@@ -73,7 +73,7 @@ static void sail(tp_afloat *afloat, const tp_scene *scene, const tp_input *in)
     afloat->sailed_z = sailed(afloat->sailed_z - z, scene->boat.z, scene, r.z0, r.z1);
 }
 
-static void place(tp_afloat *afloat, const tp_scene *scene)
+static void place(tp_boat_state *afloat, const tp_scene *scene)
 {
     afloat->hull.x = travelled_place(afloat->sailed_x, scene->boat.x);
     afloat->hull.z = travelled_place(afloat->sailed_z, scene->boat.z);
@@ -119,7 +119,7 @@ static waters feel(const tp_program *program, tp_world *world, tp_fx points[4][2
 /* Sets the world's boat pose.  cos(pitch) <= 1, so the tilt keeps its range, below 2^29. */
 static void pose(tp_world *world, const tp_scene *scene)
 {
-    const tp_afloat *a = &world->afloat;
+    const tp_boat_state *a = &world->afloat;
     tp_turn pitch = tp_atan2(tp_fx_of_q40(a->lie.at[1]), scene->boat.length);
     tp_fx   tilt = tp_q30_mul(tp_fx_of_q40(a->lie.at[2]), tp_cos(pitch));
 
@@ -131,7 +131,7 @@ static void pose(tp_world *world, const tp_scene *scene)
 
 /* ----------------------------------------------------------------------------------- */
 
-static bool is_laid_anew(const tp_afloat *afloat, const tp_scene *scene)
+static bool is_laid_anew(const tp_boat_state *afloat, const tp_scene *scene)
 {
     return !afloat->laid
         || (scene->boat.mode == TP_BOAT_KINEMATIC && scene->boat.smooth <= 0);
@@ -140,7 +140,7 @@ static bool is_laid_anew(const tp_afloat *afloat, const tp_scene *scene)
 void tp_boat_init(const tp_program *program, tp_world *world, const tp_scene *scene)
 {
     TP_ASSERT(scene->boat.length > 0 && scene->boat.beam > 0);
-    tp_afloat *a = &world->afloat;
+    tp_boat_state *a = &world->afloat;
     tp_fx points[4][2];
 
     place(a, scene);
@@ -163,7 +163,7 @@ void tp_boat_init(const tp_program *program, tp_world *world, const tp_scene *sc
 void tp_boat_step(const tp_program *program, tp_world *world, const tp_scene *scene,
                   const tp_input *input)
 {
-    tp_afloat *a = &world->afloat;
+    tp_boat_state *a = &world->afloat;
     tp_fx points[4][2];
 
     sail(a, scene, input);
@@ -202,10 +202,10 @@ static bool is_hull_valid(const tp_hull *hull)
 
 bool tp_boat_is_valid(const tp_world *world)
 {
-    const tp_afloat *a = &world->afloat;
+    const tp_boat_state *a = &world->afloat;
     bool valid = is_within(a->sailed_x, 2 * PLACE_MOST)
               && is_within(a->sailed_z, 2 * PLACE_MOST)
-              && tp_boat_lie_is_valid(&a->lie) && tp_boat_lie_is_valid(&a->alone)
+              && tp_boat_attitude_is_valid(&a->lie) && tp_boat_attitude_is_valid(&a->alone)
               && is_hull_valid(&a->hull) && is_hull_valid(&a->stirred)
               && is_pose_valid(&world->boat) && is_pose_valid(&world->last_boat);
 

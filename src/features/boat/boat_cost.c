@@ -3,11 +3,11 @@
 #include "asset/mesh.h"
 #include "features/boat/boat.h"
 #include "geom/geom.h"
-#include "scene/works.h"
+#include "scene/fixed_cost.h"
 
 /* Counts for one view of the boat: the main view, or the reflection at reduced size. */
 typedef struct {
-    tp_lens  lens;              /* projection in the mesh's own axes */
+    tp_projection  projection;              /* projection in the mesh's own axes */
     bool     mirrored;
     tp_view_plane level;
     int32_t  rows, cols, band;
@@ -24,18 +24,20 @@ static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
 
 /* Returns the projection of the planar reflection: the eye mirrored at the water's level,
  * the picture upside down. */
-static tp_lens mirror_lens(const tp_lens *lens, const tp_scene *s, uint32_t width,
-                           uint32_t height)
+static tp_projection mirror_lens(const tp_projection *projection, const tp_scene *s,
+                                 uint32_t width, uint32_t height)
 {
-    const tp_dir3 r = lens->turn.x, up = lens->turn.y, back = lens->turn.z;
+    const tp_dir3 r = projection->turn.x, up = projection->turn.y,
+                  back = projection->turn.z;
     const tp_rotation turn = { { r.x, -r.y, r.z }, { -up.x, up.y, -up.z },
                                { back.x, -back.y, back.z } };
-    tp_lens to;
+    tp_projection to;
 
-    tp_lens_turned(&to, (tp_vec3){ lens->eye.x, -lens->eye.y, lens->eye.z }, turn,
-                   s->camera.fov, s->camera.near, width, height);
-    to = tp_lens_halved(&to);
-    return s->mirror.size == TP_MIRROR_QUARTER ? tp_lens_halved(&to) : to;
+    tp_projection_init_turned(
+        &to, (tp_vec3){ projection->eye.x, -projection->eye.y, projection->eye.z }, turn,
+        s->camera.fov, s->camera.near, width, height);
+    to = tp_projection_halve(&to);
+    return s->mirror.size == TP_MIRROR_QUARTER ? tp_projection_halve(&to) : to;
 }
 
 /* Sets the clip plane of the reflection: the deepest trough, lowered by two pixels of the
@@ -46,8 +48,9 @@ static void place_level(look *l, const tp_scene *s)
 
     for (int i = 0; i < TP_WAVES; i++)
         trough -= s->wave[i].amplitude > 0 ? s->wave[i].amplitude : 0;
-    l->level = tp_lens_level(&l->lens, tp_has_tank(s) ? 0 : tp_fx_held(trough), 1);
-    l->level.depth += (int32_t)(((int64_t)2 << 43) / l->lens.focal);
+    l->level = tp_projection_level_plane(&l->projection,
+                                         tp_has_tank(s) ? 0 : tp_fx_saturate(trough), 1);
+    l->level.depth += (int32_t)(((int64_t)2 << 43) / l->projection.focal);
 }
 
 static void place_lens(look *l, const tp_scene *s)
@@ -57,22 +60,24 @@ static void place_lens(look *l, const tp_scene *s)
     const tp_vec3 place = { s->boat.x, s->boat.lift, s->boat.z };
 
     place_level(l, s);
-    l->lens.eye = tp_rotate(&turn, tp_stand_way(place, l->lens.eye));
-    l->lens.right = turned(&turn, l->lens.right);
-    l->lens.up = turned(&turn, l->lens.up);
-    l->lens.ahead = turned(&turn, l->lens.ahead);
+    l->projection.eye = tp_rotate(&turn, tp_start_view_way(place, l->projection.eye));
+    l->projection.right = turned(&turn, l->projection.right);
+    l->projection.up = turned(&turn, l->projection.up);
+    l->projection.ahead = turned(&turn, l->projection.ahead);
 }
 
 /* Transforms a mesh position to view space.  `scale`: metres per 1.0 of the mesh's
  * positions, Q16.16. */
-static tp_view_corner transform_point(const look *l, int64_t scale, tp_vec3 at)
+static tp_view_vertex transform_point(const look *l, int64_t scale, tp_vec3 at)
 {
     const int64_t most = 4000 * TP_FX_ONE;
-    tp_view_corner c;
+    tp_view_vertex c;
 
-    tp_lens_view(&l->lens, (tp_vec3){ (tp_fx)tp_limit(at.x * scale >> 16, most),
-                                      (tp_fx)tp_limit(at.y * scale >> 16, most),
-                                      (tp_fx)tp_limit(at.z * scale >> 16, most) }, &c);
+    tp_projection_view_vertex(&l->projection,
+                              (tp_vec3){ (tp_fx)tp_clamp_abs(at.x * scale >> 16, most),
+                                         (tp_fx)tp_clamp_abs(at.y * scale >> 16, most),
+                                         (tp_fx)tp_clamp_abs(at.z * scale >> 16, most) },
+                              &c);
     return c;
 }
 
@@ -141,14 +146,14 @@ static void look_at_faces(tp_site *w, look *l)
         outline o;
         int low = 0, cut = 0;
         for (int k = 0; k < 3; k++) {
-            const tp_view_corner c =
+            const tp_view_vertex c =
                 transform_point(l, metres, mesh->vertices[mesh->faces[f].vertex[k]].position);
             uint32_t zi;
             const bool under = l->mirrored && tp_view_height(&l->level, &c) < 0;
             low += under;
-            cut += under || !tp_lens_holds(&l->lens, &c);
+            cut += under || !tp_projection_contains(&l->projection, &c);
             if (cut == 0)
-                tp_lens_project(&l->lens, &c, &o.u[k], &o.v[k], &zi);
+                tp_projection_project(&l->projection, &c, &o.u[k], &o.v[k], &zi);
             if (l->mirrored && !under && c.depth > w->far)
                 w->far = c.depth;
         }
@@ -185,11 +190,11 @@ static void work(tp_site *w)
     const tp_scene *s = w->scene;
     look l = { .rows = (int32_t)w->height, .cols = (int32_t)w->width,
                .band = TP_WORK_BAND };
-    tp_lens lens;
+    tp_projection projection;
 
-    tp_lens_turned(&lens, w->at.eye, w->at.turn, s->camera.fov, s->camera.near, w->width,
-                   w->height);
-    l.lens = lens;
+    tp_projection_init_turned(&projection, w->at.eye, w->at.turn, s->camera.fov,
+                              s->camera.near, w->width, w->height);
+    l.projection = projection;
     place_lens(&l, s);
     look_at_faces(w, &l);
     add_look(w, &l);
@@ -198,7 +203,7 @@ static void work(tp_site *w)
     const int by = s->mirror.size == TP_MIRROR_QUARTER ? 4 : 2;
     l = (look){ .rows = (int32_t)w->height / by, .cols = (int32_t)w->width / by,
                 .band = TP_WORK_STRIP, .mirrored = true,
-                .lens = mirror_lens(&lens, s, w->width, w->height) };
+                .projection = mirror_lens(&projection, s, w->width, w->height) };
     place_lens(&l, s);
     look_at_faces(w, &l);
     add_look(w, &l);

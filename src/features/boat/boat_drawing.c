@@ -19,7 +19,7 @@ typedef struct {
     uint8_t        *gloss;      /* tables, TP_GLOSS bytes for each material */
     int32_t         model;      /* light model of the gloss tables */
     uint32_t        materials;  /* number of distinct materials */
-    tp_lens         lens;       /* the view's projection in the mesh's frame */
+    tp_projection         projection;       /* the view's projection in the mesh's frame */
     tp_fx           metres;     /* metres per 1.0 of the mesh's positions */
     tp_grid_box     box;        /* covered pixels; empty: not visible */
 } drawn_boat;
@@ -30,21 +30,21 @@ static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
     return (tp_dir3){ v.x, v.y, v.z };
 }
 
-static void turn_view(const tp_frame *frame, drawn_boat *b, const tp_sight *sight,
+static void turn_view(const tp_frame *frame, drawn_boat *b, const tp_view *view,
                       const tp_pose *boat)
 {
     const tp_rotation turn =
         tp_rotation_from_angles(boat->heading, boat->pitch, boat->roll);
     const tp_rotation *r = &turn;
-    tp_vec3 way = tp_vec3_sub(sight->lens->eye, boat->place);
+    tp_vec3 way = tp_vec3_sub(view->projection->eye, boat->place);
     tp_view_axes *axes = &b->look.axes;
 
     b->metres = tp_mesh_metres(b->look.mesh, frame->scene->boat.scale);
-    b->lens = *sight->lens;
-    b->lens.eye = tp_rotate(r, way);
-    b->lens.right = turned(r, sight->lens->right);
-    b->lens.up = turned(r, sight->lens->up);
-    b->lens.ahead = turned(r, sight->lens->ahead);
+    b->projection = *view->projection;
+    b->projection.eye = tp_rotate(r, way);
+    b->projection.right = turned(r, view->projection->right);
+    b->projection.up = turned(r, view->projection->up);
+    b->projection.ahead = turned(r, view->projection->ahead);
 
     tp_dir3 light = turned(r, (tp_dir3){ frame->shade.world.lx * 65536,
                                          frame->shade.world.ly * 65536,
@@ -66,14 +66,14 @@ static tp_fx scaled(tp_fx x, tp_fx scale)
     return (tp_fx)(metres > most ? most : metres < -most ? -most : metres);
 }
 
-static tp_view_corner transform_vertex(const drawn_boat *b, const tp_mesh_vertex *vertex)
+static tp_view_vertex transform_vertex(const drawn_boat *b, const tp_mesh_vertex *vertex)
 {
     tp_fx scale = b->metres;
     tp_vec3 p = { scaled(vertex->position.x, scale), scaled(vertex->position.y, scale),
                   scaled(vertex->position.z, scale) };
-    tp_view_corner c;
+    tp_view_vertex c;
 
-    tp_lens_view(&b->lens, p, &c);
+    tp_projection_view_vertex(&b->projection, p, &c);
     c.s = vertex->s;
     c.t = vertex->t;
     c.n[0] = (int16_t)tp_dir_x(vertex->normal);
@@ -86,33 +86,33 @@ static tp_view_corner transform_vertex(const drawn_boat *b, const tp_mesh_vertex
  * vertices is not drawn.  A face with one or two is clipped. */
 #define OUTSIDE (TP_GRID_CUT + 1)
 
-static void place_vertex(const drawn_boat *b, const tp_sight *sight, uint32_t i)
+static void place_vertex(const drawn_boat *b, const tp_view *view, uint32_t i)
 {
     tp_boat_vertex *to = &b->vertex[i];
-    tp_view_corner c = transform_vertex(b, &b->look.mesh->vertices[i]);
+    tp_view_vertex c = transform_vertex(b, &b->look.mesh->vertices[i]);
 
-    if (sight->cut && tp_view_height(&sight->level, &c) < 0)
+    if (view->cut && tp_view_height(&view->level, &c) < 0)
         to->u = OUTSIDE;
-    else if (tp_lens_holds(&b->lens, &c))
-        tp_lens_project(&b->lens, &c, &to->u, &to->v, &to->zi);
+    else if (tp_projection_contains(&b->projection, &c))
+        tp_projection_project(&b->projection, &c, &to->u, &to->v, &to->zi);
     else
         to->u = TP_GRID_CUT;
 }
 
-static int clipped(const drawn_boat *b, const tp_sight *sight, const tp_mesh_face *face,
-                   tp_corner corner[TP_CLIP_CORNERS])
+static int clipped(const drawn_boat *b, const tp_view *view, const tp_mesh_face *face,
+                   tp_screen_vertex corner[TP_CLIP_VERTICES])
 {
-    tp_view_corner in[3];
+    tp_view_vertex in[3];
 
     for (int k = 0; k < 3; k++)
         in[k] = transform_vertex(b, &b->look.mesh->vertices[face->vertex[k]]);
-    return tp_clipped_corners(&b->lens, tp_sight_cut(sight), in, corner);
+    return tp_clipped_corners(&b->projection, tp_view_clip_plane(view), in, corner);
 }
 
-static void widen_by_face(drawn_boat *b, const tp_sight *sight, const tp_mesh_face *face)
+static void widen_by_face(drawn_boat *b, const tp_view *view, const tp_mesh_face *face)
 {
     const tp_boat_vertex *vertex = b->vertex;
-    tp_corner corner[TP_CLIP_CORNERS];
+    tp_screen_vertex corner[TP_CLIP_VERTICES];
     int cut = 0, outside = 0;
 
     for (int k = 0; k < 3; k++) {
@@ -124,21 +124,21 @@ static void widen_by_face(drawn_boat *b, const tp_sight *sight, const tp_mesh_fa
     }
     if (cut == 0 || outside == 3)
         return;
-    for (int k = clipped(b, sight, face, corner); k-- > 0; )
+    for (int k = clipped(b, view, face, corner); k-- > 0; )
         tp_box_widen(&b->box, corner[k].u, corner[k].v);
 }
 
-static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
+static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     drawn_boat *b = mine;
     const tp_mesh *mesh = b->look.mesh;
 
     b->box = TP_BOX_NONE;
-    turn_view(frame, b, sight, &frame->drawn.boat);
+    turn_view(frame, b, view, &frame->drawn.boat);
     for (uint32_t i = 0; i < mesh->n_vertices; i++)
-        place_vertex(b, sight, i);
+        place_vertex(b, view, i);
     for (uint32_t f = 0; f < mesh->n_faces; f++)
-        widen_by_face(b, sight, &mesh->faces[f]);
+        widen_by_face(b, view, &mesh->faces[f]);
     if (b->box.x0 <= b->box.x1) {
         frame->stats.vertices += mesh->n_vertices;
         frame->stats.triangles += mesh->n_faces;
@@ -163,13 +163,13 @@ typedef struct {
     const drawn_boat *boat;
     const tp_mesh    *mesh;
     const tp_boat_vertex *at;   /* the projected vertices of the mesh */
-    const tp_sight   *sight;
-    const tp_samples *tile;
+    const tp_view   *view;
+    const tp_gbuffer *tile;
     int32_t  top, bottom;       /* rows of the tile, 28.4 fixed point */
     uint32_t mark;
 } pass;
 
-static void draw_triangle(const pass *p, const tp_corner corner[3], uint32_t f)
+static void draw_triangle(const pass *p, const tp_screen_vertex corner[3], uint32_t f)
 {
     TP_ASSERT(f < p->mesh->n_faces);
     uint32_t material = p->mesh->faces[f].material;
@@ -184,18 +184,18 @@ static void draw_triangle(const pass *p, const tp_corner corner[3], uint32_t f)
 
 static void draw_clipped(const pass *p, uint32_t f)
 {
-    tp_corner corner[TP_CLIP_CORNERS];
-    int count = clipped(p->boat, p->sight, &p->mesh->faces[f], corner);
+    tp_screen_vertex corner[TP_CLIP_VERTICES];
+    int count = clipped(p->boat, p->view, &p->mesh->faces[f], corner);
 
     for (int k = 2; k < count; k++) {
-        const tp_corner fan[3] = { corner[0], corner[k - 1], corner[k] };
+        const tp_screen_vertex fan[3] = { corner[0], corner[k - 1], corner[k] };
         draw_triangle(p, fan, f);
     }
 }
 
-static tp_corner make_corner(const tp_boat_vertex *at, const tp_mesh_vertex *vertex)
+static tp_screen_vertex make_corner(const tp_boat_vertex *at, const tp_mesh_vertex *vertex)
 {
-    return (tp_corner){
+    return (tp_screen_vertex){
         .u = at->u, .v = at->v, .zi = at->zi, .s = vertex->s, .t = vertex->t,
         .n = { (int16_t)tp_dir_x(vertex->normal), (int16_t)tp_dir_y(vertex->normal),
                (int16_t)tp_dir_z(vertex->normal) },
@@ -220,20 +220,20 @@ static void draw_face(const pass *p, const tp_mesh_face *face, uint32_t f)
         || (a->v >= bottom && b->v >= bottom && c->v >= bottom))
         return;
     const tp_mesh_vertex *vertex = p->mesh->vertices;
-    const tp_corner corner[3] = { make_corner(a, &vertex[face->vertex[0]]),
-                                  make_corner(b, &vertex[face->vertex[1]]),
-                                  make_corner(c, &vertex[face->vertex[2]]) };
+    const tp_screen_vertex corner[3] = { make_corner(a, &vertex[face->vertex[0]]),
+                                         make_corner(b, &vertex[face->vertex[1]]),
+                                         make_corner(c, &vertex[face->vertex[2]]) };
     draw_triangle(p, corner, f);
 }
 
-static void draw_faces(const drawn_boat *b, const tp_sight *sight, tp_samples *samples,
+static void draw_faces(const drawn_boat *b, const tp_view *view, tp_gbuffer *samples,
                        bool lids, uint32_t mark)
 {
     const tp_mesh *mesh = b->look.mesh;
-    const pass p = { b, mesh, b->vertex, sight, samples, 16 * samples->y0,
+    const pass p = { b, mesh, b->vertex, view, samples, 16 * samples->y0,
                      16 * samples->y1, mark };
 
-    if (!tp_sight_touches(&b->box, samples))
+    if (!tp_view_touches(&b->box, samples))
         return;
     samples->front_only = true;
     for (uint32_t f = 0; f < mesh->n_faces; f++) {
@@ -243,11 +243,11 @@ static void draw_faces(const drawn_boat *b, const tp_sight *sight, tp_samples *s
     }
 }
 
-static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
-                 tp_samples *samples, uint32_t mark)
+static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
+                 tp_gbuffer *samples, uint32_t mark)
 {
     (void)frame;
-    draw_faces(mine, sight, samples, false, mark);
+    draw_faces(mine, view, samples, false, mark);
 }
 
 /* -- materials ------------------------------------------------------------------------ */
@@ -304,14 +304,14 @@ static uint32_t marks(const tp_want *want)
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     const tp_mesh *mesh = want->assets->boat;
-    drawn_boat *b = tp_arena_take(arena, 1, sizeof *b), made = { .look.mesh = mesh };
+    drawn_boat *b = tp_arena_alloc(arena, 1, sizeof *b), made = { .look.mesh = mesh };
 
     made.materials = mesh->n_materials < TP_BOAT_MATERIALS ? mesh->n_materials
                                                            : TP_BOAT_MATERIALS;
-    made.vertex = tp_arena_take(arena, mesh->n_vertices, sizeof *made.vertex);
-    made.look.solid = made.solid = tp_arena_take(arena, made.materials,
+    made.vertex = tp_arena_alloc(arena, mesh->n_vertices, sizeof *made.vertex);
+    made.look.solid = made.solid = tp_arena_alloc(arena, made.materials,
                                                  sizeof *made.solid);
-    made.gloss = tp_arena_take(arena, made.materials, TP_GLOSS);
+    made.gloss = tp_arena_alloc(arena, made.materials, TP_GLOSS);
     if (b)
         *b = made;
     return b;
@@ -321,11 +321,11 @@ static void *layout(tp_arena *arena, const tp_want *want)
  * the boat's position the sum is below 15 km.  The eye is at most 23 km away. */
 static tp_fx middle(tp_fx low, tp_fx high, tp_fx scale)
 {
-    return (tp_fx)tp_limit(((int64_t)low + high) / 2 * scale >> 16, 4000 * TP_FX_ONE);
+    return (tp_fx)tp_clamp_abs(((int64_t)low + high) / 2 * scale >> 16, 4000 * TP_FX_ONE);
 }
 
 /* Sets the anchor of mirrors: the middle of the mesh, and the level of the waterline. */
-static bool set_anchor(const tp_frame *frame, const void *mine, tp_sight_anchor *anchor)
+static bool set_anchor(const tp_frame *frame, const void *mine, tp_view_anchor *anchor)
 {
     const drawn_boat *b = mine;
     const tp_mesh *mesh = b->look.mesh;
@@ -337,7 +337,7 @@ static bool set_anchor(const tp_frame *frame, const void *mine, tp_sight_anchor 
                          middle(mesh->low.y, mesh->high.y, scale),
                          middle(mesh->low.z, mesh->high.z, scale) };
 
-    *anchor = (tp_sight_anchor){
+    *anchor = (tp_view_anchor){
         .middle = tp_vec3_add(boat->place, tp_rotate_back(&turn, at)),
         .level = boat->place.y - frame->scene->boat.lift,
     };
@@ -383,14 +383,14 @@ bool tp_lids_enabled(const tp_want *want)
 }
 
 /* Draws the lids after all solids that a lid may cover. */
-static void draw_lids(const tp_frame *frame, const void *mine, const tp_sight *sight,
-                      tp_samples *samples, uint32_t mark)
+static void draw_lids(const tp_frame *frame, const void *mine, const tp_view *view,
+                      tp_gbuffer *samples, uint32_t mark)
 {
     const drawn_boat *b = tp_frame_part(frame, TP_BOAT_ID);
 
     (void)mine;
-    if (b && sight->picture)
-        draw_faces(b, sight, samples, true, mark);
+    if (b && view->picture)
+        draw_faces(b, view, samples, true, mark);
 }
 
 const tp_module tp_lids_module = {

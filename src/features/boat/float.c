@@ -2,7 +2,7 @@
 /* The boat's attitude on the water, [E2] and [E3].
  *
  * Four points of the hull sample the water: bow, stern, port and starboard.  The
- * attitude, tp_lie, is three lengths: heave is the mean of the four heights, rise is bow
+ * attitude, tp_boat_attitude, is three lengths: heave is the mean of the four heights, rise is bow
  * minus stern, tilt is port minus starboard.  Pitch is the angle of rise over length,
  * roll of tilt over beam.  A kinematic boat takes the water's own attitude, or approaches
  * it as in [D6]: x += (x* - x)(1 - exp(-dt / tau)).
@@ -67,7 +67,7 @@ static void compute_aim(const tp_fx water[4], int64_t aim[3])
     aim[2] = ((int64_t)water[TP_PORT] - water[TP_STARBOARD]) * (1 << 24);
 }
 
-void tp_boat_lay(tp_lie *lie, const tp_fx water[4])
+void tp_boat_lay(tp_boat_attitude *lie, const tp_fx water[4])
 {
     compute_aim(water, lie->at);
     for (int k = 0; k < 3; k++)
@@ -90,7 +90,7 @@ static uint32_t following(tp_fx tau)
 /* Moves the attitude by the share k towards the water's.  Rounding stops the motion less
  * than 2^32 / k LSB from its aim: 601 LSB for the longest tau, or 2^-30 m.  The rounding
  * to 16.16 removes the difference. */
-static void follow(tp_lie *lie, tp_fx tau, const tp_fx water[4])
+static void follow(tp_boat_attitude *lie, tp_fx tau, const tp_fx water[4])
 {
     int64_t  aim[3];
     uint32_t k = following(tau);
@@ -146,7 +146,7 @@ static swing compute_swing(const tp_scene *scene)
 /* Computes the pushes on heave, rise and tilt, Q40 m of water.  The waterline of the bow
  * lies half a rise above the heave, of the stern half a rise below; likewise port and
  * starboard. */
-static void compute_push(const tp_lie *lie, tp_fx draft, const tp_fx water[4],
+static void compute_push(const tp_boat_attitude *lie, tp_fx draft, const tp_fx water[4],
                          int64_t push[3])
 {
     int64_t half_rise = lie->at[1] / 2, half_tilt = lie->at[2] / 2;
@@ -155,8 +155,8 @@ static void compute_push(const tp_lie *lie, tp_fx draft, const tp_fx water[4],
     int64_t e[4];
 
     for (int i = 0; i < 4; i++) {
-        int64_t sunk = water[i] * ((int64_t)1 << 24) - lie->at[0] - over[i];
-        e[i] = tp_limit(sunk, (int64_t)draft << 24);
+        int64_t immersion = water[i] * ((int64_t)1 << 24) - lie->at[0] - over[i];
+        e[i] = tp_clamp_abs(immersion, (int64_t)draft << 24);
     }
     push[0] = (e[TP_BOW] + e[TP_STERN] + e[TP_PORT] + e[TP_STARBOARD]) / 4;
     push[1] = e[TP_BOW] - e[TP_STERN];
@@ -171,7 +171,7 @@ static bool is_within(const int64_t x[3], int64_t most)
 
 /* Advances the attitude by one step.  Near rest the step ends exactly at rest: the push
  * is then the remaining distance. */
-static void step(tp_lie *lie, const swing *s, tp_fx draft, const tp_fx water[4])
+static void step(tp_boat_attitude *lie, const swing *s, tp_fx draft, const tp_fx water[4])
 {
     TP_ASSERT(s->steps > 0 && draft > 0);
     int64_t push[3];
@@ -180,15 +180,15 @@ static void step(tp_lie *lie, const swing *s, tp_fx draft, const tp_fx water[4])
     bool still = is_within(push, STILL) && is_within(lie->speed, STILL_TICK);
     for (int i = 0; i < 3; i++) {
         int64_t speed = share(lie->speed[i], s->keep) + share(push[i], s->kick);
-        lie->speed[i] = still ? 0 : tp_limit(speed, SPEED_MOST);
+        lie->speed[i] = still ? 0 : tp_clamp_abs(speed, SPEED_MOST);
         lie->at[i] += still ? push[i] : lie->speed[i] / s->steps;
-        lie->at[i] = tp_limit(lie->at[i], LIE_MOST);
+        lie->at[i] = tp_clamp_abs(lie->at[i], LIE_MOST);
     }
 }
 
 /* ----------------------------------------------------------------------------------- */
 
-void tp_boat_float(tp_lie *lie, const tp_scene *scene, const tp_fx water[4])
+void tp_boat_float(tp_boat_attitude *lie, const tp_scene *scene, const tp_fx water[4])
 {
     if (scene->boat.mode == TP_BOAT_DYNAMIC) {
         const swing s = compute_swing(scene);
@@ -201,19 +201,19 @@ void tp_boat_float(tp_lie *lie, const tp_scene *scene, const tp_fx water[4])
     }
 }
 
-void tp_boat_sink(tp_hull *hull, const tp_lie *lie, const tp_fx water[4])
+void tp_boat_sink(tp_hull *hull, const tp_boat_attitude *lie, const tp_fx water[4])
 {
     int64_t aim[3];
 
     compute_aim(water, aim);
     for (int k = 0; k < 3; k++)
-        hull->sunk[k] = tp_clamp(tp_fx_of_q40(aim[k] - lie->at[k]), -SUNK_MOST,
+        hull->immersion[k] = tp_clamp(tp_fx_of_q40(aim[k] - lie->at[k]), -SUNK_MOST,
                                  SUNK_MOST);
 }
 
 /* True if the attitude is in range.  The water's own attitude may be twice the highest
  * water, equal to LIE_MOST. */
-bool tp_boat_lie_is_valid(const tp_lie *lie)
+bool tp_boat_attitude_is_valid(const tp_boat_attitude *lie)
 {
     return is_within(lie->at, LIE_MOST) && is_within(lie->speed, SPEED_MOST);
 }
@@ -223,6 +223,7 @@ bool tp_boat_hull_is_valid(const tp_hull *hull)
     bool valid = true;
 
     for (int k = 0; k < 3; k++)
-        valid = valid && hull->sunk[k] >= -SUNK_MOST && hull->sunk[k] <= SUNK_MOST;
+        valid =
+            valid && hull->immersion[k] >= -SUNK_MOST && hull->immersion[k] <= SUNK_MOST;
     return valid;
 }

@@ -66,8 +66,8 @@ static form make_form(const tp_hull *hull, const tp_scene *scene, const tp_pool 
         .along_q24 = { s / length, -c / length },
         .across_q24 = { c / beam, s / beam },
         .length = length, .beam = beam,
-        .heave = scene->boat.draft + hull->sunk[0],
-        .rise = hull->sunk[1], .tilt = hull->sunk[2],
+        .heave = scene->boat.draft + hull->immersion[0],
+        .rise = hull->immersion[1], .tilt = hull->immersion[2],
         .high = 2 * scene->boat.draft,
         .share = tp_q30_mul((int32_t)wide, scene->boat.wake << 14),
     };
@@ -250,7 +250,7 @@ static bool is_surrounding_cell(const wake *w, const cell *at)
 /* Adds height to a cell and returns the amount that fitted: 0 in walls. */
 static int32_t add(wake *w, const cell *at, int64_t lsb)
 {
-    int32_t part = (int32_t)tp_limit(lsb, INT32_MAX);
+    int32_t part = (int32_t)tp_clamp_abs(lsb, INT32_MAX);
     int32_t added = tp_pool_add(w->pool, at->in_col, at->in_row, part);
 
     w->peak = tp_abs(added) > w->peak ? tp_abs(added) : w->peak;
@@ -333,8 +333,8 @@ static void stir(wake *w, const box *hulls)
 static bool is_same(const tp_hull *a, const tp_hull *b)
 {
     return a->x == b->x && a->z == b->z && a->heading == b->heading
-        && a->sunk[0] == b->sunk[0] && a->sunk[1] == b->sunk[1]
-        && a->sunk[2] == b->sunk[2];
+           && a->immersion[0] == b->immersion[0] && a->immersion[1] == b->immersion[1]
+           && a->immersion[2] == b->immersion[2];
 }
 
 tp_pool *tp_boat_pool(tp_world *world)
@@ -345,7 +345,7 @@ tp_pool *tp_boat_pool(tp_world *world)
 
 void tp_boat_wake(tp_world *world, const tp_scene *scene)
 {
-    tp_afloat *a = &world->afloat;
+    tp_boat_state *a = &world->afloat;
     wake w = { .pool = tp_boat_pool(world) };
 
     if (!w.pool || is_same(&a->hull, &a->stirred))

@@ -5,7 +5,7 @@
 #include "base/base.h"
 #include "base/fail.h"
 #include "geom/waters.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "scene/sides.h"
 #include "wave/ocean_tables.h"
 

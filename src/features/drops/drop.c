@@ -23,7 +23,7 @@
 
 static int32_t fall_held(int64_t fall_q24)
 {
-    return (int32_t)tp_limit(fall_q24, FALL_MOST);
+    return (int32_t)tp_clamp_abs(fall_q24, FALL_MOST);
 }
 
 /* Returns n / d rounded half up; d > 0, |n| < 2^62. */

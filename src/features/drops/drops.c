@@ -4,7 +4,7 @@
 #include "features/drops/drops.h"
 #include "base/base.h"
 #include "geom/waters.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 
 #define MOST       1024
 #define SPHERE_FAR (8000 * TP_FX_ONE)
@@ -63,7 +63,7 @@ const tp_ring *tp_drops_rings(const tp_drops *drops)
 
 static tp_fx held(int64_t x)
 {
-    return (tp_fx)tp_limit(x, SPHERE_FAR);
+    return (tp_fx)tp_clamp_abs(x, SPHERE_FAR);
 }
 
 void tp_drops_steer(tp_drops *drops, tp_fx x, tp_fx z)

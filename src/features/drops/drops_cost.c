@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* Cost estimate of drops: rings at the water's grid vertices, and the spheres' faces. */
 #include "features/drops/drops.h"
-#include "scene/works.h"
+#include "scene/fixed_cost.h"
 
 #define BALL_FACES 440          /* faces of a large sphere; a small one has a quarter */
 
 /* Counts the faces of the releasing sphere, in the main view and in the reflection. */
 static void work(tp_site *w)
 {
-    const tp_outlook *o = w->outlook;
+    const tp_view_estimate *o = w->estimate;
     const tp_scene *s = w->scene;
     const tp_vec3 sphere = { s->drops.x, s->drops.y, s->drops.z };
-    const tp_vec3 way = tp_stand_way(w->at.eye, sphere);
+    const tp_vec3 way = tp_start_view_way(w->at.eye, sphere);
     const tp_vec3 view = tp_rotate(&w->at.turn, way);
     uint32_t *work = w->works.of;
 

@@ -80,15 +80,15 @@ static spheroid number(const tp_drops *drops, tp_fx back, uint32_t i, uint32_t s
                   : shaped(at, drop->radius, drop->squash);
 }
 
-static tp_view_corner transform_point(const tp_sight *sight, const spheroid *s,
+static tp_view_vertex transform_point(const tp_view *view, const spheroid *s,
                                       const ball_point *p)
 {
     tp_vec3 at = { s->centre.x + (tp_fx)((int64_t)p->x * s->wide >> 14),
                    s->centre.y + (tp_fx)((int64_t)p->y * s->high >> 14),
                    s->centre.z + (tp_fx)((int64_t)p->z * s->wide >> 14) };
-    tp_view_corner c;
+    tp_view_vertex c;
 
-    tp_lens_view(sight->lens, at, &c);
+    tp_projection_view_vertex(view->projection, at, &c);
     c.s = c.t = 0;
     c.n[0] = (int16_t)((int64_t)p->x * s->high / (s->wide + s->high + 1) >> 5);
     c.n[1] = (int16_t)((int64_t)p->y * s->wide / (s->wide + s->high + 1) >> 5);
@@ -98,15 +98,15 @@ static tp_view_corner transform_point(const tp_sight *sight, const spheroid *s,
 
 /* Transforms every `step`th point of parallel j.  A pole counts as a parallel whose
  * points are all equal. */
-static void see_ring(const drawn_drops *d, const tp_sight *sight, const spheroid *s,
-                     uint32_t j, uint32_t step, tp_view_corner to[ROUND])
+static void see_ring(const drawn_drops *d, const tp_view *view, const spheroid *s,
+                     uint32_t j, uint32_t step, tp_view_vertex to[ROUND])
 {
     TP_ASSERT(j <= RINGS + 1 && step > 0);
     const bool north = j == 0, south = j > RINGS;
     const ball_point *ring = &d->ball[south ? BALL - 1 : north ? 0 : 1 + (j - 1) * ROUND];
 
     for (uint32_t i = 0; i < ROUND; i += step)
-        to[i] = (north || south) && i > 0 ? to[0] : transform_point(sight, s, &ring[i]);
+        to[i] = (north || south) && i > 0 ? to[0] : transform_point(view, s, &ring[i]);
 }
 
 /* -- placing ------------------------------------------------------------------------ */
@@ -115,23 +115,23 @@ static const tp_grid_box nowhere = { 1, 1, 0, 0 };
 
 /* Returns the pixel box of a spheroid's vertices; all pixels if a vertex must be clipped.
  * A spheroid cut by the clip level counts in full. */
-static tp_grid_box ball_box(const drawn_drops *d, const tp_sight *sight, const spheroid *s,
-                          uint32_t step)
+static tp_grid_box ball_box(const drawn_drops *d, const tp_view *view, const spheroid *s,
+                            uint32_t step)
 {
     tp_grid_box box = TP_BOX_NONE;
-    tp_view_corner ring[ROUND];
+    tp_view_vertex ring[ROUND];
     bool ahead = false, cut = false;
 
     for (uint32_t j = 0; j <= RINGS + 1; j += step) {
-        see_ring(d, sight, s, j, step, ring);
+        see_ring(d, view, s, j, step, ring);
         for (uint32_t i = 0; i < ROUND; i += step) {
-            tp_corner p;
-            ahead |= ring[i].depth >= sight->lens->near
-                  && (!sight->cut || tp_view_height(&sight->level, &ring[i]) >= 0);
-            cut |= !tp_lens_holds(sight->lens, &ring[i]);
+            tp_screen_vertex p;
+            ahead |= ring[i].depth >= view->projection->near
+                     && (!view->cut || tp_view_height(&view->level, &ring[i]) >= 0);
+            cut |= !tp_projection_contains(view->projection, &ring[i]);
             if (cut)
                 continue;
-            tp_lens_project(sight->lens, &ring[i], &p.u, &p.v, &p.zi);
+            tp_projection_project(view->projection, &ring[i], &p.u, &p.v, &p.zi);
             tp_box_widen(&box, p.u, p.v);
         }
     }
@@ -153,7 +153,7 @@ static void widen(tp_grid_box *all, const tp_grid_box *box)
     tp_box_widen(all, 16 * box->x1, 16 * box->y1);
 }
 
-static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
+static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     const tp_drops *drops = tp_world_drops(frame->world);
     drawn_drops *d = mine;
@@ -164,10 +164,10 @@ static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box
     frame->stats.dropped += drops->count - d->seen;
     for (uint32_t i = 0; i <= d->seen; i++) {
         spheroid s = number(drops, frame->world->back, i, d->seen);
-        d->box[i] = ball_box(d, sight, &s, 2);
+        d->box[i] = ball_box(d, view, &s, 2);
         uint32_t step = ball_step(&d->box[i]);
         if (step == 1)
-            d->box[i] = ball_box(d, sight, &s, 1);
+            d->box[i] = ball_box(d, view, &s, 1);
         if (d->box[i].x0 <= d->box[i].x1) {
             uint32_t points = ROUND / step * (RINGS / step);
             widen(box, &d->box[i]);
@@ -179,47 +179,47 @@ static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box
 
 /* -- drawing ------------------------------------------------------------------------ */
 
-static void draw_face(const tp_sight *sight, const tp_samples *tile,
-                      const tp_view_corner *a, const tp_view_corner *b,
-                      const tp_view_corner *c, uint32_t mark)
+static void draw_face(const tp_view *view, const tp_gbuffer *tile,
+                      const tp_view_vertex *a, const tp_view_vertex *b,
+                      const tp_view_vertex *c, uint32_t mark)
 {
-    const tp_view_corner in[3] = { *a, *b, *c };
+    const tp_view_vertex in[3] = { *a, *b, *c };
 
-    tp_clipped_draw(sight->lens, tp_sight_cut(sight), tile, in, mark, 0);
+    tp_clipped_draw(view->projection, tp_view_clip_plane(view), tile, in, mark, 0);
 }
 
-static void draw_one(const drawn_drops *d, const tp_sight *sight, const tp_samples *tile,
+static void draw_one(const drawn_drops *d, const tp_view *view, const tp_gbuffer *tile,
                      const spheroid *s, uint32_t step, uint32_t mark)
 {
-    tp_view_corner ring[2][ROUND];
+    tp_view_vertex ring[2][ROUND];
 
-    see_ring(d, sight, s, 0, step, ring[0]);
+    see_ring(d, view, s, 0, step, ring[0]);
     for (uint32_t j = 0; j <= RINGS; j += step) {
-        const tp_view_corner *above = ring[j / step & 1];
-        tp_view_corner *below = ring[(j / step + 1) & 1];
-        see_ring(d, sight, s, j + step, step, below);
+        const tp_view_vertex *above = ring[j / step & 1];
+        tp_view_vertex *below = ring[(j / step + 1) & 1];
+        see_ring(d, view, s, j + step, step, below);
         for (uint32_t i = 0; i < ROUND; i += step) {
             uint32_t next = (i + step) % ROUND;
             if (j + step <= RINGS)
-                draw_face(sight, tile, &above[i], &below[i], &below[next], mark);
+                draw_face(view, tile, &above[i], &below[i], &below[next], mark);
             if (j > 0)
-                draw_face(sight, tile, &above[i], &below[next], &above[next], mark);
+                draw_face(view, tile, &above[i], &below[next], &above[next], mark);
         }
     }
 }
 
-static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
-                 tp_samples *samples, uint32_t mark)
+static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
+                 tp_gbuffer *samples, uint32_t mark)
 {
     const tp_drops *drops = tp_world_drops(frame->world);
     const drawn_drops *d = mine;
 
     samples->front_only = true;
     for (uint32_t i = 0; drops && i <= d->seen; i++) {
-        if (!tp_sight_touches(&d->box[i], samples))
+        if (!tp_view_touches(&d->box[i], samples))
             continue;
         spheroid s = number(drops, frame->world->back, i, d->seen);
-        draw_one(d, sight, samples, &s, ball_step(&d->box[i]), mark);
+        draw_one(d, view, samples, &s, ball_step(&d->box[i]), mark);
     }
 }
 
@@ -227,14 +227,14 @@ static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
 
 static void *layout(tp_arena *arena, const tp_want *want)
 {
-    drawn_drops *d = tp_arena_take(arena, 1, sizeof *d), made = {
+    drawn_drops *d = tp_arena_alloc(arena, 1, sizeof *d), made = {
         .room = (uint32_t)want->scene->drops.count,
         .ring_room = (uint32_t)want->scene->drops.rings,
     };
 
-    made.box = tp_arena_take(arena, made.room + 1, sizeof *made.box);
-    made.ring = tp_arena_take(arena, made.ring_room, sizeof *made.ring);
-    made.ball = tp_arena_take(arena, BALL, sizeof *made.ball);
+    made.box = tp_arena_alloc(arena, made.room + 1, sizeof *made.box);
+    made.ring = tp_arena_alloc(arena, made.ring_room, sizeof *made.ring);
+    made.ball = tp_arena_alloc(arena, BALL, sizeof *made.ball);
     if (d)
         *d = made;
     return d;
@@ -261,13 +261,13 @@ static void begin(tp_frame *frame, void *mine)
                           .specular = 0xffffff, .gloss = tp_drop_gloss };
 }
 
-static bool set_anchor(const tp_frame *frame, const void *mine, tp_sight_anchor *anchor)
+static bool set_anchor(const tp_frame *frame, const void *mine, tp_view_anchor *anchor)
 {
     const tp_drops *drops = tp_world_drops(frame->world);
 
     (void)mine;
     if (drops)
-        *anchor = (tp_sight_anchor){ .middle = drops->sphere };
+        *anchor = (tp_view_anchor){ .middle = drops->sphere };
     return drops != NULL;
 }
 

@@ -57,7 +57,7 @@ bool tp_exposure_enabled(const tp_want *want)
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     (void)want;
-    return tp_arena_take(arena, 1, sizeof(tp_exposure));
+    return tp_arena_alloc(arena, 1, sizeof(tp_exposure));
 }
 
 const tp_module tp_exposure_module = {

@@ -13,7 +13,7 @@
 #include "features/foam/foam.h"
 #include "base/base.h"
 #include "scene/drawn.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "scene/pools.h"
 #include "wave/exp.h"
 

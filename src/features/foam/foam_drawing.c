@@ -62,7 +62,7 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     (void)want;
-    return tp_arena_take(arena, 1, sizeof(tp_shade_foam));
+    return tp_arena_alloc(arena, 1, sizeof(tp_shade_foam));
 }
 
 static void init(tp_frame *frame, void *mine)

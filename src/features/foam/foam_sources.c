@@ -6,7 +6,7 @@
  * are white. */
 #include "base/base.h"
 #include "features/foam/foam.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "scene/pools.h"
 #include "wave/ocean_tables.h"
 #include "wave/wave.h"
@@ -41,8 +41,8 @@ static tp_ocean_point sample_ocean(const tp_foam_maker *m, tp_fx x, tp_fx z)
 /* Returns the stretch over one cell, clamped to +-8.  Larger values occur only on land. */
 static tp_fx cell_stretch(const tp_foam_maker *m, int64_t difference)
 {
-    return (tp_fx)tp_limit(tp_limit(difference, 1 << 24) * m->per_cell >> 16,
-                           8 * TP_FX_ONE);
+    return (tp_fx)tp_clamp_abs(tp_clamp_abs(difference, 1 << 24) * m->per_cell >> 16,
+                               8 * TP_FX_ONE);
 }
 
 /* Returns the array of displaced positions of the row at z - cell. */
@@ -85,7 +85,7 @@ static uint32_t shore_gain(const tp_foam_maker *m, const tp_ocean_point *at)
         return 0;
     tp_fx shallow = TP_FX_ONE - tp_fx_mul(at->depth, m->per_shore);
     int64_t lifted = ((int64_t)tp_abs(at->position.y) * m->per_shore + 0x8000) >> 16;
-    tp_fx moves = (tp_fx)tp_limit(lifted + at->breaking * 128, TP_FX_ONE);
+    tp_fx moves = (tp_fx)tp_clamp_abs(lifted + at->breaking * 128, TP_FX_ONE);
     return scale_gain(tp_fx_mul(shallow, moves), 40);
 }
 
@@ -133,7 +133,7 @@ static uint32_t wall_gain(const tp_foam_maker *m, tp_fx x)
                    && 2 * (dz < 0 ? -dz : dz) < (int64_t)pool->rows * pool->cell
                ? TP_FOAM_DRY : 0;
     int64_t lsb = tp_abs(tp_pool_velocity(pool, col, row));
-    tp_fx speed = (tp_fx)tp_limit(lsb * m->per_lsb >> 32, 64 * TP_FX_ONE) - WALL_STILL;
+    tp_fx speed = (tp_fx)tp_clamp_abs(lsb * m->per_lsb >> 32, 64 * TP_FX_ONE) - WALL_STILL;
     return speed > 0 && m->scene->foam.wall > 0 && is_wall_near(m, x)
          ? scale_gain(tp_fx_mul(speed, m->scene->foam.wall), WALL_UNITS) : 0;
 }
@@ -182,8 +182,8 @@ static uint32_t hull_gain(const tp_foam_maker *m, tp_fx x)
 
     if (dx > h->reach || dx < -h->reach || dz > h->reach || dz < -h->reach)
         return 0;
-    tp_fx alpha = tp_fx_held((dx * h->along[0] + dz * h->along[1]) >> 16);
-    tp_fx beta = tp_fx_held((dx * h->across[0] + dz * h->across[1]) >> 16);
+    tp_fx alpha = tp_fx_saturate((dx * h->along[0] + dz * h->along[1]) >> 16);
+    tp_fx beta = tp_fx_saturate((dx * h->across[0] + dz * h->across[1]) >> 16);
     tp_fx line = LINE_LEAST > m->foam->cell / 2 ? LINE_LEAST : m->foam->cell / 2;
     tp_fx side = tp_fx_mul(tp_abs(tp_clamp(beta, -TP_FX_MAX, TP_FX_MAX)), h->beam);
     tp_fx pace = tp_abs(h->pace);
@@ -197,7 +197,7 @@ static uint32_t hull_gain(const tp_foam_maker *m, tp_fx x)
     }
     if (pace > 0) {
         int64_t ahead = h->pace > 0 ? alpha : -(int64_t)alpha;
-        tp_fx behind = tp_fx_held((TP_FX_ONE - ahead) * h->length >> 16);
+        tp_fx behind = tp_fx_saturate((TP_FX_ONE - ahead) * h->length >> 16);
         tp_fx wake = sample_wake(h, behind, side, wide, line);
         gain += scale_gain(tp_fx_mul(wake, pace), PACE_UNITS);
     }
@@ -209,7 +209,7 @@ static uint32_t hull_gain(const tp_foam_maker *m, tp_fx x)
  * is below 2^53. */
 static void find_hull(tp_foam_maker *m)
 {
-    const tp_afloat *a = &m->world->afloat;
+    const tp_boat_state *a = &m->world->afloat;
     const tp_vec3 *now = &m->world->boat.place, *last = &m->world->last_boat.place;
     const tp_fx (*p)[2] = a->rest;
     int64_t ux = ((int64_t)p[0][0] - p[1][0]) / 2, uz = ((int64_t)p[0][1] - p[1][1]) / 2;
@@ -226,15 +226,15 @@ static void find_hull(tp_foam_maker *m)
     ux = ux * FULLER >> 16;
     uz = uz * FULLER >> 16;
     det = (det >> 16) * FULLER + ((det & 0xffff) * FULLER >> 16);
-    h->along[0] = tp_fx_held(wz * ((int64_t)1 << 32) / det);
-    h->along[1] = tp_fx_held(-wx * ((int64_t)1 << 32) / det);
-    h->across[0] = tp_fx_held(-uz * ((int64_t)1 << 32) / det);
-    h->across[1] = tp_fx_held(ux * ((int64_t)1 << 32) / det);
+    h->along[0] = tp_fx_saturate(wz * ((int64_t)1 << 32) / det);
+    h->along[1] = tp_fx_saturate(-wx * ((int64_t)1 << 32) / det);
+    h->across[0] = tp_fx_saturate(-uz * ((int64_t)1 << 32) / det);
+    h->across[1] = tp_fx_saturate(ux * ((int64_t)1 << 32) / det);
     h->length = tp_fx_mul(m->scene->boat.length / 2, FULLER);
     h->beam = m->scene->boat.beam / 2;
     int64_t way = (((int64_t)now->x - last->x) * tp_sin(a->hull.heading)
                    - ((int64_t)now->z - last->z) * tp_cos(a->hull.heading)) >> 30;
-    h->pace = (tp_fx)tp_limit(way * TP_TICKS_PER_SECOND / PACE, TP_FX_ONE);
+    h->pace = (tp_fx)tp_clamp_abs(way * TP_TICKS_PER_SECOND / PACE, TP_FX_ONE);
     h->reach = h->pace != 0 ? (ARM_LONG + 1) * h->length : h->length + h->beam;
 }
 

@@ -2,7 +2,7 @@
 /* Cost estimate of haze over solids.  With a dome or a cube sky haze costs more, over
  * water too. */
 #include "features/haze/haze.h"
-#include "scene/works.h"
+#include "scene/fixed_cost.h"
 
 static void pixels(tp_site *w, const tp_work_pixels *px)
 {

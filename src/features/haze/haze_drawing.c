@@ -7,8 +7,9 @@ static void begin(tp_frame *frame, void *mine)
 {
     tp_haze *haze = mine;
 
-    TP_ASSERT(frame->lens.zi_near > 0);
-    haze->scale = (uint32_t)((int64_t)frame->scene->sky.haze * 64 / frame->lens.zi_near);
+    TP_ASSERT(frame->projection.zi_near > 0);
+    haze->scale =
+        (uint32_t)((int64_t)frame->scene->sky.haze * 64 / frame->projection.zi_near);
 }
 
 /* Adds the stage for the kind of sky; `stage` is in the order of tp_env_kind.  Under
@@ -30,7 +31,7 @@ bool tp_haze_enabled(const tp_want *want)
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     (void)want;
-    return tp_arena_take(arena, 1, sizeof(tp_haze));
+    return tp_arena_alloc(arena, 1, sizeof(tp_haze));
 }
 
 const tp_module tp_haze_module = {

@@ -5,7 +5,7 @@
 #include "base/base.h"
 #include "features/land/land.h"
 #include "geom/geom.h"
-#include "scene/works.h"
+#include "scene/fixed_cost.h"
 #include "wave/ocean_tables.h"
 
 #define KEPT_RATE TP_FX(0.1)    /* same value as in wave/ocean_tables.c */
@@ -47,13 +47,13 @@ static tp_fx bound_crest_height(const tp_scene *s, const tp_wave *given, tp_fx s
         const int64_t high = ((int64_t)a * (sc.y_q24 >> 8) >> 16) + tilt + lip;
         highest = high > highest ? high : highest;
     }
-    return tp_fx_held(highest);
+    return tp_fx_saturate(highest);
 }
 
 typedef struct {
     const tp_scene *scene;
     tp_floor floor;
-    tp_lens  lens;
+    tp_projection  projection;
     int64_t  x, z;              /* centre of the grid, m, Q16 */
     int64_t  deepest;           /* deepest floor exposed by a trough, m, Q16 */
     int32_t  cols, rows;        /* size of the picture, px */
@@ -78,7 +78,7 @@ typedef struct {
 
 static int64_t sample_depth(const ground *g, int64_t x, int64_t z)
 {
-    return tp_floor_sample(&g->floor, tp_fx_held(x), tp_fx_held(z)).depth;
+    return tp_floor_sample(&g->floor, tp_fx_saturate(x), tp_fx_saturate(z)).depth;
 }
 
 /* Returns the floor's steepest rise.  A map is sampled on a lattice of 64 x 64, with
@@ -105,21 +105,23 @@ static tp_fx steepest(const ground *g)
 static corner project_corner(const ground *g, int32_t i, int32_t j)
 {
     const tp_scene *s = g->scene;
-    const int64_t x = tp_stand_line(s, s->grid.cols, g->x,
-                                    (2 * (int64_t)i + 1 - s->grid.cols) * 32768);
-    const int64_t z = tp_stand_line(s, s->grid.rows, g->z,
+    const int64_t x = tp_start_view_line(s, s->grid.cols, g->x,
+                                         (2 * (int64_t)i + 1 - s->grid.cols) * 32768);
+    const int64_t z = tp_start_view_line(s, s->grid.rows, g->z,
                                     (2 * (int64_t)j + 1 - s->grid.rows) * 32768);
-    const tp_floor_at at = tp_floor_sample(&g->floor, tp_fx_held(x), tp_fx_held(z));
-    const tp_vec3 place = { tp_fx_held(x), tp_fx_held(-(int64_t)at.depth),
-                            tp_fx_held(z) };
-    tp_view_corner c;
+    const tp_floor_at at = tp_floor_sample(&g->floor, tp_fx_saturate(x), tp_fx_saturate(z));
+    const tp_vec3 place = { tp_fx_saturate(x), tp_fx_saturate(-(int64_t)at.depth),
+                            tp_fx_saturate(z) };
+    tp_view_vertex c;
     uint32_t zi;
 
-    tp_lens_view(&g->lens, tp_vec3_add(g->lens.eye, tp_stand_way(g->lens.eye, place)), &c);
-    corner to = { at.depth > g->deepest, c.depth < g->lens.near,
-                  !tp_lens_holds(&g->lens, &c), 0, 0 };
+    tp_projection_view_vertex(
+        &g->projection,
+        tp_vec3_add(g->projection.eye, tp_start_view_way(g->projection.eye, place)), &c);
+    corner to = { at.depth > g->deepest, c.depth < g->projection.near,
+                  !tp_projection_contains(&g->projection, &c), 0, 0 };
     if (!to.cut)
-        tp_lens_project(&g->lens, &c, &to.u, &to.v, &zi);
+        tp_projection_project(&g->projection, &c, &to.u, &to.v, &zi);
     return to;
 }
 
@@ -225,8 +227,8 @@ static void work(tp_site *w)
     for (int i = 0; i < TP_WAVES; i++)
         g.deepest +=
             s->wave[i].amplitude > 0 ? bound_crest_height(s, &s->wave[i], slope) : 0;
-    tp_lens_turned(&g.lens, w->at.eye, w->at.turn, s->camera.fov, s->camera.near, w->width,
-                   w->height);
+    tp_projection_init_turned(&g.projection, w->at.eye, w->at.turn, s->camera.fov,
+                              s->camera.near, w->width, w->height);
     for (int32_t j = 0; j + 1 < s->grid.rows; j++) {
         const strip row = measure_strip(&g, j);
         const uint32_t tiles = count_tiles(&g, &row);
@@ -246,8 +248,8 @@ static void work(tp_site *w)
 static bool stops(const tp_site *w, tp_vec3 ray, int64_t far)
 {
     const tp_floor floor = make_floor(w);
-    const tp_fx x = tp_fx_held(w->at.eye.x + (far * ray.x >> 16));
-    const tp_fx z = tp_fx_held(w->at.eye.z + (far * ray.z >> 16));
+    const tp_fx x = tp_fx_saturate(w->at.eye.x + (far * ray.x >> 16));
+    const tp_fx z = tp_fx_saturate(w->at.eye.z + (far * ray.z >> 16));
 
     return !tp_has_tank(w->scene) && tp_floor_sample(&floor, x, z).depth <= 0;
 }

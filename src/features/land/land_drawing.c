@@ -38,15 +38,15 @@ static corner *grid_vertex(const tp_frame *frame, const land *l, uint32_t i, uin
     return l->at + (size_t)j * frame->parts.grid->cols + i;
 }
 
-static tp_view_corner transform_vertex(const tp_frame *frame, uint32_t i, uint32_t j,
+static tp_view_vertex transform_vertex(const tp_frame *frame, uint32_t i, uint32_t j,
                                        tp_floor_at *floor)
 {
     tp_fx x = frame->parts.grid->column[i].place, z = frame->parts.grid->row[j].place;
-    tp_view_corner c;
+    tp_view_vertex c;
 
     *floor = tp_ocean_floor(frame->surface.ocean, x, z);
-    tp_fx y = (tp_fx)tp_limit(-(int64_t)floor->depth, HEIGHT_MOST);
-    tp_lens_view(&frame->lens, (tp_vec3){ x, y, z }, &c);
+    tp_fx y = (tp_fx)tp_clamp_abs(-(int64_t)floor->depth, HEIGHT_MOST);
+    tp_projection_view_vertex(&frame->projection, (tp_vec3){ x, y, z }, &c);
     c.s = c.t = 0;
     return c;
 }
@@ -67,13 +67,13 @@ static void place_corner(const tp_frame *frame, const land *l, uint32_t i, uint3
     TP_ASSERT(i < frame->parts.grid->cols && j < frame->parts.grid->rows);
     corner *to = grid_vertex(frame, l, i, j);
     tp_floor_at floor;
-    tp_view_corner c = transform_vertex(frame, i, j, &floor);
+    tp_view_vertex c = transform_vertex(frame, i, j, &floor);
 
     set_normal(to->n, floor.rise_x, floor.rise_z);
     to->out = (int16_t)((floor.depth > deepest ? DEEP : 0)
-                        | (c.depth < frame->lens.near ? BEHIND : 0));
-    if (tp_lens_holds(&frame->lens, &c))
-        tp_lens_project(&frame->lens, &c, &to->u, &to->v, &to->zi);
+                        | (c.depth < frame->projection.near ? BEHIND : 0));
+    if (tp_projection_contains(&frame->projection, &c))
+        tp_projection_project(&frame->projection, &c, &to->u, &to->v, &to->zi);
     else
         to->u = TP_GRID_CUT;
 }
@@ -112,14 +112,14 @@ static void place_band(const tp_frame *frame, const land *l, uint32_t j)
 
 /* Projects the land.  Land appears in the main view only, and needs grid vertices: only
  * some water renderers make them. */
-static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
+static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     const tp_grid *grid = frame->parts.grid;
     tp_fx deepest = tp_surface_height(&frame->surface) + TP_FX_ONE;
     land *l = mine;
 
     (void)box;
-    l->seen = sight->picture && grid && frame->surface.ocean;
+    l->seen = view->picture && grid && frame->surface.ocean;
     for (uint32_t j = 0; l->seen && j < grid->rows; j++) {
         for (uint32_t i = 0; i < grid->cols; i++)
             place_corner(frame, l, i, j, deepest);
@@ -130,26 +130,26 @@ static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box
 
 /* -- drawing ------------------------------------------------------------------------ */
 
-static tp_corner packed(const corner *v)
+static tp_screen_vertex packed(const corner *v)
 {
-    return (tp_corner){ .u = v->u, .v = v->v, .zi = v->zi,
+    return (tp_screen_vertex){ .u = v->u, .v = v->v, .zi = v->zi,
                         .n = { v->n[0], v->n[1], v->n[2] } };
 }
 
-static void draw_clipped(const tp_frame *frame, const tp_samples *tile,
+static void draw_clipped(const tp_frame *frame, const tp_gbuffer *tile,
                          const uint32_t at[3][2], uint32_t mark)
 {
-    tp_view_corner in[3];
+    tp_view_vertex in[3];
     tp_floor_at floor;
 
     for (int k = 0; k < 3; k++) {
         in[k] = transform_vertex(frame, at[k][0], at[k][1], &floor);
         set_normal(in[k].n, floor.rise_x, floor.rise_z);
     }
-    tp_clipped_draw(&frame->lens, NULL, tile, in, mark, 0);
+    tp_clipped_draw(&frame->projection, NULL, tile, in, mark, 0);
 }
 
-static void draw_cell(const tp_frame *frame, const land *l, const tp_samples *tile,
+static void draw_cell(const tp_frame *frame, const land *l, const tp_gbuffer *tile,
                       uint32_t i, uint32_t j, uint32_t mark)
 {
     const corner *a = grid_vertex(frame, l, i, j);
@@ -166,17 +166,17 @@ static void draw_cell(const tp_frame *frame, const land *l, const tp_samples *ti
         draw_clipped(frame, tile, second, mark);
         return;
     }
-    tp_corner p[4] = { packed(a), packed(b), packed(c), packed(d) };
+    tp_screen_vertex p[4] = { packed(a), packed(b), packed(c), packed(d) };
     tp_tri_solid(tile, &p[0], &p[3], &p[2], mark, 0, 16);
     tp_tri_solid(tile, &p[0], &p[2], &p[1], mark, 0, 16);
 }
 
-static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
-                 tp_samples *samples, uint32_t mark)
+static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
+                 tp_gbuffer *samples, uint32_t mark)
 {
     const land *l = mine;
 
-    if (!l->seen || !sight->picture)
+    if (!l->seen || !view->picture)
         return;
     samples->front_only = true;
     for (uint32_t j = 0; j + 1 < frame->parts.grid->rows; j++) {
@@ -198,10 +198,10 @@ static void *layout(tp_arena *arena, const tp_want *want)
 {
     const size_t cols = (size_t)want->scene->grid.cols;
     const size_t rows = (size_t)want->scene->grid.rows;
-    land *l = tp_arena_take(arena, 1, sizeof *l), made = { .seen = false };
+    land *l = tp_arena_alloc(arena, 1, sizeof *l), made = { .seen = false };
 
-    made.at = tp_arena_take(arena, cols * rows, sizeof *made.at);
-    made.rows = tp_arena_take(arena, rows, sizeof *made.rows);
+    made.at = tp_arena_alloc(arena, cols * rows, sizeof *made.at);
+    made.rows = tp_arena_alloc(arena, rows, sizeof *made.rows);
     if (l)
         *l = made;
     return l;

@@ -2,7 +2,7 @@
 /* Span stages of land.  The stage `land` shades one plain colour; the stage `ground`
  * textures and lights the land like the floor under water. */
 #include "shade/beam.h"
-#include "shade/coat.h"
+#include "shade/wall_material.h"
 #include "shade/phong.h"
 #include "tidepool/modules.h"
 
@@ -22,11 +22,13 @@ void tp_stage_land(const tp_shade *shade, tp_run *run)
 void tp_stage_ground(const tp_shade *shade, tp_run *run)
 {
     for (int32_t i = 0; i < run->count; i++) {
-        tp_beam beam;
+        tp_refracted_ray beam;
         tp_inside_places(shade, run, i, i + 1, &beam);
-        run->colour[i] = tp_coat_lit(shade, tp_coat_sample(&shade->inside->floor, beam.at.x,
-                                                       beam.at.z, beam.far, true),
-                                     run->n[i]);
+        run->colour[i] = tp_wall_material_light(
+            shade,
+            tp_wall_material_sample(&shade->inside->floor, beam.at.x, beam.at.z, beam.far,
+                                    true),
+            run->n[i]);
     }
 }
 

@@ -9,7 +9,7 @@
  * n / 2).  At a wall the mirrored rows contribute too; the factor is 2 (cos(k/2) - cos(k
  * (n + 1/2))). */
 #include "base/assert.h"
-#include "features/pool/pool.h"
+#include "features/pool/pool_module.h"
 #include "scene/world.h"
 
 typedef struct {

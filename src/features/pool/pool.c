@@ -3,7 +3,7 @@
  * [field].  In a tick the splashes, by user input and at random, come first.  Then a
  * paddle pushes the water (paddle.c).  Then each pool steps. */
 #include "base/base.h"
-#include "features/pool/pool.h"
+#include "features/pool/pool_module.h"
 #include "pool/pool.h"
 #include "scene/world.h"
 
@@ -45,7 +45,7 @@ static void poke(tp_basin *basin, tp_world *world, const tp_scene_pool *scene)
     basin->poke_wait = every;
     tp_fx x = random_place(world, scene->x, scene->cols, scene->cell);
     tp_fx z = random_place(world, scene->z, scene->rows, scene->cell);
-    tp_pool_hat(&basin->pool, x, z, scene->poke_size, scene->poke);
+    tp_pool_add_splash(&basin->pool, x, z, scene->poke_size, scene->poke);
 }
 
 static void push(tp_pool *pool, const tp_scene *scene, const tp_input *in)
@@ -53,7 +53,7 @@ static void push(tp_pool *pool, const tp_scene *scene, const tp_input *in)
     for (int i = 0; in && pool && i < TP_PUSHES; i++) {
         const tp_push *p = &in->push[i];
         if (p->height != 0)
-            tp_pool_hat(pool, p->x, p->z, scene->pool.poke_size, p->height);
+            tp_pool_add_splash(pool, p->x, p->z, scene->pool.poke_size, p->height);
     }
 }
 
@@ -98,13 +98,13 @@ static bool fits_one(const tp_basin *basin, const tp_scene *scene, bool field)
     tp_pool head = basin->pool;
 
     head.sponge = 0;
-    return tp_pool_tune(&head, &config);
+    return tp_pool_set_config(&head, &config);
 }
 
 static bool refresh_one(tp_basin *basin, const tp_scene *scene, bool field)
 {
     const tp_pool_config config = tp_pools_config(scene, NULL, field);
-    return tp_pool_tune(&basin->pool, &config);
+    return tp_pool_set_config(&basin->pool, &config);
 }
 
 static void step(void *mine, const tp_program *program, tp_world *world,
@@ -160,8 +160,8 @@ static bool pool_hit(void *mine, const tp_scene *scene, const tp_impact *impact,
 
     (void)level;
     return scene->drops.into != TP_DROPS_RINGS
-           && tp_pool_hat(&basin->pool, impact->x, impact->z, impact->length / 4,
-                          -impact->amplitude);
+           && tp_pool_add_splash(&basin->pool, impact->x, impact->z, impact->length / 4,
+                                 -impact->amplitude);
 }
 
 static void pool_surface(const void *mine, tp_surface *surface)

@@ -2,7 +2,7 @@
 /* Cost estimate of the planar reflection: water pixels that read the planar map.  Each
  * object's own cost function counts its faces in the reflection. */
 #include "features/reflection/mirror.h"
-#include "scene/works.h"
+#include "scene/fixed_cost.h"
 
 static void pixels(tp_site *w, const tp_work_pixels *px)
 {

@@ -14,7 +14,7 @@ typedef struct {
 } mirror;
 
 /* Updates the columns' depths by row y of a band. */
-static void see_depths(tp_mirrored_zi *zi, const tp_samples *band, int32_t y)
+static void see_depths(tp_mirrored_zi *zi, const tp_gbuffer *band, int32_t y)
 {
     const uint32_t *key = band->key + (size_t)(uint32_t)(y - band->y0) * band->stride;
 
@@ -44,22 +44,23 @@ static void fill_gaps(tp_mirrored_zi *zi, uint32_t count)
 /* Returns the projection of the mirrored camera.  Its rows count from the other end: its
  * row j is row rows - 1 - j of the camera, because its up vector is the camera's,
  * mirrored and negated. */
-static tp_lens mirror_lens(const tp_frame *frame, const tp_planar_store *store, tp_fx level)
+static tp_projection mirror_lens(const tp_frame *frame, const tp_planar_store *store,
+                                 tp_fx level)
 {
     TP_ASSERT(store->halvings > 0);
-    const tp_lens *from = &frame->lens;
+    const tp_projection *from = &frame->projection;
     const tp_dir3  r = from->turn.x, up = from->turn.y, back = from->turn.z;
     const tp_rotation turn = { { r.x, -r.y, r.z }, { -up.x, up.y, -up.z },
                                { back.x, -back.y, back.z } };
-    tp_lens lens;
+    tp_projection projection;
 
-    tp_lens_turned(&lens, (tp_vec3){ from->eye.x, 2 * level - from->eye.y, from->eye.z },
-                   turn, frame->scene->camera.fov, from->near, frame->config.width,
-                   frame->config.height);
+    tp_projection_init_turned(
+        &projection, (tp_vec3){ from->eye.x, 2 * level - from->eye.y, from->eye.z }, turn,
+        frame->scene->camera.fov, from->near, frame->config.width, frame->config.height);
     for (uint32_t n = 0; n < store->halvings; n++)
-        lens = tp_lens_halved(&lens);
-    lens.v0 = 16 * (int32_t)store->rows - lens.v0;
-    return lens;
+        projection = tp_projection_halve(&projection);
+    projection.v0 = 16 * (int32_t)store->rows - projection.v0;
+    return projection;
 }
 
 /* Pixels by which the clip level is lowered.  At the foot of an object one pixel of the
@@ -70,23 +71,26 @@ enum { OVERLAP = 2 };
 /* Returns the clip level.  Troughs expose a hull below the mean level, so the clip level
  * is the deepest trough.  With tank walls the clip level is the mean level: walls and
  * floor below it would be reflected all over the water. */
-static tp_view_plane mirror_level(const tp_frame *frame, const tp_lens *lens, tp_fx level)
+static tp_view_plane mirror_level(const tp_frame *frame, const tp_projection *projection,
+                                  tp_fx level)
 {
     const tp_fx trough = -tp_surface_height(&frame->surface);
     const bool  bare = !tp_frame_has_module(frame, TP_MODULE_WALLS) && trough < level;
-    tp_view_plane plane = tp_lens_level(lens, bare ? trough : level, 1);
+    tp_view_plane plane = tp_projection_level_plane(projection, bare ? trough : level, 1);
 
-    plane.depth += (int32_t)(((int64_t)OVERLAP << 43) / lens->focal);   /* halved px */
+    plane.depth +=
+        (int32_t)(((int64_t)OVERLAP << 43) / projection->focal); /* halved px */
     return plane;
 }
 
 static void set_bending(const tp_frame *frame, tp_mirror *to, tp_fx level)
 {
     to->bend = frame->scene->mirror.bend >> 8;
-    to->height = (int64_t)(frame->lens.eye.y - level) * 4096 / frame->lens.zi_near;
+    to->height =
+        (int64_t)(frame->projection.eye.y - level) * 4096 / frame->projection.zi_near;
 }
 
-static void draw_mirror(tp_frame *frame, mirror *m, const tp_sight *sight)
+static void draw_mirror(tp_frame *frame, mirror *m, const tp_view *view)
 {
     const tp_planar_store *store = &m->store;
     const tp_half *half = &m->look.half;
@@ -94,9 +98,9 @@ static void draw_mirror(tp_frame *frame, mirror *m, const tp_sight *sight)
 
     memset(m->zi, 0, wide * sizeof *m->zi);
     for (int32_t y0 = half->y0; y0 < half->y1; y0 += TP_PLANAR_BAND) {
-        tp_samples band = tp_planar_samples(store, half, y0);
-        tp_samples_clear(&band);
-        tp_sight_draw(frame, sight, &band);
+        tp_gbuffer band = tp_planar_gbuffer(store, half, y0);
+        tp_gbuffer_clear(&band);
+        tp_view_draw(frame, view, &band);
         for (int32_t y = y0; y < band.y1; y++) {
             tp_frame_colour_row(frame, &band, y,
                                 store->colour + (uint32_t)(half->y1 - 1 - y) * wide);
@@ -110,21 +114,21 @@ static void look(tp_frame *frame, void *mine)
 {
     mirror *m = mine;
     const int32_t rows = (int32_t)m->store.rows;
-    tp_fx    level = tp_sight_level(frame);
+    tp_fx    level = tp_view_water_level(frame);
     tp_half *half = &m->look.half;
 
     half->colour = NULL;
-    if (!tp_sight_is_above_level(frame, level))
+    if (!tp_view_is_above_level(frame, level))
         return;
-    tp_lens  lens = mirror_lens(frame, &m->store, level);
-    tp_sight sight = { .lens = &lens, .cut = true, .walls = true,
-                       .level = mirror_level(frame, &lens, level) };
-    tp_sight_begin(frame, &sight);
-    tp_grid_box box = tp_sight_place(frame, &sight);
+    tp_projection  projection = mirror_lens(frame, &m->store, level);
+    tp_view view = { .projection = &projection, .cut = true, .walls = true,
+                       .level = mirror_level(frame, &projection, level) };
+    tp_view_begin(frame, &view);
+    tp_grid_box box = tp_view_place(frame, &view);
     if (!tp_planar_begin(&m->store, &box, half))
         return;
     set_bending(frame, &m->look, level);
-    draw_mirror(frame, m, &sight);
+    draw_mirror(frame, m, &view);
     *half = (tp_half){ half->colour, half->x0, rows - half->y1, half->x1,
                        rows - half->y0, half->coarser };
 }
@@ -147,10 +151,10 @@ static uint32_t count_halvings(const tp_want *want)
 
 static void *layout(tp_arena *arena, const tp_want *want)
 {
-    mirror *m = tp_arena_take(arena, 1, sizeof *m), made = { .look.bend = 0 };
+    mirror *m = tp_arena_alloc(arena, 1, sizeof *m), made = { .look.bend = 0 };
 
     tp_planar_layout(&made.store, arena, want, count_halvings(want));
-    made.look.zi = made.zi = tp_arena_take(arena, made.store.cols, sizeof *made.zi);
+    made.look.zi = made.zi = tp_arena_alloc(arena, made.store.cols, sizeof *made.zi);
     if (m)
         *m = made;
     return m;

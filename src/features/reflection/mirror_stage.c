@@ -43,13 +43,13 @@ static axis make_axis(tp_dir3 d, int sign)
 /* Returns a displacement, clamped to 2^20: 65536 px. */
 static int32_t way(int64_t q16, int32_t focal)
 {
-    return (int32_t)tp_limit(q16 * focal >> 16, 1 << 20);
+    return (int32_t)tp_clamp_abs(q16 * focal >> 16, 1 << 20);
 }
 
 static int32_t ray_coordinate(const tp_shade *shade, int32_t sixteenths)
 {
     TP_ASSERT(shade->per_focal > 0);
-    return (int32_t)tp_limit(tp_over_focal(shade, sixteenths), 1 << 27);
+    return (int32_t)tp_clamp_abs(tp_over_focal(shade, sixteenths), 1 << 27);
 }
 
 /* Returns a b - c d in the format of one factor. */
@@ -83,7 +83,7 @@ static push compute_push(const tp_shade *shade, int32_t x, int32_t y)
         way(2 * xu, focal), way(-2 * xv, focal), way(2 * zu, focal), way(-2 * zv, focal),
         way(-2 * (r.y - ((int64_t)qu * a.y >> 16)), focal),
         way(2 * (up.y - ((int64_t)qv * a.y >> 16)), focal),
-        (int32_t)tp_limit(dy, 1 << 26),
+        (int32_t)tp_clamp_abs(dy, 1 << 26),
     };
 }
 
@@ -114,7 +114,8 @@ TP_ALWAYS_INLINE int32_t moved(int32_t by_x, int32_t sx, int32_t by_z, int32_t s
                                int32_t share, int32_t by_h, int32_t h)
 {
     int32_t slope = (int32_t)(((int64_t)by_x * sx + (int64_t)by_z * sz) >> 12);
-    return (int32_t)tp_limit(((int64_t)slope * share + (int64_t)by_h * h) >> 16, 1 << 15);
+    return (int32_t)tp_clamp_abs(((int64_t)slope * share + (int64_t)by_h * h) >> 16,
+                                 1 << 15);
 }
 
 #define BESIDE (65536 + 8192)
@@ -139,7 +140,7 @@ TP_ALWAYS_INLINE uint32_t seen(const tp_mirror *look, int32_t y, const push *a,
     int32_t share = tp_clamp(65536 - ratio, 0, 65536) * look->bend >> 8;
     int64_t high = ((int64_t)zi * look->height >> 27)
                  + ((int64_t)at(a->dy, step->dy, k) * ratio >> 16);
-    int32_t h = (int32_t)tp_limit(high, 1 << 20);
+    int32_t h = (int32_t)tp_clamp_abs(high, 1 << 20);
 
     int32_t du = moved(at(a->xu, step->xu, k), sx, at(a->zu, step->zu, k), sz, share,
                        at(a->hu, step->hu, k), h);

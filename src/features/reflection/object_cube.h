@@ -11,8 +11,8 @@
 
 #define TP_OBJECT_CUBE_ID TP_MODULE_ID('c', 'u', 'b', 'e')
 
-#define TP_AROUND_SIDE  32
-#define TP_AROUND_FACES 5         /* +x -x +z -z +y; -y is below the water's level */
+#define TP_OBJECT_CUBE_SIDE  32
+#define TP_OBJECT_CUBE_FACES 5         /* +x -x +z -z +y; -y is below the water's level */
 
 typedef struct {
     const uint32_t *colour;     /* texels 0xAARRGGBB, face by face; NULL: empty */
@@ -20,5 +20,5 @@ typedef struct {
     tp_vec3  to;                /* middle of the objects - the point, m */
     int32_t  nx, nz;            /* horizontal direction of `to`, Q1.14 */
     tp_fx    zi_near;
-} tp_around;
+} tp_object_cube;
 #endif

@@ -6,12 +6,12 @@
 #include "features/reflection/object_cube.h"
 #include "frame/frame.h"
 
-#define WIDE (2 * TP_AROUND_SIDE)
+#define WIDE (2 * TP_OBJECT_CUBE_SIDE)
 #define BAND 4                  /* rows drawn at a time */
 
 typedef struct {
-    tp_around around;           /* data of the stage; first member */
-    uint32_t *colour;           /* texels of TP_AROUND_FACES faces */
+    tp_object_cube around;           /* data of the stage; first member */
+    uint32_t *colour;           /* texels of TP_OBJECT_CUBE_FACES faces */
     uint32_t *samples;
 } cube_map;
 
@@ -23,18 +23,18 @@ static tp_vec3 towards(tp_vec3 eye, tp_vec3 to, tp_fx part, tp_fx level)
 }
 
 /* Fills *cube except for its colours.  Returns the point. */
-static tp_vec3 set_object_cube(const tp_frame *frame, tp_around *cube, tp_fx level)
+static tp_vec3 set_object_cube(const tp_frame *frame, tp_object_cube *cube, tp_fx level)
 {
-    const tp_vec3 eye = frame->lens.eye, to = tp_frame_anchor(frame).middle;
+    const tp_vec3 eye = frame->projection.eye, to = tp_frame_anchor(frame).middle;
     const tp_fx up = eye.y - level, high = to.y - level > TP_FX_ONE / 4
                                          ? to.y - level : TP_FX_ONE / 4;
     const tp_vec3 point = towards(eye, to, tp_fx_div(up, up + high), level);
     const tp_vec3 way = tp_vec3_sub(to, point);
     const tp_dir3 n = tp_normalise(way.x, 0, way.z);
 
-    *cube = (tp_around){
+    *cube = (tp_object_cube){
         .from = tp_vec3_sub(eye, point), .to = way, .nx = n.x >> 16, .nz = n.z >> 16,
-        .zi_near = frame->lens.zi_near,
+        .zi_near = frame->projection.zi_near,
     };
     return point;
 }
@@ -43,7 +43,7 @@ static tp_vec3 set_object_cube(const tp_frame *frame, tp_around *cube, tp_fx lev
  * way: a quarter of each colour is added to its texel, so a colour is premultiplied by
  * its cover.  The colours overwrite the row's normals; the shading has used the normals
  * before. */
-static void add_row(const tp_frame *frame, const tp_samples *band, int32_t y, uint32_t *to)
+static void add_row(const tp_frame *frame, const tp_gbuffer *band, int32_t y, uint32_t *to)
 {
     uint32_t *row = band->n + (uint32_t)(y - band->y0) * WIDE;
 
@@ -53,50 +53,54 @@ static void add_row(const tp_frame *frame, const tp_samples *band, int32_t y, ui
 }
 
 /* Draws one face.  Returns true if the face shows an object. */
-static bool draw_face(tp_frame *frame, uint32_t *at, tp_sight *sight, uint32_t *to)
+static bool draw_face(tp_frame *frame, uint32_t *at, tp_view *view, uint32_t *to)
 {
     const size_t plane = WIDE * BAND;
 
-    tp_sight_begin(frame, sight);
-    tp_grid_box box = tp_sight_place(frame, sight);
-    memset(to, 0, TP_AROUND_SIDE * TP_AROUND_SIDE * sizeof *to);
+    tp_view_begin(frame, view);
+    tp_grid_box box = tp_view_place(frame, view);
+    memset(to, 0, TP_OBJECT_CUBE_SIDE * TP_OBJECT_CUBE_SIDE * sizeof *to);
     for (int32_t y0 = 0; y0 < WIDE; y0 += BAND) {
-        tp_samples band = { 0, y0, WIDE, y0 + BAND, WIDE, at, at + plane,
+        tp_gbuffer band = { 0, y0, WIDE, y0 + BAND, WIDE, at, at + plane,
                             at + 2 * plane, at + 3 * plane, false };
-        if (!tp_sight_touches(&box, &band))
+        if (!tp_view_touches(&box, &band))
             continue;
-        tp_samples_clear(&band);
-        tp_sight_draw(frame, sight, &band);
+        tp_gbuffer_clear(&band);
+        tp_view_draw(frame, view, &band);
         for (int32_t y = y0; y < y0 + BAND; y++)
-            add_row(frame, &band, y, to + y / 2 * TP_AROUND_SIDE);
+            add_row(frame, &band, y, to + y / 2 * TP_OBJECT_CUBE_SIDE);
     }
     return box.x0 <= box.x1;
 }
 
 static void look(tp_frame *frame, void *mine)
 {
-    static const int32_t turn[TP_AROUND_FACES][2] = {     /* quarters: heading, pitch */
-        { 1, 0 }, { 3, 0 }, { 2, 0 }, { 0, 0 }, { 0, 1 }
+    static const int32_t turn[TP_OBJECT_CUBE_FACES][2] = { /* quarters: heading, pitch */
+                                                           { 1, 0 },
+                                                           { 3, 0 },
+                                                           { 2, 0 },
+                                                           { 0, 0 },
+                                                           { 0, 1 }
     };
     cube_map *m = mine;
-    const tp_fx level = tp_sight_level(frame);
+    const tp_fx level = tp_view_water_level(frame);
     const uint32_t quarter = (uint32_t)1 << 30;
     bool seen = false;
 
     m->around.colour = NULL;
-    if (!tp_sight_is_above_level(frame, level)
+    if (!tp_view_is_above_level(frame, level)
         || !tp_frame_has_module(frame, TP_MODULE_SOLID))
         return;
     const tp_vec3 point = set_object_cube(frame, &m->around, level);
-    for (uint32_t f = 0; f < TP_AROUND_FACES; f++) {
-        tp_lens lens;
-        tp_lens_init(&lens, point, (uint32_t)turn[f][0] * quarter,
+    for (uint32_t f = 0; f < TP_OBJECT_CUBE_FACES; f++) {
+        tp_projection projection;
+        tp_projection_init(&projection, point, (uint32_t)turn[f][0] * quarter,
                      (uint32_t)turn[f][1] * quarter, 90 * TP_FX_ONE,
                      frame->scene->camera.near, WIDE, WIDE);
-        tp_sight sight = { .lens = &lens, .cut = true,
-                           .level = tp_lens_level(&lens, level, 1) };
-        seen |= draw_face(frame, m->samples, &sight,
-                          m->colour + f * TP_AROUND_SIDE * TP_AROUND_SIDE);
+        tp_view view = { .projection = &projection, .cut = true,
+                           .level = tp_projection_level_plane(&projection, level, 1) };
+        seen |= draw_face(frame, m->samples, &view,
+                          m->colour + f * TP_OBJECT_CUBE_SIDE * TP_OBJECT_CUBE_SIDE);
     }
     m->around.colour = seen ? m->colour : NULL;
 }
@@ -111,12 +115,12 @@ bool tp_object_cube_enabled(const tp_want *want)
 
 static void *layout(tp_arena *arena, const tp_want *want)
 {
-    const size_t texels = TP_AROUND_FACES * TP_AROUND_SIDE * TP_AROUND_SIDE;
-    cube_map *m = tp_arena_take(arena, 1, sizeof *m), made = { .around.colour = NULL };
+    const size_t texels = TP_OBJECT_CUBE_FACES * TP_OBJECT_CUBE_SIDE * TP_OBJECT_CUBE_SIDE;
+    cube_map *m = tp_arena_alloc(arena, 1, sizeof *m), made = { .around.colour = NULL };
 
     (void)want;
-    made.colour = tp_arena_take(arena, texels, sizeof *made.colour);
-    made.samples = tp_arena_take(arena, WIDE * BAND, 4 * sizeof *made.samples);
+    made.colour = tp_arena_alloc(arena, texels, sizeof *made.colour);
+    made.samples = tp_arena_alloc(arena, WIDE * BAND, 4 * sizeof *made.samples);
     if (m)
         *m = made;
     return m;

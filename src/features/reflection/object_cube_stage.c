@@ -24,8 +24,8 @@ static int64_t magnitude(int64_t x)
 
 static uint32_t texel(const uint32_t *face, int32_t i, int32_t j)
 {
-    return face[tp_clamp(j, 0, TP_AROUND_SIDE - 1) * TP_AROUND_SIDE
-                + tp_clamp(i, 0, TP_AROUND_SIDE - 1)];
+    return face[tp_clamp(j, 0, TP_OBJECT_CUBE_SIDE - 1) * TP_OBJECT_CUBE_SIDE
+                + tp_clamp(i, 0, TP_OBJECT_CUBE_SIDE - 1)];
 }
 
 /* Returns the number of the face hit by *w.  Sets the coordinates right and up on the
@@ -49,7 +49,7 @@ static int facing(const way *w, int64_t *right, int64_t *up, int64_t *ahead)
 
 /* Returns the colour, bilinear within one face.  The divisor `ahead` is shifted below
  * 2^31. */
-static uint32_t sample_cube(const tp_around *cube, const way *w)
+static uint32_t sample_cube(const tp_object_cube *cube, const way *w)
 {
     int64_t right, up, ahead;
     int     face = facing(w, &right, &up, &ahead), down = 0;
@@ -61,10 +61,10 @@ static uint32_t sample_cube(const tp_around *cube, const way *w)
     uint32_t n = (uint32_t)(ahead >> down);
     int      shift = tp_clz(n);
     int64_t  r = tp_recip_rough(n << shift);    /* 2^(62 - shift) / n */
-    int64_t  scale = TP_AROUND_SIDE / 2 * 32;     /* 1/32 texel */
+    int64_t  scale = TP_OBJECT_CUBE_SIDE / 2 * 32;     /* 1/32 texel */
     int32_t  u = (int32_t)(((right >> down) * r >> (46 - shift)) * scale >> 16);
     int32_t  v = (int32_t)(((up >> down) * r >> (46 - shift)) * scale >> 16);
-    const uint32_t *from = cube->colour + face * TP_AROUND_SIDE * TP_AROUND_SIDE;
+    const uint32_t *from = cube->colour + face * TP_OBJECT_CUBE_SIDE * TP_OBJECT_CUBE_SIDE;
     int32_t  i = (int32_t)scale + u - 16, j = (int32_t)scale - v - 16;
     uint32_t fi = (uint32_t)i & 31, fj = (uint32_t)j & 31;
 
@@ -90,7 +90,7 @@ static way compute_view_ray(const tp_shade *shade, int32_t x, int32_t y)
 }
 
 /* Returns the vector from the point to the water at a pixel, m, 16.16. */
-static way water_offset(const tp_around *cube, const way *ray, uint32_t key)
+static way water_offset(const tp_object_cube *cube, const way *ray, uint32_t key)
 {
     int64_t z = tp_depth_from_zi(cube->zi_near, tp_key_zi(key));
 
@@ -102,7 +102,7 @@ static way water_offset(const tp_around *cube, const way *ray, uint32_t key)
  * bits. */
 void tp_stage_mirrored_cube(const tp_shade *shade, tp_run *run)
 {
-    const tp_around *cube = run->mine;
+    const tp_object_cube *cube = run->mine;
 
     if (!cube->colour)
         return;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Cost estimate of skies: their pixels, and light above white in the water's reflection. */
 #include "features/sky/sky.h"
-#include "scene/works.h"
+#include "scene/fixed_cost.h"
 
 static void add_hdr_work(tp_site *w, const tp_work_pixels *px)
 {

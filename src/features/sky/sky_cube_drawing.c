@@ -25,7 +25,7 @@ static void begin(tp_frame *frame, void *mine)
 {
     sky_cube *sky = mine;
     tp_env   *env = &frame->shade.env;
-    int32_t   focal = tp_log2_q8((uint32_t)frame->lens.focal) - 16 * 256;
+    int32_t   focal = tp_log2_q8((uint32_t)frame->projection.focal) - 16 * 256;
 
     sky->cube.lod = (sky->cube.face[0]->log2_w - 1) * 256 - focal;
     env->kind = TP_ENV_CUBE;
@@ -53,7 +53,7 @@ bool tp_sky_cube_enabled(const tp_want *want)
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     (void)want;
-    return tp_arena_take(arena, 1, sizeof(sky_cube));
+    return tp_arena_alloc(arena, 1, sizeof(sky_cube));
 }
 
 const tp_module tp_sky_cube_module = {

@@ -68,7 +68,7 @@ bool tp_sky_dome_enabled(const tp_want *want)
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     (void)want;
-    return tp_arena_take(arena, 1, sizeof(tp_dome));
+    return tp_arena_alloc(arena, 1, sizeof(tp_dome));
 }
 
 const tp_module tp_sky_dome_module = {

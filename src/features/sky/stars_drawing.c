@@ -22,7 +22,7 @@ static void begin(tp_frame *frame, void *mine)
 {
     const stars *s = mine;
     tp_env  *env = &frame->shade.env;
-    uint32_t focal = (uint32_t)frame->lens.focal >> 16;
+    uint32_t focal = (uint32_t)frame->projection.focal >> 16;
     uint32_t radius = 32768 * 85 / 100 / (focal > 110 ? focal : 110);
 
     radius = radius > 8 ? radius : 8;
@@ -51,7 +51,7 @@ bool tp_stars_enabled(const tp_want *want)
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     (void)want;
-    return tp_arena_take(arena, 1, sizeof(stars));
+    return tp_arena_alloc(arena, 1, sizeof(stars));
 }
 
 const tp_module tp_stars_module = {

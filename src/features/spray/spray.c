@@ -10,7 +10,7 @@
 #include "features/spray/spray.h"
 #include "base/base.h"
 #include "scene/drawn.h"
-#include "scene/parts.h"
+#include "scene/world_parts.h"
 #include "wave/ocean_tables.h"
 #include "wave/wave.h"
 
@@ -123,7 +123,7 @@ static tp_fx sample_level(const tp_surface *surface, tp_fx x, tp_fx z)
 /* Returns the place after a tick, moved by the mean of two speeds. */
 static tp_fx moved(tp_fx place, tp_fx speed, tp_fx next)
 {
-    return tp_fx_held((int64_t)place + TICK((speed + next) / 2));
+    return tp_fx_saturate((int64_t)place + TICK((speed + next) / 2));
 }
 
 /* Advances a speck by one tick.  The equation v' = -g - v / 0.6 s has an exact solution
@@ -178,7 +178,7 @@ static tp_fx difference_jacobian(tp_vec3 u, tp_vec3 w)
     int64_t across = ((int64_t)u.x * w.z * 4 + 0x8000) >> 16;
     int64_t along = ((int64_t)u.z * w.x * 4 + 0x8000) >> 16;
 
-    return (tp_fx)tp_limit(across - along, 8 * TP_FX_ONE);
+    return (tp_fx)tp_clamp_abs(across - along, 8 * TP_FX_ONE);
 }
 
 /* Returns the strength of spray at a rest position, 0 to about 1. */
@@ -210,9 +210,9 @@ static tp_vec3 sample_velocity(const tp_surface *now, const tp_surface *before, 
     tp_vec3 way = tp_vec3_sub(point(now, x, z), point(before, x, z));
     const int64_t rate = TP_TICKS_PER_SECOND;
 
-    return (tp_vec3){ (tp_fx)tp_limit(way.x * rate, SPEED_MOST),
-                      (tp_fx)tp_limit(way.y * rate, SPEED_MOST),
-                      (tp_fx)tp_limit(way.z * rate, SPEED_MOST) };
+    return (tp_vec3){ (tp_fx)tp_clamp_abs(way.x * rate, SPEED_MOST),
+                      (tp_fx)tp_clamp_abs(way.y * rate, SPEED_MOST),
+                      (tp_fx)tp_clamp_abs(way.z * rate, SPEED_MOST) };
 }
 
 /* Throws the specks of a crest.  Specks start scattered over +-1/3 m, with the water's
@@ -274,7 +274,7 @@ void tp_spray_splash(tp_spray *spray, const tp_scene *scene, const tp_impact *im
                      tp_fx level)
 {
     int64_t square = (int64_t)scene->water.gravity * 16 * impact->amplitude >> 16;
-    tp_fx up = tp_fx_sqrt(tp_fx_held(square)), radius = impact->length / 8;
+    tp_fx up = tp_fx_sqrt(tp_fx_saturate(square)), radius = impact->length / 8;
     int32_t count = tp_fx_mul(scene->spray.impact, tp_clamp(up * 6, 0, 16 * TP_FX_ONE))
                     >> 16;
     tp_vec3 middle = { impact->x, level, impact->z };
@@ -304,8 +304,8 @@ static void throw_bow(tp_world *world, const tp_scene *scene, tp_spray *spray,
     tp_vec3 way = tp_vec3_sub(world->boat.place, world->last_boat.place);
     tp_q30  s = tp_sin(hull->heading), c = tp_cos(hull->heading);
     int64_t gone = (int64_t)way.x * s - (int64_t)way.z * c;     /* Q46 m; 16 km: 2^60 */
-    int64_t pace = tp_limit(gone, (int64_t)1 << 50) * TP_TICKS_PER_SECOND >> 30;
-    tp_fx   over = (tp_fx)tp_limit(pace - BOW_PACE * TP_FX_ONE, 30 * TP_FX_ONE);
+    int64_t pace = tp_clamp_abs(gone, (int64_t)1 << 50) * TP_TICKS_PER_SECOND >> 30;
+    tp_fx   over = (tp_fx)tp_clamp_abs(pace - BOW_PACE * TP_FX_ONE, 30 * TP_FX_ONE);
 
     for (tp_fx due = over / 2; due > share(spray); due -= TP_FX_ONE) {
         tp_fx back = share(spray), side = either(spray) >= 0 ? TP_FX_ONE : -TP_FX_ONE;

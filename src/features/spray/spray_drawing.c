@@ -38,10 +38,10 @@ static tp_vec3 interpolate_speck(const tp_speck *s, tp_fx back, bool through)
  * depth >= near. */
 static uint32_t speck_width(const tp_frame *frame, const tp_speck *s, tp_fx depth)
 {
-    TP_ASSERT(depth >= frame->lens.near);
+    TP_ASSERT(depth >= frame->projection.near);
     int32_t own = 128 + (uint8_t)(s->chance * 77);  /* random factor of the size, Q8 */
     int64_t size = (int64_t)frame->scene->spray.size * own >> 8;
-    int64_t wide = (size * frame->lens.focal >> 12) / depth;
+    int64_t wide = (size * frame->projection.focal >> 12) / depth;
 
     if (wide < 16)
         return wide * 16 > s->chance ? 16 : 0;
@@ -50,12 +50,13 @@ static uint32_t speck_width(const tp_frame *frame, const tp_speck *s, tp_fx dept
 
 static bool project(const tp_frame *frame, const tp_speck *s, bool through, disc *to)
 {
-    tp_view_corner view;
+    tp_view_vertex view;
 
-    tp_lens_view(&frame->lens, interpolate_speck(s, frame->world->back, through), &view);
-    if (!tp_lens_holds(&frame->lens, &view))
+    tp_projection_view_vertex(&frame->projection,
+                              interpolate_speck(s, frame->world->back, through), &view);
+    if (!tp_projection_contains(&frame->projection, &view))
         return false;
-    tp_lens_project(&frame->lens, &view, &to->u, &to->v, &to->zi);
+    tp_projection_project(&frame->projection, &view, &to->u, &to->v, &to->zi);
     to->wide = (uint16_t)speck_width(frame, s, view.depth);
     to->through = through;
     return to->wide > 0;
@@ -69,14 +70,14 @@ static uint32_t spray_colour(const tp_shade *shade, uint32_t colour)
     return tp_colour_scale(colour, (uint32_t)(lit + (256 - lit) / 2));
 }
 
-static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
+static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     discs *d = mine;
     const tp_spray *spray = tp_spray_of_world(frame->world);
     bool under = frame->under, clear = frame->scene->water.clear > 0;
 
     (void)box;
-    if (!sight->picture)
+    if (!view->picture)
         return;
     d->count = 0;
     d->colour = spray_colour(&frame->shade, (uint32_t)frame->scene->foam.colour);
@@ -91,7 +92,7 @@ static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box
 
 /* -- drawing ------------------------------------------------------------------------- */
 
-static void put(const tp_samples *tile, size_t at, const disc *s, uint32_t mark)
+static void put(const tp_gbuffer *tile, size_t at, const disc *s, uint32_t mark)
 {
     uint32_t depth = s->zi << 1 & ~(uint32_t)0xff, there = tile->key[at];
 
@@ -103,7 +104,7 @@ static void put(const tp_samples *tile, size_t at, const disc *s, uint32_t mark)
 
 /* Draws the pixels with their centres in the disc; the smallest disc covers the pixel
  * with its centre. */
-static void draw(const tp_samples *tile, const disc *s, uint32_t mark)
+static void draw(const tp_gbuffer *tile, const disc *s, uint32_t mark)
 {
     int32_t r = s->wide / 2, u = s->u, v = s->v;
 
@@ -122,7 +123,7 @@ static void draw(const tp_samples *tile, const disc *s, uint32_t mark)
     }
 }
 
-static void over(const tp_frame *frame, const void *mine, const tp_samples *tile,
+static void over(const tp_frame *frame, const void *mine, const tp_gbuffer *tile,
                  uint32_t mark)
 {
     const discs *d = mine;
@@ -148,8 +149,8 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     const uint32_t room = (uint32_t)want->scene->spray.count;
-    discs *d = tp_arena_take(arena, 1, sizeof *d);
-    disc  *all = tp_arena_take(arena, room, sizeof *all);
+    discs *d = tp_arena_alloc(arena, 1, sizeof *d);
+    disc  *all = tp_arena_alloc(arena, room, sizeof *all);
 
     if (d)
         *d = (discs){ .room = room, .disc = all };

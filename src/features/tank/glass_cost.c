@@ -2,7 +2,7 @@
 /* Cost estimate of a tank's glass: the water's side behind the walls, and the panes. */
 #include "base/base.h"
 #include "features/tank/tank.h"
-#include "scene/works.h"
+#include "scene/fixed_cost.h"
 
 /* True if a ray enters the tank through a wall with the eye on its outer side.  *y is the
  * ray's height at the wall. */
@@ -58,8 +58,8 @@ static void work(tp_site *w)
     const int64_t cell = s->grid.cell > 0 ? s->grid.cell : 1;
     int64_t posts = 0;
 
-    posts += across ? tp_limit(((int64_t)r.z1 - r.z0) / cell, s->grid.rows) + 1 : 0;
-    posts += along ? tp_limit(((int64_t)r.x1 - r.x0) / cell, s->grid.cols) + 1 : 0;
+    posts += across ? tp_clamp_abs(((int64_t)r.z1 - r.z0) / cell, s->grid.rows) + 1 : 0;
+    posts += along ? tp_clamp_abs(((int64_t)r.x1 - r.x0) / cell, s->grid.cols) + 1 : 0;
     w->works.of[TP_WORK_side_face] = (uint32_t)posts * 2
                                    * tp_work_bands(w->height - 1, TP_WORK_BAND);
     if (across || along)

@@ -44,28 +44,28 @@ static void place_posts(const tp_frame *frame, tp_glass_wall *wall, const tp_rec
 }
 
 /* Places the posts of all walls; runs after the water's grid. */
-static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
+static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     const tp_rectangle r = tp_pool_sides(frame->scene);
     tp_glass *glass = mine;
 
     (void)box;
-    for (uint32_t k = 0; sight->picture && k < glass->walls; k++)
+    for (uint32_t k = 0; view->picture && k < glass->walls; k++)
         place_posts(frame, &glass->wall[k], &r);
 }
 
 static const int16_t no_normal[3] = { 0, 0, 0 };    /* the stage knows the wall's normal */
 
-static void wall_corners(const tp_frame *frame, const tp_vec3 at[3], tp_view_corner to[3])
+static void wall_corners(const tp_frame *frame, const tp_vec3 at[3], tp_view_vertex to[3])
 {
     for (int k = 0; k < 3; k++)
-        to[k] = tp_clipped_corner(&frame->lens, at[k], no_normal);
+        to[k] = tp_clipped_vertex(&frame->projection, at[k], no_normal);
 }
 
 /* One side of the water, and its target. */
 typedef struct {
     const tp_frame   *frame;
-    const tp_samples *tile;
+    const tp_gbuffer *tile;
     uint32_t          mark, face;
     tp_rectangle      sides;
     tp_fx             floor;
@@ -73,10 +73,10 @@ typedef struct {
 
 static void draw_triangle(const side *s, const tp_vec3 at[3])
 {
-    tp_view_corner in[3];
+    tp_view_vertex in[3];
 
     wall_corners(s->frame, at, in);
-    tp_clipped_draw(&s->frame->lens, NULL, s->tile, in, s->mark, s->face);
+    tp_clipped_draw(&s->frame->projection, NULL, s->tile, in, s->mark, s->face);
 }
 
 /* Draws the part of the side between two posts. */
@@ -92,14 +92,14 @@ static void draw_part(const side *s, const tp_side_post *a, const tp_side_post *
     draw_triangle(s, two);
 }
 
-static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
-                 tp_samples *tile, uint32_t mark)
+static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
+                 tp_gbuffer *tile, uint32_t mark)
 {
     const tp_glass *glass = mine;
     side s = { .frame = frame, .tile = tile, .mark = mark,
                .floor = -frame->scene->tank.depth };
 
-    if (!sight->picture || glass->walls == 0)
+    if (!view->picture || glass->walls == 0)
         return;
     s.sides = tp_pool_sides(frame->scene);
     tile->front_only = false;
@@ -124,11 +124,11 @@ static void widen(tp_glass_wall *wall, int32_t u, int32_t v)
 static void place_pane(const tp_frame *frame, tp_glass_wall *wall, tp_pane *pane,
                        const tp_vec3 at[3])
 {
-    tp_view_corner in[3];
-    tp_corner corner[TP_CLIP_CORNERS];
+    tp_view_vertex in[3];
+    tp_screen_vertex corner[TP_CLIP_VERTICES];
 
     wall_corners(frame, at, in);
-    pane->count = tp_clipped_corners(&frame->lens, NULL, in, corner);
+    pane->count = tp_clipped_corners(&frame->projection, NULL, in, corner);
     for (int k = 0; k < pane->count; k++) {
         pane->u[k] = corner[k].u;
         pane->v[k] = corner[k].v;
@@ -143,7 +143,7 @@ static void place_depth(const tp_frame *frame, tp_glass_wall *wall, const tp_rec
 {
     const tp_inside *in = frame->shade.inside;
     const tp_dir3 back = frame->shade.world.back;
-    tp_vec3 at = on_wall(r, wall->face, 0, 0), eye = frame->lens.eye;
+    tp_vec3 at = on_wall(r, wall->face, 0, 0), eye = frame->projection.eye;
     int     axis = wall->face & 2 ? 2 : 0;
     int64_t gap = axis ? (int64_t)at.z - eye.z : (int64_t)at.x - eye.x;
 
@@ -214,10 +214,10 @@ static void *layout(tp_arena *arena, const tp_want *want)
 {
     const int32_t cols = want->scene->grid.cols, rows = want->scene->grid.rows;
     const size_t lines = (size_t)(cols > rows ? cols : rows);
-    tp_glass *glass = tp_arena_take(arena, 1, sizeof *glass), made = { .walls = 0 };
+    tp_glass *glass = tp_arena_alloc(arena, 1, sizeof *glass), made = { .walls = 0 };
 
     for (int k = 0; k < TP_GLASSES; k++)
-        made.wall[k].post = tp_arena_take(arena, lines + 2, sizeof *made.wall[k].post);
+        made.wall[k].post = tp_arena_alloc(arena, lines + 2, sizeof *made.wall[k].post);
     if (glass)
         *glass = made;
     return glass;

@@ -21,7 +21,7 @@ void tp_stage_side(const tp_shade *shade, tp_run *run)
     tp_view_run(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++) {
         tp_ray  in = { -run->vx[i], -run->vy[i], -run->vz[i], 0 };
-        tp_beam beam;
+        tp_refracted_ray beam;
         tp_inside_places(shade, run, i, i + 1, &beam);
         beam.way = tp_inside_bent(shade->inside, 1, in, wall_normal(run->t[i]));
         run->colour[i] = tp_inside_trace(shade, &shade->inside->bed, &beam,

@@ -37,7 +37,7 @@ typedef struct {
 /* Half of a wall of glass, projected and clipped; 28.4 px. */
 typedef struct {
     int     count;
-    int32_t u[TP_CLIP_CORNERS], v[TP_CLIP_CORNERS];
+    int32_t u[TP_CLIP_VERTICES], v[TP_CLIP_VERTICES];
 } tp_pane;
 
 /* A wall of glass with the eye on its outer side. */

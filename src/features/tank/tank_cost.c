@@ -2,7 +2,7 @@
 /* Cost estimate of a tank's stone walls and of a pool's inner walls. */
 #include "base/base.h"
 #include "features/tank/tank.h"
-#include "scene/works.h"
+#include "scene/fixed_cost.h"
 
 static bool is_wall(const tp_site *w, int64_t x, int64_t z)
 {
@@ -73,7 +73,7 @@ static void work(tp_site *w)
     uint32_t quads = 0, strips = tp_work_bands(w->height - 1, TP_WORK_BAND);
 
     if (w->assets->pool_mask) {
-        w->works.of[TP_WORK_walled] = w->outlook->vertices;
+        w->works.of[TP_WORK_walled] = w->estimate->vertices;
         quads += 5 * count_blocks(w);
     }
     if (tp_has_tank(s))

@@ -39,7 +39,7 @@ bool tp_tank_is_glass(const tp_frame *frame, uint32_t face)
 {
     tp_rectangle r = tp_pool_sides(frame->scene);
     return frame->scene->tank.kind == TP_TANK_GLASS
-        && is_outside(&r, face, frame->lens.eye);
+           && is_outside(&r, face, frame->projection.eye);
 }
 
 /* -- drawing -------------------------------------------------------------------------- */
@@ -52,19 +52,20 @@ typedef struct {
 
 /* Target of quads: the G-buffer of a render view. */
 typedef struct {
-    const tp_sight   *sight;
-    const tp_samples *samples;
+    const tp_view   *view;
+    const tp_gbuffer *samples;
     uint32_t          mark;
 } target;
 
 static void draw_triangle(const target *to, const quad *q, int b, int c)
 {
     const int which[3] = { 0, b, c };
-    tp_view_corner in[3];
+    tp_view_vertex in[3];
 
     for (int k = 0; k < 3; k++)
-        in[k] = tp_clipped_corner(to->sight->lens, q->at[which[k]], q->n);
-    tp_clipped_draw(to->sight->lens, tp_sight_cut(to->sight), to->samples, in, to->mark, 0);
+        in[k] = tp_clipped_vertex(to->view->projection, q->at[which[k]], q->n);
+    tp_clipped_draw(to->view->projection, tp_view_clip_plane(to->view), to->samples, in,
+                    to->mark, 0);
 }
 
 static void draw_quad(const target *to, const quad *q)
@@ -120,8 +121,10 @@ static void draw_walls(const tp_frame *frame, const target *to)
     const tp_scene *scene = frame->scene;
     tp_rectangle in = tp_pool_sides(scene);
     tp_fx t = thickness(scene, &in);
-    tp_rectangle out = { tp_fx_held((int64_t)in.x0 - t), tp_fx_held((int64_t)in.x1 + t),
-                         tp_fx_held((int64_t)in.z0 - t), tp_fx_held((int64_t)in.z1 + t) };
+    tp_rectangle out = { tp_fx_saturate((int64_t)in.x0 - t),
+                         tp_fx_saturate((int64_t)in.x1 + t),
+                         tp_fx_saturate((int64_t)in.z0 - t),
+                         tp_fx_saturate((int64_t)in.z1 + t) };
 
     for (uint32_t face = 0; face < 4; face++) {
         if (tp_tank_is_glass(frame, face))
@@ -135,13 +138,13 @@ static void draw_walls(const tp_frame *frame, const target *to)
 
 /* Draws walls and blocks.  For an eye in the tank's water the span stages `deep` and
  * `below` show the walls by ray tests instead. */
-static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
-                 tp_samples *samples, uint32_t mark)
+static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
+                 tp_gbuffer *samples, uint32_t mark)
 {
     const tp_tank *tank = mine;
-    const target to = { sight, samples, mark };
+    const target to = { view, samples, mark };
 
-    if (!sight->walls)
+    if (!view->walls)
         return;
     samples->front_only = true;
     if (tp_frame_has_tank(frame) && !frame->under)
@@ -157,11 +160,11 @@ static void draw(const tp_frame *frame, const void *mine, const tp_sight *sight,
 }
 
 /* Widens the box to all pixels: walls may be anywhere in the view. */
-static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
+static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     const tp_tank *tank = mine;
 
-    if (sight->walls && (tank->blocks > 0 || tp_frame_has_tank(frame)))
+    if (view->walls && (tank->blocks > 0 || tp_frame_has_tank(frame)))
         *box = (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
 }
 
@@ -177,8 +180,8 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
 
 static tp_fx line(tp_fx centre, tp_fx cell, uint32_t i, uint32_t cells)
 {
-    return tp_fx_held(centre + ((int64_t)i - cells / 2) * cell
-                      - (cells & 1 ? cell / 2 : 0));
+    return tp_fx_saturate(centre + ((int64_t)i - cells / 2) * cell
+                          - (cells & 1 ? cell / 2 : 0));
 }
 
 /* Lengthens a block with the same x range that ends at r.z0 to r.z1.  Returns false if
@@ -245,10 +248,10 @@ bool tp_tank_enabled(const tp_want *want)
 
 static void *layout(tp_arena *arena, const tp_want *want)
 {
-    tp_tank *tank = tp_arena_take(arena, 1, sizeof *tank), made = { .block = NULL };
+    tp_tank *tank = tp_arena_alloc(arena, 1, sizeof *tank), made = { .block = NULL };
 
     if (tp_has_stone(want->scene))
-        made.block = tp_arena_take(arena, TP_BLOCKS, sizeof *made.block);
+        made.block = tp_arena_alloc(arena, TP_BLOCKS, sizeof *made.block);
     if (tank)
         *tank = made;
     return tank;

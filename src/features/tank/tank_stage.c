@@ -2,7 +2,7 @@
 /* Span stage of the stone of a tank and of a pool's inner walls. */
 #include "features/tank/tank.h"
 #include "shade/beam.h"
-#include "shade/coat.h"
+#include "shade/wall_material.h"
 
 /* Shades stone.  The texture is projected along the largest component of the normal:
  * on x y, z y or x z. */
@@ -11,12 +11,13 @@ void tp_stage_wall(const tp_shade *shade, tp_run *run)
     for (int32_t i = 0; i < run->count; i++) {
         tp_packed_dir n = run->n[i];
         int32_t x = tp_abs(tp_dir_x(n)), y = tp_abs(tp_dir_y(n)), z = tp_abs(tp_dir_z(n));
-        tp_beam beam;
+        tp_refracted_ray beam;
         tp_inside_places(shade, run, i, i + 1, &beam);
         tp_fx s = x > y && x > z ? beam.at.z : beam.at.x;
         tp_fx t = y >= x && y >= z ? beam.at.z : -beam.at.y;
-        uint32_t colour = tp_coat_sample(&shade->inside->wall, s, t, beam.far, false);
-        run->colour[i] = tp_coat_lit(shade, colour, n);
+        uint32_t colour =
+            tp_wall_material_sample(&shade->inside->wall, s, t, beam.far, false);
+        run->colour[i] = tp_wall_material_light(shade, colour, n);
     }
 }
 

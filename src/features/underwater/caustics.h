@@ -8,7 +8,7 @@
 /* A surface vertex (x, z) and the place of its light on the floor; map cells, Q8. */
 typedef struct {
     int32_t x, z, lit_x, lit_z;
-} tp_caustic_corner;
+} tp_caustic_vertex;
 
 /* Horizontal metres travelled by sunlight per metre of depth, 16.16. */
 typedef struct {
@@ -18,7 +18,7 @@ typedef struct {
 typedef struct {
     tp_caustic         look;    /* data for the shading */
     uint16_t          *light;   /* cells x cells */
-    tp_caustic_corner *row;     /* two rows of cells + 1 vertices */
+    tp_caustic_vertex *row;     /* two rows of cells + 1 vertices */
     tp_rectangle       place;
     tp_fall            still;   /* through still water */
 } tp_caustics;

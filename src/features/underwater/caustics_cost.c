@@ -2,7 +2,7 @@
 /* Cost estimate of caustics: each cell of the map, over a tank's floor or the sea floor. */
 #include "features/underwater/caustics.h"
 #include "scene/sides.h"
-#include "scene/works.h"
+#include "scene/fixed_cost.h"
 
 static void work(tp_site *w)
 {

@@ -22,7 +22,7 @@ static tp_fx snapped(tp_fx eye, int32_t behind, tp_fx size, int32_t cells)
 {
     tp_fx   cell = size / cells > 0 ? size / cells : 1;
     int64_t corner = (int64_t)eye - size / 2 - ((int64_t)behind * (size / 5 * 2) >> 30);
-    return tp_fx_held(corner / cell * cell);
+    return tp_fx_saturate(corner / cell * cell);
 }
 
 static tp_rectangle caustic_rectangle(const tp_frame *frame, int32_t cells)
@@ -32,10 +32,10 @@ static tp_rectangle caustic_rectangle(const tp_frame *frame, int32_t cells)
 
     if (scene->pool.cols > 0)
         return tp_pool_sides(scene);
-    tp_fx x = snapped(frame->lens.eye.x, frame->lens.turn.z.x, size, cells);
-    tp_fx z = snapped(frame->lens.eye.z, frame->lens.turn.z.z, size, cells);
-    return (tp_rectangle){ x, tp_fx_held((int64_t)x + size), z,
-                           tp_fx_held((int64_t)z + size) };
+    tp_fx x = snapped(frame->projection.eye.x, frame->projection.turn.z.x, size, cells);
+    tp_fx z = snapped(frame->projection.eye.z, frame->projection.turn.z.z, size, cells);
+    return (tp_rectangle){ x, tp_fx_saturate((int64_t)x + size), z,
+                           tp_fx_saturate((int64_t)z + size) };
 }
 
 static tp_fx sample_depth(const tp_frame *frame, tp_fx x, tp_fx z)
@@ -92,13 +92,13 @@ static tp_sea_point surface_point(const tp_surface *s, tp_fx x, tp_fx z)
  * over a pool of 0.16 m are 2^27 per metre. */
 static int32_t in_cells(int64_t metres, uint32_t per_metre)
 {
-    int64_t cells = tp_limit(metres, (int64_t)1 << 30) * (int64_t)per_metre >> 24;
-    return (int32_t)tp_limit(cells, (int64_t)1 << 28);
+    int64_t cells = tp_clamp_abs(metres, (int64_t)1 << 30) * (int64_t)per_metre >> 24;
+    return (int32_t)tp_clamp_abs(cells, (int64_t)1 << 28);
 }
 
 /* Traces vertex (i, j): its place over the map, and the place of its light. */
 static void trace(const tp_frame *frame, const tp_caustics *map, const tp_surface *surface,
-                  uint32_t i, uint32_t j, tp_caustic_corner *to)
+                  uint32_t i, uint32_t j, tp_caustic_vertex *to)
 {
     const tp_caustic *c = &map->look;
     const tp_rectangle r = map->place;
@@ -150,13 +150,13 @@ static void deal(uint16_t *light, uint32_t cells, int32_t x, int32_t z, int32_t 
 
 /* Distributes the light of the cell between two rows of vertices.  Its light is its
  * horizontal area, half of the cross product of its diagonals: 256 at rest. */
-static void deal_cell(uint16_t *light, uint32_t cells, const tp_caustic_corner *a,
-                      const tp_caustic_corner *c)
+static void deal_cell(uint16_t *light, uint32_t cells, const tp_caustic_vertex *a,
+                      const tp_caustic_vertex *c)
 {
-    const tp_caustic_corner *b = a + 1, *d = c + 1;
+    const tp_caustic_vertex *b = a + 1, *d = c + 1;
     int64_t area = ((int64_t)d->x - a->x) * ((int64_t)c->z - b->z)
                  - ((int64_t)d->z - a->z) * ((int64_t)c->x - b->x);
-    int32_t share = (int32_t)tp_limit(area > 0 ? area >> 9 : 0, 2048), left = share;
+    int32_t share = (int32_t)tp_clamp_abs(area > 0 ? area >> 9 : 0, 2048), left = share;
 
     for (int k = 0; k < 4; k++) {
         int32_t s = k & 1 ? 3 : 1, t = k & 2 ? 3 : 1, part = k < 3 ? share / 4 : left;
@@ -177,8 +177,8 @@ static void make(const tp_frame *frame, tp_caustics *map)
 
     memset(map->light, 0, (size_t)n * n * sizeof *map->light);
     for (uint32_t j = 0; j <= n; j++) {
-        tp_caustic_corner *here = map->row + (j & 1) * (n + 1);
-        const tp_caustic_corner *last = map->row + (~j & 1) * (n + 1);
+        tp_caustic_vertex *here = map->row + (j & 1) * (n + 1);
+        const tp_caustic_vertex *last = map->row + (~j & 1) * (n + 1);
         for (uint32_t i = 0; i <= n; i++)
             trace(frame, map, &surface, i, j, &here[i]);
         for (uint32_t i = 0; j > 0 && i < n; i++)
@@ -192,7 +192,8 @@ static void begin(tp_frame *frame, void *mine)
     tp_caustics *map = mine;
     uint32_t cells = map->look.cells;
     tp_rectangle r = caustic_rectangle(frame, (int32_t)cells);
-    tp_fx   wide = tp_fx_held((int64_t)r.x1 - r.x0), deep = tp_fx_held((int64_t)r.z1 - r.z0);
+    tp_fx wide = tp_fx_saturate((int64_t)r.x1 - r.x0),
+          deep = tp_fx_saturate((int64_t)r.z1 - r.z0);
     tp_fx   depth = sample_depth(frame, r.x0 / 2 + r.x1 / 2, r.z0 / 2 + r.z1 / 2);
     tp_fall still = refract_light(&frame->shade, 0, 0);
 
@@ -226,9 +227,9 @@ bool tp_caustics_enabled(const tp_want *want)
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     const size_t cells = (size_t)want->scene->water.caustic_cells;
-    tp_caustics *map = tp_arena_take(arena, 1, sizeof *map);
-    uint16_t *light = tp_arena_take(arena, cells * cells, sizeof *light);
-    tp_caustic_corner *row = tp_arena_take(arena, 2 * (cells + 1), sizeof *row);
+    tp_caustics *map = tp_arena_alloc(arena, 1, sizeof *map);
+    uint16_t *light = tp_arena_alloc(arena, cells * cells, sizeof *light);
+    tp_caustic_vertex *row = tp_arena_alloc(arena, 2 * (cells + 1), sizeof *row);
 
     TP_ASSERT(cells > 0);
     if (map)

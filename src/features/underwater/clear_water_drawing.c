@@ -25,7 +25,7 @@ static void count(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     (void)want;
-    return tp_arena_take(arena, 1, sizeof(tp_clear_water));
+    return tp_arena_alloc(arena, 1, sizeof(tp_clear_water));
 }
 
 /* Clears the map.  The refraction module, if on, draws its map later. */

@@ -36,7 +36,8 @@ TP_ALWAYS_INLINE void facets(const tp_run *run, int32_t i, int32_t stop, int rip
 
 /* Computes the refracted rays of samples [i, stop) for one channel. */
 TP_ALWAYS_INLINE void bend(const tp_shade *shade, const tp_run *run, int32_t i,
-                           int32_t stop, const facet *at, int channel, tp_beam *beam)
+                           int32_t stop, const facet *at, int channel,
+                           tp_refracted_ray *beam)
 {
     for (; i < stop; i++, at++, beam++) {
         tp_ray n = { at->x, at->y, at->z, 0 };
@@ -63,8 +64,8 @@ static uint32_t with_sunken(const tp_shade *shade, const tp_half *half, const tp
     int      shift = tp_clz(far);
     int64_t  each = tp_recip_rough(far << shift);       /* 2^46 / m / 2^shift */
     int64_t  focal = shade->focal;
-    int32_t  u = (int32_t)tp_limit((across * focal >> 4) * each >> (64 - shift), 64);
-    int32_t  v = (int32_t)tp_limit((along * focal >> 4) * each >> (64 - shift), 64);
+    int32_t  u = (int32_t)tp_clamp_abs((across * focal >> 4) * each >> (64 - shift), 64);
+    int32_t  v = (int32_t)tp_clamp_abs((along * focal >> 4) * each >> (64 - shift), 64);
     int32_t  x = (run->x + i) / 2 - u, y = run->y / 2 + v;
 
     uint32_t over = tp_half_pixel(half, x, y);
@@ -76,7 +77,7 @@ static uint32_t with_sunken(const tp_shade *shade, const tp_half *half, const tp
  * and the floor between the ends is looked up for green.  Red and blue rays end some
  * millimetres aside per metre of depth, where the floor is the same plane. */
 static void parted(const tp_shade *shade, const tp_run *run, int32_t i, int32_t stop,
-                   const facet *surface, const tp_bed ends[2], tp_beam *beam,
+                   const facet *surface, const tp_bed ends[2], tp_refracted_ray *beam,
                    const uint32_t *body, uint32_t *seen)
 {
     const int32_t count = stop - i;
@@ -97,7 +98,7 @@ TP_ALWAYS_INLINE void behind(const tp_shade *shade, tp_run *run, int rippled,
 {
     const tp_clear_water *clear = run->mine;
     uint32_t body[TP_INSIDE_ROW];
-    tp_beam  beam[TP_INSIDE_ROW];
+    tp_refracted_ray  beam[TP_INSIDE_ROW];
     facet    surface[TP_INSIDE_ROW];
     tp_bed   ends[2];
 

@@ -15,15 +15,15 @@ typedef struct {
 
 /* Returns the projection that scales heights over the level by ETA, by its rows: (S p -
  * eye).r = (p - S^-1 eye).(S r). */
-static tp_lens sunken_lens(const tp_lens *lens, tp_fx level)
+static tp_projection refraction_projection(const tp_projection *projection, tp_fx level)
 {
-    tp_lens to = *lens;
-    int64_t up = (int64_t)(lens->eye.y - level) * TP_Q30_ONE / ETA;
+    tp_projection to = *projection;
+    int64_t up = (int64_t)(projection->eye.y - level) * TP_Q30_ONE / ETA;
 
-    to.eye.y = tp_fx_held(level + up);
-    to.right.y = tp_q30_mul(lens->right.y, ETA);
-    to.up.y = tp_q30_mul(lens->up.y, ETA);
-    to.ahead.y = tp_q30_mul(lens->ahead.y, ETA);
+    to.eye.y = tp_fx_saturate(level + up);
+    to.right.y = tp_q30_mul(projection->right.y, ETA);
+    to.up.y = tp_q30_mul(projection->up.y, ETA);
+    to.ahead.y = tp_q30_mul(projection->ahead.y, ETA);
     return to;
 }
 
@@ -40,15 +40,16 @@ static tp_fx path_per_depth(const tp_frame *frame, int32_t x, int32_t y)
 }
 
 /* Applies absorption to each colour of a row, by the sample's depth under the level. */
-static void absorb_row(const tp_frame *frame, const tp_lens *lens, tp_fx height,
-                       const tp_samples *band, int32_t y, uint32_t *to)
+static void absorb_row(const tp_frame *frame, const tp_projection *projection, tp_fx height,
+                       const tp_gbuffer *band, int32_t y, uint32_t *to)
 {
     const uint32_t *key = band->key + (size_t)(uint32_t)(y - band->y0) * band->stride;
     const uint32_t deep = (uint32_t)frame->scene->water.deep;
-    const int64_t v = tp_over_focal(&frame->shade, lens->v0 - 16 * y - 8);
-    const int64_t middle = -((lens->ahead.y >> 14) + (v * (lens->turn.y.y >> 14) >> 16));
-    const int64_t aside = -(lens->turn.x.y >> 14)               /* per 1/16 px */
-                        * (int64_t)frame->shade.per_focal;
+    const int64_t v = tp_over_focal(&frame->shade, projection->v0 - 16 * y - 8);
+    const int64_t middle =
+        -((projection->ahead.y >> 14) + (v * (projection->turn.y.y >> 14) >> 16));
+    const int64_t aside = -(projection->turn.x.y >> 14) /* per 1/16 px */
+                          * (int64_t)frame->shade.per_focal;
     tp_fx way = path_per_depth(frame, band->x0, y);
 
     for (int32_t x = band->x0; x < band->x1; x++, key++, to++) {
@@ -56,29 +57,29 @@ static void absorb_row(const tp_frame *frame, const tp_lens *lens, tp_fx height,
             way = path_per_depth(frame, x + 8, y);
         if (*to == 0)
             continue;
-        int64_t z = tp_depth_from_zi(lens->zi_near, tp_key_zi(*key));
-        int64_t fall = middle + ((16 * x + 8 - lens->u0) * aside >> 32);
-        tp_fx   depth = tp_fx_held((fall * z >> 16) - height);
+        int64_t z = tp_depth_from_zi(projection->zi_near, tp_key_zi(*key));
+        int64_t fall = middle + ((16 * x + 8 - projection->u0) * aside >> 32);
+        tp_fx   depth = tp_fx_saturate((fall * z >> 16) - height);
         *to = tp_absorb_apply(&frame->shade.inside->absorb, *to & 0xffffff, deep,
                            tp_fx_mul(depth > 0 ? depth : 0, way)) | 0xff000000u;
     }
 }
 
-static void draw_refraction_map(tp_frame *frame, const refraction *r, const tp_sight *sight,
-                       const tp_lens *lens, tp_fx height)
+static void draw_refraction_map(tp_frame *frame, const refraction *r, const tp_view *view,
+                                const tp_projection *projection, tp_fx height)
 {
     const tp_planar_store *store = &r->store;
     const tp_half *half = &r->half;
     uint32_t wide = (uint32_t)(half->x1 - half->x0);
 
     for (int32_t y0 = half->y0; y0 < half->y1; y0 += TP_PLANAR_BAND) {
-        tp_samples band = tp_planar_samples(store, half, y0);
-        tp_samples_clear(&band);
-        tp_sight_draw(frame, sight, &band);
+        tp_gbuffer band = tp_planar_gbuffer(store, half, y0);
+        tp_gbuffer_clear(&band);
+        tp_view_draw(frame, view, &band);
         for (int32_t y = y0; y < band.y1; y++) {
             uint32_t *to = store->colour + (uint32_t)(y - half->y0) * wide;
             tp_frame_colour_row(frame, &band, y, to);
-            absorb_row(frame, lens, height, &band, y, to);
+            absorb_row(frame, projection, height, &band, y, to);
         }
     }
 }
@@ -87,21 +88,21 @@ static void look(tp_frame *frame, void *mine)
 {
     refraction *r = mine;
     tp_clear_water *clear = tp_frame_part(frame, TP_CLEAR_WATER_ID);
-    tp_fx    level = tp_sight_level(frame);
+    tp_fx    level = tp_view_water_level(frame);
     tp_half *half = &r->half;
 
     half->colour = NULL;
-    if (!clear || !tp_sight_is_above_level(frame, level))
+    if (!clear || !tp_view_is_above_level(frame, level))
         return;
-    const tp_lens lens = tp_lens_halved(&frame->lens);
-    const tp_lens bent = sunken_lens(&lens, level);
-    tp_sight sight = { .lens = &bent, .cut = true,
-                       .level = tp_lens_level(&lens, level, -1) };
-    tp_sight_begin(frame, &sight);
-    tp_grid_box box = tp_sight_place(frame, &sight);
+    const tp_projection projection = tp_projection_halve(&frame->projection);
+    const tp_projection bent = refraction_projection(&projection, level);
+    tp_view view = { .projection = &bent, .cut = true,
+                       .level = tp_projection_level_plane(&projection, level, -1) };
+    tp_view_begin(frame, &view);
+    tp_grid_box box = tp_view_place(frame, &view);
     if (!tp_planar_begin(&r->store, &box, half))
         return;
-    draw_refraction_map(frame, r, &sight, &lens, frame->lens.eye.y - level);
+    draw_refraction_map(frame, r, &view, &projection, frame->projection.eye.y - level);
     clear->sunken = half;
 }
 
@@ -115,7 +116,7 @@ bool tp_refraction_enabled(const tp_want *want)
 
 static void *layout(tp_arena *arena, const tp_want *want)
 {
-    refraction *r = tp_arena_take(arena, 1, sizeof *r), made = { .half.colour = NULL };
+    refraction *r = tp_arena_alloc(arena, 1, sizeof *r), made = { .half.colour = NULL };
 
     tp_planar_layout(&made.store, arena, want, 1);
     if (r)

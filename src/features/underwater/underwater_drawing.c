@@ -15,17 +15,17 @@ enum { BELOW, BELOW_RIPPLED, DEEP, ABSORB };
 
 /* Returns a wall material.  For the ground the mipmap level includes the slant of the
  * view, with the eye's height plus 1 m, because water lies over the ground. */
-static tp_coat make_coat(const tp_frame *frame, const tp_texture *texture, tp_fx size,
-                         int32_t colour, bool ground)
+static tp_wall_material make_coat(const tp_frame *frame, const tp_texture *texture,
+                                  tp_fx size, int32_t colour, bool ground)
 {
-    tp_coat coat = { .texture = texture, .colour = (uint32_t)colour };
+    tp_wall_material coat = { .texture = texture, .colour = (uint32_t)colour };
 
     if (!texture)
         return coat;
     tp_fx texels = tp_fx_div(TP_FX_ONE << texture->log2_w, size);
     coat.per_metre = tp_frame_repeats(size);
     coat.lod = tp_frame_lod(frame, texels, false);
-    tp_fx height = tp_abs(tp_clamp(frame->lens.eye.y, -TP_FX_MAX, TP_FX_MAX));
+    tp_fx height = tp_abs(tp_clamp(frame->projection.eye.y, -TP_FX_MAX, TP_FX_MAX));
     if (ground)
         coat.lod -= (tp_log2_q8((uint32_t)height + TP_FX_ONE) - 16 * 256) / 2;
     return coat;
@@ -83,7 +83,7 @@ static void set_box(const tp_frame *frame, tp_inside *in)
 /* True if the eye is under the surface, and inside the tank if there is a tank. */
 static bool is_eye_submerged(const tp_frame *frame)
 {
-    tp_vec3 eye = frame->lens.eye;
+    tp_vec3 eye = frame->projection.eye;
     tp_rectangle r = tp_pool_sides(frame->scene);
 
     if (eye.y >= tp_surface_height(&frame->surface))
@@ -118,17 +118,17 @@ static void begin(tp_frame *frame, void *mine)
     in->deep = (uint32_t)scene->water.deep;
     set_indices(in, scene->water.dispersion);
     set_sun(&frame->shade, in);
-    tp_inside_view(in, &frame->shade, frame->lens.zi_near);
+    tp_inside_view(in, &frame->shade, frame->projection.zi_near);
     set_box(frame, in);
 }
 
 /* Sets the view's axes for the stage of walls: walls are drawn in every render view, and
  * their stage finds places by the axes. */
-static void place(tp_frame *frame, void *mine, tp_sight *sight, tp_grid_box *box)
+static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
-    (void)sight, (void)box;
+    (void)view, (void)box;
     if (tp_frame_has_module(frame, TP_MODULE_WALLS))
-        tp_inside_view(mine, &frame->shade, frame->lens.zi_near);
+        tp_inside_view(mine, &frame->shade, frame->projection.zi_near);
 }
 
 /* -- shader lists -------------------------------------------------------------------- */
@@ -159,7 +159,7 @@ bool tp_underwater_enabled(const tp_want *want)
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     (void)want;
-    return tp_arena_take(arena, 1, sizeof(tp_inside));
+    return tp_arena_alloc(arena, 1, sizeof(tp_inside));
 }
 
 static void init(tp_frame *frame, void *mine)

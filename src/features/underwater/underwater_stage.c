@@ -21,7 +21,7 @@ static tp_fx along(const tp_shade *shade, tp_ray way, tp_fx depth)
                        + (int64_t)back.z * way.z) >> 30;
     uint32_t n = (uint32_t)tp_clamp((int32_t)cosine, 1024, 16384) << 17;
     int      shift = tp_clz(n);
-    return tp_fx_held((int64_t)((uint64_t)(uint32_t)depth * tp_recip_norm(n << shift)
+    return tp_fx_saturate((int64_t)((uint64_t)(uint32_t)depth * tp_recip_norm(n << shift)
                                 >> (32 - shift)));
 }
 
@@ -31,7 +31,7 @@ TP_ALWAYS_INLINE void below(const tp_shade *shade, tp_run *run, int rippled)
 
     for (int32_t i = 0; i < run->count; i++) {
         tp_ray  n = tp_slope_run_normal(run, i, rippled);
-        tp_beam beam;
+        tp_refracted_ray beam;
         tp_inside_places(shade, run, i, i + 1, &beam);
         beam.way = view_direction(run, i);
         tp_bed  bed = tp_inside_bed(shade, &beam);
@@ -56,7 +56,7 @@ void tp_stage_deep(const tp_shade *shade, tp_run *run)
 {
     tp_view_run(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++) {
-        tp_beam beam = { shade->eye, view_direction(run, i), 0 };
+        tp_refracted_ray beam = { shade->eye, view_direction(run, i), 0 };
         tp_bed  bed = tp_inside_bed(shade, &beam);
         run->colour[i] = tp_inside_trace(shade, &bed, &beam, shade->inside->deep);
     }
@@ -68,7 +68,7 @@ void tp_stage_absorb(const tp_shade *shade, tp_run *run)
 
     tp_view_run(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++) {
-        tp_beam beam;
+        tp_refracted_ray beam;
         tp_inside_places(shade, run, i, i + 1, &beam);
         run->colour[i] = tp_absorb_apply(&in->absorb, run->colour[i], in->deep,
                                          along(shade, view_direction(run, i), beam.far));

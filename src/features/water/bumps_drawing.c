@@ -21,11 +21,11 @@ static uint32_t padded_cell_count(const tp_scene_pool *pool)
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     const tp_scene_pool *pool[] = { &want->scene->pool, &want->scene->field };
-    bumps *b = tp_arena_take(arena, 1, sizeof *b), made = { .cells = { 0 } };
+    bumps *b = tp_arena_alloc(arena, 1, sizeof *b), made = { .cells = { 0 } };
 
     for (int k = 0; k < TP_POOL_BUMPS; k++) {
         made.cells[k] = padded_cell_count(pool[k]);
-        made.slope[k] = tp_arena_take(arena, made.cells[k], sizeof *made.slope[k]);
+        made.slope[k] = tp_arena_alloc(arena, made.cells[k], sizeof *made.slope[k]);
     }
     if (b)
         *b = made;

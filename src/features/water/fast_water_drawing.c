@@ -65,7 +65,7 @@ static void begin(tp_frame *frame, void *mine)
 
 static void *layout(tp_arena *arena, const tp_want *want)
 {
-    tp_fast_water *fast = tp_arena_take(arena, 1, sizeof *fast);
+    tp_fast_water *fast = tp_arena_alloc(arena, 1, sizeof *fast);
     void *counted[TP_PREPARED];
 
     tp_quick_layout_pictures(fast ? fast->memory : counted, arena, want->assets);

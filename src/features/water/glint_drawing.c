@@ -5,7 +5,7 @@
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     (void)want;
-    return tp_arena_take(arena, TP_SHINE + 1, sizeof(tp_entry16));
+    return tp_arena_alloc(arena, TP_SHINE + 1, sizeof(tp_entry16));
 }
 
 static void begin(tp_frame *frame, void *mine)

@@ -8,7 +8,7 @@
 static void *layout_base(tp_arena *arena, const tp_want *want)
 {
     (void)want;
-    return tp_arena_take(arena, 1, sizeof(tp_base_layer));
+    return tp_arena_alloc(arena, 1, sizeof(tp_base_layer));
 }
 
 /* Sets the base layer; its colour and the water's colour are multiplied into one. */
@@ -58,7 +58,7 @@ const tp_drawing tp_base_layer_drawing = {
 static void *layout_layers(tp_arena *arena, const tp_want *want)
 {
     (void)want;
-    return tp_arena_take(arena, 1, sizeof(tp_layers));
+    return tp_arena_alloc(arena, 1, sizeof(tp_layers));
 }
 
 static void begin_layer(const tp_frame *frame, tp_layers *layers, int k)

@@ -25,7 +25,7 @@ void tp_quick_layout_pictures(void *memory[TP_PREPARED], tp_arena *arena,
     for (int i = 0; i < TP_PREPARED; i++) {
         const tp_texture *source = source_texture(assets, i);
         const bool made_here = source && !baked_texture(assets, i);
-        memory[i] = made_here ? tp_arena_take(arena, 1, tp_quick_bytes(source)) : NULL;
+        memory[i] = made_here ? tp_arena_alloc(arena, 1, tp_quick_bytes(source)) : NULL;
     }
 }
 

@@ -6,7 +6,7 @@
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     (void)want;
-    return tp_arena_take(arena, 1, sizeof(tp_ripple));
+    return tp_arena_alloc(arena, 1, sizeof(tp_ripple));
 }
 
 static void begin(tp_frame *frame, void *mine)

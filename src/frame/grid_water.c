@@ -1,0 +1,260 @@
+/* SPDX-License-Identifier: MIT */
+/* The water's cells as triangles. */
+#include "frame/frame.h"
+#include "frame/tools.h"
+#include "geom/waters.h"
+
+static tp_screen_vertex make_corner(const tp_grid *grid, const tp_grid_window *window,
+                                    uint32_t i, uint32_t j)
+{
+    const tp_grid_vertex *vertex = &window->line[j & 1][i];
+    return (tp_screen_vertex){
+        .u = vertex->u, .v = vertex->v, .zi = vertex->zi,
+        .s = grid->column[i].place, .t = grid->row[j].place,
+        .n = { vertex->slope_x, vertex->slope_z, 0 },
+    };
+}
+
+/* Vertex order of a cell: (i, j), (i+1, j), (i+1, j+1), (i, j+1).  Both triangles are
+ * front faces when seen from above. */
+static const uint8_t halves[2][3] = { { 0, 3, 2 }, { 0, 2, 1 } };
+
+static bool is_cut(const tp_screen_vertex *const p[4])
+{
+    return p[0]->u == TP_GRID_CUT || p[1]->u == TP_GRID_CUT
+        || p[2]->u == TP_GRID_CUT || p[3]->u == TP_GRID_CUT;
+}
+
+static void view_cell(const tp_frame *frame, const tp_grid_window *window, uint32_t i,
+                      uint32_t j, tp_view_vertex c[4])
+{
+    for (uint32_t k = 0; k < 4; k++) {
+        uint32_t x = i + (k == 1 || k == 2), y = j + k / 2;
+        c[k] = tp_grid_place_vertex(frame->parts.grid, &window->line[y & 1][x], x, y);
+    }
+}
+
+/* Clips one triangle of a cell by the frustum; returns the number of vertices left. */
+static int cut_half(const tp_frame *frame, const tp_view_vertex c[4], int half,
+                    tp_screen_vertex to[TP_CLIP_VERTICES])
+{
+    const uint8_t *k = halves[half];
+    const tp_view_vertex in[3] = { c[k[0]], c[k[1]], c[k[2]] };
+
+    return tp_clipped_corners(&frame->projection, NULL, in, to);
+}
+
+static void draw_cell(const tp_frame *frame, const tp_gbuffer *tile,
+                      const tp_grid_window *window, const tp_screen_vertex *const p[4],
+                      uint32_t i, uint32_t j)
+{
+    if (!is_cut(p)) {
+        tp_tri_water(tile, p[0], p[3], p[2]);
+        tp_tri_water(tile, p[0], p[2], p[1]);
+        return;
+    }
+    tp_view_vertex c[4];
+    tp_screen_vertex corner[TP_CLIP_VERTICES];
+    view_cell(frame, window, i, j, c);
+    for (int half = 0; half < 2; half++) {
+        int count = cut_half(frame, c, half, corner);
+        for (int k = 2; k < count; k++)
+            tp_tri_water(tile, &corner[0], &corner[k - 1], &corner[k]);
+    }
+}
+
+/* Draws cells first to end - 1; the right side of a cell is the left side of the next
+ * cell. */
+void tp_frame_draw_cells(const tp_frame *frame, const tp_gbuffer *tile,
+                         tp_grid_window *window, uint32_t j, uint32_t first, uint32_t end)
+{
+    TP_ASSERT(first < end && end < frame->parts.grid->cols);
+    TP_ASSERT(j + 1 < frame->parts.grid->rows);
+    const tp_grid *grid = frame->parts.grid;
+
+    tp_grid_see(grid, window, j, first, end + 1);
+    tp_grid_see(grid, window, j + 1, first, end + 1);
+    tp_screen_vertex side[2][2] = { { make_corner(grid, window, first, j),
+                                      make_corner(grid, window, first, j + 1) } };
+    int left = 0;
+
+    for (uint32_t i = first; i < end; i++) {
+        bool dry = tp_grid_cell_is_dry(grid, i, j);
+        int right = 1 - left;
+        side[right][0] = make_corner(grid, window, i + 1, j);
+        side[right][1] = make_corner(grid, window, i + 1, j + 1);
+        const tp_screen_vertex *const p[4] = { &side[left][0], &side[right][0],
+                                               &side[right][1], &side[left][1] };
+        if (!dry)
+            draw_cell(frame, tile, window, p, i, j);
+        left = right;
+    }
+}
+
+/* Returns the cells of block b, without cells out of view. */
+static tp_grid_span block_span(tp_grid_span span, uint32_t b)
+{
+    uint32_t first = b * TP_GRID_BLOCK, end = first + TP_GRID_BLOCK;
+
+    first = first > span.first ? first : span.first;
+    end = end < span.end ? end : span.end;
+    return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
+}
+
+/* -- placement ----------------------------------------------------------------------- */
+
+static void widen_by_cut(const tp_frame *frame, tp_grid_box *box, uint32_t i, uint32_t j)
+{
+    tp_view_vertex c[4];
+    tp_screen_vertex corner[TP_CLIP_VERTICES];
+
+    view_cell(frame, &frame->parts.grid->window, i, j, c);
+    for (int half = 0; half < 2; half++)
+        for (int k = cut_half(frame, c, half, corner) - 1; k >= 0; k--)
+            tp_box_widen(box, corner[k].u, corner[k].v);
+}
+
+tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint32_t end)
+{
+    TP_ASSERT(end < frame->parts.grid->cols && j + 1 < frame->parts.grid->rows);
+    tp_grid *grid = frame->parts.grid;
+    tp_grid_window *window = &grid->window;
+    tp_grid_box box = TP_BOX_NONE;
+
+    tp_grid_see(grid, window, j, first, end + 1);
+    tp_grid_see(grid, window, j + 1, first, end + 1);
+    for (uint32_t i = first; i < end; i++) {
+        const tp_screen_vertex c[4] = { make_corner(grid, window, i, j),
+                                        make_corner(grid, window, i + 1, j),
+                                        make_corner(grid, window, i + 1, j + 1),
+                                        make_corner(grid, window, i, j + 1) };
+        const tp_screen_vertex *const p[4] = { &c[0], &c[1], &c[2], &c[3] };
+        if (is_cut(p))
+            widen_by_cut(frame, &box, i, j);
+        else
+            for (int k = 0; k < 4; k++)
+                tp_box_widen(&box, c[k].u, c[k].v);
+    }
+    return box;
+}
+
+/* Replaces the unbounded boxes of blocks with clipped vertices by tight boxes.  One more
+ * clip of these cells pays if the picture has many tiles: each tile would clip them. */
+static void place_cut_boxes(tp_frame *frame, uint32_t j)
+{
+    const tp_grid *grid = frame->parts.grid;
+    tp_grid_span span = grid->span[j];
+
+    for (uint32_t b = span.first / TP_GRID_BLOCK; b * TP_GRID_BLOCK < span.end; b++) {
+        tp_grid_span cells = block_span(span, b);
+        tp_grid_box *box = &grid->box[(size_t)j * grid->blocks + b];
+        if (box->x0 == INT16_MIN)
+            *box = tp_frame_cells_box(frame, j, cells.first, cells.end);
+    }
+}
+
+void tp_frame_begin_water(tp_frame *frame)
+{
+    const tp_grid *grid = frame->parts.grid;
+
+    tp_grid_begin(frame->parts.grid, &frame->grid_view);
+    frame->cull_water = frame->projection.eye.y > tp_surface_height(&frame->surface);
+    for (uint32_t j = 0; j + 1 < grid->rows; j++)
+        frame->stats.triangles += 2u * (uint32_t)(grid->span[j].end - grid->span[j].first);
+}
+
+void tp_frame_place_line(tp_frame *frame, uint32_t j)
+{
+    const uint32_t before = frame->parts.grid->vertices;
+
+    tp_grid_place_row(frame->parts.grid, j);
+    frame->stats.vertices += frame->parts.grid->vertices - before;
+    if (j > 0 && (tp_frame_tiles(frame) > 1 || frame->visibility == TP_VISIBILITY_ROWS))
+        place_cut_boxes(frame, j - 1);
+}
+
+static void place_water(tp_frame *frame)
+{
+    tp_frame_begin_water(frame);
+    for (uint32_t j = 0; j < frame->parts.grid->rows; j++)
+        tp_frame_place_line(frame, j);
+}
+
+/* -- drawing ------------------------------------------------------------------------- */
+
+tp_grid_window tp_frame_window(const tp_frame *frame, void *memory)
+{
+    void *rows =
+        (uint8_t *)memory + tp_method_bytes(frame->program) * frame->config.tile_width;
+    return tp_grid_window_init(rows);
+}
+
+static void draw_blocks(const tp_frame *frame, const tp_gbuffer *tile,
+                        tp_grid_window *window, uint32_t j)
+{
+    const tp_grid *grid = frame->parts.grid;
+    const tp_grid_box *box = grid->box + (size_t)j * grid->blocks;
+    tp_grid_span span = grid->span[j];
+
+    for (uint32_t b = span.first / TP_GRID_BLOCK; b * TP_GRID_BLOCK < span.end; b++) {
+        tp_grid_span cells = block_span(span, b);
+        if (cells.first < cells.end && tp_view_touches(&box[b], tile))
+            tp_frame_draw_cells(frame, tile, window, j, cells.first, cells.end);
+    }
+}
+
+static void draw_water(const tp_frame *frame, tp_gbuffer *tile, void *memory)
+{
+    tp_grid_window window = tp_frame_window(frame, memory);
+
+    tile->front_only = frame->cull_water;
+    for (uint32_t j = 0; j + 1 < frame->parts.grid->rows; j++)
+        draw_blocks(frame, tile, &window, j);
+}
+
+
+/* Returns the grid; `counted` stands in if the arena only counts bytes. */
+static tp_grid *carve_grid(tp_frame_parts *parts, tp_arena *arena, tp_grid *counted)
+{
+    parts->grid = tp_arena_alloc(arena, 1, sizeof *parts->grid);
+    tp_grid *grid = parts->grid ? parts->grid : counted;
+    memset(grid, 0, sizeof *grid);
+    return grid;
+}
+
+static void carve_water(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
+                        const tp_scene *scene, const tp_config *config)
+{
+    tp_grid  counted;
+    tp_grid *grid = carve_grid(parts, arena, &counted);
+
+    (void)config;
+    tp_grid_carve(grid, arena, (uint32_t)scene->grid.cols, (uint32_t)scene->grid.rows);
+    if (tp_frame_is_coastal(program, scene))
+        program->water.ocean->carve(grid, arena);
+}
+
+static void carve_streamed(tp_frame_parts *parts, tp_arena *arena,
+                           const tp_program *program, const tp_scene *scene,
+                           const tp_config *config)
+{
+    uint32_t waves = 0;
+    tp_grid  counted;
+
+    if (!tp_frame_streams(program, scene)) {
+        carve_water(parts, arena, program, scene, config);
+        return;
+    }
+    for (int i = 0; i < TP_WAVES; i++)
+        waves += scene->wave[i].amplitude > 0;
+    tp_grid_carve_streamed(carve_grid(parts, arena, &counted), arena,
+                           (uint32_t)scene->grid.cols, (uint32_t)scene->grid.rows, waves);
+}
+
+const struct tp_method tp_method_streamed = {
+    .carve = carve_streamed, .place = place_water, .draw = draw_water, .streams = true,
+};
+
+const struct tp_method tp_method_triangles = {
+    .carve = carve_water, .place = place_water, .draw = draw_water,
+};

@@ -1,0 +1,320 @@
+/* SPDX-License-Identifier: MIT */
+/* Scanline water.  A tile walks the grid's lines from near to far and skips rows of cells
+ * below the tile, in the columns of the cells' boxes, until the tile is covered.  Rows
+ * clipped by the frustum within the picture's columns, few and at its lower edge, are
+ * drawn as triangles. */
+#include "frame/scanline_grid.h"
+
+typedef struct {
+    const tp_frame *frame;
+    tp_grid_window  window;
+    tp_rows  rows;
+    int32_t  x0, x1;            /* columns of the current row of cells; empty: x0 >= x1 */
+} walk;
+
+static void draw_cells(walk *w, uint32_t k, uint32_t first, uint32_t end)
+{
+    const tp_gbuffer *tile = w->rows.tile;
+
+    if (!w->frame->parts.lines->upright) {
+        tp_frame_draw_cells(w->frame, tile, &w->window, k, first, end);
+        return;
+    }
+    for (uint32_t m = first; m < end; m++)
+        tp_frame_draw_cells(w->frame, tile, &w->window, m, k, k + 1);
+}
+
+enum { GAP, JOIN, ON };
+
+static bool is_beside(const tp_grid_box *box, int32_t x0, int32_t x1)
+{
+    return box->x0 >= x1 || box->x1 < x0;
+}
+
+static const tp_grid_box *row_boxes(const tp_frame *frame, uint32_t k)
+{
+    return frame->parts.lines->box + (size_t)k * frame->parts.lines->blocks;
+}
+
+/* Returns the tile's columns where row k does not lie below the tile. */
+static void find_columns(const walk *w, uint32_t k, int32_t *x0, int32_t *x1)
+{
+    const tp_gbuffer *tile = w->rows.tile;
+    const tp_frame_line *line = &w->frame->parts.lines->line[k];
+    const tp_grid_box *box = row_boxes(w->frame, k);
+
+    *x0 = tile->x1;
+    *x1 = tile->x0;
+    if (is_beside(&line->box, tile->x0, tile->x1) || line->box.y0 >= tile->y1)
+        return;
+    for (uint32_t b = line->cells.first / TP_GRID_BLOCK;
+         b * TP_GRID_BLOCK < line->cells.end; b++) {
+        if (is_beside(&box[b], tile->x0, tile->x1) || box[b].y0 >= tile->y1)
+            continue;
+        *x0 = box[b].x0 < *x0 ? box[b].x0 : *x0;
+        *x1 = box[b].x1 >= *x1 ? box[b].x1 + 1 : *x1;
+    }
+    *x0 = *x0 > tile->x0 ? *x0 : tile->x0;
+    *x1 = *x1 < tile->x1 ? *x1 : tile->x1;
+}
+
+static void draw_triangles(walk *w, uint32_t k)
+{
+    const tp_frame_line *line = &w->frame->parts.lines->line[k];
+    const tp_grid_box *box = row_boxes(w->frame, k);
+
+    for (uint32_t b = line->cells.first / TP_GRID_BLOCK;
+         b * TP_GRID_BLOCK < line->cells.end; b++) {
+        tp_grid_span cells = tp_line_block_cells(line, b);
+        if (cells.first < cells.end && tp_view_touches(&box[b], w->rows.tile))
+            draw_cells(w, k, cells.first, cells.end);
+    }
+}
+
+static void lay(walk *w, const tp_row_point *run, uint32_t count, int how)
+{
+    if (how == ON)
+        tp_rows_line(&w->rows, run, count);
+    else
+        tp_rows_start(&w->rows, run, count, how == JOIN);
+}
+
+/* True if segment m of line k has land on both sides. */
+static bool is_land(const tp_frame *frame, uint32_t k, uint32_t m)
+{
+    return frame->parts.grid->dry && (k == 0 || tp_line_is_dry(frame, k - 1, m))
+        && (k + 1 == frame->parts.lines->lines || tp_line_is_dry(frame, k, m));
+}
+
+static bool is_outside_tile(const walk *w, int32_t left, int32_t right)
+{
+    return left == TP_GRID_CUT || right == TP_GRID_CUT || right <= 16 * w->rows.x0
+        || left >= 16 * w->rows.x1;
+}
+
+/* Draws the segments of line k from left to right. */
+static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
+{
+    const tp_frame *frame = w->frame;
+    bool     back = frame->parts.lines->points_back, land = frame->parts.grid->dry != NULL;
+    int32_t  way = back ? -1 : 1, m = back ? part.end : part.first;
+    int32_t  left = tp_line_vertex(frame, &w->window, k, (uint32_t)m)->u;
+    tp_row_point run[TP_GRID_BLOCK + 1];
+    uint32_t count = 0;
+
+    for (int32_t n = part.end - part.first; n > 0; n--, m += way) {
+        int32_t from = left;
+        left = tp_line_vertex(frame, &w->window, k, (uint32_t)(m + way))->u;
+        bool out = is_outside_tile(w, from, left);
+        if (!out && land && is_land(frame, k, (uint32_t)(back ? m - 1 : m))) {
+            tp_rows_gap(&w->rows, from, left);
+            out = true;
+        }
+        if (out) {
+            lay(w, run, count, how);
+            count = 0;
+            continue;
+        }
+        if (count == 0)
+            run[count++] = tp_line_point(frame, &w->window, k, (uint32_t)m);
+        run[count++] = tp_line_point(frame, &w->window, k, (uint32_t)(m + way));
+    }
+    TP_ASSERT(count <= TP_GRID_BLOCK + 1);
+    lay(w, run, count, how);
+}
+
+static bool is_reached(const walk *w, tp_line_reach reach)
+{
+    return reach.x0 < w->rows.x1 && reach.x1 >= w->rows.x0;
+}
+
+/* Makes the window hold the walked part of line k, or all of the line. */
+static void see_line(walk *w, uint32_t k, bool whole)
+{
+    const tp_frame_lines *lines = w->frame->parts.lines;
+    const tp_line_reach *reach = &lines->reach[(size_t)k * lines->blocks];
+    tp_grid_span points = tp_line_points(w->frame, k);
+    uint32_t first = UINT32_MAX, end = 0;
+
+    for (uint32_t b = 0; b < lines->blocks; b++) {
+        tp_grid_span part = tp_line_block_segments(points, b);
+        if (part.first >= part.end || !(whole || is_reached(w, reach[b])))
+            continue;
+        first = part.first < first ? part.first : first;
+        end = part.end + 1u;
+    }
+    if (first < end && !lines->upright)
+        tp_grid_see(w->frame->parts.grid, &w->window, k, first, end);
+}
+
+static void lay_line(walk *w, uint32_t k, int how)
+{
+    const tp_frame_lines *lines = w->frame->parts.lines;
+    const tp_line_reach *reach = &w->frame->parts.lines->reach[(size_t)k * lines->blocks];
+    tp_grid_span points = tp_line_points(w->frame, k);
+
+    for (uint32_t n = 0; n < lines->blocks; n++) {
+        uint32_t b = lines->points_back ? lines->blocks - 1 - n : n;
+        if (is_reached(w, reach[b]))
+            lay_segments(w, k, tp_line_block_segments(points, b), how);
+    }
+}
+
+/* -- middle lines -------------------------------------------------------------------- */
+
+/* Middle of an edge on the screen; world coordinates are perspective-correct. */
+static tp_row_point edge_middle(const tp_row_point *a, const tp_row_point *b)
+{
+    uint32_t sum = (a->zi >> 1) + (b->zi >> 1) + 1;
+    int      shift = tp_clz(sum);
+    int32_t  share = (int32_t)((uint64_t)(a->zi >> 1) * tp_recip_norm(sum << shift)
+                               >> (33 - shift));
+    int32_t  nx = ((int32_t)a->n >> 16) + ((int32_t)b->n >> 16);
+    int32_t  nz = (int16_t)a->n + (int16_t)b->n;
+
+    return (tp_row_point){
+        (a->u + b->u) >> 1, (a->v + b->v) >> 1, (a->zi >> 1) + (b->zi >> 1),
+        b->s + (int32_t)(((int64_t)a->s - b->s) * share >> 30),
+        b->t + (int32_t)(((int64_t)a->t - b->t) * share >> 30),
+        (uint32_t)(nx >> 1) << 16 | (uint16_t)(nz >> 1),
+    };
+}
+
+/* Middles of three edges of cell m of row k, from left to right: left side, diagonal,
+ * right side.  Returns false if a vertex is clipped or the cell is land. */
+static bool find_edge_middles(const walk *w, uint32_t k, uint32_t m, tp_row_point to[3])
+{
+    const tp_frame *frame = w->frame;
+    tp_row_point p[4];
+
+    for (uint32_t i = 0; i < 4; i++)
+        p[i] = tp_line_point(frame, &w->window, k + i % 2, m + i / 2);
+    bool back = frame->parts.lines->points_back;
+
+    for (int i = 0; i < 4; i++)
+        if (p[i].u == TP_GRID_CUT)
+            return false;
+    to[back ? 2 : 0] = edge_middle(&p[0], &p[1]);
+    to[1] = edge_middle(&p[0], &p[3]);
+    to[back ? 0 : 2] = edge_middle(&p[2], &p[3]);
+    return !tp_line_is_dry(frame, k, m);
+}
+
+static bool is_beside_cell(const walk *w, uint32_t k, uint32_t m)
+{
+    const tp_frame *frame = w->frame;
+    int32_t  least = INT32_MAX, most = INT32_MIN;
+
+    for (uint32_t i = 0; i < 4; i++) {
+        int32_t u = tp_line_vertex(frame, &w->window, k + i % 2, m + i / 2)->u;
+        least = u < least ? u : least;
+        most = u > most ? u : most;
+    }
+    return most <= 16 * w->rows.x0 || least >= 16 * w->rows.x1;
+}
+
+/* Draws the middle line of row k, for cells large in the picture: the triangles' own
+ * points half way. */
+static void lay_middles(walk *w, uint32_t k)
+{
+    const tp_frame *frame = w->frame;
+    tp_grid_span cells = frame->parts.lines->line[k].cells;
+
+    for (uint32_t n = cells.first; n < cells.end; n++) {
+        bool     back = frame->parts.lines->points_back;
+        uint32_t m = back ? cells.end - 1u - (n - cells.first) : n;
+        tp_row_point run[3];
+        if (!is_beside_cell(w, k, m) && find_edge_middles(w, k, m, run))
+            tp_rows_line(&w->rows, run, 3);
+    }
+}
+
+static void lay_one(walk *w, const tp_row_point *a, const tp_row_point *b)
+{
+    const tp_row_point run[2] = { *a, *b };
+    tp_rows_line(&w->rows, run, 2);
+}
+
+/* Draws line k after line `last`, with the left and right ends of the row of cells between
+ * both. */
+static void lay_sided(walk *w, uint32_t last, uint32_t row, uint32_t k)
+{
+    tp_row_point was[2], now[2];
+
+    tp_line_ends(w->frame, &w->window, last, was);
+    tp_line_ends(w->frame, &w->window, k, now);
+    bool left = was[0].u != TP_GRID_CUT && now[0].u != TP_GRID_CUT;
+    bool right = was[1].u != TP_GRID_CUT && now[1].u != TP_GRID_CUT;
+    if (left)
+        tp_rows_side(&w->rows, &now[0], &was[0]);
+    if (right)
+        tp_rows_side(&w->rows, &was[1], &now[1]);
+    if (w->frame->parts.lines->line[row].is & TP_LINE_WIDE)
+        lay_middles(w, row);
+    if (left)
+        lay_one(w, &was[0], &now[0]);
+    lay_line(w, k, ON);
+    if (right)
+        lay_one(w, &now[1], &was[1]);
+}
+
+/* Draws line k, the far end of the current row of cells and the near end of the next. */
+static void advance_to_line(walk *w, uint32_t last, uint32_t k, uint32_t next, int how)
+{
+    int32_t x0 = w->x0, x1 = w->x1, next0 = 0, next1 = 0;
+
+    if (next < w->frame->parts.lines->lines - 1)
+        find_columns(w, next, &next0, &next1);
+    bool before = x0 < x1, behind = next0 < next1;
+    w->x0 = next0;
+    w->x1 = next1;
+    if (!before && !behind)
+        return;
+    w->rows.x0 = !before || (behind && next0 < x0) ? next0 : x0;
+    w->rows.x1 = !before || (behind && next1 > x1) ? next1 : x1;
+    uint32_t row = last < k ? last : k;
+    uint32_t is = how == ON && before ? w->frame->parts.lines->line[row].is : 0;
+    bool whole = is & (TP_LINE_SIDED | TP_LINE_WIDE);
+    if (whole)
+        see_line(w, last, true);
+    see_line(w, k, whole);
+    if (is & TP_LINE_SIDED) {
+        lay_sided(w, last, row, k);
+        return;
+    }
+    if (is & TP_LINE_WIDE)
+        lay_middles(w, row);
+    lay_line(w, k, how);
+}
+
+static void draw_rows(const tp_frame *frame, tp_gbuffer *tile, void *memory)
+{
+    const tp_frame_lines *lines = frame->parts.lines;
+    walk w = { .frame = frame, .window = tp_frame_window(frame, memory) };
+    int  how = GAP;
+
+    tile->front_only = frame->cull_water;
+    tp_rows_begin(&w.rows, tile, memory, tp_frame_has_solids(frame));
+    for (uint32_t n = 0; n < lines->lines && w.rows.open > 0; n++) {
+        uint32_t k = lines->lines_back ? lines->lines - 1 - n : n;
+        uint32_t last = lines->lines_back ? k + 1 : k - 1;
+        uint32_t next = lines->lines_back ? k - 1 : k;      /* next row of cells */
+        advance_to_line(&w, last, k, next, how);
+        if (next >= lines->lines - 1)
+            break;
+        if (lines->line[next].cells.first >= lines->line[next].cells.end) {
+            how = GAP;
+        } else if (lines->line[next].is & TP_LINE_CUT) {
+            draw_triangles(&w, next);
+            w.rows.solid = true;
+            how = JOIN;
+        } else {
+            how = w.x0 < w.x1 ? ON : GAP;
+        }
+    }
+}
+
+const struct tp_method tp_method_rows = {
+    .holds = tp_frame_rows_hold, .carve = tp_lines_carve,
+    .place = tp_lines_place, .draw = draw_rows,
+};

@@ -1,0 +1,212 @@
+/* SPDX-License-Identifier: MIT */
+/* The splash, a hat-shaped wave of zero sum [C11] [D5].  With s = rho^2 / (2 sigma^2) the
+ * height is A (1 - s) exp(-s).  Its integral over the plane is 0.  Beyond s = 12 the height
+ * is below A / 14000 and left out.
+ *
+ * On cells the sum is not 0, because some cells are walls or lie outside of the field.  A
+ * plain bell exp(-s), scaled to cancel the sum, is subtracted from the hat.  The rounding
+ * error of each cell is passed on to the next.  A cell at the end of its range may not
+ * take its share: the missing rest is spread over the cells of the window, and last over
+ * the whole field. */
+#include "base/assert.h"
+#include "pool/pool.h"
+
+#define S_MAX TP_FX(12)
+
+typedef struct {
+    tp_pool *pool;
+    int64_t  u, w;              /* centre, in 1/256 of a cell */
+    int64_t  over;              /* 1 / (2 sigma^2), sigma in cells, Q0.40 */
+    int64_t  square_max;        /* 24 sigma^2 in 1/65536 of a square cell */
+    int32_t  col, row;          /* first cell of the window; cells beyond the field wrap */
+    int32_t  cols, rows;
+    int64_t  ratio;             /* ratio of bell to hat, Q2.30 */
+} splash;
+
+/* Returns exp(-s) in Q2.30, s in 16.16, 0..12.  Tables give the integer part and the
+ * sixteenths; the rest r < 1/16 is 1 - r + r^2 / 2 with an error of at most 4e-5. */
+static int64_t bell(int32_t s)
+{
+    static const int32_t whole[13] = {
+        1073741824, 395007542, 145315153, 53458458, 19666267, 7234815, 2661540, 979126,
+        360200, 132510, 48748, 17933, 6597,
+    };
+    static const int32_t sixteenth[16] = {
+        1073741824, 1008685795, 947571421, 890159825, 836226660, 785561202, 737965472,
+        693253480, 651250510, 611792418, 574725017, 539903458, 507191664, 476461840,
+        447593904, 420475017,
+    };
+    const int64_t r = s & 0xfff;
+    const int64_t part = ((int64_t)1 << 30) - (r << 14) + (r * r >> 3);
+
+    return ((int64_t)whole[s >> 16] * sixteenth[s >> 12 & 15] >> 30) * part >> 30;
+}
+
+/* Returns s of a cell of the window; S_MAX for a cell beyond the reach of the hat. */
+static int32_t cell_exponent(const splash *h, int32_t x, int32_t y)
+{
+    const int64_t du = (int64_t)(h->col + x) * 256 + 128 - h->u;
+    const int64_t dw = (int64_t)(h->row + y) * 256 + 128 - h->w;
+    const int64_t square = du * du + dw * dw;
+
+    return square < h->square_max ? (int32_t)(square * h->over >> 40) : S_MAX;
+}
+
+static uint32_t wrapped(int32_t i, uint32_t cells)
+{
+    const int32_t n = (int32_t)cells;
+    return (uint32_t)(i < 0 ? i + n : i < n ? i : i - n);
+}
+
+/* Adds `lsb` to a cell of the window.  Returns the part that fitted into its range. */
+static int32_t give(const splash *h, int32_t x, int32_t y, int32_t lsb)
+{
+    return tp_pool_add(h->pool, wrapped(h->col + x, h->pool->cols),
+                       wrapped(h->row + y, h->pool->rows), lsb);
+}
+
+static bool is_wall(const splash *h, int32_t x, int32_t y)
+{
+    return tp_pool_wall(h->pool, wrapped(h->col + x, h->pool->cols),
+                        wrapped(h->row + y, h->pool->rows));
+}
+
+/* Finds the ratio that makes the sum 0.  At most 2^18 cells of at most 2^30 each; the sum
+ * of the bell is at least the bell at the centre cell. */
+static void balance(splash *h)
+{
+    int64_t hats = 0, bells = 0;
+
+    for (int32_t y = 0; y < h->rows; y++) {
+        for (int32_t x = 0; x < h->cols; x++) {
+            const int32_t s = cell_exponent(h, x, y);
+            if (s < S_MAX && !is_wall(h, x, y)) {
+                bells += bell(s);
+                hats += (TP_FX_ONE - s) * bell(s) >> 16;
+            }
+        }
+    }
+    TP_ASSERT(bells >> 16 > 0);
+    h->ratio = hats * (1 << 14) / (bells >> 16);
+    TP_ASSERT(h->ratio >= -(int64_t)2 * TP_Q30_ONE && h->ratio <= TP_Q30_ONE);
+}
+
+/* Adds the hat to the cells.  Returns the sum of the added heights.  The mean s of
+ * the bell is below 3 for any walls: |hat - ratio bell| < 4, and a product by the
+ * peak is below 2^62. */
+static int64_t add_hat(const splash *h, int32_t peak)
+{
+    const int64_t half = (int64_t)1 << 29;
+    const int32_t full = tp_pool_full(h->pool);
+    int64_t carry = 0, sum = 0;
+
+    for (int32_t y = 0; y < h->rows; y++) {
+        for (int32_t x = 0; x < h->cols; x++) {
+            const int32_t s = cell_exponent(h, x, y);
+            if (s >= S_MAX || is_wall(h, x, y))
+                continue;
+            const int64_t hat = (TP_FX_ONE - s) * bell(s) >> 16;
+            carry += peak * (hat - (h->ratio * bell(s) >> 30));
+            const int64_t lsb = (carry + half) >> 30;
+            carry -= lsb * ((int64_t)1 << 30);
+            sum += give(h, x, y, (int32_t)tp_clamp_abs(lsb, full));
+        }
+    }
+    return sum;
+}
+
+/* Subtracts `sum` from the cells of the window, at most `share` from each.
+ * Returns the rest. */
+static int64_t take(const splash *h, int64_t sum, int64_t share)
+{
+    for (int32_t y = 0; y < h->rows; y++) {
+        for (int32_t x = 0; x < h->cols && sum != 0; x++) {
+            if (cell_exponent(h, x, y) < S_MAX)
+                sum += give(h, x, y, (int32_t)-tp_clamp_abs(sum, share));
+        }
+    }
+    return sum;
+}
+
+/* Extends the window to all cells, at any distance. */
+static void widen(splash *h)
+{
+    h->col = h->row = 0;
+    h->cols = (int32_t)h->pool->cols;
+    h->rows = (int32_t)h->pool->rows;
+    h->over = 0;
+    h->square_max = INT64_MAX;
+}
+
+/* Finds the columns (or rows) from `middle` - reach to `middle` + reach.  A field that
+ * is not tiled clips the window; in a tiled field each column appears once.  Returns
+ * the first column. */
+static int32_t window(int32_t middle, int32_t reach, uint32_t cells, bool tiled,
+                      int32_t *count)
+{
+    const int32_t n = (int32_t)cells;
+    int32_t first = middle - reach, last = middle + reach;
+
+    if (tiled && 2 * reach >= n) {
+        first = middle - n / 2;
+        last = first + n - 1;
+    } else if (!tiled) {
+        first = first < 0 ? 0 : first;
+        last = last < n ? last : n - 1;
+    }
+    *count = last - first + 1;
+    return first;
+}
+
+void tp_pool_splash(tp_pool *pool, uint64_t u, uint64_t w, tp_fx sigma, int32_t peak)
+{
+    TP_ASSERT(u >> 32 < pool->cols && w >> 32 < pool->rows);
+    TP_ASSERT(peak >= -tp_pool_full(pool) && peak <= tp_pool_full(pool));
+    const bool tiled = pool->edges == TP_EDGES_TILE;
+    const int64_t wide = tp_clamp(sigma, TP_FX(1.5), TP_FX(128));
+    const int64_t sigma2 = wide * wide >> 16;               /* sigma^2 in 16.16 */
+    const int32_t reach = (int32_t)(5 * wide >> 16) + 1;    /* sqrt(24) sigma < 5 sigma */
+    splash h = { .pool = pool, .u = (int64_t)(u >> 24), .w = (int64_t)(w >> 24),
+                 .over = ((int64_t)1 << 55) / sigma2, .square_max = 24 * sigma2 };
+
+    h.col = window((int32_t)(u >> 32), reach, pool->cols, tiled, &h.cols);
+    h.row = window((int32_t)(w >> 32), reach, pool->rows, tiled, &h.rows);
+    balance(&h);
+    int64_t sum = add_hat(&h, peak);
+    const int64_t cells = (int64_t)h.cols * h.rows;
+    sum = take(&h, sum, tp_abs((int32_t)(sum / cells)) + 1);
+    sum = take(&h, sum, tp_pool_full(pool));
+    if (sum != 0) {
+        widen(&h);
+        take(&h, sum, 2 * (int64_t)tp_pool_full(pool));
+    }
+    tp_pool_stirred(pool, peak);
+}
+
+bool tp_pool_add_splash(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx height)
+{
+    uint32_t col, row;
+    uint64_t u, w;
+
+    if (!tp_pool_cell(pool, x, z, &col, &row))
+        return false;
+    tp_pool_place(pool, x, z, &u, &w);
+    tp_pool_splash(pool, u, w, tp_fx_div(sigma, pool->cell), tp_pool_lsb(pool, height));
+    return true;
+}
+
+/* Returns metres x full / range, rounded to nearest, halves up.  A 32-bit cell is Q8.24:
+ * 256 times as fine as 16.16. */
+int32_t tp_pool_lsb(const tp_pool *pool, tp_fx metres)
+{
+    const int64_t full = tp_pool_full(pool);
+    const int64_t twice = 2 * (int64_t)pool->range;
+    const int64_t up = 2 * (int64_t)metres * full + pool->range;
+    int64_t lsb;
+
+    if (pool->cells == TP_CELLS_32)
+        lsb = (int64_t)metres * 256;
+    else
+        lsb = up / twice - (up % twice < 0);
+    return (int32_t)tp_clamp_abs(lsb, full);
+}

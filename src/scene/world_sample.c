@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/* Samples the water at a position: finds the surface point and its rest position, then
+ * evaluates the same rest position one tick earlier for the velocity. */
+#include "base/base.h"
+#include "geom/waters.h"
+#include "scene/world_parts.h"
+#include "scene/program.h"
+
+/* Returns the height of all rings at `time`. */
+static tp_fx sample_rings(const tp_surface *s, int64_t time, tp_fx x, tp_fx z)
+{
+    tp_ring_now now;
+    tp_fx sum = 0;
+
+    for (uint32_t i = 0; i < s->n_raised; i++)
+        if (s->by->rings->at(&s->raised[i], time, &now))
+            sum += s->by->rings->relief(&now, 1, x, z).height;
+    return sum;
+}
+
+/* Returns the displaced surface point of a rest position. */
+static tp_vec3 sample_point(const tp_surface *s, const tp_fx rest[2])
+{
+    if (s->ocean)
+        return s->by->ocean->smooth(s->ocean, s->phases, rest[0], rest[1]).position;
+    if (s->by->swells)
+        return tp_sea_at_rest(s->sea, s->phases, rest[0], rest[1]).position;
+    return (tp_vec3){ rest[0], 0, rest[1] };
+}
+
+/* Returns the surface point of a rest position at `time`.  Phases and pool interpolation
+ * come from `then`, set for the same time. */
+static tp_vec3 sample_moving_point(const tp_surface *then, const tp_fx rest[2],
+                                   int64_t time)
+{
+    tp_vec3 p = sample_point(then, rest);
+    tp_surface pools = *then;
+
+    pools.rings = 0;
+    p.y += tp_surface_relief(&pools, p.x, p.z).height;
+    if (then->rings)
+        p.y += sample_rings(then, time, p.x, p.z);
+    return p;
+}
+
+static tp_fx a_second(tp_fx now, tp_fx before)
+{
+    return tp_fx_saturate(((int64_t)now - before) * TP_TICKS_PER_SECOND);
+}
+
+tp_water tp_world_sample(const tp_program *program, const tp_world *world, tp_fx x,
+                         tp_fx z)
+{
+    TP_ASSERT(world != NULL && world->parts.bytes > 0);
+    program = tp_program_or_linked(program);
+    const int64_t time = (int64_t)(world->tick * TP_FX_ONE);
+    tp_surface surface = tp_world_surface(program, world);
+    tp_fx rest[2] = { x, z };
+    const tp_sea_point at = tp_surface_sample(&surface, x, z, rest);
+    const tp_vec3 now = sample_moving_point(&surface, rest, time);
+    tp_turn phases[TP_WAVES];
+
+    tp_sea_phases(&world->sea, world->tick, TP_FX_ONE, phases);
+    surface.phases = phases;
+    surface.back = TP_FX_ONE;
+    const tp_vec3 before = sample_moving_point(&surface, rest, time - TP_FX_ONE);
+    return (tp_water){
+        at.position.y,
+        at.slope_x,
+        at.slope_z,
+        { a_second(now.x, before.x), a_second(now.y, before.y),
+          a_second(now.z, before.z) },
+    };
+}
