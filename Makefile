@@ -61,7 +61,7 @@ CORE := $(addprefix src/, \
     frame/layout.c frame/clipped.c frame/drawing.c frame/flat.c frame/frame.c \
     frame/holds.c frame/lattice.c frame/layer.c frame/scanline_grid.c frame/marks.c \
     frame/overlay.c frame/planar_map.c frame/plan.c frame/planned.c frame/project.c \
-    frame/projected.c frame/scanline_water.c frame/samples.c frame/shaders.c frame/view.c \
+    frame/projected.c frame/scanline_water.c frame/samples.c frame/shaders.c frame/render_view.c \
     frame/tile.c frame/visibility.c frame/grid_water.c \
     engine/engine.c) \
     $(sort $(wildcard src/features/*.c src/features/*/*.c))

@@ -5,7 +5,7 @@
 #define TP_FRAME_DRAWING_H
 #include "base/arena.h"
 #include "frame/marks.h"
-#include "frame/view.h"
+#include "frame/render_view.h"
 #include "raster/raster.h"
 #include "scene/module.h"
 #include "tidepool/modules.h"

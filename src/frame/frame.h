@@ -3,7 +3,7 @@
 #ifndef TP_FRAME_INSIDE_H
 #define TP_FRAME_INSIDE_H
 #include "frame/drawing.h"
-#include "frame/view.h"
+#include "frame/render_view.h"
 #include "frame/tools.h"
 #include "geom/level.h"
 #include "pixel/toned.h"

@@ -5,7 +5,7 @@
 #ifndef TP_FRAME_PLANAR_MAP_H
 #define TP_FRAME_PLANAR_MAP_H
 #include "base/arena.h"
-#include "frame/view.h"
+#include "frame/render_view.h"
 #include "scene/module.h"
 #include "shade/shade.h"
 

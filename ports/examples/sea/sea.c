@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A sea in a window of SDL2.  A camera circles a buoy, which passing crests hide.  The
- * graph shows the water's height at the buoy over the last four seconds.  Escape ends the
- * program.
- *
+/* A sea in a window of SDL2.  A camera circles a buoy, which passing crests hide; the graph
+ * shows the water's height there in the last four seconds.  Escape ends the program.
  *     make lib
  *     cc -O2 -Iinclude ports/examples/sea/sea.c build/host/libtidepool.a \
  *         $(pkg-config --cflags --libs sdl2) -o sea && ./sea

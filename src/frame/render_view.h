@@ -6,8 +6,8 @@
  *     tp_view_begin(frame, &view)       sets up shading for the view
  *     tp_view_place(frame, &view)       projects all solids
  *     tp_view_draw(frame, &view, tile)  draws one tile, any number of times */
-#ifndef TP_FRAME_VIEW_H
-#define TP_FRAME_VIEW_H
+#ifndef TP_FRAME_RENDER_VIEW_H
+#define TP_FRAME_RENDER_VIEW_H
 #include "geom/grid.h"
 #include "raster/raster.h"
 #include "shade/depth.h"
