@@ -69,20 +69,20 @@ static void begin(tp_frame *frame, void *mine)
 
 /* Projects the vertices and widens the box.  A vertex outside of the frustum makes the box
  * unbounded. */
-static void place(tp_frame *frame, void *mine, tp_view *sight, tp_grid_box *box)
+static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     const buoy *b = mine;
     const int16_t no_normal[3] = { 0, 0, 0 };
 
     (void)frame;
     for (int k = 0; k < POINTS; k++) {
-        const tp_view_vertex c = tp_clipped_vertex(sight->lens, b->point[k], no_normal);
+        const tp_view_vertex c = tp_clipped_vertex(view->projection, b->point[k], no_normal);
         tp_screen_vertex p;
-        if (!tp_projection_contains(sight->lens, &c)) {
+        if (!tp_projection_contains(view->projection, &c)) {
             *box = (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
             return;
         }
-        tp_projection_project(sight->lens, &c, &p.u, &p.v, &p.zi);
+        tp_projection_project(view->projection, &c, &p.u, &p.v, &p.zi);
         tp_box_widen(box, p.u - 16, p.v - 16);
         tp_box_widen(box, p.u + 16, p.v + 16);
     }
@@ -92,7 +92,7 @@ static void place(tp_frame *frame, void *mine, tp_view *sight, tp_grid_box *box)
 
 typedef struct {
     const buoy       *b;
-    const tp_view   *sight;
+    const tp_view   *view;
     const tp_gbuffer *samples;
     uint32_t          mark;
 } pen;
@@ -104,8 +104,8 @@ static void draw_triangle(const pen *to, const int corner[3], const int16_t n[3]
     tp_view_vertex in[3];
 
     for (int k = 0; k < 3; k++)
-        in[k] = tp_clipped_vertex(to->sight->lens, to->b->point[corner[k]], n);
-    tp_clipped_draw(to->sight->lens, tp_view_clip_plane(to->sight), to->samples, in,
+        in[k] = tp_clipped_vertex(to->view->projection, to->b->point[corner[k]], n);
+    tp_clipped_draw(to->view->projection, tp_view_clip_plane(to->view), to->samples, in,
                     to->mark, part);
 }
 
@@ -143,10 +143,10 @@ static void draw_mast(const pen *to)
     draw_triangle(to, flag, front, FLAG);
 }
 
-static void draw(const tp_frame *frame, const void *mine, const tp_view *sight,
+static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
                  tp_gbuffer *samples, uint32_t mark)
 {
-    const pen to = { mine, sight, samples, mark };
+    const pen to = { mine, view, samples, mark };
 
     (void)frame;
     samples->front_only = true;
