@@ -25,7 +25,7 @@ exits()         # CODE WORDS ARGUMENT...: that file on this machine, which has n
     [ $code = "$want" ] && grep -q -e "$words" "$scratch/said"
 }
 check "it tells what it takes" exits 0 "--keep FILE" --help
-check "an option that it does not know is a usage error" exits 2 "it takes" --sice 64x48
+check "an option that it does not know is a usage error" exits 2 "unknown option" --sice 64x48
 check "a device that is not there is none" exits 4 "No such file" --device /nowhere
 check "one that is no screen is none" exits 4 "is not a frame buffer" --device /dev/null
 

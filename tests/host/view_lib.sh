@@ -105,7 +105,7 @@ viewing() { pgrep -P "$viewer"; }
 # -- keys and mouse ----------------------------------------------------------------------
 
 do_x() { timeout 10 xdotool "$@"; }
-press() { do_x windowfocus "$window" key --delay 30 "$@"; }
+press() { do_x windowfocus "$window" key --delay 60 "$@"; }
 hold() {        # SECONDS KEY...
     seconds=$1
     shift
