@@ -58,6 +58,8 @@ drawing()
 
 echo "some text" >/dev/tty1
 echo 0 >/sys/class/graphics/fbcon/cursor_blink
+# Blinking may have ended while the cursor was off: hidden and shown again, it is on.
+printf '\033[?25l\033[?25h' >/dev/tty1
 hold
 chvt 1
 vm_state /dev/tty1 >/tmp/before
