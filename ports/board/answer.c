@@ -39,7 +39,7 @@ const tp_param *control_find(const control *c, control_word name)
     const tp_param *param = tp_param_find(name.text, name.bytes);
     if (!param) {
         tp_error err = { .code = TP_E_NAME };
-        tp_error_word(&err, name.text, name.bytes);
+        tp_error_set_word(&err, name.text, name.bytes);
         refuse_input(c, &err);
     }
     return param;

@@ -30,8 +30,8 @@ static bool aim(const tp_world *world, const tp_scene *scene, tp_input *input)
 
     if (back->y >> 14 > 0 && camera.eye.y > 0) {
         const tp_fx far = tp_fx_div(camera.eye.y, back->y >> 14);
-        x = tp_fx_minus(camera.eye.x, tp_q30_mul(far, back->x));
-        z = tp_fx_minus(camera.eye.z, tp_q30_mul(far, back->z));
+        x = tp_fx_sub_sat(camera.eye.x, tp_q30_mul(far, back->x));
+        z = tp_fx_sub_sat(camera.eye.z, tp_q30_mul(far, back->z));
     }
     const tp_push push = { scene->pool.poke,
                            held(scene, scene->pool.cols, scene->pool.x, x),

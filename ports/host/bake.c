@@ -235,7 +235,7 @@ enum { WIDTH = 320, HEIGHT = 240, SHADING = 1 };
 static bool may_be_quick(const tp_scene *scene, const tp_assets *names)
 {
     const tp_ladder ladder = tp_ladder_make(scene, names, WIDTH, HEIGHT);
-    return tp_ladder_reach(&ladder).shading >> TP_SHADING_QUICK & 1;
+    return tp_ladder_rung_mask(&ladder).shading >> TP_SHADING_QUICK & 1;
 }
 
 /* True if fast shading fits the scene.  The plan reports TP_WHY_UNFIT only for a setting

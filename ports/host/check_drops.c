@@ -272,8 +272,8 @@ static int run_time_scale(check_run *run)
         const double *v = check_row(run, row);
         if (v[0] != row)
             return check_refuse(run, row, "frame %g; expected %u", v[0], row);
-        tp_clock_aim(&clock, check_fx(v[1]));
-        tp_clock_next(&clock);
+        tp_clock_set_target(&clock, check_fx(v[1]));
+        tp_clock_advance(&clock);
         check_add(run, 0, row, check_metres(tp_clock_scale(&clock)) - v[2]);
         check_add(run, 1, row, (double)tp_clock_ticks(&clock) - v[5]);
     }

@@ -79,7 +79,7 @@ static void orbit_row(check_run *run, unsigned row, const double *k)
 {
     const double *v = check_row(run, row);
     const tp_ellipse orbit = make_orbit(v, k[0], k[1], k[2]);
-    const tp_offset at = tp_orbit(&orbit, check_turn(v[4]));
+    const tp_offset at = tp_orbit_evaluate(&orbit, check_turn(v[4]));
     const double along = v[R] * v[8], up = v[R] * v[9], lost = 1000 * axes_lost(v, k);
     const double turned = 1000 * tilt_lost(k[0], v[H], v[6]);
     check_add(run, 0, row, check_excess(apart_mm(at, v[10], v[11]),

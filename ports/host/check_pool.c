@@ -84,7 +84,7 @@ static int stir(const check_run *run, unsigned row, tp_pool *pool)
         tp_pool_add(pool, (uint32_t)fmod(index, v[N]), (uint32_t)(index / v[N]),
                     (int32_t)height);
     }
-    tp_pool_stirred(pool, (int32_t)most);
+    tp_pool_wake(pool, (int32_t)most);
     return EXIT_DONE;
 }
 
@@ -218,7 +218,7 @@ static void stir_mode(tp_pool *pool, const double *v)
     for (uint32_t j = 0; j < pool->rows; j++)
         for (uint32_t i = 0; i < pool->cols; i++)
             tp_pool_add(pool, i, j, (int32_t)lround(amplitude * sample_mode(v, i, j)));
-    tp_pool_stirred(pool, (int32_t)amplitude);
+    tp_pool_wake(pool, (int32_t)amplitude);
 }
 
 /* Errors, LSB: in the corner cell, where every mode has its full height; rms of all cells;

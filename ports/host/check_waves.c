@@ -109,7 +109,7 @@ static void compute_phases(const check_run *run, double t, tp_turn phases[TP_WAV
 static tp_sea_point at_rest(const tp_sea *sea, const tp_turn phases[TP_WAVES],
                             const double *v)
 {
-    return tp_sea_at_rest(sea, phases, check_fx(v[0]), check_fx(v[1]));
+    return tp_sea_displace_point(sea, phases, check_fx(v[0]), check_fx(v[1]));
 }
 
 /* Returns the angle between the normals, rad. */
@@ -178,7 +178,7 @@ static void each_sharp(check_run *run, unsigned row, const double *v)
     const check_bound most = check_sea_bound(&wave, 1, 0, 0);
     const tp_sea sea = check_sea_make(&wave, 1);
     const tp_turn phases[TP_WAVES] = { check_turn(v[2]) };
-    const tp_sea_point p = tp_sea_at_rest(&sea, phases, 0, 0);
+    const tp_sea_point p = tp_sea_displace_point(&sea, phases, 0, 0);
     const double length = sqrt(1 + v[6] * v[6]);
     const double normal[3] = { -v[6] / length, 1 / length, 0 };
     check_add(run, 0, row, (check_metres(p.position.y) - v[5]) / most.up);
@@ -301,7 +301,7 @@ static void buoyancy_row(check_run *run, unsigned row, const waves *w)
     tp_turn phases[TP_WAVES];
     compute_phases(run, v[2], phases);
     for (unsigned n = 0; n < STEPS; n++) {
-        const tp_sea_point p = tp_sea_iterate(&w->sea, phases, x, z, n);
+        const tp_sea_point p = tp_sea_sample_fixed_point(&w->sea, phases, x, z, n);
         const double off = check_metres(p.position.y) - v[FIRST_STEP + n];
         check_add(run, n, row, off / most.step);
     }

@@ -139,7 +139,7 @@ static int read_set(const reader *r, char *text, size_t bytes, char *word,
     tp_error err = { 0 };
     if (memchr(text, 0, bytes)) {
         err.code = TP_E_TEXT;
-        tp_error_word(&err, text, strlen(text));
+        tp_error_set_word(&err, text, strlen(text));
         return fail_line(r, &err);
     }
     if (tp_tape_read(&read, text, (size_t)(word - text), &err))

@@ -50,7 +50,7 @@ static void ms_text(char text[24], uint32_t us)
 void governing_add(governing *g, uint32_t number, uint64_t us)
 {
     const tp_rungs from = tp_governor_rungs(&g->governor);
-    const int step = tp_governor_feed(&g->governor, us < UINT32_MAX ? (uint32_t)us
+    const int step = tp_governor_add_frame_time(&g->governor, us < UINT32_MAX ? (uint32_t)us
                                                                     : UINT32_MAX);
     const tp_rungs to = tp_governor_rungs(&g->governor);
     char took[24], limit[24];

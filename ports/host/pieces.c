@@ -188,7 +188,7 @@ bool piece_is_active(size_t i, const piece_set *of, const piece_terms *terms,
     pieces_list(&list, &others, terms);
     list.program.lacks = lacks;
     list.program.refuse = tp_lacks_check;
-    return tp_program_fits(&list.program, scene, assets, NULL) == TP_E_PROGRAM;
+    return tp_program_check_all(&list.program, scene, assets, NULL) == TP_E_PROGRAM;
 }
 
 /* -- names ---------------------------------------------------------------------------- */

@@ -61,9 +61,9 @@ static tp_vec3 along(tp_vec3 from, tp_dir3 back, int64_t far)
 {
     const tp_fx by = held(far, PLACE_MOST);
 
-    return (tp_vec3){ tp_fx_plus(from.x, tp_q30_mul(by, back.x)),
-                      tp_fx_plus(from.y, tp_q30_mul(by, back.y)),
-                      tp_fx_plus(from.z, tp_q30_mul(by, back.z)) };
+    return (tp_vec3){ tp_fx_add_sat(from.x, tp_q30_mul(by, back.x)),
+                      tp_fx_add_sat(from.y, tp_q30_mul(by, back.y)),
+                      tp_fx_add_sat(from.z, tp_q30_mul(by, back.z)) };
 }
 
 /* Returns the distance of a point ahead of the camera, m; each product is at most 2^61. */
@@ -87,9 +87,9 @@ static bool sees_boat(const tp_camera *camera, const tp_world *world,
     *far = forward_distance(camera, world->boat.place);
     const tp_vec3 foot = along(camera->eye, camera->turn.z, -*far);
     const int64_t off = tp_vec3_length((tp_vec3){
-        tp_fx_minus(world->boat.place.x, foot.x),
-        tp_fx_minus(world->boat.place.y, foot.y),
-        tp_fx_minus(world->boat.place.z, foot.z) });
+        tp_fx_sub_sat(world->boat.place.x, foot.x),
+        tp_fx_sub_sat(world->boat.place.y, foot.y),
+        tp_fx_sub_sat(world->boat.place.z, foot.z) });
     return *far > 0 && *far < 200 * TP_FX_ONE && off * 5 < *far;
 }
 
@@ -256,9 +256,9 @@ static void lead(const look *l, const tp_world *world, tp_input *input)
 
     input->turn = (int32_t)(l->heading - world->heading);
     input->tilt = (int32_t)(l->pitch - world->pitch);
-    input->forward = tp_fx_saturate(tp_quotient(dx * s - dz * c, one));
-    input->strafe = tp_fx_saturate(tp_quotient(dx * c + dz * s, one));
-    input->up = tp_fx_minus(held(eye.y, PLACE_MOST), world->eye.y);
+    input->forward = tp_fx_saturate(tp_div_rounded(dx * s - dz * c, one));
+    input->strafe = tp_fx_saturate(tp_div_rounded(dx * c + dz * s, one));
+    input->up = tp_fx_sub_sat(held(eye.y, PLACE_MOST), world->eye.y);
 }
 
 void look_steer(look *l, const tp_world *world, const tp_scene *scene, tp_input *input)

@@ -36,7 +36,7 @@ static void carry_time(tp_world *to, const tp_world *from)
     to->back = from->back;
     to->clock = from->clock;
     if (scale != from->clock_scale)
-        tp_clock_aim(&to->clock, scale);
+        tp_clock_set_target(&to->clock, scale);
     tp_sea_phases(&to->sea, to->tick, 0, to->phases);
 }
 

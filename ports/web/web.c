@@ -234,7 +234,7 @@ EXPORT(uint32_t, crc, void)
  * the quality has changed. */
 EXPORT(int, took, uint32_t us)
 {
-    const int step = tp_governor_feed(&page.governor, us);
+    const int step = tp_governor_add_frame_time(&page.governor, us);
     const tp_rungs rungs = tp_governor_rungs(&page.governor);
     if (step)
         tp_frame_set_rungs(page.frame, &rungs);

@@ -18,7 +18,7 @@ typedef struct { int64_t x, y, z; } tp_area;
 tp_area tp_area_cross(tp_vec3 a, tp_vec3 b);
 
 /* Returns a p - b q, exact under the same bounds. */
-static inline int64_t tp_area_term(int32_t a, int32_t p, int32_t b, int32_t q)
+static inline int64_t tp_area_product_difference(int32_t a, int32_t p, int32_t b, int32_t q)
 {
     return (int64_t)a * p - (int64_t)b * q;
 }
@@ -27,9 +27,10 @@ static inline bool tp_area_is_none(tp_area a) { return (a.x | a.y | a.z) == 0; }
 
 /* Returns the shift that keeps the sum of `count` vectors, or of their lengths, in 63 bits,
  * if no component of an edge is longer than `extent`. */
-uint32_t tp_area_shift(uint32_t extent, uint32_t count);
+uint32_t tp_area_sum_shift(uint32_t extent, uint32_t count);
 
-tp_area tp_area_scaled(tp_area a, uint32_t shift);  /* towards 0: favours no direction */
+tp_area tp_area_divide_pow2(tp_area a,
+                            uint32_t shift);        /* towards 0: favours no direction */
 uint64_t tp_area_length(tp_area a);                 /* relative error < 2^-29 */
 tp_dir3  tp_area_direction(tp_area a);              /* (0, 1, 0) for zero area */
 #endif

@@ -40,7 +40,7 @@ uint32_t tp_obj_image_line(const tp_obj *obj, uint32_t i)
 
 /* Shifts x != 0 until its top bit is bit 31.  Returns the exponent: x was
  * larger by 2^exponent. */
-static int to_32_bits(uint64_t *x)
+static int normalise_mantissa(uint64_t *x)
 {
     TP_ASSERT(*x != 0);
     int shift = 0;
@@ -52,12 +52,12 @@ static int to_32_bits(uint64_t *x)
 }
 
 /* Returns sqrt(picture / area x 2^power) in 16.16, saturating; relative error < 2^-15. */
-static tp_fx root_of_ratio(uint64_t picture, uint64_t area, int power)
+static tp_fx scaled_ratio_sqrt(uint64_t picture, uint64_t area, int power)
 {
     if (picture == 0 || area == 0)
         return 0;
-    power += to_32_bits(&picture);
-    power -= to_32_bits(&area);
+    power += normalise_mantissa(&picture);
+    power -= normalise_mantissa(&area);
     uint64_t ratio = (picture << 31) / area;    /* 2^30..2^32, in units of 2^-31 */
     power += 1;                                 /* + 32 for 16.16, - 31 */
     if (power % 2 != 0) {
@@ -79,7 +79,7 @@ static tp_fx texels_per_unit(const tp_obj *obj, const struct tp_obj_made *made,
 {
     if (texture == NULL)
         return 0;
-    return root_of_ratio(made->picture, made->area,
+    return scaled_ratio_sqrt(made->picture, made->area,
                          texture->log2_w + texture->log2_h
                          + (int)obj->picture_shift - (int)obj->area_shift);
 }
@@ -105,7 +105,7 @@ static void bind_material(const tp_obj *obj, const tp_texture *const *textures,
 
 /* Warns of each material without a definition, but only if all libraries were read: a
  * library not read may define the material. */
-static void check_defined(tp_obj *obj)
+static void warn_undefined_materials(tp_obj *obj)
 {
     const tp_obj_names *const names = &obj->store.material_names;
     if (obj->libraries == 0 || obj->libraries_read < obj->libraries)
@@ -117,7 +117,7 @@ static void check_defined(tp_obj *obj)
         const uint32_t end = i + 1 < names->count ? names->start[i + 1] : names->used;
         tp_error fault;
         TP_FAIL(&fault, TP_E_MTL_NAME, names->line[i], 0, 0);
-        tp_error_word(&fault, name, end - names->start[i] - 1);
+        tp_error_set_word(&fault, name, end - names->start[i] - 1);
         tp_obj_warn(obj, &fault);
     }
 }
@@ -126,9 +126,9 @@ tp_status tp_obj_finish(tp_obj *obj, const tp_texture *const *textures, tp_mesh 
                         tp_error *err)
 {
     if (obj->stage != TP_STAGE_LOADED)
-        return tp_obj_settle(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
+        return tp_obj_latch_failure(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
     obj->warnings = 0;
-    check_defined(obj);
+    warn_undefined_materials(obj);
     const tp_obj_store *const store = &obj->store;
     for (uint32_t i = 0; i < store->material_names.count; i++)
         bind_material(obj, textures, i);

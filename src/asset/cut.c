@@ -25,20 +25,21 @@ enum { EXTENT_BITS = 27, STEPS = 2048 };
 typedef struct { int64_t x, y; } step;
 
 /* Both components < 2^28: twice an area stays below 2^57. */
-static int64_t turn(step a, step b)
+static int64_t cross_product(step a, step b)
 {
     return a.x * b.y - a.y * b.x;
 }
 
-static step between(const struct tp_obj_cut *cut, uint32_t from, uint32_t to)
+static step corner_difference(const struct tp_obj_cut *cut, uint32_t from, uint32_t to)
 {
     return (step){ (int64_t)cut->u[to] - cut->u[from], (int64_t)cut->v[to] - cut->v[from] };
 }
 
 /* Twice the area of a, b, c; positive if a, b, c turn the same way as the polygon. */
-static int64_t area(const struct tp_obj_cut *cut, uint32_t a, uint32_t b, uint32_t c)
+static int64_t twice_triangle_area(const struct tp_obj_cut *cut, uint32_t a, uint32_t b,
+                                   uint32_t c)
 {
-    return turn(between(cut, a, b), between(cut, a, c));
+    return cross_product(corner_difference(cut, a, b), corner_difference(cut, a, c));
 }
 
 /* -- projection of the polygon ----------------------------------------------------- */
@@ -78,7 +79,7 @@ typedef struct { int64_t high; uint64_t low; } sum;
 
 /* Returns twice the area enclosed in the plane of u and v, by the shoelace
  * formula; low < 2^32. */
-static sum whole_area(const int32_t *u, const int32_t *v, uint32_t n)
+static sum twice_polygon_area(const int32_t *u, const int32_t *v, uint32_t n)
 {
     sum all = { 0, 0 };
     for (uint32_t i = 2; i < n; i++) {
@@ -103,13 +104,13 @@ static bool is_larger(sum a, sum b)
 }
 
 /* Chooses the axis of projection.  Swapping u and v mirrors a polygon that turns right. */
-static void select_axis(struct tp_obj_cut *cut, uint32_t n, const uint32_t extent[3])
+static void project_polygon(struct tp_obj_cut *cut, uint32_t n, const uint32_t extent[3])
 {
     sum best = { 0, 0 };
     int u = 1, v = 2;
     for (int k = 0; k < 3; k++) {
         const int a = (k + 1) % 3, b = (k + 2) % 3;
-        const sum signed_area = whole_area(cut->at[a], cut->at[b], n);
+        const sum signed_area = twice_polygon_area(cut->at[a], cut->at[b], n);
         const sum size = sum_magnitude(signed_area);
         if (is_larger(size, best)) {
             best = size;
@@ -130,14 +131,14 @@ static void select_axis(struct tp_obj_cut *cut, uint32_t n, const uint32_t exten
 static bool has_inward_edge(const struct tp_obj_cut *cut, uint32_t p, uint32_t y,
                             uint32_t z)
 {
-    const step to_y = between(cut, p, y), to_z = between(cut, p, z);
-    const step before = between(cut, p, cut->before[p]);
-    const step after = between(cut, p, cut->after[p]);
-    return (turn(to_y, before) > 0 && turn(before, to_z) > 0)
-        || (turn(to_y, after) > 0 && turn(after, to_z) > 0);
+    const step to_y = corner_difference(cut, p, y), to_z = corner_difference(cut, p, z);
+    const step before = corner_difference(cut, p, cut->before[p]);
+    const step after = corner_difference(cut, p, cut->after[p]);
+    return (cross_product(to_y, before) > 0 && cross_product(before, to_z) > 0)
+           || (cross_product(to_y, after) > 0 && cross_product(after, to_z) > 0);
 }
 
-static bool same_place(const struct tp_obj_cut *cut, uint32_t a, uint32_t b)
+static bool is_same_place(const struct tp_obj_cut *cut, uint32_t a, uint32_t b)
 {
     return cut->u[a] == cut->u[b] && cut->v[a] == cut->v[b];
 }
@@ -145,21 +146,22 @@ static bool same_place(const struct tp_obj_cut *cut, uint32_t a, uint32_t b)
 /* True if corner p blocks cutting a, b, c.  A corner within the triangle, or on the new
  * edge between c and a, blocks.  On a corner of the triangle, or on the existing edges a -
  * b - c, the outline may touch itself: there p blocks only if an edge of p leads inside. */
-static bool blocks(const struct tp_obj_cut *cut, uint32_t p, uint32_t a, uint32_t b,
-                   uint32_t c)
+static bool is_blocking_corner(const struct tp_obj_cut *cut, uint32_t p, uint32_t a,
+                               uint32_t b, uint32_t c)
 {
     if (p == a || p == b || p == c)
         return false;
-    const int64_t ab = area(cut, a, b, p), bc = area(cut, b, c, p);
-    if (ab < 0 || bc < 0 || area(cut, c, a, p) < 0)
+    const int64_t ab = twice_triangle_area(cut, a, b, p),
+                  bc = twice_triangle_area(cut, b, c, p);
+    if (ab < 0 || bc < 0 || twice_triangle_area(cut, c, a, p) < 0)
         return false;
     if (ab > 0 && bc > 0)
         return true;
-    if (same_place(cut, p, a))
+    if (is_same_place(cut, p, a))
         return has_inward_edge(cut, p, b, c);
-    if (same_place(cut, p, b))
+    if (is_same_place(cut, p, b))
         return has_inward_edge(cut, p, c, a);
-    if (same_place(cut, p, c))
+    if (is_same_place(cut, p, c))
         return has_inward_edge(cut, p, a, b);
     return ab == 0 ? has_inward_edge(cut, p, b, a) : has_inward_edge(cut, p, c, b);
 }
@@ -171,16 +173,17 @@ static void spend(struct tp_obj_cut *cut, uint32_t steps)
 
 /* True if no corner blocks the triangle of corner b, which has an area.  cut->tried[b] is
  * the corner that blocked the last test. */
-static bool is_free(struct tp_obj_cut *cut, uint32_t a, uint32_t b, uint32_t c)
+static bool is_triangle_empty(struct tp_obj_cut *cut, uint32_t a, uint32_t b, uint32_t c)
 {
     const uint32_t triangle[3] = { a, b, c };
     uint32_t p = cut->tried[b];
-    if (p != TP_NO_CORNER && !tp_cut_is_removed(cut, p) && blocks(cut, p, a, b, c))
+    if (p != TP_NO_CORNER && !tp_cut_is_removed(cut, p)
+        && is_blocking_corner(cut, p, a, b, c))
         return false;
     tp_cut_walk walk = tp_cut_walk_begin(cut, triangle, p);
     do
         p = tp_cut_walk_next(&walk);
-    while (p != TP_NO_CORNER && !blocks(cut, p, a, b, c));
+    while (p != TP_NO_CORNER && !is_blocking_corner(cut, p, a, b, c));
     cut->tried[b] = p;
     spend(cut, walk.steps);
     return p == TP_NO_CORNER;
@@ -189,21 +192,21 @@ static bool is_free(struct tp_obj_cut *cut, uint32_t a, uint32_t b, uint32_t c)
 static bool is_ear(struct tp_obj_cut *cut, uint32_t b)
 {
     const uint32_t a = cut->before[b], c = cut->after[b];
-    return area(cut, a, b, c) > 0 && is_free(cut, a, b, c);
+    return twice_triangle_area(cut, a, b, c) > 0 && is_triangle_empty(cut, a, b, c);
 }
 
 /* True if the outline returns from corner b the way it came, or stands still.  Cutting the
  * corner removes no area and changes nothing. */
 static bool is_spike(const struct tp_obj_cut *cut, uint32_t b)
 {
-    const step in = between(cut, cut->before[b], b);
-    const step out = between(cut, b, cut->after[b]);
-    return turn(in, out) == 0 && in.x * out.x + in.y * out.y <= 0;
+    const step in = corner_difference(cut, cut->before[b], b);
+    const step out = corner_difference(cut, b, cut->after[b]);
+    return cross_product(in, out) == 0 && in.x * out.x + in.y * out.y <= 0;
 }
 
 /* Returns the next corner to cut: the first spike or ear from the start on,
  * or else the start. */
-static uint32_t choose(struct tp_obj_cut *cut)
+static uint32_t choose_next_corner(struct tp_obj_cut *cut)
 {
     uint32_t b = cut->start;
     for (uint32_t i = 0; i < cut->left && cut->steps > 0; i++, b = cut->after[b]) {
@@ -226,7 +229,7 @@ struct tp_obj_cut *tp_cut_carve(tp_arena *arena, uint32_t corners)
     lists.after  = tp_arena_alloc(arena, corners, sizeof *lists.after);
     lists.tried  = tp_arena_alloc(arena, corners, sizeof *lists.tried);
     lists.next   = tp_arena_alloc(arena, corners, sizeof *lists.next);
-    lists.cell   = tp_arena_alloc(arena, tp_cut_cells(corners), sizeof *lists.cell);
+    lists.cell   = tp_arena_alloc(arena, tp_cut_grid_cells(corners), sizeof *lists.cell);
     if (cut != NULL)
         *cut = lists;
     return cut;
@@ -243,7 +246,7 @@ void tp_cut_begin(struct tp_obj_cut *cut, uint32_t n)
         cut->tried[i] = TP_NO_CORNER;
     }
     normalise_extent(cut, n, extent);
-    select_axis(cut, n, extent);
+    project_polygon(cut, n, extent);
     cut->start = 1;
     cut->left = n;
     cut->steps = (uint64_t)STEPS * n;
@@ -262,7 +265,7 @@ bool tp_cut_next(struct tp_obj_cut *cut, uint32_t triangle[3])
 {
     if (cut->left < 3)
         return false;
-    const uint32_t b = !cut->flat && cut->left > 3 ? choose(cut) : cut->start;
+    const uint32_t b = !cut->flat && cut->left > 3 ? choose_next_corner(cut) : cut->start;
     triangle[0] = cut->before[b];
     triangle[1] = b;
     triangle[2] = cut->after[b];

@@ -7,7 +7,7 @@
 
 enum { CELL_CORNERS = 8, ROW_STEPS = 8 };
 
-uint32_t tp_cut_cells(uint32_t n)
+uint32_t tp_cut_grid_cells(uint32_t n)
 {
     return n / CELL_CORNERS + 1;
 }
@@ -30,7 +30,7 @@ static uint32_t *grid_cell(const struct tp_obj_cut *cut, uint32_t row, uint32_t 
 void tp_cut_grid_fill(struct tp_obj_cut *cut, uint32_t n, uint32_t extent_u,
                       uint32_t extent_v)
 {
-    const uint32_t most = tp_cut_cells(n);
+    const uint32_t most = tp_cut_grid_cells(n);
     uint64_t cells;
     cut->shift = 0;
     for (;; cut->shift++) {
@@ -60,7 +60,8 @@ static void widen(int64_t *low, int64_t *high, int64_t x)
 
 /* Returns u where the edge from p to q crosses the height v between theirs, to within 1.
  * Products are below 2^54. */
-static int64_t crossing(const struct tp_obj_cut *cut, uint32_t p, uint32_t q, int64_t v)
+static int64_t edge_crossing_u(const struct tp_obj_cut *cut, uint32_t p, uint32_t q,
+                               int64_t v)
 {
     const int64_t rise = (int64_t)cut->v[q] - cut->v[p];
     const int64_t way = (int64_t)cut->u[q] - cut->u[p];
@@ -69,8 +70,8 @@ static int64_t crossing(const struct tp_obj_cut *cut, uint32_t p, uint32_t q, in
 
 /* Finds the extent of the triangle between two heights, from the parts of its
  * edges between them. */
-static void find_reach(const tp_cut_walk *walk, int64_t bottom, int64_t top, int64_t *low,
-                       int64_t *high)
+static void find_row_extent(const tp_cut_walk *walk, int64_t bottom, int64_t top,
+                            int64_t *low, int64_t *high)
 {
     const struct tp_obj_cut *const cut = walk->cut;
     for (int k = 0; k < 3; k++) {
@@ -78,8 +79,9 @@ static void find_reach(const tp_cut_walk *walk, int64_t bottom, int64_t top, int
         const uint32_t p = cut->v[a] < cut->v[b] ? a : b, q = p == a ? b : a;
         if (cut->v[q] < bottom || cut->v[p] > top)
             continue;
-        widen(low, high, cut->v[p] > bottom ? cut->u[p] : crossing(cut, p, q, bottom));
-        widen(low, high, cut->v[q] < top ? cut->u[q] : crossing(cut, p, q, top));
+        widen(low, high,
+              cut->v[p] > bottom ? cut->u[p] : edge_crossing_u(cut, p, q, bottom));
+        widen(low, high, cut->v[q] < top ? cut->u[q] : edge_crossing_u(cut, p, q, top));
     }
 }
 
@@ -91,7 +93,7 @@ static void enter_row(tp_cut_walk *walk)
     if (walk->low_col < walk->high_col) {
         const int64_t bottom = (int64_t)walk->row << cut->shift;
         int64_t low = INT64_MAX, high = 0;
-        find_reach(walk, bottom, bottom + ((int64_t)1 << cut->shift), &low, &high);
+        find_row_extent(walk, bottom, bottom + ((int64_t)1 << cut->shift), &low, &high);
         const int64_t first = (low - 1) >> cut->shift, last = (high + 1) >> cut->shift;
         walk->col = first > walk->low_col ? (uint32_t)first : walk->low_col;
         walk->last_col = last < walk->high_col ? (uint32_t)last : walk->high_col;

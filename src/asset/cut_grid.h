@@ -12,7 +12,7 @@ static inline bool tp_cut_is_removed(const struct tp_obj_cut *cut, uint32_t corn
 }
 
 /* Returns the number of cells for a polygon of n corners. */
-uint32_t tp_cut_cells(uint32_t n);
+uint32_t tp_cut_grid_cells(uint32_t n);
 
 /* Sorts the n corners into their cells; u and v lie within 0..extent. */
 void tp_cut_grid_fill(struct tp_obj_cut *cut, uint32_t n, uint32_t extent_u,

@@ -83,16 +83,16 @@ static uint32_t find_or_add_vertex(tp_obj *obj, uint32_t position, uint32_t texc
 
 /* Returns the code of a normal that the file does not give: smoothing group
  * or flat polygon. */
-static uint32_t own_normal(const tp_obj *obj)
+static uint32_t computed_normal_code(const tp_obj *obj)
 {
     return obj->group != 0 ? TP_NORMAL_GROUP | obj->group
                            : TP_NORMAL_FLAT | obj->now.polygons;
 }
 
-static tp_status take_corner(tp_obj *obj, const int32_t corner[3], tp_error *err)
+static tp_status commit_corner(tp_obj *obj, const int32_t corner[3], tp_error *err)
 {
     const int form = obj->face.form;
-    uint32_t position = 0, texcoord = TP_NO_TEXCOORD, normal = own_normal(obj);
+    uint32_t position = 0, texcoord = TP_NO_TEXCOORD, normal = computed_normal_code(obj);
     const tp_obj_counts *const now = &obj->now, *const total = &obj->total;
     tp_status status = resolve(obj, corner[POSITION], now->vertices, total->vertices,
                                TP_E_OBJ_VERTEX, &position, err);
@@ -103,7 +103,7 @@ static tp_status take_corner(tp_obj *obj, const int32_t corner[3], tp_error *err
         status = resolve(obj, corner[NORMAL], now->normals, total->normals,
                          TP_E_OBJ_NORMAL, &normal, err);
     if (status == TP_OK)
-        status = tp_obj_room(obj, now->corners, total->corners, 1, err);
+        status = tp_obj_check_room(obj, now->corners, total->corners, 1, err);
     if (status != TP_OK)
         return status;
     obj->now.digest = tp_mix(tp_mix(now->digest, position), texcoord);
@@ -117,13 +117,13 @@ static tp_status take_corner(tp_obj *obj, const int32_t corner[3], tp_error *err
 
 /* Called when a third corner arrives: counts the first two corners, and makes sure that the
  * face has a material. */
-static tp_status take_held(tp_obj *obj, tp_error *err)
+static tp_status commit_held_corners(tp_obj *obj, tp_error *err)
 {
     tp_status status = TP_OK;
     if (obj->material == TP_NO_NAME && obj->stage == TP_STAGE_LOAD)
-        status = tp_obj_no_material(obj, err);
+        status = tp_obj_use_default_material(obj, err);
     for (int i = 0; i < 2 && status == TP_OK; i++)
-        status = take_corner(obj, obj->face.held[i], err);
+        status = commit_corner(obj, obj->face.held[i], err);
     return status;
 }
 
@@ -136,21 +136,21 @@ static tp_status add_corner(tp_obj *obj, const int32_t corner[3], tp_error *err)
             face->held[i][k] = corner[k];
         return TP_OK;
     }
-    const tp_status status = i == 2 ? take_held(obj, err) : TP_OK;
-    return status != TP_OK ? status : take_corner(obj, corner, err);
+    const tp_status status = i == 2 ? commit_held_corners(obj, err) : TP_OK;
+    return status != TP_OK ? status : commit_corner(obj, corner, err);
 }
 
 static tp_status read_corners(tp_obj *obj, tp_words *words, tp_error *err)
 {
     tp_obj_face_state *const face = &obj->face;
-    while (!tp_words_end(words)) {
+    while (!tp_words_at_end(words)) {
         tp_words start = *words;
         int32_t corner[3];
         const int form = read_corner(words, corner);
         if (form < 0) {
             const tp_word word = tp_word_next(&start);
             TP_FAIL(err, TP_E_OBJ_NUMBER, obj->lines.first, 0, 0);
-            tp_error_word(err, word.text, word.bytes);
+            tp_error_set_word(err, word.text, word.bytes);
             return TP_E_OBJ_NUMBER;
         }
         if (face->corners > 0 && form != face->form)
@@ -173,9 +173,10 @@ static tp_status end_face(tp_obj *obj, tp_error *err)
         obj->short_faces++;
         return TP_OK;
     }
-    tp_status status = tp_obj_room(obj, now->triangles, obj->total.triangles, n - 2, err);
+    tp_status status =
+        tp_obj_check_room(obj, now->triangles, obj->total.triangles, n - 2, err);
     if (status == TP_OK)
-        status = tp_obj_room(obj, now->polygons, obj->total.polygons, 1, err);
+        status = tp_obj_check_room(obj, now->polygons, obj->total.polygons, 1, err);
     if (status != TP_OK)
         return status;
     if (obj->stage == TP_STAGE_LOAD)
@@ -194,8 +195,8 @@ tp_status tp_obj_face(tp_obj *obj, tp_words *words, tp_error *err)
         obj->face = (tp_obj_face_state){ 0 };
     if (obj->face.ended)
         return obj->lines.goes_on ? TP_OK : end_face(obj, err);
-    if (obj->lines.split && !tp_words_end(words))
-        return tp_obj_long_line(obj, err);
+    if (obj->lines.split && !tp_words_at_end(words))
+        return tp_obj_fail_long_line(obj, err);
     const tp_status status = read_corners(obj, words, err);
     return status != TP_OK || obj->lines.goes_on ? status : end_face(obj, err);
 }

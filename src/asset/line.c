@@ -33,7 +33,7 @@ static const char *pass_end(tp_obj_lines *lines, const char *at, const char *end
 }
 
 /* Opens a line at the first byte that is not a blank; leading blanks have no meaning. */
-static const char *begin(tp_obj_lines *lines, const char *at, const char *end)
+static const char *begin_line(tp_obj_lines *lines, const char *at, const char *end)
 {
     while (at < end && tp_is_blank(*at))
         at++;
@@ -84,7 +84,7 @@ static void drop_part(tp_obj_lines *lines)
 
 /* True if a backslash joins the next line.  Called after a line end, with text not
  * empty. */
-static bool joins(tp_obj_lines *lines)
+static bool join_continuation(tp_obj_lines *lines)
 {
     if (lines->comment || lines->text[lines->used - 1] != '\\')
         return false;
@@ -111,7 +111,7 @@ bool tp_lines_next(tp_obj_lines *lines, const char **from, const char *end,
     while (at < end) {
         const char *const stop = find_end(at, end);
         if (!lines->open)
-            at = begin(lines, at, stop);
+            at = begin_line(lines, at, stop);
         *line = (tp_words){ at, stop };
         const bool here = lines->used == 0 && stop < end && is_whole(at, stop);
         if (lines->open && !here) {
@@ -126,7 +126,7 @@ bool tp_lines_next(tp_obj_lines *lines, const char **from, const char *end,
         if (stop == end)
             break;
         at = pass_end(lines, stop, end);
-        if (!lines->open || (!here && joins(lines)))
+        if (!lines->open || (!here && join_continuation(lines)))
             continue;
         lines->open = false;
         if (!lines->comment) {

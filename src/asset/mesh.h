@@ -12,12 +12,12 @@
 
 /* Returns the metres of 1.0 in the mesh's positions.  A unit of the file is `scale` metres,
  * 0 to 100: below 2^15 in 16.16. */
-static inline tp_fx tp_mesh_metres(const tp_mesh *mesh, tp_fx scale)
+static inline tp_fx tp_mesh_metres_per_unit(const tp_mesh *mesh, tp_fx scale)
 {
     return (tp_fx)((uint32_t)scale << mesh->log2_unit);
 }
 
-static inline uint32_t tp_dir_part(tp_q30 x)
+static inline uint32_t tp_dir_pack_component(tp_q30 x)
 {
     return (uint32_t)(((int64_t)x * TP_DIR_ONE + (1 << 29)) >> 30) & 1023;
 }
@@ -25,18 +25,19 @@ static inline uint32_t tp_dir_part(tp_q30 x)
 /* Packs a direction; |component| <= 1. */
 static inline tp_packed_dir tp_dir_pack(tp_dir3 d)
 {
-    return tp_dir_part(d.x) | tp_dir_part(d.y) << 10 | tp_dir_part(d.z) << 20;
+    return tp_dir_pack_component(d.x) | tp_dir_pack_component(d.y) << 10
+           | tp_dir_pack_component(d.z) << 20;
 }
 
 /* Returns bits 0..9 as a signed number. */
-static inline int32_t tp_dir_signed(uint32_t part)
+static inline int32_t tp_dir_unpack_component(uint32_t part)
 {
     return (int32_t)((part & 1023) ^ 512) - 512;
 }
 
 /* Components of a packed direction, -511..511. */
-static inline int32_t tp_dir_x(tp_packed_dir n) { return tp_dir_signed(n); }
-static inline int32_t tp_dir_y(tp_packed_dir n) { return tp_dir_signed(n >> 10); }
-static inline int32_t tp_dir_z(tp_packed_dir n) { return tp_dir_signed(n >> 20); }
+static inline int32_t tp_dir_x(tp_packed_dir n) { return tp_dir_unpack_component(n); }
+static inline int32_t tp_dir_y(tp_packed_dir n) { return tp_dir_unpack_component(n >> 10); }
+static inline int32_t tp_dir_z(tp_packed_dir n) { return tp_dir_unpack_component(n >> 20); }
 
 #endif

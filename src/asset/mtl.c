@@ -14,7 +14,10 @@
 #define NOT_WANTED UINT32_MAX
 
 static tp_material *material(tp_obj *obj) { return &obj->store.materials[obj->material]; }
-static struct tp_obj_made *made(tp_obj *obj) { return &obj->store.made[obj->material]; }
+static struct tp_obj_made *current_material_data(tp_obj *obj)
+{
+    return &obj->store.made[obj->material];
+}
 
 static tp_status skip_statement(tp_obj *obj)
 {
@@ -27,23 +30,24 @@ static tp_status begin_material(tp_obj *obj, tp_word keyword, tp_words *words,
 {
     (void)keyword;
     tp_word name;
-    const tp_status status = tp_obj_name(obj, words, &name, err);
+    const tp_status status = tp_obj_read_name(obj, words, &name, err);
     if (status != TP_OK) {
         obj->material = NOT_WANTED;
         return status;
     }
     obj->material = tp_names_find(&obj->store.material_names, name, 0, obj->total.digest);
-    if (obj->material == TP_NO_NAME || name.bytes == 0 || made(obj)->defined) {
+    if (obj->material == TP_NO_NAME || name.bytes == 0
+        || current_material_data(obj)->defined) {
         obj->material = NOT_WANTED;
         return skip_statement(obj);
     }
-    made(obj)->defined = true;
+    current_material_data(obj)->defined = true;
     return TP_OK;
 }
 
 /* -- numbers ------------------------------------------------------------------------- */
 
-static uint32_t level(tp_fx x)
+static uint32_t unit_to_byte(tp_fx x)
 {
     return (uint32_t)(x * 255 + TP_FX_ONE / 2) >> 16;
 }
@@ -54,15 +58,15 @@ static bool is_usable(tp_status status)
 }
 
 /* Clamps x to low..high.  Returns TP_E_MTL_RANGE if x was outside. */
-static tp_status hold(const tp_obj *obj, tp_word keyword, int64_t x, int32_t low,
-                      int32_t high, tp_fx *held, tp_error *err)
+static tp_status clamp_number(const tp_obj *obj, tp_word keyword, int64_t x, int32_t low,
+                              int32_t high, tp_fx *held, tp_error *err)
 {
     const int64_t bottom = (int64_t)low * TP_FX_ONE, top = (int64_t)high * TP_FX_ONE;
     *held = (tp_fx)(x < bottom ? bottom : x > top ? top : x);
     if (*held == x)
         return TP_OK;
     TP_FAIL(err, TP_E_MTL_RANGE, obj->lines.first, low, high);
-    tp_error_word(err, keyword.text, keyword.bytes);
+    tp_error_set_word(err, keyword.text, keyword.bytes);
     return TP_E_MTL_RANGE;
 }
 
@@ -72,8 +76,9 @@ static tp_status read_number(const tp_obj *obj, tp_word keyword, tp_words *words
 {
     int64_t n;
     uint32_t found;
-    const tp_status status = tp_obj_numbers(obj, words, keyword, 1, 1, &n, &found, err);
-    return status != TP_OK ? status : hold(obj, keyword, n, low, high, x, err);
+    const tp_status status =
+        tp_obj_read_numbers(obj, words, keyword, 1, 1, &n, &found, err);
+    return status != TP_OK ? status : clamp_number(obj, keyword, n, low, high, x, err);
 }
 
 /* Reads r g b, or one number for all three.  Spectral curves and CIE colours are
@@ -85,19 +90,19 @@ static tp_status read_colour(tp_obj *obj, tp_word keyword, tp_words *words,
     const tp_word first = tp_word_next(&ahead);
     if (tp_word_is(first, "spectral") || tp_word_is(first, "xyz"))
         return skip_statement(obj);
-    const uint32_t need = tp_words_end(&ahead) ? 1 : 3;
+    const uint32_t need = tp_words_at_end(&ahead) ? 1 : 3;
     int64_t rgb[3];
     uint32_t found, packed = 0;
     tp_status status =
-        tp_obj_numbers(obj, words, keyword, need, need, rgb, &found, err);
+        tp_obj_read_numbers(obj, words, keyword, need, need, rgb, &found, err);
     if (status != TP_OK)
         return status;
     for (uint32_t i = 0; i < 3; i++) {
         tp_fx part;
         const int64_t x = need == 1 ? rgb[0] : rgb[i];
-        if (hold(obj, keyword, x, 0, 1, &part, err) != TP_OK)
+        if (clamp_number(obj, keyword, x, 0, 1, &part, err) != TP_OK)
             status = TP_E_MTL_RANGE;
-        packed = packed << 8 | level(part);
+        packed = packed << 8 | unit_to_byte(part);
     }
     *colour = packed;
     return status;
@@ -109,7 +114,7 @@ static tp_status read_diffuse(tp_obj *obj, tp_word keyword, tp_words *words,
     const tp_status status =
         read_colour(obj, keyword, words, &material(obj)->diffuse, err);
     if (is_usable(status))
-        made(obj)->has_diffuse = true;
+        current_material_data(obj)->has_diffuse = true;
     return status;
 }
 
@@ -141,7 +146,7 @@ static tp_status read_opacity(tp_obj *obj, tp_word keyword, tp_words *words,
     const tp_status status = read_number(obj, keyword, words, 0, 1, &n, err);
     if (is_usable(status)) {
         material(obj)->opacity = n;
-        made(obj)->has_opacity = true;
+        current_material_data(obj)->has_opacity = true;
     }
     return status;
 }
@@ -151,7 +156,7 @@ static tp_status read_transparency(tp_obj *obj, tp_word keyword, tp_words *words
 {
     tp_fx n = 0;
     const tp_status status = read_number(obj, keyword, words, 0, 1, &n, err);
-    if (is_usable(status) && !made(obj)->has_opacity)
+    if (is_usable(status) && !current_material_data(obj)->has_opacity)
         material(obj)->opacity = TP_FX_ONE - n;
     return status;
 }
@@ -214,17 +219,17 @@ static tp_status read_map(tp_obj *obj, tp_words *words, unsigned map, int64_t *b
     while (take_option(words, bump))
         ;
     tp_word name;
-    const tp_status status = tp_obj_name(obj, words, &name, err);
+    const tp_status status = tp_obj_read_name(obj, words, &name, err);
     if (status != TP_OK)
         return status;
-    if (name.bytes == 0 || made(obj)->map[map] != TP_NO_NAME)
+    if (name.bytes == 0 || current_material_data(obj)->map[map] != TP_NO_NAME)
         return skip_statement(obj);
     tp_obj_names *const names = &obj->store.image_names;
     const uint32_t image =
         tp_names_add(names, name, obj->library, obj->lines.first, obj->total.digest);
     if (image == TP_NO_NAME)
         return TP_FAIL(err, TP_E_MTL_IMAGES, obj->lines.first, names->room, 0);
-    made(obj)->map[map] = image;
+    current_material_data(obj)->map[map] = image;
     obj->images = names->count;
     return TP_OK;
 }
@@ -240,12 +245,12 @@ static tp_status read_diffuse_map(tp_obj *obj, tp_word keyword, tp_words *words,
 static tp_status read_bump_map(tp_obj *obj, tp_word keyword, tp_words *words,
                                tp_error *err)
 {
-    const bool first = made(obj)->map[TP_MAP_BUMP] == TP_NO_NAME;
+    const bool first = current_material_data(obj)->map[TP_MAP_BUMP] == TP_NO_NAME;
     int64_t bump = TP_FX_ONE;
     const tp_status status = read_map(obj, words, TP_MAP_BUMP, &bump, err);
     if (status != TP_OK || !first)
         return status;
-    return hold(obj, keyword, bump, -16, 16, &material(obj)->bump, err);
+    return clamp_number(obj, keyword, bump, -16, 16, &material(obj)->bump, err);
 }
 
 /* -- the file ------------------------------------------------------------------------ */
@@ -263,7 +268,7 @@ static const struct { const char *name; run_statement *run; } statements[] = {
 
 enum { STATEMENTS = sizeof statements / sizeof *statements };
 
-static tp_status run(tp_obj *obj, tp_words *line, tp_error *err)
+static tp_status dispatch_statement(tp_obj *obj, tp_words *line, tp_error *err)
 {
     const tp_word word = tp_word_next(line);
     size_t i = 0;
@@ -273,21 +278,21 @@ static tp_status run(tp_obj *obj, tp_words *line, tp_error *err)
         return skip_statement(obj);
     if (obj->lines.goes_on) {
         obj->material = i == 0 ? NOT_WANTED : obj->material;
-        return tp_obj_long_line(obj, err);
+        return tp_obj_fail_long_line(obj, err);
     }
     if (i == 0 || obj->material != NONE_YET)
         return statements[i].run(obj, word, line, err);
     TP_FAIL(err, TP_E_MTL_ORDER, obj->lines.first, 0, 0);
-    tp_error_word(err, word.text, word.bytes);
+    tp_error_set_word(err, word.text, word.bytes);
     return TP_E_MTL_ORDER;
 }
 
 /* Runs a statement.  No fault stops the reading. */
-static tp_status statement(tp_obj *obj, tp_words *line, tp_error *err)
+static tp_status tolerate_statement(tp_obj *obj, tp_words *line, tp_error *err)
 {
     (void)err;
     tp_error fault;
-    if (!obj->lines.continues && run(obj, line, &fault) != TP_OK)
+    if (!obj->lines.continues && dispatch_statement(obj, line, &fault) != TP_OK)
         tp_obj_warn(obj, &fault);
     return TP_OK;
 }
@@ -305,17 +310,17 @@ void tp_mtl_begin(tp_obj *obj, uint32_t library)
 tp_status tp_mtl_feed(tp_obj *obj, const void *text, size_t bytes, tp_error *err)
 {
     if (obj->stage != TP_STAGE_MTL)
-        return tp_obj_settle(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
-    return tp_obj_lines_feed(obj, text, bytes, statement, err);
+        return tp_obj_latch_failure(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
+    return tp_obj_lines_feed(obj, text, bytes, tolerate_statement, err);
 }
 
 tp_status tp_mtl_end(tp_obj *obj, tp_error *err)
 {
     if (obj->stage != TP_STAGE_MTL)
-        return tp_obj_settle(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
-    const tp_status status = tp_obj_lines_end(obj, statement, err);
+        return tp_obj_latch_failure(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
+    const tp_status status = tp_obj_lines_end(obj, tolerate_statement, err);
     if (status != TP_OK)
-        return tp_obj_settle(obj, status);
+        return tp_obj_latch_failure(obj, status);
     obj->libraries_read++;
     obj->stage = TP_STAGE_LOADED;
     return TP_OK;

@@ -24,7 +24,7 @@ void tp_names_clear(tp_obj_names *names)
     memset(names->table, 0, ((size_t)names->mask + 1) * sizeof *names->table);
 }
 
-static bool is_name(const tp_obj_names *names, uint32_t i, tp_word word, uint32_t tag)
+static bool is_same_name(const tp_obj_names *names, uint32_t i, tp_word word, uint32_t tag)
 {
     const char *const text = tp_names_text(names, i);
     const uint32_t next = i + 1 < names->count ? names->start[i + 1] : names->used;
@@ -40,7 +40,7 @@ static uint32_t *find_slot(const tp_obj_names *names, tp_word word, uint32_t tag
     for (uint32_t i = 0; i < word.bytes; i++)
         hash = tp_mix(hash, (unsigned char)word.text[i]);
     uint32_t at = (uint32_t)hash & names->mask;
-    while (names->table[at] != 0 && !is_name(names, names->table[at] - 1, word, tag))
+    while (names->table[at] != 0 && !is_same_name(names, names->table[at] - 1, word, tag))
         at = (at + 1) & names->mask;
     return &names->table[at];
 }

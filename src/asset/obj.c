@@ -13,16 +13,16 @@ enum { MOST_GROUP = 1 << 30 };          /* fits below TP_NORMAL_KIND */
 
 /* -- helpers of statements ------------------------------------------------------- */
 
-tp_status tp_obj_numbers(const tp_obj *obj, tp_words *words, tp_word keyword,
+tp_status tp_obj_read_numbers(const tp_obj *obj, tp_words *words, tp_word keyword,
                          uint32_t need, uint32_t most, int64_t *numbers, uint32_t *found,
                          tp_error *err)
 {
     uint32_t n = 0;
-    for (; n < most && !tp_words_end(words); n++) {
+    for (; n < most && !tp_words_at_end(words); n++) {
         if (!tp_word_number(words, &numbers[n])) {
             const tp_word word = tp_word_next(words);
             TP_FAIL(err, TP_E_OBJ_NUMBER, obj->lines.first, 0, 0);
-            tp_error_word(err, word.text, word.bytes);
+            tp_error_set_word(err, word.text, word.bytes);
             return TP_E_OBJ_NUMBER;
         }
     }
@@ -30,11 +30,11 @@ tp_status tp_obj_numbers(const tp_obj *obj, tp_words *words, tp_word keyword,
     if (n >= need)
         return TP_OK;
     TP_FAIL(err, TP_E_OBJ_MISSING, obj->lines.first, need, n);
-    tp_error_word(err, keyword.text, keyword.bytes);
+    tp_error_set_word(err, keyword.text, keyword.bytes);
     return TP_E_OBJ_MISSING;
 }
 
-tp_status tp_obj_room(const tp_obj *obj, uint32_t now, uint32_t total, uint32_t more,
+tp_status tp_obj_check_room(const tp_obj *obj, uint32_t now, uint32_t total, uint32_t more,
                       tp_error *err)
 {
     const bool scan = obj->stage == TP_STAGE_SCAN;
@@ -44,7 +44,7 @@ tp_status tp_obj_room(const tp_obj *obj, uint32_t now, uint32_t total, uint32_t 
                    TP_OBJ_COUNT, 0);
 }
 
-tp_status tp_obj_name(const tp_obj *obj, tp_words *words, tp_word *name, tp_error *err)
+tp_status tp_obj_read_name(const tp_obj *obj, tp_words *words, tp_word *name, tp_error *err)
 {
     *name = tp_word_rest(words);
     if (!tp_word_holds_nul(*name))
@@ -52,7 +52,7 @@ tp_status tp_obj_name(const tp_obj *obj, tp_words *words, tp_word *name, tp_erro
     return TP_FAIL(err, TP_E_OBJ_NAME, obj->lines.first, 0, 0);
 }
 
-tp_status tp_obj_long_line(const tp_obj *obj, tp_error *err)
+tp_status tp_obj_fail_long_line(const tp_obj *obj, tp_error *err)
 {
     return TP_FAIL(err, TP_E_OBJ_LINE, obj->lines.first, TP_OBJ_LINE_BYTES, 0);
 }
@@ -81,7 +81,7 @@ static tp_status read_coordinates(tp_obj *obj, tp_words *words, const char *keyw
     const tp_word word = { keyword, keyword[1] == '\0' ? 1 : 2 };
     uint32_t found;
     const tp_status status =
-        tp_obj_numbers(obj, words, word, need, most, numbers, &found, err);
+        tp_obj_read_numbers(obj, words, word, need, most, numbers, &found, err);
     for (uint32_t i = 0; status == TP_OK && i < found; i++)
         obj->now.digest = tp_mix(obj->now.digest, (uint64_t)numbers[i]);
     return status;
@@ -99,7 +99,7 @@ static tp_status read_position(tp_obj *obj, tp_words *words, tp_error *err)
     int64_t n[3];
     tp_status status = read_coordinates(obj, words, "v", 3, 3, n, err);
     if (status == TP_OK)
-        status = tp_obj_room(obj, obj->now.vertices, obj->total.vertices, 1, err);
+        status = tp_obj_check_room(obj, obj->now.vertices, obj->total.vertices, 1, err);
     if (status != TP_OK)
         return status;
     for (int i = 0; i < 3; i++) {
@@ -116,7 +116,7 @@ static tp_status read_position(tp_obj *obj, tp_words *words, tp_error *err)
 }
 
 /* Some exporters write values that were never set: 3443870976. */
-static tp_fx texcoord_in_range(tp_obj *obj, int64_t x)
+static tp_fx texcoord_or_zero(tp_obj *obj, int64_t x)
 {
     if (magnitude(x) < (uint64_t)TP_OBJ_REPEATS << 16)
         return (tp_fx)x;
@@ -130,10 +130,10 @@ static tp_status read_texcoord(tp_obj *obj, tp_words *words, tp_error *err)
     int64_t n[2] = { 0, 0 };
     tp_status status = read_coordinates(obj, words, "vt", 1, 2, n, err);
     if (status == TP_OK)
-        status = tp_obj_room(obj, obj->now.texcoords, obj->total.texcoords, 1, err);
+        status = tp_obj_check_room(obj, obj->now.texcoords, obj->total.texcoords, 1, err);
     if (status != TP_OK)
         return status;
-    const tp_fx s = texcoord_in_range(obj, n[0]), t = texcoord_in_range(obj, n[1]);
+    const tp_fx s = texcoord_or_zero(obj, n[0]), t = texcoord_or_zero(obj, n[1]);
     if (obj->stage == TP_STAGE_LOAD)
         obj->store.texcoords[obj->now.texcoords] =
             (struct tp_obj_texcoord){ s, TP_FX_ONE - t };
@@ -157,7 +157,7 @@ static tp_status read_normal(tp_obj *obj, tp_words *words, tp_error *err)
     int64_t n[3];
     tp_status status = read_coordinates(obj, words, "vn", 3, 3, n, err);
     if (status == TP_OK)
-        status = tp_obj_room(obj, obj->now.normals, obj->total.normals, 1, err);
+        status = tp_obj_check_room(obj, obj->now.normals, obj->total.normals, 1, err);
     if (status != TP_OK)
         return status;
     if (obj->stage == TP_STAGE_LOAD)
@@ -178,7 +178,7 @@ static tp_status read_smoothing(tp_obj *obj, tp_words *words, tp_error *err)
         return TP_OK;
     }
     TP_FAIL(err, TP_E_OBJ_NUMBER, obj->lines.first, 0, 0);
-    tp_error_word(err, word.text, word.bytes);
+    tp_error_set_word(err, word.text, word.bytes);
     return TP_E_OBJ_NUMBER;
 }
 
@@ -212,7 +212,7 @@ static uint32_t find_statement(tp_word word)
     return i;
 }
 
-static tp_status statement(tp_obj *obj, tp_words *line, tp_error *err)
+static tp_status dispatch_statement(tp_obj *obj, tp_words *line, tp_error *err)
 {
     if (!obj->lines.continues) {
         obj->statement = find_statement(tp_word_next(line));
@@ -221,13 +221,13 @@ static tp_status statement(tp_obj *obj, tp_words *line, tp_error *err)
     if (obj->statement == STATEMENTS)
         return TP_OK;
     if (obj->lines.goes_on && !statements[obj->statement].in_parts)
-        return tp_obj_long_line(obj, err);
+        return tp_obj_fail_long_line(obj, err);
     return statements[obj->statement].run(obj, line, err);
 }
 
 /* -- lines ------------------------------------------------------------------------- */
 
-tp_status tp_obj_settle(tp_obj *obj, tp_status status)
+tp_status tp_obj_latch_failure(tp_obj *obj, tp_status status)
 {
     if (status != TP_OK)
         obj->stage = TP_STAGE_FAILED;
@@ -245,7 +245,7 @@ tp_status tp_obj_lines_feed(tp_obj *obj, const void *text, size_t bytes,
     while (tp_lines_next(&obj->lines, &at, end, &line)) {
         const tp_status status = run(obj, &line, err);
         if (status != TP_OK)
-            return tp_obj_settle(obj, status);
+            return tp_obj_latch_failure(obj, status);
     }
     return TP_OK;
 }
@@ -284,20 +284,21 @@ void tp_obj_begin_count(tp_obj *obj)
 tp_status tp_obj_feed(tp_obj *obj, const void *text, size_t bytes, tp_error *err)
 {
     if (obj->stage != TP_STAGE_SCAN && obj->stage != TP_STAGE_LOAD)
-        return tp_obj_settle(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
+        return tp_obj_latch_failure(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
     obj->now.bytes += (uint32_t)bytes;
-    return tp_obj_lines_feed(obj, text, bytes, statement, err);
+    return tp_obj_lines_feed(obj, text, bytes, dispatch_statement, err);
 }
 
 tp_status tp_obj_end_count(tp_obj *obj, tp_error *err)
 {
     if (obj->stage != TP_STAGE_SCAN)
-        return tp_obj_settle(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
-    const tp_status status = tp_obj_lines_end(obj, statement, err);
+        return tp_obj_latch_failure(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
+    const tp_status status = tp_obj_lines_end(obj, dispatch_statement, err);
     if (status != TP_OK)
-        return tp_obj_settle(obj, status);
+        return tp_obj_latch_failure(obj, status);
     if (obj->now.polygons == 0)
-        return tp_obj_settle(obj, TP_FAIL(err, TP_E_OBJ_EMPTY, obj->lines.next, 0, 0));
+        return tp_obj_latch_failure(obj,
+                                    TP_FAIL(err, TP_E_OBJ_EMPTY, obj->lines.next, 0, 0));
     obj->total = obj->now;
     while (obj->total.reach >> obj->log2_unit >= 1 << 14)
         obj->log2_unit++;
@@ -305,7 +306,7 @@ tp_status tp_obj_end_count(tp_obj *obj, tp_error *err)
     tp_arena count = tp_arena_init(NULL, 0);
     tp_obj_carve(obj, &count);
     if (count.failed)
-        return tp_obj_settle(obj, TP_FAIL(err, TP_E_NOSPACE, 0, INT32_MAX, 0));
+        return tp_obj_latch_failure(obj, TP_FAIL(err, TP_E_NOSPACE, 0, INT32_MAX, 0));
     obj->bytes = count.used;
     obj->stage = TP_STAGE_SCANNED;
     return TP_OK;
@@ -335,14 +336,14 @@ void tp_obj_begin_load(tp_obj *obj, void *mem)
 tp_status tp_obj_end_load(tp_obj *obj, tp_error *err)
 {
     if (obj->stage != TP_STAGE_LOAD)
-        return tp_obj_settle(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
-    tp_status status = tp_obj_lines_end(obj, statement, err);
+        return tp_obj_latch_failure(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
+    tp_status status = tp_obj_lines_end(obj, dispatch_statement, err);
     if (status == TP_OK && memcmp(&obj->now, &obj->total, sizeof obj->now) != 0)
         status = TP_FAIL(err, TP_E_OBJ_CHANGED, obj->lines.next, 0, 0);
     if (status == TP_OK)
-        status = tp_obj_shape(obj, err);
+        status = tp_obj_build_geometry(obj, err);
     if (status != TP_OK)
-        return tp_obj_settle(obj, status);
+        return tp_obj_latch_failure(obj, status);
     /* Image names reuse the memory of loading, which ends here; obj_store.c defines the
      * layout. */
     tp_names_clear(&obj->store.image_names);

@@ -57,20 +57,21 @@ struct tp_obj_made {
 };
 
 /* obj.c: reads the next `most` numbers of a line, at least `need`, in 48.16. */
-tp_status tp_obj_numbers(const tp_obj *obj, tp_words *words, tp_word keyword,
+tp_status tp_obj_read_numbers(const tp_obj *obj, tp_words *words, tp_word keyword,
                          uint32_t need, uint32_t most, int64_t *numbers, uint32_t *found,
                          tp_error *err);
 
 /* obj.c: returns TP_OK if `more` can be added to `now`.  The limit is TP_OBJ_COUNT in the
  * scan, and the total of the scan in the load. */
-tp_status tp_obj_room(const tp_obj *obj, uint32_t now, uint32_t total, uint32_t more,
+tp_status tp_obj_check_room(const tp_obj *obj, uint32_t now, uint32_t total, uint32_t more,
                       tp_error *err);
 
 /* obj.c: returns the rest of the line as a name, possibly of no bytes. */
-tp_status tp_obj_name(const tp_obj *obj, tp_words *words, tp_word *name, tp_error *err);
+tp_status tp_obj_read_name(const tp_obj *obj, tp_words *words, tp_word *name,
+                           tp_error *err);
 
 /* obj.c: returns the error for a line longer than its statement allows. */
-tp_status tp_obj_long_line(const tp_obj *obj, tp_error *err);
+tp_status tp_obj_fail_long_line(const tp_obj *obj, tp_error *err);
 
 /* obj.c: records a fault that does not stop the reading.  The scan records none: the load
  * finds the same faults again. */
@@ -81,13 +82,13 @@ typedef tp_status tp_obj_statement(tp_obj *obj, tp_words *line, tp_error *err);
 tp_status tp_obj_lines_feed(tp_obj *obj, const void *text, size_t bytes,
                             tp_obj_statement *statement, tp_error *err);
 tp_status tp_obj_lines_end(tp_obj *obj, tp_obj_statement *statement, tp_error *err);
-tp_status tp_obj_settle(tp_obj *obj, tp_status status);
+tp_status tp_obj_latch_failure(tp_obj *obj, tp_status status);
 
-/* use.c: the statements usemtl and mtllib.  tp_obj_no_material selects the material "",
+/* use.c: the statements usemtl and mtllib.  tp_obj_use_default_material selects the material "",
  * used by faces before any usemtl. */
 tp_status tp_obj_usemtl(tp_obj *obj, tp_words *words, tp_error *err);
 tp_status tp_obj_mtllib(tp_obj *obj, tp_words *words, tp_error *err);
-tp_status tp_obj_no_material(tp_obj *obj, tp_error *err);
+tp_status tp_obj_use_default_material(tp_obj *obj, tp_error *err);
 
 /* face.c: the statement f, or a part of it. */
 tp_status tp_obj_face(tp_obj *obj, tp_words *words, tp_error *err);
@@ -96,5 +97,5 @@ tp_status tp_obj_face(tp_obj *obj, tp_words *words, tp_error *err);
 void tp_obj_carve(tp_obj *obj, tp_arena *arena);
 
 /* shape.c: turns polygons into faces; computes normals and the final form of vertices. */
-tp_status tp_obj_shape(tp_obj *obj, tp_error *err);
+tp_status tp_obj_build_geometry(tp_obj *obj, tp_error *err);
 #endif

@@ -32,7 +32,7 @@ static void carve_loading(tp_obj_store *store, const tp_obj_counts *total,
 
 /* Returns the bytes for material names.  The scan counts at most TP_OBJ_MATERIALS names,
  * but the bytes of all names. */
-static uint32_t material_room(const tp_obj *obj)
+static uint32_t material_name_bytes(const tp_obj *obj)
 {
     const uint32_t counted = obj->name_room[TP_NAMES_MATERIAL];
     const uint32_t most = obj->name_most[TP_NAMES_MATERIAL] * (obj->name_longest + 1);
@@ -49,7 +49,7 @@ void tp_obj_carve(tp_obj *obj, tp_arena *arena)
     store->faces     = tp_arena_alloc(arena, total->triangles, sizeof *store->faces);
     store->vertices  = tp_arena_alloc(arena, total->corners, sizeof *store->vertices);
     store->made      = tp_arena_alloc(arena, materials, sizeof *store->made);
-    tp_names_carve(&store->material_names, arena, materials, material_room(obj));
+    tp_names_carve(&store->material_names, arena, materials, material_name_bytes(obj));
     tp_names_carve(&store->library_names, arena, obj->name_most[TP_NAMES_LIBRARY],
                    obj->name_room[TP_NAMES_LIBRARY]);
 

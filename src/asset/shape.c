@@ -34,14 +34,14 @@ static tp_vec3 vertex_position(const tp_obj_store *store, uint32_t vertex)
     return store->positions[store->vertices[vertex].corner.position];
 }
 
-static uint32_t larger(int32_t low_a, int32_t high_a, int32_t low_b, int32_t high_b)
+static uint32_t larger_extent(int32_t low_a, int32_t high_a, int32_t low_b, int32_t high_b)
 {
     const uint32_t a = (uint32_t)(high_a - low_a), b = (uint32_t)(high_b - low_b);
     return a > b ? a : b;
 }
 
 /* Finds the bounding box, and the shifts that keep the sums of areas from overflowing. */
-static void find_scales(tp_obj *obj)
+static void find_bounds_and_shifts(tp_obj *obj)
 {
     const tp_obj_store *const store = &obj->store;
     tp_vec3 low = vertex_position(store, 0), high = low;
@@ -57,10 +57,10 @@ static void find_scales(tp_obj *obj)
     }
     obj->low = low;
     obj->high = high;
-    const uint32_t box = larger(low.x, high.x, low.y, high.y);
+    const uint32_t box = larger_extent(low.x, high.x, low.y, high.y);
     const uint32_t depth = (uint32_t)(high.z - low.z);
-    obj->area_shift = tp_area_shift(box > depth ? box : depth, obj->total.triangles);
-    obj->picture_shift = tp_area_shift(larger(first.s, last.s, first.t, last.t),
+    obj->area_shift = tp_area_sum_shift(box > depth ? box : depth, obj->total.triangles);
+    obj->picture_shift = tp_area_sum_shift(larger_extent(first.s, last.s, first.t, last.t),
                                        obj->total.triangles);
 }
 
@@ -84,7 +84,7 @@ static uint32_t find_or_add_slot(tp_obj_store *store, uint64_t seed, uint32_t po
 
 /* The hash table of vertices is no longer needed and now finds slots, at
  * most one per corner. */
-static void give_slots(tp_obj *obj)
+static void assign_normal_slots(tp_obj *obj)
 {
     tp_obj_store *const store = &obj->store;
     memset(store->table, 0, ((size_t)store->mask + 1) * sizeof *store->table);
@@ -137,13 +137,14 @@ static tp_packed_dir face_tangent(const tp_obj *obj, const tp_mesh_face *face, t
     const struct tp_obj_texcoord b = vertex_texcoord(&obj->store, face->vertex[1]);
     const struct tp_obj_texcoord c = vertex_texcoord(&obj->store, face->vertex[2]);
     const int32_t dt_e = b.t - a.t, dt_f = c.t - a.t;
-    const int64_t turn = tp_area_term(b.s - a.s, dt_f, c.s - a.s, dt_e);
+    const int64_t turn = tp_area_product_difference(b.s - a.s, dt_f, c.s - a.s, dt_e);
     if (turn == 0)
         return tp_dir_pack(any_tangent(normal));
     *picture += (uint64_t)(turn < 0 ? -turn : turn) >> obj->picture_shift;
-    const tp_dir3 along = tp_area_direction((tp_area){
-        tp_area_term(e.x, dt_f, f.x, dt_e), tp_area_term(e.y, dt_f, f.y, dt_e),
-        tp_area_term(e.z, dt_f, f.z, dt_e) });
+    const tp_dir3 along =
+        tp_area_direction((tp_area){ tp_area_product_difference(e.x, dt_f, f.x, dt_e),
+                                     tp_area_product_difference(e.y, dt_f, f.y, dt_e),
+                                     tp_area_product_difference(e.z, dt_f, f.z, dt_e) });
     if (turn > 0)
         return tp_dir_pack(along) | TP_TANGENT_MIRRORED;
     return tp_dir_pack((tp_dir3){ -along.x, -along.y, -along.z });
@@ -169,7 +170,7 @@ static void make_face(tp_obj *obj, const uint32_t vertex[3], uint32_t material,
     struct tp_obj_made *const made = &store->made[material];
     *face = (tp_mesh_face){ { vertex[0], vertex[1], vertex[2] }, 0, material };
     face->tangent = face_tangent(obj, face, e, f, exact, &made->picture);
-    const tp_area area = tp_area_scaled(exact, obj->area_shift);
+    const tp_area area = tp_area_divide_pow2(exact, obj->area_shift);
     made->area += tp_area_length(area);
     add_area(sum, area);
     add_to_slots(store, face, area);
@@ -246,11 +247,11 @@ static void finish_vertices(tp_obj_store *store)
     }
 }
 
-tp_status tp_obj_shape(tp_obj *obj, tp_error *err)
+tp_status tp_obj_build_geometry(tp_obj *obj, tp_error *err)
 {
     tp_obj_store *const store = &obj->store;
-    find_scales(obj);
-    give_slots(obj);
+    find_bounds_and_shifts(obj);
+    assign_normal_slots(obj);
     const uint32_t *corners = store->corners;
     for (uint32_t i = 0; i < obj->total.polygons; i++) {
         make_faces(obj, &store->polygons[i], corners);

@@ -20,12 +20,12 @@ static uint32_t ceil_log2(uint32_t n)
     return log2;
 }
 
-static uint32_t side(uint32_t log2, uint32_t level)
+static uint32_t level_side(uint32_t log2, uint32_t level)
 {
     return log2 > level ? 1u << (log2 - level) : 1;
 }
 
-static bool can_be(uint32_t w, uint32_t h)
+static bool is_valid_size(uint32_t w, uint32_t h)
 {
     return w >= 1 && w <= MOST && h >= 1 && h <= MOST;
 }
@@ -33,12 +33,12 @@ static bool can_be(uint32_t w, uint32_t h)
 /* At most 4/3 of 4096 x 4096 texels plus the thin end: 22.4 million, 90 MB. */
 size_t tp_texture_bytes(uint32_t w, uint32_t h)
 {
-    if (!can_be(w, h))
+    if (!is_valid_size(w, h))
         return 0;
     const uint32_t log2_w = ceil_log2(w), log2_h = ceil_log2(h);
     size_t texels = 0;
     for (uint32_t level = 0; level <= log2_w || level <= log2_h; level++)
-        texels += (size_t)side(log2_w, level) * side(log2_h, level);
+        texels += (size_t)level_side(log2_w, level) * level_side(log2_h, level);
     return texels * sizeof(uint32_t);
 }
 
@@ -82,9 +82,9 @@ static uint32_t resample(const uint32_t *pixels, uint32_t w, tap x, tap y)
 static void fill_first_level(uint32_t *to, uint32_t log2_w, uint32_t log2_h,
                              const uint32_t *pixels, uint32_t w, uint32_t h)
 {
-    for (uint32_t y = 0; y < side(log2_h, 0); y++) {
+    for (uint32_t y = 0; y < level_side(log2_h, 0); y++) {
         const tap row = make_tap(y, h, log2_h);
-        for (uint32_t x = 0; x < side(log2_w, 0); x++)
+        for (uint32_t x = 0; x < level_side(log2_w, 0); x++)
             *to++ = resample(pixels, w, make_tap(x, w, log2_w), row);
     }
 }
@@ -116,7 +116,7 @@ static void halve(uint32_t *to, const uint32_t *from, uint32_t w, uint32_t h)
 tp_status tp_texture_init(tp_texture *texture, const uint32_t *pixels, uint32_t w,
                           uint32_t h, void *memory, size_t bytes, tp_error *err)
 {
-    if (!can_be(w, h))
+    if (!is_valid_size(w, h))
         return TP_FAIL(err, TP_E_TEXTURE, 0, w, h);
     tp_status status = tp_given_check(texture, "texture", err);
     if (status == TP_OK)
@@ -137,9 +137,9 @@ tp_status tp_texture_init(tp_texture *texture, const uint32_t *pixels, uint32_t 
         if (level == 0)
             fill_first_level(at, log2_w, log2_h, pixels, w, h);
         else
-            halve(at, texture->level[level - 1], side(log2_w, level - 1),
-                  side(log2_h, level - 1));
-        at += (size_t)side(log2_w, level) * side(log2_h, level);
+            halve(at, texture->level[level - 1], level_side(log2_w, level - 1),
+                  level_side(log2_h, level - 1));
+        at += (size_t)level_side(log2_w, level) * level_side(log2_h, level);
     }
     return TP_OK;
 }

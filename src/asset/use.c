@@ -13,7 +13,7 @@
 enum { MOST_LIBRARIES = 1 << 20, MOST_ROOM = 1 << 28, SHORT_NAME = 255 };
 
 /* obj->seen holds records of kind + 1, length, bytes; a 0 ends the list. */
-static bool was_seen(tp_obj *obj, unsigned kind, tp_word name)
+static bool was_seen_or_remember(tp_obj *obj, unsigned kind, tp_word name)
 {
     char *at = obj->seen, *const end = at + sizeof obj->seen;
     if (name.bytes > SHORT_NAME)
@@ -36,7 +36,7 @@ static bool was_seen(tp_obj *obj, unsigned kind, tp_word name)
 static tp_status count_name(tp_obj *obj, unsigned kind, tp_word name, tp_error *err)
 {
     uint32_t *const most = &obj->name_most[kind], *const room = &obj->name_room[kind];
-    if (was_seen(obj, kind, name))
+    if (was_seen_or_remember(obj, kind, name))
         return TP_OK;
     if (kind == TP_NAMES_LIBRARY && (*most == MOST_LIBRARIES || *room >= MOST_ROOM))
         return TP_FAIL(err, TP_E_OBJ_COUNT, obj->lines.first, MOST_LIBRARIES, 0);
@@ -61,7 +61,7 @@ static const tp_word nameless = { "", 0 };
 
 /* True if the set has room for the name.  The last place is reserved for the nameless
  * material until the nameless material is added. */
-static bool has_place(const tp_obj *obj, tp_word name)
+static bool has_room_for_name(const tp_obj *obj, tp_word name)
 {
     const tp_obj_names *const names = &obj->store.material_names;
     return name.bytes == 0 || names->count + 1 < names->most
@@ -74,7 +74,7 @@ static uint32_t find_or_add_material(tp_obj *obj, tp_word name)
 {
     tp_obj_names *const names = &obj->store.material_names;
     uint32_t i = tp_names_find(names, name, 0, obj->total.digest);
-    if (i != TP_NO_NAME || !has_place(obj, name))
+    if (i != TP_NO_NAME || !has_room_for_name(obj, name))
         return i;
     i = tp_names_add(names, name, 0, obj->lines.first, obj->total.digest);
     if (i == TP_NO_NAME)
@@ -88,7 +88,7 @@ static uint32_t find_or_add_material(tp_obj *obj, tp_word name)
 
 /* Handles a name beyond the limit: the faces get the nameless material, and the first case
  * is recorded as a warning. */
-static tp_status use_crowded(tp_obj *obj, tp_error *err)
+static tp_status use_fallback_material(tp_obj *obj, tp_error *err)
 {
     if (obj->store.material_names.most < TP_OBJ_MATERIALS)
         return TP_FAIL(err, TP_E_OBJ_CHANGED, obj->lines.first, 0, 0);
@@ -106,14 +106,14 @@ static tp_status use_material(tp_obj *obj, tp_word name, tp_error *err)
     if (obj->stage == TP_STAGE_SCAN)
         return count_name(obj, TP_NAMES_MATERIAL, name, err);
     obj->material = find_or_add_material(obj, name);
-    return obj->material == TP_NO_NAME ? use_crowded(obj, err) : TP_OK;
+    return obj->material == TP_NO_NAME ? use_fallback_material(obj, err) : TP_OK;
 }
 
 tp_status tp_obj_usemtl(tp_obj *obj, tp_words *words, tp_error *err)
 {
     tp_word name;
     tp_error fault;
-    if (tp_obj_name(obj, words, &name, &fault) != TP_OK) {
+    if (tp_obj_read_name(obj, words, &name, &fault) != TP_OK) {
         tp_obj_warn(obj, &fault);
         return TP_OK;
     }
@@ -121,7 +121,7 @@ tp_status tp_obj_usemtl(tp_obj *obj, tp_words *words, tp_error *err)
     return use_material(obj, name, err);
 }
 
-tp_status tp_obj_no_material(tp_obj *obj, tp_error *err)
+tp_status tp_obj_use_default_material(tp_obj *obj, tp_error *err)
 {
     return use_material(obj, nameless, err);
 }
@@ -148,7 +148,7 @@ static bool ends_in_mtl(tp_word word)
 
 /* Returns the first name of the rest: up to the first word that ends in ".mtl",
  * or the whole rest. */
-static tp_words first_name(tp_words *words)
+static tp_words next_library_name(tp_words *words)
 {
     const char *const start = words->at;
     tp_word word;
@@ -161,10 +161,10 @@ static tp_words first_name(tp_words *words)
 tp_status tp_obj_mtllib(tp_obj *obj, tp_words *words, tp_error *err)
 {
     for (;;) {
-        tp_words one = first_name(words);
+        tp_words one = next_library_name(words);
         tp_word name;
         tp_error fault;
-        if (tp_obj_name(obj, &one, &name, &fault) != TP_OK) {
+        if (tp_obj_read_name(obj, &one, &name, &fault) != TP_OK) {
             tp_obj_warn(obj, &fault);
             continue;
         }

@@ -10,7 +10,7 @@ static void skip_blanks(tp_words *words)
         words->at++;
 }
 
-bool tp_words_end(tp_words *words)
+bool tp_words_at_end(tp_words *words)
 {
     skip_blanks(words);
     return words->at == words->end || *words->at == '#';

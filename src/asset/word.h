@@ -12,7 +12,7 @@ typedef struct { const char *text; uint32_t bytes; } tp_word;
 static inline bool tp_is_blank(char c) { return (unsigned char)c <= ' '; }
 
 /* Skips blanks.  True if the line ends or a comment follows. */
-bool tp_words_end(tp_words *words);
+bool tp_words_at_end(tp_words *words);
 
 /* Skips blanks and returns the next word; a word of no bytes at the end. */
 tp_word tp_word_next(tp_words *words);

@@ -14,7 +14,7 @@ tp_arena tp_arena_init(void *block, size_t bytes)
 
 /* Returns count x size in bytes, rounded up to the alignment.  Returns SIZE_MAX if the
  * product does not fit a size_t: no block is that large. */
-static size_t whole_size(size_t count, size_t size)
+static size_t aligned_size(size_t count, size_t size)
 {
     if (size != 0 && count > (SIZE_MAX - ALIGNMENT) / size)
         return SIZE_MAX;
@@ -25,7 +25,7 @@ void *tp_arena_alloc(tp_arena *arena, size_t count, size_t size)
 {
     TP_ASSERT(arena != NULL);
     TP_ASSERT(arena->failed || arena->block == NULL || arena->used <= arena->bytes);
-    const size_t bytes = whole_size(count, size);
+    const size_t bytes = aligned_size(count, size);
     if (bytes > SIZE_MAX - arena->used) {
         arena->used = SIZE_MAX;
         arena->failed = true;

@@ -115,7 +115,7 @@ TP_ALWAYS_INLINE uint32_t tp_high_halves(uint32_t a, uint32_t b)
 /* Keeps a constant in a register.  Otherwise the compiler turns products with a
  * known constant into shifts and sums, which gains nothing on a core that
  * multiplies in one cycle. */
-TP_ALWAYS_INLINE uint32_t tp_kept(uint32_t constant)
+TP_ALWAYS_INLINE uint32_t tp_keep_in_register(uint32_t constant)
 {
 #if TP_DSP
     __asm__("" : "+r"(constant));

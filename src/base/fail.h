@@ -16,7 +16,7 @@ tp_status tp_fail_(tp_error *err, tp_status code, const char *file, int line,
                    uint32_t where, int32_t a, int32_t b);
 
 /* Copies the offending word, which has no terminator, into an error. */
-void tp_error_word(tp_error *err, const char *word, size_t bytes);
+void tp_error_set_word(tp_error *err, const char *word, size_t bytes);
 
 /* Copies a terminated word into an error that has just been filled.  Returns `code`. */
 tp_status tp_error_blame(tp_error *err, tp_status code, const char *word);

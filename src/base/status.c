@@ -15,7 +15,7 @@ const char *tp_status_text(tp_status code)
     return (unsigned)code < TP_STATUS_COUNT ? sentences[code] : "unknown status";
 }
 
-static void put_part(tp_text *out, char part, const tp_error *err)
+static void put_placeholder(tp_text *out, char part, const tp_error *err)
 {
     switch (part) {
     case 'a': tp_text_int(out, err->a);    break;
@@ -31,7 +31,7 @@ size_t tp_error_text(const tp_error *err, char *text, size_t bytes)
     tp_text out = tp_text_init(text, bytes);
     for (const char *at = tp_status_text(err->code); *at != '\0'; at++) {
         if (*at == '%' && at[1] != '\0')
-            put_part(&out, *++at, err);
+            put_placeholder(&out, *++at, err);
         else
             tp_text_char(&out, *at);
     }
@@ -48,7 +48,7 @@ tp_status tp_fail_(tp_error *err, tp_status code, const char *file, int line,
 }
 
 /* Control bytes of a hostile file must not reach a terminal: each becomes '?'. */
-void tp_error_word(tp_error *err, const char *word, size_t bytes)
+void tp_error_set_word(tp_error *err, const char *word, size_t bytes)
 {
     TP_ASSERT(word != NULL || bytes == 0);
     if (err == NULL)
@@ -63,6 +63,6 @@ void tp_error_word(tp_error *err, const char *word, size_t bytes)
 
 tp_status tp_error_blame(tp_error *err, tp_status code, const char *word)
 {
-    tp_error_word(err, word, tp_text_length(word));
+    tp_error_set_word(err, word, tp_text_length(word));
     return code;
 }

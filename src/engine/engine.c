@@ -33,7 +33,7 @@ static blocks measure_blocks(const tp_config *c, const tp_scene *scene)
     };
 }
 
-static bool are_known(const blocks *b)
+static bool has_valid_sizes(const blocks *b)
 {
     return b->world_bytes > 0 && b->frame_bytes > 0 && b->scratch_bytes > 0;
 }
@@ -55,13 +55,13 @@ size_t tp_engine_bytes(const tp_config *config, const tp_scene *scene)
         return 0;
     blocks b = measure_blocks(config, scene);
     allocate_blocks(&b, &arena);
-    return are_known(&b) ? arena.used : 0;
+    return has_valid_sizes(&b) ? arena.used : 0;
 }
 
 /* Returns the status of a refused config or scene, from the init function that refuses
  * them. */
-static tp_status refuse(const tp_config *c, const tp_scene *scene, void *memory,
-                        size_t bytes, tp_error *err)
+static tp_status diagnose_refusal(const tp_config *c, const tp_scene *scene, void *memory,
+                                  size_t bytes, tp_error *err)
 {
     tp_frame *frame;
     const tp_status status = tp_frame_init(&frame, c, scene, memory, bytes, err);
@@ -91,8 +91,8 @@ tp_status tp_engine_init(tp_engine **out, const tp_config *config, const tp_scen
     if (status != TP_OK)
         return status;
     blocks b = measure_blocks(config, scene);
-    if (!are_known(&b))
-        return refuse(config, scene, memory, bytes, err);
+    if (!has_valid_sizes(&b))
+        return diagnose_refusal(config, scene, memory, bytes, err);
     tp_arena arena = tp_arena_init(memory, bytes);
     allocate_blocks(&b, &arena);
     if (arena.failed)
@@ -132,7 +132,8 @@ tp_status tp_engine_apply(tp_engine *engine, tp_error *err)
 {
     TP_ASSERT(engine != NULL);
     const tp_config *c = &engine->config;
-    const tp_status status = tp_program_fits(c->program, engine->scene, c->assets, err);
+    const tp_status status =
+        tp_program_check_all(c->program, engine->scene, c->assets, err);
 
     if (status != TP_OK)
         return status;

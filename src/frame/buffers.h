@@ -7,7 +7,7 @@
 #include "frame/frame.h"
 
 /* A water renderer, see visibility.c.  `memory` is scratch, free until pixels are stored:
- * tp_method_bytes() for each column of the tile, then a window if grid vertices are
+ * tp_method_column_bytes() for each column of the tile, then a window if grid vertices are
  * streamed. */
 struct tp_method {
     void (*carve)(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
@@ -21,7 +21,7 @@ struct tp_method {
 #define TP_METHOD_BYTES sizeof(tp_row_column)
 
 /* Scratch bytes per column; 0 if no renderer of the program works by columns. */
-static inline size_t tp_method_bytes(const tp_program *program)
+static inline size_t tp_method_column_bytes(const tp_program *program)
 {
     return program->method.rows || program->method.projected ? TP_METHOD_BYTES : 0;
 }

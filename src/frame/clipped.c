@@ -2,8 +2,8 @@
 /* Triangles clipped by the near plane, the frustum or a level; shared by all solids. */
 #include "frame/render_view.h"
 
-tp_view_vertex tp_clipped_vertex(const tp_projection *projection, tp_vec3 at,
-                                 const int16_t n[3])
+tp_view_vertex tp_solid_vertex_make(const tp_projection *projection, tp_vec3 at,
+                                    const int16_t n[3])
 {
     tp_view_vertex c;
 

@@ -15,25 +15,26 @@
 /* -- memory --------------------------------------------------------------------------- */
 
 /* True if this module is drawn.  *mark is its first stencil value; 0 if it needs none. */
-static bool deal(tp_frame_parts *parts, const tp_use *u, tp_want *want, uint32_t *mark)
+static bool assign_marks(tp_frame_parts *parts, const tp_use *u, tp_want *want,
+                         uint32_t *mark)
 {
     *mark = 0;
-    if (!tp_module_ask(u->module, want) || !u->drawing)
+    if (!tp_module_ask_enabled(u->module, want) || !u->drawing)
         return false;
     if (!u->drawing->marks)
         return true;
-    *mark = tp_marks_deal(&parts->marks, u->drawing->marks(want));
+    *mark = tp_marks_reserve_values(&parts->marks, u->drawing->marks(want));
     parts->lacks += *mark == 0;
     return *mark > 0;
 }
 
-static void give_lists(tp_frame_parts *parts, const tp_use *u, uint32_t count)
+static void assign_lists(tp_frame_parts *parts, const tp_use *u, uint32_t count)
 {
     uint32_t list = TP_LIST_WATER + 1;
 
     for (uint32_t i = 0; i < count; i++)
         if (parts->mark[i])
-            tp_marks_give(&parts->marks, list++, parts->mark[i], u[i].drawing);
+            tp_marks_assign_list(&parts->marks, list++, parts->mark[i], u[i].drawing);
 }
 
 void tp_frame_layout_modules(const tp_program *program, tp_frame_parts *parts,
@@ -50,7 +51,7 @@ void tp_frame_layout_modules(const tp_program *program, tp_frame_parts *parts,
     parts->mark = tp_arena_alloc(arena, count, sizeof *parts->mark);
     tp_marks_init(&parts->marks);
     for (uint32_t i = 0; i < count; i++) {
-        const bool on = deal(parts, &u[i], &want, &mark);
+        const bool on = assign_marks(parts, &u[i], &want, &mark);
         const size_t used = arena->used;
         void *mine = on && u[i].drawing->layout ? u[i].drawing->layout(arena, &want) : NULL;
         looks += on && u[i].drawing->look ? (uint32_t)(arena->used - used) : 0;
@@ -62,7 +63,7 @@ void tp_frame_layout_modules(const tp_program *program, tp_frame_parts *parts,
     }
     tp_marks_layout(&parts->marks, arena);
     if (parts->marks.list)
-        give_lists(parts, u, count);
+        assign_lists(parts, u, count);
     parts->look_bytes = looks;
     parts->module_bytes = (uint32_t)(arena->used - begin) - looks;
 }
@@ -71,7 +72,7 @@ void tp_frame_layout_modules(const tp_program *program, tp_frame_parts *parts,
 
 /* True if module i has its memory.  A module that was off at init has none and is not
  * drawn if it is on now, unless it needs neither memory nor stencil values. */
-static bool can_draw(const tp_frame *frame, uint32_t i)
+static bool has_module_memory(const tp_frame *frame, uint32_t i)
 {
     const tp_drawing *drawing = frame->program->modules[i].drawing;
 
@@ -86,11 +87,11 @@ void tp_frame_enable_modules(tp_frame *frame)
     frame->modules_on = 0;
     const tp_use *use = frame->program->modules;
     for (uint32_t i = 0; use && use[i].module; i++)
-        if (can_draw(frame, i) && tp_module_ask(use[i].module, &want))
+        if (has_module_memory(frame, i) && tp_module_ask_enabled(use[i].module, &want))
             frame->modules_on |= (uint64_t)1 << i;
 }
 
-void *tp_frame_part(const tp_frame *frame, uint32_t id)
+void *tp_frame_module_memory(const tp_frame *frame, uint32_t id)
 {
     EACH_ON(i, use, frame)
         if (use[i].module->id == id)
@@ -156,14 +157,14 @@ tp_view_anchor tp_frame_anchor(const tp_frame *frame)
     return anchor;
 }
 
-void tp_frame_look_modules(tp_frame *frame)
+void tp_frame_draw_maps(tp_frame *frame)
 {
     EACH_ON(i, use, frame)
         if (use[i].drawing->look)
             use[i].drawing->look(frame, frame->parts.module[i]);
 }
 
-void tp_frame_add_modules(const tp_frame *frame, tp_shaders *list)
+void tp_frame_add_stages(const tp_frame *frame, tp_shaders *list)
 {
     EACH_ON(i, use, frame) {
         const uint32_t lacks = list->lacks;
@@ -218,7 +219,7 @@ static uint64_t drawing_mask(const tp_frame *frame)
 
 /* Fills the modules' lists.  Samples without a colour stage would show uninitialised
  * memory: such a module is turned off. */
-void tp_frame_list_modules(tp_frame *frame)
+void tp_frame_fill_module_lists(tp_frame *frame)
 {
     uint64_t lack = 0;
 
@@ -227,7 +228,7 @@ void tp_frame_list_modules(tp_frame *frame)
             continue;
         tp_shaders *list = tp_marks_list(&frame->parts.marks, frame->parts.mark[i]);
         tp_shaders_clear(list);
-        tp_frame_add_modules(frame, list);
+        tp_frame_add_stages(frame, list);
         if (!tp_shaders_has(list, TP_AT_COLOUR)) {
             frame->stats.dropped++;
             if (!frame->lacking)

@@ -74,15 +74,15 @@ void tp_frame_enable_modules(struct tp_frame *frame);
 void tp_frame_init_modules(struct tp_frame *frame);
 void tp_frame_add_surface(struct tp_frame *frame, tp_surface *surface);
 void tp_frame_begin_modules(struct tp_frame *frame);
-void tp_frame_look_modules(struct tp_frame *frame);
-void tp_frame_add_modules(const struct tp_frame *frame, tp_shaders *list);
+void tp_frame_draw_maps(struct tp_frame *frame);
+void tp_frame_add_stages(const struct tp_frame *frame, tp_shaders *list);
 void tp_frame_place_modules(struct tp_frame *frame, tp_view *view, tp_grid_box *box);
 void tp_frame_draw_modules(const struct tp_frame *frame, const tp_view *view,
                            tp_gbuffer *samples);
 void tp_frame_draw_post_water(const struct tp_frame *frame, const tp_gbuffer *samples);
 
 /* Fills the shader lists of the modules' own samples. */
-void tp_frame_list_modules(struct tp_frame *frame);
+void tp_frame_fill_module_lists(struct tp_frame *frame);
 
 /* Returns the anchor of the first module with objects; the origin if none has. */
 tp_view_anchor tp_frame_anchor(const struct tp_frame *frame);
@@ -94,7 +94,7 @@ bool tp_frame_has_solids(const struct tp_frame *frame);
 bool tp_frame_has_module(const struct tp_frame *frame, uint32_t is);
 
 /* Memory and stage table of a module; NULL if the module is off in this picture. */
-void *tp_frame_part(const struct tp_frame *frame, uint32_t id);
+void *tp_frame_module_memory(const struct tp_frame *frame, uint32_t id);
 const tp_stage *tp_frame_stages(const struct tp_frame *frame, uint32_t id);
 
 /* Returns 1, the number of stencil values of most modules. */

@@ -40,7 +40,7 @@ TP_ALWAYS_INLINE uint32_t make_water_key(uint32_t zi)
 
 /* Returns the values at the start of a block; `from` is the pixel's index in the row and
  * lies `off` pixels after the start. */
-TP_ALWAYS_INLINE few make_few(const piece *p, int32_t from, int32_t off)
+TP_ALWAYS_INLINE few start_interpolants(const piece *p, int32_t from, int32_t off)
 {
     uint64_t s = p->place[0].now + p->place[0].step * (uint64_t)(int64_t)(from - off);
     uint64_t t = p->place[1].now + p->place[1].step * (uint64_t)(int64_t)(from - off);
@@ -91,7 +91,7 @@ static inline side interpolate_side(const uint32_t *point, uint32_t cols, int32_
                    (int16_t)(a & 0xffff) * up + (int16_t)(b & 0xffff) * down };
 }
 
-static uint32_t packed(int32_t x, int32_t z)
+static uint32_t pack_slopes(int32_t x, int32_t z)
 {
     return (uint32_t)x * 65536u + (uint32_t)z;
 }
@@ -108,21 +108,21 @@ TP_ALWAYS_INLINE void fill_cells(const tp_frame *frame, const piece *p, int roll
     for (int32_t from = 0, count; from < p->count; from += count) {
         int32_t off = (p->x + from) % CELL;
         side b = interpolate_side(++point, cols, down);
-        few  f = make_few(p, from, off);
-        f.n_step = packed((b.x - a.x + 32) >> 6, (b.z - a.z + 32) >> 6);
-        f.n = packed((a.x + 4) >> 3, (a.z + 4) >> 3) + f.n_step * (uint32_t)off;
+        few  f = start_interpolants(p, from, off);
+        f.n_step = pack_slopes((b.x - a.x + 32) >> 6, (b.z - a.z + 32) >> 6);
+        f.n = pack_slopes((a.x + 4) >> 3, (a.z + 4) >> 3) + f.n_step * (uint32_t)off;
         count = CELL - off < p->count - from ? CELL - off : p->count - from;
         fill(p, from, count, f, 1, rolled, tested);
         a = b;
     }
 }
 
-TP_ALWAYS_INLINE void fill_still(const piece *p, int rolled, int tested)
+TP_ALWAYS_INLINE void fill_without_waves(const piece *p, int rolled, int tested)
 {
     for (int32_t from = 0, count; from < p->count; from += count) {
         int32_t off = (p->x + from) % BLOCK;
         count = BLOCK - off < p->count - from ? BLOCK - off : p->count - from;
-        fill(p, from, count, make_few(p, from, off), 0, rolled, tested);
+        fill(p, from, count, start_interpolants(p, from, off), 0, rolled, tested);
     }
 }
 
@@ -134,15 +134,15 @@ static void fill_piece(const tp_frame *frame, const piece *p, bool tested)
     if (frame->parts.level->rolled && waves)
         fill_cells(frame, p, 1, 1);
     else if (frame->parts.level->rolled)
-        fill_still(p, 1, 1);
+        fill_without_waves(p, 1, 1);
     else if (waves && tested)
         fill_cells(frame, p, 0, 1);
     else if (waves)
         fill_cells(frame, p, 0, 0);
     else if (tested)
-        fill_still(p, 0, 1);
+        fill_without_waves(p, 0, 1);
     else
-        fill_still(p, 0, 0);
+        fill_without_waves(p, 0, 0);
 }
 
 /* -- rows without roll --------------------------------------------------------------- */
@@ -196,7 +196,7 @@ static knot sample_knot(const tp_level *level, int32_t x, int32_t y)
 
 /* True if depth changes by less than 1/32 between two knots: the position half way is then
  * off by less than 1/4000 of the distance. */
-static bool is_even(const knot *a, const knot *b)
+static bool is_depth_nearly_equal(const knot *a, const knot *b)
 {
     int64_t change = a->down - b->down;
 
@@ -204,7 +204,7 @@ static bool is_even(const knot *a, const knot *b)
     return a->down > 0 && b->down > 0 && change <= a->down >> 5;
 }
 
-static void draw_even(const tp_frame *frame, piece *p, const knot *a, const knot *b)
+static void draw_interpolated(const tp_frame *frame, piece *p, const knot *a, const knot *b)
 {
     uint32_t off = (uint32_t)p->x % BLOCK;
 
@@ -216,7 +216,7 @@ static void draw_even(const tp_frame *frame, piece *p, const knot *a, const knot
     fill_piece(frame, p, true);
 }
 
-static void draw_singly(const tp_frame *frame, const piece *block)
+static void draw_pixel_by_pixel(const tp_frame *frame, const piece *block)
 {
     for (int32_t i = 0; i < block->count; i++) {
         knot  k = sample_knot(frame->parts.level, block->x + i, block->y);
@@ -242,17 +242,17 @@ static void draw_rolled(const tp_frame *frame, const piece *row)
         p.zi_step = (uint32_t)(level->zi.x >> TP_LEVEL_ZI);
         p.zi = (uint32_t)(tp_level_evaluate(&level->zi, x - off, row->y) >> TP_LEVEL_ZI)
                + p.zi_step * (uint32_t)off;
-        if (is_even(&a, &b))
-            draw_even(frame, &p, &a, &b);
+        if (is_depth_nearly_equal(&a, &b))
+            draw_interpolated(frame, &p, &a, &b);
         else
-            draw_singly(frame, &p);
+            draw_pixel_by_pixel(frame, &p);
         a = b;
     }
 }
 
 /* -- a tile ---------------------------------------------------------------------------- */
 
-static bool holds_any(const uint32_t *key, int32_t count)
+static bool has_any_sample(const uint32_t *key, int32_t count)
 {
     uint32_t any = 0;
 
@@ -264,12 +264,12 @@ static bool holds_any(const uint32_t *key, int32_t count)
 static void draw_flat(const tp_frame *frame, tp_gbuffer *tile, void *memory)
 {
     const tp_level *level = frame->parts.level;
-    unsigned mask = tp_level_mask(level, tile->x0, tile->y0, tile->x1, tile->y1);
+    unsigned mask = tp_level_clip_mask(level, tile->x0, tile->y0, tile->x1, tile->y1);
 
     (void)memory;
     for (int32_t y = tile->y0; y < tile->y1; y++) {
         int32_t x0 = tile->x0, x1 = tile->x1;
-        tp_level_span(level, mask, y, &x0, &x1);
+        tp_level_clip_span(level, mask, y, &x0, &x1);
         if (x0 >= x1)
             continue;
         size_t at = (size_t)(uint32_t)(y - tile->y0) * tile->stride
@@ -279,7 +279,7 @@ static void draw_flat(const tp_frame *frame, tp_gbuffer *tile, void *memory)
         if (level->rolled)
             draw_rolled(frame, &p);
         else
-            draw_level(frame, &p, holds_any(p.key, p.count));
+            draw_level(frame, &p, has_any_sample(p.key, p.count));
     }
 }
 
@@ -293,7 +293,7 @@ static void carve_flat(tp_frame_parts *parts, tp_arena *arena, const tp_program 
         tp_frame_carve_slopes(parts, arena, scene, config);
 }
 
-static bool hold_flat(tp_frame *frame)
+static bool can_draw_flat(tp_frame *frame)
 {
     return tp_frame_is_swell(frame)
         && (!tp_surface_has_swells(&frame->surface) || frame->parts.slopes);
@@ -307,5 +307,5 @@ static void place_flat(tp_frame *frame)
 }
 
 const struct tp_method tp_method_flat = {
-    .carve = carve_flat, .holds = hold_flat, .place = place_flat, .draw = draw_flat,
+    .carve = carve_flat, .holds = can_draw_flat, .place = place_flat, .draw = draw_flat,
 };

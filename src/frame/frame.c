@@ -13,7 +13,7 @@
 #define TILE_ROWS 16 /* default of a config without a tile height */
 
 /* Fills in the tile's size; a tile is no larger than the picture. */
-static void fill_tiles(tp_config *c)
+static void set_tile_size(tp_config *c)
 {
     if (c->tile_width == 0 || c->tile_width > c->width)
         c->tile_width = c->width;
@@ -25,20 +25,20 @@ static void fill_tiles(tp_config *c)
 
 /* Returns the config with defaults filled in.  NULL becomes a picture without pixels,
  * rejected by check(). */
-static tp_config filled(const tp_config *config, const tp_scene *scene)
+static tp_config config_with_defaults(const tp_config *config, const tp_scene *scene)
 {
     tp_config c = { .width = 0 };
 
     if (config != NULL)
         c = *config;
-    fill_tiles(&c);
+    set_tile_size(&c);
     c.program = tp_program_or_linked(c.program);
     if (scene != NULL)
-        c.assets = tp_scene_pictures(scene, c.assets);
+        c.assets = tp_assets_or_scene_default(scene, c.assets);
     return c;
 }
 
-static tp_assets filled_assets(const tp_assets *assets)
+static tp_assets assets_or_empty(const tp_assets *assets)
 {
     return assets != NULL ? *assets : (tp_assets){ .boat = NULL };
 }
@@ -47,9 +47,9 @@ static tp_assets filled_assets(const tp_assets *assets)
 static tp_status check_program(const tp_program *program, tp_format format, tp_error *err)
 {
     if (!program->stage.sky || !program->stage.plain)
-        return tp_program_lacks(program->stage.sky ? "plain" : "sky", err);
+        return tp_program_fail_lacking(program->stage.sky ? "plain" : "sky", err);
     return program->store[format] ? TP_OK
-                                  : tp_program_lacks(tp_format_name(format), err);
+                                  : tp_program_fail_lacking(tp_format_name(format), err);
 }
 
 static tp_status check(const tp_config *c, tp_error *err)
@@ -70,7 +70,7 @@ tp_status tp_config_check(const tp_config *config, tp_config *filled, tp_error *
 
     if (config != NULL)
         c = *config;
-    fill_tiles(&c);
+    set_tile_size(&c);
     if (filled)
         *filled = c;
     return check(&c, err);
@@ -81,14 +81,15 @@ static tp_status check_both(const tp_config *c, const tp_scene *scene, tp_error 
 {
     const tp_status status = check(c, err);
 
-    return status == TP_OK ? tp_program_fits(c->program, scene, c->assets, err) : status;
+    return status == TP_OK ? tp_program_check_all(c->program, scene, c->assets, err)
+                           : status;
 }
 
 size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene)
 {
-    const tp_config c = filled(config, scene);
+    const tp_config c = config_with_defaults(config, scene);
     tp_arena arena = tp_arena_init(NULL, 0);
-    tp_assets known = filled_assets(c.assets);
+    tp_assets known = assets_or_empty(c.assets);
     tp_frame_parts parts;
     tp_ram_use ram;
 
@@ -105,7 +106,7 @@ static size_t tile_samples(const tp_config *c)
 
 static uint32_t streamed_cols(const tp_program *program, const tp_scene *scene)
 {
-    return tp_frame_streams(program, scene) ? (uint32_t)scene->grid.cols : 0;
+    return tp_frame_is_grid_streamed(program, scene) ? (uint32_t)scene->grid.cols : 0;
 }
 
 /* Scratch size: four planes of the G-buffer, then the pixels unless they are drawn
@@ -113,12 +114,12 @@ static uint32_t streamed_cols(const tp_program *program, const tp_scene *scene)
  * streamed grid use the same place. */
 static size_t scratch_size(const tp_config *config, const tp_scene *scene, bool into)
 {
-    const tp_config c = filled(config, scene);
+    const tp_config c = config_with_defaults(config, scene);
 
     if (check(&c, NULL) != TP_OK || tp_program_check(c.program, scene, NULL) != TP_OK)
         return 0;
     const size_t pixels = tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
-    const size_t method = tp_method_bytes(c.program) * c.tile_width
+    const size_t method = tp_method_column_bytes(c.program) * c.tile_width
                           + TP_GRID_WINDOW(streamed_cols(c.program, scene));
     return 4 * tile_samples(&c) * sizeof(uint32_t)
          + (pixels > method && !into ? pixels : method);
@@ -137,7 +138,7 @@ size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *sc
 /* Lays out the frame in its block and fills the members; tables are filled later. */
 static tp_frame *make(tp_arena *arena, const tp_config *c, const tp_scene *scene)
 {
-    tp_assets known = filled_assets(c->assets);
+    tp_assets known = assets_or_empty(c->assets);
     tp_frame_parts parts;
     tp_ram_use ram;
     tp_frame *frame = tp_frame_carve(c->program, &parts, &ram, arena, scene, &known, c);
@@ -159,7 +160,7 @@ static tp_frame *make(tp_arena *arena, const tp_config *c, const tp_scene *scene
 tp_status tp_frame_init(tp_frame **out, const tp_config *config, const tp_scene *scene,
                         void *memory, size_t bytes, tp_error *err)
 {
-    const tp_config c = filled(config, scene);
+    const tp_config c = config_with_defaults(config, scene);
     tp_status status = tp_given_check(out, "frame", err);
 
     if (status == TP_OK)
@@ -181,7 +182,7 @@ tp_status tp_frame_init(tp_frame **out, const tp_config *config, const tp_scene 
     return TP_OK;
 }
 
-static void place_surface(tp_frame *frame)
+static void set_water_surface(tp_frame *frame)
 {
     TP_ASSERT(frame->world->back >= 0 && frame->world->back <= TP_FX_ONE);
     const tp_world *world = frame->world;
@@ -197,7 +198,7 @@ static void place_surface(tp_frame *frame)
     tp_frame_add_surface(frame, surface);
 }
 
-tp_surface tp_frame_lit_surface(const tp_frame *frame)
+tp_surface tp_frame_surface_with_pools(const tp_frame *frame)
 {
     tp_surface surface = frame->surface;
 
@@ -210,16 +211,16 @@ tp_surface tp_frame_lit_surface(const tp_frame *frame)
 
 /* Draws the pictures sampled by the water, then places the picture's own solids.  Both
  * share memory; the numbers left at the end are the picture's. */
-static void place_solids(tp_frame *frame)
+static void draw_maps_and_place_solids(tp_frame *frame)
 {
     const tp_draw_stats stats = frame->stats;
 
-    tp_frame_look_modules(frame);
+    tp_frame_draw_maps(frame);
     frame->stats = stats;
     frame->view =
         (tp_view){ .projection = &frame->projection, .picture = true, .walls = true };
     tp_view_begin(frame, &frame->view);
-    tp_view_place(frame, &frame->view);
+    tp_view_project_solids(frame, &frame->view);
 }
 
 void tp_frame_begin(tp_frame *frame, const tp_world *world)
@@ -231,9 +232,9 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     frame->stats = (tp_draw_stats){ .dropped = frame->parts.lacks };
     frame->lacking = 0;
     frame->world = world;
-    frame->drawn = tp_world_drawn(world);
+    frame->drawn = tp_world_interpolate(world);
     tp_frame_enable_modules(frame);
-    place_surface(frame);
+    set_water_surface(frame);
     tp_projection_init_turned(&frame->projection, frame->drawn.camera.eye, frame->drawn.camera.turn,
                    scene->camera.fov, scene->camera.near,
                    frame->config.width, frame->config.height);
@@ -242,10 +243,10 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     tp_frame_choose_rungs(frame);
     if (draw->rungs)
         draw->rungs->thin(frame);
-    tp_frame_plan(frame);
+    tp_frame_plan_shaders(frame);
     tp_frame_choose_visibility(frame);
     tp_frame_place_surface(frame);
-    place_solids(frame);
+    draw_maps_and_place_solids(frame);
 }
 
 uint32_t tp_frame_tiles(const tp_frame *frame)

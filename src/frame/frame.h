@@ -102,7 +102,7 @@ tp_want tp_frame_want(const tp_program *program, const tp_frame_parts *parts,
 bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene);
 
 /* True if the water's grid vertices are streamed, not stored. */
-bool tp_frame_streams(const tp_program *program, const tp_scene *scene);
+bool tp_frame_is_grid_streamed(const tp_program *program, const tp_scene *scene);
 tp_plan_input tp_frame_plan_input(const tp_program *program, const tp_scene *scene,
                                   const tp_assets *assets, const tp_config *config);
 
@@ -142,7 +142,7 @@ void tp_frame_overlay_row(const tp_frame *frame, const void *samples, int32_t y,
                           void *row);
 
 /* holds.c: true if scanline water draws this frame as triangles would. */
-bool tp_frame_rows_hold(tp_frame *frame);
+bool tp_frame_can_draw_rows(tp_frame *frame);
 
 /* True if walls stand around the pool in this picture. */
 static inline bool tp_frame_has_tank(const tp_frame *frame)
@@ -156,11 +156,11 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t 
                          uint32_t *to);
 
 /* plan.c: builds the shader lists for the scene, and their numbers. */
-void tp_frame_plan(tp_frame *frame);
+void tp_frame_plan_shaders(tp_frame *frame);
 
 /* True for a list of water with a reflection of the sky: the sky's module adds a stage at
  * TP_AT_REFLECT. */
-static inline bool tp_frame_mirrors(const tp_frame *frame, const tp_shaders *list)
+static inline bool tp_frame_reflects_sky(const tp_frame *frame, const tp_shaders *list)
 {
     return list->kind == TP_LIST_WATER && frame->scene->water.reflection > 0
         && tp_shaders_has(list, TP_AT_VIEW);
@@ -169,11 +169,11 @@ static inline bool tp_frame_mirrors(const tp_frame *frame, const tp_shaders *lis
 /* layer.c: the sampling numbers of a drifting texture of the water. */
 tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
                         const tp_scene_map *map);
-uint32_t tp_frame_repeats(tp_fx size);          /* repeats a metre, Q0.32 over Q16.16 */
+uint32_t tp_frame_repeats_per_metre(tp_fx size); /* repeats a metre, Q0.32 over Q16.16 */
 int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_ground);
 
 /* frame.c: the surface including pools of pool_bump; light falls through all pools. */
-tp_surface tp_frame_lit_surface(const tp_frame *frame);
+tp_surface tp_frame_surface_with_pools(const tp_frame *frame);
 
 #include "frame/buffers.h"
 #endif

@@ -19,24 +19,24 @@ static tp_screen_vertex make_corner(const tp_grid *grid, const tp_grid_window *w
  * front faces when seen from above. */
 static const uint8_t halves[2][3] = { { 0, 3, 2 }, { 0, 2, 1 } };
 
-static bool is_cut(const tp_screen_vertex *const p[4])
+static bool needs_clipping(const tp_screen_vertex *const p[4])
 {
     return p[0]->u == TP_GRID_CUT || p[1]->u == TP_GRID_CUT
         || p[2]->u == TP_GRID_CUT || p[3]->u == TP_GRID_CUT;
 }
 
-static void view_cell(const tp_frame *frame, const tp_grid_window *window, uint32_t i,
+static void transform_cell(const tp_frame *frame, const tp_grid_window *window, uint32_t i,
                       uint32_t j, tp_view_vertex c[4])
 {
     for (uint32_t k = 0; k < 4; k++) {
         uint32_t x = i + (k == 1 || k == 2), y = j + k / 2;
-        c[k] = tp_grid_place_vertex(frame->parts.grid, &window->line[y & 1][x], x, y);
+        c[k] = tp_grid_make_view_vertex(frame->parts.grid, &window->line[y & 1][x], x, y);
     }
 }
 
 /* Clips one triangle of a cell by the frustum; returns the number of vertices left. */
-static int cut_half(const tp_frame *frame, const tp_view_vertex c[4], int half,
-                    tp_screen_vertex to[TP_CLIP_VERTICES])
+static int clip_cell_half(const tp_frame *frame, const tp_view_vertex c[4], int half,
+                          tp_screen_vertex to[TP_CLIP_VERTICES])
 {
     const uint8_t *k = halves[half];
     const tp_view_vertex in[3] = { c[k[0]], c[k[1]], c[k[2]] };
@@ -48,16 +48,16 @@ static void draw_cell(const tp_frame *frame, const tp_gbuffer *tile,
                       const tp_grid_window *window, const tp_screen_vertex *const p[4],
                       uint32_t i, uint32_t j)
 {
-    if (!is_cut(p)) {
+    if (!needs_clipping(p)) {
         tp_tri_water(tile, p[0], p[3], p[2]);
         tp_tri_water(tile, p[0], p[2], p[1]);
         return;
     }
     tp_view_vertex c[4];
     tp_screen_vertex corner[TP_CLIP_VERTICES];
-    view_cell(frame, window, i, j, c);
+    transform_cell(frame, window, i, j, c);
     for (int half = 0; half < 2; half++) {
-        int count = cut_half(frame, c, half, corner);
+        int count = clip_cell_half(frame, c, half, corner);
         for (int k = 2; k < count; k++)
             tp_tri_water(tile, &corner[0], &corner[k - 1], &corner[k]);
     }
@@ -72,8 +72,8 @@ void tp_frame_draw_cells(const tp_frame *frame, const tp_gbuffer *tile,
     TP_ASSERT(j + 1 < frame->parts.grid->rows);
     const tp_grid *grid = frame->parts.grid;
 
-    tp_grid_see(grid, window, j, first, end + 1);
-    tp_grid_see(grid, window, j + 1, first, end + 1);
+    tp_grid_window_load(grid, window, j, first, end + 1);
+    tp_grid_window_load(grid, window, j + 1, first, end + 1);
     tp_screen_vertex side[2][2] = { { make_corner(grid, window, first, j),
                                       make_corner(grid, window, first, j + 1) } };
     int left = 0;
@@ -103,14 +103,15 @@ static tp_grid_span block_span(tp_grid_span span, uint32_t b)
 
 /* -- placement ----------------------------------------------------------------------- */
 
-static void widen_by_cut(const tp_frame *frame, tp_grid_box *box, uint32_t i, uint32_t j)
+static void widen_box_by_clipped_cell(const tp_frame *frame, tp_grid_box *box, uint32_t i,
+                                      uint32_t j)
 {
     tp_view_vertex c[4];
     tp_screen_vertex corner[TP_CLIP_VERTICES];
 
-    view_cell(frame, &frame->parts.grid->window, i, j, c);
+    transform_cell(frame, &frame->parts.grid->window, i, j, c);
     for (int half = 0; half < 2; half++)
-        for (int k = cut_half(frame, c, half, corner) - 1; k >= 0; k--)
+        for (int k = clip_cell_half(frame, c, half, corner) - 1; k >= 0; k--)
             tp_box_widen(box, corner[k].u, corner[k].v);
 }
 
@@ -121,16 +122,16 @@ tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint
     tp_grid_window *window = &grid->window;
     tp_grid_box box = TP_BOX_NONE;
 
-    tp_grid_see(grid, window, j, first, end + 1);
-    tp_grid_see(grid, window, j + 1, first, end + 1);
+    tp_grid_window_load(grid, window, j, first, end + 1);
+    tp_grid_window_load(grid, window, j + 1, first, end + 1);
     for (uint32_t i = first; i < end; i++) {
         const tp_screen_vertex c[4] = { make_corner(grid, window, i, j),
                                         make_corner(grid, window, i + 1, j),
                                         make_corner(grid, window, i + 1, j + 1),
                                         make_corner(grid, window, i, j + 1) };
         const tp_screen_vertex *const p[4] = { &c[0], &c[1], &c[2], &c[3] };
-        if (is_cut(p))
-            widen_by_cut(frame, &box, i, j);
+        if (needs_clipping(p))
+            widen_box_by_clipped_cell(frame, &box, i, j);
         else
             for (int k = 0; k < 4; k++)
                 tp_box_widen(&box, c[k].u, c[k].v);
@@ -140,7 +141,7 @@ tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint
 
 /* Replaces the unbounded boxes of blocks with clipped vertices by tight boxes.  One more
  * clip of these cells pays if the picture has many tiles: each tile would clip them. */
-static void place_cut_boxes(tp_frame *frame, uint32_t j)
+static void tighten_clipped_boxes(tp_frame *frame, uint32_t j)
 {
     const tp_grid *grid = frame->parts.grid;
     tp_grid_span span = grid->span[j];
@@ -158,7 +159,7 @@ void tp_frame_begin_water(tp_frame *frame)
     const tp_grid *grid = frame->parts.grid;
 
     tp_grid_begin(frame->parts.grid, &frame->grid_view);
-    frame->cull_water = frame->projection.eye.y > tp_surface_height(&frame->surface);
+    frame->cull_water = frame->projection.eye.y > tp_surface_height_bound(&frame->surface);
     for (uint32_t j = 0; j + 1 < grid->rows; j++)
         frame->stats.triangles += 2u * (uint32_t)(grid->span[j].end - grid->span[j].first);
 }
@@ -170,7 +171,7 @@ void tp_frame_place_line(tp_frame *frame, uint32_t j)
     tp_grid_place_row(frame->parts.grid, j);
     frame->stats.vertices += frame->parts.grid->vertices - before;
     if (j > 0 && (tp_frame_tiles(frame) > 1 || frame->visibility == TP_VISIBILITY_ROWS))
-        place_cut_boxes(frame, j - 1);
+        tighten_clipped_boxes(frame, j - 1);
 }
 
 static void place_water(tp_frame *frame)
@@ -184,8 +185,8 @@ static void place_water(tp_frame *frame)
 
 tp_grid_window tp_frame_window(const tp_frame *frame, void *memory)
 {
-    void *rows =
-        (uint8_t *)memory + tp_method_bytes(frame->program) * frame->config.tile_width;
+    void *rows = (uint8_t *)memory
+                 + tp_method_column_bytes(frame->program) * frame->config.tile_width;
     return tp_grid_window_init(rows);
 }
 
@@ -241,7 +242,7 @@ static void carve_streamed(tp_frame_parts *parts, tp_arena *arena,
     uint32_t waves = 0;
     tp_grid  counted;
 
-    if (!tp_frame_streams(program, scene)) {
+    if (!tp_frame_is_grid_streamed(program, scene)) {
         carve_water(parts, arena, program, scene, config);
         return;
     }

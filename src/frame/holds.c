@@ -29,7 +29,7 @@ typedef struct {
     int64_t across, along;
 } level_ray;
 
-static bool is_upright(const tp_frame *frame)
+static bool is_view_along_x(const tp_frame *frame)
 {
     const tp_dir3 *back = &frame->projection.turn.z;
     return tp_abs(back->x) > tp_abs(back->z);
@@ -47,17 +47,17 @@ static level_ray corner_ray(const tp_frame *frame, int corner)
     v = corner & 2 ? v : -v;
     int64_t x = (turn->x.x * u + turn->y.x * v - turn->z.x * far) >> 30;
     int64_t z = (turn->x.z * u + turn->y.z * v - turn->z.z * far) >> 30;
-    return is_upright(frame) ? (level_ray){ x, z } : (level_ray){ z, x };
+    return is_view_along_x(frame) ? (level_ray){ x, z } : (level_ray){ z, x };
 }
 
-static bool stays_in_order(const tp_frame *frame, tp_fx t)
+static bool is_line_order_kept(const tp_frame *frame, tp_fx t)
 {
     const tp_sea *sea = frame->surface.sea;
     int64_t sum = 0;
 
     for (uint32_t i = 0; i < sea->count; i++) {
         const tp_swell *w = &sea->swell[i];
-        tp_q30  mm = is_upright(frame) ? w->bend_zz : w->bend_xx;
+        tp_q30  mm = is_view_along_x(frame) ? w->bend_zz : w->bend_xx;
         int64_t b = (mm - ((int64_t)w->bend_xz * t >> 16)) >> 14;
         sum += b < 0 ? -b : b;
     }
@@ -66,10 +66,10 @@ static bool stays_in_order(const tp_frame *frame, tp_fx t)
 
 /* True if all corner rays lead away across the lines, within the widest angle, and the
  * lines on each keep their order. */
-static bool rays_hold(const tp_frame *frame)
+static bool are_lines_ordered_in_view(const tp_frame *frame)
 {
     const tp_dir3 *back = &frame->projection.turn.z;
-    bool behind = (is_upright(frame) ? back->x : back->z) > 0;
+    bool behind = (is_view_along_x(frame) ? back->x : back->z) > 0;
 
     for (int corner = 0; corner < 4; corner++) {
         level_ray ray = corner_ray(frame, corner);
@@ -77,27 +77,27 @@ static bool rays_hold(const tp_frame *frame)
         int64_t along = behind ? -ray.along : ray.along;
         if (across < TP_FX_ONE || (along < 0 ? -along : along) >= STEEP * across)
             return false;
-        if (!stays_in_order(frame, (tp_fx)(along * TP_FX_ONE / across)))
+        if (!is_line_order_kept(frame, (tp_fx)(along * TP_FX_ONE / across)))
             return false;
     }
     return true;
 }
 
-static bool may_break(const tp_ocean *ocean)
+static bool can_any_wave_overhang(const tp_ocean *ocean)
 {
     for (uint32_t i = 0; i < ocean->count; i++)
-        if (tp_may_break(ocean->wave[i].stretch, ocean->slope, ocean->map_cols > 0))
+        if (tp_can_overhang(ocean->wave[i].stretch, ocean->slope, ocean->map_cols > 0))
             return true;
     return false;
 }
 
-bool tp_frame_rows_hold(tp_frame *frame)
+bool tp_frame_can_draw_rows(tp_frame *frame)
 {
     return frame->parts.lines && frame->parts.grid
-           && !(frame->parts.grid->streams && is_upright(frame)) /* read row by row */
+           && !(frame->parts.grid->streams && is_view_along_x(frame)) /* read row by row */
            && tp_abs(frame->projection.turn.x.y >> 14) < ROLL
            && frame->projection.turn.y.y > 0
-           && frame->projection.eye.y > tp_surface_height(&frame->surface) + ABOVE
-           && rays_hold(frame)
-           && !(frame->surface.ocean && may_break(frame->surface.ocean));
+           && frame->projection.eye.y > tp_surface_height_bound(&frame->surface) + ABOVE
+           && are_lines_ordered_in_view(frame)
+           && !(frame->surface.ocean && can_any_wave_overhang(frame->surface.ocean));
 }

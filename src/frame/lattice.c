@@ -39,17 +39,17 @@ bool tp_frame_is_swell(const tp_frame *frame)
 
     return frame->parts.level && !surface->ocean && !tp_surface_has_relief(surface)
            && !tp_has_tank(frame->scene)
-           && frame->projection.eye.y >= tp_surface_height(surface) + TP_LEVEL_HEIGHT;
+           && frame->projection.eye.y >= tp_surface_height_bound(surface) + TP_LEVEL_HEIGHT;
 }
 
 void tp_frame_place_level(tp_frame *frame)
 {
     TP_ASSERT(frame->parts.level != NULL);
     const tp_scene *scene = frame->scene;
-    tp_grid_extent across = tp_lines_extent((uint32_t)scene->grid.cols, &frame->grid_view,
-                                            false);
-    tp_grid_extent along = tp_lines_extent((uint32_t)scene->grid.rows, &frame->grid_view,
-                                           true);
+    tp_grid_extent across =
+        tp_grid_lines_extent((uint32_t)scene->grid.cols, &frame->grid_view, false);
+    tp_grid_extent along =
+        tp_grid_lines_extent((uint32_t)scene->grid.rows, &frame->grid_view, true);
 
     tp_level_begin(frame->parts.level, &frame->projection, &across, &along);
 }

@@ -3,7 +3,7 @@
 #include "frame/frame.h"
 
 /* Returns the drift in metres after `time`, ticks x 65536; 16.16, wrapping. */
-static uint32_t drifted(tp_fx metres_per_second, int64_t time)
+static uint32_t drift_distance(tp_fx metres_per_second, int64_t time)
 {
     int64_t step = (int64_t)metres_per_second * ((int64_t)1 << 32) / TP_TICKS_PER_SECOND;
     uint64_t part = (uint64_t)(step >> 16) * (uint32_t)(time & 0xffff);
@@ -24,7 +24,7 @@ int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_g
     return level_ground ? lod - (tp_log2_q8((uint32_t)height) - 16 * 256) / 2 : lod;
 }
 
-uint32_t tp_frame_repeats(tp_fx size)
+uint32_t tp_frame_repeats_per_metre(tp_fx size)
 {
     TP_ASSERT(size > 0);
     return (uint32_t)((((uint64_t)1 << 32) + (uint32_t)size / 2) / (uint32_t)size);
@@ -45,9 +45,9 @@ tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
 
     if (!texture)
         return layer;
-    layer.per_metre = tp_frame_repeats(map->size);
-    layer.drift_s = 0u - drifted(map->drift_x, time) * layer.per_metre;
-    layer.drift_t = 0u - drifted(map->drift_z, time) * layer.per_metre;
+    layer.per_metre = tp_frame_repeats_per_metre(map->size);
+    layer.drift_s = 0u - drift_distance(map->drift_x, time) * layer.per_metre;
+    layer.drift_t = 0u - drift_distance(map->drift_z, time) * layer.per_metre;
     layer.lod = tp_frame_lod(frame, texels_a_metre(texture, map->size), true);
     return layer;
 }

@@ -6,8 +6,9 @@
 #include "scene/prices.h"
 
 /* Lays out the memory of the plan's possible water renderers, and of the grid LOD. */
-static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_program *program,
-                         const tp_scene *scene, const tp_config *config)
+static void carve_water_renderers(tp_frame_parts *p, tp_arena *arena,
+                                  const tp_program *program, const tp_scene *scene,
+                                  const tp_config *config)
 {
     TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2);
 
@@ -23,12 +24,12 @@ static void carve_places(tp_frame_parts *p, tp_arena *arena, const tp_program *p
 bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene)
 {
     const tp_want want = tp_world_want(program, scene, NULL);
-    return tp_modules_have(program->modules, &want, TP_MODULE_COASTAL);
+    return tp_modules_is_any_active(program->modules, &want, TP_MODULE_COASTAL);
 }
 
 /* True if grid vertices are streamed.  Vertices of coastal water depend on their
  * neighbours and are stored. */
-bool tp_frame_streams(const tp_program *program, const tp_scene *scene)
+bool tp_frame_is_grid_streamed(const tp_program *program, const tp_scene *scene)
 {
     const struct tp_method *method = program->method.triangles;
     return method && method->streams && !tp_frame_is_coastal(program, scene);
@@ -66,7 +67,7 @@ tp_frame *tp_frame_carve(const tp_program *program, tp_frame_parts *parts,
     *parts = (tp_frame_parts){
         .reach = tp_frame_rung_mask(program, scene, assets, config),
     };
-    carve_places(parts, arena, program, scene, config);
+    carve_water_renderers(parts, arena, program, scene, config);
     const tp_plan_input in = tp_frame_plan_input(program, scene, assets, config);
     if (program->draw.rungs)
         program->draw.rungs->carve(parts, arena, &in);

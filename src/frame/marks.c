@@ -11,7 +11,7 @@ void tp_marks_init(tp_marks *marks)
     *marks = (tp_marks){ .count = TP_MARK_SOLID, .lists = LISTS };
 }
 
-uint32_t tp_marks_deal(tp_marks *marks, uint32_t wanted)
+uint32_t tp_marks_reserve_values(tp_marks *marks, uint32_t wanted)
 {
     const uint32_t first = marks->count;
 
@@ -47,12 +47,12 @@ void tp_marks_layout(tp_marks *marks, tp_arena *arena)
                         i < LISTS ? (tp_list_kind)i : TP_LIST_THINGS,
                         shader + list_offset(i), place + list_offset(i),
                         list_offset(i + 1) - list_offset(i));
-    tp_marks_give(marks, TP_LIST_SKY, TP_MARK_SKY, NULL);
-    tp_marks_give(marks, TP_LIST_WATER, TP_MARK_WATER, NULL);
+    tp_marks_assign_list(marks, TP_LIST_SKY, TP_MARK_SKY, NULL);
+    tp_marks_assign_list(marks, TP_LIST_WATER, TP_MARK_WATER, NULL);
 }
 
-void tp_marks_give(tp_marks *marks, uint32_t i, uint32_t first,
-                   const struct tp_drawing *owner)
+void tp_marks_assign_list(tp_marks *marks, uint32_t i, uint32_t first,
+                          const struct tp_drawing *owner)
 {
     TP_ASSERT(i < marks->lists && first < marks->count);
     memset(marks->list_of + first, (int)i, marks->count - first);

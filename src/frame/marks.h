@@ -21,14 +21,14 @@ void tp_marks_init(tp_marks *marks);
 
 /* Deals `wanted` values and one list, and returns the first value; 0: none is wanted, or
  * too few are left. */
-uint32_t tp_marks_deal(tp_marks *marks, uint32_t wanted);
+uint32_t tp_marks_reserve_values(tp_marks *marks, uint32_t wanted);
 
 /* Allocates the memory of the lists; all values are dealt. */
 void tp_marks_layout(tp_marks *marks, tp_arena *arena);
 
 /* Assigns list i, and the values from `first` on, to their owner. */
-void tp_marks_give(tp_marks *marks, uint32_t i, uint32_t first,
-                   const struct tp_drawing *owner);
+void tp_marks_assign_list(tp_marks *marks, uint32_t i, uint32_t first,
+                          const struct tp_drawing *owner);
 
 static inline tp_shaders *tp_marks_list(const tp_marks *marks, uint32_t mark)
 {

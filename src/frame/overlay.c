@@ -12,7 +12,7 @@ static uint32_t make_depth_key(tp_fx near, tp_fx depth)
 }
 
 /* Blends one of three channels: a / 255 of `over` on `under`, rounded. */
-static uint32_t channel(uint32_t over, uint32_t under, int shift, uint32_t a)
+static uint32_t blend_channel(uint32_t over, uint32_t under, int shift, uint32_t a)
 {
     const uint32_t x = over >> shift & 255, y = under >> shift & 255;
 
@@ -23,8 +23,8 @@ static uint32_t blended(uint32_t over, uint32_t under)
 {
     const uint32_t a = over >> 24;
 
-    return channel(over, under, 16, a) | channel(over, under, 8, a)
-           | channel(over, under, 0, a);
+    return blend_channel(over, under, 16, a) | blend_channel(over, under, 8, a)
+           | blend_channel(over, under, 0, a);
 }
 
 tp_overlay tp_overlay_make(void (*row)(void *user, const tp_overlay_row *row), void *user)

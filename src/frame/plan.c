@@ -17,7 +17,7 @@ static void set_light_direction(tp_frame *frame)
 
 /* Fills the water's list with fast stages if the plan says so and the program has all
  * stages for the picture; else with exact stages. */
-static void choose_water(tp_frame *frame)
+static void fill_water_shaders(tp_frame *frame)
 {
     tp_shaders *water = tp_frame_list(frame, TP_MARK_WATER);
 
@@ -25,36 +25,36 @@ static void choose_water(tp_frame *frame)
     water->kind = TP_LIST_FAST;
     if (frame->rungs.shading == TP_SHADING_QUICK
         && tp_frame_has_module(frame, TP_MODULE_FAST))
-        tp_frame_add_modules(frame, water);
+        tp_frame_add_stages(frame, water);
     if (tp_shaders_has(water, TP_AT_COLOUR))
         return;
     tp_shaders_clear(water);
     water->kind = TP_LIST_WATER;
-    tp_frame_add_modules(frame, water);
+    tp_frame_add_stages(frame, water);
     if (!tp_shaders_has(water, TP_AT_COLOUR))
         tp_shaders_add_colour(water, frame->program->stage.plain);
 }
 
 /* Fills the water's list for the surface seen from below. */
-static void choose_underside(tp_frame *frame)
+static void fill_underside_shaders(tp_frame *frame)
 {
     tp_shaders *water = tp_frame_list(frame, TP_MARK_WATER);
 
     tp_shaders_clear(water);
     water->kind = TP_LIST_BELOW;
     tp_shaders_add(water, TP_AT_VIEW, frame->program->stage.view, NULL);
-    tp_frame_add_modules(frame, water);
+    tp_frame_add_stages(frame, water);
 }
 
 /* Fills the sky's list.  A sky without a module becomes the gradient. */
-static void choose_sky(tp_frame *frame)
+static void fill_sky_shaders(tp_frame *frame)
 {
     const bool named = tp_has_dome(frame->scene)
                     || tp_has_cube(frame->scene, &frame->assets);
     tp_shaders *sky = tp_frame_list(frame, TP_MARK_SKY);
 
     tp_shaders_clear(sky);
-    tp_frame_add_modules(frame, sky);
+    tp_frame_add_stages(frame, sky);
     if (!tp_shaders_has(sky, TP_AT_COLOUR))
         tp_shaders_add_colour(sky, frame->program->stage.sky);
     if (named && frame->shade.env.kind == TP_ENV_GRADIENT)
@@ -62,26 +62,26 @@ static void choose_sky(tp_frame *frame)
 }
 
 /* Counts missing stages.  `base` is the name to report if no module lacks the stage. */
-static void count_lacks(tp_frame *frame, const tp_shaders *list, uint8_t base)
+static void count_missing_stages(tp_frame *frame, const tp_shaders *list, uint8_t base)
 {
     frame->stats.dropped += list->lacks;
     if (list->lacks && !frame->lacking)
         frame->lacking = list->lacking ? list->lacking : base;
 }
 
-static void choose_stages(tp_frame *frame)
+static void fill_shader_lists(tp_frame *frame)
 {
-    choose_sky(frame);
-    count_lacks(frame, tp_frame_list(frame, TP_MARK_SKY), TP_LACKING_SKY);
-    tp_frame_list_modules(frame);
+    fill_sky_shaders(frame);
+    count_missing_stages(frame, tp_frame_list(frame, TP_MARK_SKY), TP_LACKING_SKY);
+    tp_frame_fill_module_lists(frame);
     if (frame->under)
-        choose_underside(frame);
+        fill_underside_shaders(frame);
     else
-        choose_water(frame);
-    count_lacks(frame, tp_frame_list(frame, TP_MARK_WATER), 0);
+        fill_water_shaders(frame);
+    count_missing_stages(frame, tp_frame_list(frame, TP_MARK_WATER), 0);
 }
 
-void tp_frame_plan(tp_frame *frame)
+void tp_frame_plan_shaders(tp_frame *frame)
 {
     TP_ASSERT(frame->projection.zi_near > 0);
     const tp_scene *scene = frame->scene;
@@ -99,5 +99,5 @@ void tp_frame_plan(tp_frame *frame)
     shade->env = (tp_env){ .beyond = (uint32_t)scene->hdr.share * TP_WHITES >> 8 };
     frame->toned = NULL;
     tp_frame_begin_modules(frame);
-    choose_stages(frame);
+    fill_shader_lists(frame);
 }

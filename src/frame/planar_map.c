@@ -15,7 +15,8 @@ void tp_planar_layout(tp_planar_store *store, tp_arena *arena, const tp_want *wa
                                     4 * sizeof *store->samples);
 }
 
-bool tp_planar_begin(const tp_planar_store *store, const tp_grid_box *box, tp_half *half)
+bool tp_planar_set_bounds(const tp_planar_store *store, const tp_grid_box *box,
+                          tp_half *half)
 {
     TP_ASSERT(store->colour != NULL);
     int32_t cols = (int32_t)store->cols, rows = (int32_t)store->rows;

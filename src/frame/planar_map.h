@@ -24,7 +24,8 @@ void tp_planar_layout(tp_planar_store *store, tp_arena *arena, const tp_want *wa
 
 /* Sets *half to the part of the map covered by `box`.  Returns false if the part is
  * empty. */
-bool tp_planar_begin(const tp_planar_store *store, const tp_grid_box *box, tp_half *half);
+bool tp_planar_set_bounds(const tp_planar_store *store, const tp_grid_box *box,
+                          tp_half *half);
 
 /* Returns the G-buffer of the band at row y0. */
 tp_gbuffer tp_planar_gbuffer(const tp_planar_store *store, const tp_half *half, int32_t y0);

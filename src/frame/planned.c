@@ -6,17 +6,18 @@
 #include "scene/wave_culling.h"
 #include "scene/prices.h"
 
-static tp_rungs measured_rungs(const tp_plan_input *in)
+static tp_rungs choose_rungs_by_cost(const tp_plan_input *in)
 {
     return tp_rungs_choose_priced(&tp_prices_measured, in);
 }
 
-static tp_ladder measured_ladder(const tp_plan_input *in)
+static tp_ladder make_ladder_by_cost(const tp_plan_input *in)
 {
     return tp_ladder_make_priced(&tp_prices_measured, in);
 }
 
-static void carve_thin(tp_frame_parts *parts, tp_arena *arena, const tp_plan_input *in)
+static void carve_culled_sea(tp_frame_parts *parts, tp_arena *arena,
+                             const tp_plan_input *in)
 {
     if (tp_thins_sea(in))
         parts->thin = tp_arena_alloc(arena, 1, sizeof *parts->thin);
@@ -24,7 +25,7 @@ static void carve_thin(tp_frame_parts *parts, tp_arena *arena, const tp_plan_inp
 
 /* Drops faint waves for this frame's camera, by the plan's rule for the scene's start
  * camera. */
-static void thin_sea(tp_frame *frame)
+static void cull_faint_waves(tp_frame *frame)
 {
     const tp_projection *projection = &frame->projection;
     tp_surface *surface = &frame->surface;
@@ -46,5 +47,5 @@ static void thin_sea(tp_frame *frame)
 }
 
 const struct tp_draw_rungs tp_draw_rungs = {
-    carve_thin, measured_ladder, measured_rungs, thin_sea
+    carve_culled_sea, make_ladder_by_cost, choose_rungs_by_cost, cull_faint_waves
 };

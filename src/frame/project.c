@@ -4,7 +4,8 @@
 
 /* Component of a position relative to the eye along an axis of the view, m, Q30.
  * Differences below 2^32 times 2^30 fit 64 bits; three of them fit once 16 bits are cut. */
-static int64_t along(const tp_projection *projection, tp_vec3 place, tp_dir3 axis)
+static int64_t view_axis_component(const tp_projection *projection, tp_vec3 place,
+                                   tp_dir3 axis)
 {
     const int64_t x = (int64_t)place.x - projection->eye.x;
     const int64_t y = (int64_t)place.y - projection->eye.y;
@@ -24,7 +25,7 @@ static tp_fx project_pixels(const tp_projection *projection, int64_t way, int64_
     most = INT64_MAX / 2 / projection->focal;
     if (way > most || way < -most)
         return way > 0 ? TP_FX_MAX : TP_FX_MIN;
-    return tp_fx_saturate(tp_quotient(way * projection->focal, depth));
+    return tp_fx_saturate(tp_div_rounded(way * projection->focal, depth));
 }
 
 bool tp_frame_project(const tp_frame *frame, tp_vec3 place, tp_fx *x_px, tp_fx *y_px,
@@ -32,16 +33,18 @@ bool tp_frame_project(const tp_frame *frame, tp_vec3 place, tp_fx *x_px, tp_fx *
 {
     TP_ASSERT(frame != NULL && frame->world != NULL);
     const tp_projection *projection = &frame->projection;
-    const int64_t far = along(projection, place, projection->ahead);
+    const int64_t far = view_axis_component(projection, place, projection->ahead);
 
     if (far >> 14 < projection->near)
         return false;
     *x_px = tp_fx_saturate(
         (int64_t)frame->config.width * (TP_FX_ONE / 2)
-        + project_pixels(projection, along(projection, place, projection->turn.x), far));
+        + project_pixels(
+            projection, view_axis_component(projection, place, projection->turn.x), far));
     *y_px = tp_fx_saturate(
         (int64_t)frame->config.height * (TP_FX_ONE / 2)
-        - project_pixels(projection, along(projection, place, projection->turn.y), far));
+        - project_pixels(
+            projection, view_axis_component(projection, place, projection->turn.y), far));
     *depth = tp_fx_saturate((far + (1 << 13)) >> 14);
     return true;
 }

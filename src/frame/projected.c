@@ -52,7 +52,7 @@ static tp_fx ray_fall(const tp_frame *frame, int64_t down)
 
 /* Returns the first line, px below the horizon and a multiple of 4, that stays below a ray
  * for any phase of the waves; 0: no line does. */
-static int32_t find_start(const tp_frame *frame, int64_t down)
+static int32_t find_first_line(const tp_frame *frame, int64_t down)
 {
     const tp_level *level = frame->parts.level;
     tp_fx h = level->height,
@@ -80,7 +80,7 @@ static int64_t line_row(const tp_projected *p, int32_t x, int32_t rows)
 
 /* True if points near pixel (x, y) keep their order, by the second condition of the file's
  * head. */
-static bool is_ordered(const tp_frame *frame, int32_t x, int32_t y)
+static bool are_points_ordered(const tp_frame *frame, int32_t x, int32_t y)
 {
     const tp_level *level = frame->parts.level;
     const tp_projection  *projection = &frame->projection;
@@ -106,19 +106,21 @@ static bool is_ordered(const tp_frame *frame, int32_t x, int32_t y)
 
 /* Adds one side of the water as a far end in columns x0 to x1.  Returns true if the side
  * is such an end or lies outside; false if it crosses the lines otherwise. */
-static bool add_side(tp_projected *p, const tp_level_sum *side, int32_t x0, int32_t x1)
+static bool add_far_edge(tp_projected *p, const tp_level_sum *side, int32_t x0, int32_t x1)
 {
     int64_t below[2] = { line_row(p, x0, p->start), line_row(p, x1, p->start) };
     int64_t above[2] = { line_row(p, x0, 0), line_row(p, x1, 0) };
 
-    if (tp_level_at_row(side, x0, below[0]) < 0 || tp_level_at_row(side, x1, below[1]) < 0)
+    if (tp_level_evaluate_row(side, x0, below[0]) < 0
+        || tp_level_evaluate_row(side, x1, below[1]) < 0)
         return false;
-    if (tp_level_at_row(side, x0, above[0]) >= 0 && tp_level_at_row(side, x1, above[1]) >= 0)
+    if (tp_level_evaluate_row(side, x0, above[0]) >= 0
+        && tp_level_evaluate_row(side, x1, above[1]) >= 0)
         return true;
     if (side->y <= 0 || side->y < side->x || side->y < -side->x)
         return false;
     TP_ASSERT(p->tops < TP_LEVEL_SIDES);
-    p->top[p->tops++] = tp_level_zero(side);
+    p->top[p->tops++] = tp_level_zero_line(side);
     return true;
 }
 
@@ -129,7 +131,7 @@ static int64_t line_descent(const tp_frame *frame, int32_t rows)
 
 /* Sets the first line below the picture's lower edge; true if all conditions hold up to
  * the water's far end. */
-static bool place(tp_frame *frame)
+static bool set_line_range(tp_frame *frame)
 {
     const tp_level *level = frame->parts.level;
     tp_projected *p = frame->parts.projected;
@@ -137,7 +139,7 @@ static bool place(tp_frame *frame)
     int64_t left = tp_level_evaluate(&level->down, 0, high);
     int64_t down = left + (level->down.x > 0 ? level->down.x * wide : 0);
 
-    p->start = down > 0 ? find_start(frame, down) : 4;
+    p->start = down > 0 ? find_first_line(frame, down) : 4;
     if (p->start == 0 || p->start > 4096)
         return false;
     down = line_descent(frame, p->start);
@@ -145,11 +147,11 @@ static bool place(tp_frame *frame)
     if (depth < 2 * (int64_t)frame->projection.near + p->towards)
         return false;
     int32_t x0 = -side_margin(frame, down), x1 = wide - x0;
-    if (x1 > 6000 || !is_ordered(frame, -CELL, high + CELL)
-        || !is_ordered(frame, wide + CELL, high + CELL))
+    if (x1 > 6000 || !are_points_ordered(frame, -CELL, high + CELL)
+        || !are_points_ordered(frame, wide + CELL, high + CELL))
         return false;
     for (int k = 0; k < TP_LEVEL_SIDES; k++) {
-        if (!add_side(p, &level->side[k], x0, x1))
+        if (!add_far_edge(p, &level->side[k], x0, x1))
             return false;
     }
     return true;
@@ -158,14 +160,14 @@ static bool place(tp_frame *frame)
 /* Sets the largest wave motion towards the camera, and to the side of a ray at the
  * picture's edge, tan phi = w: QA sqrt(1 + w^2), plus the share of wave height by pitch
  * and roll. */
-static void set_ways(tp_frame *frame)
+static void set_motion_bounds(tp_frame *frame)
 {
     const tp_projection *projection = &frame->projection;
     tp_projected *p = frame->parts.projected;
     tp_fx wide = tp_fx_div((tp_fx)(frame->config.width << 15), projection->focal);
     tp_fx slant = tp_fx_sqrt(tp_fx_mul(wide, wide) + TP_FX_ONE);
-    tp_fx sideways = tp_surface_reach(&frame->surface);
-    tp_fx high = tp_surface_height(&frame->surface);
+    tp_fx sideways = tp_surface_reach_bound(&frame->surface);
+    tp_fx high = tp_surface_height_bound(&frame->surface);
     tp_fx aside = tp_fx_mul(sideways, slant)
                   + tp_fx_mul(tp_q30_mul(high, tp_abs(projection->ahead.y)), wide)
                   + tp_q30_mul(high, tp_abs(projection->turn.x.y));
@@ -174,7 +176,7 @@ static void set_ways(tp_frame *frame)
     p->share = tp_fx_div(aside, projection->eye.y);
 }
 
-static bool hold_projected(tp_frame *frame)
+static bool can_draw_projected(tp_frame *frame)
 {
     tp_projected *p = frame->parts.projected;
 
@@ -184,10 +186,10 @@ static bool hold_projected(tp_frame *frame)
     const tp_level_sum *down = &frame->parts.level->down;
     if (down->y < TP_Q30_ONE / 2 || tp_abs((int32_t)down->x) > down->y / 4)
         return false;
-    p->horizon = tp_level_zero(down);
+    p->horizon = tp_level_zero_line(down);
     p->tops = 0;
-    set_ways(frame);
-    return place(frame);
+    set_motion_bounds(frame);
+    return set_line_range(frame);
 }
 
 /* -- points ---------------------------------------------------------------------------- */
@@ -227,13 +229,13 @@ static void sample_rest(const line *l, int32_t x, int64_t row, bool ends, tp_fx 
     tp_level_reach reach = l->reach, beyond = l->beyond;
 
     if (ends) {
-        int64_t down = tp_level_at_row(&level->down, x, row);
+        int64_t down = tp_level_evaluate_row(&level->down, x, row);
         reach = make_clamped_reach(level, down);
         beyond = make_clamped_reach(level, down - l->gap);
     }
     for (int axis = 0; axis < 2; axis++) {
         const tp_level_sum *sum = sums[axis];
-        int64_t way = tp_level_at_row(sum, x, row);
+        int64_t way = tp_level_evaluate_row(sum, x, row);
         int64_t across = sum->x + (sum->y * l->frame->parts.projected->horizon.x >> 30);
         int64_t farther = way - (sum->y * (l->gap >> 14) / (level->down.y >> 14));
         int64_t here = tp_level_metres(reach, way);
@@ -267,7 +269,7 @@ static tp_row_point sample_point(const line *l, int32_t x)
     sample_rest(l, x, row, ends, at, step);
     tp_row_point p = {
         .u = 16 * x + 8, .v = (int32_t)((row + (1 << 25)) >> 26) + 8,
-        .zi = (uint32_t)(tp_level_at_row(&level->zi, x, row) >> TP_LEVEL_ZI),
+        .zi = (uint32_t)(tp_level_evaluate_row(&level->zi, x, row) >> TP_LEVEL_ZI),
         .s = at[0], .t = at[1],
     };
     if (tp_surface_has_swells(&frame->surface)) {
@@ -288,7 +290,7 @@ static int32_t next_line(int32_t rows)
     return rows > 64 ? rows - 4 : rows > 32 ? rows - 2 : rows - 1;
 }
 
-static void lay_line(const line *l, tp_rows *rows, int32_t x0, int32_t x1)
+static void draw_line_points(const line *l, tp_rows *rows, int32_t x0, int32_t x1)
 {
     tp_row_point run[RUN + 1];
     uint32_t count = 0;
@@ -296,14 +298,14 @@ static void lay_line(const line *l, tp_rows *rows, int32_t x0, int32_t x1)
     for (int32_t x = x0; x <= x1; x += CELL) {
         run[count++] = sample_point(l, x);
         if (count == RUN + 1 || x + CELL > x1) {
-            tp_rows_line(rows, run, count);
+            tp_rows_draw_line(rows, run, count);
             run[0] = run[count - 1];
             count = 1;
         }
     }
 }
 
-static void lay(const tp_frame *frame, tp_rows *rows, int32_t below)
+static void draw_grid_line(const tp_frame *frame, tp_rows *rows, int32_t below)
 {
     const tp_gbuffer *tile = rows->tile;
     const tp_level *level = frame->parts.level;
@@ -315,7 +317,7 @@ static void lay(const tp_frame *frame, tp_rows *rows, int32_t below)
     int32_t margin =
         tp_surface_has_swells(&frame->surface) ? side_margin(frame, down) : 2 * CELL;
 
-    lay_line(&l, rows, (tile->x0 - margin) & ~(CELL - 1), tile->x1 + margin);
+    draw_line_points(&l, rows, (tile->x0 - margin) & ~(CELL - 1), tile->x1 + margin);
 }
 
 /* Returns the farthest line before the water's end in at least one column. */
@@ -342,12 +344,12 @@ static void draw_projected(const tp_frame *frame, tp_gbuffer *tile, void *memory
     if (down <= 0)
         return;
     tp_rows_begin(&rows, tile, memory, true);
-    int32_t below = find_start(frame, down), last = last_line(frame, tile);
+    int32_t below = find_first_line(frame, down), last = last_line(frame, tile);
     below = below > 0 && below < p->start ? below : p->start;
     for (; below > last && rows.open > 0; below = next_line(below))
-        lay(frame, &rows, below);
+        draw_grid_line(frame, &rows, below);
     if (rows.open > 0)
-        lay(frame, &rows, 0);
+        draw_grid_line(frame, &rows, 0);
 }
 
 /* -- the renderer -------------------------------------------------------------------- */
@@ -365,12 +367,12 @@ static void carve_projected(tp_frame_parts *parts, tp_arena *arena,
 }
 
 /* Does nothing: hold_projected has set all data. */
-static void place_projected(tp_frame *frame)
+static void place_nothing(tp_frame *frame)
 {
     (void)frame;
 }
 
 const struct tp_method tp_method_projected = {
-    .carve = carve_projected, .holds = hold_projected,
-    .place = place_projected, .draw = draw_projected,
+    .carve = carve_projected, .holds = can_draw_projected,
+    .place = place_nothing, .draw = draw_projected,
 };

@@ -2,7 +2,7 @@
 /* Functions shared by all render views. */
 #include "frame/frame.h"
 
-tp_fx tp_view_water_level(const tp_frame *frame)
+tp_fx tp_view_anchor_level(const tp_frame *frame)
 {
     return tp_frame_anchor(frame).level;
 }
@@ -37,7 +37,7 @@ void tp_view_begin(tp_frame *frame, const tp_view *view)
     tp_view_set_shade(frame, view->projection);
 }
 
-tp_grid_box tp_view_place(tp_frame *frame, tp_view *view)
+tp_grid_box tp_view_project_solids(tp_frame *frame, tp_view *view)
 {
     tp_grid_box box = TP_BOX_NONE;
 
@@ -45,7 +45,7 @@ tp_grid_box tp_view_place(tp_frame *frame, tp_view *view)
     return box;
 }
 
-void tp_view_draw(const tp_frame *frame, const tp_view *view, tp_gbuffer *tile)
+void tp_view_draw_solids(const tp_frame *frame, const tp_view *view, tp_gbuffer *tile)
 {
     tp_frame_draw_modules(frame, view, tile);
 }

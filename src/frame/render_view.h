@@ -4,8 +4,8 @@
  * all views share the memory of projected vertices.
  *
  *     tp_view_begin(frame, &view)       sets up shading for the view
- *     tp_view_place(frame, &view)       projects all solids
- *     tp_view_draw(frame, &view, tile)  draws one tile, any number of times */
+ *     tp_view_project_solids(frame, &view)       projects all solids
+ *     tp_view_draw_solids(frame, &view, tile)  draws one tile, any number of times */
 #ifndef TP_FRAME_RENDER_VIEW_H
 #define TP_FRAME_RENDER_VIEW_H
 #include "geom/grid.h"
@@ -61,7 +61,7 @@ static inline void tp_box_join(tp_grid_box *to, const tp_grid_box *box)
 }
 
 /* Returns the height of still water at the anchor, m. */
-tp_fx tp_view_water_level(const tp_frame *frame);
+tp_fx tp_view_anchor_level(const tp_frame *frame);
 
 /* Sets the shade's view numbers from a projection; the light stays the world's. */
 void tp_view_set_shade(tp_frame *frame, const tp_projection *projection);
@@ -73,14 +73,14 @@ bool tp_view_is_above_level(const tp_frame *frame, tp_fx level);
 void tp_view_begin(tp_frame *frame, const tp_view *view);
 
 /* Projects the solids of all modules for a view; returns the box of all covered pixels. */
-tp_grid_box tp_view_place(tp_frame *frame, tp_view *view);
-void tp_view_draw(const tp_frame *frame, const tp_view *view, tp_gbuffer *tile);
+tp_grid_box tp_view_project_solids(tp_frame *frame, tp_view *view);
+void tp_view_draw_solids(const tp_frame *frame, const tp_view *view, tp_gbuffer *tile);
 
 /* clipped.c: a view vertex without texture coordinates; the clipped screen vertices of a
  * triangle, fewer than 3 if nothing is left; drawing the clipped polygon, with t as its
  * stage expects. */
-tp_view_vertex tp_clipped_vertex(const tp_projection *projection, tp_vec3 at,
-                                 const int16_t n[3]);
+tp_view_vertex tp_solid_vertex_make(const tp_projection *projection, tp_vec3 at,
+                                    const int16_t n[3]);
 int tp_clipped_corners(const tp_projection *projection, const tp_view_plane *level,
                        const tp_view_vertex in[3], tp_screen_vertex to[TP_CLIP_VERTICES]);
 void tp_clipped_draw(const tp_projection *projection, const tp_view_plane *level,

@@ -15,7 +15,7 @@ void tp_lines_carve(tp_frame_parts *parts, tp_arena *arena, const tp_program *pr
     size_t lines = cols > rows ? cols : rows;
     size_t upright = cols * ((rows - 2) / TP_GRID_BLOCK + 1);
     size_t level = rows * ((cols - 2) / TP_GRID_BLOCK + 1);
-    const bool streams = tp_frame_streams(program, scene);
+    const bool streams = tp_frame_is_grid_streamed(program, scene);
 
     (void)config;
     tp_frame_lines *to = tp_arena_alloc(arena, 1, sizeof *to);

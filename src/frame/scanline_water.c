@@ -74,9 +74,9 @@ static void draw_triangles(walk *w, uint32_t k)
 static void lay(walk *w, const tp_row_point *run, uint32_t count, int how)
 {
     if (how == ON)
-        tp_rows_line(&w->rows, run, count);
+        tp_rows_draw_line(&w->rows, run, count);
     else
-        tp_rows_start(&w->rows, run, count, how == JOIN);
+        tp_rows_restart_line(&w->rows, run, count, how == JOIN);
 }
 
 /* True if segment m of line k has land on both sides. */
@@ -107,7 +107,7 @@ static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
         left = tp_line_vertex(frame, &w->window, k, (uint32_t)(m + way))->u;
         bool out = is_outside_tile(w, from, left);
         if (!out && land && is_land(frame, k, (uint32_t)(back ? m - 1 : m))) {
-            tp_rows_gap(&w->rows, from, left);
+            tp_rows_mark_gap(&w->rows, from, left);
             out = true;
         }
         if (out) {
@@ -144,7 +144,7 @@ static void see_line(walk *w, uint32_t k, bool whole)
         end = part.end + 1u;
     }
     if (first < end && !lines->upright)
-        tp_grid_see(w->frame->parts.grid, &w->window, k, first, end);
+        tp_grid_window_load(w->frame->parts.grid, &w->window, k, first, end);
 }
 
 static void lay_line(walk *w, uint32_t k, int how)
@@ -225,14 +225,14 @@ static void lay_middles(walk *w, uint32_t k)
         uint32_t m = back ? cells.end - 1u - (n - cells.first) : n;
         tp_row_point run[3];
         if (!is_beside_cell(w, k, m) && find_edge_middles(w, k, m, run))
-            tp_rows_line(&w->rows, run, 3);
+            tp_rows_draw_line(&w->rows, run, 3);
     }
 }
 
 static void lay_one(walk *w, const tp_row_point *a, const tp_row_point *b)
 {
     const tp_row_point run[2] = { *a, *b };
-    tp_rows_line(&w->rows, run, 2);
+    tp_rows_draw_line(&w->rows, run, 2);
 }
 
 /* Draws line k after line `last`, with the left and right ends of the row of cells between
@@ -246,9 +246,9 @@ static void lay_sided(walk *w, uint32_t last, uint32_t row, uint32_t k)
     bool left = was[0].u != TP_GRID_CUT && now[0].u != TP_GRID_CUT;
     bool right = was[1].u != TP_GRID_CUT && now[1].u != TP_GRID_CUT;
     if (left)
-        tp_rows_side(&w->rows, &now[0], &was[0]);
+        tp_rows_set_side(&w->rows, &now[0], &was[0]);
     if (right)
-        tp_rows_side(&w->rows, &was[1], &now[1]);
+        tp_rows_set_side(&w->rows, &was[1], &now[1]);
     if (w->frame->parts.lines->line[row].is & TP_LINE_WIDE)
         lay_middles(w, row);
     if (left)
@@ -315,6 +315,6 @@ static void draw_rows(const tp_frame *frame, tp_gbuffer *tile, void *memory)
 }
 
 const struct tp_method tp_method_rows = {
-    .holds = tp_frame_rows_hold, .carve = tp_lines_carve,
+    .holds = tp_frame_can_draw_rows, .carve = tp_lines_carve,
     .place = tp_lines_place, .draw = draw_rows,
 };

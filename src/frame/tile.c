@@ -144,8 +144,8 @@ static void draw_samples(const tp_frame *frame, tp_gbuffer *samples, void *memor
 }
 
 /* Sets the tile's box.  Returns false if tile i does not exist or `scratch` is unusable. */
-static bool place_tile(const tp_frame *frame, uint32_t i, const void *scratch,
-                       tp_tile *tile)
+static bool set_tile_bounds(const tp_frame *frame, uint32_t i, const void *scratch,
+                            tp_tile *tile)
 {
     const tp_config *c = &frame->config;
 
@@ -185,7 +185,7 @@ bool tp_frame_draw_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_til
     TP_ASSERT(tile != NULL);
     const tp_config *c = &frame->config;
 
-    if (!place_tile(frame, i, scratch, tile))
+    if (!set_tile_bounds(frame, i, scratch, tile))
         return false;
     tile->pixels = scratch_pixels(frame, scratch);
     tile->stride = tp_format_row_bytes(c->format, (int)c->tile_width);
@@ -200,7 +200,7 @@ bool tp_frame_draw_tile_direct(const tp_frame *frame, uint32_t i, void *scratch,
     TP_ASSERT(tile != NULL);
     uint8_t *pixels = picture;
 
-    if (picture == NULL || !place_tile(frame, i, scratch, tile))
+    if (picture == NULL || !set_tile_bounds(frame, i, scratch, tile))
         return false;
     pixels += tile->y0 * stride
             + tp_format_row_bytes(frame->config.format, (int)tile->x0);

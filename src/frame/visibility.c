@@ -12,18 +12,18 @@ void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs)
 }
 
 /* Returns the rung named by the scene, else 1, the exact rung of its kind. */
-static int first_or(int32_t named, int last)
+static int rung_or_exact(int32_t named, int last)
 {
     return named > 0 && named <= last ? named : 1;
 }
 
-static tp_rungs named(const tp_scene *scene)
+static tp_rungs named_or_exact(const tp_scene *scene)
 {
     return (tp_rungs){
-        (tp_visibility)first_or(scene->quality.visibility, TP_VISIBILITY_FLAT),
-        (tp_shading)first_or(scene->quality.shading, TP_SHADING_QUICK),
-        (tp_rate)first_or(scene->quality.rate, TP_RATE_COLOUR),
-        (tp_lod)first_or(scene->quality.lod, TP_LOD_ON),
+        (tp_visibility)rung_or_exact(scene->quality.visibility, TP_VISIBILITY_FLAT),
+        (tp_shading)rung_or_exact(scene->quality.shading, TP_SHADING_QUICK),
+        (tp_rate)rung_or_exact(scene->quality.rate, TP_RATE_COLOUR),
+        (tp_lod)rung_or_exact(scene->quality.lod, TP_LOD_ON),
     };
 }
 
@@ -33,23 +33,23 @@ tp_rung_mask tp_frame_rung_mask(const tp_program *program, const tp_scene *scene
     const struct tp_draw_rungs *rungs = program->draw.rungs;
     const tp_plan_input in = tp_frame_plan_input(program, scene, assets, config);
     const tp_ladder ladder = rungs ? rungs->ladder(&in)
-                                   : (tp_ladder){ { named(scene) }, 1 };
-    return tp_ladder_reach(&ladder);
+                                   : (tp_ladder){ { named_or_exact(scene) }, 1 };
+    return tp_ladder_rung_mask(&ladder);
 }
 
-static bool has(uint8_t bits, unsigned rung)
+static bool has_rung(uint8_t bits, unsigned rung)
 {
     return rung < 8 && (bits >> rung & 1);
 }
 
 /* Replaces rungs without memory, or out of range, by the exact rung. */
-static tp_rungs within(tp_rung_mask reach, tp_rungs r)
+static tp_rungs replace_unavailable_rungs(tp_rung_mask reach, tp_rungs r)
 {
     return (tp_rungs){
-        has(reach.visibility, r.visibility) ? r.visibility : TP_VISIBILITY_TRIANGLES,
-        has(reach.shading, r.shading) ? r.shading : TP_SHADING_EXACT,
-        has(reach.rate, r.rate) ? r.rate : TP_RATE_FULL,
-        has(reach.lod, r.lod) ? r.lod : TP_LOD_OFF,
+        has_rung(reach.visibility, r.visibility) ? r.visibility : TP_VISIBILITY_TRIANGLES,
+        has_rung(reach.shading, r.shading) ? r.shading : TP_SHADING_EXACT,
+        has_rung(reach.rate, r.rate) ? r.rate : TP_RATE_FULL,
+        has_rung(reach.lod, r.lod) ? r.lod : TP_LOD_OFF,
     };
 }
 
@@ -76,9 +76,9 @@ void tp_frame_choose_rungs(tp_frame *frame)
         memcpy(frame->quality, &scene->quality, sizeof frame->quality);
         const tp_plan_input in =
             tp_frame_plan_input(frame->program, scene, &frame->assets, &frame->config);
-        frame->planned = rungs ? rungs->rungs(&in) : named(scene);
+        frame->planned = rungs ? rungs->rungs(&in) : named_or_exact(scene);
     }
-    frame->rungs = within(frame->parts.reach, frame->steered ? frame->asked
+    frame->rungs = replace_unavailable_rungs(frame->parts.reach, frame->steered ? frame->asked
                                                              : frame->planned);
 }
 
@@ -95,13 +95,13 @@ static tp_fx clamp_cell(const tp_scene *scene)
 
 /* True if the surface is a plain sum of waves: only then can the grid LOD drop waves one
  * by one. */
-static bool is_plain(const tp_surface *surface)
+static bool has_only_plain_swells(const tp_surface *surface)
 {
     return !surface->ocean && !surface->sea->sharpened && !tp_surface_has_relief(surface);
 }
 
 /* Sets the grid's placement, needed by all renderers. */
-static void view_water(tp_frame *frame)
+static void set_grid_view(tp_frame *frame)
 {
     frame->grid_view = (tp_grid_view){
         .projection = &frame->projection,
@@ -112,7 +112,7 @@ static void view_water(tp_frame *frame)
         .reach = frame->scene->grid.reach,
         .follow = frame->scene->grid.follow != 0,
         .lod = frame->rungs.lod == TP_LOD_ON && frame->surface.by->lod
-               && is_plain(&frame->surface),
+               && has_only_plain_swells(&frame->surface),
     };
 }
 
@@ -121,7 +121,7 @@ void tp_frame_choose_visibility(tp_frame *frame)
     const struct tp_method *method =
         tp_frame_method(frame->program, frame->rungs.visibility);
 
-    view_water(frame);
+    set_grid_view(frame);
     frame->visibility = frame->rungs.visibility;
     if (!method || (method->holds && !method->holds(frame)))
         frame->visibility = TP_VISIBILITY_TRIANGLES;

@@ -6,7 +6,7 @@
 #include "fx/fx.h"
 
 /* Returns floor(n / d + 1/2), saturated to the range of tp_fx; |n| <= 2^47, d != 0. */
-static tp_fx quotient(int64_t n, int64_t d)
+static tp_fx saturated_quotient(int64_t n, int64_t d)
 {
     TP_ASSERT(d != 0);
     TP_ASSERT(n >= -((int64_t)1 << 47) && n <= (int64_t)1 << 47);
@@ -21,10 +21,10 @@ tp_fx tp_fx_div(tp_fx a, tp_fx b)
 {
     if (b == 0)
         return a > 0 ? TP_FX_MAX : a < 0 ? TP_FX_MIN : 0;
-    return quotient((int64_t)a * TP_FX_ONE, b);
+    return saturated_quotient((int64_t)a * TP_FX_ONE, b);
 }
 
 tp_fx tp_fx_recip(tp_fx x)
 {
-    return x == 0 ? TP_FX_MAX : quotient((int64_t)TP_FX_ONE * TP_FX_ONE, x);
+    return x == 0 ? TP_FX_MAX : saturated_quotient((int64_t)TP_FX_ONE * TP_FX_ONE, x);
 }

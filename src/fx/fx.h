@@ -30,7 +30,7 @@ static inline tp_fx tp_fx_saturate(int64_t x)
 }
 
 /* Saturating a + b and a - b, computed in 32 bits. */
-static inline tp_fx tp_fx_plus(tp_fx a, tp_fx b)
+static inline tp_fx tp_fx_add_sat(tp_fx a, tp_fx b)
 {
 #if defined(__GNUC__)
     tp_fx sum;
@@ -42,7 +42,7 @@ static inline tp_fx tp_fx_plus(tp_fx a, tp_fx b)
 #endif
 }
 
-static inline tp_fx tp_fx_minus(tp_fx a, tp_fx b)
+static inline tp_fx tp_fx_sub_sat(tp_fx a, tp_fx b)
 {
 #if defined(__GNUC__)
     tp_fx left;
@@ -56,7 +56,7 @@ static inline tp_fx tp_fx_minus(tp_fx a, tp_fx b)
 
 /* Returns n / d, halves rounded away from 0.  Rounding is symmetric: a step and its reverse
  * add up to 0.  d > 0, and |n| + d / 2 must fit 64 bits. */
-static inline int64_t tp_quotient(int64_t n, int64_t d)
+static inline int64_t tp_div_rounded(int64_t n, int64_t d)
 {
     return (n < 0 ? n - d / 2 : n + d / 2) / d;
 }

@@ -41,7 +41,7 @@ tp_fx tp_vec3_length(tp_vec3 v)
 
 /* Returns x / length in Q2.30, rounded half up.  |x inverse| < 2^63.  The rounding cannot
  * overflow: an x at the end of its range makes the inverse small. */
-static tp_q30 scaled(int32_t x, uint32_t inverse, int shift)
+static tp_q30 normalised_component(int32_t x, uint32_t inverse, int shift)
 {
     TP_ASSERT(shift >= 2 && shift <= 33);
     return (tp_q30)(((int64_t)x * inverse + ((int64_t)1 << (shift - 1))) >> shift);
@@ -58,8 +58,8 @@ tp_dir3 tp_normalise(int32_t x, int32_t y, int32_t z)
     const int half = (high != 0 ? tp_clz(high) : 32 + tp_clz((uint32_t)sum)) >> 1;
     const uint32_t inverse = tp_rsqrt_norm((uint32_t)(sum << 2 * half >> 32));
     return (tp_dir3){
-        scaled(x, inverse, 33 - half),
-        scaled(y, inverse, 33 - half),
-        scaled(z, inverse, 33 - half),
+        normalised_component(x, inverse, 33 - half),
+        normalised_component(y, inverse, 33 - half),
+        normalised_component(z, inverse, 33 - half),
     };
 }

@@ -20,7 +20,7 @@ typedef struct {
 /* Returns the distance inside a side, without a fixed unit; >= 0 is inside.  Five cuts
  * round by one each; the margin of four keeps the new vertices within the strict test of
  * tp_projection_contains. */
-static int64_t inside(const sides *of, const tp_view_vertex *c, int side)
+static int64_t side_distance(const sides *of, const tp_view_vertex *c, int side)
 {
     const tp_projection *projection = of->projection;
     int64_t band = ((int64_t)c->depth - 4) * (1 << (TP_GUARD_LOG2 - projection->m)) - 4;
@@ -30,19 +30,20 @@ static int64_t inside(const sides *of, const tp_view_vertex *c, int side)
     case SIDE_LEFT:   return band + c->x;
     case SIDE_RIGHT:  return band - c->x;
     case SIDE_BOTTOM: return band + c->y;
-    case SIDE_PLANE:  return tp_view_height(of->plane, c);
+    case SIDE_PLANE:  return tp_view_plane_distance(of->plane, c);
     default:          return band - c->y;
     }
 }
 
 /* Interpolates from a to b by `share`, Q0.30; |b - a| < 2^32. */
-static int32_t along(int32_t a, int32_t b, int64_t share)
+static int32_t interpolate(int32_t a, int32_t b, int64_t share)
 {
     return (int32_t)(a + ((((int64_t)b - a) * share) >> 30));
 }
 
-static tp_view_vertex cut(const tp_projection *projection, const tp_view_vertex *in,
-                          const tp_view_vertex *out, int64_t d_in, int64_t d_out)
+static tp_view_vertex intersect_edge(const tp_projection *projection,
+                                     const tp_view_vertex *in, const tp_view_vertex *out,
+                                     int64_t d_in, int64_t d_out)
 {
     TP_ASSERT(d_in >= 0 && d_out < 0);
     uint64_t span = (uint64_t)(d_in - d_out);           /* > 0, below 2^48 */
@@ -52,15 +53,15 @@ static tp_view_vertex cut(const tp_projection *projection, const tp_view_vertex 
     while (span >> shift >= (uint64_t)1 << 32)
         shift++;
     int64_t share = (int64_t)((((uint64_t)d_in >> shift) << 30) / (span >> shift));
-    c.x = along(in->x, out->x, share);
-    c.y = along(in->y, out->y, share);
-    c.depth = along(in->depth, out->depth, share);
+    c.x = interpolate(in->x, out->x, share);
+    c.y = interpolate(in->y, out->y, share);
+    c.depth = interpolate(in->depth, out->depth, share);
     if (c.depth < projection->near)
         c.depth = projection->near;
-    c.s = along(in->s, out->s, share);
-    c.t = along(in->t, out->t, share);
+    c.s = interpolate(in->s, out->s, share);
+    c.t = interpolate(in->t, out->t, share);
     for (int i = 0; i < 3; i++)
-        c.n[i] = (int16_t)along(in->n[i], out->n[i], share);
+        c.n[i] = (int16_t)interpolate(in->n[i], out->n[i], share);
     return c;
 }
 
@@ -71,13 +72,13 @@ static int clip_side(const sides *of, const tp_view_vertex *in, int count,
 
     for (int i = 0; i < count; i++) {
         const tp_view_vertex *a = &in[i], *b = &in[i + 1 < count ? i + 1 : 0];
-        int64_t da = inside(of, a, side), db = inside(of, b, side);
+        int64_t da = side_distance(of, a, side), db = side_distance(of, b, side);
         if (da >= 0)
             out[kept++] = *a;
         if (da >= 0 && db < 0)
-            out[kept++] = cut(of->projection, a, b, da, db);
+            out[kept++] = intersect_edge(of->projection, a, b, da, db);
         else if (da < 0 && db >= 0)
-            out[kept++] = cut(of->projection, b, a, db, da);
+            out[kept++] = intersect_edge(of->projection, b, a, db, da);
     }
     TP_ASSERT(kept <= TP_CLIP_VERTICES);
     return kept;

@@ -59,7 +59,7 @@ void tp_projection_init_turned(tp_projection *projection, tp_vec3 eye, tp_rotati
 /* Returns d . axis, clamped to +-32000 m.  From corner to corner, water and boats can be
  * farther apart than the range of 16.16; without the clamp they would wrap to the
  * opposite side. */
-TP_ALWAYS_INLINE int32_t tp_projection_axis(tp_vec3 d, tp_dir3 axis)
+TP_ALWAYS_INLINE int32_t tp_dot_dir_clamped(tp_vec3 d, tp_dir3 axis)
 {
     const int32_t most = 32000 * TP_FX_ONE;
     int64_t way = ((int64_t)d.x * axis.x + (int64_t)d.y * axis.y + (int64_t)d.z * axis.z
@@ -73,9 +73,9 @@ TP_ALWAYS_INLINE void tp_projection_view_vertex(const tp_projection *projection,
                                                 tp_vec3 p, tp_view_vertex *c)
 {
     tp_vec3 d = tp_vec3_sub(p, projection->eye);
-    c->x = tp_projection_axis(d, projection->right);
-    c->y = tp_projection_axis(d, projection->up);
-    c->depth = tp_projection_axis(d, projection->ahead);
+    c->x = tp_dot_dir_clamped(d, projection->right);
+    c->y = tp_dot_dir_clamped(d, projection->up);
+    c->depth = tp_dot_dir_clamped(d, projection->ahead);
 }
 
 /* True if the vertex is in front of the near plane and inside the guard band, and may be
@@ -128,7 +128,8 @@ TP_ALWAYS_INLINE int32_t tp_recip_fine(uint32_t n)
 
 /* Returns x r / 2^(32 + down), rounded half up.  For a positive `down` the upper word of
  * the product is enough, because a floor of a floor is exact. */
-TP_ALWAYS_INLINE int32_t tp_projection_scale(int32_t x, int32_t r, int down, bool far)
+TP_ALWAYS_INLINE int32_t tp_projection_screen_offset(int32_t x, int32_t r, int down,
+                                                     bool far)
 {
     if (far || down > 0)
         return (tp_mul_upper(x, r) + (1 << (down - 1))) >> down;
@@ -147,8 +148,8 @@ TP_ALWAYS_INLINE void tp_projection_project_scaled(const tp_projection *projecti
     int shift = tp_clz((uint32_t)depth), down = 26 - projection->m - shift;
     int32_t r = tp_recip_fine((uint32_t)depth << shift);
 
-    *u = projection->u0 + tp_projection_scale(x, r, down, far);
-    *v = projection->v0 - tp_projection_scale(y, r, down, far);
+    *u = projection->u0 + tp_projection_screen_offset(x, r, down, far);
+    *v = projection->v0 - tp_projection_screen_offset(y, r, down, far);
     *zi = (uint32_t)((uint64_t)((uint32_t)projection->zi_near << shift) * ((uint32_t)r << 1)
                      >> 32);
 }
@@ -185,8 +186,8 @@ tp_view_plane tp_projection_level_plane(const tp_projection *projection, tp_fx l
 /* Returns the signed distance to the plane, Q.32 m; >= 0 on the inner side.  Coordinates
  * are below 2^31 and weights below 2^29, so three products and the eye's 2^59 stay within
  * 63 bits. */
-TP_ALWAYS_INLINE int64_t tp_view_height(const tp_view_plane *plane,
-                                        const tp_view_vertex *c)
+TP_ALWAYS_INLINE int64_t tp_view_plane_distance(const tp_view_plane *plane,
+                                                const tp_view_vertex *c)
 {
     return ((int64_t)plane->x * c->x + (int64_t)plane->y * c->y
             + (int64_t)plane->depth * c->depth + (int64_t)plane->eye * (1 << 28)) >> 12;

@@ -57,7 +57,7 @@ void tp_grid_carve_ocean(tp_grid *grid, tp_arena *arena)
 
 /* Returns the maximum of n . p + d over a row of cells, without the term n.x x.  A
  * displaced vertex lies within `reach` of its rest position in every direction. */
-static int64_t plane_rest(const tp_plane *p, tp_fx z0, tp_fx z1, tp_fx reach)
+static int64_t max_row_plane_offset(const tp_plane *p, tp_fx z0, tp_fx z1, tp_fx reach)
 {
     tp_fx z = p->n.z > 0 ? z1 : z0;
     return ((int64_t)p->n.z * z >> 30) + p->d + reach + 2;
@@ -95,8 +95,8 @@ static tp_grid_span seen_cells(const tp_grid *grid, const tp_plane *planes, uint
     uint32_t first = 0, end = grid->cols - 1;
 
     for (int k = 0; k < TP_PROJECTION_PLANES; k++) {
-        int64_t rest = plane_rest(&planes[k], grid->row[j].place,
-                                  grid->row[j + 1].place, reach);
+        int64_t rest = max_row_plane_offset(&planes[k], grid->row[j].place,
+                                            grid->row[j + 1].place, reach);
         side[k] = find_side_column(grid, &planes[k], rest, side[k]);
         if (planes[k].n.x > 0)
             first = side[k] > first ? side[k] : first;
@@ -141,26 +141,27 @@ static void set_row(const tp_grid *grid, uint32_t j, bool sloped, tp_vertex_row 
         grid->frame.surface->by->swells->row(&grid->frame, row, sloped);
 }
 
-static bool is_still(const tp_grid *grid, uint32_t i, uint32_t j)
+static bool is_vertex_at_rest(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     return grid->row[j].fade == 0 || grid->column[i].fade == 0;
 }
 
-static tp_view_vertex make_corner(const tp_grid *grid, uint32_t i, uint32_t j)
+static tp_view_vertex make_view_vertex(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     tp_vertex_row row;
 
     set_row(grid, j, false, &row);
-    return tp_vertex_corner(&grid->frame, &grid->columns, &row, i, is_still(grid, i, j));
+    return tp_vertex_make_view_vertex(&grid->frame, &grid->columns, &row, i,
+                                      is_vertex_at_rest(grid, i, j));
 }
 
-tp_view_vertex tp_grid_place_vertex(const tp_grid *grid, const tp_grid_vertex *vertex,
-                                    uint32_t i, uint32_t j)
+tp_view_vertex tp_grid_make_view_vertex(const tp_grid *grid, const tp_grid_vertex *vertex,
+                                        uint32_t i, uint32_t j)
 {
     TP_ASSERT(i < grid->cols && j < grid->rows);
-    tp_view_vertex c = tp_sheet_is(grid)
+    tp_view_vertex c = tp_grid_is_coastal(grid)
                            ? grid->frame.surface->by->ocean->corner(grid, i, j)
-                           : make_corner(grid, i, j);
+                           : make_view_vertex(grid, i, j);
 
     c.n[0] = vertex->slope_x;
     c.n[1] = vertex->slope_z;
@@ -184,8 +185,8 @@ static void place_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t 
             stop = grid->waves.first;
         if (i < grid->waves.end && grid->waves.end < stop)
             stop = grid->waves.end;
-        tp_vertex_place(&grid->frame, &grid->columns, &row, i, stop - i,
-                        is_still(grid, i, j), vertex + i);
+        tp_vertex_evaluate_run(&grid->frame, &grid->columns, &row, i, stop - i,
+                               is_vertex_at_rest(grid, i, j), vertex + i);
     }
 }
 
@@ -196,8 +197,8 @@ tp_grid_window tp_grid_window_init(void *memory)
     return (tp_grid_window){ .memory = memory, .row = { UINT32_MAX, UINT32_MAX } };
 }
 
-void tp_grid_see(const tp_grid *grid, tp_grid_window *window, uint32_t j, uint32_t first,
-                 uint32_t end)
+void tp_grid_window_load(const tp_grid *grid, tp_grid_window *window, uint32_t j,
+                         uint32_t first, uint32_t end)
 {
     TP_ASSERT(j < grid->rows && end <= grid->cols);
     TP_ASSERT(!grid->streams || window->memory != NULL);
@@ -246,7 +247,7 @@ static tp_grid_box bound_vertices(const tp_grid_vertex *vertex, uint32_t count)
                           (int16_t)(u1 >> 4), (int16_t)(v1 >> 4) };
 }
 
-static tp_grid_box both(tp_grid_box a, tp_grid_box b)
+static tp_grid_box box_union(tp_grid_box a, tp_grid_box b)
 {
     return (tp_grid_box){ a.x0 < b.x0 ? a.x0 : b.x0, a.y0 < b.y0 ? a.y0 : b.y0,
                           a.x1 > b.x1 ? a.x1 : b.x1, a.y1 > b.y1 ? a.y1 : b.y1 };
@@ -265,14 +266,14 @@ static void place_boxes(tp_grid *grid, uint32_t j, uint32_t first, uint32_t end)
         tp_grid_box box = bound_vertices(vertex + from, to - from);
         size_t at = (size_t)j * grid->blocks + b;
         if (j > 0)
-            grid->box[at - grid->blocks] = both(grid->box[at - grid->blocks], box);
+            grid->box[at - grid->blocks] = box_union(grid->box[at - grid->blocks], box);
         if (j + 1 < grid->rows)
             grid->box[at] = box;
     }
 }
 
 /* Returns the vertices of row j that the visible cells on both sides need. */
-tp_grid_span tp_grid_needed(const tp_grid *grid, uint32_t j)
+tp_grid_span tp_grid_needed_vertices(const tp_grid *grid, uint32_t j)
 {
     const tp_grid_span none = { 0, 0 };
     tp_grid_span above = j > 0 ? grid->span[j - 1] : none;
@@ -290,12 +291,12 @@ tp_grid_span tp_grid_needed(const tp_grid *grid, uint32_t j)
     return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
 }
 
-static void lay(tp_grid *grid, const tp_grid_view *view)
+static void place_lines(tp_grid *grid, const tp_grid_view *view)
 {
     grid->cols = grid->most_cols;
     grid->rows = grid->most_rows;
-    tp_lines_lay(grid->column, grid->cols, view, false);
-    tp_lines_lay(grid->row, grid->rows, view, true);
+    tp_grid_lines_place(grid->column, grid->cols, view, false);
+    tp_grid_lines_place(grid->row, grid->rows, view, true);
     grid->frame.lod = view->lod ? grid->lod : NULL;
     if (grid->frame.lod)
         view->surface->by->lod->thin(grid, view);
@@ -309,7 +310,7 @@ void tp_grid_begin(tp_grid *grid, const tp_grid_view *view)
     uint32_t side[TP_PROJECTION_PLANES] = { 0 };
     tp_vertex_frame *frame = &grid->frame;
 
-    lay(grid, view);
+    place_lines(grid, view);
     tp_projection_planes(view->projection, view->width, view->height, planes);
     frame->projection = view->projection;
     frame->surface = view->surface;
@@ -328,16 +329,16 @@ void tp_grid_begin(tp_grid *grid, const tp_grid_view *view)
 void tp_grid_place_row(tp_grid *grid, uint32_t j)
 {
     TP_ASSERT(j < grid->rows);
-    tp_grid_span needed = tp_grid_needed(grid, j);
+    tp_grid_span needed = tp_grid_needed_vertices(grid, j);
 
     if (needed.first >= needed.end)
         return;
-    if (tp_sheet_is(grid))
+    if (tp_grid_is_coastal(grid))
         grid->frame.surface->by->ocean->row(grid, j, needed);
     else if (!grid->streams)
         place_row(grid, j, needed.first, needed.end,
                   grid->vertex + (size_t)j * grid->cols);
-    tp_grid_see(grid, &grid->window, j, needed.first, needed.end);
+    tp_grid_window_load(grid, &grid->window, j, needed.first, needed.end);
     grid->vertices += (uint32_t)(needed.end - needed.first);
     place_boxes(grid, j, needed.first, needed.end);
 }

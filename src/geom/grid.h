@@ -93,9 +93,9 @@ static inline bool tp_grid_cell_is_dry(const tp_grid *grid, uint32_t i, uint32_t
 
 /* grid_lines.c: sets the positions of the columns, or of the rows along z; returns the number
  * of skirt lines at each side. */
-void tp_lines_lay(tp_grid_line *line, uint32_t count, const tp_grid_view *view,
-                  bool along_z);
-uint32_t tp_lines_flank(uint32_t count, const tp_grid_view *view);
+void tp_grid_lines_place(tp_grid_line *line, uint32_t count, const tp_grid_view *view,
+                         bool along_z);
+uint32_t tp_grid_lines_skirt_count(uint32_t count, const tp_grid_view *view);
 
 /* Extent of the lines along an axis, m: first and last line; `calm`, the interval with
  * waves; `fading`, the width of the fade at the ends of the interval, 0 without a fade. */
@@ -103,10 +103,10 @@ typedef struct {
     tp_fx first, last, calm[2], fading;
 } tp_grid_extent;
 
-tp_grid_extent tp_lines_extent(uint32_t count, const tp_grid_view *view, bool along_z);
+tp_grid_extent tp_grid_lines_extent(uint32_t count, const tp_grid_view *view, bool along_z);
 
 /* Returns the weight of the waves at a position, 0..1, as tp_grid_line.fade. */
-tp_fx tp_lines_fade(const tp_grid_extent *extent, tp_fx place);
+tp_fx tp_grid_extent_wave_weight(const tp_grid_extent *extent, tp_fx place);
 
 /* Places the lines and evaluates the visible vertices: all rows at once, or row by row
  * after tp_grid_begin.  Row j completes the bounding boxes of the cells of row j - 1. */
@@ -121,12 +121,12 @@ tp_grid_window tp_grid_window_init(void *memory);
 
 /* Makes vertices first to end - 1 of row j available in the window.  They replace row
  * j - 2 or j + 2, and extend vertices of row j already in the window. */
-void tp_grid_see(const tp_grid *grid, tp_grid_window *window, uint32_t j, uint32_t first,
-                 uint32_t end);
+void tp_grid_window_load(const tp_grid *grid, tp_grid_window *window, uint32_t j,
+                         uint32_t first, uint32_t end);
 
 /* Evaluates a vertex of a visible cell again, before projection, for cells that need
  * clipping.  Lens and surface are those of the last tp_grid_place; slopes come from
  * `vertex`. */
-tp_view_vertex tp_grid_place_vertex(const tp_grid *grid, const tp_grid_vertex *vertex,
-                                    uint32_t i, uint32_t j);
+tp_view_vertex tp_grid_make_view_vertex(const tp_grid *grid, const tp_grid_vertex *vertex,
+                                        uint32_t i, uint32_t j);
 #endif

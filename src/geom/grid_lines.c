@@ -4,7 +4,7 @@
 #include "geom/grid.h"
 
 /* Returns cell (g + g^2 + ... + g^n), saturated. */
-static int64_t series(tp_fx cell, int64_t ratio, uint32_t n)
+static int64_t geometric_sum(tp_fx cell, int64_t ratio, uint32_t n)
 {
     int64_t step = cell, sum = 0;
 
@@ -22,7 +22,7 @@ static int64_t solve_ratio(tp_fx cell, int64_t way, uint32_t n)
 
     while (high - low > 1) {
         int64_t middle = (low + high) / 2;
-        if (series(cell, middle, n) <= way)
+        if (geometric_sum(cell, middle, n) <= way)
             low = middle;
         else
             high = middle;
@@ -30,7 +30,7 @@ static int64_t solve_ratio(tp_fx cell, int64_t way, uint32_t n)
     return low;
 }
 
-uint32_t tp_lines_flank(uint32_t count, const tp_grid_view *view)
+uint32_t tp_grid_lines_skirt_count(uint32_t count, const tp_grid_view *view)
 {
     uint32_t flank = view->reach > 0 ? count / 8 : 0;
     return flank < TP_GRID_FLANK ? flank : TP_GRID_FLANK;
@@ -38,10 +38,10 @@ uint32_t tp_lines_flank(uint32_t count, const tp_grid_view *view)
 
 /* Returns the ratio of the skirts' steps.  A skirt ends at the scene's reach, or at 16000
  * m from the centre. */
-static int64_t flank_ratio(uint32_t count, const tp_grid_view *view)
+static int64_t skirt_growth_ratio(uint32_t count, const tp_grid_view *view)
 {
     TP_ASSERT(count >= 2 && view->cell > 0);
-    uint32_t flank = tp_lines_flank(count, view);
+    uint32_t flank = tp_grid_lines_skirt_count(count, view);
     tp_fx half = (tp_fx)((int64_t)view->cell * (count - 2 * flank - 1) / 2);
     int64_t most = 16000 * TP_FX_ONE - half;
     int64_t way = view->reach < most ? view->reach : most;
@@ -68,14 +68,14 @@ static tp_fx axis_centre(uint32_t count, const tp_grid_view *view, bool along_z)
                    : grid_centre(projection->eye.x, projection->ahead.x, count, view);
 }
 
-void tp_lines_lay(tp_grid_line *line, uint32_t count, const tp_grid_view *view,
-                  bool along_z)
+void tp_grid_lines_place(tp_grid_line *line, uint32_t count, const tp_grid_view *view,
+                         bool along_z)
 {
-    uint32_t flank = tp_lines_flank(count, view);
+    uint32_t flank = tp_grid_lines_skirt_count(count, view);
     uint32_t core = count - 2 * flank, last = flank + core - 1;
     tp_fx centre = axis_centre(count, view, along_z);
     tp_fx half = (tp_fx)((int64_t)view->cell * (core - 1) / 2);
-    int64_t ratio = flank_ratio(count, view), step = view->cell;
+    int64_t ratio = skirt_growth_ratio(count, view), step = view->cell;
     uint32_t fading = flank ? core / 8 + 1 : 0;
 
     for (uint32_t k = flank; k <= last; k++) {
@@ -92,13 +92,13 @@ void tp_lines_lay(tp_grid_line *line, uint32_t count, const tp_grid_view *view,
     }
 }
 
-tp_grid_extent tp_lines_extent(uint32_t count, const tp_grid_view *view, bool along_z)
+tp_grid_extent tp_grid_lines_extent(uint32_t count, const tp_grid_view *view, bool along_z)
 {
-    uint32_t flank = tp_lines_flank(count, view), core = count - 2 * flank;
+    uint32_t flank = tp_grid_lines_skirt_count(count, view), core = count - 2 * flank;
     tp_fx centre = axis_centre(count, view, along_z);
     tp_fx half = (tp_fx)((int64_t)view->cell * (core - 1) / 2);
     tp_fx low = centre - half, high = low + (tp_fx)(core - 1) * view->cell;
-    int64_t ratio = flank_ratio(count, view), step = view->cell;
+    int64_t ratio = skirt_growth_ratio(count, view), step = view->cell;
     tp_grid_extent extent = {
         low, high, { low, high }, flank ? view->cell * (tp_fx)(core / 8 + 1) : 0,
     };
@@ -111,7 +111,7 @@ tp_grid_extent tp_lines_extent(uint32_t count, const tp_grid_view *view, bool al
     return extent;
 }
 
-tp_fx tp_lines_fade(const tp_grid_extent *extent, tp_fx place)
+tp_fx tp_grid_extent_wave_weight(const tp_grid_extent *extent, tp_fx place)
 {
     TP_ASSERT(extent->fading >= 0);
     int64_t low = (int64_t)place - extent->calm[0];

@@ -83,7 +83,7 @@ void tp_level_begin(tp_level *level, const tp_projection *projection,
 }
 
 /* at has 46 bits; 16 more bits give the row in Q.16. */
-tp_level_line tp_level_zero(const tp_level_sum *sum)
+tp_level_line tp_level_zero_line(const tp_level_sum *sum)
 {
     TP_ASSERT(sum->y > 0);
     return (tp_level_line){ -(sum->at * 65536 / sum->y) * 16384,
@@ -109,7 +109,7 @@ tp_level_reach tp_level_reach_make(const tp_level *level, int64_t down)
     return (tp_level_reach){ (int32_t)factor, tp_clamp(shift, 0, 63) };
 }
 
-bool tp_level_place(const tp_level *level, int32_t x, int32_t y, tp_fx place[2])
+bool tp_level_unproject(const tp_level *level, int32_t x, int32_t y, tp_fx place[2])
 {
     int64_t down = tp_level_evaluate(&level->down, x, y);
 
@@ -141,8 +141,8 @@ static int32_t find_sign_change(const tp_level_sum *sum, int32_t y, int32_t a, i
     return b;
 }
 
-void tp_level_span(const tp_level *level, unsigned mask, int32_t y, int32_t *x0,
-                   int32_t *x1)
+void tp_level_clip_span(const tp_level *level, unsigned mask, int32_t y, int32_t *x0,
+                        int32_t *x1)
 {
     for (int k = 0; k < TP_LEVEL_SIDES && *x0 < *x1; k++) {
         const tp_level_sum *side = &level->side[k];
@@ -159,8 +159,8 @@ void tp_level_span(const tp_level *level, unsigned mask, int32_t y, int32_t *x0,
     }
 }
 
-unsigned tp_level_mask(const tp_level *level, int32_t x0, int32_t y0, int32_t x1,
-                       int32_t y1)
+unsigned tp_level_clip_mask(const tp_level *level, int32_t x0, int32_t y0, int32_t x1,
+                            int32_t y1)
 {
     unsigned mask = 0;
 
@@ -176,7 +176,7 @@ unsigned tp_level_mask(const tp_level *level, int32_t x0, int32_t y0, int32_t x1
 
 /* Returns the weight of a wave for a step between sample points, in turns of the wave,
  * Q.32: 1 up to a quarter turn, 0 from half a turn on, smooth between. */
-static tp_fx swell_share(const tp_swell *w, const tp_fx step[2])
+static tp_fx swell_sampling_weight(const tp_swell *w, const tp_fx step[2])
 {
     int64_t turns = (w->turns_x >> 2) * (step[0] >> 4) + (w->turns_z >> 2) * (step[1] >> 4);
     int64_t most = (int64_t)1 << 31;
@@ -186,7 +186,7 @@ static tp_fx swell_share(const tp_swell *w, const tp_fx step[2])
                          : tp_smoothstep((tp_fx)((most - turns) >> 14));
 }
 
-static void add(tp_sea_sum *sum, const tp_swell *w, tp_turn th, tp_fx share)
+static void add_swell(tp_sea_sum *sum, const tp_swell *w, tp_turn th, tp_fx share)
 {
     const tp_q30 sine = tp_sin(th), cosine = tp_cos(th);
     int32_t s = sine >> 6, c = cosine >> 6, f = s, df = c;
@@ -209,21 +209,22 @@ static void add(tp_sea_sum *sum, const tp_swell *w, tp_turn th, tp_fx share)
     sum->bzz += (int64_t)w->bend_zz * s;
 }
 
-tp_sea_point tp_level_point(const tp_level *level, const tp_surface *surface,
-                            const tp_fx place[2], tp_fx step[2][2])
+tp_sea_point tp_level_sample_surface(const tp_level *level, const tp_surface *surface,
+                                     const tp_fx place[2], tp_fx step[2][2])
 {
-    tp_fx fade = tp_fx_mul(tp_lines_fade(&level->across, place[0]),
-                           tp_lines_fade(&level->along, place[1]));
+    tp_fx fade = tp_fx_mul(tp_grid_extent_wave_weight(&level->across, place[0]),
+                           tp_grid_extent_wave_weight(&level->along, place[1]));
     tp_sea_sum sum = { 0 };
     bool some = false;
 
     for (uint32_t k = 0; k < surface->sea->count && fade > 0; k++) {
         const tp_swell *w = &surface->sea->swell[k];
-        tp_fx share = swell_share(w, step[0]), other = swell_share(w, step[1]);
+        tp_fx share = swell_sampling_weight(w, step[0]),
+              other = swell_sampling_weight(w, step[1]);
         share = share < other ? share : other;
         if (share == 0)
             continue;
-        add(&sum, w, surface->phases[k] + tp_swell_turns(w->turns_x, place[0])
+        add_swell(&sum, w, surface->phases[k] + tp_swell_turns(w->turns_x, place[0])
                          + tp_swell_turns(w->turns_z, place[1]), share);
         some = true;
     }

@@ -50,10 +50,11 @@ typedef struct {
 
 /* Returns the line where a sum is 0.  The sum must increase downwards, at least as fast
  * as sideways. */
-tp_level_line tp_level_zero(const tp_level_sum *sum);
+tp_level_line tp_level_zero_line(const tp_level_sum *sum);
 
 /* Evaluates a sum at column x and a row in Q.30; rows and sums are below 2^14. */
-TP_ALWAYS_INLINE int64_t tp_level_at_row(const tp_level_sum *sum, int32_t x, int64_t row)
+TP_ALWAYS_INLINE int64_t tp_level_evaluate_row(const tp_level_sum *sum, int32_t x,
+                                               int64_t row)
 {
     return sum->at + sum->x * x + (sum->y * (row >> 14) >> 16);
 }
@@ -74,22 +75,22 @@ TP_ALWAYS_INLINE int64_t tp_level_metres(tp_level_reach reach, int64_t pixels_q3
 
 /* Finds the water position at a pixel's centre.  Returns false if there is no water
  * within +-32 km. */
-bool tp_level_place(const tp_level *level, int32_t x, int32_t y, tp_fx place[2]);
+bool tp_level_unproject(const tp_level *level, int32_t x, int32_t y, tp_fx place[2]);
 
 /* Clips *x0..*x1 to the pixels of row y with water; tests only the sides in `mask`. */
-void tp_level_span(const tp_level *level, unsigned mask, int32_t y, int32_t *x0,
-                   int32_t *x1);
+void tp_level_clip_span(const tp_level *level, unsigned mask, int32_t y, int32_t *x0,
+                        int32_t *x1);
 
 /* Returns the sides that cut a tile, as bits: at least one pixel lies beyond the side. x1
  * and y1 are not included. */
-unsigned tp_level_mask(const tp_level *level, int32_t x0, int32_t y0, int32_t x1,
-                       int32_t y1);
+unsigned tp_level_clip_mask(const tp_level *level, int32_t x0, int32_t y0, int32_t x1,
+                            int32_t y1);
 
 /* Returns the surface point of a rest position, for sample points `step` apart in two
  * directions.  Waves shorter than two steps are omitted, waves longer than four steps
  * have full height.  Waves fade at the borders like the grid's waves. */
-tp_sea_point tp_level_point(const tp_level *level, const tp_surface *surface,
-                            const tp_fx place[2], tp_fx step[2][2]);
+tp_sea_point tp_level_sample_surface(const tp_level *level, const tp_surface *surface,
+                                     const tp_fx place[2], tp_fx step[2][2]);
 
 /* Returns the slopes in the format of the G-buffer: x:z, Q3.12 each. */
 static inline uint32_t tp_level_slopes(const tp_sea_point *at)

@@ -133,11 +133,11 @@ static uint32_t thin(const tp_thinning *lod, tp_grid_line *line, uint32_t count,
 
 void tp_lod_thin(tp_grid *grid, const tp_grid_view *view)
 {
-    begin(grid->lod, view->projection, tp_surface_height(view->surface), view->cell);
+    begin(grid->lod, view->projection, tp_surface_height_bound(view->surface), view->cell);
     grid->cols = thin(&grid->lod[0], grid->column, grid->cols,
-                      tp_lines_flank(grid->cols, view));
+                      tp_grid_lines_skirt_count(grid->cols, view));
     grid->rows = thin(&grid->lod[1], grid->row, grid->rows,
-                      tp_lines_flank(grid->rows, view));
+                      tp_grid_lines_skirt_count(grid->rows, view));
 }
 
 void tp_lod_carve(tp_grid *grid, tp_arena *arena)

@@ -19,22 +19,22 @@ typedef struct {
     bool     still;
 } tp_vertex_place_of;
 
-/* tp_run_sway: displaces a run along a view axis: from + rest + the displacement by
- * swells. tp_run_slope: computes the slopes. */
-void tp_run_sway(const tp_vertex_place_of *place, int axis, const int32_t *from,
-                 int32_t rest, int32_t *to);
-void tp_run_slope(const tp_vertex_place_of *place, tp_grid_vertex *to);
+/* tp_run_displace_axis: displaces a run along a view axis: from + rest + the displacement by
+ * swells. tp_run_set_slopes: computes the slopes. */
+void tp_run_displace_axis(const tp_vertex_place_of *place, int axis, const int32_t *from,
+                          int32_t rest, int32_t *to);
+void tp_run_set_slopes(const tp_vertex_place_of *place, tp_grid_vertex *to);
 
 /* Adds sharpened swells to undisplaced vertices, and computes the slopes. */
-void tp_run_sharpen(const tp_vertex_place_of *place, tp_vertex_run *run,
-                    tp_grid_vertex *vertex);
+void tp_run_add_sharp_swells(const tp_vertex_place_of *place, tp_vertex_run *run,
+                             tp_grid_vertex *vertex);
 
 /* Adds the heights and slopes of rings and pools. */
-void tp_run_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
-                   tp_grid_vertex *vertex);
+void tp_run_add_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
+                       tp_grid_vertex *vertex);
 
 /* Returns sum + both products of the 16-bit halves; the same bits on every processor. */
-TP_ALWAYS_INLINE int32_t tp_add_pair(int32_t sum, uint32_t a, uint32_t b)
+TP_ALWAYS_INLINE int32_t tp_add_pair_products(int32_t sum, uint32_t a, uint32_t b)
 {
 #if defined(__ARM_FEATURE_DSP) && __ARM_FEATURE_DSP
     return __builtin_arm_smlad((int32_t)a, (int32_t)b, sum);

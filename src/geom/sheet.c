@@ -22,7 +22,8 @@ static tp_vec3 displaced(const tp_grid *grid, uint32_t i, uint32_t j, tp_fx *dep
             *depth = tp_ocean_floor(surface->ocean, rest.x, rest.z).depth;
         return rest;
     }
-    tp_ocean_point p = tp_ocean_at_rest(surface->ocean, surface->phases, rest.x, rest.z);
+    tp_ocean_point p =
+        tp_ocean_displace_point(surface->ocean, surface->phases, rest.x, rest.z);
     tp_vec3 way = tp_vec3_sub(p.position, rest);
     if (depth)
         *depth = p.depth;
@@ -40,12 +41,12 @@ static void set_dry(tp_grid *grid, uint32_t i, uint32_t j, bool dry)
 
 /* Returns the columns of row j with a needed position: its own needed vertices and their
  * neighbours on all four sides. */
-static tp_grid_span wanted(const tp_grid *grid, uint32_t j)
+static tp_grid_span columns_to_displace(const tp_grid *grid, uint32_t j)
 {
     uint32_t first = grid->cols, end = 0;
 
     for (uint32_t k = j > 0 ? j - 1 : 0; k <= j + 1 && k < grid->rows; k++) {
-        tp_grid_span needed = tp_grid_needed(grid, k);
+        tp_grid_span needed = tp_grid_needed_vertices(grid, k);
         if (needed.first >= needed.end)
             continue;
         first = needed.first < first ? needed.first : first;
@@ -61,7 +62,7 @@ static tp_grid_span wanted(const tp_grid *grid, uint32_t j)
 static void displace_row(tp_grid *grid, uint32_t j)
 {
     tp_vec3 *sheet = grid->sheet[j % 3];
-    tp_grid_span columns = wanted(grid, j);
+    tp_grid_span columns = columns_to_displace(grid, j);
 
     for (uint32_t i = columns.first; i < columns.end; i++) {
         tp_fx depth;
@@ -79,8 +80,8 @@ static tp_vec3 shortened(tp_vec3 v, int shift)
     return (tp_vec3){ v.x >> shift, v.y >> shift, v.z >> shift };
 }
 
-static tp_vec3 finished(const tp_vec3 around[4], const tp_grid *grid, tp_vec3 middle,
-                     tp_fx fade, int16_t slope[3])
+static tp_vec3 add_relief_and_slopes(const tp_vec3 around[4], const tp_grid *grid,
+                                     tp_vec3 middle, tp_fx fade, int16_t slope[3])
 {
     const tp_surface *surface = grid->frame.surface;
     tp_vec3 across = tp_vec3_sub(around[1], around[0]);
@@ -105,18 +106,18 @@ static tp_vec3 finished(const tp_vec3 around[4], const tp_grid *grid, tp_vec3 mi
 
 /* -- vertices -------------------------------------------------------------------------- */
 
-static uint32_t before(uint32_t k)
+static uint32_t previous_clamped(uint32_t k)
 {
     return k > 0 ? k - 1 : k;
 }
 
-static uint32_t after(uint32_t k, uint32_t count)
+static uint32_t next_clamped(uint32_t k, uint32_t count)
 {
     return k + 1 < count ? k + 1 : k;
 }
 
-static void place(const tp_projection *projection, tp_vec3 at, const int16_t slope[3],
-                  tp_grid_vertex *to)
+static void project_vertex(const tp_projection *projection, tp_vec3 at,
+                           const int16_t slope[3], tp_grid_vertex *to)
 {
     tp_view_vertex c;
 
@@ -131,23 +132,26 @@ static void place(const tp_projection *projection, tp_vec3 at, const int16_t slo
 
 void tp_sheet_place_row(tp_grid *grid, uint32_t j, tp_grid_span needed)
 {
-    TP_ASSERT(tp_sheet_is(grid) && j < grid->rows && needed.end <= grid->cols);
-    uint32_t near = before(j), far = after(j, grid->rows);
+    TP_ASSERT(tp_grid_is_coastal(grid) && j < grid->rows && needed.end <= grid->cols);
+    uint32_t near = previous_clamped(j), far = next_clamped(j, grid->rows);
 
     grid->sheets = grid->sheets > near ? grid->sheets : near;
     for (; grid->sheets <= far; grid->sheets++)
         displace_row(grid, grid->sheets);
     const tp_vec3 *row = grid->sheet[j % 3];
     for (uint32_t i = needed.first; i < needed.end; i++) {
-        const tp_vec3 around[4] = { row[before(i)], row[after(i, grid->cols)],
+        const tp_vec3 around[4] = { row[previous_clamped(i)],
+                                    row[next_clamped(i, grid->cols)],
                                     grid->sheet[near % 3][i], grid->sheet[far % 3][i] };
         int16_t slope[3];
-        tp_vec3 at = finished(around, grid, row[i], vertex_fade(grid, i, j), slope);
-        place(grid->frame.projection, at, slope, &grid->vertex[(size_t)j * grid->cols + i]);
+        tp_vec3 at =
+            add_relief_and_slopes(around, grid, row[i], vertex_fade(grid, i, j), slope);
+        project_vertex(grid->frame.projection, at, slope,
+                       &grid->vertex[(size_t)j * grid->cols + i]);
     }
 }
 
-tp_view_vertex tp_sheet_corner(const tp_grid *grid, uint32_t i, uint32_t j)
+tp_view_vertex tp_sheet_make_view_vertex(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     const tp_surface *surface = grid->frame.surface;
     tp_vec3 at = displaced(grid, i, j, NULL);

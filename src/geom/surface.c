@@ -15,7 +15,7 @@
 #define REACH TP_FX(511)/* m; the most without overhangs is 0.95 x 2000 / 2 pi = 303 */
 #define MIX   (4 * 256) /* largest part of a step taken back or repeated, Q8 */
 
-static void add(tp_relief *sum, tp_relief more)
+static void add_relief(tp_relief *sum, tp_relief more)
 {
     sum->height += more.height;
     sum->slope_x += more.slope_x;
@@ -29,9 +29,9 @@ tp_relief tp_surface_relief(const tp_surface *surface, tp_fx x, tp_fx z)
     if (surface->rings)
         sum = surface->by->rings->relief(surface->ring, surface->rings, x, z);
     if (surface->pool)
-        add(&sum, surface->by->pools->relief(surface->pool, x, z, surface->back));
+        add_relief(&sum, surface->by->pools->relief(surface->pool, x, z, surface->back));
     if (surface->field)
-        add(&sum, surface->by->pools->relief(surface->field, x, z, surface->back));
+        add_relief(&sum, surface->by->pools->relief(surface->field, x, z, surface->back));
     return sum;
 }
 
@@ -48,7 +48,7 @@ tp_relief tp_surface_relief_faded(const tp_surface *surface, tp_fx x, tp_fx z, t
 }
 
 /* Returns a bound of the height: each ring adds at most 4 m, a pool at most its range. */
-static tp_fx relief_height(const tp_surface *surface)
+static tp_fx relief_height_bound(const tp_surface *surface)
 {
     int64_t sum = 0;
 
@@ -61,16 +61,16 @@ static tp_fx relief_height(const tp_surface *surface)
     return (tp_fx)(sum < 1024 * TP_FX_ONE ? sum : 1024 * TP_FX_ONE);
 }
 
-tp_fx tp_surface_reach(const tp_surface *surface)
+tp_fx tp_surface_reach_bound(const tp_surface *surface)
 {
     return surface->ocean ? surface->by->ocean->reach(surface->ocean) : surface->sea->reach;
 }
 
-tp_fx tp_surface_height(const tp_surface *surface)
+tp_fx tp_surface_height_bound(const tp_surface *surface)
 {
     tp_fx waves = surface->ocean ? surface->by->ocean->height(surface->ocean)
                                  : surface->sea->height;
-    return waves + relief_height(surface);
+    return waves + relief_height_bound(surface);
 }
 
 /* A search along an axis: position, last error, step after that error. */
@@ -81,7 +81,7 @@ typedef struct {
 
 /* Moves the search.  The root lies within `reach` of the target, and the search stays
  * within `reach` too; at the ends of 16.16 the search stays there. */
-static void go(search *s, int64_t error, int64_t by, tp_fx place, tp_fx reach)
+static void step_search(search *s, int64_t error, int64_t by, tp_fx place, tp_fx reach)
 {
     int64_t step = error - by * (s->step + error - s->error) / 256;
     int64_t off = tp_clamp_abs(s->at + step - place, reach);
@@ -94,7 +94,7 @@ static void go(search *s, int64_t error, int64_t by, tp_fx place, tp_fx reach)
 
 /* Returns the part of the step to take back, Q8.  Errors are below REACH + 303 m, 2^25.7,
  * so products have 54.4 bits, and 256 times the sum of two products fits. */
-static int64_t mixed(const search *u, const search *w, int64_t dx, int64_t dz)
+static int64_t anderson_factor(const search *u, const search *w, int64_t dx, int64_t dz)
 {
     int64_t ux = dx - u->error, uz = dz - w->error, over = ux * ux + uz * uz;
     int64_t by = over > 0 ? (dx * ux + dz * uz) * 256 / over : 0;
@@ -103,25 +103,26 @@ static int64_t mixed(const search *u, const search *w, int64_t dx, int64_t dz)
 }
 
 /* Finds the surface point of coastal water, without slopes: they are differences
- * (ocean_slopes), because waves over a floor have no closed form. */
+ * (set_ocean_slopes), because waves over a floor have no closed form. */
 static tp_sea_point sample_ocean(const tp_surface *surface, tp_fx x, tp_fx z,
                                  tp_fx rest[2])
 {
-    tp_fx most = tp_ocean_reach(surface->ocean), reach = most < REACH ? most : REACH;
+    tp_fx most = tp_ocean_max_displacement(surface->ocean),
+          reach = most < REACH ? most : REACH;
     search u = { x, 0, 0 }, w = { z, 0, 0 };
     tp_ocean_point at;
 
-    go(&u, (int64_t)rest[0] - x, 0, x, reach);      /* limited to the box */
-    go(&w, (int64_t)rest[1] - z, 0, z, reach);
-    at = tp_ocean_smooth(surface->ocean, surface->phases, u.at, w.at);
+    step_search(&u, (int64_t)rest[0] - x, 0, x, reach);      /* limited to the box */
+    step_search(&w, (int64_t)rest[1] - z, 0, z, reach);
+    at = tp_ocean_displace_smooth(surface->ocean, surface->phases, u.at, w.at);
     for (int n = 0; n < STEPS; n++) {
         int64_t dx = (int64_t)x - at.position.x, dz = (int64_t)z - at.position.z;
         if (dx < CLOSE && dx > -CLOSE && dz < CLOSE && dz > -CLOSE)
             break;
-        int64_t by = n > 0 ? mixed(&u, &w, dx, dz) : 0;
-        go(&u, dx, by, x, reach);
-        go(&w, dz, by, z, reach);
-        at = tp_ocean_smooth(surface->ocean, surface->phases, u.at, w.at);
+        int64_t by = n > 0 ? anderson_factor(&u, &w, dx, dz) : 0;
+        step_search(&u, dx, by, x, reach);
+        step_search(&w, dz, by, z, reach);
+        at = tp_ocean_displace_smooth(surface->ocean, surface->phases, u.at, w.at);
     }
     rest[0] = u.at;
     rest[1] = w.at;
@@ -129,16 +130,17 @@ static tp_sea_point sample_ocean(const tp_surface *surface, tp_fx x, tp_fx z,
 }
 
 /* Computes slopes from points 1/32 m away, an eighth of the shortest wave. */
-static void ocean_slopes(const tp_surface *surface, tp_sea_point *at, const tp_fx rest[2])
+static void set_ocean_slopes(const tp_surface *surface, tp_sea_point *at,
+                             const tp_fx rest[2])
 {
     const tp_fx d = TP_FX_ONE / 32;
     const tp_fx way[4][2] = { { -d, 0 }, { d, 0 }, { 0, -d }, { 0, d } };
     tp_vec3 p[4];
 
     for (int k = 0; k < 4; k++)
-        p[k] = tp_ocean_smooth(surface->ocean, surface->phases,
-                               tp_fx_plus(rest[0], way[k][0]),
-                               tp_fx_plus(rest[1], way[k][1])).position;
+        p[k] = tp_ocean_displace_smooth(surface->ocean, surface->phases,
+                               tp_fx_add_sat(rest[0], way[k][0]),
+                               tp_fx_add_sat(rest[1], way[k][1])).position;
     tp_slopes_from_tangents(tp_vec3_sub(p[1], p[0]), tp_vec3_sub(p[3], p[2]), &at->slope_x,
                      &at->slope_z);
 }
@@ -148,7 +150,7 @@ tp_sea_point tp_surface_ocean_sample(const tp_surface *surface, tp_fx x, tp_fx z
 {
     TP_ASSERT(surface->ocean != NULL && rest != NULL);
     tp_sea_point at = sample_ocean(surface, x, z, rest);
-    ocean_slopes(surface, &at, rest);
+    set_ocean_slopes(surface, &at, rest);
     return at;
 }
 

@@ -43,8 +43,8 @@ static inline bool tp_surface_has_relief(const tp_surface *surface)
 }
 
 /* Bounds of the displacement from a rest position, m: horizontal and vertical. */
-tp_fx tp_surface_reach(const tp_surface *surface);
-tp_fx tp_surface_height(const tp_surface *surface);
+tp_fx tp_surface_reach_bound(const tp_surface *surface);
+tp_fx tp_surface_height_bound(const tp_surface *surface);
 
 /* Returns the surface point above or below a position; ignores overhangs.  `rest` (x0,
  * z0) may be NULL; otherwise it is the start of the search and receives the rest position

@@ -35,7 +35,7 @@ TP_ALWAYS_INLINE void add_swells(const tp_vertex_turn *number, const tp_vertex_t
     } while (to < end);
 }
 
-static void see_still(const int32_t *from, int32_t rest, uint32_t count, int32_t *to)
+static void add_rest_offset(const int32_t *from, int32_t rest, uint32_t count, int32_t *to)
 {
     for (uint32_t i = 0; i < count; i++)
         to[i] = from[i] + rest;
@@ -43,8 +43,8 @@ static void see_still(const int32_t *from, int32_t rest, uint32_t count, int32_t
 
 /* Converts 18.14 parts to 16.16.  Parts are clamped first: with the displacement of all
  * swells they might not fit 16.16. */
-static void see_wide(const int32_t *from, int32_t rest, uint32_t count, int32_t margin,
-                     int32_t *to)
+static void convert_wide_coordinates(const int32_t *from, int32_t rest, uint32_t count,
+                                     int32_t margin, int32_t *to)
 {
     const int32_t most = (TP_FX_MAX - margin) / 4;
 
@@ -53,25 +53,26 @@ static void see_wide(const int32_t *from, int32_t rest, uint32_t count, int32_t 
 }
 
 /* Computes a view axis of a run; `still`: without waves. */
-static void see_axis(const tp_vertex_place_of *place, int axis, bool still, int32_t *to)
+static void compute_view_axis(const tp_vertex_place_of *place, int axis, bool still,
+                              int32_t *to)
 {
     const tp_vertex_frame *frame = place->frame;
     const int32_t *from = place->columns->rest[axis] + place->first;
     int32_t rest = place->row->rest[axis];
 
     if (frame->wide) {
-        see_wide(from, rest, place->count, frame->margin, to);
+        convert_wide_coordinates(from, rest, place->count, frame->margin, to);
         from = to;
         rest = 0;
     } else if (still) {
-        see_still(from, rest, place->count, to);
+        add_rest_offset(from, rest, place->count, to);
     }
     if (!still)
         frame->surface->by->swells->sway(place, axis, from, rest, to);
 }
 
-void tp_run_sway(const tp_vertex_place_of *place, int axis, const int32_t *from,
-                 int32_t rest, int32_t *to)
+void tp_run_displace_axis(const tp_vertex_place_of *place, int axis, const int32_t *from,
+                          int32_t rest, int32_t *to)
 {
     const tp_vertex_turn *number = place->row->place[axis];
     const tp_vertex_turn *turn
@@ -88,22 +89,22 @@ void tp_run_sway(const tp_vertex_place_of *place, int axis, const int32_t *from,
 
 /* -- slopes ---------------------------------------------------------------------------- */
 
-TP_ALWAYS_INLINE void add_tilt(tp_jacobian *j, uint32_t pair, const tp_vertex_tilt *w,
-                               bool crossed)
+TP_ALWAYS_INLINE void add_slope_terms(tp_jacobian *j, uint32_t pair,
+                                      const tp_vertex_tilt *w, bool crossed)
 {
-    j->hx = tp_add_pair(j->hx, pair, w->tilt_x);
-    j->hz = tp_add_pair(j->hz, pair, w->tilt_z);
-    j->jxx = tp_add_pair(j->jxx, pair, w->bend_xx);
+    j->hx = tp_add_pair_products(j->hx, pair, w->tilt_x);
+    j->hz = tp_add_pair_products(j->hz, pair, w->tilt_z);
+    j->jxx = tp_add_pair_products(j->jxx, pair, w->bend_xx);
     if (crossed) {
-        j->bxz = tp_add_pair(j->bxz, pair, w->bend_xz);
-        j->jzz = tp_add_pair(j->jzz, pair, w->bend_zz);
+        j->bxz = tp_add_pair_products(j->bxz, pair, w->bend_xz);
+        j->jzz = tp_add_pair_products(j->jzz, pair, w->bend_zz);
     }
 }
 
 /* Computes the slopes of a run from `swells` >= 1 swells; a literal 3 needs no inner
  * loop. */
-TP_ALWAYS_INLINE void slope(const tp_vertex_place_of *place, uint32_t swells, bool crossed,
-                            tp_grid_vertex *to)
+TP_ALWAYS_INLINE void set_run_slopes(const tp_vertex_place_of *place, uint32_t swells,
+                                     bool crossed, tp_grid_vertex *to)
 {
     const uint32_t *pair = place->columns->pair + (size_t)place->first * swells;
     const tp_vertex_tilt *tilts = place->row->tilt, *end = tilts + swells;
@@ -113,35 +114,35 @@ TP_ALWAYS_INLINE void slope(const tp_vertex_place_of *place, uint32_t swells, bo
         tp_jacobian j = { 0, 0, TP_JACOBIAN_ONE, TP_JACOBIAN_ONE, 0 };
         const tp_vertex_tilt *w = tilts;
         if (swells == 3) {
-            add_tilt(&j, pair[0], &w[0], crossed);
-            add_tilt(&j, pair[1], &w[1], crossed);
-            add_tilt(&j, pair[2], &w[2], crossed);
+            add_slope_terms(&j, pair[0], &w[0], crossed);
+            add_slope_terms(&j, pair[1], &w[1], crossed);
+            add_slope_terms(&j, pair[2], &w[2], crossed);
             pair += 3;
         } else {
             do
-                add_tilt(&j, *pair++, w, crossed);
+                add_slope_terms(&j, *pair++, w, crossed);
             while (++w < end);
         }
         tp_set_slopes(&j, tilt, crossed, to);
     }
 }
 
-void tp_run_slope(const tp_vertex_place_of *place, tp_grid_vertex *to)
+void tp_run_set_slopes(const tp_vertex_place_of *place, tp_grid_vertex *to)
 {
     TP_ASSERT(place->frame->count > 0);
     uint32_t swells = place->frame->count;
 
     if (!place->frame->surface->sea->crossed)
-        slope(place, swells, false, to);
+        set_run_slopes(place, swells, false, to);
     else if (swells == 3)
-        slope(place, 3, true, to);
+        set_run_slopes(place, 3, true, to);
     else
-        slope(place, swells, true, to);
+        set_run_slopes(place, swells, true, to);
 }
 
 /* -- projection ------------------------------------------------------------------------ */
 
-static inline int32_t larger(int32_t a, int32_t b)
+static inline int32_t max_int32(int32_t a, int32_t b)
 {
     return a > b ? a : b;
 }
@@ -149,7 +150,7 @@ static inline int32_t larger(int32_t a, int32_t b)
 /* True if the whole run is inside the projection and far away.  Both undisplaced ends of the
  * run must be, with a margin above any displacement.  Between the ends, positions change
  * in a single direction. */
-static bool is_far(const tp_vertex_place_of *place)
+static bool is_run_far_in_view(const tp_vertex_place_of *place)
 {
     const tp_vertex_frame *frame = place->frame;
     uint32_t first = place->first, last = first + place->count - 1;
@@ -163,8 +164,8 @@ static bool is_far(const tp_vertex_place_of *place)
         end[axis][1] = part[last] + place->row->rest[axis];
     }
     for (int axis = 0; axis < 2; axis++) {
-        most = larger(most, tp_abs(end[axis][0]));
-        most = larger(most, tp_abs(end[axis][1]));
+        most = max_int32(most, tp_abs(end[axis][0]));
+        most = max_int32(most, tp_abs(end[axis][1]));
     }
     int32_t least = (end[2][0] < end[2][1] ? end[2][0] : end[2][1]) - frame->margin;
     return least >= frame->far
@@ -210,7 +211,7 @@ static void displace(const tp_vertex_place_of *place, bool sloped, tp_vertex_run
     bool sharpened = surface->sea->sharpened && !still && surface->by->sharp;
 
     for (int axis = 0; axis < 3; axis++)
-        see_axis(place, axis, still || sharpened, run->at[axis]);
+        compute_view_axis(place, axis, still || sharpened, run->at[axis]);
     if (sharpened) {
         surface->by->sharp->run(place, run, vertex);
     } else if (still) {
@@ -225,7 +226,7 @@ static void displace(const tp_vertex_place_of *place, bool sloped, tp_vertex_run
         surface->by->pools->run(place, run, vertex);
 }
 
-void tp_vertex_place(const tp_vertex_frame *frame, const tp_vertex_columns *columns,
+void tp_vertex_evaluate_run(const tp_vertex_frame *frame, const tp_vertex_columns *columns,
                      const tp_vertex_row *row, uint32_t first, uint32_t count, bool still,
                      tp_grid_vertex *vertex)
 {
@@ -234,13 +235,13 @@ void tp_vertex_place(const tp_vertex_frame *frame, const tp_vertex_columns *colu
     tp_vertex_run run;
 
     displace(&place, true, &run, vertex);
-    if (is_far(&place))
+    if (is_run_far_in_view(&place))
         project_far(frame->projection, &run, count, vertex);
     else
         project_any(frame->projection, &run, count, vertex);
 }
 
-tp_view_vertex tp_vertex_corner(const tp_vertex_frame *frame,
+tp_view_vertex tp_vertex_make_view_vertex(const tp_vertex_frame *frame,
                                 const tp_vertex_columns *columns,
                                 const tp_vertex_row *row, uint32_t column, bool still)
 {

@@ -124,13 +124,13 @@ void tp_vertex_set_row(const tp_vertex_frame *frame, tp_vertex_row *row, bool sl
 /* Evaluates `count` <= TP_VERTEX_RUN vertices from column `first`.  `still`: no wave
  * reaches any of the vertices (column or row without waves); a run must not mix both
  * cases. */
-void tp_vertex_place(const tp_vertex_frame *frame, const tp_vertex_columns *columns,
+void tp_vertex_evaluate_run(const tp_vertex_frame *frame, const tp_vertex_columns *columns,
                      const tp_vertex_row *row, uint32_t first, uint32_t count, bool still,
                      tp_grid_vertex *vertex);
 
-/* Returns a vertex before projection, with the same bits that tp_vertex_place projects;
+/* Returns a vertex before projection, with the same bits that tp_vertex_evaluate_run projects;
  * its slopes stay 0.  The row needs no tilts. */
-tp_view_vertex tp_vertex_corner(const tp_vertex_frame *frame,
+tp_view_vertex tp_vertex_make_view_vertex(const tp_vertex_frame *frame,
                                 const tp_vertex_columns *columns,
                                 const tp_vertex_row *row, uint32_t column, bool still);
 #endif

@@ -23,8 +23,8 @@ TP_ALWAYS_INLINE tp_vertex_turn vertex_phase(const tp_vertex_place_of *place, ui
     return tp_vertex_turned(a, b);
 }
 
-static void add(sums *sum, const tp_vertex_swell *w, const tp_swell *swell,
-                tp_vertex_turn th)
+static void add_sharp_swell(sums *sum, const tp_vertex_swell *w, const tp_swell *swell,
+                            tp_vertex_turn th)
 {
     int32_t f, df;
 
@@ -42,7 +42,7 @@ static void add(sums *sum, const tp_vertex_swell *w, const tp_swell *swell,
 }
 
 /* Returns sum / 2^down, rounded, times the fade weight. */
-TP_ALWAYS_INLINE int32_t kept(int64_t sum, int down, tp_fx fade)
+TP_ALWAYS_INLINE int32_t round_and_fade(int64_t sum, int down, tp_fx fade)
 {
     int32_t whole = (int32_t)((sum + ((int64_t)1 << (down - 1))) >> down);
     return fade == TP_FX_ONE ? whole : tp_fx_mul(whole, fade);
@@ -55,7 +55,7 @@ TP_ALWAYS_INLINE tp_fx vertex_fade(const tp_vertex_place_of *place, uint32_t i)
 
 /* Adds the share of the heights to the right, for a camera with roll.  A separate pass,
  * so other cameras pay nothing. */
-static void lean_sharpened(const tp_vertex_place_of *place, tp_vertex_run *run)
+static void add_sharp_roll_shift(const tp_vertex_place_of *place, tp_vertex_run *run)
 {
     const tp_vertex_frame *frame = place->frame;
     const tp_sea *sea = frame->surface->sea;
@@ -68,12 +68,12 @@ static void lean_sharpened(const tp_vertex_place_of *place, tp_vertex_run *run)
             tp_swell_sharpen(&sea->swell[k], th.sin, th.cos, &f, &df);
             rise += (int64_t)frame->swell[k].rise_x * f;
         }
-        run->at[0][i] += kept(rise * 64, 34, vertex_fade(place, i));
+        run->at[0][i] += round_and_fade(rise * 64, 34, vertex_fade(place, i));
     }
 }
 
-void tp_run_sharpen(const tp_vertex_place_of *place, tp_vertex_run *run,
-                    tp_grid_vertex *vertex)
+void tp_run_add_sharp_swells(const tp_vertex_place_of *place, tp_vertex_run *run,
+                             tp_grid_vertex *vertex)
 {
     const tp_vertex_frame *frame = place->frame;
     const tp_sea *sea = frame->surface->sea;
@@ -83,21 +83,22 @@ void tp_run_sharpen(const tp_vertex_place_of *place, tp_vertex_run *run,
                                place->columns->line[place->first + i].fade);
         sums sum = { 0 };
         for (uint32_t k = 0; k < frame->count; k++)
-            add(&sum, &frame->swell[k], &sea->swell[k], vertex_phase(place, i, k));
-        run->at[0][i] += kept(sum.along[0], 34, fade);
-        run->at[1][i] += kept(sum.along[1] + sum.rise[0] * 64, 34, fade);
-        run->at[2][i] += kept(sum.along[2] + sum.rise[1] * 64, 34, fade);
+            add_sharp_swell(&sum, &frame->swell[k], &sea->swell[k],
+                            vertex_phase(place, i, k));
+        run->at[0][i] += round_and_fade(sum.along[0], 34, fade);
+        run->at[1][i] += round_and_fade(sum.along[1] + sum.rise[0] * 64, 34, fade);
+        run->at[2][i] += round_and_fade(sum.along[2] + sum.rise[1] * 64, 34, fade);
         const tp_jacobian j = {
-            .hx = kept(sum.hx, 23, fade),
-            .hz = kept(sum.hz, 23, fade),
-            .jxx = TP_JACOBIAN_ONE - kept(sum.bxx, 29, fade),
-            .jzz = TP_JACOBIAN_ONE - kept(sum.bzz, 29, fade),
-            .bxz = kept(sum.bxz, 29, fade),
+            .hx = round_and_fade(sum.hx, 23, fade),
+            .hz = round_and_fade(sum.hz, 23, fade),
+            .jxx = TP_JACOBIAN_ONE - round_and_fade(sum.bxx, 29, fade),
+            .jzz = TP_JACOBIAN_ONE - round_and_fade(sum.bzz, 29, fade),
+            .bxz = round_and_fade(sum.bxz, 29, fade),
         };
         tp_set_slopes(&j, frame->tilt, sea->crossed, &vertex[i]);
     }
     if (frame->projection->lean != 0)
-        lean_sharpened(place, run);
+        add_sharp_roll_shift(place, run);
 }
 
 /* -- rings and pools ------------------------------------------------------------------- */
@@ -127,7 +128,7 @@ TP_ALWAYS_INLINE void displace_vertex(const tp_vertex_place_of *place, uint32_t 
 
 /* Adds the share of rings and pools to the right, for a camera with roll; see
  * lean_sharpened. */
-static void lean_relief(const tp_vertex_place_of *place, tp_vertex_run *run)
+static void add_relief_roll_shift(const tp_vertex_place_of *place, tp_vertex_run *run)
 {
     for (uint32_t i = 0; i < place->count; i++) {
         tp_fx x, z;
@@ -138,8 +139,8 @@ static void lean_relief(const tp_vertex_place_of *place, tp_vertex_run *run)
     }
 }
 
-void tp_run_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
-                   tp_grid_vertex *vertex)
+void tp_run_add_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
+                       tp_grid_vertex *vertex)
 {
     const tp_projection *projection = place->frame->projection;
 
@@ -157,5 +158,5 @@ void tp_run_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
                                          + ((relief.slope_z + 8) >> 4));
     }
     if (projection->lean != 0)
-        lean_relief(place, run);
+        add_relief_roll_shift(place, run);
 }

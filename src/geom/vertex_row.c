@@ -8,13 +8,13 @@
 
 /* Returns a x + b z in Q.20, rounded, from 16.16 times Q2.30: a horizontal displacement
  * along a view axis, or an amplitude times the y of an axis. */
-static int32_t along(tp_fx a, tp_q30 x, tp_fx b, tp_q30 z)
+static int32_t dot_horizontal_q20(tp_fx a, tp_q30 x, tp_fx b, tp_q30 z)
 {
     return (int32_t)(((int64_t)a * x + (int64_t)b * z + (1 << 25)) >> 26);
 }
 
 /* Converts a slope from Q2.30 to Q.(14 + tilt). */
-static int32_t tilted(tp_q30 slope, int tilt)
+static int32_t convert_slope_bits(tp_q30 slope, int tilt)
 {
     return (int32_t)(((int64_t)slope * (1 << tilt) + (1 << 15)) >> 16);
 }
@@ -25,14 +25,17 @@ static tp_vertex_swell project_swell(const tp_vertex_frame *frame, const tp_swel
     bool crossed = frame->surface->sea->crossed;
 
     return (tp_vertex_swell){
-        .x = along(w->reach_x, projection->right.x, w->reach_z, projection->right.z),
-        .y = along(w->reach_x, projection->up.x, w->reach_z, projection->up.z),
-        .depth = along(w->reach_x, projection->ahead.x, w->reach_z, projection->ahead.z),
-        .rise_x = along(w->amplitude, projection->lean, 0, 0),
-        .rise_y = along(w->amplitude, projection->up.y, 0, 0),
-        .rise_depth = along(w->amplitude, projection->ahead.y, 0, 0),
-        .tilt_x = tilted(w->slope_x, frame->tilt),
-        .tilt_z = tilted(w->slope_z, frame->tilt),
+        .x = dot_horizontal_q20(w->reach_x, projection->right.x, w->reach_z,
+                                projection->right.z),
+        .y = dot_horizontal_q20(w->reach_x, projection->up.x, w->reach_z,
+                                projection->up.z),
+        .depth = dot_horizontal_q20(w->reach_x, projection->ahead.x, w->reach_z,
+                                    projection->ahead.z),
+        .rise_x = dot_horizontal_q20(w->amplitude, projection->lean, 0, 0),
+        .rise_y = dot_horizontal_q20(w->amplitude, projection->up.y, 0, 0),
+        .rise_depth = dot_horizontal_q20(w->amplitude, projection->ahead.y, 0, 0),
+        .tilt_x = convert_slope_bits(w->slope_x, frame->tilt),
+        .tilt_z = convert_slope_bits(w->slope_z, frame->tilt),
         .bend_xx = ((crossed ? w->bend_xx : w->bend) + 1) >> 1,
         .bend_xz = (w->bend_xz + 1) >> 1,
         .bend_zz = (w->bend_zz + 1) >> 1,
@@ -88,7 +91,8 @@ void tp_vertex_rest_z(const tp_vertex_frame *frame, tp_fx z, int32_t rest[3])
 
 /* True if view coordinates may exceed 16.16.  View coordinates are linear over columns
  * and rows, so the corners have the extremes. */
-static bool is_wide(tp_vertex_frame *frame, const tp_fx x[2], const tp_fx z[2])
+static bool needs_wide_coordinates(tp_vertex_frame *frame, const tp_fx x[2],
+                                   const tp_fx z[2])
 {
     bool wide = false;
 
@@ -114,12 +118,13 @@ void tp_vertex_begin(tp_vertex_frame *frame, tp_fx x0, tp_fx x1, tp_fx z0, tp_fx
     frame->count = sea->count < frame->most ? sea->count : frame->most;
     if (!frame->surface->by->swells)
         frame->count = 0;
-    frame->reach = tp_surface_height(frame->surface) + tp_surface_reach(frame->surface);
+    frame->reach =
+        tp_surface_height_bound(frame->surface) + tp_surface_reach_bound(frame->surface);
     frame->margin = frame->reach + frame->reach / 2 + 4;
     frame->far = 1 << (6 + frame->projection->m);
     if (frame->far < frame->projection->near)
         frame->far = frame->projection->near;
-    frame->wide = is_wide(frame, x, z);
+    frame->wide = needs_wide_coordinates(frame, x, z);
     if (frame->count > 0)
         frame->surface->by->swells->begin(frame);
 }
@@ -160,7 +165,7 @@ static uint32_t pack_pair(int32_t low, int32_t high)
     return ((uint32_t)low & 0xffff) | (uint32_t)high << 16;
 }
 
-static tp_vertex_turn faded(tp_vertex_turn turn, tp_fx fade)
+static tp_vertex_turn scale_turn(tp_vertex_turn turn, tp_fx fade)
 {
     return (tp_vertex_turn){ tp_fx_mul(turn.sin, fade), tp_fx_mul(turn.cos, fade) };
 }
@@ -182,9 +187,9 @@ static tp_lod_share line_swell_share(const tp_vertex_frame *frame, int way, tp_f
     return lod->share(&frame->lod[way], lod->step(&frame->lod[way], place), turns);
 }
 
-static tp_vertex_turn kept(tp_vertex_turn turn, tp_fx fade)
+static tp_vertex_turn fade_turn(tp_vertex_turn turn, tp_fx fade)
 {
-    return fade == TP_FX_ONE ? turn : faded(turn, fade);
+    return fade == TP_FX_ONE ? turn : scale_turn(turn, fade);
 }
 
 /* Fills the columns' tables of a swell.  Within a run the phase advances by a rotation
@@ -205,10 +210,10 @@ static void set_column_turns(const tp_vertex_frame *frame,
             now = tp_vertex_turn_from_angle(tp_swell_turns(turns_x, line->place));
         else
             now = tp_vertex_turned(now, step);
-        tp_vertex_turn turn = fading ? kept(now, line->fade) : now;
+        tp_vertex_turn turn = fading ? fade_turn(now, line->fade) : now;
         tp_lod_share share = line_swell_share(frame, 0, line->place, turns_x);
-        columns->turn[at] = kept(turn, share.height);
-        columns->pair[at] = pair_of_turn(kept(turn, share.slope));
+        columns->turn[at] = fade_turn(turn, share.height);
+        columns->pair[at] = pair_of_turn(fade_turn(turn, share.slope));
     }
 }
 
@@ -222,7 +227,7 @@ void tp_vertex_set_columns(const tp_vertex_frame *frame, const tp_vertex_columns
 /* -- rows ------------------------------------------------------------------------------ */
 
 /* Splits C cos + S sin of the whole phase into factors of the column's sine and cosine. */
-static tp_vertex_turn split(int32_t c, int32_t s, tp_vertex_turn b)
+static tp_vertex_turn split_column_factors(int32_t c, int32_t s, tp_vertex_turn b)
 {
     const int64_t half = (int64_t)1 << 31;
     return (tp_vertex_turn){
@@ -240,7 +245,7 @@ static inline uint32_t pair_upper(int32_t sine, int32_t cosine, int32_t a, int32
     return (uint32_t)low << 4 >> 16 | ((uint32_t)high << 4 & 0xffff0000);
 }
 
-static void set_places(const tp_vertex_frame *frame, tp_vertex_row *row)
+static void set_position_factors(const tp_vertex_frame *frame, tp_vertex_row *row)
 {
     const tp_surface *surface = frame->surface;
 
@@ -251,16 +256,16 @@ static void set_places(const tp_vertex_frame *frame, tp_vertex_row *row)
                                              + tp_swell_turns(turns_z, row->line.place));
         tp_lod_share share = line_swell_share(frame, 1, row->line.place, turns_z);
         if (!surface->sea->sharpened)
-            b = kept(b, row->line.fade);
-        row->turn[k] = kept(b, share.slope);
-        b = kept(b, share.height);
-        row->place[0][k] = split(w->x, w->rise_x, b);
-        row->place[1][k] = split(w->y, w->rise_y, b);
-        row->place[2][k] = split(w->depth, w->rise_depth, b);
+            b = fade_turn(b, row->line.fade);
+        row->turn[k] = fade_turn(b, share.slope);
+        b = fade_turn(b, share.height);
+        row->place[0][k] = split_column_factors(w->x, w->rise_x, b);
+        row->place[1][k] = split_column_factors(w->y, w->rise_y, b);
+        row->place[2][k] = split_column_factors(w->depth, w->rise_depth, b);
     }
 }
 
-static void set_tilts(const tp_vertex_frame *frame, tp_vertex_row *row)
+static void set_slope_factors(const tp_vertex_frame *frame, tp_vertex_row *row)
 {
     for (uint32_t k = 0; k < frame->count; k++) {
         const tp_vertex_swell *w = &frame->swell[k];
@@ -277,7 +282,7 @@ static void set_tilts(const tp_vertex_frame *frame, tp_vertex_row *row)
 
 void tp_vertex_set_row(const tp_vertex_frame *frame, tp_vertex_row *row, bool sloped)
 {
-    set_places(frame, row);
+    set_position_factors(frame, row);
     if (sloped)
-        set_tilts(frame, row);
+        set_slope_factors(frame, row);
 }

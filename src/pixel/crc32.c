@@ -7,7 +7,7 @@ static const uint32_t of_byte[256] = {
 #include "pixel/crc32_table.inc"
 };
 
-static inline uint32_t next(uint32_t crc, uint32_t byte)
+static inline uint32_t crc_add_byte(uint32_t crc, uint32_t byte)
 {
     return crc >> 8 ^ of_byte[(crc ^ byte) & 0xff];
 }
@@ -18,7 +18,7 @@ uint32_t tp_crc32(uint32_t crc, const void *data, size_t bytes)
     const uint8_t *at = data;
     crc = ~crc;
     for (; bytes > 0; bytes--)
-        crc = next(crc, *at++);
+        crc = crc_add_byte(crc, *at++);
     return ~crc;
 }
 
@@ -28,10 +28,10 @@ uint32_t tp_crc32_pixels(uint32_t crc, tp_format format, const void *row, int co
     crc = ~crc;
     for (int x = 0; x < count; x++) {
         const uint32_t colour = tp_pixel_read(format, row, x);
-        crc = next(crc, colour);
-        crc = next(crc, colour >> 8);
-        crc = next(crc, colour >> 16);
-        crc = next(crc, 0);
+        crc = crc_add_byte(crc, colour);
+        crc = crc_add_byte(crc, colour >> 8);
+        crc = crc_add_byte(crc, colour >> 16);
+        crc = crc_add_byte(crc, 0);
     }
     return ~crc;
 }

@@ -53,7 +53,7 @@ size_t tp_format_row_bytes(tp_format format, int width)
 }
 
 /* Repeats the high bits of each channel in its low bits: full intensity stays full. */
-static uint32_t of_rgb565(uint32_t pixel)
+static uint32_t expand_rgb565(uint32_t pixel)
 {
     const uint32_t r = pixel >> 11, g = pixel >> 5 & 63, b = pixel & 31;
     return (r << 3 | r >> 2) << 16 | (g << 2 | g >> 4) << 8 | (b << 3 | b >> 2);
@@ -67,9 +67,9 @@ uint32_t tp_pixel_read(tp_format format, const void *row, int x)
     case TP_FORMAT_XRGB8888:
         return ((const uint32_t *)row)[x] & 0xffffff;
     case TP_FORMAT_RGB565:
-        return of_rgb565(((const uint16_t *)row)[x]);
+        return expand_rgb565(((const uint16_t *)row)[x]);
     case TP_FORMAT_RGB565BE:
-        return of_rgb565((uint32_t)bytes[2 * x] << 8 | bytes[2 * x + 1]);
+        return expand_rgb565((uint32_t)bytes[2 * x] << 8 | bytes[2 * x + 1]);
     case TP_FORMAT_P8:
         return tp_palette[bytes[x]];
     case TP_FORMAT_L8:

@@ -25,12 +25,16 @@ typedef struct {
     uint32_t rb_scale, rb_half, g_scale, g_half, red, green, blue;
 } tp_rgb565_kept;
 
-TP_ALWAYS_INLINE tp_rgb565_kept tp_rgb565_keep(void)
+TP_ALWAYS_INLINE tp_rgb565_kept tp_rgb565_load_constants(void)
 {
     return (tp_rgb565_kept){
-        tp_kept(TP_RB_SCALE), tp_kept(TP_RB_HALF), tp_kept(TP_G_SCALE),
-        tp_kept(TP_G_HALF << 16 | TP_G_HALF), 0xf800f800, tp_kept(0x07e007e0),
-        tp_kept(0x001f001f),
+        tp_keep_in_register(TP_RB_SCALE),
+        tp_keep_in_register(TP_RB_HALF),
+        tp_keep_in_register(TP_G_SCALE),
+        tp_keep_in_register(TP_G_HALF << 16 | TP_G_HALF),
+        0xf800f800,
+        tp_keep_in_register(0x07e007e0),
+        tp_keep_in_register(0x001f001f),
     };
 }
 

@@ -65,7 +65,7 @@ TP_ALWAYS_INLINE void store_rgb565(uint8_t *to, const uint32_t *colours, int cou
 {
     int i = 0;
 #if TP_DSP
-    const tp_rgb565_kept kept = tp_rgb565_keep();
+    const tp_rgb565_kept kept = tp_rgb565_load_constants();
     for (; i + 3 < count; i += 4) {
         const uint32_t *c = colours + i;
         put_pair(to + 2 * i, tp_rgb565_pair(&kept, c[0], c[1]), be);
@@ -92,7 +92,7 @@ void tp_store_rgb565(void *row, int x_in_row, int x, int y, const uint32_t *colo
     store_rgb565((uint8_t *)row + 2 * x_in_row, colours, count, 0);
 }
 
-TP_ALWAYS_INLINE uint32_t toned(const tp_toned *t, uint32_t c)
+TP_ALWAYS_INLINE uint32_t tone_map_rgb565(const tp_toned *t, uint32_t c)
 {
     return (uint32_t)t->five[c >> 16 & 0xff] << 11 | (uint32_t)t->six[c >> 8 & 0xff] << 5
          | t->five[c & 0xff];
@@ -107,12 +107,14 @@ void tp_store_rgb565_toned(const tp_toned *t, uint16_t *to, const uint32_t *colo
 #if TP_DSP
     for (; i + 3 < count; i += 4) {
         const uint32_t *c = colours + i;
-        put_pair((uint8_t *)(to + i), toned(t, c[0]) | toned(t, c[1]) << 16, 0);
-        put_pair((uint8_t *)(to + i + 2), toned(t, c[2]) | toned(t, c[3]) << 16, 0);
+        put_pair((uint8_t *)(to + i),
+                 tone_map_rgb565(t, c[0]) | tone_map_rgb565(t, c[1]) << 16, 0);
+        put_pair((uint8_t *)(to + i + 2),
+                 tone_map_rgb565(t, c[2]) | tone_map_rgb565(t, c[3]) << 16, 0);
     }
 #endif
     for (; i < count; i++)
-        to[i] = (uint16_t)toned(t, colours[i]);
+        to[i] = (uint16_t)tone_map_rgb565(t, colours[i]);
 }
 
 void tp_store_rgb565be(void *row, int x_in_row, int x, int y, const uint32_t *colours,

@@ -41,22 +41,22 @@ static uint32_t random_index(tp_pool *pool, uint32_t end)
 
 static void inject(tp_pool *pool)
 {
-    TP_ASSERT(pool->feed_peak >= 0 && pool->feed_peak <= tp_pool_full(pool));
+    TP_ASSERT(pool->feed_peak >= 0 && pool->feed_peak <= tp_pool_max_lsb(pool));
     const uint32_t col = random_index(pool, pool->cols);
     const uint32_t row = random_index(pool, pool->rows);
     const uint64_t half = (uint64_t)1 << 31;
 
     pool->feed_hits++;
-    if (tp_pool_wall(pool, col, row))
+    if (tp_pool_is_wall_or_outside(pool, col, row))
         return;                                 /* the next tick tries another place */
-    tp_pool_splash(pool, ((uint64_t)col << 32) + half, ((uint64_t)row << 32) + half,
-                   feed_sigma, pool->feed_peak);
+    tp_pool_add_splash_cells(pool, ((uint64_t)col << 32) + half,
+                             ((uint64_t)row << 32) + half, feed_sigma, pool->feed_peak);
     pool->injections++;
 }
 
-static void adapt(tp_pool *pool, bool high)
+static void adapt_splash_height(tp_pool *pool, bool high)
 {
-    const int32_t asked = tp_pool_lsb(pool, pool->feed), full = tp_pool_full(pool);
+    const int32_t asked = tp_pool_lsb(pool, pool->feed), full = tp_pool_max_lsb(pool);
     const int32_t step = pool->feed_peak / 8 + 1;
 
     if (2 * pool->feed_hits >= TP_FEED_WINDOW)
@@ -66,12 +66,12 @@ static void adapt(tp_pool *pool, bool high)
     pool->feed_ticks = pool->feed_hits = 0;
 }
 
-void tp_pool_feed(tp_pool *pool)
+void tp_pool_drive(tp_pool *pool)
 {
     const int64_t sum = sum_of_squares(pool);
 
     if (sum < energy_limit(pool, pool->feed_low))
         inject(pool);
     if (++pool->feed_ticks == TP_FEED_WINDOW)
-        adapt(pool, sum > energy_limit(pool, pool->feed_high));
+        adapt_splash_height(pool, sum > energy_limit(pool, pool->feed_high));
 }

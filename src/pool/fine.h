@@ -11,9 +11,9 @@
 
 /* Returns a fine height.  `base` is the index of the first cell of the row.  `moves` is
  * true if back is not 0.  `cells` and `moves` are literals in fast loops. */
-TP_ALWAYS_INLINE int32_t tp_pool_fine(const tp_pool *pool, uint32_t col, uint32_t row,
-                                      uint32_t base, tp_fx back, tp_cells cells,
-                                      int moves)
+TP_ALWAYS_INLINE int32_t tp_pool_fine_height(const tp_pool *pool, uint32_t col,
+                                             uint32_t row, uint32_t base, tp_fx back,
+                                             tp_cells cells, int moves)
 {
     const void *const from = tp_pool_const_pointer(pool, sizeof *pool);
     const uint32_t i = base + col;
@@ -29,7 +29,9 @@ TP_ALWAYS_INLINE int32_t tp_pool_fine(const tp_pool *pool, uint32_t col, uint32_
     const int32_t h = ((const int32_t *)from)[i];
     if (!moves)
         return h;
-    return h - (int32_t)(((int64_t)tp_pool_gain(pool, col, row) * back + 0x8000) >> 16);
+    return h
+           - (int32_t)(((int64_t)tp_pool_net_inflow(pool, col, row) * back + 0x8000)
+                       >> 16);
 }
 
 /* Returns column or row i, wrapped or mirrored into the field; i may lie one or
@@ -46,6 +48,6 @@ static inline uint32_t tp_pool_folded(int32_t i, uint32_t cells, bool tiled)
 /* Returns the fine height of a cell.  A wall cell gets the mean of the open cells beside
  * the wall: a flat wall mirrors, and the surface beside a wall does not depend on the side
  * it is sampled from.  A wall cell without open neighbours gets `inside`. */
-int32_t tp_pool_fine_or_wall(const tp_pool *pool, uint32_t col, uint32_t row, tp_fx back,
-                             int32_t inside);
+int32_t tp_pool_fine_height_or_wall(const tp_pool *pool, uint32_t col, uint32_t row,
+                                    tp_fx back, int32_t inside);
 #endif

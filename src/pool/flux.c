@@ -57,9 +57,9 @@ TP_ALWAYS_INLINE int32_t cell_flux(int32_t q, int32_t from, int32_t to, size_t x
 /* Updates the fluxes between `count` cells `from` and their neighbours `to`.  Returns
  * non-zero if any water flows.  Compilers turn the inner loops of eight into vector
  * code, at -O2 too. */
-TP_ALWAYS_INLINE int32_t flow(int32_t *restrict q, const int32_t *restrict from,
-                              const int32_t *restrict to, uint32_t count,
-                              const edges *given, int walls, int sponge)
+TP_ALWAYS_INLINE int32_t update_fluxes(int32_t *restrict q, const int32_t *restrict from,
+                                       const int32_t *restrict to, uint32_t count,
+                                       const edges *given, int walls, int sponge)
 {
     const edges e = *given;             /* locals: q may alias *given */
     int32_t moved[8] = { 0 };
@@ -80,17 +80,18 @@ TP_ALWAYS_INLINE int32_t flow(int32_t *restrict q, const int32_t *restrict from,
          | moved[7];
 }
 
-#define X(name, walls, sponge)                                                          \
-    static int32_t name(int32_t *restrict q, const int32_t *restrict from,              \
-                        const int32_t *restrict to, uint32_t count, const edges *e)     \
-    {                                                                                   \
-        return flow(q, from, to, count, e, walls, sponge);                              \
+#define X(name, walls, sponge)                                                           \
+    static int32_t name(int32_t *restrict q, const int32_t *restrict from,               \
+                        const int32_t *restrict to, uint32_t count, const edges *e)      \
+    {                                                                                    \
+        return update_fluxes(q, from, to, count, e, walls, sponge);                      \
     }
-X(flow_open, 0, 0) X(flow_walls, 1, 0) X(flow_sponge, 1, 1)
+X(flow_open, 0, 0)
+X(flow_walls, 1, 0) X(flow_sponge, 1, 1)
 #undef X
 
 /* Updates the heights of a row by its fluxes; right[-1] is the flux into the first cell. */
-static void spill(int32_t *restrict h, const int32_t *restrict right,
+static void apply_fluxes(int32_t *restrict h, const int32_t *restrict right,
                   const int32_t *restrict up, const int32_t *restrict down, uint32_t cols)
 {
     const int32_t *const left = right - 1;
@@ -111,7 +112,7 @@ typedef struct {
 } sheet;
 
 /* Updates the fluxes q from the cells of row y to the cells `to`. */
-static int32_t flow_row(const sheet *s, uint32_t y, int32_t *q, const int32_t *to,
+static int32_t update_row_fluxes(const sheet *s, uint32_t y, int32_t *q, const int32_t *to,
                         int32_t way)
 {
     const size_t at = (size_t)y * s->cols;
@@ -133,13 +134,13 @@ static int32_t flow_row(const sheet *s, uint32_t y, int32_t *q, const int32_t *t
  * cell from behind the row.  This number is replaced for the time of the loop: by the first
  * cell of the row in a tiled field, otherwise by the last cell itself, where nothing
  * flows. */
-static int32_t flow_right(const sheet *s, uint32_t y)
+static int32_t update_right_fluxes(const sheet *s, uint32_t y)
 {
     int32_t *const h = s->h + (size_t)y * s->cols, *const beyond = h + s->cols;
     const int32_t kept = *beyond;
 
     *beyond = s->tiled ? h[0] : h[s->cols - 1];
-    const int32_t moved = flow_row(s, y, s->right, h + 1, RIGHT);
+    const int32_t moved = update_row_fluxes(s, y, s->right, h + 1, RIGHT);
     *beyond = kept;
     return moved;
 }
@@ -147,7 +148,7 @@ static int32_t flow_right(const sheet *s, uint32_t y)
 /* Updates the heights of row y.  The first cell reads the flux from its left in
  * right[-1], replaced for the time of the loop by the flux of the last column: 0 if the
  * field ends there. */
-static void spill_row(const sheet *s, uint32_t y)
+static void apply_row_fluxes(const sheet *s, uint32_t y)
 {
     const uint32_t cols = s->cols;
     const size_t at = (size_t)y * cols;
@@ -156,7 +157,7 @@ static void spill_row(const sheet *s, uint32_t y)
     const int32_t kept = right[-1];
 
     right[-1] = right[cols - 1];
-    spill(s->h + at, right, s->down + above, s->down + at, cols);
+    apply_fluxes(s->h + at, right, s->down + above, s->down + at, cols);
     right[-1] = kept;
 }
 
@@ -166,14 +167,14 @@ static void spill_row(const sheet *s, uint32_t y)
 static int32_t step_rows(const sheet *s)
 {
     const uint32_t last = s->rows - 1;
-    int32_t moved = s->tiled ? flow_row(s, last, s->down, s->h, DOWN) : 0;
+    int32_t moved = s->tiled ? update_row_fluxes(s, last, s->down, s->h, DOWN) : 0;
 
     for (uint32_t y = 0; y <= last; y++) {
-        moved |= flow_right(s, y);
+        moved |= update_right_fluxes(s, y);
         if (y < last)
-            moved |= flow_row(s, y, s->down, s->h + (size_t)(y + 1) * s->cols,
+            moved |= update_row_fluxes(s, y, s->down, s->h + (size_t)(y + 1) * s->cols,
                               DOWN);
-        spill_row(s, y);
+        apply_row_fluxes(s, y);
     }
     return moved;
 }
@@ -187,7 +188,8 @@ void tp_pool_step_32(tp_pool *pool)
         .cols = pool->cols, .rows = pool->rows, .tiled = pool->edges == TP_EDGES_TILE,
         .walls = pool->walls != 0 ? tp_pool_const_pointer(pool, pool->walls) : NULL,
         .sponge = pool->sponge != 0 ? tp_pool_const_pointer(pool, pool->sponge) : NULL,
-        .edge = { .rate = (int32_t)tp_pool_r2q(pool), .damping = (int32_t)pool->damping },
+        .edge = { .rate = (int32_t)tp_pool_courant_sq_q10(pool),
+                  .damping = (int32_t)pool->damping },
     };
     TP_ASSERT(s.edge.rate <= TP_R2Q_MAX && s.edge.damping >= 4);
     const int32_t moved = step_rows(&s);

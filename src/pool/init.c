@@ -10,14 +10,14 @@
 #include "base/base.h"
 #include "base/given.h"
 
-static bool within(int64_t x, int64_t low, int64_t high)
+static bool is_in_range(int64_t x, int64_t low, int64_t high)
 {
     return x >= low && x <= high;
 }
 
 /* The largest stable r^2 of [C9] in 1/1024, rounded down: 1024 (1 - 1 / (2 - delta)) / 2 =
  * 512 (2^m - 1) / (2^(m+1) - 1). */
-static uint32_t r2q_bound(uint32_t damping)
+static uint32_t max_stable_courant_sq(uint32_t damping)
 {
     return 512 * ((1u << damping) - 1) / ((2u << damping) - 1);
 }
@@ -38,13 +38,14 @@ tp_fx tp_pool_noise(tp_fx courant, uint32_t damping)
 
 static tp_status check_numbers(const tp_pool_config *c, tp_error *err)
 {
-    RANGE("cells", within((int)c->cells, TP_CELLS_8, TP_CELLS_32));
-    RANGE("edges", within((int)c->edges, TP_EDGES_WALL, TP_EDGES_TILE));
-    RANGE("courant", within(c->courant, TP_FX(0.05), TP_FX(0.8)));
-    RANGE("damping", within(c->damping, 4, 10));
-    RANGE("sponge", c->edges != TP_EDGES_SPONGE || within(c->sponge, 4, 64));
-    RANGE("range", c->cells == TP_CELLS_32 || within(c->range, TP_FX(0.01), TP_FX(64)));
-    RANGE("cell", within(c->cell, TP_FX(0.01), TP_FX(50)));
+    RANGE("cells", is_in_range((int)c->cells, TP_CELLS_8, TP_CELLS_32));
+    RANGE("edges", is_in_range((int)c->edges, TP_EDGES_WALL, TP_EDGES_TILE));
+    RANGE("courant", is_in_range(c->courant, TP_FX(0.05), TP_FX(0.8)));
+    RANGE("damping", is_in_range(c->damping, 4, 10));
+    RANGE("sponge", c->edges != TP_EDGES_SPONGE || is_in_range(c->sponge, 4, 64));
+    RANGE("range",
+          c->cells == TP_CELLS_32 || is_in_range(c->range, TP_FX(0.01), TP_FX(64)));
+    RANGE("cell", is_in_range(c->cell, TP_FX(0.01), TP_FX(50)));
     RANGE("feed_low", c->feed_low >= 0);
     RANGE("feed", c->feed >= 0);
     if (c->feed_low > c->feed_high)
@@ -54,9 +55,9 @@ static tp_status check_numbers(const tp_pool_config *c, tp_error *err)
 
 static tp_status check_size(const tp_pool_config *c, tp_error *err)
 {
-    const bool good_cols = within(c->cols, 16, 512);
+    const bool good_cols = is_in_range(c->cols, 16, 512);
 
-    if (good_cols && within(c->rows, 16, 512))
+    if (good_cols && is_in_range(c->rows, 16, 512))
         return TP_OK;
     return tp_error_blame(err, TP_FAIL(err, TP_E_POOL_SIZE, 0, c->cols, c->rows),
                           good_cols ? "rows" : "cols");
@@ -66,7 +67,7 @@ static tp_status check_size(const tp_pool_config *c, tp_error *err)
  * 0.8.  Its rounded value is always above the printed bound, which is rounded down. */
 static tp_status check_courant(const tp_pool_config *c, tp_error *err)
 {
-    const uint32_t bound = r2q_bound(c->damping);
+    const uint32_t bound = max_stable_courant_sq(c->damping);
     const uint32_t asked = ((uint32_t)c->courant * 1000 + 0x8000) >> 16;
 
     if (tp_pool_square_courant(c->courant) <= bound)
@@ -97,7 +98,7 @@ tp_status tp_pool_check(const tp_pool_config *config, tp_error *err)
 
 /* Reserves `size` bytes and returns their offset, or 0 if size is 0.  A pool has at most 3
  * MiB of cells: offsets fit 32 bits.  Each part begins at a multiple of 4. */
-static uint32_t part(uint32_t *bytes, uint32_t size)
+static uint32_t reserve_bytes(uint32_t *bytes, uint32_t size)
 {
     const uint32_t at = *bytes;
     *bytes += (size + 3) & ~3u;
@@ -115,11 +116,11 @@ tp_pool_layout tp_pool_layout_make(const tp_pool_config *config)
     const bool sponge = config->edges == TP_EDGES_SPONGE;
     tp_pool_layout at = { .bytes = sizeof(tp_pool) };
 
-    part(&at.bytes, gears ? count * 2 * lsb : count * 12);
-    at.walls = part(&at.bytes, config->mask != NULL || sponge ? count : 0);
-    at.sponge = part(&at.bytes, sponge ? cols + config->rows : 0);
-    at.work = part(&at.bytes, gears ? (cols + 1) * lsb : 0);
-    at.first = part(&at.bytes, gears && tiled ? cols * 2 * lsb : 0);
+    reserve_bytes(&at.bytes, gears ? count * 2 * lsb : count * 12);
+    at.walls = reserve_bytes(&at.bytes, config->mask != NULL || sponge ? count : 0);
+    at.sponge = reserve_bytes(&at.bytes, sponge ? cols + config->rows : 0);
+    at.work = reserve_bytes(&at.bytes, gears ? (cols + 1) * lsb : 0);
+    at.first = reserve_bytes(&at.bytes, gears && tiled ? cols * 2 * lsb : 0);
     at.bytes = (at.bytes + 7) & ~7u;
     return at;
 }
@@ -130,7 +131,7 @@ size_t tp_pool_bytes(const tp_pool_config *config)
 }
 
 /* Returns q with num / den = q / 2^shift, 2^29 <= q <= 2^30; num < 2^47, 0 < den < 2^34. */
-static int32_t ratio(uint64_t num, uint64_t den, int32_t *shift)
+static int32_t normalised_ratio(uint64_t num, uint64_t den, int32_t *shift)
 {
     TP_ASSERT(num >> 47 == 0 && den > 0 && den >> 34 == 0);
     *shift = 0;
@@ -144,18 +145,21 @@ static int32_t ratio(uint64_t num, uint64_t den, int32_t *shift)
 /* Sets the factor from a fine height (see fine.h) to metres in 16.16: range / full
  * range for 8 and 16 bits, 2^-8 for Q8.24; then the factor from a difference over two
  * cells to a slope. */
-static void set_units(tp_pool *pool)
+static void set_scale_factors(tp_pool *pool)
 {
     int32_t shift;
 
     if (pool->cells == TP_CELLS_8)
-        pool->unit_q = ratio((uint32_t)pool->range, (uint64_t)TP_FULL_8 << 16, &shift);
+        pool->unit_q =
+            normalised_ratio((uint32_t)pool->range, (uint64_t)TP_FULL_8 << 16, &shift);
     else if (pool->cells == TP_CELLS_16)
-        pool->unit_q = ratio((uint32_t)pool->range, (uint64_t)TP_FULL_16 << 8, &shift);
+        pool->unit_q =
+            normalised_ratio((uint32_t)pool->range, (uint64_t)TP_FULL_16 << 8, &shift);
     else
-        pool->unit_q = ratio(1, 256, &shift);
+        pool->unit_q = normalised_ratio(1, 256, &shift);
     pool->unit_shift = shift;
-    pool->slope_q = ratio((uint64_t)pool->unit_q, 2 * (uint32_t)pool->cell, &shift);
+    pool->slope_q =
+        normalised_ratio((uint64_t)pool->unit_q, 2 * (uint32_t)pool->cell, &shift);
     pool->slope_shift = pool->unit_shift + shift - 16;
 }
 
@@ -187,7 +191,7 @@ tp_status tp_pool_init(tp_pool *pool, const tp_pool_config *config, tp_error *er
         .feed = config->feed, .random = 1, .at_rest = 1, .still = 1,
         .walls = at.walls, .sponge = at.sponge, .work = at.work, .first = at.first,
     };
-    set_units(pool);
+    set_scale_factors(pool);
     pool->feed_peak = tp_pool_lsb(pool, config->feed);
     if (pool->walls != 0)
         tp_pool_set_walls(pool, config->mask);

@@ -122,19 +122,19 @@ bool tp_pool_add_splash(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx heig
 bool tp_pool_cell(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col, uint32_t *row);
 
 /* tp_pool_add adds to the height of one cell, in LSB of the cell, and returns the part that
- * fitted.  The caller keeps the sum of all additions at zero, then calls tp_pool_stirred
+ * fitted.  The caller keeps the sum of all additions at zero, then calls tp_pool_wake
  * with the highest addition. */
 int32_t tp_pool_add(tp_pool *pool, uint32_t col, uint32_t row, int32_t lsb);
-void    tp_pool_stirred(tp_pool *pool, int32_t peak_lsb);
+void    tp_pool_wake(tp_pool *pool, int32_t peak_lsb);
 int32_t tp_pool_lsb(const tp_pool *pool, tp_fx metres);     /* rounded to nearest */
 
 /* Returns a bound of |height| of the water, m. */
-tp_fx tp_pool_highest(const tp_pool *pool);
+tp_fx tp_pool_height_bound(const tp_pool *pool);
 
 /* Stored state of a cell: height and velocity of the last step in LSB; 0 in walls. */
 int32_t tp_pool_height(const tp_pool *pool, uint32_t col, uint32_t row);
 int32_t tp_pool_velocity(const tp_pool *pool, uint32_t col, uint32_t row);
-bool    tp_pool_wall(const tp_pool *pool, uint32_t col, uint32_t row);
+bool    tp_pool_is_wall_or_outside(const tp_pool *pool, uint32_t col, uint32_t row);
 
 typedef struct {
     int64_t  sum;           /* sum of all heights, LSB */
@@ -169,7 +169,7 @@ enum { TP_FEED_WINDOW = 64 };
 /* Largest r2q of a step (r = 0.865): no product of a step overflows. */
 enum { TP_R2Q_MAX = 767 };
 
-static inline int32_t tp_pool_full(const tp_pool *pool)
+static inline int32_t tp_pool_max_lsb(const tp_pool *pool)
 {
     return pool->cells == TP_CELLS_8 ? TP_FULL_8
          : pool->cells == TP_CELLS_16 ? TP_FULL_16 : TP_FULL_32;
@@ -203,7 +203,7 @@ static inline uint32_t tp_pool_square_courant(tp_fx courant)
     return (uint32_t)(((uint64_t)courant * (uint64_t)courant * 1024 + (1u << 31)) >> 32);
 }
 
-static inline uint32_t tp_pool_r2q(const tp_pool *pool)
+static inline uint32_t tp_pool_courant_sq_q10(const tp_pool *pool)
 {
     return pool->r2q < TP_R2Q_MAX ? pool->r2q : TP_R2Q_MAX;
 }
@@ -231,7 +231,7 @@ int32_t tp_pool_cell_height(const tp_pool *pool, uint32_t index);
  * through walls are 0, and so are fluxes across the edge of a field that is not tiled: the
  * neighbour index may wrap.  H and the height before the step are within 2^30; the sum fits
  * 32 bits (see flux.c). */
-static inline int32_t tp_pool_gain(const tp_pool *pool, uint32_t col, uint32_t row)
+static inline int32_t tp_pool_net_inflow(const tp_pool *pool, uint32_t col, uint32_t row)
 {
     const uint32_t cols = pool->cols, count = tp_pool_count(pool);
     const int32_t *const h = tp_pool_const_pointer(pool, sizeof *pool);
@@ -245,11 +245,12 @@ static inline int32_t tp_pool_gain(const tp_pool *pool, uint32_t col, uint32_t r
 
 /* Converts a point to cells from the corner of the field, Q32.32.  Returns false
  * outside. */
-bool tp_pool_place(const tp_pool *pool, tp_fx x, tp_fx z, uint64_t *u, uint64_t *w);
+bool tp_pool_locate(const tp_pool *pool, tp_fx x, tp_fx z, uint64_t *u, uint64_t *w);
 
 /* Makes a splash around (u, w), Q32.32 in cells, inside the field and not in a wall.  sigma
  * is in cells, 16.16, clamped to 1.5..128.  |peak| is within the range, in LSB. */
-void tp_pool_splash(tp_pool *pool, uint64_t u, uint64_t w, tp_fx sigma, int32_t peak);
+void tp_pool_add_splash_cells(tp_pool *pool, uint64_t u, uint64_t w, tp_fx sigma,
+                              int32_t peak);
 
 /* Slopes dy/dx and dy/dz, Q3.12, clamped to +-4. */
 typedef struct { int16_t x, z; } tp_pool_slope;
@@ -272,5 +273,5 @@ void tp_pool_step_16(tp_pool *pool);
 void tp_pool_step_32(tp_pool *pool);
 
 /* Injects a splash before a step if the water is too quiet [C16]. */
-void tp_pool_feed(tp_pool *pool);
+void tp_pool_drive(tp_pool *pool);
 #endif

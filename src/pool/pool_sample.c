@@ -21,7 +21,7 @@ static bool locate_on_axis(const tp_pool *pool, int64_t from_centre, uint64_t tu
         || (2 * from_centre >= -side && 2 * from_centre <= side);
 }
 
-bool tp_pool_place(const tp_pool *pool, tp_fx x, tp_fx z, uint64_t *u, uint64_t *w)
+bool tp_pool_locate(const tp_pool *pool, tp_fx x, tp_fx z, uint64_t *u, uint64_t *w)
 {
     const int64_t dx = (int64_t)x - pool->x, dz = (int64_t)z - pool->z;
 
@@ -33,21 +33,23 @@ bool tp_pool_cell(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col, uint32_t
 {
     uint64_t u, w;
 
-    if (!tp_pool_place(pool, x, z, &u, &w))
+    if (!tp_pool_locate(pool, x, z, &u, &w))
         return false;
     *col = (uint32_t)(u >> 32);
     *row = (uint32_t)(w >> 32);
     return !tp_pool_is_wall(pool, *row * pool->cols + *col);
 }
 
-/* tp_pool_fine for any kind of cell; slower. */
-static int32_t fine_any(const tp_pool *pool, uint32_t col, uint32_t row, tp_fx back)
+/* tp_pool_fine_height for any kind of cell; slower. */
+static int32_t fine_height_any(const tp_pool *pool, uint32_t col, uint32_t row,
+                               tp_fx back)
 {
-    return tp_pool_fine(pool, col, row, row * pool->cols, back, (tp_cells)pool->cells, 1);
+    return tp_pool_fine_height(pool, col, row, row * pool->cols, back,
+                               (tp_cells)pool->cells, 1);
 }
 
-int32_t tp_pool_fine_or_wall(const tp_pool *pool, uint32_t col, uint32_t row, tp_fx back,
-                             int32_t inside)
+int32_t tp_pool_fine_height_or_wall(const tp_pool *pool, uint32_t col, uint32_t row,
+                                    tp_fx back, int32_t inside)
 {
     TP_ASSERT(col < pool->cols && row < pool->rows);
     static const int8_t beside[4][2] = { { -1, 0 }, { 1, 0 }, { 0, -1 }, { 0, 1 } };
@@ -56,12 +58,12 @@ int32_t tp_pool_fine_or_wall(const tp_pool *pool, uint32_t col, uint32_t row, tp
     int32_t    open = 0;
 
     if (!tp_pool_is_wall(pool, row * pool->cols + col))
-        return fine_any(pool, col, row, back);
+        return fine_height_any(pool, col, row, back);
     for (int n = 0; n < 4; n++) {
         const uint32_t x = tp_pool_folded((int32_t)col + beside[n][0], pool->cols, tiled);
         const uint32_t y = tp_pool_folded((int32_t)row + beside[n][1], pool->rows, tiled);
         if (!tp_pool_is_wall(pool, y * pool->cols + x)) {
-            sum += fine_any(pool, x, y, back);
+            sum += fine_height_any(pool, x, y, back);
             open++;
         }
     }
@@ -84,11 +86,13 @@ TP_ALWAYS_INLINE void gather_row(const tp_pool *pool, const patch *p, heights *t
 {
     const uint32_t row = p->row[i], base = row * pool->cols;
 
-    to->h[i][1] = tp_pool_fine(pool, p->col[1], row, base, p->back, cells, moves);
-    to->h[i][2] = tp_pool_fine(pool, p->col[2], row, base, p->back, cells, moves);
+    to->h[i][1] = tp_pool_fine_height(pool, p->col[1], row, base, p->back, cells, moves);
+    to->h[i][2] = tp_pool_fine_height(pool, p->col[2], row, base, p->back, cells, moves);
     if (!edge) {
-        to->h[i][0] = tp_pool_fine(pool, p->col[0], row, base, p->back, cells, moves);
-        to->h[i][3] = tp_pool_fine(pool, p->col[3], row, base, p->back, cells, moves);
+        to->h[i][0] =
+            tp_pool_fine_height(pool, p->col[0], row, base, p->back, cells, moves);
+        to->h[i][3] =
+            tp_pool_fine_height(pool, p->col[3], row, base, p->back, cells, moves);
     }
 }
 
@@ -109,12 +113,13 @@ X(back_8, TP_CELLS_8, 1) X(back_16, TP_CELLS_16, 1) X(back_32, TP_CELLS_32, 1)
 static void gather_walls(const tp_pool *pool, const patch *p, heights *to, uint32_t col,
                          uint32_t row)
 {
-    const int32_t own = fine_any(pool, col, row, p->back);
+    const int32_t own = fine_height_any(pool, col, row, p->back);
 
     for (int n = 0; n < 16; n++) {
         const int i = n >> 2, j = n & 3;
         if (i % 3 != 0 || j % 3 != 0)           /* no corner */
-            to->h[i][j] = tp_pool_fine_or_wall(pool, p->col[j], p->row[i], p->back, own);
+            to->h[i][j] =
+                tp_pool_fine_height_or_wall(pool, p->col[j], p->row[i], p->back, own);
     }
 }
 
@@ -138,7 +143,8 @@ static void gather(const tp_pool *pool, const patch *p, heights *to)
 
 /* Finds the four columns (or rows) around u.  Returns the position of u from the second to
  * the third, in 1/65536. */
-static uint32_t around(uint64_t u, uint32_t cells, bool tiled, uint32_t at[4])
+static uint32_t find_neighbour_indices(uint64_t u, uint32_t cells, bool tiled,
+                                       uint32_t at[4])
 {
     const int64_t from = (int64_t)u - ((int64_t)1 << 31);       /* centre of cell 0 */
 
@@ -157,7 +163,7 @@ static uint32_t around(uint64_t u, uint32_t cells, bool tiled, uint32_t at[4])
 }
 
 /* a + (b - a) t, rounded half up; t in 1/65536. */
-static int32_t between(int32_t a, int32_t b, uint32_t t)
+static int32_t interpolate(int32_t a, int32_t b, uint32_t t)
 {
     return (int32_t)(a + ((((int64_t)b - a) * (int64_t)t + 0x8000) >> 16));
 }
@@ -173,15 +179,15 @@ static tp_relief interpolate_relief(const tp_pool *pool, const patch *p, const h
                                      * rows at its column */
 
     for (int n = 0; n < 4; n++) {
-        across[n] = between(of->h[1][n], of->h[2][n], p->t);
-        down[n] = between(of->h[n][1], of->h[n][2], p->s);
+        across[n] = interpolate(of->h[1][n], of->h[2][n], p->t);
+        down[n] = interpolate(of->h[n][1], of->h[n][2], p->s);
     }
     return (tp_relief){
-        .height = scaled(between(across[1], across[2], p->s), pool->unit_q,
+        .height = scaled(interpolate(across[1], across[2], p->s), pool->unit_q,
                          pool->unit_shift),
-        .slope_x = scaled(between(across[2] - across[0], across[3] - across[1], p->s),
+        .slope_x = scaled(interpolate(across[2] - across[0], across[3] - across[1], p->s),
                           pool->slope_q, pool->slope_shift),
-        .slope_z = scaled(between(down[2] - down[0], down[3] - down[1], p->t),
+        .slope_z = scaled(interpolate(down[2] - down[0], down[3] - down[1], p->t),
                           pool->slope_q, pool->slope_shift),
     };
 }
@@ -196,14 +202,14 @@ tp_relief tp_pool_relief(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx back)
 
     if (pool->at_rest && pool->cells != TP_CELLS_32)
         return (tp_relief){ 0 };
-    if (!tp_pool_place(pool, x, z, &u, &w))
+    if (!tp_pool_locate(pool, x, z, &u, &w))
         return (tp_relief){ 0 };
     const uint32_t col = (uint32_t)(u >> 32), row = (uint32_t)(w >> 32);
     if (tp_pool_is_wall(pool, row * pool->cols + col))
         return (tp_relief){ 0 };
     p.back = back;
-    p.s = around(u, pool->cols, tiled, p.col);
-    p.t = around(w, pool->rows, tiled, p.row);
+    p.s = find_neighbour_indices(u, pool->cols, tiled, p.col);
+    p.t = find_neighbour_indices(w, pool->rows, tiled, p.row);
     if (pool->walls != 0)
         gather_walls(pool, &p, &of, col, row);
     else

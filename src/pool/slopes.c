@@ -23,7 +23,8 @@ static int16_t scale_slope(const line *l, int32_t difference)
 }
 
 /* A row of a pool without walls.  `cells` and `moves` are literals. */
-TP_ALWAYS_INLINE void open_row(const line *l, tp_pool_slope *to, tp_cells cells, int moves)
+TP_ALWAYS_INLINE void write_open_row(const line *l, tp_pool_slope *to, tp_cells cells,
+                                     int moves)
 {
     const tp_pool *const pool = l->pool;
     const uint32_t cols = pool->cols, base = l->row * cols;
@@ -33,19 +34,19 @@ TP_ALWAYS_INLINE void open_row(const line *l, tp_pool_slope *to, tp_cells cells,
         const uint32_t at = tp_pool_folded(col, cols, tiled);
         const uint32_t left = tp_pool_folded(col - 1, cols, tiled);
         const uint32_t right = tp_pool_folded(col + 1, cols, tiled);
-        const int32_t  x = tp_pool_fine(pool, right, l->row, base, l->back, cells, moves)
-                         - tp_pool_fine(pool, left, l->row, base, l->back, cells, moves);
-        const int32_t  z = tp_pool_fine(pool, at, l->down, l->down * cols, l->back, cells,
-                                        moves)
-                         - tp_pool_fine(pool, at, l->up, l->up * cols, l->back, cells,
-                                        moves);
+        const int32_t x =
+            tp_pool_fine_height(pool, right, l->row, base, l->back, cells, moves)
+            - tp_pool_fine_height(pool, left, l->row, base, l->back, cells, moves);
+        const int32_t z =
+            tp_pool_fine_height(pool, at, l->down, l->down * cols, l->back, cells, moves)
+            - tp_pool_fine_height(pool, at, l->up, l->up * cols, l->back, cells, moves);
         *to++ = (tp_pool_slope){ scale_slope(l, x), scale_slope(l, z) };
     }
 }
 
 /* A row of a pool with walls.  Deep inside walls all neighbours are 0, and the slope is
  * 0. */
-static void walled_row(const line *l, tp_pool_slope *to)
+static void write_walled_row(const line *l, tp_pool_slope *to)
 {
     const tp_pool *const pool = l->pool;
     const uint32_t cols = pool->cols;
@@ -55,27 +56,27 @@ static void walled_row(const line *l, tp_pool_slope *to)
         const uint32_t at = tp_pool_folded(col, cols, tiled);
         const uint32_t left = tp_pool_folded(col - 1, cols, tiled);
         const uint32_t right = tp_pool_folded(col + 1, cols, tiled);
-        const int32_t  own = tp_pool_fine_or_wall(pool, at, l->row, l->back, 0);
-        const int32_t  x = tp_pool_fine_or_wall(pool, right, l->row, l->back, own)
-                         - tp_pool_fine_or_wall(pool, left, l->row, l->back, own);
-        const int32_t  z = tp_pool_fine_or_wall(pool, at, l->down, l->back, own)
-                         - tp_pool_fine_or_wall(pool, at, l->up, l->back, own);
+        const int32_t  own = tp_pool_fine_height_or_wall(pool, at, l->row, l->back, 0);
+        const int32_t  x = tp_pool_fine_height_or_wall(pool, right, l->row, l->back, own)
+                         - tp_pool_fine_height_or_wall(pool, left, l->row, l->back, own);
+        const int32_t  z = tp_pool_fine_height_or_wall(pool, at, l->down, l->back, own)
+                         - tp_pool_fine_height_or_wall(pool, at, l->up, l->back, own);
         *to++ = (tp_pool_slope){ scale_slope(l, x), scale_slope(l, z) };
     }
 }
 
-static void put_row(const line *l, tp_pool_slope *to)
+static void write_slope_row(const line *l, tp_pool_slope *to)
 {
     const tp_cells cells = (tp_cells)l->pool->cells;
 
     if (l->pool->walls != 0)
-        walled_row(l, to);
+        write_walled_row(l, to);
     else if (cells == TP_CELLS_8)
-        open_row(l, to, TP_CELLS_8, 1);
+        write_open_row(l, to, TP_CELLS_8, 1);
     else if (cells == TP_CELLS_16)
-        open_row(l, to, TP_CELLS_16, 1);
+        write_open_row(l, to, TP_CELLS_16, 1);
     else
-        open_row(l, to, TP_CELLS_32, 1);
+        write_open_row(l, to, TP_CELLS_32, 1);
 }
 
 void tp_pool_slopes(const tp_pool *pool, tp_fx back, tp_fx gain, tp_pool_slope *to)
@@ -88,7 +89,7 @@ void tp_pool_slopes(const tp_pool *pool, tp_fx back, tp_fx gain, tp_pool_slope *
         const line l = { pool, tp_pool_folded(row, pool->rows, tiled),
                          tp_pool_folded(row - 1, pool->rows, tiled),
                          tp_pool_folded(row + 1, pool->rows, tiled), back, gain };
-        put_row(&l, to);
+        write_slope_row(&l, to);
         to += pool->cols + 2;
     }
 }

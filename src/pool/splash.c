@@ -25,7 +25,7 @@ typedef struct {
 
 /* Returns exp(-s) in Q2.30, s in 16.16, 0..12.  Tables give the integer part and the
  * sixteenths; the rest r < 1/16 is 1 - r + r^2 / 2 with an error of at most 4e-5. */
-static int64_t bell(int32_t s)
+static int64_t exp_negative(int32_t s)
 {
     static const int32_t whole[13] = {
         1073741824, 395007542, 145315153, 53458458, 19666267, 7234815, 2661540, 979126,
@@ -59,7 +59,7 @@ static uint32_t wrapped(int32_t i, uint32_t cells)
 }
 
 /* Adds `lsb` to a cell of the window.  Returns the part that fitted into its range. */
-static int32_t give(const splash *h, int32_t x, int32_t y, int32_t lsb)
+static int32_t add_cell_height(const splash *h, int32_t x, int32_t y, int32_t lsb)
 {
     return tp_pool_add(h->pool, wrapped(h->col + x, h->pool->cols),
                        wrapped(h->row + y, h->pool->rows), lsb);
@@ -67,13 +67,13 @@ static int32_t give(const splash *h, int32_t x, int32_t y, int32_t lsb)
 
 static bool is_wall(const splash *h, int32_t x, int32_t y)
 {
-    return tp_pool_wall(h->pool, wrapped(h->col + x, h->pool->cols),
-                        wrapped(h->row + y, h->pool->rows));
+    return tp_pool_is_wall_or_outside(h->pool, wrapped(h->col + x, h->pool->cols),
+                                      wrapped(h->row + y, h->pool->rows));
 }
 
 /* Finds the ratio that makes the sum 0.  At most 2^18 cells of at most 2^30 each; the sum
  * of the bell is at least the bell at the centre cell. */
-static void balance(splash *h)
+static void set_zero_sum_ratio(splash *h)
 {
     int64_t hats = 0, bells = 0;
 
@@ -81,8 +81,8 @@ static void balance(splash *h)
         for (int32_t x = 0; x < h->cols; x++) {
             const int32_t s = cell_exponent(h, x, y);
             if (s < S_MAX && !is_wall(h, x, y)) {
-                bells += bell(s);
-                hats += (TP_FX_ONE - s) * bell(s) >> 16;
+                bells += exp_negative(s);
+                hats += (TP_FX_ONE - s) * exp_negative(s) >> 16;
             }
         }
     }
@@ -97,7 +97,7 @@ static void balance(splash *h)
 static int64_t add_hat(const splash *h, int32_t peak)
 {
     const int64_t half = (int64_t)1 << 29;
-    const int32_t full = tp_pool_full(h->pool);
+    const int32_t full = tp_pool_max_lsb(h->pool);
     int64_t carry = 0, sum = 0;
 
     for (int32_t y = 0; y < h->rows; y++) {
@@ -105,11 +105,11 @@ static int64_t add_hat(const splash *h, int32_t peak)
             const int32_t s = cell_exponent(h, x, y);
             if (s >= S_MAX || is_wall(h, x, y))
                 continue;
-            const int64_t hat = (TP_FX_ONE - s) * bell(s) >> 16;
-            carry += peak * (hat - (h->ratio * bell(s) >> 30));
+            const int64_t hat = (TP_FX_ONE - s) * exp_negative(s) >> 16;
+            carry += peak * (hat - (h->ratio * exp_negative(s) >> 30));
             const int64_t lsb = (carry + half) >> 30;
             carry -= lsb * ((int64_t)1 << 30);
-            sum += give(h, x, y, (int32_t)tp_clamp_abs(lsb, full));
+            sum += add_cell_height(h, x, y, (int32_t)tp_clamp_abs(lsb, full));
         }
     }
     return sum;
@@ -117,19 +117,19 @@ static int64_t add_hat(const splash *h, int32_t peak)
 
 /* Subtracts `sum` from the cells of the window, at most `share` from each.
  * Returns the rest. */
-static int64_t take(const splash *h, int64_t sum, int64_t share)
+static int64_t subtract_from_cells(const splash *h, int64_t sum, int64_t share)
 {
     for (int32_t y = 0; y < h->rows; y++) {
         for (int32_t x = 0; x < h->cols && sum != 0; x++) {
             if (cell_exponent(h, x, y) < S_MAX)
-                sum += give(h, x, y, (int32_t)-tp_clamp_abs(sum, share));
+                sum += add_cell_height(h, x, y, (int32_t)-tp_clamp_abs(sum, share));
         }
     }
     return sum;
 }
 
 /* Extends the window to all cells, at any distance. */
-static void widen(splash *h)
+static void extend_window_to_field(splash *h)
 {
     h->col = h->row = 0;
     h->cols = (int32_t)h->pool->cols;
@@ -141,8 +141,8 @@ static void widen(splash *h)
 /* Finds the columns (or rows) from `middle` - reach to `middle` + reach.  A field that
  * is not tiled clips the window; in a tiled field each column appears once.  Returns
  * the first column. */
-static int32_t window(int32_t middle, int32_t reach, uint32_t cells, bool tiled,
-                      int32_t *count)
+static int32_t clip_window(int32_t middle, int32_t reach, uint32_t cells, bool tiled,
+                           int32_t *count)
 {
     const int32_t n = (int32_t)cells;
     int32_t first = middle - reach, last = middle + reach;
@@ -158,10 +158,11 @@ static int32_t window(int32_t middle, int32_t reach, uint32_t cells, bool tiled,
     return first;
 }
 
-void tp_pool_splash(tp_pool *pool, uint64_t u, uint64_t w, tp_fx sigma, int32_t peak)
+void tp_pool_add_splash_cells(tp_pool *pool, uint64_t u, uint64_t w, tp_fx sigma,
+                              int32_t peak)
 {
     TP_ASSERT(u >> 32 < pool->cols && w >> 32 < pool->rows);
-    TP_ASSERT(peak >= -tp_pool_full(pool) && peak <= tp_pool_full(pool));
+    TP_ASSERT(peak >= -tp_pool_max_lsb(pool) && peak <= tp_pool_max_lsb(pool));
     const bool tiled = pool->edges == TP_EDGES_TILE;
     const int64_t wide = tp_clamp(sigma, TP_FX(1.5), TP_FX(128));
     const int64_t sigma2 = wide * wide >> 16;               /* sigma^2 in 16.16 */
@@ -169,18 +170,18 @@ void tp_pool_splash(tp_pool *pool, uint64_t u, uint64_t w, tp_fx sigma, int32_t 
     splash h = { .pool = pool, .u = (int64_t)(u >> 24), .w = (int64_t)(w >> 24),
                  .over = ((int64_t)1 << 55) / sigma2, .square_max = 24 * sigma2 };
 
-    h.col = window((int32_t)(u >> 32), reach, pool->cols, tiled, &h.cols);
-    h.row = window((int32_t)(w >> 32), reach, pool->rows, tiled, &h.rows);
-    balance(&h);
+    h.col = clip_window((int32_t)(u >> 32), reach, pool->cols, tiled, &h.cols);
+    h.row = clip_window((int32_t)(w >> 32), reach, pool->rows, tiled, &h.rows);
+    set_zero_sum_ratio(&h);
     int64_t sum = add_hat(&h, peak);
     const int64_t cells = (int64_t)h.cols * h.rows;
-    sum = take(&h, sum, tp_abs((int32_t)(sum / cells)) + 1);
-    sum = take(&h, sum, tp_pool_full(pool));
+    sum = subtract_from_cells(&h, sum, tp_abs((int32_t)(sum / cells)) + 1);
+    sum = subtract_from_cells(&h, sum, tp_pool_max_lsb(pool));
     if (sum != 0) {
-        widen(&h);
-        take(&h, sum, 2 * (int64_t)tp_pool_full(pool));
+        extend_window_to_field(&h);
+        subtract_from_cells(&h, sum, 2 * (int64_t)tp_pool_max_lsb(pool));
     }
-    tp_pool_stirred(pool, peak);
+    tp_pool_wake(pool, peak);
 }
 
 bool tp_pool_add_splash(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx height)
@@ -190,8 +191,9 @@ bool tp_pool_add_splash(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx heig
 
     if (!tp_pool_cell(pool, x, z, &col, &row))
         return false;
-    tp_pool_place(pool, x, z, &u, &w);
-    tp_pool_splash(pool, u, w, tp_fx_div(sigma, pool->cell), tp_pool_lsb(pool, height));
+    tp_pool_locate(pool, x, z, &u, &w);
+    tp_pool_add_splash_cells(pool, u, w, tp_fx_div(sigma, pool->cell),
+                             tp_pool_lsb(pool, height));
     return true;
 }
 
@@ -199,7 +201,7 @@ bool tp_pool_add_splash(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx heig
  * 256 times as fine as 16.16. */
 int32_t tp_pool_lsb(const tp_pool *pool, tp_fx metres)
 {
-    const int64_t full = tp_pool_full(pool);
+    const int64_t full = tp_pool_max_lsb(pool);
     const int64_t twice = 2 * (int64_t)pool->range;
     const int64_t up = 2 * (int64_t)metres * full + pool->range;
     int64_t lsb;

@@ -23,7 +23,7 @@ static int32_t cell_velocity(const tp_pool *pool, uint32_t col, uint32_t row)
     switch (pool->cells) {
     case TP_CELLS_8:  return ((const tp_pool_pair_8 *)cells)[index].v;
     case TP_CELLS_16: return ((const tp_pool_pair_16 *)cells)[index].v;
-    default:          return tp_pool_gain(pool, col, row);
+    default:          return tp_pool_net_inflow(pool, col, row);
     }
 }
 
@@ -42,7 +42,7 @@ int32_t tp_pool_velocity(const tp_pool *pool, uint32_t col, uint32_t row)
     return has_cell(pool, col, row) ? cell_velocity(pool, col, row) : 0;
 }
 
-bool tp_pool_wall(const tp_pool *pool, uint32_t col, uint32_t row)
+bool tp_pool_is_wall_or_outside(const tp_pool *pool, uint32_t col, uint32_t row)
 {
     return !has_cell(pool, col, row) || tp_pool_is_wall(pool, row * pool->cols + col);
 }
@@ -52,11 +52,11 @@ bool tp_pool_wall(const tp_pool *pool, uint32_t col, uint32_t row)
  * [C11]. */
 int32_t tp_pool_add(tp_pool *pool, uint32_t col, uint32_t row, int32_t lsb)
 {
-    if (tp_pool_wall(pool, col, row))
+    if (tp_pool_is_wall_or_outside(pool, col, row))
         return 0;
     void *const cells = tp_pool_pointer(pool, sizeof *pool);
     const uint32_t i = row * pool->cols + col;
-    const int32_t full = tp_pool_full(pool), h = tp_pool_cell_height(pool, i);
+    const int32_t full = tp_pool_max_lsb(pool), h = tp_pool_cell_height(pool, i);
     const int32_t v = cell_velocity(pool, col, row);
     const int32_t low = (v > 0 ? v - full : -full) - h;
     const int32_t added = tp_clamp(lsb, low, (v < 0 ? v + full : full) - h);
@@ -90,10 +90,10 @@ static uint64_t natural_log(uint32_t x)
 /* Subtracts `h_part` and `v_part` from the height and the velocity of a cell.  Skips
  * a wall, and a cell whose velocity, height, or height before the last step would
  * leave the range. */
-static void take(tp_pool *pool, uint32_t i, int64_t *h, int64_t *v, int64_t h_part,
-                 int64_t v_part)
+static void subtract_from_cell(tp_pool *pool, uint32_t i, int64_t *h, int64_t *v,
+                               int64_t h_part, int64_t v_part)
 {
-    const int32_t full = tp_pool_full(pool);
+    const int32_t full = tp_pool_max_lsb(pool);
     const int32_t here = tp_pool_cell_height(pool, i);
     const int32_t speed = cell_velocity(pool, i % pool->cols, i / pool->cols);
     const int64_t next = here - h_part, now = speed - v_part;
@@ -116,7 +116,7 @@ static void take(tp_pool *pool, uint32_t i, int64_t *h, int64_t *v, int64_t h_pa
  * would rise.  Measured with splashes of 20 LSB, each at the moment when gear B
  * begins, at m = 10: without this function the mean reached 90 of 127 and 452 of 32767
  * LSB, with it 0.97 and 1.19. */
-static void level(tp_pool *pool)
+static void zero_height_and_velocity_sums(tp_pool *pool)
 {
     const uint32_t count = tp_pool_count(pool);
     int64_t h = 0, v = 0;
@@ -127,16 +127,16 @@ static void level(tp_pool *pool)
     }
     const int64_t h_mean = h / count, v_mean = v / count;
     for (uint32_t i = 0; i < count && (h_mean | v_mean) != 0; i++)
-        take(pool, i, &h, &v, h_mean, v_mean);
+        subtract_from_cell(pool, i, &h, &v, h_mean, v_mean);
     for (uint32_t i = 0; i < count && (h | v) != 0; i++)
-        take(pool, i, &h, &v, (h > 0) - (h < 0), (v > 0) - (v < 0));
+        subtract_from_cell(pool, i, &h, &v, (h > 0) - (h < 0), (v > 0) - (v < 0));
 }
 
 /* Runs gear A for TA = ceil(2^(m+1) ln(A / 8)) ticks [C11].  An earlier, higher wave keeps
  * its longer time. */
-void tp_pool_stirred(tp_pool *pool, int32_t peak_lsb)
+void tp_pool_wake(tp_pool *pool, int32_t peak_lsb)
 {
-    const int32_t full = tp_pool_full(pool);
+    const int32_t full = tp_pool_max_lsb(pool);
     const uint32_t peak = (uint32_t)tp_abs(tp_clamp(peak_lsb, -full, full));
 
     if (pool->cells == TP_CELLS_32 || peak <= 8)
@@ -144,7 +144,7 @@ void tp_pool_stirred(tp_pool *pool, int32_t peak_lsb)
     const uint64_t time = ((natural_log(peak) - natural_log(8)) << (pool->damping + 1))
                         + (1u << 28) - 1;
     if (pool->gear == 0 && !pool->at_rest && pool->tick > 0)
-        level(pool);
+        zero_height_and_velocity_sums(pool);
     if (time >> 28 > pool->gear)
         pool->gear = (uint32_t)(time >> 28);
 }
@@ -169,7 +169,7 @@ void tp_pool_step(tp_pool *pool)
 {
     TP_ASSERT(pool->cells <= TP_CELLS_32 && pool->damping >= 4 && pool->damping <= 10);
     if (pool->feed_low > 0)
-        tp_pool_feed(pool);
+        tp_pool_drive(pool);
     if (!pool->at_rest) {
         switch (pool->cells) {
         case TP_CELLS_8:  tp_pool_step_8(pool);  break;

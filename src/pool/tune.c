@@ -31,7 +31,7 @@ bool tp_pool_set_config(tp_pool *pool, const tp_pool_config *config)
 /* 8- and 16-bit cells are clamped to their range.  32-bit cells are searched.  At a time
  * between the last two ticks the water stood no higher than the highest cell plus the
  * largest change of the tick. */
-tp_fx tp_pool_highest(const tp_pool *pool)
+tp_fx tp_pool_height_bound(const tp_pool *pool)
 {
     if (pool->cells != TP_CELLS_32)
         return pool->range;

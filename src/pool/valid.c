@@ -8,7 +8,7 @@
 #include "pool/pool.h"
 #include "base/base.h"
 
-static bool within(int64_t x, int64_t most)
+static bool is_within_limit(int64_t x, int64_t most)
 {
     return x >= -most && x <= most;
 }
@@ -38,16 +38,17 @@ static bool is_same_part(const tp_pool *pool, const tp_pool *fresh, uint32_t at,
                   == 0;
 }
 
-static bool are_gears_valid(const tp_pool *pool)
+static bool are_cells_valid(const tp_pool *pool)
 {
-    const int32_t full = tp_pool_full(pool);
+    const int32_t full = tp_pool_max_lsb(pool);
 
     for (uint32_t row = 0; row < pool->rows; row++) {
         for (uint32_t col = 0; col < pool->cols; col++) {
             const int32_t h = tp_pool_height(pool, col, row);
             const int32_t v = tp_pool_velocity(pool, col, row);
-            const int32_t most = tp_pool_wall(pool, col, row) ? 0 : full;
-            if (!within(h, most) || !within(v, most) || !within(h - v, most))
+            const int32_t most = tp_pool_is_wall_or_outside(pool, col, row) ? 0 : full;
+            if (!is_within_limit(h, most) || !is_within_limit(v, most)
+                || !is_within_limit(h - v, most))
                 return false;
         }
     }
@@ -55,7 +56,7 @@ static bool are_gears_valid(const tp_pool *pool)
 }
 
 /* True if water can flow from a cell, not a wall, to the right (or down). */
-static bool goes(const tp_pool *pool, uint32_t col, uint32_t row, bool down)
+static bool can_flow(const tp_pool *pool, uint32_t col, uint32_t row, bool down)
 {
     const bool last = down ? row + 1 == pool->rows : col + 1 == pool->cols;
     const uint8_t *walls = tp_pool_const_pointer(pool, pool->walls);
@@ -67,7 +68,7 @@ static bool goes(const tp_pool *pool, uint32_t col, uint32_t row, bool down)
 
 static bool is_flux_valid(int32_t flux, bool goes)
 {
-    return within(flux, goes ? TP_FULL_32 / 2 : 0);
+    return is_within_limit(flux, goes ? TP_FULL_32 / 2 : 0);
 }
 
 static bool are_fluxes_valid(const tp_pool *pool)
@@ -78,8 +79,8 @@ static bool are_fluxes_valid(const tp_pool *pool)
 
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t col = i % cols, row = i / cols;
-        if (!is_flux_valid(right[i], goes(pool, col, row, false))
-            || !is_flux_valid(right[count + i], goes(pool, col, row, true)))
+        if (!is_flux_valid(right[i], can_flow(pool, col, row, false))
+            || !is_flux_valid(right[count + i], can_flow(pool, col, row, true)))
             return false;
     }
     return true;
@@ -91,9 +92,10 @@ static bool are_heights_valid(const tp_pool *pool)
     for (uint32_t row = 0; row < pool->rows; row++) {
         for (uint32_t col = 0; col < pool->cols; col++) {
             const int64_t h = tp_pool_height(pool, col, row);
-            const int64_t gain = tp_pool_gain(pool, col, row);
-            const int32_t most = tp_pool_wall(pool, col, row) ? 0 : TP_FULL_32;
-            if (!within(h, most) || !within(h - gain, TP_FULL_32))
+            const int64_t gain = tp_pool_net_inflow(pool, col, row);
+            const int32_t most =
+                tp_pool_is_wall_or_outside(pool, col, row) ? 0 : TP_FULL_32;
+            if (!is_within_limit(h, most) || !is_within_limit(h - gain, TP_FULL_32))
                 return false;
         }
     }
@@ -105,10 +107,10 @@ bool tp_pool_is_valid(const tp_pool *pool, const tp_pool *fresh)
     if (!is_same_config(pool, fresh)
         || !is_same_part(pool, fresh, pool->walls, tp_pool_count(pool))
         || !is_same_part(pool, fresh, pool->sponge, pool->cols + pool->rows)
-        || pool->feed_peak < 0 || pool->feed_peak > tp_pool_full(pool)
+        || pool->feed_peak < 0 || pool->feed_peak > tp_pool_max_lsb(pool)
         || pool->feed_ticks >= TP_FEED_WINDOW || pool->feed_hits > pool->feed_ticks
         || pool->at_rest > 1 || pool->still > 1)
         return false;
     return pool->cells == TP_CELLS_32 ? are_fluxes_valid(pool) && are_heights_valid(pool)
-                                      : are_gears_valid(pool);
+                                      : are_cells_valid(pool);
 }

@@ -24,7 +24,7 @@ static bool is_open(const tp_pool *pool, uint32_t x, uint32_t y)
     return !tp_pool_is_wall(pool, y * pool->cols + x);
 }
 
-static uint8_t open_ways(const tp_pool *pool, uint32_t x, uint32_t y)
+static uint8_t open_neighbour_bits(const tp_pool *pool, uint32_t x, uint32_t y)
 {
     return (uint8_t)((is_open(pool, x - 1, y) ? TP_OPEN_LEFT : 0)
                      | (is_open(pool, x + 1, y) ? TP_OPEN_RIGHT : 0)
@@ -43,7 +43,7 @@ void tp_pool_set_walls(tp_pool *pool, const tp_grey *mask)
     for (uint32_t y = 0; y < pool->rows; y++)
         for (uint32_t x = 0; x < pool->cols; x++)
             if (walls[y * pool->cols + x] != TP_WALL)
-                walls[y * pool->cols + x] = open_ways(pool, x, y);
+                walls[y * pool->cols + x] = open_neighbour_bits(pool, x, y);
 }
 
 /* Returns the j >= 1 with 2^-j nearest to delta = 8 (W - d)^2 / (max(W, 16) W^2), nearest

@@ -12,9 +12,10 @@
 
 /* Returns the share for s and t, from a share on the screen: share zb / z. share zb is at
  * most z; the quotient is limited to below 2^31. */
-int32_t tp_row_deep_share(int32_t share, uint32_t za, uint32_t zb)
+int32_t tp_row_perspective_share(int32_t share, uint32_t za, uint32_t zb)
 {
-    uint32_t z = (uint32_t)part((int32_t)za, difference((int32_t)za, (int32_t)zb), share);
+    uint32_t z =
+        (uint32_t)add_share((int32_t)za, difference((int32_t)za, (int32_t)zb), share);
     uint64_t over = (uint64_t)(uint32_t)share * zb >> 31;
     int      shift = tp_clz(z | 1);
     uint64_t q = over * tp_recip_norm((z | 1) << shift) >> (32 - shift);
@@ -56,7 +57,7 @@ TP_ALWAYS_INLINE void fill(const tp_gbuffer *tile, int32_t x, int32_t y, int32_t
     if (y > top)
         step_rows(&now, &step, (uint32_t)(y - top));
     for (int32_t count = end - y; count > 0; count--, at += stride) {
-        put(at, plane, &now, tested);
+        write_sample(at, plane, &now, tested);
         step_rows(&now, &step, 1);
     }
 }
@@ -88,19 +89,20 @@ TP_ALWAYS_INLINE int32_t row_share(const between *b, int32_t y)
 }
 
 /* Sets start and step with s and t linear on the screen. */
-TP_ALWAYS_INLINE void set_straight(const between *b, int32_t y, sample *now, sample *step)
+TP_ALWAYS_INLINE void set_linear_sample(const between *b, int32_t y, sample *now,
+                                        sample *step)
 {
     const tp_row_sample *far = b->far, *near = b->near;
     int32_t share = row_share(b, y), up = b->up, d;
 
     d = difference((int32_t)far->zi, (int32_t)near->zi);
-    now->key = make_water_key((uint32_t)part((int32_t)far->zi, d, share));
+    now->key = make_water_key((uint32_t)add_share((int32_t)far->zi, d, share));
     step->key = key_step(-tp_mul_upper(d, up) * 4);
     d = difference(far->s, near->s);
-    now->s = (uint32_t)part(far->s, d, share);
+    now->s = (uint32_t)add_share(far->s, d, share);
     step->s = 0u - (uint32_t)tp_mul_upper(d, up) * 4;
     d = difference(far->t, near->t);
-    now->t = (uint32_t)part(far->t, d, share);
+    now->t = (uint32_t)add_share(far->t, d, share);
     step->t = 0u - (uint32_t)tp_mul_upper(d, up) * 4;
     now->n = interpolate_slopes(far->n, near->n, share);
     step->n = slopes_step(near->n, far->n, up);
@@ -113,10 +115,10 @@ typedef struct {
 static place interpolate_place(const between *b, int32_t y)
 {
     const tp_row_sample *far = b->far, *near = b->near;
-    int32_t share = tp_row_deep_share(row_share(b, y), far->zi, near->zi);
+    int32_t share = tp_row_perspective_share(row_share(b, y), far->zi, near->zi);
 
-    return (place){ (uint32_t)part(far->s, difference(far->s, near->s), share),
-                    (uint32_t)part(far->t, difference(far->t, near->t), share) };
+    return (place){ (uint32_t)add_share(far->s, difference(far->s, near->s), share),
+                    (uint32_t)add_share(far->t, difference(far->t, near->t), share) };
 }
 
 /* Fills rows [y, end) of a piece that begins at row `top`. s and t are exact in
@@ -136,7 +138,7 @@ static __attribute__((noinline)) void fill_deep(const tp_rows *rows,
         int32_t next = (from | 15) + 1, to = next < last ? next : last;
         place   q = to > from ? interpolate_place(&b, to) : p;
         stop = next < end ? next : end;
-        set_straight(&b, from, &now, &step);
+        set_linear_sample(&b, from, &now, &step);
         now.s = p.s;
         now.t = p.t;
         step.s = to > from ? tp_row_place_step(p.s, q.s, to - from) : 0;
@@ -162,11 +164,11 @@ TP_ALWAYS_INLINE void fill_few(const tp_rows *rows, const tp_row_sample *near,
     for (;;) {
         const int32_t w = (int32_t)share;
         const sample now = {
-            make_water_key((uint32_t)part((int32_t)far->zi, dz, w)),
-            (uint32_t)part(far->s, ds, w), (uint32_t)part(far->t, dt, w),
+            make_water_key((uint32_t)add_share((int32_t)far->zi, dz, w)),
+            (uint32_t)add_share(far->s, ds, w), (uint32_t)add_share(far->t, dt, w),
             interpolate_slopes(far->n, near->n, w),
         };
-        put(at, plane, &now, rows->solid);
+        write_sample(at, plane, &now, rows->solid);
         if (++y >= end)
             break;
         at += tile->stride;
@@ -182,16 +184,16 @@ static __attribute__((noinline)) void fill_many(const tp_rows *rows,
     const between b = make_interval(far, near);
     sample now, step;
 
-    set_straight(&b, top, &now, &step);
+    set_linear_sample(&b, top, &now, &step);
     if (rows->solid)
         fill_tested(rows->tile, x, y, end, top, &now, &step);
     else
         fill(rows->tile, x, y, end, top, now, step, false);
 }
 
-void tp_row_piece(const tp_rows *rows, const tp_row_sample *near,
-                  const tp_row_sample *far, int32_t x, int32_t y, int32_t end,
-                  int32_t top)
+void tp_row_fill_piece(const tp_rows *rows, const tp_row_sample *near,
+                       const tp_row_sample *far, int32_t x, int32_t y, int32_t end,
+                       int32_t top)
 {
     TP_ASSERT(y < end && y >= top && end <= rows->tile->y1);
     TP_ASSERT(near->v - far->v >= 256);
@@ -201,13 +203,13 @@ void tp_row_piece(const tp_rows *rows, const tp_row_sample *near,
         fill_few(rows, near, far, x, y, y + 1);
     else if (first_row(near->v) - top <= FEW)
         fill_few(rows, near, far, x, y, end);
-    else if (apart >= DEEP * ROW && is_deep(far->zi, near->zi, apart >> 16))
+    else if (apart >= DEEP * ROW && needs_row_perspective(far->zi, near->zi, apart >> 16))
         fill_deep(rows, near, far, x, y, end, top);
     else
         fill_many(rows, near, far, x, y, end, top);
 }
 
-void tp_row_start(tp_rows *rows, tp_row_column *column, const tp_row_sample *line,
+void tp_row_restart_column(tp_rows *rows, tp_row_column *column, const tp_row_sample *line,
                   bool joined)
 {
     const tp_gbuffer *tile = rows->tile;
@@ -218,6 +220,6 @@ void tp_row_start(tp_rows *rows, tp_row_column *column, const tp_row_sample *lin
 
     close_column(rows, column, y);
     if (joined && top >= tile->y0 && top < end)
-        put(key_pointer(tile, tile->x0 + (int32_t)(column - rows->column), top),
-            plane_stride(tile), &p, rows->solid);
+        write_sample(key_pointer(tile, tile->x0 + (int32_t)(column - rows->column), top),
+                     plane_stride(tile), &p, rows->solid);
 }

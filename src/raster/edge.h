@@ -56,7 +56,7 @@ TP_ALWAYS_INLINE void tp_edge_step(tp_edge *e)
 }
 
 /* Advances to row y >= e->row, 256 rows at a time, so that products stay within 31 bits. */
-TP_ALWAYS_INLINE void tp_edge_go(tp_edge *e, int32_t y)
+TP_ALWAYS_INLINE void tp_edge_advance(tp_edge *e, int32_t y)
 {
     TP_ASSERT(y >= e->row);
     for (int32_t n = y - e->row; n > 0; n -= 256) {

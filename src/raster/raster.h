@@ -33,7 +33,7 @@ typedef struct {
     uint32_t *s;                /* water: rest x, 16.16 m; solids: s:t, 0.16 each */
     uint32_t *t;                /* water: rest z, 16.16 m; solids: face number */
     uint32_t *n;                /* water: slopes x:z, Q3.12 each; solids: packed normal */
-    bool      front_only;       /* skip triangles with area >= 0, see tp_tri_area */
+    bool      front_only;       /* skip triangles with area >= 0, see tp_tri_twice_area */
 } tp_gbuffer;
 
 void tp_gbuffer_clear(const tp_gbuffer *tile);
@@ -51,12 +51,13 @@ void tp_tri_solid(const tp_gbuffer *tile, const tp_screen_vertex *a,
 /* Draws a lid, after the solids.  A lid writes depth only: a solid sample behind the lid
  * gets the lid's depth and keeps its stencil.  Water behind the lid is then hidden, and
  * water in front of the lid is drawn. */
-void tp_tri_lid(const tp_gbuffer *tile, const tp_screen_vertex *a,
-                const tp_screen_vertex *b, const tp_screen_vertex *c);
+void tp_tri_depth_only(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                       const tp_screen_vertex *b, const tp_screen_vertex *c);
 
 /* Returns twice the signed area, 1/256 square px; negative for a front face. */
-static inline int64_t tp_tri_area(const tp_screen_vertex *a, const tp_screen_vertex *b,
-                                  const tp_screen_vertex *c)
+static inline int64_t tp_tri_twice_area(const tp_screen_vertex *a,
+                                        const tp_screen_vertex *b,
+                                        const tp_screen_vertex *c)
 {
     return (int64_t)(b->u - a->u) * (c->v - a->v)
          - (int64_t)(c->u - a->u) * (b->v - a->v);

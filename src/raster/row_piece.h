@@ -25,7 +25,7 @@ static inline int32_t first_row(int32_t v)
 }
 
 /* Returns q + share of d, share in Q.31. */
-TP_ALWAYS_INLINE int32_t part(int32_t q, int32_t d, int32_t share)
+TP_ALWAYS_INLINE int32_t add_share(int32_t q, int32_t d, int32_t share)
 {
     return (int32_t)((uint32_t)q + (uint32_t)tp_mul_upper(d, share) * 2);
 }
@@ -58,7 +58,7 @@ TP_ALWAYS_INLINE uint32_t slopes_step(uint32_t from, uint32_t to, int32_t per)
 
 /* True if s and t need perspective between two points of different depth.  Linear s and t
  * deviate by a quarter of (ratio - 1) times the length; half a pixel is allowed. */
-static inline bool is_deep(uint32_t za, uint32_t zb, uint32_t length)
+static inline bool needs_row_perspective(uint32_t za, uint32_t zb, uint32_t length)
 {
     uint32_t least = za < zb ? za : zb, more = za < zb ? zb - za : za - zb;
     return (uint64_t)(more >> 1) * (length + 1) > least;
@@ -76,7 +76,7 @@ TP_ALWAYS_INLINE uint32_t make_water_key(uint32_t zi)
 
 /* Writes a sample.  The four planes have equal distances, so an address and the distance
  * give all four. */
-TP_ALWAYS_INLINE void put(uint32_t *at, size_t plane, const sample *p, bool tested)
+TP_ALWAYS_INLINE void write_sample(uint32_t *at, size_t plane, const sample *p, bool tested)
 {
     if (tested && p->key <= (at[0] | 0xff))
         return;
@@ -109,19 +109,19 @@ TP_ALWAYS_INLINE void close_column(tp_rows *rows, tp_row_column *column, int32_t
 }
 
 /* cover.c: the share of s and t for a share on the screen. */
-int32_t tp_row_deep_share(int32_t share, uint32_t za, uint32_t zb);
+int32_t tp_row_perspective_share(int32_t share, uint32_t za, uint32_t zb);
 
 /* Returns the step between two exact positions, n = 1..16 rows or columns apart. */
 uint32_t tp_row_place_step(uint32_t from, uint32_t to, int32_t n);
 
 /* Fills rows [y, end) of column x between two lines; the whole piece begins at row
  * `top`. */
-void tp_row_piece(const tp_rows *rows, const tp_row_sample *near,
-                  const tp_row_sample *far, int32_t x, int32_t y, int32_t end,
-                  int32_t top);
+void tp_row_fill_piece(const tp_rows *rows, const tp_row_sample *near,
+                       const tp_row_sample *far, int32_t x, int32_t y, int32_t end,
+                       int32_t top);
 
 /* Handles a column where a line behind a gap rises to the column's limit: the column
  * starts anew.  Draws the pixel at the line if `joined`. */
-void tp_row_start(tp_rows *rows, tp_row_column *column, const tp_row_sample *line,
+void tp_row_restart_column(tp_rows *rows, tp_row_column *column, const tp_row_sample *line,
                   bool joined);
 #endif

@@ -14,7 +14,7 @@ size_t tp_rows_bytes(uint32_t columns)
     return columns * sizeof(tp_row_column);
 }
 
-static bool holds_any(const tp_gbuffer *tile)
+static bool has_any_sample(const tp_gbuffer *tile)
 {
     size_t width = (size_t)(uint32_t)(tile->x1 - tile->x0);
     const uint32_t *key = tile->key;
@@ -36,7 +36,7 @@ void tp_rows_begin(tp_rows *rows, const tp_gbuffer *tile, void *memory, bool sol
 
     *rows = (tp_rows){
         .tile = tile, .column = memory, .x0 = tile->x0, .x1 = tile->x1,
-        .open = tile->x1 - tile->x0, .solid = solid && holds_any(tile),
+        .open = tile->x1 - tile->x0, .solid = solid && has_any_sample(tile),
     };
     for (int32_t i = 0; i < rows->open; i++) {
         rows->column[i].limit = limit;
@@ -57,8 +57,8 @@ enum { LINE, START, JOINED, SIDE };
 #define CLOSE (ROW / 2)
 
 /* Draws the only row of column x with its centre between two close lines. */
-TP_ALWAYS_INLINE void put_close(const tp_rows *rows, const tp_row_sample *near,
-                                const tp_row_sample *far, int32_t x, int32_t y)
+TP_ALWAYS_INLINE void draw_single_row(const tp_rows *rows, const tp_row_sample *near,
+                                      const tp_row_sample *far, int32_t x, int32_t y)
 {
     const tp_gbuffer *tile = rows->tile;
     uint32_t *at = key_pointer(tile, x, y);
@@ -68,18 +68,18 @@ TP_ALWAYS_INLINE void put_close(const tp_rows *rows, const tp_row_sample *near,
     if (down > near->v - far->v - down) {
         const sample p = { make_water_key(near->zi), (uint32_t)near->s, (uint32_t)near->t,
                            near->n };
-        put(at, plane, &p, rows->solid);
+        write_sample(at, plane, &p, rows->solid);
     } else {
         const sample p = { make_water_key(far->zi), (uint32_t)far->s, (uint32_t)far->t,
                            far->n };
-        put(at, plane, &p, rows->solid);
+        write_sample(at, plane, &p, rows->solid);
     }
 }
 
 /* Handles a column where a line rises to its limit: draws the visible pixels between the
  * previous line and this line; this line then covers the column. */
-TP_ALWAYS_INLINE void cover(tp_rows *rows, tp_row_column *column,
-                            const tp_row_sample *far, int32_t x)
+TP_ALWAYS_INLINE void cover_column(tp_rows *rows, tp_row_column *column,
+                                   const tp_row_sample *far, int32_t x)
 {
     const int32_t y0 = rows->tile->y0, end = (column->limit + ROW / 2) >> 16;
     const int32_t near = column->line.v, top = first_row(far->v);
@@ -95,15 +95,15 @@ TP_ALWAYS_INLINE void cover(tp_rows *rows, tp_row_column *column,
     if (y >= end || near == TP_ROW_NONE)
         return;
     if (near - far->v < CLOSE) {
-        put_close(rows, &column->line, far, x, y);
+        draw_single_row(rows, &column->line, far, x, y);
     } else {
         const tp_row_sample line = *far;
-        tp_row_piece(rows, &column->line, &line, x, y, end, top);
+        tp_row_fill_piece(rows, &column->line, &line, x, y, end, top);
     }
 }
 
 /* Walks columns [x, end); `now` is the value at column x. */
-TP_ALWAYS_INLINE void walk(tp_rows *rows, const tp_row_sample *now,
+TP_ALWAYS_INLINE void walk_columns(tp_rows *rows, const tp_row_sample *now,
                            const tp_row_sample *step, int32_t x, int32_t end, int kind)
 {
     TP_ASSERT(x < end && x >= rows->tile->x0 && end <= rows->tile->x1);
@@ -115,9 +115,9 @@ TP_ALWAYS_INLINE void walk(tp_rows *rows, const tp_row_sample *now,
         const tp_row_sample line = { (int32_t)v, zi, (int32_t)s, (int32_t)t, n };
         if ((int32_t)v <= column->limit) {
             if (kind == LINE)
-                cover(rows, column, &line, x);
+                cover_column(rows, column, &line, x);
             else
-                tp_row_start(rows, column, &line, kind == JOINED);
+                tp_row_restart_column(rows, column, &line, kind == JOINED);
         }
         column->line.v = (int32_t)v;
         column->line.zi = zi;
@@ -151,9 +151,9 @@ static place interpolate_place(const segment *g, int32_t x)
     int32_t share = column_share(g, x);
 
     if (g->deep)
-        share = tp_row_deep_share(share, g->a->zi, g->b->zi);
-    return (place){ (uint32_t)part(g->a->s, g->ds, share),
-                    (uint32_t)part(g->a->t, g->dt, share) };
+        share = tp_row_perspective_share(share, g->a->zi, g->b->zi);
+    return (place){ (uint32_t)add_share(g->a->s, g->ds, share),
+                    (uint32_t)add_share(g->a->t, g->dt, share) };
 }
 
 /* Returns the steps from column to column; the segment has more than one column. */
@@ -176,8 +176,8 @@ static tp_row_sample interpolate_sample(const segment *g, int32_t x)
     place   p = interpolate_place(g, x);
 
     return (tp_row_sample){
-        .v = part(g->a->v * 4096, g->dv, share),
-        .zi = (uint32_t)part((int32_t)g->a->zi, g->dz, share),
+        .v = add_share(g->a->v * 4096, g->dv, share),
+        .zi = (uint32_t)add_share((int32_t)g->a->zi, g->dz, share),
         .s = (int32_t)p.s, .t = (int32_t)p.t,
         .n = interpolate_slopes(g->a->n, g->b->n, share),
     };
@@ -216,12 +216,12 @@ TP_ALWAYS_INLINE void walk_segment(tp_rows *rows, const segment *g, int32_t firs
         }
         to = next < end ? next : end;
         advance_columns(&now, &step, x - from);
-        walk(rows, &now, &step, x, to, kind);
+        walk_columns(rows, &now, &step, x, to, kind);
     }
 }
 
-TP_ALWAYS_INLINE void along(tp_rows *rows, const tp_row_point *a, const tp_row_point *b,
-                            int kind)
+TP_ALWAYS_INLINE void rasterize_segment(tp_rows *rows, const tp_row_point *a,
+                                        const tp_row_point *b, int kind)
 {
     int32_t first = tp_first_centre(a->u), stop = tp_first_centre(b->u);
     int32_t x = first > rows->x0 ? first : rows->x0;
@@ -230,35 +230,41 @@ TP_ALWAYS_INLINE void along(tp_rows *rows, const tp_row_point *a, const tp_row_p
     if (x >= end)
         return;
     const segment g = {
-        a, b, 0x7fffffffu / (uint32_t)(b->u - a->u), (b->v - a->v) * 4096,
-        difference((int32_t)a->zi, (int32_t)b->zi), difference(a->s, b->s),
-        difference(a->t, b->t), is_deep(a->zi, b->zi, (uint32_t)(b->u - a->u) >> 4),
+        a,
+        b,
+        0x7fffffffu / (uint32_t)(b->u - a->u),
+        (b->v - a->v) * 4096,
+        difference((int32_t)a->zi, (int32_t)b->zi),
+        difference(a->s, b->s),
+        difference(a->t, b->t),
+        needs_row_perspective(a->zi, b->zi, (uint32_t)(b->u - a->u) >> 4),
     };
     walk_segment(rows, &g, first, stop, x, end, kind);
 }
 
-void tp_rows_line(tp_rows *rows, const tp_row_point *point, uint32_t count)
+void tp_rows_draw_line(tp_rows *rows, const tp_row_point *point, uint32_t count)
 {
     for (uint32_t i = 1; i < count; i++)
-        along(rows, &point[i - 1], &point[i], LINE);
+        rasterize_segment(rows, &point[i - 1], &point[i], LINE);
 }
 
-void tp_rows_start(tp_rows *rows, const tp_row_point *point, uint32_t count, bool joined)
+void tp_rows_restart_line(tp_rows *rows, const tp_row_point *point, uint32_t count,
+                          bool joined)
 {
     for (uint32_t i = 1; i < count; i++) {
         if (joined)
-            along(rows, &point[i - 1], &point[i], JOINED);
+            rasterize_segment(rows, &point[i - 1], &point[i], JOINED);
         else
-            along(rows, &point[i - 1], &point[i], START);
+            rasterize_segment(rows, &point[i - 1], &point[i], START);
     }
 }
 
-void tp_rows_side(tp_rows *rows, const tp_row_point *left, const tp_row_point *right)
+void tp_rows_set_side(tp_rows *rows, const tp_row_point *left, const tp_row_point *right)
 {
-    along(rows, left, right, SIDE);
+    rasterize_segment(rows, left, right, SIDE);
 }
 
-void tp_rows_gap(tp_rows *rows, int32_t left_28_4, int32_t right_28_4)
+void tp_rows_mark_gap(tp_rows *rows, int32_t left_28_4, int32_t right_28_4)
 {
     int32_t first = tp_first_centre(left_28_4), stop = tp_first_centre(right_28_4);
     int32_t end = stop < rows->x1 ? stop : rows->x1;

@@ -30,7 +30,7 @@ typedef struct {
 #define SLOPE_SHIFT  16
 #define NORMAL_SHIFT 22
 
-TP_ALWAYS_INLINE uint32_t packed(const span *sp, int kind)
+TP_ALWAYS_INLINE uint32_t pack_normal(const span *sp, int kind)
 {
     if (kind == SOLID)
         return sp->n0.now >> 22 | (sp->n1.now >> 22) << 10 | (sp->n2.now >> 22) << 20;
@@ -38,7 +38,7 @@ TP_ALWAYS_INLINE uint32_t packed(const span *sp, int kind)
 }
 
 /* A lid writes depth only; the sample keeps its stencil. */
-TP_ALWAYS_INLINE void fill_lid(const span *sp)
+TP_ALWAYS_INLINE void fill_depth_only(const span *sp)
 {
     uint32_t zi = sp->zi.now, *key = sp->key;
 
@@ -49,13 +49,13 @@ TP_ALWAYS_INLINE void fill_lid(const span *sp)
     }
 }
 
-TP_ALWAYS_INLINE void fill(span *sp, int kind)
+TP_ALWAYS_INLINE void fill_span(span *sp, int kind)
 {
     uint32_t *key = sp->key, *s = sp->s_out, *t = sp->t_out, *n = sp->n_out;
     const bool solid = kind == SOLID;
 
     if (kind == LID) {
-        fill_lid(sp);
+        fill_depth_only(sp);
         return;
     }
     for (int32_t i = 0; i < sp->count; i++) {
@@ -65,7 +65,7 @@ TP_ALWAYS_INLINE void fill(span *sp, int kind)
             key[i] = depth | sp->mark;
             s[i] = solid ? sp->s.now << 16 | (sp->t.now & 0xffff) : sp->s.now;
             t[i] = solid ? sp->face : sp->t.now;
-            n[i] = packed(sp, kind);
+            n[i] = pack_normal(sp, kind);
         }
         sp->zi.now += sp->zi.step;
         sp->s.now += sp->s.step;
@@ -123,7 +123,7 @@ static int64_t evaluate_gradient(const tp_gradient *g, int32_t dx, int32_t dy)
 /* Returns s = sw / w in 16.16.  With w = n / 2^29, 1/n = r 2^shift / 2^63 and PLUS more
  * bits in sw, s = sw r 2^(shift - 42). |sw| < 2^39 and r < 2^33; the product is split
  * into halves to stay within 64 bits. */
-static uint32_t divided(int64_t sw, uint32_t r, int shift)
+static uint32_t divide_by_w(int64_t sw, uint32_t r, int shift)
 {
     int64_t q = (sw >> 16) * (int64_t)r
               + (int64_t)(((uint64_t)sw & 0xffff) * r >> 16);
@@ -144,8 +144,8 @@ static place evaluate_place(const perspective *p, const tp_tri *tri, int32_t x, 
     uint32_t r = tp_recip_norm(n << shift);
 
     return (place){
-        p->s0 + divided(evaluate_gradient(&p->sw, dx, dy), r, shift),
-        p->t0 + divided(evaluate_gradient(&p->tw, dx, dy), r, shift),
+        p->s0 + divide_by_w(evaluate_gradient(&p->sw, dx, dy), r, shift),
+        p->t0 + divide_by_w(evaluate_gradient(&p->tw, dx, dy), r, shift),
     };
 }
 
@@ -175,7 +175,7 @@ TP_ALWAYS_INLINE void fill_pixels(span *sp, int32_t x, int32_t end, int kind)
 {
     sp->x = x;
     sp->count = end - x;
-    fill(sp, kind);
+    fill_span(sp, kind);
     sp->key += sp->count;
     sp->s_out += sp->count;
     sp->t_out += sp->count;
@@ -207,8 +207,8 @@ TP_ALWAYS_INLINE void fill_perspective(const painter *p, span *sp, int32_t y,
 }
 
 /* Fills a row from `left` to `right`, clipped to the tile. */
-TP_ALWAYS_INLINE void row(const painter *p, const tp_gbuffer *tile, int32_t y,
-                          int32_t left, int32_t right, int kind, int exact)
+TP_ALWAYS_INLINE void fill_row(const painter *p, const tp_gbuffer *tile, int32_t y,
+                               int32_t left, int32_t right, int kind, int exact)
 {
     int32_t x = left > tile->x0 ? left : tile->x0;
     int32_t end = right < tile->x1 ? right : tile->x1;
@@ -235,31 +235,31 @@ TP_ALWAYS_INLINE void row(const painter *p, const tp_gbuffer *tile, int32_t y,
     } else {
         sp.s = make_walker(&p->s, dx, dy);
         sp.t = make_walker(&p->t, dx, dy);
-        fill(&sp, kind);
+        fill_span(&sp, kind);
     }
 }
 
 /* Fills all rows of a triangle; the flags are literals. */
-TP_ALWAYS_INLINE void rows(const painter *p, const tp_gbuffer *tile, int kind,
+TP_ALWAYS_INLINE void fill_triangle_rows(const painter *p, const tp_gbuffer *tile, int kind,
                            int exact)
 {
     const tp_tri *tri = p->tri;
     int32_t  y = tri->top;
     tp_edge  along = tri->length;
 
-    tp_edge_go(&along, y);
+    tp_edge_advance(&along, y);
     for (int half = 0; half < 2; half++) {
         int32_t stop = half == 0 && tri->middle < tri->bottom ? tri->middle
                                                               : tri->bottom;
         if (y >= stop)
             continue;
         tp_edge other = half == 0 && y < tri->middle ? tri->upper : tri->lower;
-        tp_edge_go(&other, y);
+        tp_edge_advance(&other, y);
         for (; y < stop; y++) {
             if (tri->long_left)
-                row(p, tile, y, along.pixel, other.pixel, kind, exact);
+                fill_row(p, tile, y, along.pixel, other.pixel, kind, exact);
             else
-                row(p, tile, y, other.pixel, along.pixel, kind, exact);
+                fill_row(p, tile, y, other.pixel, along.pixel, kind, exact);
             tp_edge_step(&along);
             tp_edge_step(&other);
         }
@@ -273,7 +273,7 @@ TP_ALWAYS_INLINE tp_gradient normal_gradient(const tp_tri *tri, int i, int shift
                            tri->c->n[i] * one, 0);
 }
 
-TP_ALWAYS_INLINE void set_places(painter *p)
+TP_ALWAYS_INLINE void set_position_gradients(painter *p)
 {
     const tp_tri *tri = p->tri;
 
@@ -296,13 +296,13 @@ void tp_tri_water(const tp_gbuffer *tile, const tp_screen_vertex *a,
         return;
     p.tri = &tri;
     p.mark = TP_MARK_WATER;
-    set_places(&p);
+    set_position_gradients(&p);
     p.n0 = normal_gradient(&tri, 0, SLOPE_SHIFT);
     p.n1 = normal_gradient(&tri, 1, SLOPE_SHIFT);
     if (TP_SPAN_STEP && tri.perspective)
-        rows(&p, tile, WATER, 1);
+        fill_triangle_rows(&p, tile, WATER, 1);
     else
-        rows(&p, tile, WATER, 0);
+        fill_triangle_rows(&p, tile, WATER, 0);
 }
 
 /* Returns the rows of a 4x4 ordered pattern with `opacity` of 16 bits set. */
@@ -331,18 +331,18 @@ void tp_tri_solid(const tp_gbuffer *tile, const tp_screen_vertex *a,
     p.mark = mark;
     p.face = face;
     p.pattern_rows = opacity < 16 ? dither_pattern(opacity) : 0xffff;
-    set_places(&p);
+    set_position_gradients(&p);
     p.n0 = normal_gradient(&tri, 0, NORMAL_SHIFT);
     p.n1 = normal_gradient(&tri, 1, NORMAL_SHIFT);
     p.n2 = normal_gradient(&tri, 2, NORMAL_SHIFT);
     if (TP_SPAN_STEP && tri.perspective)
-        rows(&p, tile, SOLID, 1);
+        fill_triangle_rows(&p, tile, SOLID, 1);
     else
-        rows(&p, tile, SOLID, 0);
+        fill_triangle_rows(&p, tile, SOLID, 0);
 }
 
-void tp_tri_lid(const tp_gbuffer *tile, const tp_screen_vertex *a,
-                const tp_screen_vertex *b, const tp_screen_vertex *c)
+void tp_tri_depth_only(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                       const tp_screen_vertex *b, const tp_screen_vertex *c)
 {
     tp_tri tri = { 0 };
 
@@ -351,7 +351,7 @@ void tp_tri_lid(const tp_gbuffer *tile, const tp_screen_vertex *a,
     painter p = {
         .tri = &tri, .zi = tp_tri_gradient(&tri, tri.a->zi, tri.b->zi, tri.c->zi, 0),
     };
-    rows(&p, tile, LID, 0);
+    fill_triangle_rows(&p, tile, LID, 0);
 }
 
 void tp_gbuffer_clear(const tp_gbuffer *tile)

@@ -52,7 +52,7 @@ TP_ALWAYS_INLINE tp_gradient tp_tri_gradient(const tp_tri *tri, int64_t at_a,
 
 /* True if a vertex is inside the guard band.  The centre of the band is up to half a
  * picture from the corner; another pixel allows for rounding in the projection. */
-static inline bool tp_screen_vertex_fits(const tp_screen_vertex *c)
+static inline bool tp_screen_vertex_is_in_range(const tp_screen_vertex *c)
 {
     const int32_t most = 16 * ((1 << TP_GUARD_LOG2) + 2048 + 1);
     return tp_abs(c->u) <= most && tp_abs(c->v) <= most;
@@ -60,8 +60,10 @@ static inline bool tp_screen_vertex_fits(const tp_screen_vertex *c)
 
 /* -- set-up ------------------------------------------------------------------------ */
 
-TP_ALWAYS_INLINE bool misses(const tp_gbuffer *tile, const tp_screen_vertex *a,
-                             const tp_screen_vertex *b, const tp_screen_vertex *c)
+TP_ALWAYS_INLINE bool is_outside_tile_columns(const tp_gbuffer *tile,
+                                              const tp_screen_vertex *a,
+                                              const tp_screen_vertex *b,
+                                              const tp_screen_vertex *c)
 {
     int32_t low = a->u < b->u ? a->u : b->u, high = a->u > b->u ? a->u : b->u;
 
@@ -103,7 +105,7 @@ TP_ALWAYS_INLINE bool sort(tp_tri *tri, const tp_screen_vertex *a,
     return odd;
 }
 
-TP_ALWAYS_INLINE int32_t larger(int32_t a, int32_t b)
+TP_ALWAYS_INLINE int32_t max_int32(int32_t a, int32_t b)
 {
     return a > b ? a : b;
 }
@@ -120,7 +122,7 @@ TP_ALWAYS_INLINE void set_factors(tp_tri *tri, int64_t area)
 {
     const tp_screen_vertex *a = tri->a, *b = tri->b, *c = tri->c;
     int32_t  du1 = b->u - a->u, dv1 = b->v - a->v, du2 = c->u - a->u, dv2 = c->v - a->v;
-    int32_t  most = larger(larger(tp_abs(du1), tp_abs(du2)), dv2);
+    int32_t  most = max_int32(max_int32(tp_abs(du1), tp_abs(du2)), dv2);
     uint64_t size = (uint64_t)(area < 0 ? -area : area);
     TP_ASSERT(size > 0 && size >> 39 == 0);
     uint32_t high = (uint32_t)(size >> 32);
@@ -158,7 +160,7 @@ TP_ALWAYS_INLINE bool tp_tri_begin(tp_tri *tri, const tp_gbuffer *tile,
                                    const tp_screen_vertex *a, const tp_screen_vertex *b,
                                    const tp_screen_vertex *c)
 {
-    if (misses(tile, a, b, c))
+    if (is_outside_tile_columns(tile, a, b, c))
         return false;
     bool odd = sort(tri, a, b, c);
     a = tri->a;
@@ -169,9 +171,9 @@ TP_ALWAYS_INLINE bool tp_tri_begin(tp_tri *tri, const tp_gbuffer *tile,
     tri->bottom = bottom < tile->y1 ? bottom : tile->y1;
     if (tri->top >= tri->bottom)
         return false;
-    TP_ASSERT(tp_screen_vertex_fits(a) && tp_screen_vertex_fits(b)
-              && tp_screen_vertex_fits(c));
-    int64_t area = tp_tri_area(a, b, c);
+    TP_ASSERT(tp_screen_vertex_is_in_range(a) && tp_screen_vertex_is_in_range(b)
+              && tp_screen_vertex_is_in_range(c));
+    int64_t area = tp_tri_twice_area(a, b, c);
     if (area == 0 || (tile->front_only && (area > 0) != odd))
         return false;
     set_factors(tri, area);

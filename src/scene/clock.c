@@ -18,22 +18,23 @@ static int64_t q40(tp_fx x)
     return (int64_t)x * (1 << 24);
 }
 
-static tp_fx held(tp_fx scale)
+static tp_fx clamp_scale(tp_fx scale)
 {
     return tp_clamp(scale, TP_CLOCK_SLOWEST, TP_CLOCK_FASTEST);
 }
 
 void tp_clock_init(tp_clock *clock, tp_fx scale)
 {
-    *clock = (tp_clock){ .scale_q40 = q40(held(scale)), .target = held(scale) };
+    *clock =
+        (tp_clock){ .scale_q40 = q40(clamp_scale(scale)), .target = clamp_scale(scale) };
 }
 
-void tp_clock_aim(tp_clock *clock, tp_fx target)
+void tp_clock_set_target(tp_clock *clock, tp_fx target)
 {
-    clock->target = held(target);
+    clock->target = clamp_scale(target);
 }
 
-void tp_clock_shift(tp_clock *clock, int32_t steps)
+void tp_clock_shift_target(tp_clock *clock, int32_t steps)
 {
     tp_fx target = clock->target;
 
@@ -41,7 +42,7 @@ void tp_clock_shift(tp_clock *clock, int32_t steps)
         target /= 2;
     for (; steps < 0 && target < TP_CLOCK_FASTEST; steps++)
         target *= 2;
-    tp_clock_aim(clock, target);
+    tp_clock_set_target(clock, target);
 }
 
 bool tp_clock_is_valid(const tp_clock *clock)
@@ -49,12 +50,12 @@ bool tp_clock_is_valid(const tp_clock *clock)
     return clock->scale_q40 >= q40(TP_CLOCK_SLOWEST)
         && clock->scale_q40 <= q40(TP_CLOCK_FASTEST)
         && clock->part_q40 >= 0 && clock->part_q40 < ONE_Q40
-        && clock->target == held(clock->target) && clock->zero == 0;
+        && clock->target == clamp_scale(clock->target) && clock->zero == 0;
 }
 
 /* The distance is below 2^42 in Q40 and SLIDE_Q32 is below 2^28.  The distance is shifted
  * to Q28 first, so the product stays below 2^58. */
-void tp_clock_next(tp_clock *clock)
+void tp_clock_advance(tp_clock *clock)
 {
     TP_ASSERT(clock->scale_q40 > 0 && clock->part_q40 >= 0 && clock->part_q40 < ONE_Q40);
     int64_t way = q40(clock->target) - clock->scale_q40;

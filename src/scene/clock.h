@@ -24,18 +24,18 @@ typedef struct {
 
 /* Starts at tick 0; clamps scale and target to TP_CLOCK_SLOWEST..TP_CLOCK_FASTEST. */
 void tp_clock_init(tp_clock *clock, tp_fx scale);
-void tp_clock_aim(tp_clock *clock, tp_fx target);       /* clamps `target` */
+void tp_clock_set_target(tp_clock *clock, tp_fx target);       /* clamps `target` */
 
 /* Moves the target by `steps` along the scales 1/8, 1/4 .. 4: +1 halves the target, -1
  * doubles the target. */
-void tp_clock_shift(tp_clock *clock, int32_t steps);
+void tp_clock_shift_target(tp_clock *clock, int32_t steps);
 
 /* True if scale, target and part are in their ranges.  Use: the bytes of `clock` come
  * from outside the program. */
 bool tp_clock_is_valid(const tp_clock *clock);
 
 /* Advances by one frame: first updates the scale, then adds the scale to the time. */
-void tp_clock_next(tp_clock *clock);
+void tp_clock_advance(tp_clock *clock);
 
 tp_fx    tp_clock_scale(const tp_clock *clock);     /* s, rounded */
 uint64_t tp_clock_ticks(const tp_clock *clock);     /* whole ticks so far */

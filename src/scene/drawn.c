@@ -24,7 +24,7 @@ static tp_pose interpolate_pose(const tp_pose *a, const tp_pose *b, tp_fx back)
 /* Transforms a camera from deck axes, the axes of the mesh, to world axes.  The camera is
  * at most 14 km from the boat; its position is clamped to 8000 m, the limit of any
  * camera. */
-static tp_camera carried(const tp_camera *deck, const tp_pose *boat)
+static tp_camera deck_to_world_camera(const tp_camera *deck, const tp_pose *boat)
 {
     const tp_rotation turn =
         tp_rotation_from_angles(boat->heading, boat->pitch, boat->roll);
@@ -51,7 +51,7 @@ tp_camera tp_camera_interpolate(const tp_world *world, tp_fx back)
     if (world->aboard != TP_ABOARD_DECK)
         return camera;
     const tp_pose boat = interpolate_pose(&world->last_boat, &world->boat, back);
-    return carried(&camera, &boat);
+    return deck_to_world_camera(&camera, &boat);
 }
 
 tp_camera tp_world_camera(const tp_world *world)
@@ -59,7 +59,7 @@ tp_camera tp_world_camera(const tp_world *world)
     return tp_camera_interpolate(world, world->back);
 }
 
-tp_drawn tp_world_drawn(const tp_world *world)
+tp_drawn tp_world_interpolate(const tp_world *world)
 {
     tp_fx    back = world->back;
     tp_drawn at = {

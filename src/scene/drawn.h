@@ -15,7 +15,7 @@ typedef struct {
     int64_t time;               /* time in ticks x 65536 */
 } tp_drawn;
 
-tp_drawn tp_world_drawn(const tp_world *world);
+tp_drawn tp_world_interpolate(const tp_world *world);
 
 /* Returns the camera in world axes at `back` of a tick before the last tick. */
 tp_camera tp_camera_interpolate(const tp_world *world, tp_fx back);

@@ -17,7 +17,7 @@ static costs collect_costs(const tp_plan_input *in, tp_want want)
     costs all = { .count = 0 };
 
     for (const tp_use *u = in->modules; u && u->module; u++)
-        if (tp_module_ask(u->module, &want) && u->drawing && u->cost)
+        if (tp_module_ask_enabled(u->module, &want) && u->drawing && u->cost)
             all.cost[all.count++] = u->cost;
     return all;
 }
@@ -33,7 +33,7 @@ static uint32_t count_bits(uint32_t word)
 
 /* Tests a ray that would meet water.  If objects of several modules stop the ray, the
  * last module counts the ray. */
-static void stop_ray(tp_site *w, costs *all, int32_t i, int32_t j, int64_t far)
+static void test_ray_for_objects(tp_site *w, costs *all, int32_t i, int32_t j, int64_t far)
 {
     const tp_vec3 ray = tp_work_ray(w, i, j);
     uint32_t by = all->count;
@@ -59,17 +59,17 @@ static void cast_rays(tp_site *w, costs *all, uint32_t near[TP_RAYS])
         near[j] = w->wet[j] = 0;
         for (int32_t i = 0; i < TP_RAYS; i++) {
             const int64_t far =
-                tp_start_view_water(at, at->wide * (2 * i + 1 - TP_RAYS) / TP_RAYS,
+                tp_start_view_water_distance(at, at->wide * (2 * i + 1 - TP_RAYS) / TP_RAYS,
                                     at->high * (2 * j + 1 - TP_RAYS) / TP_RAYS);
             if (far > 0)
-                stop_ray(w, all, i, j, far);
+                test_ray_for_objects(w, all, i, j, far);
             w->wet[j] |= (uint32_t)(far > 0) << i;
             near[j] |= (uint32_t)(far > 0 && far < w->far + w->far / 8) << i;
         }
     }
 }
 
-static void add_pixels(tp_site *w, costs *all)
+static void add_pixel_costs(tp_site *w, costs *all)
 {
     uint32_t near[TP_RAYS], sky = 0, water = 0, hidden = 0, solid = 0, looks = 0;
 
@@ -109,6 +109,6 @@ tp_fixed_cost tp_fixed_cost_estimate(const tp_plan_input *in,
     for (uint32_t k = 0; k < all.count; k++)
         if (all.cost[k]->work)
             all.cost[k]->work(&w);
-    add_pixels(&w, &all);
+    add_pixel_costs(&w, &all);
     return w.works;
 }

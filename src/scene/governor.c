@@ -26,7 +26,7 @@ tp_rungs tp_governor_rungs(const tp_governor *governor)
     return governor->ladder.rung[governor->at];
 }
 
-tp_rung_mask tp_ladder_reach(const tp_ladder *ladder)
+tp_rung_mask tp_ladder_rung_mask(const tp_ladder *ladder)
 {
     TP_ASSERT(ladder->count <= TP_LADDER);
     tp_rung_mask reach = { 1 << TP_VISIBILITY_TRIANGLES, 1 << TP_SHADING_EXACT,
@@ -41,7 +41,7 @@ tp_rung_mask tp_ladder_reach(const tp_ladder *ladder)
     return reach;
 }
 
-static int step(tp_governor *g, int by)
+static int change_rung(tp_governor *g, int by)
 {
     g->at += (uint32_t)by;
     g->settling = SETTLE;
@@ -64,7 +64,7 @@ static bool can_raise_rung(const tp_governor *g)
 
 /* Processes a full window.  The first window on a rung measures the result of the step
  * down to that rung. */
-static int judge(tp_governor *g)
+static int evaluate_window(tp_governor *g)
 {
     if (g->at > 0 && g->after[g->at] == 0)
         g->after[g->at] = g->mean > 0 ? g->mean : 1;
@@ -74,13 +74,13 @@ static int judge(tp_governor *g)
             return 0;
         g->before[g->at + 1] = g->mean;
         g->after[g->at + 1] = 0;
-        return step(g, 1);
+        return change_rung(g, 1);
     }
     g->calm = g->at > 0 && can_raise_rung(g) ? g->calm + 1 : 0;
-    return g->calm >= CALM ? step(g, -1) : 0;
+    return g->calm >= CALM ? change_rung(g, -1) : 0;
 }
 
-int tp_governor_feed(tp_governor *g, uint32_t took)
+int tp_governor_add_frame_time(tp_governor *g, uint32_t took)
 {
     if (g->limit == 0 || g->ladder.count < 2)
         return 0;
@@ -94,5 +94,5 @@ int tp_governor_feed(tp_governor *g, uint32_t took)
     g->mean = (uint32_t)(g->sum / WINDOW);
     g->sum = 0;
     g->frames = 0;
-    return judge(g);
+    return evaluate_window(g);
 }

@@ -7,7 +7,7 @@
 #define LEAST TP_DEG(1)
 #define MOST  TP_DEG(90)
 
-static tp_turn height_held(int64_t height)
+static tp_turn clamp_elevation(int64_t height)
 {
     return (tp_turn)(height < LEAST ? LEAST : height > MOST ? MOST : height);
 }
@@ -36,18 +36,18 @@ tp_dome_config tp_dome_config_make(const tp_scene *scene)
     };
 }
 
-static void keep_last(tp_world *world)
+static void save_last_light(tp_world *world)
 {
     world->last_light_heading = world->light_heading;
     world->last_light_elevation = world->light_elevation;
     world->last_exposure = world->exposure;
 }
 
-static void place(tp_world *world, const tp_scene *scene)
+static void set_light_from_scene(tp_world *world, const tp_scene *scene)
 {
     world->light_heading = tp_turn_of_degrees(scene->light.heading);
     world->light_elevation =
-        height_held((int32_t)tp_turn_of_degrees(scene->light.elevation));
+        clamp_elevation((int32_t)tp_turn_of_degrees(scene->light.elevation));
     world->scene_light[0] = scene->light.heading;
     world->scene_light[1] = scene->light.elevation;
 }
@@ -55,9 +55,9 @@ static void place(tp_world *world, const tp_scene *scene)
 void tp_light_init(tp_world *world, const tp_scene *scene)
 {
     TP_ASSERT(world != NULL && scene->hdr.value > 0);
-    place(world, scene);
+    set_light_from_scene(world, scene);
     world->exposure = scene->hdr.value;
-    keep_last(world);
+    save_last_light(world);
 }
 
 /* A light moved by time or input keeps its position until the scene's heading or
@@ -66,7 +66,7 @@ void tp_light_refresh(tp_world *world, const tp_scene *scene)
 {
     if (world->scene_light[0] != scene->light.heading
         || world->scene_light[1] != scene->light.elevation)
-        place(world, scene);
+        set_light_from_scene(world, scene);
     if (scene->hdr.exposure == TP_EXPOSURE_FIXED)
         world->exposure = world->last_exposure = scene->hdr.value;
 }
@@ -75,19 +75,19 @@ void tp_light_refresh(tp_world *world, const tp_scene *scene)
  * degree in four days. */
 void tp_light_step(tp_world *world, const tp_scene *scene, const tp_input *in)
 {
-    keep_last(world);
+    save_last_light(world);
     int64_t second = (int64_t)scene->light.turn * ((int64_t)1 << 32);
-    int64_t tick = tp_quotient(second, (int64_t)360 * TP_FX_ONE * TP_TICKS_PER_SECOND);
+    int64_t tick = tp_div_rounded(second, (int64_t)360 * TP_FX_ONE * TP_TICKS_PER_SECOND);
 
     world->light_heading += (tp_turn)tick;
     if (!in)
         return;
     world->light_heading += (tp_turn)in->light_turn;
     world->light_elevation =
-        height_held((int64_t)world->light_elevation + in->light_tilt);
+        clamp_elevation((int64_t)world->light_elevation + in->light_tilt);
 }
 
-static bool within(int64_t x, int64_t low, int64_t high)
+static bool is_in_range(int64_t x, int64_t low, int64_t high)
 {
     return x >= low && x <= high;
 }
@@ -96,8 +96,8 @@ bool tp_light_is_valid(const tp_world *world)
 {
     const tp_fx least = TP_FX_ONE / 8, most = 8 * TP_FX_ONE;    /* [F8]: exposure range */
 
-    return within(world->light_elevation, LEAST, MOST)
-        && within(world->last_light_elevation, LEAST, MOST)
-        && within(world->exposure, least, most)
-        && within(world->last_exposure, least, most);
+    return is_in_range(world->light_elevation, LEAST, MOST)
+           && is_in_range(world->last_light_elevation, LEAST, MOST)
+           && is_in_range(world->exposure, least, most)
+           && is_in_range(world->last_exposure, least, most);
 }

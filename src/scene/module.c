@@ -19,16 +19,16 @@ static chunk *chunk_pointer(const tp_world *world, uint32_t at)
 }
 
 /* Returns the offset of the next chunk. */
-static uint32_t chunk_end(const tp_world *world, uint32_t at)
+static uint32_t next_chunk_offset(const tp_world *world, uint32_t at)
 {
     return at + (uint32_t)sizeof(chunk) + chunk_pointer(world, at)->bytes;
 }
 
 /* Asks each module in list order, because `want` tells later modules the bits of earlier
  * modules. */
-static bool has_state(const tp_module *module, tp_want *want)
+static bool ask_enabled_with_state(const tp_module *module, tp_want *want)
 {
-    return tp_module_ask(module, want) && module->bytes;
+    return tp_module_ask_enabled(module, want) && module->bytes;
 }
 
 static size_t state_bytes(const tp_module *module, const tp_want *want)
@@ -39,24 +39,24 @@ static size_t state_bytes(const tp_module *module, const tp_want *want)
 /* Returns the first chunk with this id at or after an offset, or NULL. */
 static chunk *find_chunk(const tp_world *world, uint32_t at, uint32_t id)
 {
-    for (; at && at < world->parts.bytes; at = chunk_end(world, at))
+    for (; at && at < world->parts.bytes; at = next_chunk_offset(world, at))
         if (chunk_pointer(world, at)->id == id)
             return chunk_pointer(world, at);
     return NULL;
 }
 
-void *tp_world_part(const tp_world *world, uint32_t id)
+void *tp_world_module_state(const tp_world *world, uint32_t id)
 {
     chunk *c = find_chunk(world, world->parts.modules, id);
     return c ? c + 1 : NULL;
 }
 
-size_t tp_part_bytes(const void *part)
+size_t tp_module_state_bytes(const void *part)
 {
     return ((const chunk *)part - 1)->bytes;
 }
 
-bool tp_modules_have(const tp_use *modules, const tp_want *want, uint32_t is)
+bool tp_modules_is_any_active(const tp_use *modules, const tp_want *want, uint32_t is)
 {
     for (const tp_use *u = modules; u && u->module; u++)
         if (u->module->is & is && u->module->enabled(want))
@@ -64,7 +64,7 @@ bool tp_modules_have(const tp_use *modules, const tp_want *want, uint32_t is)
     return false;
 }
 
-tp_status tp_program_lacks(const char *what, tp_error *err)
+tp_status tp_program_fail_lacking(const char *what, tp_error *err)
 {
     return tp_error_blame(err, TP_FAIL(err, TP_E_PROGRAM, 0, 0, 0), what);
 }
@@ -74,22 +74,22 @@ tp_status tp_program_lacks(const char *what, tp_error *err)
 tp_status tp_lacks_check(const tp_program *program, const tp_scene *scene,
                          const tp_assets *assets, tp_error *err)
 {
-    tp_want want = { .scene = scene, .assets = tp_scene_pictures(scene, assets),
+    tp_want want = { .scene = scene, .assets = tp_assets_or_scene_default(scene, assets),
                      .shadings = (uint32_t)1 << scene->quality.shading };
     const tp_use *u = program->modules;
     uint32_t above = 0;
 
     for (const tp_lack *l = program->lacks; l && l->enabled; l++) {
         for (; above < l->above && u && u->module; above++)
-            tp_module_ask(u++->module, &want);
+            tp_module_ask_enabled(u++->module, &want);
         if (l->enabled(&want))
-            return tp_program_lacks(l->name, err);
+            return tp_program_fail_lacking(l->name, err);
     }
     return TP_OK;
 }
 
-tp_status tp_program_fits(const tp_program *program, const tp_scene *scene,
-                          const tp_assets *assets, tp_error *err)
+tp_status tp_program_check_all(const tp_program *program, const tp_scene *scene,
+                               const tp_assets *assets, tp_error *err)
 {
     program = tp_program_or_linked(program);
     const tp_status status = tp_program_check(program, scene, err);
@@ -98,8 +98,8 @@ tp_status tp_program_fits(const tp_program *program, const tp_scene *scene,
                ? program->refuse(program, scene, assets, err) : status;
 }
 
-tp_status tp_modules_take(const tp_program *program, tp_arena *arena, tp_want want,
-                          uint32_t *at, tp_error *err)
+tp_status tp_modules_check_and_measure(const tp_program *program, tp_arena *arena,
+                                       tp_want want, uint32_t *at, tp_error *err)
 {
     TP_ASSERT(arena->block == NULL && want.above == 0);
     const size_t begin = arena->used;
@@ -107,7 +107,7 @@ tp_status tp_modules_take(const tp_program *program, tp_arena *arena, tp_want wa
 
     for (const tp_use *u = program->modules; u && u->module; u++) {
         const tp_module *m = u->module;
-        if (!tp_module_ask(m, &want))
+        if (!tp_module_ask_enabled(m, &want))
             continue;
         if (m->check && (status = m->check(&want, err)) != TP_OK)
             return status;
@@ -118,16 +118,16 @@ tp_status tp_modules_take(const tp_program *program, tp_arena *arena, tp_want wa
     return TP_OK;
 }
 
-static void put_heads(const tp_program *program, tp_world *world, tp_want want)
+static void write_chunk_headers(const tp_program *program, tp_world *world, tp_want want)
 {
     uint32_t at = world->parts.modules;
 
     for (const tp_use *u = program->modules; u && u->module; u++) {
-        if (!has_state(u->module, &want))
+        if (!ask_enabled_with_state(u->module, &want))
             continue;
         *chunk_pointer(world, at) = (chunk){ u->module->id,
                                         (uint32_t)state_bytes(u->module, &want) };
-        at = chunk_end(world, at);
+        at = next_chunk_offset(world, at);
     }
 }
 
@@ -136,10 +136,11 @@ tp_status tp_modules_init(const tp_program *program, tp_world *world, tp_want wa
 {
     tp_status status = TP_OK;
 
-    put_heads(program, world, want);
+    write_chunk_headers(program, world, want);
     for (const tp_use *u = program->modules; u && u->module && status == TP_OK; u++)
-        if (has_state(u->module, &want) && u->module->init)
-            status = u->module->init(tp_world_part(world, u->module->id), world, &want, err);
+        if (ask_enabled_with_state(u->module, &want) && u->module->init)
+            status = u->module->init(tp_world_module_state(world, u->module->id), world,
+                                     &want, err);
     return status;
 }
 
@@ -148,7 +149,7 @@ bool tp_modules_fit(const tp_program *program, const tp_world *world, tp_want wa
     uint32_t at = world->parts.modules;
 
     for (const tp_use *u = program->modules; u && u->module; u++) {
-        if (!has_state(u->module, &want))
+        if (!ask_enabled_with_state(u->module, &want))
             continue;
         if (at == 0 || at >= world->parts.bytes)
             return false;
@@ -156,7 +157,7 @@ bool tp_modules_fit(const tp_program *program, const tp_world *world, tp_want wa
         if (c->id != u->module->id || c->bytes != state_bytes(u->module, &want)
             || (u->module->fits && !u->module->fits(c + 1, want.scene)))
             return false;
-        at = chunk_end(world, at);
+        at = next_chunk_offset(world, at);
     }
     return at == 0 || at == world->parts.bytes;
 }
@@ -164,17 +165,19 @@ bool tp_modules_fit(const tp_program *program, const tp_world *world, tp_want wa
 bool tp_modules_refresh(const tp_program *program, tp_world *world, tp_want want)
 {
     for (const tp_use *u = program->modules; u && u->module; u++)
-        if (has_state(u->module, &want) && u->module->refresh
-            && !u->module->refresh(tp_world_part(world, u->module->id), world, &want))
+        if (ask_enabled_with_state(u->module, &want) && u->module->refresh
+            && !u->module->refresh(tp_world_module_state(world, u->module->id), world,
+                                   &want))
             return false;
     return true;
 }
 
 /* The state of a module that has this hook, else NULL. */
 #define PART_FOR(hook, u, world) \
-    ((u)->module->hook ? tp_world_part(world, (u)->module->id) : NULL)
+    ((u)->module->hook ? tp_world_module_state(world, (u)->module->id) : NULL)
 
-void tp_modules_settle(const tp_program *program, tp_world *world, const tp_scene *scene)
+void tp_modules_place_floating(const tp_program *program, tp_world *world,
+                               const tp_scene *scene)
 {
     for (const tp_use *u = program->modules; u && u->module; u++) {
         void *mine = PART_FOR(settle, u, world);
@@ -203,8 +206,8 @@ void tp_modules_add_surface(const tp_program *program, const tp_world *world,
     }
 }
 
-bool tp_modules_hit(const tp_program *program, tp_world *world, const tp_scene *scene,
-                    const tp_impact *impact, tp_fx level)
+bool tp_modules_handle_impact(const tp_program *program, tp_world *world,
+                              const tp_scene *scene, const tp_impact *impact, tp_fx level)
 {
     bool moves = false;
 
@@ -227,12 +230,12 @@ static const char *module_name(const tp_program *program, uint32_t id)
 /* Returns the name of the first module whose chunk has another id or length in `world`,
  * or NULL.  Walks the chunks by the lengths in `fresh` and compares the lengths in
  * `world`. */
-static const char *find_other_chunk(const tp_program *program, const tp_world *world,
+static const char *find_mismatched_module(const tp_program *program, const tp_world *world,
                                     const tp_world *fresh)
 {
     uint32_t at = fresh->parts.modules;
 
-    for (; at && at < fresh->parts.bytes; at = chunk_end(fresh, at))
+    for (; at && at < fresh->parts.bytes; at = next_chunk_offset(fresh, at))
         if (memcmp(chunk_pointer(world, at), chunk_pointer(fresh, at), sizeof(chunk)) != 0)
             return module_name(program, chunk_pointer(fresh, at)->id);
     return NULL;
@@ -241,14 +244,15 @@ static const char *find_other_chunk(const tp_program *program, const tp_world *w
 const char *tp_modules_find_invalid(const tp_program *program, const tp_world *world,
                                     const tp_world *fresh)
 {
-    const char *other = find_other_chunk(program, world, fresh);
+    const char *other = find_mismatched_module(program, world, fresh);
 
     if (other)
         return other;
     for (const tp_use *u = program->modules; u && u->module; u++) {
-        const void *mine = tp_world_part(world, u->module->id);
+        const void *mine = tp_world_module_state(world, u->module->id);
         if (u->module->is_valid && (mine || !u->module->bytes)
-            && !u->module->is_valid(mine, tp_world_part(fresh, u->module->id), world))
+            && !u->module->is_valid(mine, tp_world_module_state(fresh, u->module->id),
+                                    world))
             return u->module->name;
     }
     return NULL;

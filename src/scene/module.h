@@ -28,8 +28,8 @@ typedef struct {
 } tp_impact;
 
 /* Returns `assets`, or the scene's own textures if `assets` is NULL. */
-static inline const tp_assets *tp_scene_pictures(const tp_scene *scene,
-                                                 const tp_assets *assets)
+static inline const tp_assets *tp_assets_or_scene_default(const tp_scene *scene,
+                                                          const tp_assets *assets)
 {
     return assets ? assets : scene->pictures;
 }
@@ -76,7 +76,7 @@ static inline tp_want tp_world_want(const tp_program *program, const tp_scene *s
                                     const tp_assets *assets)
 {
     return (tp_want){ .scene = scene,
-                      .assets = tp_scene_pictures(scene, assets),
+                      .assets = tp_assets_or_scene_default(scene, assets),
                       .water = &program->water };
 }
 
@@ -137,7 +137,7 @@ typedef struct tp_module {
 tp_want tp_plan_want(const tp_plan_input *in);
 
 /* True if the module is on. Then adds its bits to want->above for the later modules. */
-static inline bool tp_module_ask(const tp_module *module, tp_want *want)
+static inline bool tp_module_ask_enabled(const tp_module *module, tp_want *want)
 {
     const bool on = module->enabled(want);
 
@@ -147,20 +147,20 @@ static inline bool tp_module_ask(const tp_module *module, tp_want *want)
 
 /* True if an enabled module has at least one of the bits `is` of tp_module.is.  Other
  * modules are not asked, so want->above stays as given. */
-bool tp_modules_have(const tp_use *modules, const tp_want *want, uint32_t is);
+bool tp_modules_is_any_active(const tp_use *modules, const tp_want *want, uint32_t is);
 
 /* -- chunks of a world --------------------------------------------------------------- */
 
 /* Returns the state of a module, or NULL if the world has none. */
-void *tp_world_part(const tp_world *world, uint32_t id);
+void *tp_world_module_state(const tp_world *world, uint32_t id);
 
 /* Returns the length of a state in bytes, a multiple of 8. */
-size_t tp_part_bytes(const void *part);
+size_t tp_module_state_bytes(const void *part);
 
 /* Checks all enabled modules and lays out their chunks. *at: offset of the first chunk,
  * or 0 without chunks.  `want.above` must be 0. */
-tp_status tp_modules_take(const tp_program *program, tp_arena *arena, tp_want want,
-                          uint32_t *at, tp_error *err);
+tp_status tp_modules_check_and_measure(const tp_program *program, tp_arena *arena,
+                                       tp_want want, uint32_t *at, tp_error *err);
 
 /* Writes the chunk headers, then the initial states; the block is zeroed by the caller. */
 tp_status tp_modules_init(const tp_program *program, tp_world *world, tp_want want,
@@ -170,14 +170,16 @@ tp_status tp_modules_init(const tp_program *program, tp_world *world, tp_want wa
 bool tp_modules_fit(const tp_program *program, const tp_world *world, tp_want want);
 bool tp_modules_refresh(const tp_program *program, tp_world *world, tp_want want);
 
-void tp_modules_settle(const tp_program *program, tp_world *world, const tp_scene *scene);
+void tp_modules_place_floating(const tp_program *program, tp_world *world,
+                               const tp_scene *scene);
 void tp_modules_step(const tp_program *program, tp_world *world, const tp_scene *scene,
                      const tp_input *input);
 void tp_modules_add_surface(const tp_program *program, const tp_world *world,
                             tp_surface *surface);
 /* True if at least one module moves the water. */
-bool tp_modules_hit(const tp_program *program, tp_world *world, const tp_scene *scene,
-                    const tp_impact *impact, tp_fx level);
+bool tp_modules_handle_impact(const tp_program *program, tp_world *world,
+                              const tp_scene *scene, const tp_impact *impact,
+                              tp_fx level);
 
 /* Returns the name of the first module with an invalid chunk in `world`, a block from
  * outside the program, or NULL.  Invalid: the id or the length differs from `fresh`, or

@@ -67,9 +67,9 @@ static tp_vec3 ray_point(const ray *r, int64_t t)
 {
     const tp_fx far = (tp_fx)t;
 
-    return (tp_vec3){ tp_fx_plus(r->eye.x, tp_q30_mul(far, r->way.x)),
-                      tp_fx_plus(r->eye.y, tp_q30_mul(far, r->way.y)),
-                      tp_fx_plus(r->eye.z, tp_q30_mul(far, r->way.z)) };
+    return (tp_vec3){ tp_fx_add_sat(r->eye.x, tp_q30_mul(far, r->way.x)),
+                      tp_fx_add_sat(r->eye.y, tp_q30_mul(far, r->way.y)),
+                      tp_fx_add_sat(r->eye.z, tp_q30_mul(far, r->way.z)) };
 }
 
 /* -- the surface -------------------------------------------------------------------- */
@@ -87,7 +87,7 @@ static tp_fx sample_land(const ray *r, tp_fx x, tp_fx z)
 
 /* Returns the height of the ray above water or land, whichever is higher; negative
  * below. */
-static int64_t over(const ray *r, int64_t t)
+static int64_t height_above_surface(const ray *r, int64_t t)
 {
     const tp_vec3 p = ray_point(r, t);
     const tp_fx water = sample_water(r, p.x, p.z), land = sample_land(r, p.x, p.z);
@@ -100,7 +100,7 @@ static int64_t over(const ray *r, int64_t t)
 typedef struct { int64_t from, to; } stretch;       /* along the ray, Q16.16 m */
 
 /* Clips the interval to low..high on an axis; returns false if nothing is left. */
-static bool cut(stretch *s, tp_fx eye, tp_q30 way, int64_t low, int64_t high)
+static bool clip_interval(stretch *s, tp_fx eye, tp_q30 way, int64_t low, int64_t high)
 {
     if (way == 0)
         return eye >= low && eye <= high;
@@ -111,24 +111,24 @@ static bool cut(stretch *s, tp_fx eye, tp_q30 way, int64_t low, int64_t high)
     return s->from < s->to;
 }
 
-static bool cut_by_tank(stretch *s, const ray *r, const tp_rectangle *sides)
+static bool clip_interval_to_tank(stretch *s, const ray *r, const tp_rectangle *sides)
 {
-    return cut(s, r->eye.x, r->way.x, sides->x0, sides->x1)
-           && cut(s, r->eye.z, r->way.z, sides->z0, sides->z1);
+    return clip_interval(s, r->eye.x, r->way.x, sides->x0, sides->x1)
+           && clip_interval(s, r->eye.z, r->way.z, sides->z0, sides->z1);
 }
 
 /* Land may be higher than any water, so a scene with a floor has no upper limit. */
-static bool find_stretch(const ray *r, const tp_scene *scene, stretch *s)
+static bool clip_ray_to_water(const ray *r, const tp_scene *scene, stretch *s)
 {
-    const int64_t high = (int64_t)tp_surface_height(r->surface) + LEAST;
+    const int64_t high = (int64_t)tp_surface_height_bound(r->surface) + LEAST;
     const tp_rectangle sides = tp_pool_sides(scene);
 
     *s = (stretch){ r->near, FAR };
-    return cut(s, r->eye.y, r->way.y, -high, r->floor ? TP_FX_MAX : high)
-           && (!tp_has_tank(scene) || cut_by_tank(s, r, &sides));
+    return clip_interval(s, r->eye.y, r->way.y, -high, r->floor ? TP_FX_MAX : high)
+           && (!tp_has_tank(scene) || clip_interval_to_tank(s, r, &sides));
 }
 
-static int64_t step_length(const ray *r, int64_t t, int64_t high)
+static int64_t march_step_length(const ray *r, int64_t t, int64_t high)
 {
     const int64_t half = (high < 0 ? -high : high) / 2;
     const int64_t pixels = t * 2 * (1 << 14) / r->focal_q14;
@@ -140,11 +140,11 @@ static int64_t step_length(const ray *r, int64_t t, int64_t high)
 
 /* Bisects between the two sides of the surface; returns the first distance on the far
  * side. */
-static int64_t meeting(const ray *r, int64_t from, int64_t to, bool above)
+static int64_t bisect_crossing(const ray *r, int64_t from, int64_t to, bool above)
 {
     while (to - from > 1) {
         const int64_t middle = (from + to) / 2;
-        if ((over(r, middle) > 0) == above)
+        if ((height_above_surface(r, middle) > 0) == above)
             from = middle;
         else
             to = middle;
@@ -152,17 +152,17 @@ static int64_t meeting(const ray *r, int64_t from, int64_t to, bool above)
     return to;
 }
 
-static bool walk(const ray *r, const stretch *s, int64_t *t)
+static bool march_to_surface(const ray *r, const stretch *s, int64_t *t)
 {
-    int64_t from = s->from, high = over(r, from);
+    int64_t from = s->from, high = height_above_surface(r, from);
     const bool above = high > 0;
 
     while (from < s->to) {
-        const int64_t next = from + step_length(r, from, high);
+        const int64_t next = from + march_step_length(r, from, high);
         const int64_t to = next < s->to ? next : s->to;
-        high = over(r, to);
+        high = height_above_surface(r, to);
         if ((high > 0) != above) {
-            *t = meeting(r, from, to, above);
+            *t = bisect_crossing(r, from, to, above);
             return true;
         }
         from = to;
@@ -175,7 +175,7 @@ bool tp_world_pick(const tp_program *program, const tp_world *world,
                    tp_fx y_px, tp_vec3 *at)
 {
     TP_ASSERT(world != NULL && world->parts.bytes > 0 && at != NULL);
-    const tp_drawn drawn = tp_world_drawn(world);
+    const tp_drawn drawn = tp_world_interpolate(world);
     tp_surface surface = tp_world_surface(tp_program_or_linked(program), world);
     stretch s;
     int64_t t;
@@ -188,7 +188,7 @@ bool tp_world_pick(const tp_program *program, const tp_world *world,
         return false;
     const uint32_t side[2] = { width, height };
     const ray r = make_ray(&surface, &drawn.camera, scene, side, x_px, y_px);
-    if (!find_stretch(&r, scene, &s) || !walk(&r, &s, &t))
+    if (!clip_ray_to_water(&r, scene, &s) || !march_to_surface(&r, &s, &t))
         return false;
     *at = ray_point(&r, t);
     at->y = sample_water(&r, at->x, at->z);

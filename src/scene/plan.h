@@ -97,7 +97,7 @@ typedef struct {
     uint8_t visibility, shading, rate, lod;
 } tp_rung_mask;
 
-tp_rung_mask tp_ladder_reach(const tp_ladder *ladder);
+tp_rung_mask tp_ladder_rung_mask(const tp_ladder *ladder);
 
 /* Controls the frame time: steps down the ladder if frames take too long, and up again if
  * there is room.  The port owns the clock; it passes the duration of each frame, in any
@@ -120,7 +120,7 @@ void tp_governor_init(tp_governor *governor, const tp_ladder *ladder, uint32_t l
  * frames the predicted time on the rung above leaves an eighth of the limit free; the
  * prediction uses the time ratio of the last step down.  Under a constant load the
  * governor steps down and stays there. */
-int tp_governor_feed(tp_governor *governor, uint32_t took);
+int tp_governor_add_frame_time(tp_governor *governor, uint32_t took);
 
 tp_rungs tp_governor_rungs(const tp_governor *governor);
 #endif

@@ -21,7 +21,7 @@ tp_pool_config tp_pools_config(const tp_scene *scene, const tp_assets *assets, b
 }
 
 /* Prefixes err->word: "courant" becomes the parameter's full name, "pool.courant". */
-static void name_parameter(tp_error *err, const char *part)
+static void prefix_error_word(tp_error *err, const char *part)
 {
     char name[sizeof err->word];
     tp_text text = tp_text_init(name, sizeof name);
@@ -31,7 +31,7 @@ static void name_parameter(tp_error *err, const char *part)
     tp_text_add(&text, part);
     tp_text_char(&text, '.');
     tp_text_add(&text, err->word);
-    tp_error_word(err, name, tp_text_length(name));
+    tp_error_set_word(err, name, tp_text_length(name));
 }
 
 tp_status tp_pools_check(const tp_scene *scene, const tp_assets *assets, bool field,
@@ -43,22 +43,22 @@ tp_status tp_pools_check(const tp_scene *scene, const tp_assets *assets, bool fi
         return TP_OK;
     tp_status status = tp_pool_check(&config, err);
     if (status != TP_OK)
-        name_parameter(err, field ? "field" : "pool");
+        prefix_error_word(err, field ? "field" : "pool");
     return status;
 }
 
 static tp_pool *find_pool(const tp_world *world, uint32_t id)
 {
-    tp_basin *basin = tp_world_part(world, id);
+    tp_basin *basin = tp_world_module_state(world, id);
     return basin ? &basin->pool : NULL;
 }
 
-tp_pool *tp_parts_pool(const tp_world *world)
+tp_pool *tp_world_mutable_pool(const tp_world *world)
 {
     return find_pool(world, TP_POOL_ID);
 }
 
-tp_pool *tp_parts_field(const tp_world *world)
+tp_pool *tp_world_mutable_field(const tp_world *world)
 {
     return find_pool(world, TP_FIELD_ID);
 }

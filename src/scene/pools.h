@@ -28,6 +28,6 @@ tp_status tp_pools_check(const tp_scene *scene, const tp_assets *assets, bool fi
                          tp_error *err);
 
 /* Returns the pool or the field of a world, or NULL. */
-tp_pool *tp_parts_pool(const tp_world *world);
-tp_pool *tp_parts_field(const tp_world *world);
+tp_pool *tp_world_mutable_pool(const tp_world *world);
+tp_pool *tp_world_mutable_field(const tp_world *world);
 #endif

@@ -13,7 +13,8 @@
 static bool push_pools(const tp_world *world, tp_fx x, tp_fx z, tp_fx radius,
                        tp_fx height)
 {
-    tp_pool *const pool = tp_parts_pool(world), *const field = tp_parts_field(world);
+    tp_pool *const pool = tp_world_mutable_pool(world), *const field =
+                                                            tp_world_mutable_field(world);
 
     return (pool && tp_pool_add_splash(pool, x, z, radius, height))
            || (field && tp_pool_add_splash(field, x, z, radius, height));
@@ -43,8 +44,8 @@ static bool push_open_water(const tp_program *program, tp_world *world,
     if (!program->water.rings || scene->drops.into != TP_DROPS_RINGS || is_far(x)
         || is_far(z))
         return false;
-    return tp_modules_hit(program, world, scene, &impact,
-                          tp_surface_sample(&surface, x, z, NULL).position.y);
+    return tp_modules_handle_impact(program, world, scene, &impact,
+                                    tp_surface_sample(&surface, x, z, NULL).position.y);
 }
 
 bool tp_world_push(const tp_program *program, tp_world *world, const tp_scene *scene,

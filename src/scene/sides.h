@@ -33,7 +33,7 @@ static inline bool tp_has_floor(const tp_scene *scene)
 }
 
 /* True if the pool has inner walls. */
-static inline bool tp_has_stone(const tp_scene *scene)
+static inline bool tp_has_inner_walls(const tp_scene *scene)
 {
     return scene->pool.cols > 0 && scene->pool.mask[0];
 }

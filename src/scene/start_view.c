@@ -3,17 +3,18 @@
 #include "geom/grid.h"
 #include "scene/start_view.h"
 
-int64_t tp_start_view_half(const tp_scene *s, int32_t lines, int32_t *flank)
+int64_t tp_start_view_core_half_width(const tp_scene *s, int32_t lines, int32_t *flank)
 {
     *flank = s->grid.reach > 0 ? lines / 8 : 0;
     *flank = *flank < TP_GRID_FLANK ? *flank : TP_GRID_FLANK;
     return (int64_t)s->grid.cell * (lines - 2 * *flank - 1) / 2;
 }
 
-int64_t tp_start_view_line(const tp_scene *s, int32_t lines, int64_t centre, int64_t line)
+int64_t tp_start_view_line_coordinate(const tp_scene *s, int32_t lines, int64_t centre,
+                                      int64_t line)
 {
     int32_t flank;
-    const int64_t half = tp_start_view_half(s, lines, &flank);
+    const int64_t half = tp_start_view_core_half_width(s, lines, &flank);
     const int64_t core = (int64_t)(lines - 1 - 2 * flank) * 32768;
     const int64_t out = line < 0 ? -line - core : line - core;      /* lines, Q16 */
 
@@ -40,11 +41,11 @@ static tp_vec3 start_eye(const tp_scene *s)
     return eye;
 }
 
-static void place_water(tp_start_view *at, const tp_scene *s)
+static void set_water_extent(tp_start_view *at, const tp_scene *s)
 {
     int32_t flank;
-    int64_t wide = tp_start_view_half(s, s->grid.cols, &flank) + s->grid.reach;
-    int64_t deep = tp_start_view_half(s, s->grid.rows, &flank) + s->grid.reach;
+    int64_t wide = tp_start_view_core_half_width(s, s->grid.cols, &flank) + s->grid.reach;
+    int64_t deep = tp_start_view_core_half_width(s, s->grid.rows, &flank) + s->grid.reach;
 
     at->x = at->z = 0;
     if (s->grid.follow) {
@@ -73,7 +74,7 @@ tp_start_view tp_start_view_make(const tp_scene *s, uint32_t width, uint32_t hei
                                       tp_turn_of_degrees(s->camera.pitch), 0);
     at.high = ((int64_t)half.z * 65536) / half.x;
     at.wide = at.high * width / height;
-    place_water(&at, s);
+    set_water_extent(&at, s);
     return at;
 }
 
@@ -84,7 +85,7 @@ tp_vec3 tp_start_view_ray(const tp_start_view *at, int64_t x, int64_t y)
     return tp_rotate_back(&at->turn, (tp_vec3){ (tp_fx)x, (tp_fx)y, -TP_FX_ONE });
 }
 
-int64_t tp_start_view_water(const tp_start_view *at, int64_t x, int64_t y)
+int64_t tp_start_view_water_distance(const tp_start_view *at, int64_t x, int64_t y)
 {
     const tp_vec3 ray = tp_start_view_ray(at, x, y);
 

@@ -125,7 +125,7 @@ static tp_string_view next_word(tp_string_view *line)
 static tp_status fail_word(tp_error *err, tp_status code, tp_string_view w)
 {
     TP_FAIL(err, code, 0, 0, 0);
-    tp_error_word(err, w.bytes ? w.text : "nothing", w.bytes ? w.bytes : 7);
+    tp_error_set_word(err, w.bytes ? w.text : "nothing", w.bytes ? w.bytes : 7);
     return code;
 }
 
@@ -149,7 +149,7 @@ static tp_status read_digits(tp_string_view w, uint64_t most, uint64_t *number)
     return beyond ? TP_E_RANGE : TP_OK;
 }
 
-static tp_status read_whole(tp_string_view w, int32_t *value)
+static tp_status read_signed_integer(tp_string_view w, int32_t *value)
 {
     const bool negative = w.bytes > 0 && w.text[0] == '-';
     const size_t sign = negative || (w.bytes > 0 && w.text[0] == '+');
@@ -189,7 +189,7 @@ static tp_status read_field(tp_input *input, tp_string_view w, uint64_t *seen,
 
     const field *f = &fields[i];
     const tp_string_view number = { name.text + name.bytes + 1, w.bytes - name.bytes - 1 };
-    tp_status status = f->whole ? read_whole(number, &value)
+    tp_status status = f->whole ? read_signed_integer(number, &value)
                                 : tp_string_view_fx(number, &value);
     if (status == TP_OK && (value < f->low || value > f->high))
         status = TP_E_RANGE;

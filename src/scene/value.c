@@ -152,7 +152,7 @@ tp_status tp_param_set(tp_scene *scene, const tp_param *param, const char *text,
     const bool is_long = status == TP_E_LONG;
     TP_FAIL(err, status, 0, is_long ? TP_NAME_BYTES - 1 : param->low,
             is_long ? 0 : param->high);
-    tp_error_word(err, w.text, w.bytes);
+    tp_error_set_word(err, w.text, w.bytes);
     return status;
 }
 

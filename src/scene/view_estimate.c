@@ -20,13 +20,13 @@
 
 /* -- pixels -------------------------------------------------------------------------- */
 
-static uint32_t water_rays(const tp_start_view *at)
+static uint32_t count_water_rays(const tp_start_view *at)
 {
     uint32_t seen = 0;
 
     for (int32_t j = 0; j < RAYS; j++)
         for (int32_t i = 0; i < RAYS; i++)
-            seen += tp_start_view_water(at, at->wide * (2 * i + 1 - RAYS) / RAYS,
+            seen += tp_start_view_water_distance(at, at->wide * (2 * i + 1 - RAYS) / RAYS,
                                    at->high * (2 * j + 1 - RAYS) / RAYS) > 0;
     return seen;
 }
@@ -34,9 +34,9 @@ static uint32_t water_rays(const tp_start_view *at)
 /* -- vertices ------------------------------------------------------------------------ */
 
 /* Returns the coordinate of the n-th of SPOTS points on an axis of `lines` lines. */
-static int64_t spot_coordinate(const tp_scene *s, int32_t lines, int64_t centre, int32_t n)
+static int64_t grid_point_coordinate(const tp_scene *s, int32_t lines, int64_t centre, int32_t n)
 {
-    return tp_start_view_line(s, lines, centre,
+    return tp_start_view_line_coordinate(s, lines, centre,
                               (int64_t)(lines - 1) * (2 * n + 1 - SPOTS) * 32768 / SPOTS);
 }
 
@@ -48,7 +48,7 @@ typedef struct {
 /* Returns the share, Q8, of level cells at a depth that get a pixel.  The image of a cell
  * has the area of the cell times focal^2 height / depth^3.  A cell counts once for each
  * tile that its rows touch. */
-static uint32_t pixels_of_cell(const tp_start_view *at, const tp_scene *s, int32_t focal,
+static uint32_t cell_pixel_share(const tp_start_view *at, const tp_scene *s, int32_t focal,
                                int64_t depth)
 {
     const int64_t height = tp_abs(at->eye.y);
@@ -63,8 +63,9 @@ static uint32_t pixels_of_cell(const tp_start_view *at, const tp_scene *s, int32
 
 /* Counts a grid point inside the picture, with a margin for its neighbours and crests.
  * Distances are limited to 8 km. */
-static void view_spot(viewed *to, const tp_start_view *at, const tp_scene *s, int32_t focal,
-                      int64_t x, int64_t z)
+static void count_grid_point_if_visible(viewed *to, const tp_start_view *at,
+                                        const tp_scene *s, int32_t focal, int64_t x,
+                                        int64_t z)
 {
     const int64_t most = 1 << 29;
     const tp_vec3 v =
@@ -77,18 +78,20 @@ static void view_spot(viewed *to, const tp_start_view *at, const tp_scene *s, in
 
     if (-v.z > -room && tp_abs(v.x) <= wide && tp_abs(v.y) <= high) {
         to->spots++;
-        to->drawn += pixels_of_cell(at, s, focal, -v.z);
+        to->drawn += cell_pixel_share(at, s, focal, -v.z);
     }
 }
 
-static viewed viewed_spots(const tp_start_view *at, const tp_scene *s, int32_t focal)
+static viewed count_visible_grid_points(const tp_start_view *at, const tp_scene *s,
+                                        int32_t focal)
 {
     viewed all = { 0, 0 };
 
     for (int32_t j = 0; j < SPOTS; j++) {
-        const int64_t z = spot_coordinate(s, s->grid.rows, at->z, j);
+        const int64_t z = grid_point_coordinate(s, s->grid.rows, at->z, j);
         for (int32_t i = 0; i < SPOTS; i++)
-            view_spot(&all, at, s, focal, spot_coordinate(s, s->grid.cols, at->x, i), z);
+            count_grid_point_if_visible(
+                &all, at, s, focal, grid_point_coordinate(s, s->grid.cols, at->x, i), z);
     }
     return all;
 }
@@ -97,14 +100,15 @@ static viewed viewed_spots(const tp_start_view *at, const tp_scene *s, int32_t f
 
 /* Lines of the projected method (frame/projected.c) in the first `rows` rows below the
  * horizon: every row, then every 2nd, then every 4th. */
-static int64_t count_lines(int64_t rows)
+static int64_t count_projected_lines(int64_t rows)
 {
     return rows > 64 ? 48 + (rows - 64) / 4 : rows > 32 ? 32 + (rows - 32) / 2
          : rows > 0 ? rows : 0;
 }
 
 /* Returns the number of rows from the horizon to the lower edge of the picture. */
-static int64_t count_rows(const tp_start_view *at, int32_t focal, uint32_t height)
+static int64_t count_rows_below_horizon(const tp_start_view *at, int32_t focal,
+                                        uint32_t height)
 {
     const int64_t up = at->turn.y.y > 1 << 20
                      ? (int64_t)focal * at->turn.z.y / at->turn.y.y : 4096;
@@ -116,7 +120,7 @@ static int64_t count_rows(const tp_start_view *at, int32_t focal, uint32_t heigh
 static uint32_t projected_points(const tp_start_view *at, int32_t focal, int64_t waves,
                                  uint32_t width, uint32_t height)
 {
-    const int64_t below = count_rows(at, focal, height), eye = at->eye.y;
+    const int64_t below = count_rows_below_horizon(at, focal, height), eye = at->eye.y;
     int64_t lines = 0;
 
     if (eye <= waves)
@@ -124,7 +128,7 @@ static uint32_t projected_points(const tp_start_view *at, int32_t focal, int64_t
     for (int64_t low = below; low > 0 && low > below - height; low -= BAND) {
         const int64_t first = low * eye / (eye - waves) + (waves > 0 ? 8 : 4);
         const int64_t last = (low - BAND) * eye / (eye + waves);
-        lines += count_lines(first) - count_lines(last) + 1;
+        lines += count_projected_lines(first) - count_projected_lines(last) + 1;
     }
     return (uint32_t)tp_clamp_abs(lines * (width / 8 + 5), POINTS);
 }
@@ -133,14 +137,14 @@ static uint32_t projected_points(const tp_start_view *at, int32_t focal, int64_t
 static uint32_t flat_points(const tp_start_view *at, int32_t focal, int64_t waves,
                             uint32_t width, uint32_t height)
 {
-    const int64_t below = count_rows(at, focal, height);
+    const int64_t below = count_rows_below_horizon(at, focal, height);
     const int64_t rows = below < height ? below : height;
 
     return waves > 0 && rows > 0 ? (uint32_t)((rows / 8 + 1) * (width / 8 + 1)) : 0;
 }
 
-static void list_points(tp_view_estimate *o, const tp_start_view *at, int64_t waves,
-                        uint32_t width, uint32_t height)
+static void set_points_per_method(tp_view_estimate *o, const tp_start_view *at,
+                                  int64_t waves, uint32_t width, uint32_t height)
 {
     o->points[TP_VISIBILITY_TRIANGLES - 1] = o->vertices;
     o->points[TP_VISIBILITY_ROWS - 1] = o->vertices;
@@ -156,7 +160,7 @@ static void list_points(tp_view_estimate *o, const tp_start_view *at, int64_t wa
 
 /* True if lines keep their order along a ray.  Sums the bend along the lines minus t
  * times the bend across the lines.  Steepness is scaled to a sum of at most 0.95. */
-static bool stays_in_order(const tp_scene *s, bool coastal, bool upright, int64_t t)
+static bool is_line_order_kept(const tp_scene *s, bool coastal, bool upright, int64_t t)
 {
     int64_t sum = 0, steepness = 0;
 
@@ -178,7 +182,7 @@ static bool stays_in_order(const tp_scene *s, bool coastal, bool upright, int64_
 
 /* True if the rays of all four corners of the picture lead away across the lines and meet
  * the lines in order; frame/holds.c has the rule. */
-static bool rows_hold(const tp_scene *s, bool coastal, const tp_start_view *at)
+static bool is_rows_method_usable(const tp_scene *s, bool coastal, const tp_start_view *at)
 {
     const tp_dir3 *back = &at->turn.z;
     const bool upright = tp_abs(back->x) > tp_abs(back->z);
@@ -190,7 +194,7 @@ static bool rows_hold(const tp_scene *s, bool coastal, const tp_start_view *at)
         const int64_t across = (upright ? ray.x : ray.z) * (behind ? -1 : 1);
         const int64_t along = (upright ? ray.z : ray.x) * (behind ? -1 : 1);
         if (across < 256 || (along < 0 ? -along : along) >= 3 * across
-            || !stays_in_order(s, coastal, upright, along * TP_FX_ONE / across))
+            || !is_line_order_kept(s, coastal, upright, along * TP_FX_ONE / across))
             return false;
     }
     return true;
@@ -207,15 +211,17 @@ static tp_fx view_slant(const tp_start_view *at)
 
 /* Lists the methods that fit the view.  The frame decides by its own camera; the estimate
  * uses the scene's camera and is slightly stricter. */
-static void list_fits(tp_view_estimate *o, const tp_scene *s, const tp_start_view *at,
-                      int64_t waves, bool ahead)
+static void set_usable_methods(tp_view_estimate *o, const tp_scene *s,
+                               const tp_start_view *at, int64_t waves, bool ahead)
 {
     const bool over = at->eye.y > waves + TP_FX_ONE / 8;
     const bool swell = over && !o->ocean && !o->stirred;
 
     o->fits[TP_VISIBILITY_TRIANGLES - 1] = 1;
-    o->fits[TP_VISIBILITY_ROWS - 1] = over && ahead && rows_hold(s, o->ocean, at)
-        && !(o->ocean && tp_may_break(s->surf.stretch, s->floor.slope, s->floor.map[0]));
+    o->fits[TP_VISIBILITY_ROWS - 1] =
+        over && ahead && is_rows_method_usable(s, o->ocean, at)
+        && !(o->ocean
+             && tp_can_overhang(s->surf.stretch, s->floor.slope, s->floor.map[0]));
     o->fits[TP_VISIBILITY_PROJECTED - 1] = swell && ahead && waves < at->eye.y * 3 / 4;
     o->fits[TP_VISIBILITY_FLAT - 1] = swell;
 }
@@ -224,7 +230,8 @@ static void list_fits(tp_view_estimate *o, const tp_scene *s, const tp_start_vie
 
 /* Records the enabled modules that raise the water's surface.  Their conditions do not
  * depend on other modules. */
-static void list_surfaces(tp_view_estimate *o, const tp_use *modules, const tp_want *want)
+static void record_surface_modules(tp_view_estimate *o, const tp_use *modules,
+                                   const tp_want *want)
 {
     for (const tp_use *u = modules; u && u->module; u++) {
         const tp_module *m = u->module;
@@ -242,10 +249,10 @@ static void list_surfaces(tp_view_estimate *o, const tp_use *modules, const tp_w
 
 /* Records the enabled modules that are drawn.  Pools drawn only as slopes do not raise
  * the grid. */
-static void list_modules(tp_view_estimate *o, const tp_use *modules, tp_want want)
+static void record_drawn_modules(tp_view_estimate *o, const tp_use *modules, tp_want want)
 {
     for (const tp_use *u = modules; u && u->module; u++) {
-        if (!u->drawing || !tp_module_ask(u->module, &want))
+        if (!u->drawing || !tp_module_ask_enabled(u->module, &want))
             continue;
         o->trait[u->module->trait] = 1;
         if (u->module->count)
@@ -270,7 +277,7 @@ static int gloss_class(const tp_scene *s)
 
 /* Classifies the sea by the sum of k A: a sum up to 1/4 is gentle; pools and rings are
  * gentle too. */
-static void list_sea(tp_view_estimate *o, const tp_scene *s)
+static void classify_sea(tp_view_estimate *o, const tp_scene *s)
 {
     int64_t slope = 0;
 
@@ -286,7 +293,7 @@ static void list_sea(tp_view_estimate *o, const tp_scene *s)
     o->sea = (uint8_t)(steep + gloss_class(s));
 }
 
-static void list_waves(tp_view_estimate *o, const tp_scene *s)
+static void set_wave_flags(tp_view_estimate *o, const tp_scene *s)
 {
     const bool raised = o->pools > 0 || o->rings || o->ocean;
 
@@ -320,25 +327,25 @@ tp_view_estimate tp_view_estimate_make(const tp_plan_input *in)
     tp_view_estimate o = { .focal = (int32_t)(((int64_t)height << 15) / at.high) };
     int64_t waves = 0;
 
-    o.water_pixels = (uint32_t)(pixels * water_rays(&at) / (RAYS * RAYS));
+    o.water_pixels = (uint32_t)(pixels * count_water_rays(&at) / (RAYS * RAYS));
     o.other_pixels = (uint32_t)pixels - o.water_pixels;
-    const viewed spots = viewed_spots(&at, scene, o.focal);
+    const viewed spots = count_visible_grid_points(&at, scene, o.focal);
     const uint64_t crossings = (uint64_t)scene->grid.cols * (uint64_t)scene->grid.rows;
     o.vertices = (uint32_t)(crossings * spots.spots / (SPOTS * SPOTS));
     o.drawn = (uint32_t)(crossings * spots.drawn / (256 * SPOTS * SPOTS));
-    list_surfaces(&o, in->modules, &want);
+    record_surface_modules(&o, in->modules, &want);
     o.trait[TP_TRAIT_plain] = 1;
-    list_modules(&o, in->modules, want);
+    record_drawn_modules(&o, in->modules, want);
     o.quick = (o.modules & TP_MODULE_FAST) != 0;
-    list_sea(&o, scene);
+    classify_sea(&o, scene);
     o.floor = (uint8_t)(tp_has_floor(scene) + (tp_has_floor(scene) && assets->floor));
     o.slant = view_slant(&at);
-    list_waves(&o, scene);
+    set_wave_flags(&o, scene);
     for (int i = 0; i < TP_WAVES; i++)
         waves += scene->wave[i].amplitude > 0 ? scene->wave[i].amplitude : 0;
     o.near =
         tp_wave_cull_near(tp_fx_saturate(at.eye.y - waves), &at.turn, scene->camera.fov);
-    list_points(&o, &at, waves, width, height);
-    list_fits(&o, scene, &at, waves, low.y >= 0 || ahead > 0);
+    set_points_per_method(&o, &at, waves, width, height);
+    set_usable_methods(&o, scene, &at, waves, low.y >= 0 || ahead > 0);
     return o;
 }

@@ -92,7 +92,7 @@ tp_wave_cull tp_wave_cull_evaluate(const tp_scene *scene, const tp_wave_cull_lim
 }
 
 /* Scales a swell's height. Each listed field is linear in the height at constant Q. */
-static tp_swell scaled(const tp_swell *swell, tp_fx weight)
+static tp_swell scale_swell_height(const tp_swell *swell, tp_fx weight)
 {
     tp_swell w = *swell;
     int32_t *const part[] = { &w.amplitude, &w.reach_x, &w.reach_z, &w.slope_x,
@@ -123,7 +123,7 @@ bool tp_wave_cull_sea(tp_sea *thin, tp_turn thin_phases[TP_WAVES], const tp_sea 
     for (uint32_t i = 0; i < whole->count; i++) {
         if (weight[i] == 0)
             continue;
-        thin->swell[thin->count] = scaled(&whole->swell[i], weight[i]);
+        thin->swell[thin->count] = scale_swell_height(&whole->swell[i], weight[i]);
         thin_phases[thin->count++] = phases[i];
     }
     for (uint32_t i = thin->count; i < TP_WAVES; i++) {

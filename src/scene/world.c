@@ -29,11 +29,12 @@ size_t tp_world_bytes(const tp_program *program, const tp_scene *scene,
 {
     tp_world_parts parts;
     program = tp_program_or_linked(program);
-    return tp_parts_measure(program, &parts, scene, assets, NULL) == TP_OK ? parts.bytes
-                                                                           : 0;
+    return tp_world_parts_measure(program, &parts, scene, assets, NULL) == TP_OK
+               ? parts.bytes
+               : 0;
 }
 
-static void keep_camera(tp_world *world)
+static void save_last_camera(tp_world *world)
 {
     world->last_eye = world->eye;
     world->last_heading = world->heading;
@@ -47,10 +48,11 @@ static void place_camera(tp_world *world, const tp_scene *scene)
     world->heading = tp_turn_of_degrees(scene->camera.heading);
     world->pitch = tp_turn_of_degrees(scene->camera.pitch);
     world->roll = 0;
-    keep_camera(world);
+    save_last_camera(world);
 }
 
-static void place_sea(const tp_program *program, tp_world *world, const tp_scene *scene)
+static void init_sea_and_phases(const tp_program *program, tp_world *world,
+                                const tp_scene *scene)
 {
     make_sea(program, &world->sea, scene);
     tp_sea_phases(&world->sea, world->tick, 0, world->phases);
@@ -65,7 +67,7 @@ tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes
     program = tp_program_or_linked(program);
 
     if (status == TP_OK)
-        status = tp_parts_measure(program, &parts, scene, assets, err);
+        status = tp_world_parts_measure(program, &parts, scene, assets, err);
     if (status != TP_OK)
         return status;
     if (bytes < parts.bytes)
@@ -77,11 +79,11 @@ tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes
     tp_light_init(world, scene);
     tp_clock_init(&world->clock, scene->clock.scale);
     world->clock_scale = scene->clock.scale;
-    place_sea(program, world, scene);
+    init_sea_and_phases(program, world, scene);
     status = tp_modules_init(program, world, tp_world_want(program, scene, assets), err);
     if (status != TP_OK)
         return status;
-    tp_modules_settle(program, world, scene);
+    tp_modules_place_floating(program, world, scene);
     return TP_OK;
 }
 
@@ -94,18 +96,18 @@ bool tp_world_apply(const tp_program *program, tp_world *world, const tp_scene *
     const tp_want want = tp_world_want(program, scene, assets);
     tp_world_parts parts;
 
-    if (tp_parts_measure(program, &parts, scene, assets, NULL) != TP_OK
+    if (tp_world_parts_measure(program, &parts, scene, assets, NULL) != TP_OK
         || memcmp(&parts, &world->parts, sizeof parts) != 0
         || !tp_modules_fit(program, world, want))
         return false;
-    place_sea(program, world, scene);
+    init_sea_and_phases(program, world, scene);
     tp_light_refresh(world, scene);
     if (world->clock_scale != scene->clock.scale)
-        tp_clock_aim(&world->clock, scene->clock.scale);
+        tp_clock_set_target(&world->clock, scene->clock.scale);
     world->clock_scale = scene->clock.scale;
     if (!tp_modules_refresh(program, world, want))
         return false;
-    tp_modules_settle(program, world, scene);
+    tp_modules_place_floating(program, world, scene);
     return true;
 }
 
@@ -113,14 +115,14 @@ bool tp_world_apply(const tp_program *program, tp_world *world, const tp_scene *
 
 /* Adds a tilt to the signed pitch, clamped to +-89 degrees.  Without a tilt the pitch
  * stays, even if the scene set it beyond the limit. */
-static tp_turn tilted(tp_turn pitch, int32_t tilt)
+static tp_turn add_tilt_clamped(tp_turn pitch, int32_t tilt)
 {
     if (tilt == 0)
         return pitch;
     return (tp_turn)(int32_t)tp_clamp_abs((int64_t)(int32_t)pitch + tilt, PITCH_MOST);
 }
 
-static tp_fx held(int64_t x)
+static tp_fx clamp_eye_coordinate(int64_t x)
 {
     return (tp_fx)tp_clamp_abs(x, EYE_MOST);
 }
@@ -129,13 +131,15 @@ static tp_fx held(int64_t x)
 static void move_camera(tp_world *world, const tp_input *in)
 {
     world->heading += (tp_turn)in->turn;
-    world->pitch = tilted(world->pitch, in->tilt);
+    world->pitch = add_tilt_clamped(world->pitch, in->tilt);
 
     const int64_t half = 1 << 29;
     int64_t s = tp_sin(world->heading), c = tp_cos(world->heading);
-    world->eye.x = held(world->eye.x + ((in->forward * s + in->strafe * c + half) >> 30));
-    world->eye.z = held(world->eye.z + ((in->strafe * s - in->forward * c + half) >> 30));
-    world->eye.y = held((int64_t)world->eye.y + in->up);
+    world->eye.x = clamp_eye_coordinate(
+        world->eye.x + ((in->forward * s + in->strafe * c + half) >> 30));
+    world->eye.z = clamp_eye_coordinate(
+        world->eye.z + ((in->strafe * s - in->forward * c + half) >> 30));
+    world->eye.y = clamp_eye_coordinate((int64_t)world->eye.y + in->up);
 }
 
 /* True if the eye is within the limits of move_camera; any angles are valid. */
@@ -143,27 +147,31 @@ bool tp_camera_is_valid(const tp_world *world)
 {
     const tp_vec3 *eye = &world->eye, *last = &world->last_eye;
 
-    return eye->x == held(eye->x) && eye->y == held(eye->y) && eye->z == held(eye->z)
-           && last->x == held(last->x) && last->y == held(last->y)
-           && last->z == held(last->z);
+    return eye->x == clamp_eye_coordinate(eye->x)
+           && eye->y == clamp_eye_coordinate(eye->y)
+           && eye->z == clamp_eye_coordinate(eye->z)
+           && last->x == clamp_eye_coordinate(last->x)
+           && last->y == clamp_eye_coordinate(last->y)
+           && last->z == clamp_eye_coordinate(last->z);
 }
 
 void tp_world_move_camera(tp_world *world, const tp_input *input)
 {
     TP_ASSERT(world != NULL && input != NULL);
     move_camera(world, input);
-    keep_camera(world);                 /* no tick to interpolate from */
+    save_last_camera(world);                 /* no tick to interpolate from */
 }
 
 void tp_world_set_camera(tp_world *world, tp_vec3 eye, tp_turn heading, tp_turn pitch,
                          tp_turn roll)
 {
     TP_ASSERT(world != NULL && world->parts.bytes > 0);
-    world->eye = (tp_vec3){ held(eye.x), held(eye.y), held(eye.z) };
+    world->eye = (tp_vec3){ clamp_eye_coordinate(eye.x), clamp_eye_coordinate(eye.y),
+                            clamp_eye_coordinate(eye.z) };
     world->heading = heading;
     world->pitch = pitch;
     world->roll = roll;
-    keep_camera(world);
+    save_last_camera(world);
     if (world->aboard)
         world->aboard = TP_ABOARD_LEFT;
 }
@@ -186,18 +194,18 @@ void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *s
 
     program = tp_program_or_linked(program);
     world->tick++;
-    keep_camera(world);
+    save_last_camera(world);
     if (input)
         move_camera(world, input);
     tp_sea_phases(&world->sea, world->tick, 0, world->phases);
     tp_light_step(world, scene, input);
     tp_modules_step(program, world, scene, input);
     if (input)
-        tp_clock_shift(&world->clock, input->slowdown);
+        tp_clock_shift_target(&world->clock, input->slowdown);
 }
 
 /* Returns the number of ticks needed to draw at the clock's time. */
-static uint64_t ticks_needed(const tp_clock *clock)
+static uint64_t clock_ticks_ceiling(const tp_clock *clock)
 {
     return tp_clock_ticks(clock) + (tp_clock_fraction(clock) > 0);
 }
@@ -210,10 +218,10 @@ uint64_t tp_world_tick(const tp_world *world)
 uint32_t tp_world_advance_clock(tp_world *world)
 {
     TP_ASSERT(world != NULL && world->clock.scale_q40 > 0);
-    uint64_t before = ticks_needed(&world->clock);
-    tp_clock_next(&world->clock);
+    uint64_t before = clock_ticks_ceiling(&world->clock);
+    tp_clock_advance(&world->clock);
     tp_fx part = tp_clock_fraction(&world->clock);
 
     world->back = part > 0 ? TP_FX_ONE - part : 0;
-    return (uint32_t)(ticks_needed(&world->clock) - before);
+    return (uint32_t)(clock_ticks_ceiling(&world->clock) - before);
 }

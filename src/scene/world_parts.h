@@ -15,8 +15,8 @@
  *    err->word is the module's name, as `tidepool bake --with` takes it.  Fast stages
  *    count as lacking only if quality.shading names them; otherwise the plan takes the
  *    exact stages. */
-tp_status tp_program_fits(const tp_program *program, const tp_scene *scene,
-                          const tp_assets *assets, tp_error *err);
+tp_status tp_program_check_all(const tp_program *program, const tp_scene *scene,
+                               const tp_assets *assets, tp_error *err);
 
 const tp_ocean *tp_world_ocean(const tp_world *world);
 
@@ -24,16 +24,16 @@ const tp_ocean *tp_world_ocean(const tp_world *world);
 
 /* Computes the layout of a scene's world and the size of the block; parts->bytes is 0 if
  * the scene is refused.  If a pool is invalid, err->word is the parameter at fault. */
-tp_status tp_parts_measure(const tp_program *program, tp_world_parts *parts,
+tp_status tp_world_parts_measure(const tp_program *program, tp_world_parts *parts,
                            const tp_scene *scene, const tp_assets *assets, tp_error *err);
 
 /* Returns TP_E_NULL for a NULL scene, else the result of the program's own check of the
- * scene.  All init functions call this check through tp_program_fits. */
+ * scene.  All init functions call this check through tp_program_check_all. */
 tp_status tp_program_check(const tp_program *program, const tp_scene *scene,
                            tp_error *err);
 
 /* Returns TP_E_PROGRAM; err->word names the missing module. */
-tp_status tp_program_lacks(const char *what, tp_error *err);
+tp_status tp_program_fail_lacking(const char *what, tp_error *err);
 
 /* Returns the water surface of this tick, from the wave models of the program; valid
  * until the next step. */

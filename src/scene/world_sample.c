@@ -19,21 +19,21 @@ static tp_fx sample_rings(const tp_surface *s, int64_t time, tp_fx x, tp_fx z)
 }
 
 /* Returns the displaced surface point of a rest position. */
-static tp_vec3 sample_point(const tp_surface *s, const tp_fx rest[2])
+static tp_vec3 sample_wave_point(const tp_surface *s, const tp_fx rest[2])
 {
     if (s->ocean)
         return s->by->ocean->smooth(s->ocean, s->phases, rest[0], rest[1]).position;
     if (s->by->swells)
-        return tp_sea_at_rest(s->sea, s->phases, rest[0], rest[1]).position;
+        return tp_sea_displace_point(s->sea, s->phases, rest[0], rest[1]).position;
     return (tp_vec3){ rest[0], 0, rest[1] };
 }
 
 /* Returns the surface point of a rest position at `time`.  Phases and pool interpolation
  * come from `then`, set for the same time. */
-static tp_vec3 sample_moving_point(const tp_surface *then, const tp_fx rest[2],
-                                   int64_t time)
+static tp_vec3 sample_surface_point(const tp_surface *then, const tp_fx rest[2],
+                                    int64_t time)
 {
-    tp_vec3 p = sample_point(then, rest);
+    tp_vec3 p = sample_wave_point(then, rest);
     tp_surface pools = *then;
 
     pools.rings = 0;
@@ -43,7 +43,7 @@ static tp_vec3 sample_moving_point(const tp_surface *then, const tp_fx rest[2],
     return p;
 }
 
-static tp_fx a_second(tp_fx now, tp_fx before)
+static tp_fx change_per_second(tp_fx now, tp_fx before)
 {
     return tp_fx_saturate(((int64_t)now - before) * TP_TICKS_PER_SECOND);
 }
@@ -57,18 +57,18 @@ tp_water tp_world_sample(const tp_program *program, const tp_world *world, tp_fx
     tp_surface surface = tp_world_surface(program, world);
     tp_fx rest[2] = { x, z };
     const tp_sea_point at = tp_surface_sample(&surface, x, z, rest);
-    const tp_vec3 now = sample_moving_point(&surface, rest, time);
+    const tp_vec3 now = sample_surface_point(&surface, rest, time);
     tp_turn phases[TP_WAVES];
 
     tp_sea_phases(&world->sea, world->tick, TP_FX_ONE, phases);
     surface.phases = phases;
     surface.back = TP_FX_ONE;
-    const tp_vec3 before = sample_moving_point(&surface, rest, time - TP_FX_ONE);
+    const tp_vec3 before = sample_surface_point(&surface, rest, time - TP_FX_ONE);
     return (tp_water){
         at.position.y,
         at.slope_x,
         at.slope_z,
-        { a_second(now.x, before.x), a_second(now.y, before.y),
-          a_second(now.z, before.z) },
+        { change_per_second(now.x, before.x), change_per_second(now.y, before.y),
+          change_per_second(now.z, before.z) },
     };
 }

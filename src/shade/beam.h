@@ -11,7 +11,7 @@
 /* -- start points and directions ------------------------------------------------------ */
 
 /* Sets the members of `in` that depend on the current view of `shade`. */
-void tp_inside_view(tp_inside *in, const tp_shade *shade, tp_fx zi_near);
+void tp_inside_set_view(tp_inside *in, const tp_shade *shade, tp_fx zi_near);
 
 /* Start point of a ray in world coordinates, m, and its direction, a unit vector in
  * Q1.14. */
@@ -28,14 +28,14 @@ typedef struct {
 extern const uint16_t tp_inside_root[65];
 
 /* Returns sqrt(1 - x), Q1.14, for x in 0..1, Q28.  Error: within 2 units for x <= 0.8. */
-TP_ALWAYS_INLINE int32_t tp_inside_rest(uint32_t x)
+TP_ALWAYS_INLINE int32_t tp_inside_sqrt_one_minus(uint32_t x)
 {
     const uint16_t *at = tp_inside_root + (x >> 22 & 63);
     return at[0] - ((at[0] - at[1]) * (int32_t)(x >> 8 & 0x3fff) >> 14);
 }
 
 /* Returns -in . n, clamped to -1..1. */
-TP_ALWAYS_INLINE int32_t tp_inside_cosine(tp_ray in, tp_ray n)
+TP_ALWAYS_INLINE int32_t tp_inside_incidence_cosine(tp_ray in, tp_ray n)
 {
     return tp_clamp(-((in.x * n.x + in.y * n.y + in.z * n.z) >> 14), -16384, 16384);
 }
@@ -47,7 +47,7 @@ TP_ALWAYS_INLINE tp_ray tp_inside_bent_with_cosine(const tp_inside *inside, int 
 {
     int32_t  eta = inside->eta[channel];
     uint32_t s2 = (1u << 28) - (uint32_t)(ci * ci);
-    int32_t ct = tp_inside_rest((uint32_t)((uint64_t)s2 * (uint32_t)inside->eta2[channel]
+    int32_t ct = tp_inside_sqrt_one_minus((uint32_t)((uint64_t)s2 * (uint32_t)inside->eta2[channel]
                                            >> 14));
     int32_t lean = (eta * ci >> 14) - ct;
     return (tp_ray){ (eta * in.x + lean * n.x) >> 14, (eta * in.y + lean * n.y) >> 14,
@@ -57,18 +57,19 @@ TP_ALWAYS_INLINE tp_ray tp_inside_bent_with_cosine(const tp_inside *inside, int 
 TP_ALWAYS_INLINE tp_ray tp_inside_bent(const tp_inside *inside, int channel, tp_ray in,
                                        tp_ray n)
 {
-    return tp_inside_bent_with_cosine(inside, channel, in, n, tp_inside_cosine(in, n));
+    return tp_inside_bent_with_cosine(inside, channel, in, n,
+                                      tp_inside_incidence_cosine(in, n));
 }
 
 /* Fills beam[].at and beam[].far with the world positions of samples [i, stop) of a run.
  * The directions are left unchanged. */
-void tp_inside_places(const tp_shade *shade, const tp_run *run, int32_t i, int32_t stop,
-                      tp_refracted_ray *beam);
+void tp_inside_set_start_points(const tp_shade *shade, const tp_run *run, int32_t i,
+                                int32_t stop, tp_refracted_ray *beam);
 
 /* -- colour along a ray --------------------------------------------------------------- */
 
 /* Returns the floor, as a plane, near the point where the beam would hit the floor. */
-tp_bed tp_inside_bed(const tp_shade *shade, const tp_refracted_ray *beam);
+tp_bed tp_inside_find_floor_plane(const tp_shade *shade, const tp_refracted_ray *beam);
 
 /* Returns the colour seen along a beam; `body` is the colour of the water itself. */
 uint32_t tp_inside_trace(const tp_shade *shade, const tp_bed *bed,
@@ -83,17 +84,17 @@ typedef struct {
 
 /* Returns the floor below up to 16 neighbouring beams, interpolated between the planes of
  * the first beam and the last beam. */
-void tp_inside_ground(const tp_shade *shade, const tp_bed ends[2],
+void tp_inside_interpolate_floor(const tp_shade *shade, const tp_bed ends[2],
                       const tp_refracted_ray *beam, int32_t count, tp_ground *under);
 
 /* Colours seen along beams that go down.  The second function computes only the channel at
  * bit `shift` and adds the channel to the others in `seen`. */
-void tp_inside_row(const tp_shade *shade, const tp_bed ends[2],
+void tp_inside_shade_row(const tp_shade *shade, const tp_bed ends[2],
                    const tp_refracted_ray *beam, int32_t count, const uint32_t *body,
                    uint32_t *seen);
-void tp_inside_row_channel(const tp_shade *shade, const tp_ground *under,
-                           const tp_refracted_ray *beam, int32_t count,
-                           const uint32_t *body, int shift, uint32_t *seen);
+void tp_inside_shade_row_channel(const tp_shade *shade, const tp_ground *under,
+                                 const tp_refracted_ray *beam, int32_t count,
+                                 const uint32_t *body, int shift, uint32_t *seen);
 
 /* Colour of a beam that goes up and has reached the surface, whose normal is n: the sky
  * through Snell's window mixed with the water mirrored by the Fresnel share.  Beyond 48.6

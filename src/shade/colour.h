@@ -62,13 +62,13 @@ TP_ALWAYS_INLINE tp_parted tp_parted_mix(tp_parted a, tp_parted b, uint32_t shar
 }
 
 /* Returns n / 255, rounded, for n <= 255 * 255. */
-static inline uint32_t tp_of_255(uint32_t n)
+static inline uint32_t tp_divide_by_255(uint32_t n)
 {
     n += 128;
     return (n + (n >> 8)) >> 8;
 }
 
-/* Product of each channel, where 255 stands for 1.  Red and blue apply tp_of_255 to both
+/* Product of each channel, where 255 stands for 1.  Red and blue apply tp_divide_by_255 to both
  * halves of a word at once. */
 TP_ALWAYS_INLINE uint32_t tp_parted_times(tp_parted a, tp_parted b)
 {
@@ -124,7 +124,7 @@ static inline int32_t tp_lit_share(int32_t ambient, int32_t nl)
 /* -- colours with an alpha ------------------------------------------------------------- */
 
 /* Mixes all four bytes: share / 256 of b and the rest of a, rounded down; share 0..256. */
-TP_ALWAYS_INLINE uint32_t tp_light_mix(uint32_t a, uint32_t b, uint32_t share)
+TP_ALWAYS_INLINE uint32_t tp_argb_mix(uint32_t a, uint32_t b, uint32_t share)
 {
     uint32_t rb = ((a & 0x00ff00ffu) * (256 - share) + (b & 0x00ff00ffu) * share) >> 8;
     uint32_t ag = (a >> 8 & 0x00ff00ffu) * (256 - share) + (b >> 8 & 0x00ff00ffu) * share;
@@ -132,7 +132,7 @@ TP_ALWAYS_INLINE uint32_t tp_light_mix(uint32_t a, uint32_t b, uint32_t share)
 }
 
 /* Mixes all four bytes: f / 32 of b and the rest of a, rounded; f 0..32. */
-static inline uint32_t tp_bytes_mix(uint32_t a, uint32_t b, uint32_t f)
+static inline uint32_t tp_argb_mix_32(uint32_t a, uint32_t b, uint32_t f)
 {
     uint32_t low = (a & 0x00ff00ffu) * (32 - f) + (b & 0x00ff00ffu) * f + 0x00100010u;
     uint32_t high = (a >> 8 & 0x00ff00ffu) * (32 - f) + (b >> 8 & 0x00ff00ffu) * f

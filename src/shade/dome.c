@@ -44,7 +44,7 @@ static uint32_t between_stops(const stop *s, int32_t sine)
 
 /* Mixes horizon and zenith by 1 - (1 - sine)^2, as the plain gradient does.  Towards the
  * sun the low air takes up to 5/8 of the sun's colour. */
-static uint32_t day(const tp_dome_config *config, bool towards, int32_t sine)
+static uint32_t day_gradient(const tp_dome_config *config, bool towards, int32_t sine)
 {
     uint32_t left = (uint32_t)(TP_SKY - sine), low = left * left / TP_SKY;
     uint32_t colour = tp_colour_mix(config->horizon, config->zenith, 256 - low);
@@ -60,7 +60,7 @@ uint32_t tp_dome_gradient(const tp_dome_config *config, bool towards, int32_t si
         return between_stops(towards ? dusk_towards : dusk_away, sine);
     if (config->kind == TP_DOME_NIGHT)
         return between_stops(towards ? night_towards : night_away, sine);
-    return day(config, towards, sine);
+    return day_gradient(config, towards, sine);
 }
 
 /* -- the glow around the light ----------------------------------------------------- */
@@ -83,7 +83,7 @@ static const halo halos[] = {
 
 /* Returns peak / (1 + square / width), shifted to reach 0 opposite the light; in 256ths of
  * a level. */
-static uint32_t lobe(uint32_t peak, uint32_t width, uint32_t square)
+static uint32_t glow_lobe(uint32_t peak, uint32_t width, uint32_t square)
 {
     uint64_t here = ((uint64_t)peak << 8) * width / ((uint64_t)width + square);
     uint64_t last = ((uint64_t)peak << 8) * width / ((uint64_t)width + FAR);
@@ -97,8 +97,8 @@ uint32_t tp_dome_glow(const tp_dome_config *config, uint32_t square)
 {
     TP_ASSERT((unsigned)config->kind <= TP_DOME_NIGHT);
     const halo *h = &halos[config->kind];
-    uint32_t share = (lobe(h->near_peak, h->near_width, square)
-                      + lobe(h->far_peak, h->far_width, square)) >> 8;
+    uint32_t share = (glow_lobe(h->near_peak, h->near_width, square)
+                      + glow_lobe(h->far_peak, h->far_width, square)) >> 8;
     uint32_t glow = tp_colour_scale(config->light, share);
     uint32_t over = square > DISC ? square - DISC : 0;
     uint32_t cover = over < DISC_EDGE ? 256 - over * 256 / DISC_EDGE : 0;
@@ -110,7 +110,7 @@ uint32_t tp_dome_glow(const tp_dome_config *config, uint32_t square)
     return glow | alpha << 24;
 }
 
-uint32_t tp_glow_square(uint32_t i)
+uint32_t tp_glow_index_square(uint32_t i)
 {
     TP_ASSERT(i <= TP_GLOW);
     uint32_t mantissa = TP_GLOW_STEP + i % TP_GLOW_STEP;
@@ -125,5 +125,5 @@ void tp_dome_init(tp_dome *dome, const tp_dome_config *config)
         dome->towards[i] = tp_dome_gradient(config, true, i);
     }
     for (uint32_t i = 0; i <= TP_GLOW; i++)
-        dome->glow[i] = tp_dome_glow(config, tp_glow_square(i));
+        dome->glow[i] = tp_dome_glow(config, tp_glow_index_square(i));
 }

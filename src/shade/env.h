@@ -31,21 +31,21 @@ TP_ALWAYS_INLINE uint32_t tp_square_length(int32_t dx, int32_t dy, int32_t dz)
     return (uint32_t)(dx * dx) + (uint32_t)(dy * dy) + (uint32_t)(dz * dz);
 }
 
-TP_ALWAYS_INLINE uint32_t tp_glow_entry(uint32_t square)
+TP_ALWAYS_INLINE uint32_t tp_glow_index(uint32_t square)
 {
     int32_t i = (tp_log2_q8(square | 1) >> 3) - TP_GLOW_STEP * TP_GLOW_LOG2;
     return (uint32_t)tp_clamp(i, 0, TP_GLOW);
 }
 
 /* Weight of the light's side, (1 + cos)^2 / 4, in 256ths. */
-TP_ALWAYS_INLINE uint32_t tp_towards_light(uint32_t square)
+TP_ALWAYS_INLINE uint32_t tp_light_side_weight(uint32_t square)
 {
     uint32_t t = square >> 22;
     t = t < 256 ? 256 - t : 0;
     return t * t >> 8;
 }
 
-TP_ALWAYS_INLINE uint32_t tp_from_light(const tp_shade *shade, int32_t x, int32_t y,
+TP_ALWAYS_INLINE uint32_t tp_light_chord_square(const tp_shade *shade, int32_t x, int32_t y,
                                         int32_t z)
 {
     return tp_square_length(x - shade->world.lx, y - shade->world.ly, z - shade->world.lz);
@@ -53,10 +53,10 @@ TP_ALWAYS_INLINE uint32_t tp_from_light(const tp_shade *shade, int32_t x, int32_
 
 /* Returns the glow at a squared chord of at least `least`, a minimum that leaves the disc
  * out. */
-TP_ALWAYS_INLINE uint32_t tp_dome_halo(const tp_dome *dome, uint32_t least,
-                                       uint32_t square)
+TP_ALWAYS_INLINE uint32_t tp_dome_lookup_glow(const tp_dome *dome, uint32_t least,
+                                              uint32_t square)
 {
-    return dome->glow[tp_glow_entry(square > least ? square : least)];
+    return dome->glow[tp_glow_index(square > least ? square : least)];
 }
 
 /* Returns the mixed gradients at height y plus `glow`; `square` is the squared chord to
@@ -66,7 +66,7 @@ TP_ALWAYS_INLINE uint32_t tp_dome_colour(const tp_dome *dome, uint32_t square, i
 {
     int32_t  sine = y >> 6, i = tp_clamp(sine, 0, TP_SKY);
     uint32_t base = tp_colour_mix(dome->away[i], dome->towards[i],
-                                  tp_towards_light(square));
+                                  tp_light_side_weight(square));
 
     if (sine < 0) {
         uint32_t left = (uint32_t)tp_clamp(256 + 4 * sine, 64, 256);
@@ -79,9 +79,9 @@ TP_ALWAYS_INLINE uint32_t tp_env_dome(const tp_shade *shade, uint32_t least, int
                                       int32_t y, int32_t z)
 {
     const tp_dome *dome = shade->env.dome;
-    uint32_t square = tp_from_light(shade, x, y, z);
+    uint32_t square = tp_light_chord_square(shade, x, y, z);
 
-    return tp_dome_colour(dome, square, y, tp_dome_halo(dome, least, square));
+    return tp_dome_colour(dome, square, y, tp_dome_lookup_glow(dome, least, square));
 }
 
 /* -- the cube ---------------------------------------------------------------------- */
@@ -155,7 +155,7 @@ typedef struct {
 
 /* Returns the coordinate in 256ths of a texel, clamped to the texel centres; `ratio` is
  * -1/2..1/2 of a side, or slightly beyond. */
-TP_ALWAYS_INLINE int32_t tp_cube_texel(int32_t ratio, int32_t log2)
+TP_ALWAYS_INLINE int32_t tp_cube_texel_coordinate(int32_t ratio, int32_t log2)
 {
     int32_t u = ((32768 + ratio) * (1 << log2) >> 8) - 128;
     return tp_clamp(u, 0, (256 << log2) - 256);
@@ -166,8 +166,8 @@ TP_ALWAYS_INLINE tp_cube_four tp_cube_gather(const uint32_t *recip, int32_t m,
                                              int32_t log2_h)
 {
     int32_t r = tp_cube_recip(recip, m), w = 1 << log2_w, h = 1 << log2_h;
-    int32_t u = tp_cube_texel(right * r >> 14, log2_w);
-    int32_t v = tp_cube_texel(down * r >> 14, log2_h);
+    int32_t u = tp_cube_texel_coordinate(right * r >> 14, log2_w);
+    int32_t v = tp_cube_texel_coordinate(down * r >> 14, log2_h);
     int32_t u0 = u >> 8, v0 = v >> 8;
 
     return (tp_cube_four){ v0 * w + u0, u0 < w - 1, v0 < h - 1 ? w : 0,
@@ -187,8 +187,8 @@ TP_ALWAYS_INLINE uint32_t tp_cube_mix(uint32_t a, uint32_t b, uint32_t c, uint32
     return ((rb * gv + low_rb * fv) >> 8 & m) | ((ag * gv + low_ag * fv) & ~m);
 }
 
-TP_ALWAYS_INLINE uint32_t tp_cube_look(const tp_shade *shade, const tp_cube_ray *ray,
-                                       const tp_cube_side *side)
+TP_ALWAYS_INLINE uint32_t tp_cube_sample(const tp_shade *shade, const tp_cube_ray *ray,
+                                         const tp_cube_side *side)
 {
     tp_cube_four f = tp_cube_gather(shade->env.recip, ray->m, ray->right, ray->down,
                                     side->log2_w, side->log2_h);
@@ -204,7 +204,7 @@ TP_ALWAYS_INLINE uint32_t tp_env_cube(const tp_shade *shade, int level, int32_t 
     tp_cube_ray  ray = tp_cube_face(x, y, z);
     tp_cube_side side = tp_cube_side_select(shade->env.cube->face[ray.face], level);
 
-    return tp_cube_look(shade, &ray, &side);
+    return tp_cube_sample(shade, &ray, &side);
 }
 
 /* -- any kind ---------------------------------------------------------------------- */
@@ -225,7 +225,8 @@ TP_ALWAYS_INLINE uint32_t tp_env_sample_kind(const tp_shade *shade, tp_env_kind 
 
 /* Returns a cube's mipmap level as the eye sees its pictures, plus `coarser` levels, Q8; 0
  * for other kinds. */
-TP_ALWAYS_INLINE int tp_env_level(const tp_shade *shade, tp_env_kind kind, int32_t coarser)
+TP_ALWAYS_INLINE int tp_env_mip_level(const tp_shade *shade, tp_env_kind kind,
+                                      int32_t coarser)
 {
     if (kind != TP_ENV_CUBE)
         return 0;
@@ -237,7 +238,7 @@ static inline uint32_t tp_env_sample(const tp_shade *shade, int32_t x, int32_t y
                                      int32_t z)
 {
     return tp_env_sample_kind(shade, shade->env.kind,
-                              tp_env_level(shade, shade->env.kind, 0), x, y, z);
+                              tp_env_mip_level(shade, shade->env.kind, 0), x, y, z);
 }
 
 /* Returns 256 times the intensity of light with this alpha [F8]. */

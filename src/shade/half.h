@@ -22,9 +22,9 @@ static inline uint32_t tp_half_sample(const tp_half *half, int32_t u, int32_t v)
 
     if (i < half->x0 - 1 || i >= half->x1 || j < half->y0 - 1 || j >= half->y1)
         return 0;
-    return tp_bytes_mix(
-        tp_bytes_mix(tp_half_pixel(half, i, j), tp_half_pixel(half, i + 1, j), fu),
-        tp_bytes_mix(tp_half_pixel(half, i, j + 1),
+    return tp_argb_mix_32(
+        tp_argb_mix_32(tp_half_pixel(half, i, j), tp_half_pixel(half, i + 1, j), fu),
+        tp_argb_mix_32(tp_half_pixel(half, i, j + 1),
                          tp_half_pixel(half, i + 1, j + 1), fu), fv);
 }
 #endif

@@ -22,11 +22,11 @@ static inline tp_fx closing_distance(tp_fx gap, int32_t speed)
 
 /* Returns the point `metres` along the ray, 0..TP_INSIDE_FAR: each product fits 32 bits
  * after the shift. */
-static inline tp_vec3 gone(tp_vec3 from, tp_ray way, tp_fx metres)
+static inline tp_vec3 point_along_ray(tp_vec3 from, tp_ray way, tp_fx metres)
 {
-    return (tp_vec3){ tp_fx_plus(from.x, (tp_fx)((int64_t)way.x * metres >> 14)),
-                      tp_fx_plus(from.y, (tp_fx)((int64_t)way.y * metres >> 14)),
-                      tp_fx_plus(from.z, (tp_fx)((int64_t)way.z * metres >> 14)) };
+    return (tp_vec3){ tp_fx_add_sat(from.x, (tp_fx)((int64_t)way.x * metres >> 14)),
+                      tp_fx_add_sat(from.y, (tp_fx)((int64_t)way.y * metres >> 14)),
+                      tp_fx_add_sat(from.z, (tp_fx)((int64_t)way.z * metres >> 14)) };
 }
 
 /* -- the floor ------------------------------------------------------------------------ */
@@ -68,7 +68,7 @@ static inline tp_ground interpolate_ground(const tp_bed *a, const tp_bed *b, int
  * less than 1 m in 1024 m count as parallel: they never meet the floor. */
 static inline tp_fx way_to_floor(const tp_ground *under, tp_fx from_y, tp_ray way)
 {
-    tp_fx   gap = tp_fx_plus(from_y, under->depth);
+    tp_fx   gap = tp_fx_add_sat(from_y, under->depth);
     int32_t down = (int32_t)(((int64_t)under->rise_x * way.x
                               + (int64_t)under->rise_z * way.z) >> 16) - way.y;
 
@@ -77,7 +77,7 @@ static inline tp_fx way_to_floor(const tp_ground *under, tp_fx from_y, tp_ray wa
     return down < 16 ? TP_INSIDE_FAR : closing_distance(gap, down);
 }
 
-static int32_t lit_floor(const tp_inside *in, tp_fx rise_x, tp_fx rise_z)
+static int32_t floor_light_cosine(const tp_inside *in, tp_fx rise_x, tp_fx rise_z)
 {
     tp_dir3 n = tp_normalise(-rise_x, TP_FX_ONE, -rise_z);
     int32_t nl = (n.x >> 16) * in->sun_x + (n.y >> 16) * in->sun_y
@@ -94,7 +94,7 @@ static tp_bed sample_bed(const tp_inside *in, tp_vec3 at)
 /* Finds the floor's tangent plane near the hit point by two iterations; after them the
  * curvature of a beach leaves an error below a hundredth of its depth.  A beam that goes
  * up meets the floor after its reflection at the surface. */
-tp_bed tp_inside_bed(const tp_shade *shade, const tp_refracted_ray *beam)
+tp_bed tp_inside_find_floor_plane(const tp_shade *shade, const tp_refracted_ray *beam)
 {
     const tp_inside *in = shade->inside;
     tp_ray down = { beam->way.x, -tp_abs(beam->way.y), beam->way.z, 0 };
@@ -106,11 +106,11 @@ tp_bed tp_inside_bed(const tp_shade *shade, const tp_refracted_ray *beam)
         tp_ground under = sample_ground(&bed, beam->at);
         tp_fx  way = way_to_floor(&under, beam->at.y, down);
         way = way < 200 * TP_FX_ONE ? way : 200 * TP_FX_ONE;
-        bed = sample_bed(in, gone(beam->at, down, way));
+        bed = sample_bed(in, point_along_ray(beam->at, down, way));
     }
     if (plane_depth(&bed, beam->at) + (int64_t)beam->at.y <= 0)
         bed = here;             /* a far bank's slope does not pass under this point */
-    bed.nl = lit_floor(in, bed.rise_x, bed.rise_z);
+    bed.nl = floor_light_cosine(in, bed.rise_x, bed.rise_z);
     return bed;
 }
 
@@ -128,7 +128,7 @@ static inline int32_t map_coordinate(int64_t metres, uint32_t per_metre, uint32_
 }
 
 /* Returns the fade at the map's edges: 0 at an edge, 256 from an eighth of the side on. */
-static inline int32_t within(int32_t at, uint32_t cells)
+static inline int32_t map_edge_fade(int32_t at, uint32_t cells)
 {
     int32_t last = (int32_t)(cells - 1) * 65536, edge = at < last - at ? at : last - at;
     int32_t share = edge / (int32_t)(cells * 32);
@@ -154,7 +154,7 @@ int32_t tp_caustic_sample(const tp_caustic *c, tp_vec3 at)
     int32_t share = c->strength * (int32_t)(deep < 256 ? deep : 256) >> 8;
 
     if (c->fades) {
-        int32_t eu = within(u, n), ev = within(v, n);
+        int32_t eu = map_edge_fade(u, n), ev = map_edge_fade(v, n);
         share = share * (eu < ev ? eu : ev) >> 8;
     }
     light = 256 + ((light - 256) * share >> 8);
@@ -185,7 +185,7 @@ static inline hit nearer(hit a, face what, tp_fx way)
 
 static inline tp_fx way_to_side(tp_fx from, int32_t speed, tp_fx low, tp_fx high)
 {
-    tp_fx gap = speed > 0 ? tp_fx_minus(high, from) : tp_fx_minus(from, low);
+    tp_fx gap = speed > 0 ? tp_fx_sub_sat(high, from) : tp_fx_sub_sat(from, low);
 
     if (speed == 0)
         return TP_INSIDE_FAR;
@@ -221,8 +221,8 @@ static inline spot make_spot(const tp_shade *shade, int32_t floor_nl, hit h, tp_
                              tp_ray way, tp_fx far)
 {
     const tp_inside *in = shade->inside;
-    tp_vec3 at = gone(from, way, h.way);
-    tp_fx   from_eye = tp_fx_plus(far, h.way);
+    tp_vec3 at = point_along_ray(from, way, h.way);
+    tp_fx   from_eye = tp_fx_add_sat(far, h.way);
 
     if (h.what == FLOOR)
         return (spot){ &in->floor, at.x, at.z, from_eye, true,
@@ -271,7 +271,7 @@ TP_ALWAYS_INLINE tp_ground row_ground(const tp_inside *in, const tp_bed ends[2],
                      : sample_ground(&ends[0], at);
 }
 
-void tp_inside_ground(const tp_shade *shade, const tp_bed ends[2],
+void tp_inside_interpolate_floor(const tp_shade *shade, const tp_bed ends[2],
                       const tp_refracted_ray *beam, int32_t count, tp_ground *under)
 {
     TP_ASSERT(count > 0 && count <= TP_INSIDE_ROW);
@@ -281,7 +281,7 @@ void tp_inside_ground(const tp_shade *shade, const tp_bed ends[2],
         under[k] = row_ground(shade->inside, ends, k * each >> 8, beam[k].at);
 }
 
-void tp_inside_row(const tp_shade *shade, const tp_bed ends[2],
+void tp_inside_shade_row(const tp_shade *shade, const tp_bed ends[2],
                    const tp_refracted_ray *beam, int32_t count, const uint32_t *body,
                    uint32_t *seen)
 {
@@ -296,9 +296,9 @@ void tp_inside_row(const tp_shade *shade, const tp_bed ends[2],
     }
 }
 
-void tp_inside_row_channel(const tp_shade *shade, const tp_ground *under,
-                           const tp_refracted_ray *beam, int32_t count,
-                           const uint32_t *body, int shift, uint32_t *seen)
+void tp_inside_shade_row_channel(const tp_shade *shade, const tp_ground *under,
+                                 const tp_refracted_ray *beam, int32_t count,
+                                 const uint32_t *body, int shift, uint32_t *seen)
 {
     for (int32_t k = 0; k < count; k++, beam++, under++) {
         hit h = first_hit(shade->inside, under, beam->at, beam->way);
@@ -371,7 +371,7 @@ uint32_t tp_inside_trace(const tp_shade *shade, const tp_bed *bed,
     if (beam->way.y <= 0 || closing_distance(deep, beam->way.y) >= h.way)
         return shade_hit(shade, bed->nl, h, beam->at, beam->way, beam->far, body);
     tp_fx   way = closing_distance(deep, beam->way.y);
-    tp_refracted_ray on = { gone(beam->at, beam->way, way), beam->way,
+    tp_refracted_ray on = { point_along_ray(beam->at, beam->way, way), beam->way,
                             tp_fx_saturate((int64_t)beam->far + way) };
     uint32_t colour =
         tp_inside_trace_surface(shade, bed, &on, (tp_ray){ 0, 16384, 0, 0 }, body);

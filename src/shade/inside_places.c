@@ -3,7 +3,7 @@
 #include "shade/beam.h"
 #include "shade/depth.h"
 
-void tp_inside_view(tp_inside *in, const tp_shade *shade, tp_fx zi_near)
+void tp_inside_set_view(tp_inside *in, const tp_shade *shade, tp_fx zi_near)
 {
     const tp_dir3 right = shade->world.right, up = shade->world.up;
     const tp_q30 across[3] = { right.x, right.y, right.z };
@@ -19,8 +19,8 @@ void tp_inside_view(tp_inside *in, const tp_shade *shade, tp_fx zi_near)
 /* The view vector is -back + right (u - u0) / focal + up (v0 - v) / focal at 1 m of depth.
  * Q42 steps times 2^16 sixteenths of a pixel stay below 2^58; reduced to Q20, products
  * with 2^31 of depth do too. */
-void tp_inside_places(const tp_shade *shade, const tp_run *run, int32_t i, int32_t stop,
-                      tp_refracted_ray *beam)
+void tp_inside_set_start_points(const tp_shade *shade, const tp_run *run, int32_t i,
+                                int32_t stop, tp_refracted_ray *beam)
 {
     const tp_inside *in = shade->inside;
     const tp_dir3 back = shade->world.back;

@@ -21,7 +21,7 @@ static inline tp_vec_q14 tp_vec_q14_unit(int32_t x, int32_t y, int32_t z)
     return (tp_vec_q14){ d.x >> 16, d.y >> 16, d.z >> 16 };
 }
 
-static inline tp_vec_q14 tp_vec_q14_packed(tp_packed_dir n)
+static inline tp_vec_q14 tp_vec_q14_unpack(tp_packed_dir n)
 {
     return tp_vec_q14_unit(tp_dir_x(n), tp_dir_y(n), tp_dir_z(n));
 }

@@ -27,7 +27,7 @@ static tp_q30 cos_refracted(tp_q30 c)
 
 /* ((a - b) / (a + b))^2 for a, b in 0..1.333, a + b >= 0.66.  The sum in Q2.30 needs one
  * shift at most to reach the reciprocal's range; its inverse is then Q1.31. */
-static tp_q30 share(tp_q30 a, tp_q30 b)
+static tp_q30 fresnel_term(tp_q30 a, tp_q30 b)
 {
     const uint32_t sum = (uint32_t)a + (uint32_t)b;
     const int      up = tp_clz(sum);
@@ -41,8 +41,8 @@ tp_q30 tp_fresnel(tp_q30 cos_i)
 {
     const tp_q30 c = tp_clamp(cos_i, 0, TP_Q30_ONE), ct = cos_refracted(c);
 
-    const tp_q30 rs = share(c, tp_q30_mul(INDEX, ct));
-    const tp_q30 rp = share(ct, tp_q30_mul(INDEX, c));
+    const tp_q30 rs = fresnel_term(c, tp_q30_mul(INDEX, ct));
+    const tp_q30 rp = fresnel_term(ct, tp_q30_mul(INDEX, c));
 
     return (tp_q30)(((uint32_t)rs + (uint32_t)rp + 1) >> 1);   /* both are 1 at grazing */
 }
@@ -84,7 +84,7 @@ tp_dir3 tp_refract(tp_dir3 incident, tp_dir3 normal)
 }
 
 /* depth a / b, rounded half up, b > 0; |depth a| <= 2^31 2^30.01. */
-static tp_fx offset(tp_fx depth, tp_q30 a, tp_q30 b)
+static tp_fx depth_times_ratio(tp_fx depth, tp_q30 a, tp_q30 b)
 {
     const int64_t way = (int64_t)depth * a;
     int64_t q = way / b, rest = way % b;
@@ -97,7 +97,7 @@ static tp_fx offset(tp_fx depth, tp_q30 a, tp_q30 b)
     return tp_fx_saturate(q);
 }
 
-static tp_fx end_towards(tp_q30 a)
+static tp_fx infinite_offset(tp_q30 a)
 {
     return a > 0 ? TP_FX_MAX : a < 0 ? TP_FX_MIN : 0;
 }
@@ -105,7 +105,8 @@ static tp_fx end_towards(tp_q30 a)
 tp_floor_offset tp_refract_offset(tp_dir3 refracted, tp_fx depth)
 {
     if (refracted.y >= 0)
-        return (tp_floor_offset){ end_towards(refracted.x), end_towards(refracted.z) };
-    return (tp_floor_offset){ offset(depth, refracted.x, -refracted.y),
-                              offset(depth, refracted.z, -refracted.y) };
+        return (tp_floor_offset){ infinite_offset(refracted.x),
+                                  infinite_offset(refracted.z) };
+    return (tp_floor_offset){ depth_times_ratio(depth, refracted.x, -refracted.y),
+                              depth_times_ratio(depth, refracted.z, -refracted.y) };
 }

@@ -32,7 +32,7 @@ TP_ALWAYS_INLINE tp_ray tp_quick_ray_inline(const tp_shade *shade, const tp_quic
     const tp_view_axes *a = &shade->world;
     int32_t  u = tp_quick_over_focal(shade, sixteenths - shade->u0);
     uint32_t q = row->square + ((uint32_t)u * (uint32_t)u >> 4);
-    int32_t  unit = tp_steep(q);
+    int32_t  unit = tp_rsqrt_one_plus(q);
     int32_t  y = (row->y - (u * (a->right.y >> 16) >> 14)) * unit;
 
     return (tp_ray){ (row->x - (u * (a->right.x >> 16) >> 14)) * unit >> 14, y >> 14,

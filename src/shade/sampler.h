@@ -65,7 +65,7 @@ TP_ALWAYS_INLINE tp_four tp_four_gather_centred(const tp_level *l, uint32_t s, u
     return tp_four_gather(l, s - l->half_s, t - l->half_t);
 }
 
-TP_ALWAYS_INLINE tp_parted tp_four_mean(const tp_four *f)
+TP_ALWAYS_INLINE tp_parted tp_four_interpolate(const tp_four *f)
 {
     tp_parted above =
         tp_parted_mix(tp_parted_split(f->texel[0]), tp_parted_split(f->texel[1]), f->fs);
@@ -74,16 +74,16 @@ TP_ALWAYS_INLINE tp_parted tp_four_mean(const tp_four *f)
     return tp_parted_mix(above, below, f->ft);
 }
 
-TP_ALWAYS_INLINE uint32_t tp_linear(const tp_level *l, uint32_t s, uint32_t t)
+TP_ALWAYS_INLINE uint32_t tp_level_sample_linear(const tp_level *l, uint32_t s, uint32_t t)
 {
     tp_four f = tp_four_gather_centred(l, s, t);
-    return tp_parted_whole(tp_four_mean(&f));
+    return tp_parted_whole(tp_four_interpolate(&f));
 }
 
 /* -- the mipmap level of a layer ---------------------------------------------------- */
 
-static inline int tp_level_near(const tp_shade *shade, const tp_layer *layer,
-                                uint32_t key)
+static inline int tp_layer_mip_level(const tp_shade *shade, const tp_layer *layer,
+                                     uint32_t key)
 {
     return tp_level_choose(layer->lod, tp_log_depth(shade, key), true,
                            layer->texture->levels);
@@ -102,10 +102,10 @@ static inline tp_stretch tp_stretch_find(const tp_shade *shade, const tp_run *ru
                                          const tp_layer *layer, const uint32_t *s,
                                          const uint32_t *t, int32_t begin)
 {
-    int     level = tp_level_near(shade, layer, run->key[begin]);
+    int     level = tp_layer_mip_level(shade, layer, run->key[begin]);
     int32_t stop = tp_block_end(run, begin);
 
-    while (stop < run->count && tp_level_near(shade, layer, run->key[stop]) == level)
+    while (stop < run->count && tp_layer_mip_level(shade, layer, run->key[stop]) == level)
         stop = tp_block_end(run, stop);
     return (tp_stretch){ s + begin, t + begin, begin, stop - begin, level };
 }
@@ -166,6 +166,6 @@ TP_ALWAYS_INLINE tp_parted tp_sampled(const tp_sampler *p, uint32_t s, uint32_t 
     if (!filter)
         return tp_parted_split(tp_sampler_texel(p, s, t));
     tp_four f = tp_sampler_four(p, s, t);
-    return tp_four_mean(&f);
+    return tp_four_interpolate(&f);
 }
 #endif

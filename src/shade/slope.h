@@ -26,7 +26,7 @@ TP_ALWAYS_INLINE uint32_t tp_slope_square(int32_t sx, int32_t sz)
 
 /* Maps q into the table: 1/sqrt(1 + q) is half of 1/sqrt(1 + (q - 3) / 4).  Returns the
  * number of halvings: 0 up to slopes of 2 (63 degrees), 3 at most. */
-TP_ALWAYS_INLINE int tp_steep_halved(uint32_t *q)
+TP_ALWAYS_INLINE int tp_rsqrt_one_plus_reduce(uint32_t *q)
 {
     int times = 0;
 
@@ -42,26 +42,26 @@ TP_ALWAYS_INLINE int tp_steep_halved(uint32_t *q)
 }
 
 /* Returns 1/sqrt(1 + q), Q1.14, interpolated: sharp lobes would show the table's steps. */
-TP_ALWAYS_INLINE int32_t tp_steep(uint32_t q)
+TP_ALWAYS_INLINE int32_t tp_rsqrt_one_plus(uint32_t q)
 {
-    int      times = tp_steep_halved(&q);
+    int      times = tp_rsqrt_one_plus_reduce(&q);
     int32_t i = (int32_t)(q >> 17), f = (int32_t)(q >> 10 & 0x7f);
     int32_t a = (int32_t)tp_steep_table[i], b = (int32_t)tp_steep_table[i + 1];
     return (a + ((b - a) * f >> 7)) >> times;
 }
 
 /* Returns the nearest table entry, within 0.2 %. */
-TP_ALWAYS_INLINE int32_t tp_steep_near(uint32_t q)
+TP_ALWAYS_INLINE int32_t tp_rsqrt_one_plus_nearest(uint32_t q)
 {
     if (!TP_WIDE && q < TP_SLOPE_END)
         return (int32_t)tp_steep_table[(q + 0x10000) >> 17];
-    int times = tp_steep_halved(&q);
+    int times = tp_rsqrt_one_plus_reduce(&q);
     return (int32_t)tp_steep_table[(int32_t)((q + 0x10000) >> 17)] >> times;
 }
 
 TP_ALWAYS_INLINE tp_ray tp_slope_normal(int32_t sx, int32_t sz)
 {
-    int32_t ny = tp_steep(tp_slope_square(sx, sz));
+    int32_t ny = tp_rsqrt_one_plus(tp_slope_square(sx, sz));
     return (tp_ray){ -(sx * ny >> 12), ny, -(sz * ny >> 12), 0 };
 }
 

@@ -63,8 +63,8 @@ static inline arc make_arc(int32_t before, int32_t a, int32_t b, int32_t after)
 
 /* Evaluates two components at `count` columns from k on: each column directly for vector
  * units, else by forward differences. */
-static void between(arc a, arc b, int32_t k, int32_t count, int16_t *restrict to_a,
-                    int16_t *restrict to_b)
+static void evaluate_arcs(arc a, arc b, int32_t k, int32_t count, int16_t *restrict to_a,
+                          int16_t *restrict to_b)
 {
     if (TP_WIDE) {
         for (int32_t i = 0; i < count; i++) {
@@ -93,10 +93,10 @@ static void between_knots(const tp_ray knot[4], int32_t k, int32_t count, tp_run
 {
     const tp_ray *a = knot, *b = knot + 1, *c = knot + 2, *d = knot + 3;
 
-    between(make_arc(a->x, b->x, c->x, d->x), make_arc(a->y, b->y, c->y, d->y), k, count,
-            run->vx + at, run->vy + at);
-    between(make_arc(a->z, b->z, c->z, d->z), make_arc(a->l, b->l, c->l, d->l), k, count,
-            run->vz + at, run->lv + at);
+    evaluate_arcs(make_arc(a->x, b->x, c->x, d->x), make_arc(a->y, b->y, c->y, d->y), k,
+                  count, run->vx + at, run->vy + at);
+    evaluate_arcs(make_arc(a->z, b->z, c->z, d->z), make_arc(a->l, b->l, c->l, d->l), k,
+                  count, run->vz + at, run->lv + at);
 }
 
 void tp_view_run(const tp_shade *shade, const tp_view_axes *axes, tp_run *run)

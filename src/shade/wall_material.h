@@ -22,8 +22,8 @@ TP_ALWAYS_INLINE uint32_t tp_wall_material_sample(const tp_wall_material *coat, 
     if (!coat->texture)
         return coat->colour;
     tp_level level = tp_wall_material_level(coat, far, ground);
-    uint32_t texel = tp_linear(&level, (uint32_t)x * coat->per_metre,
-                               (uint32_t)z * coat->per_metre);
+    uint32_t texel = tp_level_sample_linear(&level, (uint32_t)x * coat->per_metre,
+                                            (uint32_t)z * coat->per_metre);
     return tp_colour_times(texel, coat->colour);
 }
 
@@ -43,7 +43,7 @@ TP_ALWAYS_INLINE uint32_t tp_wall_material_channel(const tp_wall_material *coat,
                                     f.texel[1] >> shift & 0xff, f.fs);
     uint32_t below = tp_channel_mix(f.texel[2] >> shift & 0xff,
                                     f.texel[3] >> shift & 0xff, f.fs);
-    return tp_of_255(tp_channel_mix(above, below, f.ft) * colour);
+    return tp_divide_by_255(tp_channel_mix(above, below, f.ft) * colour);
 }
 
 /* Returns a matt colour lit by sun and ambient light; `packed` is the surface normal. */
@@ -51,7 +51,7 @@ static inline uint32_t tp_wall_material_light(const tp_shade *shade, uint32_t co
                                               tp_packed_dir packed)
 {
     const tp_view_axes *world = &shade->world;
-    int32_t nl = tp_vec_q14_dot(tp_vec_q14_packed(packed),
+    int32_t nl = tp_vec_q14_dot(tp_vec_q14_unpack(packed),
                                 (tp_vec_q14){ world->lx, world->ly, world->lz });
     return tp_colour_scale(colour, (uint32_t)tp_lit_share(shade->ambient,
                                                           tp_clamp(nl, 0, 16384)));

@@ -67,8 +67,8 @@ static place newton_step(const tp_sea *sea, const int32_t sine[TP_WAVES], place 
     int64_t jxx = (1 << 28) - (bxx >> 26), jzz = (1 << 28) - (bzz >> 26);
     int64_t jxz = -(bxz >> 26), det = (jxx * jzz - jxz * jxz) >> 28;
     TP_ASSERT(det > 0);
-    return (place){ (tp_fx)tp_quotient(e.z * jxz - e.x * jzz, det),
-                    (tp_fx)tp_quotient(e.x * jxz - e.z * jxx, det) };
+    return (place){ (tp_fx)tp_div_rounded(e.z * jxz - e.x * jzz, det),
+                    (tp_fx)tp_div_rounded(e.x * jxz - e.z * jxx, det) };
 }
 
 /* The box around p, clipped to the range of 16.16.  Its half side is the reach + 2^-16 m,
@@ -78,22 +78,22 @@ typedef struct { place low, high; } box;
 static box search_box(const tp_sea *sea, tp_fx x, tp_fx z)
 {
     const tp_fx reach = sea->reach + 1;
-    return (box){ { tp_fx_minus(x, reach), tp_fx_minus(z, reach) },
-                  { tp_fx_plus(x, reach), tp_fx_plus(z, reach) } };
+    return (box){ { tp_fx_sub_sat(x, reach), tp_fx_sub_sat(z, reach) },
+                  { tp_fx_add_sat(x, reach), tp_fx_add_sat(z, reach) } };
 }
 
-static tp_fx between(int64_t x, tp_fx low, tp_fx high)
+static tp_fx clamp_coordinate(int64_t x, tp_fx low, tp_fx high)
 {
     return x < low ? low : x > high ? high : (tp_fx)x;
 }
 
-static place held(const box *b, place from, place step)
+static place add_step_in_box(const box *b, place from, place step)
 {
-    return (place){ between((int64_t)from.x + step.x, b->low.x, b->high.x),
-                    between((int64_t)from.z + step.z, b->low.z, b->high.z) };
+    return (place){ clamp_coordinate((int64_t)from.x + step.x, b->low.x, b->high.x),
+                    clamp_coordinate((int64_t)from.z + step.z, b->low.z, b->high.z) };
 }
 
-static bool is_near(tp_fx e)
+static bool is_rounding_error(tp_fx e)
 {
     return (uint32_t)(e + NEAR) <= 2 * NEAR;
 }
@@ -108,30 +108,30 @@ tp_sea_point tp_sea_sample(const tp_sea *sea, const tp_turn phases[TP_WAVES],
     int32_t sine[TP_WAVES];
 
     if (rest)
-        at = held(&around, (place){ rest[0], rest[1] }, still);
+        at = add_step_in_box(&around, (place){ rest[0], rest[1] }, still);
     for (int n = 0; n < STEPS; n++) {
         place d = displacement(sea, phases, at, sine);
         place e = { at.x - x + d.x, at.z - z + d.z };
-        if (is_near(e.x) && is_near(e.z))
+        if (is_rounding_error(e.x) && is_rounding_error(e.z))
             break;
-        at = held(&around, at, newton_step(sea, sine, e));
+        at = add_step_in_box(&around, at, newton_step(sea, sine, e));
     }
     if (rest) {
         rest[0] = at.x;
         rest[1] = at.z;
     }
-    return tp_sea_at_rest(sea, phases, at.x, at.z);
+    return tp_sea_displace_point(sea, phases, at.x, at.z);
 }
 
-tp_sea_point tp_sea_iterate(const tp_sea *sea, const tp_turn phases[TP_WAVES],
-                            tp_fx x, tp_fx z, uint32_t n)
+tp_sea_point tp_sea_sample_fixed_point(const tp_sea *sea, const tp_turn phases[TP_WAVES],
+                                       tp_fx x, tp_fx z, uint32_t n)
 {
     place at = { x, z };
     int32_t sine[TP_WAVES];
 
     for (; n > 0; n--) {
         place d = displacement(sea, phases, at, sine);
-        at = (place){ tp_fx_minus(x, d.x), tp_fx_minus(z, d.z) };
+        at = (place){ tp_fx_sub_sat(x, d.x), tp_fx_sub_sat(z, d.z) };
     }
-    return tp_sea_at_rest(sea, phases, at.x, at.z);
+    return tp_sea_displace_point(sea, phases, at.x, at.z);
 }

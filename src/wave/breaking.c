@@ -28,7 +28,7 @@ tp_turn tp_orbit_lowest(const tp_ellipse *orbit)
 /* Returns the ramp of a phase, Q30: 0 between the joints, 1 at the crest.  The ramp in
  * front is a third of a turn long, the ramp behind a sixteenth: factors 3/4 and 4
  * convert Q32 to Q30. */
-static tp_q30 ramp_position(int32_t p)
+static tp_q30 crest_ramp(int32_t p)
 {
     if (p < -FRONT)
         return (tp_q30)(((uint64_t)(-(int64_t)p - FRONT) * 3) >> 2);
@@ -48,7 +48,7 @@ tp_breaking tp_breaking_shape(const tp_breaker *breaker, tp_turn phi)
     TP_ASSERT(breaker->kept_lip >= 0 && breaker->kept_lip <= TP_FX_ONE);
     const tp_ellipse *orbit = &breaker->orbit;
     const int32_t p = (int32_t)(phi - tp_orbit_lowest(orbit));
-    const tp_q30 ramp = ramp_position(p);
+    const tp_q30 ramp = crest_ramp(p);
     const int32_t tilt = (int32_t)tp_atan2(orbit->sin, orbit->cos);
     tp_breaking at = {
         .p = p,

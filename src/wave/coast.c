@@ -36,12 +36,12 @@ typedef struct {
     tp_fx     x_first, x_last;
 } beach;
 
-static int64_t larger(int64_t a, int64_t b)
+static int64_t max_int64(int64_t a, int64_t b)
 {
     return a > b ? a : b;
 }
 
-static int64_t smaller(int64_t a, int64_t b)
+static int64_t min_int64(int64_t a, int64_t b)
 {
     return a < b ? a : b;
 }
@@ -52,13 +52,13 @@ static int64_t smaller(int64_t a, int64_t b)
 static int64_t beach_depth(const beach *b, int64_t halves)
 {
     const int64_t rise = (halves * b->slope_q30 + (1 << 14)) >> 15;
-    return larger(b->depth_q32 - rise, b->least_q32 / 2);
+    return max_int64(b->depth_q32 - rise, b->least_q32 / 2);
 }
 
 /* Returns the first x where the floor has risen to a depth below 2^48; slope > 0.  The
  * difference of depths is below 1.5 2^32 in 16.16, and its product with 2^30 is below
  * 2^63. */
-static tp_fx where(const beach *b, int64_t depth_q32)
+static tp_fx x_from_depth(const beach *b, int64_t depth_q32)
 {
     TP_ASSERT(b->slope_q30 > 0);
     const int64_t rise = (b->depth_q32 - depth_q32) >> 16;
@@ -76,24 +76,24 @@ static void find_ends(beach *b, const tp_coast_shape *s)
     if (b->slope_q30 > 0 && b->k_inf.m != 0) {
         const tp_scaled reach = tp_scaled_mul(tp_scaled_from_fixed(TP_DEPTH_DEEP_Q24, 24),
                                               tp_scaled_recip(b->k_inf));
-        const int64_t deep = smaller(tp_scaled_fixed(reach, 32), DEPTH_MOST_Q32 - 1);
-        b->x_first = (tp_fx)larger(b->x_first, where(b, deep));
-        b->x_last = (tp_fx)smaller(b->x_last, where(b, b->least_q32));
+        const int64_t deep = min_int64(tp_scaled_fixed(reach, 32), DEPTH_MOST_Q32 - 1);
+        b->x_first = (tp_fx)max_int64(b->x_first, x_from_depth(b, deep));
+        b->x_last = (tp_fx)min_int64(b->x_last, x_from_depth(b, b->least_q32));
     }
     if (b->slope_q30 == 0 || b->k_inf.m == 0 || b->x_first >= b->x_last)
         b->x_first = b->x_last = s->x_from;
-    b->shore_q32 = larger(beach_depth(b, 2 * (int64_t)b->x_last), b->least_q32);
+    b->shore_q32 = max_int64(beach_depth(b, 2 * (int64_t)b->x_last), b->least_q32);
 }
 
 static beach make_beach(const tp_coast_shape *s)
 {
-    const int64_t k = smaller(larger(s->k_inf_q32, 0), K_MOST_Q32);
-    const int64_t kz = larger(smaller(s->kz_q32, k), -k);
+    const int64_t k = min_int64(max_int64(s->k_inf_q32, 0), K_MOST_Q32);
+    const int64_t kz = max_int64(min_int64(s->kz_q32, k), -k);
     const tp_fx least = s->least > TP_DEPTH_LEAST ? s->least : TP_DEPTH_LEAST;
     beach b = {
-        .k_inf = tp_number_from_q32(k),
-        .across_squared =
-            tp_scaled_mul(tp_number_from_q32(k - kz), tp_number_from_q32(k + kz)),
+        .k_inf = tp_scaled_from_wave_number(k),
+        .across_squared = tp_scaled_mul(tp_scaled_from_wave_number(k - kz),
+                                        tp_scaled_from_wave_number(k + kz)),
         .depth_q32 = (int64_t)s->depth * 65536,
         .least_q32 = (int64_t)least * 65536,
         .slope_q30 = tp_clamp(s->slope, 0, TP_Q30_ONE),
@@ -111,7 +111,7 @@ static tp_scaled across_squared(const beach *b, int64_t depth_q32)
     const tp_scaled x = tp_scaled_mul(tp_depth_number_scaled(b->k_inf, h, 3), h);
     const tp_scaled bent = tp_scaled_mul(b->k_inf, b->k_inf);
 
-    if (tp_depth_argument(x) >= TP_DEPTH_DEEP_Q24)
+    if (tp_scaled_q24(x) >= TP_DEPTH_DEEP_Q24)
         return b->across_squared;
     return tp_scaled_add(tp_scaled_mul(bent, tp_csch_squared(x)), b->across_squared);
 }
@@ -135,7 +135,7 @@ static uint32_t node_spacing_bits(const beach *b)
     const tp_scaled part = tp_scaled_mul(tp_scaled_from_fixed(SIXTEENTH_Q32, 32),
                                          tp_scaled_recip(k));
     const int64_t steep = b->shore_q32 * (1 << 13) / b->slope_q30;
-    const int64_t most = smaller(smaller(tp_scaled_fixed(part, 16), steep),
+    const int64_t most = min_int64(min_int64(tp_scaled_fixed(part, 16), steep),
                                  1 << BITS_MOST);
     return most > 1 ? 31 - (uint32_t)tp_clz((uint32_t)most) : 0;
 }
@@ -175,7 +175,7 @@ static int64_t node_turns(const tp_coast_node *n)
 
 /* Simpson's rule over each step.  A slope is below 2^40, and slope times step is at most an
  * 11th of a turn: six of them are below 2^47 in Q48. */
-static void integrate(tp_coast *coast, const beach *b)
+static void integrate_phases(tp_coast *coast, const beach *b)
 {
     tp_coast_node *const node = coast_nodes(coast);
     const int64_t step = (int64_t)1 << coast->bits, half = TP_FX_ONE / 2;
@@ -195,7 +195,7 @@ static void integrate(tp_coast *coast, const beach *b)
 
 /* Interpolates between two nodes, `way` of 2^bits, by the cubic of both phases and both
  * slopes.  All of these numbers are below 2^29, and `way` is below 2^24. */
-static int64_t between(const tp_coast *coast, tp_fx x)
+static int64_t interpolate_phase(const tp_coast *coast, tp_fx x)
 {
     const uint32_t way = (uint32_t)x - (uint32_t)coast->x_first;
     TP_ASSERT((way >> coast->bits) + 1 < coast->count);
@@ -213,7 +213,7 @@ static int64_t between(const tp_coast *coast, tp_fx x)
 
 /* Returns rise x way.  Rises are below 2^40 and ways below 2^32: the product is
  * computed in two parts. */
-static int64_t straight(int64_t rise, int64_t way)
+static int64_t linear_phase(int64_t rise, int64_t way)
 {
     return rise * (way >> 16) + ((rise * (way & 0xffff) + 0x8000) >> 16);
 }
@@ -222,10 +222,10 @@ int64_t tp_coast_phase(const tp_coast *coast, tp_fx x)
 {
     if (x <= coast->x_first)
         return coast->first
-             + straight(coast->rise_first, (int64_t)x - coast->x_first);
+               + linear_phase(coast->rise_first, (int64_t)x - coast->x_first);
     if (x >= coast->x_last)
-        return coast->last + straight(coast->rise_last, (int64_t)x - coast->x_last);
-    return between(coast, x);
+        return coast->last + linear_phase(coast->rise_last, (int64_t)x - coast->x_last);
+    return interpolate_phase(coast, x);
 }
 
 void tp_coast_init(tp_coast *coast, const tp_coast_shape *shape)
@@ -233,7 +233,7 @@ void tp_coast_init(tp_coast *coast, const tp_coast_shape *shape)
     const beach b = make_beach(shape);
     const bool bent = b.x_first < b.x_last;
     const int64_t sea = b.x_first > shape->x_from ? DEPTH_MOST_Q32 - 1
-                      : larger(beach_depth(&b, 2 * (int64_t)b.x_first), b.least_q32);
+                      : max_int64(beach_depth(&b, 2 * (int64_t)b.x_first), b.least_q32);
 
     *coast = (tp_coast){
         .x_first = b.x_first, .x_last = b.x_last,
@@ -243,8 +243,8 @@ void tp_coast_init(tp_coast *coast, const tp_coast_shape *shape)
     if (bent) {
         coast->bits = node_spacing_bits(&b);
         coast->count = count_nodes(&b, coast->bits);
-        integrate(coast, &b);
-        coast->last = between(coast, b.x_last);
+        integrate_phases(coast, &b);
+        coast->last = interpolate_phase(coast, b.x_last);
     }
     const int64_t zero = tp_coast_phase(coast, 0);
     coast->first -= zero;

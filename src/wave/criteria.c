@@ -10,7 +10,8 @@
  * tanh(kh)/k is h. */
 static tp_scaled miche(tp_scaled k, tp_fx depth)
 {
-    const tp_scaled h = tp_depth_scaled(depth), share = tp_scaled_from_fixed(MICHE_Q32, 32);
+    const tp_scaled h = tp_scaled_from_depth(depth),
+                    share = tp_scaled_from_fixed(MICHE_Q32, 32);
 
     if (k.m == 0)
         return tp_scaled_mul(share, h);
@@ -20,12 +21,12 @@ static tp_scaled miche(tp_scaled k, tp_fx depth)
 
 tp_fx tp_miche_height(int64_t k_q32, tp_fx depth)
 {
-    return depth > 0 ? tp_scaled_fx(miche(tp_number_from_q32(k_q32), depth)) : 0;
+    return depth > 0 ? tp_scaled_fx(miche(tp_scaled_from_wave_number(k_q32), depth)) : 0;
 }
 
 uint32_t tp_breaking_flags(tp_fx height, int64_t k_q32, tp_fx depth)
 {
-    const tp_scaled k = tp_number_from_q32(k_q32);
+    const tp_scaled k = tp_scaled_from_wave_number(k_q32);
     uint32_t flags = 0;
 
     if (height <= 0)

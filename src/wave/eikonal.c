@@ -38,7 +38,7 @@ static before lower_neighbour(const lattice *l, size_t at, size_t step, bool has
 }
 
 /* Returns f half a step back from `here`, in Q32.32. */
-static int64_t way_back(int64_t here, int64_t there)
+static int64_t half_step_number(int64_t here, int64_t there)
 {
     return (here + there) * ((int64_t)1 << 7);
 }
@@ -53,7 +53,7 @@ static int64_t wavefront_root(int64_t f, int64_t d)
     return (int64_t)tp_isqrt64((uint64_t)(2 * f * f - d * d)) << down;
 }
 
-static int64_t settled(int64_t number, before a, before b)
+static int64_t godunov_solution(int64_t number, before a, before b)
 {
     if (a.turns > b.turns) {
         const before swap = a;
@@ -62,24 +62,24 @@ static int64_t settled(int64_t number, before a, before b)
     }
     if (a.turns == UNKNOWN)
         return UNKNOWN;
-    const int64_t alone = way_back(number, a.number);
+    const int64_t alone = half_step_number(number, a.number);
     if (b.turns == UNKNOWN || b.turns - a.turns >= alone)
         return a.turns + alone;
     const int64_t da = number - a.number, db = number - b.number;
     const bool more = (db < 0 ? -db : db) > (da < 0 ? -da : da);
-    const int64_t f = way_back(number, more ? b.number : a.number);
+    const int64_t f = half_step_number(number, more ? b.number : a.number);
     const int64_t d = b.turns - a.turns;
     if (d >= f)
         return a.turns + alone;
     return (a.turns + b.turns + wavefront_root(f, d)) / 2;
 }
 
-static bool settle(const lattice *l, uint32_t col, uint32_t row)
+static bool update_node(const lattice *l, uint32_t col, uint32_t row)
 {
     const size_t at = (size_t)row * l->cols + col;
     const before x = lower_neighbour(l, at, 1, col > 0, col + 1 < l->cols);
     const before z = lower_neighbour(l, at, l->cols, row > 0, row + 1 < l->rows);
-    const int64_t turns = settled((uint32_t)l->ray[at].turns, x, z);
+    const int64_t turns = godunov_solution((uint32_t)l->ray[at].turns, x, z);
 
     if (turns >= l->turns[at])
         return false;
@@ -94,7 +94,7 @@ static bool sweep(const lattice *l, bool west, bool north)
     for (uint32_t r = 0; r < l->rows; r++) {
         const uint32_t row = north ? l->rows - 1 - r : r;
         for (uint32_t c = 0; c < l->cols; c++)
-            changed |= settle(l, west ? l->cols - 1 - c : c, row);
+            changed |= update_node(l, west ? l->cols - 1 - c : c, row);
     }
     return changed;
 }

@@ -14,7 +14,7 @@ static const uint32_t power[64] = {
 
 /* Returns 1 - 2^-part/64 for part below 1 as Q0.32.  With s = part ln 2 / 64 < 0.01084 the
  * power is 1 - s + s^2/2 - s^3/6; the next term is 5.8e-10. */
-static inline uint32_t fall(uint32_t part)
+static inline uint32_t one_minus_exp2_neg(uint32_t part)
 {
     const uint32_t s = (uint32_t)((uint64_t)part * 46516320 >> 32); /* 2^32 ln 2 / 64 */
     const uint32_t square = (uint32_t)((uint64_t)s * s >> 32);
@@ -29,7 +29,8 @@ uint32_t tp_exp_neg(uint32_t x_q24)
         return 0;
     const uint64_t z = (uint64_t)x_q24 * 3098164009u;               /* Q6.55 */
     const uint32_t n = (uint32_t)(z >> 55), top = power[z >> 49 & 63];
-    const uint32_t y = top - (uint32_t)((uint64_t)top * fall((uint32_t)(z >> 17)) >> 32);
+    const uint32_t y =
+        top - (uint32_t)((uint64_t)top * one_minus_exp2_neg((uint32_t)(z >> 17)) >> 32);
     return n == 0 ? y : (uint32_t)((y + ((uint64_t)1 << (n - 1))) >> n);
 }
 
@@ -64,7 +65,7 @@ tp_tanh tp_tanh_evaluate(uint32_t x_q24)
  * (2 e^-x / (1 - e^-2x))^2. */
 tp_scaled tp_csch_squared(tp_scaled x)
 {
-    const uint32_t x_q24 = tp_depth_argument(x);
+    const uint32_t x_q24 = tp_scaled_q24(x);
 
     if (x_q24 < 1u << 24) {
         const tp_tanh at = tp_tanh_evaluate(x_q24);

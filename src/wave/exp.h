@@ -35,13 +35,13 @@ tp_scaled tp_tanh_scaled(tp_scaled x);
  * 2^-30 from there on. */
 tp_scaled tp_csch_squared(tp_scaled x);
 
-/* tp_depth_scaled converts a depth; land counts as 1/16 m.  tp_depth_argument converts x to
+/* tp_scaled_from_depth converts a depth; land counts as 1/16 m.  tp_scaled_q24 converts x to
  * 8.24, saturated. */
-tp_scaled tp_depth_scaled(tp_fx depth);
-uint32_t  tp_depth_argument(tp_scaled x);
+tp_scaled tp_scaled_from_depth(tp_fx depth);
+uint32_t  tp_scaled_q24(tp_scaled x);
 
 /* Converts a wave number from Q31.32; negative numbers count as 0. */
-static inline tp_scaled tp_number_from_q32(int64_t k_q32)
+static inline tp_scaled tp_scaled_from_wave_number(int64_t k_q32)
 {
     return tp_scaled_from_fixed(k_q32 > 0 ? (uint64_t)k_q32 : 0, 32);
 }

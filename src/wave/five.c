@@ -5,7 +5,7 @@
 #include "base/assert.h"
 #include "wave/wave.h"
 
-tp_relief tp_neighbour_heights(tp_fx middle, const tp_fx around[4], tp_fx spacing)
+tp_relief tp_neighbour_relief(tp_fx middle, const tp_fx around[4], tp_fx spacing)
 {
     TP_ASSERT(spacing > 0 && spacing < 8192 * TP_FX_ONE);
     return (tp_relief){

@@ -59,11 +59,11 @@ static place locate_sample(int64_t way, uint32_t cells, uint32_t across, tp_fx s
 }
 
 /* Returns map range (33 bits) times a sample of 24 bits, over white. */
-static int64_t of_range(const tp_floor *floor, int64_t sample_q8)
+static int64_t scale_to_map_range(const tp_floor *floor, int64_t sample_q8)
 {
     const int64_t range = (int64_t)floor->map_high - floor->map_low;
     const int64_t white = (int64_t)65535 << 8, product = range * sample_q8;
-    return tp_quotient(product, white);
+    return tp_div_rounded(product, white);
 }
 
 /* Converts a difference of neighbours (17 bits) to a slope, m/m.  The range has 33 bits and
@@ -76,7 +76,7 @@ static tp_fx map_rise(const tp_floor *floor, int64_t step)
     return (tp_fx)tp_clamp_abs(rise + rise / 65535, RISE_MAX);
 }
 
-static int64_t between(int64_t a, int64_t b, int32_t part)
+static int64_t interpolate_q16(int64_t a, int64_t b, int32_t part)
 {
     return a * TP_FX_ONE + (b - a) * part;
 }
@@ -90,14 +90,14 @@ static tp_floor_at sample_map(const tp_floor *floor, tp_fx x, tp_fx z)
                              floor->map_size);
     const uint16_t *north = map->sample + (size_t)v.sample * map->cols;
     const uint16_t *south = map->sample + (size_t)v.next * map->cols;
-    const int64_t high = between(north[u.sample], north[u.next], u.part);
-    const int64_t low = between(south[u.sample], south[u.next], u.part);
-    const int64_t west = between(north[u.sample], south[u.sample], v.part);
-    const int64_t east = between(north[u.next], south[u.next], v.part);
-    const int64_t middle = (between(high, low, v.part) + (1 << 23)) >> 24;
+    const int64_t high = interpolate_q16(north[u.sample], north[u.next], u.part);
+    const int64_t low = interpolate_q16(south[u.sample], south[u.next], u.part);
+    const int64_t west = interpolate_q16(north[u.sample], south[u.sample], v.part);
+    const int64_t east = interpolate_q16(north[u.next], south[u.next], v.part);
+    const int64_t middle = (interpolate_q16(high, low, v.part) + (1 << 23)) >> 24;
 
     return (tp_floor_at){
-        .depth = tp_fx_saturate(-(floor->map_low + of_range(floor, middle))),
+        .depth = tp_fx_saturate(-(floor->map_low + scale_to_map_range(floor, middle))),
         .rise_x = u.outside ? 0 : map_rise(floor, (east - west + 0x8000) >> 16),
         .rise_z = v.outside ? 0 : map_rise(floor, (low - high + 0x8000) >> 16),
     };

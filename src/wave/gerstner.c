@@ -37,8 +37,8 @@ TP_ALWAYS_INLINE tp_sea_point point_as(const tp_sea *sea, const tp_turn *phases,
     return tp_sea_sum_point_as(&sum, x0, z0, TP_FX_ONE, crossed);
 }
 
-tp_sea_point tp_sea_at_rest(const tp_sea *sea, const tp_turn phases[TP_WAVES],
-                            tp_fx x0, tp_fx z0)
+tp_sea_point tp_sea_displace_point(const tp_sea *sea, const tp_turn phases[TP_WAVES],
+                                   tp_fx x0, tp_fx z0)
 {
     TP_ASSERT(sea->count <= TP_WAVES);
     if (sea->sharpened)

@@ -38,13 +38,14 @@ static uint32_t node_coordinate(const tp_ocean *ocean, int64_t way, uint32_t nod
 }
 
 /* Interpolates between the four nodes around a point. */
-static inline int32_t patch(int32_t a, int32_t b, int32_t c, int32_t d, const place *p)
+static inline int32_t interpolate_nodes(int32_t a, int32_t b, int32_t c, int32_t d,
+                                        const place *p)
 {
     return tp_ocean_mix(tp_ocean_mix(a, b, p->part_x), tp_ocean_mix(c, d, p->part_x),
                         p->part_z);
 }
 
-static void find_on_map(const tp_ocean *ocean, tp_fx x, tp_fx z, place *p)
+static void locate_on_map(const tp_ocean *ocean, tp_fx x, tp_fx z, place *p)
 {
     const uint32_t u = node_coordinate(ocean, x - ocean->map_x, ocean->map_cols);
     const uint32_t v = node_coordinate(ocean, z - ocean->map_z, ocean->map_rows);
@@ -54,12 +55,14 @@ static void find_on_map(const tp_ocean *ocean, tp_fx x, tp_fx z, place *p)
     p->part_x = (int32_t)(u & 0xffff);
     p->part_z = (int32_t)(v & 0xffff);
     const tp_ocean_bed *n = tp_ocean_beds(ocean) + p->node, *s = n + ocean->map_cols;
-    p->depth = patch(n[0].depth, n[1].depth, s[0].depth, s[1].depth, p);
-    p->rise_x = patch(n[0].rise_x, n[1].rise_x, s[0].rise_x, s[1].rise_x, p) * 32;
-    p->rise_z = patch(n[0].rise_z, n[1].rise_z, s[0].rise_z, s[1].rise_z, p) * 32;
+    p->depth = interpolate_nodes(n[0].depth, n[1].depth, s[0].depth, s[1].depth, p);
+    p->rise_x =
+        interpolate_nodes(n[0].rise_x, n[1].rise_x, s[0].rise_x, s[1].rise_x, p) * 32;
+    p->rise_z =
+        interpolate_nodes(n[0].rise_z, n[1].rise_z, s[0].rise_z, s[1].rise_z, p) * 32;
 }
 
-static void find_straight(const tp_ocean *ocean, tp_fx x, tp_fx z, place *p)
+static void locate_on_slope(const tp_ocean *ocean, tp_fx x, tp_fx z, place *p)
 {
     const tp_fx along = tp_way_project((tp_way){ ocean->up_x, ocean->up_z }, x, z);
     const int64_t rise = (int64_t)ocean->slope * along;
@@ -67,14 +70,14 @@ static void find_straight(const tp_ocean *ocean, tp_fx x, tp_fx z, place *p)
     p->depth = tp_fx_saturate(ocean->depth - ((rise + 0x8000) >> 16));
 }
 
-static place find(const tp_ocean *ocean, tp_fx x, tp_fx z)
+static place locate_point(const tp_ocean *ocean, tp_fx x, tp_fx z)
 {
     place p = { .depth = 0 };
 
     if (ocean->map_cols)
-        find_on_map(ocean, x, z, &p);
+        locate_on_map(ocean, x, z, &p);
     else
-        find_straight(ocean, x, z, &p);
+        locate_on_slope(ocean, x, z, &p);
     if (p.depth > 0)
         p.at = tp_ocean_where_find(p.depth);
     return p;
@@ -82,7 +85,7 @@ static place find(const tp_ocean *ocean, tp_fx x, tp_fx z)
 
 tp_floor_at tp_ocean_floor(const tp_ocean *ocean, tp_fx x, tp_fx z)
 {
-    const place p = find(ocean, x, z);
+    const place p = locate_point(ocean, x, z);
 
     if (ocean->map_cols)
         return (tp_floor_at){ p.depth, p.rise_x, p.rise_z };
@@ -136,21 +139,23 @@ static void tilt(const tp_ocean *ocean, const place *p, motion *m)
     m->orbit.cos = tp_cos_of_sin(m->orbit.sin);
 }
 
-static void move_on_map(const tp_ocean *ocean, const tp_ocean_wave *wave, const place *p,
+static void add_map_motion(const tp_ocean *ocean, const tp_ocean_wave *wave, const place *p,
                         motion *m)
 {
     const tp_ocean_ray *n = tp_ocean_rays(ocean, wave) + p->node;
     const tp_ocean_ray *s = n + ocean->map_cols;
 
     m->phi += ray_turns(n, s, p);
-    m->way.x = wave->way_x + patch(n[0].way_x, n[1].way_x, s[0].way_x, s[1].way_x, p)
-                             * (1 << 17);
-    m->way.z = wave->way_z + patch(n[0].way_z, n[1].way_z, s[0].way_z, s[1].way_z, p)
-                             * (1 << 17);
+    m->way.x = wave->way_x
+               + interpolate_nodes(n[0].way_x, n[1].way_x, s[0].way_x, s[1].way_x, p)
+                     * (1 << 17);
+    m->way.z = wave->way_z
+               + interpolate_nodes(n[0].way_z, n[1].way_z, s[0].way_z, s[1].way_z, p)
+                     * (1 << 17);
     tilt(ocean, p, m);
 }
 
-static void move_straight(const tp_ocean_table *table, const place *p, motion *m)
+static void add_slope_motion(const tp_ocean_table *table, const place *p, motion *m)
 {
     const tp_ocean_depth *d = table->depth + p->at.depth;
     const int32_t *turns = table->turns + p->at.phase, part = p->at.depth_part;
@@ -166,8 +171,8 @@ static void move_straight(const tp_ocean_table *table, const place *p, motion *m
                                 part);
 }
 
-static motion move(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, tp_fx x0,
-                   tp_fx z0, const place *p)
+static motion evaluate_motion(const tp_ocean *ocean, uint32_t i, const tp_turn *phases,
+                              tp_fx x0, tp_fx z0, const place *p)
 {
     const tp_ocean_wave *wave = &ocean->wave[i];
     const tp_ocean_table *table = &tp_ocean_tables(ocean)[i];
@@ -181,9 +186,9 @@ static motion move(const tp_ocean *ocean, uint32_t i, const tp_turn *phases, tp_
     };
 
     if (ocean->map_cols)
-        move_on_map(ocean, wave, p, &m);
+        add_map_motion(ocean, wave, p, &m);
     else
-        move_straight(table, p, &m);
+        add_slope_motion(table, p, &m);
     if (wave->lambda)
         m.phi = tp_wind_phase(m.phi, tp_wind_push(wave->lambda, m.orbit.up),
                               wave->iterations);
@@ -263,13 +268,13 @@ static tp_offset surf_offset(const tp_ocean *ocean, uint32_t i, const tp_turn *p
 static tp_ocean_point sample_point(const tp_ocean *ocean, const tp_turn *phases, tp_fx x0,
                                    tp_fx z0, bool whole)
 {
-    const place p = find(ocean, x0, z0);
+    const place p = locate_point(ocean, x0, z0);
     const uint32_t count = p.depth > 0 ? ocean->count : 0;      /* dry land does not move */
     tp_ocean_point point = { .position = { 0, 0, 0 }, .depth = p.depth };
     uint32_t foam = 0;
 
     for (uint32_t i = 0; i < count; i++) {
-        const motion m = move(ocean, i, phases, x0, z0, &p);
+        const motion m = evaluate_motion(ocean, i, phases, x0, z0, &p);
         const tp_offset o = p.at.depth >= ocean->wave[i].calm
                           ? tp_orbit_offset(&m.orbit, m.phi)
                           : surf_offset(ocean, i, phases, &p, &m, x0, z0, whole, &foam);
@@ -277,35 +282,36 @@ static tp_ocean_point sample_point(const tp_ocean *ocean, const tp_turn *phases,
         point.position.y += o.up;
         point.position.z += tp_q30_mul(o.along, m.way.z);
     }
-    point.position.x = tp_fx_plus(x0, point.position.x);
-    point.position.z = tp_fx_plus(z0, point.position.z);
+    point.position.x = tp_fx_add_sat(x0, point.position.x);
+    point.position.z = tp_fx_add_sat(z0, point.position.z);
     point.breaking = (uint8_t)foam;
     return point;
 }
 
-tp_ocean_point tp_ocean_at_rest(const tp_ocean *ocean, const tp_turn phases[TP_WAVES],
-                                tp_fx x0, tp_fx z0)
+tp_ocean_point tp_ocean_displace_point(const tp_ocean *ocean,
+                                       const tp_turn phases[TP_WAVES], tp_fx x0, tp_fx z0)
 {
     return sample_point(ocean, phases, x0, z0, true);
 }
 
-tp_ocean_point tp_ocean_smooth(const tp_ocean *ocean, const tp_turn phases[TP_WAVES],
-                               tp_fx x0, tp_fx z0)
+tp_ocean_point tp_ocean_displace_smooth(const tp_ocean *ocean,
+                                        const tp_turn phases[TP_WAVES], tp_fx x0,
+                                        tp_fx z0)
 {
     return sample_point(ocean, phases, x0, z0, false);
 }
 
-tp_fx tp_ocean_reach(const tp_ocean *ocean)
+tp_fx tp_ocean_max_displacement(const tp_ocean *ocean)
 {
     return ocean->reach;
 }
 
-tp_fx tp_ocean_height(const tp_ocean *ocean)
+tp_fx tp_ocean_max_height(const tp_ocean *ocean)
 {
     return ocean->height;
 }
 
 tp_fx tp_ocean_breaking_depth(const tp_ocean *ocean)
 {
-    return (tp_fx)tp_clamp_abs((int64_t)tp_ocean_height(ocean) * 8, 2048 * TP_FX_ONE);
+    return (tp_fx)tp_clamp_abs((int64_t)tp_ocean_max_height(ocean) * 8, 2048 * TP_FX_ONE);
 }

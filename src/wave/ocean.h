@@ -167,17 +167,19 @@ typedef struct {
 
 /* Returns the displaced point of the rest point (x0, z0), any point of 16.16; positions are
  * clamped to the range.  `phases` come from tp_sea_phases. */
-tp_ocean_point tp_ocean_at_rest(const tp_ocean *ocean, const tp_turn phases[TP_WAVES],
-                                tp_fx x0, tp_fx z0);
+tp_ocean_point tp_ocean_displace_point(const tp_ocean *ocean,
+                                       const tp_turn phases[TP_WAVES], tp_fx x0,
+                                       tp_fx z0);
 
 /* The same without overhanging parts (stretch and displacement), for boats and drops: a
  * height field wherever sum Q k A < 1. */
-tp_ocean_point tp_ocean_smooth(const tp_ocean *ocean, const tp_turn phases[TP_WAVES],
-                               tp_fx x0, tp_fx z0);
+tp_ocean_point tp_ocean_displace_smooth(const tp_ocean *ocean,
+                                        const tp_turn phases[TP_WAVES], tp_fx x0,
+                                        tp_fx z0);
 
 /* Bounds of the displacement of all points: horizontal (reach) and vertical (height), m. */
-tp_fx tp_ocean_reach(const tp_ocean *ocean);
-tp_fx tp_ocean_height(const tp_ocean *ocean);
+tp_fx tp_ocean_max_displacement(const tp_ocean *ocean);
+tp_fx tp_ocean_max_height(const tp_ocean *ocean);
 
 /* Returns the depth under a point, from the tables. */
 tp_floor_at tp_ocean_floor(const tp_ocean *ocean, tp_fx x, tp_fx z);
@@ -203,7 +205,7 @@ tp_ellipse tp_orbit_ellipse(tp_fx r, tp_fx depth, tp_turn gamma, int64_t k_q32, 
                             tp_fx kx, tp_fx ky);
 
 /* Returns the offset of the particle at phase Phi; Phi is 0 in the trough [A7]. */
-tp_offset tp_orbit(const tp_ellipse *orbit, tp_turn phi);
+tp_offset tp_orbit_evaluate(const tp_ellipse *orbit, tp_turn phi);
 
 /* Returns the phase of the lowest point of the orbit [B16]. */
 tp_turn tp_orbit_lowest(const tp_ellipse *orbit);

@@ -17,12 +17,12 @@ typedef struct {
     uint32_t cols, rows;                /* nodes of a map; 0: no map */
 } layout;
 
-static size_t rounded(size_t bytes)
+static size_t round_up_to_8(size_t bytes)
 {
     return (bytes + 7) & ~(size_t)7;
 }
 
-static bool map_usable(const tp_grey *map)
+static bool is_map_usable(const tp_grey *map)
 {
     return map == NULL || (map->cols > 0 && map->cols <= PIXELS_MOST
                            && map->rows > 0 && map->rows <= PIXELS_MOST);
@@ -39,7 +39,7 @@ static uint32_t count_nodes(uint32_t steps, uint32_t pixels, uint32_t most)
 
 static layout make_layout(const tp_grey *map, uint32_t count)
 {
-    const size_t tables = rounded(sizeof(tp_ocean) + count * sizeof(tp_ocean_table));
+    const size_t tables = round_up_to_8(sizeof(tp_ocean) + count * sizeof(tp_ocean_table));
     if (map == NULL)
         return (layout){ .bytes = tables };
 
@@ -50,15 +50,15 @@ static layout make_layout(const tp_grey *map, uint32_t count)
         .rows = count_nodes(nodes - 1, map->rows, most),
     };
     const size_t all = (size_t)plan.cols * plan.rows;
-    plan.rays = plan.beds + rounded(all * sizeof(tp_ocean_bed));
-    plan.turns = plan.rays + count * rounded(all * sizeof(tp_ocean_ray));
+    plan.rays = plan.beds + round_up_to_8(all * sizeof(tp_ocean_bed));
+    plan.turns = plan.rays + count * round_up_to_8(all * sizeof(tp_ocean_ray));
     plan.bytes = plan.turns + all * sizeof(int64_t);
     return plan;
 }
 
 size_t tp_ocean_bytes(const tp_ocean_config *config, const tp_sea *sea)
 {
-    if (config == NULL || sea == NULL || !map_usable(config->floor.map))
+    if (config == NULL || sea == NULL || !is_map_usable(config->floor.map))
         return 0;
     return make_layout(config->floor.map, sea->count).bytes;
 }
@@ -109,7 +109,7 @@ static tp_ocean_swell_key make_swell_key(const tp_wave *wave, const tp_swell *sw
                                  swell->reach_x, swell->reach_z };
 }
 
-static bool same_nodes(const tp_ocean *ocean, const tp_grey *map)
+static bool has_same_nodes(const tp_ocean *ocean, const tp_grey *map)
 {
     const layout plan = make_layout(map, ocean->count);
     return plan.cols == ocean->map_cols && plan.rows == ocean->map_rows;
@@ -117,7 +117,7 @@ static bool same_nodes(const tp_ocean *ocean, const tp_grey *map)
 
 /* -- the floor --------------------------------------------------------------------- */
 
-static void make_straight(tp_ocean *ocean, const tp_floor *floor)
+static void set_straight_floor(tp_ocean *ocean, const tp_floor *floor)
 {
     const tp_way up = tp_way_from_degrees(floor->heading);
 
@@ -142,8 +142,8 @@ static uint32_t node_step(const tp_floor *floor, uint32_t nodes)
 }
 
 /* The step is limited to 125 m: a map much taller than wide loses its ends. */
-static void make_map(tp_ocean *ocean, const tp_floor *floor, const layout *plan,
-                     bool keep_beds)
+static void set_floor_map(tp_ocean *ocean, const tp_floor *floor, const layout *plan,
+                          bool keep_beds)
 {
     const tp_fx far = TP_FX(16384);
 
@@ -182,7 +182,7 @@ static tp_ocean_swell make_swell(const tp_ocean *ocean, const tp_wave *wave,
 
     w.k_inf_q32 = tp_depth_number_deep(w.length);
     w.kz_q32 =
-        ocean->slope > 0 ? tp_ocean_part(w.k_inf_q32, tp_way_dot(w.way, along)) : 0;
+        ocean->slope > 0 ? tp_ocean_scale_q30(w.k_inf_q32, tp_way_dot(w.way, along)) : 0;
     return w;
 }
 
@@ -191,7 +191,7 @@ static tp_ocean_swell make_swell(const tp_ocean *ocean, const tp_wave *wave,
 static void set_breaker(tp_ocean *ocean, tp_ocean_wave *wave, const tp_ocean_swell *w,
                         tp_fx stretch)
 {
-    const tp_q30 slope = ocean->map_cols ? tp_ocean_beach(ocean, w->amplitude)
+    const tp_q30 slope = ocean->map_cols ? tp_ocean_beach_slope(ocean, w->amplitude)
                                          : ocean->slope * (1 << 14);
     const tp_fx height = 2 * w->amplitude;
     const tp_breaker_type type =
@@ -207,14 +207,14 @@ static void set_breaker(tp_ocean *ocean, tp_ocean_wave *wave, const tp_ocean_swe
 }
 
 /* A level floor does not turn waves, but shortens them. */
-static void shorten(tp_ocean *ocean, tp_ocean_wave *wave, const tp_ocean_swell *w)
+static void shorten_wave(tp_ocean *ocean, tp_ocean_wave *wave, const tp_ocean_swell *w)
 {
     if (ocean->slope > 0 || ocean->map_cols || ocean->depth >= 1 << TP_OCEAN_LAST)
         return;
     const int64_t k = tp_ocean_local_number(w->k_inf_q32, ocean->depth);
-    const int64_t more = tp_ocean_turns(k - w->k_inf_q32);
-    wave->turns_x += tp_ocean_part(more, w->way.x);
-    wave->turns_z += tp_ocean_part(more, w->way.z);
+    const int64_t more = tp_ocean_turns_per_metre(k - w->k_inf_q32);
+    wave->turns_x += tp_ocean_scale_q30(more, w->way.x);
+    wave->turns_z += tp_ocean_scale_q30(more, w->way.z);
 }
 
 static void make_wave(tp_ocean *ocean, uint32_t i, const tp_wave *given,
@@ -230,13 +230,13 @@ static void make_wave(tp_ocean *ocean, uint32_t i, const tp_wave *given,
         .lambda = tp_wind_lambda(tp_clamp(config->wind, 0, TP_FX_ONE),
                                  tp_way_dot(w.way, wind)),
     };
-    shorten(ocean, wave, &w);
+    shorten_wave(ocean, wave, &w);
     set_breaker(ocean, wave, &w, config->stretch);
     tp_ocean_make_table(ocean, i, &w, config);
 }
 
-static void make_far(tp_ocean *ocean, uint32_t i, const tp_wave *given,
-                     const tp_swell *swell, const layout *plan, bool keep_rays)
+static void make_wave_phases(tp_ocean *ocean, uint32_t i, const tp_wave *given,
+                             const tp_swell *swell, const layout *plan, bool keep_rays)
 {
     const tp_ocean_swell w = make_swell(ocean, given, swell);
     const size_t all = (size_t)plan->cols * plan->rows;
@@ -245,7 +245,7 @@ static void make_far(tp_ocean *ocean, uint32_t i, const tp_wave *given,
     if (plan->cols == 0)
         return;
     ocean->wave[i].rays =
-        (uint32_t)(plan->rays + i * rounded(all * sizeof(tp_ocean_ray)));
+        (uint32_t)(plan->rays + i * round_up_to_8(all * sizeof(tp_ocean_ray)));
     if (!keep_rays)
         tp_ocean_make_rays(ocean, i, &w, at_byte(ocean, plan->turns));
 }
@@ -258,7 +258,7 @@ typedef struct {
     uint32_t rays;              /* one bit per swell */
 } parts_kept;
 
-static uint32_t moving(const tp_wave *waves, uint32_t count)
+static uint32_t count_moving_waves(const tp_wave *waves, uint32_t count)
 {
     uint32_t found = 0;
 
@@ -275,10 +275,10 @@ static void make_waves(tp_ocean *ocean, const tp_ocean_config *config, const tp_
 
     for (uint32_t i = 0; i < sea->count; i++)
         make_wave(ocean, i, wave[i], &sea->swell[i], config);
-    tp_ocean_share(ocean);
+    tp_ocean_limit_steepness(ocean);
     for (uint32_t i = 0; i < sea->count; i++) {
-        make_far(ocean, i, wave[i], &sea->swell[i], plan, kept.rays >> i & 1);
-        tp_ocean_bound(ocean, i, tilt);
+        make_wave_phases(ocean, i, wave[i], &sea->swell[i], plan, kept.rays >> i & 1);
+        tp_ocean_add_bounds(ocean, i, tilt);
     }
 }
 
@@ -289,8 +289,8 @@ static void clear_turns(tp_ocean *ocean, const layout *plan)
         memset(at_byte(ocean, plan->turns), 0, plan->bytes - plan->turns);
 }
 
-static void make(tp_ocean *ocean, const tp_ocean_config *config, const tp_sea *sea,
-                 const tp_wave *const wave[TP_WAVES], parts_kept kept)
+static void build_ocean(tp_ocean *ocean, const tp_ocean_config *config, const tp_sea *sea,
+                        const tp_wave *const wave[TP_WAVES], parts_kept kept)
 {
     const tp_floor *floor = &config->floor;
     const layout plan = make_layout(floor->map, sea->count);
@@ -302,11 +302,11 @@ static void make(tp_ocean *ocean, const tp_ocean_config *config, const tp_sea *s
     ocean->floor_key = make_floor_key(config);
     ocean->model_key = make_model_key(config);
     if (floor->map)
-        make_map(ocean, floor, &plan, kept.beds);
+        set_floor_map(ocean, floor, &plan, kept.beds);
     else
-        make_straight(ocean, floor);
+        set_straight_floor(ocean, floor);
     for (uint32_t n = 0; n + 1 < TP_OCEAN_DEPTHS; n++)
-        ocean->fall[n] = tp_orbit_fall(config->k0, tp_ocean_node_depth(n, 3));
+        ocean->fall[n] = tp_orbit_depth_decay(config->k0, tp_ocean_node_depth(n, 3));
     make_waves(ocean, config, sea, wave, &plan, kept);
     for (uint32_t i = 0; i < sea->count; i++)
         tp_ocean_tables(ocean)[i].key = make_swell_key(wave[i], &sea->swell[i]);
@@ -315,14 +315,14 @@ static void make(tp_ocean *ocean, const tp_ocean_config *config, const tp_sea *s
 
 /* True if the arguments describe valid coastal water.  Then fills `wave` with the waves of
  * amplitude > 0, in the order of the swells. */
-static bool find_waves(const tp_ocean_config *config, const tp_sea *sea,
-                       const tp_wave *waves, uint32_t count,
-                       const tp_wave *wave[TP_WAVES])
+static bool collect_waves_if_valid(const tp_ocean_config *config, const tp_sea *sea,
+                                   const tp_wave *waves, uint32_t count,
+                                   const tp_wave *wave[TP_WAVES])
 {
     const tp_floor *floor = &config->floor;
     uint32_t n = 0;
 
-    if (moving(waves, count) != sea->count || !map_usable(floor->map))
+    if (count_moving_waves(waves, count) != sea->count || !is_map_usable(floor->map))
         return false;
     if (floor->map && (floor->map_size < TP_FX_ONE || floor->map_size > TP_FX(8000)))
         return false;
@@ -355,9 +355,9 @@ tp_status tp_ocean_init(tp_ocean *ocean, const tp_ocean_config *config, const tp
 
     if (status != TP_OK)
         return status;
-    if (!find_waves(config, sea, waves, count, wave))
+    if (!collect_waves_if_valid(config, sea, waves, count, wave))
         return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
-    make(ocean, config, sea, wave, (parts_kept){ .beds = false });
+    build_ocean(ocean, config, sea, wave, (parts_kept){ .beds = false });
     return TP_OK;
 }
 
@@ -370,8 +370,8 @@ tp_status tp_ocean_refresh(tp_ocean *ocean, const tp_ocean_config *config,
 
     if (status != TP_OK)
         return status;
-    if (!find_waves(config, sea, waves, count, wave) || ocean->count != sea->count
-        || !same_nodes(ocean, config->floor.map))
+    if (!collect_waves_if_valid(config, sea, waves, count, wave)
+        || ocean->count != sea->count || !has_same_nodes(ocean, config->floor.map))
         return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
 
     const tp_ocean_floor_key floor = make_floor_key(config);
@@ -387,6 +387,6 @@ tp_status tp_ocean_refresh(tp_ocean *ocean, const tp_ocean_config *config,
         same = same && memcmp(&key, was, sizeof key) == 0;
     }
     if (!same)
-        make(ocean, config, sea, wave, kept);
+        build_ocean(ocean, config, sea, wave, kept);
     return TP_OK;
 }

@@ -86,7 +86,7 @@ void tp_ocean_make_beds(tp_ocean *ocean, const tp_floor *floor)
 /* Returns the mean slope of the beach, Q30: of all nodes where a wave of this
  * amplitude may break, at depths up to four times the amplitude; of the whole floor if
  * no node is as shallow. */
-tp_q30 tp_ocean_beach(const tp_ocean *ocean, tp_fx amplitude)
+tp_q30 tp_ocean_beach_slope(const tp_ocean *ocean, tp_fx amplitude)
 {
     const tp_ocean_bed *beds = tp_ocean_beds(ocean);
     const size_t count = (size_t)ocean->map_cols * ocean->map_rows;
@@ -115,12 +115,12 @@ static tp_dir3 normalise_way(int64_t x, int64_t z)
 
 /* node_number returns the wave number at a node, rad/m; node_bent_number returns the
  * wave vector. */
-static int64_t node_number(const tp_ocean *ocean, const tp_ocean_swell *w, size_t at)
+static int64_t node_wave_number(const tp_ocean *ocean, const tp_ocean_swell *w, size_t at)
 {
     return tp_ocean_local_number(w->k_inf_q32, tp_ocean_beds(ocean)[at].depth);
 }
 
-static tp_ocean_number node_bent_number(const tp_ocean *ocean, const tp_ocean_swell *w,
+static tp_ocean_number node_wave_vector(const tp_ocean *ocean, const tp_ocean_swell *w,
                                         size_t at)
 {
     const fall f = node_fall(ocean, at);
@@ -131,27 +131,28 @@ static tp_ocean_number node_bent_number(const tp_ocean *ocean, const tp_ocean_sw
         const tp_dir3 dir = normalise_way(f.x, f.z);
         up = (tp_way){ dir.x, dir.z };
     }
-    return tp_ocean_bent(w, up, node_number(ocean, w, at));
+    return tp_ocean_wave_vector(w, up, node_wave_number(ocean, w, at));
 }
 
 /* Turns in a step between nodes: 2^34 times 2^23 at the most. */
 static int64_t turns_a_step(const tp_ocean *ocean, int64_t k_q32)
 {
-    return tp_ocean_turns(k_q32) * (int64_t)ocean->map_step >> 16;
+    return tp_ocean_turns_per_metre(k_q32) * (int64_t)ocean->map_step >> 16;
 }
 
 /* Computes phases along an edge, from the node `at` with a known phase, `count` times
  * `step` nodes on.  Each step adds the mean of the wave vector's component along the
  * edge at both ends. */
-static void walk_edge(const tp_ocean *ocean, const tp_ocean_swell *w, int64_t *turns,
-                      ptrdiff_t at, ptrdiff_t step, uint32_t count)
+static void integrate_edge_phases(const tp_ocean *ocean, const tp_ocean_swell *w,
+                                  int64_t *turns, ptrdiff_t at, ptrdiff_t step,
+                                  uint32_t count)
 {
     const bool east_west = step == 1 || step == -1;
     const int sign = step < 0 ? -1 : 1;
-    tp_ocean_number here = node_bent_number(ocean, w, (size_t)at);
+    tp_ocean_number here = node_wave_vector(ocean, w, (size_t)at);
 
     for (uint32_t n = 1; n < count; n++, at += step) {
-        const tp_ocean_number next = node_bent_number(ocean, w, (size_t)(at + step));
+        const tp_ocean_number next = node_wave_vector(ocean, w, (size_t)(at + step));
         const int64_t mean = east_west ? (here.x_q32 + next.x_q32) / 2
                                        : (here.z_q32 + next.z_q32) / 2;
         turns[at + step] = turns[at] + sign * turns_a_step(ocean, mean);
@@ -172,28 +173,29 @@ static int64_t plane_phase(const tp_ocean *ocean, const tp_ocean_wave *wave, uin
     return (int64_t)((turns_x + turns_z) << 16) >> 16;
 }
 
-static void start(const tp_ocean *ocean, const tp_ocean_wave *wave, tp_ocean_ray *rays,
-                  const tp_ocean_swell *w, int64_t *turns)
+static void init_phases(const tp_ocean *ocean, const tp_ocean_wave *wave,
+                        tp_ocean_ray *rays, const tp_ocean_swell *w, int64_t *turns)
 {
     const uint32_t cols = ocean->map_cols, rows = ocean->map_rows;
     const uint32_t col = w->way.x < 0 ? cols - 1 : 0, row = w->way.z < 0 ? rows - 1 : 0;
     const size_t corner = (size_t)row * cols + col, count = (size_t)cols * rows;
 
     for (size_t i = 0; i < count; i++) {
-        const int64_t f = (turns_a_step(ocean, node_number(ocean, w, i)) + 0x80) >> 8;
+        const int64_t f = (turns_a_step(ocean, node_wave_number(ocean, w, i)) + 0x80) >> 8;
         rays[i].turns = (int32_t)(uint32_t)(f < UINT32_MAX ? f : UINT32_MAX);
         turns[i] = UNKNOWN;
     }
     turns[corner] = plane_phase(ocean, wave, col, row);
     if (w->way.z != 0)
-        walk_edge(ocean, w, turns, (ptrdiff_t)corner, w->way.x < 0 ? -1 : 1, cols);
+        integrate_edge_phases(ocean, w, turns, (ptrdiff_t)corner, w->way.x < 0 ? -1 : 1,
+                              cols);
     if (w->way.x != 0)
-        walk_edge(ocean, w, turns, (ptrdiff_t)corner,
-                  w->way.z < 0 ? -(ptrdiff_t)cols : (ptrdiff_t)cols, rows);
+        integrate_edge_phases(ocean, w, turns, (ptrdiff_t)corner,
+                              w->way.z < 0 ? -(ptrdiff_t)cols : (ptrdiff_t)cols, rows);
 }
 
 /* Returns the phase in excess of deep water in Q16; 48 bits of the phases count. */
-static int32_t beyond(int64_t turns, int64_t plane)
+static int32_t phase_excess(int64_t turns, int64_t plane)
 {
     const uint64_t more = (uint64_t)turns - (uint64_t)plane + 0x8000;
     return (int32_t)((int64_t)(more << 16) >> 32);
@@ -206,7 +208,7 @@ static int16_t to_q13(int64_t way)
 }
 
 /* The direction of travel is the gradient of the phase. */
-static void finish(const tp_ocean *ocean, const tp_ocean_wave *wave, tp_ocean_ray *rays,
+static void store_rays(const tp_ocean *ocean, const tp_ocean_wave *wave, tp_ocean_ray *rays,
                    const int64_t *turns)
 {
     const size_t cols = ocean->map_cols, rows = ocean->map_rows;
@@ -220,8 +222,8 @@ static void finish(const tp_ocean *ocean, const tp_ocean_wave *wave, tp_ocean_ra
             const tp_dir3 way = normalise_way(x * (east - west == 2 ? 1 : 2),
                                               z * (south - north == 2 ? 1 : 2));
             tp_ocean_ray *ray = &rays[r * cols + c];
-            ray->turns = beyond(turns[r * cols + c],
-                                plane_phase(ocean, wave, (uint32_t)c, (uint32_t)r));
+            ray->turns = phase_excess(turns[r * cols + c],
+                                      plane_phase(ocean, wave, (uint32_t)c, (uint32_t)r));
             ray->way_x = to_q13((int64_t)way.x - wave->way_x);
             ray->way_z = to_q13((int64_t)way.z - wave->way_z);
         }
@@ -234,7 +236,7 @@ void tp_ocean_make_rays(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell
     const tp_ocean_wave *wave = &ocean->wave[i];
     tp_ocean_ray *rays = tp_ocean_rays(ocean, wave);
 
-    start(ocean, wave, rays, swell, turns);
+    init_phases(ocean, wave, rays, swell, turns);
     tp_eikonal_solve(turns, rays, ocean->map_cols, ocean->map_rows);
-    finish(ocean, wave, rays, turns);
+    store_rays(ocean, wave, rays, turns);
 }

@@ -33,19 +33,19 @@ int64_t tp_ocean_cross_shore_number(int64_t k_q32, int64_t kz_q32)
 
 /* Returns the wave vector over a floor that rises towards `up`.  The sign of the component
  * towards `up` is the sign in deep water: a wave that leaves the shore keeps leaving. */
-tp_ocean_number tp_ocean_bent(const tp_ocean_swell *swell, tp_way up, int64_t k_q32)
+tp_ocean_number tp_ocean_wave_vector(const tp_ocean_swell *swell, tp_way up, int64_t k_q32)
 {
     const tp_way along = { -up.z, up.x };
 
     if (up.x == 0 && up.z == 0)
-        return (tp_ocean_number){ tp_ocean_part(k_q32, swell->way.x),
-                                  tp_ocean_part(k_q32, swell->way.z) };
-    const int64_t kz = tp_ocean_part(swell->k_inf_q32, tp_way_dot(swell->way, along));
+        return (tp_ocean_number){ tp_ocean_scale_q30(k_q32, swell->way.x),
+                                  tp_ocean_scale_q30(k_q32, swell->way.z) };
+    const int64_t kz = tp_ocean_scale_q30(swell->k_inf_q32, tp_way_dot(swell->way, along));
     const int64_t across = tp_ocean_cross_shore_number(k_q32, kz);
     const int64_t kx = tp_way_dot(swell->way, up) < 0 ? -across : across;
     return (tp_ocean_number){
-        tp_ocean_part(kx, up.x) + tp_ocean_part(kz, along.x),
-        tp_ocean_part(kx, up.z) + tp_ocean_part(kz, along.z),
+        tp_ocean_scale_q30(kx, up.x) + tp_ocean_scale_q30(kz, along.x),
+        tp_ocean_scale_q30(kx, up.z) + tp_ocean_scale_q30(kz, along.z),
     };
 }
 
@@ -88,7 +88,7 @@ static int16_t round_to_q14(tp_q30 x)
 
 /* Returns the strength of breaking by steepness: k r from pi / 7, the breaking steepness,
  * to 0.5, where slopes are 30 degrees. */
-static int16_t steep_share(int64_t k_q32, tp_fx amplitude)
+static int16_t steep_breaking_strength(int64_t k_q32, tp_fx amplitude)
 {
     const int64_t kr = k_q32 * amplitude >> 32;
     const tp_fx over = tp_clamp((tp_fx)kr - TP_FX(0.4488), 0, TP_FX(0.0512));
@@ -114,11 +114,11 @@ static tp_fx along_semi_axis(const tp_ocean_swell *w, tp_fx amplitude, int64_t k
 /* -- nodes ------------------------------------------------------------------------- */
 
 /* Sets the direction of travel over a straight floor, and the tilt of the orbit. */
-static void turn_node(const tp_ocean *ocean, tp_ocean_depth *node, uint32_t fall_q32,
-                      const tp_ocean_swell *w, int64_t k_q32)
+static void set_node_direction(const tp_ocean *ocean, tp_ocean_depth *node,
+                               uint32_t fall_q32, const tp_ocean_swell *w, int64_t k_q32)
 {
     const tp_way up = { ocean->up_x, ocean->up_z };
-    const tp_ocean_number k = tp_ocean_bent(w, up, k_q32);
+    const tp_ocean_number k = tp_ocean_wave_vector(w, up, k_q32);
     const tp_way way = { q30_share(k.x_q32, k_q32), q30_share(k.z_q32, k_q32) };
     const int64_t rise = (int64_t)ocean->slope * tp_way_dot(way, up) >> 16; /* Q30 */
     const uint64_t length = tp_isqrt64(((uint64_t)1 << 60) + (uint64_t)(rise * rise));
@@ -137,7 +137,7 @@ static tp_ocean_depth deep_node(const tp_ocean_swell *w)
 {
     return (tp_ocean_depth){
         .along = w->reach, .up = w->amplitude, .way_x = w->way.x, .way_z = w->way.z,
-        .tilt_cos = 1 << 14, .steep = steep_share(w->k_inf_q32, w->amplitude),
+        .tilt_cos = 1 << 14, .steep = steep_breaking_strength(w->k_inf_q32, w->amplitude),
     };
 }
 
@@ -156,9 +156,9 @@ static tp_ocean_depth make_node(const tp_ocean *ocean, const tp_ocean_swell *w, 
         .along = along_semi_axis(w, amplitude, k_q32, s.x_q24),
         .up = (tp_fx)((amplitude * s.y_q24 + (1 << 23)) >> 24),
         .ratio = height_depth_ratio(w, ks, kr, h),
-        .lip = (tp_fx)((int64_t)amplitude * tp_orbit_fall(KEPT_RATE, h) >> 32),
+        .lip = (tp_fx)((int64_t)amplitude * tp_orbit_depth_decay(KEPT_RATE, h) >> 32),
         .way_x = w->way.x, .way_z = w->way.z, .tilt_cos = 1 << 14,
-        .steep = steep_share(k_q32, amplitude),
+        .steep = steep_breaking_strength(k_q32, amplitude),
     };
 }
 
@@ -170,7 +170,8 @@ static int32_t node_steepness(const tp_ocean_depth *node, int64_t k_q32, tp_fx l
     return (int32_t)(q + (q * tp_wind_push(lambda, node->up) >> 30)) + 1;
 }
 
-/* Stores the steepness in `turns` until tp_ocean_share reads it; the phases come later. */
+/* Stores the steepness in `turns` until tp_ocean_limit_steepness reads it; the phases
+ * come later. */
 void tp_ocean_make_table(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell,
                          const tp_ocean_config *config)
 {
@@ -184,7 +185,7 @@ void tp_ocean_make_table(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swel
         tp_ocean_depth *node = &table->depth[n];
         *node = n < DEEP ? make_node(ocean, swell, h, k, config) : deep_node(swell);
         if (ocean->slope > 0 && n < DEEP)
-            turn_node(ocean, node, ocean->fall[n], swell, k);
+            set_node_direction(ocean, node, ocean->fall[n], swell, k);
         table->turns[n] = node_steepness(node, k, wave->lambda);
         const int times = tp_wind_iterations(tp_wind_push(wave->lambda, node->up));
         if (times > wave->iterations)
@@ -195,7 +196,7 @@ void tp_ocean_make_table(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swel
     table->turns[0] = 0;
 }
 
-void tp_ocean_share(tp_ocean *ocean)
+void tp_ocean_limit_steepness(tp_ocean *ocean)
 {
     for (uint32_t n = 1; n < TP_OCEAN_DEPTHS; n++) {
         int64_t sum = 0;
@@ -287,7 +288,7 @@ static void add_bounds(tp_ocean *ocean, uint32_t i, int32_t tilt)
 
 /* Finds the first node below the deepest node where a wave may break, by depth
  * or by steepness. */
-static void find_calm(tp_ocean *ocean, uint32_t i)
+static void set_calm_node(tp_ocean *ocean, uint32_t i)
 {
     const tp_ocean_depth *depth = tp_ocean_tables(ocean)[i].depth;
     uint32_t n = TP_OCEAN_DEPTHS;
@@ -297,8 +298,8 @@ static void find_calm(tp_ocean *ocean, uint32_t i)
     ocean->wave[i].calm = n;
 }
 
-void tp_ocean_bound(tp_ocean *ocean, uint32_t i, int32_t tilt)
+void tp_ocean_add_bounds(tp_ocean *ocean, uint32_t i, int32_t tilt)
 {
-    find_calm(ocean, i);
+    set_calm_node(ocean, i);
     add_bounds(ocean, i, tilt);
 }

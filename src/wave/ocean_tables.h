@@ -36,7 +36,7 @@ static inline int32_t tp_ocean_mix(int32_t a, int32_t b, int32_t part)
 #define TP_OCEAN_LAST  27       /* ... and 2048 m is 2^27 */
 
 /* True if waves with this stretch may overhang: only where the floor rises. */
-static inline bool tp_may_break(tp_fx stretch, tp_fx slope, bool mapped)
+static inline bool tp_can_overhang(tp_fx stretch, tp_fx slope, bool mapped)
 {
     return stretch > 0 && (slope > 0 || mapped);
 }
@@ -83,7 +83,7 @@ typedef struct {
 tp_orbit_scale tp_orbit_scale_make(tp_fx depth, tp_fx kx, tp_fx ky);
 
 /* Returns e^-K h as Q0.32. */
-uint32_t tp_orbit_fall(tp_fx rate, tp_fx depth);
+uint32_t tp_orbit_depth_decay(tp_fx rate, tp_fx depth);
 
 /* Returns sqrt(1 - s^2). */
 tp_q30 tp_cos_of_sin(tp_q30 sin);
@@ -142,13 +142,13 @@ static inline int64_t tp_ocean_local_number(int64_t k_inf_q32, tp_fx depth)
 }
 
 /* Converts a wave number to turns per metre, Q31.32.  k < 2^5: the product fits. */
-static inline int64_t tp_ocean_turns(int64_t k_q32)
+static inline int64_t tp_ocean_turns_per_metre(int64_t k_q32)
 {
     return (k_q32 * 42722830 + (1 << 27)) >> 28;        /* 2^28 / 2 pi */
 }
 
 /* Returns x y / 2^30 for an x of any size; within two units. */
-static inline int64_t tp_ocean_part(int64_t x, tp_q30 y)
+static inline int64_t tp_ocean_scale_q30(int64_t x, tp_q30 y)
 {
     return ((x >> 16) * y >> 14) + ((x & 0xffff) * y >> 30);
 }
@@ -161,7 +161,7 @@ int64_t tp_ocean_cross_shore_number(int64_t k_q32, int64_t kz_q32);
 typedef struct {
     int64_t x_q32, z_q32;
 } tp_ocean_number;
-tp_ocean_number tp_ocean_bent(const tp_ocean_swell *swell, tp_way up, int64_t k_q32);
+tp_ocean_number tp_ocean_wave_vector(const tp_ocean_swell *swell, tp_way up, int64_t k_q32);
 
 /* Tables begin where the head ends. */
 _Static_assert(sizeof(tp_ocean) % _Alignof(tp_ocean_table) == 0, "tables are aligned");
@@ -177,18 +177,18 @@ tp_ocean_ray *tp_ocean_rays(const tp_ocean *ocean, const tp_ocean_wave *wave);
 void tp_ocean_make_table(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell,
                          const tp_ocean_config *config);
 void tp_ocean_make_phases(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell);
-void tp_ocean_share(tp_ocean *ocean);
+void tp_ocean_limit_steepness(tp_ocean *ocean);
 
 /* tp_ocean_tilt_most returns the sine of the steepest tilt over a map, Q14.
- * tp_ocean_bound adds the bounds of a swell, whose table and phases must exist, to the
+ * tp_ocean_add_bounds adds the bounds of a swell, whose table and phases must exist, to the
  * bounds of the ocean. */
 int32_t tp_ocean_tilt_most(const tp_ocean *ocean);
-void tp_ocean_bound(tp_ocean *ocean, uint32_t i, int32_t tilt);
+void tp_ocean_add_bounds(tp_ocean *ocean, uint32_t i, int32_t tilt);
 
 void tp_ocean_make_beds(tp_ocean *ocean, const tp_floor *floor);
 void tp_ocean_make_rays(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell,
                         int64_t *turns);
-tp_q30 tp_ocean_beach(const tp_ocean *ocean, tp_fx amplitude);
+tp_q30 tp_ocean_beach_slope(const tp_ocean *ocean, tp_fx amplitude);
 
 /* ocean.c: depth, m, up to which crests foam by breaking alone.  In deeper water crests
  * foam where the surface is compressed. */

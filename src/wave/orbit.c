@@ -16,7 +16,7 @@ static tp_fx clamp_depth(tp_fx depth)
     return depth < TP_DEPTH_LEAST ? TP_DEPTH_LEAST : depth;
 }
 
-uint32_t tp_orbit_fall(tp_fx rate, tp_fx depth)
+uint32_t tp_orbit_depth_decay(tp_fx rate, tp_fx depth)
 {
     const int64_t x = ((int64_t)(rate > 0 ? rate : 0) * clamp_depth(depth) + 0x80) >> 8;
     return x >= (int64_t)23 << 24 ? 0 : tp_exp_neg((uint32_t)x);
@@ -27,8 +27,8 @@ uint32_t tp_orbit_fall(tp_fx rate, tp_fx depth)
 tp_orbit_scale tp_orbit_scale_make(tp_fx depth, tp_fx kx, tp_fx ky)
 {
     const int64_t one = (int64_t)1 << 32, most = (int64_t)1 << 37, two = 1 << 25;
-    const int64_t lack_x = one - tp_orbit_fall(kx, depth);
-    const int64_t lack_y = one - tp_orbit_fall(ky, depth);
+    const int64_t lack_x = one - tp_orbit_depth_decay(kx, depth);
+    const int64_t lack_y = one - tp_orbit_depth_decay(ky, depth);
     const int64_t x = ((one << 24) + lack_x / 2) / lack_x;
     const int64_t y = ((lack_y << 24) + lack_x / 2) / lack_x;
 
@@ -59,7 +59,7 @@ tp_ellipse tp_orbit_ellipse(tp_fx r, tp_fx depth, tp_turn gamma, int64_t k_q32, 
     const int64_t half = 1 << 23;
     const int64_t along = (held * s.x_q24 + half) >> 24;
     const tp_q30 rise = tp_sin(gamma);
-    const tp_q30 fall = (tp_q30)((tp_orbit_fall(k0, depth) + (uint64_t)2) >> 2);
+    const tp_q30 fall = (tp_q30)((tp_orbit_depth_decay(k0, depth) + (uint64_t)2) >> 2);
     const tp_q30 sin = rise > 0 ? tp_q30_mul(rise, fall) : 0;
 
     return (tp_ellipse){
@@ -69,7 +69,7 @@ tp_ellipse tp_orbit_ellipse(tp_fx r, tp_fx depth, tp_turn gamma, int64_t k_q32, 
     };
 }
 
-tp_offset tp_orbit(const tp_ellipse *orbit, tp_turn phi)
+tp_offset tp_orbit_evaluate(const tp_ellipse *orbit, tp_turn phi)
 {
     return tp_orbit_offset(orbit, phi);
 }

@@ -18,19 +18,19 @@
 #define SLOPE_MOST  134049956               /* 7.99, Q8.24 */
 #define PI_Q20      3294199
 
-static bool within(tp_fx x, tp_fx low, tp_fx high)
+static bool is_in_range(tp_fx x, tp_fx low, tp_fx high)
 {
     return x >= low && x <= high;
 }
 
 bool tp_ring_is_valid(const tp_ring *ring)
 {
-    return within(ring->amplitude, 0, TP_FX(4))
-        && within(ring->length, TP_FX(0.02), TP_FX(64))
-        && within(ring->speed, TP_FX(0.01), TP_FX(64))
-        && within(ring->decay, TP_FX(0.05), TP_FX(1000))
-        && within(ring->spread, TP_FX(0.01), TP_FX(1000))
-        && within(ring->attack, 0, TP_FX(8));
+    return is_in_range(ring->amplitude, 0, TP_FX(4))
+           && is_in_range(ring->length, TP_FX(0.02), TP_FX(64))
+           && is_in_range(ring->speed, TP_FX(0.01), TP_FX(64))
+           && is_in_range(ring->decay, TP_FX(0.05), TP_FX(1000))
+           && is_in_range(ring->spread, TP_FX(0.01), TP_FX(1000))
+           && is_in_range(ring->attack, 0, TP_FX(8));
 }
 
 /* -- once a picture ------------------------------------------------------------------ */
@@ -57,14 +57,14 @@ static int64_t rear_q24(const tp_ring *ring, int64_t age)
 }
 
 /* Returns exp(-a / tau), Q0.30; a / tau < DECAYS. */
-static tp_q30 decayed(const tp_ring *ring, int64_t age)
+static tp_q30 decay_factor(const tp_ring *ring, int64_t age)
 {
     uint64_t over = (uint64_t)TP_TICKS_PER_SECOND * (uint32_t)ring->decay;
     return tp_exp_neg_q30((uint32_t)((((uint64_t)age << 24) + over / 2) / over));
 }
 
 /* Returns smoothstep(a / tr) = t^2 (3 - 2 t), Q2.30. */
-static tp_q30 risen(const tp_ring *ring, int64_t age)
+static tp_q30 attack_factor(const tp_ring *ring, int64_t age)
 {
     int64_t whole = (int64_t)TP_TICKS_PER_SECOND * ring->attack;   /* < 2^25.1 */
 
@@ -90,7 +90,8 @@ bool tp_ring_evaluate(const tp_ring *ring, int64_t now, tp_ring_now *at)
         return false;
     int64_t rear = rear_q24(ring, age);
     int64_t outer = ((rear + 255) >> 8) + ring->length;
-    int32_t gain = ring_gain(ring, tp_q30_mul(decayed(ring, age), risen(ring, age)));
+    int32_t gain =
+        ring_gain(ring, tp_q30_mul(decay_factor(ring, age), attack_factor(ring, age)));
     if (outer >= REACH || gain <= 0)
         return false;
 
@@ -179,7 +180,7 @@ static void add_ring(sums *sum, const tp_ring_now *ring, int32_t dx, int32_t dz,
     sum->slope_z += (slope * ((dz * (int64_t)over.r + round) >> down) + (1 << 29)) >> 30;
 }
 
-static tp_fx rounded(int64_t q24)
+static tp_fx round_q24_to_fx(int64_t q24)
 {
     return tp_fx_saturate((q24 + 128) >> 8);
 }
@@ -198,12 +199,13 @@ tp_relief tp_ring_relief(const tp_ring_now *rings, uint32_t count, tp_fx x, tp_f
         if (d2 > ring->inner2 && d2 < ring->outer2)
             add_ring(&sum, ring, (int32_t)dx, (int32_t)dz, (uint64_t)d2);
     }
-    return (tp_relief){ rounded(sum.height), rounded(sum.slope_x), rounded(sum.slope_z) };
+    return (tp_relief){ round_q24_to_fx(sum.height), round_q24_to_fx(sum.slope_x),
+                        round_q24_to_fx(sum.slope_z) };
 }
 
 /* -- the end of a ring --------------------------------------------------------------- */
 
-bool tp_ring_spent(const tp_ring *ring, int64_t now, tp_fx beyond)
+bool tp_ring_is_spent(const tp_ring *ring, int64_t now, tp_fx beyond)
 {
     int64_t age = ring_age(ring, now);
 
@@ -220,5 +222,5 @@ bool tp_ring_spent(const tp_ring *ring, int64_t now, tp_fx beyond)
     };
     int32_t bend;
     tp_q30  s = spreading(&at, rear + (int64_t)ring->length * 128, &bend);
-    return tp_q30_mul(ring_gain(ring, decayed(ring, age)), s) < 1 << 8;
+    return tp_q30_mul(ring_gain(ring, decay_factor(ring, age)), s) < 1 << 8;
 }

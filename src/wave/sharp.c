@@ -23,7 +23,7 @@ tp_fx tp_sharp_height(tp_fx amplitude, int32_t power)
 
 /* f' is at most 1, 1.30, 1.55, 1.77 ... 2.47 [A3]; 1 + 0.3 (power - 1) is
  * at least as large. */
-tp_fx tp_sharp_tilt(tp_q30 slope, int32_t power)
+tp_fx tp_sharp_slope_bound(tp_q30 slope, int32_t power)
 {
     int64_t n = tp_clamp(power, 1, 8) - 1, tenths = n ? 2 * (10 + 3 * n) : 10;
     return (tp_fx)((slope * tenths / 10 + (1 << 14) - 1) >> 14);

@@ -8,10 +8,10 @@
 
 /* Returns (1 + 2x / sinh 2x) / 2 = cg / c at x = kh: 1/2 in deep water, 1 in shallow
  * water.  T >= 1/256. */
-static tp_scaled group_share(tp_scaled k, tp_fx depth)
+static tp_scaled group_speed_ratio(tp_scaled k, tp_fx depth)
 {
-    const tp_scaled x = tp_scaled_mul(k, tp_depth_scaled(depth));
-    const tp_tanh at = tp_tanh_evaluate(tp_depth_argument(x));
+    const tp_scaled x = tp_scaled_mul(k, tp_scaled_from_depth(depth));
+    const tp_tanh at = tp_tanh_evaluate(tp_scaled_q24(x));
     const uint64_t sum = (uint64_t)at.ratio_q31 + tp_sech_squared(at);
     const tp_scaled over = tp_scaled_recip(tp_scaled_from_fixed(at.ratio_q31, 31));
     return tp_scaled_mul(tp_scaled_from_fixed(sum, 32), over);
@@ -28,16 +28,17 @@ tp_fx tp_depth_speed(int64_t k_inf_q32, int64_t k_q32, tp_fx gravity)
 {
     if (k_q32 <= 0)
         return 0;
-    return tp_scaled_fx(speed(tp_number_from_q32(k_inf_q32), tp_number_from_q32(k_q32), gravity));
+    return tp_scaled_fx(speed(tp_scaled_from_wave_number(k_inf_q32),
+                              tp_scaled_from_wave_number(k_q32), gravity));
 }
 
 tp_fx tp_depth_group_speed(int64_t k_inf_q32, int64_t k_q32, tp_fx depth, tp_fx gravity)
 {
     if (k_q32 <= 0)
         return 0;
-    const tp_scaled k = tp_number_from_q32(k_q32);
-    const tp_scaled c = speed(tp_number_from_q32(k_inf_q32), k, gravity);
-    return tp_scaled_fx(tp_scaled_mul(c, group_share(k, depth)));
+    const tp_scaled k = tp_scaled_from_wave_number(k_q32);
+    const tp_scaled c = speed(tp_scaled_from_wave_number(k_inf_q32), k, gravity);
+    return tp_scaled_fx(tp_scaled_mul(c, group_speed_ratio(k, depth)));
 }
 
 /* Ks^2 = c_inf / 2 cg = (k / k_inf) / (2 cg/c). */
@@ -45,8 +46,9 @@ tp_fx tp_depth_shoaling(int64_t k_inf_q32, int64_t k_q32, tp_fx depth)
 {
     if (k_inf_q32 <= 0 || k_q32 <= 0)
         return TP_FX_ONE;
-    const tp_scaled k = tp_number_from_q32(k_q32);
-    tp_scaled below = tp_scaled_mul(tp_number_from_q32(k_inf_q32), group_share(k, depth));
+    const tp_scaled k = tp_scaled_from_wave_number(k_q32);
+    tp_scaled below =
+        tp_scaled_mul(tp_scaled_from_wave_number(k_inf_q32), group_speed_ratio(k, depth));
     below.e++;
     const tp_scaled square = tp_scaled_mul(k, tp_scaled_recip(below));
     return tp_scaled_fx(tp_scaled_sqrt(square));
@@ -77,7 +79,7 @@ tp_fx tp_depth_refraction(int64_t k_inf_q32, int64_t k_q32, int64_t kz_q32)
     return tp_scaled_fx(tp_scaled_sqrt(tp_scaled_sqrt(ratio)));
 }
 
-static tp_scaled positive(tp_fx x)
+static tp_scaled scaled_from_positive(tp_fx x)
 {
     return tp_scaled_from_fixed((uint32_t)(x > 0 ? x : 0), 16);
 }
@@ -86,8 +88,9 @@ tp_fx tp_depth_amplitude(tp_fx amplitude, tp_fx ks, tp_fx kr, tp_fx depth)
 {
     if (depth <= 0)
         return 0;
-    const tp_scaled grown = tp_scaled_mul(positive(amplitude), positive(ks));
+    const tp_scaled grown =
+        tp_scaled_mul(scaled_from_positive(amplitude), scaled_from_positive(ks));
     const tp_fx most = tp_q30_mul(depth, TP_Q30(0.39));
-    const tp_fx a = tp_scaled_fx(tp_scaled_mul(grown, positive(kr)));
+    const tp_fx a = tp_scaled_fx(tp_scaled_mul(grown, scaled_from_positive(kr)));
     return a < most ? a : most;
 }

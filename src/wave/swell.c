@@ -35,7 +35,7 @@ static void frequency_squared(tp_fx gravity, tp_fx length, uint64_t half[2])
 /* Returns the square root of a number of 128 bits, > 0, within 2 of 2^64 after the
  * number is shifted up.  As in long division: first the root s of the high half, then
  * the rest over 2 s. */
-static uint64_t root_128(const uint64_t half[2])
+static uint64_t sqrt_128(const uint64_t half[2])
 {
     TP_ASSERT((half[0] | half[1]) != 0);
     uint64_t high = half[0], low = half[1];
@@ -61,7 +61,7 @@ static uint64_t turns_per_tick(tp_fx gravity, tp_fx length, tp_fx speed)
     if (gravity <= 0)
         return 0;
     frequency_squared(gravity, length, half);
-    uint64_t root = root_128(half);                          /* Q4.60, below 8 */
+    uint64_t root = sqrt_128(half);                          /* Q4.60, below 8 */
     uint64_t high = (root >> 32) * (uint32_t)speed;
     uint64_t low = (root & 0xffffffff) * (uint32_t)speed;
     return (high / over << 32) + ((high % over << 32) + low + over / 2) / over;
@@ -135,7 +135,7 @@ static tp_swell make_swell(const tp_wave_exact *w, tp_fx amplitude, tp_fx length
         .bend_xz = tp_q30_mul(tp_q30_mul(bend, w->dx), w->dz),
         .bend_zz = tp_q30_mul(tp_q30_mul(bend, w->dz), w->dz),
         .bend = bend,
-        .tilt = tp_sharp_tilt(slope, power),
+        .tilt = tp_sharp_slope_bound(slope, power),
         .power = power,
         .mean_q24 = tp_sharp_mean(power),
     };
@@ -196,10 +196,10 @@ static tp_fx sum_steepness(const tp_wave *waves, uint32_t count)
 void tp_sea_init(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity)
 {
     memset(sea, 0, sizeof *sea);
-    tp_sea_init_few(sea, waves, count, gravity);
+    tp_sea_init_compact(sea, waves, count, gravity);
 }
 
-void tp_sea_init_few(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity)
+void tp_sea_init_compact(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity)
 {
     count = count < TP_WAVES ? count : TP_WAVES;
     tp_fx asked = sum_steepness(waves, count);

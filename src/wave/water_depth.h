@@ -117,7 +117,7 @@ tp_turn tp_wind_phase(tp_turn theta, tp_q30 push, int iterations);
 
 /* Returns the largest radius without a loop, 0.95 / sqrt(k^2 + lambda^2), saturated.  Valid
  * for one wave under wind alone; coastal water bounds the sum of all waves. */
-tp_fx tp_wind_radius(int64_t k_q32, tp_fx lambda);
+tp_fx tp_wind_max_radius(int64_t k_q32, tp_fx lambda);
 
 /* -- breaking ------------------------------------------------------------------------ */
 

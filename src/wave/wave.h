@@ -68,7 +68,7 @@ typedef struct {
 void tp_sea_init(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity);
 
 /* The same for a sea in less memory: it ends after the last swell of amplitude above 0. */
-void tp_sea_init_few(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity);
+void tp_sea_init_compact(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity);
 
 /* Adds a wave to a sea; an empty sea is all 0.  Amplitudes are cut as in tp_sea_init.  If
  * the steepness sum would exceed 0.95, the steepness of this wave alone is reduced.  A sea
@@ -99,8 +99,8 @@ typedef struct {
  *     (2.5e-6 + S p) / (1 - S) + 1.1e-5:
  * for S = 0.93 0.0027 degrees at the origin.  It reaches 0.02 degrees at |x| + |z| = 430 m
  * for a length of 1.25 m, and at 8.9 km for a length of 60 m. */
-tp_sea_point tp_sea_at_rest(const tp_sea *sea, const tp_turn phases[TP_WAVES],
-                            tp_fx x0, tp_fx z0);
+tp_sea_point tp_sea_displace_point(const tp_sea *sea, const tp_turn phases[TP_WAVES],
+                                   tp_fx x0, tp_fx z0);
 
 /* Returns the surface above or below the point (x, z) of the world [E1], inverted with at
  * most 8 evaluations, for any start and every legal sea.  Within 30 km of the origin on
@@ -109,15 +109,15 @@ tp_sea_point tp_sea_at_rest(const tp_sea *sea, const tp_turn phases[TP_WAVES],
  * 16.16, at most 600 m before them.  There the search stays within 16.16, and `position`
  * tells where the search ended.  `rest`, if not NULL, holds the start of the search (any
  * point; the result of the last tick is a good start), and receives the rest point found.
- * The result is tp_sea_at_rest of this rest point. */
+ * The result is tp_sea_displace_point of this rest point. */
 tp_sea_point tp_sea_sample(const tp_sea *sea, const tp_turn phases[TP_WAVES],
                           tp_fx x, tp_fx z, tp_fx rest[2]);
 
 /* Returns the n-th plain step of [E1] towards the same point, from p0 = (x, z), which is
  * step 0: p0 <- p0 + (p - P(p0)).  The distance left is at most q^n of the first distance,
  * q the sum of steepnesses.  Points are clamped to the range of 16.16. */
-tp_sea_point tp_sea_iterate(const tp_sea *sea, const tp_turn phases[TP_WAVES],
-                            tp_fx x, tp_fx z, uint32_t n);
+tp_sea_point tp_sea_sample_fixed_point(const tp_sea *sea, const tp_turn phases[TP_WAVES],
+                                       tp_fx x, tp_fx z, uint32_t n);
 
 /* Slopes and normal of a surface known by heights alone, by central differences [A6].
  * `around` holds the heights at x - spacing, x + spacing, z - spacing and z + spacing.  A
@@ -125,7 +125,7 @@ tp_sea_point tp_sea_iterate(const tp_sea *sea, const tp_turn phases[TP_WAVES],
  * passes the height of the opposite neighbour.  If the wall lies half a spacing beyond,
  * the caller passes the height of the middle.  |height| < 8192 m, 0 < spacing < 8192 m;
  * slopes saturate. */
-tp_relief tp_neighbour_heights(tp_fx middle, const tp_fx around[4], tp_fx spacing);
+tp_relief tp_neighbour_relief(tp_fx middle, const tp_fx around[4], tp_fx spacing);
 tp_dir3   tp_neighbour_normal(const tp_fx around[4], tp_fx spacing);
 
 /* -- the sum, for grids -------------------------------------------------------------- */
@@ -249,9 +249,10 @@ TP_ALWAYS_INLINE tp_sea_point tp_sea_sum_point_as(const tp_sea_sum *sum, tp_fx x
         nz = ((int64_t)hz * jxx + (int64_t)hx * bxz + (1 << 28)) >> 29;
     }
     return (tp_sea_point){
-        .position = { tp_fx_plus(x0, (tp_fx)((tp_sea_faded(sum->x, fade) + half) >> 24)),
+        .position = { tp_fx_add_sat(x0, (tp_fx)((tp_sea_faded(sum->x, fade) + half) >> 24)),
                       (tp_fx)((tp_sea_faded(sum->y, fade) + half) >> 24),
-                      tp_fx_plus(z0, (tp_fx)((tp_sea_faded(sum->z, fade) + half) >> 24)) },
+                      tp_fx_add_sat(z0,
+                                    (tp_fx)((tp_sea_faded(sum->z, fade) + half) >> 24)) },
         .slope_x = tp_sea_slope(nx, shift, inverse),
         .slope_z = tp_sea_slope(nz, shift, inverse),
     };
@@ -261,11 +262,11 @@ TP_ALWAYS_INLINE tp_sea_point tp_sea_sum_point_as(const tp_sea_sum *sum, tp_fx x
 tp_sea_point tp_sea_sum_point(const tp_sea_sum *sum, tp_fx x0, tp_fx z0, tp_fx fade);
 
 /* [A3]: tp_sharp_mean returns the mean of f, Q8.24.  tp_sharp_height returns the largest A
- * |f - mean|.  tp_sharp_tilt takes k A in Q2.30 and returns an upper bound of k A f', twice
+ * |f - mean|.  tp_sharp_slope_bound takes k A in Q2.30 and returns an upper bound of k A f', twice
  * the bound if sharpened (see twist_of in swell.c), 16.16. */
 int32_t tp_sharp_mean(int32_t power);
 tp_fx   tp_sharp_height(tp_fx amplitude, int32_t power);
-tp_fx   tp_sharp_tilt(tp_q30 slope, int32_t power);
+tp_fx   tp_sharp_slope_bound(tp_q30 slope, int32_t power);
 
 /* jacobian.c: returns Jxx Jzz - Jxz^2 of [A9] at a rest point, 16.16.  Below 1 the water is
  * compressed; at 0 the surface would fold.  `phases` are the phases of the tick. */

@@ -40,10 +40,10 @@ tp_turn tp_wind_phase(tp_turn theta, tp_q30 push, int iterations)
     return phi;
 }
 
-tp_fx tp_wind_radius(int64_t k_q32, tp_fx lambda)
+tp_fx tp_wind_max_radius(int64_t k_q32, tp_fx lambda)
 {
     const uint64_t l = (uint64_t)(lambda < 0 ? -(int64_t)lambda : lambda);
-    const tp_scaled k = tp_number_from_q32(k_q32);
+    const tp_scaled k = tp_scaled_from_wave_number(k_q32);
     const tp_scaled side = tp_scaled_from_fixed(l, 16);
     const tp_scaled sum = tp_scaled_add(tp_scaled_mul(k, k), tp_scaled_mul(side, side));
 

@@ -66,7 +66,7 @@ COUNTED(ocean)
     uint32_t breaking = 0;
 
     for (uint32_t i = 0; i < model.count; i++) {
-        const tp_ocean_point at = tp_ocean_at_rest(ocean, model.phases, PLACE_X(i, half),
+        const tp_ocean_point at = tp_ocean_displace_point(ocean, model.phases, PLACE_X(i, half),
                                                    PLACE_Z(i, half));
         KEEP(at);
         model_expect(at.depth > 0, "a place on land");

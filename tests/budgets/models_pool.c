@@ -52,7 +52,7 @@ tp_pool *model_pool(int kind)
     model_expect(!tp_pool_init(pool, &config, NULL), "no pool");
     ruffle(high);
     if (with != SETTLE)
-        tp_pool_stirred(pool, high);
+        tp_pool_wake(pool, high);
     tp_pool_step(pool);
     tp_pool_step(pool);
     model_expect(!pool->at_rest, "still water");

@@ -103,14 +103,14 @@ COUNTED(boat)
 /* The boat has moved by a tick's distance before each call. */
 COUNTED(wake)
 {
-    tp_boat_wake(world, &scene);
+    tp_boat_stir_pool(world, &scene);
 }
 
 static void prepare_wake(int kind)
 {
     prepare_world(kind);
     for (int i = 0; i < 4; i++) {
-        tp_boat_wake(world, &scene);
+        tp_boat_stir_pool(world, &scene);
         tp_world_step(&tp_program_all, world, &scene, NULL);
         tp_boat_step(&tp_program_all, world, &scene, &no_input);
     }

@@ -42,7 +42,7 @@ static void prepare_sea(int kind)
 COUNTED(sea)
 {
     for (uint32_t i = 0; i < model.count; i++) {
-        const tp_sea_point at = tp_sea_at_rest(&model.sea, model.phases,
+        const tp_sea_point at = tp_sea_displace_point(&model.sea, model.phases,
                                                PLACE_X(i, TP_FX(200)),
                                                PLACE_Z(i, TP_FX(200)));
         KEEP(at);
@@ -96,7 +96,7 @@ COUNTED(five)
     for (uint32_t i = 0; i < model.count; i++) {
         const tp_fx around[4] = { PLACE_X(i, TP_FX_ONE), PLACE_Z(i, TP_FX_ONE),
                                   PLACE_X(i + 1, TP_FX_ONE), PLACE_Z(i + 1, TP_FX_ONE) };
-        const tp_relief at = tp_neighbour_heights(0, around, TP_FX(0.5));
+        const tp_relief at = tp_neighbour_relief(0, around, TP_FX(0.5));
         KEEP(at);
     }
 }

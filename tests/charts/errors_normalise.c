@@ -110,7 +110,7 @@ static void give(const kernel *k, const int32_t *slope, int32_t *in)
 static void prove_bits(const kernel *k, const int32_t *in, const int32_t *out)
 {
     for (uint32_t i = 0; strcmp(k->point, "packed-32") == 0 && i < KERNEL_UNITS; i++) {
-        const tp_vec_q14 n = tp_vec_q14_packed((tp_packed_dir)in[2 * i]);
+        const tp_vec_q14 n = tp_vec_q14_unpack((tp_packed_dir)in[2 * i]);
         if (out[3 * i] != n.x || out[3 * i + 1] != n.y || out[3 * i + 2] != n.z) {
             fprintf(stderr, "normalise: packed-32 has other bits\n");
             exit(EXIT_FAILURE);

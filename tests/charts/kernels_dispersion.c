@@ -51,7 +51,7 @@ RUN(tp_depth_number_exact)
 
 METHOD steps_2(int64_t k_inf, tp_fx depth)
 {
-    const tp_scaled k = tp_number_from_q32(k_inf), h = tp_depth_scaled(depth);
+    const tp_scaled k = tp_scaled_from_wave_number(k_inf), h = tp_scaled_from_depth(depth);
     return tp_scaled_fixed(tp_depth_number_scaled(k, h, 2), 32);
 }
 RUN(steps_2)
@@ -67,8 +67,8 @@ RUN(deep)
 
 METHOD shallow(int64_t k_inf, tp_fx depth)
 {
-    const tp_scaled over = tp_scaled_recip(tp_depth_scaled(depth));
-    return tp_scaled_fixed(tp_scaled_sqrt(tp_scaled_mul(tp_number_from_q32(k_inf), over)),
+    const tp_scaled over = tp_scaled_recip(tp_scaled_from_depth(depth));
+    return tp_scaled_fixed(tp_scaled_sqrt(tp_scaled_mul(tp_scaled_from_wave_number(k_inf), over)),
                            32);
 }
 RUN(shallow)
@@ -88,9 +88,9 @@ static inline uint32_t polynomial(uint32_t y_q24, const uint32_t *of, int terms)
 /* k = k_inf sqrt(1 + 1 / (y P)). */
 static inline int64_t hunt(int64_t k_inf, tp_fx depth, const uint32_t *of, int terms)
 {
-    const tp_scaled k = tp_number_from_q32(k_inf),
-                    y = tp_scaled_mul(k, tp_depth_scaled(depth));
-    const uint32_t y_q24 = tp_depth_argument(y);
+    const tp_scaled k = tp_scaled_from_wave_number(k_inf),
+                    y = tp_scaled_mul(k, tp_scaled_from_depth(depth));
+    const uint32_t y_q24 = tp_scaled_q24(y);
 
     if (y_q24 >= TP_DEPTH_DEEP_Q24)
         return k_inf;
@@ -130,7 +130,8 @@ static void fill_table(int32_t *in, int bits)
     table[0] = 1u << 28;
     for (uint32_t i = 1; i <= (1u << bits) + 1; i++) {
         const int64_t y_q32 = (int64_t)i << (35 - bits);
-        const tp_scaled x = tp_number_from_q32(tp_depth_number_exact(y_q32, TP_FX_ONE));
+        const tp_scaled x =
+            tp_scaled_from_wave_number(tp_depth_number_exact(y_q32, TP_FX_ONE));
         const tp_scaled over = tp_scaled_rsqrt(tp_scaled_from_fixed((uint64_t)y_q32, 32));
         table[i] = (uint32_t)tp_scaled_fixed(tp_scaled_mul(x, over), 28);
     }
@@ -151,7 +152,7 @@ static inline tp_scaled step(tp_scaled k, tp_scaled h, tp_scaled y)
 {
     const tp_scaled x = tp_scaled_mul(k, h), over = tp_scaled_recip(x);
     const tp_scaled u = tp_scaled_mul(y, tp_scaled_mul(over, over));
-    const tp_tanh at = tp_tanh_evaluate(tp_depth_argument(x));
+    const tp_tanh at = tp_tanh_evaluate(tp_scaled_q24(x));
     const uint32_t below = (at.ratio_q31 >> 1) + (tp_sech_squared(at) >> 1);
     const int up = tp_clz(below);
     const int64_t gap = (int64_t)at.ratio_q31 - (uint32_t)tp_scaled_fixed(u, 31);
@@ -163,9 +164,9 @@ static inline tp_scaled step(tp_scaled k, tp_scaled h, tp_scaled y)
 
 static inline int64_t by_table(int64_t k_inf, tp_fx depth, int bits, int steps)
 {
-    const tp_scaled k = tp_number_from_q32(k_inf), h = tp_depth_scaled(depth);
+    const tp_scaled k = tp_scaled_from_wave_number(k_inf), h = tp_scaled_from_depth(depth);
     const tp_scaled y = tp_scaled_mul(k, h);
-    const uint32_t y_q24 = tp_depth_argument(y);
+    const uint32_t y_q24 = tp_scaled_q24(y);
 
     if (y_q24 >= TP_DEPTH_DEEP_Q24)
         return k_inf;

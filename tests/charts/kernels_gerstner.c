@@ -49,7 +49,7 @@ static void fill_places(int32_t *in, const char *point)
 static void run_gerstner(const int32_t *in, int32_t *out)
 {
     for (uint32_t i = 0; i < KERNEL_UNITS; i++, in += 2, out += 5) {
-        const tp_sea_point at = tp_sea_at_rest(&sea, phases, in[0], in[1]);
+        const tp_sea_point at = tp_sea_displace_point(&sea, phases, in[0], in[1]);
         out[0] = at.position.x;
         out[1] = at.position.y;
         out[2] = at.position.z;

@@ -67,7 +67,7 @@ RUN(steep)
 
 METHOD steep_near(int32_t sx, int32_t sz)
 {
-    const int32_t ny = tp_steep_near(tp_slope_square(sx, sz));
+    const int32_t ny = tp_rsqrt_one_plus_nearest(tp_slope_square(sx, sz));
     return (tp_dir3){ -(sx * ny >> 12), ny, -(sz * ny >> 12) };
 }
 RUN(steep_near)
@@ -84,7 +84,7 @@ RUN(packed)
 
 METHOD packed_unit(int32_t word, int32_t unused)
 {
-    const tp_vec_q14 n = tp_vec_q14_packed((tp_packed_dir)word);
+    const tp_vec_q14 n = tp_vec_q14_unpack((tp_packed_dir)word);
     (void)unused;
     return (tp_dir3){ n.x, n.y, n.z };
 }

@@ -84,7 +84,7 @@ static void fill_cheap(int32_t *in)
 static void run_waves(const int32_t *in, int32_t *out)
 {
     for (uint32_t i = 0; i < KERNEL_UNITS; i++, in += 2, out += 2) {
-        const tp_sea_point at = tp_sea_at_rest(&sea, phases, in[0], in[1]);
+        const tp_sea_point at = tp_sea_displace_point(&sea, phases, in[0], in[1]);
         out[0] = at.slope_x;
         out[1] = at.slope_z;
     }
@@ -103,7 +103,7 @@ static void fill_heights(int32_t *in, int n)
 TP_ALWAYS_INLINE void five(const int32_t *in, int32_t *out, tp_fx spacing)
 {
     for (uint32_t i = 0; i < KERNEL_UNITS; i++, in += 4, out += 2) {
-        const tp_relief at = tp_neighbour_heights(0, in, spacing);
+        const tp_relief at = tp_neighbour_relief(0, in, spacing);
         out[0] = at.slope_x;
         out[1] = at.slope_z;
     }
@@ -132,7 +132,7 @@ static void fill_map(int32_t *in, int bits)
 {
     prepare(true);
     for (uint32_t i = 0; i < KERNEL_UNITS; i++, in += 2) {
-        const tp_sea_point at = tp_sea_at_rest(&sea, phases, rest[i][0], rest[i][1]);
+        const tp_sea_point at = tp_sea_displace_point(&sea, phases, rest[i][0], rest[i][1]);
         const tp_dir3 n = tp_normalise(-at.slope_x, TP_FX_ONE, -at.slope_z);
         const uint32_t x = (uint32_t)channel(n.x, bits), z = (uint32_t)channel(n.z, bits);
         const uint32_t y = (uint32_t)channel(n.y, bits);

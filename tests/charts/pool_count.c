@@ -28,7 +28,7 @@ static void ruffle(int32_t high)
                               + tp_cos((x + z) << 25) / 4;
             tp_pool_add(pool, x, z, tp_q30_mul(high, wave));
         }
-    tp_pool_stirred(pool, high);
+    tp_pool_wake(pool, high);
 }
 
 static bool prepare(const pool_point *point, tp_edges edges)

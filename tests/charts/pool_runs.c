@@ -83,7 +83,7 @@ void pool_tank_errors(const pool_tank *tank, double r, const uint32_t *ticks, in
 static void stir(tp_pool *pool, int32_t part)
 {
     const uint32_t cols = pool->cols, half = tp_pool_count(pool) / 2;
-    const int32_t most = tp_pool_full(pool) / part;
+    const int32_t most = tp_pool_max_lsb(pool) / part;
     uint32_t random = 1;
 
     for (uint32_t i = 0; i < half; i++) {
@@ -127,7 +127,7 @@ static tp_pool_state look_quickly(const tp_pool *pool)
 /* True if a cell is above 1 / share of its range. */
 static bool is_full(const tp_pool *pool, const tp_pool_state *look, int32_t share)
 {
-    const int32_t end = tp_pool_full(pool) / share;
+    const int32_t end = tp_pool_max_lsb(pool) / share;
     return look->highest >= end || look->fastest >= end;
 }
 

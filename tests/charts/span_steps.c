@@ -12,7 +12,7 @@ int32_t span_step = 16;
     void tp_tri_water_##step(const tp_gbuffer *tile, CORNERS); \
     void tp_tri_solid_##step(const tp_gbuffer *tile, CORNERS, uint32_t mark, \
                              uint32_t face, int opacity); \
-    void tp_tri_lid_##step(const tp_gbuffer *tile, CORNERS); \
+    void tp_tri_depth_only_##step(const tp_gbuffer *tile, CORNERS); \
     void tp_gbuffer_clear_##step(const tp_gbuffer *tile);
 DECLARE(0)
 DECLARE(1)
@@ -39,9 +39,9 @@ void tp_tri_solid(const tp_gbuffer *tile, CORNERS, uint32_t mark, uint32_t face,
     tp_tri_solid_16(tile, a, b, c, mark, face, opacity);
 }
 
-void tp_tri_lid(const tp_gbuffer *tile, CORNERS)
+void tp_tri_depth_only(const tp_gbuffer *tile, CORNERS)
 {
-    tp_tri_lid_16(tile, a, b, c);
+    tp_tri_depth_only_16(tile, a, b, c);
 }
 
 void tp_gbuffer_clear(const tp_gbuffer *tile)

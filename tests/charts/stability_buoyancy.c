@@ -59,7 +59,7 @@ static double height_above(const tp_sea *sea, const tp_turn *phases, double x, d
 static tp_sea_point found(const tp_sea *sea, const tp_turn *phases, tp_fx x, tp_fx z,
                           stability_search how, uint32_t n, tp_fx rest[2])
 {
-    return how == STABILITY_PLAIN ? tp_sea_iterate(sea, phases, x, z, n)
+    return how == STABILITY_PLAIN ? tp_sea_sample_fixed_point(sea, phases, x, z, n)
                                   : tp_sea_sample(sea, phases, x, z,
                                                  how == STABILITY_WARM ? rest : NULL);
 }

@@ -19,7 +19,7 @@ static void tell(const char *change, const tp_scene *scene, const tp_assets *ass
     char text[128] = "ok";
 
     config.assets = assets;
-    if (tp_program_fits(&baked_program, scene, assets, &err) != TP_OK)
+    if (tp_program_check_all(&baked_program, scene, assets, &err) != TP_OK)
         tp_error_text(&err, text, sizeof text);
     printf("%s: %s\n", change, text);
     if (err.code

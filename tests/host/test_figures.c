@@ -251,7 +251,7 @@ static void a_governors_step_is_told(void **state)
     assert_null(strstr(shown_of(f, SECOND).plan, "to hold frame_ms"));
     assert_float_equal(shown_of(f, SECOND).limit_ms, 4, 1e-3);
     for (uint32_t i = 0; i < 64 && g.governor.at == 0; i++)
-        tp_governor_feed(&g.governor, 20000);
+        tp_governor_add_frame_time(&g.governor, 20000);
     assert_true(g.governor.at > 0);
     figures_stage(f, &kept, &s, &g);
     assert_non_null(strstr(shown_of(f, SECOND).plan, "to hold frame_ms"));

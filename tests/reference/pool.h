@@ -48,7 +48,7 @@ static inline void ref_pool_read(ref_pool *p, const tp_pool *pool)
     p->at_rest = pool->at_rest;
     for (int32_t i = 0; i < p->cols * p->rows; i++) {
         const uint32_t x = (uint32_t)(i % p->cols), y = (uint32_t)(i / p->cols);
-        p->wall[i] = tp_pool_wall(pool, x, y);
+        p->wall[i] = tp_pool_is_wall_or_outside(pool, x, y);
         p->own[i] = p->m;
         p->h[i] = tp_pool_height(pool, x, y);
         p->v[i] = tp_pool_velocity(pool, x, y);

@@ -46,8 +46,8 @@ static inline bool is_bounded(double r, uint32_t m)
 static inline tp_pool_state look_bounded(const tp_pool *pool)
 {
     const tp_pool_state look = tp_pool_stats(pool);
-    assert_true(look.highest <= tp_pool_full(pool));
-    assert_true(pool->cells == TP_CELLS_32 || look.fastest <= tp_pool_full(pool));
+    assert_true(look.highest <= tp_pool_max_lsb(pool));
+    assert_true(pool->cells == TP_CELLS_32 || look.fastest <= tp_pool_max_lsb(pool));
     return look;
 }
 #endif

@@ -85,16 +85,16 @@ static void a_thousand_drops_fall_for_a_minute(void **state)
     assert_non_null(rings);
     tp_drops_init(drops, &c);
     for (uint64_t tick = 1; tick <= MINUTE; tick++) {
-        tp_drops_steer(drops, 0, 0);
+        tp_drops_move_sphere(drops, 0, 0);
         tp_drops_release(drops, &c, tick == 1 ? 1000 : 0);
         tp_drops_release_due(drops, &c);
         for (uint32_t i = 0; i < drops->count; i++) {
             tp_impact impact;
             const tp_fx x = tp_drops_list(drops)[i].place.x;
             if (tp_drops_step(drops, &c, i, GRAVITY, level_at(x, tick), tick, &impact))
-                tp_drops_ring(drops, &c, &impact);
+                tp_drops_add_ring(drops, &c, &impact);
         }
-        tp_drops_tidy(drops, (int64_t)tick * 65536, TP_FX(100));
+        tp_drops_remove_spent(drops, (int64_t)tick * 65536, TP_FX(100));
         look(drops, tick, &f);
         if (tick % 8 == 0)
             ripple(drops, (int64_t)tick * 65536, rings, &f);
@@ -129,9 +129,9 @@ static void all_drops_and_rings_come_to_an_end(void **state)
         for (uint32_t i = 0; i < drops->count; i++) {
             tp_impact impact;
             if (tp_drops_step(drops, &c, i, GRAVITY, 0, tick, &impact))
-                tp_drops_ring(drops, &c, &impact);
+                tp_drops_add_ring(drops, &c, &impact);
         }
-        tp_drops_tidy(drops, (int64_t)tick * 65536, TP_FX(100));
+        tp_drops_remove_spent(drops, (int64_t)tick * 65536, TP_FX(100));
         dry = drops->count > 0 ? tick : dry;
         assert_true(tick < 6000);
     }
@@ -149,8 +149,8 @@ static void a_clock_flipped_every_picture_runs_evenly(void **state)
 
     tp_clock_init(&clock, TP_FX_ONE);
     for (int n = 1; n <= 216000; n++) {
-        tp_clock_aim(&clock, n % 2 ? TP_CLOCK_FASTEST : TP_CLOCK_SLOWEST);
-        tp_clock_next(&clock);
+        tp_clock_set_target(&clock, n % 2 ? TP_CLOCK_FASTEST : TP_CLOCK_SLOWEST);
+        tp_clock_advance(&clock);
         const double now = (double)tp_clock_ticks(&clock)
                          + (double)clock.part_q40 / 1099511627776.0;
         least = fmin(least, now - last);
@@ -173,8 +173,8 @@ static void any_targets_keep_time_within_its_ends(void **state)
     tp_clock_init(&clock, TP_FX_ONE);
     for (int n = 0; n < 216000; n++) {
         if (random_below(&chance, 30) == 0)
-            tp_clock_aim(&clock, (tp_fx)(uint32_t)random_next(&chance));
-        tp_clock_next(&clock);
+            tp_clock_set_target(&clock, (tp_fx)(uint32_t)random_next(&chance));
+        tp_clock_advance(&clock);
         const uint64_t now = (tp_clock_ticks(&clock) << 16)
                            + (uint32_t)tp_clock_fraction(&clock);
         assert_in_range(now - last, TP_CLOCK_SLOWEST - 1, TP_CLOCK_FASTEST + 1);

@@ -60,7 +60,7 @@ static void assert_near(tp_fx got, tp_fx place, int64_t most)
 static void ask_all(const tp_world *world, tp_fx x, tp_fx z)
 {
     const tp_ocean *ocean = tp_world_ocean(world);
-    const int64_t reach = ocean ? tp_ocean_reach(ocean) : world->sea.reach;
+    const int64_t reach = ocean ? tp_ocean_max_displacement(ocean) : world->sea.reach;
     const tp_surface surface = tp_world_surface(&tp_program_all, world);
     const tp_sea_point p = tp_surface_sample(&surface, x, z, NULL);
 
@@ -72,15 +72,15 @@ static void ask_all(const tp_world *world, tp_fx x, tp_fx z)
 
 static void ask_ocean(const tp_ocean *ocean, const tp_turn *phases, tp_fx x, tp_fx z)
 {
-    const tp_ocean_point whole = tp_ocean_at_rest(ocean, phases, x, z);
-    const tp_ocean_point smooth = tp_ocean_smooth(ocean, phases, x, z);
-    const tp_fx reach = tp_ocean_reach(ocean);
+    const tp_ocean_point whole = tp_ocean_displace_point(ocean, phases, x, z);
+    const tp_ocean_point smooth = tp_ocean_displace_smooth(ocean, phases, x, z);
+    const tp_fx reach = tp_ocean_max_displacement(ocean);
 
     assert_near(whole.position.x, x, reach);
     assert_near(whole.position.z, z, reach);
     assert_near(smooth.position.x, x, reach);
     assert_near(smooth.position.z, z, reach);
-    assert_true(abs(smooth.position.y) <= tp_ocean_height(ocean));
+    assert_true(abs(smooth.position.y) <= tp_ocean_max_height(ocean));
     assert_int_equal(whole.depth, tp_ocean_floor(ocean, x, z).depth);
 }
 
@@ -92,7 +92,7 @@ static void ask_pool(tp_pool *pool, tp_fx x, tp_fx z)
     uint32_t col, row;
     const bool cell = tp_pool_cell(pool, x, z, &col, &row);
 
-    assert_true(abs(r.height) <= tp_pool_highest(pool));
+    assert_true(abs(r.height) <= tp_pool_height_bound(pool));
     assert_true(!cell || (col < pool->cols && row < pool->rows));
     assert_int_equal(cell, tp_pool_add_splash(pool, x, z, chance_word(&chance),
                                        chance_word(&chance)));
@@ -102,10 +102,10 @@ static void ask_parts(tp_world *world, tp_fx x, tp_fx z)
 {
     if (tp_world_ocean(world))
         ask_ocean(tp_world_ocean(world), world->phases, x, z);
-    if (tp_parts_pool(world))
-        ask_pool(tp_parts_pool(world), x, z);
-    if (tp_parts_field(world))
-        ask_pool(tp_parts_field(world), x, z);
+    if (tp_world_mutable_pool(world))
+        ask_pool(tp_world_mutable_pool(world), x, z);
+    if (tp_world_mutable_field(world))
+        ask_pool(tp_world_mutable_field(world), x, z);
     if (tp_world_foam(world))
         tp_foam_sample(tp_world_foam(world), x, z);
 }

@@ -72,7 +72,7 @@ static double moved_along(const tp_sea *sea, double from)
     const tp_swell *w = &sea->swell[0];
     const tp_turn phases[TP_WAVES] = { 0x40000000 };
     const double x = (double)w->turns_x, z = (double)w->turns_z, turns = hypot(x, z);
-    const tp_vec3 p = tp_sea_iterate(sea, phases, TP_FX(from * x / turns),
+    const tp_vec3 p = tp_sea_sample_fixed_point(sea, phases, TP_FX(from * x / turns),
                                      TP_FX(from * z / turns), 0).position;
 
     return (p.x * x + p.z * z) / turns * STABILITY_LSB;

@@ -48,8 +48,8 @@ static extent extent_of(const ocean_made *o, bool whole)
 
     for (uint32_t n = 0; n < 64; n++) {
         const tp_turn phases[TP_WAVES] = { n << 26 };
-        const tp_vec3 p = whole ? tp_ocean_at_rest(o->ocean, phases, 0, 0).position
-                                : tp_ocean_smooth(o->ocean, phases, 0, 0).position;
+        const tp_vec3 p = whole ? tp_ocean_displace_point(o->ocean, phases, 0, 0).position
+                                : tp_ocean_displace_smooth(o->ocean, phases, 0, 0).position;
         e.up = fmax(e.up, abs(p.y) * LSB);
         e.along = fmax(e.along, hypot(p.x, p.z) * LSB);
     }
@@ -96,11 +96,11 @@ static double jump_to_shore(const ocean_made *o, double shore, double z)
         tp_vec3 last = { 0, 0, 0 };
         for (int k = 0; k * d < 32; k++) {
             const tp_fx x = (tp_fx)lround((from + k * d) * 65536);
-            const tp_ocean_point p = tp_ocean_smooth(o->ocean, phases, x,
+            const tp_ocean_point p = tp_ocean_displace_smooth(o->ocean, phases, x,
                                                      (tp_fx)(z * 65536));
             const tp_vec3 step = tp_vec3_sub(p.position, last);
             assert_true(p.depth > 0 || p.position.y == 0);
-            assert_true(abs(p.position.y) <= tp_ocean_height(o->ocean));
+            assert_true(abs(p.position.y) <= tp_ocean_max_height(o->ocean));
             if (k > 0)
                 most = fmax(most, hypot(hypot(step.x, step.y), step.z) * LSB);
             last = p.position;
@@ -246,7 +246,7 @@ static void at_a_cliff_the_surface_stays_within_its_reach(void **state)
         const double jump = jump_to_shore(&o, 15, chance_double(&chance, -99, 99));
         printf("# %6.2f to %6.2f  %5.2f  %.1f mm\n", low, high, rise, 1000 * jump);
         assert_true(rise <= 8);
-        assert_true(jump <= 2 * tp_ocean_reach(o.ocean) * LSB);
+        assert_true(jump <= 2 * tp_ocean_max_displacement(o.ocean) * LSB);
         ocean_end(&o);
     }
 }
@@ -276,7 +276,7 @@ static void look_at(const ocean_made *o, const ocean_made *moving, double headin
     const tp_turn phases[TP_WAVES] = {
         (tp_turn)(uint64_t)llround((1.25 - here) * 4294967296.0)
     };
-    const tp_vec3 p = tp_ocean_smooth(moving->ocean, phases, x, z).position;
+    const tp_vec3 p = tp_ocean_displace_smooth(moving->ocean, phases, x, z).position;
     r->places++;
     r->against_deep += on_x * sin(heading) - on_z * cos(heading) < -1e-4;
     r->against_own += on_x * (p.x - x) + on_z * (p.z - z)
@@ -366,9 +366,9 @@ static double least_step(const ocean_made *o, double length)
 
     for (uint32_t n = 0; n < 4; n++) {
         const tp_turn phases[TP_WAVES] = { (tp_turn)random_next(&chance) };
-        tp_fx last = tp_ocean_smooth(o->ocean, phases, 0, 0).position.x;
+        tp_fx last = tp_ocean_displace_smooth(o->ocean, phases, 0, 0).position.x;
         for (int k = 1; k <= 1024; k++) {
-            const tp_fx x = tp_ocean_smooth(o->ocean, phases, k * d, 0).position.x;
+            const tp_fx x = tp_ocean_displace_smooth(o->ocean, phases, k * d, 0).position.x;
             least = fmin(least, (double)(x - last) / d);
             last = x;
         }
@@ -420,7 +420,8 @@ static extent alias_of(const ocean_made *o, double cell, double height)
                              (tp_fx)((k + 1) * cell * 65536) };
         double y[3];
         for (int i = 0; i < 3; i++)
-            y[i] = tp_ocean_smooth(o->ocean, phases, x[i], 0).position.y * LSB / height;
+            y[i] = tp_ocean_displace_smooth(o->ocean, phases, x[i], 0).position.y * LSB
+                   / height;
         e.up = fmax(e.up, fabs(y[0]));
         e.along = fmax(e.along, fabs((y[0] + y[2]) / 2 - y[1]));
     }
@@ -439,7 +440,7 @@ static void waves_shorter_than_two_cells_stay_within_their_height(void **state)
         ocean_made o = one_wave(length, length / 40, 0, 90);
         o.config.floor = floor_of(20, 0, 0);
         ocean_build(&o);
-        const double height = tp_ocean_height(o.ocean) * LSB;
+        const double height = tp_ocean_max_height(o.ocean) * LSB;
         const double k = ref_depth_number(2 * PI / length, 20);
         const extent at = extent_of(&o, false);
         const extent e = alias_of(&o, 2 * PI / k / points[i], at.up);

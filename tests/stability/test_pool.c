@@ -20,7 +20,7 @@ static uint64_t chance;
 static void stir(tp_pool *pool)
 {
     const uint32_t count = pool->cols * pool->rows;
-    const int32_t full = tp_pool_full(pool);
+    const int32_t full = tp_pool_max_lsb(pool);
 
     for (uint32_t i = 0; i < count / 2; i++) {
         const int32_t h = chance_int(&chance, -full, full);
@@ -28,7 +28,7 @@ static void stir(tp_pool *pool)
         tp_pool_add(pool, i % pool->cols, i / pool->cols, h);
         tp_pool_add(pool, j % pool->cols, j / pool->cols, -h);
     }
-    tp_pool_stirred(pool, full);
+    tp_pool_wake(pool, full);
 }
 
 /* Returns the ticks until rest, or `most`. */
@@ -73,7 +73,7 @@ static void print_end(tp_pool *pool)
             printf(" %5d", ticks + more);
         else if (cycle != 0)
             printf("    c%d", cycle);
-        else if (look.fastest > tp_pool_full(pool) / 2)
+        else if (look.fastest > tp_pool_max_lsb(pool) / 2)
             printf("     s");
         else
             continue;
@@ -90,7 +90,7 @@ static double settle(tp_cells cells, uint32_t size, uint32_t m, double r)
     stir(pool);
     run(pool, (int)pool->gear);
     const double mean = fabs((double)tp_pool_stats(pool).sum) / (size * size)
-                      / tp_pool_full(pool);
+                      / tp_pool_max_lsb(pool);
     if (is_bounded(r, m)) {
         printf(" %5d", run(pool, 200000));
         const tp_pool_state look = tp_pool_stats(pool);
@@ -147,7 +147,7 @@ static void gear_b_alone_comes_to_a_stand(void **state)
         const double r = chance_double(&chance, 0.1, 0.49);
         tp_pool *const pool = tank(cells, TP_EDGES_WALL, 24,
                                    4 + 2 * (uint32_t)(n / 2 % 4), r);
-        pool_fill(pool, &chance, tp_pool_full(pool));
+        pool_fill(pool, &chance, tp_pool_max_lsb(pool));
         pool->gear = 0;
         int ticks = 0;
         do {

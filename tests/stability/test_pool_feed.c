@@ -31,7 +31,7 @@ static void look(const tp_pool *pool, record *r)
 
     for (uint32_t i = 0; i < count; i++) {
         const int32_t h = tp_pool_cell_height(pool, i);
-        assert_true(abs(h) <= tp_pool_full(pool));
+        assert_true(abs(h) <= tp_pool_max_lsb(pool));
         sum += h;
         squares += (double)h * h;
     }

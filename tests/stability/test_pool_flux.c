@@ -177,7 +177,7 @@ static void any_r_set_by_hand_is_held(void **state)
         const tp_pool_config c = pool_config((tp_cells)(n % 3), (tp_edges)(n / 3), 33,
                                              17);
         tp_pool *const pool = pool_make(&c), *const copy = pool_make(&c);
-        pool_fill(pool, &chance, tp_pool_full(pool));
+        pool_fill(pool, &chance, tp_pool_max_lsb(pool));
         memcpy(copy, pool, tp_pool_bytes(&c));
         pool->r2q = 767;
         copy->r2q = n % 2 ? UINT32_MAX : 768;

@@ -94,7 +94,7 @@ static double inversion_error(double sum)
         for (uint32_t i = 0; i < TP_WAVES; i++)
             phases[i] = (tp_turn)random_next(&chance);
         const tp_sea_point p = tp_sea_sample(&sea, phases, x, z, rest);
-        const tp_sea_point q = tp_sea_at_rest(&sea, phases, rest[0], rest[1]);
+        const tp_sea_point q = tp_sea_displace_point(&sea, phases, rest[0], rest[1]);
         assert_memory_equal(&p, &q, sizeof p);
         assert_true(abs(p.position.y) <= sea.height);
         worst = fmax(worst, hypot(p.position.x - x, p.position.z - z) * LSB);

@@ -182,7 +182,7 @@ static inline void ocean_compare(const ocean *o, tp_fx x, tp_fx z, errors *e)
 {
     const double x0 = x * LSB, z0 = z * LSB;
     ref_point want = ref_at_rest(&o->ref, o->ref_phases, x0, z0);
-    const tp_sea_point got = tp_sea_at_rest(&o->sea, o->phases, x, z);
+    const tp_sea_point got = tp_sea_displace_point(&o->sea, o->phases, x, z);
     const double height = got.position.y * LSB - want.y;
     const double place = fmax(fabs(got.position.x * LSB - want.x),
                               fabs(got.position.z * LSB - want.z));

@@ -38,7 +38,7 @@ static void a_failure_without_a_record_still_returns_its_code(void **state)
 {
     (void)state;
     assert_int_equal(TP_FAIL(NULL, TP_E_ARG, 0, 0, 0), TP_E_ARG);
-    tp_error_word(NULL, "word", 4);
+    tp_error_set_word(NULL, "word", 4);
 }
 
 static void the_sentence_holds_numbers_and_word(void **state)
@@ -50,7 +50,7 @@ static void the_sentence_holds_numbers_and_word(void **state)
     assert_int_equal(tp_error_text(&err, text, sizeof text), 42);
     assert_string_equal(text, "face uses vertex -2147483648 of 2147483647");
     TP_FAIL(&err, TP_E_OBJ_MISSING, 1, 3, 0);
-    tp_error_word(&err, "vt%a", 2);
+    tp_error_set_word(&err, "vt%a", 2);
     tp_error_text(&err, text, sizeof text);
     assert_string_equal(text, "vt needs 3 numbers, found 0");
 }
@@ -61,7 +61,7 @@ static void a_word_is_not_taken_for_a_sentence(void **state)
     tp_error err;
     char text[80];
     TP_FAIL(&err, TP_E_NUMBER, 1, 7, 8);
-    tp_error_word(&err, "%a%s%", 5);
+    tp_error_set_word(&err, "%a%s%", 5);
     tp_error_text(&err, text, sizeof text);
     assert_string_equal(text, "expected a number, found %a%s%");
 }
@@ -92,11 +92,11 @@ static void a_long_or_dirty_word_is_made_safe(void **state)
     char word[100];
     memset(word, 'w', sizeof word);
     TP_FAIL(&err, TP_E_NAME, 0, 0, 0);
-    tp_error_word(&err, word, sizeof word);
+    tp_error_set_word(&err, word, sizeof word);
     assert_int_equal(strlen(err.word), sizeof err.word - 1);
-    tp_error_word(&err, "a\033[2J\n\0z\x7f", 9);
+    tp_error_set_word(&err, "a\033[2J\n\0z\x7f", 9);
     assert_string_equal(err.word, "a?[2J??z?");
-    tp_error_word(&err, "", 0);
+    tp_error_set_word(&err, "", 0);
     assert_string_equal(err.word, "");
 }
 

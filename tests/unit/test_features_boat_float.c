@@ -78,8 +78,8 @@ static void a_kinematic_boat_takes_the_water_s_lie(void **state)
         double aim[3];
         for (int i = 0; i < 4; i++)
             water[i] = chance_fx(&chance, -2048, 2048);
-        tp_boat_float(&a, &s, water);
-        tp_boat_sink(&hull, &a, water);
+        tp_boat_step_attitude(&a, &s, water);
+        tp_boat_set_immersion(&hull, &a, water);
         ref_aims(water, aim);
         for (int k = 0; k < 3; k++) {
             assert_true((double)a.at[k] == aim[k] * Q40);
@@ -104,7 +104,7 @@ static void smoothing_follows_the_models(void **state)
         for (int t = 0; t < 600; t++) {
             for (int i = 0; i < 4 && t % 40 == 0; i++)
                 water[i] = chance_fx(&chance, -8, 8);
-            tp_boat_float(&a, &s, water);
+            tp_boat_step_attitude(&a, &s, water);
             ref_follow(&f, s.boat.smooth * LSB, water);
             for (int k = 0; k < 3; k++)
                 measure_add(&off, (double)a.at[k] / Q40 - f.lie[k], s.boat.smooth, t, k);
@@ -126,15 +126,15 @@ static void smoothing_ends_exactly_on_flat_water(void **state)
         for (int i = 0; i < 4; i++)
             water[i] = chance_fx(&chance, -100, 100);
         s.boat.smooth = chance_scale(&chance, 0.001, 10);
-        tp_boat_lay(&a, water);
+        tp_boat_snap_attitude(&a, water);
         flat(water, level);
         for (int t = 0; t < 60 * 10 * 30; t++)
-            tp_boat_float(&a, &s, water);
+            tp_boat_step_attitude(&a, &s, water);
         assert_int_equal(tp_fx_of_q40(a.at[0]), level);
         assert_int_equal(tp_fx_of_q40(a.at[1]), 0);
         assert_int_equal(tp_fx_of_q40(a.at[2]), 0);
         tp_hull hull = { .immersion = { 1, 2, 3 } };
-        tp_boat_sink(&hull, &a, water);
+        tp_boat_set_immersion(&hull, &a, water);
         assert_true(hull.immersion[0] == 0 && hull.immersion[1] == 0
                     && hull.immersion[2] == 0);
     }
@@ -157,7 +157,7 @@ static void compare_swing(int n, measure *off)
         tp_fx water[4];
         for (int i = 0; i < 4; i++)
             water[i] = (tp_fx)lround(high * sin(phase[i] + step * t) * 65536);
-        tp_boat_float(&a, &s, water);
+        tp_boat_step_attitude(&a, &s, water);
         ref_swing(&f, &s, water);
         for (int k = 0; k < 3; k++)
             measure_add(off, ((double)a.at[k] / Q40 - f.lie[k]) / high, n, t, k);
@@ -187,7 +187,7 @@ static double period_of(const tp_scene *s)
 
     for (int t = 1; count < 9; t++) {
         const int64_t before = a.at[0];
-        tp_boat_float(&a, s, water);
+        tp_boat_step_attitude(&a, s, water);
         if (before < 0 && a.at[0] >= 0) {
             last = t - (double)a.at[0] / (double)(a.at[0] - before);
             first = count++ == 0 ? last : first;
@@ -230,7 +230,7 @@ static void drag_is_the_share_of_the_critical(void **state)
     int64_t before = a.at[0];
     for (int t = 0; tops < 3; t++) {
         const int64_t now = a.at[0];
-        tp_boat_float(&a, &s, water);
+        tp_boat_step_attitude(&a, &s, water);
         if (now > before && now > a.at[0])
             high[tops++] = now;
         before = now;
@@ -257,7 +257,7 @@ static void critical_drag_does_not_overshoot(void **state)
                                        (int64_t)s.boat.draft << 24,
                                        (int64_t)s.boat.draft << 21 } };
         for (int t = 0; t < 3000; t++) {
-            tp_boat_float(&a, &s, water);
+            tp_boat_step_attitude(&a, &s, water);
             assert_true(a.at[0] >= 0 && a.at[1] >= 0 && a.at[2] >= 0);
         }
     }

@@ -53,7 +53,7 @@ static void energy_never_grows_on_still_water(void **state)
         double before = swing_energy(&at, &s);
         const double first = before;
         for (int t = 0; t < 1000; t++) {
-            tp_boat_float(&at, &s, water);
+            tp_boat_step_attitude(&at, &s, water);
             const double now = swing_energy(&at, &s);
             measure_add(&grown, fmax(0, (now - before) / first), n, t, 0);
             before = now;
@@ -97,7 +97,7 @@ static void no_throw_gains_energy_on_still_water(void **state)
         s.boat.drag = n % 2 ? chance_scale(&chance, 0.1, 2) : 0;
         const double first = full_energy(&at, &s);
         for (int t = 0; t < 3000; t++) {
-            tp_boat_float(&at, &s, water);
+            tp_boat_step_attitude(&at, &s, water);
             measure_add(n % 2 ? &some : &none, full_energy(&at, &s) / first, n, t, 0);
         }
     }
@@ -127,13 +127,13 @@ static void it_comes_to_exact_rest_at_its_draft(void **state)
         int t = 0;
         flat(water, level);
         do
-            tp_boat_float(&at, &s, water);
+            tp_boat_step_attitude(&at, &s, water);
         while ((at.at[0] != (int64_t)level * (1 << 24) || at.at[1] || at.at[2]
                 || at.speed[0] || at.speed[1] || at.speed[2]) && t++ < most);
         longest = fmax(longest, (double)t / most);
         assert_true(t < most);
         const tp_boat_attitude rest = at;
-        tp_boat_float(&at, &s, water);
+        tp_boat_step_attitude(&at, &s, water);
         assert_memory_equal(&rest, &at, sizeof at);
     }
     print_message("# rest after %.2f of the ticks allowed\n", longest);
@@ -156,8 +156,8 @@ static void no_boat_of_the_table_leaves_its_range(void **state)
             tp_hull hull = { .x = 0 };
             for (int i = 0; i < 4; i++)
                 water[i] = chance_fx(&chance, -2048, 2048);
-            tp_boat_float(&at, &s, water);
-            tp_boat_sink(&hull, &at, water);
+            tp_boat_step_attitude(&at, &s, water);
+            tp_boat_set_immersion(&hull, &at, water);
             for (int k = 0; k < 3; k++) {
                 assert_true(fabs((double)at.at[k] / Q40) <= 4096);
                 assert_true(fabs((double)at.speed[k] / Q40) <= 64);

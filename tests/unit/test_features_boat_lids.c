@@ -21,7 +21,7 @@ static void square(const test_tile *tile, int32_t side, uint32_t zi, uint32_t ma
 
     for (int k = 2; k < 4; k++) {
         if (mark == TP_MARK_SKY)
-            tp_tri_lid(&tile->samples, &p[0], &p[k - 1], &p[k]);
+            tp_tri_depth_only(&tile->samples, &p[0], &p[k - 1], &p[k]);
         else if (mark == TP_MARK_WATER)
             tp_tri_water(&tile->samples, &p[0], &p[k - 1], &p[k]);
         else

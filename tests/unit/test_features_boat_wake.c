@@ -70,7 +70,7 @@ static void compare_stroke(tp_scene *s, measure *off)
     for (int k = 0; k < 3; k++)
         hull->immersion[k] = chance_fx(&chance, -0.3, 0.3);
     const tp_hull before = w->afloat.stirred, now = *hull;
-    tp_boat_wake(w, s);
+    tp_boat_stir_pool(w, s);
     for (uint32_t row = 0; row < pool->rows; row++) {
         for (uint32_t col = 0; col < pool->cols; col++) {
             const double x = cell_x(pool, col), z = cell_z(pool, row);
@@ -176,7 +176,7 @@ static void a_hull_that_comes_back_has_added_nothing(void **state)
         for (int t = 0; t < 20; t++) {
             w->afloat.hull.immersion[0] = t == 19 ? rest.immersion[0]
                                              : chance_fx(&chance, -0.4, 0.4);
-            tp_boat_wake(w, &s);
+            tp_boat_stir_pool(w, &s);
         }
         assert_true(highest_under(w, &s) < 2);
         assert_true(tp_pool_stats(water_of(w)).highest <= 20);

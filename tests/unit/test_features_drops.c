@@ -45,9 +45,9 @@ static uint32_t tick_of(tp_drops *drops, const tp_scene_drops *c, uint64_t tick)
         if (!tp_drops_step(drops, c, i, G, 0, tick, &impact))
             continue;
         struck++;
-        tp_drops_ring(drops, c, &impact);
+        tp_drops_add_ring(drops, c, &impact);
     }
-    tp_drops_tidy(drops, (int64_t)tick * 65536, FAR);
+    tp_drops_remove_spent(drops, (int64_t)tick * 65536, FAR);
     return struck;
 }
 
@@ -168,12 +168,12 @@ static void the_sphere_is_steered_at_its_height(void **state)
     (void)state;
     const tp_scene_drops c = config_of(1, 0);
     tp_drops *const drops = block_of(&c);
-    tp_drops_steer(drops, TP_FX(0.5), TP_FX(-1));
+    tp_drops_move_sphere(drops, TP_FX(0.5), TP_FX(-1));
     assert_int_equal(drops->sphere.x, TP_FX(5.5));
     assert_int_equal(drops->sphere.z, TP_FX(-8));
     assert_int_equal(drops->sphere.y, TP_FX(3));
     assert_int_equal(drops->last_sphere.x, TP_FX(5));
-    tp_drops_steer(drops, TP_FX_MAX, TP_FX_MIN);
+    tp_drops_move_sphere(drops, TP_FX_MAX, TP_FX_MIN);
     assert_int_equal(drops->sphere.x, 8000 * TP_FX_ONE);
     assert_int_equal(drops->sphere.z, -8000 * TP_FX_ONE);
     free(drops);
@@ -200,7 +200,7 @@ static void each_impact_raises_one_ring(void **state)
     assert_int_equal(impacts, c.impacts);
     assert_int_equal(drops->impacts, impacts);
     for (uint64_t tick = 1; tick < 6000; tick++)
-        tp_drops_tidy(drops, (int64_t)tick * 65536, FAR);
+        tp_drops_remove_spent(drops, (int64_t)tick * 65536, FAR);
     assert_int_equal(drops->rings, 0);
     free(drops);
 }
@@ -213,17 +213,17 @@ static void rings_without_room_are_counted(void **state)
     const tp_impact tiny = { .amplitude = 1, .length = 1 };
     const tp_impact still = { .length = TP_FX_ONE };
     tp_drops *drops = block_of(&c);
-    tp_drops_ring(drops, &c, &still);
+    tp_drops_add_ring(drops, &c, &still);
     assert_int_equal(drops->rings, 0);
-    tp_drops_ring(drops, &c, &tiny);
+    tp_drops_add_ring(drops, &c, &tiny);
     assert_int_equal(tp_drops_rings(drops)[0].length, TP_FX(0.02));
-    tp_drops_ring(drops, &c, &impact);
-    tp_drops_ring(drops, &c, &impact);
+    tp_drops_add_ring(drops, &c, &impact);
+    tp_drops_add_ring(drops, &c, &impact);
     assert_int_equal(drops->rings, 2);
     assert_int_equal(drops->rings_dropped, 1);
     free(drops);
     drops = block_of(&none);
-    tp_drops_ring(drops, &none, &impact);
+    tp_drops_add_ring(drops, &none, &impact);
     assert_int_equal(drops->rings_dropped, 1);
     free(drops);
 }
@@ -241,7 +241,7 @@ static void a_story_repeats_bit_for_bit(void **state)
         const uint32_t more = random_below(&chance, 40) == 0 ? 7 : 0;
         for (int k = 0; k < 2; k++) {
             tp_drops *const drops = k ? a : b;
-            tp_drops_steer(drops, x, -x);
+            tp_drops_move_sphere(drops, x, -x);
             tp_drops_release(drops, &c, more);
             tp_drops_release_due(drops, &c);
             tick_of(drops, &c, tick);

@@ -26,7 +26,7 @@ static void tones_follow_their_formula(void **state)
         tp_exposure exposure;
         const tp_shade s = { .focal = 16 };
         test_run r;
-        tp_exposure_tone(exposure.tone, e);
+        tp_exposure_make_tone_curve(exposure.tone, e);
         run_any(&r, 0, &chance);
         r.run.mine = &exposure;
         const tp_run before = r.run;
@@ -47,11 +47,11 @@ static void an_exposure_of_1_is_nothing_and_white_stays_white(void **state)
     (void)state;
     tp_entry8 tone[256];
 
-    tp_exposure_tone(tone, TP_FX_ONE);
+    tp_exposure_make_tone_curve(tone, TP_FX_ONE);
     for (int i = 0; i < 256; i++)
         assert_int_equal(tone[i], i);
     for (tp_fx e = TP_FX_ONE / 8; e <= 8 * TP_FX_ONE; e += 997) {
-        tp_exposure_tone(tone, e);
+        tp_exposure_make_tone_curve(tone, e);
         assert_int_equal(tone[0], 0);
         assert_int_equal(tone[255], 255);
         for (int i = 1; i < 256; i++)

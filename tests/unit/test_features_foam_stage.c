@@ -56,7 +56,7 @@ static tp_shade shade_foam(test_run *r, bool textured, int level)
         .drift_t = (uint32_t)random_next(&chance),
     };
     if (textured)
-        tp_shade_foam_rank(f, &picture);
+        tp_shade_foam_make_ranks(f, &picture);
     for (int i = 0; i < TP_RUN; i++) {
         r->key[i] = 0x10000000;
         r->s[i] = (uint32_t)f->low_s + random_below(&chance, f->side + 20000) - 10000;

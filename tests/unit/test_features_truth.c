@@ -26,14 +26,15 @@ static void compare_modules(const tp_frame *frame, tp_want want, tally *t)
     const tp_use *u = frame->program->modules;
 
     for (uint32_t i = 0; u[i].module; i++) {
-        const bool on = tp_module_ask(u[i].module, &want);
+        const bool on = tp_module_ask_enabled(u[i].module, &want);
         const bool seen = on && u[i].drawing;
         assert_int_equal(frame->parts.laid >> i & 1, seen);
         assert_int_equal(frame->modules_on >> i & 1, seen);
         if (u[i].drawing && u[i].drawing->layout)
-            assert_int_equal(tp_frame_part(frame, u[i].module->id) != NULL, on);
+            assert_int_equal(tp_frame_module_memory(frame, u[i].module->id) != NULL, on);
         if (u[i].module->bytes)
-            assert_int_equal(tp_world_part(frame->world, u[i].module->id) != NULL, on);
+            assert_int_equal(tp_world_module_state(frame->world, u[i].module->id) != NULL,
+                             on);
         t->on[i] += on;
     }
 }

@@ -179,7 +179,7 @@ static void light_of(const tp_scene *s, const tp_world *world, uint16_t *light)
     test_frame f = frame_of(s, &assets, &c);
 
     tp_frame_begin(f.frame, world);
-    const tp_caustics *map = tp_frame_part(f.frame, TP_CAUSTICS_ID);
+    const tp_caustics *map = tp_frame_module_memory(f.frame, TP_CAUSTICS_ID);
     memcpy(light, map->light, cells * cells * sizeof *light);
     frame_free(&f);
 }

@@ -94,11 +94,11 @@ static void both_bodies_add_the_same_layers(void **state)
         any_lanes(&l, 0xffffff);
         const int32_t count = any_columns(&l, &at).count;
         if (n & 1) {
-            plain_first(&map, 0, l.place[0] + at, l.to[0] + at, count);
-            packed_first(&map, 0, l.place[1] + at, l.to[1] + at, count);
+            plain_write_texels(&map, 0, l.place[0] + at, l.to[0] + at, count);
+            packed_write_texels(&map, 0, l.place[1] + at, l.to[1] + at, count);
         }
-        plain_added(&map, 0, l.place[0] + at, l.to[0] + at, count);
-        packed_added(&map, 0, l.place[1] + at, l.to[1] + at, count);
+        plain_add_texels(&map, 0, l.place[0] + at, l.to[0] + at, count);
+        packed_add_texels(&map, 0, l.place[1] + at, l.to[1] + at, count);
         assert_memory_equal(l.to[0], l.to[1], sizeof l.to[0]);
     }
 }
@@ -114,11 +114,11 @@ static void both_bodies_bend_places_alike(void **state)
         any_lanes(&l, 0);
         const tp_columns c = any_columns(&l, &at);
         if (n & 1) {
-            plain_bent(&map, 0, &c, l.place[0] + at);
-            packed_bent(&map, 0, &c, l.place[1] + at);
+            plain_distort_places(&map, 0, &c, l.place[0] + at);
+            packed_distort_places(&map, 0, &c, l.place[1] + at);
         } else {
-            plain_bent_thin(&map, 0, &c, l.place[0] + at);
-            packed_bent_thin(&map, 0, &c, l.place[1] + at);
+            plain_distort_even_places(&map, 0, &c, l.place[0] + at);
+            packed_distort_even_places(&map, 0, &c, l.place[1] + at);
         }
         assert_memory_equal(l.place[0], l.place[1], sizeof l.place[0]);
     }
@@ -147,8 +147,8 @@ static void both_bodies_fill_the_same_columns(void **state)
         lanes l;
         any_lanes(&l, 0xffffff);
         const int32_t pairs = chance_int(&chance, 0, TP_RUN / 2), at = n & 1;
-        plain_paired(l.to[0] + TP_RUN, l.to[0] + at, pairs);
-        packed_paired(l.to[1] + TP_RUN, l.to[1] + at, pairs);
+        plain_expand_pairs(l.to[0] + TP_RUN, l.to[0] + at, pairs);
+        packed_expand_pairs(l.to[1] + TP_RUN, l.to[1] + at, pairs);
         assert_memory_equal(l.to[0], l.to[1], sizeof l.to[0]);
     }
 }

@@ -325,7 +325,7 @@ static void pictures_drift_for_years(void **state)
         world->tick = random_next(&chance) % (30ull * 366 * 86400 * 60);
         world->back = chance_int(&chance, 0, 65536);
         tp_frame_begin(f.frame, world);
-        const tp_ripple *ripple = tp_frame_part(f.frame, TP_RIPPLE_ID);
+        const tp_ripple *ripple = tp_frame_module_memory(f.frame, TP_RIPPLE_ID);
         const tp_layer *layer = &ripple->layer;
         const long double time = (long double)f.frame->drawn.time / 65536 / 60;
         const long double way = scene.ripple.map.drift_x * time;        /* 16.16 m */

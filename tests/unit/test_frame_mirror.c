@@ -22,13 +22,13 @@ static const tp_half nothing = { .colour = NULL };
 /* The maps of the last picture; without colours if there is no map. */
 static const tp_half *mirror_of(const tp_frame *frame)
 {
-    const tp_mirror *mirror = tp_frame_part(frame, TP_MIRROR_ID);
+    const tp_mirror *mirror = tp_frame_module_memory(frame, TP_MIRROR_ID);
     return mirror ? &mirror->half : &nothing;
 }
 
 static const tp_half *sunken_of(const tp_frame *frame)
 {
-    const tp_clear_water *clear = tp_frame_part(frame, TP_CLEAR_WATER_ID);
+    const tp_clear_water *clear = tp_frame_module_memory(frame, TP_CLEAR_WATER_ID);
     return clear && clear->sunken ? clear->sunken : &nothing;
 }
 

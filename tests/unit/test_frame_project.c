@@ -87,9 +87,9 @@ static void a_place_is_where_a_pinhole_sees_it(void **state)
         tp_frame_begin(f.frame, w);
         for (int i = 0; i < 200; i++) {
             const double reach = pow(2, chance_double(&chance, -1, 14));
-            const tp_vec3 at = { tp_fx_plus(w->eye.x, chance_fx(&chance, -reach, reach)),
-                                 tp_fx_plus(w->eye.y, chance_fx(&chance, -reach, reach)),
-                                 tp_fx_plus(w->eye.z,
+            const tp_vec3 at = { tp_fx_add_sat(w->eye.x, chance_fx(&chance, -reach, reach)),
+                                 tp_fx_add_sat(w->eye.y, chance_fx(&chance, -reach, reach)),
+                                 tp_fx_add_sat(w->eye.z,
                                             chance_fx(&chance, -reach, reach)) };
             const seen want = seen_at(w, &scene, width, height, at);
             tp_fx x, y, depth;

@@ -326,7 +326,7 @@ static void a_level_cuts_off_what_lies_beyond_it(void **state)
         const int count = tp_clip_triangle_plane(&v.projection, &plane, in, out);
         assert_in_range(count, 0, TP_CLIP_VERTICES);
         for (int i = 0; i < 3; i++)
-            measure_add(&height, ldexp((double)tp_view_height(&plane, &in[i]), -32)
+            measure_add(&height, ldexp((double)tp_view_plane_distance(&plane, &in[i]), -32)
                                  - side * height_of(&v, &in[i], level), n, i, 0);
         for (int i = 0; i < count; i++) {
             assert_true(tp_projection_contains(&v.projection, &out[i]));
@@ -353,7 +353,8 @@ static void a_level_cuts_an_edge_once(void **state)
         a.depth = b.depth = 20 * TP_FX_ONE;
         const tp_view_vertex one[3] = { a, b, any_corner(3, 30) };
         const tp_view_vertex two[3] = { b, a, any_corner(3, 30) };
-        if ((tp_view_height(&plane, &a) >= 0) == (tp_view_height(&plane, &b) >= 0))
+        if ((tp_view_plane_distance(&plane, &a) >= 0)
+            == (tp_view_plane_distance(&plane, &b) >= 0))
             continue;
         tp_view_vertex p[TP_CLIP_VERTICES], q[TP_CLIP_VERTICES];
         const int np = tp_clip_triangle_plane(&v.projection, &plane, one, p);

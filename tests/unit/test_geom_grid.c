@@ -18,7 +18,7 @@ static uint64_t chance;
 /* View corner of a grid vertex, for a placed grid that stores its vertices. */
 static tp_view_vertex grid_corner(const tp_grid *grid, uint32_t i, uint32_t j)
 {
-    return tp_grid_place_vertex(grid, &grid->vertex[j * grid->cols + i], i, j);
+    return tp_grid_make_view_vertex(grid, &grid->vertex[j * grid->cols + i], i, j);
 }
 
 typedef struct {
@@ -216,16 +216,16 @@ static void waves_fade_alike_on_lines_and_between(void **state)
     for (int n = 0; n < 1500; n++) {
         pond p = any_pond(any_lines(), 2);
         place(&p);
-        const tp_grid_extent e = tp_lines_extent(p.grid.cols, &p.look, false);
+        const tp_grid_extent e = tp_grid_lines_extent(p.grid.cols, &p.look, false);
         for (uint32_t k = 0; k < p.grid.cols; k++)
-            assert_true(abs(tp_lines_fade(&e, p.grid.column[k].place)
+            assert_true(abs(tp_grid_extent_wave_weight(&e, p.grid.column[k].place)
                             - p.grid.column[k].fade) <= 3);
         for (int k = 0; k < 100; k++) {
             const tp_fx at = k ? chance_fx(&chance, -16000, 16000) : TP_FX_MIN;
             const double edge = fmin((double)at - e.calm[0], (double)e.calm[1] - at);
             const double x = e.fading ? fmax(0, fmin(1, edge / e.fading)) : 1;
             const double want = x * x * (3 - 2 * x);
-            assert_true(fabs(tp_lines_fade(&e, at) * LSB - want) <= 3 * LSB);
+            assert_true(fabs(tp_grid_extent_wave_weight(&e, at) * LSB - want) <= 3 * LSB);
         }
         assert_true((e.fading == 0) == (flank_of(&p, p.grid.cols) == 0));
         pond_free(&p);
@@ -257,7 +257,7 @@ static void crossings_are_points_of_the_sea(void **state)
             if (fade > 0 && fade < TP_FX_ONE)
                 continue;
             if (fade)
-                at = tp_sea_at_rest(&p.sea, p.phases, column->place, row->place);
+                at = tp_sea_displace_point(&p.sea, p.phases, column->place, row->place);
             tp_view_vertex want;
             tp_projection_view_vertex(&p.v.projection, at.position, &want);
             const double off = (p.grid.frame.wide ? 8 : 4) + 1.5 * reach / LSB * 1e-5;

@@ -15,7 +15,7 @@ static uint64_t chance;
 /* View corner of a grid vertex, for a placed grid that stores its vertices. */
 static tp_view_vertex grid_corner(const tp_grid *grid, uint32_t i, uint32_t j)
 {
-    return tp_grid_place_vertex(grid, &grid->vertex[j * grid->cols + i], i, j);
+    return tp_grid_make_view_vertex(grid, &grid->vertex[j * grid->cols + i], i, j);
 }
 
 typedef struct {
@@ -88,7 +88,7 @@ static tp_ocean_point point_at(const beach *s, uint32_t i, uint32_t j)
 {
     const tp_grid_line *column = &s->grid.column[i], *row = &s->grid.row[j];
     const tp_fx fade = tp_fx_mul(column->fade, row->fade);
-    tp_ocean_point p = tp_ocean_at_rest(s->ocean.ocean, s->phases, column->place,
+    tp_ocean_point p = tp_ocean_displace_point(s->ocean.ocean, s->phases, column->place,
                                         row->place);
 
     p.position.x = column->place + tp_fx_mul(p.position.x - column->place, fade);
@@ -99,7 +99,7 @@ static tp_ocean_point point_at(const beach *s, uint32_t i, uint32_t j)
 
 static bool is_needed(const beach *s, uint32_t i, uint32_t j)
 {
-    const tp_grid_span needed = tp_grid_needed(&s->grid, j);
+    const tp_grid_span needed = tp_grid_needed_vertices(&s->grid, j);
     return needed.first <= i && i < needed.end;
 }
 

@@ -119,7 +119,7 @@ static void no_relief_is_higher_than_the_surface_says(void **state)
             s.back = chance_int(&chance, 0, 65536);
             const tp_relief r = tp_surface_relief(&s, chance_fx(&chance, -14, 14),
                                                   chance_fx(&chance, -12, 12));
-            assert_true(abs(r.height) <= tp_surface_height(&s) - waves + 3);
+            assert_true(abs(r.height) <= tp_surface_height_bound(&s) - waves + 3);
         }
         water_end(&w);
     }
@@ -143,7 +143,7 @@ static void a_falling_pool_of_32_bits_was_higher_a_tick_ago(void **state)
         most = h > most ? h : most;
     }
     assert_true(most > (tp_pool_stats(pool).highest >> 8) + 1);  /* the test has effect */
-    assert_true(most <= tp_surface_height(&s));
+    assert_true(most <= tp_surface_height_bound(&s));
     free(pool);
 }
 
@@ -199,7 +199,8 @@ static void ocean_errors(double q, bool floor, measure *m, uint32_t *coarse)
             const tp_fx x = chance_fx(&chance, -50, 50), z = chance_fx(&chance, -50, 50);
             tp_fx rest[2] = { x, z };
             const tp_sea_point got = tp_surface_sample(&s, x, z, rest);
-            const tp_ocean_point at = tp_ocean_smooth(s.ocean, s.phases, rest[0], rest[1]);
+            const tp_ocean_point at =
+                tp_ocean_displace_smooth(s.ocean, s.phases, rest[0], rest[1]);
             const double off = hypot(at.position.x - x, at.position.z - z) * LSB;
             const tp_relief r = tp_surface_relief(&s, x, z);
             assert_int_equal(got.position.y, at.position.y + r.height);

@@ -135,8 +135,9 @@ static tp_view_vertex corner_of(const pond *p, uint32_t i, uint32_t j)
 
     tp_vertex_rest_z(&p->grid.frame, row.line.place, row.rest);
     tp_vertex_set_row(&p->grid.frame, &row, true);
-    tp_vertex_place(&p->grid.frame, &p->grid.columns, &row, i, 1, still, &vertex);
-    tp_view_vertex c = tp_vertex_corner(&p->grid.frame, &p->grid.columns, &row, i, still);
+    tp_vertex_evaluate_run(&p->grid.frame, &p->grid.columns, &row, i, 1, still, &vertex);
+    tp_view_vertex c =
+        tp_vertex_make_view_vertex(&p->grid.frame, &p->grid.columns, &row, i, still);
     c.n[0] = vertex.slope_x;
     c.n[1] = vertex.slope_z;
     return c;
@@ -263,12 +264,13 @@ static void where_a_run_begins_does_not_show(void **state)
         memset(whole, 0, sizeof whole);
         memset(parts, 0, sizeof parts);
         for (uint32_t i = 0; i < SIDE; i++)
-            tp_vertex_place(&p.grid.frame, &p.grid.columns, &row, i, 1, false, &whole[i]);
+            tp_vertex_evaluate_run(&p.grid.frame, &p.grid.columns, &row, i, 1, false,
+                                   &whole[i]);
         for (uint32_t i = 0, count; i < SIDE; i += count) {
             count = 1 + random_below(&chance, TP_VERTEX_RUN);
             count = count < SIDE - i ? count : SIDE - i;
-            tp_vertex_place(&p.grid.frame, &p.grid.columns, &row, i, count, false,
-                            &parts[i]);
+            tp_vertex_evaluate_run(&p.grid.frame, &p.grid.columns, &row, i, count, false,
+                                   &parts[i]);
         }
         assert_memory_equal(whole, parts, sizeof whole);
         pond_free(&p);

@@ -53,7 +53,7 @@ static void rgb565_takes_the_nearest_levels(void **state)
 static void pairs_of_pixels_are_two_pixels(void **state)
 {
     (void)state;
-    const tp_rgb565_kept kept = tp_rgb565_keep();
+    const tp_rgb565_kept kept = tp_rgb565_load_constants();
 
     for (uint32_t i = 0; i < 1 << 16; i++) {
         const uint32_t a = i * 2654435761u >> 8, b = i * 0x010101u & 0xffffff;

@@ -156,7 +156,8 @@ static void the_mask_is_laid_over_all_cells(void **state)
 
     for (uint32_t y = 0; y < 16; y++)
         for (uint32_t x = 0; x < 16; x++)
-            assert_int_equal(tp_pool_wall(pool, x, y), sample[y / 8 * 4 + x / 4] < 32768);
+            assert_int_equal(tp_pool_is_wall_or_outside(pool, x, y),
+                             sample[y / 8 * 4 + x / 4] < 32768);
     free(pool);
 }
 

@@ -85,7 +85,8 @@ static void a_cell_takes_what_fits(void **state)
         assert_int_equal(tp_pool_add(pool, 16, 4, 5), 0);
         assert_int_equal(tp_pool_add(pool, 3, UINT32_MAX, 5), 0);
         assert_int_equal(tp_pool_height(pool, 16, 0), 0);
-        assert_true(tp_pool_wall(pool, 0, 16) && !tp_pool_wall(pool, 0, 15));
+        assert_true(tp_pool_is_wall_or_outside(pool, 0, 16)
+                    && !tp_pool_is_wall_or_outside(pool, 0, 15));
         free(pool);
     }
 }
@@ -121,7 +122,7 @@ static void gear_a_lasts_as_long_as_the_model_says(void **state)
         for (int32_t peak = 0; peak <= 32767; peak++) {
             const double time = peak > 8 ? (2 << pool->damping) * log(peak / 8.0) : 0;
             pool->gear = 0;
-            tp_pool_stirred(pool, peak & 1 ? peak : -peak);
+            tp_pool_wake(pool, peak & 1 ? peak : -peak);
             if (fabs(time - round(time)) > 1e-4)
                 assert_int_equal(pool->gear, (int32_t)ceil(time));
             else
@@ -130,11 +131,11 @@ static void gear_a_lasts_as_long_as_the_model_says(void **state)
     }
     pool->damping = 6;
     pool->gear = 0;
-    tp_pool_stirred(pool, 25600);
+    tp_pool_wake(pool, 25600);
     assert_int_equal(pool->gear, 1034);
-    tp_pool_stirred(pool, 100);             /* a smaller splash does not shorten the gear */
+    tp_pool_wake(pool, 100);             /* a smaller splash does not shorten the gear */
     assert_int_equal(pool->gear, 1034);
-    tp_pool_stirred(pool, INT32_MIN);
+    tp_pool_wake(pool, INT32_MIN);
     assert_int_equal(pool->gear, 1065);     /* the same as at full range */
     free(pool);
 }

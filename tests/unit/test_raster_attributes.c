@@ -30,7 +30,7 @@ static bool face_of(face *f, const tp_gbuffer *tile)
 {
     tp_tri tri;
     const tp_screen_vertex *c = f->corner;
-    const double area = (double)llabs(tp_tri_area(&c[0], &c[1], &c[2]));
+    const double area = (double)llabs(tp_tri_twice_area(&c[0], &c[1], &c[2]));
 
     f->length = 1;
     f->low = f->high = c[0].zi;

@@ -66,7 +66,7 @@ static void pictures_come_out_as_drawn_here(void **state)
 static void compare(const tp_screen_vertex c[3], uint64_t *pixels)
 {
     const tp_screen_vertex *const corners[3] = { &c[0], &c[1], &c[2] };
-    const bool flat = tp_tri_area(&c[0], &c[1], &c[2]) == 0;
+    const bool flat = tp_tri_twice_area(&c[0], &c[1], &c[2]) == 0;
     test_tile tile = tile_of(64, 32, 256, 160, 0);
 
     tp_tri_water(&tile.samples, &c[0], &c[1], &c[2]);
@@ -357,7 +357,7 @@ static void back_faces_are_left_out_where_that_is_asked_for(void **state)
     (void)state;
     for (int n = 0; n < 150; n++) {
         const tp_screen_vertex c[3] = { any_corner(900), any_corner(900), any_corner(900) };
-        const bool front = tp_tri_area(&c[0], &c[1], &c[2]) < 0;
+        const bool front = tp_tri_twice_area(&c[0], &c[1], &c[2]) < 0;
         test_tile all = tile_of(64, 32, 256, 160, 0), some = tile_of(64, 32, 256, 160, 0);
         some.samples.front_only = true;
         if (n % 2) {

@@ -83,9 +83,9 @@ static test_tile walked(const field *f, int32_t x0, int32_t y0, int32_t x1, int3
     tp_rows_begin(&rows, &tile.samples, memory, solid);
     for (uint32_t k = 0; k < f->lines; k++) {
         if (f->gap[k])
-            tp_rows_start(&rows, f->point[k], f->points, k % 2);
+            tp_rows_restart_line(&rows, f->point[k], f->points, k % 2);
         else
-            tp_rows_line(&rows, f->point[k], f->points);
+            tp_rows_draw_line(&rows, f->point[k], f->points);
     }
     free(memory);
     return tile;

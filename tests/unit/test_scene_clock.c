@@ -39,8 +39,8 @@ static void rows_of_the_models_agree(void **state)
     tp_clock_init(&clock, TP_FX_ONE);
     while (csv_row(file, v, 6) == 6) {
         const int64_t total = (int64_t)v[5];
-        tp_clock_aim(&clock, (tp_fx)lround(v[1] * 65536));
-        tp_clock_next(&clock);
+        tp_clock_set_target(&clock, (tp_fx)lround(v[1] * 65536));
+        tp_clock_advance(&clock);
         measure_add(&scale, scale_of(&clock) - v[2], (int64_t)v[0], 0, 0);
         measure_add(&time, time_of(&clock) - (v[5] + v[3]), (int64_t)v[0], 0, 0);
         assert_true(llabs((int64_t)tp_clock_ticks(&clock) - total) <= 1);
@@ -68,10 +68,10 @@ static void any_targets_follow_the_models(void **state)
     tp_clock_init(&clock, TP_FX_ONE);
     for (int n = 0; n < 216000; n++) {
         if (random_below(&chance, 200) == 0) {
-            tp_clock_aim(&clock, chance_scale(&chance, 0.1, 5));
+            tp_clock_set_target(&clock, chance_scale(&chance, 0.1, 5));
             changes++;
         }
-        tp_clock_next(&clock);
+        tp_clock_advance(&clock);
         s += (clock.target * LSB - s) * SLIDE;
         sum += s;
         /* 2 LSB by a snap, and at most the same amount left over from the preceding
@@ -92,15 +92,15 @@ static void the_target_is_reached_exactly_and_kept(void **state)
         tp_clock clock;
         int pictures = 0;
         tp_clock_init(&clock, from);
-        tp_clock_aim(&clock, to);
+        tp_clock_set_target(&clock, to);
         for (; clock.scale_q40 != (int64_t)to * (1 << 24); pictures++) {
             const double before = fabs(scale_of(&clock) - to * LSB);
-            tp_clock_next(&clock);
+            tp_clock_advance(&clock);
             assert_true(fabs(scale_of(&clock) - to * LSB) < before);
         }
         /* ln(4 / 2 LSB) / (1/24) = 283 pictures, 5 s, from one end to the other. */
         assert_in_range(pictures, 0, 285);
-        tp_clock_next(&clock);
+        tp_clock_advance(&clock);
         assert_int_equal(tp_clock_scale(&clock), to);
     }
 }
@@ -114,9 +114,9 @@ static void targets_are_held_between_the_ends(void **state)
     assert_int_equal(tp_clock_scale(&clock), TP_CLOCK_SLOWEST);
     tp_clock_init(&clock, TP_FX_MAX);
     assert_int_equal(tp_clock_scale(&clock), TP_CLOCK_FASTEST);
-    tp_clock_aim(&clock, TP_FX_MIN);
+    tp_clock_set_target(&clock, TP_FX_MIN);
     assert_int_equal(clock.target, TP_CLOCK_SLOWEST);
-    tp_clock_aim(&clock, TP_FX(5));
+    tp_clock_set_target(&clock, TP_FX(5));
     assert_int_equal(clock.target, TP_CLOCK_FASTEST);
 }
 
@@ -125,15 +125,15 @@ static void steps_halve_and_double_the_target(void **state)
     (void)state;
     tp_clock clock;
     tp_clock_init(&clock, TP_FX_ONE);
-    tp_clock_shift(&clock, 1);
+    tp_clock_shift_target(&clock, 1);
     assert_int_equal(clock.target, TP_FX_ONE / 2);
-    tp_clock_shift(&clock, -2);
+    tp_clock_shift_target(&clock, -2);
     assert_int_equal(clock.target, 2 * TP_FX_ONE);
-    tp_clock_shift(&clock, INT32_MAX);
+    tp_clock_shift_target(&clock, INT32_MAX);
     assert_int_equal(clock.target, TP_CLOCK_SLOWEST);
-    tp_clock_shift(&clock, INT32_MIN);
+    tp_clock_shift_target(&clock, INT32_MIN);
     assert_int_equal(clock.target, TP_CLOCK_FASTEST);
-    tp_clock_shift(&clock, 0);
+    tp_clock_shift_target(&clock, 0);
     assert_int_equal(clock.target, TP_CLOCK_FASTEST);
 }
 
@@ -143,7 +143,7 @@ static void at_scale_one_a_picture_is_a_tick(void **state)
     tp_clock clock;
     tp_clock_init(&clock, TP_FX_ONE);
     for (uint64_t n = 1; n < 1000; n++) {
-        tp_clock_next(&clock);
+        tp_clock_advance(&clock);
         assert_int_equal(tp_clock_ticks(&clock), n);
         assert_int_equal(tp_clock_fraction(&clock), 0);
     }
@@ -156,7 +156,7 @@ static void the_fraction_glides_between_ticks(void **state)
     tp_clock clock;
     tp_clock_init(&clock, TP_CLOCK_SLOWEST);
     for (uint32_t n = 1; n < 1000; n++) {
-        tp_clock_next(&clock);
+        tp_clock_advance(&clock);
         assert_int_equal(tp_clock_ticks(&clock), n / 8);
         assert_int_equal(tp_clock_fraction(&clock), n % 8 * (TP_FX_ONE / 8));
     }
@@ -168,7 +168,7 @@ static void ticks_go_on_beyond_years(void **state)
     tp_clock clock;
     tp_clock_init(&clock, TP_CLOCK_FASTEST);
     clock.ticks = (uint64_t)1 << 40;
-    tp_clock_next(&clock);
+    tp_clock_advance(&clock);
     assert_true(tp_clock_ticks(&clock) == ((uint64_t)1 << 40) + 4);
 }
 

@@ -51,7 +51,7 @@ static void back_0_is_the_tick(void **state)
         tp_scene scene;
         tp_world w = moved(&scene, n);
         w.back = 0;
-        const tp_drawn at = tp_world_drawn(&w);
+        const tp_drawn at = tp_world_interpolate(&w);
         assert_camera(&at.camera, w.eye, w.heading, w.pitch);
         assert_pose(&at.boat, &w.boat);
         for (uint32_t i = 0; i < w.sea.count; i++)
@@ -72,7 +72,7 @@ static void back_1_is_the_last_tick(void **state)
                               .tilt = 999999 };
         tp_world_step(&tp_program_all, &w, &scene, &in);
         w.back = TP_FX_ONE;
-        const tp_drawn at = tp_world_drawn(&w);
+        const tp_drawn at = tp_world_interpolate(&w);
         assert_camera(&at.camera, before.eye, before.heading, before.pitch);
         assert_pose(&at.boat, &before.boat);
         for (uint32_t i = 0; i < w.sea.count; i++)
@@ -101,7 +101,7 @@ static void between_them_all_is_monotone(void **state)
         int32_t right = last, roll = 0;
         for (tp_fx back = TP_FX_ONE; back >= 0; back -= 257) {
             w.back = back;
-            const tp_drawn at = tp_world_drawn(&w);
+            const tp_drawn at = tp_world_interpolate(&w);
             assert_between(w.last_eye.x, w.eye.x, at.camera.eye.x, &x);
             assert_between(w.last_eye.y, w.eye.y, at.camera.eye.y, &y);
             assert_between(w.last_boat.place.z, w.boat.place.z, at.boat.place.z, &place);
@@ -124,11 +124,11 @@ static void a_heading_goes_the_short_way_across_the_wrap(void **state)
     w.last_boat.heading = 0x00800000u;
     w.boat.heading = 0xff800000u;
     w.back = TP_FX_ONE / 2;
-    tp_drawn at = tp_world_drawn(&w);
+    tp_drawn at = tp_world_interpolate(&w);
     assert_camera(&at.camera, at.camera.eye, 0, w.pitch);
     assert_int_equal(at.boat.heading, 0);
     w.back = TP_FX_ONE / 4;
-    at = tp_world_drawn(&w);
+    at = tp_world_interpolate(&w);
     assert_camera(&at.camera, at.camera.eye, 0x00800000u, w.pitch);
     assert_int_equal(at.boat.heading, 0xffc00000u);
 }
@@ -152,7 +152,7 @@ static int64_t show(tp_world *w, const tp_scene *scene)
     for (uint32_t ticks = tp_world_advance_clock(w); ticks > 0; ticks--)
         tp_world_step(&tp_program_all, w, scene, NULL);
     assert_in_range(w->back, 0, TP_FX_ONE - 1);
-    return tp_world_drawn(w).time;
+    return tp_world_interpolate(w).time;
 }
 
 static void at_every_scale_pictures_are_evenly_spaced(void **state)
@@ -167,7 +167,7 @@ static void at_every_scale_pictures_are_evenly_spaced(void **state)
         scene.clock.scale = (tp_fx)lround(scales[n] * 65536);
         assert_int_equal(tp_world_init(&tp_program_all, &w, sizeof w, &scene, NULL, NULL),
                          TP_OK);
-        int64_t last = tp_world_drawn(&w).time;
+        int64_t last = tp_world_interpolate(&w).time;
         for (int i = 1; i <= 400; i++) {
             const int64_t now = show(&w, &scene);
             assert_true(llabs(now - last - scene.clock.scale) <= 1);
@@ -186,11 +186,11 @@ static void a_wave_s_phase_advances_evenly_in_slow_motion(void **state)
     scene.clock.scale = TP_FX_ONE / 8;
     assert_int_equal(tp_world_init(&tp_program_all, &w, sizeof w, &scene, NULL, NULL),
                      TP_OK);
-    tp_turn last = tp_world_drawn(&w).phases[0];
+    tp_turn last = tp_world_interpolate(&w).phases[0];
     const double step = (double)w.sea.swell[0].turns_tick / 4294967296.0 / 8;
     for (int i = 0; i < 200; i++) {
         show(&w, &scene);
-        const tp_turn now = tp_world_drawn(&w).phases[0];
+        const tp_turn now = tp_world_interpolate(&w).phases[0];
         assert_true(fabs((double)(uint32_t)(last - now) - step) <= 2);
         last = now;
     }
@@ -207,11 +207,11 @@ static void no_time_is_skipped_when_the_scale_changes(void **state)
     scene.boat.mesh[0] = '\0';
     assert_int_equal(tp_world_init(&tp_program_all, &w, sizeof w, &scene, NULL, NULL),
                      TP_OK);
-    int64_t last = tp_world_drawn(&w).time;
+    int64_t last = tp_world_interpolate(&w).time;
     for (int i = 0; i < 3000; i++) {
         if (i % 100 == 50) {
             const tp_input in = { .slowdown = chance_int(&chance, -5, 5) };
-            tp_clock_shift(&w.clock, in.slowdown);
+            tp_clock_shift_target(&w.clock, in.slowdown);
         }
         if (i % 100 == 0) {
             scene.clock.scale = chance_fx(&chance, 0.125, 4);
@@ -238,7 +238,7 @@ static void the_ticks_stepped_are_the_clock_s(void **state)
                          TP_OK);
         for (int i = 0; i < 200; i++) {
             if (random_below(&chance, 20) == 0)
-                tp_clock_aim(&w.clock, chance_fx(&chance, 0, 5));
+                tp_clock_set_target(&w.clock, chance_fx(&chance, 0, 5));
             const int64_t time = show(&w, &scene);
             const tp_fx part = tp_clock_fraction(&w.clock);
             assert_int_equal(w.tick, tp_clock_ticks(&w.clock) + (part > 0));
@@ -257,7 +257,7 @@ static void a_look_is_seen_at_once(void **state)
 
     w.back = TP_FX_ONE / 3;
     tp_world_move_camera(&w, &in);
-    const tp_drawn at = tp_world_drawn(&w);
+    const tp_drawn at = tp_world_interpolate(&w);
     assert_camera(&at.camera, w.eye, w.heading, w.pitch);
 }
 

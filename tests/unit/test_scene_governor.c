@@ -45,7 +45,7 @@ static void run(drive *d, uint32_t frames, uint32_t load, int32_t noise)
 {
     for (uint32_t i = 0; i < frames; i++, d->frame++) {
         const int32_t swing = 100 + chance_int(&chance, -noise, noise);
-        const int step = tp_governor_feed(&d->governor, load * share[d->governor.at] / 100
+        const int step = tp_governor_add_frame_time(&d->governor, load * share[d->governor.at] / 100
                                                         * (uint32_t)swing / 100);
         assert_true(d->governor.at < d->governor.ladder.count);
         d->steps += step != 0;
@@ -160,7 +160,8 @@ static void any_times_are_safe(void **state)
     for (int i = 0; i < 200; i++) {
         drive d = drive_of(1 + random_below(&chance, 4), ends[random_below(&chance, 5)]);
         for (int k = 0; k < 2000; k++) {
-            const int step = tp_governor_feed(&d.governor, ends[random_below(&chance, 5)]);
+            const int step =
+                tp_governor_add_frame_time(&d.governor, ends[random_below(&chance, 5)]);
             assert_true(step >= -1 && step <= 1);
             assert_true(d.governor.at < d.governor.ladder.count);
         }

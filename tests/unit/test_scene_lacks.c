@@ -79,14 +79,14 @@ static bool any_scene(shown *s)
         s->scene.water.clear = s->scene.water.specular = s->scene.water.reflection = 0;
     s->scene.quality.shading = TP_SHADING_QUICK;
     s->scene.quality.rate = TP_RATE_FULL;
-    if (tp_program_fits(&tp_program_all, &s->scene, &s->assets, NULL) != TP_OK
+    if (tp_program_check_all(&tp_program_all, &s->scene, &s->assets, NULL) != TP_OK
         || tp_world_bytes(&tp_program_all, &s->scene, &s->assets) == 0)
         return false;
     test_frame f = frame_by(&tp_program_all, &s->scene, &s->assets, &config);
     tp_want want =
         tp_frame_want(&tp_program_all, &f.frame->parts, &s->scene, &s->assets, &config);
     for (uint32_t i = 0; i < COUNT; i++)
-        s->on[i] = tp_module_ask(tp_program_all.modules[i].module, &want);
+        s->on[i] = tp_module_ask_enabled(tp_program_all.modules[i].module, &want);
     frame_free(&f);
     return true;
 }
@@ -131,7 +131,7 @@ static void compare_inits(const tp_program *by, const shown *s, const char *name
 static void compare(const tp_program *by, const shown *s, const char *name)
 {
     tp_error err = { 0 };
-    const tp_status status = tp_program_fits(by, &s->scene, &s->assets, &err);
+    const tp_status status = tp_program_check_all(by, &s->scene, &s->assets, &err);
 
     if (status != (name ? TP_E_PROGRAM : TP_OK) || (name && strcmp(err.word, name) != 0))
         fail_msg("%s is on, and '%s' refused", name ? name : "none", err.word);
@@ -220,7 +220,7 @@ static void a_world_refuses_to_switch_on_what_its_program_lacks(void **state)
     scene.wave[0].amplitude = TP_FX_ONE;
     assert_false(tp_world_apply(&l.program, world, &scene, &assets));
     assert_memory_equal(before, world, bytes);
-    assert_int_equal(tp_program_fits(&l.program, &scene, &assets, &err), TP_E_PROGRAM);
+    assert_int_equal(tp_program_check_all(&l.program, &scene, &assets, &err), TP_E_PROGRAM);
     assert_string_equal(err.word, "exposure");
     l.program.refuse = NULL;            /* left out of the picture, as always */
     assert_true(tp_world_apply(&l.program, world, &scene, &assets));
@@ -243,9 +243,9 @@ static void fast_stages_are_lacking_only_by_name(void **state)
     leave_out(&l, out);
     tp_scene_level(&scene);
     assert_int_equal(scene.quality.shading, TP_SHADING_AUTO);
-    assert_int_equal(tp_program_fits(&l.program, &scene, &assets, NULL), TP_OK);
+    assert_int_equal(tp_program_check_all(&l.program, &scene, &assets, NULL), TP_OK);
     scene.quality.shading = TP_SHADING_QUICK;
-    assert_int_equal(tp_program_fits(&l.program, &scene, &assets, &err), TP_E_PROGRAM);
+    assert_int_equal(tp_program_check_all(&l.program, &scene, &assets, &err), TP_E_PROGRAM);
     assert_string_equal(err.word, "fast_water");
 }
 

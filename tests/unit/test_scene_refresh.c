@@ -142,13 +142,13 @@ static void what_may_change_is_taken(void **state)
  * computes all tables again. */
 static void forget_numbers(tp_world *world)
 {
-    tp_ocean *ocean = tp_world_part(world, TP_OCEAN_ID);
+    tp_ocean *ocean = tp_world_module_state(world, TP_OCEAN_ID);
     if (ocean) {
         ocean->floor_key.depth ^= 1;
         for (uint32_t i = 0; i < ocean->count; i++)
             tp_ocean_tables(ocean)[i].key.length ^= 1;
     }
-    uint32_t *meter = tp_world_part(world, TP_METER_ID);
+    uint32_t *meter = tp_world_module_state(world, TP_METER_ID);
     if (meter)                          /* the part begins with the kind of sky */
         *meter ^= 1u << 30;
 }

@@ -328,7 +328,7 @@ static void what_floats_in_the_air_is_checked(void **state)
     REFUSED(foam->first_x, "foam");
     REFUSED(foam->seen[3][1], "foam");
     REFUSED(foam->drift_z, "foam");
-    uint8_t *probe = tp_world_part(kept, TP_METER_ID);
+    uint8_t *probe = tp_world_module_state(kept, TP_METER_ID);
     *probe ^= 1;
     assert_refused("a table", "meter");
     *probe ^= 1;
@@ -341,7 +341,7 @@ static void the_chunks_are_checked(void **state)
     uint32_t chunks = 0;
 
     for (const tp_use *u = tp_program_all.modules; u->module; u++) {
-        const uint32_t *mine = tp_world_part(kept, u->module->id);
+        const uint32_t *mine = tp_world_module_state(kept, u->module->id);
         if (!mine)
             continue;
         refused(&mine[-2], sizeof *mine, "an id", u->module->name);

@@ -164,7 +164,7 @@ static void runs_may_be_cut_anywhere(void **state)
         sky_dome(&sky, &s, &chance);
         s.env.stars = 200;
         s.env.star = 1000;
-        tp_exposure_tone(exposure.tone, chance_fx(&chance, 0.125, 8));
+        tp_exposure_make_tone_curve(exposure.tone, chance_fx(&chance, 0.125, 8));
         tp_stage_view(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
             r.run.mirror[i] = (uint32_t)random_next(&chance);

@@ -129,7 +129,8 @@ static void it_is_found_from_any_start(void **state)
         o.tick++;
         ocean_settle(&o);
         look_above(&o, x, z, rest, &d);
-        const tp_sea_point there = tp_sea_at_rest(&o.sea, o.phases, rest[0], rest[1]);
+        const tp_sea_point there =
+            tp_sea_displace_point(&o.sea, o.phases, rest[0], rest[1]);
         const tp_sea_point again = tp_sea_sample(&o.sea, o.phases, x, z, rest);
         assert_memory_equal(&there, &again, sizeof there);
     }
@@ -176,7 +177,7 @@ static void a_place_at_rest_has_its_height_anywhere(void **state)
         if (n % 4 == 0)
             ocean_sharpen(&chance, &o);
         const ref_point want = ref_at_rest(&o.ref, o.ref_phases, x0, z0);
-        const tp_sea_point got = tp_sea_at_rest(&o.sea, o.phases, x, z);
+        const tp_sea_point got = tp_sea_displace_point(&o.sea, o.phases, x, z);
         measure_add(&height, (got.position.y * LSB - want.y) / height_error(&o, x0, z0), x,
                     z, n);
         assert_true(fabs((got.position.x - (double)held_fx(want.x)) * LSB) <= off);
@@ -210,7 +211,8 @@ static void above_any_place_there_is_an_answer(void **state)
         const int64_t most = 2 * ((int64_t)o.sea.reach + 2);
         tp_fx rest[2] = { chance_word(&chance), chance_word(&chance) };
         const tp_sea_point got = tp_sea_sample(&o.sea, o.phases, x, z, rest);
-        const tp_sea_point there = tp_sea_at_rest(&o.sea, o.phases, rest[0], rest[1]);
+        const tp_sea_point there =
+            tp_sea_displace_point(&o.sea, o.phases, rest[0], rest[1]);
         const int64_t dx = (int64_t)got.position.x - x, dz = (int64_t)got.position.z - z;
         const bool room = has_room(x, z, most);
         assert_memory_equal(&got, &there, sizeof got);
@@ -218,7 +220,7 @@ static void above_any_place_there_is_an_answer(void **state)
         assert_true(room || !has_room(x, z, TP_FX_MAX - 30000 * TP_FX_ONE));
         measure_add(room ? &found : &held, hypot((double)dx, (double)dz) * LSB * 1000, x,
                     z, n);
-        tp_sea_iterate(&o.sea, o.phases, x, z, random_below(&chance, 9));
+        tp_sea_sample_fixed_point(&o.sea, o.phases, x, z, random_below(&chance, 9));
     }
     measure_print(&found);
     measure_print(&held);
@@ -235,8 +237,8 @@ static void plain_steps_keep_their_bound(void **state)
         const ocean o = ocean_usual(&chance, 8, chance_double(&chance, 0, 0.95));
         const tp_fx x = chance_fx(&chance, -500, 500), z = chance_fx(&chance, -500, 500);
         const uint32_t steps = (uint32_t)chance_int(&chance, 0, 10);
-        const tp_sea_point first = tp_sea_at_rest(&o.sea, o.phases, x, z);
-        const tp_sea_point got = tp_sea_iterate(&o.sea, o.phases, x, z, steps);
+        const tp_sea_point first = tp_sea_displace_point(&o.sea, o.phases, x, z);
+        const tp_sea_point got = tp_sea_sample_fixed_point(&o.sea, o.phases, x, z, steps);
         const double off = hypot(got.position.x - x, got.position.z - z) * LSB;
         const double way = hypot(first.position.x - x, first.position.z - z) * LSB;
         const double q = o.sea.bend / 1073741824.0;
@@ -269,7 +271,7 @@ static void both_searches_follow_the_table(void **state)
         measure_add(&e.height, row_error(got.position.y, r.at[5]) * 1000, r.rows, 0, 0);
         measure_add(&e.normal, row_angle(&got, r.at + 11), r.rows, 0, 0);
         for (uint32_t n = 0; n < 5; n++) {
-            const tp_sea_point at = tp_sea_iterate(&sea, phases, x, z, n);
+            const tp_sea_point at = tp_sea_sample_fixed_point(&sea, phases, x, z, n);
             measure_add(&step[n], row_error(at.position.y, r.at[6 + n]) * 1000, r.rows, 0,
                         0);
         }

@@ -126,7 +126,7 @@ static void a_shut_gate_leaves_the_orbit(void **state)
         b.kept_stretch = b.kept_lip = 0;
         const tp_turn phi = (tp_turn)random_next(&chance);
         const tp_offset got = tp_breaking_shape(&b, phi).offset;
-        const tp_offset want = tp_orbit(&b.orbit, phi);
+        const tp_offset want = tp_orbit_evaluate(&b.orbit, phi);
         assert_int_equal(got.along, want.along);
         assert_int_equal(got.up, want.up);
     }
@@ -139,9 +139,9 @@ static void the_lowest_phase_is_the_lowest(void **state)
     for (int n = 0; n < 200; n++) {
         const tp_breaker b = any_breaker();
         const tp_turn lowest = tp_orbit_lowest(&b.orbit);
-        const tp_fx least = tp_orbit(&b.orbit, lowest).up;
+        const tp_fx least = tp_orbit_evaluate(&b.orbit, lowest).up;
         for (uint32_t i = 0; i < 512; i++)
-            assert_true(tp_orbit(&b.orbit, lowest + (i << 23)).up >= least - 2);
+            assert_true(tp_orbit_evaluate(&b.orbit, lowest + (i << 23)).up >= least - 2);
     }
 }
 

@@ -20,7 +20,7 @@ static void a_plane_gives_its_slopes(void **state)
         const double rise = sx * d, run = sz * d;
         const tp_fx around[4] = { (tp_fx)lround(-rise), (tp_fx)lround(rise),
                                   (tp_fx)lround(-run), (tp_fx)lround(run) };
-        const tp_relief got = tp_neighbour_heights(7, around, d);
+        const tp_relief got = tp_neighbour_relief(7, around, d);
         /* Each height has a rounding error of half an LSB, over a base of 2 d. */
         assert_int_equal(got.height, 7);
         assert_true(fabs(got.slope_x - sx / LSB) <= 0.5 / (d * LSB) + 0.51);
@@ -76,14 +76,14 @@ static void it_comes_near_a_waves_own_normal(void **state)
     tp_sea_init(&sea, &wave, 1, TP_FX(9.81));
     for (int n = 0; n < 1000; n++) {
         const tp_fx x = chance_fx(&chance, -100, 100), step = TP_FX(0.5);
-        const tp_sea_point at = tp_sea_at_rest(&sea, phases, x, 0);
+        const tp_sea_point at = tp_sea_displace_point(&sea, phases, x, 0);
         const tp_fx around[4] = {
-            tp_sea_at_rest(&sea, phases, x - step, 0).position.y,
-            tp_sea_at_rest(&sea, phases, x + step, 0).position.y,
-            tp_sea_at_rest(&sea, phases, x, -step).position.y,
-            tp_sea_at_rest(&sea, phases, x, step).position.y,
+            tp_sea_displace_point(&sea, phases, x - step, 0).position.y,
+            tp_sea_displace_point(&sea, phases, x + step, 0).position.y,
+            tp_sea_displace_point(&sea, phases, x, -step).position.y,
+            tp_sea_displace_point(&sea, phases, x, step).position.y,
         };
-        const tp_relief got = tp_neighbour_heights(at.position.y, around, step);
+        const tp_relief got = tp_neighbour_relief(at.position.y, around, step);
         measure_add(&slope, (got.slope_x - at.slope_x) * LSB, x, 0, 0);
         assert_true(abs(got.slope_z - at.slope_z) <= 2);
     }
@@ -100,8 +100,8 @@ static void a_wall_mirrors_the_missing_height(void **state)
     const tp_fx middle = 3 * TP_FX_ONE, east = 5 * TP_FX_ONE, d = TP_FX_ONE;
     const tp_fx beyond[4] = { middle, east, 0, 0 }, on[4] = { east, east, 0, 0 };
 
-    assert_int_equal(tp_neighbour_heights(middle, beyond, d).slope_x, TP_FX_ONE);
-    assert_int_equal(tp_neighbour_heights(middle, on, d).slope_x, 0);
+    assert_int_equal(tp_neighbour_relief(middle, beyond, d).slope_x, TP_FX_ONE);
+    assert_int_equal(tp_neighbour_relief(middle, on, d).slope_x, 0);
     assert_int_equal(tp_neighbour_normal(on, d).y, TP_Q30_ONE);
 }
 
@@ -111,9 +111,9 @@ static void slopes_saturate_at_the_ends_of_the_ranges(void **state)
     const tp_fx most = 8192 * TP_FX_ONE - 1;
     const tp_fx cliff[4] = { -most, most, most, -most };
 
-    assert_int_equal(tp_neighbour_heights(most, cliff, 1).slope_x, TP_FX_MAX);
-    assert_int_equal(tp_neighbour_heights(most, cliff, 1).slope_z, TP_FX_MIN);
-    assert_int_equal(tp_neighbour_heights(most, cliff, most).slope_x, TP_FX_ONE);
+    assert_int_equal(tp_neighbour_relief(most, cliff, 1).slope_x, TP_FX_MAX);
+    assert_int_equal(tp_neighbour_relief(most, cliff, 1).slope_z, TP_FX_MIN);
+    assert_int_equal(tp_neighbour_relief(most, cliff, most).slope_x, TP_FX_ONE);
     assert_true(tp_neighbour_normal(cliff, most).y > 0);
 }
 

@@ -72,7 +72,7 @@ static void normals_without_cross_terms_are_within_a_degree_and_a_half(void **st
             const tp_fx x = chance_fx(&chance, -500, 500);
             const tp_fx z = chance_fx(&chance, -500, 500);
             const ref_point want = ref_at_rest(&o.ref, o.ref_phases, x * LSB, z * LSB);
-            const tp_sea_point got = tp_sea_at_rest(&o.sea, o.phases, x, z);
+            const tp_sea_point got = tp_sea_displace_point(&o.sea, o.phases, x, z);
             measure_add(&normal[n % 3], normal_angle(&want, &got) * 180 / PI, o.count, x,
                         z);
         }
@@ -140,7 +140,7 @@ static void single_waves_follow_the_table(void **state)
         tp_turn phases[TP_WAVES];
         rows_sea(&r, 1, &sea);
         rows_phases(&r, at[6], phases);
-        const tp_sea_point got = tp_sea_at_rest(&sea, phases, row_fx(at[4]),
+        const tp_sea_point got = tp_sea_displace_point(&sea, phases, row_fx(at[4]),
                                                 row_fx(at[5]));
         point_errors(&got, at + 7, at + 10, r.rows, &e);
     }
@@ -160,7 +160,7 @@ static void sums_of_gerstner_waves_follow_the_table(void **state)
     while (rows_next(&r)) {
         rows_sea(&r, 1, &sea);
         rows_phases(&r, r.at[2], phases);
-        const tp_sea_point got = tp_sea_at_rest(&sea, phases, row_fx(r.at[0]),
+        const tp_sea_point got = tp_sea_displace_point(&sea, phases, row_fx(r.at[0]),
                                                 row_fx(r.at[1]));
         point_errors(&got, r.at + 3, r.at + 6, r.rows, &e);
     }
@@ -182,7 +182,7 @@ static void sums_of_sines_follow_the_table(void **state)
     while (rows_next(&r)) {
         rows_sea(&r, 0, &sea);
         rows_phases(&r, r.at[2], phases);
-        const tp_sea_point got = tp_sea_at_rest(&sea, phases, row_fx(r.at[0]),
+        const tp_sea_point got = tp_sea_displace_point(&sea, phases, row_fx(r.at[0]),
                                                 row_fx(r.at[1]));
         const double place[3] = { r.at[0], r.at[3], r.at[1] };
         point_errors(&got, place, r.at + 6, r.rows, &e);

@@ -56,7 +56,7 @@ static void look(ocean *o, double far, double *worst, measure *m)
     o->phases[0] = (tp_turn)(int64_t)llround((turns - floor(turns)) * 4294967296.0);
     o->ref_phases[0] = o->phases[0] / 4294967296.0 * 2 * PI;
     const ref_point p = ref_at_rest(&o->ref, o->ref_phases, x0, z0);
-    const tp_sea_point got = tp_sea_at_rest(&o->sea, o->phases, x, z);
+    const tp_sea_point got = tp_sea_displace_point(&o->sea, o->phases, x, z);
     const double off = normal_angle(&p, &got);
     const double share = off / trochoid_bound(w->q, w->k, x0, z0);
     measure_add(m, off * 180 / PI, (int64_t)(w->q * 1e6), x, z);
@@ -122,7 +122,7 @@ static void any_sea_keeps_its_bound(void **state)
             ocean_sharpen(&chance, &o);
         for (int k = 0; k < 5; k++) {
             const tp_fx x = chance_fx(&chance, -far, far), z = chance_fx(&chance, -far, far);
-            const tp_sea_point got = tp_sea_at_rest(&o.sea, o.phases, x, z);
+            const tp_sea_point got = tp_sea_displace_point(&o.sea, o.phases, x, z);
             ref_point want = ref_at_rest(&o.ref, o.ref_phases, x * LSB, z * LSB);
             if (!o.sea.crossed)
                 want = ref_uncrossed(want);

@@ -28,8 +28,8 @@ static void compare_with_the_sea(const ocean_made *o, measure *m)
     any_phases(&chance, phases);
     for (int n = 0; n < 50; n++) {
         const tp_fx x = chance_fx(&chance, -900, 900), z = chance_fx(&chance, -900, 900);
-        const tp_vec3 want = tp_sea_at_rest(&o->sea, phases, x, z).position;
-        const tp_vec3 got = tp_ocean_at_rest(o->ocean, phases, x, z).position;
+        const tp_vec3 want = tp_sea_displace_point(&o->sea, phases, x, z).position;
+        const tp_vec3 got = tp_ocean_displace_point(o->ocean, phases, x, z).position;
         measure_add(m, 1000 * (got.x - want.x) * LSB, x, z, 0);
         measure_add(m, 1000 * (got.y - want.y) * LSB, x, z, 1);
         measure_add(m, 1000 * (got.z - want.z) * LSB, x, z, 2);
@@ -109,12 +109,12 @@ static void at_the_waterline_the_sea_is_quiet(void **state)
         tp_turn phases[TP_WAVES];
         for (int k = 0; k < 20; k++) {
             any_phases(&chance, phases);
-            const tp_ocean_point p = tp_ocean_at_rest(o.ocean, phases, 0, 0);
+            const tp_ocean_point p = tp_ocean_displace_point(o.ocean, phases, 0, 0);
             assert_in_range(p.depth, 65, 66);
             measure_add(&most, 1000 * p.position.x * LSB, n, k, 0);
             measure_add(&most, 1000 * p.position.y * LSB, n, k, 1);
             measure_add(&most, 1000 * p.position.z * LSB, n, k, 2);
-            const tp_ocean_point dry = tp_ocean_at_rest(o.ocean, phases, TP_FX_ONE,
+            const tp_ocean_point dry = tp_ocean_displace_point(o.ocean, phases, TP_FX_ONE,
                                                         TP_FX_ONE);
             assert_true(dry.depth <= 0 && dry.breaking == 0);
             assert_memory_equal(&dry.position, (&(tp_vec3){ TP_FX_ONE, 0, TP_FX_ONE }),
@@ -166,7 +166,8 @@ static ocean_made any_ocean(const tp_grey *picture, int kind)
 
 static void check_bounds(const ocean_made *o)
 {
-    const tp_fx reach = tp_ocean_reach(o->ocean), height = tp_ocean_height(o->ocean);
+    const tp_fx reach = tp_ocean_max_displacement(o->ocean),
+                height = tp_ocean_max_height(o->ocean);
     tp_turn phases[TP_WAVES];
 
     assert_true(reach >= 0 && height >= 0);
@@ -174,11 +175,11 @@ static void check_bounds(const ocean_made *o)
         const double far = n % 2 ? 80 : 3000;
         const tp_fx x = chance_fx(&chance, -far, far), z = chance_fx(&chance, -far, far);
         any_phases(&chance, phases);
-        const tp_ocean_point p = tp_ocean_at_rest(o->ocean, phases, x, z);
+        const tp_ocean_point p = tp_ocean_displace_point(o->ocean, phases, x, z);
         const double way = hypot((double)p.position.x - x, (double)p.position.z - z);
         assert_true(way <= (double)reach);
         assert_true(abs(p.position.y) <= height);
-        const tp_ocean_point s = tp_ocean_smooth(o->ocean, phases, x, z);
+        const tp_ocean_point s = tp_ocean_displace_smooth(o->ocean, phases, x, z);
         assert_true(hypot((double)s.position.x - x, (double)s.position.z - z)
                     <= (double)reach);
         assert_true(abs(s.position.y) <= height);
@@ -253,7 +254,7 @@ static void the_smooth_surface_never_folds_over_a_level_floor(void **state)
         for (int k = 0; k < 400; k++) {
             const tp_fx x = (tp_fx)lround(dx * k * 2000),
                         z = (tp_fx)lround(dz * k * 2000);
-            const tp_vec3 p = tp_ocean_smooth(o.ocean, phases, x, z).position;
+            const tp_vec3 p = tp_ocean_displace_smooth(o.ocean, phases, x, z).position;
             const double way = p.x * dx + p.z * dz;
             assert_true(way > last - 40);       /* LSB: roundings of sixteen waves */
             last = way;
@@ -299,8 +300,8 @@ static void a_copy_of_the_block_is_the_same_ocean(void **state)
     for (int n = 0; n < 200; n++) {
         const tp_fx x = chance_fx(&chance, -1000, 1000),
                     z = chance_fx(&chance, -1000, 1000);
-        const tp_ocean_point a = tp_ocean_at_rest(copy.ocean, phases, x, z);
-        const tp_ocean_point b = tp_ocean_at_rest(again.ocean, phases, x, z);
+        const tp_ocean_point a = tp_ocean_displace_point(copy.ocean, phases, x, z);
+        const tp_ocean_point b = tp_ocean_displace_point(again.ocean, phases, x, z);
         assert_memory_equal(&a.position, &b.position, sizeof a.position);
         assert_int_equal(a.breaking, b.breaking);
     }

@@ -40,7 +40,7 @@ static void orbits_follow_their_vectors_to_a_millimetre(void **state)
     while (rows_next(&r)) {
         const double *v = r.at;
         const tp_ellipse orbit = row_orbit(v);
-        const tp_offset o = tp_orbit(&orbit, row_turn(v[4]));
+        const tp_offset o = tp_orbit_evaluate(&orbit, row_turn(v[4]));
         measure_add(&along, 1000 * row_error(o.along, v[10]), r.rows, 0, 0);
         measure_add(&up, 1000 * row_error(o.up, v[11]), r.rows, 0, 0);
         measure_add(&sine, orbit.sin / 1073741824.0 - v[5], r.rows, 0, 0);
@@ -73,7 +73,7 @@ static void any_orbit_follows_the_models(void **state)
                                               (int32_t)gamma / 4294967296.0 * 2 * PI, k,
                                               0.1, 0.11, 0.09);
         const ref_offset at = ref_orbit(&want, phi / 4294967296.0 * 2 * PI);
-        const tp_offset got = tp_orbit(&o, phi);
+        const tp_offset got = tp_orbit_evaluate(&o, phi);
         const double axis = fmax(want.along, 0.2);
         measure_add(&off, row_error(got.along, at.along) / axis, r, h, (int32_t)gamma);
         measure_add(&off, row_error(got.up, at.up) / axis, r, h, (int32_t)gamma);

@@ -55,8 +55,8 @@ static void level_floors_shorten_and_raise_waves(void **state)
         const double most = least_of(&limit), low = at_a_corner(&limit) ? 0.039 : 0;
         const double sy = expm1(-0.09 * h) / expm1(-0.11 * h);
         const tp_turn now[TP_WAVES] = { 0 }, later[TP_WAVES] = { 0x40000000u };
-        const double c = tp_ocean_smooth(o.ocean, now, 0, 0).position.y * LSB;
-        const double s = tp_ocean_smooth(o.ocean, later, 0, 0).position.y * LSB;
+        const double c = tp_ocean_displace_smooth(o.ocean, now, 0, 0).position.y * LSB;
+        const double s = tp_ocean_displace_smooth(o.ocean, later, 0, 0).position.y * LSB;
         const double off = hypot(c, s) / (most * sy) - 1;
         measure_add(low > 0 ? &corner : &height, off, n, o.wave[0].amplitude, 0);
         assert_true(off > -0.004 - low - 4 * LSB / most && off < 0.004 + 4 * LSB / most);
@@ -225,8 +225,8 @@ static void a_map_of_a_slope_moves_as_the_slope(void **state)
             const tp_turn second[TP_WAVES] = {
                 at + (tp_turn)(int32_t)lround(apart * 4294967295.0)
             };
-            const tp_ocean_point s = tp_ocean_at_rest(straight.ocean, first, x, z);
-            const tp_ocean_point t = tp_ocean_at_rest(mapped.ocean, second, x, z);
+            const tp_ocean_point s = tp_ocean_displace_point(straight.ocean, first, x, z);
+            const tp_ocean_point t = tp_ocean_displace_point(mapped.ocean, second, x, z);
             if (s.depth < TP_FX(1))
                 continue;
             measure_add(&m, 1000 * (s.position.x - t.position.x) * LSB, n, x, z);

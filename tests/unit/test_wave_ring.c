@@ -382,7 +382,7 @@ static void a_ring_is_spent_when_it_is_low_or_far(void **state)
         const double rear = r.speed * LSB * (double)age / SECOND;
         const double over = rear / (beyond * LSB);
         const double front = (rear + r.length * LSB) / 16384;
-        const bool spent = tp_ring_spent(&r, r.start + age, beyond);
+        const bool spent = tp_ring_is_spent(&r, r.start + age, beyond);
         if (fabs(left - 1) < 0.01 || fabs(over - 1) < 1e-4 || fabs(front - 1) < 1e-4)
             continue;
         assert_int_equal(spent, left < 1 || over > 1 || front > 1);
@@ -399,7 +399,7 @@ static void once_spent_it_stays_so(void **state)
         const tp_ring r = any_ring();
         bool spent = false;
         for (int64_t age = -65536; age < (int64_t)1 << 48; age += age / 4 + 65536) {
-            const bool now = tp_ring_spent(&r, r.start + age, TP_FX(1000));
+            const bool now = tp_ring_is_spent(&r, r.start + age, TP_FX(1000));
             assert_true(now || !spent);
             assert_true(age > 0 || !now);
             spent = now;

@@ -29,7 +29,7 @@ static void sharpened_sines_follow_the_table(void **state)
         assert_false(sea.capped);
         assert_int_equal(sea.sharpened, exact.power > 1);
         const tp_turn phases[TP_WAVES] = { row_turn(r.at[2]) };
-        const tp_sea_point got = tp_sea_at_rest(&sea, phases, 0, 0);
+        const tp_sea_point got = tp_sea_displace_point(&sea, phases, 0, 0);
         measure_add(&height, row_error(got.position.y, r.at[5]) * 1000, r.rows, 0, 0);
         measure_add(&slope, row_error(got.slope_x, r.at[6]), r.rows, 0, 0);
     }
@@ -98,7 +98,7 @@ static void the_level_stays_whatever_the_power(void **state)
         tp_fx low = 0, high = 0;
         for (uint32_t n = 0; n < 4096; n++) {
             const tp_turn phases[TP_WAVES] = { n << 20 };
-            const tp_fx y = tp_sea_at_rest(&sea, phases, 0, 0).position.y;
+            const tp_fx y = tp_sea_displace_point(&sea, phases, 0, 0).position.y;
             sum += y;
             low = y < low ? y : low;
             high = y > high ? y : high;
@@ -131,8 +131,8 @@ static void a_sine_is_a_sine_in_a_sharpened_sea(void **state)
         tp_sea mixed = o.sea;
         mixed.sharpened = true;
         const tp_fx x = chance_fx(&chance, -500, 500), z = chance_fx(&chance, -500, 500);
-        const tp_sea_point want = tp_sea_at_rest(&o.sea, o.phases, x, z);
-        const tp_sea_point got = tp_sea_at_rest(&mixed, o.phases, x, z);
+        const tp_sea_point want = tp_sea_displace_point(&o.sea, o.phases, x, z);
+        const tp_sea_point got = tp_sea_displace_point(&mixed, o.phases, x, z);
         assert_true(abs(got.position.y - want.position.y) <= 1);
         assert_int_equal(got.position.x, want.position.x);
         assert_int_equal(got.position.z, want.position.z);

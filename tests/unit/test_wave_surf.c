@@ -31,13 +31,13 @@ static double overhang(const ocean_made *o, tp_turn phase, bool whole)
     double most = -1e9, back = 0;
 
     for (tp_fx x = TP_FX(-10); x < TP_FX(31); x += 1000) {
-        const tp_ocean_point p = whole ? tp_ocean_at_rest(o->ocean, phases, x, 0)
-                                       : tp_ocean_smooth(o->ocean, phases, x, 0);
+        const tp_ocean_point p = whole ? tp_ocean_displace_point(o->ocean, phases, x, 0)
+                                       : tp_ocean_displace_smooth(o->ocean, phases, x, 0);
         if (p.depth < TP_FX(0.1))
             break;
         assert_true(hypot((double)p.position.x - x, p.position.z)
-                    <= tp_ocean_reach(o->ocean));
-        assert_true(abs(p.position.y) <= tp_ocean_height(o->ocean));
+                    <= tp_ocean_max_displacement(o->ocean));
+        assert_true(abs(p.position.y) <= tp_ocean_max_height(o->ocean));
         most = fmax(most, p.position.x * LSB);
         back = fmax(back, most - p.position.x * LSB);
     }
@@ -73,8 +73,8 @@ static void waves_that_leave_the_shore_do_not_break_backwards(void **state)
         assert_true(tp_ocean_tables(o.ocean)[0].depth[i].way_x < 0);
     }
     for (tp_fx x = TP_FX(-100); x < TP_FX(31); x += 5000) {
-        const tp_ocean_point s = tp_ocean_smooth(o.ocean, now, x, 0);
-        const tp_ocean_point p = tp_ocean_at_rest(o.ocean, now, x, 0);
+        const tp_ocean_point s = tp_ocean_displace_smooth(o.ocean, now, x, 0);
+        const tp_ocean_point p = tp_ocean_displace_point(o.ocean, now, x, 0);
         assert_true(p.position.x <= s.position.x + 1);
     }
     ocean_end(&o);
@@ -95,11 +95,11 @@ static void what_overhangs_is_within_the_bounds(void **state)
         for (int k = 0; k < 4000; k++) {
             const tp_turn phases[TP_WAVES] = { (tp_turn)random_next(&chance) };
             const tp_fx x = chance_fx(&chance, 0, 40);
-            const tp_vec3 p = tp_ocean_at_rest(o.ocean, phases, x, 0).position;
+            const tp_vec3 p = tp_ocean_displace_point(o.ocean, phases, x, 0).position;
             const double way = hypot((double)p.x - x, p.z);
-            assert_true(way <= tp_ocean_reach(o.ocean));
-            assert_true(abs(p.y) <= tp_ocean_height(o.ocean));
-            measure_add(&part, way / tp_ocean_reach(o.ocean), n, k, x);
+            assert_true(way <= tp_ocean_max_displacement(o.ocean));
+            assert_true(abs(p.y) <= tp_ocean_max_height(o.ocean));
+            measure_add(&part, way / tp_ocean_max_displacement(o.ocean), n, k, x);
         }
         ocean_end(&o);
     }
@@ -123,9 +123,9 @@ static void the_surface_is_continuous_across_the_gate(void **state)
         const tp_fx shallow = TP_FX(1),
                     from = (tp_fx)((int64_t)(TP_FX(4) - 2 * shallow) * TP_FX_ONE
                                    / o.config.floor.slope);
-        tp_vec3 last = tp_ocean_at_rest(o.ocean, phases, from, z).position;
+        tp_vec3 last = tp_ocean_displace_point(o.ocean, phases, from, z).position;
         for (tp_fx x = from + 131; x < from + TP_FX(12); x += 131) {
-            const tp_ocean_point p = tp_ocean_at_rest(o.ocean, phases, x, z);
+            const tp_ocean_point p = tp_ocean_displace_point(o.ocean, phases, x, z);
             if (p.depth < TP_FX(0.2))
                 break;
             const tp_vec3 step = tp_vec3_sub(p.position, last);
@@ -146,8 +146,8 @@ static void crests_break_where_it_is_shallow_and_not_where_it_is_deep(void **sta
 
     for (int n = 0; n < 64; n++) {
         const tp_turn phases[TP_WAVES] = { (tp_turn)n << 26 };
-        const int a = tp_ocean_at_rest(o.ocean, phases, TP_FX(28), 0).breaking;
-        const int b = tp_ocean_at_rest(o.ocean, phases, TP_FX(-40), 0).breaking;
+        const int a = tp_ocean_displace_point(o.ocean, phases, TP_FX(28), 0).breaking;
+        const int b = tp_ocean_displace_point(o.ocean, phases, TP_FX(-40), 0).breaking;
         near = a > near ? a : near;
         far = b > far ? b : far;
     }

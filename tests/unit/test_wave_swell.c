@@ -195,7 +195,7 @@ static void the_reach_is_the_greatest_displacement(void **state)
         for (int i = 0; i < o.count; i++)
             o.wave[i].heading = heading;
         ocean_settle(&o);
-        const tp_vec3 p = tp_sea_at_rest(&o.sea, first, 0, 0).position;
+        const tp_vec3 p = tp_sea_displace_point(&o.sea, first, 0, 0).position;
         const tp_fx away = abs(p.x) > abs(p.z) ? abs(p.x) : abs(p.z);
         assert_true(away <= o.sea.reach);
         assert_true(o.sea.reach - away <= 2 * (int)o.sea.count + 2);
@@ -227,7 +227,7 @@ static void det_stays_above_zero_where_all_crests_meet(void **state)
             0x40000000, 0x40000000, 0x40000000, 0x40000000, 0x40000000, 0x40000000,
             0x40000000, 0x40000000, 0x40000000, 0x40000000, 0x40000000, 0x40000000,
             0x40000000, 0x40000000, 0x40000000, 0x40000000 };
-        const tp_sea_point p = tp_sea_at_rest(&o.sea, crest, 0, 0);
+        const tp_sea_point p = tp_sea_displace_point(&o.sea, crest, 0, 0);
         assert_int_equal(p.slope_x, 0);
         assert_int_equal(p.slope_z, 0);
         assert_int_equal(p.position.x, 0);

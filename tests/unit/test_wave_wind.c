@@ -168,15 +168,15 @@ static void radii_leave_no_loop(void **state)
         const int64_t k = tp_depth_number_deep(chance_scale(&chance, 0.25, 2000));
         const tp_fx lambda = chance_fx(&chance, -4, 4);
         const double want = 0.95 / hypot((double)k / 4294967296.0, lambda * LSB);
-        measure_add(&m, fabs(tp_wind_radius(k, lambda) * LSB - want)
+        measure_add(&m, fabs(tp_wind_max_radius(k, lambda) * LSB - want)
                         / (LSB / 2 + want / 16777216), k, lambda, 0);
     }
     measure_print(&m);
     assert_true(m.worst < 1.1);
-    assert_int_equal(tp_wind_radius(0, 0), TP_FX_MAX);
-    assert_int_equal(tp_wind_radius(INT64_MIN, 0), TP_FX_MAX);
-    assert_int_equal(tp_wind_radius(INT64_MIN, TP_FX_ONE), TP_FX(0.95));
-    assert_int_equal(tp_wind_radius(INT64_MAX, TP_FX_MIN), 0);
+    assert_int_equal(tp_wind_max_radius(0, 0), TP_FX_MAX);
+    assert_int_equal(tp_wind_max_radius(INT64_MIN, 0), TP_FX_MAX);
+    assert_int_equal(tp_wind_max_radius(INT64_MIN, TP_FX_ONE), TP_FX(0.95));
+    assert_int_equal(tp_wind_max_radius(INT64_MAX, TP_FX_MIN), 0);
 }
 
 int main(void)

@@ -109,24 +109,25 @@ static inline void twice_count(const tp_frame *f, const uint32_t *key, size_t pi
     r->under += f->under;
     r->in_a_tank += f->under && f->shade.inside->walled;
     r->aboard += f->world->aboard;
-    const tp_tank *tank = tp_frame_part(f, TP_TANK_ID);
-    const tp_glass *glass = tp_frame_part(f, TP_GLASS_ID);
+    const tp_tank *tank = tp_frame_module_memory(f, TP_TANK_ID);
+    const tp_glass *glass = tp_frame_module_memory(f, TP_GLASS_ID);
     r->glass += glass && glass->walls > 0;
     r->blocks += tank && tank->blocks > 0;
-    const tp_mirror *mirror = tp_frame_part(f, TP_MIRROR_ID);
-    const tp_object_cube *cube = tp_frame_part(f, TP_OBJECT_CUBE_ID);
+    const tp_mirror *mirror = tp_frame_module_memory(f, TP_MIRROR_ID);
+    const tp_object_cube *cube = tp_frame_module_memory(f, TP_OBJECT_CUBE_ID);
     r->mirrored += mirror && mirror->half.colour;
-    const tp_clear_water *clear = tp_frame_part(f, TP_CLEAR_WATER_ID);
+    const tp_clear_water *clear = tp_frame_module_memory(f, TP_CLEAR_WATER_ID);
     r->sunken += clear && clear->sunken;
     r->cube += cube && cube->colour;
-    r->caustics += tp_frame_part(f, TP_CAUSTICS_ID) != NULL;
-    const tp_pool_bumps *bumps = tp_frame_part(f, TP_BUMPS_ID);
+    r->caustics += tp_frame_module_memory(f, TP_CAUSTICS_ID) != NULL;
+    const tp_pool_bumps *bumps = tp_frame_module_memory(f, TP_BUMPS_ID);
     r->bumps += bumps && (bumps->pool[0].slope || bumps->pool[1].slope);
     r->foam += tp_world_foam(f->world) != NULL;
     r->dome += env->kind == TP_ENV_DOME;
     r->cube_sky += env->kind == TP_ENV_CUBE;
     r->hdr += env->beyond > 0;
-    r->exposed += tp_frame_part(f, TP_EXPOSURE_ID) && f->drawn.exposure != TP_FX_ONE;
+    r->exposed +=
+        tp_frame_module_memory(f, TP_EXPOSURE_ID) && f->drawn.exposure != TP_FX_ONE;
     r->dispersed += f->scene->water.dispersion > 0 && f->scene->water.clear > 0;
     r->between_ticks += f->world->back > 0;
 }

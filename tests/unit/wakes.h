@@ -38,14 +38,15 @@ static inline tp_world *wake_world(const tp_scene *scene)
 
 static inline tp_pool *water_of(tp_world *world)
 {
-    return tp_parts_pool(world) ? tp_parts_pool(world) : tp_parts_field(world);
+    return tp_world_mutable_pool(world) ? tp_world_mutable_pool(world)
+                                        : tp_world_mutable_field(world);
 }
 
 /* Advances the boat and its wake by one tick, nothing else. */
 static inline void sail(tp_world *world, const tp_scene *scene, const tp_input *in)
 {
     tp_boat_step(&tp_program_all, world, scene, in);
-    tp_boat_wake(world, scene);
+    tp_boat_stir_pool(world, scene);
 }
 
 /* Size of the pool's height LSB in m. */

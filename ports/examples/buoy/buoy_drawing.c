@@ -49,7 +49,7 @@ static buoy_pose interpolate_pose(const buoy_state *state, tp_fx back)
 static void begin(tp_frame *frame, void *mine)
 {
     const tp_scene *scene = frame->scene;
-    const buoy_state *state = tp_world_part(frame->world, BUOY_ID);
+    const buoy_state *state = tp_world_module_state(frame->world, BUOY_ID);
     buoy *b = mine;
 
     if (!state)
@@ -76,7 +76,8 @@ static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 
     (void)frame;
     for (int k = 0; k < POINTS; k++) {
-        const tp_view_vertex c = tp_clipped_vertex(view->projection, b->point[k], no_normal);
+        const tp_view_vertex c =
+            tp_solid_vertex_make(view->projection, b->point[k], no_normal);
         tp_screen_vertex p;
         if (!tp_projection_contains(view->projection, &c)) {
             *box = (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
@@ -104,7 +105,7 @@ static void draw_triangle(const pen *to, const int corner[3], const int16_t n[3]
     tp_view_vertex in[3];
 
     for (int k = 0; k < 3; k++)
-        in[k] = tp_clipped_vertex(to->view->projection, to->b->point[corner[k]], n);
+        in[k] = tp_solid_vertex_make(to->view->projection, to->b->point[corner[k]], n);
     tp_clipped_draw(to->view->projection, tp_view_clip_plane(to->view), to->samples, in,
                     to->mark, part);
 }
@@ -164,7 +165,7 @@ void tp_stage_buoy(const tp_shade *shade, tp_run *run)
     const tp_vec_q14 light = { shade->world.lx, shade->world.ly, shade->world.lz };
 
     for (int32_t i = 0; i < run->count; i++) {
-        const int32_t nl = tp_vec_q14_dot(tp_vec_q14_packed(run->n[i]), light);
+        const int32_t nl = tp_vec_q14_dot(tp_vec_q14_unpack(run->n[i]), light);
         const int32_t lit = run->t[i] == BODY ? nl : tp_abs(nl);
         run->colour[i] = tp_colour_scale(
             b->colour[run->t[i]],

@@ -25,8 +25,8 @@
  * boat stays within 8 km of the origin.  In a tank the boat also stays between the walls
  * `low` and `high`, half a boat length clear of each, at any heading.  If the walls are
  * closer together than the boat is long, the boat lies in the middle. */
-static int64_t sailed(int64_t way, tp_fx from, const tp_scene *scene, tp_fx low,
-                      tp_fx high)
+static int64_t clamp_sailed_distance(int64_t way, tp_fx from, const tp_scene *scene,
+                                     tp_fx low, tp_fx high)
 {
     int64_t start = (int64_t)from * TP_FX_ONE;
     int64_t at = tp_clamp_abs(start + way, PLACE_MOST);
@@ -66,14 +66,16 @@ static void sail(tp_boat_state *afloat, const tp_scene *scene, const tp_input *i
 
     afloat->turned += (uint64_t)(turn * degree);
     tp_turn heading = boat_heading(afloat, scene);
-    int64_t x = tp_quotient(speed * tp_sin(heading), over);
-    int64_t z = tp_quotient(speed * tp_cos(heading), over);
+    int64_t x = tp_div_rounded(speed * tp_sin(heading), over);
+    int64_t z = tp_div_rounded(speed * tp_cos(heading), over);
     tp_rectangle r = tp_pool_sides(scene);
-    afloat->sailed_x = sailed(afloat->sailed_x + x, scene->boat.x, scene, r.x0, r.x1);
-    afloat->sailed_z = sailed(afloat->sailed_z - z, scene->boat.z, scene, r.z0, r.z1);
+    afloat->sailed_x =
+        clamp_sailed_distance(afloat->sailed_x + x, scene->boat.x, scene, r.x0, r.x1);
+    afloat->sailed_z =
+        clamp_sailed_distance(afloat->sailed_z - z, scene->boat.z, scene, r.z0, r.z1);
 }
 
-static void place(tp_boat_state *afloat, const tp_scene *scene)
+static void place_hull(tp_boat_state *afloat, const tp_scene *scene)
 {
     afloat->hull.x = travelled_place(afloat->sailed_x, scene->boat.x);
     afloat->hull.z = travelled_place(afloat->sailed_z, scene->boat.z);
@@ -100,7 +102,8 @@ typedef struct { tp_fx all[4], alone[4]; } waters;
 
 /* Samples the water at the four hull points.  Each search starts at the rest point found
  * in the last tick. */
-static waters feel(const tp_program *program, tp_world *world, tp_fx points[4][2])
+static waters sample_hull_water(const tp_program *program, tp_world *world,
+                                tp_fx points[4][2])
 {
     const tp_surface surface = tp_world_surface(program, world);
     const tp_pool *stirred = program->water.pools ? tp_boat_pool(world) : NULL;
@@ -117,7 +120,7 @@ static waters feel(const tp_program *program, tp_world *world, tp_fx points[4][2
 }
 
 /* Sets the world's boat pose.  cos(pitch) <= 1, so the tilt keeps its range, below 2^29. */
-static void pose(tp_world *world, const tp_scene *scene)
+static void update_boat_pose(tp_world *world, const tp_scene *scene)
 {
     const tp_boat_state *a = &world->afloat;
     tp_turn pitch = tp_atan2(tp_fx_of_q40(a->lie.at[1]), scene->boat.length);
@@ -131,7 +134,7 @@ static void pose(tp_world *world, const tp_scene *scene)
 
 /* ----------------------------------------------------------------------------------- */
 
-static bool is_laid_anew(const tp_boat_state *afloat, const tp_scene *scene)
+static bool is_attitude_reset(const tp_boat_state *afloat, const tp_scene *scene)
 {
     return !afloat->laid
         || (scene->boat.mode == TP_BOAT_KINEMATIC && scene->boat.smooth <= 0);
@@ -143,21 +146,21 @@ void tp_boat_init(const tp_program *program, tp_world *world, const tp_scene *sc
     tp_boat_state *a = &world->afloat;
     tp_fx points[4][2];
 
-    place(a, scene);
+    place_hull(a, scene);
     hull_points(&a->hull, scene, points);
     for (int i = 0; i < 4; i++) {
         a->rest[i][0] = points[i][0];
         a->rest[i][1] = points[i][1];
     }
-    const waters w = feel(program, world, points);
-    if (is_laid_anew(a, scene)) {
-        tp_boat_lay(&a->lie, w.all);
-        tp_boat_lay(&a->alone, w.alone);
+    const waters w = sample_hull_water(program, world, points);
+    if (is_attitude_reset(a, scene)) {
+        tp_boat_snap_attitude(&a->lie, w.all);
+        tp_boat_snap_attitude(&a->alone, w.alone);
     }
     a->laid = 1;
-    tp_boat_sink(&a->hull, &a->alone, w.alone);
+    tp_boat_set_immersion(&a->hull, &a->alone, w.alone);
     a->stirred = a->hull;
-    pose(world, scene);
+    update_boat_pose(world, scene);
 }
 
 void tp_boat_step(const tp_program *program, tp_world *world, const tp_scene *scene,
@@ -167,13 +170,13 @@ void tp_boat_step(const tp_program *program, tp_world *world, const tp_scene *sc
     tp_fx points[4][2];
 
     sail(a, scene, input);
-    place(a, scene);
+    place_hull(a, scene);
     hull_points(&a->hull, scene, points);
-    const waters w = feel(program, world, points);
-    tp_boat_float(&a->lie, scene, w.all);
-    tp_boat_float(&a->alone, scene, w.alone);
-    tp_boat_sink(&a->hull, &a->alone, w.alone);
-    pose(world, scene);
+    const waters w = sample_hull_water(program, world, points);
+    tp_boat_step_attitude(&a->lie, scene, w.all);
+    tp_boat_step_attitude(&a->alone, scene, w.alone);
+    tp_boat_set_immersion(&a->hull, &a->alone, w.alone);
+    update_boat_pose(world, scene);
 }
 
 /* -- validation of a state from outside --------------------------------------------- */
@@ -185,29 +188,31 @@ static bool is_within(int64_t x, int64_t most)
     return x >= -most && x <= most;
 }
 
-static bool is_near(tp_fx x)
+static bool is_coordinate_valid(tp_fx x)
 {
     return is_within(x, PLACE_MOST >> 16);
 }
 
-static bool is_pose_valid(const tp_pose *pose)
+static bool is_pose_place_valid(const tp_pose *pose)
 {
-    return is_near(pose->place.x) && is_near(pose->place.y) && is_near(pose->place.z);
+    return is_coordinate_valid(pose->place.x) && is_coordinate_valid(pose->place.y)
+           && is_coordinate_valid(pose->place.z);
 }
 
 static bool is_hull_valid(const tp_hull *hull)
 {
-    return is_near(hull->x) && is_near(hull->z) && tp_boat_hull_is_valid(hull);
+    return is_coordinate_valid(hull->x) && is_coordinate_valid(hull->z)
+           && tp_boat_immersion_is_valid(hull);
 }
 
 bool tp_boat_is_valid(const tp_world *world)
 {
     const tp_boat_state *a = &world->afloat;
-    bool valid = is_within(a->sailed_x, 2 * PLACE_MOST)
-              && is_within(a->sailed_z, 2 * PLACE_MOST)
-              && tp_boat_attitude_is_valid(&a->lie) && tp_boat_attitude_is_valid(&a->alone)
-              && is_hull_valid(&a->hull) && is_hull_valid(&a->stirred)
-              && is_pose_valid(&world->boat) && is_pose_valid(&world->last_boat);
+    bool valid =
+        is_within(a->sailed_x, 2 * PLACE_MOST) && is_within(a->sailed_z, 2 * PLACE_MOST)
+        && tp_boat_attitude_is_valid(&a->lie) && tp_boat_attitude_is_valid(&a->alone)
+        && is_hull_valid(&a->hull) && is_hull_valid(&a->stirred)
+        && is_pose_place_valid(&world->boat) && is_pose_place_valid(&world->last_boat);
 
     for (int i = 0; i < 4; i++)
         valid = valid && is_within(a->rest[i][0], REST_MOST)
@@ -219,19 +224,19 @@ bool tp_boat_is_valid(const tp_world *world)
 
 /* True if the scene names a boat.  Without a boat no water is sampled and the camera
  * stands in the world. */
-static bool is_named(const tp_scene *scene)
+static bool has_boat(const tp_scene *scene)
 {
     return scene->boat.mesh[0] != '\0';
 }
 
 bool tp_hull_enabled(const tp_want *want)
 {
-    return is_named(want->scene);
+    return has_boat(want->scene);
 }
 
 /* Sets the camera's place for the scene.  A camera that has left the deck stays off the
  * deck as long as the scene's camera follows the boat. */
-static void board(tp_world *world, bool follows)
+static void set_camera_aboard(tp_world *world, bool follows)
 {
     if (!follows)
         world->aboard = TP_ABOARD_NOT;
@@ -239,14 +244,14 @@ static void board(tp_world *world, bool follows)
         world->aboard = TP_ABOARD_DECK;
 }
 
-static void settle(void *mine, const tp_program *program, tp_world *world,
-                   const tp_scene *scene)
+static void place_floating(void *mine, const tp_program *program, tp_world *world,
+                           const tp_scene *scene)
 {
     (void)mine;
-    if (is_named(scene))
+    if (has_boat(scene))
         tp_boat_init(program, world, scene);
     world->last_boat = world->boat;
-    board(world, is_named(scene) && scene->camera.follow == TP_FOLLOW_BOAT);
+    set_camera_aboard(world, has_boat(scene) && scene->camera.follow == TP_FOLLOW_BOAT);
 }
 
 static void step(void *mine, const tp_program *program, tp_world *world,
@@ -254,7 +259,7 @@ static void step(void *mine, const tp_program *program, tp_world *world,
 {
     (void)mine;
     world->last_boat = world->boat;
-    if (is_named(scene))
+    if (has_boat(scene))
         tp_boat_step(program, world, scene, input);
 }
 
@@ -266,5 +271,5 @@ static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 
 const tp_module tp_hull_module = {
     .name = "hull", .id = TP_MODULE_ID('h', 'u', 'l', 'l'), .enabled = tp_hull_enabled,
-    .settle = settle, .step = step, .is_valid = is_valid,
+    .settle = place_floating, .step = step, .is_valid = is_valid,
 };

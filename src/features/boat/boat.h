@@ -47,7 +47,7 @@ void tp_boat_step(const tp_program *program, tp_world *world, const tp_scene *sc
 bool tp_boat_is_valid(const tp_world *world);
 
 /* Stirs the water of tp_boat_pool by the hull [E4].  Call after tp_boat_step. */
-void tp_boat_wake(tp_world *world, const tp_scene *scene);
+void tp_boat_stir_pool(tp_world *world, const tp_scene *scene);
 
 /* Returns the pool stirred by the hull: [pool], else [field], else NULL. */
 tp_pool *tp_boat_pool(tp_world *world);
@@ -58,18 +58,20 @@ typedef enum { TP_BOW, TP_STERN, TP_PORT, TP_STARBOARD } tp_hull_point;
 
 /* Sets the attitude to the water's own.  `water`: heights under the four points, within
  * +-2048 m. */
-void tp_boat_lay(tp_boat_attitude *lie, const tp_fx water[4]);
+void tp_boat_snap_attitude(tp_boat_attitude *lie, const tp_fx water[4]);
 
-/* Moves the attitude for one tick towards the result of tp_boat_lay.  boat.mode and
+/* Moves the attitude for one tick towards the result of tp_boat_snap_attitude.  boat.mode and
  * boat.smooth select the motion. */
-void tp_boat_float(tp_boat_attitude *lie, const tp_scene *scene, const tp_fx water[4]);
+void tp_boat_step_attitude(tp_boat_attitude *lie, const tp_scene *scene,
+                           const tp_fx water[4]);
 
 /* Sets hull->immersion, the immersion: heights of the water minus the attitude. */
-void tp_boat_sink(tp_hull *hull, const tp_boat_attitude *lie, const tp_fx water[4]);
+void tp_boat_set_immersion(tp_hull *hull, const tp_boat_attitude *lie,
+                           const tp_fx water[4]);
 
 /* True if all numbers are in the ranges kept by the three functions above. */
 bool tp_boat_attitude_is_valid(const tp_boat_attitude *lie);
-bool tp_boat_hull_is_valid(const tp_hull *hull);
+bool tp_boat_immersion_is_valid(const tp_hull *hull);
 
 static inline tp_fx tp_fx_of_q40(int64_t x)
 {

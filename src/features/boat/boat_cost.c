@@ -24,7 +24,7 @@ static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
 
 /* Returns the projection of the planar reflection: the eye mirrored at the water's level,
  * the picture upside down. */
-static tp_projection mirror_lens(const tp_projection *projection, const tp_scene *s,
+static tp_projection mirrored_projection(const tp_projection *projection, const tp_scene *s,
                                  uint32_t width, uint32_t height)
 {
     const tp_dir3 r = projection->turn.x, up = projection->turn.y,
@@ -42,7 +42,7 @@ static tp_projection mirror_lens(const tp_projection *projection, const tp_scene
 
 /* Sets the clip plane of the reflection: the deepest trough, lowered by two pixels of the
  * halved picture. */
-static void place_level(look *l, const tp_scene *s)
+static void set_clip_level(look *l, const tp_scene *s)
 {
     int64_t trough = 0;
 
@@ -53,14 +53,15 @@ static void place_level(look *l, const tp_scene *s)
     l->level.depth += (int32_t)(((int64_t)2 << 43) / l->projection.focal);
 }
 
-static void place_lens(look *l, const tp_scene *s)
+static void set_mesh_projection(look *l, const tp_scene *s)
 {
     const tp_rotation turn =
         tp_rotation_from_angles(tp_turn_of_degrees(s->boat.heading), 0, 0);
     const tp_vec3 place = { s->boat.x, s->boat.lift, s->boat.z };
 
-    place_level(l, s);
-    l->projection.eye = tp_rotate(&turn, tp_start_view_way(place, l->projection.eye));
+    set_clip_level(l, s);
+    l->projection.eye =
+        tp_rotate(&turn, tp_start_view_clamped_vector(place, l->projection.eye));
     l->projection.right = turned(&turn, l->projection.right);
     l->projection.up = turned(&turn, l->projection.up);
     l->projection.ahead = turned(&turn, l->projection.ahead);
@@ -136,10 +137,10 @@ static void add_face(tp_site *w, look *l, const outline *o)
         stop_rays(w, l, o);
 }
 
-static void look_at_faces(tp_site *w, look *l)
+static void count_faces(tp_site *w, look *l)
 {
     const tp_mesh *mesh = w->assets->boat;
-    const tp_fx metres = tp_mesh_metres(mesh, w->scene->boat.scale);
+    const tp_fx metres = tp_mesh_metres_per_unit(mesh, w->scene->boat.scale);
 
     l->top = l->rows;
     for (uint32_t f = 0; f < mesh->n_faces; f++) {
@@ -149,7 +150,7 @@ static void look_at_faces(tp_site *w, look *l)
             const tp_view_vertex c =
                 transform_point(l, metres, mesh->vertices[mesh->faces[f].vertex[k]].position);
             uint32_t zi;
-            const bool under = l->mirrored && tp_view_height(&l->level, &c) < 0;
+            const bool under = l->mirrored && tp_view_plane_distance(&l->level, &c) < 0;
             low += under;
             cut += under || !tp_projection_contains(&l->projection, &c);
             if (cut == 0)
@@ -163,7 +164,7 @@ static void look_at_faces(tp_site *w, look *l)
     }
 }
 
-static void add_look(tp_site *w, look *l)
+static void add_view_work(tp_site *w, look *l)
 {
     const tp_mesh *mesh = w->assets->boat;
     uint32_t *work = w->works.of;
@@ -185,7 +186,7 @@ static void add_look(tp_site *w, look *l)
 }
 
 /* Counts the boat in the main view, then in the reflection. */
-static void work(tp_site *w)
+static void count_work(tp_site *w)
 {
     const tp_scene *s = w->scene;
     look l = { .rows = (int32_t)w->height, .cols = (int32_t)w->width,
@@ -195,18 +196,18 @@ static void work(tp_site *w)
     tp_projection_init_turned(&projection, w->at.eye, w->at.turn, s->camera.fov,
                               s->camera.near, w->width, w->height);
     l.projection = projection;
-    place_lens(&l, s);
-    look_at_faces(w, &l);
-    add_look(w, &l);
+    set_mesh_projection(&l, s);
+    count_faces(w, &l);
+    add_view_work(w, &l);
     if (!w->mirrors)
         return;
     const int by = s->mirror.size == TP_MIRROR_QUARTER ? 4 : 2;
     l = (look){ .rows = (int32_t)w->height / by, .cols = (int32_t)w->width / by,
                 .band = TP_WORK_STRIP, .mirrored = true,
-                .projection = mirror_lens(&projection, s, w->width, w->height) };
-    place_lens(&l, s);
-    look_at_faces(w, &l);
-    add_look(w, &l);
+                .projection = mirrored_projection(&projection, s, w->width, w->height) };
+    set_mesh_projection(&l, s);
+    count_faces(w, &l);
+    add_view_work(w, &l);
 }
 
-const tp_cost tp_boat_cost = { .work = work };
+const tp_cost tp_boat_cost = { .work = count_work };

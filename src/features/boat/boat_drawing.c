@@ -39,7 +39,7 @@ static void turn_view(const tp_frame *frame, drawn_boat *b, const tp_view *view,
     tp_vec3 way = tp_vec3_sub(view->projection->eye, boat->place);
     tp_view_axes *axes = &b->look.axes;
 
-    b->metres = tp_mesh_metres(b->look.mesh, frame->scene->boat.scale);
+    b->metres = tp_mesh_metres_per_unit(b->look.mesh, frame->scene->boat.scale);
     b->projection = *view->projection;
     b->projection.eye = tp_rotate(r, way);
     b->projection.right = turned(r, view->projection->right);
@@ -91,7 +91,7 @@ static void place_vertex(const drawn_boat *b, const tp_view *view, uint32_t i)
     tp_boat_vertex *to = &b->vertex[i];
     tp_view_vertex c = transform_vertex(b, &b->look.mesh->vertices[i]);
 
-    if (view->cut && tp_view_height(&view->level, &c) < 0)
+    if (view->cut && tp_view_plane_distance(&view->level, &c) < 0)
         to->u = OUTSIDE;
     else if (tp_projection_contains(&b->projection, &c))
         tp_projection_project(&b->projection, &c, &to->u, &to->v, &to->zi);
@@ -153,7 +153,7 @@ static uint32_t clamp_material(uint32_t material)
     return material < TP_BOAT_MATERIALS ? material : TP_BOAT_MATERIALS - 1;
 }
 
-static bool is_lid(const tp_mesh *mesh, uint32_t material)
+static bool is_invisible_lid(const tp_mesh *mesh, uint32_t material)
 {
     return mesh->materials[material].opacity == 0;
 }
@@ -175,8 +175,8 @@ static void draw_triangle(const pass *p, const tp_screen_vertex corner[3], uint3
     uint32_t material = p->mesh->faces[f].material;
     tp_fx opacity = p->mesh->materials[material].opacity;
 
-    if (is_lid(p->mesh, material))
-        tp_tri_lid(p->tile, &corner[0], &corner[1], &corner[2]);
+    if (is_invisible_lid(p->mesh, material))
+        tp_tri_depth_only(p->tile, &corner[0], &corner[1], &corner[2]);
     else
         tp_tri_solid(p->tile, &corner[0], &corner[1], &corner[2],
                      p->mark + clamp_material(material), f, (opacity * 16 + 0x8000) >> 16);
@@ -238,7 +238,7 @@ static void draw_faces(const drawn_boat *b, const tp_view *view, tp_gbuffer *sam
     samples->front_only = true;
     for (uint32_t f = 0; f < mesh->n_faces; f++) {
         const tp_mesh_face *face = &mesh->faces[f];
-        if (is_lid(mesh, face->material) == lids)
+        if (is_invisible_lid(mesh, face->material) == lids)
             draw_face(&p, face, f);
     }
 }
@@ -271,7 +271,7 @@ static void begin(tp_frame *frame, void *mine)
 {
     drawn_boat *b = mine;
     const tp_mesh *mesh = b->look.mesh;
-    tp_fx metres = tp_mesh_metres(mesh, frame->scene->boat.scale);
+    tp_fx metres = tp_mesh_metres_per_unit(mesh, frame->scene->boat.scale);
 
     frame->stats.dropped += mesh->n_materials - b->materials;
     if (b->model != frame->scene->light.model)
@@ -295,7 +295,7 @@ static void begin(tp_frame *frame, void *mine)
 /* -- the module ---------------------------------------------------------------------- */
 
 /* Returns the number of stencil values: at least 1, also for a mesh without materials. */
-static uint32_t marks(const tp_want *want)
+static uint32_t count_marks(const tp_want *want)
 {
     const uint32_t n = want->assets->boat->n_materials;
     return n == 0 ? 1 : n < TP_BOAT_MATERIALS ? n : TP_BOAT_MATERIALS;
@@ -330,7 +330,7 @@ static bool set_anchor(const tp_frame *frame, const void *mine, tp_view_anchor *
     const drawn_boat *b = mine;
     const tp_mesh *mesh = b->look.mesh;
     const tp_pose *boat = &frame->drawn.boat;
-    const tp_fx scale = tp_mesh_metres(mesh, frame->scene->boat.scale);
+    const tp_fx scale = tp_mesh_metres_per_unit(mesh, frame->scene->boat.scale);
     const tp_rotation turn =
         tp_rotation_from_angles(boat->heading, boat->pitch, boat->roll);
     const tp_vec3 at = { middle(mesh->low.x, mesh->high.x, scale),
@@ -366,7 +366,7 @@ const tp_module tp_boat_module = {
 };
 
 const tp_drawing tp_boat_drawing = {
-    .layout = layout, .init = make_gloss, .marks = marks, .begin = begin,
+    .layout = layout, .init = make_gloss, .marks = count_marks, .begin = begin,
     .anchor = set_anchor, .place = place, .draw = draw, .stages = add_stages,
 };
 
@@ -377,7 +377,7 @@ bool tp_lids_enabled(const tp_want *want)
     const tp_mesh *mesh = want->assets ? want->assets->boat : NULL;
 
     for (uint32_t i = 0; mesh && i < mesh->n_materials; i++)
-        if (is_lid(mesh, i))
+        if (is_invisible_lid(mesh, i))
             return true;
     return false;
 }
@@ -386,7 +386,7 @@ bool tp_lids_enabled(const tp_want *want)
 static void draw_lids(const tp_frame *frame, const void *mine, const tp_view *view,
                       tp_gbuffer *samples, uint32_t mark)
 {
-    const drawn_boat *b = tp_frame_part(frame, TP_BOAT_ID);
+    const drawn_boat *b = tp_frame_module_memory(frame, TP_BOAT_ID);
 
     (void)mine;
     if (b && view->picture)

@@ -34,8 +34,8 @@ static uint32_t fetch_texel(const tp_texture *texture, int l, uint32_t st)
 
 /* Returns the normal bent by the normal map, of any length; the caller normalizes.  A sum
  * has three products of 14 bits and, for the strongest bump, 12 bits. */
-static vec bent(vec n, const tp_solid *solid, int level, uint32_t st,
-                tp_packed_dir tangent)
+static vec apply_normal_map(vec n, const tp_solid *solid, int level, uint32_t st,
+                            tp_packed_dir tangent)
 {
     uint32_t texel = fetch_texel(solid->normal_map, level, st);
     vec t = unpacked(tangent), b = cross(n, t);
@@ -66,7 +66,7 @@ TP_ALWAYS_INLINE void solid_run(const tp_shade *shade, tp_run *run, int blinn)
         }
         if (normals) {
             int level = tp_level_choose(solid->lod, depth, false, normals->levels);
-            n = bent(n, solid, level, st, look->mesh->faces[run->t[i]].tangent);
+            n = apply_normal_map(n, solid, level, st, look->mesh->faces[run->t[i]].tangent);
         }
         n = tp_vec_q14_unit(n.x, n.y, n.z);
         run->colour[i] = tp_phong(shade, &look->axes, solid, diffuse, n,

@@ -47,7 +47,7 @@
 
 /* Returns x q / 2^32 rounded towards zero: the magnitude of a speed always falls.
  * |x| < 2^62. */
-static int64_t share(int64_t x, uint32_t q)
+static int64_t scale_towards_zero(int64_t x, uint32_t q)
 {
     TP_ASSERT(x > -((int64_t)1 << 62) && x < (int64_t)1 << 62);
     uint64_t size = (uint64_t)(x < 0 ? -x : x);
@@ -57,7 +57,7 @@ static int64_t share(int64_t x, uint32_t q)
 
 /* Computes the water's own attitude, Q40 m.  The result is exact, also the mean's
  * quarter. */
-static void compute_aim(const tp_fx water[4], int64_t aim[3])
+static void compute_water_attitude(const tp_fx water[4], int64_t aim[3])
 {
     int64_t sum = (int64_t)water[TP_BOW] + water[TP_STERN] + water[TP_PORT]
                 + water[TP_STARBOARD];
@@ -67,9 +67,9 @@ static void compute_aim(const tp_fx water[4], int64_t aim[3])
     aim[2] = ((int64_t)water[TP_PORT] - water[TP_STARBOARD]) * (1 << 24);
 }
 
-void tp_boat_lay(tp_boat_attitude *lie, const tp_fx water[4])
+void tp_boat_snap_attitude(tp_boat_attitude *lie, const tp_fx water[4])
 {
-    compute_aim(water, lie->at);
+    compute_water_attitude(water, lie->at);
     for (int k = 0; k < 3; k++)
         lie->speed[k] = 0;
 }
@@ -78,7 +78,7 @@ void tp_boat_lay(tp_boat_attitude *lie, const tp_fx water[4])
 
 /* Returns 1 - exp(-dt / tau), Q0.32.  dt / tau = 2^48 / (60 tau) in Q32.  The exponential
  * uses 24 of the fraction bits; the factor 1 - x uses the remaining 8. */
-static uint32_t following(tp_fx tau)
+static uint32_t smoothing_factor(tp_fx tau)
 {
     TP_ASSERT(tau > 0);
     uint64_t x = ((uint64_t)1 << 48) / (TP_TICKS_PER_SECOND * (uint64_t)tau);
@@ -90,14 +90,14 @@ static uint32_t following(tp_fx tau)
 /* Moves the attitude by the share k towards the water's.  Rounding stops the motion less
  * than 2^32 / k LSB from its aim: 601 LSB for the longest tau, or 2^-30 m.  The rounding
  * to 16.16 removes the difference. */
-static void follow(tp_boat_attitude *lie, tp_fx tau, const tp_fx water[4])
+static void smooth_attitude(tp_boat_attitude *lie, tp_fx tau, const tp_fx water[4])
 {
     int64_t  aim[3];
-    uint32_t k = following(tau);
+    uint32_t k = smoothing_factor(tau);
 
-    compute_aim(water, aim);
+    compute_water_attitude(water, aim);
     for (int i = 0; i < 3; i++) {
-        lie->at[i] += share(aim[i] - lie->at[i], k);
+        lie->at[i] += scale_towards_zero(aim[i] - lie->at[i], k);
         lie->speed[i] = 0;
     }
 }
@@ -113,7 +113,7 @@ typedef struct {
 
 /* Returns (omega dt)^2 of a tick = g / (3600 draft) < 0.5556, Q0.32.  g 2^32 is below
  * 2^55. */
-static uint64_t spring(tp_fx gravity, tp_fx draft)
+static uint64_t spring_constant(tp_fx gravity, tp_fx draft)
 {
     TP_ASSERT(gravity >= 0 && draft > 0);
     const uint64_t ticks = TP_TICKS_PER_SECOND * TP_TICKS_PER_SECOND;
@@ -121,7 +121,7 @@ static uint64_t spring(tp_fx gravity, tp_fx draft)
 }
 
 /* Returns q.  Without drag a step loses only 2^-32 of the speed. */
-static uint32_t kept(uint64_t spring, tp_fx drag)
+static uint32_t damping_factor(uint64_t spring, tp_fx drag)
 {
     const uint64_t one = 0xffffffff;
     uint64_t root = tp_isqrt64(spring << 32);
@@ -130,15 +130,16 @@ static uint32_t kept(uint64_t spring, tp_fx drag)
     return loss >= one ? 0 : (uint32_t)(((one - loss) << 32) / (one + 1 + loss));
 }
 
-static swing compute_swing(const tp_scene *scene)
+static swing compute_oscillation(const tp_scene *scene)
 {
     tp_fx    draft = tp_clamp(scene->boat.draft, DRAFT_LEAST, DRAFT_MOST);
-    uint64_t tick = spring(tp_clamp(scene->water.gravity, 0, GRAVITY_MOST), draft);
+    uint64_t tick = spring_constant(tp_clamp(scene->water.gravity, 0, GRAVITY_MOST), draft);
     uint64_t n = 1;
 
     while (64 * tick > n * n << 32)         /* omega dt > n / 8? */
         n++;
-    uint32_t keep = kept(tick / (n * n), tp_clamp(scene->boat.drag, 0, DRAG_MOST));
+    uint32_t keep =
+        damping_factor(tick / (n * n), tp_clamp(scene->boat.drag, 0, DRAG_MOST));
     uint64_t kick = tick / n * (((uint64_t)keep + 0x100000000) >> 1);
     return (swing){ (int32_t)n, keep, (uint32_t)(kick >> 32) };
 }
@@ -179,7 +180,8 @@ static void step(tp_boat_attitude *lie, const swing *s, tp_fx draft, const tp_fx
     compute_push(lie, draft, water, push);
     bool still = is_within(push, STILL) && is_within(lie->speed, STILL_TICK);
     for (int i = 0; i < 3; i++) {
-        int64_t speed = share(lie->speed[i], s->keep) + share(push[i], s->kick);
+        int64_t speed = scale_towards_zero(lie->speed[i], s->keep)
+                        + scale_towards_zero(push[i], s->kick);
         lie->speed[i] = still ? 0 : tp_clamp_abs(speed, SPEED_MOST);
         lie->at[i] += still ? push[i] : lie->speed[i] / s->steps;
         lie->at[i] = tp_clamp_abs(lie->at[i], LIE_MOST);
@@ -188,24 +190,25 @@ static void step(tp_boat_attitude *lie, const swing *s, tp_fx draft, const tp_fx
 
 /* ----------------------------------------------------------------------------------- */
 
-void tp_boat_float(tp_boat_attitude *lie, const tp_scene *scene, const tp_fx water[4])
+void tp_boat_step_attitude(tp_boat_attitude *lie, const tp_scene *scene,
+                           const tp_fx water[4])
 {
     if (scene->boat.mode == TP_BOAT_DYNAMIC) {
-        const swing s = compute_swing(scene);
+        const swing s = compute_oscillation(scene);
         for (int n = 0; n < s.steps; n++)
             step(lie, &s, scene->boat.draft, water);
     } else if (scene->boat.smooth > 0) {
-        follow(lie, scene->boat.smooth, water);
+        smooth_attitude(lie, scene->boat.smooth, water);
     } else {
-        tp_boat_lay(lie, water);
+        tp_boat_snap_attitude(lie, water);
     }
 }
 
-void tp_boat_sink(tp_hull *hull, const tp_boat_attitude *lie, const tp_fx water[4])
+void tp_boat_set_immersion(tp_hull *hull, const tp_boat_attitude *lie, const tp_fx water[4])
 {
     int64_t aim[3];
 
-    compute_aim(water, aim);
+    compute_water_attitude(water, aim);
     for (int k = 0; k < 3; k++)
         hull->immersion[k] = tp_clamp(tp_fx_of_q40(aim[k] - lie->at[k]), -SUNK_MOST,
                                  SUNK_MOST);
@@ -218,7 +221,7 @@ bool tp_boat_attitude_is_valid(const tp_boat_attitude *lie)
     return is_within(lie->at, LIE_MOST) && is_within(lie->speed, SPEED_MOST);
 }
 
-bool tp_boat_hull_is_valid(const tp_hull *hull)
+bool tp_boat_immersion_is_valid(const tp_hull *hull)
 {
     bool valid = true;
 

@@ -42,7 +42,7 @@ typedef struct {
 /* -- the hull's form ---------------------------------------------------------------- */
 
 /* Returns half a side, at least 1.5 cells. */
-static tp_fx half_side(tp_fx side, const tp_pool *pool)
+static tp_fx clamped_half_side(tp_fx side, const tp_pool *pool)
 {
     TP_ASSERT(side > 0 && pool->cell > 0);
     tp_fx least = pool->cell + pool->cell / 2;
@@ -53,8 +53,8 @@ static tp_fx half_side(tp_fx side, const tp_pool *pool)
  * below 2^29 in Q24. */
 static form make_form(const tp_hull *hull, const tp_scene *scene, const tp_pool *pool)
 {
-    tp_fx   length = half_side(scene->boat.length, pool);
-    tp_fx   beam = half_side(scene->boat.beam, pool);
+    tp_fx   length = clamped_half_side(scene->boat.length, pool);
+    tp_fx   beam = clamped_half_side(scene->boat.beam, pool);
     int64_t s = (int64_t)tp_sin(hull->heading) * 1024;      /* Q40; the quotient is Q24 */
     int64_t c = (int64_t)tp_cos(hull->heading) * 1024;
     int64_t slim = ((int64_t)scene->boat.length << 29) / length;
@@ -91,7 +91,7 @@ static bool is_within(const int64_t at[2], tp_fx reach)
 
 /* Returns the submerged column times the stirring share, in the pool's LSB.  A column of
  * at most 40 m and parabolas of at most 1 keep each product below 2^38. */
-static int32_t column(const form *f, const tp_pool *pool, tp_fx x, tp_fx z)
+static int32_t submerged_column(const form *f, const tp_pool *pool, tp_fx x, tp_fx z)
 {
     int64_t at[2];
 
@@ -126,14 +126,14 @@ typedef struct {
     tp_fx    x, z;              /* centre of the cell, m */
 } cell;
 
-static uint32_t wrapped(int32_t i, uint32_t count)
+static uint32_t wrap_index(int32_t i, uint32_t count)
 {
     int32_t n = i % (int32_t)count;
     return (uint32_t)(n < 0 ? n + (int32_t)count : n);
 }
 
 /* Returns the coordinate of the outer edge of the first column or row of cells. */
-static int64_t edge(tp_fx middle, tp_fx side, uint32_t count)
+static int64_t first_cell_edge(tp_fx middle, tp_fx side, uint32_t count)
 {
     return middle - (int64_t)count * side / 2;
 }
@@ -142,14 +142,14 @@ static int64_t edge(tp_fx middle, tp_fx side, uint32_t count)
  * LSB. */
 static tp_fx centre(tp_fx middle, tp_fx side, uint32_t count, int32_t i)
 {
-    return (tp_fx)(edge(middle, side, count) + side / 2 + (int64_t)i * side);
+    return (tp_fx)(first_cell_edge(middle, side, count) + side / 2 + (int64_t)i * side);
 }
 
 static cell make_cell(const tp_pool *pool, int32_t col, int32_t row)
 {
     TP_ASSERT(pool->cols > 0 && pool->rows > 0);
     return (cell){
-        col, row, wrapped(col, pool->cols), wrapped(row, pool->rows),
+        col, row, wrap_index(col, pool->cols), wrap_index(row, pool->rows),
         centre(pool->x, pool->cell, pool->cols, col),
         centre(pool->z, pool->cell, pool->rows, row),
     };
@@ -157,7 +157,7 @@ static cell make_cell(const tp_pool *pool, int32_t col, int32_t row)
 
 /* Returns the position before the first cell, as `next` expects.  An empty box has no
  * cells. */
-static cell before_first(const box *b)
+static cell begin_cell_scan(const box *b)
 {
     bool empty = b->col0 > b->col1;
     return (cell){ .col = b->col1, .row = empty ? b->row1 : b->row0 - 1 };
@@ -180,10 +180,10 @@ static bool next(const tp_pool *pool, const box *b, cell *at)
 
 /* Computes the first and last cell between low and high, m.  In a tiled field the count
  * is at most the number of cells of the field. */
-static void reach_cells(const tp_pool *pool, uint32_t count, tp_fx middle, int64_t low,
+static void find_cell_range(const tp_pool *pool, uint32_t count, tp_fx middle, int64_t low,
                         int64_t high, int32_t ends[2])
 {
-    int64_t start = edge(middle, pool->cell, count), most = (int64_t)count - 1;
+    int64_t start = first_cell_edge(middle, pool->cell, count), most = (int64_t)count - 1;
     int64_t a = (low - start) / pool->cell - 1, b = (high - start) / pool->cell + 1;
 
     if (pool->edges == TP_EDGES_TILE) {
@@ -198,8 +198,8 @@ static void reach_cells(const tp_pool *pool, uint32_t count, tp_fx middle, int64
     ends[1] = (int32_t)b;
 }
 
-static int64_t lesser(int64_t a, int64_t b) { return a < b ? a : b; }
-static int64_t greater(int64_t a, int64_t b) { return a > b ? a : b; }
+static int64_t min_int64(int64_t a, int64_t b) { return a < b ? a : b; }
+static int64_t max_int64(int64_t a, int64_t b) { return a > b ? a : b; }
 
 /* Returns the hull's largest extent from its middle along an axis of the world. */
 static tp_fx extent(const form *f, tp_turn heading)
@@ -220,20 +220,20 @@ static box hull_cell_box(const wake *w, tp_fx reach)
     int64_t bz = tp_fx_mul(extent(b, b->heading + quarter), reach);
     int32_t col[2], row[2];
 
-    reach_cells(pool, pool->cols, pool->x, lesser(a->x - ax, b->x - bx),
-                greater(a->x + ax, b->x + bx), col);
-    reach_cells(pool, pool->rows, pool->z, lesser(a->z - az, b->z - bz),
-                greater(a->z + az, b->z + bz), row);
+    find_cell_range(pool, pool->cols, pool->x, min_int64(a->x - ax, b->x - bx),
+                    max_int64(a->x + ax, b->x + bx), col);
+    find_cell_range(pool, pool->rows, pool->z, min_int64(a->z - az, b->z - bz),
+                    max_int64(a->z + az, b->z + bz), row);
     return (box){ col[0], col[1], row[0], row[1] };
 }
 
 /* -- stirring ----------------------------------------------------------------------- */
 
 /* Returns the change of height of a cell, LSB. */
-static int32_t gain(const wake *w, const cell *at)
+static int32_t height_change(const wake *w, const cell *at)
 {
-    return column(&w->before, w->pool, at->x, at->z)
-         - column(&w->now, w->pool, at->x, at->z);
+    return submerged_column(&w->before, w->pool, at->x, at->z)
+           - submerged_column(&w->now, w->pool, at->x, at->z);
 }
 
 /* True for a water cell around the current hull: outside of the hull, within AROUND of
@@ -244,7 +244,7 @@ static bool is_surrounding_cell(const wake *w, const cell *at)
 
     hull_coordinates(&w->now, at->x, at->z, way);
     return is_within(way, AROUND) && !is_within(way, TP_FX_ONE)
-        && !tp_pool_wall(w->pool, at->in_col, at->in_row);
+           && !tp_pool_is_wall_or_outside(w->pool, at->in_col, at->in_row);
 }
 
 /* Adds height to a cell and returns the amount that fitted: 0 in walls. */
@@ -259,24 +259,24 @@ static int32_t add(wake *w, const cell *at, int64_t lsb)
 
 /* Returns the largest change of a cell; stops at PEAK_LEAST, because more makes no
  * difference. */
-static int32_t highest_gain(const wake *w, const box *b)
+static int32_t largest_height_change(const wake *w, const box *b)
 {
     int32_t highest = 0;
 
-    for (cell at = before_first(b); highest < PEAK_LEAST && next(w->pool, b, &at);) {
-        int32_t size = tp_abs(gain(w, &at));
+    for (cell at = begin_cell_scan(b); highest < PEAK_LEAST && next(w->pool, b, &at);) {
+        int32_t size = tp_abs(height_change(w, &at));
         highest = size > highest ? size : highest;
     }
     return highest;
 }
 
 /* Applies all changes and returns the sum of the amounts that fitted. */
-static int64_t push_aside(wake *w, const box *b)
+static int64_t apply_height_changes(wake *w, const box *b)
 {
     int64_t sum = 0;
 
-    for (cell at = before_first(b); next(w->pool, b, &at);) {
-        int32_t lsb = gain(w, &at);
+    for (cell at = begin_cell_scan(b); next(w->pool, b, &at);) {
+        int32_t lsb = height_change(w, &at);
         sum += lsb ? add(w, &at, lsb) : 0;
     }
     return sum;
@@ -286,7 +286,7 @@ static int64_t count_surrounding_cells(const wake *w, const box *b)
 {
     int64_t count = 0;
 
-    for (cell at = before_first(b); next(w->pool, b, &at);)
+    for (cell at = begin_cell_scan(b); next(w->pool, b, &at);)
         count += is_surrounding_cell(w, &at);
     return count;
 }
@@ -298,7 +298,7 @@ static int64_t fill_surrounding_cells(wake *w, const box *b, int64_t sum)
 {
     int64_t n = count_surrounding_cells(w, b), i = 0, given = 0, left = sum;
 
-    for (cell at = before_first(b); next(w->pool, b, &at);) {
+    for (cell at = begin_cell_scan(b); next(w->pool, b, &at);) {
         if (!is_surrounding_cell(w, &at))
             continue;
         i++;
@@ -310,22 +310,22 @@ static int64_t fill_surrounding_cells(wake *w, const box *b, int64_t sum)
 }
 
 /* Adds the remainder to the first cells with room. */
-static void pour(wake *w, const box *b, int64_t left)
+static void add_remainder(wake *w, const box *b, int64_t left)
 {
-    for (cell at = before_first(b); left != 0 && next(w->pool, b, &at);)
+    for (cell at = begin_cell_scan(b); left != 0 && next(w->pool, b, &at);)
         left -= add(w, &at, left);
 }
 
-static void stir(wake *w, const box *hulls)
+static void stir_pool(wake *w, const box *hulls)
 {
-    int64_t left = -push_aside(w, hulls);
+    int64_t left = -apply_height_changes(w, hulls);
 
     if (left != 0) {
         const box around = hull_cell_box(w, AROUND);
         left = fill_surrounding_cells(w, &around, left);
-        pour(w, &around, left);
+        add_remainder(w, &around, left);
     }
-    tp_pool_stirred(w->pool, w->peak);
+    tp_pool_wake(w->pool, w->peak);
 }
 
 /* ----------------------------------------------------------------------------------- */
@@ -339,11 +339,11 @@ static bool is_same(const tp_hull *a, const tp_hull *b)
 
 tp_pool *tp_boat_pool(tp_world *world)
 {
-    tp_pool *pool = tp_parts_pool(world);
-    return pool ? pool : tp_parts_field(world);
+    tp_pool *pool = tp_world_mutable_pool(world);
+    return pool ? pool : tp_world_mutable_field(world);
 }
 
-void tp_boat_wake(tp_world *world, const tp_scene *scene)
+void tp_boat_stir_pool(tp_world *world, const tp_scene *scene)
 {
     tp_boat_state *a = &world->afloat;
     wake w = { .pool = tp_boat_pool(world) };
@@ -353,9 +353,9 @@ void tp_boat_wake(tp_world *world, const tp_scene *scene)
     w.before = make_form(&a->stirred, scene, w.pool);
     w.now = make_form(&a->hull, scene, w.pool);
     const box hulls = hull_cell_box(&w, TP_FX_ONE);
-    int32_t peak = highest_gain(&w, &hulls);
+    int32_t peak = largest_height_change(&w, &hulls);
     if (peak >= PEAK_LEAST) {
-        stir(&w, &hulls);
+        stir_pool(&w, &hulls);
         a->stirs++;
     }
     if (peak == 0 || peak >= PEAK_LEAST)
@@ -374,7 +374,7 @@ static void step(void *mine, const tp_program *program, tp_world *world,
 {
     (void)mine, (void)program, (void)input;
     if (scene->boat.mesh[0])
-        tp_boat_wake(world, scene);
+        tp_boat_stir_pool(world, scene);
 }
 
 const tp_module tp_wake_module = {

@@ -67,10 +67,10 @@ static bool refresh(void *mine, tp_world *world, const tp_want *want)
 static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 {
     (void)world;
-    return memcmp(mine, fresh, tp_part_bytes(fresh)) == 0;
+    return memcmp(mine, fresh, tp_module_state_bytes(fresh)) == 0;
 }
 
-static void surface(const void *mine, tp_surface *to)
+static void add_surface(const void *mine, tp_surface *to)
 {
     to->ocean = to->by->ocean && to->by->swells ? mine : NULL;
 }
@@ -78,6 +78,10 @@ static void surface(const void *mine, tp_surface *to)
 const tp_module tp_coastal_module = {
     .name = "ocean", .id = TP_OCEAN_ID, .is = TP_MODULE_COASTAL,
     .enabled = tp_coastal_enabled,
-    .check = check, .bytes = bytes, .init = init, .refresh = refresh, .surface = surface,
+    .check = check,
+    .bytes = bytes,
+    .init = init,
+    .refresh = refresh,
+    .surface = add_surface,
     .is_valid = is_valid,
 };

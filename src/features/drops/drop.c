@@ -21,13 +21,13 @@
 #define HIGH_MOST   ((int64_t)16384 << 32)          /* m, Q32; the outline fits 16.16 */
 #define SQUASH_MOST 8192                            /* 1/2, Q2.14 */
 
-static int32_t fall_held(int64_t fall_q24)
+static int32_t clamp_fall_speed(int64_t fall_q24)
 {
     return (int32_t)tp_clamp_abs(fall_q24, FALL_MOST);
 }
 
 /* Returns n / d rounded half up; d > 0, |n| < 2^62. */
-static int64_t over(int64_t n, int64_t d)
+static int64_t divide_rounded(int64_t n, int64_t d)
 {
     TP_ASSERT(d > 0);
     int64_t twice = n + (d >> 1), q = twice / d;
@@ -51,7 +51,7 @@ static uint64_t drag_q24(const tp_scene_drops *config, tp_fx radius)
 
 /* Returns v after half a tick of drag.  k |v| < 2^61; divided by 2^24 and 120 it is below
  * 2^31. */
-static int64_t dragged(int64_t v, uint64_t k_q24)
+static int64_t apply_half_tick_drag(int64_t v, uint64_t k_q24)
 {
     if (k_q24 == 0)
         return v;
@@ -68,14 +68,15 @@ typedef struct {
     int32_t fall_q24;
 } fall;
 
-static fall fallen(const tp_drop *drop, const tp_scene_drops *config, tp_fx gravity)
+static fall compute_free_fall(const tp_drop *drop, const tp_scene_drops *config,
+                              tp_fx gravity)
 {
-    int64_t  kick = over((int64_t)gravity * 256, 2 * RATE);
+    int64_t kick = divide_rounded((int64_t)gravity * 256, 2 * RATE);
     uint64_t k = drag_q24(config, drop->radius);
-    int64_t  middle = dragged(drop->fall_q24 - kick, k);
+    int64_t  middle = apply_half_tick_drag(drop->fall_q24 - kick, k);
 
-    return (fall){ drop->high_q32 + over(middle * 256, RATE),
-                   fall_held(dragged(middle, k) - kick) };
+    return (fall){ drop->high_q32 + divide_rounded(middle * 256, RATE),
+                   clamp_fall_speed(apply_half_tick_drag(middle, k) - kick) };
 }
 
 /* -- impact -------------------------------------------------------------------------- */
@@ -94,7 +95,7 @@ static int64_t q32(tp_fx x)
 
 /* Returns the relative motion.  A level that jumps has no speed: a jump must not throw
  * drops. */
-static crossing make_crossing(const tp_drop *drop, const fall *to, tp_fx level)
+static crossing make_relative_motion(const tp_drop *drop, const fall *to, tp_fx level)
 {
     tp_fx   before = drop->level == TP_DROP_NEW ? level : drop->level;
     int64_t water = ((int64_t)level - before) * (256 * RATE);
@@ -115,7 +116,7 @@ static crossing make_crossing(const tp_drop *drop, const fall *to, tp_fx level)
 static int32_t find_crossing_time(const crossing *c)
 {
     TP_ASSERT(c->high[0] >= 0 && c->high[1] < 0);
-    int64_t slope = over(c->speed[0] * 256, RATE);
+    int64_t slope = divide_rounded(c->speed[0] * 256, RATE);
     int64_t bend = c->high[1] - c->high[0] - slope;
     int32_t above = 0, below = TP_FX_ONE;
 
@@ -131,20 +132,20 @@ static int32_t find_crossing_time(const crossing *c)
 
 /* Returns the share of the impact's energy lost by the drop: 1 - e^2 / 2, as m' = m / 2
  * [D3]. */
-static uint64_t lost_share(const tp_scene_drops *config)
+static uint64_t lost_energy_share(const tp_scene_drops *config)
 {
     return TP_FX_ONE - (((uint64_t)config->bounce * (uint64_t)config->bounce) >> 17);
 }
 
-static int bits(uint64_t x)
+static int bit_length(uint64_t x)
 {
     return x >> 32 ? 64 - tp_clz((uint32_t)(x >> 32)) : x ? 32 - tp_clz((uint32_t)x) : 0;
 }
 
 /* Returns the 32 highest bits of x and subtracts the number of dropped bits from *down. */
-static uint64_t cut(uint64_t x, int *down)
+static uint64_t keep_top_bits(uint64_t x, int *down)
 {
-    int out = bits(x) > 32 ? bits(x) - 32 : 0;
+    int out = bit_length(x) > 32 ? bit_length(x) - 32 : 0;
     *down -= out;
     return x >> out;
 }
@@ -157,13 +158,13 @@ static tp_fx energy_lost(const tp_scene_drops *config, uint64_t radius, uint64_t
     const uint64_t two_thirds_pi = 34315;                       /* Q14 */
     uint64_t way = radius * speed >> 16;
     int      down = 48 + 32 - 24;
-    uint64_t square = cut(way * way, &down);
-    uint64_t heavy = cut((uint64_t)config->density * radius, &down);
+    uint64_t square = keep_top_bits(way * way, &down);
+    uint64_t heavy = keep_top_bits((uint64_t)config->density * radius, &down);
     uint64_t lost_q24 = square * heavy >> down;
 
     if (lost_q24 >> 40)
         return TP_FX_MAX;
-    lost_q24 = lost_q24 * lost_share(config) >> 16;
+    lost_q24 = lost_q24 * lost_energy_share(config) >> 16;
     uint64_t lost = (lost_q24 * two_thirds_pi + (1 << 21)) >> 22;
     return lost < TP_FX_MAX ? (tp_fx)lost : TP_FX_MAX;
 }
@@ -174,7 +175,7 @@ static tp_fx energy_lost(const tp_scene_drops *config, uint64_t radius, uint64_t
 static int32_t ring_height(const tp_scene_drops *config, tp_fx gravity, uint64_t radius,
                          uint64_t speed)
 {
-    uint64_t taken = (uint64_t)config->efficiency * lost_share(config);     /* Q32 */
+    uint64_t taken = (uint64_t)config->efficiency * lost_energy_share(config);     /* Q32 */
     uint64_t heavy = ((uint64_t)config->density * radius << 18)             /* Q50 */
                    / (36000 * (uint64_t)gravity);
     uint64_t roots = (uint64_t)tp_isqrt64(taken << 30) * tp_isqrt64(heavy << 24) >> 30;
@@ -204,12 +205,12 @@ static tp_impact make_impact(const tp_drop *drop, const tp_scene_drops *config,
  * the tick waits on the water; its next impact is at most as fast as its rise. */
 static fall bounced(int64_t speed, tp_fx gravity, int64_t left, const crossing *c)
 {
-    int64_t rise = over(speed * left, RATE << 8)
-                 - (over((int64_t)gravity * left * left, 2 * RATE * RATE) >> 16);
-    int64_t after = speed - over((int64_t)gravity * left, RATE << 8);
+    int64_t rise = divide_rounded(speed * left, RATE << 8)
+                 - (divide_rounded((int64_t)gravity * left * left, 2 * RATE * RATE) >> 16);
+    int64_t after = speed - divide_rounded((int64_t)gravity * left, RATE << 8);
 
     return (fall){ rise > 0 ? rise : 0,
-                   fall_held(c->water + (after > -speed ? after : -speed)) };
+                   clamp_fall_speed(c->water + (after > -speed ? after : -speed)) };
 }
 
 /* -- shape --------------------------------------------------------------------------- */
@@ -251,8 +252,8 @@ static void apply_fall(tp_drop *drop, const fall *to)
 }
 
 /* Handles an impact: the drop comes down through the surface, [D2]. */
-static void strike(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
-                   const crossing *c, uint64_t tick, tp_impact *impact)
+static void handle_impact(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
+                          const crossing *c, uint64_t tick, tp_impact *impact)
 {
     int64_t t = find_crossing_time(c);
     int64_t speed = -(c->speed[0] + ((c->speed[1] - c->speed[0]) * t >> 16));
@@ -277,13 +278,13 @@ bool tp_drop_step(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
         return false;
     if (gravity < TP_FX(0.1))
         gravity = TP_FX(0.1);               /* lower bound in the parameter table */
-    fall     to = fallen(drop, config, gravity);
-    crossing c = make_crossing(drop, &to, level);
+    fall     to = compute_free_fall(drop, config, gravity);
+    crossing c = make_relative_motion(drop, &to, level);
 
     drop->last = drop->place;
     drop->level = level;
     if (c.high[1] < 0 && c.high[0] >= 0) {
-        strike(drop, config, gravity, &c, tick, impact);
+        handle_impact(drop, config, gravity, &c, tick, impact);
         return true;
     }
     if (c.high[1] < 0) {                    /* under water all the time: lifted out */

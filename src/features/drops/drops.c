@@ -61,22 +61,22 @@ const tp_ring *tp_drops_rings(const tp_drops *drops)
 
 /* -- the sphere ---------------------------------------------------------------------- */
 
-static tp_fx held(int64_t x)
+static tp_fx clamp_coordinate(int64_t x)
 {
     return (tp_fx)tp_clamp_abs(x, SPHERE_FAR);
 }
 
-void tp_drops_steer(tp_drops *drops, tp_fx x, tp_fx z)
+void tp_drops_move_sphere(tp_drops *drops, tp_fx x, tp_fx z)
 {
     drops->last_sphere = drops->sphere;
-    drops->sphere.x = held((int64_t)drops->sphere.x + x);
-    drops->sphere.z = held((int64_t)drops->sphere.z + z);
+    drops->sphere.x = clamp_coordinate((int64_t)drops->sphere.x + x);
+    drops->sphere.z = clamp_coordinate((int64_t)drops->sphere.z + z);
 }
 
 /* Returns a random place, uniform over a disc of radius `reach` around the sphere's
  * centre.  The square root gives each annulus of equal width a share in proportion to its
  * area. */
-static tp_vec3 scattered(tp_drops *drops, tp_fx reach)
+static tp_vec3 random_release_place(tp_drops *drops, tp_fx reach)
 {
     tp_turn round = tp_random(&drops->random);
     tp_fx   way = tp_fx_mul(tp_fx_sqrt((tp_fx)(tp_random(&drops->random) >> 16)), reach);
@@ -97,7 +97,7 @@ void tp_drops_release(tp_drops *drops, const tp_scene_drops *config, uint32_t co
     if (count > 1 && reach < drops->sphere_radius)
         reach = drops->sphere_radius;
     for (uint32_t i = 0; i < fits; i++) {
-        tp_vec3 at = scattered(drops, reach);
+        tp_vec3 at = random_release_place(drops, reach);
         list(drops)[drops->count++] = (tp_drop){
             .place = at, .last = at, .high_q32 = (int64_t)at.y * 65536,
             .radius = config->radius, .level = TP_DROP_NEW,
@@ -139,7 +139,8 @@ bool tp_drops_step(tp_drops *drops, const tp_scene_drops *config, uint32_t i,
 
 /* Adds a ring.  The smallest drops ask for shorter waves than a ring can have; the length
  * is clamped. */
-bool tp_drops_ring(tp_drops *drops, const tp_scene_drops *config, const tp_impact *impact)
+bool tp_drops_add_ring(tp_drops *drops, const tp_scene_drops *config,
+                       const tp_impact *impact)
 {
     TP_ASSERT(drops->rings <= drops->ring_capacity);
     if (impact->amplitude <= 0)
@@ -161,7 +162,7 @@ bool tp_drops_ring(tp_drops *drops, const tp_scene_drops *config, const tp_impac
     return true;
 }
 
-void tp_drops_tidy(tp_drops *drops, int64_t now, tp_fx beyond)
+void tp_drops_remove_spent(tp_drops *drops, int64_t now, tp_fx beyond)
 {
     tp_drop *drop = list(drops);
     tp_ring *ring = rings(drops);
@@ -173,7 +174,7 @@ void tp_drops_tidy(tp_drops *drops, int64_t now, tp_fx beyond)
     drops->count = n;
     n = 0;
     for (uint32_t i = 0; i < drops->rings; i++)
-        if (!tp_ring_spent(&ring[i], now, beyond))
+        if (!tp_ring_is_spent(&ring[i], now, beyond))
             ring[n++] = ring[i];
     drops->rings = n;
 }
@@ -182,7 +183,7 @@ void tp_drops_tidy(tp_drops *drops, int64_t now, tp_fx beyond)
 
 static bool is_far(tp_fx x)
 {
-    return x != held(x);
+    return x != clamp_coordinate(x);
 }
 
 /* True if all members agree with `fresh`, except the members changed by steps. */
@@ -240,7 +241,7 @@ static rings_now *current_rings(const tp_drops *drops)
 
 const tp_drops *tp_world_drops(const tp_world *world)
 {
-    return tp_world_part(world, TP_DROPS_ID);
+    return tp_world_module_state(world, TP_DROPS_ID);
 }
 
 bool tp_drops_enabled(const tp_want *want)
@@ -293,11 +294,12 @@ static bool refresh(void *mine, tp_world *world, const tp_want *want)
 
 /* Handles an impact.  With drops.into = rings the impact raises a ring; otherwise a pool
  * takes the same impact [D5]. */
-static bool hit(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level)
+static bool handle_impact(void *mine, const tp_scene *scene, const tp_impact *impact,
+                          tp_fx level)
 {
     (void)level;
     return scene->drops.into == TP_DROPS_RINGS
-           && tp_drops_ring(mine, &scene->drops, impact);
+           && tp_drops_add_ring(mine, &scene->drops, impact);
 }
 
 static void move_drops(tp_drops *drops, const tp_program *program, tp_world *world,
@@ -312,7 +314,7 @@ static void move_drops(tp_drops *drops, const tp_program *program, tp_world *wor
                                        NULL).position.y;
         if (tp_drops_step(drops, &scene->drops, i, scene->water.gravity, level,
                           world->tick, &impact))
-            tp_modules_hit(program, world, scene, &impact, level);
+            tp_modules_handle_impact(program, world, scene, &impact, level);
     }
 }
 
@@ -334,12 +336,12 @@ static void step(void *mine, const tp_program *program, tp_world *world,
     tp_drops *drops = mine;
     rings_now *now = current_rings(drops);
 
-    tp_drops_steer(drops, in ? in->sphere_x : 0, in ? in->sphere_z : 0);
+    tp_drops_move_sphere(drops, in ? in->sphere_x : 0, in ? in->sphere_z : 0);
     tp_drops_release_due(drops, &scene->drops);
     if (in && in->drops > 0)
         tp_drops_release(drops, &scene->drops, (uint32_t)in->drops);
     move_drops(drops, program, world, scene);
-    tp_drops_tidy(drops, time, 200 * TP_FX_ONE);
+    tp_drops_remove_spent(drops, time, 200 * TP_FX_ONE);
     now->count = tp_drops_rings_evaluate(drops, program, time, now->ring, now->room);
 }
 
@@ -387,7 +389,7 @@ const tp_module tp_drops_module = {
     .fits = fits,
     .refresh = refresh,
     .step = step,
-    .hit = hit,
+    .hit = handle_impact,
     .surface = add_surface,
     .is_valid = is_valid,
 };

@@ -52,7 +52,7 @@ bool tp_drops_are_valid(const tp_drops *drops, const tp_drops *fresh, uint64_t t
 bool tp_drop_is_valid(const tp_drop *drop);
 
 /* Moves the sphere by (x, z) m, within +-8000 m.  Call once per tick, also with 0. */
-void tp_drops_steer(tp_drops *drops, tp_fx x, tp_fx z);
+void tp_drops_move_sphere(tp_drops *drops, tp_fx x, tp_fx z);
 
 /* Releases `count` drops from the sphere.  Drops beyond the capacity are counted.  A
  * single drop without scatter falls from the sphere's centre; of several drops each has
@@ -76,12 +76,12 @@ bool tp_drops_step(tp_drops *drops, const tp_scene_drops *config, uint32_t i,
 
 /* Adds the ring raised by an impact.  Returns true if there was room; otherwise counts
  * the ring as dropped. */
-bool tp_drops_ring(tp_drops *drops, const tp_scene_drops *config,
-                   const tp_impact *impact);
+bool tp_drops_add_ring(tp_drops *drops, const tp_scene_drops *config,
+                       const tp_impact *impact);
 
-/* Removes drops with radius 0 and rings spent by tp_ring_spent.  `now`: ticks x 65536;
+/* Removes drops with radius 0 and rings spent by tp_ring_is_spent.  `now`: ticks x 65536;
  * `beyond`: m from a ring's centre to its rear. */
-void tp_drops_tidy(tp_drops *drops, int64_t now, tp_fx beyond);
+void tp_drops_remove_spent(tp_drops *drops, int64_t now, tp_fx beyond);
 
 const tp_drops *tp_world_drops(const tp_world *world);
 

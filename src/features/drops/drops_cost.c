@@ -6,12 +6,12 @@
 #define BALL_FACES 440          /* faces of a large sphere; a small one has a quarter */
 
 /* Counts the faces of the releasing sphere, in the main view and in the reflection. */
-static void work(tp_site *w)
+static void count_work(tp_site *w)
 {
     const tp_view_estimate *o = w->estimate;
     const tp_scene *s = w->scene;
     const tp_vec3 sphere = { s->drops.x, s->drops.y, s->drops.z };
-    const tp_vec3 way = tp_start_view_way(w->at.eye, sphere);
+    const tp_vec3 way = tp_start_view_clamped_vector(w->at.eye, sphere);
     const tp_vec3 view = tp_rotate(&w->at.turn, way);
     uint32_t *work = w->works.of;
 
@@ -27,4 +27,4 @@ static void work(tp_site *w)
     }
 }
 
-const tp_cost tp_drops_cost = { .work = work };
+const tp_cost tp_drops_cost = { .work = count_work };

@@ -56,7 +56,7 @@ typedef struct {
 
 /* Returns the spheroid of a squashed drop.  The width a^(-1/3) is a series to the third
  * power, within 0.017 for |squash| <= 1/2.  The height follows from constant volume. */
-static spheroid shaped(tp_vec3 centre, tp_fx radius, int32_t squash_q14)
+static spheroid make_spheroid(tp_vec3 centre, tp_fx radius, int32_t squash_q14)
 {
     tp_fx q = tp_clamp(squash_q14, -8192, 8192) * 4;
     tp_fx square = tp_fx_mul(q, q);
@@ -67,7 +67,8 @@ static spheroid shaped(tp_vec3 centre, tp_fx radius, int32_t squash_q14)
 }
 
 /* Returns spheroid i at the drawn moment: drop i, or the sphere for i = seen. */
-static spheroid number(const tp_drops *drops, tp_fx back, uint32_t i, uint32_t seen)
+static spheroid interpolate_spheroid(const tp_drops *drops, tp_fx back, uint32_t i,
+                                     uint32_t seen)
 {
     TP_ASSERT(i <= seen && seen <= drops->count);
     bool  sphere = i == seen;
@@ -77,7 +78,7 @@ static spheroid number(const tp_drops *drops, tp_fx back, uint32_t i, uint32_t s
     tp_vec3 at = tp_place_interpolate(a, b, back);
 
     return sphere ? (spheroid){ at, drops->sphere_radius, drops->sphere_radius }
-                  : shaped(at, drop->radius, drop->squash);
+                  : make_spheroid(at, drop->radius, drop->squash);
 }
 
 static tp_view_vertex transform_point(const tp_view *view, const spheroid *s,
@@ -98,7 +99,7 @@ static tp_view_vertex transform_point(const tp_view *view, const spheroid *s,
 
 /* Transforms every `step`th point of parallel j.  A pole counts as a parallel whose
  * points are all equal. */
-static void see_ring(const drawn_drops *d, const tp_view *view, const spheroid *s,
+static void transform_parallel(const drawn_drops *d, const tp_view *view, const spheroid *s,
                      uint32_t j, uint32_t step, tp_view_vertex to[ROUND])
 {
     TP_ASSERT(j <= RINGS + 1 && step > 0);
@@ -123,11 +124,11 @@ static tp_grid_box ball_box(const drawn_drops *d, const tp_view *view, const sph
     bool ahead = false, cut = false;
 
     for (uint32_t j = 0; j <= RINGS + 1; j += step) {
-        see_ring(d, view, s, j, step, ring);
+        transform_parallel(d, view, s, j, step, ring);
         for (uint32_t i = 0; i < ROUND; i += step) {
             tp_screen_vertex p;
             ahead |= ring[i].depth >= view->projection->near
-                     && (!view->cut || tp_view_height(&view->level, &ring[i]) >= 0);
+                     && (!view->cut || tp_view_plane_distance(&view->level, &ring[i]) >= 0);
             cut |= !tp_projection_contains(view->projection, &ring[i]);
             if (cut)
                 continue;
@@ -142,7 +143,7 @@ static tp_grid_box ball_box(const drawn_drops *d, const tp_view *view, const sph
 
 /* Returns the step between meridians and parallels.  Up to 16 px across step 2 is enough:
  * the outline is off by 8 % of the radius. */
-static uint32_t ball_step(const tp_grid_box *box)
+static uint32_t choose_detail_step(const tp_grid_box *box)
 {
     return box->x1 - box->x0 > 16 || box->y1 - box->y0 > 16 ? 1 : 2;
 }
@@ -163,9 +164,9 @@ static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
     d->seen = drops->count < d->room ? drops->count : d->room;
     frame->stats.dropped += drops->count - d->seen;
     for (uint32_t i = 0; i <= d->seen; i++) {
-        spheroid s = number(drops, frame->world->back, i, d->seen);
+        spheroid s = interpolate_spheroid(drops, frame->world->back, i, d->seen);
         d->box[i] = ball_box(d, view, &s, 2);
-        uint32_t step = ball_step(&d->box[i]);
+        uint32_t step = choose_detail_step(&d->box[i]);
         if (step == 1)
             d->box[i] = ball_box(d, view, &s, 1);
         if (d->box[i].x0 <= d->box[i].x1) {
@@ -193,11 +194,11 @@ static void draw_one(const drawn_drops *d, const tp_view *view, const tp_gbuffer
 {
     tp_view_vertex ring[2][ROUND];
 
-    see_ring(d, view, s, 0, step, ring[0]);
+    transform_parallel(d, view, s, 0, step, ring[0]);
     for (uint32_t j = 0; j <= RINGS; j += step) {
         const tp_view_vertex *above = ring[j / step & 1];
         tp_view_vertex *below = ring[(j / step + 1) & 1];
-        see_ring(d, view, s, j + step, step, below);
+        transform_parallel(d, view, s, j + step, step, below);
         for (uint32_t i = 0; i < ROUND; i += step) {
             uint32_t next = (i + step) % ROUND;
             if (j + step <= RINGS)
@@ -218,8 +219,8 @@ static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
     for (uint32_t i = 0; drops && i <= d->seen; i++) {
         if (!tp_view_touches(&d->box[i], samples))
             continue;
-        spheroid s = number(drops, frame->world->back, i, d->seen);
-        draw_one(d, view, samples, &s, ball_step(&d->box[i]), mark);
+        spheroid s = interpolate_spheroid(drops, frame->world->back, i, d->seen);
+        draw_one(d, view, samples, &s, choose_detail_step(&d->box[i]), mark);
     }
 }
 

@@ -14,7 +14,7 @@
 typedef tp_vec_q14 vec;
 
 /* Returns a x + b y; a, b in Q14. */
-static vec sum(vec x, int32_t a, vec y, int32_t b)
+static vec linear_combination(vec x, int32_t a, vec y, int32_t b)
 {
     return (vec){ (x.x * a + y.x * b) >> 14, (x.y * a + y.y * b) >> 14,
                   (x.z * a + y.z * b) >> 14 };
@@ -23,7 +23,7 @@ static vec sum(vec x, int32_t a, vec y, int32_t b)
 /* Returns the light from direction d.  Below the horizon the colour blends from the
  * horizon's into the water's colour within 14 degrees.  The water is lit by ambient light
  * and the sun. */
-static uint32_t around(const tp_shade *shade, vec d)
+static uint32_t sample_surroundings(const tp_shade *shade, vec d)
 {
     uint32_t light = tp_env_sample(shade, d.x, d.y > 0 ? d.y : 0, d.z);
     uint32_t sky = tp_light_colour(shade, light);
@@ -37,24 +37,26 @@ static uint32_t around(const tp_shade *shade, vec d)
 }
 
 /* Returns the direction of the ray behind the ball. */
-static vec through(vec n, vec v, int32_t c)
+static vec refracted_direction(vec n, vec v, int32_t c)
 {
     int32_t left = 16384 - c;
     int32_t ahead = 16384 - (left * left >> 14) * 7 / 8;
     int32_t aside = 16384 - c * 4 / 5 + (c * c >> 14) * 3 / 10;
 
-    return sum(v, (aside * c >> 14) - ahead, n, -aside);
+    return linear_combination(v, (aside * c >> 14) - ahead, n, -aside);
 }
 
-static uint32_t lit(const tp_shade *shade, const tp_solid *drop, vec n, vec v, int32_t lv)
+static uint32_t shade_drop(const tp_shade *shade, const tp_solid *drop, vec n, vec v,
+                           int32_t lv)
 {
     vec     light = { shade->world.lx, shade->world.ly, shade->world.lz };
     int32_t c = tp_clamp(tp_vec_q14_dot(n, v), 0, 16384);
     int32_t nl = tp_vec_q14_dot(n, light);
     int32_t rv = nl > 0 ? tp_clamp((2 * nl * c >> 14) - lv, 0, 16384) : 0;
     uint32_t gloss = drop->gloss[rv * (TP_GLOSS - 1) >> 14];
-    uint32_t clear = tp_colour_times(around(shade, through(n, v, c)), drop->diffuse);
-    uint32_t mirror = around(shade, sum(n, 2 * c, v, -16384));
+    uint32_t clear = tp_colour_times(
+        sample_surroundings(shade, refracted_direction(n, v, c)), drop->diffuse);
+    uint32_t mirror = sample_surroundings(shade, linear_combination(n, 2 * c, v, -16384));
 
     return tp_colour_add(tp_colour_mix(clear, mirror, shade->fresnel[c >> 6]),
                          tp_colour_scale(tp_colour_times(drop->specular,
@@ -68,7 +70,7 @@ void tp_stage_drop(const tp_shade *shade, tp_run *run)
 
     tp_view_run(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++) {
-        run->colour[i] = lit(shade, drop, tp_vec_q14_packed(run->n[i]),
+        run->colour[i] = shade_drop(shade, drop, tp_vec_q14_unpack(run->n[i]),
                              (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i]);
     }
 }

@@ -27,5 +27,5 @@ typedef struct {
 } tp_exposure;
 
 /* Fills the tone curve of a channel for an exposure of 1/8..8. */
-void tp_exposure_tone(tp_entry8 tone[256], tp_fx exposure);
+void tp_exposure_make_tone_curve(tp_entry8 tone[256], tp_fx exposure);
 #endif

@@ -7,7 +7,7 @@
 static void make_tones(tp_exposure *e, tp_fx exposure)
 {
     TP_ASSERT(exposure > 0);
-    tp_exposure_tone(e->tone, exposure);
+    tp_exposure_make_tone_curve(e->tone, exposure);
     for (uint32_t i = 0; i < 256; i++)
         tp_toned_set(&e->toned, i, e->tone[i]);
     e->made_for = exposure;

@@ -9,7 +9,7 @@
 #include "features/exposure/exposure.h"
 #include "shade/shade.h"
 
-void tp_exposure_tone(tp_entry8 tone[256], tp_fx exposure)
+void tp_exposure_make_tone_curve(tp_entry8 tone[256], tp_fx exposure)
 {
     int64_t e = tp_clamp(exposure, TP_FX_ONE / 8, 8 * TP_FX_ONE);
 

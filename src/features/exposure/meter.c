@@ -68,8 +68,9 @@ static void fill_dome(probe *p, const tp_scene *scene, uint32_t beyond)
         p->low[1][i] = hdr_grey(tp_dome_gradient(&config, dome, sine), 0);
     }
     for (uint32_t i = 0; i <= GLOWS; i++)
-        p->glow[i] = dome ? hdr_grey(tp_dome_glow(&config, tp_glow_square(8 * i)), beyond)
-                          : 0;
+        p->glow[i] =
+            dome ? hdr_grey(tp_dome_glow(&config, tp_glow_index_square(8 * i)), beyond)
+                 : 0;
 }
 
 /* Fills a face from the mipmap level with 8 texels per side, or from level 0 of a smaller
@@ -105,7 +106,7 @@ static void fill_water(probe *p, const tp_scene *scene, const tp_assets *assets)
     }
 }
 
-static source make_source(const tp_scene *scene)
+static source collect_table_inputs(const tp_scene *scene)
 {
     return (source){
         .kind = scene->sky.kind, .horizon = scene->sky.horizon,
@@ -116,13 +117,13 @@ static source make_source(const tp_scene *scene)
     };
 }
 
-static void make(probe *p, const tp_scene *scene, const tp_assets *assets)
+static void make_tables(probe *p, const tp_scene *scene, const tp_assets *assets)
 {
     uint32_t beyond = (uint32_t)scene->hdr.share * TP_WHITES >> 8;
     tp_cube  cube;
 
     memset(p, 0, sizeof *p);            /* clears tables of another kind of sky */
-    p->made_of = make_source(scene);
+    p->made_of = collect_table_inputs(scene);
     p->cube = tp_has_cube(scene, assets) && tp_cube_init(&cube, assets->sky);
     if (!p->cube)
         fill_dome(p, scene, beyond);
@@ -137,7 +138,7 @@ typedef struct {
     int32_t x, y, z;            /* direction, Q1.14 */
 } way;
 
-static way make_way(tp_dir3 d)
+static way direction_q14(tp_dir3 d)
 {
     return (way){ d.x >> 16, d.y >> 16, d.z >> 16 };
 }
@@ -152,10 +153,10 @@ static uint32_t sample_sky(const probe *p, way light, way d)
         return p->face[at.face][v * SIDE + u];
     }
     uint32_t square = tp_square_length(d.x - light.x, d.y - light.y, d.z - light.z);
-    uint32_t share = tp_towards_light(square);
+    uint32_t share = tp_light_side_weight(square);
     int32_t  band = tp_clamp(d.y >> 8, 0, BANDS);
     uint32_t low = (p->low[0][band] * (256 - share) + p->low[1][band] * share) >> 8;
-    uint32_t sum = low + p->glow[tp_glow_entry(square) / 8];
+    uint32_t sum = low + p->glow[tp_glow_index(square) / 8];
 
     return sum < BRIGHTEST ? sum : BRIGHTEST;
 }
@@ -176,17 +177,19 @@ static uint32_t trace_ray(const probe *p, const tp_scene *scene, way light, way 
  * angle. */
 tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene)
 {
-    const probe *p = tp_world_part(world, TP_METER_ID);
+    const probe *p = tp_world_module_state(world, TP_METER_ID);
     tp_turn half = tp_turn_of_degrees(scene->camera.fov) / 2;
     int32_t s = tp_sin(half) >> 16, c = tp_cos(half) >> 16;
     tp_rotation turn = tp_camera_interpolate(world, 0).turn;
-    way right = make_way(turn.x), up = make_way(turn.y), back = make_way(turn.z);
-    way light = make_way(tp_light_direction(world->light_heading, world->light_elevation));
+    way right = direction_q14(turn.x), up = direction_q14(turn.y),
+        back = direction_q14(turn.z);
+    way light =
+        direction_q14(tp_light_direction(world->light_heading, world->light_elevation));
     uint32_t sum = 0;
 
     for (int32_t k = 0; p && k < ACROSS * DOWN; k++) {
         int32_t u = s * (2 * (k % ACROSS) - 31) / 24, v = s * (23 - 2 * (k / ACROSS)) / 24;
-        sum += trace_ray(p, scene, light, make_way(tp_normalise(
+        sum += trace_ray(p, scene, light, direction_q14(tp_normalise(
             right.x * u + up.x * v - back.x * c, right.y * u + up.y * v - back.y * c,
             right.z * u + up.z * v - back.z * c)));
     }
@@ -209,18 +212,18 @@ static size_t bytes(const tp_want *want)
 static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
 {
     (void)world, (void)err;
-    make(mine, want->scene, want->assets);
+    make_tables(mine, want->scene, want->assets);
     return TP_OK;
 }
 
 static bool refresh(void *mine, tp_world *world, const tp_want *want)
 {
     const probe *p = mine;
-    const source of = make_source(want->scene);
+    const source of = collect_table_inputs(want->scene);
 
     (void)world;
     if (memcmp(&of, &p->made_of, sizeof of) != 0)
-        make(mine, want->scene, want->assets);
+        make_tables(mine, want->scene, want->assets);
     return true;
 }
 
@@ -243,7 +246,7 @@ static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 
 bool tp_world_is_metered(const tp_world *world)
 {
-    return tp_world_part(world, TP_METER_ID) != NULL;
+    return tp_world_module_state(world, TP_METER_ID) != NULL;
 }
 
 const tp_module tp_meter_module = {

@@ -93,7 +93,7 @@ static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error
 /* Returns the drift after one tick.  A drift by a full side maps the torus onto
  * itself, so the drift is reduced by the side and the cell numbers in `seen` are
  * shifted instead. */
-static int64_t drifted(tp_foam *foam, int64_t drift, tp_fx speed, int way)
+static int64_t advance_drift(tp_foam *foam, int64_t drift, tp_fx speed, int way)
 {
     int64_t side = window_side(foam), step = (int64_t)speed * 65536 / TP_TICKS_PER_SECOND;
     int32_t turns = 0;
@@ -135,7 +135,7 @@ static tp_fx cell_centre(const tp_foam *foam, int32_t number, int64_t drift)
 
 /* Returns e^(-4 / 60 / fade), Q24, the share of cover kept by a visit.  `fade` is 0.1 s
  * or more. */
-static uint32_t kept_in_a_visit(tp_fx fade)
+static uint32_t visit_fade_factor(tp_fx fade)
 {
     TP_ASSERT(fade > 0);
     uint64_t x = ((uint64_t)TP_FOAM_TICKS << 40) / (TP_TICKS_PER_SECOND * (uint32_t)fade);
@@ -150,7 +150,7 @@ typedef struct {
 
 /* Returns the new cover of a cell.  New foam covers only the free share.
  * cover x kept < 255 x 2^24; with the threshold the sum stays below 2^32. */
-static uint8_t covered(uint32_t cover, const visit *v, uint32_t col, uint32_t gain_q8)
+static uint8_t compute_cover(uint32_t cover, const visit *v, uint32_t col, uint32_t gain_q8)
 {
     uint64_t sum = (uint64_t)cover * v->kept_q24
                  + ((uint64_t)(gain_q8 * (255 - cover)) << 8);
@@ -177,7 +177,7 @@ static void visit_row(visit *v, tp_foam *foam, uint8_t *cover)
         uint32_t gain = tp_foam_maker_gain(&v->make, i, x, number - 1 == last);
         bool    same = number == lattice_index(&v->seen_x, i);
         last = number;
-        cover[i] = gain == TP_FOAM_DRY ? 0 : covered(same ? cover[i] : 0, v, i, gain);
+        cover[i] = gain == TP_FOAM_DRY ? 0 : compute_cover(same ? cover[i] : 0, v, i, gain);
     }
 }
 
@@ -209,10 +209,10 @@ static void visit_quarter(visit *v, tp_foam *foam)
 
 void tp_foam_step(tp_foam *foam, const tp_world *world, const tp_scene *scene)
 {
-    visit v = { .kept_q24 = kept_in_a_visit(scene->foam.fade) };
+    visit v = { .kept_q24 = visit_fade_factor(scene->foam.fade) };
 
-    foam->drift_x = drifted(foam, foam->drift_x, scene->foam.map.drift_x, 0);
-    foam->drift_z = drifted(foam, foam->drift_z, scene->foam.map.drift_z, 1);
+    foam->drift_x = advance_drift(foam, foam->drift_x, scene->foam.map.drift_x, 0);
+    foam->drift_z = advance_drift(foam, foam->drift_z, scene->foam.map.drift_z, 1);
     place_window(foam, world, scene);
     tp_foam_maker_begin(&v.make, foam, world, scene);
     visit_quarter(&v, foam);
@@ -320,7 +320,8 @@ static void step(void *mine, const tp_program *program, tp_world *world,
     tp_foam_step(mine, world, scene);
 }
 
-static bool hit(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level)
+static bool handle_impact(void *mine, const tp_scene *scene, const tp_impact *impact,
+                          tp_fx level)
 {
     (void)scene, (void)level;
     tp_foam_blob(mine, impact->x, impact->z, impact->length / 5, 160);
@@ -335,6 +336,6 @@ const tp_foam *tp_world_foam(const tp_world *world)
 const tp_module tp_foam_module = {
     .name = "foam", .id = TP_FOAM_ID, .is = TP_MODULE_EXACT,
     .trait = TP_TRAIT_foam, .enabled = tp_foam_enabled,
-    .bytes = bytes, .init = init, .fits = fits, .step = step, .hit = hit,
+    .bytes = bytes, .init = init, .fits = fits, .step = step, .hit = handle_impact,
     .is_valid = is_valid,
 };

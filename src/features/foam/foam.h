@@ -39,7 +39,7 @@ const tp_foam  *tp_world_foam(const tp_world *world);
 /* The module's state in a world, or NULL. */
 static inline tp_foam *tp_foam_of_world(const tp_world *world)
 {
-    return tp_world_part(world, TP_FOAM_ID);
+    return tp_world_module_state(world, TP_FOAM_ID);
 }
 
 /* Advances the foam by one tick, after all other modules have moved. */

@@ -69,7 +69,7 @@ static void init(tp_frame *frame, void *mine)
 {
     memset(mine, 0, sizeof(tp_shade_foam));
     if (frame->assets.foam)
-        tp_shade_foam_rank(mine, frame->assets.foam);
+        tp_shade_foam_make_ranks(mine, frame->assets.foam);
 }
 
 const tp_drawing tp_foam_drawing = {

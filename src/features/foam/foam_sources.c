@@ -35,7 +35,7 @@ static uint32_t crest_gain(const tp_foam_maker *m, tp_fx squeeze)
 
 static tp_ocean_point sample_ocean(const tp_foam_maker *m, tp_fx x, tp_fx z)
 {
-    return tp_ocean_at_rest(m->ocean, m->world->phases, x, z);
+    return tp_ocean_displace_point(m->ocean, m->world->phases, x, z);
 }
 
 /* Returns the stretch over one cell, clamped to +-8.  Larger values occur only on land. */
@@ -52,7 +52,7 @@ static tp_vec3 *previous_row(const tp_foam_maker *m)
 }
 
 /* Returns the Jacobian of the displacement, from differences over one cell. */
-static tp_fx ocean_squeeze(tp_foam_maker *m, uint32_t col, tp_vec3 here)
+static tp_fx ocean_jacobian(tp_foam_maker *m, uint32_t col, tp_vec3 here)
 {
     tp_vec3 *above = previous_row(m) + col;
     int64_t jxx = cell_stretch(m, (int64_t)here.x - m->left.x);
@@ -68,7 +68,7 @@ static tp_fx ocean_squeeze(tp_foam_maker *m, uint32_t col, tp_vec3 here)
 /* Reduces the crest gain over a near floor.  Orbits widen there and every crest is
  * compressed, so only breaking counts.  The full gain holds from a depth of 16 wave
  * heights on, none up to a depth of 8 wave heights. */
-static uint32_t deep_part(const tp_foam_maker *m, tp_fx depth, uint32_t gain)
+static uint32_t reduce_shallow_gain(const tp_foam_maker *m, tp_fx depth, uint32_t gain)
 {
     int64_t over = ((int64_t)depth - m->deep) * m->per_deep >> 16;
     uint32_t share = over < 0 ? 0 : over < 256 * 256 ? (uint32_t)over >> 8 : 256;
@@ -94,11 +94,11 @@ static uint32_t ocean_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool joined)
     if (!joined)
         m->left = sample_ocean(m, x - m->foam->cell, m->z).position;
     tp_ocean_point at = sample_ocean(m, x, m->z);
-    tp_fx squeeze = ocean_squeeze(m, col, at.position);
+    tp_fx squeeze = ocean_jacobian(m, col, at.position);
 
     if (at.depth <= 0)
         return TP_FOAM_DRY;
-    return deep_part(m, at.depth, crest_gain(m, squeeze)) + shore_gain(m, &at)
+    return reduce_shallow_gain(m, at.depth, crest_gain(m, squeeze)) + shore_gain(m, &at)
            + scale_gain(tp_fx_mul(at.breaking * 257, m->scene->foam.breaking),
                         BREAKING_UNITS);
 }
@@ -151,7 +151,7 @@ static uint32_t wall_gain(const tp_foam_maker *m, tp_fx x)
 #define ARM_LONG   5            /* length of the arms, in half hull lengths */
 
 /* Returns a triangular profile: 1 at e = 0, 0 at |e| >= wide. */
-static tp_fx band(tp_fx e, tp_fx wide)
+static tp_fx triangle_profile(tp_fx e, tp_fx wide)
 {
     tp_fx off = tp_abs(e);
     return off < wide ? TP_FX_ONE - tp_fx_div(off, wide) : 0;
@@ -169,9 +169,10 @@ static tp_fx sample_wake(const tp_foam_hull *h, tp_fx behind, tp_fx side, tp_fx 
         return 0;
     tp_fx left = TP_FX_ONE - tp_fx_div(behind, reach);
     tp_fx off = tp_fx_mul(behind, ARM);
-    tp_fx arm = band(side - (off > wide ? off : wide) - line / 2, line + behind / 24);
+    tp_fx arm =
+        triangle_profile(side - (off > wide ? off : wide) - line / 2, line + behind / 24);
     tp_fx trail = stern > -h->length / 2 && stern < h->length / 2
-                ? band(side, h->beam / 2 + line) / 2 : 0;
+                ? triangle_profile(side, h->beam / 2 + line) / 2 : 0;
     return tp_fx_mul(arm > trail ? arm : trail, tp_fx_mul(left, left));
 }
 
@@ -192,7 +193,7 @@ static uint32_t hull_gain(const tp_foam_maker *m, tp_fx x)
 
     if (tp_abs(tp_clamp(alpha, -TP_FX_MAX, TP_FX_MAX)) <= TP_FX_ONE) {
         wide = tp_fx_mul(h->beam, TP_FX_ONE - tp_fx_mul(alpha, alpha));
-        tp_fx hugs = band(side - wide - line / 2, line);
+        tp_fx hugs = triangle_profile(side - wide - line / 2, line);
         gain = scale_gain(hugs, LINE_UNITS) + scale_gain(tp_fx_mul(hugs, pace), PACE_UNITS);
     }
     if (pace > 0) {
@@ -249,7 +250,8 @@ void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_world *world,
         .per_shore = tp_fx_recip(scene->foam.shore),
     };
     if (m->pool) {
-        int64_t most = tp_pool_highest(m->pool), full = tp_pool_lsb(m->pool, (tp_fx)most);
+        int64_t most = tp_pool_height_bound(m->pool),
+                full = tp_pool_lsb(m->pool, (tp_fx)most);
         m->per_lsb = full > 0 ? (most * TP_TICKS_PER_SECOND << 32) / full : 0;
     }
     if (m->ocean) {

@@ -16,7 +16,7 @@
 #define OPAQUE 240              /* of 256: maximal opacity */
 #define LACE   212              /* of 256: white share of full cover */
 
-void tp_shade_foam_rank(tp_shade_foam *foam, const tp_texture *texture)
+void tp_shade_foam_make_ranks(tp_shade_foam *foam, const tp_texture *texture)
 {
     TP_ASSERT(texture->levels > 0);
     uint32_t count[256] = { 0 }, total = 1u << (texture->log2_w + texture->log2_h);
@@ -55,7 +55,7 @@ TP_ALWAYS_INLINE uint32_t sample_cover(const tp_shade_foam *f, uint32_t u, uint3
 
 /* Returns the fading weight near the window's edge: 0 at the edge, 256 from an eighth
  * inwards. */
-static uint32_t inside(const tp_shade_foam *f, uint32_t u, uint32_t w)
+static uint32_t edge_fade(const tp_shade_foam *f, uint32_t u, uint32_t w)
 {
     uint32_t most = f->cells * 65536, a = u < most - u ? u : most - u;
     uint32_t b = w < most - w ? w : most - w, least = (a < b ? a : b) >> 8;
@@ -64,7 +64,7 @@ static uint32_t inside(const tp_shade_foam *f, uint32_t u, uint32_t w)
 }
 
 /* Returns the cover 0..255 at a place of the window, 0 outside. */
-TP_ALWAYS_INLINE uint32_t covered(const tp_shade_foam *f, uint32_t s, uint32_t t)
+TP_ALWAYS_INLINE uint32_t sample_faded_cover(const tp_shade_foam *f, uint32_t s, uint32_t t)
 {
     uint32_t ds = s - (uint32_t)f->low_s, dt = t - (uint32_t)f->low_t;
 
@@ -73,7 +73,7 @@ TP_ALWAYS_INLINE uint32_t covered(const tp_shade_foam *f, uint32_t s, uint32_t t
     uint32_t u = (uint32_t)(ds * f->per_metre >> 32);
     uint32_t w = (uint32_t)(dt * f->per_metre >> 32);
     uint32_t cover = sample_cover(f, u, w);
-    return cover ? (cover * inside(f, u, w) + 128) >> 8 : 0;
+    return cover ? (cover * edge_fade(f, u, w) + 128) >> 8 : 0;
 }
 
 /* -- bubbles ------------------------------------------------------------------------- */
@@ -101,7 +101,7 @@ static void soften(lace *l, int32_t n, int32_t mean)
     l->middle = 128 + (mean - 128) * n * 51 / 256;
 }
 
-static void select_lace(const tp_shade *shade, const tp_shade_foam *f, uint32_t key,
+static void select_bubble_level(const tp_shade *shade, const tp_shade_foam *f, uint32_t key,
                         lace *l)
 {
     const tp_texture *texture = f->texture;
@@ -134,8 +134,8 @@ static uint32_t sample_bubbles(const tp_level *level, uint32_t s, uint32_t t)
 /* Returns the whiteness 0..256 of a place with this cover.  The mean over all ranks of a
  * texture equals the cover, if the ramp is centred on the texture's mean.  The result is
  * at most four times the cover, so foam appears and vanishes without a jump. */
-static uint32_t white(const tp_shade_foam *f, const lace *l, uint32_t cover, uint32_t s,
-                      uint32_t t)
+static uint32_t compute_whiteness(const tp_shade_foam *f, const lace *l, uint32_t cover,
+                                  uint32_t s, uint32_t t)
 {
     int32_t rank = 128;
     if (l->level.texel)
@@ -156,8 +156,8 @@ static uint32_t white(const tp_shade_foam *f, const lace *l, uint32_t cover, uin
 /* Returns the lighting 128..256 of foam: ambient and direct light on the water's slope,
  * raised by half of the difference to white, because bubbles scatter light.  Slopes above
  * 2 (63 degrees) count as 2. */
-TP_ALWAYS_INLINE uint32_t lit(const tp_shade *shade, const tp_run *run, int32_t i,
-                              int rippled)
+TP_ALWAYS_INLINE uint32_t foam_light_share(const tp_shade *shade, const tp_run *run,
+                                           int32_t i, int rippled)
 {
     int32_t sx = tp_slope_x(run, i, rippled), sz = tp_slope_z(run, i, rippled);
     uint32_t q = tp_slope_square(sx, sz);
@@ -168,7 +168,7 @@ TP_ALWAYS_INLINE uint32_t lit(const tp_shade *shade, const tp_run *run, int32_t 
     return (uint32_t)(256 + tp_lit_share(shade->ambient, nl)) / 2;
 }
 
-TP_ALWAYS_INLINE void foam(const tp_shade *shade, tp_run *run, int rippled, int shiny)
+TP_ALWAYS_INLINE void foam_run(const tp_shade *shade, tp_run *run, int rippled, int shiny)
 {
     const tp_shade_foam *f = run->mine;
 
@@ -179,14 +179,16 @@ TP_ALWAYS_INLINE void foam(const tp_shade *shade, tp_run *run, int rippled, int 
         lace    l;
         bool    laced = false;
         for (; i < stop; i++) {
-            uint32_t cover = covered(f, run->s[i], run->t[i]);
+            uint32_t cover = sample_faded_cover(f, run->s[i], run->t[i]);
             if (cover == 0)     /* the case of most water pixels */
                 continue;
             if (!laced)
-                select_lace(shade, f, run->key[first], &l);
+                select_bubble_level(shade, f, run->key[first], &l);
             laced = true;
-            uint32_t share = white(f, &l, cover, run->s[i], run->t[i]) * OPAQUE >> 8;
-            uint32_t colour = tp_colour_scale(f->colour, lit(shade, run, i, rippled));
+            uint32_t share =
+                compute_whiteness(f, &l, cover, run->s[i], run->t[i]) * OPAQUE >> 8;
+            uint32_t colour =
+                tp_colour_scale(f->colour, foam_light_share(shade, run, i, rippled));
             run->colour[i] = tp_colour_mix(run->colour[i], colour, share);
             if (shiny)
                 run->glint[i] = (uint16_t)(run->glint[i] * (256 - share) >> 8);
@@ -196,7 +198,7 @@ TP_ALWAYS_INLINE void foam(const tp_shade *shade, tp_run *run, int rippled, int 
 
 #define FOAM_STAGE(name, rippled, shiny) \
     void tp_stage_##name(const tp_shade *shade, tp_run *run) \
-    { foam(shade, run, rippled, shiny); }
+    { foam_run(shade, run, rippled, shiny); }
 TP_FOAM_STAGES(FOAM_STAGE)
 
 const tp_stage tp_foam_stages[] = {

@@ -29,5 +29,5 @@ typedef struct {
     X(foam_shiny_rippled,   1, 1)
 
 /* Fills `rank`.  With ranks every texture turns white by the share of the cover. */
-void tp_shade_foam_rank(tp_shade_foam *foam, const tp_texture *texture);
+void tp_shade_foam_make_ranks(tp_shade_foam *foam, const tp_texture *texture);
 #endif

@@ -4,7 +4,7 @@
 #include "features/haze/haze.h"
 #include "scene/fixed_cost.h"
 
-static void pixels(tp_site *w, const tp_work_pixels *px)
+static void count_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
     uint32_t *work = w->works.of;
 
@@ -13,4 +13,4 @@ static void pixels(tp_site *w, const tp_work_pixels *px)
     work[TP_WORK_haze_cube] = w->is & TP_MODULE_CUBE ? px->water + px->solid : 0;
 }
 
-const tp_cost tp_haze_cost = { .pixels = pixels };
+const tp_cost tp_haze_cost = { .pixels = count_pixel_work };

@@ -38,15 +38,15 @@ TP_ALWAYS_INLINE uint32_t sample_horizon(const tp_shade *shade, tp_env_kind kind
 {
     tp_ray  ray = tp_view_ray(shade, &shade->world, x, y);
     tp_dir3 d = tp_normalise(-ray.x, 0, -ray.z);
-    int     level = tp_env_level(shade, kind, 0);
+    int     level = tp_env_mip_level(shade, kind, 0);
     uint32_t light =
         tp_env_sample_kind(shade, kind, level, d.x >> 16, d.y >> 16, d.z >> 16);
 
     return tp_light_colour(shade, light);
 }
 
-TP_ALWAYS_INLINE void haze(const tp_shade *restrict shade, tp_run *restrict run,
-                           tp_env_kind kind)
+TP_ALWAYS_INLINE void haze_run(const tp_shade *restrict shade, tp_run *restrict run,
+                               tp_env_kind kind)
 {
     const tp_haze *mine = run->mine;
     const uint32_t scale = mine->scale;
@@ -67,12 +67,12 @@ TP_ALWAYS_INLINE void haze(const tp_shade *restrict shade, tp_run *restrict run,
 
 void tp_stage_haze_dome(const tp_shade *restrict shade, tp_run *restrict run)
 {
-    haze(shade, run, TP_ENV_DOME);
+    haze_run(shade, run, TP_ENV_DOME);
 }
 
 void tp_stage_haze_cube(const tp_shade *restrict shade, tp_run *restrict run)
 {
-    haze(shade, run, TP_ENV_CUBE);
+    haze_run(shade, run, TP_ENV_CUBE);
 }
 
 const tp_stage tp_haze_stages[] = {

@@ -39,11 +39,12 @@ static tp_fx bound_crest_height(const tp_scene *s, const tp_wave *given, tp_fx s
         const int64_t reach = ((int64_t)wave->steepness << 32) / k_inf;
         const int64_t round = reach * a / wave->amplitude * (sc.x_q24 >> 8) >> 16;
         const int64_t along = round < most ? round : most;
-        const int64_t tilt = (along * slope >> 16)
-                           * (tp_orbit_fall(s->surf.k0, h) >> 16) >> 16;
-        const int64_t lip = 4 * (int64_t)a > h
-                          ? ((int64_t)a * tp_orbit_fall(KEPT_RATE, h) >> 32) * lips >> 16
-                          : 0;
+        const int64_t tilt =
+            (along * slope >> 16) * (tp_orbit_depth_decay(s->surf.k0, h) >> 16) >> 16;
+        const int64_t lip =
+            4 * (int64_t)a > h
+                ? ((int64_t)a * tp_orbit_depth_decay(KEPT_RATE, h) >> 32) * lips >> 16
+                : 0;
         const int64_t high = ((int64_t)a * (sc.y_q24 >> 8) >> 16) + tilt + lip;
         highest = high > highest ? high : highest;
     }
@@ -83,7 +84,7 @@ static int64_t sample_depth(const ground *g, int64_t x, int64_t z)
 
 /* Returns the floor's steepest rise.  A map is sampled on a lattice of 64 x 64, with
  * differences over two lattice cells, because coastal water smooths the map. */
-static tp_fx steepest(const ground *g)
+static tp_fx floor_steepest_slope(const ground *g)
 {
     const tp_scene *s = g->scene;
     const int64_t d = s->floor.map_size / 64;
@@ -105,9 +106,9 @@ static tp_fx steepest(const ground *g)
 static corner project_corner(const ground *g, int32_t i, int32_t j)
 {
     const tp_scene *s = g->scene;
-    const int64_t x = tp_start_view_line(s, s->grid.cols, g->x,
+    const int64_t x = tp_start_view_line_coordinate(s, s->grid.cols, g->x,
                                          (2 * (int64_t)i + 1 - s->grid.cols) * 32768);
-    const int64_t z = tp_start_view_line(s, s->grid.rows, g->z,
+    const int64_t z = tp_start_view_line_coordinate(s, s->grid.rows, g->z,
                                     (2 * (int64_t)j + 1 - s->grid.rows) * 32768);
     const tp_floor_at at = tp_floor_sample(&g->floor, tp_fx_saturate(x), tp_fx_saturate(z));
     const tp_vec3 place = { tp_fx_saturate(x), tp_fx_saturate(-(int64_t)at.depth),
@@ -117,7 +118,9 @@ static corner project_corner(const ground *g, int32_t i, int32_t j)
 
     tp_projection_view_vertex(
         &g->projection,
-        tp_vec3_add(g->projection.eye, tp_start_view_way(g->projection.eye, place)), &c);
+        tp_vec3_add(g->projection.eye,
+                    tp_start_view_clamped_vector(g->projection.eye, place)),
+        &c);
     corner to = { at.depth > g->deepest, c.depth < g->projection.near,
                   !tp_projection_contains(&g->projection, &c), 0, 0 };
     if (!to.cut)
@@ -145,7 +148,7 @@ static int32_t most(int32_t a, int32_t b)
 
 /* Counts an uncut cell in view.  If the cell faces the camera, its fill is counted too;
  * the cross product of its diagonals is twice its area. */
-static void add_drawn(const ground *g, strip *to, const corner p[4])
+static void count_visible_cell(const ground *g, strip *to, const corner p[4])
 {
     const int64_t area = ((int64_t)p[3].v - p[0].v) * ((int64_t)p[2].u - p[1].u)
                        - ((int64_t)p[3].u - p[0].u) * ((int64_t)p[2].v - p[1].v);
@@ -181,7 +184,7 @@ static void add_cell(const ground *g, strip *to, const corner p[4])
     to->cuts += cut && !none;
     to->offs += none;
     if (!cut)
-        add_drawn(g, to, p);
+        count_visible_cell(g, to, p);
     for (int k = 0; k < 4; k++) {
         const int32_t low = cut ? INT16_MIN : p[k].v >> 4;
         const int32_t high = cut ? INT16_MAX : p[k].v >> 4;
@@ -215,7 +218,7 @@ static uint32_t count_tiles(const ground *g, const strip *s)
          : (uint32_t)(bottom / TP_WORK_BAND - top / TP_WORK_BAND + 1);
 }
 
-static void work(tp_site *w)
+static void count_work(tp_site *w)
 {
     const tp_scene *s = w->scene;
     ground g = { .scene = s, .floor = make_floor(w), .x = w->at.x, .z = w->at.z,
@@ -223,7 +226,7 @@ static void work(tp_site *w)
                  .rows = (int32_t)w->height };
     uint64_t drawn = 0;
 
-    const tp_fx slope = steepest(&g);
+    const tp_fx slope = floor_steepest_slope(&g);
     for (int i = 0; i < TP_WAVES; i++)
         g.deepest +=
             s->wave[i].amplitude > 0 ? bound_crest_height(s, &s->wave[i], slope) : 0;
@@ -245,7 +248,7 @@ static void work(tp_site *w)
 
 /* True if the floor is above the level at the point, `far` m ahead, where the ray would
  * meet the water. */
-static bool stops(const tp_site *w, tp_vec3 ray, int64_t far)
+static bool is_ray_stopped(const tp_site *w, tp_vec3 ray, int64_t far)
 {
     const tp_floor floor = make_floor(w);
     const tp_fx x = tp_fx_saturate(w->at.eye.x + (far * ray.x >> 16));
@@ -254,9 +257,11 @@ static bool stops(const tp_site *w, tp_vec3 ray, int64_t far)
     return !tp_has_tank(w->scene) && tp_floor_sample(&floor, x, z).depth <= 0;
 }
 
-static void pixels(tp_site *w, const tp_work_pixels *px)
+static void count_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
     w->works.of[TP_WORK_land] = tp_work_ray_pixels(w, px->stopped);
 }
 
-const tp_cost tp_land_cost = { .work = work, .stops = stops, .pixels = pixels };
+const tp_cost tp_land_cost = { .work = count_work,
+                               .stops = is_ray_stopped,
+                               .pixels = count_pixel_work };

@@ -84,14 +84,14 @@ static bool is_culled(const corner *const p[4])
     return (p[0]->out & p[1]->out & p[2]->out & p[3]->out) != 0;
 }
 
-static bool is_cut(const corner *const p[4])
+static bool needs_clipping(const corner *const p[4])
 {
     return p[0]->u == TP_GRID_CUT || p[1]->u == TP_GRID_CUT || p[2]->u == TP_GRID_CUT
         || p[3]->u == TP_GRID_CUT;
 }
 
 /* Sets the pixel rows touched by a row of cells; y0 > y1: none. */
-static void place_band(const tp_frame *frame, const land *l, uint32_t j)
+static void set_row_extent(const tp_frame *frame, const land *l, uint32_t j)
 {
     const corner *at = grid_vertex(frame, l, 0, j);
     band rows = { INT32_MAX, INT32_MIN };
@@ -99,7 +99,7 @@ static void place_band(const tp_frame *frame, const land *l, uint32_t j)
     for (uint32_t i = 0; i + 1 < frame->parts.grid->cols; i++) {
         const corner *below = at + i + frame->parts.grid->cols;
         const corner *const p[4] = { at + i, at + i + 1, below, below + 1 };
-        bool cut = is_cut(p);
+        bool cut = needs_clipping(p);
         for (int k = 0; k < 4 && !is_culled(p); k++) {
             int32_t low = cut ? INT32_MIN : p[k]->v >> 4;
             int32_t high = cut ? INT32_MAX : p[k]->v >> 4;
@@ -115,7 +115,7 @@ static void place_band(const tp_frame *frame, const land *l, uint32_t j)
 static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     const tp_grid *grid = frame->parts.grid;
-    tp_fx deepest = tp_surface_height(&frame->surface) + TP_FX_ONE;
+    tp_fx deepest = tp_surface_height_bound(&frame->surface) + TP_FX_ONE;
     land *l = mine;
 
     (void)box;
@@ -124,13 +124,13 @@ static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
         for (uint32_t i = 0; i < grid->cols; i++)
             place_corner(frame, l, i, j, deepest);
         if (j > 0)
-            place_band(frame, l, j - 1);
+            set_row_extent(frame, l, j - 1);
     }
 }
 
 /* -- drawing ------------------------------------------------------------------------ */
 
-static tp_screen_vertex packed(const corner *v)
+static tp_screen_vertex make_screen_vertex(const corner *v)
 {
     return (tp_screen_vertex){ .u = v->u, .v = v->v, .zi = v->zi,
                         .n = { v->n[0], v->n[1], v->n[2] } };
@@ -159,14 +159,15 @@ static void draw_cell(const tp_frame *frame, const land *l, const tp_gbuffer *ti
 
     if (is_culled(all))
         return;
-    if (is_cut(all)) {
+    if (needs_clipping(all)) {
         const uint32_t first[3][2] = { { i, j }, { i, j + 1 }, { i + 1, j + 1 } };
         const uint32_t second[3][2] = { { i, j }, { i + 1, j + 1 }, { i + 1, j } };
         draw_clipped(frame, tile, first, mark);
         draw_clipped(frame, tile, second, mark);
         return;
     }
-    tp_screen_vertex p[4] = { packed(a), packed(b), packed(c), packed(d) };
+    tp_screen_vertex p[4] = { make_screen_vertex(a), make_screen_vertex(b),
+                              make_screen_vertex(c), make_screen_vertex(d) };
     tp_tri_solid(tile, &p[0], &p[3], &p[2], mark, 0, 16);
     tp_tri_solid(tile, &p[0], &p[2], &p[1], mark, 0, 16);
 }
@@ -217,7 +218,7 @@ static void begin(tp_frame *frame, void *mine)
 
 /* True if land is textured and lit like the floor: beside clear water, with a floor
  * texture, or for a camera under water. */
-static bool is_ground(const tp_frame *frame)
+static bool is_shaded_as_floor(const tp_frame *frame)
 {
     return tp_frame_has_module(frame, TP_MODULE_INSIDE)
         && (frame->under || frame->assets.floor_texture || frame->scene->water.clear > 0);
@@ -227,7 +228,7 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
                        tp_shaders *list)
 {
     if (list->owner == &tp_land_drawing)
-        tp_shaders_add(list, TP_AT_COLOUR, is_ground(frame) && stage[1] ? stage[1]
+        tp_shaders_add(list, TP_AT_COLOUR, is_shaded_as_floor(frame) && stage[1] ? stage[1]
                                                                         : stage[0], mine);
 }
 

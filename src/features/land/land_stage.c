@@ -14,7 +14,7 @@ void tp_stage_land(const tp_shade *shade, tp_run *run)
     tp_view_run(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++)
         run->colour[i] = tp_phong(shade, &shade->world, land, land->diffuse,
-                                  tp_vec_q14_packed(run->n[i]),
+                                  tp_vec_q14_unpack(run->n[i]),
                                   (tp_vec_q14){ run->vx[i], run->vy[i], run->vz[i] },
                                   run->lv[i], 0);
 }
@@ -23,7 +23,7 @@ void tp_stage_ground(const tp_shade *shade, tp_run *run)
 {
     for (int32_t i = 0; i < run->count; i++) {
         tp_refracted_ray beam;
-        tp_inside_places(shade, run, i, i + 1, &beam);
+        tp_inside_set_start_points(shade, run, i, i + 1, &beam);
         run->colour[i] = tp_wall_material_light(
             shade,
             tp_wall_material_sample(&shade->inside->floor, beam.at.x, beam.at.z, beam.far,

@@ -19,7 +19,7 @@ typedef struct {
 
 /* Returns om / 2, a turn.  The period is at least 0.1 s, so the result is below 1/12
  * turn. */
-static tp_turn half_turn(const tp_scene_pool *scene)
+static tp_turn half_phase_per_tick(const tp_scene_pool *scene)
 {
     TP_ASSERT(scene->paddle_period > 0);
     return (tp_turn)(((uint64_t)1 << 47) / ((uint64_t)(uint32_t)scene->paddle_period
@@ -35,7 +35,7 @@ static stroke compute_stroke(const tp_pool *pool, const tp_scene_pool *scene)
     TP_ASSERT(scene->courant > 0 && scene->paddle >= 0);
     bool    walls = pool->edges == TP_EDGES_WALL;
     stroke  s = { .row = pool->edges == TP_EDGES_SPONGE ? (uint32_t)scene->sponge : 0 };
-    int64_t sine = (int64_t)tp_sin(half_turn(scene)) * TP_FX_ONE / scene->courant;
+    int64_t sine = (int64_t)tp_sin(half_phase_per_tick(scene)) * TP_FX_ONE / scene->courant;
 
     sine = sine < TP_Q30(0.99) ? sine : TP_Q30(0.99);
     int64_t cosine = tp_isqrt64(((uint64_t)1 << 60) - (uint64_t)(sine * sine));
@@ -58,7 +58,8 @@ static void push_column(tp_pool *pool, const stroke *s, uint32_t col, int32_t pu
 {
     uint32_t other = s->row + s->apart;
 
-    if (tp_pool_wall(pool, col, s->row) || tp_pool_wall(pool, col, other))
+    if (tp_pool_is_wall_or_outside(pool, col, s->row)
+        || tp_pool_is_wall_or_outside(pool, col, other))
         return;
     int32_t done = tp_pool_add(pool, col, s->row, push);
     int32_t back = tp_pool_add(pool, col, other, -done);
@@ -69,12 +70,12 @@ static void push_column(tp_pool *pool, const stroke *s, uint32_t col, int32_t pu
 void tp_paddle_push(tp_pool *pool, const tp_scene_pool *scene, uint64_t tick)
 {
     stroke  s = compute_stroke(pool, scene);
-    tp_turn phase = (tp_turn)(2 * (uint64_t)half_turn(scene) * tick);
+    tp_turn phase = (tp_turn)(2 * (uint64_t)half_phase_per_tick(scene) * tick);
     int32_t push = tp_q30_mul(s.push, tp_sin(phase));
 
     for (uint32_t col = 0; push != 0 && col < pool->cols; col++)
         push_column(pool, &s, col, push);
-    tp_pool_stirred(pool, tp_pool_lsb(pool, scene->paddle));
+    tp_pool_wake(pool, tp_pool_lsb(pool, scene->paddle));
 }
 
 /* -- the module ---------------------------------------------------------------------- */
@@ -92,7 +93,7 @@ bool tp_paddle_enabled(const tp_want *want)
 static void step(void *mine, const tp_program *program, tp_world *world,
                  const tp_scene *scene, const tp_input *input)
 {
-    tp_pool *pool = tp_parts_pool(world), *field = tp_parts_field(world);
+    tp_pool *pool = tp_world_mutable_pool(world), *field = tp_world_mutable_field(world);
 
     (void)mine, (void)program, (void)input;
     if (pool && has_paddle(&scene->pool))

@@ -33,7 +33,7 @@ static tp_fx random_place(tp_world *world, tp_fx centre, int32_t cells, tp_fx ce
     return (tp_fx)(centre - side / 2 + (side * (tp_random(&world->random) >> 8) >> 24));
 }
 
-static void poke(tp_basin *basin, tp_world *world, const tp_scene_pool *scene)
+static void step_random_splash(tp_basin *basin, tp_world *world, const tp_scene_pool *scene)
 {
     if (!basin || scene->poke_every <= 0)
         return;
@@ -48,7 +48,7 @@ static void poke(tp_basin *basin, tp_world *world, const tp_scene_pool *scene)
     tp_pool_add_splash(&basin->pool, x, z, scene->poke_size, scene->poke);
 }
 
-static void push(tp_pool *pool, const tp_scene *scene, const tp_input *in)
+static void add_user_splashes(tp_pool *pool, const tp_scene *scene, const tp_input *in)
 {
     for (int i = 0; in && pool && i < TP_PUSHES; i++) {
         const tp_push *p = &in->push[i];
@@ -61,9 +61,9 @@ static void step_pokes(void *mine, const tp_program *program, tp_world *world,
                        const tp_scene *scene, const tp_input *in)
 {
     (void)mine, (void)program;
-    push(tp_parts_pool(world), scene, in);
-    poke(tp_world_part(world, TP_POOL_ID), world, &scene->pool);
-    poke(tp_world_part(world, TP_FIELD_ID), world, &scene->field);
+    add_user_splashes(tp_world_mutable_pool(world), scene, in);
+    step_random_splash(tp_world_module_state(world, TP_POOL_ID), world, &scene->pool);
+    step_random_splash(tp_world_module_state(world, TP_FIELD_ID), world, &scene->field);
 }
 
 bool tp_pokes_enabled(const tp_want *want)

@@ -4,7 +4,7 @@
 #include "features/reflection/mirror.h"
 #include "scene/fixed_cost.h"
 
-static void pixels(tp_site *w, const tp_work_pixels *px)
+static void count_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
     if (!w->mirrors)
         return;
@@ -12,4 +12,4 @@ static void pixels(tp_site *w, const tp_work_pixels *px)
     w->works.of[TP_WORK_looked_near] = px->mirrored;
 }
 
-const tp_cost tp_mirror_cost = { .pixels = pixels };
+const tp_cost tp_mirror_cost = { .pixels = count_pixel_work };

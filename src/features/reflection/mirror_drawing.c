@@ -14,7 +14,7 @@ typedef struct {
 } mirror;
 
 /* Updates the columns' depths by row y of a band. */
-static void see_depths(tp_mirrored_zi *zi, const tp_gbuffer *band, int32_t y)
+static void update_column_depths(tp_mirrored_zi *zi, const tp_gbuffer *band, int32_t y)
 {
     const uint32_t *key = band->key + (size_t)(uint32_t)(y - band->y0) * band->stride;
 
@@ -44,8 +44,8 @@ static void fill_gaps(tp_mirrored_zi *zi, uint32_t count)
 /* Returns the projection of the mirrored camera.  Its rows count from the other end: its
  * row j is row rows - 1 - j of the camera, because its up vector is the camera's,
  * mirrored and negated. */
-static tp_projection mirror_lens(const tp_frame *frame, const tp_planar_store *store,
-                                 tp_fx level)
+static tp_projection mirrored_projection(const tp_frame *frame,
+                                         const tp_planar_store *store, tp_fx level)
 {
     TP_ASSERT(store->halvings > 0);
     const tp_projection *from = &frame->projection;
@@ -71,10 +71,10 @@ enum { OVERLAP = 2 };
 /* Returns the clip level.  Troughs expose a hull below the mean level, so the clip level
  * is the deepest trough.  With tank walls the clip level is the mean level: walls and
  * floor below it would be reflected all over the water. */
-static tp_view_plane mirror_level(const tp_frame *frame, const tp_projection *projection,
-                                  tp_fx level)
+static tp_view_plane mirror_clip_plane(const tp_frame *frame,
+                                       const tp_projection *projection, tp_fx level)
 {
-    const tp_fx trough = -tp_surface_height(&frame->surface);
+    const tp_fx trough = -tp_surface_height_bound(&frame->surface);
     const bool  bare = !tp_frame_has_module(frame, TP_MODULE_WALLS) && trough < level;
     tp_view_plane plane = tp_projection_level_plane(projection, bare ? trough : level, 1);
 
@@ -100,32 +100,32 @@ static void draw_mirror(tp_frame *frame, mirror *m, const tp_view *view)
     for (int32_t y0 = half->y0; y0 < half->y1; y0 += TP_PLANAR_BAND) {
         tp_gbuffer band = tp_planar_gbuffer(store, half, y0);
         tp_gbuffer_clear(&band);
-        tp_view_draw(frame, view, &band);
+        tp_view_draw_solids(frame, view, &band);
         for (int32_t y = y0; y < band.y1; y++) {
             tp_frame_colour_row(frame, &band, y,
                                 store->colour + (uint32_t)(half->y1 - 1 - y) * wide);
-            see_depths(m->zi, &band, y);
+            update_column_depths(m->zi, &band, y);
         }
     }
     fill_gaps(m->zi, wide);
 }
 
-static void look(tp_frame *frame, void *mine)
+static void draw_map(tp_frame *frame, void *mine)
 {
     mirror *m = mine;
     const int32_t rows = (int32_t)m->store.rows;
-    tp_fx    level = tp_view_water_level(frame);
+    tp_fx    level = tp_view_anchor_level(frame);
     tp_half *half = &m->look.half;
 
     half->colour = NULL;
     if (!tp_view_is_above_level(frame, level))
         return;
-    tp_projection  projection = mirror_lens(frame, &m->store, level);
+    tp_projection  projection = mirrored_projection(frame, &m->store, level);
     tp_view view = { .projection = &projection, .cut = true, .walls = true,
-                       .level = mirror_level(frame, &projection, level) };
+                       .level = mirror_clip_plane(frame, &projection, level) };
     tp_view_begin(frame, &view);
-    tp_grid_box box = tp_view_place(frame, &view);
-    if (!tp_planar_begin(&m->store, &box, half))
+    tp_grid_box box = tp_view_project_solids(frame, &view);
+    if (!tp_planar_set_bounds(&m->store, &box, half))
         return;
     set_bending(frame, &m->look, level);
     draw_mirror(frame, m, &view);
@@ -166,5 +166,5 @@ const tp_module tp_mirror_module = {
 };
 
 const tp_drawing tp_mirror_drawing = {
-    .layout = layout, .look = look, .stages = tp_add_mirrored,
+    .layout = layout, .look = draw_map, .stages = tp_add_mirrored,
 };

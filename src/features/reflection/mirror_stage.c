@@ -41,7 +41,7 @@ static axis make_axis(tp_dir3 d, int sign)
 }
 
 /* Returns a displacement, clamped to 2^20: 65536 px. */
-static int32_t way(int64_t q16, int32_t focal)
+static int32_t clamped_displacement(int64_t q16, int32_t focal)
 {
     return (int32_t)tp_clamp_abs(q16 * focal >> 16, 1 << 20);
 }
@@ -53,7 +53,7 @@ static int32_t ray_coordinate(const tp_shade *shade, int32_t sixteenths)
 }
 
 /* Returns a b - c d in the format of one factor. */
-TP_ALWAYS_INLINE int64_t crossed(int32_t a, int32_t b, int32_t c, int32_t d)
+TP_ALWAYS_INLINE int64_t difference_of_products(int32_t a, int32_t b, int32_t c, int32_t d)
 {
     return ((int64_t)a * b - (int64_t)c * d) >> 16;
 }
@@ -61,28 +61,35 @@ TP_ALWAYS_INLINE int64_t crossed(int32_t a, int32_t b, int32_t c, int32_t d)
 /* Computes the factors at column x.  Wide views have rays up to 300, 2^25 in Q16.  Rays
  * are clamped to 2048, so cross products with an axis stay below 2^30 and products of two
  * such numbers below 2^58. */
-static push compute_push(const tp_shade *shade, int32_t x, int32_t y)
+static push displacement_factors(const tp_shade *shade, int32_t x, int32_t y)
 {
     const tp_view_axes *axes = &shade->world;
     const axis r = make_axis(axes->right, 1), up = make_axis(axes->up, 1),
                a = make_axis(axes->back, -1);
     const int32_t qu = ray_coordinate(shade, 16 * x + 8 - shade->u0);
     const int32_t qv = ray_coordinate(shade, shade->v0 - 16 * y - 8);
-    const int32_t dx = a.x + (int32_t)crossed(qu, r.x, -qv, up.x);
-    const int32_t dy = a.y + (int32_t)crossed(qu, r.y, -qv, up.y);
-    const int32_t dz = a.z + (int32_t)crossed(qu, r.z, -qv, up.z);
-    const int32_t ax = (int32_t)crossed(dy, a.x, dx, a.y);
-    const int32_t az = (int32_t)crossed(dy, a.z, dz, a.y);
-    const int64_t xu = crossed(dy, r.x, dx, r.y) - ((int64_t)qu * ax >> 16);
-    const int64_t zu = crossed(dy, r.z, dz, r.y) - ((int64_t)qu * az >> 16);
-    const int64_t xv = crossed(dy, up.x, dx, up.y) - ((int64_t)qv * ax >> 16);
-    const int64_t zv = crossed(dy, up.z, dz, up.y) - ((int64_t)qv * az >> 16);
+    const int32_t dx = a.x + (int32_t)difference_of_products(qu, r.x, -qv, up.x);
+    const int32_t dy = a.y + (int32_t)difference_of_products(qu, r.y, -qv, up.y);
+    const int32_t dz = a.z + (int32_t)difference_of_products(qu, r.z, -qv, up.z);
+    const int32_t ax = (int32_t)difference_of_products(dy, a.x, dx, a.y);
+    const int32_t az = (int32_t)difference_of_products(dy, a.z, dz, a.y);
+    const int64_t xu =
+        difference_of_products(dy, r.x, dx, r.y) - ((int64_t)qu * ax >> 16);
+    const int64_t zu =
+        difference_of_products(dy, r.z, dz, r.y) - ((int64_t)qu * az >> 16);
+    const int64_t xv =
+        difference_of_products(dy, up.x, dx, up.y) - ((int64_t)qv * ax >> 16);
+    const int64_t zv =
+        difference_of_products(dy, up.z, dz, up.y) - ((int64_t)qv * az >> 16);
     const int32_t focal = shade->focal;
 
     return (push){
-        way(2 * xu, focal), way(-2 * xv, focal), way(2 * zu, focal), way(-2 * zv, focal),
-        way(-2 * (r.y - ((int64_t)qu * a.y >> 16)), focal),
-        way(2 * (up.y - ((int64_t)qv * a.y >> 16)), focal),
+        clamped_displacement(2 * xu, focal),
+        clamped_displacement(-2 * xv, focal),
+        clamped_displacement(2 * zu, focal),
+        clamped_displacement(-2 * zv, focal),
+        clamped_displacement(-2 * (r.y - ((int64_t)qu * a.y >> 16)), focal),
+        clamped_displacement(2 * (up.y - ((int64_t)qv * a.y >> 16)), focal),
         (int32_t)tp_clamp_abs(dy, 1 << 26),
     };
 }
@@ -93,7 +100,7 @@ static push push_difference(const push *a, const push *b)
                    b->hu - a->hu, b->hv - a->hv, b->dy - a->dy };
 }
 
-TP_ALWAYS_INLINE int32_t at(int32_t from, int32_t step, int32_t k)
+TP_ALWAYS_INLINE int32_t interpolate_factor(int32_t from, int32_t step, int32_t k)
 {
     return from + (step * k >> 4);
 }
@@ -110,8 +117,9 @@ TP_ALWAYS_INLINE int32_t depth_ratio(uint32_t zi_mirror, uint32_t key)
 
 /* Returns a displacement below 2048 px.  Displacements by slopes fit 32 bits: factors
  * below 2^20.6 times slopes below 2^15. */
-TP_ALWAYS_INLINE int32_t moved(int32_t by_x, int32_t sx, int32_t by_z, int32_t sz,
-                               int32_t share, int32_t by_h, int32_t h)
+TP_ALWAYS_INLINE int32_t pixel_displacement(int32_t by_x, int32_t sx, int32_t by_z,
+                                            int32_t sz, int32_t share, int32_t by_h,
+                                            int32_t h)
 {
     int32_t slope = (int32_t)(((int64_t)by_x * sx + (int64_t)by_z * sz) >> 12);
     return (int32_t)tp_clamp_abs(((int64_t)slope * share + (int64_t)by_h * h) >> 16,
@@ -121,9 +129,10 @@ TP_ALWAYS_INLINE int32_t moved(int32_t by_x, int32_t sx, int32_t by_z, int32_t s
 #define BESIDE (65536 + 8192)
 
 /* Returns the colour of the reflected object at column x; 0: no object. */
-TP_ALWAYS_INLINE uint32_t seen(const tp_mirror *look, int32_t y, const push *a,
-                               const push *step, int32_t x, uint32_t key, int32_t sx,
-                               int32_t sz)
+TP_ALWAYS_INLINE uint32_t sample_reflected_object(const tp_mirror *look, int32_t y,
+                                                  const push *a, const push *step,
+                                                  int32_t x, uint32_t key, int32_t sx,
+                                                  int32_t sz)
 {
     const tp_half *half = &look->half;
     int32_t k = x & 15, last = half->x1 - half->x0 - 1;
@@ -139,13 +148,15 @@ TP_ALWAYS_INLINE uint32_t seen(const tp_mirror *look, int32_t y, const push *a,
     }
     int32_t share = tp_clamp(65536 - ratio, 0, 65536) * look->bend >> 8;
     int64_t high = ((int64_t)zi * look->height >> 27)
-                 + ((int64_t)at(a->dy, step->dy, k) * ratio >> 16);
+                   + ((int64_t)interpolate_factor(a->dy, step->dy, k) * ratio >> 16);
     int32_t h = (int32_t)tp_clamp_abs(high, 1 << 20);
 
-    int32_t du = moved(at(a->xu, step->xu, k), sx, at(a->zu, step->zu, k), sz, share,
-                       at(a->hu, step->hu, k), h);
-    int32_t dv = moved(at(a->xv, step->xv, k), sx, at(a->zv, step->zv, k), sz, share,
-                       at(a->hv, step->hv, k), h);
+    int32_t du = pixel_displacement(interpolate_factor(a->xu, step->xu, k), sx,
+                                    interpolate_factor(a->zu, step->zu, k), sz, share,
+                                    interpolate_factor(a->hu, step->hu, k), h);
+    int32_t dv = pixel_displacement(interpolate_factor(a->xv, step->xv, k), sx,
+                                    interpolate_factor(a->zv, step->zv, k), sz, share,
+                                    interpolate_factor(a->hv, step->hv, k), h);
     return tp_half_sample(half, (16 * x + 8 + du) >> half->coarser,
                           (16 * y + 8 + dv) >> half->coarser);
 }
@@ -158,13 +169,13 @@ void tp_stage_mirrored(const tp_shade *shade, tp_run *run)
 
     if (!look->half.colour)
         return;
-    push a = compute_push(shade, x & ~15, run->y);
+    push a = displacement_factors(shade, x & ~15, run->y);
     for (int32_t i = 0; x < end; ) {
         int32_t next = (x & ~15) + 16, stop = next < end ? next : end;
-        push b = compute_push(shade, next, run->y), step = push_difference(&a, &b);
+        push b = displacement_factors(shade, next, run->y), step = push_difference(&a, &b);
         for (; x < stop; x++, i++) {
-            uint32_t top = seen(look, run->y, &a, &step, x, run->key[i], run->sx[i],
-                                run->sz[i]);
+            uint32_t top = sample_reflected_object(look, run->y, &a, &step, x,
+                                                   run->key[i], run->sx[i], run->sz[i]);
             if (top)
                 run->mirror[i] = tp_colour_composite(run->mirror[i], top);
         }

@@ -16,19 +16,19 @@ typedef struct {
 } cube_map;
 
 /* Returns the point eye + (to - eye) part, with y = level. */
-static tp_vec3 towards(tp_vec3 eye, tp_vec3 to, tp_fx part, tp_fx level)
+static tp_vec3 interpolate_on_level(tp_vec3 eye, tp_vec3 to, tp_fx part, tp_fx level)
 {
     return (tp_vec3){ eye.x + tp_fx_mul(to.x - eye.x, part), level,
                       eye.z + tp_fx_mul(to.z - eye.z, part) };
 }
 
 /* Fills *cube except for its colours.  Returns the point. */
-static tp_vec3 set_object_cube(const tp_frame *frame, tp_object_cube *cube, tp_fx level)
+static tp_vec3 set_cube_viewpoint(const tp_frame *frame, tp_object_cube *cube, tp_fx level)
 {
     const tp_vec3 eye = frame->projection.eye, to = tp_frame_anchor(frame).middle;
     const tp_fx up = eye.y - level, high = to.y - level > TP_FX_ONE / 4
                                          ? to.y - level : TP_FX_ONE / 4;
-    const tp_vec3 point = towards(eye, to, tp_fx_div(up, up + high), level);
+    const tp_vec3 point = interpolate_on_level(eye, to, tp_fx_div(up, up + high), level);
     const tp_vec3 way = tp_vec3_sub(to, point);
     const tp_dir3 n = tp_normalise(way.x, 0, way.z);
 
@@ -58,7 +58,7 @@ static bool draw_face(tp_frame *frame, uint32_t *at, tp_view *view, uint32_t *to
     const size_t plane = WIDE * BAND;
 
     tp_view_begin(frame, view);
-    tp_grid_box box = tp_view_place(frame, view);
+    tp_grid_box box = tp_view_project_solids(frame, view);
     memset(to, 0, TP_OBJECT_CUBE_SIDE * TP_OBJECT_CUBE_SIDE * sizeof *to);
     for (int32_t y0 = 0; y0 < WIDE; y0 += BAND) {
         tp_gbuffer band = { 0, y0, WIDE, y0 + BAND, WIDE, at, at + plane,
@@ -66,14 +66,14 @@ static bool draw_face(tp_frame *frame, uint32_t *at, tp_view *view, uint32_t *to
         if (!tp_view_touches(&box, &band))
             continue;
         tp_gbuffer_clear(&band);
-        tp_view_draw(frame, view, &band);
+        tp_view_draw_solids(frame, view, &band);
         for (int32_t y = y0; y < y0 + BAND; y++)
             add_row(frame, &band, y, to + y / 2 * TP_OBJECT_CUBE_SIDE);
     }
     return box.x0 <= box.x1;
 }
 
-static void look(tp_frame *frame, void *mine)
+static void draw_map(tp_frame *frame, void *mine)
 {
     static const int32_t turn[TP_OBJECT_CUBE_FACES][2] = { /* quarters: heading, pitch */
                                                            { 1, 0 },
@@ -83,7 +83,7 @@ static void look(tp_frame *frame, void *mine)
                                                            { 0, 1 }
     };
     cube_map *m = mine;
-    const tp_fx level = tp_view_water_level(frame);
+    const tp_fx level = tp_view_anchor_level(frame);
     const uint32_t quarter = (uint32_t)1 << 30;
     bool seen = false;
 
@@ -91,7 +91,7 @@ static void look(tp_frame *frame, void *mine)
     if (!tp_view_is_above_level(frame, level)
         || !tp_frame_has_module(frame, TP_MODULE_SOLID))
         return;
-    const tp_vec3 point = set_object_cube(frame, &m->around, level);
+    const tp_vec3 point = set_cube_viewpoint(frame, &m->around, level);
     for (uint32_t f = 0; f < TP_OBJECT_CUBE_FACES; f++) {
         tp_projection projection;
         tp_projection_init(&projection, point, (uint32_t)turn[f][0] * quarter,
@@ -132,5 +132,5 @@ const tp_module tp_object_cube_module = {
 };
 
 const tp_drawing tp_object_cube_drawing = {
-    .layout = layout, .look = look, .stages = tp_add_mirrored,
+    .layout = layout, .look = draw_map, .stages = tp_add_mirrored,
 };

@@ -30,7 +30,7 @@ static uint32_t texel(const uint32_t *face, int32_t i, int32_t j)
 
 /* Returns the number of the face hit by *w.  Sets the coordinates right and up on the
  * face, and `ahead`, the largest of the three. */
-static int facing(const way *w, int64_t *right, int64_t *up, int64_t *ahead)
+static int find_cube_face(const way *w, int64_t *right, int64_t *up, int64_t *ahead)
 {
     int64_t ax = magnitude(w->x), az = magnitude(w->z);
     int     face = ax >= az ? w->x < 0 : 2 + (w->z < 0);
@@ -52,7 +52,7 @@ static int facing(const way *w, int64_t *right, int64_t *up, int64_t *ahead)
 static uint32_t sample_cube(const tp_object_cube *cube, const way *w)
 {
     int64_t right, up, ahead;
-    int     face = facing(w, &right, &up, &ahead), down = 0;
+    int     face = find_cube_face(w, &right, &up, &ahead), down = 0;
 
     if (ahead <= 0 || up < -ahead)
         return 0;
@@ -70,9 +70,9 @@ static uint32_t sample_cube(const tp_object_cube *cube, const way *w)
 
     i >>= 5;
     j >>= 5;
-    return tp_bytes_mix(
-        tp_bytes_mix(texel(from, i, j), texel(from, i + 1, j), fi),
-        tp_bytes_mix(texel(from, i, j + 1), texel(from, i + 1, j + 1), fi), fj);
+    return tp_argb_mix_32(
+        tp_argb_mix_32(texel(from, i, j), texel(from, i + 1, j), fi),
+        tp_argb_mix_32(texel(from, i, j + 1), texel(from, i + 1, j + 1), fi), fj);
 }
 
 /* Returns the view ray at column x with 1 along the camera's axis, Q16. */

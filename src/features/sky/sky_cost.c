@@ -13,7 +13,7 @@ static void add_hdr_work(tp_site *w, const tp_work_pixels *px)
     w->works.of[TP_WORK_hdr] = s->water.reflection > 0 ? px->water : 0;
 }
 
-static void dome_pixels(tp_site *w, const tp_work_pixels *px)
+static void count_dome_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
     const bool quick = w->quick && !(w->is & TP_MODULE_STARS);
 
@@ -21,17 +21,17 @@ static void dome_pixels(tp_site *w, const tp_work_pixels *px)
     add_hdr_work(w, px);
 }
 
-static void cube_pixels(tp_site *w, const tp_work_pixels *px)
+static void count_cube_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
     w->works.of[TP_WORK_sky_cube] = px->sky;
     add_hdr_work(w, px);
 }
 
-static void star_pixels(tp_site *w, const tp_work_pixels *px)
+static void count_star_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
     w->works.of[TP_WORK_sky_stars] = px->sky;
 }
 
-const tp_cost tp_sky_dome_cost = { .pixels = dome_pixels };
-const tp_cost tp_sky_cube_cost = { .pixels = cube_pixels };
-const tp_cost tp_stars_cost = { .pixels = star_pixels };
+const tp_cost tp_sky_dome_cost = { .pixels = count_dome_pixel_work };
+const tp_cost tp_sky_cube_cost = { .pixels = count_cube_pixel_work };
+const tp_cost tp_stars_cost = { .pixels = count_star_pixel_work };

@@ -39,7 +39,7 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
     if (list->kind == TP_LIST_SKY && !frame->under)
         tp_shaders_add(list, TP_AT_COLOUR,
                        stage[frame->shade.env.beyond ? EMPTY_HDR : EMPTY], mine);
-    if (tp_frame_mirrors(frame, list))
+    if (tp_frame_reflects_sky(frame, list))
         tp_shaders_add(list, TP_AT_REFLECT, stage[REFLECT], mine);
 }
 

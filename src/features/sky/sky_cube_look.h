@@ -25,12 +25,12 @@ TP_ALWAYS_INLINE void tp_cube_sides_select(tp_cube_sides *sides, const tp_cube *
 
 /* Looks up to TP_CUBE_ROW directions.  The faces and coordinates are computed eight at a
  * time, the texels are read one by one, the colours are mixed eight at a time. */
-TP_ALWAYS_INLINE void tp_cube_row_wide(const tp_shade *restrict shade,
-                                       const tp_cube_side *restrict side,
-                                       const int32_t *restrict x,
-                                       const int32_t *restrict y,
-                                       const int32_t *restrict z, int32_t count,
-                                       uint32_t *restrict out)
+TP_ALWAYS_INLINE void tp_cube_sample_wide(const tp_shade *restrict shade,
+                                          const tp_cube_side *restrict side,
+                                          const int32_t *restrict x,
+                                          const int32_t *restrict y,
+                                          const int32_t *restrict z, int32_t count,
+                                          uint32_t *restrict out)
 {
     int32_t  face[TP_CUBE_ROW], first[TP_CUBE_ROW];
     int32_t  right[TP_CUBE_ROW], below[TP_CUBE_ROW];

@@ -7,9 +7,9 @@
 #include "tidepool/modules.h"
 
 /* Shades the sky in samples [i, stop), at most TP_CUBE_ROW. */
-TP_ALWAYS_INLINE void empty_wide(const tp_shade *restrict shade, tp_run *restrict run,
-                                 const tp_cube_side *side, int32_t i, int32_t stop,
-                                 int hdr)
+TP_ALWAYS_INLINE void shade_sky_wide(const tp_shade *restrict shade, tp_run *restrict run,
+                                     const tp_cube_side *side, int32_t i, int32_t stop,
+                                     int hdr)
 {
     int32_t  x[TP_CUBE_ROW], y[TP_CUBE_ROW], z[TP_CUBE_ROW], count = stop - i;
     uint32_t light[TP_CUBE_ROW];
@@ -19,27 +19,27 @@ TP_ALWAYS_INLINE void empty_wide(const tp_shade *restrict shade, tp_run *restric
         y[k] = -run->vy[i + k];
         z[k] = -run->vz[i + k];
     }
-    tp_cube_row_wide(shade, side, x, y, z, count, light);
+    tp_cube_sample_wide(shade, side, x, y, z, count, light);
     for (int32_t k = 0; k < count; k++)
         run->colour[i + k] = tp_sky_colour(shade, light[k], hdr);
 }
 
-TP_ALWAYS_INLINE void empty(const tp_shade *shade, tp_run *run, int hdr)
+TP_ALWAYS_INLINE void shade_sky(const tp_shade *shade, tp_run *run, int hdr)
 {
     TP_ASSERT(shade->env.cube != NULL);
     tp_cube_sides sides = { .level = -1 };
 
     tp_view_run(shade, &shade->world, run);
-    tp_cube_sides_select(&sides, shade->env.cube, tp_env_level(shade, TP_ENV_CUBE, 0));
+    tp_cube_sides_select(&sides, shade->env.cube, tp_env_mip_level(shade, TP_ENV_CUBE, 0));
     for (int32_t i = 0; i < run->count; ) {
         int32_t stop = tp_block_end(run, i);
         if (TP_WIDE) {
-            empty_wide(shade, run, sides.side, i, stop, hdr);
+            shade_sky_wide(shade, run, sides.side, i, stop, hdr);
             i = stop;
         }
         for (; i < stop; i++) {
             tp_cube_ray ray = tp_cube_face(-run->vx[i], -run->vy[i], -run->vz[i]);
-            uint32_t    light = tp_cube_look(shade, &ray, &sides.side[ray.face]);
+            uint32_t    light = tp_cube_sample(shade, &ray, &sides.side[ray.face]);
             run->colour[i] = tp_sky_colour(shade, light, hdr);
         }
     }
@@ -47,12 +47,12 @@ TP_ALWAYS_INLINE void empty(const tp_shade *shade, tp_run *run, int hdr)
 
 void tp_stage_sky_cube(const tp_shade *shade, tp_run *run)
 {
-    empty(shade, run, 0);
+    shade_sky(shade, run, 0);
 }
 
 void tp_stage_sky_cube_hdr(const tp_shade *shade, tp_run *run)
 {
-    empty(shade, run, 1);
+    shade_sky(shade, run, 1);
 }
 
 /* Shades the reflection in samples [i, stop), at most TP_CUBE_ROW. */
@@ -67,7 +67,7 @@ TP_ALWAYS_INLINE void reflect_wide(const tp_shade *restrict shade, tp_run *restr
         y[k] = to.y;
         z[k] = to.z;
     }
-    tp_cube_row_wide(shade, side, x, y, z, count, run->mirror + i);
+    tp_cube_sample_wide(shade, side, x, y, z, count, run->mirror + i);
 }
 
 /* Reflects the cube.  The mipmap level is chosen for blocks of 16 columns.  In far water
@@ -82,7 +82,7 @@ void tp_stage_reflect_cube(const tp_shade *restrict shade, tp_run *restrict run)
         int32_t depth = tp_log_depth(shade, run->key[i]), stop = tp_block_end(run, i);
         int     coarser = 128 + (depth > 0 ? depth / 2 : 0);
         tp_cube_sides_select(&sides, shade->env.cube,
-                             tp_env_level(shade, TP_ENV_CUBE, coarser));
+                             tp_env_mip_level(shade, TP_ENV_CUBE, coarser));
         if (TP_WIDE) {
             reflect_wide(shade, run, sides.side, i, stop);
             i = stop;
@@ -90,7 +90,7 @@ void tp_stage_reflect_cube(const tp_shade *restrict shade, tp_run *restrict run)
         for (; i < stop; i++) {
             tp_ray to = tp_reflected_compute(run, i);
             tp_cube_ray ray = tp_cube_face(to.x, to.y, to.z);
-            run->mirror[i] = tp_cube_look(shade, &ray, &sides.side[ray.face]);
+            run->mirror[i] = tp_cube_sample(shade, &ray, &sides.side[ray.face]);
         }
     }
 }

@@ -38,7 +38,7 @@ static void begin(tp_frame *frame, void *mine)
 
 /* Returns the stage of the visible sky.  The fast stage does not compute the view vectors
  * needed by stars, so stars exclude the fast stage. */
-static tp_stage empty_stage(const tp_frame *frame, const tp_stage *stage)
+static tp_stage select_sky_stage(const tp_frame *frame, const tp_stage *stage)
 {
     const tp_env *env = &frame->shade.env;
 
@@ -53,8 +53,8 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
                        tp_shaders *list)
 {
     if (list->kind == TP_LIST_SKY && !frame->under)
-        tp_shaders_add(list, TP_AT_COLOUR, empty_stage(frame, stage), mine);
-    if (tp_frame_mirrors(frame, list))
+        tp_shaders_add(list, TP_AT_COLOUR, select_sky_stage(frame, stage), mine);
+    if (tp_frame_reflects_sky(frame, list))
         tp_shaders_add(list, TP_AT_REFLECT, stage[REFLECT], mine);
 }
 

@@ -17,15 +17,15 @@ static uint32_t sample_dome(const tp_shade *shade, tp_ray v)
     return tp_env_dome(shade, 0, -v.x, -v.y, -v.z) & 0x00ffffff;
 }
 
-static bool is_close(const tp_shade *shade, tp_ray v)
+static bool is_near_sun(const tp_shade *shade, tp_ray v)
 {
     return tp_square_length(v.x + shade->world.lx, v.y + shade->world.ly,
                         v.z + shade->world.lz) < CLOSE;
 }
 
 /* Looks up columns [k, end) of the 16 columns from ray a to ray b. */
-static void look(const tp_shade *shade, uint32_t *colour, tp_ray a, tp_ray b, int32_t k,
-                 int32_t end)
+static void sample_dome_columns(const tp_shade *shade, uint32_t *colour, tp_ray a,
+                                tp_ray b, int32_t k, int32_t end)
 {
     for (; k < end; k++) {
         tp_ray v = { a.x + ((b.x - a.x) * k >> 4), a.y + ((b.y - a.y) * k >> 4),
@@ -45,8 +45,8 @@ void tp_stage_quick_sky_dome(const tp_shade *shade, tp_run *run)
         int32_t  from = x & ~15, stop = from + 16 < end ? from + 16 : end;
         tp_ray   b = tp_quick_ray(shade, &row, 16 * from + 16 * 16 + 8);
         uint32_t there = sample_dome(shade, b), *colour = run->colour + (x - run->x);
-        if (is_close(shade, a) || is_close(shade, b))
-            look(shade, colour, a, b, x - from, stop - from);
+        if (is_near_sun(shade, a) || is_near_sun(shade, b))
+            sample_dome_columns(shade, colour, a, b, x - from, stop - from);
         else
             FILL(colour, tp_quick_shade_make(here, there), x - from, stop - from);
         x = stop;

@@ -5,7 +5,7 @@
 #include "shade/reflected.h"
 #include "tidepool/modules.h"
 
-TP_ALWAYS_INLINE void empty(const tp_shade *shade, tp_run *run, int hdr)
+TP_ALWAYS_INLINE void shade_sky(const tp_shade *shade, tp_run *run, int hdr)
 {
     TP_ASSERT(shade->env.dome != NULL);
     const int32_t count = run->count;
@@ -19,12 +19,12 @@ TP_ALWAYS_INLINE void empty(const tp_shade *shade, tp_run *run, int hdr)
 
 void tp_stage_sky_dome(const tp_shade *shade, tp_run *run)
 {
-    empty(shade, run, 0);
+    shade_sky(shade, run, 0);
 }
 
 void tp_stage_sky_dome_hdr(const tp_shade *shade, tp_run *run)
 {
-    empty(shade, run, 1);
+    shade_sky(shade, run, 1);
 }
 
 TP_ALWAYS_INLINE void dome_wide(const tp_dome *restrict dome,
@@ -47,10 +47,10 @@ TP_ALWAYS_INLINE void reflect_wide(const tp_shade *restrict shade, tp_run *restr
 
     for (int32_t i = 0; i < count; i++) {
         tp_ray to = tp_reflected_compute(run, i);
-        square[i] = tp_from_light(shade, to.x, to.y, to.z);
+        square[i] = tp_light_chord_square(shade, to.x, to.y, to.z);
     }
     for (int32_t i = 0; i < count; i++)
-        glow[i] = tp_dome_halo(dome, shade->env.least, square[i]);
+        glow[i] = tp_dome_lookup_glow(dome, shade->env.least, square[i]);
     dome_wide(dome, square, run->up, glow, count, run->mirror);
 }
 

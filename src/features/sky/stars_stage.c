@@ -21,8 +21,8 @@ TP_ALWAYS_INLINE uint32_t hash(uint32_t n)
 
 /* Returns the brightness 0..256 of the dot at (ds, dt) from its centre.  A unit of a face
  * covers a smaller angle farther out; m is the cosine of the angle to the face's centre. */
-TP_ALWAYS_INLINE uint32_t sample_dot(const tp_shade *shade, int32_t ds, int32_t dt,
-                                     int32_t m)
+TP_ALWAYS_INLINE uint32_t dot_brightness(const tp_shade *shade, int32_t ds, int32_t dt,
+                                         int32_t m)
 {
     uint32_t square = (uint32_t)(ds * ds + dt * dt) >> 2;
     uint32_t narrow = (uint32_t)(m * m) >> 16;          /* Q12 */
@@ -48,7 +48,7 @@ TP_ALWAYS_INLINE uint32_t sample_star(const tp_shade *shade, int32_t x, int32_t 
     int32_t dt = (p.t & mask) - MARGIN - (int32_t)((h >> 16 & 0xff) * (uint32_t)room >> 8);
     uint32_t rank = h >> 24, bright = 56 + (rank * rank * rank >> 16) * 7 / 4;
     uint32_t air = (uint32_t)tp_clamp((y - 500) >> 3, 0, 256);
-    uint32_t share = (sample_dot(shade, ds, dt, p.m) * bright >> 8) * air >> 8;
+    uint32_t share = (dot_brightness(shade, ds, dt, p.m) * bright >> 8) * air >> 8;
 
     return tp_colour_scale(tints[h >> 14 & 3], share < 256 ? share : 256);
 }

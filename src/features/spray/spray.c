@@ -58,26 +58,27 @@ static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error
 
 /* -- random numbers ------------------------------------------------------------------ */
 
-/* Return a random number, 16.16: share() 0..1, either() -1..1.  Call at most one of them
- * per expression: C leaves the order of two calls open, and compilers differ. */
-static tp_fx share(tp_spray *spray)
+/* Return a random number, 16.16: random_unit() 0..1, random_signed_unit() -1..1.  Call at
+ * most one of them per expression: C leaves the order of two calls open, and compilers
+ * differ. */
+static tp_fx random_unit(tp_spray *spray)
 {
     return (tp_fx)(tp_random(&spray->random) >> 16);
 }
 
-static tp_fx either(tp_spray *spray)
+static tp_fx random_signed_unit(tp_spray *spray)
 {
-    return 2 * share(spray) - TP_FX_ONE;
+    return 2 * random_unit(spray) - TP_FX_ONE;
 }
 
 /* Returns random numbers: x and z in -1..1, y in 0..1. */
-static tp_vec3 any(tp_spray *spray)
+static tp_vec3 random_upward_vector(tp_spray *spray)
 {
     tp_vec3 a;
 
-    a.x = either(spray);
-    a.y = share(spray);
-    a.z = either(spray);
+    a.x = random_signed_unit(spray);
+    a.y = random_unit(spray);
+    a.z = random_signed_unit(spray);
     return a;
 }
 
@@ -100,19 +101,19 @@ static void throw(tp_spray *spray, tp_vec3 place, tp_vec3 speed, tp_speck_kind k
 
 /* -- the water's level --------------------------------------------------------------- */
 
-static tp_vec3 point(const tp_surface *surface, tp_fx x, tp_fx z)
+static tp_vec3 sample_rest_position(const tp_surface *surface, tp_fx x, tp_fx z)
 {
     return surface->ocean
-         ? tp_ocean_smooth(surface->ocean, surface->phases, x, z).position
-         : tp_sea_at_rest(surface->sea, surface->phases, x, z).position;
+               ? tp_ocean_displace_smooth(surface->ocean, surface->phases, x, z).position
+               : tp_sea_displace_point(surface->sea, surface->phases, x, z).position;
 }
 
 /* Returns the water level at a place, by one step of the search of [E1].  The error shows
  * only in steep waves, and steep waves throw enough specks to hide the error. */
 static tp_fx sample_level(const tp_surface *surface, tp_fx x, tp_fx z)
 {
-    tp_vec3 first = point(surface, x, z);
-    tp_fx level = point(surface, 2 * x - first.x, 2 * z - first.z).y;
+    tp_vec3 first = sample_rest_position(surface, x, z);
+    tp_fx level = sample_rest_position(surface, 2 * x - first.x, 2 * z - first.z).y;
 
     return tp_surface_has_relief(surface)
          ? level + tp_surface_relief(surface, x, z).height : level;
@@ -121,7 +122,7 @@ static tp_fx sample_level(const tp_surface *surface, tp_fx x, tp_fx z)
 /* -- flight -------------------------------------------------------------------------- */
 
 /* Returns the place after a tick, moved by the mean of two speeds. */
-static tp_fx moved(tp_fx place, tp_fx speed, tp_fx next)
+static tp_fx advance_coordinate(tp_fx place, tp_fx speed, tp_fx next)
 {
     return tp_fx_saturate((int64_t)place + TICK((speed + next) / 2));
 }
@@ -137,8 +138,9 @@ static void fly(tp_speck *s, tp_fx gravity)
                           tp_fx_mul(v.y, SLOWER) - tp_fx_mul(gravity, KICK),
                           tp_fx_mul(v.z, SLOWER) };
     s->last = at;
-    s->place = (tp_vec3){ moved(at.x, v.x, next.x), moved(at.y, v.y, next.y),
-                          moved(at.z, v.z, next.z) };
+    s->place = (tp_vec3){ advance_coordinate(at.x, v.x, next.x),
+                          advance_coordinate(at.y, v.y, next.y),
+                          advance_coordinate(at.z, v.z, next.z) };
     s->speed = next;
     s->age++;
 }
@@ -173,7 +175,7 @@ static void fly_all(tp_spray *spray, const tp_scene *scene, const tp_surface *su
 /* Returns the Jacobian u.x w.z - u.z w.x from differences over half a metre, clamped to
  * +-8.  Water with spray never exceeds 8, since the highest waves of the table stand 256
  * m apart. */
-static tp_fx difference_jacobian(tp_vec3 u, tp_vec3 w)
+static tp_fx jacobian_from_differences(tp_vec3 u, tp_vec3 w)
 {
     int64_t across = ((int64_t)u.x * w.z * 4 + 0x8000) >> 16;
     int64_t along = ((int64_t)u.z * w.x * 4 + 0x8000) >> 16;
@@ -182,23 +184,25 @@ static tp_fx difference_jacobian(tp_vec3 u, tp_vec3 w)
 }
 
 /* Returns the strength of spray at a rest position, 0 to about 1. */
-static tp_fx ocean_strength(const tp_surface *surface, tp_fx x, tp_fx z)
+static tp_fx ocean_spray_strength(const tp_surface *surface, tp_fx x, tp_fx z)
 {
     const tp_fx d = TP_FX_ONE / 4;
-    tp_ocean_point at = tp_ocean_at_rest(surface->ocean, surface->phases, x, z);
+    tp_ocean_point at = tp_ocean_displace_point(surface->ocean, surface->phases, x, z);
 
     if (at.depth <= tp_ocean_breaking_depth(surface->ocean) || at.position.y < 0)
         return at.breaking * 257;
-    tp_vec3 u = tp_vec3_sub(point(surface, x + d, z), point(surface, x - d, z));
-    tp_vec3 w = tp_vec3_sub(point(surface, x, z + d), point(surface, x, z - d));
-    tp_fx jacobian = difference_jacobian(u, w);
+    tp_vec3 u = tp_vec3_sub(sample_rest_position(surface, x + d, z),
+                            sample_rest_position(surface, x - d, z));
+    tp_vec3 w = tp_vec3_sub(sample_rest_position(surface, x, z + d),
+                            sample_rest_position(surface, x, z - d));
+    tp_fx jacobian = jacobian_from_differences(u, w);
     return jacobian < SHARP ? (SHARP - jacobian) * 4 : 0;
 }
 
-static tp_fx sample_strength(const tp_surface *surface, tp_fx x, tp_fx z)
+static tp_fx sample_spray_strength(const tp_surface *surface, tp_fx x, tp_fx z)
 {
     if (surface->ocean)
-        return ocean_strength(surface, x, z);
+        return ocean_spray_strength(surface, x, z);
     tp_fx jacobian = tp_sea_jacobian(surface->sea, surface->phases, x, z);
     return jacobian < SHARP ? (SHARP - jacobian) * 4 : 0;
 }
@@ -207,7 +211,8 @@ static tp_fx sample_strength(const tp_surface *surface, tp_fx x, tp_fx z)
 static tp_vec3 sample_velocity(const tp_surface *now, const tp_surface *before, tp_fx x,
                                tp_fx z)
 {
-    tp_vec3 way = tp_vec3_sub(point(now, x, z), point(before, x, z));
+    tp_vec3 way =
+        tp_vec3_sub(sample_rest_position(now, x, z), sample_rest_position(before, x, z));
     const int64_t rate = TP_TICKS_PER_SECOND;
 
     return (tp_vec3){ (tp_fx)tp_clamp_abs(way.x * rate, SPEED_MOST),
@@ -220,13 +225,14 @@ static tp_vec3 sample_velocity(const tp_surface *now, const tp_surface *before, 
 static void throw_specks(tp_spray *spray, const tp_surface *now, const tp_surface *before,
                          tp_fx x, tp_fx z, tp_fx strength)
 {
-    tp_vec3 from = point(now, x, z), flow = sample_velocity(now, before, x, z);
+    tp_vec3 from = sample_rest_position(now, x, z),
+            flow = sample_velocity(now, before, x, z);
     int32_t count = 3 + (tp_fx_mul(strength, 9 * TP_FX_ONE) >> 16);
 
     for (int32_t i = 0; i < count; i++) {
-        tp_vec3 off = any(spray), own = any(spray);
+        tp_vec3 off = random_upward_vector(spray), own = random_upward_vector(spray);
         tp_vec3 place = { from.x + off.x / 3, from.y + off.y / 8, from.z + off.z / 3 };
-        tp_fx more = TP_FX_ONE + share(spray), lift = share(spray);
+        tp_fx more = TP_FX_ONE + random_unit(spray), lift = random_unit(spray);
         tp_fx up = tp_fx_mul(lift, own.y) + tp_fx_mul(strength, lift);
         tp_vec3 speed = { tp_fx_mul(flow.x, more) + own.x / 2,
                           flow.y + TP_FX(0.4) + 3 * up,
@@ -237,8 +243,8 @@ static void throw_specks(tp_spray *spray, const tp_surface *now, const tp_surfac
 
 /* Tries random places around the eye.  A try succeeds with a probability equal to the
  * crest's strength; a crest of strength 1 throws specks at each try. */
-static void try_crests(tp_world *world, const tp_scene *scene, tp_spray *spray,
-                       const tp_surface *now)
+static void throw_random_crests(tp_world *world, const tp_scene *scene, tp_spray *spray,
+                                const tp_surface *now)
 {
     tp_turn phases[TP_WAVES];
     tp_surface before = *now;
@@ -251,18 +257,18 @@ static void try_crests(tp_world *world, const tp_scene *scene, tp_spray *spray,
     before.phases = phases;
     for (uint32_t i = 0; i < tries; i++) {
         tp_turn way = tp_random(&spray->random);
-        tp_fx far = share(spray) * REACH;
+        tp_fx far = random_unit(spray) * REACH;
         tp_fx x = eye.x + tp_q30_mul(far, tp_sin(way));
         tp_fx z = eye.z + tp_q30_mul(far, tp_cos(way));
-        tp_fx strength = tp_fx_mul(sample_strength(now, x, z), scene->spray.crest);
-        if (strength > share(spray))
+        tp_fx strength = tp_fx_mul(sample_spray_strength(now, x, z), scene->spray.crest);
+        if (strength > random_unit(spray))
             throw_specks(spray, now, &before, x, z, tp_clamp(strength, 0, TP_FX_ONE));
     }
 }
 
 /* -- impacts and the bow ------------------------------------------------------------- */
 
-static tp_vec3 beside(tp_vec3 from, tp_turn way, tp_fx far)
+static tp_vec3 offset_horizontally(tp_vec3 from, tp_turn way, tp_fx far)
 {
     return (tp_vec3){ from.x + tp_q30_mul(far, tp_sin(way)), from.y,
                       from.z + tp_q30_mul(far, tp_cos(way)) };
@@ -281,15 +287,16 @@ void tp_spray_splash(tp_spray *spray, const tp_scene *scene, const tp_impact *im
 
     for (int32_t i = 0; i < count; i++) {
         tp_turn way = tp_random(&spray->random);
-        tp_fx   part = TP_FX(0.5) + share(spray) / 2;
-        tp_vec3 out = beside((tp_vec3){ 0, tp_fx_mul(up, part), 0 }, way,
-                             tp_fx_mul(up, share(spray) / 3 + TP_FX(0.1)));
-        throw(spray, beside(middle, way, radius), out, TP_SPECK_SPRAY);
+        tp_fx   part = TP_FX(0.5) + random_unit(spray) / 2;
+        tp_vec3 out = offset_horizontally((tp_vec3){ 0, tp_fx_mul(up, part), 0 }, way,
+                             tp_fx_mul(up, random_unit(spray) / 3 + TP_FX(0.1)));
+        throw(spray, offset_horizontally(middle, way, radius), out, TP_SPECK_SPRAY);
         if (i % 2)
             continue;
-        tp_vec3 under = beside(middle, way, tp_fx_mul(radius, 2 * share(spray)));
-        under.y -= radius + tp_fx_mul(radius, 4 * share(spray));
-        tp_vec3 own = any(spray);
+        tp_vec3 under =
+            offset_horizontally(middle, way, tp_fx_mul(radius, 2 * random_unit(spray)));
+        under.y -= radius + tp_fx_mul(radius, 4 * random_unit(spray));
+        tp_vec3 own = random_upward_vector(spray);
         throw(spray, under, (tp_vec3){ own.x / 16, TP_FX(0.15) + own.y / 6, own.z / 16 },
               TP_SPECK_BUBBLE);
     }
@@ -307,14 +314,15 @@ static void throw_bow(tp_world *world, const tp_scene *scene, tp_spray *spray,
     int64_t pace = tp_clamp_abs(gone, (int64_t)1 << 50) * TP_TICKS_PER_SECOND >> 30;
     tp_fx   over = (tp_fx)tp_clamp_abs(pace - BOW_PACE * TP_FX_ONE, 30 * TP_FX_ONE);
 
-    for (tp_fx due = over / 2; due > share(spray); due -= TP_FX_ONE) {
-        tp_fx back = share(spray), side = either(spray) >= 0 ? TP_FX_ONE : -TP_FX_ONE;
+    for (tp_fx due = over / 2; due > random_unit(spray); due -= TP_FX_ONE) {
+        tp_fx back = random_unit(spray),
+              side = random_signed_unit(spray) >= 0 ? TP_FX_ONE : -TP_FX_ONE;
         tp_fx ahead = scene->boat.length / 2 - tp_fx_mul(scene->boat.length / 5, back);
         tp_fx aside = tp_fx_mul(tp_fx_mul(scene->boat.beam / 3, back), side);
         tp_vec3 at = { hull->x + tp_q30_mul(ahead, s) + tp_q30_mul(aside, c), 0,
                        hull->z - tp_q30_mul(ahead, c) + tp_q30_mul(aside, s) };
-        tp_fx out = tp_fx_mul(over / 3 + TP_FX(0.3) + share(spray), side);
-        tp_fx on = over / 3, lift = share(spray), up = share(spray);
+        tp_fx out = tp_fx_mul(over / 3 + TP_FX(0.3) + random_unit(spray), side);
+        tp_fx on = over / 3, lift = random_unit(spray), up = random_unit(spray);
         at.y = sample_level(surface, at.x, at.z);
         throw(spray, at,
               (tp_vec3){ tp_q30_mul(on, s) + tp_q30_mul(out, c),
@@ -333,7 +341,7 @@ static void step(void *mine, const tp_program *program, tp_world *world,
     const tp_surface surface = tp_world_surface(program, world);
 
     fly_all(spray, scene, &surface);
-    try_crests(world, scene, spray, &surface);
+    throw_random_crests(world, scene, spray, &surface);
     if (scene->boat.mesh[0] && world->afloat.laid)
         throw_bow(world, scene, spray, &surface);
 }

@@ -35,7 +35,7 @@ const tp_spray *tp_world_spray(const tp_world *world);
 /* The module's state in a world, or NULL. */
 static inline tp_spray *tp_spray_of_world(const tp_world *world)
 {
-    return tp_world_part(world, TP_SPRAY_ID);
+    return tp_world_module_state(world, TP_SPRAY_ID);
 }
 
 /* Throws a crown of specks, and bubbles under it, for a drop's impact on water at

@@ -92,7 +92,8 @@ static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 
 /* -- drawing ------------------------------------------------------------------------- */
 
-static void put(const tp_gbuffer *tile, size_t at, const disc *s, uint32_t mark)
+static void write_speck_sample(const tp_gbuffer *tile, size_t at, const disc *s,
+                               uint32_t mark)
 {
     uint32_t depth = s->zi << 1 & ~(uint32_t)0xff, there = tile->key[at];
 
@@ -117,13 +118,13 @@ static void draw(const tp_gbuffer *tile, const disc *s, uint32_t mark)
             int32_t dx = 16 * x + 8 - u, dy = 16 * y + 8 - v;
             if (dx * dx + dy * dy <= r * r && x >= tile->x0 && x < tile->x1
                 && y >= tile->y0 && y < tile->y1)
-                put(tile, (size_t)(y - tile->y0) * tile->stride
+                write_speck_sample(tile, (size_t)(y - tile->y0) * tile->stride
                           + (size_t)(x - tile->x0), s, mark);
         }
     }
 }
 
-static void over(const tp_frame *frame, const void *mine, const tp_gbuffer *tile,
+static void draw_post_water(const tp_frame *frame, const void *mine, const tp_gbuffer *tile,
                  uint32_t mark)
 {
     const discs *d = mine;
@@ -158,6 +159,6 @@ static void *layout(tp_arena *arena, const tp_want *want)
 }
 
 const tp_drawing tp_spray_drawing = {
-    .layout = layout, .marks = tp_marks_one, .place = place, .over = over,
+    .layout = layout, .marks = tp_marks_one, .place = place, .over = draw_post_water,
     .stages = add_stages,
 };

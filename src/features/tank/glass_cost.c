@@ -25,7 +25,7 @@ static bool enters(const tp_site *w, const tp_rectangle *r, tp_vec3 ray, int64_t
     return found;
 }
 
-static void add_sides(tp_site *w, const tp_rectangle *r)
+static void count_glass_rays(tp_site *w, const tp_rectangle *r)
 {
     const tp_scene *s = w->scene;
     uint32_t panes = 0, sides = 0;
@@ -48,7 +48,7 @@ static void add_sides(tp_site *w, const tp_rectangle *r)
 
 /* Counts the faces of the water's sides.  A wall of glass has one post for each grid line
  * that ends at the wall. */
-static void work(tp_site *w)
+static void count_work(tp_site *w)
 {
     const tp_scene *s = w->scene;
     const tp_rectangle r = tp_pool_sides(s);
@@ -63,11 +63,11 @@ static void work(tp_site *w)
     w->works.of[TP_WORK_side_face] = (uint32_t)posts * 2
                                    * tp_work_bands(w->height - 1, TP_WORK_BAND);
     if (across || along)
-        add_sides(w, &r);
+        count_glass_rays(w, &r);
 }
 
-/* Converts the ray counts of work() to pixels. */
-static void pixels(tp_site *w, const tp_work_pixels *px)
+/* Converts the ray counts of count_work() to pixels. */
+static void count_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
     uint32_t *work_of = w->works.of;
 
@@ -76,4 +76,4 @@ static void pixels(tp_site *w, const tp_work_pixels *px)
     work_of[TP_WORK_pane] = tp_work_ray_pixels(w, work_of[TP_WORK_pane]);
 }
 
-const tp_cost tp_glass_cost = { .work = work, .pixels = pixels };
+const tp_cost tp_glass_cost = { .work = count_work, .pixels = count_pixel_work };

@@ -56,10 +56,11 @@ static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 
 static const int16_t no_normal[3] = { 0, 0, 0 };    /* the stage knows the wall's normal */
 
-static void wall_corners(const tp_frame *frame, const tp_vec3 at[3], tp_view_vertex to[3])
+static void transform_corners(const tp_frame *frame, const tp_vec3 at[3],
+                              tp_view_vertex to[3])
 {
     for (int k = 0; k < 3; k++)
-        to[k] = tp_clipped_vertex(&frame->projection, at[k], no_normal);
+        to[k] = tp_solid_vertex_make(&frame->projection, at[k], no_normal);
 }
 
 /* One side of the water, and its target. */
@@ -75,12 +76,12 @@ static void draw_triangle(const side *s, const tp_vec3 at[3])
 {
     tp_view_vertex in[3];
 
-    wall_corners(s->frame, at, in);
+    transform_corners(s->frame, at, in);
     tp_clipped_draw(&s->frame->projection, NULL, s->tile, in, s->mark, s->face);
 }
 
 /* Draws the part of the side between two posts. */
-static void draw_part(const side *s, const tp_side_post *a, const tp_side_post *b)
+static void draw_between_posts(const side *s, const tp_side_post *a, const tp_side_post *b)
 {
     tp_vec3 low = on_wall(&s->sides, s->face, a->along, s->floor);
     tp_vec3 top = on_wall(&s->sides, s->face, b->along, b->high);
@@ -107,7 +108,7 @@ static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
         const tp_glass_wall *wall = &glass->wall[k];
         s.face = wall->face;
         for (uint32_t i = 0; i + 1 < wall->posts; i++)
-            draw_part(&s, &wall->post[i], &wall->post[i + 1]);
+            draw_between_posts(&s, &wall->post[i], &wall->post[i + 1]);
     }
 }
 
@@ -127,7 +128,7 @@ static void place_pane(const tp_frame *frame, tp_glass_wall *wall, tp_pane *pane
     tp_view_vertex in[3];
     tp_screen_vertex corner[TP_CLIP_VERTICES];
 
-    wall_corners(frame, at, in);
+    transform_corners(frame, at, in);
     pane->count = tp_clipped_corners(&frame->projection, NULL, in, corner);
     for (int k = 0; k < pane->count; k++) {
         pane->u[k] = corner[k].u;
@@ -139,7 +140,8 @@ static void place_pane(const tp_frame *frame, tp_glass_wall *wall, tp_pane *pane
 /* Sets the coefficients of the pane's depth.  1 / depth is a plane over the picture: n .
  * D / (n . (p - eye)), D the view ray with 1 m along the axis.  The pane covers samples
  * farther away than the pane. */
-static void place_depth(const tp_frame *frame, tp_glass_wall *wall, const tp_rectangle *r)
+static void set_pane_depth_plane(const tp_frame *frame, tp_glass_wall *wall,
+                                 const tp_rectangle *r)
 {
     const tp_inside *in = frame->shade.inside;
     const tp_dir3 back = frame->shade.world.back;
@@ -171,7 +173,7 @@ static void place_wall(const tp_frame *frame, tp_glass_wall *wall, uint32_t face
     wall->x1 = wall->y1 = INT32_MIN;
     place_pane(frame, wall, &wall->pane[0], at);
     place_pane(frame, wall, &wall->pane[1], other);
-    place_depth(frame, wall, &r);
+    set_pane_depth_plane(frame, wall, &r);
 }
 
 static void begin(tp_frame *frame, void *mine)
@@ -182,7 +184,7 @@ static void begin(tp_frame *frame, void *mine)
     glass->share = (uint32_t)frame->scene->tank.glass >> 8;
     glass->walls = 0;
     for (uint32_t face = 0; face < 4 && !frame->under; face++) {
-        if (!tp_tank_is_glass(frame, face))
+        if (!tp_tank_is_front_glass(frame, face))
             continue;
         TP_ASSERT(glass->walls < TP_GLASSES);
         place_wall(frame, &glass->wall[glass->walls++], face);

@@ -22,7 +22,7 @@ void tp_stage_side(const tp_shade *shade, tp_run *run)
     for (int32_t i = 0; i < run->count; i++) {
         tp_ray  in = { -run->vx[i], -run->vy[i], -run->vz[i], 0 };
         tp_refracted_ray beam;
-        tp_inside_places(shade, run, i, i + 1, &beam);
+        tp_inside_set_start_points(shade, run, i, i + 1, &beam);
         beam.way = tp_inside_bent(shade->inside, 1, in, wall_normal(run->t[i]));
         run->colour[i] = tp_inside_trace(shade, &shade->inside->bed, &beam,
                                       shade->inside->deep);
@@ -48,7 +48,7 @@ static part covered(const tp_pane *pane, const tp_run *run)
         if (tp_first_centre(pane->v[a]) > y || tp_first_centre(pane->v[b]) <= y)
             continue;
         tp_edge edge = tp_edge_begin(pane->u[a], pane->v[a], pane->u[b], pane->v[b]);
-        tp_edge_go(&edge, y);
+        tp_edge_advance(&edge, y);
         x0 = edge.pixel < x0 ? edge.pixel : x0;
         x1 = edge.pixel > x1 ? edge.pixel : x1;
     }
@@ -88,8 +88,8 @@ static void tint(const tp_shade *shade, const tp_glass *glass, tp_run *run, part
     }
 }
 
-static void glaze(const tp_shade *shade, const tp_glass *glass, const tp_glass_wall *wall,
-                  tp_run *run, part p)
+static void tint_behind_glass(const tp_shade *shade, const tp_glass *glass,
+                              const tp_glass_wall *wall, tp_run *run, part p)
 {
     int64_t v = shade->v0 - 16 * run->y - 8;
 
@@ -105,7 +105,7 @@ static void glaze(const tp_shade *shade, const tp_glass *glass, const tp_glass_w
     }
 }
 
-static bool is_near(const tp_glass_wall *wall, const tp_run *run)
+static bool is_run_in_wall_box(const tp_glass_wall *wall, const tp_run *run)
 {
     return run->y >= wall->y0 && run->y < wall->y1
         && run->x < wall->x1 && run->x + run->count > wall->x0;
@@ -118,7 +118,7 @@ void tp_stage_pane(const tp_shade *shade, tp_run *run)
 
     for (uint32_t k = 0; k < 2 * glass->walls; k++) {
         const tp_glass_wall *wall = &glass->wall[k / 2];
-        if (!is_near(wall, run))
+        if (!is_run_in_wall_box(wall, run))
             continue;
         const part p = covered(&wall->pane[k % 2], run);
         if (p.first >= p.end)
@@ -126,7 +126,7 @@ void tp_stage_pane(const tp_shade *shade, tp_run *run)
         if (!viewed)
             tp_view_run(shade, &shade->world, run);
         viewed = true;
-        glaze(shade, glass, wall, run, p);
+        tint_behind_glass(shade, glass, wall, run, p);
     }
 }
 

@@ -27,7 +27,7 @@ typedef struct {
 } tp_tank;
 
 /* True if wall `face` (+x, -x, +z, -z) is of glass and the eye is on its outer side. */
-bool tp_tank_is_glass(const struct tp_frame *frame, uint32_t face);
+bool tp_tank_is_front_glass(const struct tp_frame *frame, uint32_t face);
 
 /* A point of the water's edge along a wall of glass, m. */
 typedef struct {

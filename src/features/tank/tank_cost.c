@@ -23,7 +23,7 @@ static tp_fx wall_height(const tp_scene *s)
 
 /* True if an inner wall of the pool stops a ray that would meet the water `far` m ahead,
  * Q16. */
-static bool stops(const tp_site *w, tp_vec3 ray, int64_t far)
+static bool is_ray_stopped(const tp_site *w, tp_vec3 ray, int64_t far)
 {
     const tp_vec3 eye = w->at.eye;
     const int64_t high = wall_height(w->scene);
@@ -67,7 +67,7 @@ static uint32_t count_blocks(const tp_site *w)
 }
 
 /* Counts the faces; every face is clipped again in every band. */
-static void work(tp_site *w)
+static void count_work(tp_site *w)
 {
     const tp_scene *s = w->scene;
     uint32_t quads = 0, strips = tp_work_bands(w->height - 1, TP_WORK_BAND);
@@ -85,9 +85,11 @@ static void work(tp_site *w)
     w->works.of[TP_WORK_wall_face] = 2 * quads * strips;
 }
 
-static void pixels(tp_site *w, const tp_work_pixels *px)
+static void count_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
     w->works.of[TP_WORK_wall] = tp_work_ray_pixels(w, px->stopped);
 }
 
-const tp_cost tp_tank_cost = { .work = work, .stops = stops, .pixels = pixels };
+const tp_cost tp_tank_cost = { .work = count_work,
+                               .stops = is_ray_stopped,
+                               .pixels = count_pixel_work };

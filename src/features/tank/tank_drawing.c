@@ -35,7 +35,7 @@ static bool is_outside(const tp_rectangle *r, uint32_t face, tp_vec3 eye)
     }
 }
 
-bool tp_tank_is_glass(const tp_frame *frame, uint32_t face)
+bool tp_tank_is_front_glass(const tp_frame *frame, uint32_t face)
 {
     tp_rectangle r = tp_pool_sides(frame->scene);
     return frame->scene->tank.kind == TP_TANK_GLASS
@@ -63,7 +63,7 @@ static void draw_triangle(const target *to, const quad *q, int b, int c)
     tp_view_vertex in[3];
 
     for (int k = 0; k < 3; k++)
-        in[k] = tp_clipped_vertex(to->view->projection, q->at[which[k]], q->n);
+        in[k] = tp_solid_vertex_make(to->view->projection, q->at[which[k]], q->n);
     tp_clipped_draw(to->view->projection, tp_view_clip_plane(to->view), to->samples, in,
                     to->mark, 0);
 }
@@ -127,7 +127,7 @@ static void draw_walls(const tp_frame *frame, const target *to)
                          tp_fx_saturate((int64_t)in.z1 + t) };
 
     for (uint32_t face = 0; face < 4; face++) {
-        if (tp_tank_is_glass(frame, face))
+        if (tp_tank_is_front_glass(frame, face))
             continue;
         draw_face(to, &in, -scene->tank.depth, scene->tank.rim, face, true);
         draw_rim(to, &in, &out, scene->tank.rim, face);
@@ -178,7 +178,7 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
 
 /* -- blocks --------------------------------------------------------------------------- */
 
-static tp_fx line(tp_fx centre, tp_fx cell, uint32_t i, uint32_t cells)
+static tp_fx grid_line_coordinate(tp_fx centre, tp_fx cell, uint32_t i, uint32_t cells)
 {
     return tp_fx_saturate(centre + ((int64_t)i - cells / 2) * cell
                           - (cells & 1 ? cell / 2 : 0));
@@ -203,13 +203,14 @@ static void add_row(tp_tank *tank, const tp_pool *pool, uint32_t row)
     uint32_t end;
 
     for (uint32_t col = 0; col < pool->cols; col = end) {
-        bool wall = tp_pool_wall(pool, col, row);
-        for (end = col + 1; end < pool->cols && tp_pool_wall(pool, end, row) == wall; )
+        bool wall = tp_pool_is_wall_or_outside(pool, col, row);
+        for (end = col + 1;
+             end < pool->cols && tp_pool_is_wall_or_outside(pool, end, row) == wall;)
             end++;
-        tp_rectangle r = { line(pool->x, pool->cell, col, pool->cols),
-                           line(pool->x, pool->cell, end, pool->cols),
-                           line(pool->z, pool->cell, row, pool->rows),
-                           line(pool->z, pool->cell, row + 1, pool->rows) };
+        tp_rectangle r = { grid_line_coordinate(pool->x, pool->cell, col, pool->cols),
+                           grid_line_coordinate(pool->x, pool->cell, end, pool->cols),
+                           grid_line_coordinate(pool->z, pool->cell, row, pool->rows),
+                           grid_line_coordinate(pool->z, pool->cell, row + 1, pool->rows) };
         if (!wall || extend_block(tank, r))
             continue;
         if (tank->blocks < TP_BLOCKS)
@@ -243,14 +244,14 @@ static void begin(tp_frame *frame, void *mine)
 bool tp_tank_enabled(const tp_want *want)
 {
     return want->above & TP_MODULE_INSIDE
-        && (tp_has_tank(want->scene) || tp_has_stone(want->scene));
+           && (tp_has_tank(want->scene) || tp_has_inner_walls(want->scene));
 }
 
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     tp_tank *tank = tp_arena_alloc(arena, 1, sizeof *tank), made = { .block = NULL };
 
-    if (tp_has_stone(want->scene))
+    if (tp_has_inner_walls(want->scene))
         made.block = tp_arena_alloc(arena, TP_BLOCKS, sizeof *made.block);
     if (tank)
         *tank = made;

@@ -12,7 +12,7 @@ void tp_stage_wall(const tp_shade *shade, tp_run *run)
         tp_packed_dir n = run->n[i];
         int32_t x = tp_abs(tp_dir_x(n)), y = tp_abs(tp_dir_y(n)), z = tp_abs(tp_dir_z(n));
         tp_refracted_ray beam;
-        tp_inside_places(shade, run, i, i + 1, &beam);
+        tp_inside_set_start_points(shade, run, i, i + 1, &beam);
         tp_fx s = x > y && x > z ? beam.at.z : beam.at.x;
         tp_fx t = y >= x && y >= z ? beam.at.z : -beam.at.y;
         uint32_t colour =

@@ -4,7 +4,7 @@
 #include "scene/sides.h"
 #include "scene/fixed_cost.h"
 
-static void work(tp_site *w)
+static void count_work(tp_site *w)
 {
     const uint32_t cells = (uint32_t)w->scene->water.caustic_cells;
     const int way = tp_has_tank(w->scene) ? TP_WORK_caustic_pool : TP_WORK_caustic_sea;
@@ -12,4 +12,4 @@ static void work(tp_site *w)
     w->works.of[way] = cells * cells;
 }
 
-const tp_cost tp_caustics_cost = { .work = work };
+const tp_cost tp_caustics_cost = { .work = count_work };

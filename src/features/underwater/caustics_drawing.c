@@ -18,7 +18,7 @@
 
 /* Returns the low corner of the map's square along one axis.  The square lies ahead of
  * the eye and moves by whole cells, so the pattern does not crawl. */
-static tp_fx snapped(tp_fx eye, int32_t behind, tp_fx size, int32_t cells)
+static tp_fx snapped_map_corner(tp_fx eye, int32_t behind, tp_fx size, int32_t cells)
 {
     tp_fx   cell = size / cells > 0 ? size / cells : 1;
     int64_t corner = (int64_t)eye - size / 2 - ((int64_t)behind * (size / 5 * 2) >> 30);
@@ -32,8 +32,10 @@ static tp_rectangle caustic_rectangle(const tp_frame *frame, int32_t cells)
 
     if (scene->pool.cols > 0)
         return tp_pool_sides(scene);
-    tp_fx x = snapped(frame->projection.eye.x, frame->projection.turn.z.x, size, cells);
-    tp_fx z = snapped(frame->projection.eye.z, frame->projection.turn.z.z, size, cells);
+    tp_fx x = snapped_map_corner(frame->projection.eye.x, frame->projection.turn.z.x,
+                                 size, cells);
+    tp_fx z = snapped_map_corner(frame->projection.eye.z, frame->projection.turn.z.z,
+                                 size, cells);
     return (tp_rectangle){ x, tp_fx_saturate((int64_t)x + size), z,
                            tp_fx_saturate((int64_t)z + size) };
 }
@@ -63,9 +65,9 @@ static tp_fall refract_light(const tp_shade *shade, tp_fx slope_x, tp_fx slope_z
 static tp_sea_point ocean_point(const tp_surface *s, tp_fx x, tp_fx z)
 {
     const tp_fx d = TP_FX_ONE / 32;
-    tp_vec3 at = tp_ocean_smooth(s->ocean, s->phases, x, z).position;
-    tp_vec3 east = tp_ocean_smooth(s->ocean, s->phases, x + d, z).position;
-    tp_vec3 south = tp_ocean_smooth(s->ocean, s->phases, x, z + d).position;
+    tp_vec3 at = tp_ocean_displace_smooth(s->ocean, s->phases, x, z).position;
+    tp_vec3 east = tp_ocean_displace_smooth(s->ocean, s->phases, x + d, z).position;
+    tp_vec3 south = tp_ocean_displace_smooth(s->ocean, s->phases, x, z + d).position;
     tp_sea_point p = { .position = at };
 
     tp_slopes_from_tangents(tp_vec3_sub(east, at), tp_vec3_sub(south, at), &p.slope_x,
@@ -77,7 +79,7 @@ static tp_sea_point ocean_point(const tp_surface *s, tp_fx x, tp_fx z)
 static tp_sea_point surface_point(const tp_surface *s, tp_fx x, tp_fx z)
 {
     tp_sea_point p = s->ocean ? ocean_point(s, x, z)
-                              : tp_sea_at_rest(s->sea, s->phases, x, z);
+                              : tp_sea_displace_point(s->sea, s->phases, x, z);
 
     if (tp_surface_has_relief(s)) {
         tp_relief relief = tp_surface_relief(s, p.position.x, p.position.z);
@@ -121,37 +123,39 @@ static void trace(const tp_frame *frame, const tp_caustics *map, const tp_surfac
 
 /* -- distribution of the light ------------------------------------------------------- */
 
-static uint32_t folded(int32_t i, uint32_t cells)
+static uint32_t mirrored_index(int32_t i, uint32_t cells)
 {
     int32_t n = (int32_t)cells, at = i < 0 ? -1 - i : i < n ? i : 2 * n - 1 - i;
     return (uint32_t)tp_clamp(at, 0, n - 1);
 }
 
-static void put(uint16_t *light, uint32_t cells, int32_t i, int32_t j, int32_t share)
+static void add_cell_light(uint16_t *light, uint32_t cells, int32_t i, int32_t j,
+                           int32_t share)
 {
-    uint16_t *to = light + folded(j, cells) * cells + folded(i, cells);
+    uint16_t *to = light + mirrored_index(j, cells) * cells + mirrored_index(i, cells);
     *to = (uint16_t)(*to + share < 65535 ? *to + share : 65535);
 }
 
 /* Adds `share` at a place in cells, Q8, to the four cells around it, weighted in
  * sixteenths. */
-static void deal(uint16_t *light, uint32_t cells, int32_t x, int32_t z, int32_t share)
+static void splat_light(uint16_t *light, uint32_t cells, int32_t x, int32_t z,
+                        int32_t share)
 {
     int32_t i = (x - 128) >> 8, j = (z - 128) >> 8;
     int32_t f = (x - 128) >> 4 & 15, g = (z - 128) >> 4 & 15;
     int32_t b = share * f * (16 - g) >> 8, c = share * (16 - f) * g >> 8;
     int32_t d = share * f * g >> 8;
 
-    put(light, cells, i, j, share - b - c - d);
-    put(light, cells, i + 1, j, b);
-    put(light, cells, i, j + 1, c);
-    put(light, cells, i + 1, j + 1, d);
+    add_cell_light(light, cells, i, j, share - b - c - d);
+    add_cell_light(light, cells, i + 1, j, b);
+    add_cell_light(light, cells, i, j + 1, c);
+    add_cell_light(light, cells, i + 1, j + 1, d);
 }
 
 /* Distributes the light of the cell between two rows of vertices.  Its light is its
  * horizontal area, half of the cross product of its diagonals: 256 at rest. */
-static void deal_cell(uint16_t *light, uint32_t cells, const tp_caustic_vertex *a,
-                      const tp_caustic_vertex *c)
+static void splat_cell_light(uint16_t *light, uint32_t cells, const tp_caustic_vertex *a,
+                             const tp_caustic_vertex *c)
 {
     const tp_caustic_vertex *b = a + 1, *d = c + 1;
     int64_t area = ((int64_t)d->x - a->x) * ((int64_t)c->z - b->z)
@@ -165,14 +169,14 @@ static void deal_cell(uint16_t *light, uint32_t cells, const tp_caustic_vertex *
                   + (int64_t)c->lit_x * wc + (int64_t)d->lit_x * wd;
         int64_t z = (int64_t)a->lit_z * wa + (int64_t)b->lit_z * wb
                   + (int64_t)c->lit_z * wc + (int64_t)d->lit_z * wd;
-        deal(light, cells, (int32_t)(x >> 4), (int32_t)(z >> 4), part);
+        splat_light(light, cells, (int32_t)(x >> 4), (int32_t)(z >> 4), part);
         left -= part;
     }
 }
 
 static void make(const tp_frame *frame, tp_caustics *map)
 {
-    const tp_surface surface = tp_frame_lit_surface(frame);
+    const tp_surface surface = tp_frame_surface_with_pools(frame);
     uint32_t n = map->look.cells;
 
     memset(map->light, 0, (size_t)n * n * sizeof *map->light);
@@ -182,7 +186,7 @@ static void make(const tp_frame *frame, tp_caustics *map)
         for (uint32_t i = 0; i <= n; i++)
             trace(frame, map, &surface, i, j, &here[i]);
         for (uint32_t i = 0; j > 0 && i < n; i++)
-            deal_cell(map->light, n, &last[i], &here[i]);
+            splat_cell_light(map->light, n, &last[i], &here[i]);
     }
 }
 

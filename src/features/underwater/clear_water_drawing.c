@@ -9,7 +9,7 @@ bool tp_clear_water_enabled(const tp_want *want)
 }
 
 /* Sets the cost traits.  A ray's cost depends on its target: a box, a map or a plane. */
-static void count(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
+static void set_cost_traits(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
 {
     const tp_scene *scene = want->scene;
     const bool tank = tp_has_tank(scene) && want->above & TP_MODULE_WALLS;
@@ -50,7 +50,7 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
 const tp_module tp_clear_water_module = {
     .name = "clear water", .id = TP_CLEAR_WATER_ID,
     .is = TP_MODULE_EXACT, .trait = TP_TRAIT_behind,
-    .enabled = tp_clear_water_enabled, .count = count,
+    .enabled = tp_clear_water_enabled, .count = set_cost_traits,
 };
 
 const tp_drawing tp_clear_water_drawing = {

@@ -30,14 +30,14 @@ TP_ALWAYS_INLINE void facets(const tp_run *run, int32_t i, int32_t stop, int rip
     for (; i < stop; i++, to++) {
         tp_ray n = tp_slope_run_normal(run, i, rippled);
         *to = (facet){ (int16_t)n.x, (int16_t)n.y, (int16_t)n.z,
-                       (int16_t)tp_inside_cosine(view_direction(run, i), n) };
+                       (int16_t)tp_inside_incidence_cosine(view_direction(run, i), n) };
     }
 }
 
 /* Computes the refracted rays of samples [i, stop) for one channel. */
-TP_ALWAYS_INLINE void bend(const tp_shade *shade, const tp_run *run, int32_t i,
-                           int32_t stop, const facet *at, int channel,
-                           tp_refracted_ray *beam)
+TP_ALWAYS_INLINE void refract_rays(const tp_shade *shade, const tp_run *run, int32_t i,
+                                   int32_t stop, const facet *at, int channel,
+                                   tp_refracted_ray *beam)
 {
     for (; i < stop; i++, at++, beam++) {
         tp_ray n = { at->x, at->y, at->z, 0 };
@@ -51,9 +51,9 @@ TP_ALWAYS_INLINE void bend(const tp_shade *shade, const tp_run *run, int32_t i,
 
 /* Mixes the refraction map over a colour.  The place in the map is displaced as for an
  * object half a metre under the surface, by a quarter of the slope [F4]. */
-static uint32_t with_sunken(const tp_shade *shade, const tp_half *half, const tp_run *run,
-                            int32_t i, tp_fx metres, int32_t nx, int32_t nz,
-                            uint32_t colour)
+static uint32_t mix_refraction_map(const tp_shade *shade, const tp_half *half,
+                                   const tp_run *run, int32_t i, tp_fx metres, int32_t nx,
+                                   int32_t nz, uint32_t colour)
 {
     const tp_view_axes *axes = &shade->world;
     int32_t across = (int32_t)(((int64_t)axes->right.x * nx + (int64_t)axes->right.z * nz)
@@ -76,25 +76,26 @@ static uint32_t with_sunken(const tp_shade *shade, const tp_half *half, const tp
 /* Shades samples [i, stop) with dispersion.  On entry the beams hold the rays of green,
  * and the floor between the ends is looked up for green.  Red and blue rays end some
  * millimetres aside per metre of depth, where the floor is the same plane. */
-static void parted(const tp_shade *shade, const tp_run *run, int32_t i, int32_t stop,
-                   const facet *surface, const tp_bed ends[2], tp_refracted_ray *beam,
-                   const uint32_t *body, uint32_t *seen)
+static void shade_dispersed(const tp_shade *shade, const tp_run *run, int32_t i,
+                            int32_t stop, const facet *surface, const tp_bed ends[2],
+                            tp_refracted_ray *beam, const uint32_t *body, uint32_t *seen)
 {
     const int32_t count = stop - i;
     tp_ground under[TP_INSIDE_ROW];
 
-    tp_inside_ground(shade, ends, beam, count, under);
+    tp_inside_interpolate_floor(shade, ends, beam, count, under);
     for (int32_t k = 0; k < count; k++)
         seen[k] = 0;
-    tp_inside_row_channel(shade, under, beam, count, body, 8, seen);
+    tp_inside_shade_row_channel(shade, under, beam, count, body, 8, seen);
     for (int channel = 0; channel < 3; channel += 2) {
-        bend(shade, run, i, stop, surface, channel, beam);
-        tp_inside_row_channel(shade, under, beam, count, body, 16 - 8 * channel, seen);
+        refract_rays(shade, run, i, stop, surface, channel, beam);
+        tp_inside_shade_row_channel(shade, under, beam, count, body, 16 - 8 * channel,
+                                    seen);
     }
 }
 
-TP_ALWAYS_INLINE void behind(const tp_shade *shade, tp_run *run, int rippled,
-                             int dispersed)
+TP_ALWAYS_INLINE void shade_clear_water(const tp_shade *shade, tp_run *run, int rippled,
+                                        int dispersed)
 {
     const tp_clear_water *clear = run->mine;
     uint32_t body[TP_INSIDE_ROW];
@@ -107,25 +108,25 @@ TP_ALWAYS_INLINE void behind(const tp_shade *shade, tp_run *run, int rippled,
         uint32_t *seen = run->colour + i;
         for (int32_t k = 0; k < count; k++)
             body[k] = tp_colour_mix(shade->inside->deep, seen[k], 64);
-        tp_inside_places(shade, run, i, stop, beam);
+        tp_inside_set_start_points(shade, run, i, stop, beam);
         facets(run, i, stop, rippled, surface);
-        bend(shade, run, i, stop, surface, 1, beam);
-        ends[0] = tp_inside_bed(shade, beam);
-        ends[1] = tp_inside_bed(shade, &beam[count - 1]);
+        refract_rays(shade, run, i, stop, surface, 1, beam);
+        ends[0] = tp_inside_find_floor_plane(shade, beam);
+        ends[1] = tp_inside_find_floor_plane(shade, &beam[count - 1]);
         if (dispersed)
-            parted(shade, run, i, stop, surface, ends, beam, body, seen);
+            shade_dispersed(shade, run, i, stop, surface, ends, beam, body, seen);
         else
-            tp_inside_row(shade, ends, beam, count, body, seen);
+            tp_inside_shade_row(shade, ends, beam, count, body, seen);
         for (int32_t k = 0; clear->sunken && k < count; k++)
-            seen[k] = with_sunken(shade, clear->sunken, run, i + k, beam[k].far,
-                                  surface[k].x, surface[k].z, seen[k]);
+            seen[k] = mix_refraction_map(shade, clear->sunken, run, i + k, beam[k].far,
+                                         surface[k].x, surface[k].z, seen[k]);
         i = stop;
     }
 }
 
 #define BEHIND_STAGE(name, rippled, dispersed) \
     void tp_stage_##name(const tp_shade *shade, tp_run *run) \
-    { behind(shade, run, rippled, dispersed); }
+    { shade_clear_water(shade, run, rippled, dispersed); }
 TP_CLEAR_WATER_STAGES(BEHIND_STAGE)
 
 const tp_stage tp_clear_water_stages[] = {

@@ -75,7 +75,7 @@ static void draw_refraction_map(tp_frame *frame, const refraction *r, const tp_v
     for (int32_t y0 = half->y0; y0 < half->y1; y0 += TP_PLANAR_BAND) {
         tp_gbuffer band = tp_planar_gbuffer(store, half, y0);
         tp_gbuffer_clear(&band);
-        tp_view_draw(frame, view, &band);
+        tp_view_draw_solids(frame, view, &band);
         for (int32_t y = y0; y < band.y1; y++) {
             uint32_t *to = store->colour + (uint32_t)(y - half->y0) * wide;
             tp_frame_colour_row(frame, &band, y, to);
@@ -84,11 +84,11 @@ static void draw_refraction_map(tp_frame *frame, const refraction *r, const tp_v
     }
 }
 
-static void look(tp_frame *frame, void *mine)
+static void draw_map(tp_frame *frame, void *mine)
 {
     refraction *r = mine;
-    tp_clear_water *clear = tp_frame_part(frame, TP_CLEAR_WATER_ID);
-    tp_fx    level = tp_view_water_level(frame);
+    tp_clear_water *clear = tp_frame_module_memory(frame, TP_CLEAR_WATER_ID);
+    tp_fx    level = tp_view_anchor_level(frame);
     tp_half *half = &r->half;
 
     half->colour = NULL;
@@ -99,8 +99,8 @@ static void look(tp_frame *frame, void *mine)
     tp_view view = { .projection = &bent, .cut = true,
                        .level = tp_projection_level_plane(&projection, level, -1) };
     tp_view_begin(frame, &view);
-    tp_grid_box box = tp_view_place(frame, &view);
-    if (!tp_planar_begin(&r->store, &box, half))
+    tp_grid_box box = tp_view_project_solids(frame, &view);
+    if (!tp_planar_set_bounds(&r->store, &box, half))
         return;
     draw_refraction_map(frame, r, &view, &projection, frame->projection.eye.y - level);
     clear->sunken = half;
@@ -128,5 +128,5 @@ const tp_module tp_refraction_module = {
     .name = "refraction", .id = TP_REFRACTION_ID, .enabled = tp_refraction_enabled,
 };
 
-const tp_drawing tp_refraction_drawing = { .layout = layout, .look = look };
+const tp_drawing tp_refraction_drawing = { .layout = layout, .look = draw_map };
 const tp_stage tp_refraction_stages[] = { NULL };

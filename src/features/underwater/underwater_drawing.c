@@ -23,7 +23,7 @@ static tp_wall_material make_coat(const tp_frame *frame, const tp_texture *textu
     if (!texture)
         return coat;
     tp_fx texels = tp_fx_div(TP_FX_ONE << texture->log2_w, size);
-    coat.per_metre = tp_frame_repeats(size);
+    coat.per_metre = tp_frame_repeats_per_metre(size);
     coat.lod = tp_frame_lod(frame, texels, false);
     tp_fx height = tp_abs(tp_clamp(frame->projection.eye.y, -TP_FX_MAX, TP_FX_MAX));
     if (ground)
@@ -33,7 +33,7 @@ static tp_wall_material make_coat(const tp_frame *frame, const tp_texture *textu
 
 /* Sets the refractive index of each channel: water's index, minus or plus half of the
  * spread.  The index is at least 1.15, the range of the table of roots. */
-static void set_indices(tp_inside *in, tp_fx spread)
+static void set_refractive_indices(tp_inside *in, tp_fx spread)
 {
     TP_ASSERT(spread >= 0);
     for (int k = 0; k < 3; k++) {
@@ -57,7 +57,7 @@ static void set_sun(const tp_shade *shade, tp_inside *in)
     in->sun_z = -down.z * light->ly / steep;
 }
 
-static void set_box(const tp_frame *frame, tp_inside *in)
+static void set_walls_and_floor(const tp_frame *frame, tp_inside *in)
 {
     const tp_scene *scene = frame->scene;
     bool tank = tp_frame_has_tank(frame);
@@ -86,7 +86,7 @@ static bool is_eye_submerged(const tp_frame *frame)
     tp_vec3 eye = frame->projection.eye;
     tp_rectangle r = tp_pool_sides(frame->scene);
 
-    if (eye.y >= tp_surface_height(&frame->surface))
+    if (eye.y >= tp_surface_height_bound(&frame->surface))
         return false;
     if (tp_frame_has_tank(frame)
         && (eye.x <= r.x0 || eye.x >= r.x1 || eye.z <= r.z0 || eye.z >= r.z1))
@@ -96,7 +96,7 @@ static bool is_eye_submerged(const tp_frame *frame)
 
 /* True if the program has all stages of the view from under water.  Otherwise the view
  * from above is drawn. */
-static bool can_show(const tp_frame *frame)
+static bool has_underwater_stages(const tp_frame *frame)
 {
     const tp_stage *stage = tp_frame_stages(frame, TP_UNDERWATER_ID);
 
@@ -109,17 +109,17 @@ static void begin(tp_frame *frame, void *mine)
     tp_inside *in = mine;
 
     frame->shade.caustic = NULL;
-    frame->under = can_show(frame) && is_eye_submerged(frame);
+    frame->under = has_underwater_stages(frame) && is_eye_submerged(frame);
     if (!frame->under && scene->water.clear == 0 && !frame->assets.floor_texture
         && !tp_frame_has_module(frame, TP_MODULE_WALLS))
         return;
     tp_absorb_init(&in->absorb, (uint32_t)scene->water.tint,
                    scene->water.clear > 0 ? scene->water.clear : CLEAR_BELOW);
     in->deep = (uint32_t)scene->water.deep;
-    set_indices(in, scene->water.dispersion);
+    set_refractive_indices(in, scene->water.dispersion);
     set_sun(&frame->shade, in);
-    tp_inside_view(in, &frame->shade, frame->projection.zi_near);
-    set_box(frame, in);
+    tp_inside_set_view(in, &frame->shade, frame->projection.zi_near);
+    set_walls_and_floor(frame, in);
 }
 
 /* Sets the view's axes for the stage of walls: walls are drawn in every render view, and
@@ -128,7 +128,7 @@ static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     (void)view, (void)box;
     if (tp_frame_has_module(frame, TP_MODULE_WALLS))
-        tp_inside_view(mine, &frame->shade, frame->projection.zi_near);
+        tp_inside_set_view(mine, &frame->shade, frame->projection.zi_near);
 }
 
 /* -- shader lists -------------------------------------------------------------------- */

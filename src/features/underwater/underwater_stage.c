@@ -14,7 +14,7 @@ TP_ALWAYS_INLINE tp_ray view_direction(const tp_run *run, int32_t i)
 
 /* Returns the length of the ray, m, to a depth along the camera's axis: the depth over
  * the cosine between both.  The cosine is at least 1/16, the edge of the widest view. */
-static tp_fx along(const tp_shade *shade, tp_ray way, tp_fx depth)
+static tp_fx ray_length_at_depth(const tp_shade *shade, tp_ray way, tp_fx depth)
 {
     const tp_dir3 back = shade->world.back;
     int64_t cosine = -((int64_t)back.x * way.x + (int64_t)back.y * way.y
@@ -25,30 +25,30 @@ static tp_fx along(const tp_shade *shade, tp_ray way, tp_fx depth)
                                 >> (32 - shift)));
 }
 
-TP_ALWAYS_INLINE void below(const tp_shade *shade, tp_run *run, int rippled)
+TP_ALWAYS_INLINE void shade_underside(const tp_shade *shade, tp_run *run, int rippled)
 {
     const tp_inside *in = shade->inside;
 
     for (int32_t i = 0; i < run->count; i++) {
         tp_ray  n = tp_slope_run_normal(run, i, rippled);
         tp_refracted_ray beam;
-        tp_inside_places(shade, run, i, i + 1, &beam);
+        tp_inside_set_start_points(shade, run, i, i + 1, &beam);
         beam.way = view_direction(run, i);
-        tp_bed  bed = tp_inside_bed(shade, &beam);
+        tp_bed  bed = tp_inside_find_floor_plane(shade, &beam);
         uint32_t c = tp_inside_trace_surface(shade, &bed, &beam, n, in->deep);
         run->colour[i] = tp_absorb_apply(&in->absorb, c, in->deep,
-                                      along(shade, beam.way, beam.far));
+                                         ray_length_at_depth(shade, beam.way, beam.far));
     }
 }
 
 void tp_stage_underside(const tp_shade *shade, tp_run *run)
 {
-    below(shade, run, 0);
+    shade_underside(shade, run, 0);
 }
 
 void tp_stage_underside_rippled(const tp_shade *shade, tp_run *run)
 {
-    below(shade, run, 1);
+    shade_underside(shade, run, 1);
 }
 
 /* Shades bare water.  The stage computes its own view vectors. */
@@ -57,7 +57,7 @@ void tp_stage_deep(const tp_shade *shade, tp_run *run)
     tp_view_run(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++) {
         tp_refracted_ray beam = { shade->eye, view_direction(run, i), 0 };
-        tp_bed  bed = tp_inside_bed(shade, &beam);
+        tp_bed  bed = tp_inside_find_floor_plane(shade, &beam);
         run->colour[i] = tp_inside_trace(shade, &bed, &beam, shade->inside->deep);
     }
 }
@@ -69,9 +69,10 @@ void tp_stage_absorb(const tp_shade *shade, tp_run *run)
     tp_view_run(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++) {
         tp_refracted_ray beam;
-        tp_inside_places(shade, run, i, i + 1, &beam);
-        run->colour[i] = tp_absorb_apply(&in->absorb, run->colour[i], in->deep,
-                                         along(shade, view_direction(run, i), beam.far));
+        tp_inside_set_start_points(shade, run, i, i + 1, &beam);
+        run->colour[i] =
+            tp_absorb_apply(&in->absorb, run->colour[i], in->deep,
+                            ray_length_at_depth(shade, view_direction(run, i), beam.far));
     }
 }
 

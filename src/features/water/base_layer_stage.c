@@ -5,7 +5,7 @@
 #include "shade/sampler.h"
 
 /* Shades one stretch; `filter` and `tinted` are literals. */
-TP_ALWAYS_INLINE void lay(const tp_sampler *sampler, uint32_t tint,
+TP_ALWAYS_INLINE void shade_stretch(const tp_sampler *sampler, uint32_t tint,
                           const tp_stretch *over, uint32_t *restrict colour, int filter,
                           int tinted)
 {
@@ -29,7 +29,7 @@ TP_ALWAYS_INLINE void texture(const tp_shade *shade, tp_run *run, int filter, in
     for (int32_t i = 0; i < run->count; i += w.count) {
         w = tp_stretch_find(shade, run, layer, run->ls, run->lt, i);
         const tp_sampler p = tp_sampler_choose(layer, w.level, filter);
-        lay(&p, shade->water_colour, &w, run->colour + i, filter, tinted);
+        shade_stretch(&p, shade->water_colour, &w, run->colour + i, filter, tinted);
     }
 }
 

@@ -27,21 +27,21 @@ tp_pool_bump tp_pool_bump_make(const tp_pool *pool, const tp_pool_slope *slope)
 }
 
 /* Returns the bilinear mean of four values, |a| < 2^14: a sum has 30 bits. */
-TP_ALWAYS_INLINE int32_t among(int32_t a, int32_t b, int32_t c, int32_t d, int32_t fs,
-                               int32_t ft)
+TP_ALWAYS_INLINE int32_t bilinear_mean(int32_t a, int32_t b, int32_t c, int32_t d,
+                                       int32_t fs, int32_t ft)
 {
     int32_t above = a * 256 + (b - a) * fs, below = c * 256 + (d - c) * fs;
     return (above * 256 + (below - above) * ft + 0x8000) >> 16;
 }
 
 /* Returns a place in turns of the field, Q0.32, from its corner; whole turns wrap away. */
-TP_ALWAYS_INLINE uint32_t turned(uint32_t from_middle, uint64_t turns)
+TP_ALWAYS_INLINE uint32_t place_in_turns(uint32_t from_middle, uint64_t turns)
 {
     uint64_t way = (uint64_t)(int64_t)(int32_t)from_middle * turns;
     return (uint32_t)(way >> 16) + 0x80000000u;
 }
 
-TP_ALWAYS_INLINE bool within(uint32_t from_middle, uint32_t side)
+TP_ALWAYS_INLINE bool is_within_side(uint32_t from_middle, uint32_t side)
 {
     return side == 0 || from_middle + side / 2 < side;
 }
@@ -55,21 +55,21 @@ static int32_t bump_share(const tp_shade *shade, const tp_pool_bump *pool, uint3
     return tp_clamp(512 - level, 0, 256);
 }
 
-TP_ALWAYS_INLINE void bump_sample(const tp_pool_bump *pool, tp_run *run, int32_t i,
-                                  int32_t share)
+TP_ALWAYS_INLINE void add_bump_slopes(const tp_pool_bump *pool, tp_run *run, int32_t i,
+                                      int32_t share)
 {
     uint32_t x = run->s[i] - (uint32_t)pool->x, z = run->t[i] - (uint32_t)pool->z;
 
-    if (!within(x, pool->side_x) || !within(z, pool->side_z))
+    if (!is_within_side(x, pool->side_x) || !is_within_side(z, pool->side_z))
         return;
-    uint64_t su = (uint64_t)turned(x, pool->turns_x) * pool->cols - 0x80000000u;
-    uint64_t tv = (uint64_t)turned(z, pool->turns_z) * pool->rows - 0x80000000u;
+    uint64_t su = (uint64_t)place_in_turns(x, pool->turns_x) * pool->cols - 0x80000000u;
+    uint64_t tv = (uint64_t)place_in_turns(z, pool->turns_z) * pool->rows - 0x80000000u;
     uint32_t u = (uint32_t)(su >> 32) + 1, v = (uint32_t)(tv >> 32) + 1;
     int32_t  fs = (int32_t)((uint32_t)su >> 24), ft = (int32_t)((uint32_t)tv >> 24);
     const tp_pool_slope *a = pool->slope + (size_t)v * (pool->cols + 2) + u;
     const tp_pool_slope *c = a + pool->cols + 2;
-    int32_t  sx = among(a[0].x, a[1].x, c[0].x, c[1].x, fs, ft);
-    int32_t  sz = among(a[0].z, a[1].z, c[0].z, c[1].z, fs, ft);
+    int32_t  sx = bilinear_mean(a[0].x, a[1].x, c[0].x, c[1].x, fs, ft);
+    int32_t  sz = bilinear_mean(a[0].z, a[1].z, c[0].z, c[1].z, fs, ft);
 
     run->sx[i] = (int16_t)tp_clamp(run->sx[i] + (sx * share >> 8), -32000, 32000);
     run->sz[i] = (int16_t)tp_clamp(run->sz[i] + (sz * share >> 8), -32000, 32000);
@@ -87,7 +87,7 @@ static void bump_run(const tp_shade *shade, const tp_pool_bump *pool, tp_run *ru
             continue;
         }
         for (; i < stop; i++)
-            bump_sample(&own, run, i, share);
+            add_bump_slopes(&own, run, i, share);
     }
 }
 

@@ -19,13 +19,14 @@ TP_ALWAYS_INLINE uint32_t red_green(uint32_t texel)
 
 /* Mixes two 16-bit values by the weight ft / 256, and subtracts the offset of 128.  The
  * result has 24 significant bits at the top of the word. */
-TP_ALWAYS_INLINE int32_t off_none(uint32_t above, uint32_t below, uint32_t ft)
+TP_ALWAYS_INLINE int32_t signed_mix(uint32_t above, uint32_t below, uint32_t ft)
 {
     return (int32_t)((above * (256 - ft) + below * ft - (128u << 16)) << 8);
 }
 
-static void bend(const tp_sampler *sampler, int32_t strength, const tp_stretch *over,
-                 uint32_t *restrict bent_s, uint32_t *restrict bent_t)
+static void distort_stretch(const tp_sampler *sampler, int32_t strength,
+                            const tp_stretch *over, uint32_t *restrict bent_s,
+                            uint32_t *restrict bent_t)
 {
     const tp_sampler p = *sampler;
     const uint32_t *restrict s = over->s, *restrict t = over->t;
@@ -37,8 +38,8 @@ static void bend(const tp_sampler *sampler, int32_t strength, const tp_stretch *
                        + red_green(f.texel[1]) * f.fs;
         uint32_t below = red_green(f.texel[2]) * (256 - f.fs)
                        + red_green(f.texel[3]) * f.fs;
-        int32_t  red = off_none(above >> 16, below >> 16, f.ft);
-        int32_t  green = off_none(above & 0xffff, below & 0xffff, f.ft);
+        int32_t  red = signed_mix(above >> 16, below >> 16, f.ft);
+        int32_t  green = signed_mix(above & 0xffff, below & 0xffff, f.ft);
         bent_s[i] = s[i] + (uint32_t)tp_mul_upper(red, strength);
         bent_t[i] = t[i] + (uint32_t)tp_mul_upper(green, strength);
     }
@@ -54,7 +55,7 @@ void tp_stage_bend(const tp_shade *shade, tp_run *run)
     for (int32_t i = 0; i < run->count; i += w.count) {
         w = tp_stretch_find(shade, run, layer, run->s, run->t, i);
         const tp_sampler p = tp_sampler_linear(layer, w.level);
-        bend(&p, 2 * layers->strength, &w, run->bent_s + i, run->bent_t + i);
+        distort_stretch(&p, 2 * layers->strength, &w, run->bent_s + i, run->bent_t + i);
     }
     run->ls = run->bent_s;
     run->lt = run->bent_t;

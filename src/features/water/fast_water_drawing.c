@@ -40,7 +40,7 @@ static void fill_table_key(int32_t key[TP_QUICK_KEY], const tp_frame *frame, boo
 
 /* Makes the tables if a number has changed.  A program without the module of glints has
  * no table of glints. */
-static void make_tables(tp_frame *frame, struct tp_quick_light *light, bool ripples)
+static void update_tables(tp_frame *frame, struct tp_quick_light *light, bool ripples)
 {
     const bool shiny = frame->scene->water.specular > 0 && frame->shade.shine;
     int32_t key[TP_QUICK_KEY];
@@ -60,7 +60,7 @@ static void begin(tp_frame *frame, void *mine)
         return;
     tp_quick_begin_layers(frame, fast);
     frame->shade.quick = &fast->light;
-    make_tables(frame, &fast->light, has_ripples(frame, &fast->layers));
+    update_tables(frame, &fast->light, has_ripples(frame, &fast->layers));
 }
 
 static void *layout(tp_arena *arena, const tp_want *want)
@@ -122,8 +122,8 @@ static void link_layers(chain *c, const tp_frame *frame, const tp_quick_layers *
     link_stage(c, stage[ripples ? TP_NTH_quick_ripple : TP_NTH_quick_slopes]);
 }
 
-static chain make_column_chain(const tp_frame *frame, const tp_quick_layers *layers,
-                               const tp_stage *stage)
+static chain make_full_rate_chain(const tp_frame *frame, const tp_quick_layers *layers,
+                                  const tp_stage *stage)
 {
     static const uint8_t light[3][3] = {
         { TP_NTH_quick_gradient, TP_NTH_quick_gradient_phong,
@@ -139,8 +139,8 @@ static chain make_column_chain(const tp_frame *frame, const tp_quick_layers *lay
 }
 
 /* Returns the stages at half rate: light and reflection of every second column. */
-static chain make_half_chain(const tp_frame *frame, const tp_quick_layers *layers,
-                             const tp_stage *stage)
+static chain make_half_rate_chain(const tp_frame *frame, const tp_quick_layers *layers,
+                                  const tp_stage *stage)
 {
     static const uint8_t light[] = { TP_NTH_quick_gradient_even, TP_NTH_quick_dome_even,
                                      TP_NTH_quick_cube_even };
@@ -173,10 +173,10 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 
     if (list->kind != TP_LIST_FAST)
         return;
-    const chain halves = make_half_chain(frame, layers, stage);
+    const chain halves = make_half_rate_chain(frame, layers, stage);
     if (frame->rungs.rate == TP_RATE_COLOUR && add_chain(list, &halves, mine))
         return;
-    const chain columns = make_column_chain(frame, layers, stage);
+    const chain columns = make_full_rate_chain(frame, layers, stage);
     add_chain(list, &columns, mine);
 }
 

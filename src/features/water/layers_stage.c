@@ -22,9 +22,10 @@ tp_grade tp_grade_make(tp_fx saturation, tp_fx clamp, uint32_t colour)
 enum { TINTED, GRADED };
 
 /* Shades one stretch; `filter`, `how` and `add` are literals. */
-TP_ALWAYS_INLINE void lay(const tp_sampler *sampler, const tp_grade *grade, uint32_t tint,
-                          const tp_stretch *over, uint32_t *restrict colour, int filter,
-                          int how, int add)
+TP_ALWAYS_INLINE void shade_stretch(const tp_sampler *sampler, const tp_grade *grade,
+                                    uint32_t tint, const tp_stretch *over,
+                                    uint32_t *restrict colour, int filter, int how,
+                                    int add)
 {
     const tp_sampler p = *sampler;
     const tp_grade   g = *grade;
@@ -39,7 +40,7 @@ TP_ALWAYS_INLINE void lay(const tp_sampler *sampler, const tp_grade *grade, uint
     }
 }
 
-TP_ALWAYS_INLINE void lay_all(const tp_shade *shade, tp_run *run, const tp_layer *layer,
+TP_ALWAYS_INLINE void shade_layer(const tp_shade *shade, tp_run *run, const tp_layer *layer,
                               const tp_grade *grade, uint32_t tint, int filter, int how,
                               int add)
 {
@@ -49,7 +50,7 @@ TP_ALWAYS_INLINE void lay_all(const tp_shade *shade, tp_run *run, const tp_layer
     for (int32_t i = 0; i < run->count; i += w.count) {
         w = tp_stretch_find(shade, run, layer, run->ls, run->lt, i);
         const tp_sampler p = tp_sampler_choose(layer, w.level, filter);
-        lay(&p, grade, tint, &w, run->colour + i, filter, how, add);
+        shade_stretch(&p, grade, tint, &w, run->colour + i, filter, how, add);
     }
 }
 
@@ -57,17 +58,17 @@ void tp_stage_texture_graded(const tp_shade *shade, tp_run *run)
 {
     const tp_base_layer *base = run->mine;
 
-    lay_all(shade, run, &base->layer, &base->grade, 0, 0, GRADED, 0);
+    shade_layer(shade, run, &base->layer, &base->grade, 0, 0, GRADED, 0);
 }
 
 void tp_stage_texture_linear_graded(const tp_shade *shade, tp_run *run)
 {
     const tp_base_layer *base = run->mine;
 
-    lay_all(shade, run, &base->layer, &base->grade, 0, 1, GRADED, 0);
+    shade_layer(shade, run, &base->layer, &base->grade, 0, 1, GRADED, 0);
 }
 
-TP_ALWAYS_INLINE void lay_added(const tp_shade *shade, tp_run *run, int filter)
+TP_ALWAYS_INLINE void shade_added_layers(const tp_shade *shade, tp_run *run, int filter)
 {
     const tp_layers *layers = run->mine;
 
@@ -75,20 +76,20 @@ TP_ALWAYS_INLINE void lay_added(const tp_shade *shade, tp_run *run, int filter)
         const tp_layer *layer = &layers->added[k];
         const tp_grade *grade = &layers->grade[k];
         if (layer->texture && layers->graded[k])
-            lay_all(shade, run, layer, grade, 0, filter, GRADED, 1);
+            shade_layer(shade, run, layer, grade, 0, filter, GRADED, 1);
         else if (layer->texture)
-            lay_all(shade, run, layer, grade, layers->colour[k], filter, TINTED, 1);
+            shade_layer(shade, run, layer, grade, layers->colour[k], filter, TINTED, 1);
     }
 }
 
 void tp_stage_layers(const tp_shade *shade, tp_run *run)
 {
-    lay_added(shade, run, 0);
+    shade_added_layers(shade, run, 0);
 }
 
 void tp_stage_layers_linear(const tp_shade *shade, tp_run *run)
 {
-    lay_added(shade, run, 1);
+    shade_added_layers(shade, run, 1);
 }
 
 const tp_stage tp_layers_stages[] = {

@@ -20,7 +20,7 @@ TP_ALWAYS_INLINE void diffuse(const tp_shade *restrict shade, tp_run *restrict r
 
     for (int32_t i = 0; i < count; i++) {
         int32_t sx = tp_slope_x(run, i, rippled), sz = tp_slope_z(run, i, rippled);
-        int32_t ny = tp_steep_near(tp_slope_square(sx, sz));
+        int32_t ny = tp_rsqrt_one_plus_nearest(tp_slope_square(sx, sz));
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
         int32_t lit = nl * ny >> 20;
         if ((uint32_t)lit > (uint32_t)direct)       /* facing away, or rounded up */
@@ -59,7 +59,7 @@ TP_ALWAYS_INLINE void light(const tp_shade *restrict shade, tp_run *restrict run
     for (int32_t i = 0; i < count; i++) {
         int32_t sx = tp_slope_x(run, i, rippled), sz = tp_slope_z(run, i, rippled);
         int32_t vx = run->vx[i], vy = run->vy[i], vz = run->vz[i];
-        int32_t ny = tp_steep(tp_slope_square(sx, sz));
+        int32_t ny = tp_rsqrt_one_plus(tp_slope_square(sx, sz));
         int32_t nv = vy - ((sx * vx + sz * vz) >> 12);      /* Q14, |nv| below 14 */
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
 

@@ -11,7 +11,7 @@
 #define SPAN TP_QUICK_SPAN(TP_LOBE_BLINN)
 
 /* Lights columns x to stop of one span; x is even, or the run's first column. */
-TP_ALWAYS_INLINE void packed_even_span(const tp_shade *shade, tp_quick_sun sun,
+TP_ALWAYS_INLINE void packed_light_even_span(const tp_shade *shade, tp_quick_sun sun,
                                        tp_run *run, tp_quick_view v, tp_quick_view step,
                                        int32_t x, int32_t stop, int env)
 {
@@ -26,7 +26,7 @@ TP_ALWAYS_INLINE void packed_even_span(const tp_shade *shade, tp_quick_sun sun,
     uint32_t back = v.back;
     int32_t  y = v.y;
 #define SEEN(i) \
-    even[i] = packed_mirrored(quick, sky, sun, (tp_quick_view){ .back = back, .y = y }, \
+    even[i] = packed_light_and_reflect(quick, sky, sun, (tp_quick_view){ .back = back, .y = y }, \
                               slope[2 * (i)], even[i], env)
 #define WALK() (back = tp_sadd16(back, step.back), y += step.y)
     if (x & 1) {
@@ -56,7 +56,7 @@ TP_ALWAYS_INLINE void packed_even_span(const tp_shade *shade, tp_quick_sun sun,
 
 /* Lights the even columns of a run.  The half vectors at the ends of spans stay in the
  * run, for the glints. */
-TP_ALWAYS_INLINE void packed_even(const tp_shade *shade, tp_run *run, int env)
+TP_ALWAYS_INLINE void packed_light_even(const tp_shade *shade, tp_run *run, int env)
 {
     const tp_quick_sun sun = tp_quick_sun_make(shade);
     const tp_quick_row row = tp_quick_row_make(shade, run->y);
@@ -68,8 +68,8 @@ TP_ALWAYS_INLINE void packed_even(const tp_shade *shade, tp_run *run, int env)
     while (x < end) {
         int32_t next = (x & -SPAN) + SPAN, stop = next < end ? next : end;
         const tp_quick_view to = tp_quick_blinn_sample(shade, &row, next);
-        packed_even_span(shade, sun, run, v, tp_quick_step(v, to, TP_LOBE_NONE), x, stop,
-                         env);
+        packed_light_even_span(shade, sun, run, v, tp_quick_step(v, to, TP_LOBE_NONE), x,
+                               stop, env);
         *half++ = to.half;
         v = to;
         x = stop;
@@ -89,7 +89,7 @@ TP_ALWAYS_INLINE void packed_phong_span(const struct tp_quick_light *quick,
 
     v = tp_quick_view_advance(v, step, (x & (TP_QUICK_SPAN(TP_LOBE_PHONG) - 1)) >> 1);
     for (; x < stop; x++) {
-        *colour = packed_gleaming(quick, sun, v, *slope++, *colour, TP_LOBE_PHONG);
+        *colour = packed_add_glint(quick, sun, v, *slope++, *colour, TP_LOBE_PHONG);
         colour++;
         if (x & 1)
             v = tp_quick_view_advance(v, step, 1);

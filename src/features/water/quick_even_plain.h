@@ -7,9 +7,10 @@
 
 /* Lights the even columns, from the first even column on.  Slopes and views are read at
  * every second column of the run. */
-TP_ALWAYS_INLINE void plain_evens(const plain_tables tables, const tp_run *restrict run,
-                                  uint32_t *restrict even, int32_t odd, int32_t places,
-                                  int env)
+TP_ALWAYS_INLINE void plain_light_even_loop(const plain_tables tables,
+                                            const tp_run *restrict run,
+                                            uint32_t *restrict even, int32_t odd,
+                                            int32_t places, int env)
 {
     const uint32_t *restrict slope = run->slope + odd, *restrict back = run->back + odd;
     const uint32_t *restrict column = run->column + odd;
@@ -17,12 +18,12 @@ TP_ALWAYS_INLINE void plain_evens(const plain_tables tables, const tp_run *restr
 
     for (int32_t k = 0; k < places; k++) {
         plain_column c = plain_column_make(&tables, slope[2 * k], back[2 * k], y[2 * k]);
-        even[k] = plain_mirrored(&tables, c, env == TP_ENV_DOME ? column[2 * k] : 0,
+        even[k] = plain_light_and_reflect(&tables, c, env == TP_ENV_DOME ? column[2 * k] : 0,
                                  even[k], env);
     }
 }
 
-TP_ALWAYS_INLINE void plain_even(const tp_shade *shade, tp_run *run, int env)
+TP_ALWAYS_INLINE void plain_light_even(const tp_shade *shade, tp_run *run, int env)
 {
     const plain_tables tables = plain_tables_make(shade, env);
     const int32_t odd = run->x & 1;
@@ -31,10 +32,11 @@ TP_ALWAYS_INLINE void plain_even(const tp_shade *shade, tp_run *run, int env)
     if (odd) {
         plain_column c = plain_column_make(&tables, run->slope[0], run->back[0],
                                          run->view_y[0]);
-        run->even[0] = plain_mirrored(&tables, c, env == TP_ENV_DOME ? run->column[0] : 0,
+        run->even[0] = plain_light_and_reflect(&tables, c, env == TP_ENV_DOME ? run->column[0] : 0,
                                       run->even[0], env);
     }
-    plain_evens(tables, run, run->even + odd, odd, (run->count - odd + 1) >> 1, env);
+    plain_light_even_loop(tables, run, run->even + odd, odd, (run->count - odd + 1) >> 1,
+                          env);
 }
 
 /* Adds the glints.  The half vectors are those left in the run by the light of the even

@@ -14,17 +14,17 @@
 
 void tp_stage_quick_gradient_even(const tp_shade *shade, tp_run *run)
 {
-    BODY(even)(shade, run, TP_ENV_GRADIENT);
+    BODY(light_even)(shade, run, TP_ENV_GRADIENT);
 }
 
 void tp_stage_quick_dome_even(const tp_shade *shade, tp_run *run)
 {
-    BODY(even)(shade, run, TP_ENV_DOME);
+    BODY(light_even)(shade, run, TP_ENV_DOME);
 }
 
 void tp_stage_quick_cube_even(const tp_shade *shade, tp_run *run)
 {
-    BODY(even)(shade, run, TP_ENV_CUBE);
+    BODY(light_even)(shade, run, TP_ENV_CUBE);
 }
 
 void tp_stage_quick_glint_phong(const tp_shade *shade, tp_run *run)

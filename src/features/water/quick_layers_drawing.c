@@ -43,7 +43,7 @@ static uint32_t layer_colour(const tp_scene *scene, const tp_assets *assets, int
                             : (uint32_t)scene->water.colour;
 }
 
-static tp_quick_wish make_wish(const tp_scene *scene, const tp_assets *assets, int i)
+static tp_quick_wish bake_parameters(const tp_scene *scene, const tp_assets *assets, int i)
 {
     if (i == OFFSETS)
         return (tp_quick_wish){ .amount = scene->distortion.strength };
@@ -60,8 +60,8 @@ static bool is_same(const tp_quick_wish *a, const tp_quick_wish *b)
     return a->amount == b->amount && a->clamp == b->clamp && a->colour == b->colour;
 }
 
-static void make(tp_texture *to, int i, const tp_texture *source,
-                 const tp_quick_wish *wish, void *memory)
+static void bake_texture(tp_texture *to, int i, const tp_texture *source,
+                         const tp_quick_wish *wish, void *memory)
 {
     if (i == OFFSETS)
         tp_quick_offsets(to, source, wish->amount, memory);
@@ -82,22 +82,23 @@ void tp_prepare(tp_texture *to, const tp_scene *scene, const tp_assets *assets, 
                 void *memory)
 {
     TP_ASSERT(i >= 0 && i < TP_PREPARED);
-    const tp_quick_wish wish = make_wish(scene, assets, i);
-    make(to, i, source_texture(assets, i), &wish, memory);
+    const tp_quick_wish wish = bake_parameters(scene, assets, i);
+    bake_texture(to, i, source_texture(assets, i), &wish, memory);
 }
 
 /* Returns the baked texture i, baked now if needed; NULL: none. */
-static const tp_texture *prepare_picture(const tp_frame *frame, tp_fast_water *fast, int i)
+static const tp_texture *provide_baked_texture(const tp_frame *frame, tp_fast_water *fast,
+                                               int i)
 {
-    const tp_quick_wish wish = make_wish(frame->scene, &frame->assets, i);
+    const tp_quick_wish wish = bake_parameters(frame->scene, &frame->assets, i);
 
     if (baked_texture(&frame->assets, i))
         return baked_texture(&frame->assets, i);
     if (!fast->memory[i])
         return NULL;
     if (fast->picture[i].levels == 0 || !is_same(&fast->made[i], &wish))
-        make(&fast->picture[i], i, source_texture(&frame->assets, i), &wish,
-             fast->memory[i]);
+        bake_texture(&fast->picture[i], i, source_texture(&frame->assets, i), &wish,
+                     fast->memory[i]);
     fast->made[i] = wish;
     return &fast->picture[i];
 }
@@ -105,7 +106,7 @@ static const tp_texture *prepare_picture(const tp_frame *frame, tp_fast_water *f
 static tp_quick_map make_map(const tp_frame *frame, tp_fast_water *fast, int i,
                              const tp_scene_map *map, int32_t lod)
 {
-    tp_layer layer = tp_frame_layer(frame, prepare_picture(frame, fast, i), map);
+    tp_layer layer = tp_frame_layer(frame, provide_baked_texture(frame, fast, i), map);
 
     layer.lod += lod;
     return tp_quick_map_make(&layer);

@@ -28,8 +28,8 @@ TP_ALWAYS_INLINE uint32_t packed_texel(const tp_lookup *l, uint32_t s, uint32_t 
     return l->texel[v * l->side + u];
 }
 
-TP_ALWAYS_INLINE void packed_first_pair(const tp_lookup *l, const uint32_t *place,
-                                        uint32_t *colour, int skip)
+TP_ALWAYS_INLINE void packed_write_texel_pair(const tp_lookup *l, const uint32_t *place,
+                                              uint32_t *colour, int skip)
 {
     const pair s = pair_load(place, skip), t = pair_load(place, skip + TP_RUN);
 
@@ -37,24 +37,24 @@ TP_ALWAYS_INLINE void packed_first_pair(const tp_lookup *l, const uint32_t *plac
                packed_texel(l, s.second, t.second));
 }
 
-TP_LOOP packed_first(const tp_quick_map *map, int32_t far, const uint32_t *place, uint32_t *colour,
-                         int32_t count)
+TP_LOOP packed_write_texels(const tp_quick_map *map, int32_t far, const uint32_t *place,
+                            uint32_t *colour, int32_t count)
 {
     const tp_lookup l = packed_lookup(map, far);
     const uint32_t *end = place + (count & ~7);
 
     for (; place != end; place += 8, colour += 8) {
-        packed_first_pair(&l, place, colour, 0);
-        packed_first_pair(&l, place, colour, 2);
-        packed_first_pair(&l, place, colour, 4);
-        packed_first_pair(&l, place, colour, 6);
+        packed_write_texel_pair(&l, place, colour, 0);
+        packed_write_texel_pair(&l, place, colour, 2);
+        packed_write_texel_pair(&l, place, colour, 4);
+        packed_write_texel_pair(&l, place, colour, 6);
     }
     for (end += count & 7; place != end; place++)
         *colour++ = packed_texel(&l, place[0], place[TP_RUN]);
 }
 
-TP_ALWAYS_INLINE void packed_added_pair(const tp_lookup *l, const uint32_t *place,
-                                        uint32_t *colour, int skip)
+TP_ALWAYS_INLINE void packed_add_texel_pair(const tp_lookup *l, const uint32_t *place,
+                                            uint32_t *colour, int skip)
 {
     const pair s = pair_load(place, skip), t = pair_load(place, skip + TP_RUN);
     uint32_t a = packed_texel(l, s.first, t.first);
@@ -64,17 +64,17 @@ TP_ALWAYS_INLINE void packed_added_pair(const tp_lookup *l, const uint32_t *plac
     pair_store(colour, skip, tp_uqadd8(c.first, a), tp_uqadd8(c.second, b));
 }
 
-TP_LOOP packed_added(const tp_quick_map *map, int32_t far, const uint32_t *place, uint32_t *colour,
-                         int32_t count)
+TP_LOOP packed_add_texels(const tp_quick_map *map, int32_t far, const uint32_t *place,
+                          uint32_t *colour, int32_t count)
 {
     const tp_lookup l = packed_lookup(map, far);
     const uint32_t *end = place + (count & ~7);
 
     for (; place != end; place += 8, colour += 8) {
-        packed_added_pair(&l, place, colour, 0);
-        packed_added_pair(&l, place, colour, 2);
-        packed_added_pair(&l, place, colour, 4);
-        packed_added_pair(&l, place, colour, 6);
+        packed_add_texel_pair(&l, place, colour, 0);
+        packed_add_texel_pair(&l, place, colour, 2);
+        packed_add_texel_pair(&l, place, colour, 4);
+        packed_add_texel_pair(&l, place, colour, 6);
     }
     for (end += count & 7; place != end; place++, colour++)
         *colour = tp_uqadd8(*colour, packed_texel(&l, place[0], place[TP_RUN]));
@@ -82,82 +82,83 @@ TP_LOOP packed_added(const tp_quick_map *map, int32_t far, const uint32_t *place
 
 /* -- distortion ------------------------------------------------------------------------- */
 
-TP_ALWAYS_INLINE uint32_t packed_along_s(uint32_t s, uint32_t off)
+TP_ALWAYS_INLINE uint32_t packed_add_offset_s(uint32_t s, uint32_t off)
 {
     return s + (uint32_t)((int32_t)off >> 10);
 }
 
-TP_ALWAYS_INLINE uint32_t packed_along_t(uint32_t t, uint32_t off_t)
+TP_ALWAYS_INLINE uint32_t packed_add_offset_t(uint32_t t, uint32_t off_t)
 {
     return t + (uint32_t)((int32_t)off_t >> 10);
 }
 
-TP_ALWAYS_INLINE void packed_bent_place(const tp_lookup *l, uint32_t s, uint32_t t,
-                                        uint32_t *place)
+TP_ALWAYS_INLINE void packed_distort_place(const tp_lookup *l, uint32_t s, uint32_t t,
+                                           uint32_t *place)
 {
     uint32_t off = packed_texel(l, s, t);
 
-    place[0] = packed_along_s(s, off);
-    place[TP_RUN] = packed_along_t(t, off << 16);
+    place[0] = packed_add_offset_s(s, off);
+    place[TP_RUN] = packed_add_offset_t(t, off << 16);
 }
 
-TP_ALWAYS_INLINE void packed_bent_pair(const tp_lookup *l, const uint32_t **s,
-                                       const uint32_t **t, uint32_t *place, int skip)
+TP_ALWAYS_INLINE void packed_distort_pair(const tp_lookup *l, const uint32_t **s,
+                                          const uint32_t **t, uint32_t *place, int skip)
 {
     const pair ss = pair_next(s), tt = pair_next(t);
     uint32_t off = packed_texel(l, ss.first, tt.first), off_t = off << 16;
 
-    pair_store(place, skip, packed_along_s(ss.first, off), packed_along_s(ss.second, off));
-    pair_store(place, skip + TP_RUN, packed_along_t(tt.first, off_t),
-               packed_along_t(tt.second, off_t));
+    pair_store(place, skip, packed_add_offset_s(ss.first, off),
+               packed_add_offset_s(ss.second, off));
+    pair_store(place, skip + TP_RUN, packed_add_offset_t(tt.first, off_t),
+               packed_add_offset_t(tt.second, off_t));
 }
 
-TP_LOOP packed_bent(const tp_quick_map *map, int32_t far, const tp_columns *columns,
-                    uint32_t *place)
+TP_LOOP packed_distort_places(const tp_quick_map *map, int32_t far,
+                              const tp_columns *columns, uint32_t *place)
 {
     const tp_lookup l = packed_lookup(map, far);
     const uint32_t *s = columns->s, *t = columns->t;
     int32_t count = columns->count;
 
     if (columns->odd) {
-        packed_bent_place(&l, *s++, *t++, place++);
+        packed_distort_place(&l, *s++, *t++, place++);
         count--;
     }
     const uint32_t *end = place + (count & ~3);
     for (; place != end; place += 4) {
-        packed_bent_pair(&l, &s, &t, place, 0);
-        packed_bent_pair(&l, &s, &t, place, 2);
+        packed_distort_pair(&l, &s, &t, place, 0);
+        packed_distort_pair(&l, &s, &t, place, 2);
     }
     if (count & 2) {
-        packed_bent_pair(&l, &s, &t, place, 0);
+        packed_distort_pair(&l, &s, &t, place, 0);
         place += 2;
     }
     if (count & 1)
-        packed_bent_place(&l, *s, *t, place);
+        packed_distort_place(&l, *s, *t, place);
 }
 
-TP_LOOP packed_bent_thin(const tp_quick_map *map, int32_t far, const tp_columns *columns,
-                         uint32_t *place)
+TP_LOOP packed_distort_even_places(const tp_quick_map *map, int32_t far,
+                                   const tp_columns *columns, uint32_t *place)
 {
     const tp_lookup l = packed_lookup(map, far);
     const uint32_t *s = columns->s, *t = columns->t;
     int32_t count = columns->count;
 
     if (columns->odd) {
-        packed_bent_place(&l, *s++, *t++, place++);
+        packed_distort_place(&l, *s++, *t++, place++);
         count--;
     }
     const uint32_t *end = place + (count >> 2 << 1);
     for (; place != end; place += 2, s += 4, t += 4) {
         const uint32_t a = packed_texel(&l, s[0], t[0]), b = packed_texel(&l, s[2], t[2]);
-        pair_store(place, 0, packed_along_s(s[0], a), packed_along_s(s[2], b));
-        pair_store(place, TP_RUN, packed_along_t(t[0], a << 16),
-                   packed_along_t(t[2], b << 16));
+        pair_store(place, 0, packed_add_offset_s(s[0], a), packed_add_offset_s(s[2], b));
+        pair_store(place, TP_RUN, packed_add_offset_t(t[0], a << 16),
+                   packed_add_offset_t(t[2], b << 16));
     }
     if (count & 3)
-        packed_bent_place(&l, s[0], t[0], place);
+        packed_distort_place(&l, s[0], t[0], place);
     if ((count & 3) == 3)
-        packed_bent_place(&l, s[2], t[2], place + 1);
+        packed_distort_place(&l, s[2], t[2], place + 1);
 }
 
 /* -- ripples and half rate colours --------------------------------------------------- */
@@ -189,7 +190,7 @@ TP_LOOP packed_rippled(const tp_quick_map *map, int32_t far, const tp_columns *c
         *slope = tp_qadd16(*n++, packed_texel(&l, *s++, *t++));
 }
 
-TP_LOOP packed_paired(const uint32_t *thin, uint32_t *colour, int32_t pairs)
+TP_LOOP packed_expand_pairs(const uint32_t *thin, uint32_t *colour, int32_t pairs)
 {
     const uint32_t *const end = thin + (pairs & ~1);
     uint32_t a = *thin;

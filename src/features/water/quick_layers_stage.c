@@ -22,7 +22,7 @@
 
 #define HALF 128                /* half a level, Q8 */
 
-static int32_t thin_places(const tp_run *run, int32_t end)
+static int32_t half_rate_place_count(const tp_run *run, int32_t end)
 {
     return (end + (run->x & 1) + 1) >> 1;
 }
@@ -38,7 +38,7 @@ void tp_stage_quick_far(const tp_shade *shade, tp_run *run)
         if (spans == 0 || run->span[spans - 1].far != far)
             run->span[spans++].far = (int16_t)far;
         run->span[spans - 1].end = (uint8_t)i;
-        run->span[spans - 1].places = (uint8_t)thin_places(run, i);
+        run->span[spans - 1].places = (uint8_t)half_rate_place_count(run, i);
     }
     run->spans = spans;
 }
@@ -65,7 +65,7 @@ void tp_stage_quick_still(const tp_shade *shade, tp_run *run)
 
 void tp_stage_quick_still_thin(const tp_shade *shade, tp_run *run)
 {
-    const int32_t odd = run->x & 1, places = thin_places(run, run->count);
+    const int32_t odd = run->x & 1, places = half_rate_place_count(run, run->count);
     const uint32_t *s = run->s, *t = run->t;
     uint32_t *place = run->place;
 
@@ -85,7 +85,7 @@ void tp_stage_quick_bend(const tp_shade *shade, tp_run *run)
     (void)shade;
     for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
         const tp_columns c = make_columns(run, (int32_t)at, run->span[k].end);
-        LOOP(bent)(&quick->bend, run->span[k].far, &c, run->place + at);
+        LOOP(distort_places)(&quick->bend, run->span[k].far, &c, run->place + at);
     }
 }
 
@@ -96,23 +96,23 @@ void tp_stage_quick_bend_thin(const tp_shade *shade, tp_run *run)
     (void)shade;
     for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
         const tp_columns c = make_columns(run, (int32_t)at, run->span[k].end);
-        LOOP(bent_thin)(&quick->bend, run->span[k].far, &c,
+        LOOP(distort_even_places)(&quick->bend, run->span[k].far, &c,
                         run->place + (k ? run->span[k - 1].places : 0));
     }
 }
 
 /* -- layers ---------------------------------------------------------------------------- */
 
-TP_ALWAYS_INLINE void lay(const tp_quick_map *map, const tp_run *run, uint32_t *colour,
-                          int thin, int add)
+TP_ALWAYS_INLINE void shade_layer(const tp_quick_map *map, const tp_run *run,
+                                  uint32_t *colour, int thin, int add)
 {
     for (uint32_t k = 0, at = 0; k < run->spans; k++) {
         const uint32_t  end = thin ? run->span[k].places : run->span[k].end;
         if (add)
-            LOOP(added)(map, run->span[k].far, run->place + at, colour + at,
+            LOOP(add_texels)(map, run->span[k].far, run->place + at, colour + at,
                         (int32_t)(end - at));
         else
-            LOOP(first)(map, run->span[k].far, run->place + at, colour + at,
+            LOOP(write_texels)(map, run->span[k].far, run->place + at, colour + at,
                         (int32_t)(end - at));
         at = end;
     }
@@ -120,24 +120,25 @@ TP_ALWAYS_INLINE void lay(const tp_quick_map *map, const tp_run *run, uint32_t *
 
 /* Shades all layers.  Without a base texture the water's colour replaces the first
  * layer. */
-TP_ALWAYS_INLINE void lay_all(const tp_shade *shade, const tp_run *run, uint32_t *colour,
-                              int thin)
+TP_ALWAYS_INLINE void shade_layers(const tp_shade *shade, const tp_run *run,
+                                   uint32_t *colour, int thin)
 {
     const tp_quick_map *layer = ((const tp_quick_layers *)run->mine)->layer;
 
     if (layer[0].level)
-        lay(&layer[0], run, colour, thin, 0);
+        shade_layer(&layer[0], run, colour, thin, 0);
     else
-        for (int32_t i = 0; i < (thin ? thin_places(run, run->count) : run->count); i++)
+        for (int32_t i = 0;
+             i < (thin ? half_rate_place_count(run, run->count) : run->count); i++)
             colour[i] = shade->water_colour;
     for (int k = 1; k < TP_QUICK_LAYERS; k++)
         if (layer[k].level)
-            lay(&layer[k], run, colour, thin, 1);
+            shade_layer(&layer[k], run, colour, thin, 1);
 }
 
 void tp_stage_quick_layers(const tp_shade *shade, tp_run *run)
 {
-    lay_all(shade, run, run->colour, 0);
+    shade_layers(shade, run, run->colour, 0);
 }
 
 /* Fills the columns in between with the mean of their neighbours.  At the end of a block
@@ -150,7 +151,7 @@ static void fill_odd_columns(const uint32_t *restrict thin, tp_run *run)
 
     run->colour[0] = thin[0];
     thin += odd;
-    LOOP(paired)(thin, colour, pairs);
+    LOOP(expand_pairs)(thin, colour, pairs);
     if ((count - odd) & 1)
         colour[2 * pairs] = thin[pairs];
     else if (pairs > 0)
@@ -164,13 +165,13 @@ static void fill_odd_columns(const uint32_t *restrict thin, tp_run *run)
  * so the array holds the half rate colours. */
 void tp_stage_quick_layers_thin(const tp_shade *shade, tp_run *run)
 {
-    lay_all(shade, run, run->slope, 1);
+    shade_layers(shade, run, run->slope, 1);
     fill_odd_columns(run->slope, run);
 }
 
 void tp_stage_quick_layers_even(const tp_shade *shade, tp_run *run)
 {
-    lay_all(shade, run, run->even, 1);
+    shade_layers(shade, run, run->even, 1);
 }
 
 void tp_quick_odd_fill(tp_run *run)

@@ -21,10 +21,10 @@ TP_ALWAYS_INLINE uint32_t packed_cube_colour(const uint32_t *sky, uint32_t slope
 }
 
 /* Returns light and reflection of one column. */
-TP_ALWAYS_INLINE uint32_t packed_mirrored(const struct tp_quick_light *quick,
-                                          const uint32_t *sky, tp_quick_sun sun,
-                                          tp_quick_view v, uint32_t slope,
-                                          uint32_t colour, int env)
+TP_ALWAYS_INLINE uint32_t packed_light_and_reflect(const struct tp_quick_light *quick,
+                                                   const uint32_t *sky, tp_quick_sun sun,
+                                                   tp_quick_view v, uint32_t slope,
+                                                   uint32_t colour, int env)
 {
     int32_t  n = tp_smlad(slope, v.back, v.y), up = 2 * tp_usat(n, 0, 27) - v.y;
     int32_t  l = tp_smlad(slope, sun.back, sun.y);
@@ -41,9 +41,9 @@ TP_ALWAYS_INLINE uint32_t packed_mirrored(const struct tp_quick_light *quick,
 }
 
 /* Adds the glint of one column. */
-TP_ALWAYS_INLINE uint32_t packed_gleaming(const struct tp_quick_light *quick,
-                                          tp_quick_sun sun, tp_quick_view v,
-                                          uint32_t slope, uint32_t colour, int lobe)
+TP_ALWAYS_INLINE uint32_t packed_add_glint(const struct tp_quick_light *quick,
+                                           tp_quick_sun sun, tp_quick_view v,
+                                           uint32_t slope, uint32_t colour, int lobe)
 {
     if (lobe == TP_LOBE_PHONG) {
         int32_t n = tp_smlad(slope, v.back, v.y), l = tp_smlad(slope, sun.back, sun.y);
@@ -59,13 +59,13 @@ TP_ALWAYS_INLINE uint32_t packed_gleaming(const struct tp_quick_light *quick,
 }
 
 /* Returns the full colour of one column. */
-TP_ALWAYS_INLINE uint32_t packed_seen(const struct tp_quick_light *quick,
+TP_ALWAYS_INLINE uint32_t packed_shade_column(const struct tp_quick_light *quick,
                                       const uint32_t *sky, tp_quick_sun sun,
                                       tp_quick_view v, uint32_t slope, uint32_t colour,
                                       int env, int lobe)
 {
-    colour = packed_mirrored(quick, sky, sun, v, slope, colour, env);
-    return packed_gleaming(quick, sun, v, slope, colour, lobe);
+    colour = packed_light_and_reflect(quick, sky, sun, v, slope, colour, env);
+    return packed_add_glint(quick, sun, v, slope, colour, lobe);
 }
 
 /* Returns the address of a word in a run: `sample` is the run plus 4 bytes per column,
@@ -106,7 +106,7 @@ TP_ALWAYS_INLINE void packed_span(const tp_shade *shade, tp_quick_sun sun, tp_ru
     int32_t  y = v.y, lv = v.lv;
 
 #define SEEN(i) \
-    COLOUR(at, i) = packed_seen(quick, sky, sun, (tp_quick_view){ back, half, y, lv }, \
+    COLOUR(at, i) = packed_shade_column(quick, sky, sun, (tp_quick_view){ back, half, y, lv }, \
                                 SLOPE(at, i), COLOUR(at, i), env, lobe)
 #define TO_NEXT(by) (half = lobe == TP_LOBE_BLINN ? tp_sadd16(half, by) : 0)
 #define SEEN_AND_ON(i) (SEEN(i), TO_NEXT(walk.quarter))

@@ -10,7 +10,7 @@
 /* Returns the index of the negated reflected view in the map of a cube's sky.  The
  * horizontal part is contracted by half its height, so the horizon has as many cells per
  * degree as the rest.  n and `up` are Q26. */
-TP_ALWAYS_INLINE int32_t plain_cube_place(int32_t sx, int32_t sz, int32_t vx, int32_t vz,
+TP_ALWAYS_INLINE int32_t plain_cube_index(int32_t sx, int32_t sz, int32_t vx, int32_t vz,
                                           int32_t n, int32_t up)
 {
     int32_t twice = tp_usat(n, 12, 14);
@@ -67,14 +67,14 @@ TP_ALWAYS_INLINE plain_column plain_column_make(const plain_tables *t, uint32_t 
 }
 
 /* Returns light and reflection; `column` is the column of heights in a dome's sky. */
-TP_ALWAYS_INLINE uint32_t plain_mirrored(const plain_tables *t, plain_column c,
+TP_ALWAYS_INLINE uint32_t plain_light_and_reflect(const plain_tables *t, plain_column c,
                                          uint32_t column, uint32_t colour, int env)
 {
     int32_t up = 2 * tp_usat(c.n, 0, 27) - c.y;
     int32_t place = env == TP_ENV_CUBE
-                        ? plain_cube_place(c.sx, c.sz, c.vx, c.vz, c.n + t->least, up)
-                  : env == TP_ENV_DOME ? (int32_t)column + tp_ssat(up, 21, 6)
-                                       : tp_ssat(up, 21, 6);
+                        ? plain_cube_index(c.sx, c.sz, c.vx, c.vz, c.n + t->least, up)
+                    : env == TP_ENV_DOME ? (int32_t)column + tp_ssat(up, 21, 6)
+                                         : tp_ssat(up, 21, 6);
     uint32_t share = t->shares[tp_usat(c.n, 18, 8)];
     uint32_t lit = (uint32_t)(t->sun.ambient + t->sun.direct * tp_usat(c.l, 18, 8));
 
@@ -101,15 +101,16 @@ TP_ALWAYS_INLINE uint32_t plain_blinn(const plain_tables *t, uint32_t slope,
 }
 
 /* Shades a run; its arrays do not overlap. */
-TP_ALWAYS_INLINE void plain_lit(const plain_tables tables, const tp_run *restrict run,
-                                uint32_t *restrict colours, int32_t count, int env,
-                                int lobe)
+TP_ALWAYS_INLINE void plain_shade_loop(const plain_tables tables,
+                                       const tp_run *restrict run,
+                                       uint32_t *restrict colours, int32_t count, int env,
+                                       int lobe)
 {
     for (int32_t i = 0; i < count; i++) {
         plain_column c = plain_column_make(&tables, run->slope[i], run->back[i],
                                          run->view_y[i]);
         uint32_t column = env == TP_ENV_DOME ? run->column[i] : 0;
-        uint32_t colour = plain_mirrored(&tables, c, column, colours[i], env);
+        uint32_t colour = plain_light_and_reflect(&tables, c, column, colours[i], env);
         if (lobe == TP_LOBE_PHONG)
             colour = plain_phong(&tables, c, run->view_l[i], colour);
         if (lobe == TP_LOBE_BLINN)
@@ -121,6 +122,7 @@ TP_ALWAYS_INLINE void plain_lit(const plain_tables tables, const tp_run *restric
 TP_ALWAYS_INLINE void plain_light(const tp_shade *shade, tp_run *run, int env, int lobe)
 {
     tp_quick_view_run(shade, run, lobe);
-    plain_lit(plain_tables_make(shade, env), run, run->colour, run->count, env, lobe);
+    plain_shade_loop(plain_tables_make(shade, env), run, run->colour, run->count, env,
+                     lobe);
 }
 #endif

@@ -14,7 +14,7 @@ typedef struct {
 
 typedef uint32_t (*texel_work)(const work *w, uint32_t texel);
 
-static uint32_t longer(const tp_texture *t)
+static uint32_t longer_side_log2(const tp_texture *t)
 {
     return t->log2_w > t->log2_h ? t->log2_w : t->log2_h;
 }
@@ -22,7 +22,7 @@ static uint32_t longer(const tp_texture *t)
 /* Returns log2 of the baked side, 1..TP_QUICK_LOG2. */
 static uint32_t side_log2(const tp_texture *from)
 {
-    return (uint32_t)tp_clamp((int32_t)longer(from), 1, TP_QUICK_LOG2);
+    return (uint32_t)tp_clamp((int32_t)longer_side_log2(from), 1, TP_QUICK_LOG2);
 }
 
 /* Sum of 4^n words for n of 0..side. */
@@ -54,7 +54,7 @@ static void prepare(tp_texture *to, const tp_texture *from, texel_work texel,
                     const work *w, uint32_t *mem)
 {
     TP_ASSERT(from->levels > 0 && (uintptr_t)mem % 4 == 0);
-    const uint32_t side = side_log2(from), whole = longer(from);
+    const uint32_t side = side_log2(from), whole = longer_side_log2(from);
     const uint32_t left_out = whole > side ? whole - side : 0;
 
     *to = (tp_texture){ .log2_w = (uint8_t)side, .log2_h = (uint8_t)side,

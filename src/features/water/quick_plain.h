@@ -23,8 +23,9 @@ TP_ALWAYS_INLINE uint32_t plain_sum(uint32_t a, uint32_t b)
 }
 
 /* Writes the texels of the first layer. */
-TP_LOOP plain_first(const tp_quick_map *map, int32_t far, const uint32_t *restrict place,
-                        uint32_t *restrict colour, int32_t count)
+TP_LOOP plain_write_texels(const tp_quick_map *map, int32_t far,
+                           const uint32_t *restrict place, uint32_t *restrict colour,
+                           int32_t count)
 {
     const tp_lookup l = tp_lookup_make(map, far);
 
@@ -33,8 +34,9 @@ TP_LOOP plain_first(const tp_quick_map *map, int32_t far, const uint32_t *restri
 }
 
 /* Adds the texels of a further layer, saturated at white. */
-TP_LOOP plain_added(const tp_quick_map *map, int32_t far, const uint32_t *restrict place,
-                        uint32_t *restrict colour, int32_t count)
+TP_LOOP plain_add_texels(const tp_quick_map *map, int32_t far,
+                         const uint32_t *restrict place, uint32_t *restrict colour,
+                         int32_t count)
 {
     const tp_lookup l = tp_lookup_make(map, far);
 
@@ -44,28 +46,28 @@ TP_LOOP plain_added(const tp_quick_map *map, int32_t far, const uint32_t *restri
 
 /* Return an offset in m, 16.16.  The s offset keeps t's bits as a fraction, less than
  * 1/1024 m. */
-TP_ALWAYS_INLINE uint32_t plain_along_s(uint32_t off)
+TP_ALWAYS_INLINE uint32_t plain_offset_s(uint32_t off)
 {
     return (uint32_t)((int32_t)off >> 10);
 }
 
-TP_ALWAYS_INLINE uint32_t plain_along_t(uint32_t off)
+TP_ALWAYS_INLINE uint32_t plain_offset_t(uint32_t off)
 {
     return (uint32_t)((int32_t)(off << 16) >> 10);
 }
 
-TP_ALWAYS_INLINE void plain_bent_place(const tp_lookup *l, const tp_columns *c, int32_t i,
-                                       uint32_t *place)
+TP_ALWAYS_INLINE void plain_distort_place(const tp_lookup *l, const tp_columns *c,
+                                          int32_t i, uint32_t *place)
 {
     uint32_t off = plain_texel(l, c->s[i], c->t[i]);
 
-    place[0] = c->s[i] + plain_along_s(off);
-    place[TP_RUN] = c->t[i] + plain_along_t(off);
+    place[0] = c->s[i] + plain_offset_s(off);
+    place[TP_RUN] = c->t[i] + plain_offset_t(off);
 }
 
 /* Distorts the places: two columns share the offset of the even column. */
-TP_LOOP plain_bent(const tp_quick_map *map, int32_t far, const tp_columns *columns,
-                   uint32_t *restrict place)
+TP_LOOP plain_distort_places(const tp_quick_map *map, int32_t far,
+                             const tp_columns *columns, uint32_t *restrict place)
 {
     const tp_lookup  l = tp_lookup_make(map, far);
     const tp_columns c = *columns;
@@ -74,21 +76,21 @@ TP_LOOP plain_bent(const tp_quick_map *map, int32_t far, const tp_columns *colum
     uint32_t *restrict to = place + odd;
 
     if (odd)
-        plain_bent_place(&l, &c, 0, place);
+        plain_distort_place(&l, &c, 0, place);
     for (int32_t k = 0; k < pairs; k++) {
         uint32_t off = plain_texel(&l, s[2 * k], t[2 * k]);
-        to[2 * k] = s[2 * k] + plain_along_s(off);
-        to[2 * k + 1] = s[2 * k + 1] + plain_along_s(off);
-        to[2 * k + TP_RUN] = t[2 * k] + plain_along_t(off);
-        to[2 * k + 1 + TP_RUN] = t[2 * k + 1] + plain_along_t(off);
+        to[2 * k] = s[2 * k] + plain_offset_s(off);
+        to[2 * k + 1] = s[2 * k + 1] + plain_offset_s(off);
+        to[2 * k + TP_RUN] = t[2 * k] + plain_offset_t(off);
+        to[2 * k + 1 + TP_RUN] = t[2 * k + 1] + plain_offset_t(off);
     }
     if ((c.count - odd) & 1)
-        plain_bent_place(&l, &c, c.count - 1, place + c.count - 1);
+        plain_distort_place(&l, &c, c.count - 1, place + c.count - 1);
 }
 
 /* Distorts the places of the first column and of the even columns only. */
-TP_LOOP plain_bent_thin(const tp_quick_map *map, int32_t far,
-                            const tp_columns *columns, uint32_t *restrict place)
+TP_LOOP plain_distort_even_places(const tp_quick_map *map, int32_t far,
+                                  const tp_columns *columns, uint32_t *restrict place)
 {
     const tp_lookup  l = tp_lookup_make(map, far);
     const tp_columns c = *columns;
@@ -97,11 +99,11 @@ TP_LOOP plain_bent_thin(const tp_quick_map *map, int32_t far,
     uint32_t *restrict to = place + odd;
 
     if (odd)
-        plain_bent_place(&l, &c, 0, place);
+        plain_distort_place(&l, &c, 0, place);
     for (int32_t k = 0; k < evens; k++) {
         uint32_t off = plain_texel(&l, s[2 * k], t[2 * k]);
-        to[k] = s[2 * k] + plain_along_s(off);
-        to[k + TP_RUN] = t[2 * k] + plain_along_t(off);
+        to[k] = s[2 * k] + plain_offset_s(off);
+        to[k + TP_RUN] = t[2 * k] + plain_offset_t(off);
     }
 }
 
@@ -125,8 +127,8 @@ TP_LOOP plain_rippled(const tp_quick_map *map, int32_t far, const tp_columns *co
 }
 /* Expands half rate colours to pairs of columns: each colour, and its mean with the next.
  * The colour after the last pair is read too. */
-TP_LOOP plain_paired(const uint32_t *restrict thin, uint32_t *restrict colour,
-                         int32_t pairs)
+TP_LOOP plain_expand_pairs(const uint32_t *restrict thin, uint32_t *restrict colour,
+                           int32_t pairs)
 {
     for (int32_t k = 0; k < pairs; k++) {
         uint32_t a = thin[k], b = thin[k + 1];

@@ -52,7 +52,7 @@ static uint32_t lobe_colour(const tp_shade *shade, int32_t c, bool shiny,
         return light;
     uint32_t square = (uint32_t)(16384 - c) << 15;
     uint32_t least = shade->env.least;
-    uint32_t glow = shade->env.dome->glow[tp_glow_entry(square > least ? square : least)];
+    uint32_t glow = shade->env.dome->glow[tp_glow_index(square > least ? square : least)];
     return tp_colour_add(light, tp_colour_scale(glow & 0xffffff, glow_share));
 }
 
@@ -73,14 +73,14 @@ static void make_lobe(struct tp_quick_light *quick, const tp_shade *shade, tp_lo
 
 /* Returns the sky as mirrored at a height.  A reflected view downwards meets other water,
  * with a share of the horizon's brightness by the rule of reflectance_stage.c. */
-static uint32_t from_height(uint32_t sky, int32_t up)
+static uint32_t mirrored_sky_colour(uint32_t sky, int32_t up)
 {
     return tp_colour_scale(sky, (uint32_t)tp_clamp(256 + 4 * up, 128, 256));
 }
 
 /* Fills the columns of heights.  Entry i is in the middle of a 32nd; `up` is in 256ths.
  * A gradient has one column; a dome has 16 columns, mixed from its two sides. */
-static void make_heights(struct tp_quick_light *quick, const tp_shade *shade)
+static void fill_sky_heights(struct tp_quick_light *quick, const tp_shade *shade)
 {
     const tp_dome *dome = shade->env.kind == TP_ENV_DOME ? shade->env.dome : NULL;
     const int32_t least = quick->least >> 18;
@@ -92,7 +92,7 @@ static void make_heights(struct tp_quick_light *quick, const tp_shade *shade)
             uint32_t sky = dome ? tp_colour_mix(dome->away[at], dome->towards[at],
                                                 16 * k + 8)
                                 : shade->sky[at];
-            quick->sky[k * TP_QUICK_HEIGHTS + (uint32_t)i] = from_height(sky, up);
+            quick->sky[k * TP_QUICK_HEIGHTS + (uint32_t)i] = mirrored_sky_colour(sky, up);
         }
     }
 }
@@ -144,5 +144,5 @@ void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
     if (shade->env.kind == TP_ENV_CUBE)
         make_cube(quick, shade);
     else
-        make_heights(quick, shade);
+        fill_sky_heights(quick, shade);
 }

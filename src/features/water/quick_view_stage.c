@@ -47,7 +47,7 @@ tp_quick_view tp_quick_blinn_sample(const tp_shade *shade, const tp_quick_row *r
 
 /* Returns the dome's column.  The value (1 + cos)^2 / 4, with the angle from the sun to
  * the view reflected by smooth water, is the share of the sky's sunny side, as in
- * tp_towards_light. */
+ * tp_light_side_weight. */
 uint32_t tp_quick_column(const tp_shade *shade, const tp_quick_view *v)
 {
     const tp_view_axes *a = &shade->world;
@@ -59,9 +59,10 @@ uint32_t tp_quick_column(const tp_shade *shade, const tp_quick_view *v)
 }
 
 /* Fills a span's part of the arrays, from column k on, in one vectorizable loop. */
-TP_ALWAYS_INLINE void fill(tp_run *restrict run, int32_t i, int32_t stop, int32_t k,
-                           const tp_quick_view *restrict v,
-                           const tp_quick_view *restrict step, uint32_t column, int lobe)
+TP_ALWAYS_INLINE void fill_span_views(tp_run *restrict run, int32_t i, int32_t stop,
+                                      int32_t k, const tp_quick_view *restrict v,
+                                      const tp_quick_view *restrict step, uint32_t column,
+                                      int lobe)
 {
     uint32_t *restrict back = run->back, *restrict half = run->half;
     int32_t  *restrict y = run->view_y, *restrict lv = run->view_l;
@@ -93,8 +94,8 @@ TP_ALWAYS_INLINE void view_run(const tp_shade *shade, tp_run *run, int lobe)
         int32_t from = x & -span, stop = from + span < end ? from + span : end;
         tp_quick_view b = tp_quick_view_sample(shade, &row, from + span, lobe);
         tp_quick_view step = tp_quick_step(a, b, lobe);
-        fill(run, x - run->x, stop - run->x, x - from, &a, &step,
-             tp_quick_column(shade, &a), lobe);
+        fill_span_views(run, x - run->x, stop - run->x, x - from, &a, &step,
+                        tp_quick_column(shade, &a), lobe);
         x = stop;
         a = b;
     }

@@ -12,7 +12,8 @@ static void begin(tp_frame *frame, void *mine)
 
 /* Adds separate stages for reflection and mixing.  If the program lacks the sky's stage,
  * neither sky nor objects are mixed in. */
-static void add_parts(const tp_frame *frame, const tp_stage *stage, tp_shaders *list)
+static void add_separate_stages(const tp_frame *frame, const tp_stage *stage,
+                                tp_shaders *list)
 {
     const bool hdr = frame->shade.env.beyond && stage[TP_NTH_fresnel_hdr];
 
@@ -30,13 +31,13 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
                        tp_shaders *list)
 {
     (void)mine;
-    if (!tp_frame_mirrors(frame, list))
+    if (!tp_frame_reflects_sky(frame, list))
         return;
     if (frame->shade.env.kind == TP_ENV_GRADIENT
         && frame->scene->mirror.objects == TP_MIRROR_NONE)
         tp_shaders_add(list, TP_AT_FRESNEL, stage[TP_NTH_mirror], NULL);
     else
-        add_parts(frame, stage, list);
+        add_separate_stages(frame, stage, list);
 }
 
 const tp_drawing tp_reflectance_drawing = { .begin = begin, .stages = add_stages };

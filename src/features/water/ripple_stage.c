@@ -55,7 +55,7 @@ TP_ALWAYS_INLINE bump filter_bump(const tp_four *f, int32_t gain)
 
 /* Returns x y / 2^n; |x| < 2^17, n <= 13.  Products of steep slopes and ripples have 34
  * bits; with y split in two parts each product fits a word. */
-TP_ALWAYS_INLINE int32_t times(int32_t x, int32_t y, int n)
+TP_ALWAYS_INLINE int32_t multiply_shift(int32_t x, int32_t y, int n)
 {
     if (TP_WIDE)
         return x * (y >> n) + (x * (y & ((1 << n) - 1)) >> n);
@@ -65,11 +65,12 @@ TP_ALWAYS_INLINE int32_t times(int32_t x, int32_t y, int n)
 /* Returns sqrt(1 + q), Q13, from the table of the inverse root. */
 TP_ALWAYS_INLINE int32_t sqrt_one_plus(uint32_t q)
 {
-    return (int32_t)((((1u << 24) + q) >> 10) * (uint32_t)tp_steep_near(q) >> 15);
+    return (int32_t)((((1u << 24) + q) >> 10) * (uint32_t)tp_rsqrt_one_plus_nearest(q)
+                     >> 15);
 }
 
 /* Clamps a slope to +-32000.  One test passes the usual case. */
-TP_ALWAYS_INLINE int32_t held(int32_t slope)
+TP_ALWAYS_INLINE int32_t clamp_slope(int32_t slope)
 {
     if (!TP_WIDE && (uint32_t)slope + 32000 <= 64000)
         return slope;
@@ -79,7 +80,7 @@ TP_ALWAYS_INLINE int32_t held(int32_t slope)
 /* Returns n / y in Q12; n and y are below 2^21 and have the same scale. */
 TP_ALWAYS_INLINE int32_t divide_slope(int32_t n, int32_t recip, int shift)
 {
-    return held(tp_mul_upper(n * 1024, recip) >> (28 - shift));
+    return clamp_slope(tp_mul_upper(n * 1024, recip) >> (28 - shift));
 }
 
 /* Returns tp_clz of y in [2^9, 2^21), for vector units without such an instruction. */
@@ -101,38 +102,38 @@ typedef struct {
 
 /* Returns the slopes of the texel turned into the tangent space.  Slopes are below 8, nx
  * and ny within 4, so sums are below 2^21. */
-TP_ALWAYS_INLINE slopes turned(int32_t sx, int32_t sz, bump m)
+TP_ALWAYS_INLINE slopes turn_slopes(int32_t sx, int32_t sz, bump m)
 {
     uint32_t qx = (uint32_t)(sx * sx), qz = (uint32_t)(sz * sz);
     int32_t  a = sqrt_one_plus(qx), w = sqrt_one_plus(qx + qz);
     int32_t  up = (a * m.nz >> 13) - (sz * m.ny >> 12);
     int32_t  side = (a * m.ny >> 13) + (sz * m.nz >> 12);
     int32_t  along = w * (m.nx >> 1) >> 12;
-    int32_t  y = up + times(sx, along, 12);
+    int32_t  y = up + multiply_shift(sx, along, 12);
 
     y = y < UP_LEAST ? UP_LEAST : y;
     int      shift = leading_zeros((uint32_t)y);
     int32_t  recip = tp_recip_rough((uint32_t)y << shift);
-    return (slopes){ divide_slope(times(sx, up, 12) - along, recip, shift),
-                     divide_slope(times(a, side, 13), recip, shift) };
+    return (slopes){ divide_slope(multiply_shift(sx, up, 12) - along, recip, shift),
+                     divide_slope(multiply_shift(a, side, 13), recip, shift) };
 }
 
 /* Returns the sum of the slopes: -nx / nz along s and ny / nz along t, with 2 - nz for
  * 1 / nz. */
-TP_ALWAYS_INLINE slopes added(int32_t sx, int32_t sz, bump m)
+TP_ALWAYS_INLINE slopes add_slopes(int32_t sx, int32_t sz, bump m)
 {
     sx -= m.nx * (2 * 4096 - m.nz) >> 12;
     sz += m.ny * (2 * 4096 - m.nz) >> 12;
-    return (slopes){ held(sx), held(sz) };
+    return (slopes){ clamp_slope(sx), clamp_slope(sz) };
 }
 
 enum { TURNED, OVER, GENTLE };
 
 /* Bends the slopes of one stretch.  TURNED and GENTLE read the slopes n as sampled, x:z,
  * and write sx and sz.  OVER reads and writes sx and sz. */
-TP_ALWAYS_INLINE void bend(const tp_sampler *sampler, int32_t gain,
-                           const tp_stretch *over, const uint32_t *restrict n,
-                           int16_t *restrict sx, int16_t *restrict sz, int how)
+TP_ALWAYS_INLINE void ripple_stretch(const tp_sampler *sampler, int32_t gain,
+                                     const tp_stretch *over, const uint32_t *restrict n,
+                                     int16_t *restrict sx, int16_t *restrict sz, int how)
 {
     const tp_sampler p = *sampler;
     const uint32_t *restrict s = over->s, *restrict t = over->t;
@@ -143,7 +144,7 @@ TP_ALWAYS_INLINE void bend(const tp_sampler *sampler, int32_t gain,
         bump    m = filter_bump(&f, gain);
         int32_t x = how == OVER ? sx[i] : (int32_t)n[i] >> 16;
         int32_t z = how == OVER ? sz[i] : (int16_t)(n[i] & 0xffff);
-        slopes  to = how == GENTLE ? added(x, z, m) : turned(x, z, m);
+        slopes  to = how == GENTLE ? add_slopes(x, z, m) : turn_slopes(x, z, m);
         sx[i] = (int16_t)to.x;
         sz[i] = (int16_t)to.z;
     }
@@ -158,7 +159,7 @@ TP_ALWAYS_INLINE void ripple(const tp_shade *shade, tp_run *run, int how)
     for (int32_t i = 0; i < run->count; i += w.count) {
         w = tp_stretch_find(shade, run, layer, run->s, run->t, i);
         const tp_sampler p = tp_sampler_linear(layer, w.level);
-        bend(&p, own->gain, &w, run->n + i, run->sx + i, run->sz + i, how);
+        ripple_stretch(&p, own->gain, &w, run->n + i, run->sx + i, run->sz + i, how);
     }
 }
 

@@ -38,7 +38,7 @@ static void make_mesh(peer_job *job)
     for (uint32_t i = 0; i < n * n; i++) {
         const tp_fx x = -half + (tp_fx)(i % n) * scene->grid.cell;
         const tp_fx z = -half + (tp_fx)(i / n) * scene->grid.cell;
-        const tp_sea_point p = tp_sea_at_rest(&sea, phases, x, z);
+        const tp_sea_point p = tp_sea_displace_point(&sea, phases, x, z);
         job->mesh[i] = (peer_point){
             { peer_metres(p.position.x), peer_metres(p.position.y),
               peer_metres(p.position.z) },
