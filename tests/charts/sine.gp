@@ -16,6 +16,8 @@ side(left)  = (strstrt(to_left, " " . point(0) . " ") > 0) == left
 at(i, left) = side(left) ? of(i, "error_max") : NaN
 text(i)     = word(titles, i) . " " . strcol("size")
 kind(i)     = int(word(kinds, i))
+cheap(count) = count < 50 ? count : NaN
+dear(count)  = count < 50 ? NaN : count
 set yrange [1e-9:1]
 
 @first
@@ -31,15 +33,17 @@ plot csv using (front("m4")):(column("error_max")) @front_line title "Pareto fro
      "" using (column("m4")):(point(0) eq "parabola;2" ? column("error_max") : NaN): \
          (text(5)) with labels right offset -0.9,0 textcolor linetype kind(5) notitle, \
      "" using (column("m4")):(point(0) eq "parabola;4" ? column("error_max") : NaN): \
-         (text(5)) with labels center offset 0.5,0.75 textcolor linetype kind(5) notitle, \
+         (text(5)) with labels center offset -0.5,-1.5 textcolor linetype kind(5) notitle, \
      "" using (column("m4")):(of(6, "error_max")):(text(6)) \
          with labels center offset -0.5,-0.9 textcolor linetype kind(6) notitle, \
      for [j=1:3] "" using (column("m4")):(at(2**j, 0)):(text(2**j)) \
          with labels left offset 0.9,0 textcolor linetype kind(2**j) notitle, \
      "" using (column("m4")):(at(7, 0)):(text(7)) \
          with labels left offset 0.9,-0.7 textcolor linetype kind(7) notitle, \
-     "" using (used("m4")):"error_max":(strcol("method")) with labels left \
-         offset 1.0,0.25 noenhanced textcolor rgb vermillion notitle
+     "" using (cheap(used("m4"))):"error_max":(strcol("method")) with labels left \
+         offset 1.0,0.25 noenhanced textcolor rgb vermillion notitle, \
+     "" using (dear(used("m4"))):"error_max":(strcol("method")) with labels right \
+         offset 8.0,-0.9 noenhanced textcolor rgb vermillion notitle
 
 @second
 set xlabel "x86-64 instructions"
