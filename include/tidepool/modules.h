@@ -221,8 +221,8 @@ typedef struct {
     X(light) X(light_rippled) X(light_blinn) X(light_blinn_rippled)
 #define TP_STAGES_OF_diffuse(X)     X(diffuse) X(diffuse_rippled)       /* colour */
 #define TP_STAGES_OF_reflectance(X) \
-    X(mirror)               /* all in one, plain sky; or in parts: */ \
-    X(slopes)               /* sx sz of smooth water, */ \
+    X(mirror)               /* reflects a gradient sky, in one stage */ \
+    X(slopes)               /* any sky, in several: sx sz of smooth water, */ \
     X(reflect_gradient)     /* mirror, rx rz, */ \
     X(fresnel) X(fresnel_hdr)       /* mirror into the colour */
 #define TP_STAGES_OF_glint(X)       X(glint)            /* adds the specular */

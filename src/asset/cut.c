@@ -182,7 +182,7 @@ static bool is_triangle_empty(struct tp_obj_cut *cut, uint32_t a, uint32_t b, ui
         return false;
     tp_cut_walk walk = tp_cut_walk_begin(cut, triangle, p);
     do
-        p = tp_cut_walk_next(&walk);
+        p = tp_cut_walk_next_corner(&walk);
     while (p != TP_NO_CORNER && !is_blocking_corner(cut, p, a, b, c));
     cut->tried[b] = p;
     spend(cut, walk.steps);

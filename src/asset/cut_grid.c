@@ -146,7 +146,7 @@ static bool enter_next_cell(tp_cut_walk *walk)
     return true;
 }
 
-uint32_t tp_cut_walk_next(tp_cut_walk *walk)
+uint32_t tp_cut_walk_next_corner(tp_cut_walk *walk)
 {
     for (;;) {
         const uint32_t corner = *walk->link;

@@ -34,5 +34,5 @@ tp_cut_walk tp_cut_walk_begin(struct tp_obj_cut *cut, const uint32_t triangle[3]
                               uint32_t from);
 
 /* Returns the next corner that is not cut off, TP_NO_CORNER at the end. */
-uint32_t tp_cut_walk_next(tp_cut_walk *walk);
+uint32_t tp_cut_walk_next_corner(tp_cut_walk *walk);
 #endif

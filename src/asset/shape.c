@@ -41,7 +41,7 @@ static uint32_t larger_extent(int32_t low_a, int32_t high_a, int32_t low_b, int3
 }
 
 /* Finds the bounding box, and the shifts that keep the sums of areas from overflowing. */
-static void find_bounds_and_shifts(tp_obj *obj)
+static void find_bounds_and_area_shifts(tp_obj *obj)
 {
     const tp_obj_store *const store = &obj->store;
     tp_vec3 low = vertex_position(store, 0), high = low;
@@ -250,7 +250,7 @@ static void finish_vertices(tp_obj_store *store)
 tp_status tp_obj_build_geometry(tp_obj *obj, tp_error *err)
 {
     tp_obj_store *const store = &obj->store;
-    find_bounds_and_shifts(obj);
+    find_bounds_and_area_shifts(obj);
     assign_normal_slots(obj);
     const uint32_t *corners = store->corners;
     for (uint32_t i = 0; i < obj->total.polygons; i++) {

@@ -107,11 +107,11 @@ const tp_stage *tp_frame_stages(const tp_frame *frame, uint32_t id)
     return NULL;
 }
 
-bool tp_frame_has_module(const tp_frame *frame, uint32_t is)
+bool tp_frame_has_module(const tp_frame *frame, uint32_t kinds)
 {
     EACH_ON(i, use, frame)
-        if (use[i].module->is & is)
-            return true;
+    if (use[i].module->is & kinds)
+        return true;
     return false;
 }
 

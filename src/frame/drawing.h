@@ -90,8 +90,8 @@ tp_view_anchor tp_frame_anchor(const struct tp_frame *frame);
 /* True if a module draws samples before the water. */
 bool tp_frame_has_solids(const struct tp_frame *frame);
 
-/* True if a module with one of these bits of tp_module.is is on in this picture. */
-bool tp_frame_has_module(const struct tp_frame *frame, uint32_t is);
+/* True if a module with one of the bits `kinds` of tp_module.is is on in this picture. */
+bool tp_frame_has_module(const struct tp_frame *frame, uint32_t kinds);
 
 /* Memory and stage table of a module; NULL if the module is off in this picture. */
 void *tp_frame_module_memory(const struct tp_frame *frame, uint32_t id);

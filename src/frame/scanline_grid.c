@@ -111,7 +111,7 @@ static bool is_tilted(const tp_frame *frame)
     return 4 * (int64_t)(x < z ? x : z) > (x < z ? z : x);
 }
 
-/* Sets the visible cells of each row between lines. */
+/* For each pair of neighbouring lines, sets the range of visible cells between the two. */
 static void set_cells(tp_frame *frame)
 {
     const tp_grid *grid = frame->parts.grid;

@@ -168,8 +168,8 @@ tp_view_vertex tp_grid_make_view_vertex(const tp_grid *grid, const tp_grid_verte
     return c;
 }
 
-/* Evaluates the vertices of a row in runs.  A run ends at a block's end and where waves
- * begin or end. */
+/* Evaluates the vertices of a row in runs.  A run ends at every TP_VERTEX_RUN-th column
+ * and where waves begin or end. */
 static void place_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
                       tp_grid_vertex *vertex)
 {

@@ -79,20 +79,26 @@ typedef struct {
 
 typedef struct { int32_t h[4][4]; } heights;    /* fine heights, [row][column] */
 
-/* Collects the heights of row i.  `edge` leaves out the first and the last column, for rows
- * 0 and 3.  i, edge, cells and moves are literals. */
-TP_ALWAYS_INLINE void gather_row(const tp_pool *pool, const patch *p, heights *to, int i,
-                                 int edge, tp_cells cells, int moves)
+/* Collects the heights of row i of the 4 x 4 patch; `no_corners` leaves out the first and
+ * the last column, for rows 0 and 3.  `interpolated` takes the heights p->back earlier.
+ * i, no_corners, cells and interpolated are literals. */
+TP_ALWAYS_INLINE void gather_patch_row(const tp_pool *pool, const patch *p, heights *to,
+                                       int i, int no_corners, tp_cells cells,
+                                       int interpolated)
 {
     const uint32_t row = p->row[i], base = row * pool->cols;
 
-    to->h[i][1] = tp_pool_fine_height(pool, p->col[1], row, base, p->back, cells, moves);
-    to->h[i][2] = tp_pool_fine_height(pool, p->col[2], row, base, p->back, cells, moves);
-    if (!edge) {
+    to->h[i][1] = tp_pool_fine_height(pool, p->col[1], row, base, p->back, cells,
+                                      interpolated);
+    to->h[i][2] = tp_pool_fine_height(pool, p->col[2], row, base, p->back, cells,
+                                      interpolated);
+    if (!no_corners) {
         to->h[i][0] =
-            tp_pool_fine_height(pool, p->col[0], row, base, p->back, cells, moves);
+            tp_pool_fine_height(pool, p->col[0], row, base, p->back, cells,
+                                      interpolated);
         to->h[i][3] =
-            tp_pool_fine_height(pool, p->col[3], row, base, p->back, cells, moves);
+            tp_pool_fine_height(pool, p->col[3], row, base, p->back, cells,
+                                      interpolated);
     }
 }
 
@@ -100,10 +106,10 @@ TP_ALWAYS_INLINE void gather_row(const tp_pool *pool, const patch *p, heights *t
     static void name(const tp_pool *restrict pool, const patch *restrict p,             \
                      heights *restrict to)                                              \
     {                                                                                   \
-        gather_row(pool, p, to, 0, 1, cells, moves);                                    \
-        gather_row(pool, p, to, 1, 0, cells, moves);                                    \
-        gather_row(pool, p, to, 2, 0, cells, moves);                                    \
-        gather_row(pool, p, to, 3, 1, cells, moves);                                    \
+        gather_patch_row(pool, p, to, 0, 1, cells, moves);                              \
+        gather_patch_row(pool, p, to, 1, 0, cells, moves);                              \
+        gather_patch_row(pool, p, to, 2, 0, cells, moves);                              \
+        gather_patch_row(pool, p, to, 3, 1, cells, moves);                              \
     }
 X(now_8, TP_CELLS_8, 0) X(now_16, TP_CELLS_16, 0) X(now_32, TP_CELLS_32, 0)
 X(back_8, TP_CELLS_8, 1) X(back_16, TP_CELLS_16, 1) X(back_32, TP_CELLS_32, 1)

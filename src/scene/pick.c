@@ -128,9 +128,9 @@ static bool clip_ray_to_water(const ray *r, const tp_scene *scene, stretch *s)
            && (!tp_has_tank(scene) || clip_interval_to_tank(s, r, &sides));
 }
 
-static int64_t march_step_length(const ray *r, int64_t t, int64_t high)
+static int64_t march_step_length(const ray *r, int64_t t, int64_t clearance)
 {
-    const int64_t half = (high < 0 ? -high : high) / 2;
+    const int64_t half = (clearance < 0 ? -clearance : clearance) / 2;
     const int64_t pixels = t * 2 * (1 << 14) / r->focal_q14;
     const int64_t part = t / 512, least = pixels > part ? pixels : part;
     const int64_t by = half > least ? half : least;

@@ -23,7 +23,8 @@ tp_q30 tp_fresnel_schlick(tp_q30 cos_i);
  * The result is a unit vector within 2^-26.  The formulas also hold for grazing light and
  * for light from below the plane. */
 tp_dir3 tp_reflect(tp_dir3 incident, tp_dir3 normal);   /* [F3]; may point downwards */
-tp_dir3 tp_refract(tp_dir3 incident, tp_dir3 normal);   /* [F4]; never out of the water */
+tp_dir3 tp_refract(tp_dir3 incident, tp_dir3 normal);   /* [F4]; never points out of
+                                                         * the water */
 
 /* Offset between the origin and the point where a ray of direction `refracted` meets a
  * floor `depth` m lower [F4]: (x, z) in metres, 16.16, saturated.  A ray that does not go

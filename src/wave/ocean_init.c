@@ -271,7 +271,7 @@ static void make_waves(tp_ocean *ocean, const tp_ocean_config *config, const tp_
                        const tp_wave *const wave[TP_WAVES], const layout *plan,
                        parts_kept kept)
 {
-    const int32_t tilt = plan->cols ? tp_ocean_tilt_most(ocean) : 0;
+    const int32_t tilt = plan->cols ? tp_ocean_floor_tilt_sine_bound(ocean) : 0;
 
     for (uint32_t i = 0; i < sea->count; i++)
         make_wave(ocean, i, wave[i], &sea->swell[i], config);

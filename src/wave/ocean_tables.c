@@ -250,7 +250,7 @@ void tp_ocean_make_phases(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swe
 
 /* Returns a bound of the sine of the tilt over a map, Q14, from the steepest slope: r
  * / sqrt(1 + r^2). */
-int32_t tp_ocean_tilt_most(const tp_ocean *ocean)
+int32_t tp_ocean_floor_tilt_sine_bound(const tp_ocean *ocean)
 {
     const tp_ocean_bed *beds = tp_ocean_beds(ocean);
     int64_t most = 0;

@@ -179,10 +179,10 @@ void tp_ocean_make_table(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swel
 void tp_ocean_make_phases(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell);
 void tp_ocean_limit_steepness(tp_ocean *ocean);
 
-/* tp_ocean_tilt_most returns the sine of the steepest tilt over a map, Q14.
+/* tp_ocean_floor_tilt_sine_bound returns the sine of the steepest tilt over a map, Q14.
  * tp_ocean_add_bounds adds the bounds of a swell, whose table and phases must exist, to the
  * bounds of the ocean. */
-int32_t tp_ocean_tilt_most(const tp_ocean *ocean);
+int32_t tp_ocean_floor_tilt_sine_bound(const tp_ocean *ocean);
 void tp_ocean_add_bounds(tp_ocean *ocean, uint32_t i, int32_t tilt);
 
 void tp_ocean_make_beds(tp_ocean *ocean, const tp_floor *floor);

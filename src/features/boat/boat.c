@@ -53,10 +53,9 @@ static tp_turn boat_heading(const tp_boat_state *afloat, const tp_scene *scene)
 /* Advances heading and position by one tick.
  *
  * Speed in m/s (Q16.16) times a sine (Q30), over 60 ticks, is Q32 after a shift by 14
- * bits;
- * speed| <= 2^23 keeps the product below 2^53.  One degree/s in Q16.16 is 2^48 / (360 x 60)
- * of a turn per tick in Q64; 360 degrees/s are below 2^59.  Quotients round
- * symmetrically: sailing forth and back by the same way sums to exactly 0. */
+ * bits; |speed| <= 2^23 keeps the product below 2^53.  One degree/s in Q16.16 is
+ * 2^48 / (360 x 60) of a turn per tick in Q64; 360 degrees/s are below 2^59.  Quotients
+ * round symmetrically: sailing forth and back by the same way sums to exactly 0. */
 static void sail(tp_boat_state *afloat, const tp_scene *scene, const tp_input *in)
 {
     const int64_t over = TP_TICKS_PER_SECOND << 14, degree = 13031248922;

@@ -93,8 +93,8 @@ static void draw_between_posts(const side *s, const tp_side_post *a, const tp_si
     draw_triangle(s, two);
 }
 
-static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
-                 tp_gbuffer *tile, uint32_t mark)
+static void draw_water_sides(const tp_frame *frame, const void *mine, const tp_view *view,
+                             tp_gbuffer *tile, uint32_t mark)
 {
     const tp_glass *glass = mine;
     side s = { .frame = frame, .tile = tile, .mark = mark,
@@ -233,6 +233,10 @@ const tp_module tp_glass_module = {
 };
 
 const tp_drawing tp_glass_drawing = {
-    .layout = layout, .marks = tp_marks_one, .begin = begin, .place = place, .draw = draw,
+    .layout = layout,
+    .marks = tp_marks_one,
+    .begin = begin,
+    .place = place,
+    .draw = draw_water_sides,
     .stages = add_stages,
 };

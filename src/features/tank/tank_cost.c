@@ -30,8 +30,8 @@ static bool is_ray_stopped(const tp_site *w, tp_vec3 ray, int64_t far)
 
     if (!w->assets->pool_mask || eye.y <= high)
         return false;
-    for (int k = 0; k <= 32; k++) {         /* from the height of a wall's top to the
-                                             * water */
+    /* points of the ray, from the water back to where the ray is as high as a wall's top */
+    for (int k = 0; k <= 32; k++) {
         const int64_t way = far - far / 32 * k * high / eye.y;
         if (is_wall(w, eye.x + (way * ray.x >> 16), eye.z + (way * ray.z >> 16)))
             return true;
