@@ -4,7 +4,7 @@
 # tp_frame_draw_tile: a whole frame, waves and sky included, on 128 x 128 points.
 #
 #   tests/bench/run.sh SCENE_S [NAME=VALUE]...         (quality.visibility=rows)
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 lacks valgrind valgrind "instructions of scene S" && exit 77
 scene_s=$1; shift

@@ -7,7 +7,7 @@
 #
 # TP_VIEWS (200) of each scene; TP_SEED sets the places. A case fails above TP_MOST (4)
 # times the median. PROGRAM is given to each test and is not used here.
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 views=${TP_VIEWS:-200}
 [ $# -gt 0 ] && shift
@@ -36,4 +36,4 @@ for scene in "$@"; do
         awk -v most="${TP_MOST:-4}" -f tests/bench/views.awk "$scratch/views"
     sed 's/^/    /' "$scratch/output"
 done
-exit $((failures > 0))
+finish

@@ -5,14 +5,14 @@
 # screen's text are equal before and after.
 #
 #   tests/boards/console.sh [PROGRAM]
-. tests/gates/lib.sh
-. tests/boards/vm.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 scene=tank screen=build/host/scenes/tank-screen state=$TP_BUILD/tests/boards/vm_state
 
 vm_lacks "the console of Linux" amd64 && exit 0
 check "one static file shows a scene" alone build "$screen"
-[ "$failures" = 0 ] || exit 1
+[ "$failed" = 0 ] || exit 1
 
 cat >"$scratch/common" <<'EOF'
 shows="tank-screen --on $on --size 64x48"
@@ -172,4 +172,4 @@ done <<EOF
 fb  | vga=0x301 |       | raw,process,colours,graphics
 kms |           | bochs | crtc,master,graphics
 EOF
-exit $((failures > 0))
+finish

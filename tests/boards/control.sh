@@ -4,11 +4,11 @@
 # change, which must equal the host's picture of the changed scene.
 #
 #   tests/boards/control.sh [PROGRAM]
-. tests/gates/lib.sh
-. tests/boards/live.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 program=${TP_PROGRAM:-${1:-build/host/tidepool}}
-ready "control of a Cortex-M3"
+board_ready "control of a Cortex-M3"
 
 answered()      { is "$(ask "$1")" "$2"; }
 draws()         # [OPTION]...: the next picture is the host's at that tick
@@ -107,4 +107,4 @@ goes_on()       { answered go "ok go" && until_true later; }
 later()         { [ "$(tick_of "$(ask state)")" -gt 60 ]; }
 check "it goes on by itself" goes_on
 echo "deepest stack: ${state##*stack } bytes"
-exit $((failures > 0))
+finish

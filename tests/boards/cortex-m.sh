@@ -3,8 +3,8 @@
 # Bare Cortex-M boards, emulated: their frames are the host's, their memory is enough, what
 # goes wrong on them is told, and the tables of ports/BOARDS.md are what is measured.
 #     cortex-m.sh PROGRAM
-. tests/gates/lib.sh
-. tests/boards/linked.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 program=$1
 shots=$scratch/shots
@@ -60,7 +60,7 @@ stack_holds()   # BOARD/SCENE: with room for an exception's frame
 mkdir "$shots"
 check "programs of all boards build, and run to their end" \
     sh -c "tests/boards/table.sh '$shots' >'$scratch/table'"
-[ "$failures" = 0 ] || exit 1
+[ "$failed" = 0 ] || exit 1
 for shot in "$shots"/*/*.said; do
     shot=${shot#"$shots/"} shot=${shot%.said}
     check "$shot: frames 60 and 61 are the host's" frames_are "$shot" 60
@@ -156,6 +156,6 @@ if [ "$want" = "$here" ]; then
     sed '/^<!-- boards/,/^<!-- \/boards/s/[1-9] |$/0 |/' ports/BOARDS.md >"$scratch/stale"
     refuse "tables with another figure are not" stands_in "$scratch/stale"
 elif [ -n "$want" ]; then
-    echo "skipped: the tables of boards by $want, here $here (package ${want% *})"
+    skip "the tables of boards by $want, here $here" "${want% *}"
 fi
-exit $((failures > 0))
+finish

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # The first process of an emulated machine: mounts file systems, loads modules, runs the
 # test's script of cases, and requests power-off. The output of the cases goes to the
-# serial port, which vm.sh reads.
+# serial port, which tests/lib/board.sh reads.
 /bin/busybox --install -s /bin
 PATH=/bin; export PATH
 mount -t devtmpfs none /dev

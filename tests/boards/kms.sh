@@ -6,8 +6,8 @@
 # between which these drivers cannot pan although they report that they can.
 #
 #   tests/boards/kms.sh [PROGRAM]
-. tests/gates/lib.sh
-. tests/boards/vm.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 program=${1:-build/host/tidepool}
 scene=three-swells golden=tests/golden/three-swells/xrgb8888-0100.png
@@ -20,7 +20,7 @@ check "and one for aarch64" alone build TARGET=$arm MACHINE=aarch64 OPT=-O2 \
     build/$arm/scenes/$scene-screen
 check "the host's picture" "$program" render $scene --size 640x480 --frames 3:3 \
     --out "$vm_work/whole.png"
-[ "$failures" = 0 ] || exit 1
+[ "$failed" = 0 ] || exit 1
 
 cat >"$scratch/cases" <<'EOF'
 show whole three-swells-screen --on kms --frames 3:3 --size 640x480
@@ -51,4 +51,4 @@ machine virtio arm64 "virtio_pci virtio-gpu" "$scratch/cases" \
 
 vm_want virtio-golden tests/golden/$scene/xrgb8888-0000.png 888 centred
 refuse "another frame than the golden one is found" vm_same virtio-golden
-exit $((failures > 0))
+finish

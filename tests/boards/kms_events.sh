@@ -6,8 +6,8 @@
 # reason in one line.
 #
 #   tests/boards/kms_events.sh [PROGRAM]
-. tests/gates/lib.sh
-. tests/boards/vm.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 program=${1:-build/host/tidepool}
 scene=three-swells screen=build/host/scenes/three-swells-screen
@@ -16,7 +16,7 @@ vm_lacks "events of screens by mode setting" amd64 && exit 0
 build "$program" build/host/tests/boards/same_picture build/host/tests/boards/vm_state \
     >"$scratch/built" 2>&1
 check "one static file shows a scene" alone build "$screen"
-[ "$failures" = 0 ] || exit 1
+[ "$failed" = 0 ] || exit 1
 
 cat >"$scratch/cases" <<'EOF'
 show="three-swells-screen --on kms --size 640x480 --frames 3:3 --hash --hold"
@@ -117,4 +117,4 @@ check "the same when it was plugged in" same plugged
 check "the same in the middle of another monitor" same back 888 centred
 check "the same on the second card" same second 888 centred
 refuse "another one while it is unplugged" same off
-exit $((failures > 0))
+finish

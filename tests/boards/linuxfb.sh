@@ -5,8 +5,8 @@
 # picture, pixel by pixel.
 #
 #   tests/boards/linuxfb.sh [PROGRAM]
-. tests/gates/lib.sh
-. tests/boards/vm.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 program=${1:-build/host/tidepool}
 scene=three-swells screen=build/host/scenes/three-swells-screen
@@ -14,7 +14,7 @@ golden=tests/golden/$scene
 
 vm_lacks "screens of /dev/fb0" amd64 && exit 0
 check "one static file shows a scene" alone build "$screen"
-[ "$failures" = 0 ] || exit 1
+[ "$failed" = 0 ] || exit 1
 exits()         # CODE WORDS ARGUMENT...: that file on this machine, which has no screen
 {
     want=$1 words=$2
@@ -66,4 +66,4 @@ dump=$vm_work/32-whole.ppm
     tail -c +600002 "$dump"
 } >"$scratch/one" && mv "$scratch/one" "$dump"
 refuse "one pixel that differs by one is found" vm_same 32-whole
-exit $((failures > 0))
+finish

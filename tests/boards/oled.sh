@@ -7,18 +7,18 @@
 #
 # The board prints the inputs of its buttons as lines of a tape, and the host replays
 # them.
-. tests/gates/lib.sh
-. tests/boards/live.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 program=${TP_PROGRAM:-${1:-build/host/tidepool}}
 tools=${TP_BUILD:-build/host}/tests/boards
 check "the tools build" build $tools/oled_greys $tools/same_picture
-ready "the OLED of a Cortex-M3"
+board_ready "the OLED of a Cortex-M3"
 
 shows()         # TICK [OPTION]...: the screen is the host's picture at that tick
 {
     at=$1; shift
-    "$program" render $scene --size 128x64 --format l8 --frames "$at:$at" \
+    "$program" render $live_scene --size 128x64 --format l8 --frames "$at:$at" \
         --out "$scratch/host.png" "$@" &&
         $tools/oled_greys "$scratch/host.png" >"$scratch/host.ppm" &&
         dump "$scratch/screen.ppm" &&
@@ -66,10 +66,10 @@ check "so is the screen, every pixel" shows "$tick" --tape "$tape"
 refuse "it is not that of untouched water" shows "$tick"
 
 # With 32 ns an instruction, and 20 ns a clock cycle.
-finish
-check "it starts by a clock of instructions" begin $elf -icount shift=5
+board_end
+check "it starts by a clock of instructions" board_begin $live_elf -icount shift=5
 ask pause >/dev/null; ask restart >/dev/null; ask "step 40" >/dev/null
 state=$(ask state)
 check "and draws the same" is "$(crc_of "$state")" "$(host_crc 40)"
 echo "$bytes bytes a frame to the panel, $(($(clocks_of "$state") * 20 / 32)) instructions"
-exit $((failures > 0))
+finish

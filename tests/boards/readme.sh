@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # The whole program of ports/README.md, with its callbacks for each vendor's functions.  The
 # functions are stand-ins.  The program shows the right picture on a model of the panel.
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 page=ports/README.md
 program=${TP_PROGRAM:-build/host/tidepool}
@@ -122,4 +122,4 @@ broken()        # NAME SED: the same callbacks, changed
 refuse "D/C that moves before the last byte" broken early 's/ || spi_is_busy(spi0)//'
 refuse "a D/C that stays low" broken low 's/gpio_put(DC, 1)/gpio_put(DC, 0)/'
 refuse "words in place of bytes" broken words 's/DMA_SIZE_8/DMA_SIZE_32/'
-exit $((failures > 0))
+finish

@@ -5,7 +5,7 @@
 # serial port equal the host's, also after lines that set the scene's numbers; each fault
 # is one clear line.
 #     rpi.sh [PROGRAM]
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 program=${1:-build/host/tidepool}
 scene=three-swells
@@ -197,4 +197,4 @@ wait
 for board in $tried; do
     check_board
 done
-exit $((failures > 0))
+finish

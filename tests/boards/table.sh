@@ -9,8 +9,8 @@
 # keeps the output of each program (BOARD/SCENE.said), which has the frames.
 # --write writes the tables into ports/BOARDS.md, with the compiler's version, and their
 # short form (brief.awk) into README.md.
-. tests/gates/lib.sh
-. tests/boards/live.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 # board | scene, @ largest side of its textures in texels; one of the boards is live
 shots='
@@ -21,8 +21,7 @@ microbit          bay@64
 stm32vldiscovery  bay@64
 lm3s6965evb       tarn
 '
-live=$board
-plugin=build/host/count.so
+live=$live_board
 sent=build/host/tests/boards/sent
 to=${1:-$scratch}
 [ "$to" != --write ] || to=$scratch
@@ -44,11 +43,11 @@ run()           # BOARD SCENE
 # counted picture is drawn by `state`: no other line arrives meanwhile to interrupt it.
 talk()          # BOARD SCENE
 {
-    begin "$elf" -plugin $plugin || { finish; cat "$scratch/emulator" >&2; return 1; }
+    board_begin "$elf" -plugin $plugin || { board_end; cat "$scratch/emulator" >&2; return 1; }
     for line in pause restart "step 60" state step state; do
         last=$(ask "$line")
     done
-    finish
+    board_end
     cp "$scratch/emulator" "$to/$1/$2.counts"
     echo "sent $(bytes_of "$last")" >"$to/$1/$2.sent"
     whole_lines | awk '

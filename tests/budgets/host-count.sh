@@ -3,7 +3,7 @@
 # Exact instructions of the core by function for a scene on this machine, by callgrind.
 #
 #   tests/budgets/host-count.sh SCENE
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 program=build/host/tests/cross/frames-$1
 lacks valgrind valgrind "instructions on this machine" && exit 77

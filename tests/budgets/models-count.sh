@@ -4,9 +4,8 @@
 # machine and on an emulated Cortex-M4, exact and repeatable; compared with models.csv.
 #
 #   tests/budgets/models-count.sh [--write]     writes a new models.csv
-. tests/gates/lib.sh
-. tests/budgets/board.sh
-. tests/budgets/hold.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 write=
 [ "${1:-}" = --write ] && write=1
@@ -45,7 +44,7 @@ board()         # BUILD ELF
 }
 
 if [ "$(uname -m)" != x86_64 ]; then
-    echo "skipped: models on x86-64 (package valgrind)"
+    skip "models on x86-64" "valgrind"
     skip="o2 o3 v3"
 elif lacks valgrind valgrind "models on x86-64"; then
     skip="o2 o3 v3"
@@ -55,7 +54,7 @@ else
     if grep -qw avx2 /proc/cpuinfo; then
         host v3 count-v3 -O3 -march=x86-64-v3
     else
-        echo "skipped: models on x86-64-v3 (package none: the processor lacks AVX2)"
+        skip "models on x86-64-v3" "none: the processor lacks AVX2"
         skip=v3
     fi
     [ -n "$write" ] || pinned $budgets x86 "${CC:-cc}" || skip="o2 o3 v3"
@@ -69,7 +68,7 @@ else
     [ -n "$write" ] || pinned $budgets m4 arm-none-eabi-gcc || skip="$skip m4"
 fi
 
-[ "$failures" = 0 ] || exit 1
+[ "$failed" = 0 ] || exit 1
 [ -n "$runs" ] || exit 77
 awk -f tests/budgets/models.awk $runs >"$scratch/figures"
 counted=$?
@@ -81,4 +80,4 @@ if [ -n "$write" ]; then
     exit
 fi
 hold $budgets
-exit $((failures > 0))
+finish

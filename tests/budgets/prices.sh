@@ -9,8 +9,8 @@
 #   tests/budgets/prices.sh --write     writes a new chart and a new src/scene/prices.inc
 #
 # Build again after --write: the plan of a scene may change, and with it the pictures.
-. tests/gates/lib.sh
-. tests/budgets/board.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 table=assets/charts/prices.csv
 made=src/scene/prices.inc
@@ -56,7 +56,7 @@ check "the board draws every rung" emulate $elf "$scratch/said" "$scratch/counts
     "build/host/tests/budgets/errors assets/scenes/*.ini >'$scratch/errors'"
 check "prices come of it" measure
 if [ -f "$scratch/fit" ]; then sort "$scratch/fit"; fi
-[ "$failures" = 0 ] || exit 1
+[ "$failed" = 0 ] || exit 1
 if [ "${1:-}" = --rows ]; then
     awk -F, 'NR > 1 { print "prices," $1 ";" $2 ";" $3 ",figure," $4 }' \
         "$scratch/table" >&3
@@ -94,4 +94,4 @@ same_made()
 }
 check "$made is made from $table" same_made
 check "$table is what is measured here" near
-exit $((failures > 0))
+finish

@@ -4,8 +4,8 @@
 # may raise, and the text size that each feature adds to a program.
 #
 #   tests/budgets/programs.sh [--write]     writes a new minimal.csv
-. tests/gates/lib.sh
-. tests/budgets/board.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 golden=tests/budgets/minimal.csv
 programs=build/cortex-m/features
@@ -16,7 +16,7 @@ lacks qemu-system-arm qemu-system-arm "the least program" && exit 77
 check "all programs build" build BOARD=cortex-m programs
 check "the plugin builds" build $plugin
 check "the least one runs to its end" emulate $programs/0.elf "$scratch/said" "$scratch/counts"
-[ "$failures" = 0 ] || exit 1
+[ "$failed" = 0 ] || exit 1
 draws()         # the program draws water, and leaves nothing out
 {
     awk '/^water/ { frames++; bad += $2 == 0 || $NF != 0 } END { exit bad || frames != 2 }' "$1"
@@ -60,7 +60,7 @@ if [ "$want" = "$here" ]; then
     awk -F, -v OFS=, '$1 != "compiler" { $2-- } { print }' $golden >"$scratch/less"
     refuse "a golden number that is one less" no_more "$scratch/less"
 else
-    echo "skipped: golden numbers of $want, here $here (package ${want% *}-${want#* })"
+    skip "golden numbers of $want, here $here" "${want% *}-${want#* }"
 fi
 
 awk -F, '{ printf "  %-10s %s\n", $1, $2 }' "$scratch/figures"
@@ -74,4 +74,4 @@ for n in $(seq 0 "$(wc -l <"$scratch/names")"); do
         $(($1 - before)) "$2"
     before=$1
 done
-exit $((failures > 0))
+finish

@@ -8,8 +8,8 @@
 # Tables that depend only on the scene's numbers are counted separately: they could lie in
 # ROM. Each frame must equal the host's. A missed goal is reported but does not fail the
 # test.
-. tests/gates/lib.sh
-. tests/budgets/board.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 program=${TP_PROGRAM:-build/host/tidepool}
 lacks arm-none-eabi-gcc gcc-arm-none-eabi "memory on a Cortex-M4" && exit 77
@@ -29,11 +29,11 @@ table()         # SCENE GOAL INI
     check "$1: it draws in the memory that it asks for" emulate "$elf" \
         "$scratch/$1.said" "$scratch/$1.counts"
     check "$1: every tiling, streamed or kept, draws as here" drawn "$1" "$3"
-    [ "$failures" = 0 ] && awk -v scene="$1" -v goal="$2" -f tests/budgets/ram.awk \
+    [ "$failed" = 0 ] && awk -v scene="$1" -v goal="$2" -f tests/budgets/ram.awk \
         "$scratch/$1.counts" "$scratch/$1.said"
 }
 
 check "the plugin builds" build $plugin
 table count-64 24576 assets/scenes/count-64.ini
 table board-96k 98304 tests/budgets/board-96k.ini
-exit $((failures > 0))
+finish

@@ -7,10 +7,8 @@
 #   tests/budgets/scenes-count.sh [--write] [SCENE...]
 #
 # For named scenes the functions are listed too. --write writes a new scenes.csv.
-. tests/gates/lib.sh
-. tests/budgets/board.sh
-. tests/budgets/hold.sh
-. tests/boards/linked.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 budgets=tests/budgets/scenes.csv
 write=
@@ -26,7 +24,7 @@ lacks qemu-system-arm qemu-system-arm "scenes on a Cortex-M4" && exit 77
 
 check "the plugin builds" build $plugin
 check "the programs for the board build" build BOARD=cortex-m SCENES="$*" elves
-[ "$failures" = 0 ] || exit 1
+[ "$failed" = 0 ] || exit 1
 
 # -- one scene; scenes run in parallel ------------------------------------------------
 
@@ -74,7 +72,7 @@ if [ -n "$whole" ]; then
               print "figure core constant-bytes", constants }' >"$scratch/core"
     cat "$scratch/core" >>"$scratch/figures"
 fi
-[ "$failures" = 0 ] || exit 1
+[ "$failed" = 0 ] || exit 1
 grep -v '^figure core' "$scratch/figures" | awk -f tests/budgets/scenes.awk $budgets -
 [ -z "$whole" ] || awk '{ printf "%s%s %s %d", (NR > 1 ? ", " : ""), $2, $3, $4 }
                         END { print "" }' "$scratch/core"
@@ -83,4 +81,4 @@ if [ -n "$write" ]; then
     exit
 fi
 pinned $budgets m4 arm-none-eabi-gcc && hold $budgets
-exit $((failures > 0))
+finish

@@ -13,8 +13,8 @@
 #
 # m4: an emulated Cortex-M4, the board's compiler at -O2; x86: baseline x86-64, -O2, by the
 # user mode of QEMU.  `make charts-tools` builds the programs.
-. tests/gates/lib.sh
-plugin=build/host/count.so
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 [ $# -ge 5 ] || { echo "usage: board.sh m4|x86 SCENE SIZE TICK GROUP..." >&2; exit 2; }
 column=$1 scene=$2 words="$3 $4"

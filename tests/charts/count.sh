@@ -3,9 +3,8 @@
 # Exact instructions of a chart's kernels for one unit, as rows of the sweep.
 #
 #   tests/charts/count.sh m4|x86 CHART
-. tests/gates/lib.sh
-. tests/budgets/board.sh
-. tests/charts/counted.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 column=$1 chart=$2
 counted "$column" kernels

@@ -4,7 +4,7 @@
 # the sweep: instructions a pixel of the picture, sky included; or errors.
 #
 #   tests/charts/frames.sh m4|x86|error SCENE
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 [ $# = 2 ] || { echo "usage: frames.sh m4|x86|error SCENE" >&2; exit 2; }
 column=$1 scene=$2 frames=build/host/tests/charts/frames

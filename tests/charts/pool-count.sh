@@ -3,9 +3,8 @@
 # Exact instructions per cell of the pools' steps, as rows of the sweep.
 #
 #   tests/charts/pool-count.sh m4|x86
-. tests/gates/lib.sh
-. tests/budgets/board.sh
-. tests/charts/counted.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 column=$1
 counted "$column" pool_count

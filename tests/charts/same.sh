@@ -5,7 +5,7 @@
 # picture of the unchanged scene equals the program's; successive pictures differ.
 #
 #   tests/charts/same.sh [PROGRAM [SCENE...]]
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 program=${1:-build/host/tidepool}
 [ $# -gt 0 ] && shift
@@ -15,7 +15,7 @@ lacks qemu-system-arm qemu-system-arm "charts' pictures" && exit 77
 lacks qemu-x86_64 qemu-user "charts' pictures" && exit 77
 
 check "what draws for the charts builds" build charts-tools
-[ "$failures" = 0 ] || exit 1
+[ "$failed" = 0 ] || exit 1
 
 crcs()          # m4|x86 SCENE
 {
@@ -41,4 +41,4 @@ same()          # SCENE
 for scene; do
     check "$scene: what is counted is what is drawn" same "$scene"
 done
-exit $((failures > 0))
+finish

@@ -8,7 +8,7 @@
 #
 # pixels, vertices, waves: a frame of count-64; cells: a tick of the tank's 16-bit cells,
 # after waves have crossed the tank: cells at rest cost less.
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 usage() { echo "usage: scale.sh m4|x86|time pixels|vertices|waves|cells|threads" >&2; exit 2; }
 [ $# = 2 ] || usage

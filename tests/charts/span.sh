@@ -6,8 +6,8 @@
 #
 # "filter" counts the water stages.  "span" counts the spans of the triangles, with the
 # reciprocals beyond the affine spans, and the whole picture as frame_m4.
-. tests/gates/lib.sh
-. tests/budgets/board.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 column=$1 chart=$2 scene=$3
 case $column in

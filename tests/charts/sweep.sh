@@ -4,8 +4,8 @@
 # and the same errors, cell by cell.  Counts of x86-64 depend on this machine's compiler:
 # they are not compared, nor are times.
 #     sweep.sh PROGRAM
-. tests/gates/lib.sh
-. tests/budgets/hold.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/board.sh"
 
 program=${1:-build/host/tidepool}
 shipped=assets/charts
@@ -62,7 +62,10 @@ fi
 
 for tool in arm-none-eabi-gcc:gcc-arm-none-eabi qemu-system-arm:qemu-system-arm \
     qemu-x86_64:qemu-user valgrind:valgrind; do
-    lacks "${tool%:*}" "${tool#*:}" "a small sweep of the charts" && exit $((failures > 0))
+    lacks "${tool%:*}" "${tool#*:}" "a small sweep of the charts" && {
+        finish
+        exit
+    }
 done
 skip=
 pinned tests/budgets/scenes.csv m4 arm-none-eabi-gcc || skip=m4
@@ -171,6 +174,6 @@ if parallel --version 2>/dev/null </dev/null | grep -q GNU; then
     check "jobs on two machines make the same table" jobs
     check "ranges of frames on two machines make the same film" film
 else
-    echo "skipped: jobs and frames on two machines (package parallel)"
+    skip "jobs and frames on two machines" "parallel"
 fi
-exit $((failures > 0))
+finish

@@ -4,7 +4,7 @@
 # sweep: instructions a pixel of water; or errors.
 #
 #   tests/charts/visibility.sh m4|x86|error SCENE
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 [ $# = 2 ] || { echo "usage: visibility.sh m4|x86|error SCENE" >&2; exit 2; }
 column=$1 scene=$2 visibility=build/host/tests/charts/visibility

@@ -8,13 +8,13 @@
 # For the lines of one file:  gcov -b -t build/coverage/src/fx/fx.gcda
 # Built without asserts, whose failing branch no test takes, and without the program for
 # newer processors. Headers are left out: gcov reports them once for each inclusion.
+. "$(dirname "$0")/../lib/script.sh"
 set -eu
 
 build=build/coverage
 in_build()      # GOAL...
 {
-    env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS make -j2 --no-print-directory TARGET=coverage \
-        V3_C= OPT='-O1 -g1 --coverage' UNIT_LIB=$build/libtidepool.a "$@"
+    build TARGET=coverage V3_C= OPT='-O1 -g1 --coverage' UNIT_LIB=$build/libtidepool.a "$@"
 }
 tests=$(in_build -s list-tests | sed -n "s,^tests/\(unit\|host\|golden\)/[^=]*$,$build/&,p")
 in_build all $tests >$build.log 2>&1 || { tail $build.log; exit 1; }

@@ -3,7 +3,7 @@
 # A film whose ranges were drawn on two machines, this machine and an emulated aarch64,
 # has the bits of a single run.
 #     film.sh PROGRAM
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 program=$1
 scenes='storm raindrops'
@@ -14,7 +14,7 @@ target=cross/aarch64-gcc-O2
 lacks $triple-gcc gcc-$triple "a film of ranges from two machines" && exit 0
 lacks qemu-aarch64 qemu-user "a film of ranges from two machines" && exit 0
 if [ ! -d /usr/$triple/include ]; then
-    echo "skipped: a film of ranges from two machines (package libc6-dev-arm64-cross)"
+    skip "a film of ranges from two machines" "libc6-dev-arm64-cross"
     exit 0
 fi
 
@@ -56,4 +56,4 @@ for scene in $scenes; do
     check "$scene: frames 0 to 8, by aarch64" there 0:8 a.y4m
     check "$scene: it goes on from either machine" joined a.y4m b.y4m c.y4m
 done
-exit $((failures > 0))
+finish

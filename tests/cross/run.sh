@@ -9,7 +9,7 @@
 #
 # -O2 draws all pixel formats, the other levels only xrgb8888. LTO is gcc with -O2 -flto,
 # which compiles the whole core again for each scene: LTO draws two scenes.
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 scenes=$(build -s list-cross)
 scenes_of_lto='three-swells rolled'
@@ -82,10 +82,9 @@ try()
         verdict=equal
     fi
     if [ $verdict = equal ]; then
-        echo "ok - $1 $2 -$3"
+        pass "$1 $2 -$3"
     else
-        echo "FAILED - $1 $2 -$3: $verdict"
-        failures=$((failures + 1))
+        fail "$1 $2 -$3" "$verdict"
     fi
     echo "    $(($(date +%s) - begun)) s"
 }
@@ -106,7 +105,7 @@ while IFS='|' read -r machine triple emulator debian by_gcc by_clang; do
             lacks "$emulator" qemu-user "frames on $machine" && continue
         fi
         if [ ! -d "/usr/$triple/include" ]; then
-            echo "skipped: frames on $machine (package libc6-dev-$debian-cross)"
+            skip "frames on $machine" "libc6-dev-$debian-cross"
             continue
         fi
     fi
@@ -131,4 +130,4 @@ done <<EOF
 $machines
 EOF
 echo "$table"
-exit $((failures > 0))
+finish

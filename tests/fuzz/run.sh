@@ -6,7 +6,7 @@
 # Seeds and inputs of past failures lie in tests/fuzz/NAME/ and run first; the words of an
 # input format are in tests/fuzz/NAME.dict. TP_SEED repeats the random numbers of a run,
 # apart from the effect of the machine's speed.
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 seconds=${FUZZ_SECONDS:-6}
 
@@ -15,7 +15,7 @@ run_one()       # NAME
 {
     program=build/fuzz/tests/fuzz/fuzz_$1
     log=$scratch/$1.log
-    [ -x "$program" ] || { echo "skipped: fuzz_$1 (package libsdl2-dev)"; return; }
+    [ -x "$program" ] || { skip "fuzz_$1" "libsdl2-dev"; return; }
     mkdir "$scratch/$1" "$scratch/$1.tmp"
     cp -r "tests/fuzz/$1" "$scratch/$1.seeds" && rm -f "$scratch/$1.seeds/README.md"
     set -- "$1" "$scratch/$1" "$scratch/$1.seeds"
@@ -36,6 +36,7 @@ run_one()       # NAME
 }
 
 if [ "${1:-}" = -one ]; then
+    rm -rf "$scratch"
     scratch=$3
     trap - EXIT
     run_one "$2"
@@ -45,14 +46,14 @@ fi
 lacks clang clang "fuzzing" && exit 77
 echo 'int LLVMFuzzerTestOneInput(void) { return 0; }' >"$scratch/try.c"
 clang -fsanitize=fuzzer "$scratch/try.c" -o "$scratch/try" 2>/dev/null ||
-    { echo "skipped: fuzzing (package libclang-rt-dev)"; exit 77; }
+    { skip "fuzzing" "libclang-rt-dev"; exit 77; }
 
 sanitize=address,undefined
 # Only C++ has the check of calls through pointers, by a library that C does not link.
 check "the fuzz targets build" build SAY=@ TARGET=fuzz CC=clang V3_C= CHECKED=1 \
     OPT="-O1 -g1 -fsanitize=fuzzer-no-link,$sanitize -fno-sanitize=function \
          -fno-sanitize-recover=all" LDFLAGS="-fsanitize=$sanitize" fuzzers
-[ "$failures" -eq 0 ] || exit 1
+[ "$failed" -eq 0 ] || exit 1
 
 described()     # each target has seeds, and a row of the table
 {
@@ -68,4 +69,4 @@ check "each fuzz target has seeds and its row in tests/fuzz/README.md" described
 names=${FUZZ_ONLY:-$(ls tests/fuzz/fuzz_*.c | sed 's,.*/fuzz_,,; s,\.c$,,')}
 printf '%s\n' $names | xargs -P "$(nproc)" -I{} "$0" -one {} "$scratch" |
     tee "$scratch/results"
-! grep -q '^FAILED' "$scratch/results" && [ "$failures" -eq 0 ]
+! grep -q '^FAILED' "$scratch/results" && [ "$failed" -eq 0 ]

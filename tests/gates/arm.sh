@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The gates on the core's code for Cortex-M0 and Cortex-M4.
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 stack_limit=4096
 
@@ -16,4 +16,4 @@ for board in cortex-m:cortex-m4 cortex-m/microbit:cortex-m0-small; do
     check "$board: no recursion, and a stack below $stack_limit bytes" \
         no_deeper $stack_limit $(find $built/src -name '*.ci')
 done
-exit $((failures > 0))
+finish

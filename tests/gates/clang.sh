@@ -6,7 +6,7 @@
 # all files that make would compile with the same flags are read by one process. The
 # driver has no option for this, but prints the command to call. tests/cross/run.sh
 # compiles objects with clang.
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 lacks clang clang "clang's warnings" && exit 77
 
@@ -55,4 +55,4 @@ refuse "a warning in the second of two is found" warned "$scratch/one_bad"
 
 check "clang compiles every public header alone, as C11 to C++20" \
     headers_alone clang clang++
-exit $((failures > 0))
+finish

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # The core builds at -O1 and reports its reached lines to gcov; with TP_SOAK set the
 # program and each unit test build in the same way.
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 lacks gcov gcc "coverage" && exit 77
 scene=three-swells
@@ -31,4 +31,4 @@ check "its frames are the golden ones" golden
 check "gcov tells of the lines that they reach" reached src/frame/frame.c 50
 refuse "and of those that they do not" reached src/features/tank/tank_drawing.c 50
 [ -z "${TP_SOAK:-}" ] || check "the program and the tests build for coverage" built all unit
-exit $((failures > 0))
+finish

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Each word of a public type or function is defined in src/GLOSSARY.md.  A plural counts
 # as its singular.
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 glossary=src/GLOSSARY.md
 
@@ -118,4 +118,4 @@ put words.md '- **pool**: water.' '- **pool**: more water.'
 refuse "glossary: an entry that stands twice" orderly "$scratch/words.md"
 put words.md '- **pool**' 'water.'
 refuse "glossary: an entry without a definition" orderly "$scratch/words.md"
-exit $((failures > 0))
+finish

@@ -1,9 +1,19 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Gates on the sources and on this machine's object code.
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 stack_limit=4096
+core_files()  { find include src -name '*.[ch]' -o -name '*.inc' | sort; }
+port_files()  { find ports -name '*.[ch]' | sort; }
+every_file()
+{
+    find . \( -name .git -o -path ./build -o -path ./out \) -prune -o -type f \
+        \( -name '*.[ch]' -o -name '*.inc' -o -name '*.sh' -o -name '*.awk' \
+           -o -name '*.cpp' -o -name '*.S' -o -name '*.mk' -o -name '*.ld' -o -name Makefile \
+           -o -path './.ci/run' \) \
+        -print | sort
+}
 
 check "includes point down" awk -f $gates/layers.awk $(core_files) $(port_files)
 check "a feature is known in its folder alone" \
@@ -56,4 +66,4 @@ shared()
             END { exit bad }'
 }
 check "what live ports share is freestanding, and has no memory of its own" shared
-exit $((failures > 0))
+finish

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Tests of the gates: each gate gets a good example and some bad ones.
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 mkdir -p "$scratch/src/fx" "$scratch/src/wave" "$scratch/src/pool" "$scratch/src/odd" \
     "$scratch/include/tidepool" "$scratch/ports/sdl2"
@@ -254,4 +254,4 @@ fi
 check  "left out: every test is told of where no library is" every_test ""
 check  "left out: unit tests" tells_of tests/unit/test_fx_trig libcmocka-dev
 check  "left out: golden frames" tells_of tests/golden/test_frames libcmocka-dev
-exit $((failures > 0))
+finish

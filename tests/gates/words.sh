@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Plain words and clear folders, each rule with examples that it must refuse: comments and
 # names of functions (plain.awk), a README in each folder, no basename twice in the core.
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 # Names that two files of the core have; a name leaves the list when a file is renamed.
 twice=recip_table.inc
@@ -95,4 +95,4 @@ names() { list=$1; shift; printf '%s\n' "$@" | once "$list"; }
 check  "names: passes one of the list" names "b.c" src/x/a.c src/x/b.c src/y/b.c
 refuse "names: one that is twice" names "b.c" src/x/a.c src/y/a.c src/x/b.c src/y/b.c
 refuse "names: one of the list that is there once" names "b.c" src/x/a.c src/x/b.c
-exit $((failures > 0))
+finish

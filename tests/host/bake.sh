@@ -5,7 +5,8 @@
 # left.
 #     bake.sh PROGRAM
 root=$PWD
-. tests/host/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+program_begin "$1"
 
 # absent NAME: expects that bake has left no file.
 absent() {
@@ -86,7 +87,7 @@ same "settings are baked" "$(grep -c '^    .camera.y = 131072,$' f.c)" 1
 strict="-std=c11 -Wall -Wextra -Wpedantic -Wconversion -Werror -I$root/include"
 for compiler in gcc clang; do
     command -v $compiler >/dev/null ||
-        { echo "skipped: baked scenes by $compiler (package $compiler)"; continue; }
+        { skip "baked scenes by $compiler" "$compiler"; continue; }
     for scene in "$root"/assets/scenes/*.ini; do
         name=$(basename "$scene" .ini)
         run bake "$scene" --texels 32 -o "$name.c"

@@ -3,7 +3,8 @@
 # tidepool charts on charts of the test, with jobs that print rows from files: order,
 # fronts, failures.
 #     charts.sh PROGRAM
-. tests/host/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+program_begin "$1"
 
 # -- a folder of charts, and a fake gnuplot that records its input ---------------------
 

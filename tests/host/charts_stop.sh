@@ -3,7 +3,8 @@
 # tidepool charts stopped by every signal that ends a program, while running jobs and
 # while drawing.  The jobs end too, no half-written file is left, and --resume continues.
 #     charts_stop.sh PROGRAM
-. tests/host/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+program_begin "$1"
 
 mkdir charts bin tmp
 cat >bin/gnuplot <<'END'

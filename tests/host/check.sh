@@ -3,8 +3,9 @@
 # tidepool check: the shipped tables hold, and a fault in a table is reported with file
 # and line.
 #     check.sh PROGRAM
-. tests/host/lib.sh
-seconds=300
+. "$(dirname "$0")/../lib/script.sh"
+program_begin "$1"
+limit=300
 
 # folder FILE...: makes a new folder t with copies of tables.
 folder() {

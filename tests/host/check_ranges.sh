@@ -5,7 +5,8 @@
 # rows.
 #     check_ranges.sh PROGRAM
 formulas=$(realpath tests/host/check_ranges.awk) || exit 2
-. tests/host/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+program_begin "$1"
 
 # table MODEL [AWK OPTION...]: makes t/MODEL.csv from the shipped notes and column names,
 # with a row for each line of the input.

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 # The program with good and bad command lines and files: exit codes, messages, outputs.
 #     cli.sh PROGRAM
-. tests/host/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+program_begin "$1"
 
 # absent NAME PATTERN: expects no file with such a name.
 absent() {

@@ -3,7 +3,7 @@
 # The programs of ports/examples compile without a warning and draw the same picture as
 # `tidepool render`: the sea in SDL2's window without a display, the others with stand-ins
 # for their libraries.  The buoy is tested by tests/host/own_module.sh.
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 library=${TP_BUILD:-build/host}/libtidepool.a
 program=${TP_PROGRAM:-build/host/tidepool}
@@ -16,7 +16,6 @@ crc_of()        # COMMAND...
     "$@" >"$scratch/raw" && gzip -c "$scratch/raw" | tail -c 8 | od -An -tu1 -N4 |
         awk '{ printf "%02x%02x%02x%02x\n", $4, $3, $2, $1 }'
 }
-is() { [ "$1" = "$2" ] || { echo "'$1' is not '$2'"; return 1; }; }
 # Frame 30 of the first sea; tests/host/first.ini has the numbers of tp_scene_init.
 want()          # SIZE OPTION...
 {
@@ -71,8 +70,9 @@ done
 # -- the sea in a window of SDL2 -------------------------------------------------------
 
 if ! pkg-config --exists sdl2 2>/dev/null; then
-    echo "skipped: the sea in a window (package libsdl2-dev)"
-    exit $((failures > 0))
+    skip "the sea in a window" "libsdl2-dev"
+    finish
+    exit
 fi
 export SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy
 # shellcheck disable=SC2046
@@ -110,4 +110,4 @@ hidden() { [ -s "$scratch/110.bmp" ] && is "$(red 110)" 0; }
 check "where a crest hides the buoy" hidden
 over() { [ "$(white 110)" -ge 240 ]; }
 check "but not the graph" over
-exit $((failures > 0))
+finish

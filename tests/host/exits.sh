@@ -3,9 +3,10 @@
 # Exit codes have one meaning.  Each command and each script of ports/ is led to every
 # exit code it knows; a command's --help lists exactly these codes.
 #     exits.sh PROGRAM
-root=$(pwd)
 build=$(realpath "${TP_BUILD:-build/host}") || exit 2
-. tests/host/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/display.sh"
+program_begin "$1"
 HOME=$work XDG_STATE_HOME=$work/state XDG_CONFIG_HOME=$work/config
 export HOME XDG_STATE_HOME XDG_CONFIG_HOME
 unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER
@@ -29,7 +30,7 @@ met() {         # COMMAND CODE PATTERN NAME
 }
 # full COMMAND ARGUMENT...: runs with a full disk as standard output.
 full() {
-    timeout $seconds "$program" "$@" >/dev/full 2>err </dev/null
+    timeout $limit "$program" "$@" >/dev/full 2>err </dev/null
     code=$?
     met "$1" 3 "standard output: No space" "$* to a full disk"
 }
@@ -97,7 +98,7 @@ FAKE_FB="96 64 32 384 64 2 16 8 8 8 0 8 24 8 0 0" FAKE_GONE=$work/gone
 export FAKE_FB FAKE_GONE
 head -c 24576 /dev/zero >fb0
 show() {        # ARGUMENT...: on a fake screen (screen_fake.c)
-    LD_PRELOAD=$build/screen_fake.so timeout $seconds "$program" show "$@" >out 2>err \
+    LD_PRELOAD=$build/screen_fake.so timeout $limit "$program" show "$@" >out 2>err \
         </dev/null
     code=$?
 }
@@ -110,41 +111,32 @@ exits 4 "is not a frame buffer" show minimal --device list
 show minimal --device fb0 --size 97x64
 met show 4 "smaller than the picture" "show, larger than its screen"
 : >out
-{ until grep -q '^frame' out; do sleep 0.05; done; touch gone; } &
+{ until_true grep -q '^frame' out; touch gone; } &
 show minimal --device fb0 --hash
 wait
 met show 5 "the display is lost" "show, whose screen is unplugged"
 
 # -- windows ----------------------------------------------------------------------------
 
-wait_until() {  # COMMAND...: repeats for at most ten seconds
-    waited=0
-    until "$@" || [ $waited -ge 200 ]; do
-        waited=$((waited + 1))
-        sleep 0.05
-    done
-}
 lose_display() {
-    Xvfb -displayfd 7 -screen 0 640x480x24 -nolisten tcp -noreset 7>number \
-        >/dev/null 2>&1 &
-    server=$!
-    wait_until test -s number
-    DISPLAY=:$(cat number) SDL_VIDEODRIVER=x11 timeout $seconds "$program" view minimal \
+    begin_server 640x480
+    SDL_VIDEODRIVER=x11 timeout $limit "$program" view minimal \
         --size 160x120 >out 2>err </dev/null &
     viewer=$!
-    wait_until test -s state/tidepool/session.ini       # a second of frames
+    until_true test -s state/tidepool/session.ini       # a second of frames
     kill $server
     { wait $server; wait $viewer; } 2>/dev/null
-    code=$?
+    code=$? server="" viewer=""
+    unset DISPLAY
 }
 if "$program" view --help 2>&1 | grep -q "built without"; then
     exits 4 "built without the preview" view minimal
     sed -i '/^view/d' met
 else
-    SDL_VIDEODRIVER=dummy timeout $seconds "$program" view minimal --frames 2 >out 2>err
+    SDL_VIDEODRIVER=dummy timeout $limit "$program" view minimal --frames 2 >out 2>err
     code=$?
     met view 0 "" "view"
-    SDL_VIDEODRIVER=dummy timeout $seconds "$program" view --resume --frames 2 >out 2>err
+    SDL_VIDEODRIVER=dummy timeout $limit "$program" view --resume --frames 2 >out 2>err
     code=$?
     met view 0 "session.ini: no saved state: a fresh start" "view --resume, nothing kept"
     same "it says so in one line" "$(wc -l <err)" 1
@@ -156,12 +148,11 @@ else
     SDL_VIDEODRIVER=x11
     export SDL_VIDEODRIVER
     exits 4 "no window can be opened" view minimal
-    if command -v Xvfb >/dev/null; then
+    if lacks Xvfb xvfb "a display that is lost"; then
+        echo "view 5" >>met
+    else
         lose_display
         met view 5 "the display is lost" "view, whose display ends"
-    else
-        echo "skipped: a display that is lost (package xvfb)"
-        echo "view 5" >>met
     fi
 fi
 
@@ -202,7 +193,7 @@ if command -v node >/dev/null; then
     serves 2 "^usage: node ports/web/serve.js" "$work" 70000
     serves 3 "no index.html; .make web. builds" "$work"
 else
-    echo "skipped: the page's server (package nodejs)"
+    skip "the page's server" "nodejs"
 fi
 cd "$work" || exit 2
 

@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: MIT
 # The 820 meshes of Debian's sweethome3d-furniture, made by people with many programs: all
 # are drawn, none is refused.  Missing things are reported, and counted here by kind.
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 furniture=/usr/share/sweethome3d/furniture
 program=$(realpath "${1:-build/host/tidepool}")
 drawer=$(realpath "${TP_BUILD:-build/host}/tests/host/furniture")
 [ -d "$furniture" ] ||
-    { echo "skipped: meshes of furniture (package sweethome3d-furniture)"; exit 77; }
+    { skip "meshes of furniture" "sweethome3d-furniture"; exit 77; }
 lacks unzip unzip "meshes of furniture" && exit 77
 
 # In a folder so deep that every path is too long for a scene.
@@ -59,4 +59,4 @@ check "one of each archive is rendered" rendered
 mesh=$(grep /saloon_table.obj "$scratch/meshes")
 refuse "one that lacks something is refused by --strict" \
     "$program" render minimal --size 32x24 --set boat.mesh="$mesh" --hash --strict
-exit $((failures > 0))
+finish

@@ -3,20 +3,18 @@
 # Runs the preview for 10000 frames under the sanitizers, with its panel, in a window of a
 # private X server: nothing leaks.
 #     leaks.sh PROGRAM
-. tests/host/lib.sh
-sanitized=$OLDPWD/build/san/tidepool
-command -v Xvfb >/dev/null || { echo "skipped: the preview's leaks (package xvfb)"; exit 0; }
-[ -x "$sanitized" ] || { echo "FAILED - $sanitized: make host-tests builds it"; exit 1; }
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/display.sh"
+program_begin "$1"
+sanitized=$root/build/san/tidepool
+lacks Xvfb xvfb "the preview's leaks" && exit 0
+[ -x "$sanitized" ] || { fail "$sanitized" "make host-tests builds it"; exit 1; }
 "$sanitized" view no-such-scene 2>&1 | grep -q 'built without the preview' &&
-    { echo "skipped: the preview's leaks (package libsdl2-dev)"; exit 0; }
+    { skip "the preview's leaks" "libsdl2-dev"; exit 0; }
 
-exec 7>number
-Xvfb -displayfd 7 -screen 0 800x600x24 -nolisten tcp -noreset >/dev/null 2>&1 &
-server=$!
-trap 'kill $server; rm -rf "$work"' EXIT
-for _ in $(seq 100); do [ -s number ] && break; sleep 0.1; done
-DISPLAY=:$(cat number) SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy XDG_STATE_HOME=$work
-export DISPLAY SDL_VIDEODRIVER SDL_AUDIODRIVER XDG_STATE_HOME
+begin_server 800x600
+SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy XDG_STATE_HOME=$work
+export SDL_VIDEODRIVER SDL_AUDIODRIVER XDG_STATE_HOME
 
 # The display's libraries keep memory until the end, and some are unloaded by then: only
 # leaks requested by a function of the preview count.

@@ -6,9 +6,8 @@
 #     library.sh PROGRAM
 root=$PWD
 kept=${TP_BUILD:-build/host}
-. tests/gates/lib.sh
-rm -rf "$scratch"
-. tests/host/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+program_begin "$1"
 scenes=$root/assets/scenes
 cc=${CC:-cc}
 unset MAKEFLAGS MAKELEVEL MFLAGS

@@ -4,7 +4,7 @@
 # library is linked; without a baked file the library brings everything.
 #
 #   tests/host/linked.sh PROGRAM
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 program=$1
 cat >"$scratch/sea.c" <<'END'
@@ -75,4 +75,4 @@ refuse "everything has no more than that list" of_list "$scratch/all"
 whole() { [ "$(wc -l <"$1")" -ge 80 ]; }
 check "the second has all stages" whole "$scratch/all"
 refuse "the first has all stages" whole "$scratch/few"
-exit $((failures > 0))
+finish

@@ -4,7 +4,8 @@
 # the right places by make install.
 #     manual.sh PROGRAM
 root=$(pwd)
-. tests/host/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+program_begin "$1"
 HOME=$work XDG_CONFIG_HOME=$work/config
 export HOME XDG_CONFIG_HOME
 
@@ -34,7 +35,7 @@ if command -v mandoc >/dev/null; then
     verdict "mandoc has nothing to say of them" \
         "$(mandoc -T lint -W all tidepool.1 tidepool-scene.5 2>&1 | head -3)"
 else
-    echo "skipped: the manual's form (package mandoc)"
+    skip "the manual's form" "mandoc"
 fi
 # tagged PAGE: prints the bold names at the start of a paragraph, one per line, unescaped.
 tagged() { sed -n 's/^\\fB\([^ ]*\)\\fR.*/\1/p' "$1" | sed 's/\\-/-/g'; }
@@ -140,7 +141,7 @@ if command -v bash >/dev/null; then
     echo "$parameters" >wanted
     verdict "bash: every parameter" "$(diff offered wanted | head -3)"
 else
-    echo "skipped: completion driven in bash (package bash)"
+    skip "completion driven in bash" "bash"
 fi
 
 # -- zsh and fish, if installed ---------------------------------------------------------

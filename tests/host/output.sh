@@ -4,7 +4,8 @@
 #     output.sh PROGRAM
 run_script=$(realpath ports/run.sh) || exit 2
 build=$(realpath "${TP_BUILD:-build/host}") || exit 2
-. tests/host/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+program_begin "$1"
 apng_frames=$build/tests/host/apng_frames
 left() {        # prints all files here but the test's own
     ls -A | grep -v -e '^out$' -e '^err$' | tr '\n' ' '
@@ -110,7 +111,7 @@ rm -f big.apng film.apng
 ln -s /dev/full full.apng
 expect "a full disk" 3 "^full.apng: No space" render storm --size 64x48 --frames 9 \
     --out full.apng
-(ulimit -f 8; timeout $seconds "$program" render storm --frames 99 --out big.apng 2>err)
+(ulimit -f 8; timeout $limit "$program" render storm --frames 99 --out big.apng 2>err)
 code=$?
 judge "a film beyond the size limit" 3 "^big.apng: File too large"
 timeout 60 "$program" render storm --size 64x48 --frames 1000000 --out long.apng 2>err &

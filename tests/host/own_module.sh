@@ -10,7 +10,8 @@ make --no-print-directory -s MORE=ports/examples/buoy \
     BUILD="${TP_BUILD:-build/host}" more "${TP_BUILD:-build/host}/screen_fake.so" || exit 2
 plain=$(realpath "$1") || exit 2
 set -- "$build/more/buoy/tidepool"
-. tests/host/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+program_begin "$1"
 scene=$root/assets/scenes/three-swells.ini
 
 # hashes OPTION...: prints the hash of a picture without a boat, after 60 ticks.

@@ -10,9 +10,8 @@ build=$(realpath "$kept") || exit 2
 version=$("$1" --version | sed -n '1s/tidepool //p')
 example=$root/ports/examples/consumer
 cc=${CC:-cc} cxx=${CXX:-c++}
-. tests/gates/lib.sh
-rm -rf "$scratch"
-. tests/host/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+program_begin "$1"
 
 # Only the sources are present; the pipe to make's jobs is closed too.
 unset MAKEFLAGS MAKELEVEL MFLAGS PKG_CONFIG_PATH CMAKE_PREFIX_PATH DESTDIR

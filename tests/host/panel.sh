@@ -9,9 +9,11 @@
 demo=$(dirname "$(realpath "$1")")/tests/host/panel_demo
 watched=build/san/tests/host/panel_demo
 [ ! -x $watched ] || demo=$(realpath $watched)
-. tests/host/view_lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/display.sh"
+display_begin "$1"
 [ -x "$demo" ] && "$demo" --has || {
-    echo "skipped: the panel in a window (package libsdl2-dev, libimgui-dev)"
+    skip "the panel in a window" "libsdl2-dev, libimgui-dev"
     exit 0
 }
 export SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy SDL_RENDER_DRIVER=software

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # The README's first program compiles as printed and draws a whole picture.  The pictures and
 # links of the pages exist, their figures are right, and the gallery has every shipped scene.
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 # -- the first program ------------------------------------------------------------------
 
@@ -134,4 +134,4 @@ links()         # each link of a page leads to a file or a folder
     done
 }
 check "every link of a page leads to a file" links
-exit $((failures > 0))
+finish

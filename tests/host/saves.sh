@@ -6,7 +6,8 @@
 build=$(realpath "${TP_BUILD:-build/host}") || exit 2
 scene=$(realpath assets/scenes/pond.ini) || exit 2
 small=$(realpath assets/scenes/minimal.ini) || exit 2
-. tests/host/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+program_begin "$1"
 saves=$build/tests/host/saves
 faults=$build/faults.so
 
@@ -108,16 +109,14 @@ rm -rf old new whole
 
 # -- signals ---------------------------------------------------------------------------
 
+writes() { [ -n "$(find . -name '.tidepool-*')" ]; }
 # All catchable signals that end a program; it ignores SIGPIPE and SIGXFSZ.
 ulimit -c 0
 for number in 1 2 3 4 5 6 7 8 10 11 12 14 15 16 24 26 27 29 30 31 34 64; do
     env --default-signal "$program" render "$scene" --size 64x48 --frames 1000000 \
         --out film.y4m >out 2>err &
     child=$!
-    for wait in $(seq 200); do
-        [ -z "$(find . -name '.tidepool-*')" ] || break
-        sleep 0.02
-    done
+    until_true writes
     kill -$number $child
     wait $child 2>/dev/null
     same "signal $number ends it" $? $((128 + number))

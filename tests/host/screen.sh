@@ -5,7 +5,8 @@
 # after every kind of death.  Real screens: tests/boards.
 #     screen.sh PROGRAM
 build=$(realpath "${TP_BUILD:-build/host}") || exit 2
-. tests/host/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+program_begin "$1"
 fake=$build/screen_fake.so
 crc_of=$build/tests/host/screen_crc
 

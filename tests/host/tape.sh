@@ -3,7 +3,8 @@
 # Tapes: recorded inputs replay to the same frames; bad files are refused with file and
 # line.
 #     tape.sh PROGRAM
-. tests/host/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+program_begin "$1"
 
 boats=$(cd "$OLDPWD" && realpath assets/boats)
 

@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # 1 to 16 threads under ThreadSanitizer: no data race.
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 echo 'int main(void) { return 0; }' >"$scratch/a.c"
 if ! gcc -fsanitize=thread "$scratch/a.c" -o "$scratch/a" 2>/dev/null; then
-    echo "skipped: threads under ThreadSanitizer (package libgcc-12-dev)"
+    skip "threads under ThreadSanitizer" "libgcc-12-dev"
     exit 77
 fi
 test=build/tsan/tests/host/test_threads
@@ -16,4 +16,4 @@ built()
 }
 check "the program builds with ThreadSanitizer" built
 check "no races by 1 to 16 threads" env TP_SCENE_STEP=5 TSAN_OPTIONS=halt_on_error=1 $test
-exit $((failures > 0))
+finish

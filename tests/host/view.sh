@@ -3,7 +3,9 @@
 # The preview in a window of a private X server: pixels, mouse, resizing, minimising, a
 # lost display, resuming. view_keys.sh tests every key.
 #     view.sh PROGRAM
-. tests/host/view_lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/display.sh"
+display_begin "$1"
 
 # -- without a display ----------------------------------------------------------------
 
@@ -99,7 +101,7 @@ if [ "$WIDTH" -gt 320 ]; then
     do_x mousemove --window "$window" 363 200 click --repeat 2 --delay 60 1
     check "a double click puts it back" until_true titled 320x240
 else
-    echo "skipped: the bar (package libimgui-dev)"
+    skip "the bar" "libimgui-dev"
 fi
 quit_view
 
@@ -177,7 +179,7 @@ if [ "$WIDTH" -gt 320 ]; then
     named resumed.png
     check "and the panel names the scene" same_pixels opened.png resumed.png
 else
-    echo "skipped: the panel (package libimgui-dev)"
+    skip "the panel" "libimgui-dev"
 fi
 quit_view
 finish

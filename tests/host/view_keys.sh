@@ -3,7 +3,9 @@
 # The preview in a window of a private X server: the key of every action has the effect
 # given in the list of actions.
 #     view_keys.sh PROGRAM
-. tests/host/view_lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/display.sh"
+display_begin "$1"
 covered=""
 
 # does ACTION... -- NAME COMMAND...: a case for these actions.
@@ -275,7 +277,7 @@ if [ "$WIDTH" -gt 320 ]; then
     wanted='^amplitude *= *0.9'
     undoes=yes
 else
-    echo "skipped: the panel (package libimgui-dev)"
+    skip "the panel" "libimgui-dev"
     covered="$covered panel side smaller larger search undo redo"
     wanted='^amplitude'
 fi
@@ -342,7 +344,7 @@ fi
 
 every() {
     sed -n 's/^    X([A-Z0-9_]*, *"[a-z]*", *"\([a-z0-9_]*\)".*/\1/p' \
-        "$sources/ports/host/actions.h" | sort >listed
+        "$root/ports/host/actions.h" | sort >listed
     printf '%s\n' $covered | sort -u | diff listed - >log && [ -s listed ]
 }
 check "every action of the list has a case" every

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Tests of the list of mutants: places that can break, and places that cannot.
-. tests/gates/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
 
 sites()         # C-LINE...: the mutants as OPERATOR:NEW
 {
@@ -37,4 +37,4 @@ sort "$scratch/sites" >"$scratch/sorted"
 check  "every place is picked once" each_once
 check  "a seed picks the same again" again 7
 refuse "another seed picks others" again 8
-exit $((failures > 0))
+finish

@@ -9,15 +9,11 @@
 root=$PWD
 page=$root/build/web
 client=$root/build/tests/web            # the browser's driver is installed here
-. tests/host/lib.sh
+. "$(dirname "$0")/../lib/script.sh"
+program_begin "$1"
 
-skip() { echo "skipped: $1 (package $2)"; }
 for tool in clang=clang wasm-ld=lld node=nodejs; do
-    command -v "${tool%=*}" >/dev/null || {
-        skip "the page" "${tool#*=}"
-        finish
-        exit
-    }
+    lacks "${tool%=*}" "${tool#*=}" "the page" && { finish; exit; }
 done
 
 # An empty home folder for the browsers; npm reads the user's settings.
@@ -25,19 +21,12 @@ mkdir home
 settled=${HOME:-$work/home}
 export HOME="$work/home" XDG_CONFIG_HOME="$work/home" XDG_CACHE_HOME="$work/home"
 
-built()
-{
-    (cd "$root" && env -u MAKEFLAGS -u MAKELEVEL make -j2 --no-print-directory page)
-}
-built >out 2>err
+(cd "$root" && build page) >out 2>err
 same "make web builds the page" $? 0
 bytes=$(gzip -9 -n -c "$root/build/wasm/tidepool.wasm" | wc -c)
-if command -v wasm-opt >/dev/null; then
+lacks wasm-opt binaryen "the size of the module" ||
     same "the module with its scenes is below 200 KB, packed" \
         "$([ "$bytes" -lt 200000 ] && echo below)" below
-else
-    skip "the size of the module" binaryen
-fi
 
 # -- frames equal the program's --------------------------------------------------------
 
@@ -69,11 +58,8 @@ same "the module draws every scene's frames bit for bit" \
 : >served
 (cd "$root" && exec node ports/web/serve.js build/web 8080) >served 2>err &
 server=$!
-trap 'kill $server 2>/dev/null; rm -rf "$work"' EXIT
-for _ in 1 2 3 4 5 6 7 8 9 10; do
-    grep -q http served && break
-    sleep 0.2
-done
+at_end 'kill $server 2>/dev/null'
+until_true grep -q http served
 url=$(sed -n 's/ .*//p' served)
 node -e '
 const http = require("http"), port = new URL(process.argv[1]).port;
@@ -88,11 +74,8 @@ same "make serve serves the page and nothing else" "$(cat out)" \
 
 # -- the page, in a browser ------------------------------------------------------------
 
-if ! command -v chromium >/dev/null; then
-    skip "the page in a browser" chromium
-elif ! command -v npm >/dev/null; then
-    skip "the page in a browser" npm
-else
+if ! lacks chromium chromium "the page in a browser" &&
+        ! lacks npm npm "the page in a browser"; then
     mkdir -p "$client"
     if ! cmp -s "$root/tests/web/package-lock.json" "$client/package-lock.json" \
             || [ ! -d "$client/node_modules/playwright-core" ]; then

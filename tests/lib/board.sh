@@ -1,5 +1,197 @@
 # SPDX-License-Identifier: MIT
-# Emulated machines with Debian's own kernel; read by `.` after tests/gates/lib.sh.
+# shellcheck shell=sh disable=SC2034,SC2046,SC2154
+# Emulated boards and machines: exact counts of instructions, budgets, linked pieces, live
+# boards, and PCs with Debian's own kernel; read by `.` after script.sh.
+
+# -- counted programs ----------------------------------------------------------------------
+
+plugin=build/host/count.so
+
+# emulate ELF SAID COUNTS: writes the program's output to SAID and the plugin's counts to
+# COUNTS.
+emulate()
+{
+    timeout 300 qemu-system-arm -M mps2-an386 -nographic -monitor none -serial null \
+        -chardev file,id=said,path="$2" \
+        -semihosting-config enable=on,target=native,chardev=said -kernel "$1" \
+        -plugin $plugin 2>"$3" </dev/null
+}
+
+# counted m4|x86 PROGRAM: writes $scratch/said and $scratch/counts, on an emulated Cortex-M4
+# (the board's compiler) or on this machine; both at -O2.
+counted()
+{
+    case $1 in
+    m4)
+        emulate "build/cortex-m/$2.elf" "$scratch/said" "$scratch/counts" ;;
+    x86)
+        valgrind --tool=callgrind --callgrind-out-file="$scratch/dump" \
+            --dump-before=count_section --collect-atstart=no --toggle-collect='run_*' \
+            --compress-strings=no --compress-pos=no \
+            "build/host/tests/charts/$2" >"$scratch/said" 2>"$scratch/words" &&
+            awk -f tests/budgets/callgrind.awk "$scratch"/dump.* >"$scratch/counts" ;;
+    *)
+        echo "usage: $0 m4|x86 ..." >&2
+        exit 2 ;;
+    esac || { cat "$scratch"/words "$scratch"/said 2>/dev/null >&2; exit 1; }
+}
+
+# -- budgets -------------------------------------------------------------------------------
+#
+# The figures are the lines of $scratch/figures; $whole is 1 if all names must be present,
+# $skip names measures that are not compared. tests/budgets/budgets.awk has the rule.
+
+budgets_by()    # BUDGETS [VARIABLE]...
+{
+    of=$1
+    shift
+    awk -v whole="$whole" -v skip="$skip" "$@" -f tests/budgets/budgets.awk "$of" \
+        "$scratch/figures"
+}
+
+# Checks a budget, and that budgets can fail: with budgets lowered by 2 % some must fail.
+hold()          # BUDGETS
+{
+    awk -F, -v OFS=, '$3 ~ /^[0-9]/ { $3 /= 1.02 } { print }' "$1" >"$scratch/lower"
+    refuse "budgets of 2 % less are missed" budgets_by "$scratch/lower"
+    budgets_by "$1" || fail "$1"
+}
+
+rewrite()       # BUDGETS BUILD=COMPILER...
+{
+    of=$1
+    budgets_by "$of" -v write=1 >"$scratch/budgets" || return 1
+    shift
+    for by; do
+        sed -i "s/^\(# compiler ${by%%=*} .*\) .*/\1 $("${by#*=}" -dumpfullversion)/" \
+            "$scratch/budgets"
+    done
+    cp "$scratch/budgets" "$of"
+}
+
+# pinned BUDGETS BUILD COMPILER: true if the compiler has the version that made the
+# budgets; other versions are skipped.
+pinned()
+{
+    want=$(sed -n "s/^# compiler $2 //p" "$1")
+    here="${want% *} $("$3" -dumpfullversion)"
+    [ "$here" = "$want" ] && return
+    skip "budgets of $want, here $here" "${want% *}"
+    return 1
+}
+
+# -- linked pieces -------------------------------------------------------------------------
+
+# pieces_of ELF: modules, passes, stages, wave models, systems, parts and renderers.
+pieces_of()
+{
+    arm-none-eabi-nm --defined-only "$1" | sed -n \
+        's/.* [A-Za-z] \(tp_\(stage\|water\|move\|draw\|method\)_[a-z0-9_]*\)$/\1/p
+         s/.* [Rr] \(tp_[a-z0-9_]*_\(module\|drawing\)\)$/\1/p' | sort -u
+}
+
+# listed BAKED.c: pieces named by its list.
+listed()
+{
+    grep -o 'tp_[a-z0-9_]*' "$1" | sort -u
+}
+
+# links_no_more PIECES BAKED.c: each linked piece is listed, and at least one is linked.
+links_no_more()
+{
+    listed "$2" >"$1.listed"
+    [ -s "$1" ] && ! comm -23 "$1" "$1.listed" | grep .
+}
+
+# -- a live board, controlled over its serial port and its monitor -------------------------
+#
+#   board_begin ELF [OPTION]...  starts the board and waits for its "ok NAME"
+#   ask LINE                     sends a line; prints its answer, or nothing after 10 s
+#   monitor COMMAND              sends a command to the emulator
+#   dump FILE                    waits for the picture of the screen
+#   board_end                    ends the emulator
+#
+# The board's output is in $scratch/said. No run exceeds 60 s.
+
+live_board=cortex-m/lm3s6965evb
+live_elf=build/lm3s6965evb/scenes/tarn.elf
+live_scene=ports/cortex-m/scenes/tarn.ini
+emulator=
+at_end board_end
+
+board_begin()
+{
+    kernel=$1; shift
+    rm -f "$scratch/serial" "$scratch/monitor.in" "$scratch/monitor.out"
+    mkfifo "$scratch/serial" "$scratch/monitor.in" "$scratch/monitor.out"
+    exec 3<>"$scratch/serial" 4<>"$scratch/monitor.in" 5<>"$scratch/monitor.out"
+    : >"$scratch/said"
+    cat <&5 >/dev/null 3>&- 4>&- &
+    drain=$!
+    timeout 60 qemu-system-arm -M lm3s6965evb -display none \
+        -monitor "pipe:$scratch/monitor" -chardev stdio,id=serial,signal=off \
+        -serial chardev:serial -kernel "$kernel" "$@" \
+        <&3 >"$scratch/said" 2>"$scratch/emulator" 3>&- 4>&- 5>&- &
+    emulator=$!
+    until_true said_more 0
+}
+
+# Only complete lines are answers.
+whole_lines()   { head -n "$(wc -l <"$scratch/said")" "$scratch/said"; }
+answers()       { whole_lines | grep -c '^ok\|^error'; }
+said_more()     { [ "$(answers)" -gt "$1" ]; }
+
+ask()
+{
+    before=$(answers)
+    printf '%s\n' "$1" >&3
+    until_true said_more "$before"
+    whole_lines | grep '^ok\|^error' | tail -n 1
+}
+
+monitor()       { printf '%s\n' "$1" >&4; }
+
+is_whole()      { [ -f "$1" ] && [ "$(wc -c <"$1")" -eq 393231 ]; }    # 512 x 256
+dump()
+{
+    rm -f "$1"
+    monitor "screendump $1"
+    until_true is_whole "$1"
+}
+
+board_end()
+{
+    [ "$emulator" ] || return 0
+    kill "$emulator" "$drain" 2>/dev/null
+    wait "$emulator" "$drain" 2>/dev/null
+    emulator=
+}
+
+# Fields of the answer to `state`.
+tick_of()       { echo "$1" | sed 's/ok tick \([0-9]*\).*/\1/'; }
+crc_of()        { echo "$1" | sed 's/.* crc32 \([0-9a-f]*\).*/\1/'; }
+bytes_of()      { echo "$1" | sed 's/.* bytes sent \([0-9]*\).*/\1/'; }
+clocks_of()     { echo "$1" | sed 's/.* clocks \([0-9]*\).*/\1/'; }
+
+# Prints the host's CRC at a tick.
+host_crc()      # TICK [OPTION]...
+{
+    at=$1; shift
+    "$program" render $live_scene --size 128x64 --format l8 --frames "$at:$at" --hash "$@" |
+        sed 's/.* //'
+}
+
+board_ready()   # WHAT: exits with 77 if a tool is missing; builds the program
+{
+    lacks qemu-system-arm qemu-system-arm "$1" && exit 77
+    lacks arm-none-eabi-gcc gcc-arm-none-eabi "$1" && exit 77
+    check "the board's program builds" alone build BOARD=$live_board SCENE=tarn elf
+    [ $failed = 0 ] || exit 1
+    check "the board starts" board_begin $live_elf
+    [ $failed = 0 ] || exit 1
+}
+
+# -- machines with Debian's own kernel -----------------------------------------------------
 #
 # A test builds a boot's only file system from busybox, init.sh, the project's programs
 # and a script of cases, and boots it. The cases print lines on the serial port; lines
@@ -37,7 +229,7 @@ vm_lacks()      # NAME ARCH...
         esac
         vm_kernel "$arch" >"$scratch/apt" 2>&1 && continue
         tail -n 3 "$scratch/apt"
-        echo "skipped: $name (package linux-image-$arch)"
+        skip "$name" "linux-image-$arch"
         return 0
     done
     return 1
@@ -197,10 +389,7 @@ vm_dump()       # NAME
     rm -f "$vm_work/$1.done"
     echo "screendump $vm_work/$1.ppm" >&8
     echo "pmemsave 0 1 \"$vm_work/$1.done\"" >&8
-    for _ in $(seq 200); do
-        [ -s "$vm_work/$1.done" ] && return 0
-        sleep 0.05
-    done
+    until_true test -s "$vm_work/$1.done" && return 0
     echo "no dump of the screen"
     return 1
 }
@@ -221,10 +410,10 @@ vm_shot()       # NAME
 vm_results()
 {
     if ! grep -E '^(ok|FAILED) - ' "$vm_work/$1.log" >"$scratch/results"; then
-        echo "FAILED - $1: no case was run"
-        failures=$((failures + 1))
+        fail "$1" "no case was run"
         return
     fi
     sed "s/^\(ok\|FAILED\) - /&$1: /" "$scratch/results"
-    failures=$((failures + $(grep -c '^FAILED' "$scratch/results")))
+    passed=$((passed + $(grep -c '^ok' "$scratch/results")))
+    failed=$((failed + $(grep -c '^FAILED' "$scratch/results")))
 }

@@ -1,60 +1,29 @@
 # SPDX-License-Identifier: MIT
-# Functions shared by tests of the preview's window; included by `.` from the project's
-# root with the program's path as $1.  A test has a display, a home and a working folder
-# of its own.  Each case prints a line; the last line is "N passed, M failed".
-program=$(realpath "$1") || exit 2
-sources=$(pwd)
-missing=""
-need() { command -v "$1" >/dev/null || missing="$missing${missing:+, }$2"; }
-need Xvfb xvfb
-need xdotool xdotool
-need import imagemagick
-need pgrep procps
-"$program" view no-such-scene 2>&1 | grep -q 'built without the preview' &&
-    missing="$missing${missing:+, }libsdl2-dev"
-if [ -n "$missing" ]; then
-    echo "skipped: the preview in a window (package $missing)"
-    exit 0
-fi
-work=$(mktemp -d) || exit 2
-server="" viewer="" passed=0 failed=0
-cleanup() {
+# shellcheck shell=sh disable=SC2034,SC2154
+# Windows on a private X server: keys, mouse and pictures of the preview; read by `.` after
+# script.sh.
+
+server="" viewer=""
+display_end() {
     [ -z "$viewer" ] || kill "$viewer" 2>/dev/null
     [ -z "$server" ] || kill "$server" 2>/dev/null
-    rm -rf "$work"
 }
-trap cleanup EXIT
-trap 'exit 1' INT TERM HUP
-cd "$work" || exit 2
-export HOME="$work/home" XDG_STATE_HOME="$work/state" XDG_CONFIG_HOME="$work/config"
-mkdir -p home state config
+at_end display_end
 
-# check NAME COMMAND...: passed if the command succeeds.
-check() {
-    name=$1
-    shift
-    if "$@"; then
-        passed=$((passed + 1))
-        echo "ok - $name"
-    else
-        failed=$((failed + 1))
-        echo "FAILED - $name"
-        sed 's/^/     | /' log 2>/dev/null | tail -3
-    fi
-}
-
-# until_true COMMAND...: repeats for at most ten seconds.
-until_true() {
-    for _ in $(seq 200); do
-        "$@" && return 0
-        sleep 0.05
+# display_begin PROGRAM: cases of the preview, with a home of their own; messages are in
+# file log. Exits if a tool is missing.
+display_begin() {
+    missing=""
+    for tool in Xvfb:xvfb xdotool:xdotool import:imagemagick pgrep:procps; do
+        command -v "${tool%:*}" >/dev/null || missing="$missing${missing:+, }${tool#*:}"
     done
-    return 1
-}
-
-finish() {
-    echo "$passed passed, $failed failed"
-    [ "$failed" -eq 0 ]
+    "$1" view no-such-scene 2>&1 | grep -q 'built without the preview' &&
+        missing="$missing${missing:+, }libsdl2-dev"
+    [ -z "$missing" ] || { skip "the preview in a window" "$missing"; exit 0; }
+    program_begin "$1"
+    messages=log
+    export HOME="$work/home" XDG_STATE_HOME="$work/state" XDG_CONFIG_HOME="$work/config"
+    mkdir -p home state config
 }
 
 # -- display and window ------------------------------------------------------------------
@@ -65,7 +34,7 @@ begin_server() {        # [WIDTHxHEIGHT]
     Xvfb -displayfd 7 -screen 0 "${1:-1000x600}x24" -nolisten tcp -noreset >/dev/null 2>&1 &
     server=$!
     exec 7>&-
-    until_true test -s number || { echo "FAILED - Xvfb starts"; exit 1; }
+    until_true test -s number || { fail "Xvfb starts"; exit 1; }
     DISPLAY=:$(cat number)
     export DISPLAY
 }
@@ -84,8 +53,7 @@ open_view() {
     viewer=$!
     window=""
     until_true find_window && return
-    sed 's/^/     | /' log | tail -3
-    echo "FAILED - no window"
+    fail "no window"
     exit 1
 }
 
