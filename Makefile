@@ -398,7 +398,7 @@ list-tests:
 
 # -- rules -----------------------------------------------------------------------------
 
-ASSERT_O := $(BUILD)/tests/assert_failed.o
+ASSERT_O := $(BUILD)/tests/lib/assert_failed.o
 $(LIB): $(CORE_O) $(if $(CHECKED),$(ASSERT_O))
 $(BUILD)/checked/libtidepool.a: $(CORE:%.c=$(BUILD)/checked/%.o) $(ASSERT_O)
 $(BUILD)/ports.a: $(PORTS_O)
@@ -436,9 +436,9 @@ $(UNIT): $(UNIT_LIB)
 $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $(GOLD) $(filter %.o,$^) $(BUILD)/ports.a \
 	    $(or $(filter $(UNIT_LIB),$^),$(LIB)) $(CMOCKA) $(LIBS) -o $@
-$(filter $(BUILD)/%,$(GOLDEN)): $(BUILD)/tests/golden/golden.o
+$(filter $(BUILD)/%,$(GOLDEN)): $(BUILD)/tests/lib/golden.o
 LCD_O := $(patsubst %,$(BUILD)/%.o,$(addprefix ports/lcd/,clear lcd panels ssd0323 turn) \
-               tests/boards/panel tests/golden/golden)
+               tests/lib/lcd_panel tests/lib/golden)
 $(filter $(BUILD)/tests/host/test_lcd%,$(UNIT)): $(LCD_O)
 $(BUILD)/tests/boards/sent: $(filter %/clear.o %/lcd.o %/panels.o %/turn.o,$(LCD_O))
 $(BUILD)/tests/host/test_kms: $(BUILD)/tests/host/fake_kms.o

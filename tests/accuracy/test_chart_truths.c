@@ -10,12 +10,12 @@
 #include "tests/charts/span.h"
 #include "tests/charts/span_true.h"
 #include "tests/reference/sea.h"
-#include "tests/unit/chance.h"
-#include "tests/unit/wave_rows.h"
+#include "tests/lib/random.h"
+#include "tests/lib/vectors.h"
 
 /* -- deep water ---------------------------------------------------------------------- */
 
-static ref_sea sea_of(const rows *r, double phase[TP_WAVES])
+static ref_sea sea_of(const vector_table *r, double phase[TP_WAVES])
 {
     ref_sea sea = { .count = r->waves };
 
@@ -31,7 +31,7 @@ static ref_sea sea_of(const rows *r, double phase[TP_WAVES])
 
 static void the_sea_has_the_points_of_the_vectors(void **state)
 {
-    rows r = rows_of("gerstner_sum");
+    vector_table r = rows_of("gerstner_sum");
     measure place = { .what = "places", .unit = "m" };
     measure normal = { .what = "normals", .unit = "" };
 

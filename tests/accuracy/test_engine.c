@@ -13,7 +13,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include <stdio.h>
-#include "compare.h"
+#include "tests/lib/reference_difference.h"
 
 enum { WIDTH = 160, HEIGHT = 120, SETTINGS = 10 };
 

@@ -8,7 +8,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include <stdio.h>
-#include "tests/budgets/truth.h"
+#include "tests/lib/quality_error.h"
 #include "host/path.h"
 
 /* Compares the planned picture with the reference picture of outlines or of shading: the

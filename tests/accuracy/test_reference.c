@@ -6,8 +6,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "views.h"
-#include "tests/unit/measure.h"
+#include "tests/lib/reference_scenes.h"
+#include "tests/lib/measure.h"
 
 static ref_ray ray_down(uint64_t *state, ref_vec from, double steepest)
 {

@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "skies.h"
+#include "tests/lib/reference_scenes.h"
 
 static uint64_t seed;
 

@@ -5,9 +5,9 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "views.h"
+#include "tests/lib/reference_scenes.h"
 #include "tests/reference/inside.h"
-#include "tests/unit/measure.h"
+#include "tests/lib/measure.h"
 
 /* Fresnel reflectance from the sines and tangents of the sum and the difference of the
  * angles; not for a look straight down. */

@@ -8,7 +8,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "sights.h"
+#include "tests/lib/reference_scenes.h"
 
 static uint64_t seed;
 

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "scene/pools.h"
-#include "sights.h"
+#include "tests/lib/reference_scenes.h"
 
 enum { TICKS = 90 };
 

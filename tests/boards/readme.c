@@ -9,7 +9,7 @@
 #include "cortex-m/baked.h"
 #include "lcd/lcd.h"
 #include "pixel/pixel.h"
-#include "tests/boards/panel.h"
+#include "tests/lib/lcd_panel.h"
 #include "tests/boards/sdk/sdk.h"
 #include "tidepool/tidepool.h"
 

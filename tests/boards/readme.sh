@@ -29,7 +29,7 @@ made()          # NAME HEADING FROM: a program of the example and one vendor's c
     } >"$scratch/$1.c"
     # shellcheck disable=SC2086
     cc $warn -Iinclude -Iports -I. "$scratch/$1.c" "$scratch/example.o" "$scratch/scene.o" \
-        "$scratch/readme.o" "$scratch/panel.o" "$scratch/lcd.o" "$scratch/panels.o" \
+        "$scratch/readme.o" "$scratch/lcd_panel.o" "$scratch/lcd.o" "$scratch/panels.o" \
         build/host/libtidepool.a -o "$scratch/$1"
 }
 
@@ -51,7 +51,7 @@ ready()
     command=${command#tidepool}
     # shellcheck disable=SC2086
     "$program" ${command%scene.c} "$scratch/scene.c" &&
-        for file in "$scratch/scene.c" tests/boards/readme.c tests/boards/panel.c \
+        for file in "$scratch/scene.c" tests/boards/readme.c tests/lib/lcd_panel.c \
             ports/lcd/lcd.c ports/lcd/panels.c; do
             cc -std=c11 -O1 -Iinclude -Isrc -Iports -I. -c "$file" \
                 -o "$scratch/$(basename "$file" .c).o" || return 1
@@ -115,7 +115,7 @@ broken()        # NAME SED: the same callbacks, changed
     sed "$2" "$scratch/pico.c" >"$scratch/$1.c"
     cmp -s "$scratch/$1.c" "$scratch/pico.c" && return 0
     cc -std=c11 -Iinclude -Iports -I. "$scratch/$1.c" "$scratch/example.o" \
-        "$scratch/scene.o" "$scratch/readme.o" "$scratch/panel.o" "$scratch/lcd.o" \
+        "$scratch/scene.o" "$scratch/readme.o" "$scratch/lcd_panel.o" "$scratch/lcd.o" \
         "$scratch/panels.o" build/host/libtidepool.a -o "$scratch/$1" || return 0
     "$scratch/$1"
 }

@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include "scene/world_parts.h"
 #include "scene/prices.h"
-#include "truth.h"
+#include "tests/lib/quality_error.h"
 
 #define SMALL_SLOPE  0.02       /* k A, the slope */
 #define SMALL_LENGTH 4          /* wavelength, m */

@@ -14,7 +14,7 @@
  * during the run; a row that fails ends the program with 1. */
 #include "cortex-m/marks.h"
 #include "tests/budgets/models.h"
-#include "tests/budgets/say.h"
+#include "tests/lib/board_output.h"
 
 model_place model;
 static const char *broken;

@@ -10,7 +10,6 @@
 #include "cortex-m/semihost.h"
 #include "frame/tools.h"
 #include "scene/prices.h"
-#include "prices_scenes.h"
 #include "scene/value.h"
 
 #define BAND  16
@@ -29,6 +28,239 @@ static const char *const rates[] = { "full", "layers", "colour" };
 #define COUNT(of) (sizeof of / sizeof *of)
 
 /* -- scenes -------------------------------------------------------------------------- */
+
+/* Scenes of prices.c: prices.ini with some features switched on. */
+/* Settings, separated by blanks; a name without "=" enables the asset of that name. */
+typedef struct {
+    const char *name, *set;
+} row;
+
+#define OFF "water.specular=0 water.reflection=0 sky.haze=0 water.filter=nearest " \
+            "sky.kind=gradient ripple.bump=0 distortion.strength=0 "
+
+#define STILL "wave0.amplitude=0 wave1.amplitude=0 wave2.amplitude=0 "
+
+/* the pool is stirred before the frame: water at rest costs less */
+#define POOL "pool.cols=64 pool.rows=64 pool.cells=16 pool.cell=2 pool.range=2 " \
+             "pool.edges=tile pool.poke_every=0.1 pool.poke=0.12 pool.poke_size=8 "
+
+#define BED   "sand floor.depth=3 floor.slope=0.05 floor.heading=160 "
+#define CHART "sand map floor.map_size=400 floor.map_low=-6 floor.map_high=-3 "
+
+static const row shaded[] = {
+    { "unlit", "light.ambient=1" },
+    { "plain", "" },
+    { "texture", "layer0" },
+    { "linear", "layer0 water.filter=linear" },
+    { "bend", "layer0 distortion distortion.strength=0.9" },
+    { "layer", "layer0 layer1" },
+    { "lined", "layer0 layer1 layer2 water.filter=linear" },
+    { "ripple", "ripple ripple.bump=0.8" },
+    { "mirror", "water.reflection=0.6" },
+    { "glint", "water.specular=1" },
+    { "both", "water.reflection=0.6 water.specular=1" },
+    { "haze", "sky.haze=2000" },
+    /* rippled: fast shading leaves smooth water under these skies to the exact stages */
+    { "mirror1", "ripple ripple.bump=0.8 water.reflection=0.6" },
+    { "dome0", "ripple ripple.bump=0.8 sky.kind=day" },
+    { "dome", "ripple ripple.bump=0.8 sky.kind=day water.reflection=0.6" },
+    { "cube0", "ripple ripple.bump=0.8 sky.kind=cube" },
+    { "cube", "ripple ripple.bump=0.8 sky.kind=cube water.reflection=0.6" },
+    { "objects0", "water.reflection=0.6 drops.count=1" },
+    { "objects", "water.reflection=0.6 drops.count=1 mirror.objects=stencil" },
+    { "behind", "water.reflection=0.6 water.clear=8" },
+    { "bed0", "water.reflection=0.6 " BED },
+    { "bed", "water.reflection=0.6 water.clear=8 " BED },
+    { "spread", "water.reflection=0.6 water.clear=8 water.dispersion=0.02 " BED },
+    { "caustic", "water.reflection=0.6 water.clear=8 water.caustics=1 " BED },
+    { "chart0", "water.reflection=0.6 " CHART },
+    { "chart", "water.reflection=0.6 water.clear=8 " CHART },
+    { "tank0", "water.reflection=0.6 tank tank.kind=stone " POOL },
+    { "tank", "water.reflection=0.6 water.clear=8 tank tank.kind=stone " POOL },
+    { "foam", "foam foam.cells=128 foam.cell=0.6 foam.crest=0.6 foam.fade=5" },
+    { "expose", "hdr.value=1.25" },
+    { "bump", POOL "water.pool_bump=1" },
+};
+
+static const row seen[] = {
+    { "near", "" },
+    { "dense", "grid.cols=100 grid.rows=100 grid.cell=1.06" },
+    { "small", "" },            /* 160x112 */
+    { "one", "wave1.amplitude=0 wave2.amplitude=0" },
+    { "low", "camera.y=1.6 camera.pitch=-1 camera.fov=46 grid.cols=90 grid.rows=90 "
+             "grid.cell=1.3 grid.reach=2000 wave0.amplitude=0.1 wave1.amplitude=0.05 "
+             "wave2.amplitude=0.03" },
+    { "rough", "camera.y=2.6 camera.pitch=-1 camera.fov=50 grid.cols=100 grid.rows=100 "
+               "grid.cell=1.2 grid.reach=2000 camera.heading=32 wave0.amplitude=0.45 "
+               "wave1.amplitude=0.3 wave2.amplitude=0.15" },
+    { "turned", "camera.heading=28 camera.y=8 camera.pitch=-15 camera.fov=52" },
+    { "above", "camera.y=50 camera.pitch=-86 camera.fov=50 grid.cols=110 grid.rows=110 "
+               "grid.cell=0.9 grid.follow=off" },     /* triangles only */
+    { "swell", "camera.heading=16 camera.y=1.6 camera.pitch=-1 camera.fov=46 "
+               "grid.cell=1.3 grid.cols=90 grid.rows=90 grid.reach=2000 "
+               "wave0.amplitude=0.1 wave1.amplitude=0.05 wave2.amplitude=0.03" },
+    { "still", STILL },
+    { "sharp", "wave0.power=3" },
+    { "pool", POOL },
+    { "ocean", "wind.strength=0.2" },
+    { "floor", "floor.depth=20 floor.slope=0.004" },
+    { "map", "map floor.map_size=400 floor.map_low=-20 floor.map_high=-10" },
+};
+
+/* Further measurements: each scene is drawn beside another of these scenes. */
+typedef struct {
+    const char *name, *beside, *set;
+} pair;
+
+#define LEVEL   "camera.y=1.3 camera.pitch=-1 camera.fov=45 boat boat.z=-29 boat.x=2 " \
+                "boat.heading=140 "
+#define RAIN    "camera.y=1.6 camera.z=4.4 camera.pitch=-15 camera.fov=56 "
+#define DROPS   "drops.count=64 drops.rings=64 drops.y=1.8 drops.radius=0.09 " \
+                "drops.every=0.5 drops.scatter=1.8 drops.efficiency=0.9 "
+#define BASIN   POOL "pool.cell=0.05 pool.range=0.6 pool.poke=0.15 pool.poke_size=0.2 " \
+                "grid.cell=0.0508 grid.follow=off camera.x=2.85 camera.y=2.2 " \
+                "camera.z=3.75 camera.heading=-37 camera.pitch=-31 camera.fov=50 "
+#define AWAY    "camera.x=4 camera.y=2.6 camera.z=4 camera.heading=-45 camera.pitch=-26 "
+#define FRONT   "camera.x=0.3 camera.y=1.2 camera.z=4 camera.heading=-4 camera.pitch=-16 "
+#define GLASS   "tank tank.kind=glass "
+#define FLOOR   "wave1.amplitude=0.1 wave2.amplitude=0 "
+#define DENSE   "grid.cols=110 grid.rows=110 grid.cell=0.6 grid.reach=2000 camera.y=6 "
+#define LOW     "grid.cols=90 grid.rows=90 grid.cell=0.5 grid.reach=2000 camera.y=2 " \
+                "camera.heading=25 camera.pitch=-5 "
+#define FINE    "grid.cols=130 grid.rows=130 grid.cell=0.3 grid.reach=1500 " \
+                "camera.y=1.5 camera.heading=50 camera.pitch=-3 "
+#define RIPPLED "ripple ripple.bump=0.8 water.reflection=0.6 "
+#define QUICK   "quality.shading=quick "
+#define MIRROR  "mirror.objects=stencil "
+#define NEAR    "boat boat.z=-14 boat.x=2 boat.heading=60 "
+#define FAR     "boat boat.z=-30 boat.x=-4 boat.heading=100 "
+#define ALONG   "boat boat.z=-20 boat.x=5 boat.heading=10 "
+
+static const pair works[] = {
+    { "plain", "", "" },
+    { "dome", "plain", "sky.kind=day" },
+    { "dome_hdr", "dome", "sky.kind=day hdr.share=0.4" },
+    { "night", "dome", "sky.kind=night" },
+    { "cube", "plain", "sky.kind=cube" },
+    { "cube_hdr", "cube", "sky.kind=cube hdr.share=0.4" },
+    { "quick", "", QUICK },
+    { "quick_dome", "quick", QUICK "sky.kind=day" },
+    { "haze", "", "sky.haze=2000" },
+    { "dome_haze", "dome", "sky.kind=day sky.haze=2000" },
+    { "cube_haze", "cube", "sky.kind=cube sky.haze=2000" },
+    { "mirror", "", RIPPLED "sky.kind=cube" },
+    { "mirror_hdr", "mirror", RIPPLED "sky.kind=cube hdr.share=0.4" },
+    { "still", "", STILL "camera.y=1.3 camera.pitch=-1 camera.fov=45" },
+    { "near", "plain", NEAR },
+    { "far", "plain", FAR },
+    { "along", "plain", ALONG },
+    { "near_haze", "haze", NEAR "sky.haze=2000" },
+    { "along_haze", "cube_haze", ALONG "sky.kind=cube sky.haze=2000" },
+    { "near_mirror0", "", NEAR RIPPLED "sky.kind=cube" },
+    { "near_mirror", "near_mirror0", NEAR RIPPLED MIRROR "sky.kind=cube" },
+    { "far_mirror0", "", FAR RIPPLED "sky.kind=cube" },
+    { "far_mirror", "far_mirror0", FAR RIPPLED MIRROR "sky.kind=cube" },
+    { "along_mirror0", "", ALONG RIPPLED "sky.kind=cube" },
+    { "along_mirror", "along_mirror0", ALONG RIPPLED MIRROR "sky.kind=cube" },
+    { "low_mirror0", "", FAR RIPPLED "sky.kind=cube camera.y=1.5 camera.pitch=-1" },
+    { "low_mirror", "low_mirror0",
+      FAR RIPPLED MIRROR "sky.kind=cube camera.y=1.5 camera.pitch=-1" },
+    { "calm_mirror0", "", STILL LEVEL RIPPLED "sky.kind=cube" },
+    { "calm_mirror", "calm_mirror0", STILL LEVEL RIPPLED MIRROR "sky.kind=cube" },
+    { "calm", "still", STILL LEVEL },
+    { "broad_mirror0", "", STILL LEVEL RIPPLED "sky.kind=cube boat.heading=75" },
+    { "broad_mirror", "broad_mirror0",
+      STILL LEVEL RIPPLED MIRROR "sky.kind=cube boat.heading=75" },
+    { "high_mirror0", "", ALONG RIPPLED "sky.kind=cube boat.lift=4" },
+    { "high_mirror", "high_mirror0", ALONG RIPPLED MIRROR "sky.kind=cube boat.lift=4" },
+    { "sunk_mirror0", "", ALONG RIPPLED "sky.kind=cube boat.lift=-0.7" },
+    { "sunk_mirror", "sunk_mirror0",
+      ALONG RIPPLED MIRROR "sky.kind=cube boat.lift=-0.7" },
+    { "quarter_mirror0", "", NEAR RIPPLED "sky.kind=cube" },
+    { "quarter_mirror", "quarter_mirror0",
+      NEAR RIPPLED MIRROR "sky.kind=cube mirror.size=quarter" },
+    { "large_mirror0", "", ALONG RIPPLED "sky.kind=cube boat.scale=1.7" },
+    { "large_mirror", "large_mirror0",
+      ALONG RIPPLED MIRROR "sky.kind=cube boat.scale=1.7" },
+    { "drops0", "", STILL RAIN },
+    { "drops", "drops0", STILL RAIN DROPS },
+    { "ball", "drops0", STILL RAIN DROPS "drops.every=0" },
+    { "ball_large", "drops0", STILL RAIN DROPS "drops.every=0 drops.radius=0.25" },
+    { "rain0", "", STILL RIPPLED "sky.kind=cube " RAIN DROPS },
+    { "rain_mirror", "rain0", STILL RIPPLED MIRROR "sky.kind=cube " RAIN DROPS },
+    { "rain1", "",
+      STILL RIPPLED "sky.kind=cube " RAIN DROPS "camera.y=2.6 camera.pitch=-25" },
+    { "rain1_mirror", "rain1",
+      STILL RIPPLED MIRROR "sky.kind=cube " RAIN DROPS "camera.y=2.6 camera.pitch=-25" },
+    { "pool0", "", STILL POOL },
+    { "pool_tank", "pool0", STILL POOL "tank tank.kind=stone" },
+    { "tank0", "", STILL POOL "tank tank.kind=stone tank.rim=1.4" },
+    { "tank0_walled", "tank0", STILL POOL "tank tank.kind=stone tank.rim=1.4 walls" },
+    { "tank2", "", STILL POOL "tank tank.kind=stone tank.rim=1 camera.heading=70" },
+    { "tank2_walled", "tank2",
+      STILL POOL "tank tank.kind=stone tank.rim=1 camera.heading=70 walls" },
+    { "tank1", "", STILL POOL RIPPLED "sky.kind=cube tank tank.kind=stone walls" },
+    { "tank1_mirror", "tank1",
+      STILL POOL RIPPLED MIRROR "sky.kind=cube tank tank.kind=stone walls" },
+    { "glass0", "", STILL BASIN },
+    { "glass", "glass0", STILL BASIN GLASS },
+    { "glass_far0", "", STILL BASIN AWAY },
+    { "glass_far", "glass_far0", STILL BASIN AWAY GLASS },
+    { "glass_low0", "", STILL BASIN AWAY },
+    { "glass_low", "glass_low0", STILL BASIN AWAY GLASS "tank.depth=0.4" },
+    { "glass_one0", "", STILL BASIN FRONT },
+    { "glass_one", "glass_one0", STILL BASIN FRONT GLASS },
+    { "lit0", "", STILL POOL "tank tank.kind=stone water.reflection=0.6 water.clear=8" },
+    { "lit", "lit0", STILL POOL "tank tank.kind=stone water.reflection=0.6 water.clear=8 "
+                     "water.caustics=1" },
+    { "sunny0", "", BED "water.reflection=0.6 water.clear=8" },
+    { "sunny", "sunny0", BED "water.reflection=0.6 water.clear=8 water.caustics=1" },
+    { "deep", "", FLOOR "floor.depth=20 floor.slope=0.004" },
+    { "beach", "deep", FLOOR "floor.depth=2.4 floor.slope=0.13 floor.heading=0" },
+    { "beach_left", "deep", FLOOR "floor.depth=2.4 floor.slope=0.13 floor.heading=270" },
+    { "beach_behind", "deep",
+      FLOOR "floor.depth=2.4 floor.slope=0.13 floor.heading=150" },
+    { "shelf", "deep", FLOOR "floor.depth=1.4 floor.slope=0.001 floor.heading=30" },
+    { "chart0", "", "map floor.map_size=160 floor.map_low=-22 floor.map_high=-10" },
+    { "chart", "chart0", "map floor.map_size=160 floor.map_low=-9 floor.map_high=3" },
+    { "chart_near", "chart0", "map floor.map_size=90 floor.map_low=-6 floor.map_high=2" },
+    { "deep_dense", "", FLOOR DENSE "floor.depth=20 floor.slope=0.004" },
+    { "beach_dense", "deep_dense",
+      FLOOR DENSE "floor.depth=2.4 floor.slope=0.13 floor.heading=250" },
+    { "shelf_dense", "deep_dense",
+      FLOOR DENSE "floor.depth=1.6 floor.slope=0.01 floor.heading=300" },
+    { "chart_dense0", "",
+      DENSE "map floor.map_size=160 floor.map_low=-22 floor.map_high=-10" },
+    { "chart_dense", "chart_dense0",
+      DENSE "map floor.map_size=160 floor.map_low=-9 floor.map_high=3" },
+    { "deep_low", "", FLOOR LOW "floor.depth=20 floor.slope=0.004" },
+    { "beach_low", "deep_low",
+      FLOOR LOW "floor.depth=2.4 floor.slope=0.13 floor.heading=120" },
+    { "shelf_low", "deep_low",
+      FLOOR LOW "floor.depth=1.2 floor.slope=0.06 floor.heading=205" },
+    { "deep_bare", "", FLOOR DENSE "grid.reach=0 floor.depth=20 floor.slope=0.004" },
+    { "shelf_bare", "deep_bare",
+      FLOOR DENSE "grid.reach=0 floor.depth=1.2 floor.slope=0.01 floor.heading=300" },
+    { "deep_fine", "", FLOOR FINE "floor.depth=20 floor.slope=0.004" },
+    { "beach_fine", "deep_fine",
+      FLOOR FINE "floor.depth=2 floor.slope=0.1 floor.heading=160" },
+    { "bank_fine", "deep_fine",
+      FLOOR FINE "floor.depth=1.5 floor.slope=0.05 floor.heading=20" },
+    { "spit_fine", "deep_fine",
+      FLOOR FINE "floor.depth=1 floor.slope=0.03 floor.heading=100" },
+    { "deep_far", "", FLOOR FINE "camera.y=3 camera.heading=75 floor.depth=20 "
+                      "floor.slope=0.004" },
+    { "bank_far", "deep_far",
+      FLOOR FINE "camera.y=3 camera.heading=75 floor.depth=1.8 floor.slope=0.07 "
+                 "floor.heading=190" },
+    { "small", "plain", ALONG "boat.scale=0.4" },
+    { "large", "plain", FAR "boat.scale=2.5" },
+    { "beside", "plain", "boat boat.z=-40 boat.x=20 boat.heading=30" },
+};
+
+static const row sky[] = {
+    { "large", "camera.pitch=60" }, { "small", "camera.pitch=60" },
+};
 
 static tp_scene  scene;
 static tp_assets assets;

@@ -17,7 +17,7 @@
 #include "frame/tools.h"
 #include "pixel/pixel.h"
 #include "scene/world.h"
-#include "tests/budgets/say.h"
+#include "tests/lib/board_output.h"
 #include "tests/charts/words.h"
 
 enum { BAND = 16, WORDS = 16384 };

@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "tests/accuracy/compare.h"
+#include "tests/lib/reference_difference.h"
 #include "tests/charts/picture.h"
 #include "tests/charts/words.h"
 #include "scene/prices.h"

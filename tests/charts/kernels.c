@@ -4,7 +4,7 @@
  * Freestanding if the compiler is in freestanding mode: static memory, words by
  * semihosting. */
 #include "cortex-m/marks.h"
-#include "tests/budgets/say.h"
+#include "tests/lib/board_output.h"
 #include "tests/charts/kernels.h"
 
 static int32_t in[KERNEL_UNITS * KERNEL_WIDTH], out[KERNEL_UNITS * KERNEL_WIDTH];

@@ -6,7 +6,7 @@
  * compiler is in freestanding mode: static memory, words by semihosting. */
 #include "cortex-m/marks.h"
 #include "pool/pool.h"
-#include "tests/budgets/say.h"
+#include "tests/lib/board_output.h"
 #include "tests/charts/pool_points.h"
 #include "tidepool/tidepool.h"
 

@@ -14,7 +14,7 @@
 #include "frame/tools.h"
 #include "pixel/pixel.h"
 #include "scene/world.h"
-#include "tests/golden/sizes.h"
+#include "tests/lib/golden_sizes.h"
 
 typedef struct {
     tp_config config;

@@ -9,7 +9,7 @@
 #include "fuzz.h"
 #include "features/drops/drops.h"
 #include "features/spray/spray.h"
-#include "../host/kept.h"
+#include "tests/lib/snapshots.h"
 #include "scene/pools.h"
 
 typedef struct { const uint8_t *data; size_t size; } input;

@@ -181,7 +181,7 @@ END
 assert_by()
 {
     gcc -std=c11 -Wall -Wextra -Werror -Isrc "$@" "$scratch/broken.c" \
-        tests/assert_failed.c -o "$scratch/broken" || return 2
+        tests/lib/assert_failed.c -o "$scratch/broken" || return 2
     "$scratch/broken" >"$scratch/said" 2>&1
 }
 spoken() { ! assert_by -DTP_CHECKED && grep -q 'broken.c:2: .*count == 0' "$scratch/said"; }

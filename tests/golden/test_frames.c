@@ -12,7 +12,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "golden.h"
+#include "tests/lib/golden.h"
 #include "host/path.h"
 #include "pixel/pixel.h"
 

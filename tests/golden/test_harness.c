@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include "golden.h"
+#include "tests/lib/golden.h"
 
 #define FOLDER "build/golden/harness"
 #define WRECK  "build/golden/harness-wreck"

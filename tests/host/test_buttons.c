@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <cmocka.h>
 #include "../../ports/board/buttons.h"
-#include "../unit/scenes.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 #include "scene/world.h"
 
 #define NONE 0x1fu              /* no button pressed: all lines are high */

@@ -9,7 +9,8 @@
 #include <stdlib.h>
 #include <cmocka.h>
 #include "../../ports/board/control.h"
-#include "../unit/scenes.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 #include "pixel/pixel.h"
 #include "scene/value.h"
 #include "scene/world.h"

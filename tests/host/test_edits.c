@@ -10,7 +10,7 @@
 #include <cmocka.h>
 #undef fail                     /* cmocka's, without arguments */
 #include "../../ports/host/edits.h"
-#include "../unit/measure.h"
+#include "tests/lib/measure.h"
 
 static edits e;
 static uint64_t chance;

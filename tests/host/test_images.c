@@ -7,8 +7,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include "../../ports/host/canvas.h"
-#include "places.h"
-#include "kinds.h"
+#include "tests/lib/png_files.h"
 
 static void good_pictures_are_read_to_the_texel(void **state)
 {

@@ -7,8 +7,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include "pixel/pixel.h"
-#include "places.h"
-#include "kinds.h"
+#include "tests/lib/png_files.h"
 
 #define FILE_BYTES 65536
 

@@ -9,7 +9,7 @@
 #include <cmocka.h>
 #include "../../ports/host/path.h"
 #include "../../ports/host/stage.h"
-#include "../unit/chance.h"
+#include "tests/lib/random.h"
 #include "scene/world.h"
 
 #define FOLDER "assets/scenes"

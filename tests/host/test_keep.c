@@ -12,7 +12,7 @@
 #include "features/drops/drops.h"
 #include "features/foam/foam.h"
 #include "features/spray/spray.h"
-#include "kept.h"
+#include "tests/lib/snapshots.h"
 #include "scene/pools.h"
 
 static char path[] = "/tmp/tidepool-keep-XXXXXX";

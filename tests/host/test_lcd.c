@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "frame/tools.h"
-#include "test_lcd.h"
+#include "tests/lib/lcd.h"
 
 typedef struct {
     const char      *name;

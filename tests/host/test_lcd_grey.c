@@ -7,7 +7,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "test_lcd.h"
+#include "tests/lib/lcd.h"
 
 enum { WIDE = 128, HIGH = 64, COLS = 64, ROWS = 80, UNTOUCHED = 0x100 };
 

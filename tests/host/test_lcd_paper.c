@@ -5,7 +5,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "test_lcd.h"
+#include "tests/lib/lcd.h"
 
 enum { WIDTH = 122, HEIGHT = 250, EVERY = 12 };
 

@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "test_lcd.h"
+#include "tests/lib/lcd.h"
 
 enum { BAND = 16 };
 

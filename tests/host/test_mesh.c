@@ -8,8 +8,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <sys/stat.h>
-#include "places.h"
-#include "kinds.h"
+#include "tests/lib/png_files.h"
 
 #define CORNERS "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
 #define FACE    "f 1/1 2/2 3/3\n"

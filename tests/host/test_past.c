@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../../ports/host/past.h"
-#include "../unit/parts.h"
+#include "tests/lib/worlds.h"
 
 #define MB ((size_t)1 << 20)
 

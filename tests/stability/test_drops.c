@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "features/drops/drops.h"
 #include "scene/clock.h"
-#include "tests/unit/chance.h"
+#include "tests/lib/random.h"
 
 #define MINUTE 3600             /* ticks */
 #define GRAVITY TP_FX(9.81)

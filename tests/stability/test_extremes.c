@@ -11,7 +11,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "features/drops/drops.h"
-#include "tests/unit/twice.h"
+#include "tests/lib/tilings.h"
 #include "scene/pools.h"
 #include "scene/world_parts.h"
 #include "wave/ocean_tables.h"

@@ -11,7 +11,8 @@
 #include "features/foam/foam.h"
 #include "features/spray/spray.h"
 #include "scene/world_parts.h"
-#include "tests/unit/scenes.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 
 static uint64_t chance;
 

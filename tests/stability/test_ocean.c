@@ -10,7 +10,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/reference/depth.h"
-#include "tests/unit/oceans.h"
+#include "tests/lib/coastal_water.h"
 
 #define PI   3.14159265358979323846
 #define SIDE 129                /* pixels of a map */

@@ -9,7 +9,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "tests/unit/oceans.h"
+#include "tests/lib/coastal_water.h"
 #include "geom/surface.h"
 
 static uint64_t chance;

@@ -10,7 +10,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "tanks.h"
+#include "tests/lib/pools.h"
 
 #define PI 3.14159265358979323846
 

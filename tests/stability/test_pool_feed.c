@@ -7,7 +7,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "tanks.h"
+#include "tests/lib/pools.h"
 
 static uint64_t chance;
 

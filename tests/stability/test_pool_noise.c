@@ -10,7 +10,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/charts/pool_rules.h"
-#include "tests/unit/pools.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/pools.h"
 
 #define PI 3.14159265358979323846
 

@@ -9,7 +9,7 @@
 #include <cmocka.h>
 #include "tests/charts/pool_rules.h"
 #include "tests/charts/pool_truth.h"
-#include "tests/unit/chance.h"
+#include "tests/lib/random.h"
 
 #define PI 3.14159265358979323846
 

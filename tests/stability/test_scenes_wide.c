@@ -14,8 +14,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "ports/host/machine.h"
-#include "tests/unit/thin.h"
-#include "tests/unit/twice.h"
+#include "tests/lib/programs.h"
+#include "tests/lib/tilings.h"
 
 #define HIGHEST (2200 * (int64_t)TP_FX_ONE)     /* 16 waves, 1024 rings, two pools */
 

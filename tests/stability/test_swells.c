@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "tests/unit/chance.h"
+#include "tests/lib/random.h"
 #include "wave/wave.h"
 
 #define LSB (1 / 65536.0)

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include <stdio.h>
-#include "cuts.h"
+#include "tests/lib/meshes.h"
 
 enum { MOST = 256 };
 

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include <stdio.h>
-#include "cuts.h"
+#include "tests/lib/meshes.h"
 #include "fx/fx.h"
 
 enum { MOST = 30000, STEPS = 2048 };   /* step bound of asset/cut.c */

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include <stdio.h>
 #include "asset/mesh.h"
-#include "test_asset_reader.h"
+#include "tests/lib/meshes.h"
 
 static const char obj_text[] =
     "# a little of everything\r\n"

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include <math.h>
 #include "base/fail.h"
-#include "test_asset_reader.h"
+#include "tests/lib/meshes.h"
 
 #define ONE TP_FX_ONE
 #define TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\n"

@@ -5,7 +5,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "test_asset_reader.h"
+#include "tests/lib/meshes.h"
 
 #define ONE TP_FX_ONE
 #define ONE_MATERIAL "mtllib m.mtl\nusemtl wood\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"

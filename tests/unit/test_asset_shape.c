@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include "asset/area.h"
 #include "asset/mesh.h"
-#include "test_asset_reader.h"
+#include "tests/lib/meshes.h"
 
 /* Asserts a direction: a unit vector in 10 bits per component errs by half a step in
  * each. */

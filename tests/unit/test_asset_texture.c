@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include <math.h>
 #include <stdio.h>
-#include "test_asset_reader.h"
+#include "tests/lib/meshes.h"
 
 static tp_texture make(const uint32_t *pixels, uint32_t w, uint32_t h, void **mem)
 {

@@ -7,7 +7,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "pixel/pixel.h"
-#include "scenes.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 #include "tidepool/tidepool.h"
 
 enum { WIDTH = 64, HEIGHT = 48, TICKS = 20 };

@@ -5,7 +5,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "chance.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/random.h"
 #include "features/exposure/exposure.h"
 
 #define LSB (1 / 65536.0)

@@ -6,7 +6,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/sea.h"
-#include "boats.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/boats.h"
 
 #define Q30 1073741824.0
 

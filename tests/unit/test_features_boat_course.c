@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/sea.h"
-#include "boats.h"
+#include "tests/lib/boats.h"
 
 static uint64_t chance;
 

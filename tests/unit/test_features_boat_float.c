@@ -6,7 +6,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "floats.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/boats.h"
 
 static uint64_t chance;
 

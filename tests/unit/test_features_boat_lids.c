@@ -5,8 +5,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "marks.h"
-#include "tile.h"
+#include "tests/lib/tilings.h"
+#include "tests/lib/frames.h"
 
 enum { WIDTH = 160, HEIGHT = 120, FLOOR = 2 };
 

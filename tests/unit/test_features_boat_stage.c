@@ -9,7 +9,7 @@
 #include <cmocka.h>
 #include "features/boat/boat.h"
 #include "asset/mesh.h"
-#include "runs.h"
+#include "tests/lib/shading.h"
 
 #define NEAR TP_FX(0.25)
 #define FLAT 0xff8080ffu        /* texel of a normal map that points straight out */

@@ -7,7 +7,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "wakes.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/boats.h"
 
 #define LSB (1 / 65536.0)
 

@@ -5,7 +5,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "wakes.h"
+#include "tests/lib/boats.h"
 
 static uint64_t chance;
 

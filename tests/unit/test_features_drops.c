@@ -7,7 +7,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "chance.h"
+#include "tests/lib/random.h"
 #include "features/drops/drops.h"
 
 #define G   TP_FX(9.81)

@@ -12,7 +12,7 @@
 #include <cmocka.h>
 #include "../reference/camera.h"
 #include "features/drops/drops.h"
-#include "marks.h"
+#include "tests/lib/tilings.h"
 
 enum { WIDTH = 160, HEIGHT = 112 };
 

@@ -6,8 +6,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "csv_rows.h"
-#include "drop_cases.h"
+#include "tests/lib/vectors.h"
+#include "tests/lib/drops.h"
 
 #define LSB (1 / 65536.0)
 #define Q24 (1 / 16777216.0)

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "asset/mesh.h"
-#include "shades.h"
+#include "tests/lib/shading.h"
 #include "tidepool/modules.h"
 
 static uint64_t chance;

@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "drop_cases.h"
+#include "tests/lib/drops.h"
 
 #define LSB (1 / 65536.0)
 #define G   TP_FX(9.81)

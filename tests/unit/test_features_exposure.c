@@ -6,8 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "features/exposure/exposure.h"
-#include "runs.h"
-#include "tally.h"
+#include "tests/lib/shading.h"
 
 static uint64_t chance;
 
@@ -19,7 +18,7 @@ static double exposed(double e, double t)
 static void tones_follow_their_formula(void **state)
 {
     (void)state;
-    tally off = { .what = "exposure" };
+    colour_error off = { .what = "exposure" };
 
     for (int n = 0; n < 1000; n++) {
         const tp_fx e = chance_scale(&chance, 0.125, 8);
@@ -35,10 +34,10 @@ static void tones_follow_their_formula(void **state)
             ref_colour c = ref_colour_of(before.colour[i]);
             for (int k = 0; k < 3; k++)
                 c.c[k] = 255 * exposed(e / 65536.0, c.c[k] / 255);
-            tally_add(&off, r.run.colour[i], c);
+            colour_error_add(&off, r.run.colour[i], c);
         }
     }
-    tally_print(&off);
+    colour_error_print(&off);
     assert_true(off.largest <= 0.6);
 }
 

@@ -8,7 +8,8 @@
 #include <cmocka.h>
 #include "features/foam/foam.h"
 #include "scene/world_parts.h"
-#include "scenes.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 
 static uint64_t chance;
 

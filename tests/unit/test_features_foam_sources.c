@@ -9,7 +9,9 @@
 #include "features/foam/foam.h"
 #include "wave/wave.h"
 #include "scene/world_parts.h"
-#include "scenes.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 
 static uint64_t chance;
 

@@ -10,7 +10,7 @@
 #include "features/foam/foam_stage.h"
 #include "../reference/texture.h"
 #include "asset/mesh.h"
-#include "shades.h"
+#include "tests/lib/shading.h"
 #include "tidepool/modules.h"
 
 #define CELLS 37

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/camera.h"
-#include "marks.h"
+#include "tests/lib/tilings.h"
 
 enum { WIDTH = 150, HEIGHT = 90 };
 

@@ -9,7 +9,9 @@
 #include "../reference/shading.h"
 #include "features/exposure/meter.h"
 #include "scene/world.h"
-#include "scenes.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 
 static uint64_t chance;
 

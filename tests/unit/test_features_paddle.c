@@ -9,7 +9,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "pools.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/pools.h"
 #include "features/pool/pool_module.h"
 
 enum { COLS = 16, ROWS = 240 };

@@ -11,7 +11,7 @@
 #include "features/reflection/object_cube.h"
 #include "scene/world.h"
 #include "shade/half.h"
-#include "shades.h"
+#include "tests/lib/shading.h"
 
 enum { SIDE = 240 };
 

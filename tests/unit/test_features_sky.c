@@ -9,7 +9,8 @@
 #include <cmocka.h>
 #include "features/sky/sky.h"
 #include "frame/frame.h"
-#include "scenes.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 
 enum { WIDTH = 150, HEIGHT = 90 };
 

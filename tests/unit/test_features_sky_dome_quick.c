@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "features/sky/sky_dome_quick.h"
-#include "quick_lights.h"
+#include "tests/lib/shading.h"
 
 static uint64_t chance;
 static test_sky sky;
@@ -60,7 +60,7 @@ static void where_a_run_is_cut_does_not_show(void **state)
 
 static void compare(const char *what, int32_t focal, double most)
 {
-    tally off = { .what = what };
+    colour_error off = { .what = what };
 
     for (int n = 0; n < 4000; n++) {
         const tp_shade s = shade_for(focal);
@@ -71,10 +71,10 @@ static void compare(const char *what, int32_t focal, double most)
         tp_stage_quick_sky_dome(&s, &quick);
         for (int i = 0; i < TP_RUN; i++)
             if (r.run.vy[i] < -100)
-                tally_add(&off, quick.colour[i], ref_colour_of(r.run.colour[i]));
+                colour_error_add(&off, quick.colour[i], ref_colour_of(r.run.colour[i]));
     }
-    tally_print(&off);
-    assert_true(tally_rms(&off) < most);
+    colour_error_print(&off);
+    assert_true(colour_error_rms(&off) < most);
 }
 
 static void it_is_the_sky_that_it_was(void **state)
@@ -111,7 +111,7 @@ static void paint_unequal(const int log2_side[6])
 static void faces_of_unequal_size_are_one_sky(void **state)
 {
     (void)state;
-    tally off = { .what = "unequal faces" };
+    colour_error off = { .what = "unequal faces" };
 
     for (int n = 0; n < 60; n++) {
         tp_shade s = quick_shade(&lights, TP_ENV_CUBE, TP_LOBE_NONE, &chance);
@@ -124,10 +124,10 @@ static void faces_of_unequal_size_are_one_sky(void **state)
         paint_unequal(log2_side);
         tp_quick_light_init(&lights.quick, &s, TP_LOBE_NONE, false, true);
         for (int i = 0; i < TP_QUICK_SIDE * TP_QUICK_SIDE; i++)
-            tally_add(&off, map[i], ref_colour_of(equal[i]));
+            colour_error_add(&off, map[i], ref_colour_of(equal[i]));
     }
-    tally_print(&off);
-    assert_true(tally_rms(&off) < 1 && off.largest < 6);
+    colour_error_print(&off);
+    assert_true(colour_error_rms(&off) < 1 && off.largest < 6);
 }
 
 /* For directions above the horizon too; positions are scaled towards the centre by half the
@@ -136,7 +136,7 @@ static void faces_of_unequal_size_are_one_sky(void **state)
 static void a_direction_finds_its_own_sky(void **state)
 {
     (void)state;
-    tally off = { .what = "map of a cube" };
+    colour_error off = { .what = "map of a cube" };
 
     quick_shade(&lights, TP_ENV_CUBE, TP_LOBE_NONE, &chance);
     for (int n = 0; n < 100000; n++) {
@@ -144,11 +144,11 @@ static void a_direction_finds_its_own_sky(void **state)
         d.y = fabs(d.y);
         const double in = 16 * (1 - d.y / 2);
         const int u = (int)floor(-d.x * in) + 16, v = (int)floor(-d.z * in) + 16;
-        tally_add(&off, lights.quick.sky[v * TP_QUICK_SIDE + u],
+        colour_error_add(&off, lights.quick.sky[v * TP_QUICK_SIDE + u],
                   ref_colour_of(quick_smooth(d, NULL)));
     }
-    tally_print(&off);
-    assert_true(tally_rms(&off) < 3 && off.largest < 12);
+    colour_error_print(&off);
+    assert_true(colour_error_rms(&off) < 3 && off.largest < 12);
 }
 
 int main(void)

@@ -8,7 +8,8 @@
 #include <cmocka.h>
 #include "scene/world_parts.h"
 #include "features/spray/spray.h"
-#include "scenes.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 
 static uint64_t chance;
 

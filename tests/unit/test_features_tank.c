@@ -7,8 +7,9 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/water_ray.h"
-#include "measure.h"
-#include "scenes.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 
 enum { WIDE = 320, HIGH = 240 };
 

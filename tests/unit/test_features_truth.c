@@ -8,9 +8,9 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "frame/frame.h"
-#include "kit.h"
+#include "tests/lib/scenes.h"
 #include "scene/prices.h"
-#include "scenes.h"
+#include "tests/lib/frames.h"
 
 enum { SCENES = 1000 };
 

@@ -10,9 +10,10 @@
 #include "features/underwater/caustics.h"
 #include "features/underwater/underwater.h"
 #include "frame/frame.h"
-#include "measure.h"
+#include "tests/lib/measure.h"
 #include "scene/pools.h"
-#include "scenes.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 
 enum { WIDE = 160, HIGH = 96 };
 

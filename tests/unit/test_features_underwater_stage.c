@@ -12,7 +12,7 @@
 #include "features/underwater/underwater.h"
 #include "scene/world.h"
 #include "shade/beam.h"
-#include "shades.h"
+#include "tests/lib/shading.h"
 
 enum { RUNS = 1500 };
 

@@ -7,8 +7,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "features/water/bumps.h"
-#include "pools.h"
-#include "runs.h"
+#include "tests/lib/pools.h"
+#include "tests/lib/shading.h"
 
 #define Q12 4096.0
 

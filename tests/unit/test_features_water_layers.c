@@ -6,8 +6,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "layers.h"
-#include "measure.h"
+#include "tests/lib/layers.h"
+#include "tests/lib/measure.h"
 
 static uint64_t chance;
 

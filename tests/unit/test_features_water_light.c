@@ -7,7 +7,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "shades.h"
+#include "tests/lib/shading.h"
 #include "tidepool/modules.h"
 
 static uint64_t chance;

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "features/water/quick_even_m4.h"
 #include "features/water/quick_even_plain.h"
-#include "quick_lights.h"
+#include "tests/lib/shading.h"
 
 static uint64_t chance;
 static quick_lights lights;

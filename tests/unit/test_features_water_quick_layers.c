@@ -6,8 +6,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "layers.h"
-#include "measure.h"
+#include "tests/lib/layers.h"
+#include "tests/lib/measure.h"
 #include "features/water/quick_layers_m4.h"
 #include "features/water/quick_plain.h"
 

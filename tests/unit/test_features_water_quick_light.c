@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "features/water/quick_light_m4.h"
 #include "features/water/quick_light_plain.h"
-#include "quick_lights.h"
+#include "tests/lib/shading.h"
 
 static uint64_t chance;
 static quick_lights lights;
@@ -96,7 +96,7 @@ static bool is_seen(const tp_run *run, int i)
 
 static double compare(const bodies *b, const char *what, int32_t steep, bool shiny)
 {
-    tally off = { .what = what };
+    colour_error off = { .what = what };
 
     for (int n = 0; n < 3000; n++) {
         tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
@@ -111,10 +111,10 @@ static double compare(const bodies *b, const char *what, int32_t steep, bool shi
         b->plain(&s, &fast);
         for (int i = 0; i < TP_RUN; i++)
             if (is_seen(&r.run, i))
-                tally_add(&off, fast.colour[i], ref_colour_of(r.run.colour[i]));
+                colour_error_add(&off, fast.colour[i], ref_colour_of(r.run.colour[i]));
     }
-    tally_print(&off);
-    return tally_rms(&off);
+    colour_error_print(&off);
+    return colour_error_rms(&off);
 }
 
 static const bodies *with(int env, int lobe)

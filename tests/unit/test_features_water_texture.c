@@ -8,8 +8,8 @@
 #include <cmocka.h>
 #include "features/boat/boat.h"
 #include "asset/mesh.h"
-#include "layers.h"
-#include "measure.h"
+#include "tests/lib/layers.h"
+#include "tests/lib/measure.h"
 
 static uint64_t chance;
 

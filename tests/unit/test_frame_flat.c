@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "levels.h"
+#include "tests/lib/tilings.h"
 
 static uint64_t chance;
 static test_boat boat;

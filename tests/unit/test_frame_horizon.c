@@ -8,7 +8,8 @@
 #include <cmocka.h>
 #include "frame/frame.h"
 #include "frame/tools.h"
-#include "scenes.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 
 enum { WIDTH = 150, HEIGHT = 90 };
 

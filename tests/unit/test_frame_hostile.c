@@ -7,7 +7,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "twice.h"
+#include "tests/lib/tilings.h"
 
 static uint64_t chance;
 static test_kit kit;

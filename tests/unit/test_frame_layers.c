@@ -9,7 +9,8 @@
 #include "features/water/water.h"
 #include "frame/frame.h"
 #include "scene/pools.h"
-#include "scenes.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 
 enum { WIDTH = 150, HEIGHT = 90, PIXELS = WIDTH * HEIGHT };
 

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #define LEVEL_WIDTH  320
 #define LEVEL_HEIGHT 240
-#include "levels.h"
+#include "tests/lib/tilings.h"
 
 static uint64_t chance;
 static test_boat boat;

@@ -11,8 +11,8 @@
 #include "features/reflection/mirror.h"
 #include "features/underwater/underwater.h"
 #include "frame/tools.h"
-#include "marks.h"
-#include "measure.h"
+#include "tests/lib/tilings.h"
+#include "tests/lib/measure.h"
 #include "shade/half.h"
 
 enum { WIDTH = 320, HEIGHT = 240 };

@@ -7,8 +7,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "frame/tools.h"
-#include "thin.h"
-#include "twice.h"
+#include "tests/lib/programs.h"
+#include "tests/lib/tilings.h"
 
 static uint64_t chance;
 static test_kit kit;

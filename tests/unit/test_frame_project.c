@@ -8,7 +8,7 @@
 #include <math.h>
 #include "features/drops/drops.h"
 #include "frame/frame.h"
-#include "parts.h"
+#include "tests/lib/worlds.h"
 
 static uint64_t chance;
 static const tp_assets none;

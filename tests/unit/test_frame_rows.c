@@ -10,7 +10,8 @@
 #include <unistd.h>
 #include "frame/frame.h"
 #include "frame/scanline_grid.h"
-#include "scenes.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 
 enum { WIDTH = 160, HEIGHT = 90 };
 

@@ -7,8 +7,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "frame/frame.h"
-#include "kinds.h"
-#include "kit.h"
+#include "tests/lib/frames.h"
+#include "tests/lib/scenes.h"
 
 enum { SCENES = 240, WIDTH = 96, HEIGHT = 64, TICKS = 40 };
 

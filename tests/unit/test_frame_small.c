@@ -8,7 +8,8 @@
 #include <cmocka.h>
 #include "frame/frame.h"
 #include "frame/tools.h"
-#include "kit.h"
+#include "tests/lib/frames.h"
+#include "tests/lib/scenes.h"
 #include "pixel/pixel.h"
 
 enum { WIDTH = 160, HEIGHT = 90, STRIDE = 4 * WIDTH + 8 };

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "frame/tools.h"
-#include "twice.h"
+#include "tests/lib/tilings.h"
 
 enum { WIDTH = TWICE_WIDTH, HEIGHT = TWICE_HEIGHT };
 

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include "features/boat/boat.h"
 #include "frame/tools.h"
-#include "twice.h"
+#include "tests/lib/tilings.h"
 
 enum { WIDTH = 150, HEIGHT = 90 };
 

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "fx/fx.h"
-#include "measure.h"
+#include "tests/lib/measure.h"
 
 enum { INPUTS = 10100000 };
 

@@ -7,7 +7,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/clip.h"
-#include "view.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/camera.h"
 
 #define LSB (1 / 65536.0)
 

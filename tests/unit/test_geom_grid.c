@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "../reference/clip.h"
 #include "geom/grid.h"
-#include "view.h"
+#include "tests/lib/camera.h"
 
 #define LSB (1 / 65536.0)
 

@@ -6,7 +6,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "view.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/camera.h"
 
 #define LSB (1 / 65536.0)
 

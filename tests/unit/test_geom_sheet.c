@@ -7,8 +7,9 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "geom/sheet.h"
-#include "oceans.h"
-#include "view.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/coastal_water.h"
+#include "tests/lib/camera.h"
 
 static uint64_t chance;
 

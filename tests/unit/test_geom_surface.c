@@ -7,8 +7,9 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "geom/surface.h"
-#include "oceans.h"
-#include "pools.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/coastal_water.h"
+#include "tests/lib/pools.h"
 
 enum { RINGS = 5 };
 

@@ -7,8 +7,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "geom/grid.h"
-#include "seas.h"
-#include "view.h"
+#include "tests/lib/deep_water.h"
+#include "tests/lib/camera.h"
 
 static uint64_t chance;
 

@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "looks.h"
+#include "tests/lib/camera_modes.h"
 
 /* Distance of the target from the line through the middle of the picture, m. */
 static double off_centre(const look *l, const tp_world *w)

@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "looks.h"
+#include "tests/lib/camera_modes.h"
 
 static void without_a_boat_there_is_no_way_aboard(void **state)
 {

@@ -8,7 +8,8 @@
 #include <cmocka.h>
 #include "../../ports/live/poke.h"
 #include "scene/pools.h"
-#include "scenes.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 
 /* A still pool of 12 x 8 m around (5, -7). */
 static tp_scene pool(void)

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../../ports/live/setting.h"
-#include "parts.h"
+#include "tests/lib/worlds.h"
 #include "scene/value.h"
 
 static uint64_t chance;

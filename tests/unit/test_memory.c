@@ -9,7 +9,8 @@
 #include "pixel/pixel.h"
 #include "pool/pool.h"
 #include "scene/plan.h"
-#include "scenes.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 #include "wave/ocean.h"
 
 enum { BYTES = 1 << 20, WIDTH = 32, HEIGHT = 24 };

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-#include "measure.h"
+#include "tests/lib/measure.h"
 #include "pixel/pixel.h"
 #include "pixel/rgb565.h"
 #include "pixel/toned.h"

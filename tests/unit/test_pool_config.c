@@ -5,7 +5,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "pools.h"
+#include "tests/lib/pools.h"
 
 static uint64_t chance;
 

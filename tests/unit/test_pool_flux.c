@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "../reference/pool.h"
 #include "pixel/pixel.h"
-#include "pools.h"
+#include "tests/lib/pools.h"
 
 #define FULL ((1 << 30) - 1)
 #define PI   3.14159265358979323846

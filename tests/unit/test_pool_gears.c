@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "../reference/pool.h"
 #include "pixel/pixel.h"
-#include "pools.h"
+#include "tests/lib/pools.h"
 
 static uint64_t chance;
 

@@ -6,7 +6,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "pools.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/pools.h"
 
 static uint64_t chance;
 

@@ -7,9 +7,10 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/triangle.h"
-#include "chance.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/random.h"
 #include "raster/tri.h"
-#include "tile.h"
+#include "tests/lib/frames.h"
 
 enum { WIDTH = 256, HEIGHT = 160 };
 

@@ -6,9 +6,9 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include <stdio.h>
-#include "chance.h"
+#include "tests/lib/random.h"
 #include "raster/rows.h"
-#include "tile.h"
+#include "tests/lib/frames.h"
 
 enum { WIDTH = 96, HEIGHT = 80, LINES = 30, POINTS = 24 };
 

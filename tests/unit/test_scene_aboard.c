@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "geom/geom.h"
-#include "boats.h"
+#include "tests/lib/boats.h"
 
 #define Q30 1073741824.0
 

@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "boats.h"
+#include "tests/lib/boats.h"
 
 static uint64_t chance;
 

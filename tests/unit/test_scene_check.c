@@ -9,7 +9,8 @@
 #include <cmocka.h>
 #include "base/fail.h"
 #include "scene/plan.h"
-#include "tests/unit/kit.h"
+#include "tests/lib/frames.h"
+#include "tests/lib/scenes.h"
 
 enum { WIDTH = 32, HEIGHT = 24 };
 

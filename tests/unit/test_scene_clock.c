@@ -5,8 +5,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "chance.h"
-#include "csv_rows.h"
+#include "tests/lib/random.h"
+#include "tests/lib/vectors.h"
 #include "scene/clock.h"
 
 #define LSB   (1 / 65536.0)

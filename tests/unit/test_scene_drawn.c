@@ -6,7 +6,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "scene/drawn.h"
-#include "scenes.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 
 static uint64_t chance;
 

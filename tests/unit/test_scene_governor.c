@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "chance.h"
+#include "tests/lib/random.h"
 #include "scene/plan.h"
 
 static uint64_t chance;

@@ -7,7 +7,8 @@
 #include <cmocka.h>
 #include "scene/drawn.h"
 #include "scene/light.h"
-#include "scenes.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 
 static uint64_t chance;
 

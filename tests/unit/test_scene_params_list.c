@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-#include "listing.h"
+#include "tests/lib/listing.h"
 #include "scene/value.h"
 
 static listing listed;

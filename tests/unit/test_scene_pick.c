@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "parts.h"
+#include "tests/lib/worlds.h"
 
 #define WIDTH  640
 #define HEIGHT 480

@@ -6,7 +6,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "frame/tools.h"
-#include "kit.h"
+#include "tests/lib/frames.h"
+#include "tests/lib/scenes.h"
 #include "scene/wave_culling.h"
 #include "scene/prices.h"
 

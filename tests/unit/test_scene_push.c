@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "features/drops/drops.h"
-#include "parts.h"
+#include "tests/lib/worlds.h"
 #include "scene/pools.h"
 
 static uint64_t chance;

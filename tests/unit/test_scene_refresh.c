@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "features/exposure/meter.h"
-#include "parts.h"
+#include "tests/lib/worlds.h"
 #include "wave/ocean_tables.h"
 
 static uint64_t chance;

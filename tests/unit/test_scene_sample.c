@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include <math.h>
-#include "parts.h"
+#include "tests/lib/worlds.h"
 
 #define PI 3.14159265358979323846
 

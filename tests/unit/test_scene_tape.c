@@ -5,7 +5,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "chance.h"
+#include "tests/lib/random.h"
 #include "scene/tape.h"
 
 enum { FIELDS = sizeof(tp_input) / sizeof(int32_t) };

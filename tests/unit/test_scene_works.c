@@ -6,10 +6,10 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "marks.h"
+#include "tests/lib/tilings.h"
 #include "host/assets.h"
 #include "host/path.h"
-#include "listing.h"
+#include "tests/lib/listing.h"
 #include "scene/prices.h"
 #include <math.h>
 

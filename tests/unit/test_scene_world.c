@@ -7,7 +7,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "scene/world.h"
-#include "scenes.h"
+#include "tests/lib/scenes.h"
+#include "tests/lib/frames.h"
 
 #define LSB (1 / 65536.0)
 

@@ -10,7 +10,7 @@
 #include "features/exposure/meter.h"
 #include "features/foam/foam.h"
 #include "features/spray/spray.h"
-#include "parts.h"
+#include "tests/lib/worlds.h"
 #include "scene/pools.h"
 #include "wave/ocean_tables.h"
 

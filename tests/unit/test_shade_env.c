@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "skies.h"
+#include "tests/lib/shading.h"
 #include "tidepool/modules.h"
 
 static uint64_t chance;
@@ -49,7 +49,7 @@ static ref_colour shown(ref_light light, const tp_shade *s)
 static void domes_follow_their_formulas(void **state)
 {
     (void)state;
-    tally off = { .what = "dome" }, hdr = { .what = "dome, HDR" };
+    colour_error off = { .what = "dome" }, hdr = { .what = "dome, HDR" };
 
     for (int n = 0; n < 400; n++) {
         tp_shade s = shade_any(&chance);
@@ -71,14 +71,14 @@ static void domes_follow_their_formulas(void **state)
             const ref_light want = dome_at(&s, (ref_dir){ -v.x, -v.y, -v.z }, &edge);
             if (edge)
                 continue;
-            tally_add(&off, r.run.colour[i], want.colour);
-            tally_add(&hdr, bright.run.colour[i], shown(want, &s));
+            colour_error_add(&off, r.run.colour[i], want.colour);
+            colour_error_add(&hdr, bright.run.colour[i], shown(want, &s));
         }
     }
-    tally_print(&off);
-    tally_print(&hdr);
-    assert_true(off.largest <= 8 && tally_rms(&off) <= 1.5);
-    assert_true(hdr.largest <= 20 && tally_rms(&hdr) <= 1.5);
+    colour_error_print(&off);
+    colour_error_print(&hdr);
+    assert_true(off.largest <= 8 && colour_error_rms(&off) <= 1.5);
+    assert_true(hdr.largest <= 20 && colour_error_rms(&hdr) <= 1.5);
 }
 
 static void the_disc_is_the_brightest_and_beyond_white(void **state)
@@ -123,7 +123,7 @@ static void mirrors_may_leave_the_disc_out(void **state)
 static void cubes_are_looked_up_between_their_texels(void **state)
 {
     (void)state;
-    tally off = { .what = "cube" };
+    colour_error off = { .what = "cube" };
     double alpha = 0;
 
     for (int n = 0; n < 20; n++) {
@@ -139,12 +139,12 @@ static void cubes_are_looked_up_between_their_texels(void **state)
                                                   p.s, p.t);
             if (near < 0.001)   /* may be on the next face */
                 continue;
-            tally_add(&off, got, want.colour);
+            colour_error_add(&off, got, want.colour);
             alpha = fmax(alpha, fabs((got >> 24) - want.alpha));
         }
     }
-    tally_print(&off);
-    assert_true(off.largest <= 7 && tally_rms(&off) <= 1.5);
+    colour_error_print(&off);
+    assert_true(off.largest <= 7 && colour_error_rms(&off) <= 1.5);
     assert_true(alpha <= 7);
 }
 
@@ -163,7 +163,7 @@ static void seams_do_not_show(void **state)
 {
     (void)state;
     tp_shade s = shade_any(&chance);
-    tally off = { .what = "seams" }, whole = { .what = "sphere" };
+    colour_error off = { .what = "seams" }, whole = { .what = "sphere" };
     double step = 0;
 
     sky_cube(&sky, &s, smooth, NULL);
@@ -179,21 +179,21 @@ static void seams_do_not_show(void **state)
                 v[(axis + 2) % 3] = b;
                 const ref_dir d = ref_unit((ref_dir){ v[0], v[1], v[2] });
                 side[which] = tp_env_sample(&s, sky_q14(d.x), sky_q14(d.y), sky_q14(d.z));
-                tally_add(&off, side[which], ref_colour_of(smooth(d, NULL)));
+                colour_error_add(&off, side[which], ref_colour_of(smooth(d, NULL)));
             }
             step = fmax(step, ref_off(side[0], ref_colour_of(side[1])));
         }
     }
     for (int i = 0; i < 20000; i++) {
         const ref_dir d = sky_direction(&chance);
-        tally_add(&whole, tp_env_sample(&s, sky_q14(d.x), sky_q14(d.y), sky_q14(d.z)),
+        colour_error_add(&whole, tp_env_sample(&s, sky_q14(d.x), sky_q14(d.y), sky_q14(d.z)),
                   ref_colour_of(smooth(d, NULL)));
     }
-    tally_print(&off);
-    tally_print(&whole);
+    colour_error_print(&off);
+    colour_error_print(&whole);
     printf("    across a seam      largest step %.0f levels\n", step);
     assert_true(off.largest <= 4 && step <= 3);
-    assert_true(whole.largest <= 4 && tally_rms(&whole) <= 1.5);
+    assert_true(whole.largest <= 4 && colour_error_rms(&whole) <= 1.5);
 }
 
 static uint32_t opaque(ref_dir d, void *with)

@@ -8,8 +8,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "host/machine.h"
-#include "layers.h"
-#include "shades.h"
+#include "tests/lib/layers.h"
+#include "tests/lib/shading.h"
 
 enum { ROUNDS = 4000 };
 

@@ -8,7 +8,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "features/haze/haze.h"
-#include "skies.h"
+#include "tests/lib/shading.h"
 
 static uint64_t chance;
 static test_sky sky;
@@ -157,7 +157,7 @@ static void far_water_mirrors_a_coarser_picture(void **state)
 static void fresnel_mixes_light_beyond_white(void **state)
 {
     (void)state;
-    tally off = { .what = "fresnel" }, hdr = { .what = "fresnel, HDR" };
+    colour_error off = { .what = "fresnel" }, hdr = { .what = "fresnel, HDR" };
 
     for (int n = 0; n < 1000; n++) {
         tp_shade s = shade_any(&chance);
@@ -179,16 +179,16 @@ static void fresnel_mixes_light_beyond_white(void **state)
             const double share = f * s.mirror / 256 * above;
             const ref_light light = ref_light_of(before.mirror[i]);
             const ref_colour was = ref_scale(ref_colour_of(before.colour[i]), 1 - share);
-            tally_add(&off, r.run.colour[i], ref_add(was, ref_scale(light.colour, share)));
-            tally_add(&hdr, bright.colour[i],
+            colour_error_add(&off, r.run.colour[i], ref_add(was, ref_scale(light.colour, share)));
+            colour_error_add(&hdr, bright.colour[i],
                       ref_add(was, ref_scale(ref_beyond(light, s.env.beyond / 4096.0),
                                              share)));
         }
     }
-    tally_print(&off);
-    tally_print(&hdr);
-    assert_true(off.largest <= 5 && tally_rms(&off) <= 1.5);
-    assert_true(hdr.largest <= 8 && tally_rms(&hdr) <= 1.5);
+    colour_error_print(&off);
+    colour_error_print(&hdr);
+    assert_true(off.largest <= 5 && colour_error_rms(&off) <= 1.5);
+    assert_true(hdr.largest <= 8 && colour_error_rms(&hdr) <= 1.5);
 }
 
 /* -- haze ------------------------------------------------------------------------------ */
@@ -197,7 +197,7 @@ static void fresnel_mixes_light_beyond_white(void **state)
 static void air_takes_the_horizon_s_colour_in_its_direction(void **state)
 {
     (void)state;
-    tally off = { .what = "haze, dome" };
+    colour_error off = { .what = "haze, dome" };
 
     for (int n = 0; n < 600; n++) {
         tp_shade s = shade_any(&chance);
@@ -217,12 +217,12 @@ static void air_takes_the_horizon_s_colour_in_its_direction(void **state)
             const uint32_t light = tp_env_sample(&s, sky_q14(flat.x), 0, sky_q14(flat.z));
             if (fabs(v.y) > 0.7 || light >> 24)
                 continue;       /* 16 columns cover many degrees there */
-            tally_add(&off, r.run.colour[i], ref_mix(ref_colour_of(before.colour[i]),
+            colour_error_add(&off, r.run.colour[i], ref_mix(ref_colour_of(before.colour[i]),
                                                      ref_colour_of(light), share));
         }
     }
-    tally_print(&off);
-    assert_true(tally_rms(&off) <= 1.5);
+    colour_error_print(&off);
+    assert_true(colour_error_rms(&off) <= 1.5);
 }
 
 int main(void)

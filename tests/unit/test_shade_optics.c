@@ -6,7 +6,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/shading.h"
-#include "chance.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/random.h"
 #include "shade/optics.h"
 
 #define Q30 1073741824.0

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "features/boat/boat.h"
 #include "asset/mesh.h"
-#include "shades.h"
+#include "tests/lib/shading.h"
 
 static uint64_t chance;
 

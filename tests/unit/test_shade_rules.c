@@ -7,9 +7,9 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "layers.h"
-#include "runs.h"
-#include "view.h"
+#include "tests/lib/layers.h"
+#include "tests/lib/shading.h"
+#include "tests/lib/camera.h"
 
 #define Q14 16384.0
 

@@ -10,7 +10,7 @@
 #include "features/boat/boat.h"
 #include "features/exposure/exposure.h"
 #include "features/haze/haze.h"
-#include "skies.h"
+#include "tests/lib/shading.h"
 
 static uint64_t chance;
 static test_sky sky;

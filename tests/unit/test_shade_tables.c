@@ -7,7 +7,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/shading.h"
-#include "chance.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/random.h"
 #include "features/haze/haze.h"
 #include "shade/depth.h"
 #include "shade/optics.h"

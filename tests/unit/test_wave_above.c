@@ -7,8 +7,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "seas.h"
-#include "wave_rows.h"
+#include "tests/lib/deep_water.h"
+#include "tests/lib/vectors.h"
 
 static uint64_t chance;
 
@@ -256,7 +256,7 @@ static void both_searches_follow_the_table(void **state)
                         { .what = "step 3", .unit = "mm" },
                         { .what = "step 4", .unit = "mm" } };
     errors e = errors_of("table's height", "table's rest", "table's normal");
-    rows r = rows_of("buoyancy");
+    vector_table r = rows_of("buoyancy");
 
     while (rows_next(&r)) {
         const tp_fx x = row_fx(r.at[0]), z = row_fx(r.at[1]);

@@ -8,9 +8,9 @@
 #include <cmocka.h>
 #include "../reference/depth.h"
 #include "../reference/surf.h"
-#include "chance.h"
+#include "tests/lib/random.h"
 #include "wave/ocean.h"
-#include "wave_rows.h"
+#include "tests/lib/vectors.h"
 
 #define K0 TP_FX(0.1)
 #define KX TP_FX(0.11)
@@ -48,7 +48,7 @@ static bool near_a_joint(double p)
 static void crests_follow_their_vectors_to_two_millimetres(void **state)
 {
     (void)state;
-    rows r = rows_of("breaking");
+    vector_table r = rows_of("breaking");
     measure stretch = { .what = "stretch", .unit = "mm" };
     measure displacement = { .what = "displacement", .unit = "mm" };
     measure angle = { .what = "orientation", .unit = "mrad" };

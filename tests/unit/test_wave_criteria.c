@@ -6,8 +6,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/depth.h"
-#include "chance.h"
-#include "csv_words.h"
+#include "tests/lib/random.h"
+#include "tests/lib/vectors.h"
 #include "wave/water_depth.h"
 
 #define LSB (1 / 65536.0)

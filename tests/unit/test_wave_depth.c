@@ -7,8 +7,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/depth.h"
-#include "chance.h"
-#include "csv_words.h"
+#include "tests/lib/random.h"
+#include "tests/lib/vectors.h"
 #include "wave/water_depth.h"
 #include "wave/exp.h"
 

@@ -7,7 +7,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/sea.h"
-#include "chance.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/random.h"
 #include "wave/ocean.h"
 
 #define LSB (1 / 65536.0)

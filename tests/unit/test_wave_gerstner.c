@@ -7,8 +7,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "seas.h"
-#include "wave_rows.h"
+#include "tests/lib/deep_water.h"
+#include "tests/lib/vectors.h"
 
 static uint64_t chance;
 
@@ -130,7 +130,7 @@ static void single_waves_follow_the_table(void **state)
 {
     (void)state;
     errors e = errors_of("single height", "single place", "single normal");
-    rows r = rows_of("gerstner_single");
+    vector_table r = rows_of("gerstner_single");
 
     while (rows_next(&r)) {
         const double *const at = r.at, k = TURN / at[0];
@@ -153,7 +153,7 @@ static void sums_of_gerstner_waves_follow_the_table(void **state)
 {
     (void)state;
     errors e = errors_of("sum height", "sum place", "sum normal");
-    rows r = rows_of("gerstner_sum");
+    vector_table r = rows_of("gerstner_sum");
     tp_sea sea;
     tp_turn phases[TP_WAVES];
 
@@ -175,7 +175,7 @@ static void sums_of_sines_follow_the_table(void **state)
     (void)state;
     errors e = errors_of("sines' height", "sines' place", "sines' normal");
     measure slope = { .what = "sines' slope", .unit = "m/m" };
-    rows r = rows_of("sum_of_sines");
+    vector_table r = rows_of("sum_of_sines");
     tp_sea sea;
     tp_turn phases[TP_WAVES];
 
@@ -200,7 +200,7 @@ static void sines_follow_the_table(void **state)
 {
     (void)state;
     measure sine = { .what = "sine", .unit = "LSB" };
-    rows r = rows_of("sine");
+    vector_table r = rows_of("sine");
 
     while (rows_next(&r)) {
         const tp_turn phase = (tp_turn)r.at[0];

@@ -5,7 +5,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "chance.h"
+#include "tests/lib/random.h"
 #include "wave/ocean_tables.h"
 
 static uint64_t chance;

@@ -7,7 +7,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "seas.h"
+#include "tests/lib/deep_water.h"
 
 #define FAR 30000.0             /* m in each direction, as in wave.h */
 

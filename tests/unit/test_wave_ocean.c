@@ -7,7 +7,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/sea.h"
-#include "oceans.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/coastal_water.h"
 
 static uint64_t chance;
 

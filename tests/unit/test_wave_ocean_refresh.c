@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "oceans.h"
+#include "tests/lib/coastal_water.h"
 #include "wave/ocean_tables.h"
 
 static uint64_t chance;

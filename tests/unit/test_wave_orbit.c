@@ -8,9 +8,9 @@
 #include <cmocka.h>
 #include "../reference/depth.h"
 #include "../reference/surf.h"
-#include "chance.h"
+#include "tests/lib/random.h"
 #include "wave/ocean.h"
-#include "wave_rows.h"
+#include "tests/lib/vectors.h"
 
 #define K0 TP_FX(0.1)
 #define KX TP_FX(0.11)
@@ -33,7 +33,7 @@ static double sine_error(const double *v)
 static void orbits_follow_their_vectors_to_a_millimetre(void **state)
 {
     (void)state;
-    rows r = rows_of("fr_orbit");
+    vector_table r = rows_of("fr_orbit");
     measure along = { .what = "dx", .unit = "mm" }, up = { .what = "dy", .unit = "mm" };
     measure sine = { .what = "sin alpha", .unit = "" };
 

@@ -9,7 +9,8 @@
 #include <cmocka.h>
 #include "../reference/depth.h"
 #include "../reference/sea.h"
-#include "oceans.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/coastal_water.h"
 
 static uint64_t chance;
 

@@ -6,8 +6,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "seas.h"
-#include "wave_rows.h"
+#include "tests/lib/deep_water.h"
+#include "tests/lib/vectors.h"
 
 static uint64_t chance;
 
@@ -18,7 +18,7 @@ static void sharpened_sines_follow_the_table(void **state)
     (void)state;
     measure height = { .what = "table's height", .unit = "mm" };
     measure slope = { .what = "table's slope", .unit = "m/rad" };
-    rows r = rows_of("sharp_sine");
+    vector_table r = rows_of("sharp_sine");
 
     while (rows_next(&r)) {
         const row_wave w = { .k = 1, .dx = 1, .amplitude = r.at[1] };

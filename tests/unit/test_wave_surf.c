@@ -5,7 +5,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "oceans.h"
+#include "tests/lib/measure.h"
+#include "tests/lib/coastal_water.h"
 #include "wave/ocean_tables.h"
 
 static uint64_t chance;

@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "seas.h"
+#include "tests/lib/deep_water.h"
 #include "wave/wave.h"
 
 static uint64_t chance;

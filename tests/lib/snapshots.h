@@ -1,0 +1,172 @@
+/* SPDX-License-Identifier: MIT */
+/* Kept worlds for tests: three scenes with every part of a world between them.  Each has
+ * the file of a world that has moved; a test can change its bytes and give it a correct
+ * CRC again. */
+#ifndef TP_TESTS_LIB_SNAPSHOTS_H
+#define TP_TESTS_LIB_SNAPSHOTS_H
+#include "pixel/pixel.h"
+#include "screen/keep.h"
+#include "tests/lib/worlds.h"
+
+enum { KEPT_SCENES = 3, KEPT_WIDTH = 32, KEPT_HEIGHT = 24 };
+
+typedef struct {
+    tp_scene   scene;
+    tp_assets  assets;
+    test_boat  boat;
+    test_frame frame;
+    tp_world  *fresh, *world;   /* at tick 0; destination of keep_take */
+    size_t     bytes;
+    keep       keep;
+    uint8_t   *file;            /* written by keep_put: a head, then the world */
+    size_t     head;
+} kept;
+
+/* -- scenes ------------------------------------------------------------------------ */
+
+static inline void kept_pool(tp_scene_pool *pool, int32_t cells, int32_t edges)
+{
+    pool->cols = 20;
+    pool->rows = 18;
+    pool->cells = cells;
+    pool->edges = edges;
+    pool->sponge = 4;
+    pool->courant = TP_FX(0.4);
+    pool->feed_low = TP_FX(0.01);
+    pool->feed_high = TP_FX(0.02);
+    pool->poke_every = TP_FX(0.2);
+}
+
+static inline void kept_air(tp_scene *s, int32_t into)
+{
+    s->drops.count = 6;
+    s->drops.rings = 6;
+    s->drops.into = into;
+    s->drops.every = TP_FX(0.1);
+    s->spray.count = 12;
+    s->foam.cells = 12;
+}
+
+/* Scene 0: cells of 16 and 32 bits, walls, rings, a floating boat, foam and spray, auto
+ * exposure.  Scene 1: cells of 8 bits, a floor map, a camera on deck.  Scene 2: drops
+ * into an endless field of 32 bits, and nothing else. */
+static inline void kept_scene(kept *k, int number, uint64_t *chance)
+{
+    tp_scene *s = &k->scene;
+    *s = scene_plain();
+    k->assets = assets_with(chance, s, number == 1, number == 0);
+    s->grid.cols = s->grid.rows = 12;
+    s->boat.wake = TP_FX_ONE;
+    if (number < 2)
+        kept_air(s, number == 0 ? TP_DROPS_RINGS : TP_DROPS_POOL);
+    if (number == 0) {
+        kept_pool(&s->pool, TP_CELLS_16, TP_EDGES_WALL);
+        kept_pool(&s->field, TP_CELLS_32, TP_EDGES_SPONGE);
+        s->boat.mode = TP_BOAT_DYNAMIC;
+        s->hdr.exposure = TP_EXPOSURE_AUTO;
+        s->mirror.objects = TP_MIRROR_STENCIL;
+        s->water.clear = TP_FX(4);
+    } else if (number == 1) {
+        kept_pool(&s->pool, TP_CELLS_8, TP_EDGES_TILE);
+        s->floor.map_size = 100 * TP_FX_ONE;
+        s->wind.strength = TP_FX(0.05);
+        s->camera.follow = TP_FOLLOW_BOAT;
+        s->mirror.objects = TP_MIRROR_CUBE;
+    } else {
+        kept_pool(&s->field, TP_CELLS_32, TP_EDGES_TILE);
+        s->drops.count = 4;
+        s->drops.into = TP_DROPS_POOL;
+        s->boat.mesh[0] = '\0';
+    }
+    if (s->boat.mesh[0])
+        k->assets.boat = &k->boat.mesh;
+}
+
+/* -- files ------------------------------------------------------------------------- */
+
+static inline void kept_read(kept *k, const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    fseek(file, 0, SEEK_END);
+    const size_t bytes = (size_t)ftell(file);
+    rewind(file);
+    k->file = malloc(bytes);
+    k->head = bytes - k->bytes;
+    if (fread(k->file, 1, bytes, file) != bytes)
+        abort();
+    fclose(file);
+}
+
+/* Makes the world, moves it 60 ticks and keeps it as `path`. */
+static inline void kept_begin(kept *k, int number, const char *path)
+{
+    const tp_config config = { .width = KEPT_WIDTH,
+                               .height = KEPT_HEIGHT,
+                               .tile_height = KEPT_HEIGHT };
+    uint64_t chance = 11 + (uint64_t)number;
+    boat_make(&k->boat, &chance);
+    kept_scene(k, number, &chance);
+    k->frame = frame_of(&k->scene, &k->assets, &config);
+    k->fresh = scene_world(&k->scene, &k->assets);
+    k->bytes = k->fresh->parts.bytes;
+    k->world = malloc(k->bytes);
+    memcpy(k->world, k->fresh, k->bytes);
+    run(&chance, k->world, &k->scene, 60);
+    k->keep = keep_begin(path, &k->scene, &k->assets);
+    if (keep_put(&k->keep, k->world, k->bytes, (keep_at){ .frame = 60 }))
+        abort();
+    kept_read(k, path);
+}
+
+static inline void kept_end(kept *k)
+{
+    frame_free(&k->frame);
+    free(k->fresh);
+    free(k->world);
+    free(k->file);
+}
+
+/* Writes the correct CRC-32 of all other bytes into the last four bytes of the head. */
+static inline void kept_sign(const kept *k, uint8_t *file)
+{
+    uint8_t *crc = file + k->head - 4;
+    memset(crc, 0, 4);
+    const uint32_t sum = tp_crc32(tp_crc32(0, file, k->head), file + k->head, k->bytes);
+    memcpy(crc, &sum, 4);
+}
+
+/* -- use --------------------------------------------------------------------------- */
+
+static inline void kept_draw(const kept *k)
+{
+    tp_tile tile;
+    tp_frame_begin(k->frame.frame, k->world);
+    for (uint32_t i = 0; tp_frame_draw_tile(k->frame.frame, i, k->frame.scratch, &tile);
+         i++)
+        continue;
+}
+
+/* True if the current file is accepted. */
+static inline bool kept_take(const kept *k)
+{
+    keep_at at;
+    memcpy(k->world, k->fresh, k->bytes);
+    return keep_take(&k->keep, k->world, k->bytes, &at);
+}
+
+/* Draws the accepted world, moves it three ticks and draws again. */
+static inline void kept_move(const kept *k)
+{
+    const tp_input input = { .drops = 1,
+                             .push[0].height = TP_FX(0.1),
+                             .forward = TP_FX_ONE,
+                             .throttle = TP_FX_ONE,
+                             .slowdown = 1 };
+    kept_draw(k);
+    for (int i = 0; i < 3; i++) {
+        tp_world_advance_clock(k->world);
+        tp_world_step(&tp_program_all, k->world, &k->scene, &input);
+    }
+    kept_draw(k);
+}
+#endif
