@@ -14,45 +14,20 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "host/assets.h"
 #include "host/canvas.h"
-#include "host/scene_file.h"
 #include "scene/world.h"
+#include "tests/reference/stand.h"
 
 enum { WIDTH = 320, HEIGHT = 240, PIXELS = WIDTH * HEIGHT, TICKS = 100 };
 
-typedef struct {
-    scene_file file;
-    asset_set assets;
-    tp_world *world;
-} stand;
-
-static void open_stand(stand *s, const char *name)
+static void open_level(ref_stand *s, const char *name)
 {
     char path[128];
 
-    memset(s, 0, sizeof *s);
     snprintf(path, sizeof path, "assets/scenes/%s.ini", name);
-    assert_int_equal(scene_file_open(&s->file, path), 0);
-    assert_int_equal(assets_open(&s->assets, &s->file), 0);
-    const tp_scene *scene = &s->file.scene;
-    const size_t bytes = tp_world_bytes(&tp_program_all, scene, &s->assets.names);
-    s->world = malloc(bytes);
-    assert_non_null(s->world);
-    assert_int_equal(
-        tp_world_init(&tp_program_all, s->world, bytes, scene, &s->assets.names, NULL),
-        TP_OK);
-    while (s->world->tick < TICKS)
-        tp_world_step(&tp_program_all, s->world, scene, NULL);
+    assert_int_equal(ref_stand_open(s, path, NULL, 0, TICKS), 0);
     const tp_camera camera = tp_world_camera(s->world);
     tp_world_set_camera(s->world, camera.eye, s->world->heading, s->world->pitch, 0);
-}
-
-static void close_stand(stand *s)
-{
-    free(s->world);
-    assets_close(&s->assets);
-    scene_file_close(&s->file);
 }
 
 static void keep(const picture *p, const char *name, const char *how, int degrees)
@@ -68,7 +43,7 @@ static void keep(const picture *p, const char *name, const char *how, int degree
 
 /* Draws with one water renderer; `quick`: with the plan's other rungs, else with the exact
  * rungs. */
-static void draw(stand *s, const char *name, tp_visibility how, bool quick, int degrees,
+static void draw(ref_stand *s, const char *name, tp_visibility how, bool quick, int degrees,
                  uint32_t *pixels)
 {
     static const char *const names[] = { "planned", "triangles", "rows", "projected",
@@ -120,8 +95,8 @@ static void under_water_half_a_turn_is_upside_down_too(void **state)
 {
     (void)state;
     for (int i = 0; i < SCENES; i++) {
-        stand s;
-        open_stand(&s, scenes[i]);
+        ref_stand s;
+        open_level(&s, scenes[i]);
         const bool tank = s.file.scene.tank.kind != TP_TANK_NONE;
         const tp_scene_pool *pool = &s.file.scene.pool;
         const tp_vec3 eye = { tank ? pool->x : s.world->eye.x,
@@ -133,7 +108,7 @@ static void under_water_half_a_turn_is_upside_down_too(void **state)
         const double off = apart(level, rolled, true);
         printf("    %-12s under water %.2f %% of the pixels differ\n", scenes[i], off);
         assert_true(off <= 0.5);
-        close_stand(&s);
+        ref_stand_close(&s);
     }
 }
 
@@ -141,8 +116,8 @@ static void half_a_turn_is_the_picture_upside_down(void **state)
 {
     (void)state;
     for (int i = 0; i < SCENES; i++) {
-        stand s;
-        open_stand(&s, scenes[i]);
+        ref_stand s;
+        open_level(&s, scenes[i]);
         for (int quick = 0; quick < 2; quick++) {
             draw(&s, scenes[i], quick ? TP_VISIBILITY_AUTO : TP_VISIBILITY_TRIANGLES,
                  quick, 0, level);
@@ -153,13 +128,13 @@ static void half_a_turn_is_the_picture_upside_down(void **state)
                    quick ? "planned" : "exact", off);
             assert_true(off <= (quick ? 2 : 0.5));
         }
-        close_stand(&s);
+        ref_stand_close(&s);
     }
 }
 
 /* Draws with each renderer that holds. Differences in %; `off`: of rows, projected, flat
  * and the plan's own. */
-static void try_methods(stand *s, const char *name, int degrees, double off[4])
+static void try_methods(ref_stand *s, const char *name, int degrees, double off[4])
 {
     draw(s, name, TP_VISIBILITY_TRIANGLES, false, degrees, level);
     for (int how = TP_VISIBILITY_ROWS; how <= TP_VISIBILITY_FLAT; how++) {
@@ -181,15 +156,15 @@ static void every_method_draws_what_triangles_draw(void **state)
     (void)state;
     for (int i = 0; i < SCENES; i++) {
         double upright[4], off[4];
-        stand s;
-        open_stand(&s, scenes[i]);
+        ref_stand s;
+        open_level(&s, scenes[i]);
         try_methods(&s, scenes[i], 0, upright);
         for (size_t k = 0; k < sizeof degrees / sizeof *degrees; k++) {
             try_methods(&s, scenes[i], degrees[k], off);
             for (int how = 0; how < 4; how++)
                 assert_true(off[how] <= 2 * upright[how] + 0.5);
         }
-        close_stand(&s);
+        ref_stand_close(&s);
     }
 }
 

@@ -18,21 +18,14 @@
 #include "host/stage.h"
 #include "host/timing.h"
 #include "scene/world.h"
+#include "tests/lib/random.h"
 
 static uint32_t seed;
-
-static uint32_t next_random(void)       /* xorshift32, Marsaglia 2003 */
-{
-    seed ^= seed << 13;
-    seed ^= seed >> 17;
-    seed ^= seed << 5;
-    return seed;
-}
 
 /* Random number in 16.16, uniform from low to high. */
 static tp_fx between(tp_fx low, tp_fx high)
 {
-    return low + (tp_fx)((uint64_t)next_random() * (uint32_t)(high - low) >> 32);
+    return low + (tp_fx)((uint64_t)random_xorshift(&seed) * (uint32_t)(high - low) >> 32);
 }
 
 typedef struct {

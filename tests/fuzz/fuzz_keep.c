@@ -22,22 +22,13 @@ static uint32_t take_bytes(input *in, int count)
     return value;
 }
 
-/* Offset of a part in the scene's world; 0: the world has no such part. */
-static uint32_t place_of(const kept *k, const void *part)
-{
-    return part ? (uint32_t)((const char *)part - (const char *)k->fresh) : 0;
-}
-
 /* Offset of the target WHERE in the file; the world's head for a part missing in the
  * scene. */
 static size_t begin_of(const kept *k, uint32_t where)
 {
-    const tp_world_parts *p = &k->fresh->parts;
-    const uint32_t parts[] = { 0, place_of(k, tp_world_ocean(k->fresh)),
-                               place_of(k, tp_world_pool(k->fresh)),
-                               place_of(k, tp_world_field(k->fresh)),
-                               place_of(k, tp_world_drops(k->fresh)),
-                               place_of(k, tp_world_spray(k->fresh)), p->modules };
+    uint32_t parts[KEPT_PARTS];
+
+    kept_places(k, parts);
     return where % 8 == 0 ? 0 : k->head + parts[where % 8 - 1];
 }
 

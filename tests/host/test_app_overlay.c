@@ -11,44 +11,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "host/assets.h"
 #include "host/canvas.h"
 #include "host/path.h"
-#include "host/scene_file.h"
 #include "scene/world.h"
 #include "tests/reference/image.h"
-
-typedef struct {
-    scene_file file;
-    asset_set assets;
-    tp_world *world;
-} stand;
-
-static void open_stand(stand *s, const char *folder, const char *name, uint32_t ticks)
-{
-    char path[256];
-
-    memset(s, 0, sizeof *s);
-    snprintf(path, sizeof path, "%s/%s.ini", folder, name);
-    assert_int_equal(scene_file_open(&s->file, path), 0);
-    assert_int_equal(assets_open(&s->assets, &s->file), 0);
-    const tp_scene *scene = &s->file.scene;
-    const size_t bytes = tp_world_bytes(&tp_program_all, scene, &s->assets.names);
-    s->world = malloc(bytes);
-    assert_non_null(s->world);
-    assert_int_equal(
-        tp_world_init(&tp_program_all, s->world, bytes, scene, &s->assets.names, NULL),
-        TP_OK);
-    while (s->world->tick < ticks)
-        tp_world_step(&tp_program_all, s->world, scene, NULL);
-}
-
-static void close_stand(stand *s)
-{
-    free(s->world);
-    assets_close(&s->assets);
-    scene_file_close(&s->file);
-}
+#include "tests/reference/stand.h"
 
 /* -- an empty overlay ------------------------------------------------------------------ */
 
@@ -58,7 +25,7 @@ static void draw_nothing(void *user, const tp_overlay_row *row)
     __atomic_add_fetch((uint32_t *)user, row->x1 - row->x0, __ATOMIC_RELAXED);
 }
 
-static uint32_t crc_of(const stand *s, tp_config config, uint32_t threads)
+static uint32_t crc_of(const ref_stand *s, tp_config config, uint32_t threads)
 {
     canvas c;
 
@@ -76,9 +43,11 @@ static void try_scene(const char *folder, const char *name, size_t turn)
 {
     static const uint32_t tiles[][2] = { { 0, 150 }, { 48, 7 }, { 16, 1 } };
     enum { WIDTH = 208, HEIGHT = 150 };
-    stand s;
+    char path[256];
+    ref_stand s;
 
-    open_stand(&s, folder, name, 60);
+    snprintf(path, sizeof path, "%s/%s.ini", folder, name);
+    assert_int_equal(ref_stand_open(&s, path, NULL, 0, 60), 0);
     for (int format = 0; format < TP_FORMAT_COUNT; format++) {
         tp_config config = { .width = WIDTH,
                                    .height = HEIGHT,
@@ -92,7 +61,7 @@ static void try_scene(const char *folder, const char *name, size_t turn)
         assert_int_equal(crc_of(&s, config, i == 3 ? 3 : 1), want);
         assert_int_equal(pixels, WIDTH * HEIGHT);
     }
-    close_stand(&s);
+    ref_stand_close(&s);
 }
 
 static void an_overlay_of_nothing_changes_no_bit(void **state)
@@ -113,7 +82,7 @@ static void an_overlay_of_nothing_changes_no_bit(void **state)
 
 enum { WIDTH = 320, HEIGHT = 240, PIXELS = WIDTH * HEIGHT };
 
-static void draw_picture(const stand *s, tp_overlay overlay, uint32_t *pixels,
+static void draw_picture(const ref_stand *s, tp_overlay overlay, uint32_t *pixels,
                          const char *name)
 {
     const tp_config config = {
@@ -161,8 +130,8 @@ static uint32_t without[PIXELS], with[PIXELS];
 static void a_hud_is_over_everything(void **state)
 {
     (void)state;
-    stand s;
-    open_stand(&s, "assets/scenes", "storm", 100);
+    ref_stand s;
+    assert_int_equal(ref_stand_open(&s, "assets/scenes/storm.ini", NULL, 0, 100), 0);
     sprite hud = { -20, 100, 140, 1000, 0x80ff4020, 0 };
     draw_picture(&s, (tp_overlay){ 0 }, without, "storm");
     draw_picture(&s, tp_overlay_make(draw_sprite, &hud), with, "storm-hud");
@@ -183,7 +152,7 @@ static void a_hud_is_over_everything(void **state)
     draw_picture(&s, tp_overlay_make(draw_sprite, &hud), with, "storm-farthest");
     for (int i = hud.y0 * WIDTH; i < hud.y1 * WIDTH; i++)
         assert_true(with[i] == without[i] || with[i] == 0x123456);
-    close_stand(&s);
+    ref_stand_close(&s);
 }
 
 /* A billboard 30 m ahead of a low eye over the swells, compared with depths in double
@@ -196,9 +165,10 @@ static void a_crest_hides_what_stands_behind_it(void **state)
     int hidden = 0, shown = 0, wrong = 0;
     ref_scene ref;
     ref_image image;
-    stand s;
+    ref_stand s;
 
-    open_stand(&s, "assets/scenes", "three-swells", 100);
+    assert_int_equal(ref_stand_open(&s, "assets/scenes/three-swells.ini", NULL, 0, 100),
+                     0);
     tp_scene *scene = &s.file.scene;
     const tp_fx side = 30 * TP_FX_ONE; /* away from the boat */
     const tp_water water = tp_world_sample(&tp_program_all, s.world, side, side);
@@ -222,7 +192,7 @@ static void a_crest_hides_what_stands_behind_it(void **state)
     assert_true(wrong < (hidden + shown) / 200);
     ref_image_free(&image);
     ref_scene_close(&ref);
-    close_stand(&s);
+    ref_stand_close(&s);
 }
 
 int main(void)

@@ -97,21 +97,16 @@ static void truth_values_are_the_scenes(void **state)
 }
 
 /* Returns a part's offset in the world; 0: the world has no such part. */
-static uint32_t place_of(const kept *k, const void *part)
-{
-    return part ? (uint32_t)((const char *)part - (const char *)k->fresh) : 0;
-}
-
 static void counts_are_within_their_room(void **state)
 {
     (void)state;
     kept *k = &worlds[0];
     const tp_world_parts *parts = &k->fresh->parts;
-    const size_t foam = place_of(k, tp_world_foam(k->fresh));
-    const size_t drops = place_of(k, tp_world_drops(k->fresh));
-    const size_t spray = place_of(k, tp_world_spray(k->fresh));
-    const size_t pool = place_of(k, tp_world_pool(k->fresh));
-    const size_t field = place_of(k, tp_world_field(k->fresh));
+    const size_t foam = kept_place(k, tp_world_foam(k->fresh));
+    const size_t drops = kept_place(k, tp_world_drops(k->fresh));
+    const size_t spray = kept_place(k, tp_world_spray(k->fresh));
+    const size_t pool = kept_place(k, tp_world_pool(k->fresh));
+    const size_t field = kept_place(k, tp_world_field(k->fresh));
     const size_t at[] = {
         drops + offsetof(tp_drops, count), drops + offsetof(tp_drops, rings),
         drops + offsetof(tp_drops, capacity), drops + offsetof(tp_drops, ring_capacity),
@@ -140,12 +135,8 @@ static void any_word_is_refused_or_safe(void **state)
     int taken = 0, tried = 0;
     for (int i = 0; i < KEPT_SCENES; i++) {
         kept *k = &worlds[i];
-        const tp_world_parts *p = &k->fresh->parts;
-        const uint32_t parts[] = { 0, place_of(k, tp_world_ocean(k->fresh)),
-                                   place_of(k, tp_world_pool(k->fresh)),
-                                   place_of(k, tp_world_field(k->fresh)),
-                                   place_of(k, tp_world_drops(k->fresh)),
-                                   place_of(k, tp_world_spray(k->fresh)), p->modules };
+        uint32_t parts[KEPT_PARTS];
+        kept_places(k, parts);
         for (int part = 0; part < 7; part++) {
             const size_t begin = parts[part];
             const size_t end = part == 0 ? offsetof(tp_world, sea) : begin + 160;

@@ -13,6 +13,7 @@
 #include "../../ports/host/say.h"       /* before cmocka's macro `fail` */
 #include <cmocka.h>
 #include "../../ports/sdl2/keymap.h"
+#include "tests/lib/messages.h"
 
 static keymap map;
 static char folder[] = "/tmp/test-keymap-XXXXXX", path[64], said[600];
@@ -44,16 +45,9 @@ static int read_words(const char *words)
     assert_non_null(to);
     fputs(words, to);
     fclose(to);
-    to = tmpfile();
-    const int old = dup(2);
-    assert_non_null(to);
-    dup2(fileno(to), 2);
+    messages m = messages_begin();
     const int code = keymap_read(&map, path);
-    dup2(old, 2);
-    close(old);
-    rewind(to);
-    said[fread(said, 1, sizeof said - 1, to)] = 0;
-    fclose(to);
+    messages_end(&m, said, sizeof said);
     return code;
 }
 

@@ -18,19 +18,12 @@
 #include "../../ports/host/picture.h"
 #include "../../ports/host/timing.h"
 #include "pixel/pixel.h"
+#include "tests/lib/random.h"
 
 #define WIDTH  53       /* odd; i1 rows end inside a byte */
 #define HEIGHT 21
 
 static uint32_t seed;
-
-static uint32_t next_random(void)       /* xorshift32, Marsaglia 2003 */
-{
-    seed ^= seed << 13;
-    seed ^= seed >> 17;
-    seed ^= seed << 5;
-    return seed;
-}
 
 /* Random pixels, with the last bits of the row's padding used too. */
 static picture random_picture(tp_format format)
@@ -40,14 +33,14 @@ static picture random_picture(tp_format format)
     p.rows = malloc(p.row_bytes * HEIGHT);
     assert_non_null(p.rows);
     for (size_t i = 0; i < p.row_bytes * HEIGHT; i++)
-        p.rows[i] = (uint8_t)next_random();
+        p.rows[i] = (uint8_t)random_xorshift(&seed);
     return p;
 }
 
 /* A unique name; the test removes the file. */
 static void temporary_name(char name[64], const char *suffix)
 {
-    snprintf(name, 64, "test-picture-%08x%s", (unsigned)next_random(), suffix);
+    snprintf(name, 64, "test-picture-%08x%s", (unsigned)random_xorshift(&seed), suffix);
 }
 
 static void png_keeps_every_colour_of_every_format(void **state)
@@ -97,7 +90,7 @@ static void png_of_any_bytes_is_safe(void **state)
         uint32_t w, h;
         const bool cut = i < size;
         const uint8_t kept = bytes[i % size];
-        bytes[i % size] ^= cut ? 0 : (uint8_t)(1 + next_random() % 255);
+        bytes[i % size] ^= cut ? 0 : (uint8_t)(1 + random_xorshift(&seed) % 255);
         file = fopen(name, "wb");
         fwrite(bytes, 1, cut ? i : size, file);
         fclose(file);
@@ -155,8 +148,10 @@ static void greys_of_every_kind_are_read(void **state)
         const int bits = kind & 1 ? 16 : 8;
         uint16_t grey[3 * WIDTH];
         uint32_t w = 0, h = 0;
-        for (int i = 0; i < 3 * WIDTH; i++)
-            grey[i] = (uint16_t)(bits == 16 ? next_random() : (next_random() & 255) * 257);
+        for (int i = 0; i < 3 * WIDTH; i++) {
+            const uint32_t word = random_xorshift(&seed);
+            grey[i] = (uint16_t)(bits == 16 ? word : (word & 255) * 257);
+        }
         write_greys(name, grey, WIDTH, bits, kind & 2);
         uint16_t *read = picture_read_grey(name, "a test", &w, &h);
         assert_non_null(read);

@@ -72,6 +72,25 @@ static inline void frame_free(test_frame *f)
     free(f->scratch);
 }
 
+/* Begins the frame and draws all tiles into a picture of 4 bytes a pixel. Ends the program
+ * if a tile was written beyond the frame's memory. */
+static inline void frame_draw_picture(const test_frame *f, const tp_world *world,
+                                      uint32_t *pixels)
+{
+    const size_t width = f->frame->config.width;
+    tp_tile tile;
+
+    tp_frame_begin(f->frame, world);
+    for (uint32_t i = 0; tp_frame_draw_tile(f->frame, i, f->scratch, &tile); i++)
+        for (uint32_t y = tile.y0; y < tile.y1; y++)
+            memcpy(pixels + y * width + tile.x0,
+                   (const uint8_t *)tile.pixels + (y - tile.y0) * tile.stride,
+                   (tile.x1 - tile.x0) * sizeof *pixels);
+    if (!frame_guard_holds(f->block, f->bytes)
+        || !frame_guard_holds(f->scratch, f->scratch_bytes))
+        abort();
+}
+
 /* -- kinds of objects ---------------------------------------------------------------- */
 
 typedef enum {

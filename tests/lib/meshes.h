@@ -8,6 +8,9 @@
 #include <string.h>
 #include "asset/cut.h"
 #include "asset/reader.h"
+#include "tests/lib/random.h"
+
+#define OBJ_TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
 
 typedef struct {
     tp_obj   obj;
@@ -98,19 +101,20 @@ static inline void finish(reader *r)
     r->mem = NULL;
 }
 
-/* Random numbers of all asset tests: splitmix64. */
+/* 32 random bits. */
 static inline uint32_t next_random(uint64_t *state)
 {
-    uint64_t z = *state += 0x9e3779b97f4a7c15u;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-    return (uint32_t)((z ^ z >> 31) >> 32);
+    return (uint32_t)(random_next(state) >> 32);
 }
 
-static inline uint64_t random_seed(void)
+/* Reads a text that must be accepted. */
+static inline void accept_text(reader *r, const char *text)
 {
-    const char *const text = getenv("TP_SEED");
-    return text ? strtoull(text, NULL, 0) : 20261121;
+    if (read_text(r, text, NULL) != TP_OK) {
+        char what[200];
+        tp_error_text(&r->err, what, sizeof what);
+        fail_msg("line %u: %s", (unsigned)r->err.where, what);
+    }
 }
 
 /* -- triangulation ------------------------------------------------------------------- */

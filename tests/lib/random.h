@@ -28,6 +28,15 @@ static inline uint64_t random_next(uint64_t *state)
     return z ^ z >> 31;
 }
 
+/* xorshift32, Marsaglia 2003; the state is not 0. */
+static inline uint32_t random_xorshift(uint32_t *state)
+{
+    *state ^= *state << 13;
+    *state ^= *state >> 17;
+    *state ^= *state << 5;
+    return *state;
+}
+
 static inline uint32_t random_below(uint64_t *state, uint32_t end)
 {
     return (uint32_t)((random_next(state) >> 32) * end >> 32);

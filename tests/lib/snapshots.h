@@ -5,6 +5,7 @@
 #ifndef TP_TESTS_LIB_SNAPSHOTS_H
 #define TP_TESTS_LIB_SNAPSHOTS_H
 #include "pixel/pixel.h"
+#include "scene/pools.h"
 #include "screen/keep.h"
 #include "tests/lib/worlds.h"
 
@@ -133,6 +134,29 @@ static inline void kept_sign(const kept *k, uint8_t *file)
     memset(crc, 0, 4);
     const uint32_t sum = tp_crc32(tp_crc32(0, file, k->head), file + k->head, k->bytes);
     memcpy(crc, &sum, 4);
+}
+
+/* -- places of parts ----------------------------------------------------------------- */
+
+enum { KEPT_PARTS = 7 };
+
+/* Offset of a part in the scene's world; 0: the world has no such part. */
+static inline uint32_t kept_place(const kept *k, const void *part)
+{
+    return part ? (uint32_t)((const char *)part - (const char *)k->fresh) : 0;
+}
+
+/* Offsets of the world's head and of its parts. */
+static inline void kept_places(const kept *k, uint32_t places[KEPT_PARTS])
+{
+    const void *const parts[] = { tp_world_ocean(k->fresh), tp_world_pool(k->fresh),
+                                  tp_world_field(k->fresh), tp_world_drops(k->fresh),
+                                  tp_world_spray(k->fresh) };
+
+    places[0] = 0;
+    for (int i = 0; i < KEPT_PARTS - 2; i++)
+        places[i + 1] = kept_place(k, parts[i]);
+    places[KEPT_PARTS - 1] = k->fresh->parts.modules;
 }
 
 /* -- use --------------------------------------------------------------------------- */

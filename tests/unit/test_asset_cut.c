@@ -297,7 +297,6 @@ int main(void)
 {
     static uint64_t seed;
     seed = random_seed();
-    printf("TP_SEED=%llu\n", (unsigned long long)seed);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(convex_polygons_are_cut_as_a_fan),
         cmocka_unit_test(an_arrow_head_is_cut_at_its_notch),

@@ -130,7 +130,6 @@ int main(void)
 {
     static uint64_t seed;
     seed = random_seed();
-    printf("TP_SEED=%llu\n", (unsigned long long)seed);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_disc_of_30000_corners_is_cut),
         cmocka_unit_test(a_ring_of_20000_corners_keeps_its_hole),

@@ -10,16 +10,6 @@
 #include "tests/lib/meshes.h"
 
 #define ONE TP_FX_ONE
-#define TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
-
-static void accept(reader *r, const char *text)
-{
-    if (read_text(r, text, NULL) != TP_OK) {
-        char what[200];
-        tp_error_text(&r->err, what, sizeof what);
-        fail_msg("line %u: %s", (unsigned)r->err.where, what);
-    }
-}
 
 /* -- faces ------------------------------------------------------------------------ */
 
@@ -27,7 +17,7 @@ static void faces_of_fewer_than_three_corners_are_left_out_and_counted(void **st
 {
     (void)state;
     reader r;
-    accept(&r, TRIANGLE "v 9 9 9\nf\nf 4\nf 1 2\nf 1 2 3\nf 1 4 # 3\nf 3/ 4/\n");
+    accept_text(&r, OBJ_TRIANGLE "v 9 9 9\nf\nf 4\nf 1 2\nf 1 2 3\nf 1 4 # 3\nf 3/ 4/\n");
     assert_int_equal(r.mesh.n_faces, 1);
     assert_int_equal(r.obj.short_faces, 5);
     assert_int_equal(r.obj.dropped, 0);
@@ -40,10 +30,10 @@ static void what_a_short_face_names_is_not_looked_at(void **state)
 {
     (void)state;
     reader r;
-    accept(&r, TRIANGLE "usemtl a\nf 1 99\nf 0 -7\nf 1/5 2/5\nf 1 2 3\n");
+    accept_text(&r, OBJ_TRIANGLE "usemtl a\nf 1 99\nf 0 -7\nf 1/5 2/5\nf 1 2 3\n");
     assert_int_equal(r.obj.short_faces, 3);
     finish(&r);
-    accept(&r, TRIANGLE "f 1 2\nusemtl a\nf 1 2 3\n");
+    accept_text(&r, OBJ_TRIANGLE "f 1 2\nusemtl a\nf 1 2 3\n");
     assert_int_equal(r.mesh.n_materials, 1);    /* no material without a name */
     finish(&r);
 }
@@ -88,9 +78,9 @@ static void polygons_of_any_number_of_corners_are_cut(void **state)
 static void a_comment_ends_a_long_face_for_good(void **state)
 {
     (void)state;
-    static char text[40000] = TRIANGLE "f 1 2 3 #";
+    static char text[40000] = OBJ_TRIANGLE "f 1 2 3 #";
     for (int i = 0; i < 9000; i++)
-        strcpy(text + strlen(TRIANGLE) + 9 + 3 * i, " 99");
+        strcpy(text + strlen(OBJ_TRIANGLE) + 9 + 3 * i, " 99");
     reader r;
     for (size_t piece = 1; piece < 100000; piece *= 50) {
         assert_int_equal(read_bytes(&r, text, strlen(text), NULL, 0, piece), TP_OK);
@@ -131,7 +121,7 @@ static void words_longer_than_a_part_are_refused_only_where_they_count(void **st
         { "s ", '1', TP_E_OBJ_LINE }, { "usemtl ", 'n', TP_E_OBJ_LINE },
     };
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
-        const size_t n = (size_t)sprintf(text, TRIANGLE "f 1 2 3\n%s", lines[i].start);
+        const size_t n = (size_t)sprintf(text, OBJ_TRIANGLE "f 1 2 3\n%s", lines[i].start);
         memset(text + n, lines[i].fill, 4100);
         strcpy(text + n + 4100, "\nf 3 2 1\n");
         for (size_t piece = 1; piece < 100000; piece *= 50) {
@@ -163,9 +153,9 @@ static void positions_beyond_16384_units_are_stored_coarser(void **state)
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[200];
-        sprintf(text, TRIANGLE "v %s 256 0\nf 4 2 3\n", cases[i].far);
+        sprintf(text, OBJ_TRIANGLE "v %s 256 0\nf 4 2 3\n", cases[i].far);
         reader r;
-        accept(&r, text);
+        accept_text(&r, text);
         assert_int_equal(r.mesh.log2_unit, cases[i].log2);
         assert_int_equal(r.mesh.vertices[0].position.x, cases[i].x);
         assert_int_equal(r.mesh.vertices[0].position.y, 256 * ONE >> cases[i].log2);
@@ -199,7 +189,7 @@ static void texture_coordinates_beyond_16384_are_0_and_counted(void **state)
 {
     (void)state;
     reader r;
-    accept(&r, TRIANGLE "vt 3443870976.000000 0.25 0.0\nvt 16383.5 -16384\nvt -1e30 1e30\n"
+    accept_text(&r, OBJ_TRIANGLE "vt 3443870976.000000 0.25 0.0\nvt 16383.5 -16384\nvt -1e30 1e30\n"
                "f 1/1 2/2 3/3\n");
     assert_int_equal(r.obj.far_texcoords, 4);
     assert_int_equal(r.mesh.vertices[0].s, 0);
@@ -217,9 +207,9 @@ static void normals_of_any_length_point_the_same_way(void **state)
                                          "vn 30000 -40000 0", "vn 3e13 -4e13 0" };
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         char text[200];
-        sprintf(text, TRIANGLE "%s\nf 1//1 2//1 3//1\n", files[i]);
+        sprintf(text, OBJ_TRIANGLE "%s\nf 1//1 2//1 3//1\n", files[i]);
         reader r;
-        accept(&r, text);
+        accept_text(&r, text);
         const tp_packed_dir n = r.mesh.vertices[0].normal;
         assert_in_range(n & 1023, 306, 308);
         assert_in_range(1024 - (n >> 10 & 1023), 408, 410);
@@ -233,7 +223,7 @@ static void normals_of_any_length_point_the_same_way(void **state)
 static char *make_materials(uint32_t lines, uint32_t names, size_t *bytes)
 {
     char *const text = malloc(lines * 40 + 100);
-    size_t n = (size_t)sprintf(text, TRIANGLE);
+    size_t n = (size_t)sprintf(text, OBJ_TRIANGLE);
     for (uint32_t i = 0; i < lines; i++)
         n += (size_t)sprintf(text + n, "usemtl paint %u\nf 1 2 3\n", (unsigned)(i % names));
     *bytes = n;
@@ -289,7 +279,7 @@ static void materials_beyond_4096_are_grey_and_warned_of_once(void **state)
 static void names_with_a_nul_are_passed_over_with_a_warning(void **state)
 {
     (void)state;
-    static const char text[] = "mtllib a\0b\nmtllib c\n" TRIANGLE
+    static const char text[] = "mtllib a\0b\nmtllib c\n" OBJ_TRIANGLE
                                "usemtl d\nusemtl e\0f\nf 1 2 3\n";
     reader r;
     assert_int_equal(read_bytes(&r, text, sizeof text - 1, NULL, 0, 7), TP_OK);
@@ -305,12 +295,12 @@ static void names_with_a_nul_are_passed_over_with_a_warning(void **state)
 static void names_may_fill_a_line(void **state)
 {
     (void)state;
-    static char text[3 * TP_OBJ_LINE_BYTES] = TRIANGLE "usemtl ";
+    static char text[3 * TP_OBJ_LINE_BYTES] = OBJ_TRIANGLE "usemtl ";
     memset(text + strlen(text), 'n', 4000);
     strcat(text, "\nf 1 2 3\nmtllib ");
     memset(text + strlen(text), 'l', 4000);
     reader r;
-    accept(&r, text);
+    accept_text(&r, text);
     assert_int_equal(r.obj.libraries, 1);
     assert_int_equal(strlen(tp_obj_library(&r.obj, 0)), 4000);
     finish(&r);

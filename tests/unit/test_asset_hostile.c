@@ -322,7 +322,6 @@ int main(void)
 {
     static uint64_t seed;
     seed = random_seed();
-    printf("TP_SEED=%llu\n", (unsigned long long)seed);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_file_is_good_as_it_stands),
         cmocka_unit_test(an_obj_cut_off_at_any_byte_is_good_or_located),

@@ -10,16 +10,6 @@
 #include "tests/lib/meshes.h"
 
 #define ONE TP_FX_ONE
-#define TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
-
-static void accept(reader *r, const char *text)
-{
-    if (read_text(r, text, NULL) != TP_OK) {
-        char what[200];
-        tp_error_text(&r->err, what, sizeof what);
-        fail_msg("line %u: %s", (unsigned)r->err.where, what);
-    }
-}
 
 static void assert_position(const reader *r, uint32_t vertex, tp_fx x, tp_fx y, tp_fx z)
 {
@@ -36,7 +26,7 @@ static void a_triangle_is_read(void **state)
 {
     (void)state;
     reader r;
-    accept(&r, TRIANGLE "f 1 2 3\n");
+    accept_text(&r, OBJ_TRIANGLE "f 1 2 3\n");
     assert_int_equal(r.mesh.n_vertices, 3);
     assert_int_equal(r.mesh.n_faces, 1);
     assert_int_equal(r.mesh.n_materials, 1);
@@ -54,7 +44,7 @@ static void numbers_of_every_form_are_exact(void **state)
 {
     (void)state;
     reader r;
-    accept(&r, "v -1.5e1 +.25 1.\nv 12500e-4 1E+2 -0.0\nv 0.0000152587890625 "
+    accept_text(&r, "v -1.5e1 +.25 1.\nv 12500e-4 1E+2 -0.0\nv 0.0000152587890625 "
                "1e-30 16383.9999\nf 1 2 3");
     assert_position(&r, 0, -15 * ONE, ONE / 4, ONE);
     assert_position(&r, 1, ONE + ONE / 4, 100 * ONE, 0);
@@ -66,7 +56,7 @@ static void weights_and_colours_after_a_vertex_are_ignored(void **state)
 {
     (void)state;
     reader r;
-    accept(&r, "v 1 2 3 1.0\nv 0 0 0 0.5 0.25 1\nv 1 0 0 # corner\nf 1 2 3 # face\n");
+    accept_text(&r, "v 1 2 3 1.0\nv 0 0 0 0.5 0.25 1\nv 1 0 0 # corner\nf 1 2 3 # face\n");
     assert_position(&r, 0, ONE, 2 * ONE, 3 * ONE);
     assert_position(&r, 2, ONE, 0, 0);
     finish(&r);
@@ -76,7 +66,7 @@ static void texture_coordinates_grow_downwards(void **state)
 {
     (void)state;
     reader r;
-    accept(&r, TRIANGLE "vt 0.25 0.25\nvt 1 1 0\nvt 0.5\nf 1/1 2/2 3/3\n");
+    accept_text(&r, OBJ_TRIANGLE "vt 0.25 0.25\nvt 1 1 0\nvt 0.5\nf 1/1 2/2 3/3\n");
     assert_int_equal(r.mesh.vertices[0].s, ONE / 4);
     assert_int_equal(r.mesh.vertices[0].t, ONE * 3 / 4);
     assert_int_equal(r.mesh.vertices[1].t, 0);
@@ -89,7 +79,7 @@ static void all_four_forms_of_a_corner_are_read(void **state)
 {
     (void)state;
     reader r;
-    accept(&r, TRIANGLE "vt 0 0\nvn 0 0 1\n"
+    accept_text(&r, OBJ_TRIANGLE "vt 0 0\nvn 0 0 1\n"
                "f 1 2 3\nf 1/1 2/1 3/1\nf 1//1 2//1 3//1\nf 1/1/1 2/1/1 3/1/1\n");
     assert_int_equal(r.mesh.n_faces, 4);
     assert_int_equal(r.mesh.n_vertices, 12);
@@ -100,7 +90,7 @@ static void corners_alike_are_one_vertex(void **state)
 {
     (void)state;
     reader r;
-    accept(&r, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 2\n"
+    accept_text(&r, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 2\n"
                "f 1//1 2//1 3//1\nf 1//1 3//1 4//1\nf 4//1 3//1 2//2\n");
     assert_int_equal(r.mesh.n_faces, 3);
     assert_int_equal(r.mesh.n_vertices, 5);     /* vertex 4 and corner 2 with normal 2 */
@@ -111,7 +101,7 @@ static void negative_indices_count_back_from_where_they_stand(void **state)
 {
     (void)state;
     reader r;
-    accept(&r, TRIANGLE "f -3 -2 -1\nv 5 0 0\nv 6 0 0\nv 6 1 0\nf -3 -2 -1\n");
+    accept_text(&r, OBJ_TRIANGLE "f -3 -2 -1\nv 5 0 0\nv 6 0 0\nv 6 1 0\nf -3 -2 -1\n");
     assert_int_equal(r.mesh.n_faces, 2);
     assert_position(&r, r.mesh.faces[0].vertex[0], 0, 0, 0);
     assert_position(&r, r.mesh.faces[1].vertex[0], 5 * ONE, 0, 0);
@@ -122,7 +112,7 @@ static void a_face_may_name_vertices_that_follow(void **state)
 {
     (void)state;
     reader r;
-    accept(&r, "f 1 2 3\n" TRIANGLE);
+    accept_text(&r, "f 1 2 3\n" OBJ_TRIANGLE);
     assert_int_equal(r.mesh.n_faces, 1);
     finish(&r);
 }
@@ -137,7 +127,7 @@ static void line_ends_of_every_kind_are_read(void **state)
         snprintf(text, sizeof text, "%s# c%sv 0 0 0%sv 1 0 0%s\tv 0 1 0%sf 1 2 3",
                  e, e, e, e, e);
         reader r;
-        accept(&r, text);
+        accept_text(&r, text);
         assert_int_equal(r.mesh.n_faces, 1);
         assert_int_equal(r.obj.skipped, 0);
         finish(&r);
@@ -148,7 +138,7 @@ static void a_backslash_joins_lines(void **state)
 {
     (void)state;
     reader r;
-    accept(&r, "v 0 0\\\n 0\nv 1 0 0\r\nv 0 \\\r\n\\\r\n1 0\nf 1\\\n\\\n 2 3\\\n");
+    accept_text(&r, "v 0 0\\\n 0\nv 1 0 0\r\nv 0 \\\r\n\\\r\n1 0\nf 1\\\n\\\n 2 3\\\n");
     assert_position(&r, 2, 0, ONE, 0);
     assert_int_equal(r.mesh.n_faces, 1);
     finish(&r);
@@ -160,9 +150,9 @@ static void comments_do_not_join_and_may_have_any_length(void **state)
     char text[9000];
     memset(text, '-', sizeof text);
     memcpy(text, "# ", 2);
-    strcpy(text + 8000, "\n  # art \\\n" TRIANGLE "f 1 2 3\n");
+    strcpy(text + 8000, "\n  # art \\\n" OBJ_TRIANGLE "f 1 2 3\n");
     reader r;
-    accept(&r, text);
+    accept_text(&r, text);
     assert_int_equal(r.mesh.n_faces, 1);
     finish(&r);
 }
@@ -171,7 +161,7 @@ static void unknown_statements_are_counted_and_groups_are_not(void **state)
 {
     (void)state;
     reader r;
-    accept(&r, "o boat\ng hull left\n" TRIANGLE "vp 1 2\nl 1 2\np 1\nshadow_obj x\n"
+    accept_text(&r, "o boat\ng hull left\n" OBJ_TRIANGLE "vp 1 2\nl 1 2\np 1\nshadow_obj x\n"
                "g\nf 1 2 3\nusemap off\n");
     assert_int_equal(r.obj.skipped, 5);
     finish(&r);
@@ -181,8 +171,8 @@ static void names_may_hold_spaces(void **state)
 {
     (void)state;
     reader r;
-    accept(&r, "mtllib my boat.mtl\nmtllib a.mtl my sails.MTL  spare parts \n"
-               "mtllib my boat.mtl\n" TRIANGLE
+    accept_text(&r, "mtllib my boat.mtl\nmtllib a.mtl my sails.MTL  spare parts \n"
+               "mtllib my boat.mtl\n" OBJ_TRIANGLE
                "usemtl  Oak #2 (dark) \nf 1 2 3\nusemtl Oak\nf 1 3 2\n"
                "usemtl Oak #2 (dark)\nf 2 1 3\n");
     assert_int_equal(r.obj.libraries, 4);
@@ -202,11 +192,11 @@ static void many_names_are_numbered_in_order(void **state)
     (void)state;
     enum { NAMES = 3000 };
     char *const text = malloc(200 + NAMES * 60);
-    size_t n = (size_t)sprintf(text, TRIANGLE);
+    size_t n = (size_t)sprintf(text, OBJ_TRIANGLE);
     for (int i = 0; i < 2 * NAMES; i++)
         n += (size_t)sprintf(text + n, "usemtl paint no %d\nf 1 2 3\n", i % NAMES);
     reader r;
-    accept(&r, text);
+    accept_text(&r, text);
     assert_int_equal(r.mesh.n_materials, NAMES);
     for (uint32_t i = 0; i < 2 * NAMES; i++)
         assert_int_equal(r.mesh.faces[i].material, i % NAMES);
@@ -227,7 +217,7 @@ static void a_polygon_of_256_corners_is_cut(void **state)
     for (int i = 0; i < 256; i++)
         n += (size_t)sprintf(text + n, " %d", i + 1);
     reader r;
-    accept(&r, text);
+    accept_text(&r, text);
     assert_int_equal(r.mesh.n_faces, 254);
     assert_int_equal(r.obj.dropped, 0);
     finish(&r);
@@ -237,7 +227,7 @@ static void triangles_without_area_are_left_out_and_counted(void **state)
 {
     (void)state;
     reader r;
-    accept(&r, TRIANGLE "v 2 0 0\nf 1 2 3\nf 1 2 4\nf 1 1 2\nf 1 2 4 3\n");
+    accept_text(&r, OBJ_TRIANGLE "v 2 0 0\nf 1 2 3\nf 1 2 4\nf 1 1 2\nf 1 2 4 3\n");
     assert_int_equal(r.mesh.n_faces, 3);        /* the quad has a straight corner */
     assert_int_equal(r.obj.dropped, 2);
     finish(&r);
@@ -247,11 +237,11 @@ static void a_new_scan_forgets_everything(void **state)
 {
     (void)state;
     reader r;
-    accept(&r, TRIANGLE "usemtl a\nf 1 2 3\n");
+    accept_text(&r, OBJ_TRIANGLE "usemtl a\nf 1 2 3\n");
     tp_obj_begin_count(&r.obj);
     assert_int_equal(tp_obj_feed(&r.obj, "f 1 2 x\n", 8, &r.err), TP_E_OBJ_NUMBER);
     tp_obj_begin_count(&r.obj);
-    assert_int_equal(tp_obj_feed(&r.obj, TRIANGLE "f 1 2 3", 31, &r.err), TP_OK);
+    assert_int_equal(tp_obj_feed(&r.obj, OBJ_TRIANGLE "f 1 2 3", 31, &r.err), TP_OK);
     assert_int_equal(tp_obj_end_count(&r.obj, &r.err), TP_OK);
     finish(&r);
 }
@@ -271,8 +261,8 @@ static void bad_files_get_code_line_and_numbers(void **state)
     (void)state;
     static const refusal refused[] = {
         { "", TP_E_OBJ_EMPTY, 1, 0, 0, "" },
-        { TRIANGLE, TP_E_OBJ_EMPTY, 4, 0, 0, "" },
-        { TRIANGLE "f 1 1 2\n", TP_E_OBJ_EMPTY, 5, 0, 0, "" },
+        { OBJ_TRIANGLE, TP_E_OBJ_EMPTY, 4, 0, 0, "" },
+        { OBJ_TRIANGLE "f 1 1 2\n", TP_E_OBJ_EMPTY, 5, 0, 0, "" },
         { "v 0 0\n", TP_E_OBJ_MISSING, 1, 3, 2, "v" },
         { "v\n", TP_E_OBJ_MISSING, 1, 3, 0, "v" },
         { "v 0 0 # 0\n", TP_E_OBJ_MISSING, 1, 3, 2, "v" },
@@ -286,27 +276,27 @@ static void bad_files_get_code_line_and_numbers(void **state)
         { "\n#\nv 4194304 0 0\n", TP_E_OBJ_RANGE, 3, TP_OBJ_RANGE, 0, "" },
         { "v 0 -4194304 0\n", TP_E_OBJ_RANGE, 1, TP_OBJ_RANGE, 0, "" },
         { "v 0 0 1e999999999999999999999\n", TP_E_OBJ_RANGE, 1, TP_OBJ_RANGE, 0, "" },
-        { TRIANGLE "f 0 1 2\n", TP_E_OBJ_ZERO, 4, 0, 0, "" },
-        { TRIANGLE "f 1 -0 2\n", TP_E_OBJ_ZERO, 4, 0, 0, "" },
-        { TRIANGLE "f 1/0 2/0 3/0\n", TP_E_OBJ_ZERO, 4, 0, 0, "" },
-        { TRIANGLE "f 1 2 3\nf 1 2 9\nf 1 2 3", TP_E_OBJ_VERTEX, 5, 9, 3, "" },
-        { "v 0 0 0\nf -1 -2 -1\n" TRIANGLE, TP_E_OBJ_VERTEX, 2, -2, 1, "" },
-        { TRIANGLE "f 1 2 99999999999999999999\n", TP_E_OBJ_VERTEX, 4, INT32_MAX, 3, "" },
-        { TRIANGLE "f 1 2 -99999999999999999999\n", TP_E_OBJ_VERTEX, 4, -INT32_MAX, 3,
+        { OBJ_TRIANGLE "f 0 1 2\n", TP_E_OBJ_ZERO, 4, 0, 0, "" },
+        { OBJ_TRIANGLE "f 1 -0 2\n", TP_E_OBJ_ZERO, 4, 0, 0, "" },
+        { OBJ_TRIANGLE "f 1/0 2/0 3/0\n", TP_E_OBJ_ZERO, 4, 0, 0, "" },
+        { OBJ_TRIANGLE "f 1 2 3\nf 1 2 9\nf 1 2 3", TP_E_OBJ_VERTEX, 5, 9, 3, "" },
+        { "v 0 0 0\nf -1 -2 -1\n" OBJ_TRIANGLE, TP_E_OBJ_VERTEX, 2, -2, 1, "" },
+        { OBJ_TRIANGLE "f 1 2 99999999999999999999\n", TP_E_OBJ_VERTEX, 4, INT32_MAX, 3, "" },
+        { OBJ_TRIANGLE "f 1 2 -99999999999999999999\n", TP_E_OBJ_VERTEX, 4, -INT32_MAX, 3,
           "" },
-        { TRIANGLE "f 1 2 4294967297\n", TP_E_OBJ_VERTEX, 4, INT32_MAX, 3, "" },
-        { TRIANGLE "vt 0 0\nf 1/1 2/1 3/2\n", TP_E_OBJ_TEXCOORD, 5, 2, 1, "" },
-        { TRIANGLE "f 1//1 2//1 3//1\nvn 0 0 1\nf 1//2 2//1 3//1", TP_E_OBJ_NORMAL, 6, 2,
+        { OBJ_TRIANGLE "f 1 2 4294967297\n", TP_E_OBJ_VERTEX, 4, INT32_MAX, 3, "" },
+        { OBJ_TRIANGLE "vt 0 0\nf 1/1 2/1 3/2\n", TP_E_OBJ_TEXCOORD, 5, 2, 1, "" },
+        { OBJ_TRIANGLE "f 1//1 2//1 3//1\nvn 0 0 1\nf 1//2 2//1 3//1", TP_E_OBJ_NORMAL, 6, 2,
           1, "" },
-        { TRIANGLE "f 1 2\n", TP_E_OBJ_EMPTY, 5, 0, 0, "" },
-        { TRIANGLE "f 1 2x\n", TP_E_OBJ_NUMBER, 4, 0, 0, "2x" },
-        { TRIANGLE "f 1 2//1\n", TP_E_OBJ_MIXED, 4, 0, 0, "" },
-        { TRIANGLE "vt 0 0\nf 1/1 2 3/1\n", TP_E_OBJ_MIXED, 5, 0, 0, "" },
-        { TRIANGLE "vn 0 0 1\nf 1//1 2//1 3\n", TP_E_OBJ_MIXED, 5, 0, 0, "" },
-        { TRIANGLE "f 1 2 3x\n", TP_E_OBJ_NUMBER, 4, 0, 0, "3x" },
-        { TRIANGLE "f 1 2 /3\n", TP_E_OBJ_NUMBER, 4, 0, 0, "/3" },
-        { TRIANGLE "f 1 2 3/1/1/1\n", TP_E_OBJ_NUMBER, 4, 0, 0, "3/1/1/1" },
-        { TRIANGLE "f 1 2 3.5\n", TP_E_OBJ_NUMBER, 4, 0, 0, "3.5" },
+        { OBJ_TRIANGLE "f 1 2\n", TP_E_OBJ_EMPTY, 5, 0, 0, "" },
+        { OBJ_TRIANGLE "f 1 2x\n", TP_E_OBJ_NUMBER, 4, 0, 0, "2x" },
+        { OBJ_TRIANGLE "f 1 2//1\n", TP_E_OBJ_MIXED, 4, 0, 0, "" },
+        { OBJ_TRIANGLE "vt 0 0\nf 1/1 2 3/1\n", TP_E_OBJ_MIXED, 5, 0, 0, "" },
+        { OBJ_TRIANGLE "vn 0 0 1\nf 1//1 2//1 3\n", TP_E_OBJ_MIXED, 5, 0, 0, "" },
+        { OBJ_TRIANGLE "f 1 2 3x\n", TP_E_OBJ_NUMBER, 4, 0, 0, "3x" },
+        { OBJ_TRIANGLE "f 1 2 /3\n", TP_E_OBJ_NUMBER, 4, 0, 0, "/3" },
+        { OBJ_TRIANGLE "f 1 2 3/1/1/1\n", TP_E_OBJ_NUMBER, 4, 0, 0, "3/1/1/1" },
+        { OBJ_TRIANGLE "f 1 2 3.5\n", TP_E_OBJ_NUMBER, 4, 0, 0, "3.5" },
         { "s smooth\n", TP_E_OBJ_NUMBER, 1, 0, 0, "smooth" },
         { "s -1\n", TP_E_OBJ_NUMBER, 1, 0, 0, "-1" },
         { "v 0 0 0\\\n\nv 0 0 \\\n\\\nx\n", TP_E_OBJ_NUMBER, 3, 0, 0, "x" },
@@ -409,16 +399,16 @@ static void calls_out_of_order_are_refused(void **state)
     assert_int_equal(tp_obj_feed(&r.obj, "#", 1, &r.err), TP_E_ARG);
     tp_obj_begin_count(&r.obj);
     assert_int_equal(tp_obj_finish(&r.obj, NULL, &r.mesh, NULL), TP_E_ARG);
-    accept(&r, TRIANGLE "f 1 2 3\n");
+    accept_text(&r, OBJ_TRIANGLE "f 1 2 3\n");
     tp_mtl_begin(&r.obj, 0);                    /* the file names no library */
     assert_int_equal(tp_mtl_feed(&r.obj, "#", 1, &r.err), TP_E_ARG);
     finish(&r);
-    accept(&r, TRIANGLE "f 1 2 3\n");
+    accept_text(&r, OBJ_TRIANGLE "f 1 2 3\n");
     assert_int_equal(tp_mtl_end(&r.obj, &r.err), TP_E_ARG);
     finish(&r);
     tp_obj_begin_count(&r.obj);
     assert_int_equal(tp_obj_feed(&r.obj, NULL, 0, &r.err), TP_OK);
-    assert_int_equal(tp_obj_feed(&r.obj, TRIANGLE "f 1 2 3\n", 32, &r.err), TP_OK);
+    assert_int_equal(tp_obj_feed(&r.obj, OBJ_TRIANGLE "f 1 2 3\n", 32, &r.err), TP_OK);
     assert_int_equal(tp_obj_end_count(&r.obj, &r.err), TP_OK);
     assert_int_equal(tp_obj_end_count(&r.obj, &r.err), TP_E_ARG);
 }

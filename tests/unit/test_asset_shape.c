@@ -297,7 +297,6 @@ int main(void)
 {
     static uint64_t seed;
     seed = random_seed();
-    printf("TP_SEED=%llu\n", (unsigned long long)seed);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_prestate(a_packed_direction_is_within_half_a_step, &seed),
         cmocka_unit_test(normals_of_the_file_are_made_unit),

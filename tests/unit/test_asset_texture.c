@@ -184,7 +184,6 @@ int main(void)
 {
     static uint64_t seed;
     seed = random_seed();
-    printf("TP_SEED=%llu\n", (unsigned long long)seed);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_bytes_are_those_of_all_levels),
         cmocka_unit_test(sizes_out_of_range_are_refused),

@@ -14,6 +14,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "tests/lib/asset_files.h"
 
 enum { ROWS = 16384, FACES = 8192, MATERIALS = 32, NAME = 64 };
 
@@ -33,18 +34,6 @@ typedef struct {
 static model full, low;
 
 /* -- reading ------------------------------------------------------------------------- */
-
-static FILE *open_asset(const char *name)
-{
-    const char *root = getenv("TP_ROOT");
-    char path[1024];
-    assert_true(snprintf(path, sizeof path, "%s/assets/%s", root ? root : ".", name)
-                < (int)sizeof path);
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        fail_msg("%s cannot be opened", path);
-    return file;
-}
 
 static int material_index(model *m, const char *name)
 {

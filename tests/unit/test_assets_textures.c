@@ -13,18 +13,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-static FILE *open_asset(const char *name)
-{
-    const char *root = getenv("TP_ROOT");
-    char path[1024];
-    assert_true(snprintf(path, sizeof path, "%s/assets/%s", root ? root : ".", name)
-                < (int)sizeof path);
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        fail_msg("%s cannot be opened", path);
-    return file;
-}
+#include "tests/lib/asset_files.h"
 
 typedef struct {
     int w, h;

@@ -56,16 +56,8 @@ static void draw(const tp_scene *s, const tp_assets *assets, const tp_world *wor
                           .tile_height = tile_height,
                           .format = TP_FORMAT_XRGB8888 };
     test_frame f = frame_of(s, assets, &c);
-    tp_tile tile;
 
-    tp_frame_begin(f.frame, world);
-    for (uint32_t i = 0; tp_frame_draw_tile(f.frame, i, f.scratch, &tile); i++) {
-        for (uint32_t y = tile.y0; y < tile.y1; y++)
-            memcpy(to + y * WIDTH + tile.x0,
-                   (const uint8_t *)tile.pixels + (y - tile.y0) * tile.stride,
-                   (tile.x1 - tile.x0) * sizeof *to);
-    }
-    assert_true(frame_guard_holds(f.block, f.bytes));
+    frame_draw_picture(&f, world, to);
     frame_free(&f);
 }
 

@@ -76,16 +76,8 @@ static void picture_of(const tp_scene *s, const tp_assets *assets, const tp_worl
                           .tile_height = tile_high,
                           .format = TP_FORMAT_XRGB8888 };
     test_frame f = frame_of(s, assets, &c);
-    tp_tile    tile;
 
-    tp_frame_begin(f.frame, world);
-    for (uint32_t i = 0; tp_frame_draw_tile(f.frame, i, f.scratch, &tile); i++)
-        for (uint32_t y = tile.y0; y < tile.y1; y++)
-            memcpy(pixels + y * WIDE + tile.x0,
-                   (const char *)tile.pixels + (y - tile.y0) * tile.stride,
-                   (tile.x1 - tile.x0) * sizeof *pixels);
-    assert_true(frame_guard_holds(f.block, f.bytes));
-    assert_true(frame_guard_holds(f.scratch, f.scratch_bytes));
+    frame_draw_picture(&f, world, pixels);
     frame_free(&f);
 }
 

@@ -9,18 +9,14 @@
 #include "../reference/clip.h"
 #include "geom/grid.h"
 #include "tests/lib/camera.h"
+#include "tests/lib/grids.h"
 
 #define LSB (1 / 65536.0)
 
 static uint64_t chance;
 
 /* A grid with its memory and all the data of its view. */
-/* View corner of a grid vertex, for a placed grid that stores its vertices. */
-static tp_view_vertex grid_corner(const tp_grid *grid, uint32_t i, uint32_t j)
-{
-    return tp_grid_make_view_vertex(grid, &grid->vertex[j * grid->cols + i], i, j);
-}
-
+/* A grid with its memory and all the data of its view. */
 typedef struct {
     tp_grid grid;
     void   *block;
@@ -30,18 +26,6 @@ typedef struct {
     tp_surface surface;
     tp_grid_view look;
 } pond;
-
-static void carve(pond *p, uint32_t cols, uint32_t rows)
-{
-    tp_arena count = tp_arena_init(NULL, 0);
-
-    tp_grid_carve(&p->grid, &count, cols, rows);
-    p->block = malloc(count.used);
-    memset(p->block, 0xa5, count.used);
-    tp_arena arena = tp_arena_init(p->block, count.used);
-    tp_grid_carve(&p->grid, &arena, cols, rows);
-    assert_false(arena.failed);
-}
 
 static void place(pond *p)
 {
@@ -75,7 +59,7 @@ static pond any_pond(uint32_t cols, uint32_t rows)
     tp_wave waves[TP_WAVES];
     const int count = chance_int(&chance, 0, 6);
 
-    carve(&p, cols, rows);
+    p.block = grid_block(&p.grid, cols, rows, false);
     for (int i = 0; i < count; i++)
         waves[i] = chance_wave(&chance);
     tp_sea_init(&p.sea, waves, (uint32_t)count, TP_FX(9.81));

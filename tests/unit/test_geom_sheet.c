@@ -10,14 +10,9 @@
 #include "tests/lib/measure.h"
 #include "tests/lib/coastal_water.h"
 #include "tests/lib/camera.h"
+#include "tests/lib/grids.h"
 
 static uint64_t chance;
-
-/* View corner of a grid vertex, for a placed grid that stores its vertices. */
-static tp_view_vertex grid_corner(const tp_grid *grid, uint32_t i, uint32_t j)
-{
-    return tp_grid_make_view_vertex(grid, &grid->vertex[j * grid->cols + i], i, j);
-}
 
 typedef struct {
     tp_grid grid;
@@ -28,20 +23,6 @@ typedef struct {
     tp_surface surface;
     tp_grid_view look;
 } beach;
-
-static void carve(beach *s, uint32_t cols, uint32_t rows)
-{
-    tp_arena count = tp_arena_init(NULL, 0);
-
-    tp_grid_carve(&s->grid, &count, cols, rows);
-    tp_grid_carve_ocean(&s->grid, &count);
-    s->block = malloc(count.used);
-    memset(s->block, 0xa5, count.used);
-    tp_arena arena = tp_arena_init(s->block, count.used);
-    tp_grid_carve(&s->grid, &arena, cols, rows);
-    tp_grid_carve_ocean(&s->grid, &arena);
-    assert_false(arena.failed);
-}
 
 /* A beach that rises from 8 m of water through the grid, with the eye anywhere above. */
 static void make(beach *s)
@@ -74,7 +55,8 @@ static void make(beach *s)
                               .cell = chance_fx(&chance, 0.5, 4),
                               .reach = random_below(&chance, 2) ? 500 * TP_FX_ONE : 0,
                               .follow = random_below(&chance, 2) > 0 };
-    carve(s, (uint32_t)chance_int(&chance, 2, 40), (uint32_t)chance_int(&chance, 2, 40));
+    const uint32_t cols = (uint32_t)chance_int(&chance, 2, 40);
+    s->block = grid_block(&s->grid, cols, (uint32_t)chance_int(&chance, 2, 40), true);
     tp_grid_place(&s->grid, &s->look);
 }
 

@@ -9,6 +9,7 @@
 #include "geom/grid.h"
 #include "tests/lib/deep_water.h"
 #include "tests/lib/camera.h"
+#include "tests/lib/grids.h"
 
 static uint64_t chance;
 
@@ -23,18 +24,6 @@ typedef struct {
     tp_surface surface;
     tp_grid_view look;
 } pond;
-
-static void carve(pond *p)
-{
-    tp_arena count = tp_arena_init(NULL, 0);
-
-    tp_grid_carve(&p->grid, &count, SIDE, SIDE);
-    p->block = malloc(count.used);
-    memset(p->block, 0xa5, count.used);
-    tp_arena arena = tp_arena_init(p->block, count.used);
-    tp_grid_carve(&p->grid, &arena, SIDE, SIDE);
-    assert_false(arena.failed);
-}
 
 static void place(pond *p)
 {
@@ -60,7 +49,7 @@ static void make(pond *p, ocean sea, double cell, double reach)
     p->look.cell = (tp_fx)(cell * 65536);
     p->look.reach = (tp_fx)(reach * 65536);
     p->look.follow = true;
-    carve(p);
+    p->block = grid_block(&p->grid, SIDE, SIDE, false);
     place(p);
 }
 
