@@ -39,9 +39,11 @@ one()           # SCENE: its figures, or the reason why there are none
     pieces_of "$elf" >"$to.pieces"
     links_no_more "$to.pieces" "build/cortex-m/baked/$1.c" || return 1
     arm-none-eabi-nm -t d -n -l --defined-only "$elf" >"$to.symbols"
-    awk -v scene="$1" -f tests/budgets/stages.awk "$to.symbols" "$to.said" "$to.counts" |
+    awk -v scene="$1" -f tests/lib/symbol_at.awk \
+        -f tests/budgets/stages.awk "$to.symbols" "$to.said" "$to.counts" |
         LC_ALL=C sort >"$to.figures"
-    [ -n "$whole" ] || awk -v scene="$1" -v functions=1 -f tests/budgets/stages.awk \
+    [ -n "$whole" ] || awk -v scene="$1" -v functions=1 \
+        -f tests/lib/symbol_at.awk -f tests/budgets/stages.awk \
         "$to.symbols" "$to.said" "$to.counts" >"$to.functions"
 }
 waited=

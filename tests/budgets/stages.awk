@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Figures of one scene on the board by stage, for budgets.awk and for people.
 #
-#   awk -v scene=NAME [-v functions=1] -f tests/budgets/stages.awk SYMBOLS SAID COUNTS
+#   awk -v scene=NAME [-v functions=1] -f tests/lib/symbol_at.awk \
+#       -f tests/budgets/stages.awk SYMBOLS SAID COUNTS
 #
 # SYMBOLS is the output of nm, sorted, in decimal, with files; SAID is the board's output,
 # COUNTS the plugin's counts. Prints lines
@@ -24,20 +25,6 @@ FILENAME == ARGV[1] {
     at = symbol_at($6)
     insns[$3 " " at] += $5
     total[$3] += $5
-}
-
-function symbol_at(address,    low, high, middle)
-{
-    low = 1
-    high = symbols
-    while (low < high) {
-        middle = int((low + high + 1) / 2)
-        if (start[middle] <= address)
-            low = middle
-        else
-            high = middle - 1
-    }
-    return low
 }
 
 # Stage of a file's functions: for shading the file's own name.

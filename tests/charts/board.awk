@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Joins the output of board.c and the counts of the plugin, a line a picture; see board.sh.
 #
-#   awk -v pictures=N -f tests/charts/board.awk SYMBOLS SAID COUNTS
+#   awk -v pictures=N -f tests/lib/symbol_at.awk \
+#       -f tests/charts/board.awk SYMBOLS SAID COUNTS
 #
 # SYMBOLS: the output of nm, sorted, in decimal, with files.
 FNR == 1 { file++ }
@@ -29,20 +30,6 @@ function finds(account, place)
 {
     return account == "frame" ? place !~ /^(shade|pixel)$/ \
          : account == "tiles" && place ~ /^(geom|raster|frame|wave)$/
-}
-
-function symbol_at(address,    low, high, middle)
-{
-    low = 1
-    high = symbols
-    while (low < high) {
-        middle = int((low + high + 1) / 2)
-        if (start[middle] <= address)
-            low = middle
-        else
-            high = middle - 1
-    }
-    return low
 }
 
 END {

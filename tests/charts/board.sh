@@ -43,5 +43,5 @@ x86)
 esac || { cat "$scratch/said" >&2; grep -v ^count "$scratch/counts" >&2; exit 1; }
 
 $nm -t d -n -l --defined-only "$elf" >"$scratch/symbols" &&
-    awk -v pictures="$pictures" -f tests/charts/board.awk "$scratch/symbols" \
-        "$scratch/said" "$scratch/counts"
+    awk -v pictures="$pictures" -f tests/lib/symbol_at.awk -f tests/charts/board.awk \
+        "$scratch/symbols" "$scratch/said" "$scratch/counts"

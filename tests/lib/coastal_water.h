@@ -15,9 +15,9 @@ typedef struct {
     tp_ocean_config config;
     tp_sea sea;
     tp_ocean *ocean;
-} ocean_made;
+} coastal_water;
 
-static inline void ocean_build(ocean_made *o)
+static inline void coastal_build(coastal_water *o)
 {
     tp_error err;
     tp_sea_init(&o->sea, o->wave, o->count, TP_FX(9.81));
@@ -29,20 +29,20 @@ static inline void ocean_build(ocean_made *o)
         tp_ocean_init(o->ocean, &o->config, &o->sea, o->wave, o->count, &err), TP_OK);
 }
 
-static inline void ocean_end(ocean_made *o)
+static inline void coastal_end(coastal_water *o)
 {
     free(o->ocean);
 }
 
-static inline tp_ocean_config ocean_usual(void)
+static inline tp_ocean_config coastal_usual(void)
 {
     return (tp_ocean_config){
         .k0 = TP_FX(0.1), .kx = TP_FX(0.11), .ky = TP_FX(0.09), .stretch = TP_FX_ONE,
     };
 }
 
-static inline tp_wave ocean_wave(double amplitude, double length, double steepness,
-                                 double heading)
+static inline tp_wave coastal_wave(double amplitude, double length, double steepness,
+                                   double heading)
 {
     return (tp_wave){
         .amplitude = (tp_fx)lround(amplitude * 65536),
@@ -68,7 +68,7 @@ static inline tp_floor shore(double depth, double slope, double heading)
 /* Phase of coastal water with a single sine wave (steepness 0: particles move vertically
  * only), in turns of Phi in [A7]: y = -V cos Phi now and V sin Phi a quarter period
  * later. */
-static inline double ocean_phase(const ocean_made *o, tp_fx x, tp_fx z)
+static inline double coastal_phase(const coastal_water *o, tp_fx x, tp_fx z)
 {
     const tp_turn now[TP_WAVES] = { 0 }, later[TP_WAVES] = { 0x40000000u };
     const double c = -tp_ocean_displace_smooth(o->ocean, now, x, z).position.y;
@@ -77,7 +77,7 @@ static inline double ocean_phase(const ocean_made *o, tp_fx x, tp_fx z)
 }
 
 /* Returns b - a, reduced to the nearest turn. */
-static inline double ocean_turns_from(double a, double b)
+static inline double coastal_turns_from(double a, double b)
 {
     return b - a - round(b - a);
 }
@@ -86,12 +86,12 @@ static inline double ocean_turns_from(double a, double b)
 typedef struct {
     uint16_t *sample;
     tp_grey   picture;
-} ocean_picture;
+} coastal_picture;
 
-static inline ocean_picture ocean_slope_picture(const tp_floor *slope, uint32_t side,
-                                                double size, tp_floor *map)
+static inline coastal_picture coastal_slope_picture(const tp_floor *slope, uint32_t side,
+                                                    double size, tp_floor *map)
 {
-    ocean_picture p = { .sample = malloc(side * side * sizeof(uint16_t)) };
+    coastal_picture p = { .sample = malloc(side * side * sizeof(uint16_t)) };
     const double a = slope->heading * LSB * 3.14159265358979323846 / 180;
     const double half = size * 0.75 * slope->slope * LSB;
     const double middle = -slope->depth * LSB;

@@ -22,9 +22,9 @@ typedef struct {
     tp_turn phases[TP_WAVES];
     double  ref_phases[TP_WAVES];
     uint64_t tick;
-} ocean;
+} deep_water;
 
-static inline void ocean_settle(ocean *o)
+static inline void deep_water_settle(deep_water *o)
 {
     tp_sea_init(&o->sea, o->wave, (uint32_t)o->count, o->gravity);
     o->ref = ref_sea_of(o->wave, o->count, o->gravity);
@@ -34,23 +34,23 @@ static inline void ocean_settle(ocean *o)
 }
 
 /* One to `most` random waves from the whole ranges of the parameter table. */
-static inline ocean ocean_any(uint64_t *chance, int most)
+static inline deep_water deep_water_any(uint64_t *chance, int most)
 {
-    ocean o = { .count = chance_int(chance, 1, most) };
+    deep_water o = { .count = chance_int(chance, 1, most) };
 
     for (int i = 0; i < o.count; i++)
         o.wave[i] = chance_wave(chance);
     o.gravity = chance_scale(chance, 0.1, 100);
     o.tick = random_next(chance) % TEN_YEARS;
-    ocean_settle(&o);
+    deep_water_settle(&o);
     return o;
 }
 
 /* Waves as usual scenes have them: 1 m or longer, at most as high as a seventh of the
  * length. */
-static inline ocean ocean_usual(uint64_t *chance, int most, double steepness)
+static inline deep_water deep_water_usual(uint64_t *chance, int most, double steepness)
 {
-    ocean o = { .count = chance_int(chance, 1, most), .gravity = TP_FX(9.81) };
+    deep_water o = { .count = chance_int(chance, 1, most), .gravity = TP_FX(9.81) };
 
     for (int i = 0; i < o.count; i++) {
         o.wave[i] = chance_wave(chance);
@@ -62,23 +62,23 @@ static inline ocean ocean_usual(uint64_t *chance, int most, double steepness)
         o.wave[i].speed = TP_FX_ONE;
     }
     o.tick = random_next(chance) % TEN_YEARS;
-    ocean_settle(&o);
+    deep_water_settle(&o);
     return o;
 }
 
 /* Gives the waves random powers of [A3]. */
-static inline void ocean_sharpen(uint64_t *chance, ocean *o)
+static inline void deep_water_sharpen(uint64_t *chance, deep_water *o)
 {
     for (int i = 0; i < o->count; i++)
         o->wave[i].power = chance_int(chance, 0, 8);
-    ocean_settle(o);
+    deep_water_settle(o);
 }
 
 /* Bound of a wave's phase error, in radians.  Wave numbers in turns per metre are rounded
  * to Q0.32; directions have 28 bits (rotations, fx.h) and a heading of 2^-31 turn; phases
  * are truncated to 2^-32 turn four times; the clock errs by 2^-62 turn per tick (speed up
  * to 8). */
-static inline double phase_error(const ocean *o, int i, double x0, double z0)
+static inline double phase_error(const deep_water *o, int i, double x0, double z0)
 {
     const double e32 = 1 / 4294967296.0, way = fabs(x0) + fabs(z0);
     const double direction = 7e-9 + 2 * PI * 2 * e32;
@@ -99,7 +99,7 @@ static inline double turn_most(const ref_wave *w)
 }
 
 /* Bound of the height error: each wave's profile, A rounded to 16.16, the sum rounded. */
-static inline double height_error(const ocean *o, double x0, double z0)
+static inline double height_error(const deep_water *o, double x0, double z0)
 {
     double sum = LSB;
     for (int i = 0; i < o->ref.count; i++) {
@@ -111,7 +111,7 @@ static inline double height_error(const ocean *o, double x0, double z0)
 
 /* Bound of the error in x or z: QA is Q k A L / 2 pi, L has a relative error of 2.5e-7, and
  * two roundings. */
-static inline double place_error(const ocean *o, double x0, double z0)
+static inline double place_error(const deep_water *o, double x0, double z0)
 {
     double sum = LSB;
     for (int i = 0; i < o->ref.count; i++) {
@@ -125,7 +125,7 @@ static inline double place_error(const ocean *o, double x0, double z0)
  * half an LSB and L by 2.5e-7 relative, J the sum of q sin th with q off by 2e-8; N
  * consists of products of both.  Slopes have an error of one LSB and are clamped to
  * 7.99. */
-static inline double normal_error(const ocean *o, const ref_point *p, double x0,
+static inline double normal_error(const deep_water *o, const ref_point *p, double x0,
                                   double z0)
 {
     double h = 1 / 16777216.0, j = 1 / 268435456.0;
@@ -179,7 +179,7 @@ static inline void errors_print(const errors *e)
 
 /* Compares the point with rest position (x, z) with the reference, within the bounds
  * above. */
-static inline void ocean_compare(const ocean *o, tp_fx x, tp_fx z, errors *e)
+static inline void deep_water_compare(const deep_water *o, tp_fx x, tp_fx z, errors *e)
 {
     const double x0 = x * LSB, z0 = z * LSB;
     ref_point want = ref_at_rest(&o->ref, o->ref_phases, x0, z0);

@@ -22,11 +22,11 @@ static int times(int usual)
     return getenv("TP_SOAK") != NULL ? 20 * usual : usual;
 }
 
-static ocean_made one_wave(double length, double amplitude, double steepness,
-                           double heading)
+static coastal_water one_wave(double length, double amplitude, double steepness,
+                              double heading)
 {
-    ocean_made o = { .count = 1, .config = ocean_usual() };
-    o.wave[0] = ocean_wave(amplitude, length, steepness, heading);
+    coastal_water o = { .count = 1, .config = coastal_usual() };
+    o.wave[0] = coastal_wave(amplitude, length, steepness, heading);
     return o;
 }
 
@@ -42,7 +42,7 @@ static tp_floor floor_of(double depth, double slope, double up)
 typedef struct { double up, along; } extent;
 
 /* Largest displacements over all phases at the origin, m; `whole`: with breaking. */
-static extent extent_of(const ocean_made *o, bool whole)
+static extent extent_of(const coastal_water *o, bool whole)
 {
     extent e = { 0, 0 };
 
@@ -66,16 +66,16 @@ static void heights_go_to_0_with_the_depth(void **state)
         const double h = ldexp(1, e);
         printf("# h = %-10.6g", h);
         for (double length = 2; length <= 200; length *= 10) {
-            ocean_made o = one_wave(length, length / 20, 0.95, 90);
+            coastal_water o = one_wave(length, length / 20, 0.95, 90);
             o.config.floor = floor_of(h, 0, 0);
-            ocean_build(&o);
+            coastal_build(&o);
             const extent s = extent_of(&o, false);
             const double k = ref_depth_number(2 * PI / length, fmax(h, 1 / 16.0));
             printf("   %.3f %9.5f", s.up / h, s.along);
             assert_true(s.up <= 0.39 * h + LSB);
             assert_true(s.along <= 0.951 / k + 2 * LSB);
             assert_true(h >= 1 / 16.0 || s.along <= 0.951 / k * h * 16 + 2 * LSB);
-            ocean_end(&o);
+            coastal_end(&o);
         }
         printf("\n");
     }
@@ -85,7 +85,7 @@ static void heights_go_to_0_with_the_depth(void **state)
 
 /* Largest step of the surface over steps of 1/64 m towards the shore, from 30 m before to 2
  * m behind the shore, in m. */
-static double jump_to_shore(const ocean_made *o, double shore, double z)
+static double jump_to_shore(const coastal_water *o, double shore, double z)
 {
     const double d = 1 / 64.0;
     double most = 0;
@@ -114,20 +114,20 @@ static double jump_to_shore(const ocean_made *o, double shore, double z)
  * enough. */
 static void walk(double slope, double length, double heading, double stretch[2])
 {
-    ocean_made o = one_wave(length, length / 30, 0.5, heading);
-    ocean_made edge = o;
+    coastal_water o = one_wave(length, length / 30, 0.5, heading);
+    coastal_water edge = o;
     o.config.floor = floor_of(8, slope, 90);
     edge.config.floor = floor_of(1 / 16.0, slope, 90);
-    ocean_build(&o);
-    ocean_build(&edge);
+    coastal_build(&o);
+    coastal_build(&edge);
     const double along = extent_of(&edge, false).along;
     const double z = chance_double(&chance, -20, 20);
     const double jump = 64 * jump_to_shore(&o, 8 / slope, z);
     stretch[0] = fmax(stretch[0], jump);
     stretch[1] = fmax(stretch[1], 2.5 + 16 * slope * along * (1 + slope));
     assert_true(jump <= 2.5 + 16 * slope * along * (1 + slope));
-    ocean_end(&o);
-    ocean_end(&edge);
+    coastal_end(&o);
+    coastal_end(&edge);
 }
 
 static void the_surface_ends_at_the_shore_without_a_jump(void **state)
@@ -164,16 +164,16 @@ static void on_slopes_water_climbs_no_more_than_the_floor(void **state)
         const double h = chance_scale(&chance, 0.01, 8) * LSB;
         const double slope = chance_double(&chance, 0, 1);
         const bool ahead = n % 2;
-        ocean_made o = one_wave(length, length / 25, chance_double(&chance, 0, 0.95),
-                                ahead ? 90 : 270);
+        coastal_water o = one_wave(length, length / 25, chance_double(&chance, 0, 0.95),
+                                   ahead ? 90 : 270);
         o.config.floor = floor_of(h, slope, 90);
-        ocean_build(&o);
+        coastal_build(&o);
         const extent s = extent_of(&o, false), w = extent_of(&o, true);
         const double tilted = ahead ? slope * s.along : 0;
         assert_true(s.up <= 0.39 * h * (1 + slope) + tilted + 3 * LSB);
         climbs = fmax(climbs, s.up / h);
         whole = fmax(whole, w.up / h);
-        ocean_end(&o);
+        coastal_end(&o);
     }
     printf("# slopes up to 1: water up to %.2f depths high, with what breaks %.2f\n",
            climbs, whole);
@@ -234,11 +234,11 @@ static void at_a_cliff_the_surface_stays_within_its_reach(void **state)
         const double low = chance_double(&chance, -40, -2);
         const double high = n % 2 ? chance_double(&chance, 0.1, 40)
                                   : chance_double(&chance, low / 2, -0.2);
-        ocean_made o = one_wave(chance_fx(&chance, 5, 60) * LSB, 0.5, 0.5,
-                                n % 3 ? 90 : chance_double(&chance, 0, 360));
+        coastal_water o = one_wave(chance_fx(&chance, 5, 60) * LSB, 0.5, 0.5,
+                                   n % 3 ? 90 : chance_double(&chance, 0, 360));
         draw_cliff();
         o.config.floor = map_of(low, high);
-        ocean_build(&o);
+        coastal_build(&o);
         double rise = 0;
         for (double x = -5; x < 5; x += 0.01)
             rise = fmax(rise, LSB
@@ -247,7 +247,7 @@ static void at_a_cliff_the_surface_stays_within_its_reach(void **state)
         printf("# %6.2f to %6.2f  %5.2f  %.1f mm\n", low, high, rise, 1000 * jump);
         assert_true(rise <= 8);
         assert_true(jump <= 2 * tp_ocean_max_displacement(o.ocean) * LSB);
-        ocean_end(&o);
+        coastal_end(&o);
     }
 }
 
@@ -261,7 +261,8 @@ typedef struct {
 
 /* The phase's gradient by points 0.1 m apart; the particles' own direction by a particle a
  * quarter turn behind the trough. */
-static void look_at(const ocean_made *o, const ocean_made *moving, double heading, run *r)
+static void look_at(const coastal_water *o, const coastal_water *moving, double heading,
+                    run *r)
 {
     const tp_fx x = chance_fx(&chance, -170, 170), z = chance_fx(&chance, -170, 170);
     const tp_fx d = TP_FX(0.1), least = TP_FX(0.5);
@@ -270,9 +271,9 @@ static void look_at(const ocean_made *o, const ocean_made *moving, double headin
         || tp_ocean_floor(o->ocean, x + d, z).depth < least
         || tp_ocean_floor(o->ocean, x, z + d).depth < least)
         return;
-    const double here = ocean_phase(o, x, z);
-    const double on_x = ocean_turns_from(here, ocean_phase(o, x + d, z));
-    const double on_z = ocean_turns_from(here, ocean_phase(o, x, z + d));
+    const double here = coastal_phase(o, x, z);
+    const double on_x = coastal_turns_from(here, coastal_phase(o, x + d, z));
+    const double on_z = coastal_turns_from(here, coastal_phase(o, x, z + d));
     const tp_turn phases[TP_WAVES] = {
         (tp_turn)(uint64_t)llround((1.25 - here) * 4294967296.0)
     };
@@ -285,18 +286,18 @@ static void look_at(const ocean_made *o, const ocean_made *moving, double headin
 
 static run crests_over(const tp_floor *floor, double length, double degrees)
 {
-    ocean_made o = one_wave(length, length / 40, 0, degrees), moving;
+    coastal_water o = one_wave(length, length / 40, 0, degrees), moving;
     run r = { 0, 0, 0 };
 
     o.config.floor = *floor;
     moving = o;
     moving.wave[0].steepness = TP_FX(0.3);
-    ocean_build(&o);
-    ocean_build(&moving);
+    coastal_build(&o);
+    coastal_build(&moving);
     for (int n = 0; n < 3000; n++)
         look_at(&o, &moving, degrees * PI / 180, &r);
-    ocean_end(&o);
-    ocean_end(&moving);
+    coastal_end(&o);
+    coastal_end(&moving);
     return r;
 }
 
@@ -359,7 +360,7 @@ static void crests_run_backwards_over_no_slope_and_hardly_any_map(void **state)
 
 /* Smallest step of the surface for a step of the rest position, relative: below 0 the crest
  * has a loop. */
-static double least_step(const ocean_made *o, double length)
+static double least_step(const coastal_water *o, double length)
 {
     const tp_fx d = (tp_fx)(length / 512 * 65536) + 1;
     double least = 9;
@@ -391,13 +392,13 @@ static void no_wind_makes_loops(void **state)
             for (int k = 0; k < times(12); k++) {
                 const double length = chance_scale(&chance, 5, 300) * LSB;
                 const double amplitude = fmin(16, length / 18);
-                ocean_made o = one_wave(length, amplitude, 1, 90);
+                coastal_water o = one_wave(length, amplitude, 1, 90);
                 o.config.wind = (tp_fx)lround(push[i] / amplitude * 65536);
                 o.config.wind_heading = TP_FX(90);
                 o.config.floor = floor_of(depth[n], 0, 0);
-                ocean_build(&o);
+                coastal_build(&o);
                 least = fmin(least, least_step(&o, length));
-                ocean_end(&o);
+                coastal_end(&o);
             }
             printf("  %7.4f", least);
             assert_true(least > 0.04);          /* 1 - 0.951, and roundings */
@@ -410,7 +411,7 @@ static void no_wind_makes_loops(void **state)
 
 /* Largest height of grid points `cell` apart, and largest error between the points, where a
  * line joins two neighbours; relative to the wave's height. */
-static extent alias_of(const ocean_made *o, double cell, double height)
+static extent alias_of(const coastal_water *o, double cell, double height)
 {
     const tp_turn phases[TP_WAVES] = { (tp_turn)random_next(&chance) };
     extent e = { 0, 0 };
@@ -437,9 +438,9 @@ static void waves_shorter_than_two_cells_stay_within_their_height(void **state)
     printf("# points a wave  highest  missed between points  1 - cos(pi / points)\n");
     for (int i = 0; i < 8; i++) {
         const double length = chance_scale(&chance, 4, 40) * LSB;
-        ocean_made o = one_wave(length, length / 40, 0, 90);
+        coastal_water o = one_wave(length, length / 40, 0, 90);
         o.config.floor = floor_of(20, 0, 0);
-        ocean_build(&o);
+        coastal_build(&o);
         const double height = tp_ocean_max_height(o.ocean) * LSB;
         const double k = ref_depth_number(2 * PI / length, 20);
         const extent at = extent_of(&o, false);
@@ -448,7 +449,7 @@ static void waves_shorter_than_two_cells_stay_within_their_height(void **state)
         printf("# %13.2f  %7.4f  %21.4f  %20.4f\n", points[i], e.up, e.along, model);
         assert_true(e.up * at.up <= height);
         assert_true(e.up <= 1.005 && e.along <= model + 0.01);
-        ocean_end(&o);
+        coastal_end(&o);
     }
 }
 

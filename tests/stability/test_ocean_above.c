@@ -31,22 +31,22 @@ typedef struct {
     int    places;
 } search;
 
-static ocean_made sea_over(const tp_floor *floor, double steepness)
+static coastal_water sea_over(const tp_floor *floor, double steepness)
 {
-    ocean_made o = { .count = (uint32_t)chance_int(&chance, 1, 6),
-                     .config = ocean_usual() };
+    coastal_water o = { .count = (uint32_t)chance_int(&chance, 1, 6),
+                        .config = coastal_usual() };
 
     for (uint32_t i = 0; i < o.count; i++) {
         const double length = chance_scale(&chance, 2, 80) * LSB;
-        o.wave[i] = ocean_wave(length / 40, length, steepness / o.count,
-                               chance_double(&chance, 0, 360));
+        o.wave[i] = coastal_wave(length / 40, length, steepness / o.count,
+                                 chance_double(&chance, 0, 360));
     }
     o.config.floor = *floor;
-    ocean_build(&o);
+    coastal_build(&o);
     return o;
 }
 
-static void search_one(const ocean_made *o, search *s)
+static void search_one(const coastal_water *o, search *s)
 {
     const tp_fx x = chance_fx(&chance, -60, 60), z = chance_fx(&chance, -60, 60);
     tp_fx rest[2] = { x, z };
@@ -74,10 +74,10 @@ static void search_all(const char *where, const tp_floor *floor, double steepnes
     search s = { 0, 0, 0 };
 
     for (int n = 0; n < times(150); n++) {
-        ocean_made o = sea_over(floor, steepness);
+        coastal_water o = sea_over(floor, steepness);
         for (int k = 0; k < 20; k++)
             search_one(&o, &s);
-        ocean_end(&o);
+        coastal_end(&o);
     }
     printf("# %-12s %.2f %12.5f %9.5f\n", where, steepness, s.worst,
            sqrt(s.squares / s.places));

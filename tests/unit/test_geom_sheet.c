@@ -18,7 +18,7 @@ typedef struct {
     tp_grid grid;
     void   *block;
     view    v;
-    ocean_made ocean;
+    coastal_water ocean;
     tp_turn phases[TP_WAVES];
     tp_surface surface;
     tp_grid_view look;
@@ -33,13 +33,13 @@ static void make(beach *s)
     memset(s, 0, sizeof *s);
     s->ocean.count = (uint32_t)chance_int(&chance, 1, 3);
     for (uint32_t i = 0; i < s->ocean.count; i++)
-        s->ocean.wave[i] = ocean_wave(chance_double(&chance, 0.05, 0.4),
-                                      chance_double(&chance, 8, 40), 0.15,
-                                      chance_double(&chance, 0, 360));
-    s->ocean.config = ocean_usual();
+        s->ocean.wave[i] =
+            coastal_wave(chance_double(&chance, 0.05, 0.4), chance_double(&chance, 8, 40),
+                         0.15, chance_double(&chance, 0, 360));
+    s->ocean.config = coastal_usual();
     s->ocean.config.floor = (tp_floor){ .depth = 8 * TP_FX_ONE, .slope = TP_FX(0.15),
                                         .heading = chance_fx(&chance, 0, 360) };
-    ocean_build(&s->ocean);
+    coastal_build(&s->ocean);
     tp_sea_phases(&s->ocean.sea, random_next(&chance) >> 30, 0, s->phases);
     s->v = view_of(eye, (tp_turn)random_next(&chance),
                    tp_turn_of_degrees(chance_fx(&chance, -80, 10)),
@@ -63,7 +63,7 @@ static void make(beach *s)
 static void beach_free(beach *s)
 {
     free(s->block);
-    ocean_end(&s->ocean);
+    coastal_end(&s->ocean);
 }
 
 /* The point of the coastal water itself, faded. */

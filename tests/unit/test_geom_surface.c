@@ -16,7 +16,7 @@ enum { RINGS = 5 };
 static uint64_t chance;
 
 typedef struct {
-    ocean_made  sea;            /* without coastal water unless built */
+    coastal_water sea; /* without coastal water unless built */
     tp_turn     phases[TP_WAVES];
     tp_ring_now ring[RINGS];
     tp_pool    *pool, *field;
@@ -40,9 +40,9 @@ static tp_surface surface_make(water *w, double q)
     memset(w, 0, sizeof *w);
     w->sea.count = 4;
     for (int i = 0; i < 4; i++)
-        w->sea.wave[i] = ocean_wave(chance_double(&chance, 0.1, 0.8),
-                                    chance_double(&chance, 8, 60), q / 4,
-                                    chance_double(&chance, -90, 90));
+        w->sea.wave[i] =
+            coastal_wave(chance_double(&chance, 0.1, 0.8), chance_double(&chance, 8, 60),
+                         q / 4, chance_double(&chance, -90, 90));
     tp_sea_init(&w->sea.sea, w->sea.wave, 4, TP_FX(9.81));
     tp_sea_phases(&w->sea.sea, random_below(&chance, 1 << 20), 0, w->phases);
     for (int i = 0; i < RINGS; i++) {
@@ -69,7 +69,7 @@ static void water_end(water *w)
 {
     free(w->pool);
     free(w->field);
-    ocean_end(&w->sea);
+    coastal_end(&w->sea);
 }
 
 /* -- relief -------------------------------------------------------------------------- */
@@ -178,14 +178,14 @@ static void above_the_open_sea_is_the_sea_and_the_relief(void **state)
 static void ocean_make(water *w, tp_surface *s, double q, bool floor)
 {
     *s = surface_make(w, q);
-    w->sea.config = ocean_usual();
+    w->sea.config = coastal_usual();
     if (floor) {
         w->sea.config.floor.depth = chance_fx(&chance, 4, 20);
         w->sea.config.floor.slope = TP_FX(0.02);
     } else {
         w->sea.config.wind = TP_FX(0.02);
     }
-    ocean_build(&w->sea);
+    coastal_build(&w->sea);
     s->ocean = w->sea.ocean;
 }
 

@@ -20,7 +20,7 @@ typedef struct {
     tp_grid grid;
     void   *block;
     view    v;
-    ocean   sea;
+    deep_water sea;
     tp_surface surface;
     tp_grid_view look;
 } pond;
@@ -37,7 +37,7 @@ static void place(pond *p)
     tp_grid_place(&p->grid, &p->look);
 }
 
-static void make(pond *p, ocean sea, double cell, double reach)
+static void make(pond *p, deep_water sea, double cell, double reach)
 {
     const tp_vec3 eye = { chance_fx(&chance, -500, 500), chance_fx(&chance, 0.5, 20),
                           chance_fx(&chance, -500, 500) };
@@ -96,8 +96,8 @@ static ref_point faded(ref_point p, double x0, double z0, double fade, bool cros
 /* Bound of the normal's error.  The normal is computed from sines and 16-bit numbers: each
  * product errs by 2^-16 of the number and by half a bit of its own format, two products for
  * each swell.  Slopes are in Q.12. */
-static double coarse_normal_error(const ocean *o, const tp_grid *grid, const ref_point *p,
-                                  double x0, double z0)
+static double coarse_normal_error(const deep_water *o, const tp_grid *grid,
+                                  const ref_point *p, double x0, double z0)
 {
     const double bit = ldexp(1, -grid->frame.tilt), e = 2 / 65536.0;
     double h = 0, j = 1e-8;
@@ -178,7 +178,7 @@ static void usual_seas_are_right_to_a_quarter_millimetre_and_a_fiftieth_of_a_deg
 
     for (int n = 0; n < 600; n++) {
         pond p;
-        make(&p, ocean_usual(&chance, 8, chance_double(&chance, 0, 0.7)),
+        make(&p, deep_water_usual(&chance, 8, chance_double(&chance, 0, 0.7)),
              chance_double(&chance, 0.2, 5), n % 2 ? 0 : 300);
         compare_some(&p, true, &e);
         pond_free(&p);
@@ -193,7 +193,7 @@ static void any_legal_sea_follows_the_models(void **state)
 
     for (int n = 0; n < 600; n++) {
         pond p;
-        make(&p, ocean_any(&chance, TP_WAVES), chance_double(&chance, 0.05, 20),
+        make(&p, deep_water_any(&chance, TP_WAVES), chance_double(&chance, 0.05, 20),
              n % 2 ? 0 : 4000);
         compare_some(&p, false, &e);
         pond_free(&p);
@@ -208,8 +208,9 @@ static void sharpened_seas_follow_the_models(void **state)
 
     for (int n = 0; n < 400; n++) {
         pond p;
-        ocean sea = n % 2 ? ocean_any(&chance, TP_WAVES) : ocean_usual(&chance, 8, 0.5);
-        ocean_sharpen(&chance, &sea);
+        deep_water sea =
+            n % 2 ? deep_water_any(&chance, TP_WAVES) : deep_water_usual(&chance, 8, 0.5);
+        deep_water_sharpen(&chance, &sea);
         make(&p, sea, chance_double(&chance, 0.2, 5), n % 4 < 2 ? 0 : 300);
         compare_some(&p, false, &e);
         pond_free(&p);
@@ -243,9 +244,9 @@ static void where_a_run_begins_does_not_show(void **state)
         pond p;
         tp_vertex_row row;
         tp_grid_vertex whole[SIDE], parts[SIDE];
-        ocean sea = ocean_any(&chance, TP_WAVES);
+        deep_water sea = deep_water_any(&chance, TP_WAVES);
         if (n % 4 == 0)
-            ocean_sharpen(&chance, &sea);
+            deep_water_sharpen(&chance, &sea);
         make(&p, sea, chance_double(&chance, 0.2, 5), 0);
         row.line = p.grid.row[random_below(&chance, SIDE)];
         tp_vertex_rest_z(&p.grid.frame, row.line.place, row.rest);
@@ -278,9 +279,9 @@ static void rings_lie_on_the_displaced_water(void **state)
 
     for (int n = 0; n < 200; n++) {
         pond p;
-        ocean sea = ocean_usual(&chance, 4, 0.5);
+        deep_water sea = deep_water_usual(&chance, 4, 0.5);
         if (n % 4 == 0)
-            ocean_sharpen(&chance, &sea);
+            deep_water_sharpen(&chance, &sea);
         make(&p, sea, 0.5, n % 2 ? 0 : 300);
         const tp_ring ring = {
             .x = p.grid.column[SIDE / 2].place, .z = p.grid.row[SIDE / 2].place,

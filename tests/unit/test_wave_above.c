@@ -21,7 +21,7 @@ static distance distance_of(const char *along, const char *up)
 
 /* Adds the distance of the found point from the requested point, and from the reference's
  * height there. */
-static void look_above(const ocean *o, tp_fx x, tp_fx z, tp_fx rest[2], distance *d)
+static void look_above(const deep_water *o, tp_fx x, tp_fx z, tp_fx rest[2], distance *d)
 {
     const tp_sea_point got = tp_sea_sample(&o->sea, o->phases, x, z, rest);
     const ref_point want = ref_above(&o->ref, o->ref_phases, x * LSB, z * LSB);
@@ -41,7 +41,8 @@ static void distance_print(const distance *d)
 static void usual_seas(double low, double high, distance *d)
 {
     for (int n = 0; n < 1500; n++) {
-        const ocean o = ocean_usual(&chance, TP_WAVES, chance_double(&chance, low, high));
+        const deep_water o =
+            deep_water_usual(&chance, TP_WAVES, chance_double(&chance, low, high));
         look_above(&o, chance_fx(&chance, -500, 500), chance_fx(&chance, -500, 500), NULL,
                    d);
     }
@@ -66,7 +67,7 @@ static void in_clamped_seas_it_is_found_within_1_mm_too(void **state)
     assert_true(d.up.worst < 1);
 }
 
-static void along(const ocean *o, tp_fx rest[2], measure *m)
+static void along(const deep_water *o, tp_fx rest[2], measure *m)
 {
     const tp_fx x = chance_fx(&chance, -29000, 29000);
     const tp_fx z = chance_fx(&chance, -29000, 29000);
@@ -83,9 +84,9 @@ static void on_any_legal_sea_the_search_ends_at_the_place(void **state)
     measure m = { .what = "any legal sea", .unit = "mm" };
 
     for (int n = 0; n < 10000; n++) {
-        ocean o = ocean_any(&chance, TP_WAVES);
+        deep_water o = deep_water_any(&chance, TP_WAVES);
         if (n % 4 == 0)
-            ocean_sharpen(&chance, &o);
+            deep_water_sharpen(&chance, &o);
         along(&o, NULL, &m);
     }
     measure_print(&m);
@@ -100,14 +101,14 @@ static void two_waves_at_the_clamp_do_not_mislead_it(void **state)
     measure m = { .what = "two waves, 0.95", .unit = "mm" };
 
     for (int n = 0; n < 20000; n++) {
-        ocean o = { .count = chance_int(&chance, 1, 2), .gravity = TP_FX(9.81) };
+        deep_water o = { .count = chance_int(&chance, 1, 2), .gravity = TP_FX(9.81) };
         const tp_fx heading = chance_fx(&chance, -180, 180);
         for (int i = 0; i < o.count; i++) {
             o.wave[i] = chance_wave(&chance);
             o.wave[i].heading = heading + chance_int(&chance, -TP_FX_ONE, TP_FX_ONE);
             o.wave[i].steepness = i ? chance_scale(&chance, 0.01, 1) : TP_FX_ONE;
         }
-        ocean_settle(&o);
+        deep_water_settle(&o);
         along(&o, NULL, &m);
     }
     measure_print(&m);
@@ -122,12 +123,13 @@ static void it_is_found_from_any_start(void **state)
     distance d = distance_of("along, any start", "up, any start");
 
     for (int n = 0; n < 1500; n++) {
-        ocean o = ocean_usual(&chance, TP_WAVES, chance_double(&chance, 0, 0.95));
+        deep_water o =
+            deep_water_usual(&chance, TP_WAVES, chance_double(&chance, 0, 0.95));
         tp_fx rest[2] = { (tp_fx)random_next(&chance), (tp_fx)random_next(&chance) };
         const tp_fx x = chance_fx(&chance, -500, 500), z = chance_fx(&chance, -500, 500);
         look_above(&o, x, z, rest, &d);
         o.tick++;
-        ocean_settle(&o);
+        deep_water_settle(&o);
         look_above(&o, x, z, rest, &d);
         const tp_sea_point there =
             tp_sea_displace_point(&o.sea, o.phases, rest[0], rest[1]);
@@ -145,7 +147,8 @@ static void a_place_once_found_is_found_again(void **state)
 {
     (void)state;
     for (int n = 0; n < 1500; n++) {
-        const ocean o = ocean_usual(&chance, TP_WAVES, chance_double(&chance, 0, 0.95));
+        const deep_water o =
+            deep_water_usual(&chance, TP_WAVES, chance_double(&chance, 0, 0.95));
         const tp_fx x = chance_fx(&chance, -500, 500), z = chance_fx(&chance, -500, 500);
         tp_fx rest[2] = { x, z };
         tp_sea_sample(&o.sea, o.phases, x, z, rest);
@@ -171,11 +174,11 @@ static void a_place_at_rest_has_its_height_anywhere(void **state)
     measure held = { .what = "held positions", .unit = "m" };
 
     for (int n = 0; n < 20000; n++) {
-        ocean o = ocean_any(&chance, 4);
+        deep_water o = deep_water_any(&chance, 4);
         const tp_fx x = chance_word(&chance), z = chance_word(&chance);
         const double x0 = x * LSB, z0 = z * LSB, off = place_error(&o, x0, z0) + LSB;
         if (n % 4 == 0)
-            ocean_sharpen(&chance, &o);
+            deep_water_sharpen(&chance, &o);
         const ref_point want = ref_at_rest(&o.ref, o.ref_phases, x0, z0);
         const tp_sea_point got = tp_sea_displace_point(&o.sea, o.phases, x, z);
         measure_add(&height, (got.position.y * LSB - want.y) / height_error(&o, x0, z0), x,
@@ -206,7 +209,7 @@ static void above_any_place_there_is_an_answer(void **state)
     measure held = { .what = "far, at the ends", .unit = "mm" };
 
     for (int n = 0; n < 20000; n++) {
-        const ocean o = ocean_any(&chance, TP_WAVES);
+        const deep_water o = deep_water_any(&chance, TP_WAVES);
         const tp_fx x = chance_word(&chance), z = chance_word(&chance);
         const int64_t most = 2 * ((int64_t)o.sea.reach + 2);
         tp_fx rest[2] = { chance_word(&chance), chance_word(&chance) };
@@ -234,7 +237,8 @@ static void plain_steps_keep_their_bound(void **state)
 {
     (void)state;
     for (int n = 0; n < 3000; n++) {
-        const ocean o = ocean_usual(&chance, 8, chance_double(&chance, 0, 0.95));
+        const deep_water o =
+            deep_water_usual(&chance, 8, chance_double(&chance, 0, 0.95));
         const tp_fx x = chance_fx(&chance, -500, 500), z = chance_fx(&chance, -500, 500);
         const uint32_t steps = (uint32_t)chance_int(&chance, 0, 10);
         const tp_sea_point first = tp_sea_displace_point(&o.sea, o.phases, x, z);

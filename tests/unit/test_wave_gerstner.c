@@ -18,10 +18,10 @@ static void any_legal_sea_follows_the_models(void **state)
     errors e = errors_of("any height", "any place", "any normal");
 
     for (int n = 0; n < 2000; n++) {
-        const ocean o = ocean_any(&chance, TP_WAVES);
+        const deep_water o = deep_water_any(&chance, TP_WAVES);
         for (int k = 0; k < 20; k++)
-            ocean_compare(&o, chance_fx(&chance, -24000, 24000),
-                       chance_fx(&chance, -24000, 24000), &e);
+            deep_water_compare(&o, chance_fx(&chance, -24000, 24000),
+                               chance_fx(&chance, -24000, 24000), &e);
     }
     errors_print(&e);
 }
@@ -35,10 +35,10 @@ static void usual_seas_keep_the_error_budget(void **state)
     errors e = errors_of("usual height", "usual place", "usual normal");
 
     for (int n = 0; n < 2000; n++) {
-        const ocean o = ocean_usual(&chance, 8, chance_double(&chance, 0, 0.7));
+        const deep_water o = deep_water_usual(&chance, 8, chance_double(&chance, 0, 0.7));
         for (int k = 0; k < 20; k++)
-            ocean_compare(&o, chance_fx(&chance, -500, 500),
-                          chance_fx(&chance, -500, 500), &e);
+            deep_water_compare(&o, chance_fx(&chance, -500, 500),
+                               chance_fx(&chance, -500, 500), &e);
     }
     errors_print(&e);
     assert_true(e.height.worst < 0.13);
@@ -57,7 +57,7 @@ static void normals_without_cross_terms_are_within_a_degree_and_a_half(void **st
 
     for (int n = 0; n < 9000; n++) {
         const double steepness = chance_scale(&chance, 0.02, 0.3) * LSB;
-        ocean o = ocean_usual(&chance, n % 2 ? 2 : TP_WAVES, steepness);
+        deep_water o = deep_water_usual(&chance, n % 2 ? 2 : TP_WAVES, steepness);
         for (int i = 0; i < o.count && n % 3 == 0; i++)
             o.wave[i].amplitude = (tp_fx)(o.wave[i].steepness * (o.wave[i].length * LSB)
                                           / (2 * PI));
@@ -66,8 +66,8 @@ static void normals_without_cross_terms_are_within_a_degree_and_a_half(void **st
         for (int i = 1; i < o.count && n % 3 == 2; i++)
             o.wave[i].amplitude = 1;
         if (n % 6 == 4)
-            ocean_sharpen(&chance, &o);
-        ocean_settle(&o);
+            deep_water_sharpen(&chance, &o);
+        deep_water_settle(&o);
         for (int k = 0; k < 20 && !o.sea.crossed; k++) {
             const tp_fx x = chance_fx(&chance, -500, 500);
             const tp_fx z = chance_fx(&chance, -500, 500);

@@ -27,22 +27,22 @@ static double trochoid_bound(double s, double k, double x0, double z0)
 }
 
 /* Q = 1: A = S / k, rounded to 16.16; the wave keeps the remaining Q. */
-static ocean trochoid(double s, double length)
+static deep_water trochoid(double s, double length)
 {
     const double k = 2 * PI / length;
-    ocean o = { .count = 1, .gravity = TP_FX(9.81), .tick = 0 };
+    deep_water o = { .count = 1, .gravity = TP_FX(9.81), .tick = 0 };
 
     o.wave[0] = (tp_wave){
         .amplitude = (tp_fx)lround(s / k / LSB), .length = (tp_fx)lround(length / LSB),
         .steepness = (tp_fx)lround(s / LSB), .heading = chance_fx(&chance, -180, 180),
         .speed = TP_FX_ONE, .phase = chance_fx(&chance, -180, 180),
     };
-    ocean_settle(&o);
+    deep_water_settle(&o);
     return o;
 }
 
 /* Steep waves have the largest errors beside their crests, where the slope changes sign. */
-static void look(ocean *o, double far, double *worst, measure *m)
+static void look(deep_water *o, double far, double *worst, measure *m)
 {
     const ref_wave *w = &o->ref.wave[0];
     const double crest = PI / 2, aside = (1 - w->q) * chance_double(&chance, -3, 3);
@@ -79,7 +79,7 @@ static void one_trochoid_keeps_its_bound(void **state)
             for (int n = 0; n < 2000; n++) {
                 const double most = fmin(2000, 16 * 2 * PI / fmax(steep[i], 1e-3));
                 const double length = chance_scale(&chance, 0.25, most) * LSB;
-                ocean o = trochoid(steep[i], length);
+                deep_water o = trochoid(steep[i], length);
                 for (int k = 0; k < 5 && o.sea.count; k++)
                     look(&o, far[f], &worst, &m);
             }
@@ -94,7 +94,7 @@ static void one_trochoid_keeps_its_bound(void **state)
 
 /* -- any deep water -------------------------------------------------------------------- */
 
-static double sea_bound(const ocean *o, double x0, double z0)
+static double sea_bound(const deep_water *o, double x0, double z0)
 {
     double h = 0, b = 0, q = 0;
 
@@ -115,11 +115,12 @@ static void any_sea_keeps_its_bound(void **state)
     measure m = { .what = "any sea", .unit = "of the bound" };
 
     for (int n = 0; n < 20000; n++) {
-        ocean o = n % 2 ? ocean_any(&chance, 4)
-                        : ocean_usual(&chance, TP_WAVES, chance_double(&chance, 0, 1));
+        deep_water o =
+            n % 2 ? deep_water_any(&chance, 4)
+                  : deep_water_usual(&chance, TP_WAVES, chance_double(&chance, 0, 1));
         const double far = n % 3 ? 500 : FAR;
         if (n % 5 == 0)
-            ocean_sharpen(&chance, &o);
+            deep_water_sharpen(&chance, &o);
         for (int k = 0; k < 5; k++) {
             const tp_fx x = chance_fx(&chance, -far, far), z = chance_fx(&chance, -far, far);
             const tp_sea_point got = tp_sea_displace_point(&o.sea, o.phases, x, z);

@@ -15,14 +15,14 @@ static uint64_t chance;
 static tp_wave any_wave(double shortest, double longest, double steepness)
 {
     const double length = chance_scale(&chance, shortest, longest) * LSB;
-    return ocean_wave(chance_double(&chance, 0.002, 1) * length / 14, length,
-                      chance_double(&chance, 0, steepness),
-                      chance_double(&chance, 0, 360));
+    return coastal_wave(chance_double(&chance, 0.002, 1) * length / 14, length,
+                        chance_double(&chance, 0, steepness),
+                        chance_double(&chance, 0, 360));
 }
 
 /* -- limits ------------------------------------------------------------------------ */
 
-static void compare_with_the_sea(const ocean_made *o, measure *m)
+static void compare_with_the_sea(const coastal_water *o, measure *m)
 {
     tp_turn phases[TP_WAVES];
 
@@ -43,15 +43,15 @@ static void without_a_floor_the_ocean_is_the_sea(void **state)
     measure m = { .what = "no floor", .unit = "mm" };
 
     for (int n = 0; n < 100; n++) {
-        ocean_made o = { .count = (uint32_t)chance_int(&chance, 1, TP_WAVES),
-                         .config = ocean_usual() };
+        coastal_water o = { .count = (uint32_t)chance_int(&chance, 1, TP_WAVES),
+                            .config = coastal_usual() };
         for (uint32_t i = 0; i < o.count; i++) {
             o.wave[i] = chance_wave(&chance);
             o.wave[i].amplitude = ((uint32_t)n + i) % 3 ? o.wave[i].amplitude : 0;
         }
-        ocean_build(&o);
+        coastal_build(&o);
         compare_with_the_sea(&o, &m);
-        ocean_end(&o);
+        coastal_end(&o);
     }
     measure_print(&m);
     assert_true(m.worst < 1);
@@ -70,8 +70,8 @@ static void over_a_deep_floor_the_ocean_is_the_sea(void **state)
     measure slope = { .what = "slope", .unit = "mm" };
 
     for (int n = 0; n < 24; n++) {
-        ocean_made o = { .count = (uint32_t)chance_int(&chance, 1, 3),
-                         .config = ocean_usual() };
+        coastal_water o = { .count = (uint32_t)chance_int(&chance, 1, 3),
+                            .config = coastal_usual() };
         for (uint32_t i = 0; i < o.count; i++) {
             o.wave[i] = any_wave(2, 60, 0.5);
             o.wave[i].amplitude = (o.wave[i].amplitude + 1) / 4;
@@ -82,9 +82,9 @@ static void over_a_deep_floor_the_ocean_is_the_sea(void **state)
         if (n % 3 == 2)
             o.config.floor = (tp_floor){ .map = &picture, .map_size = TP_FX(400),
                                          .map_low = TP_FX(-200), .map_high = TP_FX(10) };
-        ocean_build(&o);
+        coastal_build(&o);
         compare_with_the_sea(&o, n % 3 == 0 ? &level : n % 3 == 1 ? &slope : &map);
-        ocean_end(&o);
+        coastal_end(&o);
     }
     measure_print(&level);
     measure_print(&slope);
@@ -100,13 +100,13 @@ static void at_the_waterline_the_sea_is_quiet(void **state)
     measure most = { .what = "at 1 mm", .unit = "mm" };
 
     for (int n = 0; n < 60; n++) {
-        ocean_made o = { .count = 3, .config = ocean_usual() };
+        coastal_water o = { .count = 3, .config = coastal_usual() };
         for (uint32_t i = 0; i < o.count; i++)
             o.wave[i] = any_wave(2, 60, 0.5);
         o.config.wind = chance_fx(&chance, 0, 1);
         o.config.irregular = TP_FX_ONE;
         o.config.floor = shore(0.001, chance_double(&chance, 0.01, 0.5), 90);
-        ocean_build(&o);
+        coastal_build(&o);
         tp_turn phases[TP_WAVES];
         for (int k = 0; k < 20; k++) {
             any_phases(&chance, phases);
@@ -121,7 +121,7 @@ static void at_the_waterline_the_sea_is_quiet(void **state)
             assert_memory_equal(&dry.position, (&(tp_vec3){ TP_FX_ONE, 0, TP_FX_ONE }),
                                 sizeof dry.position);
         }
-        ocean_end(&o);
+        coastal_end(&o);
     }
     measure_print(&most);
     assert_true(most.worst < 60);
@@ -129,7 +129,7 @@ static void at_the_waterline_the_sea_is_quiet(void **state)
 
 /* -- any coastal water ------------------------------------------------------------- */
 
-static void any_floor(ocean_made *o, const tp_grey *picture, int kind)
+static void any_floor(coastal_water *o, const tp_grey *picture, int kind)
 {
     tp_floor *f = &o->config.floor;
 
@@ -145,10 +145,10 @@ static void any_floor(ocean_made *o, const tp_grey *picture, int kind)
         };
 }
 
-static ocean_made any_ocean(const tp_grey *picture, int kind)
+static coastal_water any_ocean(const tp_grey *picture, int kind)
 {
-    ocean_made o = { .count =
-                         (uint32_t)chance_int(&chance, 1, kind == 2 ? 2 : TP_WAVES) };
+    coastal_water o = { .count =
+                            (uint32_t)chance_int(&chance, 1, kind == 2 ? 2 : TP_WAVES) };
 
     for (uint32_t i = 0; i < o.count; i++) {
         o.wave[i] = chance_wave(&chance);
@@ -161,11 +161,11 @@ static ocean_made any_ocean(const tp_grey *picture, int kind)
         .irregular = chance_fx(&chance, 0, 1),
     };
     any_floor(&o, picture, kind);
-    ocean_build(&o);
+    coastal_build(&o);
     return o;
 }
 
-static void check_bounds(const ocean_made *o)
+static void check_bounds(const coastal_water *o)
 {
     const tp_fx reach = tp_ocean_max_displacement(o->ocean),
                 height = tp_ocean_max_height(o->ocean);
@@ -198,9 +198,9 @@ static void no_point_of_any_ocean_is_beyond_its_bounds(void **state)
                                   (uint32_t)chance_int(&chance, 1, 20), sample };
         for (int i = 0; i < 600; i++)
             sample[i] = (uint16_t)random_next(&chance);
-        ocean_made o = any_ocean(&picture, n % 15 == 2 ? 2 : n % 2);
+        coastal_water o = any_ocean(&picture, n % 15 == 2 ? 2 : n % 2);
         check_bounds(&o);
-        ocean_end(&o);
+        coastal_end(&o);
     }
 }
 
@@ -212,8 +212,8 @@ static void any_numbers_at_all_make_an_ocean(void **state)
     const tp_grey picture = { 3, 2, sample };
 
     for (int n = 0; n < 60; n++) {
-        ocean_made o = { .count = 2,
-                         .wave = { chance_wave(&chance), chance_wave(&chance) } };
+        coastal_water o = { .count = 2,
+                            .wave = { chance_wave(&chance), chance_wave(&chance) } };
         tp_ocean_config *c = &o.config;
         int32_t *const field[] = {
             &c->wind,
@@ -235,9 +235,9 @@ static void any_numbers_at_all_make_an_ocean(void **state)
             *field[i] = random_number(&chance);
         c->floor.map = n % 12 ? NULL : &picture;
         c->floor.map_size = chance_scale(&chance, 1, 8000);
-        ocean_build(&o);
+        coastal_build(&o);
         check_bounds(&o);
-        ocean_end(&o);
+        coastal_end(&o);
     }
 }
 
@@ -246,7 +246,7 @@ static void the_smooth_surface_never_folds_over_a_level_floor(void **state)
 {
     (void)state;
     for (int n = 0; n < 60; n++) {
-        ocean_made o = any_ocean(NULL, 1);
+        coastal_water o = any_ocean(NULL, 1);
         const double heading = chance_double(&chance, 0, 2 * PI);
         const double dx = sin(heading), dz = cos(heading);
         tp_turn phases[TP_WAVES];
@@ -260,7 +260,7 @@ static void the_smooth_surface_never_folds_over_a_level_floor(void **state)
             assert_true(way > last - 40);       /* LSB: roundings of sixteen waves */
             last = way;
         }
-        ocean_end(&o);
+        coastal_end(&o);
     }
 }
 
@@ -268,17 +268,17 @@ static void the_floor_is_the_floor(void **state)
 {
     (void)state;
     for (int n = 0; n < 200; n++) {
-        ocean_made o = { .count = 1, .config = ocean_usual() };
+        coastal_water o = { .count = 1, .config = coastal_usual() };
         o.wave[0] = any_wave(5, 50, 0.5);
         o.config.floor = shore(chance_double(&chance, 0.1, 60),
                                chance_double(&chance, 0.001, 1),
                                chance_double(&chance, 0, 360));
-        ocean_build(&o);
+        coastal_build(&o);
         const tp_fx x = chance_fx(&chance, -500, 500), z = chance_fx(&chance, -500, 500);
         const tp_floor_at a = tp_floor_sample(&o.config.floor, x, z);
         const tp_floor_at b = tp_ocean_floor(o.ocean, x, z);
         assert_memory_equal(&a, &b, sizeof a);
-        ocean_end(&o);
+        coastal_end(&o);
     }
 }
 
@@ -287,16 +287,16 @@ static void a_copy_of_the_block_is_the_same_ocean(void **state)
     (void)state;
     const uint16_t sample[6] = { 0, 20000, 65535, 100, 40000, 50000 };
     const tp_grey picture = { 3, 2, sample };
-    ocean_made o = any_ocean(&picture, 2), copy = o;
+    coastal_water o = any_ocean(&picture, 2), copy = o;
     const size_t bytes = tp_ocean_bytes(&o.config, &o.sea);
     tp_turn phases[TP_WAVES];
 
     copy.ocean = malloc(bytes);
     memcpy(copy.ocean, o.ocean, bytes);
     memset(o.ocean, 0, bytes);
-    ocean_end(&o);
-    ocean_made again = copy;
-    ocean_build(&again);
+    coastal_end(&o);
+    coastal_water again = copy;
+    coastal_build(&again);
     any_phases(&chance, phases);
     for (int n = 0; n < 200; n++) {
         const tp_fx x = chance_fx(&chance, -1000, 1000),
@@ -306,8 +306,8 @@ static void a_copy_of_the_block_is_the_same_ocean(void **state)
         assert_memory_equal(&a.position, &b.position, sizeof a.position);
         assert_int_equal(a.breaking, b.breaking);
     }
-    ocean_end(&copy);
-    ocean_end(&again);
+    coastal_end(&copy);
+    coastal_end(&again);
 }
 
 static void what_cannot_be_built_says_so(void **state)
@@ -315,11 +315,11 @@ static void what_cannot_be_built_says_so(void **state)
     (void)state;
     const uint16_t sample[1] = { 0 };
     tp_grey picture = { 1, 1, sample };
-    ocean_made o = { .count = 1, .config = ocean_usual() };
+    coastal_water o = { .count = 1, .config = coastal_usual() };
     static union { tp_ocean ocean; uint8_t bytes[400000]; } block;
     tp_error err;
 
-    o.wave[0] = ocean_wave(0.5, 20, 0.5, 0);
+    o.wave[0] = coastal_wave(0.5, 20, 0.5, 0);
     tp_sea_init(&o.sea, o.wave, 1, TP_FX(9.81));
     o.config.floor = (tp_floor){ .map = &picture, .map_size = TP_FX(100) };
     assert_true(tp_ocean_bytes(&o.config, &o.sea) <= sizeof block);

@@ -19,14 +19,14 @@ static const tp_grey map = { 24, 18, sample };
 
 /* Three swells over a map, a straight slope, or no floor; the last wave has no
  * amplitude. */
-static ocean_made any_ocean(int kind)
+static coastal_water any_ocean(int kind)
 {
-    ocean_made o = { .count = 4, .config = ocean_usual() };
+    coastal_water o = { .count = 4, .config = coastal_usual() };
 
     for (uint32_t i = 0; i < o.count; i++)
-        o.wave[i] = ocean_wave(chance_double(&chance, 0.1, 1), chance_double(&chance, 8, 60),
-                               chance_double(&chance, 0, 0.4),
-                               chance_double(&chance, 0, 360));
+        o.wave[i] =
+            coastal_wave(chance_double(&chance, 0.1, 1), chance_double(&chance, 8, 60),
+                         chance_double(&chance, 0, 0.4), chance_double(&chance, 0, 360));
     o.wave[3].amplitude = 0;
     o.config.wind = chance_fx(&chance, 0, 0.1);
     o.config.wind_heading = chance_fx(&chance, 0, 360);
@@ -40,14 +40,14 @@ static ocean_made any_ocean(int kind)
     return o;
 }
 
-static tp_status refresh(ocean_made *o)
+static tp_status refresh(coastal_water *o)
 {
     tp_sea_init(&o->sea, o->wave, o->count, TP_FX(9.81));
     return tp_ocean_refresh(o->ocean, &o->config, &o->sea, o->wave, o->count, NULL);
 }
 
 /* The memory is all 0 before, so that gaps between parts compare equal. */
-static void build(ocean_made *o)
+static void build(coastal_water *o)
 {
     tp_sea_init(&o->sea, o->wave, o->count, TP_FX(9.81));
     o->ocean = calloc(1, tp_ocean_bytes(&o->config, &o->sea));
@@ -56,22 +56,28 @@ static void build(ocean_made *o)
                      TP_OK);
 }
 
-static void assert_as_built(const ocean_made *o, const char *change)
+static void assert_as_built(const coastal_water *o, const char *change)
 {
-    ocean_made want = *o;
+    coastal_water want = *o;
     const size_t bytes = tp_ocean_bytes(&o->config, &o->sea);
 
     build(&want);
     if (memcmp(want.ocean, o->ocean, bytes) != 0)
         print_error("after a change of %s the ocean is another\n", change);
     assert_memory_equal(want.ocean, o->ocean, bytes);
-    ocean_end(&want);
+    coastal_end(&want);
 }
 
 /* -- every parameter ----------------------------------------------------------------- */
 
-#define CONFIG(member) { #member, offsetof(ocean_made, config.member) }
-#define WAVE(member)   { "wave1 " #member, offsetof(ocean_made, wave[1].member) }
+#define CONFIG(member)                                                                   \
+    {                                                                                    \
+#member, offsetof(coastal_water, config.member)                                  \
+    }
+#define WAVE(member)                                                                     \
+    {                                                                                    \
+        "wave1 " #member, offsetof(coastal_water, wave[1].member)                        \
+    }
 static const struct { const char *name; size_t at; } numbers[] = {
     CONFIG(floor.depth), CONFIG(floor.slope), CONFIG(floor.heading), CONFIG(floor.map_x),
     CONFIG(floor.map_z), CONFIG(floor.map_size), CONFIG(floor.map_low),
@@ -85,7 +91,7 @@ static void a_refresh_makes_what_init_makes(void **state)
 {
     (void)state;
     for (int kind = 0; kind < 3; kind++) {
-        ocean_made o = any_ocean(kind);
+        coastal_water o = any_ocean(kind);
         build(&o);
         for (size_t i = 0; i < 2 * NUMBERS; i++) {
             tp_fx *number = (tp_fx *)(void *)((char *)&o + numbers[i % NUMBERS].at);
@@ -93,7 +99,7 @@ static void a_refresh_makes_what_init_makes(void **state)
             assert_int_equal(refresh(&o), TP_OK);
             assert_as_built(&o, numbers[i % NUMBERS].name);
         }
-        ocean_end(&o);
+        coastal_end(&o);
     }
 }
 
@@ -102,13 +108,13 @@ static void waves_may_change_places(void **state)
 {
     (void)state;
     for (int kind = 0; kind < 3; kind++) {
-        ocean_made o = any_ocean(kind);
+        coastal_water o = any_ocean(kind);
         build(&o);
         o.wave[3].amplitude = o.wave[0].amplitude;
         o.wave[0].amplitude = 0;
         assert_int_equal(refresh(&o), TP_OK);
         assert_as_built(&o, "which waves move");
-        ocean_end(&o);
+        coastal_end(&o);
     }
 }
 
@@ -118,7 +124,7 @@ enum { BEDS = 1, RAYS0 = 2, RAYS1 = 4, RAYS2 = 8, TABLES = 16, ALL = 31 };
 
 /* Flips a bit in each part; counts the parts that are right after the refresh, hence
  * computed again. */
-static int made_again(ocean_made *o)
+static int made_again(coastal_water *o)
 {
     tp_ocean_bed *bed = tp_ocean_beds(o->ocean);
     tp_ocean_ray *ray[3];
@@ -146,7 +152,7 @@ static int made_again(ocean_made *o)
 static void what_depends_on_no_changed_number_is_left_as_it_is(void **state)
 {
     (void)state;
-    ocean_made o = any_ocean(0);
+    coastal_water o = any_ocean(0);
     build(&o);
     assert_int_equal(made_again(&o), 0);
     o.wave[1].speed++;
@@ -167,7 +173,7 @@ static void what_depends_on_no_changed_number_is_left_as_it_is(void **state)
     o.config.floor.map_low -= TP_FX(5);
     assert_int_equal(made_again(&o), ALL);
     assert_as_built(&o, "all that is above");
-    ocean_end(&o);
+    coastal_end(&o);
 }
 
 /* -- refused changes ----------------------------------------------------------------- */
@@ -176,9 +182,9 @@ static void an_ocean_of_another_size_is_refused_and_left_as_it_is(void **state)
 {
     (void)state;
     static const tp_grey wider = { 200, 18, sample }, none = { 0, 18, sample };
-    ocean_made o = any_ocean(0);
+    coastal_water o = any_ocean(0);
     build(&o);
-    const ocean_made was = o;
+    const coastal_water was = o;
     o.wave[3].amplitude = 1;                            /* one more swell */
     assert_int_equal(refresh(&o), TP_E_ARG);
     o = was;
@@ -193,7 +199,7 @@ static void an_ocean_of_another_size_is_refused_and_left_as_it_is(void **state)
     assert_int_equal(refresh(&o), TP_E_ARG);
     o = was;
     assert_as_built(&o, "nothing");
-    ocean_end(&o);
+    coastal_end(&o);
 }
 
 int main(void)

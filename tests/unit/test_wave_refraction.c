@@ -45,11 +45,11 @@ static void level_floors_shorten_and_raise_waves(void **state)
         const double length = chance_fx(&chance, 5, 200) * LSB;
         const double h = chance_scale(&chance, 0.2, 100) * LSB, k_inf = 2 * PI / length;
         const double k = ref_depth_number(k_inf, h);
-        ocean_made o = { .count = 1, .config = ocean_usual() };
+        coastal_water o = { .count = 1, .config = coastal_usual() };
         o.wave[0] =
-            ocean_wave(chance_double(&chance, 0.002, 0.07) * length, length, 0, 90);
+            coastal_wave(chance_double(&chance, 0.002, 0.07) * length, length, 0, 90);
         o.config.floor = shore(h, 0, 0);
-        ocean_build(&o);
+        coastal_build(&o);
         const double a = o.wave[0].amplitude * LSB;
         const limits limit = { a * ref_shoaling(k_inf, k, h), 0.39 * h,
                                0.071 * 2 * PI / k * tanh(k * h) };
@@ -62,10 +62,10 @@ static void level_floors_shorten_and_raise_waves(void **state)
         measure_add(low > 0 ? &corner : &height, off, n, o.wave[0].amplitude, 0);
         assert_true(off > -0.004 - low - 4 * LSB / most && off < 0.004 + 4 * LSB / most);
         const tp_fx x = chance_fx(&chance, -10, 10);
-        const double turns = ocean_turns_from(
-            k * x * LSB / (2 * PI) + ocean_phase(&o, 0, 0), ocean_phase(&o, x, 0));
+        const double turns = coastal_turns_from(
+            k * x * LSB / (2 * PI) + coastal_phase(&o, 0, 0), coastal_phase(&o, x, 0));
         measure_add(&phase, 2 * PI * turns * fmin(1, most), n, x, 0);
-        ocean_end(&o);
+        coastal_end(&o);
     }
     measure_print(&height);
     measure_print(&corner);
@@ -88,12 +88,12 @@ static coast any_coast(void)
                     chance_fx(&chance, 0.02, 0.2) * LSB };
 }
 
-static ocean_made coast_ocean(const coast *c, double up)
+static coastal_water coast_ocean(const coast *c, double up)
 {
-    ocean_made o = { .count = 1, .config = ocean_usual() };
-    o.wave[0] = ocean_wave(c->length / 40, c->length, 0, c->heading);
+    coastal_water o = { .count = 1, .config = coastal_usual() };
+    o.wave[0] = coastal_wave(c->length / 40, c->length, 0, c->heading);
     o.config.floor = shore(c->depth, c->slope, up);
-    ocean_build(&o);
+    coastal_build(&o);
     return o;
 }
 
@@ -106,21 +106,21 @@ static void slopes_have_the_phases_of_the_integral(void **state)
 
     for (int n = 0; n < 150; n++) {
         const coast c = any_coast();
-        ocean_made o = coast_ocean(&c, 90);                 /* up is +x */
+        coastal_water o = coast_ocean(&c, 90); /* up is +x */
         const double angle = c.heading * PI / 180, k_inf = 2 * PI / c.length;
         const double kz = -k_inf * cos(angle), sign = sin(angle) < 0 ? -1 : 1;
         const tp_fx to = (tp_fx)((c.depth - 0.3) / c.slope * 65536);
-        const double from = ocean_phase(&o, 0, 0);
+        const double from = coastal_phase(&o, 0, 0);
         for (int k = 0; k < 8; k++) {
             const tp_fx x = (tp_fx)(to * chance_double(&chance, 0, 1));
             const tp_fx z = chance_fx(&chance, -50, 50);
             const double want = sign * ref_slope_phase(k_inf, kz, c.depth, c.slope, 0,
                                                        x * LSB, 60) + kz * z * LSB;
-            const double got = ocean_phase(&o, x, z);
-            measure_add(&m, 2 * PI * ocean_turns_from(want / (2 * PI), got - from), n, x,
-                        z);
+            const double got = coastal_phase(&o, x, z);
+            measure_add(&m, 2 * PI * coastal_turns_from(want / (2 * PI), got - from), n,
+                        x, z);
         }
-        ocean_end(&o);
+        coastal_end(&o);
     }
     measure_print(&m);
     assert_true(m.worst < 0.01);
@@ -132,7 +132,7 @@ static void crests_never_run_backwards(void **state)
     (void)state;
     for (int n = 0; n < 60; n++) {
         const coast c = any_coast();
-        ocean_made o = coast_ocean(&c, chance_double(&chance, 0, 360));
+        coastal_water o = coast_ocean(&c, chance_double(&chance, 0, 360));
         const double angle = c.heading * PI / 180, dx = sin(angle), dz = -cos(angle);
         const double step = c.length / 400, from = chance_double(&chance, -200, 0);
         double last = 0, most = 0, walked = 0;
@@ -145,8 +145,8 @@ static void crests_never_run_backwards(void **state)
                 wet = false;
                 continue;
             }
-            const double phase = ocean_phase(&o, x, z);
-            const double on = ocean_turns_from(last, phase);
+            const double phase = coastal_phase(&o, x, z);
+            const double on = coastal_turns_from(last, phase);
             if (wet)
                 assert_true(on > -2e-4);    /* limit of the phase from 16.16 heights */
             walked += wet ? on : 0;
@@ -155,7 +155,7 @@ static void crests_never_run_backwards(void **state)
             last = phase;
             wet = true;
         }
-        ocean_end(&o);
+        coastal_end(&o);
     }
 }
 
@@ -169,22 +169,23 @@ static void a_map_of_a_slope_has_the_phases_of_the_slope(void **state)
         const coast c = { chance_fx(&chance, 12, 40) * LSB,
                           up + chance_double(&chance, -60, 60), 6,
                           chance_fx(&chance, 0.02, 0.05) * LSB };
-        ocean_made straight = coast_ocean(&c, up), mapped = straight;
-        const ocean_picture p = ocean_slope_picture(&straight.config.floor, 129, 200,
-                                                    &mapped.config.floor);
+        coastal_water straight = coast_ocean(&c, up), mapped = straight;
+        const coastal_picture p =
+            coastal_slope_picture(&straight.config.floor, 129, 200, &mapped.config.floor);
         mapped.config.floor.map = &p.picture;
-        ocean_build(&mapped);
-        const double apart = ocean_turns_from(ocean_phase(&straight, 0, 0),
-                                              ocean_phase(&mapped, 0, 0));
+        coastal_build(&mapped);
+        const double apart = coastal_turns_from(coastal_phase(&straight, 0, 0),
+                                                coastal_phase(&mapped, 0, 0));
         for (int k = 0; k < 300; k++) {
             const tp_fx x = chance_fx(&chance, -95, 95), z = chance_fx(&chance, -95, 95);
             if (tp_ocean_floor(straight.ocean, x, z).depth < TP_FX(1))
                 continue;
-            const double a = ocean_phase(&straight, x, z), b = ocean_phase(&mapped, x, z);
-            measure_add(&far, 2 * PI * ocean_turns_from(a + apart, b), n, x, z);
+            const double a = coastal_phase(&straight, x, z),
+                         b = coastal_phase(&mapped, x, z);
+            measure_add(&far, 2 * PI * coastal_turns_from(a + apart, b), n, x, z);
         }
-        ocean_end(&straight);
-        ocean_end(&mapped);
+        coastal_end(&straight);
+        coastal_end(&mapped);
         free(p.sample);
     }
     measure_print(&far);
@@ -200,25 +201,25 @@ static void a_map_of_a_slope_moves_as_the_slope(void **state)
 
     for (int n = 0; n < 4; n++) {
         const double up = 90 * n;
-        ocean_made straight = { .count = 1, .config = ocean_usual() };
-        straight.wave[0] = ocean_wave(0.4, 24, 0.1, up);
+        coastal_water straight = { .count = 1, .config = coastal_usual() };
+        straight.wave[0] = coastal_wave(0.4, 24, 0.1, up);
         straight.config.floor = shore(6, 0.06, up);
-        ocean_made mapped = straight;
-        const ocean_picture p = ocean_slope_picture(&straight.config.floor, 129, 200,
-                                                    &mapped.config.floor);
-        ocean_build(&straight);
+        coastal_water mapped = straight;
+        const coastal_picture p =
+            coastal_slope_picture(&straight.config.floor, 129, 200, &mapped.config.floor);
+        coastal_build(&straight);
         mapped.config.floor.map = &p.picture;
-        ocean_build(&mapped);
+        coastal_build(&mapped);
         /* Subtracts the phase difference in the middle, because the phase of the map begins
          * at its edge. */
         straight.wave[0].steepness = mapped.wave[0].steepness = 0;
-        ocean_made a = straight, b = mapped;
-        ocean_build(&a);
-        ocean_build(&b);
+        coastal_water a = straight, b = mapped;
+        coastal_build(&a);
+        coastal_build(&b);
         const double apart =
-            ocean_turns_from(ocean_phase(&b, 0, 0), ocean_phase(&a, 0, 0));
-        ocean_end(&a);
-        ocean_end(&b);
+            coastal_turns_from(coastal_phase(&b, 0, 0), coastal_phase(&a, 0, 0));
+        coastal_end(&a);
+        coastal_end(&b);
         for (int k = 0; k < 500; k++) {
             const tp_fx x = chance_fx(&chance, -95, 95), z = chance_fx(&chance, -95, 95);
             const tp_turn at = (tp_turn)random_next(&chance);
@@ -234,8 +235,8 @@ static void a_map_of_a_slope_moves_as_the_slope(void **state)
             measure_add(&m, 1000 * (s.position.y - t.position.y) * LSB, n, x, z);
             measure_add(&m, 1000 * (s.position.z - t.position.z) * LSB, n, x, z);
         }
-        ocean_end(&straight);
-        ocean_end(&mapped);
+        coastal_end(&straight);
+        coastal_end(&mapped);
         free(p.sample);
     }
     measure_print(&m);

@@ -46,11 +46,11 @@ static void any_legal_sharpened_sea_follows_the_models(void **state)
     errors e = errors_of("sharp height", "sharp place", "sharp normal");
 
     for (int n = 0; n < 2000; n++) {
-        ocean o = ocean_any(&chance, TP_WAVES);
-        ocean_sharpen(&chance, &o);
+        deep_water o = deep_water_any(&chance, TP_WAVES);
+        deep_water_sharpen(&chance, &o);
         for (int k = 0; k < 20; k++)
-            ocean_compare(&o, chance_fx(&chance, -24000, 24000),
-                          chance_fx(&chance, -24000, 24000), &e);
+            deep_water_compare(&o, chance_fx(&chance, -24000, 24000),
+                               chance_fx(&chance, -24000, 24000), &e);
     }
     errors_print(&e);
 }
@@ -63,17 +63,17 @@ static void the_steepest_sharpened_sea_stays_in_its_formats(void **state)
     errors e = errors_of("steep height", "steep place", "steep normal");
 
     for (int n = 0; n < 500; n++) {
-        ocean o = { .count = TP_WAVES, .gravity = TP_FX(9.81) };
+        deep_water o = { .count = TP_WAVES, .gravity = TP_FX(9.81) };
         const tp_fx heading = chance_fx(&chance, -180, 180);
         for (int i = 0; i < o.count; i++)
             o.wave[i] = (tp_wave){ .amplitude = 16 * TP_FX_ONE,
                                    .length = chance_scale(&chance, 0.25, 53),
                                    .steepness = TP_FX_ONE, .heading = heading,
                                    .phase = chance_fx(&chance, 50, 70), .power = 8 };
-        ocean_settle(&o);
+        deep_water_settle(&o);
         for (int k = 0; k < 10; k++)
-            ocean_compare(&o, chance_int(&chance, -2000, 2000),
-                          chance_int(&chance, -2000, 2000), &e);
+            deep_water_compare(&o, chance_int(&chance, -2000, 2000),
+                               chance_int(&chance, -2000, 2000), &e);
     }
     errors_print(&e);
 }
@@ -127,7 +127,7 @@ static void a_sine_is_a_sine_in_a_sharpened_sea(void **state)
 {
     (void)state;
     for (int n = 0; n < 2000; n++) {
-        ocean o = ocean_usual(&chance, 4, chance_double(&chance, 0, 0.9));
+        deep_water o = deep_water_usual(&chance, 4, chance_double(&chance, 0, 0.9));
         tp_sea mixed = o.sea;
         mixed.sharpened = true;
         const tp_fx x = chance_fx(&chance, -500, 500), z = chance_fx(&chance, -500, 500);

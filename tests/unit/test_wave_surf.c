@@ -13,20 +13,20 @@ static uint64_t chance;
 
 /* A swell of 24 m length and 0.8 m height: xi0 = 5.5 times the slope, so the swell spills
  * below a slope of 1 in 11 and plunges above. */
-static ocean_made beach(double slope, double heading, double steepness,
-                        double irregular)
+static coastal_water beach(double slope, double heading, double steepness,
+                           double irregular)
 {
-    ocean_made o = { .count = 1, .config = ocean_usual() };
-    o.wave[0] = ocean_wave(0.4, 24, steepness, heading);
+    coastal_water o = { .count = 1, .config = coastal_usual() };
+    o.wave[0] = coastal_wave(0.4, 24, steepness, heading);
     o.config.floor = shore(4, slope, 90);
     o.config.irregular = (tp_fx)(irregular * 65536);
-    ocean_build(&o);
+    coastal_build(&o);
     return o;
 }
 
 /* Overhang: largest distance of x behind its preceding maximum, over rest positions from
  * deep to shallow water, m. */
-static double overhang(const ocean_made *o, tp_turn phase, bool whole)
+static double overhang(const coastal_water *o, tp_turn phase, bool whole)
 {
     const tp_turn phases[TP_WAVES] = { phase };
     double most = -1e9, back = 0;
@@ -48,14 +48,14 @@ static double overhang(const ocean_made *o, tp_turn phase, bool whole)
 static void plunging_crests_overhang_and_smooth_ones_do_not(void **state)
 {
     (void)state;
-    ocean_made o = beach(0.125, 90, 0.1, 0);
+    coastal_water o = beach(0.125, 90, 0.1, 0);
     double most = 0, smooth = 0;
 
     for (int n = 0; n < 32; n++) {
         most = fmax(most, overhang(&o, (tp_turn)n << 27, true));
         smooth = fmax(smooth, overhang(&o, (tp_turn)n << 27, false));
     }
-    ocean_end(&o);
+    coastal_end(&o);
     printf("    x runs back by %.3f m, smooth by %.6f m\n", most, smooth);
     assert_true(most > 0.2);
     assert_true(smooth < 0.001);
@@ -64,7 +64,7 @@ static void plunging_crests_overhang_and_smooth_ones_do_not(void **state)
 static void waves_that_leave_the_shore_do_not_break_backwards(void **state)
 {
     (void)state;
-    ocean_made o = beach(0.125, 270, 0.1, 0);
+    coastal_water o = beach(0.125, 270, 0.1, 0);
     const tp_turn now[TP_WAVES] = { 0 };
 
     /* Crests that move offshore lean, if at all, in their own direction: the orbit is
@@ -78,7 +78,7 @@ static void waves_that_leave_the_shore_do_not_break_backwards(void **state)
         const tp_ocean_point p = tp_ocean_displace_point(o.ocean, now, x, 0);
         assert_true(p.position.x <= s.position.x + 1);
     }
-    ocean_end(&o);
+    coastal_end(&o);
 }
 
 /* Without steepness only the overhang moves points horizontally: there the bounds are
@@ -89,7 +89,7 @@ static void what_overhangs_is_within_the_bounds(void **state)
     measure part = { .what = "overhang", .unit = "of the bound" };
 
     for (int n = 0; n < 16; n++) {
-        ocean_made o = beach(chance_double(&chance, 0.1, 0.3), 90, 0, 0);
+        coastal_water o = beach(chance_double(&chance, 0.1, 0.3), 90, 0, 0);
         o.config.stretch = 2 * TP_FX_ONE;
         assert_int_equal(tp_ocean_init(o.ocean, &o.config, &o.sea, o.wave, 1, NULL),
                          TP_OK);
@@ -102,7 +102,7 @@ static void what_overhangs_is_within_the_bounds(void **state)
             assert_true(abs(p.y) <= tp_ocean_max_height(o.ocean));
             measure_add(&part, way / tp_ocean_max_displacement(o.ocean), n, k, x);
         }
-        ocean_end(&o);
+        coastal_end(&o);
     }
     measure_print(&part);
     assert_true(part.worst > 0.5);
@@ -116,8 +116,8 @@ static void the_surface_is_continuous_across_the_gate(void **state)
     measure m = { .what = "step of 2 mm", .unit = "mm" };
 
     for (int n = 0; n < 24; n++) {
-        ocean_made o = beach(chance_double(&chance, 0.03, 0.2),
-                             chance_double(&chance, 30, 150), 0.1, n % 2);
+        coastal_water o = beach(chance_double(&chance, 0.03, 0.2),
+                                chance_double(&chance, 30, 150), 0.1, n % 2);
         tp_turn phases[TP_WAVES];
         any_phases(&chance, phases);
         const tp_fx z = chance_fx(&chance, -50, 50);
@@ -133,7 +133,7 @@ static void the_surface_is_continuous_across_the_gate(void **state)
             measure_add(&m, 1000 * hypot(hypot(step.x, step.y), step.z) * LSB, n, x, z);
             last = p.position;
         }
-        ocean_end(&o);
+        coastal_end(&o);
     }
     measure_print(&m);
     assert_true(m.worst < 12);
@@ -142,7 +142,7 @@ static void the_surface_is_continuous_across_the_gate(void **state)
 static void crests_break_where_it_is_shallow_and_not_where_it_is_deep(void **state)
 {
     (void)state;
-    ocean_made o = beach(0.125, 90, 0.1, 0);
+    coastal_water o = beach(0.125, 90, 0.1, 0);
     int near = 0, far = 0;
 
     for (int n = 0; n < 64; n++) {
@@ -152,7 +152,7 @@ static void crests_break_where_it_is_shallow_and_not_where_it_is_deep(void **sta
         near = a > near ? a : near;
         far = b > far ? b : far;
     }
-    ocean_end(&o);
+    coastal_end(&o);
     assert_true(near > 240);
     assert_int_equal(far, 0);
 }

@@ -17,10 +17,11 @@ static void the_clock_is_right_after_ten_years(void **state)
     measure tick = { .what = "clock", .unit = "turn/10 years" };
 
     for (int n = 0; n < 20000; n++) {
-        ocean o = { .wave[0] = chance_wave(&chance), .count = 1,
-                    .gravity = chance_scale(&chance, 0.1, 100) };
+        deep_water o = { .wave[0] = chance_wave(&chance),
+                         .count = 1,
+                         .gravity = chance_scale(&chance, 0.1, 100) };
         o.wave[0].speed = n % 2 ? TP_FX_ONE : chance_fx(&chance, 0, 8);
-        ocean_settle(&o);
+        deep_water_settle(&o);
         const long double want = o.ref.wave[0].turns_tick;
         long double off = o.sea.swell[0].turns_tick / 18446744073709551616.0L
                         - (want - floorl(want));
@@ -40,7 +41,7 @@ static void phases_are_exact_products(void **state)
 {
     (void)state;
     for (int n = 0; n < 200; n++) {
-        ocean o = ocean_any(&chance, 4);
+        deep_water o = deep_water_any(&chance, 4);
         for (int i = 0; i < (int)o.sea.count; i++) {
             const uint64_t turns = o.tick * o.sea.swell[i].turns_tick;
             assert_int_equal(o.phases[i], o.sea.swell[i].phase - (tp_turn)(turns >> 32));
@@ -53,7 +54,7 @@ static void phases_within_a_tick_lie_between_those_of_its_ends(void **state)
 {
     (void)state;
     for (int n = 0; n < 200; n++) {
-        ocean o = ocean_any(&chance, 4);
+        deep_water o = deep_water_any(&chance, 4);
         tp_turn now[TP_WAVES], before[TP_WAVES], got[TP_WAVES];
         const tp_fx back = chance_int(&chance, 0, TP_FX_ONE);
         tp_sea_phases(&o.sea, o.tick + 1, 0, now);
@@ -89,7 +90,7 @@ static void a_steepness_sum_above_095_is_scaled_down_and_reported(void **state)
 {
     (void)state;
     for (int n = 0; n < 2000; n++) {
-        const ocean o = ocean_any(&chance, TP_WAVES);
+        const deep_water o = deep_water_any(&chance, TP_WAVES);
         int64_t asked = 0, got = 0;
         for (int i = 0; i < o.count; i++)
             asked += o.wave[i].amplitude > 0 ? o.wave[i].steepness : 0;
@@ -189,12 +190,12 @@ static void the_reach_is_the_greatest_displacement(void **state)
 {
     (void)state;
     for (int n = 0; n < 2000; n++) {
-        ocean o = ocean_any(&chance, TP_WAVES);
+        deep_water o = deep_water_any(&chance, TP_WAVES);
         const tp_fx heading = chance_int(&chance, -4, 4) * 90 * TP_FX_ONE;
         const tp_turn first[TP_WAVES] = { 0 };
         for (int i = 0; i < o.count; i++)
             o.wave[i].heading = heading;
-        ocean_settle(&o);
+        deep_water_settle(&o);
         const tp_vec3 p = tp_sea_displace_point(&o.sea, first, 0, 0).position;
         const tp_fx away = abs(p.x) > abs(p.z) ? abs(p.x) : abs(p.z);
         assert_true(away <= o.sea.reach);
@@ -208,13 +209,13 @@ static void det_stays_above_zero_where_all_crests_meet(void **state)
 {
     (void)state;
     for (int n = 0; n < 2000; n++) {
-        ocean o = ocean_any(&chance, TP_WAVES);
+        deep_water o = deep_water_any(&chance, TP_WAVES);
         const tp_fx heading = chance_fx(&chance, -32400, 32400);
         for (int i = 0; i < o.count; i++) {
             o.wave[i].heading = heading;
             o.wave[i].steepness = TP_FX_ONE;
         }
-        ocean_settle(&o);
+        deep_water_settle(&o);
         tp_sea_sum sum = { 0 };
         for (uint32_t i = 0; i < o.sea.count; i++)
             tp_swell_add_as(&sum, &o.sea.swell[i], 0x40000000, 0, 1);
