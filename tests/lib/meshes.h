@@ -119,6 +119,13 @@ static inline void accept_text(reader *r, const char *text)
 
 /* -- triangulation ------------------------------------------------------------------- */
 
+/* Triangulates polygons in memory of exact size, filled with 0xA5 before, and checks
+ * that the triangles cover an outline exactly once and cover nothing outside.  The
+ * check: every triangle has the orientation of the polygon, and the triangles' edges
+ * are the polygon's edges after each pair of opposite edges cancels.  Then the number
+ * of triangles over any point equals the winding number of the outline around the
+ * point. */
+
 typedef struct { int32_t u, v; } point;
 
 typedef struct {

@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Small scenes for the reference's own checks; directions of view as angles; and closed
- * forms for the colour seen in a direction, which share nothing with the reference but the
- * numbers of the scene. */
+/* Small scenes for the reference's own checks, and the colours to be seen in them. */
 #ifndef TP_TESTS_LIB_REFERENCE_SCENES_H
 #define TP_TESTS_LIB_REFERENCE_SCENES_H
 #include "scene/world.h"
@@ -55,6 +53,9 @@ static inline void view_close(view_of_ref *v)
 }
 
 /* -- directions ---------------------------------------------------------------------- */
+
+/* Directions of view as angles, and closed forms for the colour seen in a direction. The
+ * closed forms share nothing with the reference but the numbers of the scene. */
 
 /* Direction in radians: azimuth clockwise from north (-z), elevation above the horizon. */
 typedef struct {

@@ -143,6 +143,10 @@ static inline void boat_make(test_boat *b, uint64_t *state)
 
 /* -- every asset --------------------------------------------------------------------- */
 
+/* Every asset that a scene can name, small and awkward: textures with odd sides, six sky
+ * faces, a height map, masks, a boat with a lid as second material; and scenes with all of
+ * these assets in front of the camera. */
+
 enum { KIT_PICTURES = 6, KIT_TEXELS = 2048 };
 
 typedef struct {

@@ -206,6 +206,11 @@ static inline void level_board(tp_scene *scene, tp_fx height)
 
 /* -- whole and in tiles -------------------------------------------------------------- */
 
+/* Draws a scene twice, whole and in tiles of any size and order, with frames that live on:
+ * both pictures must have the same bits, without a write outside the frames' memory.
+ * Counts the contents of the pictures, because a test of a stage proves nothing if the
+ * stage never runs. */
+
 enum { TWICE_WIDTH = 68, TWICE_HEIGHT = 48 };
 
 #define TWICE_REACHED(X) \
