@@ -94,10 +94,10 @@ typedef struct {
 typedef struct tp_assets {
     const tp_mesh    *boat;
     const tp_texture *layer[TP_LAYERS], *distortion, *ripple, *foam;
-    /* Layers, distortion and ripple baked for fast shading (tp_prepare) from the scene's
+    /* Layers, distortion and ripple baked for fast shading (tp_bake_layer) from the scene's
      * numbers.  They do not follow later changes of these numbers.  NULL: the frame bakes
      * them in its block. */
-    const tp_texture *graded[TP_LAYERS], *offsets, *slopes;
+    const tp_texture *baked_layer[TP_LAYERS], *baked_offset, *baked_slope;
     const tp_texture *sky[TP_FACES], *tank_wall, *tank_floor, *floor_texture;
     const tp_grey    *floor;            /* scene.floor.map */
     const tp_grey    *pool_mask, *field_mask;   /* scene.pool.mask, scene.field.mask */

@@ -7,9 +7,9 @@
  *     for (i = 0; tp_frame_draw_tile(frame, i, scratch, &tile); i++)
  *         show tile.pixels
  *
- * A tile depends only on the frame.  Tiles may be drawn in any order, and by several threads
- * at once, each with a scratch of its own; every tiling gives the same bits.  A second
- * picture at the same time needs a second frame. */
+ * A tile depends only on the frame.  Tiles may be drawn in any order, and by several
+ * threads at once, each with a scratch of its own; every tiling gives the same bits.
+ * A second picture at the same time needs a second frame. */
 #ifndef TP_FRAME_H
 #define TP_FRAME_H
 #include <stdbool.h>
@@ -140,9 +140,9 @@ size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene);
 size_t tp_frame_scratch_bytes(const tp_config *config, const tp_scene *scene);
 size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *scene);
 
-/* Makes a frame in `memory`, at least tp_frame_bytes() bytes, aligned to 8.  The frame copies
- * the config and keeps pointers to its program and assets and to the scene, which must
- * outlive it; nothing has to be closed.
+/* Makes a frame in `memory`, at least tp_frame_bytes() bytes, aligned to 8.  The frame
+ * copies the config and keeps pointers to its program and assets and to the scene, which
+ * must outlive it; nothing has to be closed.
  *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument; TP_E_NOSPACE: `bytes` are too few
  *  - TP_E_SIZE, TP_E_TILE, TP_E_ARG: the config is out of range
  *  - as tp_world_init: the scene cannot be used, or the program lacks one of its modules
@@ -150,7 +150,8 @@ size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *sc
 tp_status tp_frame_init(tp_frame **frame, const tp_config *config, const tp_scene *scene,
                         void *memory, size_t bytes, tp_error *err);
 
-/* Begins a picture of the world.  The world must not change before the last tile is drawn. */
+/* Begins a picture of the world.  The world must not change before the last tile is
+ * drawn. */
 void tp_frame_begin(tp_frame *frame, const tp_world *world);
 
 /* Draws tile i, counted from left to right and from top to bottom.  tile->pixels points

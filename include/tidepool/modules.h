@@ -76,10 +76,10 @@ TP_FORMAT_LIST(X)
 /* -- wave models: the water's surface; src/geom/waters.h ---------------------------- */
 
 #define TP_WATER_LIST(X) \
-    X(swells)       /* sums of waves; without them the sea is level */ \
+    X(swells)       /* sums of waves; without them the water is level */ \
     X(sharp)        /* sharpened crests of swells (wave.power) */ \
     X(lod)          /* grid level of detail; needs swells */ \
-    X(ocean)        /* coastal water: over a floor or in a wind; needs swells */ \
+    X(coastal)      /* coastal water: over a floor or in a wind; needs swells */ \
     X(rings) X(pools)
 
 #define X(name) extern const struct tp_water_##name tp_water_##name;
@@ -90,7 +90,7 @@ typedef struct {
 #define X(name) const struct tp_water_##name *name;
     TP_WATER_LIST(X)
 #undef X
-} tp_waters;
+} tp_wave_models;
 
 #define TP_WATER(name) .name = &tp_water_##name
 
@@ -110,16 +110,16 @@ extern const struct tp_water_swells tp_water_few_swells;
     X(projected)    /* screen grid: displaced lines over the picture */ \
     X(flat)         /* a level plane with the slopes of its waves */
 
-struct tp_method;
-#define X(name) extern const struct tp_method tp_method_##name;
+struct tp_water_renderer;
+#define X(name) extern const struct tp_water_renderer tp_method_##name;
 TP_METHOD_LIST(X)
 #undef X
 
 typedef struct {
-#define X(name) const struct tp_method *name;
+#define X(name) const struct tp_water_renderer *name;
     TP_METHOD_LIST(X)
 #undef X
-} tp_methods;
+} tp_water_renderers;
 
 #define TP_METHOD(name) .name = &tp_method_##name
 
@@ -129,7 +129,7 @@ typedef struct {
  * camera looks along x.  Two lines of vertices, 32 bytes for each of grid.cols, lie in the
  * block, and two in the scratch of tp_frame_scratch_bytes().  The block has room for the
  * number of waves at init.  Coastal water over a floor is stored all the same. */
-extern const struct tp_method tp_method_streamed;
+extern const struct tp_water_renderer tp_method_streamed;
 
 #define X(name) extern const struct tp_draw_##name tp_draw_##name;
 TP_DRAW_LIST(X)
@@ -249,14 +249,14 @@ typedef struct {
     X(absorb)               /* absorption in front of things */
 #define TP_STAGES_OF_tank(X)        X(wall)
 #define TP_STAGES_OF_glass(X) \
-    X(side)                 /* water behind the glass */ \
+    X(tank_side)                 /* water behind the glass */ \
     X(pane)                 /* the glass, after tone mapping */
 #define TP_STAGES_OF_caustics(X)
 #define TP_STAGES_OF_mirror(X)      X(mirrored)         /* objects, over the sky's mirror */
 #define TP_STAGES_OF_object_cube(X) X(mirrored_cube)
 #define TP_STAGES_OF_refraction(X)
 #define TP_STAGES_OF_clear_water(X) \
-    X(behind) X(behind_rippled) X(behind_dispersed) X(behind_rippled_dispersed)
+    X(refract) X(refract_rippled) X(refract_dispersed) X(refract_rippled_dispersed)
 #define TP_STAGES_OF_foam(X) \
     X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled)     /* reduces glint */
 #define TP_STAGES_OF_spray(X)       X(spray)            /* colour of specks */
@@ -339,9 +339,9 @@ typedef struct tp_program {
     tp_status (*check)(const struct tp_scene *scene, tp_error *err);
     tp_stages stage;
     tp_store  store[TP_FORMAT_COUNT];
-    tp_waters water;
+    tp_wave_models water;
     tp_draws  draw;
-    tp_methods method;
+    tp_water_renderers method;
     const tp_use *modules;      /* a list of uses; NULL: none */
     /* tp_lacks_check: refuses a scene that has a module of `lacks` on, see tp_world_init.
      * NULL: a missing module is left out of the picture. */
@@ -375,9 +375,9 @@ extern const tp_program *const tp_program_linked;
  * name the words there.  Scene files, snapshots, tapes and baked scenes then include the
  * settings:
  *
- *     enum { BUOY_ON = BUOY_AT, BUOY_HEIGHT };
- *     TP_ROW_SWITCH("buoy.on", own[BUOY_ON], 0, "a buoy floats on the water"),
- *     TP_ROW_NUMBER("buoy.height", own[BUOY_HEIGHT], "m", 0.1, 20, 2, "height of its mast"),
+ *     enum { BUOY_ON = BUOY_AT, BUOY_HEIGHT }; TP_ROW_SWITCH("buoy.on", own[BUOY_ON], 0,
+ *     "a buoy floats on the water"), TP_ROW_NUMBER("buoy.height", own[BUOY_HEIGHT], "m",
+ *     0.1, 20, 2, "height of its mast"),
  *
  * The header that lists a program's own modules assigns the words (BUOY_AT) and registers
  * the modules by TP_MORE; see ports/README.md. */

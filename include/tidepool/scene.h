@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* A scene: plain data that describes the water, the sky and the camera.
  *
- * An application sets the fields of tp_scene, or sets a row of the table of parameters by its
- * name.  The table gives each number its name, unit, range and default; INI files, the
- * command line, the preview and the manual use the same rows.  A scene may lie in ROM.  The
- * library opens no file: the application loads the pictures and the mesh that a scene names
- * and passes them as tp_assets. */
+ * An application sets the fields of tp_scene, or sets a row of the table of parameters
+ * by its name.  The table gives each number its name, unit, range and default; INI
+ * files, the command line, the preview and the manual use the same rows.  A scene may
+ * lie in ROM.  The library opens no file: the application loads the pictures and the
+ * mesh that a scene names and passes them as tp_assets. */
 #ifndef TP_SCENE_H
 #define TP_SCENE_H
 #include <stdbool.h>

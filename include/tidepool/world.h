@@ -26,8 +26,8 @@ TP_BEGIN_C
 
 typedef struct tp_program tp_program;
 
-/* A world fills one block of tp_world_bytes() bytes and holds no pointer: a copy of the block
- * is a snapshot.  The layout of the block is private. */
+/* A world fills one block of tp_world_bytes() bytes and holds no pointer: a copy of
+ * the block is a snapshot.  The layout of the block is private. */
 typedef struct tp_world tp_world;
 
 #define TP_TICKS_PER_SECOND 60      /* clock of all simulation */
@@ -89,13 +89,15 @@ void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *s
                    const tp_input *input);
 
 /* Pushes the water at (x, z), m, at once.  Call between ticks, any number of times.
- *  - In the pool, else in the field: a splash `height` m high or deep and `radius` m wide, at
- *    least 1.5 cells, that adds no volume.  A push of pool.poke_size has the same bits as the
- *    same tp_input.push in the next tick, unless drops or a boat affect the pool in that
- *    tick.
- *  - On open water, if drops raise rings (drops.into = rings): a ring that begins with a crest
- *    of |height| m, at most 4 m, and a length of 4 radii; a radius is at most 16 m.  The ring
- *    makes foam if the scene has foam, and is visible after the next tick.
+ *  - In the pool, else in the field: a splash `height` m high or deep and `radius` m
+ *  wide, at
+ *    least 1.5 cells, that adds no volume.  A push of pool.poke_size has the same bits as
+ *    the same tp_input.push in the next tick, unless drops or a boat affect the pool in
+ *    that tick.
+ *  - On open water, if drops raise rings (drops.into = rings): a ring that begins with a
+ *  crest
+ *    of |height| m, at most 4 m, and a length of 4 radii; a radius is at most 16 m.  The
+ *    ring makes foam if the scene has foam, and is visible after the next tick.
  * Returns false if no water moves: neither pool nor rings exist at this position, or a
  * wall stands there; the position is more than 9000 m from the origin; no ring is free; or
  * the height is 0.  `scene` is the scene that the world was made for, or that was applied

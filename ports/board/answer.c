@@ -40,19 +40,19 @@ const tp_param *control_find(const control *c, control_word name)
     if (!param) {
         tp_error err = { .code = TP_E_NAME };
         tp_error_set_word(&err, name.text, name.bytes);
-        refuse_input(c, &err);
+        reply_input_error(c, &err);
     }
     return param;
 }
 
 /* -- replies ----------------------------------------------------------------------- */
 
-void answer(const control *c, const char *text)
+void reply_text(const control *c, const char *text)
 {
     c->setup->write(c->setup->to, text);
 }
 
-void answer_number(const control *c, uint32_t number)
+void reply_number(const control *c, uint32_t number)
 {
     char  text[11];
     char *at = text + sizeof text - 1;
@@ -60,74 +60,74 @@ void answer_number(const control *c, uint32_t number)
     do {
         *--at = (char)('0' + number % 10);
     } while (number /= 10);
-    answer(c, at);
+    reply_text(c, at);
 }
 
 static void answer_unit(const control *c, const tp_param *param)
 {
     if (param->kind != TP_PARAM_CHOICE && param->unit[0]) {
-        answer(c, " ");
-        answer(c, param->unit);
+        reply_text(c, " ");
+        reply_text(c, param->unit);
     }
 }
 
-void answer_value(const control *c, const tp_param *param)
+void reply_value(const control *c, const tp_param *param)
 {
     char text[TP_NAME_BYTES];
     tp_param_text(c->setup->shown, param, text, sizeof text);
-    answer(c, param->name);
-    answer(c, " = ");
-    answer(c, text);
+    reply_text(c, param->name);
+    reply_text(c, " = ");
+    reply_text(c, text);
     answer_unit(c, param);
 }
 
-void answer_range(const control *c, const char *before, const tp_param *param)
+void reply_range(const control *c, const char *before, const tp_param *param)
 {
     char text[16];
     if (param->kind == TP_PARAM_BOOL || param->kind == TP_PARAM_CHOICE) {
-        answer(c, before);
-        answer(c, param->kind == TP_PARAM_BOOL ? "off|on" : param->unit);
+        reply_text(c, before);
+        reply_text(c, param->kind == TP_PARAM_BOOL ? "off|on" : param->unit);
     } else if (param->kind == TP_PARAM_FX || param->kind == TP_PARAM_INT) {
-        answer(c, before);
+        reply_text(c, before);
         tp_param_number_text(param, param->low, text, sizeof text);
-        answer(c, text);
-        answer(c, "..");
+        reply_text(c, text);
+        reply_text(c, "..");
         tp_param_number_text(param, param->high, text, sizeof text);
-        answer(c, text);
+        reply_text(c, text);
     }
 }
 
-void refuse(const control *c, const char *why)
+void reply_error(const control *c, const char *why)
 {
-    answer(c, "error ");
-    answer(c, why);
-    answer(c, "\n");
+    reply_text(c, "error ");
+    reply_text(c, why);
+    reply_text(c, "\n");
 }
 
-void refuse_input(const control *c, const tp_error *err)
+void reply_input_error(const control *c, const tp_error *err)
 {
     char text[160];
     tp_error_text(err, text, sizeof text);
-    refuse(c, text);
+    reply_error(c, text);
 }
 
-void refuse_value(const control *c, const tp_param *param, const tp_error *err)
+void reply_value_error(const control *c, const tp_param *param, const tp_error *err)
 {
     char text[160];
-    answer(c, "error ");
-    answer(c, param->name);
+    reply_text(c, "error ");
+    reply_text(c, param->name);
     switch (err->code) {
     case TP_E_RANGE:
     case TP_E_CHOICE:
-        answer(c, " = ");
-        answer(c, err->word);
-        answer_range(c, err->code == TP_E_RANGE ? " is outside " : " is none of ", param);
+        reply_text(c, " = ");
+        reply_text(c, err->word);
+        reply_range(c, err->code == TP_E_RANGE ? " is outside " : " is none of ", param);
         answer_unit(c, param);
         break;
     default:
         tp_error_text(err, text, sizeof text);
-        answer(c, ": ");
-        answer(c, text);
+        reply_text(c, ": ");
+        reply_text(c, text);
     }
-    answer(c, "\n");
+    reply_text(c, "\n");
 }

@@ -22,13 +22,13 @@ bool control_is(control_word word, const char *name);
 const tp_param *control_find(const control *c, control_word name);
 void control_set(control *c, control_word rest);
 
-void answer(const control *c, const char *text);
-void answer_number(const control *c, uint32_t number);
-void answer_value(const control *c, const tp_param *param);     /* "name = 0.8 m" */
+void reply_text(const control *c, const char *text);
+void reply_number(const control *c, uint32_t number);
+void reply_value(const control *c, const tp_param *param);     /* "name = 0.8 m" */
 /* Writes `before` and the permitted values: "0..16" or words; writes nothing for colours
  * and names. */
-void answer_range(const control *c, const char *before, const tp_param *param);
-void refuse(const control *c, const char *why);                 /* whole lines */
-void refuse_input(const control *c, const tp_error *err);
-void refuse_value(const control *c, const tp_param *param, const tp_error *err);
+void reply_range(const control *c, const char *before, const tp_param *param);
+void reply_error(const control *c, const char *why);                 /* whole lines */
+void reply_input_error(const control *c, const tp_error *err);
+void reply_value_error(const control *c, const tp_param *param, const tp_error *err);
 #endif

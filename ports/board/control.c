@@ -19,10 +19,10 @@ static void get(const control *c, control_word rest)
     const tp_param *param = control_find(c, control_next(&rest, '\0'));
     if (!param)
         return;
-    answer(c, "ok ");
-    answer_value(c, param);
-    answer_range(c, " of ", param);
-    answer(c, "\n");
+    reply_text(c, "ok ");
+    reply_value(c, param);
+    reply_range(c, " of ", param);
+    reply_text(c, "\n");
 }
 
 static bool begins(const char *name, control_word prefix)
@@ -40,13 +40,13 @@ static void list(const control *c, control_word rest)
     const control_word prefix = control_next(&rest, '\0');
     for (uint32_t i = 0; i < count; i++)
         if (begins(params[i].name, prefix)) {
-            answer_value(c, &params[i]);
-            answer(c, "\n");
+            reply_value(c, &params[i]);
+            reply_text(c, "\n");
             n++;
         }
-    answer(c, n ? "ok " : "error ");
-    answer_number(c, n);
-    answer(c, n == 1 ? " parameter\n" : " parameters\n");
+    reply_text(c, n ? "ok " : "error ");
+    reply_number(c, n);
+    reply_text(c, n == 1 ? " parameter\n" : " parameters\n");
 }
 
 /* Reads the next word as a number in m; returns false if the word is anything else. */
@@ -62,9 +62,9 @@ static bool next_metres(control_word *rest, tp_fx *metres)
 /* Refuses a push that exceeds the next tick's input; the sender must repeat it. */
 static void refuse_full(const control *c)
 {
-    answer(c, "error ");
-    answer_number(c, TP_PUSHES);
-    answer(c, " pokes wait for the next tick, the most it takes\n");
+    reply_text(c, "error ");
+    reply_number(c, TP_PUSHES);
+    reply_text(c, " pokes wait for the next tick, the most it takes\n");
 }
 
 static void poke(control *c, control_word rest)
@@ -75,23 +75,23 @@ static void poke(control *c, control_word rest)
     if (read && rest.bytes > 0)
         read = next_metres(&rest, &push.height) && rest.bytes == 0;
     if (!read)
-        refuse(c, "expected poke X Z [HEIGHT], in m");
+        reply_error(c, "expected poke X Z [HEIGHT], in m");
     else if (!tp_world_pool(world) && !tp_world_field(world))
-        refuse(c, "the scene has no pool");
+        reply_error(c, "the scene has no pool");
     else if (push.height != 0 && !poke_put(&c->input, &push))
         refuse_full(c);
     else
-        answer(c, "ok poke\n");
+        reply_text(c, "ok poke\n");
 }
 
 static void drop(control *c)
 {
     if (!tp_world_drops(c->setup->world)) {
-        refuse(c, "the scene has no drops");
+        reply_error(c, "the scene has no drops");
         return;
     }
     c->input.drops += c->input.drops < DROPS_MOST;
-    answer(c, "ok drop\n");
+    reply_text(c, "ok drop\n");
 }
 
 /* Adds pushes to an input; returns false if some have no room. */
@@ -112,7 +112,7 @@ static void input(control *c)
     memset(c->line, ' ', sizeof "input" - 1);
     c->line[0] = '0';
     if (tp_tape_read(&entry, c->line, c->length, &err)) {
-        refuse_input(c, &err);
+        reply_input_error(c, &err);
         return;
     }
     tp_input next = entry.input;
@@ -123,13 +123,13 @@ static void input(control *c)
         return;
     }
     c->input = next;
-    answer(c, "ok input\n");
+    reply_text(c, "ok input\n");
 }
 
 static void pause(control *c, bool on)
 {
     c->paused = on;
-    answer(c, on ? "ok pause\n" : "ok go\n");
+    reply_text(c, on ? "ok pause\n" : "ok go\n");
 }
 
 /* Parses "step" or "step N". */
@@ -144,14 +144,14 @@ static void step(control *c, control_word rest)
     if (word.bytes == 0)
         ticks = 1;
     if (n < word.bytes || ticks > STEPS_MOST || rest.bytes > 0) {
-        refuse(c, "expected step [TICKS], at most 100000");
+        reply_error(c, "expected step [TICKS], at most 100000");
         return;
     }
     c->paused = true;
     c->steps = ticks;
-    answer(c, "ok step ");
-    answer_number(c, ticks);
-    answer(c, "\n");
+    reply_text(c, "ok step ");
+    reply_number(c, ticks);
+    reply_text(c, "\n");
 }
 
 /* Starts the world again at tick 0, with the scene's present numbers. */
@@ -161,22 +161,22 @@ static void restart(control *c)
     tp_error err = { 0 };
     if (tp_world_init(s->config->program, s->world, s->world_bytes, s->shown,
                       s->config->assets, &err)) {
-        refuse_input(c, &err);
+        reply_input_error(c, &err);
         return;
     }
     memset(&c->input, 0, sizeof c->input);
     c->changed = true;
-    answer(c, "ok restart\n");
+    reply_text(c, "ok restart\n");
 }
 
 static void state(const control *c)
 {
     const control_setup *s = c->setup;
-    answer(c, "ok tick ");
-    answer_number(c, (uint32_t)tp_world_tick(s->world));
+    reply_text(c, "ok tick ");
+    reply_number(c, (uint32_t)tp_world_tick(s->world));
     if (s->state)
         s->state(s->to);
-    answer(c, "\n");
+    reply_text(c, "\n");
 }
 
 static void obey(control *c)
@@ -204,7 +204,7 @@ static void obey(control *c)
     else if (control_is(word, "state"))
         state(c);
     else
-        refuse(c, "expected set get list drop poke input pause go step restart state");
+        reply_error(c, "expected set get list drop poke input pause go step restart state");
 }
 
 /* -- lines --------------------------------------------------------------------------- */
@@ -223,13 +223,13 @@ static void trim(control *c)
 static bool end_line(control *c)
 {
     if (c->odd) {
-        answer(c, "error line with byte ");
-        answer_number(c, c->odd - 1);
-        answer(c, ", which is not text\n");
+        reply_text(c, "error line with byte ");
+        reply_number(c, c->odd - 1);
+        reply_text(c, ", which is not text\n");
     } else if (c->length > CONTROL_LINE) {
-        answer(c, "error line longer than ");
-        answer_number(c, CONTROL_LINE);
-        answer(c, " bytes\n");
+        reply_text(c, "error line longer than ");
+        reply_number(c, CONTROL_LINE);
+        reply_text(c, " bytes\n");
     } else {
         trim(c);
         if (c->length == 0)

@@ -15,10 +15,10 @@ static bool may_change(const control *c, const tp_param *param)
 {
     if (c->setup->scene && !tp_param_is_file(param) && !setting_is_grid(param))
         return true;
-    answer(c, "error ");
-    answer(c, param->name);
-    answer(c, c->setup->scene ? " is fixed when a scene is baked\n"
-                              : " cannot change: the scene is constant\n");
+    reply_text(c, "error ");
+    reply_text(c, param->name);
+    reply_text(c, c->setup->scene ? " is fixed when a scene is baked\n"
+                                  : " cannot change: the scene is constant\n");
     return false;
 }
 
@@ -29,16 +29,16 @@ static void take_back(const control *c, const tp_param *param, void *number,
 {
     const control_setup *s = c->setup;
     const size_t bytes = tp_world_bytes(s->config->program, s->scene, s->config->assets);
-    answer(c, "error ");
-    answer_value(c, param);
+    reply_text(c, "error ");
+    reply_value(c, param);
     if (bytes > s->world_bytes) {
-        answer(c, " needs ");
-        answer_number(c, (uint32_t)bytes);
-        answer(c, " bytes of the world, which has ");
-        answer_number(c, (uint32_t)s->world_bytes);
-        answer(c, "\n");
+        reply_text(c, " needs ");
+        reply_number(c, (uint32_t)bytes);
+        reply_text(c, " bytes of the world, which has ");
+        reply_number(c, (uint32_t)s->world_bytes);
+        reply_text(c, "\n");
     } else {
-        answer(c, " cannot change in a running world\n");
+        reply_text(c, " cannot change in a running world\n");
     }
     memcpy(number, before, sizeof(int32_t));
 }
@@ -51,15 +51,15 @@ static uint32_t frame_needs(const control_setup *s)
 static void tell(const control *c, const tp_param *param, uint32_t needed)
 {
     const uint32_t needs = frame_needs(c->setup);
-    answer(c, "ok ");
-    answer_value(c, param);
+    reply_text(c, "ok ");
+    reply_value(c, param);
     if (needs > needed && needs > c->frame_bytes) {
-        answer(c, ", in part: needs ");
-        answer_number(c, needs);
-        answer(c, " bytes of the frame, which has ");
-        answer_number(c, c->frame_bytes);
+        reply_text(c, ", in part: needs ");
+        reply_number(c, needs);
+        reply_text(c, " bytes of the frame, which has ");
+        reply_number(c, c->frame_bytes);
     }
-    answer(c, "\n");
+    reply_text(c, "\n");
 }
 
 void control_set(control *c, control_word rest)
@@ -85,7 +85,7 @@ void control_set(control *c, control_word rest)
         tell(c, param, needed);
         break;
     case SETTING_REFUSED:
-        refuse_value(c, param, &err);
+        reply_value_error(c, param, &err);
         break;
     default:
         take_back(c, param, number, &before);

@@ -21,28 +21,28 @@
 #define BOARD_FRAMES 2
 #endif
 
-MARK(count_as_frame)
-MARK(count_as_tiles)
-MARK(count_as_tick)
-MARK(count_end)
+TRACE_MARK(count_as_frame)
+TRACE_MARK(count_as_tiles)
+TRACE_MARK(count_as_tick)
+TRACE_MARK(count_end)
 
 /* -- drawing and reports ------------------------------------------------------- */
 
 typedef struct {
     uint32_t crc, water;
-} picture;
+} picture_sums;
 
-static picture draw(tp_frame *frame, void *scratch, const tp_world *world)
+static picture_sums draw(tp_frame *frame, void *scratch, const tp_world *world)
 {
     tp_tile tile;
-    picture p = { 0 };
+    picture_sums p = { 0 };
 
     count_as_frame();
     tp_frame_begin(frame, world);
     count_as_tiles();
     for (uint32_t i = 0; tp_frame_draw_tile(frame, i, scratch, &tile); i++) {
         count_end();
-        p.crc = sum_tile(p.crc, &baked_config, &tile);
+        p.crc = frame_crc_add_tile(p.crc, &baked_config, &tile);
         p.water += tp_frame_water_pixels(frame, scratch, &tile);
         count_as_tiles();
     }
@@ -57,7 +57,7 @@ static void tick(tp_world *world)
     count_end();
 }
 
-static void say_frame(uint32_t n, const picture *p, tp_draw_stats held)
+static void say_frame(uint32_t n, const picture_sums *p, tp_draw_stats held)
 {
     semihost_number("frame ", n, 10, 4);
     semihost_number(" crc32 ", p->crc, 16, 8);
@@ -130,7 +130,7 @@ int main(void)
     for (uint32_t n = 0; n < BOARD_FIRST; n++)
         tp_world_step(&baked_program, world, &baked_scene, NULL);
     for (uint32_t n = 0; n < BOARD_FRAMES; n++) {
-        const picture p = draw(frame, scratch, world);
+        const picture_sums p = draw(frame, scratch, world);
         say_frame(BOARD_FIRST + n, &p, tp_frame_stats(frame));
         tick(world);
     }

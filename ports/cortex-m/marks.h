@@ -4,7 +4,7 @@
 #ifndef MARKS_H
 #define MARKS_H
 
-#define MARK(name) \
+#define TRACE_MARK(name) \
     void name(void); \
     __attribute__((noinline)) void name(void) { __asm__ volatile("" ::: "memory"); }
 #endif

@@ -33,7 +33,7 @@ static uint32_t power(uint32_t base, uint32_t n)
     return result;
 }
 
-uint32_t sum_tile(uint32_t sum, const tp_config *config, const tp_tile *tile)
+uint32_t frame_crc_add_tile(uint32_t sum, const tp_config *config, const tp_tile *tile)
 {
     const uint8_t *row = tile->pixels;
 

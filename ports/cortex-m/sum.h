@@ -6,5 +6,5 @@
 #include "tidepool/frame.h"
 
 /* Returns `sum`, 0 at first, with one more tile included. */
-uint32_t sum_tile(uint32_t sum, const tp_config *config, const tp_tile *tile);
+uint32_t frame_crc_add_tile(uint32_t sum, const tp_config *config, const tp_tile *tile);
 #endif

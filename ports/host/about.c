@@ -13,7 +13,7 @@
 enum { USUAL = CODE(DONE) | CODE(USAGE) | CODE(INPUT), CHECKS = USUAL | CODE(CHECK),
        SHOWS = USUAL | CODE(DISPLAY) | CODE(LOST) };
 
-static const about_row rows[] = {
+static const command_help_row rows[] = {
     { FOR_VIEW, "tidepool view [SCENE] [OPTION]...",
       "Shows SCENE, a shipped scene or an INI file, in a window; without SCENE it shows\n"
       "three-swells.  F1 lists the keys.  The state is saved each second, for --resume.\n",
@@ -99,7 +99,7 @@ static const about_row rows[] = {
 
 #define ROWS (sizeof rows / sizeof *rows)
 
-const about_row *about_find_row(unsigned command)
+const command_help_row *command_help_find(unsigned command)
 {
     for (size_t i = 0; i < ROWS; i++)
         if (rows[i].command == command)
@@ -107,7 +107,7 @@ const about_row *about_find_row(unsigned command)
     abort();                    /* command without a row; tested by cli.sh */
 }
 
-void about_exits(const about_row *row, char text[ABOUT_EXITS_BYTES])
+void command_help_exits(const command_help_row *row, char text[COMMAND_HELP_EXITS_BYTES])
 {
     const char *comma = "Exit: ";
     size_t length = 0;
@@ -115,16 +115,17 @@ void about_exits(const about_row *row, char text[ABOUT_EXITS_BYTES])
         const bool own = code == EXIT_CHECK && row->check;
         if (!(row->exits >> code & 1))
             continue;
-        length += (size_t)snprintf(text + length, ABOUT_EXITS_BYTES - length, "%s%d %s",
-                                   comma, code, own ? row->check : exits[code].words);
+        length +=
+            (size_t)snprintf(text + length, COMMAND_HELP_EXITS_BYTES - length, "%s%d %s",
+                             comma, code, own ? row->check : exits[code].words);
         comma = ", ";
     }
-    snprintf(text + length, ABOUT_EXITS_BYTES - length, ".");
+    snprintf(text + length, COMMAND_HELP_EXITS_BYTES - length, ".");
 }
 
-void about_print(unsigned command)
+void command_help_print(unsigned command)
 {
-    const about_row *row = about_find_row(command);
+    const command_help_row *row = command_help_find(command);
     fputs("usage: ", stdout);
     for (const char *c = row->usage; *c; c++) {
         putchar(*c);
@@ -135,7 +136,7 @@ void about_print(unsigned command)
     args_print(command);
     if (*row->after)
         printf("\n%s", row->after);
-    char codes[ABOUT_EXITS_BYTES];
-    about_exits(row, codes);
+    char codes[COMMAND_HELP_EXITS_BYTES];
+    command_help_exits(row, codes);
     printf("\n%s\n", codes);
 }

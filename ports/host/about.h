@@ -10,15 +10,15 @@ typedef struct {
     const char *after;          /* text printed after the options; "": none */
     unsigned    exits;          /* set of exit codes, bits 1 << EXIT_... */
     const char *check;          /* meaning of EXIT_CHECK for the command; NULL: unused */
-} about_row;
+} command_help_row;
 
-#define ABOUT_EXITS_BYTES 128
+#define COMMAND_HELP_EXITS_BYTES 128
 
 /* Writes "Exit: 0 done, 2 usage, 3 bad input." into text: one line, without a line feed. */
-void about_exits(const about_row *row, char text[ABOUT_EXITS_BYTES]);
+void command_help_exits(const command_help_row *row, char text[COMMAND_HELP_EXITS_BYTES]);
 
-const about_row *about_find_row(unsigned command);
+const command_help_row *command_help_find(unsigned command);
 
 /* Prints the whole `--help` of a command on stdout: at most 24 lines. */
-void about_print(unsigned command);
+void command_help_print(unsigned command);
 #endif

@@ -21,10 +21,10 @@
       "move four times as fast") \
     X(MOUSE,      "camera", "mouse",      "M", false, \
       "the mouse turns the camera; again: release") \
-    X(LOOK_FREE,  "camera", "look_free",  "F", false, "look and fly freely") \
-    X(LOOK_ORBIT, "camera", "look_orbit", "O", false, "orbit the point in view") \
-    X(LOOK_TOP,   "camera", "look_top",   "T", false, "look from above") \
-    X(LOOK_BOAT,  "camera", "look_boat",  "B", false, "look from the boat's deck") \
+    X(CAMERA_FREE,  "camera", "look_free",  "F", false, "look and fly freely") \
+    X(CAMERA_ORBIT, "camera", "look_orbit", "O", false, "orbit the point in view") \
+    X(CAMERA_TOP,   "camera", "look_top",   "T", false, "look from above") \
+    X(CAMERA_BOAT,  "camera", "look_boat",  "B", false, "look from the boat's deck") \
     X(BEGIN_HERE, "camera", "begin_here", "Ctrl+C", false, \
       "start the scene at this camera") \
     X(NORTH,      "water",  "north",      "Up", true, "move the sphere of drops away") \

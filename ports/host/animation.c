@@ -142,13 +142,13 @@ static int refuse(animation *a, int error)
 {
     free(a->rows);
     a->rows = NULL;
-    return output_failed(&a->out, error);
+    return output_file_fail(&a->out, error);
 }
 
 int animation_open(animation *a, const char *name, uint32_t frames, uint32_t ticks)
 {
     *a = (animation){ .frames = frames, .ticks = ticks };
-    return output_open(&a->out, name);
+    return output_file_open(&a->out, name);
 }
 
 int animation_add(animation *a, const picture *p)
@@ -171,12 +171,12 @@ int animation_close(animation *a)
         return refuse(a, errno ? errno : EIO);
     free(a->rows);
     a->rows = NULL;
-    return output_close(&a->out);
+    return output_file_close(&a->out);
 }
 
 void animation_discard(animation *a)
 {
     free(a->rows);
     a->rows = NULL;
-    output_discard(&a->out);
+    output_file_discard(&a->out);
 }

@@ -50,20 +50,20 @@ void args_print(unsigned command)
 
 static int refuse(const options *o, const char *what)
 {
-    return fail(EXIT_USAGE, "tidepool %s: %s; see `tidepool %s --help`", o->command, what,
-                o->command);
+    return log_fail(EXIT_USAGE, "tidepool %s: %s; see `tidepool %s --help`", o->command,
+                    what, o->command);
 }
 
 static int refuse_option(const options *o, unsigned command, const char *name)
 {
     char what[160];
     const char *meant = NULL;
-    nearest best = nearest_make(name + strspn(name, "-"));
+    did_you_mean best = did_you_mean_make(name + strspn(name, "-"));
     for (size_t i = 0; i < args_row_count; i++) {
         const char *row = args_rows[i].name;
         const unsigned distance = best.distance;
         if (args_rows[i].commands & command)
-            nearest_offer(&best, row + strspn(row, "-"));
+            did_you_mean_offer(&best, row + strspn(row, "-"));
         if (best.distance < distance)
             meant = row;
     }
@@ -169,7 +169,7 @@ int args_read(options *o, unsigned command, int argc, char **argv)
                     .format = board ? TP_FORMAT_RGB565 : TP_FORMAT_XRGB8888 };
     o->settings = calloc(2 * (size_t)argc, sizeof *o->settings);
     if (!o->settings)
-        return fail_memory(2 * (size_t)argc * sizeof *o->settings);
+        return log_fail_memory(2 * (size_t)argc * sizeof *o->settings);
     o->names = o->settings + argc;
     for (int i = 1; i < argc; i++) {
         int code = EXIT_DONE;

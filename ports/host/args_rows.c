@@ -105,7 +105,7 @@ static const char *read_strip(options *o, const char *value)
 
 static const char *read_threads(options *o, const char *value)
 {
-    return read_count(value, NULL, 1, CANVAS_THREADS, &o->threads) ? NULL : "1..64";
+    return read_count(value, NULL, 1, FRAME_RENDERER_THREADS, &o->threads) ? NULL : "1..64";
 }
 
 /* The suffixes k and M mean 1024 and 1024 k, as in the data sheets of boards. */
@@ -217,7 +217,7 @@ static const char *read_verbose(options *o, const char *value)
 {
     (void)o;
     (void)value;
-    say_verbose();
+    log_set_verbose();
     return NULL;
 }
 

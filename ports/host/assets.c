@@ -23,7 +23,7 @@ void *assets_take(asset_set *a, size_t bytes)
 {
     assets_block *block = malloc(sizeof *block + bytes);
     if (!block) {
-        fail_memory(bytes);
+        log_fail_memory(bytes);
         return NULL;
     }
     block->next = a->blocks;
@@ -84,25 +84,26 @@ int assets_texture(asset_set *a, tp_texture *texture, const char *path,
     uint32_t w, h;
     uint32_t *pixels = picture_load_png(path, &w, &h, why);
     if (!pixels)
-        return errno == ENOMEM ? fail(EXIT_INPUT, "%s: %s", path, why) : EXIT_CHECK;
+        return errno == ENOMEM ? log_fail(EXIT_INPUT, "%s: %s", path, why) : EXIT_CHECK;
     const size_t bytes = tp_texture_bytes(w, h);
     void *memory = assets_take(a, bytes);
     tp_error err = { 0 };
     int code = memory ? EXIT_DONE : EXIT_INPUT;
     if (memory
         && tp_texture_init(texture, pixels, w, h, memory, tp_texture_bytes(w, h), &err))
-        code = fail_with_error(path, &err);
+        code = log_fail_error(path, &err);
     free(pixels);
     if (!code)
         a->texture_bytes += bytes - discard_large_mips(texture, a->options.texels);
     return code;
 }
 
-static int load_texture(asset_set *a, tp_texture *texture, const char *path, const char *who)
+static int load_texture(asset_set *a, tp_texture *texture, const char *path,
+                        const char *who)
 {
     char why[PICTURE_WHY];
     const int code = assets_texture(a, texture, path, why);
-    return code == EXIT_CHECK ? fail(EXIT_INPUT, "%s: %s: %s", who, path, why) : code;
+    return code == EXIT_CHECK ? log_fail(EXIT_INPUT, "%s: %s: %s", who, path, why) : code;
 }
 
 /* -- grey maps ------------------------------------------------------------------- */
@@ -136,7 +137,7 @@ static int load(asset_set *a, const scene_file *file, const char *name, void *in
         return EXIT_DONE;
     char *path = scene_file_resolve_path(file, param);
     if (!path)
-        return fail_memory(sizeof text);
+        return log_fail_memory(sizeof text);
     scene_file_who(file, param, who, sizeof who);
     const int code = param->kind == TP_PARAM_MESH ? assets_mesh(a, into, path, who,
                                                               file->scene.boat.scale)
@@ -161,7 +162,8 @@ int assets_refuse(const scene_file *file, const char *lacking)
 {
     char who[WHO_BYTES];
     scene_file_who(file, tp_param_find("sky.kind", 8), who, sizeof who);
-    return fail(EXIT_INPUT, "%s: a cube needs six pictures; %s names none", who, lacking);
+    return log_fail(EXIT_INPUT, "%s: a cube needs six pictures; %s names none", who,
+                    lacking);
 }
 
 int assets_open(asset_set *a, const scene_file *file)

@@ -54,5 +54,6 @@ int  assets_texture(asset_set *a, tp_texture *texture, const char *path,
 /* Loads the mesh of a scene with its material libraries and pictures.  scale: metres per
  * unit of the file, Q16.16.  Messages about the OBJ itself begin with `who`, the place of
  * its name. */
-int  assets_mesh(asset_set *a, tp_mesh *mesh, const char *path, const char *who, tp_fx scale);
+int assets_mesh(asset_set *a, tp_mesh *mesh, const char *path, const char *who,
+                tp_fx scale);
 #endif

@@ -36,7 +36,7 @@ typedef struct {
 
 /* -- warnings -------------------------------------------------------------------- */
 
-static int warn(loading *l, const char *remedy, const char *format, ...) HOST_PRINTF(3, 4);
+static int warn(loading *l, const char *remedy, const char *format, ...) LOG_PRINTF(3, 4);
 
 /* Prints a warning; `remedy` says how the program goes on.  With --strict returns
  * EXIT_INPUT. */
@@ -48,9 +48,9 @@ static int warn(loading *l, const char *remedy, const char *format, ...)
     vsnprintf(text, sizeof text, format, list);
     va_end(list);
     if (l->assets->options.strict)
-        return fail(EXIT_INPUT, "%s", text);
+        return log_fail(EXIT_INPUT, "%s", text);
     if (l->warnings++ < SAID && !l->assets->options.quiet)
-        say("%s; %s", text, remedy);
+        log_line("%s; %s", text, remedy);
     return EXIT_DONE;
 }
 
@@ -71,7 +71,7 @@ static int warn_noted(loading *l, const char *file)
         char text[256];
         tp_error_text(err, text, sizeof text);
         code = warn(l, remedy_text(err->code), "%s:%u: %s%s", file, (unsigned)err->where,
-                    text, say_check(err));
+                    text, log_check_place(err));
     }
     if (obj->warnings > TP_OBJ_WARNINGS)
         l->warnings += obj->warnings - TP_OBJ_WARNINGS;
@@ -143,11 +143,11 @@ static int pass(tp_obj *obj, const char *path, feed more, end done)
     errno = 0;
     for (size_t n; !code && (n = fread(chunk, 1, sizeof chunk, file)) > 0;)
         if (more(obj, chunk, n, &err))
-            code = fail_with_error(path, &err);
+            code = log_fail_error(path, &err);
     const int error = ferror(file) ? errno : 0;
     fclose(file);
     if (!code && !error && done(obj, &err))
-        code = fail_with_error(path, &err);
+        code = log_fail_error(path, &err);
     errno = error;
     return error ? UNREADABLE : code;
 }
@@ -156,7 +156,7 @@ static int pass_obj(loading *l, const char *who, end done)
 {
     const int code = pass(l->obj, l->path, tp_obj_feed, done);
     if (code == UNREADABLE)
-        return fail(EXIT_INPUT, "%s: %s: %s", who, l->path, strerror(errno));
+        return log_fail(EXIT_INPUT, "%s: %s: %s", who, l->path, strerror(errno));
     return code;
 }
 
@@ -166,7 +166,7 @@ static char *resolve_file_name(const char *path, const char *name)
 {
     char *full = path_beside(path, name);
     if (!full)
-        fail_memory(strlen(path) + strlen(name));
+        log_fail_memory(strlen(path) + strlen(name));
     else if (!path_is_file(full))
         for (char *c = full; *c; c++)
             if (*c == '\\')
@@ -272,7 +272,7 @@ static int load_parts(loading *l, tp_mesh *mesh, tp_fx scale)
     if (!code)
         code = load_images(l, &textures);
     if (!code && tp_obj_finish(l->obj, textures, mesh, &err))
-        code = fail_with_error(l->path, &err);
+        code = log_fail_error(l->path, &err);
     if (!code)
         code = warn_noted(l, l->path);
     return code ? code : warn_reach(l, mesh, scale);
@@ -282,12 +282,12 @@ int assets_mesh(asset_set *a, tp_mesh *mesh, const char *path, const char *who, 
 {
     loading l = { .assets = a, .obj = malloc(sizeof *l.obj), .path = path };
     if (!l.obj)
-        return fail_memory(sizeof *l.obj);
+        return log_fail_memory(sizeof *l.obj);
     int code = load_text(&l, who);
     if (!code)
         code = load_parts(&l, mesh, scale);
     free(l.obj);
     if (l.warnings > SAID && !a->options.quiet)
-        say("%s: and %u more", path, l.warnings - SAID);
+        log_line("%s: and %u more", path, l.warnings - SAID);
     return code;
 }

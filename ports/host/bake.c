@@ -25,11 +25,11 @@ static const struct { const char *member, *part; size_t offset; } pictures[] = {
     { "distortion", "distortion", offsetof(tp_assets, distortion) },
     { "ripple", "ripple", offsetof(tp_assets, ripple) },
     { "foam", "foam", offsetof(tp_assets, foam) },
-    { "graded[0]", "graded0", offsetof(tp_assets, graded[0]) },
-    { "graded[1]", "graded1", offsetof(tp_assets, graded[1]) },
-    { "graded[2]", "graded2", offsetof(tp_assets, graded[2]) },
-    { "offsets", "offsets", offsetof(tp_assets, offsets) },
-    { "slopes", "slopes", offsetof(tp_assets, slopes) },
+    { "baked_layer[0]", "baked_layer0", offsetof(tp_assets, baked_layer[0]) },
+    { "baked_layer[1]", "baked_layer1", offsetof(tp_assets, baked_layer[1]) },
+    { "baked_layer[2]", "baked_layer2", offsetof(tp_assets, baked_layer[2]) },
+    { "baked_offset", "baked_offset", offsetof(tp_assets, baked_offset) },
+    { "baked_slope", "baked_slope", offsetof(tp_assets, baked_slope) },
     { "sky[0]", "sky_east", offsetof(tp_assets, sky[0]) },
     { "sky[1]", "sky_west", offsetof(tp_assets, sky[1]) },
     { "sky[2]", "sky_up", offsetof(tp_assets, sky[2]) },
@@ -109,7 +109,7 @@ static int list_pictures(bake *b, const tp_assets *names)
     const uint32_t materials = boat ? boat->n_materials : 0;
     b->pictures = calloc(PICTURES + 2 * (size_t)materials, sizeof *b->pictures);
     if (!b->pictures)
-        return fail_memory((PICTURES + 2 * (size_t)materials) * sizeof *b->pictures);
+        return log_fail_memory((PICTURES + 2 * (size_t)materials) * sizeof *b->pictures);
     for (int i = 0; i < PICTURES; i++)
         add_picture(b, nth_texture(names, i), pictures[i].part, UINT32_MAX);
     for (uint32_t i = 0; i < materials; i++) {
@@ -160,7 +160,7 @@ static void put_contents(const bake *b, const tp_assets *names)
     fprintf(b->out, " */\n");
 }
 
-static void put_head(const bake *b, const options *o, const stage *s)
+static void put_head(const bake *b, const options *o, const loaded_scene *s)
 {
     fprintf(b->out, "/* ");
     put_remark(b->out, s->file.name);
@@ -209,7 +209,7 @@ static void put_assets(const bake *b, const tp_assets *names)
     fprintf(b->out, "};\n");
 }
 
-static void put_all(const bake *b, const options *o, const stage *s)
+static void put_all(const bake *b, const options *o, const loaded_scene *s)
 {
     const tp_assets *names = &s->assets.names;
     put_head(b, o, s);
@@ -260,8 +260,8 @@ static bool is_all_quick(const tp_scene *scene, const tp_assets *names)
 
 static const tp_texture **baked_texture_slot(tp_assets *names, int i)
 {
-    return i < TP_LAYERS ? &names->graded[i] : i == TP_LAYERS ? &names->offsets
-                                                              : &names->slopes;
+    return i < TP_LAYERS ? &names->baked_layer[i] : i == TP_LAYERS ? &names->baked_offset
+                                                              : &names->baked_slope;
 }
 
 /* Drops the layers that only exact stages read, and only from above the water. */
@@ -273,21 +273,21 @@ static void drop_layers(tp_assets *names)
 }
 
 /* Adds baked layers to *names.  `memory` and `made` hold them; the caller frees memory. */
-static int prepare(tp_assets *names, const tp_scene *scene, void *memory[TP_PREPARED],
-                   tp_texture made[TP_PREPARED])
+static int prepare(tp_assets *names, const tp_scene *scene, void *memory[TP_BAKED_LAYERS],
+                   tp_texture made[TP_BAKED_LAYERS])
 {
     const tp_assets from = *names;
 
     if (!may_be_quick(scene, names))
         return EXIT_DONE;
-    for (int i = 0; i < TP_PREPARED; i++) {
-        const size_t bytes = tp_prepared_bytes(&from, i);
+    for (int i = 0; i < TP_BAKED_LAYERS; i++) {
+        const size_t bytes = tp_baked_layer_bytes(&from, i);
         if (bytes == 0)
             continue;
         memory[i] = malloc(bytes);
         if (!memory[i])
-            return fail_memory(bytes);
-        tp_prepare(&made[i], scene, &from, i, memory[i]);
+            return log_fail_memory(bytes);
+        tp_bake_layer(&made[i], scene, &from, i, memory[i]);
         *baked_texture_slot(names, i) = &made[i];
     }
     if (is_all_quick(scene, &from))
@@ -297,31 +297,33 @@ static int prepare(tp_assets *names, const tp_scene *scene, void *memory[TP_PREP
 
 /* -- the command ---------------------------------------------------------------------- */
 
-static int write_file(bake *b, const options *o, const stage *s)
+static int write_file(bake *b, const options *o, const loaded_scene *s)
 {
-    output out;
-    const int code = output_open(&out, o->out);
+    output_file out;
+    const int code = output_file_open(&out, o->out);
     if (code)
         return code;
     b->out = out.file;
     put_all(b, o, s);
-    return output_close(&out);
+    return output_file_close(&out);
 }
 
 /* Loads the stage together with its world: a scene with an impossible world is refused
  * here, not on the board. */
-static int run(stage *s, const options *o)
+static int run(loaded_scene *s, const options *o)
 {
     char name[IDENTIFIER_BYTES];
     bake b = { .name = name };
-    void *memory[TP_PREPARED] = { NULL };
-    tp_texture made[TP_PREPARED];
+    void *memory[TP_BAKED_LAYERS] = { NULL };
+    tp_texture made[TP_BAKED_LAYERS];
     if (o->name && !can_be_name(o->name))
-        return fail(EXIT_USAGE, "tidepool bake: --name %.40s: expected a C identifier that"
-                    " begins with a letter, not with tp_", o->name);
+        return log_fail(EXIT_USAGE,
+                        "tidepool bake: --name %.40s: expected a C identifier that"
+                        " begins with a letter, not with tp_",
+                        o->name);
     int code = bake_check_options(o);
     if (!code)
-        code = stage_load(s, o);
+        code = loaded_scene_load(s, o);
     if (code)
         return code;
     make_identifier(o->name ? o->name : s->file.name, name);
@@ -337,7 +339,7 @@ static int run(stage *s, const options *o)
     if (!code)
         code = write_file(&b, o, s);
     free(b.pictures);
-    for (int i = 0; i < TP_PREPARED; i++)
+    for (int i = 0; i < TP_BAKED_LAYERS; i++)
         free(memory[i]);
     return code;
 }
@@ -345,15 +347,15 @@ static int run(stage *s, const options *o)
 int bake_command(int argc, char **argv)
 {
     options o;
-    stage s;
+    loaded_scene s;
     memset(&s, 0, sizeof s);
     int code = args_read(&o, FOR_BAKE, argc, argv);
     if (!code && o.help)
-        about_print(FOR_BAKE);
+        command_help_print(FOR_BAKE);
     else if (!code)
         code = run(&s, &o);
-    const int end = code ? code : finish_stdout();
-    stage_close(&s);
+    const int end = code ? code : streams_finish();
+    loaded_scene_close(&s);
     free(o.settings);
     return end;
 }

@@ -21,7 +21,7 @@ int bake_check_options(const options *o)
                    : o->strip ? "--strip" : NULL;
     if (!of || bake_has_program(o))
         return EXIT_DONE;
-    return fail(EXIT_USAGE, "tidepool bake: %s is an option of the program: add --size"
+    return log_fail(EXIT_USAGE, "tidepool bake: %s is an option of the program: add --size"
                 " or --format", of);
 }
 
@@ -29,33 +29,33 @@ static int refuse_piece(const char *option, const char *name, size_t length)
 {
     char word[64];
     snprintf(word, sizeof word, "%.*s", (int)(length < 60 ? length : 60), name);
-    nearest best = nearest_make(word);
-    for (size_t i = 0; i < piece_count; i++)
-        nearest_offer(&best, pieces[i].name);
+    did_you_mean best = did_you_mean_make(word);
+    for (size_t i = 0; i < component_count; i++)
+        did_you_mean_offer(&best, components[i].name);
     if (!best.name)
-        return fail(EXIT_USAGE, "tidepool bake: %s %s: no such module", option, word);
-    return fail(EXIT_USAGE, "tidepool bake: %s %s: no such module; did you mean %s?",
-                option, word, best.name);
+        return log_fail(EXIT_USAGE, "tidepool bake: %s %s: no such module", option, word);
+    return log_fail(EXIT_USAGE, "tidepool bake: %s %s: no such module; did you mean %s?",
+                    option, word, best.name);
 }
 
 /* Reads a list of pieces, as "drops,boat". */
-static int read_pieces(piece_set *to, const char *option, const char *list)
+static int read_pieces(component_set *to, const char *option, const char *list)
 {
     for (const char *c = list; c && *c; ) {
         const size_t length = strcspn(c, ",");
-        if (!pieces_named(to, c, length))
+        if (!components_add_named(to, c, length))
             return refuse_piece(option, c, length);
         c += length + (c[length] == ',');
     }
     return EXIT_DONE;
 }
 
-static int check_pieces(const dry_wish *wish)
+static int check_pieces(const component_search_request *wish)
 {
-    for (size_t i = 0; i < piece_count; i++)
+    for (size_t i = 0; i < component_count; i++)
         if (wish->with.has[i] && wish->without.has[i])
-            return fail(EXIT_USAGE, "tidepool bake: %s is in both --with and --without",
-                        pieces[i].name);
+            return log_fail(EXIT_USAGE, "tidepool bake: %s is in both --with and --without",
+                        components[i].name);
     return EXIT_DONE;
 }
 
@@ -79,37 +79,39 @@ static tp_assets prepared_alone(const tp_assets *names)
 {
     tp_assets lean = *names;
     for (int i = 0; i < TP_LAYERS; i++)
-        if (lean.graded[i])
+        if (lean.baked_layer[i])
             lean.layer[i] = NULL;
-    if (lean.offsets)
+    if (lean.baked_offset)
         lean.distortion = NULL;
-    if (lean.slopes)
+    if (lean.baked_slope)
         lean.ripple = NULL;
     return lean;
 }
 
 /* Prints each piece that the scene asks for and the program lacks, by name, once. */
-static int tell_lacks(const dry_found *found, bool strict)
+static int tell_lacks(const component_search_result *found, bool strict)
 {
     const char *last = "";
 
-    for (size_t i = 0; i < piece_count; i++) {
-        if (!found->lacks.has[i] || !strcmp(pieces[i].name, last))
+    for (size_t i = 0; i < component_count; i++) {
+        if (!found->lacks.has[i] || !strcmp(components[i].name, last))
             continue;
-        last = pieces[i].name;
-        say("left out, but the scene uses it: %s %s", piece_word(i), last);
+        last = components[i].name;
+        log_line("left out, but the scene uses it: %s %s", component_kind_name(i), last);
     }
-    return strict && *last ? fail(EXIT_CHECK, "tidepool bake: the program would draw"
-                                  " another picture than one with every module") : EXIT_DONE;
+    return strict && *last
+               ? log_fail(EXIT_CHECK, "tidepool bake: the program would draw"
+                                      " another picture than one with every module")
+               : EXIT_DONE;
 }
 
 int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
                       const tp_assets *assets, tp_assets *baked)
 {
-    dry_wish *wish = &p->wish;
+    component_search_request *wish = &p->wish;
 
     *p = (bake_program){ .scene = *scene };
-    *wish = (dry_wish){
+    *wish = (component_search_request){
         .scene = scene,
         .assets = assets,
         .named = &p->scene,
@@ -127,7 +129,7 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
     int code = read_pieces(&wish->with, "--with", o->with);
     if (!code)
         code = read_pieces(&wish->without, "--without", o->without);
-    pieces_add_models(&wish->with);
+    components_add_models(&wish->with);
     if (!code)
         code = check_pieces(wish);
     if (code)
@@ -137,7 +139,7 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
     const tp_ladder ladder = tp_ladder_make(scene, assets, o->width, o->height);
     if (ladder.count == 1)
         p->scene = named_scene(scene, &ladder);
-    code = dry_find(&p->found, wish);
+    code = component_search_run(&p->found, wish);
     wish->lean = NULL;
     if (p->found.lean)
         *baked = lean;
@@ -149,24 +151,24 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
 /* -- the file ------------------------------------------------------------------------- */
 
 /* Prints the pieces of a set under a heading; for an empty set prints nothing. */
-static void put_set(FILE *out, const char *heading, const piece_set *set)
+static void put_set(FILE *out, const char *heading, const component_set *set)
 {
     const char *before = "";
     size_t column = 0;
 
-    for (size_t i = 0; i < piece_count; i++) {
-        if (!set->has[i] || pieces[i].kind == PIECE_DRAWING)
+    for (size_t i = 0; i < component_count; i++) {
+        if (!set->has[i] || components[i].kind == COMPONENT_DRAWING)
             continue;
         if (!*before)
             fprintf(out, "\n * %s:", heading);
-        const bool begins = i == 0 || strcmp(piece_word(i), before) != 0;
-        const size_t bytes = strlen(pieces[i].name) + 1;
+        const bool begins = i == 0 || strcmp(component_kind_name(i), before) != 0;
+        const size_t bytes = strlen(components[i].name) + 1;
         if (begins || column + bytes > 70) {
-            fprintf(out, "\n *     %-6s", begins ? piece_word(i) : "");
+            fprintf(out, "\n *     %-6s", begins ? component_kind_name(i) : "");
             column = 0;
         }
-        fprintf(out, " %s", pieces[i].name);
-        before = piece_word(i);
+        fprintf(out, " %s", components[i].name);
+        before = component_kind_name(i);
         column += bytes;
     }
 }
@@ -193,7 +195,7 @@ void bake_put_program(const bake_program *p, FILE *out, const char *name)
 #undef X
     };
 
-    pieces_write(out, name, &p->found.in, &p->found.refused, &p->wish.terms);
+    components_write(out, name, &p->found.in, &p->found.refused, &p->wish.terms);
     fprintf(out,
             "\nextern const tp_config %s_config;\nconst tp_config %s_config = {\n"
             "    .width = %" PRIu32 ", .height = %" PRIu32 ", .tile_width = %" PRIu32

@@ -8,8 +8,8 @@
 #include "dry_find.h"
 
 typedef struct bake_program {
-    dry_wish  wish;
-    dry_found found;
+    component_search_request  wish;
+    component_search_result found;
     tp_scene  scene;            /* scene to bake with the list; its rungs may be named */
 } bake_program;
 

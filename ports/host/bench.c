@@ -126,7 +126,7 @@ static int measure(bench_list *list, bench_scene *s, const options *o)
                 code = bench_draw(list, s, f, round, is_first, folder);
         }
     }
-    say_progress("");
+    log_progress("");
     return code;
 }
 
@@ -137,7 +137,7 @@ static int run(bench_list *list, bench_scene *s, const options *o)
         code = bench_peers_build();
     list->frames = o->last ? o->last + 1 : FRAMES;
     if (!code && !add_cases(list, o))
-        code = fail_memory(2 * list->room * sizeof *list->of);
+        code = log_fail_memory(2 * list->room * sizeof *list->of);
     if (!code)
         code = measure(list, s, o);
     if (!code)
@@ -152,10 +152,10 @@ int bench_command(int argc, char **argv)
     bench_scene s = { .memory = NULL };
     int code = args_read(&o, FOR_BENCH, argc, argv);
     if (!code && o.help)
-        about_print(FOR_BENCH);
+        command_help_print(FOR_BENCH);
     else if (!code)
         code = run(&list, &s, &o);
-    const int end = finish_stdout();
+    const int end = streams_finish();
     bench_scene_close(&s);
     free(list.kept);
     free(list.of);

@@ -14,7 +14,7 @@ static int begin_world(const bench_scene *s, tp_world *world)
 {
     tp_error err = { 0 };
     if (tp_world_init(&tp_program_all, world, sizeof *world, &s->scene, &s->assets, &err))
-        return fail_with_error("bench", &err);
+        return log_fail_error("bench", &err);
     for (int i = 0; i < BENCH_TICK; i++)
         tp_world_step(&tp_program_all, world, &s->scene, NULL);
     return EXIT_DONE;
@@ -41,7 +41,7 @@ static int keep(bench_list *list, bench_figure *f, const picture *p, bool first)
 {
     uint32_t *pixels = malloc((size_t)f->width * f->height * sizeof *pixels);
     if (!pixels)
-        return fail_memory((size_t)f->width * f->height * sizeof *pixels);
+        return log_fail_memory((size_t)f->width * f->height * sizeof *pixels);
     for (uint32_t y = 0; y < f->height; y++)
         picture_expand_row(p, y, pixels + (size_t)y * f->width);
     f->decibels = first ? -1 : bench_decibels(list, f, pixels);
@@ -65,12 +65,13 @@ static int write_picture(const bench_figure *f, const picture *p, const char *fo
 
 /* Draws a round.  The first frame, at tick BENCH_TICK, is not timed: it warms up the
  * caches, and its picture is compared. */
-static int draw_round(bench_list *list, const bench_scene *s, canvas *c, tp_world *world,
-                      bench_figure *f, int round, bool first, const char *folder)
+static int draw_round(bench_list *list, const bench_scene *s, frame_renderer *c,
+                      tp_world *world, bench_figure *f, int round, bool first,
+                      const char *folder)
 {
     timings times = { 0 };
     int code = EXIT_DONE;
-    canvas_draw(c, world);
+    frame_renderer_draw(c, world);
     if (round == 0) {
         f->water = c->water_pixels;
         code = keep(list, f, &c->picture, first);
@@ -80,7 +81,7 @@ static int draw_round(bench_list *list, const bench_scene *s, canvas *c, tp_worl
     for (uint32_t i = 0; i < list->frames && !code; i++) {
         tp_world_step(&tp_program_all, world, &s->scene, NULL);
         const uint64_t begin = processor_us();
-        canvas_draw(c, world);
+        frame_renderer_draw(c, world);
         timings_add(&times, processor_us() - begin);
     }
     f->us[round] = timings_median(&times);
@@ -97,17 +98,17 @@ int bench_draw(bench_list *list, bench_scene *s, bench_figure *f, int round, boo
         .format = TP_FORMAT_XRGB8888,
     };
     tp_world world;
-    canvas c;
+    frame_renderer c;
     bench_scene_set(s, f->work, f->points);
     s->scene.quality.visibility = (int32_t)f->rungs.visibility;
     s->scene.quality.shading = (int32_t)f->rungs.shading;
     s->scene.quality.lod = (int32_t)f->rungs.lod;
-    canvas_plan(&c, &config, 1);
-    int code = canvas_open(&c, &s->scene, &s->assets);
+    frame_renderer_plan(&c, &config, 1);
+    int code = frame_renderer_open(&c, &s->scene, &s->assets);
     if (!code)
         code = begin_world(s, &world);
     if (!code)
         code = draw_round(list, s, &c, &world, f, round, first, folder);
-    canvas_close(&c);
+    frame_renderer_close(&c);
     return code;
 }

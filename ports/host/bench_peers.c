@@ -39,10 +39,10 @@ static bool is_built(const bench_peer *peer)
 int bench_peers_build(void)
 {
     if (access("Makefile", R_OK) || access("tests/bench/peers", R_OK))
-        return fail(EXIT_INPUT, "tidepool bench: --peers builds other renderers: run it"
+        return log_fail(EXIT_INPUT, "tidepool bench: --peers builds other renderers: run it"
                     " in the project's folder");
     if (system("mkdir -p " BENCH_FOLDER " && make -s --no-print-directory peers >&2"))
-        return fail(EXIT_INPUT, "tidepool bench: the other renderers cannot be built");
+        return log_fail(EXIT_INPUT, "tidepool bench: the other renderers cannot be built");
     return EXIT_DONE;
 }
 

@@ -24,19 +24,19 @@ int bench_scene_open(bench_scene *s)
     memset(s, 0, sizeof *s);
     s->memory = malloc(words * sizeof *s->memory);
     if (!s->memory)
-        return fail_memory(words * sizeof *s->memory);
+        return log_fail_memory(words * sizeof *s->memory);
     uint32_t *free_words = s->memory;
     for (int i = 0; i < BENCH_MAPS; i++, free_words += texture_word_count(BENCH_MAP)) {
         bench_map_fill((bench_map)i, texels);
         if (tp_texture_init(&s->map[i], texels, BENCH_MAP, BENCH_MAP, free_words,
                             tp_texture_bytes(BENCH_MAP, BENCH_MAP), &err))
-            return fail_with_error("bench", &err);
+            return log_fail_error("bench", &err);
     }
     for (int i = 0; i < TP_FACES; i++, free_words += texture_word_count(BENCH_FACE)) {
         bench_face_fill(i, texels);
         if (tp_texture_init(&s->face[i], texels, BENCH_FACE, BENCH_FACE, free_words,
                             tp_texture_bytes(BENCH_FACE, BENCH_FACE), &err))
-            return fail_with_error("bench", &err);
+            return log_fail_error("bench", &err);
     }
     return EXIT_DONE;
 }

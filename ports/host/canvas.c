@@ -29,11 +29,11 @@ static void choose_tiles(tp_config *config, uint32_t threads)
         config->tile_height = rows < BAND_ROWS ? rows : BAND_ROWS;
 }
 
-void canvas_plan(canvas *c, const tp_config *config, uint32_t threads)
+void frame_renderer_plan(frame_renderer *c, const tp_config *config, uint32_t threads)
 {
-    *c = (canvas){ .threads = threads < 1 ? 1 : threads, .config = *config };
-    if (c->threads > CANVAS_THREADS)
-        c->threads = CANVAS_THREADS;
+    *c = (frame_renderer){ .threads = threads < 1 ? 1 : threads, .config = *config };
+    if (c->threads > FRAME_RENDERER_THREADS)
+        c->threads = FRAME_RENDERER_THREADS;
     choose_tiles(&c->config, c->threads);
     c->picture.format = config->format;
     c->picture.width = config->width;
@@ -43,7 +43,8 @@ void canvas_plan(canvas *c, const tp_config *config, uint32_t threads)
     c->machine = machine_list(&programs);
 }
 
-void canvas_count(canvas *c, const tp_scene *scene, const tp_assets *assets)
+void frame_renderer_measure(frame_renderer *c, const tp_scene *scene,
+                            const tp_assets *assets)
 {
     c->program = *c->machine->program;
     if (c->stream)
@@ -54,7 +55,7 @@ void canvas_count(canvas *c, const tp_scene *scene, const tp_assets *assets)
     c->scratch_bytes = c->threads * tp_frame_scratch_bytes(&c->config, scene);
 }
 
-static int allocate(canvas *c)
+static int allocate(frame_renderer *c)
 {
     const size_t picture_bytes = c->picture.row_bytes * c->picture.height;
     c->block = malloc(c->frame_bytes);
@@ -65,44 +66,44 @@ static int allocate(canvas *c)
         there = there && c->scratch[i];
     }
     if (!there)
-        return fail_memory(c->frame_bytes + c->scratch_bytes + picture_bytes);
+        return log_fail_memory(c->frame_bytes + c->scratch_bytes + picture_bytes);
     return EXIT_DONE;
 }
 
-int canvas_open(canvas *c, const tp_scene *scene, const tp_assets *assets)
+int frame_renderer_open(frame_renderer *c, const tp_scene *scene, const tp_assets *assets)
 {
-    canvas_count(c, scene, assets);
+    frame_renderer_measure(c, scene, assets);
     const int code = allocate(c);
     if (code)
         return code;
     tp_error err = { 0 };
     if (tp_frame_init(&c->frame, &c->config, scene, c->block, c->frame_bytes, &err))
-        return fail_with_error("tidepool", &err);
-    c->crew = crew_open(c->threads - 1);
+        return log_fail_error("tidepool", &err);
+    c->pool = thread_pool_open(c->threads - 1);
     return EXIT_DONE;
 }
 
-void canvas_close(canvas *c)
+void frame_renderer_close(frame_renderer *c)
 {
-    crew_close(c->crew);
+    thread_pool_close(c->pool);
     for (uint32_t i = 0; i < c->threads; i++)
         free(c->scratch[i]);
     free(c->picture.rows);
     free(c->block);
-    *c = (canvas){ 0 };
+    *c = (frame_renderer){ 0 };
 }
 
 /* -- drawing --------------------------------------------------------------------- */
 
 typedef struct {
-    canvas     *canvas;
+    frame_renderer     *canvas;
     atomic_uint taken;          /* number of tiles taken by threads */
     atomic_uint water_pixels;
-} work;
+} tile_work;
 
 /* Copies a tile into the picture.  Its left edge is a multiple of 16 pixels, which is a
  * whole number of bytes in every format. */
-static void place(canvas *c, const tp_tile *tile)
+static void place(frame_renderer *c, const tp_tile *tile)
 {
     const uint32_t bits = (uint32_t)tp_format_bits(c->picture.format);
     const size_t left = tile->x0 * (size_t)bits / 8;
@@ -118,8 +119,8 @@ static void place(canvas *c, const tp_tile *tile)
  * time. */
 static void draw_tiles(void *user, uint32_t thread)
 {
-    work *all = user;
-    canvas *c = all->canvas;
+    tile_work *all = user;
+    frame_renderer *c = all->canvas;
     const uint32_t tiles = tp_frame_tiles(c->frame);
     void *scratch = c->scratch[thread];
     tp_tile tile;
@@ -131,15 +132,15 @@ static void draw_tiles(void *user, uint32_t thread)
     }
 }
 
-void canvas_draw(canvas *c, const tp_world *world)
+void frame_renderer_draw(frame_renderer *c, const tp_world *world)
 {
-    work all = { .canvas = c };
+    tile_work all = { .canvas = c };
     atomic_init(&all.taken, 0);
     atomic_init(&all.water_pixels, 0);
     const uint64_t begin = now_us();
     tp_frame_begin(c->frame, world);
     const uint64_t middle = now_us();
-    crew_do(c->crew, draw_tiles, &all);
+    thread_pool_run(c->pool, draw_tiles, &all);
     c->begin_us = (uint32_t)(middle - begin);
     c->tiles_us = (uint32_t)(now_us() - middle);
     c->water_pixels = atomic_load(&all.water_pixels);

@@ -21,8 +21,8 @@ static int check_place(const options *o)
 {
     if (o->from || access(CHARTS_FOLDER "/style.gp", R_OK) == 0)
         return EXIT_DONE;
-    return fail(EXIT_INPUT, "tidepool charts: " CHARTS_FOLDER " not found: run it in"
-                " the project's folder");
+    return log_fail(EXIT_INPUT, "tidepool charts: " CHARTS_FOLDER " not found: run it in"
+                                " the project's folder");
 }
 
 static int build_tools(const options *o)
@@ -31,7 +31,7 @@ static int build_tools(const options *o)
     snprintf(make, sizeof make, "env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS make -s -j%u"
              " --no-print-directory charts-tools >&2", (unsigned)o->jobs);
     if (!o->from && system(make))
-        return fail(EXIT_INPUT, "tidepool charts: its measuring tools cannot be built");
+        return log_fail(EXIT_INPUT, "tidepool charts: its measuring tools cannot be built");
     return EXIT_DONE;
 }
 
@@ -40,7 +40,7 @@ static int make_folder(const char *dir)
 {
     char *path = path_copy(dir, strlen(dir));
     if (!path)
-        return fail_memory(strlen(dir));
+        return log_fail_memory(strlen(dir));
     for (char *c = path + 1; *c; c++)
         if (*c == '/') {
             *c = 0;
@@ -53,7 +53,7 @@ static int make_folder(const char *dir)
     const int error = errno;
     free(inside);
     free(path);
-    return fits ? EXIT_DONE : fail(EXIT_INPUT, "%s: %s", dir, strerror(error));
+    return fits ? EXIT_DONE : log_fail(EXIT_INPUT, "%s: %s", dir, strerror(error));
 }
 
 /* -- a sweep ------------------------------------------------------------------------ */
@@ -75,17 +75,17 @@ static void spoil(charts *c, const chart_job *job)
         c->of[i].failed |= job->mine[i];
 }
 
-static int read_job(cells *all, charts *c, const chart_job *job)
+static int read_job(chart_cells *all, charts *c, const chart_job *job)
 {
     int code = EXIT_DONE;
     FILE *file = job->done ? fopen(job->rows, "r") : NULL;
     if (job->done && !file)
-        code = fail(EXIT_INPUT, "%s: %s", job->rows, strerror(errno));
+        code = log_fail(EXIT_INPUT, "%s: %s", job->rows, strerror(errno));
     const size_t before = all->count;
     if (file)
         code = cells_read(all, c, file, job->command, job->mine, job->timed);
     if (file && !code && all->count == before)
-        code = fail(EXIT_INPUT, "%s: no rows", job->command);
+        code = log_fail(EXIT_INPUT, "%s: no rows", job->command);
     if (file)
         fclose(file);
     if (code || !job->done)
@@ -95,7 +95,7 @@ static int read_job(cells *all, charts *c, const chart_job *job)
 
 /* Runs all jobs and reads their rows.  After a failure the other jobs still run; the exit
  * code is the first failure's. */
-static int run_jobs(cells *all, charts *c, chart_jobs *jobs, const options *o)
+static int run_jobs(chart_cells *all, charts *c, chart_jobs *jobs, const options *o)
 {
     chart_jobs_keep(jobs, o->resume);
     int code = chart_jobs_run(jobs, o->jobs, "jobs");
@@ -107,7 +107,7 @@ static int run_jobs(cells *all, charts *c, chart_jobs *jobs, const options *o)
     return code;
 }
 
-static int collect(cells *all, const charts *c, const options *o)
+static int collect(chart_cells *all, const charts *c, const options *o)
 {
     int code = EXIT_DONE;
     for (uint32_t i = 0; i + 1 < o->n_names && !code; i++) {
@@ -115,7 +115,7 @@ static int collect(cells *all, const charts *c, const options *o)
         const char *name = is_stdin ? "standard input" : o->names[i];
         FILE *file = is_stdin ? stdin : fopen(name, "r");
         if (!file)
-            return fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
+            return log_fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
         code = cells_read(all, c, file, name, NULL, false);
         if (!is_stdin)
             fclose(file);
@@ -123,7 +123,7 @@ static int collect(cells *all, const charts *c, const options *o)
     return code;
 }
 
-static int write_charts(const charts *c, const cells *all, const options *o,
+static int write_charts(const charts *c, const chart_cells *all, const options *o,
                         bool *written)
 {
     const char *dir = o->names[o->n_names - 1];
@@ -134,7 +134,7 @@ static int write_charts(const charts *c, const cells *all, const options *o,
             continue;
         code = chart_write(of, all, dir, !o->small, &written[i]);
         if (!code && !written[i] && !o->small)
-            say("chart %s: no rows, no table", of->name);
+            log_line("chart %s: no rows, no table", of->name);
     }
     if (!code && !o->small)
         code = charts_draw(c, written, dir, o->jobs);
@@ -155,10 +155,10 @@ static int prepare(const charts *c, chart_jobs *jobs, const options *o)
 
 static int sweep(charts *c, const options *o)
 {
-    cells all = { 0 };
+    chart_cells all = { 0 };
     chart_jobs jobs = { 0 };
     bool *written = calloc(c->count, sizeof *written);
-    int code = written ? prepare(c, &jobs, o) : fail_memory(c->count);
+    int code = written ? prepare(c, &jobs, o) : log_fail_memory(c->count);
     if (!code) {
         code = o->collect ? collect(&all, c, o) : run_jobs(&all, c, &jobs, o);
         int end = code && o->collect ? code : cells_sort(&all);
@@ -194,10 +194,10 @@ int charts_command(int argc, char **argv)
     options o;
     int code = args_read(&o, FOR_CHARTS, argc, argv);
     if (!code && o.help)
-        about_print(FOR_CHARTS);
+        command_help_print(FOR_CHARTS);
     else if (!code)
         code = run(&o);
-    const int end = finish_stdout();
+    const int end = streams_finish();
     free(o.settings);
     return code ? code : end;
 }

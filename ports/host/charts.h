@@ -16,8 +16,8 @@ enum { CHART_JOB, CHART_LARGE, CHART_TIME, CHART_KINDS };
 /* The contents of NAME.ini, explained in charts_ini.c. */
 typedef struct {
     char *name, *path, *title;
-    words keys, values, times, units, pareto, group, sparse;
-    words commands[CHART_KINDS];
+    string_list keys, values, times, units, pareto, group, sparse;
+    string_list commands[CHART_KINDS];
     bool  asked;                /* selected by --only, or --only is absent */
     bool  failed;               /* a job of the chart failed: nothing is written */
 } chart;
@@ -44,28 +44,28 @@ typedef struct {
     unsigned     column;        /* index of the column: values, then times */
     const char  *from;          /* name of the source of the row; owned by the caller */
     unsigned     line;
-} cell;
+} chart_cell;
 
 typedef struct {
-    cell  *of;
+    chart_cell  *of;
     size_t count, room;
-} cells;
+} chart_cells;
 
 /* Reads rows CHART,KEYS,COLUMN,VALUE.  mine, if not NULL: true for each chart that may have
  * rows here.  timed, used with `mine`: true = rows of times, false = rows of values. */
-int  cells_read(cells *all, const charts *c, FILE *file, const char *name,
+int  cells_read(chart_cells *all, const charts *c, FILE *file, const char *name,
                 const bool *mine, bool timed);
-int  cells_sort(cells *all);        /* EXIT_INPUT: a cell has two values */
-void cells_free(cells *all);
+int  cells_sort(chart_cells *all);        /* EXIT_INPUT: a cell has two values */
+void cells_free(chart_cells *all);
 
 /* Writes sorted cells to DIR/NAME.csv, and to DIR/NAME.time.csv if there are times.
  * *written: true if there was a row.  whole: prints a message about missing cells. */
-int  chart_write(const chart *of, const cells *all, const char *dir, bool whole,
+int  chart_write(const chart *of, const chart_cells *all, const char *dir, bool whole,
                  bool *written);
 
 /* Compares; returns -1, 0 or 1.  Numbers sort by value, and before words.  Numbers inside
  * of words also sort by value. */
-int  natural_order(const char *a, const char *b, const char *separators);
+int  charts_natural_order(const char *a, const char *b, const char *separators);
 
 /* -- jobs: charts_jobs.c, charts_run.c ---------------------------------------------- */
 

@@ -148,9 +148,9 @@ static char *make_folder(void)
     if (name && mkdtemp(name))
         return name;
     if (name)
-        say("%s: %s", name, strerror(errno));
+        log_line("%s: %s", name, strerror(errno));
     else
-        fail_memory(sizeof "tidepool-XXXXXX");
+        log_fail_memory(sizeof "tidepool-XXXXXX");
     free(name);
     return NULL;
 }
@@ -171,19 +171,19 @@ static void remove_folder(char *drawn, const charts *c)
 
 static int copy_to_file(FILE *from, const char *name, const char *to)
 {
-    output out;
+    output_file out;
     char bytes[1 << 14];
     size_t n;
-    const int code = output_open(&out, to);
+    const int code = output_file_open(&out, to);
     if (code)
         return code;
     while ((n = fread(bytes, 1, sizeof bytes, from)) > 0)
         if (fwrite(bytes, 1, n, out.file) != n)
-            return output_failed(&out, errno);
+            return output_file_fail(&out, errno);
     if (!ferror(from))
-        return output_close(&out);
-    output_discard(&out);
-    return fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
+        return output_file_close(&out);
+    output_file_discard(&out);
+    return log_fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
 }
 
 /* Copies the two pictures of a chart to the folder of charts. */
@@ -198,8 +198,8 @@ static int settle(const chart *of, const places *at)
         if (file)
             code = copy_to_file(file, from, to);
         else
-            code = from && to ? fail(EXIT_INPUT, "%s: %s", from, strerror(errno))
-                              : fail_memory(strlen(at->dir));
+            code = from && to ? log_fail(EXIT_INPUT, "%s: %s", from, strerror(errno))
+                              : log_fail_memory(strlen(at->dir));
         if (file)
             fclose(file);
         free(from);
@@ -223,7 +223,7 @@ static int draw_all(chart_jobs *jobs, const charts *c, const bool *written,
     for (size_t i = 0; i < c->count && held; i++)
         held = !written[i] || add_picture(jobs, at, &c->of[i]);
     int code = held ? chart_jobs_run(jobs, most, "pictures")
-                    : fail_memory(jobs->count * sizeof *jobs->of);
+                    : log_fail_memory(jobs->count * sizeof *jobs->of);
     for (size_t i = 0; i < c->count && next < jobs->count; i++)
         if (written[i] && jobs->of[next++].done) {
             const int end = settle(&c->of[i], at);
@@ -237,8 +237,8 @@ int charts_draw(const charts *c, const bool *written, const char *dir, unsigned 
     chart_jobs jobs = { 0 };
     chart_hold hold;
     if (!has_gnuplot())
-        return fail(EXIT_DONE, "tidepool charts: tables only; pictures need gnuplot"
-                    " (package gnuplot-nox)");
+        return log_fail(EXIT_DONE, "tidepool charts: tables only; pictures need gnuplot"
+                                   " (package gnuplot-nox)");
     charts_hold(&hold);
     char *drawn = make_folder();
     const places at = { c->folder, dir, drawn };

@@ -45,22 +45,22 @@ static const struct {
 
 #define LISTS (sizeof lists / sizeof *lists)
 
-static words *chart_word_list(chart *c, size_t i)
+static string_list *chart_word_list(chart *c, size_t i)
 {
-    return (words *)(void *)((char *)c + lists[i].at);
+    return (string_list *)(void *)((char *)c + lists[i].at);
 }
 
 static bool refuse_name(const chart *c, uint32_t line, const char *name)
 {
-    nearest best = nearest_make(name);
-    nearest_offer(&best, "title");
+    did_you_mean best = did_you_mean_make(name);
+    did_you_mean_offer(&best, "title");
     for (size_t i = 0; i < LISTS; i++)
-        nearest_offer(&best, lists[i].name);
+        did_you_mean_offer(&best, lists[i].name);
     if (best.name)
-        say("%s:%u: nothing is called %s; did you mean %s?", c->path, (unsigned)line,
-            name, best.name);
+        log_line("%s:%u: nothing is called %s; did you mean %s?", c->path, (unsigned)line,
+                 name, best.name);
     else
-        say("%s:%u: nothing is called %s", c->path, (unsigned)line, name);
+        log_line("%s:%u: nothing is called %s", c->path, (unsigned)line, name);
     return false;
 }
 
@@ -69,11 +69,12 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
 {
     chart *c = user;
     if (strcmp(section, "chart") != 0) {
-        say("%s:%u: [%s]; expected [chart]", c->path, (unsigned)line, section);
+        log_line("%s:%u: [%s]; expected [chart]", c->path, (unsigned)line, section);
         return false;
     }
     if (!*value || (strcmp(name, "title") == 0 && c->title)) {
-        say("%s:%u: %s: %s", c->path, (unsigned)line, name, *value ? "twice" : "empty");
+        log_line("%s:%u: %s: %s", c->path, (unsigned)line, name,
+                 *value ? "twice" : "empty");
         return false;
     }
     bool held = true, known = strcmp(name, "title") == 0;
@@ -82,11 +83,12 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
     for (size_t i = 0; i < LISTS && !known; i++)
         if (strcmp(name, lists[i].name) == 0) {
             known = true;
-            held = lists[i].whole ? words_add(chart_word_list(c, i), value, strlen(value))
-                                  : words_cut(chart_word_list(c, i), value, " \t");
+            held = lists[i].whole
+                       ? string_list_add(chart_word_list(c, i), value, strlen(value))
+                       : string_list_split(chart_word_list(c, i), value, " \t");
         }
     if (!held)
-        fail_memory(strlen(value));
+        log_fail_memory(strlen(value));
     return held && (known || refuse_name(c, line, name));
 }
 
@@ -94,13 +96,13 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
 
 static int wrong(const chart *c, const char *what, const char *word)
 {
-    return fail(EXIT_INPUT, "%s: %s%s", c->path, what, word);
+    return log_fail(EXIT_INPUT, "%s: %s%s", c->path, what, word);
 }
 
 /* Checks that no two columns share a name and that no column is called `front`. */
 static int check_columns(const chart *c)
 {
-    const words *const all[] = { &c->keys, &c->values, &c->times };
+    const string_list *const all[] = { &c->keys, &c->values, &c->times };
     for (int a = 0; a < 3; a++)
         for (size_t i = 0; i < all[a]->count; i++) {
             const char *name = all[a]->of[i];
@@ -119,13 +121,13 @@ static int check_columns(const chart *c)
 static int check_names(const chart *c)
 {
     for (size_t i = 0; i < c->pareto.count; i++)
-        if (words_find(&c->values, c->pareto.of[i]) < 0)
+        if (string_list_find(&c->values, c->pareto.of[i]) < 0)
             return wrong(c, "pareto: no value is called ", c->pareto.of[i]);
     for (size_t i = 0; i < c->group.count; i++)
-        if (words_find(&c->keys, c->group.of[i]) < 0)
+        if (string_list_find(&c->keys, c->group.of[i]) < 0)
             return wrong(c, "group: no key is called ", c->group.of[i]);
     for (size_t i = 0; i < c->sparse.count; i++)
-        if (words_find(&c->values, c->sparse.of[i]) < 0)
+        if (string_list_find(&c->values, c->sparse.of[i]) < 0)
             return wrong(c, "sparse: no value is called ", c->sparse.of[i]);
     for (size_t i = 0; i < c->units.count; i++) {
         char name[64];
@@ -135,7 +137,7 @@ static int check_names(const chart *c)
             return wrong(c, "units: expected COLUMN:UNIT, found ", unit);
         memcpy(name, unit, bytes);
         name[bytes] = 0;
-        if (words_find(&c->values, name) < 0 && words_find(&c->times, name) < 0)
+        if (string_list_find(&c->values, name) < 0 && string_list_find(&c->times, name) < 0)
             return wrong(c, "units: no value is called ", name);
     }
     return EXIT_DONE;
@@ -174,21 +176,21 @@ chart *charts_find(const charts *c, const char *name)
 
 static int refuse_chart(const charts *c, const char *name)
 {
-    nearest best = nearest_make(name);
+    did_you_mean best = did_you_mean_make(name);
     for (size_t i = 0; i < c->count; i++)
-        nearest_offer(&best, c->of[i].name);
+        did_you_mean_offer(&best, c->of[i].name);
     if (best.name)
-        return fail(EXIT_USAGE, "tidepool charts: no chart %s; did you mean %s?", name,
+        return log_fail(EXIT_USAGE, "tidepool charts: no chart %s; did you mean %s?", name,
                     best.name);
-    return fail(EXIT_USAGE, "tidepool charts: no chart %s", name);
+    return log_fail(EXIT_USAGE, "tidepool charts: no chart %s", name);
 }
 
 static int ask(charts *c, const char *only)
 {
-    words names = { 0 };
+    string_list names = { 0 };
     int code = EXIT_DONE;
-    if (only && !words_cut(&names, only, ","))
-        code = fail_memory(strlen(only));
+    if (only && !string_list_split(&names, only, ","))
+        code = log_fail_memory(strlen(only));
     for (size_t i = 0; i < c->count; i++)
         c->of[i].asked = !only;
     for (size_t i = 0; i < names.count && !code; i++) {
@@ -198,7 +200,7 @@ static int ask(charts *c, const char *only)
         else
             code = refuse_chart(c, names.of[i]);
     }
-    words_free(&names);
+    string_list_free(&names);
     return code;
 }
 
@@ -209,18 +211,18 @@ int charts_read(charts *c, const char *folder, const char *only)
     char **names = path_scene_names(folder, &count);
     *c = (charts){ .folder = folder, .of = calloc(count + 1, sizeof *c->of) };
     if (!c->of)
-        code = fail_memory((count + 1) * sizeof *c->of);
+        code = log_fail_memory((count + 1) * sizeof *c->of);
     for (size_t i = 0; i < count && !code; i++) {
         chart *of = &c->of[c->count++];
         of->name = path_copy(names[i], strlen(names[i]));
         of->path = of->name ? chart_path(folder, of, ".ini") : NULL;
-        code = of->path ? ini_read(of->path, take, of) : fail_memory(strlen(names[i]));
+        code = of->path ? ini_read(of->path, take, of) : log_fail_memory(strlen(names[i]));
         if (!code)
             code = check(of);
     }
     path_free_names(names, count);
     if (!code && !count)
-        code = fail(EXIT_INPUT, "%s: no chart in this folder", folder);
+        code = log_fail(EXIT_INPUT, "%s: no chart in this folder", folder);
     return code ? code : ask(c, only);
 }
 
@@ -232,7 +234,7 @@ void charts_free(charts *c)
         free(of->path);
         free(of->title);
         for (size_t k = 0; k < LISTS; k++)
-            words_free(chart_word_list(of, k));
+            string_list_free(chart_word_list(of, k));
     }
     free(c->of);
     *c = (charts){ 0 };

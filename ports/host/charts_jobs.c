@@ -93,9 +93,9 @@ static char *expand(const char *command, const char *scene)
 }
 
 static bool add_kind(chart_jobs *jobs, const charts *c, size_t chart_at, int kind,
-                     const words *scenes)
+                     const string_list *scenes)
 {
-    const words *list = &c->of[chart_at].commands[kind];
+    const string_list *list = &c->of[chart_at].commands[kind];
     const bool timed = kind == CHART_TIME;
     for (size_t i = 0; i < list->count; i++) {
         const bool many = strstr(list->of[i], "{scene}") != NULL;
@@ -109,7 +109,7 @@ static bool add_kind(chart_jobs *jobs, const charts *c, size_t chart_at, int kin
 
 int chart_jobs_make(chart_jobs *jobs, const charts *c, bool small)
 {
-    words scenes = { 0 };
+    string_list scenes = { 0 };
     bool held = true;
     char *folder = path_of_scenes();
     if (folder)
@@ -120,8 +120,8 @@ int chart_jobs_make(chart_jobs *jobs, const charts *c, bool small)
         for (int kind = 0; kind < CHART_KINDS && held; kind++)
             if (c->of[i].asked && (kind == CHART_JOB || !small))
                 held = add_kind(jobs, c, i, kind, &scenes);
-    words_free(&scenes);
-    return held ? EXIT_DONE : fail_memory(jobs->count * sizeof *jobs->of);
+    string_list_free(&scenes);
+    return held ? EXIT_DONE : log_fail_memory(jobs->count * sizeof *jobs->of);
 }
 
 void chart_jobs_free(chart_jobs *jobs)
@@ -181,7 +181,7 @@ void chart_jobs_keep(chart_jobs *jobs, bool resume)
             unlink(jobs->of[i].rows);
     }
     if (resume)
-        say("tidepool charts: %zu of %zu jobs are done", taken, jobs->count);
+        log_line("tidepool charts: %zu of %zu jobs are done", taken, jobs->count);
     if (old)
-        say("tidepool charts: %zu jobs of older tools run again", old);
+        log_line("tidepool charts: %zu jobs of older tools run again", old);
 }

@@ -33,7 +33,7 @@ static void copy_text(const page *p, const chart *of)
     char *path = chart_path(p->charts->folder, of, ".txt");
     FILE *text = path ? fopen(path, "r") : NULL;
     if (!text)
-        say("chart %s: no text (%s)", of->name, path ? path : "no memory");
+        log_line("chart %s: no text (%s)", of->name, path ? path : "no memory");
     for (int c; text && (c = getc(text)) != EOF;)
         putc(c, p->file);
     if (text)
@@ -121,19 +121,19 @@ static void print_page(page *p, FILE *frame)
 
 int charts_page(const charts *c, const char *dir)
 {
-    output out = { .file = NULL };
+    output_file out = { .file = NULL };
     page p = { .charts = c, .dir = dir, .shown = calloc(c->count, sizeof *p.shown) };
     char *from = path_join(c->folder, "page.md", ""), *to = path_join(dir, "README.md", "");
     FILE *frame = from ? fopen(from, "r") : NULL;
-    int code = p.shown && from && to ? EXIT_DONE : fail_memory(strlen(dir));
+    int code = p.shown && from && to ? EXIT_DONE : log_fail_memory(strlen(dir));
     if (!code && !frame)
-        code = fail(EXIT_INPUT, "%s: %s", from, strerror(errno));
+        code = log_fail(EXIT_INPUT, "%s: %s", from, strerror(errno));
     if (!code)
-        code = output_open(&out, to);
+        code = output_file_open(&out, to);
     if (!code) {
         p.file = out.file;
         print_page(&p, frame);
-        code = output_close(&out);
+        code = output_file_close(&out);
     }
     if (frame)
         fclose(frame);

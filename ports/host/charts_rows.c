@@ -27,25 +27,25 @@ typedef struct {
 
 static int wrong(const row_place *at, const char *what, const char *word)
 {
-    return fail(EXIT_INPUT, "%s:%u: %s%s", at->name, at->line, what, word);
+    return log_fail(EXIT_INPUT, "%s:%u: %s%s", at->name, at->line, what, word);
 }
 
 static int wrong_name(const row_place *at, const char *what, const char *word,
-                      nearest best)
+                      did_you_mean best)
 {
     if (best.name)
-        return fail(EXIT_INPUT, "%s:%u: no %s %s; did you mean %s?", at->name, at->line,
+        return log_fail(EXIT_INPUT, "%s:%u: no %s %s; did you mean %s?", at->name, at->line,
                     what, word, best.name);
-    return fail(EXIT_INPUT, "%s:%u: no %s %s", at->name, at->line, what, word);
+    return log_fail(EXIT_INPUT, "%s:%u: no %s %s", at->name, at->line, what, word);
 }
 
 static int find_chart(const row_place *at, const char *word, const chart **of)
 {
     const charts *c = at->charts;
-    nearest best = nearest_make(word);
+    did_you_mean best = did_you_mean_make(word);
     *of = charts_find(c, word);
     for (size_t i = 0; i < c->count; i++)
-        nearest_offer(&best, c->of[i].name);
+        did_you_mean_offer(&best, c->of[i].name);
     if (!*of)
         return wrong_name(at, "chart", word, best);
     if (at->mine && !at->mine[*of - c->of])
@@ -56,12 +56,13 @@ static int find_chart(const row_place *at, const char *word, const chart **of)
 static int find_column(const row_place *at, const chart *of, const char *word,
                        unsigned *column)
 {
-    const int value = words_find(&of->values, word), time = words_find(&of->times, word);
-    nearest best = nearest_make(word);
+    const int value = string_list_find(&of->values, word),
+              time = string_list_find(&of->times, word);
+    did_you_mean best = did_you_mean_make(word);
     for (size_t i = 0; i < of->values.count; i++)
-        nearest_offer(&best, of->values.of[i]);
+        did_you_mean_offer(&best, of->values.of[i]);
     for (size_t i = 0; i < of->times.count; i++)
-        nearest_offer(&best, of->times.of[i]);
+        did_you_mean_offer(&best, of->times.of[i]);
     if (value < 0 && time < 0)
         return wrong_name(at, "column", word, best);
     if (at->mine && at->timed != (time >= 0))
@@ -84,7 +85,7 @@ static int check_keys(const row_place *at, const chart *of, const char *keys)
     }
     if (count == of->keys.count && !empty)
         return EXIT_DONE;
-    return fail(EXIT_INPUT, "%s:%u: %s for keys; chart %s has %zu", at->name, at->line,
+    return log_fail(EXIT_INPUT, "%s:%u: %s for keys; chart %s has %zu", at->name, at->line,
                 *keys ? keys : "nothing", of->name, of->keys.count);
 }
 
@@ -106,23 +107,23 @@ static bool cut_row(char *text, char *field[ROW_FIELDS])
     return false;
 }
 
-static int add_cell(cells *all, cell one)
+static int add_cell(chart_cells *all, chart_cell one)
 {
     if (all->count == all->room) {
         const size_t room = all->room ? 2 * all->room : 256;
-        cell *more = realloc(all->of, room * sizeof *more);
+        chart_cell *more = realloc(all->of, room * sizeof *more);
         if (!more)
-            return fail_memory(room * sizeof *more);
+            return log_fail_memory(room * sizeof *more);
         all->of = more;
         all->room = room;
     }
     one.keys = strdup(one.keys);
     one.value = strdup(one.value);
     all->of[all->count++] = one;
-    return one.keys && one.value ? EXIT_DONE : fail_memory(sizeof one);
+    return one.keys && one.value ? EXIT_DONE : log_fail_memory(sizeof one);
 }
 
-static int read_row(cells *all, const row_place *at, char *text)
+static int read_row(chart_cells *all, const row_place *at, char *text)
 {
     char *field[ROW_FIELDS];
     const chart *of;
@@ -137,12 +138,12 @@ static int read_row(cells *all, const row_place *at, char *text)
     if (!code)
         code = find_column(at, of, field[ROW_COLUMN], &column);
     if (!code && of->asked)
-        code = add_cell(all, (cell){ of, field[ROW_KEYS], field[ROW_VALUE], column,
-                                     at->name, at->line });
+        code = add_cell(all, (chart_cell){ of, field[ROW_KEYS], field[ROW_VALUE], column,
+                                           at->name, at->line });
     return code;
 }
 
-int cells_read(cells *all, const charts *c, FILE *file, const char *name,
+int cells_read(chart_cells *all, const charts *c, FILE *file, const char *name,
                const bool *mine, bool timed)
 {
     row_place at = { c, name, 0, mine, timed };
@@ -160,19 +161,19 @@ int cells_read(cells *all, const charts *c, FILE *file, const char *name,
             code = read_row(all, &at, text);
     }
     if (!code && !feof(file))               /* getline may have run out of memory */
-        code = fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
+        code = log_fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
     free(text);
     return code;
 }
 
-void cells_free(cells *all)
+void cells_free(chart_cells *all)
 {
     for (size_t i = 0; i < all->count; i++) {
         free(all->of[i].keys);
         free(all->of[i].value);
     }
     free(all->of);
-    *all = (cells){ 0 };
+    *all = (chart_cells){ 0 };
 }
 
 /* -- order -------------------------------------------------------------------------- */
@@ -217,7 +218,7 @@ static int words_order(const char *a, size_t n, const char *b, size_t m)
     return (i < n) - (k < m);
 }
 
-int natural_order(const char *a, const char *b, const char *separators)
+int charts_natural_order(const char *a, const char *b, const char *separators)
 {
     for (;;) {
         const size_t n = strcspn(a, separators), m = strcspn(b, separators);
@@ -234,15 +235,15 @@ int natural_order(const char *a, const char *b, const char *separators)
 
 /* Compares keys.  Equal numbers written differently are different keys, ordered by
  * bytes. */
-static int keys_order(const cell *a, const cell *b)
+static int keys_order(const chart_cell *a, const chart_cell *b)
 {
-    const int order = natural_order(a->keys, b->keys, ";");
+    const int order = charts_natural_order(a->keys, b->keys, ";");
     return order ? order : strcmp(a->keys, b->keys);
 }
 
 static int cells_order(const void *of_a, const void *of_b)
 {
-    const cell *a = of_a, *b = of_b;
+    const chart_cell *a = of_a, *b = of_b;
     if (a->chart != b->chart)
         return a->chart < b->chart ? -1 : 1;
     const int order = keys_order(a, b);
@@ -253,22 +254,22 @@ static int cells_order(const void *of_a, const void *of_b)
     return strcmp(a->value, b->value);
 }
 
-int cells_sort(cells *all)
+int cells_sort(chart_cells *all)
 {
     if (all->count)
         qsort(all->of, all->count, sizeof *all->of, cells_order);
     for (size_t i = 1; i < all->count; i++) {
-        const cell *a = &all->of[i - 1], *b = &all->of[i];
+        const chart_cell *a = &all->of[i - 1], *b = &all->of[i];
         if (a->chart != b->chart || a->column != b->column || keys_order(a, b) != 0)
             continue;
-        const words *values = &b->chart->values, *times = &b->chart->times;
+        const string_list *values = &b->chart->values, *times = &b->chart->times;
         if (strcmp(a->value, b->value) != 0)
-            return fail(EXIT_INPUT, "%s:%u: chart %s: %s of %s is %s; %s:%u has %s",
-                        b->from, b->line, b->chart->name,
-                        b->column < values->count
-                            ? values->of[b->column]
-                            : times->of[b->column - values->count],
-                        b->keys, b->value, a->from, a->line, a->value);
+            return log_fail(EXIT_INPUT, "%s:%u: chart %s: %s of %s is %s; %s:%u has %s",
+                            b->from, b->line, b->chart->name,
+                            b->column < values->count
+                                ? values->of[b->column]
+                                : times->of[b->column - values->count],
+                            b->keys, b->value, a->from, a->line, a->value);
     }
     return EXIT_DONE;
 }

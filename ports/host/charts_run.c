@@ -29,7 +29,7 @@ typedef struct {
     chart_hold  hold;
     progress    shown;
     const char *what;           /* noun for messages, as "jobs" */
-} sweep;
+} job_sweep;
 
 /* -- signals ------------------------------------------------------------------------ */
 
@@ -93,7 +93,7 @@ static bool begin_job(chart_job *job, const chart_hold *hold)
     if (job->pid > 0)
         return true;
     job->failed = true;
-    say("tidepool charts: cannot start %s: %s", job_title(job), strerror(error));
+    log_line("tidepool charts: cannot start %s: %s", job_title(job), strerror(error));
     return false;
 }
 
@@ -103,7 +103,7 @@ static void show_said(FILE *said)
     rewind(said);
     while (fgets(line, sizeof line, said)) {
         line[strcspn(line, "\n")] = 0;
-        say("    | %s", line);
+        log_line("    | %s", line);
     }
 }
 
@@ -118,9 +118,9 @@ static void end_job(chart_job *job, int status, bool stopped)
         unlink(part);
     if (job->failed && !stopped) {
         if (well)
-            say("%s: %s", job->rows, strerror(errno));
+            log_line("%s: %s", job->rows, strerror(errno));
         else
-            say("tidepool charts: %s %d: %s", WIFSIGNALED(status) ? "signal" : "exit",
+            log_line("tidepool charts: %s %d: %s", WIFSIGNALED(status) ? "signal" : "exit",
                 WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status),
                 job_title(job));
         show_said(job->said);
@@ -166,7 +166,7 @@ static uint32_t count_ended(const chart_jobs *jobs)
 }
 
 /* Waits until a child ends.  Returns its process id; 0: no child is left. */
-static pid_t wait_for_child(sweep *s, int *status)
+static pid_t wait_for_child(job_sweep *s, int *status)
 {
     const struct timespec patience = { PATIENCE_S, 0 };
     for (;;) {
@@ -182,7 +182,7 @@ static pid_t wait_for_child(sweep *s, int *status)
     }
 }
 
-static void run_some(sweep *s, bool timed, unsigned most)
+static void run_some(job_sweep *s, bool timed, unsigned most)
 {
     chart_jobs *jobs = s->jobs;
     unsigned running = 0;
@@ -209,18 +209,18 @@ static void run_some(sweep *s, bool timed, unsigned most)
 
 int chart_jobs_run(chart_jobs *jobs, unsigned most, const char *what)
 {
-    sweep s = { .jobs = jobs, .shown = progress_begin(), .what = what };
+    job_sweep s = { .jobs = jobs, .shown = progress_begin(), .what = what };
     size_t done = 0;
     charts_hold(&s.hold);
     run_some(&s, false, most);
     run_some(&s, true, 1);
-    say_progress("");
+    log_progress("");
     charts_release(&s.hold);
     for (size_t i = 0; i < jobs->count; i++)
         done += jobs->of[i].done;
     if (jobs->stopped)
-        say("tidepool charts: stopped after %zu of %zu %s; --resume continues", done,
-            jobs->count, what);
+        log_line("tidepool charts: stopped after %zu of %zu %s; --resume continues", done,
+                 jobs->count, what);
     return done == jobs->count ? EXIT_DONE : EXIT_CHECK;
 }
 

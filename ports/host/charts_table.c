@@ -13,7 +13,7 @@
 /* One table: the values of a chart, or its times. */
 typedef struct {
     const chart *of;
-    const words *columns;
+    const string_list *columns;
     unsigned     first;         /* index of the first column in the chart */
     size_t       rows;
     const char **keys;          /* keys of each row */
@@ -21,7 +21,7 @@ typedef struct {
     bool        *front;
 } table;
 
-static bool is_table_cell(const table *t, const cell *one)
+static bool is_table_cell(const table *t, const chart_cell *one)
 {
     return one->chart == t->of && one->column >= t->first
         && one->column < t->first + t->columns->count;
@@ -34,7 +34,7 @@ static void table_free(table *t)
     free(t->front);
 }
 
-static int table_fill(table *t, const cells *all)
+static int table_fill(table *t, const chart_cells *all)
 {
     const size_t columns = t->columns->count;
     const char *last = NULL;
@@ -45,9 +45,9 @@ static int table_fill(table *t, const cells *all)
     t->value = calloc(most * columns + 1, sizeof *t->value);
     t->front = calloc(most + 1, sizeof *t->front);
     if (!t->keys || !t->value || !t->front)
-        return fail_memory(most * columns * sizeof *t->value);
+        return log_fail_memory(most * columns * sizeof *t->value);
     for (size_t i = 0; i < all->count; i++) {
-        const cell *one = &all->of[i];
+        const chart_cell *one = &all->of[i];
         if (!is_table_cell(t, one))
             continue;
         if (!last || strcmp(last, one->keys) != 0)
@@ -71,7 +71,7 @@ static const char *nth_key(const char *keys, int number, size_t *bytes)
 static bool same_group(const table *t, size_t a, size_t b)
 {
     for (size_t i = 0; i < t->of->group.count; i++) {
-        const int number = words_find(&t->of->keys, t->of->group.of[i]);
+        const int number = string_list_find(&t->of->keys, t->of->group.of[i]);
         size_t n, m;
         const char *x = nth_key(t->keys[a], number, &n);
         const char *y = nth_key(t->keys[b], number, &m);
@@ -100,12 +100,13 @@ static int read_front(const table *t, double (*at)[2], bool *whole)
         whole[i] = true;
         for (int p = 0; p < 2; p++) {
             const char *name = t->of->pareto.of[p];
-            const int column = words_find(t->columns, name);
+            const int column = string_list_find(t->columns, name);
             const char *text = t->value[i * t->columns->count + (size_t)column];
             const char *end = text ? csv_number(text, &at[i][p]) : NULL;
             if (text && (!end || *end))
-                return fail(EXIT_INPUT, "chart %s: %s of %s is %s; a front takes numbers",
-                            t->of->name, name, t->keys[i], text);
+                return log_fail(EXIT_INPUT,
+                                "chart %s: %s of %s is %s; a front takes numbers",
+                                t->of->name, name, t->keys[i], text);
             whole[i] = whole[i] && text;
         }
     }
@@ -117,7 +118,7 @@ static int find_front(table *t)
     double (*at)[2] = calloc(t->rows + 1, sizeof *at);
     bool *whole = calloc(t->rows + 1, sizeof *whole);
     int code = at && whole ? read_front(t, at, whole)
-                           : fail_memory(t->rows * sizeof *at);
+                           : log_fail_memory(t->rows * sizeof *at);
     if (!code)
         mark_front(t, (const double (*)[2])at, whole);
     free(at);
@@ -132,12 +133,13 @@ static void tell_missing(const table *t)
     const size_t columns = t->columns->count;
     size_t missing = 0;
     for (size_t i = 0; i < t->rows * columns; i++)
-        if (!t->value[i] && words_find(&t->of->sparse, t->columns->of[i % columns]) < 0
+        if (!t->value[i]
+            && string_list_find(&t->of->sparse, t->columns->of[i % columns]) < 0
             && missing++ < TOLD)
-            say("chart %s: %s has no %s", t->of->name, t->keys[i / columns],
-                t->columns->of[i % columns]);
+            log_line("chart %s: %s has no %s", t->of->name, t->keys[i / columns],
+                     t->columns->of[i % columns]);
     if (missing > TOLD)
-        say("chart %s: and %zu more cells", t->of->name, missing - TOLD);
+        log_line("chart %s: and %zu more cells", t->of->name, missing - TOLD);
 }
 
 static void print_rows(const table *t, bool front, FILE *file)
@@ -161,20 +163,20 @@ static void print_rows(const table *t, bool front, FILE *file)
 
 static int write_table(const table *t, bool front, const char *dir, const char *suffix)
 {
-    output out;
+    output_file out;
     char *name = chart_path(dir, t->of, suffix);
     if (!name)
-        return fail_memory(strlen(dir));
-    int code = output_open(&out, name);
+        return log_fail_memory(strlen(dir));
+    int code = output_file_open(&out, name);
     if (!code) {
         print_rows(t, front, out.file);
-        code = output_close(&out);
+        code = output_file_close(&out);
     }
     free(name);
     return code;
 }
 
-int chart_write(const chart *of, const cells *all, const char *dir, bool whole,
+int chart_write(const chart *of, const chart_cells *all, const char *dir, bool whole,
                 bool *written)
 {
     table values = { .of = of, .columns = &of->values };

@@ -55,7 +55,7 @@ static int refuse_line(const check_run *run, unsigned line, const char *format,
 {
     char text[256];
     vsnprintf(text, sizeof text, format, list);
-    return fail(EXIT_INPUT, "%s:%u: %s", run->table.name, line, text);
+    return log_fail(EXIT_INPUT, "%s:%u: %s", run->table.name, line, text);
 }
 
 int check_refuse(const check_run *run, unsigned row, const char *format, ...)
@@ -82,7 +82,7 @@ void check_progress(const check_run *run, unsigned row)
     char text[80];
     snprintf(text, sizeof text, "%.40s: row %u of %u", run->label, row + 1,
              run->table.n_rows);
-    say_progress(text);
+    log_progress(text);
 }
 
 /* -- values ------------------------------------------------------------------------ */
@@ -90,7 +90,7 @@ void check_progress(const check_run *run, unsigned row)
 static int refuse_range(const check_run *run, unsigned line, const check_field *field,
                         double value)
 {
-    return fail(EXIT_INPUT, "%s:%u: %s = %.9g is outside %.9g..%.9g%s", run->table.name,
+    return log_fail(EXIT_INPUT, "%s:%u: %s = %.9g is outside %.9g..%.9g%s", run->table.name,
                 line, field->name, value, field->low, field->high,
                 field->kind == CHECK_WHOLE ? ", or not a whole number" : "");
 }
@@ -125,13 +125,13 @@ static int read_value(const check_run *run, unsigned row, unsigned column, doubl
     if (field->kind == CHECK_WORD) {
         *value = word_index(field->words, text);
         return *value >= 0 ? EXIT_DONE
-               : fail(EXIT_INPUT, "%s:%u: %s = '%.40s' is none of %s", run->table.name,
+               : log_fail(EXIT_INPUT, "%s:%u: %s = '%.40s' is none of %s", run->table.name,
                       line, field->name, text, field->words);
     }
     const char *end = csv_number(text, value);
     if (!end || *end)
-        return fail(EXIT_INPUT, "%s:%u: %s: expected a number, found '%.40s'",
-                    run->table.name, line, field->name, text);
+        return log_fail(EXIT_INPUT, "%s:%u: %s: expected a number, found '%.40s'",
+                        run->table.name, line, field->name, text);
     return in_range(field, *value) ? EXIT_DONE : refuse_range(run, line, field, *value);
 }
 
@@ -141,7 +141,7 @@ static int read_rows(check_run *run)
     const size_t count = (size_t)run->table.n_rows * columns;
     run->rows = calloc(count, sizeof *run->rows);
     if (!run->rows)
-        return fail_memory(count * sizeof *run->rows);
+        return log_fail_memory(count * sizeof *run->rows);
     for (size_t i = 0; i < count; i++) {
         const int code = read_value(run, (unsigned)(i / columns), (unsigned)(i % columns),
                                     run->rows + i);
@@ -177,10 +177,10 @@ static int keep_line(check_run *run, unsigned n, unsigned line, const double *va
         if (!in_range(&note->numbers[i], value[i]))
             return refuse_range(run, line, &note->numbers[i], value[i]);
     if (found == (note->list ? CHECK_LINES : 1))
-        return fail(EXIT_INPUT, "%s:%u: too many parameter lines of this kind",
-                    run->table.name, line);
+        return log_fail(EXIT_INPUT, "%s:%u: too many parameter lines of this kind",
+                        run->table.name, line);
     if (note->list && value[0] != found)
-        return fail(EXIT_INPUT, "%s:%u: number %g; expected %u", run->table.name, line,
+        return log_fail(EXIT_INPUT, "%s:%u: number %g; expected %u", run->table.name, line,
                     value[0], found);
     memcpy(run->lines[n][found], value, note->count * sizeof *value);
     run->line_at[n][found] = line;
@@ -195,8 +195,8 @@ static int read_note(check_run *run, unsigned i)
     for (unsigned n = 0; n < CHECK_NOTES && run->model->notes[n].text; n++)
         if (matches(&run->model->notes[n], run->table.notes[i], value))
             return keep_line(run, n, line, value);
-    return fail(EXIT_INPUT, "%s:%u: unknown parameter line '%.60s'", run->table.name,
-                line, run->table.notes[i]);
+    return log_fail(EXIT_INPUT, "%s:%u: unknown parameter line '%.60s'", run->table.name,
+                    line, run->table.notes[i]);
 }
 
 static int read_notes(check_run *run)
@@ -208,8 +208,8 @@ static int read_notes(check_run *run)
     }
     for (unsigned n = 0; n < CHECK_NOTES && run->model->notes[n].text; n++)
         if (run->n_lines[n] == 0)
-            return fail(EXIT_INPUT, "%s:1: no parameter line '# %.60s'", run->table.name,
-                        run->model->notes[n].text);
+            return log_fail(EXIT_INPUT, "%s:1: no parameter line '# %.60s'",
+                            run->table.name, run->model->notes[n].text);
     return EXIT_DONE;
 }
 
@@ -217,12 +217,13 @@ static int read_notes(check_run *run)
 
 static int refuse_column(const check_run *run, const char *name)
 {
-    nearest best = nearest_make(name);
+    did_you_mean best = did_you_mean_make(name);
     for (unsigned i = 0; i < run->model->n_columns; i++)
-        nearest_offer(&best, run->model->columns[i].name);
-    return fail(EXIT_INPUT, best.name ? "%s:%u: unknown column '%.40s'; did you mean %s?"
-                                      : "%s:%u: unknown column '%.40s'",
-                run->table.name, csv_columns_line(&run->table), name, best.name);
+        did_you_mean_offer(&best, run->model->columns[i].name);
+    return log_fail(EXIT_INPUT,
+                    best.name ? "%s:%u: unknown column '%.40s'; did you mean %s?"
+                              : "%s:%u: unknown column '%.40s'",
+                    run->table.name, csv_columns_line(&run->table), name, best.name);
 }
 
 static int place_column(check_run *run, bool *found, unsigned at)
@@ -232,8 +233,8 @@ static int place_column(check_run *run, bool *found, unsigned at)
         if (strcmp(run->model->columns[i].name, name) != 0)
             continue;
         if (found[i])
-            return fail(EXIT_INPUT, "%s:%u: column '%s' twice", run->table.name,
-                        csv_columns_line(&run->table), name);
+            return log_fail(EXIT_INPUT, "%s:%u: column '%s' twice", run->table.name,
+                            csv_columns_line(&run->table), name);
         found[i] = true;
         run->place[i] = at;
         return EXIT_DONE;
@@ -251,8 +252,8 @@ static int place_columns(check_run *run)
     }
     for (unsigned i = 0; i < run->model->n_columns; i++)
         if (!found[i])
-            return fail(EXIT_INPUT, "%s:%u: no column '%s'", run->table.name,
-                        csv_columns_line(&run->table), run->model->columns[i].name);
+            return log_fail(EXIT_INPUT, "%s:%u: no column '%s'", run->table.name,
+                            csv_columns_line(&run->table), run->model->columns[i].name);
     return EXIT_DONE;
 }
 
@@ -275,7 +276,7 @@ static bool print_quantity(const check_run *run, const check_quantity *q,
            rms, q->budget, q->unit, tally->rows == 0 ? "no rows" : good ? "ok" : "OVER");
     if (!good) {
         fflush(stdout);
-        say("%s:%u: %s is off by %.3g %s; %.3g is allowed", run->table.name,
+        log_line("%s:%u: %s is off by %.3g %s; %.3g is allowed", run->table.name,
             csv_row_line(&run->table, tally->worst_row), q->name, tally->worst, q->unit,
             q->budget);
     }
@@ -285,7 +286,7 @@ static bool print_quantity(const check_run *run, const check_quantity *q,
 static int print_quantities(const check_run *run)
 {
     int code = EXIT_DONE;
-    say_progress("");
+    log_progress("");
     for (unsigned i = 0; i < CHECK_QUANTITIES && run->model->quantities[i].name; i++)
         if (!print_quantity(run, &run->model->quantities[i], &run->tally[i]))
             code = EXIT_CHECK;
@@ -296,16 +297,17 @@ static int print_quantities(const check_run *run)
 
 static const check_model *find_model(const char *folder, const char *file)
 {
-    nearest best = nearest_make(file);
+    did_you_mean best = did_you_mean_make(file);
     for (size_t i = 0; i < MODELS; i++) {
         if (strcmp(models[i].file, file) == 0)
             return models[i].model;
-        nearest_offer(&best, models[i].file);
+        did_you_mean_offer(&best, models[i].file);
     }
     if (best.name)
-        say("%s/%s: no model has this name; did you mean %s?", folder, file, best.name);
+        log_line("%s/%s: no model has this name; did you mean %s?", folder, file,
+                 best.name);
     else
-        say("%s/%s: no model has this name", folder, file);
+        log_line("%s/%s: no model has this name", folder, file);
     return NULL;
 }
 
@@ -334,14 +336,14 @@ static int check_file(const char *folder, const char *file)
 {
     check_run *run = calloc(1, sizeof *run);
     if (!run)
-        return fail_memory(sizeof *run);
+        return log_fail_memory(sizeof *run);
     int code = EXIT_INPUT;
     char *path = NULL;
     run->label = file;
     run->model = find_model(folder, file);
     if (run->model) {
         path = path_join(folder, file, "");
-        code = path ? csv_read(&run->table, path) : fail_memory(strlen(folder));
+        code = path ? csv_read(&run->table, path) : log_fail_memory(strlen(folder));
         if (!code)
             code = run_table(run);
         csv_free(&run->table);
@@ -368,8 +370,8 @@ static int check_folder(const char *folder)
     struct dirent **files = NULL;
     const int count = scandir(folder, &files, is_csv, by_bytes);
     if (count < 0)
-        return fail(EXIT_INPUT, "%s: %s (named by --vectors)", folder, strerror(errno));
-    int worst = count ? EXIT_DONE : fail(EXIT_INPUT, "%s: no .csv file there", folder);
+        return log_fail(EXIT_INPUT, "%s: %s (named by --vectors)", folder, strerror(errno));
+    int worst = count ? EXIT_DONE : log_fail(EXIT_INPUT, "%s: no .csv file there", folder);
     if (count)
         print_heading();
     for (int i = 0; i < count; i++) {
@@ -386,11 +388,11 @@ int check_command(int argc, char **argv)
     options o;
     int code = args_read(&o, FOR_CHECK, argc, argv);
     if (!code && o.help) {
-        about_print(FOR_CHECK);
+        command_help_print(FOR_CHECK);
     } else if (!code) {
         code = check_folder(o.vectors);
     }
     free(o.settings);
-    const int end = finish_stdout();
+    const int end = streams_finish();
     return code ? code : end;
 }

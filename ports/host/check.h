@@ -97,11 +97,11 @@ void check_add(check_run *run, unsigned quantity, unsigned row, double error);
 
 /* Prints "file:line: ..." for a row and returns EXIT_INPUT. */
 int check_refuse(const check_run *run, unsigned row, const char *format, ...)
-    HOST_PRINTF(3, 4);
+    LOG_PRINTF(3, 4);
 
 /* The same for the i-th parameter line of a kind. */
 int check_refuse_line(const check_run *run, unsigned note, unsigned i, const char *format,
-                      ...) HOST_PRINTF(4, 5);
+                      ...) LOG_PRINTF(4, 5);
 
 /* Shows the progress on a terminal; for models that take seconds. */
 void check_progress(const check_run *run, unsigned row);

@@ -63,11 +63,12 @@ static void each_dispersion(check_run *run, unsigned row, const double *v)
 {
     const tp_fx   h = check_fx(v[D_H]);
     const int64_t k_inf = deep_number(v[D_T]);
-    const int64_t k = tp_depth_number(k_inf, h), exact = tp_depth_number_exact(k_inf, h);
+    const int64_t k = tp_depth_wave_number(k_inf, h),
+                  exact = tp_depth_wave_number_exact(k_inf, h);
     const double  ratio = v[D_H] / v[D_L], lost = check_share(v[D_H]) / 2;
     const double  number[5] = { (double)k, (double)k, (double)exact,
-                                (double)tp_depth_number_eckart(k_inf, h),
-                                (double)tp_depth_number_fenton(k_inf, h) };
+                                (double)tp_depth_wave_number_eckart(k_inf, h),
+                                (double)tp_depth_wave_number_fenton(k_inf, h) };
     const unsigned want[5] = { D_K, D_NEWTON, D_K, D_ECKART, D_FENTON };
     for (unsigned i = 0; i < 5; i++)
         compare_percent(run, i, row, number[i] / Q32, v[want[i]], lost);
@@ -132,7 +133,7 @@ static void along_coast(check_run *run, unsigned row, unsigned last,
     for (; row <= last; row++) {
         const double *v = check_row(run, row);
         const double turns = (double)tp_coast_phase(coast, check_fx(v[S_X])) / Q32;
-        const int64_t k = tp_depth_number_exact(k_inf, check_fx(v[S_H]));
+        const int64_t k = tp_depth_wave_number_exact(k_inf, check_fx(v[S_H]));
         const double off = turns * 2 * CHECK_PI - v[S_PHASE];
         check_add(run, 0, row, check_excess(off, phase_lost(v)));
         compare_percent(run, 1, row, (double)k / Q32, v[S_K], check_share(v[S_H]) / 2);
@@ -151,7 +152,7 @@ static int run_coast(check_run *run, unsigned row, unsigned last)
     const size_t bytes = tp_coast_bytes(&shape);
     tp_coast *coast = malloc(bytes);
     if (!coast)
-        return fail_memory(bytes);
+        return log_fail_memory(bytes);
     tp_coast_init(coast, &shape);
     along_coast(run, row, last, coast, shape.k_inf_q32);
     free(coast);
@@ -260,7 +261,7 @@ static void each_criterion(check_run *run, unsigned row, const double *v)
 {
     const tp_fx   h = check_fx(v[C_H]), high = check_fx(v[C_H0]);
     const double  length = deep_length(v[C_T]);
-    const int64_t k_inf = deep_number(v[C_T]), k = tp_depth_number_exact(k_inf, h);
+    const int64_t k_inf = deep_number(v[C_T]), k = tp_depth_wave_number_exact(k_inf, h);
     const tp_fx   ks = tp_depth_shoaling(k_inf, k, h), height = tp_fx_mul(high, ks);
     const tp_fx   xi = tp_iribarren(check_q30(v[C_SLOPE]), high, check_fx(length));
     const double  deep = check_share(v[C_H]), first = check_share(v[C_H0]);

@@ -53,11 +53,11 @@ static uint32_t evaluate_rings(const check_run *run, double t, tp_ring_now *now)
 static tp_dir3 five_normal(const tp_ring_now *now, uint32_t count, tp_fx x, tp_fx z)
 {
     const tp_fx d = TP_FX(0.05);
-    const tp_fx around[4] = { tp_ring_relief(now, count, x - d, z).height,
-                              tp_ring_relief(now, count, x + d, z).height,
-                              tp_ring_relief(now, count, x, z - d).height,
-                              tp_ring_relief(now, count, x, z + d).height };
-    return tp_neighbour_normal(around, d);
+    const tp_fx neighbours[4] = { tp_ring_height_slope(now, count, x - d, z).height,
+                                  tp_ring_height_slope(now, count, x + d, z).height,
+                                  tp_ring_height_slope(now, count, x, z - d).height,
+                                  tp_ring_height_slope(now, count, x, z + d).height };
+    return tp_neighbour_normal(neighbours, d);
 }
 
 /* Bounds of the errors explained by rounding at the point v[0], v[1] and the time v[2]:
@@ -110,7 +110,7 @@ static void each_ring_row(check_run *run, unsigned row, const double *v)
     tp_ring_now now[CHECK_LINES];
     const uint32_t count = evaluate_rings(run, v[2], now);
     const tp_fx x = check_fx(v[0]), z = check_fx(v[1]);
-    const tp_relief at = tp_ring_relief(now, count, x, z);
+    const tp_height_slope at = tp_ring_height_slope(now, count, x, z);
     const ring_lost lost = rings_lost(run, v, 0);
     check_add(run, 0, row, check_excess(1000 * (check_metres(at.height) - v[3]),
                                         1000 * lost.height));

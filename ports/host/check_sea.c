@@ -2,9 +2,9 @@
 #include "check_sea.h"
 #include <math.h>
 
-tp_sea check_sea_make(const check_wave *waves, unsigned count)
+tp_deep_water check_sea_make(const check_wave *waves, unsigned count)
 {
-    tp_sea sea = { .count = 0 };
+    tp_deep_water deep = { .count = 0 };
     for (unsigned i = 0; i < count; i++) {
         const check_wave *w = &waves[i];
         const tp_wave_exact exact = {
@@ -13,9 +13,9 @@ tp_sea check_sea_make(const check_wave *waves, unsigned count)
             .amplitude = check_fx(w->amplitude), .steepness = check_q30(w->q),
             .power = w->power,
         };
-        tp_sea_add(&sea, &exact);
+        tp_deep_water_add(&deep, &exact);
     }
-    return sea;
+    return deep;
 }
 
 /* Returns the bound of the phase error, rad: wave.h's bound plus the rounding of the

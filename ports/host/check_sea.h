@@ -15,7 +15,7 @@ typedef struct {
 /* Makes a sea at the full precision of tp_wave_exact.  Heading and length of a tp_wave
  * would be rounded to 16.16; far from the origin that rounding exceeds the errors of the
  * core. */
-tp_sea check_sea_make(const check_wave *waves, unsigned count);
+tp_deep_water check_sea_make(const check_wave *waves, unsigned count);
 
 /* Error bounds for the point with the rest position (x, z). */
 typedef struct {

@@ -75,7 +75,7 @@ static check_wave make_wave(const double *p, bool sharp)
 typedef struct {
     check_wave wave[CHECK_LINES];
     unsigned   count;
-    tp_sea     sea;
+    tp_deep_water     deep;
 } waves;
 
 static int read_waves(const check_run *run, bool sharp, waves *w)
@@ -93,7 +93,7 @@ static int read_waves(const check_run *run, bool sharp, waves *w)
             return check_refuse_line(run, 0, i, "sum Q k A = %.9g is above 0.95, where it"
                                      " is scaled down", sum);
     }
-    w->sea = check_sea_make(w->wave, w->count);
+    w->deep = check_sea_make(w->wave, w->count);
     return EXIT_DONE;
 }
 
@@ -106,14 +106,14 @@ static void compute_phases(const check_run *run, double t, tp_turn phases[TP_WAV
 }
 
 /* Returns the point with the rest position v[0], v[1]. */
-static tp_sea_point at_rest(const tp_sea *sea, const tp_turn phases[TP_WAVES],
-                            const double *v)
+static tp_surface_point at_rest(const tp_deep_water *deep, const tp_turn phases[TP_WAVES],
+                                const double *v)
 {
-    return tp_sea_displace_point(sea, phases, check_fx(v[0]), check_fx(v[1]));
+    return tp_deep_water_displace_point(deep, phases, check_fx(v[0]), check_fx(v[1]));
 }
 
 /* Returns the angle between the normals, rad. */
-static double normal_error(const tp_sea_point *p, const double want[3])
+static double normal_error(const tp_surface_point *p, const double want[3])
 {
     return check_angle(tp_normalise(-p->slope_x, TP_FX_ONE, -p->slope_z), want)
          * (CHECK_PI / 180);
@@ -121,7 +121,7 @@ static double normal_error(const tp_sea_point *p, const double want[3])
 
 /* Returns the error of the position in units of the bounds; x, y, z: expected position,
  * m. */
-static double place_error(const tp_sea_point *p, check_bound most, double x, double y,
+static double place_error(const tp_surface_point *p, check_bound most, double x, double y,
                           double z)
 {
     return fmax(fabs(check_metres(p->position.y) - y) / most.up,
@@ -145,7 +145,7 @@ static int run_sum_of_sines(check_run *run)
         const check_bound most = check_sea_bound(w.wave, w.count, v[0], v[1]);
         tp_turn phases[TP_WAVES];
         compute_phases(run, v[2], phases);
-        const tp_sea_point p = at_rest(&w.sea, phases, v);
+        const tp_surface_point p = at_rest(&w.deep, phases, v);
         check_add(run, 0, row, (check_metres(p.position.y) - v[3]) / most.up);
         check_add(run, 1, row, normal_error(&p, v + 6) / most.turn);
     }
@@ -176,9 +176,9 @@ static void each_sharp(check_run *run, unsigned row, const double *v)
 {
     const check_wave wave = { .k = 1, .dx = 1, .amplitude = v[1], .power = (int)v[0] };
     const check_bound most = check_sea_bound(&wave, 1, 0, 0);
-    const tp_sea sea = check_sea_make(&wave, 1);
+    const tp_deep_water deep = check_sea_make(&wave, 1);
     const tp_turn phases[TP_WAVES] = { check_turn(v[2]) };
-    const tp_sea_point p = tp_sea_displace_point(&sea, phases, 0, 0);
+    const tp_surface_point p = tp_deep_water_displace_point(&deep, phases, 0, 0);
     const double length = sqrt(1 + v[6] * v[6]);
     const double normal[3] = { -v[6] / length, 1 / length, 0 };
     check_add(run, 0, row, (check_metres(p.position.y) - v[5]) / most.up);
@@ -213,9 +213,9 @@ static int run_single(check_run *run)
             return check_refuse(run, row, "A = S L / 2 pi = %.9g m is above 16",
                                 wave.amplitude);
         const check_bound most = check_sea_bound(&wave, 1, v[4], v[5]);
-        const tp_sea sea = check_sea_make(&wave, 1);
+        const tp_deep_water deep = check_sea_make(&wave, 1);
         const tp_turn phases[TP_WAVES] = { check_turn(-sqrt(9.81 * k) * v[6]) };
-        const tp_sea_point p = at_rest(&sea, phases, v + 4);
+        const tp_surface_point p = at_rest(&deep, phases, v + 4);
         check_add(run, 0, row, place_error(&p, most, v[7], v[8], v[9]));
         check_add(run, 1, row,
                   normal_error(&p, v + 10) / check_trochoid_bound(&wave, v[4], v[5]));
@@ -247,11 +247,11 @@ static const check_field steepness_sum[] = {
 /* Returns the error of the normal.  For a sea without cross terms the expected normal has
  * no cross terms either [A10]; it follows from the table's tangents (Jxx, hx, Jxz) and
  * (Jxz, hz, Jzz). */
-static double gerstner_normal_error(const tp_sea *sea, const tp_sea_point *p,
+static double gerstner_normal_error(const tp_deep_water *deep, const tp_surface_point *p,
                                     const double *v)
 {
     const double cheap[3] = { -v[TY], v[TX] + v[BZ] - 1, -v[BY] };
-    return normal_error(p, sea->crossed || sea->count < 2 ? v + NX : cheap);
+    return normal_error(p, deep->crossed || deep->count < 2 ? v + NX : cheap);
 }
 
 static int run_gerstner_sum(check_run *run)
@@ -263,9 +263,9 @@ static int run_gerstner_sum(check_run *run)
         const check_bound most = check_sea_bound(w.wave, w.count, v[0], v[1]);
         tp_turn phases[TP_WAVES];
         compute_phases(run, v[2], phases);
-        const tp_sea_point p = at_rest(&w.sea, phases, v);
+        const tp_surface_point p = at_rest(&w.deep, phases, v);
         check_add(run, 0, row, place_error(&p, most, v[3], v[4], v[5]));
-        check_add(run, 1, row, gerstner_normal_error(&w.sea, &p, v) / most.turn);
+        check_add(run, 1, row, gerstner_normal_error(&w.deep, &p, v) / most.turn);
     }
     return code;
 }
@@ -297,15 +297,16 @@ static void buoyancy_row(check_run *run, unsigned row, const waves *w)
     const double *v = check_row(run, row);
     const tp_fx x = check_fx(v[0]), z = check_fx(v[1]);
     const check_bound most = check_sea_bound(w->wave, w->count, v[0], v[1]);
-    const double cheap = w->sea.crossed || w->count < 2 ? 0 : 1.5 * CHECK_PI / 180;
+    const double cheap = w->deep.crossed || w->count < 2 ? 0 : 1.5 * CHECK_PI / 180;
     tp_turn phases[TP_WAVES];
     compute_phases(run, v[2], phases);
     for (unsigned n = 0; n < STEPS; n++) {
-        const tp_sea_point p = tp_sea_sample_fixed_point(&w->sea, phases, x, z, n);
+        const tp_surface_point p =
+            tp_deep_water_sample_fixed_point(&w->deep, phases, x, z, n);
         const double off = check_metres(p.position.y) - v[FIRST_STEP + n];
         check_add(run, n, row, off / most.step);
     }
-    const tp_sea_point p = at_rest(&w->sea, phases, v + 3);
+    const tp_surface_point p = at_rest(&w->deep, phases, v + 3);
     check_add(run, STEPS, row, place_error(&p, most, v[0], v[5], v[1]));
     check_add(run, STEPS + 1, row, normal_error(&p, v + 11) / (most.turn + cheap));
 }

@@ -9,7 +9,7 @@ int view_command(int argc, char **argv)
 {
     (void)argc;
     (void)argv;
-    return fail(EXIT_DISPLAY, "tidepool view: built without the preview, which needs"
+    return log_fail(EXIT_DISPLAY, "tidepool view: built without the preview, which needs"
                 " SDL2: install libsdl2-dev and build again; `tidepool render` needs none");
 }
 #endif

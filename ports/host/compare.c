@@ -22,19 +22,19 @@ const char *const compare_against_name[AGAINSTS] = {
     "reference",
 };
 
-struct compare {
+struct comparison {
     compare_how how;
     compare_against against;
     tp_scene given;             /* copy of the stage's scene when `scene` was made */
     tp_scene scene;             /* scene of the other canvas: differs in quality.* */
-    canvas   other;
+    frame_renderer   other;
     bool     open, failed;      /* of `other`; failed: no memory, until a change */
     uint64_t judged_at;
     bool     judged, unfit;
     bool     same;              /* the stage's picture is drawn with the same rungs */
-    tracer  *tracer;
+    reference_thread  *reference;
     bool     delivered;         /* the tracer has delivered a complete picture */
-    tracer_pass pass;           /* pass of the reference's picture in `theirs` */
+    reference_pass pass;           /* pass of the reference's picture in `theirs` */
     uint32_t *ours, *theirs;    /* pixels 0x00RRGGBB */
     picture  shown;
     double   psnr;
@@ -64,10 +64,10 @@ static tp_rungs choose_rungs(compare_against against)
     return r;
 }
 
-static tp_rungs rungs_of_stage(const stage *s)
+static tp_rungs rungs_of_stage(const loaded_scene *s)
 {
-    return tp_rungs_choose(&s->file.scene, &s->assets.names, s->canvas.picture.width,
-                           s->canvas.picture.height);
+    return tp_rungs_choose(&s->file.scene, &s->assets.names, s->renderer.picture.width,
+                           s->renderer.picture.height);
 }
 
 static bool same_rungs(tp_rungs a, tp_rungs b)
@@ -76,7 +76,7 @@ static bool same_rungs(tp_rungs a, tp_rungs b)
         && a.lod == b.lod;
 }
 
-static void name_rungs(compare *c, const stage *s)
+static void name_rungs(comparison *c, const loaded_scene *s)
 {
     const bool mine = c->against == AGAINST_TRIANGLES;
     const tp_rungs own = rungs_of_stage(s);
@@ -95,9 +95,9 @@ static void name_rungs(compare *c, const stage *s)
 }
 
 /* Makes a plan with every choice open: its report marks the rungs unfit for the scene. */
-static bool is_unfit(const stage *s, tp_rungs r)
+static bool is_unfit(const loaded_scene *s, tp_rungs r)
 {
-    const picture *p = &s->canvas.picture;
+    const picture *p = &s->renderer.picture;
     tp_scene open = s->file.scene;
 
     open.quality.visibility = TP_VISIBILITY_AUTO;
@@ -110,7 +110,7 @@ static bool is_unfit(const stage *s, tp_rungs r)
         || plan.rung[3][r.lod - 1].why == TP_WHY_UNFIT;
 }
 
-static void judge(compare *c, const stage *s)
+static void judge(comparison *c, const loaded_scene *s)
 {
     if (c->judged || now_us() - c->judged_at < JUDGE_US)
         return;
@@ -119,9 +119,9 @@ static void judge(compare *c, const stage *s)
     c->judged_at = now_us();
 }
 
-compare_against compare_usual(const stage *s)
+compare_against compare_usual(const loaded_scene *s)
 {
-    if (s->canvas.picture.format != TP_FORMAT_XRGB8888
+    if (s->renderer.picture.format != TP_FORMAT_XRGB8888
         || !same_rungs(rungs_of_stage(s), exact))
         return AGAINST_EXACT;
     return is_unfit(s, choose_rungs(AGAINST_QUICK)) ? AGAINST_REFERENCE : AGAINST_QUICK;
@@ -129,32 +129,32 @@ compare_against compare_usual(const stage *s)
 
 /* -- memory -------------------------------------------------------------------------- */
 
-static void discard(compare *c)
+static void discard(comparison *c)
 {
-    tracer_end(c->tracer);
-    c->tracer = NULL;
+    reference_thread_end(c->reference);
+    c->reference = NULL;
     if (c->open)
-        canvas_close(&c->other);
+        frame_renderer_close(&c->other);
     c->open = c->failed = c->judged = c->same = c->delivered = false;
 }
 
-void compare_forget(compare *c)
+void compare_forget(comparison *c)
 {
     discard(c);
-    c->pass = TRACER_NONE;
+    c->pass = REFERENCE_NONE;
     c->psnr = -1;
 }
 
-compare *compare_begin(void)
+comparison *compare_begin(void)
 {
-    compare *c = calloc(1, sizeof *c);
+    comparison *c = calloc(1, sizeof *c);
 
     if (c)
         c->psnr = -1;
     return c;
 }
 
-void compare_end(compare *c)
+void compare_end(comparison *c)
 {
     if (!c)
         return;
@@ -165,7 +165,7 @@ void compare_end(compare *c)
     free(c);
 }
 
-void compare_set(compare *c, compare_how how, compare_against against)
+void compare_set(comparison *c, compare_how how, compare_against against)
 {
     if (against != c->against || how == COMPARE_OFF)
         compare_forget(c);
@@ -178,7 +178,7 @@ void compare_set(compare *c, compare_how how, compare_against against)
 }
 
 /* Allocates the pictures; false: no memory. */
-static bool resize(compare *c, uint32_t width, uint32_t height)
+static bool resize(comparison *c, uint32_t width, uint32_t height)
 {
     const size_t bytes = (size_t)width * height * sizeof *c->ours;
 
@@ -196,9 +196,9 @@ static bool resize(compare *c, uint32_t width, uint32_t height)
 }
 
 /* Adopts the stage's size and scene.  False: no memory. */
-static bool follow(compare *c, const stage *s)
+static bool follow(comparison *c, const loaded_scene *s)
 {
-    const picture *p = &s->canvas.picture;
+    const picture *p = &s->renderer.picture;
     const bool sized = c->shown.width == p->width && c->shown.height == p->height;
 
     if (sized && memcmp(&c->given, &s->file.scene, sizeof c->given) == 0)
@@ -212,16 +212,16 @@ static bool follow(compare *c, const stage *s)
 
 /* -- drawing the other picture ------------------------------------------------------- */
 
-static bool open_other(compare *c, const stage *s)
+static bool open_other(comparison *c, const loaded_scene *s)
 {
-    tp_config config = s->canvas.config;
+    tp_config config = s->renderer.config;
 
     config.format = TP_FORMAT_XRGB8888;
     name_rungs(c, s);
-    canvas_plan(&c->other, &config, s->canvas.threads);
-    c->other.machine = s->canvas.machine;
+    frame_renderer_plan(&c->other, &config, s->renderer.threads);
+    c->other.machine = s->renderer.machine;
     c->open = true;
-    c->failed = canvas_open(&c->other, &c->scene, &s->assets.names) != 0;
+    c->failed = frame_renderer_open(&c->other, &c->scene, &s->assets.names) != 0;
     return !c->failed;
 }
 
@@ -231,13 +231,13 @@ static void expand(const picture *p, uint32_t *to)
         picture_expand_row(p, y, to + (size_t)y * p->width);
 }
 
-static bool draw_rung(compare *c, const stage *s)
+static bool draw_rung(comparison *c, const loaded_scene *s)
 {
     if (!c->open && !open_other(c, s))
         return false;
     judge(c, s);
-    canvas_draw(&c->other, s->world);
-    expand(&s->canvas.picture, c->ours);
+    frame_renderer_draw(&c->other, s->world);
+    expand(&s->renderer.picture, c->ours);
     expand(&c->other.picture, c->theirs);
     return true;
 }
@@ -245,61 +245,61 @@ static bool draw_rung(compare *c, const stage *s)
 /* Finishes a picture once begun, even if the world moves meanwhile.  While the world stands
  * still, further passes add samples.  After the world has moved, the reference starts
  * again. */
-static bool draw_reference(compare *c, const stage *s)
+static bool draw_reference(comparison *c, const loaded_scene *s)
 {
-    if (c->tracer && tracer_has_news(c->tracer)) {
-        c->pass = tracer_take(c->tracer, c->ours, c->theirs);
-        c->delivered = c->pass >= TRACER_1;
+    if (c->reference && reference_thread_has_news(c->reference)) {
+        c->pass = reference_thread_take(c->reference, c->ours, c->theirs);
+        c->delivered = c->pass >= REFERENCE_1;
     }
-    if (c->delivered && !tracer_has_same_world(c->tracer, s->world)) {
-        tracer_end(c->tracer);
-        c->tracer = NULL;
+    if (c->delivered && !reference_thread_has_same_world(c->reference, s->world)) {
+        reference_thread_end(c->reference);
+        c->reference = NULL;
     }
-    if (!c->tracer) {
-        c->tracer = tracer_begin(s, c->pass == TRACER_NONE);
+    if (!c->reference) {
+        c->reference = reference_thread_begin(s, c->pass == REFERENCE_NONE);
         c->delivered = false;
     }
-    c->failed = !c->tracer;
-    return c->pass != TRACER_NONE;
+    c->failed = !c->reference;
+    return c->pass != REFERENCE_NONE;
 }
 
 /* ------------------------------------------------------------------------------------ */
 
-const picture *compare_draw(compare *c, const stage *s)
+const picture *compare_draw(comparison *c, const loaded_scene *s)
 {
     if (c->how == COMPARE_OFF || !follow(c, s))
         return NULL;
     if (!(c->against == AGAINST_REFERENCE ? draw_reference(c, s) : draw_rung(c, s)))
         return NULL;
-    c->psnr = c->pass == TRACER_COARSE ? -1
-            : differ_psnr(c->ours, c->theirs, (size_t)c->shown.width * c->shown.height);
+    c->psnr = c->pass == REFERENCE_COARSE ? -1
+            : image_diff_psnr(c->ours, c->theirs, (size_t)c->shown.width * c->shown.height);
     if (c->how == COMPARE_SPLIT)
-        differ_split(&c->shown, c->ours, c->theirs);
+        image_diff_split(&c->shown, c->ours, c->theirs);
     else
-        differ_show(&c->shown, c->ours, c->theirs);
+        image_diff_draw(&c->shown, c->ours, c->theirs);
     return &c->shown;
 }
 
 /* -- results ------------------------------------------------------------------------- */
 
-compare_how compare_get_how(const compare *c)
+compare_how compare_get_how(const comparison *c)
 {
     return c->how;
 }
 
-compare_against compare_get_against(const compare *c)
+compare_against compare_get_against(const comparison *c)
 {
     return c->against;
 }
 
-double compare_psnr(const compare *c)
+double compare_psnr(const comparison *c)
 {
     return c->psnr;
 }
 
-bool compare_moves(const compare *c)
+bool compare_moves(const comparison *c)
 {
-    return c->how != COMPARE_OFF && c->tracer && tracer_has_news(c->tracer);
+    return c->how != COMPARE_OFF && c->reference && reference_thread_has_news(c->reference);
 }
 
 /* Appends "; without foam, spray": the parts of the scene that the reference does not
@@ -324,21 +324,23 @@ static void add_lacks(const tp_scene *s, char *note, size_t bytes)
 }
 
 static const char *const pass_text[] = {
-    [TRACER_NONE] = "", [TRACER_COARSE] = "1 sample per 16 pixels",
-    [TRACER_1] = "1 sample per pixel", [TRACER_4] = "4 samples per pixel",
-    [TRACER_16] = "16 samples per pixel",
+    [REFERENCE_NONE] = "", [REFERENCE_COARSE] = "1 sample per 16 pixels",
+    [REFERENCE_1] = "1 sample per pixel", [REFERENCE_4] = "4 samples per pixel",
+    [REFERENCE_16] = "16 samples per pixel",
 };
 
 /* Writes "1 sample per pixel; 4 samples per pixel: 40%". */
-static void note_reference(compare *c)
+static void note_reference(comparison *c)
 {
     uint32_t percent = 0;
-    const tracer_pass draws = c->tracer ? tracer_draws(c->tracer, &percent) : TRACER_NONE;
-    const bool over = draws == TRACER_NONE || draws == c->pass;
+    const reference_pass draws =
+        c->reference ? reference_thread_progress(c->reference, &percent) : REFERENCE_NONE;
+    const bool over = draws == REFERENCE_NONE || draws == c->pass;
 
-    if (c->pass == TRACER_NONE && c->tracer && over && !tracer_has_news(c->tracer))
+    if (c->pass == REFERENCE_NONE && c->reference && over
+        && !reference_thread_has_news(c->reference))
         snprintf(c->note, sizeof c->note, "no memory for the reference");
-    else if (c->pass == TRACER_NONE)
+    else if (c->pass == REFERENCE_NONE)
         snprintf(c->note, sizeof c->note, "drawing the reference: %u%%", (unsigned)percent);
     else if (over)
         snprintf(c->note, sizeof c->note, "%s", pass_text[c->pass]);
@@ -348,7 +350,7 @@ static void note_reference(compare *c)
     add_lacks(&c->given, c->note, sizeof c->note);
 }
 
-const char *compare_note(compare *c)
+const char *compare_note(comparison *c)
 {
     const bool water = c->against >= AGAINST_ROWS && c->against <= AGAINST_FLAT;
 

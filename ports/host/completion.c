@@ -9,7 +9,7 @@
 
 /* Prints a text in single quotes.  An apostrophe is placed outside of the quotes:
  * 'it'\''s'.  A backslash, treated differently by the shells, becomes a slash. */
-void print_quoted(const char *text)
+void completion_print_quoted(const char *text)
 {
     putchar('\'');
     for (; *text; text++)
@@ -20,16 +20,16 @@ void print_quoted(const char *text)
     putchar('\'');
 }
 
-void print_words(const char *kind)
+void completion_print_words(const char *kind)
 {
-    words list = { 0 };
-    takes_words(&list, kind);
+    string_list list = { 0 };
+    argument_type_words(&list, kind);
     for (size_t i = 0; i < list.count; i++)
         printf("%s%s", i ? " " : "", list.of[i]);
-    words_free(&list);
+    string_list_free(&list);
 }
 
-void print_names(const char *tail)
+void completion_print_names(const char *tail)
 {
     uint32_t count;
     const tp_param *of = tp_params(&count);
@@ -37,7 +37,7 @@ void print_names(const char *tail)
         printf("%s%s%s", i ? " " : "", of[i].name, tail);
 }
 
-void print_file_names(const char *tail)
+void completion_print_file_names(const char *tail)
 {
     uint32_t count;
     const tp_param *of = tp_params(&count);
@@ -59,36 +59,36 @@ static uint32_t first_choice_row(const char *choice)
 {
     uint32_t count, i = 0;
     const tp_param *of = tp_params(&count);
-    while (i < count && !same(takes_choice(&of[i]), choice))
+    while (i < count && !same(argument_type_choices(&of[i]), choice))
         i++;
     return i;
 }
 
-const char *next_choice(const char *last)
+const char *completion_next_choice(const char *last)
 {
     uint32_t count;
     const tp_param *of = tp_params(&count);
     for (uint32_t i = last ? first_choice_row(last) + 1 : 0; i < count; i++) {
-        const char *choice = takes_choice(&of[i]);
+        const char *choice = argument_type_choices(&of[i]);
         if (choice && first_choice_row(choice) == i)
             return choice;
     }
     return NULL;
 }
 
-void print_choosers(const char *choice, const char *tail)
+void completion_print_choosers(const char *choice, const char *tail)
 {
     uint32_t count;
     const tp_param *of = tp_params(&count);
     const char *bar = "";
     for (uint32_t i = 0; i < count; i++)
-        if (same(takes_choice(&of[i]), choice)) {
+        if (same(argument_type_choices(&of[i]), choice)) {
             printf("%s%s%s", bar, of[i].name, tail);
             bar = "|";
         }
 }
 
-void print_choice(const char *choice)
+void completion_print_choice(const char *choice)
 {
     for (const char *c = choice; *c; c++)
         putchar(*c == '|' ? ' ' : *c);
@@ -106,8 +106,8 @@ static int print_script(const char *shell)
             shells[i].print();
             return EXIT_DONE;
         }
-    return fail(EXIT_USAGE, "tidepool completion: %.40s: expected bash, zsh or fish",
-                shell);
+    return log_fail(EXIT_USAGE, "tidepool completion: %.40s: expected bash, zsh or fish",
+                    shell);
 }
 
 int completion_command(int argc, char **argv)
@@ -115,11 +115,11 @@ int completion_command(int argc, char **argv)
     options o;
     int code = args_read(&o, FOR_COMPLETION, argc, argv);
     if (!code && o.help) {
-        about_print(FOR_COMPLETION);
+        command_help_print(FOR_COMPLETION);
     } else if (!code) {
         code = print_script(o.scene);
     }
     free(o.settings);
-    const int end = finish_stdout();
+    const int end = streams_finish();
     return code ? code : end;
 }

@@ -13,22 +13,22 @@ void completion_zsh(void);
 void completion_fish(void);
 
 /* Prints a text in single quotes, valid in all three shells. */
-void print_quoted(const char *text);
+void completion_print_quoted(const char *text);
 
 /* Print the words for `kind`, separated by blanks, or the names of parameters, each with
  * the suffix `tail`. */
-void print_words(const char *kind);
-void print_names(const char *tail);
+void completion_print_words(const char *kind);
+void completion_print_names(const char *tail);
 
 /* Prints "boat.mesh|sky.east|...": the parameters that name files, each with the suffix
  * `tail`. */
-void print_file_names(const char *tail);
+void completion_print_file_names(const char *tail);
 
-/* next_choice returns the next distinct list of choices after `last` (NULL: the first), or
- * NULL.  print_choosers prints the names of its parameters. */
-const char *next_choice(const char *last);
-void        print_choosers(const char *choice, const char *tail);
+/* completion_next_choice returns the next distinct list of choices after `last` (NULL:
+ * the first), or NULL.  completion_print_choosers prints the names of its parameters. */
+const char *completion_next_choice(const char *last);
+void        completion_print_choosers(const char *choice, const char *tail);
 
 /* Prints the words of a list "off|on", each followed by a blank. */
-void print_choice(const char *choice);
+void completion_print_choice(const char *choice);
 #endif

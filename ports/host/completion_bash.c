@@ -24,7 +24,7 @@ static void print_kinds(void)
 {
     puts("_tidepool_kind()        # COMMAND [OPTION]\n{\n    case \"$1 $2\" in");
     for (size_t i = 0; i < command_count; i++) {
-        if (takes_find_kind(commands[i].takes) != TAKES_ANY)
+        if (argument_type_find(commands[i].takes) != ARGUMENT_ANY)
             printf("    '%s ') echo %.*s ;;\n", commands[i].name,
                    (int)strcspn(commands[i].takes + (*commands[i].takes == '['), " ]"),
                    commands[i].takes + (*commands[i].takes == '['));
@@ -39,17 +39,17 @@ static void print_kinds(void)
 static void print_kind(const char *kind)
 {
     printf("    '%s') ", kind);
-    switch (takes_find_kind(kind)) {
-    case TAKES_FILE:    puts("compgen -f -- \"$2\" ;;"); break;
-    case TAKES_FOLDER:  puts("compgen -d -- \"$2\" ;;"); break;
-    case TAKES_SETTING: puts("_tidepool_setting \"$2\" ;;"); break;
-    case TAKES_ANY:     puts(";;"); break;
-    case TAKES_WORD:
-    case TAKES_SCENE:
+    switch (argument_type_find(kind)) {
+    case ARGUMENT_FILE:    puts("compgen -f -- \"$2\" ;;"); break;
+    case ARGUMENT_FOLDER:  puts("compgen -d -- \"$2\" ;;"); break;
+    case ARGUMENT_SETTING: puts("_tidepool_setting \"$2\" ;;"); break;
+    case ARGUMENT_ANY:     puts(";;"); break;
+    case ARGUMENT_WORD:
+    case ARGUMENT_SCENE:
         fputs("compgen -W '", stdout);
-        print_words(kind);
+        completion_print_words(kind);
         puts("' -- \"$2\"");
-        if (takes_find_kind(kind) == TAKES_SCENE)
+        if (argument_type_find(kind) == ARGUMENT_SCENE)
             puts("        compgen -f -X '!*.ini' -- \"$2\"; compgen -d -- \"$2\"");
         puts("        ;;");
         break;
@@ -73,7 +73,7 @@ static void print_values(void)
     print_kind("FILM.y4m");
     for (size_t k = 0; k < args_row_count; k++)
         if (args_rows[k].value && !is_repeated_kind(args_rows[k].value, k)
-            && takes_find_kind(args_rows[k].value) != TAKES_ANY)
+            && argument_type_find(args_rows[k].value) != ARGUMENT_ANY)
             print_kind(args_rows[k].value);
     puts("    esac\n}");
 }
@@ -83,20 +83,21 @@ static void print_setting(void)
 {
     puts("_tidepool_setting()     # NAME=VALUE as far as it goes\n{\n"
          "    local name=${1%%=*}= value=${1#*=}\n    case $1 in");
-    for (const char *choice = next_choice(NULL); choice; choice = next_choice(choice)) {
+    for (const char *choice = completion_next_choice(NULL); choice;
+         choice = completion_next_choice(choice)) {
         fputs("    ", stdout);
-        print_choosers(choice, "=*");
+        completion_print_choosers(choice, "=*");
         fputs(") compgen -P \"$name\" -W '", stdout);
-        print_choice(choice);
+        completion_print_choice(choice);
         puts("' -- \"$value\" ;;");
     }
     fputs("    ", stdout);
-    print_file_names("=*");
+    completion_print_file_names("=*");
     puts(") compgen -P \"$name\" -f -- \"$value\" ;;\n    *=*) ;;");
     fputs("    *.*) compgen -W '", stdout);
-    print_names("=");
+    completion_print_names("=");
     fputs("' -- \"$1\" ;;\n    *) compgen -W '", stdout);
-    print_words("GROUP");
+    completion_print_words("GROUP");
     puts("' -- \"$1\" ;;\n    esac\n}");
 }
 
@@ -127,7 +128,8 @@ void completion_bash(void)
         printf(" %s", commands[i].name);
     puts("' -- \"$word\")\n"
          "        return\n"
-         "    elif [[ $last == -* ]] && kind=$(_tidepool_kind \"${line[0]}\" \"$last\") &&\n"
+         "    elif [[ $last == -* ]] && kind=$(_tidepool_kind \"${line[0]}\" \"$last\") "
+         "&&\n"
          "            [[ $kind ]]; then\n"
          "        :\n"
          "    elif [[ $word == -*=* ]]; then\n"
@@ -150,7 +152,8 @@ void completion_bash(void)
          "    case ${COMPREPLY[0]-} in\n"
          "    *[=.]) compopt -o nospace 2>/dev/null ;;\n"
          "    *) case $kind in\n"
-         "       SCENE|FILE|FILM*|PATH|DIR|FOLDER|*=VALUE) compopt -o filenames 2>/dev/null"
+         "       SCENE|FILE|FILM*|PATH|DIR|FOLDER|*=VALUE) compopt -o filenames "
+         "2>/dev/null"
          " ;;\n"
          "       esac ;;\n"
          "    esac\n}\n"

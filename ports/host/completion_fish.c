@@ -18,16 +18,16 @@ static void print_condition(unsigned of)
 
 static void print_candidates(const char *kind)
 {
-    switch (takes_find_kind(kind)) {
-    case TAKES_ANY:     fputs(" -x", stdout); break;
-    case TAKES_FILE:    fputs(" -r -F", stdout); break;
-    case TAKES_FOLDER:  fputs(" -x -a '(__fish_complete_directories)'", stdout); break;
-    case TAKES_SETTING: fputs(" -x -a '(__tidepool_settings)'", stdout); break;
-    case TAKES_SCENE:
-    case TAKES_WORD:
+    switch (argument_type_find(kind)) {
+    case ARGUMENT_ANY:     fputs(" -x", stdout); break;
+    case ARGUMENT_FILE:    fputs(" -r -F", stdout); break;
+    case ARGUMENT_FOLDER:  fputs(" -x -a '(__fish_complete_directories)'", stdout); break;
+    case ARGUMENT_SETTING: fputs(" -x -a '(__tidepool_settings)'", stdout); break;
+    case ARGUMENT_SCENE:
+    case ARGUMENT_WORD:
         fputs(" -x -a '", stdout);
-        print_words(kind);
-        fputs(takes_find_kind(kind) == TAKES_SCENE ? " (__fish_complete_suffix .ini)'"
+        completion_print_words(kind);
+        fputs(argument_type_find(kind) == ARGUMENT_SCENE ? " (__fish_complete_suffix .ini)'"
                                                    : "'",
               stdout);
         break;
@@ -44,16 +44,16 @@ static void print_option(const option_row *row)
     if (row->value)
         print_candidates(row->value);
     fputs(" -d ", stdout);
-    print_quoted(row->help);
+    completion_print_quoted(row->help);
     puts("");
 }
 
 static void print_command(const command_row *of)
 {
     printf("complete -c tidepool -n __fish_use_subcommand -f -a %s -d ", of->name);
-    print_quoted(of->help);
+    completion_print_quoted(of->help);
     puts("");
-    if (takes_find_kind(of->takes) == TAKES_ANY)
+    if (argument_type_find(of->takes) == ARGUMENT_ANY)
         return;
     print_condition(of->options);
     print_candidates(of->takes);
@@ -64,9 +64,9 @@ static void print_command(const command_row *of)
 static void print_setting(const tp_param *param, const char *value)
 {
     printf("        ");
-    print_quoted(param->name);
+    completion_print_quoted(param->name);
     printf("=%s\\t", value);
-    print_quoted(param->help);
+    completion_print_quoted(param->help);
     puts(" \\");
 }
 
@@ -76,14 +76,14 @@ static void print_settings(void)
     const tp_param *of = tp_params(&count);
     puts("function __tidepool_settings\n    printf '%s\\n' \\");
     for (uint32_t i = 0; i < count; i++) {
-        words list = { 0 };
-        if (takes_choice(&of[i]))
-            words_cut(&list, takes_choice(&of[i]), "|");
+        string_list list = { 0 };
+        if (argument_type_choices(&of[i]))
+            string_list_split(&list, argument_type_choices(&of[i]), "|");
         for (size_t k = 0; k < list.count; k++)
             print_setting(&of[i], list.of[k]);
         if (list.count == 0)
             print_setting(&of[i], "");
-        words_free(&list);
+        string_list_free(&list);
     }
     fputs("        ''\n    switch (commandline -ct)\n    case ", stdout);
     uint32_t n = 0;

@@ -19,15 +19,15 @@ static void print_spec_text(const char *text)
 
 static void print_action(const char *kind)
 {
-    switch (takes_find_kind(kind)) {
-    case TAKES_ANY:     break;
-    case TAKES_FILE:    fputs("_files", stdout); break;
-    case TAKES_FOLDER:  fputs("_files -/", stdout); break;
-    case TAKES_SCENE:   fputs("_tidepool_scene", stdout); break;
-    case TAKES_SETTING: fputs("_tidepool_setting", stdout); break;
-    case TAKES_WORD:
+    switch (argument_type_find(kind)) {
+    case ARGUMENT_ANY:     break;
+    case ARGUMENT_FILE:    fputs("_files", stdout); break;
+    case ARGUMENT_FOLDER:  fputs("_files -/", stdout); break;
+    case ARGUMENT_SCENE:   fputs("_tidepool_scene", stdout); break;
+    case ARGUMENT_SETTING: fputs("_tidepool_setting", stdout); break;
+    case ARGUMENT_WORD:
         putchar('(');
-        print_words(kind);
+        completion_print_words(kind);
         putchar(')');
         break;
     }
@@ -37,7 +37,7 @@ static void print_option(const option_row *row)
 {
     const bool single = row->name[1] != '-';
     printf("            '%s%s%s[",
-           row->value && takes_find_kind(row->value) == TAKES_SETTING ? "*" : "",
+           row->value && argument_type_find(row->value) == ARGUMENT_SETTING ? "*" : "",
            row->name, row->value && !single ? "=" : "");
     print_spec_text(row->help);
     putchar(']');
@@ -56,7 +56,7 @@ static void print_command(const command_row *of)
     for (size_t k = 0; k < args_row_count; k++)
         if (args_rows[k].commands & of->options)
             print_option(&args_rows[k]);
-    if (takes_find_kind(of->takes) == TAKES_ANY) {
+    if (argument_type_find(of->takes) == ARGUMENT_ANY) {
         puts("            && return ;;");
         return;
     }
@@ -72,17 +72,18 @@ static void print_setting(void)
     puts("_tidepool_setting()\n{\n    local name=${PREFIX%%=*}\n"
          "    if ! compset -P '*='; then");
     fputs("        compadd -S = -- ", stdout);
-    print_names("");
+    completion_print_names("");
     puts("\n        return\n    fi\n    case $name in");
-    for (const char *choice = next_choice(NULL); choice; choice = next_choice(choice)) {
+    for (const char *choice = completion_next_choice(NULL); choice;
+         choice = completion_next_choice(choice)) {
         fputs("    (", stdout);
-        print_choosers(choice, "");
+        completion_print_choosers(choice, "");
         fputs(") compadd -- ", stdout);
-        print_choice(choice);
+        completion_print_choice(choice);
         puts(";;");
     }
     fputs("    (", stdout);
-    print_file_names("");
+    completion_print_file_names("");
     puts(") _files ;;\n    esac\n}");
 }
 
@@ -90,7 +91,7 @@ void completion_zsh(void)
 {
     puts("#compdef tidepool\n# Made by `tidepool completion zsh`.");
     fputs("_tidepool_scene()\n{\n    compadd -- ", stdout);
-    print_words("SCENE");
+    completion_print_words("SCENE");
     puts("\n    _files -g '*.ini'\n}");
     print_setting();
     puts("_tidepool()\n{\n    local context state state_descr line ret=1\n"

@@ -9,13 +9,13 @@
 #define USUAL_MOST 8
 
 typedef struct {
-    crew     *of;
+    thread_pool     *of;
     uint32_t  number;           /* index, from 1 */
     uint32_t  done;             /* number of the last job that the thread began */
     pthread_t thread;
 } hand;
 
-struct crew {
+struct thread_pool {
     pthread_mutex_t lock;       /* guards all members below */
     pthread_cond_t  work, rest; /* work: a job or the end; rest: no thread is busy */
     void    (*task)(void *user, uint32_t i);
@@ -28,7 +28,7 @@ struct crew {
     hand      hand[];
 };
 
-static void do_job(crew *c, hand *h)
+static void do_job(thread_pool *c, hand *h)
 {
     h->done = c->job;
     c->busy++;
@@ -42,7 +42,7 @@ static void do_job(crew *c, hand *h)
 static void *live(void *user)
 {
     hand *h = user;
-    crew *c = h->of;
+    thread_pool *c = h->of;
     pthread_mutex_lock(&c->lock);
     while (!c->over) {
         if (c->open && h->done != c->job)
@@ -54,15 +54,15 @@ static void *live(void *user)
     return NULL;
 }
 
-uint32_t crew_usual(void)
+uint32_t thread_pool_default_size(void)
 {
     const long n = sysconf(_SC_NPROCESSORS_ONLN);
     return n < 1 ? 1 : n > USUAL_MOST ? USUAL_MOST : (uint32_t)n;
 }
 
-crew *crew_open(uint32_t threads)
+thread_pool *thread_pool_open(uint32_t threads)
 {
-    crew *c = threads ? calloc(1, sizeof *c + threads * sizeof c->hand[0]) : NULL;
+    thread_pool *c = threads ? calloc(1, sizeof *c + threads * sizeof c->hand[0]) : NULL;
     if (!c)
         return NULL;
     pthread_mutex_init(&c->lock, NULL);
@@ -76,7 +76,7 @@ crew *crew_open(uint32_t threads)
     return c;
 }
 
-void crew_close(crew *c)
+void thread_pool_close(thread_pool *c)
 {
     if (!c)
         return;
@@ -92,7 +92,7 @@ void crew_close(crew *c)
     free(c);
 }
 
-void crew_do(crew *c, void (*task)(void *user, uint32_t i), void *user)
+void thread_pool_run(thread_pool *c, void (*task)(void *user, uint32_t i), void *user)
 {
     if (!c) {
         task(user, 0);

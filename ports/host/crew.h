@@ -6,18 +6,18 @@
 #define HOST_CREW_H
 #include <stdint.h>
 
-typedef struct crew crew;
+typedef struct thread_pool thread_pool;
 
 /* Returns the default number of drawing threads: one per processor, at most eight. */
-uint32_t crew_usual(void);
+uint32_t thread_pool_default_size(void);
 
 /* Starts `threads` threads beside the caller, or fewer if the system refuses.  Returns NULL
- * if there are none; crew_do and crew_close accept NULL. */
-crew *crew_open(uint32_t threads);
-void  crew_close(crew *c);
+ * if there are none; thread_pool_run and thread_pool_close accept NULL. */
+thread_pool *thread_pool_open(uint32_t threads);
+void  thread_pool_close(thread_pool *c);
 
 /* Calls task(user, i) from the caller at once, i = 0, and from threads 1.. as they wake.
  * Threads that wake after the caller's call has ended do not begin.  Returns when all begun
  * calls have ended. */
-void  crew_do(crew *c, void (*task)(void *user, uint32_t i), void *user);
+void  thread_pool_run(thread_pool *c, void (*task)(void *user, uint32_t i), void *user);
 #endif

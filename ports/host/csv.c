@@ -56,21 +56,22 @@ static int take_bytes(csv *table, FILE *file, size_t *bytes)
             room = 2 * room + CHUNK + 1;
             char *more = realloc(table->text, room);
             if (!more)
-                return fail_memory(room);
+                return log_fail_memory(room);
             table->text = more;
         }
         const size_t got = fread(table->text + *bytes, 1, CHUNK, file);
         *bytes += got;
         if (*bytes > BYTES_MOST)
-            return fail(EXIT_INPUT, "%s: more than %u MB", table->name, BYTES_MOST >> 20);
+            return log_fail(EXIT_INPUT, "%s: more than %u MB", table->name,
+                            BYTES_MOST >> 20);
         if (got < CHUNK)
             break;
     }
     if (ferror(file))
-        return fail(EXIT_INPUT, "%s: %s", table->name, strerror(errno));
+        return log_fail(EXIT_INPUT, "%s: %s", table->name, strerror(errno));
     table->text[*bytes] = 0;
     if (memchr(table->text, 0, *bytes))
-        return fail(EXIT_INPUT, "%s: contains a zero byte; not a table", table->name);
+        return log_fail(EXIT_INPUT, "%s: contains a zero byte; not a table", table->name);
     return EXIT_DONE;
 }
 
@@ -78,7 +79,7 @@ static int take_file(csv *table, size_t *bytes)
 {
     FILE *file = fopen(table->name, "rb");
     if (!file)
-        return fail(EXIT_INPUT, "%s: %s", table->name, strerror(errno));
+        return log_fail(EXIT_INPUT, "%s: %s", table->name, strerror(errno));
     const int code = take_bytes(table, file, bytes);
     fclose(file);
     return code;
@@ -121,8 +122,8 @@ static int take_fields(csv *table, char *line, const char **field, unsigned numb
 {
     const unsigned count = count_characters(line, ',') + 1;
     if (count != table->n_columns)
-        return fail(EXIT_INPUT, "%s:%u: %u fields; there are %u columns", table->name,
-                    number, *line ? count : 0, table->n_columns);
+        return log_fail(EXIT_INPUT, "%s:%u: %u fields; there are %u columns", table->name,
+                        number, *line ? count : 0, table->n_columns);
     for (unsigned i = 0; i < count; i++) {
         field[i] = line;
         line += strcspn(line, ",");
@@ -144,7 +145,7 @@ static int take_rows(csv *table, char *text)
         table->n_rows += !heading;
     }
     if (table->n_rows == 0)
-        return fail(EXIT_INPUT, "%s:%u: no rows", table->name, csv_columns_line(table));
+        return log_fail(EXIT_INPUT, "%s:%u: no rows", table->name, csv_columns_line(table));
     return EXIT_DONE;
 }
 
@@ -157,19 +158,19 @@ static int take_table(csv *table)
     const size_t lines = count_characters(table->text, '\n') + 1;
     table->notes = calloc(lines, sizeof *table->notes);
     if (!table->notes)
-        return fail_memory(lines * sizeof *table->notes);
+        return log_fail_memory(lines * sizeof *table->notes);
     char *text = take_notes(table, table->text);
     const size_t length = strcspn(text, "\n");
     if (length == 0)
-        return fail(EXIT_INPUT, "%s:%u: no column names", table->name,
-                    csv_columns_line(table));
+        return log_fail(EXIT_INPUT, "%s:%u: no column names", table->name,
+                        csv_columns_line(table));
     for (size_t i = 0; i < length; i++)
         table->n_columns += text[i] == ',';
     table->n_columns++;
     const size_t fields = (lines - table->n_notes) * table->n_columns;
     table->fields = calloc(fields, sizeof *table->fields);
     if (!table->fields)
-        return fail_memory(fields * sizeof *table->fields);
+        return log_fail_memory(fields * sizeof *table->fields);
     return take_rows(table, text);
 }
 

@@ -26,18 +26,18 @@ typedef struct {
     const char *name, *scene;
     FILE       *file;
     uint32_t    line;
-} reader;
+} tape_file_reader;
 
-static int fail_line(const reader *r, tp_error *err)
+static int fail_line(const tape_file_reader *r, tp_error *err)
 {
     err->where = r->line;
-    return fail_with_error(r->name, err);
+    return log_fail_error(r->name, err);
 }
 
 /* Reads a line into text, without the line end, terminated.  Returns its number of bytes
  * (zero bytes included), -1 at the end of the file, or LINE for a line that is too long;
  * such a line is skipped to its end. */
-static int next_line(reader *r, char text[LINE])
+static int next_line(tape_file_reader *r, char text[LINE])
 {
     int c = getc(r->file), n = 0;
     if (c == EOF)
@@ -52,46 +52,50 @@ static int next_line(reader *r, char text[LINE])
     return n;
 }
 
-static int fail_long(const reader *r)
+static int fail_long(const tape_file_reader *r)
 {
     tp_error err = { .code = TP_E_LONG, .a = TP_TAPE_LINE - 1 };
     return fail_line(r, &err);
 }
 
-static int read_head(reader *r)
+static int read_head(tape_file_reader *r)
 {
     char text[LINE], scene[TP_NAME_BYTES];
     tp_error err = { 0 };
     const int bytes = next_line(r, text);
     if (bytes < 0 && ferror(r->file))
-        return fail(EXIT_INPUT, "%s: %s", r->name, strerror(errno));
+        return log_fail(EXIT_INPUT, "%s: %s", r->name, strerror(errno));
     if (bytes < 0)
-        return fail(EXIT_INPUT, "%s: empty; expected \"tape 1 SCENE\"", r->name);
+        return log_fail(EXIT_INPUT, "%s: empty; expected \"tape 1 SCENE\"", r->name);
     if (bytes >= TP_TAPE_LINE)
         return fail_long(r);
     if (tp_tape_head_read(scene, sizeof scene, text, (size_t)bytes, &err))
         return fail_line(r, &err);
     if (strcmp(scene, r->scene) != 0)
-        return fail(EXIT_INPUT, "%s:1: a tape of %s, not of %s", r->name, scene,
-                    r->scene);
+        return log_fail(EXIT_INPUT, "%s:1: a tape of %s, not of %s", r->name, scene,
+                        r->scene);
     return EXIT_DONE;
 }
 
-static int add(deck *d, const reader *r, const deck_entry *entry)
+static int add(tape_file *d, const tape_file_reader *r, const tape_file_entry *entry)
 {
-    const deck_entry *last = d->count > 0 ? &d->entries[d->count - 1] : NULL;
-    if (last && entry->tick == last->tick && last->kind == DECK_STEP
-        && entry->kind != DECK_STEP)
-        return fail(EXIT_INPUT, "%s:%u: expected look and set lines before the input"
-                    " of their tick", r->name, (unsigned)r->line);
-    if (last && (entry->tick < last->tick
-                 || (entry->tick == last->tick && last->kind == DECK_STEP)))
-        return fail(EXIT_INPUT, "%s:%u: ticks must increase", r->name, (unsigned)r->line);
+    const tape_file_entry *last = d->count > 0 ? &d->entries[d->count - 1] : NULL;
+    if (last && entry->tick == last->tick && last->kind == TAPE_FILE_STEP
+        && entry->kind != TAPE_FILE_STEP)
+        return log_fail(EXIT_INPUT,
+                        "%s:%u: expected look and set lines before the input"
+                        " of their tick",
+                        r->name, (unsigned)r->line);
+    if (last
+        && (entry->tick < last->tick
+            || (entry->tick == last->tick && last->kind == TAPE_FILE_STEP)))
+        return log_fail(EXIT_INPUT, "%s:%u: ticks must increase", r->name,
+                        (unsigned)r->line);
     if ((d->count & (d->count - 1)) == 0) {         /* the array is full at powers of two */
         const size_t room = d->count ? 2 * d->count : 1;
-        deck_entry *more = realloc(d->entries, room * sizeof *more);
+        tape_file_entry *more = realloc(d->entries, room * sizeof *more);
         if (!more)
-            return fail_memory(room * sizeof *more);
+            return log_fail_memory(room * sizeof *more);
         d->entries = more;
     }
     d->entries[d->count++] = *entry;
@@ -112,8 +116,8 @@ static char *second_word(char *text, const char *word)
 }
 
 /* Reads a look: replaces the word by blanks and reads the rest like an input. */
-static int read_look(const reader *r, char *text, size_t bytes, char *word,
-                     deck_entry *entry)
+static int read_look(const tape_file_reader *r, char *text, size_t bytes, char *word,
+                     tape_file_entry *entry)
 {
     tp_tape_entry read;
     tp_error err = { 0 };
@@ -124,14 +128,18 @@ static int read_look(const reader *r, char *text, size_t bytes, char *word,
     rest.forward = rest.strafe = rest.up = 0;
     rest.turn = rest.tilt = 0;
     if (memcmp(&rest, &(tp_input){ 0 }, sizeof rest) != 0)
-        return fail(EXIT_INPUT, "%s:%u: a look only moves the camera: expected ahead,"
-                    " aside, up, turn or tilt", r->name, (unsigned)r->line);
-    *entry = (deck_entry){ .tick = read.tick, .kind = DECK_LOOK, .input = read.input };
+        return log_fail(EXIT_INPUT,
+                        "%s:%u: a look only moves the camera: expected ahead,"
+                        " aside, up, turn or tilt",
+                        r->name, (unsigned)r->line);
+    *entry = (tape_file_entry){ .tick = read.tick,
+                                .kind = TAPE_FILE_LOOK,
+                                .input = read.input };
     return EXIT_DONE;
 }
 
-static int read_set(const reader *r, char *text, size_t bytes, char *word,
-                    deck_entry *entry)
+static int read_set(const tape_file_reader *r, char *text, size_t bytes, char *word,
+                    tape_file_entry *entry)
 {
     char place[PATH_MAX + 16];
     const char *value;
@@ -150,12 +158,13 @@ static int read_set(const reader *r, char *text, size_t bytes, char *word,
     snprintf(place, sizeof place, "%s:%u", r->name, (unsigned)r->line);
     if (!scene_file_check(place, word, &value))
         return EXIT_INPUT;
-    *entry = (deck_entry){ .tick = read.tick, .kind = DECK_SET };
+    *entry = (tape_file_entry){ .tick = read.tick, .kind = TAPE_FILE_SET };
     entry->setting = path_copy(word, strlen(word));
-    return entry->setting ? EXIT_DONE : fail_memory(bytes);
+    return entry->setting ? EXIT_DONE : log_fail_memory(bytes);
 }
 
-static int read_line(const reader *r, char *text, size_t bytes, deck_entry *entry)
+static int read_line(const tape_file_reader *r, char *text, size_t bytes,
+                     tape_file_entry *entry)
 {
     tp_tape_entry read;
     tp_error err = { 0 };
@@ -168,16 +177,16 @@ static int read_line(const reader *r, char *text, size_t bytes, deck_entry *entr
         return read_set(r, text, bytes, set, entry);
     if (tp_tape_read(&read, text, bytes, &err))
         return fail_line(r, &err);
-    *entry = (deck_entry){ .tick = read.tick, .input = read.input };
+    *entry = (tape_file_entry){ .tick = read.tick, .input = read.input };
     return EXIT_DONE;
 }
 
-static int read_lines(deck *d, reader *r)
+static int read_lines(tape_file *d, tape_file_reader *r)
 {
     char text[LINE];
     int code = read_head(r), bytes;
     while (!code && (bytes = next_line(r, text)) >= 0) {
-        deck_entry entry = { 0 };
+        tape_file_entry entry = { 0 };
         if (bytes == 0 || text[0] == '#')
             continue;
         code = read_line(r, text, (size_t)bytes, &entry);
@@ -190,22 +199,22 @@ static int read_lines(deck *d, reader *r)
     return code;
 }
 
-int deck_read(deck *d, const char *name, const char *scene)
+int tape_file_read(tape_file *d, const char *name, const char *scene)
 {
-    reader r = { name, scene, fopen(name, "r"), 0 };
-    *d = (deck){ .name = name };
+    tape_file_reader r = { name, scene, fopen(name, "r"), 0 };
+    *d = (tape_file){ .name = name };
     if (!r.file)
-        return fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
+        return log_fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
     int code = read_lines(d, &r);
     if (!code && ferror(r.file))
-        code = fail(EXIT_INPUT, "%s: cannot be read", name);
+        code = log_fail(EXIT_INPUT, "%s: cannot be read", name);
     fclose(r.file);
     return code;
 }
 
 /* -- replaying ------------------------------------------------------------------- */
 
-const deck_entry *deck_next(deck *d, uint64_t tick)
+const tape_file_entry *tape_file_next(tape_file *d, uint64_t tick)
 {
     while (d->at < d->count && d->entries[d->at].tick < tick)
         d->at++;
@@ -213,19 +222,19 @@ const deck_entry *deck_next(deck *d, uint64_t tick)
                                                               : NULL;
 }
 
-bool deck_has_ended(const deck *d, uint64_t tick)
+bool tape_file_has_ended(const tape_file *d, uint64_t tick)
 {
     return d->count == 0 || d->entries[d->count - 1].tick < tick;
 }
 
 /* -- recording ------------------------------------------------------------------- */
 
-int deck_record(deck *d, const char *name, const char *scene)
+int tape_file_record(tape_file *d, const char *name, const char *scene)
 {
     char text[TP_TAPE_LINE];
-    *d = (deck){ .file = fopen(name, "w+"), .name = name };
+    *d = (tape_file){ .file = fopen(name, "w+"), .name = name };
     if (!d->file)
-        return fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
+        return log_fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
     setvbuf(d->file, NULL, _IOLBF, 0);
     tp_tape_head_write(scene, text, sizeof text);
     fprintf(d->file, "%s\n", text);
@@ -233,20 +242,20 @@ int deck_record(deck *d, const char *name, const char *scene)
 }
 
 /* Notes the picture and the file position of the next line to be written. */
-static void mark(deck *d)
+static void mark(tape_file *d)
 {
     if ((d->lines & (d->lines - 1)) == 0) {
         const size_t room = d->lines ? 2 * d->lines : 1;
-        deck_mark *more = realloc(d->marks, room * sizeof *more);
+        tape_file_mark *more = realloc(d->marks, room * sizeof *more);
         d->failed = d->failed || !more;
         if (!more)
             return;
         d->marks = more;
     }
-    d->marks[d->lines++] = (deck_mark){ d->picture, ftell(d->file) };
+    d->marks[d->lines++] = (tape_file_mark){ d->picture, ftell(d->file) };
 }
 
-static void put(deck *d, uint64_t tick, const tp_input *input, const char *word)
+static void put(tape_file *d, uint64_t tick, const tp_input *input, const char *word)
 {
     char text[TP_TAPE_LINE];
     const tp_tape_entry entry = { tick, *input };
@@ -257,12 +266,12 @@ static void put(deck *d, uint64_t tick, const tp_input *input, const char *word)
     fprintf(d->file, "%.*s%s%s\n", digits, text, word, text + digits);
 }
 
-void deck_add(deck *d, uint64_t tick, const tp_input *input)
+void tape_file_add_input(tape_file *d, uint64_t tick, const tp_input *input)
 {
     put(d, tick, input, "");
 }
 
-void deck_look(deck *d, uint64_t tick, const tp_input *input)
+void tape_file_add_look(tape_file *d, uint64_t tick, const tp_input *input)
 {
     const tp_input camera = { .forward = input->forward,
                               .strafe = input->strafe,
@@ -272,7 +281,7 @@ void deck_look(deck *d, uint64_t tick, const tp_input *input)
     put(d, tick, &camera, " look");
 }
 
-void deck_set(deck *d, uint64_t tick, const char *setting)
+void tape_file_add_setting(tape_file *d, uint64_t tick, const char *setting)
 {
     if (!d->file || d->failed)
         return;
@@ -282,23 +291,23 @@ void deck_set(deck *d, uint64_t tick, const char *setting)
             long_name_whole(value));
 }
 
-static bool truncate_file(deck *d, long at)
+static bool truncate_file(tape_file *d, long at)
 {
     return !fflush(d->file) && !ftruncate(fileno(d->file), at)
         && !fseek(d->file, at, SEEK_SET);
 }
 
-void deck_cut(deck *d, uint32_t picture)
+void tape_file_cut(tape_file *d, uint32_t picture)
 {
     size_t keep = d->lines;
     while (keep > 0 && d->marks[keep - 1].picture > picture)
         keep--;
-    deck_drop(d, keep, d->lines);
+    tape_file_drop(d, keep, d->lines);
 }
 
 /* Removes lines from the middle: reads the rest of the file and writes the rest at the
  * position of the first dropped line. */
-static bool close_gap(deck *d, size_t from, size_t end)
+static bool close_gap(tape_file *d, size_t from, size_t end)
 {
     const long gap = d->marks[end].at - d->marks[from].at;
     const size_t bytes = (size_t)(ftell(d->file) - d->marks[end].at);
@@ -309,12 +318,12 @@ static bool close_gap(deck *d, size_t from, size_t end)
                       && fwrite(rest, 1, bytes, d->file) == bytes && !fflush(d->file);
     free(rest);
     for (size_t i = end; i < d->lines; i++)
-        d->marks[from + i - end] = (deck_mark){ d->marks[i].picture,
+        d->marks[from + i - end] = (tape_file_mark){ d->marks[i].picture,
                                                  d->marks[i].at - gap };
     return done;
 }
 
-void deck_drop(deck *d, size_t from, size_t end)
+void tape_file_drop(tape_file *d, size_t from, size_t end)
 {
     if (!d->file || d->failed || from >= end || end > d->lines)
         return;
@@ -323,15 +332,15 @@ void deck_drop(deck *d, size_t from, size_t end)
     d->lines -= end - from;
 }
 
-int deck_close(deck *d)
+int tape_file_close(tape_file *d)
 {
     int code = EXIT_DONE;
     if (d->file && ((d->failed | ferror(d->file)) | fclose(d->file)))
-        code = fail(EXIT_INPUT, "%s: cannot be written", d->name);
+        code = log_fail(EXIT_INPUT, "%s: cannot be written", d->name);
     for (size_t i = 0; i < d->count; i++)
         free(d->entries[i].setting);
     free(d->entries);
     free(d->marks);
-    *d = (deck){ 0 };
+    *d = (tape_file){ 0 };
     return code;
 }

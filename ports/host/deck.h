@@ -19,48 +19,49 @@
 #include <stdio.h>
 #include "tidepool/world.h"
 
-typedef enum { DECK_STEP, DECK_LOOK, DECK_SET } deck_kind;
+typedef enum { TAPE_FILE_STEP, TAPE_FILE_LOOK, TAPE_FILE_SET } tape_file_kind;
 
 typedef struct {
     uint64_t  tick;
-    deck_kind kind;
+    tape_file_kind kind;
     uint32_t  line;             /* line number in the file */
     tp_input  input;            /* input; of a look: only the camera's members are set */
     char     *setting;          /* "name=value", a valid setting; NULL: not a set */
-} deck_entry;
+} tape_file_entry;
 
-typedef struct { uint32_t picture; long at; } deck_mark;
+typedef struct { uint32_t picture; long at; } tape_file_mark;
 
 typedef struct {
     const char *name;
-    deck_entry *entries;        /* in order of ticks */
+    tape_file_entry *entries;        /* in order of ticks */
     size_t count, at;           /* count; index of the next entry */
     FILE  *file;                /* file of a recording.  Written line by line: after a crash
                                  * the tape holds the inputs before the crash */
     uint32_t   picture;         /* number of the picture shown while recording */
-    deck_mark *marks;           /* of each line: picture, offset in the file */
+    tape_file_mark *marks;           /* of each line: picture, offset in the file */
     size_t     lines;
     bool       failed;
-} deck;
+} tape_file;
 
 /* Both return an exit code, and print the reason of a failure with file and line.  scene:
  * name of the scene, which a tape for replay must have.  name must outlive the deck. */
-int  deck_read(deck *d, const char *name, const char *scene);
-int  deck_record(deck *d, const char *name, const char *scene);
+int  tape_file_read(tape_file *d, const char *name, const char *scene);
+int  tape_file_record(tape_file *d, const char *name, const char *scene);
 
 /* Returns the next entry of `tick`, in order, or NULL: no further entry. */
-const deck_entry *deck_next(deck *d, uint64_t tick);
-bool deck_has_ended(const deck *d, uint64_t tick);   /* true if no entry is left */
+const tape_file_entry *tape_file_next(tape_file *d, uint64_t tick);
+bool tape_file_has_ended(const tape_file *d,
+                         uint64_t tick); /* true if no entry is left */
 
 /* Each records an entry; inputs and looks only if a member is not 0. */
-void deck_add(deck *d, uint64_t tick, const tp_input *input);
-void deck_look(deck *d, uint64_t tick, const tp_input *input);
-void deck_set(deck *d, uint64_t tick, const char *setting);
+void tape_file_add_input(tape_file *d, uint64_t tick, const tp_input *input);
+void tape_file_add_look(tape_file *d, uint64_t tick, const tp_input *input);
+void tape_file_add_setting(tape_file *d, uint64_t tick, const char *setting);
 
-/* For recordings.  deck_cut removes the lines recorded after picture `picture`.  deck_drop
- * removes the lines from..end - 1; line 0 follows the head. */
-void deck_cut(deck *d, uint32_t picture);
-void deck_drop(deck *d, size_t from, size_t end);
+/* For recordings.  tape_file_cut removes the lines recorded after picture `picture`.
+ * tape_file_drop removes the lines from..end - 1; line 0 follows the head. */
+void tape_file_cut(tape_file *d, uint32_t picture);
+void tape_file_drop(tape_file *d, size_t from, size_t end);
 
-int  deck_close(deck *d);       /* EXIT_INPUT: a recording is incomplete on disk */
+int tape_file_close(tape_file *d); /* EXIT_INPUT: a recording is incomplete on disk */
 #endif

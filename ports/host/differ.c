@@ -15,7 +15,7 @@ static inline uint32_t squared_difference(uint32_t a, uint32_t b)
     return (uint32_t)(red * red + green * green + blue * blue);
 }
 
-double differ_psnr(const uint32_t *a, const uint32_t *b, size_t pixels)
+double image_diff_psnr(const uint32_t *a, const uint32_t *b, size_t pixels)
 {
     uint64_t sum = 0;
 
@@ -32,7 +32,7 @@ static uint32_t *pixel_row(picture *p, uint32_t y)
 }
 
 /* Draws the line black and white, visible on every picture. */
-void differ_split(picture *to, const uint32_t *a, const uint32_t *b)
+void image_diff_split(picture *to, const uint32_t *a, const uint32_t *b)
 {
     const uint32_t middle = to->width / 2;
 
@@ -52,7 +52,7 @@ static inline uint32_t amplify_difference(uint32_t a, uint32_t b)
     return (uint32_t)(level < 0 ? 0 : level > 255 ? 255 : level);
 }
 
-void differ_show(picture *to, const uint32_t *a, const uint32_t *b)
+void image_diff_draw(picture *to, const uint32_t *a, const uint32_t *b)
 {
     for (uint32_t y = 0; y < to->height; y++, a += to->width, b += to->width) {
         uint32_t *row = pixel_row(to, y);

@@ -8,12 +8,12 @@
 
 /* Returns the peak signal to noise ratio over all channels, dB: 10 log10(255^2 / mean
  * square).  At most 99; 100: the same bits. */
-double differ_psnr(const uint32_t *a, const uint32_t *b, size_t pixels);
+double image_diff_psnr(const uint32_t *a, const uint32_t *b, size_t pixels);
 
 /* Shows the left half of a and the right half of b; the two pixels in the middle are a
  * line. */
-void   differ_split(picture *to, const uint32_t *a, const uint32_t *b);
+void   image_diff_split(picture *to, const uint32_t *a, const uint32_t *b);
 
 /* Shows 128 + 8 (a - b) in each channel, clamped to 0..255. */
-void   differ_show(picture *to, const uint32_t *a, const uint32_t *b);
+void   image_diff_draw(picture *to, const uint32_t *a, const uint32_t *b);
 #endif

@@ -14,23 +14,24 @@ typedef struct {
     const tp_assets *baked;     /* assets of the program */
     const tp_assets *lean;      /* fewer assets, used if they suffice; or NULL */
     tp_config config;
-    piece_terms      terms;
-    piece_set        with;      /* pieces that stay in any case */
-    piece_set        without;   /* pieces that are left out in any case */
+    component_terms      terms;
+    component_set        with;      /* pieces that stay in any case */
+    component_set        without;   /* pieces that are left out in any case */
     bool             acts;
-} dry_wish;
+} component_search_request;
 
 typedef struct {
-    piece_set in;
-    piece_set lacks;            /* pieces of `without` that the scene asks for */
-    piece_set refused;          /* modules that a changed scene may not switch on */
+    component_set in;
+    component_set lacks;            /* pieces of `without` that the scene asks for */
+    component_set refused;          /* modules that a changed scene may not switch on */
     bool      lean;             /* true: `lean` assets suffice */
     bool      planned;          /* true: has the plan; false: use the named scene */
     uint32_t  pictures;         /* number of pictures compared */
-} dry_found;
+} component_search_result;
 
 /* Searches, and compares the pictures of all cameras with pictures of all pieces but
  * `without`.  Returns EXIT_CHECK after a message if a picture or the world differs;
  * EXIT_INPUT. */
-int dry_find(dry_found *found, const dry_wish *wish);
+int component_search_run(component_search_result *found,
+                         const component_search_request *wish);
 #endif

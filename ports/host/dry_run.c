@@ -57,7 +57,8 @@ static tp_input random_input(uint64_t *state)
 
 /* Steps the world.  Each moment's world is stored in `to` or, if `to` is NULL, compared
  * with the stored world; false: a world differs. */
-static bool step_all(const dry_run *d, const dry_program *by, tp_world *world, uint8_t *to)
+static bool step_all(const dry_run *d, const dry_run_program *by, tp_world *world,
+                     uint8_t *to)
 {
     const uint32_t every = d->acts ? EVERY : ALONE;
     uint64_t state = 1;
@@ -76,7 +77,7 @@ static bool step_all(const dry_run *d, const dry_program *by, tp_world *world, u
     return true;
 }
 
-bool dry_moves_same(const dry_run *d, const dry_program *by)
+bool dry_run_moves_same(const dry_run *d, const dry_run_program *by)
 {
     if (tp_world_bytes(by->program, by->scene, by->assets) != d->world_bytes)
         return false;
@@ -114,13 +115,13 @@ static tp_vec3 thing(const tp_scene *scene, const tp_world *world, uint64_t *sta
 
 /* Returns a camera within 1, 4, 16 or 64 m of a thing, turned to the thing or anywhere; a
  * third of the cameras is under water. */
-static dry_camera camera_near(const dry_program *by, const tp_world *world,
-                              uint64_t *state)
+static dry_run_camera camera_near(const dry_run_program *by, const tp_world *world,
+                                  uint64_t *state)
 {
     const tp_vec3 at = thing(by->scene, world, state);
     const int32_t reach = 1000 << 2 * (next(state) % 4);
     const bool    under = next(state) % 3 == 0;
-    dry_camera c = { .own = false };
+    dry_run_camera c = { .own = false };
 
     c.eye.x = at.x + metres(state, -reach, reach);
     c.eye.z = at.z + metres(state, -reach, reach);
@@ -135,7 +136,7 @@ static dry_camera camera_near(const dry_program *by, const tp_world *world,
     return c;
 }
 
-static void choose_cameras(dry_run *d, const dry_program *by)
+static void choose_cameras(dry_run *d, const dry_run_program *by)
 {
     const uint32_t each = d->cameras / d->moments;
     uint64_t state = 2;
@@ -144,13 +145,13 @@ static void choose_cameras(dry_run *d, const dry_program *by)
         const uint32_t moment = i / each;
         d->camera[i] = d->acts && i % each
                            ? camera_near(by, moment_world(d, moment), &state)
-                           : (dry_camera){ .own = true };
+                           : (dry_run_camera){ .own = true };
         d->camera[i].moment = moment;
         d->camera[i].rung = (i + moment) % d->ladder.count;
     }
 }
 
-int dry_open(dry_run *d, const dry_program *by, const tp_config *config, bool acts)
+int dry_run_open(dry_run *d, const dry_run_program *by, const tp_config *config, bool acts)
 {
     tp_error err = { 0 };
 
@@ -167,11 +168,11 @@ int dry_open(dry_run *d, const dry_program *by, const tp_config *config, bool ac
     d->camera = calloc(d->cameras, sizeof *d->camera);
     int code = EXIT_DONE;
     if (!world || !d->worlds || !d->camera)
-        code = fail_memory((MOMENTS + 1) * d->world_bytes);
+        code = log_fail_memory((MOMENTS + 1) * d->world_bytes);
     else if (tp_world_init(by->program, world, d->world_bytes, by->scene, by->assets,
                            &err)
              != TP_OK)
-        code = fail_with_error("tidepool bake", &err);
+        code = log_fail_error("tidepool bake", &err);
     if (!code) {
         step_all(d, by, world, d->worlds);
         choose_cameras(d, by);
@@ -180,7 +181,7 @@ int dry_open(dry_run *d, const dry_program *by, const tp_config *config, bool ac
     return code;
 }
 
-void dry_close(dry_run *d)
+void dry_run_close(dry_run *d)
 {
     free(d->worlds);
     free(d->camera);
@@ -191,24 +192,24 @@ void dry_close(dry_run *d)
 
 typedef struct {
     const dry_run     *run;
-    const dry_program *by;
+    const dry_run_program *by;
     const uint32_t    *which;
     uint32_t           count;
-    dry_picture       *to;
-    const dry_picture *want;
+    dry_run_picture       *to;
+    const dry_run_picture *want;
     tp_error           err;             /* error on the calling thread */
     atomic_uint        taken, differs;
     atomic_bool        failed;
-} job;
+} dry_run_job;
 
 /* Frame and memory of one thread. */
 typedef struct {
     void     *block, *scratch;
     tp_world *world;
     tp_frame *frame;
-} painter;
+} dry_run_painter;
 
-static tp_config make_config(const dry_run *d, const dry_program *by)
+static tp_config make_config(const dry_run *d, const dry_run_program *by)
 {
     tp_config c = d->config;
 
@@ -217,36 +218,36 @@ static tp_config make_config(const dry_run *d, const dry_program *by)
     return c;
 }
 
-static bool painter_open(painter *p, const job *j, tp_error *err)
+static bool painter_open(dry_run_painter *p, const dry_run_job *j, tp_error *err)
 {
-    const dry_program *by = j->by;
+    const dry_run_program *by = j->by;
     const tp_config c = make_config(j->run, by);
     const size_t bytes = tp_frame_bytes(&c, by->scene);
     const size_t scratch = tp_frame_scratch_bytes(&c, by->scene);
 
-    *p = (painter){ .block = malloc(bytes + 1), .scratch = malloc(scratch + 1),
+    *p = (dry_run_painter){ .block = malloc(bytes + 1), .scratch = malloc(scratch + 1),
                     .world = malloc(j->run->world_bytes) };
     return p->block && p->scratch && p->world
            && tp_frame_init(&p->frame, &c, by->scene, p->block, bytes, err) == TP_OK;
 }
 
-static void painter_close(painter *p)
+static void painter_close(dry_run_painter *p)
 {
     free(p->block);
     free(p->scratch);
     free(p->world);
 }
 
-static void take_place(tp_world *world, const dry_camera *c)
+static void take_place(tp_world *world, const dry_run_camera *c)
 {
     if (c->own)
         return;
     tp_world_set_camera(world, c->eye, c->heading, c->pitch, 0);
 }
 
-static dry_picture paint(painter *p, const dry_run *d, const dry_camera *c)
+static dry_run_picture paint(dry_run_painter *p, const dry_run *d, const dry_run_camera *c)
 {
-    dry_picture picture = { 0, 0 };
+    dry_run_picture picture = { 0, 0 };
     tp_tile tile;
 
     memcpy(p->world, moment_world(d, c->moment), d->world_bytes);
@@ -264,7 +265,7 @@ static dry_picture paint(painter *p, const dry_run *d, const dry_camera *c)
     return picture;
 }
 
-static bool is_same(const dry_picture *a, const dry_picture *b)
+static bool is_same(const dry_run_picture *a, const dry_run_picture *b)
 {
     return a->crc == b->crc && a->dropped == b->dropped;
 }
@@ -272,7 +273,7 @@ static bool is_same(const dry_picture *a, const dry_picture *b)
 /* Notes the lowest index with a wrong picture.  Threads take pictures in order, so all
  * lower indices have been taken: the noted index is the first failure, whichever thread
  * drew it. */
-static void tell(job *j, uint32_t at)
+static void tell(dry_run_job *j, uint32_t at)
 {
     uint32_t least = atomic_load(&j->differs);
     while (at < least && !atomic_compare_exchange_weak(&j->differs, &least, at))
@@ -281,8 +282,8 @@ static void tell(job *j, uint32_t at)
 
 static void draw_some(void *user, uint32_t thread)
 {
-    job *j = user;
-    painter p;
+    dry_run_job *j = user;
+    dry_run_painter p;
     tp_error err = { 0 };
 
     if (!painter_open(&p, j, thread ? &err : &j->err))
@@ -291,7 +292,7 @@ static void draw_some(void *user, uint32_t thread)
                      && atomic_load(&j->differs) == j->count
                      && (i = atomic_fetch_add(&j->taken, 1)) < j->count;) {
         const uint32_t camera = j->which ? j->which[i] : i;
-        const dry_picture picture = paint(&p, j->run, &j->run->camera[camera]);
+        const dry_run_picture picture = paint(&p, j->run, &j->run->camera[camera]);
         if (j->to)
             j->to[camera] = picture;
         if (j->want && !is_same(&picture, &j->want[camera]))
@@ -300,24 +301,26 @@ static void draw_some(void *user, uint32_t thread)
     painter_close(&p);
 }
 
-int dry_draw(const dry_run *d, const dry_program *by, const uint32_t *which,
-             uint32_t count, dry_picture *to, const dry_picture *want, uint32_t *differs)
+int dry_run_draw(const dry_run *d, const dry_run_program *by, const uint32_t *which,
+                 uint32_t count, dry_run_picture *to, const dry_run_picture *want,
+                 uint32_t *differs)
 {
-    job j = { .run = d, .by = by, .which = which, .count = count, .to = to,
-              .want = want };
+    dry_run_job j = {
+        .run = d, .by = by, .which = which, .count = count, .to = to, .want = want
+    };
     atomic_init(&j.taken, 0);
     atomic_init(&j.differs, count);
     atomic_init(&j.failed, false);
-    const uint32_t threads = crew_usual();
-    crew *c = count > 1 && threads > 1 ? crew_open(threads - 1) : NULL;
-    crew_do(c, draw_some, &j);
-    crew_close(c);
+    const uint32_t threads = thread_pool_default_size();
+    thread_pool *c = count > 1 && threads > 1 ? thread_pool_open(threads - 1) : NULL;
+    thread_pool_run(c, draw_some, &j);
+    thread_pool_close(c);
     const uint32_t first = atomic_load(&j.differs);
     if (differs)
         *differs = first == count ? d->cameras : which ? which[first] : first;
     if (!atomic_load(&j.failed))
         return EXIT_DONE;
     const tp_config config = make_config(d, by);
-    return j.err.code ? fail_with_error("tidepool bake", &j.err)
-                      : fail_memory(tp_frame_bytes(&config, by->scene));
+    return j.err.code ? log_fail_error("tidepool bake", &j.err)
+                      : log_fail_memory(tp_frame_bytes(&config, by->scene));
 }

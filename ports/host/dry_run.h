@@ -14,7 +14,7 @@ typedef struct {
     const tp_program *program;
     const tp_scene  *scene;
     const tp_assets *assets;
-} dry_program;
+} dry_run_program;
 
 typedef struct {
     uint32_t moment;            /* index of the run's stored worlds */
@@ -22,11 +22,11 @@ typedef struct {
     tp_vec3  eye;
     tp_turn  heading, pitch;
     uint32_t rung;              /* index in the ladder */
-} dry_camera;
+} dry_run_camera;
 
 typedef struct {
     uint32_t crc, dropped;
-} dry_picture;
+} dry_run_picture;
 
 typedef struct {
     tp_config config;
@@ -35,23 +35,24 @@ typedef struct {
     size_t      world_bytes;
     uint8_t    *worlds;         /* worlds at each moment, one after another */
     uint32_t    moments;
-    dry_camera *camera;
+    dry_run_camera *camera;
     uint32_t    cameras;
 } dry_run;
 
 /* Steps the world by a program and chooses cameras.  Without a user only the scene's
  * camera.  acts: a user gives inputs in the second half, and further cameras are around all
  * things of the scene, above and under water.  Each function returns an exit code, and
- * prints the reason of a failure; the caller calls dry_close in every case. */
-int dry_open(dry_run *d, const dry_program *by, const tp_config *config, bool acts);
-void dry_close(dry_run *d);
+ * prints the reason of a failure; the caller calls dry_run_close in every case. */
+int dry_run_open(dry_run *d, const dry_run_program *by, const tp_config *config, bool acts);
+void dry_run_close(dry_run *d);
 
 /* True if the program steps the run's worlds bit for bit. */
-bool dry_moves_same(const dry_run *d, const dry_program *by);
+bool dry_run_moves_same(const dry_run *d, const dry_run_program *by);
 
 /* Draws the pictures of the cameras `which` (NULL: all); to[camera] gets the picture.
  * want: pictures of another run; drawing then ends soon after the first difference, and
  * *differs is its camera, or `cameras` if there is none. */
-int dry_draw(const dry_run *d, const dry_program *by, const uint32_t *which,
-             uint32_t count, dry_picture *to, const dry_picture *want, uint32_t *differs);
+int dry_run_draw(const dry_run *d, const dry_run_program *by, const uint32_t *which,
+                 uint32_t count, dry_run_picture *to, const dry_run_picture *want,
+                 uint32_t *differs);
 #endif

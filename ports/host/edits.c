@@ -5,14 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-static edit *at(edits *e, uint32_t i)
+static undo_edit *at(undo_edits *e, uint32_t i)
 {
-    return &e->of[(e->first + i) % EDITS];
+    return &e->of[(e->first + i) % UNDO_EDITS];
 }
 
 /* -- worlds ------------------------------------------------------------------------ */
 
-void edits_let_go(edits *e, edit_world *world)
+void undo_edits_release_world(undo_edits *e, undo_world *world)
 {
     if (!world || --world->users > 0)
         return;
@@ -20,31 +20,31 @@ void edits_let_go(edits *e, edit_world *world)
     free(world);
 }
 
-static void let_go_both(edits *e, edit *of)
+static void let_go_both(undo_edits *e, undo_edit *of)
 {
-    edits_let_go(e, of->before.world);
-    edits_let_go(e, of->after.world);
+    undo_edits_release_world(e, of->before.world);
+    undo_edits_release_world(e, of->after.world);
     of->before.world = of->after.world = NULL;
 }
 
-static void make_room(edits *e, size_t bytes)
+static void make_room(undo_edits *e, size_t bytes)
 {
-    for (uint32_t i = 0; i < e->count && e->bytes + bytes > EDITS_BYTES; i++)
+    for (uint32_t i = 0; i < e->count && e->bytes + bytes > UNDO_EDITS_BYTES; i++)
         let_go_both(e, at(e, i));
 }
 
-edit_world *edits_world(edits *e, const tp_world *world, size_t bytes)
+undo_world *undo_edits_world(undo_edits *e, const tp_world *world, size_t bytes)
 {
-    const edit *last = edits_last(e);
-    edit_world *same = last ? last->after.world : NULL;
+    const undo_edit *last = undo_edits_last(e);
+    undo_world *same = last ? last->after.world : NULL;
     if (same && same->bytes == bytes && memcmp(same->world, world, bytes) == 0) {
         same->users++;
         return same;
     }
     make_room(e, bytes);
-    if (e->bytes + bytes > EDITS_BYTES)
+    if (e->bytes + bytes > UNDO_EDITS_BYTES)
         return NULL;
-    edit_world *copy = malloc(sizeof *copy + bytes);
+    undo_world *copy = malloc(sizeof *copy + bytes);
     if (!copy)
         return NULL;
     copy->users = 1;
@@ -54,7 +54,7 @@ edit_world *edits_world(edits *e, const tp_world *world, size_t bytes)
     return copy;
 }
 
-void edits_forget_worlds(edits *e)
+void undo_edits_forget_worlds(undo_edits *e)
 {
     for (uint32_t i = 0; i < e->count; i++)
         let_go_both(e, at(e, i));
@@ -63,41 +63,41 @@ void edits_forget_worlds(edits *e)
 /* -- the ring ---------------------------------------------------------------------- */
 
 /* Removes the last edit. */
-static void drop_last(edits *e)
+static void drop_last(undo_edits *e)
 {
     let_go_both(e, at(e, --e->count));
 }
 
-static void drop_first(edits *e)
+static void drop_first(undo_edits *e)
 {
     let_go_both(e, at(e, 0));
-    e->first = (e->first + 1) % EDITS;
+    e->first = (e->first + 1) % UNDO_EDITS;
     e->count--;
 }
 
 /* Removes the last edit if it changed nothing: a drag that ended at its start. */
-static void drop_nothing(edits *e)
+static void drop_nothing(undo_edits *e)
 {
-    const edit *last = at(e, e->count - 1);
-    const stage_value *from = &last->before.value, *to = &last->after.value;
+    const undo_edit *last = at(e, e->count - 1);
+    const loaded_scene_value *from = &last->before.value, *to = &last->after.value;
     if (strcmp(from->text, to->text) == 0 && from->set_at == to->set_at)
         drop_last(e);
 }
 
-void edits_add(edits *e, const edit *change, bool going)
+void undo_edits_add(undo_edits *e, const undo_edit *change, bool going)
 {
     if (e->open && at(e, e->count - 1)->row != change->row)
-        edits_part(e);
+        undo_edits_split(e);
     for (; e->undone > 0; e->undone--)
         drop_last(e);
     if (e->open) {
-        edit *last = at(e, e->count - 1);
-        edits_let_go(e, change->before.world);
-        edits_let_go(e, last->after.world);
+        undo_edit *last = at(e, e->count - 1);
+        undo_edits_release_world(e, change->before.world);
+        undo_edits_release_world(e, last->after.world);
         last->after = change->after;
         last->line_end = change->line_end;
     } else {
-        if (e->count == EDITS)
+        if (e->count == UNDO_EDITS)
             drop_first(e);
         *at(e, e->count++) = *change;
     }
@@ -106,31 +106,31 @@ void edits_add(edits *e, const edit *change, bool going)
         drop_nothing(e);
 }
 
-void edits_part(edits *e)
+void undo_edits_split(undo_edits *e)
 {
     if (e->open)
         drop_nothing(e);
     e->open = false;
 }
 
-edit *edits_last(edits *e)
+undo_edit *undo_edits_last(undo_edits *e)
 {
     return e->undone < e->count ? at(e, e->count - e->undone - 1) : NULL;
 }
 
-edit *edits_undo(edits *e)
+undo_edit *undo_edits_step_back(undo_edits *e)
 {
-    edits_part(e);
+    undo_edits_split(e);
     return e->undone < e->count ? at(e, e->count - ++e->undone) : NULL;
 }
 
-edit *edits_redo(edits *e)
+undo_edit *undo_edits_step_forward(undo_edits *e)
 {
-    edits_part(e);
+    undo_edits_split(e);
     return e->undone > 0 ? at(e, e->count - e->undone--) : NULL;
 }
 
-void edits_clear(edits *e)
+void undo_edits_clear(undo_edits *e)
 {
     while (e->count > 0)
         drop_last(e);

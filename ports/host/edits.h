@@ -8,54 +8,55 @@
 #include <stdint.h>
 #include "stage.h"
 
-#define EDITS 256               /* edits remembered; older edits are forgotten */
-#define EDITS_BYTES (64u << 20) /* of all worlds; the oldest lose theirs first */
+#define UNDO_EDITS 256               /* edits remembered; older edits are forgotten */
+#define UNDO_EDITS_BYTES (64u << 20) /* of all worlds; the oldest lose theirs first */
 
 /* A copy of a world, shared by the edit before it and the edit after it. */
 typedef struct {
     uint32_t users;
     size_t   bytes;
     uint64_t world[];
-} edit_world;
+} undo_world;
 
 typedef struct {
-    stage_value value;
-    edit_world *world;          /* NULL: the world moved, or no memory */
-} edit_side;
+    loaded_scene_value value;
+    undo_world *world;          /* NULL: the world moved, or no memory */
+} undo_side;
 
 typedef struct {
     uint32_t  row;              /* index in the table of parameters */
-    edit_side before, after;
+    undo_side before, after;
     size_t    line, line_end;   /* lines of the tape that record the edit: first, end */
-} edit;
+} undo_edit;
 
 /* Initially all 0. */
 typedef struct {
-    edit     of[EDITS];         /* ring: of[(first + i) % EDITS] is edit i of count */
+    undo_edit of[UNDO_EDITS]; /* ring: of[(first + i) % EDITS] is edit i of count */
     uint32_t first, count, undone;
     bool     open;              /* the last edit continues: a drag */
     size_t   bytes;             /* bytes of all worlds */
-} edits;
+} undo_edits;
 
 /* Returns a copy of the world with one more user: the last edit's copy if it is equal, else
  * a new copy.  NULL: no memory. */
-edit_world *edits_world(edits *e, const tp_world *world, size_t bytes);
-void        edits_let_go(edits *e, edit_world *world);  /* one user less; accepts NULL */
+undo_world *undo_edits_world(undo_edits *e, const tp_world *world, size_t bytes);
+void undo_edits_release_world(undo_edits *e,
+                              undo_world *world); /* one user less; accepts NULL */
 
-void        edits_forget_worlds(edits *e);
+void        undo_edits_forget_worlds(undo_edits *e);
 
 /* Adds an edit and removes all undone edits.  going: more changes of the same row follow,
  * and all count as one edit, from the first `before` to the last `after`; an edit without
  * effect is dropped.  Takes over the users of the worlds. */
-void edits_add(edits *e, const edit *change, bool going);
-void edits_part(edits *e);                      /* the next change is a new edit */
+void undo_edits_add(undo_edits *e, const undo_edit *change, bool going);
+void undo_edits_split(undo_edits *e); /* the next change is a new edit */
 
 /* Returns the last edit that is not undone, or NULL. */
-edit *edits_last(edits *e);
+undo_edit *undo_edits_last(undo_edits *e);
 
 /* Return the edit to apply now, or NULL: for undo the caller applies `before`, for redo
- * `after`.  The edit is valid until the next edits_add. */
-edit *edits_undo(edits *e);
-edit *edits_redo(edits *e);
-void  edits_clear(edits *e);
+ * `after`.  The edit is valid until the next undo_edits_add. */
+undo_edit *undo_edits_step_back(undo_edits *e);
+undo_edit *undo_edits_step_forward(undo_edits *e);
+void  undo_edits_clear(undo_edits *e);
 #endif

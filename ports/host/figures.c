@@ -14,10 +14,10 @@ enum { WINDOW = 60, ANSWERS = 15, TEXT_BYTES = 2048 };
 
 /* Times of one picture, us. */
 typedef struct {
-    uint32_t all, part[FIGURE_PARTS];
+    uint32_t all, part[PERFORMANCE_PARTS];
 } times;
 
-struct figures {
+struct performance {
     times    now;               /* picture in progress */
     times    last[PANEL_HISTORY];       /* picture n is at n % PANEL_HISTORY */
     uint32_t pictures;
@@ -32,25 +32,26 @@ struct figures {
     uint32_t stages_from;       /* value of `pictures` at that time */
     panel_time stage[PANEL_TIMES];
     uint32_t stage_count;
-    char     text[FIGURE_TEXTS][TEXT_BYTES];
+    char     text[PERFORMANCE_TEXTS][TEXT_BYTES];
 };
 
-static const char *const part_name[FIGURE_PARTS] = {
-    [FIGURE_WORLD] = "water moves", [FIGURE_GEOMETRY] = "geometry",
-    [FIGURE_PIXELS] = "pixels", [FIGURE_COMPARE] = "the other picture",
-    [FIGURE_UPLOAD] = "upload", [FIGURE_PANEL] = "panel", [FIGURE_PRESENT] = "present",
+static const char *const part_name[PERFORMANCE_PARTS] = {
+    [PERFORMANCE_WORLD] = "water moves", [PERFORMANCE_GEOMETRY] = "geometry",
+    [PERFORMANCE_PIXELS] = "pixels",     [PERFORMANCE_COMPARE] = "the other picture",
+    [PERFORMANCE_UPLOAD] = "upload",     [PERFORMANCE_PANEL] = "panel",
+    [PERFORMANCE_PRESENT] = "present",
 };
 
-figures *figures_begin(void)
+performance *performance_begin(void)
 {
-    figures *f = calloc(1, sizeof *f);
+    performance *f = calloc(1, sizeof *f);
 
     if (f)
         f->limit_ms = 1000.0f / 60;
     return f;
 }
 
-void figures_end(figures *f)
+void performance_end(performance *f)
 {
     free(f);
 }
@@ -62,25 +63,25 @@ static uint32_t held(uint64_t us)
     return us < UINT32_MAX ? (uint32_t)us : UINT32_MAX;
 }
 
-void figures_part(figures *f, figure_part part, uint64_t us)
+void performance_add_time(performance *f, performance_part part, uint64_t us)
 {
     f->now.part[part] = held(f->now.part[part] + us);
 }
 
-void figures_picture(figures *f, uint64_t us)
+void performance_end_picture(performance *f, uint64_t us)
 {
     f->now.all = held(us);
     f->last[f->pictures++ % PANEL_HISTORY] = f->now;
     f->now = (times){ 0 };
 }
 
-void figures_input(figures *f, uint64_t now)
+void performance_note_input(performance *f, uint64_t now)
 {
     if (!f->pressed_at)
         f->pressed_at = now;
 }
 
-void figures_shown(figures *f, uint64_t now)
+void performance_note_shown(performance *f, uint64_t now)
 {
     f->shown_at[f->shown++ % PANEL_HISTORY] = now;
     if (f->pressed_at)
@@ -88,19 +89,19 @@ void figures_shown(figures *f, uint64_t now)
     f->pressed_at = 0;
 }
 
-void figures_limit(figures *f, float ms)
+void performance_set_limit(performance *f, float ms)
 {
     f->limit_ms = ms;
 }
 
-void figures_measures(figures *f, bool on)
+void performance_set_stopwatch(performance *f, bool on)
 {
     f->measures = on;
     f->stage_count = 0;
     f->stages_at = 0;
 }
 
-void figures_say(figures *f, figure_text which, const char *text)
+void performance_set_text(performance *f, performance_text which, const char *text)
 {
     snprintf(f->text[which], sizeof f->text[which], "%s", text);
 }
@@ -121,12 +122,12 @@ static float median_ms(uint32_t *us, uint32_t n)
 }
 
 /* Returns the k-th last picture, k >= 1. */
-static const times *recent_times(const figures *f, uint32_t k)
+static const times *recent_times(const performance *f, uint32_t k)
 {
     return &f->last[(f->pictures - k) % PANEL_HISTORY];
 }
 
-static void fill_history(const figures *f, panel_figures *to)
+static void fill_history(const performance *f, panel_performance *to)
 {
     const uint32_t n = f->pictures < PANEL_HISTORY ? f->pictures : PANEL_HISTORY;
     uint32_t us[WINDOW];
@@ -151,29 +152,29 @@ static void add_time(panel_time *list, uint32_t *count, const char *name, double
 }
 
 /* Lists the parts with a mean above 0. */
-static void fill_parts(const figures *f, panel_figures *to)
+static void fill_parts(const performance *f, panel_performance *to)
 {
     const uint32_t n = f->pictures < WINDOW ? f->pictures : WINDOW;
-    double part[FIGURE_PARTS] = { 0 }, all = 0, sum = 0;
+    double part[PERFORMANCE_PARTS] = { 0 }, all = 0, sum = 0;
 
     to->part_count = 0;
     for (uint32_t k = 1; k <= n; k++) {
         all += (double)recent_times(f, k)->all / n;
-        for (int i = 0; i < FIGURE_PARTS; i++)
+        for (int i = 0; i < PERFORMANCE_PARTS; i++)
             part[i] += (double)recent_times(f, k)->part[i] / n;
     }
-    for (int i = 0; i < FIGURE_PARTS; i++)
+    for (int i = 0; i < PERFORMANCE_PARTS; i++)
         sum += part[i];
     if (all < sum)
         all = sum;
-    for (int i = 0; i < FIGURE_PARTS; i++)
+    for (int i = 0; i < PERFORMANCE_PARTS; i++)
         add_time(to->parts, &to->part_count, part_name[i], part[i], all);
     add_time(to->parts, &to->part_count, "the rest", all - sum, all);
 }
 
 /* Returns the pictures per second, from the first to the last picture of the last second; 0
  * if no picture was shown. */
-static float measure_frame_rate(const figures *f, uint64_t now)
+static float measure_frame_rate(const performance *f, uint64_t now)
 {
     const uint32_t n = f->shown < PANEL_HISTORY ? f->shown : PANEL_HISTORY;
     const uint64_t last = n ? f->shown_at[(f->shown - 1) % PANEL_HISTORY] : 0;
@@ -198,7 +199,7 @@ static int dearest(const void *a, const void *b)
 
 /* Reads the stopwatch.  There are more stages than PANEL_TIMES, but no scene runs that
  * many. */
-static void read_stages(figures *f, uint64_t now)
+static void read_stages(performance *f, uint64_t now)
 {
     const double pictures = f->pictures - f->stages_from;
     double sum = 0;
@@ -217,7 +218,7 @@ static void read_stages(figures *f, uint64_t now)
     f->stages_from = f->pictures;
 }
 
-void figures_fill(figures *f, uint64_t now, panel_figures *to)
+void performance_fill(performance *f, uint64_t now, panel_performance *to)
 {
     uint32_t us[ANSWERS];
     const uint32_t n = f->answers < ANSWERS ? f->answers : ANSWERS;
@@ -232,7 +233,7 @@ void figures_fill(figures *f, uint64_t now, panel_figures *to)
         read_stages(f, now);
     memcpy(to->stages, f->stage, sizeof to->stages);
     to->stage_count = f->stage_count;
-    to->ram = f->text[FIGURE_RAM];
-    to->plan = f->text[FIGURE_PLAN];
-    to->state = f->text[FIGURE_STATE];
+    to->ram = f->text[PERFORMANCE_RAM];
+    to->plan = f->text[PERFORMANCE_PLAN];
+    to->state = f->text[PERFORMANCE_STATE];
 }

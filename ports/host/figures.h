@@ -39,7 +39,7 @@ typedef struct {
     const char *ram;                        /* lines, separated by \n: use, tab, bytes */
     const char *plan;                       /* lines: kind, tab, rung, tab, reason ... */
     const char *state;                      /* one line: tick, clock, camera, tape, film */
-} panel_figures;
+} panel_performance;
 
 typedef struct {
     const char *off;            /* "off", "split", "difference" */
@@ -51,40 +51,52 @@ typedef struct {
 /* -- collecting ---------------------------------------------------------------------- */
 
 typedef enum {
-    FIGURE_WORLD, FIGURE_GEOMETRY, FIGURE_PIXELS, FIGURE_COMPARE, FIGURE_UPLOAD,
-    FIGURE_PANEL, FIGURE_PRESENT, FIGURE_PARTS
-} figure_part;
+    PERFORMANCE_WORLD,
+    PERFORMANCE_GEOMETRY,
+    PERFORMANCE_PIXELS,
+    PERFORMANCE_COMPARE,
+    PERFORMANCE_UPLOAD,
+    PERFORMANCE_PANEL,
+    PERFORMANCE_PRESENT,
+    PERFORMANCE_PARTS
+} performance_part;
 
-typedef enum { FIGURE_RAM, FIGURE_PLAN, FIGURE_STATE, FIGURE_TEXTS } figure_text;
+typedef enum {
+    PERFORMANCE_RAM,
+    PERFORMANCE_PLAN,
+    PERFORMANCE_STATE,
+    PERFORMANCE_TEXTS
+} performance_text;
 
-typedef struct figures figures;
+typedef struct performance performance;
 
-figures *figures_begin(void);                   /* NULL: no memory */
-void     figures_end(figures *f);
+performance *performance_begin(void);                   /* NULL: no memory */
+void     performance_end(performance *f);
 
-/* figures_part adds the time of a part of the picture in progress, us; repeated calls add
- * up.  figures_picture ends the picture; us: its total time from world to window, for the
- * graph. */
-void figures_part(figures *f, figure_part part, uint64_t us);
-void figures_picture(figures *f, uint64_t us);
+/* performance_add_time adds the time of a part of the picture in progress, us;
+ * repeated calls add up.  performance_end_picture ends the picture; us: its total time
+ * from world to window, for the graph. */
+void performance_add_time(performance *f, performance_part part, uint64_t us);
+void performance_end_picture(performance *f, uint64_t us);
 
-/* figures_input: an input at `now`, us of now_us().  figures_shown: a picture begun after
- * the input is on the display.  Of several inputs before a picture the first counts. */
-void figures_input(figures *f, uint64_t now);
-void figures_shown(figures *f, uint64_t now);
+/* performance_note_input: an input at `now`, us of now_us().  performance_note_shown:
+ * a picture begun after the input is on the display.  Of several inputs before a
+ * picture the first counts. */
+void performance_note_input(performance *f, uint64_t now);
+void performance_note_shown(performance *f, uint64_t now);
 
-void figures_limit(figures *f, float ms);       /* ms; initially 1000/60 */
+void performance_set_limit(performance *f, float ms);       /* ms; initially 1000/60 */
 
-/* on: the canvas's program has the stopwatch (stopwatch.h); figures_fill reads and zeroes
- * it. */
-void figures_measures(figures *f, bool on);
+/* on: the canvas's program has the stopwatch (stopwatch.h); performance_fill reads and
+ * zeroes it. */
+void performance_set_stopwatch(performance *f, bool on);
 
 /* Copies a text of up to 2047 bytes; a longer text is cut. */
-void figures_say(figures *f, figure_text which, const char *text);
+void performance_set_text(performance *f, performance_text which, const char *text);
 
-/* Fills in all figures; their texts are owned by f and valid until figures_end.  Times of
- * stages cover the last quarter of a second. */
-void figures_fill(figures *f, uint64_t now, panel_figures *to);
+/* Fills in all figures; their texts are owned by f and valid until performance_end.
+ * Times of stages cover the last quarter of a second. */
+void performance_fill(performance *f, uint64_t now, panel_performance *to);
 
 #ifdef __cplusplus
 }

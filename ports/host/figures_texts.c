@@ -13,11 +13,11 @@
 typedef struct {
     char   text[2048];
     size_t length;
-} sheet;
+} performance_sheet;
 
-static void add(sheet *to, const char *format, ...) HOST_PRINTF(2, 3);
+static void add(performance_sheet *to, const char *format, ...) LOG_PRINTF(2, 3);
 
-static void add(sheet *to, const char *format, ...)
+static void add(performance_sheet *to, const char *format, ...)
 {
     const size_t room = sizeof to->text - to->length;
     va_list args;
@@ -32,7 +32,7 @@ static void add(sheet *to, const char *format, ...)
 /* -- memory -------------------------------------------------------------------------- */
 
 /* Adds a line with a number as "11,953,600". */
-static void add_bytes(sheet *to, const char *use, size_t bytes)
+static void add_bytes(performance_sheet *to, const char *use, size_t bytes)
 {
     char digits[24];
     const int n = snprintf(digits, sizeof digits, "%zu", bytes);
@@ -42,12 +42,12 @@ static void add_bytes(sheet *to, const char *use, size_t bytes)
         add(to, i && (n - i) % 3 == 0 ? ",%c" : "%c", digits[i]);
 }
 
-static void tell_memory(figures *f, const stage *s)
+static void tell_memory(performance *f, const loaded_scene *s)
 {
-    const canvas *c = &s->canvas;
+    const frame_renderer *c = &s->renderer;
     const tp_ram_use ram = tp_frame_ram(c->frame);
     const size_t picture_bytes = c->picture.row_bytes * c->picture.height;
-    sheet to = { .length = 0 };
+    performance_sheet to = { .length = 0 };
 
     add_bytes(&to, "frame", ram.frame);
     add_bytes(&to, "- vertices", ram.vertices);
@@ -60,14 +60,14 @@ static void tell_memory(figures *f, const stage *s)
     add_bytes(&to, "textures", s->assets.texture_bytes);
     add_bytes(&to, "in all", ram.frame + c->scratch_bytes + picture_bytes + s->world_bytes
                              + s->assets.mesh_bytes + s->assets.texture_bytes);
-    figures_say(f, FIGURE_RAM, to.text);
+    performance_set_text(f, PERFORMANCE_RAM, to.text);
 }
 
 /* -- the plan ------------------------------------------------------------------------ */
 
-static void follow(figures_plan *kept, const stage *s)
+static void follow(performance_plan *kept, const loaded_scene *s)
 {
-    const tp_config *config = &s->canvas.config;
+    const tp_config *config = &s->renderer.config;
 
     if (kept->made && kept->width == config->width && kept->height == config->height
         && memcmp(&kept->scene, &s->file.scene, sizeof kept->scene) == 0)
@@ -79,13 +79,13 @@ static void follow(figures_plan *kept, const stage *s)
     kept->sheet = plan_sheet_make(s);
 }
 
-static bool is_governed(const governing *g)
+static bool is_governed(const frame_governor *g)
 {
     return g && g->governor.limit > 0 && g->governor.ladder.count > 1;
 }
 
 /* Adds "visibility, *rows, 1.34 M, 1.20 MB, chosen"; the star marks the rung drawn now. */
-static void add_rung(sheet *to, const plan_sheet *p, int kind, int i, int drawn)
+static void add_rung(performance_sheet *to, const plan_sheet *p, int kind, int i, int drawn)
 {
     const tp_rung_report *rung = &p->report.rung[kind][i];
     const bool stepped = i == drawn && i != plan_rung(p->report.rungs, kind);
@@ -99,7 +99,7 @@ static void add_rung(sheet *to, const plan_sheet *p, int kind, int i, int drawn)
         stepped ? "to hold frame_ms" : plan_why[rung->why]);
 }
 
-static void add_total(sheet *to, const tp_plan_report *r)
+static void add_total(performance_sheet *to, const tp_plan_report *r)
 {
     char px[24], colour[24];
 
@@ -110,21 +110,23 @@ static void add_total(sheet *to, const tp_plan_report *r)
         plan_number(r->total.error_colour, colour));
 }
 
-static void tell_plan(figures *f, const plan_sheet *p, tp_rungs drawn)
+static void tell_plan(performance *f, const plan_sheet *p, tp_rungs drawn)
 {
-    sheet to = { .length = 0 };
+    performance_sheet to = { .length = 0 };
 
     for (int k = 0; k < TP_KINDS; k++)
         for (int i = 0; i < p->report.rung_count[k]; i++)
             add_rung(&to, p, k, i, plan_rung(drawn, k));
     add_total(&to, &p->report);
-    figures_say(f, FIGURE_PLAN, to.text);
+    performance_set_text(f, PERFORMANCE_PLAN, to.text);
 }
 
-void figures_stage(figures *f, figures_plan *kept, const stage *s, const governing *g)
+void performance_describe_scene(performance *f, performance_plan *kept,
+                                const loaded_scene *s, const frame_governor *g)
 {
     follow(kept, s);
-    figures_limit(f, is_governed(g) ? (float)g->governor.limit / 1000 : 1000.0f / 60);
+    performance_set_limit(f, is_governed(g) ? (float)g->governor.limit / 1000
+                                            : 1000.0f / 60);
     tell_memory(f, s);
     tell_plan(f, &kept->sheet, is_governed(g) ? tp_governor_rungs(&g->governor)
                                               : kept->sheet.report.rungs);
@@ -142,11 +144,11 @@ static double degrees(tp_turn turn)
     return (int32_t)turn * (360 / 4294967296.0);
 }
 
-void figures_world(figures *f, const stage *s, const char *more)
+void performance_describe_world(performance *f, const loaded_scene *s, const char *more)
 {
     const tp_world *w = s->world;
     const tp_vec3 eye = tp_world_camera(w).eye;
-    sheet to = { .length = 0 };
+    performance_sheet to = { .length = 0 };
 
     add(&to,
         "tick %" PRIu64 ", clock %.3g, camera at %.1f %.1f %.1f m, heading %.0f,"
@@ -156,5 +158,5 @@ void figures_world(figures *f, const stage *s, const char *more)
         w->aboard == TP_ABOARD_DECK ? " of the deck" : "");
     if (*more)
         add(&to, "; %s", more);
-    figures_say(f, FIGURE_STATE, to.text);
+    performance_set_text(f, PERFORMANCE_STATE, to.text);
 }

@@ -13,12 +13,13 @@ typedef struct {
     uint32_t   width, height;
     tp_scene   scene;
     plan_sheet sheet;
-} figures_plan;
+} performance_plan;
 
 /* Updates the memory by use, the plan with the rungs drawn now, and the line of the graph,
  * which is the governor's limit if there is one.  To call a few times a second. */
-void figures_stage(figures *f, figures_plan *kept, const stage *s, const governing *g);
+void performance_describe_scene(performance *f, performance_plan *kept,
+                                const loaded_scene *s, const frame_governor *g);
 
 /* Updates tick, clock and camera; `more` is appended, "": nothing. */
-void figures_world(figures *f, const stage *s, const char *more);
+void performance_describe_world(performance *f, const loaded_scene *s, const char *more);
 #endif

@@ -71,7 +71,7 @@ static bool put(film *f, const void *data, size_t bytes)
 
 static int refuse(film *f)
 {
-    const int code = output_failed(&f->out, EIO);
+    const int code = output_file_fail(&f->out, EIO);
     film_discard(f);
     return code;
 }
@@ -86,7 +86,7 @@ static int make_room(film *f, uint32_t width, uint32_t height)
     if (f->pixels && f->planes)
         return EXIT_DONE;
     film_discard(f);
-    return fail_memory(f->bytes);
+    return log_fail_memory(f->bytes);
 }
 
 static int put_head(film *f, uint32_t ticks)
@@ -103,7 +103,7 @@ int film_open(film *f, const char *name, uint32_t width, uint32_t height, uint32
     int code = make_room(f, width, height);
     if (code)
         return code;
-    code = output_open(&f->out, name);
+    code = output_file_open(&f->out, name);
     if (code)
         film_discard(f);
     return code ? code : put_head(f, ticks);
@@ -116,7 +116,7 @@ int film_open_pipe(film *f, int to, const char *name, uint32_t width, uint32_t h
         close(to);
         return code;
     }
-    code = output_take(&f->out, to, name);
+    code = output_file_adopt(&f->out, to, name);
     if (code)
         film_discard(f);
     return code ? code : put_head(f, 1);
@@ -136,7 +136,7 @@ int film_add(film *f, const picture *p)
 
 void film_discard(film *f)
 {
-    output_discard(&f->out);
+    output_file_discard(&f->out);
     free(f->pixels);
     free(f->planes);
     *f = (film){ .out = f->out };
@@ -144,7 +144,7 @@ void film_discard(film *f)
 
 int film_close(film *f)
 {
-    const int code = output_close(&f->out);
+    const int code = output_file_close(&f->out);
     film_discard(f);
     return code;
 }

@@ -5,18 +5,18 @@
 #include <stdio.h>
 #include "say.h"
 
-void governing_begin(governing *g, const stage *s)
+void frame_governor_begin(frame_governor *g, const loaded_scene *s)
 {
     const tp_scene *scene = &s->file.scene;
-    const tp_config *config = &s->canvas.config;
+    const tp_config *config = &s->renderer.config;
     const tp_ladder ladder = tp_ladder_make(scene, &s->assets.names, config->width,
                                           config->height);
     const uint32_t limit = (uint32_t)((int64_t)scene->quality.frame_ms * 1000 >> 16);
 
     tp_governor_init(&g->governor, &ladder, limit);
-    g->frame = s->canvas.frame;
+    g->frame = s->renderer.frame;
     if (limit > 0 && ladder.count < 2)
-        say("%s: no cheaper rung, quality.frame_ms cannot be held", s->file.name);
+        log_line("%s: no cheaper rung, quality.frame_ms cannot be held", s->file.name);
 }
 
 static uint32_t rung_value(unsigned kind, tp_rungs r)
@@ -26,7 +26,7 @@ static uint32_t rung_value(unsigned kind, tp_rungs r)
     return value[kind];
 }
 
-const char *governing_word(unsigned kind, tp_rungs rungs)
+const char *frame_governor_rung_name(unsigned kind, tp_rungs rungs)
 {
     static const char *const words[TP_KINDS][TP_KIND_RUNGS + 1] = {
         { "auto", "triangles", "rows", "projected grid", "flat grid" },
@@ -47,7 +47,7 @@ static void ms_text(char text[24], uint32_t us)
         snprintf(text, 24, "%u.%u", (unsigned)us / 1000, (unsigned)us / 100 % 10);
 }
 
-void governing_add(governing *g, uint32_t number, uint64_t us)
+void frame_governor_add_time(frame_governor *g, uint32_t number, uint64_t us)
 {
     const tp_rungs from = tp_governor_rungs(&g->governor);
     const int step = tp_governor_add_frame_time(&g->governor, us < UINT32_MAX ? (uint32_t)us
@@ -62,7 +62,7 @@ void governing_add(governing *g, uint32_t number, uint64_t us)
         kind++;
     ms_text(took, g->governor.mean);
     ms_text(limit, g->governor.limit);
-    say("frame %u: %s ms %s %s: %s", (unsigned)number, took, step > 0 ? "over" : "within",
-        limit, governing_word(kind, to));
+    log_line("frame %u: %s ms %s %s: %s", (unsigned)number, took,
+             step > 0 ? "over" : "within", limit, frame_governor_rung_name(kind, to));
     tp_frame_set_rungs(g->frame, &to);
 }

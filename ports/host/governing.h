@@ -8,14 +8,14 @@
 typedef struct {
     tp_governor governor;
     tp_frame   *frame;
-} governing;
+} frame_governor;
 
 /* Begins with the stage's canvas; to call again after the canvas has changed. */
-void governing_begin(governing *g, const stage *s);
+void frame_governor_begin(frame_governor *g, const loaded_scene *s);
 
 /* Reports the time of frame `number`, us; sets the rungs of the next frame. */
-void governing_add(governing *g, uint32_t number, uint64_t us);
+void frame_governor_add_time(frame_governor *g, uint32_t number, uint64_t us);
 
 /* Returns a rung in words: "half-rate layers". */
-const char *governing_word(unsigned kind, tp_rungs rungs);
+const char *frame_governor_rung_name(unsigned kind, tp_rungs rungs);
 #endif

@@ -48,13 +48,13 @@ static int read_line(hashes *h, unsigned number, char *line, size_t bytes)
     bytes -= bytes > 0 && line[bytes - 1] == '\r';
     line[bytes] = 0;
     if (strlen(line) != bytes)
-        return fail(EXIT_INPUT, "%s:%u: a zero byte", h->name, number);
+        return log_fail(EXIT_INPUT, "%s:%u: a zero byte", h->name, number);
     if (line[strspn(line, " \t")] == 0 || line[0] == '#')
         return EXIT_DONE;
     if (!read_hash(line, &hash))
-        return fail(EXIT_INPUT, "%s:%u: expected 'frame 0000 crc32 xxxxxxxx', found"
+        return log_fail(EXIT_INPUT, "%s:%u: expected 'frame 0000 crc32 xxxxxxxx', found"
                     " '%.40s'", h->name, number, line);
-    return add(h, hash) ? EXIT_DONE : fail_memory(h->count * sizeof hash);
+    return add(h, hash) ? EXIT_DONE : log_fail_memory(h->count * sizeof hash);
 }
 
 static int read_lines(hashes *h, FILE *file)
@@ -67,7 +67,7 @@ static int read_lines(hashes *h, FILE *file)
          number++)
         code = read_line(h, number, line, (size_t)bytes);
     if (!code && !feof(file))               /* getline may have run out of memory */
-        code = fail(EXIT_INPUT, "%s: %s", h->name, strerror(errno));
+        code = log_fail(EXIT_INPUT, "%s: %s", h->name, strerror(errno));
     free(line);
     return code;
 }
@@ -85,7 +85,7 @@ static int check_twice(const hashes *h)
     for (size_t i = 1; i < h->count; i++) {
         const struct hash *a = &h->list[i - 1], *b = &h->list[i];
         if (a->frame == b->frame && a->crc != b->crc)
-            return fail(EXIT_INPUT, "%s:%u: frame %04" PRIu32 " has another CRC in line"
+            return log_fail(EXIT_INPUT, "%s:%u: frame %04" PRIu32 " has another CRC in line"
                         " %u", h->name, b->line, b->frame, a->line);
     }
     return EXIT_DONE;
@@ -96,7 +96,7 @@ int hashes_read(hashes *h, const char *name)
     *h = (hashes){ .name = name };
     FILE *file = fopen(name, "r");
     if (!file)
-        return fail(EXIT_INPUT, "%s: %s (named by --expect)", name, strerror(errno));
+        return log_fail(EXIT_INPUT, "%s: %s (named by --expect)", name, strerror(errno));
     const int code = read_lines(h, file);
     fclose(file);
     if (h->count)
@@ -122,10 +122,10 @@ int hashes_check(const hashes *h, uint32_t frame, uint32_t crc)
 {
     const struct hash *known = find(h, frame);
     if (!known)
-        return fail(EXIT_CHECK, "%s: frame %04" PRIu32 " is not in the list; got %08"
+        return log_fail(EXIT_CHECK, "%s: frame %04" PRIu32 " is not in the list; got %08"
                     PRIx32, h->name, frame, crc);
     if (known->crc != crc)
-        return fail(EXIT_CHECK, "%s: frame %04" PRIu32 " differs: expected %08" PRIx32
+        return log_fail(EXIT_CHECK, "%s: frame %04" PRIu32 " differs: expected %08" PRIx32
                     ", got %08" PRIx32, h->name, frame, known->crc, crc);
     return EXIT_DONE;
 }

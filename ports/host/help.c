@@ -25,20 +25,21 @@ static bool is_scene(const char *name)
 
 static void refuse(const char *name)
 {
-    nearest best = nearest_make(name);
+    did_you_mean best = did_you_mean_make(name);
     for (size_t i = 0; i < command_count; i++)
-        nearest_offer(&best, commands[i].name);
+        did_you_mean_offer(&best, commands[i].name);
     if (!*name)
-        say("tidepool: COMMAND is missing; see `tidepool help`");
+        log_line("tidepool: COMMAND is missing; see `tidepool help`");
     else if (name[0] == '-')
-        say("tidepool: no option %.60s; it takes --help, --version or a command", name);
+        log_line("tidepool: no option %.60s; it takes --help, --version or a command",
+                 name);
     else if (best.name)
-        say("tidepool: no command %.60s; did you mean %s?", name, best.name);
+        log_line("tidepool: no command %.60s; did you mean %s?", name, best.name);
     else if (is_scene(name))
-        say("tidepool: no command %.60s; did you mean `tidepool view %.60s`?", name,
-            name);
+        log_line("tidepool: no command %.60s; did you mean `tidepool view %.60s`?", name,
+                 name);
     else
-        say("tidepool: no command %.60s; see `tidepool help`", name);
+        log_line("tidepool: no command %.60s; see `tidepool help`", name);
 }
 
 const command_row *command_find(const char *name)
@@ -76,7 +77,7 @@ static int print_help(const options *o)
     const command_row *command = command_find(o->scene);
     if (!command)
         return EXIT_USAGE;
-    about_print(command->options);
+    command_help_print(command->options);
     return EXIT_DONE;
 }
 
@@ -85,11 +86,11 @@ int help_command(int argc, char **argv)
     options o;
     int code = args_read(&o, FOR_HELP, argc, argv);
     if (!code && o.help)
-        about_print(FOR_HELP);
+        command_help_print(FOR_HELP);
     else if (!code)
         code = print_help(&o);
     free(o.settings);
-    const int end = finish_stdout();
+    const int end = streams_finish();
     return code ? code : end;
 }
 
@@ -98,10 +99,10 @@ int version_command(int argc, char **argv)
     options o;
     const int code = args_read(&o, FOR_VERSION, argc, argv);
     if (!code && o.help)
-        about_print(FOR_VERSION);
+        command_help_print(FOR_VERSION);
     else if (!code)
         printf("tidepool %s\n", tp_version());
     free(o.settings);
-    const int end = finish_stdout();
+    const int end = streams_finish();
     return code ? code : end;
 }

@@ -25,7 +25,7 @@ typedef struct {
 
 static bool refuse_line(ini_input *in, const char *why, int limit)
 {
-    say("%s:%u: line %s %d bytes", in->path, (unsigned)in->line, why, limit);
+    log_line("%s:%u: line %s %d bytes", in->path, (unsigned)in->line, why, limit);
     in->failed = true;
     return false;
 }
@@ -109,15 +109,15 @@ int ini_read(const char *path, ini_take *taker, void *user)
     ini_input in = { .stream = fopen(path, "rb"), .path = path, .take = taker,
                      .user = user };
     if (!in.stream)
-        return fail(EXIT_INPUT, "%s: %s", path, strerror(errno));
+        return log_fail(EXIT_INPUT, "%s: %s", path, strerror(errno));
     errno = 0;
     const int bad_line = ini_parse_stream(next_line, &in, take, &in);
     const int read_error = ferror(in.stream) ? errno : 0;
     fclose(in.stream);
     if (read_error)
-        return fail(EXIT_INPUT, "%s: %s", path, strerror(read_error));
+        return log_fail(EXIT_INPUT, "%s: %s", path, strerror(read_error));
     if (bad_line && (!in.failed || (uint32_t)bad_line < in.line))
-        return fail(EXIT_INPUT, "%s:%d: neither [section] nor name = value", path,
-                    bad_line);
+        return log_fail(EXIT_INPUT, "%s:%d: neither [section] nor name = value", path,
+                        bad_line);
     return in.failed ? EXIT_INPUT : EXIT_DONE;
 }

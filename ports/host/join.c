@@ -23,10 +23,10 @@ typedef struct {
     FILE       *file;
     const char *name;
     char        head[HEAD_BYTES];
-} part;
+} film_part;
 
 typedef struct {
-    output      out;
+    output_file      out;
     const char *first;          /* first part; other heads must equal its head */
     char        head[HEAD_BYTES];
     uint64_t    bytes;          /* size of a frame, without the line FRAME */
@@ -52,25 +52,25 @@ static uint32_t parse_side(const char *head, char letter)
     return side <= SIDE_HIGH ? (uint32_t)side : 0;
 }
 
-static int open_part(part *p, const char *name)
+static int open_part(film_part *p, const char *name)
 {
-    *p = (part){ .file = fopen(name, "rb"), .name = name };
+    *p = (film_part){ .file = fopen(name, "rb"), .name = name };
     if (!p->file)
-        return fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
+        return log_fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
     errno = 0;
     if (!read_line(p->file, p->head) || strncmp(p->head, "YUV4MPEG2 ", 10) != 0)
-        return fail(EXIT_INPUT, "%s: %s", name, errno ? strerror(errno)
+        return log_fail(EXIT_INPUT, "%s: %s", name, errno ? strerror(errno)
                                                       : "not a YUV4MPEG2 film");
     return EXIT_DONE;
 }
 
 /* Takes the head of the first part; the size of frames follows from the head. */
-static int take_head(joined *j, const part *p)
+static int take_head(joined *j, const film_part *p)
 {
     const uint32_t w = parse_side(p->head, 'W'), h = parse_side(p->head, 'H');
     if (!w || !h || !strstr(p->head, " C420"))
-        return fail(EXIT_INPUT, "%s: not a 4:2:0 film with width and height",
-                    p->name);
+        return log_fail(EXIT_INPUT, "%s: not a 4:2:0 film with width and height",
+                        p->name);
     j->first = p->name;
     memcpy(j->head, p->head, sizeof j->head);
     j->bytes = (uint64_t)w * h + 2 * (uint64_t)((w + 1) / 2) * ((h + 1) / 2);
@@ -79,21 +79,21 @@ static int take_head(joined *j, const part *p)
 }
 
 /* Copies the frame after its FRAME line, in pieces: a head may name any size. */
-static int copy_frame(joined *j, const part *p, unsigned number)
+static int copy_frame(joined *j, const film_part *p, unsigned number)
 {
     char piece[PIECE_BYTES];
     for (uint64_t left = j->bytes; left > 0;) {
         const size_t bytes = left < PIECE_BYTES ? (size_t)left : PIECE_BYTES;
         if (fread(piece, 1, bytes, p->file) != bytes)
-            return fail(EXIT_INPUT, "%s: ends inside of frame %u", p->name, number);
+            return log_fail(EXIT_INPUT, "%s: ends inside of frame %u", p->name, number);
         if (fwrite(piece, 1, bytes, j->out.file) != bytes)
-            return output_failed(&j->out, EIO);
+            return output_file_fail(&j->out, EIO);
         left -= bytes;
     }
     return EXIT_DONE;
 }
 
-static int add_frames(joined *j, const part *p)
+static int add_frames(joined *j, const film_part *p)
 {
     char mark[HEAD_BYTES];
     unsigned count = 0;
@@ -102,27 +102,27 @@ static int add_frames(joined *j, const part *p)
         ungetc(c, p->file);
         if (!read_line(p->file, mark)
             || (strcmp(mark, "FRAME") != 0 && strncmp(mark, "FRAME ", 6) != 0))
-            return fail(EXIT_INPUT, "%s: expected the head of frame %u", p->name,
-                        count);
-        code = fprintf(j->out.file, "%s\n", mark) < 0 ? output_failed(&j->out, EIO)
-                                                     : copy_frame(j, p, count);
+            return log_fail(EXIT_INPUT, "%s: expected the head of frame %u", p->name,
+                            count);
+        code = fprintf(j->out.file, "%s\n", mark) < 0 ? output_file_fail(&j->out, EIO)
+                                                      : copy_frame(j, p, count);
     }
     if (code)
         return code;
     if (ferror(p->file))
-        return fail(EXIT_INPUT, "%s: %s", p->name, strerror(errno));
-    return count ? EXIT_DONE : fail(EXIT_INPUT, "%s: a film without frames", p->name);
+        return log_fail(EXIT_INPUT, "%s: %s", p->name, strerror(errno));
+    return count ? EXIT_DONE : log_fail(EXIT_INPUT, "%s: a film without frames", p->name);
 }
 
 static int add_part(joined *j, const char *name)
 {
-    part p;
+    film_part p;
     int code = open_part(&p, name);
     if (!code && !j->first)
         code = take_head(j, &p);
     if (!code && strcmp(p.head, j->head) != 0)
-        code = fail(EXIT_INPUT, "%s: its head differs from that of %s: %s; %s", name,
-                    j->first, p.head + 10, j->head + 10);
+        code = log_fail(EXIT_INPUT, "%s: its head differs from that of %s: %s; %s", name,
+                        j->first, p.head + 10, j->head + 10);
     if (!code)
         code = add_frames(j, &p);
     if (p.file)
@@ -135,20 +135,20 @@ static int run(const options *o)
     joined j = { .first = NULL };
     const bool to_stdout = strcmp(o->names[0], "-") == 0;
     if (!to_stdout && !path_ends(o->names[0], ".y4m"))
-        return fail(EXIT_USAGE, "tidepool join: %s: a film's name ends in .y4m, or is -"
+        return log_fail(EXIT_USAGE, "tidepool join: %s: a film's name ends in .y4m, or is -"
                     " for standard output", o->names[0]);
     if (to_stdout && isatty(STDOUT_FILENO))
-        return fail(EXIT_USAGE, "tidepool join: standard output is a terminal; send"
-                    " it to a file or a player");
-    int code = output_open(&j.out, o->names[0]);
+        return log_fail(EXIT_USAGE, "tidepool join: standard output is a terminal; send"
+                                    " it to a file or a player");
+    int code = output_file_open(&j.out, o->names[0]);
     if (code)
         return code;
     for (uint32_t i = 1; i < o->n_names && !code; i++)
         code = add_part(&j, o->names[i]);
     if (code)
-        output_discard(&j.out);
+        output_file_discard(&j.out);
     else
-        code = output_close(&j.out);
+        code = output_file_close(&j.out);
     return code;
 }
 
@@ -157,10 +157,10 @@ int join_command(int argc, char **argv)
     options o;
     int code = args_read(&o, FOR_JOIN, argc, argv);
     if (!code && o.help)
-        about_print(FOR_JOIN);
+        command_help_print(FOR_JOIN);
     else if (!code)
         code = run(&o);
-    const int end = o.help ? finish_stdout() : EXIT_DONE;
+    const int end = o.help ? streams_finish() : EXIT_DONE;
     free(o.settings);
     return code ? code : end;
 }

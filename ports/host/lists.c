@@ -38,16 +38,16 @@ int scenes_command(int argc, char **argv)
     options o;
     int code = args_read(&o, FOR_SCENES, argc, argv);
     if (!code && o.help) {
-        about_print(FOR_SCENES);
+        command_help_print(FOR_SCENES);
     } else if (!code) {
         char *folder = path_of_scenes();
         code = folder ? list_scenes(folder)
-                      : fail(EXIT_INPUT, "tidepool: no shipped scenes were found beside"
+                      : log_fail(EXIT_INPUT, "tidepool: no shipped scenes were found beside"
                              " the program");
         free(folder);
     }
     free(o.settings);
-    const int end = finish_stdout();
+    const int end = streams_finish();
     return code ? code : end;
 }
 
@@ -57,18 +57,18 @@ enum { NAME, VALUE, UNIT, RANGE, COLUMNS };
 
 #define CELL_BYTES (TP_NAME_BYTES + 16)
 
-typedef char cells[COLUMNS][CELL_BYTES];
+typedef char param_row_cells[COLUMNS][CELL_BYTES];
 
-static void fill(cells row, const tp_scene *scene, const tp_param *param)
+static void fill(param_row_cells row, const tp_scene *scene, const tp_param *param)
 {
     snprintf(row[NAME], CELL_BYTES, "%s", param->name);
     tp_param_text(scene, param, row[VALUE], CELL_BYTES);
     snprintf(row[UNIT], CELL_BYTES, "%s",
              param->kind == TP_PARAM_CHOICE ? "" : param->unit);
-    takes_range(param, row[RANGE], CELL_BYTES);
+    argument_type_describe_range(param, row[RANGE], CELL_BYTES);
 }
 
-static void print_row(cells row, const int width[COLUMNS], const char *help)
+static void print_row(param_row_cells row, const int width[COLUMNS], const char *help)
 {
     for (int i = 0; i < COLUMNS; i++)
         printf("%-*s  ", width[i], row[i]);
@@ -93,7 +93,7 @@ static uint32_t measure(const tp_scene *scene, const char *only, int width[COLUM
     uint32_t count, listed = 0;
     const tp_param *params = tp_params(&count);
     for (uint32_t i = 0; i < count; i++) {
-        cells row;
+        param_row_cells row;
         if (!is_listed(&params[i], only))
             continue;
         listed++;
@@ -109,10 +109,10 @@ static int print_table(const tp_scene *scene, const char *value_title, const cha
 {
     uint32_t count;
     const tp_param *params = tp_params(&count), *last = NULL;
-    cells row = { "name", "", "unit", "range" };
+    param_row_cells row = { "name", "", "unit", "range" };
     int width[COLUMNS] = { 4, (int)strlen(value_title), 4, 5 };
     if (measure(scene, only, width) == 0)
-        return fail(EXIT_USAGE, "tidepool params: no name begins with %s", only);
+        return log_fail(EXIT_USAGE, "tidepool params: no name begins with %s", only);
     strcpy(row[VALUE], value_title);
     print_row(row, width, "meaning");
     for (uint32_t i = 0; i < count; i++) {
@@ -137,12 +137,12 @@ static int print_defaults(const options *o)
 static int print_scene(const options *o)
 {
     scene_file file;
-    tp_sea sea;
-    int code = stage_read(&file, o);
+    tp_deep_water deep;
+    int code = loaded_scene_read(&file, o);
     if (!code) {
-        tp_sea_init(&sea, file.scene.wave, TP_WAVES, file.scene.water.gravity);
+        tp_deep_water_init(&deep, file.scene.wave, TP_WAVES, file.scene.water.gravity);
         code = print_table(&file.scene, "value", o->only);
-        stage_report(&file, &sea);
+        loaded_scene_report_clamps(&file, &deep);
     }
     scene_file_close(&file);
     return code;
@@ -153,15 +153,15 @@ int params_command(int argc, char **argv)
     options o;
     int code = args_read(&o, FOR_PARAMS, argc, argv);
     if (!code && o.help) {
-        about_print(FOR_PARAMS);
+        command_help_print(FOR_PARAMS);
     } else if (!code && !o.scene && o.n_settings) {
-        code = fail(EXIT_USAGE, "tidepool params: --set needs a scene");
+        code = log_fail(EXIT_USAGE, "tidepool params: --set needs a scene");
     } else if (!code && !o.scene) {
         code = print_defaults(&o);
     } else if (!code) {
         code = print_scene(&o);
     }
     free(o.settings);
-    const int end = finish_stdout();
+    const int end = streams_finish();
     return code ? code : end;
 }

@@ -90,6 +90,6 @@ const char *long_name_shorten(const char *name, size_t bytes)
     const long_name *made = add(whole);
     pthread_mutex_unlock(&mutex);
     if (!made)
-        fail_memory(bytes);
+        log_fail_memory(bytes);
     return made ? made->text : NULL;
 }

@@ -29,7 +29,7 @@ static bool is_list(const command_row *command, int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    begin_streams();
+    streams_begin();
     if (argc > 1)
         argv[1] = command_name(argv[1]);
     const command_row *command = command_find(argc > 1 ? argv[1] : "");

@@ -13,34 +13,34 @@
 #include "commands.h"
 #include "roff.h"
 
-typedef struct { const char *name, *help; } entry;
+typedef struct { const char *name, *help; } manual_entry;
 
-static const entry environment[] = {
+static const manual_entry environment[] = {
     { "DISPLAY, WAYLAND_DISPLAY", "The display on which the preview opens its window."
-      " Without them `make run` draws to files." },
+                                  " Without them `make run` draws to files." },
     { "SDL_VIDEODRIVER, SDL_RENDER_DRIVER", "SDL's drivers of the preview's window." },
     { "PATH", "The folders searched for ffmpeg, which encodes the preview's films; without"
       " ffmpeg films are Y4M." },
     { "XDG_CONFIG_HOME", "The folder of tidepool/keys.ini, ~/.config by default." },
     { "XDG_STATE_HOME", "The folder of the state that --resume restores,"
-      " ~/.local/state by default." },
+                        " ~/.local/state by default." },
     { "TERM", "A terminal other than dumb shows the progress of a long drawing." },
 };
 
-static const entry files[] = {
+static const manual_entry files[] = {
     { "~/.config/tidepool/keys.ini", "The preview's keys, as under KEYS." },
     { "~/.local/state/tidepool/", "The state of the preview, for --resume." },
     { "FILE of --keep", "The world that `tidepool show` draws. Every number in the file is"
       " checked before use. If the file was altered, or saved by another build or for"
       " another scene, a message says so and the scene starts from the beginning." },
     { "SCENE-0001.png, .mp4, .y4m, .tape", "Recordings of the preview, in its current"
-      " folder, with the next free number." },
+                                           " folder, with the next free number." },
     { "SCENE.png, SCENE.apng", "The pictures of `tidepool render SCENE` without --out." },
     { "share/tidepool/scenes/", "The shipped scenes, under the prefix of the"
-      " installation." },
+                                " installation." },
 };
 
-static const entry examples[] = {
+static const manual_entry examples[] = {
     { "tidepool view", "A window on three swells; F1 lists the keys." },
     { "tidepool render storm", "A picture: storm.png." },
     { "tidepool render storm --frames 180 --every 3",
@@ -63,7 +63,7 @@ void manual_head(const char *name, int section, const char *book, const char *wh
     roff_text(what);
 }
 
-static void print_entries(const char *title, const entry *of, size_t count)
+static void print_entries(const char *title, const manual_entry *of, size_t count)
 {
     roff_macro(".SH %s", title);
     for (size_t i = 0; i < count; i++) {
@@ -92,7 +92,7 @@ static void print_usage_line(const char *at, size_t bytes)
     roff_end();
 }
 
-static void print_usage(const about_row *of)
+static void print_usage(const command_help_row *of)
 {
     const char *line = of->usage;
     for (;;) {
@@ -141,7 +141,7 @@ static void print_commands(void)
     roff_macro(".SH COMMANDS");
     for (size_t i = 0; i < command_count; i++) {
         roff_macro(".SS %s", commands[i].name);
-        const about_row *about = about_find_row(commands[i].options);
+        const command_help_row *about = command_help_find(commands[i].options);
         print_usage(about);
         print_lines(about->text);
         for (size_t k = 0; k < args_row_count; k++)
@@ -149,8 +149,8 @@ static void print_commands(void)
                 && (args_rows[k].commands & commands[i].options))
                 print_option(&args_rows[k]);
         print_lines(about->after);
-        char codes[ABOUT_EXITS_BYTES];
-        about_exits(about, codes);
+        char codes[COMMAND_HELP_EXITS_BYTES];
+        command_help_exits(about, codes);
         roff_macro(".PP");
         roff_text(codes);
         roff_end();
@@ -219,7 +219,7 @@ static void print_program(void)
     for (size_t i = 0; i < command_count; i++) {
         if (i)
             roff_macro(".br");
-        print_usage(about_find_row(commands[i].options));
+        print_usage(command_help_find(commands[i].options));
     }
     roff_macro(".SH DESCRIPTION");
     roff_text("Models seas, pools, drops and a boat in 16.16 fixed point and draws them:"
@@ -247,13 +247,13 @@ int manual_command(int argc, char **argv)
     options o;
     int code = args_read(&o, FOR_MANUAL, argc, argv);
     if (!code && o.help) {
-        about_print(FOR_MANUAL);
+        command_help_print(FOR_MANUAL);
     } else if (!code && o.scene_page) {
         manual_scene();
     } else if (!code) {
         print_program();
     }
     free(o.settings);
-    const int end = finish_stdout();
+    const int end = streams_finish();
     return code ? code : end;
 }

@@ -99,12 +99,12 @@ static void print_param(const tp_param *param, bool numbered)
         snprintf(name, sizeof name, "%s", param->name);
     tp_scene_level(&scene);
     tp_param_text(&scene, param, value, sizeof value);
-    takes_range(param, range, sizeof range);
+    argument_type_describe_range(param, range, sizeof range);
     roff_macro(".TP");
     roff_bold(name);
     roff_text("  ");
     roff_text(range);
-    if (*param->unit && !takes_choice(param)) {
+    if (*param->unit && !argument_type_choices(param)) {
         roff_text(" ");
         roff_text(param->unit);
     }

@@ -31,12 +31,12 @@ static unsigned distance(const char *a, const char *b)
 }
 
 /* Allows at most a third of the letters plus 1 to differ: more is no typing error. */
-nearest nearest_make(const char *wanted)
+did_you_mean did_you_mean_make(const char *wanted)
 {
-    return (nearest){ wanted, NULL, (unsigned)(strlen(wanted) / 3) + 2 };
+    return (did_you_mean){ wanted, NULL, (unsigned)(strlen(wanted) / 3) + 2 };
 }
 
-void nearest_offer(nearest *best, const char *name)
+void did_you_mean_offer(did_you_mean *best, const char *name)
 {
     if (strlen(best->wanted) > LETTERS || strlen(name) > LETTERS)
         return;

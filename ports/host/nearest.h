@@ -8,8 +8,8 @@ typedef struct {
     const char *wanted;
     const char *name;       /* best name until now, or NULL: none is near enough */
     unsigned    distance;   /* its distance; initially the limit plus 1 */
-} nearest;
+} did_you_mean;
 
-nearest nearest_make(const char *wanted);
-void    nearest_offer(nearest *best, const char *name);
+did_you_mean did_you_mean_make(const char *wanted);
+void    did_you_mean_offer(did_you_mean *best, const char *name);
 #endif

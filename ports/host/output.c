@@ -14,7 +14,7 @@
 
 #define BUFFER_BYTES 65536
 
-struct output_end {
+struct output_stream {
     int  fd, error;
     char buffer[BUFFER_BYTES];
 };
@@ -24,14 +24,14 @@ struct output_end {
 /* Writes to the descriptor; after an error writes nothing more. */
 static ssize_t put(void *cookie, const char *data, size_t bytes)
 {
-    output_end *end = cookie;
+    output_stream *end = cookie;
     if (!end->error)
         end->error = atomic_file_put(end->fd, data, bytes);
     return end->error ? 0 : (ssize_t)bytes;
 }
 
 /* Opens a stream that leaves the descriptor open when closed; returns 0 or an errno. */
-static int open_stream(output *out, int fd)
+static int open_stream(output_file *out, int fd)
 {
     out->end = malloc(sizeof *out->end);
     if (!out->end)
@@ -47,7 +47,7 @@ static int open_stream(output *out, int fd)
 }
 
 /* Flushes and closes the stream; returns 0 or the first error. */
-static int close_stream(output *out)
+static int close_stream(output_file *out)
 {
     int error = 0;
     if (out->file && fclose(out->file) != 0)
@@ -62,27 +62,27 @@ static int close_stream(output *out)
 
 /* -- files ----------------------------------------------------------------------- */
 
-static int output_descriptor(const output *out)
+static int output_file_descriptor(const output_file *out)
 {
     return out->target ? out->temporary.fd : out->end ? out->end->fd : -1;
 }
 
 /* Closes the descriptor, except of temporary files, which close their own, and standard
  * output. */
-static int close_descriptor(const output *out, int fd)
+static int close_descriptor(const output_file *out, int fd)
 {
     return out->target || fd < 0 || fd == STDOUT_FILENO || close(fd) == 0 ? 0 : errno;
 }
 
-static void forget(output *out)
+static void forget(output_file *out)
 {
     free(out->target);
-    *out = (output){ .name = out->name, .temporary = { -1, -1 } };
+    *out = (output_file){ .name = out->name, .temporary = { -1, -1 } };
 }
 
-void output_discard(output *out)
+void output_file_discard(output_file *out)
 {
-    const int fd = output_descriptor(out);
+    const int fd = output_file_descriptor(out);
     (void)close_stream(out);
     (void)close_descriptor(out, fd);
     if (out->target)
@@ -90,20 +90,20 @@ void output_discard(output *out)
     forget(out);
 }
 
-static int refuse(output *out, int error)
+static int refuse(output_file *out, int error)
 {
-    output_discard(out);
-    return fail(EXIT_INPUT, "%s: %s", out->name, strerror(error));
+    output_file_discard(out);
+    return log_fail(EXIT_INPUT, "%s: %s", out->name, strerror(error));
 }
 
-int output_failed(output *out, int error)
+int output_file_fail(output_file *out, int error)
 {
     return refuse(out, out->end && out->end->error ? out->end->error : error);
 }
 
-int output_take(output *out, int fd, const char *name)
+int output_file_adopt(output_file *out, int fd, const char *name)
 {
-    *out = (output){ .name = name, .temporary = { -1, -1 } };
+    *out = (output_file){ .name = name, .temporary = { -1, -1 } };
     const int error = fd < 0 ? errno : open_stream(out, fd);
     if (!error)
         return EXIT_DONE;
@@ -116,7 +116,7 @@ int output_take(output *out, int fd, const char *name)
 
 /* Opens the temporary file.  If the name is a link, the link's target is replaced, not the
  * link. */
-static int open_temporary(output *out, bool exists)
+static int open_temporary(output_file *out, bool exists)
 {
     out->target = exists ? realpath(out->name, NULL)
                          : path_copy(out->name, strlen(out->name));
@@ -126,24 +126,24 @@ static int open_temporary(output *out, bool exists)
     return error ? refuse(out, error) : EXIT_DONE;
 }
 
-int output_open(output *out, const char *name)
+int output_file_open(output_file *out, const char *name)
 {
     struct stat info;
-    *out = (output){ .name = name, .temporary = { -1, -1 } };
+    *out = (output_file){ .name = name, .temporary = { -1, -1 } };
     if (strcmp(name, "-") == 0) {
         fflush(stdout);
-        return output_take(out, STDOUT_FILENO, "standard output");
+        return output_file_adopt(out, STDOUT_FILENO, "standard output");
     }
     const bool exists = stat(name, &info) == 0;
     if (exists && !S_ISREG(info.st_mode))
-        return output_take(out, open(name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666),
-                           name);
+        return output_file_adopt(
+            out, open(name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666), name);
     return open_temporary(out, exists);
 }
 
-int output_close(output *out)
+int output_file_close(output_file *out)
 {
-    const int fd = output_descriptor(out);
+    const int fd = output_file_descriptor(out);
     int error = close_stream(out);
     const int end = close_descriptor(out, fd);
     error = error ? error : end;

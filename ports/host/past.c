@@ -25,11 +25,11 @@ typedef struct {
     bool     begins;            /* first of a sequence: inputs do not lead here */
     size_t   bytes;             /* size of the world */
     char    *block;             /* the scene, then the world */
-} moment;
+} rewind_frame;
 
-struct past {
+struct rewind_history {
     size_t    budget, used;     /* bytes of blocks and inputs: limit, in use */
-    moment   *kept;             /* snapshots, in order of pictures */
+    rewind_frame   *kept;             /* snapshots, in order of pictures */
     size_t    count, room;
     tp_input *input;            /* inputs of the pictures kept[0].picture to end - 1, ... */
     size_t    lead, inputs_room;/* ... from input[lead] on */
@@ -38,13 +38,13 @@ struct past {
 
 /* -- inputs ------------------------------------------------------------------------- */
 
-static size_t count_inputs(const past *p)
+static size_t count_inputs(const rewind_history *p)
 {
     return p->count ? p->end - p->kept[0].picture : 0;
 }
 
 /* Makes room for one input, if possible in the room of dropped pictures. */
-static bool make_inputs_room(past *p)
+static bool make_inputs_room(rewind_history *p)
 {
     const size_t count = count_inputs(p);
     if (p->lead + count < p->inputs_room)
@@ -63,7 +63,7 @@ static bool make_inputs_room(past *p)
     return true;
 }
 
-static bool note(past *p, const tp_input *input)
+static bool note(rewind_history *p, const tp_input *input)
 {
     if (!make_inputs_room(p))
         return false;
@@ -73,7 +73,7 @@ static bool note(past *p, const tp_input *input)
     return true;
 }
 
-const tp_input *past_input(const past *p, uint32_t picture)
+const tp_input *rewind_input(const rewind_history *p, uint32_t picture)
 {
     if (p->count == 0 || picture < p->kept[0].picture || picture >= p->end)
         return NULL;
@@ -82,7 +82,7 @@ const tp_input *past_input(const past *p, uint32_t picture)
 
 /* -- snapshots ---------------------------------------------------------------------- */
 
-static void drop(past *p, size_t i)
+static void drop(rewind_history *p, size_t i)
 {
     p->used -= SCENE_BYTES + p->kept[i].bytes;
     free(p->kept[i].block);
@@ -90,7 +90,7 @@ static void drop(past *p, size_t i)
     memmove(&p->kept[i], &p->kept[i + 1], (p->count - i) * sizeof *p->kept);
 }
 
-void past_forget(past *p)
+void rewind_forget(rewind_history *p)
 {
     while (p->count > 0)
         drop(p, p->count - 1);
@@ -99,11 +99,11 @@ void past_forget(past *p)
     p->end = 0;
 }
 
-static void drop_oldest(past *p)
+static void drop_oldest(rewind_history *p)
 {
     const uint32_t picture = p->kept[0].picture;
     if (p->count == 1) {
-        past_forget(p);
+        rewind_forget(p);
         return;
     }
     drop(p, 0);
@@ -114,12 +114,12 @@ static void drop_oldest(past *p)
 
 /* Returns the snapshot whose removal leaves the smallest gap relative to its age; 0:
  * none. */
-static size_t least_missed(const past *p)
+static size_t least_missed(const rewind_history *p)
 {
     size_t best = 0;
     uint64_t best_gap = 0, best_age = 0;
     for (size_t i = 1; i + 1 < p->count; i++) {
-        const moment *m = &p->kept[i];
+        const rewind_frame *m = &p->kept[i];
         const uint64_t gap = m[1].picture - m[-1].picture, age = p->end - m->picture;
         if (m->begins || gap > GAP_MOST || gap * GAP_AGE > age)
             continue;
@@ -132,7 +132,7 @@ static size_t least_missed(const past *p)
     return best;
 }
 
-static bool make_room(past *p, size_t bytes)
+static bool make_room(rewind_history *p, size_t bytes)
 {
     while (bytes > p->budget || p->used > p->budget - bytes) {
         const size_t i = least_missed(p);
@@ -146,12 +146,12 @@ static bool make_room(past *p, size_t bytes)
     return true;
 }
 
-static bool make_list_room(past *p)
+static bool make_list_room(rewind_history *p)
 {
     if (p->count < p->room)
         return true;
     const size_t room = p->room ? 2 * p->room : 64;
-    moment *more = realloc(p->kept, room * sizeof *more);
+    rewind_frame *more = realloc(p->kept, room * sizeof *more);
     if (more) {
         p->kept = more;
         p->room = room;
@@ -159,7 +159,7 @@ static bool make_list_room(past *p)
     return more;
 }
 
-static bool keep(past *p, uint32_t picture, const tp_world *world, size_t bytes,
+static bool keep(rewind_history *p, uint32_t picture, const tp_world *world, size_t bytes,
                  const tp_scene *scene, bool begins)
 {
     const size_t block_bytes = SCENE_BYTES + bytes;
@@ -172,7 +172,7 @@ static bool keep(past *p, uint32_t picture, const tp_world *world, size_t bytes,
     memcpy(block + SCENE_BYTES, world, bytes);
     if (p->count == 0)
         p->end = picture;
-    p->kept[p->count++] = (moment){ picture, begins, bytes, block };
+    p->kept[p->count++] = (rewind_frame){ picture, begins, bytes, block };
     p->used += block_bytes;
     return true;
 }
@@ -180,10 +180,10 @@ static bool keep(past *p, uint32_t picture, const tp_world *world, size_t bytes,
 /* -- pictures ----------------------------------------------------------------------- */
 
 /* Drops everything from `picture` on. */
-static void cut(past *p, uint32_t picture)
+static void cut(rewind_history *p, uint32_t picture)
 {
     if (p->count && picture <= p->kept[0].picture) {
-        past_forget(p);
+        rewind_forget(p);
         return;
     }
     while (p->count && p->kept[p->count - 1].picture >= picture)
@@ -194,22 +194,22 @@ static void cut(past *p, uint32_t picture)
     }
 }
 
-void past_add(past *p, uint32_t picture, const tp_world *world, size_t bytes,
-              const tp_scene *scene, const tp_input *input, bool changed)
+void rewind_add(rewind_history *p, uint32_t picture, const tp_world *world, size_t bytes,
+                const tp_scene *scene, const tp_input *input, bool changed)
 {
     cut(p, picture);
     if (p->count && picture != p->end)
-        past_forget(p);
-    const moment *last = p->count ? &p->kept[p->count - 1] : NULL;
+        rewind_forget(p);
+    const rewind_frame *last = p->count ? &p->kept[p->count - 1] : NULL;
     const bool begins = changed || !last || last->bytes != bytes;
     if ((begins || picture - last->picture >= DENSE)
         && !keep(p, picture, world, bytes, scene, begins) && begins)
-        past_forget(p);
+        rewind_forget(p);
     if (p->count && !note(p, input))
-        past_forget(p);
+        rewind_forget(p);
 }
 
-static const moment *find_latest_moment(const past *p, uint32_t picture)
+static const rewind_frame *find_latest_moment(const rewind_history *p, uint32_t picture)
 {
     size_t n = p->count;
     while (n > 0 && p->kept[n - 1].picture > picture)
@@ -217,10 +217,10 @@ static const moment *find_latest_moment(const past *p, uint32_t picture)
     return n > 0 ? &p->kept[n - 1] : NULL;
 }
 
-bool past_take(const past *p, uint32_t picture, tp_world *world, size_t bytes,
-               tp_scene *scene, uint32_t *from)
+bool rewind_take(const rewind_history *p, uint32_t picture, tp_world *world, size_t bytes,
+                 tp_scene *scene, uint32_t *from)
 {
-    const moment *m = find_latest_moment(p, picture);
+    const rewind_frame *m = find_latest_moment(p, picture);
     if (!m || m->bytes != bytes)
         return false;
     memcpy(scene, m->block, sizeof *scene);
@@ -229,35 +229,35 @@ bool past_take(const past *p, uint32_t picture, tp_world *world, size_t bytes,
     return true;
 }
 
-size_t past_world_bytes(const past *p, uint32_t picture)
+size_t rewind_world_bytes(const rewind_history *p, uint32_t picture)
 {
-    const moment *m = find_latest_moment(p, picture);
+    const rewind_frame *m = find_latest_moment(p, picture);
     return m ? m->bytes : 0;
 }
 
-uint32_t past_oldest(const past *p)
+uint32_t rewind_oldest(const rewind_history *p)
 {
     return p->count ? p->kept[0].picture : UINT32_MAX;
 }
 
-size_t past_bytes(const past *p)
+size_t rewind_bytes(const rewind_history *p)
 {
     return p->used;
 }
 
-past *past_begin(size_t budget)
+rewind_history *rewind_begin(size_t budget)
 {
-    past *p = calloc(1, sizeof *p);
+    rewind_history *p = calloc(1, sizeof *p);
     if (p)
         p->budget = budget;
     return p;
 }
 
-void past_end(past *p)
+void rewind_end(rewind_history *p)
 {
     if (!p)
         return;
-    past_forget(p);
+    rewind_forget(p);
     free(p->kept);
     free(p->input);
     free(p);

@@ -9,29 +9,32 @@
 #include <stdint.h>
 #include "tidepool/world.h"
 
-typedef struct past past;
+typedef struct rewind_history rewind_history;
 
-past *past_begin(size_t budget);        /* NULL: no memory */
-void  past_end(past *p);                /* accepts NULL */
+rewind_history *rewind_begin(size_t budget);        /* NULL: no memory */
+void  rewind_end(rewind_history *p);                /* accepts NULL */
 
 /* To call before the ticks of a picture, with the world and scene at the start and the
  * input of the first tick.  changed: the scene has changed since the last picture, or the
  * world moved without a tick (a look while the water stands still).  Picture numbers
  * increase by one.  A lower number discards that picture and all later ones; a gap discards
  * everything. */
-void  past_add(past *p, uint32_t picture, const tp_world *world, size_t bytes,
+void  rewind_add(rewind_history *p, uint32_t picture, const tp_world *world, size_t bytes,
                const tp_scene *scene, const tp_input *input, bool changed);
 
 /* Copies the world and scene of the latest snapshot at or before `picture`; *from: number
  * of its picture.  False: no snapshot is that old, or its world has another size. */
-bool  past_take(const past *p, uint32_t picture, tp_world *world, size_t bytes,
+bool  rewind_take(const rewind_history *p, uint32_t picture, tp_world *world, size_t bytes,
                 tp_scene *scene, uint32_t *from);
 
 /* Returns the input of a picture, for replay; NULL: not kept. */
-const tp_input *past_input(const past *p, uint32_t picture);
+const tp_input *rewind_input(const rewind_history *p, uint32_t picture);
 
-uint32_t past_oldest(const past *p);    /* oldest that can be restored; UINT32_MAX: none */
-size_t past_world_bytes(const past *p, uint32_t picture);   /* for past_take; 0: none */
-size_t past_bytes(const past *p);       /* bytes in use, within the budget */
-void  past_forget(past *p);             /* to call after the scene's files have changed */
+/* oldest that can be restored; UINT32_MAX: none */
+uint32_t rewind_oldest(const rewind_history *p);
+/* for rewind_take; 0: none */
+size_t rewind_world_bytes(const rewind_history *p, uint32_t picture);
+size_t rewind_bytes(const rewind_history *p);       /* bytes in use, within the budget */
+/* to call after the scene's files have changed */
+void  rewind_forget(rewind_history *p);
 #endif

@@ -17,7 +17,7 @@
 #define SPEED (MHZ * 1000000ull * 10 / 13)      /* instructions per second */
 
 typedef struct {
-    stage     *stage;
+    loaded_scene     *loaded;
     plan_sheet sheet;
 } plan;
 
@@ -45,7 +45,7 @@ static void print_csv(const plan *p)
     printf("total,,,%" PRIu64 ",%s,%s,%zu\n", r->total.cost,
            plan_number(r->total.error_px, px),
            plan_number(r->total.error_colour, colour),
-           p->stage->canvas.frame_bytes + p->stage->canvas.scratch_bytes);
+           p->loaded->renderer.frame_bytes + p->loaded->renderer.scratch_bytes);
 }
 
 /* -- output for people --------------------------------------------------------------- */
@@ -53,11 +53,11 @@ static void print_csv(const plan *p)
 static void print_head(const plan *p, const options *o)
 {
     const tp_plan_report *r = &p->sheet.report;
-    const tp_scene *scene = &p->stage->file.scene;
+    const tp_scene *scene = &p->loaded->file.scene;
     char px[24], colour[24];
 
     printf("%s, %ux%u: about %u pixels of water, %u vertices, %u wave%s",
-           p->stage->file.name, (unsigned)o->width, (unsigned)o->height,
+           p->loaded->file.name, (unsigned)o->width, (unsigned)o->height,
            (unsigned)r->water_pixels, (unsigned)r->vertices, (unsigned)r->waves,
            r->waves == 1 ? "" : "s");
     if (r->waves_dropped)
@@ -89,7 +89,7 @@ static void print_rung(const plan *p, int kind, int i)
 static void print_total(const plan *p)
 {
     const tp_plan_report *r = &p->sheet.report;
-    const tp_ram_use ram = tp_frame_ram(p->stage->canvas.frame);
+    const tp_ram_use ram = tp_frame_ram(p->loaded->renderer.frame);
     const double cost = (double)r->total.cost;
     char px[24], colour[24];
 
@@ -104,16 +104,16 @@ static void print_total(const plan *p)
         puts("\nin all: unknown, because a rung has no measured cost yet");
     printf("bytes: frame %zu (vertices %zu, tables %zu, mirror %zu),\n  a tile's scratch"
            " %zu, world %zu\n", ram.frame, ram.vertices, ram.tables, ram.mirror,
-           ram.scratch, p->stage->world_bytes);
+           ram.scratch, p->loaded->world_bytes);
     puts("Instructions: one frame on a Cortex-M4 at the scene's start, without ticks."
          "\nErrors: the largest measured, beyond those of the exact rungs.");
 }
 
 static int run(const options *o)
 {
-    stage s;
-    plan  p = { .stage = &s };
-    int code = stage_open(&s, o);
+    loaded_scene s;
+    plan  p = { .loaded = &s };
+    int code = loaded_scene_open(&s, o);
 
     if (!code) {
         p.sheet = plan_sheet_make(&s);
@@ -127,7 +127,7 @@ static int run(const options *o)
             print_total(&p);
         }
     }
-    stage_close(&s);
+    loaded_scene_close(&s);
     return code;
 }
 
@@ -139,11 +139,11 @@ int plan_command(int argc, char **argv)
     if (!o.band && !o.strip)
         o.band = BAND;
     if (!code && o.help) {
-        about_print(FOR_PLAN);
+        command_help_print(FOR_PLAN);
     } else if (!code) {
         code = run(&o);
     }
     free(o.settings);
-    const int end = finish_stdout();
+    const int end = streams_finish();
     return code ? code : end;
 }

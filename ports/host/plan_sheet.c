@@ -40,10 +40,10 @@ int plan_rung(tp_rungs rungs, int kind)
     return rung[kind] - 1;
 }
 
-plan_sheet plan_sheet_make(const stage *s)
+plan_sheet plan_sheet_make(const loaded_scene *s)
 {
     const tp_assets *named = &s->assets.names;
-    tp_config config = s->canvas.config;
+    tp_config config = s->renderer.config;
     tp_scene scene = s->file.scene;
     plan_sheet p = { .report = tp_plan_make(&scene, named, config.width, config.height) };
 

@@ -12,7 +12,7 @@ typedef struct {
 } plan_sheet;
 
 /* Makes the plan; takes up to 10 ms. */
-plan_sheet plan_sheet_make(const stage *s);
+plan_sheet plan_sheet_make(const loaded_scene *s);
 
 extern const char *const plan_kind[TP_KINDS];   /* "visibility", "shading", "rate", "lod" */
 extern const char *const plan_why[];            /* reasons in words, indexed by tp_why */

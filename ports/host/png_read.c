@@ -237,7 +237,7 @@ static uint8_t *read_file(png_reader *r, const char *name, const char *who)
 {
     uint8_t *bytes = load_file(r, name);
     if (!bytes)
-        say("%s: %s: %s", who, name, r->why);
+        log_line("%s: %s: %s", who, name, r->why);
     return bytes;
 }
 

@@ -5,10 +5,10 @@
 
 int picture_write_png(const picture *p, const char *name)
 {
-    output out;
-    const int code = output_open(&out, name);
+    output_file out;
+    const int code = output_file_open(&out, name);
     if (code)
         return code;
     const int error = picture_put_png(p, out.file);
-    return error ? output_failed(&out, error) : output_close(&out);
+    return error ? output_file_fail(&out, error) : output_file_close(&out);
 }

@@ -92,10 +92,10 @@ static bool ffmpeg_ended_well(recorder *r)
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
         return true;
     if (WIFSIGNALED(status))
-        say("%s: ffmpeg was ended by signal %d after %u pictures; no film was written",
+        log_line("%s: ffmpeg was ended by signal %d after %u pictures; no film was written",
             r->name, WTERMSIG(status), (unsigned)r->pictures);
     else
-        say("%s: ffmpeg ended with %d after %u pictures; no film was written", r->name,
+        log_line("%s: ffmpeg ended with %d after %u pictures; no film was written", r->name,
             WEXITSTATUS(status), (unsigned)r->pictures);
     return false;
 }
@@ -107,7 +107,7 @@ static int begin_ffmpeg(recorder *r)
     int ends[2];
     int error = atomic_file_open(&r->temporary, r->name, ".mp4");
     if (error) {
-        say("%s: %s", r->name, strerror(error));
+        log_line("%s: %s", r->name, strerror(error));
         return EACCES;
     }
     error = pipe2(ends, O_CLOEXEC) ? errno : 0;
@@ -125,7 +125,7 @@ static int begin_ffmpeg(recorder *r)
         if (r->ffmpeg)
             (void)ffmpeg_ended_well(r);
         else if (error != ENOENT)
-            say("%s: ffmpeg: %s", r->name, strerror(error));
+            log_line("%s: ffmpeg: %s", r->name, strerror(error));
     }
     return error;
 }
@@ -137,7 +137,7 @@ recorder *recorder_begin(const char *scene, uint32_t width, uint32_t height)
     char stem[TP_NAME_BYTES + 16];
     recorder *r = calloc(1, sizeof *r);
     if (!r) {
-        fail_memory(sizeof *r);
+        log_fail_memory(sizeof *r);
         return NULL;
     }
     r->width = width;
@@ -150,10 +150,10 @@ recorder *recorder_begin(const char *scene, uint32_t width, uint32_t height)
         error = film_open(&r->film, r->name, width, height, 1);
         const unsigned kilobytes = (unsigned)(r->film.bytes * TP_TICKS_PER_SECOND / 1000);
         if (!error)
-            say("%s: recording uncompressed, %u.%u MB a second: no ffmpeg for MP4",
-                r->name, kilobytes / 1000, kilobytes / 100 % 10);
+            log_line("%s: recording uncompressed, %u.%u MB a second: no ffmpeg for MP4",
+                     r->name, kilobytes / 1000, kilobytes / 100 % 10);
     } else if (!error) {
-        say("%s: recording through ffmpeg", r->name);
+        log_line("%s: recording through ffmpeg", r->name);
     }
     if (!error)
         return r;
@@ -170,11 +170,11 @@ static int finish(recorder *r)
         code = EXIT_INPUT;
     const int error = piped && !code ? atomic_file_commit(&r->temporary, r->name) : 0;
     if (error)
-        code = fail(EXIT_INPUT, "%s: %s", r->name, strerror(error));
+        code = log_fail(EXIT_INPUT, "%s: %s", r->name, strerror(error));
     if (piped && code)
         atomic_file_discard(&r->temporary);
     if (!code)
-        say("%s: %u picture%s, %u.%02u s", r->name, (unsigned)r->pictures,
+        log_line("%s: %u picture%s, %u.%02u s", r->name, (unsigned)r->pictures,
             r->pictures == 1 ? "" : "s",
             (unsigned)(r->pictures / TP_TICKS_PER_SECOND),
             (unsigned)(r->pictures % TP_TICKS_PER_SECOND * 100 / TP_TICKS_PER_SECOND));
@@ -196,7 +196,7 @@ bool recorder_add(recorder *r, const picture *p)
     if (r->over)
         return false;
     if (p->width != r->width || p->height != r->height) {
-        say("%s: the size of the picture has changed, the film ends", r->name);
+        log_line("%s: the size of the picture has changed, the film ends", r->name);
         (void)finish(r);
         return false;
     }

@@ -18,12 +18,12 @@
 #include "timing.h"
 
 typedef struct {
-    stage    stage;
-    sink     sink;
+    loaded_scene    loaded;
+    frame_sink     sink;
     hashes   expected;
     replay   tape;
     timings  times;
-    governing governing;
+    frame_governor governor;
     FILE    *report;            /* stream for hashes and figures */
 } render;
 
@@ -31,8 +31,8 @@ typedef struct {
  * differs can be inspected. */
 static int use_frame(render *r, const options *o, uint32_t frame)
 {
-    const picture *p = &r->stage.canvas.picture;
-    int code = sink_add(&r->sink, p, frame);
+    const picture *p = &r->loaded.renderer.picture;
+    int code = frame_sink_add(&r->sink, p, frame);
     if (code || (!o->hash && !o->expect))
         return code;
     const uint32_t crc = picture_crc(p);
@@ -44,7 +44,7 @@ static int use_frame(render *r, const options *o, uint32_t frame)
 /* Advances from one picture to the next. */
 static int move(render *r, const options *o)
 {
-    stage *s = &r->stage;
+    loaded_scene *s = &r->loaded;
     bool opened = false;
     int code = replay_acts(&r->tape, s, o, &opened);
     for (uint32_t ticks = code ? 0 : tp_world_advance_clock(s->world); ticks > 0;
@@ -55,31 +55,31 @@ static int move(render *r, const options *o)
         tp_world_step(&tp_program_all, s->world, &s->file.scene, replay_step(&r->tape));
     }
     if (!code && opened)
-        governing_begin(&r->governing, s);
+        frame_governor_begin(&r->governor, s);
     return code;
 }
 
 static int draw_frames(render *r, const options *o)
 {
-    stage *s = &r->stage;
+    loaded_scene *s = &r->loaded;
     progress p = progress_begin();
-    governing_begin(&r->governing, s);
+    frame_governor_begin(&r->governor, s);
     int code = EXIT_DONE;
     for (uint32_t n = 0; n <= o->last && !code; n++) {
         if (n > 0)
             code = move(r, o);
         if (n >= o->first && (n - o->first) % o->every == 0 && !code) {
             const uint64_t begin = now_us();
-            canvas_draw(&s->canvas, s->world);
+            frame_renderer_draw(&s->renderer, s->world);
             const uint64_t took = now_us() - begin;
             timings_add(&r->times, took);
-            governing_add(&r->governing, n, took);
+            frame_governor_add_time(&r->governor, n, took);
             code = use_frame(r, o, n);
         }
         if (n >= o->first || n % 4096 == 0)
             progress_show(&p, n, o->last + 1);
     }
-    say_progress("");
+    log_progress("");
     return code;
 }
 
@@ -87,8 +87,8 @@ static int draw_frames(render *r, const options *o)
  * all threads. */
 static void print_stats(render *r)
 {
-    const stage *s = &r->stage;
-    const canvas *c = &s->canvas;
+    const loaded_scene *s = &r->loaded;
+    const frame_renderer *c = &s->renderer;
     const tp_draw_stats stats = tp_frame_stats(c->frame);
     const tp_ram_use ram = tp_frame_ram(c->frame);
     const tp_pool *water = tp_world_pool(s->world);
@@ -121,20 +121,20 @@ static void print_stats(render *r)
 
 static int run(render *r, const options *o)
 {
-    int code = sink_open(&r->sink, o);
+    int code = frame_sink_open(&r->sink, o);
     if (!code && o->expect)
         code = hashes_read(&r->expected, o->expect);
     if (!code)
-        code = stage_open(&r->stage, o);
+        code = loaded_scene_open(&r->loaded, o);
     if (!code)
-        code = replay_open(&r->tape, &r->stage, o, REPLAY_ALL);
+        code = replay_open(&r->tape, &r->loaded, o, REPLAY_ALL);
     if (!code)
         code = draw_frames(r, o);
     if (code) {
-        sink_discard(&r->sink);
+        frame_sink_discard(&r->sink);
         return code;
     }
-    code = sink_close(&r->sink);
+    code = frame_sink_close(&r->sink);
     if (!code && o->stats)
         print_stats(r);
     return code;
@@ -148,14 +148,14 @@ int render_command(int argc, char **argv)
     int code = args_read(&o, FOR_RENDER, argc, argv);
     r.report = o.out && strcmp(o.out, "-") == 0 ? stderr : stdout;
     if (!code && o.help)
-        about_print(FOR_RENDER);
+        command_help_print(FOR_RENDER);
     else if (!code)
         code = run(&r, &o);
-    const int end = r.report == stdout ? finish_stdout() : EXIT_DONE;
+    const int end = r.report == stdout ? streams_finish() : EXIT_DONE;
     timings_free(&r.times);
     replay_close(&r.tape);
     hashes_free(&r.expected);
-    stage_close(&r.stage);
+    loaded_scene_close(&r.loaded);
     free(o.settings);
     return code ? code : end;
 }

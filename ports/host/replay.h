@@ -12,9 +12,10 @@
 #include "stage.h"
 
 typedef struct {
-    deck      tape;
+    tape_file      tape;
     uint64_t  tick;             /* number of steps until now */
-    const deck_entry *step;     /* entry of this tick's step, already taken from the tape */
+    const tape_file_entry
+        *step; /* entry of this tick's step, already taken from the tape */
 } replay;
 
 /* Allowed changes of the world: all, or only changes that need no new block of memory. */
@@ -22,11 +23,11 @@ typedef enum { REPLAY_ALL, REPLAY_SAME_WORLD } replay_room;
 
 /* Reads options.tape, if given, and tries all its changes on a second stage of the scene.
  * Returns EXIT_INPUT, after a message with file and line, before anything has moved. */
-int  replay_open(replay *r, const stage *s, const options *o, replay_room room);
+int  replay_open(replay *r, const loaded_scene *s, const options *o, replay_room room);
 int  replay_close(replay *r);
 
-/* Applies the remaining looks and changes of this tick.  *opened: see stage_set. */
-int  replay_acts(replay *r, stage *s, const options *o, bool *opened);
+/* Applies the remaining looks and changes of this tick.  *opened: see loaded_scene_set. */
+int  replay_acts(replay *r, loaded_scene *s, const options *o, bool *opened);
 
 /* Returns the input of this tick's step, or NULL, and advances to the next tick. */
 const tp_input *replay_step(replay *r);
@@ -36,6 +37,6 @@ const tp_input *replay_step(replay *r);
  * `played` entries; false: the tape is shorter.  replay_skip brings tape and scene to the
  * state of a kept world; to call before the canvas is opened. */
 uint32_t replay_played(const replay *r);
-bool replay_remake(const replay *r, stage *s, uint32_t played);
-void replay_skip(replay *r, stage *s, uint32_t played);
+bool replay_remake(const replay *r, loaded_scene *s, uint32_t played);
+void replay_skip(replay *r, loaded_scene *s, uint32_t played);
 #endif

@@ -6,7 +6,7 @@
 #include "say.h"
 
 /* Prints a macro, as ".TH ..." or ".PP", on a line of its own. */
-void roff_macro(const char *format, ...) HOST_PRINTF(1, 2);
+void roff_macro(const char *format, ...) LOG_PRINTF(1, 2);
 
 /* Prints text after the previous text, blanks included; roff fills the lines. */
 void roff_text(const char *text);

@@ -26,7 +26,7 @@ static bool can_rewrite(void)
     return isatty(STDERR_FILENO) && term && strcmp(term, "dumb") != 0;
 }
 
-void say_progress(const char *text)
+void log_progress(const char *text)
 {
     if (!progress_shown && (!*text || !can_rewrite()))
         return;
@@ -44,8 +44,8 @@ static void clean(char *text)
             *text = '?';
 }
 
-static void say_list(const char *format, va_list list) HOST_PRINTF(1, 0);
-static void keep(const char *format, va_list list) HOST_PRINTF(1, 0);
+static void say_list(const char *format, va_list list) LOG_PRINTF(1, 0);
+static void keep(const char *format, va_list list) LOG_PRINTF(1, 0);
 
 static void keep(const char *format, va_list list)
 {
@@ -61,7 +61,7 @@ static void keep(const char *format, va_list list)
         kept.used += strlen(line);
 }
 
-void say_redirect(char *text, size_t bytes)
+void log_redirect(char *text, size_t bytes)
 {
     kept.text = text;
     kept.bytes = bytes;
@@ -85,14 +85,14 @@ static void say_list(const char *format, va_list list)
         vsnprintf(whole, (size_t)bytes + 1, format, list);
     clean(last);
     lines++;
-    say_progress("");
+    log_progress("");
     if (whole)
         clean(whole);
     fprintf(stderr, "%s\n", whole ? whole : last);
     free(whole);
 }
 
-void say(const char *format, ...)
+void log_line(const char *format, ...)
 {
     va_list list;
     va_start(list, format);
@@ -100,7 +100,7 @@ void say(const char *format, ...)
     va_end(list);
 }
 
-int fail(int code, const char *format, ...)
+int log_fail(int code, const char *format, ...)
 {
     va_list list;
     va_start(list, format);
@@ -109,18 +109,18 @@ int fail(int code, const char *format, ...)
     return code;
 }
 
-const char *say_last(unsigned *count)
+const char *log_last(unsigned *count)
 {
     *count = lines;
     return last;
 }
 
-void say_verbose(void)
+void log_set_verbose(void)
 {
     verbose = true;
 }
 
-const char *say_check(const tp_error *err)
+const char *log_check_place(const tp_error *err)
 {
     static char text[128];
     if (!verbose || !err->file)
@@ -129,17 +129,17 @@ const char *say_check(const tp_error *err)
     return text;
 }
 
-int fail_with_error(const char *file, const tp_error *err)
+int log_fail_error(const char *file, const tp_error *err)
 {
     char text[256];
     tp_error_text(err, text, sizeof text);
     if (err->where)
-        return fail(EXIT_INPUT, "%s:%u: %s%s", file, (unsigned)err->where, text,
-                    say_check(err));
-    return fail(EXIT_INPUT, "%s: %s%s", file, text, say_check(err));
+        return log_fail(EXIT_INPUT, "%s:%u: %s%s", file, (unsigned)err->where, text,
+                        log_check_place(err));
+    return log_fail(EXIT_INPUT, "%s: %s%s", file, text, log_check_place(err));
 }
 
-int fail_memory(size_t bytes)
+int log_fail_memory(size_t bytes)
 {
-    return fail(EXIT_INPUT, "tidepool: out of memory: %zu bytes needed", bytes);
+    return log_fail(EXIT_INPUT, "tidepool: out of memory: %zu bytes needed", bytes);
 }

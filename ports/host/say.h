@@ -28,47 +28,47 @@ enum {
 };
 
 #if defined(__GNUC__)
-#define HOST_PRINTF(at, first) __attribute__((format(printf, at, first)))
+#define LOG_PRINTF(at, first) __attribute__((format(printf, at, first)))
 #else
-#define HOST_PRINTF(at, first)
+#define LOG_PRINTF(at, first)
 #endif
 
 /* Prints a line on stderr, after erasing a progress line. */
-void say(const char *format, ...) HOST_PRINTF(1, 2);
+void log_line(const char *format, ...) LOG_PRINTF(1, 2);
 
 /* Prints a line and returns `code`: a function can end with `return fail(...)`. */
-int fail(int code, const char *format, ...) HOST_PRINTF(2, 3);
+int log_fail(int code, const char *format, ...) LOG_PRINTF(2, 3);
 
 /* Prints "file:line: sentence", without a line number if the error has none; returns
  * EXIT_INPUT. */
-int fail_with_error(const char *file, const tp_error *err);
+int log_fail_error(const char *file, const tp_error *err);
 
 /* Redirects the messages of the calling thread to `text`, line by line, instead of stderr.
  * text has `bytes` bytes and is emptied first; excess text is cut.  NULL: back to
  * stderr. */
-void say_redirect(char *text, size_t bytes);
+void log_redirect(char *text, size_t bytes);
 
-/* say_verbose turns on the names of failed checks.  say_check then returns the place of the
- * check, as " [src/asset/obj.c:88]"; otherwise "". */
-void        say_verbose(void);
-const char *say_check(const tp_error *err);
+/* log_set_verbose turns on the names of failed checks.  log_check_place then returns
+ * the place of the check, as " [src/asset/obj.c:88]"; otherwise "". */
+void        log_set_verbose(void);
+const char *log_check_place(const tp_error *err);
 
-int fail_memory(size_t bytes);
+int log_fail_memory(size_t bytes);
 
 /* To call first in a program.  If a standard stream is closed, the next opened file would
  * get its descriptor and receive messages for users.  The function opens a descriptor in
  * its place that fails like a closed stream.  It also turns the signal for a file over the
  * size limit into an error of the write. */
-void begin_streams(void);
+void streams_begin(void);
 
 /* Flushes standard output; a full disk or a closed pipe is an error. */
-int finish_stdout(void);
+int streams_finish(void);
 
 /* Returns the last message, to show in windows, and the number of messages; at first "" and
  * 0. */
-const char *say_last(unsigned *count);
+const char *log_last(unsigned *count);
 
 /* Rewrites the progress line in place; "" erases the line.  Does nothing if stderr is not a
  * terminal that can rewrite. */
-void say_progress(const char *text);
+void log_progress(const char *text);
 #endif

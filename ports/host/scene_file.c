@@ -19,13 +19,14 @@ static void refuse_name(const char *place, const char *name)
 {
     uint32_t count;
     const tp_param *params = tp_params(&count);
-    nearest best = nearest_make(name);
+    did_you_mean best = did_you_mean_make(name);
     for (uint32_t i = 0; i < count; i++)
-        nearest_offer(&best, params[i].name);
+        did_you_mean_offer(&best, params[i].name);
     if (best.name)
-        say("%s: no parameter is called %s; did you mean %s?", place, name, best.name);
+        log_line("%s: no parameter is called %s; did you mean %s?", place, name, best.name);
     else
-        say("%s: no parameter is called %s; `tidepool params` lists them", place, name);
+        log_line("%s: no parameter is called %s; `tidepool params` lists them", place,
+                 name);
 }
 
 static void refuse_value(const char *place, const tp_param *param, const char *value,
@@ -37,16 +38,16 @@ static void refuse_value(const char *place, const tp_param *param, const char *v
     case TP_E_RANGE:
         tp_param_number_text(param, err->a, low, sizeof low);
         tp_param_number_text(param, err->b, high, sizeof high);
-        say("%s: %s = %s is outside %s..%s%s%s%s", place, param->name, value, low, high,
-            gap, param->unit, say_check(err));
+        log_line("%s: %s = %s is outside %s..%s%s%s%s", place, param->name, value, low,
+                 high, gap, param->unit, log_check_place(err));
         break;
     case TP_E_CHOICE:
-        say("%s: %s = %s is none of %s%s", place, param->name, value,
-            param->kind == TP_PARAM_BOOL ? "off|on" : param->unit, say_check(err));
+        log_line("%s: %s = %s is none of %s%s", place, param->name, value,
+            param->kind == TP_PARAM_BOOL ? "off|on" : param->unit, log_check_place(err));
         break;
     default:
         tp_error_text(err, sentence, sizeof sentence);
-        say("%s: %s: %s%s", place, param->name, sentence, say_check(err));
+        log_line("%s: %s: %s%s", place, param->name, sentence, log_check_place(err));
     }
 }
 
@@ -77,7 +78,8 @@ const tp_param *scene_file_check(const char *place, const char *setting,
 {
     const char *equals = strchr(setting, '=');
     if (!equals || equals == setting) {
-        say("%s: expected NAME=VALUE, found %s", place, *setting ? setting : "nothing");
+        log_line("%s: expected NAME=VALUE, found %s", place,
+                 *setting ? setting : "nothing");
         return NULL;
     }
     tp_scene scene = { 0 };
@@ -86,7 +88,7 @@ const tp_param *scene_file_check(const char *place, const char *setting,
     tp_error err = { 0 };
     *value = equals + 1;
     if (!name) {
-        fail_memory(strlen(setting));
+        log_fail_memory(strlen(setting));
     } else if (!param) {
         refuse_name(place, name);
     } else if (!(*value = scene_file_value(param, *value))) {
@@ -124,11 +126,11 @@ int scene_file_set(scene_file *file, const char *setting)
 {
     const char *equals = strchr(setting, '=');
     if (!equals || equals == setting)
-        return fail(EXIT_USAGE, "tidepool: --set %s: expected name=value",
+        return log_fail(EXIT_USAGE, "tidepool: --set %s: expected name=value",
                     *setting ? setting : "''");
     char *name = path_copy(setting, (size_t)(equals - setting));
     if (!name)
-        return fail_memory(strlen(setting));
+        return log_fail_memory(strlen(setting));
     const bool done = scene_file_apply(file, "--set", SET_BY_COMMAND, name, equals + 1);
     free(name);
     return done ? EXIT_DONE : EXIT_USAGE;
@@ -139,17 +141,17 @@ int scene_file_set(scene_file *file, const char *setting)
 static int refuse_scene(const char *given, const char *folder)
 {
     if (!folder)
-        return fail(EXIT_INPUT, "%s: no such file, and no shipped scenes were found"
+        return log_fail(EXIT_INPUT, "%s: no such file, and no shipped scenes were found"
                     " beside the program", given);
     size_t count;
     char **names = path_scene_names(folder, &count);
-    nearest best = nearest_make(given);
+    did_you_mean best = did_you_mean_make(given);
     for (size_t i = 0; i < count; i++)
-        nearest_offer(&best, names[i]);
+        did_you_mean_offer(&best, names[i]);
     if (best.name)
-        say("%s: no such scene or file; did you mean %s?", given, best.name);
+        log_line("%s: no such scene or file; did you mean %s?", given, best.name);
     else
-        say("%s: no such scene or file; `tidepool scenes` lists the scenes", given);
+        log_line("%s: no such scene or file; `tidepool scenes` lists the scenes", given);
     path_free_names(names, count);
     return EXIT_INPUT;
 }
@@ -159,7 +161,7 @@ static int find(scene_file *file, const char *given)
 {
     if (strchr(given, '/') || path_ends(given, ".ini")) {
         file->path = path_copy(given, strlen(given));
-        return file->path ? EXIT_DONE : fail_memory(strlen(given));
+        return file->path ? EXIT_DONE : log_fail_memory(strlen(given));
     }
     char *folder = path_of_scenes();
     int code = EXIT_DONE;
@@ -187,7 +189,7 @@ int scene_file_open(scene_file *file, const char *given)
     file->name = path_stem(file->path);
     file->set_at = calloc(count, sizeof *file->set_at);
     if (!file->name || !file->set_at)
-        return fail_memory(count * sizeof *file->set_at);
+        return log_fail_memory(count * sizeof *file->set_at);
     return scene_ini_read(file);
 }
 
@@ -246,11 +248,11 @@ int scene_file_refuse(const scene_file *file, const tp_error *err)
     const uint32_t line = param ? file->set_at[param_row(param)] : 0;
     tp_error there = *err;
     if (line == SET_BY_COMMAND) {
-        fail_with_error(by(file), err);
+        log_fail_error(by(file), err);
         return EXIT_USAGE;
     }
     there.where = line;
-    return fail_with_error(line ? file->path : file->name, &there);
+    return log_fail_error(line ? file->path : file->name, &there);
 }
 
 void scene_file_who(const scene_file *file, const tp_param *param, char *text,

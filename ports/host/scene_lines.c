@@ -40,7 +40,7 @@ int scene_lines_read(scene_lines *l, const char *path)
     size_t room = 0;
     bool memory = true;
     if (!file)
-        return fail(EXIT_INPUT, "%s: %s", path, strerror(errno));
+        return log_fail(EXIT_INPUT, "%s: %s", path, strerror(errno));
     errno = 0;
     for (ssize_t n; memory && (n = getline(&text, &room, file)) > 0;)
         memory = add(l, text, (size_t)n);
@@ -48,8 +48,8 @@ int scene_lines_read(scene_lines *l, const char *path)
     fclose(file);
     free(text);
     if (!memory)
-        return fail_memory(room);
-    return error ? fail(EXIT_INPUT, "%s: %s", path, strerror(error)) : EXIT_DONE;
+        return log_fail_memory(room);
+    return error ? log_fail(EXIT_INPUT, "%s: %s", path, strerror(error)) : EXIT_DONE;
 }
 
 void scene_lines_free(scene_lines *l)

@@ -73,7 +73,8 @@ static char *format_saved_value(const save *s, const tp_param *param, uint32_t r
     tp_param_text(&s->file->scene, param, value, sizeof value);
     const char *text = long_name_whole(value);
     const bool by_command = s->file->set_at[row] == SET_BY_COMMAND;
-    if (!tp_param_is_file(param) || !text[0] || (!by_command && (!s->moved || text[0] == '/')))
+    if (!tp_param_is_file(param) || !text[0]
+        || (!by_command && (!s->moved || text[0] == '/')))
         return path_copy(text, strlen(text));
     char *target = scene_file_resolve_path(s->file, param);
     char *there = path_beside(s->name, text);
@@ -91,12 +92,14 @@ static int check_text(const save *s, const tp_param *param, const char *text)
 {
     bool white = true;
     if (tp_param_is_file(param) && strlen(text) >= PATH_MAX)
-        return fail(EXIT_INPUT, "%s: %s = %s: longer than %d bytes", s->name, param->name,
-                    text, PATH_MAX - 1);
+        return log_fail(EXIT_INPUT, "%s: %s = %s: longer than %d bytes", s->name,
+                        param->name, text, PATH_MAX - 1);
     for (const char *c = text; *c; white = isspace((unsigned char)*c++) != 0)
         if (*c == ';' && white)
-            return fail(EXIT_INPUT, "%s: %s = %s: \" ;\" begins a comment in an INI file;"
-                        " expected a text without it", s->name, param->name, text);
+            return log_fail(EXIT_INPUT,
+                            "%s: %s = %s: \" ;\" begins a comment in an INI file;"
+                            " expected a text without it",
+                            s->name, param->name, text);
     return EXIT_DONE;
 }
 
@@ -121,7 +124,7 @@ static int edit(save *s, const tp_param *param, uint32_t row, const char *text, 
     const bool done = s->at[row]
         ? scene_lines_replace(&s->lines, s->at[row], text, LINE_MOST)
         : scene_lines_append(&s->lines, param->name, text);
-    return done ? EXIT_DONE : fail_memory(strlen(text));
+    return done ? EXIT_DONE : log_fail_memory(strlen(text));
 }
 
 static int edit_all(save *s, bool away)
@@ -131,7 +134,8 @@ static int edit_all(save *s, bool away)
     int code = EXIT_DONE;
     for (uint32_t row = 0; row < count && !code; row++) {
         char *text = format_saved_value(s, &params[row], row);
-        code = text ? edit(s, &params[row], row, text, away) : fail_memory(TP_NAME_BYTES);
+        code = text ? edit(s, &params[row], row, text, away)
+                    : log_fail_memory(TP_NAME_BYTES);
         free(text);
     }
     return code;
@@ -141,12 +145,12 @@ static int edit_all(save *s, bool away)
 
 static int write_file(const save *s)
 {
-    output out;
-    const int code = output_open(&out, s->name);
+    output_file out;
+    const int code = output_file_open(&out, s->name);
     if (code)
         return code;
     scene_lines_write(&s->lines, out.file);
-    return output_close(&out);
+    return output_file_close(&out);
 }
 
 int scene_save(const scene_file *file, const char *name)
@@ -157,7 +161,7 @@ int scene_save(const scene_file *file, const char *name)
                .at = calloc(count, sizeof *s.at), .bad = calloc(count, sizeof *s.bad) };
     tp_scene_level(&s.filed);
     s.moved = !file->path || !path_same_folder(file->path, name);
-    int code = s.at && s.bad ? read_lines(&s) : fail_memory(count * sizeof *s.at);
+    int code = s.at && s.bad ? read_lines(&s) : log_fail_memory(count * sizeof *s.at);
     if (!code)
         code = edit_all(&s, false);
     if (!code)

@@ -28,7 +28,7 @@ typedef enum { TAKEN, EMPTY, FULL } fill;
 
 struct session {
     char   *folder, *ini;       /* ini: session.ini in the folder */
-    keep    keep;               /* .build and .failed */
+    snapshot_store    keep;               /* .build and .failed */
     bool    failed;             /* writing has failed, after a message */
     /* State to be written.  Owned by the thread while FULL, by session_put while TAKEN;
      * initially TAKEN, owned by the thread. */
@@ -82,7 +82,7 @@ static int write_file(session *s)
         return EXIT_DONE;
     const bool done = atomic_file_write(s->ini, s->text, strlen(s->text), "", 0);
     if (!done && !s->failed)
-        say("%s: cannot be saved: %s", s->ini, strerror(errno));
+        log_line("%s: cannot be saved: %s", s->ini, strerror(errno));
     s->failed = !done;
     if (done)
         remove_others(s);
@@ -95,11 +95,12 @@ static int write_both(session *s)
     const int lock = open(s->folder, O_RDONLY | O_CLOEXEC);
     if (lock >= 0)
         (void)flock(lock, LOCK_EX);
-    int code = name ? EXIT_DONE : fail_memory(strlen(s->folder));
+    int code = name ? EXIT_DONE : log_fail_memory(strlen(s->folder));
     s->keep.name = name;
     s->keep.scene = s->scene;
     if (!code)
-        code = keep_put(&s->keep, s->copy, s->bytes, (keep_at){ .frame = s->picture });
+        code = snapshot_write(&s->keep, s->copy, s->bytes,
+                              (snapshot_progress){ .frame = s->picture });
     if (!code)
         code = write_file(s);
     if (lock >= 0)
@@ -116,7 +117,7 @@ static void *work(void *user)
     static const tp_scene nothing;
     static const tp_assets none;
     session *s = user;
-    s->keep = keep_begin("", &nothing, &none);
+    s->keep = snapshot_begin("", &nothing, &none);
     pthread_mutex_lock(&s->mutex);
     s->state = EMPTY;
     pthread_cond_broadcast(&s->changed);
@@ -159,7 +160,7 @@ static bool take(session *s, const scene_file *file, const tp_assets *assets,
     const bool taken = text && copy_world(s, world, bytes);
     if (taken) {
         session_nameless(nameless, &file->scene);
-        keep_scene(&s->keep, nameless, assets);
+        snapshot_set_scene(&s->keep, nameless, assets);
         s->scene = s->keep.scene;
         s->picture = picture;
         s->world = name;
@@ -198,7 +199,7 @@ int session_put(session *s, const scene_file *file, const tp_assets *assets,
     s->state = TAKEN;
     pthread_mutex_unlock(&s->mutex);
     const int code = take(s, file, assets, world, bytes, picture) ? write_both(s)
-                                                                  : fail_memory(bytes);
+                                                                  : log_fail_memory(bytes);
     pthread_mutex_lock(&s->mutex);
     s->state = EMPTY;
     pthread_mutex_unlock(&s->mutex);
@@ -211,10 +212,10 @@ static void say_once(const char *folder, int why)
 {
     static bool said;
     if (!said && !folder && !why)
-        say("tidepool view: neither XDG_STATE_HOME nor HOME is set: nothing is saved"
-            " for --resume");
+        log_line("tidepool view: neither XDG_STATE_HOME nor HOME is set: nothing is saved"
+                 " for --resume");
     else if (!said)
-        say("tidepool view: %s: nothing is saved for --resume", strerror(why));
+        log_line("tidepool view: %s: nothing is saved for --resume", strerror(why));
     said = true;
 }
 
@@ -274,13 +275,13 @@ bool session_world(const tp_scene *scene, const tp_assets *assets, tp_world *wor
     char *path = text ? path_join(folder, name.name, "") : NULL;
     tp_scene *nameless = path ? malloc(sizeof *nameless) : NULL;
     bool taken = false;
-    keep_at at;
+    snapshot_progress at;
     if (nameless && access(path, F_OK) != 0) {
-        say("%s: %s: a fresh start", path, strerror(errno));
+        log_line("%s: %s: a fresh start", path, strerror(errno));
     } else if (nameless) {
         session_nameless(nameless, scene);
-        const keep k = keep_begin(path, nameless, assets);
-        taken = keep_take(&k, world, bytes, &at);
+        const snapshot_store k = snapshot_begin(path, nameless, assets);
+        taken = snapshot_read(&k, world, bytes, &at);
         *picture = taken ? at.frame : *picture;
     }
     free(nameless);

@@ -25,7 +25,7 @@ int  session_put(session *s, const scene_file *file, const tp_assets *assets,
 
 void session_end(session *s);
 
-/* The last kept state.  scene (the caller frees): argument for stage_open.  settings
+/* The last kept state.  scene (the caller frees): argument for loaded_scene_open.  settings
  * ("name=value", freed by session_free): to be set after it.  If no complete state is kept,
  * scene is NULL, after a message.  Returns EXIT_INPUT if the file cannot be read. */
 typedef struct {

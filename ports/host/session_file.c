@@ -176,12 +176,12 @@ char *session_load(const char *folder, session_world_name *world, int *code)
     char *text = file ? slurp(file) : NULL;
     *code = EXIT_DONE;
     if (!text && path && !file && (errno == ENOENT || errno == ENOTDIR)) {
-        say("%s: no saved state: a fresh start", path);
+        log_line("%s: no saved state: a fresh start", path);
     } else if (!text) {
-        *code = fail(EXIT_INPUT, "%s: %s: nothing to resume", path ? path : folder,
-                     strerror(errno));
+        *code = log_fail(EXIT_INPUT, "%s: %s: nothing to resume", path ? path : folder,
+                         strerror(errno));
     } else if (!is_whole(text, world)) {
-        say("%s: incomplete: a fresh start", path);
+        log_line("%s: incomplete: a fresh start", path);
         free(text);
         text = NULL;
     }
@@ -195,7 +195,7 @@ char *session_load(const char *folder, session_world_name *world, int *code)
 
 typedef struct {
     char    last[160];          /* name of the last line */
-    words   list;               /* "name=value", encoded */
+    string_list   list;               /* "name=value", encoded */
 } lines;
 
 static bool take(void *user, uint32_t line, const char *section, const char *name,
@@ -211,16 +211,16 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
     const size_t bytes = strlen(begin) + strlen(value) + 1;
     char *text = malloc(bytes);
     if (!text)
-        return fail_memory(bytes) == EXIT_DONE;
+        return log_fail_memory(bytes) == EXIT_DONE;
     strcpy(stpcpy(text, begin), value);
     if (goes_on) {
         free(l->list.of[l->list.count - 1]);
         l->list.of[l->list.count - 1] = text;
         return true;
     }
-    const bool added = words_add(&l->list, text, strlen(text));
+    const bool added = string_list_add(&l->list, text, strlen(text));
     free(text);
-    return added || fail_memory(bytes) == EXIT_DONE;
+    return added || log_fail_memory(bytes) == EXIT_DONE;
 }
 
 static void decode(char *text)
@@ -246,7 +246,7 @@ static int to_state(lines *l, session_state *state)
 {
     static const char scene[] = "session.scene=";
     if (l->list.count < 2 || strncmp(l->list.of[1], scene, strlen(scene)) != 0)
-        return fail(EXIT_INPUT, SESSION_INI ": no scene: nothing to resume");
+        return log_fail(EXIT_INPUT, SESSION_INI ": no scene: nothing to resume");
     for (size_t i = 0; i < l->list.count; i++)
         decode(l->list.of[i]);
     state->scene = path_copy(l->list.of[1] + strlen(scene),
@@ -256,8 +256,8 @@ static int to_state(lines *l, session_state *state)
     state->count = (uint32_t)l->list.count - 2;
     memmove(l->list.of, l->list.of + 2, state->count * sizeof *l->list.of);
     state->settings = l->list.of;
-    l->list = (words){ 0 };
-    return state->scene ? EXIT_DONE : fail_memory(TP_NAME_BYTES);
+    l->list = (string_list){ 0 };
+    return state->scene ? EXIT_DONE : log_fail_memory(TP_NAME_BYTES);
 }
 
 int session_read(session_state *state)
@@ -268,16 +268,16 @@ int session_read(session_state *state)
     *state = (session_state){ 0 };
     char *folder = session_folder(false, &why);
     if (!folder)
-        return fail(EXIT_DONE, "tidepool view: neither XDG_STATE_HOME nor HOME is set:"
+        return log_fail(EXIT_DONE, "tidepool view: neither XDG_STATE_HOME nor HOME is set:"
                     " a fresh start");
     int code;
     char *text = session_load(folder, &world, &code);
     char *path = text ? path_join(folder, SESSION_INI, "") : NULL;
     if (text)
-        code = path ? ini_read(path, take, &l) : fail_memory(strlen(folder));
+        code = path ? ini_read(path, take, &l) : log_fail_memory(strlen(folder));
     if (text && !code)
         code = to_state(&l, state);
-    words_free(&l.list);
+    string_list_free(&l.list);
     free(path);
     free(text);
     free(folder);

@@ -60,30 +60,30 @@ static bool is_device(const char *name)
     return stat(name, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode);
 }
 
-static int open_png(sink *s, const options *o)
+static int open_png(frame_sink *s, const options *o)
 {
     char name[NAME_BYTES];
     unsigned numbers;
-    s->kind = SINK_PNG;
+    s->kind = FRAME_SINK_PNG;
     if (!frame_name(o->out, o->last, name, &numbers))
-        return fail(EXIT_USAGE, "tidepool render: --out %s: write %%d or %%04d for the"
+        return log_fail(EXIT_USAGE, "tidepool render: --out %s: write %%d or %%04d for the"
                     " number, %%%% for a percent sign", o->out);
     if (!numbers && args_frames(o) > 1)
-        return fail(EXIT_USAGE, "tidepool render: --out %s: %u frames need a number in"
+        return log_fail(EXIT_USAGE, "tidepool render: --out %s: %u frames need a number in"
                     " the name, as in f-%%04d.png", o->out,
                     (unsigned)args_frames(o));
     return EXIT_DONE;
 }
 
-static int open_animation(sink *s, const options *o)
+static int open_animation(frame_sink *s, const options *o)
 {
-    s->kind = SINK_ANIMATION;
+    s->kind = FRAME_SINK_ANIMATION;
     return animation_open(&s->animation, s->out, args_frames(o), o->every);
 }
 
 /* Chooses the name.  A user's picture with the scene's name may exist: that file is
  * refused. */
-static int open_own(sink *s, const options *o)
+static int open_own(frame_sink *s, const options *o)
 {
     const bool many = args_frames(o) > 1;
     char *stem = path_stem(o->scene);
@@ -93,18 +93,18 @@ static int open_own(sink *s, const options *o)
         snprintf(s->own, room, "%s%s", stem, many ? ".apng" : ".png");
     free(stem);
     if (!s->own)
-        return fail_memory(room);
+        return log_fail_memory(room);
     if (access(s->own, F_OK) == 0 && !picture_is_ours(s->own))
-        return fail(EXIT_INPUT, "%s: exists, and tidepool did not make it; --out %s"
+        return log_fail(EXIT_INPUT, "%s: exists, and tidepool did not make it; --out %s"
                     " replaces it", s->own, s->own);
     s->out = s->own;
-    s->kind = SINK_PNG;
+    s->kind = FRAME_SINK_PNG;
     return many ? open_animation(s, o) : EXIT_DONE;
 }
 
-int sink_open(sink *s, const options *o)
+int frame_sink_open(frame_sink *s, const options *o)
 {
-    *s = (sink){ .options = o, .out = o->out };
+    *s = (frame_sink){ .options = o, .out = o->out };
     if (!o->out)
         return o->hash || o->stats || o->expect ? EXIT_DONE : open_own(s, o);
     if (path_ends(o->out, ".png"))
@@ -113,24 +113,25 @@ int sink_open(sink *s, const options *o)
         return open_animation(s, o);
     const bool to_stdout = strcmp(o->out, "-") == 0;
     if (!to_stdout && !path_ends(o->out, ".y4m") && !is_device(o->out))
-        return fail(EXIT_USAGE, "tidepool render: --out %s: a name ends in .png, .apng"
+        return log_fail(EXIT_USAGE, "tidepool render: --out %s: a name ends in .png, .apng"
                     " or .y4m, or is - for a film on standard output", o->out);
     if (to_stdout && isatty(STDOUT_FILENO))
-        return fail(EXIT_USAGE, "tidepool render: --out -: standard output is a terminal;"
-                    " send it to a file or a player");
-    s->kind = SINK_FILM;
+        return log_fail(EXIT_USAGE,
+                        "tidepool render: --out -: standard output is a terminal;"
+                        " send it to a file or a player");
+    s->kind = FRAME_SINK_FILM;
     return film_open(&s->film, o->out, o->width, o->height, o->every);
 }
 
-int sink_add(sink *s, const picture *p, uint32_t frame)
+int frame_sink_add(frame_sink *s, const picture *p, uint32_t frame)
 {
     char name[NAME_BYTES];
     unsigned numbers;
-    if (s->kind == SINK_FILM)
+    if (s->kind == FRAME_SINK_FILM)
         return film_add(&s->film, p);
-    if (s->kind == SINK_ANIMATION)
+    if (s->kind == FRAME_SINK_ANIMATION)
         return animation_add(&s->animation, p);
-    if (s->kind == SINK_NONE)
+    if (s->kind == FRAME_SINK_NONE)
         return EXIT_DONE;
     if (s->own)
         return picture_write_png(p, s->own);
@@ -138,27 +139,27 @@ int sink_add(sink *s, const picture *p, uint32_t frame)
     return picture_write_png(p, name);
 }
 
-static void say_own(const sink *s)
+static void say_own(const frame_sink *s)
 {
     const options *o = s->options;
     const unsigned last = (unsigned)(o->first + (args_frames(o) - 1) * o->every);
-    if (s->kind == SINK_PNG)
-        say("%s: frame %u, %ux%u", s->own, (unsigned)o->first, (unsigned)o->width,
-            (unsigned)o->height);
+    if (s->kind == FRAME_SINK_PNG)
+        log_line("%s: frame %u, %ux%u", s->own, (unsigned)o->first, (unsigned)o->width,
+                 (unsigned)o->height);
     else if (TP_TICKS_PER_SECOND % o->every == 0)
-        say("%s: frames %u..%u, %ux%u, %u a second", s->own, (unsigned)o->first, last,
+        log_line("%s: frames %u..%u, %ux%u, %u a second", s->own, (unsigned)o->first, last,
             (unsigned)o->width, (unsigned)o->height,
             (unsigned)(TP_TICKS_PER_SECOND / o->every));
     else
-        say("%s: frames %u..%u, %ux%u, each for %u/%u s", s->own, (unsigned)o->first,
-            last, (unsigned)o->width, (unsigned)o->height, (unsigned)o->every,
-            TP_TICKS_PER_SECOND);
+        log_line("%s: frames %u..%u, %ux%u, each for %u/%u s", s->own, (unsigned)o->first,
+                 last, (unsigned)o->width, (unsigned)o->height, (unsigned)o->every,
+                 TP_TICKS_PER_SECOND);
 }
 
-int sink_close(sink *s)
+int frame_sink_close(frame_sink *s)
 {
-    const int code = s->kind == SINK_FILM ? film_close(&s->film)
-                   : s->kind == SINK_ANIMATION ? animation_close(&s->animation)
+    const int code = s->kind == FRAME_SINK_FILM ? film_close(&s->film)
+                   : s->kind == FRAME_SINK_ANIMATION ? animation_close(&s->animation)
                    : EXIT_DONE;
     if (!code && s->own)
         say_own(s);
@@ -167,11 +168,11 @@ int sink_close(sink *s)
     return code;
 }
 
-void sink_discard(sink *s)
+void frame_sink_discard(frame_sink *s)
 {
-    if (s->kind == SINK_FILM)
+    if (s->kind == FRAME_SINK_FILM)
         film_discard(&s->film);
-    if (s->kind == SINK_ANIMATION)
+    if (s->kind == FRAME_SINK_ANIMATION)
         animation_discard(&s->animation);
     free(s->own);
     s->own = NULL;

@@ -15,15 +15,16 @@ typedef struct {
     const options *options;
     const char *out;            /* pattern of names, or name of the film */
     char       *own;            /* name chosen by the program, no pattern; or NULL */
-    enum { SINK_NONE, SINK_PNG, SINK_ANIMATION, SINK_FILM } kind;
+    enum { FRAME_SINK_NONE, FRAME_SINK_PNG, FRAME_SINK_ANIMATION, FRAME_SINK_FILM } kind;
     animation   animation;
     film        film;
-} sink;
+} frame_sink;
 
 /* Each function returns an exit code, and prints the reason of a failure.  The options must
  * outlive the sink.  The caller closes or discards the sink in every case. */
-int  sink_open(sink *s, const options *o);
-int  sink_add(sink *s, const picture *p, uint32_t frame);
-int  sink_close(sink *s);
-void sink_discard(sink *s);     /* discards an unfinished file; complete PNGs stay */
+int  frame_sink_open(frame_sink *s, const options *o);
+int  frame_sink_add(frame_sink *s, const picture *p, uint32_t frame);
+int  frame_sink_close(frame_sink *s);
+/* discards an unfinished file; complete PNGs stay */
+void frame_sink_discard(frame_sink *s);
 #endif

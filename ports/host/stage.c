@@ -10,7 +10,7 @@
 #include <string.h>
 #include "say.h"
 
-int stage_read(scene_file *file, const options *o)
+int loaded_scene_read(scene_file *file, const options *o)
 {
     int code = scene_file_open(file, o->scene);
     for (uint32_t i = 0; i < o->n_settings && !code; i++)
@@ -26,14 +26,14 @@ int stage_read(scene_file *file, const options *o)
 
 /* Reports clamped steepness with three decimals: in 16.16 a sum of decimal values as 0.4 is
  * not a round number. */
-static void report_clamps(const scene_file *file, const tp_sea *sea)
+static void report_clamps(const scene_file *file, const tp_deep_water *deep)
 {
     char sum[16];
-    if (!sea->clamped)
+    if (!deep->clamped)
         return;
-    const int64_t thousandths = ((int64_t)sea->steepness * 1000 + 0x8000) >> 16;
+    const int64_t thousandths = ((int64_t)deep->steepness * 1000 + 0x8000) >> 16;
     tp_fx_write((tp_fx)((thousandths * 65536 + 500) / 1000), sum);
-    say("%s: steepness sum %s is clamped to 0.95", file->name, sum);
+    log_line("%s: steepness sum %s is clamped to 0.95", file->name, sum);
 }
 
 /* True if the noise exceeds an eighth of the range: 8-bit cells then show little but their
@@ -56,45 +56,46 @@ static void report_noise(const scene_file *file, const tp_scene_pool *pool,
     while (is_noisy(thousandths * TP_FX_ONE / 1000, pool->damping))
         thousandths++;
     scene_file_who(file, tp_param_find(courant, strlen(courant)), who, sizeof who);
-    say("%s: 8-bit cells have noise of %d %% of their range; 0.%03d or more, or cells = 16,"
-        " gives less than 13 %%", who, (int)((noise * 100 / 127 + 0xffff) >> 16),
-        thousandths);
+    log_line("%s: 8-bit cells have noise of %d %% of their range; 0.%03d or more, or "
+             "cells = 16,"
+             " gives less than 13 %%",
+             who, (int)((noise * 100 / 127 + 0xffff) >> 16), thousandths);
 }
 
-void stage_report(const scene_file *file, const tp_sea *sea)
+void loaded_scene_report_clamps(const scene_file *file, const tp_deep_water *deep)
 {
-    report_clamps(file, sea);
+    report_clamps(file, deep);
     report_noise(file, &file->scene.pool, "pool.courant");
     report_noise(file, &file->scene.field, "field.courant");
 }
 
-int stage_load_assets(asset_set *a, const scene_file *file, const options *o)
+int loaded_scene_load_assets(asset_set *a, const scene_file *file, const options *o)
 {
     return assets_load(a, file, &(assets_options){
         .texels = o->texels, .strict = o->strict, .quiet = o->quiet });
 }
 
-int stage_load(stage *s, const options *o)
+int loaded_scene_load(loaded_scene *s, const options *o)
 {
     memset(s, 0, sizeof *s);
-    int code = stage_read(&s->file, o);
+    int code = loaded_scene_read(&s->file, o);
     if (!code)
-        code = stage_load_assets(&s->assets, &s->file, o);
+        code = loaded_scene_load_assets(&s->assets, &s->file, o);
     if (!code)
-        code = stage_world(s);
+        code = loaded_scene_make_world(s);
     if (!code && !o->quiet)
-        stage_report(&s->file, &s->world->sea);
+        loaded_scene_report_clamps(&s->file, &s->world->deep);
     return code;
 }
 
-int stage_open(stage *s, const options *o)
+int loaded_scene_open(loaded_scene *s, const options *o)
 {
-    const int code = stage_load(s, o);
-    return code ? code : stage_canvas(s, o);
+    const int code = loaded_scene_load(s, o);
+    return code ? code : loaded_scene_open_renderer(s, o);
 }
 
-tp_world *stage_new_world(const tp_scene *scene, const tp_assets *names, size_t *bytes,
-                          tp_error *err)
+tp_world *loaded_scene_new_world(const tp_scene *scene, const tp_assets *names,
+                                 size_t *bytes, tp_error *err)
 {
     *bytes = tp_world_bytes(&tp_program_all, scene, names);
     tp_world *world = malloc(*bytes > sizeof *world ? *bytes : sizeof *world);
@@ -105,44 +106,45 @@ tp_world *stage_new_world(const tp_scene *scene, const tp_assets *names, size_t 
     return NULL;
 }
 
-void stage_take_world(stage *s, tp_world *world, size_t bytes)
+void loaded_scene_take_world(loaded_scene *s, tp_world *world, size_t bytes)
 {
     free(s->world);
     s->world = world;
     s->world_bytes = bytes;
 }
 
-int stage_world(stage *s)
+int loaded_scene_make_world(loaded_scene *s)
 {
     tp_error err = { 0 };
     size_t bytes;
-    tp_world *world = stage_new_world(&s->file.scene, &s->assets.names, &bytes, &err);
+    tp_world *world =
+        loaded_scene_new_world(&s->file.scene, &s->assets.names, &bytes, &err);
     if (!world)
-        return err.code ? scene_file_refuse(&s->file, &err) : fail_memory(bytes);
-    stage_take_world(s, world, bytes);
+        return err.code ? scene_file_refuse(&s->file, &err) : log_fail_memory(bytes);
+    loaded_scene_take_world(s, world, bytes);
     return EXIT_DONE;
 }
 
 /* Returns the memory that a board needs beside the picture, bytes. */
-static size_t board_memory_bytes(const canvas *c, size_t world_bytes)
+static size_t board_memory_bytes(const frame_renderer *c, size_t world_bytes)
 {
     return c->frame_bytes + world_bytes + c->scratch_bytes;
 }
 
 /* Chooses streaming of grid vertices if memory does not suffice for storing them. */
-static void choose_store(canvas *c, const tp_scene *scene, const tp_assets *names,
+static void choose_store(frame_renderer *c, const tp_scene *scene, const tp_assets *names,
                          size_t world_bytes, const options *o)
 {
     c->stream = o->stream;
-    canvas_count(c, scene, names);
+    frame_renderer_measure(c, scene, names);
     if (o->memory && board_memory_bytes(c, world_bytes) > o->memory) {
         c->stream = true;
-        canvas_count(c, scene, names);
+        frame_renderer_measure(c, scene, names);
     }
 }
 
 /* Checks --memory.  Meshes and textures are not counted: on a board they may be in ROM. */
-static int check_memory(const stage *s, const canvas *c, const asset_set *a,
+static int check_memory(const loaded_scene *s, const frame_renderer *c, const asset_set *a,
                         size_t world_bytes, uint64_t allowed)
 {
     const size_t named = a->mesh_bytes + a->texture_bytes;
@@ -153,13 +155,15 @@ static int check_memory(const stage *s, const canvas *c, const asset_set *a,
     if (named)
         snprintf(rom, sizeof rom, "; %zu bytes of pictures and mesh are not counted",
                  named);
-    return fail(EXIT_INPUT, "%s needs %zu bytes (frame %zu, world %zu, scratch %zu),"
-                " --memory allows %" PRIu64 "%s", s->file.name, bytes, c->frame_bytes,
-                world_bytes, c->scratch_bytes, allowed, rom);
+    return log_fail(EXIT_INPUT,
+                    "%s needs %zu bytes (frame %zu, world %zu, scratch %zu),"
+                    " --memory allows %" PRIu64 "%s",
+                    s->file.name, bytes, c->frame_bytes, world_bytes, c->scratch_bytes,
+                    allowed, rom);
 }
 
-int stage_plan(const stage *s, const options *o, const asset_set *a, size_t world_bytes,
-               canvas *c)
+int loaded_scene_plan_renderer(const loaded_scene *s, const options *o,
+                               const asset_set *a, size_t world_bytes, frame_renderer *c)
 {
     const tp_config config = {
         .width = o->width,
@@ -168,30 +172,32 @@ int stage_plan(const stage *s, const options *o, const asset_set *a, size_t worl
         .tile_height = o->band,
         .format = o->format,
     };
-    canvas_plan(c, &config, o->threads);
+    frame_renderer_plan(c, &config, o->threads);
     if (o->machine)
         c->machine = o->machine;
     choose_store(c, &s->file.scene, &a->names, world_bytes, o);
     return check_memory(s, c, a, world_bytes, o->memory);
 }
 
-tp_ladder stage_ladder(const stage *s)
+tp_ladder loaded_scene_ladder(const loaded_scene *s)
 {
-    return tp_ladder_make(&s->file.scene, &s->assets.names, s->canvas.config.width,
-                          s->canvas.config.height);
+    return tp_ladder_make(&s->file.scene, &s->assets.names, s->renderer.config.width,
+                          s->renderer.config.height);
 }
 
-int stage_canvas(stage *s, const options *o)
+int loaded_scene_open_renderer(loaded_scene *s, const options *o)
 {
-    canvas_close(&s->canvas);
-    const int code = stage_plan(s, o, &s->assets, s->world_bytes, &s->canvas);
-    s->ladder = stage_ladder(s);
-    return code ? code : canvas_open(&s->canvas, &s->file.scene, &s->assets.names);
+    frame_renderer_close(&s->renderer);
+    const int code =
+        loaded_scene_plan_renderer(s, o, &s->assets, s->world_bytes, &s->renderer);
+    s->ladder = loaded_scene_ladder(s);
+    return code ? code
+                : frame_renderer_open(&s->renderer, &s->file.scene, &s->assets.names);
 }
 
-void stage_close(stage *s)
+void loaded_scene_close(loaded_scene *s)
 {
-    canvas_close(&s->canvas);
+    frame_renderer_close(&s->renderer);
     free(s->world);
     assets_close(&s->assets);
     scene_file_close(&s->file);

@@ -28,9 +28,9 @@ static uint32_t param_row(const tp_param *param)
     return (uint32_t)(param - tp_params(&count));
 }
 
-stage_value stage_get(const stage *s, const tp_param *param)
+loaded_scene_value loaded_scene_get(const loaded_scene *s, const tp_param *param)
 {
-    stage_value value = { .set_at = s->file.set_at[param_row(param)] };
+    loaded_scene_value value = { .set_at = s->file.set_at[param_row(param)] };
     tp_param_text(&s->file.scene, param, value.text, sizeof value.text);
     return value;
 }
@@ -41,20 +41,20 @@ static int refuse_change(const change *c, const tp_error *err)
 {
     if (c->later && err->code)
         return LATER;
-    return err->code ? fail_with_error(c->place, err) : fail_memory(c->world_bytes);
+    return err->code ? log_fail_error(c->place, err) : log_fail_memory(c->world_bytes);
 }
 
-static const asset_set *current_assets(const stage *s, const change *c)
+static const asset_set *current_assets(const loaded_scene *s, const change *c)
 {
     return c->loaded ? c->loaded : &s->assets;
 }
 
-static int load_anew(const stage *s, change *c)
+static int load_anew(const loaded_scene *s, change *c)
 {
     asset_set *loaded = calloc(1, sizeof *loaded);
     if (!loaded)
-        return fail_memory(sizeof *loaded);
-    if (stage_load_assets(loaded, &s->file, c->o)) {
+        return log_fail_memory(sizeof *loaded);
+    if (loaded_scene_load_assets(loaded, &s->file, c->o)) {
         free(loaded);
         return EXIT_INPUT;
     }
@@ -62,17 +62,17 @@ static int load_anew(const stage *s, change *c)
     return EXIT_DONE;
 }
 
-static int check_assets(const stage *s, const change *c)
+static int check_assets(const loaded_scene *s, const change *c)
 {
     const char *lacking = assets_lack(&s->assets, &s->file);
     return !lacking ? EXIT_DONE : c->later ? LATER : assets_refuse(&s->file, lacking);
 }
 
-static int world_anew(const stage *s, change *c)
+static int world_anew(const loaded_scene *s, change *c)
 {
     tp_error err = { 0 };
-    c->world = stage_new_world(&s->file.scene, &current_assets(s, c)->names,
-                               &c->world_bytes, &err);
+    c->world = loaded_scene_new_world(&s->file.scene, &current_assets(s, c)->names,
+                                      &c->world_bytes, &err);
     if (!c->world)
         return refuse_change(c, &err);
     setting_carry(c->world, s->world);
@@ -81,19 +81,19 @@ static int world_anew(const stage *s, change *c)
 
 /* Plans the new canvas.  A picture beyond --memory is refused while the old canvas still
  * exists.  A bad scene is not reported here: making the world reports the error. */
-static int plan_anew(const stage *s, change *c)
+static int plan_anew(const loaded_scene *s, change *c)
 {
     const asset_set *a = current_assets(s, c);
     const size_t world_bytes = tp_world_bytes(&tp_program_all, &s->file.scene, &a->names);
-    canvas plan;
-    if (!s->canvas.frame || world_bytes == 0)
+    frame_renderer plan;
+    if (!s->renderer.frame || world_bytes == 0)
         return EXIT_DONE;
-    const int code = stage_plan(s, c->o, a, world_bytes, &plan);
+    const int code = loaded_scene_plan_renderer(s, c->o, a, world_bytes, &plan);
     c->frame_bytes = plan.frame_bytes;
     return code;
 }
 
-static int take_change(stage *s, change *c)
+static int take_change(loaded_scene *s, change *c)
 {
     tp_error err = { 0 };
     c->result = setting_take(&tp_program_all, &s->file.scene, s->world, &s->assets.names,
@@ -102,7 +102,7 @@ static int take_change(stage *s, change *c)
          : c->result == SETTING_DONE    ? EXIT_DONE : world_anew(s, c);
 }
 
-static int try_change(stage *s, change *c, const stage_value *value)
+static int try_change(loaded_scene *s, change *c, const loaded_scene_value *value)
 {
     tp_error err = { 0 };
     if (tp_param_set(&s->file.scene, c->param, value->text, strlen(value->text), &err))
@@ -118,16 +118,16 @@ static int try_change(stage *s, change *c, const stage_value *value)
 
 /* True if the ladder changes.  Frames get their plan when opened: calm water that becomes
  * rough may need other rungs. */
-static bool changes_plan(const stage *s)
+static bool changes_plan(const loaded_scene *s)
 {
-    const tp_ladder now = stage_ladder(s);
+    const tp_ladder now = loaded_scene_ladder(s);
     return now.count != s->ladder.count
         || memcmp(now.rung, s->ladder.rung, now.count * sizeof *now.rung) != 0;
 }
 
-static bool needs_canvas(const stage *s, const change *c)
+static bool needs_canvas(const loaded_scene *s, const change *c)
 {
-    const canvas *now = &s->canvas;
+    const frame_renderer *now = &s->renderer;
     if (!now->frame)
         return false;
     return c->result != SETTING_DONE || setting_is_grid(c->param)
@@ -136,21 +136,21 @@ static bool needs_canvas(const stage *s, const change *c)
 }
 
 /* Applies the change.  Only lack of memory for the canvas can still fail. */
-static int do_change(stage *s, change *c, bool *opened)
+static int do_change(loaded_scene *s, change *c, bool *opened)
 {
     const bool again = needs_canvas(s, c);
     if (c->loaded)
         assets_move(&s->assets, c->loaded);
     if (c->world)
-        stage_take_world(s, c->world, c->world_bytes);
+        loaded_scene_take_world(s, c->world, c->world_bytes);
     c->world = NULL;
     *opened = again || *opened;
-    return again ? stage_canvas(s, c->o) : EXIT_DONE;
+    return again ? loaded_scene_open_renderer(s, c->o) : EXIT_DONE;
 }
 
-static int put(stage *s, change *c, const stage_value *value, bool *opened)
+static int put(loaded_scene *s, change *c, const loaded_scene_value *value, bool *opened)
 {
-    const stage_value before = stage_get(s, c->param);
+    const loaded_scene_value before = loaded_scene_get(s, c->param);
     s->file.by = c->place;
     int code = try_change(s, c, value);
     s->file.by = NULL;
@@ -168,8 +168,8 @@ static int put(stage *s, change *c, const stage_value *value, bool *opened)
     return code;
 }
 
-int stage_put(stage *s, const options *o, const char *place, const tp_param *param,
-              const stage_value *value, bool *opened)
+int loaded_scene_put(loaded_scene *s, const options *o, const char *place,
+                     const tp_param *param, const loaded_scene_value *value, bool *opened)
 {
     change c = { .o = o, .place = place, .param = param };
     return put(s, &c, value, opened);
@@ -178,40 +178,40 @@ int stage_put(stage *s, const options *o, const char *place, const tp_param *par
 /* -- by name ----------------------------------------------------------------------- */
 
 /* Returns the value set by hand, without the white space around it. */
-static stage_value normalise_value(const tp_param *param, const char *text)
+static loaded_scene_value normalise_value(const tp_param *param, const char *text)
 {
     tp_scene scene = { .title = "" };
-    stage_value value = { .set_at = SET_BY_COMMAND };
+    loaded_scene_value value = { .set_at = SET_BY_COMMAND };
     (void)tp_param_set(&scene, param, text, strlen(text), NULL);
     tp_param_text(&scene, param, value.text, sizeof value.text);
     return value;
 }
 
-static int set(stage *s, const options *o, const stage_setting *setting, bool later,
-               bool *opened)
+static int set(loaded_scene *s, const options *o, const loaded_scene_setting *setting,
+               bool later, bool *opened)
 {
     const char *text;
     change c = { .o = o, .place = setting->place, .later = later,
                  .param = scene_file_check(setting->place, setting->setting, &text) };
     if (!c.param)
         return EXIT_INPUT;
-    const stage_value value = normalise_value(c.param, text);
+    const loaded_scene_value value = normalise_value(c.param, text);
     return put(s, &c, &value, opened);
 }
 
-int stage_set(stage *s, const options *o, const char *place, const char *setting,
-              bool *opened)
+int loaded_scene_set(loaded_scene *s, const options *o, const char *place,
+                     const char *setting, bool *opened)
 {
-    const stage_setting one = { place, setting };
+    const loaded_scene_setting one = { place, setting };
     return set(s, o, &one, false, opened);
 }
 
 /* Makes passes over the remaining values as long as a pass sets at least one value. */
-int stage_set_all(stage *s, const options *o, const stage_setting *all, size_t count,
-                  bool *opened)
+int loaded_scene_set_all(loaded_scene *s, const options *o,
+                         const loaded_scene_setting *all, size_t count, bool *opened)
 {
     bool *done = calloc(count ? count : 1, sizeof *done), later = true;
-    int code = done ? EXIT_DONE : fail_memory(count);
+    int code = done ? EXIT_DONE : log_fail_memory(count);
     for (size_t left = done ? count : 0; left > 0;) {
         const size_t before = left;
         for (size_t i = 0; i < count; i++) {

@@ -195,7 +195,7 @@ static const tp_use *timed_list(const tp_use *list)
 }
 
 /* Replaces the stages; a stage that the program lacks stays NULL. */
-void stopwatch_use(canvas *c, bool on)
+void stopwatch_use(frame_renderer *c, bool on)
 {
     const tp_program *its = c->machine->program;
 

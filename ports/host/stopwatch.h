@@ -15,7 +15,7 @@ extern const uint32_t    stopwatch_stages;
  * call between pictures, and again after the canvas has been reopened.  Pictures keep their
  * bits.  Times of all threads are summed.  Canvases timed at the same time must have the
  * same machine. */
-void     stopwatch_use(canvas *c, bool on);
+void     stopwatch_use(frame_renderer *c, bool on);
 void     stopwatch_zero(void);
 uint64_t stopwatch_ns(uint32_t stage);          /* time since the last zero, ns */
 #endif

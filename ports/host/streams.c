@@ -10,7 +10,7 @@
 #include <unistd.h>
 #include "say.h"
 
-void begin_streams(void)
+void streams_begin(void)
 {
     for (int fd = 0; fd <= STDERR_FILENO; fd++)
         if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", fd ? O_RDONLY : O_WRONLY) != fd)
@@ -20,11 +20,11 @@ void begin_streams(void)
 
 /* Flushes standard output.  After an earlier failed write, the flush of the rest gives the
  * reason. */
-int finish_stdout(void)
+int streams_finish(void)
 {
     errno = 0;
     const bool flushed = fflush(stdout) == 0;
     if (flushed && !ferror(stdout))
         return EXIT_DONE;
-    return fail(EXIT_INPUT, "standard output: %s", strerror(errno ? errno : EIO));
+    return log_fail(EXIT_INPUT, "standard output: %s", strerror(errno ? errno : EIO));
 }

@@ -12,12 +12,12 @@
 #include "path.h"
 #include "screen/show.h"
 
-static bool add(words *list, const char *word)
+static bool add(string_list *list, const char *word)
 {
-    return words_add(list, word, strlen(word));
+    return string_list_add(list, word, strlen(word));
 }
 
-static bool add_formats(words *list)
+static bool add_formats(string_list *list)
 {
     bool done = true;
     for (int i = 0; i < TP_FORMAT_COUNT; i++)
@@ -25,12 +25,12 @@ static bool add_formats(words *list)
     return done;
 }
 
-static bool add_visibility(words *list)
+static bool add_visibility(string_list *list)
 {
-    return words_cut(list, tp_param_find("quality.visibility", 18)->unit, "|");
+    return string_list_split(list, tp_param_find("quality.visibility", 18)->unit, "|");
 }
 
-static bool add_machines(words *list)
+static bool add_machines(string_list *list)
 {
     size_t count;
     bool done = true;
@@ -40,7 +40,7 @@ static bool add_machines(words *list)
     return done;
 }
 
-static bool add_works(words *list)
+static bool add_works(string_list *list)
 {
     bool done = true;
     for (int i = 0; i < BENCH_WORKS; i++)
@@ -49,23 +49,23 @@ static bool add_works(words *list)
 }
 
 /* Adds the names in "fb or kms" that are built in. */
-static bool add_ports(words *list)
+static bool add_ports(string_list *list)
 {
-    words all = { 0 };
-    bool done = words_cut(&all, SHOW_PORTS, " ");
+    string_list all = { 0 };
+    bool done = string_list_split(&all, SHOW_PORTS, " ");
     for (size_t i = 0; i < all.count; i++)
         if (show_port(all.of[i]))
             done = done && add(list, all.of[i]);
-    words_free(&all);
+    string_list_free(&all);
     return done;
 }
 
-static bool add_shells(words *list)
+static bool add_shells(string_list *list)
 {
-    return words_cut(list, "bash zsh fish", " ");
+    return string_list_split(list, "bash zsh fish", " ");
 }
 
-static bool add_commands(words *list)
+static bool add_commands(string_list *list)
 {
     bool done = true;
     for (size_t i = 0; i < command_count; i++)
@@ -73,7 +73,7 @@ static bool add_commands(words *list)
     return done;
 }
 
-static bool add_scenes(words *list)
+static bool add_scenes(string_list *list)
 {
     size_t count = 0;
     bool done = true;
@@ -87,7 +87,7 @@ static bool add_scenes(words *list)
 }
 
 /* Adds the groups of all parameters, as "wave0.", each once. */
-static bool add_groups(words *list)
+static bool add_groups(string_list *list)
 {
     uint32_t count;
     bool done = true;
@@ -95,24 +95,24 @@ static bool add_groups(words *list)
     for (uint32_t i = 0; i < count && done; i++) {
         const size_t bytes = strcspn(of[i].name, ".") + 1;
         if (i == 0 || strncmp(of[i].name, of[i - 1].name, bytes) != 0)
-            done = words_add(list, of[i].name, bytes);
+            done = string_list_add(list, of[i].name, bytes);
     }
     return done;
 }
 
 static const struct {
     const char *word;
-    takes       kind;
-    bool      (*fill)(words *list);
+    argument_type       kind;
+    bool      (*fill)(string_list *list);
 } rows[] = {
-    { "SCENE", TAKES_SCENE, add_scenes },  { "FORMAT", TAKES_WORD, add_formats },
-    { "HOW", TAKES_WORD, add_visibility }, { "MACHINE", TAKES_WORD, add_machines },
-    { "WORK", TAKES_WORD, add_works },     { "PORT", TAKES_WORD, add_ports },
-    { "SHELL", TAKES_WORD, add_shells },   { "COMMAND", TAKES_WORD, add_commands },
-    { "GROUP", TAKES_WORD, add_groups },   { "NAME=VALUE", TAKES_SETTING, NULL },
-    { "FILE", TAKES_FILE, NULL },          { "FILM.y4m", TAKES_FILE, NULL },
-    { "PATH", TAKES_FILE, NULL },          { "DIR", TAKES_FOLDER, NULL },
-    { "FOLDER", TAKES_FOLDER, NULL },
+    { "SCENE", ARGUMENT_SCENE, add_scenes },  { "FORMAT", ARGUMENT_WORD, add_formats },
+    { "HOW", ARGUMENT_WORD, add_visibility }, { "MACHINE", ARGUMENT_WORD, add_machines },
+    { "WORK", ARGUMENT_WORD, add_works },     { "PORT", ARGUMENT_WORD, add_ports },
+    { "SHELL", ARGUMENT_WORD, add_shells },   { "COMMAND", ARGUMENT_WORD, add_commands },
+    { "GROUP", ARGUMENT_WORD, add_groups },   { "NAME=VALUE", ARGUMENT_SETTING, NULL },
+    { "FILE", ARGUMENT_FILE, NULL },          { "FILM.y4m", ARGUMENT_FILE, NULL },
+    { "PATH", ARGUMENT_FILE, NULL },          { "DIR", ARGUMENT_FOLDER, NULL },
+    { "FOLDER", ARGUMENT_FOLDER, NULL },
 };
 
 #define ROWS (sizeof rows / sizeof *rows)
@@ -128,25 +128,25 @@ static size_t find(const char *word)
     return ROWS;
 }
 
-takes takes_find_kind(const char *word)
+argument_type argument_type_find(const char *word)
 {
     const size_t i = find(word);
-    return i < ROWS ? rows[i].kind : TAKES_ANY;
+    return i < ROWS ? rows[i].kind : ARGUMENT_ANY;
 }
 
-bool takes_words(words *list, const char *word)
+bool argument_type_words(string_list *list, const char *word)
 {
     const size_t i = find(word);
     return i == ROWS || !rows[i].fill || rows[i].fill(list);
 }
 
-const char *takes_choice(const tp_param *param)
+const char *argument_type_choices(const tp_param *param)
 {
     return param->kind == TP_PARAM_CHOICE ? param->unit
          : param->kind == TP_PARAM_BOOL ? "off|on" : NULL;
 }
 
-void takes_range(const tp_param *param, char *text, size_t bytes)
+void argument_type_describe_range(const tp_param *param, char *text, size_t bytes)
 {
     char low[32], high[32];
     switch (param->kind) {
@@ -157,7 +157,7 @@ void takes_range(const tp_param *param, char *text, size_t bytes)
         snprintf(text, bytes, "%s..%s", low, high);
         break;
     case TP_PARAM_BOOL:
-    case TP_PARAM_CHOICE:  snprintf(text, bytes, "%s", takes_choice(param)); break;
+    case TP_PARAM_CHOICE:  snprintf(text, bytes, "%s", argument_type_choices(param)); break;
     case TP_PARAM_COLOUR:  snprintf(text, bytes, "#rrggbb"); break;
     case TP_PARAM_MESH:    snprintf(text, bytes, "an OBJ file"); break;
     case TP_PARAM_TEXTURE:

@@ -9,24 +9,24 @@
 #include "words.h"
 
 typedef enum {
-    TAKES_ANY,                  /* number or free name: nothing to complete */
-    TAKES_WORD,                 /* one of takes_words */
-    TAKES_SCENE,                /* one of takes_words, or an INI file */
-    TAKES_FILE,
-    TAKES_FOLDER,
-    TAKES_SETTING
-} takes;
+    ARGUMENT_ANY,                  /* number or free name: nothing to complete */
+    ARGUMENT_WORD,                 /* one of argument_type_words */
+    ARGUMENT_SCENE,                /* one of argument_type_words, or an INI file */
+    ARGUMENT_FILE,
+    ARGUMENT_FOLDER,
+    ARGUMENT_SETTING
+} argument_type;
 
 /* Returns the type of a placeholder.  Brackets, dots and further words are ignored:
  * "[SCENE] [OPTION]..." means SCENE. */
-takes takes_find_kind(const char *word);
+argument_type argument_type_find(const char *word);
 
 /* Adds the possible words; false: no memory. */
-bool takes_words(words *list, const char *word);
+bool argument_type_words(string_list *list, const char *word);
 
 /* Writes a parameter's values: "0..1", "nearest|linear", "a PNG file". */
-void takes_range(const tp_param *param, char *text, size_t bytes);
+void argument_type_describe_range(const tp_param *param, char *text, size_t bytes);
 
 /* Returns the values of a switch or choice, "off|on"; NULL: not a list. */
-const char *takes_choice(const tp_param *param);
+const char *argument_type_choices(const tp_param *param);
 #endif

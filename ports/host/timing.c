@@ -86,7 +86,7 @@ void progress_show(progress *p, uint32_t done, uint32_t total)
         return;
     snprintf(text, sizeof text, "frame %u of %u, %u%%, about %u s left", (unsigned)done,
              (unsigned)total, (unsigned)((uint64_t)done * 100 / total), left);
-    say_progress(text);
+    log_progress(text);
 }
 
 void progress_figure(progress *p, uint32_t done, uint32_t total, const char *what,
@@ -98,7 +98,7 @@ void progress_figure(progress *p, uint32_t done, uint32_t total, const char *wha
         return;
     snprintf(text, sizeof text, "figure %u of %u: %s by %.24s, about %u s left",
              (unsigned)done + 1, (unsigned)total, what, by, left);
-    say_progress(text);
+    log_progress(text);
 }
 
 void progress_jobs(progress *p, uint32_t done, uint32_t total, const char *what)
@@ -112,5 +112,5 @@ void progress_jobs(progress *p, uint32_t done, uint32_t total, const char *what)
     const int part = (int)((uint64_t)done * (unsigned)width / (total ? total : 1));
     snprintf(text, sizeof text, "[%.*s%.*s] %u of %u %.16s, about %u s left", part, full,
              width - part, empty, (unsigned)done, (unsigned)total, what, left);
-    say_progress(text);
+    log_progress(text);
 }

@@ -13,10 +13,11 @@
 #define BLOCK  4                /* width and height of a block of the coarse pass, px */
 #define BEHIND 10               /* nice value of the thread, below the preview's threads */
 
-static const uint32_t samples_of[] = { [TRACER_COARSE] = 1, [TRACER_1] = 1, [TRACER_4] = 4,
-                                       [TRACER_16] = 16 };
+static const uint32_t samples_of[] = {
+    [REFERENCE_COARSE] = 1, [REFERENCE_1] = 1, [REFERENCE_4] = 4, [REFERENCE_16] = 16
+};
 
-struct tracer {
+struct reference_thread {
     tp_scene   scene;           /* copies for the thread ... */
     tp_world  *world;
     size_t     world_bytes;
@@ -25,18 +26,18 @@ struct tracer {
     uint32_t  *ours;            /* ... and the picture for comparison */
     ref_pace   pace;
     atomic_uint height_now;     /* height of the pass, rows */
-    tracer_pass first;
-    atomic_uint draws;          /* tracer_pass in progress */
+    reference_pass first;
+    atomic_uint draws;          /* reference_pass in progress */
     pthread_t  thread;
     pthread_mutex_t lock;       /* guards the last finished picture: */
     uint32_t  *pixel;
-    tracer_pass last;
+    reference_pass last;
     bool       taken;
 };
 
-static void publish(tracer *t, const ref_image *image, tracer_pass pass)
+static void publish(reference_thread *t, const ref_image *image, reference_pass pass)
 {
-    const uint32_t block = pass == TRACER_COARSE ? BLOCK : 1;
+    const uint32_t block = pass == REFERENCE_COARSE ? BLOCK : 1;
 
     pthread_mutex_lock(&t->lock);
     for (uint32_t y = 0; y < t->height; y++)
@@ -49,9 +50,9 @@ static void publish(tracer *t, const ref_image *image, tracer_pass pass)
 }
 
 /* Draws a pass with half of the processors; the preview needs the others. */
-static bool draw_pass(tracer *t, tracer_pass pass)
+static bool draw_pass(reference_thread *t, reference_pass pass)
 {
-    const uint32_t block = pass == TRACER_COARSE ? BLOCK : 1;
+    const uint32_t block = pass == REFERENCE_COARSE ? BLOCK : 1;
     const uint32_t width = (t->width + block - 1) / block;
     const uint32_t height = (t->height + block - 1) / block;
     ref_scene scene;
@@ -62,7 +63,7 @@ static bool draw_pass(tracer *t, tracer_pass pass)
     atomic_store(&t->draws, pass);
     ref_scene_open(&scene, &t->scene, t->assets, t->world, width, height, false);
     const bool done = ref_image_draw_at(&image, &scene, width, height, samples_of[pass],
-                                        (crew_usual() + 1) / 2, &t->pace);
+                                        (thread_pool_default_size() + 1) / 2, &t->pace);
     ref_scene_close(&scene);
     if (done) {
         publish(t, &image, pass);
@@ -82,19 +83,19 @@ static void step_back(void)
 
 static void *live(void *user)
 {
-    tracer *t = user;
+    reference_thread *t = user;
     bool goes_on = true;
 
     step_back();
-    for (tracer_pass pass = t->first; pass <= TRACER_16 && goes_on; pass++)
+    for (reference_pass pass = t->first; pass <= REFERENCE_16 && goes_on; pass++)
         goes_on = draw_pass(t, pass);
-    atomic_store(&t->draws, TRACER_NONE);
+    atomic_store(&t->draws, REFERENCE_NONE);
     return NULL;
 }
 
 /* -- interface ----------------------------------------------------------------------- */
 
-static void discard(tracer *t)
+static void discard(reference_thread *t)
 {
     free(t->world);
     free(t->ours);
@@ -103,9 +104,9 @@ static void discard(tracer *t)
     free(t);
 }
 
-static bool copy(tracer *t, const stage *s)
+static bool copy(reference_thread *t, const loaded_scene *s)
 {
-    const picture *p = &s->canvas.picture;
+    const picture *p = &s->renderer.picture;
     const size_t pixels = (size_t)p->width * p->height;
 
     t->scene = s->file.scene;
@@ -124,16 +125,16 @@ static bool copy(tracer *t, const stage *s)
     return true;
 }
 
-tracer *tracer_begin(const stage *s, bool coarse)
+reference_thread *reference_thread_begin(const loaded_scene *s, bool coarse)
 {
-    tracer *t = calloc(1, sizeof *t);
+    reference_thread *t = calloc(1, sizeof *t);
 
     if (!t)
         return NULL;
     pthread_mutex_init(&t->lock, NULL);
     atomic_init(&t->pace.rows, 0);
     atomic_init(&t->pace.stop, false);
-    t->first = coarse ? TRACER_COARSE : TRACER_1;
+    t->first = coarse ? REFERENCE_COARSE : REFERENCE_1;
     atomic_init(&t->draws, t->first);
     atomic_init(&t->height_now, 1);
     if (copy(t, s) && pthread_create(&t->thread, NULL, live, t) == 0)
@@ -142,7 +143,7 @@ tracer *tracer_begin(const stage *s, bool coarse)
     return NULL;
 }
 
-void tracer_end(tracer *t)
+void reference_thread_end(reference_thread *t)
 {
     if (!t)
         return;
@@ -151,12 +152,12 @@ void tracer_end(tracer *t)
     discard(t);
 }
 
-tracer_pass tracer_take(tracer *t, uint32_t *ours, uint32_t *theirs)
+reference_pass reference_thread_take(reference_thread *t, uint32_t *ours, uint32_t *theirs)
 {
     const size_t bytes = (size_t)t->width * t->height * sizeof *ours;
 
     pthread_mutex_lock(&t->lock);
-    const tracer_pass last = t->last;
+    const reference_pass last = t->last;
     if (last) {
         memcpy(ours, t->ours, bytes);
         memcpy(theirs, t->pixel, bytes);
@@ -166,7 +167,7 @@ tracer_pass tracer_take(tracer *t, uint32_t *ours, uint32_t *theirs)
     return last;
 }
 
-bool tracer_has_news(tracer *t)
+bool reference_thread_has_news(reference_thread *t)
 {
     pthread_mutex_lock(&t->lock);
     const bool news = t->last && !t->taken;
@@ -174,15 +175,15 @@ bool tracer_has_news(tracer *t)
     return news;
 }
 
-bool tracer_has_same_world(const tracer *t, const tp_world *world)
+bool reference_thread_has_same_world(const reference_thread *t, const tp_world *world)
 {
     return memcmp(t->world, world, t->world_bytes) == 0;
 }
 
-tracer_pass tracer_draws(tracer *t, uint32_t *percent)
+reference_pass reference_thread_progress(reference_thread *t, uint32_t *percent)
 {
     const uint32_t height = atomic_load(&t->height_now), rows = atomic_load(&t->pace.rows);
 
     *percent = rows < height ? rows * 100 / height : 100;
-    return (tracer_pass)atomic_load(&t->draws);
+    return (reference_pass)atomic_load(&t->draws);
 }

@@ -6,26 +6,35 @@
 #define HOST_TRACER_H
 #include "stage.h"
 
-typedef struct tracer tracer;
+typedef struct reference_thread reference_thread;
 
 /* Begins with the current stage, whose canvas has just drawn its world.  Scene, world and
  * picture are copied; the assets must outlive the tracer.  NULL: no memory, or no
  * thread. */
-tracer  *tracer_begin(const stage *s, bool coarse);
+reference_thread  *reference_thread_begin(const loaded_scene *s, bool coarse);
 
 /* Stops drawing and ends the thread within some ms.  Accepts NULL. */
-void     tracer_end(tracer *t);
+void     reference_thread_end(reference_thread *t);
 
 /* Passes of the reference, in order. */
-typedef enum { TRACER_NONE, TRACER_COARSE, TRACER_1, TRACER_4, TRACER_16 } tracer_pass;
+typedef enum {
+    REFERENCE_NONE,
+    REFERENCE_COARSE,
+    REFERENCE_1,
+    REFERENCE_4,
+    REFERENCE_16
+} reference_pass;
 
-/* Copies the canvas's picture and the reference's picture of the last finished pass, both
- * 0x00RRGGBB row by row.  Returns the pass; TRACER_NONE: none finished, nothing copied. */
-tracer_pass tracer_take(tracer *t, uint32_t *ours, uint32_t *theirs);
-bool     tracer_has_news(tracer *t);            /* true if a picture is not taken yet */
-bool tracer_has_same_world(const tracer *t, const tp_world *world); /* true if equal */
+/* Copies the canvas's picture and the reference's picture of the last finished pass,
+ * both 0x00RRGGBB row by row.  Returns the pass; REFERENCE_NONE: none finished,
+ * nothing copied. */
+reference_pass reference_thread_take(reference_thread *t, uint32_t *ours, uint32_t *theirs);
+/* true if a picture is not taken yet */
+bool     reference_thread_has_news(reference_thread *t);
+/* true if equal */
+bool reference_thread_has_same_world(const reference_thread *t, const tp_world *world);
 
-/* Returns the pass in progress, and its percentage; TRACER_NONE: all passes are
+/* Returns the pass in progress, and its percentage; REFERENCE_NONE: all passes are
  * finished. */
-tracer_pass tracer_draws(tracer *t, uint32_t *percent);
+reference_pass reference_thread_progress(reference_thread *t, uint32_t *percent);
 #endif

@@ -31,13 +31,13 @@ static void copy_camera(void *to, const void *from)
     memcpy((char *)to + CAMERA, (const char *)from + CAMERA, CAMERA_BYTES);
 }
 
-static bool same_value(const stage_value *a, const stage_value *b)
+static bool same_value(const loaded_scene_value *a, const loaded_scene_value *b)
 {
     return a->set_at == b->set_at && strcmp(a->text, b->text) == 0;
 }
 
 /* True if the stage's world equals `was` except for the camera. */
-static bool still_stands(const stage *s, const edit_world *was)
+static bool still_stands(const loaded_scene *s, const undo_world *was)
 {
     const size_t behind = CAMERA + CAMERA_BYTES;
     const char *now = (const char *)s->world, *then = (const char *)was->world;
@@ -48,54 +48,58 @@ static bool still_stands(const stage *s, const edit_world *was)
 /* -- changes ----------------------------------------------------------------------- */
 
 /* A drag is one change as long as nothing else happens: a moved camera ends the change. */
-static void part(edits *e, const stage *s, uint32_t row)
+static void part(undo_edits *e, const loaded_scene *s, uint32_t row)
 {
-    const edit *last = edits_last(e);
-    const edit_world *after = last && e->open && last->row == row ? last->after.world
+    const undo_edit *last = undo_edits_last(e);
+    const undo_world *after = last && e->open && last->row == row ? last->after.world
                                                                   : NULL;
     if (after && (!still_stands(s, after) || !same_camera(s->world, after->world)))
-        edits_part(e);
+        undo_edits_split(e);
 }
 
 /* Keeps the origin of a value: a number equal to the number before the change gets its
  * set_at back. */
-static void keep_origin(edits *e, stage *s, edit *new)
+static void keep_origin(undo_edits *e, loaded_scene *s, undo_edit *new)
 {
     const tp_param *param = row_param(new->row);
-    const stage_value *from = e->open ? &edits_last(e)->before.value : &new->before.value;
+    const loaded_scene_value *from =
+        e->open ? &undo_edits_last(e)->before.value : &new->before.value;
     if (tp_param_is_file(param) || strcmp(from->text, new->after.value.text) != 0)
         return;
     s->file.set_at[new->row] = new->after.value.set_at = from->set_at;
 }
 
-int undo_set(edits *e, stage *s, const options *o, const undo_change *change,
+int undo_set(undo_edits *e, loaded_scene *s, const options *o, const undo_change *change,
              const char *text, bool *opened)
 {
     const tp_param *param = row_param(change->row);
     char setting[64 + TP_NAME_BYTES + 64];
     part(e, s, change->row);
-    edit new = { .row = change->row, .line = change->line, .line_end = change->line_end };
-    new.before.value = stage_get(s, param);
+    undo_edit new = { .row = change->row,
+                      .line = change->line,
+                      .line_end = change->line_end };
+    new.before.value = loaded_scene_get(s, param);
     if (change->stands && !e->open)
-        new.before.world = edits_world(e, s->world, s->world_bytes);
+        new.before.world = undo_edits_world(e, s->world, s->world_bytes);
     snprintf(setting, sizeof setting, "%s=%s", param->name, text);
-    const int code = stage_set(s, o, "the panel", setting, opened);
+    const int code = loaded_scene_set(s, o, "the panel", setting, opened);
     if (code) {
-        edits_let_go(e, new.before.world);
+        undo_edits_release_world(e, new.before.world);
         return code;
     }
-    new.after.value = stage_get(s, param);
+    new.after.value = loaded_scene_get(s, param);
     keep_origin(e, s, &new);
     if (change->stands)
-        new.after.world = edits_world(e, s->world, s->world_bytes);
-    edits_add(e, &new, change->going);
+        new.after.world = undo_edits_world(e, s->world, s->world_bytes);
+    undo_edits_add(e, &new, change->going);
     return EXIT_DONE;
 }
 
 /* -- undo and redo ----------------------------------------------------------------- */
 
 /* Restores the world before the change, but keeps a camera moved since. */
-static undo_result put_world(stage *s, const edit *change, const tp_world *camera)
+static undo_result put_world(loaded_scene *s, const undo_edit *change,
+                             const tp_world *camera)
 {
     const tp_world *before = (const void *)change->before.world->world;
     const tp_world *after = (const void *)change->after.world->world;
@@ -106,32 +110,34 @@ static undo_result put_world(stage *s, const edit *change, const tp_world *camer
     return keeps ? UNDO_WORLD : UNDO_ALL;
 }
 
-undo_result undo_back(edits *e, stage *s, const options *o, edit **done, bool *opened)
+undo_result undo_back(undo_edits *e, loaded_scene *s, const options *o, undo_edit **done,
+                      bool *opened)
 {
-    edit *last = *done = edits_undo(e);
+    undo_edit *last = *done = undo_edits_step_back(e);
     tp_world camera;
     if (!last)
         return UNDO_NOTHING;
-    const edit_world *before = last->before.world, *after = last->after.world;
-    const stage_value now = stage_get(s, row_param(last->row));
+    const undo_world *before = last->before.world, *after = last->after.world;
+    const loaded_scene_value now = loaded_scene_get(s, row_param(last->row));
     const bool stood = before && after && still_stands(s, after)
                     && same_value(&now, &last->after.value);
     copy_camera(&camera, s->world);
-    if (stage_put(s, o, "undo", row_param(last->row), &last->before.value, opened)) {
-        (void)edits_redo(e);
+    if (loaded_scene_put(s, o, "undo", row_param(last->row), &last->before.value, opened)) {
+        (void)undo_edits_step_forward(e);
         return UNDO_REFUSED;
     }
     return stood && s->world_bytes == before->bytes ? put_world(s, last, &camera)
                                                     : UNDO_VALUE;
 }
 
-undo_result undo_again(edits *e, stage *s, const options *o, edit **done, bool *opened)
+undo_result undo_again(undo_edits *e, loaded_scene *s, const options *o, undo_edit **done,
+                       bool *opened)
 {
-    const edit *next = *done = edits_redo(e);
+    const undo_edit *next = *done = undo_edits_step_forward(e);
     if (!next)
         return UNDO_NOTHING;
-    if (stage_put(s, o, "redo", row_param(next->row), &next->after.value, opened)) {
-        (void)edits_undo(e);
+    if (loaded_scene_put(s, o, "redo", row_param(next->row), &next->after.value, opened)) {
+        (void)undo_edits_step_back(e);
         return UNDO_REFUSED;
     }
     return UNDO_VALUE;

@@ -9,14 +9,15 @@
 #define HOST_UNDO_H
 #include "edits.h"
 
-/* Sets one row like stage_set, and remembers *change with the edit.  going: see edits_add.
- * stands: nothing moves the water until the next tick, so the world is kept. */
+/* Sets one row like loaded_scene_set, and remembers *change with the edit.  going: see
+ * undo_edits_add. stands: nothing moves the water until the next tick, so the world is
+ * kept. */
 typedef struct {
     uint32_t row;
     bool     going, stands;
     size_t   line, line_end;    /* see edit */
 } undo_change;
-int undo_set(edits *e, stage *s, const options *o, const undo_change *change,
+int undo_set(undo_edits *e, loaded_scene *s, const options *o, const undo_change *change,
              const char *text, bool *opened);
 
 typedef enum {
@@ -29,6 +30,8 @@ typedef enum {
 
 /* Undo or redo the last change; *done: its edit.  Redo returns UNDO_VALUE, and leads from
  * the same world to the same world. */
-undo_result undo_back(edits *e, stage *s, const options *o, edit **done, bool *opened);
-undo_result undo_again(edits *e, stage *s, const options *o, edit **done, bool *opened);
+undo_result undo_back(undo_edits *e, loaded_scene *s, const options *o, undo_edit **done,
+                      bool *opened);
+undo_result undo_again(undo_edits *e, loaded_scene *s, const options *o, undo_edit **done,
+                       bool *opened);
 #endif

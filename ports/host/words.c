@@ -4,7 +4,7 @@
 #include <string.h>
 #include "path.h"
 
-bool words_add(words *list, const char *text, size_t bytes)
+bool string_list_add(string_list *list, const char *text, size_t bytes)
 {
     char **more = realloc(list->of, (list->count + 1) * sizeof *more);
     if (more)
@@ -15,20 +15,20 @@ bool words_add(words *list, const char *text, size_t bytes)
     return copy;
 }
 
-bool words_cut(words *list, const char *text, const char *separators)
+bool string_list_split(string_list *list, const char *text, const char *separators)
 {
     for (;;) {
         text += strspn(text, separators);
         const size_t bytes = strcspn(text, separators);
         if (!bytes)
             return true;
-        if (!words_add(list, text, bytes))
+        if (!string_list_add(list, text, bytes))
             return false;
         text += bytes;
     }
 }
 
-int words_find(const words *list, const char *text)
+int string_list_find(const string_list *list, const char *text)
 {
     for (size_t i = 0; i < list->count; i++)
         if (strcmp(list->of[i], text) == 0)
@@ -36,10 +36,10 @@ int words_find(const words *list, const char *text)
     return -1;
 }
 
-void words_free(words *list)
+void string_list_free(string_list *list)
 {
     for (size_t i = 0; i < list->count; i++)
         free(list->of[i]);
     free(list->of);
-    *list = (words){ 0 };
+    *list = (string_list){ 0 };
 }

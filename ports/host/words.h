@@ -8,15 +8,15 @@
 typedef struct {
     char **of;
     size_t count;
-} words;
+} string_list;
 
 /* Adds a word.  False: no memory, with the list unchanged. */
-bool words_add(words *list, const char *text, size_t bytes);
+bool string_list_add(string_list *list, const char *text, size_t bytes);
 
 /* Adds the words between separators; empty words are skipped. */
-bool words_cut(words *list, const char *text, const char *separators);
+bool string_list_split(string_list *list, const char *text, const char *separators);
 
 /* Returns the index of a word, from 0; -1: not found. */
-int  words_find(const words *list, const char *text);
-void words_free(words *list);
+int  string_list_find(const string_list *list, const char *text);
+void string_list_free(string_list *list);
 #endif

@@ -164,7 +164,7 @@ bool kms_take(kms_card *c, bool fits)
     c->master = ask(c, DRM_IOCTL_SET_MASTER, NULL);
     if (!c->master)
         return cannot(c, "another program uses the screen");
-    c->blind = !kms_scan(c->fd, &c->heads, c->wanted_w, c->wanted_h, &c->now);
+    c->blind = !kms_connectors_scan(c->fd, &c->heads, c->wanted_w, c->wanted_h, &c->now);
     if (c->blind)
         return cannot(c, "cannot set a mode");
     if (c->now.verdict < KMS_SMALL)
@@ -204,9 +204,9 @@ bool kms_take_first(kms_card *c)
 bool kms_still_ours(kms_card *c, bool probe)
 {
     struct drm_mode_crtc is = { .crtc_id = kms_crtc(c) };
-    return c->lit && kms_still(c->fd, &c->heads, &c->now, probe)
-        && ask(c, DRM_IOCTL_MODE_GETCRTC, &is) && is.fb_id != 0
-        && (is.fb_id == c->buffers[0].fb || is.fb_id == c->buffers[1].fb);
+    return c->lit && kms_connectors_still_valid(c->fd, &c->heads, &c->now, probe)
+           && ask(c, DRM_IOCTL_MODE_GETCRTC, &is) && is.fb_id != 0
+           && (is.fb_id == c->buffers[0].fb || is.fb_id == c->buffers[1].fb);
 }
 
 /* Restores the old picture before freeing our buffers: freeing the shown buffer turns

@@ -20,8 +20,8 @@ static uint32_t mode_rank(const struct drm_mode_modeinfo *m, uint32_t width,
          | (m->flags & DRM_MODE_FLAG_INTERLACE ? 0 : 1u);
 }
 
-static const struct drm_mode_modeinfo *choose_mode(const kms_head *head, uint32_t width,
-                                                   uint32_t height)
+static const struct drm_mode_modeinfo *choose_mode(const kms_connector *head,
+                                                   uint32_t width, uint32_t height)
 {
     const struct drm_mode_modeinfo *best = &head->modes[0];
     for (uint32_t i = 1; i < head->n_modes; i++)
@@ -38,7 +38,7 @@ static uint32_t lowest(uint32_t bits)
     return i < 32 ? i : KMS_OFF;
 }
 
-static uint32_t choose_crtc(const kms_head *head)
+static uint32_t choose_crtc(const kms_connector *head)
 {
     if (head->crtc < 32 && head->crtcs >> head->crtc & 1)
         return head->crtc;
@@ -46,16 +46,17 @@ static uint32_t choose_crtc(const kms_head *head)
     return lowest(unused ? unused : head->crtcs);
 }
 
-static uint32_t rank(const kms_choice *c)
+static uint32_t rank(const kms_mode_choice *c)
 {
     return (uint32_t)c->verdict << 2 | (c->sure ? 2u : 0) | (c->exact ? 1u : 0);
 }
 
-void kms_offer(kms_choice *best, const kms_head *head, uint32_t width, uint32_t height)
+void kms_mode_offer(kms_mode_choice *best, const kms_connector *head, uint32_t width,
+                    uint32_t height)
 {
     if (head->status == KMS_DISCONNECTED)
         return;
-    kms_choice c = { .verdict = KMS_NO_MODE, .sure = head->status == KMS_CONNECTED,
+    kms_mode_choice c = { .verdict = KMS_NO_MODE, .sure = head->status == KMS_CONNECTED,
                      .connector = head->connector, .crtc = choose_crtc(head) };
     if (head->n_modes > 0) {
         c.mode = *choose_mode(head, width, height);
@@ -70,7 +71,7 @@ void kms_offer(kms_choice *best, const kms_head *head, uint32_t width, uint32_t 
         *best = c;
 }
 
-bool kms_has_mode(const kms_head *head, const struct drm_mode_modeinfo *mode)
+bool kms_connector_has_mode(const kms_connector *head, const struct drm_mode_modeinfo *mode)
 {
     for (uint32_t i = 0; i < head->n_modes; i++) {
         const struct drm_mode_modeinfo *m = &head->modes[i];

@@ -8,7 +8,7 @@ static uint32_t least(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-static uint32_t crtc_index(const kms_heads *all, uint32_t crtc)
+static uint32_t crtc_index(const kms_connectors *all, uint32_t crtc)
 {
     for (uint32_t i = 0; crtc && i < all->n_crtcs; i++)
         if (all->crtcs[i] == crtc)
@@ -18,12 +18,12 @@ static uint32_t crtc_index(const kms_heads *all, uint32_t crtc)
 
 /* Reads a connector.  The first call has counts of 0, which makes the kernel probe the
  * monitor; the second call fetches the result. */
-static bool read_head(int card, kms_heads *all, uint32_t connector)
+static bool read_head(int card, kms_connectors *all, uint32_t connector)
 {
-    kms_head *h = &all->head;
+    kms_connector *h = &all->head;
     uint32_t encoders[KMS_LIMIT];
     struct drm_mode_get_connector c = { .connector_id = connector };
-    *h = (kms_head){ .connector = connector, .crtc = KMS_OFF };
+    *h = (kms_connector){ .connector = connector, .crtc = KMS_OFF };
     if (!kms_ask(card, DRM_IOCTL_MODE_GETCONNECTOR, &c))
         return false;
     c.count_props = 0;
@@ -46,7 +46,7 @@ static bool read_head(int card, kms_heads *all, uint32_t connector)
     return true;
 }
 
-static uint32_t busy_crtcs(int card, const kms_heads *all, const uint32_t *encoders,
+static uint32_t busy_crtcs(int card, const kms_connectors *all, const uint32_t *encoders,
                            uint32_t n)
 {
     uint32_t busy = 0;
@@ -60,8 +60,8 @@ static uint32_t busy_crtcs(int card, const kms_heads *all, const uint32_t *encod
     return busy;
 }
 
-bool kms_scan(int card, kms_heads *all, uint32_t width, uint32_t height,
-              kms_choice *best)
+bool kms_connectors_scan(int card, kms_connectors *all, uint32_t width, uint32_t height,
+                         kms_mode_choice *best)
 {
     uint32_t encoders[KMS_LIMIT];
     struct drm_mode_card_res r = {
@@ -69,7 +69,7 @@ bool kms_scan(int card, kms_heads *all, uint32_t width, uint32_t height,
         .connector_id_ptr = (uintptr_t)all->connectors, .count_connectors = KMS_LIMIT,
         .encoder_id_ptr = (uintptr_t)encoders, .count_encoders = KMS_LIMIT,
     };
-    *best = (kms_choice){ 0 };
+    *best = (kms_mode_choice){ 0 };
     if (!kms_ask(card, DRM_IOCTL_MODE_GETRESOURCES, &r))
         return false;
     all->n_crtcs = least(r.count_crtcs, KMS_LIMIT);
@@ -81,19 +81,20 @@ bool kms_scan(int card, kms_heads *all, uint32_t width, uint32_t height,
         all->driven_by[i] = crtc == KMS_OFF ? 0 : all->crtcs[crtc];
         all->head.busy = busy;
         if (known)
-            kms_offer(best, &all->head, width, height);
+            kms_mode_offer(best, &all->head, width, height);
     }
     return true;
 }
 
-bool kms_still(int card, kms_heads *all, const kms_choice *now, bool probe)
+bool kms_connectors_still_valid(int card, kms_connectors *all, const kms_mode_choice *now,
+                                bool probe)
 {
     struct drm_mode_modeinfo one;
     struct drm_mode_get_connector c = { .connector_id = now->connector, .count_modes = 1,
                                         .modes_ptr = (uintptr_t)&one };
     if (probe)
         return read_head(card, all, now->connector)
-            && kms_has_mode(&all->head, &now->mode);
+               && kms_connector_has_mode(&all->head, &now->mode);
     return kms_ask(card, DRM_IOCTL_MODE_GETCONNECTOR, &c)
         && c.connection != KMS_DISCONNECTED;
 }

@@ -241,7 +241,7 @@ static int kms_open(screen **to, const char *device, uint32_t width, uint32_t he
     struct epoll_event wanted = { .events = EPOLLIN };
     screen *s = calloc(1, sizeof *s);
     if (!s)
-        return fail_memory(sizeof *s);
+        return log_fail_memory(sizeof *s);
     s->card = (kms_card){ .device = device, .fd = -1, .wanted_w = width,
                           .wanted_h = height, .both = epoll_create1(EPOLL_CLOEXEC) };
     const int fds[] = { s->plugs = open_plugs(), s->second = open_second() };
@@ -253,7 +253,7 @@ static int kms_open(screen **to, const char *device, uint32_t width, uint32_t he
         *to = s;
         return EXIT_DONE;
     }
-    int code = fail(EXIT_DISPLAY, "%s: %s", s->card.device, s->card.why);
+    int code = log_fail(EXIT_DISPLAY, "%s: %s", s->card.device, s->card.why);
     kms_close(s);
     return code;
 }

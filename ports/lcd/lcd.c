@@ -25,7 +25,7 @@ enum { NONE = -1 };
  * off before it. */
 typedef struct {
     int32_t x0, y0, x1, y1, skip_x, skip_y;
-} part;
+} lcd_part;
 
 /* -- checks of the config ----------------------------------------------------------- */
 
@@ -187,7 +187,7 @@ static lcd_status address(lcd *l, uint8_t code, uint32_t first, int32_t last,
     return code ? order(l, code, l->arguments, (size_t)(end - l->arguments)) : LCD_OK;
 }
 
-static lcd_status open_window(lcd *l, const part *w, uint8_t write)
+static lcd_status open_window(lcd *l, const lcd_part *w, uint8_t write)
 {
     const lcd_panel *p = l->config.panel;
     const uint32_t x = (l->dx + (uint32_t)w->x0) / p->unit, y = l->dy + (uint32_t)w->y0;
@@ -207,11 +207,11 @@ static lcd_status open_window(lcd *l, const part *w, uint8_t write)
     return LCD_OK;
 }
 
-static part seen(const lcd *l, const tp_tile *t)
+static lcd_part seen(const lcd *l, const tp_tile *t)
 {
     const int32_t x = l->config.x + (int32_t)t->x0, x1 = l->config.x + (int32_t)t->x1;
     const int32_t y = l->config.y + (int32_t)t->y0, y1 = l->config.y + (int32_t)t->y1;
-    return (part){
+    return (lcd_part){
         .x0 = x > 0 ? x : 0, .x1 = x1 < l->width ? x1 : l->width,
         .y0 = y > 0 ? y : 0, .y1 = y1 < l->height ? y1 : l->height,
         .skip_x = x < 0 ? -x : 0, .skip_y = y < 0 ? -y : 0,
@@ -219,7 +219,7 @@ static part seen(const lcd *l, const tp_tile *t)
 }
 
 /* Packs the visible part of a tile, row after row; returns the bytes. */
-static size_t pack(const lcd *l, uint8_t *to, const tp_tile *tile, const part *w)
+static size_t pack(const lcd *l, uint8_t *to, const tp_tile *tile, const lcd_part *w)
 {
     const lcd_panel *p = l->config.panel;
     const uint32_t count = units(p, (uint32_t)(w->x1 - w->x0));
@@ -249,7 +249,7 @@ lcd_status lcd_tile(lcd *l, const tp_tile *tile)
 {
     const lcd_panel *p = l->config.panel;
     const tp_config *f = &l->config.frame;
-    const part w = seen(l, tile);
+    const lcd_part w = seen(l, tile);
     uint8_t *const buffer = l->buffer[l->turn];
     if (tile->x1 - tile->x0 > f->tile_width || tile->y1 - tile->y0 > f->tile_height)
         return LCD_E_SIZE;

@@ -13,12 +13,12 @@
 void host_call_begin(host_call *call, tp_host_error *err)
 {
     call->err = err ? err : &call->own;
-    say_redirect(call->err->text, sizeof call->err->text);
+    log_redirect(call->err->text, sizeof call->err->text);
 }
 
 void host_call_end(void)
 {
-    say_redirect(NULL, 0);
+    log_redirect(NULL, 0);
 }
 
 /* -- a scene ----------------------------------------------------------------------- */
@@ -48,7 +48,7 @@ static int check(const options *o)
                                .height = o->height,
                                .format = o->format };
     tp_error err = { 0 };
-    return tp_config_check(&config, NULL, &err) ? fail_with_error("tp_host_open", &err)
+    return tp_config_check(&config, NULL, &err) ? log_fail_error("tp_host_open", &err)
                                                 : EXIT_DONE;
 }
 
@@ -57,8 +57,8 @@ static int load(tp_host *h)
     int code = check(&h->options);
     if (code)
         return code;
-    code = stage_open(&h->stage, &h->options);
-    h->filed = h->stage.file.scene;
+    code = loaded_scene_open(&h->loaded, &h->options);
+    h->filed = h->loaded.file.scene;
     h->options.scene = NULL; /* the stage has a copy */
     return code;
 }
@@ -70,7 +70,7 @@ static tp_host *open_path(const char *path, const tp_host_config *config)
     if (h && name)
         h->options = make_options(name, config);
     else
-        fail_memory(sizeof *h);
+        log_fail_memory(sizeof *h);
     const int code = h && name ? load(h) : EXIT_INPUT;
     free(name);
     if (!code)
@@ -85,7 +85,7 @@ tp_host *tp_host_open(const char *path, const tp_host_config *config, tp_host_er
     host_call_begin(&call, err);
     tp_host *h = path ? open_path(path, config ? config : &(tp_host_config){ 0 }) : NULL;
     if (!path)
-        say("tp_host_open: no path is given");
+        log_line("tp_host_open: no path is given");
     host_call_end();
     return h;
 }
@@ -94,18 +94,18 @@ void tp_host_close(tp_host *host)
 {
     if (!host)
         return;
-    stage_close(&host->stage);
+    loaded_scene_close(&host->loaded);
     free(host);
 }
 
 const tp_scene *tp_host_scene(const tp_host *host)
 {
-    return &host->stage.file.scene;
+    return &host->loaded.file.scene;
 }
 
 const tp_assets *tp_host_assets(const tp_host *host)
 {
-    return &host->stage.assets.names;
+    return &host->loaded.assets.names;
 }
 
 /* -- values ------------------------------------------------------------------------ */
@@ -115,7 +115,7 @@ static char *format_setting(const char *name, const char *value)
     const size_t bytes = strlen(name) + strlen(value) + 2;
     char *setting = malloc(bytes);
     if (!setting) {
-        fail_memory(bytes);
+        log_fail_memory(bytes);
         return NULL;
     }
     strcpy(setting, name);
@@ -128,10 +128,11 @@ static char *format_setting(const char *name, const char *value)
 static int set(tp_host *h, const char *name, const char *setting)
 {
     bool opened = false;
-    const int code = stage_set(&h->stage, &h->options, "tp_host_set", setting, &opened);
+    const int code =
+        loaded_scene_set(&h->loaded, &h->options, "tp_host_set", setting, &opened);
     if (code || strcmp(name, "camera.follow") != 0)
         return code;
-    h->filed.camera.follow = h->stage.file.scene.camera.follow;
+    h->filed.camera.follow = h->loaded.file.scene.camera.follow;
     return host_follow(h);
 }
 
@@ -152,7 +153,7 @@ static void put_value(const tp_host *host, const tp_param *param, uint32_t set_a
     *value = (tp_host_value){ .name = param->name,
                               .line = set_at == SET_BY_COMMAND ? 0 : set_at,
                               .by_hand = set_at == SET_BY_COMMAND };
-    tp_param_text(&host->stage.file.scene, param, value->value, sizeof value->value);
+    tp_param_text(&host->loaded.file.scene, param, value->value, sizeof value->value);
 }
 
 bool tp_host_get(const tp_host *host, const char *name, tp_host_value *value)
@@ -161,7 +162,7 @@ bool tp_host_get(const tp_host *host, const char *name, tp_host_value *value)
     const tp_param *params = tp_params(&count),
                    *param = tp_param_find(name, strlen(name));
     if (param)
-        put_value(host, param, host->stage.file.set_at[param - params], value);
+        put_value(host, param, host->loaded.file.set_at[param - params], value);
     return param != NULL;
 }
 
@@ -169,7 +170,7 @@ bool tp_host_changed(const tp_host *host, uint32_t i, tp_host_value *value)
 {
     uint32_t count;
     const tp_param *params = tp_params(&count);
-    const uint32_t *set_at = host->stage.file.set_at;
+    const uint32_t *set_at = host->loaded.file.set_at;
     for (uint32_t row = 0; row < count; row++) {
         if (set_at[row] && i-- == 0) {
             put_value(host, &params[row], set_at[row], value);
@@ -183,38 +184,39 @@ bool tp_host_changed(const tp_host *host, uint32_t i, tp_host_value *value)
 
 tp_world *tp_host_world(tp_host *host)
 {
-    return host->stage.world;
+    return host->loaded.world;
 }
 
 void tp_host_turn(tp_host *host, const tp_input *input)
 {
     tp_input bent = input ? *input : (tp_input){ 0 };
-    look_steer(&host->look, host->stage.world, &host->stage.file.scene, &bent);
-    tp_world_move_camera(host->stage.world, &bent);
+    camera_mode_steer(&host->camera_mode, host->loaded.world, &host->loaded.file.scene,
+                      &bent);
+    tp_world_move_camera(host->loaded.world, &bent);
 }
 
 void tp_host_step(tp_host *host, const tp_input *input)
 {
-    const tp_scene *scene = &host->stage.file.scene;
+    const tp_scene *scene = &host->loaded.file.scene;
     tp_input bent = input ? *input : (tp_input){ 0 };
-    uint32_t ticks = tp_world_advance_clock(host->stage.world);
+    uint32_t ticks = tp_world_advance_clock(host->loaded.world);
     if (ticks == 0)
         tp_host_turn(host, &bent);
     for (; ticks > 0; ticks--, bent = (tp_input){ 0 }) {
         poke_take(&host->pokes, scene, &bent);
-        look_steer(&host->look, host->stage.world, scene, &bent);
-        tp_world_step(&tp_program_all, host->stage.world, scene, &bent);
+        camera_mode_steer(&host->camera_mode, host->loaded.world, scene, &bent);
+        tp_world_step(&tp_program_all, host->loaded.world, scene, &bent);
     }
 }
 
 static bool has_pool(const tp_host *host)
 {
-    return host->stage.file.scene.pool.cols > 0;
+    return host->loaded.file.scene.pool.cols > 0;
 }
 
 bool tp_host_poke(tp_host *host, tp_fx x, tp_fx z)
 {
-    const tp_push push = poke_make_push(&host->stage.file.scene, x, z);
+    const tp_push push = poke_make_push(&host->loaded.file.scene, x, z);
     return has_pool(host) && poke_add(&host->pokes, &push);
 }
 

@@ -8,15 +8,16 @@
 #include "tidepool/host.h"
 
 struct tp_host {
-    stage stage;
+    loaded_scene loaded;
     options options; /* as from the program's command line */
     tp_scene filed;  /* has the free camera's camera.follow */
-    look look;
+    camera_mode camera_mode;
     poke_queue pokes;
     tp_host_picture picture;
 };
 
-/* Between host_call_begin and host_call_end this thread's messages go to *err, or nowhere. */
+/* Between host_call_begin and host_call_end this thread's messages go to *err, or
+ * nowhere. */
 typedef struct {
     tp_host_error *err, own;
 } host_call;

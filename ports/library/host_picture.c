@@ -17,10 +17,10 @@
 
 const tp_host_picture *tp_host_draw(tp_host *host)
 {
-    canvas *c = &host->stage.canvas;
+    frame_renderer *c = &host->loaded.renderer;
     if (!c->frame)
         return NULL;
-    canvas_draw(c, host->stage.world);
+    frame_renderer_draw(c, host->loaded.world);
     host->picture =
         (tp_host_picture){ c->picture.format, c->picture.width, c->picture.height,
                            c->picture.row_bytes, c->picture.rows };
@@ -99,9 +99,9 @@ bool tp_host_save_png(tp_host *host, const char *path, tp_host_error *err)
     host_call call;
     host_call_begin(&call, err);
     const int error =
-        tp_host_draw(host) ? save(&host->stage.canvas.picture, path) : ENOMEM;
+        tp_host_draw(host) ? save(&host->loaded.renderer.picture, path) : ENOMEM;
     if (error)
-        say("%s: %s", path, strerror(error));
+        log_line("%s: %s", path, strerror(error));
     host_call_end();
     return !error;
 }

@@ -32,7 +32,7 @@ struct screen {
     colours   found;                    /* colour table as found */
     bool      tabled;                   /* has a colour table, for indices or per channel */
     int       table_of;                 /* format with its table set, -1: none */
-    layout    layout;
+    pixel_layout    layout;
     uint32_t  width, height;            /* of pictures, px */
     uint8_t  *map, *saved;              /* saved: former content */
     uint8_t  *row;                      /* a row being converted: the map is slow to
@@ -45,16 +45,16 @@ struct screen {
 
 static int refuse(const screen *s, const char *what)
 {
-    return fail(s->shown ? EXIT_LOST : EXIT_DISPLAY, "%s: %s: %s", s->device, what,
-                strerror(errno));
+    return log_fail(s->shown ? EXIT_LOST : EXIT_DISPLAY, "%s: %s: %s", s->device, what,
+                    strerror(errno));
 }
 
 /* -- detection ------------------------------------------------------------------- */
 
-static channel make_channel(const struct fb_bitfield *field)
+static pixel_channel make_channel(const struct fb_bitfield *field)
 {
-    return (channel){ (uint8_t)(field->offset < 255 ? field->offset : 255),
-                      (uint8_t)(field->length < 255 ? field->length : 255) };
+    return (pixel_channel){ (uint8_t)(field->offset < 255 ? field->offset : 255),
+                            (uint8_t)(field->length < 255 ? field->length : 255) };
 }
 
 static bool describe(screen *s)
@@ -66,13 +66,13 @@ static bool describe(screen *s)
     if (s->fix.type != FB_TYPE_PACKED_PIXELS || v->nonstd || v->grayscale > 1
         || (!s->tabled && !v->grayscale && visual != FB_VISUAL_TRUECOLOR))
         return false;
-    s->layout = (layout){
+    s->layout = (pixel_layout){
         .bits = v->bits_per_pixel, .indexed = indexed, .grey = v->grayscale == 1,
         .big = machine_is_big(), .red = make_channel(&v->red),
         .green = make_channel(&v->green), .blue = make_channel(&v->blue),
         .spare = make_channel(&v->transp),
     };
-    return layout_known(&s->layout);
+    return pixel_layout_is_supported(&s->layout);
 }
 
 static size_t pixel_bytes(const screen *s)
@@ -94,10 +94,10 @@ static int look(screen *s)
     if (ioctl(s->fd, FBIOGET_VSCREENINFO, &s->var)
         || ioctl(s->fd, FBIOGET_FSCREENINFO, &s->fix))
         return errno == ENOTTY || errno == EINVAL
-             ? fail(EXIT_DISPLAY, "%s: is not a frame buffer", s->device)
-             : refuse(s, "its mode");
+                   ? log_fail(EXIT_DISPLAY, "%s: is not a frame buffer", s->device)
+                   : refuse(s, "its mode");
     if (!describe(s) || !fits(s))
-        return fail(EXIT_DISPLAY, "%s: unknown pixel layout: %u bits, red %u/%u,"
+        return log_fail(EXIT_DISPLAY, "%s: unknown pixel layout: %u bits, red %u/%u,"
                     " green %u/%u, blue %u/%u, visual %u, %ux%u, lines of %u bytes",
                     s->device, v->bits_per_pixel, v->red.offset, v->red.length,
                     v->green.offset, v->green.length, v->blue.offset, v->blue.length,
@@ -114,8 +114,8 @@ static int choose_size(screen *s, uint32_t width, uint32_t height)
     s->height = height ? height : s->var.yres;
     if (s->width <= s->var.xres && s->height <= s->var.yres)
         return EXIT_DONE;
-    return fail(EXIT_DISPLAY, "%s: %ux%u pixels, smaller than the picture of %ux%u",
-                s->device, s->var.xres, s->var.yres, s->width, s->height);
+    return log_fail(EXIT_DISPLAY, "%s: %ux%u pixels, smaller than the picture of %ux%u",
+                    s->device, s->var.xres, s->var.yres, s->width, s->height);
 }
 
 /* -- colour table ---------------------------------------------------------------- */
@@ -133,7 +133,7 @@ static int set_table(screen *s, tp_format format)
     const int of = s->layout.indexed ? (int)format : 0;
     if (!s->tabled || s->table_of == of)
         return EXIT_DONE;
-    layout_table(s->layout.indexed ? format : TP_FORMAT_L8, c.red, c.green, c.blue);
+    pixel_layout_table(s->layout.indexed ? format : TP_FORMAT_L8, c.red, c.green, c.blue);
     s->table_of = of;
     return table_call(s, FBIOPUTCMAP, &c) ? refuse(s, "its colours") : EXIT_DONE;
 }
@@ -161,7 +161,7 @@ static void write_page(screen *s, const picture *p)
         memset(line(s, y), 0, s->var.xres * bytes);
     s->cleared |= bit;
     for (uint32_t y = 0; y < p->height; y++) {
-        layout_row(&s->layout, s->row, p, y);
+        pixel_layout_row(&s->layout, s->row, p, y);
         memcpy(line(s, top + y) + left, s->row, p->width * bytes);
     }
 }
@@ -196,9 +196,10 @@ static int fb_show(screen *s, const picture *p)
 {
     if (is_gone(s))
         return refuse(s, "the display is lost");
-    if (!layout_takes(&s->layout, p->format))
-        return fail(EXIT_DISPLAY, "%s: 8 bits a pixel take %sl8 or i1, not %s", s->device,
-                    s->layout.grey ? "" : "p8, ", tp_format_name(p->format));
+    if (!pixel_layout_accepts(&s->layout, p->format))
+        return log_fail(EXIT_DISPLAY, "%s: 8 bits a pixel take %sl8 or i1, not %s",
+                        s->device, s->layout.grey ? "" : "p8, ",
+                        tp_format_name(p->format));
     const int code = set_table(s, p->format);
     if (code)
         return code;
@@ -220,7 +221,7 @@ static void fb_size(const screen *s, uint32_t *width, uint32_t *height)
 
 static tp_format fb_format(const screen *s)
 {
-    return layout_format(&s->layout);
+    return pixel_layout_format(&s->layout);
 }
 
 /* Restores the colour table, shared by all consoles: text consoles set only a few
@@ -288,7 +289,7 @@ static int save(screen *s)
     const uint8_t *found = touched(s, &bytes);
     s->saved = s->row ? malloc(bytes) : NULL;
     if (!s->saved)
-        return fail_memory(bytes);
+        return log_fail_memory(bytes);
     memcpy(s->saved, found, bytes);
     s->page = s->var.yoffset >= s->var.yres;
     return EXIT_DONE;
@@ -298,13 +299,14 @@ static int fb_open(screen **to, const char *device, uint32_t width, uint32_t hei
 {
     screen *s = calloc(1, sizeof *s);
     if (!s)
-        return fail_memory(sizeof *s);
+        return log_fail_memory(sizeof *s);
     *to = s;
     *s = (screen){ .device = device, .blank = true, .table_of = -1,
                    .fd = open(device, O_RDWR | O_CLOEXEC) };
     int code = s->fd < 0 ? refuse(s, "cannot be opened") : EXIT_DONE;
     if (!code && flock(s->fd, LOCK_EX | LOCK_NB) && errno == EWOULDBLOCK)
-        code = fail(EXIT_DISPLAY, "%s: busy, another program shows a scene on it", device);
+        code = log_fail(EXIT_DISPLAY, "%s: busy, another program shows a scene on it",
+                        device);
     code = code ? code : look(s);
     code = code ? code : choose_size(s, width, height);
     code = code ? code : save(s);

@@ -36,16 +36,16 @@
 /* Pitch of the orbit around the boat, when entered from its deck. */
 #define ROUND_PITCH TP_DEG(-15)
 
-const char *look_name(look_mode mode)
+const char *camera_mode_name(camera_mode_kind mode)
 {
-    static const char *const names[LOOK_MODES] = { "free", "orbit", "top", "boat" };
-    return mode < LOOK_MODES ? names[mode] : "";
+    static const char *const names[CAMERA_MODES] = { "free", "orbit", "top", "boat" };
+    return mode < CAMERA_MODES ? names[mode] : "";
 }
 
-tp_camera_follow look_follow(const look *l, const tp_scene *filed)
+tp_camera_follow camera_mode_follow(const camera_mode *l, const tp_scene *filed)
 {
-    return l->mode == LOOK_BOAT ? TP_FOLLOW_BOAT
-         : l->mode == LOOK_FREE ? (tp_camera_follow)filed->camera.follow : TP_FOLLOW_NONE;
+    return l->mode == CAMERA_BOAT ? TP_FOLLOW_BOAT
+         : l->mode == CAMERA_FREE ? (tp_camera_follow)filed->camera.follow : TP_FOLLOW_NONE;
 }
 
 /* -- target ------------------------------------------------------------------------- */
@@ -95,7 +95,7 @@ static bool sees_boat(const tp_camera *camera, const tp_world *world,
 
 /* Returns the distance of the target ahead, m: the boat, the water, or the limit if
  * neither is near. */
-static int64_t aim(look *l, const tp_camera *camera, const tp_world *world,
+static int64_t aim(camera_mode *l, const tp_camera *camera, const tp_world *world,
                    const tp_scene *scene)
 {
     const uint32_t side = 512;
@@ -117,7 +117,7 @@ static int64_t aim(look *l, const tp_camera *camera, const tp_world *world,
 }
 
 /* Sets heading and pitch of the camera in world axes, on deck too. */
-static void face(look *l, const tp_camera *camera, const tp_world *world)
+static void face(camera_mode *l, const tp_camera *camera, const tp_world *world)
 {
     const tp_dir3 *back = &camera->turn.z;
     const int64_t level = (int64_t)back->x * back->x + (int64_t)back->z * back->z;
@@ -131,7 +131,7 @@ static void face(look *l, const tp_camera *camera, const tp_world *world)
 }
 
 /* Entering orbit or top from the deck: the target is the boat. */
-static void leave_deck(look *l, const tp_world *world, const tp_scene *scene)
+static void leave_deck(camera_mode *l, const tp_world *world, const tp_scene *scene)
 {
     l->with_boat = true;
     l->about = world->boat.place;
@@ -139,7 +139,7 @@ static void leave_deck(look *l, const tp_world *world, const tp_scene *scene)
     l->pitch = ROUND_PITCH;
 }
 
-static void begin_orbit(look *l, const tp_world *world, const tp_scene *scene)
+static void begin_orbit(camera_mode *l, const tp_world *world, const tp_scene *scene)
 {
     const tp_camera camera = tp_world_camera(world);
     const int64_t far = aim(l, &camera, world, scene);
@@ -149,7 +149,7 @@ static void begin_orbit(look *l, const tp_world *world, const tp_scene *scene)
     l->away = tp_clamp((int32_t)tp_clamp_abs(far, AWAY_MOST), AWAY_LEAST, AWAY_MOST);
     if (world->aboard == TP_ABOARD_DECK)
         leave_deck(l, world, scene);
-    if (l->mode == LOOK_TOP) {
+    if (l->mode == CAMERA_TOP) {
         l->about.y = 0;
         l->pitch = (tp_turn)-PITCH_MOST;
     }
@@ -157,7 +157,7 @@ static void begin_orbit(look *l, const tp_world *world, const tp_scene *scene)
 
 /* -- modes -------------------------------------------------------------------------- */
 
-static void begin_first_person(look *l, tp_vec3 eye, tp_turn heading, tp_turn pitch)
+static void begin_first_person(camera_mode *l, tp_vec3 eye, tp_turn heading, tp_turn pitch)
 {
     l->about = eye;
     l->away = 0;
@@ -166,39 +166,41 @@ static void begin_first_person(look *l, tp_vec3 eye, tp_turn heading, tp_turn pi
     l->with_boat = false;
 }
 
-bool look_begin(look *l, look_mode mode, const tp_world *world, const tp_scene *scene)
+bool camera_mode_begin(camera_mode *l, camera_mode_kind mode, const tp_world *world,
+                       const tp_scene *scene)
 {
     const tp_fx length = scene->boat.length;
 
-    if (mode >= LOOK_MODES || (mode == LOOK_BOAT && !scene->boat.mesh[0]))
+    if (mode >= CAMERA_MODES || (mode == CAMERA_BOAT && !scene->boat.mesh[0]))
         return false;
-    if (mode == LOOK_FREE && l->mode == LOOK_FREE)
+    if (mode == CAMERA_FREE && l->mode == CAMERA_FREE)
         return true;
-    if (l->mode == LOOK_FREE) {
+    if (l->mode == CAMERA_FREE) {
         l->free_eye = world->eye;
         l->free_heading = world->heading;
         l->free_pitch = world->pitch;
     }
     l->mode = mode;
     l->jump = true;
-    if (mode == LOOK_FREE)
+    if (mode == CAMERA_FREE)
         begin_first_person(l, l->free_eye, l->free_heading, l->free_pitch);
-    else if (mode == LOOK_BOAT)
-        begin_first_person(l, (tp_vec3){ 0, tp_fx_mul(length, DECK_Y), tp_fx_mul(length, DECK_Z) },
-                 0, DECK_PITCH);
+    else if (mode == CAMERA_BOAT)
+        begin_first_person(
+            l, (tp_vec3){ 0, tp_fx_mul(length, DECK_Y), tp_fx_mul(length, DECK_Z) }, 0,
+            DECK_PITCH);
     else
         begin_orbit(l, world, scene);
     return true;
 }
 
 /* Scales a step by the distance; the result is at most 32768 m. */
-static int64_t scaled(const look *l, tp_fx step)
+static int64_t scaled(const camera_mode *l, tp_fx step)
 {
     const int64_t by = l->away / AWAY_USUAL;
     return by > TP_FX_ONE ? tp_clamp_abs(step * by >> 16, TP_FX_MAX) : step;
 }
 
-static void go_away(look *l, int64_t by, tp_fx near)
+static void go_away(camera_mode *l, int64_t by, tp_fx near)
 {
     const int64_t least = near > AWAY_LEAST / 2 ? 2 * (int64_t)near : AWAY_LEAST;
     const int64_t away = l->away + by;
@@ -207,7 +209,7 @@ static void go_away(look *l, int64_t by, tp_fx near)
 }
 
 /* Orbit.  A sideways step of d m turns by d / distance radians; a radian is 2^32 / 2 pi. */
-static void go_round(look *l, const tp_scene *scene, const tp_input *input)
+static void go_round(camera_mode *l, const tp_scene *scene, const tp_input *input)
 {
     const int64_t radian = 683565276;
     const int64_t aside = scaled(l, input->strafe) * radian / l->away;
@@ -219,7 +221,7 @@ static void go_round(look *l, const tp_scene *scene, const tp_input *input)
     go_away(l, -scaled(l, input->forward), scene->camera.near);
 }
 
-static void glide(look *l, const tp_scene *scene, const tp_input *input)
+static void glide(camera_mode *l, const tp_scene *scene, const tp_input *input)
 {
     const int64_t ahead = scaled(l, input->forward), aside = scaled(l, input->strafe);
 
@@ -231,7 +233,7 @@ static void glide(look *l, const tp_scene *scene, const tp_input *input)
 }
 
 /* Moves the target with the boat in x and z; heave is not followed. */
-static void go_with_boat(look *l, const tp_world *world, const tp_scene *scene)
+static void go_with_boat(camera_mode *l, const tp_world *world, const tp_scene *scene)
 {
     const tp_vec3 *boat = &world->boat.place;
 
@@ -245,7 +247,7 @@ static void go_with_boat(look *l, const tp_world *world, const tp_scene *scene)
 
 /* Writes the input leading to the mode's pose.  Differences of positions are below 2^30,
  * sines at most 2^30 (Q2.30), and `one` is about 2^30. */
-static void lead(const look *l, const tp_world *world, tp_input *input)
+static void lead(const camera_mode *l, const tp_world *world, tp_input *input)
 {
     const tp_rotation turn = tp_rotation_from_angles(l->heading, l->pitch, 0);
     const tp_vec3 eye = along(l->about, turn.z, l->away);
@@ -261,16 +263,17 @@ static void lead(const look *l, const tp_world *world, tp_input *input)
     input->up = tp_fx_sub_sat(held(eye.y, PLACE_MOST), world->eye.y);
 }
 
-void look_steer(look *l, const tp_world *world, const tp_scene *scene, tp_input *input)
+void camera_mode_steer(camera_mode *l, const tp_world *world, const tp_scene *scene,
+                       tp_input *input)
 {
-    const bool around = l->mode == LOOK_ORBIT || l->mode == LOOK_TOP;
+    const bool around = l->mode == CAMERA_ORBIT || l->mode == CAMERA_TOP;
 
     if (!around && !l->jump)
         return;
     go_with_boat(l, world, scene);
-    if (l->mode == LOOK_ORBIT && !l->jump)
+    if (l->mode == CAMERA_ORBIT && !l->jump)
         go_round(l, scene, input);
-    if (l->mode == LOOK_TOP && !l->jump)
+    if (l->mode == CAMERA_TOP && !l->jump)
         glide(l, scene, input);
     lead(l, world, input);
     l->jump = false;

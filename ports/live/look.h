@@ -6,11 +6,17 @@
 #define LIVE_LOOK_H
 #include "tidepool/world.h"
 
-typedef enum { LOOK_FREE, LOOK_ORBIT, LOOK_TOP, LOOK_BOAT, LOOK_MODES } look_mode;
+typedef enum {
+    CAMERA_FREE,
+    CAMERA_ORBIT,
+    CAMERA_TOP,
+    CAMERA_BOAT,
+    CAMERA_MODES
+} camera_mode_kind;
 
 /* All 0 at first and after a change of scene: the mode is then free. */
 typedef struct {
-    look_mode mode;
+    camera_mode_kind mode;
     tp_vec3   about;            /* target of the camera */
     tp_fx     away;             /* distance from the target, m */
     tp_turn   heading, pitch;
@@ -21,18 +27,20 @@ typedef struct {
     tp_fx     boat_x, boat_z;   /* the boat's last position, m */
     tp_vec3   free_eye;         /* last pose of the free camera */
     tp_turn   free_heading, free_pitch;
-} look;
+} camera_mode;
 
-/* Begins a mode.  Returns false for an unknown mode, or without a boat for LOOK_BOAT;
- * nothing then changes.  The target of orbit and top is at the middle of the picture:
- * the boat, if visible there, and then the target follows the boat; else the water; else
- * a point ahead.  Selecting the active mode starts it again.  Before the next look_steer
- * the caller must set camera.follow to the value of look_follow. */
-bool look_begin(look *l, look_mode mode, const tp_world *world, const tp_scene *scene);
+/* Begins a mode.  Returns false for an unknown mode, or without a boat for
+ * CAMERA_BOAT; nothing then changes.  The target of orbit and top is at the middle of
+ * the picture: the boat, if visible there, and then the target follows the boat; else
+ * the water; else a point ahead.  Selecting the active mode starts it again.  Before
+ * the next camera_mode_steer the caller must set camera.follow to the value of
+ * camera_mode_follow. */
+bool camera_mode_begin(camera_mode *l, camera_mode_kind mode, const tp_world *world,
+                       const tp_scene *scene);
 
 /* Returns the camera.follow needed by the mode: `boat` on the deck, `none` for orbit and
  * top, and for the free camera the value of the scene's file. */
-tp_camera_follow look_follow(const look *l, const tp_scene *filed);
+tp_camera_follow camera_mode_follow(const camera_mode *l, const tp_scene *filed);
 
 /* Replaces the camera's part of `input`, the next input of tp_world_step or
  * tp_world_move_camera.  Free and deck leave the input unchanged.  In orbit, turn, tilt
@@ -40,7 +48,8 @@ tp_camera_follow look_follow(const look *l, const tp_scene *filed);
  * ahead and aside glide over the water, up rises, turn turns the map.  While l->jump is
  * set, the input moves to the mode's pose at once: use tp_world_move_camera then, so
  * that no frame is drawn on the way. */
-void look_steer(look *l, const tp_world *world, const tp_scene *scene, tp_input *input);
+void camera_mode_steer(camera_mode *l, const tp_world *world, const tp_scene *scene,
+                       tp_input *input);
 
-const char *look_name(look_mode mode);
+const char *camera_mode_name(camera_mode_kind mode);
 #endif

@@ -33,18 +33,18 @@ static void carry_time(tp_world *to, const tp_world *from)
     const tp_fx scale = to->clock_scale;
 
     to->tick = from->tick;
-    to->back = from->back;
+    to->lag = from->lag;
     to->clock = from->clock;
     if (scale != from->clock_scale)
         tp_clock_set_target(&to->clock, scale);
-    tp_sea_phases(&to->sea, to->tick, 0, to->phases);
+    tp_deep_water_phases(&to->deep, to->tick, 0, to->phases);
 }
 
 static void carry_boat(tp_world *to, const tp_world *from)
 {
     to->boat = from->boat;
     to->last_boat = from->last_boat;
-    to->afloat = from->afloat;
+    to->boat_state = from->boat_state;
 }
 
 void setting_carry(tp_world *to, const tp_world *from)
@@ -59,6 +59,6 @@ void setting_carry(tp_world *to, const tp_world *from)
         to->last_exposure = from->last_exposure;
     }
     carry_time(to, from);
-    if (to->afloat.laid && from->afloat.laid)
+    if (to->boat_state.placed && from->boat_state.placed)
         carry_boat(to, from);
 }

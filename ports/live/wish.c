@@ -3,7 +3,7 @@
  * value. */
 #include "wish.h"
 
-void wish_add(tp_input *to, const tp_input *more)
+void input_merge(tp_input *to, const tp_input *more)
 {
     to->forward += more->forward;
     to->strafe += more->strafe;
@@ -20,7 +20,7 @@ void wish_add(tp_input *to, const tp_input *more)
     to->light_tilt += more->light_tilt;
 }
 
-bool wish_moves(const tp_input *input)
+bool input_moves_camera(const tp_input *input)
 {
     return input->forward || input->strafe || input->up || input->turn || input->tilt;
 }

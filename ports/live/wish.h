@@ -5,22 +5,22 @@
 #include "tidepool/world.h"
 
 /* Camera, per tick of 1/60 s: 4 m/s, 16 m/s with Shift, 60 degrees/s. */
-#define WISH_WALK TP_FX(4.0 / TP_TICKS_PER_SECOND)
-#define WISH_RUN  TP_FX(16.0 / TP_TICKS_PER_SECOND)
-#define WISH_TURN ((int32_t)TP_DEG(60.0 / TP_TICKS_PER_SECOND))
+#define INPUT_WALK TP_FX(4.0 / TP_TICKS_PER_SECOND)
+#define INPUT_RUN  TP_FX(16.0 / TP_TICKS_PER_SECOND)
+#define INPUT_TURN ((int32_t)TP_DEG(60.0 / TP_TICKS_PER_SECOND))
 
 /* Light: 45 degrees/s. */
-#define WISH_LIGHT ((int32_t)TP_DEG(45.0 / TP_TICKS_PER_SECOND))
+#define INPUT_LIGHT ((int32_t)TP_DEG(45.0 / TP_TICKS_PER_SECOND))
 
 /* Sphere 1.5 m/s; boat's throttle 4 m/s; rudder 20 degrees/s. */
-#define WISH_STEER  TP_FX(1.5 / TP_TICKS_PER_SECOND)
-#define WISH_SAIL   TP_FX(4)
-#define WISH_RUDDER TP_FX(20)
+#define INPUT_STEER  TP_FX(1.5 / TP_TICKS_PER_SECOND)
+#define INPUT_SAIL   TP_FX(4)
+#define INPUT_RUDDER TP_FX(20)
 
 /* Adds the input `more` to `to`, for several inputs between two ticks.  Pokes are not
  * added. */
-void wish_add(tp_input *to, const tp_input *more);
+void input_merge(tp_input *to, const tp_input *more);
 
 /* True if the input moves the camera, possible while the water stands still too. */
-bool wish_moves(const tp_input *input);
+bool input_moves_camera(const tp_input *input);
 #endif

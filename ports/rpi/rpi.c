@@ -42,7 +42,7 @@ static _Noreturn void stop(const char *why)
 
 /* -- the task ---------------------------------------------------------------------- */
 
-typedef struct { uint32_t depth, width, height, first, frames; } wish;
+typedef struct { uint32_t depth, width, height, first, frames; } rpi_request;
 
 /* Sets *number to the number after a name in the command line; leaves it if the name is
  * missing. */
@@ -60,9 +60,9 @@ static void wished(const char *line, const char *name, uint32_t *number)
     }
 }
 
-static wish what_to_draw(void)
+static rpi_request what_to_draw(void)
 {
-    wish w = { 32, 640, 480, 0, 0 };
+    rpi_request w = { 32, 640, 480, 0, 0 };
     char line[128] = "";
     struct { char *text; size_t size; } block = { line, sizeof line };
 
@@ -83,7 +83,7 @@ typedef struct {
     uint32_t  pitch, width, height;
     uint32_t  seen;                 /* visible page, 0 or 1 */
     tp_format format;
-} screen;
+} rpi_screen;
 
 /* Stops the program unless a property was answered exactly as requested. */
 static void got(const char *what, const property *p, uint32_t a, uint32_t b)
@@ -102,7 +102,7 @@ static void got(const char *what, const property *p, uint32_t a, uint32_t b)
 /* Opens the screen.  At 16 bits the order called RGB has red in the high bits, at 32 bits
  * the other order.  Pages are wider than the screen, because QEMU moves its window only
  * over such a frame buffer. */
-static screen screen_open(const wish *w)
+static rpi_screen screen_open(const rpi_request *w)
 {
     const uint32_t order = w->depth == 16, wide = w->width + 16;
     property p[] = {
@@ -114,7 +114,7 @@ static screen screen_open(const wish *w)
         { .id = ALLOCATE, .value = { 16 } },
         { .id = GET_PITCH },
     };
-    screen s = { .width = w->width, .height = w->height };
+    rpi_screen s = { .width = w->width, .height = w->height };
 
     if (w->depth != 16 && w->depth != 32)
         stop("no frame buffer: the depth is 16 or 32");
@@ -135,13 +135,13 @@ static screen screen_open(const wish *w)
     return s;
 }
 
-static uint8_t *screen_page(const screen *s, uint32_t page)
+static uint8_t *screen_page(const rpi_screen *s, uint32_t page)
 {
     return s->pixels + (size_t)page * s->height * s->pitch;
 }
 
 /* Shows the other page; returns when the screen no longer reads the previous page. */
-static void screen_flip(screen *s)
+static void screen_flip(rpi_screen *s)
 {
     const uint32_t row = (1 - s->seen) * s->height;
     property p[] = { { .id = SET_OFFSET, .value = { 0, row } }, { .id = SET_VSYNC } };
@@ -163,7 +163,7 @@ typedef struct {
     control_setup setup;
     control   control;
     uint32_t  drawn_in;             /* time of the last frame, us */
-} work;
+} rpi_work;
 
 static tp_scene scene;              /* RAM copy of the baked scene, changed by commands */
 
@@ -175,13 +175,13 @@ static void write(void *to, const char *text)
 
 static void say_state(void *to)
 {
-    const work *w = to;
+    const rpi_work *w = to;
     say_number(" stack ", stack_used(), 10, 1);
     say_number(" bytes, a frame in ", w->drawn_in, 10, 1);
     say(" us");
 }
 
-static void work_begin(work *w, const screen *s)
+static void work_begin(rpi_work *w, const rpi_screen *s)
 {
     memcpy(&scene, &baked_scene, sizeof scene);
     w->config = (tp_config){ .width = s->width,
@@ -216,13 +216,13 @@ static void work_begin(work *w, const screen *s)
     control_begin(&w->control, &w->setup);
 }
 
-static void tick(work *w)
+static void tick(rpi_work *w)
 {
     const tp_input input = control_take(&w->control);
     tp_world_step(&tp_program_all, w->world, &scene, &input);
 }
 
-static void draw(work *w, screen *s)
+static void draw(rpi_work *w, rpi_screen *s)
 {
     const uint32_t begun = microseconds();
     uint8_t *page = screen_page(s, 1 - s->seen);
@@ -235,7 +235,7 @@ static void draw(work *w, screen *s)
     screen_flip(s);
 }
 
-static void tell(const work *w, const screen *s)
+static void tell(const rpi_work *w, const rpi_screen *s)
 {
     const uint8_t *row = screen_page(s, s->seen);
     uint32_t crc = 0;
@@ -259,7 +259,7 @@ static uint32_t ticks_due(uint32_t *clock)
 
 /* Runs for ever.  While the water is paused, frames are drawn and reported when step and
  * set commands ask for them. */
-static _Noreturn void live(work *w, screen *s)
+static _Noreturn void live(rpi_work *w, rpi_screen *s)
 {
     control *c = &w->control;
     uint32_t clock = microseconds();
@@ -283,10 +283,10 @@ static _Noreturn void live(work *w, screen *s)
 
 int main(void)
 {
-    static work w;
+    static rpi_work w;
     uart_open();
-    const wish asked = what_to_draw();
-    screen s = screen_open(&asked);
+    const rpi_request asked = what_to_draw();
+    rpi_screen s = screen_open(&asked);
     work_begin(&w, &s);
     say_number("screen ", s.width, 10, 1);
     say_number("x", s.height, 10, 1);

@@ -27,12 +27,12 @@ _Noreturn void fault(uint32_t class, uintptr_t pc, uintptr_t address);
 enum { NOBODYS, CACHED, BARE, DEVICE };
 
 #ifdef __aarch64__
-/* Level 2 blocks: valid, attribute index of map_enable, shared, accessed.  BARE and DEVICE are
- * not executable. */
+/* Level 2 blocks: valid, attribute index of map_enable, shared, accessed.  BARE and
+ * DEVICE are not executable. */
 #define BLOCK   0x200000u
 #define ENTRIES 512
 typedef uint64_t entry;
-static const entry kinds[] = {
+static const page_entry kinds[] = {
     [CACHED] = 0x701, [BARE] = 0x60000000000705, [DEVICE] = 0x60000000000409,
 };
 #else
@@ -41,12 +41,12 @@ static const entry kinds[] = {
 #define BLOCK   0x100000u
 #define ENTRIES 4096
 typedef uint32_t entry;
-static const entry kinds[] = {
+static const page_entry kinds[] = {
     [CACHED] = 0x1c0e, [BARE] = 0x1c12, [DEVICE] = 0xc16,
 };
 #endif
 
-static _Alignas(sizeof(entry) * ENTRIES) entry map[ENTRIES];
+static _Alignas(sizeof(page_entry) * ENTRIES) page_entry map[ENTRIES];
 
 static int memory_kind(uintptr_t address)
 {
@@ -65,7 +65,7 @@ static void make_map(void)
     for (uint32_t i = 0; i < ENTRIES; i++) {
         const uintptr_t address = (uintptr_t)i * BLOCK;
         const int kind = memory_kind(address);
-        map[i] = kind == NOBODYS ? 0 : (entry)address | kinds[kind];
+        map[i] = kind == NOBODYS ? 0 : (page_entry)address | kinds[kind];
     }
     barrier();
     map_enable(map);

@@ -98,12 +98,12 @@ int console_open(console *c)
     if (ioctl(c->vt, KDGETMODE, &c->mode) || ioctl(c->vt, VT_GETMODE, &c->switching)) {
         const int error = errno;
         console_close(c);
-        return fail(EXIT_DISPLAY, "the console's mode: %s", strerror(error));
+        return log_fail(EXIT_DISPLAY, "the console's mode: %s", strerror(error));
     }
     if (c->mode == KD_TEXT)
         return EXIT_DONE;
     console_close(c);
-    return fail(EXIT_DISPLAY, "the console is busy: another program draws on it");
+    return log_fail(EXIT_DISPLAY, "the console is busy: another program draws on it");
 }
 
 /* -- taking and restoring -------------------------------------------------------- */
@@ -119,7 +119,7 @@ static int take_keys(const console *c)
         raw.c_cc[VMIN] = 0;
         raw.c_cc[VTIME] = 0;
         if (tcsetattr(c->keys[i].fd, TCSANOW, &raw))
-            return fail(EXIT_DISPLAY, "the terminal's mode: %s", strerror(errno));
+            return log_fail(EXIT_DISPLAY, "the terminal's mode: %s", strerror(errno));
     }
     return EXIT_DONE;
 }
@@ -133,9 +133,9 @@ int console_take(console *c)
     if (code || c->vt < 0)
         return code;
     if (ioctl(c->vt, VT_SETMODE, &asked))
-        return fail(EXIT_DISPLAY, "the console's switching: %s", strerror(errno));
+        return log_fail(EXIT_DISPLAY, "the console's switching: %s", strerror(errno));
     if (ioctl(c->vt, KDSETMODE, KD_GRAPHICS))
-        return fail(EXIT_DISPLAY, "the console's graphics mode: %s", strerror(errno));
+        return log_fail(EXIT_DISPLAY, "the console's graphics mode: %s", strerror(errno));
     return EXIT_DONE;
 }
 
@@ -198,7 +198,7 @@ static void forget(console *c, int fd)
             c->keys[i].fd = -1;
 }
 
-void console_read(console *c, const struct pollfd *fds, int count, keys *k)
+void console_read(console *c, const struct pollfd *fds, int count, terminal_keys *k)
 {
     uint8_t bytes[64];
     for (int i = 0; i < count; i++) {
@@ -206,7 +206,7 @@ void console_read(console *c, const struct pollfd *fds, int count, keys *k)
             continue;
         const ssize_t n = read(fds[i].fd, bytes, sizeof bytes);
         if (n > 0)
-            keys_bytes(k, bytes, (size_t)n);
+            terminal_keys_add_bytes(k, bytes, (size_t)n);
         else if (n == 0 ? fds[i].revents & (POLLHUP | POLLERR)
                         : errno != EINTR && errno != EAGAIN)
             forget(c, fds[i].fd);

@@ -35,7 +35,7 @@ void console_close(console *c);
 /* console_fds writes the descriptors to poll and returns their number. console_read
  * reads them and passes the bytes to `k`. */
 int  console_fds(const console *c, struct pollfd fds[CONSOLE_KEYS]);
-void console_read(console *c, const struct pollfd *fds, int count, keys *k);
+void console_read(console *c, const struct pollfd *fds, int count, terminal_keys *k);
 
 /* console_front: true if our terminal is active. console_give answers CONSOLE_AWAY after
  * the screen is released; console_taken_back answers CONSOLE_BACK before the screen is

@@ -27,7 +27,7 @@ typedef struct {
     char     magic[7];
     uint8_t  version;
     uint32_t scene, build;
-    keep_at  at;
+    snapshot_progress  at;
     uint32_t bytes, crc;
 } head;
 
@@ -73,9 +73,10 @@ static uint32_t digest_build(void)
     return crc;
 }
 
-keep keep_begin(const char *name, const tp_scene *scene, const tp_assets *assets)
+snapshot_store snapshot_begin(const char *name, const tp_scene *scene,
+                              const tp_assets *assets)
 {
-    keep k = { .name = name };
+    snapshot_store k = { .name = name };
     if (name) {
         k.scene = digest_scene(scene, assets);
         k.build = digest_build();
@@ -83,7 +84,7 @@ keep keep_begin(const char *name, const tp_scene *scene, const tp_assets *assets
     return k;
 }
 
-void keep_scene(keep *k, const tp_scene *scene, const tp_assets *assets)
+void snapshot_set_scene(snapshot_store *k, const tp_scene *scene, const tp_assets *assets)
 {
     k->scene = digest_scene(scene, assets);
 }
@@ -97,7 +98,7 @@ static uint32_t digest(head h, const void *world)
 /* -- reading --------------------------------------------------------------------- */
 
 /* Returns the fault of the file, or NULL. */
-static const char *check_file(const keep *k, const head *h, const void *world,
+static const char *check_file(const snapshot_store *k, const head *h, const void *world,
                               size_t bytes, size_t got, char text[128])
 {
     if (got < sizeof *h || memcmp(h->magic, magic, sizeof magic) != 0)
@@ -118,7 +119,7 @@ static const char *check_file(const keep *k, const head *h, const void *world,
 
 /* Returns the fault of the content, or NULL.  Compares with a fresh world, made for the
  * same position in the tape. */
-static const char *check_world(const keep *k, const head *h, const tp_world *kept,
+static const char *check_world(const snapshot_store *k, const head *h, const tp_world *kept,
                                const tp_world *fresh, char text[128])
 {
     const uint32_t played = h->at.played;
@@ -134,8 +135,8 @@ static const char *check_world(const keep *k, const head *h, const tp_world *kep
 }
 
 /* Reads the file.  Asks for one byte more than expected, to detect a longer file. */
-static const char *read_file(const keep *k, FILE *file, head *h, void *copy, size_t bytes,
-                             char text[128])
+static const char *read_file(const snapshot_store *k, FILE *file, head *h, void *copy,
+                             size_t bytes, char text[128])
 {
     size_t got = fread(h, 1, sizeof *h, file);
     if (got == sizeof *h)
@@ -144,8 +145,8 @@ static const char *read_file(const keep *k, FILE *file, head *h, void *copy, siz
 }
 
 /* Returns the fault, or NULL with *world and *at set. */
-static const char *take(const keep *k, FILE *file, tp_world *world, size_t bytes,
-                        keep_at *at, char text[128])
+static const char *take(const snapshot_store *k, FILE *file, tp_world *world, size_t bytes,
+                        snapshot_progress *at, char text[128])
 {
     head h;
     void *copy = malloc(bytes + 1);
@@ -161,7 +162,8 @@ static const char *take(const keep *k, FILE *file, tp_world *world, size_t bytes
     return wrong;
 }
 
-bool keep_take(const keep *k, tp_world *world, size_t bytes, keep_at *at)
+bool snapshot_read(const snapshot_store *k, tp_world *world, size_t bytes,
+                   snapshot_progress *at)
 {
     char text[128];
     FILE *file = k->name ? fopen(k->name, "rb") : NULL;
@@ -172,13 +174,14 @@ bool keep_take(const keep *k, tp_world *world, size_t bytes, keep_at *at)
     if (file)
         fclose(file);
     if (wrong)
-        say("%s: %s: a fresh start", k->name, wrong);
+        log_line("%s: %s: a fresh start", k->name, wrong);
     return !wrong;
 }
 
 /* -- writing --------------------------------------------------------------------- */
 
-int keep_put(keep *k, const tp_world *world, size_t bytes, keep_at at)
+int snapshot_write(snapshot_store *k, const tp_world *world, size_t bytes,
+                   snapshot_progress at)
 {
     if (!k->name)
         return EXIT_DONE;
@@ -188,7 +191,7 @@ int keep_put(keep *k, const tp_world *world, size_t bytes, keep_at at)
     h.crc = digest(h, world);
     const bool done = atomic_file_write(k->name, &h, sizeof h, world, bytes);
     if (!done && !k->failed)
-        say("%s: cannot be saved: %s", k->name, strerror(errno));
+        log_line("%s: cannot be saved: %s", k->name, strerror(errno));
     k->failed = !done;
     return done ? EXIT_DONE : EXIT_INPUT;
 }

@@ -12,34 +12,37 @@
 typedef struct {
     uint32_t frame;             /* number of its last frame */
     uint32_t played;            /* tape entries applied so far */
-} keep_at;
+} snapshot_progress;
 
 typedef struct {
     const char *name;           /* file name; NULL: keep nothing */
     uint32_t    scene, build;   /* digests */
     bool        failed;         /* the last write failed, and an error was printed */
 
-    /* Makes a fresh world at tick 0 in the memory passed to keep_take, for the scene as
+    /* Makes a fresh world at tick 0 in the memory passed to snapshot_read, for the scene as
      * changed by the first `played` entries of the tape.  Returns false if the tape has
      * fewer entries.  NULL: no tape. */
     bool      (*remake)(void *user, uint32_t played);
     void       *user;
-} keep;
+} snapshot_store;
 
 /* Computes the digests: of the scene and its maps, and of the program's file, as far as
  * /proc gives access. */
-keep keep_begin(const char *name, const tp_scene *scene, const tp_assets *assets);
+snapshot_store snapshot_begin(const char *name, const tp_scene *scene,
+                              const tp_assets *assets);
 
 /* Computes the scene's digest again, for another scene. */
-void keep_scene(keep *k, const tp_scene *scene, const tp_assets *assets);
+void snapshot_set_scene(snapshot_store *k, const tp_scene *scene, const tp_assets *assets);
 
 /* Reads the kept world and its progress.  On entry *world is a world at tick 0, used to
  * check the file's content (tp_world_check).  Returns false if the file is missing,
  * incomplete, of another scene or build, or holds a state no scene can reach; the reason
  * has been said and *world is unchanged. */
-bool keep_take(const keep *k, tp_world *world, size_t bytes, keep_at *at);
+bool snapshot_read(const snapshot_store *k, tp_world *world, size_t bytes,
+                   snapshot_progress *at);
 
 /* Writes the world.  Returns EXIT_INPUT on failure; only the first failure in a row is
  * printed. */
-int  keep_put(keep *k, const tp_world *world, size_t bytes, keep_at at);
+int snapshot_write(snapshot_store *k, const tp_world *world, size_t bytes,
+                   snapshot_progress at);
 #endif

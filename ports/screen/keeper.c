@@ -7,20 +7,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct keeper {
+struct snapshot_thread {
     pthread_t       thread;
     pthread_mutex_t mutex;          /* guards `full` and `end` */
     pthread_cond_t  changed;
     bool            full, end;
-    keep            keep;
-    keep_at         at;
+    snapshot_store            keep;
+    snapshot_progress         at;
     size_t          bytes;
     void           *copy;
 };
 
 static void *work(void *user)
 {
-    keeper *k = user;
+    snapshot_thread *k = user;
     pthread_mutex_lock(&k->mutex);
     while (!k->end || k->full) {
         if (!k->full) {
@@ -28,7 +28,7 @@ static void *work(void *user)
             continue;
         }
         pthread_mutex_unlock(&k->mutex);
-        (void)keep_put(&k->keep, k->copy, k->bytes, k->at);
+        (void)snapshot_write(&k->keep, k->copy, k->bytes, k->at);
         pthread_mutex_lock(&k->mutex);
         k->full = false;
     }
@@ -36,9 +36,9 @@ static void *work(void *user)
     return NULL;
 }
 
-keeper *keeper_begin(const keep *kept, size_t bytes)
+snapshot_thread *snapshot_thread_begin(const snapshot_store *kept, size_t bytes)
 {
-    keeper *k = calloc(1, sizeof *k);
+    snapshot_thread *k = calloc(1, sizeof *k);
     if (!k)
         return NULL;
     k->keep = *kept;
@@ -53,7 +53,7 @@ keeper *keeper_begin(const keep *kept, size_t bytes)
     return NULL;
 }
 
-bool keeper_offer(keeper *k, const tp_world *world, keep_at at)
+bool snapshot_thread_offer(snapshot_thread *k, const tp_world *world, snapshot_progress at)
 {
     if (!k)
         return false;
@@ -69,7 +69,7 @@ bool keeper_offer(keeper *k, const tp_world *world, keep_at at)
     return empty;
 }
 
-bool keeper_end(keeper *k)
+bool snapshot_thread_end(snapshot_thread *k)
 {
     if (!k)
         return true;

@@ -5,16 +5,17 @@
 #define SCREEN_KEEPER_H
 #include "keep.h"
 
-typedef struct keeper keeper;
+typedef struct snapshot_thread snapshot_thread;
 
 /* Returns NULL without memory or thread; then only the final world is kept. */
-keeper *keeper_begin(const keep *k, size_t bytes);
+snapshot_thread *snapshot_thread_begin(const snapshot_store *k, size_t bytes);
 
 /* Copies the world for writing in the background.  Returns false if the last snapshot is
  * still being written. */
-bool    keeper_offer(keeper *to, const tp_world *world, keep_at at);
+bool snapshot_thread_offer(snapshot_thread *to, const tp_world *world,
+                           snapshot_progress at);
 
 /* Waits until the last snapshot is written.  Returns false if the write failed; the
  * reason has been said. */
-bool    keeper_end(keeper *to);
+bool    snapshot_thread_end(snapshot_thread *to);
 #endif

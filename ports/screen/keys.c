@@ -29,7 +29,7 @@ static const struct { const char *text; uint8_t key; } sequences[] = {
 };
 
 /* Opposite keys differ in the lowest bit. */
-static void press(keys *k, uint8_t key)
+static void press(terminal_keys *k, uint8_t key)
 {
     k->held[key ^ 1] = 0;
     if (!k->held[key])
@@ -38,7 +38,7 @@ static void press(keys *k, uint8_t key)
         k->held[key] = HOLD_NEXT;
 }
 
-static void letter(keys *k, uint8_t c)
+static void letter(terminal_keys *k, uint8_t c)
 {
     const bool capital = c >= 'A' && c <= 'Z';
     const char small = (char)(capital ? c - 'A' + 'a' : c);
@@ -60,7 +60,7 @@ static void letter(keys *k, uint8_t c)
 /* Handles a byte of an escape sequence.  A sequence ends with the first byte from @ to ~
  * after the introducer; unknown sequences are ignored.  Linux sends "[[A" to "[[E" for
  * F1 to F5. */
-static void sequence(keys *k, uint8_t c)
+static void sequence(terminal_keys *k, uint8_t c)
 {
     const bool first = k->escapes == 0;
     if (first && c != '[' && c != 'O') {        /* the Esc key, or Alt and a letter */
@@ -78,7 +78,7 @@ static void sequence(keys *k, uint8_t c)
     }
 }
 
-void keys_bytes(keys *k, const uint8_t *bytes, size_t count)
+void terminal_keys_add_bytes(terminal_keys *k, const uint8_t *bytes, size_t count)
 {
     for (size_t i = 0; i < count; i++)
         if (k->within) {
@@ -91,35 +91,35 @@ void keys_bytes(keys *k, const uint8_t *bytes, size_t count)
         }
 }
 
-void keys_rest(keys *k)
+void terminal_keys_flush(terminal_keys *k)
 {
     k->quit = k->quit || (k->within && !k->escapes);
     k->within = false;
 }
 
 /* Returns +1, 0 or -1 from two opposite keys. */
-static int axis(const keys *k, int more, int less)
+static int axis(const terminal_keys *k, int more, int less)
 {
     return (k->held[more] > 0) - (k->held[less] > 0);
 }
 
-tp_input keys_input(keys *k)
+tp_input terminal_keys_input(terminal_keys *k)
 {
-    const tp_fx step = k->run ? WISH_RUN : WISH_WALK;
+    const tp_fx step = k->run ? INPUT_RUN : INPUT_WALK;
     const int far = axis(k, KEY_STEER_FAR, KEY_STEER_NEAR);
     const int right = axis(k, KEY_STEER_RIGHT, KEY_STEER_LEFT);
     const tp_input input = {
         .forward = step * axis(k, KEY_AHEAD, KEY_BACK),
         .strafe = step * axis(k, KEY_RIGHT, KEY_LEFT),
         .up = step * axis(k, KEY_UP, KEY_DOWN),
-        .turn = WISH_TURN * axis(k, KEY_TURN_RIGHT, KEY_TURN_LEFT),
-        .tilt = WISH_TURN * axis(k, KEY_TILT_UP, KEY_TILT_DOWN),
-        .sphere_x = WISH_STEER * right,
-        .sphere_z = -WISH_STEER * far,
-        .throttle = WISH_SAIL * far,
-        .rudder = WISH_RUDDER * right,
-        .light_turn = WISH_LIGHT * axis(k, KEY_LIGHT_RIGHT, KEY_LIGHT_LEFT),
-        .light_tilt = WISH_LIGHT * axis(k, KEY_LIGHT_UP, KEY_LIGHT_DOWN),
+        .turn = INPUT_TURN * axis(k, KEY_TURN_RIGHT, KEY_TURN_LEFT),
+        .tilt = INPUT_TURN * axis(k, KEY_TILT_UP, KEY_TILT_DOWN),
+        .sphere_x = INPUT_STEER * right,
+        .sphere_z = -INPUT_STEER * far,
+        .throttle = INPUT_SAIL * far,
+        .rudder = INPUT_RUDDER * right,
+        .light_turn = INPUT_LIGHT * axis(k, KEY_LIGHT_RIGHT, KEY_LIGHT_LEFT),
+        .light_tilt = INPUT_LIGHT * axis(k, KEY_LIGHT_UP, KEY_LIGHT_DOWN),
         .drops = k->drops,
         .slowdown = k->slower,
     };

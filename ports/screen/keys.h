@@ -21,14 +21,14 @@ typedef struct {
     int     drops, slower;      /* events since the last tick */
     bool    within;             /* inside an escape sequence, or just after an Esc */
     uint8_t escape[8], escapes; /* bytes of the sequence after the Esc */
-} keys;
+} terminal_keys;
 
 /* Handles bytes in order.  An Esc at the end may be the Esc key or the start of a
- * sequence: call keys_rest after a pause without further bytes; then it counts as the
- * key. */
-void keys_bytes(keys *k, const uint8_t *bytes, size_t count);
-void keys_rest(keys *k);
+ * sequence: call terminal_keys_flush after a pause without further bytes; then it
+ * counts as the key. */
+void terminal_keys_add_bytes(terminal_keys *k, const uint8_t *bytes, size_t count);
+void terminal_keys_flush(terminal_keys *k);
 
 /* Returns the input of the next tick, and counts the held keys down by a tick. */
-tp_input keys_input(keys *k);
+tp_input terminal_keys_input(terminal_keys *k);
 #endif

@@ -6,17 +6,17 @@
 #include "pixel/pixel.h"
 #include <string.h>
 
-static uint32_t channel_mask(channel c)
+static uint32_t channel_mask(pixel_channel c)
 {
     return c.length ? (uint32_t)((((uint64_t)1 << c.length) - 1) << c.offset) : 0;
 }
 
-static bool fits(const layout *l, channel c)
+static bool fits(const pixel_layout *l, pixel_channel c)
 {
     return c.length <= 16 && c.offset + c.length <= l->bits;
 }
 
-static bool overlap(const layout *l)
+static bool overlap(const pixel_layout *l)
 {
     const uint32_t of[] = { channel_mask(l->red), channel_mask(l->green),
                             channel_mask(l->blue), channel_mask(l->spare) };
@@ -29,7 +29,7 @@ static bool overlap(const layout *l)
     return false;
 }
 
-bool layout_known(const layout *l)
+bool pixel_layout_is_supported(const pixel_layout *l)
 {
     if (l->bits != 8 && l->bits != 16 && l->bits != 24 && l->bits != 32)
         return false;
@@ -40,18 +40,18 @@ bool layout_known(const layout *l)
         && l->spare.offset + l->spare.length <= l->bits && !overlap(l);
 }
 
-static bool same(channel c, int offset, int length)
+static bool same(pixel_channel c, int offset, int length)
 {
     return c.offset == offset && c.length == length;
 }
 
-static bool is_565(const layout *l)
+static bool is_565(const pixel_layout *l)
 {
     return l->bits == 16 && same(l->red, 11, 5) && same(l->green, 5, 6)
         && same(l->blue, 0, 5);
 }
 
-tp_format layout_format(const layout *l)
+tp_format pixel_layout_format(const pixel_layout *l)
 {
     if (l->grey)
         return TP_FORMAT_L8;
@@ -60,7 +60,7 @@ tp_format layout_format(const layout *l)
     return is_565(l) ? TP_FORMAT_RGB565 : TP_FORMAT_XRGB8888;
 }
 
-bool layout_takes(const layout *l, tp_format format)
+bool pixel_layout_accepts(const pixel_layout *l, tp_format format)
 {
     if (l->grey)
         return format == TP_FORMAT_L8 || format == TP_FORMAT_I1;
@@ -68,15 +68,15 @@ bool layout_takes(const layout *l, tp_format format)
         || format == TP_FORMAT_I1;
 }
 
-uint32_t layout_colour(tp_format format, uint32_t i)
+uint32_t pixel_layout_colour(tp_format format, uint32_t i)
 {
     return format == TP_FORMAT_P8 ? tp_palette[i] : i * 0x010101u;
 }
 
-void layout_table(tp_format format, uint16_t *red, uint16_t *green, uint16_t *blue)
+void pixel_layout_table(tp_format format, uint16_t *red, uint16_t *green, uint16_t *blue)
 {
     for (uint32_t i = 0; i < 256; i++) {
-        const uint32_t rgb = layout_colour(format, i);
+        const uint32_t rgb = pixel_layout_colour(format, i);
         red[i] = (uint16_t)((rgb >> 16 & 255) * 257);
         green[i] = (uint16_t)((rgb >> 8 & 255) * 257);
         blue[i] = (uint16_t)((rgb & 255) * 257);
@@ -84,19 +84,19 @@ void layout_table(tp_format format, uint16_t *red, uint16_t *green, uint16_t *bl
 }
 
 /* Scales 8 bits to the channel's length and shifts them to its offset. */
-static uint32_t put(channel c, uint32_t value)
+static uint32_t put(pixel_channel c, uint32_t value)
 {
     const uint32_t wide = value << 8 | value;
     return wide >> (16 - c.length) << c.offset;
 }
 
-static uint32_t pack(const layout *l, uint32_t rgb)
+static uint32_t pack(const pixel_layout *l, uint32_t rgb)
 {
     return put(l->red, rgb >> 16 & 255) | put(l->green, rgb >> 8 & 255)
            | put(l->blue, rgb & 255) | channel_mask(l->spare);
 }
 
-static void store(const layout *l, uint8_t *to, uint32_t pixel)
+static void store(const pixel_layout *l, uint8_t *to, uint32_t pixel)
 {
     const uint32_t bytes = l->bits / 8;
     for (uint32_t i = 0; i < bytes; i++)
@@ -111,13 +111,13 @@ bool machine_is_big(void)
     return first == 0;
 }
 
-static bool is_words(const layout *l, tp_format format)
+static bool is_words(const pixel_layout *l, tp_format format)
 {
     return format == TP_FORMAT_XRGB8888 && l->bits == 32 && l->big == machine_is_big()
         && same(l->red, 16, 8) && same(l->green, 8, 8) && same(l->blue, 0, 8);
 }
 
-static bool is_copy(const layout *l, tp_format format)
+static bool is_copy(const pixel_layout *l, tp_format format)
 {
     if (l->indexed || l->grey)
         return format != TP_FORMAT_I1;
@@ -135,7 +135,7 @@ static void copy_words(void *to, const uint8_t *row, uint32_t width, uint32_t sp
     }
 }
 
-void layout_row(const layout *l, void *to, const picture *p, uint32_t y)
+void pixel_layout_row(const pixel_layout *l, void *to, const picture *p, uint32_t y)
 {
     const uint8_t *row = picture_row(p, y);
     const uint32_t bytes = l->bits / 8;

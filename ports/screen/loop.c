@@ -31,8 +31,8 @@ typedef struct {
     const show *what;
     screen     *on;
     console    *tty;
-    keys        keys;
-    keeper     *keeper;             /* NULL: only the final world is kept, or nothing */
+    terminal_keys keys;
+    snapshot_thread *keeper;        /* NULL: only the final world is kept, or nothing */
     tp_input    wish;               /* input of the next tick */
     uint64_t    clock, owed;        /* clock: us; owed: ticks due, in 1/1000000 */
     uint64_t    kept_at, key_at;    /* us */
@@ -101,11 +101,11 @@ static void step(loop *l)
 
 static void tick(loop *l)
 {
-    const tp_input input = keys_input(&l->keys);
-    wish_add(&l->wish, &input);
+    const tp_input input = terminal_keys_input(&l->keys);
+    input_merge(&l->wish, &input);
     if (!l->keys.pause) {
         step(l);
-    } else if (wish_moves(&input)) {
+    } else if (input_moves_camera(&input)) {
         tp_world_move_camera(l->what->world, &input);
         l->wish = (tp_input){ 0 };
         l->stale = true;
@@ -214,7 +214,7 @@ static int wait_events(loop *l)
         console_read(l->tty, fds, n, &l->keys);
         l->key_at = now;
     } else if (now - l->key_at > ESC_US) {
-        keys_rest(&l->keys);
+        terminal_keys_flush(&l->keys);
     }
     if (l->keys.interrupt)
         ended_by = SIGINT;
@@ -226,10 +226,10 @@ static int wait_events(loop *l)
 
 /* -- the loop -------------------------------------------------------------------- */
 
-static keep_at place(const loop *l)
+static snapshot_progress place(const loop *l)
 {
     const show *what = l->what;
-    return (keep_at){ l->frame, what->played ? what->played(what->user) : 0 };
+    return (snapshot_progress){ l->frame, what->played ? what->played(what->user) : 0 };
 }
 
 static int turn(loop *l)
@@ -243,7 +243,7 @@ static int turn(loop *l)
         code = draw(l);
     if (!code && l->frame != l->kept && now - l->kept_at >= KEEP_US) {
         l->kept_at = now;
-        if (keeper_offer(l->keeper, l->what->world, place(l)))
+        if (snapshot_thread_offer(l->keeper, l->what->world, place(l)))
             l->kept = l->frame;
     }
     return code;
@@ -263,14 +263,14 @@ static int skip(loop *l)
     return code;
 }
 
-int loop_run(const show *what, screen *on, console *tty, const keep *kept, uint32_t frame,
-             int *signal)
+int loop_run(const show *what, screen *on, console *tty, const snapshot_store *kept,
+             uint32_t frame, int *signal)
 {
     loop l = { .what = what, .on = on, .tty = tty, .frame = frame, .kept = frame,
                .stale = true };
-    keep last = *kept;
+    snapshot_store last = *kept;
     listen_to_signals();
-    l.keeper = kept->name ? keeper_begin(kept, what->world_bytes) : NULL;
+    l.keeper = kept->name ? snapshot_thread_begin(kept, what->world_bytes) : NULL;
     int code = prepare(&l);
     if (!code)
         code = console_take(tty);
@@ -279,8 +279,8 @@ int loop_run(const show *what, screen *on, console *tty, const keep *kept, uint3
         code = skip(&l);
     while (!code && !l.over)
         code = turn(&l);
-    last.failed = !keeper_end(l.keeper);
-    const int end = keep_put(&last, what->world, what->world_bytes, place(&l));
+    last.failed = !snapshot_thread_end(l.keeper);
+    const int end = snapshot_write(&last, what->world, what->world_bytes, place(&l));
     *signal = ended_by;
     code = code ? code : l.code;
     return code ? code : end;

@@ -20,13 +20,13 @@ typedef struct {
     picture   picture;
     tp_frame *frame;
     void     *block, *scratch;
-} drawing;
+} baked_drawing;
 
 static void *claim(size_t bytes)
 {
     void *memory = malloc(bytes);
     if (!memory)
-        exit(fail_memory(bytes));
+        exit(log_fail_memory(bytes));
     return memory;
 }
 
@@ -34,7 +34,7 @@ static void *claim(size_t bytes)
 
 static int prepare(void *user, uint32_t width, uint32_t height, tp_format format)
 {
-    drawing *d = user;
+    baked_drawing *d = user;
     const tp_config config = { .width = width,
                                .height = height,
                                .format = format,
@@ -50,13 +50,13 @@ static int prepare(void *user, uint32_t width, uint32_t height, tp_format format
     d->block = claim(bytes);
     d->scratch = claim(tp_frame_direct_scratch_bytes(&config, &baked_scene));
     if (tp_frame_init(&d->frame, &config, &baked_scene, d->block, bytes, &err))
-        return fail_with_error("screen", &err);
+        return log_fail_error("screen", &err);
     return EXIT_DONE;
 }
 
 static const picture *draw(void *user, const tp_world *world, uint32_t frame)
 {
-    drawing *d = user;
+    baked_drawing *d = user;
     tp_tile tile;
     (void)frame;
     tp_frame_begin(d->frame, world);
@@ -74,7 +74,7 @@ static const picture *draw(void *user, const tp_world *world, uint32_t frame)
 
 static int refuse(const char *word)
 {
-    return fail(EXIT_USAGE, "%s: unknown option; expected " TAKES, word);
+    return log_fail(EXIT_USAGE, "%s: unknown option; expected " TAKES, word);
 }
 
 /* Refuses signs and blanks, accepted by sscanf. */
@@ -138,15 +138,15 @@ static int read_all(show *s, int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    drawing d = { 0 };
+    baked_drawing d = { 0 };
     show s = { .port = &screen_fb, .scene = &baked_scene, .assets = &baked_assets,
                .user = &d, .prepare = prepare, .draw = draw };
     tp_error err = { 0 };
-    begin_streams();
+    streams_begin();
     if (argc == 2 && strcmp(argv[1], "--help") == 0) {
         puts("Shows a scene on a screen without a window system.  Options:\n" TAKES
              "; Esc ends it.");
-        return finish_stdout();
+        return streams_finish();
     }
     const int code = read_all(&s, argc, argv);
     if (code)
@@ -155,6 +155,6 @@ int main(int argc, char **argv)
     s.world = claim(s.world_bytes);
     if (tp_world_init(&tp_program_all, s.world, s.world_bytes, &baked_scene,
                       &baked_assets, &err))
-        return fail_with_error("screen", &err);
+        return log_fail_error("screen", &err);
     return show_run(&s);
 }

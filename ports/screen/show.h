@@ -52,8 +52,8 @@ int show_run(const show *what);
 /* -- interface between watch.c and loop.c ---------------------------------------- */
 
 /* Runs in the child. *signal: the signal that ended the loop, or 0. */
-int loop_run(const show *what, screen *on, console *tty, const keep *kept, uint32_t frame,
-             int *signal);
+int loop_run(const show *what, screen *on, console *tty, const snapshot_store *kept,
+             uint32_t frame, int *signal);
 
 /* The signals used by the loop: they end it or announce a console switch.  Blocked
  * except while it waits. */

@@ -45,7 +45,7 @@ typedef struct {
     screen     *on;
     console     tty;
     pid_t       parent, child;
-    keep        kept;
+    snapshot_store        kept;
     uint32_t    frame;              /* first frame */
 } watch;
 
@@ -89,7 +89,7 @@ static void child_run(watch *w, const sigset_t *before)
     if (!code)
         code = loop_run(w->what, w->on, &w->tty, &w->kept, w->frame, &signal);
     if (fflush(stdout) && !code)
-        code = fail(EXIT_INPUT, "standard output: %s", strerror(errno));
+        code = log_fail(EXIT_INPUT, "standard output: %s", strerror(errno));
     if (getppid() != w->parent) {
         *w = found;
         give_back(w);
@@ -154,7 +154,8 @@ static int watch_run(watch *w)
     const int code = w->child < 0 ? EXIT_INPUT : wait_child(w, &set, &by);
     give_back(w);
     if (w->child < 0)
-        return fail(EXIT_INPUT, "tidepool: cannot start a process: %s", strerror(error));
+        return log_fail(EXIT_INPUT, "tidepool: cannot start a process: %s",
+                        strerror(error));
     if (by)
         die_by_signal(by);
     sigprocmask(SIG_SETMASK, &before, NULL);
@@ -169,24 +170,24 @@ static int check_size(const show *what, const screen *on, const char *device)
     what->port->size(on, &width, &height);
     if (width >= SIDE_LOW && height >= SIDE_LOW)
         return EXIT_DONE;
-    return fail(EXIT_DISPLAY, "%s: %ux%u pixels; a scene needs at least %ux%u", device,
+    return log_fail(EXIT_DISPLAY, "%s: %ux%u pixels; a scene needs at least %ux%u", device,
                 width, height, SIDE_LOW, SIDE_LOW);
 }
 
 static int take_kept(watch *w)
 {
     const show *what = w->what;
-    keep_at at;
-    w->kept = keep_begin(what->keep, what->scene, what->assets);
+    snapshot_progress at;
+    w->kept = snapshot_begin(what->keep, what->scene, what->assets);
     w->kept.remake = what->remake;
     w->kept.user = what->user;
-    if (!keep_take(&w->kept, what->world, what->world_bytes, &at))
+    if (!snapshot_read(&w->kept, what->world, what->world_bytes, &at))
         return EXIT_DONE;
     w->frame = at.frame;
     if (what->counted && w->frame > what->last)
-        return fail(EXIT_INPUT, "%s: already at frame %u, past %u", what->keep,
-                    w->frame, what->last);
-    say("%s: continues at frame %u", what->keep, w->frame);
+        return log_fail(EXIT_INPUT, "%s: already at frame %u, past %u", what->keep,
+                        w->frame, what->last);
+    log_line("%s: continues at frame %u", what->keep, w->frame);
     return EXIT_DONE;
 }
 

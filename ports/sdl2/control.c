@@ -11,9 +11,9 @@
 #define DRAG     ((int32_t)TP_DEG(0.2))
 #define DRAG_MAX 400
 
-#define NOTCH (12 * WISH_RUN)   /* m per notch of the wheel: 3.2 */
+#define NOTCH (12 * INPUT_RUN)   /* m per notch of the wheel: 3.2 */
 
-static void window_event(control *c, const SDL_WindowEvent *event, uint64_t now)
+static void window_event(user_input *c, const SDL_WindowEvent *event, uint64_t now)
 {
     c->exposed = true;
     switch (event->event) {
@@ -38,13 +38,13 @@ static void window_event(control *c, const SDL_WindowEvent *event, uint64_t now)
     }
 }
 
-static void add_place(control *c, int x, int y, bool stir)
+static void add_place(user_input *c, int x, int y, bool stir)
 {
-    const int at = c->places < CONTROL_PLACES ? c->places++ : CONTROL_PLACES - 1;
-    c->place[at] = (control_place){ x, y, stir };
+    const int at = c->places < USER_INPUT_PLACES ? c->places++ : USER_INPUT_PLACES - 1;
+    c->place[at] = (user_input_place){ x, y, stir };
 }
 
-static void press_button(control *c, const SDL_MouseButtonEvent *event)
+static void press_button(user_input *c, const SDL_MouseButtonEvent *event)
 {
     if (event->button == SDL_BUTTON_LEFT) {
         c->turning = true;
@@ -54,7 +54,7 @@ static void press_button(control *c, const SDL_MouseButtonEvent *event)
     }
 }
 
-static void release_button(control *c, const SDL_MouseButtonEvent *event)
+static void release_button(user_input *c, const SDL_MouseButtonEvent *event)
 {
     if (event->button == SDL_BUTTON_LEFT)
         c->turning = false;
@@ -62,7 +62,7 @@ static void release_button(control *c, const SDL_MouseButtonEvent *event)
         c->stirring = false;
 }
 
-static void moved(control *c, const SDL_MouseMotionEvent *event)
+static void moved(user_input *c, const SDL_MouseMotionEvent *event)
 {
     if (c->turning || c->captured) {
         c->drag_x = tp_clamp(c->drag_x + event->xrel, -DRAG_MAX, DRAG_MAX);
@@ -72,7 +72,7 @@ static void moved(control *c, const SDL_MouseMotionEvent *event)
         add_place(c, event->x, event->y, true);
 }
 
-bool control_event(control *c, const SDL_Event *event, uint64_t now)
+bool user_input_event(user_input *c, const SDL_Event *event, uint64_t now)
 {
     switch (event->type) {
     case SDL_QUIT:            c->quit = true; break;
@@ -91,7 +91,7 @@ bool control_event(control *c, const SDL_Event *event, uint64_t now)
     return true;
 }
 
-void control_capture(control *c, bool on)
+void user_input_capture(user_input *c, bool on)
 {
     c->captured = SDL_SetRelativeMouseMode(on ? SDL_TRUE : SDL_FALSE) == 0 && on;
     c->drag_x = c->drag_y = 0;
@@ -114,22 +114,22 @@ static int axis(const held *h, action more, action less)
 
 static tp_input input_of_keys(const held *h)
 {
-    const tp_fx step = keymap_held(h->keys, ACT_RUN, h->down, h->mod) ? WISH_RUN
-                                                                      : WISH_WALK;
+    const tp_fx step = keymap_held(h->keys, ACT_RUN, h->down, h->mod) ? INPUT_RUN
+                                                                      : INPUT_WALK;
     return (tp_input){
         .forward = step * axis(h, ACT_FORWARD, ACT_BACKWARD),
         .strafe = step * axis(h, ACT_RIGHT, ACT_LEFT),
         .up = step * axis(h, ACT_UP, ACT_DOWN),
-        .sphere_x = WISH_STEER * axis(h, ACT_EAST, ACT_WEST),
-        .sphere_z = WISH_STEER * axis(h, ACT_SOUTH, ACT_NORTH),
-        .throttle = WISH_SAIL * axis(h, ACT_SAIL, ACT_BRAKE),
-        .rudder = WISH_RUDDER * axis(h, ACT_STARBOARD, ACT_PORT),
-        .light_turn = WISH_LIGHT * axis(h, ACT_LIGHT_RIGHT, ACT_LIGHT_LEFT),
-        .light_tilt = WISH_LIGHT * axis(h, ACT_LIGHT_UP, ACT_LIGHT_DOWN),
+        .sphere_x = INPUT_STEER * axis(h, ACT_EAST, ACT_WEST),
+        .sphere_z = INPUT_STEER * axis(h, ACT_SOUTH, ACT_NORTH),
+        .throttle = INPUT_SAIL * axis(h, ACT_SAIL, ACT_BRAKE),
+        .rudder = INPUT_RUDDER * axis(h, ACT_STARBOARD, ACT_PORT),
+        .light_turn = INPUT_LIGHT * axis(h, ACT_LIGHT_RIGHT, ACT_LIGHT_LEFT),
+        .light_tilt = INPUT_LIGHT * axis(h, ACT_LIGHT_UP, ACT_LIGHT_DOWN),
     };
 }
 
-tp_input control_input(control *c, const keymap *keys, const pad *stick, bool typing)
+tp_input user_input_read(user_input *c, const keymap *keys, const pad *stick, bool typing)
 {
     const held h = { keys, SDL_GetKeyboardState(NULL), SDL_GetModState() };
     tp_input input = typing ? (tp_input){ 0 } : input_of_keys(&h);

@@ -9,12 +9,12 @@
 #include "pad.h"
 #include "tidepool/world.h"
 
-#define CONTROL_PLACES 64       /* positions of the right button between two ticks */
+#define USER_INPUT_PLACES 64       /* positions of the right button between two ticks */
 
 typedef struct {
     int  x, y;                  /* pixel of the window */
     bool stir;                  /* true: moved with the button down; false: pressed */
-} control_place;
+} user_input_place;
 
 typedef struct {
     bool     quit, exposed;     /* events; the loop resets them */
@@ -23,20 +23,20 @@ typedef struct {
     bool     turning, stirring; /* states: a button pressed on the picture is held */
     int      drag_x, drag_y;    /* px since the last tick */
     int      wheel;             /* notches since the last tick; + is away from the person */
-    control_place place[CONTROL_PLACES];    /* events in their order */
+    user_input_place place[USER_INPUT_PLACES];    /* events in their order */
     int      places;            /* count; if full, the last place is overwritten */
     bool     resized;
     uint64_t resized_at;        /* us; the last resize event of a series */
     char     dropped[4096];     /* path of a file dropped on the window, "" if none */
-} control;
+} user_input;
 
 /* Returns true if the window may need drawing. */
-bool control_event(control *c, const SDL_Event *event, uint64_t now);
+bool user_input_event(user_input *c, const SDL_Event *event, uint64_t now);
 
 /* Captures or releases the mouse.  A captured mouse turns the camera. */
-void control_capture(control *c, bool on);
+void user_input_capture(user_input *c, bool on);
 
 /* Returns the input of one tick: held keys, and drags, reset by the call.  `typing`:
  * keys go to a text field. */
-tp_input control_input(control *c, const keymap *keys, const pad *stick, bool typing);
+tp_input user_input_read(user_input *c, const keymap *keys, const pad *stick, bool typing);
 #endif

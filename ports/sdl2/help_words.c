@@ -24,7 +24,7 @@ static void short_key(const char *word, char *out, size_t room)
     snprintf(out, room, "%.*s%s", (int)(name - word), word, as);
 }
 
-void help_add_keys(char out[HELP_KEYS], const char *keys)
+void key_help_add_keys(char out[KEY_HELP_KEYS], const char *keys)
 {
     char all[64], word[64];
     snprintf(all, sizeof all, "%s", keys);
@@ -32,12 +32,12 @@ void help_add_keys(char out[HELP_KEYS], const char *keys)
         const size_t used = strlen(out), last = strcspn(out, " ");
         short_key(key, word, sizeof word);
         const bool again = used == last && strcmp(out, word) == 0;
-        if (!again && used + strlen(word) + 2 < HELP_KEYS)
-            snprintf(out + used, HELP_KEYS - used, "%s%s", used ? " " : "", word);
+        if (!again && used + strlen(word) + 2 < KEY_HELP_KEYS)
+            snprintf(out + used, KEY_HELP_KEYS - used, "%s%s", used ? " " : "", word);
     }
 }
 
-void help_short_name(const action_row *row, char out[HELP_NAME])
+void key_help_short_name(const action_row *row, char out[KEY_HELP_NAME])
 {
     const size_t n = strlen(row->group), all = strlen(row->name);
     const char *name = row->name;
@@ -49,7 +49,7 @@ void help_short_name(const action_row *row, char out[HELP_NAME])
                && name[all - n - 1] == '_') {
         length -= n + 1;
     }
-    snprintf(out, HELP_NAME, "%.*s", (int)length, name);
+    snprintf(out, KEY_HELP_NAME, "%.*s", (int)length, name);
     for (char *c = out; *c; c++)
         *c = *c == '_' ? ' ' : *c;
 }

@@ -4,13 +4,13 @@
 #define SDL2_HELP_WORDS_H
 #include "../host/actions.h"
 
-#define HELP_KEYS 80            /* bytes with the terminating 0: list of keys; name */
-#define HELP_NAME 40
+#define KEY_HELP_KEYS 80            /* bytes with the terminating 0: list of keys; name */
+#define KEY_HELP_NAME 40
 
 /* Appends keys in the notation of a keymap, shortened: "PgUp" for PageUp, arrows of
  * letters.h for Up ... Right, a single "Shift" for both Shift keys. */
-void help_add_keys(char out[HELP_KEYS], const char *keys);
+void key_help_add_keys(char out[KEY_HELP_KEYS], const char *keys);
 
 /* Writes the name without its group: "left" for light_left of group light. */
-void help_short_name(const action_row *row, char out[HELP_NAME]);
+void key_help_short_name(const action_row *row, char out[KEY_HELP_NAME]);
 #endif

@@ -99,12 +99,12 @@ static void write_text(keymap *m, action of)
 static void refuse_key(const char *word, char wrong[WRONG_BYTES])
 {
     char name[NAME_BYTES], best_name[NAME_BYTES] = "";
-    nearest best = nearest_make(word);
+    did_you_mean best = did_you_mean_make(word);
     for (int i = 1; i < SDL_NUM_SCANCODES; i++) {
         const unsigned before = best.distance;
         key_name((SDL_Scancode)i, name);
         if (name[0])
-            nearest_offer(&best, name);
+            did_you_mean_offer(&best, name);
         if (best.distance < before)
             memcpy(best_name, name, sizeof best_name);
     }
@@ -153,14 +153,14 @@ typedef struct {
 
 static bool refuse_action(const keys_file *file, uint32_t line, const char *name)
 {
-    nearest best = nearest_make(name);
+    did_you_mean best = did_you_mean_make(name);
     for (int of = 0; of < ACTIONS; of++)
-        nearest_offer(&best, actions[of].name);
+        did_you_mean_offer(&best, actions[of].name);
     if (best.name)
-        say("%s:%u: no action is called %s; did you mean %s?", file->path, (unsigned)line,
-            name, best.name);
+        log_line("%s:%u: no action is called %s; did you mean %s?", file->path,
+                 (unsigned)line, name, best.name);
     else
-        say("%s:%u: no action is called %s", file->path, (unsigned)line, name);
+        log_line("%s:%u: no action is called %s", file->path, (unsigned)line, name);
     return false;
 }
 
@@ -171,8 +171,8 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
     char wrong[WRONG_BYTES];
     int of = 0;
     if (section[0]) {
-        say("%s:%u: a file of keys has no sections, such as [%s]", file->path,
-            (unsigned)line, section);
+        log_line("%s:%u: a file of keys has no sections, such as [%s]", file->path,
+                 (unsigned)line, section);
         return false;
     }
     while (of < ACTIONS && strcmp(actions[of].name, name) != 0)
@@ -182,7 +182,7 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
     file->line[of] = line;
     put_keys(&file->map, (action)of, value, wrong);
     if (wrong[0])
-        say("%s:%u: %s", file->path, (unsigned)line, wrong);
+        log_line("%s:%u: %s", file->path, (unsigned)line, wrong);
     return !wrong[0];
 }
 
@@ -211,9 +211,9 @@ static int refuse_shared(const keys_file *file)
             if (!key)
                 continue;
             key_word(key, word);
-            return fail(EXIT_INPUT, "%s:%u: %s is the key of %s already", file->path,
-                        (unsigned)file->line[later], word,
-                        actions[later == a ? b : a].name);
+            return log_fail(EXIT_INPUT, "%s:%u: %s is the key of %s already", file->path,
+                            (unsigned)file->line[later], word,
+                            actions[later == a ? b : a].name);
         }
     return EXIT_DONE;
 }

@@ -16,7 +16,7 @@
 
 /* Bit 4 of a row is the leftmost pixel.  Row 0 of a glyph is the second row of the cell. */
 /* clang-format off */
-static const uint8_t font[GLYPHS][ROWS] = {
+static const uint8_t glyph_rows[GLYPHS][ROWS] = {
     { 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00 },    /* blank */
     { 0x04, 0x04, 0x04, 0x04, 0x04, 0x00, 0x04, 0x00, 0x00 },    /* ! */
     { 0x0a, 0x0a, 0x0a, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00 },    /* " */
@@ -112,22 +112,22 @@ static const uint8_t font[GLYPHS][ROWS] = {
     { 0x04, 0x04, 0x04, 0x04, 0x04, 0x04, 0x04, 0x04, 0x00 },    /* | */
     { 0x08, 0x04, 0x04, 0x02, 0x04, 0x04, 0x08, 0x00, 0x00 },    /* } */
     { 0x00, 0x00, 0x0d, 0x16, 0x00, 0x00, 0x00, 0x00, 0x00 },    /* ~ */
-    { 0x04, 0x0e, 0x15, 0x04, 0x04, 0x04, 0x04, 0x00, 0x00 },    /* LETTER_UP */
-    { 0x04, 0x04, 0x04, 0x04, 0x15, 0x0e, 0x04, 0x00, 0x00 },    /* LETTER_DOWN */
-    { 0x00, 0x04, 0x08, 0x1f, 0x08, 0x04, 0x00, 0x00, 0x00 },    /* LETTER_LEFT */
-    { 0x00, 0x04, 0x02, 0x1f, 0x02, 0x04, 0x00, 0x00, 0x00 },    /* LETTER_RIGHT */
+    { 0x04, 0x0e, 0x15, 0x04, 0x04, 0x04, 0x04, 0x00, 0x00 },    /* FONT_UP */
+    { 0x04, 0x04, 0x04, 0x04, 0x15, 0x0e, 0x04, 0x00, 0x00 },    /* FONT_DOWN */
+    { 0x00, 0x04, 0x08, 0x1f, 0x08, 0x04, 0x00, 0x00, 0x00 },    /* FONT_LEFT */
+    { 0x00, 0x04, 0x02, 0x1f, 0x02, 0x04, 0x00, 0x00, 0x00 },    /* FONT_RIGHT */
 };
 /* clang-format on */
 
-struct letters {
+struct font {
     SDL_Renderer *renderer;
-    SDL_Texture  *sheet[LETTER_SCALES];     /* by scale - 1; NULL: not yet made */
+    SDL_Texture  *sheet[FONT_SCALES];     /* by scale - 1; NULL: not yet made */
 };
 
 /* Returns a glyph's cell in the sheet. */
 static SDL_Rect cell(int glyph, int scale)
 {
-    const int wide = LETTER_WIDE * scale, high = LETTER_HIGH * scale;
+    const int wide = FONT_WIDE * scale, high = FONT_HIGH * scale;
     return (SDL_Rect){ glyph % ACROSS * wide, glyph / ACROSS * high, wide, high };
 }
 
@@ -138,7 +138,7 @@ static void paint(uint32_t *pixels, size_t pitch, int glyph, int scale)
         for (int x = 0; x < at.w; x++) {
             const int row = y / scale - 1, column = x / scale;
             const bool ink = row >= 0 && row < ROWS && column < 5
-                          && (font[glyph][row] >> (4 - column) & 1);
+                             && (glyph_rows[glyph][row] >> (4 - column) & 1);
             pixels[(size_t)(at.y + y) * pitch + (size_t)(at.x + x)] =
                 ink ? 0xffffffffu : 0x00ffffffu;
         }
@@ -146,7 +146,7 @@ static void paint(uint32_t *pixels, size_t pitch, int glyph, int scale)
 
 static SDL_Texture *make_sheet(SDL_Renderer *renderer, int scale)
 {
-    const int wide = ACROSS * LETTER_WIDE * scale, high = DOWN * LETTER_HIGH * scale;
+    const int wide = ACROSS * FONT_WIDE * scale, high = DOWN * FONT_HIGH * scale;
     SDL_Texture *sheet = NULL;
     SDL_Surface *s =
         SDL_CreateRGBSurfaceWithFormat(0, wide, high, 32, SDL_PIXELFORMAT_ARGB8888);
@@ -161,9 +161,9 @@ static SDL_Texture *make_sheet(SDL_Renderer *renderer, int scale)
     return sheet;
 }
 
-letters *letters_open(SDL_Renderer *renderer)
+font *font_open(SDL_Renderer *renderer)
 {
-    letters *l = SDL_calloc(1, sizeof *l);
+    font *l = SDL_calloc(1, sizeof *l);
     if (!l) {
         SDL_OutOfMemory();
         return NULL;
@@ -177,17 +177,17 @@ letters *letters_open(SDL_Renderer *renderer)
     return l;
 }
 
-void letters_close(letters *l)
+void font_close(font *l)
 {
     if (!l)
         return;
-    letters_again(l);
+    font_reload(l);
     SDL_free(l);
 }
 
-void letters_again(letters *l)
+void font_reload(font *l)
 {
-    for (int i = 0; i < LETTER_SCALES; i++) {
+    for (int i = 0; i < FONT_SCALES; i++) {
         if (l->sheet[i])
             SDL_DestroyTexture(l->sheet[i]);
         l->sheet[i] = NULL;
@@ -201,12 +201,12 @@ static int glyph_index(unsigned char byte)
 {
     if (byte >= FIRST && byte < FIRST + ASCII)
         return byte - FIRST;
-    if (byte >= LETTER_UP && byte <= LETTER_RIGHT)
-        return ASCII + byte - LETTER_UP;
+    if (byte >= FONT_UP && byte <= FONT_RIGHT)
+        return ASCII + byte - FONT_UP;
     return (byte & 0xc0) == 0x80 ? -1 : UNKNOWN;
 }
 
-int letters_count(const char *text)
+int font_cell_count(const char *text)
 {
     int n = 0;
     for (; *text; text++)
@@ -214,9 +214,9 @@ int letters_count(const char *text)
     return n;
 }
 
-void letters_draw(letters *l, int x, int y, int scale, uint32_t colour, const char *text)
+void font_draw(font *l, int x, int y, int scale, uint32_t colour, const char *text)
 {
-    const int size = SDL_clamp(scale, 1, LETTER_SCALES);
+    const int size = SDL_clamp(scale, 1, FONT_SCALES);
     SDL_Texture **sheet = &l->sheet[size - 1];
     if (!*sheet)
         *sheet = make_sheet(l->renderer, size);
@@ -231,11 +231,11 @@ void letters_draw(letters *l, int x, int y, int scale, uint32_t colour, const ch
             const SDL_Rect from = cell(glyph, size), to = { x, y, from.w, from.h };
             SDL_RenderCopy(l->renderer, *sheet, &from, &to);
         }
-        x += glyph >= 0 ? LETTER_WIDE * size : 0;
+        x += glyph >= 0 ? FONT_WIDE * size : 0;
     }
 }
 
-void letters_fill(letters *l, int x, int y, int wide, int high, uint32_t colour,
+void font_fill(font *l, int x, int y, int wide, int high, uint32_t colour,
                   uint8_t alpha)
 {
     const SDL_Rect box = { x, y, wide, high };
@@ -247,12 +247,12 @@ void letters_fill(letters *l, int x, int y, int wide, int high, uint32_t colour,
     SDL_RenderFillRect(l->renderer, &box);
 }
 
-void letters_clip(letters *l, const SDL_Rect *within)
+void font_set_clip(font *l, const SDL_Rect *within)
 {
     SDL_RenderSetClipRect(l->renderer, within);
 }
 
-void letters_box(letters *l, int x, int y, int wide, int high, uint8_t alpha)
+void font_draw_background(font *l, int x, int y, int wide, int high, uint8_t alpha)
 {
-    letters_fill(l, x, y, wide, high, 0x06101c, alpha);
+    font_fill(l, x, y, wide, high, 0x06101c, alpha);
 }

@@ -5,33 +5,33 @@
 #define SDL2_LETTERS_H
 #include <SDL.h>
 
-enum { LETTER_WIDE = 6, LETTER_HIGH = 10, LETTER_SCALES = 8 };
+enum { FONT_WIDE = 6, FONT_HIGH = 10, FONT_SCALES = 8 };
 
 /* Byte values of the arrows in a text. */
-enum { LETTER_UP = 1, LETTER_DOWN, LETTER_LEFT, LETTER_RIGHT };
+enum { FONT_UP = 1, FONT_DOWN, FONT_LEFT, FONT_RIGHT };
 
-typedef struct letters letters;
+typedef struct font font;
 
-letters *letters_open(SDL_Renderer *renderer);          /* NULL: SDL_GetError() */
-void letters_close(letters *l);
-void letters_again(letters *l);         /* the renderer lost its textures */
+font *font_open(SDL_Renderer *renderer);          /* NULL: SDL_GetError() */
+void font_close(font *l);
+void font_reload(font *l);         /* the renderer lost its textures */
 
 /* Returns the number of cells of a text: one per character.  A non-ASCII UTF-8 character
  * is one '?'. */
-int  letters_count(const char *text);
+int  font_cell_count(const char *text);
 
 /* Draws a line of text with its upper left corner at x, y of the window. scale 1..8;
  * colour 0xTTRRGGBB, TT = transparency, 0 = opaque. */
-void letters_draw(letters *l, int x, int y, int scale, uint32_t colour, const char *text);
+void font_draw(font *l, int x, int y, int scale, uint32_t colour, const char *text);
 
 /* Fills a rectangle with a colour 0xRRGGBB; alpha 255 = opaque.  An empty rectangle
  * draws nothing. */
-void letters_fill(letters *l, int x, int y, int wide, int high, uint32_t colour,
+void font_fill(font *l, int x, int y, int wide, int high, uint32_t colour,
                   uint8_t alpha);
 
 /* Clips all later drawing to the rectangle; NULL: no clip. */
-void letters_clip(letters *l, const SDL_Rect *within);
+void font_set_clip(font *l, const SDL_Rect *within);
 
 /* A dark background for text. */
-void letters_box(letters *l, int x, int y, int wide, int high, uint8_t alpha);
+void font_draw_background(font *l, int x, int y, int wide, int high, uint8_t alpha);
 #endif

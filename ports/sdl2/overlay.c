@@ -17,13 +17,13 @@ static const uint32_t green = 0x6fcf97, red = 0xff6b5e, grey = 0xb4c2ce;
 
 /* A box of figures while its lines are written. */
 typedef struct {
-    letters *to;
+    font *to;
     int      x, y, scale;
     int      low;                   /* lower end; lines that end below are dropped */
-} sheet;
+} overlay_sheet;
 
 /* Takes the next `high` px.  Returns false if the box is full. */
-static bool takes(sheet *s, int high, int *y)
+static bool takes(overlay_sheet *s, int high, int *y)
 {
     if (s->y + high * s->scale > s->low)
         return false;
@@ -46,32 +46,32 @@ static const char *cut_line(const char *text, int cells, char line[TEXT_BYTES])
     return *text == '\n' || *text == ' ' ? text + 1 : text;
 }
 
-static void write_text(sheet *s, uint32_t colour, const char *text)
+static void write_text(overlay_sheet *s, uint32_t colour, const char *text)
 {
     int y;
     char line[TEXT_BYTES];
-    while (*text && takes(s, LETTER_HIGH, &y)) {
+    while (*text && takes(s, FONT_HIGH, &y)) {
         text = cut_line(text, CELLS, line);
         if (s->to)
-            letters_draw(s->to, s->x, y, s->scale, colour, line);
+            font_draw(s->to, s->x, y, s->scale, colour, line);
     }
 }
 
 /* Name, time, and a bar for the share of the total. */
-static void write_time(sheet *s, uint32_t colour, const panel_time *t)
+static void write_time(overlay_sheet *s, uint32_t colour, const panel_time *t)
 {
     enum { BAR = NAME + 11 };
     int y;
     char line[CELLS + 1];
     snprintf(line, sizeof line, "%-*.*s %6.2f ms", NAME, NAME, t->name,
              (double)t->mean / 1000);
-    if (!takes(s, LETTER_HIGH, &y) || !s->to)
+    if (!takes(s, FONT_HIGH, &y) || !s->to)
         return;
-    const int room = (CELLS - BAR) * LETTER_WIDE * s->scale;
+    const int room = (CELLS - BAR) * FONT_WIDE * s->scale;
     const float share = SDL_clamp(t->share, 0.0f, 1.0f);
-    letters_draw(s->to, s->x, y, s->scale, white, line);
-    letters_fill(s->to, s->x + BAR * LETTER_WIDE * s->scale, y + 2 * s->scale,
-                 SDL_max((int)(share * (float)room), s->scale), 6 * s->scale, colour, 255);
+    font_draw(s->to, s->x, y, s->scale, white, line);
+    font_fill(s->to, s->x + BAR * FONT_WIDE * s->scale, y + 2 * s->scale,
+              SDL_max((int)(share * (float)room), s->scale), 6 * s->scale, colour, 255);
 }
 
 /* -- the graph ---------------------------------------------------------------------- */
@@ -82,7 +82,7 @@ static uint32_t duration_colour(float ms, float limit)
 }
 
 /* Graph of frame times: the newest at the right, the top at twice the limit. */
-static void write_graph(sheet *s, const panel_figures *f)
+static void write_graph(overlay_sheet *s, const panel_performance *f)
 {
     int y;
     char text[16];
@@ -90,23 +90,23 @@ static void write_graph(sheet *s, const panel_figures *f)
         return;
     const int high = GRAPH_HIGH * s->scale, line = y + high / 2;
     const int count = (int)SDL_min(f->pictures, (uint32_t)PANEL_HISTORY);
-    letters_fill(s->to, s->x, y, PANEL_HISTORY * s->scale, high, 0x000000, 96);
+    font_fill(s->to, s->x, y, PANEL_HISTORY * s->scale, high, 0x000000, 96);
     for (int i = PANEL_HISTORY - count; i < PANEL_HISTORY; i++) {
         const float ms = f->history[i];
         const float part = SDL_clamp(ms / (2 * f->limit_ms), 0.0f, 1.0f);
         const int bar = SDL_max((int)(part * (float)high), s->scale);
-        letters_fill(s->to, s->x + i * s->scale, y + high - bar, s->scale, bar,
-                     duration_colour(ms, f->limit_ms), 255);
+        font_fill(s->to, s->x + i * s->scale, y + high - bar, s->scale, bar,
+                  duration_colour(ms, f->limit_ms), 255);
     }
-    letters_fill(s->to, s->x, line, PANEL_HISTORY * s->scale, s->scale, white, 144);
+    font_fill(s->to, s->x, line, PANEL_HISTORY * s->scale, s->scale, white, 144);
     snprintf(text, sizeof text, "%.1f", (double)f->limit_ms);
-    letters_draw(s->to, s->x + s->scale, line - LETTER_HIGH * s->scale, s->scale, white,
+    font_draw(s->to, s->x + s->scale, line - FONT_HIGH * s->scale, s->scale, white,
                  text);
 }
 
 /* -- the comparison -------------------------------------------------------------------- */
 
-static void write_compare(sheet *s, const panel_compare *c)
+static void write_compare(overlay_sheet *s, const panel_compare *c)
 {
     char text[TEXT_BYTES];
     if (!c || !c->off || strcmp(c->off, "off") == 0)
@@ -122,7 +122,7 @@ static void write_compare(sheet *s, const panel_compare *c)
         write_text(s, grey, c->note);
 }
 
-static void write_all(sheet *s, const panel_figures *f, const panel_compare *c)
+static void write_all(overlay_sheet *s, const panel_performance *f, const panel_compare *c)
 {
     char text[TEXT_BYTES];
     snprintf(text, sizeof text, "%.1f ms  %.0f/s  key to picture %.0f ms",
@@ -142,46 +142,47 @@ static void write_all(sheet *s, const panel_figures *f, const panel_compare *c)
         write_time(s, amber, &f->stages[i]);
 }
 
-void overlay_figures(letters *l, const SDL_Rect *where, int scale,
-                     const panel_figures *f, const panel_compare *c)
+void overlay_performance(font *l, const SDL_Rect *where, int scale,
+                         const panel_performance *f, const panel_compare *c)
 {
     const int wide = PANEL_HISTORY + 2 * MARGIN;
-    int size = SDL_clamp(scale, 1, LETTER_SCALES);
+    int size = SDL_clamp(scale, 1, FONT_SCALES);
     while (size > 1 && wide * size > where->w)
         size--;
     const int margin = MARGIN * size;
-    sheet s = { NULL, where->x + margin, where->y + margin, size,
-                where->y + where->h - margin };
+    overlay_sheet s = { NULL, where->x + margin, where->y + margin, size,
+                        where->y + where->h - margin };
     const int top = s.y;
     write_all(&s, f, c);                     /* dry run: measures the height */
-    letters_clip(l, where);
-    letters_box(l, where->x, where->y, wide * size, s.y - top + 2 * margin, 192);
+    font_set_clip(l, where);
+    font_draw_background(l, where->x, where->y, wide * size, s.y - top + 2 * margin, 192);
     s.to = l;
     s.y = top;
     write_all(&s, f, c);
-    letters_clip(l, NULL);
+    font_set_clip(l, NULL);
 }
 
 /* -- messages -------------------------------------------------------------------------- */
 
-void overlay_message(letters *l, const SDL_Rect *where, int scale, const char *text,
+void overlay_message(font *l, const SDL_Rect *where, int scale, const char *text,
                      uint8_t alpha)
 {
-    const int size = SDL_clamp(scale, 1, LETTER_SCALES), margin = MARGIN * size;
-    const int pitch = (LETTER_HIGH + 2) * size;
-    const int cells = (where->w - 4 * margin) / (LETTER_WIDE * size);
+    const int size = SDL_clamp(scale, 1, FONT_SCALES), margin = MARGIN * size;
+    const int pitch = (FONT_HIGH + 2) * size;
+    const int cells = (where->w - 4 * margin) / (FONT_WIDE * size);
     char line[TEXT_BYTES];
     int lines = 0;
     for (const char *rest = text; *rest; lines++)
         rest = cut_line(rest, cells, line);
     int y = where->y + where->h - margin - lines * pitch;
-    letters_clip(l, where);
+    font_set_clip(l, where);
     for (; *text; y += pitch) {
         text = cut_line(text, cells, line);
-        letters_box(l, where->x + margin, y, (letters_count(line) + 2) * LETTER_WIDE * size,
-                    pitch, (uint8_t)(alpha * 200 / 255));
-        letters_draw(l, where->x + margin + LETTER_WIDE * size, y + size, size,
-                     white | (255u - alpha) << 24, line);
+        font_draw_background(l, where->x + margin, y,
+                             (font_cell_count(line) + 2) * FONT_WIDE * size, pitch,
+                             (uint8_t)(alpha * 200 / 255));
+        font_draw(l, where->x + margin + FONT_WIDE * size, y + size, size,
+                  white | (255u - alpha) << 24, line);
     }
-    letters_clip(l, NULL);
+    font_set_clip(l, NULL);
 }

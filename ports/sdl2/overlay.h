@@ -9,10 +9,10 @@
 #include "panel.h"
 
 /* Each draws into the rectangle `where` of the window. */
-void overlay_help(letters *l, const SDL_Rect *where, int scale, const keymap *keys);
-void overlay_figures(letters *l, const SDL_Rect *where, int scale,
-                     const panel_figures *f, const panel_compare *c);
+void overlay_help(font *l, const SDL_Rect *where, int scale, const keymap *keys);
+void overlay_performance(font *l, const SDL_Rect *where, int scale,
+                         const panel_performance *f, const panel_compare *c);
 /* Lines of text at the lower left, the last line lowest; alpha 0..255. */
-void overlay_message(letters *l, const SDL_Rect *where, int scale, const char *text,
+void overlay_message(font *l, const SDL_Rect *where, int scale, const char *text,
                      uint8_t alpha);
 #endif

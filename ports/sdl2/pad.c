@@ -15,8 +15,8 @@ static const struct {
 } buttons[] = {
     { SDL_CONTROLLER_BUTTON_A,             ACT_DROP },
     { SDL_CONTROLLER_BUTTON_B,             ACT_PAUSE },
-    { SDL_CONTROLLER_BUTTON_X,             ACT_LOOK_ORBIT },
-    { SDL_CONTROLLER_BUTTON_Y,             ACT_LOOK_BOAT },
+    { SDL_CONTROLLER_BUTTON_X,             ACT_CAMERA_ORBIT },
+    { SDL_CONTROLLER_BUTTON_Y,             ACT_CAMERA_BOAT },
     { SDL_CONTROLLER_BUTTON_LEFTSHOULDER,  ACT_SLOWER },
     { SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, ACT_FASTER },
     { SDL_CONTROLLER_BUTTON_START,         ACT_HELP },
@@ -103,11 +103,11 @@ void pad_input(const pad *p, tp_input *input)
     if (!p->pad)
         return;
     stick(p, SDL_CONTROLLER_AXIS_LEFTX, &x, &y);
-    input->strafe += part(WISH_WALK, x);
-    input->forward -= part(WISH_WALK, y);
+    input->strafe += part(INPUT_WALK, x);
+    input->forward -= part(INPUT_WALK, y);
     stick(p, SDL_CONTROLLER_AXIS_RIGHTX, &x, &y);
-    input->turn += part(WISH_TURN, x);
-    input->tilt -= part(WISH_TURN, y);
-    input->up += part(WISH_WALK, trigger(p, SDL_CONTROLLER_AXIS_TRIGGERRIGHT)
-                                     - trigger(p, SDL_CONTROLLER_AXIS_TRIGGERLEFT));
+    input->turn += part(INPUT_TURN, x);
+    input->tilt -= part(INPUT_TURN, y);
+    input->up += part(INPUT_WALK, trigger(p, SDL_CONTROLLER_AXIS_TRIGGERRIGHT)
+                                      - trigger(p, SDL_CONTROLLER_AXIS_TRIGGERLEFT));
 }

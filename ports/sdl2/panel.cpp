@@ -2,7 +2,7 @@
 /* The panel beside the picture, by Dear ImGui; the project's only C++ file.
  *
  * The panel's content is in C files (panel_top.c, panel_list.c, panel_value.c,
- * panel_figures.c), on top of the interface panel_pen.h.  This file implements the
+ * panel_performance.c), on top of the interface panel_pen.h.  This file implements the
  * interface with Dear ImGui, sets style and font, and passes events to Dear ImGui and
  * triangles back. */
 #include "panel_parts.h"
@@ -13,7 +13,7 @@
 #include <cstring>
 #include <new>
 
-static_assert(sizeof(ImDrawVert) == sizeof(ink_vertex), "vertices are drawn in place");
+static_assert(sizeof(ImDrawVert) == sizeof(panel_vertex), "vertices are drawn in place");
 static_assert(sizeof(ImDrawIdx) == sizeof(uint16_t), "and so are indices");
 
 namespace {
@@ -36,34 +36,34 @@ ImVec4 make_float_ink(uint32_t rgb)
 
 /* -- lengths and positions ------------------------------------------------------- */
 
-float pen_px(float at_one)          { return SDL_floorf(at_one * shown->scale + 0.5f); }
-float pen_wide(const char *text)    { return ImGui::CalcTextSize(text).x; }
-float pen_letter(void)              { return pen_wide("0"); }
-float pen_letter_high(void)         { return ImGui::GetFontSize(); }
-float pen_high(void)                { return ImGui::GetFrameHeight(); }
-float pen_gap(void)                 { return ImGui::GetStyle().ItemSpacing.x; }
-float pen_room(void)                { return ImGui::GetContentRegionAvail().x; }
-void  pen_go(float x, float y)      { ImGui::SetCursorScreenPos(ImVec2(x, y)); }
-void  pen_push_id(int id)                { ImGui::PushID(id); }
-void  pen_pop_id(void)                 { ImGui::PopID(); }
-void  pen_begin(void)               { ImGui::BeginGroup(); }
-void  pen_end(void)                 { ImGui::EndGroup(); }
-void  pen_beside(float gap)         { ImGui::SameLine(0, gap); }
-void  pen_take(float w, float h)    { ImGui::Dummy(ImVec2(w, h)); }
+float ui_px(float at_one)          { return SDL_floorf(at_one * shown->scale + 0.5f); }
+float ui_wide(const char *text)    { return ImGui::CalcTextSize(text).x; }
+float ui_letter(void)              { return ui_wide("0"); }
+float ui_letter_high(void)         { return ImGui::GetFontSize(); }
+float ui_high(void)                { return ImGui::GetFrameHeight(); }
+float ui_gap(void)                 { return ImGui::GetStyle().ItemSpacing.x; }
+float ui_room(void)                { return ImGui::GetContentRegionAvail().x; }
+void  ui_go(float x, float y)      { ImGui::SetCursorScreenPos(ImVec2(x, y)); }
+void  ui_push_id(int id)                { ImGui::PushID(id); }
+void  ui_pop_id(void)                 { ImGui::PopID(); }
+void  ui_begin(void)               { ImGui::BeginGroup(); }
+void  ui_end(void)                 { ImGui::EndGroup(); }
+void  ui_beside(float gap)         { ImGui::SameLine(0, gap); }
+void  ui_take(float w, float h)    { ImGui::Dummy(ImVec2(w, h)); }
 
-SDL_FPoint pen_position(void)
+SDL_FPoint ui_position(void)
 {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     return SDL_FPoint{ at.x, at.y };
 }
 
-bool pen_in_sight(float y, float margin)
+bool ui_in_sight(float y, float margin)
 {
     const float top = ImGui::GetWindowPos().y, high = ImGui::GetWindowHeight();
-    return y + pen_high() + margin >= top && y <= top + high + margin;
+    return y + ui_high() + margin >= top && y <= top + high + margin;
 }
 
-void pen_indent(bool in)
+void ui_indent(bool in)
 {
     if (in)
         ImGui::Indent();
@@ -73,52 +73,52 @@ void pen_indent(bool in)
 
 /* -- drawing --------------------------------------------------------------------- */
 
-void pen_box(float x, float y, float wide, float high, uint32_t colour)
+void ui_box(float x, float y, float wide, float high, uint32_t colour)
 {
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, y), ImVec2(x + wide, y + high),
                                               pack_ink(colour));
 }
 
-void pen_write(float x, float y, uint32_t colour, const char *text)
+void ui_write(float x, float y, uint32_t colour, const char *text)
 {
     const ImVec2 at(SDL_floorf(x), SDL_floorf(y));
     ImGui::GetWindowDrawList()->AddText(at, pack_ink(colour), text);
 }
 
-void pen_write_framed(float x, float y, uint32_t colour, const char *text)
+void ui_write_framed(float x, float y, uint32_t colour, const char *text)
 {
-    pen_write(x, y + ImGui::GetStyle().FramePadding.y, colour, text);
+    ui_write(x, y + ImGui::GetStyle().FramePadding.y, colour, text);
 }
 
-void pen_say(uint32_t colour, const char *text)
+void ui_text(uint32_t colour, const char *text)
 {
     ImGui::PushStyleColor(ImGuiCol_Text, pack_ink(colour));
     ImGui::TextUnformatted(text);
     ImGui::PopStyleColor();
 }
 
-void pen_say_wrapped(uint32_t colour, const char *text)
+void ui_text_wrapped(uint32_t colour, const char *text)
 {
     ImGui::PushTextWrapPos(0);
-    pen_say(colour, text);
+    ui_text(colour, text);
     ImGui::PopTextWrapPos();
 }
 
 /* Places the tooltip beside the panel, on the picture's side, so that it does not cover
  * the panel. */
-void pen_tip(const char *text)
+void ui_tip(const char *text)
 {
     const SDL_Rect &w = shown->where;
-    const float y = ImGui::GetItemRectMin().y, gap = pen_px(4);
+    const float y = ImGui::GetItemRectMin().y, gap = ui_px(4);
     const float left = static_cast<float>(w.x), end = static_cast<float>(w.x + w.w);
     const float right = ImGui::GetIO().DisplaySize.x - end;
     const float room = SDL_max(left, right) - 2 * gap;
-    if (room >= pen_px(150) && left >= right)
+    if (room >= ui_px(150) && left >= right)
         ImGui::SetNextWindowPos(ImVec2(left - gap, y), ImGuiCond_Always, ImVec2(1, 0));
-    else if (room >= pen_px(150))
+    else if (room >= ui_px(150))
         ImGui::SetNextWindowPos(ImVec2(end + gap, y));
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(SDL_min(SDL_max(room - pen_px(20), pen_px(130)), pen_px(300)));
+    ImGui::PushTextWrapPos(SDL_min(SDL_max(room - ui_px(20), ui_px(130)), ui_px(300)));
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
@@ -126,34 +126,34 @@ void pen_tip(const char *text)
 
 /* -- state of the last widget, mouse, keyboard ----------------------------------- */
 
-SDL_FRect pen_last(void)
+SDL_FRect ui_last(void)
 {
     const ImVec2 a = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
     return SDL_FRect{ a.x, a.y, size.x, size.y };
 }
 
-bool pen_hovered(void)              { return ImGui::IsItemHovered(); }
-bool pen_focused(void)              { return ImGui::IsItemFocused(); }
-bool pen_active(void)               { return ImGui::IsItemActive(); }
-bool pen_left(void)                 { return ImGui::IsItemDeactivated(); }
-bool pen_any_active(void)           { return ImGui::IsAnyItemActive(); }
-bool pen_pressed(int button)        { return ImGui::IsMouseClicked(button); }
-bool pen_ctrl(void)                 { return ImGui::GetIO().KeyCtrl; }
-bool pen_moves(void)                { return ImGui::GetIO().NavVisible; }
-double pen_time(void)               { return ImGui::GetTime(); }
+bool ui_hovered(void)              { return ImGui::IsItemHovered(); }
+bool ui_focused(void)              { return ImGui::IsItemFocused(); }
+bool ui_active(void)               { return ImGui::IsItemActive(); }
+bool ui_left(void)                 { return ImGui::IsItemDeactivated(); }
+bool ui_any_active(void)           { return ImGui::IsAnyItemActive(); }
+bool ui_pressed(int button)        { return ImGui::IsMouseClicked(button); }
+bool ui_ctrl(void)                 { return ImGui::GetIO().KeyCtrl; }
+bool ui_moves(void)                { return ImGui::GetIO().NavVisible; }
+double ui_time(void)               { return ImGui::GetTime(); }
 
-bool pen_is_open(void)
+bool ui_is_open(void)
 {
     return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
 
-bool pen_points(float x, float y, float wide, float high)
+bool ui_points(float x, float y, float wide, float high)
 {
     return ImGui::IsWindowHovered()
         && ImGui::IsMouseHoveringRect(ImVec2(x, y), ImVec2(x + wide, y + high));
 }
 
-bool pen_enter(void)
+bool ui_enter(void)
 {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false)
         || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
@@ -161,51 +161,51 @@ bool pen_enter(void)
 
 /* -- widgets --------------------------------------------------------------------- */
 
-bool pen_button(const char *id, float wide, bool lit)
+bool ui_button(const char *id, float wide, bool lit)
 {
-    ImGui::PushStyleColor(ImGuiCol_Button, pack_ink(lit ? PEN_FULL : PEN_FRAME));
-    const bool pressed = ImGui::Button(id, ImVec2(wide, pen_high()));
+    ImGui::PushStyleColor(ImGuiCol_Button, pack_ink(lit ? UI_FULL : UI_FRAME));
+    const bool pressed = ImGui::Button(id, ImVec2(wide, ui_high()));
     ImGui::PopStyleColor();
     return pressed;
 }
 
-bool pen_check(const char *id, bool *on)
+bool ui_check(const char *id, bool *on)
 {
     return ImGui::Checkbox(id, on);
 }
 
-bool pen_swatch(const char *id, uint32_t rgb, float wide)
+bool ui_swatch(const char *id, uint32_t rgb, float wide)
 {
     return ImGui::ColorButton(id, make_float_ink(rgb), ImGuiColorEditFlags_NoTooltip
-                              | ImGuiColorEditFlags_NoDragDrop, ImVec2(wide, pen_high()));
+                              | ImGuiColorEditFlags_NoDragDrop, ImVec2(wide, ui_high()));
 }
 
-bool pen_slide(const char *id, int *place, int steps, float wide)
+bool ui_slide(const char *id, int *place, int steps, float wide)
 {
     ImGui::SetNextItemWidth(wide);
     return ImGui::SliderInt(id, place, 0, steps, "", ImGuiSliderFlags_NoInput);
 }
 
-void pen_focus_next(void)
+void ui_focus_next(void)
 {
     ImGui::SetKeyboardFocusHere();
 }
 
-bool pen_field(const char *id, const char *hint, char *text, size_t bytes, float wide)
+bool ui_field(const char *id, const char *hint, char *text, size_t bytes, float wide)
 {
     ImGui::SetNextItemWidth(wide);
     return ImGui::InputTextWithHint(id, hint ? hint : "", text, bytes,
                                     ImGuiInputTextFlags_AutoSelectAll);
 }
 
-bool pen_head(const char *name, bool forced)
+bool ui_head(const char *name, bool forced)
 {
     if (forced)
         ImGui::SetNextItemOpen(true, ImGuiCond_Always);
     return ImGui::CollapsingHeader(name);
 }
 
-bool pen_list(const char *id, const char *text, float wide)
+bool ui_list(const char *id, const char *text, float wide)
 {
     ImGui::SetNextItemWidth(wide);
     return ImGui::BeginCombo(id, text, ImGuiComboFlags_HeightLarge
@@ -213,7 +213,7 @@ bool pen_list(const char *id, const char *text, float wide)
                                            | ImGuiComboFlags_PopupAlignLeft));
 }
 
-bool pen_choice(const char *text, bool chosen)
+bool ui_choice(const char *text, bool chosen)
 {
     const bool now = ImGui::Selectable(text, chosen);
     if (chosen && ImGui::IsWindowAppearing()) {
@@ -223,23 +223,23 @@ bool pen_choice(const char *text, bool chosen)
     return now;
 }
 
-void pen_list_end(void)
+void ui_list_end(void)
 {
     ImGui::EndCombo();
 }
 
-void pen_pick_open(void)
+void ui_pick_open(void)
 {
     ImGui::OpenPopup("pick");
 }
 
-bool pen_pick(uint32_t *rgb)
+bool ui_pick(uint32_t *rgb)
 {
     if (!ImGui::BeginPopup("pick"))
         return false;
     const ImVec4 was = make_float_ink(*rgb);
     float c[3] = { was.x, was.y, was.z };
-    ImGui::SetNextItemWidth(pen_px(180));
+    ImGui::SetNextItemWidth(ui_px(180));
     const bool moved = ImGui::ColorPicker3("##pick", c, ImGuiColorEditFlags_NoSidePreview
         | ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoOptions
         | ImGuiColorEditFlags_NoInputs);
@@ -249,17 +249,17 @@ bool pen_pick(uint32_t *rgb)
     return moved;
 }
 
-bool pen_tabs(void)                 { return ImGui::BeginTabBar("##tabs"); }
-void pen_tab_end(void)              { ImGui::EndTabItem(); }
-void pen_tabs_end(void)             { ImGui::EndTabBar(); }
-void pen_scroll_end(void)           { ImGui::EndChild(); }
+bool ui_tabs(void)                 { return ImGui::BeginTabBar("##tabs"); }
+void ui_tab_end(void)              { ImGui::EndTabItem(); }
+void ui_tabs_end(void)             { ImGui::EndTabBar(); }
+void ui_scroll_end(void)           { ImGui::EndChild(); }
 
-bool pen_tab(const char *name, bool now)
+bool ui_tab(const char *name, bool now)
 {
     return ImGui::BeginTabItem(name, nullptr, now ? ImGuiTabItemFlags_SetSelected : 0);
 }
 
-void pen_scroll(const char *id)
+void ui_scroll(const char *id)
 {
     ImGui::BeginChild(id, ImVec2(0, 0), false, ImGuiWindowFlags_NavFlattened);
 }
@@ -271,20 +271,20 @@ namespace {
 void paint(ImGuiStyle &style)
 {
     const struct { ImGuiCol of; uint32_t by; } colours[] = {
-        { ImGuiCol_Text, PEN_TEXT }, { ImGuiCol_TextDisabled, PEN_DIM },
-        { ImGuiCol_WindowBg, PEN_BACK }, { ImGuiCol_PopupBg, PEN_HEAD },
-        { ImGuiCol_Border, PEN_LINE }, { ImGuiCol_FrameBg, PEN_FRAME },
-        { ImGuiCol_FrameBgHovered, PEN_OVER }, { ImGuiCol_FrameBgActive, PEN_DOWN },
-        { ImGuiCol_ScrollbarBg, PEN_BACK }, { ImGuiCol_ScrollbarGrab, PEN_FRAME },
-        { ImGuiCol_ScrollbarGrabHovered, PEN_OVER },
-        { ImGuiCol_ScrollbarGrabActive, PEN_DOWN }, { ImGuiCol_CheckMark, PEN_SEA },
-        { ImGuiCol_Button, PEN_FRAME }, { ImGuiCol_ButtonHovered, PEN_OVER },
-        { ImGuiCol_ButtonActive, PEN_DOWN }, { ImGuiCol_Header, PEN_HEAD },
-        { ImGuiCol_HeaderHovered, PEN_FRAME }, { ImGuiCol_HeaderActive, PEN_OVER },
-        { ImGuiCol_Separator, PEN_LINE }, { ImGuiCol_Tab, PEN_HEAD },
-        { ImGuiCol_TabHovered, PEN_OVER }, { ImGuiCol_TabActive, PEN_FULL },
-        { ImGuiCol_TabUnfocused, PEN_HEAD }, { ImGuiCol_TabUnfocusedActive, PEN_FULL },
-        { ImGuiCol_NavHighlight, PEN_SEA }, { ImGuiCol_TextSelectedBg, PEN_FULL },
+        { ImGuiCol_Text, UI_TEXT }, { ImGuiCol_TextDisabled, UI_DIM },
+        { ImGuiCol_WindowBg, UI_BACK }, { ImGuiCol_PopupBg, UI_HEAD },
+        { ImGuiCol_Border, UI_LINE }, { ImGuiCol_FrameBg, UI_FRAME },
+        { ImGuiCol_FrameBgHovered, UI_OVER }, { ImGuiCol_FrameBgActive, UI_DOWN },
+        { ImGuiCol_ScrollbarBg, UI_BACK }, { ImGuiCol_ScrollbarGrab, UI_FRAME },
+        { ImGuiCol_ScrollbarGrabHovered, UI_OVER },
+        { ImGuiCol_ScrollbarGrabActive, UI_DOWN }, { ImGuiCol_CheckMark, UI_SEA },
+        { ImGuiCol_Button, UI_FRAME }, { ImGuiCol_ButtonHovered, UI_OVER },
+        { ImGuiCol_ButtonActive, UI_DOWN }, { ImGuiCol_Header, UI_HEAD },
+        { ImGuiCol_HeaderHovered, UI_FRAME }, { ImGuiCol_HeaderActive, UI_OVER },
+        { ImGuiCol_Separator, UI_LINE }, { ImGuiCol_Tab, UI_HEAD },
+        { ImGuiCol_TabHovered, UI_OVER }, { ImGuiCol_TabActive, UI_FULL },
+        { ImGuiCol_TabUnfocused, UI_HEAD }, { ImGuiCol_TabUnfocusedActive, UI_FULL },
+        { ImGuiCol_NavHighlight, UI_SEA }, { ImGuiCol_TextSelectedBg, UI_FULL },
     };
     for (const auto &c : colours)
         style.Colors[c.of] = make_float_ink(c.by);
@@ -302,13 +302,13 @@ void set_style(void)
     s.WindowRounding = s.ChildRounding = s.FrameRounding = s.PopupRounding = 0;
     s.ScrollbarRounding = s.GrabRounding = s.TabRounding = 0;
     s.WindowBorderSize = s.ChildBorderSize = s.FrameBorderSize = s.TabBorderSize = 0;
-    s.WindowPadding = ImVec2(pen_px(8), pen_px(8));
-    s.FramePadding = ImVec2(pen_px(5), pen_px(2));
-    s.ItemSpacing = ImVec2(pen_px(4), pen_px(3));
-    s.ItemInnerSpacing = ImVec2(pen_px(4), pen_px(4));
-    s.ScrollbarSize = pen_px(10);
-    s.GrabMinSize = pen_px(3);
-    s.IndentSpacing = pen_px(8);
+    s.WindowPadding = ImVec2(ui_px(8), ui_px(8));
+    s.FramePadding = ImVec2(ui_px(5), ui_px(2));
+    s.ItemSpacing = ImVec2(ui_px(4), ui_px(3));
+    s.ItemInnerSpacing = ImVec2(ui_px(4), ui_px(4));
+    s.ScrollbarSize = ui_px(10);
+    s.GrabMinSize = ui_px(3);
+    s.IndentSpacing = ui_px(8);
     s.WindowMinSize = ImVec2(1, 1);
 }
 
@@ -319,15 +319,16 @@ bool make_letters(panel *p)
     ImFontConfig how;
     unsigned char *bytes;
     int wide, high;
-    how.SizePixels = pen_px(LETTERS);
+    how.SizePixels = ui_px(LETTERS);
     how.OversampleH = how.OversampleV = 1;
     how.PixelSnapH = true;
     fonts->Clear();
     fonts->Flags |= ImFontAtlasFlags_NoMouseCursors | ImFontAtlasFlags_NoBakedLines;
     fonts->AddFontDefault(&how);
     fonts->GetTexDataAsAlpha8(&bytes, &wide, &high);
-    if (!bytes || !ink_atlas(&p->pen, bytes, wide, high, fonts->TexUvWhitePixel.x,
-                             fonts->TexUvWhitePixel.y))
+    if (!bytes
+        || !panel_raster_set_atlas(&p->pen, bytes, wide, high, fonts->TexUvWhitePixel.x,
+                                   fonts->TexUvWhitePixel.y))
         return false;
     fonts->SetTexID(p->pen.atlas);
     fonts->ClearTexData();
@@ -358,7 +359,7 @@ void hold(int mod)
 
 void leave(panel *p)
 {
-    keys_leave(&p->keys);
+    panel_keys_leave(&p->keys);
     p->typing = -1;
     ImGui::SetWindowFocus(nullptr);
 }
@@ -374,7 +375,7 @@ void feed(panel *p)
         ImGui::SetWindowFocus("##panel");
     }
     hold(SDL_GetModState());
-    for (keys_begin(&p->keys); keys_next(&p->keys, &event);) {
+    for (panel_keys_begin(&p->keys); panel_keys_next(&p->keys, &event);) {
         ImGui_ImplSDL2_ProcessEvent(&event);
         if (event.type != SDL_TEXTINPUT)
             hold(event.key.keysym.mod);
@@ -385,7 +386,7 @@ void tell_keys(panel *p)
 {
     p->keys.writes = ImGui::GetIO().WantTextInput;
     p->keys.over = ImGui::GetIO().WantCaptureMouse;
-    p->keys.open = pen_is_open();
+    p->keys.open = ui_is_open();
     p->keys.where = p->where;
 }
 
@@ -399,20 +400,20 @@ void measure(panel *p, bool on)
 void show_tabs(panel *p)
 {
     bool figures = false;
-    if (!pen_tabs())
+    if (!ui_tabs())
         return;
     const bool to_rows = p->to_rows;
     p->to_rows = false;
-    if (pen_tab("parameters", to_rows)) {
+    if (ui_tab("parameters", to_rows)) {
         panel_list(p);
-        pen_tab_end();
+        ui_tab_end();
     }
-    if (p->host->figures && pen_tab("figures", false)) {
+    if (p->host->performance && ui_tab("figures", false)) {
         figures = true;
-        panel_figures_show(p);
-        pen_tab_end();
+        panel_performance_show(p);
+        ui_tab_end();
     }
-    pen_tabs_end();
+    ui_tabs_end();
     measure(p, figures);
 }
 
@@ -426,8 +427,8 @@ void show(panel *p)
     ImGui::Begin("##panel", nullptr, ImGuiWindowFlags_NoDecoration
                  | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings
                  | ImGuiWindowFlags_NoBringToFrontOnFocus);
-    if (p->keys.here || keys_types(&p->keys))
-        pen_box(at.x, at.y, pen_px(2), size.y, PEN_SEA);
+    if (p->keys.here || panel_keys_types(&p->keys))
+        ui_box(at.x, at.y, ui_px(2), size.y, UI_SEA);
     panel_rows_begin(p);
     panel_top(p);
     show_tabs(p);
@@ -444,8 +445,8 @@ int add_calls(panel *p, const ImDrawList &list, int n)
                                 static_cast<int>(c.ClipRect.w) - y };
         if (c.ElemCount == 0 || n == PANEL_CALLS || clip.w <= 0 || clip.h <= 0)
             continue;
-        p->call[n++] = ink_call{
-            reinterpret_cast<const ink_vertex *>(list.VtxBuffer.Data + c.VtxOffset),
+        p->call[n++] = panel_draw_call{
+            reinterpret_cast<const panel_vertex *>(list.VtxBuffer.Data + c.VtxOffset),
             list.VtxBuffer.Size - static_cast<int>(c.VtxOffset),
             list.IdxBuffer.Data + c.IdxOffset, static_cast<int>(c.ElemCount), clip };
     }
@@ -465,10 +466,10 @@ void draw(panel *p, const ImDrawData &data)
     for (int i = 0; i < data.CmdListsCount; i++)
         if (is_own(*data.CmdLists[i]))
             n = add_calls(p, *data.CmdLists[i], n);
-    ink_keep(&p->pen, p->call, n, &p->where);
+    panel_raster_draw_cached(&p->pen, p->call, n, &p->where);
     for (int i = 0; i < data.CmdListsCount; i++)
         if (!is_own(*data.CmdLists[i]))
-            ink_draw(&p->pen, p->call, add_calls(p, *data.CmdLists[i], 0));
+            panel_raster_draw(&p->pen, p->call, add_calls(p, *data.CmdLists[i], 0));
 }
 
 /* Opens the requested scene after the frame, because the frame points into the host's
@@ -508,7 +509,7 @@ panel *panel_open(SDL_Window *window, SDL_Renderer *renderer, const panel_host *
     p->typing = p->sliding = p->tip = -1;
     p->scene = p->to_open = UINT32_MAX;
     p->groups = panel_groups_collect(host, p->group);
-    ink_begin(&p->pen, renderer);
+    panel_raster_begin(&p->pen, renderer);
     p->imgui = ImGui::CreateContext();
     ImGuiIO &io = ImGui::GetIO();
     io.IniFilename = io.LogFilename = nullptr;
@@ -530,11 +531,11 @@ bool panel_event(panel *p, const SDL_Event *event)
     case SDL_KEYUP:
     case SDL_TEXTINPUT:
     case SDL_MOUSEMOTION:
-        return !p->hidden && keys_event(&p->keys, event);
+        return !p->hidden && panel_keys_event(&p->keys, event);
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP:
     case SDL_MOUSEWHEEL: {
-        const bool taken = !p->hidden && keys_event(&p->keys, event);
+        const bool taken = !p->hidden && panel_keys_event(&p->keys, event);
         if (taken || event->type != SDL_MOUSEWHEEL)
             ImGui_ImplSDL2_ProcessEvent(event);
         return taken;
@@ -606,7 +607,7 @@ void panel_search(panel *p)
 
 bool panel_types(const panel *p)
 {
-    return p && !p->hidden && (p->keys.here || keys_types(&p->keys));
+    return p && !p->hidden && (p->keys.here || panel_keys_types(&p->keys));
 }
 
 void panel_close(panel *p)
@@ -616,7 +617,7 @@ void panel_close(panel *p)
     measure(p, false);
     if (ImGui::GetIO().BackendPlatformUserData)
         ImGui_ImplSDL2_Shutdown();
-    ink_end(&p->pen);
+    panel_raster_end(&p->pen);
     ImGui::DestroyContext(static_cast<ImGuiContext *>(p->imgui));
     shown = nullptr;
     delete p;

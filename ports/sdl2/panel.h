@@ -64,7 +64,7 @@ typedef struct {
     bool (*is_on)(void *user, int action);              /* state of a switch: pause,
                                                          * film, panel ... */
 
-    const panel_figures *figures;
+    const panel_performance *performance;
     const panel_compare *compare;
     bool       (*measures)(void *user, bool on);        /* measures stage times */
     const char  *message;       /* last message, "" if none */

@@ -9,7 +9,7 @@
 
 /* -- the graph ------------------------------------------------------------------- */
 
-static float highest(const panel_figures *f, uint32_t n)
+static float highest(const panel_performance *f, uint32_t n)
 {
     float top = f->limit_ms * 1.5f;
     for (uint32_t i = PANEL_HISTORY - n; i < PANEL_HISTORY; i++)
@@ -18,26 +18,26 @@ static float highest(const panel_figures *f, uint32_t n)
 }
 
 /* Graph of frame times: the newest at the right; a line marks the limit. */
-static void show_graph(const panel_figures *f)
+static void show_graph(const panel_performance *f)
 {
     char text[32];
-    const SDL_FPoint at = pen_position();
-    const float wide = pen_room(), high = pen_px(60);
+    const SDL_FPoint at = ui_position();
+    const float wide = ui_room(), high = ui_px(60);
     const uint32_t n = SDL_min(f->pictures, (uint32_t)PANEL_HISTORY);
     const float top = highest(f, n);
     const float step = SDL_max(1.0f, SDL_floorf(wide / PANEL_HISTORY));
-    pen_box(at.x, at.y, wide, high, PEN_FRAME);
+    ui_box(at.x, at.y, wide, high, UI_FRAME);
     for (uint32_t i = 0; i < n && (float)(i + 1) * step <= wide; i++) {
         const float ms = f->history[PANEL_HISTORY - 1 - i];
         const float tall = SDL_ceilf(SDL_max(ms, 0.0f) / top * high);
-        pen_box(at.x + wide - (float)(i + 1) * step, at.y + high - tall, step, tall,
-                ms > f->limit_ms ? PEN_OVERDUE : PEN_SEA);
+        ui_box(at.x + wide - (float)(i + 1) * step, at.y + high - tall, step, tall,
+               ms > f->limit_ms ? UI_OVERDUE : UI_SEA);
     }
     const float y = SDL_floorf(at.y + high - f->limit_ms / top * high);
-    pen_box(at.x, y, wide, 1, PEN_EDITED);
+    ui_box(at.x, y, wide, 1, UI_EDITED);
     snprintf(text, sizeof text, "%.1f ms", (double)f->limit_ms);
-    pen_write(at.x + pen_px(3), y - pen_letter_high(), PEN_DIM, text);
-    pen_take(wide, high);
+    ui_write(at.x + ui_px(3), y - ui_letter_high(), UI_DIM, text);
+    ui_take(wide, high);
 }
 
 /* -- tables ---------------------------------------------------------------------- */
@@ -46,17 +46,17 @@ static void show_graph(const panel_figures *f)
 static void show_time(const panel_time *t)
 {
     char text[32], name[PANEL_NAME];
-    const SDL_FPoint at = pen_position();
-    const float wide = pen_room(), high = pen_letter_high() + pen_px(2);
+    const SDL_FPoint at = ui_position();
+    const float wide = ui_room(), high = ui_letter_high() + ui_px(2);
     const float share = SDL_clamp(t->share, 0.0f, 1.0f);
     snprintf(text, sizeof text, "%.0f us %3.0f%%", (double)t->mean, (double)share * 100);
-    const float end = pen_wide(text);
-    const int fits = SDL_max((int)((wide - end) / pen_letter()) - 1, 0);
+    const float end = ui_wide(text);
+    const int fits = SDL_max((int)((wide - end) / ui_letter()) - 1, 0);
     snprintf(name, sizeof name, "%.*s", fits, t->name);
-    pen_box(at.x, at.y, SDL_ceilf(share * wide), high, PEN_FULL);
-    pen_write(at.x + pen_px(3), at.y, PEN_TEXT, name);
-    pen_write(at.x + wide - end, at.y, PEN_DIM, text);
-    pen_take(wide, high);
+    ui_box(at.x, at.y, SDL_ceilf(share * wide), high, UI_FULL);
+    ui_write(at.x + ui_px(3), at.y, UI_TEXT, name);
+    ui_write(at.x + wide - end, at.y, UI_DIM, text);
+    ui_take(wide, high);
 }
 
 static void show_times(const panel_time *time, uint32_t count)
@@ -68,18 +68,18 @@ static void show_times(const panel_time *time, uint32_t count)
 /* Columns separated by tabs; the last column takes the remaining width. */
 static void show_columns(char *line)
 {
-    const float left = pen_position().x;
+    const float left = ui_position().x;
     for (int column = 0; line; column++) {
         char *const tab = strchr(line, '\t');
         if (tab)
             *tab = '\0';
         if (column > 0) {
-            const SDL_FRect last = pen_last();
-            pen_beside(0);
-            const float at = left + (float)(11 * column - 1) * pen_letter();
-            pen_go(SDL_max(last.x + last.w, at) + pen_letter(), last.y);
+            const SDL_FRect last = ui_last();
+            ui_beside(0);
+            const float at = left + (float)(11 * column - 1) * ui_letter();
+            ui_go(SDL_max(last.x + last.w, at) + ui_letter(), last.y);
         }
-        panel_line(column == 0 ? PEN_DIM : PEN_TEXT, line);
+        panel_line(column == 0 ? UI_DIM : UI_TEXT, line);
         line = tab ? tab + 1 : NULL;
     }
 }
@@ -100,9 +100,9 @@ static void show_lines(const char *lines)
 static void show_compare(panel *p, const panel_compare *c)
 {
     char text[64];
-    const float half = SDL_floorf((pen_room() - pen_gap()) / 2);
+    const float half = SDL_floorf((ui_room() - ui_gap()) / 2);
     panel_button(p, ACT_COMPARE, c->off, half);
-    pen_beside(pen_gap());
+    ui_beside(ui_gap());
     panel_button(p, ACT_AGAINST, c->against, half);
     if (c->psnr > 99)
         snprintf(text, sizeof text, "the same bits");
@@ -110,28 +110,28 @@ static void show_compare(panel *p, const panel_compare *c)
         snprintf(text, sizeof text, "PSNR %.1f dB", c->psnr);
     else
         snprintf(text, sizeof text, "PSNR --");
-    pen_say(PEN_TEXT, text);
+    ui_text(UI_TEXT, text);
     if (c->note && c->note[0])
-        panel_line(PEN_DIM, c->note);
+        panel_line(UI_DIM, c->note);
 }
 
 static void section(const char *name)
 {
-    pen_take(1, pen_px(2));
-    panel_line(PEN_SEA, name);
+    ui_take(1, ui_px(2));
+    panel_line(UI_SEA, name);
 }
 
-void panel_figures_show(panel *p)
+void panel_performance_show(panel *p)
 {
-    const panel_figures *const f = p->host->figures;
+    const panel_performance *const f = p->host->performance;
     char text[96];
-    pen_scroll("##figures");
+    ui_scroll("##figures");
     snprintf(text, sizeof text, "%.1f ms   %.0f/s   latency %.0f ms",
              (double)f->median_ms, (double)f->shown_per_s, (double)f->latency_ms);
-    panel_line(PEN_TEXT, text);
+    panel_line(UI_TEXT, text);
     show_graph(f);
     if (f->state && f->state[0])
-        pen_say_wrapped(PEN_DIM, f->state);
+        ui_text_wrapped(UI_DIM, f->state);
     if (p->host->compare) {
         section("compared with another method");
         show_compare(p, p->host->compare);
@@ -141,10 +141,10 @@ void panel_figures_show(panel *p)
     section("stages of its pixels");
     show_times(f->stages, f->stage_count);
     if (f->stage_count == 0)
-        pen_say(PEN_DIM, "not measured");
+        ui_text(UI_DIM, "not measured");
     section("quality plan");
     show_lines(f->plan);
     section("memory");
     show_lines(f->ram);
-    pen_scroll_end();
+    ui_scroll_end();
 }

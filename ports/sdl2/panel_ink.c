@@ -9,10 +9,10 @@
 #include "panel_ink.h"
 #include <string.h>
 
-void ink_begin(ink *k, SDL_Renderer *renderer)
+void panel_raster_begin(panel_raster *k, SDL_Renderer *renderer)
 {
     SDL_RendererInfo info;
-    *k = (ink){ .renderer = renderer };
+    *k = (panel_raster){ .renderer = renderer };
     k->slow = SDL_GetRendererInfo(renderer, &info) == 0
            && (info.flags & SDL_RENDERER_SOFTWARE) != 0;
 }
@@ -24,17 +24,18 @@ static void forget(SDL_Texture **t)
     *t = NULL;
 }
 
-void ink_end(ink *k)
+void panel_raster_end(panel_raster *k)
 {
     forget(&k->atlas);
     forget(&k->kept);
 }
 
-bool ink_atlas(ink *k, const uint8_t *bytes, int wide, int high, float u, float v)
+bool panel_raster_set_atlas(panel_raster *k, const uint8_t *bytes, int wide, int high,
+                            float u, float v)
 {
     void *pixels;
     int pitch;
-    ink_end(k);
+    panel_raster_end(k);
     k->atlas = SDL_CreateTexture(k->renderer, SDL_PIXELFORMAT_ARGB8888,
                                  SDL_TEXTUREACCESS_STREAMING, wide, high);
     if (!k->atlas || SDL_LockTexture(k->atlas, NULL, &pixels, &pitch) != 0)
@@ -63,9 +64,9 @@ static bool same(SDL_Color a, SDL_Color b)
 
 /* True if six indices form an axis-aligned rectangle of one colour: triangles 0 1 2 and
  * 0 2 3, vertices in order from the upper left. */
-static bool is_rectangle(const ink_vertex *v, const uint16_t *i)
+static bool is_rectangle(const panel_vertex *v, const uint16_t *i)
 {
-    const ink_vertex *const a = &v[i[0]], *const b = &v[i[1]], *const c = &v[i[2]],
+    const panel_vertex *const a = &v[i[0]], *const b = &v[i[1]], *const c = &v[i[2]],
                      *const d = &v[i[5]];
     return i[3] == i[0] && i[4] == i[2] && a->y == b->y && b->x == c->x && c->y == d->y
         && d->x == a->x && a->x <= c->x && a->y <= c->y && same(a->colour, b->colour)
@@ -83,7 +84,7 @@ static SDL_Rect between(float x0, float y0, float x1, float y1)
     return (SDL_Rect){ x, y, whole(x1) - x, whole(y1) - y };
 }
 
-static void rectangle(ink *k, const ink_vertex *a, const ink_vertex *c)
+static void rectangle(panel_raster *k, const panel_vertex *a, const panel_vertex *c)
 {
     const SDL_Rect to = between(a->x, a->y, c->x, c->y);
     const SDL_Color by = a->colour;
@@ -103,9 +104,9 @@ static void rectangle(ink *k, const ink_vertex *a, const ink_vertex *c)
     SDL_RenderCopy(k->renderer, k->atlas, &from, &to);
 }
 
-static void triangles(ink *k, const ink_call *c, int first, int count)
+static void triangles(panel_raster *k, const panel_draw_call *c, int first, int count)
 {
-    const ink_vertex *const v = c->vertex;
+    const panel_vertex *const v = c->vertex;
     const bool plain = v[c->index[first]].u == k->u && v[c->index[first]].v == k->v;
     SDL_SetTextureColorMod(k->atlas, 255, 255, 255);
     SDL_SetTextureAlphaMod(k->atlas, 255);
@@ -115,7 +116,7 @@ static void triangles(ink *k, const ink_call *c, int first, int count)
                           c->vertices, c->index + first, count, sizeof *c->index);
 }
 
-static void pieces(ink *k, const ink_call *c)
+static void pieces(panel_raster *k, const panel_draw_call *c)
 {
     for (int i = 0; i < c->indices;) {
         const uint16_t *const index = c->index + i;
@@ -129,7 +130,7 @@ static void pieces(ink *k, const ink_call *c)
     }
 }
 
-void ink_draw(ink *k, const ink_call *call, int calls)
+void panel_raster_draw(panel_raster *k, const panel_draw_call *call, int calls)
 {
     for (int i = 0; i < calls; i++) {
         SDL_RenderSetClipRect(k->renderer, &call[i].clip);
@@ -157,12 +158,13 @@ static uint64_t add(uint64_t sum, const void *data, size_t bytes)
     return sum;
 }
 
-static uint64_t checksum_calls(const ink_call *call, int calls, const SDL_Rect *where)
+static uint64_t checksum_calls(const panel_draw_call *call, int calls,
+                               const SDL_Rect *where)
 {
     uint64_t sum = add(1, where, sizeof *where);
-    const ink_vertex *last = NULL;
+    const panel_vertex *last = NULL;
     for (int i = 0; i < calls; i++) {
-        const ink_call *const c = &call[i];
+        const panel_draw_call *const c = &call[i];
         sum = add(sum, &c->clip, sizeof c->clip);
         sum = add(sum, c->index, (size_t)c->indices * sizeof *c->index);
         if (c->vertex != last)
@@ -172,7 +174,7 @@ static uint64_t checksum_calls(const ink_call *call, int calls, const SDL_Rect *
     return sum;
 }
 
-static bool fit(ink *k, const SDL_Rect *where)
+static bool fit(panel_raster *k, const SDL_Rect *where)
 {
     if (k->kept && k->where.w == where->w && k->where.h == where->h)
         return true;
@@ -185,22 +187,24 @@ static bool fit(ink *k, const SDL_Rect *where)
 
 /* Draws into the cache texture.  Its origin is at 0, 0: a viewport shifts the drawing
  * and the clip rectangles by -where. */
-static void draw_kept(ink *k, const ink_call *call, int calls, const SDL_Rect *where)
+static void draw_kept(panel_raster *k, const panel_draw_call *call, int calls,
+                      const SDL_Rect *where)
 {
     SDL_Texture *const before = SDL_GetRenderTarget(k->renderer);
     const SDL_Rect moved = { -where->x, -where->y, where->x + where->w,
                              where->y + where->h };
     SDL_SetRenderTarget(k->renderer, k->kept);
     SDL_RenderSetViewport(k->renderer, &moved);
-    ink_draw(k, call, calls);
+    panel_raster_draw(k, call, calls);
     SDL_RenderSetViewport(k->renderer, NULL);
     SDL_SetRenderTarget(k->renderer, before);
 }
 
-void ink_keep(ink *k, const ink_call *call, int calls, const SDL_Rect *where)
+void panel_raster_draw_cached(panel_raster *k, const panel_draw_call *call, int calls,
+                              const SDL_Rect *where)
 {
     if (!k->slow || !fit(k, where)) {
-        ink_draw(k, call, calls);
+        panel_raster_draw(k, call, calls);
         return;
     }
     const uint64_t sum = checksum_calls(call, calls, where);

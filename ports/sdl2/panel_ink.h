@@ -11,16 +11,16 @@ extern "C" {
 #endif
 
 /* Vertex, in Dear ImGui's layout: x, y in px of the window; u, v in the atlas, 0..1. */
-typedef struct { float x, y, u, v; SDL_Color colour; } ink_vertex;
+typedef struct { float x, y, u, v; SDL_Color colour; } panel_vertex;
 
 /* One draw call: triangles of three indices each, clipped to a rectangle. */
 typedef struct {
-    const ink_vertex *vertex;
+    const panel_vertex *vertex;
     int               vertices;
     const uint16_t   *index;
     int               indices;
     SDL_Rect          clip;
-} ink_call;
+} panel_draw_call;
 
 typedef struct {
     SDL_Renderer *renderer;
@@ -31,21 +31,23 @@ typedef struct {
     uint64_t      sum;          /* checksum of the drawing in `kept` */
     SDL_Texture  *kept;         /* cache: the last drawing of the panel */
     SDL_Rect      where;
-} ink;
+} panel_raster;
 
-void ink_begin(ink *k, SDL_Renderer *renderer);
-void ink_end(ink *k);
+void panel_raster_begin(panel_raster *k, SDL_Renderer *renderer);
+void panel_raster_end(panel_raster *k);
 
 /* Takes an atlas of wide x high coverage bytes, 0..255.  Returns false on failure;
  * SDL_GetError() has the reason. */
-bool ink_atlas(ink *k, const uint8_t *bytes, int wide, int high, float u, float v);
+bool panel_raster_set_atlas(panel_raster *k, const uint8_t *bytes, int wide, int high,
+                            float u, float v);
 
 /* Draws at once. */
-void ink_draw(ink *k, const ink_call *call, int calls);
+void panel_raster_draw(panel_raster *k, const panel_draw_call *call, int calls);
 
 /* Draws opaque content that fills `where`; redraws the cache only if the content has
  * changed. */
-void ink_keep(ink *k, const ink_call *call, int calls, const SDL_Rect *where);
+void panel_raster_draw_cached(panel_raster *k, const panel_draw_call *call, int calls,
+                              const SDL_Rect *where);
 
 #ifdef __cplusplus
 }

@@ -5,7 +5,7 @@
 
 #define PATIENCE 8              /* frames a letter waits for its field */
 
-bool keys_types(const panel_keys *k)
+bool panel_keys_types(const panel_keys *k)
 {
     return k->searching || k->typing || k->writes;
 }
@@ -54,7 +54,7 @@ static bool takes(panel_keys *k, const SDL_Keysym *key)
 {
     if (k->leave || is_of_function(key->scancode) || is_modifier(key->scancode))
         return false;
-    if (keys_types(k) || (k->here && k->events > 0))
+    if (panel_keys_types(k) || (k->here && k->events > 0))
         return is_of_field(key);
     if (key->mod & (KMOD_CTRL | KMOD_ALT | KMOD_GUI))
         return false;
@@ -131,8 +131,8 @@ static bool key_event(panel_keys *k, const SDL_Event *event)
  * the blank that presses a button are not typed. */
 static bool text_event(panel_keys *k, const SDL_Event *event)
 {
-    const char *const none = k->searching ? "/" : keys_types(k) ? "" : " ";
-    if (k->leave || (!keys_types(k) && !k->taken))
+    const char *const none = k->searching ? "/" : panel_keys_types(k) ? "" : " ";
+    if (k->leave || (!panel_keys_types(k) && !k->taken))
         return false;
     if (strcmp(event->text.text, none) != 0)
         queue_event(k, event);
@@ -145,14 +145,14 @@ static bool text_event(panel_keys *k, const SDL_Event *event)
 static void turn_enter(const panel_keys *k, SDL_Event *event)
 {
     SDL_Keysym *const key = &event->key.keysym;
-    if (event->type != SDL_KEYDOWN || keys_types(k) || k->on_number
+    if (event->type != SDL_KEYDOWN || panel_keys_types(k) || k->on_number
         || (key->sym != SDLK_RETURN && key->sym != SDLK_KP_ENTER))
         return;
     key->scancode = SDL_SCANCODE_SPACE;
     key->sym = SDLK_SPACE;
 }
 
-void keys_leave(panel_keys *k)
+void panel_keys_leave(panel_keys *k)
 {
     uint32_t n = 0;
     for (uint32_t i = 0; i < k->events; i++)
@@ -162,7 +162,7 @@ void keys_leave(panel_keys *k)
     k->leave = k->here = k->searching = k->typing = k->writes = false;
 }
 
-void keys_begin(panel_keys *k)
+void panel_keys_begin(panel_keys *k)
 {
     k->up = k->down = false;
     k->waited++;
@@ -170,7 +170,7 @@ void keys_begin(panel_keys *k)
 
 /* Gives several releases and letters per frame, or one key press.  A letter waits for
  * the focus of its field, but at most PATIENCE frames. */
-bool keys_next(panel_keys *k, SDL_Event *event)
+bool panel_keys_next(panel_keys *k, SDL_Event *event)
 {
     if (k->events == 0 || k->down)
         return false;
@@ -218,7 +218,7 @@ static bool mouse_event(panel_keys *k, const SDL_Event *event)
     }
 }
 
-bool keys_event(panel_keys *k, const SDL_Event *event)
+bool panel_keys_event(panel_keys *k, const SDL_Event *event)
 {
     switch (event->type) {
     case SDL_KEYDOWN:

@@ -39,18 +39,18 @@ typedef struct {
 } panel_keys;
 
 /* True if a key or mouse event belongs to the panel alone. */
-bool keys_event(panel_keys *k, const SDL_Event *event);
+bool panel_keys_event(panel_keys *k, const SDL_Event *event);
 
 /* True if letters go to the panel. */
-bool keys_types(const panel_keys *k);
+bool panel_keys_types(const panel_keys *k);
 
 /* Returns the keyboard to the picture.  Drops queued events, except key releases. */
-void keys_leave(panel_keys *k);
+void panel_keys_leave(panel_keys *k);
 
-/* keys_begin starts a frame; keys_next gives its key and text events in order, false at
- * the end. */
-void keys_begin(panel_keys *k);
-bool keys_next(panel_keys *k, SDL_Event *event);
+/* panel_keys_begin starts a frame; panel_keys_next gives its key and text events in
+ * order, false at the end. */
+void panel_keys_begin(panel_keys *k);
+bool panel_keys_next(panel_keys *k, SDL_Event *event);
 
 #ifdef __cplusplus
 }

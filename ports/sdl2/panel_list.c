@@ -11,11 +11,11 @@
 static bool show_head(const char *name, uint32_t number, bool forced)
 {
     char text[16] = "";
-    const bool open = pen_head(name, forced);
-    const SDL_FRect at = pen_last();
+    const bool open = ui_head(name, forced);
+    const SDL_FRect at = ui_last();
     if (number > 0)
         snprintf(text, sizeof text, "%u", (unsigned)number);
-    pen_write_framed(at.x + at.w - pen_wide(text) - pen_px(10), at.y, PEN_DIM, text);
+    ui_write_framed(at.x + at.w - ui_wide(text) - ui_px(10), at.y, UI_DIM, text);
     return open;
 }
 
@@ -48,15 +48,15 @@ static bool is_searched(const panel *p)
  * again after the search. */
 static void show_group(panel *p, const panel_group *g)
 {
-    pen_push_id(is_searched(p));
+    ui_push_id(is_searched(p));
     if (show_head(g->name, g->changed, is_searched(p))) {
-        pen_indent(true);
+        ui_indent(true);
         for (uint32_t i = g->first; i < g->first + g->count; i++)
             if (panel_found(&p->host->row[i], p->wanted) != PANEL_LOST)
                 panel_row_show(p, i);
-        pen_indent(false);
+        ui_indent(false);
     }
-    pen_pop_id();
+    ui_pop_id();
 }
 
 /* Shows groups found by name first, then groups found by help text alone. */
@@ -74,14 +74,14 @@ static void show_found(panel *p)
     const uint32_t here = count_found(p, false), more = count_found(p, true);
     show_matches(p, false);
     if (here == 0 && more == 0) {
-        panel_line(PEN_DIM, "no name or help has these words");
+        panel_line(UI_DIM, "no name or help has these words");
     } else if (here == 0) {
         show_matches(p, true);
-        panel_line(PEN_DIM, "not in this scene; its values add it");
+        panel_line(UI_DIM, "not in this scene; its values add it");
     } else if (more > 0 && show_head("more, not in this scene", more, false)) {
-        pen_indent(true);
+        ui_indent(true);
         show_matches(p, true);
-        pen_indent(false);
+        ui_indent(false);
     }
 }
 
@@ -99,9 +99,9 @@ static void show_all(panel *p)
         idle += p->group[i].idle;
     show_groups(p, false);
     if (idle > 0 && show_head("not in this scene", idle, false)) {
-        pen_indent(true);
+        ui_indent(true);
         show_groups(p, true);
-        pen_indent(false);
+        ui_indent(false);
     }
 }
 
@@ -120,16 +120,16 @@ static void count_groups(panel *p)
 
 static void show_search(panel *p)
 {
-    const float clear = p->wanted[0] ? pen_high() + pen_px(1) : 0;
+    const float clear = p->wanted[0] ? ui_high() + ui_px(1) : 0;
     if (p->keys.searching)
         panel_ask(p);
-    pen_field("##search", "search names and help", p->wanted, sizeof p->wanted,
-              pen_room() - clear);
-    if (pen_active() && p->keys.writes)
+    ui_field("##search", "search names and help", p->wanted, sizeof p->wanted,
+             ui_room() - clear);
+    if (ui_active() && p->keys.writes)
         p->keys.searching = false;
     if (clear > 0) {
-        pen_beside(pen_px(1));
-        if (pen_button("x##clear", pen_high(), false))
+        ui_beside(ui_px(1));
+        if (ui_button("x##clear", ui_high(), false))
             p->wanted[0] = '\0';
     }
 }
@@ -138,10 +138,10 @@ void panel_list(panel *p)
 {
     count_groups(p);
     show_search(p);
-    pen_scroll("##rows");
+    ui_scroll("##rows");
     if (is_searched(p))
         show_found(p);
     else
         show_all(p);
-    pen_scroll_end();
+    ui_scroll_end();
 }

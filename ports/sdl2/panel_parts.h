@@ -18,8 +18,8 @@ struct panel {
     const panel_host *host;
     SDL_Window   *window;
     void         *imgui;
-    ink           pen;
-    ink_call      call[PANEL_CALLS];
+    panel_raster           pen;
+    panel_draw_call      call[PANEL_CALLS];
     panel_keys    keys;
     SDL_Rect      where;
     float         scale;
@@ -56,7 +56,7 @@ void panel_row_show(panel *p, uint32_t row);
 void panel_rows_begin(panel *p);        /* call before and after the rows of a frame */
 void panel_rows_end(panel *p);
 
-void panel_figures_show(panel *p);
+void panel_performance_show(panel *p);
 
 /* Requests the keyboard focus for the next widget; call until the widget has the focus. */
 void panel_ask(panel *p);

@@ -27,7 +27,7 @@ static void end_sliding(panel *p)
 {
     char text[PANEL_TEXT];
     const uint32_t row = (uint32_t)p->sliding;
-    if (p->sliding < 0 || pen_any_active())
+    if (p->sliding < 0 || ui_any_active())
         return;
     p->host->get(p->host->user, row, text);
     put(p, row, text);
@@ -41,8 +41,8 @@ static void show_field(panel *p, uint32_t row, const char *text, float wide)
 {
     char typed[PANEL_TEXT];
     snprintf(typed, sizeof typed, "%s", text);
-    pen_field("##v", NULL, typed, sizeof typed, wide);
-    if (pen_left() && strcmp(typed, text) != 0)
+    ui_field("##v", NULL, typed, sizeof typed, wide);
+    if (ui_left() && strcmp(typed, text) != 0)
         put(p, row, typed);
 }
 
@@ -51,7 +51,7 @@ static void show_field(panel *p, uint32_t row, const char *text, float wide)
 void panel_ask(panel *p)
 {
     if (p->asked++ % 4 == 0)
-        pen_focus_next();
+        ui_focus_next();
 }
 
 static void begin_typing(panel *p, uint32_t row)
@@ -68,13 +68,13 @@ static void type_number(panel *p, uint32_t row, const char *text, float wide)
     p->typing_seen = true;
     if (p->typing_new && p->asked == 0) {
         p->asked = 4;
-        pen_take(wide, pen_high());
+        ui_take(wide, ui_high());
         return;
     }
     if (p->typing_new)
         panel_ask(p);
     show_field(p, row, text, wide);
-    if (pen_active())
+    if (ui_active())
         p->typing_new = false;
     else if (!p->typing_new)
         p->typing_seen = false;
@@ -83,15 +83,15 @@ static void type_number(panel *p, uint32_t row, const char *text, float wide)
 /* Draws a slider's bar, and over the bar the value and its unit. */
 static void write_value(const panel_row *row, const char *text, float share)
 {
-    const SDL_FRect at = pen_last();
-    const float gap = pen_px(5), edge = pen_px(2), unit = pen_wide(row->unit);
+    const SDL_FRect at = ui_last();
+    const float gap = ui_px(5), edge = ui_px(2), unit = ui_wide(row->unit);
     const float full = SDL_floorf((at.w - edge) * share);
-    pen_box(at.x, at.y, full, at.h, pen_active() ? PEN_HELD : PEN_FULL);
-    pen_box(at.x + full, at.y, edge, at.h, PEN_EDGE);
-    pen_box(at.x + full, at.y + at.h - 2 * edge, edge, 2 * edge, PEN_SEA);
-    pen_write_framed(at.x + gap, at.y, PEN_TEXT, text);
-    if (row->unit[0] && pen_wide(text) + unit + 3 * gap <= at.w)
-        pen_write_framed(at.x + at.w - gap - unit, at.y, PEN_DIM, row->unit);
+    ui_box(at.x, at.y, full, at.h, ui_active() ? UI_HELD : UI_FULL);
+    ui_box(at.x + full, at.y, edge, at.h, UI_EDGE);
+    ui_box(at.x + full, at.y + at.h - 2 * edge, edge, 2 * edge, UI_SEA);
+    ui_write_framed(at.x + gap, at.y, UI_TEXT, text);
+    if (row->unit[0] && ui_wide(text) + unit + 3 * gap <= at.w)
+        ui_write_framed(at.x + at.w - gap - unit, at.y, UI_DIM, row->unit);
 }
 
 /* A slider of positions.  While the slider is held its position is kept, because
@@ -103,13 +103,13 @@ static void slide(panel *p, uint32_t row, const char *text, float wide)
     const double value = strtod(text, NULL);
     const panel_span span = panel_span_choose(r, value);
     int place = p->sliding == (int)row ? p->place : panel_place(&span, value);
-    if (pen_slide("##v", &place, span.steps, wide)) {
+    if (ui_slide("##v", &place, span.steps, wide)) {
         panel_number(&span, place, made);
         set_changed_value(p, row, made, text);
         p->place = place;
     }
-    p->keys.on_number |= pen_focused();
-    if (pen_focused() && pen_enter())
+    p->keys.on_number |= ui_focused();
+    if (ui_focused() && ui_enter())
         begin_typing(p, row);
     write_value(r, text, (float)place / (float)span.steps);
 }
@@ -117,9 +117,9 @@ static void slide(panel *p, uint32_t row, const char *text, float wide)
 /* A number: a slider, or a text field after Ctrl+click, right click or Enter. */
 static void show_number(panel *p, uint32_t row, const char *text, float wide)
 {
-    const SDL_FPoint at = pen_position();
-    if (pen_points(at.x, at.y, wide, pen_high())
-        && (pen_pressed(1) || (pen_pressed(0) && pen_ctrl())))
+    const SDL_FPoint at = ui_position();
+    if (ui_points(at.x, at.y, wide, ui_high())
+        && (ui_pressed(1) || (ui_pressed(0) && ui_ctrl())))
         begin_typing(p, row);
     if (p->typing == (int)row)
         type_number(p, row, text, wide);
@@ -132,7 +132,7 @@ static void show_number(panel *p, uint32_t row, const char *text, float wide)
 static void show_switch(panel *p, uint32_t row, const char *text)
 {
     bool on = strcmp(text, "on") == 0;
-    if (pen_check("##v", &on))
+    if (ui_check("##v", &on))
         put(p, row, on ? "on" : "off");
 }
 
@@ -140,43 +140,43 @@ static void show_colour(panel *p, uint32_t row, const char *text, float wide)
 {
     char made[PANEL_TEXT];
     uint32_t rgb = panel_colour(text);
-    const float digits = 7 * pen_letter() + pen_px(11) + pen_gap();
-    const float swatch = SDL_clamp(wide - digits, pen_px(8), 2 * pen_high());
-    if (pen_swatch("##swatch", rgb, swatch))
-        pen_pick_open();
-    if (pen_pick(&rgb)) {
+    const float digits = 7 * ui_letter() + ui_px(11) + ui_gap();
+    const float swatch = SDL_clamp(wide - digits, ui_px(8), 2 * ui_high());
+    if (ui_swatch("##swatch", rgb, swatch))
+        ui_pick_open();
+    if (ui_pick(&rgb)) {
         snprintf(made, sizeof made, "#%06x", (unsigned)rgb);
         set_changed_value(p, row, made, text);
     }
-    pen_beside(pen_gap());
-    show_field(p, row, text, wide - swatch - pen_gap());
+    ui_beside(ui_gap());
+    show_field(p, row, text, wide - swatch - ui_gap());
 }
 
 static void show_choice(panel *p, uint32_t row, const char *text, float wide)
 {
     char word[PANEL_TEXT];
-    if (!pen_list("##v", text, wide))
+    if (!ui_list("##v", text, wide))
         return;
     for (uint32_t i = 0; panel_word(p->host->row[row].unit, i, word); i++)
-        if (pen_choice(word, strcmp(word, text) == 0))
+        if (ui_choice(word, strcmp(word, text) == 0))
             put(p, row, word);
-    pen_list_end();
+    ui_list_end();
 }
 
 /* A file name: typed, or selected from the list of pictures. */
 static void show_picture(panel *p, uint32_t row, const char *text, float wide)
 {
     const panel_host *const h = p->host;
-    show_field(p, row, text, wide - pen_high() - pen_px(1));
-    pen_beside(pen_px(1));
-    if (!pen_list("##of", NULL, 0))
+    show_field(p, row, text, wide - ui_high() - ui_px(1));
+    ui_beside(ui_px(1));
+    if (!ui_list("##of", NULL, 0))
         return;
-    if (pen_choice("none", text[0] == '\0'))
+    if (ui_choice("none", text[0] == '\0'))
         put(p, row, "");
     for (uint32_t i = 0; i < h->picture_count; i++)
-        if (pen_choice(h->pictures[i], strcmp(h->pictures[i], text) == 0))
+        if (ui_choice(h->pictures[i], strcmp(h->pictures[i], text) == 0))
             put(p, row, h->pictures[i]);
-    pen_list_end();
+    ui_list_end();
 }
 
 static void show_value(panel *p, uint32_t row, const char *text, float wide)
@@ -199,29 +199,29 @@ static void show_value(panel *p, uint32_t row, const char *text, float wide)
  * default. */
 static void show_reset(panel *p, uint32_t row, bool filed)
 {
-    const float side = pen_high();
-    if (pen_button("##reset", side, false))
+    const float side = ui_high();
+    if (ui_button("##reset", side, false))
         p->host->reset(p->host->user, row);
-    const SDL_FRect at = pen_last();
-    if (pen_hovered())
-        pen_tip(filed ? "reset to the default" : "reset to the file's value");
-    pen_write_framed(at.x + SDL_floorf((side - pen_letter()) / 2), at.y,
-                     filed ? PEN_DIM : PEN_EDITED, "<");
+    const SDL_FRect at = ui_last();
+    if (ui_hovered())
+        ui_tip(filed ? "reset to the default" : "reset to the file's value");
+    ui_write_framed(at.x + SDL_floorf((side - ui_letter()) / 2), at.y,
+                    filed ? UI_DIM : UI_EDITED, "<");
 }
 
 /* The help of a row, shown after mouse or focus have stayed on the row for TIP_S. */
 static void show_tip(panel *p, uint32_t row, SDL_FPoint at, float wide)
 {
     char text[512];
-    const bool mouse = pen_points(at.x, at.y, wide, pen_high());
-    const bool focus = p->keys.here && pen_focused() && pen_moves();
-    if ((!mouse && !focus) || pen_any_active() || pen_is_open())
+    const bool mouse = ui_points(at.x, at.y, wide, ui_high());
+    const bool focus = p->keys.here && ui_focused() && ui_moves();
+    if ((!mouse && !focus) || ui_any_active() || ui_is_open())
         return;
     p->tip_new = (int)row;
-    if (p->tip != p->tip_new || pen_time() - p->tip_since < TIP_S)
+    if (p->tip != p->tip_new || ui_time() - p->tip_since < TIP_S)
         return;
     panel_tip(&p->host->row[row], text, sizeof text);
-    pen_tip(text);
+    ui_tip(text);
 }
 
 /* Draws a row.  A row out of view only reserves its height; rows just above and below
@@ -230,30 +230,30 @@ void panel_row_show(panel *p, uint32_t row)
 {
     char label[PANEL_NAME], text[PANEL_TEXT];
     const panel_host *const h = p->host;
-    const SDL_FPoint at = pen_position();
-    const float room = pen_room(), high = pen_high(), gap = pen_gap();
-    const float names = SDL_floorf(SDL_min(room * 0.4f, 19 * pen_letter()));
-    const float wide = SDL_max(room - names - 2 * gap - high, 4 * pen_letter());
-    if (!pen_in_sight(at.y, 3 * high)) {
-        pen_take(room, high);
+    const SDL_FPoint at = ui_position();
+    const float room = ui_room(), high = ui_high(), gap = ui_gap();
+    const float names = SDL_floorf(SDL_min(room * 0.4f, 19 * ui_letter()));
+    const float wide = SDL_max(room - names - 2 * gap - high, 4 * ui_letter());
+    if (!ui_in_sight(at.y, 3 * high)) {
+        ui_take(room, high);
         return;
     }
     const bool normal = h->is_normal(h->user, row), filed = h->is_filed(h->user, row);
     h->get(h->user, row, text);
-    panel_label(&h->row[row], (uint32_t)(names / pen_letter()), label);
-    pen_write_framed(at.x, at.y, !filed ? PEN_EDITED : normal ? PEN_DIM : PEN_TEXT, label);
-    pen_push_id((int)row);
-    pen_begin();
-    pen_go(at.x + names + gap, at.y);
+    panel_label(&h->row[row], (uint32_t)(names / ui_letter()), label);
+    ui_write_framed(at.x, at.y, !filed ? UI_EDITED : normal ? UI_DIM : UI_TEXT, label);
+    ui_push_id((int)row);
+    ui_begin();
+    ui_go(at.x + names + gap, at.y);
     show_value(p, row, text, wide);
     show_tip(p, row, at, room);
     if (!normal || !filed) {
-        pen_beside(gap);
-        pen_go(at.x + room - high, at.y);
+        ui_beside(gap);
+        ui_go(at.x + room - high, at.y);
         show_reset(p, row, filed);
     }
-    pen_end();
-    pen_pop_id();
+    ui_end();
+    ui_pop_id();
 }
 
 void panel_rows_begin(panel *p)
@@ -269,7 +269,7 @@ void panel_rows_end(panel *p)
         p->typing = -1;
     p->keys.typing = p->typing >= 0;
     if (p->tip != p->tip_new)
-        p->tip_since = pen_time();
+        p->tip_since = ui_time();
     p->tip = p->tip_new;
     end_sliding(p);
 }

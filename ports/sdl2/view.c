@@ -35,13 +35,13 @@ static void on_exit(void)
     alive = NULL;
     if (!v)
         return;
-    const stage *s = v->stage;
+    const loaded_scene *s = v->loaded;
     session_put(v->session, &s->file, &s->assets.names, s->world, s->world_bytes,
                 v->picture);
     if (v->film)
         recorder_end(v->film);
-    deck_close(&v->tape);
-    say("tidepool view: the display is lost; `tidepool view --resume` continues");
+    tape_file_close(&v->tape);
+    log_line("tidepool view: the display is lost; `tidepool view --resume` continues");
     fflush(NULL);
     _exit(EXIT_LOST);
 }
@@ -57,7 +57,7 @@ static void take_event(view *v, const SDL_Event *event, uint64_t now)
 {
     if (event->type == SDL_KEYDOWN || event->type == SDL_MOUSEBUTTONDOWN
         || event->type == SDL_MOUSEMOTION)
-        figures_input(v->figures, now);
+        performance_note_input(v->performance, now);
     v->lively = 2;
     if (window_event(&v->window, event)) {
         view_size(v);
@@ -74,7 +74,7 @@ static void take_event(view *v, const SDL_Event *event, uint64_t now)
     const action what = pad_event(&v->pad, event);
     if (what < ACTIONS)
         view_act(v, what);
-    control_event(&v->control, event, now);
+    user_input_event(&v->control, event, now);
 }
 
 static void take_events(view *v)
@@ -92,8 +92,8 @@ static void take_events(view *v)
 
 static const char *scene_title(const view *v)
 {
-    const char *title = v->stage->file.scene.title;
-    return title[0] ? title : v->stage->file.name;
+    const char *title = v->loaded->file.scene.title;
+    return title[0] ? title : v->loaded->file.name;
 }
 
 static void set_title(view *v, uint64_t now)
@@ -111,7 +111,7 @@ static void set_title(view *v, uint64_t now)
 
 static int resize(view *v, uint64_t now)
 {
-    control *c = &v->control;
+    user_input *c = &v->control;
     if (!c->resized || now - c->resized_at < SETTLE_US)
         return EXIT_DONE;
     c->resized = false;
@@ -124,9 +124,9 @@ static int turn(view *v)
     const uint64_t now = now_us();
     int code = resize(v, now);
     view_advance(v, now);
-    figures_part(v->figures, FIGURE_WORLD, now_us() - now);
-    if (v->window.lost && v->letters)
-        letters_again(v->letters);
+    performance_add_time(v->performance, PERFORMANCE_WORLD, now_us() - now);
+    if (v->window.lost && v->font)
+        font_reload(v->font);
     v->stale = v->stale || v->window.lost;
     v->window.lost = false;
     const bool fresh = (v->stale || compare_moves(v->compare)) && !v->control.hidden;
@@ -141,7 +141,7 @@ static int turn(view *v)
         view_panel_fill(v, now);
         view_show(v, now);
         if (fresh)
-            figures_picture(v->figures, now_us() - now);
+            performance_end_picture(v->performance, now_us() - now);
     } else {
         SDL_WaitEventTimeout(NULL, v->control.hidden ? AWAY_MS : WAIT_MS);
     }
@@ -170,12 +170,12 @@ static int open_window(view *v)
     const int wide = (int)o->width * v->scale, beside = view_panel_width(v);
     snprintf(title, sizeof title, "tidepool: %s", scene_title(v));
     if (!window_open(&v->window, title, (int)o->width, (int)o->height, v->scale, 0)) {
-        say("tidepool view: no window can be opened: %s", SDL_GetError());
-        return fail(EXIT_DISPLAY, "Without a display this command draws a picture:"
-                    " tidepool render %s", o->resume ? v->stage->file.path : o->scene);
+        log_line("tidepool view: no window can be opened: %s", SDL_GetError());
+        return log_fail(EXIT_DISPLAY, "Without a display this command draws a picture:"
+                    " tidepool render %s", o->resume ? v->loaded->file.path : o->scene);
     }
     v->window.usual = beside;
-    v->letters = letters_open(v->window.renderer);
+    v->font = font_open(v->window.renderer);
     view_panel_open(v);
     SDL_GetDisplayUsableBounds(SDL_GetWindowDisplayIndex(v->window.window), &usable);
     v->window.panel = v->panel && !o->no_panel ? beside : 0;
@@ -243,7 +243,7 @@ static void print_stats(view *v)
 
 static void end(view *v)
 {
-    const stage *s = v->stage;
+    const loaded_scene *s = v->loaded;
     if (s) {
         view_film(v, false);
         session_put(v->session, &s->file, &s->assets.names, s->world, s->world_bytes,
@@ -252,18 +252,18 @@ static void end(view *v)
     session_end(v->session);
     pad_close(&v->pad);
     view_panel_close(v);
-    if (v->letters)
-        letters_close(v->letters);
+    if (v->font)
+        font_close(v->font);
     window_close(&v->window);
     compare_end(v->compare);
-    figures_end(v->figures);
-    past_end(v->past);
+    performance_end(v->performance);
+    rewind_end(v->history);
     view_unlist(v);
-    edits_clear(&v->edits);
+    undo_edits_clear(&v->edits);
     free(v->saved_as);
-    if (v->stage)
-        stage_close(v->stage);
-    free(v->stage);
+    if (v->loaded)
+        loaded_scene_close(v->loaded);
+    free(v->loaded);
     memset(v, 0, sizeof *v);            /* a leak checker then sees forgotten allocations */
 }
 
@@ -274,23 +274,23 @@ int view_command(int argc, char **argv)
     v = (view){ .options = &o, .ui = 100, .scale = 1 };
     int code = args_read(&o, FOR_VIEW, argc, argv);
     if (!o.threads)
-        o.threads = crew_usual();
+        o.threads = thread_pool_default_size();
     if (!code && o.help) {
-        about_print(FOR_VIEW);
-        code = finish_stdout();
+        command_help_print(FOR_VIEW);
+        code = streams_finish();
     } else if (!code) {
         v.scale = o.scale ? (int)o.scale : 1;
         v.ui = o.ui ? (int)o.ui : 100;
         keymap_default(&v.keys);
-        v.past = past_begin(PAST);
+        v.history = rewind_begin(PAST);
         v.compare = compare_begin();
-        v.figures = figures_begin();
+        v.performance = performance_begin();
         code = run(&v);
         const int taped = view_untape(&v);
         code = code ? code : taped;
         if (!code && o.stats) {
             print_stats(&v);
-            code = finish_stdout();
+            code = streams_finish();
         }
         end(&v);
     }

@@ -34,7 +34,7 @@
 
 /* Scenes offered for opening: the shipped scenes, then those of the current folder. */
 typedef struct {
-    char   **name;              /* name to pass to stage_open */
+    char   **name;              /* name to pass to loaded_scene_open */
     char   **shows;
     char   **path;              /* path of the scene file */
     uint32_t count, at;         /* at: index of the open scene; count: not listed */
@@ -42,7 +42,7 @@ typedef struct {
 
 typedef struct view {
     options    *options;
-    stage      *stage;          /* never moved: it has pointers into itself */
+    loaded_scene      *loaded;          /* never moved: it has pointers into itself */
     tp_scene    filed;          /* the scene as its file has it */
     view_scenes scenes;
     char      **pictures;       /* PNG files offered as values of a row */
@@ -56,23 +56,23 @@ typedef struct view {
     poke_queue  pokes;          /* pokes for the next tick and later ticks */
     bool        paused;
     bool        changed;        /* scene or camera changed, other than by a tick */
-    past       *past;           /* NULL: out of memory */
-    look        look;
-    deck        tape;           /* the tape being recorded; replay: the tape being played */
+    rewind_history *history;    /* NULL: out of memory */
+    camera_mode camera_mode;
+    tape_file tape; /* the tape being recorded; replay: the tape being played */
     replay      replay;
     bool        taping, playing;
     char        tape_name[TP_NAME_BYTES + 32];
-    edits       edits;
+    undo_edits       edits;
     char       *saved_as;       /* path used by "save" */
 
     /* the picture */
     bool        stale;          /* the picture is older than the world */
-    governing   governing;
-    compare    *compare;
+    frame_governor   governor;
+    comparison    *compare;
     bool        chosen;         /* comparison renderer chosen by the person */
-    figures    *figures;
-    figures_plan plan;
-    panel_figures  shown;
+    performance    *performance;
+    performance_plan plan;
+    panel_performance  shown;
     panel_compare  compared;
     recorder   *film;
     uint32_t    drawn;          /* frames drawn so far */
@@ -80,10 +80,10 @@ typedef struct view {
 
     /* the window */
     window      window;
-    control     control;
+    user_input     control;
     keymap      keys;
     pad         pad;
-    letters    *letters;
+    font    *font;
     panel      *panel;
     panel_host  host;
     int         scale;          /* window pixels per picture pixel */
@@ -93,7 +93,7 @@ typedef struct view {
     int         hidden_panel;   /* the panel's width before hiding, px */
     int         lively;         /* frames still to show although nothing has changed */
     char        said[VIEW_SAID];    /* message of the last change; "" if none */
-    unsigned    said_count;     /* count of say_last at the time of `said` */
+    unsigned    said_count;     /* count of log_last at the time of `said` */
     uint64_t    said_at;        /* us */
     session    *session;
     uint64_t    filled_at;      /* us: last update of the panel's texts */
@@ -129,7 +129,7 @@ void view_refit(view *v, bool opened);
  * the reason has been said. */
 bool view_set(view *v, uint32_t row, const char *text, bool going);
 void view_undo(view *v, bool again);
-void view_look(view *v, look_mode mode);
+void view_look(view *v, camera_mode_kind mode);
 void view_begin_here(view *v);                  /* stores the camera's pose as camera.* */
 void view_save(view *v);
 
@@ -141,7 +141,7 @@ void view_keep(view *v, uint64_t now);
 
 void view_act(view *v, action what);
 bool view_is_active(const view *v, action what);    /* true if switched on */
-void view_say(view *v, const char *format, ...) HOST_PRINTF(2, 3);  /* on the picture */
+void view_say(view *v, const char *format, ...) LOG_PRINTF(2, 3);  /* on the picture */
 void view_hush(view *v);                        /* removes the message */
 
 /* -- view_picture.c ---------------------------------------------------------------- */

@@ -23,7 +23,7 @@ void view_say(view *v, const char *format, ...)
     va_start(list, format);
     vsnprintf(v->said, sizeof v->said, format, list);
     va_end(list);
-    (void)say_last(&v->said_count);
+    (void)log_last(&v->said_count);
     v->said_at = 0;
     v->lively = 2;
 }
@@ -35,7 +35,7 @@ void view_hush(view *v)
 
 static void drop(view *v)
 {
-    if (tp_world_drops(v->stage->world))
+    if (tp_world_drops(v->loaded->world))
         v->wish.drops += v->wish.drops < 1024;
     else
         view_say(v, "this scene has no drops: set drops.count in the panel");
@@ -43,7 +43,7 @@ static void drop(view *v)
 
 static void poke(view *v, uint32_t number)
 {
-    const tp_scene *scene = &v->stage->file.scene;
+    const tp_scene *scene = &v->loaded->file.scene;
     const tp_push push = poke_point(scene, number);
     if (scene->pool.cols || scene->field.cols)
         view_poke(v, &push);
@@ -53,7 +53,7 @@ static void poke(view *v, uint32_t number)
 
 static void shift_clock(view *v, int slower)
 {
-    const int64_t target = v->stage->world->clock.target;
+    const int64_t target = v->loaded->world->clock.target;
     const int64_t to = slower > 0 ? target / 2 : target * 2;
     v->wish.slowdown += slower;
     if (to < TP_CLOCK_SLOWEST || to > TP_CLOCK_FASTEST)
@@ -94,7 +94,7 @@ static void compare_next(view *v, bool against)
     if (!v->compare)
         return;
     if (!against && how == COMPARE_OFF && !v->chosen)
-        other = compare_usual(v->stage);
+        other = compare_usual(v->loaded);
     if (!against)
         how = (compare_how)((how + 1) % COMPARE_HOWS);
     else
@@ -128,7 +128,7 @@ static void tape(view *v)
         return;
     }
     view_restart(v);
-    path_numbered(v->tape_name, sizeof v->tape_name, v->stage->file.name, ".tape");
+    path_numbered(v->tape_name, sizeof v->tape_name, v->loaded->file.name, ".tape");
     if (view_tape(v, v->tape_name) != EXIT_DONE)
         return;
     view_tape_changes(v);
@@ -161,13 +161,13 @@ static void search(view *v)
 static void reload(view *v)
 {
     const view_scenes *all = &v->scenes;
-    view_open(v, all->at < all->count ? all->name[all->at] : v->stage->file.path);
+    view_open(v, all->at < all->count ? all->name[all->at] : v->loaded->file.path);
 }
 
 static void leave(view *v)
 {
     if (v->control.captured)
-        control_capture(&v->control, false);
+        user_input_capture(&v->control, false);
     else if (v->help)
         v->help = false;
     else
@@ -179,11 +179,11 @@ void view_act(view *v, action what)
     v->lively = 2;
     view_hush(v);
     switch (what) {
-    case ACT_MOUSE:      control_capture(&v->control, !v->control.captured); break;
-    case ACT_LOOK_FREE:  view_look(v, LOOK_FREE); break;
-    case ACT_LOOK_ORBIT: view_look(v, LOOK_ORBIT); break;
-    case ACT_LOOK_TOP:   view_look(v, LOOK_TOP); break;
-    case ACT_LOOK_BOAT:  view_look(v, LOOK_BOAT); break;
+    case ACT_MOUSE:      user_input_capture(&v->control, !v->control.captured); break;
+    case ACT_CAMERA_FREE:  view_look(v, CAMERA_FREE); break;
+    case ACT_CAMERA_ORBIT: view_look(v, CAMERA_ORBIT); break;
+    case ACT_CAMERA_TOP:   view_look(v, CAMERA_TOP); break;
+    case ACT_CAMERA_BOAT:  view_look(v, CAMERA_BOAT); break;
     case ACT_BEGIN_HERE: view_begin_here(v); break;
     case ACT_DROP:       drop(v); break;
     case ACT_POKE1: case ACT_POKE2: case ACT_POKE3:
@@ -232,10 +232,10 @@ bool view_is_active(const view *v, action what)
     case ACT_PANEL:      return v->window.panel > 0;
     case ACT_MOUSE:      return v->control.captured;
     case ACT_COMPARE:    return compare_get_how(v->compare) != COMPARE_OFF;
-    case ACT_LOOK_FREE:  return v->look.mode == LOOK_FREE;
-    case ACT_LOOK_ORBIT: return v->look.mode == LOOK_ORBIT;
-    case ACT_LOOK_TOP:   return v->look.mode == LOOK_TOP;
-    case ACT_LOOK_BOAT:  return v->look.mode == LOOK_BOAT;
+    case ACT_CAMERA_FREE:  return v->camera_mode.mode == CAMERA_FREE;
+    case ACT_CAMERA_ORBIT: return v->camera_mode.mode == CAMERA_ORBIT;
+    case ACT_CAMERA_TOP:   return v->camera_mode.mode == CAMERA_TOP;
+    case ACT_CAMERA_BOAT:  return v->camera_mode.mode == CAMERA_BOAT;
     case ACT_FULL:       return v->full;
     default:             return false;
     }

@@ -33,7 +33,7 @@ static const tp_param *row_param(uint32_t row)
 static void get(void *user, uint32_t row, char text[PANEL_TEXT])
 {
     const view *v = user;
-    tp_param_text(&v->stage->file.scene, row_param(row), text, PANEL_TEXT);
+    tp_param_text(&v->loaded->file.scene, row_param(row), text, PANEL_TEXT);
 }
 
 static bool is_same(const tp_scene *a, const tp_scene *b, uint32_t row)
@@ -57,7 +57,7 @@ static bool is_normal(void *user, uint32_t row)
     const view *v = user;
     const tp_param *param = row_param(row);
     char text[PANEL_TEXT], normal[PANEL_TEXT];
-    tp_param_text(&v->stage->file.scene, param, text, sizeof text);
+    tp_param_text(&v->loaded->file.scene, param, text, sizeof text);
     normal_text(param, normal);
     return strcmp(text, normal) == 0;
 }
@@ -65,7 +65,7 @@ static bool is_normal(void *user, uint32_t row)
 static bool is_filed(void *user, uint32_t row)
 {
     const view *v = user;
-    return is_same(&v->stage->file.scene, &v->filed, row);
+    return is_same(&v->loaded->file.scene, &v->filed, row);
 }
 
 static bool set(void *user, uint32_t row, const char *text, bool going)
@@ -163,7 +163,7 @@ void view_panel_open(view *v)
         .keys = action_keys,
         .is_on = is_action_active,
         .measures = measures,
-        .figures = &v->shown,
+        .performance = &v->shown,
         .compare = &v->compared,
         .message = "",
         .saved_as = "",
@@ -183,19 +183,19 @@ static void fill_texts(view *v, uint64_t now)
     if (now - v->filled_at < FILL_US)
         return;
     v->filled_at = now;
-    snprintf(more, sizeof more, "%s%s%s%s%s", look_name(v->look.mode),
+    snprintf(more, sizeof more, "%s%s%s%s%s", camera_mode_name(v->camera_mode.mode),
              v->taping ? ", on tape " : v->playing ? ", a tape plays: " : "",
              v->taping ? v->tape.name : v->playing ? v->replay.tape.name : "",
              v->film ? ", filming " : "", v->film ? recorder_name(v->film) : "");
-    figures_stage(v->figures, &v->plan, v->stage, &v->governing);
-    figures_world(v->figures, v->stage, more);
+    performance_describe_scene(v->performance, &v->plan, v->loaded, &v->governor);
+    performance_describe_world(v->performance, v->loaded, more);
 }
 
 void view_panel_fill(view *v, uint64_t now)
 {
     v->host.scene = v->scenes.at;
-    v->host.name = v->stage->file.name;
-    v->host.about = v->stage->file.scene.shows;
+    v->host.name = v->loaded->file.name;
+    v->host.about = v->loaded->file.scene.shows;
     v->host.saved_as = v->saved_as ? v->saved_as : "";
     v->host.message = v->said;
     v->compared = (panel_compare){
@@ -205,7 +205,7 @@ void view_panel_fill(view *v, uint64_t now)
     };
     if (v->window.panel || v->sheet)
         fill_texts(v, now);
-    figures_fill(v->figures, now, &v->shown);
+    performance_fill(v->performance, now, &v->shown);
 }
 
 void view_panel_close(view *v)

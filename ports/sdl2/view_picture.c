@@ -24,7 +24,7 @@ int view_size(view *v)
         view_film(v, false);
     }
     window_fits(&v->window, v->scale, &o->width, &o->height);
-    const int code = stage_canvas(v->stage, o);
+    const int code = loaded_scene_open_renderer(v->loaded, o);
     if (!code)
         view_refit(v, true);
     return code;
@@ -32,28 +32,29 @@ int view_size(view *v)
 
 int view_draw(view *v)
 {
-    stage *s = v->stage;
+    loaded_scene *s = v->loaded;
     const bool timed = v->measures || v->sheet;
-    stopwatch_use(&s->canvas, timed);
+    stopwatch_use(&s->renderer, timed);
     if (timed != v->timed)
-        figures_measures(v->figures, timed);
+        performance_set_stopwatch(v->performance, timed);
     v->timed = timed;
     const uint64_t begin = now_us();
-    canvas_draw(&s->canvas, s->world);
+    frame_renderer_draw(&s->renderer, s->world);
     const uint64_t took = now_us() - begin;
-    governing_add(&v->governing, v->drawn++, took);
-    figures_part(v->figures, FIGURE_GEOMETRY, s->canvas.begin_us);
-    figures_part(v->figures, FIGURE_PIXELS, took - s->canvas.begin_us);
+    frame_governor_add_time(&v->governor, v->drawn++, took);
+    performance_add_time(v->performance, PERFORMANCE_GEOMETRY, s->renderer.begin_us);
+    performance_add_time(v->performance, PERFORMANCE_PIXELS, took - s->renderer.begin_us);
     v->stale = false;
 
-    if (v->film && !recorder_add(v->film, &s->canvas.picture))
+    if (v->film && !recorder_add(v->film, &s->renderer.picture))
         view_film(v, false);
     const picture *other = compare_draw(v->compare, s);
     const uint64_t drawn = now_us();
-    if (!window_upload(&v->window, other ? other : &s->canvas.picture))
-        return fail(EXIT_LOST, "tidepool view: the display is lost: %s", SDL_GetError());
-    figures_part(v->figures, FIGURE_COMPARE, drawn - begin - took);
-    figures_part(v->figures, FIGURE_UPLOAD, now_us() - drawn);
+    if (!window_upload(&v->window, other ? other : &s->renderer.picture))
+        return log_fail(EXIT_LOST, "tidepool view: the display is lost: %s",
+                        SDL_GetError());
+    performance_add_time(v->performance, PERFORMANCE_COMPARE, drawn - begin - took);
+    performance_add_time(v->performance, PERFORMANCE_UPLOAD, now_us() - drawn);
     return EXIT_DONE;
 }
 
@@ -63,7 +64,7 @@ int view_draw(view *v)
 static void take_said(view *v, uint64_t now)
 {
     unsigned count;
-    const char *last = say_last(&count);
+    const char *last = log_last(&count);
     if (count != v->said_count) {
         v->said_count = count;
         snprintf(v->said, sizeof v->said, "%s", last);
@@ -80,7 +81,7 @@ static void draw_said(view *v, const layout *at, int scale, uint64_t now)
         return;
     const uint64_t left = SAID_US + FADE_US - age;
     v->lively = v->lively > 1 ? v->lively : 1;
-    overlay_message(v->letters, &at->room, scale, v->said,
+    overlay_message(v->font, &at->room, scale, v->said,
                     left < FADE_US ? (uint8_t)(255 * left / FADE_US) : 255);
 }
 
@@ -97,11 +98,11 @@ static void draw_compared(view *v, const layout *at, int scale)
                  c->note);
     else
         snprintf(text, sizeof text, "%s: %s  %s", c->off, c->against, c->note);
-    const int wide = (letters_count(text) + 2) * LETTER_WIDE * scale;
-    const int high = (LETTER_HIGH + 4) * scale;
+    const int wide = (font_cell_count(text) + 2) * FONT_WIDE * scale;
+    const int high = (FONT_HIGH + 4) * scale;
     const int x = at->room.x + at->room.w - wide, y = at->room.y;
-    letters_box(v->letters, x, y, wide, high, 160);
-    letters_draw(v->letters, x + LETTER_WIDE * scale, y + 3 * scale, scale, 0xffffff, text);
+    font_draw_background(v->font, x, y, wide, high, 160);
+    font_draw(v->font, x + FONT_WIDE * scale, y + 3 * scale, scale, 0xffffff, text);
 }
 
 static void draw_overlays(view *v, const layout *at, uint64_t now)
@@ -110,11 +111,11 @@ static void draw_overlays(view *v, const layout *at, uint64_t now)
     const bool large = at->room.w >= 960 && at->room.h >= 540;
     const int size = scale + (large && scale == 1);
     if (v->sheet)
-        overlay_figures(v->letters, &at->room, size, &v->shown, &v->compared);
+        overlay_performance(v->font, &at->room, size, &v->shown, &v->compared);
     if (compare_get_how(v->compare) != COMPARE_OFF)
         draw_compared(v, at, size);
     if (v->help)
-        overlay_help(v->letters, &at->room, scale, &v->keys);
+        overlay_help(v->font, &at->room, scale, &v->keys);
     else
         draw_said(v, at, size, now);
 }
@@ -125,15 +126,15 @@ void view_show(view *v, uint64_t now)
     take_said(v, now);
     window_clear(&v->window, v->scale);
     const uint64_t begin = now_us();
-    if (v->letters)
+    if (v->font)
         draw_overlays(v, &at, now);
     if (v->panel && at.panel.w > 0)
         panel_draw(v->panel, &at.panel);
     const uint64_t painted = now_us();
     window_present(&v->window);
-    figures_part(v->figures, FIGURE_PANEL, painted - begin);
-    figures_part(v->figures, FIGURE_PRESENT, now_us() - painted);
-    figures_shown(v->figures, now_us());
+    performance_add_time(v->performance, PERFORMANCE_PANEL, painted - begin);
+    performance_add_time(v->performance, PERFORMANCE_PRESENT, now_us() - painted);
+    performance_note_shown(v->performance, now_us());
     v->control.exposed = false;
 }
 
@@ -142,16 +143,16 @@ void view_show(view *v, uint64_t now)
 void view_save_shot(view *v)
 {
     char name[TP_NAME_BYTES + 32];
-    path_numbered(name, sizeof name, v->stage->file.name, ".png");
-    if (picture_write_png(&v->stage->canvas.picture, name) == EXIT_DONE)
-        say("%s", name);
+    path_numbered(name, sizeof name, v->loaded->file.name, ".png");
+    if (picture_write_png(&v->loaded->renderer.picture, name) == EXIT_DONE)
+        log_line("%s", name);
 }
 
 void view_film(view *v, bool on)
 {
-    const picture *p = &v->stage->canvas.picture;
+    const picture *p = &v->loaded->renderer.picture;
     if (on && !v->film) {
-        v->film = recorder_begin(v->stage->file.name, p->width, p->height);
+        v->film = recorder_begin(v->loaded->file.name, p->width, p->height);
         if (v->film)
             view_say(v, "filming %s: F9 ends it", recorder_name(v->film));
     } else if (!on && v->film) {

@@ -110,26 +110,26 @@ static void select_listed_scene(view *v, const char *path)
 void view_refit(view *v, bool opened)
 {
     if (opened)
-        governing_begin(&v->governing, v->stage);
+        frame_governor_begin(&v->governor, v->loaded);
     compare_forget(v->compare);
     v->stale = true;
 }
 
 /* Loads a scene.  The settings of the command line apply to the first scene only. */
-static stage *load(view *v, const char *scene)
+static loaded_scene *load(view *v, const char *scene)
 {
     options wanted = *v->options;
-    stage *next = calloc(1, sizeof *next);
+    loaded_scene *next = calloc(1, sizeof *next);
     wanted.scene = scene;
-    if (v->stage)
+    if (v->loaded)
         wanted.n_settings = 0;
     if (!next) {
-        fail_memory(sizeof *next);
+        log_fail_memory(sizeof *next);
         return NULL;
     }
-    if (stage_open(next, &wanted) == EXIT_DONE)
+    if (loaded_scene_open(next, &wanted) == EXIT_DONE)
         return next;
-    stage_close(next);
+    loaded_scene_close(next);
     free(next);
     return NULL;
 }
@@ -137,7 +137,7 @@ static stage *load(view *v, const char *scene)
 bool view_open(view *v, const char *scene)
 {
     scene_file filed;
-    stage *next = load(v, scene), *before = v->stage;
+    loaded_scene *next = load(v, scene), *before = v->loaded;
     if (!next)
         return false;
     if (before) {
@@ -145,7 +145,7 @@ bool view_open(view *v, const char *scene)
         view_untape(v);
         compare_forget(v->compare);     /* the comparison reads the old stage */
     }
-    v->stage = next;
+    v->loaded = next;
     v->filed = next->file.scene;
     if (scene_file_open(&filed, scene) == EXIT_DONE)
         v->filed = filed.scene;
@@ -155,12 +155,12 @@ bool view_open(view *v, const char *scene)
     v->wish = (tp_input){ 0 };
     v->pokes = (poke_queue){ 0 };
     v->changed = false;
-    past_forget(v->past);
-    edits_clear(&v->edits);
-    v->look = (look){ .mode = LOOK_FREE };
+    rewind_forget(v->history);
+    undo_edits_clear(&v->edits);
+    v->camera_mode = (camera_mode){ .mode = CAMERA_FREE };
     select_listed_scene(v, next->file.path);
     if (before)                         /* only now: `scene` may point into the old stage */
-        stage_close(before);
+        loaded_scene_close(before);
     free(before);
     free(v->saved_as);
     v->saved_as = scene_save_name(&next->file);

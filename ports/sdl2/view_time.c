@@ -17,7 +17,7 @@
 
 static tp_world *current_world(view *v)
 {
-    return v->stage->world;
+    return v->loaded->world;
 }
 
 static uint64_t current_tick(view *v)
@@ -31,10 +31,10 @@ static uint64_t current_tick(view *v)
 static void play_acts(view *v)
 {
     bool opened = false;
-    const deck *tape = &v->replay.tape;
-    if (tape->at < tape->count && tape->entries[tape->at].kind == DECK_SET)
+    const tape_file *tape = &v->replay.tape;
+    if (tape->at < tape->count && tape->entries[tape->at].kind == TAPE_FILE_SET)
         compare_forget(v->compare);
-    if (replay_acts(&v->replay, v->stage, v->options, &opened) != EXIT_DONE)
+    if (replay_acts(&v->replay, v->loaded, v->options, &opened) != EXIT_DONE)
         view_untape(v);
     if (opened)
         view_refit(v, true);
@@ -47,8 +47,8 @@ static void step_world(view *v, const tp_input *input)
     if (v->playing)
         input = replay_step(&v->replay);
     else
-        deck_add(&v->tape, current_tick(v), input);
-    tp_world_step(&tp_program_all, current_world(v), &v->stage->file.scene, input);
+        tape_file_add_input(&v->tape, current_tick(v), input);
+    tp_world_step(&tp_program_all, current_world(v), &v->loaded->file.scene, input);
 }
 
 /* True if the next frame has a tick.  Advances the clock of a copy of the world's head. */
@@ -67,16 +67,16 @@ void view_step(view *v)
     if (v->playing)
         v->pokes = (poke_queue){ 0 };           /* a tape has pokes of its own */
     else if (has_tick(current_world(v)))
-        poke_take(&v->pokes, &v->stage->file.scene, &v->wish);
-    if (v->playing && deck_has_ended(&v->replay.tape, v->replay.tick)) {
+        poke_take(&v->pokes, &v->loaded->file.scene, &v->wish);
+    if (v->playing && tape_file_has_ended(&v->replay.tape, v->replay.tick)) {
         view_untape(v);
         view_say(v, "the tape has ended: keys work again");
     }
     if (v->playing)
         play_acts(v);
     else
-        past_add(v->past, v->picture, current_world(v), v->stage->world_bytes,
-                 &v->stage->file.scene, &v->wish, v->changed);
+        rewind_add(v->history, v->picture, current_world(v), v->loaded->world_bytes,
+                   &v->loaded->file.scene, &v->wish, v->changed);
     v->changed = false;
     v->tape.picture = ++v->picture;
     for (uint32_t ticks = tp_world_advance_clock(current_world(v)); ticks > 0; ticks--) {
@@ -91,21 +91,22 @@ void view_step(view *v)
  * changed scene needs a new canvas. */
 void view_back(view *v)
 {
-    stage *s = v->stage;
+    loaded_scene *s = v->loaded;
     const tp_scene before = s->file.scene;
     uint32_t from;
     if (v->playing) {
         view_say(v, "a tape cannot play backwards");
         return;
     }
-    if (v->picture == 0 || !past_take(v->past, v->picture - 1, s->world, s->world_bytes,
-                                      &s->file.scene, &from)) {
+    if (v->picture == 0
+        || !rewind_take(v->history, v->picture - 1, s->world, s->world_bytes,
+                        &s->file.scene, &from)) {
         view_say(v, v->picture == 0 ? "this is the beginning"
                                     : "no older pictures are stored");
         return;
     }
     for (; from < v->picture - 1; from++) {
-        const tp_input *input = past_input(v->past, from);
+        const tp_input *input = rewind_input(v->history, from);
         for (uint32_t ticks = tp_world_advance_clock(s->world); ticks > 0; ticks--) {
             tp_world_step(&tp_program_all, s->world, &s->file.scene, input);
             input = NULL;
@@ -113,13 +114,13 @@ void view_back(view *v)
     }
     v->tape.picture = --v->picture;
     v->changed = true;
-    deck_cut(&v->tape, v->picture);
+    tape_file_cut(&v->tape, v->picture);
     if (v->taping)                      /* the lines of recorded edits may be gone */
-        edits_forget_worlds(&v->edits);
+        undo_edits_forget_worlds(&v->edits);
     v->wish = (tp_input){ 0 };
     v->pokes = (poke_queue){ 0 };
     const bool other = memcmp(&before, &s->file.scene, sizeof before) != 0;
-    if (other && stage_canvas(s, v->options) != EXIT_DONE)
+    if (other && loaded_scene_open_renderer(s, v->options) != EXIT_DONE)
         v->quit = true;
     view_refit(v, other);
 }
@@ -133,10 +134,10 @@ void view_poke(view *v, const tp_push *push)
 }
 
 /* Pokes or stirs the water under a pixel of the window. */
-static void aim(view *v, const control_place *place)
+static void aim(view *v, const user_input_place *place)
 {
-    const tp_scene *scene = &v->stage->file.scene;
-    const picture *p = &v->stage->canvas.picture;
+    const tp_scene *scene = &v->loaded->file.scene;
+    const picture *p = &v->loaded->renderer.picture;
     tp_vec3 at;
     int x, y;
     if (!window_pixel(&v->window, v->scale, place->x, place->y, &x, &y)
@@ -154,15 +155,15 @@ static void aim(view *v, const control_place *place)
 
 static void gather_input(view *v, tp_input *input)
 {
-    *input = control_input(&v->control, &v->keys, &v->pad,
-                           v->panel && panel_types(v->panel));
-    if (v->look.mode == LOOK_ORBIT || v->look.mode == LOOK_TOP) {
-        /* look_steer gives the whole way to a pose: drop older camera input */
+    *input = user_input_read(&v->control, &v->keys, &v->pad,
+                             v->panel && panel_types(v->panel));
+    if (v->camera_mode.mode == CAMERA_ORBIT || v->camera_mode.mode == CAMERA_TOP) {
+        /* camera_mode_steer gives the whole way to a pose: drop older camera input */
         v->wish.forward = v->wish.strafe = v->wish.up = 0;
         v->wish.turn = v->wish.tilt = 0;
     }
-    look_steer(&v->look, current_world(v), &v->stage->file.scene, input);
-    wish_add(&v->wish, input);
+    camera_mode_steer(&v->camera_mode, current_world(v), &v->loaded->file.scene, input);
+    input_merge(&v->wish, input);
     for (int i = 0; i < v->control.places; i++)
         aim(v, &v->control.place[i]);
     v->control.places = 0;
@@ -171,7 +172,7 @@ static void gather_input(view *v, tp_input *input)
 /* Moves the camera while the water stands still. */
 static void look_round(view *v, const tp_input *input)
 {
-    deck_look(&v->tape, current_tick(v), input);
+    tape_file_add_look(&v->tape, current_tick(v), input);
     tp_world_move_camera(current_world(v), input);
     v->wish.forward = v->wish.strafe = v->wish.up = 0;
     v->wish.turn = v->wish.tilt = 0;
@@ -184,8 +185,9 @@ static void tick(view *v)
         && keymap_held(&v->keys, ACT_REWIND, SDL_GetKeyboardState(NULL),
                        SDL_GetModState());
     tp_input input = { 0 };
-    if (v->look.jump && !v->playing) {          /* at once: no frame on the way */
-        look_steer(&v->look, current_world(v), &v->stage->file.scene, &input);
+    if (v->camera_mode.jump && !v->playing) { /* at once: no frame on the way */
+        camera_mode_steer(&v->camera_mode, current_world(v), &v->loaded->file.scene,
+                          &input);
         look_round(v, &input);
     }
     gather_input(v, &input);
@@ -193,7 +195,7 @@ static void tick(view *v)
         view_back(v);
     else if (!v->paused)
         view_step(v);
-    else if (wish_moves(&input) && !v->playing)
+    else if (input_moves_camera(&input) && !v->playing)
         look_round(v, &input);
 }
 
@@ -217,7 +219,7 @@ void view_advance(view *v, uint64_t now)
 
 void view_restart(view *v)
 {
-    if (stage_world(v->stage) != EXIT_DONE)
+    if (loaded_scene_make_world(v->loaded) != EXIT_DONE)
         return;
     if (v->taping || v->playing) {
         view_untape(v);
@@ -227,8 +229,10 @@ void view_restart(view *v)
     v->base = 0;
     v->wish = (tp_input){ 0 };
     v->pokes = (poke_queue){ 0 };
-    past_forget(v->past);
-    v->look = (look){ .mode = v->look.mode == LOOK_BOAT ? LOOK_BOAT : LOOK_FREE };
+    rewind_forget(v->history);
+    v->camera_mode =
+        (camera_mode){ .mode = v->camera_mode.mode == CAMERA_BOAT ? CAMERA_BOAT
+                                                                  : CAMERA_FREE };
     view_refit(v, false);
 }
 
@@ -236,24 +240,24 @@ int view_play(view *v, const char *name)
 {
     options wanted = *v->options;
     wanted.tape = name;
-    const int code = replay_open(&v->replay, v->stage, &wanted, REPLAY_ALL);
+    const int code = replay_open(&v->replay, v->loaded, &wanted, REPLAY_ALL);
     v->playing = !code;
-    past_forget(v->past);
+    rewind_forget(v->history);
     return code;
 }
 
 int view_tape(view *v, const char *name)
 {
-    const int code = deck_record(&v->tape, name, v->stage->file.name);
+    const int code = tape_file_record(&v->tape, name, v->loaded->file.name);
     v->taping = !code;
     v->tape.picture = v->picture;
-    edits_forget_worlds(&v->edits);     /* earlier edits have no lines on this tape */
+    undo_edits_forget_worlds(&v->edits);     /* earlier edits have no lines on this tape */
     return code;
 }
 
 int view_untape(view *v)
 {
-    const int code = deck_close(&v->tape);
+    const int code = tape_file_close(&v->tape);
     replay_close(&v->replay);
     v->taping = v->playing = false;
     return code;

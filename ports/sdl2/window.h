@@ -17,7 +17,7 @@ typedef struct {
     int           usual;            /* the panel's width after a double click on the bar */
     bool          dragged;          /* the bar is being dragged */
     bool          lost;             /* the renderer lost its textures: upload the picture
-                                     * again, call letters_again() */
+                                     * again, call font_reload() */
     bool          over;             /* private part: the mouse is on the bar */
     int           wide, high;       /* size before full screen */
     SDL_Cursor   *across;

@@ -36,7 +36,7 @@ static struct {
     bool      was;
     tp_input  wish;             /* input of the next tick */
     poke_queue pokes;           /* pokes for the next tick and later ticks */
-    look      look;
+    camera_mode      look;
     tp_governor governor;
 } page;
 
@@ -176,7 +176,7 @@ EXPORT(uint32_t, step, void)
 {
     for (uint32_t ticks = tp_world_advance_clock(page.world); ticks > 0; ticks--) {
         poke_take(&page.pokes, &web_scene, &page.wish);
-        look_steer(&page.look, page.world, &web_scene, &page.wish);
+        camera_mode_steer(&page.look, page.world, &web_scene, &page.wish);
         tp_world_step(&tp_program_all, page.world, &web_scene, &page.wish);
         page.wish = (tp_input){ 0 };
     }
@@ -187,7 +187,7 @@ EXPORT(uint32_t, step, void)
 EXPORT(void, turn, void)
 {
     tp_input *wish = &page.wish;
-    look_steer(&page.look, page.world, &web_scene, wish);
+    camera_mode_steer(&page.look, page.world, &web_scene, wish);
     tp_world_move_camera(page.world, wish);
     wish->forward = wish->strafe = wish->up = 0;
     wish->turn = wish->tilt = 0;
@@ -290,13 +290,13 @@ EXPORT(int, poke, uint32_t number)
  * unknown mode. */
 EXPORT(bool, look, int mode)
 {
-    return look_begin(&page.look, (look_mode)mode, page.world, &web_scene);
+    return camera_mode_begin(&page.look, (camera_mode_kind)mode, page.world, &web_scene);
 }
 
 /* Returns the camera.follow needed by the mode. */
 EXPORT(int, follow, void)
 {
-    return (int)look_follow(&page.look, &web_filed);
+    return (int)camera_mode_follow(&page.look, &web_filed);
 }
 
 /* Returns the camera's pose as camera.x .. camera.pitch: m and degrees, Q16.16. */

@@ -129,7 +129,7 @@ tp_status tp_obj_finish(tp_obj *obj, const tp_texture *const *textures, tp_mesh 
         return tp_obj_latch_failure(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
     obj->warnings = 0;
     warn_undefined_materials(obj);
-    const tp_obj_store *const store = &obj->store;
+    const tp_obj_memory *const store = &obj->store;
     for (uint32_t i = 0; i < store->material_names.count; i++)
         bind_material(obj, textures, i);
     *mesh = (tp_mesh){
@@ -143,7 +143,7 @@ tp_status tp_obj_finish(tp_obj *obj, const tp_texture *const *textures, tp_mesh 
 
 size_t tp_obj_kept_bytes(const tp_obj *obj)
 {
-    const tp_obj_store *const store = &obj->store;
+    const tp_obj_memory *const store = &obj->store;
     const size_t before = (size_t)((const char *)store->vertices
                                    - (const char *)store->materials);
     return before + store->n_vertices * sizeof *store->vertices;

@@ -219,7 +219,7 @@ static uint32_t choose_next_corner(struct tp_obj_cut *cut)
 
 /* -- cutting ------------------------------------------------------------------------ */
 
-struct tp_obj_cut *tp_cut_carve(tp_arena *arena, uint32_t corners)
+struct tp_obj_cut *tp_cut_layout(tp_arena *arena, uint32_t corners)
 {
     struct tp_obj_cut *const cut = tp_arena_alloc(arena, 1, sizeof *cut);
     struct tp_obj_cut lists = { .left = 0 };

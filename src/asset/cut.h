@@ -28,7 +28,7 @@ struct tp_obj_cut {
 };
 
 /* Allocates memory for polygons of up to `corners` corners. */
-struct tp_obj_cut *tp_cut_carve(tp_arena *arena, uint32_t corners);
+struct tp_obj_cut *tp_cut_layout(tp_arena *arena, uint32_t corners);
 
 /* Begins a polygon of n corners; 3 <= n <= allocated number.  Changes cut->at. */
 void tp_cut_begin(struct tp_obj_cut *cut, uint32_t n);

@@ -62,7 +62,7 @@ static tp_status resolve(const tp_obj *obj, int32_t index, uint32_t now, uint32_
 static uint32_t find_or_add_vertex(tp_obj *obj, uint32_t position, uint32_t texcoord,
                                    uint32_t normal)
 {
-    tp_obj_store *const store = &obj->store;
+    tp_obj_memory *const store = &obj->store;
     const uint64_t hash =
         tp_mix(tp_mix(tp_mix(obj->total.digest, position), texcoord), normal);
     uint32_t at = (uint32_t)hash & store->mask;

@@ -6,7 +6,7 @@
 #include "asset/table.h"
 #include "base/base.h"
 
-void tp_names_carve(tp_obj_names *names, tp_arena *arena, uint32_t most, uint32_t room)
+void tp_names_layout(tp_obj_names *names, tp_arena *arena, uint32_t most, uint32_t room)
 {
     names->most = most;
     names->room = room;

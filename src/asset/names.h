@@ -10,7 +10,7 @@
 #define TP_NO_NAME UINT32_MAX
 
 /* Allocates room for `most` names of `room` bytes in total, terminators included. */
-void tp_names_carve(tp_obj_names *names, tp_arena *arena, uint32_t most, uint32_t room);
+void tp_names_layout(tp_obj_names *names, tp_arena *arena, uint32_t most, uint32_t room);
 
 /* Empties the set. */
 void tp_names_clear(tp_obj_names *names);

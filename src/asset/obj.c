@@ -106,7 +106,7 @@ static tp_status read_position(tp_obj *obj, tp_words *words, tp_error *err)
         const uint64_t units = magnitude(n[i]) >> 16;
         if (units >= TP_OBJ_RANGE)
             return TP_FAIL(err, TP_E_OBJ_RANGE, obj->lines.first, TP_OBJ_RANGE, 0);
-        obj->now.reach |= (uint32_t)units;
+        obj->now.position_bits |= (uint32_t)units;
     }
     if (obj->stage == TP_STAGE_LOAD)
         obj->store.positions[obj->now.vertices] = (tp_vec3){
@@ -300,11 +300,11 @@ tp_status tp_obj_end_count(tp_obj *obj, tp_error *err)
         return tp_obj_latch_failure(obj,
                                     TP_FAIL(err, TP_E_OBJ_EMPTY, obj->lines.next, 0, 0));
     obj->total = obj->now;
-    while (obj->total.reach >> obj->log2_unit >= 1 << 14)
+    while (obj->total.position_bits >> obj->log2_unit >= 1 << 14)
         obj->log2_unit++;
     TP_ASSERT(obj->log2_unit <= TP_MESH_LOG2_UNIT);
     tp_arena count = tp_arena_init(NULL, 0);
-    tp_obj_carve(obj, &count);
+    tp_obj_layout(obj, &count);
     if (count.failed)
         return tp_obj_latch_failure(obj, TP_FAIL(err, TP_E_NOSPACE, 0, INT32_MAX, 0));
     obj->bytes = count.used;
@@ -325,7 +325,7 @@ void tp_obj_begin_load(tp_obj *obj, void *mem)
     }
     begin_pass(obj, TP_STAGE_LOAD);
     tp_arena arena = tp_arena_init(mem, obj->bytes);
-    tp_obj_carve(obj, &arena);
+    tp_obj_layout(obj, &arena);
     TP_ASSERT(!arena.failed);
     tp_names_clear(&obj->store.library_names);
     tp_names_clear(&obj->store.material_names);

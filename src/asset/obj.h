@@ -84,8 +84,8 @@ tp_status tp_obj_lines_feed(tp_obj *obj, const void *text, size_t bytes,
 tp_status tp_obj_lines_end(tp_obj *obj, tp_obj_statement *statement, tp_error *err);
 tp_status tp_obj_latch_failure(tp_obj *obj, tp_status status);
 
-/* use.c: the statements usemtl and mtllib.  tp_obj_use_default_material selects the material "",
- * used by faces before any usemtl. */
+/* use.c: the statements usemtl and mtllib.  tp_obj_use_default_material selects the
+ * material "", used by faces before any usemtl. */
 tp_status tp_obj_usemtl(tp_obj *obj, tp_words *words, tp_error *err);
 tp_status tp_obj_mtllib(tp_obj *obj, tp_words *words, tp_error *err);
 tp_status tp_obj_use_default_material(tp_obj *obj, tp_error *err);
@@ -94,7 +94,7 @@ tp_status tp_obj_use_default_material(tp_obj *obj, tp_error *err);
 tp_status tp_obj_face(tp_obj *obj, tp_words *words, tp_error *err);
 
 /* obj_store.c: lays out the store; an arena without a block only counts. */
-void tp_obj_carve(tp_obj *obj, tp_arena *arena);
+void tp_obj_layout(tp_obj *obj, tp_arena *arena);
 
 /* shape.c: turns polygons into faces; computes normals and the final form of vertices. */
 tp_status tp_obj_build_geometry(tp_obj *obj, tp_error *err);

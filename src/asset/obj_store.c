@@ -15,8 +15,8 @@
  * The names share these bytes: some names may be longer. */
 enum { IMAGE_NAME = 256 };
 
-static void carve_loading(tp_obj_store *store, const tp_obj_counts *total,
-                          tp_arena *arena)
+static void layout_loading(tp_obj_memory *store, const tp_obj_counts *total,
+                           tp_arena *arena)
 {
     store->positions = tp_arena_alloc(arena, total->vertices, sizeof *store->positions);
     store->texcoords = tp_arena_alloc(arena, total->texcoords, sizeof *store->texcoords);
@@ -27,7 +27,7 @@ static void carve_loading(tp_obj_store *store, const tp_obj_counts *total,
     store->mask      = tp_table_size(total->corners) - 1;
     store->table     = tp_arena_alloc(arena, (size_t)store->mask + 1,
                                      sizeof *store->table);
-    store->cut       = tp_cut_carve(arena, total->largest);
+    store->cut       = tp_cut_layout(arena, total->largest);
 }
 
 /* Returns the bytes for material names.  The scan counts at most TP_OBJ_MATERIALS names,
@@ -39,9 +39,9 @@ static uint32_t material_name_bytes(const tp_obj *obj)
     return counted < most ? counted : most;     /* <= 2^12 x 2^12 */
 }
 
-void tp_obj_carve(tp_obj *obj, tp_arena *arena)
+void tp_obj_layout(tp_obj *obj, tp_arena *arena)
 {
-    tp_obj_store *const store = &obj->store;
+    tp_obj_memory *const store = &obj->store;
     const tp_obj_counts *const total = &obj->total;
     const uint32_t materials = obj->name_most[TP_NAMES_MATERIAL];
 
@@ -49,15 +49,15 @@ void tp_obj_carve(tp_obj *obj, tp_arena *arena)
     store->faces     = tp_arena_alloc(arena, total->triangles, sizeof *store->faces);
     store->vertices  = tp_arena_alloc(arena, total->corners, sizeof *store->vertices);
     store->made      = tp_arena_alloc(arena, materials, sizeof *store->made);
-    tp_names_carve(&store->material_names, arena, materials, material_name_bytes(obj));
-    tp_names_carve(&store->library_names, arena, obj->name_most[TP_NAMES_LIBRARY],
-                   obj->name_room[TP_NAMES_LIBRARY]);
+    tp_names_layout(&store->material_names, arena, materials, material_name_bytes(obj));
+    tp_names_layout(&store->library_names, arena, obj->name_most[TP_NAMES_LIBRARY],
+                    obj->name_room[TP_NAMES_LIBRARY]);
 
     tp_arena later = *arena;
-    carve_loading(store, total, arena);
+    layout_loading(store, total, arena);
     const uint32_t images = TP_MAPS * materials;        /* <= 2^13 of 2^8 bytes */
-    tp_names_carve(&store->image_names, &later, images,
-                   images * IMAGE_NAME + TP_OBJ_LINE_BYTES);
+    tp_names_layout(&store->image_names, &later, images,
+                    images * IMAGE_NAME + TP_OBJ_LINE_BYTES);
     arena->failed = arena->failed || later.failed;
     if (later.used > arena->used)
         arena->used = later.used;

@@ -67,7 +67,7 @@ typedef struct {
     uint32_t vertices, texcoords, normals, polygons, corners, triangles;
     uint32_t largest;                   /* corners of the largest polygon */
     uint32_t smooth;                    /* corners that need a smooth normal */
-    uint32_t reach;                     /* integer parts of all positions, or'ed */
+    uint32_t position_bits;                     /* integer parts of all positions, or'ed */
     uint32_t bytes;                     /* bytes of text, modulo 2^32 */
     uint64_t digest;                    /* digest of all numbers */
 } tp_obj_counts;
@@ -124,7 +124,7 @@ typedef struct {
     uint32_t               n_vertices, n_faces, n_slots;
     /* Used after tp_obj_end_load, in the same memory: */
     tp_obj_names           image_names;
-} tp_obj_store;
+} tp_obj_memory;
 
 /* The reader.  Takes about 9 KB; open in layout so that it can be static. */
 typedef struct tp_obj {
@@ -152,7 +152,7 @@ typedef struct tp_obj {
     uint32_t statement;                 /* statement of a line that arrives in parts */
     tp_vec3  low, high;
     tp_obj_face_state face;
-    tp_obj_store store;
+    tp_obj_memory store;
     tp_obj_lines lines;
     char     seen[2048];                /* scan: names already counted */
 } tp_obj;

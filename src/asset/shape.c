@@ -23,13 +23,13 @@ static void widen(int32_t *low, int32_t *high, int32_t x)
         *high = x;
 }
 
-static struct tp_obj_texcoord vertex_texcoord(const tp_obj_store *store, uint32_t vertex)
+static struct tp_obj_texcoord vertex_texcoord(const tp_obj_memory *store, uint32_t vertex)
 {
     const uint32_t i = store->vertices[vertex].corner.texcoord;
     return i == TP_NO_TEXCOORD ? (struct tp_obj_texcoord){ 0, 0 } : store->texcoords[i];
 }
 
-static tp_vec3 vertex_position(const tp_obj_store *store, uint32_t vertex)
+static tp_vec3 vertex_position(const tp_obj_memory *store, uint32_t vertex)
 {
     return store->positions[store->vertices[vertex].corner.position];
 }
@@ -43,7 +43,7 @@ static uint32_t larger_extent(int32_t low_a, int32_t high_a, int32_t low_b, int3
 /* Finds the bounding box, and the shifts that keep the sums of areas from overflowing. */
 static void find_bounds_and_area_shifts(tp_obj *obj)
 {
-    const tp_obj_store *const store = &obj->store;
+    const tp_obj_memory *const store = &obj->store;
     tp_vec3 low = vertex_position(store, 0), high = low;
     struct tp_obj_texcoord first = vertex_texcoord(store, 0), last = first;
     for (uint32_t i = 1; i < store->n_vertices; i++) {
@@ -66,7 +66,7 @@ static void find_bounds_and_area_shifts(tp_obj *obj)
 
 /* -- smooth normals ------------------------------------------------------------------ */
 
-static uint32_t find_or_add_slot(tp_obj_store *store, uint64_t seed, uint32_t position,
+static uint32_t find_or_add_slot(tp_obj_memory *store, uint64_t seed, uint32_t position,
                                  uint32_t group)
 {
     uint32_t at = (uint32_t)tp_mix(tp_mix(seed, position), group) & store->mask;
@@ -86,7 +86,7 @@ static uint32_t find_or_add_slot(tp_obj_store *store, uint64_t seed, uint32_t po
  * most one per corner. */
 static void assign_normal_slots(tp_obj *obj)
 {
-    tp_obj_store *const store = &obj->store;
+    tp_obj_memory *const store = &obj->store;
     memset(store->table, 0, ((size_t)store->mask + 1) * sizeof *store->table);
     for (uint32_t i = 0; i < store->n_vertices; i++) {
         union tp_obj_vertex *const vertex = &store->vertices[i];
@@ -105,7 +105,7 @@ static void add_area(int64_t sum[3], tp_area area)
     sum[2] += area.z;
 }
 
-static void add_to_slots(tp_obj_store *store, const tp_mesh_face *face, tp_area area)
+static void add_to_slots(tp_obj_memory *store, const tp_mesh_face *face, tp_area area)
 {
     for (int k = 0; k < 3; k++) {
         const uint32_t normal = store->vertices[face->vertex[k]].corner.normal;
@@ -156,7 +156,7 @@ static tp_packed_dir face_tangent(const tp_obj *obj, const tp_mesh_face *face, t
 static void make_face(tp_obj *obj, const uint32_t vertex[3], uint32_t material,
                       int64_t sum[3])
 {
-    tp_obj_store *const store = &obj->store;
+    tp_obj_memory *const store = &obj->store;
     const tp_vec3 corner = vertex_position(store, vertex[0]);
     const tp_vec3 e = tp_vec3_sub(vertex_position(store, vertex[1]), corner);
     const tp_vec3 f = tp_vec3_sub(vertex_position(store, vertex[2]), corner);
@@ -176,7 +176,7 @@ static void make_face(tp_obj *obj, const uint32_t vertex[3], uint32_t material,
     add_to_slots(store, face, area);
 }
 
-static void begin_cut(const tp_obj_store *store, const uint32_t *corners, uint32_t n)
+static void begin_cut(const tp_obj_memory *store, const uint32_t *corners, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
         const tp_vec3 p = vertex_position(store, corners[i]);
@@ -207,7 +207,7 @@ static void triangulate_polygon(tp_obj *obj, const struct tp_obj_polygon *polygo
 static void make_faces(tp_obj *obj, const struct tp_obj_polygon *polygon,
                        const uint32_t *corners)
 {
-    tp_obj_store *const store = &obj->store;
+    tp_obj_memory *const store = &obj->store;
     int64_t sum[3] = { 0, 0, 0 };
     triangulate_polygon(obj, polygon, corners, sum);
     const tp_packed_dir normal =
@@ -221,7 +221,7 @@ static void make_faces(tp_obj *obj, const struct tp_obj_polygon *polygon,
 
 /* -- vertices ------------------------------------------------------------------------ */
 
-static tp_packed_dir resolve_normal(const tp_obj_store *store, uint32_t normal)
+static tp_packed_dir resolve_normal(const tp_obj_memory *store, uint32_t normal)
 {
     const uint32_t i = normal & ~TP_NORMAL_KIND;
     switch (normal & TP_NORMAL_KIND) {
@@ -236,7 +236,7 @@ static tp_packed_dir resolve_normal(const tp_obj_store *store, uint32_t normal)
     }
 }
 
-static void finish_vertices(tp_obj_store *store)
+static void finish_vertices(tp_obj_memory *store)
 {
     for (uint32_t i = 0; i < store->n_vertices; i++) {
         const struct tp_obj_texcoord tex = vertex_texcoord(store, i);
@@ -249,7 +249,7 @@ static void finish_vertices(tp_obj_store *store)
 
 tp_status tp_obj_build_geometry(tp_obj *obj, tp_error *err)
 {
-    tp_obj_store *const store = &obj->store;
+    tp_obj_memory *const store = &obj->store;
     find_bounds_and_area_shifts(obj);
     assign_normal_slots(obj);
     const uint32_t *corners = store->corners;

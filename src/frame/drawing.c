@@ -15,7 +15,7 @@
 /* -- memory --------------------------------------------------------------------------- */
 
 /* True if this module is drawn.  *mark is its first stencil value; 0 if it needs none. */
-static bool assign_marks(tp_frame_parts *parts, const tp_use *u, tp_want *want,
+static bool assign_marks(tp_frame_buffers *buffers, const tp_use *u, tp_want *want,
                          uint32_t *mark)
 {
     *mark = 0;
@@ -23,21 +23,21 @@ static bool assign_marks(tp_frame_parts *parts, const tp_use *u, tp_want *want,
         return false;
     if (!u->drawing->marks)
         return true;
-    *mark = tp_marks_reserve_values(&parts->marks, u->drawing->marks(want));
-    parts->lacks += *mark == 0;
+    *mark = tp_marks_reserve_values(&buffers->marks, u->drawing->marks(want));
+    buffers->lacks += *mark == 0;
     return *mark > 0;
 }
 
-static void assign_lists(tp_frame_parts *parts, const tp_use *u, uint32_t count)
+static void assign_lists(tp_frame_buffers *buffers, const tp_use *u, uint32_t count)
 {
     uint32_t list = TP_LIST_WATER + 1;
 
     for (uint32_t i = 0; i < count; i++)
-        if (parts->mark[i])
-            tp_marks_assign_list(&parts->marks, list++, parts->mark[i], u[i].drawing);
+        if (buffers->mark[i])
+            tp_marks_assign_list(&buffers->marks, list++, buffers->mark[i], u[i].drawing);
 }
 
-void tp_frame_layout_modules(const tp_program *program, tp_frame_parts *parts,
+void tp_frame_layout_modules(const tp_program *program, tp_frame_buffers *buffers,
                              tp_arena *arena, tp_want want)
 {
     const size_t begin = arena->used;
@@ -47,25 +47,25 @@ void tp_frame_layout_modules(const tp_program *program, tp_frame_parts *parts,
     while (u && u[count].module)
         count++;
     TP_ASSERT(count <= TP_MODULES);
-    parts->module = tp_arena_alloc(arena, count, sizeof *parts->module);
-    parts->mark = tp_arena_alloc(arena, count, sizeof *parts->mark);
-    tp_marks_init(&parts->marks);
+    buffers->module = tp_arena_alloc(arena, count, sizeof *buffers->module);
+    buffers->mark = tp_arena_alloc(arena, count, sizeof *buffers->mark);
+    tp_marks_init(&buffers->marks);
     for (uint32_t i = 0; i < count; i++) {
-        const bool on = assign_marks(parts, &u[i], &want, &mark);
+        const bool on = assign_marks(buffers, &u[i], &want, &mark);
         const size_t used = arena->used;
         void *mine = on && u[i].drawing->layout ? u[i].drawing->layout(arena, &want) : NULL;
-        looks += on && u[i].drawing->look ? (uint32_t)(arena->used - used) : 0;
-        parts->laid |= (uint64_t)on << i;
-        if (parts->module) {
-            parts->module[i] = mine;
-            parts->mark[i] = (uint8_t)mark;
+        looks += on && u[i].drawing->draw_map ? (uint32_t)(arena->used - used) : 0;
+        buffers->laid |= (uint64_t)on << i;
+        if (buffers->module) {
+            buffers->module[i] = mine;
+            buffers->mark[i] = (uint8_t)mark;
         }
     }
-    tp_marks_layout(&parts->marks, arena);
-    if (parts->marks.list)
-        assign_lists(parts, u, count);
-    parts->look_bytes = looks;
-    parts->module_bytes = (uint32_t)(arena->used - begin) - looks;
+    tp_marks_layout(&buffers->marks, arena);
+    if (buffers->marks.list)
+        assign_lists(buffers, u, count);
+    buffers->map_bytes = looks;
+    buffers->module_bytes = (uint32_t)(arena->used - begin) - looks;
 }
 
 /* -- enabled modules ----------------------------------------------------------------- */
@@ -76,12 +76,12 @@ static bool has_module_memory(const tp_frame *frame, uint32_t i)
 {
     const tp_drawing *drawing = frame->program->modules[i].drawing;
 
-    return frame->parts.laid >> i & 1 || (drawing && !drawing->layout && !drawing->marks);
+    return frame->buffers.laid >> i & 1 || (drawing && !drawing->layout && !drawing->marks);
 }
 
 void tp_frame_enable_modules(tp_frame *frame)
 {
-    tp_want want = tp_frame_want(frame->program, &frame->parts, frame->scene,
+    tp_want want = tp_frame_want(frame->program, &frame->buffers, frame->scene,
                                  &frame->assets, &frame->config);
 
     frame->modules_on = 0;
@@ -95,7 +95,7 @@ void *tp_frame_module_memory(const tp_frame *frame, uint32_t id)
 {
     EACH_ON(i, use, frame)
         if (use[i].module->id == id)
-            return frame->parts.module[i];
+            return frame->buffers.module[i];
     return NULL;
 }
 
@@ -127,23 +127,23 @@ bool tp_frame_has_solids(const tp_frame *frame)
 
 void tp_frame_init_modules(tp_frame *frame)
 {
-    EACH_OF(frame->parts.laid, i, use, frame->program)
+    EACH_OF(frame->buffers.laid, i, use, frame->program)
     if (use[i].drawing->init)
-        use[i].drawing->init(frame, frame->parts.module[i]);
+        use[i].drawing->init(frame, frame->buffers.module[i]);
 }
 
 void tp_frame_add_surface(tp_frame *frame, tp_surface *surface)
 {
     EACH_ON(i, use, frame)
         if (use[i].drawing->surface)
-            use[i].drawing->surface(frame, frame->parts.module[i], surface);
+            use[i].drawing->surface(frame, frame->buffers.module[i], surface);
 }
 
 void tp_frame_begin_modules(tp_frame *frame)
 {
     EACH_ON(i, use, frame)
         if (use[i].drawing->begin)
-            use[i].drawing->begin(frame, frame->parts.module[i]);
+            use[i].drawing->begin(frame, frame->buffers.module[i]);
 }
 
 tp_view_anchor tp_frame_anchor(const tp_frame *frame)
@@ -151,17 +151,17 @@ tp_view_anchor tp_frame_anchor(const tp_frame *frame)
     tp_view_anchor anchor = { .level = 0 };
 
     EACH_ON(i, use, frame)
-        if (use[i].drawing->anchor
-            && use[i].drawing->anchor(frame, frame->parts.module[i], &anchor))
-            break;
+    if (use[i].drawing->anchor
+        && use[i].drawing->anchor(frame, frame->buffers.module[i], &anchor))
+        break;
     return anchor;
 }
 
 void tp_frame_draw_maps(tp_frame *frame)
 {
     EACH_ON(i, use, frame)
-        if (use[i].drawing->look)
-            use[i].drawing->look(frame, frame->parts.module[i]);
+    if (use[i].drawing->draw_map)
+        use[i].drawing->draw_map(frame, frame->buffers.module[i]);
 }
 
 void tp_frame_add_stages(const tp_frame *frame, tp_shaders *list)
@@ -169,7 +169,7 @@ void tp_frame_add_stages(const tp_frame *frame, tp_shaders *list)
     EACH_ON(i, use, frame) {
         const uint32_t lacks = list->lacks;
         if (use[i].drawing->stages)
-            use[i].drawing->stages(frame, frame->parts.module[i], use[i].stage, list);
+            use[i].drawing->stages(frame, frame->buffers.module[i], use[i].stage, list);
         if (list->lacks > lacks && !list->lacking)
             list->lacking = (uint8_t)(i + 1);
     }
@@ -178,8 +178,8 @@ void tp_frame_add_stages(const tp_frame *frame, tp_shaders *list)
 void tp_frame_place_modules(tp_frame *frame, tp_view *view, tp_grid_box *box)
 {
     EACH_ON(i, use, frame)
-        if (use[i].drawing->place)
-            use[i].drawing->place(frame, frame->parts.module[i], view, box);
+    if (use[i].drawing->project)
+        use[i].drawing->project(frame, frame->buffers.module[i], view, box);
 }
 
 void tp_frame_draw_modules(const tp_frame *frame, const tp_view *view,
@@ -187,16 +187,16 @@ void tp_frame_draw_modules(const tp_frame *frame, const tp_view *view,
 {
     EACH_OF(frame->modules_drawn, i, use, frame->program)
     if (use[i].drawing->draw)
-        use[i].drawing->draw(frame, frame->parts.module[i], view, samples,
-                             frame->parts.mark[i]);
+        use[i].drawing->draw(frame, frame->buffers.module[i], view, samples,
+                             frame->buffers.mark[i]);
 }
 
 void tp_frame_draw_post_water(const tp_frame *frame, const tp_gbuffer *samples)
 {
     EACH_OF(frame->modules_drawn, i, use, frame->program)
     if (use[i].drawing->over)
-        use[i].drawing->over(frame, frame->parts.module[i], samples,
-                             frame->parts.mark[i]);
+        use[i].drawing->over(frame, frame->buffers.module[i], samples,
+                             frame->buffers.mark[i]);
 }
 
 /* -- shader lists of the modules' own samples ---------------------------------------- */
@@ -226,7 +226,7 @@ void tp_frame_fill_module_lists(tp_frame *frame)
     EACH_ON(i, use, frame) {
         if (!use[i].drawing->marks)
             continue;
-        tp_shaders *list = tp_marks_list(&frame->parts.marks, frame->parts.mark[i]);
+        tp_shaders *list = tp_marks_list(&frame->buffers.marks, frame->buffers.mark[i]);
         tp_shaders_clear(list);
         tp_frame_add_stages(frame, list);
         if (!tp_shaders_has(list, TP_AT_COLOUR)) {

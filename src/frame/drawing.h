@@ -11,7 +11,7 @@
 #include "tidepool/modules.h"
 
 struct tp_frame;
-struct tp_frame_parts;
+struct tp_frame_buffers;
 
 /* Callbacks of a module's drawing.  Any member may be NULL.  `mine` is the memory from
  * `layout`, or NULL. */
@@ -34,7 +34,7 @@ typedef struct tp_drawing {
 
     /* Draws a picture for the water's stages, for example a mirror.  All shader lists and
      * numbers are known. */
-    void  (*look)(struct tp_frame *frame, void *mine);
+    void  (*draw_map)(struct tp_frame *frame, void *mine);
 
     /* Tells mirrors where the module's objects are.  The first module with objects
      * counts. */
@@ -45,7 +45,7 @@ typedef struct tp_drawing {
      * of the objects.  Views are placed and drawn one after the other, the picture's view
      * last: `mine` stores the projection of one view only.  Some modules skip all other
      * views. */
-    void  (*place)(struct tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box);
+    void  (*project)(struct tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box);
 
     /* Draws the objects of the view placed last: samples with stencil values from `mark`
      * on.  The water is drawn after them; `over` draws over the finished water. */
@@ -65,7 +65,7 @@ typedef struct tp_drawing {
 /* -- drawing.c: loops over the program's modules ------------------------------------- */
 
 /* Lays out the memory of all enabled modules, their stencil values and all shader lists. */
-void tp_frame_layout_modules(const tp_program *program, struct tp_frame_parts *parts,
+void tp_frame_layout_modules(const tp_program *program, struct tp_frame_buffers *buffers,
                              tp_arena *arena, tp_want want);
 
 /* Asks each module if it is on in this picture; only enabled modules take part. */

@@ -17,15 +17,15 @@ enum { CELL = TP_LATTICE_CELL, BLOCK = 16 };
 /* A world coordinate along a row, 16.16 with 16 more fraction bits; may wrap. */
 typedef struct {
     uint64_t now, step;
-} walker;
+} flat_walker;
 
 /* Neighbouring pixels of one row. */
 typedef struct {
     uint32_t *key, *s, *t, *n;
     int32_t   x, y, count;
     uint32_t  zi, zi_step;
-    walker    place[2];
-} piece;
+    flat_walker    place[2];
+} flat_piece;
 
 /* Interpolated values of a few pixels; 32 bits suffice.  n packs both slopes; the lower
  * half may carry into the upper half. */
@@ -40,7 +40,7 @@ TP_ALWAYS_INLINE uint32_t make_water_key(uint32_t zi)
 
 /* Returns the values at the start of a block; `from` is the pixel's index in the row and
  * lies `off` pixels after the start. */
-TP_ALWAYS_INLINE few start_interpolants(const piece *p, int32_t from, int32_t off)
+TP_ALWAYS_INLINE few start_interpolants(const flat_piece *p, int32_t from, int32_t off)
 {
     uint64_t s = p->place[0].now + p->place[0].step * (uint64_t)(int64_t)(from - off);
     uint64_t t = p->place[1].now + p->place[1].step * (uint64_t)(int64_t)(from - off);
@@ -53,8 +53,8 @@ TP_ALWAYS_INLINE few start_interpolants(const piece *p, int32_t from, int32_t of
 }
 
 /* Fills `count` pixels from `from` on; the flags are literals. */
-TP_ALWAYS_INLINE void fill(const piece *p, int32_t from, int32_t count, few f, int waves,
-                           int rolled, int tested)
+TP_ALWAYS_INLINE void fill(const flat_piece *p, int32_t from, int32_t count, few f,
+                           int waves, int rolled, int tested)
 {
     uint32_t *key = p->key + from, *s = p->s + from, *t = p->t + from, *n = p->n + from;
     uint32_t  zi = p->zi + p->zi_step * (uint32_t)from, now = make_water_key(zi);
@@ -96,11 +96,11 @@ static uint32_t pack_slopes(int32_t x, int32_t z)
     return (uint32_t)x * 65536u + (uint32_t)z;
 }
 
-TP_ALWAYS_INLINE void fill_cells(const tp_frame *frame, const piece *p, int rolled,
+TP_ALWAYS_INLINE void fill_cells(const tp_frame *frame, const flat_piece *p, int rolled,
                                  int tested)
 {
-    const uint32_t cols = frame->parts.slope_cols;
-    const uint32_t *point = frame->parts.slopes + (uint32_t)(p->y / CELL) * cols
+    const uint32_t cols = frame->buffers.slope_cols;
+    const uint32_t *point = frame->buffers.slopes + (uint32_t)(p->y / CELL) * cols
                           + (uint32_t)(p->x / CELL);
     const int32_t down = p->y % CELL;
     side a = interpolate_side(point, cols, down);
@@ -117,7 +117,7 @@ TP_ALWAYS_INLINE void fill_cells(const tp_frame *frame, const piece *p, int roll
     }
 }
 
-TP_ALWAYS_INLINE void fill_without_waves(const piece *p, int rolled, int tested)
+TP_ALWAYS_INLINE void fill_without_waves(const flat_piece *p, int rolled, int tested)
 {
     for (int32_t from = 0, count; from < p->count; from += count) {
         int32_t off = (p->x + from) % BLOCK;
@@ -126,14 +126,14 @@ TP_ALWAYS_INLINE void fill_without_waves(const piece *p, int rolled, int tested)
     }
 }
 
-static void fill_piece(const tp_frame *frame, const piece *p, bool tested)
+static void fill_piece(const tp_frame *frame, const flat_piece *p, bool tested)
 {
     TP_ASSERT(p->count > 0 && p->x >= 0 && p->y >= 0);
     bool waves = tp_surface_has_swells(&frame->surface);
 
-    if (frame->parts.level->rolled && waves)
+    if (frame->buffers.level->rolled && waves)
         fill_cells(frame, p, 1, 1);
-    else if (frame->parts.level->rolled)
+    else if (frame->buffers.level->rolled)
         fill_without_waves(p, 1, 1);
     else if (waves && tested)
         fill_cells(frame, p, 0, 1);
@@ -149,26 +149,26 @@ static void fill_piece(const tp_frame *frame, const piece *p, bool tested)
 
 /* Returns the walker of a row, computed from absolute x = 0: a product of a 31-bit factor
  * and a 30-bit pixel direction. */
-static walker make_walker(tp_level_reach reach, tp_fx eye, const tp_level_sum *sum,
+static flat_walker make_walker(tp_level_scale scale, tp_fx eye, const tp_level_linear *sum,
                           int32_t x, int32_t y)
 {
-    int      shift = reach.shift > 16 ? reach.shift - 16 : 0;
-    int64_t  first = (int64_t)reach.factor * (int32_t)(tp_level_evaluate(sum, 0, y) >> 14);
-    uint64_t step = (uint64_t)((int64_t)reach.factor * sum->x >> (shift + 14));
+    int      shift = scale.shift > 16 ? scale.shift - 16 : 0;
+    int64_t  first = (int64_t)scale.factor * (int32_t)(tp_level_evaluate(sum, 0, y) >> 14);
+    uint64_t step = (uint64_t)((int64_t)scale.factor * sum->x >> (shift + 14));
     uint64_t from = (uint64_t)(first >> shift) + ((uint64_t)(int64_t)eye << 16);
 
-    return (walker){ from + step * (uint32_t)x, step };
+    return (flat_walker){ from + step * (uint32_t)x, step };
 }
 
-static void draw_level(const tp_frame *frame, piece *p, bool tested)
+static void draw_level(const tp_frame *frame, flat_piece *p, bool tested)
 {
-    const tp_level *level = frame->parts.level;
-    tp_level_reach reach =
-        tp_level_reach_make(level, tp_level_evaluate(&level->down, 0, p->y));
+    const tp_level *level = frame->buffers.level;
+    tp_level_scale scale =
+        tp_level_scale_make(level, tp_level_evaluate(&level->down, 0, p->y));
 
     p->zi = (uint32_t)(tp_level_evaluate(&level->zi, 0, p->y) >> TP_LEVEL_ZI);
-    p->place[0] = make_walker(reach, level->x, &level->east, p->x, p->y);
-    p->place[1] = make_walker(reach, level->z, &level->south, p->x, p->y);
+    p->place[0] = make_walker(scale, level->x, &level->east, p->x, p->y);
+    p->place[1] = make_walker(scale, level->z, &level->south, p->x, p->y);
     fill_piece(frame, p, tested);
 }
 
@@ -186,11 +186,11 @@ static knot sample_knot(const tp_level *level, int32_t x, int32_t y)
 
     if (k.down <= 0)
         return k;
-    tp_level_reach reach = tp_level_reach_make(level, k.down);
+    tp_level_scale scale = tp_level_scale_make(level, k.down);
     k.place[0] = (uint32_t)level->x
-               + (uint32_t)tp_level_metres(reach, tp_level_evaluate(&level->east, x, y));
+               + (uint32_t)tp_level_metres(scale, tp_level_evaluate(&level->east, x, y));
     k.place[1] = (uint32_t)level->z
-               + (uint32_t)tp_level_metres(reach, tp_level_evaluate(&level->south, x, y));
+               + (uint32_t)tp_level_metres(scale, tp_level_evaluate(&level->south, x, y));
     return k;
 }
 
@@ -204,23 +204,25 @@ static bool is_depth_nearly_equal(const knot *a, const knot *b)
     return a->down > 0 && b->down > 0 && change <= a->down >> 5;
 }
 
-static void draw_interpolated(const tp_frame *frame, piece *p, const knot *a, const knot *b)
+static void draw_interpolated(const tp_frame *frame, flat_piece *p, const knot *a,
+                              const knot *b)
 {
     uint32_t off = (uint32_t)p->x % BLOCK;
 
     for (int axis = 0; axis < 2; axis++) {
         int64_t  way = (int32_t)(b->place[axis] - a->place[axis]);
         uint64_t step = (uint64_t)(way * (65536 / BLOCK));
-        p->place[axis] = (walker){ ((uint64_t)a->place[axis] << 16) + step * off, step };
+        p->place[axis] =
+            (flat_walker){ ((uint64_t)a->place[axis] << 16) + step * off, step };
     }
     fill_piece(frame, p, true);
 }
 
-static void draw_pixel_by_pixel(const tp_frame *frame, const piece *block)
+static void draw_pixel_by_pixel(const tp_frame *frame, const flat_piece *block)
 {
     for (int32_t i = 0; i < block->count; i++) {
-        knot  k = sample_knot(frame->parts.level, block->x + i, block->y);
-        piece p = { block->key + i, block->s + i, block->t + i, block->n + i,
+        knot  k = sample_knot(frame->buffers.level, block->x + i, block->y);
+        flat_piece p = { block->key + i, block->s + i, block->t + i, block->n + i,
                     block->x + i, block->y, 1, block->zi + block->zi_step * (uint32_t)i,
                     0, { { (uint64_t)k.place[0] << 16, 0 },
                          { (uint64_t)k.place[1] << 16, 0 } } };
@@ -228,17 +230,22 @@ static void draw_pixel_by_pixel(const tp_frame *frame, const piece *block)
     }
 }
 
-static void draw_rolled(const tp_frame *frame, const piece *row)
+static void draw_rolled(const tp_frame *frame, const flat_piece *row)
 {
-    const tp_level *level = frame->parts.level;
+    const tp_level *level = frame->buffers.level;
     knot a = sample_knot(level, row->x & ~(BLOCK - 1), row->y);
 
     for (int32_t i = 0, count; i < row->count; i += count) {
         int32_t x = row->x + i, off = x % BLOCK;
         knot    b = sample_knot(level, x - off + BLOCK, row->y);
         count = BLOCK - off < row->count - i ? BLOCK - off : row->count - i;
-        piece p = { .key = row->key + i, .s = row->s + i, .t = row->t + i, .n = row->n + i,
-                    .x = x, .y = row->y, .count = count };
+        flat_piece p = { .key = row->key + i,
+                         .s = row->s + i,
+                         .t = row->t + i,
+                         .n = row->n + i,
+                         .x = x,
+                         .y = row->y,
+                         .count = count };
         p.zi_step = (uint32_t)(level->zi.x >> TP_LEVEL_ZI);
         p.zi = (uint32_t)(tp_level_evaluate(&level->zi, x - off, row->y) >> TP_LEVEL_ZI)
                + p.zi_step * (uint32_t)off;
@@ -263,7 +270,7 @@ static bool has_any_sample(const uint32_t *key, int32_t count)
 
 static void draw_flat(const tp_frame *frame, tp_gbuffer *tile, void *memory)
 {
-    const tp_level *level = frame->parts.level;
+    const tp_level *level = frame->buffers.level;
     unsigned mask = tp_level_clip_mask(level, tile->x0, tile->y0, tile->x1, tile->y1);
 
     (void)memory;
@@ -274,7 +281,7 @@ static void draw_flat(const tp_frame *frame, tp_gbuffer *tile, void *memory)
             continue;
         size_t at = (size_t)(uint32_t)(y - tile->y0) * tile->stride
                   + (uint32_t)(x0 - tile->x0);
-        piece  p = { tile->key + at, tile->s + at, tile->t + at, tile->n + at, x0, y,
+        flat_piece  p = { tile->key + at, tile->s + at, tile->t + at, tile->n + at, x0, y,
                      x1 - x0, 0, 0, { { 0, 0 }, { 0, 0 } } };
         if (level->rolled)
             draw_rolled(frame, &p);
@@ -285,18 +292,19 @@ static void draw_flat(const tp_frame *frame, tp_gbuffer *tile, void *memory)
 
 /* -- the renderer -------------------------------------------------------------------- */
 
-static void carve_flat(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
-                       const tp_scene *scene, const tp_config *config)
+static void layout_flat(tp_frame_buffers *buffers, tp_arena *arena,
+                        const tp_program *program, const tp_scene *scene,
+                        const tp_config *config)
 {
-    parts->level = tp_arena_alloc(arena, 1, sizeof *parts->level);
+    buffers->level = tp_arena_alloc(arena, 1, sizeof *buffers->level);
     if (program->water.swells)
-        tp_frame_carve_slopes(parts, arena, scene, config);
+        tp_frame_layout_slopes(buffers, arena, scene, config);
 }
 
 static bool can_draw_flat(tp_frame *frame)
 {
     return tp_frame_is_swell(frame)
-        && (!tp_surface_has_swells(&frame->surface) || frame->parts.slopes);
+           && (!tp_surface_has_swells(&frame->surface) || frame->buffers.slopes);
 }
 
 static void place_flat(tp_frame *frame)
@@ -306,6 +314,6 @@ static void place_flat(tp_frame *frame)
         tp_frame_place_slopes(frame);
 }
 
-const struct tp_method tp_method_flat = {
-    .carve = carve_flat, .holds = can_draw_flat, .place = place_flat, .draw = draw_flat,
+const struct tp_water_renderer tp_method_flat = {
+    .layout = layout_flat, .holds = can_draw_flat, .place = place_flat, .draw = draw_flat,
 };

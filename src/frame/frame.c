@@ -90,12 +90,12 @@ size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene)
     const tp_config c = config_with_defaults(config, scene);
     tp_arena arena = tp_arena_init(NULL, 0);
     tp_assets known = assets_or_empty(c.assets);
-    tp_frame_parts parts;
+    tp_frame_buffers buffers;
     tp_ram_use ram;
 
     if (check_both(&c, scene, NULL) != TP_OK)
         return 0;
-    tp_frame_carve(c.program, &parts, &ram, &arena, scene, &known, &c);
+    tp_frame_layout(c.program, &buffers, &ram, &arena, scene, &known, &c);
     return ram.frame;
 }
 
@@ -119,7 +119,7 @@ static size_t scratch_size(const tp_config *config, const tp_scene *scene, bool 
     if (check(&c, NULL) != TP_OK || tp_program_check(c.program, scene, NULL) != TP_OK)
         return 0;
     const size_t pixels = tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
-    const size_t method = tp_method_column_bytes(c.program) * c.tile_width
+    const size_t method = tp_renderer_column_bytes(c.program) * c.tile_width
                           + TP_GRID_WINDOW(streamed_cols(c.program, scene));
     return 4 * tile_samples(&c) * sizeof(uint32_t)
          + (pixels > method && !into ? pixels : method);
@@ -139,9 +139,9 @@ size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *sc
 static tp_frame *make(tp_arena *arena, const tp_config *c, const tp_scene *scene)
 {
     tp_assets known = assets_or_empty(c->assets);
-    tp_frame_parts parts;
+    tp_frame_buffers buffers;
     tp_ram_use ram;
-    tp_frame *frame = tp_frame_carve(c->program, &parts, &ram, arena, scene, &known, c);
+    tp_frame *frame = tp_frame_layout(c->program, &buffers, &ram, arena, scene, &known, c);
 
     TP_ASSERT(arena->used == ram.frame && !arena->failed);
     memset(frame, 0, sizeof *frame);
@@ -151,7 +151,7 @@ static tp_frame *make(tp_arena *arena, const tp_config *c, const tp_scene *scene
     frame->config = *c;
     frame->across = (c->width + c->tile_width - 1) / c->tile_width;
     frame->down = (c->height + c->tile_height - 1) / c->tile_height;
-    frame->parts = parts;
+    frame->buffers = buffers;
     frame->ram = ram;
     frame->ram.scratch = scratch_size(c, scene, false);
     return frame;
@@ -184,13 +184,13 @@ tp_status tp_frame_init(tp_frame **out, const tp_config *config, const tp_scene 
 
 static void set_water_surface(tp_frame *frame)
 {
-    TP_ASSERT(frame->world->back >= 0 && frame->world->back <= TP_FX_ONE);
+    TP_ASSERT(frame->world->lag >= 0 && frame->world->lag <= TP_FX_ONE);
     const tp_world *world = frame->world;
     tp_surface *surface = &frame->surface;
 
     *surface = tp_world_surface(frame->program, world);
     surface->phases = frame->drawn.phases;
-    surface->back = world->back;
+    surface->lag = world->lag;
     surface->ring = NULL;
     surface->rings = 0;
     if (tp_frame_has_module(frame, TP_MODULE_SLOPES))
@@ -229,15 +229,15 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     const tp_scene *scene = frame->scene;
     const tp_draws *draw = &frame->program->draw;
 
-    frame->stats = (tp_draw_stats){ .dropped = frame->parts.lacks };
+    frame->stats = (tp_draw_stats){ .dropped = frame->buffers.lacks };
     frame->lacking = 0;
     frame->world = world;
     frame->drawn = tp_world_interpolate(world);
     tp_frame_enable_modules(frame);
     set_water_surface(frame);
-    tp_projection_init_turned(&frame->projection, frame->drawn.camera.eye, frame->drawn.camera.turn,
-                   scene->camera.fov, scene->camera.near,
-                   frame->config.width, frame->config.height);
+    tp_projection_init_turned(
+        &frame->projection, frame->drawn.camera.eye, frame->drawn.camera.turn,
+        scene->camera.fov, scene->camera.near, frame->config.width, frame->config.height);
     if (world->aboard == TP_ABOARD_DECK)
         frame->projection.lean = 0; /* golden frames of the deck camera have no lean */
     tp_frame_choose_rungs(frame);

@@ -24,15 +24,15 @@ typedef struct {
 
 /* Deep water without waves too faint to be seen. */
 typedef struct {
-    tp_sea  sea;
+    tp_deep_water  deep;
     tp_turn phases[TP_WAVES];
 } tp_thin_sea;
 
 /* Layout of the frame's block: memory for all features needed at init, NULL or 0 for the
  * others.  A feature switched on later finds no memory and is left out. */
-typedef struct tp_frame_parts {
+typedef struct tp_frame_buffers {
     tp_grid         *grid;              /* NULL: no renderer stores grid vertices */
-    tp_rung_mask         reach;             /* rungs with memory */
+    tp_rung_mask         rung_mask;             /* rungs with memory */
     tp_level        *level;             /* level plane of flat and screen grid */
     tp_projected    *projected;
     uint32_t        *slopes;            /* flat: slope grid, row by row */
@@ -46,8 +46,8 @@ typedef struct tp_frame_parts {
     uint64_t         laid;              /* bit i: module i was on at init */
     tp_marks         marks;
     uint32_t         module_bytes;      /* of modules without a map for the water */
-    uint32_t         look_bytes;        /* of modules with a map, such as a mirror */
-} tp_frame_parts;
+    uint32_t         map_bytes;        /* of modules with a map, such as a mirror */
+} tp_frame_buffers;
 
 struct tp_frame {
     const tp_program *program;
@@ -57,7 +57,7 @@ struct tp_frame {
     uint32_t         across, down;      /* number of tiles */
     tp_draw_stats stats;
     tp_ram_use ram;
-    tp_frame_parts   parts;
+    tp_frame_buffers   buffers;
 
     tp_projection          projection;
     const tp_world  *world;
@@ -80,23 +80,24 @@ struct tp_frame {
 #define TP_LACKING_SKY 255              /* ... no module draws the scene's sky */
 
     tp_shade         shade;
-    const tp_toned  *toned;             /* tone mapping and store in one table, or NULL */
-    void (*store_toned)(const tp_toned *toned, uint16_t *to, const uint32_t *colours,
-                        int count);     /* writes pixels through `toned`; or NULL */
+    const tp_rgb565_tone_map *tone_map; /* tone mapping and store in one table, or NULL */
+    void (*store_tone_mapped)(const tp_rgb565_tone_map *toned, uint16_t *to,
+                              const uint32_t *colours,
+                              int count); /* writes pixels through `toned`; or NULL */
 };
 
 /* Returns the shader list of a stencil value. */
 static inline tp_shaders *tp_frame_list(const tp_frame *frame, uint32_t mark)
 {
-    return tp_marks_list(&frame->parts.marks, mark);
+    return tp_marks_list(&frame->buffers.marks, mark);
 }
 
 /* layout.c: the layout of the block, the frame itself first.  Called with a counting arena,
  * then with the block.  Returns sizes in `ram`. */
-tp_frame *tp_frame_carve(const tp_program *program, tp_frame_parts *parts,
-                         tp_ram_use *ram, tp_arena *arena, const tp_scene *scene,
-                         tp_assets *assets, const tp_config *config);
-tp_want tp_frame_want(const tp_program *program, const tp_frame_parts *parts,
+tp_frame *tp_frame_layout(const tp_program *program, tp_frame_buffers *buffers,
+                          tp_ram_use *ram, tp_arena *arena, const tp_scene *scene,
+                          tp_assets *assets, const tp_config *config);
+tp_want tp_frame_want(const tp_program *program, const tp_frame_buffers *buffers,
                       const tp_scene *scene, const tp_assets *assets,
                       const tp_config *config);
 bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene);
@@ -108,8 +109,8 @@ tp_plan_input tp_frame_plan_input(const tp_program *program, const tp_scene *sce
 
 /* visibility.c: the planned rungs, computed at init and when the budget changes; the
  * renderer of this frame's water, and drawing by it. */
-const struct tp_method *tp_frame_method(const tp_program *program,
-                                        tp_visibility visibility);
+const struct tp_water_renderer *tp_frame_renderer(const tp_program *program,
+                                                  tp_visibility visibility);
 void tp_frame_choose_rungs(tp_frame *frame);
 tp_rung_mask tp_frame_rung_mask(const tp_program *program, const tp_scene *scene,
                                 const tp_assets *assets, const tp_config *config);
@@ -123,13 +124,13 @@ void tp_frame_draw_surface(const tp_frame *frame, tp_gbuffer *tile, void *memory
 #define TP_LATTICE_CELL 8       /* cell side, px */
 bool tp_frame_is_swell(const tp_frame *frame);
 void tp_frame_place_level(tp_frame *frame);
-void tp_frame_carve_slopes(tp_frame_parts *parts, tp_arena *arena, const tp_scene *scene,
-                           const tp_config *config);
+void tp_frame_layout_slopes(tp_frame_buffers *buffers, tp_arena *arena,
+                            const tp_scene *scene, const tp_config *config);
 void tp_frame_place_slopes(tp_frame *frame);
-/* grid_water.c: starts the grid's lines, then places the points of line j, in order from 0.  A
- * tile reads them through a window in its renderer's memory.  Cells [first, end) of row j
- * are drawn, or their box after the frustum clip is returned; they need the line placed
- * last and the line before it, or any stored lines. */
+/* grid_water.c: starts the grid's lines, then places the points of line j, in order
+ * from 0.  A tile reads them through a window in its renderer's memory.  Cells [first,
+ * end) of row j are drawn, or their box after the frustum clip is returned; they need
+ * the line placed last and the line before it, or any stored lines. */
 void tp_frame_begin_water(tp_frame *frame);
 void tp_frame_place_line(tp_frame *frame, uint32_t j);
 tp_grid_window tp_frame_window(const tp_frame *frame, void *memory);

@@ -21,8 +21,8 @@ static const uint8_t halves[2][3] = { { 0, 3, 2 }, { 0, 2, 1 } };
 
 static bool needs_clipping(const tp_screen_vertex *const p[4])
 {
-    return p[0]->u == TP_GRID_CUT || p[1]->u == TP_GRID_CUT
-        || p[2]->u == TP_GRID_CUT || p[3]->u == TP_GRID_CUT;
+    return p[0]->u == TP_GRID_NEEDS_CLIP || p[1]->u == TP_GRID_NEEDS_CLIP
+           || p[2]->u == TP_GRID_NEEDS_CLIP || p[3]->u == TP_GRID_NEEDS_CLIP;
 }
 
 static void transform_cell(const tp_frame *frame, const tp_grid_window *window, uint32_t i,
@@ -30,7 +30,7 @@ static void transform_cell(const tp_frame *frame, const tp_grid_window *window, 
 {
     for (uint32_t k = 0; k < 4; k++) {
         uint32_t x = i + (k == 1 || k == 2), y = j + k / 2;
-        c[k] = tp_grid_make_view_vertex(frame->parts.grid, &window->line[y & 1][x], x, y);
+        c[k] = tp_grid_make_view_vertex(frame->buffers.grid, &window->line[y & 1][x], x, y);
     }
 }
 
@@ -68,9 +68,9 @@ static void draw_cell(const tp_frame *frame, const tp_gbuffer *tile,
 void tp_frame_draw_cells(const tp_frame *frame, const tp_gbuffer *tile,
                          tp_grid_window *window, uint32_t j, uint32_t first, uint32_t end)
 {
-    TP_ASSERT(first < end && end < frame->parts.grid->cols);
-    TP_ASSERT(j + 1 < frame->parts.grid->rows);
-    const tp_grid *grid = frame->parts.grid;
+    TP_ASSERT(first < end && end < frame->buffers.grid->cols);
+    TP_ASSERT(j + 1 < frame->buffers.grid->rows);
+    const tp_grid *grid = frame->buffers.grid;
 
     tp_grid_window_load(grid, window, j, first, end + 1);
     tp_grid_window_load(grid, window, j + 1, first, end + 1);
@@ -109,7 +109,7 @@ static void widen_box_by_clipped_cell(const tp_frame *frame, tp_grid_box *box, u
     tp_view_vertex c[4];
     tp_screen_vertex corner[TP_CLIP_VERTICES];
 
-    transform_cell(frame, &frame->parts.grid->window, i, j, c);
+    transform_cell(frame, &frame->buffers.grid->window, i, j, c);
     for (int half = 0; half < 2; half++)
         for (int k = clip_cell_half(frame, c, half, corner) - 1; k >= 0; k--)
             tp_box_widen(box, corner[k].u, corner[k].v);
@@ -117,8 +117,8 @@ static void widen_box_by_clipped_cell(const tp_frame *frame, tp_grid_box *box, u
 
 tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint32_t end)
 {
-    TP_ASSERT(end < frame->parts.grid->cols && j + 1 < frame->parts.grid->rows);
-    tp_grid *grid = frame->parts.grid;
+    TP_ASSERT(end < frame->buffers.grid->cols && j + 1 < frame->buffers.grid->rows);
+    tp_grid *grid = frame->buffers.grid;
     tp_grid_window *window = &grid->window;
     tp_grid_box box = TP_BOX_NONE;
 
@@ -143,7 +143,7 @@ tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint
  * clip of these cells pays if the picture has many tiles: each tile would clip them. */
 static void tighten_clipped_boxes(tp_frame *frame, uint32_t j)
 {
-    const tp_grid *grid = frame->parts.grid;
+    const tp_grid *grid = frame->buffers.grid;
     tp_grid_span span = grid->span[j];
 
     for (uint32_t b = span.first / TP_GRID_BLOCK; b * TP_GRID_BLOCK < span.end; b++) {
@@ -156,9 +156,9 @@ static void tighten_clipped_boxes(tp_frame *frame, uint32_t j)
 
 void tp_frame_begin_water(tp_frame *frame)
 {
-    const tp_grid *grid = frame->parts.grid;
+    const tp_grid *grid = frame->buffers.grid;
 
-    tp_grid_begin(frame->parts.grid, &frame->grid_view);
+    tp_grid_begin(frame->buffers.grid, &frame->grid_view);
     frame->cull_water = frame->projection.eye.y > tp_surface_height_bound(&frame->surface);
     for (uint32_t j = 0; j + 1 < grid->rows; j++)
         frame->stats.triangles += 2u * (uint32_t)(grid->span[j].end - grid->span[j].first);
@@ -166,10 +166,10 @@ void tp_frame_begin_water(tp_frame *frame)
 
 void tp_frame_place_line(tp_frame *frame, uint32_t j)
 {
-    const uint32_t before = frame->parts.grid->vertices;
+    const uint32_t before = frame->buffers.grid->vertices;
 
-    tp_grid_place_row(frame->parts.grid, j);
-    frame->stats.vertices += frame->parts.grid->vertices - before;
+    tp_grid_place_row(frame->buffers.grid, j);
+    frame->stats.vertices += frame->buffers.grid->vertices - before;
     if (j > 0 && (tp_frame_tiles(frame) > 1 || frame->visibility == TP_VISIBILITY_ROWS))
         tighten_clipped_boxes(frame, j - 1);
 }
@@ -177,7 +177,7 @@ void tp_frame_place_line(tp_frame *frame, uint32_t j)
 static void place_water(tp_frame *frame)
 {
     tp_frame_begin_water(frame);
-    for (uint32_t j = 0; j < frame->parts.grid->rows; j++)
+    for (uint32_t j = 0; j < frame->buffers.grid->rows; j++)
         tp_frame_place_line(frame, j);
 }
 
@@ -186,14 +186,14 @@ static void place_water(tp_frame *frame)
 tp_grid_window tp_frame_window(const tp_frame *frame, void *memory)
 {
     void *rows = (uint8_t *)memory
-                 + tp_method_column_bytes(frame->program) * frame->config.tile_width;
+                 + tp_renderer_column_bytes(frame->program) * frame->config.tile_width;
     return tp_grid_window_init(rows);
 }
 
 static void draw_blocks(const tp_frame *frame, const tp_gbuffer *tile,
                         tp_grid_window *window, uint32_t j)
 {
-    const tp_grid *grid = frame->parts.grid;
+    const tp_grid *grid = frame->buffers.grid;
     const tp_grid_box *box = grid->box + (size_t)j * grid->blocks;
     tp_grid_span span = grid->span[j];
 
@@ -209,53 +209,54 @@ static void draw_water(const tp_frame *frame, tp_gbuffer *tile, void *memory)
     tp_grid_window window = tp_frame_window(frame, memory);
 
     tile->front_only = frame->cull_water;
-    for (uint32_t j = 0; j + 1 < frame->parts.grid->rows; j++)
+    for (uint32_t j = 0; j + 1 < frame->buffers.grid->rows; j++)
         draw_blocks(frame, tile, &window, j);
 }
 
 
 /* Returns the grid; `counted` stands in if the arena only counts bytes. */
-static tp_grid *carve_grid(tp_frame_parts *parts, tp_arena *arena, tp_grid *counted)
+static tp_grid *layout_grid(tp_frame_buffers *buffers, tp_arena *arena, tp_grid *counted)
 {
-    parts->grid = tp_arena_alloc(arena, 1, sizeof *parts->grid);
-    tp_grid *grid = parts->grid ? parts->grid : counted;
+    buffers->grid = tp_arena_alloc(arena, 1, sizeof *buffers->grid);
+    tp_grid *grid = buffers->grid ? buffers->grid : counted;
     memset(grid, 0, sizeof *grid);
     return grid;
 }
 
-static void carve_water(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
-                        const tp_scene *scene, const tp_config *config)
+static void layout_water(tp_frame_buffers *buffers, tp_arena *arena,
+                         const tp_program *program, const tp_scene *scene,
+                         const tp_config *config)
 {
     tp_grid  counted;
-    tp_grid *grid = carve_grid(parts, arena, &counted);
+    tp_grid *grid = layout_grid(buffers, arena, &counted);
 
     (void)config;
-    tp_grid_carve(grid, arena, (uint32_t)scene->grid.cols, (uint32_t)scene->grid.rows);
+    tp_grid_layout(grid, arena, (uint32_t)scene->grid.cols, (uint32_t)scene->grid.rows);
     if (tp_frame_is_coastal(program, scene))
-        program->water.ocean->carve(grid, arena);
+        program->water.coastal->layout(grid, arena);
 }
 
-static void carve_streamed(tp_frame_parts *parts, tp_arena *arena,
-                           const tp_program *program, const tp_scene *scene,
-                           const tp_config *config)
+static void layout_streamed(tp_frame_buffers *buffers, tp_arena *arena,
+                            const tp_program *program, const tp_scene *scene,
+                            const tp_config *config)
 {
     uint32_t waves = 0;
     tp_grid  counted;
 
     if (!tp_frame_is_grid_streamed(program, scene)) {
-        carve_water(parts, arena, program, scene, config);
+        layout_water(buffers, arena, program, scene, config);
         return;
     }
     for (int i = 0; i < TP_WAVES; i++)
         waves += scene->wave[i].amplitude > 0;
-    tp_grid_carve_streamed(carve_grid(parts, arena, &counted), arena,
+    tp_grid_layout_streamed(layout_grid(buffers, arena, &counted), arena,
                            (uint32_t)scene->grid.cols, (uint32_t)scene->grid.rows, waves);
 }
 
-const struct tp_method tp_method_streamed = {
-    .carve = carve_streamed, .place = place_water, .draw = draw_water, .streams = true,
+const struct tp_water_renderer tp_method_streamed = {
+    .layout = layout_streamed, .place = place_water, .draw = draw_water, .streams = true,
 };
 
-const struct tp_method tp_method_triangles = {
-    .carve = carve_water, .place = place_water, .draw = draw_water,
+const struct tp_water_renderer tp_method_triangles = {
+    .layout = layout_water, .place = place_water, .draw = draw_water,
 };

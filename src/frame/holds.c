@@ -52,16 +52,16 @@ static level_ray corner_ray(const tp_frame *frame, int corner)
 
 static bool is_line_order_kept(const tp_frame *frame, tp_fx t)
 {
-    const tp_sea *sea = frame->surface.sea;
+    const tp_deep_water *deep = frame->surface.deep;
     int64_t sum = 0;
 
-    for (uint32_t i = 0; i < sea->count; i++) {
-        const tp_swell *w = &sea->swell[i];
+    for (uint32_t i = 0; i < deep->count; i++) {
+        const tp_swell *w = &deep->swell[i];
         tp_q30  mm = is_view_along_x(frame) ? w->bend_zz : w->bend_xx;
         int64_t b = (mm - ((int64_t)w->bend_xz * t >> 16)) >> 14;
         sum += b < 0 ? -b : b;
     }
-    return sum < (frame->surface.ocean ? STEEPENS : FOLDS);
+    return sum < (frame->surface.coastal ? STEEPENS : FOLDS);
 }
 
 /* True if all corner rays lead away across the lines, within the widest angle, and the
@@ -83,21 +83,23 @@ static bool are_lines_ordered_in_view(const tp_frame *frame)
     return true;
 }
 
-static bool can_any_wave_overhang(const tp_ocean *ocean)
+static bool can_any_wave_overhang(const tp_coastal_water *coastal)
 {
-    for (uint32_t i = 0; i < ocean->count; i++)
-        if (tp_can_overhang(ocean->wave[i].stretch, ocean->slope, ocean->map_cols > 0))
+    for (uint32_t i = 0; i < coastal->count; i++)
+        if (tp_can_overhang(coastal->wave[i].stretch, coastal->slope,
+                            coastal->map_cols > 0))
             return true;
     return false;
 }
 
 bool tp_frame_can_draw_rows(tp_frame *frame)
 {
-    return frame->parts.lines && frame->parts.grid
-           && !(frame->parts.grid->streams && is_view_along_x(frame)) /* read row by row */
+    return frame->buffers.lines && frame->buffers.grid
+           && !(frame->buffers.grid->streams
+                && is_view_along_x(frame)) /* read row by row */
            && tp_abs(frame->projection.turn.x.y >> 14) < ROLL
            && frame->projection.turn.y.y > 0
            && frame->projection.eye.y > tp_surface_height_bound(&frame->surface) + ABOVE
            && are_lines_ordered_in_view(frame)
-           && !(frame->surface.ocean && can_any_wave_overhang(frame->surface.ocean));
+           && !(frame->surface.coastal && can_any_wave_overhang(frame->surface.coastal));
 }

@@ -22,36 +22,37 @@ static bool has_waves(const tp_scene *scene)
     return false;
 }
 
-void tp_frame_carve_slopes(tp_frame_parts *parts, tp_arena *arena, const tp_scene *scene,
-                           const tp_config *config)
+void tp_frame_layout_slopes(tp_frame_buffers *buffers, tp_arena *arena,
+                            const tp_scene *scene, const tp_config *config)
 {
     if (!has_waves(scene))
         return;
-    parts->slope_cols = count_points(config->width);
-    parts->slopes = tp_arena_alloc(arena, (size_t)parts->slope_cols
+    buffers->slope_cols = count_points(config->width);
+    buffers->slopes = tp_arena_alloc(arena, (size_t)buffers->slope_cols
                                              * count_points(config->height),
-                                  sizeof *parts->slopes);
+                                  sizeof *buffers->slopes);
 }
 
 bool tp_frame_is_swell(const tp_frame *frame)
 {
     const tp_surface *surface = &frame->surface;
 
-    return frame->parts.level && !surface->ocean && !tp_surface_has_relief(surface)
-           && !tp_has_tank(frame->scene)
-           && frame->projection.eye.y >= tp_surface_height_bound(surface) + TP_LEVEL_HEIGHT;
+    return frame->buffers.level && !surface->coastal
+           && !tp_surface_has_rings_or_pools(surface) && !tp_has_tank(frame->scene)
+           && frame->projection.eye.y
+                  >= tp_surface_height_bound(surface) + TP_LEVEL_HEIGHT;
 }
 
 void tp_frame_place_level(tp_frame *frame)
 {
-    TP_ASSERT(frame->parts.level != NULL);
+    TP_ASSERT(frame->buffers.level != NULL);
     const tp_scene *scene = frame->scene;
     tp_grid_extent across =
         tp_grid_lines_extent((uint32_t)scene->grid.cols, &frame->grid_view, false);
     tp_grid_extent along =
         tp_grid_lines_extent((uint32_t)scene->grid.rows, &frame->grid_view, true);
 
-    tp_level_begin(frame->parts.level, &frame->projection, &across, &along);
+    tp_level_begin(frame->buffers.level, &frame->projection, &across, &along);
 }
 
 /* -- slope grid ---------------------------------------------------------------------- */
@@ -59,12 +60,12 @@ void tp_frame_place_level(tp_frame *frame)
 /* A row of points: values shared by its points if the picture does not roll. */
 typedef struct {
     int64_t down, step;         /* depth term of the first point; step to the next */
-    tp_level_reach reach, beyond;
+    tp_level_scale reach, beyond;
 } row_of_points;
 
-static tp_level_reach make_clamped_reach(const tp_level *level, int64_t down)
+static tp_level_scale make_clamped_reach(const tp_level *level, int64_t down)
 {
-    return tp_level_reach_make(level, down > 0 ? down : 1);
+    return tp_level_scale_make(level, down > 0 ? down : 1);
 }
 
 static row_of_points make_row(const tp_level *level, int32_t y)
@@ -79,9 +80,9 @@ static row_of_points make_row(const tp_level *level, int32_t y)
 static void sample_rest(const tp_level *level, const row_of_points *row, int32_t x,
                         int32_t y, tp_fx at[2], tp_fx step[2][2])
 {
-    const tp_level_sum *sums[2] = { &level->east, &level->south };
+    const tp_level_linear *sums[2] = { &level->east, &level->south };
     const tp_fx eye[2] = { level->x, level->z };
-    tp_level_reach reach = row->reach, beyond = row->beyond;
+    tp_level_scale reach = row->reach, beyond = row->beyond;
 
     if (level->rolled) {
         int64_t down = tp_level_evaluate(&level->down, x, y);
@@ -101,18 +102,19 @@ static void sample_rest(const tp_level *level, const row_of_points *row, int32_t
 static uint32_t sample_slopes(const tp_frame *frame, const row_of_points *row, int32_t x,
                               int32_t y)
 {
-    const tp_level *level = frame->parts.level;
+    const tp_level *level = frame->buffers.level;
     tp_fx at[2], step[2][2];
 
     sample_rest(level, row, x, y, at, step);
-    tp_sea_point point = frame->surface.by->swells->point(level, &frame->surface, at, step);
+    tp_surface_point point =
+        frame->surface.by->swells->point(level, &frame->surface, at, step);
     return tp_level_slopes(&point);
 }
 
 /* Computes a row of slopes.  Slopes above the horizon are 0 and not evaluated. */
 static void place_row(tp_frame *frame, int32_t y, uint32_t cols, uint32_t *slopes)
 {
-    const row_of_points row = make_row(frame->parts.level, y);
+    const row_of_points row = make_row(frame->buffers.level, y);
     int64_t down = row.down;
 
     for (uint32_t i = 0; i < cols; i++, down += row.step) {
@@ -126,10 +128,10 @@ static void place_row(tp_frame *frame, int32_t y, uint32_t cols, uint32_t *slope
 
 void tp_frame_place_slopes(tp_frame *frame)
 {
-    TP_ASSERT(frame->parts.slopes != NULL && frame->parts.slope_cols > 0);
-    const uint32_t cols = frame->parts.slope_cols;
+    TP_ASSERT(frame->buffers.slopes != NULL && frame->buffers.slope_cols > 0);
+    const uint32_t cols = frame->buffers.slope_cols;
     const uint32_t rows = count_points(frame->config.height);
 
     for (uint32_t j = 0; j < rows; j++)
-        place_row(frame, (int32_t)j * CELL, cols, frame->parts.slopes + j * cols);
+        place_row(frame, (int32_t)j * CELL, cols, frame->buffers.slopes + j * cols);
 }

@@ -10,8 +10,9 @@ static uint32_t drift_distance(tp_fx metres_per_second, int64_t time)
     return (uint32_t)(((uint64_t)step * (uint64_t)(time >> 16) + part) >> 32);
 }
 
-/* Mipmap level at 1 m, Q8: log2 of texels a metre over pixels a metre at 1 m.  For level
- * ground half of log2 of the eye's height is subtracted for the slant (see tp_level_choose). */
+/* Mipmap level at 1 m, Q8: log2 of texels a metre over pixels a metre at 1 m.  For
+ * level ground half of log2 of the eye's height is subtracted for the slant (see
+ * tp_mip_level_choose). */
 int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_ground)
 {
     TP_ASSERT(frame->projection.focal > 0);

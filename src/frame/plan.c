@@ -41,7 +41,7 @@ static void fill_underside_shaders(tp_frame *frame)
     tp_shaders *water = tp_frame_list(frame, TP_MARK_WATER);
 
     tp_shaders_clear(water);
-    water->kind = TP_LIST_BELOW;
+    water->kind = TP_LIST_UNDERSIDE;
     tp_shaders_add(water, TP_AT_VIEW, frame->program->stage.view, NULL);
     tp_frame_add_stages(frame, water);
 }
@@ -97,7 +97,7 @@ void tp_frame_plan_shaders(tp_frame *frame)
     shade->fresnel = tp_fresnel_table;
     tp_shade_sky(shade, (uint32_t)scene->sky.horizon, (uint32_t)scene->sky.zenith);
     shade->env = (tp_env){ .beyond = (uint32_t)scene->hdr.share * TP_WHITES >> 8 };
-    frame->toned = NULL;
+    frame->tone_map = NULL;
     tp_frame_begin_modules(frame);
     fill_shader_lists(frame);
 }

@@ -2,7 +2,7 @@
 /* Planar maps; see planar_map.h. */
 #include "frame/planar_map.h"
 
-void tp_planar_layout(tp_planar_store *store, tp_arena *arena, const tp_want *want,
+void tp_planar_layout(tp_planar_memory *store, tp_arena *arena, const tp_want *want,
                       uint32_t halvings)
 {
     TP_ASSERT(want->width >= 16 && want->height >= 16);
@@ -15,29 +15,30 @@ void tp_planar_layout(tp_planar_store *store, tp_arena *arena, const tp_want *wa
                                     4 * sizeof *store->samples);
 }
 
-bool tp_planar_set_bounds(const tp_planar_store *store, const tp_grid_box *box,
-                          tp_half *half)
+bool tp_planar_set_bounds(const tp_planar_memory *store, const tp_grid_box *box,
+                          tp_planar_map *map)
 {
     TP_ASSERT(store->colour != NULL);
     int32_t cols = (int32_t)store->cols, rows = (int32_t)store->rows;
 
-    *half = (tp_half){
+    *map = (tp_planar_map){
         store->colour, tp_clamp(box->x0, 0, cols), tp_clamp(box->y0, 0, rows),
         tp_clamp(box->x1 + 1, 0, cols), tp_clamp(box->y1 + 1, 0, rows),
         (int32_t)store->halvings - 1,
     };
-    if (half->x0 < half->x1 && half->y0 < half->y1)
+    if (map->x0 < map->x1 && map->y0 < map->y1)
         return true;
-    half->colour = NULL;
+    map->colour = NULL;
     return false;
 }
 
-tp_gbuffer tp_planar_gbuffer(const tp_planar_store *store, const tp_half *half, int32_t y0)
+tp_gbuffer tp_planar_gbuffer(const tp_planar_memory *store, const tp_planar_map *map,
+                             int32_t y0)
 {
     size_t plane = (size_t)store->cols * TP_PLANAR_BAND;
-    int32_t y1 = y0 + TP_PLANAR_BAND < half->y1 ? y0 + TP_PLANAR_BAND : half->y1;
+    int32_t y1 = y0 + TP_PLANAR_BAND < map->y1 ? y0 + TP_PLANAR_BAND : map->y1;
 
-    return (tp_gbuffer){ half->x0, y0, half->x1, y1, store->cols, store->samples,
+    return (tp_gbuffer){ map->x0, y0, map->x1, y1, store->cols, store->samples,
                          store->samples + plane, store->samples + 2 * plane,
                          store->samples + 3 * plane, false };
 }

@@ -26,15 +26,15 @@ enum { CELL = 8, RUN = 16 };
 /* -- range of the lines -------------------------------------------------------------- */
 
 /* Returns G of the file's head for a ray with a fall of `fall` per metre. */
-static tp_fx bound_rise(const tp_sea *sea, tp_fx fall)
+static tp_fx bound_rise(const tp_deep_water *deep, tp_fx fall)
 {
     int64_t sum = 0;
 
-    for (uint32_t i = 0; i < sea->count; i++) {
-        const tp_swell *w = &sea->swell[i];
+    for (uint32_t i = 0; i < deep->count; i++) {
+        const tp_swell *w = &deep->swell[i];
         int64_t a = tp_sharp_height(w->amplitude, w->power);
-        int64_t q = tp_isqrt64((uint64_t)((int64_t)w->reach_x * w->reach_x
-                                          + (int64_t)w->reach_z * w->reach_z));
+        int64_t q = tp_isqrt64((uint64_t)((int64_t)w->orbit_x * w->orbit_x
+                                          + (int64_t)w->orbit_z * w->orbit_z));
         q = (q * fall >> 16) + 2;
         q = q < INT32_MAX ? q : INT32_MAX;
         sum += tp_isqrt64((uint64_t)(a * a + q * q)) + 1;
@@ -54,9 +54,9 @@ static tp_fx ray_fall(const tp_frame *frame, int64_t down)
  * for any phase of the waves; 0: no line does. */
 static int32_t find_first_line(const tp_frame *frame, int64_t down)
 {
-    const tp_level *level = frame->parts.level;
+    const tp_level *level = frame->buffers.level;
     tp_fx h = level->height,
-          low = h - bound_rise(frame->surface.sea, ray_fall(frame, down));
+          low = h - bound_rise(frame->surface.deep, ray_fall(frame, down));
 
     if (low < h / 4)
         return 0;
@@ -67,7 +67,7 @@ static int32_t find_first_line(const tp_frame *frame, int64_t down)
 /* Returns how many pixels a line extends beyond each side: f / D is -d.y / h. */
 static int32_t side_margin(const tp_frame *frame, int64_t down)
 {
-    const tp_projected *p = frame->parts.projected;
+    const tp_projected *p = frame->buffers.projected;
     return (int32_t)((down >> 14) * p->share >> 32) + 2 * CELL;
 }
 
@@ -82,9 +82,9 @@ static int64_t line_row(const tp_projected *p, int32_t x, int32_t rows)
  * head. */
 static bool are_points_ordered(const tp_frame *frame, int32_t x, int32_t y)
 {
-    const tp_level *level = frame->parts.level;
+    const tp_level *level = frame->buffers.level;
     const tp_projection  *projection = &frame->projection;
-    const tp_sea   *sea = frame->surface.sea;
+    const tp_deep_water   *deep = frame->surface.deep;
     int64_t east = tp_level_evaluate(&level->east, x, y) >> 14;
     int64_t south = tp_level_evaluate(&level->south, x, y) >> 14;
     int64_t down = tp_level_evaluate(&level->down, x, y) >> 14;
@@ -94,19 +94,20 @@ static bool are_points_ordered(const tp_frame *frame, int32_t x, int32_t y)
 
     if (ahead * 4 < down || ahead <= 0)
         return false;
-    for (uint32_t i = 0; i < sea->count; i++)
-        tilt += sea->swell[i].tilt;
+    for (uint32_t i = 0; i < deep->count; i++)
+        tilt += deep->swell[i].tilt;
     aside = aside < 0 ? -aside : aside;
     int64_t slant = ahead + tp_isqrt64((uint64_t)(ahead * ahead + aside * aside));
     int64_t turned =
         aside * tp_abs(projection->ahead.y) + ahead * tp_abs(projection->turn.x.y);
-    return (slant * sea->bend >> 31) + ((turned >> 30) * tilt >> 16)
-        <= ahead * 15 / 16;
+    return (slant * deep->steepness_sum >> 31) + ((turned >> 30) * tilt >> 16)
+           <= ahead * 15 / 16;
 }
 
 /* Adds one side of the water as a far end in columns x0 to x1.  Returns true if the side
  * is such an end or lies outside; false if it crosses the lines otherwise. */
-static bool add_far_edge(tp_projected *p, const tp_level_sum *side, int32_t x0, int32_t x1)
+static bool add_far_edge(tp_projected *p, const tp_level_linear *side, int32_t x0,
+                         int32_t x1)
 {
     int64_t below[2] = { line_row(p, x0, p->start), line_row(p, x1, p->start) };
     int64_t above[2] = { line_row(p, x0, 0), line_row(p, x1, 0) };
@@ -126,15 +127,15 @@ static bool add_far_edge(tp_projected *p, const tp_level_sum *side, int32_t x0, 
 
 static int64_t line_descent(const tp_frame *frame, int32_t rows)
 {
-    return frame->parts.level->down.y * rows;
+    return frame->buffers.level->down.y * rows;
 }
 
 /* Sets the first line below the picture's lower edge; true if all conditions hold up to
  * the water's far end. */
 static bool set_line_range(tp_frame *frame)
 {
-    const tp_level *level = frame->parts.level;
-    tp_projected *p = frame->parts.projected;
+    const tp_level *level = frame->buffers.level;
+    tp_projected *p = frame->buffers.projected;
     const int32_t wide = (int32_t)frame->config.width, high = (int32_t)frame->config.height;
     int64_t left = tp_level_evaluate(&level->down, 0, high);
     int64_t down = left + (level->down.x > 0 ? level->down.x * wide : 0);
@@ -163,10 +164,10 @@ static bool set_line_range(tp_frame *frame)
 static void set_motion_bounds(tp_frame *frame)
 {
     const tp_projection *projection = &frame->projection;
-    tp_projected *p = frame->parts.projected;
+    tp_projected *p = frame->buffers.projected;
     tp_fx wide = tp_fx_div((tp_fx)(frame->config.width << 15), projection->focal);
     tp_fx slant = tp_fx_sqrt(tp_fx_mul(wide, wide) + TP_FX_ONE);
-    tp_fx sideways = tp_surface_reach_bound(&frame->surface);
+    tp_fx sideways = tp_surface_displacement_bound(&frame->surface);
     tp_fx high = tp_surface_height_bound(&frame->surface);
     tp_fx aside = tp_fx_mul(sideways, slant)
                   + tp_fx_mul(tp_q30_mul(high, tp_abs(projection->ahead.y)), wide)
@@ -178,12 +179,12 @@ static void set_motion_bounds(tp_frame *frame)
 
 static bool can_draw_projected(tp_frame *frame)
 {
-    tp_projected *p = frame->parts.projected;
+    tp_projected *p = frame->buffers.projected;
 
     if (!tp_frame_is_swell(frame) || !p)
         return false;
     tp_frame_place_level(frame);
-    const tp_level_sum *down = &frame->parts.level->down;
+    const tp_level_linear *down = &frame->buffers.level->down;
     if (down->y < TP_Q30_ONE / 2 || tp_abs((int32_t)down->x) > down->y / 4)
         return false;
     p->horizon = tp_level_zero_line(down);
@@ -198,12 +199,12 @@ typedef struct {
     const tp_frame *frame;
     int32_t rows;               /* px below the horizon; 0: at the water's far end */
     int64_t gap;                /* distance to the next line, in -d.y */
-    tp_level_reach reach, beyond;
-} line;
+    tp_level_scale reach, beyond;
+} screen_line;
 
-static tp_level_reach make_clamped_reach(const tp_level *level, int64_t down)
+static tp_level_scale make_clamped_reach(const tp_level *level, int64_t down)
 {
-    return tp_level_reach_make(level, down > 0 ? down : 1);
+    return tp_level_scale_make(level, down > 0 ? down : 1);
 }
 
 /* Returns the row of the water's far end in column x. */
@@ -220,13 +221,13 @@ static int64_t water_end_row(const tp_projected *p, int32_t x)
 
 /* Rest position of the point in column x at `row`, and the vectors to its right neighbour
  * and to the next line's point. */
-static void sample_rest(const line *l, int32_t x, int64_t row, bool ends, tp_fx at[2],
-                        tp_fx step[2][2])
+static void sample_rest(const screen_line *l, int32_t x, int64_t row, bool ends,
+                        tp_fx at[2], tp_fx step[2][2])
 {
-    const tp_level *level = l->frame->parts.level;
-    const tp_level_sum *sums[2] = { &level->east, &level->south };
+    const tp_level *level = l->frame->buffers.level;
+    const tp_level_linear *sums[2] = { &level->east, &level->south };
     const tp_fx eye[2] = { level->x, level->z };
-    tp_level_reach reach = l->reach, beyond = l->beyond;
+    tp_level_scale reach = l->reach, beyond = l->beyond;
 
     if (ends) {
         int64_t down = tp_level_evaluate_row(&level->down, x, row);
@@ -234,9 +235,9 @@ static void sample_rest(const line *l, int32_t x, int64_t row, bool ends, tp_fx 
         beyond = make_clamped_reach(level, down - l->gap);
     }
     for (int axis = 0; axis < 2; axis++) {
-        const tp_level_sum *sum = sums[axis];
+        const tp_level_linear *sum = sums[axis];
         int64_t way = tp_level_evaluate_row(sum, x, row);
-        int64_t across = sum->x + (sum->y * l->frame->parts.projected->horizon.x >> 30);
+        int64_t across = sum->x + (sum->y * l->frame->buffers.projected->horizon.x >> 30);
         int64_t farther = way - (sum->y * (l->gap >> 14) / (level->down.y >> 14));
         int64_t here = tp_level_metres(reach, way);
         at[axis] = tp_fx_saturate(eye[axis] + here);
@@ -247,7 +248,7 @@ static void sample_rest(const line *l, int32_t x, int64_t row, bool ends, tp_fx 
 
 /* Projects a displaced point.  A point outside of the frustum keeps its rest position;
  * waves of a valid sea do not move points there. */
-static void project(const tp_frame *frame, const tp_sea_point *from, tp_row_point *to)
+static void project(const tp_frame *frame, const tp_surface_point *from, tp_row_point *to)
 {
     tp_view_vertex c = { .s = 0 };
 
@@ -256,12 +257,12 @@ static void project(const tp_frame *frame, const tp_sea_point *from, tp_row_poin
         tp_projection_project(&frame->projection, &c, &to->u, &to->v, &to->zi);
 }
 
-static tp_row_point sample_point(const line *l, int32_t x)
+static tp_row_point sample_point(const screen_line *l, int32_t x)
 {
     const tp_frame *frame = l->frame;
-    const tp_level *level = frame->parts.level;
-    int64_t row = line_row(frame->parts.projected, x, l->rows);
-    int64_t end = water_end_row(frame->parts.projected, x);
+    const tp_level *level = frame->buffers.level;
+    int64_t row = line_row(frame->buffers.projected, x, l->rows);
+    int64_t end = water_end_row(frame->buffers.projected, x);
     tp_fx   at[2], step[2][2];
 
     bool ends = row <= end;
@@ -273,7 +274,7 @@ static tp_row_point sample_point(const line *l, int32_t x)
         .s = at[0], .t = at[1],
     };
     if (tp_surface_has_swells(&frame->surface)) {
-        tp_sea_point from = frame->surface.by->swells->point(level, &frame->surface, at,
+        tp_surface_point from = frame->surface.by->swells->point(level, &frame->surface, at,
                                                              step);
         p.n = tp_level_slopes(&from);
         if (from.position.x != at[0] || from.position.y != 0 || from.position.z != at[1])
@@ -290,7 +291,7 @@ static int32_t next_line(int32_t rows)
     return rows > 64 ? rows - 4 : rows > 32 ? rows - 2 : rows - 1;
 }
 
-static void draw_line_points(const line *l, tp_rows *rows, int32_t x0, int32_t x1)
+static void draw_line_points(const screen_line *l, tp_rows *rows, int32_t x0, int32_t x1)
 {
     tp_row_point run[RUN + 1];
     uint32_t count = 0;
@@ -308,12 +309,12 @@ static void draw_line_points(const line *l, tp_rows *rows, int32_t x0, int32_t x
 static void draw_grid_line(const tp_frame *frame, tp_rows *rows, int32_t below)
 {
     const tp_gbuffer *tile = rows->tile;
-    const tp_level *level = frame->parts.level;
+    const tp_level *level = frame->buffers.level;
     int32_t next = below > 0 ? next_line(below) : 0;
     int64_t down = line_descent(frame, below > 0 ? below : 1);
-    line l = { frame, below, line_descent(frame, below > 0 ? below - next : 1),
-               make_clamped_reach(level, down),
-               make_clamped_reach(level, line_descent(frame, next)) };
+    screen_line l = { frame, below, line_descent(frame, below > 0 ? below - next : 1),
+                      make_clamped_reach(level, down),
+                      make_clamped_reach(level, line_descent(frame, next)) };
     int32_t margin =
         tp_surface_has_swells(&frame->surface) ? side_margin(frame, down) : 2 * CELL;
 
@@ -323,7 +324,7 @@ static void draw_grid_line(const tp_frame *frame, tp_rows *rows, int32_t below)
 /* Returns the farthest line before the water's end in at least one column. */
 static int32_t last_line(const tp_frame *frame, const tp_gbuffer *tile)
 {
-    const tp_projected *p = frame->parts.projected;
+    const tp_projected *p = frame->buffers.projected;
     int64_t least = (int64_t)4096 * TP_Q30_ONE;
 
     for (int32_t x = tile->x0 & ~(CELL - 1); x < tile->x1 + CELL; x += CELL) {
@@ -335,8 +336,8 @@ static int32_t last_line(const tp_frame *frame, const tp_gbuffer *tile)
 
 static void draw_projected(const tp_frame *frame, tp_gbuffer *tile, void *memory)
 {
-    const tp_level *level = frame->parts.level;
-    const tp_projected *p = frame->parts.projected;
+    const tp_level *level = frame->buffers.level;
+    const tp_projected *p = frame->buffers.projected;
     int32_t side = level->down.x > 0 ? tile->x1 : tile->x0;
     int64_t down = tp_level_evaluate(&level->down, side, tile->y1);
     tp_rows rows;
@@ -356,14 +357,14 @@ static void draw_projected(const tp_frame *frame, tp_gbuffer *tile, void *memory
 
 /* Lays out the memory.  Flat water, if the plan may use it, has allocated the level plane
  * already. */
-static void carve_projected(tp_frame_parts *parts, tp_arena *arena,
-                            const tp_program *program, const tp_scene *scene,
-                            const tp_config *config)
+static void layout_projected(tp_frame_buffers *buffers, tp_arena *arena,
+                             const tp_program *program, const tp_scene *scene,
+                             const tp_config *config)
 {
     (void)scene, (void)config;
-    if (!(parts->reach.visibility >> TP_VISIBILITY_FLAT & 1) || !program->method.flat)
-        parts->level = tp_arena_alloc(arena, 1, sizeof *parts->level);
-    parts->projected = tp_arena_alloc(arena, 1, sizeof *parts->projected);
+    if (!(buffers->rung_mask.visibility >> TP_VISIBILITY_FLAT & 1) || !program->method.flat)
+        buffers->level = tp_arena_alloc(arena, 1, sizeof *buffers->level);
+    buffers->projected = tp_arena_alloc(arena, 1, sizeof *buffers->projected);
 }
 
 /* Does nothing: hold_projected has set all data. */
@@ -372,7 +373,7 @@ static void place_nothing(tp_frame *frame)
     (void)frame;
 }
 
-const struct tp_method tp_method_projected = {
-    .carve = carve_projected, .holds = can_draw_projected,
+const struct tp_water_renderer tp_method_projected = {
+    .layout = layout_projected, .holds = can_draw_projected,
     .place = place_nothing, .draw = draw_projected,
 };

@@ -16,7 +16,7 @@
 typedef struct {
     const tp_projection *projection;
     bool          picture;      /* true: the picture itself */
-    bool          cut;          /* true: clipped to the inner side of `level` */
+    bool          clipped;          /* true: clipped to the inner side of `level` */
     bool          walls;        /* true: tanks and blocks are drawn too */
     tp_view_plane level;
 } tp_view;
@@ -30,7 +30,7 @@ typedef struct {
 /* Returns the clip plane of the view, or NULL. */
 static inline const tp_view_plane *tp_view_clip_plane(const tp_view *view)
 {
-    return view->cut ? &view->level : NULL;
+    return view->clipped ? &view->level : NULL;
 }
 
 static inline bool tp_view_touches(const tp_grid_box *box, const tp_gbuffer *tile)

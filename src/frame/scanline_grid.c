@@ -8,7 +8,7 @@
 #define WIDE_CELL   16
 #define WIDE_TILTED 4
 
-void tp_lines_carve(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
+void tp_lines_layout(tp_frame_buffers *buffers, tp_arena *arena, const tp_program *program,
                     const tp_scene *scene, const tp_config *config)
 {
     size_t cols = (size_t)scene->grid.cols, rows = (size_t)scene->grid.rows;
@@ -27,15 +27,15 @@ void tp_lines_carve(tp_frame_parts *parts, tp_arena *arena, const tp_program *pr
     };
     if (to)
         *to = l;
-    parts->lines = to;
+    buffers->lines = to;
 }
 
 tp_row_point tp_line_point(const tp_frame *frame, const tp_grid_window *window, uint32_t k,
                            uint32_t m)
 {
-    const tp_grid *grid = frame->parts.grid;
+    const tp_grid *grid = frame->buffers.grid;
     const tp_grid_vertex *v = tp_line_vertex(frame, window, k, m);
-    const bool upright = frame->parts.lines->upright;
+    const bool upright = frame->buffers.lines->upright;
     uint32_t i = upright ? k : m, j = upright ? m : k;
 
     return (tp_row_point){
@@ -46,9 +46,9 @@ tp_row_point tp_line_point(const tp_frame *frame, const tp_grid_window *window, 
 
 tp_grid_span tp_line_points(const tp_frame *frame, uint32_t k)
 {
-    TP_ASSERT(k < frame->parts.lines->lines);
+    TP_ASSERT(k < frame->buffers.lines->lines);
     const tp_grid_span none = { 0, 0 };
-    const tp_frame_lines *lines = frame->parts.lines;
+    const tp_frame_lines *lines = frame->buffers.lines;
     tp_grid_span a = k > 0 ? lines->line[k - 1].cells : none;
     tp_grid_span b = k + 1 < lines->lines ? lines->line[k].cells : none;
 
@@ -64,7 +64,7 @@ void tp_line_ends(const tp_frame *frame, const tp_grid_window *window, uint32_t 
                   tp_row_point end[2])
 {
     tp_grid_span points = tp_line_points(frame, k);
-    bool back = frame->parts.lines->points_back;
+    bool back = frame->buffers.lines->points_back;
 
     end[back] = tp_line_point(frame, window, k, points.first);
     end[!back] = tp_line_point(frame, window, k, points.end - 1u);
@@ -74,7 +74,7 @@ static tp_grid_box box_of_cells(tp_frame *frame, uint32_t k, uint32_t first, uin
 {
     tp_grid_box box = TP_BOX_NONE;
 
-    if (!frame->parts.lines->upright)
+    if (!frame->buffers.lines->upright)
         return tp_frame_cells_box(frame, k, first, end);
     for (uint32_t m = first; m < end; m++) {
         tp_grid_box cell = tp_frame_cells_box(frame, m, k, k + 1);
@@ -87,9 +87,9 @@ static tp_grid_box box_of_cells(tp_frame *frame, uint32_t k, uint32_t first, uin
  * columns. */
 static void turn(tp_frame *frame)
 {
-    const tp_grid *grid = frame->parts.grid;
+    const tp_grid *grid = frame->buffers.grid;
     const tp_dir3 *back = &frame->projection.turn.z;
-    tp_frame_lines *lines = frame->parts.lines;
+    tp_frame_lines *lines = frame->buffers.lines;
 
     lines->upright = tp_abs(back->x) > tp_abs(back->z);
     if (lines->upright) {
@@ -102,7 +102,7 @@ static void turn(tp_frame *frame)
     lines->lines = lines->upright ? grid->cols : grid->rows;
     lines->points = lines->upright ? grid->rows : grid->cols;
     lines->blocks = (lines->points - 2) / TP_GRID_BLOCK + 1;
-    lines->box = lines->upright ? frame->parts.lines->line_box : grid->box;
+    lines->box = lines->upright ? frame->buffers.lines->line_box : grid->box;
 }
 
 static bool is_tilted(const tp_frame *frame)
@@ -114,12 +114,12 @@ static bool is_tilted(const tp_frame *frame)
 /* For each pair of neighbouring lines, sets the range of visible cells between the two. */
 static void set_cells(tp_frame *frame)
 {
-    const tp_grid *grid = frame->parts.grid;
-    tp_frame_line *line = frame->parts.lines->line;
+    const tp_grid *grid = frame->buffers.grid;
+    tp_frame_line *line = frame->buffers.lines->line;
 
-    const bool upright = frame->parts.lines->upright;
+    const bool upright = frame->buffers.lines->upright;
 
-    for (uint32_t k = 0; k + 1 < frame->parts.lines->lines; k++)
+    for (uint32_t k = 0; k + 1 < frame->buffers.lines->lines; k++)
         line[k].cells = upright ? (tp_grid_span){ 0, 0 } : grid->span[k];
     for (uint32_t j = 0; upright && j + 1 < grid->rows; j++) {
         for (uint32_t i = grid->span[j].first; i < grid->span[j].end; i++) {
@@ -133,15 +133,15 @@ static void set_cells(tp_frame *frame)
 /* True if the frustum clips cells of row k within the picture's columns. */
 static bool is_cut(tp_frame *frame, uint32_t k)
 {
-    const tp_grid_window *seen = &frame->parts.grid->window;
-    const tp_frame_line *line = &frame->parts.lines->line[k];
+    const tp_grid_window *seen = &frame->buffers.grid->window;
+    const tp_frame_line *line = &frame->buffers.lines->line[k];
     int32_t width = (int32_t)frame->config.width;
 
     for (uint32_t m = line->cells.first; m < line->cells.end; m++) {
-        if (tp_line_vertex(frame, seen, k, m)->u != TP_GRID_CUT
-            && tp_line_vertex(frame, seen, k, m + 1)->u != TP_GRID_CUT
-            && tp_line_vertex(frame, seen, k + 1, m)->u != TP_GRID_CUT
-            && tp_line_vertex(frame, seen, k + 1, m + 1)->u != TP_GRID_CUT)
+        if (tp_line_vertex(frame, seen, k, m)->u != TP_GRID_NEEDS_CLIP
+            && tp_line_vertex(frame, seen, k, m + 1)->u != TP_GRID_NEEDS_CLIP
+            && tp_line_vertex(frame, seen, k + 1, m)->u != TP_GRID_NEEDS_CLIP
+            && tp_line_vertex(frame, seen, k + 1, m + 1)->u != TP_GRID_NEEDS_CLIP)
             continue;
         tp_grid_box box = box_of_cells(frame, k, m, m + 1);
         if (box.x0 < width && box.x1 >= 0)
@@ -152,13 +152,13 @@ static bool is_cut(tp_frame *frame, uint32_t k)
 
 static void set_box(tp_frame *frame, uint32_t k)
 {
-    tp_frame_line *line = &frame->parts.lines->line[k];
+    tp_frame_line *line = &frame->buffers.lines->line[k];
 
     line->box = TP_BOX_NONE;
     for (uint32_t b = line->cells.first / TP_GRID_BLOCK;
          b * TP_GRID_BLOCK < line->cells.end; b++) {
         tp_grid_span cells = tp_line_block_cells(line, b);
-        const tp_frame_lines *lines = frame->parts.lines;
+        const tp_frame_lines *lines = frame->buffers.lines;
         size_t at = (size_t)k * lines->blocks + b;
         if (cells.first >= cells.end)
             continue;
@@ -170,14 +170,14 @@ static void set_box(tp_frame *frame, uint32_t k)
 
 static bool is_on_screen(const tp_frame *frame, int32_t u)
 {
-    return u != TP_GRID_CUT && u > 0 && u < 16 * (int32_t)frame->config.width;
+    return u != TP_GRID_NEEDS_CLIP && u > 0 && u < 16 * (int32_t)frame->config.width;
 }
 
 static bool is_sided(const tp_frame *frame, uint32_t k)
 {
     for (uint32_t far = 0; far < 2; far++) {
         tp_row_point end[2];
-        tp_line_ends(frame, &frame->parts.grid->window, k + far, end);
+        tp_line_ends(frame, &frame->buffers.grid->window, k + far, end);
         if (is_on_screen(frame, end[0].u) || is_on_screen(frame, end[1].u))
             return true;
     }
@@ -188,15 +188,15 @@ static void set_reach(tp_frame *frame, uint32_t k)
 {
     tp_grid_span points = tp_line_points(frame, k);
 
-    const tp_frame_lines *lines = frame->parts.lines;
+    const tp_frame_lines *lines = frame->buffers.lines;
 
     for (uint32_t b = 0; b < lines->blocks; b++) {
         tp_line_reach *reach = &lines->reach[(size_t)k * lines->blocks + b];
         tp_grid_span part = tp_line_block_segments(points, b);
         *reach = (tp_line_reach){ INT16_MAX, INT16_MIN };
         for (uint32_t m = part.first; part.first < part.end && m <= part.end; m++) {
-            int32_t u = tp_line_vertex(frame, &frame->parts.grid->window, k, m)->u;
-            if (u == TP_GRID_CUT)
+            int32_t u = tp_line_vertex(frame, &frame->buffers.grid->window, k, m)->u;
+            if (u == TP_GRID_NEEDS_CLIP)
                 continue;
             reach->x0 = u >> 4 < reach->x0 ? (int16_t)(u >> 4) : reach->x0;
             reach->x1 = u >> 4 > reach->x1 ? (int16_t)(u >> 4) : reach->x1;
@@ -209,7 +209,7 @@ static void set_row(tp_frame *frame, uint32_t k)
     const tp_gbuffer picture = { .x1 = (int32_t)frame->config.width,
                                  .y1 = (int32_t)frame->config.height };
     const int32_t wide = is_tilted(frame) ? WIDE_TILTED : WIDE_CELL;
-    tp_frame_line *line = &frame->parts.lines->line[k];
+    tp_frame_line *line = &frame->buffers.lines->line[k];
 
     line->is = 0;
     set_box(frame, k);
@@ -227,12 +227,12 @@ static void set_row(tp_frame *frame, uint32_t k)
  * streamed grid does not keep them. */
 void tp_lines_place(tp_frame *frame)
 {
-    const tp_frame_lines *lines = frame->parts.lines;
+    const tp_frame_lines *lines = frame->buffers.lines;
 
     tp_frame_begin_water(frame);
     turn(frame);
     set_cells(frame);
-    for (uint32_t j = 0; lines->upright && j < frame->parts.grid->rows; j++)
+    for (uint32_t j = 0; lines->upright && j < frame->buffers.grid->rows; j++)
         tp_frame_place_line(frame, j);
     for (uint32_t k = 0; k < lines->lines; k++) {
         if (!lines->upright)

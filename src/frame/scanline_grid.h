@@ -42,15 +42,15 @@ static inline const tp_grid_vertex *tp_line_vertex(const tp_frame *frame,
                                                    const tp_grid_window *window,
                                                    uint32_t k, uint32_t m)
 {
-    const tp_grid *grid = frame->parts.grid;
-    return frame->parts.lines->upright ? &grid->vertex[(size_t)m * grid->cols + k]
-                                       : &window->line[k & 1][m];
+    const tp_grid *grid = frame->buffers.grid;
+    return frame->buffers.lines->upright ? &grid->vertex[(size_t)m * grid->cols + k]
+                                         : &window->line[k & 1][m];
 }
 
 static inline bool tp_line_is_dry(const tp_frame *frame, uint32_t k, uint32_t m)
 {
-    return frame->parts.lines->upright ? tp_grid_cell_is_dry(frame->parts.grid, k, m)
-                                : tp_grid_cell_is_dry(frame->parts.grid, m, k);
+    return frame->buffers.lines->upright ? tp_grid_cell_is_dry(frame->buffers.grid, k, m)
+                                         : tp_grid_cell_is_dry(frame->buffers.grid, m, k);
 }
 
 /* Returns the cells [first, end) of block b, without cells out of view. */
@@ -80,11 +80,11 @@ tp_row_point tp_line_point(const tp_frame *frame, const tp_grid_window *window, 
                            uint32_t m);
 
 /* Both ends of line k, from left to right on the screen; clipped points are marked
- * TP_GRID_CUT. */
+ * TP_GRID_NEEDS_CLIP. */
 void tp_line_ends(const tp_frame *frame, const tp_grid_window *window, uint32_t k,
                   tp_row_point end[2]);
 
-void tp_lines_carve(tp_frame_parts *parts, tp_arena *arena, const tp_program *program,
+void tp_lines_layout(tp_frame_buffers *buffers, tp_arena *arena, const tp_program *program,
                     const tp_scene *scene, const tp_config *config);
 void tp_lines_place(tp_frame *frame);
 #endif

@@ -16,7 +16,7 @@ static void draw_cells(walk *w, uint32_t k, uint32_t first, uint32_t end)
 {
     const tp_gbuffer *tile = w->rows.tile;
 
-    if (!w->frame->parts.lines->upright) {
+    if (!w->frame->buffers.lines->upright) {
         tp_frame_draw_cells(w->frame, tile, &w->window, k, first, end);
         return;
     }
@@ -33,14 +33,14 @@ static bool is_beside(const tp_grid_box *box, int32_t x0, int32_t x1)
 
 static const tp_grid_box *row_boxes(const tp_frame *frame, uint32_t k)
 {
-    return frame->parts.lines->box + (size_t)k * frame->parts.lines->blocks;
+    return frame->buffers.lines->box + (size_t)k * frame->buffers.lines->blocks;
 }
 
 /* Returns the tile's columns where row k does not lie below the tile. */
 static void find_columns(const walk *w, uint32_t k, int32_t *x0, int32_t *x1)
 {
     const tp_gbuffer *tile = w->rows.tile;
-    const tp_frame_line *line = &w->frame->parts.lines->line[k];
+    const tp_frame_line *line = &w->frame->buffers.lines->line[k];
     const tp_grid_box *box = row_boxes(w->frame, k);
 
     *x0 = tile->x1;
@@ -60,7 +60,7 @@ static void find_columns(const walk *w, uint32_t k, int32_t *x0, int32_t *x1)
 
 static void draw_triangles(walk *w, uint32_t k)
 {
-    const tp_frame_line *line = &w->frame->parts.lines->line[k];
+    const tp_frame_line *line = &w->frame->buffers.lines->line[k];
     const tp_grid_box *box = row_boxes(w->frame, k);
 
     for (uint32_t b = line->cells.first / TP_GRID_BLOCK;
@@ -82,21 +82,22 @@ static void lay(walk *w, const tp_row_point *run, uint32_t count, int how)
 /* True if segment m of line k has land on both sides. */
 static bool is_land(const tp_frame *frame, uint32_t k, uint32_t m)
 {
-    return frame->parts.grid->dry && (k == 0 || tp_line_is_dry(frame, k - 1, m))
-        && (k + 1 == frame->parts.lines->lines || tp_line_is_dry(frame, k, m));
+    return frame->buffers.grid->dry && (k == 0 || tp_line_is_dry(frame, k - 1, m))
+           && (k + 1 == frame->buffers.lines->lines || tp_line_is_dry(frame, k, m));
 }
 
 static bool is_outside_tile(const walk *w, int32_t left, int32_t right)
 {
-    return left == TP_GRID_CUT || right == TP_GRID_CUT || right <= 16 * w->rows.x0
-        || left >= 16 * w->rows.x1;
+    return left == TP_GRID_NEEDS_CLIP || right == TP_GRID_NEEDS_CLIP
+           || right <= 16 * w->rows.x0 || left >= 16 * w->rows.x1;
 }
 
 /* Draws the segments of line k from left to right. */
 static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
 {
     const tp_frame *frame = w->frame;
-    bool     back = frame->parts.lines->points_back, land = frame->parts.grid->dry != NULL;
+    bool back = frame->buffers.lines->points_back,
+         land = frame->buffers.grid->dry != NULL;
     int32_t  way = back ? -1 : 1, m = back ? part.end : part.first;
     int32_t  left = tp_line_vertex(frame, &w->window, k, (uint32_t)m)->u;
     tp_row_point run[TP_GRID_BLOCK + 1];
@@ -131,7 +132,7 @@ static bool is_reached(const walk *w, tp_line_reach reach)
 /* Makes the window hold the walked part of line k, or all of the line. */
 static void see_line(walk *w, uint32_t k, bool whole)
 {
-    const tp_frame_lines *lines = w->frame->parts.lines;
+    const tp_frame_lines *lines = w->frame->buffers.lines;
     const tp_line_reach *reach = &lines->reach[(size_t)k * lines->blocks];
     tp_grid_span points = tp_line_points(w->frame, k);
     uint32_t first = UINT32_MAX, end = 0;
@@ -144,13 +145,13 @@ static void see_line(walk *w, uint32_t k, bool whole)
         end = part.end + 1u;
     }
     if (first < end && !lines->upright)
-        tp_grid_window_load(w->frame->parts.grid, &w->window, k, first, end);
+        tp_grid_window_load(w->frame->buffers.grid, &w->window, k, first, end);
 }
 
 static void lay_line(walk *w, uint32_t k, int how)
 {
-    const tp_frame_lines *lines = w->frame->parts.lines;
-    const tp_line_reach *reach = &w->frame->parts.lines->reach[(size_t)k * lines->blocks];
+    const tp_frame_lines *lines = w->frame->buffers.lines;
+    const tp_line_reach *reach = &w->frame->buffers.lines->reach[(size_t)k * lines->blocks];
     tp_grid_span points = tp_line_points(w->frame, k);
 
     for (uint32_t n = 0; n < lines->blocks; n++) {
@@ -189,10 +190,10 @@ static bool find_edge_middles(const walk *w, uint32_t k, uint32_t m, tp_row_poin
 
     for (uint32_t i = 0; i < 4; i++)
         p[i] = tp_line_point(frame, &w->window, k + i % 2, m + i / 2);
-    bool back = frame->parts.lines->points_back;
+    bool back = frame->buffers.lines->points_back;
 
     for (int i = 0; i < 4; i++)
-        if (p[i].u == TP_GRID_CUT)
+        if (p[i].u == TP_GRID_NEEDS_CLIP)
             return false;
     to[back ? 2 : 0] = edge_middle(&p[0], &p[1]);
     to[1] = edge_middle(&p[0], &p[3]);
@@ -218,10 +219,10 @@ static bool is_beside_cell(const walk *w, uint32_t k, uint32_t m)
 static void lay_middles(walk *w, uint32_t k)
 {
     const tp_frame *frame = w->frame;
-    tp_grid_span cells = frame->parts.lines->line[k].cells;
+    tp_grid_span cells = frame->buffers.lines->line[k].cells;
 
     for (uint32_t n = cells.first; n < cells.end; n++) {
-        bool     back = frame->parts.lines->points_back;
+        bool     back = frame->buffers.lines->points_back;
         uint32_t m = back ? cells.end - 1u - (n - cells.first) : n;
         tp_row_point run[3];
         if (!is_beside_cell(w, k, m) && find_edge_middles(w, k, m, run))
@@ -243,13 +244,13 @@ static void lay_sided(walk *w, uint32_t last, uint32_t row, uint32_t k)
 
     tp_line_ends(w->frame, &w->window, last, was);
     tp_line_ends(w->frame, &w->window, k, now);
-    bool left = was[0].u != TP_GRID_CUT && now[0].u != TP_GRID_CUT;
-    bool right = was[1].u != TP_GRID_CUT && now[1].u != TP_GRID_CUT;
+    bool left = was[0].u != TP_GRID_NEEDS_CLIP && now[0].u != TP_GRID_NEEDS_CLIP;
+    bool right = was[1].u != TP_GRID_NEEDS_CLIP && now[1].u != TP_GRID_NEEDS_CLIP;
     if (left)
         tp_rows_set_side(&w->rows, &now[0], &was[0]);
     if (right)
         tp_rows_set_side(&w->rows, &was[1], &now[1]);
-    if (w->frame->parts.lines->line[row].is & TP_LINE_WIDE)
+    if (w->frame->buffers.lines->line[row].is & TP_LINE_WIDE)
         lay_middles(w, row);
     if (left)
         lay_one(w, &was[0], &now[0]);
@@ -263,7 +264,7 @@ static void advance_to_line(walk *w, uint32_t last, uint32_t k, uint32_t next, i
 {
     int32_t x0 = w->x0, x1 = w->x1, next0 = 0, next1 = 0;
 
-    if (next < w->frame->parts.lines->lines - 1)
+    if (next < w->frame->buffers.lines->lines - 1)
         find_columns(w, next, &next0, &next1);
     bool before = x0 < x1, behind = next0 < next1;
     w->x0 = next0;
@@ -273,7 +274,7 @@ static void advance_to_line(walk *w, uint32_t last, uint32_t k, uint32_t next, i
     w->rows.x0 = !before || (behind && next0 < x0) ? next0 : x0;
     w->rows.x1 = !before || (behind && next1 > x1) ? next1 : x1;
     uint32_t row = last < k ? last : k;
-    uint32_t is = how == ON && before ? w->frame->parts.lines->line[row].is : 0;
+    uint32_t is = how == ON && before ? w->frame->buffers.lines->line[row].is : 0;
     bool whole = is & (TP_LINE_SIDED | TP_LINE_WIDE);
     if (whole)
         see_line(w, last, true);
@@ -289,7 +290,7 @@ static void advance_to_line(walk *w, uint32_t last, uint32_t k, uint32_t next, i
 
 static void draw_rows(const tp_frame *frame, tp_gbuffer *tile, void *memory)
 {
-    const tp_frame_lines *lines = frame->parts.lines;
+    const tp_frame_lines *lines = frame->buffers.lines;
     walk w = { .frame = frame, .window = tp_frame_window(frame, memory) };
     int  how = GAP;
 
@@ -314,7 +315,7 @@ static void draw_rows(const tp_frame *frame, tp_gbuffer *tile, void *memory)
     }
 }
 
-const struct tp_method tp_method_rows = {
-    .holds = tp_frame_can_draw_rows, .carve = tp_lines_carve,
+const struct tp_water_renderer tp_method_rows = {
+    .holds = tp_frame_can_draw_rows, .layout = tp_lines_layout,
     .place = tp_lines_place, .draw = draw_rows,
 };

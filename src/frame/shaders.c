@@ -5,7 +5,7 @@
 void tp_shaders_init(tp_shaders *list, tp_list_kind kind, tp_shader *shader,
                      uint8_t *place, uint32_t room)
 {
-    *list = (tp_shaders){ .shader = shader, .place = place, .kind = (uint8_t)kind,
+    *list = (tp_shaders){ .shader = shader, .order = place, .kind = (uint8_t)kind,
                           .room = (uint8_t)room };
     tp_shaders_clear(list);
 }
@@ -18,7 +18,8 @@ void tp_shaders_clear(tp_shaders *list)
     list->lacks = list->lacking = 0;
 }
 
-void tp_shaders_add(tp_shaders *list, tp_place place, tp_stage stage, const void *mine)
+void tp_shaders_add(tp_shaders *list, tp_shader_order place, tp_stage stage,
+                    const void *mine)
 {
     uint32_t at = list->count;
 
@@ -28,12 +29,12 @@ void tp_shaders_add(tp_shaders *list, tp_place place, tp_stage stage, const void
     }
     TP_ASSERT(list->count + 1 < list->room);
     list->shader[++list->count] = (tp_shader){ NULL, NULL };
-    for (; at > 0 && list->place[at - 1] > place; at--) {
+    for (; at > 0 && list->order[at - 1] > place; at--) {
         list->shader[at] = list->shader[at - 1];
-        list->place[at] = list->place[at - 1];
+        list->order[at] = list->order[at - 1];
     }
     list->shader[at] = (tp_shader){ stage, mine };
-    list->place[at] = (uint8_t)place;
+    list->order[at] = (uint8_t)place;
 }
 
 tp_stage tp_shaders_pick(tp_shaders *list, tp_stage wanted, tp_stage plainer)
@@ -44,10 +45,10 @@ tp_stage tp_shaders_pick(tp_shaders *list, tp_stage wanted, tp_stage plainer)
     return plainer;
 }
 
-bool tp_shaders_has(const tp_shaders *list, tp_place place)
+bool tp_shaders_has(const tp_shaders *list, tp_shader_order place)
 {
     for (uint32_t i = 0; i < list->count; i++)
-        if (list->place[i] == place)
+        if (list->order[i] == place)
             return true;
     return false;
 }

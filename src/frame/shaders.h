@@ -16,7 +16,7 @@ typedef enum {
     TP_AT_SLOPE,                /* ripples and pools change the normals */
     TP_AT_VIEW,
     TP_AT_LIGHT,
-    TP_AT_BEHIND,               /* colours seen through the water */
+    TP_AT_REFRACT,               /* colours seen through the water */
     TP_AT_REFLECT,              /* the sky's reflection */
     TP_AT_OBJECTS,              /* reflections of objects, over the sky's */
     TP_AT_FRESNEL,              /* Fresnel share of the reflection */
@@ -25,7 +25,7 @@ typedef enum {
     TP_AT_AIR,                  /* haze */
     TP_AT_TONE,                 /* tone mapping */
     TP_AT_GLASS                 /* panes, over tone-mapped colours */
-} tp_place;
+} tp_shader_order;
 
 typedef struct {
     tp_stage    stage;          /* NULL: end of the list */
@@ -37,13 +37,13 @@ typedef enum {
     TP_LIST_SKY,
     TP_LIST_WATER,
     TP_LIST_FAST,               /* water, by fast stages alone */
-    TP_LIST_BELOW,              /* water seen from below */
+    TP_LIST_UNDERSIDE,              /* water seen from below */
     TP_LIST_THINGS              /* land, a boat, drops ... */
 } tp_list_kind;
 
 typedef struct {
     tp_shader *shader;
-    uint8_t   *place;           /* place of each stage */
+    uint8_t   *order;           /* place of each stage */
     const struct tp_drawing *owner;     /* the module of these samples, or NULL */
     uint8_t    kind;            /* tp_list_kind */
     uint8_t    first;           /* first stencil value of the samples */
@@ -60,7 +60,8 @@ void tp_shaders_init(tp_shaders *list, tp_list_kind kind, tp_shader *shader,
 void tp_shaders_clear(tp_shaders *list);
 
 /* Adds a stage after those of the same place.  NULL is not added but counted as lacking. */
-void tp_shaders_add(tp_shaders *list, tp_place place, tp_stage stage, const void *mine);
+void tp_shaders_add(tp_shaders *list, tp_shader_order place, tp_stage stage,
+                    const void *mine);
 
 /* Adds a stage at TP_AT_COLOUR without a module. */
 static inline void tp_shaders_add_colour(tp_shaders *list, tp_stage stage)
@@ -75,9 +76,9 @@ tp_stage tp_shaders_pick(tp_shaders *list, tp_stage wanted, tp_stage plainer);
 /* True for water drawn by exact stages, seen from above or below. */
 static inline bool tp_shaders_is_exact_water(const tp_shaders *list)
 {
-    return list->kind == TP_LIST_WATER || list->kind == TP_LIST_BELOW;
+    return list->kind == TP_LIST_WATER || list->kind == TP_LIST_UNDERSIDE;
 }
 
 /* True if the list has a stage of the place. */
-bool tp_shaders_has(const tp_shaders *list, tp_place place);
+bool tp_shaders_has(const tp_shaders *list, tp_shader_order place);
 #endif

@@ -78,9 +78,9 @@ static void shade_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, 
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
         const tp_shaders *plan = begin_run(frame, tile, x, y, &run);
         shade_run(frame, plan, &run);
-        if (frame->toned)
-            frame->store_toned(frame->toned, (uint16_t *)row + x - tile->x0, run.colour,
-                               run.count);
+        if (frame->tone_map)
+            frame->store_tone_mapped(frame->tone_map, (uint16_t *)row + x - tile->x0,
+                                     run.colour, run.count);
         else
             store(row, x - tile->x0, x, y, run.colour, run.count);
     }
@@ -123,7 +123,7 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t 
             continue;
         }
         const tp_shaders *plan = begin_run(frame, tile, x, y, &run);
-        for (uint32_t i = 0; i < plan->count && plan->place[i] < TP_AT_TONE; i++) {
+        for (uint32_t i = 0; i < plan->count && plan->order[i] < TP_AT_TONE; i++) {
             run.mine = plan->shader[i].mine;
             plan->shader[i].stage(&frame->shade, &run);
         }

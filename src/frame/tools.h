@@ -36,11 +36,11 @@ void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs);
 uint32_t tp_frame_tiles(const tp_frame *frame);
 
 /* Bakes the textures of fast shading in advance, for storage in ROM.  Index i:
- * assets.graded by the layer, then offsets, then slopes.  tp_prepared_bytes returns 0 if
+ * assets.graded by the layer, then offsets, then slopes.  tp_baked_layer_bytes returns 0 if
  * the scene has no such texture.  Memory is aligned to 4. */
-#define TP_PREPARED (TP_LAYERS + 2)
-size_t tp_prepared_bytes(const tp_assets *assets, int i);
-void   tp_prepare(tp_texture *to, const tp_scene *scene, const tp_assets *assets, int i,
+#define TP_BAKED_LAYERS (TP_LAYERS + 2)
+size_t tp_baked_layer_bytes(const tp_assets *assets, int i);
+void   tp_bake_layer(tp_texture *to, const tp_scene *scene, const tp_assets *assets, int i,
                   void *memory);
 
 /* Returns the name of the first module without a needed stage at the last tp_frame_begin;

@@ -54,10 +54,10 @@ static tp_rungs replace_unavailable_rungs(tp_rung_mask reach, tp_rungs r)
 }
 
 /* Returns the renderer, or NULL if the program lacks it. */
-const struct tp_method *tp_frame_method(const tp_program *program,
-                                        tp_visibility visibility)
+const struct tp_water_renderer *tp_frame_renderer(const tp_program *program,
+                                                  tp_visibility visibility)
 {
-    const tp_methods *method = &program->method;
+    const tp_water_renderers *method = &program->method;
     return visibility == TP_VISIBILITY_TRIANGLES ? method->triangles
          : visibility == TP_VISIBILITY_ROWS ? method->rows
          : visibility == TP_VISIBILITY_PROJECTED ? method->projected
@@ -78,8 +78,8 @@ void tp_frame_choose_rungs(tp_frame *frame)
             tp_frame_plan_input(frame->program, scene, &frame->assets, &frame->config);
         frame->planned = rungs ? rungs->rungs(&in) : named_or_exact(scene);
     }
-    frame->rungs = replace_unavailable_rungs(frame->parts.reach, frame->steered ? frame->asked
-                                                             : frame->planned);
+    frame->rungs = replace_unavailable_rungs(
+        frame->buffers.rung_mask, frame->steered ? frame->asked : frame->planned);
 }
 
 /* Cell size, m.  A grid wider than 16 km gets smaller cells, for coordinates to stay in
@@ -97,7 +97,8 @@ static tp_fx clamp_cell(const tp_scene *scene)
  * by one. */
 static bool has_only_plain_swells(const tp_surface *surface)
 {
-    return !surface->ocean && !surface->sea->sharpened && !tp_surface_has_relief(surface);
+    return !surface->coastal && !surface->deep->sharpened
+           && !tp_surface_has_rings_or_pools(surface);
 }
 
 /* Sets the grid's placement, needed by all renderers. */
@@ -118,8 +119,8 @@ static void set_grid_view(tp_frame *frame)
 
 void tp_frame_choose_visibility(tp_frame *frame)
 {
-    const struct tp_method *method =
-        tp_frame_method(frame->program, frame->rungs.visibility);
+    const struct tp_water_renderer *method =
+        tp_frame_renderer(frame->program, frame->rungs.visibility);
 
     set_grid_view(frame);
     frame->visibility = frame->rungs.visibility;
@@ -130,7 +131,8 @@ void tp_frame_choose_visibility(tp_frame *frame)
 /* Places the surface.  Without a valid renderer no water is drawn. */
 void tp_frame_place_surface(tp_frame *frame)
 {
-    const struct tp_method *method = tp_frame_method(frame->program, frame->visibility);
+    const struct tp_water_renderer *method =
+        tp_frame_renderer(frame->program, frame->visibility);
 
     TP_ASSERT(frame->visibility != TP_VISIBILITY_AUTO);
     if (method)
@@ -139,7 +141,8 @@ void tp_frame_place_surface(tp_frame *frame)
 
 void tp_frame_draw_surface(const tp_frame *frame, tp_gbuffer *tile, void *memory)
 {
-    const struct tp_method *method = tp_frame_method(frame->program, frame->visibility);
+    const struct tp_water_renderer *method =
+        tp_frame_renderer(frame->program, frame->visibility);
 
     if (method)
         method->draw(frame, tile, memory);

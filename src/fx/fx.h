@@ -101,7 +101,7 @@ tp_q30 tp_sin(tp_turn angle);
 tp_q30 tp_cos(tp_turn angle);
 
 /* Height of a surface at a point, m, and the slopes dy/dx and dy/dz; all 16.16. */
-typedef struct { tp_fx height, slope_x, slope_z; } tp_relief;
+typedef struct { tp_fx height, slope_x, slope_z; } tp_height_slope;
 
 static inline tp_vec3 tp_vec3_add(tp_vec3 a, tp_vec3 b)
 {

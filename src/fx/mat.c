@@ -7,13 +7,13 @@
  * bits where tp_sin has 17. */
 #include "fx/fx.h"
 
-typedef struct { tp_q30 sin, cos; } pair;
+typedef struct { tp_q30 sin, cos; } sine_cosine;
 
 /* Starts from the nearest of the 1024 knots of the sine table, where tp_sin is exact.  d is
  * the distance to the knot in radians:
  *     sin(a + d) = sin a + d cos a - d^2/2 sin a
  * |d| <= pi/1024; the first omitted term is d^3/6 < 5e-9. */
-static pair sine_pair(tp_turn angle)
+static sine_cosine sine_pair(tp_turn angle)
 {
     const tp_turn knot = (angle + (1u << 21)) & ~((1u << 22) - 1);
     const int32_t turns = (int32_t)(angle - knot);
@@ -21,7 +21,7 @@ static pair sine_pair(tp_turn angle)
                                + (1 << 29)) >> 30);     /* 2 pi 2^30 / 2^32 = pi/2 */
     const tp_q30 half_square = (tp_q30)(((int64_t)d * d + (1 << 30)) >> 31);
     const tp_q30 s = tp_sin(knot), c = tp_cos(knot);
-    return (pair){
+    return (sine_cosine){
         s + tp_q30_mul(c, d) - tp_q30_mul(s, half_square),
         c - tp_q30_mul(s, d) - tp_q30_mul(c, half_square),
     };
@@ -40,7 +40,7 @@ static tp_dir3 blend(tp_dir3 a, tp_q30 s, tp_dir3 b, tp_q30 t)
 
 tp_rotation tp_rotation_from_angles(tp_turn heading, tp_turn pitch, tp_turn roll)
 {
-    const pair h = sine_pair(heading), p = sine_pair(pitch), r = sine_pair(roll);
+    const sine_cosine h = sine_pair(heading), p = sine_pair(pitch), r = sine_pair(roll);
     const tp_dir3 world_up = { 0, TP_Q30_ONE, 0 };
     const tp_dir3 level_right = { h.cos, 0, h.sin };
     const tp_dir3 level_back = { -h.sin, 0, h.cos };

@@ -4,8 +4,8 @@
 #include "geom/waters.h"
 
 /* Allocates all tables except the vertices. */
-static void carve_lines(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
-                        uint32_t waves)
+static void layout_lines(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
+                         uint32_t waves)
 {
     TP_ASSERT(cols >= 2 && rows >= 2 && waves <= TP_WAVES);
     grid->cols = grid->most_cols = cols;
@@ -27,25 +27,25 @@ static void carve_lines(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t 
     grid->lod = NULL;
 }
 
-void tp_grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows)
+void tp_grid_layout(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows)
 {
-    carve_lines(grid, arena, cols, rows, TP_WAVES);
+    layout_lines(grid, arena, cols, rows, TP_WAVES);
     grid->vertex = tp_arena_alloc(arena, (size_t)cols * rows, sizeof *grid->vertex);
     grid->streams = false;
     grid->window = tp_grid_window_init(NULL);
 }
 
-void tp_grid_carve_streamed(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
-                            uint32_t waves)
+void tp_grid_layout_streamed(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
+                             uint32_t waves)
 {
-    carve_lines(grid, arena, cols, rows, waves);
+    layout_lines(grid, arena, cols, rows, waves);
     grid->vertex = NULL;
     grid->streams = true;
     grid->window = tp_grid_window_init(
         tp_arena_alloc(arena, 2 * (size_t)cols, sizeof *grid->vertex));
 }
 
-void tp_grid_carve_ocean(tp_grid *grid, tp_arena *arena)
+void tp_grid_layout_coastal(tp_grid *grid, tp_arena *arena)
 {
     for (int k = 0; k < 3; k++)
         grid->sheet[k] = tp_arena_alloc(arena, grid->cols, sizeof *grid->sheet[k]);
@@ -160,7 +160,7 @@ tp_view_vertex tp_grid_make_view_vertex(const tp_grid *grid, const tp_grid_verte
 {
     TP_ASSERT(i < grid->cols && j < grid->rows);
     tp_view_vertex c = tp_grid_is_coastal(grid)
-                           ? grid->frame.surface->by->ocean->corner(grid, i, j)
+                           ? grid->frame.surface->by->coastal->corner(grid, i, j)
                            : make_view_vertex(grid, i, j);
 
     c.n[0] = vertex->slope_x;
@@ -168,7 +168,7 @@ tp_view_vertex tp_grid_make_view_vertex(const tp_grid *grid, const tp_grid_verte
     return c;
 }
 
-/* Evaluates the vertices of a row in runs.  A run ends at every TP_VERTEX_RUN-th column
+/* Evaluates the vertices of a row in runs.  A run ends at every TP_VERTEX_BATCH-th column
  * and where waves begin or end. */
 static void place_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
                       tp_grid_vertex *vertex)
@@ -179,14 +179,14 @@ static void place_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t 
         return;
     set_row(grid, j, true, &row);
     for (uint32_t i = first, stop; i < end; i = stop) {
-        stop = (i / TP_VERTEX_RUN + 1) * TP_VERTEX_RUN;
+        stop = (i / TP_VERTEX_BATCH + 1) * TP_VERTEX_BATCH;
         stop = stop < end ? stop : end;
         if (i < grid->waves.first && grid->waves.first < stop)
             stop = grid->waves.first;
         if (i < grid->waves.end && grid->waves.end < stop)
             stop = grid->waves.end;
-        tp_vertex_evaluate_run(&grid->frame, &grid->columns, &row, i, stop - i,
-                               is_vertex_at_rest(grid, i, j), vertex + i);
+        tp_vertex_evaluate_batch(&grid->frame, &grid->columns, &row, i, stop - i,
+                                 is_vertex_at_rest(grid, i, j), vertex + i);
     }
 }
 
@@ -228,8 +228,8 @@ void tp_grid_window_load(const tp_grid *grid, tp_grid_window *window, uint32_t j
 
 static const tp_grid_box everywhere = { INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
 
-/* If any vertex needs clipping, its u = TP_GRID_CUT is the smallest u; the box is then
- * unbounded. */
+/* If any vertex needs clipping, its u = TP_GRID_NEEDS_CLIP is the smallest u; the box
+ * is then unbounded. */
 static tp_grid_box bound_vertices(const tp_grid_vertex *vertex, uint32_t count)
 {
     int32_t u0 = INT32_MAX, u1 = INT32_MIN, v0 = INT32_MAX, v1 = INT32_MIN;
@@ -241,7 +241,7 @@ static tp_grid_box bound_vertices(const tp_grid_vertex *vertex, uint32_t count)
         v0 = v < v0 ? v : v0;
         v1 = v > v1 ? v : v1;
     }
-    if (u0 == TP_GRID_CUT)
+    if (u0 == TP_GRID_NEEDS_CLIP)
         return everywhere;
     return (tp_grid_box){ (int16_t)(u0 >> 4), (int16_t)(v0 >> 4),
                           (int16_t)(u1 >> 4), (int16_t)(v1 >> 4) };
@@ -322,7 +322,7 @@ void tp_grid_begin(tp_grid *grid, const tp_grid_view *view)
     grid->vertices = 0;
     grid->sheets = 0;
     for (uint32_t j = 0; j + 1 < grid->rows; j++)
-        grid->span[j] = seen_cells(grid, planes, j, frame->reach, side);
+        grid->span[j] = seen_cells(grid, planes, j, frame->max_displacement, side);
     set_columns(grid, view->cell);
 }
 
@@ -334,7 +334,7 @@ void tp_grid_place_row(tp_grid *grid, uint32_t j)
     if (needed.first >= needed.end)
         return;
     if (tp_grid_is_coastal(grid))
-        grid->frame.surface->by->ocean->row(grid, j, needed);
+        grid->frame.surface->by->coastal->row(grid, j, needed);
     else if (!grid->streams)
         place_row(grid, j, needed.first, needed.end,
                   grid->vertex + (size_t)j * grid->cols);

@@ -48,7 +48,7 @@ typedef struct {
     tp_grid_box    *box;        /* bounding boxes, (rows - 1) x blocks */
     uint32_t vertices;          /* vertices evaluated by the last tp_grid_place */
     tp_vertex_frame   frame;
-    struct tp_thinning *lod;    /* for columns and rows; NULL: no memory */
+    struct tp_lod_axis *lod;    /* for columns and rows; NULL: no memory */
     tp_vertex_columns columns;
     tp_grid_span      waves;    /* columns with waves */
     tp_vec3  *sheet[3];         /* displaced vertices of coastal water, three rows */
@@ -56,16 +56,16 @@ typedef struct {
     uint32_t *dry;              /* a bit per vertex of coastal water: on land */
 } tp_grid;
 
-void tp_grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows);
+void tp_grid_layout(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows);
 
 /* Allocates a grid without stored vertices: a window evaluates its vertices again each
  * time, with the same bits.  Not for coastal water.  Room for `waves` swells; further
  * swells are dropped. */
-void tp_grid_carve_streamed(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
-                            uint32_t waves);
+void tp_grid_layout_streamed(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
+                             uint32_t waves);
 
 /* Allocates the additional tables of coastal water. */
-void tp_grid_carve_ocean(tp_grid *grid, tp_arena *arena);
+void tp_grid_layout_coastal(tp_grid *grid, tp_arena *arena);
 
 /* The inputs of a grid for a frame. */
 typedef struct {
@@ -86,13 +86,13 @@ static inline bool tp_grid_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)
 /* True if all four vertices of a visible cell are on land, so the cell has no water. */
 static inline bool tp_grid_cell_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)
 {
-    return grid->dry && grid->frame.surface->ocean
+    return grid->dry && grid->frame.surface->coastal
         && tp_grid_is_dry(grid, i, j) && tp_grid_is_dry(grid, i + 1, j)
         && tp_grid_is_dry(grid, i, j + 1) && tp_grid_is_dry(grid, i + 1, j + 1);
 }
 
-/* grid_lines.c: sets the positions of the columns, or of the rows along z; returns the number
- * of skirt lines at each side. */
+/* grid_lines.c: sets the positions of the columns, or of the rows along z; returns the
+ * number of skirt lines at each side. */
 void tp_grid_lines_place(tp_grid_line *line, uint32_t count, const tp_grid_view *view,
                          bool along_z);
 uint32_t tp_grid_lines_skirt_count(uint32_t count, const tp_grid_view *view);

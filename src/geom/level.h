@@ -18,15 +18,15 @@
 /* A linear sum: at + x X + y Y at the centre of pixel (X, Y). */
 typedef struct {
     int64_t at, x, y;
-} tp_level_sum;
+} tp_level_linear;
 
 #define TP_LEVEL_SIDES 5        /* west, east, north, south, near plane */
 #define TP_LEVEL_ZI    12       /* bits of zi beyond Q1.31 */
 
 typedef struct {
-    tp_level_sum down, east, south;     /* -d.y, d.x, d.z, px, Q.30 */
-    tp_level_sum zi;                    /* near / depth, Q1.43 */
-    tp_level_sum side[TP_LEVEL_SIDES];  /* water if no side is negative */
+    tp_level_linear down, east, south;     /* -d.y, d.x, d.z, px, Q.30 */
+    tp_level_linear zi;                    /* near / depth, Q1.43 */
+    tp_level_linear side[TP_LEVEL_SIDES];  /* water if no side is negative */
     tp_fx height, x, z;                 /* position of the eye, m */
     tp_grid_extent across, along;       /* extent of the water and its waves */
     bool  rolled;
@@ -38,7 +38,7 @@ typedef struct {
 void tp_level_begin(tp_level *level, const tp_projection *projection,
                     const tp_grid_extent *across, const tp_grid_extent *along);
 
-TP_ALWAYS_INLINE int64_t tp_level_evaluate(const tp_level_sum *sum, int32_t x, int32_t y)
+TP_ALWAYS_INLINE int64_t tp_level_evaluate(const tp_level_linear *sum, int32_t x, int32_t y)
 {
     return sum->at + sum->x * x + sum->y * y;
 }
@@ -50,10 +50,10 @@ typedef struct {
 
 /* Returns the line where a sum is 0.  The sum must increase downwards, at least as fast
  * as sideways. */
-tp_level_line tp_level_zero_line(const tp_level_sum *sum);
+tp_level_line tp_level_zero_line(const tp_level_linear *sum);
 
 /* Evaluates a sum at column x and a row in Q.30; rows and sums are below 2^14. */
-TP_ALWAYS_INLINE int64_t tp_level_evaluate_row(const tp_level_sum *sum, int32_t x,
+TP_ALWAYS_INLINE int64_t tp_level_evaluate_row(const tp_level_linear *sum, int32_t x,
                                                int64_t row)
 {
     return sum->at + sum->x * x + (sum->y * (row >> 14) >> 16);
@@ -63,14 +63,14 @@ TP_ALWAYS_INLINE int64_t tp_level_evaluate_row(const tp_level_sum *sum, int32_t 
 typedef struct {
     int32_t factor;
     int     shift;
-} tp_level_reach;
+} tp_level_scale;
 
-tp_level_reach tp_level_reach_make(const tp_level *level, int64_t down); /* `down` > 0 */
+tp_level_scale tp_level_scale_make(const tp_level *level, int64_t down); /* `down` > 0 */
 
 /* Returns metres, 16.16: 31 bits times 30. Bits above 32 are cut off. */
-TP_ALWAYS_INLINE int64_t tp_level_metres(tp_level_reach reach, int64_t pixels_q30)
+TP_ALWAYS_INLINE int64_t tp_level_metres(tp_level_scale scale, int64_t pixels_q30)
 {
-    return (int64_t)reach.factor * (int32_t)(pixels_q30 >> 14) >> reach.shift;
+    return (int64_t)scale.factor * (int32_t)(pixels_q30 >> 14) >> scale.shift;
 }
 
 /* Finds the water position at a pixel's centre.  Returns false if there is no water
@@ -89,11 +89,11 @@ unsigned tp_level_clip_mask(const tp_level *level, int32_t x0, int32_t y0, int32
 /* Returns the surface point of a rest position, for sample points `step` apart in two
  * directions.  Waves shorter than two steps are omitted, waves longer than four steps
  * have full height.  Waves fade at the borders like the grid's waves. */
-tp_sea_point tp_level_sample_surface(const tp_level *level, const tp_surface *surface,
-                                     const tp_fx place[2], tp_fx step[2][2]);
+tp_surface_point tp_level_sample_surface(const tp_level *level, const tp_surface *surface,
+                                         const tp_fx place[2], tp_fx step[2][2]);
 
 /* Returns the slopes in the format of the G-buffer: x:z, Q3.12 each. */
-static inline uint32_t tp_level_slopes(const tp_sea_point *at)
+static inline uint32_t tp_level_slopes(const tp_surface_point *at)
 {
     int32_t x = tp_clamp((at->slope_x + 8) >> 4, INT16_MIN, INT16_MAX);
     int32_t z = tp_clamp((at->slope_z + 8) >> 4, INT16_MIN, INT16_MAX);

@@ -71,7 +71,7 @@ static int32_t side_rate(const tp_projection *projection, tp_fx wide, tp_q30 cos
 }
 
 /* Sets the step limits of both axes, for water no higher than `height`. */
-static void begin(tp_thinning lod[2], const tp_projection *projection, tp_fx height,
+static void begin(tp_lod_axis lod[2], const tp_projection *projection, tp_fx height,
                   tp_fx cell)
 {
     tp_dir3 heading = tp_normalise(projection->ahead.x, 0, projection->ahead.z);
@@ -80,19 +80,19 @@ static void begin(tp_thinning lod[2], const tp_projection *projection, tp_fx hei
     tp_fx   over = projection->eye.y - height;
     int64_t least = over > 0 ? (int64_t)over * TP_LOD_PIXELS * TP_FX_ONE / down : 0;
 
-    lod[0] = (tp_thinning){
+    lod[0] = (tp_lod_axis){
         projection->eye.x, cell, tp_fx_saturate(least),
         { side_rate(projection, wide, -heading.x, heading.z),
           side_rate(projection, wide, heading.x, heading.z) },
     };
-    lod[1] = (tp_thinning){
+    lod[1] = (tp_lod_axis){
         projection->eye.z, cell, tp_fx_saturate(least),
         { side_rate(projection, wide, -heading.z, heading.x),
           side_rate(projection, wide, heading.z, heading.x) },
     };
 }
 
-tp_fx tp_lod_step(const tp_thinning *lod, tp_fx place)
+tp_fx tp_lod_step(const tp_lod_axis *lod, tp_fx place)
 {
     int64_t way = (int64_t)place - lod->eye;
     int64_t step = (way < 0 ? -way : way) * lod->rate[way >= 0] >> 24;
@@ -104,7 +104,7 @@ tp_fx tp_lod_step(const tp_thinning *lod, tp_fx place)
 
 /* Returns the index of the cell at a position, counted from the world's origin; lines may
  * lie in the middle of cells. */
-static int32_t cell_index(const tp_thinning *lod, tp_fx place)
+static int32_t cell_index(const tp_lod_axis *lod, tp_fx place)
 {
     TP_ASSERT(lod->cell > 0);
     int64_t cells = (int64_t)place / lod->cell;
@@ -113,7 +113,7 @@ static int32_t cell_index(const tp_thinning *lod, tp_fx place)
 
 /* Removes lines between the skirts and moves the other lines up.  Lines between the
  * skirts are a cell apart; skirt lines stay.  Returns the new number of lines. */
-static uint32_t thin(const tp_thinning *lod, tp_grid_line *line, uint32_t count,
+static uint32_t thin(const tp_lod_axis *lod, tp_grid_line *line, uint32_t count,
                      uint32_t flank)
 {
     uint32_t first = flank, last = count - 1 - flank;
@@ -140,9 +140,9 @@ void tp_lod_thin(tp_grid *grid, const tp_grid_view *view)
                       tp_grid_lines_skirt_count(grid->rows, view));
 }
 
-void tp_lod_carve(tp_grid *grid, tp_arena *arena)
+void tp_lod_layout(tp_grid *grid, tp_arena *arena)
 {
-    struct tp_thinning *lod = tp_arena_alloc(arena, 2, sizeof *lod);
+    struct tp_lod_axis *lod = tp_arena_alloc(arena, 2, sizeof *lod);
     if (lod)                    /* NULL if the arena only counts bytes */
         grid->lod = lod;
 }
@@ -158,7 +158,7 @@ static tp_fx carried(uint64_t turns, tp_fx still)
     return share > still ? share : still;
 }
 
-tp_lod_share tp_lod_swell_share(const tp_thinning *lod, tp_fx step, int64_t turns)
+tp_lod_share tp_lod_swell_share(const tp_lod_axis *lod, tp_fx step, int64_t turns)
 {
     uint64_t of_step = (uint64_t)(turns < 0 ? -turns : turns) * (uint32_t)step >> 32;
     tp_fx    still = 0;

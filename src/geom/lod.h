@@ -19,19 +19,19 @@
 #define TP_LOD_LEVELS 6         /* at most every 64th line is kept */
 
 /* State of an axis: of columns, or of rows. */
-typedef struct tp_thinning {
+typedef struct tp_lod_axis {
     tp_fx   eye, cell;
     tp_fx   least;              /* smallest step anywhere, m */
     int32_t rate[2];            /* step per distance, Q.24: on the lower side, on the
                                  * higher */
-} tp_thinning;
+} tp_lod_axis;
 
 /* Returns the allowed distance of lines at a position, m. */
-tp_fx tp_lod_step(const tp_thinning *lod, tp_fx place);
+tp_fx tp_lod_step(const tp_lod_axis *lod, tp_fx place);
 
-/* tp_lod_carve allocates the memory. tp_lod_thin removes lines of a grid with this
+/* tp_lod_layout allocates the memory. tp_lod_thin removes lines of a grid with this
  * memory, after the lines have been placed. */
-void tp_lod_carve(tp_grid *grid, tp_arena *arena);
+void tp_lod_layout(tp_grid *grid, tp_arena *arena);
 void tp_lod_thin(tp_grid *grid, const tp_grid_view *view);
 
 /* Remaining weights of a wave for a step: of its heights, of its slopes.  `turns` is
@@ -40,13 +40,13 @@ typedef struct {
     tp_fx height, slope;
 } tp_lod_share;
 
-tp_lod_share tp_lod_swell_share(const tp_thinning *lod, tp_fx step, int64_t turns);
+tp_lod_share tp_lod_swell_share(const tp_lod_axis *lod, tp_fx step, int64_t turns);
 
 /* Functions that a program links for level of detail. */
 struct tp_water_lod {
-    void (*carve)(tp_grid *grid, tp_arena *arena);
+    void (*layout)(tp_grid *grid, tp_arena *arena);
     void (*thin)(tp_grid *grid, const tp_grid_view *view);
-    tp_fx (*step)(const tp_thinning *lod, tp_fx place);
-    tp_lod_share (*share)(const tp_thinning *lod, tp_fx step, int64_t turns);
+    tp_fx (*step)(const tp_lod_axis *lod, tp_fx place);
+    tp_lod_share (*share)(const tp_lod_axis *lod, tp_fx step, int64_t turns);
 };
 #endif

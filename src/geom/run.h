@@ -7,8 +7,8 @@
 
 /* View coordinates of a run: x, y, depth, 16.16 m. */
 typedef struct {
-    int32_t at[3][TP_VERTEX_RUN];
-} tp_vertex_run;
+    int32_t at[3][TP_VERTEX_BATCH];
+} tp_vertex_batch;
 
 /* The inputs of a run: tables, first column, number of vertices; `still`: without waves. */
 typedef struct {
@@ -16,21 +16,21 @@ typedef struct {
     const tp_vertex_columns *columns;
     const tp_vertex_row     *row;
     uint32_t first, count;
-    bool     still;
-} tp_vertex_place_of;
+    bool     at_rest;
+} tp_vertex_batch_input;
 
-/* tp_run_displace_axis: displaces a run along a view axis: from + rest + the displacement by
- * swells. tp_run_set_slopes: computes the slopes. */
-void tp_run_displace_axis(const tp_vertex_place_of *place, int axis, const int32_t *from,
-                          int32_t rest, int32_t *to);
-void tp_run_set_slopes(const tp_vertex_place_of *place, tp_grid_vertex *to);
+/* tp_batch_displace_axis: displaces a run along a view axis: from + rest + the
+ * displacement by swells. tp_batch_set_slopes: computes the slopes. */
+void tp_batch_displace_axis(const tp_vertex_batch_input *place, int axis,
+                            const int32_t *from, int32_t rest, int32_t *to);
+void tp_batch_set_slopes(const tp_vertex_batch_input *place, tp_grid_vertex *to);
 
 /* Adds sharpened swells to undisplaced vertices, and computes the slopes. */
-void tp_run_add_sharp_swells(const tp_vertex_place_of *place, tp_vertex_run *run,
-                             tp_grid_vertex *vertex);
+void tp_batch_add_sharp_swells(const tp_vertex_batch_input *place, tp_vertex_batch *run,
+                               tp_grid_vertex *vertex);
 
 /* Adds the heights and slopes of rings and pools. */
-void tp_run_add_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
+void tp_batch_add_rings_and_pools(const tp_vertex_batch_input *place, tp_vertex_batch *run,
                        tp_grid_vertex *vertex);
 
 /* Returns sum + both products of the 16-bit halves; the same bits on every processor. */

@@ -19,11 +19,11 @@ static tp_vec3 displaced(const tp_grid *grid, uint32_t i, uint32_t j, tp_fx *dep
 
     if (fade == 0) {
         if (depth)
-            *depth = tp_ocean_floor(surface->ocean, rest.x, rest.z).depth;
+            *depth = tp_coastal_floor(surface->coastal, rest.x, rest.z).depth;
         return rest;
     }
-    tp_ocean_point p =
-        tp_ocean_displace_point(surface->ocean, surface->phases, rest.x, rest.z);
+    tp_coastal_point p =
+        tp_coastal_displace_point(surface->coastal, surface->phases, rest.x, rest.z);
     tp_vec3 way = tp_vec3_sub(p.position, rest);
     if (depth)
         *depth = p.depth;
@@ -73,27 +73,28 @@ static void displace_row(tp_grid *grid, uint32_t j)
 
 /* -- slopes ---------------------------------------------------------------------------- */
 
-/* Shifts a vector to a length below 2 km, the limit of tp_slopes_from_tangents.  In a grid with
- * cells of kilometres, smaller slopes cannot be told from flat. */
+/* Shifts a vector to a length below 2 km, the limit of tp_slopes_from_tangents.  In a
+ * grid with cells of kilometres, smaller slopes cannot be told from flat. */
 static tp_vec3 shortened(tp_vec3 v, int shift)
 {
     return (tp_vec3){ v.x >> shift, v.y >> shift, v.z >> shift };
 }
 
-static tp_vec3 add_relief_and_slopes(const tp_vec3 around[4], const tp_grid *grid,
-                                     tp_vec3 middle, tp_fx fade, int16_t slope[3])
+static tp_vec3 add_rings_pools_and_slopes(const tp_vec3 around[4], const tp_grid *grid,
+                                          tp_vec3 middle, tp_fx fade, int16_t slope[3])
 {
     const tp_surface *surface = grid->frame.surface;
     tp_vec3 across = tp_vec3_sub(around[1], around[0]);
     tp_vec3 along = tp_vec3_sub(around[3], around[2]);
     int     shift = across.x > 1000 * TP_FX_ONE || along.z > 1000 * TP_FX_ONE ? 5 : 0;
-    tp_relief sum = { 0, 0, 0 };
+    tp_height_slope sum = { 0, 0, 0 };
 
     if (fade != 0)
         tp_slopes_from_tangents(shortened(across, shift), shortened(along, shift),
                                 &sum.slope_x, &sum.slope_z);
-    if (tp_surface_has_relief(surface)) {
-        tp_relief relief = tp_surface_relief_faded(surface, middle.x, middle.z, fade);
+    if (tp_surface_has_rings_or_pools(surface)) {
+        tp_height_slope relief =
+            tp_surface_height_slope_faded(surface, middle.x, middle.z, fade);
         middle.y += relief.height;
         sum.slope_x += relief.slope_x;
         sum.slope_z += relief.slope_z;
@@ -127,7 +128,7 @@ static void project_vertex(const tp_projection *projection, tp_vec3 at,
     if (tp_projection_contains(projection, &c))
         tp_projection_project(projection, &c, &to->u, &to->v, &to->zi);
     else
-        to->u = TP_GRID_CUT;
+        to->u = TP_GRID_NEEDS_CLIP;
 }
 
 void tp_sheet_place_row(tp_grid *grid, uint32_t j, tp_grid_span needed)
@@ -144,8 +145,8 @@ void tp_sheet_place_row(tp_grid *grid, uint32_t j, tp_grid_span needed)
                                     row[next_clamped(i, grid->cols)],
                                     grid->sheet[near % 3][i], grid->sheet[far % 3][i] };
         int16_t slope[3];
-        tp_vec3 at =
-            add_relief_and_slopes(around, grid, row[i], vertex_fade(grid, i, j), slope);
+        tp_vec3 at = add_rings_pools_and_slopes(around, grid, row[i],
+                                                vertex_fade(grid, i, j), slope);
         project_vertex(grid->frame.projection, at, slope,
                        &grid->vertex[(size_t)j * grid->cols + i]);
     }
@@ -157,9 +158,10 @@ tp_view_vertex tp_sheet_make_view_vertex(const tp_grid *grid, uint32_t i, uint32
     tp_vec3 at = displaced(grid, i, j, NULL);
     tp_view_vertex c = { .s = grid->column[i].place, .t = grid->row[j].place };
 
-    if (tp_surface_has_relief(surface))
+    if (tp_surface_has_rings_or_pools(surface))
         at.y +=
-            tp_surface_relief_faded(surface, at.x, at.z, vertex_fade(grid, i, j)).height;
+            tp_surface_height_slope_faded(surface, at.x, at.z, vertex_fade(grid, i, j))
+                .height;
     tp_projection_view_vertex(grid->frame.projection, at, &c);
     return c;
 }

@@ -8,7 +8,7 @@
 
 static inline bool tp_grid_is_coastal(const tp_grid *grid)
 {
-    return grid->frame.surface->ocean && grid->dry;
+    return grid->frame.surface->coastal && grid->dry;
 }
 
 /* Returns the vertices of row j, first to end - 1, that the cells on both sides need. */

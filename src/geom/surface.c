@@ -15,40 +15,44 @@
 #define REACH TP_FX(511)/* m; the most without overhangs is 0.95 x 2000 / 2 pi = 303 */
 #define MIX   (4 * 256) /* largest part of a step taken back or repeated, Q8 */
 
-static void add_relief(tp_relief *sum, tp_relief more)
+static void add_height_slope(tp_height_slope *sum, tp_height_slope more)
 {
     sum->height += more.height;
     sum->slope_x += more.slope_x;
     sum->slope_z += more.slope_z;
 }
 
-tp_relief tp_surface_relief(const tp_surface *surface, tp_fx x, tp_fx z)
+tp_height_slope tp_surface_height_slope(const tp_surface *surface, tp_fx x, tp_fx z)
 {
-    tp_relief sum = { 0, 0, 0 };
+    tp_height_slope sum = { 0, 0, 0 };
 
     if (surface->rings)
-        sum = surface->by->rings->relief(surface->ring, surface->rings, x, z);
+        sum = surface->by->rings->height_slope(surface->ring, surface->rings, x, z);
     if (surface->pool)
-        add_relief(&sum, surface->by->pools->relief(surface->pool, x, z, surface->back));
+        add_height_slope(
+            &sum, surface->by->pools->height_slope(surface->pool, x, z, surface->lag));
     if (surface->field)
-        add_relief(&sum, surface->by->pools->relief(surface->field, x, z, surface->back));
+        add_height_slope(
+            &sum, surface->by->pools->height_slope(surface->field, x, z, surface->lag));
     return sum;
 }
 
-tp_relief tp_surface_relief_faded(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx fade)
+tp_height_slope tp_surface_height_slope_faded(const tp_surface *surface, tp_fx x, tp_fx z,
+                                              tp_fx fade)
 {
     TP_ASSERT(fade >= 0 && fade <= TP_FX_ONE);
     if (fade == 0)
-        return (tp_relief){ 0, 0, 0 };
-    tp_relief relief = tp_surface_relief(surface, x, z);
+        return (tp_height_slope){ 0, 0, 0 };
+    tp_height_slope relief = tp_surface_height_slope(surface, x, z);
     if (fade == TP_FX_ONE)
         return relief;
-    return (tp_relief){ tp_fx_mul(relief.height, fade), tp_fx_mul(relief.slope_x, fade),
-                        tp_fx_mul(relief.slope_z, fade) };
+    return (tp_height_slope){ tp_fx_mul(relief.height, fade),
+                              tp_fx_mul(relief.slope_x, fade),
+                              tp_fx_mul(relief.slope_z, fade) };
 }
 
 /* Returns a bound of the height: each ring adds at most 4 m, a pool at most its range. */
-static tp_fx relief_height_bound(const tp_surface *surface)
+static tp_fx rings_pools_height_bound(const tp_surface *surface)
 {
     int64_t sum = 0;
 
@@ -61,30 +65,32 @@ static tp_fx relief_height_bound(const tp_surface *surface)
     return (tp_fx)(sum < 1024 * TP_FX_ONE ? sum : 1024 * TP_FX_ONE);
 }
 
-tp_fx tp_surface_reach_bound(const tp_surface *surface)
+tp_fx tp_surface_displacement_bound(const tp_surface *surface)
 {
-    return surface->ocean ? surface->by->ocean->reach(surface->ocean) : surface->sea->reach;
+    return surface->coastal ? surface->by->coastal->max_displacement(surface->coastal)
+                            : surface->deep->max_displacement;
 }
 
 tp_fx tp_surface_height_bound(const tp_surface *surface)
 {
-    tp_fx waves = surface->ocean ? surface->by->ocean->height(surface->ocean)
-                                 : surface->sea->height;
-    return waves + relief_height_bound(surface);
+    tp_fx waves = surface->coastal ? surface->by->coastal->height(surface->coastal)
+                                   : surface->deep->height;
+    return waves + rings_pools_height_bound(surface);
 }
 
 /* A search along an axis: position, last error, step after that error. */
 typedef struct {
     tp_fx   at;
     int64_t error, step;
-} search;
+} axis_search;
 
 /* Moves the search.  The root lies within `reach` of the target, and the search stays
  * within `reach` too; at the ends of 16.16 the search stays there. */
-static void step_search(search *s, int64_t error, int64_t by, tp_fx place, tp_fx reach)
+static void step_search(axis_search *s, int64_t error, int64_t by, tp_fx place,
+                        tp_fx max_displacement)
 {
     int64_t step = error - by * (s->step + error - s->error) / 256;
-    int64_t off = tp_clamp_abs(s->at + step - place, reach);
+    int64_t off = tp_clamp_abs(s->at + step - place, max_displacement);
     tp_fx   to = tp_fx_saturate(place + off);
 
     s->step = (int64_t)to - s->at;
@@ -94,7 +100,8 @@ static void step_search(search *s, int64_t error, int64_t by, tp_fx place, tp_fx
 
 /* Returns the part of the step to take back, Q8.  Errors are below REACH + 303 m, 2^25.7,
  * so products have 54.4 bits, and 256 times the sum of two products fits. */
-static int64_t anderson_factor(const search *u, const search *w, int64_t dx, int64_t dz)
+static int64_t anderson_factor(const axis_search *u, const axis_search *w, int64_t dx,
+                               int64_t dz)
 {
     int64_t ux = dx - u->error, uz = dz - w->error, over = ux * ux + uz * uz;
     int64_t by = over > 0 ? (dx * ux + dz * uz) * 256 / over : 0;
@@ -104,69 +111,71 @@ static int64_t anderson_factor(const search *u, const search *w, int64_t dx, int
 
 /* Finds the surface point of coastal water, without slopes: they are differences
  * (set_ocean_slopes), because waves over a floor have no closed form. */
-static tp_sea_point sample_ocean(const tp_surface *surface, tp_fx x, tp_fx z,
-                                 tp_fx rest[2])
+static tp_surface_point sample_coastal(const tp_surface *surface, tp_fx x, tp_fx z,
+                                       tp_fx rest[2])
 {
-    tp_fx most = tp_ocean_max_displacement(surface->ocean),
-          reach = most < REACH ? most : REACH;
-    search u = { x, 0, 0 }, w = { z, 0, 0 };
-    tp_ocean_point at;
+    tp_fx most = tp_coastal_max_displacement(surface->coastal),
+          max_displacement = most < REACH ? most : REACH;
+    axis_search u = { x, 0, 0 }, w = { z, 0, 0 };
+    tp_coastal_point at;
 
-    step_search(&u, (int64_t)rest[0] - x, 0, x, reach);      /* limited to the box */
-    step_search(&w, (int64_t)rest[1] - z, 0, z, reach);
-    at = tp_ocean_displace_smooth(surface->ocean, surface->phases, u.at, w.at);
+    step_search(&u, (int64_t)rest[0] - x, 0, x,
+                max_displacement); /* limited to the box */
+    step_search(&w, (int64_t)rest[1] - z, 0, z, max_displacement);
+    at = tp_coastal_displace_smooth(surface->coastal, surface->phases, u.at, w.at);
     for (int n = 0; n < STEPS; n++) {
         int64_t dx = (int64_t)x - at.position.x, dz = (int64_t)z - at.position.z;
         if (dx < CLOSE && dx > -CLOSE && dz < CLOSE && dz > -CLOSE)
             break;
         int64_t by = n > 0 ? anderson_factor(&u, &w, dx, dz) : 0;
-        step_search(&u, dx, by, x, reach);
-        step_search(&w, dz, by, z, reach);
-        at = tp_ocean_displace_smooth(surface->ocean, surface->phases, u.at, w.at);
+        step_search(&u, dx, by, x, max_displacement);
+        step_search(&w, dz, by, z, max_displacement);
+        at = tp_coastal_displace_smooth(surface->coastal, surface->phases, u.at, w.at);
     }
     rest[0] = u.at;
     rest[1] = w.at;
-    return (tp_sea_point){ .position = at.position };
+    return (tp_surface_point){ .position = at.position };
 }
 
 /* Computes slopes from points 1/32 m away, an eighth of the shortest wave. */
-static void set_ocean_slopes(const tp_surface *surface, tp_sea_point *at,
-                             const tp_fx rest[2])
+static void set_coastal_slopes(const tp_surface *surface, tp_surface_point *at,
+                               const tp_fx rest[2])
 {
     const tp_fx d = TP_FX_ONE / 32;
     const tp_fx way[4][2] = { { -d, 0 }, { d, 0 }, { 0, -d }, { 0, d } };
     tp_vec3 p[4];
 
     for (int k = 0; k < 4; k++)
-        p[k] = tp_ocean_displace_smooth(surface->ocean, surface->phases,
+        p[k] = tp_coastal_displace_smooth(surface->coastal, surface->phases,
                                tp_fx_add_sat(rest[0], way[k][0]),
                                tp_fx_add_sat(rest[1], way[k][1])).position;
     tp_slopes_from_tangents(tp_vec3_sub(p[1], p[0]), tp_vec3_sub(p[3], p[2]), &at->slope_x,
                      &at->slope_z);
 }
 
-tp_sea_point tp_surface_ocean_sample(const tp_surface *surface, tp_fx x, tp_fx z,
-                                     tp_fx rest[2])
+tp_surface_point tp_surface_coastal_sample(const tp_surface *surface, tp_fx x, tp_fx z,
+                                           tp_fx rest[2])
 {
-    TP_ASSERT(surface->ocean != NULL && rest != NULL);
-    tp_sea_point at = sample_ocean(surface, x, z, rest);
-    set_ocean_slopes(surface, &at, rest);
+    TP_ASSERT(surface->coastal != NULL && rest != NULL);
+    tp_surface_point at = sample_coastal(surface, x, z, rest);
+    set_coastal_slopes(surface, &at, rest);
     return at;
 }
 
-tp_sea_point tp_surface_sample(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx rest[2])
+tp_surface_point tp_surface_sample(const tp_surface *surface, tp_fx x, tp_fx z,
+                                   tp_fx rest[2])
 {
     tp_fx from[2] = { x, z };
-    tp_sea_point at = { .position = { x, 0, z } };
+    tp_surface_point at = { .position = { x, 0, z } };
 
     if (!rest)
         rest = from;
-    if (surface->ocean)
-        at = surface->by->ocean->above(surface, x, z, rest);
+    if (surface->coastal)
+        at = surface->by->coastal->above(surface, x, z, rest);
     else if (surface->by->swells)
-        at = surface->by->swells->above(surface->sea, surface->phases, x, z, rest);
-    if (tp_surface_has_relief(surface)) {
-        tp_relief relief = tp_surface_relief(surface, x, z);
+        at = surface->by->swells->above(surface->deep, surface->phases, x, z, rest);
+    if (tp_surface_has_rings_or_pools(surface)) {
+        tp_height_slope relief = tp_surface_height_slope(surface, x, z);
         at.position.y += relief.height;
         at.slope_x += relief.slope_x;
         at.slope_z += relief.slope_z;

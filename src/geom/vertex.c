@@ -8,13 +8,13 @@
  * A vertex starts at *from + rest.  Q.18 times Q.30 leaves 16.16 in the upper word,
  * rounded by adding a half below.  A swell moves a point by less than 2^9 m, so a product
  * has 57 bits. */
-TP_ALWAYS_INLINE void add_swells(const tp_vertex_turn *number, const tp_vertex_turn *turn,
+TP_ALWAYS_INLINE void add_swells(const tp_vertex_phase *number, const tp_vertex_phase *turn,
                                  uint32_t stride, const int32_t *from, int32_t rest,
                                  uint32_t count, int swells, int32_t *to)
 {
-    const tp_vertex_turn none = { 0, 0 };
-    const tp_vertex_turn a = number[0], b = swells > 1 ? number[1] : none;
-    const tp_vertex_turn c = swells > 2 ? number[2] : none;
+    const tp_vertex_phase none = { 0, 0 };
+    const tp_vertex_phase a = number[0], b = swells > 1 ? number[1] : none;
+    const tp_vertex_phase c = swells > 2 ? number[2] : none;
     const int32_t *end = to + count;
 
     do {
@@ -53,7 +53,7 @@ static void convert_wide_coordinates(const int32_t *from, int32_t rest, uint32_t
 }
 
 /* Computes a view axis of a run; `still`: without waves. */
-static void compute_view_axis(const tp_vertex_place_of *place, int axis, bool still,
+static void compute_view_axis(const tp_vertex_batch_input *place, int axis, bool at_rest,
                               int32_t *to)
 {
     const tp_vertex_frame *frame = place->frame;
@@ -64,18 +64,18 @@ static void compute_view_axis(const tp_vertex_place_of *place, int axis, bool st
         convert_wide_coordinates(from, rest, place->count, frame->margin, to);
         from = to;
         rest = 0;
-    } else if (still) {
+    } else if (at_rest) {
         add_rest_offset(from, rest, place->count, to);
     }
-    if (!still)
-        frame->surface->by->swells->sway(place, axis, from, rest, to);
+    if (!at_rest)
+        frame->surface->by->swells->displace_axis(place, axis, from, rest, to);
 }
 
-void tp_run_displace_axis(const tp_vertex_place_of *place, int axis, const int32_t *from,
-                          int32_t rest, int32_t *to)
+void tp_batch_displace_axis(const tp_vertex_batch_input *place, int axis,
+                            const int32_t *from, int32_t rest, int32_t *to)
 {
-    const tp_vertex_turn *number = place->row->place[axis];
-    const tp_vertex_turn *turn
+    const tp_vertex_phase *number = place->row->place[axis];
+    const tp_vertex_phase *turn
         = place->columns->turn + (size_t)place->first * place->frame->count;
     uint32_t stride = place->frame->count, left = stride, count = place->count;
 
@@ -103,7 +103,7 @@ TP_ALWAYS_INLINE void add_slope_terms(tp_jacobian *j, uint32_t pair,
 
 /* Computes the slopes of a run from `swells` >= 1 swells; a literal 3 needs no inner
  * loop. */
-TP_ALWAYS_INLINE void set_run_slopes(const tp_vertex_place_of *place, uint32_t swells,
+TP_ALWAYS_INLINE void set_run_slopes(const tp_vertex_batch_input *place, uint32_t swells,
                                      bool crossed, tp_grid_vertex *to)
 {
     const uint32_t *pair = place->columns->pair + (size_t)place->first * swells;
@@ -127,12 +127,12 @@ TP_ALWAYS_INLINE void set_run_slopes(const tp_vertex_place_of *place, uint32_t s
     }
 }
 
-void tp_run_set_slopes(const tp_vertex_place_of *place, tp_grid_vertex *to)
+void tp_batch_set_slopes(const tp_vertex_batch_input *place, tp_grid_vertex *to)
 {
     TP_ASSERT(place->frame->count > 0);
     uint32_t swells = place->frame->count;
 
-    if (!place->frame->surface->sea->crossed)
+    if (!place->frame->surface->deep->crossed)
         set_run_slopes(place, swells, false, to);
     else if (swells == 3)
         set_run_slopes(place, 3, true, to);
@@ -147,10 +147,10 @@ static inline int32_t max_int32(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-/* True if the whole run is inside the projection and far away.  Both undisplaced ends of the
- * run must be, with a margin above any displacement.  Between the ends, positions change
- * in a single direction. */
-static bool is_run_far_in_view(const tp_vertex_place_of *place)
+/* True if the whole run is inside the projection and far away.  Both undisplaced ends
+ * of the run must be, with a margin above any displacement.  Between the ends,
+ * positions change in a single direction. */
+static bool is_run_far_in_view(const tp_vertex_batch_input *place)
 {
     const tp_vertex_frame *frame = place->frame;
     uint32_t first = place->first, last = first + place->count - 1;
@@ -172,7 +172,7 @@ static bool is_run_far_in_view(const tp_vertex_place_of *place)
            && (most + frame->margin) >> (TP_GUARD_LOG2 - frame->projection->m) < least;
 }
 
-static void project_far(const tp_projection *projection, const tp_vertex_run *from,
+static void project_far(const tp_projection *projection, const tp_vertex_batch *from,
                         uint32_t count, tp_grid_vertex *to)
 {
     const tp_projection local = { .m = projection->m,
@@ -182,12 +182,12 @@ static void project_far(const tp_projection *projection, const tp_vertex_run *fr
     const int32_t *at = from->at[0];
 
     for (uint32_t i = count; i > 0; i--, to++, at++)
-        tp_projection_project_scaled(&local, at[0], at[TP_VERTEX_RUN],
-                                     at[2 * TP_VERTEX_RUN], true, &to->u, &to->v,
+        tp_projection_project_scaled(&local, at[0], at[TP_VERTEX_BATCH],
+                                     at[2 * TP_VERTEX_BATCH], true, &to->u, &to->v,
                                      &to->zi);
 }
 
-static void project_any(const tp_projection *projection, const tp_vertex_run *from,
+static void project_any(const tp_projection *projection, const tp_vertex_batch *from,
                         uint32_t count, tp_grid_vertex *to)
 {
     for (uint32_t i = 0; i < count; i++, to++) {
@@ -196,25 +196,25 @@ static void project_any(const tp_projection *projection, const tp_vertex_run *fr
         if (tp_projection_contains(projection, &c))
             tp_projection_project(projection, &c, &to->u, &to->v, &to->zi);
         else
-            to->u = TP_GRID_CUT;
+            to->u = TP_GRID_NEEDS_CLIP;
     }
 }
 
 /* -- runs ------------------------------------------------------------------------------ */
 
 /* Computes view coordinates and, if `sloped`, the slopes of `vertex`. */
-static void displace(const tp_vertex_place_of *place, bool sloped, tp_vertex_run *run,
+static void displace(const tp_vertex_batch_input *place, bool sloped, tp_vertex_batch *run,
                      tp_grid_vertex *vertex)
 {
     const tp_surface *surface = place->frame->surface;
-    bool still = place->still || place->frame->count == 0;
-    bool sharpened = surface->sea->sharpened && !still && surface->by->sharp;
+    bool at_rest = place->at_rest || place->frame->count == 0;
+    bool sharpened = surface->deep->sharpened && !at_rest && surface->by->sharp;
 
     for (int axis = 0; axis < 3; axis++)
-        compute_view_axis(place, axis, still || sharpened, run->at[axis]);
+        compute_view_axis(place, axis, at_rest || sharpened, run->at[axis]);
     if (sharpened) {
         surface->by->sharp->run(place, run, vertex);
-    } else if (still) {
+    } else if (at_rest) {
         for (uint32_t i = 0; i < place->count; i++)
             vertex[i].slope_x = vertex[i].slope_z = 0;
     } else if (sloped) {
@@ -222,17 +222,18 @@ static void displace(const tp_vertex_place_of *place, bool sloped, tp_vertex_run
     }
     if (surface->rings)
         surface->by->rings->run(place, run, vertex);
-    else if (tp_surface_has_relief(surface))
+    else if (tp_surface_has_rings_or_pools(surface))
         surface->by->pools->run(place, run, vertex);
 }
 
-void tp_vertex_evaluate_run(const tp_vertex_frame *frame, const tp_vertex_columns *columns,
-                     const tp_vertex_row *row, uint32_t first, uint32_t count, bool still,
-                     tp_grid_vertex *vertex)
+void tp_vertex_evaluate_batch(const tp_vertex_frame *frame,
+                              const tp_vertex_columns *columns, const tp_vertex_row *row,
+                              uint32_t first, uint32_t count, bool at_rest,
+                              tp_grid_vertex *vertex)
 {
-    TP_ASSERT(count > 0 && count <= TP_VERTEX_RUN);
-    const tp_vertex_place_of place = { frame, columns, row, first, count, still };
-    tp_vertex_run run;
+    TP_ASSERT(count > 0 && count <= TP_VERTEX_BATCH);
+    const tp_vertex_batch_input place = { frame, columns, row, first, count, at_rest };
+    tp_vertex_batch run;
 
     displace(&place, true, &run, vertex);
     if (is_run_far_in_view(&place))
@@ -243,11 +244,11 @@ void tp_vertex_evaluate_run(const tp_vertex_frame *frame, const tp_vertex_column
 
 tp_view_vertex tp_vertex_make_view_vertex(const tp_vertex_frame *frame,
                                 const tp_vertex_columns *columns,
-                                const tp_vertex_row *row, uint32_t column, bool still)
+                                const tp_vertex_row *row, uint32_t column, bool at_rest)
 {
-    const tp_vertex_place_of place = { frame, columns, row, column, 1, still };
+    const tp_vertex_batch_input place = { frame, columns, row, column, 1, at_rest };
     tp_grid_vertex vertex = { .slope_x = 0 };
-    tp_vertex_run run;
+    tp_vertex_batch run;
 
     displace(&place, false, &run, &vertex);
     return (tp_view_vertex){

@@ -21,16 +21,16 @@
 #include "geom/geom.h"
 #include "geom/surface.h"
 
-#define TP_VERTEX_RUN 32        /* vertices processed at a time */
+#define TP_VERTEX_BATCH 32        /* vertices processed at a time */
 
 /* A grid vertex: displaced, projected, packed. */
 typedef struct {
-    int32_t  u, v;              /* 28.4 px; u = TP_GRID_CUT: needs clipping */
+    int32_t  u, v;              /* 28.4 px; u = TP_GRID_NEEDS_CLIP: needs clipping */
     uint32_t zi;                /* near / depth, Q1.31 */
     int16_t  slope_x, slope_z;  /* slopes, Q3.12 */
 } tp_grid_vertex;
 
-#define TP_GRID_CUT INT32_MIN
+#define TP_GRID_NEEDS_CLIP INT32_MIN
 
 typedef struct {
     tp_fx place;                /* rest position, world x or z, m */
@@ -40,7 +40,7 @@ typedef struct {
 /* Sine and cosine of a phase, Q2.30. */
 typedef struct {
     int32_t sin, cos;
-} tp_vertex_turn;
+} tp_vertex_phase;
 
 /* Numbers of a swell, constant in a frame. */
 typedef struct {
@@ -50,17 +50,17 @@ typedef struct {
     int32_t bend_xx, bend_xz, bend_zz;  /* QkA D D, Q.29; not crossed: xx is QkA */
 } tp_vertex_swell;
 
-struct tp_thinning;                     /* defined in geom/lod.h */
+struct tp_lod_axis;                     /* defined in geom/lod.h */
 
 typedef struct {
     const tp_projection    *projection;
     const tp_surface *surface;
-    const struct tp_thinning *lod;      /* for columns and rows; NULL: all lines are kept */
+    const struct tp_lod_axis *lod;      /* for columns and rows; NULL: all lines are kept */
     tp_vertex_swell   swell[TP_WAVES];
     uint32_t most;                      /* swells that the columns have memory for */
     uint32_t count;                     /* number of swells */
     int      tilt;                      /* fraction bits of slopes, 9..19 */
-    tp_fx    reach;                     /* largest displacement of a vertex, m */
+    tp_fx    max_displacement;                     /* largest displacement of a vertex, m */
     int32_t  margin;                    /* the same in view coordinates */
     int32_t  far;                       /* smallest depth for the fast projection */
     bool     wide;                      /* true if view coordinates may exceed 16.16 */
@@ -70,7 +70,7 @@ typedef struct {
 typedef struct {
     tp_grid_line   *line;
     int32_t        *rest[3];            /* parts of x, y, depth, by tp_vertex_rest_x */
-    tp_vertex_turn *turn;               /* with fading, unless the sea is sharpened */
+    tp_vertex_phase *turn;               /* with fading, unless the sea is sharpened */
     uint32_t       *pair;               /* two Q.15: the sine low, the cosine high */
 } tp_vertex_columns;
 
@@ -83,13 +83,13 @@ typedef struct {
 typedef struct {
     tp_grid_line   line;
     int32_t        rest[3];
-    tp_vertex_turn turn[TP_WAVES];      /* phase, with fading like the columns' pairs */
-    tp_vertex_turn place[3][TP_WAVES];  /* x, y, depth: m per sine and cosine, Q.18 */
+    tp_vertex_phase turn[TP_WAVES];      /* phase, with fading like the columns' pairs */
+    tp_vertex_phase place[3][TP_WAVES];  /* x, y, depth: m per sine and cosine, Q.18 */
     tp_vertex_tilt tilt[TP_WAVES];
 } tp_vertex_row;
 
-/* Starts a frame for water in x0..x1 and z0..z1.  The caller sets projection, surface and lod;
- * the function sets all other members. */
+/* Starts a frame for water in x0..x1 and z0..z1.  The caller sets projection, surface
+ * and lod; the function sets all other members. */
 void tp_vertex_begin(tp_vertex_frame *frame, tp_fx x0, tp_fx x1, tp_fx z0, tp_fx z1);
 
 /* Computes the numbers of all swells; after tp_vertex_begin. */
@@ -101,13 +101,13 @@ void tp_vertex_rest_x(const tp_vertex_frame *frame, tp_fx x, int32_t rest[3]);
 void tp_vertex_rest_z(const tp_vertex_frame *frame, tp_fx z, int32_t rest[3]);
 
 /* Returns sine and cosine within 2^-28. */
-tp_vertex_turn tp_vertex_turn_from_angle(tp_turn angle);
+tp_vertex_phase tp_vertex_phase_from_angle(tp_turn angle);
 
 /* Returns sine and cosine of the sum of two phases. */
-TP_ALWAYS_INLINE tp_vertex_turn tp_vertex_turned(tp_vertex_turn a, tp_vertex_turn b)
+TP_ALWAYS_INLINE tp_vertex_phase tp_vertex_phase_add(tp_vertex_phase a, tp_vertex_phase b)
 {
     const int64_t half = 1 << 29;
-    return (tp_vertex_turn){
+    return (tp_vertex_phase){
         .sin = (int32_t)(((int64_t)a.sin * b.cos + (int64_t)a.cos * b.sin + half) >> 30),
         .cos = (int32_t)(((int64_t)a.cos * b.cos - (int64_t)a.sin * b.sin + half) >> 30),
     };
@@ -121,16 +121,17 @@ void tp_vertex_set_columns(const tp_vertex_frame *frame, const tp_vertex_columns
  * sets line and rest. */
 void tp_vertex_set_row(const tp_vertex_frame *frame, tp_vertex_row *row, bool sloped);
 
-/* Evaluates `count` <= TP_VERTEX_RUN vertices from column `first`.  `still`: no wave
+/* Evaluates `count` <= TP_VERTEX_BATCH vertices from column `first`.  `still`: no wave
  * reaches any of the vertices (column or row without waves); a run must not mix both
  * cases. */
-void tp_vertex_evaluate_run(const tp_vertex_frame *frame, const tp_vertex_columns *columns,
-                     const tp_vertex_row *row, uint32_t first, uint32_t count, bool still,
-                     tp_grid_vertex *vertex);
+void tp_vertex_evaluate_batch(const tp_vertex_frame *frame,
+                              const tp_vertex_columns *columns, const tp_vertex_row *row,
+                              uint32_t first, uint32_t count, bool at_rest,
+                              tp_grid_vertex *vertex);
 
-/* Returns a vertex before projection, with the same bits that tp_vertex_evaluate_run projects;
- * its slopes stay 0.  The row needs no tilts. */
+/* Returns a vertex before projection, with the same bits that tp_vertex_evaluate_batch
+ * projects; its slopes stay 0.  The row needs no tilts. */
 tp_view_vertex tp_vertex_make_view_vertex(const tp_vertex_frame *frame,
                                 const tp_vertex_columns *columns,
-                                const tp_vertex_row *row, uint32_t column, bool still);
+                                const tp_vertex_row *row, uint32_t column, bool at_rest);
 #endif

@@ -14,17 +14,17 @@ typedef struct {
     int64_t hx, hz, bxx, bxz, bzz;
 } sums;
 
-TP_ALWAYS_INLINE tp_vertex_turn vertex_phase(const tp_vertex_place_of *place, uint32_t i,
-                                             uint32_t k)
+TP_ALWAYS_INLINE tp_vertex_phase vertex_phase(const tp_vertex_batch_input *place,
+                                              uint32_t i, uint32_t k)
 {
-    tp_vertex_turn a = place->columns->turn[(size_t)(place->first + i)
+    tp_vertex_phase a = place->columns->turn[(size_t)(place->first + i)
                                             * place->frame->count + k];
-    tp_vertex_turn b = place->row->turn[k];
-    return tp_vertex_turned(a, b);
+    tp_vertex_phase b = place->row->turn[k];
+    return tp_vertex_phase_add(a, b);
 }
 
 static void add_sharp_swell(sums *sum, const tp_vertex_swell *w, const tp_swell *swell,
-                            tp_vertex_turn th)
+                            tp_vertex_phase th)
 {
     int32_t f, df;
 
@@ -48,42 +48,42 @@ TP_ALWAYS_INLINE int32_t round_and_fade(int64_t sum, int down, tp_fx fade)
     return fade == TP_FX_ONE ? whole : tp_fx_mul(whole, fade);
 }
 
-TP_ALWAYS_INLINE tp_fx vertex_fade(const tp_vertex_place_of *place, uint32_t i)
+TP_ALWAYS_INLINE tp_fx vertex_fade(const tp_vertex_batch_input *place, uint32_t i)
 {
     return tp_fx_mul(place->row->line.fade, place->columns->line[place->first + i].fade);
 }
 
 /* Adds the share of the heights to the right, for a camera with roll.  A separate pass,
  * so other cameras pay nothing. */
-static void add_sharp_roll_shift(const tp_vertex_place_of *place, tp_vertex_run *run)
+static void add_sharp_roll_shift(const tp_vertex_batch_input *place, tp_vertex_batch *run)
 {
     const tp_vertex_frame *frame = place->frame;
-    const tp_sea *sea = frame->surface->sea;
+    const tp_deep_water *deep = frame->surface->deep;
 
     for (uint32_t i = 0; i < place->count; i++) {
         int64_t rise = 0;
         for (uint32_t k = 0; k < frame->count; k++) {
-            const tp_vertex_turn th = vertex_phase(place, i, k);
+            const tp_vertex_phase th = vertex_phase(place, i, k);
             int32_t f, df;
-            tp_swell_sharpen(&sea->swell[k], th.sin, th.cos, &f, &df);
+            tp_swell_sharpen(&deep->swell[k], th.sin, th.cos, &f, &df);
             rise += (int64_t)frame->swell[k].rise_x * f;
         }
         run->at[0][i] += round_and_fade(rise * 64, 34, vertex_fade(place, i));
     }
 }
 
-void tp_run_add_sharp_swells(const tp_vertex_place_of *place, tp_vertex_run *run,
-                             tp_grid_vertex *vertex)
+void tp_batch_add_sharp_swells(const tp_vertex_batch_input *place, tp_vertex_batch *run,
+                               tp_grid_vertex *vertex)
 {
     const tp_vertex_frame *frame = place->frame;
-    const tp_sea *sea = frame->surface->sea;
+    const tp_deep_water *deep = frame->surface->deep;
 
     for (uint32_t i = 0; i < place->count; i++) {
         tp_fx fade = tp_fx_mul(place->row->line.fade,
                                place->columns->line[place->first + i].fade);
         sums sum = { 0 };
         for (uint32_t k = 0; k < frame->count; k++)
-            add_sharp_swell(&sum, &frame->swell[k], &sea->swell[k],
+            add_sharp_swell(&sum, &frame->swell[k], &deep->swell[k],
                             vertex_phase(place, i, k));
         run->at[0][i] += round_and_fade(sum.along[0], 34, fade);
         run->at[1][i] += round_and_fade(sum.along[1] + sum.rise[0] * 64, 34, fade);
@@ -95,7 +95,7 @@ void tp_run_add_sharp_swells(const tp_vertex_place_of *place, tp_vertex_run *run
             .jzz = TP_JACOBIAN_ONE - round_and_fade(sum.bzz, 29, fade),
             .bxz = round_and_fade(sum.bxz, 29, fade),
         };
-        tp_set_slopes(&j, frame->tilt, sea->crossed, &vertex[i]);
+        tp_set_slopes(&j, frame->tilt, deep->crossed, &vertex[i]);
     }
     if (frame->projection->lean != 0)
         add_sharp_roll_shift(place, run);
@@ -104,20 +104,20 @@ void tp_run_add_sharp_swells(const tp_vertex_place_of *place, tp_vertex_run *run
 /* -- rings and pools ------------------------------------------------------------------- */
 
 /* Computes the world position of a displaced vertex. */
-TP_ALWAYS_INLINE void displace_vertex(const tp_vertex_place_of *place, uint32_t i,
+TP_ALWAYS_INLINE void displace_vertex(const tp_vertex_batch_input *place, uint32_t i,
                                       tp_fx *x, tp_fx *z)
 {
     const tp_vertex_frame *frame = place->frame;
-    const tp_sea *sea = frame->surface->sea;
+    const tp_deep_water *deep = frame->surface->deep;
     const tp_grid_line *line = &place->columns->line[place->first + i];
     tp_fx along_x = 0, along_z = 0;
 
-    for (uint32_t k = 0; k < frame->count && !place->still; k++) {
+    for (uint32_t k = 0; k < frame->count && !place->at_rest; k++) {
         tp_q30 c = vertex_phase(place, i, k).cos;
-        along_x += tp_q30_mul(sea->swell[k].reach_x, c);
-        along_z += tp_q30_mul(sea->swell[k].reach_z, c);
+        along_x += tp_q30_mul(deep->swell[k].orbit_x, c);
+        along_z += tp_q30_mul(deep->swell[k].orbit_z, c);
     }
-    if (sea->sharpened) {           /* turns of other seas have fading included */
+    if (deep->sharpened) {           /* turns of other seas have fading included */
         tp_fx fade = tp_fx_mul(place->row->line.fade, line->fade);
         along_x = tp_fx_mul(along_x, fade);
         along_z = tp_fx_mul(along_z, fade);
@@ -128,18 +128,18 @@ TP_ALWAYS_INLINE void displace_vertex(const tp_vertex_place_of *place, uint32_t 
 
 /* Adds the share of rings and pools to the right, for a camera with roll; see
  * lean_sharpened. */
-static void add_relief_roll_shift(const tp_vertex_place_of *place, tp_vertex_run *run)
+static void add_height_roll_shift(const tp_vertex_batch_input *place, tp_vertex_batch *run)
 {
     for (uint32_t i = 0; i < place->count; i++) {
         tp_fx x, z;
         displace_vertex(place, i, &x, &z);
-        const tp_relief relief = tp_surface_relief_faded(place->frame->surface, x, z,
-                                                         vertex_fade(place, i));
+        const tp_height_slope relief = tp_surface_height_slope_faded(
+            place->frame->surface, x, z, vertex_fade(place, i));
         run->at[0][i] += tp_q30_mul(relief.height, place->frame->projection->lean);
     }
 }
 
-void tp_run_add_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
+void tp_batch_add_rings_and_pools(const tp_vertex_batch_input *place, tp_vertex_batch *run,
                        tp_grid_vertex *vertex)
 {
     const tp_projection *projection = place->frame->projection;
@@ -149,7 +149,8 @@ void tp_run_add_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
         tp_fx fade = tp_fx_mul(place->row->line.fade,
                                place->columns->line[place->first + i].fade);
         displace_vertex(place, i, &x, &z);
-        tp_relief relief = tp_surface_relief_faded(place->frame->surface, x, z, fade);
+        tp_height_slope relief =
+            tp_surface_height_slope_faded(place->frame->surface, x, z, fade);
         run->at[1][i] += tp_q30_mul(relief.height, projection->up.y);
         run->at[2][i] += tp_q30_mul(relief.height, projection->ahead.y);
         vertex[i].slope_x = tp_saturated(vertex[i].slope_x
@@ -158,5 +159,5 @@ void tp_run_add_relief(const tp_vertex_place_of *place, tp_vertex_run *run,
                                          + ((relief.slope_z + 8) >> 4));
     }
     if (projection->lean != 0)
-        add_relief_roll_shift(place, run);
+        add_height_roll_shift(place, run);
 }

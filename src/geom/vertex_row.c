@@ -22,14 +22,14 @@ static int32_t convert_slope_bits(tp_q30 slope, int tilt)
 static tp_vertex_swell project_swell(const tp_vertex_frame *frame, const tp_swell *w)
 {
     const tp_projection *projection = frame->projection;
-    bool crossed = frame->surface->sea->crossed;
+    bool crossed = frame->surface->deep->crossed;
 
     return (tp_vertex_swell){
-        .x = dot_horizontal_q20(w->reach_x, projection->right.x, w->reach_z,
+        .x = dot_horizontal_q20(w->orbit_x, projection->right.x, w->orbit_z,
                                 projection->right.z),
-        .y = dot_horizontal_q20(w->reach_x, projection->up.x, w->reach_z,
+        .y = dot_horizontal_q20(w->orbit_x, projection->up.x, w->orbit_z,
                                 projection->up.z),
-        .depth = dot_horizontal_q20(w->reach_x, projection->ahead.x, w->reach_z,
+        .depth = dot_horizontal_q20(w->orbit_x, projection->ahead.x, w->orbit_z,
                                     projection->ahead.z),
         .rise_x = dot_horizontal_q20(w->amplitude, projection->lean, 0, 0),
         .rise_y = dot_horizontal_q20(w->amplitude, projection->up.y, 0, 0),
@@ -45,14 +45,14 @@ static tp_vertex_swell project_swell(const tp_vertex_frame *frame, const tp_swel
 /* Returns the number of fraction bits for slopes.  Each number of a row stays below 32000
  * in Q.tilt, to fit half of a pair.  The sum over all swells stays below 64000; it bounds
  * every sum of products with a sine and a cosine in Q.15, so the sum stays below 2^31. */
-static int choose_tilt_bits(const tp_sea *sea)
+static int choose_tilt_bits(const tp_deep_water *deep)
 {
     int64_t sum = 0, most = 0;
     int     tilt = 19;
 
-    for (uint32_t i = 0; i < sea->count; i++) {
-        sum += sea->swell[i].tilt;
-        most = sea->swell[i].tilt > most ? sea->swell[i].tilt : most;
+    for (uint32_t i = 0; i < deep->count; i++) {
+        sum += deep->swell[i].tilt;
+        most = deep->swell[i].tilt > most ? deep->swell[i].tilt : most;
     }
     most = 2 * most > sum ? 2 * most : sum;
     while (tilt > 9 && most * (1 << tilt) > (int64_t)64000 * TP_FX_ONE)
@@ -62,8 +62,8 @@ static int choose_tilt_bits(const tp_sea *sea)
 
 /* -- rest positions -------------------------------------------------------------------- */
 
-/* Computes the view coordinates of a vector.  Rows of the projection are no longer than 1.42,
- * and the eye is at most 24 km from water. */
+/* Computes the view coordinates of a vector.  Rows of the projection are no longer
+ * than 1.42, and the eye is at most 24 km from water. */
 static void transform_to_view(const tp_vertex_frame *frame, tp_vec3 d, int32_t rest[3])
 {
     const tp_projection *projection = frame->projection;
@@ -112,15 +112,15 @@ static bool needs_wide_coordinates(tp_vertex_frame *frame, const tp_fx x[2],
 void tp_vertex_begin(tp_vertex_frame *frame, tp_fx x0, tp_fx x1, tp_fx z0, tp_fx z1)
 {
     TP_ASSERT(frame->most <= TP_WAVES && x0 <= x1 && z0 <= z1);
-    const tp_sea *sea = frame->surface->sea;
+    const tp_deep_water *deep = frame->surface->deep;
     const tp_fx x[2] = { x0, x1 }, z[2] = { z0, z1 };
 
-    frame->count = sea->count < frame->most ? sea->count : frame->most;
+    frame->count = deep->count < frame->most ? deep->count : frame->most;
     if (!frame->surface->by->swells)
         frame->count = 0;
-    frame->reach =
-        tp_surface_height_bound(frame->surface) + tp_surface_reach_bound(frame->surface);
-    frame->margin = frame->reach + frame->reach / 2 + 4;
+    frame->max_displacement = tp_surface_height_bound(frame->surface)
+                              + tp_surface_displacement_bound(frame->surface);
+    frame->margin = frame->max_displacement + frame->max_displacement / 2 + 4;
     frame->far = 1 << (6 + frame->projection->m);
     if (frame->far < frame->projection->near)
         frame->far = frame->projection->near;
@@ -131,11 +131,11 @@ void tp_vertex_begin(tp_vertex_frame *frame, tp_fx x0, tp_fx x1, tp_fx z0, tp_fx
 
 void tp_vertex_set_swells(tp_vertex_frame *frame)
 {
-    const tp_sea *sea = frame->surface->sea;
+    const tp_deep_water *deep = frame->surface->deep;
 
-    frame->tilt = choose_tilt_bits(sea);
-    for (uint32_t i = 0; i < sea->count; i++)
-        frame->swell[i] = project_swell(frame, &sea->swell[i]);
+    frame->tilt = choose_tilt_bits(deep);
+    for (uint32_t i = 0; i < deep->count; i++)
+        frame->swell[i] = project_swell(frame, &deep->swell[i]);
 }
 
 /* -- phases ---------------------------------------------------------------------------- */
@@ -144,7 +144,7 @@ void tp_vertex_set_swells(tp_vertex_frame *frame)
  * d <= 2 pi / 2048:
  *     sin(a + d) = sin a + d cos a - d^2/2 sin a,  less d^3/6 < 5e-9.
  * d is Q.38 and below 2^30, d^2/2 is Q.45. */
-tp_vertex_turn tp_vertex_turn_from_angle(tp_turn angle)
+tp_vertex_phase tp_vertex_phase_from_angle(tp_turn angle)
 {
     const int32_t two_pi = 1686629713;                      /* 2 pi, Q.28 */
     tp_turn whole = (angle + (1u << 21)) & ~((1u << 22) - 1);
@@ -152,7 +152,7 @@ tp_vertex_turn tp_vertex_turn_from_angle(tp_turn angle)
     int32_t half = tp_mul_upper(d, d);
     int32_t s = tp_sin(whole), c = tp_cos(whole);
 
-    return (tp_vertex_turn){
+    return (tp_vertex_phase){
         .sin = s + ((tp_mul_upper(c, d) - (tp_mul_upper(s, half) >> 7) + 32) >> 6),
         .cos = c - ((tp_mul_upper(s, d) + (tp_mul_upper(c, half) >> 7) + 32) >> 6),
     };
@@ -165,12 +165,12 @@ static uint32_t pack_pair(int32_t low, int32_t high)
     return ((uint32_t)low & 0xffff) | (uint32_t)high << 16;
 }
 
-static tp_vertex_turn scale_turn(tp_vertex_turn turn, tp_fx fade)
+static tp_vertex_phase scale_turn(tp_vertex_phase turn, tp_fx fade)
 {
-    return (tp_vertex_turn){ tp_fx_mul(turn.sin, fade), tp_fx_mul(turn.cos, fade) };
+    return (tp_vertex_phase){ tp_fx_mul(turn.sin, fade), tp_fx_mul(turn.cos, fade) };
 }
 
-static uint32_t pair_of_turn(tp_vertex_turn turn)
+static uint32_t pair_of_turn(tp_vertex_phase turn)
 {
     return pack_pair((turn.sin + (1 << 14)) >> 15, (turn.cos + (1 << 14)) >> 15);
 }
@@ -187,7 +187,7 @@ static tp_lod_share line_swell_share(const tp_vertex_frame *frame, int way, tp_f
     return lod->share(&frame->lod[way], lod->step(&frame->lod[way], place), turns);
 }
 
-static tp_vertex_turn fade_turn(tp_vertex_turn turn, tp_fx fade)
+static tp_vertex_phase fade_turn(tp_vertex_phase turn, tp_fx fade)
 {
     return fade == TP_FX_ONE ? turn : scale_turn(turn, fade);
 }
@@ -198,19 +198,19 @@ static void set_column_turns(const tp_vertex_frame *frame,
                              const tp_vertex_columns *columns, uint32_t k, uint32_t first,
                              uint32_t end, tp_fx cell)
 {
-    const int64_t turns_x = frame->surface->sea->swell[k].turns_x;
-    const bool fading = !frame->surface->sea->sharpened;
-    tp_vertex_turn step = tp_vertex_turn_from_angle(tp_swell_turns(turns_x, cell));
-    tp_vertex_turn now = { 0, 0 };
+    const int64_t turns_x = frame->surface->deep->swell[k].turns_x;
+    const bool fading = !frame->surface->deep->sharpened;
+    tp_vertex_phase step = tp_vertex_phase_from_angle(tp_swell_turns(turns_x, cell));
+    tp_vertex_phase now = { 0, 0 };
 
     for (uint32_t i = first; i < end; i++) {
         const tp_grid_line *line = &columns->line[i];
         size_t at = (size_t)i * frame->count + k;
-        if ((i - first) % TP_VERTEX_RUN == 0 || line->place - line[-1].place != cell)
-            now = tp_vertex_turn_from_angle(tp_swell_turns(turns_x, line->place));
+        if ((i - first) % TP_VERTEX_BATCH == 0 || line->place - line[-1].place != cell)
+            now = tp_vertex_phase_from_angle(tp_swell_turns(turns_x, line->place));
         else
-            now = tp_vertex_turned(now, step);
-        tp_vertex_turn turn = fading ? fade_turn(now, line->fade) : now;
+            now = tp_vertex_phase_add(now, step);
+        tp_vertex_phase turn = fading ? fade_turn(now, line->fade) : now;
         tp_lod_share share = line_swell_share(frame, 0, line->place, turns_x);
         columns->turn[at] = fade_turn(turn, share.height);
         columns->pair[at] = pair_of_turn(fade_turn(turn, share.slope));
@@ -227,10 +227,10 @@ void tp_vertex_set_columns(const tp_vertex_frame *frame, const tp_vertex_columns
 /* -- rows ------------------------------------------------------------------------------ */
 
 /* Splits C cos + S sin of the whole phase into factors of the column's sine and cosine. */
-static tp_vertex_turn split_column_factors(int32_t c, int32_t s, tp_vertex_turn b)
+static tp_vertex_phase split_column_factors(int32_t c, int32_t s, tp_vertex_phase b)
 {
     const int64_t half = (int64_t)1 << 31;
-    return (tp_vertex_turn){
+    return (tp_vertex_phase){
         tp_upper((int64_t)s * b.cos - (int64_t)c * b.sin + half),
         tp_upper((int64_t)c * b.cos + (int64_t)s * b.sin + half),
     };
@@ -251,11 +251,11 @@ static void set_position_factors(const tp_vertex_frame *frame, tp_vertex_row *ro
 
     for (uint32_t k = 0; k < frame->count; k++) {
         const tp_vertex_swell *w = &frame->swell[k];
-        const int64_t turns_z = surface->sea->swell[k].turns_z;
-        tp_vertex_turn b = tp_vertex_turn_from_angle(surface->phases[k]
+        const int64_t turns_z = surface->deep->swell[k].turns_z;
+        tp_vertex_phase b = tp_vertex_phase_from_angle(surface->phases[k]
                                              + tp_swell_turns(turns_z, row->line.place));
         tp_lod_share share = line_swell_share(frame, 1, row->line.place, turns_z);
-        if (!surface->sea->sharpened)
+        if (!surface->deep->sharpened)
             b = fade_turn(b, row->line.fade);
         row->turn[k] = fade_turn(b, share.slope);
         b = fade_turn(b, share.height);
@@ -269,7 +269,7 @@ static void set_slope_factors(const tp_vertex_frame *frame, tp_vertex_row *row)
 {
     for (uint32_t k = 0; k < frame->count; k++) {
         const tp_vertex_swell *w = &frame->swell[k];
-        tp_vertex_turn b = row->turn[k];
+        tp_vertex_phase b = row->turn[k];
         row->tilt[k] = (tp_vertex_tilt){
             .tilt_x = pair_upper(-w->tilt_x, w->tilt_x, b.sin, b.cos),
             .tilt_z = pair_upper(-w->tilt_z, w->tilt_z, b.sin, b.cos),

@@ -92,14 +92,14 @@ void tp_store_rgb565(void *row, int x_in_row, int x, int y, const uint32_t *colo
     store_rgb565((uint8_t *)row + 2 * x_in_row, colours, count, 0);
 }
 
-TP_ALWAYS_INLINE uint32_t tone_map_rgb565(const tp_toned *t, uint32_t c)
+TP_ALWAYS_INLINE uint32_t tone_map_rgb565(const tp_rgb565_tone_map *t, uint32_t c)
 {
     return (uint32_t)t->five[c >> 16 & 0xff] << 11 | (uint32_t)t->six[c >> 8 & 0xff] << 5
          | t->five[c & 0xff];
 }
 
-void tp_store_rgb565_toned(const tp_toned *t, uint16_t *to, const uint32_t *colours,
-                           int count)
+void tp_store_rgb565_tone_mapped(const tp_rgb565_tone_map *t, uint16_t *to,
+                                 const uint32_t *colours, int count)
 {
     TP_ASSERT((uintptr_t)to % 2 == 0);
     int i = 0;

@@ -10,17 +10,18 @@
 typedef struct {
     uint8_t five[256], six[256];        /* five: levels of red and blue;
                                          * six: levels of green */
-} tp_toned;
+} tp_rgb565_tone_map;
 
 /* Sets entry i to the RGB565 levels of the tone-mapped channel value `tone`. */
-static inline void tp_toned_set(tp_toned *toned, uint32_t i, uint32_t tone)
+static inline void tp_rgb565_tone_map_set(tp_rgb565_tone_map *tone_map, uint32_t i,
+                                          uint32_t tone)
 {
     const uint32_t pixel = tp_rgb565(tone << 16 | tone << 8 | tone);
 
-    toned->five[i] = (uint8_t)(pixel & 31);
-    toned->six[i] = (uint8_t)(pixel >> 5 & 63);
+    tone_map->five[i] = (uint8_t)(pixel & 31);
+    tone_map->six[i] = (uint8_t)(pixel >> 5 & 63);
 }
 
-void tp_store_rgb565_toned(const tp_toned *toned, uint16_t *to, const uint32_t *colours,
-                           int count);
+void tp_store_rgb565_tone_mapped(const tp_rgb565_tone_map *tone_map, uint16_t *to,
+                                 const uint32_t *colours, int count);
 #endif

@@ -109,11 +109,11 @@ typedef struct {
     bool     tiled;
     const uint8_t *walls, *sponge;      /* NULL: none */
     edges    edge;
-} sheet;
+} flux_cells;
 
 /* Updates the fluxes q from the cells of row y to the cells `to`. */
-static int32_t update_row_fluxes(const sheet *s, uint32_t y, int32_t *q, const int32_t *to,
-                        int32_t way)
+static int32_t update_row_fluxes(const flux_cells *s, uint32_t y, int32_t *q,
+                                 const int32_t *to, int32_t way)
 {
     const size_t at = (size_t)y * s->cols;
     const int32_t *const from = s->h + at;
@@ -134,7 +134,7 @@ static int32_t update_row_fluxes(const sheet *s, uint32_t y, int32_t *q, const i
  * cell from behind the row.  This number is replaced for the time of the loop: by the first
  * cell of the row in a tiled field, otherwise by the last cell itself, where nothing
  * flows. */
-static int32_t update_right_fluxes(const sheet *s, uint32_t y)
+static int32_t update_right_fluxes(const flux_cells *s, uint32_t y)
 {
     int32_t *const h = s->h + (size_t)y * s->cols, *const beyond = h + s->cols;
     const int32_t kept = *beyond;
@@ -148,7 +148,7 @@ static int32_t update_right_fluxes(const sheet *s, uint32_t y)
 /* Updates the heights of row y.  The first cell reads the flux from its left in
  * right[-1], replaced for the time of the loop by the flux of the last column: 0 if the
  * field ends there. */
-static void apply_row_fluxes(const sheet *s, uint32_t y)
+static void apply_row_fluxes(const flux_cells *s, uint32_t y)
 {
     const uint32_t cols = s->cols;
     const size_t at = (size_t)y * cols;
@@ -164,7 +164,7 @@ static void apply_row_fluxes(const sheet *s, uint32_t y)
 /* Runs a step, row by row.  The heights of a row change as soon as the fluxes of the row
  * are known: later rows do not read the old heights.  The last row of a tiled field is an
  * exception: its fluxes down need the old row 0 and are computed first. */
-static int32_t step_rows(const sheet *s)
+static int32_t step_rows(const flux_cells *s)
 {
     const uint32_t last = s->rows - 1;
     int32_t moved = s->tiled ? update_row_fluxes(s, last, s->down, s->h, DOWN) : 0;
@@ -183,7 +183,7 @@ void tp_pool_step_32(tp_pool *pool)
 {
     const size_t count = tp_pool_count(pool);
     int32_t *const h = tp_pool_pointer(pool, sizeof *pool);
-    const sheet s = {
+    const flux_cells s = {
         .h = h, .right = h + count, .down = h + 2 * count,
         .cols = pool->cols, .rows = pool->rows, .tiled = pool->edges == TP_EDGES_TILE,
         .walls = pool->walls != 0 ? tp_pool_const_pointer(pool, pool->walls) : NULL,
@@ -191,9 +191,9 @@ void tp_pool_step_32(tp_pool *pool)
         .edge = { .rate = (int32_t)tp_pool_courant_sq_q10(pool),
                   .damping = (int32_t)pool->damping },
     };
-    TP_ASSERT(s.edge.rate <= TP_R2Q_MAX && s.edge.damping >= 4);
+    TP_ASSERT(s.edge.rate <= TP_COURANT_SQ_MAX_Q10 && s.edge.damping >= 4);
     const int32_t moved = step_rows(&s);
 
-    pool->at_rest = moved == 0 && pool->still != 0;
-    pool->still = moved == 0;
+    pool->at_rest = moved == 0 && pool->no_flux != 0;
+    pool->no_flux = moved == 0;
 }

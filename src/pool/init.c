@@ -28,8 +28,10 @@ static uint32_t max_stable_courant_sq(uint32_t damping)
  * 52 bits at the most. */
 tp_fx tp_pool_noise(tp_fx courant, uint32_t damping)
 {
-    const uint32_t r2q = tp_pool_square_courant(courant), m = damping < 10 ? damping : 10;
-    return (tp_fx)tp_isqrt64(((uint64_t)1 << (42 + m)) / (24 * (r2q ? r2q : 1)));
+    const uint32_t courant_sq_q10 = tp_pool_square_courant(courant),
+                   m = damping < 10 ? damping : 10;
+    return (tp_fx)tp_isqrt64(((uint64_t)1 << (42 + m))
+                             / (24 * (courant_sq_q10 ? courant_sq_q10 : 1)));
 }
 
 #define RANGE(field, good) \
@@ -46,9 +48,9 @@ static tp_status check_numbers(const tp_pool_config *c, tp_error *err)
     RANGE("range",
           c->cells == TP_CELLS_32 || is_in_range(c->range, TP_FX(0.01), TP_FX(64)));
     RANGE("cell", is_in_range(c->cell, TP_FX(0.01), TP_FX(50)));
-    RANGE("feed_low", c->feed_low >= 0);
-    RANGE("feed", c->feed >= 0);
-    if (c->feed_low > c->feed_high)
+    RANGE("feed_low", c->drive_min >= 0);
+    RANGE("feed", c->drive_amplitude >= 0);
+    if (c->drive_min > c->drive_max)
         return tp_error_blame(err, TP_FAIL(err, TP_E_POOL_FEED, 0, 0, 0), "feed_low");
     return TP_OK;
 }
@@ -119,7 +121,7 @@ tp_pool_layout tp_pool_layout_make(const tp_pool_config *config)
     reserve_bytes(&at.bytes, gears ? count * 2 * lsb : count * 12);
     at.walls = reserve_bytes(&at.bytes, config->mask != NULL || sponge ? count : 0);
     at.sponge = reserve_bytes(&at.bytes, sponge ? cols + config->rows : 0);
-    at.work = reserve_bytes(&at.bytes, gears ? (cols + 1) * lsb : 0);
+    at.scratch = reserve_bytes(&at.bytes, gears ? (cols + 1) * lsb : 0);
     at.first = reserve_bytes(&at.bytes, gears && tiled ? cols * 2 * lsb : 0);
     at.bytes = (at.bytes + 7) & ~7u;
     return at;
@@ -181,18 +183,24 @@ tp_status tp_pool_init(tp_pool *pool, const tp_pool_config *config, tp_error *er
     const tp_pool_layout at = tp_pool_layout_make(config);
     memset(pool, 0, at.bytes);
     *pool = (tp_pool){
-        .cols = config->cols, .rows = config->rows,
-        .cells = config->cells, .edges = config->edges,
-        .r2q = tp_pool_square_courant(config->courant), .damping = config->damping,
-        .range = config->range, .cell = config->cell, .x = config->x, .z = config->z,
+        .cols = config->cols,
+        .rows = config->rows,
+        .cells = config->cells,
+        .edges = config->edges,
+        .courant_sq_q10 = tp_pool_square_courant(config->courant),
+        .damping = config->damping,
+        .range = config->range,
+        .cell = config->cell,
+        .x = config->x,
+        .z = config->z,
         .turns_x = reciprocal_q64((uint64_t)config->cell * config->cols),
         .turns_z = reciprocal_q64((uint64_t)config->cell * config->rows),
-        .feed_low = config->feed_low, .feed_high = config->feed_high,
-        .feed = config->feed, .random = 1, .at_rest = 1, .still = 1,
-        .walls = at.walls, .sponge = at.sponge, .work = at.work, .first = at.first,
+        .drive_min = config->drive_min, .drive_max = config->drive_max,
+        .drive_amplitude = config->drive_amplitude, .random = 1, .at_rest = 1, .no_flux = 1,
+        .walls = at.walls, .sponge = at.sponge, .scratch = at.scratch, .first = at.first,
     };
     set_scale_factors(pool);
-    pool->feed_peak = tp_pool_lsb(pool, config->feed);
+    pool->drive_peak = tp_pool_from_metres(pool, config->drive_amplitude);
     if (pool->walls != 0)
         tp_pool_set_walls(pool, config->mask);
     if (pool->sponge != 0)

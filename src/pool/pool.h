@@ -29,9 +29,9 @@ typedef struct {
                              * 32-bit cells are Q8.24 metres and ignore `range` */
     tp_fx    cell;          /* side of a cell, m, 0.01..50 */
     tp_fx    x, z;          /* centre of the field, m */
-    tp_fx    feed_low, feed_high;   /* band of the rms height, m; splashes keep the rms
+    tp_fx    drive_min, drive_max;   /* band of the rms height, m; splashes keep the rms
                                      * inside [C16]; 0, 0: no splashes */
-    tp_fx    feed;          /* height of an injected splash, m */
+    tp_fx    drive_amplitude;          /* height of an injected splash, m */
     const tp_grey *mask;    /* stretched over all cells: darker than half is wall; or
                              * NULL */
 } tp_pool_config;
@@ -43,22 +43,22 @@ typedef struct {
 typedef struct {
     uint32_t cols, rows;
     uint32_t cells, edges;          /* tp_cells, tp_edges */
-    uint32_t r2q;                   /* 1024 r^2, rounded */
+    uint32_t courant_sq_q10;                   /* 1024 r^2, rounded */
     uint32_t damping;               /* damping exponent m */
     tp_fx    range, cell, x, z;
     uint64_t turns_x, turns_z;      /* 2^64 / (cells x cell): the field is one turn */
     int32_t  unit_q, unit_shift;    /* fine height (fine.h) to metres, 16.16: factor */
     int32_t  slope_q, slope_shift;  /* factor from a difference over two cells to a slope */
-    tp_fx    feed_low, feed_high, feed;
-    int32_t  feed_peak;             /* height of an injection, LSB, adapted by [C16] */
-    uint32_t feed_ticks, feed_hits; /* of the current window: ticks, ticks with an
+    tp_fx    drive_min, drive_max, drive_amplitude;
+    int32_t  drive_peak;             /* height of an injection, LSB, adapted by [C16] */
+    uint32_t drive_ticks, drive_hits; /* of the current window: ticks, ticks with an
                                      * injection */
     uint32_t random;                /* state of the drive's random sequence */
     uint32_t injections;            /* number of injections since init */
     uint32_t gear;                  /* ticks left in gear A; 0: gear B [C11] */
     uint32_t at_rest;               /* true: all is still until the next injection */
-    uint32_t still;                 /* 32 bits: no flux in the last step */
-    uint32_t walls, sponge, work, first;    /* byte offsets from the head; 0: none */
+    uint32_t no_flux;                 /* 32 bits: no flux in the last step */
+    uint32_t walls, sponge, scratch, first;    /* byte offsets from the head; 0: none */
     uint64_t tick;
 } tp_pool;
 
@@ -111,7 +111,7 @@ void tp_pool_step(tp_pool *pool);
  * `back`, 0..1 (16.16), is the fraction of a tick to look into the past.  The slope of
  * a cell is the central difference of its two neighbours [A6]; slopes are continuous
  * too.  Walls mirror. */
-tp_relief tp_pool_relief(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx back);
+tp_height_slope tp_pool_height_slope(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx lag);
 
 /* Makes a splash of zero sum [C11] [D5]: `height` m in the middle, width sigma m (at least
  * 1.5 cells).  A part inside walls or outside of the field is left out, and the rest is
@@ -126,7 +126,7 @@ bool tp_pool_cell(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col, uint32_t
  * with the highest addition. */
 int32_t tp_pool_add(tp_pool *pool, uint32_t col, uint32_t row, int32_t lsb);
 void    tp_pool_wake(tp_pool *pool, int32_t peak_lsb);
-int32_t tp_pool_lsb(const tp_pool *pool, tp_fx metres);     /* rounded to nearest */
+int32_t tp_pool_from_metres(const tp_pool *pool, tp_fx metres);     /* rounded to nearest */
 
 /* Returns a bound of |height| of the water, m. */
 tp_fx tp_pool_height_bound(const tp_pool *pool);
@@ -164,10 +164,10 @@ typedef struct { int16_t h, v; } tp_pool_pair_16;
 enum { TP_FULL_8 = 127, TP_FULL_16 = 32767, TP_FULL_32 = (1 << 30) - 1 };
 
 /* Length of the window in which the drive counts its injections, ticks [C16]. */
-enum { TP_FEED_WINDOW = 64 };
+enum { TP_DRIVE_WINDOW = 64 };
 
 /* Largest r2q of a step (r = 0.865): no product of a step overflows. */
-enum { TP_R2Q_MAX = 767 };
+enum { TP_COURANT_SQ_MAX_Q10 = 767 };
 
 static inline int32_t tp_pool_max_lsb(const tp_pool *pool)
 {
@@ -205,7 +205,8 @@ static inline uint32_t tp_pool_square_courant(tp_fx courant)
 
 static inline uint32_t tp_pool_courant_sq_q10(const tp_pool *pool)
 {
-    return pool->r2q < TP_R2Q_MAX ? pool->r2q : TP_R2Q_MAX;
+    return pool->courant_sq_q10 < TP_COURANT_SQ_MAX_Q10 ? pool->courant_sq_q10
+                                                        : TP_COURANT_SQ_MAX_Q10;
 }
 
 /* Returns x 2^n, for n >= 0 and results in range. */
@@ -215,7 +216,7 @@ static inline int32_t tp_pool_shift_left(int32_t x, uint32_t n)
 }
 
 /* Layout of the block of a config: offsets of the parts, and `bytes`, the total size. */
-typedef struct { uint32_t walls, sponge, work, first, bytes; } tp_pool_layout;
+typedef struct { uint32_t walls, sponge, scratch, first, bytes; } tp_pool_layout;
 tp_pool_layout tp_pool_layout_make(const tp_pool_config *config);
 
 /* Marks the walls of `mask` (may be NULL) and of the edges.  The sizes must already be
@@ -255,12 +256,12 @@ void tp_pool_add_splash_cells(tp_pool *pool, uint64_t u, uint64_t w, tp_fx sigma
 /* Slopes dy/dx and dy/dz, Q3.12, clamped to +-4. */
 typedef struct { int16_t x, z; } tp_pool_slope;
 
-/* Writes the slopes at all cell centres times `gain`, at `back` of a tick in the past.  A
- * border of one cell all round is wrapped or mirrored: the table has (rows + 2) x (cols +
- * 2) entries, and bilinear sampling needs no special case at the edges.  Sampled slopes
- * equal the slopes of tp_pool_relief, except inside walls: there the sampled slopes fade
- * out over one cell. */
-void tp_pool_slopes(const tp_pool *pool, tp_fx back, tp_fx gain, tp_pool_slope *to);
+/* Writes the slopes at all cell centres times `gain`, at `back` of a tick in the past.
+ * A border of one cell all round is wrapped or mirrored: the table has (rows + 2) x
+ * (cols + 2) entries, and bilinear sampling needs no special case at the edges.
+ * Sampled slopes equal the slopes of tp_pool_height_slope, except inside walls: there
+ * the sampled slopes fade out over one cell. */
+void tp_pool_slopes(const tp_pool *pool, tp_fx lag, tp_fx gain, tp_pool_slope *to);
 
 /* True if a pool from outside of the program is safe to step and read.  All fields derived
  * from the config must equal the fields of `fresh`, a pool of the same config.  Cells and

@@ -42,14 +42,14 @@ bool tp_pool_cell(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col, uint32_t
 
 /* tp_pool_fine_height for any kind of cell; slower. */
 static int32_t fine_height_any(const tp_pool *pool, uint32_t col, uint32_t row,
-                               tp_fx back)
+                               tp_fx lag)
 {
-    return tp_pool_fine_height(pool, col, row, row * pool->cols, back,
+    return tp_pool_fine_height(pool, col, row, row * pool->cols, lag,
                                (tp_cells)pool->cells, 1);
 }
 
 int32_t tp_pool_fine_height_or_wall(const tp_pool *pool, uint32_t col, uint32_t row,
-                                    tp_fx back, int32_t inside)
+                                    tp_fx lag, int32_t inside)
 {
     TP_ASSERT(col < pool->cols && row < pool->rows);
     static const int8_t beside[4][2] = { { -1, 0 }, { 1, 0 }, { 0, -1 }, { 0, 1 } };
@@ -58,12 +58,12 @@ int32_t tp_pool_fine_height_or_wall(const tp_pool *pool, uint32_t col, uint32_t 
     int32_t    open = 0;
 
     if (!tp_pool_is_wall(pool, row * pool->cols + col))
-        return fine_height_any(pool, col, row, back);
+        return fine_height_any(pool, col, row, lag);
     for (int n = 0; n < 4; n++) {
         const uint32_t x = tp_pool_folded((int32_t)col + beside[n][0], pool->cols, tiled);
         const uint32_t y = tp_pool_folded((int32_t)row + beside[n][1], pool->rows, tiled);
         if (!tp_pool_is_wall(pool, y * pool->cols + x)) {
-            sum += fine_height_any(pool, x, y, back);
+            sum += fine_height_any(pool, x, y, lag);
             open++;
         }
     }
@@ -74,7 +74,7 @@ int32_t tp_pool_fine_height_or_wall(const tp_pool *pool, uint32_t col, uint32_t 
 typedef struct {
     uint32_t col[4], row[4];
     uint32_t s, t;              /* fraction from col[1], row[1] on, 1/65536 */
-    tp_fx    back;
+    tp_fx    lag;
 } patch;
 
 typedef struct { int32_t h[4][4]; } heights;    /* fine heights, [row][column] */
@@ -88,28 +88,27 @@ TP_ALWAYS_INLINE void gather_patch_row(const tp_pool *pool, const patch *p, heig
 {
     const uint32_t row = p->row[i], base = row * pool->cols;
 
-    to->h[i][1] = tp_pool_fine_height(pool, p->col[1], row, base, p->back, cells,
+    to->h[i][1] = tp_pool_fine_height(pool, p->col[1], row, base, p->lag, cells,
                                       interpolated);
-    to->h[i][2] = tp_pool_fine_height(pool, p->col[2], row, base, p->back, cells,
+    to->h[i][2] = tp_pool_fine_height(pool, p->col[2], row, base, p->lag, cells,
                                       interpolated);
     if (!no_corners) {
         to->h[i][0] =
-            tp_pool_fine_height(pool, p->col[0], row, base, p->back, cells,
+            tp_pool_fine_height(pool, p->col[0], row, base, p->lag, cells,
                                       interpolated);
         to->h[i][3] =
-            tp_pool_fine_height(pool, p->col[3], row, base, p->back, cells,
-                                      interpolated);
+            tp_pool_fine_height(pool, p->col[3], row, base, p->lag, cells, interpolated);
     }
 }
 
-#define X(name, cells, moves)                                                           \
-    static void name(const tp_pool *restrict pool, const patch *restrict p,             \
-                     heights *restrict to)                                              \
-    {                                                                                   \
-        gather_patch_row(pool, p, to, 0, 1, cells, moves);                              \
-        gather_patch_row(pool, p, to, 1, 0, cells, moves);                              \
-        gather_patch_row(pool, p, to, 2, 0, cells, moves);                              \
-        gather_patch_row(pool, p, to, 3, 1, cells, moves);                              \
+#define X(name, cells, interpolates)                                                     \
+    static void name(const tp_pool *restrict pool, const patch *restrict p,              \
+                     heights *restrict to)                                               \
+    {                                                                                    \
+        gather_patch_row(pool, p, to, 0, 1, cells, interpolates);                        \
+        gather_patch_row(pool, p, to, 1, 0, cells, interpolates);                        \
+        gather_patch_row(pool, p, to, 2, 0, cells, interpolates);                        \
+        gather_patch_row(pool, p, to, 3, 1, cells, interpolates);                        \
     }
 X(now_8, TP_CELLS_8, 0) X(now_16, TP_CELLS_16, 0) X(now_32, TP_CELLS_32, 0)
 X(back_8, TP_CELLS_8, 1) X(back_16, TP_CELLS_16, 1) X(back_32, TP_CELLS_32, 1)
@@ -119,29 +118,29 @@ X(back_8, TP_CELLS_8, 1) X(back_16, TP_CELLS_16, 1) X(back_32, TP_CELLS_32, 1)
 static void gather_walls(const tp_pool *pool, const patch *p, heights *to, uint32_t col,
                          uint32_t row)
 {
-    const int32_t own = fine_height_any(pool, col, row, p->back);
+    const int32_t own = fine_height_any(pool, col, row, p->lag);
 
     for (int n = 0; n < 16; n++) {
         const int i = n >> 2, j = n & 3;
         if (i % 3 != 0 || j % 3 != 0)           /* no corner */
             to->h[i][j] =
-                tp_pool_fine_height_or_wall(pool, p->col[j], p->row[i], p->back, own);
+                tp_pool_fine_height_or_wall(pool, p->col[j], p->row[i], p->lag, own);
     }
 }
 
 static void gather(const tp_pool *pool, const patch *p, heights *to)
 {
-    const bool moves = p->back != 0;
+    const bool interpolates = p->lag != 0;
 
-    if (pool->cells == TP_CELLS_8 && moves)
+    if (pool->cells == TP_CELLS_8 && interpolates)
         back_8(pool, p, to);
     else if (pool->cells == TP_CELLS_8)
         now_8(pool, p, to);
-    else if (pool->cells == TP_CELLS_16 && moves)
+    else if (pool->cells == TP_CELLS_16 && interpolates)
         back_16(pool, p, to);
     else if (pool->cells == TP_CELLS_16)
         now_16(pool, p, to);
-    else if (moves)
+    else if (interpolates)
         back_32(pool, p, to);
     else
         now_32(pool, p, to);
@@ -179,7 +178,8 @@ static tp_fx scaled(int32_t x, int32_t factor, int32_t shift)
     return (tp_fx)(((int64_t)x * factor + ((int64_t)1 << (shift - 1))) >> shift);
 }
 
-static tp_relief interpolate_relief(const tp_pool *pool, const patch *p, const heights *of)
+static tp_height_slope interpolate_height_slope(const tp_pool *pool, const patch *p,
+                                                const heights *of)
 {
     int32_t across[4], down[4];     /* across: columns at the point's row; down:
                                      * rows at its column */
@@ -188,7 +188,7 @@ static tp_relief interpolate_relief(const tp_pool *pool, const patch *p, const h
         across[n] = interpolate(of->h[1][n], of->h[2][n], p->t);
         down[n] = interpolate(of->h[n][1], of->h[n][2], p->s);
     }
-    return (tp_relief){
+    return (tp_height_slope){
         .height = scaled(interpolate(across[1], across[2], p->s), pool->unit_q,
                          pool->unit_shift),
         .slope_x = scaled(interpolate(across[2] - across[0], across[3] - across[1], p->s),
@@ -198,27 +198,27 @@ static tp_relief interpolate_relief(const tp_pool *pool, const patch *p, const h
     };
 }
 
-tp_relief tp_pool_relief(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx back)
+tp_height_slope tp_pool_height_slope(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx lag)
 {
-    TP_ASSERT(back >= 0 && back <= TP_FX_ONE);
+    TP_ASSERT(lag >= 0 && lag <= TP_FX_ONE);
     const bool tiled = pool->edges == TP_EDGES_TILE;
     uint64_t u, w;
     heights of;
     patch p;
 
     if (pool->at_rest && pool->cells != TP_CELLS_32)
-        return (tp_relief){ 0 };
+        return (tp_height_slope){ 0 };
     if (!tp_pool_locate(pool, x, z, &u, &w))
-        return (tp_relief){ 0 };
+        return (tp_height_slope){ 0 };
     const uint32_t col = (uint32_t)(u >> 32), row = (uint32_t)(w >> 32);
     if (tp_pool_is_wall(pool, row * pool->cols + col))
-        return (tp_relief){ 0 };
-    p.back = back;
+        return (tp_height_slope){ 0 };
+    p.lag = lag;
     p.s = find_neighbour_indices(u, pool->cols, tiled, p.col);
     p.t = find_neighbour_indices(w, pool->rows, tiled, p.row);
     if (pool->walls != 0)
         gather_walls(pool, &p, &of, col, row);
     else
         gather(pool, &p, &of);
-    return interpolate_relief(pool, &p, &of);
+    return interpolate_height_slope(pool, &p, &of);
 }

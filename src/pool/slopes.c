@@ -9,11 +9,11 @@
 typedef struct {
     const tp_pool *pool;
     uint32_t row, up, down;
-    tp_fx    back, gain;
-} line;
+    tp_fx    lag, gain;
+} pool_row;
 
 /* Slopes in 16.16 are far below 2^31: 64 m over two cells of a centimetre are 2^27. */
-static int16_t scale_slope(const line *l, int32_t difference)
+static int16_t scale_slope(const pool_row *l, int32_t difference)
 {
     const tp_pool *const pool = l->pool;
     const int64_t slope = (int64_t)difference * pool->slope_q >> pool->slope_shift;
@@ -23,8 +23,8 @@ static int16_t scale_slope(const line *l, int32_t difference)
 }
 
 /* A row of a pool without walls.  `cells` and `moves` are literals. */
-TP_ALWAYS_INLINE void write_open_row(const line *l, tp_pool_slope *to, tp_cells cells,
-                                     int moves)
+TP_ALWAYS_INLINE void write_open_row(const pool_row *l, tp_pool_slope *to, tp_cells cells,
+                                     int interpolates)
 {
     const tp_pool *const pool = l->pool;
     const uint32_t cols = pool->cols, base = l->row * cols;
@@ -35,18 +35,19 @@ TP_ALWAYS_INLINE void write_open_row(const line *l, tp_pool_slope *to, tp_cells 
         const uint32_t left = tp_pool_folded(col - 1, cols, tiled);
         const uint32_t right = tp_pool_folded(col + 1, cols, tiled);
         const int32_t x =
-            tp_pool_fine_height(pool, right, l->row, base, l->back, cells, moves)
-            - tp_pool_fine_height(pool, left, l->row, base, l->back, cells, moves);
-        const int32_t z =
-            tp_pool_fine_height(pool, at, l->down, l->down * cols, l->back, cells, moves)
-            - tp_pool_fine_height(pool, at, l->up, l->up * cols, l->back, cells, moves);
+            tp_pool_fine_height(pool, right, l->row, base, l->lag, cells, interpolates)
+            - tp_pool_fine_height(pool, left, l->row, base, l->lag, cells, interpolates);
+        const int32_t z = tp_pool_fine_height(pool, at, l->down, l->down * cols, l->lag,
+                                              cells, interpolates)
+                          - tp_pool_fine_height(pool, at, l->up, l->up * cols, l->lag,
+                                                cells, interpolates);
         *to++ = (tp_pool_slope){ scale_slope(l, x), scale_slope(l, z) };
     }
 }
 
 /* A row of a pool with walls.  Deep inside walls all neighbours are 0, and the slope is
  * 0. */
-static void write_walled_row(const line *l, tp_pool_slope *to)
+static void write_walled_row(const pool_row *l, tp_pool_slope *to)
 {
     const tp_pool *const pool = l->pool;
     const uint32_t cols = pool->cols;
@@ -56,16 +57,16 @@ static void write_walled_row(const line *l, tp_pool_slope *to)
         const uint32_t at = tp_pool_folded(col, cols, tiled);
         const uint32_t left = tp_pool_folded(col - 1, cols, tiled);
         const uint32_t right = tp_pool_folded(col + 1, cols, tiled);
-        const int32_t  own = tp_pool_fine_height_or_wall(pool, at, l->row, l->back, 0);
-        const int32_t  x = tp_pool_fine_height_or_wall(pool, right, l->row, l->back, own)
-                         - tp_pool_fine_height_or_wall(pool, left, l->row, l->back, own);
-        const int32_t  z = tp_pool_fine_height_or_wall(pool, at, l->down, l->back, own)
-                         - tp_pool_fine_height_or_wall(pool, at, l->up, l->back, own);
+        const int32_t  own = tp_pool_fine_height_or_wall(pool, at, l->row, l->lag, 0);
+        const int32_t  x = tp_pool_fine_height_or_wall(pool, right, l->row, l->lag, own)
+                         - tp_pool_fine_height_or_wall(pool, left, l->row, l->lag, own);
+        const int32_t  z = tp_pool_fine_height_or_wall(pool, at, l->down, l->lag, own)
+                         - tp_pool_fine_height_or_wall(pool, at, l->up, l->lag, own);
         *to++ = (tp_pool_slope){ scale_slope(l, x), scale_slope(l, z) };
     }
 }
 
-static void write_slope_row(const line *l, tp_pool_slope *to)
+static void write_slope_row(const pool_row *l, tp_pool_slope *to)
 {
     const tp_cells cells = (tp_cells)l->pool->cells;
 
@@ -79,16 +80,16 @@ static void write_slope_row(const line *l, tp_pool_slope *to)
         write_open_row(l, to, TP_CELLS_32, 1);
 }
 
-void tp_pool_slopes(const tp_pool *pool, tp_fx back, tp_fx gain, tp_pool_slope *to)
+void tp_pool_slopes(const tp_pool *pool, tp_fx lag, tp_fx gain, tp_pool_slope *to)
 {
-    TP_ASSERT(back >= 0 && back <= TP_FX_ONE);
+    TP_ASSERT(lag >= 0 && lag <= TP_FX_ONE);
     TP_ASSERT(to != NULL);
     const bool tiled = pool->edges == TP_EDGES_TILE;
 
     for (int32_t row = -1; row <= (int32_t)pool->rows; row++) {
-        const line l = { pool, tp_pool_folded(row, pool->rows, tiled),
+        const pool_row l = { pool, tp_pool_folded(row, pool->rows, tiled),
                          tp_pool_folded(row - 1, pool->rows, tiled),
-                         tp_pool_folded(row + 1, pool->rows, tiled), back, gain };
+                         tp_pool_folded(row + 1, pool->rows, tiled), lag, gain };
         write_slope_row(&l, to);
         to += pool->cols + 2;
     }

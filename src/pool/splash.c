@@ -193,13 +193,13 @@ bool tp_pool_add_splash(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx heig
         return false;
     tp_pool_locate(pool, x, z, &u, &w);
     tp_pool_add_splash_cells(pool, u, w, tp_fx_div(sigma, pool->cell),
-                             tp_pool_lsb(pool, height));
+                             tp_pool_from_metres(pool, height));
     return true;
 }
 
 /* Returns metres x full / range, rounded to nearest, halves up.  A 32-bit cell is Q8.24:
  * 256 times as fine as 16.16. */
-int32_t tp_pool_lsb(const tp_pool *pool, tp_fx metres)
+int32_t tp_pool_from_metres(const tp_pool *pool, tp_fx metres)
 {
     const int64_t full = tp_pool_max_lsb(pool);
     const int64_t twice = 2 * (int64_t)pool->range;

@@ -168,7 +168,7 @@ tp_pool_state tp_pool_stats(const tp_pool *pool)
 void tp_pool_step(tp_pool *pool)
 {
     TP_ASSERT(pool->cells <= TP_CELLS_32 && pool->damping >= 4 && pool->damping <= 10);
-    if (pool->feed_low > 0)
+    if (pool->drive_min > 0)
         tp_pool_drive(pool);
     if (!pool->at_rest) {
         switch (pool->cells) {

@@ -13,18 +13,18 @@ bool tp_pool_set_config(tp_pool *pool, const tp_pool_config *config)
 {
     if (!is_same_block(pool, config) || tp_pool_check(config, NULL) != TP_OK)
         return false;
-    pool->r2q = tp_pool_square_courant(config->courant);
+    pool->courant_sq_q10 = tp_pool_square_courant(config->courant);
     pool->damping = config->damping;
     pool->range = config->range;        /* 32-bit cells ignore the range; it may differ */
     if (pool->sponge != 0)              /* the sponge is never weaker than the field */
         tp_pool_set_sponge(pool, config->sponge);
     pool->x = config->x;
     pool->z = config->z;
-    pool->feed_low = config->feed_low;
-    pool->feed_high = config->feed_high;
-    if (pool->feed != config->feed)
-        pool->feed_peak = tp_pool_lsb(pool, config->feed);
-    pool->feed = config->feed;
+    pool->drive_min = config->drive_min;
+    pool->drive_max = config->drive_max;
+    if (pool->drive_amplitude != config->drive_amplitude)
+        pool->drive_peak = tp_pool_from_metres(pool, config->drive_amplitude);
+    pool->drive_amplitude = config->drive_amplitude;
     return true;
 }
 

@@ -18,14 +18,14 @@ static bool is_same_config(const tp_pool *pool, const tp_pool *fresh)
 {
     tp_pool head = *fresh;
 
-    head.feed_peak = pool->feed_peak;
-    head.feed_ticks = pool->feed_ticks;
-    head.feed_hits = pool->feed_hits;
+    head.drive_peak = pool->drive_peak;
+    head.drive_ticks = pool->drive_ticks;
+    head.drive_hits = pool->drive_hits;
     head.random = pool->random;
     head.injections = pool->injections;
     head.gear = pool->gear;
     head.at_rest = pool->at_rest;
-    head.still = pool->still;
+    head.no_flux = pool->no_flux;
     return memcmp(&head, pool, offsetof(tp_pool, first) + sizeof head.first) == 0;
 }
 
@@ -107,9 +107,9 @@ bool tp_pool_is_valid(const tp_pool *pool, const tp_pool *fresh)
     if (!is_same_config(pool, fresh)
         || !is_same_part(pool, fresh, pool->walls, tp_pool_count(pool))
         || !is_same_part(pool, fresh, pool->sponge, pool->cols + pool->rows)
-        || pool->feed_peak < 0 || pool->feed_peak > tp_pool_max_lsb(pool)
-        || pool->feed_ticks >= TP_FEED_WINDOW || pool->feed_hits > pool->feed_ticks
-        || pool->at_rest > 1 || pool->still > 1)
+        || pool->drive_peak < 0 || pool->drive_peak > tp_pool_max_lsb(pool)
+        || pool->drive_ticks >= TP_DRIVE_WINDOW || pool->drive_hits > pool->drive_ticks
+        || pool->at_rest > 1 || pool->no_flux > 1)
         return false;
     return pool->cells == TP_CELLS_32 ? are_fluxes_valid(pool) && are_heights_valid(pool)
                                       : are_cells_valid(pool);

@@ -110,14 +110,14 @@ TP_ALWAYS_INLINE void set_linear_sample(const between *b, int32_t y, sample *now
 
 typedef struct {
     uint32_t s, t;
-} place;
+} cover_place;
 
-static place interpolate_place(const between *b, int32_t y)
+static cover_place interpolate_place(const between *b, int32_t y)
 {
     const tp_row_sample *far = b->far, *near = b->near;
     int32_t share = tp_row_perspective_share(row_share(b, y), far->zi, near->zi);
 
-    return (place){ (uint32_t)add_share(far->s, difference(far->s, near->s), share),
+    return (cover_place){ (uint32_t)add_share(far->s, difference(far->s, near->s), share),
                     (uint32_t)add_share(far->t, difference(far->t, near->t), share) };
 }
 
@@ -131,12 +131,12 @@ static __attribute__((noinline)) void fill_deep(const tp_rows *rows,
     const between b = make_interval(far, near);
     int32_t last = first_row(near->v) - 1;
     int32_t from = (y & ~15) > top ? y & ~15 : top;
-    place   p = interpolate_place(&b, from);
+    cover_place   p = interpolate_place(&b, from);
     sample  now, step;
 
     for (int32_t stop; y < end; y = from = stop) {
         int32_t next = (from | 15) + 1, to = next < last ? next : last;
-        place   q = to > from ? interpolate_place(&b, to) : p;
+        cover_place   q = to > from ? interpolate_place(&b, to) : p;
         stop = next < end ? next : end;
         set_linear_sample(&b, from, &now, &step);
         now.s = p.s;

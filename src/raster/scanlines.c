@@ -48,7 +48,7 @@ void tp_rows_begin(tp_rows *rows, const tp_gbuffer *tile, void *memory, bool sol
 
 typedef struct {
     uint32_t s, t;
-} place;
+} column_place;
 
 enum { LINE, START, JOINED, SIDE };
 
@@ -146,14 +146,14 @@ static int32_t column_share(const segment *g, int32_t x)
     return (int32_t)((uint32_t)(16 * x + 8 - g->a->u) * g->inverse);
 }
 
-static place interpolate_place(const segment *g, int32_t x)
+static column_place interpolate_place(const segment *g, int32_t x)
 {
     int32_t share = column_share(g, x);
 
     if (g->deep)
         share = tp_row_perspective_share(share, g->a->zi, g->b->zi);
-    return (place){ (uint32_t)add_share(g->a->s, g->ds, share),
-                    (uint32_t)add_share(g->a->t, g->dt, share) };
+    return (column_place){ (uint32_t)add_share(g->a->s, g->ds, share),
+                           (uint32_t)add_share(g->a->t, g->dt, share) };
 }
 
 /* Returns the steps from column to column; the segment has more than one column. */
@@ -173,7 +173,7 @@ static tp_row_sample column_steps(const segment *g)
 static tp_row_sample interpolate_sample(const segment *g, int32_t x)
 {
     int32_t share = column_share(g, x);
-    place   p = interpolate_place(g, x);
+    column_place   p = interpolate_place(g, x);
 
     return (tp_row_sample){
         .v = add_share(g->a->v * 4096, g->dv, share),
@@ -207,7 +207,7 @@ TP_ALWAYS_INLINE void walk_segment(tp_rows *rows, const segment *g, int32_t firs
         tp_row_sample now = interpolate_sample(g, from);
         if (g->deep && stop - first > 1) {
             int32_t last = next < stop ? next : stop - 1;
-            place   q = interpolate_place(g, last);
+            column_place   q = interpolate_place(g, last);
             step.s = step.t = 0;
             if (last > from) {
                 step.s = (int32_t)tp_row_place_step((uint32_t)now.s, q.s, last - from);

@@ -133,9 +133,10 @@ static uint32_t divide_by_w(int64_t sw, uint32_t r, int shift)
 
 typedef struct {
     uint32_t s, t;
-} place;
+} span_place;
 
-static place evaluate_place(const perspective *p, const tp_tri *tri, int32_t x, int32_t y)
+static span_place evaluate_place(const perspective *p, const tp_tri *tri, int32_t x,
+                                 int32_t y)
 {
     int32_t dx = x - tri->x_ref, dy = y - tri->y_ref;
     int64_t w = evaluate_gradient(&p->w, dx, dy) >> PLUS;
@@ -143,7 +144,7 @@ static place evaluate_place(const perspective *p, const tp_tri *tri, int32_t x, 
     int      shift = tp_clz(n);
     uint32_t r = tp_recip_norm(n << shift);
 
-    return (place){
+    return (span_place){
         p->s0 + divide_by_w(evaluate_gradient(&p->sw, dx, dy), r, shift),
         p->t0 + divide_by_w(evaluate_gradient(&p->tw, dx, dy), r, shift),
     };
@@ -161,7 +162,7 @@ typedef struct {
     tp_gradient zi, s, t, n0, n1, n2;   /* s, t: for affine triangles */
     perspective persp;
     uint32_t mark, face, pattern_rows;
-} painter;
+} span_painter;
 
 /* Returns the value at (dx, dy) from the triangle's reference pixel, modulo 2^32. */
 TP_ALWAYS_INLINE walker make_walker(const tp_gradient *g, uint32_t dx, uint32_t dy)
@@ -183,19 +184,19 @@ TP_ALWAYS_INLINE void fill_pixels(span *sp, int32_t x, int32_t end, int kind)
 }
 
 /* Fills pixels [x, end) of row y; the triangle covers the row from `left` to `right`. */
-TP_ALWAYS_INLINE void fill_perspective(const painter *p, span *sp, int32_t y,
+TP_ALWAYS_INLINE void fill_perspective(const span_painter *p, span *sp, int32_t y,
                                        int32_t left, int32_t right, int32_t x,
                                        int32_t end, int kind)
 {
     int32_t from = x & -TP_SPAN_STEP;
 
     from = from > left ? from : left;
-    place a = evaluate_place(&p->persp, p->tri, from, y);
+    span_place a = evaluate_place(&p->persp, p->tri, from, y);
     while (x < end) {
         int32_t next = (from | (TP_SPAN_STEP - 1)) + 1;
         int32_t to = next < right ? next : right - 1;
         int32_t stop = next < end ? next : end;
-        place   b = to > from ? evaluate_place(&p->persp, p->tri, to, y) : a;
+        span_place   b = to > from ? evaluate_place(&p->persp, p->tri, to, y) : a;
         sp->s.step = place_step(a.s, b.s, to - from);
         sp->t.step = place_step(a.t, b.t, to - from);
         sp->s.now = a.s + sp->s.step * (uint32_t)(x - from);
@@ -207,7 +208,7 @@ TP_ALWAYS_INLINE void fill_perspective(const painter *p, span *sp, int32_t y,
 }
 
 /* Fills a row from `left` to `right`, clipped to the tile. */
-TP_ALWAYS_INLINE void fill_row(const painter *p, const tp_gbuffer *tile, int32_t y,
+TP_ALWAYS_INLINE void fill_row(const span_painter *p, const tp_gbuffer *tile, int32_t y,
                                int32_t left, int32_t right, int kind, int exact)
 {
     int32_t x = left > tile->x0 ? left : tile->x0;
@@ -240,8 +241,8 @@ TP_ALWAYS_INLINE void fill_row(const painter *p, const tp_gbuffer *tile, int32_t
 }
 
 /* Fills all rows of a triangle; the flags are literals. */
-TP_ALWAYS_INLINE void fill_triangle_rows(const painter *p, const tp_gbuffer *tile, int kind,
-                           int exact)
+TP_ALWAYS_INLINE void fill_triangle_rows(const span_painter *p, const tp_gbuffer *tile,
+                                         int kind, int exact)
 {
     const tp_tri *tri = p->tri;
     int32_t  y = tri->top;
@@ -273,7 +274,7 @@ TP_ALWAYS_INLINE tp_gradient normal_gradient(const tp_tri *tri, int i, int shift
                            tri->c->n[i] * one, 0);
 }
 
-TP_ALWAYS_INLINE void set_position_gradients(painter *p)
+TP_ALWAYS_INLINE void set_position_gradients(span_painter *p)
 {
     const tp_tri *tri = p->tri;
 
@@ -290,7 +291,7 @@ void tp_tri_water(const tp_gbuffer *tile, const tp_screen_vertex *a,
                   const tp_screen_vertex *b, const tp_screen_vertex *c)
 {
     tp_tri  tri;
-    painter p;
+    span_painter p;
 
     if (!tp_tri_begin(&tri, tile, a, b, c))
         return;
@@ -323,7 +324,7 @@ void tp_tri_solid(const tp_gbuffer *tile, const tp_screen_vertex *a,
 {
     TP_ASSERT(mark >= TP_MARK_SOLID && mark <= 0xff && opacity >= 0);
     tp_tri  tri;
-    painter p;
+    span_painter p;
 
     if (!tp_tri_begin(&tri, tile, a, b, c))
         return;
@@ -348,7 +349,7 @@ void tp_tri_depth_only(const tp_gbuffer *tile, const tp_screen_vertex *a,
 
     if (!tp_tri_begin(&tri, tile, a, b, c))
         return;
-    painter p = {
+    span_painter p = {
         .tri = &tri, .zi = tp_tri_gradient(&tri, tri.a->zi, tri.b->zi, tri.c->zi, 0),
     };
     fill_triangle_rows(&p, tile, LID, 0);

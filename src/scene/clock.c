@@ -49,7 +49,7 @@ bool tp_clock_is_valid(const tp_clock *clock)
 {
     return clock->scale_q40 >= q40(TP_CLOCK_SLOWEST)
         && clock->scale_q40 <= q40(TP_CLOCK_FASTEST)
-        && clock->part_q40 >= 0 && clock->part_q40 < ONE_Q40
+        && clock->fraction_q40 >= 0 && clock->fraction_q40 < ONE_Q40
         && clock->target == clamp_scale(clock->target) && clock->zero == 0;
 }
 
@@ -57,16 +57,17 @@ bool tp_clock_is_valid(const tp_clock *clock)
  * to Q28 first, so the product stays below 2^58. */
 void tp_clock_advance(tp_clock *clock)
 {
-    TP_ASSERT(clock->scale_q40 > 0 && clock->part_q40 >= 0 && clock->part_q40 < ONE_Q40);
+    TP_ASSERT(clock->scale_q40 > 0 && clock->fraction_q40 >= 0
+              && clock->fraction_q40 < ONE_Q40);
     int64_t way = q40(clock->target) - clock->scale_q40;
 
     if (way < SNAP_Q40 && way > -SNAP_Q40)
         clock->scale_q40 += way;
     else
         clock->scale_q40 += (((way + (1 << 11)) >> 12) * SLIDE_Q32 + (1 << 19)) >> 20;
-    clock->part_q40 += clock->scale_q40;
-    clock->ticks += (uint64_t)(clock->part_q40 >> 40);
-    clock->part_q40 &= ONE_Q40 - 1;
+    clock->fraction_q40 += clock->scale_q40;
+    clock->ticks += (uint64_t)(clock->fraction_q40 >> 40);
+    clock->fraction_q40 &= ONE_Q40 - 1;
 }
 
 tp_fx tp_clock_scale(const tp_clock *clock)
@@ -81,5 +82,5 @@ uint64_t tp_clock_ticks(const tp_clock *clock)
 
 tp_fx tp_clock_fraction(const tp_clock *clock)
 {
-    return (tp_fx)(clock->part_q40 >> 24);
+    return (tp_fx)(clock->fraction_q40 >> 24);
 }

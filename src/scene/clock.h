@@ -17,7 +17,7 @@
 typedef struct {
     int64_t  scale_q40;     /* s; 40 fraction bits keep small steps */
     uint64_t ticks;         /* whole ticks in the sum of s */
-    int64_t  part_q40;      /* fraction of the sum, 0..1 */
+    int64_t  fraction_q40;      /* fraction of the sum, 0..1 */
     tp_fx    target;        /* s*, clamped to 1/8..4 */
     int32_t  zero;          /* padding; equal clocks are equal byte by byte */
 } tp_clock;

@@ -18,21 +18,21 @@ typedef struct {
 tp_drawn tp_world_interpolate(const tp_world *world);
 
 /* Returns the camera in world axes at `back` of a tick before the last tick. */
-tp_camera tp_camera_interpolate(const tp_world *world, tp_fx back);
+tp_camera tp_camera_interpolate(const tp_world *world, tp_fx lag);
 
 /* True if the camera of a world is at a valid position.  Use: the bytes of `world` come
  * from outside the program.  Defined in world.c. */
 bool tp_camera_is_valid(const tp_world *world);
 
 /* Interpolates linearly: b for back = 0, a for back = 1. */
-static inline tp_fx tp_interpolate(tp_fx a, tp_fx b, tp_fx back)
+static inline tp_fx tp_interpolate(tp_fx a, tp_fx b, tp_fx lag)
 {
-    return b + (tp_fx)(((int64_t)a - b) * back >> 16);
+    return b + (tp_fx)(((int64_t)a - b) * lag >> 16);
 }
 
-static inline tp_vec3 tp_place_interpolate(tp_vec3 a, tp_vec3 b, tp_fx back)
+static inline tp_vec3 tp_place_interpolate(tp_vec3 a, tp_vec3 b, tp_fx lag)
 {
-    return (tp_vec3){ tp_interpolate(a.x, b.x, back), tp_interpolate(a.y, b.y, back),
-                      tp_interpolate(a.z, b.z, back) };
+    return (tp_vec3){ tp_interpolate(a.x, b.x, lag), tp_interpolate(a.y, b.y, lag),
+                      tp_interpolate(a.z, b.z, lag) };
 }
 #endif

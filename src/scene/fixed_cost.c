@@ -81,9 +81,9 @@ static void add_pixel_costs(tp_site *w, costs *all)
         looks += count_bits(near[j] & ~w->solid[j]);
         sky += count_bits(~(w->wet[j] | w->solid[j]));
     }
-    w->works.hidden = tp_work_ray_pixels(w, hidden);
-    w->works.solid = tp_work_ray_pixels(w, solid);
-    w->works.of[TP_WORK_solid] = tp_work_ray_pixels(w, solid - w->apart);
+    w->fixed_cost.hidden = tp_work_ray_pixels(w, hidden);
+    w->fixed_cost.solid = tp_work_ray_pixels(w, solid);
+    w->fixed_cost.of[TP_WORK_solid] = tp_work_ray_pixels(w, solid - w->apart);
     for (uint32_t k = 0; k < all->count; k++) {
         const tp_work_pixels pixels = {
             tp_work_ray_pixels(w, sky), tp_work_ray_pixels(w, water),
@@ -110,5 +110,5 @@ tp_fixed_cost tp_fixed_cost_estimate(const tp_plan_input *in,
         if (all.cost[k]->work)
             all.cost[k]->work(&w);
     add_pixel_costs(&w, &all);
-    return w.works;
+    return w.fixed_cost;
 }

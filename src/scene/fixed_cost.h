@@ -26,7 +26,7 @@ typedef struct tp_site {
     uint32_t wet[TP_RAYS];      /* bit set: the ray meets level water */
     uint32_t apart;             /* solid rays counted by a module's `stops` */
     int64_t  far;               /* farthest corner of a reflected object, distance, Q16 m */
-    tp_fixed_cost works;
+    tp_fixed_cost fixed_cost;
 } tp_site;
 
 /* The number of pixels of a picture, by content. */

@@ -8,8 +8,8 @@
 /* Returns the unit vector from the world towards the light. */
 tp_dir3 tp_light_direction(tp_turn heading, tp_turn elevation);
 
-/* tp_has_dome: true if the scene's sky is a dome. tp_dome_config_make: returns the configuration
- * of the dome; any other kind of sky gives a day dome. */
+/* tp_has_dome: true if the scene's sky is a dome. tp_dome_config_make: returns the
+ * configuration of the dome; any other kind of sky gives a day dome. */
 bool tp_has_dome(const tp_scene *scene);
 tp_dome_config tp_dome_config_make(const tp_scene *scene);
 

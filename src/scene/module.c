@@ -39,7 +39,7 @@ static size_t state_bytes(const tp_module *module, const tp_want *want)
 /* Returns the first chunk with this id at or after an offset, or NULL. */
 static chunk *find_chunk(const tp_world *world, uint32_t at, uint32_t id)
 {
-    for (; at && at < world->parts.bytes; at = next_chunk_offset(world, at))
+    for (; at && at < world->layout.bytes; at = next_chunk_offset(world, at))
         if (chunk_pointer(world, at)->id == id)
             return chunk_pointer(world, at);
     return NULL;
@@ -47,7 +47,7 @@ static chunk *find_chunk(const tp_world *world, uint32_t at, uint32_t id)
 
 void *tp_world_module_state(const tp_world *world, uint32_t id)
 {
-    chunk *c = find_chunk(world, world->parts.modules, id);
+    chunk *c = find_chunk(world, world->layout.modules, id);
     return c ? c + 1 : NULL;
 }
 
@@ -120,7 +120,7 @@ tp_status tp_modules_check_and_measure(const tp_program *program, tp_arena *aren
 
 static void write_chunk_headers(const tp_program *program, tp_world *world, tp_want want)
 {
-    uint32_t at = world->parts.modules;
+    uint32_t at = world->layout.modules;
 
     for (const tp_use *u = program->modules; u && u->module; u++) {
         if (!ask_enabled_with_state(u->module, &want))
@@ -146,12 +146,12 @@ tp_status tp_modules_init(const tp_program *program, tp_world *world, tp_want wa
 
 bool tp_modules_fit(const tp_program *program, const tp_world *world, tp_want want)
 {
-    uint32_t at = world->parts.modules;
+    uint32_t at = world->layout.modules;
 
     for (const tp_use *u = program->modules; u && u->module; u++) {
         if (!ask_enabled_with_state(u->module, &want))
             continue;
-        if (at == 0 || at >= world->parts.bytes)
+        if (at == 0 || at >= world->layout.bytes)
             return false;
         const chunk *c = chunk_pointer(world, at);
         if (c->id != u->module->id || c->bytes != state_bytes(u->module, &want)
@@ -159,7 +159,7 @@ bool tp_modules_fit(const tp_program *program, const tp_world *world, tp_want wa
             return false;
         at = next_chunk_offset(world, at);
     }
-    return at == 0 || at == world->parts.bytes;
+    return at == 0 || at == world->layout.bytes;
 }
 
 bool tp_modules_refresh(const tp_program *program, tp_world *world, tp_want want)
@@ -233,9 +233,9 @@ static const char *module_name(const tp_program *program, uint32_t id)
 static const char *find_mismatched_module(const tp_program *program, const tp_world *world,
                                     const tp_world *fresh)
 {
-    uint32_t at = fresh->parts.modules;
+    uint32_t at = fresh->layout.modules;
 
-    for (; at && at < fresh->parts.bytes; at = next_chunk_offset(fresh, at))
+    for (; at && at < fresh->layout.bytes; at = next_chunk_offset(fresh, at))
         if (memcmp(chunk_pointer(world, at), chunk_pointer(fresh, at), sizeof(chunk)) != 0)
             return module_name(program, chunk_pointer(fresh, at)->id);
     return NULL;

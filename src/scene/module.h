@@ -42,7 +42,7 @@ enum {
     TP_MODULE_EXACT  = 1,       /* water stage without a fast form */
     TP_MODULE_SOLID  = 2,       /* draws floating or flying objects, to be reflected */
     TP_MODULE_WALLS  = 4,       /* draws the tank or the stone walls in the pool */
-    TP_MODULE_INSIDE = 8,       /* models the volume of the water */
+    TP_MODULE_UNDERWATER = 8,       /* models the volume of the water */
     TP_MODULE_FAST   = 16,      /* draws the water with fast stages only */
     TP_MODULE_SLOPES = 32,      /* draws pools as slopes on flat water */
     TP_MODULE_LIGHT  = 64,      /* adds view-dependent light to the water */
@@ -65,7 +65,7 @@ enum {
 typedef struct tp_want {
     const tp_scene  *scene;
     const tp_assets *assets;    /* NULL: the scene names no file */
-    const tp_waters *water;     /* wave models of the program; NULL: all models */
+    const tp_wave_models *water;     /* wave models of the program; NULL: all models */
     uint32_t width, height;     /* size of the picture in px; 0 for a world */
     uint32_t shadings;          /* bits of tp_shading: shading rungs that a frame may use */
     uint32_t above;             /* bits of tp_module.is of earlier enabled modules */

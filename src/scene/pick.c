@@ -32,14 +32,14 @@ typedef struct {
     tp_fx     near;             /* distance along the ray to the near plane, m */
     int32_t focal_q14;          /* focal length, px, Q14 */
     bool      floor;
-} ray;
+} pick_ray;
 
 /* -- the ray ------------------------------------------------------------------------ */
 
 /* Builds the ray through a point of the picture.  Pixels are Q14: offsets of up to 2^16
  * px from the centre, and the focal length with the same limit, stay within the range of
  * tp_rotate_back. */
-static ray make_ray(const tp_surface *surface, const tp_camera *camera,
+static pick_ray make_ray(const tp_surface *surface, const tp_camera *camera,
                     const tp_scene *scene, const uint32_t side[2], tp_fx x_px, tp_fx y_px)
 {
     const tp_turn half = tp_turn_of_degrees(scene->camera.fov) / 2;
@@ -47,11 +47,11 @@ static ray make_ray(const tp_surface *surface, const tp_camera *camera,
     const int64_t most = (1 << 30) - 1;
     const int64_t u = ((int64_t)x_px >> 2) - (int64_t)side[0] * (1 << 13);
     const int64_t v = (int64_t)side[1] * (1 << 13) - ((int64_t)y_px >> 2);
-    ray r = {
+    pick_ray r = {
         .surface = surface,
         .eye = camera->eye,
         .focal_q14 = (int32_t)tp_clamp_abs(focal, most),
-        .floor = surface->ocean && tp_has_floor(scene),
+        .floor = surface->coastal && tp_has_floor(scene),
     };
     const tp_vec3 way = tp_rotate_back(
         &camera->turn, (tp_vec3){ (tp_fx)tp_clamp_abs(u, most),
@@ -63,7 +63,7 @@ static ray make_ray(const tp_surface *surface, const tp_camera *camera,
     return r;
 }
 
-static tp_vec3 ray_point(const ray *r, int64_t t)
+static tp_vec3 ray_point(const pick_ray *r, int64_t t)
 {
     const tp_fx far = (tp_fx)t;
 
@@ -74,20 +74,20 @@ static tp_vec3 ray_point(const ray *r, int64_t t)
 
 /* -- the surface -------------------------------------------------------------------- */
 
-static tp_fx sample_water(const ray *r, tp_fx x, tp_fx z)
+static tp_fx sample_water(const pick_ray *r, tp_fx x, tp_fx z)
 {
     return tp_surface_sample(r->surface, x, z, NULL).position.y;
 }
 
-static tp_fx sample_land(const ray *r, tp_fx x, tp_fx z)
+static tp_fx sample_land(const pick_ray *r, tp_fx x, tp_fx z)
 {
     const tp_surface *s = r->surface;
-    return r->floor ? -s->by->ocean->floor(s->ocean, x, z).depth : TP_FX_MIN;
+    return r->floor ? -s->by->coastal->floor(s->coastal, x, z).depth : TP_FX_MIN;
 }
 
 /* Returns the height of the ray above water or land, whichever is higher; negative
  * below. */
-static int64_t height_above_surface(const ray *r, int64_t t)
+static int64_t height_above_surface(const pick_ray *r, int64_t t)
 {
     const tp_vec3 p = ray_point(r, t);
     const tp_fx water = sample_water(r, p.x, p.z), land = sample_land(r, p.x, p.z);
@@ -111,14 +111,14 @@ static bool clip_interval(stretch *s, tp_fx eye, tp_q30 way, int64_t low, int64_
     return s->from < s->to;
 }
 
-static bool clip_interval_to_tank(stretch *s, const ray *r, const tp_rectangle *sides)
+static bool clip_interval_to_tank(stretch *s, const pick_ray *r, const tp_rectangle *sides)
 {
     return clip_interval(s, r->eye.x, r->way.x, sides->x0, sides->x1)
            && clip_interval(s, r->eye.z, r->way.z, sides->z0, sides->z1);
 }
 
 /* Land may be higher than any water, so a scene with a floor has no upper limit. */
-static bool clip_ray_to_water(const ray *r, const tp_scene *scene, stretch *s)
+static bool clip_ray_to_water(const pick_ray *r, const tp_scene *scene, stretch *s)
 {
     const int64_t high = (int64_t)tp_surface_height_bound(r->surface) + LEAST;
     const tp_rectangle sides = tp_pool_sides(scene);
@@ -128,7 +128,7 @@ static bool clip_ray_to_water(const ray *r, const tp_scene *scene, stretch *s)
            && (!tp_has_tank(scene) || clip_interval_to_tank(s, r, &sides));
 }
 
-static int64_t march_step_length(const ray *r, int64_t t, int64_t clearance)
+static int64_t march_step_length(const pick_ray *r, int64_t t, int64_t clearance)
 {
     const int64_t half = (clearance < 0 ? -clearance : clearance) / 2;
     const int64_t pixels = t * 2 * (1 << 14) / r->focal_q14;
@@ -140,7 +140,7 @@ static int64_t march_step_length(const ray *r, int64_t t, int64_t clearance)
 
 /* Bisects between the two sides of the surface; returns the first distance on the far
  * side. */
-static int64_t bisect_crossing(const ray *r, int64_t from, int64_t to, bool above)
+static int64_t bisect_crossing(const pick_ray *r, int64_t from, int64_t to, bool above)
 {
     while (to - from > 1) {
         const int64_t middle = (from + to) / 2;
@@ -152,7 +152,7 @@ static int64_t bisect_crossing(const ray *r, int64_t from, int64_t to, bool abov
     return to;
 }
 
-static bool march_to_surface(const ray *r, const stretch *s, int64_t *t)
+static bool march_to_surface(const pick_ray *r, const stretch *s, int64_t *t)
 {
     int64_t from = s->from, high = height_above_surface(r, from);
     const bool above = high > 0;
@@ -174,20 +174,20 @@ bool tp_world_pick(const tp_program *program, const tp_world *world,
                    const tp_scene *scene, uint32_t width, uint32_t height, tp_fx x_px,
                    tp_fx y_px, tp_vec3 *at)
 {
-    TP_ASSERT(world != NULL && world->parts.bytes > 0 && at != NULL);
+    TP_ASSERT(world != NULL && world->layout.bytes > 0 && at != NULL);
     const tp_drawn drawn = tp_world_interpolate(world);
     tp_surface surface = tp_world_surface(tp_program_or_linked(program), world);
     stretch s;
     int64_t t;
 
     surface.phases = drawn.phases;
-    surface.back = world->back;
+    surface.lag = world->lag;
     if (scene->water.pool_bump > 0) /* pools change the shading only, not the height */
         surface.pool = surface.field = NULL;
     if (width == 0 || height == 0 || width > MOST || height > MOST)
         return false;
     const uint32_t side[2] = { width, height };
-    const ray r = make_ray(&surface, &drawn.camera, scene, side, x_px, y_px);
+    const pick_ray r = make_ray(&surface, &drawn.camera, scene, side, x_px, y_px);
     if (!clip_ray_to_water(&r, scene, &s) || !march_to_surface(&r, &s, &t))
         return false;
     *at = ray_point(&r, t);

@@ -14,8 +14,8 @@ tp_pool_config tp_pools_config(const tp_scene *scene, const tp_assets *assets, b
         .cells = (tp_cells)pool->cells, .edges = (tp_edges)pool->edges,
         .courant = pool->courant, .damping = (uint32_t)pool->damping,
         .sponge = (uint32_t)pool->sponge, .range = pool->range, .cell = pool->cell,
-        .x = pool->x, .z = pool->z, .feed_low = pool->feed_low,
-        .feed_high = pool->feed_high, .feed = pool->feed,
+        .x = pool->x, .z = pool->z, .drive_min = pool->feed_low,
+        .drive_max = pool->feed_high, .drive_amplitude = pool->feed,
         .mask = !assets ? NULL : field ? assets->field_mask : assets->pool_mask,
     };
 }

@@ -62,11 +62,11 @@ typedef struct {
     tp_fx px, colour;
 } tp_error_price;
 
-/* Work besides finding and shading the water; fixed_cost.c counts each kind, and each kind has
- * a cost.  For the boat: boat_face counts the faces of the mesh; boat_scan the faces
- * visited per band of rows; boat_back, boat_piece and boat_fill the back faces, front
- * faces and pixels per band; boat_cut the faces clipped by the water level or the view,
- * per band. */
+/* Work besides finding and shading the water; fixed_cost.c counts each kind, and each
+ * kind has a cost.  For the boat: boat_face counts the faces of the mesh; boat_scan
+ * the faces visited per band of rows; boat_back, boat_piece and boat_fill the back
+ * faces, front faces and pixels per band; boat_cut the faces clipped by the water
+ * level or the view, per band. */
 #define TP_WORKS(X) \
     X(sky_dome) X(sky_quick) X(sky_stars) X(sky_cube) X(sky_hdr) \
     X(haze) X(haze_dome) X(haze_cube) X(hdr) X(solid) \

@@ -51,7 +51,7 @@ static bool push_open_water(const tp_program *program, tp_world *world,
 bool tp_world_push(const tp_program *program, tp_world *world, const tp_scene *scene,
                    tp_fx x, tp_fx z, tp_fx radius, tp_fx height)
 {
-    TP_ASSERT(scene != NULL && world != NULL && world->parts.bytes > 0);
+    TP_ASSERT(scene != NULL && world != NULL && world->layout.bytes > 0);
     if (height == 0)
         return false;
     program = tp_program_or_linked(program);

@@ -34,7 +34,8 @@ static uint32_t count_water_rays(const tp_start_view *at)
 /* -- vertices ------------------------------------------------------------------------ */
 
 /* Returns the coordinate of the n-th of SPOTS points on an axis of `lines` lines. */
-static int64_t grid_point_coordinate(const tp_scene *s, int32_t lines, int64_t centre, int32_t n)
+static int64_t grid_point_coordinate(const tp_scene *s, int32_t lines, int64_t centre,
+                                     int32_t n)
 {
     return tp_start_view_line_coordinate(s, lines, centre,
                               (int64_t)(lines - 1) * (2 * n + 1 - SPOTS) * 32768 / SPOTS);
@@ -143,8 +144,8 @@ static uint32_t flat_points(const tp_start_view *at, int32_t focal, int64_t wave
     return waves > 0 && rows > 0 ? (uint32_t)((rows / 8 + 1) * (width / 8 + 1)) : 0;
 }
 
-static void set_points_per_method(tp_view_estimate *o, const tp_start_view *at,
-                                  int64_t waves, uint32_t width, uint32_t height)
+static void set_points_per_renderer(tp_view_estimate *o, const tp_start_view *at,
+                                    int64_t waves, uint32_t width, uint32_t height)
 {
     o->points[TP_VISIBILITY_TRIANGLES - 1] = o->vertices;
     o->points[TP_VISIBILITY_ROWS - 1] = o->vertices;
@@ -182,7 +183,8 @@ static bool is_line_order_kept(const tp_scene *s, bool coastal, bool upright, in
 
 /* True if the rays of all four corners of the picture lead away across the lines and meet
  * the lines in order; frame/holds.c has the rule. */
-static bool is_rows_method_usable(const tp_scene *s, bool coastal, const tp_start_view *at)
+static bool is_rows_renderer_usable(const tp_scene *s, bool coastal,
+                                    const tp_start_view *at)
 {
     const tp_dir3 *back = &at->turn.z;
     const bool upright = tp_abs(back->x) > tp_abs(back->z);
@@ -211,15 +213,15 @@ static tp_fx view_slant(const tp_start_view *at)
 
 /* Lists the methods that fit the view.  The frame decides by its own camera; the estimate
  * uses the scene's camera and is slightly stricter. */
-static void set_usable_methods(tp_view_estimate *o, const tp_scene *s,
-                               const tp_start_view *at, int64_t waves, bool ahead)
+static void set_usable_renderers(tp_view_estimate *o, const tp_scene *s,
+                                 const tp_start_view *at, int64_t waves, bool ahead)
 {
     const bool over = at->eye.y > waves + TP_FX_ONE / 8;
     const bool swell = over && !o->ocean && !o->stirred;
 
     o->fits[TP_VISIBILITY_TRIANGLES - 1] = 1;
     o->fits[TP_VISIBILITY_ROWS - 1] =
-        over && ahead && is_rows_method_usable(s, o->ocean, at)
+        over && ahead && is_rows_renderer_usable(s, o->ocean, at)
         && !(o->ocean
              && tp_can_overhang(s->surf.stretch, s->floor.slope, s->floor.map[0]));
     o->fits[TP_VISIBILITY_PROJECTED - 1] = swell && ahead && waves < at->eye.y * 3 / 4;
@@ -345,7 +347,7 @@ tp_view_estimate tp_view_estimate_make(const tp_plan_input *in)
         waves += scene->wave[i].amplitude > 0 ? scene->wave[i].amplitude : 0;
     o.near =
         tp_wave_cull_near(tp_fx_saturate(at.eye.y - waves), &at.turn, scene->camera.fov);
-    set_points_per_method(&o, &at, waves, width, height);
-    set_usable_methods(&o, scene, &at, waves, low.y >= 0 || ahead > 0);
+    set_points_per_renderer(&o, &at, waves, width, height);
+    set_usable_renderers(&o, scene, &at, waves, low.y >= 0 || ahead > 0);
     return o;
 }

@@ -67,7 +67,7 @@ tp_fx tp_wave_cull_weight(const tp_wave_cull_limits *limits, tp_fx amplitude, tp
 tp_wave_cull tp_wave_cull_evaluate(const tp_scene *scene, const tp_wave_cull_limits *limits,
                            tp_fx slope_colour)
 {
-    tp_wave_cull faint = { .left = 0 };
+    tp_wave_cull culled = { .left = 0 };
     uint64_t px = 0, slopes = 0;
 
     for (int i = 0; i < TP_WAVES; i++) {
@@ -76,8 +76,8 @@ tp_wave_cull tp_wave_cull_evaluate(const tp_scene *scene, const tp_wave_cull_lim
             continue;
         const tp_fx slope = tp_fx_saturate((int64_t)w->amplitude * TWO_PI_Q16 / w->length);
         const tp_fx weight = tp_wave_cull_weight(limits, w->amplitude, slope);
-        faint.left += weight > 0;
-        faint.any = faint.any || weight < TP_FX_ONE;
+        culled.left += weight > 0;
+        culled.any = culled.any || weight < TP_FX_ONE;
         if (weight == TP_FX_ONE)
             continue;
         const uint64_t p =
@@ -86,16 +86,16 @@ tp_wave_cull tp_wave_cull_evaluate(const tp_scene *scene, const tp_wave_cull_lim
         px += (p >> 16) * (p >> 16);
         slopes += (s >> 16) * (s >> 16);
     }
-    faint.px = (tp_fx)tp_isqrt64(px);
-    faint.colour = (tp_fx)((int64_t)tp_isqrt64(slopes / 2) * slope_colour >> 16);
-    return faint;
+    culled.px = (tp_fx)tp_isqrt64(px);
+    culled.colour = (tp_fx)((int64_t)tp_isqrt64(slopes / 2) * slope_colour >> 16);
+    return culled;
 }
 
 /* Scales a swell's height. Each listed field is linear in the height at constant Q. */
 static tp_swell scale_swell_height(const tp_swell *swell, tp_fx weight)
 {
     tp_swell w = *swell;
-    int32_t *const part[] = { &w.amplitude, &w.reach_x, &w.reach_z, &w.slope_x,
+    int32_t *const part[] = { &w.amplitude, &w.orbit_x, &w.orbit_z, &w.slope_x,
                               &w.slope_z, &w.bend_xx, &w.bend_xz, &w.bend_zz, &w.bend,
                               &w.tilt };
 
@@ -104,8 +104,9 @@ static tp_swell scale_swell_height(const tp_swell *swell, tp_fx weight)
     return w;
 }
 
-bool tp_wave_cull_sea(tp_sea *thin, tp_turn thin_phases[TP_WAVES], const tp_sea *whole,
-                      const tp_turn phases[TP_WAVES], const tp_wave_cull_limits *limits)
+bool tp_wave_cull_deep_water(tp_deep_water *thin, tp_turn thin_phases[TP_WAVES],
+                             const tp_deep_water *whole, const tp_turn phases[TP_WAVES],
+                             const tp_wave_cull_limits *limits)
 {
     TP_ASSERT(whole->count <= TP_WAVES);
     tp_fx weight[TP_WAVES];

@@ -40,6 +40,7 @@ tp_wave_cull tp_wave_cull_evaluate(const tp_scene *scene, const tp_wave_cull_lim
 
 /* Writes the culled sea and its phases to `thin` and `thin_phases`.  Returns false and
  * writes nothing if no wave is culled.  The bounds in `thin` stay the bounds of `whole`. */
-bool tp_wave_cull_sea(tp_sea *thin, tp_turn thin_phases[TP_WAVES], const tp_sea *whole,
-                      const tp_turn phases[TP_WAVES], const tp_wave_cull_limits *limits);
+bool tp_wave_cull_deep_water(tp_deep_water *thin, tp_turn thin_phases[TP_WAVES],
+                             const tp_deep_water *whole, const tp_turn phases[TP_WAVES],
+                             const tp_wave_cull_limits *limits);
 #endif

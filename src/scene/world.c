@@ -18,19 +18,20 @@
 
 /* Initialises the sea.  In a program without swells the sea stays all 0, and the world's
  * block ends before the swells. */
-static void make_sea(const tp_program *program, tp_sea *sea, const tp_scene *scene)
+static void make_deep_water(const tp_program *program, tp_deep_water *deep,
+                            const tp_scene *scene)
 {
     if (program->water.swells)
-        program->water.swells->init(sea, scene->wave, TP_WAVES, scene->water.gravity);
+        program->water.swells->init(deep, scene->wave, TP_WAVES, scene->water.gravity);
 }
 
 size_t tp_world_bytes(const tp_program *program, const tp_scene *scene,
                       const tp_assets *assets)
 {
-    tp_world_parts parts;
+    tp_world_layout layout;
     program = tp_program_or_linked(program);
-    return tp_world_parts_measure(program, &parts, scene, assets, NULL) == TP_OK
-               ? parts.bytes
+    return tp_world_layout_measure(program, &layout, scene, assets, NULL) == TP_OK
+               ? layout.bytes
                : 0;
 }
 
@@ -51,35 +52,35 @@ static void place_camera(tp_world *world, const tp_scene *scene)
     save_last_camera(world);
 }
 
-static void init_sea_and_phases(const tp_program *program, tp_world *world,
-                                const tp_scene *scene)
+static void init_deep_water_and_phases(const tp_program *program, tp_world *world,
+                                       const tp_scene *scene)
 {
-    make_sea(program, &world->sea, scene);
-    tp_sea_phases(&world->sea, world->tick, 0, world->phases);
+    make_deep_water(program, &world->deep, scene);
+    tp_deep_water_phases(&world->deep, world->tick, 0, world->phases);
 }
 
 tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes,
                         const tp_scene *scene, const tp_assets *assets, tp_error *err)
 {
-    tp_world_parts parts;
+    tp_world_layout layout;
     tp_status status = tp_given_block(world, 8, "world", err);
 
     program = tp_program_or_linked(program);
 
     if (status == TP_OK)
-        status = tp_world_parts_measure(program, &parts, scene, assets, err);
+        status = tp_world_layout_measure(program, &layout, scene, assets, err);
     if (status != TP_OK)
         return status;
-    if (bytes < parts.bytes)
-        return TP_FAIL(err, TP_E_NOSPACE, 0, parts.bytes, bytes);
-    memset(world, 0, parts.bytes);
-    world->parts = parts;
+    if (bytes < layout.bytes)
+        return TP_FAIL(err, TP_E_NOSPACE, 0, layout.bytes, bytes);
+    memset(world, 0, layout.bytes);
+    world->layout = layout;
     world->random = 1;
     place_camera(world, scene);
     tp_light_init(world, scene);
     tp_clock_init(&world->clock, scene->clock.scale);
     world->clock_scale = scene->clock.scale;
-    init_sea_and_phases(program, world, scene);
+    init_deep_water_and_phases(program, world, scene);
     status = tp_modules_init(program, world, tp_world_want(program, scene, assets), err);
     if (status != TP_OK)
         return status;
@@ -91,16 +92,16 @@ tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes
 bool tp_world_apply(const tp_program *program, tp_world *world, const tp_scene *scene,
                     const tp_assets *assets)
 {
-    TP_ASSERT(world != NULL && world->parts.bytes > 0);
+    TP_ASSERT(world != NULL && world->layout.bytes > 0);
     program = tp_program_or_linked(program);
     const tp_want want = tp_world_want(program, scene, assets);
-    tp_world_parts parts;
+    tp_world_layout layout;
 
-    if (tp_world_parts_measure(program, &parts, scene, assets, NULL) != TP_OK
-        || memcmp(&parts, &world->parts, sizeof parts) != 0
+    if (tp_world_layout_measure(program, &layout, scene, assets, NULL) != TP_OK
+        || memcmp(&layout, &world->layout, sizeof layout) != 0
         || !tp_modules_fit(program, world, want))
         return false;
-    init_sea_and_phases(program, world, scene);
+    init_deep_water_and_phases(program, world, scene);
     tp_light_refresh(world, scene);
     if (world->clock_scale != scene->clock.scale)
         tp_clock_set_target(&world->clock, scene->clock.scale);
@@ -165,7 +166,7 @@ void tp_world_move_camera(tp_world *world, const tp_input *input)
 void tp_world_set_camera(tp_world *world, tp_vec3 eye, tp_turn heading, tp_turn pitch,
                          tp_turn roll)
 {
-    TP_ASSERT(world != NULL && world->parts.bytes > 0);
+    TP_ASSERT(world != NULL && world->layout.bytes > 0);
     world->eye = (tp_vec3){ clamp_eye_coordinate(eye.x), clamp_eye_coordinate(eye.y),
                             clamp_eye_coordinate(eye.z) };
     world->heading = heading;
@@ -178,7 +179,7 @@ void tp_world_set_camera(tp_world *world, tp_vec3 eye, tp_turn heading, tp_turn 
 
 void tp_world_reset_camera(tp_world *world, const tp_scene *scene)
 {
-    TP_ASSERT(world != NULL && world->parts.bytes > 0 && scene != NULL);
+    TP_ASSERT(world != NULL && world->layout.bytes > 0 && scene != NULL);
     place_camera(world, scene);
     if (world->aboard)
         world->aboard = TP_ABOARD_DECK;
@@ -190,14 +191,14 @@ void tp_world_reset_camera(tp_world *world, const tp_scene *scene)
 void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *scene,
                    const tp_input *input)
 {
-    TP_ASSERT(scene != NULL && world != NULL && world->parts.bytes > 0);
+    TP_ASSERT(scene != NULL && world != NULL && world->layout.bytes > 0);
 
     program = tp_program_or_linked(program);
     world->tick++;
     save_last_camera(world);
     if (input)
         move_camera(world, input);
-    tp_sea_phases(&world->sea, world->tick, 0, world->phases);
+    tp_deep_water_phases(&world->deep, world->tick, 0, world->phases);
     tp_light_step(world, scene, input);
     tp_modules_step(program, world, scene, input);
     if (input)
@@ -222,6 +223,6 @@ uint32_t tp_world_advance_clock(tp_world *world)
     tp_clock_advance(&world->clock);
     tp_fx part = tp_clock_fraction(&world->clock);
 
-    world->back = part > 0 ? TP_FX_ONE - part : 0;
+    world->lag = part > 0 ? TP_FX_ONE - part : 0;
     return (uint32_t)(clock_ticks_ceiling(&world->clock) - before);
 }

@@ -15,7 +15,7 @@ typedef struct {
     uint32_t version;           /* TP_WORLD_VERSION */
     uint32_t modules;           /* byte offset of the first chunk; 0: no chunk */
     uint32_t bytes;             /* size of the whole block in bytes */
-} tp_world_parts;
+} tp_world_layout;
 
 typedef struct {
     tp_vec3  place;             /* position of the mesh's origin, m; 0 without a mesh */
@@ -38,12 +38,12 @@ typedef struct { int64_t at[3], speed[3]; } tp_boat_attitude;
 typedef struct {
     int64_t  sailed_x, sailed_z;    /* distance from the scene's position, Q32 m */
     uint64_t turned;                /* turn from the scene's heading, Q64 turn */
-    tp_boat_attitude lie,
-        alone;                  /* alone: attitude without the pool that the boat stirs */
+    tp_boat_attitude attitude,
+        without_pool;           /* alone: attitude without the pool that the boat stirs */
     tp_fx    rest[4][2];        /* rest positions of bow, stern, port, starboard [E1] */
-    tp_hull  hull, stirred;     /* hull now, and at its last disturbance of the pool [E4] */
-    uint32_t laid;              /* 1: the boat has been placed on the water */
-    uint32_t stirs;             /* number of ticks so far that disturbed the pool */
+    tp_hull hull, wake_hull; /* hull now, and at its last disturbance of the pool [E4] */
+    uint32_t placed;         /* 1: the boat has been placed on the water */
+    uint32_t wake_ticks;     /* number of ticks so far that disturbed the pool */
 } tp_boat_state;
 
 /* The frame of reference of a world's camera. */
@@ -55,14 +55,14 @@ typedef enum {
 
 struct tp_world {
     uint64_t tick;
-    tp_fx    back;              /* time of the picture before the last tick, 0..1 tick */
-    tp_world_parts parts;
+    tp_fx    lag;              /* time of the picture before the last tick, 0..1 tick */
+    tp_world_layout layout;
     tp_vec3  eye, last_eye;     /* camera position now and a tick ago; axes by `aboard` */
     tp_turn heading, pitch, roll, last_heading, last_pitch, last_roll;
     tp_turn  phases[TP_WAVES];  /* phases at this tick */
     uint32_t random;            /* random state of the pokes */
     tp_pose  boat, last_boat;
-    tp_boat_state afloat;           /* state of the boat */
+    tp_boat_state boat_state;           /* state of the boat */
     tp_turn  light_heading, light_elevation;    /* light as moved by input and time */
     tp_turn  last_light_heading, last_light_elevation;
     tp_fx    scene_light[2];    /* last seen heading and elevation of the scene */
@@ -70,7 +70,7 @@ struct tp_world {
     tp_clock clock;
     tp_fx    clock_scale;       /* last seen scale of the scene */
     uint32_t aboard;            /* a tp_aboard */
-    tp_sea sea;                 /* last member; without swells if the program has none */
+    tp_deep_water deep;         /* last member; without swells if the program has none */
 };
 
 /* Moves the camera only; the water does not move. */

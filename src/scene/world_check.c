@@ -25,19 +25,22 @@ static bool is_aboard_valid(const tp_world *world, const tp_world *fresh)
 
 static bool is_head_valid(const tp_world *world, const tp_world *fresh)
 {
-    return world->tick <= TICKS_MOST && world->back >= 0 && world->back <= TP_FX_ONE
-           && is_aboard_valid(world, fresh) && world->afloat.laid == fresh->afloat.laid
-           && (fresh->afloat.laid
+    return world->tick <= TICKS_MOST && world->lag >= 0 && world->lag <= TP_FX_ONE
+           && is_aboard_valid(world, fresh)
+           && world->boat_state.placed == fresh->boat_state.placed
+           && (fresh->boat_state.placed
                || memcmp(&world->boat, &fresh->boat, 2 * sizeof fresh->boat) == 0);
 }
 
 /* Compares bytes, without the padding that the compiler inserts between members. */
-static bool is_same_sea(const tp_sea *sea, const tp_sea *fresh)
+static bool is_same_deep_water(const tp_deep_water *deep, const tp_deep_water *fresh)
 {
-    bool same = memcmp(sea, fresh, offsetof(tp_sea, crossed) + sizeof fresh->crossed) == 0;
+    bool same =
+        memcmp(deep, fresh, offsetof(tp_deep_water, crossed) + sizeof fresh->crossed)
+        == 0;
 
     for (uint32_t i = 0; same && i < fresh->count; i++)
-        same = memcmp(&sea->swell[i], &fresh->swell[i],
+        same = memcmp(&deep->swell[i], &fresh->swell[i],
                       offsetof(tp_swell, mean_q24) + sizeof(int32_t)) == 0;
     return same;
 }
@@ -50,7 +53,7 @@ static const char *find_invalid(const tp_program *program, const tp_world *world
            : !tp_camera_is_valid(world)        ? "camera"
            : !tp_light_is_valid(world)         ? "light"
            : !tp_clock_is_valid(&world->clock) ? "clock"
-           : !is_same_sea(&world->sea, &fresh->sea)
+           : !is_same_deep_water(&world->deep, &fresh->deep)
                ? "sea"
                : tp_modules_find_invalid(program, world, fresh);
 }
@@ -65,11 +68,11 @@ tp_status tp_world_check(const tp_program *program, const tp_world *world, size_
         status = tp_given_block(fresh, 8, "fresh", err);
     if (status != TP_OK)
         return status;
-    if (bytes >= offsetof(tp_world, parts) + sizeof fresh->parts
-        && world->parts.version != fresh->parts.version)
+    if (bytes >= offsetof(tp_world, layout) + sizeof fresh->layout
+        && world->layout.version != fresh->layout.version)
         invalid = "version";
-    else if (bytes >= fresh->parts.bytes
-        && memcmp(&world->parts, &fresh->parts, sizeof fresh->parts) == 0)
+    else if (bytes >= fresh->layout.bytes
+             && memcmp(&world->layout, &fresh->layout, sizeof fresh->layout) == 0)
         invalid = find_invalid(tp_program_or_linked(program), world, fresh);
     return invalid ? tp_error_blame(err, TP_FAIL(err, TP_E_WORLD, 0, 0, 0), invalid)
                    : TP_OK;

@@ -16,34 +16,34 @@ static size_t count_swells(const tp_program *program, const tp_scene *scene)
     return count;
 }
 
-tp_status tp_world_parts_measure(const tp_program *program, tp_world_parts *parts,
+tp_status tp_world_layout_measure(const tp_program *program, tp_world_layout *layout,
                            const tp_scene *scene, const tp_assets *assets, tp_error *err)
 {
     tp_arena  arena = tp_arena_init(NULL, 0);
     tp_status status = tp_program_check_all(program, scene, assets, err);
 
-    *parts = (tp_world_parts){ .version = TP_WORLD_VERSION };
+    *layout = (tp_world_layout){ .version = TP_WORLD_VERSION };
     if (status != TP_OK)
         return status;
     tp_arena_alloc(&arena, 1,
-                   offsetof(tp_world, sea.swell)
+                   offsetof(tp_world, deep.swell)
                        + count_swells(program, scene) * sizeof(tp_swell));
-    status = tp_modules_check_and_measure(program, &arena, tp_world_want(program, scene, assets),
-                             &parts->modules, err);
-    parts->bytes = status == TP_OK ? (uint32_t)arena.used : 0;
+    status = tp_modules_check_and_measure(
+        program, &arena, tp_world_want(program, scene, assets), &layout->modules, err);
+    layout->bytes = status == TP_OK ? (uint32_t)arena.used : 0;
     return status;
 }
 
-const tp_ocean *tp_world_ocean(const tp_world *world)
+const tp_coastal_water *tp_world_coastal(const tp_world *world)
 {
-    return tp_world_module_state(world, TP_OCEAN_ID);
+    return tp_world_module_state(world, TP_COASTAL_ID);
 }
 
 tp_surface tp_world_surface(const tp_program *program, const tp_world *world)
 {
     tp_surface surface = {
         .by = &program->water,
-        .sea = &world->sea,
+        .deep = &world->deep,
         .phases = world->phases,
     };
 

@@ -18,13 +18,13 @@
 tp_status tp_program_check_all(const tp_program *program, const tp_scene *scene,
                                const tp_assets *assets, tp_error *err);
 
-const tp_ocean *tp_world_ocean(const tp_world *world);
+const tp_coastal_water *tp_world_coastal(const tp_world *world);
 
-#define TP_OCEAN_ID TP_MODULE_ID('o', 'c', 'e', 'a')
+#define TP_COASTAL_ID TP_MODULE_ID('o', 'c', 'e', 'a')
 
 /* Computes the layout of a scene's world and the size of the block; parts->bytes is 0 if
  * the scene is refused.  If a pool is invalid, err->word is the parameter at fault. */
-tp_status tp_world_parts_measure(const tp_program *program, tp_world_parts *parts,
+tp_status tp_world_layout_measure(const tp_program *program, tp_world_layout *layout,
                            const tp_scene *scene, const tp_assets *assets, tp_error *err);
 
 /* Returns TP_E_NULL for a NULL scene, else the result of the program's own check of the

@@ -14,17 +14,17 @@ static tp_fx sample_rings(const tp_surface *s, int64_t time, tp_fx x, tp_fx z)
 
     for (uint32_t i = 0; i < s->n_raised; i++)
         if (s->by->rings->at(&s->raised[i], time, &now))
-            sum += s->by->rings->relief(&now, 1, x, z).height;
+            sum += s->by->rings->height_slope(&now, 1, x, z).height;
     return sum;
 }
 
 /* Returns the displaced surface point of a rest position. */
 static tp_vec3 sample_wave_point(const tp_surface *s, const tp_fx rest[2])
 {
-    if (s->ocean)
-        return s->by->ocean->smooth(s->ocean, s->phases, rest[0], rest[1]).position;
+    if (s->coastal)
+        return s->by->coastal->smooth(s->coastal, s->phases, rest[0], rest[1]).position;
     if (s->by->swells)
-        return tp_sea_displace_point(s->sea, s->phases, rest[0], rest[1]).position;
+        return tp_deep_water_displace_point(s->deep, s->phases, rest[0], rest[1]).position;
     return (tp_vec3){ rest[0], 0, rest[1] };
 }
 
@@ -37,7 +37,7 @@ static tp_vec3 sample_surface_point(const tp_surface *then, const tp_fx rest[2],
     tp_surface pools = *then;
 
     pools.rings = 0;
-    p.y += tp_surface_relief(&pools, p.x, p.z).height;
+    p.y += tp_surface_height_slope(&pools, p.x, p.z).height;
     if (then->rings)
         p.y += sample_rings(then, time, p.x, p.z);
     return p;
@@ -51,18 +51,18 @@ static tp_fx change_per_second(tp_fx now, tp_fx before)
 tp_water tp_world_sample(const tp_program *program, const tp_world *world, tp_fx x,
                          tp_fx z)
 {
-    TP_ASSERT(world != NULL && world->parts.bytes > 0);
+    TP_ASSERT(world != NULL && world->layout.bytes > 0);
     program = tp_program_or_linked(program);
     const int64_t time = (int64_t)(world->tick * TP_FX_ONE);
     tp_surface surface = tp_world_surface(program, world);
     tp_fx rest[2] = { x, z };
-    const tp_sea_point at = tp_surface_sample(&surface, x, z, rest);
+    const tp_surface_point at = tp_surface_sample(&surface, x, z, rest);
     const tp_vec3 now = sample_surface_point(&surface, rest, time);
     tp_turn phases[TP_WAVES];
 
-    tp_sea_phases(&world->sea, world->tick, TP_FX_ONE, phases);
+    tp_deep_water_phases(&world->deep, world->tick, TP_FX_ONE, phases);
     surface.phases = phases;
-    surface.back = TP_FX_ONE;
+    surface.lag = TP_FX_ONE;
     const tp_vec3 before = sample_surface_point(&surface, rest, time - TP_FX_ONE);
     return (tp_water){
         at.position.y,

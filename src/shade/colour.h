@@ -40,22 +40,23 @@ static inline uint32_t tp_channel_mix(uint32_t a, uint32_t b, uint32_t share)
  * Saves repeated splitting where several operations follow each other. */
 typedef struct {
     uint32_t rb, g;
-} tp_parted;
+} tp_split_rgb;
 
-TP_ALWAYS_INLINE tp_parted tp_parted_split(uint32_t colour)
+TP_ALWAYS_INLINE tp_split_rgb tp_split_rgb_make(uint32_t colour)
 {
-    return (tp_parted){ tp_even_bytes(colour), colour >> 8 & 0xff };
+    return (tp_split_rgb){ tp_even_bytes(colour), colour >> 8 & 0xff };
 }
 
-TP_ALWAYS_INLINE uint32_t tp_parted_whole(tp_parted p)
+TP_ALWAYS_INLINE uint32_t tp_split_rgb_join(tp_split_rgb p)
 {
     return p.rb | p.g << 8;
 }
 
 /* tp_colour_mix of split channels */
-TP_ALWAYS_INLINE tp_parted tp_parted_mix(tp_parted a, tp_parted b, uint32_t share)
+TP_ALWAYS_INLINE tp_split_rgb tp_split_rgb_mix(tp_split_rgb a, tp_split_rgb b,
+                                               uint32_t share)
 {
-    return (tp_parted){
+    return (tp_split_rgb){
         tp_odd_bytes(a.rb * (256 - share) + b.rb * share + TP_HALF_RB),
         tp_channel_mix(a.g, b.g, share),
     };
@@ -68,9 +69,9 @@ static inline uint32_t tp_divide_by_255(uint32_t n)
     return (n + (n >> 8)) >> 8;
 }
 
-/* Product of each channel, where 255 stands for 1.  Red and blue apply tp_divide_by_255 to both
- * halves of a word at once. */
-TP_ALWAYS_INLINE uint32_t tp_parted_times(tp_parted a, tp_parted b)
+/* Product of each channel, where 255 stands for 1.  Red and blue apply
+ * tp_divide_by_255 to both halves of a word at once. */
+TP_ALWAYS_INLINE uint32_t tp_split_rgb_multiply(tp_split_rgb a, tp_split_rgb b)
 {
     uint32_t r, blue, g = a.g * b.g + 128;
 
@@ -87,7 +88,7 @@ TP_ALWAYS_INLINE uint32_t tp_parted_times(tp_parted a, tp_parted b)
 
 static inline uint32_t tp_colour_times(uint32_t a, uint32_t b)
 {
-    return tp_parted_times(tp_parted_split(a), tp_parted_split(b));
+    return tp_split_rgb_multiply(tp_split_rgb_make(a), tp_split_rgb_make(b));
 }
 
 /* Sum of each channel, clamped to 255. */

@@ -37,8 +37,8 @@ static inline int32_t tp_log_depth(const tp_shade *shade, uint32_t key)
  * surfaces texels per pixel grow in proportion to the depth.  On level ground they grow in
  * proportion across the view and by the square along the view; the geometric mean
  * counts. */
-static inline int32_t tp_level_choose(int32_t lod, int32_t log_depth, bool ground,
-                                      int levels)
+static inline int32_t tp_mip_level_choose(int32_t lod, int32_t log_depth, bool ground,
+                                          int levels)
 {
     int32_t level = lod + log_depth + (ground && log_depth > 0 ? log_depth / 2 : 0);
     return tp_clamp(level >> 8, 0, levels - 1);

@@ -137,13 +137,14 @@ TP_ALWAYS_INLINE tp_cube_place tp_cube_project(const uint32_t *recip, int32_t x,
 typedef struct {
     const uint32_t *texel;
     int32_t log2_w, log2_h;
-} tp_cube_side;
+} tp_cube_face_level;
 
-TP_ALWAYS_INLINE tp_cube_side tp_cube_side_select(const tp_texture *face, int level)
+TP_ALWAYS_INLINE tp_cube_face_level tp_cube_face_level_select(const tp_texture *face,
+                                                              int level)
 {
     int l = level < face->levels ? level : face->levels - 1;
-    return (tp_cube_side){ face->level[l], face->log2_w > l ? face->log2_w - l : 0,
-                           face->log2_h > l ? face->log2_h - l : 0 };
+    return (tp_cube_face_level){ face->level[l], face->log2_w > l ? face->log2_w - l : 0,
+                                 face->log2_h > l ? face->log2_h - l : 0 };
 }
 
 /* Four texels, clamped at the picture's edges: the index of the first one, the index steps
@@ -188,7 +189,7 @@ TP_ALWAYS_INLINE uint32_t tp_cube_mix(uint32_t a, uint32_t b, uint32_t c, uint32
 }
 
 TP_ALWAYS_INLINE uint32_t tp_cube_sample(const tp_shade *shade, const tp_cube_ray *ray,
-                                         const tp_cube_side *side)
+                                         const tp_cube_face_level *side)
 {
     tp_cube_four f = tp_cube_gather(shade->env.recip, ray->m, ray->right, ray->down,
                                     side->log2_w, side->log2_h);
@@ -202,7 +203,8 @@ TP_ALWAYS_INLINE uint32_t tp_env_cube(const tp_shade *shade, int level, int32_t 
                                       int32_t y, int32_t z)
 {
     tp_cube_ray  ray = tp_cube_face(x, y, z);
-    tp_cube_side side = tp_cube_side_select(shade->env.cube->face[ray.face], level);
+    tp_cube_face_level side =
+        tp_cube_face_level_select(shade->env.cube->face[ray.face], level);
 
     return tp_cube_sample(shade, &ray, &side);
 }

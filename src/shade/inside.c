@@ -5,7 +5,7 @@
 #include "shade/wall_material.h"
 #include "shade/env.h"
 
-const uint16_t tp_inside_root[65] = {
+const uint16_t tp_sqrt_one_minus_table[65] = {
 #include "shade/root_table.inc"
 };
 
@@ -17,10 +17,10 @@ static inline tp_fx closing_distance(tp_fx gap, int32_t speed)
 {
     int     shift = tp_clz((uint32_t)speed);
     int64_t way = (int64_t)gap * tp_recip_rough((uint32_t)speed << shift) >> (48 - shift);
-    return way < TP_INSIDE_FAR ? (tp_fx)way : TP_INSIDE_FAR;
+    return way < TP_UNDERWATER_FAR ? (tp_fx)way : TP_UNDERWATER_FAR;
 }
 
-/* Returns the point `metres` along the ray, 0..TP_INSIDE_FAR: each product fits 32 bits
+/* Returns the point `metres` along the ray, 0..TP_UNDERWATER_FAR: each product fits 32 bits
  * after the shift. */
 static inline tp_vec3 point_along_ray(tp_vec3 from, tp_ray way, tp_fx metres)
 {
@@ -32,27 +32,28 @@ static inline tp_vec3 point_along_ray(tp_vec3 from, tp_ray way, tp_fx metres)
 /* -- the floor ------------------------------------------------------------------------ */
 
 /* Rise of the plane from the world's origin to a point, Q32; sums may wrap. */
-static inline uint64_t plane_rise(const tp_bed *bed, tp_fx x, tp_fx z)
+static inline uint64_t plane_rise(const tp_floor_plane *bed, tp_fx x, tp_fx z)
 {
     return (uint64_t)((int64_t)bed->rise_x * x) + (uint64_t)((int64_t)bed->rise_z * z);
 }
 
 /* Depth of the plane below a point, m, clamped to 16 km. */
-static inline tp_fx plane_depth(const tp_bed *bed, tp_vec3 at)
+static inline tp_fx plane_depth(const tp_floor_plane *bed, tp_vec3 at)
 {
     int64_t rise = (int64_t)(plane_rise(bed, at.x, at.z) - plane_rise(bed, bed->x, bed->z));
-    return (tp_fx)tp_clamp_abs(bed->depth - (rise >> 16), TP_INSIDE_FAR);
+    return (tp_fx)tp_clamp_abs(bed->depth - (rise >> 16), TP_UNDERWATER_FAR);
 }
 
-static inline tp_ground sample_ground(const tp_bed *bed, tp_vec3 at)
+static inline tp_ground sample_ground(const tp_floor_plane *bed, tp_vec3 at)
 {
     return (tp_ground){ plane_depth(bed, at), bed->rise_x, bed->rise_z, bed->nl };
 }
 
 /* Interpolates two floor planes: share / 16 of b, the rest of a.  The two depths differ by
  * less than 2^31. */
-static inline tp_ground interpolate_ground(const tp_bed *a, const tp_bed *b, int32_t share,
-                                    tp_vec3 at)
+static inline tp_ground interpolate_ground(const tp_floor_plane *a,
+                                           const tp_floor_plane *b, int32_t share,
+                                           tp_vec3 at)
 {
     int32_t one = plane_depth(a, at), other = plane_depth(b, at);
 
@@ -74,10 +75,10 @@ static inline tp_fx way_to_floor(const tp_ground *under, tp_fx from_y, tp_ray wa
 
     if (gap <= 0)
         return 0;
-    return down < 16 ? TP_INSIDE_FAR : closing_distance(gap, down);
+    return down < 16 ? TP_UNDERWATER_FAR : closing_distance(gap, down);
 }
 
-static int32_t floor_light_cosine(const tp_inside *in, tp_fx rise_x, tp_fx rise_z)
+static int32_t floor_light_cosine(const tp_underwater *in, tp_fx rise_x, tp_fx rise_z)
 {
     tp_dir3 n = tp_normalise(-rise_x, TP_FX_ONE, -rise_z);
     int32_t nl = (n.x >> 16) * in->sun_x + (n.y >> 16) * in->sun_y
@@ -85,30 +86,31 @@ static int32_t floor_light_cosine(const tp_inside *in, tp_fx rise_x, tp_fx rise_
     return nl > 0 ? nl >> 14 : 0;
 }
 
-static tp_bed sample_bed(const tp_inside *in, tp_vec3 at)
+static tp_floor_plane sample_floor_plane(const tp_underwater *in, tp_vec3 at)
 {
-    tp_floor_at floor = tp_ocean_floor(in->ocean, at.x, at.z);
-    return (tp_bed){ at.x, at.z, floor.depth, floor.rise_x, floor.rise_z, 0 };
+    tp_floor_at floor = tp_coastal_floor(in->coastal, at.x, at.z);
+    return (tp_floor_plane){ at.x, at.z, floor.depth, floor.rise_x, floor.rise_z, 0 };
 }
 
 /* Finds the floor's tangent plane near the hit point by two iterations; after them the
  * curvature of a beach leaves an error below a hundredth of its depth.  A beam that goes
  * up meets the floor after its reflection at the surface. */
-tp_bed tp_inside_find_floor_plane(const tp_shade *shade, const tp_refracted_ray *beam)
+tp_floor_plane tp_underwater_find_floor_plane(const tp_shade *shade,
+                                              const tp_refracted_ray *ray)
 {
-    const tp_inside *in = shade->inside;
-    tp_ray down = { beam->way.x, -tp_abs(beam->way.y), beam->way.z, 0 };
+    const tp_underwater *in = shade->underwater;
+    tp_ray down = { ray->way.x, -tp_abs(ray->way.y), ray->way.z, 0 };
 
-    if (!in->ocean)
-        return in->bed;
-    tp_bed here = sample_bed(in, beam->at), bed = here;
+    if (!in->coastal)
+        return in->floor_plane;
+    tp_floor_plane here = sample_floor_plane(in, ray->at), bed = here;
     for (int n = 0; n < 2; n++) {
-        tp_ground under = sample_ground(&bed, beam->at);
-        tp_fx  way = way_to_floor(&under, beam->at.y, down);
+        tp_ground under = sample_ground(&bed, ray->at);
+        tp_fx  way = way_to_floor(&under, ray->at.y, down);
         way = way < 200 * TP_FX_ONE ? way : 200 * TP_FX_ONE;
-        bed = sample_bed(in, point_along_ray(beam->at, down, way));
+        bed = sample_floor_plane(in, point_along_ray(ray->at, down, way));
     }
-    if (plane_depth(&bed, beam->at) + (int64_t)beam->at.y <= 0)
+    if (plane_depth(&bed, ray->at) + (int64_t)ray->at.y <= 0)
         bed = here;             /* a far bank's slope does not pass under this point */
     bed.nl = floor_light_cosine(in, bed.rise_x, bed.rise_z);
     return bed;
@@ -188,14 +190,14 @@ static inline tp_fx way_to_side(tp_fx from, int32_t speed, tp_fx low, tp_fx high
     tp_fx gap = speed > 0 ? tp_fx_sub_sat(high, from) : tp_fx_sub_sat(from, low);
 
     if (speed == 0)
-        return TP_INSIDE_FAR;
+        return TP_UNDERWATER_FAR;
     return gap > 0 ? closing_distance(gap, speed > 0 ? speed : -speed) : 0;
 }
 
-static inline hit first_hit(const tp_inside *in, const tp_ground *under, tp_vec3 from,
+static inline hit first_hit(const tp_underwater *in, const tp_ground *under, tp_vec3 from,
                             tp_ray way)
 {
-    hit h = { NOTHING, TP_INSIDE_FAR };
+    hit h = { NOTHING, TP_UNDERWATER_FAR };
 
     if (in->floored)
         h = nearer(h, FLOOR, way_to_floor(under, from.y, way));
@@ -220,7 +222,7 @@ typedef struct {
 static inline spot make_spot(const tp_shade *shade, int32_t floor_nl, hit h, tp_vec3 from,
                              tp_ray way, tp_fx far)
 {
-    const tp_inside *in = shade->inside;
+    const tp_underwater *in = shade->underwater;
     tp_vec3 at = point_along_ray(from, way, h.way);
     tp_fx   from_eye = tp_fx_add_sat(far, h.way);
 
@@ -243,66 +245,66 @@ static inline uint32_t shade_hit(const tp_shade *shade, int32_t floor_nl, hit h,
         return body;
     spot s = make_spot(shade, floor_nl, h, from, way, far);
     uint32_t colour = tp_wall_material_sample(s.coat, s.x, s.z, s.far, s.ground);
-    return tp_absorb_apply(&shade->inside->absorb, tp_colour_brighten(colour, s.light),
+    return tp_absorb_apply(&shade->underwater->absorb, tp_colour_brighten(colour, s.light),
                            body, h.way);
 }
 
 /* One channel of shade_hit, shifted to its place in a colour. */
 static inline uint32_t shade_hit_channel(const tp_shade *shade, int32_t floor_nl, hit h,
-                                         const tp_refracted_ray *beam, uint32_t body,
+                                         const tp_refracted_ray *ray, uint32_t body,
                                          int shift)
 {
     if (h.what == NOTHING)
         return body & (uint32_t)0xff << shift;
-    spot s = make_spot(shade, floor_nl, h, beam->at, beam->way, beam->far);
+    spot s = make_spot(shade, floor_nl, h, ray->at, ray->way, ray->far);
     uint32_t c = tp_wall_material_channel(s.coat, s.x, s.z, s.far, s.ground, shift);
-    return tp_absorbed_channel(shade->inside->absorb.halvings[2 - shift / 8], h.way,
+    return tp_absorbed_channel(shade->underwater->absorb.halvings[2 - shift / 8], h.way,
                                tp_channel_brighten(c, s.light), body >> shift) << shift;
 }
 
 /* Entry n is 16 / n, Q8. */
-static const uint16_t over[TP_INSIDE_ROW] = { 0, 4096, 2048, 1365, 1024, 819, 683, 585,
+static const uint16_t over[TP_UNDERWATER_ROW] = { 0, 4096, 2048, 1365, 1024, 819, 683, 585,
                                               512, 455, 410, 372, 341, 315, 293, 273 };
 
-TP_ALWAYS_INLINE tp_ground row_ground(const tp_inside *in, const tp_bed ends[2],
+TP_ALWAYS_INLINE tp_ground row_ground(const tp_underwater *in, const tp_floor_plane ends[2],
                                       int32_t sixteenths, tp_vec3 at)
 {
-    return in->ocean ? interpolate_ground(&ends[0], &ends[1], sixteenths, at)
-                     : sample_ground(&ends[0], at);
+    return in->coastal ? interpolate_ground(&ends[0], &ends[1], sixteenths, at)
+                       : sample_ground(&ends[0], at);
 }
 
-void tp_inside_interpolate_floor(const tp_shade *shade, const tp_bed ends[2],
-                      const tp_refracted_ray *beam, int32_t count, tp_ground *under)
+void tp_underwater_interpolate_floor(const tp_shade *shade, const tp_floor_plane ends[2],
+                      const tp_refracted_ray *ray, int32_t count, tp_ground *under)
 {
-    TP_ASSERT(count > 0 && count <= TP_INSIDE_ROW);
+    TP_ASSERT(count > 0 && count <= TP_UNDERWATER_ROW);
     const int32_t each = over[count - 1];
 
     for (int32_t k = 0; k < count; k++)
-        under[k] = row_ground(shade->inside, ends, k * each >> 8, beam[k].at);
+        under[k] = row_ground(shade->underwater, ends, k * each >> 8, ray[k].at);
 }
 
-void tp_inside_shade_row(const tp_shade *shade, const tp_bed ends[2],
-                   const tp_refracted_ray *beam, int32_t count, const uint32_t *body,
+void tp_underwater_shade_row(const tp_shade *shade, const tp_floor_plane ends[2],
+                   const tp_refracted_ray *ray, int32_t count, const uint32_t *body,
                    uint32_t *seen)
 {
-    TP_ASSERT(count > 0 && count <= TP_INSIDE_ROW);
-    const tp_inside *in = shade->inside;
+    TP_ASSERT(count > 0 && count <= TP_UNDERWATER_ROW);
+    const tp_underwater *in = shade->underwater;
     const int32_t each = over[count - 1];
 
-    for (int32_t k = 0; k < count; k++, beam++) {
-        tp_ground g = row_ground(in, ends, k * each >> 8, beam->at);
-        hit h = first_hit(in, &g, beam->at, beam->way);
-        seen[k] = shade_hit(shade, g.nl, h, beam->at, beam->way, beam->far, body[k]);
+    for (int32_t k = 0; k < count; k++, ray++) {
+        tp_ground g = row_ground(in, ends, k * each >> 8, ray->at);
+        hit h = first_hit(in, &g, ray->at, ray->way);
+        seen[k] = shade_hit(shade, g.nl, h, ray->at, ray->way, ray->far, body[k]);
     }
 }
 
-void tp_inside_shade_row_channel(const tp_shade *shade, const tp_ground *under,
-                                 const tp_refracted_ray *beam, int32_t count,
-                                 const uint32_t *body, int shift, uint32_t *seen)
+void tp_underwater_shade_row_channel(const tp_shade *shade, const tp_ground *under,
+                                     const tp_refracted_ray *ray, int32_t count,
+                                     const uint32_t *body, int shift, uint32_t *seen)
 {
-    for (int32_t k = 0; k < count; k++, beam++, under++) {
-        hit h = first_hit(shade->inside, under, beam->at, beam->way);
-        seen[k] |= shade_hit_channel(shade, under->nl, h, beam, body[k], shift);
+    for (int32_t k = 0; k < count; k++, ray++, under++) {
+        hit h = first_hit(shade->underwater, under, ray->at, ray->way);
+        seen[k] |= shade_hit_channel(shade, under->nl, h, ray, body[k], shift);
     }
 }
 
@@ -335,10 +337,10 @@ static inline uint32_t fresnel_share(const tp_shade *shade, int32_t cosine)
     return (uint32_t)(a + ((b - a) * (cosine & 63) >> 6));
 }
 
-uint32_t tp_inside_trace_surface(const tp_shade *shade, const tp_bed *bed,
-                                 const tp_refracted_ray *beam, tp_ray n, uint32_t body)
+uint32_t tp_underwater_trace_surface(const tp_shade *shade, const tp_floor_plane *bed,
+                                 const tp_refracted_ray *ray, tp_ray n, uint32_t body)
 {
-    tp_ray  way = beam->way;
+    tp_ray  way = ray->way;
     int32_t ci = (way.x * n.x + way.y * n.y + way.z * n.z) >> 14;
 
     ci = tp_clamp(ci, 0, 16384);
@@ -355,25 +357,25 @@ uint32_t tp_inside_trace_surface(const tp_shade *shade, const tp_bed *bed,
     if (back.y > -64)           /* reflected upwards by a steep slope: taken as nearly
                                  * level */
         back.y = -64;
-    tp_ground under = sample_ground(bed, beam->at);
-    hit h = first_hit(shade->inside, &under, beam->at, back);
-    uint32_t mirrored = shade_hit(shade, bed->nl, h, beam->at, back, beam->far, body);
+    tp_ground under = sample_ground(bed, ray->at);
+    hit h = first_hit(shade->underwater, &under, ray->at, back);
+    uint32_t mirrored = shade_hit(shade, bed->nl, h, ray->at, back, ray->far, body);
     return tp_colour_mix(sky, mirrored, share);
 }
 
-uint32_t tp_inside_trace(const tp_shade *shade, const tp_bed *bed,
-                         const tp_refracted_ray *beam, uint32_t body)
+uint32_t tp_underwater_trace(const tp_shade *shade, const tp_floor_plane *bed,
+                             const tp_refracted_ray *ray, uint32_t body)
 {
-    tp_ground under = sample_ground(bed, beam->at);
-    hit    h = first_hit(shade->inside, &under, beam->at, beam->way);
-    tp_fx  deep = beam->at.y < 0 ? -(beam->at.y + (beam->at.y == TP_FX_MIN)) : 0;
+    tp_ground under = sample_ground(bed, ray->at);
+    hit    h = first_hit(shade->underwater, &under, ray->at, ray->way);
+    tp_fx  deep = ray->at.y < 0 ? -(ray->at.y + (ray->at.y == TP_FX_MIN)) : 0;
 
-    if (beam->way.y <= 0 || closing_distance(deep, beam->way.y) >= h.way)
-        return shade_hit(shade, bed->nl, h, beam->at, beam->way, beam->far, body);
-    tp_fx   way = closing_distance(deep, beam->way.y);
-    tp_refracted_ray on = { point_along_ray(beam->at, beam->way, way), beam->way,
-                            tp_fx_saturate((int64_t)beam->far + way) };
+    if (ray->way.y <= 0 || closing_distance(deep, ray->way.y) >= h.way)
+        return shade_hit(shade, bed->nl, h, ray->at, ray->way, ray->far, body);
+    tp_fx   way = closing_distance(deep, ray->way.y);
+    tp_refracted_ray on = { point_along_ray(ray->at, ray->way, way), ray->way,
+                            tp_fx_saturate((int64_t)ray->far + way) };
     uint32_t colour =
-        tp_inside_trace_surface(shade, bed, &on, (tp_ray){ 0, 16384, 0, 0 }, body);
-    return tp_absorb_apply(&shade->inside->absorb, colour, body, way);
+        tp_underwater_trace_surface(shade, bed, &on, (tp_ray){ 0, 16384, 0, 0 }, body);
+    return tp_absorb_apply(&shade->underwater->absorb, colour, body, way);
 }

@@ -42,13 +42,14 @@ typedef struct {
     tp_fx   x, z, depth;
     tp_fx   rise_x, rise_z;     /* slope, m per m */
     int32_t nl;                 /* N.L of the sun, Q1.14 */
-} tp_bed;
+} tp_floor_plane;
 
 typedef struct {
     bool    walled, floored;
     tp_fx   x0, x1, z0, z1;     /* walls, m */
-    const tp_ocean *ocean;      /* coastal water whose floor counts; NULL: `bed` counts */
-    tp_bed  bed;
+    const tp_coastal_water
+        *coastal; /* coastal water whose floor counts; NULL: `bed` counts */
+    tp_floor_plane floor_plane;
     tp_wall_material wall, floor;
     uint32_t deep;              /* colour of bottomless water */
     tp_absorb absorb;           /* attenuation of other light on its path */
@@ -57,5 +58,5 @@ typedef struct {
     int32_t eta[3], eta2[3];    /* 1 / index of red, green, blue; squared; Q1.14 */
     tp_fx   zi_near;            /* of the projection, m: depth = zi_near / zi */
     int64_t right[3], up[3];    /* view axes, steps of 1/16 px at 1 m depth, Q42 */
-} tp_inside;
+} tp_underwater;
 #endif

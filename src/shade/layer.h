@@ -9,6 +9,6 @@ typedef struct {
     const tp_texture *texture;
     uint32_t per_metre;         /* repeats a metre, Q0.32 over Q16.16: s x this wraps */
     uint32_t drift_s, drift_t;  /* offsets in repeats, Q0.32 */
-    int32_t  lod;               /* mipmap level at 1 m, Q8, for tp_level_choose */
+    int32_t  lod;               /* mipmap level at 1 m, Q8, for tp_mip_level_choose */
 } tp_layer;
 #endif

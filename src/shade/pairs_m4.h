@@ -7,12 +7,12 @@
 
 typedef struct {
     uint32_t first, second;
-} pair;
+} word_pair;
 
 /* Loads from[skip] and from[skip + 1]; `skip` is a literal, in words. */
-TP_ALWAYS_INLINE pair pair_load(const uint32_t *from, int skip)
+TP_ALWAYS_INLINE word_pair pair_load(const uint32_t *from, int skip)
 {
-    pair p;
+    word_pair p;
 #if TP_DSP
     __asm__("ldrd %0, %1, [%2, %3]" : "=r"(p.first), "=r"(p.second)
             : "r"(from), "i"(4 * skip), "m"(from[skip]), "m"(from[skip + 1]));
@@ -23,9 +23,9 @@ TP_ALWAYS_INLINE pair pair_load(const uint32_t *from, int skip)
     return p;
 }
 
-TP_ALWAYS_INLINE pair pair_next(const uint32_t **from)
+TP_ALWAYS_INLINE word_pair pair_next(const uint32_t **from)
 {
-    pair p;
+    word_pair p;
 #if TP_DSP
     __asm__("ldrd %0, %1, [%2], #8" : "=&r"(p.first), "=&r"(p.second), "+r"(*from)
             : "m"((*from)[0]), "m"((*from)[1]));

@@ -24,14 +24,14 @@ typedef struct {
     uint32_t down_s, down_t;    /* shift to 1/256 texel: 24 - log2(side) */
     uint32_t last_s, last_t;    /* number of columns, of rows, minus 1 */
     uint32_t log2_w;
-} tp_level;
+} tp_mip_level;
 
-static inline tp_level tp_level_select(const tp_texture *texture, int l)
+static inline tp_mip_level tp_mip_level_select(const tp_texture *texture, int l)
 {
     uint32_t log2_w = (uint32_t)(texture->log2_w > l ? texture->log2_w - l : 0);
     uint32_t log2_h = (uint32_t)(texture->log2_h > l ? texture->log2_h - l : 0);
 
-    return (tp_level){
+    return (tp_mip_level){
         .texel = texture->level[l],
         .half_s = 0x80000000u >> log2_w, .half_t = 0x80000000u >> log2_h,
         .down_s = 24 - log2_w, .down_t = 24 - log2_h,
@@ -47,7 +47,7 @@ typedef struct {
 
 /* Returns the texel at (s, t), Q0.32 repeats, and its right and lower neighbours.  The
  * caller subtracts half a texel from the sampled point first. */
-TP_ALWAYS_INLINE tp_four tp_four_gather(const tp_level *l, uint32_t s, uint32_t t)
+TP_ALWAYS_INLINE tp_four tp_four_gather(const tp_mip_level *l, uint32_t s, uint32_t t)
 {
     uint32_t su = s >> l->down_s, tv = t >> l->down_t, u = su >> 8, v = tv >> 8;
     uint32_t u1 = (u + 1) & l->last_s, row = v << l->log2_w;
@@ -60,24 +60,26 @@ TP_ALWAYS_INLINE tp_four tp_four_gather(const tp_level *l, uint32_t s, uint32_t 
 
 /* Returns the four texels around the point (s, t).  Weights are the eight bits below a
  * texel. */
-TP_ALWAYS_INLINE tp_four tp_four_gather_centred(const tp_level *l, uint32_t s, uint32_t t)
+TP_ALWAYS_INLINE tp_four tp_four_gather_centred(const tp_mip_level *l, uint32_t s,
+                                                uint32_t t)
 {
     return tp_four_gather(l, s - l->half_s, t - l->half_t);
 }
 
-TP_ALWAYS_INLINE tp_parted tp_four_interpolate(const tp_four *f)
+TP_ALWAYS_INLINE tp_split_rgb tp_four_interpolate(const tp_four *f)
 {
-    tp_parted above =
-        tp_parted_mix(tp_parted_split(f->texel[0]), tp_parted_split(f->texel[1]), f->fs);
-    tp_parted below =
-        tp_parted_mix(tp_parted_split(f->texel[2]), tp_parted_split(f->texel[3]), f->fs);
-    return tp_parted_mix(above, below, f->ft);
+    tp_split_rgb above = tp_split_rgb_mix(tp_split_rgb_make(f->texel[0]),
+                                          tp_split_rgb_make(f->texel[1]), f->fs);
+    tp_split_rgb below = tp_split_rgb_mix(tp_split_rgb_make(f->texel[2]),
+                                          tp_split_rgb_make(f->texel[3]), f->fs);
+    return tp_split_rgb_mix(above, below, f->ft);
 }
 
-TP_ALWAYS_INLINE uint32_t tp_level_sample_linear(const tp_level *l, uint32_t s, uint32_t t)
+TP_ALWAYS_INLINE uint32_t tp_mip_level_sample_linear(const tp_mip_level *l, uint32_t s,
+                                                     uint32_t t)
 {
     tp_four f = tp_four_gather_centred(l, s, t);
-    return tp_parted_whole(tp_four_interpolate(&f));
+    return tp_split_rgb_join(tp_four_interpolate(&f));
 }
 
 /* -- the mipmap level of a layer ---------------------------------------------------- */
@@ -85,8 +87,8 @@ TP_ALWAYS_INLINE uint32_t tp_level_sample_linear(const tp_level *l, uint32_t s, 
 static inline int tp_layer_mip_level(const tp_shade *shade, const tp_layer *layer,
                                      uint32_t key)
 {
-    return tp_level_choose(layer->lod, tp_log_depth(shade, key), true,
-                           layer->texture->levels);
+    return tp_mip_level_choose(layer->lod, tp_log_depth(shade, key), true,
+                               layer->texture->levels);
 }
 
 /* Neighbouring samples of a run with one mipmap level: the unit of the sampling loops. */
@@ -112,14 +114,14 @@ static inline tp_stretch tp_stretch_find(const tp_shade *shade, const tp_run *ru
 
 /* A layer at one level.  A product and a sum turn positions in m into repeats. */
 typedef struct {
-    tp_level level;
+    tp_mip_level level;
     uint32_t per_s, per_t, drift_s, drift_t;
 } tp_sampler;
 
 /* Sampler of four texels. */
 static inline tp_sampler tp_sampler_linear(const tp_layer *layer, int level)
 {
-    tp_level l = tp_level_select(layer->texture, level);
+    tp_mip_level l = tp_mip_level_select(layer->texture, level);
 
     return (tp_sampler){ l, layer->per_metre, layer->per_metre,
                          layer->drift_s - l.half_s, layer->drift_t - l.half_t };
@@ -134,7 +136,7 @@ TP_ALWAYS_INLINE tp_four tp_sampler_four(const tp_sampler *p, uint32_t s, uint32
  * by 32; its positions are set to 0 instead. */
 static inline tp_sampler tp_sampler_nearest(const tp_layer *layer, int level)
 {
-    tp_level l = tp_level_select(layer->texture, level);
+    tp_mip_level l = tp_mip_level_select(layer->texture, level);
     bool one_s = l.last_s == 0, one_t = l.last_t == 0;
 
     l.down_s = one_s ? 0 : l.down_s + 8;
@@ -160,11 +162,11 @@ static inline tp_sampler tp_sampler_choose(const tp_layer *layer, int level, int
     return filter ? tp_sampler_linear(layer, level) : tp_sampler_nearest(layer, level);
 }
 
-TP_ALWAYS_INLINE tp_parted tp_sampled(const tp_sampler *p, uint32_t s, uint32_t t,
-                                      int filter)
+TP_ALWAYS_INLINE tp_split_rgb tp_sampled(const tp_sampler *p, uint32_t s, uint32_t t,
+                                         int filter)
 {
     if (!filter)
-        return tp_parted_split(tp_sampler_texel(p, s, t));
+        return tp_split_rgb_make(tp_sampler_texel(p, s, t));
     tp_four f = tp_sampler_four(p, s, t);
     return tp_four_interpolate(&f);
 }

@@ -102,7 +102,7 @@ typedef struct {
     const uint32_t *colour;     /* row-major from (x0, y0); NULL: empty map */
     int32_t x0, y0, x1, y1;     /* box in map pixels, x1 and y1 excluded */
     int32_t coarser;            /* 1: map of quarter resolution */
-} tp_half;
+} tp_planar_map;
 
 #define TP_SHINE 1024           /* entries of the lobe's table over 0..1 */
 #define TP_GLOSS 256
@@ -122,7 +122,7 @@ typedef struct tp_shade {
 
 
     tp_vec3  eye;
-    const tp_inside *inside;    /* the water volume and its floor, or NULL */
+    const tp_underwater *underwater;    /* the water volume and its floor, or NULL */
     const tp_caustic *caustic;  /* caustics map; NULL: even light */
 
     const tp_entry16 *shine;    /* TP_SHINE + 1: 256 at 1, times the specular; or NULL */

@@ -6,39 +6,40 @@
 #include "shade/normal.h"
 #include "shade/sampler.h"
 
-TP_ALWAYS_INLINE tp_level tp_wall_material_level(const tp_wall_material *coat, tp_fx far,
-                                                 bool ground)
+TP_ALWAYS_INLINE tp_mip_level tp_wall_material_level(const tp_wall_material *material,
+                                                     tp_fx far, bool ground)
 {
     int32_t log_far = tp_log2_q8((uint32_t)far | 1) - 16 * 256;
-    return tp_level_select(coat->texture, tp_level_choose(coat->lod, log_far, ground,
-                                                          coat->texture->levels));
+    return tp_mip_level_select(
+        material->texture,
+        tp_mip_level_choose(material->lod, log_far, ground, material->texture->levels));
 }
 
 /* Colour of the material at (x, z) metres in its plane, seen from `far` metres away.
  * `ground`: true if the plane is level. */
-TP_ALWAYS_INLINE uint32_t tp_wall_material_sample(const tp_wall_material *coat, tp_fx x,
+TP_ALWAYS_INLINE uint32_t tp_wall_material_sample(const tp_wall_material *material, tp_fx x,
                                                   tp_fx z, tp_fx far, bool ground)
 {
-    if (!coat->texture)
-        return coat->colour;
-    tp_level level = tp_wall_material_level(coat, far, ground);
-    uint32_t texel = tp_level_sample_linear(&level, (uint32_t)x * coat->per_metre,
-                                            (uint32_t)z * coat->per_metre);
-    return tp_colour_times(texel, coat->colour);
+    if (!material->texture)
+        return material->colour;
+    tp_mip_level level = tp_wall_material_level(material, far, ground);
+    uint32_t texel = tp_mip_level_sample_linear(&level, (uint32_t)x * material->per_metre,
+                                                (uint32_t)z * material->per_metre);
+    return tp_colour_times(texel, material->colour);
 }
 
 /* The channel at bit `shift` of tp_wall_material_sample, 0..255. */
-TP_ALWAYS_INLINE uint32_t tp_wall_material_channel(const tp_wall_material *coat, tp_fx x,
-                                                   tp_fx z, tp_fx far, bool ground,
-                                                   int shift)
+TP_ALWAYS_INLINE uint32_t tp_wall_material_channel(const tp_wall_material *material,
+                                                   tp_fx x, tp_fx z, tp_fx far,
+                                                   bool ground, int shift)
 {
-    uint32_t colour = coat->colour >> shift & 0xff;
+    uint32_t colour = material->colour >> shift & 0xff;
 
-    if (!coat->texture)
+    if (!material->texture)
         return colour;
-    tp_level level = tp_wall_material_level(coat, far, ground);
-    tp_four  f = tp_four_gather_centred(&level, (uint32_t)x * coat->per_metre,
-                                (uint32_t)z * coat->per_metre);
+    tp_mip_level level = tp_wall_material_level(material, far, ground);
+    tp_four  f = tp_four_gather_centred(&level, (uint32_t)x * material->per_metre,
+                                (uint32_t)z * material->per_metre);
     uint32_t above = tp_channel_mix(f.texel[0] >> shift & 0xff,
                                     f.texel[1] >> shift & 0xff, f.fs);
     uint32_t below = tp_channel_mix(f.texel[2] >> shift & 0xff,

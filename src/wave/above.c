@@ -18,26 +18,26 @@
 #define STEPS 7             /* a last evaluation follows: eight in all */
 #define NEAR  2             /* LSB of x and z: the rounding error of a rest point */
 
-typedef struct { tp_fx x, z; } place;
+typedef struct { tp_fx x, z; } rest_place;
 
 /* Returns the displacement d(p0), and the sine of each swell in Q8.24.  Factors have 25 and
  * 24 bits: sixteen products fit 64 bits. */
-static place displacement(const tp_sea *sea, const tp_turn phases[TP_WAVES], place rest,
-                          int32_t sine[TP_WAVES])
+static rest_place displacement(const tp_deep_water *deep, const tp_turn phases[TP_WAVES],
+                               rest_place rest, int32_t sine[TP_WAVES])
 {
     const int64_t half = (int64_t)1 << 23;
     int64_t x = 0, z = 0;
 
-    for (uint32_t i = 0; i < sea->count; i++) {
-        const tp_swell *w = &sea->swell[i];
+    for (uint32_t i = 0; i < deep->count; i++) {
+        const tp_swell *w = &deep->swell[i];
         tp_turn th = phases[i] + tp_swell_turns(w->turns_x, rest.x)
                                + tp_swell_turns(w->turns_z, rest.z);
         int32_t c = tp_cos(th) >> 6;
         sine[i] = tp_sin(th) >> 6;
-        x += (int64_t)w->reach_x * c;
-        z += (int64_t)w->reach_z * c;
+        x += (int64_t)w->orbit_x * c;
+        z += (int64_t)w->orbit_z * c;
     }
-    return (place){ (tp_fx)((x + half) >> 24), (tp_fx)((z + half) >> 24) };
+    return (rest_place){ (tp_fx)((x + half) >> 24), (tp_fx)((z + half) >> 24) };
 }
 
 /* Returns the weight 1 / (1 + 2 (k e)^2) in 16.16 for an error e in 16.16 below 2^11 m.
@@ -52,13 +52,14 @@ static uint32_t wave_weight(const tp_swell *w, uint32_t error)
 
 /* Returns the step against the error e = P(p0) - p: -e over the weighted J, Q4.28.  The
  * eigenvalues of J are 0.05 or more, and det > 0.047; 27 and 30 bits make the numerator. */
-static place newton_step(const tp_sea *sea, const int32_t sine[TP_WAVES], place e)
+static rest_place newton_step(const tp_deep_water *deep, const int32_t sine[TP_WAVES],
+                              rest_place e)
 {
     uint32_t error = tp_isqrt64((uint64_t)((int64_t)e.x * e.x + (int64_t)e.z * e.z));
     int64_t  bxx = 0, bxz = 0, bzz = 0;
 
-    for (uint32_t i = 0; i < sea->count; i++) {
-        const tp_swell *w = &sea->swell[i];
+    for (uint32_t i = 0; i < deep->count; i++) {
+        const tp_swell *w = &deep->swell[i];
         int64_t s = (int64_t)sine[i] * wave_weight(w, error) >> 16;
         bxx += w->bend_xx * s;
         bxz += w->bend_xz * s;
@@ -67,17 +68,17 @@ static place newton_step(const tp_sea *sea, const int32_t sine[TP_WAVES], place 
     int64_t jxx = (1 << 28) - (bxx >> 26), jzz = (1 << 28) - (bzz >> 26);
     int64_t jxz = -(bxz >> 26), det = (jxx * jzz - jxz * jxz) >> 28;
     TP_ASSERT(det > 0);
-    return (place){ (tp_fx)tp_div_rounded(e.z * jxz - e.x * jzz, det),
-                    (tp_fx)tp_div_rounded(e.x * jxz - e.z * jxx, det) };
+    return (rest_place){ (tp_fx)tp_div_rounded(e.z * jxz - e.x * jzz, det),
+                         (tp_fx)tp_div_rounded(e.x * jxz - e.z * jxx, det) };
 }
 
 /* The box around p, clipped to the range of 16.16.  Its half side is the reach + 2^-16 m,
  * for the rounding of a point. */
-typedef struct { place low, high; } box;
+typedef struct { rest_place low, high; } box;
 
-static box search_box(const tp_sea *sea, tp_fx x, tp_fx z)
+static box search_box(const tp_deep_water *deep, tp_fx x, tp_fx z)
 {
-    const tp_fx reach = sea->reach + 1;
+    const tp_fx reach = deep->max_displacement + 1;
     return (box){ { tp_fx_sub_sat(x, reach), tp_fx_sub_sat(z, reach) },
                   { tp_fx_add_sat(x, reach), tp_fx_add_sat(z, reach) } };
 }
@@ -87,9 +88,9 @@ static tp_fx clamp_coordinate(int64_t x, tp_fx low, tp_fx high)
     return x < low ? low : x > high ? high : (tp_fx)x;
 }
 
-static place add_step_in_box(const box *b, place from, place step)
+static rest_place add_step_in_box(const box *b, rest_place from, rest_place step)
 {
-    return (place){ clamp_coordinate((int64_t)from.x + step.x, b->low.x, b->high.x),
+    return (rest_place){ clamp_coordinate((int64_t)from.x + step.x, b->low.x, b->high.x),
                     clamp_coordinate((int64_t)from.z + step.z, b->low.z, b->high.z) };
 }
 
@@ -99,39 +100,41 @@ static bool is_rounding_error(tp_fx e)
 }
 
 /* Within the box the differences of coordinates fit 32 bits. */
-tp_sea_point tp_sea_sample(const tp_sea *sea, const tp_turn phases[TP_WAVES],
-                          tp_fx x, tp_fx z, tp_fx rest[2])
+tp_surface_point tp_deep_water_sample(const tp_deep_water *deep,
+                                      const tp_turn phases[TP_WAVES], tp_fx x, tp_fx z,
+                                      tp_fx rest[2])
 {
-    const place still = { 0, 0 };
-    const box   around = search_box(sea, x, z);
-    place at = { x, z };
+    const rest_place still = { 0, 0 };
+    const box   around = search_box(deep, x, z);
+    rest_place at = { x, z };
     int32_t sine[TP_WAVES];
 
     if (rest)
-        at = add_step_in_box(&around, (place){ rest[0], rest[1] }, still);
+        at = add_step_in_box(&around, (rest_place){ rest[0], rest[1] }, still);
     for (int n = 0; n < STEPS; n++) {
-        place d = displacement(sea, phases, at, sine);
-        place e = { at.x - x + d.x, at.z - z + d.z };
+        rest_place d = displacement(deep, phases, at, sine);
+        rest_place e = { at.x - x + d.x, at.z - z + d.z };
         if (is_rounding_error(e.x) && is_rounding_error(e.z))
             break;
-        at = add_step_in_box(&around, at, newton_step(sea, sine, e));
+        at = add_step_in_box(&around, at, newton_step(deep, sine, e));
     }
     if (rest) {
         rest[0] = at.x;
         rest[1] = at.z;
     }
-    return tp_sea_displace_point(sea, phases, at.x, at.z);
+    return tp_deep_water_displace_point(deep, phases, at.x, at.z);
 }
 
-tp_sea_point tp_sea_sample_fixed_point(const tp_sea *sea, const tp_turn phases[TP_WAVES],
-                                       tp_fx x, tp_fx z, uint32_t n)
+tp_surface_point tp_deep_water_sample_fixed_point(const tp_deep_water *deep,
+                                                  const tp_turn phases[TP_WAVES], tp_fx x,
+                                                  tp_fx z, uint32_t n)
 {
-    place at = { x, z };
+    rest_place at = { x, z };
     int32_t sine[TP_WAVES];
 
     for (; n > 0; n--) {
-        place d = displacement(sea, phases, at, sine);
-        at = (place){ tp_fx_sub_sat(x, d.x), tp_fx_sub_sat(z, d.z) };
+        rest_place d = displacement(deep, phases, at, sine);
+        at = (rest_place){ tp_fx_sub_sat(x, d.x), tp_fx_sub_sat(z, d.z) };
     }
-    return tp_sea_displace_point(sea, phases, at.x, at.z);
+    return tp_deep_water_displace_point(deep, phases, at.x, at.z);
 }

@@ -34,7 +34,7 @@ typedef struct {
     int64_t   shore_q32;        /* the least depth of the table */
     int64_t   slope_q30;
     tp_fx     x_first, x_last;
-} beach;
+} coast_profile;
 
 static int64_t max_int64(int64_t a, int64_t b)
 {
@@ -49,7 +49,7 @@ static int64_t min_int64(int64_t a, int64_t b)
 /* Returns the depth at x, Q32.  x is in halves of 2^-16 m, to have midpoints.  |x| <=
  * 2^32 + 2^24 and slope <= 2^30: 63 bits.  One node past the shore the depth is half of
  * the least depth. */
-static int64_t beach_depth(const beach *b, int64_t halves)
+static int64_t beach_depth(const coast_profile *b, int64_t halves)
 {
     const int64_t rise = (halves * b->slope_q30 + (1 << 14)) >> 15;
     return max_int64(b->depth_q32 - rise, b->least_q32 / 2);
@@ -58,7 +58,7 @@ static int64_t beach_depth(const beach *b, int64_t halves)
 /* Returns the first x where the floor has risen to a depth below 2^48; slope > 0.  The
  * difference of depths is below 1.5 2^32 in 16.16, and its product with 2^30 is below
  * 2^63. */
-static tp_fx x_from_depth(const beach *b, int64_t depth_q32)
+static tp_fx x_from_depth(const coast_profile *b, int64_t depth_q32)
 {
     TP_ASSERT(b->slope_q30 > 0);
     const int64_t rise = (b->depth_q32 - depth_q32) >> 16;
@@ -69,7 +69,7 @@ static tp_fx x_from_depth(const beach *b, int64_t depth_q32)
 
 /* Finds the ends of the table: from the point where the wave begins to feel the floor, to
  * the point where the floor becomes level. */
-static void find_ends(beach *b, const tp_coast_shape *s)
+static void find_ends(coast_profile *b, const tp_coast_shape *s)
 {
     b->x_first = s->x_from;
     b->x_last = s->x_to > s->x_from ? s->x_to : s->x_from;
@@ -85,12 +85,12 @@ static void find_ends(beach *b, const tp_coast_shape *s)
     b->shore_q32 = max_int64(beach_depth(b, 2 * (int64_t)b->x_last), b->least_q32);
 }
 
-static beach make_beach(const tp_coast_shape *s)
+static coast_profile make_beach(const tp_coast_shape *s)
 {
     const int64_t k = min_int64(max_int64(s->k_inf_q32, 0), K_MOST_Q32);
     const int64_t kz = max_int64(min_int64(s->kz_q32, k), -k);
     const tp_fx least = s->least > TP_DEPTH_LEAST ? s->least : TP_DEPTH_LEAST;
-    beach b = {
+    coast_profile b = {
         .k_inf = tp_scaled_from_wave_number(k),
         .across_squared = tp_scaled_mul(tp_scaled_from_wave_number(k - kz),
                                         tp_scaled_from_wave_number(k + kz)),
@@ -105,10 +105,10 @@ static beach make_beach(const tp_coast_shape *s)
 /* k^2 - kz^2 = (k_inf / sinh kh)^2 + k_inf^2 - kz^2, because k = k_inf / tanh kh.
  * Both terms keep all their bits for a grazing wave, where the difference of k and kz
  * would lose bits. */
-static tp_scaled across_squared(const beach *b, int64_t depth_q32)
+static tp_scaled across_squared(const coast_profile *b, int64_t depth_q32)
 {
     const tp_scaled h = tp_scaled_from_fixed((uint64_t)depth_q32, 32);
-    const tp_scaled x = tp_scaled_mul(tp_depth_number_scaled(b->k_inf, h, 3), h);
+    const tp_scaled x = tp_scaled_mul(tp_depth_wave_number_scaled(b->k_inf, h, 3), h);
     const tp_scaled bent = tp_scaled_mul(b->k_inf, b->k_inf);
 
     if (tp_scaled_q24(x) >= TP_DEPTH_DEEP_Q24)
@@ -117,7 +117,7 @@ static tp_scaled across_squared(const beach *b, int64_t depth_q32)
 }
 
 /* Returns sqrt(k^2 - kz^2) / 2 pi in turns per metre, Q31.32. */
-static int64_t phase_rise(const beach *b, int64_t depth_q32)
+static int64_t phase_rise(const coast_profile *b, int64_t depth_q32)
 {
     if (b->k_inf.m == 0)
         return 0;
@@ -128,10 +128,10 @@ static int64_t phase_rise(const beach *b, int64_t depth_q32)
 
 /* Returns the distance of nodes as a power of two of 2^-16 m; the bounds are in the
  * head of this file. */
-static uint32_t node_spacing_bits(const beach *b)
+static uint32_t node_spacing_bits(const coast_profile *b)
 {
     const tp_scaled h = tp_scaled_from_fixed((uint64_t)b->shore_q32, 32);
-    const tp_scaled k = tp_depth_number_scaled(b->k_inf, h, 3);
+    const tp_scaled k = tp_depth_wave_number_scaled(b->k_inf, h, 3);
     const tp_scaled part = tp_scaled_mul(tp_scaled_from_fixed(SIXTEENTH_Q32, 32),
                                          tp_scaled_recip(k));
     const int64_t steep = b->shore_q32 * (1 << 13) / b->slope_q30;
@@ -140,14 +140,14 @@ static uint32_t node_spacing_bits(const beach *b)
     return most > 1 ? 31 - (uint32_t)tp_clz((uint32_t)most) : 0;
 }
 
-static uint32_t count_nodes(const beach *b, uint32_t bits)
+static uint32_t count_nodes(const coast_profile *b, uint32_t bits)
 {
     return (((uint32_t)b->x_last - (uint32_t)b->x_first) >> bits) + 2;
 }
 
 size_t tp_coast_bytes(const tp_coast_shape *shape)
 {
-    const beach b = make_beach(shape);
+    const coast_profile b = make_beach(shape);
     size_t bytes = sizeof(tp_coast);
 
     if (b.x_first < b.x_last)
@@ -175,7 +175,7 @@ static int64_t node_turns(const tp_coast_node *n)
 
 /* Simpson's rule over each step.  A slope is below 2^40, and slope times step is at most an
  * 11th of a turn: six of them are below 2^47 in Q48. */
-static void integrate_phases(tp_coast *coast, const beach *b)
+static void integrate_phases(tp_coast *coast, const coast_profile *b)
 {
     tp_coast_node *const node = coast_nodes(coast);
     const int64_t step = (int64_t)1 << coast->bits, half = TP_FX_ONE / 2;
@@ -230,7 +230,7 @@ int64_t tp_coast_phase(const tp_coast *coast, tp_fx x)
 
 void tp_coast_init(tp_coast *coast, const tp_coast_shape *shape)
 {
-    const beach b = make_beach(shape);
+    const coast_profile b = make_beach(shape);
     const bool bent = b.x_first < b.x_last;
     const int64_t sea = b.x_first > shape->x_from ? DEPTH_MOST_Q32 - 1
                       : max_int64(beach_depth(&b, 2 * (int64_t)b.x_first), b.least_q32);

@@ -15,7 +15,7 @@
 
 typedef struct {
     int64_t *turns;
-    const tp_ocean_ray *ray;
+    const tp_coastal_wave_node *ray;
     uint32_t cols, rows;
 } lattice;
 
@@ -99,7 +99,7 @@ static bool sweep(const lattice *l, bool west, bool north)
     return changed;
 }
 
-void tp_eikonal_solve(int64_t *turns, const tp_ocean_ray *ray, uint32_t cols,
+void tp_eikonal_solve(int64_t *turns, const tp_coastal_wave_node *ray, uint32_t cols,
                       uint32_t rows)
 {
     TP_ASSERT(cols >= 2 && rows >= 2);

@@ -35,8 +35,8 @@ tp_scaled tp_tanh_scaled(tp_scaled x);
  * 2^-30 from there on. */
 tp_scaled tp_csch_squared(tp_scaled x);
 
-/* tp_scaled_from_depth converts a depth; land counts as 1/16 m.  tp_scaled_q24 converts x to
- * 8.24, saturated. */
+/* tp_scaled_from_depth converts a depth; land counts as 1/16 m.  tp_scaled_q24
+ * converts x to 8.24, saturated. */
 tp_scaled tp_scaled_from_depth(tp_fx depth);
 uint32_t  tp_scaled_q24(tp_scaled x);
 
@@ -46,9 +46,9 @@ static inline tp_scaled tp_scaled_from_wave_number(int64_t k_q32)
     return tp_scaled_from_fixed(k_q32 > 0 ? (uint64_t)k_q32 : 0, 32);
 }
 
-/* Solves k tanh(kh) = k_inf for k, by [B4] and `steps` of [B6]; see tp_depth_number.  Both
- * arguments are > 0. */
-tp_scaled tp_depth_number_scaled(tp_scaled k_inf, tp_scaled depth, int steps);
+/* Solves k tanh(kh) = k_inf for k, by [B4] and `steps` of [B6]; see
+ * tp_depth_wave_number.  Both arguments are > 0. */
+tp_scaled tp_depth_wave_number_scaled(tp_scaled k_inf, tp_scaled depth, int steps);
 
 /* From this k_inf h on, k is k_inf: the difference, 2 e^-24, is below 2^-33. */
 #define TP_DEPTH_DEEP_Q24 (12u << 24)

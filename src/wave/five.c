@@ -5,18 +5,20 @@
 #include "base/assert.h"
 #include "wave/wave.h"
 
-tp_relief tp_neighbour_relief(tp_fx middle, const tp_fx around[4], tp_fx spacing)
+tp_height_slope tp_neighbour_height_slope(tp_fx middle, const tp_fx neighbours[4],
+                                          tp_fx spacing)
 {
     TP_ASSERT(spacing > 0 && spacing < 8192 * TP_FX_ONE);
-    return (tp_relief){
+    return (tp_height_slope){
         middle,
-        tp_fx_div(around[1] - around[0], 2 * spacing),
-        tp_fx_div(around[3] - around[2], 2 * spacing),
+        tp_fx_div(neighbours[1] - neighbours[0], 2 * spacing),
+        tp_fx_div(neighbours[3] - neighbours[2], 2 * spacing),
     };
 }
 
-tp_dir3 tp_neighbour_normal(const tp_fx around[4], tp_fx spacing)
+tp_dir3 tp_neighbour_normal(const tp_fx neighbours[4], tp_fx spacing)
 {
     TP_ASSERT(spacing > 0 && spacing < 8192 * TP_FX_ONE);
-    return tp_normalise(around[0] - around[1], 2 * spacing, around[2] - around[3]);
+    return tp_normalise(neighbours[0] - neighbours[1], 2 * spacing,
+                        neighbours[2] - neighbours[3]);
 }

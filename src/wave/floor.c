@@ -3,7 +3,7 @@
  *
  * The samples of a map lie in the middle of its pixels and are interpolated bilinearly.
  * Beyond the outermost samples the floor goes on level.  Rises are the slopes of the
- * bilinear patch and jump from pixel to pixel; tp_ocean keeps smoothed slopes. */
+ * bilinear patch and jump from pixel to pixel; tp_coastal_water keeps smoothed slopes. */
 #include "wave/ocean_tables.h"
 
 #define RISE_MAX TP_FX(8)
@@ -39,11 +39,11 @@ typedef struct {
     uint32_t sample, next;
     int32_t  part;              /* Q16, 0..1 */
     bool     outside;
-} place;
+} map_place;
 
 /* `way` is the distance from the middle of the map; `cells` samples have a pitch of `size`
  * / `across` metres.  |way| < 2^32 and across <= 2^12 leave room for 16 more bits. */
-static place locate_sample(int64_t way, uint32_t cells, uint32_t across, tp_fx size)
+static map_place locate_sample(int64_t way, uint32_t cells, uint32_t across, tp_fx size)
 {
     TP_ASSERT(cells > 0 && across > 0 && across <= 4096 && size > 0);
     const int64_t at = way * (int64_t)across * TP_FX_ONE / size
@@ -51,11 +51,11 @@ static place locate_sample(int64_t way, uint32_t cells, uint32_t across, tp_fx s
     const int64_t last = ((int64_t)cells - 1) * TP_FX_ONE;
 
     if (at < 0)
-        return (place){ .outside = true };
+        return (map_place){ .outside = true };
     if (at >= last)
-        return (place){ cells - 1, cells - 1, 0, at > last };
+        return (map_place){ cells - 1, cells - 1, 0, at > last };
     const uint32_t sample = (uint32_t)(at >> 16);
-    return (place){ sample, sample + 1, (int32_t)(at & 0xffff), false };
+    return (map_place){ sample, sample + 1, (int32_t)(at & 0xffff), false };
 }
 
 /* Returns map range (33 bits) times a sample of 24 bits, over white. */
@@ -84,9 +84,9 @@ static int64_t interpolate_q16(int64_t a, int64_t b, int32_t part)
 static tp_floor_at sample_map(const tp_floor *floor, tp_fx x, tp_fx z)
 {
     const tp_grey *map = floor->map;
-    const place u = locate_sample((int64_t)x - floor->map_x, map->cols, map->cols,
+    const map_place u = locate_sample((int64_t)x - floor->map_x, map->cols, map->cols,
                              floor->map_size);
-    const place v = locate_sample((int64_t)z - floor->map_z, map->rows, map->cols,
+    const map_place v = locate_sample((int64_t)z - floor->map_z, map->rows, map->cols,
                              floor->map_size);
     const uint16_t *north = map->sample + (size_t)v.sample * map->cols;
     const uint16_t *south = map->sample + (size_t)v.next * map->cols;

@@ -4,13 +4,14 @@
 #include "wave/wave.h"
 
 /* Bends sum to at most 0.95: the sums fit Q30, and their products fit 64 bits. */
-tp_fx tp_sea_jacobian(const tp_sea *sea, const tp_turn phases[TP_WAVES], tp_fx x, tp_fx z)
+tp_fx tp_deep_water_jacobian(const tp_deep_water *deep, const tp_turn phases[TP_WAVES],
+                             tp_fx x, tp_fx z)
 {
-    TP_ASSERT(sea->count <= TP_WAVES);
+    TP_ASSERT(deep->count <= TP_WAVES);
     int32_t bxx = 0, bxz = 0, bzz = 0;
 
-    for (uint32_t i = 0; i < sea->count; i++) {
-        const tp_swell *w = &sea->swell[i];
+    for (uint32_t i = 0; i < deep->count; i++) {
+        const tp_swell *w = &deep->swell[i];
         if (w->bend == 0)
             continue;
         tp_q30 s = tp_sin(phases[i] + tp_swell_turns(w->turns_x, x)

@@ -22,8 +22,8 @@ tp_fx tp_noise(uint32_t u_q16, uint32_t v_q16, uint32_t seed)
     const tp_fx s = tp_smoothstep((tp_fx)(u_q16 & 0xffff));
     const tp_fx t = tp_smoothstep((tp_fx)(v_q16 & 0xffff));
     const tp_fx near =
-        tp_ocean_mix(hash_height(u, v, seed), hash_height(u + 1, v, seed), s);
+        tp_coastal_mix(hash_height(u, v, seed), hash_height(u + 1, v, seed), s);
     const tp_fx far =
-        tp_ocean_mix(hash_height(u, v + 1, seed), hash_height(u + 1, v + 1, seed), s);
-    return tp_ocean_mix(near, far, t);
+        tp_coastal_mix(hash_height(u, v + 1, seed), hash_height(u + 1, v + 1, seed), s);
+    return tp_coastal_mix(near, far, t);
 }

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Coastal water: waves over a sea floor and under wind, [B1]-[B20] of the models.
  *
- * Each swell of a tp_sea is changed by the depth.  Its period stays, its length shortens,
- * its height shoals, its crests turn towards the shore, its orbits flatten and tilt with
- * the floor.  A crest too high for its depth stretches, overhangs and falls.  All functions
- * of the depth alone are tabulated once, and so is the phase integral [B8].  The `length`
- * of a wave is its length in deep water.
+ * Each swell of a tp_deep_water is changed by the depth.  Its period stays, its length
+ * shortens, its height shoals, its crests turn towards the shore, its orbits flatten and
+ * tilt with the floor.  A crest too high for its depth stretches, overhangs and falls.
+ * All functions of the depth alone are tabulated once, and so is the phase integral [B8].
+ * The `length` of a wave is its length in deep water.
  *
  * Q k A is exact in deep water.  Elsewhere one factor narrows all orbits at a depth if
  * their sum k Q r Sx would exceed 0.95 [A11] [B13].  Slopes below 2^-12 count as
@@ -50,12 +50,12 @@ typedef struct {
                              * usually 0.1, 0.11, 0.09 */
     tp_fx stretch;          /* factor of the breaker type's stretch [B20], 0..2 */
     tp_fx irregular;        /* irregularity of crests by noise, 0..1 */
-} tp_ocean_config;
+} tp_coastal_config;
 
 /* Private: properties of one wave at a depth.  Nodes stand at depth 0, and at eight depths
  * an octave from 1/16 to 2048 m, the depth where water counts as deep. */
-#define TP_OCEAN_DEPTHS (1 + 8 * 15 + 1)
-#define TP_OCEAN_PHASES (1 + 32 * 15 + 1)
+#define TP_COASTAL_DEPTHS (1 + 8 * 15 + 1)
+#define TP_COASTAL_PHASES (1 + 32 * 15 + 1)
 
 typedef struct {
     tp_fx   along, up;      /* semi-axes of the orbit, m */
@@ -65,35 +65,38 @@ typedef struct {
     int16_t tilt_sin, tilt_cos;     /* straight floor: tilt of the orbit [B11], Q1.14 */
     int16_t steep;          /* breaking by steepness [B14], 0..1, Q1.14 */
     int16_t spare;
-} tp_ocean_depth;
+} tp_coastal_depth_entry;
 
-/* Private: the inputs of a table, and of the rest of tp_ocean; used to detect changes. */
-typedef struct { tp_fx length, heading, amplitude, reach_x, reach_z; } tp_ocean_swell_key;
+/* Private: the inputs of a table, and of the rest of tp_coastal_water; used to detect
+ * changes. */
+typedef struct {
+    tp_fx length, heading, amplitude, orbit_x, orbit_z;
+} tp_coastal_swell_inputs;
 typedef struct {
     tp_fx depth, slope, heading, map_x, map_z, map_size, map_low, map_high;
-} tp_ocean_floor_key;
+} tp_coastal_floor_inputs;
 typedef struct {
     tp_fx wind, wind_heading, k0, kx, ky, stretch, irregular;
-} tp_ocean_model_key;
+} tp_coastal_model_inputs;
 
 typedef struct {
-    tp_ocean_depth depth[TP_OCEAN_DEPTHS];
-    int32_t turns[TP_OCEAN_PHASES]; /* straight floor: phase in excess of deep
+    tp_coastal_depth_entry depth[TP_COASTAL_DEPTHS];
+    int32_t turns[TP_COASTAL_PHASES]; /* straight floor: phase in excess of deep
                                      * water, turns, Q16 */
-    tp_ocean_swell_key key;
-} tp_ocean_table;
+    tp_coastal_swell_inputs key;
+} tp_coastal_table;
 
 /* Private: a map node of the floor, and a map node of a wave. */
 typedef struct {
     tp_fx   depth;
     int16_t rise_x, rise_z; /* slopes, Q4.11 */
-} tp_ocean_bed;
+} tp_coastal_floor_node;
 
 typedef struct {
     int32_t turns;          /* phase in excess of deep water, turns, Q16 */
     int16_t way_x, way_z;   /* direction of travel less the direction in deep water,
                              * Q2.13 */
-} tp_ocean_ray;
+} tp_coastal_wave_node;
 
 /* Private: a wave. */
 typedef struct {
@@ -102,40 +105,40 @@ typedef struct {
     tp_fx    lambda;                /* lambda of the wind on this wave, rad/m */
     int32_t  iterations;            /* iterations of [B10]; the same for all depths */
     tp_fx    stretch, plunge;       /* factors from breaker type and config [B20] */
-    uint32_t rays;                  /* byte offset of its map nodes */
+    uint32_t wave_nodes;                  /* byte offset of its map nodes */
     uint32_t calm;                  /* first depth node without breaking;
                                      * deeper nodes have none */
-} tp_ocean_wave;
+} tp_coastal_wave;
 
-/* Plain data without pointers.  A tp_ocean_table for each wave follows this head, then the
- * data of a map.  The struct is open in layout so that a board can place it; only the
- * functions below read it. */
-typedef struct tp_ocean {
+/* Plain data without pointers.  A tp_coastal_table for each wave follows this head,
+ * then the data of a map.  The struct is open in layout so that a board can place it;
+ * only the functions below read it. */
+typedef struct tp_coastal_water {
     uint32_t count;
     tp_fx    depth, slope;          /* straight floor: depth at the origin, m; slope ... */
     tp_q30   up_x, up_z;            /* ... rising in this direction */
     tp_fx    irregular;
-    tp_fx    reach, height;
+    tp_fx    max_displacement, height;
     int64_t  map_x, map_z;          /* north-west node, m, 16.16 */
     uint32_t map_cols, map_rows;    /* number of nodes; 0: no map */
     uint32_t map_step;              /* distance of nodes, m, 16.16 */
-    uint32_t beds;                  /* byte offset of the floor's nodes */
+    uint32_t floor_nodes;                  /* byte offset of the floor's nodes */
     uint64_t map_per_step;          /* 2^48 / map_step */
-    uint32_t fall[TP_OCEAN_DEPTHS]; /* e^-K0 h [B11], Q0.32 */
-    tp_ocean_wave wave[TP_WAVES];
-    tp_ocean_floor_key floor_key;
-    tp_ocean_model_key model_key;
-} tp_ocean;
+    uint32_t fall[TP_COASTAL_DEPTHS]; /* e^-K0 h [B11], Q0.32 */
+    tp_coastal_wave wave[TP_WAVES];
+    tp_coastal_floor_inputs floor_key;
+    tp_coastal_model_inputs model_key;
+} tp_coastal_water;
 
 /* Size of the block without a map, in bytes, for callers that place the block
  * themselves. */
-#define TP_OCEAN_STRAIGHT_BYTES(waves) \
-    ((sizeof(tp_ocean) + (waves) * sizeof(tp_ocean_table) + 7) / 8 * 8)
+#define TP_COASTAL_STRAIGHT_BYTES(waves) \
+    ((sizeof(tp_coastal_water) + (waves) * sizeof(tp_coastal_table) + 7) / 8 * 8)
 
 /* Returns the size of the block in bytes; the block must be aligned to 8.  The size depends
  * only on the number of swells and the sides of the map: waves may change in place.
  * Returns 0 if the map has a side of 0 pixels or of more than 4096. */
-size_t tp_ocean_bytes(const tp_ocean_config *config, const tp_sea *sea);
+size_t tp_coastal_bytes(const tp_coastal_config *config, const tp_deep_water *deep);
 
 /* Builds the tables; may take a while on small processors.  The swells of `sea` are used
  * in their order; `waves` and `count` are the arguments that made the sea.  Their
@@ -144,18 +147,18 @@ size_t tp_ocean_bytes(const tp_ocean_config *config, const tp_sea *sea);
  * aligned to 8.  TP_E_ARG if the map has a side of 0 or of more than 4096 pixels, or a
  * size outside of 1..8000 m, or if the waves did not make this sea.  Other numbers are
  * clamped to their ranges. */
-tp_status tp_ocean_init(tp_ocean *ocean, const tp_ocean_config *config,
-                        const tp_sea *sea, const tp_wave *waves, uint32_t count,
-                        tp_error *err);
+tp_status tp_coastal_init(tp_coastal_water *coastal, const tp_coastal_config *config,
+                          const tp_deep_water *deep, const tp_wave *waves, uint32_t count,
+                          tp_error *err);
 
-/* Rebuilds the parts that depend on changed numbers.  The block then equals the result of
- * tp_ocean_init, byte for byte.  The floor nodes depend on the floor alone.  The map nodes
- * of a swell depend on the floor and on the length and heading of the swell.  Everything
- * else depends on all numbers.  The map must be the map of tp_ocean_init.  Returns TP_E_ARG
- * and changes nothing in the cases of tp_ocean_init, or if the sea has another number of
- * swells, or the map other sides. */
-tp_status tp_ocean_refresh(tp_ocean *ocean, const tp_ocean_config *config,
-                           const tp_sea *sea, const tp_wave *waves, uint32_t count,
+/* Rebuilds the parts that depend on changed numbers.  The block then equals the result
+ * of tp_coastal_init, byte for byte.  The floor nodes depend on the floor alone.  The
+ * map nodes of a swell depend on the floor and on the length and heading of the swell.
+ * Everything else depends on all numbers.  The map must be the map of tp_coastal_init.
+ * Returns TP_E_ARG and changes nothing in the cases of tp_coastal_init, or if the sea
+ * has another number of swells, or the map other sides. */
+tp_status tp_coastal_refresh(tp_coastal_water *coastal, const tp_coastal_config *config,
+                           const tp_deep_water *deep, const tp_wave *waves, uint32_t count,
                            tp_error *err);
 
 typedef struct {
@@ -163,26 +166,26 @@ typedef struct {
     tp_fx   depth;          /* depth of still water at the rest point, m; <= 0: dry,
                              * and position.y is 0 */
     uint8_t breaking;       /* strength of breaking of the crest, 0..255 [B14] [B15] */
-} tp_ocean_point;
+} tp_coastal_point;
 
 /* Returns the displaced point of the rest point (x0, z0), any point of 16.16; positions are
- * clamped to the range.  `phases` come from tp_sea_phases. */
-tp_ocean_point tp_ocean_displace_point(const tp_ocean *ocean,
-                                       const tp_turn phases[TP_WAVES], tp_fx x0,
-                                       tp_fx z0);
+ * clamped to the range.  `phases` come from tp_deep_water_phases. */
+tp_coastal_point tp_coastal_displace_point(const tp_coastal_water *coastal,
+                                           const tp_turn phases[TP_WAVES], tp_fx x0,
+                                           tp_fx z0);
 
 /* The same without overhanging parts (stretch and displacement), for boats and drops: a
  * height field wherever sum Q k A < 1. */
-tp_ocean_point tp_ocean_displace_smooth(const tp_ocean *ocean,
-                                        const tp_turn phases[TP_WAVES], tp_fx x0,
-                                        tp_fx z0);
+tp_coastal_point tp_coastal_displace_smooth(const tp_coastal_water *coastal,
+                                            const tp_turn phases[TP_WAVES], tp_fx x0,
+                                            tp_fx z0);
 
 /* Bounds of the displacement of all points: horizontal (reach) and vertical (height), m. */
-tp_fx tp_ocean_max_displacement(const tp_ocean *ocean);
-tp_fx tp_ocean_max_height(const tp_ocean *ocean);
+tp_fx tp_coastal_max_displacement(const tp_coastal_water *coastal);
+tp_fx tp_coastal_max_height(const tp_coastal_water *coastal);
 
 /* Returns the depth under a point, from the tables. */
-tp_floor_at tp_ocean_floor(const tp_ocean *ocean, tp_fx x, tp_fx z);
+tp_floor_at tp_coastal_floor(const tp_coastal_water *coastal, tp_fx x, tp_fx z);
 
 /* -- single formulas of the models ------------------------------------------------- */
 

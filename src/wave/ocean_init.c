@@ -13,9 +13,10 @@
 
 /* Byte offsets of the parts of the block. */
 typedef struct {
-    size_t bytes, beds, rays, turns; /* rays: of the first wave; turns: scratch memory */
+    size_t bytes, floor_nodes, wave_nodes,
+        turns; /* rays: of the first wave; turns: scratch memory */
     uint32_t cols, rows;                /* nodes of a map; 0: no map */
-} layout;
+} block_layout;
 
 static size_t round_up_to_8(size_t bytes)
 {
@@ -37,96 +38,100 @@ static uint32_t count_nodes(uint32_t steps, uint32_t pixels, uint32_t most)
     return nodes < 2 ? 2 : nodes;
 }
 
-static layout make_layout(const tp_grey *map, uint32_t count)
+static block_layout make_layout(const tp_grey *map, uint32_t count)
 {
-    const size_t tables = round_up_to_8(sizeof(tp_ocean) + count * sizeof(tp_ocean_table));
+    const size_t tables =
+        round_up_to_8(sizeof(tp_coastal_water) + count * sizeof(tp_coastal_table));
     if (map == NULL)
-        return (layout){ .bytes = tables };
+        return (block_layout){ .bytes = tables };
 
     const uint32_t most = map->cols >= map->rows ? map->cols : map->rows;
     const uint32_t nodes = (uint32_t)tp_clamp((int32_t)most, NODES_LEAST, NODES_MOST);
-    layout plan = {
-        .beds = tables, .cols = count_nodes(nodes - 1, map->cols, most),
+    block_layout plan = {
+        .floor_nodes = tables, .cols = count_nodes(nodes - 1, map->cols, most),
         .rows = count_nodes(nodes - 1, map->rows, most),
     };
     const size_t all = (size_t)plan.cols * plan.rows;
-    plan.rays = plan.beds + round_up_to_8(all * sizeof(tp_ocean_bed));
-    plan.turns = plan.rays + count * round_up_to_8(all * sizeof(tp_ocean_ray));
+    plan.wave_nodes =
+        plan.floor_nodes + round_up_to_8(all * sizeof(tp_coastal_floor_node));
+    plan.turns =
+        plan.wave_nodes + count * round_up_to_8(all * sizeof(tp_coastal_wave_node));
     plan.bytes = plan.turns + all * sizeof(int64_t);
     return plan;
 }
 
-size_t tp_ocean_bytes(const tp_ocean_config *config, const tp_sea *sea)
+size_t tp_coastal_bytes(const tp_coastal_config *config, const tp_deep_water *deep)
 {
-    if (config == NULL || sea == NULL || !is_map_usable(config->floor.map))
+    if (config == NULL || deep == NULL || !is_map_usable(config->floor.map))
         return 0;
-    return make_layout(config->floor.map, sea->count).bytes;
+    return make_layout(config->floor.map, deep->count).bytes;
 }
 
-static void *at_byte(const tp_ocean *ocean, size_t offset)
+static void *at_byte(const tp_coastal_water *coastal, size_t offset)
 {
-    return (char *)(uintptr_t)ocean + offset;
+    return (char *)(uintptr_t)coastal + offset;
 }
 
-tp_ocean_bed *tp_ocean_beds(const tp_ocean *ocean)
+tp_coastal_floor_node *tp_coastal_floor_nodes(const tp_coastal_water *coastal)
 {
-    return at_byte(ocean, ocean->beds);
+    return at_byte(coastal, coastal->floor_nodes);
 }
 
-tp_ocean_ray *tp_ocean_rays(const tp_ocean *ocean, const tp_ocean_wave *wave)
+tp_coastal_wave_node *tp_coastal_wave_nodes(const tp_coastal_water *coastal,
+                                            const tp_coastal_wave *wave)
 {
-    return at_byte(ocean, wave->rays);
+    return at_byte(coastal, wave->wave_nodes);
 }
 
 /* -- inputs of the tables ---------------------------------------------------------- */
 
 /* A map ignores the numbers of the straight floor, and a straight floor ignores the
  * numbers of a map. */
-static tp_ocean_floor_key make_floor_key(const tp_ocean_config *config)
+static tp_coastal_floor_inputs make_floor_key(const tp_coastal_config *config)
 {
     const tp_floor *f = &config->floor;
 
     if (f->map)
-        return (tp_ocean_floor_key){
+        return (tp_coastal_floor_inputs){
             .map_x = f->map_x, .map_z = f->map_z, .map_size = f->map_size,
             .map_low = f->map_low, .map_high = f->map_high,
         };
-    return (tp_ocean_floor_key){ .depth = f->depth, .slope = f->slope,
+    return (tp_coastal_floor_inputs){ .depth = f->depth, .slope = f->slope,
                                  .heading = f->heading };
 }
 
-static tp_ocean_model_key make_model_key(const tp_ocean_config *config)
+static tp_coastal_model_inputs make_model_key(const tp_coastal_config *config)
 {
-    return (tp_ocean_model_key){ config->wind, config->wind_heading, config->k0,
+    return (tp_coastal_model_inputs){ config->wind, config->wind_heading, config->k0,
                                  config->kx, config->ky, config->stretch,
                                  config->irregular };
 }
 
 /* The turns per metre of a swell follow from length and heading, and need no field. */
-static tp_ocean_swell_key make_swell_key(const tp_wave *wave, const tp_swell *swell)
+static tp_coastal_swell_inputs make_swell_key(const tp_wave *wave, const tp_swell *swell)
 {
-    return (tp_ocean_swell_key){ wave->length, wave->heading, swell->amplitude,
-                                 swell->reach_x, swell->reach_z };
+    return (tp_coastal_swell_inputs){ wave->length, wave->heading, swell->amplitude,
+                                      swell->orbit_x, swell->orbit_z };
 }
 
-static bool has_same_nodes(const tp_ocean *ocean, const tp_grey *map)
+static bool has_same_nodes(const tp_coastal_water *coastal, const tp_grey *map)
 {
-    const layout plan = make_layout(map, ocean->count);
-    return plan.cols == ocean->map_cols && plan.rows == ocean->map_rows;
+    const block_layout plan = make_layout(map, coastal->count);
+    return plan.cols == coastal->map_cols && plan.rows == coastal->map_rows;
 }
 
 /* -- the floor --------------------------------------------------------------------- */
 
-static void set_straight_floor(tp_ocean *ocean, const tp_floor *floor)
+static void set_straight_floor(tp_coastal_water *coastal, const tp_floor *floor)
 {
     const tp_way up = tp_way_from_degrees(floor->heading);
 
-    ocean->depth = floor->depth == 0 ? TP_FX_MAX : floor->depth;
-    ocean->slope = floor->depth == 0 ? 0 : tp_clamp(floor->slope, 0, TP_FX_ONE);
-    if (ocean->slope < SLOPE_LEAST)
-        ocean->slope = 0;
-    ocean->up_x = up.x;
-    ocean->up_z = up.z;
+    coastal->depth = floor->depth == 0 ? TP_FX_MAX : floor->depth;
+    coastal->slope = floor->depth == 0 ? 0 : tp_clamp(floor->slope, 0, TP_FX_ONE);
+    if (coastal->slope < SLOPE_LEAST)
+        coastal->slope = 0;
+    coastal->up_x = up.x;
+    coastal->up_z = up.z;
 }
 
 /* Returns the distance of nodes, m, 16.16.  If pixels are finer than nodes, a node's depth
@@ -142,22 +147,22 @@ static uint32_t node_step(const tp_floor *floor, uint32_t nodes)
 }
 
 /* The step is limited to 125 m: a map much taller than wide loses its ends. */
-static void set_floor_map(tp_ocean *ocean, const tp_floor *floor, const layout *plan,
-                          bool keep_beds)
+static void set_floor_map(tp_coastal_water *coastal, const tp_floor *floor,
+                          const block_layout *plan, bool keep_floor_nodes)
 {
     const tp_fx far = TP_FX(16384);
 
-    ocean->map_cols = plan->cols;
-    ocean->map_rows = plan->rows;
-    ocean->map_step = node_step(floor, plan->cols > plan->rows ? plan->cols : plan->rows);
-    ocean->map_per_step = ((uint64_t)1 << 48) / ocean->map_step;
-    ocean->map_x = tp_clamp(floor->map_x, -far, far)
-                 - (int64_t)ocean->map_step * (plan->cols - 1) / 2;
-    ocean->map_z = tp_clamp(floor->map_z, -far, far)
-                 - (int64_t)ocean->map_step * (plan->rows - 1) / 2;
-    ocean->beds = (uint32_t)plan->beds;
-    if (!keep_beds)
-        tp_ocean_make_beds(ocean, floor);
+    coastal->map_cols = plan->cols;
+    coastal->map_rows = plan->rows;
+    coastal->map_step = node_step(floor, plan->cols > plan->rows ? plan->cols : plan->rows);
+    coastal->map_per_step = ((uint64_t)1 << 48) / coastal->map_step;
+    coastal->map_x = tp_clamp(floor->map_x, -far, far)
+                     - (int64_t)coastal->map_step * (plan->cols - 1) / 2;
+    coastal->map_z = tp_clamp(floor->map_z, -far, far)
+                     - (int64_t)coastal->map_step * (plan->rows - 1) / 2;
+    coastal->floor_nodes = (uint32_t)plan->floor_nodes;
+    if (!keep_floor_nodes)
+        tp_coastal_make_floor_nodes(coastal, floor);
 }
 
 /* -- the waves --------------------------------------------------------------------- */
@@ -170,29 +175,30 @@ static tp_fx vector_length(tp_fx x, tp_fx z)
     return (tp_fx)((tp_isqrt64(square << 8) + 8) >> 4);
 }
 
-static tp_ocean_swell make_swell(const tp_ocean *ocean, const tp_wave *wave,
-                                 const tp_swell *swell)
+static tp_coastal_swell make_swell(const tp_coastal_water *coastal, const tp_wave *wave,
+                                   const tp_swell *swell)
 {
-    tp_ocean_swell w = {
+    tp_coastal_swell w = {
         .way = tp_way_from_degrees(wave->heading), .amplitude = swell->amplitude,
-        .reach = vector_length(swell->reach_x, swell->reach_z),
+        .reach = vector_length(swell->orbit_x, swell->orbit_z),
         .length = tp_clamp(wave->length, TP_FX(0.25), TP_FX(2000)),
     };
-    const tp_way along = { -ocean->up_z, ocean->up_x };
+    const tp_way along = { -coastal->up_z, coastal->up_x };
 
-    w.k_inf_q32 = tp_depth_number_deep(w.length);
-    w.kz_q32 =
-        ocean->slope > 0 ? tp_ocean_scale_q30(w.k_inf_q32, tp_way_dot(w.way, along)) : 0;
+    w.k_inf_q32 = tp_depth_wave_number_deep(w.length);
+    w.kz_q32 = coastal->slope > 0
+                   ? tp_coastal_scale_q30(w.k_inf_q32, tp_way_dot(w.way, along))
+                   : 0;
     return w;
 }
 
 /* Sets the breaker factors of the beach [B20]: stretch is a factor of r, plunge is
  * the factor for 2 r. */
-static void set_breaker(tp_ocean *ocean, tp_ocean_wave *wave, const tp_ocean_swell *w,
-                        tp_fx stretch)
+static void set_breaker(tp_coastal_water *coastal, tp_coastal_wave *wave,
+                        const tp_coastal_swell *w, tp_fx stretch)
 {
-    const tp_q30 slope = ocean->map_cols ? tp_ocean_beach_slope(ocean, w->amplitude)
-                                         : ocean->slope * (1 << 14);
+    const tp_q30 slope = coastal->map_cols ? tp_coastal_beach_slope(coastal, w->amplitude)
+                                           : coastal->slope * (1 << 14);
     const tp_fx height = 2 * w->amplitude;
     const tp_breaker_type type =
         tp_breaker_classify(tp_iribarren(slope, height, w->length));
@@ -207,55 +213,58 @@ static void set_breaker(tp_ocean *ocean, tp_ocean_wave *wave, const tp_ocean_swe
 }
 
 /* A level floor does not turn waves, but shortens them. */
-static void shorten_wave(tp_ocean *ocean, tp_ocean_wave *wave, const tp_ocean_swell *w)
+static void shorten_wave(tp_coastal_water *coastal, tp_coastal_wave *wave,
+                         const tp_coastal_swell *w)
 {
-    if (ocean->slope > 0 || ocean->map_cols || ocean->depth >= 1 << TP_OCEAN_LAST)
+    if (coastal->slope > 0 || coastal->map_cols || coastal->depth >= 1 << TP_COASTAL_LAST)
         return;
-    const int64_t k = tp_ocean_local_number(w->k_inf_q32, ocean->depth);
-    const int64_t more = tp_ocean_turns_per_metre(k - w->k_inf_q32);
-    wave->turns_x += tp_ocean_scale_q30(more, w->way.x);
-    wave->turns_z += tp_ocean_scale_q30(more, w->way.z);
+    const int64_t k = tp_coastal_local_wave_number(w->k_inf_q32, coastal->depth);
+    const int64_t more = tp_coastal_turns_per_metre(k - w->k_inf_q32);
+    wave->turns_x += tp_coastal_scale_q30(more, w->way.x);
+    wave->turns_z += tp_coastal_scale_q30(more, w->way.z);
 }
 
-static void make_wave(tp_ocean *ocean, uint32_t i, const tp_wave *given,
-                      const tp_swell *swell, const tp_ocean_config *config)
+static void make_wave(tp_coastal_water *coastal, uint32_t i, const tp_wave *given,
+                      const tp_swell *swell, const tp_coastal_config *config)
 {
-    const tp_ocean_swell w = make_swell(ocean, given, swell);
+    const tp_coastal_swell w = make_swell(coastal, given, swell);
     const tp_way wind = tp_way_from_degrees(config->wind_heading);
-    tp_ocean_wave *wave = &ocean->wave[i];
+    tp_coastal_wave *wave = &coastal->wave[i];
 
-    *wave = (tp_ocean_wave){
+    *wave = (tp_coastal_wave){
         .turns_x = swell->turns_x, .turns_z = swell->turns_z,
         .way_x = w.way.x, .way_z = w.way.z, .iterations = 1,
         .lambda = tp_wind_lambda(tp_clamp(config->wind, 0, TP_FX_ONE),
                                  tp_way_dot(w.way, wind)),
     };
-    shorten_wave(ocean, wave, &w);
-    set_breaker(ocean, wave, &w, config->stretch);
-    tp_ocean_make_table(ocean, i, &w, config);
+    shorten_wave(coastal, wave, &w);
+    set_breaker(coastal, wave, &w, config->stretch);
+    tp_coastal_make_table(coastal, i, &w, config);
 }
 
-static void make_wave_phases(tp_ocean *ocean, uint32_t i, const tp_wave *given,
-                             const tp_swell *swell, const layout *plan, bool keep_rays)
+static void make_wave_phases(tp_coastal_water *coastal, uint32_t i, const tp_wave *given,
+                             const tp_swell *swell, const block_layout *plan,
+                             bool keep_rays)
 {
-    const tp_ocean_swell w = make_swell(ocean, given, swell);
+    const tp_coastal_swell w = make_swell(coastal, given, swell);
     const size_t all = (size_t)plan->cols * plan->rows;
 
-    tp_ocean_make_phases(ocean, i, &w);
+    tp_coastal_make_phases(coastal, i, &w);
     if (plan->cols == 0)
         return;
-    ocean->wave[i].rays =
-        (uint32_t)(plan->rays + i * round_up_to_8(all * sizeof(tp_ocean_ray)));
+    coastal->wave[i].wave_nodes =
+        (uint32_t)(plan->wave_nodes
+                   + i * round_up_to_8(all * sizeof(tp_coastal_wave_node)));
     if (!keep_rays)
-        tp_ocean_make_rays(ocean, i, &w, at_byte(ocean, plan->turns));
+        tp_coastal_make_wave_nodes(coastal, i, &w, at_byte(coastal, plan->turns));
 }
 
 /* -- the whole --------------------------------------------------------------------- */
 
 /* Parts of the block that are still valid and stay. */
 typedef struct {
-    bool     beds;
-    uint32_t rays;              /* one bit per swell */
+    bool     floor_nodes;
+    uint32_t wave_nodes;              /* one bit per swell */
 } parts_kept;
 
 static uint32_t count_moving_waves(const tp_wave *waves, uint32_t count)
@@ -267,126 +276,132 @@ static uint32_t count_moving_waves(const tp_wave *waves, uint32_t count)
     return found;
 }
 
-static void make_waves(tp_ocean *ocean, const tp_ocean_config *config, const tp_sea *sea,
-                       const tp_wave *const wave[TP_WAVES], const layout *plan,
-                       parts_kept kept)
+static void make_waves(tp_coastal_water *coastal, const tp_coastal_config *config,
+                       const tp_deep_water *deep, const tp_wave *const wave[TP_WAVES],
+                       const block_layout *plan, parts_kept kept)
 {
-    const int32_t tilt = plan->cols ? tp_ocean_floor_tilt_sine_bound(ocean) : 0;
+    const int32_t tilt = plan->cols ? tp_ocean_floor_tilt_sine_bound(coastal) : 0;
 
-    for (uint32_t i = 0; i < sea->count; i++)
-        make_wave(ocean, i, wave[i], &sea->swell[i], config);
-    tp_ocean_limit_steepness(ocean);
-    for (uint32_t i = 0; i < sea->count; i++) {
-        make_wave_phases(ocean, i, wave[i], &sea->swell[i], plan, kept.rays >> i & 1);
-        tp_ocean_add_bounds(ocean, i, tilt);
+    for (uint32_t i = 0; i < deep->count; i++)
+        make_wave(coastal, i, wave[i], &deep->swell[i], config);
+    tp_coastal_limit_steepness(coastal);
+    for (uint32_t i = 0; i < deep->count; i++) {
+        make_wave_phases(coastal, i, wave[i], &deep->swell[i], plan,
+                         kept.wave_nodes >> i & 1);
+        tp_coastal_add_bounds(coastal, i, tilt);
     }
 }
 
 /* The scratch memory of the solver is left all 0, whichever swells used the memory. */
-static void clear_turns(tp_ocean *ocean, const layout *plan)
+static void clear_turns(tp_coastal_water *coastal, const block_layout *plan)
 {
     if (plan->cols)
-        memset(at_byte(ocean, plan->turns), 0, plan->bytes - plan->turns);
+        memset(at_byte(coastal, plan->turns), 0, plan->bytes - plan->turns);
 }
 
-static void build_ocean(tp_ocean *ocean, const tp_ocean_config *config, const tp_sea *sea,
-                        const tp_wave *const wave[TP_WAVES], parts_kept kept)
+static void build_coastal(tp_coastal_water *coastal, const tp_coastal_config *config,
+                          const tp_deep_water *deep, const tp_wave *const wave[TP_WAVES],
+                          parts_kept kept)
 {
     const tp_floor *floor = &config->floor;
-    const layout plan = make_layout(floor->map, sea->count);
+    const block_layout plan = make_layout(floor->map, deep->count);
 
-    memset(ocean, 0, sizeof *ocean);
-    ocean->count = sea->count;
-    ocean->irregular = tp_clamp(config->irregular, 0, TP_FX_ONE);
-    ocean->depth = TP_FX_MAX;
-    ocean->floor_key = make_floor_key(config);
-    ocean->model_key = make_model_key(config);
+    memset(coastal, 0, sizeof *coastal);
+    coastal->count = deep->count;
+    coastal->irregular = tp_clamp(config->irregular, 0, TP_FX_ONE);
+    coastal->depth = TP_FX_MAX;
+    coastal->floor_key = make_floor_key(config);
+    coastal->model_key = make_model_key(config);
     if (floor->map)
-        set_floor_map(ocean, floor, &plan, kept.beds);
+        set_floor_map(coastal, floor, &plan, kept.floor_nodes);
     else
-        set_straight_floor(ocean, floor);
-    for (uint32_t n = 0; n + 1 < TP_OCEAN_DEPTHS; n++)
-        ocean->fall[n] = tp_orbit_depth_decay(config->k0, tp_ocean_node_depth(n, 3));
-    make_waves(ocean, config, sea, wave, &plan, kept);
-    for (uint32_t i = 0; i < sea->count; i++)
-        tp_ocean_tables(ocean)[i].key = make_swell_key(wave[i], &sea->swell[i]);
-    clear_turns(ocean, &plan);
+        set_straight_floor(coastal, floor);
+    for (uint32_t n = 0; n + 1 < TP_COASTAL_DEPTHS; n++)
+        coastal->fall[n] = tp_orbit_depth_decay(config->k0, tp_coastal_node_depth(n, 3));
+    make_waves(coastal, config, deep, wave, &plan, kept);
+    for (uint32_t i = 0; i < deep->count; i++)
+        tp_coastal_tables(coastal)[i].key = make_swell_key(wave[i], &deep->swell[i]);
+    clear_turns(coastal, &plan);
 }
 
 /* True if the arguments describe valid coastal water.  Then fills `wave` with the waves of
  * amplitude > 0, in the order of the swells. */
-static bool collect_waves_if_valid(const tp_ocean_config *config, const tp_sea *sea,
-                                   const tp_wave *waves, uint32_t count,
-                                   const tp_wave *wave[TP_WAVES])
+static bool collect_waves_if_valid(const tp_coastal_config *config,
+                                   const tp_deep_water *deep, const tp_wave *waves,
+                                   uint32_t count, const tp_wave *wave[TP_WAVES])
 {
     const tp_floor *floor = &config->floor;
     uint32_t n = 0;
 
-    if (count_moving_waves(waves, count) != sea->count || !is_map_usable(floor->map))
+    if (count_moving_waves(waves, count) != deep->count || !is_map_usable(floor->map))
         return false;
     if (floor->map && (floor->map_size < TP_FX_ONE || floor->map_size > TP_FX(8000)))
         return false;
-    for (const tp_wave *w = waves; n < sea->count; w++) {
+    for (const tp_wave *w = waves; n < deep->count; w++) {
         if (w->amplitude > 0)
             wave[n++] = w;
     }
     return true;
 }
 
-static tp_status check_given(const tp_ocean *ocean, const tp_ocean_config *config,
-                             const tp_sea *sea, const tp_wave *waves, tp_error *err)
+static tp_status check_given(const tp_coastal_water *coastal,
+                             const tp_coastal_config *config, const tp_deep_water *deep,
+                             const tp_wave *waves, tp_error *err)
 {
-    tp_status status = tp_given_block(ocean, 8, "ocean", err);
+    tp_status status = tp_given_block(coastal, 8, "coastal", err);
 
     if (status == TP_OK)
         status = tp_given_check(config, "config", err);
     if (status == TP_OK)
-        status = tp_given_check(sea, "sea", err);
+        status = tp_given_check(deep, "sea", err);
     if (status == TP_OK)
         status = tp_given_check(waves, "waves", err);
     return status;
 }
 
-tp_status tp_ocean_init(tp_ocean *ocean, const tp_ocean_config *config, const tp_sea *sea,
-                        const tp_wave *waves, uint32_t count, tp_error *err)
+tp_status tp_coastal_init(tp_coastal_water *coastal, const tp_coastal_config *config,
+                          const tp_deep_water *deep, const tp_wave *waves, uint32_t count,
+                          tp_error *err)
 {
     const tp_wave *wave[TP_WAVES];
-    const tp_status status = check_given(ocean, config, sea, waves, err);
+    const tp_status status = check_given(coastal, config, deep, waves, err);
 
     if (status != TP_OK)
         return status;
-    if (!collect_waves_if_valid(config, sea, waves, count, wave))
+    if (!collect_waves_if_valid(config, deep, waves, count, wave))
         return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
-    build_ocean(ocean, config, sea, wave, (parts_kept){ .beds = false });
+    build_coastal(coastal, config, deep, wave, (parts_kept){ .floor_nodes = false });
     return TP_OK;
 }
 
-tp_status tp_ocean_refresh(tp_ocean *ocean, const tp_ocean_config *config,
-                           const tp_sea *sea, const tp_wave *waves, uint32_t count,
+tp_status tp_coastal_refresh(tp_coastal_water *coastal, const tp_coastal_config *config,
+                           const tp_deep_water *deep, const tp_wave *waves, uint32_t count,
                            tp_error *err)
 {
     const tp_wave *wave[TP_WAVES];
-    const tp_status status = check_given(ocean, config, sea, waves, err);
+    const tp_status status = check_given(coastal, config, deep, waves, err);
 
     if (status != TP_OK)
         return status;
-    if (!collect_waves_if_valid(config, sea, waves, count, wave)
-        || ocean->count != sea->count || !has_same_nodes(ocean, config->floor.map))
+    if (!collect_waves_if_valid(config, deep, waves, count, wave)
+        || coastal->count != deep->count || !has_same_nodes(coastal, config->floor.map))
         return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
 
-    const tp_ocean_floor_key floor = make_floor_key(config);
-    const tp_ocean_model_key model = make_model_key(config);
-    parts_kept kept = { .beds = memcmp(&floor, &ocean->floor_key, sizeof floor) == 0 };
-    bool same = kept.beds && memcmp(&model, &ocean->model_key, sizeof model) == 0;
+    const tp_coastal_floor_inputs floor = make_floor_key(config);
+    const tp_coastal_model_inputs model = make_model_key(config);
+    parts_kept kept = { .floor_nodes =
+                            memcmp(&floor, &coastal->floor_key, sizeof floor) == 0 };
+    bool same =
+        kept.floor_nodes && memcmp(&model, &coastal->model_key, sizeof model) == 0;
 
-    for (uint32_t i = 0; i < sea->count; i++) {
-        const tp_ocean_swell_key key = make_swell_key(wave[i], &sea->swell[i]);
-        const tp_ocean_swell_key *was = &tp_ocean_tables(ocean)[i].key;
-        if (kept.beds && key.length == was->length && key.heading == was->heading)
-            kept.rays |= (uint32_t)1 << i;
+    for (uint32_t i = 0; i < deep->count; i++) {
+        const tp_coastal_swell_inputs key = make_swell_key(wave[i], &deep->swell[i]);
+        const tp_coastal_swell_inputs *was = &tp_coastal_tables(coastal)[i].key;
+        if (kept.floor_nodes && key.length == was->length && key.heading == was->heading)
+            kept.wave_nodes |= (uint32_t)1 << i;
         same = same && memcmp(&key, was, sizeof key) == 0;
     }
     if (!same)
-        build_ocean(ocean, config, sea, wave, kept);
+        build_coastal(coastal, config, deep, wave, kept);
     return TP_OK;
 }

@@ -20,12 +20,12 @@
 
 /* Returns the depth at a node.  A map with more pixels than nodes is sampled at four points
  * around the node. */
-static tp_fx average_depth(const tp_ocean *ocean, const tp_floor *floor, int64_t x,
-                           int64_t z)
+static tp_fx average_depth(const tp_coastal_water *coastal, const tp_floor *floor,
+                           int64_t x, int64_t z)
 {
     const uint32_t cols = floor->map->cols, rows = floor->map->rows;
-    const bool fine = cols > ocean->map_cols || rows > ocean->map_rows;
-    const int64_t way = fine ? ocean->map_step / 4 : 0;
+    const bool fine = cols > coastal->map_cols || rows > coastal->map_rows;
+    const int64_t way = fine ? coastal->map_step / 4 : 0;
     int64_t sum = 2;
 
     for (int n = 0; n < 4; n++) {
@@ -39,19 +39,19 @@ static tp_fx average_depth(const tp_ocean *ocean, const tp_floor *floor, int64_t
  * two steps.  On the edges the difference over one step is doubled. */
 typedef struct {
     int64_t x, z;
-} fall;
+} floor_gradient;
 
-static fall node_fall(const tp_ocean *ocean, size_t at)
+static floor_gradient node_fall(const tp_coastal_water *coastal, size_t at)
 {
-    const size_t cols = ocean->map_cols, col = at % cols, row = at / cols;
-    const tp_ocean_bed *bed = tp_ocean_beds(ocean) + at;
-    const tp_ocean_bed *west = col > 0 ? bed - 1 : bed;
-    const tp_ocean_bed *east = col + 1 < cols ? bed + 1 : bed;
-    const tp_ocean_bed *north = row > 0 ? bed - cols : bed;
-    const tp_ocean_bed *south = row + 1 < ocean->map_rows ? bed + cols : bed;
+    const size_t cols = coastal->map_cols, col = at % cols, row = at / cols;
+    const tp_coastal_floor_node *node = tp_coastal_floor_nodes(coastal) + at;
+    const tp_coastal_floor_node *west = col > 0 ? node - 1 : node;
+    const tp_coastal_floor_node *east = col + 1 < cols ? node + 1 : node;
+    const tp_coastal_floor_node *north = row > 0 ? node - cols : node;
+    const tp_coastal_floor_node *south = row + 1 < coastal->map_rows ? node + cols : node;
     const bool inside_x = east - west == 2, inside_z = south - north > (ptrdiff_t)cols;
 
-    return (fall){ ((int64_t)west->depth - east->depth) * (inside_x ? 1 : 2),
+    return (floor_gradient){ ((int64_t)west->depth - east->depth) * (inside_x ? 1 : 2),
                    ((int64_t)north->depth - south->depth) * (inside_z ? 1 : 2) };
 }
 
@@ -61,35 +61,35 @@ static int16_t pack_rise(int64_t deeper, int64_t step)
     return (int16_t)tp_clamp_abs(deeper * 1024 / step, 16384);
 }
 
-static void find_rises(const tp_ocean *ocean, tp_ocean_bed *beds)
+static void find_rises(const tp_coastal_water *coastal, tp_coastal_floor_node *beds)
 {
-    for (size_t i = 0; i < (size_t)ocean->map_cols * ocean->map_rows; i++) {
-        const fall f = node_fall(ocean, i);
-        beds[i].rise_x = pack_rise(f.x, ocean->map_step);
-        beds[i].rise_z = pack_rise(f.z, ocean->map_step);
+    for (size_t i = 0; i < (size_t)coastal->map_cols * coastal->map_rows; i++) {
+        const floor_gradient f = node_fall(coastal, i);
+        beds[i].rise_x = pack_rise(f.x, coastal->map_step);
+        beds[i].rise_z = pack_rise(f.z, coastal->map_step);
     }
 }
 
-void tp_ocean_make_beds(tp_ocean *ocean, const tp_floor *floor)
+void tp_coastal_make_floor_nodes(tp_coastal_water *coastal, const tp_floor *floor)
 {
-    tp_ocean_bed *beds = tp_ocean_beds(ocean), *bed = beds;
+    tp_coastal_floor_node *beds = tp_coastal_floor_nodes(coastal), *node = beds;
 
-    for (uint32_t r = 0; r < ocean->map_rows; r++) {
-        for (uint32_t c = 0; c < ocean->map_cols; c++, bed++)
-            bed->depth = average_depth(ocean, floor,
-                                      ocean->map_x + (int64_t)c * ocean->map_step,
-                                      ocean->map_z + (int64_t)r * ocean->map_step);
+    for (uint32_t r = 0; r < coastal->map_rows; r++) {
+        for (uint32_t c = 0; c < coastal->map_cols; c++, node++)
+            node->depth = average_depth(coastal, floor,
+                                        coastal->map_x + (int64_t)c * coastal->map_step,
+                                        coastal->map_z + (int64_t)r * coastal->map_step);
     }
-    find_rises(ocean, beds);
+    find_rises(coastal, beds);
 }
 
 /* Returns the mean slope of the beach, Q30: of all nodes where a wave of this
  * amplitude may break, at depths up to four times the amplitude; of the whole floor if
  * no node is as shallow. */
-tp_q30 tp_ocean_beach_slope(const tp_ocean *ocean, tp_fx amplitude)
+tp_q30 tp_coastal_beach_slope(const tp_coastal_water *coastal, tp_fx amplitude)
 {
-    const tp_ocean_bed *beds = tp_ocean_beds(ocean);
-    const size_t count = (size_t)ocean->map_cols * ocean->map_rows;
+    const tp_coastal_floor_node *beds = tp_coastal_floor_nodes(coastal);
+    const size_t count = (size_t)coastal->map_cols * coastal->map_rows;
     int64_t sum[2] = { 0, 0 }, found[2] = { 0, 0 };
 
     for (size_t i = 0; i < count; i++) {
@@ -115,47 +115,50 @@ static tp_dir3 normalise_way(int64_t x, int64_t z)
 
 /* node_number returns the wave number at a node, rad/m; node_bent_number returns the
  * wave vector. */
-static int64_t node_wave_number(const tp_ocean *ocean, const tp_ocean_swell *w, size_t at)
+static int64_t node_wave_number(const tp_coastal_water *coastal,
+                                const tp_coastal_swell *w, size_t at)
 {
-    return tp_ocean_local_number(w->k_inf_q32, tp_ocean_beds(ocean)[at].depth);
+    return tp_coastal_local_wave_number(w->k_inf_q32,
+                                        tp_coastal_floor_nodes(coastal)[at].depth);
 }
 
-static tp_ocean_number node_wave_vector(const tp_ocean *ocean, const tp_ocean_swell *w,
-                                        size_t at)
+static tp_coastal_wave_number node_wave_vector(const tp_coastal_water *coastal,
+                                               const tp_coastal_swell *w, size_t at)
 {
-    const fall f = node_fall(ocean, at);
-    const int64_t least = ocean->map_step / RISE_LEAST;
+    const floor_gradient f = node_fall(coastal, at);
+    const int64_t least = coastal->map_step / RISE_LEAST;
     tp_way up = { 0, 0 };
 
     if (f.x > least || f.x < -least || f.z > least || f.z < -least) {
         const tp_dir3 dir = normalise_way(f.x, f.z);
         up = (tp_way){ dir.x, dir.z };
     }
-    return tp_ocean_wave_vector(w, up, node_wave_number(ocean, w, at));
+    return tp_coastal_wave_vector(w, up, node_wave_number(coastal, w, at));
 }
 
 /* Turns in a step between nodes: 2^34 times 2^23 at the most. */
-static int64_t turns_a_step(const tp_ocean *ocean, int64_t k_q32)
+static int64_t turns_a_step(const tp_coastal_water *coastal, int64_t k_q32)
 {
-    return tp_ocean_turns_per_metre(k_q32) * (int64_t)ocean->map_step >> 16;
+    return tp_coastal_turns_per_metre(k_q32) * (int64_t)coastal->map_step >> 16;
 }
 
 /* Computes phases along an edge, from the node `at` with a known phase, `count` times
  * `step` nodes on.  Each step adds the mean of the wave vector's component along the
  * edge at both ends. */
-static void integrate_edge_phases(const tp_ocean *ocean, const tp_ocean_swell *w,
-                                  int64_t *turns, ptrdiff_t at, ptrdiff_t step,
-                                  uint32_t count)
+static void integrate_edge_phases(const tp_coastal_water *coastal,
+                                  const tp_coastal_swell *w, int64_t *turns, ptrdiff_t at,
+                                  ptrdiff_t step, uint32_t count)
 {
     const bool east_west = step == 1 || step == -1;
     const int sign = step < 0 ? -1 : 1;
-    tp_ocean_number here = node_wave_vector(ocean, w, (size_t)at);
+    tp_coastal_wave_number here = node_wave_vector(coastal, w, (size_t)at);
 
     for (uint32_t n = 1; n < count; n++, at += step) {
-        const tp_ocean_number next = node_wave_vector(ocean, w, (size_t)(at + step));
+        const tp_coastal_wave_number next =
+            node_wave_vector(coastal, w, (size_t)(at + step));
         const int64_t mean = east_west ? (here.x_q32 + next.x_q32) / 2
                                        : (here.z_q32 + next.z_q32) / 2;
-        turns[at + step] = turns[at] + sign * turns_a_step(ocean, mean);
+        turns[at + step] = turns[at] + sign * turns_a_step(coastal, mean);
         here = next;
     }
 }
@@ -163,34 +166,36 @@ static void integrate_edge_phases(const tp_ocean *ocean, const tp_ocean_swell *w
 /* Returns the phase of deep water at a node as Q32.32, equal to the bits of
  * tp_swell_turns, but with 16 bits of whole turns.  More turns wrap, and the difference
  * from this phase wraps too. */
-static int64_t plane_phase(const tp_ocean *ocean, const tp_ocean_wave *wave, uint32_t col,
-                           uint32_t row)
+static int64_t plane_phase(const tp_coastal_water *coastal, const tp_coastal_wave *wave,
+                           uint32_t col, uint32_t row)
 {
-    const int64_t x = ocean->map_x + (int64_t)col * ocean->map_step;
-    const int64_t z = ocean->map_z + (int64_t)row * ocean->map_step;
+    const int64_t x = coastal->map_x + (int64_t)col * coastal->map_step;
+    const int64_t z = coastal->map_z + (int64_t)row * coastal->map_step;
     const uint64_t turns_x = (uint64_t)wave->turns_x * (uint64_t)x >> 16;
     const uint64_t turns_z = (uint64_t)wave->turns_z * (uint64_t)z >> 16;
     return (int64_t)((turns_x + turns_z) << 16) >> 16;
 }
 
-static void init_phases(const tp_ocean *ocean, const tp_ocean_wave *wave,
-                        tp_ocean_ray *rays, const tp_ocean_swell *w, int64_t *turns)
+static void init_phases(const tp_coastal_water *coastal, const tp_coastal_wave *wave,
+                        tp_coastal_wave_node *rays, const tp_coastal_swell *w,
+                        int64_t *turns)
 {
-    const uint32_t cols = ocean->map_cols, rows = ocean->map_rows;
+    const uint32_t cols = coastal->map_cols, rows = coastal->map_rows;
     const uint32_t col = w->way.x < 0 ? cols - 1 : 0, row = w->way.z < 0 ? rows - 1 : 0;
     const size_t corner = (size_t)row * cols + col, count = (size_t)cols * rows;
 
     for (size_t i = 0; i < count; i++) {
-        const int64_t f = (turns_a_step(ocean, node_wave_number(ocean, w, i)) + 0x80) >> 8;
+        const int64_t f =
+            (turns_a_step(coastal, node_wave_number(coastal, w, i)) + 0x80) >> 8;
         rays[i].turns = (int32_t)(uint32_t)(f < UINT32_MAX ? f : UINT32_MAX);
         turns[i] = UNKNOWN;
     }
-    turns[corner] = plane_phase(ocean, wave, col, row);
+    turns[corner] = plane_phase(coastal, wave, col, row);
     if (w->way.z != 0)
-        integrate_edge_phases(ocean, w, turns, (ptrdiff_t)corner, w->way.x < 0 ? -1 : 1,
+        integrate_edge_phases(coastal, w, turns, (ptrdiff_t)corner, w->way.x < 0 ? -1 : 1,
                               cols);
     if (w->way.x != 0)
-        integrate_edge_phases(ocean, w, turns, (ptrdiff_t)corner,
+        integrate_edge_phases(coastal, w, turns, (ptrdiff_t)corner,
                               w->way.z < 0 ? -(ptrdiff_t)cols : (ptrdiff_t)cols, rows);
 }
 
@@ -208,10 +213,10 @@ static int16_t to_q13(int64_t way)
 }
 
 /* The direction of travel is the gradient of the phase. */
-static void store_rays(const tp_ocean *ocean, const tp_ocean_wave *wave, tp_ocean_ray *rays,
-                   const int64_t *turns)
+static void store_rays(const tp_coastal_water *coastal, const tp_coastal_wave *wave,
+                       tp_coastal_wave_node *rays, const int64_t *turns)
 {
-    const size_t cols = ocean->map_cols, rows = ocean->map_rows;
+    const size_t cols = coastal->map_cols, rows = coastal->map_rows;
 
     for (size_t r = 0; r < rows; r++) {
         const size_t north = r > 0 ? r - 1 : r, south = r + 1 < rows ? r + 1 : r;
@@ -221,22 +226,22 @@ static void store_rays(const tp_ocean *ocean, const tp_ocean_wave *wave, tp_ocea
             const int64_t z = turns[south * cols + c] - turns[north * cols + c];
             const tp_dir3 way = normalise_way(x * (east - west == 2 ? 1 : 2),
                                               z * (south - north == 2 ? 1 : 2));
-            tp_ocean_ray *ray = &rays[r * cols + c];
+            tp_coastal_wave_node *ray = &rays[r * cols + c];
             ray->turns = phase_excess(turns[r * cols + c],
-                                      plane_phase(ocean, wave, (uint32_t)c, (uint32_t)r));
+                                      plane_phase(coastal, wave, (uint32_t)c, (uint32_t)r));
             ray->way_x = to_q13((int64_t)way.x - wave->way_x);
             ray->way_z = to_q13((int64_t)way.z - wave->way_z);
         }
     }
 }
 
-void tp_ocean_make_rays(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell,
-                        int64_t *turns)
+void tp_coastal_make_wave_nodes(tp_coastal_water *coastal, uint32_t i,
+                                const tp_coastal_swell *swell, int64_t *turns)
 {
-    const tp_ocean_wave *wave = &ocean->wave[i];
-    tp_ocean_ray *rays = tp_ocean_rays(ocean, wave);
+    const tp_coastal_wave *wave = &coastal->wave[i];
+    tp_coastal_wave_node *rays = tp_coastal_wave_nodes(coastal, wave);
 
-    init_phases(ocean, wave, rays, swell, turns);
-    tp_eikonal_solve(turns, rays, ocean->map_cols, ocean->map_rows);
-    store_rays(ocean, wave, rays, turns);
+    init_phases(coastal, wave, rays, swell, turns);
+    tp_eikonal_solve(turns, rays, coastal->map_cols, coastal->map_rows);
+    store_rays(coastal, wave, rays, turns);
 }

@@ -14,9 +14,9 @@
 #define KEPT_RATE  TP_FX(0.1)       /* Ks and Kd of [B19], 1/m */
 #define RATIO_MAX  TP_FX(8)
 #define TWO_PI     TP_FX(6.283185307)
-#define DEEP       (TP_OCEAN_DEPTHS - 1)
+#define DEEP       (TP_COASTAL_DEPTHS - 1)
 
-int64_t tp_ocean_cross_shore_number(int64_t k_q32, int64_t kz_q32)
+int64_t tp_coastal_cross_shore_number(int64_t k_q32, int64_t kz_q32)
 {
     uint64_t k = (uint64_t)k_q32, kz = (uint64_t)(kz_q32 < 0 ? -kz_q32 : kz_q32);
     int up = 0, down = 0;
@@ -33,19 +33,21 @@ int64_t tp_ocean_cross_shore_number(int64_t k_q32, int64_t kz_q32)
 
 /* Returns the wave vector over a floor that rises towards `up`.  The sign of the component
  * towards `up` is the sign in deep water: a wave that leaves the shore keeps leaving. */
-tp_ocean_number tp_ocean_wave_vector(const tp_ocean_swell *swell, tp_way up, int64_t k_q32)
+tp_coastal_wave_number tp_coastal_wave_vector(const tp_coastal_swell *swell, tp_way up,
+                                              int64_t k_q32)
 {
     const tp_way along = { -up.z, up.x };
 
     if (up.x == 0 && up.z == 0)
-        return (tp_ocean_number){ tp_ocean_scale_q30(k_q32, swell->way.x),
-                                  tp_ocean_scale_q30(k_q32, swell->way.z) };
-    const int64_t kz = tp_ocean_scale_q30(swell->k_inf_q32, tp_way_dot(swell->way, along));
-    const int64_t across = tp_ocean_cross_shore_number(k_q32, kz);
+        return (tp_coastal_wave_number){ tp_coastal_scale_q30(k_q32, swell->way.x),
+                                         tp_coastal_scale_q30(k_q32, swell->way.z) };
+    const int64_t kz =
+        tp_coastal_scale_q30(swell->k_inf_q32, tp_way_dot(swell->way, along));
+    const int64_t across = tp_coastal_cross_shore_number(k_q32, kz);
     const int64_t kx = tp_way_dot(swell->way, up) < 0 ? -across : across;
-    return (tp_ocean_number){
-        tp_ocean_scale_q30(kx, up.x) + tp_ocean_scale_q30(kz, along.x),
-        tp_ocean_scale_q30(kx, up.z) + tp_ocean_scale_q30(kz, along.z),
+    return (tp_coastal_wave_number){
+        tp_coastal_scale_q30(kx, up.x) + tp_coastal_scale_q30(kz, along.x),
+        tp_coastal_scale_q30(kx, up.z) + tp_coastal_scale_q30(kz, along.z),
     };
 }
 
@@ -64,17 +66,17 @@ static tp_q30 q30_share(int64_t part, int64_t whole)
 /* Returns half of Miche's height, but at least the same share of Miche's height as a
  * wave of this amplitude has in deep water.  Both heights saturate at 2^31: the
  * product has 62 bits. */
-static tp_fx miche_amplitude(const tp_ocean_swell *w, int64_t k_q32, tp_fx h)
+static tp_fx miche_amplitude(const tp_coastal_swell *w, int64_t k_q32, tp_fx h)
 {
     const int64_t here = tp_miche_height(k_q32, h);
-    const int64_t deep = tp_miche_height(w->k_inf_q32, 1 << TP_OCEAN_LAST);
+    const int64_t deep = tp_miche_height(w->k_inf_q32, 1 << TP_COASTAL_LAST);
     const int64_t share = deep > 0 ? here * w->amplitude / deep : 0;
     const int64_t most = here / 2 > share ? here / 2 : share;
     return tp_fx_saturate(most);
 }
 
 /* Returns H / h before the cap of [B15]. */
-static tp_fx height_depth_ratio(const tp_ocean_swell *w, tp_fx ks, tp_fx kr, tp_fx h)
+static tp_fx height_depth_ratio(const tp_coastal_swell *w, tp_fx ks, tp_fx kr, tp_fx h)
 {
     const int64_t shoaled = (int64_t)tp_fx_mul(w->amplitude, ks) * kr >> 15;
     const int64_t ratio = shoaled * TP_FX_ONE / h;
@@ -98,7 +100,7 @@ static int16_t steep_breaking_strength(int64_t k_q32, tp_fx amplitude)
 /* Returns QA A/A_inf Sx, clamped to 0.95 / k.  QA <= 303 m and A < 2^26 have 51 bits.
  * Their quotient is below 2^25 (512 m, above any 0.95 / k) before the 37 bits of Sx >=
  * 1. */
-static tp_fx along_semi_axis(const tp_ocean_swell *w, tp_fx amplitude, int64_t k_q32,
+static tp_fx along_semi_axis(const tp_coastal_swell *w, tp_fx amplitude, int64_t k_q32,
                              int64_t sx)
 {
     TP_ASSERT(k_q32 > 0 && w->amplitude > 0);
@@ -114,13 +116,14 @@ static tp_fx along_semi_axis(const tp_ocean_swell *w, tp_fx amplitude, int64_t k
 /* -- nodes ------------------------------------------------------------------------- */
 
 /* Sets the direction of travel over a straight floor, and the tilt of the orbit. */
-static void set_node_direction(const tp_ocean *ocean, tp_ocean_depth *node,
-                               uint32_t fall_q32, const tp_ocean_swell *w, int64_t k_q32)
+static void set_node_direction(const tp_coastal_water *coastal,
+                               tp_coastal_depth_entry *node, uint32_t fall_q32,
+                               const tp_coastal_swell *w, int64_t k_q32)
 {
-    const tp_way up = { ocean->up_x, ocean->up_z };
-    const tp_ocean_number k = tp_ocean_wave_vector(w, up, k_q32);
+    const tp_way up = { coastal->up_x, coastal->up_z };
+    const tp_coastal_wave_number k = tp_coastal_wave_vector(w, up, k_q32);
     const tp_way way = { q30_share(k.x_q32, k_q32), q30_share(k.z_q32, k_q32) };
-    const int64_t rise = (int64_t)ocean->slope * tp_way_dot(way, up) >> 16; /* Q30 */
+    const int64_t rise = (int64_t)coastal->slope * tp_way_dot(way, up) >> 16; /* Q30 */
     const uint64_t length = tp_isqrt64(((uint64_t)1 << 60) + (uint64_t)(rise * rise));
     tp_q30 sin = 0;
 
@@ -133,26 +136,27 @@ static void set_node_direction(const tp_ocean *ocean, tp_ocean_depth *node,
 }
 
 /* Returns the last node: deep water. */
-static tp_ocean_depth deep_node(const tp_ocean_swell *w)
+static tp_coastal_depth_entry deep_node(const tp_coastal_swell *w)
 {
-    return (tp_ocean_depth){
+    return (tp_coastal_depth_entry){
         .along = w->reach, .up = w->amplitude, .way_x = w->way.x, .way_z = w->way.z,
         .tilt_cos = 1 << 14, .steep = steep_breaking_strength(w->k_inf_q32, w->amplitude),
     };
 }
 
-static tp_ocean_depth make_node(const tp_ocean *ocean, const tp_ocean_swell *w, tp_fx h,
-                                int64_t k_q32, const tp_ocean_config *config)
+static tp_coastal_depth_entry make_node(const tp_coastal_water *coastal,
+                                        const tp_coastal_swell *w, tp_fx h, int64_t k_q32,
+                                        const tp_coastal_config *config)
 {
     const tp_orbit_scale s = tp_orbit_scale_make(h, config->kx, config->ky);
     const tp_fx ks = tp_depth_shoaling(w->k_inf_q32, k_q32, h);
-    const tp_fx kr = ocean->map_cols ? TP_FX_ONE
+    const tp_fx kr = coastal->map_cols ? TP_FX_ONE
                    : tp_depth_refraction(w->k_inf_q32, k_q32, w->kz_q32);
     const tp_fx miche = miche_amplitude(w, k_q32, h);
     const tp_fx held = tp_depth_amplitude(w->amplitude, ks, kr, h);
     const tp_fx amplitude = held < miche ? held : miche;
 
-    return (tp_ocean_depth){
+    return (tp_coastal_depth_entry){
         .along = along_semi_axis(w, amplitude, k_q32, s.x_q24),
         .up = (tp_fx)((amplitude * s.y_q24 + (1 << 23)) >> 24),
         .ratio = height_depth_ratio(w, ks, kr, h),
@@ -164,28 +168,29 @@ static tp_ocean_depth make_node(const tp_ocean *ocean, const tp_ocean_swell *w, 
 
 /* Returns k along (1 + |push|), 16.16: the wave's part of the steepness
  * sum.  k along < 2^48. */
-static int32_t node_steepness(const tp_ocean_depth *node, int64_t k_q32, tp_fx lambda)
+static int32_t node_steepness(const tp_coastal_depth_entry *node, int64_t k_q32,
+                              tp_fx lambda)
 {
     const int64_t q = k_q32 * node->along >> 32;
     return (int32_t)(q + (q * tp_wind_push(lambda, node->up) >> 30)) + 1;
 }
 
-/* Stores the steepness in `turns` until tp_ocean_limit_steepness reads it; the phases
+/* Stores the steepness in `turns` until tp_coastal_limit_steepness reads it; the phases
  * come later. */
-void tp_ocean_make_table(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell,
-                         const tp_ocean_config *config)
+void tp_coastal_make_table(tp_coastal_water *coastal, uint32_t i,
+                           const tp_coastal_swell *swell, const tp_coastal_config *config)
 {
-    tp_ocean_wave *wave = &ocean->wave[i];
-    tp_ocean_table *table = &tp_ocean_tables(ocean)[i];
+    tp_coastal_wave *wave = &coastal->wave[i];
+    tp_coastal_table *table = &tp_coastal_tables(coastal)[i];
 
-    for (uint32_t n = 1; n < TP_OCEAN_DEPTHS; n++) {
-        const tp_fx h = tp_ocean_node_depth(n, 3);
-        const int64_t k = n < DEEP ? tp_ocean_local_number(swell->k_inf_q32, h)
+    for (uint32_t n = 1; n < TP_COASTAL_DEPTHS; n++) {
+        const tp_fx h = tp_coastal_node_depth(n, 3);
+        const int64_t k = n < DEEP ? tp_coastal_local_wave_number(swell->k_inf_q32, h)
                                    : swell->k_inf_q32;
-        tp_ocean_depth *node = &table->depth[n];
-        *node = n < DEEP ? make_node(ocean, swell, h, k, config) : deep_node(swell);
-        if (ocean->slope > 0 && n < DEEP)
-            set_node_direction(ocean, node, ocean->fall[n], swell, k);
+        tp_coastal_depth_entry *node = &table->depth[n];
+        *node = n < DEEP ? make_node(coastal, swell, h, k, config) : deep_node(swell);
+        if (coastal->slope > 0 && n < DEEP)
+            set_node_direction(coastal, node, coastal->fall[n], swell, k);
         table->turns[n] = node_steepness(node, k, wave->lambda);
         const int times = tp_wind_iterations(tp_wind_push(wave->lambda, node->up));
         if (times > wave->iterations)
@@ -196,14 +201,14 @@ void tp_ocean_make_table(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swel
     table->turns[0] = 0;
 }
 
-void tp_ocean_limit_steepness(tp_ocean *ocean)
+void tp_coastal_limit_steepness(tp_coastal_water *coastal)
 {
-    for (uint32_t n = 1; n < TP_OCEAN_DEPTHS; n++) {
+    for (uint32_t n = 1; n < TP_COASTAL_DEPTHS; n++) {
         int64_t sum = 0;
-        for (uint32_t i = 0; i < ocean->count; i++)
-            sum += tp_ocean_tables(ocean)[i].turns[n];
-        for (uint32_t i = 0; i < ocean->count && sum > STEEPEST; i++) {
-            tp_ocean_depth *node = &tp_ocean_tables(ocean)[i].depth[n];
+        for (uint32_t i = 0; i < coastal->count; i++)
+            sum += tp_coastal_tables(coastal)[i].turns[n];
+        for (uint32_t i = 0; i < coastal->count && sum > STEEPEST; i++) {
+            tp_coastal_depth_entry *node = &tp_coastal_tables(coastal)[i].depth[n];
             node->along = (tp_fx)((int64_t)node->along * TP_FX(0.95) / sum);
         }
     }
@@ -212,10 +217,11 @@ void tp_ocean_limit_steepness(tp_ocean *ocean)
 /* -- phases ------------------------------------------------------------------------ */
 
 /* Returns the wave number towards the shore at a depth less the number in deep water. */
-static int64_t number_excess(const tp_ocean_swell *w, tp_fx h)
+static int64_t number_excess(const tp_coastal_swell *w, tp_fx h)
 {
-    return tp_ocean_cross_shore_number(tp_ocean_local_number(w->k_inf_q32, h), w->kz_q32)
-           - tp_ocean_cross_shore_number(w->k_inf_q32, w->kz_q32);
+    return tp_coastal_cross_shore_number(tp_coastal_local_wave_number(w->k_inf_q32, h),
+                                         w->kz_q32)
+           - tp_coastal_cross_shore_number(w->k_inf_q32, w->kz_q32);
 }
 
 /* [B8] [B9] as the difference from deep water.  With h = depth - slope x the integral
@@ -223,18 +229,19 @@ static int64_t number_excess(const tp_ocean_swell *w, tp_fx h)
  * 32nd of an octave apart, from the deep end.  Rad in Q32 over 2 pi slope (both 16.16)
  * is turns in Q16: for slopes from 2^-12 on, and an integral below 4 rad at a slope of
  * 1, less than 2^27. */
-void tp_ocean_make_phases(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell)
+void tp_coastal_make_phases(tp_coastal_water *coastal, uint32_t i,
+                            const tp_coastal_swell *swell)
 {
-    const tp_way up = { ocean->up_x, ocean->up_z };
+    const tp_way up = { coastal->up_x, coastal->up_z };
     const int sign = tp_way_dot(swell->way, up) < 0 ? -1 : 1;
-    const int64_t over = (int64_t)ocean->slope * TWO_PI;
-    int32_t *turns = tp_ocean_tables(ocean)[i].turns;
+    const int64_t over = (int64_t)coastal->slope * TWO_PI;
+    int32_t *turns = tp_coastal_tables(coastal)[i].turns;
     int64_t sum = 0, high = 0;
 
-    turns[TP_OCEAN_PHASES - 1] = 0;
-    for (uint32_t n = TP_OCEAN_PHASES - 1; n-- > 0;) {
-        const tp_fx h = tp_ocean_node_depth(n, 5), top = tp_ocean_node_depth(n + 1, 5);
-        if (ocean->slope <= 0) {
+    turns[TP_COASTAL_PHASES - 1] = 0;
+    for (uint32_t n = TP_COASTAL_PHASES - 1; n-- > 0;) {
+        const tp_fx h = tp_coastal_node_depth(n, 5), top = tp_coastal_node_depth(n + 1, 5);
+        if (coastal->slope <= 0) {
             turns[n] = 0;
             continue;
         }
@@ -250,12 +257,12 @@ void tp_ocean_make_phases(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swe
 
 /* Returns a bound of the sine of the tilt over a map, Q14, from the steepest slope: r
  * / sqrt(1 + r^2). */
-int32_t tp_ocean_floor_tilt_sine_bound(const tp_ocean *ocean)
+int32_t tp_ocean_floor_tilt_sine_bound(const tp_coastal_water *coastal)
 {
-    const tp_ocean_bed *beds = tp_ocean_beds(ocean);
+    const tp_coastal_floor_node *beds = tp_coastal_floor_nodes(coastal);
     int64_t most = 0;
 
-    for (size_t i = 0; i < (size_t)ocean->map_cols * ocean->map_rows; i++) {
+    for (size_t i = 0; i < (size_t)coastal->map_cols * coastal->map_rows; i++) {
         const int64_t x = beds[i].rise_x, z = beds[i].rise_z, square = x * x + z * z;
         most = square > most ? square : most;
     }
@@ -265,41 +272,41 @@ int32_t tp_ocean_floor_tilt_sine_bound(const tp_ocean *ocean)
 
 /* Adds the bounds of a wave.  Stretch and lip count only at depths where the gate can open.
  * A margin covers direction vectors longer than 1 by rounding. */
-static void add_bounds(tp_ocean *ocean, uint32_t i, int32_t tilt)
+static void add_bounds(tp_coastal_water *coastal, uint32_t i, int32_t tilt)
 {
-    const tp_ocean_wave *wave = &ocean->wave[i];
-    const tp_fx open = tp_fx_div(TP_FX(0.6), TP_FX_ONE + ocean->irregular / 2) - 1;
+    const tp_coastal_wave *wave = &coastal->wave[i];
+    const tp_fx open = tp_fx_div(TP_FX(0.6), TP_FX_ONE + coastal->irregular / 2) - 1;
     tp_fx reach = 0, height = 0;
 
-    for (uint32_t n = 1; n < TP_OCEAN_DEPTHS; n++) {
-        const tp_ocean_depth *node = &tp_ocean_tables(ocean)[i].depth[n];
+    for (uint32_t n = 1; n < TP_COASTAL_DEPTHS; n++) {
+        const tp_coastal_depth_entry *node = &tp_coastal_tables(coastal)[i].depth[n];
         const bool near = node->ratio > open || node[-1].ratio > open
-                       || (n + 1 < TP_OCEAN_DEPTHS && node[1].ratio > open);
+                          || (n + 1 < TP_COASTAL_DEPTHS && node[1].ratio > open);
         const tp_fx lip = near ? tp_fx_mul(node->lip, wave->stretch + wave->plunge) : 0;
-        const int32_t sin = ocean->map_cols ? tilt : node->tilt_sin;
+        const int32_t sin = coastal->map_cols ? tilt : node->tilt_sin;
         const tp_fx along = node->along + lip;
         const tp_fx up = node->up + (tp_fx)((int64_t)node->along * sin >> 14) + lip;
         reach = along > reach ? along : reach;
         height = up > height ? up : height;
     }
-    ocean->reach += reach + reach / 1024 + 8;
-    ocean->height += height + 8;
+    coastal->max_displacement += reach + reach / 1024 + 8;
+    coastal->height += height + 8;
 }
 
 /* Finds the first node below the deepest node where a wave may break, by depth
  * or by steepness. */
-static void set_calm_node(tp_ocean *ocean, uint32_t i)
+static void set_calm_node(tp_coastal_water *coastal, uint32_t i)
 {
-    const tp_ocean_depth *depth = tp_ocean_tables(ocean)[i].depth;
-    uint32_t n = TP_OCEAN_DEPTHS;
+    const tp_coastal_depth_entry *depth = tp_coastal_tables(coastal)[i].depth;
+    uint32_t n = TP_COASTAL_DEPTHS;
 
-    while (n > 0 && depth[n - 1].ratio < TP_OCEAN_RATIO_LEAST && depth[n - 1].steep == 0)
+    while (n > 0 && depth[n - 1].ratio < TP_COASTAL_RATIO_LEAST && depth[n - 1].steep == 0)
         n--;
-    ocean->wave[i].calm = n;
+    coastal->wave[i].calm = n;
 }
 
-void tp_ocean_add_bounds(tp_ocean *ocean, uint32_t i, int32_t tilt)
+void tp_coastal_add_bounds(tp_coastal_water *coastal, uint32_t i, int32_t tilt)
 {
-    set_calm_node(ocean, i);
-    add_bounds(ocean, i, tilt);
+    set_calm_node(coastal, i);
+    add_bounds(coastal, i, tilt);
 }

@@ -22,7 +22,7 @@ static inline tp_q30 tp_way_dot(tp_way a, tp_way b)
 }
 
 /* Interpolates from a to b; `part` is Q16.  b - a must fit an int32_t. */
-static inline int32_t tp_ocean_mix(int32_t a, int32_t b, int32_t part)
+static inline int32_t tp_coastal_mix(int32_t a, int32_t b, int32_t part)
 {
     return a + (int32_t)(((int64_t)(b - a) * part + 0x8000) >> 16);
 }
@@ -32,8 +32,8 @@ static inline int32_t tp_ocean_mix(int32_t a, int32_t b, int32_t part)
  * Eight depths an octave (32 for phases).  The leading bits of h give the node, the next
  * bits the fraction: a look-up needs neither a root nor a division. */
 
-#define TP_OCEAN_FIRST 12       /* 1/16 m is 2^12 in 16.16 ... */
-#define TP_OCEAN_LAST  27       /* ... and 2048 m is 2^27 */
+#define TP_COASTAL_FIRST 12       /* 1/16 m is 2^12 in 16.16 ... */
+#define TP_COASTAL_LAST  27       /* ... and 2048 m is 2^27 */
 
 /* True if waves with this stretch may overhang: only where the floor rises. */
 static inline bool tp_can_overhang(tp_fx stretch, tp_fx slope, bool mapped)
@@ -43,34 +43,34 @@ static inline bool tp_can_overhang(tp_fx stretch, tp_fx slope, bool mapped)
 
 typedef struct {
     uint32_t depth, phase;          /* next shallower nodes */
-    int32_t  depth_part, phase_part;/* fractions to the next node, Q16 */
-} tp_ocean_where;
+    int32_t  depth_fraction, phase_fraction;/* fractions to the next node, Q16 */
+} tp_coastal_table_place;
 
 /* Returns the table position of a depth > 0. */
-static inline tp_ocean_where tp_ocean_where_find(tp_fx h)
+static inline tp_coastal_table_place tp_coastal_table_find(tp_fx h)
 {
     TP_ASSERT(h > 0);
-    if (h < 1 << TP_OCEAN_FIRST)
-        return (tp_ocean_where){ 0, 0, h * 16, h * 16 };
-    if (h >= 1 << TP_OCEAN_LAST)
-        return (tp_ocean_where){ TP_OCEAN_DEPTHS - 2, TP_OCEAN_PHASES - 2,
-                                 TP_FX_ONE, TP_FX_ONE };
+    if (h < 1 << TP_COASTAL_FIRST)
+        return (tp_coastal_table_place){ 0, 0, h * 16, h * 16 };
+    if (h >= 1 << TP_COASTAL_LAST)
+        return (tp_coastal_table_place){ TP_COASTAL_DEPTHS - 2, TP_COASTAL_PHASES - 2,
+                                         TP_FX_ONE, TP_FX_ONE };
     const int zeros = tp_clz((uint32_t)h);
-    const uint32_t octave = (uint32_t)(31 - zeros - TP_OCEAN_FIRST);
+    const uint32_t octave = (uint32_t)(31 - zeros - TP_COASTAL_FIRST);
     const uint32_t rest = (uint32_t)h << zeros << 1;    /* without the leading one */
-    return (tp_ocean_where){ 1 + 8 * octave + (rest >> 29),
+    return (tp_coastal_table_place){ 1 + 8 * octave + (rest >> 29),
                              1 + 32 * octave + (rest >> 27), (int32_t)(rest << 3 >> 16),
                              (int32_t)(rest << 5 >> 16) };
 }
 
 /* Returns the depth of node i with 2^bits nodes an octave. */
-static inline tp_fx tp_ocean_node_depth(uint32_t i, int bits)
+static inline tp_fx tp_coastal_node_depth(uint32_t i, int bits)
 {
-    TP_ASSERT(i <= TP_OCEAN_PHASES && (bits == 3 || bits == 5));
+    TP_ASSERT(i <= TP_COASTAL_PHASES && (bits == 3 || bits == 5));
     if (i == 0)
         return 0;
     const uint32_t in = (i - 1) & ((1u << bits) - 1), octave = (i - 1) >> bits;
-    return (tp_fx)(((1u << bits) + in) << (TP_OCEAN_FIRST - bits + (int)octave));
+    return (tp_fx)(((1u << bits) + in) << (TP_COASTAL_FIRST - bits + (int)octave));
 }
 
 /* -- orbits and breaking ----------------------------------------------------------- */
@@ -105,7 +105,7 @@ static inline tp_offset tp_orbit_offset(const tp_ellipse *o, tp_turn phi)
 }
 
 /* The least H / h where the gate may begin to open, with full noise: 0.6 / 1.5. */
-#define TP_OCEAN_RATIO_LEAST TP_FX(0.3999)
+#define TP_COASTAL_RATIO_LEAST TP_FX(0.3999)
 
 /* -- noise ------------------------------------------------------------------------- */
 
@@ -119,7 +119,7 @@ tp_fx tp_noise(uint32_t u_q16, uint32_t v_q16, uint32_t seed);
  * phase, Q32.32, on the edges where waves come in, and INT64_MAX elsewhere.  On output
  * `turns` holds the earliest phase everywhere.  `ray[i].turns` holds k times the step, as
  * unsigned turns Q8.24. */
-void tp_eikonal_solve(int64_t *turns, const tp_ocean_ray *ray, uint32_t cols,
+void tp_eikonal_solve(int64_t *turns, const tp_coastal_wave_node *ray, uint32_t cols,
                       uint32_t rows);
 
 /* -- construction ------------------------------------------------------------------ */
@@ -131,66 +131,71 @@ typedef struct {
     tp_way  way;
     tp_fx   amplitude, reach;   /* A and QA in deep water, m */
     tp_fx   length;
-} tp_ocean_swell;
+} tp_coastal_swell;
 
 /* Returns k at a depth; depths below 1/16 m count as 1/16 m.  k is below 29 rad/m for
  * waves of 0.25 m. */
-static inline int64_t tp_ocean_local_number(int64_t k_inf_q32, tp_fx depth)
+static inline int64_t tp_coastal_local_wave_number(int64_t k_inf_q32, tp_fx depth)
 {
-    return tp_depth_number_exact(k_inf_q32,
-                                 depth < TP_DEPTH_LEAST ? TP_DEPTH_LEAST : depth);
+    return tp_depth_wave_number_exact(k_inf_q32,
+                                      depth < TP_DEPTH_LEAST ? TP_DEPTH_LEAST : depth);
 }
 
 /* Converts a wave number to turns per metre, Q31.32.  k < 2^5: the product fits. */
-static inline int64_t tp_ocean_turns_per_metre(int64_t k_q32)
+static inline int64_t tp_coastal_turns_per_metre(int64_t k_q32)
 {
     return (k_q32 * 42722830 + (1 << 27)) >> 28;        /* 2^28 / 2 pi */
 }
 
 /* Returns x y / 2^30 for an x of any size; within two units. */
-static inline int64_t tp_ocean_scale_q30(int64_t x, tp_q30 y)
+static inline int64_t tp_coastal_scale_q30(int64_t x, tp_q30 y)
 {
     return ((x >> 16) * y >> 14) + ((x & 0xffff) * y >> 30);
 }
 
 /* Returns sqrt(k^2 - kz^2) for |kz| <= k; else 0. */
-int64_t tp_ocean_cross_shore_number(int64_t k_q32, int64_t kz_q32);
+int64_t tp_coastal_cross_shore_number(int64_t k_q32, int64_t kz_q32);
 
 /* Wave vector k over a floor that rises towards `up`: by Snell's law [B9] the component
  * along the depth contours stays.  up = (0, 0): no change of direction. */
 typedef struct {
     int64_t x_q32, z_q32;
-} tp_ocean_number;
-tp_ocean_number tp_ocean_wave_vector(const tp_ocean_swell *swell, tp_way up, int64_t k_q32);
+} tp_coastal_wave_number;
+tp_coastal_wave_number tp_coastal_wave_vector(const tp_coastal_swell *swell, tp_way up,
+                                              int64_t k_q32);
 
 /* Tables begin where the head ends. */
-_Static_assert(sizeof(tp_ocean) % _Alignof(tp_ocean_table) == 0, "tables are aligned");
+_Static_assert(sizeof(tp_coastal_water) % _Alignof(tp_coastal_table) == 0,
+               "tables are aligned");
 
-static inline tp_ocean_table *tp_ocean_tables(const tp_ocean *ocean)
+static inline tp_coastal_table *tp_coastal_tables(const tp_coastal_water *coastal)
 {
-    return (tp_ocean_table *)(ocean + 1);
+    return (tp_coastal_table *)(coastal + 1);
 }
 
-tp_ocean_bed *tp_ocean_beds(const tp_ocean *ocean);
-tp_ocean_ray *tp_ocean_rays(const tp_ocean *ocean, const tp_ocean_wave *wave);
+tp_coastal_floor_node *tp_coastal_floor_nodes(const tp_coastal_water *coastal);
+tp_coastal_wave_node *tp_coastal_wave_nodes(const tp_coastal_water *coastal,
+                                            const tp_coastal_wave *wave);
 
-void tp_ocean_make_table(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell,
-                         const tp_ocean_config *config);
-void tp_ocean_make_phases(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell);
-void tp_ocean_limit_steepness(tp_ocean *ocean);
+void tp_coastal_make_table(tp_coastal_water *coastal, uint32_t i,
+                           const tp_coastal_swell *swell,
+                           const tp_coastal_config *config);
+void tp_coastal_make_phases(tp_coastal_water *coastal, uint32_t i,
+                            const tp_coastal_swell *swell);
+void tp_coastal_limit_steepness(tp_coastal_water *coastal);
 
-/* tp_ocean_floor_tilt_sine_bound returns the sine of the steepest tilt over a map, Q14.
- * tp_ocean_add_bounds adds the bounds of a swell, whose table and phases must exist, to the
- * bounds of the ocean. */
-int32_t tp_ocean_floor_tilt_sine_bound(const tp_ocean *ocean);
-void tp_ocean_add_bounds(tp_ocean *ocean, uint32_t i, int32_t tilt);
+/* tp_ocean_floor_tilt_sine_bound returns the sine of the steepest tilt over a map,
+ * Q14. tp_coastal_add_bounds adds the bounds of a swell, whose table and phases must
+ * exist, to the bounds of the ocean. */
+int32_t tp_ocean_floor_tilt_sine_bound(const tp_coastal_water *coastal);
+void tp_coastal_add_bounds(tp_coastal_water *coastal, uint32_t i, int32_t tilt);
 
-void tp_ocean_make_beds(tp_ocean *ocean, const tp_floor *floor);
-void tp_ocean_make_rays(tp_ocean *ocean, uint32_t i, const tp_ocean_swell *swell,
-                        int64_t *turns);
-tp_q30 tp_ocean_beach_slope(const tp_ocean *ocean, tp_fx amplitude);
+void tp_coastal_make_floor_nodes(tp_coastal_water *coastal, const tp_floor *floor);
+void tp_coastal_make_wave_nodes(tp_coastal_water *coastal, uint32_t i,
+                                const tp_coastal_swell *swell, int64_t *turns);
+tp_q30 tp_coastal_beach_slope(const tp_coastal_water *coastal, tp_fx amplitude);
 
 /* ocean.c: depth, m, up to which crests foam by breaking alone.  In deeper water crests
  * foam where the surface is compressed. */
-tp_fx tp_ocean_breaking_depth(const tp_ocean *ocean);
+tp_fx tp_coastal_breaking_depth(const tp_coastal_water *coastal);
 #endif

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Rings of droplets, [A4] [A5] of the models.
  *
- * tp_ring_evaluate computes the terms that do not depend on the point (age, crest, decay) once
- * a picture, including all divisions.  At a point most rings cost one comparison of x.
- * For the others squared distances decide, in 64 bits.  The few rings with the point in
- * their band cost two reciprocal roots.  1 / rho gives the distance and the direction.  q
- * = 1 / sqrt(rho + rho0) gives the spreading s = sqrt(rho0) q and its slope: s^3 / (2
- * rho0) = s q^2 / 2. */
+ * tp_ring_evaluate computes the terms that do not depend on the point (age, crest,
+ * decay) once a picture, including all divisions.  At a point most rings cost one
+ * comparison of x.  For the others squared distances decide, in 64 bits.  The few
+ * rings with the point in their band cost two reciprocal roots.  1 / rho gives the
+ * distance and the direction.  q = 1 / sqrt(rho + rho0) gives the spreading s =
+ * sqrt(rho0) q and its slope: s^3 / (2 rho0) = s q^2 / 2. */
 #include <stdbool.h>
 #include "base/assert.h"
 #include "tidepool/world.h"
@@ -147,11 +147,11 @@ static inline tp_q30 spreading(const tp_ring_now *ring, int64_t rho_q24,
 
 typedef struct {
     int64_t height, slope_x, slope_z;       /* Q.24 */
-} sums;
+} ring_sums;
 
 /* Adds a ring at (dx, dz) from the centre, 16.16; d2 is the squared
  * distance, 0 < d2 < 2^60. */
-static void add_ring(sums *sum, const tp_ring_now *ring, int32_t dx, int32_t dz,
+static void add_ring(ring_sums *sum, const tp_ring_now *ring, int32_t dx, int32_t dz,
                      uint64_t d2)
 {
     TP_ASSERT(d2 > 0 && d2 >> 60 == 0);
@@ -185,9 +185,10 @@ static tp_fx round_q24_to_fx(int64_t q24)
     return tp_fx_saturate((q24 + 128) >> 8);
 }
 
-tp_relief tp_ring_relief(const tp_ring_now *rings, uint32_t count, tp_fx x, tp_fx z)
+tp_height_slope tp_ring_height_slope(const tp_ring_now *rings, uint32_t count, tp_fx x,
+                                     tp_fx z)
 {
-    sums sum = { 0, 0, 0 };
+    ring_sums sum = { 0, 0, 0 };
 
     for (uint32_t i = 0; i < count; i++) {
         const tp_ring_now *ring = &rings[i];
@@ -199,8 +200,8 @@ tp_relief tp_ring_relief(const tp_ring_now *rings, uint32_t count, tp_fx x, tp_f
         if (d2 > ring->inner2 && d2 < ring->outer2)
             add_ring(&sum, ring, (int32_t)dx, (int32_t)dz, (uint64_t)d2);
     }
-    return (tp_relief){ round_q24_to_fx(sum.height), round_q24_to_fx(sum.slope_x),
-                        round_q24_to_fx(sum.slope_z) };
+    return (tp_height_slope){ round_q24_to_fx(sum.height), round_q24_to_fx(sum.slope_x),
+                              round_q24_to_fx(sum.slope_z) };
 }
 
 /* -- the end of a ring --------------------------------------------------------------- */

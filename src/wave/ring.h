@@ -53,5 +53,6 @@ bool tp_ring_is_spent(const tp_ring *ring, int64_t now, tp_fx beyond);
 /* Returns the sum of `count` rings at the point (x, z) of the world.  A ring with the point
  * in its band costs two reciprocal roots, any other ring a comparison or two; no division.
  * The slope of each ring is clamped to +-7.99. */
-tp_relief tp_ring_relief(const tp_ring_now *rings, uint32_t count, tp_fx x, tp_fx z);
+tp_height_slope tp_ring_height_slope(const tp_ring_now *rings, uint32_t count, tp_fx x,
+                                     tp_fx z);
 #endif

@@ -76,7 +76,7 @@ static int64_t scale_turns(uint64_t turns, tp_q30 d)
 }
 
 /* Returns Q A = (Q k A) L / 2 pi: 30 and 27 bits make Q.46, over Q.28 gives Q.18. */
-static tp_fx swell_reach(tp_q30 bend, tp_fx length)
+static tp_fx swell_displacement(tp_q30 bend, tp_fx length)
 {
     return (tp_fx)(((int64_t)bend * length / TWO_PI_Q28 + 2) >> 2);
 }
@@ -93,30 +93,30 @@ static tp_q30 swell_slope(tp_fx amplitude, tp_fx length)
  * greater of q1 k2 A2 and q2 k1 A1, because the sine of one wave meets the cosine of the
  * other.  Over 1 - sum q the result bounds the angle in radians.  Rounded up.  The tilt of
  * sharpened waves counts twice, because their sine and their f' are large together. */
-static tp_fx swell_twist(const tp_sea *sea, const tp_swell *w)
+static tp_fx swell_cross_term_bound(const tp_deep_water *deep, const tp_swell *w)
 {
     tp_fx sum = 0;
 
-    for (uint32_t i = 0; i < sea->count; i++) {
-        const tp_swell *v = &sea->swell[i];
+    for (uint32_t i = 0; i < deep->count; i++) {
+        const tp_swell *v = &deep->swell[i];
         tp_fx a = tp_q30_mul(v->tilt, w->bend), b = tp_q30_mul(w->tilt, v->bend);
         sum += (a > b ? a : b) + 1;
     }
     return sum;
 }
 
-static bool needs_cross(const tp_sea *sea)
+static bool needs_cross(const tp_deep_water *deep)
 {
     const tp_fx most = TP_FX(0.026);                        /* 1.49 degrees */
-    return sea->count > 1 && sea->bend > 0
-        && (sea->bend > BEND_CROSSED
-            || sea->twist > tp_q30_mul(most, TP_Q30_ONE - sea->bend));
+    return deep->count > 1 && deep->steepness_sum > 0
+        && (deep->steepness_sum > BEND_CROSSED
+            || deep->cross_term_bound > tp_q30_mul(most, TP_Q30_ONE - deep->steepness_sum));
 }
 
 static tp_swell make_swell(const tp_wave_exact *w, tp_fx amplitude, tp_fx length,
                          tp_q30 bend)
 {
-    tp_fx   reach = swell_reach(bend, length);
+    tp_fx   reach = swell_displacement(bend, length);
     tp_q30  slope = swell_slope(amplitude, length);
     int32_t power = tp_clamp(w->power, 1, 8);
 
@@ -127,8 +127,8 @@ static tp_swell make_swell(const tp_wave_exact *w, tp_fx amplitude, tp_fx length
         .turns = w->turns,
         .phase = w->phase,
         .amplitude = amplitude,
-        .reach_x = tp_q30_mul(reach, w->dx),
-        .reach_z = tp_q30_mul(reach, w->dz),
+        .orbit_x = tp_q30_mul(reach, w->dx),
+        .orbit_z = tp_q30_mul(reach, w->dz),
         .slope_x = tp_q30_mul(slope, w->dx),
         .slope_z = tp_q30_mul(slope, w->dz),
         .bend_xx = tp_q30_mul(tp_q30_mul(bend, w->dx), w->dx),
@@ -141,30 +141,30 @@ static tp_swell make_swell(const tp_wave_exact *w, tp_fx amplitude, tp_fx length
     };
 }
 
-void tp_sea_add(tp_sea *sea, const tp_wave_exact *wave)
+void tp_deep_water_add(tp_deep_water *deep, const tp_wave_exact *wave)
 {
-    if (sea->count == TP_WAVES || wave->amplitude <= 0)
+    if (deep->count == TP_WAVES || wave->amplitude <= 0)
         return;
     TP_ASSERT(wave->turns >> 17 != 0 && wave->turns <= (uint64_t)4 << 32);
-    TP_ASSERT(wave->steepness >= 0 && sea->bend <= BEND_MAX);
+    TP_ASSERT(wave->steepness >= 0 && deep->steepness_sum <= BEND_MAX);
     tp_fx  length = (tp_fx)((((uint64_t)1 << 48) + wave->turns / 2) / wave->turns);
     tp_fx  cap = (tp_fx)(((int64_t)length * 3 + 5) / 10);
     tp_fx  amplitude = wave->amplitude < cap ? wave->amplitude : cap;
-    tp_q30 left = BEND_MAX - sea->bend;
+    tp_q30 left = BEND_MAX - deep->steepness_sum;
     tp_q30 bend = wave->steepness < left ? wave->steepness : left;
 
-    sea->capped |= wave->amplitude > cap;
-    sea->clamped |= wave->steepness > left;
-    sea->sharpened |= wave->power > 1;
-    sea->height += tp_sharp_height(amplitude, wave->power);
-    sea->reach += swell_reach(bend, length) + 1;
-    sea->steepness += (wave->steepness + (1 << 13)) >> 14;
-    sea->bend += bend;
-    tp_swell *w = &sea->swell[sea->count];
+    deep->capped |= wave->amplitude > cap;
+    deep->clamped |= wave->steepness > left;
+    deep->sharpened |= wave->power > 1;
+    deep->height += tp_sharp_height(amplitude, wave->power);
+    deep->max_displacement += swell_displacement(bend, length) + 1;
+    deep->steepness += (wave->steepness + (1 << 13)) >> 14;
+    deep->steepness_sum += bend;
+    tp_swell *w = &deep->swell[deep->count];
     *w = make_swell(wave, amplitude, length, bend);
-    sea->twist += swell_twist(sea, w);
-    sea->count++;
-    sea->crossed = needs_cross(sea);
+    deep->cross_term_bound += swell_cross_term_bound(deep, w);
+    deep->count++;
+    deep->crossed = needs_cross(deep);
 }
 
 static tp_wave_exact make_exact(const tp_wave *w, tp_q30 steepness, tp_fx gravity)
@@ -193,40 +193,43 @@ static tp_fx sum_steepness(const tp_wave *waves, uint32_t count)
     return sum;
 }
 
-void tp_sea_init(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity)
+void tp_deep_water_init(tp_deep_water *deep, const tp_wave *waves, uint32_t count,
+                        tp_fx gravity)
 {
-    memset(sea, 0, sizeof *sea);
-    tp_sea_init_compact(sea, waves, count, gravity);
+    memset(deep, 0, sizeof *deep);
+    tp_deep_water_init_compact(deep, waves, count, gravity);
 }
 
-void tp_sea_init_compact(tp_sea *sea, const tp_wave *waves, uint32_t count, tp_fx gravity)
+void tp_deep_water_init_compact(tp_deep_water *deep, const tp_wave *waves, uint32_t count,
+                                tp_fx gravity)
 {
     count = count < TP_WAVES ? count : TP_WAVES;
     tp_fx asked = sum_steepness(waves, count);
     bool  clamped = asked > TP_FX(0.95);
 
-    memset(sea, 0, offsetof(tp_sea, swell));
+    memset(deep, 0, offsetof(tp_deep_water, swell));
     for (uint32_t i = 0; i < count; i++) {
         if (waves[i].amplitude <= 0)
             continue;
         int64_t share = waves[i].steepness;
         share = clamped ? share * BEND_MAX / asked : share << 14;
         tp_wave_exact exact = make_exact(&waves[i], (tp_q30)share, gravity);
-        tp_sea_add(sea, &exact);
+        tp_deep_water_add(deep, &exact);
     }
-    sea->steepness = asked;
-    sea->clamped = clamped;
+    deep->steepness = asked;
+    deep->clamped = clamped;
 }
 
-void tp_sea_phases(const tp_sea *sea, uint64_t tick, tp_fx back, tp_turn phases[TP_WAVES])
+void tp_deep_water_phases(const tp_deep_water *deep, uint64_t tick, tp_fx lag,
+                          tp_turn phases[TP_WAVES])
 {
-    TP_ASSERT(sea->count <= TP_WAVES);
-    TP_ASSERT(back >= 0 && back <= TP_FX_ONE);
-    for (uint32_t i = sea->count; i < TP_WAVES; i++)
+    TP_ASSERT(deep->count <= TP_WAVES);
+    TP_ASSERT(lag >= 0 && lag <= TP_FX_ONE);
+    for (uint32_t i = deep->count; i < TP_WAVES; i++)
         phases[i] = 0;
-    for (uint32_t i = 0; i < sea->count; i++) {
-        const tp_swell *w = &sea->swell[i];
-        uint64_t turns = tick * w->turns_tick - (w->turns_tick >> 16) * (uint32_t)back;
+    for (uint32_t i = 0; i < deep->count; i++) {
+        const tp_swell *w = &deep->swell[i];
+        uint64_t turns = tick * w->turns_tick - (w->turns_tick >> 16) * (uint32_t)lag;
         phases[i] = w->phase - (tp_turn)(turns >> 32);
     }
 }

@@ -35,7 +35,7 @@ static uint32_t newton_factor(tp_tanh at, uint32_t u_q31)
     return 0x80000000u - (uint32_t)((part + ((int64_t)1 << (32 - up))) >> (33 - up));
 }
 
-tp_scaled tp_depth_number_scaled(tp_scaled k_inf, tp_scaled depth, int steps)
+tp_scaled tp_depth_wave_number_scaled(tp_scaled k_inf, tp_scaled depth, int steps)
 {
     TP_ASSERT(k_inf.m != 0 && depth.m != 0 && steps >= 0);
     const tp_scaled y = tp_scaled_mul(k_inf, depth);
@@ -63,23 +63,24 @@ static int64_t solve_wave_number(int64_t k_inf_q32, tp_fx depth, int steps)
     if (k_inf_q32 <= 0)
         return 0;
     const tp_scaled k_inf = tp_scaled_from_wave_number(k_inf_q32);
-    const tp_scaled k = tp_depth_number_scaled(k_inf, tp_scaled_from_depth(depth), steps);
+    const tp_scaled k =
+        tp_depth_wave_number_scaled(k_inf, tp_scaled_from_depth(depth), steps);
     const int64_t rounded = tp_scaled_fixed(k, 32);
     return rounded > k_inf_q32 ? rounded : k_inf_q32;   /* k >= k_inf: its scaled form may
                                                          * have been truncated */
 }
 
-int64_t tp_depth_number_eckart(int64_t k_inf_q32, tp_fx depth)
+int64_t tp_depth_wave_number_eckart(int64_t k_inf_q32, tp_fx depth)
 {
     return solve_wave_number(k_inf_q32, depth, 0);
 }
 
-int64_t tp_depth_number(int64_t k_inf_q32, tp_fx depth)
+int64_t tp_depth_wave_number(int64_t k_inf_q32, tp_fx depth)
 {
     return solve_wave_number(k_inf_q32, depth, 1);
 }
 
-int64_t tp_depth_number_exact(int64_t k_inf_q32, tp_fx depth)
+int64_t tp_depth_wave_number_exact(int64_t k_inf_q32, tp_fx depth)
 {
     return solve_wave_number(k_inf_q32, depth, 3);
 }
@@ -116,7 +117,7 @@ tp_scaled tp_tanh_scaled(tp_scaled x)
     return tp_scaled_mul(x, tp_scaled_from_fixed(at.ratio_q31, 31));
 }
 
-int64_t tp_depth_number_fenton(int64_t k_inf_q32, tp_fx depth)
+int64_t tp_depth_wave_number_fenton(int64_t k_inf_q32, tp_fx depth)
 {
     if (k_inf_q32 <= 0)
         return 0;
@@ -129,7 +130,7 @@ int64_t tp_depth_number_fenton(int64_t k_inf_q32, tp_fx depth)
 }
 
 /* 2 pi 2^32 / (length / 2^16): the numerator has 51 bits. */
-int64_t tp_depth_number_deep(tp_fx length)
+int64_t tp_depth_wave_number_deep(tp_fx length)
 {
     const int64_t least = length > TP_FX_ONE / 64 ? length : TP_FX_ONE / 64;
     return (2 * (int64_t)PI_Q32 * 65536 + least / 2) / least;

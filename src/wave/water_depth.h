@@ -21,16 +21,16 @@
 /* -- length and speed ---------------------------------------------------------------- */
 
 /* Returns 2 pi / length, rounded to nearest; a length below 1/64 m counts as 1/64 m. */
-int64_t tp_depth_number_deep(tp_fx length);
+int64_t tp_depth_wave_number_deep(tp_fx length);
 
 /* Solve k tanh(kh) = k_inf for k [B2], by four methods.  Worst relative errors:
  *   Eckart [B4] 4.98 %;  Fenton and McKee [B5] 1.63 %;
  *   Eckart and one Newton step [B6], the usual one, 0.051 %;
  *   three steps, for tables: 2^-26 and half a unit of Q31.32 (2^-24.7 at 2000 m). */
-int64_t tp_depth_number_eckart(int64_t k_inf_q32, tp_fx depth);
-int64_t tp_depth_number_fenton(int64_t k_inf_q32, tp_fx depth);
-int64_t tp_depth_number(int64_t k_inf_q32, tp_fx depth);
-int64_t tp_depth_number_exact(int64_t k_inf_q32, tp_fx depth);
+int64_t tp_depth_wave_number_eckart(int64_t k_inf_q32, tp_fx depth);
+int64_t tp_depth_wave_number_fenton(int64_t k_inf_q32, tp_fx depth);
+int64_t tp_depth_wave_number(int64_t k_inf_q32, tp_fx depth);
+int64_t tp_depth_wave_number_exact(int64_t k_inf_q32, tp_fx depth);
 
 /* Regime [B1] by depth / local wave length: deep from 1/2 on, shallow up to 1/20. */
 typedef enum { TP_DEPTH_SHALLOW, TP_DEPTH_TRANSITION, TP_DEPTH_DEEP } tp_depth_regime;

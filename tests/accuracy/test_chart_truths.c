@@ -15,9 +15,9 @@
 
 /* -- deep water ---------------------------------------------------------------------- */
 
-static ref_sea sea_of(const vector_table *r, double phase[TP_WAVES])
+static ref_deep_water sea_of(const vector_table *r, double phase[TP_WAVES])
 {
-    ref_sea sea = { .count = r->waves };
+    ref_deep_water sea = { .count = r->waves };
 
     for (int i = 0; i < r->waves; i++) {
         const row_wave *w = &r->wave[i];
@@ -38,7 +38,7 @@ static void the_sea_has_the_points_of_the_vectors(void **state)
     (void)state;
     while (rows_next(&r)) {
         double phase[TP_WAVES];
-        const ref_sea   sea = sea_of(&r, phase);
+        const ref_deep_water   sea = sea_of(&r, phase);
         const ref_point p = ref_at_rest(&sea, phase, r.at[0], r.at[1]);
         const double n = sqrt(p.nx * p.nx + p.ny * p.ny + p.nz * p.nz);
         const double of[6] = { p.x, p.y, p.z, p.nx / n, p.ny / n, p.nz / n };

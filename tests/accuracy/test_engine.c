@@ -24,7 +24,7 @@ typedef struct {
                                  * without; 0: no glitter in view */
     double   elsewhere;         /* bound of the share of pixels with another surface */
     const char *set[SETTINGS];  /* further settings, ended by NULL */
-} row;
+} engine_row;
 
 static const char *const off[] = {
     REF_WITHOUT,
@@ -52,7 +52,7 @@ enum { OFF = sizeof off / sizeof *off };
 #define BARE "mirror.objects=none"
 #define STILL "wave0.amplitude=0", "wave1.amplitude=0", "wave2.amplitude=0"
 
-static const row rows[] = {
+static const engine_row rows[] = {
     { "minimal", 0, 0.9, 0.8, 0.0005, { NULL } },
     { "flat-calm", 0, 2.8, 0, 0.0005, { NULL } },
     { "three-swells", 100, 3.1, 0, 0.001, { BARE } },
@@ -106,7 +106,7 @@ static const row rows[] = {
 
 /* Compares one scene. Without glitter (`glitter` false), large changes of a lobe caused by
  * small errors of the slopes do not count. */
-static difference compare(const row *r, bool glitter)
+static difference compare(const engine_row *r, bool glitter)
 {
     const char *set[OFF + SETTINGS + 1];
     uint32_t sets = 0;
@@ -143,7 +143,7 @@ static void print(const char *name, const char *what, const difference *d)
            d->worst[1], d->worst[2], d->water, (double)d->elsewhere / d->pixels);
 }
 
-static bool is_near(const row *r)
+static bool is_near(const engine_row *r)
 {
     const difference whole = compare(r, true);
 

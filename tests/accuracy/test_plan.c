@@ -14,9 +14,9 @@
 /* Compares the planned picture with the reference picture of outlines or of shading: the
  * error is at most the plan's estimate above the error of the exact rungs with all
  * waves. */
-static void compare(const stage *s, const tp_plan_report *r, uint32_t tick)
+static void compare(const loaded_scene *s, const tp_plan_report *r, uint32_t tick)
 {
-    static drawing planned, exact, truth;
+    static truth_drawing planned, exact, truth;
     tp_scene scene = s->file.scene;
     const double px_most = r->total.error_px / 65536.0;
     const double rms_most = r->total.error_colour / 65536.0;
@@ -52,10 +52,10 @@ static void look_at(const char *name)
 {
     char path[160];
     options o = { .command = "plan", .scene = path, .width = width, .height = height };
-    stage s;
+    loaded_scene s;
 
     snprintf(path, sizeof path, "assets/scenes/%s.ini", name);
-    assert_int_equal(stage_open(&s, &o), 0);
+    assert_int_equal(loaded_scene_open(&s, &o), 0);
     const tp_scene *scene = &s.file.scene;
     const tp_plan_report r = tp_plan_make(scene, &s.assets.names, width, height);
     assert_true(r.total.known);
@@ -68,7 +68,7 @@ static void look_at(const char *name)
             compare(&s, &r, tick);
         tp_world_step(&tp_program_all, s.world, scene, NULL);
     }
-    stage_close(&s);
+    loaded_scene_close(&s);
 }
 
 static void shipped_scenes_keep_their_budgets(void **state)

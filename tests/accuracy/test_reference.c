@@ -127,8 +127,8 @@ static tp_scene scene_beach(void)
 
 static ref_point point_at_rest(const ref_surface *s, double x0, double z0)
 {
-    return s->ocean ? ref_ocean_rest(s->ocean, s->phase, x0, z0)
-                    : ref_at_rest(&s->sea, s->phase, x0, z0);
+    return s->coastal ? ref_coastal_rest(s->coastal, s->phase, x0, z0)
+                      : ref_at_rest(&s->sea, s->phase, x0, z0);
 }
 
 /* dy/dx from the heights 0.1 mm to each side. */

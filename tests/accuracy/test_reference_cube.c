@@ -38,7 +38,7 @@ static void paint_cube(ramps *r, view_of_ref *v, uint32_t alpha)
 /* Returns the face that a direction passes, and the place on the face. Faces: east, west,
  * up, down, south, north. On an upright face the place is given by tangents from the face's
  * middle; up and down join the south face. */
-static int cube_place(view to, double place[2])
+static int cube_place(sight_angles to, double place[2])
 {
     static const double middle[4] = { PI / 2, -PI / 2, PI, 0 };
     static const int number[4] = { 0, 1, 4, 5 };
@@ -61,7 +61,7 @@ static int cube_place(view to, double place[2])
     return -1;
 }
 
-static double ramp_of(view to, int k)
+static double ramp_of(sight_angles to, int k)
 {
     double place[2];
     const int face = cube_place(to, place);
@@ -88,20 +88,20 @@ static void a_cube_shows_the_face_that_lies_there(void **state)
         if (n % 2)
             go_ashore(&v.scene);
         view_open(&v, 64, 48);
-        const view to = sight_any(&v, &seed, -PI / 2, PI / 2);
+        const sight_angles to = sight_any(&v, &seed, -PI / 2, PI / 2);
         const bool mirrored = to.elevation < 0 && n % 2 == 0;
         const double up = mirrored ? -to.elevation : to.elevation;
         const double share = mirrored ? fresnel_of(PI / 2 - up, WATER) : 1;
         const double more = n % 3 == 1 ? 40 / 255.0 * 16 * v.scene.hdr.share / 65536.0
                                        : 0;
         const ref_seen seen = sight_look(&v, to);
-        faces |= 1 << cube_place((view){ to.azimuth, up }, place);
+        faces |= 1 << cube_place((sight_angles){ to.azimuth, up }, place);
         const bool far = mirrored ? up < 1e-3 : seen.kind != REF_SKY;
         for (int k = 0; k < 3 && !far; k++)
             measure_add(&off, seen.colour.c[k]
                         - fmin(255, (1 - share) * channel(v.scene.water.colour, k)
                                + share * (1 + more)
-                                 * ramp_of((view){ to.azimuth, up }, k)), n, k,
+                                 * ramp_of((sight_angles){ to.azimuth, up }, k)), n, k,
                         mirrored);
         view_close(&v);
     }
@@ -132,11 +132,11 @@ static void a_mirrored_look_ends_at_the_horizon(void **state)
         const double down = chance_double(&seed, tilt + 0.11, 2 * tilt);
         const double share = fresnel_of(PI / 2 - down + tilt, WATER)
                            * fmax(0.5, 1 + 4 * sin(down - 2 * tilt));
-        const ref_seen seen = sight_look(&v, (view){ 0, -down });
+        const ref_seen seen = sight_look(&v, (sight_angles){ 0, -down });
         for (int k = 0; k < 3; k++)
             measure_add(&off, seen.colour.c[k]
                         - between(channel(v.scene.water.colour, k),
-                                  ramp_of((view){ 0, 0 }, k), share), n, k, 0);
+                                  ramp_of((sight_angles){ 0, 0 }, k), share), n, k, 0);
         view_close(&v);
     }
     measure_print(&off);

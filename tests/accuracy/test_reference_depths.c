@@ -41,11 +41,11 @@ static void measure_bent(measure *off, const view_of_ref *v, const noise_picture
                          double tilt, double down, int n)
 {
     const double met = PI / 2 - down + tilt, depth = v->scene.floor.depth / 65536.0;
-    const double lit = lit_of(&v->scene, sight_cos((view){ 0, PI / 2 - tilt },
+    const double lit = lit_of(&v->scene, sight_cos((sight_angles){ 0, PI / 2 - tilt },
                                                    sight_light(v)));
-    const double wet = lit_of(&v->scene, wet_cos(v, (view){ 0, PI / 2 }));
+    const double wet = lit_of(&v->scene, wet_cos(v, (sight_angles){ 0, PI / 2 }));
     const double north = v->world->eye.y / 65536.0 / tan(down);
-    const ref_seen seen = sight_look(v, (view){ 0, -down });
+    const ref_seen seen = sight_look(v, (sight_angles){ 0, -down });
 
     for (int k = 0; k < 3; k++) {
         const double index = fmax(1.15, WATER + (k - 1) * v->scene.water.dispersion
@@ -95,7 +95,7 @@ static void the_floor_is_seen_where_light_of_each_colour_is_bent(void **state)
 /* Distance along a look to the floor y = rise q - depth, q in metres towards the uphill
  * side: (eye height + depth - rise at the eye's place) over the fall of the ray relative to
  * the floor. */
-static double beach_met(const view_of_ref *v, view to, double high, double q)
+static double beach_met(const view_of_ref *v, sight_angles to, double high, double q)
 {
     const double rise = v->scene.floor.slope / 65536.0;
     const double turn = v->scene.floor.heading / 65536.0 * PI / 180;
@@ -117,15 +117,15 @@ static void a_beach_is_lit_by_its_slope_wet_and_dry(void **state)
         v.scene.floor.heading = chance_fx(&seed, -180, 180);
         v.scene.camera.heading = chance_fx(&seed, -180, 180);
         view_open(&v, 64, 48);
-        const view to = sight_any(&v, &seed, -PI / 2, -0.3);
+        const sight_angles to = sight_any(&v, &seed, -PI / 2, -0.3);
         const double turn = v.scene.floor.heading / 65536.0 * PI / 180;
         const double rise = v.scene.floor.slope / 65536.0;
-        const view up = { turn + PI, PI / 2 - atan(rise) };
+        const sight_angles up = { turn + PI, PI / 2 - atan(rise) };
         const double high = v.world->eye.y / 65536.0, on = high / -sin(to.elevation);
         const double land = beach_met(&v, to, high, 0);
         const ref_seen seen = sight_look(&v, to);
         const bool is_dry = land > 0 && land < on;
-        const view bent = { to.azimuth, -acos(cos(to.elevation) / WATER) };
+        const sight_angles bent = { to.azimuth, -acos(cos(to.elevation) / WATER) };
         const double q = on * cos(to.elevation) * cos(to.azimuth - turn);
         const double level = lit_of(&v.scene, sin(sight_light(&v).elevation));
         const double way = beach_met(&v, bent, 0, q);
@@ -156,7 +156,7 @@ static double from_above(const view_of_ref *v, double up, int k)
 {
     const double depth = v->scene.floor.depth / 65536.0;
     const double deep = channel(v->scene.water.deep, k);
-    const double lit = lit_of(&v->scene, wet_cos(v, (view){ 0, PI / 2 }));
+    const double lit = lit_of(&v->scene, wet_cos(v, (sight_angles){ 0, PI / 2 }));
 
     if (depth == 0)
         return deep;
@@ -181,7 +181,7 @@ static void the_surface_from_below_is_a_window_and_a_mirror(void **state)
         v.scene.camera.fov = 80 * TP_FX_ONE;
         v.scene.sky.kind = TP_SKY_GRADIENT;
         view_open(&v, 64, 48);
-        const view to = sight_any(&v, &seed, 0.1, PI / 2 - 0.01);
+        const sight_angles to = sight_any(&v, &seed, 0.1, PI / 2 - 0.01);
         const double sine = WATER * cos(to.elevation), high = -v.world->eye.y / 65536.0;
         const ref_seen seen = sight_look(&v, to);
         for (int k = 0; k < 3; k++) {

@@ -17,9 +17,9 @@ typedef struct {
     tp_mesh_vertex vertex[8];
     tp_mesh_face   face[4];
     tp_material    material[2];
-} board;
+} board_mesh;
 
-static void lay(board *b, int which, bool lying, tp_fx high)
+static void lay(board_mesh *b, int which, bool lying, tp_fx high)
 {
     for (int i = 0; i < 4; i++) {
         const int32_t x = i == 1 || i == 2 ? 1 : -1, y = i >= 2 ? 1 : -1;
@@ -45,7 +45,7 @@ static void lay(board *b, int which, bool lying, tp_fx high)
 }
 
 /* Opens `v` with the board at a pose. */
-static void open_posed(view_of_ref *v, const board *b, tp_pose pose)
+static void open_posed(view_of_ref *v, const board_mesh *b, tp_pose pose)
 {
     strcpy(v->scene.boat.mesh, "board.obj");
     v->assets.boat = &b->mesh;
@@ -55,9 +55,10 @@ static void open_posed(view_of_ref *v, const board *b, tp_pose pose)
 }
 
 /* Phong's lobe for a look, or Blinn's lobe with four times the exponent. */
-static double gloss_of(int32_t model, view light, view normal, view to, double power)
+static double gloss_of(int32_t model, sight_angles light, sight_angles normal,
+                       sight_angles to, double power)
 {
-    const view eye = { to.azimuth + PI, -to.elevation };
+    const sight_angles eye = { to.azimuth + PI, -to.elevation };
     const double nl = sight_cos(normal, light), ne = sight_cos(normal, eye);
     const double le = sight_cos(light, eye);
 
@@ -69,7 +70,8 @@ static double gloss_of(int32_t model, view light, view normal, view to, double p
 }
 
 /* Random material with the normal map's texel (nx, ny, 100). */
-static void paint(board *b, noise_picture *p, plain_picture *bump, int32_t nx, int32_t ny)
+static void paint(board_mesh *b, noise_picture *p, plain_picture *bump, int32_t nx,
+                  int32_t ny)
 {
     b->material[0] = (tp_material){
         .diffuse = (uint32_t)chance_int(&seed, 0, 0xffffff),
@@ -87,12 +89,12 @@ static void measure_board(measure *off, int *bright, view_of_ref *v, int32_t hea
 {
     static noise_picture p;
     plain_picture bump;
-    board b;
+    board_mesh b;
     const int32_t nx = chance_int(&seed, -60, 60), ny = chance_int(&seed, -60, 60);
     const double x = chance_double(&seed, -1, 1), y = chance_double(&seed, -1, 1);
     const double turn = heading * (2 * PI / 4294967296.0);
     const double east = x * cos(turn), north = 5 - x * sin(turn);
-    const view to = { atan2(east, north), atan2(y, hypot(east, north)) };
+    const sight_angles to = { atan2(east, north), atan2(y, hypot(east, north)) };
 
     lay(&b, 0, false, 0);
     paint(&b, &p, &bump, nx, ny);
@@ -100,8 +102,8 @@ static void measure_board(measure *off, int *bright, view_of_ref *v, int32_t hea
                                  .heading = (tp_turn)heading });
     const tp_material *m = &b.material[0];
     const double bold = m->bump / 65536.0;
-    const view normal = { turn + atan2(nx * bold, -100),
-                          atan2(ny * bold, hypot(nx * bold, 100)) };
+    const sight_angles normal = { turn + atan2(nx * bold, -100),
+                                  atan2(ny * bold, hypot(nx * bold, 100)) };
     const double lit = lit_of(&v->scene, sight_cos(normal, sight_light(v)));
     const double gloss = gloss_of(v->scene.light.model, sight_light(v), normal, to,
                                   m->shininess / TP_FX_ONE);
@@ -147,7 +149,7 @@ static void a_sunken_mesh_shines_in_the_bent_light(void **state)
     (void)state;
     for (int n = 0; n < 1500; n++) {
         view_of_ref v = { .scene = scene_clear_any(&seed) };
-        board b;
+        board_mesh b;
         lay(&b, 0, true, 0);
         b.material[0] = (tp_material){ .diffuse = 0x402010, .specular = 0xffffff,
                                        .shininess = 6 * TP_FX_ONE,
@@ -160,13 +162,14 @@ static void a_sunken_mesh_shines_in_the_bent_light(void **state)
         open_posed(&v, &b, (tp_pose){ .place = { 0, -TP_FX_ONE, -3 * TP_FX_ONE } });
         const double met = chance_double(&seed, 0.75, 0.95);    /* from straight down */
         const double bent = asin(sin(met) / WATER), north = 2 * tan(met) + tan(bent);
-        const view light = sight_light(&v);
+        const sight_angles light = sight_light(&v);
         const double steep = acos(cos(light.elevation) / WATER);
         const double beam = sin(light.elevation) / sin(steep);
-        const ref_seen seen = sight_look(&v, (view){ 0, met - PI / 2 });
-        const view down = { light.azimuth, steep };
-        const double gloss = gloss_of(v.scene.light.model, down, (view){ 0, PI / 2 },
-                                      (view){ 0, bent - PI / 2 }, 6);
+        const ref_seen seen = sight_look(&v, (sight_angles){ 0, met - PI / 2 });
+        const sight_angles down = { light.azimuth, steep };
+        const double gloss =
+            gloss_of(v.scene.light.model, down, (sight_angles){ 0, PI / 2 },
+                     (sight_angles){ 0, bent - PI / 2 }, 6);
         assert_true(north > 2 && north < 4);
         for (int k = 0; k < 3; k++) {
             const double lit = lit_of(&v.scene, sin(light.elevation));
@@ -194,7 +197,7 @@ static void a_lid_keeps_water_out(void **state)
         const double x = chance_double(&seed, -1.5, 1.5);
         const double z = chance_double(&seed, -1.5, 1.5);
         const double high = chance_double(&seed, -0.6, 0.6);   /* height of the lid, m */
-        board b;
+        board_mesh b;
         lay(&b, 0, true, -TP_FX_ONE);
         lay(&b, 1, true, 0);
         b.material[0] = (tp_material){ .diffuse = 0x804020, .shininess = TP_FX_ONE,
@@ -205,7 +208,7 @@ static void a_lid_keeps_water_out(void **state)
         v.scene.water.clear = 0;
         open_posed(&v, &b, (tp_pose){ .place = { 0, (tp_fx)(high * 65536),
                                                  -2 * TP_FX_ONE } });
-        const view to = { atan2(x, 2 - z), -atan2(90 - high, hypot(x, 2 - z)) };
+        const sight_angles to = { atan2(x, 2 - z), -atan2(90 - high, hypot(x, 2 - z)) };
         const bool covered = fabs(x) < 0.9 && fabs(z) < 0.9;
         const ref_seen seen = sight_look(&v, to);
         const double lit = lit_of(&v.scene, sin(sight_light(&v).elevation));

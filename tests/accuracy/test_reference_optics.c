@@ -30,9 +30,9 @@ static void tilt_any(tilt *t, view_of_ref *v, bool north)
 }
 
 /* Normal as a direction. */
-static view tilt_normal(const tilt *t)
+static sight_angles tilt_normal(const tilt *t)
 {
-    return (view){ t->north != 0 ? 0 : PI / 2, PI / 2 - t->north - t->east };
+    return (sight_angles){ t->north != 0 ? 0 : PI / 2, PI / 2 - t->north - t->east };
 }
 
 static tp_scene scene_tilted(void)
@@ -77,7 +77,7 @@ static double share_of(const tp_scene *s, double angle)
 static void measure_mirror(measure *off, const tilt *t, const view_of_ref *v, double down)
 {
     const double up = mirrored_up(t, down), angle = met_at(t, down);
-    const ref_seen seen = sight_look(v, (view){ 0, -down });
+    const ref_seen seen = sight_look(v, (sight_angles){ 0, -down });
     const double part = v->scene.water.reflection / 65536.0
                       * fmin(1, fmax(0.5, 1 + 4 * sin(up)));
 
@@ -128,7 +128,7 @@ static void the_share_of_rippled_water_is_held(void **state)
     view_open(&v, 64, 48);
     for (int n = 0; n < 100; n++) {
         const double down = chance_double(&seed, 0.15, 1);
-        const ref_seen seen = sight_look(&v, (view){ 0, -down });
+        const ref_seen seen = sight_look(&v, (sight_angles){ 0, -down });
         const double up = asin(-sin(down) + 0.2 * cos(atan2(100, 64)));
         for (int k = 0; k < 3; k++)
             measure_add(&off, seen.colour.c[k]
@@ -183,8 +183,8 @@ static void water_is_lit_by_the_cosine_of_its_tilt(void **state)
 static double lobe_of(const view_of_ref *v, const tilt *t, double down)
 {
     const double power = v->scene.water.shininess / TP_FX_ONE;
-    const view light = sight_light(v), eye = { PI, down }, n = tilt_normal(t);
-    const view mirrored = { 0, fmax(-down, down - 2 * t->north) };
+    const sight_angles light = sight_light(v), eye = { PI, down }, n = tilt_normal(t);
+    const sight_angles mirrored = { 0, fmax(-down, down - 2 * t->north) };
     const double half = acos(sight_cos(light, eye)) / 2;
 
     if (sight_cos(n, light) <= 0)
@@ -214,7 +214,7 @@ static void glints_are_the_lobes_of_their_angles(void **state)
             view_open(&v, 64, 48);
             const double share = fmin(1, v.scene.water.specular / 65536.0
                                              * lobe_of(&v, &t, down));
-            const ref_seen seen = sight_look(&v, (view){ 0, -down });
+            const ref_seen seen = sight_look(&v, (sight_angles){ 0, -down });
             bright += share > 0.3;
             for (int k = 0; k < 3; k++)
                 measure_add(&off, seen.colour.c[k]
@@ -244,7 +244,7 @@ static void air_mixes_the_horizon_in_by_depth(void **state)
         v.scene.sky.haze = chance_scale(&seed, 2, 2000);
         v.scene.camera.heading = chance_fx(&seed, -180, 180);
         view_open(&v, 64, 48);
-        const view s = sight_any(&v, &seed, -PI / 2, -0.1);
+        const sight_angles s = sight_any(&v, &seed, -PI / 2, -0.1);
         const double z = v.world->eye.y / 65536.0 / -sin(s.elevation)
                        * sight_cos(s, sight_ahead(&v));
         const double h = v.scene.sky.haze / 65536.0;
@@ -275,7 +275,7 @@ static void exposure_bends_between_black_and_white(void **state)
         v.scene.camera.pitch = 20 * TP_FX_ONE;
         view_open(&v, 64, 48);
         const double e = v.scene.hdr.value / 65536.0, up = chance_double(&seed, 0, 0.7);
-        const ref_seen seen = sight_look(&v, (view){ 0, up });
+        const ref_seen seen = sight_look(&v, (sight_angles){ 0, up });
         for (int k = 0; k < 3; k++) {
             const double t = gradient_of(&v.scene, up, k) / 255;
             const double most = e > 1 ? t : pow(t, 4);

@@ -39,7 +39,7 @@ static tp_scene scene_pictured(bool linear)
 }
 
 /* Point where a look meets level water, m. */
-static void meet(const view_of_ref *v, view to, double at[2])
+static void meet(const view_of_ref *v, sight_angles to, double at[2])
 {
     const double far = v->world->eye.y / 65536.0 / tan(-to.elevation);
 
@@ -85,7 +85,7 @@ static void layers_lie_and_drift_as_their_maps_say(void **state)
             for (int i = 0; i < layers; i++)
                 v.assets.layer[i] = noise_of(&p[i], &seed);
             view_open_at(&v, 64, 48, TICKS);
-            const view to = sight_any(&v, &seed, -PI / 2, -0.2);
+            const sight_angles to = sight_any(&v, &seed, -PI / 2, -0.2);
             const ref_seen seen = sight_look(&v, to);
             meet(&v, to, at);
             for (int k = 0; k < 3; k++) {
@@ -156,7 +156,7 @@ static void a_distortion_moves_the_layers(void **state)
         v.assets.distortion = noise_of(&bend, &seed);
         v.assets.layer[0] = noise_of(&p, &seed);
         view_open_at(&v, 64, 48, TICKS);
-        const view to = sight_any(&v, &seed, -PI / 2, -0.2);
+        const sight_angles to = sight_any(&v, &seed, -PI / 2, -0.2);
         const ref_seen seen = sight_look(&v, to);
         meet(&v, to, at);
         place_in(&v.scene.distortion.map, at, place);
@@ -190,7 +190,7 @@ static void ripples_lie_as_their_map_says(void **state)
         v.scene.light.elevation = chance_fx(&seed, 40, 90);
         v.assets.ripple = noise_of(&p, &seed);
         view_open_at(&v, 64, 48, TICKS);
-        const view to = sight_any(&v, &seed, -PI / 2, -0.2);
+        const sight_angles to = sight_any(&v, &seed, -PI / 2, -0.2);
         const ref_seen seen = sight_look(&v, to);
         meet(&v, to, at);
         place_in(&v.scene.ripple.map, at, place);
@@ -198,7 +198,7 @@ static void ripples_lie_as_their_map_says(void **state)
             t[k] = texel_of(&p, place, true, k) / 128 - 1;
         const double bump = v.scene.ripple.bump / 65536.0, up = fmax(0.125, t[2]);
         const double slant = hypot(t[0], t[1]) * bump;
-        const view normal = { atan2(t[0], t[1]), atan2(up, slant) };
+        const sight_angles normal = { atan2(t[0], t[1]), atan2(up, slant) };
         for (int k = 0; k < 3; k++)
             add(&off, seen.colour.c[k],
                 channel(v.scene.water.colour, k)
@@ -265,9 +265,10 @@ static void pools_are_as_steep_as_their_cells(void **state)
                                       - height_at(&v, col - 1, row)) / (2 * CELL);
             const double south = by * (height_at(&v, col, row + 1)
                                        - height_at(&v, col, row - 1)) / (2 * CELL);
-            const view normal = { atan2(-east, south), atan2(1, hypot(east, south)) };
+            const sight_angles normal = { atan2(-east, south),
+                                          atan2(1, hypot(east, south)) };
             const double cosine = fmax(0, sight_cos(normal, sight_light(&v)));
-            const ref_seen seen = sight_look(&v, (view){ atan2(x, 5 - z),
+            const ref_seen seen = sight_look(&v, (sight_angles){ atan2(x, 5 - z),
                                                   -atan2(6 - high, hypot(x, 5 - z)) });
             most = fmax(most, hypot(east, south));
             for (int k = 0; k < 3; k++)

@@ -34,7 +34,7 @@ static double disc_of(double cosine)
 }
 
 /* Day sky before the light is clamped, that is, with light brighter than white. */
-static double day_of(const tp_scene *s, view to, double cosine, bool disc, int k)
+static double day_of(const tp_scene *s, sight_angles to, double cosine, bool disc, int k)
 {
     const double low = pow(1 - fmax(0, sin(to.elevation)), 4) * 5 / 8;
     const double base = gradient_of(s, to.elevation, k);
@@ -47,9 +47,9 @@ static double day_of(const tp_scene *s, view to, double cosine, bool disc, int k
 }
 
 /* Random direction near the light: half of the directions see the disc. */
-static view near_light(const view_of_ref *v)
+static sight_angles near_light(const view_of_ref *v)
 {
-    view s = sight_light(v);
+    sight_angles s = sight_light(v);
 
     s.azimuth += chance_double(&seed, -0.05, 0.05);
     s.elevation += chance_double(&seed, -0.02, 0.02);
@@ -69,7 +69,8 @@ static void a_day_has_its_gradient_halos_and_disc(void **state)
         v.scene.camera.heading = v.scene.light.heading;
         v.scene.camera.pitch = v.scene.light.elevation = chance_fx(&seed, 5, 80);
         view_open(&v, 64, 48);
-        const view to = n % 4 < 2 ? near_light(&v) : sight_any(&v, &seed, 0, PI / 2);
+        const sight_angles to =
+            n % 4 < 2 ? near_light(&v) : sight_any(&v, &seed, 0, PI / 2);
         const double cosine = sight_cos(to, sight_light(&v));
         const double more = v.scene.sky.sun / 65536.0 * disc_of(cosine)
                           * v.scene.hdr.share / 65536.0;
@@ -103,10 +104,11 @@ static void a_day_grows_dark_below_the_horizon(void **state)
             v.scene.light.elevation = TP_FX_ONE;
         }
         view_open(&v, 64, 48);
-        view to = sight_any(&v, &seed, -0.5, 0);
+        sight_angles to = sight_any(&v, &seed, -0.5, 0);
         if (n % 2)
-            to = (view){ sight_light(&v).azimuth + chance_double(&seed, -0.01, 0.01),
-                         chance_double(&seed, -0.004, 0) };
+            to = (sight_angles){ sight_light(&v).azimuth
+                                     + chance_double(&seed, -0.01, 0.01),
+                                 chance_double(&seed, -0.004, 0) };
         const double cosine = sight_cos(to, sight_light(&v));
         const ref_seen seen = sight_look(&v, to);
         for (int k = 0; k < 3 && seen.kind == REF_SKY; k++)
@@ -137,12 +139,12 @@ static void level_water_mirrors_a_day(void **state)
         v.scene.light.elevation = chance_fx(&seed, 5, 60);
         v.scene.water.specular = disc ? 0 : 1;      /* 2^-16, the least glitter */
         view_open(&v, 64, 48);
-        const view up = near_light(&v);
+        const sight_angles up = near_light(&v);
         const double cosine = sight_cos(up, sight_light(&v));
         const double share = fresnel_of(PI / 2 - up.elevation, WATER);
         const double more = disc ? v.scene.sky.sun / 65536.0 * disc_of(cosine)
                                  * v.scene.hdr.share / 65536.0 : 0;
-        const ref_seen seen = sight_look(&v, (view){ up.azimuth, -up.elevation });
+        const ref_seen seen = sight_look(&v, (sight_angles){ up.azimuth, -up.elevation });
         const double power = v.scene.water.shininess / TP_FX_ONE;
         const double glint = disc ? 0 : 0x1p-16 * pow(fmax(0, cosine), power);
         for (int k = 0; k < 3; k++)
@@ -159,7 +161,7 @@ static void level_water_mirrors_a_day(void **state)
 }
 
 /* Sky colour in a direction with the light's colour replaced. */
-static ref_colour lit_sky(tp_scene scene, int32_t colour, view to)
+static ref_colour lit_sky(tp_scene scene, int32_t colour, sight_angles to)
 {
     view_of_ref v = { .scene = scene };
 
@@ -191,7 +193,7 @@ static void dusk_and_night_have_two_sides_and_halos(void **state)
         view_open(&v, 64, 48);
         const double up = chance_double(&seed, 0.05, 0.8);
         for (int i = 0; i < 3; i++) {
-            const view to = { sight_ahead(&v).azimuth + 0.6 * i - 0.6, up };
+            const sight_angles to = { sight_ahead(&v).azimuth + 0.6 * i - 0.6, up };
             cosine = sight_cos(to, sight_light(&v));
             side[i] = pow(cos(acos(cosine) / 2), 4);
             dark[i] = lit_sky(scene, 0, to);

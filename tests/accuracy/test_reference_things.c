@@ -53,12 +53,12 @@ static double side_of(const view_of_ref *v, const noise_picture *p, double heigh
     if (fabs(wall) < depth) {
         seen = tents_of(p, x / tile, fabs(wall) / tile, k) / 255
              * channel(v->scene.tank.wall_colour, k)
-             * lit_of(&v->scene, wet_cos(v, (view){ PI, 0 }));
+             * lit_of(&v->scene, wet_cos(v, (sight_angles){ PI, 0 }));
         return beer_of(&v->scene, seen, deep, 2 * HALF / cos(steep), k);
     }
     seen = tents_of(p, x / tile, (HALF - across) / tile, k) / 255
          * channel(v->scene.tank.floor_colour, k)
-         * lit_of(&v->scene, wet_cos(v, (view){ 0, PI / 2 }));
+         * lit_of(&v->scene, wet_cos(v, (sight_angles){ 0, PI / 2 }));
     return beer_of(&v->scene, seen, deep, hypot(fall, across), k);
 }
 
@@ -76,7 +76,7 @@ static double above_of(const view_of_ref *v, const noise_picture *p, double heig
         return (double)NAN;
     return tents_of(p, v->world->eye.x / 65536.0 / tile, -wall / tile, k) / 255
          * channel(v->scene.tank.wall_colour, k)
-         * lit_of(&v->scene, sight_cos((view){ PI, 0 }, sight_light(v)));
+         * lit_of(&v->scene, sight_cos((sight_angles){ PI, 0 }, sight_light(v)));
 }
 
 /* The glass has a colour of its own and mirrors the sky behind the eye. */
@@ -96,7 +96,7 @@ static void a_tank_is_seen_through_its_glass(void **state)
         const double low = -v.scene.tank.depth / 65536.0;
         const double share = v.scene.tank.glass / 65536.0;
         const double rim = v.scene.tank.rim / 65536.0;
-        const ref_seen seen = sight_look(&v, (view){ 0, up });
+        const ref_seen seen = sight_look(&v, (sight_angles){ 0, up });
         for (int k = 0; k < 3 && height > low && height < rim; k++) {
             const double c = height < 0 ? side_of(&v, &p, height, up, k)
                                         : above_of(&v, &p, height, up, k);
@@ -130,7 +130,7 @@ static void glass_mirrors_what_is_behind_the_eye(void **state)
         view_open(&v, 64, 48);
         const double up = chance_double(&seed, -0.2, 0.2);
         const double height = v.world->eye.y / 65536.0 + HALF * tan(up);
-        const ref_seen seen = sight_look(&v, (view){ 0, up });
+        const ref_seen seen = sight_look(&v, (sight_angles){ 0, up });
         for (int k = 0; k < 3 && height > -1 && height < 1; k++)
             measure_add(&off, seen.colour.c[k]
                         - between(channel(v.scene.tank.glass_colour, k),
@@ -178,12 +178,12 @@ static void a_drop_turns_light_as_a_ball_does(void **state)
         const double pass = chance_double(&seed, -0.999, 0.999);    /* of the radius, 2 m */
         const double up = middle + asin(pass * 2 / hypot(8, rise));
         const double i = asin(pass), r = asin(pass / WATER);
-        const view mirrored = { 0, up + (i > 0 ? PI : -PI) - 2 * i };
-        const view normal = { 0, up + (i > 0 ? PI : -PI) - i };
+        const sight_angles mirrored = { 0, up + (i > 0 ? PI : -PI) - 2 * i };
+        const sight_angles normal = { 0, up + (i > 0 ? PI : -PI) - i };
         const double lit = lit_of(&v.scene, sin(sight_light(&v).elevation));
         const double glint = sight_cos(normal, sight_light(&v)) > 0
                            ? pow(fmax(0, sight_cos(mirrored, sight_light(&v))), 40) : 0;
-        const ref_seen seen = sight_look(&v, (view){ 0, up });
+        const ref_seen seen = sight_look(&v, (sight_angles){ 0, up });
         assert_int_equal(seen.kind, REF_DROP);
         for (int k = 0; k < 3; k++) {
             const double on = around_of(&v.scene, asin(sin(up - 2 * (i - r))), lit, k)

@@ -49,7 +49,7 @@ static void draw(ref_stand *s, const char *name, tp_visibility how, bool quick, 
     static const char *const names[] = { "planned", "triangles", "rows", "projected",
                                          "flat" };
     const tp_config config = { .width = WIDTH, .height = HEIGHT };
-    canvas c;
+    frame_renderer c;
 
     s->world->roll = s->world->last_roll = tp_turn_of_degrees(degrees * TP_FX_ONE);
     s->file.scene.quality.visibility = (int32_t)how;
@@ -57,13 +57,13 @@ static void draw(ref_stand *s, const char *name, tp_visibility how, bool quick, 
     s->file.scene.quality.rate = quick ? TP_RATE_AUTO : TP_RATE_FULL;
     s->file.scene.quality.lod = quick ? TP_LOD_AUTO : TP_LOD_OFF;
     memset(&c, 0, sizeof c);
-    canvas_plan(&c, &config, 1);
-    assert_int_equal(canvas_open(&c, &s->file.scene, &s->assets.names), 0);
-    canvas_draw(&c, s->world);
+    frame_renderer_plan(&c, &config, 1);
+    assert_int_equal(frame_renderer_open(&c, &s->file.scene, &s->assets.names), 0);
+    frame_renderer_draw(&c, s->world);
     for (uint32_t y = 0; y < HEIGHT; y++)
         picture_expand_row(&c.picture, y, pixels + y * WIDTH);
     keep(&c.picture, name, names[how], degrees);
-    canvas_close(&c);
+    frame_renderer_close(&c);
 }
 
 /* Share of pixels, %, with a channel off by more than 24. */

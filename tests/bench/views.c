@@ -30,31 +30,34 @@ static tp_fx between(tp_fx low, tp_fx high)
 
 typedef struct {
     tp_fx x, y, z, heading, pitch;      /* m, degrees */
-} place;
+} view_place;
 
-static place random_place(const tp_world *world, tp_fx reach)
+static view_place random_place(const tp_world *world, tp_fx reach)
 {
-    place p = { .x = between(-reach, reach), .z = between(-reach, reach),
-                .heading = between(0, TP_FX(360)), .pitch = between(TP_FX(-60), 0) };
-    const tp_sea_point under = tp_sea_sample(&world->sea, world->phases, p.x, p.z, NULL);
+    view_place p = { .x = between(-reach, reach),
+                     .z = between(-reach, reach),
+                     .heading = between(0, TP_FX(360)),
+                     .pitch = between(TP_FX(-60), 0) };
+    const tp_surface_point under =
+        tp_deep_water_sample(&world->deep, world->phases, p.x, p.z, NULL);
     p.y = under.position.y + between(TP_FX(0.5), TP_FX(20));
     return p;
 }
 
-static void stand(tp_world *world, const place *p)
+static void stand(tp_world *world, const view_place *p)
 {
     tp_world_set_camera(world, (tp_vec3){ p->x, p->y, p->z },
                         tp_turn_of_degrees(p->heading), tp_turn_of_degrees(p->pitch), 0);
 }
 
 /* Draws the view. A counted view is drawn once; a time is the least of three. */
-static uint64_t draw(stage *s, bool timed)
+static uint64_t draw(loaded_scene *s, bool timed)
 {
     uint64_t least = 0;
     for (int i = 0; i < (timed ? 3 : 1); i++) {
         const uint64_t begin = processor_us();
         (void)getppid();
-        canvas_draw(&s->canvas, s->world);
+        frame_renderer_draw(&s->renderer, s->world);
         (void)getppid();
         const uint64_t us = processor_us() - begin;
         least = i == 0 || us < least ? us : least;
@@ -62,26 +65,26 @@ static uint64_t draw(stage *s, bool timed)
     return least;
 }
 
-static int draw_views(stage *s, const options *o, uint32_t views)
+static int draw_views(loaded_scene *s, const options *o, uint32_t views)
 {
     const bool timed = !getenv("TP_COUNTED");
     const uint32_t least = o->width * o->height / 10;
     for (uint32_t n = 0; n < views; n++) {
-        const place p = random_place(s->world, n % 2 ? TP_FX(40) : TP_FX(2000));
+        const view_place p = random_place(s->world, n % 2 ? TP_FX(40) : TP_FX(2000));
         stand(s->world, &p);
         const uint64_t us = draw(s, timed);
-        if (s->canvas.water_pixels < least)
+        if (s->renderer.water_pixels < least)
             continue;
         printf("view %" PRIu32 " %.2f %.2f %.2f %.1f %.1f %" PRIu32 " %" PRIu64 "\n", n,
                p.x / 65536.0, p.y / 65536.0, p.z / 65536.0, p.heading / 65536.0,
-               p.pitch / 65536.0, s->canvas.water_pixels, us);
+               p.pitch / 65536.0, s->renderer.water_pixels, us);
     }
     return 0;
 }
 
 int main(int argc, char **argv)
 {
-    stage s;
+    loaded_scene s;
     if (argc < 6) {
         fprintf(stderr, "usage: views SCENE VIEWS SEED WIDTH HEIGHT [NAME=VALUE]...\n");
         return 2;
@@ -93,11 +96,11 @@ int main(int argc, char **argv)
                         .settings = (const char **)argv + 6,
                         .n_settings = (uint32_t)argc - 6 };
     setvbuf(stdout, NULL, _IOLBF, 0);
-    int code = stage_open(&s, &o);
+    int code = loaded_scene_open(&s, &o);
     for (int i = 0; i < 60 && !code; i++)
         tp_world_step(&tp_program_all, s.world, &s.file.scene, NULL);
     if (!code)
         code = draw_views(&s, &o, (uint32_t)strtoul(argv[2], NULL, 10));
-    stage_close(&s);
+    loaded_scene_close(&s);
     return code;
 }

@@ -19,7 +19,7 @@ enum { WIDTH = 320, HEIGHT = 240, FRAMES = 3 };
 
 uint32_t sdk_ms;
 
-static panel    shown;
+static panel_model    shown;
 static bool     dc, stuck;
 static uint32_t to_end, to_leave;       /* queries until DMA end, until all is sent */
 

@@ -31,9 +31,9 @@ static const uint8_t counts[TP_KINDS] = { TP_VISIBILITIES, TP_SHADINGS, TP_RATES
 
 typedef struct {
     uint8_t of[TP_KINDS];
-} choice;
+} rung_choice;
 
-static tp_scene scene_by(const stage *s, choice c)
+static tp_scene scene_by(const loaded_scene *s, rung_choice c)
 {
     tp_scene scene = s->file.scene;
 
@@ -46,13 +46,13 @@ static tp_scene scene_by(const stage *s, choice c)
 }
 
 typedef struct {
-    drawing    truth[2];        /* reference of renderers; reference of shading */
+    truth_drawing    truth[2];        /* reference of renderers; reference of shading */
     error      exact[2];        /* errors of the exact rungs */
     tp_view_estimate estimate;
     uint32_t   tick;
-} ground;
+} error_ground;
 
-static void say(const stage *s, const ground *g, const char *rung, error e)
+static void say(const loaded_scene *s, const error_ground *g, const char *rung, error e)
 {
     printf("error %s %s %.4f %.4f %s %u\n", rung, classes[g->estimate.sea], e.px, e.colour,
            s->file.name, (unsigned)g->tick);
@@ -61,9 +61,10 @@ static void say(const stage *s, const ground *g, const char *rung, error e)
 /* Compares all rungs of a kind, with the other kinds as in `base`. The printed error is
  * the part beyond the error of the kind's first rung, or of the exact rungs if that is
  * greater. */
-static void compare(const stage *s, const ground *g, choice base, int kind)
+static void compare(const loaded_scene *s, const error_ground *g, rung_choice base,
+                    int kind)
 {
-    static drawing other;
+    static truth_drawing other;
     const bool shaded = kind == TP_KIND_SHADING || kind == TP_KIND_RATE;
     error first = { 0, 0 };
 
@@ -83,12 +84,12 @@ static void compare(const stage *s, const ground *g, choice base, int kind)
 
 /* Compares shading rates with each shading, and left-out lines with each renderer that fits
  * the scene: the error of a rung may depend on the other rungs. */
-static void compare_all(const stage *s, uint32_t tick)
+static void compare_all(const loaded_scene *s, uint32_t tick)
 {
-    static drawing exact;
-    static ground  g;
+    static truth_drawing exact;
+    static error_ground  g;
     const tp_scene scene = exact_scene(s);
-    choice base = { { 0, 0, 0, 0 } };
+    rung_choice base = { { 0, 0, 0, 0 } };
 
     const tp_plan_input in = { tp_program_all.modules, &s->file.scene, &s->assets.names,
                                width, height };
@@ -116,21 +117,21 @@ static void compare_all(const stage *s, uint32_t tick)
 }
 
 /* Adds a small wave to a scene with plain waves; the wave's phase does not matter. */
-static void lay_a_wave(stage *s)
+static void lay_a_wave(loaded_scene *s)
 {
-    static drawing without, more;
+    static truth_drawing without, more;
     tp_wave  *last = &s->file.scene.wave[TP_WAVES - 1];
 
-    if (last->amplitude > 0 || tp_world_ocean(s->world))
+    if (last->amplitude > 0 || tp_world_coastal(s->world))
         return;
-    tp_scene scene = scene_by(s, (choice){ { 0, 0, 0, 0 } });
+    tp_scene scene = scene_by(s, (rung_choice){ { 0, 0, 0, 0 } });
     draw(&without, s, &scene, s->world);
     *last = (tp_wave){ .length = SMALL_LENGTH * TP_FX_ONE, .heading = 70 * TP_FX_ONE,
                        .power = 1 };
     last->amplitude = (tp_fx)lround(SMALL_SLOPE * SMALL_LENGTH / 6.2831853 * 65536);
-    if (stage_world(s))
+    if (loaded_scene_make_world(s))
         exit(1);
-    scene = scene_by(s, (choice){ { 0, 0, 0, 0 } });
+    scene = scene_by(s, (rung_choice){ { 0, 0, 0, 0 } });
     draw(&more, s, &scene, s->world);
     printf("slope %.4f %s\n",
            error_of(&without, &more).colour / (SMALL_SLOPE * sqrt(0.5)),
@@ -140,8 +141,8 @@ static void lay_a_wave(stage *s)
 static int measure(const char *path)
 {
     options o = { .command = "errors", .scene = path, .width = width, .height = height };
-    stage s;
-    int code = stage_open(&s, &o);
+    loaded_scene s;
+    int code = loaded_scene_open(&s, &o);
 
     if (!code) {
         for (uint32_t tick = 0; tick <= LAST; tick++) {
@@ -149,10 +150,10 @@ static int measure(const char *path)
                 compare_all(&s, tick);
             tp_world_step(&tp_program_all, s.world, &s.file.scene, NULL);
         }
-        if (!stage_world(&s))
+        if (!loaded_scene_make_world(&s))
             lay_a_wave(&s);
     }
-    stage_close(&s);
+    loaded_scene_close(&s);
     return code;
 }
 

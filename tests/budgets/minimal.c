@@ -9,10 +9,10 @@
 
 #define FRAMES 2
 
-MARK(count_as_frame)
-MARK(count_as_tiles)
-MARK(count_end)
-MARK(count_section)
+TRACE_MARK(count_as_frame)
+TRACE_MARK(count_as_tiles)
+TRACE_MARK(count_end)
+TRACE_MARK(count_section)
 
 /* Draws the bands and returns the number of water pixels. */
 static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)

@@ -25,9 +25,9 @@ void model_expect(bool holds, const char *otherwise)
         broken = otherwise;
 }
 
-MARK(count_as_model)
-MARK(count_end)
-MARK(count_section)
+TRACE_MARK(count_as_model)
+TRACE_MARK(count_end)
+TRACE_MARK(count_section)
 
 /* -- run of the rows ----------------------------------------------------------------- */
 

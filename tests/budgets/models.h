@@ -23,7 +23,7 @@ extern const model_row model_seas[], model_oceans[], model_pools[], model_drops[
 /* State of the row at work; `prepare` may change count, and sets bytes. */
 typedef struct {
     uint32_t count, bytes;
-    tp_sea   sea;
+    tp_deep_water   deep;
     tp_turn  phases[TP_WAVES];
     union { uint64_t aligned; uint8_t byte[1 << 20]; } block;
 } model_place;

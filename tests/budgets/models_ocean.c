@@ -21,9 +21,9 @@ static void draw_map(void)
         }
 }
 
-static tp_ocean_config config_of(int kind)
+static tp_coastal_config config_of(int kind)
 {
-    tp_ocean_config c = {
+    tp_coastal_config c = {
         .wind = kind == WIND ? TP_FX(0.1) : 0, .wind_heading = TP_FX(80),
         .k0 = TP_FX(0.1), .kx = TP_FX(0.11), .ky = TP_FX(0.09), .stretch = TP_FX_ONE,
     };
@@ -37,12 +37,12 @@ static tp_ocean_config config_of(int kind)
     return c;
 }
 
-static tp_ocean *const ocean = (tp_ocean *)(void *)&model.block;
+static tp_coastal_water *const coastal = (tp_coastal_water *)(void *)&model.block;
 static tp_fx half;                  /* half width of the places, m */
 
 static void prepare_ocean(int kind)
 {
-    const tp_ocean_config config = config_of(kind);
+    const tp_coastal_config config = config_of(kind);
     tp_wave wave[3];
 
     for (int i = 0; i < 3; i++) {
@@ -51,23 +51,24 @@ static void prepare_ocean(int kind)
         wave[i].heading = TP_FX(60) + 20 * i * TP_FX_ONE;
     }
     draw_map();
-    tp_sea_init(&model.sea, wave, 3, TP_FX(9.81));
-    tp_sea_phases(&model.sea, 1234, 0, model.phases);
-    model.bytes = (uint32_t)tp_ocean_bytes(&config, &model.sea);
+    tp_deep_water_init(&model.deep, wave, 3, TP_FX(9.81));
+    tp_deep_water_phases(&model.deep, 1234, 0, model.phases);
+    model.bytes = (uint32_t)tp_coastal_bytes(&config, &model.deep);
     model_expect(model.bytes <= sizeof model.block, "the ocean is too large");
-    model_expect(!tp_ocean_init(ocean, &config, &model.sea, wave, 3, NULL), "no ocean");
+    model_expect(!tp_coastal_init(coastal, &config, &model.deep, wave, 3, NULL),
+                 "no ocean");
     half = kind == BREAKING ? TP_FX(15) : TP_FX(150);
 }
 
 /* Points of coastal water. Breaking: at least one wave of a place is above the breaking
  * gate, whether or not its crest is there. */
-COUNTED(ocean)
+COUNTED(coastal)
 {
     uint32_t breaking = 0;
 
     for (uint32_t i = 0; i < model.count; i++) {
-        const tp_ocean_point at = tp_ocean_displace_point(ocean, model.phases, PLACE_X(i, half),
-                                                   PLACE_Z(i, half));
+        const tp_coastal_point at = tp_coastal_displace_point(
+            coastal, model.phases, PLACE_X(i, half), PLACE_Z(i, half));
         KEEP(at);
         model_expect(at.depth > 0, "a place on land");
         breaking += at.breaking > 0;
@@ -87,13 +88,13 @@ static int64_t deep[64];
 static void prepare_number(int kind)
 {
     static int64_t (*const method[])(int64_t, tp_fx) = {
-        tp_depth_number_eckart, tp_depth_number_fenton, tp_depth_number,
-        tp_depth_number_exact,
+        tp_depth_wave_number_eckart, tp_depth_wave_number_fenton, tp_depth_wave_number,
+        tp_depth_wave_number_exact,
     };
 
     number = method[kind];
     for (int i = 0; i < 64; i++)
-        deep[i] = tp_depth_number_deep((4 + 3 * i) * TP_FX_ONE);
+        deep[i] = tp_depth_wave_number_deep((4 + 3 * i) * TP_FX_ONE);
 }
 
 COUNTED(number)
@@ -105,10 +106,10 @@ COUNTED(number)
 }
 
 const model_row model_oceans[] = {
-    { "ocean-wind", "point", "3 waves", prepare_ocean, counted_ocean, WIND, 256 },
-    { "ocean-slope", "point", "3 waves", prepare_ocean, counted_ocean, SLOPE, 256 },
-    { "ocean-map", "point", "3 waves", prepare_ocean, counted_ocean, MAP, 256 },
-    { "ocean-breaking", "point", "3 waves", prepare_ocean, counted_ocean, BREAKING, 256 },
+    { "ocean-wind", "point", "3 waves", prepare_ocean, counted_coastal, WIND, 256 },
+    { "ocean-slope", "point", "3 waves", prepare_ocean, counted_coastal, SLOPE, 256 },
+    { "ocean-map", "point", "3 waves", prepare_ocean, counted_coastal, MAP, 256 },
+    { "ocean-breaking", "point", "3 waves", prepare_ocean, counted_coastal, BREAKING, 256 },
     { "depth-eckart", "depth", "", prepare_number, counted_number, ECKART, 256 },
     { "depth-fenton", "depth", "", prepare_number, counted_number, FENTON, 256 },
     { "depth-newton", "depth", "", prepare_number, counted_number, NEWTON, 256 },

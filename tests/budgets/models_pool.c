@@ -41,8 +41,8 @@ tp_pool *model_pool(int kind)
                                                                   : TP_EDGES_WALL,
         .courant = TP_FX(0.4841), .damping = 6, .sponge = 8, .range = TP_FX(1),
         .cell = TP_FX(0.25), .mask = with == MASK ? pillars() : NULL,
-        .feed_low = with == FED ? TP_FX(0.01) : 0,
-        .feed_high = with == FED ? TP_FX(0.5) : 0, .feed = TP_FX(0.1),
+        .drive_min = with == FED ? TP_FX(0.01) : 0,
+        .drive_max = with == FED ? TP_FX(0.5) : 0, .drive_amplitude = TP_FX(0.1),
     };
     const int32_t high = config.cells == TP_CELLS_8 ? 100
                        : config.cells == TP_CELLS_16 ? 25000 : 1 << 23;
@@ -85,7 +85,7 @@ static void prepare_relief(int kind)
 COUNTED(relief)
 {
     for (uint32_t i = 0; i < model.count; i++) {
-        const tp_relief at = tp_pool_relief(pool, PLACE_X(i, TP_FX(7.9)),
+        const tp_height_slope at = tp_pool_height_slope(pool, PLACE_X(i, TP_FX(7.9)),
                                             PLACE_Z(i, TP_FX(7.9)), TP_FX(0.25));
         KEEP(at);
     }

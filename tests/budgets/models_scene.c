@@ -114,7 +114,7 @@ static void prepare_wake(int kind)
         tp_world_step(&tp_program_all, world, &scene, NULL);
         tp_boat_step(&tp_program_all, world, &scene, &no_input);
     }
-    model_expect(world->afloat.stirs > 0, "a boat that stirs nothing");
+    model_expect(world->boat_state.wake_ticks > 0, "a boat that stirs nothing");
 }
 
 const model_row model_drops[] = {
@@ -164,7 +164,7 @@ static void prepare_grid(int kind)
 
     model_sea(kind == CHEAP ? TP_FX(0.05) : TP_FX(0.7), kind == SHARP ? 2 : 1);
     surface = (tp_surface){ .by = &tp_program_all.water,
-                            .sea = &model.sea,
+                            .deep = &model.deep,
                             .phases = model.phases };
     if (kind == RINGS)
         set_rings();
@@ -173,7 +173,7 @@ static void prepare_grid(int kind)
         below = sizeof model.block / 2;
     }
     tp_arena arena = tp_arena_init(model.block.byte + below, sizeof model.block - below);
-    tp_grid_carve(&grid, &arena, SIDE, SIDE);
+    tp_grid_layout(&grid, &arena, SIDE, SIDE);
     model_expect(!arena.failed, "no memory for the grid");
     tp_projection_init(&projection, (tp_vec3){ 0, TP_FX(30), TP_FX(40) }, 0,
                  tp_turn_of_degrees(TP_FX(-40)), TP_FX(90), TP_FX(0.5), WIDTH, HEIGHT);
@@ -186,7 +186,7 @@ COUNTED(grid)
     tp_grid_place(&grid, &view);
     model_expect(grid.vertices == model.count, "a vertex outside of the view");
     for (uint32_t i = 0; i < model.count; i++)
-        model_expect(grid.vertex[i].u != TP_GRID_CUT, "a vertex to be cut");
+        model_expect(grid.vertex[i].u != TP_GRID_NEEDS_CLIP, "a vertex to be cut");
 }
 
 const model_row model_grids[] = {

@@ -25,8 +25,8 @@ void model_sea(tp_fx steepness, int32_t power)
         wave[i].steepness = steepness / 3;
         wave[i].power = power > 1 ? power + i : 1;
     }
-    tp_sea_init(&model.sea, wave, 3, TP_FX(9.81));
-    tp_sea_phases(&model.sea, TICK, 0, model.phases);
+    tp_deep_water_init(&model.deep, wave, 3, TP_FX(9.81));
+    tp_deep_water_phases(&model.deep, TICK, 0, model.phases);
 }
 
 /* -- deep water ---------------------------------------------------------------------- */
@@ -35,14 +35,14 @@ static void prepare_sea(int kind)
 {
     model_sea(kind == CHEAP ? TP_FX(0.05) : TP_FX(0.7), kind == SHARP ? 2 : 1);
     model.bytes = sizeof(tp_swell);
-    model_expect(model.sea.crossed == (kind != CHEAP), "normals are of the other form");
-    model_expect(model.sea.sharpened == (kind == SHARP), "sharpened, or not");
+    model_expect(model.deep.crossed == (kind != CHEAP), "normals are of the other form");
+    model_expect(model.deep.sharpened == (kind == SHARP), "sharpened, or not");
 }
 
-COUNTED(sea)
+COUNTED(deep)
 {
     for (uint32_t i = 0; i < model.count; i++) {
-        const tp_sea_point at = tp_sea_displace_point(&model.sea, model.phases,
+        const tp_surface_point at = tp_deep_water_displace_point(&model.deep, model.phases,
                                                PLACE_X(i, TP_FX(200)),
                                                PLACE_Z(i, TP_FX(200)));
         KEEP(at);
@@ -52,7 +52,7 @@ COUNTED(sea)
 COUNTED(above)
 {
     for (uint32_t i = 0; i < model.count; i++) {
-        const tp_sea_point at = tp_sea_sample(&model.sea, model.phases,
+        const tp_surface_point at = tp_deep_water_sample(&model.deep, model.phases,
                                              PLACE_X(i, TP_FX(200)),
                                              PLACE_Z(i, TP_FX(200)), NULL);
         KEEP(at);
@@ -66,20 +66,20 @@ static tp_fx last_rest[4][2];
 static void prepare_again(int kind)
 {
     prepare_sea(kind);
-    tp_sea_phases(&model.sea, TICK - 1, 0, model.phases);
+    tp_deep_water_phases(&model.deep, TICK - 1, 0, model.phases);
     for (int i = 0; i < 4; i++) {
         last_rest[i][0] = 7 * i * TP_FX_ONE;
         last_rest[i][1] = 0;
-        tp_sea_sample(&model.sea, model.phases, 7 * i * TP_FX_ONE, 0, last_rest[i]);
+        tp_deep_water_sample(&model.deep, model.phases, 7 * i * TP_FX_ONE, 0, last_rest[i]);
     }
 }
 
 COUNTED(again)
 {
     for (uint32_t i = 0; i < model.count; i++) {
-        for (uint32_t k = 0; i % 4 == 0 && k < model.sea.count; k++)
-            model.phases[k] -= (tp_turn)(model.sea.swell[k].turns_tick >> 32);
-        const tp_sea_point at = tp_sea_sample(&model.sea, model.phases,
+        for (uint32_t k = 0; i % 4 == 0 && k < model.deep.count; k++)
+            model.phases[k] -= (tp_turn)(model.deep.swell[k].turns_tick >> 32);
+        const tp_surface_point at = tp_deep_water_sample(&model.deep, model.phases,
                                              (tp_fx)(7 * (i % 4)) * TP_FX_ONE, 0,
                                              last_rest[i % 4]);
         KEEP(at);
@@ -94,9 +94,9 @@ static void prepare_nothing(int kind)
 COUNTED(five)
 {
     for (uint32_t i = 0; i < model.count; i++) {
-        const tp_fx around[4] = { PLACE_X(i, TP_FX_ONE), PLACE_Z(i, TP_FX_ONE),
+        const tp_fx neighbours[4] = { PLACE_X(i, TP_FX_ONE), PLACE_Z(i, TP_FX_ONE),
                                   PLACE_X(i + 1, TP_FX_ONE), PLACE_Z(i + 1, TP_FX_ONE) };
-        const tp_relief at = tp_neighbour_relief(0, around, TP_FX(0.5));
+        const tp_height_slope at = tp_neighbour_height_slope(0, neighbours, TP_FX(0.5));
         KEEP(at);
     }
 }
@@ -128,7 +128,7 @@ static void prepare_ring(int kind)
 COUNTED(ring_near)
 {
     for (uint32_t i = 0; i < model.count; i++) {
-        const tp_relief at = tp_ring_relief(&ring_now, 1, beside[i % 64][0],
+        const tp_height_slope at = tp_ring_height_slope(&ring_now, 1, beside[i % 64][0],
                                             beside[i % 64][1]);
         KEEP(at);
         model_expect(at.height != 0, "a place beside the ring");
@@ -138,7 +138,7 @@ COUNTED(ring_near)
 COUNTED(ring_far)
 {
     for (uint32_t i = 0; i < model.count; i++) {
-        const tp_relief at = tp_ring_relief(&ring_now, 1,
+        const tp_height_slope at = tp_ring_height_slope(&ring_now, 1,
                                             TP_FX(30) + PLACE_X(i, TP_FX(20)),
                                             PLACE_Z(i, TP_FX(20)));
         KEEP(at);
@@ -204,9 +204,9 @@ COUNTED(exposure)
 }
 
 const model_row model_seas[] = {
-    { "sea-cheap", "point", "a wave", prepare_sea, counted_sea, CHEAP, 512 },
-    { "sea-exact", "point", "a wave", prepare_sea, counted_sea, EXACT, 512 },
-    { "sea-sharp", "point", "a wave", prepare_sea, counted_sea, SHARP, 512 },
+    { "sea-cheap", "point", "a wave", prepare_sea, counted_deep, CHEAP, 512 },
+    { "sea-exact", "point", "a wave", prepare_sea, counted_deep, EXACT, 512 },
+    { "sea-sharp", "point", "a wave", prepare_sea, counted_deep, SHARP, 512 },
     { "sea-above", "point", "a wave", prepare_sea, counted_above, EXACT, 256 },
     { "sea-above-again", "point", "a wave", prepare_again, counted_again, EXACT, 256 },
     { "five-heights", "point", "", prepare_nothing, counted_five, 0, 256 },

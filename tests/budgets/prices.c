@@ -15,10 +15,10 @@
 #define BAND  16
 #define STEPS 60                /* of pools and foam, until all of the water moves */
 
-MARK(count_as_frame)
-MARK(count_as_tiles)
-MARK(count_end)
-MARK(count_section)
+TRACE_MARK(count_as_frame)
+TRACE_MARK(count_as_tiles)
+TRACE_MARK(count_end)
+TRACE_MARK(count_section)
 
 static const char *const visibilities[] = { "triangles", "rows", "projected", "flat" };
 static const char *const lods[] = { "off", "on" };

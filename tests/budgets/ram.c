@@ -16,10 +16,10 @@
 
 enum { WIDTH = 320, HEIGHT = 240, FIRST = 60 };
 
-MARK(count_as_frame)
-MARK(count_as_tiles)
-MARK(count_end)
-MARK(count_section)
+TRACE_MARK(count_as_frame)
+TRACE_MARK(count_as_tiles)
+TRACE_MARK(count_end)
+TRACE_MARK(count_section)
 
 static const uint32_t sizes[][2] = {
     { 320, 16 }, { 320, 4 }, { 160, 8 }, { 64, 16 }, { 64, 8 }, { 64, 6 }, { 32, 32 },

@@ -25,11 +25,11 @@ static const tp_format format = TP_FORMAT_RGB565;
 
 void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
 
-MARK(count_as_tick)
-MARK(count_as_frame)
-MARK(count_as_tiles)
-MARK(count_end)
-MARK(count_section)
+TRACE_MARK(count_as_tick)
+TRACE_MARK(count_as_frame)
+TRACE_MARK(count_as_tiles)
+TRACE_MARK(count_end)
+TRACE_MARK(count_section)
 
 /* -- memory -------------------------------------------------------------------------- */
 
@@ -67,9 +67,9 @@ typedef struct {
     tp_assets assets;
     uint32_t  width, height, tick;
     bool      still;            /* no setting that the world depends on was changed */
-} wish;
+} board_wish;
 
-static void read_word(wish *w, const char *word, size_t bytes)
+static void read_word(board_wish *w, const char *word, size_t bytes)
 {
     const size_t by = word_until(word, 'x');
     bool still = true;
@@ -89,7 +89,7 @@ static void read_word(wish *w, const char *word, size_t bytes)
 }
 
 /* Reads the words up to the next "/" and returns the text behind the "/". */
-static const char *read_wish(wish *w, const char *text)
+static const char *read_wish(board_wish *w, const char *text)
 {
     w->scene = baked_scene;
     w->assets = baked_assets;
@@ -113,7 +113,7 @@ typedef struct {
     bool      usual;            /* the scene as baked, without changes */
 } past;
 
-static void make_past(past *p, const wish *w)
+static void make_past(past *p, const board_wish *w)
 {
     tp_arena arena = whole_arena();
 
@@ -150,7 +150,7 @@ static uint32_t draw_tiles(const tp_frame *frame, void *scratch, uint32_t *crc)
     return water;
 }
 
-static void say_run(const wish *w, uint32_t water, tp_draw_stats held, uint32_t crc)
+static void say_run(const board_wish *w, uint32_t water, tp_draw_stats held, uint32_t crc)
 {
     say_number("run ", w->width);
     say_number(" ", w->height);
@@ -163,7 +163,7 @@ static void say_run(const wish *w, uint32_t water, tp_draw_stats held, uint32_t 
     say("\n");
 }
 
-static void draw(const wish *w, const past *p)
+static void draw(const board_wish *w, const past *p)
 {
     const tp_config config = { .width = w->width,
                                .height = w->height,
@@ -198,7 +198,7 @@ static void draw(const wish *w, const past *p)
 
 static void draw_all(const char *text)
 {
-    static wish w = { .width = 320, .height = 240, .tick = 60 };
+    static board_wish w = { .width = 320, .height = 240, .tick = 60 };
     static past p;
 
     do {

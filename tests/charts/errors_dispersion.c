@@ -45,7 +45,7 @@ static double number_of(const int32_t *out)
 }
 
 /* True if the scene has waves over a floor or in wind. */
-static bool has_ocean(const tp_scene *s, int32_t unused)
+static bool has_coastal(const tp_scene *s, int32_t unused)
 {
     bool waves = false;
 
@@ -61,10 +61,11 @@ static bool never(const tp_scene *s, int32_t unused)
     return false;
 }
 
-/* Coastal waves are set up with tp_depth_number_exact; the engine calls no other method. */
+/* Coastal waves are set up with tp_depth_wave_number_exact; the engine calls no other
+ * method. */
 static used_test *user_of(const kernel *k)
 {
-    return strcmp(k->point, "newton-3") == 0 ? has_ocean : never;
+    return strcmp(k->point, "newton-3") == 0 ? has_coastal : never;
 }
 
 void judge_dispersion(const kernel *k, const int32_t *counted, const int32_t *counted_out)

@@ -25,13 +25,13 @@ static double degrees_between(const ref_point *p, const double n[3])
 static bool takes(const tp_scene *scene, int32_t point)
 {
     const char form = (char)(point & 0xff);
-    tp_sea sea;
+    tp_deep_water deep;
 
-    tp_sea_init(&sea, scene->wave, used_coast(scene) ? 0 : TP_WAVES,
-                scene->water.gravity);
-    return sea.count == (uint32_t)point >> 16
-        && (sea.steepness > TP_FX(0.3)) == (point >> 8 & 1)
-        && form == (sea.sharpened ? 's' : sea.crossed ? 'e' : 'c');
+    tp_deep_water_init(&deep, scene->wave, used_coast(scene) ? 0 : TP_WAVES,
+                       scene->water.gravity);
+    return deep.count == (uint32_t)point >> 16
+        && (deep.steepness > TP_FX(0.3)) == (point >> 8 & 1)
+        && form == (deep.sharpened ? 's' : deep.crossed ? 'e' : 'c');
 }
 
 static void say_used(const kernel *k)
@@ -44,12 +44,12 @@ void judge_gerstner(const kernel *k, const int32_t *in, const int32_t *out)
 {
     tp_wave wave[GERSTNER_MOST];
     const int count = (int)gerstner_waves(k->point, wave);
-    const ref_sea sea = ref_sea_of(wave, count, GERSTNER_GRAVITY);
+    const ref_deep_water deep = ref_deep_water_make(wave, count, GERSTNER_GRAVITY);
     double phase[TP_WAVES], place = 0, worst = 0, sum = 0, rounding = 0;
 
-    ref_phases(&sea, GERSTNER_TICK, phase);
+    ref_phases(&deep, GERSTNER_TICK, phase);
     for (uint32_t i = 0; i < KERNEL_UNITS; i++, in += 2, out += 5) {
-        const ref_point want = ref_at_rest(&sea, phase, in[0] * LSB, in[1] * LSB);
+        const ref_point want = ref_at_rest(&deep, phase, in[0] * LSB, in[1] * LSB);
         const ref_point same = gerstner_form(k->point) == 'c' ? ref_uncrossed(want) : want;
         const double n[3] = { -out[3] * LSB, 1, -out[4] * LSB };
         const double x = out[0] * LSB - want.x, y = out[1] * LSB - want.y;

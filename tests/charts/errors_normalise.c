@@ -30,9 +30,10 @@ static double one_of(const kernel *k)
 
 typedef struct {
     spread angle, length, whole;        /* degrees; of the length 1; of the vector */
-} errors;
+} normalise_errors;
 
-static void judge_one(errors *e, const int32_t *slope, const int32_t *got, double one)
+static void judge_one(normalise_errors *e, const int32_t *slope, const int32_t *got,
+                      double one)
 {
     const double x = -slope[0] / (double)ONE, z = -slope[1] / (double)ONE;
     const double root = sqrt(1 + x * x + z * z), t[3] = { x / root, 1 / root, z / root };
@@ -122,7 +123,7 @@ void judge_normalise(const kernel *k, const int32_t *counted, const int32_t *cou
 {
     static int32_t slope[2 * KERNEL_UNITS], in[2 * KERNEL_UNITS], out[3 * KERNEL_UNITS];
     const double one = one_of(k);
-    errors e = { 0 };
+    normalise_errors e = { 0 };
 
     (void)counted, (void)counted_out;
     for (uint32_t block = 0, n = 0; block < BLOCKS; block++) {

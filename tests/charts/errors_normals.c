@@ -26,13 +26,13 @@ static double degrees_off(const ref_point *p, const int32_t slope[2])
  * bits. Waves over a floor or in wind are coastal water and do not count. */
 static bool takes(const tp_scene *scene, int32_t method)
 {
-    tp_sea sea;
+    tp_deep_water deep;
 
-    tp_sea_init(&sea, scene->wave, used_coast(scene) ? 0 : TP_WAVES,
-                scene->water.gravity);
+    tp_deep_water_init(&deep, scene->wave, used_coast(scene) ? 0 : TP_WAVES,
+                       scene->water.gravity);
     switch (method) {
-    case 'e': return sea.count > 0 && sea.crossed;
-    case 'c': return sea.count > 0 && !sea.crossed;
+    case 'e': return deep.count > 0 && deep.crossed;
+    case 'c': return deep.count > 0 && !deep.crossed;
     case 'f': return scene->pool.cols > 0 || scene->field.cols > 0;
     case 'm': return scene->ripple.map.texture[0] != '\0' && scene->ripple.bump > 0;
     default:  return false;
@@ -52,13 +52,14 @@ static int32_t method_of(const char *point)
 
 void judge_normals(const kernel *k, const int32_t *in, const int32_t *out)
 {
-    const ref_sea sea = ref_sea_of(normals_wave, NORMALS_WAVES, NORMALS_GRAVITY);
+    const ref_deep_water deep =
+        ref_deep_water_make(normals_wave, NORMALS_WAVES, NORMALS_GRAVITY);
     double phase[TP_WAVES], worst = 0, sum = 0;
 
     (void)in;
-    ref_phases(&sea, NORMALS_TICK, phase);
+    ref_phases(&deep, NORMALS_TICK, phase);
     for (uint32_t i = 0; i < KERNEL_UNITS; i++, out += 2) {
-        const ref_point p = ref_above(&sea, phase, normals_x(i) * LSB, normals_z(i) * LSB);
+        const ref_point p = ref_above(&deep, phase, normals_x(i) * LSB, normals_z(i) * LSB);
         const double off = degrees_off(&p, out);
         worst = fmax(worst, off);
         sum += off * off;

@@ -65,8 +65,9 @@ static void add_planned(rungs *all, const char *name, tp_rungs r)
 
     snprintf(words, sizeof words,
              "quality.visibility=%s quality.shading=%s quality.rate=%s quality.lod=%s",
-             visibility[r.visibility - 1], r.shading == TP_SHADING_QUICK ? "quick" : "exact",
-             rate[r.rate - 1], r.lod == TP_LOD_ON ? "on" : "off");
+             visibility[r.visibility - 1],
+             r.shading == TP_SHADING_QUICK ? "quick" : "exact", rate[r.rate - 1],
+             r.lod == TP_LOD_ON ? "on" : "off");
     add(all, name, words);
 }
 
@@ -105,17 +106,17 @@ typedef struct {
     uint32_t  width, height;
     uint32_t *pixel;
     uint8_t  *shows;
-} view;
+} frame_view;
 
 static uint8_t shows_of(uint8_t kind)
 {
     return kind == REF_SKY ? SHOWS_SKY : kind == REF_WATER ? SHOWS_WATER : SHOWS_OTHER;
 }
 
-static view view_of(uint32_t width, uint32_t height)
+static frame_view view_of(uint32_t width, uint32_t height)
 {
-    view v = { width, height, malloc((size_t)width * height * 4),
-               malloc((size_t)width * height) };
+    frame_view v = { width, height, malloc((size_t)width * height * 4),
+                     malloc((size_t)width * height) };
 
     if (!v.pixel || !v.shows)
         abort();
@@ -123,9 +124,9 @@ static view view_of(uint32_t width, uint32_t height)
 }
 
 /* Reference picture. The kind of surface is taken at pixel centres, like the engine's. */
-static view truth_of(const ref_stand *stand, uint32_t width, uint32_t height)
+static frame_view truth_of(const ref_stand *stand, uint32_t width, uint32_t height)
 {
-    view v = view_of(width, height);
+    frame_view v = view_of(width, height);
     ref_scene scene;
     ref_image image;
 
@@ -144,7 +145,7 @@ static view truth_of(const ref_stand *stand, uint32_t width, uint32_t height)
 }
 
 static void judge(const char *name, const rung *r, const ref_stand *stand,
-                  const view *truth)
+                  const frame_view *truth)
 {
     const uint32_t width = truth->width, height = truth->height;
     ref_stand other = *stand;
@@ -170,7 +171,7 @@ static void judge(const char *name, const rung *r, const ref_stand *stand,
 static void judge_all(const char *name, const rungs *all, const ref_stand *stand,
                       uint32_t width, uint32_t height)
 {
-    view truth = truth_of(stand, width, height);
+    frame_view truth = truth_of(stand, width, height);
 
     for (uint32_t i = 0; i < all->count; i++)
         judge(name, &all->of[i], stand, &truth);

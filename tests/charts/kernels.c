@@ -9,9 +9,9 @@
 
 static int32_t in[KERNEL_UNITS * KERNEL_WIDTH], out[KERNEL_UNITS * KERNEL_WIDTH];
 
-MARK(count_as_kernel)
-MARK(count_end)
-MARK(count_section)
+TRACE_MARK(count_as_kernel)
+TRACE_MARK(count_end)
+TRACE_MARK(count_section)
 
 int main(void)
 {

@@ -44,15 +44,15 @@ static void fill(int32_t *in)
 
 /* -- the engine's functions ---------------------------------------------------------- */
 
-RUN(tp_depth_number_eckart)
-RUN(tp_depth_number_fenton)
-RUN(tp_depth_number)
-RUN(tp_depth_number_exact)
+RUN(tp_depth_wave_number_eckart)
+RUN(tp_depth_wave_number_fenton)
+RUN(tp_depth_wave_number)
+RUN(tp_depth_wave_number_exact)
 
 METHOD steps_2(int64_t k_inf, tp_fx depth)
 {
     const tp_scaled k = tp_scaled_from_wave_number(k_inf), h = tp_scaled_from_depth(depth);
-    return tp_scaled_fixed(tp_depth_number_scaled(k, h, 2), 32);
+    return tp_scaled_fixed(tp_depth_wave_number_scaled(k, h, 2), 32);
 }
 RUN(steps_2)
 
@@ -68,8 +68,8 @@ RUN(deep)
 METHOD shallow(int64_t k_inf, tp_fx depth)
 {
     const tp_scaled over = tp_scaled_recip(tp_scaled_from_depth(depth));
-    return tp_scaled_fixed(tp_scaled_sqrt(tp_scaled_mul(tp_scaled_from_wave_number(k_inf), over)),
-                           32);
+    return tp_scaled_fixed(
+        tp_scaled_sqrt(tp_scaled_mul(tp_scaled_from_wave_number(k_inf), over)), 32);
 }
 RUN(shallow)
 
@@ -131,7 +131,7 @@ static void fill_table(int32_t *in, int bits)
     for (uint32_t i = 1; i <= (1u << bits) + 1; i++) {
         const int64_t y_q32 = (int64_t)i << (35 - bits);
         const tp_scaled x =
-            tp_scaled_from_wave_number(tp_depth_number_exact(y_q32, TP_FX_ONE));
+            tp_scaled_from_wave_number(tp_depth_wave_number_exact(y_q32, TP_FX_ONE));
         const tp_scaled over = tp_scaled_rsqrt(tp_scaled_from_fixed((uint64_t)y_q32, 32));
         table[i] = (uint32_t)tp_scaled_fixed(tp_scaled_mul(x, over), 28);
     }
@@ -198,11 +198,11 @@ enum { RECIP = 514, RSQRT = 386, EXP = 256 };
 const kernel kernels_dispersion[] = {
     ROW("deep", fill, deep, 0),
     ROW("shallow", fill, shallow, RECIP + RSQRT),
-    ROW("eckart", fill, tp_depth_number_eckart, RECIP + RSQRT + EXP),
-    ROW("fenton-mckee", fill, tp_depth_number_fenton, RECIP + RSQRT + EXP),
-    ROW("newton-1", fill, tp_depth_number, RECIP + RSQRT + EXP),
+    ROW("eckart", fill, tp_depth_wave_number_eckart, RECIP + RSQRT + EXP),
+    ROW("fenton-mckee", fill, tp_depth_wave_number_fenton, RECIP + RSQRT + EXP),
+    ROW("newton-1", fill, tp_depth_wave_number, RECIP + RSQRT + EXP),
     ROW("newton-2", fill, steps_2, RECIP + RSQRT + EXP),
-    ROW("newton-3", fill, tp_depth_number_exact, RECIP + RSQRT + EXP),
+    ROW("newton-3", fill, tp_depth_wave_number_exact, RECIP + RSQRT + EXP),
     ROW("hunt-5", fill, hunt_5, RECIP + RSQRT + 20),
     ROW("hunt-6", fill, hunt_6, RECIP + RSQRT + 24),
     ROW("table-32", fill_32, table_32, RSQRT + 4 * 33),

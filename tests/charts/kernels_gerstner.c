@@ -29,7 +29,7 @@ uint32_t gerstner_waves(const char *point, tp_wave wave[GERSTNER_MOST])
     return count;
 }
 
-static tp_sea  sea;
+static tp_deep_water  deep;
 static tp_turn phases[TP_WAVES];
 
 static void fill_places(int32_t *in, const char *point)
@@ -37,9 +37,9 @@ static void fill_places(int32_t *in, const char *point)
     tp_wave wave[GERSTNER_MOST];
     const uint32_t count = gerstner_waves(point, wave);
 
-    tp_sea_init(&sea, wave, count, GERSTNER_GRAVITY);
-    sea.crossed = gerstner_form(point) != 'c';
-    tp_sea_phases(&sea, GERSTNER_TICK, 0, phases);
+    tp_deep_water_init(&deep, wave, count, GERSTNER_GRAVITY);
+    deep.crossed = gerstner_form(point) != 'c';
+    tp_deep_water_phases(&deep, GERSTNER_TICK, 0, phases);
     for (uint32_t i = 0; i < KERNEL_UNITS; i++) {
         in[2 * i] = kernel_spread(i, KERNEL_STEP, GERSTNER_HALF);
         in[2 * i + 1] = kernel_spread(i, KERNEL_CROSS, GERSTNER_HALF);
@@ -49,7 +49,8 @@ static void fill_places(int32_t *in, const char *point)
 static void run_gerstner(const int32_t *in, int32_t *out)
 {
     for (uint32_t i = 0; i < KERNEL_UNITS; i++, in += 2, out += 5) {
-        const tp_sea_point at = tp_sea_displace_point(&sea, phases, in[0], in[1]);
+        const tp_surface_point at =
+            tp_deep_water_displace_point(&deep, phases, in[0], in[1]);
         out[0] = at.position.x;
         out[1] = at.position.y;
         out[2] = at.position.z;

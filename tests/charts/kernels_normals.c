@@ -21,14 +21,14 @@ const tp_wave normals_wave[NORMALS_WAVES] = {
 
 enum { STEPS = 4 };             /* of 1, 2, 4 and 8 cells */
 
-static tp_sea  sea;
+static tp_deep_water  deep;
 static tp_turn phases[TP_WAVES];
 static tp_fx   rest[KERNEL_UNITS][2], around[KERNEL_UNITS][STEPS][4];
 static bool    known;
 
 static tp_fx height(tp_fx x, tp_fx z)
 {
-    return tp_sea_sample(&sea, phases, x, z, NULL).position.y;
+    return tp_deep_water_sample(&deep, phases, x, z, NULL).position.y;
 }
 
 static void look_up(uint32_t i)
@@ -37,7 +37,7 @@ static void look_up(uint32_t i)
 
     rest[i][0] = x;
     rest[i][1] = z;
-    tp_sea_sample(&sea, phases, x, z, rest[i]);
+    tp_deep_water_sample(&deep, phases, x, z, rest[i]);
     for (int n = 0; n < STEPS; n++) {
         const tp_fx far = NORMALS_CELL << n;
         around[i][n][0] = height(x - far, z);
@@ -50,13 +50,13 @@ static void look_up(uint32_t i)
 static void prepare(bool crossed)
 {
     if (!known) {
-        tp_sea_init(&sea, normals_wave, NORMALS_WAVES, NORMALS_GRAVITY);
-        tp_sea_phases(&sea, NORMALS_TICK, 0, phases);
+        tp_deep_water_init(&deep, normals_wave, NORMALS_WAVES, NORMALS_GRAVITY);
+        tp_deep_water_phases(&deep, NORMALS_TICK, 0, phases);
         for (uint32_t i = 0; i < KERNEL_UNITS; i++)
             look_up(i);
         known = true;
     }
-    sea.crossed = crossed;
+    deep.crossed = crossed;
 }
 
 /* -- from the waves ------------------------------------------------------------------ */
@@ -84,7 +84,8 @@ static void fill_cheap(int32_t *in)
 static void run_waves(const int32_t *in, int32_t *out)
 {
     for (uint32_t i = 0; i < KERNEL_UNITS; i++, in += 2, out += 2) {
-        const tp_sea_point at = tp_sea_displace_point(&sea, phases, in[0], in[1]);
+        const tp_surface_point at =
+            tp_deep_water_displace_point(&deep, phases, in[0], in[1]);
         out[0] = at.slope_x;
         out[1] = at.slope_z;
     }
@@ -103,7 +104,7 @@ static void fill_heights(int32_t *in, int n)
 TP_ALWAYS_INLINE void five(const int32_t *in, int32_t *out, tp_fx spacing)
 {
     for (uint32_t i = 0; i < KERNEL_UNITS; i++, in += 4, out += 2) {
-        const tp_relief at = tp_neighbour_relief(0, in, spacing);
+        const tp_height_slope at = tp_neighbour_height_slope(0, in, spacing);
         out[0] = at.slope_x;
         out[1] = at.slope_z;
     }
@@ -132,7 +133,8 @@ static void fill_map(int32_t *in, int bits)
 {
     prepare(true);
     for (uint32_t i = 0; i < KERNEL_UNITS; i++, in += 2) {
-        const tp_sea_point at = tp_sea_displace_point(&sea, phases, rest[i][0], rest[i][1]);
+        const tp_surface_point at =
+            tp_deep_water_displace_point(&deep, phases, rest[i][0], rest[i][1]);
         const tp_dir3 n = tp_normalise(-at.slope_x, TP_FX_ONE, -at.slope_z);
         const uint32_t x = (uint32_t)channel(n.x, bits), z = (uint32_t)channel(n.z, bits);
         const uint32_t y = (uint32_t)channel(n.y, bits);

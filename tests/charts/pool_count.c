@@ -16,9 +16,9 @@ enum { TICKS = 2, ROOM = 900 << 10 };
 static union { uint64_t aligned; uint8_t byte[ROOM]; } block;
 static tp_pool *const pool = (tp_pool *)(void *)&block;
 
-MARK(count_as_pool)
-MARK(count_end)
-MARK(count_section)
+TRACE_MARK(count_as_pool)
+TRACE_MARK(count_end)
+TRACE_MARK(count_section)
 
 static void ruffle(int32_t high)
 {

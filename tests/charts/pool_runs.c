@@ -33,7 +33,7 @@ tp_pool *pool_tank_new(const pool_tank *tank)
 
     if (!pool || tp_pool_init(pool, &config, NULL))
         pool_give_up("no tank of that size");
-    pool->r2q = tank->r2q;
+    pool->courant_sq_q10 = tank->courant_sq_q10;
     pool->damping = tank->m;
     return pool;
 }
@@ -159,7 +159,7 @@ static void add_logs(pool_growth *g, const tp_pool *pool, const pool_field *plai
 
 pool_growth pool_tank_growth(const pool_tank *tank)
 {
-    const double r2 = (double)tank->r2q / POOL_WHOLE;
+    const double r2 = (double)tank->courant_sq_q10 / POOL_WHOLE;
     const bool beyond = r2 >= pool_neumann_r2(tank->cells, tank->m);
     const pool_rule rule = pool_rule_of(tank->cells, r2, tank->m);
     const int32_t part = beyond ? 32 : 4, half = full_at(tank, part, 2);
@@ -233,8 +233,8 @@ static void look_at(pool_rest *rest, const tp_pool *pool, bool gear_a)
 
 pool_rest pool_tank_rest(const pool_tank *tank, uint32_t most)
 {
-    const bool beyond = (double)tank->r2q / POOL_WHOLE
-                      >= pool_neumann_r2(tank->cells, tank->m);
+    const bool beyond = (double)tank->courant_sq_q10 / POOL_WHOLE
+                        >= pool_neumann_r2(tank->cells, tank->m);
     const size_t bytes = bytes_of(tank);
     tp_pool *const pool = pool_tank_new(tank);
     pool_rest rest = { .ending = POOL_RESTS };
@@ -261,7 +261,7 @@ double pool_rest_ticks(const pool_tank *tank)
     pool_tank_drop(pool);
     pool_field start = pool_field_of(pool);
     const double h = pool_rms(start.h, NULL, tp_pool_count(pool));
-    const double q = sqrt((double)tank->r2q / POOL_WHOLE / 2) * h;
+    const double q = sqrt((double)tank->courant_sq_q10 / POOL_WHOLE / 2) * h;
     const double time = tank->cells == TP_CELLS_32 ? twice * log(1 + PI * q / twice)
                                                    : pool->gear;
     pool_field_free(&start);

@@ -9,7 +9,7 @@
 typedef struct {
     tp_cells cells;
     uint32_t cols, rows;
-    uint32_t r2q, m;                /* 1024 r^2, 0..767; damping 2^-m, m = 1..10 */
+    uint32_t courant_sq_q10, m; /* 1024 r^2, 0..767; damping 2^-m, m = 1..10 */
 } pool_tank;
 
 /* Makes still water between walls; cells of 1/4 m, heights within 1 m. The caller calls

@@ -21,7 +21,7 @@ typedef struct {
     const char *chart;
     tp_cells    cells;
     uint32_t    least, most;
-} asked;
+} pool_chart_request;
 
 /* -- chart "pool" -------------------------------------------------------------------- */
 
@@ -68,7 +68,7 @@ static void print_point(const pool_point *p)
     used_row("pool", p->keys, is_in, 0);
 }
 
-static void print_points(const asked *a)
+static void print_points(const pool_chart_request *a)
 {
     for (const pool_point *p = pool_points; p->keys; p++)
         if (p->cells == a->cells && p->cols >= a->least && p->cols <= a->most)
@@ -77,17 +77,18 @@ static void print_points(const asked *a)
 
 /* -- stability charts ---------------------------------------------------------------- */
 
-static void say(const asked *a, uint32_t m, double r, const char *column, double value)
+static void say(const pool_chart_request *a, uint32_t m, double r, const char *column,
+                double value)
 {
     printf("%s,%d;%u;%.4f,%s,%.4g\n", a->chart, 8 << a->cells, (unsigned)m, r, column,
            value);
 }
 
-static void print_growth(const asked *a, uint32_t m, double r)
+static void print_growth(const pool_chart_request *a, uint32_t m, double r)
 {
     const pool_tank tank = { a->cells, GROWTH_SIDE, GROWTH_SIDE, r2q_of(r), m };
     const pool_growth g = pool_tank_growth(&tank);
-    const double r2 = (double)tank.r2q / POOL_WHOLE;
+    const double r2 = (double)tank.courant_sq_q10 / POOL_WHOLE;
     const double shortest = pool_rule_root(pool_rule_of(a->cells, r2, m), 8);
 
     say(a, m, r, "growth", 100 * (g.growth - 1));
@@ -99,7 +100,7 @@ static void print_growth(const asked *a, uint32_t m, double r)
     say(a, m, r, "noise", a->cells == TP_CELLS_32 ? 0 : pool_noise_r(g.rms, m));
 }
 
-static void print_rest(const asked *a, uint32_t m, double r)
+static void print_rest(const pool_chart_request *a, uint32_t m, double r)
 {
     static const char *const word[] = { "rests", "flickers", "full", "moves" };
     const pool_tank tank = { a->cells, SIDE, SIDE, r2q_of(r), m };
@@ -122,8 +123,8 @@ static void print_rest(const asked *a, uint32_t m, double r)
 }
 
 /* r = 0.05 .. 0.8625, the whole range of a step, in steps of `step` / 80. */
-static void print_map(const asked *a, int step,
-                      void (*print)(const asked *a, uint32_t m, double r))
+static void print_map(const pool_chart_request *a, int step,
+                      void (*print)(const pool_chart_request *a, uint32_t m, double r))
 {
     for (uint32_t m = a->least; m <= a->most; m++)
         for (int i = 4; i <= 69; i += step)
@@ -132,7 +133,7 @@ static void print_map(const asked *a, int step,
 
 /* -- choice of the chart ------------------------------------------------------------- */
 
-static bool print_chart(const asked *a)
+static bool print_chart(const pool_chart_request *a)
 {
     const bool map = a->least >= 1 && a->most <= 10;
 
@@ -152,7 +153,7 @@ static bool print_chart(const asked *a)
 int main(int argc, char **argv)
 {
     const int bits = argc == 5 ? atoi(argv[2]) : 0;
-    const asked a = {
+    const pool_chart_request a = {
         .chart = argc == 5 ? argv[1] : "", .cells = (tp_cells)(bits / 16),
         .least = argc == 5 ? (uint32_t)atoi(argv[3]) : 0,
         .most = argc == 5 ? (uint32_t)atoi(argv[4]) : 0,

@@ -33,9 +33,9 @@ typedef struct {
     uint32_t    width, height;
     ref_stand   stand;
     ref_scene   scene;
-} place;
+} reference_place;
 
-static ref_image draw(place *p, uint32_t count, double close)
+static ref_image draw(reference_place *p, uint32_t count, double close)
 {
     ref_image image;
 
@@ -48,12 +48,12 @@ static ref_image draw(place *p, uint32_t count, double close)
 
 typedef struct {
     double rms, most;
-} difference;
+} reference_difference;
 
-static difference apart(const ref_image *a, const ref_image *b)
+static reference_difference apart(const ref_image *a, const ref_image *b)
 {
     const size_t pixels = (size_t)a->width * a->height;
-    difference d = { 0, 0 };
+    reference_difference d = { 0, 0 };
 
     for (size_t i = 0; i < pixels; i++)
         for (int k = 0; k < 3; k++) {
@@ -67,7 +67,7 @@ static difference apart(const ref_image *a, const ref_image *b)
 }
 
 /* Slope of ln rms over ln samples, by least squares. */
-static double slope_of(const difference d[COUNTS])
+static double slope_of(const reference_difference d[COUNTS])
 {
     double x = 0, y = 0, xx = 0, xy = 0;
 
@@ -81,8 +81,8 @@ static double slope_of(const difference d[COUNTS])
     return (xy - x * y) / (xx - x * x);
 }
 
-static void row(const char *chart, const place *p, const char *point, const char *column,
-                double value)
+static void row(const char *chart, const reference_place *p, const char *point,
+                const char *column, double value)
 {
     printf("%s,%s;%ux%u;%s,%s,%.4g\n", chart, p->name, (unsigned)p->width,
            (unsigned)p->height, point, column, value);
@@ -90,7 +90,8 @@ static void row(const char *chart, const place *p, const char *point, const char
 
 /* Row "used": pictures with this setting are the references of other charts, in each
  * scene. */
-static void used_row(const char *chart, const place *p, const char *point, bool used)
+static void used_row(const char *chart, const reference_place *p, const char *point,
+                     bool used)
 {
     printf("%s,%s;%ux%u;%s,used,%s\n", chart, p->name, (unsigned)p->width,
            (unsigned)p->height, point, used ? "all" : "-");
@@ -98,11 +99,11 @@ static void used_row(const char *chart, const place *p, const char *point, bool 
 
 /* -- command line -------------------------------------------------------------------- */
 
-static void judge_samples(place *p)
+static void judge_samples(reference_place *p)
 {
     static const char chart[] = "reference-samples";
     ref_image truth = draw(p, TRUTH, REF_CLOSE);
-    difference d[COUNTS];
+    reference_difference d[COUNTS];
 
     for (int i = 0; i < COUNTS; i++) {
         ref_image image = draw(p, samples[i], REF_CLOSE);
@@ -120,7 +121,7 @@ static void judge_samples(place *p)
     ref_image_free(&truth);
 }
 
-static void judge_tolerance(place *p)
+static void judge_tolerance(reference_place *p)
 {
     static const char chart[] = "reference-tolerance";
     ref_image truth = draw(p, 1, pow(10, -SHARPEST));
@@ -128,7 +129,7 @@ static void judge_tolerance(place *p)
     for (int n = COARSEST; n <= FINEST; n++) {
         const double close = pow(10, -n);
         ref_image image = draw(p, 1, close);
-        const difference d = apart(&image, &truth);
+        const reference_difference d = apart(&image, &truth);
         char point[16];
         snprintf(point, sizeof point, "1e-%02d", n);
         row(chart, p, point, "rms", d.rms);
@@ -139,7 +140,7 @@ static void judge_tolerance(place *p)
     ref_image_free(&truth);
 }
 
-static void time_tolerance(place *p)
+static void time_tolerance(reference_place *p)
 {
     for (int n = COARSEST; n <= FINEST; n++) {
         uint64_t least = UINT64_MAX;
@@ -157,9 +158,9 @@ static void time_tolerance(place *p)
 }
 
 static int judge(const char *name, uint32_t width, uint32_t height, uint32_t tick,
-                 void (*how)(place *))
+                 void (*how)(reference_place *))
 {
-    place p = { .name = name, .width = width, .height = height };
+    reference_place p = { .name = name, .width = width, .height = height };
     char path[128];
 
     snprintf(path, sizeof path, FOLDER "%s.ini", name);
@@ -178,7 +179,7 @@ int main(int argc, char **argv)
 {
     static const struct {
         const char *name;
-        void      (*how)(place *);
+        void      (*how)(reference_place *);
     } ways[] = {
         { "samples", judge_samples }, { "tolerance", judge_tolerance },
         { "times", time_tolerance },

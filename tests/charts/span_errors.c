@@ -21,7 +21,7 @@ enum { WIDTH = 320, HEIGHT = 240, COUNT = WIDTH * HEIGHT, PARTS = 8, RAYS = 64 }
 typedef struct {
     uint32_t pixel[COUNT], s[COUNT], t[COUNT];
     bool     water[COUNT];      /* the whole pixel is water */
-} drawing;
+} span_drawing;
 
 static span_scene now;
 static tp_world  *world;
@@ -43,7 +43,7 @@ static void stop(const char *why)
 
 /* -- pictures ------------------------------------------------------------------------ */
 
-static void gather(drawing *to, const uint32_t *samples, const uint32_t *pixels,
+static void gather(span_drawing *to, const uint32_t *samples, const uint32_t *pixels,
                    uint32_t parts)
 {
     const uint32_t plane = COUNT * parts * parts, each = parts * parts;
@@ -67,7 +67,7 @@ static void gather(drawing *to, const uint32_t *samples, const uint32_t *pixels,
 }
 
 /* Draws the present scene with `parts` x `parts` samples a pixel. */
-static void draw(drawing *to, uint32_t parts)
+static void draw(span_drawing *to, uint32_t parts)
 {
     const tp_config config = { .width = WIDTH * parts,
                                .height = HEIGHT * parts,
@@ -104,7 +104,7 @@ static void begin(const span_row *row)
 typedef struct {
     double colour, psnr;        /* rms of 255 of the worst channel; dB of all three */
     double texels, texels_most; /* of the first layer's finest level, rms and largest */
-} error;
+} span_error;
 
 static double square_apart(uint32_t a, uint32_t b, int c)
 {
@@ -112,14 +112,14 @@ static double square_apart(uint32_t a, uint32_t b, int c)
     return d * d;
 }
 
-static double texels_apart(const drawing *a, const drawing *b, size_t i)
+static double texels_apart(const span_drawing *a, const span_drawing *b, size_t i)
 {
     const double per = (1u << now.assets.layer[0]->log2_w)
                      / (double)now.scene.layer[0].map.size;
     return per * hypot((int32_t)(a->s[i] - b->s[i]), (int32_t)(a->t[i] - b->t[i]));
 }
 
-static error error_of(const drawing *truth, const drawing *b)
+static span_error error_of(const span_drawing *truth, const span_drawing *b)
 {
     double sum[3] = { 0, 0, 0 }, texels = 0, most = 0;
     size_t count = 0;
@@ -137,9 +137,9 @@ static error error_of(const drawing *truth, const drawing *b)
     if (count == 0)
         stop("there is no water");
     const double n = (double)count;
-    return (error){ sqrt(fmax(sum[0], fmax(sum[1], sum[2])) / n),
-                    10 * log10(255 * 255 * 3 * n / (sum[0] + sum[1] + sum[2])),
-                    sqrt(texels / n), most };
+    return (span_error){ sqrt(fmax(sum[0], fmax(sum[1], sum[2])) / n),
+                         10 * log10(255 * 255 * 3 * n / (sum[0] + sum[1] + sum[2])),
+                         sqrt(texels / n), most };
 }
 
 static char point[64];
@@ -180,7 +180,7 @@ static bool as_row(const tp_scene *scene, const tp_rungs *rungs, const void *of)
 
 /* -- charts -------------------------------------------------------------------------- */
 
-static drawing truth, other;
+static span_drawing truth, other;
 
 static void judge_steps(const char *name)
 {
@@ -191,7 +191,7 @@ static void judge_steps(const char *name)
         draw(&other, 1);
         span_step = SPAN_TRUE;
         draw(&truth, 1);
-        const error e = error_of(&truth, &other);
+        const span_error e = error_of(&truth, &other);
         point_of(row, name);
         say("span", "texels_rms", e.texels);
         say("span", "texels_max", e.texels_most);
@@ -222,7 +222,7 @@ static void judge_filters(const char *name)
             continue;
         begin(row);
         draw(&other, 1);
-        const error e = error_of(&truth, &other);
+        const span_error e = error_of(&truth, &other);
         point_of(row, name);
         say("filter", "colour_rms", e.colour);
         say("filter", "psnr", e.psnr);
@@ -247,7 +247,7 @@ static void judge_samples(const char *name)
     other = truth;
     for (uint32_t i = 0; i < COUNT; i++)
         other.pixel[i] = ref_image_pixel(&image, i % WIDTH, i / WIDTH);
-    const error e = error_of(&truth, &other);
+    const span_error e = error_of(&truth, &other);
     for (const span_row *row = span_rows; row->chart; row++)
         if (strcmp(row->chart, "filter") == 0) {
             point_of(row, name);

@@ -7,7 +7,8 @@
 
 int32_t span_step = 16;
 
-#define CORNERS const tp_screen_vertex *a, const tp_screen_vertex *b, const tp_screen_vertex *c
+#define CORNERS                                                                          \
+    const tp_screen_vertex *a, const tp_screen_vertex *b, const tp_screen_vertex *c
 #define DECLARE(step) \
     void tp_tri_water_##step(const tp_gbuffer *tile, CORNERS); \
     void tp_tri_solid_##step(const tp_gbuffer *tile, CORNERS, uint32_t mark, \

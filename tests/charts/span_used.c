@@ -21,13 +21,13 @@ static void read_scene(size_t i)
 {
     char *path = path_join(FOLDER, names[i], ".ini");
     const options o = { .command = "charts", .scene = path, .width = 320, .height = 240 };
-    stage s;
+    loaded_scene s;
 
-    if (stage_load(&s, &o))
+    if (loaded_scene_load(&s, &o))
         exit(EXIT_FAILURE);
     shipped[i].scene = s.file.scene;
     shipped[i].rungs = tp_rungs_choose(&s.file.scene, &s.assets.names, 320, 240);
-    stage_close(&s);
+    loaded_scene_close(&s);
     free(path);
 }
 

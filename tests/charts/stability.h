@@ -23,25 +23,25 @@ void stability_jacobian(void), stability_breaking(void), stability_buoyancy(void
 /* Deep water with that number of waves, their lengths the golden ratio apart, the longest
  * 24 m; their steepnesses add up to `sum`, and their headings are spread evenly over `fan`
  * degrees. */
-tp_sea stability_sea(int waves, double fan, double sum);
+tp_deep_water stability_sea(int waves, double fan, double sum);
 
 /* The same water without the clamp of [A11], for a sum up to 1.9; and the same for given
  * waves. */
-tp_sea stability_sea_unheld(int waves, double fan, double sum);
-tp_sea stability_unheld(const tp_wave *wave, uint32_t count, tp_fx gravity);
+tp_deep_water stability_sea_unheld(int waves, double fan, double sum);
+tp_deep_water stability_unheld(const tp_wave *wave, uint32_t count, tp_fx gravity);
 
 /* Sum of QkA without the clamp. */
-double stability_sum(const tp_sea *sea);
+double stability_sum(const tp_deep_water *deep);
 
 /* 1 minus the greatest eigenvalue of sum QkA D D^T: the Jacobian where all crests meet
  * [A11]. */
-double stability_crests(const tp_sea *sea);
+double stability_crests(const tp_deep_water *deep);
 
 /* -- Jacobian [A9] [A11] ------------------------------------------------------------- */
 
 /* Least of the Jacobian's smaller eigenvalue, from the engine's sums: over a sweep of the
  * surface and of time, then downhill from the least of each time. */
-double stability_least(const tp_sea *sea);
+double stability_least(const tp_deep_water *deep);
 
 /* -- breaking [B14] [B15] ------------------------------------------------------------ */
 
@@ -62,7 +62,7 @@ double stability_border(int criterion, double h_over_l);
 
 typedef enum {
     STABILITY_PLAIN,            /* a number of plain steps */
-    STABILITY_COLD,             /* tp_sea_sample from the place itself */
+    STABILITY_COLD,             /* tp_deep_water_sample from the place itself */
     STABILITY_WARM              /* ... from the end of the last tick's search */
 } stability_search;
 
@@ -71,11 +71,12 @@ typedef enum {
 typedef struct {
     double along, up;
 } stability_off;
-stability_off stability_inversion(const tp_sea *sea, stability_search how, uint32_t n);
+stability_off stability_inversion(const tp_deep_water *deep, stability_search how,
+                                  uint32_t n);
 
 /* Upper bound of a search's error: q^n of the first distance for n plain steps; for the
  * engine the 2 LSB of x and z at which the search stops. */
-double stability_bound(const tp_sea *sea, stability_search how, uint32_t n);
+double stability_bound(const tp_deep_water *deep, stability_search how, uint32_t n);
 
 /* -- wave numbers [B2]-[B6] ---------------------------------------------------------- */
 

@@ -21,7 +21,7 @@ double stability_depth(int j)
 
 uint32_t stability_flags(double rise, double depth)
 {
-    return tp_breaking_flags(TP_FX(LENGTH * rise), tp_depth_number_deep(TP_FX(LENGTH)),
+    return tp_breaking_flags(TP_FX(LENGTH * rise), tp_depth_wave_number_deep(TP_FX(LENGTH)),
                              TP_FX(LENGTH * depth));
 }
 
@@ -43,13 +43,13 @@ static void row(const char *set, double h, double rise, uint32_t flags, const ch
 /* Rows of one wave over all depths of the scene that the map shows. */
 static void rows_of_wave(const char *name, int n, const tp_wave *wave, double deepest)
 {
-    const int64_t k_inf = tp_depth_number_deep(wave->length);
+    const int64_t k_inf = tp_depth_wave_number_deep(wave->length);
     char set[96];
 
     snprintf(set, sizeof set, "%s-%d", name, n);
     for (double depth = deepest; depth > 0.05; depth /= 1.25) {
         const tp_fx   h = TP_FX(depth);
-        const int64_t k = tp_depth_number_exact(k_inf, h);
+        const int64_t k = tp_depth_wave_number_exact(k_inf, h);
         const tp_fx   ks = tp_depth_shoaling(k_inf, k, h);
         const double  height = 2.0 * wave->amplitude * ks * STABILITY_LSB;
         const double  length = 2 * STABILITY_PI * 4294967296.0 / (double)k;

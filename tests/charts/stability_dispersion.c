@@ -59,17 +59,17 @@ static double shallow(double y)
 }
 
 const stability_number stability_numbers[STABILITY_NUMBERS] = {
-    { "eckart", tp_depth_number_eckart, eckart },
-    { "fenton", tp_depth_number_fenton, fenton },
-    { "newton", tp_depth_number, newton },
-    { "exact", tp_depth_number_exact, NULL },
+    { "eckart", tp_depth_wave_number_eckart, eckart },
+    { "fenton", tp_depth_wave_number_fenton, fenton },
+    { "newton", tp_depth_wave_number, newton },
+    { "exact", tp_depth_wave_number_exact, NULL },
     { "hunt", NULL, hunt }, { "deep", NULL, deep }, { "shallow", NULL, shallow },
 };
 
 /* The reference uses the engine's rounded inputs, not the values before rounding. */
 double stability_number_off(const stability_number *n, double kh, double length)
 {
-    const int64_t k_inf = tp_depth_number_deep(TP_FX(length));
+    const int64_t k_inf = tp_depth_wave_number_deep(TP_FX(length));
     const double  k = (double)k_inf / 4294967296.0;
     const tp_fx   depth = TP_FX(kh * tanh(kh) / k);
     const double  h = depth * STABILITY_LSB;

@@ -16,9 +16,9 @@ enum { SIDE = 48, TIMES = 40, HALVINGS = 12 };
 typedef struct {
     int64_t x, z, tick;
     double  least;
-} spot;
+} jacobian_spot;
 
-static double eigenvalue(const tp_sea_sum *sum)
+static double eigenvalue(const tp_swell_sum *sum)
 {
     const double one = 18014398509481984.0;     /* 2^54 */
     double xx = 1 - (double)sum->bxx / one, zz = 1 - (double)sum->bzz / one;
@@ -27,44 +27,45 @@ static double eigenvalue(const tp_sea_sum *sum)
     return (xx + zz) / 2 - sqrt((xx - zz) * (xx - zz) / 4 + xz * xz);
 }
 
-static double eigenvalue_at(const tp_sea *sea, const tp_turn *phases, int64_t x,
+static double eigenvalue_at(const tp_deep_water *deep, const tp_turn *phases, int64_t x,
                             int64_t z)
 {
     tp_turn a[TP_WAVES], b[TP_WAVES];
 
-    for (uint32_t i = 0; i < sea->count; i++) {
-        a[i] = phases[i] + tp_swell_turns(sea->swell[i].turns_x, (tp_fx)x);
-        b[i] = tp_swell_turns(sea->swell[i].turns_z, (tp_fx)z);
+    for (uint32_t i = 0; i < deep->count; i++) {
+        a[i] = phases[i] + tp_swell_turns(deep->swell[i].turns_x, (tp_fx)x);
+        b[i] = tp_swell_turns(deep->swell[i].turns_z, (tp_fx)z);
     }
-    const tp_sea_sum sum = tp_sea_sum_all(sea, a, b, 0, 1);
+    const tp_swell_sum sum = tp_swell_sum_all(deep, a, b, 0, 1);
     return eigenvalue(&sum);
 }
 
 /* Least of the sweep's places at one time. */
-static spot swept(const tp_sea *sea, int64_t tick)
+static jacobian_spot swept(const tp_deep_water *deep, int64_t tick)
 {
-    spot    best = { 0, 0, tick, 9 };
+    jacobian_spot    best = { 0, 0, tick, 9 };
     tp_turn phases[TP_WAVES];
 
-    tp_sea_phases(sea, (uint64_t)tick, 0, phases);
+    tp_deep_water_phases(deep, (uint64_t)tick, 0, phases);
     for (int64_t j = 0; j < SIDE; j++)
         for (int64_t i = 0; i < SIDE; i++) {
-            double e = eigenvalue_at(sea, phases, i * BETWEEN, j * BETWEEN);
+            double e = eigenvalue_at(deep, phases, i * BETWEEN, j * BETWEEN);
             if (e < best.least)
-                best = (spot){ i * BETWEEN, j * BETWEEN, tick, e };
+                best = (jacobian_spot){ i * BETWEEN, j * BETWEEN, tick, e };
         }
     return best;
 }
 
-static bool better(const tp_sea *sea, spot *best, int64_t dx, int64_t dz, int64_t dt)
+static bool better(const tp_deep_water *deep, jacobian_spot *best, int64_t dx, int64_t dz,
+                   int64_t dt)
 {
-    const spot s = { best->x + dx, best->z + dz, best->tick + dt, 0 };
+    const jacobian_spot s = { best->x + dx, best->z + dz, best->tick + dt, 0 };
     tp_turn phases[TP_WAVES];
 
     if (s.tick < 0)
         return false;
-    tp_sea_phases(sea, (uint64_t)s.tick, 0, phases);
-    const double e = eigenvalue_at(sea, phases, s.x, s.z);
+    tp_deep_water_phases(deep, (uint64_t)s.tick, 0, phases);
+    const double e = eigenvalue_at(deep, phases, s.x, s.z);
     if (e >= best->least)
         return false;
     *best = s;
@@ -73,7 +74,7 @@ static bool better(const tp_sea *sea, spot *best, int64_t dx, int64_t dz, int64_
 }
 
 /* Descends over places and time, halving the steps. */
-static double settled(const tp_sea *sea, spot at)
+static double settled(const tp_deep_water *deep, jacobian_spot at)
 {
     int64_t step = BETWEEN / 2, ticks = 64;
 
@@ -84,35 +85,35 @@ static double settled(const tp_sea *sea, spot at)
         for (int turns = 0; moved && turns < 50; turns++) {
             moved = false;
             for (int k = 0; k < 6; k++)
-                if (better(sea, &at, ways[k][0], ways[k][1], ways[k][2]))
+                if (better(deep, &at, ways[k][0], ways[k][1], ways[k][2]))
                     moved = true;
         }
     }
     return at.least;
 }
 
-double stability_least(const tp_sea *sea)
+double stability_least(const tp_deep_water *deep)
 {
     double least = 9;
 
     for (int n = 0; n < TIMES; n++)
-        least = fmin(least, settled(sea, swept(sea, LATER * n)));
+        least = fmin(least, settled(deep, swept(deep, LATER * n)));
     return least;
 }
 
 /* -- the map ------------------------------------------------------------------------- */
 
-static void row(const char *sea, int waves, double sum, const char *column, double value)
+static void row(const char *deep, int waves, double sum, const char *column, double value)
 {
-    printf(CHART ",%s;%d;%.3g,%s,%.3g\n", sea, waves, sum, column, value);
+    printf(CHART ",%s;%d;%.3g,%s,%.3g\n", deep, waves, sum, column, value);
 }
 
 static void rows_of(const char *name, int waves, double fan)
 {
     for (int i = 1; i <= 38; i++) {
         const double sum = i / 20.0;
-        const tp_sea held = stability_sea(waves, fan, sum);
-        const tp_sea unheld = stability_sea_unheld(waves, fan, sum);
+        const tp_deep_water held = stability_sea(waves, fan, sum);
+        const tp_deep_water unheld = stability_sea_unheld(waves, fan, sum);
 
         row(name, waves, sum, "crests", stability_crests(&unheld));
         row(name, waves, sum, "unheld", stability_least(&unheld));
@@ -150,17 +151,17 @@ static void rows_of_scenes(void)
 
     for (size_t i = 0; used_scene(i, &name); i++) {
         const tp_scene *scene = used_scene(i, &name);
-        tp_sea sea;
-        tp_sea_init(&sea, scene->wave, TP_WAVES, scene->water.gravity);
-        const double sum = sea.steepness * STABILITY_LSB;
+        tp_deep_water deep;
+        tp_deep_water_init(&deep, scene->wave, TP_WAVES, scene->water.gravity);
+        const double sum = deep.steepness * STABILITY_LSB;
         if (sum <= 0 || is_told(i))
             continue;
-        const tp_sea unheld = stability_unheld(scene->wave, TP_WAVES,
+        const tp_deep_water unheld = stability_unheld(scene->wave, TP_WAVES,
                                                scene->water.gravity);
-        row(name, (int)sea.count, sum, "crests", stability_crests(&unheld));
-        row(name, (int)sea.count, sum, "unheld", stability_least(&unheld));
-        row(name, (int)sea.count, sum, "engine", stability_least(&sea));
-        printf(CHART ",%s;%d;%.3g,used,%s\n", name, (int)sea.count, sum,
+        row(name, (int)deep.count, sum, "crests", stability_crests(&unheld));
+        row(name, (int)deep.count, sum, "unheld", stability_least(&unheld));
+        row(name, (int)deep.count, sum, "engine", stability_least(&deep));
+        printf(CHART ",%s;%d;%.3g,used,%s\n", name, (int)deep.count, sum,
                used_by(is_same_sea, (int32_t)i));
     }
 }

@@ -22,17 +22,17 @@ static void waves_of(tp_wave wave[STABILITY_WAVES], int waves, double fan, doubl
     }
 }
 
-tp_sea stability_sea(int waves, double fan, double sum)
+tp_deep_water stability_sea(int waves, double fan, double sum)
 {
     tp_wave wave[STABILITY_WAVES];
-    tp_sea  sea;
+    tp_deep_water  deep;
 
     waves_of(wave, waves, fan, sum);
-    tp_sea_init(&sea, wave, (uint32_t)waves, GRAVITY);
-    return sea;
+    tp_deep_water_init(&deep, wave, (uint32_t)waves, GRAVITY);
+    return deep;
 }
 
-tp_sea stability_sea_unheld(int waves, double fan, double sum)
+tp_deep_water stability_sea_unheld(int waves, double fan, double sum)
 {
     tp_wave wave[STABILITY_WAVES];
 
@@ -42,46 +42,46 @@ tp_sea stability_sea_unheld(int waves, double fan, double sum)
 
 /* Half the steepnesses, doubled: below a sum of 2 each bend fits its Q2.30. Valid for the
  * sums of J and for plain steps; the fields for a point's slopes are not set. */
-tp_sea stability_unheld(const tp_wave *wave, uint32_t count, tp_fx gravity)
+tp_deep_water stability_unheld(const tp_wave *wave, uint32_t count, tp_fx gravity)
 {
     tp_wave half[TP_WAVES];
-    tp_sea  sea;
+    tp_deep_water  deep;
 
     for (uint32_t i = 0; i < count; i++) {
         half[i] = wave[i];
         half[i].steepness /= 2;
     }
-    tp_sea_init(&sea, half, count, gravity);
-    for (uint32_t i = 0; i < sea.count; i++) {
-        tp_swell *w = &sea.swell[i];
+    tp_deep_water_init(&deep, half, count, gravity);
+    for (uint32_t i = 0; i < deep.count; i++) {
+        tp_swell *w = &deep.swell[i];
         w->bend *= 2;
         w->bend_xx *= 2;
         w->bend_xz *= 2;
         w->bend_zz *= 2;
-        w->reach_x *= 2;
-        w->reach_z *= 2;
+        w->orbit_x *= 2;
+        w->orbit_z *= 2;
     }
-    sea.bend = 0;               /* invalid from here on */
-    sea.steepness *= 2;
-    sea.reach *= 2;
-    return sea;
+    deep.steepness_sum = 0;               /* invalid from here on */
+    deep.steepness *= 2;
+    deep.max_displacement *= 2;
+    return deep;
 }
 
-double stability_sum(const tp_sea *sea)
+double stability_sum(const tp_deep_water *deep)
 {
     double sum = 0;
 
-    for (uint32_t i = 0; i < sea->count; i++)
-        sum += sea->swell[i].bend / 1073741824.0;
+    for (uint32_t i = 0; i < deep->count; i++)
+        sum += deep->swell[i].bend / 1073741824.0;
     return sum;
 }
 
-double stability_crests(const tp_sea *sea)
+double stability_crests(const tp_deep_water *deep)
 {
     double xx = 0, xz = 0, zz = 0;
 
-    for (uint32_t i = 0; i < sea->count; i++) {
-        const tp_swell *w = &sea->swell[i];
+    for (uint32_t i = 0; i < deep->count; i++) {
+        const tp_swell *w = &deep->swell[i];
         xx += w->bend_xx / 1073741824.0;
         xz += w->bend_xz / 1073741824.0;
         zz += w->bend_zz / 1073741824.0;

@@ -30,9 +30,9 @@ static const char *const off[] = {
 
 typedef struct {
     double px, colour;
-} error;
+} visibility_error;
 
-static error error_of(const drawn_image *a, const ref_image *b)
+static visibility_error error_of(const drawn_image *a, const ref_image *b)
 {
     double   sum[3] = { 0, 0, 0 };
     uint32_t count = 0, elsewhere = 0, borders = 0;
@@ -50,8 +50,8 @@ static error error_of(const drawn_image *a, const ref_image *b)
         }
         count++;
     }
-    return (error){ elsewhere / fmax(borders, 1),
-                    sqrt(greatest(sum) / (count ? count : 1)) };
+    return (visibility_error){ elsewhere / fmax(borders, 1),
+                               sqrt(greatest(sum) / (count ? count : 1)) };
 }
 
 /* -- points -------------------------------------------------------------------------- */
@@ -66,10 +66,10 @@ typedef struct {
     int     method;
     int32_t grid;
     bool    chosen;             /* renderer of the shipped scene */
-} point;
+} visibility_point;
 
 typedef struct {
-    point    of[POINTS];
+    visibility_point    of[POINTS];
     uint32_t count;
 } points;
 
@@ -84,16 +84,16 @@ static points points_of(const ref_stand *shipped, uint32_t width, uint32_t heigh
         bool own = false;
         for (int g = 0; g < GRIDS; g++) {
             const bool same = grids[g] == scene->grid.cols;
-            all.of[all.count++] = (point){ m, grids[g], chosen && same };
+            all.of[all.count++] = (visibility_point){ m, grids[g], chosen && same };
             own = own || same;
         }
         if (!own)
-            all.of[all.count++] = (point){ m, scene->grid.cols, chosen };
+            all.of[all.count++] = (visibility_point){ m, scene->grid.cols, chosen };
     }
     return all;
 }
 
-static void words_of(const point *p, char *words, size_t bytes)
+static void words_of(const visibility_point *p, char *words, size_t bytes)
 {
     snprintf(words, bytes, "quality.visibility=%s grid=%d", methods[p->method],
              (int)p->grid);
@@ -114,7 +114,7 @@ static void list(const points *all)
 
 /* -- errors -------------------------------------------------------------------------- */
 
-static void judge(const char *name, const point *p, const ref_stand *stand,
+static void judge(const char *name, const visibility_point *p, const ref_stand *stand,
                   const ref_image *truth)
 {
     ref_stand other = *stand;
@@ -124,7 +124,7 @@ static void judge(const char *name, const point *p, const ref_stand *stand,
     if (!words_set(&other.file.scene, words))
         abort();
     drawn_image drawn = drawn_of(&other, truth->width, truth->height);
-    const error e = error_of(&drawn, truth);
+    const visibility_error e = error_of(&drawn, truth);
     snprintf(key, sizeof key, "%s;%s;%d", name, methods[p->method], (int)p->grid);
     printf("visibility,%s,px,%.4g\n", key, e.px);
     printf("visibility,%s,colour,%.4g\n", key, e.colour);

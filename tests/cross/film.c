@@ -14,7 +14,7 @@ static void *claim(size_t bytes)
 {
     void *memory = bytes ? malloc(bytes) : NULL;
     if (!memory)
-        exit(fail_memory(bytes));
+        exit(log_fail_memory(bytes));
     return memory;
 }
 
@@ -24,7 +24,7 @@ static tp_world *world_begin(void)
     tp_world *world = claim(bytes);
     tp_error  err = { 0 };
     if (tp_world_init(&tp_program_all, world, bytes, &baked_scene, &baked_assets, &err))
-        exit(fail_with_error("film", &err));
+        exit(log_fail_error("film", &err));
     return world;
 }
 
@@ -53,7 +53,7 @@ static int draw(const char *name, tp_config config, uint32_t first, uint32_t las
     tp_error  err = { 0 };
     film to;
     if (tp_frame_init(&frame, &config, &baked_scene, block, bytes, &err))
-        return fail_with_error("film", &err);
+        return log_fail_error("film", &err);
     int code = film_open(&to, name, config.width, config.height, 1);
     for (uint32_t n = 0; n <= last && !code; n++) {
         for (uint32_t ticks = n ? tp_world_advance_clock(world) : 0; ticks > 0; ticks--)
@@ -76,5 +76,5 @@ int main(int argc, char **argv)
         && sscanf(argv[1], "%" SCNu32 "x%" SCNu32, &config.width, &config.height) == 2
         && sscanf(argv[2], "%" SCNu32 ":%" SCNu32, &first, &last) == 2)
         return draw(argv[3], config, first, last);
-    return fail(EXIT_USAGE, "usage: film WxH FIRST:LAST FILE.y4m");
+    return log_fail(EXIT_USAGE, "usage: film WxH FIRST:LAST FILE.y4m");
 }

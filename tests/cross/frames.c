@@ -23,7 +23,7 @@ typedef struct {
     uint8_t  *rows;             /* the whole picture */
     size_t    row_bytes;
     uint32_t  water_pixels;
-} painter;
+} cross_painter;
 
 static void *claim(size_t bytes)
 {
@@ -35,10 +35,10 @@ static void *claim(size_t bytes)
     return memory;
 }
 
-static painter painter_of(tp_config config)
+static cross_painter painter_of(tp_config config)
 {
     config.assets = &baked_assets;
-    painter  p = { .config = config };
+    cross_painter  p = { .config = config };
     tp_error err;
     const size_t bytes = tp_frame_bytes(&config, &baked_scene);
     p.block = claim(bytes);
@@ -53,7 +53,7 @@ static painter painter_of(tp_config config)
 }
 
 /* Copies a tile. Tiles begin at whole bytes: their columns are multiples of 16. */
-static void keep(painter *p, const tp_tile *tile)
+static void keep(cross_painter *p, const tp_tile *tile)
 {
     const uint8_t *from = tile->pixels;
     size_t skip = tp_format_row_bytes(p->config.format, (int)tile->x0);
@@ -63,7 +63,7 @@ static void keep(painter *p, const tp_tile *tile)
             p->rows[y * p->row_bytes + skip + i] = from[i];
 }
 
-static uint32_t paint(painter *p, const tp_world *world)
+static uint32_t paint(cross_painter *p, const tp_world *world)
 {
     tp_tile  tile;
     uint32_t crc = 0;
@@ -79,7 +79,7 @@ static uint32_t paint(painter *p, const tp_world *world)
     return crc;
 }
 
-static void painter_end(painter *p)
+static void painter_end(cross_painter *p)
 {
     free(p->rows);
     free(p->scratch);
@@ -102,11 +102,11 @@ static void golden_frames_of(tp_format format, uint32_t strip, uint32_t band)
 {
     static const uint32_t ticks[] = GOLDEN_TICKS;
     tp_world *world = world_begin();
-    painter p = painter_of((tp_config){ .width = GOLDEN_WIDTH,
-                                        .height = GOLDEN_HEIGHT,
-                                        .tile_width = strip,
-                                        .tile_height = band,
-                                        .format = format });
+    cross_painter p = painter_of((tp_config){ .width = GOLDEN_WIDTH,
+                                              .height = GOLDEN_HEIGHT,
+                                              .tile_width = strip,
+                                              .tile_height = band,
+                                              .format = format });
     for (size_t i = 0; i < sizeof ticks / sizeof *ticks; i++) {
         while (world->tick < ticks[i])
             tp_world_step(&tp_program_all, world, &baked_scene, NULL);
@@ -120,7 +120,7 @@ static void golden_frames_of(tp_format format, uint32_t strip, uint32_t band)
 static void frames_of(tp_config config, uint32_t first, uint32_t last)
 {
     tp_world *world = world_begin();
-    painter p = painter_of(config);
+    cross_painter p = painter_of(config);
     while (world->tick < first)
         tp_world_step(&tp_program_all, world, &baked_scene, NULL);
     for (uint32_t n = first; n <= last; n++) {

@@ -165,7 +165,7 @@ static inline void fuzz_refused(const char *place, unsigned lines)
 {
     static unsigned before;
     unsigned count;
-    const char *last = say_last(&count);
+    const char *last = log_last(&count);
     REQUIRE(count != before && fuzz_says(last, place, lines));
     before = count;
 }

@@ -32,11 +32,11 @@ static void require_chart(const charts *c)
 
 /* -- rows -------------------------------------------------------------------------- */
 
-static int read_rows(cells *all, const charts *c, const char *path)
+static int read_rows(chart_cells *all, const charts *c, const char *path)
 {
     FILE *file = fopen(path, "r");
     REQUIRE(file != NULL);
-    *all = (cells){ 0 };
+    *all = (chart_cells){ 0 };
     const int code = cells_read(all, c, file, path, NULL, false);
     fclose(file);
     return code;
@@ -44,17 +44,17 @@ static int read_rows(cells *all, const charts *c, const char *path)
 
 /* Requires a total order of all keys: of two keys one is first, and three keys have no
  * cycle. */
-static void require_natural_order(const cells *all)
+static void require_natural_order(const chart_cells *all)
 {
     const size_t n = all->count < 12 ? all->count : 12;
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < n; k++) {
             const char *a = all->of[i].keys, *b = all->of[k].keys;
-            const int order = natural_order(a, b, ";");
-            REQUIRE(order == -natural_order(b, a, ";"));
+            const int order = charts_natural_order(a, b, ";");
+            REQUIRE(order == -charts_natural_order(b, a, ";"));
             for (size_t m = 0; m < n && order <= 0; m++)
-                if (natural_order(b, all->of[m].keys, ";") <= 0)
-                    REQUIRE(natural_order(a, all->of[m].keys, ";") <= 0);
+                if (charts_natural_order(b, all->of[m].keys, ";") <= 0)
+                    REQUIRE(charts_natural_order(a, all->of[m].keys, ";") <= 0);
         }
 }
 
@@ -80,7 +80,7 @@ static char *turned(const uint8_t *rows, size_t size, size_t *bytes)
 
 /* Contents of the table; the caller frees them. NULL: the rows were rejected, or there are
  * none. */
-static uint8_t *table_of(const charts *c, cells *all, size_t *bytes)
+static uint8_t *table_of(const charts *c, chart_cells *all, size_t *bytes)
 {
     const char *path = in_folder("a.csv");
     bool written = false;
@@ -105,7 +105,7 @@ static void require_table(const charts *c)
 
 static void collect(const charts *c, const uint8_t *rows, size_t size)
 {
-    cells all, other;
+    chart_cells all, other;
     size_t bytes, again_bytes, turned_bytes;
     const char *path = fuzz_file(0, rows, size);
     if (read_rows(&all, c, path)) {

@@ -25,11 +25,11 @@ typedef struct {
     control       control;
     char          said[SAID];
     size_t        length;
-} board;
+} serial_board;
 
 static void hear(void *to, const char *text)
 {
-    board *b = to;
+    serial_board *b = to;
     const size_t bytes = strlen(text);
     REQUIRE(b->length + bytes < SAID);
     memcpy(b->said + b->length, text, bytes + 1);
@@ -60,7 +60,7 @@ static void make_scene(tp_scene *s, uint8_t kind)
 
 /* Opens a board. `kind` decides if the scene lies in ROM; the blocks have exactly the bytes
  * asked for. */
-static void board_open(board *b, uint8_t kind)
+static void board_open(serial_board *b, uint8_t kind)
 {
     memset(b, 0, sizeof *b);
     make_scene(&b->scene, kind);
@@ -87,7 +87,7 @@ static void board_open(board *b, uint8_t kind)
     control_begin(&b->control, &b->setup);
 }
 
-static void board_close(board *b)
+static void board_close(serial_board *b)
 {
     free(b->world);
     free(b->block);
@@ -97,7 +97,7 @@ static void board_close(board *b)
 /* -- lines ------------------------------------------------------------------------- */
 
 /* True if the output is whole lines and the last line begins with `word`. */
-static bool ends_with_line(const board *b, const char *word)
+static bool ends_with_line(const serial_board *b, const char *word)
 {
     size_t at = b->length;
     if (at == 0 || b->said[at - 1] != '\n')
@@ -109,7 +109,7 @@ static bool ends_with_line(const board *b, const char *word)
 }
 
 /* Feeds a byte. Returns true if the byte ended a line. */
-static bool feed(board *b, uint8_t byte)
+static bool feed(serial_board *b, uint8_t byte)
 {
     const tp_scene scene = b->scene;
     const control before = b->control;
@@ -128,7 +128,7 @@ static bool feed(board *b, uint8_t byte)
     return true;
 }
 
-static void make_ticks(board *b, int most)
+static void make_ticks(serial_board *b, int most)
 {
     while (most-- > 0 && control_ticks(&b->control)) {
         const tp_input input = control_take(&b->control);
@@ -136,7 +136,7 @@ static void make_ticks(board *b, int most)
     }
 }
 
-static void draw(board *b)
+static void draw(serial_board *b)
 {
     tp_tile tile;
     tp_frame_begin(b->frame, b->world);
@@ -146,7 +146,7 @@ static void draw(board *b)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static board b;
+    static serial_board b;
     int ticks = TICKS;
     board_open(&b, fuzz_byte(&data, &size));
     while (size > 0)

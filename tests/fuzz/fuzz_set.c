@@ -22,7 +22,7 @@ static scene_file file_of(uint32_t *set_at)
 static void require_message(void)
 {
     unsigned count;
-    const char *message = say_last(&count);
+    const char *message = log_last(&count);
     REQUIRE(fuzz_says(message, "--set", 0)
             || strncmp(message, "tidepool: --set ", 16) == 0);
 }

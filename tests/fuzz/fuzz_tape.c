@@ -14,45 +14,45 @@ static bool is_nothing(const tp_input *input)
     return memcmp(input, &none, sizeof none) == 0;
 }
 
-static void require_order(const deck *d, unsigned lines)
+static void require_order(const tape_file *d, unsigned lines)
 {
     for (size_t i = 0; i < d->count; i++) {
-        const deck_entry *e = &d->entries[i];
+        const tape_file_entry *e = &d->entries[i];
         REQUIRE(e->line > 1 && e->line <= lines);
-        REQUIRE((e->kind == DECK_SET) == (e->setting != NULL));
+        REQUIRE((e->kind == TAPE_FILE_SET) == (e->setting != NULL));
         if (i == 0)
             continue;
         REQUIRE(e->line > e[-1].line && e->tick >= e[-1].tick);
-        REQUIRE(e->tick > e[-1].tick || e[-1].kind != DECK_STEP);
+        REQUIRE(e->tick > e[-1].tick || e[-1].kind != TAPE_FILE_STEP);
     }
 }
 
 /* Records a tape. A recording has no line for an entry without input. */
-static void record(const deck *d, const char *path)
+static void record(const tape_file *d, const char *path)
 {
-    deck to;
-    REQUIRE(deck_record(&to, path, "pond") == EXIT_DONE);
+    tape_file to;
+    REQUIRE(tape_file_record(&to, path, "pond") == EXIT_DONE);
     for (size_t i = 0; i < d->count; i++) {
-        const deck_entry *e = &d->entries[i];
-        if (e->kind == DECK_STEP)
-            deck_add(&to, e->tick, &e->input);
-        else if (e->kind == DECK_LOOK)
-            deck_look(&to, e->tick, &e->input);
+        const tape_file_entry *e = &d->entries[i];
+        if (e->kind == TAPE_FILE_STEP)
+            tape_file_add_input(&to, e->tick, &e->input);
+        else if (e->kind == TAPE_FILE_LOOK)
+            tape_file_add_look(&to, e->tick, &e->input);
         else
-            deck_set(&to, e->tick, e->setting);
+            tape_file_add_setting(&to, e->tick, e->setting);
     }
-    REQUIRE(deck_close(&to) == EXIT_DONE);
+    REQUIRE(tape_file_close(&to) == EXIT_DONE);
 }
 
-static void compare(const deck *d, const deck *again)
+static void compare(const tape_file *d, const tape_file *again)
 {
     size_t k = 0;
     for (size_t i = 0; i < d->count; i++) {
-        const deck_entry *e = &d->entries[i];
-        if (e->kind != DECK_SET && is_nothing(&e->input))
+        const tape_file_entry *e = &d->entries[i];
+        if (e->kind != TAPE_FILE_SET && is_nothing(&e->input))
             continue;
         REQUIRE(k < again->count);
-        const deck_entry *r = &again->entries[k];
+        const tape_file_entry *r = &again->entries[k];
         REQUIRE(r->tick == e->tick && r->kind == e->kind);
         REQUIRE(memcmp(&r->input, &e->input, sizeof e->input) == 0);
         REQUIRE(!e->setting || strcmp(r->setting, e->setting) == 0);
@@ -64,8 +64,8 @@ static void compare(const deck *d, const deck *again)
 /* Reads a tape. Returns false if the tape was rejected. */
 static bool read_tape(const char *path, unsigned lines)
 {
-    deck d, again;
-    const int code = deck_read(&d, path, "pond");
+    tape_file d, again;
+    const int code = tape_file_read(&d, path, "pond");
     if (code) {
         REQUIRE(code == EXIT_INPUT);
         fuzz_refused(path, lines);
@@ -73,11 +73,11 @@ static bool read_tape(const char *path, unsigned lines)
         const char *copy = fuzz_file(1, "", 0);
         require_order(&d, lines);
         record(&d, copy);
-        REQUIRE(deck_read(&again, copy, "pond") == EXIT_DONE);
+        REQUIRE(tape_file_read(&again, copy, "pond") == EXIT_DONE);
         compare(&d, &again);
-        deck_close(&again);
+        tape_file_close(&again);
     }
-    deck_close(&d);
+    tape_file_close(&d);
     return code == EXIT_DONE;
 }
 
@@ -97,7 +97,7 @@ static const char *scene_path(void)
     return path;
 }
 
-static int play_ticks(replay *r, stage *s, const options *o)
+static int play_ticks(replay *r, loaded_scene *s, const options *o)
 {
     bool opened = false;
     int code = EXIT_DONE;
@@ -112,15 +112,15 @@ static int play_ticks(replay *r, stage *s, const options *o)
 static void play(const char *path, unsigned lines)
 {
     const options o = { .scene = scene_path(), .tape = path, .width = 16, .height = 16 };
-    stage s;
+    loaded_scene s;
     replay r;
-    REQUIRE(stage_load(&s, &o) == EXIT_DONE);
+    REQUIRE(loaded_scene_load(&s, &o) == EXIT_DONE);
     if (replay_open(&r, &s, &o, REPLAY_ALL))
         fuzz_refused(path, lines);
     else
         REQUIRE(play_ticks(&r, &s, &o) == EXIT_DONE);   /* validated before */
     replay_close(&r);
-    stage_close(&s);
+    loaded_scene_close(&s);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -13,13 +13,13 @@ static bool is_within(int32_t number, int64_t most)
 
 static void require_input(const tp_input *in, size_t bytes)
 {
-    REQUIRE(is_within(in->forward, WISH_RUN) && is_within(in->strafe, WISH_RUN)
-            && is_within(in->up, WISH_RUN));
-    REQUIRE(is_within(in->turn, WISH_TURN) && is_within(in->tilt, WISH_TURN));
-    REQUIRE(is_within(in->sphere_x, WISH_STEER) && is_within(in->sphere_z, WISH_STEER));
-    REQUIRE(is_within(in->throttle, WISH_SAIL) && is_within(in->rudder, WISH_RUDDER));
-    REQUIRE(is_within(in->light_turn, WISH_LIGHT)
-            && is_within(in->light_tilt, WISH_LIGHT));
+    REQUIRE(is_within(in->forward, INPUT_RUN) && is_within(in->strafe, INPUT_RUN)
+            && is_within(in->up, INPUT_RUN));
+    REQUIRE(is_within(in->turn, INPUT_TURN) && is_within(in->tilt, INPUT_TURN));
+    REQUIRE(is_within(in->sphere_x, INPUT_STEER) && is_within(in->sphere_z, INPUT_STEER));
+    REQUIRE(is_within(in->throttle, INPUT_SAIL) && is_within(in->rudder, INPUT_RUDDER));
+    REQUIRE(is_within(in->light_turn, INPUT_LIGHT)
+            && is_within(in->light_tilt, INPUT_LIGHT));
     REQUIRE(in->drops >= 0 && (size_t)in->drops <= bytes);
     REQUIRE(is_within(in->slowdown, (int64_t)bytes));
     for (int i = 0; i < TP_PUSHES; i++)
@@ -27,32 +27,32 @@ static void require_input(const tp_input *in, size_t bytes)
 }
 
 /* Without more bytes no key is held after 256 ticks, the most that a byte can count. */
-static void let_go(keys *k, size_t bytes)
+static void let_go(terminal_keys *k, size_t bytes)
 {
     for (int i = 0; i < 256; i++) {
-        const tp_input in = keys_input(k);
+        const tp_input in = terminal_keys_input(k);
         require_input(&in, bytes);
     }
-    const tp_input none = { 0 }, last = keys_input(k);
+    const tp_input none = { 0 }, last = terminal_keys_input(k);
     REQUIRE(memcmp(&none, &last, sizeof none) == 0);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    keys k = { .run = false };
+    terminal_keys k = { .run = false };
     const size_t whole = size;
     while (size > 0) {
         const size_t count = fuzz_byte(&data, &size);
         if (count == 0) {
-            const tp_input in = keys_input(&k);
+            const tp_input in = terminal_keys_input(&k);
             require_input(&in, whole);
         } else if (count == 1) {
-            keys_rest(&k);
+            terminal_keys_flush(&k);
             REQUIRE(!k.within);
         } else {
             const size_t bytes = count < size ? count : size;
             char *copy = fuzz_copy(data, bytes);
-            keys_bytes(&k, (const uint8_t *)copy, bytes);
+            terminal_keys_add_bytes(&k, (const uint8_t *)copy, bytes);
             free(copy);
             data += bytes;
             size -= bytes;

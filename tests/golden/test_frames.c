@@ -23,7 +23,7 @@ typedef struct {
     const char *scene;
     bool whole;             /* test every format and tiling */
     char title[96];
-} job;
+} frame_job;
 
 static const uint32_t strips[] = { 48, GOLDEN_WIDTH, 16, 64 };
 static const uint32_t bands[] = { 7, GOLDEN_HEIGHT, 1, 16 };
@@ -71,7 +71,7 @@ static void open_scene(golden_scene *g, const char *scene)
 
 static void every_tiling_gives_the_reference(void **state)
 {
-    const job *j = *state;
+    const frame_job *j = *state;
     golden_scene g;
     int wrong = 0;
     open_scene(&g, j->scene);
@@ -109,7 +109,7 @@ static bool is_whole(const char *scene)
 
 static int compare_all(const char *const *names, size_t count)
 {
-    static job jobs[MOST];
+    static frame_job jobs[MOST];
     struct CMUnitTest tests[MOST];
     for (size_t i = 0; i < count; i++) {
         jobs[i].scene = names[i];

@@ -17,7 +17,7 @@
 
 #define HEAD_BYTES 4096         /* chunks before the pixels: palette and others */
 
-typedef struct { char type[5]; uint32_t bytes; const uint8_t *data; } chunk;
+typedef struct { char type[5]; uint32_t bytes; const uint8_t *data; } apng_chunk;
 
 typedef struct {
     const uint8_t *at, *end;
@@ -29,7 +29,7 @@ typedef struct {
     uint32_t w, h, x, y;        /* rectangle of the frame; w 0: no open frame */
     double   seconds;
     uint32_t *canvas;
-} film;
+} apng_film;
 
 static void broken(const char *format, ...)
 {
@@ -51,7 +51,7 @@ static void *claim(void *old, size_t bytes)
 
 /* -- chunks -------------------------------------------------------------------------- */
 
-static bool next_chunk(film *f, chunk *c)
+static bool next_chunk(apng_film *f, apng_chunk *c)
 {
     if (f->at == f->end)
         return false;
@@ -84,7 +84,7 @@ static void add_chunk(uint8_t **to, size_t *bytes, const char *type, const uint8
     *bytes += 12 + (size_t)length;
 }
 
-static void expect_number(film *f, const uint8_t *data)
+static void expect_number(apng_film *f, const uint8_t *data)
 {
     const uint32_t number = png_get_uint_32(data);
     if (number != f->sequence)
@@ -94,7 +94,7 @@ static void expect_number(film *f, const uint8_t *data)
 
 /* -- frames -------------------------------------------------------------------------- */
 
-static void show(film *f)
+static void show(apng_film *f)
 {
     png_image image = { .version = PNG_IMAGE_VERSION };
     add_chunk(&f->png, &f->png_bytes, "IEND", NULL, 0);
@@ -116,7 +116,7 @@ static void show(film *f)
     f->w = 0;
 }
 
-static void begin_frame(film *f, const chunk *c)
+static void begin_frame(apng_film *f, const apng_chunk *c)
 {
     if (f->w)
         show(f);
@@ -148,7 +148,7 @@ static void begin_frame(film *f, const chunk *c)
     f->png_bytes = f->head_bytes;
 }
 
-static void add_pixels(film *f, const chunk *c)
+static void add_pixels(apng_film *f, const apng_chunk *c)
 {
     const bool first = strcmp(c->type, "IDAT") == 0;
     if (!f->w || first != (f->shown == 0) || c->bytes < 4)
@@ -161,9 +161,9 @@ static void add_pixels(film *f, const chunk *c)
 
 /* -- the file ------------------------------------------------------------------------ */
 
-static void begin(film *f)
+static void begin(apng_film *f)
 {
-    chunk c;
+    apng_chunk c;
     if (f->end - f->at < 8 || png_sig_cmp(f->at, 0, 8))
         broken("no PNG");
     const uint8_t *start = f->at;
@@ -185,9 +185,9 @@ static void begin(film *f)
            f->frames, png_get_uint_32(c.data + 4) ? "and an end" : "for ever");
 }
 
-static void read_all(film *f)
+static void read_all(apng_film *f)
 {
-    chunk c;
+    apng_chunk c;
     begin(f);
     do {
         if (!next_chunk(f, &c))
@@ -208,7 +208,7 @@ static void read_all(film *f)
 
 int main(int argc, char **argv)
 {
-    static film f;
+    static apng_film f;
     uint8_t *bytes = NULL;
     size_t length = 0, got;
     FILE *file = argc == 2 ? fopen(argv[1], "rb") : NULL;

@@ -31,7 +31,7 @@ static void set(scene_file *file, const char *name, double value)
 }
 
 /* Places the mesh in the middle, SIDE m long and above the water. */
-static void place(stage *s)
+static void place(loaded_scene *s)
 {
     const tp_mesh *m = &s->assets.boat;
     const double unit = 1u << m->log2_unit;
@@ -46,22 +46,22 @@ static void place(stage *s)
 }
 
 /* Returns the number of pixels changed by the mesh. */
-static size_t count_seen(stage *s, const options *o)
+static size_t count_seen(loaded_scene *s, const options *o)
 {
     s->assets.names.boat = &s->assets.boat;
-    if (stage_world(s) || stage_canvas(s, o))
+    if (loaded_scene_make_world(s) || loaded_scene_open_renderer(s, o))
         return 0;
-    canvas_draw(&s->canvas, s->world);
-    const size_t bytes = s->canvas.picture.row_bytes * s->canvas.picture.height;
+    frame_renderer_draw(&s->renderer, s->world);
+    const size_t bytes = s->renderer.picture.row_bytes * s->renderer.picture.height;
     uint8_t *with = malloc(bytes);
-    memcpy(with, s->canvas.picture.rows, bytes);
+    memcpy(with, s->renderer.picture.rows, bytes);
     s->assets.names.boat = NULL;
-    if (stage_world(s) || stage_canvas(s, o))
+    if (loaded_scene_make_world(s) || loaded_scene_open_renderer(s, o))
         return 0;
-    canvas_draw(&s->canvas, s->world);
+    frame_renderer_draw(&s->renderer, s->world);
     size_t seen = 0;
     for (size_t i = 0; i < bytes; i += 4)
-        seen += memcmp(with + i, s->canvas.picture.rows + i, 4) != 0;
+        seen += memcmp(with + i, s->renderer.picture.rows + i, 4) != 0;
     free(with);
     return seen;
 }
@@ -73,12 +73,12 @@ static int draw(options *o, const char *mesh)
                                       "camera.heading=-32", "camera.pitch=-45",
                                       "wave0.amplitude=0" };
     static char named[8192];
-    stage s;
+    loaded_scene s;
     snprintf(named, sizeof named, "boat.mesh=%s", mesh);
     settings[0] = named;
     o->settings = settings;
     o->n_settings = sizeof settings / sizeof *settings;
-    const int code = stage_load(&s, o);
+    const int code = loaded_scene_load(&s, o);
     size_t seen = 0;
     if (!code) {
         options larger = *o;        /* again larger, for wires thinner than a pixel */
@@ -91,7 +91,7 @@ static int draw(options *o, const char *mesh)
     }
     if (!seen)
         printf("%s: %s\n", code ? "refused" : "not seen", mesh);
-    stage_close(&s);
+    loaded_scene_close(&s);
     return seen > 0;
 }
 

@@ -117,7 +117,9 @@ static void orbit(tp_host *host, const char *unused)
         tp_host_turn(host, &round);
     const bool stays = tp_host_pick(host, x, y, &now) && is_near(first, now, TP_FX(0.1));
     printf("%s, the eye %s\n", stays ? "stays" : "goes away",
-           is_near(eye, tp_world_camera(tp_host_world(host)).eye, TP_FX(1)) ? "too" : "goes round");
+           is_near(eye, tp_world_camera(tp_host_world(host)).eye, TP_FX(1))
+               ? "too"
+               : "goes round");
 }
 
 /* Returns the picture's CRC seven steps after pokes, a stir or nothing. */

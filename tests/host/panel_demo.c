@@ -25,7 +25,7 @@ typedef struct {
     panel_row   row[ROWS];
     char        defaults[ROWS][32];
     panel_host  host;
-    panel_figures figures;
+    panel_performance performance;
     panel_compare compare;
     bool        on[ACTIONS];
     char        message[256];
@@ -167,14 +167,14 @@ static bool is_on(void *user, int what)
 static bool measures(void *user, bool on)
 {
     demo *const d = user;
-    d->figures.stage_count = on ? 3 : 0;
+    d->performance.stage_count = on ? 3 : 0;
     printf("measures %s\n", on ? "on" : "off");
     return true;
 }
 
 static void make_figures(demo *d)
 {
-    panel_figures *const f = &d->figures;
+    panel_performance *const f = &d->performance;
     static const panel_time parts[] = {
         { "water moves", 812, 0.12f }, { "plan", 64, 0.01f }, { "vertices", 930, 0.14f },
         { "pixels", 4410, 0.66f }, { "window", 455, 0.07f },
@@ -197,7 +197,7 @@ static void make_figures(demo *d)
 }
 
 /* Adds an invented frame time. */
-static void age(panel_figures *f)
+static void age(panel_performance *f)
 {
     memmove(f->history, f->history + 1, sizeof f->history - sizeof *f->history);
     f->history[PANEL_HISTORY - 1] = 7 + 4 * sinf((float)f->pictures * 0.13f)
@@ -274,7 +274,7 @@ static void frame(demo *d, panel *p, SDL_Renderer *renderer, const SDL_Rect *whe
     panel_draw(p, where);
     SDL_RenderFlush(renderer);
     d->ms[d->drawn++ % TIMES] = now_ms() - start;
-    age(&d->figures);
+    age(&d->performance);
 }
 
 static void print_times(demo *d)
@@ -290,11 +290,11 @@ typedef struct {
     float       scale;
     const char *shot, *search;
     bool        times;
-} wishes;
+} demo_wishes;
 
-static wishes read_wishes(char **arg)
+static demo_wishes read_wishes(char **arg)
 {
-    wishes w = { 960, 600, 320, 0, 1, NULL, NULL, false };
+    demo_wishes w = { 960, 600, 320, 0, 1, NULL, NULL, false };
     for (arg++; *arg; arg++) {
         const char *const value = arg[1];
         if (strcmp(*arg, "--times") == 0) {
@@ -329,7 +329,7 @@ static void type(panel *p, const char *words)
     }
 }
 
-static void run(demo *d, SDL_Window *window, SDL_Renderer *renderer, const wishes *w)
+static void run(demo *d, SDL_Window *window, SDL_Renderer *renderer, const demo_wishes *w)
 {
     SDL_Rect where = { w->wide - w->panel, 0, w->panel, w->high };
     bool hidden = false;
@@ -360,7 +360,7 @@ static void run(demo *d, SDL_Window *window, SDL_Renderer *renderer, const wishe
 int main(int count, char **arg)
 {
     static demo d;
-    const wishes w = read_wishes(arg);
+    const demo_wishes w = read_wishes(arg);
     if (count > 1 && strcmp(arg[1], "--has") == 0)
         return panel_is_built() ? 0 : 1;
     setvbuf(stdout, NULL, _IOLBF, 0);
@@ -369,7 +369,7 @@ int main(int count, char **arg)
         .user = &d, .get = get, .is_normal = is_normal, .is_filed = is_filed, .set = set,
         .reset = reset, .scenes = scenes, .shows = shows, .scene_count = 3,
         .open = open_scene, .pictures = pictures, .picture_count = 3, .act = act,
-        .keys = keys, .is_on = is_on, .figures = &d.figures, .compare = &d.compare,
+        .keys = keys, .is_on = is_on, .performance = &d.performance, .compare = &d.compare,
         .measures = measures, .message = d.message, .saved_as = "./three-swells.ini",
     };
     make_rows(&d);

@@ -22,30 +22,30 @@
 void faults_begin(void) __attribute__((weak));
 
 typedef struct {
-    stage       stage;
+    loaded_scene       loaded;
     const char *place;
-    keep        keep;
+    snapshot_store        keep;
     session    *session;
     picture     picture;
 } saver;
 
 static int save_keep(saver *s, uint32_t number)
 {
-    return keep_put(&s->keep, s->stage.world, s->stage.world_bytes,
-                    (keep_at){ .frame = number });
+    return snapshot_write(&s->keep, s->loaded.world, s->loaded.world_bytes,
+                          (snapshot_progress){ .frame = number });
 }
 
 static int read_keep(saver *s)
 {
-    keep_at at;
-    return keep_take(&s->keep, s->stage.world, s->stage.world_bytes, &at) ? EXIT_DONE
+    snapshot_progress at;
+    return snapshot_read(&s->keep, s->loaded.world, s->loaded.world_bytes, &at) ? EXIT_DONE
                                                                          : EXIT_INPUT;
 }
 
 static int save_session(saver *s, uint32_t number)
 {
-    return session_put(s->session, &s->stage.file, &s->stage.assets.names,
-                       s->stage.world, s->stage.world_bytes, number);
+    return session_put(s->session, &s->loaded.file, &s->loaded.assets.names,
+                       s->loaded.world, s->loaded.world_bytes, number);
 }
 
 static int read_session(saver *s)
@@ -60,7 +60,7 @@ static int read_session(saver *s)
 static int save_scene(saver *s, uint32_t number)
 {
     (void)number;
-    return scene_save(&s->stage.file, s->place);
+    return scene_save(&s->loaded.file, s->place);
 }
 
 /* Returns 0 if the scene is one of the two saved versions, complete to the last line. */
@@ -111,10 +111,10 @@ static int begin(saver *s, size_t kind, const char *scene)
 {
     static uint8_t rows[64 * 48];
     const options o = { .scene = scene };
-    const int code = stage_load(&s->stage, &o);
+    const int code = loaded_scene_load(&s->loaded, &o);
     if (code)
         return code;
-    s->keep = keep_begin(s->place, &s->stage.file.scene, &s->stage.assets.names);
+    s->keep = snapshot_begin(s->place, &s->loaded.file.scene, &s->loaded.assets.names);
     s->picture = (picture){ TP_FORMAT_L8, 64, 48, 64, rows };
     if (kinds[kind].save != save_session)
         return EXIT_DONE;
@@ -128,7 +128,7 @@ static uint32_t repeat(saver *s, size_t kind, uint32_t count, bool reads)
     uint32_t failed = 0;
     for (uint32_t i = 0; i < count; i++) {
         const char *version = i % 2 ? "wave0.phase=10" : "wave0.phase=200";
-        int code = scene_file_set(&s->stage.file, version);
+        int code = scene_file_set(&s->loaded.file, version);
         if (!code)
             code = reads ? kinds[kind].read(s) : kinds[kind].save(s, i);
         failed += code != EXIT_DONE;
@@ -151,7 +151,7 @@ int main(int argc, char **argv)
         faults_begin();
     const uint32_t failed = code ? 0 : repeat(&s, kind, (uint32_t)atoi(words[2]), reads);
     session_end(s.session);
-    stage_close(&s.stage);
+    loaded_scene_close(&s.loaded);
     if (!code)
         printf("%u\n", (unsigned)failed);
     return code ? code : failed ? EXIT_INPUT : EXIT_DONE;

@@ -27,14 +27,14 @@ static void draw_nothing(void *user, const tp_overlay_row *row)
 
 static uint32_t crc_of(const ref_stand *s, tp_config config, uint32_t threads)
 {
-    canvas c;
+    frame_renderer c;
 
     memset(&c, 0, sizeof c);
-    canvas_plan(&c, &config, threads);
-    assert_int_equal(canvas_open(&c, &s->file.scene, &s->assets.names), 0);
-    canvas_draw(&c, s->world);
+    frame_renderer_plan(&c, &config, threads);
+    assert_int_equal(frame_renderer_open(&c, &s->file.scene, &s->assets.names), 0);
+    frame_renderer_draw(&c, s->world);
     const uint32_t crc = picture_crc(&c.picture);
-    canvas_close(&c);
+    frame_renderer_close(&c);
     return crc;
 }
 
@@ -90,18 +90,18 @@ static void draw_picture(const ref_stand *s, tp_overlay overlay, uint32_t *pixel
     };
     const char *folder = getenv("TP_OVERLAY_PICTURES");
     char path[256];
-    canvas c;
+    frame_renderer c;
 
     memset(&c, 0, sizeof c);
-    canvas_plan(&c, &config, 1);
-    assert_int_equal(canvas_open(&c, &s->file.scene, &s->assets.names), 0);
-    canvas_draw(&c, s->world);
+    frame_renderer_plan(&c, &config, 1);
+    assert_int_equal(frame_renderer_open(&c, &s->file.scene, &s->assets.names), 0);
+    frame_renderer_draw(&c, s->world);
     for (uint32_t y = 0; y < HEIGHT; y++)
         picture_expand_row(&c.picture, y, pixels + y * WIDTH);
     snprintf(path, sizeof path, "%s/%s.png", folder, name);
     if (folder)
         assert_int_equal(picture_write_png(&c.picture, path), 0);
-    canvas_close(&c);
+    frame_renderer_close(&c);
 }
 
 /* A rectangle: rows y0 to y1 from column x, with width, depth and one colour. */

@@ -25,9 +25,9 @@ static const char *quick[] = { "quality.shading=quick", "quality.rate=colour",
                                "mirror.objects=none", "foam.cells=0", "hdr.share=0" };
 
 typedef struct {
-    stage    stage;
+    loaded_scene    loaded;
     options  options;
-    compare *compare;
+    comparison *compare;
 } bench;
 
 static void open_with(bench *b, const char *scene, uint32_t width, uint32_t height,
@@ -36,23 +36,23 @@ static void open_with(bench *b, const char *scene, uint32_t width, uint32_t heig
     *b = (bench){ .options = { .command = "test", .scene = scene, .width = width,
                                .height = height, .threads = 1, .settings = settings,
                                .n_settings = n } };
-    assert_int_equal(stage_open(&b->stage, &b->options), 0);
+    assert_int_equal(loaded_scene_open(&b->loaded, &b->options), 0);
     b->compare = compare_begin();
     assert_non_null(b->compare);
     for (int i = 0; i < 20; i++)
-        tp_world_step(&tp_program_all, b->stage.world, &b->stage.file.scene, NULL);
+        tp_world_step(&tp_program_all, b->loaded.world, &b->loaded.file.scene, NULL);
 }
 
 static const picture *draw(bench *b)
 {
-    canvas_draw(&b->stage.canvas, b->stage.world);
-    return compare_draw(b->compare, &b->stage);
+    frame_renderer_draw(&b->loaded.renderer, b->loaded.world);
+    return compare_draw(b->compare, &b->loaded);
 }
 
 static void finish(bench *b)
 {
     compare_end(b->compare);
-    stage_close(&b->stage);
+    loaded_scene_close(&b->loaded);
 }
 
 static uint32_t pixel(const picture *p, uint32_t x, uint32_t y)
@@ -71,10 +71,10 @@ static void the_number_is_that_of_the_formula(void **state)
     const uint32_t a[4] = { 0, 0, 0, 0 }, b[4] = { 0, 0x030000, 0x000400, 0x00000c };
     const uint32_t white[1] = { 0xffffff }, black[1] = { 0 };
     (void)state;
-    assert_true(differ_psnr(a, a, 4) >= 100);
-    assert_float_equal(differ_psnr(white, black, 1), 0, 1e-9);
-    assert_float_equal(differ_psnr(b, a, 4), 36.6432, 1e-3);   /* (9 + 16 + 144) / 12 */
-    assert_float_equal(differ_psnr(a, b, 4), differ_psnr(b, a, 4), 0);
+    assert_true(image_diff_psnr(a, a, 4) >= 100);
+    assert_float_equal(image_diff_psnr(white, black, 1), 0, 1e-9);
+    assert_float_equal(image_diff_psnr(b, a, 4), 36.6432, 1e-3);   /* (9 + 16 + 144) / 12 */
+    assert_float_equal(image_diff_psnr(a, b, 4), image_diff_psnr(b, a, 4), 0);
 }
 
 static void a_difference_is_eightfold_and_held(void **state)
@@ -83,7 +83,7 @@ static void a_difference_is_eightfold_and_held(void **state)
     uint32_t rows[16];
     picture to = { TP_FORMAT_XRGB8888, 16, 1, 64, (uint8_t *)rows };
     (void)state;
-    differ_show(&to, a, b);
+    image_diff_draw(&to, a, b);
     assert_int_equal(rows[0], 0x788080);
     assert_int_equal(rows[1], 0x00ff78);
     assert_int_equal(rows[2], 0x808080);
@@ -132,11 +132,11 @@ static void what_is_drawn_so_anyway_is_told(void **state)
     assert_non_null(draw(&b));
     assert_null(strstr(compare_note(b.compare), "nothing to compare"));
     b.options.format = TP_FORMAT_RGB565;        /* fewer colours */
-    assert_int_equal(stage_canvas(&b.stage, &b.options), 0);
+    assert_int_equal(loaded_scene_open_renderer(&b.loaded, &b.options), 0);
     compare_set(b.compare, COMPARE_SPLIT, AGAINST_EXACT);
     assert_non_null(draw(&b));
     assert_string_equal(compare_note(b.compare), "");
-    assert_int_equal(compare_usual(&b.stage), AGAINST_EXACT);
+    assert_int_equal(compare_usual(&b.loaded), AGAINST_EXACT);
     finish(&b);
 }
 
@@ -151,16 +151,16 @@ static void the_usual_other_picture_is_another(void **state)
     bench b;
     (void)state;
     open_with(&b, SEA, 64, 48, exact, 6);       /* its mirror disables fast shading */
-    assert_int_equal(compare_usual(&b.stage), AGAINST_REFERENCE);
+    assert_int_equal(compare_usual(&b.loaded), AGAINST_REFERENCE);
     finish(&b);
     open_with(&b, SEA, 64, 48, plain_sea, 6);
-    assert_int_equal(compare_usual(&b.stage), AGAINST_QUICK);
-    compare_set(b.compare, COMPARE_SPLIT, compare_usual(&b.stage));
+    assert_int_equal(compare_usual(&b.loaded), AGAINST_QUICK);
+    compare_set(b.compare, COMPARE_SPLIT, compare_usual(&b.loaded));
     assert_non_null(draw(&b));
     assert_true(compare_psnr(b.compare) < 100);
     finish(&b);
     open_with(&b, SEA, 64, 48, quick_sea, 4);
-    assert_int_equal(compare_usual(&b.stage), AGAINST_EXACT);
+    assert_int_equal(compare_usual(&b.loaded), AGAINST_EXACT);
     compare_set(b.compare, COMPARE_SPLIT, AGAINST_EXACT);
     assert_non_null(draw(&b));
     assert_true(compare_psnr(b.compare) < 100);
@@ -188,12 +188,12 @@ static void the_halves_are_those_of_both(void **state)
     open_with(&b, SEA, 160, 120, quick, 5);
     open_with(&other, SEA, 160, 120, quick, 5);
     for (int i = 0; i < 6; i++)
-        assert_int_equal(scene_file_set(&other.stage.file, exact[i]), 0);
-    assert_int_equal(stage_canvas(&other.stage, &other.options), 0);
-    canvas_draw(&other.stage.canvas, other.stage.world);
+        assert_int_equal(scene_file_set(&other.loaded.file, exact[i]), 0);
+    assert_int_equal(loaded_scene_open_renderer(&other.loaded, &other.options), 0);
+    frame_renderer_draw(&other.loaded.renderer, other.loaded.world);
     compare_set(b.compare, COMPARE_SPLIT, AGAINST_EXACT);
-    const picture *p = draw(&b), *ours = &b.stage.canvas.picture;
-    const picture *theirs = &other.stage.canvas.picture;
+    const picture *p = draw(&b), *ours = &b.loaded.renderer.picture;
+    const picture *theirs = &other.loaded.renderer.picture;
     uint32_t differ = 0;
     for (uint32_t y = 0; y < 120; y++) {
         for (uint32_t x = 0; x < 160; x++) {
@@ -218,7 +218,7 @@ static void a_format_costs_what_it_costs(void **state)
     compare_set(b.compare, COMPARE_DIFFERENCE, AGAINST_EXACT);
     for (int i = 0; i < 2; i++) {
         b.options.format = i ? TP_FORMAT_I1 : TP_FORMAT_RGB565;
-        assert_int_equal(stage_canvas(&b.stage, &b.options), 0);
+        assert_int_equal(loaded_scene_open_renderer(&b.loaded, &b.options), 0);
         assert_non_null(draw(&b));
         psnr[i] = compare_psnr(b.compare);
     }
@@ -234,11 +234,11 @@ static void it_follows_values_and_sizes(void **state)
     open_with(&b, SEA, 96, 64, exact, 6);
     compare_set(b.compare, COMPARE_DIFFERENCE, AGAINST_EXACT);
     assert_non_null(draw(&b));
-    assert_int_equal(scene_file_set(&b.stage.file, "water.colour=#ff0000"), 0);
+    assert_int_equal(scene_file_set(&b.loaded.file, "water.colour=#ff0000"), 0);
     assert_non_null(draw(&b));
     assert_true(compare_psnr(b.compare) >= 100);
     b.options.width = 128;
-    assert_int_equal(stage_canvas(&b.stage, &b.options), 0);
+    assert_int_equal(loaded_scene_open_renderer(&b.loaded, &b.options), 0);
     const picture *p = draw(&b);
     assert_true(p && p->width == 128 && compare_psnr(b.compare) >= 100);
     finish(&b);
@@ -323,19 +323,19 @@ static void the_pair_is_of_one_world(void **state)
     assert_null(draw(&b));
     uint32_t first[48];
     for (uint32_t y = 0; y < 48; y++)
-        first[y] = pixel(&b.stage.canvas.picture, 7, y);
+        first[y] = pixel(&b.loaded.renderer.picture, 7, y);
     for (int i = 0; i < 30; i++)
-        tp_world_step(&tp_program_all, b.stage.world, &b.stage.file.scene, NULL);
+        tp_world_step(&tp_program_all, b.loaded.world, &b.loaded.file.scene, NULL);
     const picture *p = wait_for_all(&b);
     uint32_t moved = 0;
     for (uint32_t y = 0; y < 48; y++) {
         assert_int_equal(pixel(p, 7, y), first[y]);
-        moved += pixel(&b.stage.canvas.picture, 7, y) != first[y];
+        moved += pixel(&b.loaded.renderer.picture, 7, y) != first[y];
     }
     assert_true(moved > 4);
     p = wait_for(&b);                                   /* then the pair of the new world */
     for (uint32_t y = 0; y < 48; y++)
-        assert_int_equal(pixel(p, 7, y), pixel(&b.stage.canvas.picture, 7, y));
+        assert_int_equal(pixel(p, 7, y), pixel(&b.loaded.renderer.picture, 7, y));
     finish(&b);
 }
 
@@ -361,7 +361,7 @@ static void it_is_given_up_at_once(void **state)
         if (i == 1)
             compare_set(b.compare, COMPARE_SPLIT, AGAINST_REFERENCE);
     }
-    stage_close(&b.stage);
+    loaded_scene_close(&b.loaded);
 }
 
 int main(void)

@@ -263,7 +263,7 @@ static void what_the_world_has_no_room_for_is_taken_back(void **state)
              "error pool.rows = 64 cells needs %zu bytes of the world,"
              " which has %u\n",
              tp_world_bytes(&tp_program_all, &more, &none),
-             (unsigned)b->world->parts.bytes);
+             (unsigned)b->world->layout.bytes);
     const uint32_t crc = draw(b);
     assert_string_equal(ask(b, "set pool.rows 64\n"), said + 0);
     assert_memory_equal(&before, &b->scene, sizeof before);
@@ -414,7 +414,7 @@ static void a_restart_is_a_world_of_the_changed_scene(void **state)
     assert_non_null(strstr(b->said, "ok restart\n"));
     fresh->scene = b->scene;
     board_open(fresh);
-    assert_memory_equal(b->world, fresh->world, b->world->parts.bytes);
+    assert_memory_equal(b->world, fresh->world, b->world->layout.bytes);
     assert_int_equal(control_take(&b->control).drops, 0);
     board_close(fresh);
     free(fresh);

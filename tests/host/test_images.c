@@ -46,10 +46,12 @@ static void good_pictures_load_in_every_place(void **state)
 static void write_whole_scene(void)
 {
     static const char *const others[][2] = {
-        { "sky.kind", "cube" }, { "tank.kind", "glass" }, { "foam.cells", "32" },
-        { "pool.cols", "24" }, { "pool.rows", "24" }, { "field.cols", "16" },
-        { "field.rows", "16" }, { "distortion.strength", "2" }, { "wave0.amplitude", "0.3" },
-        { "grid.cols", "30" }, { "grid.rows", "30" }, { "water.clear", "3" },
+        { "sky.kind", "cube" },       { "tank.kind", "glass" },
+        { "foam.cells", "32" },       { "pool.cols", "24" },
+        { "pool.rows", "24" },        { "field.cols", "16" },
+        { "field.rows", "16" },       { "distortion.strength", "2" },
+        { "wave0.amplitude", "0.3" }, { "grid.cols", "30" },
+        { "grid.rows", "30" },        { "water.clear", "3" },
     };
     FILE *file = fopen("case.ini", "w");
     assert_non_null(file);
@@ -67,7 +69,7 @@ static void draw_whole_scene(const char *name)
     const tp_config config = { .width = 70, .height = 50 };
     scene_file scene;
     asset_set a;
-    canvas c;
+    frame_renderer c;
     listen();
     int code = scene_file_open(&scene, "./case.ini");
     if (!code)
@@ -81,12 +83,12 @@ static void draw_whole_scene(const char *name)
     assert_int_equal(
         tp_world_init(&tp_program_all, world, bytes, &scene.scene, &a.names, NULL),
         TP_OK);
-    canvas_plan(&c, &config, 1);
-    assert_int_equal(canvas_open(&c, &scene.scene, &a.names), EXIT_DONE);
+    frame_renderer_plan(&c, &config, 1);
+    assert_int_equal(frame_renderer_open(&c, &scene.scene, &a.names), EXIT_DONE);
     for (int i = 0; i < 3; i++)
         tp_world_step(&tp_program_all, world, &scene.scene, NULL);
-    canvas_draw(&c, world);
-    canvas_close(&c);
+    frame_renderer_draw(&c, world);
+    frame_renderer_close(&c);
     free(world);
     assets_close(&a);
     scene_file_close(&scene);

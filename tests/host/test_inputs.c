@@ -18,7 +18,7 @@ enum { WIDTH = 64, HEIGHT = 48, TICKS = 200 };
 
 static uint64_t chance;
 
-static void run(stage *s)
+static void run(loaded_scene *s)
 {
     for (int n = 1; n <= TICKS; n++) {
         const tp_input in = chance_input(&chance);
@@ -29,7 +29,7 @@ static void run(stage *s)
         if (n % 25 != 0)
             continue;
         tp_world_advance_clock(s->world);
-        canvas_draw(&s->canvas, s->world);
+        frame_renderer_draw(&s->renderer, s->world);
         tp_world_pick(&tp_program_all, s->world, &s->file.scene, WIDTH, HEIGHT,
                       chance_int(&chance, 0, WIDTH << 16),
                       chance_int(&chance, 0, HEIGHT << 16), &at);
@@ -51,10 +51,10 @@ static void shipped_scenes_take_any_input(void **state)
                             .height = HEIGHT,
                             .threads = 1,
                             .machine = &machines[programs - 1] };
-        stage s;
-        assert_int_equal(stage_open(&s, &o), 0);
+        loaded_scene s;
+        assert_int_equal(loaded_scene_open(&s, &o), 0);
         run(&s);
-        stage_close(&s);
+        loaded_scene_close(&s);
         free(path);
     }
     path_free_names(names, count);

@@ -72,9 +72,9 @@ static void unchanged_worlds_go_on(void **state)
 static void places_of_parts_are_the_scenes(void **state)
 {
     (void)state;
-    const size_t first = offsetof(tp_world, parts);
+    const size_t first = offsetof(tp_world, layout);
     for (int i = 0; i < KEPT_SCENES; i++) {
-        for (size_t at = first; at < first + sizeof(tp_world_parts); at += 4) {
+        for (size_t at = first; at < first + sizeof(tp_world_layout); at += 4) {
             uint32_t was;
             memcpy(&was, worlds[i].file + worlds[i].head + at, 4);
             const uint32_t hostile[] = { 0, was - 8, was + 8, INT32_MAX, 1u << 31,
@@ -88,9 +88,9 @@ static void places_of_parts_are_the_scenes(void **state)
 static void truth_values_are_the_scenes(void **state)
 {
     (void)state;
-    const size_t at[] = { offsetof(tp_world, sea.clamped), offsetof(tp_world, sea.capped),
-                          offsetof(tp_world, sea.sharpened),
-                          offsetof(tp_world, sea.crossed) };
+    const size_t at[] = { offsetof(tp_world, deep.clamped), offsetof(tp_world, deep.capped),
+                          offsetof(tp_world, deep.sharpened),
+                          offsetof(tp_world, deep.crossed) };
     for (int i = 0; i < 4; i++)
         for (int value = 2; value < 256; value += i ? 23 : 1)
             assert_refused(&worlds[0], at[i], &(uint8_t){ (uint8_t)value }, 1, "a bool");
@@ -101,7 +101,7 @@ static void counts_are_within_their_room(void **state)
 {
     (void)state;
     kept *k = &worlds[0];
-    const tp_world_parts *parts = &k->fresh->parts;
+    const tp_world_layout *parts = &k->fresh->layout;
     const size_t foam = kept_place(k, tp_world_foam(k->fresh));
     const size_t drops = kept_place(k, tp_world_drops(k->fresh));
     const size_t spray = kept_place(k, tp_world_spray(k->fresh));
@@ -111,11 +111,11 @@ static void counts_are_within_their_room(void **state)
         drops + offsetof(tp_drops, count), drops + offsetof(tp_drops, rings),
         drops + offsetof(tp_drops, capacity), drops + offsetof(tp_drops, ring_capacity),
         spray + offsetof(tp_spray, count), spray + offsetof(tp_spray, capacity),
-        foam + offsetof(tp_foam, cells), foam + offsetof(tp_foam, work),
+        foam + offsetof(tp_foam, cells), foam + offsetof(tp_foam, scratch),
         parts->modules, parts->modules + 4,     /* id and length of the first chunk */
         pool + offsetof(tp_pool, cols), pool + offsetof(tp_pool, cells),
         field + offsetof(tp_pool, walls), field + offsetof(tp_pool, sponge),
-        offsetof(tp_world, sea.count),
+        offsetof(tp_world, deep.count),
         offsetof(tp_world, aboard),
     };
     for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
@@ -139,7 +139,7 @@ static void any_word_is_refused_or_safe(void **state)
         kept_places(k, parts);
         for (int part = 0; part < 7; part++) {
             const size_t begin = parts[part];
-            const size_t end = part == 0 ? offsetof(tp_world, sea) : begin + 160;
+            const size_t end = part == 0 ? offsetof(tp_world, deep) : begin + 160;
             if (part > 0 && begin == 0)
                 continue;
             for (size_t at = begin; at < end && at + 4 <= k->bytes; at += 4, tried += 4)

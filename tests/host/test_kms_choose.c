@@ -11,7 +11,7 @@
 
 enum { PREFERRED = 1, INTERLACED = 2 };
 
-static void add(kms_head *h, uint32_t width, uint32_t height, int what)
+static void add(kms_connector *h, uint32_t width, uint32_t height, int what)
 {
     struct drm_mode_modeinfo *m = &h->modes[h->n_modes++];
     *m = (struct drm_mode_modeinfo){ .hdisplay = (uint16_t)width,
@@ -21,9 +21,9 @@ static void add(kms_head *h, uint32_t width, uint32_t height, int what)
 }
 
 /* A connected connector, 3 possible CRTCs, none assigned. */
-static kms_head *head_of(uint32_t id)
+static kms_connector *head_of(uint32_t id)
 {
-    kms_head *h = test_calloc(1, sizeof *h);
+    kms_connector *h = test_calloc(1, sizeof *h);
     assert_non_null(h);
     h->connector = id;
     h->status = KMS_CONNECTED;
@@ -32,24 +32,24 @@ static kms_head *head_of(uint32_t id)
     return h;
 }
 
-static kms_choice one(const kms_head *h, uint32_t width, uint32_t height)
+static kms_mode_choice one(const kms_connector *h, uint32_t width, uint32_t height)
 {
-    kms_choice c = { 0 };
-    kms_offer(&c, h, width, height);
+    kms_mode_choice c = { 0 };
+    kms_mode_offer(&c, h, width, height);
     return c;
 }
 
 /* Returns the chosen mode by its order of adding; 0: none. */
-static uint32_t mode_of(const kms_head *h, uint32_t width, uint32_t height)
+static uint32_t mode_of(const kms_connector *h, uint32_t width, uint32_t height)
 {
-    kms_choice c = one(h, width, height);
+    kms_mode_choice c = one(h, width, height);
     return c.verdict == KMS_FITS ? c.mode.clock : 0;
 }
 
 static void the_size_wanted_then_the_preferred_then_the_first(void **state)
 {
     (void)state;
-    kms_head *h = head_of(1);
+    kms_connector *h = head_of(1);
     add(h, 800, 600, 0);
     add(h, 1024, 768, PREFERRED);
     add(h, 640, 480, INTERLACED);
@@ -73,10 +73,10 @@ static void the_size_wanted_then_the_preferred_then_the_first(void **state)
 static void what_is_too_small_is_named(void **state)
 {
     (void)state;
-    kms_head *h = head_of(1);
+    kms_connector *h = head_of(1);
     add(h, 800, 600, 0);
     add(h, 1024, 768, PREFERRED);
-    kms_choice c = one(h, 1025, 700);
+    kms_mode_choice c = one(h, 1025, 700);
     assert_int_equal(c.verdict, KMS_SMALL);
     assert_int_equal(c.mode.hdisplay, 1024);
     assert_int_equal(one(h, 100, 769).verdict, KMS_SMALL);
@@ -87,7 +87,7 @@ static void what_is_too_small_is_named(void **state)
 static void its_own_crtc_then_a_free_one_then_any(void **state)
 {
     (void)state;
-    kms_head *h = head_of(1);
+    kms_connector *h = head_of(1);
     add(h, 800, 600, 0);
     assert_int_equal(one(h, 0, 0).crtc, 0);
     h->busy = 3;
@@ -111,7 +111,7 @@ static void its_own_crtc_then_a_free_one_then_any(void **state)
 static void nothing_is_had_of_what_is_not_connected(void **state)
 {
     (void)state;
-    kms_head *h = head_of(1);
+    kms_connector *h = head_of(1);
     assert_int_equal(one(h, 0, 0).verdict, KMS_NO_MODE);
     h->status = KMS_UNKNOWN;
     assert_int_equal(one(h, 0, 0).verdict, KMS_NOTHING);
@@ -123,13 +123,13 @@ static void nothing_is_had_of_what_is_not_connected(void **state)
 }
 
 /* Returns the better of two, offered in both orders; 0: none. */
-static uint32_t better(const kms_head *a, const kms_head *b, uint32_t width)
+static uint32_t better(const kms_connector *a, const kms_connector *b, uint32_t width)
 {
-    kms_choice ab = { 0 }, ba = { 0 };
-    kms_offer(&ab, a, width, 0);
-    kms_offer(&ab, b, width, 0);
-    kms_offer(&ba, b, width, 0);
-    kms_offer(&ba, a, width, 0);
+    kms_mode_choice ab = { 0 }, ba = { 0 };
+    kms_mode_offer(&ab, a, width, 0);
+    kms_mode_offer(&ab, b, width, 0);
+    kms_mode_offer(&ba, b, width, 0);
+    kms_mode_offer(&ba, a, width, 0);
     assert_int_equal(ab.connector, ba.connector);
     return ab.connector;
 }
@@ -137,18 +137,18 @@ static uint32_t better(const kms_head *a, const kms_head *b, uint32_t width)
 static void the_best_connector_whatever_the_order(void **state)
 {
     (void)state;
-    kms_head *a = head_of(1), *b = head_of(2);
-    kms_choice c = { 0 };
+    kms_connector *a = head_of(1), *b = head_of(2);
+    kms_mode_choice c = { 0 };
     add(a, 800, 600, 0);
     add(b, 640, 480, 0);
-    kms_offer(&c, a, 0, 0);
-    kms_offer(&c, b, 0, 0);
+    kms_mode_offer(&c, a, 0, 0);
+    kms_mode_offer(&c, b, 0, 0);
     assert_int_equal(c.connector, 1);           /* both fit: the first */
     assert_int_equal(better(a, b, 700), 1);     /* the other is too small */
     b->modes[0].hdisplay = 700;
-    c = (kms_choice){ 0 };
-    kms_offer(&c, a, 700, 480);
-    kms_offer(&c, b, 700, 480);
+    c = (kms_mode_choice){ 0 };
+    kms_mode_offer(&c, a, 700, 480);
+    kms_mode_offer(&c, b, 700, 480);
     assert_int_equal(c.connector, 2);           /* exact size */
     a->status = KMS_UNKNOWN;
     assert_int_equal(better(a, b, 0), 2);       /* surely connected */
@@ -164,21 +164,21 @@ static void the_best_connector_whatever_the_order(void **state)
 static void a_mode_is_known_by_its_timing(void **state)
 {
     (void)state;
-    kms_head *h = head_of(1);
+    kms_connector *h = head_of(1);
     add(h, 800, 600, 0);
     add(h, 800, 600, PREFERRED);
     struct drm_mode_modeinfo m = h->modes[1];
     m.type = 0;
     memset(m.name, 'x', sizeof m.name);
-    assert_true(kms_has_mode(h, &m));
+    assert_true(kms_connector_has_mode(h, &m));
     m.clock++;
-    assert_false(kms_has_mode(h, &m));
+    assert_false(kms_connector_has_mode(h, &m));
     m.clock--;
     m.vdisplay--;
-    assert_false(kms_has_mode(h, &m));
+    assert_false(kms_connector_has_mode(h, &m));
     m.vdisplay++;
     m.htotal++;
-    assert_false(kms_has_mode(h, &m));
+    assert_false(kms_connector_has_mode(h, &m));
     test_free(h);
 }
 

@@ -12,7 +12,7 @@
 typedef struct {
     const char      *name;
     const lcd_panel *panel;
-    panel_kind       kind;
+    panel_model_kind       kind;
 } glass;
 
 static const glass glasses[] = {
@@ -25,14 +25,14 @@ enum { GLASSES = sizeof glasses / sizeof *glasses, WALKS = 8 };
 
 static const tp_format format = TP_FORMAT_RGB565BE;
 
-static lcd_config config_of(const lcd_panel *table, const drawing *d)
+static lcd_config config_of(const lcd_panel *table, const lcd_drawing *d)
 {
     return (lcd_config){ .panel = table, .frame = d->config };
 }
 
-static screen *opened(const glass *g, lcd_config config)
+static lcd_screen *opened(const glass *g, lcd_config config)
 {
-    screen *s = screen_power(g->kind);
+    lcd_screen *s = screen_power(g->kind);
     assert_int_equal(screen_open(s, config), LCD_OK);
     return s;
 }
@@ -41,9 +41,9 @@ static screen *opened(const glass *g, lcd_config config)
 
 /* Sends the same tiles to every panel in every orientation.  Returns the number of wrong
  * pixels. */
-static uint32_t wrong_on_all(const drawing *d, const uint32_t *right)
+static uint32_t wrong_on_all(const lcd_drawing *d, const uint32_t *right)
 {
-    screen *all[GLASSES * WALKS];
+    lcd_screen *all[GLASSES * WALKS];
     tp_tile tile;
     uint32_t wrong = 0;
     for (unsigned i = 0; i < GLASSES * WALKS; i++) {
@@ -77,8 +77,8 @@ static void every_tiling_and_turn_shows_the_golden_frame(void **state)
     static const uint32_t strips[] = { 0, 16, 48, 64 }, bands[] = { 7, 1, 16, 0 };
     uint32_t *right = golden_picture(format), wrong = 0;
     for (unsigned i = 0; i < 16; i++) {
-        drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, strips[i / 4], bands[i % 4],
-                                 format);
+        lcd_drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, strips[i / 4],
+                                     bands[i % 4], format);
         wrong += wrong_on_all(&d, right);
         drawing_close(&d);
     }
@@ -89,9 +89,9 @@ static void every_tiling_and_turn_shows_the_golden_frame(void **state)
 static void another_pixel_is_found(void **state)
 {
     (void)state;
-    drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 0, 16, format);
+    lcd_drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 0, 16, format);
     uint32_t *right = golden_picture(format);
-    screen *s = opened(&glasses[0], config_of(&lcd_ili9341, &d));
+    lcd_screen *s = opened(&glasses[0], config_of(&lcd_ili9341, &d));
     assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
     assert_int_equal(screen_wrong(s, right), 0);
     s->model.memory[50 * PANEL_COLS + 200] ^= 1;
@@ -105,11 +105,11 @@ static void another_pixel_is_found(void **state)
 static void the_wrong_table_is_found(void **state)
 {
     (void)state;
-    drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 0, 16, format);
+    lcd_drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 0, 16, format);
     uint32_t *right = golden_picture(format);
     lcd_panel not_this = lcd_ili9341;
     not_this.upright = 0;
-    screen *s = opened(&glasses[0], config_of(&not_this, &d));
+    lcd_screen *s = opened(&glasses[0], config_of(&not_this, &d));
     assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
     assert_true(screen_wrong(s, right) > GOLDEN_WIDTH * GOLDEN_HEIGHT / 2);
     screen_close(s);
@@ -120,11 +120,11 @@ static void the_wrong_table_is_found(void **state)
 static void the_other_order_of_colours_is_for_the_other_glass(void **state)
 {
     (void)state;
-    drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 0, 16, format);
+    lcd_drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 0, 16, format);
     uint32_t *right = golden_picture(format);
     lcd_config c = config_of(&lcd_st7789, &d);
     c.bgr = true;
-    screen *s = opened(&glasses[1], c);
+    lcd_screen *s = opened(&glasses[1], c);
     assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
     for (uint32_t i = 0; i < GOLDEN_WIDTH * GOLDEN_HEIGHT; i++)
         right[i] = right[i] >> 16 | (right[i] & 0xff00) | (right[i] & 0xff) << 16;
@@ -141,13 +141,13 @@ static void a_picture_may_lie_anywhere(void **state)
     (void)state;
     static const int16_t place[][2] = { { 16, 85 }, { -37, 0 }, { 0, -91 }, { 131, 300 },
                                         { -200, -149 }, { 112, -8 }, { -1, 319 } };
-    drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 48, 7, format);
+    lcd_drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 48, 7, format);
     uint32_t *right = golden_picture(format);
     for (size_t i = 0; i < sizeof place / sizeof *place; i++) {
         lcd_config c = config_of(&lcd_st7789, &d);
         c.x = place[i][0];
         c.y = place[i][1];
-        screen *s = opened(&glasses[1], c);
+        lcd_screen *s = opened(&glasses[1], c);
         assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
         assert_int_equal(screen_wrong(s, right), 0);
         assert_int_equal(s->model.faults, 0);
@@ -161,14 +161,14 @@ static void a_picture_may_lie_anywhere(void **state)
 static void a_picture_larger_than_the_glass_is_cut(void **state)
 {
     (void)state;
-    drawing d = drawing_open(640, 480, 64, 50, format);
+    lcd_drawing d = drawing_open(640, 480, 64, 50, format);
     uint32_t *right = drawn_whole(640, 480, format);
     for (unsigned i = 0; i < GLASSES; i++) {
         lcd_config c = config_of(glasses[i].panel, &d);
         c.x = -201;
         c.y = -153;
         c.turn = i & 3;
-        screen *s = opened(&glasses[i], c);
+        lcd_screen *s = opened(&glasses[i], c);
         assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
         assert_int_equal(screen_wrong(s, right), 0);
         assert_int_equal(s->model.faults, 0);
@@ -184,7 +184,7 @@ static void a_picture_larger_than_the_glass_is_cut(void **state)
 static void a_cleared_glass_is_black_beside_the_picture(void **state)
 {
     (void)state;
-    drawing d = drawing_open(112, 96, 48, 7, format);
+    lcd_drawing d = drawing_open(112, 96, 48, 7, format);
     uint32_t *right = drawn_whole(112, 96, format);
     for (unsigned i = 0; i < GLASSES * WALKS; i++) {
         lcd_config c = config_of(glasses[i / WALKS].panel, &d);
@@ -192,7 +192,7 @@ static void a_cleared_glass_is_black_beside_the_picture(void **state)
         c.mirror = i & 4;
         c.x = 11;
         c.y = 20;
-        screen *s = opened(&glasses[i / WALKS], c);
+        lcd_screen *s = opened(&glasses[i / WALKS], c);
         assert_int_equal(lcd_clear(&s->driver, 0), LCD_OK);
         assert_int_equal(s->driver.windows, (s->driver.width + 15) / 16);
         assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
@@ -220,10 +220,10 @@ static void bands_take_one_window_and_strips_one_each(void **state)
                                           { 64, 16 }, { 64, 6 }, { 16, 240 } };
     uint32_t *right = drawn_whole(320, 240, format);
     for (size_t i = 0; i < sizeof tiling / sizeof *tiling; i++) {
-        drawing d = drawing_open(320, 240, tiling[i][0], tiling[i][1], format);
+        lcd_drawing d = drawing_open(320, 240, tiling[i][0], tiling[i][1], format);
         lcd_config c = config_of(&lcd_ili9341, &d);
         c.turn = 1;
-        screen *s = opened(&glasses[0], c);
+        lcd_screen *s = opened(&glasses[0], c);
         const uint32_t tiles = tp_frame_tiles(d.frame);
         assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
         const uint64_t before = s->driver.sent;
@@ -245,9 +245,9 @@ static void bands_take_one_window_and_strips_one_each(void **state)
 static void tiles_may_come_in_any_order(void **state)
 {
     (void)state;
-    drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 0, 16, format);
+    lcd_drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 0, 16, format);
     uint32_t *right = golden_picture(format);
-    screen *s = opened(&glasses[0], config_of(&lcd_ili9341, &d));
+    lcd_screen *s = opened(&glasses[0], config_of(&lcd_ili9341, &d));
     tp_tile tile;
     lcd_begin(&s->driver);
     for (uint32_t i = tp_frame_tiles(d.frame); i-- > 0;) {
@@ -268,7 +268,7 @@ static void a_narrower_tile_has_a_window_of_its_own(void **state)
     (void)state;
     static uint8_t pixels[32 * 8 * 2];
     const tp_config f = { .width = 32, .height = 16, .tile_height = 8, .format = format };
-    screen *s = opened(&glasses[1], (lcd_config){ .panel = &lcd_st7789, .frame = f });
+    lcd_screen *s = opened(&glasses[1], (lcd_config){ .panel = &lcd_st7789, .frame = f });
     const tp_tile tiles[] = { { 0, 0, 32, 8, pixels, 64 }, { 0, 8, 16, 16, pixels, 64 } };
     memset(pixels, 0x5a, sizeof pixels);
     lcd_begin(&s->driver);
@@ -287,9 +287,9 @@ static void a_narrower_tile_has_a_window_of_its_own(void **state)
 static void it_is_lit_when_there_is_a_picture(void **state)
 {
     (void)state;
-    drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 0, 16, format);
+    lcd_drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 0, 16, format);
     for (unsigned i = 0; i < GLASSES; i++) {
-        screen *s = opened(&glasses[i], config_of(glasses[i].panel, &d));
+        lcd_screen *s = opened(&glasses[i], config_of(glasses[i].panel, &d));
         assert_true(s->model.awake);
         assert_false(s->model.lit);
         assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);

@@ -130,7 +130,7 @@ static void oled_close(oled *o)
 
 static void show(oled *o, uint32_t width, uint32_t height, uint32_t strip, uint32_t band)
 {
-    drawing d = drawing_open(width, height, strip, band, TP_FORMAT_L8);
+    lcd_drawing d = drawing_open(width, height, strip, band, TP_FORMAT_L8);
     assert_int_equal(lcd_show(&o->driver, d.frame, d.scratch), LCD_OK);
     drawing_close(&d);
 }

@@ -11,21 +11,21 @@ enum { WIDTH = 122, HEIGHT = 250, EVERY = 12 };
 
 static const tp_format format = TP_FORMAT_I1;
 
-static lcd_config config_of(const drawing *d, uint16_t whole_every)
+static lcd_config config_of(const lcd_drawing *d, uint16_t whole_every)
 {
     return (lcd_config){ .panel = &lcd_ssd1680, .frame = d->config,
                          .whole_every = whole_every };
 }
 
-static screen *opened(lcd_config config)
+static lcd_screen *opened(lcd_config config)
 {
-    screen *s = screen_power(PANEL_SSD1680);
+    lcd_screen *s = screen_power(PANEL_SSD1680);
     assert_int_equal(screen_open(s, config), LCD_OK);
     return s;
 }
 
 /* Returns the number of pixels unlike the picture, which covers the panel. */
-static uint32_t wrong(const screen *s, const uint32_t *right, uint32_t width)
+static uint32_t wrong(const lcd_screen *s, const uint32_t *right, uint32_t width)
 {
     uint32_t n = 0;
     for (uint32_t y = 0; y < HEIGHT; y++)
@@ -40,8 +40,8 @@ static void every_tiling_shows_the_picture(void **state)
     static const uint32_t strips[] = { 0, 16, 48, 64 }, bands[] = { 8, 1, 33, 0 };
     uint32_t *right = drawn_whole(WIDTH, HEIGHT, format);
     for (unsigned i = 0; i < 16; i++) {
-        drawing d = drawing_open(WIDTH, HEIGHT, strips[i / 4], bands[i % 4], format);
-        screen *s = opened(config_of(&d, 1));
+        lcd_drawing d = drawing_open(WIDTH, HEIGHT, strips[i / 4], bands[i % 4], format);
+        lcd_screen *s = opened(config_of(&d, 1));
         assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
         assert_int_equal(wrong(s, right, WIDTH), 0);
         assert_int_equal(s->model.faults, 0);
@@ -58,11 +58,11 @@ static void the_golden_frame_is_cut_to_the_glass(void **state)
     (void)state;
     uint32_t *right = golden_picture(format);
     for (int16_t x = 0; x >= -80; x -= 40) {
-        drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 48, 7, format);
+        lcd_drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 48, 7, format);
         lcd_config c = config_of(&d, 1);
         c.x = x;
         c.y = 50;
-        screen *s = opened(c);
+        lcd_screen *s = opened(c);
         assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
         uint32_t apart = 0;
         for (uint32_t y = 0; y < GOLDEN_HEIGHT; y++)
@@ -84,12 +84,12 @@ static void the_golden_frame_is_cut_to_the_glass(void **state)
 static void a_cleared_paper_is_white_beside_the_picture(void **state)
 {
     (void)state;
-    drawing d = drawing_open(64, 100, 16, 9, format);
+    lcd_drawing d = drawing_open(64, 100, 16, 9, format);
     uint32_t *right = drawn_whole(64, 100, format);
     lcd_config c = config_of(&d, 5);
     c.x = 24;
     c.y = 60;
-    screen *s = opened(c);
+    lcd_screen *s = opened(c);
     assert_int_equal(lcd_clear(&s->driver, 0xff), LCD_OK);
     for (int i = 0; i < 3; i++) {
         assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
@@ -112,12 +112,12 @@ static void a_cleared_paper_is_white_beside_the_picture(void **state)
 static uint32_t wrong_turned(unsigned turn, uint32_t strip, uint32_t band)
 {
     const uint32_t width = turn & 1 ? 250 : 128, height = turn & 1 ? 128 : 250;
-    drawing d = drawing_open(width, height, strip, band, format);
+    lcd_drawing d = drawing_open(width, height, strip, band, format);
     uint32_t *right = drawn_whole(width, height, format), n = 0;
     lcd_config c = config_of(&d, 1);
     c.frame =
         (tp_config){ .width = 128, .height = 250, .tile_height = 250, .format = format };
-    screen *s = opened(c);
+    lcd_screen *s = opened(c);
     uint8_t *turned = malloc(128 / 8 * 250);
     tp_tile tile;
     lcd_begin(&s->driver);
@@ -130,7 +130,8 @@ static uint32_t wrong_turned(unsigned turn, uint32_t strip, uint32_t band)
         for (uint32_t x = 0; x < WIDTH; x++) {
             const uint32_t from[4][2] = { { x, y }, { y, 127 - x }, { 127 - x, 249 - y },
                                           { 249 - y, x } };
-            n += panel_seen(&s->model, x, y) != right[from[turn][1] * width + from[turn][0]];
+            n += panel_seen(&s->model, x, y)
+                 != right[from[turn][1] * width + from[turn][0]];
         }
     n += s->model.faults;
     free(turned);
@@ -153,30 +154,32 @@ static void paper_may_hang_any_way(void **state)
 typedef struct {
     uint32_t wrong, updates, partial, faults;
     uint64_t bytes;
-} film;
+} paper_film;
 
 /* A running world, shown every EVERY ticks and compared each time. */
-static film filmed(const lcd_panel *table, uint16_t whole_every, uint32_t frames,
-                   uint32_t blocked_at)
+static paper_film filmed(const lcd_panel *table, uint16_t whole_every, uint32_t frames,
+                         uint32_t blocked_at)
 {
     const size_t bytes =
         tp_world_bytes(&tp_program_all, &shown.file.scene, &shown.assets.names);
     tp_world *world = malloc(bytes);
     memcpy(world, shown.world[LATE_INDEX], bytes);
-    drawing d = drawing_open(WIDTH, HEIGHT, 0, 25, format);
+    lcd_drawing d = drawing_open(WIDTH, HEIGHT, 0, 25, format);
     lcd_config c = config_of(&d, whole_every);
     c.panel = table;
-    screen *s = opened(c);
+    lcd_screen *s = opened(c);
     uint32_t *right = malloc(sizeof *right * WIDTH * HEIGHT);
-    film f = { 0 };
+    paper_film f = { 0 };
     for (uint32_t n = 0; n < frames; n++) {
         tp_frame_begin(d.frame, world);
         tp_tile tile;
         for (uint32_t i = 0; tp_frame_draw_tile(d.frame, i, d.scratch, &tile); i++)
             for (uint32_t y = tile.y0; y < tile.y1; y++)
                 for (uint32_t x = 0; x < WIDTH; x++)
-                    right[y * WIDTH + x] = tp_pixel_read(format, (const uint8_t *)tile.pixels
-                                           + (y - tile.y0) * tile.stride, (int)x);
+                    right[y * WIDTH + x] = tp_pixel_read(
+                        format,
+                        (const uint8_t *)tile.pixels + (y - tile.y0) * tile.stride,
+                        (int)x);
         if (blocked_at && n == blocked_at) {
             s->wires.waits = 0;
             s->wires.blocked_from = 9;
@@ -203,8 +206,9 @@ static film filmed(const lcd_panel *table, uint16_t whole_every, uint32_t frames
 static void partial_updates_show_each_frame(void **state)
 {
     (void)state;
-    const film whole = filmed(&lcd_ssd1680, 0, 9, 0), part = filmed(&lcd_ssd1680, 4, 9, 0);
-    const film last = filmed(&lcd_ssd1680, 4, 8, 0);
+    const paper_film whole = filmed(&lcd_ssd1680, 0, 9, 0),
+                     part = filmed(&lcd_ssd1680, 4, 9, 0);
+    const paper_film last = filmed(&lcd_ssd1680, 4, 8, 0);
     assert_int_equal(whole.wrong + whole.faults + part.wrong + part.faults, 0);
     assert_int_equal(whole.updates, 9);
     assert_int_equal(whole.partial, 0);
@@ -229,7 +233,7 @@ static void a_forgotten_old_picture_is_found(void **state)
 static void after_a_blocked_frame_an_update_is_whole(void **state)
 {
     (void)state;
-    const film f = filmed(&lcd_ssd1680, 100, 6, 3);
+    const paper_film f = filmed(&lcd_ssd1680, 100, 6, 3);
     assert_int_equal(f.wrong + f.faults, 0);
     assert_int_equal(f.updates, 6);
     assert_int_equal(f.partial, 4);
@@ -243,8 +247,8 @@ static bool no_busy(void *user, lcd_until until)
 static void a_driver_that_ignores_busy_is_found(void **state)
 {
     (void)state;
-    drawing d = drawing_open(WIDTH, HEIGHT, 0, 25, format);
-    screen *s = opened(config_of(&d, 1));
+    lcd_drawing d = drawing_open(WIDTH, HEIGHT, 0, 25, format);
+    lcd_screen *s = opened(config_of(&d, 1));
     assert_int_equal(lcd_show(&s->driver, d.frame, d.scratch), LCD_OK);
     assert_int_equal(s->model.faults, 0);
     s->driver.config.wires.wait = no_busy;

@@ -14,7 +14,7 @@ static const tp_format format = TP_FORMAT_RGB565BE;
 
 /* -- two buffers -------------------------------------------------------------------- */
 
-static panel *watched;
+static panel_model *watched;
 
 /* Counts pixels drawn while a transfer is running. */
 static void store_watched(void *row, int x_in_row, int x, int y, const uint32_t *colours,
@@ -40,9 +40,9 @@ typedef struct {
 static outcome outcome_of(uint32_t strip, uint32_t late, bool liar, bool one_buffer)
 {
     const tp_program program = watched_program();
-    screen *s = screen_power(PANEL_ST7789);
+    lcd_screen *s = screen_power(PANEL_ST7789);
     watched = &s->model;
-    drawing d =
+    lcd_drawing d =
         drawing_open_with(&program, GOLDEN_WIDTH, GOLDEN_HEIGHT, strip, BAND, format);
     uint32_t *right = golden_picture(format);
     const lcd_config c = { .panel = &lcd_st7789, .frame = d.config };
@@ -66,7 +66,8 @@ static outcome outcome_of(uint32_t strip, uint32_t late, bool liar, bool one_buf
 static void a_tile_is_drawn_while_the_last_one_is_sent(void **state)
 {
     (void)state;
-    const outcome late = outcome_of(0, 1, false, false), now = outcome_of(0, 0, false, false);
+    const outcome late = outcome_of(0, 1, false, false),
+                  now = outcome_of(0, 0, false, false);
     assert_int_equal(late.wrong + late.faults + late.overwritten, 0);
     assert_int_equal(now.wrong + now.faults + now.overwritten, 0);
     assert_int_equal(late.overlapped, 2 * GOLDEN_WIDTH * (GOLDEN_HEIGHT - BAND));
@@ -98,9 +99,9 @@ static void a_driver_with_one_buffer_is_found(void **state)
 static void wires_may_do_without_waiting(void **state)
 {
     (void)state;
-    drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 64, BAND, format);
+    lcd_drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 64, BAND, format);
     uint32_t *right = golden_picture(format);
-    screen *s = screen_power(PANEL_ILI9341);
+    lcd_screen *s = screen_power(PANEL_ILI9341);
     lcd_config c = { .panel = &lcd_ili9341, .frame = d.config, .turn = 3 };
     s->model.late = 0;
     assert_int_equal(screen_open(s, c), LCD_OK);
@@ -119,7 +120,7 @@ static void wires_may_do_without_waiting(void **state)
 static void a_blocked_panel_is_an_error_and_no_more(void **state)
 {
     (void)state;
-    drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 112, 32, format);
+    lcd_drawing d = drawing_open(GOLDEN_WIDTH, GOLDEN_HEIGHT, 112, 32, format);
     uint32_t *right = golden_picture(format);
     const size_t world_bytes =
         tp_world_bytes(&tp_program_all, &shown.file.scene, &shown.assets.names);
@@ -127,7 +128,7 @@ static void a_blocked_panel_is_an_error_and_no_more(void **state)
     uint8_t *before = malloc(world_bytes + frame_bytes);
     memcpy(before, shown.world[LATE_INDEX], world_bytes);
     memcpy(before + world_bytes, d.block, frame_bytes);
-    screen *s = screen_power(PANEL_ILI9341);
+    lcd_screen *s = screen_power(PANEL_ILI9341);
     const lcd_config c = { .panel = &lcd_ili9341, .frame = d.config };
     assert_int_equal(screen_open(s, c), LCD_OK);
     s->wires.waits = 0;
@@ -162,7 +163,7 @@ static void a_panel_that_is_not_there_is_found_at_the_start(void **state)
     const lcd_config c = { .panel = &lcd_ili9341,
                            .frame = { .width = 240, .height = 320, .format = format } };
     for (uint32_t k = 1; k < 8; k++) {
-        screen *s = screen_power(PANEL_ILI9341);
+        lcd_screen *s = screen_power(PANEL_ILI9341);
         s->wires.blocked_from = k;
         assert_int_equal(screen_open(s, c), LCD_E_BLOCKED);
         s->wires.blocked_from = 0;
@@ -177,7 +178,7 @@ static void a_panel_that_is_not_there_is_found_at_the_start(void **state)
 
 static lcd_status refusal(lcd_config c)
 {
-    screen *s = screen_power(c.panel == &lcd_ssd1680 ? PANEL_SSD1680 : PANEL_ILI9341);
+    lcd_screen *s = screen_power(c.panel == &lcd_ssd1680 ? PANEL_SSD1680 : PANEL_ILI9341);
     uint64_t memory[64];
     lcd_status why = LCD_OK;
     const lcd_status all = screen_open(s, c);
@@ -263,8 +264,8 @@ static void missing_wires_are_refused(void **state)
 static void a_frame_of_larger_tiles_is_refused(void **state)
 {
     (void)state;
-    drawing d = drawing_open(240, 320, 0, 32, format);
-    screen *s = screen_power(PANEL_ILI9341);
+    lcd_drawing d = drawing_open(240, 320, 0, 32, format);
+    lcd_screen *s = screen_power(PANEL_ILI9341);
     const lcd_config c = { .panel = &lcd_ili9341,
                            .frame = { .width = 240, .height = 320, .format = format } };
     assert_int_equal(screen_open(s, c), LCD_OK);
@@ -277,13 +278,13 @@ static void a_frame_of_larger_tiles_is_refused(void **state)
 /* -- the model ---------------------------------------------------------------------- */
 
 /* Sends bytes to an awake panel, commands as 1xx.  Returns the fault found, or NULL. */
-static const char *fault_of(panel_kind kind, const uint16_t *bytes, size_t count)
+static const char *fault_of(panel_model_kind kind, const uint16_t *bytes, size_t count)
 {
-    static panel p;
+    static panel_model p;
     panel_power(&p, kind);
-    const uint16_t dcs[] = { 0x101, 0x13a, 0x55, 0x111 }, paper[] = { 0x112, 0x111, 3, 0x144,
-                                                                     0, 15, 0x145, 0, 0, 249,
-                                                                     0, 0x14e, 0, 0x14f, 0, 0 };
+    const uint16_t dcs[] = { 0x101, 0x13a, 0x55, 0x111 },
+                   paper[] = { 0x112, 0x111, 3, 0x144, 0, 15,    0x145, 0,
+                               0,     249,   0, 0x14e, 0, 0x14f, 0,     0 };
     const bool e = kind == PANEL_SSD1680;
     const uint16_t *start = e ? paper : dcs;
     for (size_t i = 0; i < (e ? sizeof paper : sizeof dcs) / sizeof *dcs; i++) {
@@ -304,7 +305,7 @@ static const char *fault_of(panel_kind kind, const uint16_t *bytes, size_t count
 static void the_model_refuses_what_data_sheets_do(void **state)
 {
     (void)state;
-    const panel_kind ili = PANEL_ILI9341, st = PANEL_ST7789, e = PANEL_SSD1680;
+    const panel_model_kind ili = PANEL_ILI9341, st = PANEL_ST7789, e = PANEL_SSD1680;
     assert_null(FAULT(ili, 0x12a, 0, 0, 0, 239, 0x12b, 0, 0, 1, 63, 0x12c, 1, 2, 0x129));
     assert_null(FAULT(st, 0x12c, 1, 2, 0x129, 0x13c, 3, 4, 0x100));
     assert_non_null(FAULT(ili, 0x12a, 0, 0, 0, 240));           /* beyond the memory */
@@ -331,11 +332,13 @@ static void the_model_refuses_what_data_sheets_do(void **state)
 static void the_model_wraps_and_goes_on(void **state)
 {
     (void)state;
-    static panel p;
+    static panel_model p;
     panel_power(&p, PANEL_ST7789);
-    static const uint16_t bytes[] = { 0x101, 0x111, 0x13a, 0x55, 0x121, 0x129, 0x12a, 0, 3,
-                                      0, 4, 0x12b, 0, 5, 0, 6, 0x12c, 0, 1, 0, 2, 0, 3, 0x100,
-                                      0x13c, 0, 4, 0, 5 };
+    static const uint16_t bytes[] = { 0x101, 0x111, 0x13a, 0x55, 0x121, 0x129,
+                                      0x12a, 0,     3,     0,    4,     0x12b,
+                                      0,     5,     0,     6,    0x12c, 0,
+                                      1,     0,     2,     0,    3,     0x100,
+                                      0x13c, 0,     4,     0,    5 };
     for (size_t i = 0; i < sizeof bytes / sizeof *bytes; i++) {
         panel_byte(&p, !(bytes[i] >> 8), (uint8_t)bytes[i]);
         panel_pause(&p, 120);

@@ -12,7 +12,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#undef fail                     /* cmocka's, without arguments */
+#undef log_fail                     /* cmocka's, without arguments */
 #include "host/deck.h"
 #include "host/long_name.h"
 #include "host/say.h"
@@ -112,15 +112,15 @@ static const tp_param *row(void)
 
 static void assert_loads(const char *scene, const char *set)
 {
-    stage s;
+    loaded_scene s;
     const options o = { .scene = scene, .settings = &set, .n_settings = set ? 1 : 0,
                         .strict = true };
-    assert_int_equal(stage_load(&s, &o), EXIT_DONE);
+    assert_int_equal(loaded_scene_load(&s, &o), EXIT_DONE);
     assert_non_null(s.assets.names.boat);
     char *path = scene_file_resolve_path(&s.file, row());
     assert_string_equal(path, mesh);
     free(path);
-    stage_close(&s);
+    loaded_scene_close(&s);
 }
 
 static void it_loads_from_the_command_line(void **state)
@@ -143,21 +143,21 @@ static void it_loads_from_a_scene_file(void **state)
 static void it_is_set_while_the_world_moves(void **state)
 {
     (void)state;
-    stage s;
+    loaded_scene s;
     char text[TP_NAME_BYTES + 64], again[TP_NAME_BYTES + 96];
     bool opened = false;
     const options o = { .scene = "./plain.ini" };
-    assert_int_equal(stage_load(&s, &o), EXIT_DONE);
-    assert_int_equal(stage_set(&s, &o, "a test", setting(), &opened), EXIT_DONE);
+    assert_int_equal(loaded_scene_load(&s, &o), EXIT_DONE);
+    assert_int_equal(loaded_scene_set(&s, &o, "a test", setting(), &opened), EXIT_DONE);
     assert_non_null(s.assets.names.boat);
     scene_file_text(&s.file, row(), text, sizeof text);
     assert_string_equal(long_name_whole(text), mesh);
-    assert_int_equal(stage_set(&s, &o, "a test", "boat.mesh=", &opened), EXIT_DONE);
+    assert_int_equal(loaded_scene_set(&s, &o, "a test", "boat.mesh=", &opened), EXIT_DONE);
     assert_null(s.assets.names.boat);
     snprintf(again, sizeof again, "boat.mesh=%s", text);
-    assert_int_equal(stage_set(&s, &o, "a test", again, &opened), EXIT_DONE);
+    assert_int_equal(loaded_scene_set(&s, &o, "a test", again, &opened), EXIT_DONE);
     assert_non_null(s.assets.names.boat);
-    stage_close(&s);
+    loaded_scene_close(&s);
 }
 
 static void a_saved_scene_names_it_in_full(void **state)
@@ -180,36 +180,36 @@ static void a_saved_scene_names_it_in_full(void **state)
 static void a_tape_names_it_in_full(void **state)
 {
     (void)state;
-    deck d;
+    tape_file d;
     const char *value;
     char text[4200];
-    assert_int_equal(deck_record(&d, "long.tape", "plain"), EXIT_DONE);
+    assert_int_equal(tape_file_record(&d, "long.tape", "plain"), EXIT_DONE);
     assert_ptr_equal(scene_file_check("a test", setting(), &value), row());
     snprintf(text, sizeof text, "boat.mesh=%s", value);
     assert_true(strlen(text) < 200);
-    deck_set(&d, 3, text);
-    assert_int_equal(deck_close(&d), EXIT_DONE);
-    assert_int_equal(deck_read(&d, "long.tape", "plain"), EXIT_DONE);
+    tape_file_add_setting(&d, 3, text);
+    assert_int_equal(tape_file_close(&d), EXIT_DONE);
+    assert_int_equal(tape_file_read(&d, "long.tape", "plain"), EXIT_DONE);
     assert_int_equal(d.count, 1);
     assert_string_equal(d.entries[0].setting, setting());
-    assert_int_equal(deck_close(&d), EXIT_DONE);
+    assert_int_equal(tape_file_close(&d), EXIT_DONE);
 }
 
 static void a_session_names_it_in_full(void **state)
 {
     (void)state;
-    stage s;
+    loaded_scene s;
     session_state kept;
     const char *set = setting();
     const options o = { .scene = "./plain.ini", .settings = &set, .n_settings = 1 };
     setenv("XDG_STATE_HOME", home, 1);
-    assert_int_equal(stage_load(&s, &o), EXIT_DONE);
+    assert_int_equal(loaded_scene_load(&s, &o), EXIT_DONE);
     session *to = session_begin();
     assert_non_null(to);
     assert_int_equal(session_put(to, &s.file, &s.assets.names, s.world, s.world_bytes, 1),
                      EXIT_DONE);
     session_end(to);
-    stage_close(&s);
+    loaded_scene_close(&s);
     assert_int_equal(session_read(&kept), EXIT_DONE);
     assert_int_equal(kept.count, 1);
     assert_string_equal(kept.settings[0], setting());

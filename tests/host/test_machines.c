@@ -17,16 +17,16 @@
 enum { FRAMES = 3, MACHINES = 8 };
 
 /* CRCs of ticks 30, 31, 32, in formats with full or dithered colours. */
-static void draw(stage *s, options *o, uint32_t crc[FRAMES])
+static void draw(loaded_scene *s, options *o, uint32_t crc[FRAMES])
 {
     o->format = TP_FORMAT_XRGB8888;
-    assert_int_equal(stage_world(s), 0);
+    assert_int_equal(loaded_scene_make_world(s), 0);
     for (int i = 0; i < 30; i++)
         tp_world_step(&tp_program_all, s->world, &s->file.scene, NULL);
     for (int i = 0; i < FRAMES; i++) {
-        assert_int_equal(stage_canvas(s, o), 0);
-        canvas_draw(&s->canvas, s->world);
-        crc[i] = picture_crc(&s->canvas.picture);
+        assert_int_equal(loaded_scene_open_renderer(s, o), 0);
+        frame_renderer_draw(&s->renderer, s->world);
+        crc[i] = picture_crc(&s->renderer.picture);
         tp_world_step(&tp_program_all, s->world, &s->file.scene, NULL);
         o->format = i == 0 ? TP_FORMAT_RGB565 : TP_FORMAT_P8;
     }
@@ -36,16 +36,16 @@ static void check_scene(const char *name, const machine *machines, size_t count)
 {
     options o = { .scene = name, .width = 200, .height = 150, .threads = 2 };
     uint32_t crc[MACHINES][FRAMES];
-    stage s;
-    assert_int_equal(stage_open(&s, &o), 0);
+    loaded_scene s;
+    assert_int_equal(loaded_scene_open(&s, &o), 0);
     for (size_t k = 0; k < count; k++) {
         o.machine = &machines[k];
         draw(&s, &o, crc[k]);
-        assert_ptr_equal(s.canvas.machine, &machines[k]);
+        assert_ptr_equal(s.renderer.machine, &machines[k]);
         if (memcmp(crc[k], crc[0], sizeof crc[k]))
             fail_msg("%s is another picture by %s", name, machines[k].name);
     }
-    stage_close(&s);
+    loaded_scene_close(&s);
 }
 
 static void every_machine_draws_every_scene_alike(void **state)

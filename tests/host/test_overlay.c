@@ -28,7 +28,7 @@ static SDL_Rect clip;
 static bool clipped;
 static char joined[20000];          /* all texts, with a blank between */
 static keymap keys;
-static letters *const some = (letters *)(void *)marks;   /* any pointer but NULL */
+static font *const some = (font *)(void *)marks;   /* any pointer but NULL */
 
 /* -- recording letters --------------------------------------------------------------- */
 
@@ -44,24 +44,24 @@ static void note(SDL_Rect at, uint32_t colour, const char *text, int scale)
     snprintf(marks[count++].text, 160, "%s", text);
 }
 
-int letters_count(const char *text)
+int font_cell_count(const char *text)
 {
     return (int)strlen(text);
 }
 
-void letters_draw(letters *l, int x, int y, int scale, uint32_t colour, const char *text)
+void font_draw(font *l, int x, int y, int scale, uint32_t colour, const char *text)
 {
     (void)l;
     if (!text[0])
         return;
-    assert_in_range(scale, 1, LETTER_SCALES);
+    assert_in_range(scale, 1, FONT_SCALES);
     /* The first row and the last column of a cell are empty. */
-    note((SDL_Rect){ x, y + scale, (int)strlen(text) * LETTER_WIDE * scale - scale,
-                     (LETTER_HIGH - 1) * scale }, colour, text, scale);
+    note((SDL_Rect){ x, y + scale, (int)strlen(text) * FONT_WIDE * scale - scale,
+                     (FONT_HIGH - 1) * scale }, colour, text, scale);
     strcat(strcat(joined, joined[0] ? " " : ""), text);
 }
 
-void letters_fill(letters *l, int x, int y, int wide, int high, uint32_t colour,
+void font_fill(font *l, int x, int y, int wide, int high, uint32_t colour,
                   uint8_t alpha)
 {
     (void)l;
@@ -70,12 +70,12 @@ void letters_fill(letters *l, int x, int y, int wide, int high, uint32_t colour,
         note((SDL_Rect){ x, y, wide, high }, colour, "", 0);
 }
 
-void letters_box(letters *l, int x, int y, int wide, int high, uint8_t alpha)
+void font_draw_background(font *l, int x, int y, int wide, int high, uint8_t alpha)
 {
-    letters_fill(l, x, y, wide, high, 0, alpha);
+    font_fill(l, x, y, wide, high, 0, alpha);
 }
 
-void letters_clip(letters *l, const SDL_Rect *within)
+void font_set_clip(font *l, const SDL_Rect *within)
 {
     (void)l;
     clipped = within != NULL;
@@ -129,8 +129,8 @@ static bool key_shown(const char *word)
 static void every_key_is_shown(void)
 {
     for (int of = 0; of < ACTIONS; of++) {
-        char text[HELP_KEYS] = "";
-        help_add_keys(text, keys.text[of]);
+        char text[KEY_HELP_KEYS] = "";
+        key_help_add_keys(text, keys.text[of]);
         for (char *rest = text, *word; (word = SDL_strtokr(rest, " ", &rest)) != NULL;)
             if (!key_shown(word))
                 fail_msg("%s of %s is not shown", word, actions[of].name);
@@ -166,7 +166,7 @@ static void a_large_picture_shows_whole_sentences(void **state)
         help((SDL_Rect){ 0, 0, sizes[i][0], sizes[i][1] }, 1);
         for (int of = 0; of < ACTIONS; of++) {
             char line[200] = "";
-            help_add_keys(line, keys.text[of]);
+            key_help_add_keys(line, keys.text[of]);
             strcat(strcat(line, " "), actions[of].help);
             if (!strstr(joined, line))
                 fail_msg("no line '%s'", line);
@@ -233,7 +233,7 @@ static void tiny_pictures_and_endless_keys_do_no_harm(void **state)
 
 /* -- figures ------------------------------------------------------------------------- */
 
-static panel_figures told = { .limit_ms = 16.7f, .median_ms = 9.4f, .shown_per_s = 60,
+static panel_performance told = { .limit_ms = 16.7f, .median_ms = 9.4f, .shown_per_s = 60,
                               .latency_ms = 18, .state = "tick 12" };
 static panel_compare compare = { "split", "exact", 41.27, "the reference draws: 40%" };
 
@@ -241,7 +241,7 @@ static void show(SDL_Rect where, int scale)
 {
     count = outside = 0;
     joined[0] = 0;
-    overlay_figures(some, &where, scale, &told, &compare);
+    overlay_performance(some, &where, scale, &told, &compare);
     assert_false(clipped);
     assert_int_equal(outside, 0);
     no_two_texts_overlap();
@@ -378,7 +378,8 @@ static void long_messages_break_between_words(void **state)
     message((SDL_Rect){ 0, 0, 160, 120 }, text, 255);
     assert_string_equal(joined, text);
     assert_true(count >= 8);
-    message((SDL_Rect){ 0, 0, 160, 120 }, "/home/somebody/a-path-that-has-no-blanks.png", 255);
+    message((SDL_Rect){ 0, 0, 160, 120 }, "/home/somebody/a-path-that-has-no-blanks.png",
+            255);
     assert_int_equal(count, 4);
 }
 

@@ -84,13 +84,13 @@ static void the_left_stick_walks(void **state)
     (void)state;
     tp_input input = pushed(SDL_CONTROLLER_AXIS_LEFTY, INT16_MIN,
                             SDL_CONTROLLER_AXIS_LEFTX, 0);
-    assert_int_equal(input.forward, WISH_WALK);
+    assert_int_equal(input.forward, INPUT_WALK);
     assert_int_equal(input.strafe, 0);
     assert_int_equal(input.turn | input.tilt | input.up, 0);
     input = pushed(SDL_CONTROLLER_AXIS_LEFTY, INT16_MAX, SDL_CONTROLLER_AXIS_LEFTX, 0);
-    assert_int_equal(input.forward, -WISH_WALK);
+    assert_int_equal(input.forward, -INPUT_WALK);
     input = pushed(SDL_CONTROLLER_AXIS_LEFTY, 0, SDL_CONTROLLER_AXIS_LEFTX, INT16_MAX);
-    assert_int_equal(input.strafe, WISH_WALK);
+    assert_int_equal(input.strafe, INPUT_WALK);
 }
 
 static void a_corner_is_no_faster(void **state)
@@ -98,8 +98,8 @@ static void a_corner_is_no_faster(void **state)
     (void)state;
     const tp_input input = pushed(SDL_CONTROLLER_AXIS_LEFTY, INT16_MIN,
                                   SDL_CONTROLLER_AXIS_LEFTX, INT16_MAX);
-    assert_in_range(input.forward, WISH_WALK * 70 / 100, WISH_WALK * 71 / 100);
-    assert_in_range(input.strafe, WISH_WALK * 70 / 100, WISH_WALK * 71 / 100);
+    assert_in_range(input.forward, INPUT_WALK * 70 / 100, INPUT_WALK * 71 / 100);
+    assert_in_range(input.strafe, INPUT_WALK * 70 / 100, INPUT_WALK * 71 / 100);
 }
 
 static void the_right_stick_turns(void **state)
@@ -107,12 +107,12 @@ static void the_right_stick_turns(void **state)
     (void)state;
     tp_input input = pushed(SDL_CONTROLLER_AXIS_RIGHTX, INT16_MAX,
                             SDL_CONTROLLER_AXIS_RIGHTY, 0);
-    assert_int_equal(input.turn, WISH_TURN);
+    assert_int_equal(input.turn, INPUT_TURN);
     assert_int_equal(input.forward | input.strafe | input.up | input.tilt, 0);
     input = pushed(SDL_CONTROLLER_AXIS_RIGHTX, 0, SDL_CONTROLLER_AXIS_RIGHTY, INT16_MIN);
-    assert_int_equal(input.tilt, WISH_TURN);
+    assert_int_equal(input.tilt, INPUT_TURN);
     input = pushed(SDL_CONTROLLER_AXIS_RIGHTX, INT16_MIN, SDL_CONTROLLER_AXIS_RIGHTY, 0);
-    assert_int_equal(input.turn, -WISH_TURN);
+    assert_int_equal(input.turn, -INPUT_TURN);
 }
 
 static void sticks_that_are_let_go_do_nothing(void **state)
@@ -125,9 +125,9 @@ static void sticks_that_are_let_go_do_nothing(void **state)
     input = pushed(SDL_CONTROLLER_AXIS_RIGHTX, -7000, SDL_CONTROLLER_AXIS_RIGHTY, 0);
     assert_memory_equal(&input, &none, sizeof none);
     input = pushed(SDL_CONTROLLER_AXIS_LEFTX, 7600, SDL_CONTROLLER_AXIS_LEFTY, 0);
-    assert_in_range(input.strafe, 1, WISH_WALK / 32); /* no step at the dead zone's edge */
+    assert_in_range(input.strafe, 1, INPUT_WALK / 32); /* no step at the dead zone's edge */
     input = pushed(SDL_CONTROLLER_AXIS_LEFTX, 20000, SDL_CONTROLLER_AXIS_LEFTY, 0);
-    assert_in_range(input.strafe, WISH_WALK * 49 / 100, WISH_WALK * 51 / 100);
+    assert_in_range(input.strafe, INPUT_WALK * 49 / 100, INPUT_WALK * 51 / 100);
 }
 
 static void triggers_sink_and_rise(void **state)
@@ -137,11 +137,11 @@ static void triggers_sink_and_rise(void **state)
     SDL_JoystickSetVirtualAxis(stick, SDL_CONTROLLER_AXIS_TRIGGERRIGHT, INT16_MAX);
     events();
     pad_input(&p, &input);
-    assert_int_equal(input.up, WISH_WALK);
+    assert_int_equal(input.up, INPUT_WALK);
     SDL_JoystickSetVirtualAxis(stick, SDL_CONTROLLER_AXIS_TRIGGERLEFT, INT16_MAX);
     events();
     pad_input(&p, &input);
-    assert_int_equal(input.up, WISH_WALK);              /* both triggers add 0 */
+    assert_int_equal(input.up, INPUT_WALK);              /* both triggers add 0 */
     SDL_JoystickSetVirtualAxis(stick, SDL_CONTROLLER_AXIS_TRIGGERRIGHT, INT16_MIN);
     events();
     pad_input(&p, &input);
@@ -153,8 +153,8 @@ static void buttons_ask_for_what_the_help_says(void **state)
     (void)state;
     assert_int_equal(button(SDL_CONTROLLER_BUTTON_A), ACT_DROP);
     assert_int_equal(button(SDL_CONTROLLER_BUTTON_B), ACT_PAUSE);
-    assert_int_equal(button(SDL_CONTROLLER_BUTTON_X), ACT_LOOK_ORBIT);
-    assert_int_equal(button(SDL_CONTROLLER_BUTTON_Y), ACT_LOOK_BOAT);
+    assert_int_equal(button(SDL_CONTROLLER_BUTTON_X), ACT_CAMERA_ORBIT);
+    assert_int_equal(button(SDL_CONTROLLER_BUTTON_Y), ACT_CAMERA_BOAT);
     assert_int_equal(button(SDL_CONTROLLER_BUTTON_LEFTSHOULDER), ACT_SLOWER);
     assert_int_equal(button(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER), ACT_FASTER);
     assert_int_equal(button(SDL_CONTROLLER_BUTTON_START), ACT_HELP);

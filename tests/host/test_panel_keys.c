@@ -15,7 +15,7 @@ static bool key(panel_keys *k, uint32_t type, SDL_Keycode sym, uint16_t mod)
     e.key.keysym = (SDL_Keysym){ .sym = sym, .mod = mod };
     if (sym & SDLK_SCANCODE_MASK)
         e.key.keysym.scancode = (SDL_Scancode)(sym & ~SDLK_SCANCODE_MASK);
-    return keys_event(k, &e);
+    return panel_keys_event(k, &e);
 }
 
 static bool down(panel_keys *k, SDL_Keycode sym)
@@ -27,7 +27,7 @@ static bool text(panel_keys *k, const char *letters)
 {
     SDL_Event e = { .type = SDL_TEXTINPUT };
     strcpy(e.text.text, letters);
-    return keys_event(k, &e);
+    return panel_keys_event(k, &e);
 }
 
 /* Returns the events of one frame: the first letter of a key's name, capital for a
@@ -37,8 +37,8 @@ static const char *heard(panel_keys *k)
     static char said[2 * PANEL_KEYS + 1];
     SDL_Event e;
     size_t n = 0;
-    keys_begin(k);
-    while (keys_next(k, &e)) {
+    panel_keys_begin(k);
+    while (panel_keys_next(k, &e)) {
         const bool is_text = e.type == SDL_TEXTINPUT;
         const char first = is_text ? e.text.text[0] : SDL_GetKeyName(e.key.keysym.sym)[0];
         if (is_text)
@@ -72,7 +72,7 @@ static void tab_brings_the_keyboard_and_escape_takes_it_back(void **state)
     assert_true(k.leave);
     assert_false(down(&k, SDLK_UP) || text(&k, "w"));       /* from then on */
     key(&k, SDL_KEYUP, SDLK_UP, 0);
-    keys_leave(&k);
+    panel_keys_leave(&k);
     assert_false(k.here);
     assert_string_equal(heard(&k), "u");
 }

@@ -214,12 +214,12 @@ static void crc_does_not_see_the_unused_bits_of_a_row(void **state)
 static void nearest_name_is_the_one_that_was_meant(void **state)
 {
     (void)state;
-    nearest n = nearest_make("wave0.steepnes");
-    nearest_offer(&n, "wave0.amplitude");
+    did_you_mean n = did_you_mean_make("wave0.steepnes");
+    did_you_mean_offer(&n, "wave0.amplitude");
     assert_null(n.name);
-    nearest_offer(&n, "wave1.steepness");
-    nearest_offer(&n, "wave0.steepness");
-    nearest_offer(&n, "wave2.steepness");
+    did_you_mean_offer(&n, "wave1.steepness");
+    did_you_mean_offer(&n, "wave0.steepness");
+    did_you_mean_offer(&n, "wave2.steepness");
     assert_string_equal(n.name, "wave0.steepness");
     assert_int_equal(n.distance, 1);
 }

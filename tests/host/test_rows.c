@@ -63,7 +63,7 @@ static void draw(const opened *o, uint32_t width, uint32_t height, tp_visibility
 typedef struct {
     double   mean;
     uint32_t lone;              /* sky or water not found near in the other picture */
-} difference;
+} row_difference;
 
 static bool has_near(const drawn *d, uint32_t width, uint32_t height, uint32_t i,
                      uint8_t mark)
@@ -78,9 +78,10 @@ static bool has_near(const drawn *d, uint32_t width, uint32_t height, uint32_t i
     return false;
 }
 
-static difference compare(const drawn *a, const drawn *b, uint32_t width, uint32_t height)
+static row_difference compare(const drawn *a, const drawn *b, uint32_t width,
+                              uint32_t height)
 {
-    difference d = { 0, 0 };
+    row_difference d = { 0, 0 };
 
     for (uint32_t i = 0; i < width * height; i++) {
         for (int k = 0; k < 24; k += 8)
@@ -123,7 +124,7 @@ static void check_scene(const char *name, opened *o)
             for (int i = 0; i < 2; i++) {
                 draw(o, size[i][0], size[i][1], TP_VISIBILITY_TRIANGLES, &triangles);
                 draw(o, size[i][0], size[i][1], TP_VISIBILITY_ROWS, &rows);
-                const difference d = compare(&triangles, &rows, size[i][0], size[i][1]);
+                const row_difference d = compare(&triangles, &rows, size[i][0], size[i][1]);
                 printf("  %-14s %3ux%u tick %2u: %s, mean %.2f, %u lone\n", name,
                        size[i][0], size[i][1], tick,
                        rows.by_rows ? "rows" : "triangles", d.mean, d.lone);
@@ -196,7 +197,7 @@ static void frames_take_triangles_before_rows_show(void **state)
                              TP_OK);
             draw(&o, 160, 120, TP_VISIBILITY_TRIANGLES, &triangles);
             draw(&o, 160, 120, TP_VISIBILITY_ROWS, &rows);
-            const difference d = compare(&triangles, &rows, 160, 120);
+            const row_difference d = compare(&triangles, &rows, 160, 120);
             count[rows.by_rows]++;
             worst = d.mean > worst ? d.mean : worst;
             if (d.mean > MEAN_MOST || d.lone > 0 || (!rows.by_rows && d.mean > 0))

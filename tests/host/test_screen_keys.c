@@ -9,7 +9,7 @@
 #include "../../ports/live/wish.h"
 #include "../../ports/screen/keys.h"
 
-static keys k;
+static terminal_keys k;
 
 static int fresh(void **state)
 {
@@ -20,14 +20,14 @@ static int fresh(void **state)
 
 static void type(const char *text)
 {
-    keys_bytes(&k, (const uint8_t *)text, strlen(text));
+    terminal_keys_add_bytes(&k, (const uint8_t *)text, strlen(text));
 }
 
 /* Returns the ticks until the key is no longer held. */
 static int ticks_ahead(void)
 {
     int n = 0;
-    while (n < 100 && keys_input(&k).forward)
+    while (n < 100 && terminal_keys_input(&k).forward)
         n++;
     return n;
 }
@@ -36,15 +36,15 @@ static void letters_move_and_capitals_run(void **state)
 {
     (void)state;
     type("wd");
-    tp_input input = keys_input(&k);
-    assert_int_equal(input.forward, WISH_WALK);
-    assert_int_equal(input.strafe, WISH_WALK);
+    tp_input input = terminal_keys_input(&k);
+    assert_int_equal(input.forward, INPUT_WALK);
+    assert_int_equal(input.strafe, INPUT_WALK);
     assert_int_equal(input.up, 0);
     type("SAQ");
-    input = keys_input(&k);
-    assert_int_equal(input.forward, -WISH_RUN);
-    assert_int_equal(input.strafe, -WISH_RUN);
-    assert_int_equal(input.up, -WISH_RUN);
+    input = terminal_keys_input(&k);
+    assert_int_equal(input.forward, -INPUT_RUN);
+    assert_int_equal(input.strafe, -INPUT_RUN);
+    assert_int_equal(input.up, -INPUT_RUN);
 }
 
 static void a_tap_ends_before_a_hold_does(void **state)
@@ -54,11 +54,11 @@ static void a_tap_ends_before_a_hold_does(void **state)
     assert_int_equal(ticks_ahead(), 16);
     type("w");
     for (int i = 0; i < 15; i++)
-        assert_true(keys_input(&k).forward);
+        assert_true(terminal_keys_input(&k).forward);
     for (int i = 0; i < 40; i++) {          /* repeats, two ticks apart */
         type("w");
-        assert_true(keys_input(&k).forward);
-        assert_true(keys_input(&k).forward);
+        assert_true(terminal_keys_input(&k).forward);
+        assert_true(terminal_keys_input(&k).forward);
     }
     assert_true(ticks_ahead() <= 5);
 }
@@ -70,13 +70,13 @@ static void arrows_turn_however_they_are_sent(void **state)
     for (int i = 0; i < 2; i++) {
         memset(&k, 0, sizeof k);
         for (const char *c = right[i]; *c; c++)         /* a slow line: byte by byte */
-            keys_bytes(&k, (const uint8_t *)c, 1);
-        assert_int_equal(keys_input(&k).turn, WISH_TURN);
+            terminal_keys_add_bytes(&k, (const uint8_t *)c, 1);
+        assert_int_equal(terminal_keys_input(&k).turn, INPUT_TURN);
     }
     type("\033[B\033[5~");
-    const tp_input input = keys_input(&k);
-    assert_int_equal(input.tilt, -WISH_TURN);
-    assert_int_equal(input.light_tilt, WISH_LIGHT);
+    const tp_input input = terminal_keys_input(&k);
+    assert_int_equal(input.tilt, -INPUT_TURN);
+    assert_int_equal(input.light_tilt, INPUT_LIGHT);
     assert_false(k.quit);
 }
 
@@ -84,19 +84,19 @@ static void brackets_turn_the_light(void **state)
 {
     (void)state;
     type("]");
-    assert_int_equal(keys_input(&k).light_turn, WISH_LIGHT);
+    assert_int_equal(terminal_keys_input(&k).light_turn, INPUT_LIGHT);
     type("[");
-    assert_int_equal(keys_input(&k).light_turn, -WISH_LIGHT);
+    assert_int_equal(terminal_keys_input(&k).light_turn, -INPUT_LIGHT);
 }
 
 static void events_come_once(void **state)
 {
     (void)state;
     type("ff,");
-    tp_input input = keys_input(&k);
+    tp_input input = terminal_keys_input(&k);
     assert_int_equal(input.drops, 2);
     assert_int_equal(input.slowdown, 1);
-    input = keys_input(&k);
+    input = terminal_keys_input(&k);
     assert_int_equal(input.drops, 0);
     assert_int_equal(input.slowdown, 0);
     type(" ");
@@ -111,17 +111,17 @@ static void esc_quits_and_sequences_do_not(void **state)
 {
     (void)state;
     type("\033[[A\033[24~\033[1;5C\033[3~");            /* F1, F12, Ctrl-right, Delete */
-    keys_rest(&k);
+    terminal_keys_flush(&k);
     assert_false(k.quit);
-    assert_int_equal(keys_input(&k).turn, 0);
+    assert_int_equal(terminal_keys_input(&k).turn, 0);
     type("\033[");                                      /* cut off: ignored */
-    keys_rest(&k);
+    terminal_keys_flush(&k);
     assert_false(k.quit);
     type("C");
-    assert_int_equal(keys_input(&k).turn, 0);
+    assert_int_equal(terminal_keys_input(&k).turn, 0);
     type("\033");
     assert_false(k.quit);
-    keys_rest(&k);
+    terminal_keys_flush(&k);
     assert_true(k.quit);
 }
 
@@ -132,13 +132,13 @@ static void any_bytes_leave_it_usable(void **state)
     for (int i = 0; i < 200000; i++) {
         seed = seed * 1664525u + 1013904223u;
         const uint8_t byte = (uint8_t)(seed >> 24);
-        keys_bytes(&k, &byte, 1);
+        terminal_keys_add_bytes(&k, &byte, 1);
         assert_true(k.escapes < sizeof k.escape);
     }
-    keys_rest(&k);
+    terminal_keys_flush(&k);
     memset(k.held, 0, sizeof k.held);
     type("w");
-    assert_true(keys_input(&k).forward > 0);
+    assert_true(terminal_keys_input(&k).forward > 0);
 }
 
 int main(void)

@@ -32,7 +32,7 @@ static picture random_picture(tp_format format, memory *m, uint32_t seed)
 }
 
 /* Returns bit `i` of a pixel at `from`, from the lowest, for either byte order. */
-static unsigned bit(const layout *l, const uint8_t *from, unsigned i)
+static unsigned bit(const pixel_layout *l, const uint8_t *from, unsigned i)
 {
     const unsigned bytes = l->bits / 8, byte = i / 8;
     return from[l->big ? bytes - 1 - byte : byte] >> i % 8 & 1u;
@@ -40,7 +40,8 @@ static unsigned bit(const layout *l, const uint8_t *from, unsigned i)
 
 /* The channel's bits must be the high bits of the colour; bits below the eighth repeat
  * it. */
-static bool channel_holds(const layout *l, const uint8_t *from, channel c, unsigned value)
+static bool channel_holds(const pixel_layout *l, const uint8_t *from, pixel_channel c,
+                          unsigned value)
 {
     for (unsigned i = 0; i < c.length; i++)
         if (bit(l, from, c.offset + c.length - 1u - i) != (value >> (7 - i % 8) & 1u))
@@ -48,7 +49,7 @@ static bool channel_holds(const layout *l, const uint8_t *from, channel c, unsig
     return true;
 }
 
-static bool pixel_holds(const layout *l, const uint8_t *from, uint32_t rgb)
+static bool pixel_holds(const pixel_layout *l, const uint8_t *from, uint32_t rgb)
 {
     if (l->indexed || l->grey)
         return false;
@@ -61,7 +62,7 @@ static bool pixel_holds(const layout *l, const uint8_t *from, uint32_t rgb)
 }
 
 /* Returns the number of correct pixels in the row. */
-static int held(const layout *l, const picture *p, const uint8_t *row)
+static int held(const pixel_layout *l, const picture *p, const uint8_t *row)
 {
     int n = 0;
     for (int x = 0; x < WIDTH; x++)
@@ -70,14 +71,14 @@ static int held(const layout *l, const picture *p, const uint8_t *row)
     return n;
 }
 
-static void row_is_right(const layout *l, tp_format format, uint32_t seed)
+static void row_is_right(const pixel_layout *l, tp_format format, uint32_t seed)
 {
     memory m;
     uint8_t row[4 * WIDTH + 1];
     const size_t bytes = WIDTH * l->bits / 8;
     const picture p = random_picture(format, &m, seed);
     memset(row, GUARD, sizeof row);
-    layout_row(l, row, &p, 1);
+    pixel_layout_row(l, row, &p, 1);
     assert_int_equal(held(l, &p, row), WIDTH);
     assert_int_equal(row[bytes], GUARD);
     row[bytes / 2] ^= 0xff;                     /* one wrong byte is found */
@@ -86,7 +87,7 @@ static void row_is_right(const layout *l, tp_format format, uint32_t seed)
 
 static void usual_layouts_hold_every_format(void **state)
 {
-    static const layout of[] = {
+    static const pixel_layout of[] = {
         { 32, false, false, false, { 16, 8 }, { 8, 8 }, { 0, 8 }, { 24, 8 } },
         { 32, false, false, false, { 0, 8 }, { 8, 8 }, { 16, 8 }, { 24, 8 } },
         { 32, false, false, false, { 24, 8 }, { 16, 8 }, { 8, 8 }, { 0, 8 } },
@@ -103,20 +104,21 @@ static void usual_layouts_hold_every_format(void **state)
     for (size_t i = 0; i < sizeof of / sizeof *of; i++)
         for (int big = 0; big < 2; big++)
             for (int format = 0; format < TP_FORMAT_COUNT; format++) {
-                layout l = of[i];
+                pixel_layout l = of[i];
                 l.big = big;
-                assert_true(layout_known(&l));
+                assert_true(pixel_layout_is_supported(&l));
                 row_is_right(&l, (tp_format)format, 1u + (uint32_t)i);
             }
 }
 
 /* Channels of random lengths in random order, with gaps. */
-static layout random_layout(uint32_t *seed)
+static pixel_layout random_layout(uint32_t *seed)
 {
     static const uint8_t orders[6][3] = { { 0, 1, 2 }, { 0, 2, 1 }, { 1, 0, 2 },
                                           { 1, 2, 0 }, { 2, 0, 1 }, { 2, 1, 0 } };
-    layout l = { .bits = 8 + 8 * (next_random(seed) % 4), .big = next_random(seed) & 1 };
-    channel of[3];
+    pixel_layout l = { .bits = 8 + 8 * (next_random(seed) % 4),
+                       .big = next_random(seed) & 1 };
+    pixel_channel of[3];
     unsigned at = 0;
     const uint8_t *order = orders[next_random(seed) % 6];
     for (unsigned i = 0; i < 3; i++) {
@@ -124,13 +126,14 @@ static layout random_layout(uint32_t *seed)
         const unsigned most = room < 14 ? room : 14;
         const unsigned length = 1 + next_random(seed) % most;
         const unsigned gap = next_random(seed) % (room - length + 1) / 4;
-        of[order[i]] = (channel){ (uint8_t)(at + gap), (uint8_t)length };
+        of[order[i]] = (pixel_channel){ (uint8_t)(at + gap), (uint8_t)length };
         at += gap + length;
     }
     l.red = of[0];
     l.green = of[1];
     l.blue = of[2];
-    l.spare = (channel){ (uint8_t)at, (uint8_t)(next_random(seed) % (l.bits - at + 1)) };
+    l.spare =
+        (pixel_channel){ (uint8_t)at, (uint8_t)(next_random(seed) % (l.bits - at + 1)) };
     return l;
 }
 
@@ -140,27 +143,27 @@ static void random_layouts_hold_every_format(void **state)
     uint32_t seed = 20240607;
     (void)state;
     for (int i = 0; i < 5000; i++) {
-        const layout l = random_layout(&seed);
+        const pixel_layout l = random_layout(&seed);
         const tp_format format = (tp_format)(next_random(&seed) % TP_FORMAT_COUNT);
         memory m;
         uint8_t row[4 * WIDTH];
         const picture p = random_picture(format, &m, seed);
-        assert_true(layout_known(&l));
-        layout_row(&l, row, &p, 1);
+        assert_true(pixel_layout_is_supported(&l));
+        pixel_layout_row(&l, row, &p, 1);
         assert_int_equal(held(&l, &p, row), WIDTH);
     }
 }
 
 static void exact_formats_read_back_as_they_are(void **state)
 {
-    const layout wide = { 32, false, false, false, { 0, 8 }, { 8, 8 }, { 16, 8 },
+    const pixel_layout wide = { 32, false, false, false, { 0, 8 }, { 8, 8 }, { 16, 8 },
                           { 24, 8 } };
     memory m;
     uint8_t row[4 * WIDTH];
     (void)state;
     for (int format = 0; format < TP_FORMAT_COUNT; format++) {
         const picture p = random_picture((tp_format)format, &m, 77);
-        layout_row(&wide, row, &p, 0);
+        pixel_layout_row(&wide, row, &p, 0);
         for (int x = 0; x < WIDTH; x++) {
             const uint8_t *at = row + 4 * x;
             const uint32_t rgb = (uint32_t)at[0] << 16 | (uint32_t)at[1] << 8 | at[2];
@@ -171,29 +174,30 @@ static void exact_formats_read_back_as_they_are(void **state)
 
 static void indices_and_greys_show_the_colours(void **state)
 {
-    const layout indexed = { .bits = 8, .indexed = true }, grey = { .bits = 8, .grey = 1 };
+    const pixel_layout indexed = { .bits = 8, .indexed = true },
+                       grey = { .bits = 8, .grey = 1 };
     static const tp_format of[] = { TP_FORMAT_P8, TP_FORMAT_L8, TP_FORMAT_I1 };
     memory m;
     uint8_t row[WIDTH];
     (void)state;
     for (int i = 0; i < 3; i++) {
         const picture p = random_picture(of[i], &m, 5);
-        assert_true(layout_takes(&indexed, of[i]));
-        assert_true(layout_takes(&grey, of[i]) == (of[i] != TP_FORMAT_P8));
-        layout_row(i ? &grey : &indexed, row, &p, 1);
+        assert_true(pixel_layout_accepts(&indexed, of[i]));
+        assert_true(pixel_layout_accepts(&grey, of[i]) == (of[i] != TP_FORMAT_P8));
+        pixel_layout_row(i ? &grey : &indexed, row, &p, 1);
         for (int x = 0; x < WIDTH; x++)
-            assert_int_equal(layout_colour(of[i], row[x]),
+            assert_int_equal(pixel_layout_colour(of[i], row[x]),
                              tp_pixel_read(of[i], picture_row(&p, 1), x));
     }
-    assert_false(layout_takes(&indexed, TP_FORMAT_XRGB8888));
-    assert_false(layout_takes(&grey, TP_FORMAT_RGB565));
-    assert_int_equal(layout_format(&indexed), TP_FORMAT_P8);
-    assert_int_equal(layout_format(&grey), TP_FORMAT_L8);
+    assert_false(pixel_layout_accepts(&indexed, TP_FORMAT_XRGB8888));
+    assert_false(pixel_layout_accepts(&grey, TP_FORMAT_RGB565));
+    assert_int_equal(pixel_layout_format(&indexed), TP_FORMAT_P8);
+    assert_int_equal(pixel_layout_format(&grey), TP_FORMAT_L8);
 }
 
 static void strange_layouts_are_not_known(void **state)
 {
-    static const layout of[] = {
+    static const pixel_layout of[] = {
         { 15, false, false, false, { 10, 5 }, { 5, 5 }, { 0, 5 }, { 0, 0 } },
         { 4, true, false, false, { 0, 4 }, { 0, 4 }, { 0, 4 }, { 0, 0 } },
         { 16, false, true, false, { 0, 0 }, { 0, 0 }, { 0, 0 }, { 0, 0 } },
@@ -205,7 +209,7 @@ static void strange_layouts_are_not_known(void **state)
     };
     (void)state;
     for (size_t i = 0; i < sizeof of / sizeof *of; i++)
-        assert_false(layout_known(&of[i]));
+        assert_false(pixel_layout_is_supported(&of[i]));
 }
 
 int main(void)

@@ -23,27 +23,28 @@ static char home[] = "/tmp/tidepool-state-XXXXXX";
 
 /* -- helpers --------------------------------------------------------------------- */
 
-static void open_stage(stage *s, const char *scene, char *const *settings, uint32_t count)
+static void open_stage(loaded_scene *s, const char *scene, char *const *settings,
+                       uint32_t count)
 {
     const options o = { .scene = scene };
-    assert_int_equal(stage_load(s, &o), 0);
+    assert_int_equal(loaded_scene_load(s, &o), 0);
     for (uint32_t i = 0; i < count; i++)
         assert_int_equal(scene_file_set(&s->file, settings[i]), 0);
-    assert_int_equal(stage_world(s), 0);
+    assert_int_equal(loaded_scene_make_world(s), 0);
 }
 
-static void steps(stage *s, int count)
+static void steps(loaded_scene *s, int count)
 {
     for (; count > 0; count--)
         tp_world_step(&tp_program_all, s->world, &s->file.scene, NULL);
 }
 
-static int put(session *to, const stage *s, uint32_t number)
+static int put(session *to, const loaded_scene *s, uint32_t number)
 {
     return session_put(to, &s->file, &s->assets.names, s->world, s->world_bytes, number);
 }
 
-static bool offer(session *to, const stage *s, uint32_t number)
+static bool offer(session *to, const loaded_scene *s, uint32_t number)
 {
     return session_offer(to, &s->file, &s->assets.names, s->world, s->world_bytes,
                          number);
@@ -72,10 +73,10 @@ static int worlds(char name[64])
 }
 
 /* The last kept state equals this stage's, to the bit, at this frame. */
-static void assert_resumes(const stage *was, uint32_t number)
+static void assert_resumes(const loaded_scene *was, uint32_t number)
 {
     session_state state;
-    stage now;
+    loaded_scene now;
     uint32_t count, found = 0;
     const tp_param *params = tp_params(&count);
     assert_int_equal(session_read(&state), 0);
@@ -93,7 +94,7 @@ static void assert_resumes(const stage *was, uint32_t number)
                               now.world_bytes, &found));
     assert_int_equal(found, number);
     assert_memory_equal(now.world, was->world, was->world_bytes);
-    stage_close(&now);
+    loaded_scene_close(&now);
     session_free(&state);
 }
 
@@ -147,7 +148,7 @@ static void what_was_put_is_read(void **state)
     session *to = session_begin();
     assert_non_null(to);
     for (int i = 0; i < 4; i++) {
-        stage s;
+        loaded_scene s;
         char path[64];
         snprintf(path, sizeof path, "assets/scenes/%s.ini", scenes[i]);
         open_stage(&s, path, i % 2 ? none : changes, i % 2 ? 0 : 5);
@@ -158,7 +159,7 @@ static void what_was_put_is_read(void **state)
         steps(&s, 5);
         assert_int_equal(put(to, &s, 90), 0);
         assert_resumes(&s, 90);
-        stage_close(&s);
+        loaded_scene_close(&s);
     }
     session_end(to);
 }
@@ -173,12 +174,12 @@ static void long_paths_are_read(void **state)
     snprintf(command, sizeof command, "d='%s'; mkdir -p \"${d%%/*}\" &&"
              " printf '[camera]\\nx = 3\\n' >\"$d\"", path);
     assert_int_equal(system(command), 0);
-    stage s;
+    loaded_scene s;
     session *to = session_begin();
     open_stage(&s, path, none, 0);
     assert_int_equal(put(to, &s, 1), 0);
     assert_resumes(&s, 1);
-    stage_close(&s);
+    loaded_scene_close(&s);
     session_end(to);
 }
 
@@ -186,7 +187,7 @@ static void a_thread_writes_what_is_offered(void **state)
 {
     (void)state;
     static char *const none[1];
-    stage s;
+    loaded_scene s;
     session *to = session_begin();
     open_stage(&s, "assets/scenes/pond.ini", none, 0);
     uint32_t taken = 0;
@@ -204,7 +205,7 @@ static void a_thread_writes_what_is_offered(void **state)
         nanosleep(&(struct timespec){ 0, 1000000 }, NULL);
     session_end(to);
     assert_resumes(&s, 500);
-    stage_close(&s);
+    loaded_scene_close(&s);
 }
 
 /* Alternating scenes with worlds of different sizes. */
@@ -212,7 +213,7 @@ static void offers_follow_the_scene(void **state)
 {
     (void)state;
     static char *const none[1], *const sea[] = { "wave0.length=31" };
-    stage s[2];
+    loaded_scene s[2];
     session *to = session_begin();
     open_stage(&s[0], "assets/scenes/pond.ini", none, 0);
     open_stage(&s[1], "assets/scenes/three-swells.ini", sea, 1);
@@ -221,8 +222,8 @@ static void offers_follow_the_scene(void **state)
             nanosleep(&(struct timespec){ 0, 1000000 }, NULL);
     session_end(to);
     assert_resumes(&s[1], 19);
-    stage_close(&s[0]);
-    stage_close(&s[1]);
+    loaded_scene_close(&s[0]);
+    loaded_scene_close(&s[1]);
 }
 
 /* -- incomplete states ----------------------------------------------------------- */
@@ -248,7 +249,7 @@ static uint8_t put_byte(const char *path, long at, uint8_t byte)
     return was;
 }
 
-static void put_pond(stage *s)
+static void put_pond(loaded_scene *s)
 {
     static char *const change[] = { "wave0.amplitude=0.8" };
     session *to = session_begin();
@@ -261,7 +262,7 @@ static void put_pond(stage *s)
 static void a_cut_file_is_not_gone_on_with(void **state)
 {
     (void)state;
-    stage s;
+    loaded_scene s;
     session_state got;
     put_pond(&s);
     char *path = strdup(state_path("session.ini"));
@@ -274,10 +275,10 @@ static void a_cut_file_is_not_gone_on_with(void **state)
         assert_heard("session.ini: incomplete: a fresh start\n");
     }
     free(path);
-    stage_close(&s);
+    loaded_scene_close(&s);
 }
 
-static bool take(stage *s)
+static bool take(loaded_scene *s)
 {
     uint32_t number = 77;
     tp_world *was = malloc(s->world_bytes);
@@ -296,12 +297,13 @@ static void a_cut_or_foreign_world_is_not_taken(void **state)
 {
     (void)state;
     char name[64];
-    stage s;
+    loaded_scene s;
     session_state got;
     put_pond(&s);
     assert_int_equal(worlds(name), 1);
     char *path = strdup(state_path(name));
-    const uint8_t build = put_byte(path, 12, 0);    /* keep.c: magic, version, scene, build */
+    /* keep.c: magic, version, scene, build */
+    const uint8_t build = put_byte(path, 12, 0);
     put_byte(path, 12, build ^ 1);
     listen();
     assert_false(take(&s));
@@ -327,19 +329,19 @@ static void a_cut_or_foreign_world_is_not_taken(void **state)
     assert_string_equal(got.settings[0], "wave0.amplitude=0.8");
     session_free(&got);
     free(path);
-    stage_close(&s);
+    loaded_scene_close(&s);
 }
 
 static void another_scene_is_not_taken(void **state)
 {
     (void)state;
-    stage s;
+    loaded_scene s;
     put_pond(&s);
     assert_int_equal(scene_file_set(&s.file, "wave0.amplitude=0.9"), 0);
     listen();
     assert_false(take(&s));
     assert_heard("belongs to another scene: a fresh start\n");
-    stage_close(&s);
+    loaded_scene_close(&s);
 }
 
 /* -- no folder ------------------------------------------------------------------- */
@@ -348,7 +350,7 @@ static void nowhere_is_said_once(void **state)
 {
     (void)state;
     session_state got;
-    stage s;
+    loaded_scene s;
     static char *const none[1];
     listen();
     setenv("XDG_STATE_HOME", said_path(), 1);       /* a file */
@@ -369,13 +371,13 @@ static void nowhere_is_said_once(void **state)
     assert_int_equal(put(NULL, &s, 1), 3);
     session_end(NULL);
     assert_false(take(&s));
-    stage_close(&s);
+    loaded_scene_close(&s);
 }
 
 static void home_has_a_folder_for_it(void **state)
 {
     (void)state;
-    stage s;
+    loaded_scene s;
     char path[128];
     struct stat info;
     setenv("XDG_STATE_HOME", "not/absolute", 1);
@@ -385,7 +387,7 @@ static void home_has_a_folder_for_it(void **state)
     assert_int_equal(info.st_mode & 0777, 0700);
     strcat(path, "/session.ini");
     assert_true(size_of(path) > 0);
-    stage_close(&s);
+    loaded_scene_close(&s);
 }
 
 static void nothing_kept_is_said(void **state)
@@ -403,10 +405,10 @@ static void nothing_kept_is_said(void **state)
 static void what_is_kept_and_cannot_be_read_is_refused(void **state)
 {
     (void)state;
-    stage s;
+    loaded_scene s;
     session_state got;
     put_pond(&s);
-    stage_close(&s);
+    loaded_scene_close(&s);
     char *path = strdup(state_path("session.ini"));
     assert_int_equal(unlink(path), 0);
     assert_int_equal(mkdir(path, 0700), 0);
@@ -422,7 +424,7 @@ static void what_is_kept_and_cannot_be_read_is_refused(void **state)
 static void a_lost_folder_is_said(void **state)
 {
     (void)state;
-    stage s;
+    loaded_scene s;
     static char *const none[1];
     char command[128];
     session *to = session_begin();
@@ -435,7 +437,7 @@ static void a_lost_folder_is_said(void **state)
     heard();
     assert_non_null(strstr(said_text, ": cannot be saved: No such file or directory\n"));
     assert_ptr_equal(strchr(said_text, '\n'), strrchr(said_text, '\n'));
-    stage_close(&s);
+    loaded_scene_close(&s);
     session_end(to);
 }
 

@@ -19,19 +19,19 @@
 #include "scene/world.h"
 
 static options given;           /* of the open stage */
-static stage stood;
+static loaded_scene stood;
 
 static void open_scene(const char *scene)
 {
     given = (options){ .scene = scene, .width = 48, .height = 32, .threads = 1,
                        .format = TP_FORMAT_XRGB8888 };
-    assert_int_equal(stage_open(&stood, &given), 0);
+    assert_int_equal(loaded_scene_open(&stood, &given), 0);
 }
 
 static uint32_t drawn(void)
 {
-    canvas_draw(&stood.canvas, stood.world);
-    return picture_crc(&stood.canvas.picture);
+    frame_renderer_draw(&stood.renderer, stood.world);
+    return picture_crc(&stood.renderer.picture);
 }
 
 static void steps(int count)
@@ -43,7 +43,7 @@ static void steps(int count)
 static bool set(const char *setting)
 {
     bool opened = false;
-    assert_int_equal(stage_set(&stood, &given, "here", setting, &opened), 0);
+    assert_int_equal(loaded_scene_set(&stood, &given, "here", setting, &opened), 0);
     return opened;
 }
 
@@ -53,7 +53,7 @@ static bool set(const char *setting)
 static void assert_drawn_as_new(const char *setting)
 {
     const uint32_t crc = drawn();
-    assert_int_equal(stage_canvas(&stood, &given), 0);
+    assert_int_equal(loaded_scene_open_renderer(&stood, &given), 0);
     const bool same = drawn() == crc;
     if (!same)
         print_error("%s: the picture is not that of a new canvas\n", setting);
@@ -82,7 +82,7 @@ static void there_and_back(const tp_param *param)
     tp_param_text(&stood.file.scene, param, before, sizeof before);
     snprintf(there, sizeof there, "%s=%s", param->name, value);
     snprintf(back, sizeof back, "%s=%s", param->name, before);
-    if (stage_set(&stood, &given, "here", there, &opened))
+    if (loaded_scene_set(&stood, &given, "here", there, &opened))
         return;                                 /* with this value no pool comes to rest */
     steps(2);
     assert_drawn_as_new(there);
@@ -109,7 +109,7 @@ static void pictures_go_on_as_if_opened_anew(void **state)
             if (param->kind < TP_PARAM_MESH)
                 there_and_back(param);
         }
-        stage_close(&stood);
+        loaded_scene_close(&stood);
     }
 }
 
@@ -122,7 +122,7 @@ static void numbers_need_no_new_canvas(void **state)
     assert_false(set("light.elevation=15"));
     assert_int_not_equal(drawn(), before);
     assert_int_equal(stood.file.scene.wave[0].amplitude, 5 << 14);
-    stage_close(&stood);
+    loaded_scene_close(&stood);
 }
 
 /* The harbour's pool has inner walls: only changes that move walls need a new canvas. */
@@ -137,7 +137,7 @@ static void walls_that_move_open_the_canvas(void **state)
     assert_true(set("pool.x=1.5"));
     steps(1);
     assert_drawn_as_new("pool.x");
-    stage_close(&stood);
+    loaded_scene_close(&stood);
 }
 
 static void what_needs_memory_opens_the_canvas(void **state)
@@ -152,7 +152,7 @@ static void what_needs_memory_opens_the_canvas(void **state)
         steps(1);
         assert_drawn_as_new(settings[i]);
     }
-    stage_close(&stood);
+    loaded_scene_close(&stood);
 }
 
 /* Two wave lengths with different rungs in the plan. */
@@ -164,7 +164,7 @@ static void another_plan_opens_the_canvas(void **state)
     steps(1);
     assert_drawn_as_new("wave2.length");
     assert_false(set("wave2.length=1702"));
-    stage_close(&stood);
+    loaded_scene_close(&stood);
 }
 
 /* A new world continues with time, camera and light. */
@@ -186,7 +186,7 @@ static void a_world_is_made_anew_where_it_was(void **state)
     assert_int_equal(stood.world->light_heading, was.light_heading);
     steps(2);
     assert_drawn_as_new("pool.cols");
-    stage_close(&stood);
+    loaded_scene_close(&stood);
 }
 
 static void files_are_loaded_and_let_go(void **state)
@@ -205,7 +205,7 @@ static void files_are_loaded_and_let_go(void **state)
     assert_true(set("layer1.texture="));
     assert_null(stood.assets.names.boat);
     assert_int_equal(drawn(), before);
-    stage_close(&stood);
+    loaded_scene_close(&stood);
 }
 
 /* -- refused changes ------------------------------------------------------------- */
@@ -225,27 +225,27 @@ static void what_is_refused_changes_nothing(void **state)
     const uint32_t before = drawn();
     const tp_scene scene = stood.file.scene;
     const tp_assets names = stood.assets.names;
-    const tp_frame *frame = stood.canvas.frame;
+    const tp_frame *frame = stood.renderer.frame;
     const tp_world *world = stood.world;
     uint8_t *copy = malloc(stood.world_bytes);
     memcpy(copy, world, stood.world_bytes);
     given.memory = 1000;                        /* nothing larger fits */
     for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
         bool opened = false;
-        const int code = stage_set(&stood, &given, "here", settings[i], &opened);
+        const int code = loaded_scene_set(&stood, &given, "here", settings[i], &opened);
         if (code != 3)
             print_error("%s was taken\n", settings[i]);
         assert_int_equal(code, 3);
         assert_false(opened);
         assert_memory_equal(&scene, &stood.file.scene, sizeof scene);
         assert_memory_equal(&names, &stood.assets.names, sizeof names);
-        assert_ptr_equal(frame, stood.canvas.frame);
+        assert_ptr_equal(frame, stood.renderer.frame);
         assert_ptr_equal(world, stood.world);
         assert_memory_equal(copy, world, stood.world_bytes);
     }
     assert_int_equal(drawn(), before);
     free(copy);
-    stage_close(&stood);
+    loaded_scene_close(&stood);
 }
 
 static void a_sky_without_pictures_is_refused(void **state)
@@ -255,18 +255,18 @@ static void a_sky_without_pictures_is_refused(void **state)
     open_scene("assets/scenes/minimal.ini");
     const tp_scene scene = stood.file.scene;
     const tp_world world = *stood.world;
-    assert_int_equal(stage_set(&stood, &given, "here", "sky.kind=cube", &opened), 3);
+    assert_int_equal(loaded_scene_set(&stood, &given, "here", "sky.kind=cube", &opened), 3);
     assert_memory_equal(&scene, &stood.file.scene, sizeof scene);
     assert_memory_equal(&world, stood.world, sizeof world);
     assert_false(opened);
-    stage_close(&stood);
+    loaded_scene_close(&stood);
 }
 
 /* Set one by one in the table's order, each is refused because of the later ones. */
 static void several_are_taken_in_any_order(void **state)
 {
     (void)state;
-    static const stage_setting all[] = {
+    static const loaded_scene_setting all[] = {
         { "1", "sky.kind=cube" }, { "2", "sky.east=assets/skies/dusk-east.png" },
         { "3", "sky.west=assets/skies/dusk-west.png" },
         { "4", "sky.up=assets/skies/dusk-up.png" },
@@ -278,17 +278,17 @@ static void several_are_taken_in_any_order(void **state)
                   { "3", "camera.fov=50" } };
     bool opened = false;
     open_scene("assets/scenes/minimal.ini");
-    assert_int_equal(stage_set_all(&stood, &given, all, sizeof all / sizeof *all, &opened),
-                     0);
+    assert_int_equal(
+        loaded_scene_set_all(&stood, &given, all, sizeof all / sizeof *all, &opened), 0);
     assert_true(opened);
     assert_int_equal(stood.file.scene.sky.kind, TP_SKY_CUBE);
     assert_int_equal(stood.file.scene.pool.feed_low, 1 << 15);
     assert_drawn_as_new("all of them");
-    assert_int_equal(stage_set_all(&stood, &given, some, 3, &opened), 3);
+    assert_int_equal(loaded_scene_set_all(&stood, &given, some, 3, &opened), 3);
     assert_int_equal(stood.file.scene.pool.feed_low, 1 << 15);
     assert_int_equal(stood.file.scene.camera.fov, 50 << 16);
-    assert_int_equal(stage_set_all(&stood, &given, all, 0, &opened), 0);
-    stage_close(&stood);
+    assert_int_equal(loaded_scene_set_all(&stood, &given, all, 0, &opened), 0);
+    loaded_scene_close(&stood);
 }
 
 /* A name from the file, set again by hand. */
@@ -308,19 +308,19 @@ static void names_are_told_from_the_current_folder(void **state)
     assert_int_equal(drawn(), before);
     scene_file_text(&stood.file, param, text, sizeof text);
     assert_string_equal(text, "assets/scenes/../textures/water.png");
-    stage_close(&stood);
+    loaded_scene_close(&stood);
 }
 
 static void a_stage_without_a_canvas_takes_changes(void **state)
 {
     (void)state;
     given = (options){ .scene = "assets/scenes/pond.ini" };
-    assert_int_equal(stage_load(&stood, &given), 0);
+    assert_int_equal(loaded_scene_load(&stood, &given), 0);
     assert_false(set("pool.cols=20"));
     assert_false(set("boat.mesh=assets/boats/longship.obj"));
     assert_false(set("grid.cols=33"));
-    assert_null(stood.canvas.frame);
-    stage_close(&stood);
+    assert_null(stood.renderer.frame);
+    loaded_scene_close(&stood);
 }
 
 int main(void)

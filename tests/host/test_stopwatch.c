@@ -19,21 +19,21 @@
 
 enum { TICKS = 20 };
 
-static void open_scene(stage *s, const char *scene, uint32_t width, uint32_t threads)
+static void open_scene(loaded_scene *s, const char *scene, uint32_t width, uint32_t threads)
 {
     const options o = { .command = "test", .scene = scene, .width = width,
                         .height = width * 3 / 4, .threads = threads };
 
-    assert_int_equal(stage_open(s, &o), 0);
+    assert_int_equal(loaded_scene_open(s, &o), 0);
     for (int i = 0; i < TICKS; i++)
         tp_world_step(&tp_program_all, s->world, &s->file.scene, NULL);
 }
 
-static uint32_t crc_of(stage *s, bool timed)
+static uint32_t crc_of(loaded_scene *s, bool timed)
 {
-    stopwatch_use(&s->canvas, timed);
-    canvas_draw(&s->canvas, s->world);
-    return picture_crc(&s->canvas.picture);
+    stopwatch_use(&s->renderer, timed);
+    frame_renderer_draw(&s->renderer, s->world);
+    return picture_crc(&s->renderer.picture);
 }
 
 static uint32_t place_of(const char *name)
@@ -58,20 +58,20 @@ static uint64_t sum_ns(void)
 
 static void check_scene(const char *path)
 {
-    stage s;
+    loaded_scene s;
 
     open_scene(&s, path, 128, 1);
     const uint32_t plain = crc_of(&s, false);
     for (uint32_t threads = 1; threads <= 2; threads++) {
         const options o = { .width = 128, .height = 96, .threads = threads };
-        assert_int_equal(stage_canvas(&s, &o), 0);
+        assert_int_equal(loaded_scene_open_renderer(&s, &o), 0);
         stopwatch_zero();
         if (crc_of(&s, true) != plain || sum_ns() == 0)
             fail_msg("%s is another picture when timed, by %u threads", path,
                      (unsigned)threads);
     }
     assert_int_equal(crc_of(&s, false), plain);
-    stage_close(&s);
+    loaded_scene_close(&s);
 }
 
 static void every_scene_has_the_same_bits_timed(void **state)
@@ -90,7 +90,7 @@ static void every_scene_has_the_same_bits_timed(void **state)
 
 static void what_is_timed_is_what_is_drawn(void **state)
 {
-    stage s;
+    loaded_scene s;
     (void)state;
     open_scene(&s, SCENE, 320, 1);
     stopwatch_zero();
@@ -108,26 +108,26 @@ static void what_is_timed_is_what_is_drawn(void **state)
     assert_int_equal(stopwatch_ns(stopwatch_stages), 0);
     assert_true(sum_ns() < most + most / 50);   /* measured by two clocks */
     assert_true(sum_ns() > most / 8);           /* shading takes over 1/8 */
-    stage_close(&s);
+    loaded_scene_close(&s);
 }
 
 static void threads_add_up(void **state)
 {
     uint64_t one, two = 0;
-    stage s;
+    loaded_scene s;
     (void)state;
     open_scene(&s, SCENE, 320, 1);
     crc_of(&s, true);
     stopwatch_zero();
     crc_of(&s, true);
     one = sum_ns();
-    stage_close(&s);
+    loaded_scene_close(&s);
     for (int crews = 0; crews < 20; crews++) {  /* more threads than places in all */
         open_scene(&s, SCENE, 320, 2);
         stopwatch_zero();
         crc_of(&s, true);
         two = sum_ns();
-        stage_close(&s);
+        loaded_scene_close(&s);
     }
     assert_in_range(two, one / 4, one * 8);     /* the machine may be busy */
 }
@@ -136,17 +136,17 @@ static void a_timed_program_has_the_stages_that_it_had(void **state)
 {
     tp_program program = tp_program_all;
     const machine poor = { "poor", &program };
-    stage s;
+    loaded_scene s;
     (void)state;
     program.stage.view = NULL;
     open_scene(&s, SCENE, 128, 1);
-    s.canvas.machine = &poor;
-    stopwatch_use(&s.canvas, true);
-    assert_null(s.canvas.program.stage.view);
-    assert_ptr_not_equal(s.canvas.program.stage.sky, program.stage.sky);
-    stopwatch_use(&s.canvas, false);
-    assert_memory_equal(&s.canvas.program.stage, &program.stage, sizeof program.stage);
-    stage_close(&s);
+    s.renderer.machine = &poor;
+    stopwatch_use(&s.renderer, true);
+    assert_null(s.renderer.program.stage.view);
+    assert_ptr_not_equal(s.renderer.program.stage.sky, program.stage.sky);
+    stopwatch_use(&s.renderer, false);
+    assert_memory_equal(&s.renderer.program.stage, &program.stage, sizeof program.stage);
+    loaded_scene_close(&s);
 }
 
 /* -- cost of timing -------------------------------------------------------------------- */
@@ -156,13 +156,13 @@ enum { ROUNDS = 60 };
 static void its_cost_is_told(void **state)
 {
     timings times[2] = { { 0 }, { 0 } };
-    stage s;
+    loaded_scene s;
     (void)state;
     open_scene(&s, SCENE, 640, 1);
     for (int i = 0; i < 2 * ROUNDS; i++) {
-        stopwatch_use(&s.canvas, i % 2);
+        stopwatch_use(&s.renderer, i % 2);
         const uint64_t begin = now_us();
-        canvas_draw(&s.canvas, s.world);
+        frame_renderer_draw(&s.renderer, s.world);
         timings_add(&times[i % 2], now_us() - begin);
     }
     const double plain = timings_median(&times[0]), timed = timings_median(&times[1]);
@@ -171,7 +171,7 @@ static void its_cost_is_told(void **state)
     assert_true(timed < 1.25 * plain);
     timings_free(&times[0]);
     timings_free(&times[1]);
-    stage_close(&s);
+    loaded_scene_close(&s);
 }
 
 int main(void)

@@ -19,16 +19,16 @@
 enum { FRAMES = 3, THREADS = 16 };
 
 /* CRCs of ticks 20, 21, 22: with rings and spray by then. */
-static void draw(stage *s, options *o, uint32_t threads, uint32_t crc[FRAMES])
+static void draw(loaded_scene *s, options *o, uint32_t threads, uint32_t crc[FRAMES])
 {
     o->threads = threads;
-    assert_int_equal(stage_world(s), 0);
-    assert_int_equal(stage_canvas(s, o), 0);
+    assert_int_equal(loaded_scene_make_world(s), 0);
+    assert_int_equal(loaded_scene_open_renderer(s, o), 0);
     for (int i = 0; i < 20; i++)
         tp_world_step(&tp_program_all, s->world, &s->file.scene, NULL);
     for (int i = 0; i < FRAMES; i++) {
-        canvas_draw(&s->canvas, s->world);
-        crc[i] = picture_crc(&s->canvas.picture);
+        frame_renderer_draw(&s->renderer, s->world);
+        crc[i] = picture_crc(&s->renderer.picture);
         tp_world_step(&tp_program_all, s->world, &s->file.scene, NULL);
     }
 }
@@ -37,16 +37,16 @@ static void check_scene(const char *name)
 {
     options o = { .command = "test", .scene = name, .width = 144, .height = 108 };
     uint32_t one[FRAMES], many[FRAMES], water;
-    stage s;
-    assert_int_equal(stage_open(&s, &o), 0);
+    loaded_scene s;
+    assert_int_equal(loaded_scene_open(&s, &o), 0);
     draw(&s, &o, 1, one);
-    water = s.canvas.water_pixels;
+    water = s.renderer.water_pixels;
     for (uint32_t threads = 2; threads <= THREADS; threads++) {
         draw(&s, &o, threads, many);
-        if (memcmp(one, many, sizeof one) || s.canvas.water_pixels != water)
+        if (memcmp(one, many, sizeof one) || s.renderer.water_pixels != water)
             fail_msg("%s is another picture by %u threads", name, (unsigned)threads);
     }
-    stage_close(&s);
+    loaded_scene_close(&s);
 }
 
 static void every_scene_is_the_same_by_1_to_16_threads(void **state)
@@ -69,34 +69,34 @@ static void every_scene_is_the_same_by_1_to_16_threads(void **state)
 
 enum { JOBS = 2000, HANDS = 7 };
 
-typedef struct { uint32_t calls[HANDS + 1]; } tally;
+typedef struct { uint32_t calls[HANDS + 1]; } call_tally;
 
 static void count_call(void *user, uint32_t i)
 {
-    ((tally *)user)->calls[i]++;        /* each thread has its own */
+    ((call_tally *)user)->calls[i]++;        /* each thread has its own */
 }
 
 static void a_crew_begins_each_job_once_and_ends_it(void **state)
 {
-    crew *c = crew_open(HANDS);
-    tally all = { { 0 } };
+    thread_pool *c = thread_pool_open(HANDS);
+    call_tally all = { { 0 } };
     (void)state;
     for (uint32_t job = 1; job <= JOBS; job++) {
-        crew_do(c, count_call, &all);
+        thread_pool_run(c, count_call, &all);
         assert_int_equal(all.calls[0], job);
         for (int i = 1; i <= HANDS; i++)
             assert_true(all.calls[i] <= job);
     }
-    crew_close(c);
+    thread_pool_close(c);
 }
 
 static void no_crew_is_the_caller_alone(void **state)
 {
-    tally all = { { 0 } };
+    call_tally all = { { 0 } };
     (void)state;
-    assert_null(crew_open(0));
-    crew_do(NULL, count_call, &all);
-    crew_close(NULL);
+    assert_null(thread_pool_open(0));
+    thread_pool_run(NULL, count_call, &all);
+    thread_pool_close(NULL);
     assert_int_equal(all.calls[0], 1);
 }
 

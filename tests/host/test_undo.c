@@ -9,15 +9,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#undef fail                     /* cmocka's, without arguments */
+#undef log_fail                     /* cmocka's, without arguments */
 #include "host/say.h"
 #include "host/undo.h"
 #include "scene/value.h"
 #include "scene/world.h"
 
 static options given;           /* of the open stage */
-static stage stood;
-static edits e;
+static loaded_scene stood;
+static undo_edits e;
 
 /* Runs some ticks with input and in slow motion, so that no number of the world equals
  * the scene's. */
@@ -31,7 +31,7 @@ static void open_scene(const char *scene)
                            .push[0] = { 9999, 0, 0 } };
     given = (options){ .scene = scene, .width = 24, .height = 16, .threads = 1,
                        .format = TP_FORMAT_XRGB8888 };
-    assert_int_equal(stage_open(&stood, &given), 0);
+    assert_int_equal(loaded_scene_open(&stood, &given), 0);
     for (int i = 0; i < 40; i++)
         for (uint32_t n = tp_world_advance_clock(stood.world); n > 0; n--)
             tp_world_step(&tp_program_all, stood.world, &stood.file.scene,
@@ -40,8 +40,8 @@ static void open_scene(const char *scene)
 
 static void close_scene(void)
 {
-    edits_clear(&e);
-    stage_close(&stood);
+    undo_edits_clear(&e);
+    loaded_scene_close(&stood);
 }
 
 /* -- state to be restored ---------------------------------------------------------- */
@@ -52,7 +52,7 @@ typedef struct {
     size_t    bytes;
     void     *world;
     uint32_t  crc;
-} moment;
+} undo_moment;
 
 static uint32_t rows(void)
 {
@@ -69,27 +69,27 @@ static void *copy_of(const void *from, size_t bytes)
 }
 
 /* `drawn`: with the picture's CRC, slower than all the rest. */
-static moment moment_now(bool drawn)
+static undo_moment moment_now(bool drawn)
 {
     if (drawn)
-        canvas_draw(&stood.canvas, stood.world);
-    return (moment){
+        frame_renderer_draw(&stood.renderer, stood.world);
+    return (undo_moment){
         .scene = stood.file.scene, .bytes = stood.world_bytes,
         .set_at = copy_of(stood.file.set_at, rows() * sizeof(uint32_t)),
         .world = copy_of(stood.world, stood.world_bytes),
-        .crc = drawn ? picture_crc(&stood.canvas.picture) : 0,
+        .crc = drawn ? picture_crc(&stood.renderer.picture) : 0,
     };
 }
 
-static void moment_free(moment *m)
+static void moment_free(undo_moment *m)
 {
     free(m->set_at);
     free(m->world);
 }
 
-static bool is_again(const moment *then, const char *name, const char *what)
+static bool is_again(const undo_moment *then, const char *name, const char *what)
 {
-    moment now = moment_now(then->crc != 0);
+    undo_moment now = moment_now(then->crc != 0);
     const bool scene = memcmp(&then->scene, &now.scene, sizeof now.scene) == 0;
     const bool set_at = memcmp(then->set_at, now.set_at, rows() * sizeof(uint32_t)) == 0;
     const bool world = then->bytes == now.bytes
@@ -127,14 +127,14 @@ static void change(const char *name, const char *text)
 
 static undo_result undo(void)
 {
-    edit *done;
+    undo_edit *done;
     bool opened = false;
     return undo_back(&e, &stood, &given, &done, &opened);
 }
 
 static undo_result redo(void)
 {
-    edit *done;
+    undo_edit *done;
     bool opened = false;
     return undo_again(&e, &stood, &given, &done, &opened);
 }
@@ -160,14 +160,14 @@ static void other_value(uint32_t row, char text[TP_NAME_BYTES])
 
 /* -- every row --------------------------------------------------------------------- */
 
-typedef struct { uint32_t taken, refused, wrong; } tally;
+typedef struct { uint32_t taken, refused, wrong; } undo_tally;
 
-static void try_row(uint32_t row, tally *t)
+static void try_row(uint32_t row, undo_tally *t)
 {
     uint32_t count;
     const char *name = tp_params(&count)[row].name;
     char text[TP_NAME_BYTES];
-    moment before = moment_now(true);
+    undo_moment before = moment_now(true);
     other_value(row, text);
     if (change_row(row, text, false, true) != EXIT_DONE) {
         t->refused++;
@@ -175,7 +175,7 @@ static void try_row(uint32_t row, tally *t)
         moment_free(&before);
         return;
     }
-    moment after = moment_now(false);
+    undo_moment after = moment_now(false);
     t->taken++;
     t->wrong += undo() != UNDO_ALL || !is_again(&before, name, "undone");
     t->wrong += redo() != UNDO_VALUE || !is_again(&after, name, "made again");
@@ -190,7 +190,7 @@ static void try_rows(const char *scene, bool names, uint32_t least)
 {
     uint32_t count;
     const tp_param *params = tp_params(&count);
-    tally t = { 0, 0, 0 };
+    undo_tally t = { 0, 0, 0 };
     open_scene(scene);
     for (uint32_t row = 0; row < count; row++)
         if (tp_param_is_file(&params[row]) == names)
@@ -227,7 +227,7 @@ static void several_changes_lead_back_and_forth(void **state)
         { "drops.count", "9" }, { "light.heading", "12" },
     };
     enum { CHANGES = sizeof changes / sizeof *changes };
-    moment at[CHANGES + 1];
+    undo_moment at[CHANGES + 1];
     open_scene("assets/scenes/tank.ini");
     for (int i = 0; i < CHANGES; i++) {
         at[i] = moment_now(true);
@@ -254,7 +254,7 @@ static void a_drag_is_undone_as_one(void **state)
 {
     (void)state;
     open_scene("assets/scenes/tank.ini");
-    moment before = moment_now(true);
+    undo_moment before = moment_now(true);
     for (int cells = 30; cells < 40; cells++) {
         char text[16];
         snprintf(text, sizeof text, "%d", cells);
@@ -280,7 +280,7 @@ static void a_camera_that_was_led_since_stays(void **state)
 {
     (void)state;
     open_scene("assets/scenes/tank.ini");
-    moment led;
+    undo_moment led;
     tp_world before = *stood.world;
     change("pool.cols", "40");
     look();
@@ -302,7 +302,7 @@ static void a_change_of_the_camera_takes_it_back(void **state)
 {
     (void)state;
     open_scene("assets/scenes/tank.ini");
-    moment before = moment_now(true);
+    undo_moment before = moment_now(true);
     change("camera.x", "3");
     look();
     assert_int_equal(undo(), UNDO_ALL);
@@ -355,9 +355,10 @@ static void what_is_no_change_leaves_no_trace(void **state)
 {
     (void)state;
     open_scene("assets/scenes/tank.ini");
-    moment before = moment_now(false);
+    undo_moment before = moment_now(false);
     const uint32_t row = row_of("pool.damping");
-    const stage_value value = stage_get(&stood, &tp_params(&(uint32_t){ 0 })[row]);
+    const loaded_scene_value value =
+        loaded_scene_get(&stood, &tp_params(&(uint32_t){ 0 })[row]);
     change("pool.damping", value.text);
     assert_true(is_again(&before, "pool.damping", "set to what it is"));
     assert_int_equal(change_row(row, "9", true, true), EXIT_DONE);
@@ -376,7 +377,7 @@ static void an_undo_that_is_refused_may_be_tried_again(void **state)
     (void)state;
     open_scene("assets/scenes/three-swells.ini");
     change("grid.cols", "20");
-    moment small = moment_now(true);
+    undo_moment small = moment_now(true);
     given.memory = 1000;                /* the larger world no longer fits */
     assert_int_equal(undo(), UNDO_REFUSED);
     assert_true(is_again(&small, "grid.cols", "refused"));

@@ -149,6 +149,6 @@ static inline void sail(tp_world *world, const tp_scene *scene, const tp_input *
 /* Size of the pool's height LSB in m. */
 static inline double lsb_of(const tp_pool *pool)
 {
-    return tp_pool_lsb(pool, TP_FX_ONE / 2) * 2;
+    return tp_pool_from_metres(pool, TP_FX_ONE / 2) * 2;
 }
 #endif

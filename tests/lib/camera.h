@@ -10,12 +10,12 @@ typedef struct {
     tp_projection    projection;
     ref_camera ref;
     uint32_t   width, height;
-} view;
+} test_view;
 
-static inline view view_of(tp_vec3 eye, tp_turn heading, tp_turn pitch, tp_fx fov,
-                           tp_fx near, uint32_t width, uint32_t height)
+static inline test_view view_of(tp_vec3 eye, tp_turn heading, tp_turn pitch, tp_fx fov,
+                                tp_fx near, uint32_t width, uint32_t height)
 {
-    view v = { .width = width, .height = height };
+    test_view v = { .width = width, .height = height };
 
     tp_projection_init(&v.projection, eye, heading, pitch, fov, near, width, height);
     v.ref = ref_camera_of(eye, heading, pitch, fov, near, width, height);
@@ -24,7 +24,7 @@ static inline view view_of(tp_vec3 eye, tp_turn heading, tp_turn pitch, tp_fx fo
 
 /* A camera from the whole ranges of the parameter table, every fourth at the ends of the
  * ranges. */
-static inline view view_any(uint64_t *state)
+static inline test_view view_any(uint64_t *state)
 {
     const bool ends = random_below(state, 4) == 0;
     const double far = ends ? 8000 : chance_double(state, 0, 8000);
@@ -43,7 +43,8 @@ static inline view view_any(uint64_t *state)
 
 /* World point at pixel position (u, v) and depth, in 16.16; false if the point is out of
  * range. */
-static inline bool view_point(const view *v, double u, double w, double depth, tp_vec3 *p)
+static inline bool view_point(const test_view *v, double u, double w, double depth,
+                              tp_vec3 *p)
 {
     const ref_camera *c = &v->ref;
     const double x = (u - c->u0) / c->focal * depth, y = (c->v0 - w) / c->focal * depth;

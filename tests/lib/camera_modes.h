@@ -39,26 +39,26 @@ static inline tp_input any_input(void)
 }
 
 /* Advances one tick as the view does. */
-static inline void go(look *l, tp_world *w, const tp_scene *s, tp_input in)
+static inline void go(camera_mode *l, tp_world *w, const tp_scene *s, tp_input in)
 {
-    look_steer(l, w, s, &in);
+    camera_mode_steer(l, w, s, &in);
     tp_world_step(&tp_program_all, w, s, &in);
 }
 
 /* Begins a camera mode and sets camera.follow as the view does. */
-static inline void begin(look *l, look_mode mode, tp_world *w, tp_scene *s)
+static inline void begin(camera_mode *l, camera_mode_kind mode, tp_world *w, tp_scene *s)
 {
     const tp_scene filed = sea();
 
-    assert_true(look_begin(l, mode, w, s));
-    s->camera.follow = (int32_t)look_follow(l, &filed);
+    assert_true(camera_mode_begin(l, mode, w, s));
+    s->camera.follow = (int32_t)camera_mode_follow(l, &filed);
     assert_true(tp_world_apply(&tp_program_all, w, s, NULL));
 }
 
 /* Begins a camera mode in a new world. */
-static inline look started(look_mode mode, tp_world *w, tp_scene *s)
+static inline camera_mode started(camera_mode_kind mode, tp_world *w, tp_scene *s)
 {
-    look l = { .mode = LOOK_FREE };
+    camera_mode l = { .mode = CAMERA_FREE };
 
     *w = boat_world(s);
     begin(&l, mode, w, s);

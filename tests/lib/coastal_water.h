@@ -12,31 +12,31 @@
 typedef struct {
     tp_wave wave[TP_WAVES];
     uint32_t count;
-    tp_ocean_config config;
-    tp_sea sea;
-    tp_ocean *ocean;
+    tp_coastal_config config;
+    tp_deep_water deep;
+    tp_coastal_water *coastal;
 } coastal_water;
 
 static inline void coastal_build(coastal_water *o)
 {
     tp_error err;
-    tp_sea_init(&o->sea, o->wave, o->count, TP_FX(9.81));
-    const size_t bytes = tp_ocean_bytes(&o->config, &o->sea);
-    o->ocean = malloc(bytes);
-    assert_non_null(o->ocean);
-    memset(o->ocean, 0xa5, bytes);
+    tp_deep_water_init(&o->deep, o->wave, o->count, TP_FX(9.81));
+    const size_t bytes = tp_coastal_bytes(&o->config, &o->deep);
+    o->coastal = malloc(bytes);
+    assert_non_null(o->coastal);
+    memset(o->coastal, 0xa5, bytes);
     assert_int_equal(
-        tp_ocean_init(o->ocean, &o->config, &o->sea, o->wave, o->count, &err), TP_OK);
+        tp_coastal_init(o->coastal, &o->config, &o->deep, o->wave, o->count, &err), TP_OK);
 }
 
 static inline void coastal_end(coastal_water *o)
 {
-    free(o->ocean);
+    free(o->coastal);
 }
 
-static inline tp_ocean_config coastal_usual(void)
+static inline tp_coastal_config coastal_usual(void)
 {
-    return (tp_ocean_config){
+    return (tp_coastal_config){
         .k0 = TP_FX(0.1), .kx = TP_FX(0.11), .ky = TP_FX(0.09), .stretch = TP_FX_ONE,
     };
 }
@@ -71,8 +71,8 @@ static inline tp_floor shore(double depth, double slope, double heading)
 static inline double coastal_phase(const coastal_water *o, tp_fx x, tp_fx z)
 {
     const tp_turn now[TP_WAVES] = { 0 }, later[TP_WAVES] = { 0x40000000u };
-    const double c = -tp_ocean_displace_smooth(o->ocean, now, x, z).position.y;
-    const double s = tp_ocean_displace_smooth(o->ocean, later, x, z).position.y;
+    const double c = -tp_coastal_displace_smooth(o->coastal, now, x, z).position.y;
+    const double s = tp_coastal_displace_smooth(o->coastal, later, x, z).position.y;
     return atan2(s, c) / (2 * 3.14159265358979323846);
 }
 

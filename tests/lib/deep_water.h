@@ -17,8 +17,8 @@ typedef struct {
     tp_wave wave[TP_WAVES];
     int     count;
     tp_fx   gravity;
-    tp_sea  sea;
-    ref_sea ref;
+    tp_deep_water  deep;
+    ref_deep_water ref;
     tp_turn phases[TP_WAVES];
     double  ref_phases[TP_WAVES];
     uint64_t tick;
@@ -26,10 +26,10 @@ typedef struct {
 
 static inline void deep_water_settle(deep_water *o)
 {
-    tp_sea_init(&o->sea, o->wave, (uint32_t)o->count, o->gravity);
-    o->ref = ref_sea_of(o->wave, o->count, o->gravity);
-    assert_int_equal(o->sea.count, o->ref.count);
-    tp_sea_phases(&o->sea, o->tick, 0, o->phases);
+    tp_deep_water_init(&o->deep, o->wave, (uint32_t)o->count, o->gravity);
+    o->ref = ref_deep_water_make(o->wave, o->count, o->gravity);
+    assert_int_equal(o->deep.count, o->ref.count);
+    tp_deep_water_phases(&o->deep, o->tick, 0, o->phases);
     ref_phases(&o->ref, o->tick, o->ref_phases);
 }
 
@@ -152,7 +152,7 @@ static inline double slope_angle(double ax, double az, double bx, double bz)
 
 /* Angle between the slopes' normal and the reference normal, whose slopes are clamped
  * likewise. */
-static inline double normal_angle(const ref_point *p, const tp_sea_point *got)
+static inline double normal_angle(const ref_point *p, const tp_surface_point *got)
 {
     const double most = 7.99;
     return slope_angle(fmax(-most, fmin(most, -p->nx / p->ny)),
@@ -183,11 +183,11 @@ static inline void deep_water_compare(const deep_water *o, tp_fx x, tp_fx z, err
 {
     const double x0 = x * LSB, z0 = z * LSB;
     ref_point want = ref_at_rest(&o->ref, o->ref_phases, x0, z0);
-    const tp_sea_point got = tp_sea_displace_point(&o->sea, o->phases, x, z);
+    const tp_surface_point got = tp_deep_water_displace_point(&o->deep, o->phases, x, z);
     const double height = got.position.y * LSB - want.y;
     const double place = fmax(fabs(got.position.x * LSB - want.x),
                               fabs(got.position.z * LSB - want.z));
-    if (!o->sea.crossed)
+    if (!o->deep.crossed)
         want = ref_uncrossed(want);
     const double angle = normal_angle(&want, &got);
 
@@ -197,8 +197,10 @@ static inline void deep_water_compare(const deep_water *o, tp_fx x, tp_fx z, err
     assert_true(fabs(height) <= height_error(o, x0, z0));
     assert_true(place <= place_error(o, x0, z0));
     assert_true(angle <= normal_error(o, &want, x0, z0));
-    assert_true(fabs(got.position.y * LSB) <= o->sea.height * LSB + 2 * LSB);
-    assert_true(fabs(got.position.x * LSB - x0) <= o->sea.reach * LSB + 2 * LSB);
-    assert_true(fabs(got.position.z * LSB - z0) <= o->sea.reach * LSB + 2 * LSB);
+    assert_true(fabs(got.position.y * LSB) <= o->deep.height * LSB + 2 * LSB);
+    assert_true(fabs(got.position.x * LSB - x0)
+                <= o->deep.max_displacement * LSB + 2 * LSB);
+    assert_true(fabs(got.position.z * LSB - z0)
+                <= o->deep.max_displacement * LSB + 2 * LSB);
 }
 #endif

@@ -103,7 +103,7 @@ static inline marks_kind marks_kind_of(const tp_frame *frame, uint32_t mark)
 {
     if (mark < TP_MARK_SOLID)
         return mark == TP_MARK_SKY ? MARKS_SKY : MARKS_WATER;
-    const tp_drawing *owner = mark < frame->parts.marks.count
+    const tp_drawing *owner = mark < frame->buffers.marks.count
                             ? tp_frame_list(frame, mark)->owner : NULL;
     return owner == &tp_spray_drawing ? MARKS_SPRAY
          : owner == &tp_tank_drawing ? MARKS_TANK

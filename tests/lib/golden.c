@@ -58,19 +58,19 @@ picture golden_draw(const golden_scene *g, uint32_t frame_index, tp_format forma
         .tile_height = band,
         .format = format,
     };
-    canvas c;
+    frame_renderer c;
     memset(&c, 0, sizeof c);
-    canvas_plan(&c, &config, 1);
-    if (canvas_open(&c, &g->file.scene, &g->assets.names))
+    frame_renderer_plan(&c, &config, 1);
+    if (frame_renderer_open(&c, &g->file.scene, &g->assets.names))
         exit(1);
-    canvas_draw(&c, g->world[frame_index]);
+    frame_renderer_draw(&c, g->world[frame_index]);
 
     picture p = c.picture;
     p.rows = malloc(p.row_bytes * p.height);
     if (!p.rows)
         exit(1);
     memcpy(p.rows, c.picture.rows, p.row_bytes * p.height);
-    canvas_close(&c);
+    frame_renderer_close(&c);
     return p;
 }
 

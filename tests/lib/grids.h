@@ -9,9 +9,9 @@
 static inline void grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols,
                               uint32_t rows, bool coastal)
 {
-    tp_grid_carve(grid, arena, cols, rows);
+    tp_grid_layout(grid, arena, cols, rows);
     if (coastal)
-        tp_grid_carve_ocean(grid, arena);
+        tp_grid_layout_coastal(grid, arena);
 }
 
 /* Carves a grid, for coastal water or deep water, from a block of exact size, filled with

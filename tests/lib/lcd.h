@@ -35,19 +35,19 @@ typedef struct {
     tp_config config;
     tp_frame *frame;
     void     *block, *scratch;
-} drawing;
+} lcd_drawing;
 
-static drawing drawing_open_with(const tp_program *program, uint32_t width,
-                                 uint32_t height, uint32_t strip, uint32_t band,
-                                 tp_format format)
+static lcd_drawing drawing_open_with(const tp_program *program, uint32_t width,
+                                     uint32_t height, uint32_t strip, uint32_t band,
+                                     tp_format format)
 {
-    drawing d = { .config = { .width = width,
-                              .height = height,
-                              .tile_width = strip,
-                              .tile_height = band,
-                              .format = format,
-                              .program = program,
-                              .assets = &shown.assets.names } };
+    lcd_drawing d = { .config = { .width = width,
+                                  .height = height,
+                                  .tile_width = strip,
+                                  .tile_height = band,
+                                  .format = format,
+                                  .program = program,
+                                  .assets = &shown.assets.names } };
     const size_t bytes = tp_frame_bytes(&d.config, &shown.file.scene);
     d.block = malloc(bytes);
     d.scratch = malloc(tp_frame_scratch_bytes(&d.config, &shown.file.scene));
@@ -58,13 +58,13 @@ static drawing drawing_open_with(const tp_program *program, uint32_t width,
     return d;
 }
 
-static inline drawing drawing_open(uint32_t width, uint32_t height, uint32_t strip,
-                                   uint32_t band, tp_format format)
+static inline lcd_drawing drawing_open(uint32_t width, uint32_t height, uint32_t strip,
+                                       uint32_t band, tp_format format)
 {
     return drawing_open_with(&tp_program_all, width, height, strip, band, format);
 }
 
-static void drawing_close(drawing *d)
+static void drawing_close(lcd_drawing *d)
 {
     free(d->block);
     free(d->scratch);
@@ -73,7 +73,7 @@ static void drawing_close(drawing *d)
 /* Returns a picture drawn by the core without a panel; to be freed. */
 static inline uint32_t *drawn_whole(uint32_t width, uint32_t height, tp_format format)
 {
-    drawing d = drawing_open(width, height, 0, height, format);
+    lcd_drawing d = drawing_open(width, height, 0, height, format);
     uint32_t *pixels = malloc(sizeof *pixels * width * height);
     tp_tile tile;
     assert_true(tp_frame_draw_tile(d.frame, 0, d.scratch, &tile));
@@ -103,14 +103,14 @@ static inline uint32_t *golden_picture(tp_format format)
 /* -- wires -------------------------------------------------------------------------- */
 
 typedef struct {
-    panel    *panel;
+    panel_model    *panel;
     uint32_t  waits, blocked_from;      /* number of the first wait to time out; 0: none */
     bool      liar;                     /* waits return at once */
 } bus;
 
 static void bus_command(void *user, uint8_t byte)
 {
-    panel *p = ((bus *)user)->panel;
+    panel_model *p = ((bus *)user)->panel;
     if (p->waiting)
         panel_settle(p), p->faults++, p->fault = "a command while data are on their way";
     panel_byte(p, false, byte);
@@ -146,22 +146,22 @@ static inline lcd_wires wires_to(bus *b)
 /* -- a panel and its driver --------------------------------------------------------- */
 
 typedef struct {
-    panel  model;
+    panel_model  model;
     bus    wires;
     lcd    driver;
     void  *memory;
-} screen;
+} lcd_screen;
 
-static inline screen *screen_power(panel_kind kind)
+static inline lcd_screen *screen_power(panel_model_kind kind)
 {
-    screen *s = calloc(1, sizeof *s);
+    lcd_screen *s = calloc(1, sizeof *s);
     panel_power(&s->model, kind);
     s->model.late = 1;
     s->wires.panel = &s->model;
     return s;
 }
 
-static inline lcd_status screen_open(screen *s, lcd_config config)
+static inline lcd_status screen_open(lcd_screen *s, lcd_config config)
 {
     lcd_status why;
     config.wires = wires_to(&s->wires);
@@ -174,7 +174,7 @@ static inline lcd_status screen_open(screen *s, lcd_config config)
     return lcd_open(&s->driver, &config, s->memory);
 }
 
-static inline void screen_close(screen *s)
+static inline void screen_close(lcd_screen *s)
 {
     free(s->memory);
     free(s);
@@ -182,7 +182,7 @@ static inline void screen_close(screen *s)
 
 /* Returns the panel's pixel at (x, y) of the picture's orientation: mirrored if
  * configured, then turned by `turn` quarters clockwise. */
-static uint32_t screen_seen(const screen *s, int32_t x, int32_t y)
+static uint32_t screen_seen(const lcd_screen *s, int32_t x, int32_t y)
 {
     const lcd_config *c = &s->driver.config;
     const lcd_panel *p = c->panel;
@@ -197,7 +197,7 @@ static uint32_t screen_seen(const screen *s, int32_t x, int32_t y)
 
 /* Returns the number of wrong pixels on the panel: the picture at its place, untouched
  * elsewhere. */
-static inline uint32_t screen_wrong(const screen *s, const uint32_t *right)
+static inline uint32_t screen_wrong(const lcd_screen *s, const uint32_t *right)
 {
     const lcd_config *c = &s->driver.config;
     const int32_t w = (int32_t)c->frame.width, h = (int32_t)c->frame.height;

@@ -14,20 +14,20 @@ typedef struct {
 } known;
 
 static const known dcs[] = {
-    { 0x00, 0 }, { 0x01, 0 }, { 0x10, 0 }, { 0x11, 0 }, { 0x13, 0 }, { 0x20, 0 }, { 0x21, 0 },
-    { 0x28, 0 }, { 0x29, 0 }, { 0x2a, 4 }, { 0x2b, 4 }, { 0x2c, ANY }, { 0x36, 1 },
-    { 0x3a, 1 }, { 0x3c, ANY },
+    { 0x00, 0 }, { 0x01, 0 },   { 0x10, 0 }, { 0x11, 0 }, { 0x13, 0 },
+    { 0x20, 0 }, { 0x21, 0 },   { 0x28, 0 }, { 0x29, 0 }, { 0x2a, 4 },
+    { 0x2b, 4 }, { 0x2c, ANY }, { 0x36, 1 }, { 0x3a, 1 }, { 0x3c, ANY },
 };
 static const known ili9341[] = {
     { 0xb1, 2 }, { 0xb6, 3 }, { 0xc0, 1 }, { 0xc1, 1 }, { 0xc5, 2 }, { 0xc7, 1 },
 };
 static const known ssd1680[] = {
-    { 0x01, 3 }, { 0x10, 1 }, { 0x11, 1 }, { 0x12, 0 }, { 0x18, 1 }, { 0x20, 0 }, { 0x21, 2 },
-    { 0x22, 1 }, { 0x24, ANY }, { 0x26, ANY }, { 0x37, 10 }, { 0x3c, 1 }, { 0x44, 2 },
-    { 0x45, 4 }, { 0x4e, 1 }, { 0x4f, 2 },
+    { 0x01, 3 }, { 0x10, 1 }, { 0x11, 1 },   { 0x12, 0 },   { 0x18, 1 },  { 0x20, 0 },
+    { 0x21, 2 }, { 0x22, 1 }, { 0x24, ANY }, { 0x26, ANY }, { 0x37, 10 }, { 0x3c, 1 },
+    { 0x44, 2 }, { 0x45, 4 }, { 0x4e, 1 },   { 0x4f, 2 },
 };
 
-static void refuse(panel *p, const char *why)
+static void refuse(panel_model *p, const char *why)
 {
     p->faults++;
     if (!p->fault)
@@ -44,7 +44,7 @@ static int find(const known *list, size_t count, uint8_t code)
 }
 
 /* Number of arguments of a command of this kind of panel; -1: no such command. */
-static int arguments_of(panel_kind kind, uint8_t code)
+static int arguments_of(panel_model_kind kind, uint8_t code)
 {
     int n = kind == PANEL_SSD1680 ? find(ssd1680, sizeof ssd1680 / sizeof *ssd1680, code)
                                   : find(dcs, sizeof dcs / sizeof *dcs, code);
@@ -55,7 +55,7 @@ static int arguments_of(panel_kind kind, uint8_t code)
 
 /* -- MIPI DCS ----------------------------------------------------------------------- */
 
-static void dcs_reset(panel *p)
+static void dcs_reset(panel_model *p)
 {
     p->reset = true;
     p->awake = p->lit = p->inverted = p->begun = false;
@@ -68,7 +68,7 @@ static void dcs_reset(panel *p)
     p->wake_ms = p->ms + 120;
 }
 
-static void dcs_command(panel *p, uint8_t code)
+static void dcs_command(panel_model *p, uint8_t code)
 {
     if (p->ms < p->ready_ms || (code == 0x11 && p->ms < p->wake_ms))
         refuse(p, "a command too early");
@@ -91,7 +91,7 @@ static void dcs_command(panel *p, uint8_t code)
     }
 }
 
-static void dcs_range(panel *p, uint32_t *first, uint32_t *last, uint32_t side)
+static void dcs_range(panel_model *p, uint32_t *first, uint32_t *last, uint32_t side)
 {
     const uint8_t *a = p->argument;
     *first = (uint32_t)(a[0] << 8 | a[1]);
@@ -100,7 +100,7 @@ static void dcs_range(panel *p, uint32_t *first, uint32_t *last, uint32_t side)
         refuse(p, "a window beyond the memory");
 }
 
-static void dcs_arguments(panel *p)
+static void dcs_arguments(panel_model *p)
 {
     const bool swap = p->walk & MV;
     switch (p->command) {
@@ -112,7 +112,7 @@ static void dcs_arguments(panel *p)
 }
 
 /* Advances to the next pixel of the window, and wraps at its end. */
-static void step(panel *p)
+static void step(panel_model *p)
 {
     p->pixels++;
     if (p->x++ < p->x1)
@@ -124,7 +124,7 @@ static void step(panel *p)
     p->wraps++;
 }
 
-static void dcs_pixel(panel *p, uint8_t byte)
+static void dcs_pixel(panel_model *p, uint8_t byte)
 {
     if (p->pixel_size != 0x55 || !p->begun) {
         refuse(p, p->begun ? "pixels of another size than 16 bits" : "pixels nowhere");
@@ -144,7 +144,7 @@ static void dcs_pixel(panel *p, uint8_t byte)
     step(p);
 }
 
-static uint32_t dcs_seen(const panel *p, uint32_t x, uint32_t y)
+static uint32_t dcs_seen(const panel_model *p, uint32_t x, uint32_t y)
 {
     const bool ili = p->kind == PANEL_ILI9341;
     uint32_t c = p->memory[y * PANEL_COLS + (ili ? DCS_COLS - 1 - x : x)];
@@ -164,7 +164,7 @@ static uint32_t dcs_seen(const panel *p, uint32_t x, uint32_t y)
 
 /* Update of the e-paper. Mode 1 shows the content of 24h; mode 2 drives the pixels that
  * differ from 26h, and exchanges 24h and 26h on request. */
-static void paper_update(panel *p)
+static void paper_update(panel_model *p)
 {
     const bool differing = p->sequence & 0x08;
     if ((p->sequence & 0xc4) != 0xc4) {
@@ -186,7 +186,7 @@ static void paper_update(panel *p)
     p->lit = true;
 }
 
-static void paper_command(panel *p, uint8_t code)
+static void paper_command(panel_model *p, uint8_t code)
 {
     if (code == 0x12 || code == 0x20)
         p->busy = true;
@@ -200,7 +200,7 @@ static void paper_command(panel *p, uint8_t code)
     p->begun = code == 0x24 || code == 0x26;
 }
 
-static void paper_arguments(panel *p)
+static void paper_arguments(panel_model *p)
 {
     const uint8_t *a = p->argument;
     switch (p->command) {
@@ -209,7 +209,10 @@ static void paper_arguments(panel *p)
     case 0x22: p->sequence = a[0]; break;
     case 0x37: p->option = a[5]; break;
     case 0x44: p->x0 = a[0]; p->x1 = a[1]; break;
-    case 0x45: p->y0 = a[0] | (uint32_t)a[1] << 8; p->y1 = a[2] | (uint32_t)a[3] << 8; break;
+    case 0x45:
+        p->y0 = a[0] | (uint32_t)a[1] << 8;
+        p->y1 = a[2] | (uint32_t)a[3] << 8;
+        break;
     case 0x4e: p->x = a[0]; break;
     case 0x4f: p->y = a[0] | (uint32_t)a[1] << 8; break;
     }
@@ -218,7 +221,7 @@ static void paper_arguments(panel *p)
         refuse(p, "a window beyond the memory, or walked in an order that is not here");
 }
 
-static void paper_eight(panel *p, uint8_t byte)
+static void paper_eight(panel_model *p, uint8_t byte)
 {
     if (p->x < p->x0 || p->x > p->x1 || p->y < p->y0 || p->y > p->y1) {
         refuse(p, "pixels beside the window");
@@ -228,7 +231,7 @@ static void paper_eight(panel *p, uint8_t byte)
     step(p);
 }
 
-static uint32_t paper_seen(const panel *p, uint32_t x, uint32_t y)
+static uint32_t paper_seen(const panel_model *p, uint32_t x, uint32_t y)
 {
     if (!p->lit)
         return PANEL_DARK;
@@ -237,7 +240,7 @@ static uint32_t paper_seen(const panel *p, uint32_t x, uint32_t y)
 
 /* -- all panels --------------------------------------------------------------------- */
 
-void panel_power(panel *p, panel_kind kind)
+void panel_power(panel_model *p, panel_model_kind kind)
 {
     memset(p, 0, sizeof *p);
     p->kind = kind;
@@ -251,7 +254,7 @@ void panel_power(panel *p, panel_kind kind)
     }
 }
 
-static void take_command(panel *p, uint8_t code)
+static void take_command(panel_model *p, uint8_t code)
 {
     const bool paper = p->kind == PANEL_SSD1680;
     const int before = p->command < 0 ? 0 : arguments_of(p->kind, (uint8_t)p->command);
@@ -266,7 +269,7 @@ static void take_command(panel *p, uint8_t code)
     (paper ? paper_command : dcs_command)(p, code);
 }
 
-static void take_data(panel *p, uint8_t byte)
+static void take_data(panel_model *p, uint8_t byte)
 {
     const bool paper = p->kind == PANEL_SSD1680;
     const int count = p->command < 0 ? 0 : arguments_of(p->kind, (uint8_t)p->command);
@@ -281,7 +284,7 @@ static void take_data(panel *p, uint8_t byte)
     }
 }
 
-void panel_byte(panel *p, bool data, uint8_t byte)
+void panel_byte(panel_model *p, bool data, uint8_t byte)
 {
     p->bytes++;
     if (p->busy)
@@ -289,22 +292,22 @@ void panel_byte(panel *p, bool data, uint8_t byte)
     (data ? take_data : take_command)(p, byte);
 }
 
-void panel_pause(panel *p, uint32_t ms)
+void panel_pause(panel_model *p, uint32_t ms)
 {
     p->ms += ms;
 }
 
-void panel_idle(panel *p)
+void panel_idle(panel_model *p)
 {
     p->busy = false;
 }
 
-uint32_t panel_seen(const panel *p, uint32_t x, uint32_t y)
+uint32_t panel_seen(const panel_model *p, uint32_t x, uint32_t y)
 {
     return p->kind == PANEL_SSD1680 ? paper_seen(p, x, y) : dcs_seen(p, x, y);
 }
 
-static void take_oldest(panel *p)
+static void take_oldest(panel_model *p)
 {
     const panel_transfer t = p->pending[0];
     if (tp_crc32(0, t.bytes, t.count) != t.crc)
@@ -315,14 +318,14 @@ static void take_oldest(panel *p)
     memmove(p->pending, p->pending + 1, p->waiting * sizeof *p->pending);
 }
 
-void panel_send(panel *p, const uint8_t *bytes, size_t count)
+void panel_send(panel_model *p, const uint8_t *bytes, size_t count)
 {
     p->pending[p->waiting++] = (panel_transfer){ bytes, count, tp_crc32(0, bytes, count) };
     while (p->waiting > p->late)
         take_oldest(p);
 }
 
-void panel_settle(panel *p)
+void panel_settle(panel_model *p)
 {
     while (p->waiting)
         take_oldest(p);

@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-typedef enum { PANEL_ILI9341, PANEL_ST7789, PANEL_SSD1680 } panel_kind;
+typedef enum { PANEL_ILI9341, PANEL_ST7789, PANEL_SSD1680 } panel_model_kind;
 
 enum { PANEL_COLS = 240, PANEL_ROWS = 320, PANEL_PENDING = 4 };
 
@@ -23,7 +23,7 @@ typedef struct {
 } panel_transfer;
 
 typedef struct {
-    panel_kind  kind;
+    panel_model_kind  kind;
     uint32_t    ms, ready_ms, wake_ms;  /* now; earliest for commands; for SLPOUT */
     bool        reset, awake, lit, inverted, busy;
     int         command;                /* -1: none yet */
@@ -46,18 +46,18 @@ typedef struct {
     uint32_t    waiting, late;          /* pending transfers; allowed number */
     uint32_t    overwritten;            /* transfers with bytes changed too early */
     uint32_t    overlapped;             /* pixels drawn during a transfer */
-} panel;
+} panel_model;
 
-void panel_power(panel *p, panel_kind kind);
-void panel_byte(panel *p, bool data, uint8_t byte);
-void panel_pause(panel *p, uint32_t ms);
-void panel_idle(panel *p);              /* until BUSY is free */
+void panel_power(panel_model *p, panel_model_kind kind);
+void panel_byte(panel_model *p, bool data, uint8_t byte);
+void panel_pause(panel_model *p, uint32_t ms);
+void panel_idle(panel_model *p);              /* until BUSY is free */
 
 /* The colour 0x00RRGGBB at a column and row of the memory as the glass stands upright. */
-uint32_t panel_seen(const panel *p, uint32_t x, uint32_t y);
+uint32_t panel_seen(const panel_model *p, uint32_t x, uint32_t y);
 
 /* Wires by DMA: the bytes are taken when they are waited for, or when more than `late`
  * transfers are on their way. */
-void panel_send(panel *p, const uint8_t *bytes, size_t count);
-void panel_settle(panel *p);
+void panel_send(panel_model *p, const uint8_t *bytes, size_t count);
+void panel_settle(panel_model *p);
 #endif

@@ -19,7 +19,7 @@ typedef struct {
     void    *mem;               /* NULL until loading begins */
     uint32_t warnings;          /* count over all steps, and the first warning */
     tp_error warned;
-} reader;
+} obj_reader;
 
 typedef tp_status feeder(tp_obj *obj, const void *text, size_t bytes, tp_error *err);
 
@@ -37,7 +37,8 @@ static inline tp_status feed_pieces(feeder *feed, tp_obj *obj, const char *text,
     return status;
 }
 
-static inline tp_status scan_text(reader *r, const char *text, size_t bytes, size_t piece)
+static inline tp_status scan_text(obj_reader *r, const char *text, size_t bytes,
+                                  size_t piece)
 {
     memset(r, 0xA5, sizeof *r);
     r->err.code = r->warned.code = TP_OK;
@@ -48,7 +49,8 @@ static inline tp_status scan_text(reader *r, const char *text, size_t bytes, siz
     return status != TP_OK ? status : tp_obj_end_count(&r->obj, &r->err);
 }
 
-static inline tp_status load_text(reader *r, const char *text, size_t bytes, size_t piece)
+static inline tp_status load_text(obj_reader *r, const char *text, size_t bytes,
+                                  size_t piece)
 {
     r->mem = malloc(tp_obj_bytes(&r->obj));
     memset(r->mem, 0xA5, tp_obj_bytes(&r->obj));
@@ -58,7 +60,7 @@ static inline tp_status load_text(reader *r, const char *text, size_t bytes, siz
 }
 
 /* Adds the warnings of the step that has just ended. */
-static inline void note_warnings(reader *r)
+static inline void note_warnings(obj_reader *r)
 {
     if (r->warnings == 0 && r->obj.warnings > 0)
         r->warned = r->obj.warning[0];
@@ -67,7 +69,7 @@ static inline void note_warnings(reader *r)
 
 /* Runs both passes.  Every library that the file names reads `mtl`, if `mtl` is not
  * NULL. */
-static inline tp_status read_bytes(reader *r, const char *text, size_t bytes,
+static inline tp_status read_bytes(obj_reader *r, const char *text, size_t bytes,
                                    const char *mtl, size_t mtl_bytes, size_t piece)
 {
     tp_status status = scan_text(r, text, bytes, piece);
@@ -90,12 +92,12 @@ static inline tp_status read_bytes(reader *r, const char *text, size_t bytes,
     return status;
 }
 
-static inline tp_status read_text(reader *r, const char *text, const char *mtl)
+static inline tp_status read_text(obj_reader *r, const char *text, const char *mtl)
 {
     return read_bytes(r, text, strlen(text), mtl, mtl ? strlen(mtl) : 0, 4096);
 }
 
-static inline void finish(reader *r)
+static inline void finish(obj_reader *r)
 {
     free(r->mem);
     r->mem = NULL;
@@ -108,7 +110,7 @@ static inline uint32_t next_random(uint64_t *state)
 }
 
 /* Reads a text that must be accepted. */
-static inline void accept_text(reader *r, const char *text)
+static inline void accept_text(obj_reader *r, const char *text)
 {
     if (read_text(r, text, NULL) != TP_OK) {
         char what[200];
@@ -150,14 +152,14 @@ static inline int64_t area_of(const point *p, int n)
     return sum;
 }
 
-static inline struct tp_obj_cut *carve_cut(cutting *c, int n)
+static inline struct tp_obj_cut *layout_cut(cutting *c, int n)
 {
     tp_arena count = tp_arena_init(NULL, 0);
-    tp_cut_carve(&count, (uint32_t)n);
+    tp_cut_layout(&count, (uint32_t)n);
     c->block = malloc(count.used);
     memset(c->block, 0xA5, count.used);
     tp_arena arena = tp_arena_init(c->block, count.used);
-    struct tp_obj_cut *const cut = tp_cut_carve(&arena, (uint32_t)n);
+    struct tp_obj_cut *const cut = tp_cut_layout(&arena, (uint32_t)n);
     assert_false(arena.failed);
     return cut;
 }
@@ -180,7 +182,7 @@ static inline void run_cut(cutting *c, struct tp_obj_cut *cut, int n)
 static inline cutting cut_in_plane(const point *p, int n, int plane)
 {
     cutting c;
-    struct tp_obj_cut *const cut = carve_cut(&c, n);
+    struct tp_obj_cut *const cut = layout_cut(&c, n);
     for (int i = 0; i < n; i++) {
         const int32_t out = plane < 3 ? 77 : p[i].u + 2 * p[i].v;
         cut->at[plane % 3][i] = p[i].u;

@@ -165,7 +165,8 @@ static inline uint32_t sample(const kind *k, uint32_t x, uint32_t y, int c)
 
 static inline png_color palette_entry(uint32_t i)
 {
-    return (png_color){ (png_byte)(7 * i + 3), (png_byte)(255 - 5 * i), (png_byte)(90 ^ i) };
+    return (png_color){ (png_byte)(7 * i + 3), (png_byte)(255 - 5 * i),
+                        (png_byte)(90 ^ i) };
 }
 
 /* Returns the texel to be read. */
@@ -186,8 +187,9 @@ static inline uint32_t expected(const kind *k, uint32_t x, uint32_t y)
         alpha = c[channels(k) - 1];
     if (k->keyed && raw[0] == KEY && (k->type == GREY || (raw[1] == KEY && raw[2] == KEY)))
         alpha = 0;
-    return k->type == GREY || k->type == GREYA ? alpha << 24 | c[0] * 0x010101
-                                               : alpha << 24 | c[0] << 16 | c[1] << 8 | c[2];
+    return k->type == GREY || k->type == GREYA
+               ? alpha << 24 | c[0] * 0x010101
+               : alpha << 24 | c[0] << 16 | c[1] << 8 | c[2];
 }
 
 static inline void put_chunks(png_structp png, png_infop info, const kind *k)
@@ -210,7 +212,8 @@ static inline void pack_row(const kind *k, uint32_t y, uint8_t *row)
     memset(row, 0, (size_t)k->w * 8);
     for (uint32_t x = 0; x < k->w; x++)
         for (int c = 0; c < channels(k); c++) {
-            const uint32_t v = sample(k, x, y, c), n = x * (uint32_t)channels(k) + (uint32_t)c;
+            const uint32_t v = sample(k, x, y, c),
+                           n = x * (uint32_t)channels(k) + (uint32_t)c;
             if (k->bits == 16) {
                 row[2 * n] = (uint8_t)(v >> 8);
                 row[2 * n + 1] = (uint8_t)v;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Pools, each in a block of exactly the required bytes, filled with 0xa5 before: the
- * sanitizers see any access beyond. Tanks with an r set by the test, and their invariants. */
+ * sanitizers see any access beyond. Tanks with an r set by the test, and their
+ * invariants. */
 #ifndef TP_TESTS_LIB_POOLS_H
 #define TP_TESTS_LIB_POOLS_H
 #include "pool/pool.h"
@@ -81,7 +82,7 @@ static inline tp_pool *tank(tp_cells cells, tp_edges edges, uint32_t size, uint3
     tp_pool_config c = pool_config(cells, edges, size, size);
     c.damping = m;
     tp_pool *const pool = pool_make(&c);
-    pool->r2q = r2q_of(r);
+    pool->courant_sq_q10 = r2q_of(r);
     return pool;
 }
 

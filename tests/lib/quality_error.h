@@ -35,7 +35,7 @@ typedef struct {
     uint32_t pixel[MOST];
     uint8_t  water[MOST];      /* number of its samples that are water, 0..4 */
     uint32_t vertices;
-} drawing;
+} truth_drawing;
 
 typedef struct {
     double px, colour;
@@ -45,7 +45,7 @@ typedef struct {
  * G-buffer's keys are the first plane of the tile's scratch memory. The shader list does
  * not check the scene: the reference's cells may be finer than a scene allows, down to a
  * quarter of 1 cm. */
-static inline void draw_at(drawing *to, const stage *s, const tp_scene *scene,
+static inline void draw_at(truth_drawing *to, const loaded_scene *s, const tp_scene *scene,
                            const tp_world *world, uint32_t parts)
 {
     tp_program program = tp_program_all;
@@ -86,13 +86,13 @@ static inline void draw_at(drawing *to, const stage *s, const tp_scene *scene,
     free(block);
 }
 
-static inline void draw(drawing *to, const stage *s, const tp_scene *scene,
+static inline void draw(truth_drawing *to, const loaded_scene *s, const tp_scene *scene,
                         const tp_world *world)
 {
     draw_at(to, s, scene, world, 1);
 }
 
-static inline tp_scene exact_scene(const stage *s)
+static inline tp_scene exact_scene(const loaded_scene *s)
 {
     tp_scene scene = s->file.scene;
 
@@ -110,8 +110,8 @@ static inline int32_t finer(int32_t lines)
     return more < 1024 ? more : 1024;
 }
 
-static inline void draw_truth(drawing *to, const stage *s, const tp_world *world,
-                              uint32_t parts)
+static inline void draw_truth(truth_drawing *to, const loaded_scene *s,
+                              const tp_world *world, uint32_t parts)
 {
     tp_scene scene = exact_scene(s);
 
@@ -121,7 +121,7 @@ static inline void draw_truth(drawing *to, const stage *s, const tp_world *world
     draw_at(to, s, &scene, world, parts);
 }
 
-static inline error error_of(const drawing *truth, const drawing *b)
+static inline error error_of(const truth_drawing *truth, const truth_drawing *b)
 {
     double   sum[3] = { 0, 0, 0 };
     uint32_t count = 1, elsewhere = 0, borders = 1;

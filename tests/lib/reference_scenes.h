@@ -60,7 +60,7 @@ static inline void view_close(view_of_ref *v)
 /* Direction in radians: azimuth clockwise from north (-z), elevation above the horizon. */
 typedef struct {
     double azimuth, elevation;
-} view;
+} sight_angles;
 
 /* Channel k of a colour: 0 red, 1 green, 2 blue. */
 static inline double channel(int32_t colour, int k)
@@ -79,31 +79,31 @@ static inline double radians(tp_turn turn)
 }
 
 /* Cosine of the angle between two directions, by the spherical law of cosines. */
-static inline double sight_cos(view a, view b)
+static inline double sight_cos(sight_angles a, sight_angles b)
 {
     return sin(a.elevation) * sin(b.elevation)
          + cos(a.elevation) * cos(b.elevation) * cos(a.azimuth - b.azimuth);
 }
 
 /* Direction of the world's light, quantised as the world stores the angles. */
-static inline view sight_light(const view_of_ref *v)
+static inline sight_angles sight_light(const view_of_ref *v)
 {
-    return (view){ radians(v->world->light_heading),
-                    radians(v->world->light_elevation) };
+    return (sight_angles){ radians(v->world->light_heading),
+                           radians(v->world->light_elevation) };
 }
 
-static inline view sight_ahead(const view_of_ref *v)
+static inline sight_angles sight_ahead(const view_of_ref *v)
 {
-    return (view){ radians(v->world->heading),
-                   (int32_t)v->world->pitch * (2 * PI / 4294967296.0) };
+    return (sight_angles){ radians(v->world->heading),
+                           (int32_t)v->world->pitch * (2 * PI / 4294967296.0) };
 }
 
 /* Projects the direction `to` into a picture of width x height pixels: `place` in pixels.
  * Returns false if the direction is outside the picture. */
-static inline bool sight_place(const view_of_ref *v, view to, uint32_t width,
+static inline bool sight_place(const view_of_ref *v, sight_angles to, uint32_t width,
                                uint32_t height, double place[2])
 {
-    const view axis = sight_ahead(v);
+    const sight_angles axis = sight_ahead(v);
     const double focal = height / 2.0 / tan(v->scene.camera.fov / 65536.0 * PI / 360);
     const double level = cos(to.elevation) * cos(to.azimuth - axis.azimuth);
     const double aside = cos(to.elevation) * sin(to.azimuth - axis.azimuth);
@@ -119,7 +119,7 @@ static inline bool sight_place(const view_of_ref *v, view to, uint32_t width,
 
 /* Colour that the reference sees in a direction; for a view opened at 64x48 pixels that
  * contains the direction. */
-static inline ref_seen sight_look(const view_of_ref *v, view to)
+static inline ref_seen sight_look(const view_of_ref *v, sight_angles to)
 {
     double place[2];
 
@@ -128,16 +128,16 @@ static inline ref_seen sight_look(const view_of_ref *v, view to)
 }
 
 /* Random direction inside the picture, with an elevation from `low` to `high`. */
-static inline view sight_any(const view_of_ref *v, uint64_t *state, double low,
-                             double high)
+static inline sight_angles sight_any(const view_of_ref *v, uint64_t *state, double low,
+                                     double high)
 {
-    const view axis = sight_ahead(v);
+    const sight_angles axis = sight_ahead(v);
     double place[2];
-    view s;
+    sight_angles s;
 
     do
-        s = (view){ axis.azimuth + chance_double(state, -1, 1) * PI,
-                    chance_double(state, low, high) };
+        s = (sight_angles){ axis.azimuth + chance_double(state, -1, 1) * PI,
+                            chance_double(state, low, high) };
     while (!sight_place(v, s, 64, 48, place));
     return s;
 }
@@ -181,10 +181,10 @@ static inline double gradient_of(const tp_scene *s, double elevation, int k)
 
 /* Cosine of the light on a face under water. The refracted light is steeper; the factor
  * keeps the light on a level face equal to the light on a dry level face. */
-static inline double wet_cos(const view_of_ref *v, view face)
+static inline double wet_cos(const view_of_ref *v, sight_angles face)
 {
-    const view light = sight_light(v);
-    const view bent = { light.azimuth, acos(cos(light.elevation) / WATER) };
+    const sight_angles light = sight_light(v);
+    const sight_angles bent = { light.azimuth, acos(cos(light.elevation) / WATER) };
 
     return sight_cos(face, bent) * sin(light.elevation) / sin(bent.elevation);
 }

@@ -16,10 +16,10 @@ typedef struct {
     tp_assets  assets;
     test_boat  boat;
     test_frame frame;
-    tp_world  *fresh, *world;   /* at tick 0; destination of keep_take */
+    tp_world  *fresh, *world;   /* at tick 0; destination of snapshot_read */
     size_t     bytes;
-    keep       keep;
-    uint8_t   *file;            /* written by keep_put: a head, then the world */
+    snapshot_store       keep;
+    uint8_t   *file;            /* written by snapshot_write: a head, then the world */
     size_t     head;
 } kept;
 
@@ -109,12 +109,12 @@ static inline void kept_begin(kept *k, int number, const char *path)
     kept_scene(k, number, &chance);
     k->frame = frame_of(&k->scene, &k->assets, &config);
     k->fresh = scene_world(&k->scene, &k->assets);
-    k->bytes = k->fresh->parts.bytes;
+    k->bytes = k->fresh->layout.bytes;
     k->world = malloc(k->bytes);
     memcpy(k->world, k->fresh, k->bytes);
     run(&chance, k->world, &k->scene, 60);
-    k->keep = keep_begin(path, &k->scene, &k->assets);
-    if (keep_put(&k->keep, k->world, k->bytes, (keep_at){ .frame = 60 }))
+    k->keep = snapshot_begin(path, &k->scene, &k->assets);
+    if (snapshot_write(&k->keep, k->world, k->bytes, (snapshot_progress){ .frame = 60 }))
         abort();
     kept_read(k, path);
 }
@@ -149,14 +149,14 @@ static inline uint32_t kept_place(const kept *k, const void *part)
 /* Offsets of the world's head and of its parts. */
 static inline void kept_places(const kept *k, uint32_t places[KEPT_PARTS])
 {
-    const void *const parts[] = { tp_world_ocean(k->fresh), tp_world_pool(k->fresh),
-                                  tp_world_field(k->fresh), tp_world_drops(k->fresh),
-                                  tp_world_spray(k->fresh) };
+    const void *const layout[] = { tp_world_coastal(k->fresh), tp_world_pool(k->fresh),
+                                   tp_world_field(k->fresh), tp_world_drops(k->fresh),
+                                   tp_world_spray(k->fresh) };
 
     places[0] = 0;
     for (int i = 0; i < KEPT_PARTS - 2; i++)
-        places[i + 1] = kept_place(k, parts[i]);
-    places[KEPT_PARTS - 1] = k->fresh->parts.modules;
+        places[i + 1] = kept_place(k, layout[i]);
+    places[KEPT_PARTS - 1] = k->fresh->layout.modules;
 }
 
 /* -- use --------------------------------------------------------------------------- */
@@ -173,9 +173,9 @@ static inline void kept_draw(const kept *k)
 /* True if the current file is accepted. */
 static inline bool kept_take(const kept *k)
 {
-    keep_at at;
+    snapshot_progress at;
     memcpy(k->world, k->fresh, k->bytes);
-    return keep_take(&k->keep, k->world, k->bytes, &at);
+    return snapshot_read(&k->keep, k->world, k->bytes, &at);
 }
 
 /* Draws the accepted world, moves it three ticks and draws again. */

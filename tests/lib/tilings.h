@@ -215,7 +215,7 @@ enum { TWICE_WIDTH = 68, TWICE_HEIGHT = 48 };
 
 #define TWICE_REACHED(X) \
     X(drawn) X(under) X(in_a_tank) X(aboard) X(water) X(solids) X(land) X(drops) X(tank) \
-    X(sides) X(spray) X(glass) X(blocks) X(mirrored) X(sunken) X(cube) X(caustics) \
+    X(sides) X(spray) X(glass) X(blocks) X(mirrored) X(refraction_map) X(cube) X(caustics) \
     X(bumps) X(foam) X(dome) X(cube_sky) X(hdr) X(exposed) X(dispersed) X(between_ticks)
 
 typedef struct {
@@ -300,7 +300,7 @@ static inline void twice_count(const tp_frame *f, const uint32_t *key, size_t pi
     twice_marks(f, key, pixels, r);
     r->drawn++;
     r->under += f->under;
-    r->in_a_tank += f->under && f->shade.inside->walled;
+    r->in_a_tank += f->under && f->shade.underwater->walled;
     r->aboard += f->world->aboard;
     const tp_tank *tank = tp_frame_module_memory(f, TP_TANK_ID);
     const tp_glass *glass = tp_frame_module_memory(f, TP_GLASS_ID);
@@ -308,9 +308,9 @@ static inline void twice_count(const tp_frame *f, const uint32_t *key, size_t pi
     r->blocks += tank && tank->blocks > 0;
     const tp_mirror *mirror = tp_frame_module_memory(f, TP_MIRROR_ID);
     const tp_object_cube *cube = tp_frame_module_memory(f, TP_OBJECT_CUBE_ID);
-    r->mirrored += mirror && mirror->half.colour;
+    r->mirrored += mirror && mirror->map.colour;
     const tp_clear_water *clear = tp_frame_module_memory(f, TP_CLEAR_WATER_ID);
-    r->sunken += clear && clear->sunken;
+    r->refraction_map += clear && clear->refraction_map;
     r->cube += cube && cube->colour;
     r->caustics += tp_frame_module_memory(f, TP_CAUSTICS_ID) != NULL;
     const tp_pool_bumps *bumps = tp_frame_module_memory(f, TP_BUMPS_ID);
@@ -322,7 +322,7 @@ static inline void twice_count(const tp_frame *f, const uint32_t *key, size_t pi
     r->exposed +=
         tp_frame_module_memory(f, TP_EXPOSURE_ID) && f->drawn.exposure != TP_FX_ONE;
     r->dispersed += f->scene->water.dispersion > 0 && f->scene->water.clear > 0;
-    r->between_ticks += f->world->back > 0;
+    r->between_ticks += f->world->lag > 0;
 }
 
 static inline void twice_print(const twice_reached *r)

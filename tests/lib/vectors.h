@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads the tables of tests/vectors: numbers separated by commas, below '#' lines and a
- * line of column names. Waves are written as "# wave 0: L=7.2 k=0.86 ... Q=0.69 (units)". */
+/* Reads the tables of tests/vectors: numbers separated by commas, below '#' lines and
+ * a line of column names. Waves are written as "# wave 0: L=7.2 k=0.86 ... Q=0.69
+ * (units)". */
 #ifndef TP_TESTS_LIB_VECTORS_H
 #define TP_TESTS_LIB_VECTORS_H
 #include <ctype.h>
@@ -135,17 +136,17 @@ static inline tp_wave_exact row_exact(const row_wave *w)
 }
 
 /* Deep water of the table's waves, with the table's Q times q, where q is 0 or 1. */
-static inline void rows_sea(const vector_table *r, double q, tp_sea *sea)
+static inline void rows_sea(const vector_table *r, double q, tp_deep_water *deep)
 {
-    *sea = (tp_sea){ .count = 0 };
+    *deep = (tp_deep_water){ .count = 0 };
     for (int i = 0; i < r->waves; i++) {
         tp_wave_exact exact = row_exact(&r->wave[i]);
         exact.steepness = (tp_q30)(exact.steepness * q);
-        tp_sea_add(sea, &exact);
+        tp_deep_water_add(deep, &exact);
     }
-    assert_int_equal(sea->count, r->waves);
-    assert_false(sea->clamped);
-    assert_false(sea->capped);
+    assert_int_equal(deep->count, r->waves);
+    assert_false(deep->clamped);
+    assert_false(deep->capped);
 }
 
 static inline void rows_phases(const vector_table *r, double t, tp_turn phases[TP_WAVES])
@@ -155,7 +156,7 @@ static inline void rows_phases(const vector_table *r, double t, tp_turn phases[T
 }
 
 /* Angle between a point's normal and a unit vector, in degrees. */
-static inline double row_angle(const tp_sea_point *p, const double n[3])
+static inline double row_angle(const tp_surface_point *p, const double n[3])
 {
     const double x = -p->slope_x / 65536.0, z = -p->slope_z / 65536.0;
     const double cx = n[2] - z * n[1], cy = z * n[0] - x * n[2], cz = x * n[1] - n[0];

@@ -5,28 +5,28 @@
 typedef struct {
     int      sine;              /* sine of the elevation, in 1/256 */
     uint32_t colour;
-} stop;
+} ref_stop;
 
 #define STOPS 7
 
-static const stop dusk_towards[STOPS] = {
+static const ref_stop dusk_towards[STOPS] = {
     { 0, 0xffae58 }, { 12, 0xf79860 }, { 34, 0xd77a74 }, { 66, 0x9d6488 },
     { 110, 0x645688 }, { 170, 0x343c74 }, { 256, 0x161f50 },
 };
-static const stop dusk_away[STOPS] = {
+static const ref_stop dusk_away[STOPS] = {
     { 0, 0x74668c }, { 16, 0x8e7298 }, { 36, 0x86709c }, { 66, 0x625f96 },
     { 110, 0x414a86 }, { 170, 0x26316a }, { 256, 0x161f50 },
 };
-static const stop night_towards[STOPS] = {
+static const ref_stop night_towards[STOPS] = {
     { 0, 0x2c3c58 }, { 12, 0x243450 }, { 34, 0x1a2844 }, { 66, 0x121d36 },
     { 110, 0x0c152a }, { 170, 0x070e1e }, { 256, 0x040915 },
 };
-static const stop night_away[STOPS] = {
+static const ref_stop night_away[STOPS] = {
     { 0, 0x172236 }, { 12, 0x141e32 }, { 34, 0x10192c }, { 66, 0x0b1324 },
     { 110, 0x080e1e }, { 170, 0x060b19 }, { 256, 0x040915 },
 };
 
-static ref_colour between_stops(const stop *s, double sine)
+static ref_colour between_stops(const ref_stop *s, double sine)
 {
     int i = 0;
 

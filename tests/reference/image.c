@@ -16,11 +16,11 @@ typedef struct {
     uint32_t side;              /* samples along a side of the pixel's square */
     ref_pace *pace;
     atomic_uint row;            /* next row to draw */
-} work;
+} ref_work;
 
 /* Draws one pixel. Sample (i, j) lies in its own cell of the square of samples, and in its
  * own column and row of the finer grid. */
-static void draw_pixel(work *w, uint32_t x, uint32_t y)
+static void draw_pixel(ref_work *w, uint32_t x, uint32_t y)
 {
     const double side = w->side;
     ref_colour sum = { { 0, 0, 0 } };
@@ -39,12 +39,12 @@ static void draw_pixel(work *w, uint32_t x, uint32_t y)
     w->image->near[(size_t)y * w->image->width + x] = seen.near;
 }
 
-static bool is_wanted(const work *w)
+static bool is_wanted(const ref_work *w)
 {
     return !atomic_load_explicit(&w->pace->stop, memory_order_relaxed);
 }
 
-static bool draw_row(work *w)
+static bool draw_row(ref_work *w)
 {
     const uint32_t y = atomic_fetch_add(&w->row, 1);
 
@@ -70,7 +70,7 @@ static void show(progress *p, uint32_t done, uint32_t rows)
     if (now_us() - p->begin < 2000000u || now_us() - p->shown < 250000u)
         return;
     snprintf(text, sizeof text, "row %u of %u", (unsigned)done, (unsigned)rows);
-    say_progress(text);
+    log_progress(text);
     p->shown = now_us();
 }
 
@@ -88,7 +88,7 @@ static bool allocate(ref_image *image, uint32_t width, uint32_t height)
 
 /* Draws on the helper threads and on the calling thread; the calling thread reports the
  * progress if the terminal has a progress line. */
-static void draw_all(work *w, uint32_t threads, progress *p)
+static void draw_all(ref_work *w, uint32_t threads, progress *p)
 {
     pthread_t thread[THREADS];
     uint32_t helpers = 0;
@@ -112,20 +112,20 @@ void ref_image_draw(ref_image *image, const ref_scene *s, uint32_t width, uint32
                     uint32_t samples, uint32_t threads)
 {
     ref_pace pace = { 0, false };
-    work w = { image, s, side_of(samples), &pace, 0 };
+    ref_work w = { image, s, side_of(samples), &pace, 0 };
     progress p = progress_begin();
 
     if (!allocate(image, width, height))
         abort();
     draw_all(&w, threads, &p);
-    say_progress("");
+    log_progress("");
 }
 
 bool ref_image_draw_at(ref_image *image, const ref_scene *s, uint32_t width,
                        uint32_t height, uint32_t samples, uint32_t threads,
                        ref_pace *pace)
 {
-    work w = { image, s, side_of(samples), pace, 0 };
+    ref_work w = { image, s, side_of(samples), pace, 0 };
     const bool there = allocate(image, width, height);
 
     atomic_store(&pace->rows, 0);

@@ -10,11 +10,11 @@ typedef struct {
     ref_vec place;
     double  heading;            /* heading in radians, clockwise */
     double  half[3];            /* half sides across, up, along; m */
-} ref_box;
+} ref_mirror_box;
 
 /* True if the ray p + t d, t > 0, meets the part of the box above (`side` 1) or below
  * (`side` -1) the level y = 0. */
-static inline bool ref_meets(const ref_box *box, ref_vec p, ref_vec d, int side)
+static inline bool ref_meets(const ref_mirror_box *box, ref_vec p, ref_vec d, int side)
 {
     const double c = cos(box->heading), s = sin(box->heading);
     const ref_vec axis[3] = { { c, 0, s }, { 0, 1, 0 }, { -s, 0, c } };
@@ -44,7 +44,7 @@ static inline ref_vec ref_ray(const ref_camera *c, double u, double v)
 }
 
 /* True if p lies inside the box at the level, where there is no water to show the box. */
-static inline bool ref_stands(const ref_box *box, ref_vec p)
+static inline bool ref_stands(const ref_mirror_box *box, ref_vec p)
 {
     const double c = cos(box->heading), s = sin(box->heading);
     const ref_vec d = ref_sub(p, box->place);
@@ -60,7 +60,8 @@ static inline ref_vec ref_water(const ref_camera *c, ref_vec d)
 }
 
 /* True if the water at pixel place (u, v) mirrors the box. */
-static inline bool ref_mirrors(const ref_camera *c, const ref_box *box, double u, double v)
+static inline bool ref_mirrors(const ref_camera *c, const ref_mirror_box *box, double u,
+                               double v)
 {
     const ref_vec d = ref_ray(c, u, v);
 
@@ -71,14 +72,16 @@ static inline bool ref_mirrors(const ref_camera *c, const ref_box *box, double u
 }
 
 /* True if the box hides the water at pixel place (u, v). */
-static inline bool ref_hides(const ref_camera *c, const ref_box *box, double u, double v)
+static inline bool ref_hides(const ref_camera *c, const ref_mirror_box *box, double u,
+                             double v)
 {
     return ref_meets(box, c->eye, ref_ray(c, u, v), 1);
 }
 
 /* True if the water at pixel place (u, v) shows the box below the level, drawn at 1 / 1.333
  * of its depth. */
-static inline bool ref_sinks(const ref_camera *c, const ref_box *box, double u, double v)
+static inline bool ref_sinks(const ref_camera *c, const ref_mirror_box *box, double u,
+                             double v)
 {
     const ref_vec d = ref_ray(c, u, v);
     const ref_vec eye = { c->eye.x, 1.333 * c->eye.y, c->eye.z };

@@ -14,7 +14,7 @@ static double held(double x, double low, double high)
     return x < low ? low : x > high ? high : x;
 }
 
-static nodes nodes_at(const tp_ocean *o, double x, double z)
+static nodes nodes_at(const tp_coastal_water *o, double x, double z)
 {
     const double step = o->map_step / 65536.0;
     const double u = held((x - (double)o->map_x / 65536) / step, 0, o->map_cols - 1);
@@ -34,13 +34,13 @@ static double between(const nodes *n, double a, double b, double c, double d)
     return north + (south - north) * n->t;
 }
 
-static ref_bed bed_of_map(const tp_ocean *o, double x, double z)
+static ref_bed bed_of_map(const tp_coastal_water *o, double x, double z)
 {
     const nodes n = nodes_at(o, x, z);
-    const char *from = (const char *)o + o->beds;
-    const tp_ocean_bed *a = (const tp_ocean_bed *)(const void *)from
-                          + (size_t)n.row * o->map_cols + n.col;
-    const tp_ocean_bed *c = a + o->map_cols;
+    const char *from = (const char *)o + o->floor_nodes;
+    const tp_coastal_floor_node *a = (const tp_coastal_floor_node *)(const void *)from
+                                     + (size_t)n.row * o->map_cols + n.col;
+    const tp_coastal_floor_node *c = a + o->map_cols;
 
     return (ref_bed){
         between(&n, a[0].depth, a[1].depth, c[0].depth, c[1].depth) / 65536,
@@ -49,13 +49,13 @@ static ref_bed bed_of_map(const tp_ocean *o, double x, double z)
     };
 }
 
-ref_bed ref_ocean_bed(const ref_ocean *ocean, double x, double z)
+ref_bed ref_coastal_floor(const ref_coastal *coastal, double x, double z)
 {
-    if (ocean->map)
-        return bed_of_map(ocean->map, x, z);
+    if (coastal->map)
+        return bed_of_map(coastal->map, x, z);
     return (ref_bed){
-        ocean->depth - ocean->slope * (ocean->up_x * x + ocean->up_z * z),
-        ocean->slope * ocean->up_x, ocean->slope * ocean->up_z,
+        coastal->depth - coastal->slope * (coastal->up_x * x + coastal->up_z * z),
+        coastal->slope * coastal->up_x, coastal->slope * coastal->up_z,
     };
 }
 
@@ -81,7 +81,7 @@ static int around(int i)
 
 /* Table entry for a depth. Below 1/16 m the entry of 1/16 m holds, and its orbit shrinks
  * with the depth. */
-static ref_depth_node node_at(const ref_ocean_wave *w, double depth)
+static ref_depth_node node_at(const ref_coastal_wave *w, double depth)
 {
     const double at = held(log2(fmax(depth, 1 / 16.0) * 16) * 64, 0, REF_DEPTHS - 1);
     const int i = (int)at;
@@ -94,22 +94,22 @@ static ref_depth_node node_at(const ref_ocean_wave *w, double depth)
 
 /* Adds the map's refraction: phase and direction interpolated between nodes, the tilt from
  * the rise of the floor along the direction. */
-static void bend(const ref_ocean *ocean, int i, double x0, double z0, const ref_bed *bed,
-                 ref_depth_node *n)
+static void bend(const ref_coastal *coastal, int i, double x0, double z0,
+                 const ref_bed *bed, ref_depth_node *n)
 {
-    const tp_ocean *o = ocean->map;
+    const tp_coastal_water *o = coastal->map;
     const nodes at = nodes_at(o, x0, z0);
-    const char *from = (const char *)o + o->wave[i].rays;
-    const tp_ocean_ray *a = (const tp_ocean_ray *)(const void *)from
-                          + (size_t)at.row * o->map_cols + at.col;
-    const tp_ocean_ray *c = a + o->map_cols;
+    const char *from = (const char *)o + o->wave[i].wave_nodes;
+    const tp_coastal_wave_node *a = (const tp_coastal_wave_node *)(const void *)from
+                                    + (size_t)at.row * o->map_cols + at.col;
+    const tp_coastal_wave_node *c = a + o->map_cols;
 
     n->excess = 2 * PI / 65536
               * between(&at, a[0].turns, a[1].turns, c[0].turns, c[1].turns);
     n->way_x += between(&at, a[0].way_x, a[1].way_x, c[0].way_x, c[1].way_x) / 8192;
     n->way_z += between(&at, a[0].way_z, a[1].way_z, c[0].way_z, c[1].way_z) / 8192;
     const double rise = bed->rise_x * n->way_x + bed->rise_z * n->way_z;
-    n->sine = rise > 0 ? rise / hypot(1, rise) * exp(-ocean->k0 * bed->depth) : 0;
+    n->sine = rise > 0 ? rise / hypot(1, rise) * exp(-coastal->k0 * bed->depth) : 0;
 }
 
 /* Phi and dPhi/dtheta of [B10] after `iterations` steps as printed. */
@@ -127,7 +127,7 @@ static double blown(double theta, double push, int iterations, double *rate)
 
 /* Adds the wave's orbit at phi to the point: displacement along its direction and up, and
  * the derivatives. */
-static void add_wave(const ref_ocean_wave *w, const ref_depth_node *n, double theta,
+static void add_wave(const ref_coastal_wave *w, const ref_depth_node *n, double theta,
                      ref_point *p)
 {
     double rate;
@@ -155,17 +155,17 @@ static void set_normal(ref_point *p)
     p->nz = p->hx * p->jxz - p->hz * p->jxx;
 }
 
-ref_point ref_ocean_rest(const ref_ocean *ocean, const double phase[TP_WAVES], double x0,
-                         double z0)
+ref_point ref_coastal_rest(const ref_coastal *coastal, const double phase[TP_WAVES],
+                           double x0, double z0)
 {
-    const ref_bed bed = ref_ocean_bed(ocean, x0, z0);
+    const ref_bed bed = ref_coastal_floor(coastal, x0, z0);
     ref_point p = { .x = x0, .z = z0, .jxx = 1, .jzz = 1 };
 
-    for (int i = 0; i < ocean->count && bed.depth > 0; i++) {
-        const ref_ocean_wave *w = &ocean->wave[i];
+    for (int i = 0; i < coastal->count && bed.depth > 0; i++) {
+        const ref_coastal_wave *w = &coastal->wave[i];
         ref_depth_node n = node_at(w, bed.depth);
-        if (ocean->map)
-            bend(ocean, i, x0, z0, &bed, &n);
+        if (coastal->map)
+            bend(coastal, i, x0, z0, &bed, &n);
         add_wave(w, &n, w->k_deep * (w->deep.dx * x0 + w->deep.dz * z0) + n.excess
                         + phase[i] + PI / 2, &p);
     }
@@ -176,14 +176,14 @@ ref_point ref_ocean_rest(const ref_ocean *ocean, const double phase[TP_WAVES], d
 #define STEP 1e-3
 
 /* Derivative of the displacement along x or z, by four points. */
-static ref_point rate_along(const ref_ocean *ocean, const double *phase, double x0,
+static ref_point rate_along(const ref_coastal *coastal, const double *phase, double x0,
                             double z0, double dx, double dz)
 {
     static const double at[4] = { -2, -1, 1, 2 }, by[4] = { 1, -8, 8, -1 };
     ref_point sum = { .x = 0 };
 
     for (int i = 0; i < 4; i++) {
-        const ref_point p = ref_ocean_rest(ocean, phase, x0 + at[i] * dx,
+        const ref_point p = ref_coastal_rest(coastal, phase, x0 + at[i] * dx,
                                            z0 + at[i] * dz);
         sum.x += by[i] * p.x / (12 * STEP);
         sum.y += by[i] * p.y / (12 * STEP);
@@ -192,15 +192,15 @@ static ref_point rate_along(const ref_ocean *ocean, const double *phase, double 
     return sum;
 }
 
-ref_point ref_ocean_exact(const ref_ocean *ocean, const double phase[TP_WAVES], double x0,
-                          double z0)
+ref_point ref_coastal_exact(const ref_coastal *coastal, const double phase[TP_WAVES],
+                            double x0, double z0)
 {
-    ref_point p = ref_ocean_rest(ocean, phase, x0, z0);
+    ref_point p = ref_coastal_rest(coastal, phase, x0, z0);
 
-    if (!ocean->floored || (!ocean->map && ocean->slope == 0))
+    if (!coastal->floored || (!coastal->map && coastal->slope == 0))
         return p;
-    const ref_point a = rate_along(ocean, phase, x0, z0, STEP, 0);
-    const ref_point b = rate_along(ocean, phase, x0, z0, 0, STEP);
+    const ref_point a = rate_along(coastal, phase, x0, z0, STEP, 0);
+    const ref_point b = rate_along(coastal, phase, x0, z0, 0, STEP);
     p.nx = b.y * a.z - b.z * a.y;           /* B x T [A10]; J is no longer symmetric */
     p.ny = b.z * a.x - b.x * a.z;
     p.nz = b.x * a.y - b.y * a.x;

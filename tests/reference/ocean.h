@@ -26,16 +26,16 @@ typedef struct {
     double lambda, k_deep;      /* k_deep: wave number of the linear part of the phase */
     int    iterations;
     ref_depth_node node[REF_DEPTHS];
-} ref_ocean_wave;
+} ref_coastal_wave;
 
 typedef struct {
     int    count;
     bool   floored;             /* true: the scene has a floor */
     double depth, slope, up_x, up_z, k0;
-    const tp_ocean *map;        /* map with nodes, or NULL */
+    const tp_coastal_water *map;        /* map with nodes, or NULL */
     double high, reach, steep;  /* bounds of height, displacement and slope */
-    ref_ocean_wave wave[TP_WAVES];
-} ref_ocean;
+    ref_coastal_wave wave[TP_WAVES];
+} ref_coastal;
 
 typedef struct {
     double depth, rise_x, rise_z;
@@ -43,17 +43,18 @@ typedef struct {
 
 /* Builds the coastal water. Returns NULL if the scene has neither wind nor floor. The
  * caller frees it. */
-ref_ocean *ref_ocean_of(const tp_scene *scene, const tp_world *world, const ref_sea *sea);
+ref_coastal *ref_coastal_make(const tp_scene *scene, const tp_world *world,
+                              const ref_deep_water *sea);
 
 /* Depth of still water at (x, z), m; <= 0 is land. */
-ref_bed ref_ocean_bed(const ref_ocean *ocean, double x, double z);
+ref_bed ref_coastal_floor(const ref_coastal *coastal, double x, double z);
 
 /* Displaced point of a rest point. The derivatives treat depth, direction and tilt as
  * constant, which is exact over level floors. On land the point is at rest. */
-ref_point ref_ocean_rest(const ref_ocean *ocean, const double phase[TP_WAVES], double x0,
-                         double z0);
+ref_point ref_coastal_rest(const ref_coastal *coastal, const double phase[TP_WAVES],
+                           double x0, double z0);
 
 /* Displaced point with derivatives by differences of fourth order, exact to 1e-9. */
-ref_point ref_ocean_exact(const ref_ocean *ocean, const double phase[TP_WAVES], double x0,
-                          double z0);
+ref_point ref_coastal_exact(const ref_coastal *coastal, const double phase[TP_WAVES],
+                            double x0, double z0);
 #endif

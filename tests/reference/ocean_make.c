@@ -23,7 +23,7 @@ static double across(double k, double kz)
 
 /* Amplitude A Ks Kr, capped by [B15] and by Miche's height. Miche's cap is never below the
  * part of it that the wave already has on deep water. */
-static double amplitude_at(const ref_ocean_wave *w, double k, double kz, double h,
+static double amplitude_at(const ref_coastal_wave *w, double k, double kz, double h,
                            bool mapped)
 {
     const double kr = mapped ? 1
@@ -37,7 +37,7 @@ static double amplitude_at(const ref_ocean_wave *w, double k, double kz, double 
                  miche);
 }
 
-static void bend(const ref_ocean *o, const ref_ocean_wave *w, double kz, double k,
+static void bend(const ref_coastal *o, const ref_coastal_wave *w, double kz, double k,
                  ref_depth_node *n)
 {
     const double up = w->deep.dx * o->up_x + w->deep.dz * o->up_z;
@@ -47,7 +47,7 @@ static void bend(const ref_ocean *o, const ref_ocean_wave *w, double kz, double 
     n->way_z = (kx * o->up_z + kz * o->up_x) / k;
 }
 
-static ref_depth_node node_of(const ref_ocean *o, const ref_ocean_wave *w,
+static ref_depth_node node_of(const ref_coastal *o, const ref_coastal_wave *w,
                               const tp_scene *scene, double kz, int i)
 {
     const bool   deep = i == REF_DEPTHS - 1;
@@ -71,7 +71,7 @@ static ref_depth_node node_of(const ref_ocean *o, const ref_ocean_wave *w,
 
 /* [B8] [B9]: integral over depth of the wave number towards the shore minus the deep-water
  * number, from the deep end; Simpson's rule in ln h. */
-static void add_phases(const ref_ocean *o, ref_ocean_wave *w, double kz)
+static void add_phases(const ref_coastal *o, ref_coastal_wave *w, double kz)
 {
     const double up = w->deep.dx * o->up_x + w->deep.dz * o->up_z;
     const double deep = across(w->deep.k, kz), step = log(2) / 64;
@@ -88,7 +88,7 @@ static void add_phases(const ref_ocean *o, ref_ocean_wave *w, double kz)
     }
 }
 
-static void make_wave(ref_ocean *o, ref_ocean_wave *w, const tp_scene *scene)
+static void make_wave(ref_coastal *o, ref_coastal_wave *w, const tp_scene *scene)
 {
     const double wind = ref_number(scene->wind.heading) * PI / 180;
     const double kz = o->slope > 0
@@ -109,7 +109,7 @@ static void make_wave(ref_ocean *o, ref_ocean_wave *w, const tp_scene *scene)
 }
 
 /* [A11] [B13]: scales all orbits of a depth by one factor, and computes the bounds. */
-static void share(ref_ocean *o)
+static void share(ref_coastal *o)
 {
     for (int n = o->floored ? 0 : REF_DEPTHS - 1; n < REF_DEPTHS; n++) {
         double sum = 0, up = 0, reach = 0, tilt = 0, steep = 0;
@@ -132,7 +132,7 @@ static void share(ref_ocean *o)
     }
 }
 
-static void lay_floor(ref_ocean *o, const tp_scene *scene, const tp_world *world)
+static void lay_floor(ref_coastal *o, const tp_scene *scene, const tp_world *world)
 {
     const double heading = ref_number(scene->floor.heading) * PI / 180;
 
@@ -144,16 +144,17 @@ static void lay_floor(ref_ocean *o, const tp_scene *scene, const tp_world *world
     o->slope = o->slope < 0x1p-12 ? 0 : o->slope;
     o->k0 = ref_number(scene->surf.k0);
     if (scene->floor.map[0]) {
-        o->map = tp_world_ocean(world);
+        o->map = tp_world_coastal(world);
         o->slope = 0;
     }
 }
 
-ref_ocean *ref_ocean_of(const tp_scene *scene, const tp_world *world, const ref_sea *sea)
+ref_coastal *ref_coastal_make(const tp_scene *scene, const tp_world *world,
+                              const ref_deep_water *sea)
 {
-    if (!tp_world_ocean(world))
+    if (!tp_world_coastal(world))
         return NULL;
-    ref_ocean *o = calloc(1, sizeof *o);
+    ref_coastal *o = calloc(1, sizeof *o);
     if (!o)
         abort();
     lay_floor(o, scene, world);

@@ -12,7 +12,7 @@
 enum { REF_POOL = 64 * 64 };        /* most cells */
 
 typedef struct {
-    int32_t cols, rows, full, r2q, m;
+    int32_t cols, rows, full, courant_sq_q10, m;
     bool    tiled, sponge;
     int32_t gear;
     bool    at_rest;
@@ -40,7 +40,7 @@ static inline void ref_pool_read(ref_pool *p, const tp_pool *pool)
     p->rows = (int32_t)pool->rows;
     p->full = pool->cells == TP_CELLS_8 ? 127 : pool->cells == TP_CELLS_16 ? 32767
                                                                           : (1 << 30) - 1;
-    p->r2q = (int32_t)pool->r2q;
+    p->courant_sq_q10 = (int32_t)pool->courant_sq_q10;
     p->m = (int32_t)pool->damping;
     p->sponge = pool->edges == TP_EDGES_SPONGE;
     p->tiled = pool->edges == TP_EDGES_TILE;
@@ -104,8 +104,9 @@ static inline void ref_gears(ref_pool *p)
          * 2 */
         const int64_t pull = a && p->sponge && m < p->m && m <= 4
                            ? old[i] * (256 >> 2 * m) : 0;
-        const int64_t x = (((int64_t)2 << m) - 1) * (2048 * v + p->r2q * f - pull)
-                        * ((int64_t)1 << (p->m - m));
+        const int64_t x = (((int64_t)2 << m) - 1)
+                          * (2048 * v + p->courant_sq_q10 * f - pull)
+                          * ((int64_t)1 << (p->m - m));
         int64_t s = x / whole;
         if (a && (v != 0 || f != 0 || pull != 0)) {
             s = ref_nearest(x + carry, whole);
@@ -131,7 +132,7 @@ static inline int64_t ref_flux(const ref_pool *p, int64_t q, int32_t i, int32_t 
     const int64_t most = ref_clamp(p->full + from, 0, p->full - to) / 4;
     const int64_t least = ref_clamp(p->full + to, 0, p->full - from) / 4;
 
-    q += (from - to) * p->r2q / 1024;
+    q += (from - to) * p->courant_sq_q10 / 1024;
     return ref_clamp(q * (one - 1) / one, -least, most);
 }
 

@@ -9,16 +9,16 @@ typedef struct {
     const ref_surface *surface;
     const ref_ray *ray;
     double rest[2];
-} probe;
+} ray_probe;
 
-static double off_at(probe *p, double t, double along)
+static double off_at(ray_probe *p, double t, double along)
 {
     const ref_vec at = ref_ray_at(p->ray, t);
     return at.y - ref_surface_height(p->surface, at.x, at.z, p->rest, along);
 }
 
 /* F with the right sign: near a root F is computed again with full accuracy. */
-static double sign_at(probe *p, double t)
+static double sign_at(ray_probe *p, double t)
 {
     const double f = off_at(p, t, ROUGH);
     return fabs(f) < 20 * ROUGH ? off_at(p, t, p->surface->close / 100) : f;
@@ -26,7 +26,7 @@ static double sign_at(probe *p, double t)
 
 /* Root between a and b, where F has different signs: regula falsi with the Illinois rule,
  * and bisection if three steps do not at least halve the interval. */
-static double root_between(probe *p, double a, double b, double fa, double fb)
+static double root_between(ray_probe *p, double a, double b, double fa, double fb)
 {
     double wide = b - a;
 
@@ -51,7 +51,7 @@ static double root_between(probe *p, double a, double b, double fa, double fb)
     return (a + b) / 2;
 }
 
-static bool accept(probe *p, double t, bool from_below, ref_meeting *m)
+static bool accept(ray_probe *p, double t, bool from_below, ref_meeting *m)
 {
     const ref_vec at = ref_ray_at(p->ray, t);
 
@@ -61,7 +61,7 @@ static bool accept(probe *p, double t, bool from_below, ref_meeting *m)
 }
 
 /* Marches through moving water. */
-static bool march(probe *p, double t0, double t1, bool below, ref_meeting *m)
+static bool march(ray_probe *p, double t0, double t1, bool below, ref_meeting *m)
 {
     const ref_surface *s = p->surface;
     const double rate = fabs(p->ray->way.y)
@@ -82,7 +82,7 @@ static bool march(probe *p, double t0, double t1, bool below, ref_meeting *m)
 }
 
 /* Intersection with level water. */
-static bool meets_level(probe *p, double t0, double t1, bool below, ref_meeting *m)
+static bool meets_level(ray_probe *p, double t0, double t1, bool below, ref_meeting *m)
 {
     const double t = -p->ray->from.y / p->ray->way.y;
 
@@ -94,7 +94,7 @@ bool ref_ray_meets(const ref_surface *s, const ref_ray *ray, double t0, double t
                    bool below, ref_meeting *meeting)
 {
     const ref_extent *e = &s->extent;
-    probe p = { s, ray, { ray->from.x, ray->from.z } };
+    ray_probe p = { s, ray, { ray->from.x, ray->from.z } };
     const double high = s->high, reach = s->reach;
 
     if (!ref_ray_between(ray->from.x, ray->way.x, e->x - e->out_x - reach,

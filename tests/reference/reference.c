@@ -15,7 +15,7 @@ typedef struct {
     const char *setting[SETTINGS];
     uint32_t    settings, width, height, samples, frame, threads;
     bool        mesh;
-} wishes;
+} reference_options;
 
 static void print_help(void)
 {
@@ -41,7 +41,7 @@ static bool read_number(const char *text, uint32_t low, uint32_t high, uint32_t 
     return true;
 }
 
-static bool read_size(const char *text, wishes *w)
+static bool read_size(const char *text, reference_options *w)
 {
     char wide[8] = "";
     const char *by = strchr(text, 'x');
@@ -54,7 +54,7 @@ static bool read_size(const char *text, wishes *w)
 }
 
 /* Reads one option. Returns false if the option is unknown or its value is invalid. */
-static bool read_option(const char *name, const char *value, wishes *w)
+static bool read_option(const char *name, const char *value, reference_options *w)
 {
     if (strcmp(name, "--out") == 0)
         return (w->out = value) != NULL;
@@ -73,7 +73,7 @@ static bool read_option(const char *name, const char *value, wishes *w)
     return strcmp(name, "--set") == 0 && w->settings <= SETTINGS;
 }
 
-static int read_words(int argc, char **argv, wishes *w)
+static int read_words(int argc, char **argv, reference_options *w)
 {
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--mesh") == 0)
@@ -81,12 +81,12 @@ static int read_words(int argc, char **argv, wishes *w)
         else if (argv[i][0] != '-' && !w->scene)
             w->scene = argv[i];
         else if (i + 1 >= argc || !read_option(argv[i], argv[i + 1], w))
-            return fail(EXIT_USAGE, "reference: %s is not understood", argv[i]);
+            return log_fail(EXIT_USAGE, "reference: %s is not understood", argv[i]);
         else
             i++;
     }
     if (!w->scene || !w->out)
-        return fail(EXIT_USAGE, "reference: it takes SCENE and --out FILE.png");
+        return log_fail(EXIT_USAGE, "reference: it takes SCENE and --out FILE.png");
     return EXIT_DONE;
 }
 
@@ -97,7 +97,7 @@ static int write_image(const ref_image *image, const char *name)
                   malloc(pixels * 4) };
 
     if (!p.rows)
-        return fail_memory(pixels * 4);
+        return log_fail_memory(pixels * 4);
     for (uint32_t y = 0; y < p.height; y++)
         for (uint32_t x = 0; x < p.width; x++) {
             const uint32_t pixel = ref_image_pixel(image, x, y);
@@ -108,7 +108,7 @@ static int write_image(const ref_image *image, const char *name)
     return code;
 }
 
-static int draw(const wishes *w, const ref_stand *stand)
+static int draw(const reference_options *w, const ref_stand *stand)
 {
     ref_scene scene;
     ref_image image;
@@ -124,7 +124,7 @@ static int draw(const wishes *w, const ref_stand *stand)
 
 int main(int argc, char **argv)
 {
-    wishes w = { .width = 320, .height = 240, .samples = REF_SAMPLES,
+    reference_options w = { .width = 320, .height = 240, .samples = REF_SAMPLES,
                  .threads = 2 };
     ref_stand stand = { 0 };
 

@@ -148,13 +148,13 @@ static void read_cells(ref_relief *relief, ref_cells *c, const tp_pool *pool, do
 typedef struct {
     double h[4][4];             /* heights of the cells around, by row and column */
     double s, t;                /* place between the second and the third cell, 0..1 */
-} patch;
+} ref_patch;
 
-static patch patch_at(const ref_cells *c, double u, double w)
+static ref_patch patch_at(const ref_cells *c, double u, double w)
 {
     const int i = (int)floor(u - 0.5), j = (int)floor(w - 0.5);
     const int own = (int)floor(w) * c->cols + (int)floor(u);
-    patch p = { .s = u - 0.5 - i, .t = w - 0.5 - j };
+    ref_patch p = { .s = u - 0.5 - i, .t = w - 0.5 - j };
 
     for (int n = 0; n < 16; n++) {
         const int col = folded(i + n % 4 - 1, c->cols, c->tiled);
@@ -185,7 +185,7 @@ static void add_cells(const ref_cells *c, double x, double z, ref_heights *sum)
     w = fmin(w, c->rows - 1e-9);
     if (c->wall[(int)w * c->cols + (int)u])
         return;
-    const patch p = patch_at(c, u, w);
+    const ref_patch p = patch_at(c, u, w);
     for (int n = 0; n < 4; n++) {
         across[n] = mixed(p.h[1][n], p.h[2][n], p.t);
         down[n] = mixed(p.h[n][1], p.h[n][2], p.s);
@@ -205,10 +205,10 @@ ref_relief ref_relief_of(const tp_world *world, double bump)
     ref_relief relief = { .fine = 1e9, .bump = bump };
 
     if (drops)
-        read_rings(&relief, drops, (int64_t)world->tick * 65536 - world->back);
+        read_rings(&relief, drops, (int64_t)world->tick * 65536 - world->lag);
     for (int i = 0; i < 2; i++) {
         if (pools[i])
-            read_cells(&relief, &relief.cells[i], pools[i], ref_number(world->back));
+            read_cells(&relief, &relief.cells[i], pools[i], ref_number(world->lag));
     }
     return relief;
 }

@@ -193,7 +193,7 @@ static bool is_sunk(const ref_scene *s)
 void ref_scene_open(ref_scene *s, const tp_scene *scene, const tp_assets *assets,
                     const tp_world *world, uint32_t width, uint32_t height, bool meshed)
 {
-    const double back = ref_number(world->back);
+    const double back = ref_number(world->lag);
 
     memset(s, 0, sizeof *s);
     s->scene = scene;

@@ -20,7 +20,7 @@ typedef struct {
 typedef struct {
     ref_wave wave[TP_WAVES];
     int count;
-} ref_sea;
+} ref_deep_water;
 
 typedef struct {
     double x, y, z;
@@ -51,9 +51,10 @@ static inline ref_wave ref_wave_of(const tp_wave *w, double gravity, double shar
     };
 }
 
-static inline ref_sea ref_sea_of(const tp_wave *waves, int count, tp_fx gravity)
+static inline ref_deep_water ref_deep_water_make(const tp_wave *waves, int count,
+                                                 tp_fx gravity)
 {
-    ref_sea sea = { .count = 0 };
+    ref_deep_water sea = { .count = 0 };
     double steepness = 0;
 
     for (int i = 0; i < count; i++)
@@ -68,7 +69,8 @@ static inline ref_sea ref_sea_of(const tp_wave *waves, int count, tp_fx gravity)
 
 /* Phases of a tick, rad. After ten years there are at most 2^35 turns, and a long double
  * with 64 bits keeps a precision of 2^-29 turns. */
-static inline void ref_phases(const ref_sea *sea, uint64_t tick, double phase[TP_WAVES])
+static inline void ref_phases(const ref_deep_water *sea, uint64_t tick,
+                              double phase[TP_WAVES])
 {
     for (int i = 0; i < sea->count; i++) {
         const long double turns = sea->wave[i].turns_tick * tick;
@@ -93,7 +95,7 @@ static inline double ref_profile(int power, double th, double *slope)
     return 2 * pow(b, power) - mean;
 }
 
-static inline ref_point ref_at_rest(const ref_sea *sea, const double phase[TP_WAVES],
+static inline ref_point ref_at_rest(const ref_deep_water *sea, const double phase[TP_WAVES],
                                     double x0, double z0)
 {
     ref_point p = { .x = x0, .z = z0, .jxx = 1, .jzz = 1 };
@@ -131,7 +133,7 @@ static inline ref_point ref_uncrossed(ref_point p)
 
 /* Surface point above or below (x, z) by Newton's method; the step is halved if the full
  * step does not come nearer. */
-static inline ref_point ref_above(const ref_sea *sea, const double phase[TP_WAVES],
+static inline ref_point ref_above(const ref_deep_water *sea, const double phase[TP_WAVES],
                                   double x, double z)
 {
     double x0 = x, z0 = z, step = 1;

@@ -64,7 +64,7 @@ static void try_drop(const ref_drop *drop, const ref_ray *ray, double t0,
 static double over_floor(const ref_scene *s, const ref_ray *ray, double t)
 {
     const ref_vec at = ref_ray_at(ray, t);
-    return at.y + ref_ocean_bed(s->surface.ocean, at.x, at.z).depth;
+    return at.y + ref_coastal_floor(s->surface.coastal, at.x, at.z).depth;
 }
 
 /* Root of the height over the floor: marched in steps of a quarter of the gap, then halved
@@ -94,7 +94,7 @@ static double floor_root(const ref_scene *s, const ref_ray *ray, double t0, doub
 
 static void try_floor(const ref_scene *s, const ref_ray *ray, double t0, ref_solid *solid)
 {
-    const ref_ocean *o = s->surface.ocean;
+    const ref_coastal *o = s->surface.coastal;
     const ref_extent *e = &s->surface.extent;
     double w0 = t0, w1 = fmin(solid->t, 1e5), t;
 
@@ -113,7 +113,7 @@ static void try_floor(const ref_scene *s, const ref_ray *ray, double t0, ref_sol
     if (!(t <= w1))
         return;
     const ref_vec at = ref_ray_at(ray, t);
-    const ref_bed bed = ref_ocean_bed(o, at.x, at.z);
+    const ref_bed bed = ref_coastal_floor(o, at.x, at.z);
     is_nearer(solid, w0, t, REF_LAND, ray,
               ref_unit_vec((ref_vec){ -bed.rise_x, 1, -bed.rise_z }));
 }

@@ -15,7 +15,7 @@ static int make_world(ref_stand *stand, uint32_t ticks)
 
     stand->world = malloc(bytes + sizeof *stand->world);
     if (!stand->world)
-        return fail_memory(bytes);
+        return log_fail_memory(bytes);
     if (tp_world_init(&tp_program_all, stand->world, bytes, scene, &stand->assets.names,
                       &err))
         return scene_file_refuse(&stand->file, &err);

@@ -81,21 +81,21 @@ ref_surface ref_surface_of(const tp_scene *scene, const tp_world *world, ref_vec
                            ref_vec ahead, bool fading)
 {
     ref_surface s = {
-        .sea = ref_sea_of(scene->wave, TP_WAVES, scene->water.gravity),
+        .sea = ref_deep_water_make(scene->wave, TP_WAVES, scene->water.gravity),
         .relief = ref_relief_of(world, ref_number(scene->water.pool_bump)),
         .extent = extent_of(scene, eye, ahead, fading),
         .close = REF_CLOSE,
     };
-    const double back = ref_number(world->back);
+    const double back = ref_number(world->lag);
 
     ref_phases(&s.sea, world->tick, s.phase);
     for (int i = 0; i < s.sea.count; i++)
         s.phase[i] += back * (double)s.sea.wave[i].turns_tick * 2 * PI;
-    s.ocean = ref_ocean_of(scene, world, &s.sea);
-    if (s.ocean) {
-        s.high = s.ocean->high;
-        s.reach = s.ocean->reach;
-        s.steep = s.ocean->steep;
+    s.coastal = ref_coastal_make(scene, world, &s.sea);
+    if (s.coastal) {
+        s.high = s.coastal->high;
+        s.reach = s.coastal->reach;
+        s.steep = s.coastal->steep;
     } else {
         bound_sea(&s);
     }
@@ -110,7 +110,7 @@ ref_surface ref_surface_of(const tp_scene *scene, const tp_world *world, ref_vec
 void ref_surface_free(ref_surface *surface)
 {
     ref_relief_free(&surface->relief);
-    free(surface->ocean);
+    free(surface->coastal);
 }
 
 /* -- points -------------------------------------------------------------------------- */
@@ -123,9 +123,9 @@ static ref_point rest_at(const ref_surface *s, double x0, double z0, bool exact)
 
     if (fade == 0)
         return p;
-    if (s->ocean)
-        p = exact ? ref_ocean_exact(s->ocean, s->phase, x0, z0)
-                  : ref_ocean_rest(s->ocean, s->phase, x0, z0);
+    if (s->coastal)
+        p = exact ? ref_coastal_exact(s->coastal, s->phase, x0, z0)
+                  : ref_coastal_rest(s->coastal, s->phase, x0, z0);
     else
         p = ref_at_rest(&s->sea, s->phase, x0, z0);
     if (fade == 1)
@@ -211,7 +211,7 @@ ref_water ref_surface_above(const ref_surface *s, double x, double z, double res
         .slope_z = -p.nz / p.ny + fade * more.slope_z,
         .bump_x = { more.bump_x[0], more.bump_x[1] },
         .bump_z = { more.bump_z[0], more.bump_z[1] },
-        .wet = inside && !(s->ocean
-                           && ref_ocean_bed(s->ocean, rest[0], rest[1]).depth <= 0),
+        .wet = inside && !(s->coastal
+                           && ref_coastal_floor(s->coastal, rest[0], rest[1]).depth <= 0),
     };
 }

@@ -24,8 +24,8 @@ typedef struct {
 #define REF_CLOSE 1e-10         /* m; tests/charts/reference.c shows the reason */
 
 typedef struct {
-    ref_sea    sea;
-    ref_ocean *ocean;           /* coastal water, or NULL */
+    ref_deep_water    sea;
+    ref_coastal *coastal;           /* coastal water, or NULL */
     double     phase[TP_WAVES];
     ref_relief relief;
     ref_extent extent;

@@ -9,7 +9,7 @@
 
 typedef struct {
     double x0, x1, z0, z1, depth;
-} ref_box;
+} ref_water_box;
 
 typedef enum { REF_NOTHING, REF_FLOOR, REF_WALL_X, REF_WALL_Z, REF_SURFACE } ref_face;
 
@@ -54,7 +54,7 @@ static inline void ref_meets(ref_hit *h, ref_face face, double way)
     }
 }
 
-static inline ref_hit ref_in_box(const ref_box *b, ref_vec from, ref_vec way)
+static inline ref_hit ref_in_box(const ref_water_box *b, ref_vec from, ref_vec way)
 {
     ref_hit h = { REF_NOTHING, 1e9, 1e9, from };
 
@@ -84,7 +84,7 @@ typedef enum { REF_OUTSIDE, REF_TOP_FLOOR, REF_TOP_WALL, REF_SIDE_FLOOR, REF_SID
                REF_SIDE_UP } ref_sight;
 
 /* Distance to the side of the box that faces an eye outside; 1e9: none. */
-static inline double ref_pane(const ref_box *b, ref_vec eye, ref_vec way, ref_vec *n)
+static inline double ref_pane(const ref_water_box *b, ref_vec eye, ref_vec way, ref_vec *n)
 {
     const double x = eye.x > b->x1 ? b->x1 : b->x0, z = eye.z > b->z1 ? b->z1 : b->z0;
     const double tx = (x - eye.x) / way.x, tz = (z - eye.z) / way.z;
@@ -101,7 +101,7 @@ static inline double ref_pane(const ref_box *b, ref_vec eye, ref_vec way, ref_ve
     return 1e9;
 }
 
-static inline ref_sight ref_look_into(const ref_box *b, ref_vec eye, ref_vec way,
+static inline ref_sight ref_look_into(const ref_water_box *b, ref_vec eye, ref_vec way,
                                       double index)
 {
     ref_vec n = { 0, 1, 0 };

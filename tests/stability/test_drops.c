@@ -52,8 +52,8 @@ static void ripple(const tp_drops *drops, int64_t now, tp_ring_now *rings, figur
     for (uint32_t i = 0; i < drops->rings; i++)
         count += tp_ring_evaluate(&tp_drops_rings(drops)[i], now, &rings[count]);
     for (int k = 0; k < 16; k++) {
-        const tp_relief at = tp_ring_relief(rings, count, chance_fx(&chance, -25, 25),
-                                            chance_fx(&chance, -25, 25));
+        const tp_height_slope at = tp_ring_height_slope(
+            rings, count, chance_fx(&chance, -25, 25), chance_fx(&chance, -25, 25));
         f->surface = at.height > f->surface ? at.height : f->surface;
     }
 }
@@ -152,7 +152,7 @@ static void a_clock_flipped_every_picture_runs_evenly(void **state)
         tp_clock_set_target(&clock, n % 2 ? TP_CLOCK_FASTEST : TP_CLOCK_SLOWEST);
         tp_clock_advance(&clock);
         const double now = (double)tp_clock_ticks(&clock)
-                         + (double)clock.part_q40 / 1099511627776.0;
+                         + (double)clock.fraction_q40 / 1099511627776.0;
         least = fmin(least, now - last);
         most = fmax(most, now - last);
         assert_true(now - last >= 0.125 && now - last <= 4);

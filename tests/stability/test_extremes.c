@@ -59,10 +59,11 @@ static void assert_near(tp_fx got, tp_fx place, int64_t most)
  * displacement. */
 static void ask_all(const tp_world *world, tp_fx x, tp_fx z)
 {
-    const tp_ocean *ocean = tp_world_ocean(world);
-    const int64_t reach = ocean ? tp_ocean_max_displacement(ocean) : world->sea.reach;
+    const tp_coastal_water *coastal = tp_world_coastal(world);
+    const int64_t reach =
+        coastal ? tp_coastal_max_displacement(coastal) : world->deep.max_displacement;
     const tp_surface surface = tp_world_surface(&tp_program_all, world);
-    const tp_sea_point p = tp_surface_sample(&surface, x, z, NULL);
+    const tp_surface_point p = tp_surface_sample(&surface, x, z, NULL);
 
     assert_true(llabs((int64_t)p.position.y) <= HIGHEST);
     assert_near(p.position.x, x, 2 * reach + 64);
@@ -70,25 +71,26 @@ static void ask_all(const tp_world *world, tp_fx x, tp_fx z)
     assert_int_equal(tp_world_sample(&tp_program_all, world, x, z).height, p.position.y);
 }
 
-static void ask_ocean(const tp_ocean *ocean, const tp_turn *phases, tp_fx x, tp_fx z)
+static void ask_coastal(const tp_coastal_water *coastal, const tp_turn *phases, tp_fx x,
+                        tp_fx z)
 {
-    const tp_ocean_point whole = tp_ocean_displace_point(ocean, phases, x, z);
-    const tp_ocean_point smooth = tp_ocean_displace_smooth(ocean, phases, x, z);
-    const tp_fx reach = tp_ocean_max_displacement(ocean);
+    const tp_coastal_point whole = tp_coastal_displace_point(coastal, phases, x, z);
+    const tp_coastal_point smooth = tp_coastal_displace_smooth(coastal, phases, x, z);
+    const tp_fx reach = tp_coastal_max_displacement(coastal);
 
     assert_near(whole.position.x, x, reach);
     assert_near(whole.position.z, z, reach);
     assert_near(smooth.position.x, x, reach);
     assert_near(smooth.position.z, z, reach);
-    assert_true(abs(smooth.position.y) <= tp_ocean_max_height(ocean));
-    assert_int_equal(whole.depth, tp_ocean_floor(ocean, x, z).depth);
+    assert_true(abs(smooth.position.y) <= tp_coastal_max_height(coastal));
+    assert_int_equal(whole.depth, tp_coastal_floor(coastal, x, z).depth);
 }
 
 /* Samples the pool and adds a splash of any size. */
 static void ask_pool(tp_pool *pool, tp_fx x, tp_fx z)
 {
-    const tp_fx back = chance_int(&chance, 0, TP_FX_ONE);
-    const tp_relief r = tp_pool_relief(pool, x, z, back);
+    const tp_fx lag = chance_int(&chance, 0, TP_FX_ONE);
+    const tp_height_slope r = tp_pool_height_slope(pool, x, z, lag);
     uint32_t col, row;
     const bool cell = tp_pool_cell(pool, x, z, &col, &row);
 
@@ -100,8 +102,8 @@ static void ask_pool(tp_pool *pool, tp_fx x, tp_fx z)
 
 static void ask_parts(tp_world *world, tp_fx x, tp_fx z)
 {
-    if (tp_world_ocean(world))
-        ask_ocean(tp_world_ocean(world), world->phases, x, z);
+    if (tp_world_coastal(world))
+        ask_coastal(tp_world_coastal(world), world->phases, x, z);
     if (tp_world_mutable_pool(world))
         ask_pool(tp_world_mutable_pool(world), x, z);
     if (tp_world_mutable_field(world))
@@ -159,7 +161,7 @@ static void assert_held(const tp_world *world)
 {
     const tp_drops *drops = tp_world_drops(world);
     const tp_camera camera = tp_world_camera(world);
-    const tp_hull *hull = &world->afloat.hull;
+    const tp_hull *hull = &world->boat_state.hull;
 
     assert_near(camera.eye.x, 0, FAR);
     assert_near(camera.eye.y, 0, FAR);
@@ -206,8 +208,8 @@ static void a_boat_that_sails_on_and_on_stays_within_8_km(void **state)
         for (int tick = 0; tick < 40000; tick++)
             tp_world_step(&tp_program_all, world, &scene, &ahead);
         assert_held(world);
-        assert_true(llabs(world->afloat.hull.x) == FAR
-                    || llabs(world->afloat.hull.z) == FAR || n / 2);
+        assert_true(llabs(world->boat_state.hull.x) == FAR
+                    || llabs(world->boat_state.hull.z) == FAR || n / 2);
         free(world);
     }
 }

@@ -27,8 +27,9 @@ static void the_jacobian_falls_to_where_all_crests_meet(void **state)
     (void)state;
     for (int n = 0; n < SWEPT; n++)
         for (double sum = 0.3; sum < 1.9; sum += 0.4) {
-            const tp_sea sea = stability_sea_unheld(swept[n].waves, swept[n].fan, sum);
-            const double theory = stability_crests(&sea), least = stability_least(&sea);
+            const tp_deep_water deep =
+                stability_sea_unheld(swept[n].waves, swept[n].fan, sum);
+            const double theory = stability_crests(&deep), least = stability_least(&deep);
             if (swept[n].fan == 0)              /* a wave's share is halved and truncated */
                 assert_true(fabs(theory - (1 - sum))
                             < 1.5 * swept[n].waves * STABILITY_LSB + ROUNDING);
@@ -43,8 +44,8 @@ static void loops_begin_at_a_sum_of_1(void **state)
 {
     (void)state;
     for (int waves = 1; waves <= 2; waves++) {
-        const tp_sea before = stability_sea_unheld(waves, 0, 0.999);
-        const tp_sea after = stability_sea_unheld(waves, 0, 1.001);
+        const tp_deep_water before = stability_sea_unheld(waves, 0, 0.999);
+        const tp_deep_water after = stability_sea_unheld(waves, 0, 1.001);
         assert_true(stability_least(&before) > 0);
         assert_true(stability_least(&after) < 0);
     }
@@ -56,10 +57,10 @@ static void the_clamp_leaves_a_twentieth_of_the_jacobian(void **state)
     (void)state;
     for (int n = 0; n < SWEPT; n++)
         for (double sum = 0.5; sum < 1.9; sum += 0.3) {
-            const tp_sea sea = stability_sea(swept[n].waves, swept[n].fan, sum);
-            const tp_sea unheld = stability_sea_unheld(swept[n].waves, swept[n].fan,
+            const tp_deep_water deep = stability_sea(swept[n].waves, swept[n].fan, sum);
+            const tp_deep_water unheld = stability_sea_unheld(swept[n].waves, swept[n].fan,
                                                        fmin(sum, 0.95));
-            const double least = stability_least(&sea);
+            const double least = stability_least(&deep);
             assert_true(least > 0.05 - ROUNDING);
             assert_true(fabs(least - stability_least(&unheld)) < 1e-4);
         }
@@ -67,13 +68,15 @@ static void the_clamp_leaves_a_twentieth_of_the_jacobian(void **state)
 
 /* Position along the first wave's direction of a point that rests `from` m beyond a
  * crest. */
-static double moved_along(const tp_sea *sea, double from)
+static double moved_along(const tp_deep_water *deep, double from)
 {
-    const tp_swell *w = &sea->swell[0];
+    const tp_swell *w = &deep->swell[0];
     const tp_turn phases[TP_WAVES] = { 0x40000000 };
     const double x = (double)w->turns_x, z = (double)w->turns_z, turns = hypot(x, z);
-    const tp_vec3 p = tp_sea_sample_fixed_point(sea, phases, TP_FX(from * x / turns),
-                                     TP_FX(from * z / turns), 0).position;
+    const tp_vec3 p =
+        tp_deep_water_sample_fixed_point(deep, phases, TP_FX(from * x / turns),
+                                         TP_FX(from * z / turns), 0)
+            .position;
 
     return (p.x * x + p.z * z) / turns * STABILITY_LSB;
 }
@@ -86,8 +89,8 @@ static void points_fold_where_the_jacobian_is_below_0(void **state)
     const double near = 1 / 64.0;
 
     for (double sum = 0.1; sum < 1.9; sum += 0.1) {
-        const tp_sea sea = stability_sea_unheld(1, 0, sum);
-        const double apart = moved_along(&sea, near) - moved_along(&sea, -near);
+        const tp_deep_water deep = stability_sea_unheld(1, 0, sum);
+        const double apart = moved_along(&deep, near) - moved_along(&deep, -near);
         assert_true(fabs(apart / (2 * near) - (1 - sum)) < 0.003);
     }
 }
@@ -150,9 +153,9 @@ static void plain_steps_stay_below_their_bound(void **state)
     (void)state;
     for (double q = 0.1; q < 1.3; q += 0.1)
         for (uint32_t n = 1; n <= 16; n *= 2) {
-            const tp_sea sea = stability_sea_unheld(2, 0, q);
-            const stability_off off = stability_inversion(&sea, STABILITY_PLAIN, n);
-            const double bound = stability_bound(&sea, STABILITY_PLAIN, n);
+            const tp_deep_water deep = stability_sea_unheld(2, 0, q);
+            const stability_off off = stability_inversion(&deep, STABILITY_PLAIN, n);
+            const double bound = stability_bound(&deep, STABILITY_PLAIN, n);
             assert_true(off.along < bound + 4 * STABILITY_LSB);
         }
 }
@@ -162,8 +165,8 @@ static void plain_steps_stay_below_their_bound(void **state)
 static void plain_steps_fail_beyond_a_sum_of_1(void **state)
 {
     (void)state;
-    const tp_sea below = stability_sea_unheld(2, 0, 0.8);
-    const tp_sea above = stability_sea_unheld(2, 0, 1.2);
+    const tp_deep_water below = stability_sea_unheld(2, 0, 0.8);
+    const tp_deep_water above = stability_sea_unheld(2, 0, 1.2);
 
     assert_true(stability_inversion(&below, STABILITY_PLAIN, 16).along
                 < stability_inversion(&below, STABILITY_PLAIN, 4).along / 8);
@@ -177,10 +180,10 @@ static void the_engine_finds_the_surface_up_to_the_clamp(void **state)
     (void)state;
     for (int waves = 1; waves <= 8; waves *= 2)
         for (double q = 0.1; q < 1.3; q += 0.2) {
-            const tp_sea sea = stability_sea(waves, 0, q);
-            const stability_off cold = stability_inversion(&sea, STABILITY_COLD, 0);
-            const stability_off warm = stability_inversion(&sea, STABILITY_WARM, 0);
-            const double bound = stability_bound(&sea, STABILITY_COLD, 0) + 1e-9;
+            const tp_deep_water deep = stability_sea(waves, 0, q);
+            const stability_off cold = stability_inversion(&deep, STABILITY_COLD, 0);
+            const stability_off warm = stability_inversion(&deep, STABILITY_WARM, 0);
+            const double bound = stability_bound(&deep, STABILITY_COLD, 0) + 1e-9;
             assert_true(cold.along < bound && cold.up < 8 * bound);
             assert_true(warm.along < bound && warm.up < 8 * bound);
         }

@@ -48,8 +48,9 @@ static extent extent_of(const coastal_water *o, bool whole)
 
     for (uint32_t n = 0; n < 64; n++) {
         const tp_turn phases[TP_WAVES] = { n << 26 };
-        const tp_vec3 p = whole ? tp_ocean_displace_point(o->ocean, phases, 0, 0).position
-                                : tp_ocean_displace_smooth(o->ocean, phases, 0, 0).position;
+        const tp_vec3 p =
+            whole ? tp_coastal_displace_point(o->coastal, phases, 0, 0).position
+                  : tp_coastal_displace_smooth(o->coastal, phases, 0, 0).position;
         e.up = fmax(e.up, abs(p.y) * LSB);
         e.along = fmax(e.along, hypot(p.x, p.z) * LSB);
     }
@@ -96,11 +97,11 @@ static double jump_to_shore(const coastal_water *o, double shore, double z)
         tp_vec3 last = { 0, 0, 0 };
         for (int k = 0; k * d < 32; k++) {
             const tp_fx x = (tp_fx)lround((from + k * d) * 65536);
-            const tp_ocean_point p = tp_ocean_displace_smooth(o->ocean, phases, x,
+            const tp_coastal_point p = tp_coastal_displace_smooth(o->coastal, phases, x,
                                                      (tp_fx)(z * 65536));
             const tp_vec3 step = tp_vec3_sub(p.position, last);
             assert_true(p.depth > 0 || p.position.y == 0);
-            assert_true(abs(p.position.y) <= tp_ocean_max_height(o->ocean));
+            assert_true(abs(p.position.y) <= tp_coastal_max_height(o->coastal));
             if (k > 0)
                 most = fmax(most, hypot(hypot(step.x, step.y), step.z) * LSB);
             last = p.position;
@@ -242,11 +243,11 @@ static void at_a_cliff_the_surface_stays_within_its_reach(void **state)
         double rise = 0;
         for (double x = -5; x < 5; x += 0.01)
             rise = fmax(rise, LSB
-                        * tp_ocean_floor(o.ocean, (tp_fx)(x * 65536), 0).rise_x);
+                        * tp_coastal_floor(o.coastal, (tp_fx)(x * 65536), 0).rise_x);
         const double jump = jump_to_shore(&o, 15, chance_double(&chance, -99, 99));
         printf("# %6.2f to %6.2f  %5.2f  %.1f mm\n", low, high, rise, 1000 * jump);
         assert_true(rise <= 8);
-        assert_true(jump <= 2 * tp_ocean_max_displacement(o.ocean) * LSB);
+        assert_true(jump <= 2 * tp_coastal_max_displacement(o.coastal) * LSB);
         coastal_end(&o);
     }
 }
@@ -257,19 +258,19 @@ typedef struct {
     int    places;
     int    against_deep;        /* the phase falls along the direction of deep water ... */
     int    against_own;         /* ... or along the direction of the particles */
-} run;
+} slope_run;
 
 /* The phase's gradient by points 0.1 m apart; the particles' own direction by a particle a
  * quarter turn behind the trough. */
 static void look_at(const coastal_water *o, const coastal_water *moving, double heading,
-                    run *r)
+                    slope_run *r)
 {
     const tp_fx x = chance_fx(&chance, -170, 170), z = chance_fx(&chance, -170, 170);
     const tp_fx d = TP_FX(0.1), least = TP_FX(0.5);
 
-    if (tp_ocean_floor(o->ocean, x, z).depth < least
-        || tp_ocean_floor(o->ocean, x + d, z).depth < least
-        || tp_ocean_floor(o->ocean, x, z + d).depth < least)
+    if (tp_coastal_floor(o->coastal, x, z).depth < least
+        || tp_coastal_floor(o->coastal, x + d, z).depth < least
+        || tp_coastal_floor(o->coastal, x, z + d).depth < least)
         return;
     const double here = coastal_phase(o, x, z);
     const double on_x = coastal_turns_from(here, coastal_phase(o, x + d, z));
@@ -277,17 +278,17 @@ static void look_at(const coastal_water *o, const coastal_water *moving, double 
     const tp_turn phases[TP_WAVES] = {
         (tp_turn)(uint64_t)llround((1.25 - here) * 4294967296.0)
     };
-    const tp_vec3 p = tp_ocean_displace_smooth(moving->ocean, phases, x, z).position;
+    const tp_vec3 p = tp_coastal_displace_smooth(moving->coastal, phases, x, z).position;
     r->places++;
     r->against_deep += on_x * sin(heading) - on_z * cos(heading) < -1e-4;
     r->against_own += on_x * (p.x - x) + on_z * (p.z - z)
                       < -1e-4 * hypot(p.x - x, p.z - z);
 }
 
-static run crests_over(const tp_floor *floor, double length, double degrees)
+static slope_run crests_over(const tp_floor *floor, double length, double degrees)
 {
     coastal_water o = one_wave(length, length / 40, 0, degrees), moving;
-    run r = { 0, 0, 0 };
+    slope_run r = { 0, 0, 0 };
 
     o.config.floor = *floor;
     moving = o;
@@ -301,15 +302,15 @@ static run crests_over(const tp_floor *floor, double length, double degrees)
     return r;
 }
 
-static run crests_over_maps(void (*draw)(void), double high, int maps)
+static slope_run crests_over_maps(void (*draw)(void), double high, int maps)
 {
-    run all = { 0, 0, 0 };
+    slope_run all = { 0, 0, 0 };
 
     for (int n = 0; n < times(maps); n++) {
         draw();
         const tp_floor floor = map_of(-12, high);
-        const run r = crests_over(&floor, chance_scale(&chance, 10, 60) * LSB,
-                                  chance_double(&chance, 0, 360));
+        const slope_run r = crests_over(&floor, chance_scale(&chance, 10, 60) * LSB,
+                                        chance_double(&chance, 0, 360));
         all.places += r.places;
         all.against_deep += r.against_deep;
         all.against_own += r.against_own;
@@ -317,7 +318,7 @@ static run crests_over_maps(void (*draw)(void), double high, int maps)
     return all;
 }
 
-static void print_run(const char *what, const run *r)
+static void print_run(const char *what, const slope_run *r)
 {
     printf("# %-24s %7d %14.3f %% %14.3f %%\n", what, r->places,
            100.0 * r->against_deep / r->places, 100.0 * r->against_own / r->places);
@@ -328,23 +329,23 @@ static void print_run(const char *what, const run *r)
 static void crests_run_backwards_over_no_slope_and_hardly_any_map(void **state)
 {
     (void)state;
-    run slopes = { 0, 0, 0 };
+    slope_run slopes = { 0, 0, 0 };
 
     printf("# crests                     places  against the swell  their own way\n");
     for (int n = 0; n < times(20); n++) {
         const tp_floor floor = floor_of(chance_double(&chance, 1, 30),
                                         chance_scale(&chance, 0.001, 1) * LSB,
                                         chance_double(&chance, 0, 360));
-        const run r = crests_over(&floor, chance_scale(&chance, 5, 200) * LSB,
-                                  chance_double(&chance, 0, 360));
+        const slope_run r = crests_over(&floor, chance_scale(&chance, 5, 200) * LSB,
+                                        chance_double(&chance, 0, 360));
         slopes.places += r.places;
         slopes.against_deep += r.against_deep;
         slopes.against_own += r.against_own;
     }
-    const run hills = crests_over_maps(draw_hills, -1, 6);
-    const run islands = crests_over_maps(draw_hills, 3, 6);
-    const run cliffs = crests_over_maps(draw_cliff, 3, 4);
-    const run noise = crests_over_maps(draw_noise, 3, 4);
+    const slope_run hills = crests_over_maps(draw_hills, -1, 6);
+    const slope_run islands = crests_over_maps(draw_hills, 3, 6);
+    const slope_run cliffs = crests_over_maps(draw_cliff, 3, 4);
+    const slope_run noise = crests_over_maps(draw_noise, 3, 4);
     print_run("slopes", &slopes);
     print_run("hills under water", &hills);
     print_run("islands", &islands);
@@ -367,9 +368,10 @@ static double least_step(const coastal_water *o, double length)
 
     for (uint32_t n = 0; n < 4; n++) {
         const tp_turn phases[TP_WAVES] = { (tp_turn)random_next(&chance) };
-        tp_fx last = tp_ocean_displace_smooth(o->ocean, phases, 0, 0).position.x;
+        tp_fx last = tp_coastal_displace_smooth(o->coastal, phases, 0, 0).position.x;
         for (int k = 1; k <= 1024; k++) {
-            const tp_fx x = tp_ocean_displace_smooth(o->ocean, phases, k * d, 0).position.x;
+            const tp_fx x =
+                tp_coastal_displace_smooth(o->coastal, phases, k * d, 0).position.x;
             least = fmin(least, (double)(x - last) / d);
             last = x;
         }
@@ -421,7 +423,7 @@ static extent alias_of(const coastal_water *o, double cell, double height)
                              (tp_fx)((k + 1) * cell * 65536) };
         double y[3];
         for (int i = 0; i < 3; i++)
-            y[i] = tp_ocean_displace_smooth(o->ocean, phases, x[i], 0).position.y * LSB
+            y[i] = tp_coastal_displace_smooth(o->coastal, phases, x[i], 0).position.y * LSB
                    / height;
         e.up = fmax(e.up, fabs(y[0]));
         e.along = fmax(e.along, fabs((y[0] + y[2]) / 2 - y[1]));
@@ -441,7 +443,7 @@ static void waves_shorter_than_two_cells_stay_within_their_height(void **state)
         coastal_water o = one_wave(length, length / 40, 0, 90);
         o.config.floor = floor_of(20, 0, 0);
         coastal_build(&o);
-        const double height = tp_ocean_max_height(o.ocean) * LSB;
+        const double height = tp_coastal_max_height(o.coastal) * LSB;
         const double k = ref_depth_number(2 * PI / length, 20);
         const extent at = extent_of(&o, false);
         const extent e = alias_of(&o, 2 * PI / k / points[i], at.up);

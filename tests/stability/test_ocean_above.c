@@ -29,7 +29,7 @@ static tp_floor floor_of(double depth, double slope, double up)
 typedef struct {
     double worst, squares;      /* m, m^2 */
     int    places;
-} search;
+} search_errors;
 
 static coastal_water sea_over(const tp_floor *floor, double steepness)
 {
@@ -46,24 +46,24 @@ static coastal_water sea_over(const tp_floor *floor, double steepness)
     return o;
 }
 
-static void search_one(const coastal_water *o, search *s)
+static void search_one(const coastal_water *o, search_errors *s)
 {
     const tp_fx x = chance_fx(&chance, -60, 60), z = chance_fx(&chance, -60, 60);
     tp_fx rest[2] = { x, z };
     tp_turn phases[TP_WAVES];
     const tp_surface surface = {
         .by = &tp_program_all.water,
-        .sea = &o->sea,
+        .deep = &o->deep,
         .phases = phases,
-        .ocean = o->ocean,
+        .coastal = o->coastal,
     };
 
     for (int i = 0; i < TP_WAVES; i++)
         phases[i] = (tp_turn)random_next(&chance);
-    const tp_sea_point p = tp_surface_sample(&surface, x, z, rest);
+    const tp_surface_point p = tp_surface_sample(&surface, x, z, rest);
     const double off = hypot(p.position.x - x, p.position.z - z) * LSB;
     assert_true(off <= 0.001);
-    assert_true(abs(p.position.y) <= tp_ocean_max_height(o->ocean));
+    assert_true(abs(p.position.y) <= tp_coastal_max_height(o->coastal));
     s->places++;
     s->squares += off * off;
     s->worst = fmax(s->worst, off);
@@ -71,7 +71,7 @@ static void search_one(const coastal_water *o, search *s)
 
 static void search_all(const char *where, const tp_floor *floor, double steepness)
 {
-    search s = { 0, 0, 0 };
+    search_errors s = { 0, 0, 0 };
 
     for (int n = 0; n < times(150); n++) {
         coastal_water o = sea_over(floor, steepness);

@@ -321,7 +321,7 @@ static bool mode_moves(double r, bool gear_a, uint32_t n, int32_t height)
 {
     tp_pool_config c = pool_config(TP_CELLS_16, TP_EDGES_WALL, n, 16);
     tp_pool *const pool = pool_make(&c);
-    pool->r2q = r2q_of(r);
+    pool->courant_sq_q10 = r2q_of(r);
     for (uint32_t i = 0; i < 16 * n; i++)
         tp_pool_add(pool, i % n, i / n,
                     (int32_t)lround(height * cos(PI * (i % n + 0.5) / n)));

@@ -64,9 +64,9 @@ static tp_pool_config fed(tp_cells cells, tp_edges edges, uint32_t size, uint32_
     const double lsb = cells == TP_CELLS_8 ? 65536 / 127.0
                      : cells == TP_CELLS_16 ? 65536 / 32767.0 : 1 / 256.0;
     c.damping = m;
-    c.feed_low = (tp_fx)lround(low * lsb);
-    c.feed_high = (tp_fx)lround(low * lsb * 7 / 6);
-    c.feed = (tp_fx)lround(hat * lsb);
+    c.drive_min = (tp_fx)lround(low * lsb);
+    c.drive_max = (tp_fx)lround(low * lsb * 7 / 6);
+    c.drive_amplitude = (tp_fx)lround(hat * lsb);
     return c;
 }
 

@@ -136,7 +136,8 @@ static double growth_measured(tp_pool *pool, int *full_at)
 static void grow(uint32_t m, double r)
 {
     tp_pool *const pool = tank(TP_CELLS_32, TP_EDGES_TILE, 24, m, r);
-    const double model = growth_of_model(pool->r2q / 1024.0, 1 - pow(2, -(double)m));
+    const double model =
+        growth_of_model(pool->courant_sq_q10 / 1024.0, 1 - pow(2, -(double)m));
     int full_at;
 
     for (uint32_t k = 0; k < 24 * 24; k++)
@@ -179,8 +180,8 @@ static void any_r_set_by_hand_is_held(void **state)
         tp_pool *const pool = pool_make(&c), *const copy = pool_make(&c);
         pool_fill(pool, &chance, tp_pool_max_lsb(pool));
         memcpy(copy, pool, tp_pool_bytes(&c));
-        pool->r2q = 767;
-        copy->r2q = n % 2 ? UINT32_MAX : 768;
+        pool->courant_sq_q10 = 767;
+        copy->courant_sq_q10 = n % 2 ? UINT32_MAX : 768;
         for (int tick = 0; tick < 200; tick++) {
             tp_pool_step(pool);
             tp_pool_step(copy);

@@ -25,9 +25,9 @@ static double noise_of(const tp_pool_config *c)
 }
 
 /* r from 1024 r^2, the number that a pool stores. */
-static tp_fx courant_of(uint32_t r2q)
+static tp_fx courant_of(uint32_t courant_sq_q10)
 {
-    return (tp_fx)lround(sqrt(r2q / 1024.0) * 65536);
+    return (tp_fx)lround(sqrt(courant_sq_q10 / 1024.0) * 65536);
 }
 
 static uint32_t r2q_most(uint32_t m)
@@ -41,9 +41,11 @@ static void the_noise_is_the_root_of_2_to_m_over_24_by_courant(void **state)
 {
     (void)state;
     for (uint32_t m = 4; m <= 10; m++) {
-        for (uint32_t r2q = 3; r2q <= r2q_most(m); r2q++) {
-            const double want = sqrt(ldexp(1, (int)m) / 24 * 1024 / r2q);
-            assert_true(fabs(tp_pool_noise(courant_of(r2q), m) / 65536.0 - want) < 3e-5);
+        for (uint32_t courant_sq_q10 = 3; courant_sq_q10 <= r2q_most(m); courant_sq_q10++) {
+            const double want = sqrt(ldexp(1, (int)m) / 24 * 1024 / courant_sq_q10);
+            assert_true(
+                fabs(tp_pool_noise(courant_of(courant_sq_q10), m) / 65536.0 - want)
+                < 3e-5);
         }
         assert_true(fabs(pool_noise_r(tp_pool_noise(TP_FX_ONE / 2, m) / 65536.0, m) - 0.5)
                     < 1e-5);
@@ -119,11 +121,11 @@ static uint32_t any_side(void)
          : kind < 10 ? 16u << random_below(&chance, 3) : 16 + random_below(&chance, 60);
 }
 
-static void shape(wave *w, uint32_t p, uint32_t q, uint32_t r2q, uint32_t m)
+static void shape(wave *w, uint32_t p, uint32_t q, uint32_t courant_sq_q10, uint32_t m)
 {
     const uint32_t cols = w->config.cols, rows = w->config.rows;
 
-    w->config.courant = courant_of(r2q);
+    w->config.courant = courant_of(courant_sq_q10);
     w->config.damping = m;
     w->p = p;
     w->q = q;
@@ -152,14 +154,14 @@ static uint32_t any_r2q(uint32_t m)
          : (uint32_t)lround(3 * pow(most / 3, chance_double(&chance, 0, 1)));
 }
 
-static wave any_wave(tp_cells cells, uint32_t r2q, uint32_t m)
+static wave any_wave(tp_cells cells, uint32_t courant_sq_q10, uint32_t m)
 {
     wave w = { .config = pool_config(cells, TP_EDGES_WALL, any_side(), any_side()) };
 
     if (w.config.cols > 100)
         w.config.rows = 16;
     const uint32_t p = any_count(w.config.cols), q = any_count(w.config.rows);
-    shape(&w, p + (p + q == 0), q, r2q, m);
+    shape(&w, p + (p + q == 0), q, courant_sq_q10, m);
     return w;
 }
 
@@ -183,7 +185,8 @@ static miss miss_of(const tp_pool *pool, const wave *w, double high)
 static miss worst_of(const wave *w, int ticks)
 {
     tp_pool *const pool = pool_make(&w->config);
-    const double r2 = pool->r2q / 1024.0, rho = 1 - ldexp(1, -(int)w->config.damping);
+    const double r2 = pool->courant_sq_q10 / 1024.0,
+                 rho = 1 - ldexp(1, -(int)w->config.damping);
     double h = 1, v = 0;
     miss worst = { 0, 0 };
 
@@ -270,7 +273,7 @@ static void so_do_the_worst_waves_that_are_known(void **state)
     (void)state;
     static const struct {
         tp_cells cells;
-        uint32_t m, r2q, cols, rows, p, q;
+        uint32_t m, courant_sq_q10, cols, rows, p, q;
     } known[] = {
         { TP_CELLS_8, 6, 253, 18, 19, 12, 0 }, { TP_CELLS_8, 6, 182, 16, 73, 12, 0 },
         { TP_CELLS_8, 4, 41, 83, 73, 72, 0 }, { TP_CELLS_8, 4, 64, 62, 16, 16, 1 },
@@ -281,7 +284,7 @@ static void so_do_the_worst_waves_that_are_known(void **state)
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         wave w = { .config = pool_config(known[i].cells, TP_EDGES_WALL, known[i].cols,
                                          known[i].rows) };
-        shape(&w, known[i].p, known[i].q, known[i].r2q, known[i].m);
+        shape(&w, known[i].p, known[i].q, known[i].courant_sq_q10, known[i].m);
         compare(&s, &w, TICKS);
     }
     assert_shares(&s);
@@ -314,7 +317,7 @@ static void waves_of_8_bits_stay_within_it_later(void **state)
 static void the_worst_known_of_16_bits_pass_it_later_by_4_times(void **state)
 {
     (void)state;
-    static const struct { uint32_t m, r2q, cols, rows, q; } known[] = {
+    static const struct { uint32_t m, courant_sq_q10, cols, rows, q; } known[] = {
         { 5, 6, 69, 16, 13 }, { 6, 5, 53, 17, 15 }, { 6, 7, 37, 16, 15 },
         { 5, 4, 55, 18, 11 },
     };
@@ -323,7 +326,7 @@ static void the_worst_known_of_16_bits_pass_it_later_by_4_times(void **state)
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         wave w = { .config = pool_config(TP_CELLS_16, TP_EDGES_WALL, known[i].cols,
                                          known[i].rows) };
-        shape(&w, 0, known[i].q, known[i].r2q, known[i].m);
+        shape(&w, 0, known[i].q, known[i].courant_sq_q10, known[i].m);
         compare(&s, &w, LATER);
     }
     measure_print(&s.rms);

@@ -133,14 +133,14 @@ static void live_on(tp_world **world, tp_scene *scene, const tp_assets *assets)
 /* Asserts that a copy of a world continues as the world does. */
 static void compare_with_copy(tp_world *world, const tp_scene *scene)
 {
-    tp_world *copy = malloc(world->parts.bytes);
+    tp_world *copy = malloc(world->layout.bytes);
 
-    memcpy(copy, world, world->parts.bytes);
+    memcpy(copy, world, world->layout.bytes);
     for (int n = 0; n < 2; n++) {
         tp_world_step(&tp_program_all, world, scene, NULL);
         tp_world_step(&tp_program_all, copy, scene, NULL);
     }
-    assert_memory_equal(copy, world, world->parts.bytes);
+    assert_memory_equal(copy, world, world->layout.bytes);
     free(copy);
 }
 

@@ -19,11 +19,11 @@ static uint64_t chance;
 
 /* Deep water of `count` waves with steepnesses that sum up to `sum`, all crests through the
  * origin; half of the cases have a single direction, the worst case. */
-static tp_sea steep_sea(int count, double sum, tp_turn phases[TP_WAVES])
+static tp_deep_water steep_sea(int count, double sum, tp_turn phases[TP_WAVES])
 {
     const bool one_way = random_below(&chance, 2);
     tp_wave wave[TP_WAVES];
-    tp_sea  sea;
+    tp_deep_water  deep;
 
     for (int i = 0; i < count; i++) {
         wave[i] = chance_wave(&chance);
@@ -33,20 +33,20 @@ static tp_sea steep_sea(int count, double sum, tp_turn phases[TP_WAVES])
         if (one_way)
             wave[i].heading = wave[0].heading;
     }
-    tp_sea_init(&sea, wave, (uint32_t)count, TP_FX(9.81));
+    tp_deep_water_init(&deep, wave, (uint32_t)count, TP_FX(9.81));
     for (int i = 0; i < TP_WAVES; i++)
         phases[i] = 0x40000000;             /* sin th = 1: where the Jacobian is smallest */
-    return sea;
+    return deep;
 }
 
 /* Smaller eigenvalue of J [A11] at a rest position. */
-static double least_eigenvalue(const tp_sea *sea, const tp_turn phases[TP_WAVES],
+static double least_eigenvalue(const tp_deep_water *deep, const tp_turn phases[TP_WAVES],
                                double x, double z)
 {
     double xx = 1, xz = 0, zz = 1;
 
-    for (uint32_t i = 0; i < sea->count; i++) {
-        const tp_swell *w = &sea->swell[i];
+    for (uint32_t i = 0; i < deep->count; i++) {
+        const tp_swell *w = &deep->swell[i];
         const double turns = (double)w->turns_x * x + (double)w->turns_z * z;
         const double s = sin((fmod(turns, 4294967296.0) + phases[i]) * TURN);
         xx -= w->bend_xx / Q30 * s;
@@ -64,11 +64,11 @@ static void no_crest_loops_whatever_the_steepness(void **state)
         double least = 1;
         for (int k = 0; k < 200; k++) {
             tp_turn phases[TP_WAVES];
-            const tp_sea sea = steep_sea(chance_int(&chance, 3, 16), sum, phases);
-            assert_int_equal(sea.clamped, sum > 0.96);
+            const tp_deep_water deep = steep_sea(chance_int(&chance, 3, 16), sum, phases);
+            assert_int_equal(deep.clamped, sum > 0.96);
             for (int n = 0; n < 20; n++) {
                 const double far = n == 0 ? 0 : 300;
-                least = fmin(least, least_eigenvalue(&sea, phases,
+                least = fmin(least, least_eigenvalue(&deep, phases,
                                                      chance_double(&chance, -far, far),
                                                      chance_double(&chance, -far, far)));
             }
@@ -88,15 +88,16 @@ static double inversion_error(double sum)
 
     for (int k = 0; k < 300; k++) {
         tp_turn phases[TP_WAVES];
-        const tp_sea sea = steep_sea(chance_int(&chance, 1, 16), sum, phases);
+        const tp_deep_water deep = steep_sea(chance_int(&chance, 1, 16), sum, phases);
         const tp_fx x = chance_fx(&chance, -500, 500), z = chance_fx(&chance, -500, 500);
         tp_fx rest[2] = { x, z };
         for (uint32_t i = 0; i < TP_WAVES; i++)
             phases[i] = (tp_turn)random_next(&chance);
-        const tp_sea_point p = tp_sea_sample(&sea, phases, x, z, rest);
-        const tp_sea_point q = tp_sea_displace_point(&sea, phases, rest[0], rest[1]);
+        const tp_surface_point p = tp_deep_water_sample(&deep, phases, x, z, rest);
+        const tp_surface_point q =
+            tp_deep_water_displace_point(&deep, phases, rest[0], rest[1]);
         assert_memory_equal(&p, &q, sizeof p);
-        assert_true(abs(p.position.y) <= sea.height);
+        assert_true(abs(p.position.y) <= deep.height);
         worst = fmax(worst, hypot(p.position.x - x, p.position.z - z) * LSB);
     }
     return worst;
@@ -148,12 +149,12 @@ static void phases_after_ten_years_are_exact(void **state)
         tp_turn phases[TP_WAVES];
         const tp_wave wave = chance_wave(&chance);
         const uint64_t tick = years + random_below(&chance, 1000);
-        tp_sea sea;
-        tp_sea_init(&sea, &wave, 1, TP_FX(9.81));
-        tp_sea_phases(&sea, tick, 0, phases);
-        if (sea.count == 0)
+        tp_deep_water deep;
+        tp_deep_water_init(&deep, &wave, 1, TP_FX(9.81));
+        tp_deep_water_phases(&deep, tick, 0, phases);
+        if (deep.count == 0)
             continue;
-        const tp_turn exact = sea.swell[0].phase - product(tick, sea.swell[0].turns_tick);
+        const tp_turn exact = deep.swell[0].phase - product(tick, deep.swell[0].turns_tick);
         const uint32_t off = (uint32_t)abs((int32_t)(phases[0] - exact));
         worst = off > worst ? off : worst;
     }
@@ -169,11 +170,11 @@ static void phases_between_ticks_lie_between(void **state)
         tp_turn before[TP_WAVES], half[TP_WAVES], after[TP_WAVES];
         const tp_wave wave = chance_wave(&chance);
         const uint64_t tick = 1 + random_below(&chance, 1 << 30);
-        tp_sea sea;
-        tp_sea_init(&sea, &wave, 1, TP_FX(9.81));
-        tp_sea_phases(&sea, tick - 1, 0, before);
-        tp_sea_phases(&sea, tick, TP_FX_ONE / 2, half);
-        tp_sea_phases(&sea, tick, 0, after);
+        tp_deep_water deep;
+        tp_deep_water_init(&deep, &wave, 1, TP_FX(9.81));
+        tp_deep_water_phases(&deep, tick - 1, 0, before);
+        tp_deep_water_phases(&deep, tick, TP_FX_ONE / 2, half);
+        tp_deep_water_phases(&deep, tick, 0, after);
         assert_true(abs((int32_t)(half[0] - before[0]) - (int32_t)(after[0] - half[0]))
                     <= 2);
     }

@@ -85,7 +85,7 @@ static void the_largest_polygons_do_not_overflow(void **state)
     enum { FAR = 16384 * TP_FX_ONE - 1 };
     for (int k = 0; k < 3; k++) {
         cutting c;
-        struct tp_obj_cut *const cut = carve_cut(&c, MOST);
+        struct tp_obj_cut *const cut = layout_cut(&c, MOST);
         for (int i = 0; i < MOST; i++) {
             cut->at[k][i] = (i & 1) != (i >> 1 & 1) ? FAR : -FAR;
             cut->at[(k + 1) % 3][i] = i & 2 ? FAR : -FAR;
@@ -282,7 +282,7 @@ static void any_outline_gives_two_triangles_less_than_corners(void **state)
         const int n = 3 + (int)(next_random(&random) % (MOST - 2));
         const uint32_t mask = 0xffffffffu >> next_random(&random) % 32;
         cutting c;
-        struct tp_obj_cut *const cut = carve_cut(&c, n);
+        struct tp_obj_cut *const cut = layout_cut(&c, n);
         for (int k = 0; k < 3 * n; k++)
             cut->at[k % 3][k / 3] = (int32_t)(next_random(&random) & mask & 0x7fffffffu)
                                  - 0x3fffffff;

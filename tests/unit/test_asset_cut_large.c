@@ -112,7 +112,7 @@ static void the_widest_outlines_turn_the_right_way(void **state)
     enum { FAR = 16384 * TP_FX_ONE - 1, N = 4000 };
     for (int back = 0; back <= 1; back++) {
         cutting c;
-        struct tp_obj_cut *const cut = carve_cut(&c, N);
+        struct tp_obj_cut *const cut = layout_cut(&c, N);
         for (int i = 0; i < N; i++) {           /* a square, run around 1000 times */
             const int k = back ? N - 1 - i : i;
             cut->at[0][i] = (k & 1) != (k >> 1 & 1) ? FAR : -FAR;

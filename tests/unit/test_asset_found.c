@@ -16,7 +16,7 @@
 static void faces_of_fewer_than_three_corners_are_left_out_and_counted(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept_text(&r, OBJ_TRIANGLE "v 9 9 9\nf\nf 4\nf 1 2\nf 1 2 3\nf 1 4 # 3\nf 3/ 4/\n");
     assert_int_equal(r.mesh.n_faces, 1);
     assert_int_equal(r.obj.short_faces, 5);
@@ -29,7 +29,7 @@ static void faces_of_fewer_than_three_corners_are_left_out_and_counted(void **st
 static void what_a_short_face_names_is_not_looked_at(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept_text(&r, OBJ_TRIANGLE "usemtl a\nf 1 99\nf 0 -7\nf 1/5 2/5\nf 1 2 3\n");
     assert_int_equal(r.obj.short_faces, 3);
     finish(&r);
@@ -64,7 +64,7 @@ static void polygons_of_any_number_of_corners_are_cut(void **state)
     for (int i = 0; i < 6; i++) {
         char *const text = make_long_face(corners[i], blanks[i], ends[i]);
         for (size_t piece = i < 4 ? 1 : 1000; piece < 2000000; piece *= 37) {
-            reader r;
+            obj_reader r;
             assert_int_equal(read_bytes(&r, text, strlen(text), NULL, 0, piece), TP_OK);
             assert_int_equal(r.mesh.n_faces, corners[i] - 2);
             assert_int_equal(r.mesh.n_vertices, corners[i]);
@@ -81,7 +81,7 @@ static void a_comment_ends_a_long_face_for_good(void **state)
     static char text[40000] = OBJ_TRIANGLE "f 1 2 3 #";
     for (int i = 0; i < 9000; i++)
         strcpy(text + strlen(OBJ_TRIANGLE) + 9 + 3 * i, " 99");
-    reader r;
+    obj_reader r;
     for (size_t piece = 1; piece < 100000; piece *= 50) {
         assert_int_equal(read_bytes(&r, text, strlen(text), NULL, 0, piece), TP_OK);
         assert_int_equal(r.mesh.n_faces, 1);
@@ -99,7 +99,7 @@ static void an_error_in_a_long_face_is_located_alike_in_all_pieces(void **state)
     for (int i = 0; i < 4; i++) {
         char *const text = make_long_face(3000, " ", ends[i].end);
         for (size_t piece = 1; piece < 100000; piece *= 50) {
-            reader r;
+            obj_reader r;
             assert_int_equal(read_bytes(&r, text, strlen(text), NULL, 0, piece),
                              ends[i].code);
             assert_int_equal(r.err.where, 3001);
@@ -125,7 +125,7 @@ static void words_longer_than_a_part_are_refused_only_where_they_count(void **st
         memset(text + n, lines[i].fill, 4100);
         strcpy(text + n + 4100, "\nf 3 2 1\n");
         for (size_t piece = 1; piece < 100000; piece *= 50) {
-            reader r;
+            obj_reader r;
             assert_int_equal(read_bytes(&r, text, strlen(text), NULL, 0, piece),
                              lines[i].code);
             if (lines[i].code == TP_OK)
@@ -154,7 +154,7 @@ static void positions_beyond_16384_units_are_stored_coarser(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[200];
         sprintf(text, OBJ_TRIANGLE "v %s 256 0\nf 4 2 3\n", cases[i].far);
-        reader r;
+        obj_reader r;
         accept_text(&r, text);
         assert_int_equal(r.mesh.log2_unit, cases[i].log2);
         assert_int_equal(r.mesh.vertices[0].position.x, cases[i].x);
@@ -173,7 +173,7 @@ static void texels_are_those_of_the_stored_unit(void **state)
         const int side = 16000 << log2;
         sprintf(text, "mtllib m\nusemtl a\nv 0 0 0\nv %d 0 0\nv 0 %d 0\nvt 0 0\nvt 1 0\n"
                 "vt 0 1\nf 1/1 2/2 3/3\n", side, side);
-        reader r;
+        obj_reader r;
         assert_int_equal(read_text(&r, text, "newmtl a\nmap_Kd x\n"), TP_OK);
         const tp_texture texture = { .log2_w = 12, .log2_h = 12, .levels = 13 };
         const tp_texture *const list[1] = { &texture };
@@ -188,9 +188,10 @@ static void texels_are_those_of_the_stored_unit(void **state)
 static void texture_coordinates_beyond_16384_are_0_and_counted(void **state)
 {
     (void)state;
-    reader r;
-    accept_text(&r, OBJ_TRIANGLE "vt 3443870976.000000 0.25 0.0\nvt 16383.5 -16384\nvt -1e30 1e30\n"
-               "f 1/1 2/2 3/3\n");
+    obj_reader r;
+    accept_text(&r, OBJ_TRIANGLE
+                "vt 3443870976.000000 0.25 0.0\nvt 16383.5 -16384\nvt -1e30 1e30\n"
+                "f 1/1 2/2 3/3\n");
     assert_int_equal(r.obj.far_texcoords, 4);
     assert_int_equal(r.mesh.vertices[0].s, 0);
     assert_int_equal(r.mesh.vertices[0].t, ONE * 3 / 4);
@@ -208,7 +209,7 @@ static void normals_of_any_length_point_the_same_way(void **state)
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         char text[200];
         sprintf(text, OBJ_TRIANGLE "%s\nf 1//1 2//1 3//1\n", files[i]);
-        reader r;
+        obj_reader r;
         accept_text(&r, text);
         const tp_packed_dir n = r.mesh.vertices[0].normal;
         assert_in_range(n & 1023, 306, 308);
@@ -234,7 +235,7 @@ static char *make_materials(uint32_t lines, uint32_t names, size_t *bytes)
 static size_t bytes_of_names(uint32_t lines, uint32_t names)
 {
     size_t bytes, all, bare;
-    reader r;
+    obj_reader r;
     char *const text = make_materials(lines, names, &bytes);
     assert_int_equal(scan_text(&r, text, bytes, 1 << 20), TP_OK);
     all = tp_obj_bytes(&r.obj);
@@ -261,7 +262,7 @@ static void materials_beyond_4096_are_grey_and_warned_of_once(void **state)
     enum { NAMES = 5000 };
     size_t bytes;
     char *const text = make_materials(2 * NAMES, NAMES, &bytes);
-    reader r;
+    obj_reader r;
     assert_int_equal(read_bytes(&r, text, bytes, NULL, 0, 4096), TP_OK);
     assert_int_equal(r.mesh.n_materials, TP_OBJ_MATERIALS);
     assert_int_equal(r.warnings, 1);
@@ -281,7 +282,7 @@ static void names_with_a_nul_are_passed_over_with_a_warning(void **state)
     (void)state;
     static const char text[] = "mtllib a\0b\nmtllib c\n" OBJ_TRIANGLE
                                "usemtl d\nusemtl e\0f\nf 1 2 3\n";
-    reader r;
+    obj_reader r;
     assert_int_equal(read_bytes(&r, text, sizeof text - 1, NULL, 0, 7), TP_OK);
     assert_int_equal(r.warnings, 2);
     assert_int_equal(r.warned.code, TP_E_OBJ_NAME);
@@ -299,7 +300,7 @@ static void names_may_fill_a_line(void **state)
     memset(text + strlen(text), 'n', 4000);
     strcat(text, "\nf 1 2 3\nmtllib ");
     memset(text + strlen(text), 'l', 4000);
-    reader r;
+    obj_reader r;
     accept_text(&r, text);
     assert_int_equal(r.obj.libraries, 1);
     assert_int_equal(strlen(tp_obj_library(&r.obj, 0)), 4000);

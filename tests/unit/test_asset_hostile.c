@@ -51,7 +51,7 @@ static void assert_unit(tp_packed_dir n)
     assert_in_range(x * x + y * y + z * z, 509 * 509, 513 * 513);
 }
 
-static void assert_sound(const reader *r)
+static void assert_sound(const obj_reader *r)
 {
     const tp_mesh *const mesh = &r->mesh;
     assert_true(mesh->n_faces > 0 && mesh->n_vertices >= 3 && mesh->n_materials > 0);
@@ -75,7 +75,7 @@ static void assert_sound(const reader *r)
 }
 
 /* Asserts that two readings of the same bytes have equal results. */
-static void assert_alike(const reader *a, const reader *b)
+static void assert_alike(const obj_reader *a, const obj_reader *b)
 {
     const tp_mesh *const m = &a->mesh, *const n = &b->mesh;
     assert_int_equal(m->n_vertices, n->n_vertices);
@@ -109,7 +109,7 @@ typedef enum { GOOD, WARNED, BAD, OUTCOMES } outcome;
 static outcome read_both_ways(const char *obj, size_t bytes, const char *mtl,
                               size_t mtl_bytes, size_t piece)
 {
-    reader whole, pieces;
+    obj_reader whole, pieces;
     const tp_status status = read_bytes(&whole, obj, bytes, mtl, mtl_bytes, 1u << 20);
     assert_int_equal(read_bytes(&pieces, obj, bytes, mtl, mtl_bytes, piece), status);
     if (status == TP_OK) {
@@ -136,7 +136,7 @@ static void the_file_is_good_as_it_stands(void **state)
     for (size_t i = 0; i < sizeof piece / sizeof *piece; i++)
         assert_int_equal(read_both_ways(obj_text, OBJ_BYTES, mtl_text, MTL_BYTES,
                                         piece[i]), GOOD);
-    reader r;
+    obj_reader r;
     assert_int_equal(read_text(&r, obj_text, mtl_text), TP_OK);
     assert_int_equal(r.mesh.n_faces, 6);
     assert_int_equal(r.mesh.n_materials, 2);
@@ -227,7 +227,7 @@ static void random_words_are_good_or_located(void **state)
     for (int i = 0; i < 4000; i++) {
         char text[1500];
         const size_t n = random_file(text, sizeof text, &random);
-        reader whole, pieces;
+        obj_reader whole, pieces;
         const tp_status status = read_bytes(&whole, text, n, NULL, 0, 4096);
         const size_t piece = 1 + next_random(&random) % 9;
         assert_int_equal(read_bytes(&pieces, text, n, NULL, 0, piece), status);
@@ -247,7 +247,7 @@ static void random_words_are_good_or_located(void **state)
 static tp_status read_two(const char *first, size_t first_bytes, const char *second,
                           size_t second_bytes)
 {
-    reader r;
+    obj_reader r;
     tp_status status = scan_text(&r, first, first_bytes, 4096);
     if (status == TP_OK)
         status = load_text(&r, second, second_bytes, 4096);
@@ -309,7 +309,7 @@ static void only_a_scan_that_ended_well_asks_for_memory(void **state)
 {
     (void)state;
     const char good[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", bad[] = "v 0 0 zero\n";
-    reader r;
+    obj_reader r;
     assert_int_equal(scan_text(&r, bad, strlen(bad), 4096), TP_E_OBJ_NUMBER);
     assert_int_equal(tp_obj_bytes(&r.obj), 0);
     assert_int_equal(scan_text(&r, good, strlen(good), 4096), TP_OK);

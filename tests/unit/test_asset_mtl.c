@@ -14,7 +14,7 @@
 #define ONE_MATERIAL "mtllib m.mtl\nusemtl wood\n" TRIANGLE "f 1 2 3\n"
 
 /* The material of a mesh with a single material, defined by `mtl`. */
-static tp_material material_of(reader *r, const char *mtl)
+static tp_material material_of(obj_reader *r, const char *mtl)
 {
     if (read_text(r, ONE_MATERIAL, mtl) != TP_OK)
         fail_msg("\"%s\": %s", mtl, tp_status_text(r->err.code));
@@ -27,7 +27,7 @@ static tp_material material_of(reader *r, const char *mtl)
 static void colours_shininess_and_opacity_are_read(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     const tp_material m = material_of(&r,
         "newmtl wood\nKd 1 0.5 0\nKs 0.2\nNs 96.5\nd 0.25\nillum 2\nKa 1 1 1\n");
     assert_int_equal(m.diffuse, 0xff8000);
@@ -44,7 +44,7 @@ static void colours_shininess_and_opacity_are_read(void **state)
 static void values_out_of_range_are_clamped(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     const tp_material m = material_of(&r,
         "newmtl wood\nKd 7 -1 1e9\nNs 1e30\nd -3\nbump -bm 99 x.png\n");
     assert_int_equal(m.diffuse, 0xff00ff);
@@ -64,7 +64,7 @@ static void values_out_of_range_are_clamped(void **state)
 static void spectral_and_cie_colours_are_passed_over(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     const tp_material m =
         material_of(&r, "newmtl wood\nKd spectral oak.rfl 1\nKs xyz 1 1 1\n");
     assert_int_equal(m.diffuse, 0x808080);
@@ -76,7 +76,7 @@ static void spectral_and_cie_colours_are_passed_over(void **state)
 static void opacity_goes_before_transparency(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     assert_int_equal(material_of(&r, "newmtl wood\nTr 0.25\n").opacity, ONE * 3 / 4);
     assert_int_equal(material_of(&r, "newmtl wood\nTr 1\nd 1\n").opacity, ONE);
     assert_int_equal(material_of(&r, "newmtl wood\nd 1\nTr 1\n").opacity, ONE);
@@ -86,7 +86,7 @@ static void opacity_goes_before_transparency(void **state)
 static void keywords_are_read_in_any_case(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     const tp_material m =
         material_of(&r, "NEWMTL wood\nKD 0 1 0\nMAP_BUMP -BM 2 a.png\n");
     assert_int_equal(m.diffuse, 0x00ff00);
@@ -98,7 +98,7 @@ static uint32_t colour_with(const char *mtl, bool picture)
 {
     static const tp_texture texture = { .levels = 1 };
     const tp_texture *const list[1] = { picture ? &texture : NULL };
-    reader r;
+    obj_reader r;
     assert_int_equal(read_text(&r, ONE_MATERIAL, mtl), TP_OK);
     assert_int_equal(tp_obj_finish(&r.obj, list, &r.mesh, &r.err), TP_OK);
     const uint32_t colour = r.mesh.materials[0].diffuse;
@@ -109,7 +109,7 @@ static uint32_t colour_with(const char *mtl, bool picture)
 static void a_map_without_kd_is_shown_as_it_is(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     assert_int_equal(colour_with("newmtl wood\nmap_Kd a.png\n", true), 0xffffff);
     assert_int_equal(colour_with("newmtl wood\nmap_Kd a.png\nKd 0 0 1\n", true), 0x0000ff);
     assert_int_equal(colour_with("newmtl wood\nKd x\nmap_Kd a.png\n", true), 0xffffff);
@@ -139,7 +139,7 @@ static void options_of_maps_are_passed_over(void **state)
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
         char mtl[200] = "newmtl wood\n";
         strcat(mtl, lines[i]);
-        reader r;
+        obj_reader r;
         assert_int_equal(read_text(&r, ONE_MATERIAL, mtl), TP_OK);
         assert_int_equal(r.obj.images, 1);
         assert_string_equal(tp_obj_image(&r.obj, 0), "oak planks 2.png");
@@ -150,7 +150,7 @@ static void options_of_maps_are_passed_over(void **state)
 static void a_file_may_be_called_like_a_number_or_an_option(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     assert_int_equal(read_text(&r, ONE_MATERIAL,
                                "newmtl wood\nmap_Kd -s 1 1 12\nbump -x 1.png\n"), TP_OK);
     assert_string_equal(tp_obj_image(&r.obj, 0), "12");
@@ -165,7 +165,7 @@ static void each_bump_keyword_names_the_normal_map(void **state)
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         char mtl[200] = "newmtl wood\n";
         strcat(strcat(mtl, words[i]), " -bm 0.5 dents.png\nnorm other.png\n");
-        reader r;
+        obj_reader r;
         assert_int_equal(read_text(&r, ONE_MATERIAL, mtl), TP_OK);
         assert_int_equal(r.obj.images, 1);      /* the first definition counts */
         assert_string_equal(tp_obj_image(&r.obj, 0), "dents.png");
@@ -185,7 +185,7 @@ static void images_are_listed_once_for_each_library(void **state)
         "newmtl not used\nmap_Kd unseen.png\n";
     static const char second[] =
         "newmtl three\nmap_Kd x.png\nnewmtl one\nmap_Kd unseen.png\n";
-    reader r;
+    obj_reader r;
     assert_int_equal(scan_text(&r, obj, sizeof obj - 1, 5), TP_OK);
     assert_int_equal(load_text(&r, obj, sizeof obj - 1, 5), TP_OK);
     assert_int_equal(r.obj.libraries, 2);
@@ -219,7 +219,7 @@ static void images_are_listed_once_for_each_library(void **state)
 static void faces_without_usemtl_are_grey(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     assert_int_equal(read_text(&r, "mtllib m.mtl\n" TRIANGLE "f 1 2 3\n"
                                "usemtl wood\nf 1 2 3\nusemtl\nf 1 2 3\n",
                                "newmtl wood\nKd 1 0 0\n"), TP_OK);
@@ -236,7 +236,7 @@ static void an_undefined_material_is_grey_and_warned_of_once_all_libraries_are_r
     void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     assert_int_equal(read_text(&r, "mtllib m.mtl\n" TRIANGLE "f 1 2 3\nusemtl old oak\n"
                                "f 1 2 3\nusemtl wood\nf 1 2 3\nusemtl elm\nf 1 2 3\n"
                                "usemtl old oak\nf 1 2 3\n", "newmtl wood\n"), TP_OK);
@@ -260,7 +260,7 @@ static void an_undefined_material_is_grey_and_warned_of_once_all_libraries_are_r
 static void materials_that_are_not_used_are_not_looked_into(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     material_of(&r, "newmtl stone\nKd granite\nmap_Kd x.png\nnewmtl wood\nKd 1 1 1\n");
     assert_int_equal(r.obj.images, 0);
     assert_int_equal(r.obj.skipped, 3);
@@ -277,7 +277,7 @@ static tp_fx texels_of(const char *side, const char *s, const char *t, uint8_t l
     strcat(strcat(strcat(obj, "\nvt 0 0\nvt "), s), " 0\nvt ");
     strcat(strcat(strcat(strcat(obj, s), " "), t), "\nvt 0 ");
     strcat(strcat(obj, t), "\nf 1/1 2/2 3/3 4/4\n");
-    reader r;
+    obj_reader r;
     assert_int_equal(read_text(&r, obj, "newmtl wood\nmap_Kd x.png\n"), TP_OK);
     const tp_texture texture = { .log2_w = log2_w, .log2_h = log2_h };
     const tp_texture *const list[1] = { &texture };

@@ -13,7 +13,7 @@
 /* Asserts the text of a warning as the program prints it. */
 static void assert_warning(const char *mtl, uint32_t line, const char *want)
 {
-    reader r;
+    obj_reader r;
     char text[200];
     assert_int_equal(read_text(&r, ONE_MATERIAL, mtl), TP_OK);
     assert_int_equal(r.warnings, 1);
@@ -40,7 +40,7 @@ static void more_warnings_than_are_kept_are_counted(void **state)
     char mtl[1000] = "newmtl wood\n";
     for (int i = 0; i < TP_OBJ_WARNINGS + 7; i++)
         strcat(mtl, "Ns x\n");
-    reader r;
+    obj_reader r;
     assert_int_equal(read_text(&r, ONE_MATERIAL, mtl), TP_OK);
     assert_int_equal(r.warnings, TP_OBJ_WARNINGS + 7);
     finish(&r);
@@ -65,7 +65,7 @@ static void a_line_that_cannot_be_read_is_left_out_and_warned_of(void **state)
         { "newmtl wood\nTr x", TP_E_OBJ_NUMBER, 2, "x" },
     };
     for (size_t i = 0; i < sizeof warned / sizeof *warned; i++) {
-        reader r;
+        obj_reader r;
         assert_int_equal(read_text(&r, ONE_MATERIAL, warned[i].mtl), TP_OK);
         const tp_material m = r.mesh.materials[0];
         assert_int_equal(r.warnings, 1);
@@ -88,7 +88,7 @@ static void a_name_that_cannot_be_read_hides_its_material(void **state)
     static char mtl[6000] = "newmtl wood\nKd 0 1 0\nnewmtl ";
     memset(mtl + strlen(mtl), 'n', 5000);
     strcat(mtl, "\nKd 1 0 0\nNs 5\n");
-    reader r;
+    obj_reader r;
     assert_int_equal(read_text(&r, ONE_MATERIAL, mtl), TP_OK);
     assert_int_equal(r.mesh.materials[0].diffuse, 0x00ff00);
     assert_int_equal(r.warned.code, TP_E_OBJ_LINE);
@@ -109,7 +109,7 @@ static void names_of_pictures_may_fill_a_line(void **state)
     static char mtl[TP_OBJ_LINE_BYTES + 100] = "newmtl wood\nmap_Kd ";
     const size_t start = strlen(mtl), length = TP_OBJ_LINE_BYTES - strlen("map_Kd ");
     memset(mtl + start, 'p', length);
-    reader r;
+    obj_reader r;
     assert_int_equal(read_text(&r, ONE_MATERIAL, mtl), TP_OK);
     assert_int_equal(r.warnings, 0);
     assert_int_equal(strlen(tp_obj_image(&r.obj, 0)), length);
@@ -130,7 +130,7 @@ static void names_of_pictures_beyond_their_room_are_left_out(void **state)
     memset(mtl + strlen(mtl), 'p', 4000);
     strcat(mtl, "\nbump ");
     memset(mtl + strlen(mtl), 'q', 4000);
-    reader r;
+    obj_reader r;
     assert_int_equal(read_text(&r, ONE_MATERIAL, mtl), TP_OK);
     assert_int_equal(r.obj.images, 1);
     assert_int_equal(r.warned.code, TP_E_MTL_IMAGES);

@@ -11,7 +11,7 @@
 
 #define ONE TP_FX_ONE
 
-static void assert_position(const reader *r, uint32_t vertex, tp_fx x, tp_fx y, tp_fx z)
+static void assert_position(const obj_reader *r, uint32_t vertex, tp_fx x, tp_fx y, tp_fx z)
 {
     assert_true(vertex < r->mesh.n_vertices);
     const tp_vec3 p = r->mesh.vertices[vertex].position;
@@ -25,7 +25,7 @@ static void assert_position(const reader *r, uint32_t vertex, tp_fx x, tp_fx y, 
 static void a_triangle_is_read(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept_text(&r, OBJ_TRIANGLE "f 1 2 3\n");
     assert_int_equal(r.mesh.n_vertices, 3);
     assert_int_equal(r.mesh.n_faces, 1);
@@ -43,7 +43,7 @@ static void a_triangle_is_read(void **state)
 static void numbers_of_every_form_are_exact(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept_text(&r, "v -1.5e1 +.25 1.\nv 12500e-4 1E+2 -0.0\nv 0.0000152587890625 "
                "1e-30 16383.9999\nf 1 2 3");
     assert_position(&r, 0, -15 * ONE, ONE / 4, ONE);
@@ -55,7 +55,7 @@ static void numbers_of_every_form_are_exact(void **state)
 static void weights_and_colours_after_a_vertex_are_ignored(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept_text(&r, "v 1 2 3 1.0\nv 0 0 0 0.5 0.25 1\nv 1 0 0 # corner\nf 1 2 3 # face\n");
     assert_position(&r, 0, ONE, 2 * ONE, 3 * ONE);
     assert_position(&r, 2, ONE, 0, 0);
@@ -65,7 +65,7 @@ static void weights_and_colours_after_a_vertex_are_ignored(void **state)
 static void texture_coordinates_grow_downwards(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept_text(&r, OBJ_TRIANGLE "vt 0.25 0.25\nvt 1 1 0\nvt 0.5\nf 1/1 2/2 3/3\n");
     assert_int_equal(r.mesh.vertices[0].s, ONE / 4);
     assert_int_equal(r.mesh.vertices[0].t, ONE * 3 / 4);
@@ -78,7 +78,7 @@ static void texture_coordinates_grow_downwards(void **state)
 static void all_four_forms_of_a_corner_are_read(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept_text(&r, OBJ_TRIANGLE "vt 0 0\nvn 0 0 1\n"
                "f 1 2 3\nf 1/1 2/1 3/1\nf 1//1 2//1 3//1\nf 1/1/1 2/1/1 3/1/1\n");
     assert_int_equal(r.mesh.n_faces, 4);
@@ -89,7 +89,7 @@ static void all_four_forms_of_a_corner_are_read(void **state)
 static void corners_alike_are_one_vertex(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept_text(&r, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 2\n"
                "f 1//1 2//1 3//1\nf 1//1 3//1 4//1\nf 4//1 3//1 2//2\n");
     assert_int_equal(r.mesh.n_faces, 3);
@@ -100,7 +100,7 @@ static void corners_alike_are_one_vertex(void **state)
 static void negative_indices_count_back_from_where_they_stand(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept_text(&r, OBJ_TRIANGLE "f -3 -2 -1\nv 5 0 0\nv 6 0 0\nv 6 1 0\nf -3 -2 -1\n");
     assert_int_equal(r.mesh.n_faces, 2);
     assert_position(&r, r.mesh.faces[0].vertex[0], 0, 0, 0);
@@ -111,7 +111,7 @@ static void negative_indices_count_back_from_where_they_stand(void **state)
 static void a_face_may_name_vertices_that_follow(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept_text(&r, "f 1 2 3\n" OBJ_TRIANGLE);
     assert_int_equal(r.mesh.n_faces, 1);
     finish(&r);
@@ -126,7 +126,7 @@ static void line_ends_of_every_kind_are_read(void **state)
         const char *const e = ends[i];
         snprintf(text, sizeof text, "%s# c%sv 0 0 0%sv 1 0 0%s\tv 0 1 0%sf 1 2 3",
                  e, e, e, e, e);
-        reader r;
+        obj_reader r;
         accept_text(&r, text);
         assert_int_equal(r.mesh.n_faces, 1);
         assert_int_equal(r.obj.skipped, 0);
@@ -137,7 +137,7 @@ static void line_ends_of_every_kind_are_read(void **state)
 static void a_backslash_joins_lines(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept_text(&r, "v 0 0\\\n 0\nv 1 0 0\r\nv 0 \\\r\n\\\r\n1 0\nf 1\\\n\\\n 2 3\\\n");
     assert_position(&r, 2, 0, ONE, 0);
     assert_int_equal(r.mesh.n_faces, 1);
@@ -151,7 +151,7 @@ static void comments_do_not_join_and_may_have_any_length(void **state)
     memset(text, '-', sizeof text);
     memcpy(text, "# ", 2);
     strcpy(text + 8000, "\n  # art \\\n" OBJ_TRIANGLE "f 1 2 3\n");
-    reader r;
+    obj_reader r;
     accept_text(&r, text);
     assert_int_equal(r.mesh.n_faces, 1);
     finish(&r);
@@ -160,9 +160,10 @@ static void comments_do_not_join_and_may_have_any_length(void **state)
 static void unknown_statements_are_counted_and_groups_are_not(void **state)
 {
     (void)state;
-    reader r;
-    accept_text(&r, "o boat\ng hull left\n" OBJ_TRIANGLE "vp 1 2\nl 1 2\np 1\nshadow_obj x\n"
-               "g\nf 1 2 3\nusemap off\n");
+    obj_reader r;
+    accept_text(&r,
+                "o boat\ng hull left\n" OBJ_TRIANGLE "vp 1 2\nl 1 2\np 1\nshadow_obj x\n"
+                "g\nf 1 2 3\nusemap off\n");
     assert_int_equal(r.obj.skipped, 5);
     finish(&r);
 }
@@ -170,7 +171,7 @@ static void unknown_statements_are_counted_and_groups_are_not(void **state)
 static void names_may_hold_spaces(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept_text(&r, "mtllib my boat.mtl\nmtllib a.mtl my sails.MTL  spare parts \n"
                "mtllib my boat.mtl\n" OBJ_TRIANGLE
                "usemtl  Oak #2 (dark) \nf 1 2 3\nusemtl Oak\nf 1 3 2\n"
@@ -195,7 +196,7 @@ static void many_names_are_numbered_in_order(void **state)
     size_t n = (size_t)sprintf(text, OBJ_TRIANGLE);
     for (int i = 0; i < 2 * NAMES; i++)
         n += (size_t)sprintf(text + n, "usemtl paint no %d\nf 1 2 3\n", i % NAMES);
-    reader r;
+    obj_reader r;
     accept_text(&r, text);
     assert_int_equal(r.mesh.n_materials, NAMES);
     for (uint32_t i = 0; i < 2 * NAMES; i++)
@@ -216,7 +217,7 @@ static void a_polygon_of_256_corners_is_cut(void **state)
     n += (size_t)sprintf(text + n, "f");
     for (int i = 0; i < 256; i++)
         n += (size_t)sprintf(text + n, " %d", i + 1);
-    reader r;
+    obj_reader r;
     accept_text(&r, text);
     assert_int_equal(r.mesh.n_faces, 254);
     assert_int_equal(r.obj.dropped, 0);
@@ -226,7 +227,7 @@ static void a_polygon_of_256_corners_is_cut(void **state)
 static void triangles_without_area_are_left_out_and_counted(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept_text(&r, OBJ_TRIANGLE "v 2 0 0\nf 1 2 3\nf 1 2 4\nf 1 1 2\nf 1 2 4 3\n");
     assert_int_equal(r.mesh.n_faces, 3);        /* the quad has a straight corner */
     assert_int_equal(r.obj.dropped, 2);
@@ -236,7 +237,7 @@ static void triangles_without_area_are_left_out_and_counted(void **state)
 static void a_new_scan_forgets_everything(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept_text(&r, OBJ_TRIANGLE "usemtl a\nf 1 2 3\n");
     tp_obj_begin_count(&r.obj);
     assert_int_equal(tp_obj_feed(&r.obj, "f 1 2 x\n", 8, &r.err), TP_E_OBJ_NUMBER);
@@ -281,13 +282,14 @@ static void bad_files_get_code_line_and_numbers(void **state)
         { OBJ_TRIANGLE "f 1/0 2/0 3/0\n", TP_E_OBJ_ZERO, 4, 0, 0, "" },
         { OBJ_TRIANGLE "f 1 2 3\nf 1 2 9\nf 1 2 3", TP_E_OBJ_VERTEX, 5, 9, 3, "" },
         { "v 0 0 0\nf -1 -2 -1\n" OBJ_TRIANGLE, TP_E_OBJ_VERTEX, 2, -2, 1, "" },
-        { OBJ_TRIANGLE "f 1 2 99999999999999999999\n", TP_E_OBJ_VERTEX, 4, INT32_MAX, 3, "" },
+        { OBJ_TRIANGLE "f 1 2 99999999999999999999\n", TP_E_OBJ_VERTEX, 4, INT32_MAX, 3,
+          "" },
         { OBJ_TRIANGLE "f 1 2 -99999999999999999999\n", TP_E_OBJ_VERTEX, 4, -INT32_MAX, 3,
           "" },
         { OBJ_TRIANGLE "f 1 2 4294967297\n", TP_E_OBJ_VERTEX, 4, INT32_MAX, 3, "" },
         { OBJ_TRIANGLE "vt 0 0\nf 1/1 2/1 3/2\n", TP_E_OBJ_TEXCOORD, 5, 2, 1, "" },
-        { OBJ_TRIANGLE "f 1//1 2//1 3//1\nvn 0 0 1\nf 1//2 2//1 3//1", TP_E_OBJ_NORMAL, 6, 2,
-          1, "" },
+        { OBJ_TRIANGLE "f 1//1 2//1 3//1\nvn 0 0 1\nf 1//2 2//1 3//1", TP_E_OBJ_NORMAL, 6,
+          2, 1, "" },
         { OBJ_TRIANGLE "f 1 2\n", TP_E_OBJ_EMPTY, 5, 0, 0, "" },
         { OBJ_TRIANGLE "f 1 2x\n", TP_E_OBJ_NUMBER, 4, 0, 0, "2x" },
         { OBJ_TRIANGLE "f 1 2//1\n", TP_E_OBJ_MIXED, 4, 0, 0, "" },
@@ -303,7 +305,7 @@ static void bad_files_get_code_line_and_numbers(void **state)
     };
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
         const refusal *const want = &refused[i];
-        reader r;
+        obj_reader r;
         const tp_status code = read_text(&r, want->text, NULL);
         if (code != want->code || r.err.where != want->where || r.err.a != want->a
             || r.err.b != want->b || strcmp(r.err.word, want->word) != 0)
@@ -324,7 +326,7 @@ static void a_line_of_4096_bytes_is_read_and_of_4097_refused(void **state)
             memset(text + at, '0', length);
             memcpy(text + at, "v 0 1 0.", 8);
             strcpy(text + at + length, "\r\nf 1 2 3\n");
-            reader r;
+            obj_reader r;
             const tp_status status = read_bytes(&r, text, strlen(text), NULL, 0, piece);
             assert_int_equal(status, more ? TP_E_OBJ_LINE : TP_OK);
             assert_true(!more || (r.err.where == 3 && r.err.a == 4096));
@@ -342,7 +344,7 @@ static void a_number_of_a_million_digits_is_a_located_error(void **state)
     memset(text + 10, '7', DIGITS);
     strcpy(text + 10 + DIGITS, " 0 0\n");
     for (size_t piece = 7; piece < 10000000; piece *= 1000) {
-        reader r;
+        obj_reader r;
         assert_int_equal(read_bytes(&r, text, strlen(text), NULL, 0, piece),
                          TP_E_OBJ_LINE);
         assert_int_equal(r.err.where, 2);
@@ -357,7 +359,7 @@ static void more_than_2_to_the_24_of_one_kind_are_refused(void **state)
     char *const text = malloc(LINES * 5);
     for (size_t i = 0; i < LINES; i++)
         memcpy(text + i * 5, "vt 0\n", 5);
-    reader r;
+    obj_reader r;
     tp_obj_begin_count(&r.obj);
     for (uint32_t i = 0; i < TP_OBJ_COUNT / LINES; i++)
         assert_int_equal(tp_obj_feed(&r.obj, text, LINES * 5, &r.err), TP_OK);
@@ -374,7 +376,7 @@ static void more_than_2_to_the_20_libraries_are_refused(void **state)
     (void)state;
     enum { LINES = 1 << 12, BYTES = 100, MOST = 1 << 20 };
     char *const text = malloc(LINES * BYTES + 1);
-    reader r;
+    obj_reader r;
     tp_obj_begin_count(&r.obj);
     tp_status status = TP_OK;
     for (uint32_t i = 0; i <= MOST && status == TP_OK; i += LINES) {
@@ -391,7 +393,7 @@ static void more_than_2_to_the_20_libraries_are_refused(void **state)
 static void calls_out_of_order_are_refused(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     tp_obj_begin_count(&r.obj);
     assert_int_equal(tp_obj_end_load(&r.obj, &r.err), TP_E_ARG);
     tp_obj_begin_count(&r.obj);

@@ -24,12 +24,12 @@ static void assert_dir(tp_packed_dir n, double x, double y, double z)
                  (int)tp_dir_z(n), x / length, y / length, z / length);
 }
 
-static void accept(reader *r, const char *text)
+static void accept(obj_reader *r, const char *text)
 {
     assert_int_equal(read_text(r, text, NULL), TP_OK);
 }
 
-static void assert_normal(const reader *r, uint32_t face, uint32_t corner, double x,
+static void assert_normal(const obj_reader *r, uint32_t face, uint32_t corner, double x,
                           double y, double z)
 {
     assert_dir(r->mesh.vertices[r->mesh.faces[face].vertex[corner]].normal, x, y, z);
@@ -66,7 +66,7 @@ static void a_packed_direction_is_within_half_a_step(void **state)
 static void normals_of_the_file_are_made_unit(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept(&r, CORNER "vn 0 0.001 0\nvn 300 400 0\nvn -1 2 -3\n"
                "s 1\nf 1//1 2//2 3//3\n");
     assert_normal(&r, 0, 0, 0, 1, 0);
@@ -81,7 +81,7 @@ static void without_smoothing_faces_are_flat(void **state)
     static const char *const files[] = { CORNER FLOOR WALL, CORNER "s off\n" FLOOR WALL,
                                          CORNER "s 1\ns 0\n" FLOOR WALL };
     for (size_t i = 0; i < 3; i++) {
-        reader r;
+        obj_reader r;
         accept(&r, files[i]);
         assert_int_equal(r.mesh.n_vertices, 8);
         for (uint32_t k = 0; k < 12; k++)
@@ -93,7 +93,7 @@ static void without_smoothing_faces_are_flat(void **state)
 static void a_smoothing_group_shares_normals(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept(&r, CORNER "s 1\n" FLOOR WALL);
     assert_int_equal(r.mesh.n_vertices, 6);
     assert_normal(&r, 0, 0, 1, 1, 0);           /* vertex 1, on the edge */
@@ -106,7 +106,7 @@ static void a_smoothing_group_shares_normals(void **state)
 static void two_smoothing_groups_do_not(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept(&r, CORNER "s 1\n" FLOOR "s 2\n" WALL);
     assert_int_equal(r.mesh.n_vertices, 8);
     for (uint32_t k = 0; k < 12; k++)
@@ -117,7 +117,7 @@ static void two_smoothing_groups_do_not(void **state)
 static void larger_faces_weigh_more(void **state)
 {
     (void)state;
-    reader r;                                   /* the wall has three times the height */
+    obj_reader r; /* the wall has three times the height */
     accept(&r, "v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nv 0 3 0\nv 0 3 1\ns 7\n" FLOOR WALL);
     assert_normal(&r, 0, 1, 3, 1, 0);
     finish(&r);
@@ -126,7 +126,7 @@ static void larger_faces_weigh_more(void **state)
 static void a_texture_seam_does_not_break_smoothness(void **state)
 {
     (void)state;
-    reader r;
+    obj_reader r;
     accept(&r, CORNER "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\ns 1\n"
                "f 1/1 2/2 3/3 4/4\nf 1/2 5/3 6/4 2/1\n");
     assert_int_equal(r.mesh.n_vertices, 8);
@@ -138,7 +138,7 @@ static void a_texture_seam_does_not_break_smoothness(void **state)
 static void tiny_and_vast_meshes_get_their_normals(void **state)
 {
     (void)state;
-    reader r;                                   /* one unit of 16.16 wide */
+    obj_reader r;                                   /* one unit of 16.16 wide */
     accept(&r, "v 0 0 0\nv 0 0 0.0000152587890625\nv 0.0000152587890625 0 0\n"
                "s 1\nf 1 2 3\n");
     assert_normal(&r, 0, 0, 0, 1, 0);
@@ -170,7 +170,7 @@ static void a_smooth_sphere_is_round(void **state)
             const int a = i * 40 + k + 1, b = i * 40 + (k + 1) % 40 + 1;
             n += (size_t)sprintf(text + n, "f %d %d %d %d\n", a, a + 40, b + 40, b);
         }
-    reader r;
+    obj_reader r;
     accept(&r, text);
     assert_int_equal(r.mesh.n_vertices, 760);
     double worst = 1;
@@ -222,7 +222,7 @@ static void random_tangents_agree_with_double(void **state)
         const double turn = (s[1] - s[0]) * (t[2] - t[0]) - (s[2] - s[0]) * (t[1] - t[0]);
         if (turn == 0)
             continue;
-        reader r;
+        obj_reader r;
         accept(&r, text);
         const vec want = tangent_of(p, s, t);
         const tp_packed_dir tangent = r.mesh.faces[0].tangent;
@@ -242,7 +242,7 @@ static void the_bitangent_points_to_the_pictures_top(void **state)
         char text[200];
         sprintf(text, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt %d 0\nvt 0 1\n"
                 "f 1/1 2/2 3/3\n", mirrored ? -1 : 1);
-        reader r;
+        obj_reader r;
         accept(&r, text);
         const tp_packed_dir tangent = r.mesh.faces[0].tangent;
         const tp_packed_dir normal = r.mesh.vertices[0].normal;
@@ -263,7 +263,7 @@ static void faces_without_a_picture_get_some_tangent(void **state)
     for (size_t i = 0; i < sizeof faces / sizeof *faces; i++) {
         char text[200] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
         strcat(text, faces[i]);
-        reader r;
+        obj_reader r;
         accept(&r, text);
         const tp_packed_dir t = r.mesh.faces[0].tangent, n = r.mesh.vertices[0].normal;
         const int32_t dot = tp_dir_x(t) * tp_dir_x(n) + tp_dir_y(t) * tp_dir_y(n)

@@ -29,13 +29,13 @@ typedef struct {
     double at[ROWS][3], map[ROWS][2], normal[ROWS][3];
     face face[FACES];
     char material[MATERIALS][NAME];
-} model;
+} longship_model;
 
-static model full, low;
+static longship_model full, low;
 
 /* -- reading ------------------------------------------------------------------------- */
 
-static int material_index(model *m, const char *name)
+static int material_index(longship_model *m, const char *name)
 {
     for (int i = 0; i < m->materials; i++) {
         if (strcmp(m->material[i], name) == 0)
@@ -47,7 +47,7 @@ static int material_index(model *m, const char *name)
 }
 
 /* Reads a face; all three corners must have position, texture coordinate and normal. */
-static void read_face(model *m, const char *line, int material, bool hull)
+static void read_face(longship_model *m, const char *line, int material, bool hull)
 {
     assert_true(m->faces < FACES);
     face *f = &m->face[m->faces++];
@@ -61,7 +61,7 @@ static void read_face(model *m, const char *line, int material, bool hull)
     f->hull = hull;
 }
 
-static void read_line(model *m, const char *line, int *material, bool *hull)
+static void read_line(longship_model *m, const char *line, int *material, bool *hull)
 {
     char word[NAME];
     double *v = m->at[m->ats], *t = m->map[m->maps], *n = m->normal[m->normals];
@@ -80,7 +80,7 @@ static void read_line(model *m, const char *line, int *material, bool *hull)
         read_face(m, line, *material, *hull);
 }
 
-static void read_model(model *m, const char *name)
+static void read_model(longship_model *m, const char *name)
 {
     FILE *file = open_asset(name);
     char line[256];
@@ -114,7 +114,7 @@ static void the_small_longship_has_at_most_300_triangles(void **state)
     assert_in_range(low.faces, 100, 300);
 }
 
-static void check_indices(const model *m)
+static void check_indices(const longship_model *m)
 {
     for (int i = 0; i < m->faces; i++) {
         const face *f = &m->face[i];
@@ -135,7 +135,7 @@ static void every_corner_names_what_the_file_holds(void **state)
 }
 
 /* Returns the number of hull faces with the edge from a to b. */
-static int edges(const model *m, int a, int b)
+static int edges(const longship_model *m, int a, int b)
 {
     int count = 0;
     for (int i = 0; i < m->faces; i++) {
@@ -146,7 +146,7 @@ static int edges(const model *m, int a, int b)
     return count;
 }
 
-static void check_closed(const model *m)
+static void check_closed(const longship_model *m)
 {
     int checked = 0;
     for (int i = 0; i < m->faces; i++) {
@@ -178,7 +178,7 @@ static void no_position_is_written_twice(void **state)
     }
 }
 
-static void face_cross(const model *m, const face *f, double cross[3])
+static void face_cross(const longship_model *m, const face *f, double cross[3])
 {
     const double *a = m->at[f->at[0] - 1], *b = m->at[f->at[1] - 1],
                  *c = m->at[f->at[2] - 1];
@@ -194,7 +194,7 @@ static double dot(const double a[3], const double b[3])
 }
 
 /* Volume by the divergence theorem: negative if the hull were inside out. */
-static double hull_volume(const model *m)
+static double hull_volume(const longship_model *m)
 {
     double sum = 0.0, cross[3];
     for (int i = 0; i < m->faces; i++) {
@@ -212,7 +212,7 @@ static void the_hull_holds_20_to_40_cubic_metres_right_side_out(void **state)
     assert_true(hull_volume(&low) > 20.0 && hull_volume(&low) < 40.0);
 }
 
-static void check_normals(const model *m)
+static void check_normals(const longship_model *m)
 {
     for (int i = 0; i < m->normals; i++) {
         double length = sqrt(dot(m->normal[i], m->normal[i]));
@@ -236,7 +236,7 @@ static void normals_are_unit_and_look_outward(void **state)
     check_normals(&low);
 }
 
-static void bounds(const model *m, bool hull_only, double from[3], double to[3])
+static void bounds(const longship_model *m, bool hull_only, double from[3], double to[3])
 {
     for (int k = 0; k < 3; k++) {
         from[k] = 1e9;
@@ -252,7 +252,7 @@ static void bounds(const model *m, bool hull_only, double from[3], double to[3])
     }
 }
 
-static void check_size(const model *m)
+static void check_size(const longship_model *m)
 {
     double from[3], to[3];
     bounds(m, true, from, to);
@@ -301,7 +301,7 @@ static void check_png(const char *folder, const char *name)
 enum { HAS_KD = 1, HAS_KS = 2, HAS_NS = 4, HAS_MAP = 8, HAS_BUMP = 16, HAS_ALL = 15 };
 
 /* Sets bits for each material of `m` from the statements in longship.mtl. */
-static void read_library(model *m, int *has)
+static void read_library(longship_model *m, int *has)
 {
     FILE *file = open_asset("boats/longship.mtl");
     char line[256], word[NAME];
@@ -325,7 +325,7 @@ static void read_library(model *m, int *has)
     fclose(file);
 }
 
-static void check_materials(model *m)
+static void check_materials(longship_model *m)
 {
     int has[MATERIALS] = { 0 }, used = m->materials;
     read_library(m, has);

@@ -18,28 +18,28 @@
 typedef struct {
     int w, h;
     uint8_t *rgb;
-} picture;
+} texture_picture;
 
-static picture read_format(const char *name, png_uint_32 format)
+static texture_picture read_format(const char *name, png_uint_32 format)
 {
     FILE *file = open_asset(name);
     png_image png = { .version = PNG_IMAGE_VERSION };
     assert_true(png_image_begin_read_from_stdio(&png, file));
     png.format = format;
-    picture p = { (int)png.width, (int)png.height, malloc(PNG_IMAGE_SIZE(png)) };
+    texture_picture p = { (int)png.width, (int)png.height, malloc(PNG_IMAGE_SIZE(png)) };
     assert_non_null(p.rgb);
     assert_true(png_image_finish_read(&png, NULL, p.rgb, 0, NULL));
     fclose(file);
     return p;
 }
 
-static picture read_picture(const char *name)
+static texture_picture read_picture(const char *name)
 {
     return read_format(name, PNG_FORMAT_RGB);
 }
 
 /* Mean colour difference between columns (or rows) a and b. */
-static double step_between(const picture *p, int a, int b, bool rows)
+static double step_between(const texture_picture *p, int a, int b, bool rows)
 {
     int n = rows ? p->w : p->h, sum = 0;
     for (int i = 0; i < 3 * n; i++) {
@@ -51,7 +51,7 @@ static double step_between(const picture *p, int a, int b, bool rows)
 }
 
 /* The step across the seam is at most twice the mean step between neighbours. */
-static void check_seam(const picture *p, const char *name, bool rows)
+static void check_seam(const texture_picture *p, const char *name, bool rows)
 {
     int sides = rows ? p->h : p->w;
     double sum = 0.0, seam = step_between(p, sides - 1, 0, rows);
@@ -72,14 +72,14 @@ static void textures_tile_without_a_seam(void **state)
     };
     (void)state;
     for (size_t i = 0; i < sizeof tiles / sizeof tiles[0]; i++) {
-        picture p = read_picture(tiles[i]);
+        texture_picture p = read_picture(tiles[i]);
         check_seam(&p, tiles[i], false);
         check_seam(&p, tiles[i], true);
         free(p.rgb);
     }
 }
 
-static double mean_channel(const picture *p, int channel)
+static double mean_channel(const texture_picture *p, int channel)
 {
     double sum = 0.0;
     for (int i = 0; i < p->w * p->h; i++)
@@ -90,12 +90,12 @@ static double mean_channel(const picture *p, int channel)
 static void water_is_pale_and_distortion_rests_at_128(void **state)
 {
     (void)state;
-    picture water = read_picture("textures/water.png");
+    texture_picture water = read_picture("textures/water.png");
     double mean =
         (mean_channel(&water, 0) + mean_channel(&water, 1) + mean_channel(&water, 2)) / 3;
     assert_true(mean > 195.0 && mean < 205.0);
     free(water.rgb);
-    picture push = read_picture("textures/distortion.png");
+    texture_picture push = read_picture("textures/distortion.png");
     assert_true(fabs(mean_channel(&push, 0) - 128.0) < 1.0);
     assert_true(fabs(mean_channel(&push, 1) - 128.0) < 1.0);
     free(push.rgb);
@@ -107,7 +107,7 @@ static void foam_s_greys_stand_equally_often(void **state)
     int count[256] = { 0 }, below = 0;
     double worst = 0.0;
     (void)state;
-    picture foam = read_picture("textures/foam.png");
+    texture_picture foam = read_picture("textures/foam.png");
     for (int i = 0; i < foam.w * foam.h; i++)
         count[foam.rgb[3 * i]]++;
     for (int t = 0; t < 256; t++) {
@@ -122,7 +122,7 @@ static void foam_s_greys_stand_equally_often(void **state)
 static void crests_are_threads_on_black(void **state)
 {
     (void)state;
-    picture crests = read_picture("textures/crests.png");
+    texture_picture crests = read_picture("textures/crests.png");
     double mean = mean_channel(&crests, 1);
     print_message("crests: mean %.1f\n", mean);
     assert_true(mean > 8.0 && mean < 40.0);
@@ -132,7 +132,7 @@ static void crests_are_threads_on_black(void **state)
 /* Steepest slope of a normal map; asserts unit normals within the rounding of 8 bits. */
 static double steepest_slope(const char *name)
 {
-    picture p = read_picture(name);
+    texture_picture p = read_picture(name);
     double steepest = 0.0;
     for (int i = 0; i < p.w * p.h; i++) {
         double x = p.rgb[3 * i] / 127.5 - 1.0, y = p.rgb[3 * i + 1] / 127.5 - 1.0;
@@ -166,10 +166,10 @@ static void the_ship_s_normal_maps_are_unit(void **state)
 typedef struct {
     const char *name;
     int ahead[3], right[3], down[3];
-} face;
+} cube_face;
 
 /* The faces as seen by an eye in the middle of the cube. */
-static const face faces[6] = {
+static const cube_face faces[6] = {
     { "east", { 1, 0, 0 }, { 0, 0, 1 }, { 0, -1, 0 } },
     { "west", { -1, 0, 0 }, { 0, 0, -1 }, { 0, -1, 0 } },
     { "up", { 0, 1, 0 }, { -1, 0, 0 }, { 0, 0, 1 } },
@@ -179,7 +179,7 @@ static const face faces[6] = {
 };
 
 typedef struct {
-    picture face[6];
+    texture_picture face[6];
 } cube;
 
 static cube read_cube(const char *sky)

@@ -140,7 +140,8 @@ static void calm_water_carries_the_boat_level(void **state)
 static void compare_boat(const tp_scene *scene, const tp_world *w, measure *heave,
                          measure *tilt)
 {
-    const ref_sea sea = ref_sea_of(scene->wave, TP_WAVES, scene->water.gravity);
+    const ref_deep_water sea =
+        ref_deep_water_make(scene->wave, TP_WAVES, scene->water.gravity);
     const double h = scene->boat.heading * LSB * PI / 180;
     const double half[4][2] = { { scene->boat.length * LSB / 2, 0 },
                                 { -scene->boat.length * LSB / 2, 0 },

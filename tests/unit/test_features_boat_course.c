@@ -226,8 +226,8 @@ static void a_sailing_boat_replays_bit_for_bit(void **state)
                 tp_world_step(&tp_program_all, &copy, &scene, &tape[t]);
         }
         assert_memory_equal(&first.boat, &second.boat, sizeof first.boat);
-        assert_memory_equal(&first.afloat, &second.afloat, sizeof first.afloat);
-        assert_memory_equal(&first.afloat, &copy.afloat, sizeof first.afloat);
+        assert_memory_equal(&first.boat_state, &second.boat_state, sizeof first.boat_state);
+        assert_memory_equal(&first.boat_state, &copy.boat_state, sizeof first.boat_state);
         assert_true(abs(first.boat.place.y) <= 4150 * TP_FX_ONE);
     }
 }

@@ -106,7 +106,8 @@ static void hull_make(hull *h, bool lid)
                          .n_faces = lid ? 4 : 2, .n_materials = 2 };
 }
 
-/* The floor is `immersion` m below still water; seen from above the floor fills the picture. */
+/* The floor is `immersion` m below still water; seen from above the floor fills the
+ * picture. */
 static uint32_t floor_pixels(bool lid, double immersion)
 {
     static uint32_t key[WIDTH * HEIGHT];

@@ -18,7 +18,7 @@ static uint64_t chance;
 
 typedef struct {
     tp_shade shade;
-    tp_boat_look look;
+    tp_boat_shading look;
     tp_mesh  mesh;
     tp_mesh_face face[4];
     tp_solid solid[4];
@@ -71,7 +71,7 @@ static void model_begin(void)
         .zi_log = tp_log2_q8(NEAR) + 15 * 256,
         .light_colour = 0xffffff,
     };
-    m.look = (tp_boat_look){
+    m.look = (tp_boat_shading){
         .mesh = &m.mesh, .solid = m.solid,
         .axes = { .right = { TP_Q30_ONE, 0, 0 }, .up = { 0, TP_Q30_ONE, 0 },
                   .back = { 0, 0, TP_Q30_ONE } },
@@ -324,7 +324,8 @@ static void levels_double_with_the_depth(void **state)
         m.solid[0].lod = lod * 256;
         model_draw();
         for (int i = 0; i < TP_RUN; i++)
-            assert_int_equal(m.samples.run.colour[i], 10 * tp_clamp(lod + i % 6, 0, 2) + 10);
+            assert_int_equal(m.samples.run.colour[i],
+                             10 * tp_clamp(lod + i % 6, 0, 2) + 10);
     }
     m.solid[0].diffuse_map = NULL;
     m.solid[0].normal_map = levels_of(1, lean);

@@ -62,7 +62,7 @@ static void compare_stroke(tp_scene *s, measure *off)
 {
     tp_world *w = wake_world(s);
     tp_pool *pool = water_of(w);
-    tp_hull *hull = &w->afloat.hull;
+    tp_hull *hull = &w->boat_state.hull;
     const double lsb = lsb_of(pool);
 
     hull->x += chance_fx(&chance, -0.5, 0.5);
@@ -70,7 +70,7 @@ static void compare_stroke(tp_scene *s, measure *off)
     hull->heading += (tp_turn)chance_int(&chance, -100000000, 100000000);
     for (int k = 0; k < 3; k++)
         hull->immersion[k] = chance_fx(&chance, -0.3, 0.3);
-    const tp_hull before = w->afloat.stirred, now = *hull;
+    const tp_hull before = w->boat_state.wake_hull, now = *hull;
     tp_boat_stir_pool(w, s);
     for (uint32_t row = 0; row < pool->rows; row++) {
         for (uint32_t col = 0; col < pool->cols; col++) {
@@ -137,7 +137,7 @@ static void no_water_is_lost_or_won(void **state)
             full += s.pool.cells != TP_CELLS_32
                  && after.highest >= lsb_of(water_of(w)) * high - 1;
         }
-        stirs += w->afloat.stirs;
+        stirs += w->boat_state.wake_ticks;
         free(w);
     }
     print_message("# stirred %u times, %u with a cell that was full\n", stirs, full);
@@ -155,7 +155,7 @@ static int32_t highest_under(tp_world *w, const tp_scene *s)
         for (uint32_t col = 0; col < pool->cols; col++) {
             const int32_t h = abs(tp_pool_height(pool, col, row));
             if (h > highest
-                && ref_column(s, pool, &w->afloat.hull, cell_x(pool, col),
+                && ref_column(s, pool, &w->boat_state.hull, cell_x(pool, col),
                               cell_z(pool, row)) > 0)
                 highest = h;
         }
@@ -173,9 +173,9 @@ static void a_hull_that_comes_back_has_added_nothing(void **state)
         any_small_boat(&s);
         s.boat.draft = TP_FX_ONE;
         tp_world *w = wake_world(&s);
-        const tp_hull rest = w->afloat.hull;
+        const tp_hull rest = w->boat_state.hull;
         for (int t = 0; t < 20; t++) {
-            w->afloat.hull.immersion[0] = t == 19 ? rest.immersion[0]
+            w->boat_state.hull.immersion[0] = t == 19 ? rest.immersion[0]
                                              : chance_fx(&chance, -0.4, 0.4);
             tp_boat_stir_pool(w, &s);
         }
@@ -263,7 +263,7 @@ static void a_wake_replays_bit_for_bit(void **state)
         for (int t = 20; t < 80; t++)
             tp_world_step(&tp_program_all, copy, &s, &tape[t]);
         assert_memory_equal(copy, w, bytes);
-        assert_true(w->afloat.stirs > 0);
+        assert_true(w->boat_state.wake_ticks > 0);
         free(w);
         free(copy);
     }

@@ -21,7 +21,7 @@ static void a_boat_at_rest_leaves_still_water_still(void **state)
         for (int t = 0; t < 200; t++)
             tp_world_step(&tp_program_all, w, &s, NULL);
         const tp_pool_state look = tp_pool_stats(water_of(w));
-        assert_int_equal(w->afloat.stirs, 0);
+        assert_int_equal(w->boat_state.wake_ticks, 0);
         assert_true(look.at_rest && look.highest == 0 && look.fastest == 0);
         free(w);
     }
@@ -29,7 +29,7 @@ static void a_boat_at_rest_leaves_still_water_still(void **state)
 
 static bool is_at_rest(const tp_world *w)
 {
-    const int64_t *speed = w->afloat.lie.speed;
+    const int64_t *speed = w->boat_state.attitude.speed;
 
     return tp_pool_stats(tp_world_pool(w)).at_rest && !speed[0] && !speed[1] && !speed[2]
            && memcmp(&w->boat, &w->last_boat, sizeof w->boat) == 0;
@@ -45,11 +45,11 @@ static int ticks_to_rest(const tp_scene *s, int most, uint32_t *strokes)
 
     for (; t < 120; t++)
         tp_world_step(&tp_program_all, w, s, &in);
-    *strokes = w->afloat.stirs;
+    *strokes = w->boat_state.wake_ticks;
     for (; rests < 200 && t < most; t++) {
-        const uint32_t stirs = w->afloat.stirs;
+        const uint32_t stirs = w->boat_state.wake_ticks;
         tp_world_step(&tp_program_all, w, s, NULL);
-        rests = is_at_rest(w) && w->afloat.stirs == stirs ? rests + 1 : 0;
+        rests = is_at_rest(w) && w->boat_state.wake_ticks == stirs ? rests + 1 : 0;
     }
     free(w);
     return t - rests;
@@ -117,10 +117,10 @@ static void a_boat_that_rocks_stirs_the_pool(void **state)
             far = h > far ? h : far;
         }
         print_message("# %s: %u strokes, %.1f mm at 7 m\n", n ? "lying" : "floating",
-                      w->afloat.stirs, far / lsb_of(tp_world_pool(w)) * 1000);
-        assert_int_equal(w->afloat.stirs > 200, n == 0);
+                      w->boat_state.wake_ticks, far / lsb_of(tp_world_pool(w)) * 1000);
+        assert_int_equal(w->boat_state.wake_ticks > 200, n == 0);
         assert_int_equal(far > lsb_of(tp_world_pool(w)) * 0.002, n == 0);
-        assert_int_equal(w->afloat.stirs == 0, n == 1);
+        assert_int_equal(w->boat_state.wake_ticks == 0, n == 1);
         free(w);
     }
 }

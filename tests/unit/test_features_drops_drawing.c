@@ -208,7 +208,7 @@ static tp_world *many(tp_scene *scene, int32_t count)
 
     drops_of(world)->sphere.z = -6 * TP_FX_ONE;
     drops_of(world)->last_sphere.z = -7 * TP_FX_ONE;
-    world->back = chance_int(&chance, 0, 65535);
+    world->lag = chance_int(&chance, 0, 65535);
     put(world, (tp_vec3){ 0, 50 * TP_FX_ONE, -8 * TP_FX_ONE }, TP_FX(0.5), 0);   /* seen */
     for (int n = 1; n < count; n++)
         put(world, (tp_vec3){ chance_fx(&chance, -8, 8), chance_fx(&chance, 44, 56),
@@ -257,7 +257,7 @@ static void a_drop_is_drawn_between_its_last_two_places(void **state)
     tp_drop *drop = (tp_drop *)(uintptr_t)tp_drops_list(drops_of(world));
     drop->last.y = here.y + TP_FX_ONE;
     drop->place.y = here.y - TP_FX_ONE;
-    world->back = TP_FX_ONE / 2;
+    world->lag = TP_FX_ONE / 2;
     marks_draw(&scene, &none, world, config, NULL, got);
     assert_memory_equal(got, want, sizeof want);
     free(world);

@@ -60,7 +60,8 @@ static void the_world_stands_upside_down_in_a_drop(void **state)
     for (double lean = 0; lean < 1; lean += 0.05) {
         const double up = sin(elevation(-lean));
         const double want = 255 * (1 - up) * (1 - up);
-        assert_true(fabs((drop_at(&s, &clear, -lean) >> 16) - want) <= 255 * 0.1 + 0.07 * 255);
+        assert_true(fabs((drop_at(&s, &clear, -lean) >> 16) - want)
+                    <= 255 * 0.1 + 0.07 * 255);
     }
     assert_true((drop_at(&s, &clear, -0.9) >> 16) < 120);           /* sky below */
     assert_true((drop_at(&s, &clear, 0.9) & 0xff) < 120);           /* water above */

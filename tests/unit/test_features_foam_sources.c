@@ -29,12 +29,12 @@ static tp_scene sea_any(void)
     return s;
 }
 
-static double jacobian(const tp_sea *sea, const tp_turn *phases, double x, double z)
+static double jacobian(const tp_deep_water *deep, const tp_turn *phases, double x, double z)
 {
     double bxx = 0, bxz = 0, bzz = 0;
 
-    for (uint32_t i = 0; i < sea->count; i++) {
-        const tp_swell *w = &sea->swell[i];
+    for (uint32_t i = 0; i < deep->count; i++) {
+        const tp_swell *w = &deep->swell[i];
         const double q32 = 4294967296.0, q30 = 1073741824.0, tau = 6.283185307179586;
         const double turns = phases[i] / q32 + (double)w->turns_x / q32 * x
                            + (double)w->turns_z / q32 * z;
@@ -54,13 +54,13 @@ static void the_squeeze_is_the_jacobian(void **state)
     for (int n = 0; n < 20000; n++) {
         const tp_scene scene = sea_any();
         tp_turn phases[TP_WAVES];
-        tp_sea sea;
-        tp_sea_init(&sea, scene.wave, TP_WAVES, scene.water.gravity);
-        tp_sea_phases(&sea, random_below(&chance, 100000), 0, phases);
+        tp_deep_water deep;
+        tp_deep_water_init(&deep, scene.wave, TP_WAVES, scene.water.gravity);
+        tp_deep_water_phases(&deep, random_below(&chance, 100000), 0, phases);
         const tp_fx x = chance_fx(&chance, -2000, 2000);
         const tp_fx z = chance_fx(&chance, -2000, 2000);
-        measure_add(&off, tp_sea_jacobian(&sea, phases, x, z) / 65536.0
-                          - jacobian(&sea, phases, x / 65536.0, z / 65536.0), x, z, n);
+        measure_add(&off, tp_deep_water_jacobian(&deep, phases, x, z) / 65536.0
+                          - jacobian(&deep, phases, x / 65536.0, z / 65536.0), x, z, n);
     }
     measure_print(&off);
     assert_true(off.worst < 6e-5);
@@ -203,7 +203,7 @@ static void a_hull_that_sails_leaves_a_wake(void **state)
 
     for (int i = 0; i < 180; i++)
         tp_world_step(&tp_program_all, world, &s, NULL);
-    const double bow = world->afloat.hull.x / 65536.0 + 5.88;
+    const double bow = world->boat_state.hull.x / 65536.0 + 5.88;
     for (int side = -1; side <= 1; side += 2) {
         int arm = 0;
         for (double d = -1; d <= 0.5; d += 0.25)

@@ -129,9 +129,9 @@ static double lit_of(const tp_shade *s, const test_run *r, int i)
 
 /* -- comparison ---------------------------------------------------------------------- */
 
-typedef struct { measure worst; double square; uint64_t count; } spread;
+typedef struct { measure worst; double square; uint64_t count; } foam_spread;
 
-static void compare(bool textured, int level, spread *off)
+static void compare(bool textured, int level, foam_spread *off)
 {
     test_run r;
     run_any(&r, 6000, &chance);
@@ -162,7 +162,7 @@ static void compare(bool textured, int level, spread *off)
 
 static void bounded(const char *what, bool textured, double most, double rms)
 {
-    spread off = { .worst = { .what = what, .unit = "of 255" } };
+    foam_spread off = { .worst = { .what = what, .unit = "of 255" } };
 
     for (int level = 0; level < (textured ? 6 : 1); level++)
         for (int n = 0; n < 60; n++) {

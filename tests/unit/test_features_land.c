@@ -77,7 +77,8 @@ static void the_nearer_of_land_and_water_is_seen(void **state)
     uint32_t seen[256] = { 0 };
 
     for (int n = 0; n < 30; n++) {
-        tp_scene s = beach(chance_double(&chance, 0.5, 3), chance_double(&chance, 0.03, 0.2));
+        tp_scene s =
+            beach(chance_double(&chance, 0.5, 3), chance_double(&chance, 0.03, 0.2));
         s.camera.x = chance_fx(&chance, -30, 30);
         s.camera.z = chance_fx(&chance, -10, 60);
         s.camera.y = chance_fx(&chance, 6, 25);

@@ -189,7 +189,7 @@ static void a_copy_of_the_world_meters_the_same(void **state)
     s.sky.kind = TP_SKY_DUSK;
     s.light.turn = 40 * TP_FX_ONE;
     tp_world *w = scene_world(&s, NULL), *copy = scene_world(&s, NULL);
-    const size_t bytes = w->parts.bytes;
+    const size_t bytes = w->layout.bytes;
 
     for (int t = 0; t < 30; t++)
         tp_world_step(&tp_program_all, w, &s, NULL);

@@ -50,7 +50,7 @@ static double height_of(const tp_pool *pool, uint32_t first, uint32_t end)
         low = h < low ? h : low;
         high = h > high ? h : high;
     }
-    return (high - (double)low) / tp_pool_lsb(pool, TP_FX_ONE);
+    return (high - (double)low) / tp_pool_from_metres(pool, TP_FX_ONE);
 }
 
 static void the_sum_stays_exactly_0(void **state)

@@ -100,7 +100,7 @@ static tp_shade any_mirror(double zm, double height)
 
     for (int i = 0; i < SIDE; i++)
         zi[i].near = zi[i].far = (uint32_t)(2147483648.0 / zm);
-    mirror.half = (tp_half){ ramp, 0, 0, SIDE, SIDE, 0 };
+    mirror.map = (tp_planar_map){ ramp, 0, 0, SIDE, SIDE, 0 };
     s.per_focal = (uint32_t)(4294967296.0 / s.focal);
     mirror.bend = chance_int(&chance, 0, 512);
     mirror.height = (int64_t)lround(height * 4096);
@@ -173,7 +173,7 @@ static void water_behind_an_object_mirrors_none_of_it(void **state)
     tp_stage_mirrored(&s, &r.run);
     for (int i = 0; i < TP_RUN; i++)
         assert_int_equal(r.run.mirror[i], 0x123456);
-    mirror.half.colour = NULL;
+    mirror.map.colour = NULL;
     r.run.mine = &mirror;
     tp_stage_mirrored(&s, &r.run);
     assert_int_equal(r.run.mirror[5], 0x123456);
@@ -289,5 +289,6 @@ int main(void)
         cmocka_unit_test(the_cube_is_met_in_the_objects_plane),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("features/reflection stages", tests, make_ramps, NULL);
+    return cmocka_run_group_tests_name("features/reflection stages", tests, make_ramps,
+                                       NULL);
 }

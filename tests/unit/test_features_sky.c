@@ -72,7 +72,7 @@ static void every_sky_is_the_same_in_every_tiling(void **state)
         tp_world *w = scene_world(&s, &a);
         for (int t = 0; t < 5; t++)
             tp_world_step(&tp_program_all, w, &s, NULL);
-        w->back = TP_FX_ONE / 3;
+        w->lag = TP_FX_ONE / 3;
         draw(&s, &a, w, 0, 0, picture[0]);
         for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
             draw(&s, &a, w, sizes[i][0], sizes[i][1], picture[1]);
@@ -114,7 +114,7 @@ static void skies_are_carved_for_those_who_have_them(void **state)
                     plain + sizeof(tp_dome) + 16);
     s.sky.kind = TP_SKY_GRADIENT;
     s.hdr.value = 2 * TP_FX_ONE;
-    const size_t toned = plain + 256 * sizeof(tp_entry8) + sizeof(tp_toned);
+    const size_t toned = plain + 256 * sizeof(tp_entry8) + sizeof(tp_rgb565_tone_map);
     assert_in_range(tp_frame_bytes(&c, &s), toned, toned + 16);
 }
 

@@ -129,7 +129,7 @@ static void specks_glide_between_ticks(void **state)
     ((tp_speck *)(uintptr_t)tp_spray_list(tp_world_spray(world)))->last.x = -TP_FX_ONE;
     for (int k = 0; k < 2; k++) {
         double sum = 0;
-        world->back = k * TP_FX_ONE / 2;
+        world->lag = k * TP_FX_ONE / 2;
         const uint32_t count = drawn(&s, world);
         for (int i = 0; i < WIDTH * HEIGHT; i++)
             sum += TP_MARK(key[i]) == MARKS_SPRAY ? i % WIDTH + 0.5 : 0;
@@ -154,7 +154,7 @@ static void every_tiling_gives_the_same_picture(void **state)
     tp_world *world = scene_world(&s, &none);
     for (int i = 0; i < 200; i++)
         tp_world_step(&tp_program_all, world, &s, NULL);
-    world->back = TP_FX(0.3);
+    world->lag = TP_FX(0.3);
     marks_assert_tiled(&s, &none, world, config, tiles, sizeof tiles / sizeof *tiles, key);
     assert_true(marks_count(key, WIDTH * HEIGHT, MARKS_SPRAY) > 5);
     free(world);

@@ -47,7 +47,7 @@ static tp_scene tank_scene(void)
     return s;
 }
 
-static const ref_box box = { -1.5, 1.5, -1, 1, 1.1 };
+static const ref_water_box box = { -1.5, 1.5, -1, 1, 1.1 };
 
 /* Puts the camera at a point outside, looking at the middle of the water. */
 static void look_from(tp_scene *s, double x, double y, double z)
@@ -101,11 +101,11 @@ static bool is_sure(const ref_camera *c, int x, int y, double index, ref_sight v
 typedef struct {
     int sights[6];              /* pixels with a sure result, by ref_sight */
     int wrong;
-} tally;
+} sight_tally;
 
 /* Compares the picture: a floor is bright in the channel `shift`, walls are dark.  If `top`
  * is set, only parts seen through the surface count. */
-static void compare(const tp_scene *s, int shift, double index, bool top, tally *t)
+static void compare(const tp_scene *s, int shift, double index, bool top, sight_tally *t)
 {
     static uint32_t pixels[WIDE * HIGH];
     const ref_camera c = camera_of(s);
@@ -129,7 +129,7 @@ static void compare(const tp_scene *s, int shift, double index, bool top, tally 
 static void walls_stand_where_rays_say(void **state)
 {
     (void)state;
-    tally t = { { 0 }, 0 };
+    sight_tally t = { { 0 }, 0 };
 
     for (int n = 0; n < 24; n++) {
         tp_scene s = tank_scene();
@@ -156,7 +156,7 @@ static void each_colour_bends_by_its_own_index(void **state)
 {
     (void)state;
     for (int k = 0; k < 3; k++) {
-        tally t = { { 0 }, 0 };
+        sight_tally t = { { 0 }, 0 };
         for (int n = 0; n < 4; n++) {
             tp_scene s = tank_scene();
             s.tank.floor_colour = 0xffffff;

@@ -19,16 +19,16 @@ static test_kit kit;
 
 typedef struct {
     int drawn, fast, exact, on[TP_MODULES];
-} tally;
+} truth_tally;
 
-static void compare_modules(const tp_frame *frame, tp_want want, tally *t)
+static void compare_modules(const tp_frame *frame, tp_want want, truth_tally *t)
 {
     const tp_use *u = frame->program->modules;
 
     for (uint32_t i = 0; u[i].module; i++) {
         const bool on = tp_module_ask_enabled(u[i].module, &want);
         const bool seen = on && u[i].drawing;
-        assert_int_equal(frame->parts.laid >> i & 1, seen);
+        assert_int_equal(frame->buffers.laid >> i & 1, seen);
         assert_int_equal(frame->modules_on >> i & 1, seen);
         if (u[i].drawing && u[i].drawing->layout)
             assert_int_equal(tp_frame_module_memory(frame, u[i].module->id) != NULL, on);
@@ -39,7 +39,7 @@ static void compare_modules(const tp_frame *frame, tp_want want, tally *t)
     }
 }
 
-static void compare_scene(tally *t)
+static void compare_scene(truth_tally *t)
 {
     tp_scene scene = kit_scene(&chance, 14, 40);
     tp_assets assets = kit_assets(&kit, &scene, &chance);
@@ -60,7 +60,7 @@ static void compare_scene(tally *t)
     const tp_view_estimate told = tp_view_estimate_make(&in);
     test_frame f = frame_by(&tp_program_all, &scene, &assets, &config);
     tp_frame_begin(f.frame, world);
-    const tp_want want = tp_frame_want(&tp_program_all, &f.frame->parts, &scene,
+    const tp_want want = tp_frame_want(&tp_program_all, &f.frame->buffers, &scene,
                                        &f.frame->assets, &f.frame->config);
     compare_modules(f.frame, want, t);
     const bool fast = tp_frame_list(f.frame, TP_MARK_WATER)->kind == TP_LIST_FAST;
@@ -76,7 +76,7 @@ static void compare_scene(tally *t)
 static void plan_frame_and_modules_agree_on_random_scenes(void **state)
 {
     (void)state;
-    tally t = { .drawn = 0 };
+    truth_tally t = { .drawn = 0 };
 
     for (int i = 0; i < SCENES; i++)
         compare_scene(&t);
@@ -84,7 +84,7 @@ static void plan_frame_and_modules_agree_on_random_scenes(void **state)
     for (uint32_t i = 0; tp_program_all.modules[i].module; i++) {
         printf(" %s %d", tp_program_all.modules[i].module->name, t.on[i]);
         assert_true(t.on[i] > 0);
-        if (!(tp_program_all.modules[i].module->is & TP_MODULE_INSIDE)) /* always on */
+        if (!(tp_program_all.modules[i].module->is & TP_MODULE_UNDERWATER)) /* always on */
             assert_true(t.on[i] < t.drawn);
     }
     printf("\n");

@@ -233,7 +233,7 @@ static void deal_rays(const tp_scene *s, const tp_world *world, double *light)
         for (int i = 0; i < rays; i++) {
             const double x = (i + 0.5) / rays * side - side / 2;
             const double z = (j + 0.5) / rays * side - side / 2;
-            const tp_relief r = tp_pool_relief(pool, (tp_fx)(x * 65536),
+            const tp_height_slope r = tp_pool_height_slope(pool, (tp_fx)(x * 65536),
                                                (tp_fx)(z * 65536), 0);
             const ref_vec n = ref_unit_vec((ref_vec){ -r.slope_x / 65536.0, 1,
                                                       -r.slope_z / 65536.0 });
@@ -246,7 +246,8 @@ static void deal_rays(const tp_scene *s, const tp_world *world, double *light)
         }
 }
 
-/* A splash acts as a projection: its light gathers below, in the amount that the rays give. */
+/* A splash acts as a projection: its light gathers below, in the amount that the rays
+ * give. */
 static void a_lens_gathers_light_where_rays_say(void **state)
 {
     (void)state;
@@ -271,7 +272,8 @@ static void a_lens_gathers_light_where_rays_say(void **state)
             ray_most = rays[i] > rays[ray_most] ? i : ray_most;
             square += (light[i] / 256.0 - rays[i]) * (light[i] / 256.0 - rays[i]);
         }
-        const int dx = most % CELLS - ray_most % CELLS, dz = most / CELLS - ray_most / CELLS;
+        const int dx = most % CELLS - ray_most % CELLS,
+                  dz = most / CELLS - ray_most / CELLS;
         printf("    brightest %.2f at %d, by rays %.2f at %d; rms %.3f\n",
                light[most] / 256.0, most, rays[ray_most], ray_most,
                sqrt(square / (CELLS * CELLS)));

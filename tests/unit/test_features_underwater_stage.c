@@ -21,16 +21,16 @@ static uint64_t chance;
 typedef struct {
     measure most;
     double  square;
-} error;
+} span_error;
 
-static void error_add(error *e, uint32_t got, ref_colour want, int n, int i)
+static void error_add(span_error *e, uint32_t got, ref_colour want, int n, int i)
 {
     const double off = ref_off(got, want);
     measure_add(&e->most, off, n, i, (int64_t)got);
     e->square += off * off;
 }
 
-static void error_check(const error *e, double most)
+static void error_check(const span_error *e, double most)
 {
     const double rms = sqrt(e->square / (double)e->most.inputs);
 
@@ -45,18 +45,18 @@ static void error_check(const error *e, double most)
 
 typedef struct {
     tp_shade shade;
-    ref_box  box;
+    ref_water_box  box;
     ref_vec  eye;
     double   clear;
     uint32_t tint;
 } scene;
 
-static tp_inside water;         /* data of all scenes: tests use one scene at a time */
+static tp_underwater water;         /* data of all scenes: tests use one scene at a time */
 static tp_clear_water clear;
 
 static void set_optics(tp_shade *s)
 {
-    tp_inside *in = &water;
+    tp_underwater *in = &water;
     const double eta = 1 / 1.333, ly = s->world.ly / Q14;
     const double steep = sqrt(1 - (1 - ly * ly) * eta * eta);
 
@@ -80,12 +80,12 @@ static void set_optics(tp_shade *s)
 static scene scene_inside(double low, double high)
 {
     scene s = { .shade = shade_any(&chance), .clear = chance_double(&chance, 0.5, 20) };
-    tp_inside *in = &water;
+    tp_underwater *in = &water;
     const double w = chance_double(&chance, 0.5, 6), d = chance_double(&chance, 0.5, 6);
 
-    *in = (tp_inside){ .walled = false };
-    s.shade.inside = in;
-    s.box = (ref_box){ -w, w, -d, d, chance_double(&chance, 0.2, 4) };
+    *in = (tp_underwater){ .walled = false };
+    s.shade.underwater = in;
+    s.box = (ref_water_box){ -w, w, -d, d, chance_double(&chance, 0.2, 4) };
     s.eye = (ref_vec){ chance_double(&chance, -w, w), chance_double(&chance, low, high),
                        chance_double(&chance, -d, d) };
     s.tint = (uint32_t)random_next(&chance) & 0xffffff;
@@ -97,7 +97,8 @@ static scene scene_inside(double low, double high)
     in->x1 = (tp_fx)(s.box.x1 * 65536);
     in->z0 = (tp_fx)(s.box.z0 * 65536);
     in->z1 = (tp_fx)(s.box.z1 * 65536);
-    in->bed = (tp_bed){ .depth = (tp_fx)(s.box.depth * 65536), .nl = in->sun_y };
+    in->floor_plane =
+        (tp_floor_plane){ .depth = (tp_fx)(s.box.depth * 65536), .nl = in->sun_y };
     in->wall.colour = (uint32_t)random_next(&chance) & 0xffffff;
     in->floor.colour = (uint32_t)random_next(&chance) & 0xffffff;
     in->deep = (uint32_t)random_next(&chance) & 0xffffff;
@@ -117,7 +118,7 @@ static ref_colour through(const scene *s, ref_colour c, ref_colour body, double 
 
 static ref_colour lit_face(const scene *s, ref_face face, ref_vec way)
 {
-    const tp_inside *in = s->shade.inside;
+    const tp_underwater *in = s->shade.underwater;
     const double ambient = s->shade.ambient / 256.0;
     const double sun = face == REF_FLOOR ? in->sun_y
                      : face == REF_WALL_X ? (way.x > 0 ? -in->sun_x : in->sun_x)
@@ -174,7 +175,7 @@ static ref_vec place_sample(const scene *s, test_run *r, int i, double metres)
     const ref_vec way = view_way(s, &r->run, i);
     const ref_dir back = shade_dir(s->shade.world.back);
     const double cosine = -(way.x * back.x + way.y * back.y + way.z * back.z);
-    const double near = s->shade.inside->zi_near / 65536.0;
+    const double near = s->shade.underwater->zi_near / 65536.0;
     const double zi = near / (metres * cosine);
 
     r->key[i] = (uint32_t)fmin(zi * 4294967296.0, 4294967000.0) & ~0xffu;
@@ -192,7 +193,7 @@ static ref_vec normal_of(const test_run *r, int i)
 static void what_is_behind_follows_snell_and_beer(void **state)
 {
     (void)state;
-    error off = { .most = { .what = "behind", .unit = "levels" } };
+    span_error off = { .most = { .what = "behind", .unit = "levels" } };
 
     for (int n = 0; n < RUNS; n++) {
         const scene s = scene_inside(0.3, 5);
@@ -207,12 +208,12 @@ static void what_is_behind_follows_snell_and_beer(void **state)
         tp_stage_view(&s.shade, &r.run);
         const tp_run before = r.run;
         r.run.mine = &clear;
-        tp_stage_behind(&s.shade, &r.run);
+        tp_stage_refract(&s.shade, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
             const ref_vec way = view_way(&s, &r.run, i);
             const ref_vec at = far[i] > 0 ? place_sample(&s, &r, i, far[i]) : s.eye;
             const ref_vec in = ref_bent(way, normal_of(&r, i), 1.333);
-            const ref_colour body = ref_mix(ref_colour_of(s.shade.inside->deep),
+            const ref_colour body = ref_mix(ref_colour_of(s.shade.underwater->deep),
                                             ref_colour_of(before.colour[i]), 0.25);
             ref_colour want;
             if (far[i] < 0 || in.y > -0.12 || ref_dot(way, normal_of(&r, i)) > -0.02
@@ -228,7 +229,7 @@ static void what_is_behind_follows_snell_and_beer(void **state)
 static void what_is_behind_glass_follows_snell_and_beer(void **state)
 {
     (void)state;
-    error off = { .most = { .what = "side", .unit = "levels" } };
+    span_error off = { .most = { .what = "side", .unit = "levels" } };
 
     for (int n = 0; n < RUNS; n++) {
         scene s = scene_inside(-1, 2);
@@ -243,7 +244,7 @@ static void what_is_behind_glass_follows_snell_and_beer(void **state)
             r.t[i] = 0;
             place_sample(&s, &r, i, far[i] > 0 ? far[i] : 1);
         }
-        tp_stage_side(&s.shade, &r.run);
+        tp_stage_tank_side(&s.shade, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
             const ref_vec way = view_way(&s, &r.run, i);
             const ref_vec at = far[i] > 0 ? place_sample(&s, &r, i, far[i]) : s.eye;
@@ -252,7 +253,7 @@ static void what_is_behind_glass_follows_snell_and_beer(void **state)
             if (far[i] < 0 || at.y > 0 || at.y < -s.box.depth || fabs(at.z) > s.box.z1)
                 continue;
             if (look(&s, (ref_vec){ s.box.x1 - 1e-6, at.y, at.z }, in,
-                     ref_colour_of(s.shade.inside->deep), &want))
+                     ref_colour_of(s.shade.underwater->deep), &want))
                 error_add(&off, r.run.colour[i], want, n, i);
         }
     }
@@ -264,14 +265,14 @@ static void what_is_behind_glass_follows_snell_and_beer(void **state)
 static void the_surface_from_below_follows_fresnel(void **state)
 {
     (void)state;
-    error off = { .most = { .what = "below", .unit = "levels" } };
+    span_error off = { .most = { .what = "below", .unit = "levels" } };
 
     for (int n = 0; n < RUNS; n++) {
         scene s = scene_inside(-2, -0.05);
         test_run r;
         double   far[TP_RUN];
         s.box.depth += 2;
-        water.bed.depth += 2 * TP_FX_ONE;
+        water.floor_plane.depth += 2 * TP_FX_ONE;
         run_any(&r, n % 2 ? 1200 : 100, &chance);
         for (int i = 0; i < TP_RUN; i++) {
             const ref_vec way = view_way(&s, &r.run, i);
@@ -283,7 +284,7 @@ static void the_surface_from_below_follows_fresnel(void **state)
         for (int i = 0; i < TP_RUN; i++) {
             const ref_vec way = view_way(&s, &r.run, i);
             const ref_vec at = far[i] > 0 ? place_sample(&s, &r, i, far[i]) : s.eye;
-            const ref_colour body = ref_colour_of(s.shade.inside->deep);
+            const ref_colour body = ref_colour_of(s.shade.underwater->deep);
             ref_colour want;
             if (far[i] < 0 || fabs(at.x) > s.box.x1 || fabs(at.z) > s.box.z1)
                 continue;
@@ -306,11 +307,12 @@ static void snells_window_ends_at_48_6_degrees(void **state)
     tp_shade_sky(&s.shade, 0xffffff, 0xffffff);
     for (int k = 0; k < 9000; k++) {
         const double angle = k / 100.0 * 3.14159265358979 / 180;
-        const tp_refracted_ray beam = { { 0, 0, 0 }, { (int32_t)lround(sin(angle) * Q14),
+        const tp_refracted_ray ray = { { 0, 0, 0 }, { (int32_t)lround(sin(angle) * Q14),
                                (int32_t)lround(cos(angle) * Q14), 0, 0 }, 0 };
         water.walled = water.floored = false;
-        const uint32_t c = tp_inside_trace_surface(&s.shade, &s.shade.inside->bed, &beam,
-                                                   (tp_ray){ 0, 16384, 0, 0 }, 0);
+        const uint32_t c =
+            tp_underwater_trace_surface(&s.shade, &s.shade.underwater->floor_plane, &ray,
+                                        (tp_ray){ 0, 16384, 0, 0 }, 0);
         if ((c & 0xff) > 8)
             rim = k / 100.0;
         else
@@ -323,7 +325,7 @@ static void snells_window_ends_at_48_6_degrees(void **state)
 static void water_before_things_follows_beer(void **state)
 {
     (void)state;
-    error off = { .most = { .what = "absorb", .unit = "levels" } };
+    span_error off = { .most = { .what = "absorb", .unit = "levels" } };
 
     for (int n = 0; n < RUNS; n++) {
         const scene s = scene_inside(-2, -0.1);
@@ -339,7 +341,7 @@ static void water_before_things_follows_beer(void **state)
         for (int i = 0; i < TP_RUN; i++)
             error_add(&off, r.run.colour[i],
                       through(&s, ref_colour_of(before.colour[i]),
-                              ref_colour_of(s.shade.inside->deep), far[i]), n, i);
+                              ref_colour_of(s.shade.underwater->deep), far[i]), n, i);
     }
     error_check(&off, 1.2);
 }

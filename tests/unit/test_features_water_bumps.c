@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Pools in the shading normals: the slopes at a sample's position equal those of
- * tp_pool_relief, which test_pool_sample.c compares with double precision. */
+ * tp_pool_height_slope, which test_pool_sample.c compares with double precision. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -32,7 +32,7 @@ static bumped any_bumped(tp_cells cells, tp_edges edges, const tp_grey *mask, tp
     c.range = TP_FX(0.1) + c.cell / 8;
     c.mask = mask;
     bumped b = { .pool = pool_make(&c) };
-    pool_fill(b.pool, &chance, tp_pool_lsb(b.pool, c.cell / 8));
+    pool_fill(b.pool, &chance, tp_pool_from_metres(b.pool, c.cell / 8));
     pool_steps(b.pool, 3);
     const size_t bytes = (size_t)(c.cols + 2) * (c.rows + 2) * sizeof *b.slope;
     b.slope = malloc(bytes);
@@ -82,8 +82,8 @@ static void compare(const bumped *b, double gain, measure *off, measure *mean)
     places_near(b->pool, &r);
     bump(b, &r.run);
     for (int i = 0; i < TP_RUN; i++) {
-        const tp_relief at = tp_pool_relief(b->pool, (tp_fx)r.s[i], (tp_fx)r.t[i],
-                                            TP_FX(0.3));
+        const tp_height_slope at =
+            tp_pool_height_slope(b->pool, (tp_fx)r.s[i], (tp_fx)r.t[i], TP_FX(0.3));
         const double ex = (r.run.sx[i] - (int16_t)(r.n[i] >> 16)) / Q12
                         - at.slope_x / 65536.0 * gain;
         const double ez = (r.run.sz[i] - (int16_t)(r.n[i] & 0xffff)) / Q12
@@ -131,8 +131,8 @@ static void walls_mirror_the_water_before_them(void **state)
         bump(&b, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
             uint32_t col, row;
-            const tp_relief at = tp_pool_relief(b.pool, (tp_fx)r.s[i], (tp_fx)r.t[i],
-                                                TP_FX(0.3));
+            const tp_height_slope at =
+                tp_pool_height_slope(b.pool, (tp_fx)r.s[i], (tp_fx)r.t[i], TP_FX(0.3));
             if (!tp_pool_cell(b.pool, (tp_fx)r.s[i], (tp_fx)r.t[i], &col, &row))
                 continue;
             measure_add(&off, fabs(r.run.sx[i] / Q12 - at.slope_x / 65536.0), col, row, n);

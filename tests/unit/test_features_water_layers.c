@@ -15,11 +15,11 @@ static uint64_t chance;
 typedef struct {
     tp_fx    saturation, clamp;
     uint32_t colour;
-} wish;
+} grade_wish;
 
-static wish any_wish(void)
+static grade_wish any_wish(void)
 {
-    return (wish){ chance_int(&chance, 0, 4 * TP_FX_ONE),
+    return (grade_wish){ chance_int(&chance, 0, 4 * TP_FX_ONE),
                    chance_int(&chance, 0, 3) ? chance_int(&chance, 0, TP_FX(0.95)) : 0,
                    (uint32_t)random_next(&chance) & 0xffffff };
 }
@@ -33,7 +33,7 @@ static ref_colour sampled(const tp_layer *layer, int level, const test_run *r, i
                   : ref_colour_of(ref_nearest(layer->texture, level, s, t));
 }
 
-static ref_colour granted(const wish *w, ref_colour texel)
+static ref_colour granted(const grade_wish *w, ref_colour texel)
 {
     return ref_grade(texel, w->saturation / 65536.0, w->clamp / 65536.0,
                      ref_colour_of(w->colour));
@@ -44,7 +44,7 @@ static ref_colour granted(const wish *w, ref_colour texel)
 /* Error bound in levels.  Saturation is truncated to 1/256 of up to 255 levels, then
  * spread; a filtered texel has 4 levels of error, which saturation multiplies by up to
  * three. */
-static double slack(const wish *w, int filter)
+static double slack(const grade_wish *w, int filter)
 {
     const double spread = 65536.0 / (65536 - w->clamp), s = w->saturation / 65536.0;
     return 1 + 1.1 * spread + filter * 4 * spread * (1 + 2 * s);
@@ -60,7 +60,7 @@ static void grades_are_saturation_clamp_and_colour(void **state)
     for (int n = 0; n < SIDES * 100; n++) {
         tp_texture t = layer_texture(&chance, sides[n % SIDES][0], sides[n % SIDES][1]);
         const int level = chance_int(&chance, 0, t.levels - 1);
-        const wish w = any_wish();
+        const grade_wish w = any_wish();
         test_run r;
         tp_layer layer = layer_any(&chance, &t);
         run_any(&r, 0, &chance);
@@ -141,7 +141,7 @@ static void grades_reach_their_ends(void **state)
 static void compare_added(const tp_texture *t, int filter, measure *off)
 {
     const int level = chance_int(&chance, 0, t->levels - 1);
-    const wish w[2] = { any_wish(), any_wish() };
+    const grade_wish w[2] = { any_wish(), any_wish() };
     test_run r;
     tp_layer layer[2] = { layer_any(&chance, t), layer_any(&chance, t) };
     run_any(&r, 0, &chance);
@@ -269,7 +269,7 @@ static void runs_may_be_cut_at_sixteenths(void **state)
     tp_texture t = layer_texture(&chance, 64, 16);
 
     for (int n = 0; n < 1000; n++) {
-        const wish w = any_wish();
+        const grade_wish w = any_wish();
         test_run r;
         const tp_shade s = { .zi_log = 29 * 256 };
         own.base.layer = layer_any(&chance, &t);

@@ -16,7 +16,7 @@ static quick_lights lights;
 typedef struct {
     stage *plain, *packed, *whole;
     int    env, lobe;
-} bodies;
+} even_bodies;
 
 /* All stages after the layers. */
 #define X(name, env, lobe) \
@@ -39,7 +39,7 @@ typedef struct {
 TP_QUICK_LIGHT_STAGES(X)
 #undef X
 
-static const bodies all[] = {
+static const even_bodies all[] = {
 #define X(name, env, lobe) \
     { plain_##name, packed_##name, tp_stage_quick_##name, env, lobe },
     TP_QUICK_LIGHT_STAGES(X)
@@ -49,7 +49,7 @@ enum { ALL = sizeof all / sizeof *all };
 
 /* A span for the n-th body, before the light. */
 typedef struct {
-    const bodies *by;
+    const even_bodies *by;
     tp_shade shade;
     uint32_t slope[TP_RUN];
     test_run r;
@@ -96,7 +96,8 @@ static void where_tiles_begin_does_not_show(void **state)
     for (int n = 0; n < 2000; n++) {
         unlit u;
         unlit_make(&u, n, 4000);
-        const int32_t from = chance_int(&chance, 0, 15), cut = 16 * chance_int(&chance, 1, 3);
+        const int32_t from = chance_int(&chance, 0, 15),
+                      cut = 16 * chance_int(&chance, 1, 3);
         quick_assert_cut(u.by->packed, &u.shade, part_of(&u, from, TP_RUN),
                          part_of(&u, from, cut), part_of(&u, cut, TP_RUN));
     }

@@ -299,9 +299,11 @@ static void draw(const busy *b, tp_run *run, bool thin, bool bends)
 {
     run_by(tp_stage_quick_far, &b->shade, &b->layers, run);
     if (bends)
-        run_by(thin ? tp_stage_quick_bend_thin : tp_stage_quick_bend, &b->shade, &b->layers, run);
+        run_by(thin ? tp_stage_quick_bend_thin : tp_stage_quick_bend, &b->shade,
+               &b->layers, run);
     else
-        run_by(thin ? tp_stage_quick_still_thin : tp_stage_quick_still, &b->shade, &b->layers, run);
+        run_by(thin ? tp_stage_quick_still_thin : tp_stage_quick_still, &b->shade,
+               &b->layers, run);
     run_by(thin ? tp_stage_quick_layers_thin : tp_stage_quick_layers, &b->shade,
            &b->layers, run);
     run_by(tp_stage_quick_ripple, &b->shade, &b->layers, run);

@@ -52,9 +52,9 @@ static void bump_of(const test_run *r, const tp_layer *layer, int level, int i,
 typedef struct {
     double sum, worst, levels;
     int    count;
-} tally;
+} ripple_tally;
 
-static void tally_add(tally *t, const double want[2], int16_t sx, int16_t sz)
+static void tally_add(ripple_tally *t, const double want[2], int16_t sx, int16_t sz)
 {
     const double wx = ref_clamp(want[0], -MOST, MOST), wz = ref_clamp(want[1], -MOST, MOST);
     const double ex = sx / Q12 - wx, ez = sz / Q12 - wz;
@@ -67,9 +67,9 @@ static void tally_add(tally *t, const double want[2], int16_t sx, int16_t sz)
     t->count += 2;
 }
 
-static tally compare(stage *ripples, double surface, double ripple)
+static ripple_tally compare(stage *ripples, double surface, double ripple)
 {
-    tally all = { 0 };
+    ripple_tally all = { 0 };
 
     for (int n = 0; n < 300; n++) {
         tp_texture t = normal_map(32, 16, ripple);
@@ -107,9 +107,10 @@ static void ripples_are_turned_into_the_surface(void **state)
     };
 
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        const tally turned = compare(tp_stage_ripple, rows[i].surface, rows[i].ripple);
-        const tally added = compare(tp_stage_ripple_gentle, rows[i].surface,
-                                    rows[i].ripple);
+        const ripple_tally turned =
+            compare(tp_stage_ripple, rows[i].surface, rows[i].ripple);
+        const ripple_tally added =
+            compare(tp_stage_ripple_gentle, rows[i].surface, rows[i].ripple);
         printf("    surface %-4g ripple %-4g turned rms %.4f worst %.4f (%.2f/255)"
                "  added rms %.4f worst %.4f (%.2f/255)\n", rows[i].surface,
                rows[i].ripple, turned.sum, turned.worst, turned.levels, added.sum,

@@ -231,7 +231,7 @@ static void solids_show_the_texel_that_holds_the_place(void **state)
         tp_shade s = { .zi_log = 29 * 256,
                        .ambient = 256,
                        .focal = 300 * 16 };
-        const tp_boat_look look = { &mesh, &solid, { { TP_Q30_ONE, 0, 0 },
+        const tp_boat_shading shading = { &mesh, &solid, { { TP_Q30_ONE, 0, 0 },
                                                      { 0, TP_Q30_ONE, 0 },
                                                      { 0, 0, TP_Q30_ONE }, 0, 16384, 0 } };
         test_run r;
@@ -241,7 +241,7 @@ static void solids_show_the_texel_that_holds_the_place(void **state)
             r.n[i] = tp_dir_pack((tp_dir3){ 0, TP_Q30_ONE, 0 });
         }
         solid.lod = level * 256 + 64 - tp_log_depth(&s, r.key[0]);
-        r.run.mine = &look;
+        r.run.mine = &shading;
         tp_stage_solid(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
             const uint32_t want = ref_nearest(&t, level, (r.s[i] >> 16) / 65536.0,

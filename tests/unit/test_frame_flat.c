@@ -152,7 +152,7 @@ static void every_tiling_of_flat_water_is_the_same(void **state)
         }
         level_draw(&whole, &scene, &assets, TP_VISIBILITY_FLAT, 17);
         rolled += whole.frame.frame->visibility == TP_VISIBILITY_FLAT
-               && whole.frame.frame->parts.level->rolled;
+                  && whole.frame.frame->buffers.level->rolled;
         level_compare_tilings(&whole, &scene, &assets);
         frame_free(&whole.frame);
     }
@@ -178,7 +178,7 @@ static void water_that_rolls_lies_where_its_rays_end(void **state)
         level_draw(&flat, &scene, &assets, TP_VISIBILITY_FLAT, tick);
         const tp_frame *frame = flat.frame.frame;
         for (int i = 0; i < LEVEL_PIXELS; i++) {
-            if (frame->visibility != TP_VISIBILITY_FLAT || !frame->parts.level->rolled
+            if (frame->visibility != TP_VISIBILITY_FLAT || !frame->buffers.level->rolled
                 || !level_is_water(&flat, i))
                 continue;
             most = fmax(most, off_in_pixels(&frame->projection, &flat, i));
@@ -221,8 +221,9 @@ static void long_waves_have_the_slopes_of_the_mesh(void **state)
         for (int i = 0; i < LEVEL_PIXELS; i++) {
             if (!level_is_water(&mesh, i) || !level_is_water(&flat, i))
                 continue;
-            const double off = hypot((int16_t)(mesh.n[i] >> 16) - (int16_t)(flat.n[i] >> 16),
-                                     (int16_t)mesh.n[i] - (int16_t)flat.n[i]);
+            const double off =
+                hypot((int16_t)(mesh.n[i] >> 16) - (int16_t)(flat.n[i] >> 16),
+                      (int16_t)mesh.n[i] - (int16_t)flat.n[i]);
             most = fmax(most, off);
             sum += off * off;
             seen++;

@@ -245,10 +245,10 @@ static void bumped_pools_leave_the_mesh(void **state)
     assert_null(f.frame->surface.pool);
     assert_null(f.frame->surface.field);
     assert_true(f.bytes >= g.bytes + (34 * 26 + 18 * 18) * sizeof(tp_pool_slope));
-    const size_t count = (size_t)f.frame->parts.grid->cols * f.frame->parts.grid->rows;
+    const size_t count = (size_t)f.frame->buffers.grid->cols * f.frame->buffers.grid->rows;
     for (size_t i = 0; i < count; i++) {
-        const tp_grid_vertex *a = &f.frame->parts.grid->vertex[i];
-        const tp_grid_vertex *b = &g.frame->parts.grid->vertex[i];
+        const tp_grid_vertex *a = &f.frame->buffers.grid->vertex[i];
+        const tp_grid_vertex *b = &g.frame->buffers.grid->vertex[i];
         if (a->u == (int32_t)0xa5a5a5a5)        /* not needed, never set */
             continue;
         assert_int_equal(a->u, b->u);
@@ -324,7 +324,7 @@ static void pictures_drift_for_years(void **state)
         tp_world *world = world_of(&scene);
         test_frame f = frame_of(&scene, &assets, &config);
         world->tick = random_next(&chance) % (30ull * 366 * 86400 * 60);
-        world->back = chance_int(&chance, 0, 65536);
+        world->lag = chance_int(&chance, 0, 65536);
         tp_frame_begin(f.frame, world);
         const tp_ripple *ripple = tp_frame_module_memory(f.frame, TP_RIPPLE_ID);
         const tp_layer *layer = &ripple->layer;

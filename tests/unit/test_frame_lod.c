@@ -36,7 +36,7 @@ static tp_scene far_scene(void)
 
 static const tp_grid *grid_of(const level_shot *shot)
 {
-    return shot->frame.frame->parts.grid;
+    return shot->frame.frame->buffers.grid;
 }
 
 static void draw(level_shot *shot, tp_scene *scene, tp_visibility how, bool lod)
@@ -65,7 +65,7 @@ static void fewer_cells_in_view_are_below_six_pixels(void **state)
             const tp_fx along = grid->row[j + 1].place - grid->row[j].place;
             for (uint32_t i = grid->span[j].first; i < grid->span[j].end; i++) {
                 const tp_grid_vertex *v = &grid->vertex[(size_t)j * grid->cols + i];
-                if (v->u == TP_GRID_CUT || v->u < 0 || v->u >= 16 * LEVEL_WIDTH)
+                if (v->u == TP_GRID_NEEDS_CLIP || v->u < 0 || v->u >= 16 * LEVEL_WIDTH)
                     continue;
                 const tp_fx across = grid->column[i + 1].place - grid->column[i].place;
                 const double depth = 0.25 * 255 / 256 * 2147483648.0 / v->zi;

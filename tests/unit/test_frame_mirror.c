@@ -17,19 +17,19 @@
 
 enum { WIDTH = 320, HEIGHT = 240 };
 
-static const tp_half nothing = { .colour = NULL };
+static const tp_planar_map nothing = { .colour = NULL };
 
 /* The maps of the last picture; without colours if there is no map. */
-static const tp_half *mirror_of(const tp_frame *frame)
+static const tp_planar_map *mirror_of(const tp_frame *frame)
 {
     const tp_mirror *mirror = tp_frame_module_memory(frame, TP_MIRROR_ID);
-    return mirror ? &mirror->half : &nothing;
+    return mirror ? &mirror->map : &nothing;
 }
 
-static const tp_half *sunken_of(const tp_frame *frame)
+static const tp_planar_map *sunken_of(const tp_frame *frame)
 {
     const tp_clear_water *clear = tp_frame_module_memory(frame, TP_CLEAR_WATER_ID);
-    return clear && clear->sunken ? clear->sunken : &nothing;
+    return clear && clear->refraction_map ? clear->refraction_map : &nothing;
 }
 
 static uint64_t chance;
@@ -89,22 +89,22 @@ static ref_camera camera_of(const tp_frame *frame, uint32_t width, uint32_t heig
                          s->camera.near, width, height);
 }
 
-static ref_box box_of(const tp_frame *frame)
+static ref_mirror_box box_of(const tp_frame *frame)
 {
     const tp_pose *pose = &frame->drawn.boat;
-    return (ref_box){ ref_vec_of(pose->place),
-                      pose->heading * 6.283185307179586 / 4294967296.0,
-                      { 1, 0.5, 2 } };
+    return (ref_mirror_box){ ref_vec_of(pose->place),
+                             pose->heading * 6.283185307179586 / 4294967296.0,
+                             { 1, 0.5, 2 } };
 }
 
 /* -- outlines ------------------------------------------------------------------------- */
 
-typedef bool covers(const ref_camera *c, const ref_box *box, double u, double v);
+typedef bool covers(const ref_camera *c, const ref_mirror_box *box, double u, double v);
 
 /* True if drawing and reference agree.  The reflection may extend behind the box, where no
  * water shows the reflection. */
-static bool agrees(covers *is_there, const ref_camera *c, const ref_box *box, double u,
-                   double v, bool drawn)
+static bool agrees(covers *is_there, const ref_camera *c, const ref_mirror_box *box,
+                   double u, double v, bool drawn)
 {
     return is_there(c, box, u, v) == drawn
         || (is_there == ref_mirrors && ref_hides(c, box, u, v));
@@ -112,7 +112,7 @@ static bool agrees(covers *is_there, const ref_camera *c, const ref_box *box, do
 
 /* Distance from the pixel's centre at which the reference first agrees with the drawing,
  * px. */
-static double distance_to(covers *is_there, const ref_camera *c, const ref_box *box,
+static double distance_to(covers *is_there, const ref_camera *c, const ref_mirror_box *box,
                           double u, double v, bool drawn)
 {
     if (agrees(is_there, c, box, u, v, drawn))
@@ -127,17 +127,17 @@ static double distance_to(covers *is_there, const ref_camera *c, const ref_box *
 }
 
 /* Returns the number of pixels that show the object. */
-static int compare(const tp_frame *frame, const tp_half *half, covers *is_there,
+static int compare(const tp_frame *frame, const tp_planar_map *map, covers *is_there,
                    measure *off)
 {
     const ref_camera c = camera_of(frame, WIDTH, HEIGHT);
-    const ref_box box = box_of(frame);
+    const ref_mirror_box box = box_of(frame);
     int count = 0;
 
     for (int y = 0; y < HEIGHT; y++)
         for (int x = 0; x < WIDTH; x++) {
-            const bool drawn = half->colour
-                && tp_half_sample(half, 16 * x + 8, 16 * y + 8) >> 24 >= 128;
+            const bool drawn = map->colour
+                && tp_planar_map_sample(map, 16 * x + 8, 16 * y + 8) >> 24 >= 128;
             count += drawn;
             measure_add(off, distance_to(is_there, &c, &box, x + 0.5, y + 0.5, drawn), x,
                         y, count);
@@ -178,12 +178,12 @@ static void odd_sizes_have_their_mirror_in_place(void **state)
         const tp_scene s = calm_scene(0.2);
         test_frame f = begun(&s, w, h);
         const ref_camera c = camera_of(f.frame, w, h);
-        const ref_box box = box_of(f.frame);
+        const ref_mirror_box box = box_of(f.frame);
         for (uint32_t i = 0; i < w * h; i++) {
             const int x = (int)(i % w), y = (int)(i / w);
-            const tp_half *half = mirror_of(f.frame);
-            const bool drawn = half->colour
-                && tp_half_sample(half, 16 * x + 8, 16 * y + 8) >> 24 >= 128;
+            const tp_planar_map *map = mirror_of(f.frame);
+            const bool drawn = map->colour
+                && tp_planar_map_sample(map, 16 * x + 8, 16 * y + 8) >> 24 >= 128;
             assert_true(distance_to(ref_mirrors, &c, &box, x + 0.5, y + 0.5, drawn)
                         <= 1);
         }
@@ -235,12 +235,12 @@ static void depth_takes_the_colour_of_what_is_sunken(void **state)
         s.camera.pitch = -75 * TP_FX_ONE;
         s.water.clear = TP_FX_ONE / 2;
         test_frame f = begun(&s, WIDTH, HEIGHT);
-        const tp_half *half = sunken_of(f.frame);
-        assert_non_null(half->colour);
-        const int32_t count = (half->x1 - half->x0) * (half->y1 - half->y0);
+        const tp_planar_map *map = sunken_of(f.frame);
+        assert_non_null(map->colour);
+        const int32_t count = (map->x1 - map->x0) * (map->y1 - map->y0);
         for (int32_t i = 0; i < count; i++)
-            if (half->colour[i])
-                off[deep] += (half->colour[i] & 0xffffff) != (uint32_t)s.water.deep;
+            if (map->colour[i])
+                off[deep] += (map->colour[i] & 0xffffff) != (uint32_t)s.water.deep;
         frame_free(&f);
     }
     printf("    texels unlike the deep water: %u near, %u far down\n", off[0], off[1]);
@@ -251,7 +251,7 @@ static void depth_takes_the_colour_of_what_is_sunken(void **state)
 
 /* True for a pixel of water directly below a pixel of the box, surrounded by pixels that
  * reflect the box. */
-static bool at_the_foot(const ref_camera *c, const ref_box *box, const uint32_t *key,
+static bool at_the_foot(const ref_camera *c, const ref_mirror_box *box, const uint32_t *key,
                         int x, int y)
 {
     const uint32_t *here = key + y * WIDTH + x;
@@ -282,16 +282,16 @@ static void no_sky_shows_between_an_object_and_its_mirror(void **state)
         const tp_scene s = calm_scene(chance_double(&chance, -0.3, 0.3));
         tp_world *world = scene_world(&s, assets_of_boat());
         test_frame f = begun(&s, WIDTH, HEIGHT);
-        const tp_half *half = mirror_of(f.frame);
+        const tp_planar_map *map = mirror_of(f.frame);
         const ref_camera c = camera_of(f.frame, WIDTH, HEIGHT);
-        const ref_box box = box_of(f.frame);
+        const ref_mirror_box box = box_of(f.frame);
         marks_draw(&s, assets_of_boat(), world, config, key, NULL);
         for (int i = WIDTH; i < WIDTH * HEIGHT; i++) {
             const int x = i % WIDTH, y = i / WIDTH;
-            if (!half->colour || !at_the_foot(&c, &box, key, x, y))
+            if (!map->colour || !at_the_foot(&c, &box, key, x, y))
                 continue;
             feet++;
-            light += tp_half_sample(half, 16 * x + 8, 16 * y + 8) >> 24 < 250;
+            light += tp_planar_map_sample(map, 16 * x + 8, 16 * y + 8) >> 24 < 250;
         }
         frame_free(&f);
         free(world);
@@ -331,20 +331,20 @@ static void the_mirror_under_waves_stays_under_the_boat(void **state)
         s.wave[0].length = 6 * TP_FX_ONE;
         tp_world *world = scene_world(&s, assets_of_boat());
         test_frame f = begun(&s, WIDTH, HEIGHT);
-        const tp_half half = *mirror_of(f.frame);
+        const tp_planar_map map = *mirror_of(f.frame);
         const double focal = f.frame->projection.focal / 65536.0;
         const int most = (int)(2 * 0.07 * focal) + 12;
         marks_draw(&s, assets_of_boat(), world, config, key, with);
         s.mirror.objects = TP_MIRROR_NONE;
         marks_draw(&s, assets_of_boat(), world, config, NULL, without);
         for (int i = 0; i < WIDTH * HEIGHT; i++) {
-            if (!half.colour || !differ(with[i], without[i]))
+            if (!map.colour || !differ(with[i], without[i]))
                 continue;
             const int x = i % WIDTH, y = i / WIDTH;
             changed++;
             assert_int_equal(TP_MARK(key[i]), MARKS_WATER);
-            assert_true(x >= 2 * half.x0 - most && x < 2 * half.x1 + most);
-            assert_true(y >= 2 * half.y0 - most && y < 2 * half.y1 + most);
+            assert_true(x >= 2 * map.x0 - most && x < 2 * map.x1 + most);
+            assert_true(y >= 2 * map.y0 - most && y < 2 * map.y1 + most);
         }
         frame_free(&f);
         free(world);

@@ -46,7 +46,7 @@ static void draw_by(const tp_program *by, const tp_program *moved_by)
     twice_draw(&twice, world);
     for (int n = 0; n < 3; n++)
         tp_world_step(moved_by, world, &scene, &input);
-    world->back = chance_fx(&chance, 0, 1);
+    world->lag = chance_fx(&chance, 0, 1);
     tp_world_apply(moved_by, world, &scene, &assets);
     tp_world_sample(moved_by, world, TP_FX_ONE, TP_FX_ONE);
     twice_draw(&twice, world);
@@ -64,8 +64,9 @@ static void any_program_draws_any_scene(void **state)
     twice_print(&twice.reached);
     const twice_reached *r = &twice.reached;    /* other tests cover rare features */
     assert_true(r->under && r->water && r->solids && r->drops && r->tank && r->mirrored
-                && r->sunken && r->cube && r->caustics && r->bumps && r->foam && r->dome
-                && r->cube_sky && r->exposed && r->dispersed && r->between_ticks);
+                && r->refraction_map && r->cube && r->caustics && r->bumps && r->foam
+                && r->dome && r->cube_sky && r->exposed && r->dispersed
+                && r->between_ticks);
 }
 
 /* -- features left out ------------------------------------------------------------- */

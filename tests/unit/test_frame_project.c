@@ -25,10 +25,10 @@ static double axis(const tp_dir3 *d, const double p[3])
 
 typedef struct {
     double x, y, depth;
-} seen;
+} seen_point;
 
-static seen seen_at(const tp_world *w, const tp_scene *s, uint32_t width, uint32_t height,
-                    tp_vec3 place)
+static seen_point seen_at(const tp_world *w, const tp_scene *s, uint32_t width,
+                          uint32_t height, tp_vec3 place)
 {
     const tp_camera c = tp_world_camera(w);
     const double p[3] = { metres(place.x) - metres(c.eye.x),
@@ -37,8 +37,8 @@ static seen seen_at(const tp_world *w, const tp_scene *s, uint32_t width, uint32
     const double focal =
         height / 2.0 / tan(metres(s->camera.fov) * 3.14159265358979 / 360);
     const double depth = -axis(&c.turn.z, p);
-    return (seen){ width / 2.0 + focal * axis(&c.turn.x, p) / depth,
-                   height / 2.0 - focal * axis(&c.turn.y, p) / depth, depth };
+    return (seen_point){ width / 2.0 + focal * axis(&c.turn.x, p) / depth,
+                         height / 2.0 - focal * axis(&c.turn.y, p) / depth, depth };
 }
 
 static void place_camera_any(tp_world *w, double low, double high)
@@ -91,7 +91,7 @@ static void a_place_is_where_a_pinhole_sees_it(void **state)
                                  tp_fx_add_sat(w->eye.y, chance_fx(&chance, -reach, reach)),
                                  tp_fx_add_sat(w->eye.z,
                                             chance_fx(&chance, -reach, reach)) };
-            const seen want = seen_at(w, &scene, width, height, at);
+            const seen_point want = seen_at(w, &scene, width, height, at);
             tp_fx x, y, depth;
             if (!tp_frame_project(f.frame, at, &x, &y, &depth)) {
                 assert_true(want.depth < metres(scene.camera.near) + 2e-5);
@@ -152,7 +152,7 @@ static void a_picked_place_projects_to_its_pixel(void **state)
         test_frame f = frame_any(&scene, &width, &height);
         for (int i = 0; i < 40; i++)
             tp_world_step(&tp_program_all, w, &scene, NULL);
-        w->back = chance_int(&chance, 0, TP_FX_ONE);
+        w->lag = chance_int(&chance, 0, TP_FX_ONE);
         place_camera_any(w, n % 8 ? 3 : -9, n % 8 ? 12 : -3);
         tp_frame_begin(f.frame, w);
         for (int i = 0; i < 20; i++) {

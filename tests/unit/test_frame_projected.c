@@ -49,11 +49,11 @@ static int top_of(const level_shot *shot, int x)
 typedef struct {
     int    most, columns;       /* largest row distance between the outlines */
     double sum, colour;         /* sum of rows; mean of 255 */
-} difference;
+} picture_difference;
 
-static difference compare(const level_shot *mesh, const level_shot *lines)
+static picture_difference compare(const level_shot *mesh, const level_shot *lines)
 {
-    difference d = { 0, LEVEL_WIDTH, 0, level_colour_apart(mesh, lines) };
+    picture_difference d = { 0, LEVEL_WIDTH, 0, level_colour_apart(mesh, lines) };
 
     for (int x = 0; x < LEVEL_WIDTH; x++) {
         const int a = top_of(mesh, x), b = top_of(lines, x);
@@ -65,7 +65,7 @@ static difference compare(const level_shot *mesh, const level_shot *lines)
     return d;
 }
 
-static void add(difference *all, const difference *d)
+static void add(picture_difference *all, const picture_difference *d)
 {
     all->most = d->most > all->most ? d->most : all->most;
     all->columns += d->columns;
@@ -74,7 +74,7 @@ static void add(difference *all, const difference *d)
 }
 
 /* True if the projected renderer is valid for the scene; then compares both pictures. */
-static bool look(tp_scene *scene, const tp_assets *assets, difference *all)
+static bool look(tp_scene *scene, const tp_assets *assets, picture_difference *all)
 {
     static level_shot mesh, lines;
 
@@ -82,7 +82,7 @@ static bool look(tp_scene *scene, const tp_assets *assets, difference *all)
     const bool holds = lines.frame.frame->visibility == TP_VISIBILITY_PROJECTED;
     if (holds) {
         level_draw(&mesh, scene, assets, TP_VISIBILITY_TRIANGLES, 40);
-        const difference d = compare(&mesh, &lines);
+        const picture_difference d = compare(&mesh, &lines);
         add(all, &d);
         assert_true(d.colour < 4);
         assert_true(d.sum / d.columns < 0.5);
@@ -93,7 +93,7 @@ static bool look(tp_scene *scene, const tp_assets *assets, difference *all)
     return holds;
 }
 
-static void print(const char *what, int views, const difference *d)
+static void print(const char *what, int views, const picture_difference *d)
 {
     print_message("%s: %d views, outlines %d rows apart at the most, %.3f in the mean, "
                   "colours %.2f at the most\n", what, views, d->most,
@@ -104,7 +104,7 @@ static void lines_over_the_picture_are_the_fine_mesh(void **state)
 {
     (void)state;
     const tp_assets assets = { .layer[0] = &boat.texture[0] };
-    difference all = { 0, 0, 0, 0 };
+    picture_difference all = { 0, 0, 0, 0 };
     int held = 0;
 
     for (int n = 0; n < 60; n++) {
@@ -121,7 +121,7 @@ static void lines_over_the_picture_are_the_fine_mesh(void **state)
 typedef struct {
     const char *name;
     int32_t     from, to;
-} sweep;
+} frame_sweep;
 
 static void set(tp_scene *s, int which, int32_t to)
 {
@@ -138,14 +138,14 @@ static void set(tp_scene *s, int which, int32_t to)
 static void up_to_the_border_it_is_the_mesh(void **state)
 {
     (void)state;
-    static const sweep sweeps[] = {
+    static const frame_sweep sweeps[] = {
         { "pitch", 0, -89 * TP_FX_ONE }, { "height", 6 * TP_FX_ONE, TP_FX(0.5) },
         { "steepness", 0, TP_FX_ONE }, { "fov", 40 * TP_FX_ONE, 100 * TP_FX_ONE },
     };
     const tp_assets none = { 0 };
 
     for (int k = 0; k < 4; k++) {
-        difference all = { 0, 0, 0, 0 };
+        picture_difference all = { 0, 0, 0, 0 };
         int views = 0;
         for (int n = 0; n < 3; n++) {
             tp_scene scene = fine_scene();
@@ -185,7 +185,7 @@ static void every_tiling_of_projected_water_is_the_same(void **state)
         level_draw(&whole, &scene, &assets, TP_VISIBILITY_PROJECTED, 17);
         const bool holds = whole.frame.frame->visibility == TP_VISIBILITY_PROJECTED;
         held += holds;
-        rolled += holds && whole.frame.frame->parts.level->rolled;
+        rolled += holds && whole.frame.frame->buffers.level->rolled;
         if (holds)
             level_compare_tilings(&whole, &scene, &assets);
         frame_free(&whole.frame);

@@ -85,7 +85,7 @@ static void no_box_beyond_the_last_is_read(void **state)
         tp_world *world = scene_world(&scene, &none);
         tp_frame_begin(f.frame, world);
         assert_int_equal(f.frame->visibility, TP_VISIBILITY_ROWS);
-        tp_frame_lines *lines = f.frame->parts.lines;
+        tp_frame_lines *lines = f.frame->buffers.lines;
         guarded g = guarded_copy(lines->box, (lines->lines - 1) * lines->blocks);
         tp_tile tile;
         lines->box = g.box;

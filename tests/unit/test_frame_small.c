@@ -68,7 +68,7 @@ static void compare(const tp_scene *scene, const tp_assets *assets, const tp_wor
 
     memset(picture, 0, sizeof picture);
     assert_true(small.bytes <= kept.bytes);
-    by_streams += small.frame->parts.grid->streams;
+    by_streams += small.frame->buffers.grid->streams;
     for (int k = 0; k < 2; k++) {               /* second draw: memory full of the first */
         tp_frame_begin(small.frame, world);
         tp_rungs rungs = small.frame->rungs;
@@ -131,7 +131,7 @@ static void streamed_rows_draw_the_same(void **state)
     assert_true(by_rows > 5);
 }
 
-static void an_ocean_is_kept(void **state)
+static void coastal_water_is_kept(void **state)
 {
     (void)state;
     const tp_config config = {
@@ -239,7 +239,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(streamed_crossings_draw_the_same),
         cmocka_unit_test(streamed_rows_draw_the_same),
-        cmocka_unit_test(an_ocean_is_kept),
+        cmocka_unit_test(coastal_water_is_kept),
         cmocka_unit_test(waves_beyond_those_at_init_are_left_out),
         cmocka_unit_test(a_quarter_mirror_shows_what_a_half_one_does),
     };

@@ -23,7 +23,7 @@ static bool is_cut(const tp_grid *grid)
 {
     for (uint32_t j = 0; !grid->streams && j + 1 < grid->rows; j++)
         for (uint32_t i = grid->span[j].first; i < grid->span[j].end; i++)
-            if (grid->vertex[(size_t)j * grid->cols + i].u == TP_GRID_CUT)
+            if (grid->vertex[(size_t)j * grid->cols + i].u == TP_GRID_NEEDS_CLIP)
                 return true;
     return false;
 }
@@ -58,11 +58,11 @@ static void compare(const tp_scene *scene, const tp_assets *assets, const tp_wor
         assert_int_equal(tp_frame_stats(kept.frame).vertices,
                          tp_frame_stats(some.frame).vertices);
     }
-    const tp_grid *grid = some.frame->parts.grid;
+    const tp_grid *grid = some.frame->buffers.grid;
     count->drawn++;
     if (grid->streams && some.frame->visibility <= TP_VISIBILITY_ROWS) {
         count->streamed++;
-        count->cut += is_cut(kept.frame->parts.grid);
+        count->cut += is_cut(kept.frame->buffers.grid);
         count->rows += some.frame->visibility == TP_VISIBILITY_ROWS;
         count->thinned += grid->cols < grid->most_cols || grid->rows < grid->most_rows;
     }
@@ -123,7 +123,7 @@ static void rows_are_drawn_the_same(void **state)
     assert_true(count.rows > 60 && count.cut > 20 && count.thinned > 20);
 }
 
-static void an_oceans_crossings_are_stored(void **state)
+static void vertices_of_coastal_water_are_stored(void **state)
 {
     (void)state;
     const tp_config config = {
@@ -155,7 +155,7 @@ static void what_is_not_stored_takes_no_memory(void **state)
         tp_frame_bytes(&config, &scene) - tp_frame_bytes(&streamed, &scene);
     const size_t waves = TP_WAVES - 3;          /* the plain scene has three waves */
     assert_int_equal(saved, (62 * sizeof(tp_grid_vertex)
-                             + waves * (sizeof(tp_vertex_turn) + 4)) * 64);
+                             + waves * (sizeof(tp_vertex_phase) + 4)) * 64);
     assert_true(tp_frame_scratch_bytes(&streamed, &scene)
                 <= tp_frame_scratch_bytes(&config, &scene) + TP_GRID_WINDOW(64));
 }
@@ -178,7 +178,7 @@ static void waves_beyond_those_at_init_are_left_out(void **state)
                                     .power = 1 };
     tp_world *world = scene_world(&scene, &none);
     tp_frame_begin(f.frame, world);
-    assert_int_equal(f.frame->parts.grid->frame.count, 3);
+    assert_int_equal(f.frame->buffers.grid->frame.count, 3);
     twice_paint(&f, false, picture);
     free(world);
     frame_free(&f);
@@ -189,7 +189,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(any_scene_is_drawn_the_same),
         cmocka_unit_test(rows_are_drawn_the_same),
-        cmocka_unit_test(an_oceans_crossings_are_stored),
+        cmocka_unit_test(vertices_of_coastal_water_are_stored),
         cmocka_unit_test(what_is_not_stored_takes_no_memory),
         cmocka_unit_test(waves_beyond_those_at_init_are_left_out),
     };

@@ -309,10 +309,10 @@ static void check_written(tp_fx x)
     const uint32_t length = tp_fx_write(x, text);
     if (length > 14 || text[length] != '\0' || strlen(text) != length)
         fail_msg("%d is written in %u bytes", (int)x, (unsigned)length);
-    tp_fx back = ~x;
+    tp_fx lag = ~x;
     int beyond = 0;
-    if (tp_fx_read(text, length, &back, &beyond) != length || back != x || beyond)
-        fail_msg("%d is written %s and reads back as %d", (int)x, text, (int)back);
+    if (tp_fx_read(text, length, &lag, &beyond) != length || lag != x || beyond)
+        fail_msg("%d is written %s and reads back as %d", (int)x, text, (int)lag);
 }
 
 /* Asserts that neither neighbour decimal with one place less reads back as x. */
@@ -328,10 +328,10 @@ static void check_shortest(tp_fx x)
                         : places == 3 ? 1000 : 10000;
     const int64_t floor_units = ((int64_t)x * scale - (x < 0 ? 0xffff : 0)) / 65536;
     for (int64_t n = floor_units; n <= floor_units + 1; n++) {
-        tp_fx back = ~x;
+        tp_fx lag = ~x;
         snprintf(cut, sizeof cut, "%" PRId64 "e-%d", n, places);
-        tp_fx_read(cut, (uint32_t)strlen(cut), &back, NULL);
-        if (back == x)
+        tp_fx_read(cut, (uint32_t)strlen(cut), &lag, NULL);
+        if (lag == x)
             fail_msg("%d is written %s, but %s would do", (int)x, text, cut);
     }
 }

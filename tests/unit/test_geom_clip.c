@@ -32,7 +32,7 @@ static ref_clip_corner ref_of(const tp_view_vertex *c)
 }
 
 /* Width of the guard band: |x| <= band z is 8192 px in scaled coordinates. */
-static double band_of(const view *v)
+static double band_of(const test_view *v)
 {
     return ldexp(1, TP_GUARD_LOG2 - v->projection.m);
 }
@@ -53,7 +53,7 @@ static void what_is_left_can_be_projected(void **state)
                         depths[] = { 1, 20, 2000, 32000 };
 
     for (int n = 0; n < 100000; n++) {
-        const view v = view_any(&chance);
+        const test_view v = view_any(&chance);
         const double far = fars[n % 4], depth = depths[n / 4 % 4];
         const tp_view_vertex in[3] = { any_corner(far, depth), any_corner(far, depth),
                                        any_corner(far, depth) };
@@ -87,7 +87,7 @@ static void what_is_left_shows_the_same_area(void **state)
     measure area = { .what = "area", .unit = "px of side" };
 
     for (int n = 0; n < 40000; n++) {
-        const view v = view_any(&chance);
+        const test_view v = view_any(&chance);
         const double far = n % 2 ? 30 : 1000, m = ldexp(1, v.projection.m);
         const tp_view_vertex in[3] = { any_corner(far, far), any_corner(far, far),
                                        any_corner(far, far) };
@@ -123,7 +123,7 @@ static void what_corners_carry_is_cut_where_they_are(void **state)
 {
     (void)state;
     for (int n = 0; n < 40000; n++) {
-        const view v = view_any(&chance);
+        const test_view v = view_any(&chance);
         const tp_view_vertex a = any_corner(20, 20), b = any_corner(20, 20);
         const tp_view_vertex in[3] = { a, b, a };       /* an edge, there and back */
         tp_view_vertex out[TP_CLIP_VERTICES];
@@ -180,7 +180,7 @@ static double off_line(const tp_view_vertex *c, const tp_view_vertex *a,
 
 /* True where two of the five planes meet, far outside every picture: there a clip by the
  * second plane depends by one LSB on the rounding of the first. */
-static bool is_at_two_planes(const view *v, const tp_view_vertex *c)
+static bool is_at_two_planes(const test_view *v, const tp_view_vertex *c)
 {
     const double band = band_of(v), near = 64;
     const bool x = fabs(abs(c->x) - band * c->depth) < near * (1 + band);
@@ -196,7 +196,7 @@ static void neighbours_are_cut_to_the_same_corners(void **state)
     int cuts = 0;
 
     for (int n = 0; n < 40000; n++) {
-        const view v = view_any(&chance);
+        const test_view v = view_any(&chance);
         const double far = n % 2 ? 20 : 2000;
         const tp_view_vertex a = any_corner(far, far), b = any_corner(far, far);
         const tp_view_vertex left[3] = { a, b, any_corner(far, far) };
@@ -227,7 +227,7 @@ static void what_lies_inside_stays_as_it_is(void **state)
     int tried = 0;
 
     for (int n = 0; n < 40000; n++) {
-        const view v = view_any(&chance);
+        const test_view v = view_any(&chance);
         tp_view_vertex in[3], out[TP_CLIP_VERTICES];
         bool inside = true;
         for (int i = 0; i < 3; i++) {
@@ -250,7 +250,7 @@ static void what_lies_outside_is_gone(void **state)
 {
     (void)state;
     for (int n = 0; n < 20000; n++) {
-        const view v = view_any(&chance);
+        const test_view v = view_any(&chance);
         tp_view_vertex in[3], out[TP_CLIP_VERTICES];
         for (int i = 0; i < 3; i++) {
             in[i] = any_corner(1000, 100);
@@ -278,7 +278,7 @@ static void the_ends_of_the_numbers_are_safe(void **state)
                                     1,     3277,     most - 1, most };
 
     for (int n = 0; n < 40000; n++) {
-        const view v = view_any(&chance);
+        const test_view v = view_any(&chance);
         tp_view_vertex in[3], out[TP_CLIP_VERTICES];
         for (int i = 0; i < 3; i++) {
             in[i] = any_corner(1000, 1000);
@@ -302,7 +302,7 @@ static void the_ends_of_the_numbers_are_safe(void **state)
 /* -- a plane given by the caller ------------------------------------------------------- */
 
 /* Height of a view corner above the level, m. */
-static double height_of(const view *v, const tp_view_vertex *c, double level)
+static double height_of(const test_view *v, const tp_view_vertex *c, double level)
 {
     const double k = ldexp(1, v->projection.m) / v->ref.focal;
     return v->ref.eye.y - level + (c->x * LSB * v->ref.right.y + c->y * LSB * v->ref.up.y)
@@ -316,7 +316,7 @@ static void a_level_cuts_off_what_lies_beyond_it(void **state)
     int cut = 0;
 
     for (int n = 0; n < 40000; n++) {
-        const view v = view_any(&chance);
+        const test_view v = view_any(&chance);
         const double level = v.ref.eye.y + chance_double(&chance, -10, 10);
         const int side = n % 2 ? 1 : -1;
         const tp_view_plane plane =
@@ -347,7 +347,7 @@ static void a_level_cuts_an_edge_once(void **state)
     int shared = 0;
 
     for (int n = 0; n < 20000; n++) {
-        const view v = view_any(&chance);
+        const test_view v = view_any(&chance);
         const tp_view_plane plane = tp_projection_level_plane(
             &v.projection, v.projection.eye.y + chance_fx(&chance, -5, 5), 1);
         tp_view_vertex a = any_corner(3, 30), b = any_corner(3, 30);

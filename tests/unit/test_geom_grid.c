@@ -20,8 +20,8 @@ static uint64_t chance;
 typedef struct {
     tp_grid grid;
     void   *block;
-    view    v;
-    tp_sea  sea;
+    test_view    v;
+    tp_deep_water  deep;
     tp_turn phases[TP_WAVES];
     tp_surface surface;
     tp_grid_view look;
@@ -31,7 +31,7 @@ static void place(pond *p)
 {
     p->look.projection = &p->v.projection;
     p->surface =
-        (tp_surface){ .by = &tp_program_all.water, .sea = &p->sea, .phases = p->phases };
+        (tp_surface){ .by = &tp_program_all.water, .deep = &p->deep, .phases = p->phases };
     p->look.surface = &p->surface;
     p->look.width = p->v.width;
     p->look.height = p->v.height;
@@ -62,8 +62,8 @@ static pond any_pond(uint32_t cols, uint32_t rows)
     p.block = grid_block(&p.grid, cols, rows, false);
     for (int i = 0; i < count; i++)
         waves[i] = chance_wave(&chance);
-    tp_sea_init(&p.sea, waves, (uint32_t)count, TP_FX(9.81));
-    tp_sea_phases(&p.sea, random_next(&chance) >> 20, 0, p.phases);
+    tp_deep_water_init(&p.deep, waves, (uint32_t)count, TP_FX(9.81));
+    tp_deep_water_phases(&p.deep, random_next(&chance) >> 20, 0, p.phases);
     p.look.cell = chance_scale(&chance, 0.05, 50);
     p.look.cell = tp_clamp(p.look.cell, 0, cell_most(cols, rows));
     p.look.reach = random_below(&chance, 3) ? chance_scale(&chance, 0.1, 16000) : 0;
@@ -221,7 +221,7 @@ static void waves_fade_alike_on_lines_and_between(void **state)
 /* Away from the fading edge a grid vertex is the point of the deep water itself.  x, y and
  * depth agree within the errors of both sines, 5e-6 of the wave heights, and within the two
  * bits that a wide view lacks.  Slopes are compared in test_geom_vertex.c. */
-static void crossings_are_points_of_the_sea(void **state)
+static void vertices_are_points_of_deep_water(void **state)
 {
     (void)state;
     int checked = 0, flat = 0;
@@ -230,18 +230,19 @@ static void crossings_are_points_of_the_sea(void **state)
         pond p = any_pond((uint32_t)chance_int(&chance, 2, 60),
                           (uint32_t)chance_int(&chance, 2, 60));
         place(&p);
-        const double reach = (p.sea.height + p.sea.reach) * LSB;
+        const double reach = (p.deep.height + p.deep.max_displacement) * LSB;
         for (int k = 0; k < 200; k++) {
             const uint32_t i = random_below(&chance, p.grid.cols);
             const uint32_t j = random_below(&chance, p.grid.rows);
             const tp_grid_line *column = &p.grid.column[i], *row = &p.grid.row[j];
             const tp_view_vertex got = grid_corner(&p.grid, i, j);
             const tp_fx fade = tp_fx_mul(column->fade, row->fade);
-            tp_sea_point at = { .position = { column->place, 0, row->place } };
+            tp_surface_point at = { .position = { column->place, 0, row->place } };
             if (fade > 0 && fade < TP_FX_ONE)
                 continue;
             if (fade)
-                at = tp_sea_displace_point(&p.sea, p.phases, column->place, row->place);
+                at = tp_deep_water_displace_point(&p.deep, p.phases, column->place,
+                                                  row->place);
             tp_view_vertex want;
             tp_projection_view_vertex(&p.v.projection, at.position, &want);
             const double off = (p.grid.frame.wide ? 8 : 4) + 1.5 * reach / LSB * 1e-5;
@@ -278,7 +279,7 @@ static void every_corner_of_a_seen_cell_is_there(void **state)
                     const uint32_t x = i + (k & 1), y = j + (k >> 1);
                     const tp_grid_vertex *got = &p.grid.vertex[y * p.grid.cols + x];
                     const tp_view_vertex c = grid_corner(&p.grid, x, y);
-                    int32_t u = TP_GRID_CUT, w = got->v;
+                    int32_t u = TP_GRID_NEEDS_CLIP, w = got->v;
                     uint32_t zi = got->zi;
                     if (tp_projection_contains(&p.v.projection, &c))
                         tp_projection_project(&p.v.projection, &c, &u, &w, &zi);
@@ -357,7 +358,7 @@ static void boxes_hold_their_cells(void **state)
                 for (uint32_t k = 0; k < 4; k++) {
                     const tp_grid_vertex *at
                         = &p.grid.vertex[(j + (k >> 1)) * p.grid.cols + i + (k & 1)];
-                    if (at->u == TP_GRID_CUT) {
+                    if (at->u == TP_GRID_NEEDS_CLIP) {
                         assert_int_equal(box->x0, INT16_MIN);
                         assert_int_equal(box->y1, INT16_MAX);
                     } else {
@@ -379,7 +380,7 @@ int main(void)
         cmocka_unit_test(a_grid_that_follows_moves_by_whole_cells),
         cmocka_unit_test(a_grid_that_stays_lies_around_the_origin),
         cmocka_unit_test(waves_fade_alike_on_lines_and_between),
-        cmocka_unit_test(crossings_are_points_of_the_sea),
+        cmocka_unit_test(vertices_are_points_of_deep_water),
         cmocka_unit_test(every_corner_of_a_seen_cell_is_there),
         cmocka_unit_test(no_cell_that_shows_is_left_out),
         cmocka_unit_test(boxes_hold_their_cells),

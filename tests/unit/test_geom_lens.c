@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The projection compared with a pinhole camera in double precision: screen positions of
- * points, the points that tp_projection_contains() accepts, and the planes of the frustum. */
+/* The projection compared with a pinhole camera in double precision: screen positions
+ * of points, the points that tp_projection_contains() accepts, and the planes of the
+ * frustum. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -19,7 +20,7 @@ static void the_lens_is_the_pinhole_asked_for(void **state)
     measure focal = { .what = "focal length", .unit = "of itself" };
 
     for (int n = 0; n < 20000; n++) {
-        const view v = view_any(&chance);
+        const test_view v = view_any(&chance);
         const double error = v.projection.focal * LSB / v.ref.focal - 1;
         /* Sine and cosine have 28 bits and the angle 2^-31 turn, for a sine of 0.17. */
         assert_true(fabs(error) <= 1e-7 + LSB / v.ref.focal);
@@ -36,7 +37,7 @@ static void the_lens_is_the_pinhole_asked_for(void **state)
  * of 2^-16 m and its axis within 2^-30 (direction and scale: 7e-9), so the error of x/depth
  * in pixels is 2^m times that over the depth; the depth likewise.  The reciprocal adds
  * 2^-29, the focal length its error as above. */
-static double place_error(const view *v, ref_vec at, double way)
+static double place_error(const test_view *v, ref_vec at, double way)
 {
     const double scale = ldexp(1, v->projection.m), far = hypot(at.x, at.y) / at.z;
     const double axis = 1.5e-8 * way, coordinate = LSB / 2 + axis;
@@ -55,7 +56,7 @@ static void points_come_out_where_the_pinhole_has_them(void **state)
     static const double low[] = { 1, 100, 0.05 }, high[] = { 100, 20000, 1 };
 
     for (int n = 0; n < 60000; n++) {
-        const view v = view_any(&chance);
+        const test_view v = view_any(&chance);
         const double d = chance_double(&chance, low[n % 3], high[n % 3]);
         tp_vec3 p = { 0, 0, 0 };
         if (!view_point(&v, chance_double(&chance, -2000, 6000),
@@ -100,9 +101,9 @@ static void a_usual_view_is_right_to_a_sixteenth_of_a_pixel(void **state)
     for (int n = 0; n < 20000; n++) {
         const tp_vec3 eye = { chance_fx(&chance, -500, 500), chance_fx(&chance, 1, 20),
                               chance_fx(&chance, -500, 500) };
-        const view v = view_of(eye, (tp_turn)random_next(&chance),
-                               tp_turn_of_degrees(chance_fx(&chance, -45, 20)),
-                               60 * TP_FX_ONE, TP_FX(0.25), 640, 480);
+        const test_view v = view_of(eye, (tp_turn)random_next(&chance),
+                                    tp_turn_of_degrees(chance_fx(&chance, -45, 20)),
+                                    60 * TP_FX_ONE, TP_FX(0.25), 640, 480);
         tp_vec3 p = { 0, 0, 0 };
         assert_true(view_point(&v, chance_double(&chance, 0, 640),
                                chance_double(&chance, 0, 480),
@@ -124,8 +125,8 @@ static void a_usual_view_is_right_to_a_sixteenth_of_a_pixel(void **state)
 static void ahead_is_up_the_screen_and_right_is_right(void **state)
 {
     (void)state;
-    const view v = view_of((tp_vec3){ 0, 4 * TP_FX_ONE, 0 }, 0, 0, 60 * TP_FX_ONE,
-                           TP_FX(0.25), 320, 240);
+    const test_view v = view_of((tp_vec3){ 0, 4 * TP_FX_ONE, 0 }, 0, 0, 60 * TP_FX_ONE,
+                                TP_FX(0.25), 320, 240);
     tp_view_vertex near, far, right, up;
 
     tp_projection_view_vertex(&v.projection, (tp_vec3){ 0, 0, -10 * TP_FX_ONE }, &near);
@@ -149,8 +150,9 @@ static void ahead_is_up_the_screen_and_right_is_right(void **state)
                 < 0);
 }
 
-/* Corners of any object in a scene, in the camera's frame: a point that tp_projection_contains()
- * accepts is in front of the near plane and inside the guard band. */
+/* Corners of any object in a scene, in the camera's frame: a point that
+ * tp_projection_contains() accepts is in front of the near plane and inside the guard
+ * band. */
 static void what_is_held_is_in_front_however_far(void **state)
 {
     (void)state;
@@ -161,7 +163,7 @@ static void what_is_held_is_in_front_however_far(void **state)
     int held = 0, behind = 0;
 
     for (int n = 0; n < 60000; n++) {
-        const view v = view_any(&chance);
+        const test_view v = view_any(&chance);
         const tp_vec3 p = { ends[random_below(&chance, 7)], chance_fx(&chance, -256, 256),
                             ends[random_below(&chance, 7)] };
         if (fabs(p.x * LSB - v.ref.eye.x) > 32700
@@ -206,7 +208,7 @@ static void planes_hold_all_that_the_picture_shows_and_little_more(void **state)
     int seen = 0, kept_outside = 0, outside = 0;
 
     for (int n = 0; n < 40000; n++) {
-        const view v = view_any(&chance);
+        const test_view v = view_any(&chance);
         const double over = 0.2;
         const double u = chance_double(&chance, -over, 1 + over) * v.width;
         const double w = chance_double(&chance, -over, 1 + over) * v.height;

@@ -17,8 +17,8 @@ static uint64_t chance;
 typedef struct {
     tp_grid grid;
     void   *block;
-    view    v;
-    coastal_water ocean;
+    test_view    v;
+    coastal_water coastal;
     tp_turn phases[TP_WAVES];
     tp_surface surface;
     tp_grid_view look;
@@ -31,23 +31,23 @@ static void make(beach *s)
                           chance_fx(&chance, -60, 60) };
 
     memset(s, 0, sizeof *s);
-    s->ocean.count = (uint32_t)chance_int(&chance, 1, 3);
-    for (uint32_t i = 0; i < s->ocean.count; i++)
-        s->ocean.wave[i] =
+    s->coastal.count = (uint32_t)chance_int(&chance, 1, 3);
+    for (uint32_t i = 0; i < s->coastal.count; i++)
+        s->coastal.wave[i] =
             coastal_wave(chance_double(&chance, 0.05, 0.4), chance_double(&chance, 8, 40),
                          0.15, chance_double(&chance, 0, 360));
-    s->ocean.config = coastal_usual();
-    s->ocean.config.floor = (tp_floor){ .depth = 8 * TP_FX_ONE, .slope = TP_FX(0.15),
+    s->coastal.config = coastal_usual();
+    s->coastal.config.floor = (tp_floor){ .depth = 8 * TP_FX_ONE, .slope = TP_FX(0.15),
                                         .heading = chance_fx(&chance, 0, 360) };
-    coastal_build(&s->ocean);
-    tp_sea_phases(&s->ocean.sea, random_next(&chance) >> 30, 0, s->phases);
+    coastal_build(&s->coastal);
+    tp_deep_water_phases(&s->coastal.deep, random_next(&chance) >> 30, 0, s->phases);
     s->v = view_of(eye, (tp_turn)random_next(&chance),
                    tp_turn_of_degrees(chance_fx(&chance, -80, 10)),
                    chance_fx(&chance, 30, 90), TP_FX(0.25), 320, 240);
     s->surface = (tp_surface){ .by = &tp_program_all.water,
-                               .sea = &s->ocean.sea,
+                               .deep = &s->coastal.deep,
                                .phases = s->phases,
-                               .ocean = s->ocean.ocean };
+                               .coastal = s->coastal.coastal };
     s->look = (tp_grid_view){ .projection = &s->v.projection,
                               .surface = &s->surface,
                               .width = 320,
@@ -63,16 +63,16 @@ static void make(beach *s)
 static void beach_free(beach *s)
 {
     free(s->block);
-    coastal_end(&s->ocean);
+    coastal_end(&s->coastal);
 }
 
 /* The point of the coastal water itself, faded. */
-static tp_ocean_point point_at(const beach *s, uint32_t i, uint32_t j)
+static tp_coastal_point point_at(const beach *s, uint32_t i, uint32_t j)
 {
     const tp_grid_line *column = &s->grid.column[i], *row = &s->grid.row[j];
     const tp_fx fade = tp_fx_mul(column->fade, row->fade);
-    tp_ocean_point p = tp_ocean_displace_point(s->ocean.ocean, s->phases, column->place,
-                                        row->place);
+    tp_coastal_point p = tp_coastal_displace_point(s->coastal.coastal, s->phases,
+                                                   column->place, row->place);
 
     p.position.x = column->place + tp_fx_mul(p.position.x - column->place, fade);
     p.position.y = tp_fx_mul(p.position.y, fade);
@@ -86,7 +86,7 @@ static bool is_needed(const beach *s, uint32_t i, uint32_t j)
     return needed.first <= i && i < needed.end;
 }
 
-static void crossings_are_the_oceans_points(void **state)
+static void vertices_are_coastal_points(void **state)
 {
     (void)state;
     int checked = 0, dry = 0;
@@ -98,7 +98,7 @@ static void crossings_are_the_oceans_points(void **state)
             for (uint32_t i = 0; i < s.grid.cols; i++) {
                 if (!is_needed(&s, i, j))
                     continue;
-                const tp_ocean_point p = point_at(&s, i, j);
+                const tp_coastal_point p = point_at(&s, i, j);
                 const tp_view_vertex got = grid_corner(&s.grid, i, j);
                 const tp_grid_vertex *vertex = &s.grid.vertex[j * s.grid.cols + i];
                 tp_view_vertex want;
@@ -107,7 +107,7 @@ static void crossings_are_the_oceans_points(void **state)
                 assert_int_equal(got.y, want.y);
                 assert_int_equal(got.depth, want.depth);
                 assert_int_equal(tp_grid_is_dry(&s.grid, i, j), p.depth <= 0);
-                int32_t u = TP_GRID_CUT, v = vertex->v;
+                int32_t u = TP_GRID_NEEDS_CLIP, v = vertex->v;
                 uint32_t zi = vertex->zi;
                 if (tp_projection_contains(&s.v.projection, &want))
                     tp_projection_project(&s.v.projection, &want, &u, &v, &zi);
@@ -180,7 +180,7 @@ static void cells_on_land_are_told(void **state)
                 water += !dry;
             }
         }
-        s.surface.ocean = NULL;
+        s.surface.coastal = NULL;
         assert_false(tp_grid_cell_is_dry(&s.grid, 0, 0));
         beach_free(&s);
     }
@@ -191,7 +191,7 @@ int main(void)
 {
     chance = random_seed();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(crossings_are_the_oceans_points),
+        cmocka_unit_test(vertices_are_coastal_points),
         cmocka_unit_test(slopes_are_those_between_neighbours),
         cmocka_unit_test(cells_on_land_are_told),
     };

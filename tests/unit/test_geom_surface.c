@@ -16,11 +16,11 @@ enum { RINGS = 5 };
 static uint64_t chance;
 
 typedef struct {
-    coastal_water sea; /* without coastal water unless built */
+    coastal_water deep; /* without coastal water unless built */
     tp_turn     phases[TP_WAVES];
     tp_ring_now ring[RINGS];
     tp_pool    *pool, *field;
-} water;
+} surface_water;
 
 static tp_pool *stirred_pool(tp_cells cells, tp_edges edges)
 {
@@ -35,16 +35,16 @@ static tp_pool *stirred_pool(tp_cells cells, tp_edges edges)
 }
 
 /* Waves with a steepness sum of q, rings, pool and field. */
-static tp_surface surface_make(water *w, double q)
+static tp_surface surface_make(surface_water *w, double q)
 {
     memset(w, 0, sizeof *w);
-    w->sea.count = 4;
+    w->deep.count = 4;
     for (int i = 0; i < 4; i++)
-        w->sea.wave[i] =
+        w->deep.wave[i] =
             coastal_wave(chance_double(&chance, 0.1, 0.8), chance_double(&chance, 8, 60),
                          q / 4, chance_double(&chance, -90, 90));
-    tp_sea_init(&w->sea.sea, w->sea.wave, 4, TP_FX(9.81));
-    tp_sea_phases(&w->sea.sea, random_below(&chance, 1 << 20), 0, w->phases);
+    tp_deep_water_init(&w->deep.deep, w->deep.wave, 4, TP_FX(9.81));
+    tp_deep_water_phases(&w->deep.deep, random_below(&chance, 1 << 20), 0, w->phases);
     for (int i = 0; i < RINGS; i++) {
         const tp_ring ring = {
             .x = chance_fx(&chance, -9, 9), .z = chance_fx(&chance, -9, 9),
@@ -57,7 +57,7 @@ static tp_surface surface_make(water *w, double q)
     w->pool = stirred_pool((tp_cells)random_below(&chance, 3), TP_EDGES_WALL);
     w->field = stirred_pool((tp_cells)random_below(&chance, 3), TP_EDGES_TILE);
     return (tp_surface){ .by = &tp_program_all.water,
-                         .sea = &w->sea.sea,
+                         .deep = &w->deep.deep,
                          .phases = w->phases,
                          .ring = w->ring,
                          .rings = RINGS,
@@ -65,11 +65,11 @@ static tp_surface surface_make(water *w, double q)
                          .field = w->field };
 }
 
-static void water_end(water *w)
+static void water_end(surface_water *w)
 {
     free(w->pool);
     free(w->field);
-    coastal_end(&w->sea);
+    coastal_end(&w->deep);
 }
 
 /* -- relief -------------------------------------------------------------------------- */
@@ -78,18 +78,18 @@ static void relief_is_the_sum_of_rings_pool_and_field(void **state)
 {
     (void)state;
     for (int n = 0; n < 20; n++) {
-        water w;
+        surface_water w;
         const tp_surface all = surface_make(&w, 0.5);
         for (int k = 0; k < 100; k++) {
             const uint32_t use = random_below(&chance, 8);
             const tp_fx x = chance_fx(&chance, -16, 16), z = chance_fx(&chance, -16, 16);
             const tp_fx back = chance_int(&chance, 0, 65536);
             tp_surface some = all;
-            tp_relief want = { 0 }, part[3] = {
-                tp_ring_relief(w.ring, RINGS, x, z), tp_pool_relief(w.pool, x, z, back),
-                tp_pool_relief(w.field, x, z, back)
-            };
-            some.back = back;
+            tp_height_slope want = { 0 },
+                            part[3] = { tp_ring_height_slope(w.ring, RINGS, x, z),
+                                        tp_pool_height_slope(w.pool, x, z, back),
+                                        tp_pool_height_slope(w.field, x, z, back) };
+            some.lag = back;
             some.rings = use & 1 ? RINGS : 0;
             some.pool = use & 2 ? w.pool : NULL;
             some.field = use & 4 ? w.field : NULL;
@@ -98,11 +98,11 @@ static void relief_is_the_sum_of_rings_pool_and_field(void **state)
                 want.slope_x += use >> i & 1 ? part[i].slope_x : 0;
                 want.slope_z += use >> i & 1 ? part[i].slope_z : 0;
             }
-            const tp_relief got = tp_surface_relief(&some, x, z);
+            const tp_height_slope got = tp_surface_height_slope(&some, x, z);
             assert_int_equal(got.height, want.height);
             assert_int_equal(got.slope_x, want.slope_x);
             assert_int_equal(got.slope_z, want.slope_z);
-            assert_int_equal(tp_surface_has_relief(&some), use != 0);
+            assert_int_equal(tp_surface_has_rings_or_pools(&some), use != 0);
         }
         water_end(&w);
     }
@@ -113,13 +113,13 @@ static void no_relief_is_higher_than_the_surface_says(void **state)
 {
     (void)state;
     for (int n = 0; n < 30; n++) {
-        water w;
+        surface_water w;
         tp_surface s = surface_make(&w, 0.5);
-        const tp_fx waves = w.sea.sea.height;
+        const tp_fx waves = w.deep.deep.height;
         for (int k = 0; k < 300; k++) {
-            s.back = chance_int(&chance, 0, 65536);
-            const tp_relief r = tp_surface_relief(&s, chance_fx(&chance, -14, 14),
-                                                  chance_fx(&chance, -12, 12));
+            s.lag = chance_int(&chance, 0, 65536);
+            const tp_height_slope r = tp_surface_height_slope(
+                &s, chance_fx(&chance, -14, 14), chance_fx(&chance, -12, 12));
             assert_true(abs(r.height) <= tp_surface_height_bound(&s) - waves + 3);
         }
         water_end(&w);
@@ -131,16 +131,16 @@ static void a_falling_pool_of_32_bits_was_higher_a_tick_ago(void **state)
     (void)state;
     tp_pool_config c = pool_config(TP_CELLS_32, TP_EDGES_WALL, 32, 32);
     tp_pool *pool = pool_make(&c);
-    tp_sea sea = { 0 };
+    tp_deep_water deep = { 0 };
     const tp_surface s = {
-        .by = &tp_program_all.water, .sea = &sea, .pool = pool, .back = TP_FX_ONE
+        .by = &tp_program_all.water, .deep = &deep, .pool = pool, .lag = TP_FX_ONE
     };
 
     assert_true(tp_pool_add_splash(pool, 0, 0, TP_FX(0.5), TP_FX_ONE));
     tp_pool_step(pool);
     tp_fx most = 0;
     for (int32_t i = -64; i <= 64; i++) {
-        const tp_fx h = tp_surface_relief(&s, i * 2048, TP_FX(0.1)).height;
+        const tp_fx h = tp_surface_height_slope(&s, i * 2048, TP_FX(0.1)).height;
         most = h > most ? h : most;
     }
     assert_true(most > (tp_pool_stats(pool).highest >> 8) + 1);  /* the test has effect */
@@ -150,60 +150,60 @@ static void a_falling_pool_of_32_bits_was_higher_a_tick_ago(void **state)
 
 /* -- points above a position ----------------------------------------------------------- */
 
-static void above_the_open_sea_is_the_sea_and_the_relief(void **state)
+static void above_deep_water_is_its_height_plus_rings_and_pools(void **state)
 {
     (void)state;
     for (int n = 0; n < 20; n++) {
-        water w;
+        surface_water w;
         const tp_surface s = surface_make(&w, chance_double(&chance, 0, 0.95));
         for (int k = 0; k < 60; k++) {
             const tp_fx x = chance_fx(&chance, -14, 14), z = chance_fx(&chance, -14, 14);
-            const tp_relief r = tp_surface_relief(&s, x, z);
+            const tp_height_slope r = tp_surface_height_slope(&s, x, z);
             tp_fx rest[2] = { x + 99, z - 99 }, same[2] = { x + 99, z - 99 };
             tp_fx *from = k % 2 ? rest : NULL;
-            const tp_sea_point got = tp_surface_sample(&s, x, z, from);
-            const tp_sea_point sea =
-                tp_sea_sample(s.sea, s.phases, x, z, from ? same : NULL);
-            assert_int_equal(got.position.x, sea.position.x);
-            assert_int_equal(got.position.z, sea.position.z);
-            assert_int_equal(got.position.y, sea.position.y + r.height);
-            assert_int_equal(got.slope_x, sea.slope_x + r.slope_x);
-            assert_int_equal(got.slope_z, sea.slope_z + r.slope_z);
+            const tp_surface_point got = tp_surface_sample(&s, x, z, from);
+            const tp_surface_point deep =
+                tp_deep_water_sample(s.deep, s.phases, x, z, from ? same : NULL);
+            assert_int_equal(got.position.x, deep.position.x);
+            assert_int_equal(got.position.z, deep.position.z);
+            assert_int_equal(got.position.y, deep.position.y + r.height);
+            assert_int_equal(got.slope_x, deep.slope_x + r.slope_x);
+            assert_int_equal(got.slope_z, deep.slope_z + r.slope_z);
             assert_memory_equal(rest, same, sizeof rest);
         }
         water_end(&w);
     }
 }
 
-static void ocean_make(water *w, tp_surface *s, double q, bool floor)
+static void coastal_make(surface_water *w, tp_surface *s, double q, bool floor)
 {
     *s = surface_make(w, q);
-    w->sea.config = coastal_usual();
+    w->deep.config = coastal_usual();
     if (floor) {
-        w->sea.config.floor.depth = chance_fx(&chance, 4, 20);
-        w->sea.config.floor.slope = TP_FX(0.02);
+        w->deep.config.floor.depth = chance_fx(&chance, 4, 20);
+        w->deep.config.floor.slope = TP_FX(0.02);
     } else {
-        w->sea.config.wind = TP_FX(0.02);
+        w->deep.config.wind = TP_FX(0.02);
     }
-    coastal_build(&w->sea);
-    s->ocean = w->sea.ocean;
+    coastal_build(&w->deep);
+    s->coastal = w->deep.coastal;
 }
 
 /* Distance between (x, z) and the final point of the search over coastal water. */
-static void ocean_errors(double q, bool floor, measure *m, uint32_t *coarse)
+static void coastal_errors(double q, bool floor, measure *m, uint32_t *coarse)
 {
     for (int n = 0; n < 8; n++) {
-        water w;
+        surface_water w;
         tp_surface s;
-        ocean_make(&w, &s, q, floor);
+        coastal_make(&w, &s, q, floor);
         for (int k = 0; k < 60; k++) {
             const tp_fx x = chance_fx(&chance, -50, 50), z = chance_fx(&chance, -50, 50);
             tp_fx rest[2] = { x, z };
-            const tp_sea_point got = tp_surface_sample(&s, x, z, rest);
-            const tp_ocean_point at =
-                tp_ocean_displace_smooth(s.ocean, s.phases, rest[0], rest[1]);
+            const tp_surface_point got = tp_surface_sample(&s, x, z, rest);
+            const tp_coastal_point at =
+                tp_coastal_displace_smooth(s.coastal, s.phases, rest[0], rest[1]);
             const double off = hypot(at.position.x - x, at.position.z - z) * LSB;
-            const tp_relief r = tp_surface_relief(&s, x, z);
+            const tp_height_slope r = tp_surface_height_slope(&s, x, z);
             assert_int_equal(got.position.y, at.position.y + r.height);
             measure_add(m, off * 1000, x, z, n);
             *coarse += off > 0.001;
@@ -212,7 +212,7 @@ static void ocean_errors(double q, bool floor, measure *m, uint32_t *coarse)
     }
 }
 
-static void over_an_ocean_the_place_is_found_by_inversion(void **state)
+static void over_coastal_water_the_place_is_found_by_inversion(void **state)
 {
     (void)state;
     static const double sums[] = { 0, 0.3, 0.5, 0.7, 0.9 };
@@ -222,28 +222,28 @@ static void over_an_ocean_the_place_is_found_by_inversion(void **state)
         uint32_t coarse = 0;
         measure m = { .what = name, .unit = "mm" };
         snprintf(name, sizeof name, "%s, sum %.1f", n % 2 ? "floor" : "deep", sums[n / 2]);
-        ocean_errors(sums[n / 2], n % 2, &m, &coarse);
+        coastal_errors(sums[n / 2], n % 2, &m, &coarse);
         measure_print(&m);
         assert_int_equal(coarse, 0);
     }
 }
 
 /* Slopes compared with heights 2 cm to either side. */
-static void slopes_over_an_ocean_are_those_of_its_heights(void **state)
+static void slopes_over_coastal_water_are_those_of_its_heights(void **state)
 {
     (void)state;
     measure m = { .what = "slopes", .unit = "" };
 
     for (int n = 0; n < 8; n++) {
-        water w;
+        surface_water w;
         tp_surface s;
-        ocean_make(&w, &s, 0.3, false);
+        coastal_make(&w, &s, 0.3, false);
         s.rings = 0;
         s.pool = s.field = NULL;
         for (int k = 0; k < 40; k++) {
             const tp_fx x = chance_fx(&chance, -50, 50), z = chance_fx(&chance, -50, 50);
             const tp_fx d = TP_FX(0.02);
-            const tp_sea_point at = tp_surface_sample(&s, x, z, NULL);
+            const tp_surface_point at = tp_surface_sample(&s, x, z, NULL);
             const double sx = (tp_surface_sample(&s, x + d, z, NULL).position.y
                                - tp_surface_sample(&s, x - d, z, NULL).position.y)
                               / (2.0 * d);
@@ -346,9 +346,9 @@ int main(void)
         cmocka_unit_test(relief_is_the_sum_of_rings_pool_and_field),
         cmocka_unit_test(no_relief_is_higher_than_the_surface_says),
         cmocka_unit_test(a_falling_pool_of_32_bits_was_higher_a_tick_ago),
-        cmocka_unit_test(above_the_open_sea_is_the_sea_and_the_relief),
-        cmocka_unit_test(over_an_ocean_the_place_is_found_by_inversion),
-        cmocka_unit_test(slopes_over_an_ocean_are_those_of_its_heights),
+        cmocka_unit_test(above_deep_water_is_its_height_plus_rings_and_pools),
+        cmocka_unit_test(over_coastal_water_the_place_is_found_by_inversion),
+        cmocka_unit_test(slopes_over_coastal_water_are_those_of_its_heights),
         cmocka_unit_test(slopes_across_are_those_of_the_cross_product),
         cmocka_unit_test(sheets_without_a_size_are_level),
         cmocka_unit_test(what_overhangs_is_as_steep_as_can_be),

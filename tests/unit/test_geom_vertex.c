@@ -19,17 +19,17 @@ static uint64_t chance;
 typedef struct {
     tp_grid grid;
     void   *block;
-    view    v;
-    deep_water sea;
+    test_view    v;
+    deep_water deep;
     tp_surface surface;
     tp_grid_view look;
-} pond;
+} vertex_pond;
 
-static void place(pond *p)
+static void place(vertex_pond *p)
 {
     p->surface.by = &tp_program_all.water;
-    p->surface.sea = &p->sea.sea;
-    p->surface.phases = p->sea.phases;
+    p->surface.deep = &p->deep.deep;
+    p->surface.phases = p->deep.phases;
     p->look.projection = &p->v.projection;
     p->look.surface = &p->surface;
     p->look.width = p->v.width;
@@ -37,12 +37,12 @@ static void place(pond *p)
     tp_grid_place(&p->grid, &p->look);
 }
 
-static void make(pond *p, deep_water sea, double cell, double reach)
+static void make(vertex_pond *p, deep_water deep, double cell, double reach)
 {
     const tp_vec3 eye = { chance_fx(&chance, -500, 500), chance_fx(&chance, 0.5, 20),
                           chance_fx(&chance, -500, 500) };
 
-    *p = (pond){ .sea = sea };
+    *p = (vertex_pond){ .deep = deep };
     p->v = view_of(eye, (tp_turn)random_next(&chance),
                    tp_turn_of_degrees(chance_fx(&chance, -60, 10)),
                    chance_fx(&chance, 30, 90), TP_FX(0.25), 640, 480);
@@ -53,7 +53,7 @@ static void make(pond *p, deep_water sea, double cell, double reach)
     place(p);
 }
 
-static void pond_free(pond *p)
+static void pond_free(vertex_pond *p)
 {
     free(p->block);
 }
@@ -61,7 +61,7 @@ static void pond_free(pond *p)
 /* -- comparison with the models -------------------------------------------------------- */
 
 /* World position of a grid vertex: its view coordinates along the projection's own axes. */
-static ref_vec world_of(const view *v, const tp_view_vertex *c)
+static ref_vec world_of(const test_view *v, const tp_view_vertex *c)
 {
     const tp_dir3 axis[3] = { v->projection.right, v->projection.up, v->projection.ahead };
     const double way[3] = { c->x * LSB, c->y * LSB, c->depth * LSB };
@@ -116,7 +116,7 @@ static double coarse_normal_error(const deep_water *o, const tp_grid *grid,
 }
 
 /* A grid vertex anywhere in the grid, with its slopes. */
-static tp_view_vertex corner_of(const pond *p, uint32_t i, uint32_t j)
+static tp_view_vertex corner_of(const vertex_pond *p, uint32_t i, uint32_t j)
 {
     const bool still = p->grid.column[i].fade == 0 || p->grid.row[j].fade == 0;
     tp_vertex_row row = { .line = p->grid.row[j] };
@@ -124,7 +124,7 @@ static tp_view_vertex corner_of(const pond *p, uint32_t i, uint32_t j)
 
     tp_vertex_rest_z(&p->grid.frame, row.line.place, row.rest);
     tp_vertex_set_row(&p->grid.frame, &row, true);
-    tp_vertex_evaluate_run(&p->grid.frame, &p->grid.columns, &row, i, 1, still, &vertex);
+    tp_vertex_evaluate_batch(&p->grid.frame, &p->grid.columns, &row, i, 1, still, &vertex);
     tp_view_vertex c =
         tp_vertex_make_view_vertex(&p->grid.frame, &p->grid.columns, &row, i, still);
     c.n[0] = vertex.slope_x;
@@ -132,15 +132,15 @@ static tp_view_vertex corner_of(const pond *p, uint32_t i, uint32_t j)
     return c;
 }
 
-static void compare(pond *p, uint32_t i, uint32_t j, bool usual, errors *e)
+static void compare(vertex_pond *p, uint32_t i, uint32_t j, bool usual, errors *e)
 {
     const tp_grid_line *column = &p->grid.column[i], *row = &p->grid.row[j];
     const double x0 = column->place * LSB, z0 = row->place * LSB;
     const double fade = column->fade * LSB * row->fade * LSB;
-    const ref_point want = faded(ref_at_rest(&p->sea.ref, p->sea.ref_phases, x0, z0), x0,
-                                 z0, fade, p->sea.sea.crossed);
+    const ref_point want = faded(ref_at_rest(&p->deep.ref, p->deep.ref_phases, x0, z0), x0,
+                                 z0, fade, p->deep.deep.crossed);
     const tp_view_vertex c = corner_of(p, i, j);
-    const tp_sea_point slopes = { .slope_x = c.n[0] * 16, .slope_z = c.n[1] * 16 };
+    const tp_surface_point slopes = { .slope_x = c.n[0] * 16, .slope_z = c.n[1] * 16 };
     const ref_vec got = world_of(&p->v, &c);
     const double height = got.y - want.y;
     const double off = fmax(fabs(got.x - want.x), fabs(got.z - want.z));
@@ -149,12 +149,12 @@ static void compare(pond *p, uint32_t i, uint32_t j, bool usual, errors *e)
     const double seen = 4 * LSB + 2e-9 * (fabs(got.x - p->v.ref.eye.x)
                                           + fabs(got.z - p->v.ref.eye.z));
 
-    measure_add(&e->height, height * 1000, (int64_t)p->sea.tick, i, j);
-    measure_add(&e->place, off * 1000, (int64_t)p->sea.tick, i, j);
-    measure_add(&e->normal, angle * 180 / PI, (int64_t)p->sea.tick, i, j);
-    assert_true(fabs(height) <= height_error(&p->sea, x0, z0) + seen);
-    assert_true(off <= place_error(&p->sea, x0, z0) + seen);
-    assert_true(angle <= coarse_normal_error(&p->sea, &p->grid, &want, x0, z0));
+    measure_add(&e->height, height * 1000, (int64_t)p->deep.tick, i, j);
+    measure_add(&e->place, off * 1000, (int64_t)p->deep.tick, i, j);
+    measure_add(&e->normal, angle * 180 / PI, (int64_t)p->deep.tick, i, j);
+    assert_true(fabs(height) <= height_error(&p->deep, x0, z0) + seen);
+    assert_true(off <= place_error(&p->deep, x0, z0) + seen);
+    assert_true(angle <= coarse_normal_error(&p->deep, &p->grid, &want, x0, z0));
     if (usual) {
         assert_true(fabs(height) < 0.25e-3);
         assert_true(angle * 180 / PI < 0.02);
@@ -163,7 +163,7 @@ static void compare(pond *p, uint32_t i, uint32_t j, bool usual, errors *e)
     assert_int_equal(c.t, row->place);
 }
 
-static void compare_some(pond *p, bool usual, errors *e)
+static void compare_some(vertex_pond *p, bool usual, errors *e)
 {
     for (int k = 0; k < 40; k++)
         compare(p, random_below(&chance, SIDE), random_below(&chance, SIDE), usual, e);
@@ -177,7 +177,7 @@ static void usual_seas_are_right_to_a_quarter_millimetre_and_a_fiftieth_of_a_deg
     errors e = errors_of("usual height", "usual place", "usual normal");
 
     for (int n = 0; n < 600; n++) {
-        pond p;
+        vertex_pond p;
         make(&p, deep_water_usual(&chance, 8, chance_double(&chance, 0, 0.7)),
              chance_double(&chance, 0.2, 5), n % 2 ? 0 : 300);
         compare_some(&p, true, &e);
@@ -192,7 +192,7 @@ static void any_legal_sea_follows_the_models(void **state)
     errors e = errors_of("any height", "any place", "any normal");
 
     for (int n = 0; n < 600; n++) {
-        pond p;
+        vertex_pond p;
         make(&p, deep_water_any(&chance, TP_WAVES), chance_double(&chance, 0.05, 20),
              n % 2 ? 0 : 4000);
         compare_some(&p, false, &e);
@@ -207,11 +207,11 @@ static void sharpened_seas_follow_the_models(void **state)
     errors e = errors_of("sharp height", "sharp place", "sharp normal");
 
     for (int n = 0; n < 400; n++) {
-        pond p;
-        deep_water sea =
+        vertex_pond p;
+        deep_water deep =
             n % 2 ? deep_water_any(&chance, TP_WAVES) : deep_water_usual(&chance, 8, 0.5);
-        deep_water_sharpen(&chance, &sea);
-        make(&p, sea, chance_double(&chance, 0.2, 5), n % 4 < 2 ? 0 : 300);
+        deep_water_sharpen(&chance, &deep);
+        make(&p, deep, chance_double(&chance, 0.2, 5), n % 4 < 2 ? 0 : 300);
         compare_some(&p, false, &e);
         pond_free(&p);
     }
@@ -225,7 +225,7 @@ static void sines_of_phases_are_right_to_28_bits(void **state)
 
     for (int n = 0; n < 300000; n++) {
         const tp_turn angle = (tp_turn)random_next(&chance);
-        const tp_vertex_turn got = tp_vertex_turn_from_angle(angle);
+        const tp_vertex_phase got = tp_vertex_phase_from_angle(angle);
         const double th = angle / 4294967296.0 * 2 * PI;
         measure_add(&error, got.sin - sin(th) * 1073741824.0, angle, 0, 0);
         measure_add(&error, got.cos - cos(th) * 1073741824.0, angle, 1, 0);
@@ -241,25 +241,25 @@ static void where_a_run_begins_does_not_show(void **state)
 {
     (void)state;
     for (int n = 0; n < 200; n++) {
-        pond p;
+        vertex_pond p;
         tp_vertex_row row;
         tp_grid_vertex whole[SIDE], parts[SIDE];
-        deep_water sea = deep_water_any(&chance, TP_WAVES);
+        deep_water deep = deep_water_any(&chance, TP_WAVES);
         if (n % 4 == 0)
-            deep_water_sharpen(&chance, &sea);
-        make(&p, sea, chance_double(&chance, 0.2, 5), 0);
+            deep_water_sharpen(&chance, &deep);
+        make(&p, deep, chance_double(&chance, 0.2, 5), 0);
         row.line = p.grid.row[random_below(&chance, SIDE)];
         tp_vertex_rest_z(&p.grid.frame, row.line.place, row.rest);
         tp_vertex_set_row(&p.grid.frame, &row, true);
         memset(whole, 0, sizeof whole);
         memset(parts, 0, sizeof parts);
         for (uint32_t i = 0; i < SIDE; i++)
-            tp_vertex_evaluate_run(&p.grid.frame, &p.grid.columns, &row, i, 1, false,
-                                   &whole[i]);
+            tp_vertex_evaluate_batch(&p.grid.frame, &p.grid.columns, &row, i, 1, false,
+                                     &whole[i]);
         for (uint32_t i = 0, count; i < SIDE; i += count) {
-            count = 1 + random_below(&chance, TP_VERTEX_RUN);
+            count = 1 + random_below(&chance, TP_VERTEX_BATCH);
             count = count < SIDE - i ? count : SIDE - i;
-            tp_vertex_evaluate_run(&p.grid.frame, &p.grid.columns, &row, i, count, false,
+            tp_vertex_evaluate_batch(&p.grid.frame, &p.grid.columns, &row, i, count, false,
                                    &parts[i]);
         }
         assert_memory_equal(whole, parts, sizeof whole);
@@ -278,19 +278,19 @@ static void rings_lie_on_the_displaced_water(void **state)
     int raised = 0, faded = 0;
 
     for (int n = 0; n < 200; n++) {
-        pond p;
-        deep_water sea = deep_water_usual(&chance, 4, 0.5);
+        vertex_pond p;
+        deep_water deep = deep_water_usual(&chance, 4, 0.5);
         if (n % 4 == 0)
-            deep_water_sharpen(&chance, &sea);
-        make(&p, sea, 0.5, n % 2 ? 0 : 300);
+            deep_water_sharpen(&chance, &deep);
+        make(&p, deep, 0.5, n % 2 ? 0 : 300);
         const tp_ring ring = {
             .x = p.grid.column[SIDE / 2].place, .z = p.grid.row[SIDE / 2].place,
             .amplitude = TP_FX(0.3), .length = 4 * TP_FX_ONE, .speed = TP_FX_ONE,
             .decay = 10 * TP_FX_ONE, .spread = 10 * TP_FX_ONE, .attack = TP_FX(0.1),
         };
         tp_ring_now now;
-        assert_true(tp_ring_evaluate(&ring, (int64_t)(60 + random_below(&chance, 120)) << 16,
-                               &now));
+        assert_true(tp_ring_evaluate(
+            &ring, (int64_t)(60 + random_below(&chance, 120)) << 16, &now));
         for (int k = 0; k < 100; k++) {
             const uint32_t i = random_below(&chance, SIDE), j = random_below(&chance, SIDE);
             p.surface.rings = 0;
@@ -299,8 +299,8 @@ static void rings_lie_on_the_displaced_water(void **state)
             p.surface.rings = 1;
             const tp_view_vertex c = corner_of(&p, i, j);
             const ref_vec a = world_of(&p.v, &still), b = world_of(&p.v, &c);
-            const tp_relief want = tp_ring_relief(&now, 1, (tp_fx)lround(a.x / LSB),
-                                                  (tp_fx)lround(a.z / LSB));
+            const tp_height_slope want = tp_ring_height_slope(
+                &now, 1, (tp_fx)lround(a.x / LSB), (tp_fx)lround(a.z / LSB));
             assert_true(fabs(b.x - a.x) < 8 * LSB && fabs(b.z - a.z) < 8 * LSB);
             const double fade = p.grid.column[i].fade * LSB * p.grid.row[j].fade * LSB;
             assert_true(fabs(b.y - a.y - fade * want.height * LSB) < 12 * LSB);

@@ -9,7 +9,7 @@
 #include "tests/lib/camera_modes.h"
 
 /* Distance of the target from the line through the middle of the picture, m. */
-static double off_centre(const look *l, const tp_world *w)
+static double off_centre(const camera_mode *l, const tp_world *w)
 {
     const tp_camera c = tp_world_camera(w);
     const tp_vec3 local = tp_rotate(&c.turn, tp_vec3_sub(l->about, c.eye));
@@ -23,17 +23,17 @@ static void free_input_stays_as_it_is(void **state)
     (void)state;
     const tp_scene s = sea();
     const tp_world w = boat_world(&s);
-    look l = { .mode = LOOK_FREE };
+    camera_mode l = { .mode = CAMERA_FREE };
     const tp_input in = any_input();
     tp_input out = in;
 
-    assert_true(look_begin(&l, LOOK_FREE, &w, &s));
-    look_steer(&l, &w, &s, &out);
+    assert_true(camera_mode_begin(&l, CAMERA_FREE, &w, &s));
+    camera_mode_steer(&l, &w, &s, &out);
     assert_memory_equal(&in, &out, sizeof in);
-    assert_int_equal(look_follow(&l, &s), TP_FOLLOW_NONE);
+    assert_int_equal(camera_mode_follow(&l, &s), TP_FOLLOW_NONE);
     tp_scene aboard = s;
     aboard.camera.follow = TP_FOLLOW_BOAT;
-    assert_int_equal(look_follow(&l, &aboard), TP_FOLLOW_BOAT);
+    assert_int_equal(camera_mode_follow(&l, &aboard), TP_FOLLOW_BOAT);
 }
 
 static void leaving_a_way_leads_back_to_where_the_camera_was_free(void **state)
@@ -41,19 +41,19 @@ static void leaving_a_way_leads_back_to_where_the_camera_was_free(void **state)
     (void)state;
     tp_scene s = sea();
     tp_world w = boat_world(&s);
-    look l = { .mode = LOOK_FREE };
+    camera_mode l = { .mode = CAMERA_FREE };
 
     for (int n = 0; n < 20; n++)
         go(&l, &w, &s, any_input());
     const tp_vec3 eye = w.eye;
     const tp_turn heading = w.heading, pitch = w.pitch;
-    for (int mode = LOOK_ORBIT; mode < LOOK_MODES; mode++) {
-        begin(&l, (look_mode)mode, &w, &s);
+    for (int mode = CAMERA_ORBIT; mode < CAMERA_MODES; mode++) {
+        begin(&l, (camera_mode_kind)mode, &w, &s);
         for (int n = 0; n < 30; n++)
             go(&l, &w, &s, any_input());
     }
     assert_true(distance(w.eye, eye) > 1);
-    begin(&l, LOOK_FREE, &w, &s);
+    begin(&l, CAMERA_FREE, &w, &s);
     assert_true(l.jump);
     go(&l, &w, &s, any_input());
     assert_at(w.eye, eye, NEAR);
@@ -62,7 +62,7 @@ static void leaving_a_way_leads_back_to_where_the_camera_was_free(void **state)
     assert_false(l.jump);
     const tp_input in = any_input();
     tp_input out = in;
-    look_steer(&l, &w, &s, &out);
+    camera_mode_steer(&l, &w, &s, &out);
     assert_memory_equal(&in, &out, sizeof in);
 }
 
@@ -78,8 +78,8 @@ static void going_round_begins_where_the_camera_is(void **state)
         s.camera.y = chance_fx(&chance, 2, 50);
         tp_world w = boat_world(&s);
         const tp_world before = w;
-        look l = { .mode = LOOK_FREE };
-        begin(&l, LOOK_ORBIT, &w, &s);
+        camera_mode l = { .mode = CAMERA_FREE };
+        begin(&l, CAMERA_ORBIT, &w, &s);
         go(&l, &w, &s, (tp_input){ 0 });
         assert_at(w.eye, before.eye, NEAR);
         assert_int_equal(w.heading, before.heading);
@@ -93,9 +93,9 @@ static void what_is_looked_at_is_the_water_in_the_middle(void **state)
     (void)state;
     const tp_scene s = sea();
     tp_world w = boat_world(&s);
-    look l = { .mode = LOOK_FREE };
+    camera_mode l = { .mode = CAMERA_FREE };
 
-    assert_true(look_begin(&l, LOOK_ORBIT, &w, &s));
+    assert_true(camera_mode_begin(&l, CAMERA_ORBIT, &w, &s));
     const tp_fx high = tp_world_sample(&tp_program_all, &w, l.about.x, l.about.z).height;
     assert_true(abs(high - l.about.y) < 66);
     assert_true(fabs(distance(w.eye, l.about) - l.away / 65536.0) < 0.01);
@@ -106,10 +106,10 @@ static void what_is_looked_at_is_the_water_in_the_middle(void **state)
 static void what_is_looked_at_stays_in_the_middle(void **state)
 {
     (void)state;
-    for (int mode = LOOK_ORBIT; mode <= LOOK_TOP; mode++) {
+    for (int mode = CAMERA_ORBIT; mode <= CAMERA_TOP; mode++) {
         tp_scene s = sea();
         tp_world w;
-        look l = started((look_mode)mode, &w, &s);
+        camera_mode l = started((camera_mode_kind)mode, &w, &s);
         for (int n = 0; n < 1000; n++) {
             go(&l, &w, &s, any_input());
             assert_true(off_centre(&l, &w) < 0.001);
@@ -125,9 +125,9 @@ static void each_way_round_does_what_it_stands_for(void **state)
     (void)state;
     tp_scene s = sea();
     tp_world w;
-    look l = started(LOOK_ORBIT, &w, &s);
+    camera_mode l = started(CAMERA_ORBIT, &w, &s);
     go(&l, &w, &s, (tp_input){ 0 });
-    const look from = l;
+    const camera_mode from = l;
     go(&l, &w, &s, (tp_input){ .turn = 5000 });
     assert_int_equal(l.heading, from.heading + 5000);
     go(&l, &w, &s, (tp_input){ .turn = -5000, .tilt = 7000 });
@@ -150,7 +150,7 @@ static void from_far_away_steps_are_longer(void **state)
     s.camera.y = TP_FX(160);
     s.camera.pitch = TP_FX(-89);
     tp_world w;
-    look l = started(LOOK_ORBIT, &w, &s);
+    camera_mode l = started(CAMERA_ORBIT, &w, &s);
     go(&l, &w, &s, (tp_input){ 0 });
     const tp_fx away = l.away;
     assert_in_range(away, TP_FX(155), TP_FX(165));
@@ -165,7 +165,7 @@ static void from_above_it_glides(void **state)
     (void)state;
     tp_scene s = sea();
     tp_world w;
-    look l = started(LOOK_TOP, &w, &s);
+    camera_mode l = started(CAMERA_TOP, &w, &s);
     go(&l, &w, &s, any_input());        /* the first input jumps, for any values */
     assert_int_equal((int32_t)w.pitch, -(int32_t)TP_DEG(89));
     assert_int_equal(w.heading, tp_turn_of_degrees(s.camera.heading));
@@ -192,13 +192,13 @@ static void bent_inputs_replay_to_the_same_bits(void **state)
     (void)state;
     tp_scene s = sea();
     tp_world w = boat_world(&s), twin = w;
-    look l = { .mode = LOOK_FREE };
+    camera_mode l = { .mode = CAMERA_FREE };
 
     for (int n = 0; n < 400; n++) {
         if (n % 40 == 20)
-            begin(&l, (look_mode)(n / 40 % LOOK_MODES), &w, &s);
+            begin(&l, (camera_mode_kind)(n / 40 % CAMERA_MODES), &w, &s);
         tp_input in = any_input();
-        look_steer(&l, &w, &s, &in);
+        camera_mode_steer(&l, &w, &s, &in);
         assert_true(tp_world_apply(&tp_program_all, &twin, &s, NULL));
         assert_true(tp_world_apply(&tp_program_all, &w, &s, NULL));
         tp_world_step(&tp_program_all, &w, &s, &in);
@@ -217,14 +217,14 @@ static void any_jump_ends_where_it_should(void **state)
         w.eye = (tp_vec3){ chance_fx(&chance, -8000, 8000), chance_fx(&chance, -99, 2000),
                            chance_fx(&chance, -8000, 8000) };
         w.heading = (tp_turn)random_next(&chance);
-        look l = { .mode = LOOK_BOAT, .jump = true,
+        camera_mode l = { .mode = CAMERA_BOAT, .jump = true,
                    .heading = (tp_turn)random_next(&chance),
                    .pitch = tp_turn_of_degrees(chance_fx(&chance, -89, 89)) };
         l.about = (tp_vec3){ chance_fx(&chance, -8000, 8000),
                              chance_fx(&chance, -99, 2000),
                              chance_fx(&chance, -8000, 8000) };
         tp_input in = any_input();
-        look_steer(&l, &w, &s, &in);
+        camera_mode_steer(&l, &w, &s, &in);
         tp_world_move_camera(&w, &in);
         assert_at(w.eye, l.about, NEAR);
         assert_int_equal(w.heading, l.heading);
@@ -248,11 +248,11 @@ static tp_input huge_input(int32_t most)
 static void no_input_is_too_large(void **state)
 {
     (void)state;
-    for (int mode = LOOK_ORBIT; mode <= LOOK_TOP; mode++) {
+    for (int mode = CAMERA_ORBIT; mode <= CAMERA_TOP; mode++) {
         tp_scene s = sea();
         s.camera.near = 3 * TP_FX_ONE;
         tp_world w;
-        look l = started((look_mode)mode, &w, &s);
+        camera_mode l = started((camera_mode_kind)mode, &w, &s);
         for (int n = 0; n < 3000; n++) {
             go(&l, &w, &s, huge_input(n % 3 ? INT32_MAX : 1 << 22));
             assert_in_range(l.away, n ? TP_FX(6) : 1, TP_FX(4000));

@@ -14,11 +14,11 @@ static void without_a_boat_there_is_no_way_aboard(void **state)
     tp_scene s = sea();
     s.boat.mesh[0] = '\0';
     const tp_world w = boat_world(&s);
-    look l = { .mode = LOOK_ORBIT, .away = 7 * TP_FX_ONE, .heading = 5 };
-    const look before = l;
+    camera_mode l = { .mode = CAMERA_ORBIT, .away = 7 * TP_FX_ONE, .heading = 5 };
+    const camera_mode before = l;
 
-    assert_false(look_begin(&l, LOOK_BOAT, &w, &s));
-    assert_false(look_begin(&l, LOOK_MODES, &w, &s));
+    assert_false(camera_mode_begin(&l, CAMERA_BOAT, &w, &s));
+    assert_false(camera_mode_begin(&l, CAMERA_MODES, &w, &s));
     assert_memory_equal(&before, &l, sizeof l);
 }
 
@@ -29,10 +29,10 @@ static void the_deck_is_one_jump_away_and_then_free(void **state)
     (void)state;
     tp_scene s = sea();
     tp_world w;
-    look l = started(LOOK_BOAT, &w, &s);
+    camera_mode l = started(CAMERA_BOAT, &w, &s);
     assert_int_equal(s.camera.follow, TP_FOLLOW_BOAT);
     tp_input in = any_input(), out = in;
-    look_steer(&l, &w, &s, &out);
+    camera_mode_steer(&l, &w, &s, &out);
     tp_world_move_camera(&w, &out);
     assert_int_equal(w.aboard, 1);
     assert_at(w.eye, (tp_vec3){ 0, TP_FX(2.72), TP_FX(6) }, 12);
@@ -41,7 +41,7 @@ static void the_deck_is_one_jump_away_and_then_free(void **state)
     assert_int_equal(out.drops, in.drops);          /* these inputs are not the camera's */
     assert_true(distance(tp_world_camera(&w).eye, w.boat.place) < 8);
     out = in;
-    look_steer(&l, &w, &s, &out);
+    camera_mode_steer(&l, &w, &s, &out);
     assert_memory_equal(&in, &out, sizeof in);
 }
 
@@ -51,9 +51,9 @@ static void from_the_deck_it_goes_round_the_boat(void **state)
     tp_scene s = sea();
     s.boat.heading = 130 * TP_FX_ONE;
     tp_world w;
-    look l = started(LOOK_BOAT, &w, &s);
+    camera_mode l = started(CAMERA_BOAT, &w, &s);
     go(&l, &w, &s, (tp_input){ 0 });
-    begin(&l, LOOK_ORBIT, &w, &s);
+    begin(&l, CAMERA_ORBIT, &w, &s);
     assert_int_equal(w.aboard, 0);
     go(&l, &w, &s, (tp_input){ 0 });
     assert_true(fabs(distance(w.eye, w.boat.place) - 24) < 0.5);
@@ -64,14 +64,14 @@ static void from_the_deck_it_goes_round_the_boat(void **state)
 static void a_boat_in_the_middle_is_gone_with(void **state)
 {
     (void)state;
-    for (int mode = LOOK_ORBIT; mode <= LOOK_TOP; mode++) {
+    for (int mode = CAMERA_ORBIT; mode <= CAMERA_TOP; mode++) {
         tp_scene s = sea();
         s.boat.x = 30 * TP_FX_ONE;
         s.boat.z = -TP_FX_ONE;
         s.camera.heading = 90 * TP_FX_ONE;
         s.camera.pitch = -8 * TP_FX_ONE;
         tp_world w;
-        look l = started((look_mode)mode, &w, &s);
+        camera_mode l = started((camera_mode_kind)mode, &w, &s);
         go(&l, &w, &s, (tp_input){ 0 });
         const double off = hypot(l.about.x - w.boat.place.x, l.about.z - w.boat.place.z);
         const tp_fx from = w.boat.place.x;

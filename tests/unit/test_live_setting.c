@@ -72,7 +72,7 @@ static void a_number_is_taken_and_the_world_goes_on(void **state)
     (void)state;
     const tp_scene scene = scene_some();
     live l = live_of(&scene, 50), want = l;
-    const size_t bytes = l.world->parts.bytes;
+    const size_t bytes = l.world->layout.bytes;
     want.world = malloc(bytes);
     memcpy(want.world, l.world, bytes);
 
@@ -94,7 +94,7 @@ static void a_text_that_is_no_value_changes_nothing(void **state)
     (void)state;
     const tp_scene scene = scene_some();
     live l = live_of(&scene, 5);
-    const size_t bytes = l.world->parts.bytes;
+    const size_t bytes = l.world->layout.bytes;
     tp_world *before = malloc(bytes);
     const tp_scene kept = l.scene;
     memcpy(before, l.world, bytes);
@@ -256,8 +256,8 @@ static void a_world_made_anew_goes_on(void **state)
     (void)state;
     const tp_scene scene = scene_some();
     live l = live_of(&scene, 200), was = l;
-    was.world = malloc(l.world->parts.bytes);
-    memcpy(was.world, l.world, l.world->parts.bytes);
+    was.world = malloc(l.world->layout.bytes);
+    memcpy(was.world, l.world, l.world->layout.bytes);
 
     assert_int_equal(put(&l, "pool.cols", "40"), SETTING_ANEW);
     make_anew(&l);

@@ -51,14 +51,14 @@ static tp_status init_pool(void *block, tp_error *err)
     return tp_pool_init(block, &config, err);
 }
 
-static tp_status init_ocean(void *block, tp_error *err)
+static tp_status init_coastal(void *block, tp_error *err)
 {
-    static const tp_ocean_config config = { .floor.depth = 4 * TP_FX_ONE };
+    static const tp_coastal_config config = { .floor.depth = 4 * TP_FX_ONE };
     static const tp_wave wave = { .amplitude = TP_FX_ONE, .length = 20 * TP_FX_ONE,
                                   .speed = TP_FX_ONE };
-    tp_sea sea;
-    tp_sea_init(&sea, &wave, 1, TP_FX(9.81));
-    return tp_ocean_init(block, &config, &sea, &wave, 1, err);
+    tp_deep_water deep;
+    tp_deep_water_init(&deep, &wave, 1, TP_FX(9.81));
+    return tp_coastal_init(block, &config, &deep, &wave, 1, err);
 }
 
 static tp_status init_texture(void *block, tp_error *err)
@@ -78,7 +78,7 @@ static void every_init_refuses_blocks_that_are_null_or_misaligned(void **state)
     } inits[] = { { "world", 8, init_world },
                   { "memory", 8, init_frame },
                   { "pool", 8, init_pool },
-                  { "ocean", 8, init_ocean },
+                  { "coastal", 8, init_coastal },
                   { "memory", 4, init_texture } };
 
     for (size_t i = 0; i < sizeof inits / sizeof *inits; i++) {
@@ -154,7 +154,7 @@ static void every_missing_argument_is_named(void **state)
     assert_named(tp_pool_init((tp_pool *)(void *)memory, NULL, &err), TP_E_NULL, &err,
                  "config");
     assert_int_equal(tp_pool_bytes(NULL), 0);
-    assert_int_equal(tp_ocean_bytes(NULL, NULL), 0);
+    assert_int_equal(tp_coastal_bytes(NULL, NULL), 0);
     assert_int_equal(tp_world_bytes(&tp_program_all, NULL, &none), 0);
     assert_int_equal(tp_frame_bytes(&picture, NULL), 0);
     assert_int_equal(tp_frame_bytes(NULL, &scene), 0);

@@ -279,11 +279,11 @@ static void a_strip_has_the_dither_of_the_picture(void **state)
 static void a_toned_pixel_is_that_of_the_toned_colour(void **state)
 {
     (void)state;
-    tp_toned toned;
+    tp_rgb565_tone_map tone_map;
     uint8_t tone[256];
     for (uint32_t i = 0; i < 256; i++) {
         tone[i] = (uint8_t)random_next(&seed);
-        tp_toned_set(&toned, i, tone[i]);
+        tp_rgb565_tone_map_set(&tone_map, i, tone[i]);
     }
     for (int count = 0; count < 40; count++) {
         uint32_t colours[40], exposed[40];
@@ -293,7 +293,7 @@ static void a_toned_pixel_is_that_of_the_toned_colour(void **state)
             exposed[i] = (uint32_t)tone[c >> 16] << 16 | (uint32_t)tone[c >> 8 & 255] << 8
                        | tone[c & 255];
         }
-        tp_store_rgb565_toned(&toned, got, colours, count);
+        tp_store_rgb565_tone_mapped(&tone_map, got, colours, count);
         tp_store_rgb565(wanted, 0, 0, 0, exposed, count);
         assert_memory_equal(got, wanted, sizeof got);
     }

@@ -52,7 +52,7 @@ static void numbers_have_ranges(void **state)
     assert_says(&c, "range is outside the range of pools");
     c = good, c.cell = TP_FX(51);
     assert_says(&c, "cell is outside the range of pools");
-    c = good, c.feed_low = 2, c.feed_high = 1;
+    c = good, c.drive_min = 2, c.drive_max = 1;
     assert_says(&c, "feed_low is above feed_high");
     c = good, c.cells = (tp_cells)3;
     assert_says(&c, "cells is outside the range of pools");
@@ -69,10 +69,10 @@ static void r_beyond_the_bound_is_refused(void **state)
         const double bound = 1024 * (1 - 1 / (2 - pow(2, -(double)m))) / 2;
         tp_pool_config c = pool_config(TP_CELLS_32, TP_EDGES_TILE, 32, 32);
         c.damping = m;
-        for (uint32_t r2q = 230; r2q < 280; r2q++) {
-            c.courant = (tp_fx)lround(sqrt(r2q / 1024.0) * 65536);
+        for (uint32_t courant_sq_q10 = 230; courant_sq_q10 < 280; courant_sq_q10++) {
+            c.courant = (tp_fx)lround(sqrt(courant_sq_q10 / 1024.0) * 65536);
             const tp_status status = tp_pool_check(&c, NULL);
-            assert_int_equal(status, r2q <= bound ? TP_OK : TP_E_POOL_COURANT);
+            assert_int_equal(status, courant_sq_q10 <= bound ? TP_OK : TP_E_POOL_COURANT);
         }
     }
 }
@@ -110,9 +110,9 @@ static void a_copy_of_its_bytes_is_a_snapshot(void **state)
     for (int n = 0; n < 18; n++) {
         tp_pool_config c = pool_config((tp_cells)(n % 3), (tp_edges)(n / 3 % 3), 17, 23);
         c.mask = n >= 9 ? pool_mask(&chance, 17, 23, 50) : NULL;
-        c.feed_low = n % 2 ? TP_FX(0.05) : 0;
-        c.feed_high = 2 * c.feed_low;
-        c.feed = TP_FX(0.5);
+        c.drive_min = n % 2 ? TP_FX(0.05) : 0;
+        c.drive_max = 2 * c.drive_min;
+        c.drive_amplitude = TP_FX(0.5);
         tp_pool *const pool = pool_make(&c);
         const size_t bytes = tp_pool_bytes(&c);
         pool_fill(pool, &chance, 100);

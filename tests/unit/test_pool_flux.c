@@ -43,7 +43,7 @@ static void step_equals_the_model(tp_edges edges, uint32_t walls)
         c.damping = (uint32_t)chance_int(&chance, 4, 10);
         c.mask = walls ? pool_mask(&chance, c.cols, c.rows, walls) : NULL;
         tp_pool *const pool = pool_make(&c);
-        pool->r2q = (uint32_t)chance_int(&chance, 0, 767);
+        pool->courant_sq_q10 = (uint32_t)chance_int(&chance, 0, 767);
         pool_fill(pool, &chance, n % 3 ? 100000 : FULL);
         ref_pool_read(&ref, pool);
         if (edges == TP_EDGES_SPONGE)
@@ -156,7 +156,7 @@ static void no_height_leaves_the_range_whatever_r_is(void **state)
             tp_pool_add(pool, x, y, random_next(&chance) & 1 ? INT32_MAX : -INT32_MAX);
     assert_int_equal(tp_pool_stats(pool).highest, FULL);
     const int64_t sum = tp_pool_stats(pool).sum;
-    pool->r2q = UINT32_MAX;
+    pool->courant_sq_q10 = UINT32_MAX;
     for (int tick = 0; tick < 500; tick++) {
         tp_pool_step(pool);
         assert_true(tp_pool_stats(pool).highest <= FULL);
@@ -200,8 +200,8 @@ static void what_is_added_keeps_both_ends_of_the_last_tick_in_the_range(void **s
         tp_pool_add(pool, x, y, chance_word(&chance));
         const int64_t h = tp_pool_height(pool, x, y), v = tp_pool_velocity(pool, x, y);
         assert_true(llabs(h) <= FULL && llabs(h - v) <= FULL);
-        const tp_relief at = tp_pool_relief(pool, chance_word(&chance),
-                                            chance_word(&chance), TP_FX_ONE);
+        const tp_height_slope at = tp_pool_height_slope(pool, chance_word(&chance),
+                                                        chance_word(&chance), TP_FX_ONE);
         assert_true(abs(at.height) <= 64 * TP_FX_ONE);
     }
     free(pool);

@@ -33,15 +33,15 @@ static uint32_t crc_of(const tp_pool *pool)
 
 /* The vectors' tanks are smaller than a pool may be: a pool of 16 rows is cut to the
  * vector's rows, which no part of the step can notice. */
-static tp_pool *vector_pool(uint32_t bits, uint32_t cols, uint32_t rows, uint32_t r2q,
-                            uint32_t m, const char *init)
+static tp_pool *vector_pool(uint32_t bits, uint32_t cols, uint32_t rows,
+                            uint32_t courant_sq_q10, uint32_t m, const char *init)
 {
     tp_pool_config c = pool_config(bits == 8 ? TP_CELLS_8 : TP_CELLS_16, TP_EDGES_WALL,
                                    cols, 16);
     c.damping = m;
     tp_pool *const pool = pool_make(&c);
     pool->rows = rows;
-    pool->r2q = r2q;
+    pool->courant_sq_q10 = courant_sq_q10;
     while (*init != '\0') {
         char *end;
         const uint32_t at = (uint32_t)strtoul(init, &end, 10);
@@ -63,16 +63,19 @@ static void steps_match_the_vectors(void **state)
 
     assert_non_null(file);
     while (fgets(line, sizeof line, file) != NULL) {
-        uint32_t c, bits, n, m, r2q, damping, step, crc;
+        uint32_t c, bits, n, m, courant_sq_q10, damping, step, crc;
         int32_t sum_h, sum_v, highest;
-        if (sscanf(line, "%" SCNu32 ",%" SCNu32 ",%" SCNu32 ",%" SCNu32 ",%" SCNu32
-                   ",%" SCNu32 ",%127[^,],%" SCNu32 ",%*c,%" SCNd32 ",%" SCNd32
-                   ",%" SCNd32 ",%" SCNu32, &c, &bits, &n, &m, &r2q, &damping, init,
-                   &step, &sum_h, &sum_v, &highest, &crc) != 12)
+        if (sscanf(line,
+                   "%" SCNu32 ",%" SCNu32 ",%" SCNu32 ",%" SCNu32 ",%" SCNu32 ",%" SCNu32
+                   ",%127[^,],%" SCNu32 ",%*c,%" SCNd32 ",%" SCNd32 ",%" SCNd32
+                   ",%" SCNu32,
+                   &c, &bits, &n, &m, &courant_sq_q10, &damping, init, &step, &sum_h,
+                   &sum_v, &highest, &crc)
+            != 12)
             continue;
         if (c != now) {
             free(pool);
-            pool = vector_pool(bits, n, m, r2q, damping, init);
+            pool = vector_pool(bits, n, m, courant_sq_q10, damping, init);
             now = c;
         }
         pool_steps(pool, (int)(step - (uint32_t)pool->tick));
@@ -126,7 +129,7 @@ static void step_equals_the_models(tp_edges edges, uint32_t walls)
         c.mask = walls ? pool_mask(&chance, c.cols, c.rows, walls) : NULL;
         tp_pool *const pool = pool_make(&c);
         /* includes values that cannot be configured: odd, and beyond every bound */
-        pool->r2q = (uint32_t)chance_int(&chance, 0, 767);
+        pool->courant_sq_q10 = (uint32_t)chance_int(&chance, 0, 767);
         pool_fill(pool, &chance, n % 3 ? 40 : 32767);
         pool->gear = 30;
         ref_pool_read(&ref, pool);
@@ -299,7 +302,7 @@ static void beyond_the_bound_water_does_not_rest_but_stays_in_range(void **state
     (void)state;
     const tp_pool_config c = pool_config(TP_CELLS_16, TP_EDGES_WALL, 32, 32);
     tp_pool *const pool = pool_make(&c);
-    pool->r2q = 576;                        /* r = 0.75 */
+    pool->courant_sq_q10 = 576;                        /* r = 0.75 */
     tp_pool_add_splash(pool, 0, 0, TP_FX(1), TP_FX(0.05));
     pool_steps(pool, 2000);
     assert_int_equal(tp_pool_stats(pool).fastest, 32767);

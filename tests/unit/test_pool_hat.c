@@ -24,7 +24,7 @@ static void the_hat_is_a_hat(void **state)
         tp_pool *const pool = pool_make(&c);
         const double sigma = chance_double(&chance, 1.5, 5.5);         /* cells */
         const tp_fx x = chance_fx(&chance, -8, 8), z = chance_fx(&chance, -8, 8);
-        const double peak = tp_pool_lsb(pool, TP_FX(0.75));
+        const double peak = tp_pool_from_metres(pool, TP_FX(0.75));
         assert_true(tp_pool_add_splash(pool, x, z, (tp_fx)lround(sigma * 0.25 * 65536),
                                        TP_FX(0.75)));
         for (uint32_t row = 0; row < 64; row++) {
@@ -154,7 +154,7 @@ static void metres_become_lsb_to_nearest(void **state)
         const double full = n % 3 == 0 ? 127 : n % 3 == 1 ? 32767 : (1 << 30) - 1;
         const tp_fx metres = (tp_fx)random_number(&chance);
         const double lsb = n % 3 == 2 ? metres * 256.0 : metres * full / pool->range;
-        assert_int_equal(tp_pool_lsb(pool, metres),
+        assert_int_equal(tp_pool_from_metres(pool, metres),
                          (int32_t)fmax(fmin(floor(lsb + 0.5), full), -full));
         if (n < 2 || n == 2999)
             free(pool);
@@ -175,9 +175,9 @@ static void feeding_holds_the_band(void **state)
 {
     (void)state;
     tp_pool_config c = pool_config(TP_CELLS_16, TP_EDGES_TILE, 64, 64);
-    c.feed_low = TP_FX(512.0 / 32767);
-    c.feed_high = TP_FX(700.0 / 32767);
-    c.feed = TP_FX(4096.0 / 32767);
+    c.drive_min = TP_FX(512.0 / 32767);
+    c.drive_max = TP_FX(700.0 / 32767);
+    c.drive_amplitude = TP_FX(4096.0 / 32767);
     tp_pool *const pool = pool_make(&c);
     double low = 1e9, high = 0;
 
@@ -202,12 +202,12 @@ static void too_low_a_feed_gains_authority(void **state)
         tp_pool_config c = pool_config((tp_cells)n,
                                        n == 2 ? TP_EDGES_WALL : TP_EDGES_TILE, 48, 48);
         c.range = n == 0 ? TP_FX(127) / 2 : TP_FX(1);
-        c.feed_low = n == 0 ? TP_FX(3) : TP_FX(0.02);
-        c.feed_high = 2 * c.feed_low;
-        c.feed = c.feed_low / 4;
+        c.drive_min = n == 0 ? TP_FX(3) : TP_FX(0.02);
+        c.drive_max = 2 * c.drive_min;
+        c.drive_amplitude = c.drive_min / 4;
         c.mask = n == 1 ? pool_mask(&chance, 48, 48, 40) : NULL;
         tp_pool *const pool = pool_make(&c);
-        const int32_t asked = pool->feed_peak;
+        const int32_t asked = pool->drive_peak;
         pool_steps(pool, 2500);
         double low = 1e12, high = 0;
         for (int tick = 0; tick < 200; tick++) {
@@ -215,10 +215,10 @@ static void too_low_a_feed_gains_authority(void **state)
             low = fmin(low, rms(pool));
             high = fmax(high, rms(pool));
         }
-        const double want = tp_pool_lsb(pool, c.feed_low);
+        const double want = tp_pool_from_metres(pool, c.drive_min);
         print_message("    cells %d: rms %.3g to %.3g for %.3g, hats of %d, not %d\n", n,
-                      low, high, want, pool->feed_peak, asked);
-        assert_true(pool->feed_peak > asked);
+                      low, high, want, pool->drive_peak, asked);
+        assert_true(pool->drive_peak > asked);
         assert_true(low > 0.8 * want && high < 2 * want);
         free(pool);
     }

@@ -96,7 +96,7 @@ static void samples_are_bilinear(void **state)
             const tp_fx x = pool->x + (tp_fx)lround((u - pool->cols / 2.0) * pool->cell);
             const tp_fx z = pool->z + (tp_fx)lround((w - pool->rows / 2.0) * pool->cell);
             const tp_fx back = k % 2 ? 0 : chance_int(&chance, 0, 65536);
-            const tp_relief got = tp_pool_relief(pool, x, z, back);
+            const tp_height_slope got = tp_pool_height_slope(pool, x, z, back);
             const double got_of[3] = { got.height / 65536.0, got.slope_x / 65536.0,
                                        got.slope_z / 65536.0 };
             const double at_u = (x - pool->x) / (double)pool->cell + pool->cols / 2.0;
@@ -125,9 +125,9 @@ static void a_whole_tick_back_is_the_tick_before(void **state)
         const tp_fx x = pool->x + pool->cell / 3, z = pool->z - pool->cell * 2;
         pool->gear = 10;                    /* no peeling */
         for (int tick = 0; tick < 4; tick++) {
-            const tp_relief before = tp_pool_relief(pool, x, z, 0);
+            const tp_height_slope before = tp_pool_height_slope(pool, x, z, 0);
             tp_pool_step(pool);
-            const tp_relief back = tp_pool_relief(pool, x, z, TP_FX_ONE);
+            const tp_height_slope back = tp_pool_height_slope(pool, x, z, TP_FX_ONE);
             assert_int_equal(before.height, back.height);
             assert_int_equal(before.slope_x, back.slope_x);
             assert_int_equal(before.slope_z, back.slope_z);
@@ -141,11 +141,11 @@ static void the_surface_glides_between_two_ticks(void **state)
     (void)state;
     for (int n = 0; n < 6; n++) {
         tp_pool *const pool = any_pool((tp_cells)(n % 3), TP_EDGES_TILE);
-        const tp_fx now = tp_pool_relief(pool, pool->x, pool->z, 0).height;
-        const tp_fx then = tp_pool_relief(pool, pool->x, pool->z, TP_FX_ONE).height;
+        const tp_fx now = tp_pool_height_slope(pool, pool->x, pool->z, 0).height;
+        const tp_fx then = tp_pool_height_slope(pool, pool->x, pool->z, TP_FX_ONE).height;
         for (tp_fx back = 0; back <= TP_FX_ONE; back += 997) {
             const double want = now + (then - (double)now) * back / 65536;
-            const tp_fx got = tp_pool_relief(pool, pool->x, pool->z, back).height;
+            const tp_fx got = tp_pool_height_slope(pool, pool->x, pool->z, back).height;
             assert_true(fabs(got - want) <= 2);
         }
         free(pool);
@@ -164,18 +164,17 @@ static void a_tiled_field_has_no_seam(void **state)
     pool_steps(pool, 10);
     for (int k = 0; k < 2000; k++) {
         const tp_fx x = chance_fx(&chance, -4, 4), z = chance_fx(&chance, -6, 6);
-        const tp_relief here = tp_pool_relief(pool, x, z, 0);
-        const tp_relief far = tp_pool_relief(pool, x + chance_int(&chance, -3000, 3000)
-                                                       * TP_FX(8),
-                                             z + chance_int(&chance, -2000, 2000)
-                                                 * TP_FX(12), 0);
+        const tp_height_slope here = tp_pool_height_slope(pool, x, z, 0);
+        const tp_height_slope far =
+            tp_pool_height_slope(pool, x + chance_int(&chance, -3000, 3000) * TP_FX(8),
+                                 z + chance_int(&chance, -2000, 2000) * TP_FX(12), 0);
         assert_in_range(here.height - far.height + 1, 0, 2);
         assert_in_range(here.slope_x - far.slope_x + 1, 0, 2);
         assert_in_range(here.slope_z - far.slope_z + 1, 0, 2);
     }
     for (tp_fx z = TP_FX(-6); z < TP_FX(6); z += 5003) {
-        const tp_relief left = tp_pool_relief(pool, TP_FX(4) - 1, z, 0);
-        const tp_relief right = tp_pool_relief(pool, TP_FX(4), z, 0);
+        const tp_height_slope left = tp_pool_height_slope(pool, TP_FX(4) - 1, z, 0);
+        const tp_height_slope right = tp_pool_height_slope(pool, TP_FX(4), z, 0);
         assert_in_range(left.height - right.height + 8, 0, 16);
         assert_in_range(left.slope_x - right.slope_x + 32, 0, 64);
     }
@@ -194,14 +193,17 @@ static void outside_there_is_no_water(void **state)
         for (uint32_t x = 0; x < 17; x++)
             tp_pool_add(pool, x, y, 32767);
     /* 17 cells of 1/4 m around x = 100: 97.875 to 102.125; 20 cells around z = 0 */
-    assert_int_equal(tp_pool_relief(pool, TP_FX(97.875), 0, 0).height, TP_FX_ONE);
-    assert_int_equal(tp_pool_relief(pool, TP_FX(97.875) - 1, 0, 0).height, 0);
-    assert_int_equal(tp_pool_relief(pool, TP_FX(102.125) - 1, 0, 0).height, TP_FX_ONE);
-    assert_int_equal(tp_pool_relief(pool, TP_FX(102.125), 0, 0).height, TP_FX_ONE);
-    assert_int_equal(tp_pool_relief(pool, TP_FX(102.125) + 1, 0, 0).height, 0);
-    assert_int_equal(tp_pool_relief(pool, TP_FX(100), TP_FX(2.5), 0).height, TP_FX_ONE);
-    assert_int_equal(tp_pool_relief(pool, TP_FX(100), TP_FX(2.5) + 1, 0).height, 0);
-    assert_int_equal(tp_pool_relief(pool, TP_FX(100), TP_FX(-2.5), 0).height, TP_FX_ONE);
+    assert_int_equal(tp_pool_height_slope(pool, TP_FX(97.875), 0, 0).height, TP_FX_ONE);
+    assert_int_equal(tp_pool_height_slope(pool, TP_FX(97.875) - 1, 0, 0).height, 0);
+    assert_int_equal(tp_pool_height_slope(pool, TP_FX(102.125) - 1, 0, 0).height,
+                     TP_FX_ONE);
+    assert_int_equal(tp_pool_height_slope(pool, TP_FX(102.125), 0, 0).height, TP_FX_ONE);
+    assert_int_equal(tp_pool_height_slope(pool, TP_FX(102.125) + 1, 0, 0).height, 0);
+    assert_int_equal(tp_pool_height_slope(pool, TP_FX(100), TP_FX(2.5), 0).height,
+                     TP_FX_ONE);
+    assert_int_equal(tp_pool_height_slope(pool, TP_FX(100), TP_FX(2.5) + 1, 0).height, 0);
+    assert_int_equal(tp_pool_height_slope(pool, TP_FX(100), TP_FX(-2.5), 0).height,
+                     TP_FX_ONE);
     assert_true(tp_pool_cell(pool, TP_FX(97.875), TP_FX(-2.5), &col, &row));
     assert_true(col == 0 && row == 0);
     assert_true(tp_pool_cell(pool, TP_FX(102.1), TP_FX(2.49), &col, &row));
@@ -227,7 +229,7 @@ static void level_water_is_level_beside_walls(void **state)
         for (int k = 0; k < 500; k++) {
             const tp_fx x = chance_fx(&chance, -2.99, 2.99);
             const tp_fx z = chance_fx(&chance, -2.99, 2.99);
-            const tp_relief got = tp_pool_relief(pool, x, z, 0);
+            const tp_height_slope got = tp_pool_height_slope(pool, x, z, 0);
             uint32_t col, row;
             const bool open = tp_pool_cell(pool, x, z, &col, &row);
             assert_int_equal(got.height, open ? level : 0);

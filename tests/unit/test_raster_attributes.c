@@ -23,11 +23,11 @@ typedef struct {
     double    length;           /* longest side along an axis, 28.4 */
     double    thinness;         /* length^2 over twice the area */
     double    low, high;        /* zi */
-} face;
+} drawn_face;
 
 /* False for a triangle without area, or too thin: then its values are those of the upper
  * corner. */
-static bool face_of(face *f, const tp_gbuffer *tile)
+static bool face_of(drawn_face *f, const tp_gbuffer *tile)
 {
     tp_tri tri;
     const tp_screen_vertex *c = f->corner;
@@ -58,15 +58,15 @@ static tp_screen_vertex corner_within(int32_t far)
 /* Error bound of a value with this `range`, far from its corner: the gradients' factors,
  * see set_factors(), and the truncation of each gradient by one unit of its last place per
  * pixel. */
-static double plane_error(const face *f, double range, double unit)
+static double plane_error(const drawn_face *f, double range, double unit)
 {
     return 5 / 134217728.0 * range * f->thinness + unit * (2 + f->length / 8);
 }
 
-typedef void compare(const face *f, const test_tile *tile, int32_t x, int32_t y,
+typedef void compare(const drawn_face *f, const test_tile *tile, int32_t x, int32_t y,
                      measure *m);
 
-static void compare_all(const face *f, compare *at, measure *m)
+static void compare_all(const drawn_face *f, compare *at, measure *m)
 {
     test_tile tile = tile_of(0, 0, WIDTH, HEIGHT, 0);
 
@@ -82,7 +82,7 @@ static void compare_all(const face *f, compare *at, measure *m)
 
 /* -- depth --------------------------------------------------------------------------- */
 
-static void compare_depth(const face *f, const test_tile *tile, int32_t x, int32_t y,
+static void compare_depth(const drawn_face *f, const test_tile *tile, int32_t x, int32_t y,
                           measure *m)
 {
     const uint32_t key = tile->samples.key[tile_at(tile, x, y)];
@@ -103,7 +103,7 @@ static void depth_lies_in_the_plane_of_the_corners(void **state)
     static const int32_t fars[3] = { 1600, 8000, 8192 * 16 };
 
     for (int n = 0; n < 450; n++) {
-        face f;
+        drawn_face f;
         for (int i = 0; i < 3; i++) {
             f.corner[i] = corner_within(fars[n % 3]);
             f.corner[i].zi = (uint32_t)chance_scale(&chance, 2, 32600);
@@ -187,7 +187,7 @@ static void no_sliver_leaves_the_depths_of_its_corners(void **state)
 /* -- texture coordinates ------------------------------------------------------------- */
 
 /* Ratio of the depths over the 16 pixels that contain x. */
-static double ratio_at(const face *f, int32_t x, int32_t y)
+static double ratio_at(const drawn_face *f, int32_t x, int32_t y)
 {
     const double a = ref_sample_at(f->at, x & ~15, y).zi;
     const double b = ref_sample_at(f->at, (x & ~15) + 16, y).zi;
@@ -197,7 +197,7 @@ static double ratio_at(const face *f, int32_t x, int32_t y)
 
 /* Measures the distance in pixels between (x, y) and the point where the reference has the
  * drawn value. */
-static void compare_places(const face *f, const test_tile *tile, int32_t x, int32_t y,
+static void compare_places(const drawn_face *f, const test_tile *tile, int32_t x, int32_t y,
                            measure *m)
 {
     const size_t i = tile_at(tile, x, y);
@@ -241,7 +241,7 @@ static void places_follow_the_perspective(void **state)
     for (int k = 0; k < 5; k++) {
         measure error = { .what = names[k], .unit = "px" };
         for (int n = 0; n < 100; n++) {
-            face f;
+            drawn_face f;
             for (int i = 0; i < 3; i++) {
                 const double depth = chance_double(&chance, 1, ratios[k]);
                 f.corner[i] = corner_within(n % 2 ? 600 : 4000);
@@ -259,8 +259,8 @@ static void places_follow_the_perspective(void **state)
 
 /* -- normals ------------------------------------------------------------------------- */
 
-static void compare_normals(const face *f, const test_tile *tile, int32_t x, int32_t y,
-                            measure *m)
+static void compare_normals(const drawn_face *f, const test_tile *tile, int32_t x,
+                            int32_t y, measure *m)
 {
     const uint32_t n = tile->samples.n[tile_at(tile, x, y)];
     const ref_sample want = ref_sample_at(f->at, x, y);
@@ -279,7 +279,7 @@ static void slopes_are_linear_between_corners(void **state)
     measure error = { .what = "slopes beyond cut", .unit = "of 1/4096" };
 
     for (int n = 0; n < 200; n++) {
-        face f;
+        drawn_face f;
         for (int i = 0; i < 3; i++) {
             f.corner[i] = corner_within(n % 2 ? 4000 : 8192 * 16);
             f.corner[i].zi = 1u << 30;
@@ -303,7 +303,7 @@ static void solids_carry_normal_texture_and_face(void **state)
 {
     (void)state;
     for (int n = 0; n < 100; n++) {
-        face f;
+        drawn_face f;
         for (int i = 0; i < 3; i++) {
             f.corner[i] = corner_within(3000);
             f.corner[i].zi = 1u << 30;

@@ -19,7 +19,7 @@ typedef struct {
     uint32_t lines, points;
     tp_row_point point[LINES][POINTS];
     bool     gap[LINES];        /* nothing is drawn before the line */
-} field;
+} row_field;
 
 /* Depth d is 1 / zi of a plane with its horizon at row 4; s is proportional to u d, t to
  * d. */
@@ -36,10 +36,10 @@ static tp_row_point point_at(double u, double depth, double high)
     };
 }
 
-static field any_field(bool gaps)
+static row_field any_field(bool gaps)
 {
-    field f = { .lines = 4 + random_below(&chance, LINES - 3),
-                .points = 2 + random_below(&chance, POINTS - 1) };
+    row_field f = { .lines = 4 + random_below(&chance, LINES - 3),
+                    .points = 2 + random_below(&chance, POINTS - 1) };
     double depth = chance_double(&chance, 1.2, 2.2);
     double wild = chance_double(&chance, 0, 40);
 
@@ -71,7 +71,7 @@ static void put_solids(test_tile *tile)
                     = (uint32_t)(0x08000000 + 0x100 * (x * y % 4000) * 300) | TP_MARK_SOLID;
 }
 
-static test_tile walked(const field *f, int32_t x0, int32_t y0, int32_t x1, int32_t y1,
+static test_tile walked(const row_field *f, int32_t x0, int32_t y0, int32_t x1, int32_t y1,
                         bool solid)
 {
     test_tile tile = tile_of(x0, y0, x1, y1, 3);
@@ -109,10 +109,12 @@ static void assert_same(const test_tile *part, const test_tile *whole)
 static void every_tile_gives_the_same_bits(void **state)
 {
     (void)state;
-    static const int32_t sizes[][2] = { { 16, HEIGHT }, { WIDTH, 1 }, { 32, 9 }, { 48, 32 } };
+    static const int32_t sizes[][2] = {
+        { 16, HEIGHT }, { WIDTH, 1 }, { 32, 9 }, { 48, 32 }
+    };
 
     for (int n = 0; n < 120; n++) {
-        const field f = any_field(n % 3 == 0);
+        const row_field f = any_field(n % 3 == 0);
         const bool solid = n % 2;
         test_tile whole = walked(&f, 0, 0, WIDTH, HEIGHT, solid);
         const int32_t w = sizes[n % 4][0], h = sizes[n % 4][1];
@@ -151,7 +153,7 @@ static value value_of(const tp_row_point *p)
                     (int16_t)p->n };
 }
 
-static value value_at(const field *f, uint32_t k, int32_t x)
+static value value_at(const row_field *f, uint32_t k, int32_t x)
 {
     for (uint32_t i = 1; i < f->points; i++) {
         const tp_row_point *a = &f->point[k][i - 1], *b = &f->point[k][i];
@@ -166,11 +168,11 @@ static value value_at(const field *f, uint32_t k, int32_t x)
 typedef struct {
     double   place, zi, slope;  /* largest errors: pixels, shares, LSB */
     uint32_t pixels, wrong;
-} errors;
+} raster_row_errors;
 
 /* Error of a position in pixels down the piece: its difference over the change per row. */
-static void judge(errors *e, const test_tile *tile, int32_t x, int32_t y, const value *near,
-                  const value *far)
+static void judge(raster_row_errors *e, const test_tile *tile, int32_t x, int32_t y,
+                  const value *near, const value *far)
 {
     const size_t at = tile_at(tile, x, y);
     const double rows = near->v - far->v, f = (y + 0.5 - far->v) / rows;
@@ -194,10 +196,10 @@ static void judge(errors *e, const test_tile *tile, int32_t x, int32_t y, const 
 static void lines_are_drawn_as_in_double_precision(void **state)
 {
     (void)state;
-    errors e = { 0 };
+    raster_row_errors e = { 0 };
 
     for (int n = 0; n < 200; n++) {
-        const field f = any_field(false);
+        const row_field f = any_field(false);
         test_tile tile = walked(&f, 0, 0, WIDTH, HEIGHT, false);
         for (int32_t x = 0; x < WIDTH; x++) {
             double  horizon = 1e9;

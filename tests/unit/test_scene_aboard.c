@@ -144,9 +144,9 @@ static void a_picture_between_ticks_is_of_both_boat_and_camera(void **state)
     for (int i = 0; i < 20; i++)
         tp_world_step(&tp_program_all, &w, &scene, NULL);
     const tp_camera now = tp_world_camera(&w);
-    w.back = TP_FX_ONE;
+    w.lag = TP_FX_ONE;
     const tp_camera before = tp_world_camera(&w);
-    w.back = TP_FX_ONE / 2;
+    w.lag = TP_FX_ONE / 2;
     const tp_camera middle = tp_world_camera(&w);
     assert_true(abs(middle.eye.x - (now.eye.x + before.eye.x) / 2) < 66);   /* 1 mm */
     assert_true(abs(middle.eye.z - (now.eye.z + before.eye.z) / 2) < 66);

@@ -54,7 +54,7 @@ static void the_picture_is_seen_from_the_place(void **state)
     for (int n = 0; n < 200; n++) {
         tp_scene scene = n & 1 ? following() : scene_plain();
         tp_world w = boat_world(&scene);
-        w.back = chance_int(&chance, 0, TP_FX_ONE);
+        w.lag = chance_int(&chance, 0, TP_FX_ONE);
         const placed p = place_any(&w);
         assert_seen_from(&w, &p);
         tp_world_step(&tp_program_all, &w, &scene, n & 2 ? &(tp_input){ 0 } : NULL);
@@ -85,7 +85,7 @@ static void between_ticks_roll_goes_the_shorter_way(void **state)
 
     tp_world_set_camera(&w, (tp_vec3){ 0, 0, 0 }, 0, 0, TP_DEG(350));
     w.roll = TP_DEG(30);
-    w.back = TP_FX_ONE / 2;
+    w.lag = TP_FX_ONE / 2;
     const tp_rotation turn = tp_world_camera(&w).turn,
                       want = tp_rotation_from_angles(0, 0, TP_DEG(10));
     assert_in_range(turn.x.y - want.x.y + 64, 0, 128);

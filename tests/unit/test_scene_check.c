@@ -27,13 +27,13 @@ typedef struct {
     void     *block;            /* as large as a frame of any scene here */
     size_t    block_bytes;
     void     *copy;             /* copy of the world */
-} stand;
+} check_stand;
 
-static stand stand_of(const tp_scene *scene)
+static check_stand stand_of(const tp_scene *scene)
 {
-    stand s = { .scene = *scene,
-                .world_bytes = tp_world_bytes(&tp_program_all, scene, NULL),
-                .block_bytes = 1 << 22 };
+    check_stand s = { .scene = *scene,
+                      .world_bytes = tp_world_bytes(&tp_program_all, scene, NULL),
+                      .block_bytes = 1 << 22 };
 
     s.world = malloc(s.world_bytes);
     s.copy = malloc(s.world_bytes);
@@ -44,7 +44,7 @@ static stand stand_of(const tp_scene *scene)
     return s;
 }
 
-static void stand_free(stand *s)
+static void stand_free(check_stand *s)
 {
     free(s->world);
     free(s->copy);
@@ -62,7 +62,7 @@ static void assert_refused(tp_status status, const tp_error *err, const tp_error
 
 /* Asserts that every entry point refuses the scene as tp_scene_check does, and changes
  * nothing. */
-static void all_refuse(stand *s, const tp_scene *bad, const tp_error *why)
+static void all_refuse(check_stand *s, const tp_scene *bad, const tp_error *why)
 {
     tp_error  err;
     tp_frame *frame = NULL;
@@ -112,10 +112,11 @@ static void every_number_beyond_its_range_is_refused_by_its_name(void **state)
     uint32_t count;
     const tp_param *const rows = tp_params(&count);
     const tp_scene plain = scene_plain();
-    stand s = stand_of(&plain);
+    check_stand s = stand_of(&plain);
 
     for (uint32_t i = 0; i < count; i++) {
-        const int32_t beyond[] = { rows[i].low - 1, rows[i].high + 1, INT32_MIN, INT32_MAX };
+        const int32_t beyond[] = { rows[i].low - 1, rows[i].high + 1, INT32_MIN,
+                                   INT32_MAX };
         for (size_t k = 0; scene_is_number(&rows[i]) && k < 4; k++) {
             tp_scene bad = plain;
             tp_error why;
@@ -158,7 +159,7 @@ static void names_without_an_end_and_with_control_characters_are_refused(void **
     uint32_t count;
     const tp_param *const rows = tp_params(&count);
     const tp_scene plain = scene_plain();
-    stand s = stand_of(&plain);
+    check_stand s = stand_of(&plain);
 
     for (uint32_t i = 0; i < count; i++) {
         tp_scene bad = plain;
@@ -185,7 +186,7 @@ static void combinations_that_cannot_be_used_are_refused(void **state)
 {
     (void)state;
     const tp_scene plain = scene_plain();
-    stand s = stand_of(&plain);
+    check_stand s = stand_of(&plain);
 
     for (int n = 0; n < 6; n++) {
         tp_scene bad = plain;
@@ -245,7 +246,7 @@ static void scenes_of_any_numbers_are_refused_or_can_be_used(void **state)
 {
     (void)state;
     const tp_scene plain = scene_plain();
-    stand s = stand_of(&plain);
+    check_stand s = stand_of(&plain);
     uint32_t used = 0, refused = 0;
 
     for (int n = 0; n < 300; n++) {

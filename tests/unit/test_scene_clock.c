@@ -21,7 +21,7 @@ static double scale_of(const tp_clock *clock)
 
 static double time_of(const tp_clock *clock)
 {
-    return (double)clock->ticks + (double)clock->part_q40 / 1099511627776.0;
+    return (double)clock->ticks + (double)clock->fraction_q40 / 1099511627776.0;
 }
 
 /* Rows: frame, target, scale, acc, n, total. */

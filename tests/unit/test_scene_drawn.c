@@ -51,11 +51,11 @@ static void back_0_is_the_tick(void **state)
     for (int n = 0; n < 50; n++) {
         tp_scene scene;
         tp_world w = moved(&scene, n);
-        w.back = 0;
+        w.lag = 0;
         const tp_drawn at = tp_world_interpolate(&w);
         assert_camera(&at.camera, w.eye, w.heading, w.pitch);
         assert_pose(&at.boat, &w.boat);
-        for (uint32_t i = 0; i < w.sea.count; i++)
+        for (uint32_t i = 0; i < w.deep.count; i++)
             assert_int_equal(at.phases[i], w.phases[i]);
         assert_int_equal(at.time, n * (int64_t)65536);
     }
@@ -72,11 +72,11 @@ static void back_1_is_the_last_tick(void **state)
                               .turn = chance_int(&chance, -9999999, 9999999),
                               .tilt = 999999 };
         tp_world_step(&tp_program_all, &w, &scene, &in);
-        w.back = TP_FX_ONE;
+        w.lag = TP_FX_ONE;
         const tp_drawn at = tp_world_interpolate(&w);
         assert_camera(&at.camera, before.eye, before.heading, before.pitch);
         assert_pose(&at.boat, &before.boat);
-        for (uint32_t i = 0; i < w.sea.count; i++)
+        for (uint32_t i = 0; i < w.deep.count; i++)
             assert_true(abs((int32_t)(at.phases[i] - before.phases[i])) <= 1);
         assert_int_equal(at.time, n * (int64_t)65536);
     }
@@ -100,8 +100,8 @@ static void between_them_all_is_monotone(void **state)
         const int32_t last = tp_rotation_from_angles(w.last_heading, w.last_pitch, 0).x.z;
         const int32_t now = tp_rotation_from_angles(w.heading, w.pitch, 0).x.z;
         int32_t right = last, roll = 0;
-        for (tp_fx back = TP_FX_ONE; back >= 0; back -= 257) {
-            w.back = back;
+        for (tp_fx lag = TP_FX_ONE; lag >= 0; lag -= 257) {
+            w.lag = lag;
             const tp_drawn at = tp_world_interpolate(&w);
             assert_between(w.last_eye.x, w.eye.x, at.camera.eye.x, &x);
             assert_between(w.last_eye.y, w.eye.y, at.camera.eye.y, &y);
@@ -124,11 +124,11 @@ static void a_heading_goes_the_short_way_across_the_wrap(void **state)
     w.last_pitch = w.pitch;
     w.last_boat.heading = 0x00800000u;
     w.boat.heading = 0xff800000u;
-    w.back = TP_FX_ONE / 2;
+    w.lag = TP_FX_ONE / 2;
     tp_drawn at = tp_world_interpolate(&w);
     assert_camera(&at.camera, at.camera.eye, 0, w.pitch);
     assert_int_equal(at.boat.heading, 0);
-    w.back = TP_FX_ONE / 4;
+    w.lag = TP_FX_ONE / 4;
     at = tp_world_interpolate(&w);
     assert_camera(&at.camera, at.camera.eye, 0x00800000u, w.pitch);
     assert_int_equal(at.boat.heading, 0xffc00000u);
@@ -152,7 +152,7 @@ static int64_t show(tp_world *w, const tp_scene *scene)
 {
     for (uint32_t ticks = tp_world_advance_clock(w); ticks > 0; ticks--)
         tp_world_step(&tp_program_all, w, scene, NULL);
-    assert_in_range(w->back, 0, TP_FX_ONE - 1);
+    assert_in_range(w->lag, 0, TP_FX_ONE - 1);
     return tp_world_interpolate(w).time;
 }
 
@@ -188,7 +188,7 @@ static void a_wave_s_phase_advances_evenly_in_slow_motion(void **state)
     assert_int_equal(tp_world_init(&tp_program_all, &w, sizeof w, &scene, NULL, NULL),
                      TP_OK);
     tp_turn last = tp_world_interpolate(&w).phases[0];
-    const double step = (double)w.sea.swell[0].turns_tick / 4294967296.0 / 8;
+    const double step = (double)w.deep.swell[0].turns_tick / 4294967296.0 / 8;
     for (int i = 0; i < 200; i++) {
         show(&w, &scene);
         const tp_turn now = tp_world_interpolate(&w).phases[0];
@@ -256,7 +256,7 @@ static void a_look_is_seen_at_once(void **state)
     tp_world w = moved(&scene, 3);
     const tp_input in = { .forward = TP_FX_ONE, .turn = 12345678, .tilt = -999 };
 
-    w.back = TP_FX_ONE / 3;
+    w.lag = TP_FX_ONE / 3;
     tp_world_move_camera(&w, &in);
     const tp_drawn at = tp_world_interpolate(&w);
     assert_camera(&at.camera, w.eye, w.heading, w.pitch);

@@ -45,8 +45,8 @@ static void run(drive *d, uint32_t frames, uint32_t load, int32_t noise)
 {
     for (uint32_t i = 0; i < frames; i++, d->frame++) {
         const int32_t swing = 100 + chance_int(&chance, -noise, noise);
-        const int step = tp_governor_add_frame_time(&d->governor, load * share[d->governor.at] / 100
-                                                        * (uint32_t)swing / 100);
+        const int step = tp_governor_add_frame_time(
+            &d->governor, load * share[d->governor.at] / 100 * (uint32_t)swing / 100);
         assert_true(d->governor.at < d->governor.ladder.count);
         d->steps += step != 0;
         d->down += step > 0;

@@ -60,14 +60,14 @@ typedef struct {
     tp_scene scene;
     tp_assets assets;
     bool on[COUNT]; /* by the full program, in its frame */
-} shown;
+} shown_modules;
 
 static const tp_config config = {
     .width = 64, .height = 48, .tile_height = 48, .format = TP_FORMAT_XRGB8888
 };
 
 /* A random scene; half of the scenes have few features, so that fast stages are on too. */
-static bool any_scene(shown *s)
+static bool any_scene(shown_modules *s)
 {
     s->scene = kit_scene(&chance, 14, 40);
     s->assets = kit_assets(&kit, &s->scene, &chance);
@@ -84,7 +84,7 @@ static bool any_scene(shown *s)
         return false;
     test_frame f = frame_by(&tp_program_all, &s->scene, &s->assets, &config);
     tp_want want =
-        tp_frame_want(&tp_program_all, &f.frame->parts, &s->scene, &s->assets, &config);
+        tp_frame_want(&tp_program_all, &f.frame->buffers, &s->scene, &s->assets, &config);
     for (uint32_t i = 0; i < COUNT; i++)
         s->on[i] = tp_module_ask_enabled(tp_program_all.modules[i].module, &want);
     frame_free(&f);
@@ -103,7 +103,7 @@ static bool is_all(const uint64_t *block, size_t words, uint64_t value)
 
 /* Asserts the same result from every function with a scene argument; `name` NULL: the scene
  * is accepted. */
-static void compare_inits(const tp_program *by, const shown *s, const char *name)
+static void compare_inits(const tp_program *by, const shown_modules *s, const char *name)
 {
     static uint64_t block[4096];
     const tp_status expected = name ? TP_E_PROGRAM : TP_E_NOSPACE;
@@ -128,7 +128,7 @@ static void compare_inits(const tp_program *by, const shown *s, const char *name
     assert_true(is_all(block, sizeof block / sizeof *block, 0xa5a5a5a5a5a5a5a5));
 }
 
-static void compare(const tp_program *by, const shown *s, const char *name)
+static void compare(const tp_program *by, const shown_modules *s, const char *name)
 {
     tp_error err = { 0 };
     const tp_status status = tp_program_check_all(by, &s->scene, &s->assets, &err);
@@ -142,7 +142,7 @@ static void one_module_lacked_is_refused_where_it_is_on(void **state)
 {
     static lacking l;
     int refused[COUNT] = { 0 }, drawn = 0;
-    shown s;
+    shown_modules s;
 
     (void)state;
     for (int n = 0; n < SCENES; n++) {
@@ -170,7 +170,7 @@ static void many_modules_lacked_are_refused_by_the_first_that_is_on(void **state
 {
     static lacking l;
     int refused = 0, taken = 0;
-    shown s;
+    shown_modules s;
 
     (void)state;
     for (int n = 0; n < 4 * SCENES; n++) {

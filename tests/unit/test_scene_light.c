@@ -91,11 +91,11 @@ static void between_ticks_it_is_between(void **state)
 
     w->light_elevation = TP_DEG(40);
     tp_world_step(&tp_program_all, w, &s, &in);
-    w->back = TP_FX_ONE / 4;
+    w->lag = TP_FX_ONE / 4;
     tp_drawn at = tp_world_interpolate(w);
     assert_int_equal(at.light_heading, w->light_heading - 250000);
     assert_int_equal(at.light_elevation, w->light_elevation + 500000);
-    w->back = TP_FX_ONE;
+    w->lag = TP_FX_ONE;
     at = tp_world_interpolate(w);
     assert_int_equal(at.light_elevation, TP_DEG(40));
     free(w);

@@ -135,7 +135,8 @@ static void every_text_goes_there_and_back(void **state)
     uint32_t count;
     const tp_param *const rows = tp_params(&count);
     for (uint32_t i = 0; i < count; i++)
-        for (size_t k = 0; tp_param_is_text(&rows[i]) && k < sizeof texts / sizeof texts[0]; k++) {
+        for (size_t k = 0;
+             tp_param_is_text(&rows[i]) && k < sizeof texts / sizeof texts[0]; k++) {
             tp_scene scene;
             char text[TP_NAME_BYTES];
             memset(&scene, 'x', sizeof scene);

@@ -30,10 +30,10 @@ static void a_block_of_the_bytes_asked_for_is_enough(void **state)
         memset(world, 0xa5, bytes);
         assert_int_equal(
             tp_world_init(&tp_program_all, world, bytes, &scene, &assets, &err), TP_OK);
-        assert_int_equal(world->parts.bytes, bytes);
+        assert_int_equal(world->layout.bytes, bytes);
         run(&chance, world, &scene, 40);
         assert_int_equal(world->tick, 40);
-        assert_int_equal(tp_world_ocean(world) != NULL, (parts & 3) != 0);
+        assert_int_equal(tp_world_coastal(world) != NULL, (parts & 3) != 0);
         assert_int_equal(tp_world_pool(world) != NULL, (parts & 4) != 0);
         assert_int_equal(tp_world_field(world) != NULL, (parts & 8) != 0);
         assert_int_equal(tp_world_drops(world) != NULL, (parts & 16) != 0);
@@ -53,7 +53,7 @@ static void a_world_without_parts_is_its_head_alone(void **state)
  * swell. */
 static void a_world_ends_after_the_swells_of_its_program(void **state)
 {
-    const size_t head = offsetof(tp_world, sea.swell);
+    const size_t head = offsetof(tp_world, deep.swell);
     tp_scene scene = scene_with(&chance, 0);
     tp_program few = tp_program_all, none = tp_program_all;
     (void)state;
@@ -72,7 +72,7 @@ static void a_world_ends_after_the_swells_of_its_program(void **state)
                          TP_OK);
         tp_world_step(&few, a, &scene, NULL);
         tp_world_step(&tp_program_all, &b, &scene, NULL);
-        assert_int_equal(a->sea.count, n);
+        assert_int_equal(a->deep.count, n);
         assert_memory_equal(a->phases, b.phases, sizeof b.phases);
         const tp_water at = tp_world_sample(&few, a, TP_FX_ONE, TP_FX_ONE);
         const tp_water want = tp_world_sample(&tp_program_all, &b, TP_FX_ONE, TP_FX_ONE);
@@ -112,7 +112,7 @@ static void parts_are_aligned_and_lie_side_by_side(void **state)
     for (uint32_t parts = 0; parts < 32; parts++) {
         const tp_scene scene = scene_with(&chance, parts);
         tp_world *world = scene_world(&scene, NULL);
-        const tp_world_parts *p = &world->parts;
+        const tp_world_layout *p = &world->layout;
         const uint32_t at[] = { p->modules, p->bytes };
         uint32_t before = 0;
 
@@ -143,7 +143,7 @@ static void a_snapshot_goes_on_bit_for_bit(void **state)
         scene.boat.mode = n % 2;
         const tp_assets assets = assets_with(&chance, &scene, n & 2, false);
         tp_world *world = scene_world(&scene, &assets);
-        const size_t bytes = world->parts.bytes;
+        const size_t bytes = world->layout.bytes;
         run(&chance, world, &scene, 50);
         tp_world *copy = malloc(bytes);
         memcpy(copy, world, bytes);
@@ -281,7 +281,7 @@ static void the_surface_names_every_part(void **state)
     run(&chance, world, &scene, 60);
     const tp_surface s = tp_world_surface(&tp_program_all, world);
 
-    assert_ptr_equal(s.ocean, tp_world_ocean(world));
+    assert_ptr_equal(s.coastal, tp_world_coastal(world));
     assert_ptr_equal(s.pool, tp_world_pool(world));
     assert_ptr_equal(s.field, tp_world_field(world));
     assert_ptr_equal(s.phases, world->phases);
@@ -297,7 +297,7 @@ static void the_surface_names_every_part(void **state)
     for (int n = 0; n < 50; n++) {
         const tp_fx x = chance_fx(&chance, -20, 20), z = chance_fx(&chance, -20, 20);
         const tp_water a = tp_world_sample(&tp_program_all, world, x, z);
-        const tp_sea_point b = tp_surface_sample(&s, x, z, NULL);
+        const tp_surface_point b = tp_surface_sample(&s, x, z, NULL);
         assert_int_equal(a.height, b.position.y);
         assert_int_equal(a.slope_x, b.slope_x);
         assert_int_equal(a.slope_z, b.slope_z);

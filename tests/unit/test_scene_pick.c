@@ -16,17 +16,17 @@ static uint64_t chance;
 typedef struct {
     tp_scene  scene;
     tp_world *world;
-} water;
+} pick_water;
 
-static void water_free(water *w)
+static void water_free(pick_water *w)
 {
     free(w->world);
 }
 
 /* A world after ticks with pokes, drops and a walk. */
-static water water_of(const tp_scene *scene, int ticks)
+static pick_water water_of(const tp_scene *scene, int ticks)
 {
-    water w = { *scene, scene_world(scene, NULL) };
+    pick_water w = { *scene, scene_world(scene, NULL) };
 
     assert_non_null(w.world);
     for (int i = 0; i < ticks; i++) {
@@ -104,7 +104,7 @@ static double axis(const tp_dir3 *d, const double p[3])
     return (d->x * p[0] + d->y * p[1] + d->z * p[2]) / TP_Q30_ONE;
 }
 
-static seen seen_at(const water *w, tp_vec3 place)
+static seen seen_at(const pick_water *w, tp_vec3 place)
 {
     const tp_camera c = tp_world_camera(w->world);
     const double p[3] = { (place.x - c.eye.x) / 65536.0, (place.y - c.eye.y) / 65536.0,
@@ -116,7 +116,7 @@ static seen seen_at(const water *w, tp_vec3 place)
 
 /* Largest height in pixels by which water covers the point, over steps of half a pixel
  * along the ray. */
-static double hidden_by(const water *w, tp_vec3 at)
+static double hidden_by(const pick_water *w, tp_vec3 at)
 {
     const tp_vec3 eye = tp_world_camera(w->world).eye;
     const double way[3] = { at.x - eye.x, at.y - eye.y, at.z - eye.z };
@@ -146,14 +146,14 @@ static bool pick_pixel(const tp_world *world, const tp_scene *scene, uint32_t wi
 }
 
 /* Picks a pixel of the usual picture. */
-static bool pick(const water *w, int32_t px, int32_t py, tp_vec3 *at)
+static bool pick(const pick_water *w, int32_t px, int32_t py, tp_vec3 *at)
 {
     return pick_pixel(w->world, &w->scene, WIDTH, HEIGHT, px, py, at);
 }
 
 /* -- tests -------------------------------------------------------------------------- */
 
-static void look_from(water *w, double y, double heading, double pitch)
+static void look_from(pick_water *w, double y, double heading, double pitch)
 {
     w->world->eye.y = (tp_fx)(y * 65536);
     w->world->heading = tp_turn_of_degrees((tp_fx)(heading * 65536));
@@ -163,7 +163,7 @@ static void look_from(water *w, double y, double heading, double pitch)
 
 typedef struct { double pixels, height, hidden; int found; } worst;
 
-static void try_pixel(const water *w, int32_t px, int32_t py, worst *most)
+static void try_pixel(const pick_water *w, int32_t px, int32_t py, worst *most)
 {
     tp_vec3 at;
 
@@ -183,7 +183,7 @@ static void try_scene(const char *name, tp_scene scene, double low, double high,
     worst most = { 0, 0, 0, 0 };
 
     for (int ticks = 1; ticks < 400; ticks *= 3) {
-        water w = water_of(&scene, ticks);
+        pick_water w = water_of(&scene, ticks);
         for (int n = 0; n < 30; n++) {
             look_from(&w, chance_double(&chance, low, high),
                       scene.pool.cols ? 0 : chance_double(&chance, 0, 360),
@@ -228,7 +228,7 @@ static void sky_and_depth_are_missed(void **state)
 {
     (void)state;
     const tp_scene scene = seas();
-    water w = water_of(&scene, 30);
+    pick_water w = water_of(&scene, 30);
     tp_vec3 at;
 
     for (int i = 0; i < 200; i++) {
@@ -248,7 +248,7 @@ static void a_tank_has_no_water_beside_it(void **state)
 {
     (void)state;
     const tp_scene scene = tank();
-    water w = water_of(&scene, 90);
+    pick_water w = water_of(&scene, 90);
     int found = 0;
 
     look_from(&w, 2.5, 0, -22);
@@ -270,7 +270,7 @@ static void pools_that_bend_the_light_only_have_no_heights(void **state)
     tp_scene scene = pool();
     scene.water.pool_bump = TP_FX_ONE;
     scene.drops.count = 0;
-    water w = water_of(&scene, 45);
+    pick_water w = water_of(&scene, 45);
     tp_fx highest = 0;
 
     look_from(&w, 1.7, 0, -15);
@@ -292,7 +292,7 @@ static void land_is_no_water(void **state)
     tp_scene scene = seas();
     scene.floor.depth = TP_FX(2);
     scene.floor.slope = TP_FX(0.1);
-    water w = water_of(&scene, 60);
+    pick_water w = water_of(&scene, 60);
     tp_vec3 at;
 
     look_from(&w, 6, 0, -15);
@@ -320,7 +320,7 @@ static void what_is_drawn_as_water_is_picked(void **state)
     scene.water.reflection = scene.water.specular = 0;
     scene.grid.cols = scene.grid.rows = 250;
     scene.grid.cell = TP_FX(0.5);
-    water w = water_of(&scene, chance_int(&chance, 1, 200));
+    pick_water w = water_of(&scene, chance_int(&chance, 1, 200));
     test_frame f = frame_of(&scene, &none, &config);
     tp_tile tile;
     int wet = 0, far = 0;
@@ -353,7 +353,7 @@ static void water_before_the_near_plane_is_not_seen(void **state)
     (void)state;
     tp_scene scene = pool();
     scene.camera.near = 2 * TP_FX_ONE;
-    water w = water_of(&scene, 1);
+    pick_water w = water_of(&scene, 1);
     tp_vec3 at;
 
     look_from(&w, 1.5, 0, -89);
@@ -375,7 +375,7 @@ static void any_scene_and_pixel_is_answered(void **state)
         tp_vec3 at;
         if (!world)
             continue;
-        const water w = { scene, world };
+        const pick_water w = { scene, world };
         tp_world_step(&tp_program_all, world, &scene, NULL);
         const uint32_t width = (uint32_t)chance_int(&chance, 1, 8192);
         const uint32_t height = (uint32_t)chance_int(&chance, 1, 8192);

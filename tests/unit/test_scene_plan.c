@@ -327,24 +327,24 @@ static void a_sea_is_thinned_only_if_some_wave_is_faint(void **state)
 {
     const tp_turn phases[TP_WAVES] = { 11, 22, 33 };
     tp_turn thin_phases[TP_WAVES] = { 44 };
-    tp_sea sea, thin, untouched;
+    tp_deep_water deep, thin, untouched;
 
     (void)state;
     memset(&thin, 0xa5, sizeof thin);
     memset(&untouched, 0xa5, sizeof untouched);
-    tp_sea_init(&sea, &low[2], 1, TP_FX(9.81));
-    assert_false(tp_wave_cull_sea(&thin, thin_phases, &sea, phases, &coarse));
+    tp_deep_water_init(&deep, &low[2], 1, TP_FX(9.81));
+    assert_false(tp_wave_cull_deep_water(&thin, thin_phases, &deep, phases, &coarse));
     assert_memory_equal(&thin, &untouched, sizeof thin);
     assert_int_equal(thin_phases[0], 44);
 
-    tp_sea_init(&sea, low, 3, TP_FX(9.81));
-    assert_true(tp_wave_cull_sea(&thin, thin_phases, &sea, phases, &coarse));
+    tp_deep_water_init(&deep, low, 3, TP_FX(9.81));
+    assert_true(tp_wave_cull_deep_water(&thin, thin_phases, &deep, phases, &coarse));
     assert_int_equal(thin.count, 2);
     assert_true(abs(thin.swell[0].amplitude - TP_FX(0.12)) <= 2);
     assert_int_equal(thin.swell[1].amplitude, 2 * TP_FX_ONE);
     assert_int_equal(thin_phases[0], 11);
     assert_int_equal(thin_phases[1], 33);
-    assert_int_equal(thin.height, sea.height);
+    assert_int_equal(thin.height, deep.height);
 }
 
 /* Errors of the first two waves: squares of 9.6 and 2 px, and of their slopes, whose rms is

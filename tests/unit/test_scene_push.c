@@ -54,7 +54,7 @@ static void a_pool_takes_the_bits_of_a_ticks_own_pushes(void **state)
             }
             tp_world_step(&tp_program_all, a, &scene, &in);
             tp_world_step(&tp_program_all, b, &scene, &(tp_input){ 0 });
-            assert_memory_equal(a, b, a->parts.bytes);
+            assert_memory_equal(a, b, a->layout.bytes);
         }
         free(a);
         free(b);
@@ -141,7 +141,7 @@ static void open_water_takes_a_ring(void **state)
             assert_int_equal(ring->start, w->tick << 16);
         }
         tp_world_step(&tp_program_all, w, &scene, NULL);
-        assert_int_equal(tp_world_check(&tp_program_all, w, w->parts.bytes, fresh, NULL),
+        assert_int_equal(tp_world_check(&tp_program_all, w, w->layout.bytes, fresh, NULL),
                          TP_OK);
         free(w);
         free((void *)(uintptr_t)fresh);

@@ -20,7 +20,7 @@ static void a_refresh_of_the_same_scene_changes_nothing(void **state)
     tp_scene scene = scene_with(&chance, 31);
     scene.boat.mesh[0] = '\0';          /* a boat is placed anew */
     tp_world *world = scene_world(&scene, NULL);
-    const size_t bytes = world->parts.bytes;
+    const size_t bytes = world->layout.bytes;
     run(&chance, world, &scene, 30);
     tp_world *copy = malloc(bytes);
     memcpy(copy, world, bytes);
@@ -36,7 +36,7 @@ static void a_refresh_of_the_same_scene_changes_nothing(void **state)
 static bool refreshes(tp_scene scene, int32_t *(*number)(tp_scene *), int32_t value)
 {
     tp_world *world = scene_world(&scene, NULL);
-    const size_t bytes = world->parts.bytes;
+    const size_t bytes = world->layout.bytes;
     run(&chance, world, &scene, 10);
     tp_world *copy = malloc(bytes);
     memcpy(copy, world, bytes);
@@ -142,11 +142,11 @@ static void what_may_change_is_taken(void **state)
  * computes all tables again. */
 static void forget_numbers(tp_world *world)
 {
-    tp_ocean *ocean = tp_world_module_state(world, TP_OCEAN_ID);
-    if (ocean) {
-        ocean->floor_key.depth ^= 1;
-        for (uint32_t i = 0; i < ocean->count; i++)
-            tp_ocean_tables(ocean)[i].key.length ^= 1;
+    tp_coastal_water *coastal = tp_world_module_state(world, TP_COASTAL_ID);
+    if (coastal) {
+        coastal->floor_key.depth ^= 1;
+        for (uint32_t i = 0; i < coastal->count; i++)
+            tp_coastal_tables(coastal)[i].key.length ^= 1;
     }
     uint32_t *meter = tp_world_module_state(world, TP_METER_ID);
     if (meter)                          /* the part begins with the kind of sky */
@@ -158,15 +158,15 @@ typedef struct {
     tp_assets assets;
     tp_world *need, *full;      /* refreshed by need, and with all tables each time */
     uint32_t  done;
-} pair;
+} refresh_pair;
 
-static void assert_same(const pair *p, const tp_param *row, const char *when)
+static void assert_same(const refresh_pair *p, const tp_param *row, const char *when)
 {
-    if (memcmp(p->need, p->full, p->need->parts.bytes) != 0)
+    if (memcmp(p->need, p->full, p->need->layout.bytes) != 0)
         fail_msg("%s: %s the world is another than by a full refresh", row->name, when);
 }
 
-static void refresh_both(pair *p, const tp_param *row)
+static void refresh_both(refresh_pair *p, const tp_param *row)
 {
     const bool taken = tp_world_apply(&tp_program_all, p->need, &p->scene, &p->assets);
 
@@ -174,12 +174,12 @@ static void refresh_both(pair *p, const tp_param *row)
     if (tp_world_apply(&tp_program_all, p->full, &p->scene, &p->assets) != taken)
         fail_msg("%s is taken by one refresh and not by the other", row->name);
     if (!taken)
-        memcpy(p->full, p->need, p->need->parts.bytes);
+        memcpy(p->full, p->need, p->need->layout.bytes);
     p->done += taken;
     assert_same(p, row, "at once");
 }
 
-static void step_both(pair *p, const tp_param *row)
+static void step_both(refresh_pair *p, const tp_param *row)
 {
     const tp_input in = input_any(&chance);
 
@@ -189,7 +189,7 @@ static void step_both(pair *p, const tp_param *row)
 }
 
 /* Sets every row to a random value and back, with ticks between. */
-static void turn_every_row(pair *p)
+static void turn_every_row(refresh_pair *p)
 {
     uint32_t count;
     const tp_param *rows = tp_params(&count);
@@ -215,7 +215,7 @@ static void a_refresh_by_need_is_a_full_one(void **state)
     static const tp_grey strip = { SAMPLES, 3, sample };    /* few nodes: quick */
     (void)state;
     for (uint32_t kind = 0; kind < 4; kind++) {
-        pair p = { .scene = scene_with(&chance, kind == 0 ? 4 : 3 + 4 + 16) };
+        refresh_pair p = { .scene = scene_with(&chance, kind == 0 ? 4 : 3 + 4 + 16) };
         p.assets = assets_with(&chance, &p.scene, kind == 2, true);
         p.assets.floor = kind == 2 ? &strip : NULL;
         p.scene.wind.strength = kind == 1 ? TP_FX(0.05) : 0;
@@ -225,11 +225,11 @@ static void a_refresh_by_need_is_a_full_one(void **state)
         p.scene.floor.depth = kind == 3 ? 0 : p.scene.floor.depth;
         p.need = scene_world(&p.scene, &p.assets);
         run(&chance, p.need, &p.scene, 20);
-        p.full = malloc(p.need->parts.bytes);
-        memcpy(p.full, p.need, p.need->parts.bytes);
+        p.full = malloc(p.need->layout.bytes);
+        memcpy(p.full, p.need, p.need->layout.bytes);
         turn_every_row(&p);
         printf("    kind %u: %u refreshes, ocean %s, meter %s\n", (unsigned)kind,
-               (unsigned)p.done, tp_world_ocean(p.need) ? "yes" : "no",
+               (unsigned)p.done, tp_world_coastal(p.need) ? "yes" : "no",
                tp_world_is_metered(p.need) ? "yes" : "no");
         assert_true(p.done > 300);
         free(p.need);

@@ -101,7 +101,7 @@ static void follow_points(uint32_t parts, double *worst, double *fastest)
     scene.pool.paddle = scene.field.paddle = 0;
     for (int i = 0; i < 40; i++) {
         const tp_fx x = chance_fx(&chance, -6, 6), z = chance_fx(&chance, -6, 6);
-        memcpy(last, w, w->parts.bytes);
+        memcpy(last, w, w->layout.bytes);
         tp_world_step(&tp_program_all, w, &scene, NULL);
         const tp_water now = tp_world_sample(&tp_program_all, w, x, z);
         const tp_water then = tp_world_sample(

@@ -269,9 +269,10 @@ static void random_bytes_are_refused_or_read(void **state)
 {
     (void)state;
     static const char *const pieces[] = {
-        "0", "1", "65535", "-", "+", ".", "e", "=", " ", " ", " ", "\t", "ahead=", "up=",
-        "turn=", "drops=", "slower=", "poke_x=", "poke7_z=", "tape", "\x80", "\n", "99999999999",
-        "5e-3", "12 ", "7 turn=1 ", " up=0.25",
+        "0",     "1",           "65535",   "-",       "+",         ".",        "e",
+        "=",     " ",           " ",       " ",       "\t",        "ahead=",   "up=",
+        "turn=", "drops=",      "slower=", "poke_x=", "poke7_z=",  "tape",     "\x80",
+        "\n",    "99999999999", "5e-3",    "12 ",     "7 turn=1 ", " up=0.25",
     };
     int good = 0;
 

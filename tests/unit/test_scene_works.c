@@ -26,10 +26,10 @@ typedef struct {
     asset_set  assets;
     tp_view_estimate estimate;
     tp_fixed_cost   works;
-} view;
+} works_view;
 
 /* Opens a view: "pond camera.y=1" is a scene and settings of the scene. */
-static void view_open(view *v, const char *of, uint32_t width, uint32_t height)
+static void view_open(works_view *v, const char *of, uint32_t width, uint32_t height)
 {
     char text[LISTING_CASE], path[160];
 
@@ -46,7 +46,7 @@ static void view_open(view *v, const char *of, uint32_t width, uint32_t height)
                                       v->file.scene.quality.shading == TP_SHADING_QUICK);
 }
 
-static void view_close(view *v)
+static void view_close(works_view *v)
 {
     assets_close(&v->assets);
     scene_file_close(&v->file);
@@ -61,7 +61,7 @@ static size_t add(char *to, size_t at, const char *name, int64_t number)
 }
 
 /* Writes all numbers except zeros. */
-static void tell(const view *v, char *to)
+static void tell(const works_view *v, char *to)
 {
     const tp_view_estimate *o = &v->estimate;
     size_t at = add(to, 0, "water", o->water_pixels);
@@ -82,7 +82,7 @@ static void tell(const view *v, char *to)
 
 static void every_number_is_the_listed_one(void **state)
 {
-    static view v;
+    static works_view v;
     int wrong = 0;
 
     (void)state;
@@ -143,7 +143,7 @@ enum { WIDTH = 160, HEIGHT = 120 };
 /* Shares of the picture in percent: visible water, sky, everything else. */
 typedef struct {
     double water, sky, other;
-} shares;
+} pixel_shares;
 
 static double most_of(const uint32_t *work, int from, int to)
 {
@@ -155,16 +155,16 @@ static double most_of(const uint32_t *work, int from, int to)
 }
 
 /* Stars are counted in addition to the sky behind the stars. */
-static shares estimated(const view *v)
+static pixel_shares estimated(const works_view *v)
 {
     const double all = WIDTH * HEIGHT / 100.0;
 
-    return (shares){ (v->estimate.water_pixels - v->works.hidden) / all,
-                     most_of(v->works.of, TP_WORK_sky_dome, TP_WORK_sky_cube) / all,
-                     v->works.solid / all };
+    return (pixel_shares){ (v->estimate.water_pixels - v->works.hidden) / all,
+                           most_of(v->works.of, TP_WORK_sky_dome, TP_WORK_sky_cube) / all,
+                           v->works.solid / all };
 }
 
-static shares drawn(const view *v)
+static pixel_shares drawn(const works_view *v)
 {
     static const tp_config config = { .width = WIDTH,
                                       .height = HEIGHT,
@@ -177,13 +177,13 @@ static shares drawn(const view *v)
     free(world);
     const double water = marks_count(key, WIDTH * HEIGHT, MARKS_WATER) / all;
     const double sky = marks_count(key, WIDTH * HEIGHT, MARKS_SKY) / all;
-    return (shares){ water, sky, 100 - water - sky };
+    return (pixel_shares){ water, sky, 100 - water - sky };
 }
 
 /* At the first tick.  A plain sky has no cost and is not counted. */
 static void pixels_are_within_4_percent_of_the_picture(void **state)
 {
-    static view v;
+    static works_view v;
     size_t count;
     char **scenes = path_scene_names("assets/scenes", &count);
 
@@ -191,7 +191,7 @@ static void pixels_are_within_4_percent_of_the_picture(void **state)
     assert_true(count > 0);
     for (size_t i = 0; i < count; i++) {
         view_open(&v, scenes[i], WIDTH, HEIGHT);
-        const shares e = estimated(&v), d = drawn(&v);
+        const pixel_shares e = estimated(&v), d = drawn(&v);
         view_close(&v);
         printf("    %-14s water %5.1f of %5.1f, sky %5.1f of %5.1f, else %5.1f of %5.1f\n",
                scenes[i], e.water, d.water, e.sky, d.sky, e.other, d.other);

@@ -21,8 +21,8 @@ static void assert_same_world(const tp_world *a, const tp_world *b)
     assert_int_equal(a->pitch, b->pitch);
     assert_memory_equal(&a->eye, &b->eye, sizeof a->eye);
     assert_memory_equal(&a->boat, &b->boat, sizeof a->boat);
-    assert_int_equal(a->sea.count, b->sea.count);
-    for (uint32_t i = 0; i < a->sea.count; i++)
+    assert_int_equal(a->deep.count, b->deep.count);
+    for (uint32_t i = 0; i < a->deep.count; i++)
         assert_int_equal(a->phases[i], b->phases[i]);
 }
 
@@ -278,12 +278,12 @@ static void changed_waves_take_effect_at_a_refresh(void **state)
     scene.wave[1].amplitude = 0;
     scene.wave[0].amplitude = TP_FX(0.9);
     tp_world_step(&tp_program_all, &world, &scene, NULL);
-    assert_int_equal(world.sea.count, 3);
-    assert_int_equal(world.sea.swell[0].amplitude, TP_FX(0.4));
+    assert_int_equal(world.deep.count, 3);
+    assert_int_equal(world.deep.swell[0].amplitude, TP_FX(0.4));
     tp_world_apply(&tp_program_all, &world, &scene, NULL);
     assert_int_equal(world.tick, 1);
-    assert_int_equal(world.sea.count, 2);
-    assert_int_equal(world.sea.swell[0].amplitude, TP_FX(0.9));
+    assert_int_equal(world.deep.count, 2);
+    assert_int_equal(world.deep.swell[0].amplitude, TP_FX(0.9));
 }
 
 int main(void)

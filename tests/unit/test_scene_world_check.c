@@ -25,7 +25,7 @@ static void assert_valid(const tp_world *world, const tp_scene *scene,
     tp_world *fresh = scene_world(scene, assets);
     tp_error err = { .word = "" };
 
-    if (tp_world_check(&tp_program_all, world, world->parts.bytes, fresh, &err) != TP_OK)
+    if (tp_world_check(&tp_program_all, world, world->layout.bytes, fresh, &err) != TP_OK)
         fail_msg("seed %llu: tick %llu: %s", (unsigned long long)chance,
                  (unsigned long long)world->tick, err.word);
     free(fresh);
@@ -159,8 +159,10 @@ static int make(void **state)
     kept = scene_world(&scene, NULL);
     fresh = scene_world(&scene, NULL);
     run(&fixed, kept, &scene, 90);
-    return kept && fresh && tp_world_drops(kept)->rings > 0 && tp_world_spray(kept)->count > 0
-        && tp_world_drops(kept)->count > 0 ? 0 : -1;
+    return kept && fresh && tp_world_drops(kept)->rings > 0
+                   && tp_world_spray(kept)->count > 0 && tp_world_drops(kept)->count > 0
+               ? 0
+               : -1;
 }
 
 static int unmake(void **state)
@@ -174,7 +176,7 @@ static int unmake(void **state)
 static void assert_refused(const char *what, const char *word)
 {
     tp_error err = { .word = "nothing" };
-    tp_world_check(&tp_program_all, kept, kept->parts.bytes, fresh, &err);
+    tp_world_check(&tp_program_all, kept, kept->layout.bytes, fresh, &err);
     if (strcmp(err.word, word) != 0)
         fail_msg("%s is refused for %s, expected %s", what, err.word, word);
 }
@@ -195,7 +197,7 @@ static void refused(const void *at, size_t size, const char *what, const char *w
     }
     memcpy(to, before, size);
     assert_int_equal(
-        tp_world_check(&tp_program_all, kept, kept->parts.bytes, fresh, NULL), TP_OK);
+        tp_world_check(&tp_program_all, kept, kept->layout.bytes, fresh, NULL), TP_OK);
 }
 
 #define REFUSED(member, word) refused(&(member), sizeof (member), #member, word)
@@ -203,17 +205,17 @@ static void refused(const void *at, size_t size, const char *what, const char *w
 static void the_head_is_checked(void **state)
 {
     (void)state;
-    REFUSED(kept->parts.version, "version");
-    REFUSED(kept->parts.modules, "layout");
-    REFUSED(kept->parts.bytes, "layout");
-    REFUSED(kept->back, "head");
+    REFUSED(kept->layout.version, "version");
+    REFUSED(kept->layout.modules, "layout");
+    REFUSED(kept->layout.bytes, "layout");
+    REFUSED(kept->lag, "head");
     REFUSED(kept->aboard, "head");
     REFUSED(kept->eye.x, "camera");
     REFUSED(kept->last_eye.y, "camera");
     REFUSED(kept->exposure, "light");
     REFUSED(kept->last_exposure, "light");
     REFUSED(kept->clock.scale_q40, "clock");
-    REFUSED(kept->clock.part_q40, "clock");
+    REFUSED(kept->clock.fraction_q40, "clock");
     REFUSED(kept->clock.target, "clock");
     REFUSED(kept->clock.zero, "clock");
     const uint64_t tick = kept->tick;
@@ -227,39 +229,40 @@ static void the_boat_is_checked(void **state)
     (void)state;
     REFUSED(kept->boat.place.x, "hull");
     REFUSED(kept->last_boat.place.y, "hull");
-    REFUSED(kept->afloat.laid, "head");
-    REFUSED(kept->afloat.sailed_x, "hull");
-    REFUSED(kept->afloat.lie.at[0], "hull");
-    REFUSED(kept->afloat.alone.speed[2], "hull");
-    REFUSED(kept->afloat.hull.z, "hull");
-    REFUSED(kept->afloat.stirred.immersion[1], "hull");
+    REFUSED(kept->boat_state.placed, "head");
+    REFUSED(kept->boat_state.sailed_x, "hull");
+    REFUSED(kept->boat_state.attitude.at[0], "hull");
+    REFUSED(kept->boat_state.without_pool.speed[2], "hull");
+    REFUSED(kept->boat_state.hull.z, "hull");
+    REFUSED(kept->boat_state.wake_hull.immersion[1], "hull");
 }
 
 /* Boolean values of 2 to 255 are invalid. */
 static void the_sea_is_checked(void **state)
 {
     (void)state;
-    uint8_t *const flags[] = { (uint8_t *)&kept->sea.clamped, (uint8_t *)&kept->sea.capped,
-                               (uint8_t *)&kept->sea.sharpened,
-                               (uint8_t *)&kept->sea.crossed };
+    uint8_t *const flags[] = { (uint8_t *)&kept->deep.clamped,
+                               (uint8_t *)&kept->deep.capped,
+                               (uint8_t *)&kept->deep.sharpened,
+                               (uint8_t *)&kept->deep.crossed };
     for (int i = 0; i < 4; i++) {
         const uint8_t before = *flags[i];
         for (int value = 0; value < 256; value++) {
             *flags[i] = (uint8_t)value;
             assert_int_equal(
-                tp_world_check(&tp_program_all, kept, kept->parts.bytes, fresh, NULL),
+                tp_world_check(&tp_program_all, kept, kept->layout.bytes, fresh, NULL),
                 value == before ? TP_OK : TP_E_WORLD);
         }
         *flags[i] = before;
     }
-    REFUSED(kept->sea.count, "sea");
-    REFUSED(kept->sea.swell[0].power, "sea");
-    REFUSED(kept->sea.swell[2].mean_q24, "sea");
-    REFUSED(kept->sea.swell[1].turns_x, "sea");
-    const tp_ocean *ocean = tp_world_ocean(kept);
-    REFUSED(ocean->count, "ocean");
-    REFUSED(ocean->wave[0].rays, "ocean");
-    REFUSED(tp_ocean_tables(ocean)[1].turns[TP_OCEAN_PHASES - 1], "ocean");
+    REFUSED(kept->deep.count, "sea");
+    REFUSED(kept->deep.swell[0].power, "sea");
+    REFUSED(kept->deep.swell[2].mean_q24, "sea");
+    REFUSED(kept->deep.swell[1].turns_x, "sea");
+    const tp_coastal_water *coastal = tp_world_coastal(kept);
+    REFUSED(coastal->count, "coastal");
+    REFUSED(coastal->wave[0].wave_nodes, "coastal");
+    REFUSED(tp_coastal_tables(coastal)[1].turns[TP_COASTAL_PHASES - 1], "ocean");
 }
 
 static void pools_are_checked(void **state)
@@ -272,11 +275,11 @@ static void pools_are_checked(void **state)
     REFUSED(pool->cols, "pool");
     REFUSED(pool->walls, "pool");
     REFUSED(pool->sponge, "pool");
-    REFUSED(pool->r2q, "pool");
+    REFUSED(pool->courant_sq_q10, "pool");
     REFUSED(pool->unit_shift, "pool");
-    REFUSED(pool->feed_peak, "pool");
-    REFUSED(pool->feed_ticks, "pool");
-    REFUSED(pool->feed_hits, "pool");
+    REFUSED(pool->drive_peak, "pool");
+    REFUSED(pool->drive_ticks, "pool");
+    REFUSED(pool->drive_hits, "pool");
     REFUSED(pool->at_rest, "pool");
     REFUSED(field->edges, "field");
     REFUSED(heights[count / 2], "field");
@@ -324,7 +327,7 @@ static void what_floats_in_the_air_is_checked(void **state)
     REFUSED(speck->place.y, "spray");
     REFUSED(speck->speed.x, "spray");
     REFUSED(foam->cells, "foam");
-    REFUSED(foam->work, "foam");
+    REFUSED(foam->scratch, "foam");
     REFUSED(foam->first_x, "foam");
     REFUSED(foam->seen[3][1], "foam");
     REFUSED(foam->drift_z, "foam");
@@ -360,19 +363,19 @@ static void worlds_of_other_versions_are_refused(void **state)
 
     for (int i = 0; i < 3; i++) {
         tp_error err;
-        kept->parts.version = other[i];
+        kept->layout.version = other[i];
         assert_int_equal(
-            tp_world_check(&tp_program_all, kept, kept->parts.bytes, fresh, &err),
+            tp_world_check(&tp_program_all, kept, kept->layout.bytes, fresh, &err),
             TP_E_WORLD);
         assert_string_equal(err.word, "version");
         assert_int_equal(
-            tp_world_check(&tp_program_all, kept, offsetof(tp_world, parts), fresh, &err),
+            tp_world_check(&tp_program_all, kept, offsetof(tp_world, layout), fresh, &err),
             TP_E_WORLD);
         assert_string_equal(err.word, "layout");
     }
-    kept->parts.version = TP_WORLD_VERSION;
+    kept->layout.version = TP_WORLD_VERSION;
     assert_int_equal(
-        tp_world_check(&tp_program_all, kept, kept->parts.bytes, fresh, NULL), TP_OK);
+        tp_world_check(&tp_program_all, kept, kept->layout.bytes, fresh, NULL), TP_OK);
 }
 
 static void short_blocks_are_refused(void **state)
@@ -380,7 +383,7 @@ static void short_blocks_are_refused(void **state)
     (void)state;
     tp_error err;
     assert_int_equal(
-        tp_world_check(&tp_program_all, kept, kept->parts.bytes - 1, fresh, &err),
+        tp_world_check(&tp_program_all, kept, kept->layout.bytes - 1, fresh, &err),
         TP_E_WORLD);
     assert_string_equal(err.word, "layout");
     assert_int_equal(tp_world_check(&tp_program_all, kept, 0, fresh, &err), TP_E_WORLD);

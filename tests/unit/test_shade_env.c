@@ -186,8 +186,9 @@ static void seams_do_not_show(void **state)
     }
     for (int i = 0; i < 20000; i++) {
         const ref_dir d = sky_direction(&chance);
-        colour_error_add(&whole, tp_env_sample(&s, sky_q14(d.x), sky_q14(d.y), sky_q14(d.z)),
-                  ref_colour_of(smooth(d, NULL)));
+        colour_error_add(&whole,
+                         tp_env_sample(&s, sky_q14(d.x), sky_q14(d.y), sky_q14(d.z)),
+                         ref_colour_of(smooth(d, NULL)));
     }
     colour_error_print(&off);
     colour_error_print(&whole);

@@ -22,25 +22,25 @@ typedef struct {
     const struct tp_module *module; /* NULL: the program's */
     size_t      at;             /* in its table, or the pointer's place in tp_stages */
     const void *mine;
-} row;
+} stage_row;
 
-static const row rows[] = {
+static const stage_row rows[] = {
 #define X(name) { #name, NULL, offsetof(tp_stages, name), NULL },
     X(plain) X(view)
 #undef X
 #define X(name) { #name, &tp_base_layer_module, TP_NTH_##name, &own.base },
-    TP_STAGES_OF_base_layer(X)
+        TP_STAGES_OF_base_layer(X)
 #undef X
 #define X(name) { #name, &tp_layers_module, TP_NTH_##name, &own.layers },
-    TP_STAGES_OF_layers(X)
+            TP_STAGES_OF_layers(X)
 #undef X
 #define X(name) { #name, &tp_ripple_module, TP_NTH_##name, &own.ripple },
-    TP_STAGES_OF_ripple(X)
+                TP_STAGES_OF_ripple(X)
 #undef X
 };
 enum { ROWS = sizeof rows / sizeof rows[0] };
 
-static stage *stage_of(const machine *m, const row *r)
+static stage *stage_of(const machine *m, const stage_row *r)
 {
     const tp_use *u = m->program->modules;
     stage *s;
@@ -102,7 +102,7 @@ static tp_run any_run(test_run *r)
 }
 
 /* Compares all data that stages write: the span from its colours on. */
-static void compare(const row *r, const machine *a, const machine *b)
+static void compare(const stage_row *r, const machine *a, const machine *b)
 {
     const tp_shade shade = any_shade();
     test_run samples;

@@ -179,7 +179,8 @@ static void fresnel_mixes_light_beyond_white(void **state)
             const double share = f * s.mirror / 256 * above;
             const ref_light light = ref_light_of(before.mirror[i]);
             const ref_colour was = ref_scale(ref_colour_of(before.colour[i]), 1 - share);
-            colour_error_add(&off, r.run.colour[i], ref_add(was, ref_scale(light.colour, share)));
+            colour_error_add(&off, r.run.colour[i],
+                             ref_add(was, ref_scale(light.colour, share)));
             colour_error_add(&hdr, bright.colour[i],
                       ref_add(was, ref_scale(ref_beyond(light, s.env.beyond / 4096.0),
                                              share)));
@@ -205,7 +206,8 @@ static void air_takes_the_horizon_s_colour_in_its_direction(void **state)
         sky_dome(&sky, &s, &chance);
         s.env.beyond = 0;
         run_any(&r, 0, &chance);
-        const tp_haze haze = { (uint32_t)random_next(&chance) >> chance_int(&chance, 0, 31) };
+        const tp_haze haze = { (uint32_t)random_next(&chance)
+                               >> chance_int(&chance, 0, 31) };
         r.run.mine = &haze;
         const tp_run before = r.run;
         tp_stage_haze_dome(&s, &r.run);

@@ -72,8 +72,8 @@ static void solids_follow_phong(void **state)
         test_run r;
         tp_shade_gloss(gloss, shininess * TP_FX_ONE);
         run_any(&r, 0, &chance);
-        const tp_boat_look look = { NULL, &solid, s.world };
-        r.run.mine = &look;
+        const tp_boat_shading shading = { NULL, &solid, s.world };
+        r.run.mine = &shading;
         for (int i = 0; i < TP_RUN; i++)
             r.n[i] = any_normal();
         tp_stage_solid(&s, &r.run);
@@ -116,8 +116,8 @@ static void normal_maps_bend_solids(void **state)
         solid.normal_map = &map;
         solid.bump = chance_int(&chance, 0, 512);
         run_any(&r, 0, &chance);
-        const tp_boat_look look = { &mesh, &solid, s.world };
-        r.run.mine = &look;
+        const tp_boat_shading shading = { &mesh, &solid, s.world };
+        r.run.mine = &shading;
         const uint32_t packed = any_normal(), other = any_normal();
         const ref_dir nn = unpacked(packed), o = unpacked(other);
         const double along = ref_dir_dot(nn, o);

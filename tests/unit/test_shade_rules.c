@@ -19,7 +19,7 @@ static uint64_t chance;
 
 static tp_entry16 shine[TP_SHINE + 1];
 
-static tp_shade shade_of(const view *v)
+static tp_shade shade_of(const test_view *v)
 {
     const tp_rotation *turn = &v->projection.turn;
     const tp_rotation light = tp_rotation_from_angles((tp_turn)random_next(&chance),
@@ -66,7 +66,7 @@ static void views_are_bowed_between_multiples_of_16(void **state)
     (void)state;
 
     for (int n = 0; n < RUNS; n++) {
-        const view v = view_any(&chance);
+        const test_view v = view_any(&chance);
         const tp_shade s = shade_of(&v);
         test_run r;
         run_any(&r, 0, &chance);
@@ -93,7 +93,7 @@ static void views_are_no_more_than_2_in_10000_short(void **state)
     measure m = { .what = "view's length", .unit = "short of 1" };
 
     for (int n = 0; n < RUNS; n++) {
-        const view v = view_of((tp_vec3){ 0, 0, 0 }, (tp_turn)random_next(&chance),
+        const test_view v = view_of((tp_vec3){ 0, 0, 0 }, (tp_turn)random_next(&chance),
                                tp_turn_of_degrees(chance_fx(&chance, -89, 89)), TP_FX(60),
                                TP_FX(1), 640, 480);
         const tp_shade s = shade_of(&v);
@@ -101,7 +101,8 @@ static void views_are_no_more_than_2_in_10000_short(void **state)
         run_any(&r, 0, &chance);
         tp_stage_view(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
-            const double x = r.run.vx[i] / Q14, y = r.run.vy[i] / Q14, z = r.run.vz[i] / Q14;
+            const double x = r.run.vx[i] / Q14, y = r.run.vy[i] / Q14,
+                         z = r.run.vz[i] / Q14;
             measure_add(&m, 1 - sqrt(x * x + y * y + z * z), r.run.x, r.run.y, i);
         }
     }
@@ -121,7 +122,7 @@ static void the_sky_is_linear_between_multiples_of_32(void **state)
     (void)state;
 
     for (int n = 0; n < RUNS; n++) {
-        const view v = view_any(&chance);
+        const test_view v = view_any(&chance);
         tp_shade s = shade_of(&v);
         test_run r;
         number_the_sky(&s);
@@ -144,7 +145,7 @@ static void the_skys_height_is_as_near_as_stated(void **state)
 {
     (void)state;
     measure m = { .what = "sky's height", .unit = "of a sine" };
-    const view v = view_of((tp_vec3){ 0, 0, 0 }, 0, 0, TP_FX(60), TP_FX(1), 640, 480);
+    const test_view v = view_of((tp_vec3){ 0, 0, 0 }, 0, 0, TP_FX(60), TP_FX(1), 640, 480);
     tp_shade s = shade_of(&v);
     test_run r;
 
@@ -230,7 +231,7 @@ static void rippled_water_stays_turned_to_the_eye(void **state)
     int held = 0;
 
     for (int n = 0; n < RUNS; n++) {
-        const view v = view_any(&chance);
+        const test_view v = view_any(&chance);
         tp_shade s = shade_of(&v);
         test_run r;
         tp_shade_shine(shine, 20 * TP_FX_ONE, TP_FX_ONE);

@@ -160,7 +160,7 @@ static void runs_may_be_cut_anywhere(void **state)
         run_any(&r, 5000, &chance);
         tp_shade_gloss(gloss, 20 * TP_FX_ONE);
         tp_shade_shine(shade_shine, 20 * TP_FX_ONE, TP_FX_ONE);
-        const tp_boat_look boat = { &mesh, &solid, s.world };
+        const tp_boat_shading boat = { &mesh, &solid, s.world };
         sky_dome(&sky, &s, &chance);
         s.env.stars = 200;
         s.env.star = 1000;
@@ -172,7 +172,8 @@ static void runs_may_be_cut_anywhere(void **state)
             r.run.sz[i] = (int16_t)chance_int(&chance, -5000, 5000);
         }
         tp_stage_light(&s, &r.run);
-        const tp_haze haze = { (uint32_t)random_next(&chance) >> chance_int(&chance, 0, 31) };
+        const tp_haze haze = { (uint32_t)random_next(&chance)
+                               >> chance_int(&chance, 0, 31) };
         stage *const chosen = stages[n % STAGES];
         r.run.mine = chosen == tp_stage_expose ? (const void *)&exposure
                    : chosen == tp_stage_solid || chosen == tp_stage_solid_blinn

@@ -216,18 +216,18 @@ static uint32_t placed(uint32_t value, int shift, uint32_t noise)
 typedef struct {
     uint32_t a, b, share;       /* values of the channel; the rest is noise */
     uint32_t scale, mix, times, add;
-} channel;
+} channel_errors;
 
-static channel channel_of(uint32_t a, uint32_t b, uint32_t share)
+static channel_errors channel_of(uint32_t a, uint32_t b, uint32_t share)
 {
-    return (channel){ a, b, share,
+    return (channel_errors){ a, b, share,
                       .scale = (a * share + 128) / 256,
                       .mix = (a * (256 - share) + b * share + 128) / 256,
                       .times = (2 * a * b + 255) / 510,
                       .add = a + b > 255 ? 255 : a + b };
 }
 
-static void check_channel(const channel *c, int shift)
+static void check_channel(const channel_errors *c, int shift)
 {
     const uint32_t a = placed(c->a, shift, any_word());
     const uint32_t b = placed(c->b, shift, any_word());
@@ -251,7 +251,7 @@ static void channels_do_not_know_of_each_other(void **state)
     for (uint32_t a = 0; a < 256; a++) {
         for (uint32_t b = 0; b < 256; b++) {
             for (uint32_t k = 0; k < 3; k++) {
-                const channel c = channel_of(a, b, (a * 7 + b * 3 + k * 85) % 257);
+                const channel_errors c = channel_of(a, b, (a * 7 + b * 3 + k * 85) % 257);
                 for (int shift = 0; shift < 24; shift += 8)
                     check_channel(&c, shift);
             }
@@ -303,7 +303,7 @@ static void levels_follow_the_depth(void **state)
         const double z = log2(depth);
         const double want = lod / 256.0 + z + (ground && z > 0 ? z / 2 : 0);
         shade.zi_log = tp_log2_q8((uint32_t)near) + 15 * 256;
-        const int got = tp_level_choose(lod, tp_log_depth(&shade, key), ground, 13);
+        const int got = tp_mip_level_choose(lod, tp_log_depth(&shade, key), ground, 13);
         if (want < 0.3 || want > 12.3) {
             assert_in_range(got, want > 12.3 ? 12 : 0, want < 0.3 ? 0 : 12);
             continue;
@@ -327,7 +327,7 @@ static void levels_never_fall_with_the_depth(void **state)
         for (uint32_t key = 0xffffffff; key > 256; key -= key / 97 + 1) {
             for (int ground = 0; ground < 2; ground++) {
                 const int32_t depth = tp_log_depth(&shade, (key & ~0xffu) | mark);
-                const int l = tp_level_choose(lod, depth, ground, levels);
+                const int l = tp_mip_level_choose(lod, depth, ground, levels);
                 assert_in_range(l, before[ground], levels - 1);
                 before[ground] = l;
             }

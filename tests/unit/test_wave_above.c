@@ -23,7 +23,7 @@ static distance distance_of(const char *along, const char *up)
  * height there. */
 static void look_above(const deep_water *o, tp_fx x, tp_fx z, tp_fx rest[2], distance *d)
 {
-    const tp_sea_point got = tp_sea_sample(&o->sea, o->phases, x, z, rest);
+    const tp_surface_point got = tp_deep_water_sample(&o->deep, o->phases, x, z, rest);
     const ref_point want = ref_above(&o->ref, o->ref_phases, x * LSB, z * LSB);
 
     assert_true(hypot(want.x - x * LSB, want.z - z * LSB) < 1e-6);
@@ -71,7 +71,7 @@ static void along(const deep_water *o, tp_fx rest[2], measure *m)
 {
     const tp_fx x = chance_fx(&chance, -29000, 29000);
     const tp_fx z = chance_fx(&chance, -29000, 29000);
-    const tp_sea_point got = tp_sea_sample(&o->sea, o->phases, x, z, rest);
+    const tp_surface_point got = tp_deep_water_sample(&o->deep, o->phases, x, z, rest);
     measure_add(m, hypot(got.position.x - x, got.position.z - z) * LSB * 1000, x, z,
                 o->count);
 }
@@ -131,9 +131,9 @@ static void it_is_found_from_any_start(void **state)
         o.tick++;
         deep_water_settle(&o);
         look_above(&o, x, z, rest, &d);
-        const tp_sea_point there =
-            tp_sea_displace_point(&o.sea, o.phases, rest[0], rest[1]);
-        const tp_sea_point again = tp_sea_sample(&o.sea, o.phases, x, z, rest);
+        const tp_surface_point there =
+            tp_deep_water_displace_point(&o.deep, o.phases, rest[0], rest[1]);
+        const tp_surface_point again = tp_deep_water_sample(&o.deep, o.phases, x, z, rest);
         assert_memory_equal(&there, &again, sizeof there);
     }
     distance_print(&d);
@@ -151,9 +151,9 @@ static void a_place_once_found_is_found_again(void **state)
             deep_water_usual(&chance, TP_WAVES, chance_double(&chance, 0, 0.95));
         const tp_fx x = chance_fx(&chance, -500, 500), z = chance_fx(&chance, -500, 500);
         tp_fx rest[2] = { x, z };
-        tp_sea_sample(&o.sea, o.phases, x, z, rest);
+        tp_deep_water_sample(&o.deep, o.phases, x, z, rest);
         const tp_fx found[2] = { rest[0], rest[1] };
-        tp_sea_sample(&o.sea, o.phases, x, z, rest);
+        tp_deep_water_sample(&o.deep, o.phases, x, z, rest);
         assert_memory_equal(rest, found, sizeof found);
     }
 }
@@ -180,7 +180,7 @@ static void a_place_at_rest_has_its_height_anywhere(void **state)
         if (n % 4 == 0)
             deep_water_sharpen(&chance, &o);
         const ref_point want = ref_at_rest(&o.ref, o.ref_phases, x0, z0);
-        const tp_sea_point got = tp_sea_displace_point(&o.sea, o.phases, x, z);
+        const tp_surface_point got = tp_deep_water_displace_point(&o.deep, o.phases, x, z);
         measure_add(&height, (got.position.y * LSB - want.y) / height_error(&o, x0, z0), x,
                     z, n);
         assert_true(fabs((got.position.x - (double)held_fx(want.x)) * LSB) <= off);
@@ -211,11 +211,11 @@ static void above_any_place_there_is_an_answer(void **state)
     for (int n = 0; n < 20000; n++) {
         const deep_water o = deep_water_any(&chance, TP_WAVES);
         const tp_fx x = chance_word(&chance), z = chance_word(&chance);
-        const int64_t most = 2 * ((int64_t)o.sea.reach + 2);
+        const int64_t most = 2 * ((int64_t)o.deep.max_displacement + 2);
         tp_fx rest[2] = { chance_word(&chance), chance_word(&chance) };
-        const tp_sea_point got = tp_sea_sample(&o.sea, o.phases, x, z, rest);
-        const tp_sea_point there =
-            tp_sea_displace_point(&o.sea, o.phases, rest[0], rest[1]);
+        const tp_surface_point got = tp_deep_water_sample(&o.deep, o.phases, x, z, rest);
+        const tp_surface_point there =
+            tp_deep_water_displace_point(&o.deep, o.phases, rest[0], rest[1]);
         const int64_t dx = (int64_t)got.position.x - x, dz = (int64_t)got.position.z - z;
         const bool room = has_room(x, z, most);
         assert_memory_equal(&got, &there, sizeof got);
@@ -223,7 +223,7 @@ static void above_any_place_there_is_an_answer(void **state)
         assert_true(room || !has_room(x, z, TP_FX_MAX - 30000 * TP_FX_ONE));
         measure_add(room ? &found : &held, hypot((double)dx, (double)dz) * LSB * 1000, x,
                     z, n);
-        tp_sea_sample_fixed_point(&o.sea, o.phases, x, z, random_below(&chance, 9));
+        tp_deep_water_sample_fixed_point(&o.deep, o.phases, x, z, random_below(&chance, 9));
     }
     measure_print(&found);
     measure_print(&held);
@@ -241,11 +241,13 @@ static void plain_steps_keep_their_bound(void **state)
             deep_water_usual(&chance, 8, chance_double(&chance, 0, 0.95));
         const tp_fx x = chance_fx(&chance, -500, 500), z = chance_fx(&chance, -500, 500);
         const uint32_t steps = (uint32_t)chance_int(&chance, 0, 10);
-        const tp_sea_point first = tp_sea_displace_point(&o.sea, o.phases, x, z);
-        const tp_sea_point got = tp_sea_sample_fixed_point(&o.sea, o.phases, x, z, steps);
+        const tp_surface_point first =
+            tp_deep_water_displace_point(&o.deep, o.phases, x, z);
+        const tp_surface_point got =
+            tp_deep_water_sample_fixed_point(&o.deep, o.phases, x, z, steps);
         const double off = hypot(got.position.x - x, got.position.z - z) * LSB;
         const double way = hypot(first.position.x - x, first.position.z - z) * LSB;
-        const double q = o.sea.bend / 1073741824.0;
+        const double q = o.deep.steepness_sum / 1073741824.0;
         assert_true(off <= pow(q, steps) * way + 2 * LSB / (1 - q));
     }
 }
@@ -265,17 +267,18 @@ static void both_searches_follow_the_table(void **state)
     while (rows_next(&r)) {
         const tp_fx x = row_fx(r.at[0]), z = row_fx(r.at[1]);
         tp_fx rest[2] = { x, z };
-        tp_sea sea;
+        tp_deep_water deep;
         tp_turn phases[TP_WAVES];
-        rows_sea(&r, 1, &sea);
+        rows_sea(&r, 1, &deep);
         rows_phases(&r, r.at[2], phases);
-        const tp_sea_point got = tp_sea_sample(&sea, phases, x, z, rest);
+        const tp_surface_point got = tp_deep_water_sample(&deep, phases, x, z, rest);
         measure_add(&e.place, row_error(rest[0], r.at[3]) * 1000, r.rows, 0, 0);
         measure_add(&e.place, row_error(rest[1], r.at[4]) * 1000, r.rows, 0, 0);
         measure_add(&e.height, row_error(got.position.y, r.at[5]) * 1000, r.rows, 0, 0);
         measure_add(&e.normal, row_angle(&got, r.at + 11), r.rows, 0, 0);
         for (uint32_t n = 0; n < 5; n++) {
-            const tp_sea_point at = tp_sea_sample_fixed_point(&sea, phases, x, z, n);
+            const tp_surface_point at =
+                tp_deep_water_sample_fixed_point(&deep, phases, x, z, n);
             measure_add(&step[n], row_error(at.position.y, r.at[6 + n]) * 1000, r.rows, 0,
                         0);
         }

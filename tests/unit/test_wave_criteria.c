@@ -42,7 +42,7 @@ static void criteria_follow_their_vectors(void **state)
     while (csv_row_word(file, v, 14, word) == 14) {
         const double k_inf = REF_TWO_PI / v[0] * (REF_TWO_PI / v[0]) / 9.81;
         const tp_fx h = (tp_fx)lround(v[2] * 65536), height = (tp_fx)lround(v[6] * 65536);
-        const int64_t deep = ref_to_q32(k_inf), k = tp_depth_number(deep, h);
+        const int64_t deep = ref_to_q32(k_inf), k = tp_depth_wave_number(deep, h);
         const uint32_t flags = tp_breaking_flags(height, k, h);
         const tp_fx xi0 = tp_iribarren((tp_q30)lround(v[3] * 1073741824),
                                        (tp_fx)lround(v[1] * 65536),
@@ -74,7 +74,7 @@ static void miche_holds_from_films_to_deep_water(void **state)
     measure m = { .what = "Miche's height", .unit = "LSB, 2^-24" };
 
     for (int i = 0; i < 20000; i++) {
-        const int64_t k = tp_depth_number_deep(chance_scale(&chance, 0.25, 2000));
+        const int64_t k = tp_depth_wave_number_deep(chance_scale(&chance, 0.25, 2000));
         const tp_fx h = chance_scale(&chance, LSB, 8000);
         const double n = ref_q32(k), want = 0.142 * REF_TWO_PI / n * tanh(n * h * LSB);
         const double error = fabs(tp_miche_height(k, h) * LSB - want);
@@ -108,7 +108,7 @@ static void thresholds_are_not_above_themselves(void **state)
 static void what_has_no_height_does_not_break_and_what_has_no_depth_does(void **state)
 {
     (void)state;
-    const int64_t k = tp_depth_number_deep(TP_FX(10));
+    const int64_t k = tp_depth_wave_number_deep(TP_FX(10));
 
     assert_int_equal(tp_breaking_flags(0, k, 0), 0);
     assert_int_equal(tp_breaking_flags(TP_FX_MIN, k, TP_FX_MIN), 0);

@@ -49,16 +49,18 @@ static void dispersion_follows_its_vectors(void **state)
     while (csv_row_word(file, v, 12, word) == 12) {
         const int64_t k_inf = ref_to_q32(v[3]);
         const tp_fx h = (tp_fx)lround(v[1] * 65536), g = TP_FX(9.81);
-        const int64_t k = tp_depth_number(k_inf, h);
-        const int64_t fine = tp_depth_number_exact(k_inf, h);
+        const int64_t k = tp_depth_wave_number(k_inf, h);
+        const int64_t fine = tp_depth_wave_number_exact(k_inf, h);
         const char *const names[] = { "shallow", "transition", "deep" };
 
         measure_add(&quick, 100 * apart(ref_q32(k), v[4]), rows, 0, 0);
         measure_add(&step, 100 * apart(ref_q32(k), v[7]), rows, 0, 0);
         measure_add(&exact, 100 * apart(ref_q32(fine), v[4]), rows, 0, 0);
-        measure_add(&eckart, 100 * apart(ref_q32(tp_depth_number_eckart(k_inf, h)), v[5]),
+        measure_add(&eckart,
+                    100 * apart(ref_q32(tp_depth_wave_number_eckart(k_inf, h)), v[5]),
                     rows, 0, 0);
-        measure_add(&fenton, 100 * apart(ref_q32(tp_depth_number_fenton(k_inf, h)), v[6]),
+        measure_add(&fenton,
+                    100 * apart(ref_q32(tp_depth_wave_number_fenton(k_inf, h)), v[6]),
                     rows, 0, 0);
         measure_add(&speed, 100 * apart(tp_depth_speed(k_inf, fine, g) * LSB, v[9]), rows,
                     0, 0);
@@ -83,7 +85,7 @@ static void dispersion_follows_its_vectors(void **state)
 
 static int64_t chance_k_inf(void)
 {
-    return tp_depth_number_deep(chance_scale(&chance, 0.25, 2000));
+    return tp_depth_wave_number_deep(chance_scale(&chance, 0.25, 2000));
 }
 
 static void four_methods_err_as_the_models_say(void **state)
@@ -97,10 +99,10 @@ static void four_methods_err_as_the_models_say(void **state)
         const int64_t k_inf = chance_k_inf();
         const tp_fx h = chance_scale(&chance, 1 / 65536.0, i % 2 ? 8000 : 200);
         const double want = ref_depth_number(ref_q32(k_inf), h * LSB);
-        const double k[] = { ref_q32(tp_depth_number_eckart(k_inf, h)),
-                             ref_q32(tp_depth_number_fenton(k_inf, h)),
-                             ref_q32(tp_depth_number(k_inf, h)),
-                             ref_q32(tp_depth_number_exact(k_inf, h)) };
+        const double k[] = { ref_q32(tp_depth_wave_number_eckart(k_inf, h)),
+                             ref_q32(tp_depth_wave_number_fenton(k_inf, h)),
+                             ref_q32(tp_depth_wave_number(k_inf, h)),
+                             ref_q32(tp_depth_wave_number_exact(k_inf, h)) };
         for (int n = 0; n < 3; n++)
             measure_add(&m[n], 100 * apart(k[n], want), k_inf, h, 0);
         measure_add(&m[3], fmax(0, fabs(k[3] - want) - LSB32 / 2) / want, k_inf, h, 0);
@@ -124,13 +126,13 @@ static void both_ends_of_depth_are_exact(void **state)
         const double y = ref_q32(k_inf) * LSB;
         const double want = sqrt(ref_q32(k_inf) / LSB) * (1 + y / 6);
 
-        assert_true(fabs(apart(ref_q32(tp_depth_number(k_inf, 1)), want)) < 2e-8);
+        assert_true(fabs(apart(ref_q32(tp_depth_wave_number(k_inf, 1)), want)) < 2e-8);
         if (12 / ref_q32(k_inf) < 32000) {
             const tp_fx deep = (tp_fx)(12.00001 / ref_q32(k_inf) * 65536) + 1;
-            assert_int_equal(tp_depth_number(k_inf, deep), k_inf);
-            assert_int_equal(tp_depth_number_exact(k_inf, deep), k_inf);
-            assert_int_equal(tp_depth_number_exact(k_inf, TP_FX_MAX), k_inf);
-            assert_true(labs(tp_depth_number_exact(k_inf, deep - 2) - k_inf)
+            assert_int_equal(tp_depth_wave_number(k_inf, deep), k_inf);
+            assert_int_equal(tp_depth_wave_number_exact(k_inf, deep), k_inf);
+            assert_int_equal(tp_depth_wave_number_exact(k_inf, TP_FX_MAX), k_inf);
+            assert_true(labs(tp_depth_wave_number_exact(k_inf, deep - 2) - k_inf)
                         <= 1 + (k_inf >> 25));
         }
     }
@@ -145,8 +147,8 @@ static void shallower_is_shorter(void **state)
         int64_t quick = INT64_MAX / 2, exact = INT64_MAX / 2;
         for (double h = 1; h < 2e9; h *= 1.01) {
             const tp_fx depth = (tp_fx)h;
-            const int64_t q = tp_depth_number(k_inf, depth);
-            const int64_t e = tp_depth_number_exact(k_inf, depth);
+            const int64_t q = tp_depth_wave_number(k_inf, depth);
+            const int64_t e = tp_depth_wave_number_exact(k_inf, depth);
             assert_true(q <= quick && e <= exact);
             assert_true(e >= k_inf - (k_inf >> 26));
             quick = q + (q >> 25) + 1;
@@ -158,7 +160,7 @@ static void shallower_is_shorter(void **state)
 static void regimes_change_at_a_half_and_a_twentieth(void **state)
 {
     (void)state;
-    const int64_t k = 1000 * tp_depth_number_deep(TP_FX(1000));     /* 2 pi / m */
+    const int64_t k = 1000 * tp_depth_wave_number_deep(TP_FX(1000));     /* 2 pi / m */
 
     assert_int_equal(tp_depth_classify(k, TP_FX(0.51)), TP_DEPTH_DEEP);
     assert_int_equal(tp_depth_classify(k, TP_FX(0.49)), TP_DEPTH_TRANSITION);
@@ -172,13 +174,13 @@ static void regimes_change_at_a_half_and_a_twentieth(void **state)
 static void land_counts_as_a_film_of_a_16th(void **state)
 {
     (void)state;
-    const int64_t k_inf = tp_depth_number_deep(TP_FX(30));
-    const int64_t film = tp_depth_number(k_inf, TP_DEPTH_LEAST);
+    const int64_t k_inf = tp_depth_wave_number_deep(TP_FX(30));
+    const int64_t film = tp_depth_wave_number(k_inf, TP_DEPTH_LEAST);
 
-    assert_int_equal(tp_depth_number(k_inf, 0), film);
-    assert_int_equal(tp_depth_number(k_inf, TP_FX_MIN), film);
-    assert_int_equal(tp_depth_number_fenton(k_inf, -1),
-                     tp_depth_number_fenton(k_inf, TP_DEPTH_LEAST));
+    assert_int_equal(tp_depth_wave_number(k_inf, 0), film);
+    assert_int_equal(tp_depth_wave_number(k_inf, TP_FX_MIN), film);
+    assert_int_equal(tp_depth_wave_number_fenton(k_inf, -1),
+                     tp_depth_wave_number_fenton(k_inf, TP_DEPTH_LEAST));
     assert_int_equal(tp_depth_classify(film, 0), TP_DEPTH_SHALLOW);
     assert_int_equal(tp_depth_shoaling(k_inf, film, -5),
                      tp_depth_shoaling(k_inf, film, TP_DEPTH_LEAST));
@@ -198,15 +200,15 @@ static void any_words_are_accepted(void **state)
         const int64_t k_inf = i % 50 ? any_word() : INT64_MAX - i % 3;
         const int64_t other = i % 51 ? any_word() : INT64_MIN;
         const tp_fx h = (tp_fx)any_word();
-        const int64_t k = tp_depth_number_exact(k_inf, h);
+        const int64_t k = tp_depth_wave_number_exact(k_inf, h);
 
         assert_true(k >= 0 && (k_inf > 0 || k == 0));
         assert_true(k_inf <= 0 || k >= k_inf - (k_inf >> 26) - 1);
-        assert_true(tp_depth_number_eckart(k_inf, h) >= 0);
-        assert_true(tp_depth_number_fenton(k_inf, h) >= 0);
+        assert_true(tp_depth_wave_number_eckart(k_inf, h) >= 0);
+        assert_true(tp_depth_wave_number_fenton(k_inf, h) >= 0);
         assert_true(tp_depth_speed(k_inf, other, (tp_fx)any_word()) >= 0);
         assert_true(tp_depth_group_speed(k_inf, other, h, (tp_fx)any_word()) >= 0);
-        assert_true(tp_depth_number_deep(h) > 0);
+        assert_true(tp_depth_wave_number_deep(h) > 0);
         tp_depth_classify(other, h);
     }
 }

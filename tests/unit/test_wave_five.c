@@ -18,14 +18,14 @@ static void a_plane_gives_its_slopes(void **state)
         const double sx = chance_double(&chance, -3, 3);
         const double sz = chance_double(&chance, -3, 3);
         const double rise = sx * d, run = sz * d;
-        const tp_fx around[4] = { (tp_fx)lround(-rise), (tp_fx)lround(rise),
-                                  (tp_fx)lround(-run), (tp_fx)lround(run) };
-        const tp_relief got = tp_neighbour_relief(7, around, d);
+        const tp_fx neighbours[4] = { (tp_fx)lround(-rise), (tp_fx)lround(rise),
+                                      (tp_fx)lround(-run), (tp_fx)lround(run) };
+        const tp_height_slope got = tp_neighbour_height_slope(7, neighbours, d);
         /* Each height has a rounding error of half an LSB, over a base of 2 d. */
         assert_int_equal(got.height, 7);
         assert_true(fabs(got.slope_x - sx / LSB) <= 0.5 / (d * LSB) + 0.51);
         assert_true(fabs(got.slope_z - sz / LSB) <= 0.5 / (d * LSB) + 0.51);
-        const tp_dir3 normal = tp_neighbour_normal(around, d);
+        const tp_dir3 normal = tp_neighbour_normal(neighbours, d);
         const double x = -got.slope_x * LSB, z = -got.slope_z * LSB;
         const double length = sqrt(x * x + 1 + z * z);
         assert_true(fabs(normal.x / 1073741824.0 - x / length) < 2 * LSB);
@@ -43,19 +43,20 @@ static void it_is_the_sum_of_four_triangles_normals(void **state)
         const int64_t d = chance_int(&chance, 1, 1000);
         const int64_t h = chance_int(&chance, -999, 999);
         int64_t x = 0, y = 0, z = 0;
-        tp_fx around[4];
+        tp_fx neighbours[4];
         for (int i = 0; i < 4; i++)
-            around[i] = chance_int(&chance, -999, 999);
+            neighbours[i] = chance_int(&chance, -999, 999);
         for (int i = 0; i < 4; i++) {
             const int64_t to_x = i & 1 ? d : -d, to_z = i & 2 ? d : -d;
-            const int64_t rise_x = around[i & 1] - h, rise_z = around[2 + (i >> 1)] - h;
+            const int64_t rise_x = neighbours[i & 1] - h,
+                          rise_z = neighbours[2 + (i >> 1)] - h;
             const int64_t up = to_x * to_z < 0 ? -1 : 1;
             x += up * -rise_x * to_z;
             y += up * to_x * to_z;
             z += up * -rise_z * to_x;
         }
         const tp_dir3 want = tp_normalise((int32_t)x, (int32_t)y, (int32_t)z);
-        const tp_dir3 got = tp_neighbour_normal(around, (tp_fx)d);
+        const tp_dir3 got = tp_neighbour_normal(neighbours, (tp_fx)d);
         assert_true(abs(got.x - want.x) <= 16);
         assert_true(abs(got.y - want.y) <= 16);
         assert_true(abs(got.z - want.z) <= 16);
@@ -71,19 +72,20 @@ static void it_comes_near_a_waves_own_normal(void **state)
     const double k = 2 * PI / 20, d = 0.5;
     measure slope = { .what = "five heights", .unit = "m/m" };
     const tp_turn phases[TP_WAVES] = { 0 };
-    tp_sea sea;
+    tp_deep_water deep;
 
-    tp_sea_init(&sea, &wave, 1, TP_FX(9.81));
+    tp_deep_water_init(&deep, &wave, 1, TP_FX(9.81));
     for (int n = 0; n < 1000; n++) {
         const tp_fx x = chance_fx(&chance, -100, 100), step = TP_FX(0.5);
-        const tp_sea_point at = tp_sea_displace_point(&sea, phases, x, 0);
-        const tp_fx around[4] = {
-            tp_sea_displace_point(&sea, phases, x - step, 0).position.y,
-            tp_sea_displace_point(&sea, phases, x + step, 0).position.y,
-            tp_sea_displace_point(&sea, phases, x, -step).position.y,
-            tp_sea_displace_point(&sea, phases, x, step).position.y,
+        const tp_surface_point at = tp_deep_water_displace_point(&deep, phases, x, 0);
+        const tp_fx neighbours[4] = {
+            tp_deep_water_displace_point(&deep, phases, x - step, 0).position.y,
+            tp_deep_water_displace_point(&deep, phases, x + step, 0).position.y,
+            tp_deep_water_displace_point(&deep, phases, x, -step).position.y,
+            tp_deep_water_displace_point(&deep, phases, x, step).position.y,
         };
-        const tp_relief got = tp_neighbour_relief(at.position.y, around, step);
+        const tp_height_slope got =
+            tp_neighbour_height_slope(at.position.y, neighbours, step);
         measure_add(&slope, (got.slope_x - at.slope_x) * LSB, x, 0, 0);
         assert_true(abs(got.slope_z - at.slope_z) <= 2);
     }
@@ -100,8 +102,8 @@ static void a_wall_mirrors_the_missing_height(void **state)
     const tp_fx middle = 3 * TP_FX_ONE, east = 5 * TP_FX_ONE, d = TP_FX_ONE;
     const tp_fx beyond[4] = { middle, east, 0, 0 }, on[4] = { east, east, 0, 0 };
 
-    assert_int_equal(tp_neighbour_relief(middle, beyond, d).slope_x, TP_FX_ONE);
-    assert_int_equal(tp_neighbour_relief(middle, on, d).slope_x, 0);
+    assert_int_equal(tp_neighbour_height_slope(middle, beyond, d).slope_x, TP_FX_ONE);
+    assert_int_equal(tp_neighbour_height_slope(middle, on, d).slope_x, 0);
     assert_int_equal(tp_neighbour_normal(on, d).y, TP_Q30_ONE);
 }
 
@@ -111,9 +113,9 @@ static void slopes_saturate_at_the_ends_of_the_ranges(void **state)
     const tp_fx most = 8192 * TP_FX_ONE - 1;
     const tp_fx cliff[4] = { -most, most, most, -most };
 
-    assert_int_equal(tp_neighbour_relief(most, cliff, 1).slope_x, TP_FX_MAX);
-    assert_int_equal(tp_neighbour_relief(most, cliff, 1).slope_z, TP_FX_MIN);
-    assert_int_equal(tp_neighbour_relief(most, cliff, most).slope_x, TP_FX_ONE);
+    assert_int_equal(tp_neighbour_height_slope(most, cliff, 1).slope_x, TP_FX_MAX);
+    assert_int_equal(tp_neighbour_height_slope(most, cliff, 1).slope_z, TP_FX_MIN);
+    assert_int_equal(tp_neighbour_height_slope(most, cliff, most).slope_x, TP_FX_ONE);
     assert_true(tp_neighbour_normal(cliff, most).y > 0);
 }
 

@@ -68,11 +68,12 @@ static void normals_without_cross_terms_are_within_a_degree_and_a_half(void **st
         if (n % 6 == 4)
             deep_water_sharpen(&chance, &o);
         deep_water_settle(&o);
-        for (int k = 0; k < 20 && !o.sea.crossed; k++) {
+        for (int k = 0; k < 20 && !o.deep.crossed; k++) {
             const tp_fx x = chance_fx(&chance, -500, 500);
             const tp_fx z = chance_fx(&chance, -500, 500);
             const ref_point want = ref_at_rest(&o.ref, o.ref_phases, x * LSB, z * LSB);
-            const tp_sea_point got = tp_sea_displace_point(&o.sea, o.phases, x, z);
+            const tp_surface_point got =
+                tp_deep_water_displace_point(&o.deep, o.phases, x, z);
             measure_add(&normal[n % 3], normal_angle(&want, &got) * 180 / PI, o.count, x,
                         z);
         }
@@ -88,9 +89,9 @@ static bool crossed(tp_fx a, tp_fx b, uint32_t count)
 {
     const tp_wave waves[2] = { { TP_FX_ONE, 20 * TP_FX_ONE, a, 0, 0, 0, 0 },
                                { TP_FX(0.1), 20 * TP_FX_ONE, b, 0, 0, 0, 0 } };
-    tp_sea sea;
-    tp_sea_init(&sea, waves, count, TP_FX(9.81));
-    return sea.crossed;
+    tp_deep_water deep;
+    tp_deep_water_init(&deep, waves, count, TP_FX(9.81));
+    return deep.crossed;
 }
 
 /* k A is 0.314 and 0.0314: together the waves turn normals by the greater of 0.0314 a and
@@ -108,7 +109,7 @@ static void cross_terms_are_taken_where_they_count(void **state)
 
 /* -- tables -------------------------------------------------------------------------- */
 
-static void point_errors(const tp_sea_point *got, const double place[3],
+static void point_errors(const tp_surface_point *got, const double place[3],
                          const double normal[3], int row, errors *e)
 {
     measure_add(&e->height, row_error(got->position.y, place[1]) * 1000, row, 0, 0);
@@ -136,12 +137,12 @@ static void single_waves_follow_the_table(void **state)
         const double *const at = r.at, k = TURN / at[0];
         r.waves = at[1] > 0;            /* without steepness no amplitude */
         r.wave[0] = (row_wave){ k, sqrt(9.81 * k), at[2], at[3], 0, at[1] / k, 1 };
-        tp_sea sea;
+        tp_deep_water deep;
         tp_turn phases[TP_WAVES];
-        rows_sea(&r, 1, &sea);
+        rows_sea(&r, 1, &deep);
         rows_phases(&r, at[6], phases);
-        const tp_sea_point got = tp_sea_displace_point(&sea, phases, row_fx(at[4]),
-                                                row_fx(at[5]));
+        const tp_surface_point got =
+            tp_deep_water_displace_point(&deep, phases, row_fx(at[4]), row_fx(at[5]));
         point_errors(&got, at + 7, at + 10, r.rows, &e);
     }
     assert_int_equal(r.rows, 200);
@@ -154,18 +155,18 @@ static void sums_of_gerstner_waves_follow_the_table(void **state)
     (void)state;
     errors e = errors_of("sum height", "sum place", "sum normal");
     vector_table r = rows_of("gerstner_sum");
-    tp_sea sea;
+    tp_deep_water deep;
     tp_turn phases[TP_WAVES];
 
     while (rows_next(&r)) {
-        rows_sea(&r, 1, &sea);
+        rows_sea(&r, 1, &deep);
         rows_phases(&r, r.at[2], phases);
-        const tp_sea_point got = tp_sea_displace_point(&sea, phases, row_fx(r.at[0]),
-                                                row_fx(r.at[1]));
+        const tp_surface_point got =
+            tp_deep_water_displace_point(&deep, phases, row_fx(r.at[0]), row_fx(r.at[1]));
         point_errors(&got, r.at + 3, r.at + 6, r.rows, &e);
     }
     assert_int_equal(r.rows, 200);
-    assert_true(sea.crossed);
+    assert_true(deep.crossed);
     within_budget(&e);
 }
 
@@ -176,14 +177,14 @@ static void sums_of_sines_follow_the_table(void **state)
     errors e = errors_of("sines' height", "sines' place", "sines' normal");
     measure slope = { .what = "sines' slope", .unit = "m/m" };
     vector_table r = rows_of("sum_of_sines");
-    tp_sea sea;
+    tp_deep_water deep;
     tp_turn phases[TP_WAVES];
 
     while (rows_next(&r)) {
-        rows_sea(&r, 0, &sea);
+        rows_sea(&r, 0, &deep);
         rows_phases(&r, r.at[2], phases);
-        const tp_sea_point got = tp_sea_displace_point(&sea, phases, row_fx(r.at[0]),
-                                                row_fx(r.at[1]));
+        const tp_surface_point got =
+            tp_deep_water_displace_point(&deep, phases, row_fx(r.at[0]), row_fx(r.at[1]));
         const double place[3] = { r.at[0], r.at[3], r.at[1] };
         point_errors(&got, place, r.at + 6, r.rows, &e);
         measure_add(&slope, row_error(got.slope_x, r.at[4]), r.rows, 0, 0);

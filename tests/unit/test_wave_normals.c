@@ -56,7 +56,7 @@ static void look(deep_water *o, double far, double *worst, measure *m)
     o->phases[0] = (tp_turn)(int64_t)llround((turns - floor(turns)) * 4294967296.0);
     o->ref_phases[0] = o->phases[0] / 4294967296.0 * 2 * PI;
     const ref_point p = ref_at_rest(&o->ref, o->ref_phases, x0, z0);
-    const tp_sea_point got = tp_sea_displace_point(&o->sea, o->phases, x, z);
+    const tp_surface_point got = tp_deep_water_displace_point(&o->deep, o->phases, x, z);
     const double off = normal_angle(&p, &got);
     const double share = off / trochoid_bound(w->q, w->k, x0, z0);
     measure_add(m, off * 180 / PI, (int64_t)(w->q * 1e6), x, z);
@@ -70,7 +70,8 @@ static void one_trochoid_keeps_its_bound(void **state)
     static const double far[] = { 0, 100, FAR };
     double all = 0;
 
-    printf("#    S   worst, degrees and of the bound: at the origin, within 100 m, 30 km\n");
+    printf(
+        "#    S   worst, degrees and of the bound: at the origin, within 100 m, 30 km\n");
     for (size_t i = 0; i < sizeof steep / sizeof *steep; i++) {
         printf("# %.2f ", steep[i]);
         for (size_t f = 0; f < 3; f++) {
@@ -80,7 +81,7 @@ static void one_trochoid_keeps_its_bound(void **state)
                 const double most = fmin(2000, 16 * 2 * PI / fmax(steep[i], 1e-3));
                 const double length = chance_scale(&chance, 0.25, most) * LSB;
                 deep_water o = trochoid(steep[i], length);
-                for (int k = 0; k < 5 && o.sea.count; k++)
+                for (int k = 0; k < 5 && o.deep.count; k++)
                     look(&o, far[f], &worst, &m);
             }
             printf("   %8.5f %.3f", m.worst, worst);
@@ -122,10 +123,12 @@ static void any_sea_keeps_its_bound(void **state)
         if (n % 5 == 0)
             deep_water_sharpen(&chance, &o);
         for (int k = 0; k < 5; k++) {
-            const tp_fx x = chance_fx(&chance, -far, far), z = chance_fx(&chance, -far, far);
-            const tp_sea_point got = tp_sea_displace_point(&o.sea, o.phases, x, z);
+            const tp_fx x = chance_fx(&chance, -far, far),
+                        z = chance_fx(&chance, -far, far);
+            const tp_surface_point got =
+                tp_deep_water_displace_point(&o.deep, o.phases, x, z);
             ref_point want = ref_at_rest(&o.ref, o.ref_phases, x * LSB, z * LSB);
-            if (!o.sea.crossed)
+            if (!o.deep.crossed)
                 want = ref_uncrossed(want);
             measure_add(&m, normal_angle(&want, &got) / sea_bound(&o, x * LSB, z * LSB), n,
                         x, z);

@@ -29,15 +29,15 @@ static void compare_with_the_sea(const coastal_water *o, measure *m)
     any_phases(&chance, phases);
     for (int n = 0; n < 50; n++) {
         const tp_fx x = chance_fx(&chance, -900, 900), z = chance_fx(&chance, -900, 900);
-        const tp_vec3 want = tp_sea_displace_point(&o->sea, phases, x, z).position;
-        const tp_vec3 got = tp_ocean_displace_point(o->ocean, phases, x, z).position;
+        const tp_vec3 want = tp_deep_water_displace_point(&o->deep, phases, x, z).position;
+        const tp_vec3 got = tp_coastal_displace_point(o->coastal, phases, x, z).position;
         measure_add(m, 1000 * (got.x - want.x) * LSB, x, z, 0);
         measure_add(m, 1000 * (got.y - want.y) * LSB, x, z, 1);
         measure_add(m, 1000 * (got.z - want.z) * LSB, x, z, 2);
     }
 }
 
-static void without_a_floor_the_ocean_is_the_sea(void **state)
+static void without_a_floor_coastal_water_is_deep_water(void **state)
 {
     (void)state;
     measure m = { .what = "no floor", .unit = "mm" };
@@ -60,7 +60,7 @@ static void without_a_floor_the_ocean_is_the_sea(void **state)
 /* Over 200 m of water e^-Kx h is 2.8e-10, and waves of 60 m do not feel the floor; neither
  * do their tables.  A map keeps phases to 2^-17 turn and its displacements to 2^-14: 1e-4
  * of a wave's amplitude and displacement. */
-static void over_a_deep_floor_the_ocean_is_the_sea(void **state)
+static void over_a_deep_floor_coastal_water_is_deep_water(void **state)
 {
     (void)state;
     const uint16_t grey[4] = { 0, 0, 0, 0 };
@@ -110,13 +110,13 @@ static void at_the_waterline_the_sea_is_quiet(void **state)
         tp_turn phases[TP_WAVES];
         for (int k = 0; k < 20; k++) {
             any_phases(&chance, phases);
-            const tp_ocean_point p = tp_ocean_displace_point(o.ocean, phases, 0, 0);
+            const tp_coastal_point p = tp_coastal_displace_point(o.coastal, phases, 0, 0);
             assert_in_range(p.depth, 65, 66);
             measure_add(&most, 1000 * p.position.x * LSB, n, k, 0);
             measure_add(&most, 1000 * p.position.y * LSB, n, k, 1);
             measure_add(&most, 1000 * p.position.z * LSB, n, k, 2);
-            const tp_ocean_point dry = tp_ocean_displace_point(o.ocean, phases, TP_FX_ONE,
-                                                        TP_FX_ONE);
+            const tp_coastal_point dry =
+                tp_coastal_displace_point(o.coastal, phases, TP_FX_ONE, TP_FX_ONE);
             assert_true(dry.depth <= 0 && dry.breaking == 0);
             assert_memory_equal(&dry.position, (&(tp_vec3){ TP_FX_ONE, 0, TP_FX_ONE }),
                                 sizeof dry.position);
@@ -145,7 +145,7 @@ static void any_floor(coastal_water *o, const tp_grey *picture, int kind)
         };
 }
 
-static coastal_water any_ocean(const tp_grey *picture, int kind)
+static coastal_water any_coastal(const tp_grey *picture, int kind)
 {
     coastal_water o = { .count =
                             (uint32_t)chance_int(&chance, 1, kind == 2 ? 2 : TP_WAVES) };
@@ -154,7 +154,7 @@ static coastal_water any_ocean(const tp_grey *picture, int kind)
         o.wave[i] = chance_wave(&chance);
         o.wave[i].heading = chance_fx(&chance, 0, 360);
     }
-    o.config = (tp_ocean_config){
+    o.config = (tp_coastal_config){
         .wind = chance_fx(&chance, 0, 1), .wind_heading = chance_fx(&chance, 0, 360),
         .k0 = chance_fx(&chance, 0, 4), .kx = chance_scale(&chance, 0.001, 4),
         .ky = chance_scale(&chance, 0.001, 4), .stretch = chance_fx(&chance, 0, 2),
@@ -167,8 +167,8 @@ static coastal_water any_ocean(const tp_grey *picture, int kind)
 
 static void check_bounds(const coastal_water *o)
 {
-    const tp_fx reach = tp_ocean_max_displacement(o->ocean),
-                height = tp_ocean_max_height(o->ocean);
+    const tp_fx reach = tp_coastal_max_displacement(o->coastal),
+                height = tp_coastal_max_height(o->coastal);
     tp_turn phases[TP_WAVES];
 
     assert_true(reach >= 0 && height >= 0);
@@ -176,11 +176,11 @@ static void check_bounds(const coastal_water *o)
         const double far = n % 2 ? 80 : 3000;
         const tp_fx x = chance_fx(&chance, -far, far), z = chance_fx(&chance, -far, far);
         any_phases(&chance, phases);
-        const tp_ocean_point p = tp_ocean_displace_point(o->ocean, phases, x, z);
+        const tp_coastal_point p = tp_coastal_displace_point(o->coastal, phases, x, z);
         const double way = hypot((double)p.position.x - x, (double)p.position.z - z);
         assert_true(way <= (double)reach);
         assert_true(abs(p.position.y) <= height);
-        const tp_ocean_point s = tp_ocean_displace_smooth(o->ocean, phases, x, z);
+        const tp_coastal_point s = tp_coastal_displace_smooth(o->coastal, phases, x, z);
         assert_true(hypot((double)s.position.x - x, (double)s.position.z - z)
                     <= (double)reach);
         assert_true(abs(s.position.y) <= height);
@@ -188,7 +188,7 @@ static void check_bounds(const coastal_water *o)
     }
 }
 
-static void no_point_of_any_ocean_is_beyond_its_bounds(void **state)
+static void no_coastal_point_is_beyond_its_bounds(void **state)
 {
     (void)state;
     static uint16_t sample[30 * 20];
@@ -198,14 +198,14 @@ static void no_point_of_any_ocean_is_beyond_its_bounds(void **state)
                                   (uint32_t)chance_int(&chance, 1, 20), sample };
         for (int i = 0; i < 600; i++)
             sample[i] = (uint16_t)random_next(&chance);
-        coastal_water o = any_ocean(&picture, n % 15 == 2 ? 2 : n % 2);
+        coastal_water o = any_coastal(&picture, n % 15 == 2 ? 2 : n % 2);
         check_bounds(&o);
         coastal_end(&o);
     }
 }
 
 /* Configs are clamped to their ranges; only the size of a map is checked. */
-static void any_numbers_at_all_make_an_ocean(void **state)
+static void any_numbers_make_coastal_water(void **state)
 {
     (void)state;
     const uint16_t sample[6] = { 0, 65535, 0, 65535, 0, 65535 };
@@ -214,7 +214,7 @@ static void any_numbers_at_all_make_an_ocean(void **state)
     for (int n = 0; n < 60; n++) {
         coastal_water o = { .count = 2,
                             .wave = { chance_wave(&chance), chance_wave(&chance) } };
-        tp_ocean_config *c = &o.config;
+        tp_coastal_config *c = &o.config;
         int32_t *const field[] = {
             &c->wind,
             &c->wind_heading,
@@ -246,7 +246,7 @@ static void the_smooth_surface_never_folds_over_a_level_floor(void **state)
 {
     (void)state;
     for (int n = 0; n < 60; n++) {
-        coastal_water o = any_ocean(NULL, 1);
+        coastal_water o = any_coastal(NULL, 1);
         const double heading = chance_double(&chance, 0, 2 * PI);
         const double dx = sin(heading), dz = cos(heading);
         tp_turn phases[TP_WAVES];
@@ -255,7 +255,7 @@ static void the_smooth_surface_never_folds_over_a_level_floor(void **state)
         for (int k = 0; k < 400; k++) {
             const tp_fx x = (tp_fx)lround(dx * k * 2000),
                         z = (tp_fx)lround(dz * k * 2000);
-            const tp_vec3 p = tp_ocean_displace_smooth(o.ocean, phases, x, z).position;
+            const tp_vec3 p = tp_coastal_displace_smooth(o.coastal, phases, x, z).position;
             const double way = p.x * dx + p.z * dz;
             assert_true(way > last - 40);       /* LSB: roundings of sixteen waves */
             last = way;
@@ -276,24 +276,24 @@ static void the_floor_is_the_floor(void **state)
         coastal_build(&o);
         const tp_fx x = chance_fx(&chance, -500, 500), z = chance_fx(&chance, -500, 500);
         const tp_floor_at a = tp_floor_sample(&o.config.floor, x, z);
-        const tp_floor_at b = tp_ocean_floor(o.ocean, x, z);
+        const tp_floor_at b = tp_coastal_floor(o.coastal, x, z);
         assert_memory_equal(&a, &b, sizeof a);
         coastal_end(&o);
     }
 }
 
-static void a_copy_of_the_block_is_the_same_ocean(void **state)
+static void a_copy_of_the_block_is_the_same_water(void **state)
 {
     (void)state;
     const uint16_t sample[6] = { 0, 20000, 65535, 100, 40000, 50000 };
     const tp_grey picture = { 3, 2, sample };
-    coastal_water o = any_ocean(&picture, 2), copy = o;
-    const size_t bytes = tp_ocean_bytes(&o.config, &o.sea);
+    coastal_water o = any_coastal(&picture, 2), copy = o;
+    const size_t bytes = tp_coastal_bytes(&o.config, &o.deep);
     tp_turn phases[TP_WAVES];
 
-    copy.ocean = malloc(bytes);
-    memcpy(copy.ocean, o.ocean, bytes);
-    memset(o.ocean, 0, bytes);
+    copy.coastal = malloc(bytes);
+    memcpy(copy.coastal, o.coastal, bytes);
+    memset(o.coastal, 0, bytes);
     coastal_end(&o);
     coastal_water again = copy;
     coastal_build(&again);
@@ -301,8 +301,8 @@ static void a_copy_of_the_block_is_the_same_ocean(void **state)
     for (int n = 0; n < 200; n++) {
         const tp_fx x = chance_fx(&chance, -1000, 1000),
                     z = chance_fx(&chance, -1000, 1000);
-        const tp_ocean_point a = tp_ocean_displace_point(copy.ocean, phases, x, z);
-        const tp_ocean_point b = tp_ocean_displace_point(again.ocean, phases, x, z);
+        const tp_coastal_point a = tp_coastal_displace_point(copy.coastal, phases, x, z);
+        const tp_coastal_point b = tp_coastal_displace_point(again.coastal, phases, x, z);
         assert_memory_equal(&a.position, &b.position, sizeof a.position);
         assert_int_equal(a.breaking, b.breaking);
     }
@@ -316,40 +316,40 @@ static void what_cannot_be_built_says_so(void **state)
     const uint16_t sample[1] = { 0 };
     tp_grey picture = { 1, 1, sample };
     coastal_water o = { .count = 1, .config = coastal_usual() };
-    static union { tp_ocean ocean; uint8_t bytes[400000]; } block;
+    static union { tp_coastal_water coastal; uint8_t bytes[400000]; } block;
     tp_error err;
 
     o.wave[0] = coastal_wave(0.5, 20, 0.5, 0);
-    tp_sea_init(&o.sea, o.wave, 1, TP_FX(9.81));
+    tp_deep_water_init(&o.deep, o.wave, 1, TP_FX(9.81));
     o.config.floor = (tp_floor){ .map = &picture, .map_size = TP_FX(100) };
-    assert_true(tp_ocean_bytes(&o.config, &o.sea) <= sizeof block);
-    assert_int_equal(tp_ocean_init(&block.ocean, &o.config, &o.sea, o.wave, 1, &err),
+    assert_true(tp_coastal_bytes(&o.config, &o.deep) <= sizeof block);
+    assert_int_equal(tp_coastal_init(&block.coastal, &o.config, &o.deep, o.wave, 1, &err),
                      TP_OK);
-    assert_int_equal(tp_ocean_init(&block.ocean, &o.config, &o.sea, o.wave, 0, &err),
+    assert_int_equal(tp_coastal_init(&block.coastal, &o.config, &o.deep, o.wave, 0, &err),
                      TP_E_ARG);
     o.config.floor.map_size = TP_FX(0.5);
-    assert_int_equal(tp_ocean_init(&block.ocean, &o.config, &o.sea, o.wave, 1, &err),
+    assert_int_equal(tp_coastal_init(&block.coastal, &o.config, &o.deep, o.wave, 1, &err),
                      TP_E_ARG);
     o.config.floor.map_size = TP_FX(100);
     picture.cols = 4097;
-    assert_int_equal(tp_ocean_init(&block.ocean, &o.config, &o.sea, o.wave, 1, &err),
+    assert_int_equal(tp_coastal_init(&block.coastal, &o.config, &o.deep, o.wave, 1, &err),
                      TP_E_ARG);
-    assert_int_equal(tp_ocean_bytes(&o.config, &o.sea), 0);
+    assert_int_equal(tp_coastal_bytes(&o.config, &o.deep), 0);
     o.config.floor = (tp_floor){ .depth = TP_FX(5) };
-    assert_int_equal(tp_ocean_bytes(&o.config, &o.sea), TP_OCEAN_STRAIGHT_BYTES(1));
+    assert_int_equal(tp_coastal_bytes(&o.config, &o.deep), TP_COASTAL_STRAIGHT_BYTES(1));
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(without_a_floor_the_ocean_is_the_sea),
-        cmocka_unit_test(over_a_deep_floor_the_ocean_is_the_sea),
+        cmocka_unit_test(without_a_floor_coastal_water_is_deep_water),
+        cmocka_unit_test(over_a_deep_floor_coastal_water_is_deep_water),
         cmocka_unit_test(at_the_waterline_the_sea_is_quiet),
-        cmocka_unit_test(no_point_of_any_ocean_is_beyond_its_bounds),
-        cmocka_unit_test(any_numbers_at_all_make_an_ocean),
+        cmocka_unit_test(no_coastal_point_is_beyond_its_bounds),
+        cmocka_unit_test(any_numbers_make_coastal_water),
         cmocka_unit_test(the_smooth_surface_never_folds_over_a_level_floor),
         cmocka_unit_test(the_floor_is_the_floor),
-        cmocka_unit_test(a_copy_of_the_block_is_the_same_ocean),
+        cmocka_unit_test(a_copy_of_the_block_is_the_same_water),
         cmocka_unit_test(what_cannot_be_built_says_so),
     };
     chance = random_seed();

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Coastal water under changed parameters: the parts computed again; and the block then
- * equals a block from tp_ocean_init, byte for byte. */
+ * equals a block from tp_coastal_init, byte for byte. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -19,7 +19,7 @@ static const tp_grey map = { 24, 18, sample };
 
 /* Three swells over a map, a straight slope, or no floor; the last wave has no
  * amplitude. */
-static coastal_water any_ocean(int kind)
+static coastal_water any_coastal(int kind)
 {
     coastal_water o = { .count = 4, .config = coastal_usual() };
 
@@ -42,29 +42,30 @@ static coastal_water any_ocean(int kind)
 
 static tp_status refresh(coastal_water *o)
 {
-    tp_sea_init(&o->sea, o->wave, o->count, TP_FX(9.81));
-    return tp_ocean_refresh(o->ocean, &o->config, &o->sea, o->wave, o->count, NULL);
+    tp_deep_water_init(&o->deep, o->wave, o->count, TP_FX(9.81));
+    return tp_coastal_refresh(o->coastal, &o->config, &o->deep, o->wave, o->count, NULL);
 }
 
 /* The memory is all 0 before, so that gaps between parts compare equal. */
 static void build(coastal_water *o)
 {
-    tp_sea_init(&o->sea, o->wave, o->count, TP_FX(9.81));
-    o->ocean = calloc(1, tp_ocean_bytes(&o->config, &o->sea));
-    assert_non_null(o->ocean);
-    assert_int_equal(tp_ocean_init(o->ocean, &o->config, &o->sea, o->wave, o->count, NULL),
-                     TP_OK);
+    tp_deep_water_init(&o->deep, o->wave, o->count, TP_FX(9.81));
+    o->coastal = calloc(1, tp_coastal_bytes(&o->config, &o->deep));
+    assert_non_null(o->coastal);
+    assert_int_equal(
+        tp_coastal_init(o->coastal, &o->config, &o->deep, o->wave, o->count, NULL),
+        TP_OK);
 }
 
 static void assert_as_built(const coastal_water *o, const char *change)
 {
     coastal_water want = *o;
-    const size_t bytes = tp_ocean_bytes(&o->config, &o->sea);
+    const size_t bytes = tp_coastal_bytes(&o->config, &o->deep);
 
     build(&want);
-    if (memcmp(want.ocean, o->ocean, bytes) != 0)
+    if (memcmp(want.coastal, o->coastal, bytes) != 0)
         print_error("after a change of %s the ocean is another\n", change);
-    assert_memory_equal(want.ocean, o->ocean, bytes);
+    assert_memory_equal(want.coastal, o->coastal, bytes);
     coastal_end(&want);
 }
 
@@ -91,7 +92,7 @@ static void a_refresh_makes_what_init_makes(void **state)
 {
     (void)state;
     for (int kind = 0; kind < 3; kind++) {
-        coastal_water o = any_ocean(kind);
+        coastal_water o = any_coastal(kind);
         build(&o);
         for (size_t i = 0; i < 2 * NUMBERS; i++) {
             tp_fx *number = (tp_fx *)(void *)((char *)&o + numbers[i % NUMBERS].at);
@@ -108,7 +109,7 @@ static void waves_may_change_places(void **state)
 {
     (void)state;
     for (int kind = 0; kind < 3; kind++) {
-        coastal_water o = any_ocean(kind);
+        coastal_water o = any_coastal(kind);
         build(&o);
         o.wave[3].amplitude = o.wave[0].amplitude;
         o.wave[0].amplitude = 0;
@@ -126,17 +127,17 @@ enum { BEDS = 1, RAYS0 = 2, RAYS1 = 4, RAYS2 = 8, TABLES = 16, ALL = 31 };
  * computed again. */
 static int made_again(coastal_water *o)
 {
-    tp_ocean_bed *bed = tp_ocean_beds(o->ocean);
-    tp_ocean_ray *ray[3];
-    int32_t *mark[5] = { &bed[40].depth };
+    tp_coastal_floor_node *node = tp_coastal_floor_nodes(o->coastal);
+    tp_coastal_wave_node *ray[3];
+    int32_t *mark[5] = { &node[40].depth };
     int32_t before[5];
     int made = 0;
 
     for (int i = 0; i < 3; i++) {
-        ray[i] = tp_ocean_rays(o->ocean, &o->ocean->wave[i]);
+        ray[i] = tp_coastal_wave_nodes(o->coastal, &o->coastal->wave[i]);
         mark[1 + i] = &ray[i][40].turns;
     }
-    mark[4] = &tp_ocean_tables(o->ocean)[1].depth[20].up;
+    mark[4] = &tp_coastal_tables(o->coastal)[1].depth[20].up;
     for (int i = 0; i < 5; i++) {
         before[i] = *mark[i];
         *mark[i] ^= 1 << 20;
@@ -152,7 +153,7 @@ static int made_again(coastal_water *o)
 static void what_depends_on_no_changed_number_is_left_as_it_is(void **state)
 {
     (void)state;
-    coastal_water o = any_ocean(0);
+    coastal_water o = any_coastal(0);
     build(&o);
     assert_int_equal(made_again(&o), 0);
     o.wave[1].speed++;
@@ -178,11 +179,11 @@ static void what_depends_on_no_changed_number_is_left_as_it_is(void **state)
 
 /* -- refused changes ----------------------------------------------------------------- */
 
-static void an_ocean_of_another_size_is_refused_and_left_as_it_is(void **state)
+static void coastal_water_of_another_size_is_refused_unchanged(void **state)
 {
     (void)state;
     static const tp_grey wider = { 200, 18, sample }, none = { 0, 18, sample };
-    coastal_water o = any_ocean(0);
+    coastal_water o = any_coastal(0);
     build(&o);
     const coastal_water was = o;
     o.wave[3].amplitude = 1;                            /* one more swell */
@@ -209,7 +210,7 @@ int main(void)
         cmocka_unit_test(a_refresh_makes_what_init_makes),
         cmocka_unit_test(waves_may_change_places),
         cmocka_unit_test(what_depends_on_no_changed_number_is_left_as_it_is),
-        cmocka_unit_test(an_ocean_of_another_size_is_refused_and_left_as_it_is),
+        cmocka_unit_test(coastal_water_of_another_size_is_refused_unchanged),
     };
     return cmocka_run_group_tests_name("ocean_refresh", tests, NULL, NULL);
 }

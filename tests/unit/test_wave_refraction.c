@@ -56,8 +56,10 @@ static void level_floors_shorten_and_raise_waves(void **state)
         const double most = least_of(&limit), low = at_a_corner(&limit) ? 0.039 : 0;
         const double sy = expm1(-0.09 * h) / expm1(-0.11 * h);
         const tp_turn now[TP_WAVES] = { 0 }, later[TP_WAVES] = { 0x40000000u };
-        const double c = tp_ocean_displace_smooth(o.ocean, now, 0, 0).position.y * LSB;
-        const double s = tp_ocean_displace_smooth(o.ocean, later, 0, 0).position.y * LSB;
+        const double c =
+            tp_coastal_displace_smooth(o.coastal, now, 0, 0).position.y * LSB;
+        const double s =
+            tp_coastal_displace_smooth(o.coastal, later, 0, 0).position.y * LSB;
         const double off = hypot(c, s) / (most * sy) - 1;
         measure_add(low > 0 ? &corner : &height, off, n, o.wave[0].amplitude, 0);
         assert_true(off > -0.004 - low - 4 * LSB / most && off < 0.004 + 4 * LSB / most);
@@ -88,7 +90,7 @@ static coast any_coast(void)
                     chance_fx(&chance, 0.02, 0.2) * LSB };
 }
 
-static coastal_water coast_ocean(const coast *c, double up)
+static coastal_water coast_case(const coast *c, double up)
 {
     coastal_water o = { .count = 1, .config = coastal_usual() };
     o.wave[0] = coastal_wave(c->length / 40, c->length, 0, c->heading);
@@ -106,7 +108,7 @@ static void slopes_have_the_phases_of_the_integral(void **state)
 
     for (int n = 0; n < 150; n++) {
         const coast c = any_coast();
-        coastal_water o = coast_ocean(&c, 90); /* up is +x */
+        coastal_water o = coast_case(&c, 90); /* up is +x */
         const double angle = c.heading * PI / 180, k_inf = 2 * PI / c.length;
         const double kz = -k_inf * cos(angle), sign = sin(angle) < 0 ? -1 : 1;
         const tp_fx to = (tp_fx)((c.depth - 0.3) / c.slope * 65536);
@@ -132,7 +134,7 @@ static void crests_never_run_backwards(void **state)
     (void)state;
     for (int n = 0; n < 60; n++) {
         const coast c = any_coast();
-        coastal_water o = coast_ocean(&c, chance_double(&chance, 0, 360));
+        coastal_water o = coast_case(&c, chance_double(&chance, 0, 360));
         const double angle = c.heading * PI / 180, dx = sin(angle), dz = -cos(angle);
         const double step = c.length / 400, from = chance_double(&chance, -200, 0);
         double last = 0, most = 0, walked = 0;
@@ -141,7 +143,7 @@ static void crests_never_run_backwards(void **state)
             const double way = from + k * step;
             const tp_fx x = (tp_fx)lround(dx * way * 65536);
             const tp_fx z = (tp_fx)lround(dz * way * 65536);
-            if (tp_ocean_floor(o.ocean, x, z).depth < TP_FX(0.3)) {
+            if (tp_coastal_floor(o.coastal, x, z).depth < TP_FX(0.3)) {
                 wet = false;
                 continue;
             }
@@ -169,7 +171,7 @@ static void a_map_of_a_slope_has_the_phases_of_the_slope(void **state)
         const coast c = { chance_fx(&chance, 12, 40) * LSB,
                           up + chance_double(&chance, -60, 60), 6,
                           chance_fx(&chance, 0.02, 0.05) * LSB };
-        coastal_water straight = coast_ocean(&c, up), mapped = straight;
+        coastal_water straight = coast_case(&c, up), mapped = straight;
         const coastal_picture p =
             coastal_slope_picture(&straight.config.floor, 129, 200, &mapped.config.floor);
         mapped.config.floor.map = &p.picture;
@@ -178,7 +180,7 @@ static void a_map_of_a_slope_has_the_phases_of_the_slope(void **state)
                                                 coastal_phase(&mapped, 0, 0));
         for (int k = 0; k < 300; k++) {
             const tp_fx x = chance_fx(&chance, -95, 95), z = chance_fx(&chance, -95, 95);
-            if (tp_ocean_floor(straight.ocean, x, z).depth < TP_FX(1))
+            if (tp_coastal_floor(straight.coastal, x, z).depth < TP_FX(1))
                 continue;
             const double a = coastal_phase(&straight, x, z),
                          b = coastal_phase(&mapped, x, z);
@@ -227,8 +229,10 @@ static void a_map_of_a_slope_moves_as_the_slope(void **state)
             const tp_turn second[TP_WAVES] = {
                 at + (tp_turn)(int32_t)lround(apart * 4294967295.0)
             };
-            const tp_ocean_point s = tp_ocean_displace_point(straight.ocean, first, x, z);
-            const tp_ocean_point t = tp_ocean_displace_point(mapped.ocean, second, x, z);
+            const tp_coastal_point s =
+                tp_coastal_displace_point(straight.coastal, first, x, z);
+            const tp_coastal_point t =
+                tp_coastal_displace_point(mapped.coastal, second, x, z);
             if (s.depth < TP_FX(1))
                 continue;
             measure_add(&m, 1000 * (s.position.x - t.position.x) * LSB, n, x, z);

@@ -23,7 +23,7 @@ static uint64_t chance;
 
 typedef struct {
     double height, slope;               /* slope: along the distance */
-} ref_relief;
+} ring_height_slope;
 
 static double ref_gain(const tp_ring *r, double a)
 {
@@ -32,15 +32,15 @@ static double ref_gain(const tp_ring *r, double a)
 }
 
 /* Height and slope `a` seconds after the ring's start, rho m from its centre. */
-static ref_relief ref_ring(const tp_ring *r, double a, double rho)
+static ring_height_slope ref_ring(const tp_ring *r, double a, double rho)
 {
     const double length = r->length * LSB, spread = r->spread * LSB;
     const double xi = rho - length / 2 - r->speed * LSB * a;
     if (a <= 0 || fabs(xi) >= length / 2)
-        return (ref_relief){ 0, 0 };
+        return (ring_height_slope){ 0, 0 };
     const double s = 1 / sqrt(1 + rho / spread), w = (1 + cos(TAU * xi / length)) / 2;
     const double dw = -TAU / 2 / length * sin(TAU * xi / length);
-    return (ref_relief){ ref_gain(r, a) * s * w,
+    return (ring_height_slope){ ref_gain(r, a) * s * w,
                          ref_gain(r, a) * (s * dw - s * s * s * w / (2 * spread)) };
 }
 
@@ -48,14 +48,14 @@ static ref_relief ref_ring(const tp_ring *r, double a, double rho)
  * format, the rear 2^-25; as a share of the length the sum is the phase error, plus half of
  * 2^-32 turns per metre.  Roots and e^-x are within 2^-28, gains within 2^-24, pi / L
  * within 2^-22 absolute and 2^-22 relative, the sum is rounded to an LSB. */
-static ref_relief bounds_of(const tp_ring *r, double a, double rho)
+static ring_height_slope bounds_of(const tp_ring *r, double a, double rho)
 {
     const double q22 = 1 / 4194304.0, q24 = 1 / 16777216.0, q28 = 1 / 268435456.0;
     const double length = r->length * LSB, pi_l = TAU / 2 / length;
     const double way = rho * q28 + 2 * q24;
     const double phase = TAU * (way / length + length * q28 / 16);
     const double gain = ref_gain(r, a), e = SINE + phase;
-    return (ref_relief){
+    return (ring_height_slope){
         gain * (e / 2 + 4 * q28) + 4 * q24 + 0.51 * LSB,
         gain * (pi_l * (e + 2 * q22) + e / (r->spread * LSB) + 3 * q22)
             + 4 * q24 * (pi_l + 1 / (r->spread * LSB) + 1) + 0.6 * LSB,
@@ -87,12 +87,13 @@ static int64_t any_age(const tp_ring *r)
 
 typedef struct {
     measure height, slope, normal;
-} errors;
+} ring_errors;
 
-static errors errors_of(const char *height, const char *slope, const char *normal)
+static ring_errors errors_of(const char *height, const char *slope, const char *normal)
 {
-    return (errors){ { .what = height, .unit = "mm" }, { .what = slope, .unit = "LSB" },
-                     { .what = normal, .unit = "degrees" } };
+    return (ring_errors){ { .what = height, .unit = "mm" },
+                          { .what = slope, .unit = "LSB" },
+                          { .what = normal, .unit = "degrees" } };
 }
 
 static double held(double slope)
@@ -101,7 +102,7 @@ static double held(double slope)
 }
 
 /* Compares one ring at a point. */
-static void compare(const tp_ring *r, int64_t age, tp_fx x, tp_fx z, errors *e)
+static void compare(const tp_ring *r, int64_t age, tp_fx x, tp_fx z, ring_errors *e)
 {
     tp_ring_now at;
     if (!tp_ring_evaluate(r, r->start + age, &at)) {
@@ -111,8 +112,8 @@ static void compare(const tp_ring *r, int64_t age, tp_fx x, tp_fx z, errors *e)
     const double a = (double)age / SECOND;
     const double dx = ((double)x - r->x) * LSB, dz = ((double)z - r->z) * LSB;
     const double rho = hypot(dx, dz);
-    const ref_relief want = ref_ring(r, a, rho), bound = bounds_of(r, a, rho);
-    const tp_relief got = tp_ring_relief(&at, 1, x, z);
+    const ring_height_slope want = ref_ring(r, a, rho), bound = bounds_of(r, a, rho);
+    const tp_height_slope got = tp_ring_height_slope(&at, 1, x, z);
     const double slope = rho > 0 ? held(want.slope) / rho : 0;
     const double height = got.height * LSB - want.height;
     const double tilt = fmax(fabs(got.slope_x * LSB - slope * dx),
@@ -128,7 +129,7 @@ static void compare(const tp_ring *r, int64_t age, tp_fx x, tp_fx z, errors *e)
 static void any_ring_follows_the_models(void **state)
 {
     (void)state;
-    errors e = errors_of("any height", "any slope", "");
+    ring_errors e = errors_of("any height", "any slope", "");
 
     for (int n = 0; n < 3000; n++) {
         const tp_ring r = any_ring();
@@ -192,7 +193,7 @@ static void rows_of_the_models_agree(void **state)
     (void)state;
     FILE *const file = fopen("tests/vectors/droplet_waves.csv", "r");
     assert_non_null(file);
-    errors e = errors_of("rows, height", "", "rows, normal");
+    ring_errors e = errors_of("rows, height", "", "rows, normal");
     tp_ring ring[8];
     tp_ring_now at[8];
     const uint32_t count = read_rings(file, ring);
@@ -201,8 +202,8 @@ static void rows_of_the_models_agree(void **state)
     assert_int_equal(count, 5);
     while (csv_row(file, v, 12) == 12) {
         const uint32_t shown = rings_at(ring, count, llround(v[2] * SECOND), at);
-        const tp_relief got = tp_ring_relief(at, shown, (tp_fx)lround(v[0] / LSB),
-                                             (tp_fx)lround(v[1] / LSB));
+        const tp_height_slope got = tp_ring_height_slope(
+            at, shown, (tp_fx)lround(v[0] / LSB), (tp_fx)lround(v[1] / LSB));
         const double normal[3] = { -got.slope_x * LSB, 1, -got.slope_z * LSB };
         measure_add(&e.height, (got.height * LSB - v[3]) * 1000, 0, 0, 0);
         measure_add(&e.normal, angle(normal, &v[6]), 0, 0, 0);
@@ -236,7 +237,7 @@ static void a_ring_has_exactly_one_crest(void **state)
             if (rho < 0)
                 continue;
             const tp_fx x = r.x + (tp_fx)lround(rho / LSB);
-            const tp_fx y = tp_ring_relief(&at, 1, x, r.z).height;
+            const tp_fx y = tp_ring_height_slope(&at, 1, x, r.z).height;
             assert_true(y >= 0);
             if (k <= 0 || k >= 201)
                 assert_in_range(y, 0, 1);
@@ -256,7 +257,7 @@ static void its_centre_lies_still_from_the_first_moment(void **state)
         const int64_t age = n % 2 ? any_age(&r) : 1 + n % 7;
         if (!tp_ring_evaluate(&r, r.start + age, &at))
             continue;
-        const tp_relief middle = tp_ring_relief(&at, 1, r.x, r.z);
+        const tp_height_slope middle = tp_ring_height_slope(&at, 1, r.x, r.z);
         assert_int_equal(middle.height, 0);
         assert_int_equal(middle.slope_x, 0);
         assert_int_equal(middle.slope_z, 0);
@@ -320,10 +321,10 @@ static void rings_add_up(void **state)
             count += tp_ring_evaluate(&r, now, &at[count]);
         }
         const tp_fx x = chance_fx(&chance, -10, 10), z = chance_fx(&chance, -10, 10);
-        const tp_relief all = tp_ring_relief(at, count, x, z);
+        const tp_height_slope all = tp_ring_height_slope(at, count, x, z);
         int64_t height = 0, slope_x = 0, slope_z = 0;
         for (uint32_t i = 0; i < count; i++) {
-            const tp_relief one = tp_ring_relief(&at[i], 1, x, z);
+            const tp_height_slope one = tp_ring_height_slope(&at[i], 1, x, z);
             height += one.height;
             slope_x += one.slope_x;
             slope_z += one.slope_z;
@@ -338,7 +339,7 @@ static void rings_add_up(void **state)
 static void no_place_is_out_of_range(void **state)
 {
     (void)state;
-    const tp_relief none = tp_ring_relief(NULL, 0, 0, 0);
+    const tp_height_slope none = tp_ring_height_slope(NULL, 0, 0, 0);
     assert_int_equal(none.height, 0);
 
     for (int n = 0; n < 20000; n++) {
@@ -351,8 +352,8 @@ static void no_place_is_out_of_range(void **state)
         const tp_fx x = (tp_fx)(uint32_t)random_next(&chance);
         const tp_fx near = (tp_fx)tp_clamp((int32_t)(r.x / 2 + (at.outer - 1) / 2),
                                            TP_FX_MIN / 2, TP_FX_MAX / 2) * 2;
-        const tp_relief a = tp_ring_relief(&at, 1, x, r.z);
-        const tp_relief b = tp_ring_relief(&at, 1, near, r.z);
+        const tp_height_slope a = tp_ring_height_slope(&at, 1, x, r.z);
+        const tp_height_slope b = tp_ring_height_slope(&at, 1, near, r.z);
         assert_in_range(a.height, 0, 4 * TP_FX_ONE);
         assert_in_range(b.height, 0, 4 * TP_FX_ONE);
         assert_true(tp_abs(a.slope_x) <= TP_FX(STEEP));

@@ -24,12 +24,12 @@ static void sharpened_sines_follow_the_table(void **state)
         const row_wave w = { .k = 1, .dx = 1, .amplitude = r.at[1] };
         tp_wave_exact exact = row_exact(&w);
         exact.power = (int32_t)r.at[0];
-        tp_sea sea = { .count = 0 };
-        tp_sea_add(&sea, &exact);
-        assert_false(sea.capped);
-        assert_int_equal(sea.sharpened, exact.power > 1);
+        tp_deep_water deep = { .count = 0 };
+        tp_deep_water_add(&deep, &exact);
+        assert_false(deep.capped);
+        assert_int_equal(deep.sharpened, exact.power > 1);
         const tp_turn phases[TP_WAVES] = { row_turn(r.at[2]) };
-        const tp_sea_point got = tp_sea_displace_point(&sea, phases, 0, 0);
+        const tp_surface_point got = tp_deep_water_displace_point(&deep, phases, 0, 0);
         measure_add(&height, row_error(got.position.y, r.at[5]) * 1000, r.rows, 0, 0);
         measure_add(&slope, row_error(got.slope_x, r.at[6]), r.rows, 0, 0);
     }
@@ -78,13 +78,13 @@ static void the_steepest_sharpened_sea_stays_in_its_formats(void **state)
     errors_print(&e);
 }
 
-static tp_sea one_wave(int32_t power)
+static tp_deep_water one_wave(int32_t power)
 {
     const tp_wave wave = { .amplitude = TP_FX_ONE, .length = 20 * TP_FX_ONE,
                            .power = power };
-    tp_sea sea;
-    tp_sea_init(&sea, &wave, 1, TP_FX(9.81));
-    return sea;
+    tp_deep_water deep;
+    tp_deep_water_init(&deep, &wave, 1, TP_FX(9.81));
+    return deep;
 }
 
 /* The mean of f is subtracted; from trough to crest the height is 2 A; the crest is the
@@ -93,19 +93,19 @@ static void the_level_stays_whatever_the_power(void **state)
 {
     (void)state;
     for (int32_t power = 1; power <= 8; power++) {
-        const tp_sea sea = one_wave(power);
+        const tp_deep_water deep = one_wave(power);
         int64_t sum = 0;
         tp_fx low = 0, high = 0;
         for (uint32_t n = 0; n < 4096; n++) {
             const tp_turn phases[TP_WAVES] = { n << 20 };
-            const tp_fx y = tp_sea_displace_point(&sea, phases, 0, 0).position.y;
+            const tp_fx y = tp_deep_water_displace_point(&deep, phases, 0, 0).position.y;
             sum += y;
             low = y < low ? y : low;
             high = y > high ? y : high;
         }
         assert_true(fabs((double)sum / 4096) < 1);
         assert_true(abs(high - low - 2 * TP_FX_ONE) <= 1);
-        assert_true(high <= sea.height && sea.height <= high + 1);
+        assert_true(high <= deep.height && deep.height <= high + 1);
     }
 }
 
@@ -128,11 +128,11 @@ static void a_sine_is_a_sine_in_a_sharpened_sea(void **state)
     (void)state;
     for (int n = 0; n < 2000; n++) {
         deep_water o = deep_water_usual(&chance, 4, chance_double(&chance, 0, 0.9));
-        tp_sea mixed = o.sea;
+        tp_deep_water mixed = o.deep;
         mixed.sharpened = true;
         const tp_fx x = chance_fx(&chance, -500, 500), z = chance_fx(&chance, -500, 500);
-        const tp_sea_point want = tp_sea_displace_point(&o.sea, o.phases, x, z);
-        const tp_sea_point got = tp_sea_displace_point(&mixed, o.phases, x, z);
+        const tp_surface_point want = tp_deep_water_displace_point(&o.deep, o.phases, x, z);
+        const tp_surface_point got = tp_deep_water_displace_point(&mixed, o.phases, x, z);
         assert_true(abs(got.position.y - want.position.y) <= 1);
         assert_int_equal(got.position.x, want.position.x);
         assert_int_equal(got.position.z, want.position.z);

@@ -17,7 +17,7 @@ static uint64_t chance;
 
 static int64_t chance_k_inf(void)
 {
-    return tp_depth_number_deep(chance_scale(&chance, 0.25, 2000));
+    return tp_depth_wave_number_deep(chance_scale(&chance, 0.25, 2000));
 }
 
 static void shoaling_follows_the_models(void **state)
@@ -33,7 +33,7 @@ static void shoaling_follows_the_models(void **state)
         const double k = ref_depth_number(ref_q32(k_inf), h * LSB);
         const double want = ref_shoaling(ref_q32(k_inf), k, h * LSB);
         const tp_fx got = tp_depth_shoaling(k_inf, ref_to_q32(k), h);
-        const tp_fx quick = tp_depth_shoaling(k_inf, tp_depth_number(k_inf, h), h);
+        const tp_fx quick = tp_depth_shoaling(k_inf, tp_depth_wave_number(k_inf, h), h);
 
         const double may = LSB / 2 + want / 16777216;
         measure_add(&m, fabs(got * LSB - want) / may, k_inf, h, 0);
@@ -62,7 +62,7 @@ static void refraction_follows_snell_up_to_grazing(void **state)
     for (int i = 0; i < 20000; i++) {
         const int64_t k_inf = chance_k_inf();
         const tp_fx h = chance_scale(&chance, LSB, 8000);
-        const int64_t k = tp_depth_number_exact(k_inf, h);
+        const int64_t k = tp_depth_wave_number_exact(k_inf, h);
         const double angle = chance_double(&chance, -1.5707, 1.5707);
         const int64_t kz = (int64_t)(sin(angle) * (double)k_inf);
         const double want = sqrt(cosine((double)k_inf, (double)kz)
@@ -80,7 +80,7 @@ static void refraction_follows_snell_up_to_grazing(void **state)
 static void refraction_is_bounded_for_any_words(void **state)
 {
     (void)state;
-    const int64_t k = tp_depth_number_deep(TP_FX(20));
+    const int64_t k = tp_depth_wave_number_deep(TP_FX(20));
 
     assert_int_equal(tp_depth_refraction(k, k, k), TP_FX_ONE);
     assert_int_equal(tp_depth_refraction(k, k, -k), TP_FX_ONE);
@@ -180,7 +180,7 @@ static void phase_integral_follows_its_vectors(void **state)
 /* Any shape in the models' ranges, some of the shapes steep and shallow to the end. */
 static tp_coast_shape chance_shape(void)
 {
-    const int64_t k_inf = tp_depth_number_deep(chance_scale(&chance, 1, 500));
+    const int64_t k_inf = tp_depth_wave_number_deep(chance_scale(&chance, 1, 500));
     const tp_q30 slope = (tp_q30)(1073741824 * pow(0.005, chance_double(&chance, 0, 1)));
     const tp_fx depth = chance_scale(&chance, 0.5, 60);
     const double reach = depth * LSB / (slope / 1073741824.0);
@@ -241,9 +241,12 @@ static void coasts_of_any_shape_keep_the_budget(void **state)
 static void phases_go_straight_on_beyond_the_table(void **state)
 {
     (void)state;
-    tp_coast_shape s = { .k_inf_q32 = tp_depth_number_deep(TP_FX(40)), .depth = TP_FX(5),
-                         .slope = TP_Q30(0.02), .least = TP_FX(0.5),
-                         .x_from = TP_FX(-9000), .x_to = TP_FX(9000) };
+    tp_coast_shape s = { .k_inf_q32 = tp_depth_wave_number_deep(TP_FX(40)),
+                         .depth = TP_FX(5),
+                         .slope = TP_Q30(0.02),
+                         .least = TP_FX(0.5),
+                         .x_from = TP_FX(-9000),
+                         .x_to = TP_FX(9000) };
     tp_coast *coast = coast_of(&s);
     const double sea = ref_q32(s.k_inf_q32);
     const double shore = ref_depth_number(sea, 0.5);

@@ -32,13 +32,14 @@ static double overhang(const coastal_water *o, tp_turn phase, bool whole)
     double most = -1e9, back = 0;
 
     for (tp_fx x = TP_FX(-10); x < TP_FX(31); x += 1000) {
-        const tp_ocean_point p = whole ? tp_ocean_displace_point(o->ocean, phases, x, 0)
-                                       : tp_ocean_displace_smooth(o->ocean, phases, x, 0);
+        const tp_coastal_point p =
+            whole ? tp_coastal_displace_point(o->coastal, phases, x, 0)
+                  : tp_coastal_displace_smooth(o->coastal, phases, x, 0);
         if (p.depth < TP_FX(0.1))
             break;
         assert_true(hypot((double)p.position.x - x, p.position.z)
-                    <= tp_ocean_max_displacement(o->ocean));
-        assert_true(abs(p.position.y) <= tp_ocean_max_height(o->ocean));
+                    <= tp_coastal_max_displacement(o->coastal));
+        assert_true(abs(p.position.y) <= tp_coastal_max_height(o->coastal));
         most = fmax(most, p.position.x * LSB);
         back = fmax(back, most - p.position.x * LSB);
     }
@@ -69,13 +70,13 @@ static void waves_that_leave_the_shore_do_not_break_backwards(void **state)
 
     /* Crests that move offshore lean, if at all, in their own direction: the orbit is
      * level. */
-    for (int i = 0; i < TP_OCEAN_DEPTHS; i++) {
-        assert_int_equal(tp_ocean_tables(o.ocean)[0].depth[i].tilt_sin, 0);
-        assert_true(tp_ocean_tables(o.ocean)[0].depth[i].way_x < 0);
+    for (int i = 0; i < TP_COASTAL_DEPTHS; i++) {
+        assert_int_equal(tp_coastal_tables(o.coastal)[0].depth[i].tilt_sin, 0);
+        assert_true(tp_coastal_tables(o.coastal)[0].depth[i].way_x < 0);
     }
     for (tp_fx x = TP_FX(-100); x < TP_FX(31); x += 5000) {
-        const tp_ocean_point s = tp_ocean_displace_smooth(o.ocean, now, x, 0);
-        const tp_ocean_point p = tp_ocean_displace_point(o.ocean, now, x, 0);
+        const tp_coastal_point s = tp_coastal_displace_smooth(o.coastal, now, x, 0);
+        const tp_coastal_point p = tp_coastal_displace_point(o.coastal, now, x, 0);
         assert_true(p.position.x <= s.position.x + 1);
     }
     coastal_end(&o);
@@ -91,16 +92,16 @@ static void what_overhangs_is_within_the_bounds(void **state)
     for (int n = 0; n < 16; n++) {
         coastal_water o = beach(chance_double(&chance, 0.1, 0.3), 90, 0, 0);
         o.config.stretch = 2 * TP_FX_ONE;
-        assert_int_equal(tp_ocean_init(o.ocean, &o.config, &o.sea, o.wave, 1, NULL),
+        assert_int_equal(tp_coastal_init(o.coastal, &o.config, &o.deep, o.wave, 1, NULL),
                          TP_OK);
         for (int k = 0; k < 4000; k++) {
             const tp_turn phases[TP_WAVES] = { (tp_turn)random_next(&chance) };
             const tp_fx x = chance_fx(&chance, 0, 40);
-            const tp_vec3 p = tp_ocean_displace_point(o.ocean, phases, x, 0).position;
+            const tp_vec3 p = tp_coastal_displace_point(o.coastal, phases, x, 0).position;
             const double way = hypot((double)p.x - x, p.z);
-            assert_true(way <= tp_ocean_max_displacement(o.ocean));
-            assert_true(abs(p.y) <= tp_ocean_max_height(o.ocean));
-            measure_add(&part, way / tp_ocean_max_displacement(o.ocean), n, k, x);
+            assert_true(way <= tp_coastal_max_displacement(o.coastal));
+            assert_true(abs(p.y) <= tp_coastal_max_height(o.coastal));
+            measure_add(&part, way / tp_coastal_max_displacement(o.coastal), n, k, x);
         }
         coastal_end(&o);
     }
@@ -124,9 +125,9 @@ static void the_surface_is_continuous_across_the_gate(void **state)
         const tp_fx shallow = TP_FX(1),
                     from = (tp_fx)((int64_t)(TP_FX(4) - 2 * shallow) * TP_FX_ONE
                                    / o.config.floor.slope);
-        tp_vec3 last = tp_ocean_displace_point(o.ocean, phases, from, z).position;
+        tp_vec3 last = tp_coastal_displace_point(o.coastal, phases, from, z).position;
         for (tp_fx x = from + 131; x < from + TP_FX(12); x += 131) {
-            const tp_ocean_point p = tp_ocean_displace_point(o.ocean, phases, x, z);
+            const tp_coastal_point p = tp_coastal_displace_point(o.coastal, phases, x, z);
             if (p.depth < TP_FX(0.2))
                 break;
             const tp_vec3 step = tp_vec3_sub(p.position, last);
@@ -147,8 +148,8 @@ static void crests_break_where_it_is_shallow_and_not_where_it_is_deep(void **sta
 
     for (int n = 0; n < 64; n++) {
         const tp_turn phases[TP_WAVES] = { (tp_turn)n << 26 };
-        const int a = tp_ocean_displace_point(o.ocean, phases, TP_FX(28), 0).breaking;
-        const int b = tp_ocean_displace_point(o.ocean, phases, TP_FX(-40), 0).breaking;
+        const int a = tp_coastal_displace_point(o.coastal, phases, TP_FX(28), 0).breaking;
+        const int b = tp_coastal_displace_point(o.coastal, phases, TP_FX(-40), 0).breaking;
         near = a > near ? a : near;
         far = b > far ? b : far;
     }

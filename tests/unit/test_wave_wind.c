@@ -165,7 +165,7 @@ static void radii_leave_no_loop(void **state)
     measure m = { .what = "radius", .unit = "LSB, 2^-24" };
 
     for (int i = 0; i < 20000; i++) {
-        const int64_t k = tp_depth_number_deep(chance_scale(&chance, 0.25, 2000));
+        const int64_t k = tp_depth_wave_number_deep(chance_scale(&chance, 0.25, 2000));
         const tp_fx lambda = chance_fx(&chance, -4, 4);
         const double want = 0.95 / hypot((double)k / 4294967296.0, lambda * LSB);
         measure_add(&m, fabs(tp_wind_max_radius(k, lambda) * LSB - want)

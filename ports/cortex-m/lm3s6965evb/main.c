@@ -40,9 +40,9 @@ static uint32_t  owed;              /* clocks of ticks due */
 static uint64_t  sent_before;       /* bytes sent before the last frame */
 static uint32_t  clocks;            /* duration of the last frame, clocks */
 
-MARK(count_as_frame)
-MARK(count_as_tiles)
-MARK(count_end)
+TRACE_MARK(count_as_frame)
+TRACE_MARK(count_as_tiles)
+TRACE_MARK(count_end)
 
 /* -- memory ------------------------------------------------------------------------- */
 

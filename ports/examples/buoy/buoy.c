@@ -25,7 +25,7 @@ static size_t bytes(const tp_want *want)
 /* Returns the pose at rest on the water: at its height, perpendicular to its surface. */
 static buoy_pose sample_pose(const tp_surface *water, const tp_scene *scene)
 {
-    const tp_sea_point at = tp_surface_sample(water, scene->own[BUOY_X],
+    const tp_surface_point at = tp_surface_sample(water, scene->own[BUOY_X],
                                              scene->own[BUOY_Z], NULL);
 
     return (buoy_pose){

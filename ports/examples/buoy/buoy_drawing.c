@@ -36,12 +36,12 @@ static tp_vec3 leant(const buoy_pose *pose, const tp_scene *scene, int x, int y,
     };
 }
 
-static buoy_pose interpolate_pose(const buoy_state *state, tp_fx back)
+static buoy_pose interpolate_pose(const buoy_state *state, tp_fx lag)
 {
     return (buoy_pose){
-        tp_interpolate(state->last.height, state->now.height, back),
-        tp_interpolate(state->last.lean_x, state->now.lean_x, back),
-        tp_interpolate(state->last.lean_z, state->now.lean_z, back),
+        tp_interpolate(state->last.height, state->now.height, lag),
+        tp_interpolate(state->last.lean_x, state->now.lean_x, lag),
+        tp_interpolate(state->last.lean_z, state->now.lean_z, lag),
     };
 }
 
@@ -54,7 +54,7 @@ static void begin(tp_frame *frame, void *mine)
 
     if (!state)
         return;
-    const buoy_pose pose = interpolate_pose(state, frame->world->back);
+    const buoy_pose pose = interpolate_pose(state, frame->world->lag);
     for (int k = 0; k < SIDES; k++)
         b->point[k] = leant(&pose, scene, around[k][0] / 32, 2, around[k][1] / 32);
     b->point[BOTTOM] = leant(&pose, scene, 0, -16, 0);
@@ -188,7 +188,7 @@ static void *layout(tp_arena *arena, const tp_want *want)
 }
 
 const tp_drawing tp_buoy_drawing = {
-    .layout = layout, .marks = tp_marks_one, .begin = begin, .place = place, .draw = draw,
+    .layout = layout, .marks = tp_marks_one, .begin = begin, .project = place, .draw = draw,
     .stages = add_stage,
 };
 const tp_stage tp_buoy_stages[] = { tp_stage_buoy };

@@ -16,7 +16,8 @@ int main(void)
     if (tp_engine_init(&sea, &config, &scene, memory, sizeof memory, NULL))
         return 1;
     for (tp_engine_begin(sea); tp_engine_next_tile(sea, &tile);)
-        crc = tp_crc32_pixels(crc, config.format, tile.pixels, 320 * (int)(tile.y1 - tile.y0));
+        crc = tp_crc32_pixels(crc, config.format, tile.pixels,
+                              320 * (int)(tile.y1 - tile.y0));
     printf("%s %08x\n", tp_version(), (unsigned)crc);
     return 0;
 }

@@ -17,6 +17,7 @@ int main()
     if (tp_engine_init(&sea, &config, &scene, memory.data(), memory.size() * 8, NULL))
         return 1;
     for (tp_engine_begin(sea); tp_engine_next_tile(sea, &tile);)
-        crc = tp_crc32_pixels(crc, config.format, tile.pixels, 320 * int(tile.y1 - tile.y0));
+        crc = tp_crc32_pixels(crc, config.format, tile.pixels,
+                              320 * int(tile.y1 - tile.y0));
     std::printf("%s %08x\n", tp_version(), unsigned(crc));
 }

@@ -44,10 +44,10 @@ static tp_fx travelled_place(int64_t way, tp_fx from)
     return (tp_fx)((at + 0x8000) >> 16);
 }
 
-static tp_turn boat_heading(const tp_boat_state *afloat, const tp_scene *scene)
+static tp_turn boat_heading(const tp_boat_state *boat_state, const tp_scene *scene)
 {
     return tp_turn_of_degrees(scene->boat.heading)
-         + (tp_turn)((afloat->turned + 0x80000000u) >> 32);
+           + (tp_turn)((boat_state->turned + 0x80000000u) >> 32);
 }
 
 /* Advances heading and position by one tick.
@@ -56,29 +56,29 @@ static tp_turn boat_heading(const tp_boat_state *afloat, const tp_scene *scene)
  * bits; |speed| <= 2^23 keeps the product below 2^53.  One degree/s in Q16.16 is
  * 2^48 / (360 x 60) of a turn per tick in Q64; 360 degrees/s are below 2^59.  Quotients
  * round symmetrically: sailing forth and back by the same way sums to exactly 0. */
-static void sail(tp_boat_state *afloat, const tp_scene *scene, const tp_input *in)
+static void sail(tp_boat_state *boat_state, const tp_scene *scene, const tp_input *in)
 {
     const int64_t over = TP_TICKS_PER_SECOND << 14, degree = 13031248922;
     const tp_fx rudder = in ? in->rudder : 0, throttle = in ? in->throttle : 0;
     int64_t turn = tp_clamp_abs((int64_t)scene->boat.rudder + rudder, TURN_MOST);
     int64_t speed = tp_clamp_abs((int64_t)scene->boat.speed + throttle, SPEED_MOST);
 
-    afloat->turned += (uint64_t)(turn * degree);
-    tp_turn heading = boat_heading(afloat, scene);
+    boat_state->turned += (uint64_t)(turn * degree);
+    tp_turn heading = boat_heading(boat_state, scene);
     int64_t x = tp_div_rounded(speed * tp_sin(heading), over);
     int64_t z = tp_div_rounded(speed * tp_cos(heading), over);
     tp_rectangle r = tp_pool_sides(scene);
-    afloat->sailed_x =
-        clamp_sailed_distance(afloat->sailed_x + x, scene->boat.x, scene, r.x0, r.x1);
-    afloat->sailed_z =
-        clamp_sailed_distance(afloat->sailed_z - z, scene->boat.z, scene, r.z0, r.z1);
+    boat_state->sailed_x =
+        clamp_sailed_distance(boat_state->sailed_x + x, scene->boat.x, scene, r.x0, r.x1);
+    boat_state->sailed_z =
+        clamp_sailed_distance(boat_state->sailed_z - z, scene->boat.z, scene, r.z0, r.z1);
 }
 
-static void place_hull(tp_boat_state *afloat, const tp_scene *scene)
+static void place_hull(tp_boat_state *boat_state, const tp_scene *scene)
 {
-    afloat->hull.x = travelled_place(afloat->sailed_x, scene->boat.x);
-    afloat->hull.z = travelled_place(afloat->sailed_z, scene->boat.z);
-    afloat->hull.heading = boat_heading(afloat, scene);
+    boat_state->hull.x = travelled_place(boat_state->sailed_x, scene->boat.x);
+    boat_state->hull.z = travelled_place(boat_state->sailed_z, scene->boat.z);
+    boat_state->hull.heading = boat_heading(boat_state, scene);
 }
 
 /* -- attitude ----------------------------------------------------------------------- */
@@ -97,7 +97,7 @@ static void hull_points(const tp_hull *hull, const tp_scene *scene, tp_fx points
 
 /* Water heights under the four hull points: `all` of the whole surface, `alone` without
  * the pool stirred by the boat. */
-typedef struct { tp_fx all[4], alone[4]; } waters;
+typedef struct { tp_fx all[4], without_pool[4]; } waters;
 
 /* Samples the water at the four hull points.  Each search starts at the rest point found
  * in the last tick. */
@@ -110,10 +110,12 @@ static waters sample_hull_water(const tp_program *program, tp_world *world,
 
     for (int i = 0; i < 4; i++) {
         tp_fx x = points[i][0], z = points[i][1];
-        tp_sea_point at = tp_surface_sample(&surface, x, z, world->afloat.rest[i]);
-        tp_fx high = stirred ? program->water.pools->relief(stirred, x, z, 0).height : 0;
+        tp_surface_point at =
+            tp_surface_sample(&surface, x, z, world->boat_state.rest[i]);
+        tp_fx high =
+            stirred ? program->water.pools->height_slope(stirred, x, z, 0).height : 0;
         w.all[i] = tp_clamp(at.position.y, -WATER_MOST, WATER_MOST);
-        w.alone[i] = tp_clamp(at.position.y - high, -WATER_MOST, WATER_MOST);
+        w.without_pool[i] = tp_clamp(at.position.y - high, -WATER_MOST, WATER_MOST);
     }
     return w;
 }
@@ -121,28 +123,28 @@ static waters sample_hull_water(const tp_program *program, tp_world *world,
 /* Sets the world's boat pose.  cos(pitch) <= 1, so the tilt keeps its range, below 2^29. */
 static void update_boat_pose(tp_world *world, const tp_scene *scene)
 {
-    const tp_boat_state *a = &world->afloat;
-    tp_turn pitch = tp_atan2(tp_fx_of_q40(a->lie.at[1]), scene->boat.length);
-    tp_fx   tilt = tp_q30_mul(tp_fx_of_q40(a->lie.at[2]), tp_cos(pitch));
+    const tp_boat_state *a = &world->boat_state;
+    tp_turn pitch = tp_atan2(tp_fx_of_q40(a->attitude.at[1]), scene->boat.length);
+    tp_fx   tilt = tp_q30_mul(tp_fx_of_q40(a->attitude.at[2]), tp_cos(pitch));
 
     world->boat = (tp_pose){
-        { a->hull.x, tp_fx_of_q40(a->lie.at[0]) + scene->boat.lift, a->hull.z },
+        { a->hull.x, tp_fx_of_q40(a->attitude.at[0]) + scene->boat.lift, a->hull.z },
         a->hull.heading, pitch, tp_atan2(tilt, scene->boat.beam),
     };
 }
 
 /* ----------------------------------------------------------------------------------- */
 
-static bool is_attitude_reset(const tp_boat_state *afloat, const tp_scene *scene)
+static bool is_attitude_reset(const tp_boat_state *boat_state, const tp_scene *scene)
 {
-    return !afloat->laid
-        || (scene->boat.mode == TP_BOAT_KINEMATIC && scene->boat.smooth <= 0);
+    return !boat_state->placed
+           || (scene->boat.mode == TP_BOAT_KINEMATIC && scene->boat.smooth <= 0);
 }
 
 void tp_boat_init(const tp_program *program, tp_world *world, const tp_scene *scene)
 {
     TP_ASSERT(scene->boat.length > 0 && scene->boat.beam > 0);
-    tp_boat_state *a = &world->afloat;
+    tp_boat_state *a = &world->boat_state;
     tp_fx points[4][2];
 
     place_hull(a, scene);
@@ -153,28 +155,28 @@ void tp_boat_init(const tp_program *program, tp_world *world, const tp_scene *sc
     }
     const waters w = sample_hull_water(program, world, points);
     if (is_attitude_reset(a, scene)) {
-        tp_boat_snap_attitude(&a->lie, w.all);
-        tp_boat_snap_attitude(&a->alone, w.alone);
+        tp_boat_snap_attitude(&a->attitude, w.all);
+        tp_boat_snap_attitude(&a->without_pool, w.without_pool);
     }
-    a->laid = 1;
-    tp_boat_set_immersion(&a->hull, &a->alone, w.alone);
-    a->stirred = a->hull;
+    a->placed = 1;
+    tp_boat_set_immersion(&a->hull, &a->without_pool, w.without_pool);
+    a->wake_hull = a->hull;
     update_boat_pose(world, scene);
 }
 
 void tp_boat_step(const tp_program *program, tp_world *world, const tp_scene *scene,
                   const tp_input *input)
 {
-    tp_boat_state *a = &world->afloat;
+    tp_boat_state *a = &world->boat_state;
     tp_fx points[4][2];
 
     sail(a, scene, input);
     place_hull(a, scene);
     hull_points(&a->hull, scene, points);
     const waters w = sample_hull_water(program, world, points);
-    tp_boat_step_attitude(&a->lie, scene, w.all);
-    tp_boat_step_attitude(&a->alone, scene, w.alone);
-    tp_boat_set_immersion(&a->hull, &a->alone, w.alone);
+    tp_boat_step_attitude(&a->attitude, scene, w.all);
+    tp_boat_step_attitude(&a->without_pool, scene, w.without_pool);
+    tp_boat_set_immersion(&a->hull, &a->without_pool, w.without_pool);
     update_boat_pose(world, scene);
 }
 
@@ -206,12 +208,13 @@ static bool is_hull_valid(const tp_hull *hull)
 
 bool tp_boat_is_valid(const tp_world *world)
 {
-    const tp_boat_state *a = &world->afloat;
-    bool valid =
-        is_within(a->sailed_x, 2 * PLACE_MOST) && is_within(a->sailed_z, 2 * PLACE_MOST)
-        && tp_boat_attitude_is_valid(&a->lie) && tp_boat_attitude_is_valid(&a->alone)
-        && is_hull_valid(&a->hull) && is_hull_valid(&a->stirred)
-        && is_pose_place_valid(&world->boat) && is_pose_place_valid(&world->last_boat);
+    const tp_boat_state *a = &world->boat_state;
+    bool valid = is_within(a->sailed_x, 2 * PLACE_MOST)
+                 && is_within(a->sailed_z, 2 * PLACE_MOST)
+                 && tp_boat_attitude_is_valid(&a->attitude)
+                 && tp_boat_attitude_is_valid(&a->without_pool) && is_hull_valid(&a->hull)
+                 && is_hull_valid(&a->wake_hull) && is_pose_place_valid(&world->boat)
+                 && is_pose_place_valid(&world->last_boat);
 
     for (int i = 0; i < 4; i++)
         valid = valid && is_within(a->rest[i][0], REST_MOST)

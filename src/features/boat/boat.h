@@ -20,7 +20,7 @@
 #define TP_BOAT_MATERIALS 192   /* further materials share the last stencil value */
 
 /* A projected vertex of the mesh.  Two values of u mark a vertex without projection:
- * TP_GRID_CUT, and OUTSIDE in boat_drawing.c. */
+ * TP_GRID_NEEDS_CLIP, and OUTSIDE in boat_drawing.c. */
 typedef struct {
     int32_t  u, v;
     uint32_t zi;
@@ -31,7 +31,7 @@ typedef struct {
     const tp_mesh  *mesh;
     const tp_solid *solid;      /* array, one for each material */
     tp_view_axes    axes;       /* view and light in the mesh's own frame */
-} tp_boat_look;
+} tp_boat_shading;
 
 /* Places the boat on the water at tick 0 and after a change of the scene's numbers.
  * After a change the boat keeps its distance sailed and its turn from the scene's start.
@@ -58,19 +58,19 @@ typedef enum { TP_BOW, TP_STERN, TP_PORT, TP_STARBOARD } tp_hull_point;
 
 /* Sets the attitude to the water's own.  `water`: heights under the four points, within
  * +-2048 m. */
-void tp_boat_snap_attitude(tp_boat_attitude *lie, const tp_fx water[4]);
+void tp_boat_snap_attitude(tp_boat_attitude *attitude, const tp_fx water[4]);
 
-/* Moves the attitude for one tick towards the result of tp_boat_snap_attitude.  boat.mode and
- * boat.smooth select the motion. */
-void tp_boat_step_attitude(tp_boat_attitude *lie, const tp_scene *scene,
+/* Moves the attitude for one tick towards the result of tp_boat_snap_attitude.
+ * boat.mode and boat.smooth select the motion. */
+void tp_boat_step_attitude(tp_boat_attitude *attitude, const tp_scene *scene,
                            const tp_fx water[4]);
 
 /* Sets hull->immersion, the immersion: heights of the water minus the attitude. */
-void tp_boat_set_immersion(tp_hull *hull, const tp_boat_attitude *lie,
+void tp_boat_set_immersion(tp_hull *hull, const tp_boat_attitude *attitude,
                            const tp_fx water[4]);
 
 /* True if all numbers are in the ranges kept by the three functions above. */
-bool tp_boat_attitude_is_valid(const tp_boat_attitude *lie);
+bool tp_boat_attitude_is_valid(const tp_boat_attitude *attitude);
 bool tp_boat_immersion_is_valid(const tp_hull *hull);
 
 static inline tp_fx tp_fx_of_q40(int64_t x)

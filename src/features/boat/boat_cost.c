@@ -14,7 +14,7 @@ typedef struct {
     int32_t  top, bottom;       /* range of rows with faces */
     uint32_t faces, cut;
     int64_t  pieces, back, fill;
-} look;
+} boat_view;
 
 static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
 {
@@ -42,7 +42,7 @@ static tp_projection mirrored_projection(const tp_projection *projection, const 
 
 /* Sets the clip plane of the reflection: the deepest trough, lowered by two pixels of the
  * halved picture. */
-static void set_clip_level(look *l, const tp_scene *s)
+static void set_clip_level(boat_view *l, const tp_scene *s)
 {
     int64_t trough = 0;
 
@@ -53,7 +53,7 @@ static void set_clip_level(look *l, const tp_scene *s)
     l->level.depth += (int32_t)(((int64_t)2 << 43) / l->projection.focal);
 }
 
-static void set_mesh_projection(look *l, const tp_scene *s)
+static void set_mesh_projection(boat_view *l, const tp_scene *s)
 {
     const tp_rotation turn =
         tp_rotation_from_angles(tp_turn_of_degrees(s->boat.heading), 0, 0);
@@ -69,7 +69,7 @@ static void set_mesh_projection(look *l, const tp_scene *s)
 
 /* Transforms a mesh position to view space.  `scale`: metres per 1.0 of the mesh's
  * positions, Q16.16. */
-static tp_view_vertex transform_point(const look *l, int64_t scale, tp_vec3 at)
+static tp_view_vertex transform_point(const boat_view *l, int64_t scale, tp_vec3 at)
 {
     const int64_t most = 4000 * TP_FX_ONE;
     tp_view_vertex c;
@@ -87,7 +87,7 @@ typedef struct {
 } outline;
 
 /* Marks the lattice rays inside a front face as stopped by a solid. */
-static void stop_rays(tp_site *w, const look *l, const outline *o)
+static void stop_rays(tp_site *w, const boat_view *l, const outline *o)
 {
     for (int32_t j = 0; j < TP_RAYS; j++) {
         const int32_t v = 16 * l->rows - (2 * j + 1) * l->rows * 8 / TP_RAYS;
@@ -118,7 +118,7 @@ static int32_t most(const int32_t of[3])
 
 /* Counts one face: its setup in each band, and its filled pixels if the face is a front
  * face. */
-static void add_face(tp_site *w, look *l, const outline *o)
+static void add_face(tp_site *w, boat_view *l, const outline *o)
 {
     const int32_t low = least(o->v) >> 4, high = most(o->v) >> 4;
     const int32_t top = tp_clamp(low, 0, l->rows), end = tp_clamp(high + 1, 0, l->rows);
@@ -137,7 +137,7 @@ static void add_face(tp_site *w, look *l, const outline *o)
         stop_rays(w, l, o);
 }
 
-static void count_faces(tp_site *w, look *l)
+static void count_faces(tp_site *w, boat_view *l)
 {
     const tp_mesh *mesh = w->assets->boat;
     const tp_fx metres = tp_mesh_metres_per_unit(mesh, w->scene->boat.scale);
@@ -147,8 +147,8 @@ static void count_faces(tp_site *w, look *l)
         outline o;
         int low = 0, cut = 0;
         for (int k = 0; k < 3; k++) {
-            const tp_view_vertex c =
-                transform_point(l, metres, mesh->vertices[mesh->faces[f].vertex[k]].position);
+            const tp_view_vertex c = transform_point(
+                l, metres, mesh->vertices[mesh->faces[f].vertex[k]].position);
             uint32_t zi;
             const bool under = l->mirrored && tp_view_plane_distance(&l->level, &c) < 0;
             low += under;
@@ -164,10 +164,10 @@ static void count_faces(tp_site *w, look *l)
     }
 }
 
-static void add_view_work(tp_site *w, look *l)
+static void add_view_work(tp_site *w, boat_view *l)
 {
     const tp_mesh *mesh = w->assets->boat;
-    uint32_t *work = w->works.of;
+    uint32_t *work = w->fixed_cost.of;
     uint32_t passes = 1;
 
     for (uint32_t i = 0; !l->mirrored && passes == 1 && i < mesh->n_materials; i++)
@@ -189,7 +189,7 @@ static void add_view_work(tp_site *w, look *l)
 static void count_work(tp_site *w)
 {
     const tp_scene *s = w->scene;
-    look l = { .rows = (int32_t)w->height, .cols = (int32_t)w->width,
+    boat_view l = { .rows = (int32_t)w->height, .cols = (int32_t)w->width,
                .band = TP_WORK_BAND };
     tp_projection projection;
 
@@ -202,7 +202,7 @@ static void count_work(tp_site *w)
     if (!w->mirrors)
         return;
     const int by = s->mirror.size == TP_MIRROR_QUARTER ? 4 : 2;
-    l = (look){ .rows = (int32_t)w->height / by, .cols = (int32_t)w->width / by,
+    l = (boat_view){ .rows = (int32_t)w->height / by, .cols = (int32_t)w->width / by,
                 .band = TP_WORK_STRIP, .mirrored = true,
                 .projection = mirrored_projection(&projection, s, w->width, w->height) };
     set_mesh_projection(&l, s);

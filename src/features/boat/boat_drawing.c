@@ -13,7 +13,7 @@
 
 /* The boat in one render view; valid until the next view is placed. */
 typedef struct {
-    tp_boat_look    look;       /* data of the span stages; first member */
+    tp_boat_shading    look;       /* data of the span stages; first member */
     tp_boat_vertex *vertex;
     tp_solid       *solid;      /* array, one for each material */
     uint8_t        *gloss;      /* tables, TP_GLOSS bytes for each material */
@@ -84,19 +84,19 @@ static tp_view_vertex transform_vertex(const drawn_boat *b, const tp_mesh_vertex
 
 /* Value of u for a vertex below the clip plane of the view.  A face with three such
  * vertices is not drawn.  A face with one or two is clipped. */
-#define OUTSIDE (TP_GRID_CUT + 1)
+#define OUTSIDE (TP_GRID_NEEDS_CLIP + 1)
 
 static void place_vertex(const drawn_boat *b, const tp_view *view, uint32_t i)
 {
     tp_boat_vertex *to = &b->vertex[i];
     tp_view_vertex c = transform_vertex(b, &b->look.mesh->vertices[i]);
 
-    if (view->cut && tp_view_plane_distance(&view->level, &c) < 0)
+    if (view->clipped && tp_view_plane_distance(&view->level, &c) < 0)
         to->u = OUTSIDE;
     else if (tp_projection_contains(&b->projection, &c))
         tp_projection_project(&b->projection, &c, &to->u, &to->v, &to->zi);
     else
-        to->u = TP_GRID_CUT;
+        to->u = TP_GRID_NEEDS_CLIP;
 }
 
 static int clipped(const drawn_boat *b, const tp_view *view, const tp_mesh_face *face,
@@ -367,7 +367,7 @@ const tp_module tp_boat_module = {
 
 const tp_drawing tp_boat_drawing = {
     .layout = layout, .init = make_gloss, .marks = count_marks, .begin = begin,
-    .anchor = set_anchor, .place = place, .draw = draw, .stages = add_stages,
+    .anchor = set_anchor, .project = place, .draw = draw, .stages = add_stages,
 };
 
 /* -- the module lids ----------------------------------------------------------------- */

@@ -51,25 +51,26 @@ static vec apply_normal_map(vec n, const tp_solid *solid, int level, uint32_t st
 
 TP_ALWAYS_INLINE void solid_run(const tp_shade *shade, tp_run *run, int blinn)
 {
-    const tp_boat_look *look = run->mine;
-    const tp_solid *solid = &look->solid[run->material];
+    const tp_boat_shading *shading = run->mine;
+    const tp_solid *solid = &shading->solid[run->material];
     const tp_texture *picture = solid->diffuse_map, *normals = solid->normal_map;
 
-    tp_view_run(shade, &look->axes, run);
+    tp_view_run(shade, &shading->axes, run);
     for (int32_t i = 0; i < run->count; i++) {
         int32_t  depth = tp_log_depth(shade, run->key[i]);
         uint32_t st = run->s[i], diffuse = solid->diffuse;
         vec n = unpacked(run->n[i]);
         if (picture) {
-            int level = tp_level_choose(solid->lod, depth, false, picture->levels);
+            int level = tp_mip_level_choose(solid->lod, depth, false, picture->levels);
             diffuse = tp_colour_times(fetch_texel(picture, level, st), diffuse);
         }
         if (normals) {
-            int level = tp_level_choose(solid->lod, depth, false, normals->levels);
-            n = apply_normal_map(n, solid, level, st, look->mesh->faces[run->t[i]].tangent);
+            int level = tp_mip_level_choose(solid->lod, depth, false, normals->levels);
+            n = apply_normal_map(n, solid, level, st,
+                                 shading->mesh->faces[run->t[i]].tangent);
         }
         n = tp_vec_q14_unit(n.x, n.y, n.z);
-        run->colour[i] = tp_phong(shade, &look->axes, solid, diffuse, n,
+        run->colour[i] = tp_phong(shade, &shading->axes, solid, diffuse, n,
                                   (vec){ run->vx[i], run->vy[i], run->vz[i] },
                                   run->lv[i], blinn);
     }

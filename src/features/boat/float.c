@@ -2,10 +2,10 @@
 /* The boat's attitude on the water, [E2] and [E3].
  *
  * Four points of the hull sample the water: bow, stern, port and starboard.  The
- * attitude, tp_boat_attitude, is three lengths: heave is the mean of the four heights, rise is bow
- * minus stern, tilt is port minus starboard.  Pitch is the angle of rise over length,
- * roll of tilt over beam.  A kinematic boat takes the water's own attitude, or approaches
- * it as in [D6]: x += (x* - x)(1 - exp(-dt / tau)).
+ * attitude, tp_boat_attitude, is three lengths: heave is the mean of the four heights,
+ * rise is bow minus stern, tilt is port minus starboard.  Pitch is the angle of rise over
+ * length, roll of tilt over beam.  A kinematic boat takes the water's own attitude, or
+ * approaches it as in [D6]: x += (x* - x)(1 - exp(-dt / tau)).
  *
  * A dynamic boat is four equal columns, one under each point, 2 draft high and half
  * immersed at rest: m_i = rho A_i draft, F_i = rho g A_i clamp(y_surf - y_i, 0, 2 draft)
@@ -36,7 +36,7 @@
 #define DRAFT_LEAST  TP_FX(0.05)
 #define DRAFT_MOST   (20 * TP_FX_ONE)
 #define DRAG_MOST    (2 * TP_FX_ONE)
-#define LIE_MOST     ((int64_t)4096 << 40)  /* above the highest water, fits 16.16 */
+#define ATTITUDE_MAX     ((int64_t)4096 << 40)  /* above the highest water, fits 16.16 */
 #define SPEED_MOST   ((int64_t)64 << 40)    /* per tick */
 #define SUNK_MOST    (256 * TP_FX_ONE)
 
@@ -67,11 +67,11 @@ static void compute_water_attitude(const tp_fx water[4], int64_t aim[3])
     aim[2] = ((int64_t)water[TP_PORT] - water[TP_STARBOARD]) * (1 << 24);
 }
 
-void tp_boat_snap_attitude(tp_boat_attitude *lie, const tp_fx water[4])
+void tp_boat_snap_attitude(tp_boat_attitude *attitude, const tp_fx water[4])
 {
-    compute_water_attitude(water, lie->at);
+    compute_water_attitude(water, attitude->at);
     for (int k = 0; k < 3; k++)
-        lie->speed[k] = 0;
+        attitude->speed[k] = 0;
 }
 
 /* -- kinematic ---------------------------------------------------------------------- */
@@ -90,15 +90,15 @@ static uint32_t smoothing_factor(tp_fx tau)
 /* Moves the attitude by the share k towards the water's.  Rounding stops the motion less
  * than 2^32 / k LSB from its aim: 601 LSB for the longest tau, or 2^-30 m.  The rounding
  * to 16.16 removes the difference. */
-static void smooth_attitude(tp_boat_attitude *lie, tp_fx tau, const tp_fx water[4])
+static void smooth_attitude(tp_boat_attitude *attitude, tp_fx tau, const tp_fx water[4])
 {
     int64_t  aim[3];
     uint32_t k = smoothing_factor(tau);
 
     compute_water_attitude(water, aim);
     for (int i = 0; i < 3; i++) {
-        lie->at[i] += scale_towards_zero(aim[i] - lie->at[i], k);
-        lie->speed[i] = 0;
+        attitude->at[i] += scale_towards_zero(aim[i] - attitude->at[i], k);
+        attitude->speed[i] = 0;
     }
 }
 
@@ -147,16 +147,16 @@ static swing compute_oscillation(const tp_scene *scene)
 /* Computes the pushes on heave, rise and tilt, Q40 m of water.  The waterline of the bow
  * lies half a rise above the heave, of the stern half a rise below; likewise port and
  * starboard. */
-static void compute_push(const tp_boat_attitude *lie, tp_fx draft, const tp_fx water[4],
-                         int64_t push[3])
+static void compute_push(const tp_boat_attitude *attitude, tp_fx draft,
+                         const tp_fx water[4], int64_t push[3])
 {
-    int64_t half_rise = lie->at[1] / 2, half_tilt = lie->at[2] / 2;
-    const int64_t over[4] = { half_rise, half_rise - lie->at[1], half_tilt,
-                              half_tilt - lie->at[2] };
+    int64_t half_rise = attitude->at[1] / 2, half_tilt = attitude->at[2] / 2;
+    const int64_t over[4] = { half_rise, half_rise - attitude->at[1], half_tilt,
+                              half_tilt - attitude->at[2] };
     int64_t e[4];
 
     for (int i = 0; i < 4; i++) {
-        int64_t immersion = water[i] * ((int64_t)1 << 24) - lie->at[0] - over[i];
+        int64_t immersion = water[i] * ((int64_t)1 << 24) - attitude->at[0] - over[i];
         e[i] = tp_clamp_abs(immersion, (int64_t)draft << 24);
     }
     push[0] = (e[TP_BOW] + e[TP_STERN] + e[TP_PORT] + e[TP_STARBOARD]) / 4;
@@ -172,53 +172,55 @@ static bool is_within(const int64_t x[3], int64_t most)
 
 /* Advances the attitude by one step.  Near rest the step ends exactly at rest: the push
  * is then the remaining distance. */
-static void step(tp_boat_attitude *lie, const swing *s, tp_fx draft, const tp_fx water[4])
+static void step(tp_boat_attitude *attitude, const swing *s, tp_fx draft,
+                 const tp_fx water[4])
 {
     TP_ASSERT(s->steps > 0 && draft > 0);
     int64_t push[3];
 
-    compute_push(lie, draft, water, push);
-    bool still = is_within(push, STILL) && is_within(lie->speed, STILL_TICK);
+    compute_push(attitude, draft, water, push);
+    bool at_rest = is_within(push, STILL) && is_within(attitude->speed, STILL_TICK);
     for (int i = 0; i < 3; i++) {
-        int64_t speed = scale_towards_zero(lie->speed[i], s->keep)
+        int64_t speed = scale_towards_zero(attitude->speed[i], s->keep)
                         + scale_towards_zero(push[i], s->kick);
-        lie->speed[i] = still ? 0 : tp_clamp_abs(speed, SPEED_MOST);
-        lie->at[i] += still ? push[i] : lie->speed[i] / s->steps;
-        lie->at[i] = tp_clamp_abs(lie->at[i], LIE_MOST);
+        attitude->speed[i] = at_rest ? 0 : tp_clamp_abs(speed, SPEED_MOST);
+        attitude->at[i] += at_rest ? push[i] : attitude->speed[i] / s->steps;
+        attitude->at[i] = tp_clamp_abs(attitude->at[i], ATTITUDE_MAX);
     }
 }
 
 /* ----------------------------------------------------------------------------------- */
 
-void tp_boat_step_attitude(tp_boat_attitude *lie, const tp_scene *scene,
+void tp_boat_step_attitude(tp_boat_attitude *attitude, const tp_scene *scene,
                            const tp_fx water[4])
 {
     if (scene->boat.mode == TP_BOAT_DYNAMIC) {
         const swing s = compute_oscillation(scene);
         for (int n = 0; n < s.steps; n++)
-            step(lie, &s, scene->boat.draft, water);
+            step(attitude, &s, scene->boat.draft, water);
     } else if (scene->boat.smooth > 0) {
-        smooth_attitude(lie, scene->boat.smooth, water);
+        smooth_attitude(attitude, scene->boat.smooth, water);
     } else {
-        tp_boat_snap_attitude(lie, water);
+        tp_boat_snap_attitude(attitude, water);
     }
 }
 
-void tp_boat_set_immersion(tp_hull *hull, const tp_boat_attitude *lie, const tp_fx water[4])
+void tp_boat_set_immersion(tp_hull *hull, const tp_boat_attitude *attitude,
+                           const tp_fx water[4])
 {
     int64_t aim[3];
 
     compute_water_attitude(water, aim);
     for (int k = 0; k < 3; k++)
-        hull->immersion[k] = tp_clamp(tp_fx_of_q40(aim[k] - lie->at[k]), -SUNK_MOST,
+        hull->immersion[k] = tp_clamp(tp_fx_of_q40(aim[k] - attitude->at[k]), -SUNK_MOST,
                                  SUNK_MOST);
 }
 
 /* True if the attitude is in range.  The water's own attitude may be twice the highest
  * water, equal to LIE_MOST. */
-bool tp_boat_attitude_is_valid(const tp_boat_attitude *lie)
+bool tp_boat_attitude_is_valid(const tp_boat_attitude *attitude)
 {
-    return is_within(lie->at, LIE_MOST) && is_within(lie->speed, SPEED_MOST);
+    return is_within(attitude->at, ATTITUDE_MAX) && is_within(attitude->speed, SPEED_MOST);
 }
 
 bool tp_boat_immersion_is_valid(const tp_hull *hull)

@@ -37,7 +37,7 @@ typedef struct {
     tp_fx   heave, rise, tilt;          /* m: column in the middle, its differences */
     tp_fx   high;                       /* 2 draft, the longest column, m */
     tp_q30  share;                      /* b times the factor of shallowness */
-} form;
+} hull_form;
 
 /* -- the hull's form ---------------------------------------------------------------- */
 
@@ -51,7 +51,7 @@ static tp_fx clamped_half_side(tp_fx side, const tp_pool *pool)
 
 /* Returns the hull's form over the pool.  A sine over half a side, 0.05 m or more, is
  * below 2^29 in Q24. */
-static form make_form(const tp_hull *hull, const tp_scene *scene, const tp_pool *pool)
+static hull_form make_form(const tp_hull *hull, const tp_scene *scene, const tp_pool *pool)
 {
     tp_fx   length = clamped_half_side(scene->boat.length, pool);
     tp_fx   beam = clamped_half_side(scene->boat.beam, pool);
@@ -61,7 +61,7 @@ static form make_form(const tp_hull *hull, const tp_scene *scene, const tp_pool 
     int64_t fine = ((int64_t)scene->boat.beam << 29) / beam;
     int64_t wide = slim * fine >> 30;
 
-    return (form){
+    return (hull_form){
         .x = hull->x, .z = hull->z, .heading = hull->heading,
         .along_q24 = { s / length, -c / length },
         .across_q24 = { c / beam, s / beam },
@@ -76,7 +76,7 @@ static form make_form(const tp_hull *hull, const tp_scene *scene, const tp_pool 
 /* Computes alpha and beta of a place, 16.16.  A distance is below 2^32 and an axis below
  * 2^29, so the sum of two products stays below 2^62.  After the shift up to 38 bits
  * remain. */
-static void hull_coordinates(const form *f, tp_fx x, tp_fx z, int64_t at[2])
+static void hull_coordinates(const hull_form *f, tp_fx x, tp_fx z, int64_t at[2])
 {
     const int64_t dx = (int64_t)x - f->x, dz = (int64_t)z - f->z, half = 1 << 23;
 
@@ -91,7 +91,7 @@ static bool is_within(const int64_t at[2], tp_fx reach)
 
 /* Returns the submerged column times the stirring share, in the pool's LSB.  A column of
  * at most 40 m and parabolas of at most 1 keep each product below 2^38. */
-static int32_t submerged_column(const form *f, const tp_pool *pool, tp_fx x, tp_fx z)
+static int32_t submerged_column(const hull_form *f, const tp_pool *pool, tp_fx x, tp_fx z)
 {
     int64_t at[2];
 
@@ -103,7 +103,7 @@ static int32_t submerged_column(const form *f, const tp_pool *pool, tp_fx x, tp_
     tp_fx lean = tp_fx_mul(TP_FX_ONE - tp_fx_mul(alpha, alpha),
                            TP_FX_ONE - tp_fx_mul(beta, beta));
     tp_fx metres = tp_fx_mul(tp_clamp(deep, 0, f->high), lean);
-    return tp_pool_lsb(pool, tp_q30_mul(metres, f->share));
+    return tp_pool_from_metres(pool, tp_q30_mul(metres, f->share));
 }
 
 /* -- cells -------------------------------------------------------------------------- */
@@ -112,11 +112,11 @@ static int32_t submerged_column(const form *f, const tp_pool *pool, tp_fx x, tp_
  * rectangle may extend beyond the field's edge; its cells then wrap. */
 typedef struct {
     int32_t col0, col1, row0, row1;
-} box;
+} cell_box;
 
 typedef struct {
     tp_pool *pool;
-    form     before, now;
+    hull_form     before, now;
     int32_t  peak;              /* largest change of a cell, LSB */
 } wake;
 
@@ -124,7 +124,7 @@ typedef struct {
     int32_t  col, row;
     uint32_t in_col, in_row;    /* wrapped: cell of the pool */
     tp_fx    x, z;              /* centre of the cell, m */
-} cell;
+} wake_cell;
 
 static uint32_t wrap_index(int32_t i, uint32_t count)
 {
@@ -145,10 +145,10 @@ static tp_fx centre(tp_fx middle, tp_fx side, uint32_t count, int32_t i)
     return (tp_fx)(first_cell_edge(middle, side, count) + side / 2 + (int64_t)i * side);
 }
 
-static cell make_cell(const tp_pool *pool, int32_t col, int32_t row)
+static wake_cell make_cell(const tp_pool *pool, int32_t col, int32_t row)
 {
     TP_ASSERT(pool->cols > 0 && pool->rows > 0);
-    return (cell){
+    return (wake_cell){
         col, row, wrap_index(col, pool->cols), wrap_index(row, pool->rows),
         centre(pool->x, pool->cell, pool->cols, col),
         centre(pool->z, pool->cell, pool->rows, row),
@@ -157,14 +157,14 @@ static cell make_cell(const tp_pool *pool, int32_t col, int32_t row)
 
 /* Returns the position before the first cell, as `next` expects.  An empty box has no
  * cells. */
-static cell begin_cell_scan(const box *b)
+static wake_cell begin_cell_scan(const cell_box *b)
 {
     bool empty = b->col0 > b->col1;
-    return (cell){ .col = b->col1, .row = empty ? b->row1 : b->row0 - 1 };
+    return (wake_cell){ .col = b->col1, .row = empty ? b->row1 : b->row0 - 1 };
 }
 
 /* Steps to the next cell.  Returns false after the last cell. */
-static bool next(const tp_pool *pool, const box *b, cell *at)
+static bool next(const tp_pool *pool, const cell_box *b, wake_cell *at)
 {
     if (at->col < b->col1) {
         at->col++;
@@ -202,16 +202,16 @@ static int64_t min_int64(int64_t a, int64_t b) { return a < b ? a : b; }
 static int64_t max_int64(int64_t a, int64_t b) { return a > b ? a : b; }
 
 /* Returns the hull's largest extent from its middle along an axis of the world. */
-static tp_fx extent(const form *f, tp_turn heading)
+static tp_fx extent(const hull_form *f, tp_turn heading)
 {
     return tp_q30_mul(f->length, tp_abs(tp_sin(heading)))
          + tp_q30_mul(f->beam, tp_abs(tp_cos(heading)));
 }
 
 /* Returns the cells reached by both hulls, enlarged `reach` times. */
-static box hull_cell_box(const wake *w, tp_fx reach)
+static cell_box hull_cell_box(const wake *w, tp_fx reach)
 {
-    const form *a = &w->before, *b = &w->now;
+    const hull_form *a = &w->before, *b = &w->now;
     const tp_pool *pool = w->pool;
     const tp_turn quarter = 0x40000000;
     int64_t ax = tp_fx_mul(extent(a, a->heading), reach);
@@ -224,13 +224,13 @@ static box hull_cell_box(const wake *w, tp_fx reach)
                     max_int64(a->x + ax, b->x + bx), col);
     find_cell_range(pool, pool->rows, pool->z, min_int64(a->z - az, b->z - bz),
                     max_int64(a->z + az, b->z + bz), row);
-    return (box){ col[0], col[1], row[0], row[1] };
+    return (cell_box){ col[0], col[1], row[0], row[1] };
 }
 
 /* -- stirring ----------------------------------------------------------------------- */
 
 /* Returns the change of height of a cell, LSB. */
-static int32_t height_change(const wake *w, const cell *at)
+static int32_t height_change(const wake *w, const wake_cell *at)
 {
     return submerged_column(&w->before, w->pool, at->x, at->z)
            - submerged_column(&w->now, w->pool, at->x, at->z);
@@ -238,7 +238,7 @@ static int32_t height_change(const wake *w, const cell *at)
 
 /* True for a water cell around the current hull: outside of the hull, within AROUND of
  * it. */
-static bool is_surrounding_cell(const wake *w, const cell *at)
+static bool is_surrounding_cell(const wake *w, const wake_cell *at)
 {
     int64_t way[2];
 
@@ -248,7 +248,7 @@ static bool is_surrounding_cell(const wake *w, const cell *at)
 }
 
 /* Adds height to a cell and returns the amount that fitted: 0 in walls. */
-static int32_t add(wake *w, const cell *at, int64_t lsb)
+static int32_t add(wake *w, const wake_cell *at, int64_t lsb)
 {
     int32_t part = (int32_t)tp_clamp_abs(lsb, INT32_MAX);
     int32_t added = tp_pool_add(w->pool, at->in_col, at->in_row, part);
@@ -259,11 +259,12 @@ static int32_t add(wake *w, const cell *at, int64_t lsb)
 
 /* Returns the largest change of a cell; stops at PEAK_LEAST, because more makes no
  * difference. */
-static int32_t largest_height_change(const wake *w, const box *b)
+static int32_t largest_height_change(const wake *w, const cell_box *b)
 {
     int32_t highest = 0;
 
-    for (cell at = begin_cell_scan(b); highest < PEAK_LEAST && next(w->pool, b, &at);) {
+    for (wake_cell at = begin_cell_scan(b);
+         highest < PEAK_LEAST && next(w->pool, b, &at);) {
         int32_t size = tp_abs(height_change(w, &at));
         highest = size > highest ? size : highest;
     }
@@ -271,22 +272,22 @@ static int32_t largest_height_change(const wake *w, const box *b)
 }
 
 /* Applies all changes and returns the sum of the amounts that fitted. */
-static int64_t apply_height_changes(wake *w, const box *b)
+static int64_t apply_height_changes(wake *w, const cell_box *b)
 {
     int64_t sum = 0;
 
-    for (cell at = begin_cell_scan(b); next(w->pool, b, &at);) {
+    for (wake_cell at = begin_cell_scan(b); next(w->pool, b, &at);) {
         int32_t lsb = height_change(w, &at);
         sum += lsb ? add(w, &at, lsb) : 0;
     }
     return sum;
 }
 
-static int64_t count_surrounding_cells(const wake *w, const box *b)
+static int64_t count_surrounding_cells(const wake *w, const cell_box *b)
 {
     int64_t count = 0;
 
-    for (cell at = begin_cell_scan(b); next(w->pool, b, &at);)
+    for (wake_cell at = begin_cell_scan(b); next(w->pool, b, &at);)
         count += is_surrounding_cell(w, &at);
     return count;
 }
@@ -294,11 +295,11 @@ static int64_t count_surrounding_cells(const wake *w, const box *b)
 /* Spreads `sum` evenly over the cells around the hull: of n cells the i-th gets the part
  * between (i - 1) sum / n and i sum / n.  |sum| is below 2^18 cells of 2^31.  Returns the
  * remainder that did not fit. */
-static int64_t fill_surrounding_cells(wake *w, const box *b, int64_t sum)
+static int64_t fill_surrounding_cells(wake *w, const cell_box *b, int64_t sum)
 {
     int64_t n = count_surrounding_cells(w, b), i = 0, given = 0, left = sum;
 
-    for (cell at = begin_cell_scan(b); next(w->pool, b, &at);) {
+    for (wake_cell at = begin_cell_scan(b); next(w->pool, b, &at);) {
         if (!is_surrounding_cell(w, &at))
             continue;
         i++;
@@ -310,18 +311,18 @@ static int64_t fill_surrounding_cells(wake *w, const box *b, int64_t sum)
 }
 
 /* Adds the remainder to the first cells with room. */
-static void add_remainder(wake *w, const box *b, int64_t left)
+static void add_remainder(wake *w, const cell_box *b, int64_t left)
 {
-    for (cell at = begin_cell_scan(b); left != 0 && next(w->pool, b, &at);)
+    for (wake_cell at = begin_cell_scan(b); left != 0 && next(w->pool, b, &at);)
         left -= add(w, &at, left);
 }
 
-static void stir_pool(wake *w, const box *hulls)
+static void stir_pool(wake *w, const cell_box *hulls)
 {
     int64_t left = -apply_height_changes(w, hulls);
 
     if (left != 0) {
-        const box around = hull_cell_box(w, AROUND);
+        const cell_box around = hull_cell_box(w, AROUND);
         left = fill_surrounding_cells(w, &around, left);
         add_remainder(w, &around, left);
     }
@@ -345,21 +346,21 @@ tp_pool *tp_boat_pool(tp_world *world)
 
 void tp_boat_stir_pool(tp_world *world, const tp_scene *scene)
 {
-    tp_boat_state *a = &world->afloat;
+    tp_boat_state *a = &world->boat_state;
     wake w = { .pool = tp_boat_pool(world) };
 
-    if (!w.pool || is_same(&a->hull, &a->stirred))
+    if (!w.pool || is_same(&a->hull, &a->wake_hull))
         return;
-    w.before = make_form(&a->stirred, scene, w.pool);
+    w.before = make_form(&a->wake_hull, scene, w.pool);
     w.now = make_form(&a->hull, scene, w.pool);
-    const box hulls = hull_cell_box(&w, TP_FX_ONE);
+    const cell_box hulls = hull_cell_box(&w, TP_FX_ONE);
     int32_t peak = largest_height_change(&w, &hulls);
     if (peak >= PEAK_LEAST) {
         stir_pool(&w, &hulls);
-        a->stirs++;
+        a->wake_ticks++;
     }
     if (peak == 0 || peak >= PEAK_LEAST)
-        a->stirred = a->hull;
+        a->wake_hull = a->hull;
 }
 
 /* -- the module ---------------------------------------------------------------------- */

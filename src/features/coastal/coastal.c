@@ -9,9 +9,9 @@
 #include "scene/sides.h"
 #include "wave/ocean_tables.h"
 
-static tp_ocean_config make_ocean_config(const tp_scene *scene, const tp_assets *assets)
+static tp_coastal_config make_coastal_config(const tp_scene *scene, const tp_assets *assets)
 {
-    return (tp_ocean_config){
+    return (tp_coastal_config){
         .floor = {
             .depth = scene->floor.depth, .slope = scene->floor.slope,
             .heading = scene->floor.heading, .map = assets ? assets->floor : NULL,
@@ -27,21 +27,21 @@ static tp_ocean_config make_ocean_config(const tp_scene *scene, const tp_assets 
 
 bool tp_coastal_enabled(const tp_want *want)
 {
-    const tp_waters *water = want->water;
+    const tp_wave_models *water = want->water;
 
     return (tp_has_floor(want->scene) || want->scene->wind.strength > 0)
-        && (!water || (water->ocean && water->swells));
+           && (!water || (water->coastal && water->swells));
 }
 
 /* Returns the size of the state; 0: the floor's map cannot be used. */
 static size_t bytes(const tp_want *want)
 {
     const tp_scene *scene = want->scene;
-    const tp_ocean_config config = make_ocean_config(scene, want->assets);
-    tp_sea sea;
+    const tp_coastal_config config = make_coastal_config(scene, want->assets);
+    tp_deep_water deep;
 
-    tp_sea_init(&sea, scene->wave, TP_WAVES, scene->water.gravity);
-    return tp_ocean_bytes(&config, &sea);
+    tp_deep_water_init(&deep, scene->wave, TP_WAVES, scene->water.gravity);
+    return tp_coastal_bytes(&config, &deep);
 }
 
 static tp_status check(const tp_want *want, tp_error *err)
@@ -52,16 +52,17 @@ static tp_status check(const tp_want *want, tp_error *err)
 
 static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
 {
-    const tp_ocean_config config = make_ocean_config(want->scene, want->assets);
-    return tp_ocean_init(mine, &config, &world->sea, want->scene->wave, TP_WAVES, err);
+    const tp_coastal_config config = make_coastal_config(want->scene, want->assets);
+    return tp_coastal_init(mine, &config, &world->deep, want->scene->wave, TP_WAVES, err);
 }
 
 /* Recomputes the tables whose inputs have changed. */
 static bool refresh(void *mine, tp_world *world, const tp_want *want)
 {
-    const tp_ocean_config config = make_ocean_config(want->scene, want->assets);
-    return tp_ocean_refresh(mine, &config, &world->sea, want->scene->wave, TP_WAVES, NULL)
-        == TP_OK;
+    const tp_coastal_config config = make_coastal_config(want->scene, want->assets);
+    return tp_coastal_refresh(mine, &config, &world->deep, want->scene->wave, TP_WAVES,
+                              NULL)
+           == TP_OK;
 }
 
 static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
@@ -72,11 +73,11 @@ static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 
 static void add_surface(const void *mine, tp_surface *to)
 {
-    to->ocean = to->by->ocean && to->by->swells ? mine : NULL;
+    to->coastal = to->by->coastal && to->by->swells ? mine : NULL;
 }
 
 const tp_module tp_coastal_module = {
-    .name = "ocean", .id = TP_OCEAN_ID, .is = TP_MODULE_COASTAL,
+    .name = "coastal", .id = TP_COASTAL_ID, .is = TP_MODULE_COASTAL,
     .enabled = tp_coastal_enabled,
     .check = check,
     .bytes = bytes,

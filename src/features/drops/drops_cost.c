@@ -13,7 +13,7 @@ static void count_work(tp_site *w)
     const tp_vec3 sphere = { s->drops.x, s->drops.y, s->drops.z };
     const tp_vec3 way = tp_start_view_clamped_vector(w->at.eye, sphere);
     const tp_vec3 view = tp_rotate(&w->at.turn, way);
-    uint32_t *work = w->works.of;
+    uint32_t *work = w->fixed_cost.of;
 
     work[TP_WORK_rings] = s->drops.every > 0 ? o->vertices : 0;
     if (-view.z <= 0)

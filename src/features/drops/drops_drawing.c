@@ -67,7 +67,7 @@ static spheroid make_spheroid(tp_vec3 centre, tp_fx radius, int32_t squash_q14)
 }
 
 /* Returns spheroid i at the drawn moment: drop i, or the sphere for i = seen. */
-static spheroid interpolate_spheroid(const tp_drops *drops, tp_fx back, uint32_t i,
+static spheroid interpolate_spheroid(const tp_drops *drops, tp_fx lag, uint32_t i,
                                      uint32_t seen)
 {
     TP_ASSERT(i <= seen && seen <= drops->count);
@@ -75,7 +75,7 @@ static spheroid interpolate_spheroid(const tp_drops *drops, tp_fx back, uint32_t
     const tp_drop *drop = tp_drops_list(drops) + (sphere ? 0 : i);
     tp_vec3 a = sphere ? drops->last_sphere : drop->last;
     tp_vec3 b = sphere ? drops->sphere : drop->place;
-    tp_vec3 at = tp_place_interpolate(a, b, back);
+    tp_vec3 at = tp_place_interpolate(a, b, lag);
 
     return sphere ? (spheroid){ at, drops->sphere_radius, drops->sphere_radius }
                   : make_spheroid(at, drop->radius, drop->squash);
@@ -128,7 +128,8 @@ static tp_grid_box ball_box(const drawn_drops *d, const tp_view *view, const sph
         for (uint32_t i = 0; i < ROUND; i += step) {
             tp_screen_vertex p;
             ahead |= ring[i].depth >= view->projection->near
-                     && (!view->cut || tp_view_plane_distance(&view->level, &ring[i]) >= 0);
+                     && (!view->clipped
+                         || tp_view_plane_distance(&view->level, &ring[i]) >= 0);
             cut |= !tp_projection_contains(view->projection, &ring[i]);
             if (cut)
                 continue;
@@ -164,7 +165,7 @@ static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
     d->seen = drops->count < d->room ? drops->count : d->room;
     frame->stats.dropped += drops->count - d->seen;
     for (uint32_t i = 0; i <= d->seen; i++) {
-        spheroid s = interpolate_spheroid(drops, frame->world->back, i, d->seen);
+        spheroid s = interpolate_spheroid(drops, frame->world->lag, i, d->seen);
         d->box[i] = ball_box(d, view, &s, 2);
         uint32_t step = choose_detail_step(&d->box[i]);
         if (step == 1)
@@ -219,7 +220,7 @@ static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
     for (uint32_t i = 0; drops && i <= d->seen; i++) {
         if (!tp_view_touches(&d->box[i], samples))
             continue;
-        spheroid s = interpolate_spheroid(drops, frame->world->back, i, d->seen);
+        spheroid s = interpolate_spheroid(drops, frame->world->lag, i, d->seen);
         draw_one(d, view, samples, &s, choose_detail_step(&d->box[i]), mark);
     }
 }
@@ -249,8 +250,8 @@ static void add_surface(tp_frame *frame, void *mine, tp_surface *surface)
     drawn_drops *d = mine;
 
     surface->ring = d->ring;
-    surface->rings = drops ? tp_drops_rings_evaluate(drops, frame->program, frame->drawn.time,
-                                               d->ring, d->ring_room)
+    surface->rings = drops ? tp_drops_rings_evaluate(
+                         drops, frame->program, frame->drawn.time, d->ring, d->ring_room)
                            : 0;
 }
 
@@ -282,6 +283,6 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 
 const tp_drawing tp_drops_drawing = {
     .layout = layout, .init = make_ball, .marks = tp_marks_one, .surface = add_surface,
-    .begin = begin, .anchor = set_anchor, .place = place, .draw = draw,
+    .begin = begin, .anchor = set_anchor, .project = place, .draw = draw,
     .stages = add_stages,
 };

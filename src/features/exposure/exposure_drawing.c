@@ -9,7 +9,7 @@ static void make_tones(tp_exposure *e, tp_fx exposure)
     TP_ASSERT(exposure > 0);
     tp_exposure_make_tone_curve(e->tone, exposure);
     for (uint32_t i = 0; i < 256; i++)
-        tp_toned_set(&e->toned, i, e->tone[i]);
+        tp_rgb565_tone_map_set(&e->tone_map, i, e->tone[i]);
     e->made_for = exposure;
 }
 
@@ -34,15 +34,15 @@ static void begin(tp_frame *frame, void *mine)
         make_tones(e, exposure);
     if (frame->config.format == TP_FORMAT_RGB565 && !frame->config.overlay.draw
         && !tp_frame_has_module(frame, TP_MODULE_PANES)) {
-        frame->toned = &e->toned;
-        frame->store_toned = tp_store_rgb565_toned;
+        frame->tone_map = &e->tone_map;
+        frame->store_tone_mapped = tp_store_rgb565_tone_mapped;
     }
 }
 
 static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
                       tp_shaders *list)
 {
-    if (frame->drawn.exposure != TP_FX_ONE && !frame->toned)
+    if (frame->drawn.exposure != TP_FX_ONE && !frame->tone_map)
         tp_shaders_add(list, TP_AT_TONE, stage[0], mine);
 }
 

@@ -136,15 +136,15 @@ static void make_tables(probe *p, const tp_scene *scene, const tp_assets *assets
 
 typedef struct {
     int32_t x, y, z;            /* direction, Q1.14 */
-} way;
+} meter_way;
 
-static way direction_q14(tp_dir3 d)
+static meter_way direction_q14(tp_dir3 d)
 {
-    return (way){ d.x >> 16, d.y >> 16, d.z >> 16 };
+    return (meter_way){ d.x >> 16, d.y >> 16, d.z >> 16 };
 }
 
 /* Returns the grey of the sky in direction d, with d.y >= 0. */
-static uint32_t sample_sky(const probe *p, way light, way d)
+static uint32_t sample_sky(const probe *p, meter_way light, meter_way d)
 {
     if (p->cube) {
         tp_cube_ray at = tp_cube_face(d.x, d.y, d.z);
@@ -161,13 +161,14 @@ static uint32_t sample_sky(const probe *p, way light, way d)
     return sum < BRIGHTEST ? sum : BRIGHTEST;
 }
 
-static uint32_t trace_ray(const probe *p, const tp_scene *scene, way light, way d)
+static uint32_t trace_ray(const probe *p, const tp_scene *scene, meter_way light,
+                          meter_way d)
 {
     if (d.y >= 0)
         return sample_sky(p, light, d);
     uint32_t lit = (uint32_t)tp_lit_share(scene->light.ambient >> 8, light.y);
     uint32_t share = p->fresnel[tp_clamp(-d.y >> 8, 0, BANDS)];
-    uint32_t mirror = sample_sky(p, light, (way){ d.x, -d.y, d.z });
+    uint32_t mirror = sample_sky(p, light, (meter_way){ d.x, -d.y, d.z });
 
     return ((p->water * lit >> 8) * (256 - share) + mirror * share) >> 8;
 }
@@ -181,9 +182,9 @@ tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene)
     tp_turn half = tp_turn_of_degrees(scene->camera.fov) / 2;
     int32_t s = tp_sin(half) >> 16, c = tp_cos(half) >> 16;
     tp_rotation turn = tp_camera_interpolate(world, 0).turn;
-    way right = direction_q14(turn.x), up = direction_q14(turn.y),
-        back = direction_q14(turn.z);
-    way light =
+    meter_way right = direction_q14(turn.x), up = direction_q14(turn.y),
+              back = direction_q14(turn.z);
+    meter_way light =
         direction_q14(tp_light_direction(world->light_heading, world->light_elevation));
     uint32_t sum = 0;
 

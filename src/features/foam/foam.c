@@ -80,7 +80,7 @@ static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error
     (void)err;
     foam->cells = cells;
     foam->cell = scene->foam.cell;
-    foam->work = want->above & TP_MODULE_COASTAL
+    foam->scratch = want->above & TP_MODULE_COASTAL
                ? (uint32_t)(sizeof *foam + cover_bytes(cells)) : 0;
     place_window(foam, world, scene);
     for (int q = 0; q < TP_FOAM_TICKS; q++) {
@@ -112,15 +112,15 @@ static int64_t advance_drift(tp_foam *foam, int64_t drift, tp_fx speed, int way)
 typedef struct {
     int32_t  first;
     uint32_t seam, cells;
-} axis;
+} lattice_axis;
 
-static axis make_axis(int32_t first, uint32_t cells)
+static lattice_axis make_axis(int32_t first, uint32_t cells)
 {
-    return (axis){ first, tp_foam_mod(first, cells), cells };
+    return (lattice_axis){ first, tp_foam_mod(first, cells), cells };
 }
 
 /* Returns the lattice cell number of a column or row. */
-static int32_t lattice_index(const axis *a, uint32_t i)
+static int32_t lattice_index(const lattice_axis *a, uint32_t i)
 {
     return a->first + (int32_t)(i >= a->seam ? i - a->seam : i + a->cells - a->seam);
 }
@@ -145,7 +145,7 @@ static uint32_t visit_fade_factor(tp_fx fade)
 typedef struct {
     tp_foam_maker make;
     uint32_t kept_q24, threshold_q24;
-    axis x, z, seen_x, seen_z;
+    lattice_axis x, z, seen_x, seen_z;
 } visit;
 
 /* Returns the new cover of a cell.  New foam covers only the free share.
@@ -198,7 +198,7 @@ static void visit_quarter(visit *v, tp_foam *foam)
             memset(cover, 0, cells);
         v->threshold_q24 = foam->visits / TP_FOAM_TICKS * GOLDEN + j * (GOLDEN / 7);
         v->make.z = cell_centre(foam, number, foam->drift_z);
-        if (foam->work && number - 1 != last)
+        if (foam->scratch && number - 1 != last)
             seed_previous_row(v, foam);
         last = number;
         visit_row(v, foam, cover);
@@ -291,7 +291,7 @@ static bool is_valid(const void *mine, const void *made, const tp_world *world)
     const tp_foam *foam = mine, *fresh = made;
     const int64_t cells = fresh->cells, side = window_side(fresh);
     bool valid = foam->cells == fresh->cells && foam->cell == fresh->cell
-              && foam->work == fresh->work
+              && foam->scratch == fresh->scratch
               && foam->drift_x >= 0 && foam->drift_x < side
               && foam->drift_z >= 0 && foam->drift_z < side
               && is_window_valid(fresh, foam->first_x, 2 * cells)

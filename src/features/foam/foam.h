@@ -26,7 +26,7 @@ typedef struct {
     int32_t  first_x, first_z;  /* lowest lattice cell of the window */
     int32_t  seen[TP_FOAM_TICKS][2];    /* first_x, first_z at a quarter's last visit */
     uint32_t visits;            /* ticks so far */
-    uint32_t work;              /* byte offset of a row of positions; 0: none */
+    uint32_t scratch;              /* byte offset of a row of positions; 0: none */
 } tp_foam;
 
 /* Returns the cover 0..255 at a rest position, bilinear between cell centres; 0 outside. */
@@ -65,7 +65,7 @@ static inline uint32_t tp_foam_mod(int32_t i, uint32_t n)
 
 /* A hull over rest positions: alpha from stern -1 to bow 1, beta to starboard. */
 typedef struct {
-    tp_fx x, z, reach;          /* middle, and farthest foam of the hull, m */
+    tp_fx x, z, foam_radius;          /* middle, and farthest foam of the hull, m */
     tp_fx along[2], across[2];  /* gradients of alpha and beta, 1/m */
     tp_fx length, beam;         /* half lengths, m */
     tp_fx pace;                 /* speed ahead over PACE, -1..1 */
@@ -75,7 +75,7 @@ typedef struct {
 typedef struct {
     const tp_world *world;
     const tp_scene *scene;
-    const tp_ocean *ocean;
+    const tp_coastal_water *coastal;
     const tp_pool  *pool;       /* a pool with walls that make foam */
     tp_foam *foam;
     tp_fx    z;                 /* z of the row, m; set by the caller */

@@ -8,15 +8,15 @@
 
 /* Returns the drift in m at the drawn moment, `back` of a tick before the world's current
  * tick. */
-static tp_fx interpolate_drift(int64_t drift_q32, tp_fx speed, tp_fx back)
+static tp_fx interpolate_drift(int64_t drift_q32, tp_fx speed, tp_fx lag)
 {
-    return (tp_fx)((drift_q32 - (int64_t)speed * back / TP_TICKS_PER_SECOND) >> 16);
+    return (tp_fx)((drift_q32 - (int64_t)speed * lag / TP_TICKS_PER_SECOND) >> 16);
 }
 
 /* Sets the field: the cells of the last tick, at the lattice's drift of the drawn
  * moment. */
 static void place_foam(tp_shade_foam *f, const tp_foam *foam, const tp_scene_map *map,
-                       tp_fx back)
+                       tp_fx lag)
 {
     TP_ASSERT(foam->cells > 0 && foam->cell > 0);
     int32_t cells = (int32_t)foam->cells;
@@ -26,9 +26,9 @@ static void place_foam(tp_shade_foam *f, const tp_foam *foam, const tp_scene_map
     f->col = (uint32_t)((foam->first_x % cells + cells) % cells);
     f->row = (uint32_t)((foam->first_z % cells + cells) % cells);
     f->low_s = (tp_fx)((int64_t)foam->first_x * foam->cell
-                       + interpolate_drift(foam->drift_x, map->drift_x, back));
+                       + interpolate_drift(foam->drift_x, map->drift_x, lag));
     f->low_t = (tp_fx)((int64_t)foam->first_z * foam->cell
-                       + interpolate_drift(foam->drift_z, map->drift_z, back));
+                       + interpolate_drift(foam->drift_z, map->drift_z, lag));
     f->side = foam->cells * (uint32_t)foam->cell;
     f->per_metre = ((uint64_t)1 << 48) / (uint32_t)foam->cell;
 }
@@ -48,7 +48,7 @@ static void begin(tp_frame *frame, void *mine)
     f->drift_s = layer.drift_s;
     f->drift_t = layer.drift_t;
     f->lod = layer.lod;
-    place_foam(f, foam, &scene->foam.map, frame->world->back);
+    place_foam(f, foam, &scene->foam.map, frame->world->lag);
     f->edge = tp_world_pool(frame->world) ? UINT32_MAX : (1u << 24) / (32 * foam->cells);
 }
 

@@ -33,9 +33,9 @@ static uint32_t crest_gain(const tp_foam_maker *m, tp_fx squeeze)
     return scale_gain(tp_clamp(below, 0, CREST_MOST), CREST_UNITS);
 }
 
-static tp_ocean_point sample_ocean(const tp_foam_maker *m, tp_fx x, tp_fx z)
+static tp_coastal_point sample_coastal(const tp_foam_maker *m, tp_fx x, tp_fx z)
 {
-    return tp_ocean_displace_point(m->ocean, m->world->phases, x, z);
+    return tp_coastal_displace_point(m->coastal, m->world->phases, x, z);
 }
 
 /* Returns the stretch over one cell, clamped to +-8.  Larger values occur only on land. */
@@ -48,11 +48,11 @@ static tp_fx cell_stretch(const tp_foam_maker *m, int64_t difference)
 /* Returns the array of displaced positions of the row at z - cell. */
 static tp_vec3 *previous_row(const tp_foam_maker *m)
 {
-    return (tp_vec3 *)(void *)((char *)m->foam + m->foam->work);
+    return (tp_vec3 *)(void *)((char *)m->foam + m->foam->scratch);
 }
 
 /* Returns the Jacobian of the displacement, from differences over one cell. */
-static tp_fx ocean_jacobian(tp_foam_maker *m, uint32_t col, tp_vec3 here)
+static tp_fx coastal_jacobian(tp_foam_maker *m, uint32_t col, tp_vec3 here)
 {
     tp_vec3 *above = previous_row(m) + col;
     int64_t jxx = cell_stretch(m, (int64_t)here.x - m->left.x);
@@ -77,7 +77,7 @@ static uint32_t reduce_shallow_gain(const tp_foam_maker *m, tp_fx depth, uint32_
 
 /* Returns the gain of shallow water, in proportion to its height or breaking; still water
  * makes no foam. */
-static uint32_t shore_gain(const tp_foam_maker *m, const tp_ocean_point *at)
+static uint32_t shore_gain(const tp_foam_maker *m, const tp_coastal_point *at)
 {
     tp_fx shore = m->scene->foam.shore;
 
@@ -89,12 +89,12 @@ static uint32_t shore_gain(const tp_foam_maker *m, const tp_ocean_point *at)
     return scale_gain(tp_fx_mul(shallow, moves), 40);
 }
 
-static uint32_t ocean_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool joined)
+static uint32_t coastal_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool joined)
 {
     if (!joined)
-        m->left = sample_ocean(m, x - m->foam->cell, m->z).position;
-    tp_ocean_point at = sample_ocean(m, x, m->z);
-    tp_fx squeeze = ocean_jacobian(m, col, at.position);
+        m->left = sample_coastal(m, x - m->foam->cell, m->z).position;
+    tp_coastal_point at = sample_coastal(m, x, m->z);
+    tp_fx squeeze = coastal_jacobian(m, col, at.position);
 
     if (at.depth <= 0)
         return TP_FOAM_DRY;
@@ -181,7 +181,8 @@ static uint32_t hull_gain(const tp_foam_maker *m, tp_fx x)
     const tp_foam_hull *h = &m->hull;
     int64_t dx = (int64_t)x - h->x, dz = (int64_t)m->z - h->z;
 
-    if (dx > h->reach || dx < -h->reach || dz > h->reach || dz < -h->reach)
+    if (dx > h->foam_radius || dx < -h->foam_radius || dz > h->foam_radius
+        || dz < -h->foam_radius)
         return 0;
     tp_fx alpha = tp_fx_saturate((dx * h->along[0] + dz * h->along[1]) >> 16);
     tp_fx beta = tp_fx_saturate((dx * h->across[0] + dz * h->across[1]) >> 16);
@@ -210,7 +211,7 @@ static uint32_t hull_gain(const tp_foam_maker *m, tp_fx x)
  * is below 2^53. */
 static void find_hull(tp_foam_maker *m)
 {
-    const tp_boat_state *a = &m->world->afloat;
+    const tp_boat_state *a = &m->world->boat_state;
     const tp_vec3 *now = &m->world->boat.place, *last = &m->world->last_boat.place;
     const tp_fx (*p)[2] = a->rest;
     int64_t ux = ((int64_t)p[0][0] - p[1][0]) / 2, uz = ((int64_t)p[0][1] - p[1][1]) / 2;
@@ -218,7 +219,7 @@ static void find_hull(tp_foam_maker *m)
     int64_t det = ux * wz - uz * wx;
     tp_foam_hull *h = &m->hull;
 
-    m->has_hull = m->scene->boat.mesh[0] && a->laid && m->scene->foam.hull > 0
+    m->has_hull = m->scene->boat.mesh[0] && a->placed && m->scene->foam.hull > 0
                && det > 1 << 24;
     if (!m->has_hull)
         return;
@@ -236,7 +237,7 @@ static void find_hull(tp_foam_maker *m)
     int64_t way = (((int64_t)now->x - last->x) * tp_sin(a->hull.heading)
                    - ((int64_t)now->z - last->z) * tp_cos(a->hull.heading)) >> 30;
     h->pace = (tp_fx)tp_clamp_abs(way * TP_TICKS_PER_SECOND / PACE, TP_FX_ONE);
-    h->reach = h->pace != 0 ? (ARM_LONG + 1) * h->length : h->length + h->beam;
+    h->foam_radius = h->pace != 0 ? (ARM_LONG + 1) * h->length : h->length + h->beam;
 }
 
 /* ----------------------------------------------------------------------------------- */
@@ -245,17 +246,17 @@ void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_world *world,
                          const tp_scene *scene)
 {
     *m = (tp_foam_maker){
-        .world = world, .scene = scene, .foam = foam, .ocean = tp_world_ocean(world),
+        .world = world, .scene = scene, .foam = foam, .coastal = tp_world_coastal(world),
         .pool = tp_world_pool(world), .per_cell = tp_fx_recip(foam->cell),
         .per_shore = tp_fx_recip(scene->foam.shore),
     };
     if (m->pool) {
         int64_t most = tp_pool_height_bound(m->pool),
-                full = tp_pool_lsb(m->pool, (tp_fx)most);
+                full = tp_pool_from_metres(m->pool, (tp_fx)most);
         m->per_lsb = full > 0 ? (most * TP_TICKS_PER_SECOND << 32) / full : 0;
     }
-    if (m->ocean) {
-        m->deep = tp_ocean_breaking_depth(m->ocean);
+    if (m->coastal) {
+        m->deep = tp_coastal_breaking_depth(m->coastal);
         m->per_deep = tp_fx_recip(m->deep);
     }
     find_hull(m);
@@ -263,15 +264,17 @@ void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_world *world,
 
 void tp_foam_maker_seed_cell(tp_foam_maker *m, uint32_t col, tp_fx x)
 {
-    previous_row(m)[col] = sample_ocean(m, x, m->z - m->foam->cell).position;
+    previous_row(m)[col] = sample_coastal(m, x, m->z - m->foam->cell).position;
 }
 
 uint32_t tp_foam_maker_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool joined)
 {
     TP_ASSERT(col < m->foam->cells);
-    uint32_t gain = m->ocean ? ocean_gain(m, col, x, joined)
-        : m->scene->foam.crest > 0
-        ? crest_gain(m, tp_sea_jacobian(&m->world->sea, m->world->phases, x, m->z)) : 0;
+    uint32_t gain = m->coastal ? coastal_gain(m, col, x, joined)
+                    : m->scene->foam.crest > 0
+                        ? crest_gain(m, tp_deep_water_jacobian(&m->world->deep,
+                                                               m->world->phases, x, m->z))
+                        : 0;
 
     if (gain == TP_FOAM_DRY)
         return gain;

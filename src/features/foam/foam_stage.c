@@ -79,7 +79,7 @@ TP_ALWAYS_INLINE uint32_t sample_faded_cover(const tp_shade_foam *f, uint32_t s,
 /* -- bubbles ------------------------------------------------------------------------- */
 
 typedef struct {
-    tp_level level;             /* mipmap level; texel NULL: no texture */
+    tp_mip_level level;             /* mipmap level; texel NULL: no texture */
     int32_t  soft, middle;      /* width of the ramp; rank of its centre */
     int32_t  span;              /* shift of the ramp by full or no cover */
     uint32_t per_soft;          /* 2^16 / soft */
@@ -111,8 +111,8 @@ static void select_bubble_level(const tp_shade *shade, const tp_shade_foam *f, u
         soften(l, SOFTS, 128);
         return;
     }
-    int n = tp_level_choose(f->lod, tp_log_depth(shade, key), true, texture->levels);
-    l->level = tp_level_select(texture, n);
+    int n = tp_mip_level_choose(f->lod, tp_log_depth(shade, key), true, texture->levels);
+    l->level = tp_mip_level_select(texture, n);
     soften(l, n, f->mean);
 }
 
@@ -122,7 +122,7 @@ static uint32_t green(uint32_t texel)
 }
 
 /* Returns the bilinear green of four texels; s, t in repeats, Q0.32. */
-static uint32_t sample_bubbles(const tp_level *level, uint32_t s, uint32_t t)
+static uint32_t sample_bubbles(const tp_mip_level *level, uint32_t s, uint32_t t)
 {
     tp_four  f = tp_four_gather_centred(level, s, t);
     uint32_t over = green(f.texel[0]) * (256 - f.fs) + green(f.texel[1]) * f.fs;

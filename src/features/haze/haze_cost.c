@@ -6,7 +6,7 @@
 
 static void count_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
-    uint32_t *work = w->works.of;
+    uint32_t *work = w->fixed_cost.of;
 
     work[TP_WORK_haze] = px->solid;
     work[TP_WORK_haze_dome] = w->is & TP_MODULE_DOME ? px->water + px->solid : 0;

@@ -22,16 +22,16 @@ static tp_fx bound_crest_height(const tp_scene *s, const tp_wave *given, tp_fx s
         .steepness = tp_clamp(given->steepness, 0, TP_FX_ONE),
     };
     const tp_wave *wave = &held;
-    const int64_t k_inf = tp_depth_number_deep(wave->length);
+    const int64_t k_inf = tp_depth_wave_number_deep(wave->length);
     const tp_breaker_type type = tp_breaker_classify(
         tp_iribarren(slope * (1 << 14), 2 * wave->amplitude, wave->length));
     const bool throws = type == TP_BREAKER_PLUNGING && !s->floor.map[0];
     const int64_t lips = throws ? 3 * (int64_t)s->surf.stretch : 0;
     int64_t highest = wave->amplitude;
 
-    for (uint32_t n = 1; n < TP_OCEAN_DEPTHS - 8; n += 4) {
-        const tp_fx   h = tp_ocean_node_depth(n, 3);
-        const int64_t k = tp_ocean_local_number(k_inf, h);
+    for (uint32_t n = 1; n < TP_COASTAL_DEPTHS - 8; n += 4) {
+        const tp_fx   h = tp_coastal_node_depth(n, 3);
+        const int64_t k = tp_coastal_local_wave_number(k_inf, h);
         const tp_fx   a = tp_depth_amplitude(wave->amplitude,
                                              tp_depth_shoaling(k_inf, k, h), TP_FX_ONE, h);
         const tp_orbit_scale sc = tp_orbit_scale_make(h, s->surf.kx, s->surf.ky);
@@ -58,7 +58,7 @@ typedef struct {
     int64_t  x, z;              /* centre of the grid, m, Q16 */
     int64_t  deepest;           /* deepest floor exposed by a trough, m, Q16 */
     int32_t  cols, rows;        /* size of the picture, px */
-} ground;
+} land_ground;
 
 static tp_floor make_floor(const tp_site *w)
 {
@@ -75,16 +75,16 @@ static tp_floor make_floor(const tp_site *w)
 typedef struct {
     bool    deep, behind, cut;
     int32_t u, v;
-} corner;
+} cost_corner;
 
-static int64_t sample_depth(const ground *g, int64_t x, int64_t z)
+static int64_t sample_depth(const land_ground *g, int64_t x, int64_t z)
 {
     return tp_floor_sample(&g->floor, tp_fx_saturate(x), tp_fx_saturate(z)).depth;
 }
 
 /* Returns the floor's steepest rise.  A map is sampled on a lattice of 64 x 64, with
  * differences over two lattice cells, because coastal water smooths the map. */
-static tp_fx floor_steepest_slope(const ground *g)
+static tp_fx floor_steepest_slope(const land_ground *g)
 {
     const tp_scene *s = g->scene;
     const int64_t d = s->floor.map_size / 64;
@@ -103,7 +103,7 @@ static tp_fx floor_steepest_slope(const ground *g)
     return (tp_fx)((int64_t)tp_isqrt64((uint64_t)most) * TP_FX_ONE / (2 * d));
 }
 
-static corner project_corner(const ground *g, int32_t i, int32_t j)
+static cost_corner project_corner(const land_ground *g, int32_t i, int32_t j)
 {
     const tp_scene *s = g->scene;
     const int64_t x = tp_start_view_line_coordinate(s, s->grid.cols, g->x,
@@ -121,8 +121,8 @@ static corner project_corner(const ground *g, int32_t i, int32_t j)
         tp_vec3_add(g->projection.eye,
                     tp_start_view_clamped_vector(g->projection.eye, place)),
         &c);
-    corner to = { at.depth > g->deepest, c.depth < g->projection.near,
-                  !tp_projection_contains(&g->projection, &c), 0, 0 };
+    cost_corner to = { at.depth > g->deepest, c.depth < g->projection.near,
+                       !tp_projection_contains(&g->projection, &c), 0, 0 };
     if (!to.cut)
         tp_projection_project(&g->projection, &c, &to.u, &to.v, &zi);
     return to;
@@ -148,7 +148,7 @@ static int32_t most(int32_t a, int32_t b)
 
 /* Counts an uncut cell in view.  If the cell faces the camera, its fill is counted too;
  * the cross product of its diagonals is twice its area. */
-static void count_visible_cell(const ground *g, strip *to, const corner p[4])
+static void count_visible_cell(const land_ground *g, strip *to, const cost_corner p[4])
 {
     const int64_t area = ((int64_t)p[3].v - p[0].v) * ((int64_t)p[2].u - p[1].u)
                        - ((int64_t)p[3].u - p[0].u) * ((int64_t)p[2].v - p[1].v);
@@ -172,7 +172,7 @@ static void count_visible_cell(const ground *g, strip *to, const corner p[4])
     to->fill += (uint64_t)(area / 512 * (across + 1) * (down + 1) / whole);
 }
 
-static void add_cell(const ground *g, strip *to, const corner p[4])
+static void add_cell(const land_ground *g, strip *to, const cost_corner p[4])
 {
     const bool cut = p[0].cut || p[1].cut || p[2].cut || p[3].cut;
     const bool none = p[0].cut && p[1].cut && p[2].cut && p[3].cut;
@@ -193,15 +193,15 @@ static void add_cell(const ground *g, strip *to, const corner p[4])
     }
 }
 
-static strip measure_strip(const ground *g, int32_t j)
+static strip measure_strip(const land_ground *g, int32_t j)
 {
     strip to = { 0, 0, 0, 0, 0, 0, INT32_MAX, INT32_MIN };
-    corner left[2] = { project_corner(g, 0, j), project_corner(g, 0, j + 1) };
+    cost_corner left[2] = { project_corner(g, 0, j), project_corner(g, 0, j + 1) };
 
     for (int32_t i = 0; i + 1 < g->scene->grid.cols; i++) {
-        const corner right[2] = { project_corner(g, i + 1, j),
-                                  project_corner(g, i + 1, j + 1) };
-        const corner all[4] = { left[0], left[1], right[0], right[1] };
+        const cost_corner right[2] = { project_corner(g, i + 1, j),
+                                       project_corner(g, i + 1, j + 1) };
+        const cost_corner all[4] = { left[0], left[1], right[0], right[1] };
         add_cell(g, &to, all);
         left[0] = right[0];
         left[1] = right[1];
@@ -209,7 +209,7 @@ static strip measure_strip(const ground *g, int32_t j)
     return to;
 }
 
-static uint32_t count_tiles(const ground *g, const strip *s)
+static uint32_t count_tiles(const land_ground *g, const strip *s)
 {
     const int32_t top = s->top < 0 ? 0 : s->top;
     const int32_t bottom = s->bottom < g->rows ? s->bottom : g->rows - 1;
@@ -221,7 +221,7 @@ static uint32_t count_tiles(const ground *g, const strip *s)
 static void count_work(tp_site *w)
 {
     const tp_scene *s = w->scene;
-    ground g = { .scene = s, .floor = make_floor(w), .x = w->at.x, .z = w->at.z,
+    land_ground g = { .scene = s, .floor = make_floor(w), .x = w->at.x, .z = w->at.z,
                  .deepest = TP_FX_ONE, .cols = (int32_t)w->width,
                  .rows = (int32_t)w->height };
     uint64_t drawn = 0;
@@ -235,15 +235,15 @@ static void count_work(tp_site *w)
     for (int32_t j = 0; j + 1 < s->grid.rows; j++) {
         const strip row = measure_strip(&g, j);
         const uint32_t tiles = count_tiles(&g, &row);
-        w->works.of[TP_WORK_land_row] += tiles * (uint32_t)(s->grid.cols - 1);
-        w->works.of[TP_WORK_land_cell] += tiles * row.tries;
-        w->works.of[TP_WORK_land_cut] += tiles * row.cuts;
-        w->works.of[TP_WORK_land_off] += tiles * row.offs;
-        w->works.of[TP_WORK_surf] += row.seen;
-        w->works.of[TP_WORK_land_fill] += (uint32_t)row.fill;
+        w->fixed_cost.of[TP_WORK_land_row] += tiles * (uint32_t)(s->grid.cols - 1);
+        w->fixed_cost.of[TP_WORK_land_cell] += tiles * row.tries;
+        w->fixed_cost.of[TP_WORK_land_cut] += tiles * row.cuts;
+        w->fixed_cost.of[TP_WORK_land_off] += tiles * row.offs;
+        w->fixed_cost.of[TP_WORK_surf] += row.seen;
+        w->fixed_cost.of[TP_WORK_land_fill] += (uint32_t)row.fill;
         drawn += row.drawn;
     }
-    w->works.of[TP_WORK_land_drawn] = (uint32_t)(drawn >> 8);
+    w->fixed_cost.of[TP_WORK_land_drawn] = (uint32_t)(drawn >> 8);
 }
 
 /* True if the floor is above the level at the point, `far` m ahead, where the ray would
@@ -259,7 +259,7 @@ static bool is_ray_stopped(const tp_site *w, tp_vec3 ray, int64_t far)
 
 static void count_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
-    w->works.of[TP_WORK_land] = tp_work_ray_pixels(w, px->stopped);
+    w->fixed_cost.of[TP_WORK_land] = tp_work_ray_pixels(w, px->stopped);
 }
 
 const tp_cost tp_land_cost = { .work = count_work,

@@ -7,7 +7,7 @@
 #include "frame/frame.h"
 #include "scene/sides.h"
 
-/* A screen vertex of the land; u may be TP_GRID_CUT as for the water. */
+/* A screen vertex of the land; u may be TP_GRID_NEEDS_CLIP as for the water. */
 typedef struct {
     int32_t  u, v;
     uint32_t zi;
@@ -35,16 +35,16 @@ typedef struct {
 
 static corner *grid_vertex(const tp_frame *frame, const land *l, uint32_t i, uint32_t j)
 {
-    return l->at + (size_t)j * frame->parts.grid->cols + i;
+    return l->at + (size_t)j * frame->buffers.grid->cols + i;
 }
 
 static tp_view_vertex transform_vertex(const tp_frame *frame, uint32_t i, uint32_t j,
                                        tp_floor_at *floor)
 {
-    tp_fx x = frame->parts.grid->column[i].place, z = frame->parts.grid->row[j].place;
+    tp_fx x = frame->buffers.grid->column[i].place, z = frame->buffers.grid->row[j].place;
     tp_view_vertex c;
 
-    *floor = tp_ocean_floor(frame->surface.ocean, x, z);
+    *floor = tp_coastal_floor(frame->surface.coastal, x, z);
     tp_fx y = (tp_fx)tp_clamp_abs(-(int64_t)floor->depth, HEIGHT_MOST);
     tp_projection_view_vertex(&frame->projection, (tp_vec3){ x, y, z }, &c);
     c.s = c.t = 0;
@@ -64,7 +64,7 @@ static void set_normal(int16_t n[3], tp_fx rise_x, tp_fx rise_z)
 static void place_corner(const tp_frame *frame, const land *l, uint32_t i, uint32_t j,
                          tp_fx deepest)
 {
-    TP_ASSERT(i < frame->parts.grid->cols && j < frame->parts.grid->rows);
+    TP_ASSERT(i < frame->buffers.grid->cols && j < frame->buffers.grid->rows);
     corner *to = grid_vertex(frame, l, i, j);
     tp_floor_at floor;
     tp_view_vertex c = transform_vertex(frame, i, j, &floor);
@@ -75,7 +75,7 @@ static void place_corner(const tp_frame *frame, const land *l, uint32_t i, uint3
     if (tp_projection_contains(&frame->projection, &c))
         tp_projection_project(&frame->projection, &c, &to->u, &to->v, &to->zi);
     else
-        to->u = TP_GRID_CUT;
+        to->u = TP_GRID_NEEDS_CLIP;
 }
 
 /* True if all corners of a cell are DEEP, or all are BEHIND.  Other cells are drawn. */
@@ -86,8 +86,8 @@ static bool is_culled(const corner *const p[4])
 
 static bool needs_clipping(const corner *const p[4])
 {
-    return p[0]->u == TP_GRID_CUT || p[1]->u == TP_GRID_CUT || p[2]->u == TP_GRID_CUT
-        || p[3]->u == TP_GRID_CUT;
+    return p[0]->u == TP_GRID_NEEDS_CLIP || p[1]->u == TP_GRID_NEEDS_CLIP
+           || p[2]->u == TP_GRID_NEEDS_CLIP || p[3]->u == TP_GRID_NEEDS_CLIP;
 }
 
 /* Sets the pixel rows touched by a row of cells; y0 > y1: none. */
@@ -96,8 +96,8 @@ static void set_row_extent(const tp_frame *frame, const land *l, uint32_t j)
     const corner *at = grid_vertex(frame, l, 0, j);
     band rows = { INT32_MAX, INT32_MIN };
 
-    for (uint32_t i = 0; i + 1 < frame->parts.grid->cols; i++) {
-        const corner *below = at + i + frame->parts.grid->cols;
+    for (uint32_t i = 0; i + 1 < frame->buffers.grid->cols; i++) {
+        const corner *below = at + i + frame->buffers.grid->cols;
         const corner *const p[4] = { at + i, at + i + 1, below, below + 1 };
         bool cut = needs_clipping(p);
         for (int k = 0; k < 4 && !is_culled(p); k++) {
@@ -114,12 +114,12 @@ static void set_row_extent(const tp_frame *frame, const land *l, uint32_t j)
  * some water renderers make them. */
 static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
-    const tp_grid *grid = frame->parts.grid;
+    const tp_grid *grid = frame->buffers.grid;
     tp_fx deepest = tp_surface_height_bound(&frame->surface) + TP_FX_ONE;
     land *l = mine;
 
     (void)box;
-    l->seen = view->picture && grid && frame->surface.ocean;
+    l->seen = view->picture && grid && frame->surface.coastal;
     for (uint32_t j = 0; l->seen && j < grid->rows; j++) {
         for (uint32_t i = 0; i < grid->cols; i++)
             place_corner(frame, l, i, j, deepest);
@@ -153,7 +153,7 @@ static void draw_cell(const tp_frame *frame, const land *l, const tp_gbuffer *ti
                       uint32_t i, uint32_t j, uint32_t mark)
 {
     const corner *a = grid_vertex(frame, l, i, j);
-    const corner *b = a + 1, *d = a + frame->parts.grid->cols, *c = d + 1;
+    const corner *b = a + 1, *d = a + frame->buffers.grid->cols, *c = d + 1;
 
     const corner *const all[4] = { a, b, c, d };
 
@@ -180,10 +180,10 @@ static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
     if (!l->seen || !view->picture)
         return;
     samples->front_only = true;
-    for (uint32_t j = 0; j + 1 < frame->parts.grid->rows; j++) {
+    for (uint32_t j = 0; j + 1 < frame->buffers.grid->rows; j++) {
         if (l->rows[j].y0 >= samples->y1 || l->rows[j].y1 < samples->y0)
             continue;
-        for (uint32_t i = 0; i + 1 < frame->parts.grid->cols; i++)
+        for (uint32_t i = 0; i + 1 < frame->buffers.grid->cols; i++)
             draw_cell(frame, l, samples, i, j, mark);
     }
 }
@@ -220,7 +220,7 @@ static void begin(tp_frame *frame, void *mine)
  * texture, or for a camera under water. */
 static bool is_shaded_as_floor(const tp_frame *frame)
 {
-    return tp_frame_has_module(frame, TP_MODULE_INSIDE)
+    return tp_frame_has_module(frame, TP_MODULE_UNDERWATER)
         && (frame->under || frame->assets.floor_texture || frame->scene->water.clear > 0);
 }
 
@@ -240,6 +240,6 @@ const tp_module tp_land_module = {
 };
 
 const tp_drawing tp_land_drawing = {
-    .layout = layout, .marks = tp_marks_one, .begin = begin, .place = place,
+    .layout = layout, .marks = tp_marks_one, .begin = begin, .project = place,
     .draw = draw, .stages = add_stages,
 };

@@ -22,11 +22,11 @@ void tp_stage_land(const tp_shade *shade, tp_run *run)
 void tp_stage_ground(const tp_shade *shade, tp_run *run)
 {
     for (int32_t i = 0; i < run->count; i++) {
-        tp_refracted_ray beam;
-        tp_inside_set_start_points(shade, run, i, i + 1, &beam);
+        tp_refracted_ray ray;
+        tp_underwater_set_start_points(shade, run, i, i + 1, &ray);
         run->colour[i] = tp_wall_material_light(
             shade,
-            tp_wall_material_sample(&shade->inside->floor, beam.at.x, beam.at.z, beam.far,
+            tp_wall_material_sample(&shade->underwater->floor, ray.at.x, ray.at.z, ray.far,
                                     true),
             run->n[i]);
     }

@@ -46,7 +46,7 @@ static stroke compute_stroke(const tp_pool *pool, const tp_scene_pool *scene)
 
     int64_t share = walls ? cosine - tp_cos(half * (2 * s.apart + 1))
                           : tp_sin(half * s.apart);
-    int64_t most_push = tp_pool_lsb(pool, scene->paddle) / 2;
+    int64_t most_push = tp_pool_from_metres(pool, scene->paddle) / 2;
     int64_t push = (most_push * scene->courant >> 16) * cosine;
     s.push = (int32_t)(push < most_push * share ? push / share : most_push);
     return s;
@@ -75,7 +75,7 @@ void tp_paddle_push(tp_pool *pool, const tp_scene_pool *scene, uint64_t tick)
 
     for (uint32_t col = 0; push != 0 && col < pool->cols; col++)
         push_column(pool, &s, col, push);
-    tp_pool_wake(pool, tp_pool_lsb(pool, scene->paddle));
+    tp_pool_wake(pool, tp_pool_from_metres(pool, scene->paddle));
 }
 
 /* -- the module ---------------------------------------------------------------------- */

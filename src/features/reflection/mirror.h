@@ -16,7 +16,7 @@ typedef struct {
 } tp_mirrored_zi;
 
 typedef struct {
-    tp_half  half;              /* planar map of objects above the level, upside down */
+    tp_planar_map map;          /* planar map of objects above the level, upside down */
     int32_t  bend;              /* effect of slopes; 256 is physical */
     int64_t  height;            /* eye over the mirror's level, Q12 near planes */
     const tp_mirrored_zi *zi;   /* array, one for each column from x0 on */

@@ -8,8 +8,8 @@ static void count_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
     if (!w->mirrors)
         return;
-    w->works.of[TP_WORK_looked] = px->water;
-    w->works.of[TP_WORK_looked_near] = px->mirrored;
+    w->fixed_cost.of[TP_WORK_looked] = px->water;
+    w->fixed_cost.of[TP_WORK_looked_near] = px->mirrored;
 }
 
 const tp_cost tp_mirror_cost = { .pixels = count_pixel_work };

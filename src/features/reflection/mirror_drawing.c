@@ -10,7 +10,7 @@
 typedef struct {
     tp_mirror        look;      /* data of the stage; first member */
     tp_mirrored_zi  *zi;        /* array, one for each column */
-    tp_planar_store  store;
+    tp_planar_memory  store;
 } mirror;
 
 /* Updates the columns' depths by row y of a band. */
@@ -45,7 +45,7 @@ static void fill_gaps(tp_mirrored_zi *zi, uint32_t count)
  * row j is row rows - 1 - j of the camera, because its up vector is the camera's,
  * mirrored and negated. */
 static tp_projection mirrored_projection(const tp_frame *frame,
-                                         const tp_planar_store *store, tp_fx level)
+                                         const tp_planar_memory *store, tp_fx level)
 {
     TP_ASSERT(store->halvings > 0);
     const tp_projection *from = &frame->projection;
@@ -92,18 +92,18 @@ static void set_bending(const tp_frame *frame, tp_mirror *to, tp_fx level)
 
 static void draw_mirror(tp_frame *frame, mirror *m, const tp_view *view)
 {
-    const tp_planar_store *store = &m->store;
-    const tp_half *half = &m->look.half;
-    uint32_t wide = (uint32_t)(half->x1 - half->x0);
+    const tp_planar_memory *store = &m->store;
+    const tp_planar_map *map = &m->look.map;
+    uint32_t wide = (uint32_t)(map->x1 - map->x0);
 
     memset(m->zi, 0, wide * sizeof *m->zi);
-    for (int32_t y0 = half->y0; y0 < half->y1; y0 += TP_PLANAR_BAND) {
-        tp_gbuffer band = tp_planar_gbuffer(store, half, y0);
+    for (int32_t y0 = map->y0; y0 < map->y1; y0 += TP_PLANAR_BAND) {
+        tp_gbuffer band = tp_planar_gbuffer(store, map, y0);
         tp_gbuffer_clear(&band);
         tp_view_draw_solids(frame, view, &band);
         for (int32_t y = y0; y < band.y1; y++) {
             tp_frame_colour_row(frame, &band, y,
-                                store->colour + (uint32_t)(half->y1 - 1 - y) * wide);
+                                store->colour + (uint32_t)(map->y1 - 1 - y) * wide);
             update_column_depths(m->zi, &band, y);
         }
     }
@@ -115,22 +115,22 @@ static void draw_map(tp_frame *frame, void *mine)
     mirror *m = mine;
     const int32_t rows = (int32_t)m->store.rows;
     tp_fx    level = tp_view_anchor_level(frame);
-    tp_half *half = &m->look.half;
+    tp_planar_map *map = &m->look.map;
 
-    half->colour = NULL;
+    map->colour = NULL;
     if (!tp_view_is_above_level(frame, level))
         return;
     tp_projection  projection = mirrored_projection(frame, &m->store, level);
-    tp_view view = { .projection = &projection, .cut = true, .walls = true,
+    tp_view view = { .projection = &projection, .clipped = true, .walls = true,
                        .level = mirror_clip_plane(frame, &projection, level) };
     tp_view_begin(frame, &view);
     tp_grid_box box = tp_view_project_solids(frame, &view);
-    if (!tp_planar_set_bounds(&m->store, &box, half))
+    if (!tp_planar_set_bounds(&m->store, &box, map))
         return;
     set_bending(frame, &m->look, level);
     draw_mirror(frame, m, &view);
-    *half = (tp_half){ half->colour, half->x0, rows - half->y1, half->x1,
-                       rows - half->y0, half->coarser };
+    *map = (tp_planar_map){ map->colour, map->x0, rows - map->y1, map->x1,
+                       rows - map->y0, map->coarser };
 }
 
 /* -- the module ---------------------------------------------------------------------- */
@@ -138,7 +138,8 @@ static void draw_map(tp_frame *frame, void *mine)
 bool tp_mirror_enabled(const tp_want *want)
 {
     return want->scene->mirror.objects == TP_MIRROR_STENCIL
-        && want->scene->water.reflection > 0 && want->above & (TP_MODULE_SOLID | TP_MODULE_WALLS);
+           && want->scene->water.reflection > 0
+           && want->above & (TP_MODULE_SOLID | TP_MODULE_WALLS);
 }
 
 /* Returns the number of halvings.  The projection of a small picture can be halved only
@@ -166,5 +167,5 @@ const tp_module tp_mirror_module = {
 };
 
 const tp_drawing tp_mirror_drawing = {
-    .layout = layout, .look = draw_map, .stages = tp_add_mirrored,
+    .layout = layout, .draw_map = draw_map, .stages = tp_add_mirrored,
 };

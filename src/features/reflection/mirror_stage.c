@@ -134,10 +134,10 @@ TP_ALWAYS_INLINE uint32_t sample_reflected_object(const tp_mirror *look, int32_t
                                                   int32_t x, uint32_t key, int32_t sx,
                                                   int32_t sz)
 {
-    const tp_half *half = &look->half;
-    int32_t k = x & 15, last = half->x1 - half->x0 - 1;
+    const tp_planar_map *map = &look->map;
+    int32_t k = x & 15, last = map->x1 - map->x0 - 1;
     const tp_mirrored_zi *column =
-        &look->zi[tp_clamp((x >> (1 + half->coarser)) - half->x0, 0, last)];
+        &look->zi[tp_clamp((x >> (1 + map->coarser)) - map->x0, 0, last)];
     uint32_t zi = column->near;
     int32_t ratio = depth_ratio(zi, key);
     if (ratio > BESIDE) {
@@ -157,8 +157,8 @@ TP_ALWAYS_INLINE uint32_t sample_reflected_object(const tp_mirror *look, int32_t
     int32_t dv = pixel_displacement(interpolate_factor(a->xv, step->xv, k), sx,
                                     interpolate_factor(a->zv, step->zv, k), sz, share,
                                     interpolate_factor(a->hv, step->hv, k), h);
-    return tp_half_sample(half, (16 * x + 8 + du) >> half->coarser,
-                          (16 * y + 8 + dv) >> half->coarser);
+    return tp_planar_map_sample(map, (16 * x + 8 + du) >> map->coarser,
+                                (16 * y + 8 + dv) >> map->coarser);
 }
 
 void tp_stage_mirrored(const tp_shade *shade, tp_run *run)
@@ -167,7 +167,7 @@ void tp_stage_mirrored(const tp_shade *shade, tp_run *run)
 
     const tp_mirror *look = run->mine;
 
-    if (!look->half.colour)
+    if (!look->map.colour)
         return;
     push a = displacement_factors(shade, x & ~15, run->y);
     for (int32_t i = 0; x < end; ) {

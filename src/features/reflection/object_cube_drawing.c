@@ -10,7 +10,7 @@
 #define BAND 4                  /* rows drawn at a time */
 
 typedef struct {
-    tp_object_cube around;           /* data of the stage; first member */
+    tp_object_cube object_cube;           /* data of the stage; first member */
     uint32_t *colour;           /* texels of TP_OBJECT_CUBE_FACES faces */
     uint32_t *samples;
 } cube_map;
@@ -87,22 +87,22 @@ static void draw_map(tp_frame *frame, void *mine)
     const uint32_t quarter = (uint32_t)1 << 30;
     bool seen = false;
 
-    m->around.colour = NULL;
+    m->object_cube.colour = NULL;
     if (!tp_view_is_above_level(frame, level)
         || !tp_frame_has_module(frame, TP_MODULE_SOLID))
         return;
-    const tp_vec3 point = set_cube_viewpoint(frame, &m->around, level);
+    const tp_vec3 point = set_cube_viewpoint(frame, &m->object_cube, level);
     for (uint32_t f = 0; f < TP_OBJECT_CUBE_FACES; f++) {
         tp_projection projection;
         tp_projection_init(&projection, point, (uint32_t)turn[f][0] * quarter,
                      (uint32_t)turn[f][1] * quarter, 90 * TP_FX_ONE,
                      frame->scene->camera.near, WIDE, WIDE);
-        tp_view view = { .projection = &projection, .cut = true,
+        tp_view view = { .projection = &projection, .clipped = true,
                            .level = tp_projection_level_plane(&projection, level, 1) };
         seen |= draw_face(frame, m->samples, &view,
                           m->colour + f * TP_OBJECT_CUBE_SIDE * TP_OBJECT_CUBE_SIDE);
     }
-    m->around.colour = seen ? m->colour : NULL;
+    m->object_cube.colour = seen ? m->colour : NULL;
 }
 
 /* -- the module ---------------------------------------------------------------------- */
@@ -116,7 +116,8 @@ bool tp_object_cube_enabled(const tp_want *want)
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     const size_t texels = TP_OBJECT_CUBE_FACES * TP_OBJECT_CUBE_SIDE * TP_OBJECT_CUBE_SIDE;
-    cube_map *m = tp_arena_alloc(arena, 1, sizeof *m), made = { .around.colour = NULL };
+    cube_map *m = tp_arena_alloc(arena, 1, sizeof *m),
+             made = { .object_cube.colour = NULL };
 
     (void)want;
     made.colour = tp_arena_alloc(arena, texels, sizeof *made.colour);
@@ -132,5 +133,5 @@ const tp_module tp_object_cube_module = {
 };
 
 const tp_drawing tp_object_cube_drawing = {
-    .layout = layout, .look = draw_map, .stages = tp_add_mirrored,
+    .layout = layout, .draw_map = draw_map, .stages = tp_add_mirrored,
 };

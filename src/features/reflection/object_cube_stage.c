@@ -15,7 +15,7 @@
 
 typedef struct {
     int64_t x, y, z;
-} way;
+} cube_way;
 
 static int64_t magnitude(int64_t x)
 {
@@ -30,7 +30,7 @@ static uint32_t texel(const uint32_t *face, int32_t i, int32_t j)
 
 /* Returns the number of the face hit by *w.  Sets the coordinates right and up on the
  * face, and `ahead`, the largest of the three. */
-static int find_cube_face(const way *w, int64_t *right, int64_t *up, int64_t *ahead)
+static int find_cube_face(const cube_way *w, int64_t *right, int64_t *up, int64_t *ahead)
 {
     int64_t ax = magnitude(w->x), az = magnitude(w->z);
     int     face = ax >= az ? w->x < 0 : 2 + (w->z < 0);
@@ -49,7 +49,7 @@ static int find_cube_face(const way *w, int64_t *right, int64_t *up, int64_t *ah
 
 /* Returns the colour, bilinear within one face.  The divisor `ahead` is shifted below
  * 2^31. */
-static uint32_t sample_cube(const tp_object_cube *cube, const way *w)
+static uint32_t sample_cube(const tp_object_cube *cube, const cube_way *w)
 {
     int64_t right, up, ahead;
     int     face = find_cube_face(w, &right, &up, &ahead), down = 0;
@@ -76,13 +76,13 @@ static uint32_t sample_cube(const tp_object_cube *cube, const way *w)
 }
 
 /* Returns the view ray at column x with 1 along the camera's axis, Q16. */
-static way compute_view_ray(const tp_shade *shade, int32_t x, int32_t y)
+static cube_way compute_view_ray(const tp_shade *shade, int32_t x, int32_t y)
 {
     const tp_view_axes *a = &shade->world;
     const int64_t u = tp_over_focal(shade, 16 * x + 8 - shade->u0);
     const int64_t v = tp_over_focal(shade, shade->v0 - 16 * y - 8);
 
-    return (way){
+    return (cube_way){
         (((u * a->right.x + v * a->up.x) >> 16) - a->back.x) >> 14,
         (((u * a->right.y + v * a->up.y) >> 16) - a->back.y) >> 14,
         (((u * a->right.z + v * a->up.z) >> 16) - a->back.z) >> 14,
@@ -90,11 +90,11 @@ static way compute_view_ray(const tp_shade *shade, int32_t x, int32_t y)
 }
 
 /* Returns the vector from the point to the water at a pixel, m, 16.16. */
-static way water_offset(const tp_object_cube *cube, const way *ray, uint32_t key)
+static cube_way water_offset(const tp_object_cube *cube, const cube_way *ray, uint32_t key)
 {
     int64_t z = tp_depth_from_zi(cube->zi_near, tp_key_zi(key));
 
-    return (way){ cube->from.x + (ray->x * z >> 16), cube->from.y + (ray->y * z >> 16),
+    return (cube_way){ cube->from.x + (ray->x * z >> 16), cube->from.y + (ray->y * z >> 16),
                   cube->from.z + (ray->z * z >> 16) };
 }
 
@@ -108,14 +108,14 @@ void tp_stage_mirrored_cube(const tp_shade *shade, tp_run *run)
         return;
     for (int32_t i = 0; i < run->count; i++) {
         int64_t rx = run->rx[i], ry = run->up[i], rz = run->rz[i];
-        way ray = compute_view_ray(shade, run->x + i, run->y);
-        way p = water_offset(cube, &ray, run->key[i]);
+        cube_way ray = compute_view_ray(shade, run->x + i, run->y);
+        cube_way p = water_offset(cube, &ray, run->key[i]);
         int64_t a = ((cube->to.x - p.x) * cube->nx + (cube->to.z - p.z) * cube->nz) >> 22;
         int64_t b = (rx * cube->nx + rz * cube->nz) >> 14;
         if (a <= 0 || b <= 0)       /* behind the plane, or the ray leads away from it */
             continue;
-        way w = { rx * a + (p.x >> 8) * b, ry * a + (p.y >> 8) * b,
-                  rz * a + (p.z >> 8) * b };
+        cube_way w = { rx * a + (p.x >> 8) * b, ry * a + (p.y >> 8) * b,
+                       rz * a + (p.z >> 8) * b };
         uint32_t top = sample_cube(cube, &w);
         if (top)
             run->mirror[i] = tp_colour_composite(run->mirror[i], top);

@@ -9,27 +9,27 @@ static void add_hdr_work(tp_site *w, const tp_work_pixels *px)
 
     if (s->hdr.share <= 0)
         return;
-    w->works.of[TP_WORK_sky_hdr] = px->sky;
-    w->works.of[TP_WORK_hdr] = s->water.reflection > 0 ? px->water : 0;
+    w->fixed_cost.of[TP_WORK_sky_hdr] = px->sky;
+    w->fixed_cost.of[TP_WORK_hdr] = s->water.reflection > 0 ? px->water : 0;
 }
 
 static void count_dome_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
     const bool quick = w->quick && !(w->is & TP_MODULE_STARS);
 
-    w->works.of[quick ? TP_WORK_sky_quick : TP_WORK_sky_dome] = px->sky;
+    w->fixed_cost.of[quick ? TP_WORK_sky_quick : TP_WORK_sky_dome] = px->sky;
     add_hdr_work(w, px);
 }
 
 static void count_cube_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
-    w->works.of[TP_WORK_sky_cube] = px->sky;
+    w->fixed_cost.of[TP_WORK_sky_cube] = px->sky;
     add_hdr_work(w, px);
 }
 
 static void count_star_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
-    w->works.of[TP_WORK_sky_stars] = px->sky;
+    w->fixed_cost.of[TP_WORK_sky_stars] = px->sky;
 }
 
 const tp_cost tp_sky_dome_cost = { .pixels = count_dome_pixel_work };

@@ -8,7 +8,7 @@
 
 typedef struct {
     int level;                  /* mipmap level of `side`; -1: not set */
-    tp_cube_side side[TP_CUBE_FACES];
+    tp_cube_face_level side[TP_CUBE_FACES];
 } tp_cube_sides;
 
 TP_ALWAYS_INLINE void tp_cube_sides_select(tp_cube_sides *sides, const tp_cube *cube,
@@ -18,7 +18,7 @@ TP_ALWAYS_INLINE void tp_cube_sides_select(tp_cube_sides *sides, const tp_cube *
         return;
     sides->level = level;
     for (int i = 0; i < TP_CUBE_FACES; i++)
-        sides->side[i] = tp_cube_side_select(cube->face[i], level);
+        sides->side[i] = tp_cube_face_level_select(cube->face[i], level);
 }
 
 #define TP_CUBE_ROW 16
@@ -26,7 +26,7 @@ TP_ALWAYS_INLINE void tp_cube_sides_select(tp_cube_sides *sides, const tp_cube *
 /* Looks up to TP_CUBE_ROW directions.  The faces and coordinates are computed eight at a
  * time, the texels are read one by one, the colours are mixed eight at a time. */
 TP_ALWAYS_INLINE void tp_cube_sample_wide(const tp_shade *restrict shade,
-                                          const tp_cube_side *restrict side,
+                                          const tp_cube_face_level *restrict side,
                                           const int32_t *restrict x,
                                           const int32_t *restrict y,
                                           const int32_t *restrict z, int32_t count,

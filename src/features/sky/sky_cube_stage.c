@@ -8,8 +8,8 @@
 
 /* Shades the sky in samples [i, stop), at most TP_CUBE_ROW. */
 TP_ALWAYS_INLINE void shade_sky_wide(const tp_shade *restrict shade, tp_run *restrict run,
-                                     const tp_cube_side *side, int32_t i, int32_t stop,
-                                     int hdr)
+                                     const tp_cube_face_level *side, int32_t i,
+                                     int32_t stop, int hdr)
 {
     int32_t  x[TP_CUBE_ROW], y[TP_CUBE_ROW], z[TP_CUBE_ROW], count = stop - i;
     uint32_t light[TP_CUBE_ROW];
@@ -57,7 +57,7 @@ void tp_stage_sky_cube_hdr(const tp_shade *shade, tp_run *run)
 
 /* Shades the reflection in samples [i, stop), at most TP_CUBE_ROW. */
 TP_ALWAYS_INLINE void reflect_wide(const tp_shade *restrict shade, tp_run *restrict run,
-                                   const tp_cube_side *side, int32_t i, int32_t stop)
+                                   const tp_cube_face_level *side, int32_t i, int32_t stop)
 {
     int32_t x[TP_CUBE_ROW], y[TP_CUBE_ROW], z[TP_CUBE_ROW], count = stop - i;
 

@@ -103,9 +103,11 @@ static void throw(tp_spray *spray, tp_vec3 place, tp_vec3 speed, tp_speck_kind k
 
 static tp_vec3 sample_rest_position(const tp_surface *surface, tp_fx x, tp_fx z)
 {
-    return surface->ocean
-               ? tp_ocean_displace_smooth(surface->ocean, surface->phases, x, z).position
-               : tp_sea_displace_point(surface->sea, surface->phases, x, z).position;
+    return surface->coastal
+               ? tp_coastal_displace_smooth(surface->coastal, surface->phases, x, z)
+                     .position
+               : tp_deep_water_displace_point(surface->deep, surface->phases, x, z)
+                     .position;
 }
 
 /* Returns the water level at a place, by one step of the search of [E1].  The error shows
@@ -115,8 +117,8 @@ static tp_fx sample_level(const tp_surface *surface, tp_fx x, tp_fx z)
     tp_vec3 first = sample_rest_position(surface, x, z);
     tp_fx level = sample_rest_position(surface, 2 * x - first.x, 2 * z - first.z).y;
 
-    return tp_surface_has_relief(surface)
-         ? level + tp_surface_relief(surface, x, z).height : level;
+    return tp_surface_has_rings_or_pools(surface)
+         ? level + tp_surface_height_slope(surface, x, z).height : level;
 }
 
 /* -- flight -------------------------------------------------------------------------- */
@@ -184,12 +186,13 @@ static tp_fx jacobian_from_differences(tp_vec3 u, tp_vec3 w)
 }
 
 /* Returns the strength of spray at a rest position, 0 to about 1. */
-static tp_fx ocean_spray_strength(const tp_surface *surface, tp_fx x, tp_fx z)
+static tp_fx coastal_spray_strength(const tp_surface *surface, tp_fx x, tp_fx z)
 {
     const tp_fx d = TP_FX_ONE / 4;
-    tp_ocean_point at = tp_ocean_displace_point(surface->ocean, surface->phases, x, z);
+    tp_coastal_point at =
+        tp_coastal_displace_point(surface->coastal, surface->phases, x, z);
 
-    if (at.depth <= tp_ocean_breaking_depth(surface->ocean) || at.position.y < 0)
+    if (at.depth <= tp_coastal_breaking_depth(surface->coastal) || at.position.y < 0)
         return at.breaking * 257;
     tp_vec3 u = tp_vec3_sub(sample_rest_position(surface, x + d, z),
                             sample_rest_position(surface, x - d, z));
@@ -201,9 +204,9 @@ static tp_fx ocean_spray_strength(const tp_surface *surface, tp_fx x, tp_fx z)
 
 static tp_fx sample_spray_strength(const tp_surface *surface, tp_fx x, tp_fx z)
 {
-    if (surface->ocean)
-        return ocean_spray_strength(surface, x, z);
-    tp_fx jacobian = tp_sea_jacobian(surface->sea, surface->phases, x, z);
+    if (surface->coastal)
+        return coastal_spray_strength(surface, x, z);
+    tp_fx jacobian = tp_deep_water_jacobian(surface->deep, surface->phases, x, z);
     return jacobian < SHARP ? (SHARP - jacobian) * 4 : 0;
 }
 
@@ -251,9 +254,9 @@ static void throw_random_crests(tp_world *world, const tp_scene *scene, tp_spray
     tp_vec3  eye = tp_camera_interpolate(world, 0).eye;
     uint32_t tries = spray->capacity / TRIES + 1;
 
-    if (scene->spray.crest <= 0 || (!now->ocean && world->sea.bend == 0))
+    if (scene->spray.crest <= 0 || (!now->coastal && world->deep.steepness_sum == 0))
         return;
-    tp_sea_phases(&world->sea, world->tick - 1, 0, phases);
+    tp_deep_water_phases(&world->deep, world->tick - 1, 0, phases);
     before.phases = phases;
     for (uint32_t i = 0; i < tries; i++) {
         tp_turn way = tp_random(&spray->random);
@@ -307,7 +310,7 @@ void tp_spray_splash(tp_spray *spray, const tp_scene *scene, const tp_impact *im
 static void throw_bow(tp_world *world, const tp_scene *scene, tp_spray *spray,
                       const tp_surface *surface)
 {
-    const tp_hull *hull = &world->afloat.hull;
+    const tp_hull *hull = &world->boat_state.hull;
     tp_vec3 way = tp_vec3_sub(world->boat.place, world->last_boat.place);
     tp_q30  s = tp_sin(hull->heading), c = tp_cos(hull->heading);
     int64_t gone = (int64_t)way.x * s - (int64_t)way.z * c;     /* Q46 m; 16 km: 2^60 */
@@ -315,10 +318,10 @@ static void throw_bow(tp_world *world, const tp_scene *scene, tp_spray *spray,
     tp_fx   over = (tp_fx)tp_clamp_abs(pace - BOW_PACE * TP_FX_ONE, 30 * TP_FX_ONE);
 
     for (tp_fx due = over / 2; due > random_unit(spray); due -= TP_FX_ONE) {
-        tp_fx back = random_unit(spray),
+        tp_fx lag = random_unit(spray),
               side = random_signed_unit(spray) >= 0 ? TP_FX_ONE : -TP_FX_ONE;
-        tp_fx ahead = scene->boat.length / 2 - tp_fx_mul(scene->boat.length / 5, back);
-        tp_fx aside = tp_fx_mul(tp_fx_mul(scene->boat.beam / 3, back), side);
+        tp_fx ahead = scene->boat.length / 2 - tp_fx_mul(scene->boat.length / 5, lag);
+        tp_fx aside = tp_fx_mul(tp_fx_mul(scene->boat.beam / 3, lag), side);
         tp_vec3 at = { hull->x + tp_q30_mul(ahead, s) + tp_q30_mul(aside, c), 0,
                        hull->z - tp_q30_mul(ahead, c) + tp_q30_mul(aside, s) };
         tp_fx out = tp_fx_mul(over / 3 + TP_FX(0.3) + random_unit(spray), side);
@@ -342,7 +345,7 @@ static void step(void *mine, const tp_program *program, tp_world *world,
 
     fly_all(spray, scene, &surface);
     throw_random_crests(world, scene, spray, &surface);
-    if (scene->boat.mesh[0] && world->afloat.laid)
+    if (scene->boat.mesh[0] && world->boat_state.placed)
         throw_bow(world, scene, spray, &surface);
 }
 

@@ -24,9 +24,9 @@ typedef struct {
 
 /* Returns the speck's place at the drawn moment.  A point under flat water appears at 3/4
  * of its depth [F4]. */
-static tp_vec3 interpolate_speck(const tp_speck *s, tp_fx back, bool through)
+static tp_vec3 interpolate_speck(const tp_speck *s, tp_fx lag, bool through)
 {
-    tp_vec3 at = tp_place_interpolate(s->last, s->place, back);
+    tp_vec3 at = tp_place_interpolate(s->last, s->place, lag);
 
     if (through && at.y < 0)
         at.y -= at.y / 4;
@@ -53,7 +53,7 @@ static bool project(const tp_frame *frame, const tp_speck *s, bool through, disc
     tp_view_vertex view;
 
     tp_projection_view_vertex(&frame->projection,
-                              interpolate_speck(s, frame->world->back, through), &view);
+                              interpolate_speck(s, frame->world->lag, through), &view);
     if (!tp_projection_contains(&frame->projection, &view))
         return false;
     tp_projection_project(&frame->projection, &view, &to->u, &to->v, &to->zi);
@@ -159,6 +159,6 @@ static void *layout(tp_arena *arena, const tp_want *want)
 }
 
 const tp_drawing tp_spray_drawing = {
-    .layout = layout, .marks = tp_marks_one, .place = place, .over = draw_post_water,
+    .layout = layout, .marks = tp_marks_one, .project = place, .over = draw_post_water,
     .stages = add_stages,
 };

@@ -41,8 +41,8 @@ static void count_glass_rays(tp_site *w, const tp_rectangle *r)
             if (y < 0)
                 w->solid[j] |= 1u << i;
         }
-    w->works.of[TP_WORK_pane] = panes;
-    w->works.of[TP_WORK_side] = sides;
+    w->fixed_cost.of[TP_WORK_pane] = panes;
+    w->fixed_cost.of[TP_WORK_side] = sides;
     w->apart += sides;
 }
 
@@ -60,7 +60,7 @@ static void count_work(tp_site *w)
 
     posts += across ? tp_clamp_abs(((int64_t)r.z1 - r.z0) / cell, s->grid.rows) + 1 : 0;
     posts += along ? tp_clamp_abs(((int64_t)r.x1 - r.x0) / cell, s->grid.cols) + 1 : 0;
-    w->works.of[TP_WORK_side_face] = (uint32_t)posts * 2
+    w->fixed_cost.of[TP_WORK_side_face] = (uint32_t)posts * 2
                                    * tp_work_bands(w->height - 1, TP_WORK_BAND);
     if (across || along)
         count_glass_rays(w, &r);
@@ -69,7 +69,7 @@ static void count_work(tp_site *w)
 /* Converts the ray counts of count_work() to pixels. */
 static void count_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
-    uint32_t *work_of = w->works.of;
+    uint32_t *work_of = w->fixed_cost.of;
 
     (void)px;
     work_of[TP_WORK_side] = tp_work_ray_pixels(w, work_of[TP_WORK_side]);

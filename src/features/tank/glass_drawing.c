@@ -16,11 +16,11 @@ static void place_post(const tp_frame *frame, tp_glass_wall *wall, const tp_rect
                        tp_fx along)
 {
     TP_ASSERT(wall->post != NULL);
-    tp_side_post *post = &wall->post[wall->posts];
+    tp_tank_side_post *post = &wall->post[wall->posts];
     tp_vec3 at = on_wall(r, wall->face, along, 0);
 
     post->along = along;
-    post->high = tp_surface_relief(&frame->surface, at.x, at.z).height;
+    post->high = tp_surface_height_slope(&frame->surface, at.x, at.z).height;
     wall->posts++;
 }
 
@@ -29,7 +29,7 @@ static void place_post(const tp_frame *frame, tp_glass_wall *wall, const tp_rect
  * have posts. */
 static void place_posts(const tp_frame *frame, tp_glass_wall *wall, const tp_rectangle *r)
 {
-    const tp_grid *grid = frame->parts.grid;
+    const tp_grid *grid = frame->buffers.grid;
     const bool across = wall->face & 2;
     const tp_grid_line *line = !grid ? NULL : across ? grid->column : grid->row;
     uint32_t lines = !grid ? 0 : across ? grid->cols : grid->rows;
@@ -70,9 +70,9 @@ typedef struct {
     uint32_t          mark, face;
     tp_rectangle      sides;
     tp_fx             floor;
-} side;
+} glass_side;
 
-static void draw_triangle(const side *s, const tp_vec3 at[3])
+static void draw_triangle(const glass_side *s, const tp_vec3 at[3])
 {
     tp_view_vertex in[3];
 
@@ -81,7 +81,8 @@ static void draw_triangle(const side *s, const tp_vec3 at[3])
 }
 
 /* Draws the part of the side between two posts. */
-static void draw_between_posts(const side *s, const tp_side_post *a, const tp_side_post *b)
+static void draw_between_posts(const glass_side *s, const tp_tank_side_post *a,
+                               const tp_tank_side_post *b)
 {
     tp_vec3 low = on_wall(&s->sides, s->face, a->along, s->floor);
     tp_vec3 top = on_wall(&s->sides, s->face, b->along, b->high);
@@ -97,7 +98,7 @@ static void draw_water_sides(const tp_frame *frame, const void *mine, const tp_v
                              tp_gbuffer *tile, uint32_t mark)
 {
     const tp_glass *glass = mine;
-    side s = { .frame = frame, .tile = tile, .mark = mark,
+    glass_side s = { .frame = frame, .tile = tile, .mark = mark,
                .floor = -frame->scene->tank.depth };
 
     if (!view->picture || glass->walls == 0)
@@ -143,7 +144,7 @@ static void place_pane(const tp_frame *frame, tp_glass_wall *wall, tp_pane *pane
 static void set_pane_depth_plane(const tp_frame *frame, tp_glass_wall *wall,
                                  const tp_rectangle *r)
 {
-    const tp_inside *in = frame->shade.inside;
+    const tp_underwater *in = frame->shade.underwater;
     const tp_dir3 back = frame->shade.world.back;
     tp_vec3 at = on_wall(r, wall->face, 0, 0), eye = frame->projection.eye;
     int     axis = wall->face & 2 ? 2 : 0;
@@ -236,7 +237,7 @@ const tp_drawing tp_glass_drawing = {
     .layout = layout,
     .marks = tp_marks_one,
     .begin = begin,
-    .place = place,
+    .project = place,
     .draw = draw_water_sides,
     .stages = add_stages,
 };

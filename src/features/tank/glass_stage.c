@@ -16,16 +16,16 @@ static tp_ray wall_normal(uint32_t face)
     return face & 2 ? (tp_ray){ 0, 0, one, 0 } : (tp_ray){ one, 0, 0, 0 };
 }
 
-void tp_stage_side(const tp_shade *shade, tp_run *run)
+void tp_stage_tank_side(const tp_shade *shade, tp_run *run)
 {
     tp_view_run(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++) {
         tp_ray  in = { -run->vx[i], -run->vy[i], -run->vz[i], 0 };
-        tp_refracted_ray beam;
-        tp_inside_set_start_points(shade, run, i, i + 1, &beam);
-        beam.way = tp_inside_bent(shade->inside, 1, in, wall_normal(run->t[i]));
-        run->colour[i] = tp_inside_trace(shade, &shade->inside->bed, &beam,
-                                      shade->inside->deep);
+        tp_refracted_ray ray;
+        tp_underwater_set_start_points(shade, run, i, i + 1, &ray);
+        ray.way = tp_underwater_refract(shade->underwater, 1, in, wall_normal(run->t[i]));
+        run->colour[i] = tp_underwater_trace(shade, &shade->underwater->floor_plane, &ray,
+                                             shade->underwater->deep);
     }
 }
 
@@ -34,11 +34,11 @@ void tp_stage_side(const tp_shade *shade, tp_run *run)
 /* Samples first to end - 1 of a run. */
 typedef struct {
     int32_t first, end;
-} part;
+} pane_part;
 
 /* Returns the part of a run covered by a convex polygon, with the fill rule of
  * triangles. */
-static part covered(const tp_pane *pane, const tp_run *run)
+static pane_part covered(const tp_pane *pane, const tp_run *run)
 {
     int32_t y = run->y, x0 = INT32_MAX, x1 = INT32_MIN;
 
@@ -53,9 +53,9 @@ static part covered(const tp_pane *pane, const tp_run *run)
         x1 = edge.pixel > x1 ? edge.pixel : x1;
     }
     if (x0 >= x1)
-        return (part){ 0, 0 };
-    return (part){ x0 > run->x ? x0 - run->x : 0,
-                   x1 < run->x + run->count ? x1 - run->x : run->count };
+        return (pane_part){ 0, 0 };
+    return (pane_part){ x0 > run->x ? x0 - run->x : 0,
+                        x1 < run->x + run->count ? x1 - run->x : run->count };
 }
 
 /* True if a sample lies behind the glass: depth > gap / (n . D), or zi < zi_near (n .
@@ -63,7 +63,7 @@ static part covered(const tp_pane *pane, const tp_run *run)
 static bool is_behind_glass(const tp_shade *shade, const tp_glass_wall *wall, uint32_t key,
                       int64_t view)
 {
-    int64_t near = (int64_t)shade->inside->zi_near * (view >> 22);      /* Q36 */
+    int64_t near = (int64_t)shade->underwater->zi_near * (view >> 22);      /* Q36 */
     int64_t here = (int64_t)(TP_ZI(key) >> 4) * (wall->gap >> 2);       /* Q27 times Q14 */
     int64_t rise = near * (wall->gap > 0 ? 1 : -1);
     int64_t far = (here >> 5) * (wall->gap > 0 ? 1 : -1);
@@ -72,7 +72,7 @@ static bool is_behind_glass(const tp_shade *shade, const tp_glass_wall *wall, ui
 
 /* Tints samples: the sky's reflection in the pane over the glass's own colour.  The view
  * vectors of the run are set. */
-static void tint(const tp_shade *shade, const tp_glass *glass, tp_run *run, part p,
+static void tint(const tp_shade *shade, const tp_glass *glass, tp_run *run, pane_part p,
                  uint32_t face)
 {
     tp_ray n = wall_normal(face);
@@ -89,7 +89,7 @@ static void tint(const tp_shade *shade, const tp_glass *glass, tp_run *run, part
 }
 
 static void tint_behind_glass(const tp_shade *shade, const tp_glass *glass,
-                              const tp_glass_wall *wall, tp_run *run, part p)
+                              const tp_glass_wall *wall, tp_run *run, pane_part p)
 {
     int64_t v = shade->v0 - 16 * run->y - 8;
 
@@ -101,7 +101,7 @@ static void tint_behind_glass(const tp_shade *shade, const tp_glass *glass,
         for (; i < p.end && seen == is_behind_glass(shade, wall, run->key[i], view); i++)
             view += wall->right * 16;
         if (seen)
-            tint(shade, glass, run, (part){ from, i }, wall->face);
+            tint(shade, glass, run, (pane_part){ from, i }, wall->face);
     }
 }
 
@@ -120,7 +120,7 @@ void tp_stage_pane(const tp_shade *shade, tp_run *run)
         const tp_glass_wall *wall = &glass->wall[k / 2];
         if (!is_run_in_wall_box(wall, run))
             continue;
-        const part p = covered(&wall->pane[k % 2], run);
+        const pane_part p = covered(&wall->pane[k % 2], run);
         if (p.first >= p.end)
             continue;
         if (!viewed)

@@ -32,7 +32,7 @@ bool tp_tank_is_front_glass(const struct tp_frame *frame, uint32_t face);
 /* A point of the water's edge along a wall of glass, m. */
 typedef struct {
     tp_fx along, high;
-} tp_side_post;
+} tp_tank_side_post;
 
 /* Half of a wall of glass, projected and clipped; 28.4 px. */
 typedef struct {
@@ -43,7 +43,7 @@ typedef struct {
 /* A wall of glass with the eye on its outer side. */
 typedef struct {
     uint32_t      face, posts;
-    tp_side_post *post;
+    tp_tank_side_post *post;
     tp_pane       pane[2];
     int32_t       x0, x1, y0, y1;   /* pixel box of both panes, x1 and y1 excluded */
     int64_t       gap, right, up, ahead;    /* plane of its depth, see place_depth */

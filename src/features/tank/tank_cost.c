@@ -73,7 +73,7 @@ static void count_work(tp_site *w)
     uint32_t quads = 0, strips = tp_work_bands(w->height - 1, TP_WORK_BAND);
 
     if (w->assets->pool_mask) {
-        w->works.of[TP_WORK_walled] = w->estimate->vertices;
+        w->fixed_cost.of[TP_WORK_walled] = w->estimate->vertices;
         quads += 5 * count_blocks(w);
     }
     if (tp_has_tank(s))
@@ -82,12 +82,12 @@ static void count_work(tp_site *w)
         strips += tp_work_bands(w->height / 2 - 1, TP_WORK_STRIP);
         w->far = (int64_t)1 << 32;
     }
-    w->works.of[TP_WORK_wall_face] = 2 * quads * strips;
+    w->fixed_cost.of[TP_WORK_wall_face] = 2 * quads * strips;
 }
 
 static void count_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
-    w->works.of[TP_WORK_wall] = tp_work_ray_pixels(w, px->stopped);
+    w->fixed_cost.of[TP_WORK_wall] = tp_work_ray_pixels(w, px->stopped);
 }
 
 const tp_cost tp_tank_cost = { .work = count_work,

@@ -243,7 +243,7 @@ static void begin(tp_frame *frame, void *mine)
  * inside of the water. */
 bool tp_tank_enabled(const tp_want *want)
 {
-    return want->above & TP_MODULE_INSIDE
+    return want->above & TP_MODULE_UNDERWATER
            && (tp_has_tank(want->scene) || tp_has_inner_walls(want->scene));
 }
 
@@ -266,6 +266,6 @@ const tp_module tp_tank_module = {
 };
 
 const tp_drawing tp_tank_drawing = {
-    .layout = layout, .marks = tp_marks_one, .begin = begin, .place = place, .draw = draw,
+    .layout = layout, .marks = tp_marks_one, .begin = begin, .project = place, .draw = draw,
     .stages = add_stage,
 };

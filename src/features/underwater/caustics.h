@@ -20,6 +20,6 @@ typedef struct {
     uint16_t          *light;   /* cells x cells */
     tp_caustic_vertex *row;     /* two rows of cells + 1 vertices */
     tp_rectangle       place;
-    tp_fall            still;   /* through still water */
+    tp_fall            level_fall;   /* through still water */
 } tp_caustics;
 #endif

@@ -42,8 +42,9 @@ static tp_rectangle caustic_rectangle(const tp_frame *frame, int32_t cells)
 
 static tp_fx sample_depth(const tp_frame *frame, tp_fx x, tp_fx z)
 {
-    const tp_inside *in = frame->shade.inside;
-    tp_fx depth = in->ocean ? tp_ocean_floor(in->ocean, x, z).depth : in->bed.depth;
+    const tp_underwater *in = frame->shade.underwater;
+    tp_fx depth =
+        in->coastal ? tp_coastal_floor(in->coastal, x, z).depth : in->floor_plane.depth;
     return tp_clamp(depth, 0, 100 * TP_FX_ONE);
 }
 
@@ -56,19 +57,19 @@ static tp_fall refract_light(const tp_shade *shade, tp_fx slope_x, tp_fx slope_z
     tp_ray in = { -shade->world.lx, -shade->world.ly, -shade->world.lz, 0 };
     tp_ray n = tp_slope_normal(tp_clamp(slope_x >> 4, -16000, 16000),
                                tp_clamp(slope_z >> 4, -16000, 16000));
-    tp_ray t = tp_inside_bent(shade->inside, 1, in, n);
+    tp_ray t = tp_underwater_refract(shade->underwater, 1, in, n);
     int32_t down = t.y < -1638 ? -t.y : 1638;
 
     return (tp_fall){ t.x * 65536 / down, t.z * 65536 / down };
 }
 
-static tp_sea_point ocean_point(const tp_surface *s, tp_fx x, tp_fx z)
+static tp_surface_point coastal_point(const tp_surface *s, tp_fx x, tp_fx z)
 {
     const tp_fx d = TP_FX_ONE / 32;
-    tp_vec3 at = tp_ocean_displace_smooth(s->ocean, s->phases, x, z).position;
-    tp_vec3 east = tp_ocean_displace_smooth(s->ocean, s->phases, x + d, z).position;
-    tp_vec3 south = tp_ocean_displace_smooth(s->ocean, s->phases, x, z + d).position;
-    tp_sea_point p = { .position = at };
+    tp_vec3 at = tp_coastal_displace_smooth(s->coastal, s->phases, x, z).position;
+    tp_vec3 east = tp_coastal_displace_smooth(s->coastal, s->phases, x + d, z).position;
+    tp_vec3 south = tp_coastal_displace_smooth(s->coastal, s->phases, x, z + d).position;
+    tp_surface_point p = { .position = at };
 
     tp_slopes_from_tangents(tp_vec3_sub(east, at), tp_vec3_sub(south, at), &p.slope_x,
                             &p.slope_z);
@@ -76,13 +77,13 @@ static tp_sea_point ocean_point(const tp_surface *s, tp_fx x, tp_fx z)
 }
 
 /* Returns the surface point with the rest position (x, z). */
-static tp_sea_point surface_point(const tp_surface *s, tp_fx x, tp_fx z)
+static tp_surface_point surface_point(const tp_surface *s, tp_fx x, tp_fx z)
 {
-    tp_sea_point p = s->ocean ? ocean_point(s, x, z)
-                              : tp_sea_displace_point(s->sea, s->phases, x, z);
+    tp_surface_point p = s->coastal ? coastal_point(s, x, z)
+                              : tp_deep_water_displace_point(s->deep, s->phases, x, z);
 
-    if (tp_surface_has_relief(s)) {
-        tp_relief relief = tp_surface_relief(s, p.position.x, p.position.z);
+    if (tp_surface_has_rings_or_pools(s)) {
+        tp_height_slope relief = tp_surface_height_slope(s, p.position.x, p.position.z);
         p.position.y += relief.height;
         p.slope_x += relief.slope_x;
         p.slope_z += relief.slope_z;
@@ -106,9 +107,9 @@ static void trace(const tp_frame *frame, const tp_caustics *map, const tp_surfac
     const tp_rectangle r = map->place;
     tp_fx x = r.x0 + (tp_fx)(((int64_t)r.x1 - r.x0) * i / c->cells);
     tp_fx z = r.z0 + (tp_fx)(((int64_t)r.z1 - r.z0) * j / c->cells);
-    tp_sea_point p = surface_point(surface, x, z);
+    tp_surface_point p = surface_point(surface, x, z);
     tp_fall fall = refract_light(&frame->shade, p.slope_x, p.slope_z);
-    tp_fall still = map->still;
+    tp_fall still = map->level_fall;
     int64_t high = sample_depth(frame, p.position.x, p.position.z) + (int64_t)p.position.y;
     int64_t away_x = (int64_t)p.position.x - x, away_z = (int64_t)p.position.z - z;
 
@@ -212,7 +213,7 @@ static void begin(tp_frame *frame, void *mine)
         .fades = scene->pool.cols == 0,
     };
     map->place = r;
-    map->still = still;
+    map->level_fall = still;
     frame->shade.caustic = &map->look;
     make(frame, map);
 }
@@ -225,7 +226,7 @@ bool tp_caustics_enabled(const tp_want *want)
     const bool tank = tp_has_tank(scene) && want->above & TP_MODULE_WALLS;
 
     return scene->water.clear > 0 && scene->water.caustics > 0
-        && want->above & TP_MODULE_INSIDE && (tank || tp_has_floor(scene));
+           && want->above & TP_MODULE_UNDERWATER && (tank || tp_has_floor(scene));
 }
 
 static void *layout(tp_arena *arena, const tp_want *want)

@@ -5,7 +5,7 @@
 
 bool tp_clear_water_enabled(const tp_want *want)
 {
-    return want->scene->water.clear > 0 && want->above & TP_MODULE_INSIDE;
+    return want->scene->water.clear > 0 && want->above & TP_MODULE_UNDERWATER;
 }
 
 /* Sets the cost traits.  A ray's cost depends on its target: a box, a map or a plane. */
@@ -34,7 +34,7 @@ static void begin(tp_frame *frame, void *mine)
     tp_clear_water *clear = mine;
 
     (void)frame;
-    clear->sunken = NULL;
+    clear->refraction_map = NULL;
 }
 
 /* Adds the stage.  It reads the view vectors and mixes with the lit colour. */
@@ -44,7 +44,7 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
     const bool dispersed = frame->scene->water.dispersion > 0;
 
     if (list->kind == TP_LIST_WATER && tp_shaders_has(list, TP_AT_VIEW))
-        tp_shaders_add(list, TP_AT_BEHIND, stage[list->rippled + 2 * dispersed], mine);
+        tp_shaders_add(list, TP_AT_REFRACT, stage[list->rippled + 2 * dispersed], mine);
 }
 
 const tp_module tp_clear_water_module = {

@@ -30,28 +30,28 @@ TP_ALWAYS_INLINE void facets(const tp_run *run, int32_t i, int32_t stop, int rip
     for (; i < stop; i++, to++) {
         tp_ray n = tp_slope_run_normal(run, i, rippled);
         *to = (facet){ (int16_t)n.x, (int16_t)n.y, (int16_t)n.z,
-                       (int16_t)tp_inside_incidence_cosine(view_direction(run, i), n) };
+                       (int16_t)tp_incidence_cosine(view_direction(run, i), n) };
     }
 }
 
 /* Computes the refracted rays of samples [i, stop) for one channel. */
 TP_ALWAYS_INLINE void refract_rays(const tp_shade *shade, const tp_run *run, int32_t i,
                                    int32_t stop, const facet *at, int channel,
-                                   tp_refracted_ray *beam)
+                                   tp_refracted_ray *ray)
 {
-    for (; i < stop; i++, at++, beam++) {
+    for (; i < stop; i++, at++, ray++) {
         tp_ray n = { at->x, at->y, at->z, 0 };
-        tp_ray way = tp_inside_bent_with_cosine(shade->inside, channel,
-                                                view_direction(run, i), n, at->cosine);
+        tp_ray way = tp_underwater_refract_cosine(shade->underwater, channel,
+                                                  view_direction(run, i), n, at->cosine);
         if (way.y > -1638)      /* a steep ripple would bend the ray out of the water */
             way.y = -1638;
-        beam->way = way;
+        ray->way = way;
     }
 }
 
 /* Mixes the refraction map over a colour.  The place in the map is displaced as for an
  * object half a metre under the surface, by a quarter of the slope [F4]. */
-static uint32_t mix_refraction_map(const tp_shade *shade, const tp_half *half,
+static uint32_t mix_refraction_map(const tp_shade *shade, const tp_planar_map *map,
                                    const tp_run *run, int32_t i, tp_fx metres, int32_t nx,
                                    int32_t nz, uint32_t colour)
 {
@@ -68,7 +68,7 @@ static uint32_t mix_refraction_map(const tp_shade *shade, const tp_half *half,
     int32_t  v = (int32_t)tp_clamp_abs((along * focal >> 4) * each >> (64 - shift), 64);
     int32_t  x = (run->x + i) / 2 - u, y = run->y / 2 + v;
 
-    uint32_t over = tp_half_pixel(half, x, y);
+    uint32_t over = tp_planar_map_pixel(map, x, y);
     uint32_t share = (over >> 24) + (over >> 31);
     return tp_colour_mix(colour, over, share);
 }
@@ -77,20 +77,21 @@ static uint32_t mix_refraction_map(const tp_shade *shade, const tp_half *half,
  * and the floor between the ends is looked up for green.  Red and blue rays end some
  * millimetres aside per metre of depth, where the floor is the same plane. */
 static void shade_dispersed(const tp_shade *shade, const tp_run *run, int32_t i,
-                            int32_t stop, const facet *surface, const tp_bed ends[2],
-                            tp_refracted_ray *beam, const uint32_t *body, uint32_t *seen)
+                            int32_t stop, const facet *surface,
+                            const tp_floor_plane ends[2], tp_refracted_ray *ray,
+                            const uint32_t *body, uint32_t *seen)
 {
     const int32_t count = stop - i;
-    tp_ground under[TP_INSIDE_ROW];
+    tp_ground under[TP_UNDERWATER_ROW];
 
-    tp_inside_interpolate_floor(shade, ends, beam, count, under);
+    tp_underwater_interpolate_floor(shade, ends, ray, count, under);
     for (int32_t k = 0; k < count; k++)
         seen[k] = 0;
-    tp_inside_shade_row_channel(shade, under, beam, count, body, 8, seen);
+    tp_underwater_shade_row_channel(shade, under, ray, count, body, 8, seen);
     for (int channel = 0; channel < 3; channel += 2) {
-        refract_rays(shade, run, i, stop, surface, channel, beam);
-        tp_inside_shade_row_channel(shade, under, beam, count, body, 16 - 8 * channel,
-                                    seen);
+        refract_rays(shade, run, i, stop, surface, channel, ray);
+        tp_underwater_shade_row_channel(shade, under, ray, count, body, 16 - 8 * channel,
+                                        seen);
     }
 }
 
@@ -98,36 +99,36 @@ TP_ALWAYS_INLINE void shade_clear_water(const tp_shade *shade, tp_run *run, int 
                                         int dispersed)
 {
     const tp_clear_water *clear = run->mine;
-    uint32_t body[TP_INSIDE_ROW];
-    tp_refracted_ray  beam[TP_INSIDE_ROW];
-    facet    surface[TP_INSIDE_ROW];
-    tp_bed   ends[2];
+    uint32_t body[TP_UNDERWATER_ROW];
+    tp_refracted_ray  ray[TP_UNDERWATER_ROW];
+    facet    surface[TP_UNDERWATER_ROW];
+    tp_floor_plane   ends[2];
 
     for (int32_t i = 0; i < run->count; ) {
         int32_t   stop = tp_block_end(run, i), count = stop - i;
         uint32_t *seen = run->colour + i;
         for (int32_t k = 0; k < count; k++)
-            body[k] = tp_colour_mix(shade->inside->deep, seen[k], 64);
-        tp_inside_set_start_points(shade, run, i, stop, beam);
+            body[k] = tp_colour_mix(shade->underwater->deep, seen[k], 64);
+        tp_underwater_set_start_points(shade, run, i, stop, ray);
         facets(run, i, stop, rippled, surface);
-        refract_rays(shade, run, i, stop, surface, 1, beam);
-        ends[0] = tp_inside_find_floor_plane(shade, beam);
-        ends[1] = tp_inside_find_floor_plane(shade, &beam[count - 1]);
+        refract_rays(shade, run, i, stop, surface, 1, ray);
+        ends[0] = tp_underwater_find_floor_plane(shade, ray);
+        ends[1] = tp_underwater_find_floor_plane(shade, &ray[count - 1]);
         if (dispersed)
-            shade_dispersed(shade, run, i, stop, surface, ends, beam, body, seen);
+            shade_dispersed(shade, run, i, stop, surface, ends, ray, body, seen);
         else
-            tp_inside_shade_row(shade, ends, beam, count, body, seen);
-        for (int32_t k = 0; clear->sunken && k < count; k++)
-            seen[k] = mix_refraction_map(shade, clear->sunken, run, i + k, beam[k].far,
-                                         surface[k].x, surface[k].z, seen[k]);
+            tp_underwater_shade_row(shade, ends, ray, count, body, seen);
+        for (int32_t k = 0; clear->refraction_map && k < count; k++)
+            seen[k] = mix_refraction_map(shade, clear->refraction_map, run, i + k,
+                                         ray[k].far, surface[k].x, surface[k].z, seen[k]);
         i = stop;
     }
 }
 
-#define BEHIND_STAGE(name, rippled, dispersed) \
+#define REFRACT_STAGE(name, rippled, dispersed) \
     void tp_stage_##name(const tp_shade *shade, tp_run *run) \
     { shade_clear_water(shade, run, rippled, dispersed); }
-TP_CLEAR_WATER_STAGES(BEHIND_STAGE)
+TP_CLEAR_WATER_STAGES(REFRACT_STAGE)
 
 const tp_stage tp_clear_water_stages[] = {
 #define X(name, rippled, dispersed) [2 * (dispersed) + (rippled)] = tp_stage_##name,

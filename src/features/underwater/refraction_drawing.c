@@ -7,8 +7,8 @@
 #include "shade/optics.h"
 
 typedef struct {
-    tp_half         half;
-    tp_planar_store store;
+    tp_planar_map         map;
+    tp_planar_memory store;
 } refraction;
 
 #define ETA TP_Q30(TP_WATER_ETA)
@@ -60,7 +60,7 @@ static void absorb_row(const tp_frame *frame, const tp_projection *projection, t
         int64_t z = tp_depth_from_zi(projection->zi_near, tp_key_zi(*key));
         int64_t fall = middle + ((16 * x + 8 - projection->u0) * aside >> 32);
         tp_fx   depth = tp_fx_saturate((fall * z >> 16) - height);
-        *to = tp_absorb_apply(&frame->shade.inside->absorb, *to & 0xffffff, deep,
+        *to = tp_absorb_apply(&frame->shade.underwater->absorb, *to & 0xffffff, deep,
                            tp_fx_mul(depth > 0 ? depth : 0, way)) | 0xff000000u;
     }
 }
@@ -68,16 +68,16 @@ static void absorb_row(const tp_frame *frame, const tp_projection *projection, t
 static void draw_refraction_map(tp_frame *frame, const refraction *r, const tp_view *view,
                                 const tp_projection *projection, tp_fx height)
 {
-    const tp_planar_store *store = &r->store;
-    const tp_half *half = &r->half;
-    uint32_t wide = (uint32_t)(half->x1 - half->x0);
+    const tp_planar_memory *store = &r->store;
+    const tp_planar_map *map = &r->map;
+    uint32_t wide = (uint32_t)(map->x1 - map->x0);
 
-    for (int32_t y0 = half->y0; y0 < half->y1; y0 += TP_PLANAR_BAND) {
-        tp_gbuffer band = tp_planar_gbuffer(store, half, y0);
+    for (int32_t y0 = map->y0; y0 < map->y1; y0 += TP_PLANAR_BAND) {
+        tp_gbuffer band = tp_planar_gbuffer(store, map, y0);
         tp_gbuffer_clear(&band);
         tp_view_draw_solids(frame, view, &band);
         for (int32_t y = y0; y < band.y1; y++) {
-            uint32_t *to = store->colour + (uint32_t)(y - half->y0) * wide;
+            uint32_t *to = store->colour + (uint32_t)(y - map->y0) * wide;
             tp_frame_colour_row(frame, &band, y, to);
             absorb_row(frame, projection, height, &band, y, to);
         }
@@ -89,21 +89,21 @@ static void draw_map(tp_frame *frame, void *mine)
     refraction *r = mine;
     tp_clear_water *clear = tp_frame_module_memory(frame, TP_CLEAR_WATER_ID);
     tp_fx    level = tp_view_anchor_level(frame);
-    tp_half *half = &r->half;
+    tp_planar_map *map = &r->map;
 
-    half->colour = NULL;
+    map->colour = NULL;
     if (!clear || !tp_view_is_above_level(frame, level))
         return;
     const tp_projection projection = tp_projection_halve(&frame->projection);
     const tp_projection bent = refraction_projection(&projection, level);
-    tp_view view = { .projection = &bent, .cut = true,
+    tp_view view = { .projection = &bent, .clipped = true,
                        .level = tp_projection_level_plane(&projection, level, -1) };
     tp_view_begin(frame, &view);
     tp_grid_box box = tp_view_project_solids(frame, &view);
-    if (!tp_planar_set_bounds(&r->store, &box, half))
+    if (!tp_planar_set_bounds(&r->store, &box, map))
         return;
     draw_refraction_map(frame, r, &view, &projection, frame->projection.eye.y - level);
-    clear->sunken = half;
+    clear->refraction_map = map;
 }
 
 /* -- the module ---------------------------------------------------------------------- */
@@ -111,12 +111,12 @@ static void draw_map(tp_frame *frame, void *mine)
 bool tp_refraction_enabled(const tp_want *want)
 {
     return want->scene->water.clear > 0 && want->above & TP_MODULE_SOLID
-        && want->above & TP_MODULE_INSIDE;
+           && want->above & TP_MODULE_UNDERWATER;
 }
 
 static void *layout(tp_arena *arena, const tp_want *want)
 {
-    refraction *r = tp_arena_alloc(arena, 1, sizeof *r), made = { .half.colour = NULL };
+    refraction *r = tp_arena_alloc(arena, 1, sizeof *r), made = { .map.colour = NULL };
 
     tp_planar_layout(&made.store, arena, want, 1);
     if (r)
@@ -128,5 +128,5 @@ const tp_module tp_refraction_module = {
     .name = "refraction", .id = TP_REFRACTION_ID, .enabled = tp_refraction_enabled,
 };
 
-const tp_drawing tp_refraction_drawing = { .layout = layout, .look = draw_map };
+const tp_drawing tp_refraction_drawing = { .layout = layout, .draw_map = draw_map };
 const tp_stage tp_refraction_stages[] = { NULL };

@@ -19,13 +19,13 @@
 
 /* Data of the clear water stages, in tp_run.mine. */
 typedef struct {
-    const tp_half *sunken;      /* refraction map, or NULL */
+    const tp_planar_map *refraction_map;      /* refraction map, or NULL */
 } tp_clear_water;
 
 /* name, slopes bent by a ripple, dispersed colours; in the order of the stage table */
 #define TP_CLEAR_WATER_STAGES(X) \
-    X(behind,                   0, 0) \
-    X(behind_rippled,           1, 0) \
-    X(behind_dispersed,         0, 1) \
-    X(behind_rippled_dispersed, 1, 1)
+    X(refract,                   0, 0) \
+    X(refract_rippled,           1, 0) \
+    X(refract_dispersed,         0, 1) \
+    X(refract_rippled_dispersed, 1, 1)
 #endif

@@ -6,34 +6,34 @@
 #include "shade/beam.h"
 #include "shade/optics.h"
 
-#define CLEAR_BELOW (4 * TP_FX_ONE)     /* m: visibility in opaque water */
+#define CLEAR_UNDERSIDE (4 * TP_FX_ONE)     /* m: visibility in opaque water */
 
 /* Indices in the program's table of stages. */
-enum { BELOW, BELOW_RIPPLED, DEEP, ABSORB };
+enum { UNDERSIDE, UNDERSIDE_RIPPLED, DEEP, ABSORB };
 
 /* -- data of a frame ----------------------------------------------------------------- */
 
 /* Returns a wall material.  For the ground the mipmap level includes the slant of the
  * view, with the eye's height plus 1 m, because water lies over the ground. */
-static tp_wall_material make_coat(const tp_frame *frame, const tp_texture *texture,
+static tp_wall_material make_wall_material(const tp_frame *frame, const tp_texture *texture,
                                   tp_fx size, int32_t colour, bool ground)
 {
-    tp_wall_material coat = { .texture = texture, .colour = (uint32_t)colour };
+    tp_wall_material material = { .texture = texture, .colour = (uint32_t)colour };
 
     if (!texture)
-        return coat;
+        return material;
     tp_fx texels = tp_fx_div(TP_FX_ONE << texture->log2_w, size);
-    coat.per_metre = tp_frame_repeats_per_metre(size);
-    coat.lod = tp_frame_lod(frame, texels, false);
+    material.per_metre = tp_frame_repeats_per_metre(size);
+    material.lod = tp_frame_lod(frame, texels, false);
     tp_fx height = tp_abs(tp_clamp(frame->projection.eye.y, -TP_FX_MAX, TP_FX_MAX));
     if (ground)
-        coat.lod -= (tp_log2_q8((uint32_t)height + TP_FX_ONE) - 16 * 256) / 2;
-    return coat;
+        material.lod -= (tp_log2_q8((uint32_t)height + TP_FX_ONE) - 16 * 256) / 2;
+    return material;
 }
 
 /* Sets the refractive index of each channel: water's index, minus or plus half of the
  * spread.  The index is at least 1.15, the range of the table of roots. */
-static void set_refractive_indices(tp_inside *in, tp_fx spread)
+static void set_refractive_indices(tp_underwater *in, tp_fx spread)
 {
     TP_ASSERT(spread >= 0);
     for (int k = 0; k < 3; k++) {
@@ -45,11 +45,11 @@ static void set_refractive_indices(tp_inside *in, tp_fx spread)
     }
 }
 
-static void set_sun(const tp_shade *shade, tp_inside *in)
+static void set_sun(const tp_shade *shade, tp_underwater *in)
 {
     const tp_view_axes *light = &shade->world;
     tp_ray  away = { -light->lx, -light->ly, -light->lz, 0 };
-    tp_ray  down = tp_inside_bent(in, 1, away, (tp_ray){ 0, 16384, 0, 0 });
+    tp_ray  down = tp_underwater_refract(in, 1, away, (tp_ray){ 0, 16384, 0, 0 });
     int32_t steep = down.y < 0 ? -down.y : 16384;
 
     in->sun_x = -down.x * light->ly / steep;
@@ -57,7 +57,7 @@ static void set_sun(const tp_shade *shade, tp_inside *in)
     in->sun_z = -down.z * light->ly / steep;
 }
 
-static void set_walls_and_floor(const tp_frame *frame, tp_inside *in)
+static void set_walls_and_floor(const tp_frame *frame, tp_underwater *in)
 {
     const tp_scene *scene = frame->scene;
     bool tank = tp_frame_has_tank(frame);
@@ -65,18 +65,18 @@ static void set_walls_and_floor(const tp_frame *frame, tp_inside *in)
     tp_rectangle r = tp_pool_sides(scene);
 
     in->walled = tank;
-    in->floored = tank || (floor && frame->surface.ocean);
-    in->ocean = !tank && floor ? frame->surface.ocean : NULL;
+    in->floored = tank || (floor && frame->surface.coastal);
+    in->coastal = !tank && floor ? frame->surface.coastal : NULL;
     in->x0 = r.x0;
     in->x1 = r.x1;
     in->z0 = r.z0;
     in->z1 = r.z1;
-    in->bed = (tp_bed){ .depth = scene->tank.depth, .nl = in->sun_y };
-    in->wall = make_coat(frame, frame->assets.tank_wall, scene->tank.tile,
+    in->floor_plane = (tp_floor_plane){ .depth = scene->tank.depth, .nl = in->sun_y };
+    in->wall = make_wall_material(frame, frame->assets.tank_wall, scene->tank.tile,
                          scene->tank.wall_colour, false);
-    in->floor = tank ? make_coat(frame, frame->assets.tank_floor, scene->tank.tile,
+    in->floor = tank ? make_wall_material(frame, frame->assets.tank_floor, scene->tank.tile,
                                  scene->tank.floor_colour, true)
-                     : make_coat(frame, frame->assets.floor_texture,
+                     : make_wall_material(frame, frame->assets.floor_texture,
                                  scene->floor.texture_size, scene->floor.colour, true);
 }
 
@@ -100,13 +100,13 @@ static bool has_underwater_stages(const tp_frame *frame)
 {
     const tp_stage *stage = tp_frame_stages(frame, TP_UNDERWATER_ID);
 
-    return frame->program->stage.view && stage[BELOW] && stage[DEEP] && stage[ABSORB];
+    return frame->program->stage.view && stage[UNDERSIDE] && stage[DEEP] && stage[ABSORB];
 }
 
 static void begin(tp_frame *frame, void *mine)
 {
     const tp_scene *scene = frame->scene;
-    tp_inside *in = mine;
+    tp_underwater *in = mine;
 
     frame->shade.caustic = NULL;
     frame->under = has_underwater_stages(frame) && is_eye_submerged(frame);
@@ -114,11 +114,11 @@ static void begin(tp_frame *frame, void *mine)
         && !tp_frame_has_module(frame, TP_MODULE_WALLS))
         return;
     tp_absorb_init(&in->absorb, (uint32_t)scene->water.tint,
-                   scene->water.clear > 0 ? scene->water.clear : CLEAR_BELOW);
+                   scene->water.clear > 0 ? scene->water.clear : CLEAR_UNDERSIDE);
     in->deep = (uint32_t)scene->water.deep;
     set_refractive_indices(in, scene->water.dispersion);
     set_sun(&frame->shade, in);
-    tp_inside_set_view(in, &frame->shade, frame->projection.zi_near);
+    tp_underwater_set_view(in, &frame->shade, frame->projection.zi_near);
     set_walls_and_floor(frame, in);
 }
 
@@ -128,7 +128,7 @@ static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     (void)view, (void)box;
     if (tp_frame_has_module(frame, TP_MODULE_WALLS))
-        tp_inside_set_view(mine, &frame->shade, frame->projection.zi_near);
+        tp_underwater_set_view(mine, &frame->shade, frame->projection.zi_near);
 }
 
 /* -- shader lists -------------------------------------------------------------------- */
@@ -140,9 +140,12 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
         return;
     if (list->kind == TP_LIST_SKY)
         tp_shaders_add(list, TP_AT_COLOUR, stage[DEEP], mine);
-    else if (list->kind == TP_LIST_BELOW)
-        tp_shaders_add(list, TP_AT_LIGHT, !list->rippled ? stage[BELOW]
-                       : tp_shaders_pick(list, stage[BELOW_RIPPLED], stage[BELOW]), mine);
+    else if (list->kind == TP_LIST_UNDERSIDE)
+        tp_shaders_add(list, TP_AT_LIGHT,
+                       !list->rippled ? stage[UNDERSIDE]
+                                      : tp_shaders_pick(list, stage[UNDERSIDE_RIPPLED],
+                                                        stage[UNDERSIDE]),
+                       mine);
     else
         tp_shaders_add(list, TP_AT_AIR, stage[ABSORB], mine);
 }
@@ -159,21 +162,21 @@ bool tp_underwater_enabled(const tp_want *want)
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     (void)want;
-    return tp_arena_alloc(arena, 1, sizeof(tp_inside));
+    return tp_arena_alloc(arena, 1, sizeof(tp_underwater));
 }
 
 static void init(tp_frame *frame, void *mine)
 {
-    memset(mine, 0, sizeof(tp_inside));
-    frame->shade.inside = mine;
+    memset(mine, 0, sizeof(tp_underwater));
+    frame->shade.underwater = mine;
 }
 
 const tp_module tp_underwater_module = {
-    .name = "underwater", .id = TP_UNDERWATER_ID, .is = TP_MODULE_INSIDE,
+    .name = "underwater", .id = TP_UNDERWATER_ID, .is = TP_MODULE_UNDERWATER,
     .enabled = tp_underwater_enabled,
 };
 
 const tp_drawing tp_underwater_drawing = {
-    .layout = layout, .init = init, .begin = begin, .place = place,
+    .layout = layout, .init = init, .begin = begin, .project = place,
     .stages = add_stages,
 };

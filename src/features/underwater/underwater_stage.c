@@ -27,17 +27,17 @@ static tp_fx ray_length_at_depth(const tp_shade *shade, tp_ray way, tp_fx depth)
 
 TP_ALWAYS_INLINE void shade_underside(const tp_shade *shade, tp_run *run, int rippled)
 {
-    const tp_inside *in = shade->inside;
+    const tp_underwater *in = shade->underwater;
 
     for (int32_t i = 0; i < run->count; i++) {
         tp_ray  n = tp_slope_run_normal(run, i, rippled);
-        tp_refracted_ray beam;
-        tp_inside_set_start_points(shade, run, i, i + 1, &beam);
-        beam.way = view_direction(run, i);
-        tp_bed  bed = tp_inside_find_floor_plane(shade, &beam);
-        uint32_t c = tp_inside_trace_surface(shade, &bed, &beam, n, in->deep);
+        tp_refracted_ray ray;
+        tp_underwater_set_start_points(shade, run, i, i + 1, &ray);
+        ray.way = view_direction(run, i);
+        tp_floor_plane  plane = tp_underwater_find_floor_plane(shade, &ray);
+        uint32_t c = tp_underwater_trace_surface(shade, &plane, &ray, n, in->deep);
         run->colour[i] = tp_absorb_apply(&in->absorb, c, in->deep,
-                                         ray_length_at_depth(shade, beam.way, beam.far));
+                                         ray_length_at_depth(shade, ray.way, ray.far));
     }
 }
 
@@ -56,23 +56,23 @@ void tp_stage_deep(const tp_shade *shade, tp_run *run)
 {
     tp_view_run(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++) {
-        tp_refracted_ray beam = { shade->eye, view_direction(run, i), 0 };
-        tp_bed  bed = tp_inside_find_floor_plane(shade, &beam);
-        run->colour[i] = tp_inside_trace(shade, &bed, &beam, shade->inside->deep);
+        tp_refracted_ray ray = { shade->eye, view_direction(run, i), 0 };
+        tp_floor_plane  plane = tp_underwater_find_floor_plane(shade, &ray);
+        run->colour[i] = tp_underwater_trace(shade, &plane, &ray, shade->underwater->deep);
     }
 }
 
 void tp_stage_absorb(const tp_shade *shade, tp_run *run)
 {
-    const tp_inside *in = shade->inside;
+    const tp_underwater *in = shade->underwater;
 
     tp_view_run(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++) {
-        tp_refracted_ray beam;
-        tp_inside_set_start_points(shade, run, i, i + 1, &beam);
+        tp_refracted_ray ray;
+        tp_underwater_set_start_points(shade, run, i, i + 1, &ray);
         run->colour[i] =
             tp_absorb_apply(&in->absorb, run->colour[i], in->deep,
-                            ray_length_at_depth(shade, view_direction(run, i), beam.far));
+                            ray_length_at_depth(shade, view_direction(run, i), ray.far));
     }
 }
 

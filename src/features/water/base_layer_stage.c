@@ -10,13 +10,13 @@ TP_ALWAYS_INLINE void shade_stretch(const tp_sampler *sampler, uint32_t tint,
                           int tinted)
 {
     const tp_sampler p = *sampler;
-    const tp_parted  with = tp_parted_split(tint);
+    const tp_split_rgb  with = tp_split_rgb_make(tint);
     const uint32_t *restrict s = over->s, *restrict t = over->t;
     const int32_t count = over->count;
 
     for (int32_t i = 0; i < count; i++) {
-        tp_parted texel = tp_sampled(&p, s[i], t[i], filter);
-        colour[i] = tinted ? tp_parted_times(texel, with) : tp_parted_whole(texel);
+        tp_split_rgb texel = tp_sampled(&p, s[i], t[i], filter);
+        colour[i] = tinted ? tp_split_rgb_multiply(texel, with) : tp_split_rgb_join(texel);
     }
 }
 

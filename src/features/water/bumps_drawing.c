@@ -51,7 +51,7 @@ static void begin(tp_frame *frame, void *mine)
             continue;
         *bump = tp_pool_bump_make(pool, b->slope[k]);
         bump->lod = tp_frame_lod(frame, tp_fx_recip(pool->cell), true);
-        tp_pool_slopes(pool, frame->world->back, frame->scene->water.pool_bump,
+        tp_pool_slopes(pool, frame->world->lag, frame->scene->water.pool_bump,
                        b->slope[k]);
     }
 }

@@ -24,15 +24,15 @@ typedef struct {
 typedef struct {
     tp_quick_layers layers;     /* data of the stages; first member */
     struct tp_quick_light light;
-    void         *memory[TP_PREPARED];  /* NULL: not baked here */
-    tp_texture    picture[TP_PREPARED]; /* levels 0: not baked yet */
-    tp_quick_wish made[TP_PREPARED];
+    void         *memory[TP_BAKED_LAYERS];  /* NULL: not baked here */
+    tp_texture    picture[TP_BAKED_LAYERS]; /* levels 0: not baked yet */
+    tp_quick_wish made[TP_BAKED_LAYERS];
 } tp_fast_water;
 
 /* quick_layers_drawing.c.  tp_quick_layout_pictures takes memory for the textures missing
  * in the assets.  tp_quick_begin_layers sets the layers of this frame; call after the
  * water's colour is set. */
-void tp_quick_layout_pictures(void *memory[TP_PREPARED], tp_arena *arena,
+void tp_quick_layout_pictures(void *memory[TP_BAKED_LAYERS], tp_arena *arena,
                               const tp_assets *assets);
 void tp_quick_begin_layers(tp_frame *frame, tp_fast_water *fast);
 #endif

@@ -66,7 +66,7 @@ static void begin(tp_frame *frame, void *mine)
 static void *layout(tp_arena *arena, const tp_want *want)
 {
     tp_fast_water *fast = tp_arena_alloc(arena, 1, sizeof *fast);
-    void *counted[TP_PREPARED];
+    void *counted[TP_BAKED_LAYERS];
 
     tp_quick_layout_pictures(fast ? fast->memory : counted, arena, want->assets);
     return fast;
@@ -77,7 +77,7 @@ static void init(tp_frame *frame, void *mine)
     tp_fast_water *fast = mine;
 
     (void)frame;
-    for (int i = 0; i < TP_PREPARED; i++)
+    for (int i = 0; i < TP_BAKED_LAYERS; i++)
         fast->picture[i].levels = 0;
     fast->light.made_for[0] = -1;
 }

@@ -16,7 +16,7 @@
 typedef struct {
     int32_t  saturation;        /* 0: grey; 256: unchanged; at most 1024 */
     int32_t  clamp;             /* darker values become black, 0..0.95 of white */
-    int32_t  span;              /* white minus the clamp */
+    int32_t  range;              /* white minus the clamp */
     uint32_t gain[3];           /* red, green, blue of the colour / span, Q24 */
 } tp_grade;
 
@@ -36,11 +36,11 @@ TP_ALWAYS_INLINE uint32_t tp_graded_channel(const tp_grade *grade, int32_t grey,
 {
     int32_t v = grey + (int32_t)c * grade->saturation;
 
-    v = tp_clamp(v, 0, grade->span);
+    v = tp_clamp(v, 0, grade->range);
     return ((uint32_t)v * grade->gain[channel] + (1u << 23)) >> 24;
 }
 
-TP_ALWAYS_INLINE uint32_t tp_graded(const tp_grade *grade, tp_parted texel)
+TP_ALWAYS_INLINE uint32_t tp_graded(const tp_grade *grade, tp_split_rgb texel)
 {
     uint32_t r = texel.rb >> 16, g = texel.g, b = texel.rb & 0xff;
     int32_t  grey = (int32_t)(77 * r + 150 * g + 29 * b);

@@ -13,9 +13,9 @@ tp_grade tp_grade_make(tp_fx saturation, tp_fx clamp, uint32_t colour)
     tp_grade grade = { .saturation = saturation >> 8,
                        .clamp = (int32_t)((int64_t)clamp * 255 >> 8) };
 
-    grade.span = 255 * 256 - grade.clamp;
+    grade.range = 255 * 256 - grade.clamp;
     for (int c = 0; c < 3; c++)
-        grade.gain[c] = ((colour >> (16 - 8 * c) & 0xff) << 24) / (uint32_t)grade.span;
+        grade.gain[c] = ((colour >> (16 - 8 * c) & 0xff) << 24) / (uint32_t)grade.range;
     return grade;
 }
 
@@ -29,13 +29,14 @@ TP_ALWAYS_INLINE void shade_stretch(const tp_sampler *sampler, const tp_grade *g
 {
     const tp_sampler p = *sampler;
     const tp_grade   g = *grade;
-    const tp_parted  with = tp_parted_split(tint);
+    const tp_split_rgb  with = tp_split_rgb_make(tint);
     const uint32_t *restrict s = over->s, *restrict t = over->t;
     const int32_t count = over->count;
 
     for (int32_t i = 0; i < count; i++) {
-        tp_parted texel = tp_sampled(&p, s[i], t[i], filter);
-        uint32_t  c = how == GRADED ? tp_graded(&g, texel) : tp_parted_times(texel, with);
+        tp_split_rgb texel = tp_sampled(&p, s[i], t[i], filter);
+        uint32_t c =
+            how == GRADED ? tp_graded(&g, texel) : tp_split_rgb_multiply(texel, with);
         colour[i] = add ? tp_colour_add(colour[i], c) : c;
     }
 }

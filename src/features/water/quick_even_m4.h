@@ -131,7 +131,7 @@ TP_ALWAYS_INLINE uint32_t packed_blinn_four(const uint32_t *lobe, uint32_t half,
                                             tp_quick_walk walk, uint32_t *colour,
                                             uint32_t a, uint32_t b, uint32_t c)
 {
-    const pair s = pair_load(colour, SLOPES), t = pair_load(colour, SLOPES + 2);
+    const word_pair s = pair_load(colour, SLOPES), t = pair_load(colour, SLOPES + 2);
     const uint32_t second = tp_sadd16(half, walk.quarter);
     const uint32_t third = tp_sadd16(second, walk.quarter);
     const uint32_t fourth = tp_sadd16(third, walk.quarter);

@@ -18,8 +18,8 @@ TP_ALWAYS_INLINE void plain_light_even_loop(const plain_tables tables,
 
     for (int32_t k = 0; k < places; k++) {
         plain_column c = plain_column_make(&tables, slope[2 * k], back[2 * k], y[2 * k]);
-        even[k] = plain_light_and_reflect(&tables, c, env == TP_ENV_DOME ? column[2 * k] : 0,
-                                 even[k], env);
+        even[k] = plain_light_and_reflect(
+            &tables, c, env == TP_ENV_DOME ? column[2 * k] : 0, even[k], env);
     }
 }
 
@@ -32,8 +32,8 @@ TP_ALWAYS_INLINE void plain_light_even(const tp_shade *shade, tp_run *run, int e
     if (odd) {
         plain_column c = plain_column_make(&tables, run->slope[0], run->back[0],
                                          run->view_y[0]);
-        run->even[0] = plain_light_and_reflect(&tables, c, env == TP_ENV_DOME ? run->column[0] : 0,
-                                      run->even[0], env);
+        run->even[0] = plain_light_and_reflect(
+            &tables, c, env == TP_ENV_DOME ? run->column[0] : 0, run->even[0], env);
     }
     plain_light_even_loop(tables, run, run->even + odd, odd, (run->count - odd + 1) >> 1,
                           env);

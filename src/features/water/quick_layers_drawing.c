@@ -15,14 +15,14 @@ static const tp_texture *source_texture(const tp_assets *assets, int i)
 
 static const tp_texture *baked_texture(const tp_assets *assets, int i)
 {
-    return i == OFFSETS ? assets->offsets : i == SLOPES ? assets->slopes
-         : assets->graded[i];
+    return i == OFFSETS ? assets->baked_offset : i == SLOPES ? assets->baked_slope
+         : assets->baked_layer[i];
 }
 
-void tp_quick_layout_pictures(void *memory[TP_PREPARED], tp_arena *arena,
+void tp_quick_layout_pictures(void *memory[TP_BAKED_LAYERS], tp_arena *arena,
                               const tp_assets *assets)
 {
-    for (int i = 0; i < TP_PREPARED; i++) {
+    for (int i = 0; i < TP_BAKED_LAYERS; i++) {
         const tp_texture *source = source_texture(assets, i);
         const bool made_here = source && !baked_texture(assets, i);
         memory[i] = made_here ? tp_arena_alloc(arena, 1, tp_quick_bytes(source)) : NULL;
@@ -71,17 +71,17 @@ static void bake_texture(tp_texture *to, int i, const tp_texture *source,
         tp_quick_graded(to, source, wish->amount, wish->clamp, wish->colour, memory);
 }
 
-size_t tp_prepared_bytes(const tp_assets *assets, int i)
+size_t tp_baked_layer_bytes(const tp_assets *assets, int i)
 {
-    TP_ASSERT(assets != NULL && i >= 0 && i < TP_PREPARED);
+    TP_ASSERT(assets != NULL && i >= 0 && i < TP_BAKED_LAYERS);
     const tp_texture *source = source_texture(assets, i);
     return source ? tp_quick_bytes(source) : 0;
 }
 
-void tp_prepare(tp_texture *to, const tp_scene *scene, const tp_assets *assets, int i,
-                void *memory)
+void tp_bake_layer(tp_texture *to, const tp_scene *scene, const tp_assets *assets, int i,
+                   void *memory)
 {
-    TP_ASSERT(i >= 0 && i < TP_PREPARED);
+    TP_ASSERT(i >= 0 && i < TP_BAKED_LAYERS);
     const tp_quick_wish wish = bake_parameters(scene, assets, i);
     bake_texture(to, i, source_texture(assets, i), &wish, memory);
 }

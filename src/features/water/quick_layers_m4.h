@@ -31,7 +31,7 @@ TP_ALWAYS_INLINE uint32_t packed_texel(const tp_lookup *l, uint32_t s, uint32_t 
 TP_ALWAYS_INLINE void packed_write_texel_pair(const tp_lookup *l, const uint32_t *place,
                                               uint32_t *colour, int skip)
 {
-    const pair s = pair_load(place, skip), t = pair_load(place, skip + TP_RUN);
+    const word_pair s = pair_load(place, skip), t = pair_load(place, skip + TP_RUN);
 
     pair_store(colour, skip, packed_texel(l, s.first, t.first),
                packed_texel(l, s.second, t.second));
@@ -56,10 +56,10 @@ TP_LOOP packed_write_texels(const tp_quick_map *map, int32_t far, const uint32_t
 TP_ALWAYS_INLINE void packed_add_texel_pair(const tp_lookup *l, const uint32_t *place,
                                             uint32_t *colour, int skip)
 {
-    const pair s = pair_load(place, skip), t = pair_load(place, skip + TP_RUN);
+    const word_pair s = pair_load(place, skip), t = pair_load(place, skip + TP_RUN);
     uint32_t a = packed_texel(l, s.first, t.first);
     uint32_t b = packed_texel(l, s.second, t.second);
-    const pair c = pair_load(colour, skip);
+    const word_pair c = pair_load(colour, skip);
 
     pair_store(colour, skip, tp_uqadd8(c.first, a), tp_uqadd8(c.second, b));
 }
@@ -104,7 +104,7 @@ TP_ALWAYS_INLINE void packed_distort_place(const tp_lookup *l, uint32_t s, uint3
 TP_ALWAYS_INLINE void packed_distort_pair(const tp_lookup *l, const uint32_t **s,
                                           const uint32_t **t, uint32_t *place, int skip)
 {
-    const pair ss = pair_next(s), tt = pair_next(t);
+    const word_pair ss = pair_next(s), tt = pair_next(t);
     uint32_t off = packed_texel(l, ss.first, tt.first), off_t = off << 16;
 
     pair_store(place, skip, packed_add_offset_s(ss.first, off),
@@ -167,10 +167,10 @@ TP_ALWAYS_INLINE void packed_rippled_pair(const tp_lookup *l, const uint32_t **s
                                           const uint32_t **t, const uint32_t **n,
                                           uint32_t *slope, int skip)
 {
-    const pair ss = pair_next(s), tt = pair_next(t);
+    const word_pair ss = pair_next(s), tt = pair_next(t);
     uint32_t a = packed_texel(l, ss.first, tt.first);
     uint32_t b = packed_texel(l, ss.second, tt.second);
-    const pair nn = pair_next(n);
+    const word_pair nn = pair_next(n);
 
     pair_store(slope, skip, tp_qadd16(nn.first, a), tp_qadd16(nn.second, b));
 }

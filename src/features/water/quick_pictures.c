@@ -10,9 +10,9 @@ typedef struct {
     uint32_t tint;
     bool     graded;
     int32_t  gain;              /* of normals, Q8; of offsets, 16.16 m */
-} work;
+} bake_work;
 
-typedef uint32_t (*texel_work)(const work *w, uint32_t texel);
+typedef uint32_t (*texel_work)(const bake_work *w, uint32_t texel);
 
 static uint32_t longer_side_log2(const tp_texture *t)
 {
@@ -37,7 +37,7 @@ static uint32_t level_log2(uint32_t log2, uint32_t level)
 }
 
 static void prepare_level(uint32_t *to, uint32_t log2, const tp_texture *from,
-                          uint32_t level, texel_work texel, const work *w)
+                          uint32_t level, texel_work texel, const bake_work *w)
 {
     const uint32_t log2_w = level_log2(from->log2_w, level);
     const uint32_t log2_h = level_log2(from->log2_h, level);
@@ -51,7 +51,7 @@ static void prepare_level(uint32_t *to, uint32_t log2, const tp_texture *from,
 }
 
 static void prepare(tp_texture *to, const tp_texture *from, texel_work texel,
-                    const work *w, uint32_t *mem)
+                    const bake_work *w, uint32_t *mem)
 {
     TP_ASSERT(from->levels > 0 && (uintptr_t)mem % 4 == 0);
     const uint32_t side = side_log2(from), whole = longer_side_log2(from);
@@ -79,16 +79,16 @@ tp_quick_map tp_quick_map_make(const tp_layer *layer)
 
 /* -- layers: as in layers_stage.c, base_layer_stage.c ------------------------------ */
 
-static uint32_t graded_texel(const work *w, uint32_t texel)
+static uint32_t graded_texel(const bake_work *w, uint32_t texel)
 {
-    return w->graded ? tp_graded(&w->grade, tp_parted_split(texel))
+    return w->graded ? tp_graded(&w->grade, tp_split_rgb_make(texel))
                      : tp_colour_times(texel, w->tint);
 }
 
 void tp_quick_graded(tp_texture *to, const tp_texture *from, tp_fx saturation, tp_fx clamp,
                      uint32_t colour, void *mem)
 {
-    const work w = { .grade = tp_grade_make(saturation, clamp, colour), .tint = colour,
+    const bake_work w = { .grade = tp_grade_make(saturation, clamp, colour), .tint = colour,
                      .graded = tp_is_graded(saturation, clamp) };
     prepare(to, from, graded_texel, &w, mem);
 }
@@ -96,20 +96,20 @@ void tp_quick_graded(tp_texture *to, const tp_texture *from, tp_fx saturation, t
 /* -- distortion: red along s, green along t; 128 is 0, 0 full negative strength ------ */
 
 /* Returns an offset in 1/1024 m.  2^7 x 20 m is below 2^28. */
-static uint32_t offset(const work *w, uint32_t channel)
+static uint32_t offset(const bake_work *w, uint32_t channel)
 {
     int32_t m = ((int32_t)channel - 128) * w->gain;
     return (uint32_t)((m + (1 << 12)) >> 13);
 }
 
-static uint32_t offset_texel(const work *w, uint32_t texel)
+static uint32_t offset_texel(const bake_work *w, uint32_t texel)
 {
     return offset(w, texel >> 16 & 0xff) << 16 | (offset(w, texel >> 8 & 0xff) & 0xffff);
 }
 
 void tp_quick_offsets(tp_texture *to, const tp_texture *from, tp_fx strength, void *mem)
 {
-    const work w = { .gain = strength };
+    const bake_work w = { .gain = strength };
     prepare(to, from, offset_texel, &w, mem);
 }
 
@@ -122,9 +122,10 @@ static uint32_t slope(int32_t n, int32_t nz)
     return (uint32_t)tp_clamp(twice / (2 * nz), -32000, 32000);
 }
 
-static uint32_t slope_texel(const work *w, uint32_t texel)
+static uint32_t slope_texel(const bake_work *w, uint32_t texel)
 {
-    int32_t nx = (int32_t)(texel >> 16 & 0xff) - 128, ny = (int32_t)(texel >> 8 & 0xff) - 128;
+    int32_t nx = (int32_t)(texel >> 16 & 0xff) - 128,
+            ny = (int32_t)(texel >> 8 & 0xff) - 128;
     int32_t nz = (int32_t)(texel & 0xff) - 128;
 
     nz = nz < 16 ? 16 : nz;
@@ -133,6 +134,6 @@ static uint32_t slope_texel(const work *w, uint32_t texel)
 
 void tp_quick_slopes(tp_texture *to, const tp_texture *from, tp_fx bump, void *mem)
 {
-    const work w = { .gain = bump >> 8 };
+    const bake_work w = { .gain = bump >> 8 };
     prepare(to, from, slope_texel, &w, mem);
 }

@@ -21,7 +21,8 @@ TP_ALWAYS_INLINE uint32_t reflected_share(const tp_shade *shade, int32_t nv, int
     return share * horizon_fade(up) >> 8;
 }
 
-/* Returns reflected_share in 1/65536: light of many whites multiplies the rounding error. */
+/* Returns reflected_share in 1/65536: light of many whites multiplies the rounding
+ * error. */
 TP_ALWAYS_INLINE uint32_t fine_reflected_share(const tp_shade *shade, int32_t nv,
                                                int32_t up)
 {

@@ -22,14 +22,14 @@ static void begin(tp_frame *frame, void *mine)
 /* True if slopes of the mesh are at most 1/4: sum kA / (1 - sum QkA). */
 static bool is_gentle(const tp_surface *surface)
 {
-    const tp_sea *sea = surface->sea;
+    const tp_deep_water *deep = surface->deep;
     int64_t tilt = 0;
 
-    if (surface->ocean || tp_surface_has_relief(surface))
+    if (surface->coastal || tp_surface_has_rings_or_pools(surface))
         return false;
-    for (uint32_t i = 0; i < sea->count; i++)
-        tilt += sea->swell[i].tilt;
-    return 4 * tilt <= (TP_Q30_ONE - sea->bend) >> 14;
+    for (uint32_t i = 0; i < deep->count; i++)
+        tilt += deep->swell[i].tilt;
+    return 4 * tilt <= (TP_Q30_ONE - deep->steepness_sum) >> 14;
 }
 
 /* Adds the ripple stage.  Ripples are applied after the slopes of pools. */

@@ -7,7 +7,7 @@
 /* True if layer k was loaded, or baked for fast shading. */
 static bool has_layer(const tp_want *want, int k)
 {
-    return want->assets && (want->assets->layer[k] || want->assets->graded[k]);
+    return want->assets && (want->assets->layer[k] || want->assets->baked_layer[k]);
 }
 
 static uint8_t layers_added(const tp_want *want)
@@ -18,9 +18,9 @@ static uint8_t layers_added(const tp_want *want)
 /* True if a distortion moves a layer; without any layer the distortion is off. */
 static bool bends_layers(const tp_want *want)
 {
-    return want->assets && (want->assets->distortion || want->assets->offsets)
-        && want->scene->distortion.strength > 0
-        && (has_layer(want, 0) || layers_added(want) > 0);
+    return want->assets && (want->assets->distortion || want->assets->baked_offset)
+           && want->scene->distortion.strength > 0
+           && (has_layer(want, 0) || layers_added(want) > 0);
 }
 
 static bool is_linear(const tp_want *want)
@@ -72,8 +72,8 @@ static void count_bumps(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
 
 bool tp_ripple_enabled(const tp_want *want)
 {
-    return want->assets && (want->assets->ripple || want->assets->slopes)
-        && want->scene->ripple.bump > 0;
+    return want->assets && (want->assets->ripple || want->assets->baked_slope)
+           && want->scene->ripple.bump > 0;
 }
 
 /* -- light --------------------------------------------------------------------------- */

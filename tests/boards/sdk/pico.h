@@ -26,7 +26,11 @@ static inline int spi_write_blocking(spi_inst_t *spi, const uint8_t *bytes, size
 }
 
 static inline spi_hw_t *spi_get_hw(spi_inst_t *spi) { return &spi->hw; }
-static inline uint spi_get_dreq(spi_inst_t *spi, bool tx) { (void)spi; return tx ? 16 : 17; }
+static inline uint spi_get_dreq(spi_inst_t *spi, bool tx)
+{
+    (void)spi;
+    return tx ? 16 : 17;
+}
 static inline bool spi_is_busy(const spi_inst_t *spi) { (void)spi; return sdk_wire_busy(); }
 
 static inline dma_channel_config dma_channel_get_default_config(uint channel)
@@ -55,7 +59,11 @@ static inline void dma_channel_configure(uint channel, const dma_channel_config 
         sdk_dma((const uint8_t *)(uintptr_t)from, count);
 }
 
-static inline bool dma_channel_is_busy(uint channel) { (void)channel; return sdk_dma_busy(); }
+static inline bool dma_channel_is_busy(uint channel)
+{
+    (void)channel;
+    return sdk_dma_busy();
+}
 static inline void dma_channel_abort(uint channel) { (void)channel; }
 static inline absolute_time_t make_timeout_time_ms(uint32_t ms) { return sdk_ms + ms; }
 static inline bool time_reached(absolute_time_t t) { return sdk_ms >= t; }
