@@ -34,67 +34,37 @@ CORE_AT ?= $(BUILD)
 
 # -- the core, by rank -----------------------------------------------------------------
 
-CORE := $(addprefix src/, \
-    base/arena.c base/given.c base/status.c base/text.c base/version.c \
-    fx/fx.c fx/mat.c fx/sqrt.c fx/fx_text.c fx/trig.c fx/vec.c \
-    pixel/crc32.c pixel/format.c pixel/store.c \
-    asset/area.c asset/bind.c asset/cut.c asset/cut_grid.c asset/face.c \
-    asset/line.c asset/mtl.c asset/names.c asset/obj.c asset/obj_store.c asset/shape.c \
-    asset/texture.c asset/use.c asset/word.c \
-    wave/above.c wave/breaking.c wave/coast.c wave/criteria.c wave/water_depth.c \
-    wave/eikonal.c wave/exp.c wave/five.c wave/floor.c wave/gerstner.c \
-    wave/jacobian.c wave/noise.c wave/ocean.c wave/ocean_init.c wave/ocean_map.c \
-    wave/ocean_tables.c wave/orbit.c wave/ring.c wave/scaled.c wave/sharp.c \
-    wave/shoal.c wave/swell.c wave/wind.c \
-    pool/feed.c pool/flux.c pool/gears.c pool/splash.c pool/init.c pool/stats.c \
-    pool/pool_sample.c pool/slopes.c pool/tune.c pool/valid.c pool/walls.c \
-    geom/clip.c geom/grid.c geom/projection.c geom/level.c geom/grid_lines.c geom/lod.c \
-    geom/sheet.c geom/surface.c geom/vertex.c geom/vertex_more.c geom/vertex_row.c \
-    geom/waters.c raster/cover.c raster/scanlines.c raster/span.c \
-    shade/absorb.c shade/cube.c shade/dome.c shade/inside.c shade/inside_places.c \
-    shade/optics.c shade/plain.c shade/quick_ray.c shade/sky.c shade/tables.c \
-    shade/view.c scene/check.c scene/clock.c scene/drawn.c scene/wave_culling.c \
-    scene/governor.c scene/light.c scene/module.c scene/view_estimate.c scene/world_parts.c \
-    scene/pick.c scene/string_view.c scene/plan_checked.c scene/pools.c scene/prices.c \
-    scene/push.c scene/rungs.c scene/world_sample.c scene/sea.c scene/start_view.c scene/tape.c \
-    scene/value.c scene/fixed_cost.c scene/world.c scene/world_check.c \
-    frame/layout.c frame/clipped.c frame/drawing.c frame/flat.c frame/frame.c \
-    frame/holds.c frame/lattice.c frame/layer.c frame/scanline_grid.c frame/marks.c \
-    frame/overlay.c frame/planar_map.c frame/plan.c frame/planned.c frame/project.c \
-    frame/projected.c frame/scanline_water.c frame/samples.c frame/shaders.c frame/render_view.c \
-    frame/tile.c frame/visibility.c frame/grid_water.c \
-    engine/engine.c) \
-    $(sort $(wildcard src/features/*.c src/features/*/*.c))
+CORE := $(sort $(wildcard src/*/*.c src/features/*/*.c))
 
 # -- the tools, for machines with files and threads ------------------------------------
 
 # All files of these folders except the programs' main files; the tests' reference
 # renderer is included, for the preview's comparison.
-PORTS := $(filter-out %/main.c %/reference.c,$(wildcard $(addsuffix /*.c,\
-             ports/host ports/live ports/screen ports/linuxfb ports/null tests/reference)) \
-             $(addprefix ports/board/,answer.c buttons.c control.c control_set.c))
-MAIN  := ports/host/main.c
+PORTS := $(filter-out %/main.c %/baked_main.c %/reference/reference.c,$(wildcard $(addsuffix /*.c,\
+             ports/app/cli ports/app/files ports/app/scene ports/app/session ports/app/fullscreen ports/interact \
+             ports/linuxfb ports/null ports/serial ports/tools/*)))
+MAIN  := ports/app/cli/main.c
 # Screens on Linux, if the kernel's headers are installed.
-ifeq ($(shell $(CC) -E ports/kms/choose.h >/dev/null 2>&1 && echo yes),yes)
-PORTS += $(addprefix ports/kms/, buffer.c card.c choose.c heads.c kms.c)
+ifeq ($(shell $(CC) -E ports/kms/mode_select.h >/dev/null 2>&1 && echo yes),yes)
+PORTS += $(addprefix ports/kms/, buffer.c card.c connectors.c kms.c mode_select.c)
 KMS_CFLAGS := -DTP_HAVE_KMS
 endif
 ifneq ($(shell pkg-config --exists sdl2 2>/dev/null && echo yes),)
-PORTS += $(filter-out %/panel_none.c,$(wildcard ports/sdl2/*.c))
+PORTS += $(filter-out %/panel_none.c,$(wildcard ports/app/preview/*.c))
 # The panel is C++, with Dear ImGui; the compiler is of the same kind as $(CC).
 ifeq ($(origin CXX),default)
 CXX := $(if $(findstring clang,$(CC)),$(subst clang,clang++,$(CC)),$(if \
            $(findstring gcc,$(CC)),$(subst gcc,g++,$(CC)),g++))
 endif
 ifneq ($(shell pkg-config --exists imgui 2>/dev/null && $(CXX) --version 2>/dev/null),)
-PORTS += ports/sdl2/panel.cpp
+PORTS += ports/app/preview/panel.cpp
 CXX_FLAGS = -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -fno-rtti \
             -fno-exceptions -MMD -MP -fmacro-prefix-map=$(CURDIR)/= $(OPT) $(ARCH) \
             -Iports $(patsubst -I%,-isystem %,$(shell pkg-config --cflags imgui)) \
             $(SDL_CFLAGS) $(CPPFLAGS) $(CXXFLAGS)
 PANEL_LIBS := $(shell pkg-config --libs imgui) -Wl,--as-needed -lstdc++ -Wl,--no-as-needed
 else
-PORTS += ports/sdl2/panel_none.c
+PORTS += ports/app/preview/panel_none.c
 endif
 PANEL_DEMO = $(BUILD)/tests/host/panel_demo
 SDL_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags sdl2)) -DTP_HAVE_SDL2
@@ -123,7 +93,7 @@ SAY     = $(if $(V),,@echo '  $@';)
 # tp_program_v3, whose other names are hidden. The tuning makes compilers use gathers.
 # V3_C= turns the second copy off.
 ifeq ($(firstword $(subst -, ,$(shell $(CC) -dumpmachine 2>/dev/null))),x86_64)
-V3_C   := $(filter src/pixel/% src/geom/% src/raster/% src/shade/% src/frame/% \
+V3_C   := $(filter src/pixel/% src/view/% src/raster/% src/shade/% src/frame/% \
               src/features/all.c %_drawing.c %_stage.c,$(CORE))
 V3_OPT := -O3 -march=x86-64-v3 -mtune=skylake
 # Files with the same source for both copies: files without loops for vector units.
@@ -133,7 +103,7 @@ endif
 HOSTED += $(if $(V3_C),-DTP_HAVE_PROGRAM_V3)
 endif
 
-# Asserts (src/base/assert.h) are off in a release and on with CHECKED=1. Unit tests link
+# Asserts (src/base/base.h) are off in a release and on with CHECKED=1. Unit tests link
 # a library with asserts.
 LIB     := $(CORE_AT)/libtidepool.a
 HOST_LIB := $(BUILD)/libtidepool-host.a
@@ -146,7 +116,7 @@ UNIT    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/host/t
                tests/stability/test_*.c tests/accuracy/test_*.c))
 FUZZ    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
 GOLDEN  := $(BUILD)/tests/golden/test_frames $(BUILD)/tests/golden/test_harness
-LISTS   := $(BUILD)/tests/unit/test_scene_params_list $(BUILD)/tests/unit/test_scene_works
+LISTS   := $(BUILD)/tests/unit/test_world_params_list $(BUILD)/tests/unit/test_quality_fixed_cost
 CMOCKA  := -lcmocka
 # Tests left out because a library is missing: LEFT_OUT lists them as TEST=PACKAGE, and
 # tests/gates/left-out.sh reports them.
@@ -159,10 +129,10 @@ CMOCKA  :=
 $(call without,libcmocka-dev,%)
 endif
 ifndef KMS_CFLAGS
-$(call without,libdrm-dev,%/test_kms %/test_kms_choose)
+$(call without,libdrm-dev,%/test_kms %/test_kms_mode_select)
 endif
 ifndef SDL_CFLAGS
-$(call without,libsdl2-dev,$(addprefix %/test_,keymap letters overlay pad window \
+$(call without,libsdl2-dev,$(addprefix %/test_,keymap font overlay gamepad window \
     panel_keys panel_rows))
 FUZZ    := $(filter-out %/fuzz_keys,$(FUZZ))
 endif
@@ -177,8 +147,8 @@ DRAWN   := $(patsubst tests/golden/scenes/%.ini,%,$(wildcard tests/golden/scenes
 # Scenes that each processor must draw with equal frames; together they cover all models.
 CROSS   := three-swells raindrops tank pond shore-break deep-sea storm count-64 $(DRAWN)
 FRAMES  := $(CROSS:%=$(BUILD)/tests/cross/frames-%)
-BAKES   := $(wildcard ports/host/bake*.c ports/host/assets*.c ports/host/png_read.c \
-               ports/host/scene*.c ports/host/ini_read.c src/asset/*.c \
+BAKES   := $(wildcard ports/host/bake*.c ports/host/assets*.c ports/app/files/png_read.c \
+               ports/host/scene*.c ports/app/files/ini_read.c src/mesh/*.c \
                src/features/all_rows.c include/tidepool/*.h)
 SHIPPED := $(wildcard assets/scenes/*.ini $(addprefix assets/boats/*.,mtl obj png) \
                assets/textures/*.png assets/skies/*.png)
@@ -513,9 +483,9 @@ $(SCENES:%=$(BUILD)/tests/cross/film-%): \
 	$(SAY)$(LINK) $^ -o $@
 # The program for raw screens: one static file for a small Linux board.
 SCREEN_O := $(patsubst %.c,$(BUILD)/%.o,$(filter ports/linuxfb/% ports/kms/% \
-               ports/screen/%,$(PORTS)) ports/screen/main.c $(addprefix ports/host/, \
+               ports/screen/%,$(PORTS)) ports/app/fullscreen/baked_main.c $(addprefix ports/host/, \
                atomic_file.c hashes.c picture.c say.c streams.c timing.c) \
-               ports/live/wish.c)
+               ports/interact/input_merge.c)
 $(SCENES:%=$(BUILD)/scenes/%-screen): $(BUILD)/scenes/%-screen: $(SCREEN_O) \
           build/baked/$(MACHINE)/%.o $(LIB)
 	@mkdir -p $(@D)

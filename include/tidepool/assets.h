@@ -40,7 +40,7 @@ tp_status tp_texture_init(tp_texture *texture, const uint32_t *pixels, uint32_t 
 /* -- meshes -------------------------------------------------------------------- */
 
 /* A unit vector in one word: x, y, z as signed 10-bit numbers (x lowest), 511 is 1.0; the
- * upper two bits are free.  "asset/mesh.h" packs and unpacks it. */
+ * upper two bits are free.  "mesh/mesh.h" packs and unpacks it. */
 typedef uint32_t tp_packed_dir;
 
 typedef struct {

@@ -73,7 +73,7 @@ typedef void (*tp_store)(void *row, int x_in_row, int x, int y, const uint32_t *
 TP_FORMAT_LIST(X)
 #undef X
 
-/* -- wave models: the water's surface; src/geom/waters.h ---------------------------- */
+/* -- wave models: the water's surface; src/view/wave_models.h ---------------------------- */
 
 #define TP_WATER_LIST(X) \
     X(swells)       /* sums of waves; without them the water is level */ \
@@ -99,7 +99,7 @@ typedef struct {
  * made anew. */
 extern const struct tp_water_swells tp_water_few_swells;
 
-/* -- water renderers and the quality plan; src/frame/buffers.h ------------------------ */
+/* -- water renderers and the quality plan; src/frame/frame.h ------------------------ */
 
 #define TP_DRAW_LIST(X) X(rungs) /* the quality plan */
 
@@ -143,7 +143,7 @@ typedef struct {
 
 #define TP_DRAW(name) .name = &tp_draw_##name
 
-/* -- modules; src/scene/module.h, src/frame/drawing.h ------------------------------- */
+/* -- modules; src/world/module.h, src/frame/drawing.h ------------------------------- */
 
 /* Modules that a program brings itself, see ports/README.md.  They come first, which lets
  * mirrors include them. */
@@ -170,7 +170,7 @@ typedef struct {
     P(boat)         /* its mesh; at equal depth the module listed first is visible */ \
     P(land)         /* a floor that rises out of the water */ \
     P(drops)        /* falling drops, the sphere that they fall from, and rings */ \
-    N(coastal)      /* waves over a floor or in a wind; needs water.ocean, .swells */ \
+    N(coastal)      /* waves over a floor or in a wind; needs water.coastal, .swells */ \
     N(hull)         /* how a boat sails and floats; follows the rings of drops */ \
     N(wake)         /* wake of a boat in a pool */ \
     N(pokes)        /* splashes in pools, random and by input */ \

@@ -9,10 +9,10 @@
 #include "base/arena.h"
 #include "board.h"
 #include "frame/tools.h"
-#include "marks.h"
+#include "frame_crc.h"
 #include "pixel/pixel.h"
 #include "semihost.h"
-#include "sum.h"
+#include "trace_marks.h"
 
 #ifndef BOARD_FIRST
 #define BOARD_FIRST 60          /* after 1 s: drops have fallen and foam exists */

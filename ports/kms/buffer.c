@@ -2,11 +2,11 @@
 /* Creates a dumb buffer, registers it as a framebuffer for CRTCs, and maps it. */
 #define _POSIX_C_SOURCE 200809L
 #define _FILE_OFFSET_BITS 64            /* map offsets exceed 4 GB */
+#include "buffer.h"
 #include <errno.h>
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
-#include "buffer.h"
 
 #define SIDE 4096                       /* largest side of a picture, px */
 

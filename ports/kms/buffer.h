@@ -4,8 +4,8 @@
 #define KMS_BUFFER_H
 #include <stdbool.h>
 #include <stdint.h>
-#include "../host/picture.h"
-#include "choose.h"
+#include "app/files/picture.h"
+#include "mode_select.h"
 
 typedef struct {
     uint32_t handle, fb, pitch;         /* 0: none */

@@ -2,13 +2,13 @@
 /* Opening a card, becoming DRM master, choosing and setting a mode; on failure each
  * earlier step is undone. */
 #define _POSIX_C_SOURCE 200809L
+#include "card.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/epoll.h>
 #include <unistd.h>
-#include "card.h"
 
 #define SIDE  4096              /* largest side of a picture, px */
 #define CARDS 16

@@ -3,7 +3,7 @@
 #ifndef KMS_CARD_H
 #define KMS_CARD_H
 #include "buffer.h"
-#include "heads.h"
+#include "connectors.h"
 
 typedef struct {
     const char *device;

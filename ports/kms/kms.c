@@ -12,6 +12,7 @@
  * drivers with a buffer of their own, to be copied to the screen. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
+#include <linux/netlink.h>
 #include <poll.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,9 +21,8 @@
 #include <sys/timerfd.h>
 #include <time.h>
 #include <unistd.h>
-#include <linux/netlink.h>
-#include "../host/say.h"
-#include "../screen/screen.h"
+#include "app/files/log.h"
+#include "app/fullscreen/screen.h"
 #include "card.h"
 
 #define LOST_MS 250             /* a flip pending for longer is given up */

@@ -2,13 +2,13 @@
 /* A scene for library callers: loading, values, steps.  Camera modes are in host_look.c,
  * pictures in host_picture.c. */
 #include "host.h"
-#include "frame/tools.h"
-#include "scene/value.h"
-#include "scene/world.h"
 #include <stdlib.h>
 #include <string.h>
-#include "../host/path.h"
-#include "../host/say.h"
+#include "app/files/log.h"
+#include "app/files/path.h"
+#include "frame/tools.h"
+#include "world/value.h"
+#include "world/world.h"
 
 void host_call_begin(host_call *call, tp_host_error *err)
 {

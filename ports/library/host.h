@@ -2,9 +2,9 @@
 /* The inside of a tp_host; tidepool/host.h is the public header. */
 #ifndef LIBRARY_HOST_H
 #define LIBRARY_HOST_H
-#include "../host/stage.h"
-#include "../live/look.h"
-#include "../live/poke.h"
+#include "app/scene/loaded_scene.h"
+#include "interact/camera_mode.h"
+#include "interact/poke.h"
 #include "tidepool/host.h"
 
 struct tp_host {

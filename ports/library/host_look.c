@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Camera modes: the modes of ports/live, and the camera.follow each mode needs. */
+/* Camera modes: the modes of ports/interact, and the camera.follow each mode needs. */
 #include <string.h>
-#include "../host/say.h"
+#include "app/files/log.h"
 #include "host.h"
-#include "scene/value.h"
-#include "scene/world.h"
+#include "world/value.h"
+#include "world/world.h"
 
 _Static_assert((int)TP_HOST_FREE == CAMERA_FREE && (int)TP_HOST_ORBIT == CAMERA_ORBIT
                    && (int)TP_HOST_TOP == CAMERA_TOP && (int)TP_HOST_BOAT == CAMERA_BOAT

@@ -10,7 +10,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "../host/say.h"
+#include "app/files/log.h"
 #include "host.h"
 
 #define TRIES 1000 /* names tried until one is free */

@@ -17,9 +17,9 @@
 #include <sys/ioctl.h>
 #include <sys/mman.h>
 #include <unistd.h>
-#include "../host/say.h"
-#include "../screen/layout.h"
-#include "../screen/screen.h"
+#include "app/files/log.h"
+#include "app/fullscreen/pixel_layout.h"
+#include "app/fullscreen/screen.h"
 #include "pixel/pixel.h"
 
 typedef struct { uint16_t red[256], green[256], blue[256]; } colours;

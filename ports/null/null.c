@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "pixel/pixel.h"
-#include "scene/value.h"
-#include "scene/world.h"
 #include "tidepool/tidepool.h"
+#include "world/value.h"
+#include "world/world.h"
 
 enum { WIDTH = 160, HEIGHT = 120, BAND = 16, FRAMES = 4 };
 enum { DONE = 0, FAILED = 3 };          /* exit codes, as of the host program */

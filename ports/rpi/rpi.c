@@ -12,7 +12,7 @@
  *     depth 16 or 32 (32), width, height (640x480), first tick (0),
  *     frames, after which the picture stays (0: continues in real time)
  *
- * Commands of board/control.h set the scene's numbers; while the water is paused, each
+ * Commands of serial/control.h set the scene's numbers; while the water is paused, each
  * frame that they cause is reported.  The program links every module: size and depth of
  * the screen are known at run time, commands may switch on features that the scene lacks,
  * and memory is ample.
@@ -21,8 +21,8 @@
  * board.ld, on the card beside the firmware's files.  Tested in QEMU only. */
 #include "rpi.h"
 #include "base/arena.h"
-#include "board/control.h"
 #include "pixel/pixel.h"
+#include "serial/control.h"
 #include "tidepool/modules.h"
 
 extern const tp_scene  baked_scene;

@@ -8,8 +8,8 @@
  *
  * An MTL is looked up beside its OBJ, a picture beside its MTL, as on the host.  An OBJ
  * is wanted twice, because its reader needs two passes. */
-#include "asset/reader.h"
-#include "base/fail.h"
+#include "base/error.h"
+#include "mesh/mesh.h"
 #include "web.h"
 
 #define FILES 128

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Scenes and their values, by index in the table of parameters. */
-#include "base/fail.h"
-#include "scene/value.h"
+#include "base/error.h"
+#include "interact/setting.h"
 #include "web.h"
-#include "live/setting.h"
+#include "world/value.h"
 
 char web_text[WEB_TEXT_BYTES];
 tp_scene web_scene, web_filed;

@@ -9,15 +9,15 @@
  * Frame numbers are counted as in `tidepool render`: crc() equals the number of its
  * --hash. */
 #include "web.h"
-#include "base/fail.h"
+#include "base/error.h"
 #include "features/drops/drops.h"
 #include "frame/tools.h"
-#include "live/look.h"
-#include "live/poke.h"
-#include "live/setting.h"
+#include "interact/camera_mode.h"
+#include "interact/poke.h"
+#include "interact/setting.h"
 #include "pixel/pixel.h"
-#include "scene/pools.h"
-#include "scene/world.h"
+#include "world/pools.h"
+#include "world/world.h"
 
 #define BAND_ROWS 128           /* as in the host's canvas */
 

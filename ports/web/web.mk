@@ -12,11 +12,11 @@ WASM     := build/wasm
 CLANG    ?= clang
 WASM_LD  ?= wasm-ld
 WEB_O    := $(patsubst %.c,$(WASM)/%.o,$(CORE) \
-                $(wildcard ports/web/*.c ports/live/*.c)) $(WASM)/scenes.o
+                $(wildcard ports/web/*.c ports/interact/*.c)) $(WASM)/scenes.o
 WEB_PAGE := $(patsubst ports/web/%,$(WEB)/%,$(wildcard ports/web/*.html ports/web/*.css) \
                 $(filter-out %/serve.js,$(wildcard ports/web/*.js)))
 WEB_FAST := $(patsubst %.c,$(WASM)/%.o,$(filter src/shade/% %_stage.c src/raster/% src/pixel/% \
-                src/geom/% src/fx/sqrt.c $(addprefix src/pool/,flux.c gears.c sample.c \
+                src/view/% src/fixed/roots.c $(addprefix src/pool/,flux.c gears.c sample.c \
                 slopes.c) $(addprefix src/frame/,rows.c tile.c water.c) \
                 %/boat_drawing.c %/caustics_drawing.c,$(CORE)))
 WEB_FLAGS := --target=wasm32 -std=c11 $(WARN) -MMD -MP -fmacro-prefix-map=$(CURDIR)/= \

@@ -3,10 +3,9 @@
  * block. tp_world_init and tp_frame_init make them separately. */
 #include <stdbool.h>
 #include "base/base.h"
-#include "base/fail.h"
-#include "base/given.h"
-#include "scene/world_parts.h"
+#include "base/error.h"
 #include "tidepool/tidepool.h"
+#include "world/module.h"
 
 /* The engine's state at the start of the block; world, frame and scratch follow. */
 struct tp_engine {

@@ -1,30 +1,24 @@
 /* SPDX-License-Identifier: MIT */
 /* The table of parameters.  Every number open to the user has exactly one row here.
  *
- * A row stores the offset of its value in tp_scene; two functions in scene/value.c read
+ * A row stores the offset of its value in tp_scene; two functions in world/value.c read
  * and write all values.  Rows stand in reading order.  Each feature keeps its rows in its
  * own folder; this file includes the folders' headers and adds the rows of camera, light,
  * grid, floor, wind, surf, clock and quality.  The macro WAVE is expanded once for each
  * of the sixteen waves. */
-#include "features/boat/boat_rows.h"
-#include "features/drops/drops_rows.h"
-#include "features/exposure/exposure_rows.h"
-#include "features/foam/foam_rows.h"
-#include "features/haze/haze_rows.h"
-#include "features/land/land_rows.h"
-#include "features/pool/pool_rows.h"
-#include "features/reflection/reflection_rows.h"
-#include "features/sky/sky_rows.h"
-#include "features/spray/spray_rows.h"
-#include "features/tank/tank_rows.h"
-#include "features/underwater/caustics_rows.h"
-#include "features/underwater/underwater_rows.h"
-#include "features/water/bumps_rows.h"
-#include "features/water/layers_rows.h"
-#include "features/water/ripple_rows.h"
-#include "features/water/water_rows.h"
-#include "scene/string_view.h"
-#include "scene/value.h"
+#include "features/boat/boat.h"
+#include "features/drops/drops.h"
+#include "features/exposure/exposure.h"
+#include "features/foam/foam.h"
+#include "features/land/land.h"
+#include "features/pool/pool_module.h"
+#include "features/reflection/reflection.h"
+#include "features/sky/sky.h"
+#include "features/spray/spray.h"
+#include "features/tank/tank.h"
+#include "features/underwater/underwater.h"
+#include "features/water/water.h"
+#include "world/value.h"
 #ifndef TP_MORE_ROWS            /* rows of a program's own modules */
 #define TP_MORE_ROWS
 #endif

@@ -1,14 +1,138 @@
 /* SPDX-License-Identifier: MIT */
-/* The drawing half of a module: memory, per-picture numbers, shader stages. scene/module.h
- * has the simulation half and decides if the feature is on. */
+/*
+ * The drawing half of a module: memory, per-picture numbers, shader stages. world/module.h
+ * has the simulation half and decides if the feature is on.
+ *
+ * Each module has one shader list and one or more stencil values: the low bits of a
+ * sample's key identify the module of the sample.
+ */
 #ifndef TP_FRAME_DRAWING_H
 #define TP_FRAME_DRAWING_H
 #include "base/arena.h"
-#include "frame/marks.h"
 #include "frame/render_view.h"
 #include "raster/raster.h"
-#include "scene/module.h"
+#include "shade/shade.h"
 #include "tidepool/modules.h"
+#include "world/module.h"
+
+/* -- shader lists -------------------------------------------------------------------- */
+
+/*
+ * The span stages of a kind of sample, ordered by place.  A stage of a module finds the
+ * module's data in tp_run.mine.
+ */
+
+#define TP_SHADERS_WATER 20     /* capacity of the water's list, end included */
+#define TP_SHADERS_OTHER 6      /* capacity of any other list */
+
+/* Place of a stage in a list.  Stages of the same place run in the order of addition. */
+typedef enum {
+    TP_AT_PLACE,                /* a distortion moves texture coordinates */
+    TP_AT_COLOUR,               /* textures; fast stages do all their work here */
+    TP_AT_SLOPE,                /* ripples and pools change the normals */
+    TP_AT_VIEW,
+    TP_AT_LIGHT,
+    TP_AT_REFRACT,               /* colours seen through the water */
+    TP_AT_REFLECT,              /* the sky's reflection */
+    TP_AT_OBJECTS,              /* reflections of objects, over the sky's */
+    TP_AT_FRESNEL,              /* Fresnel share of the reflection */
+    TP_AT_MATT,                 /* matt foam on the water */
+    TP_AT_GLINT,
+    TP_AT_AIR,                  /* haze */
+    TP_AT_TONE,                 /* tone mapping */
+    TP_AT_GLASS                 /* panes, over tone-mapped colours */
+} tp_shader_order;
+
+typedef struct {
+    tp_stage    stage;          /* NULL: end of the list */
+    const void *mine;           /* data of its module, or NULL */
+} tp_shader;
+
+/* The kind of samples in a list. */
+typedef enum {
+    TP_LIST_SKY,
+    TP_LIST_WATER,
+    TP_LIST_FAST,               /* water, by fast stages alone */
+    TP_LIST_UNDERSIDE,              /* water seen from below */
+    TP_LIST_THINGS              /* land, a boat, drops ... */
+} tp_list_kind;
+
+typedef struct {
+    tp_shader *shader;
+    uint8_t   *order;           /* place of each stage */
+    const struct tp_drawing *owner;     /* the module of these samples, or NULL */
+    uint8_t    kind;            /* tp_list_kind */
+    uint8_t    first;           /* first stencil value of the samples */
+    uint8_t    count, room;
+    bool       rippled;         /* true: a stage changes the slopes */
+    bool       shines;          /* true: a stage leaves a glint */
+    uint8_t    lacks;           /* stages wanted by the scene, missing in the program */
+    uint8_t    lacking;         /* 1 + the index, in the program's list, of the first
+                                 * module that lacks a stage; 0: no module lacks one */
+} tp_shaders;
+
+void tp_shaders_clear(tp_shaders *list);
+
+/* Adds a stage after those of the same place.  NULL is not added but counted as lacking. */
+void tp_shaders_add(tp_shaders *list, tp_shader_order place, tp_stage stage,
+                    const void *mine);
+
+/* Adds a stage at TP_AT_COLOUR without a module. */
+static inline void tp_shaders_add_colour(tp_shaders *list, tp_stage stage)
+{
+    tp_shaders_add(list, TP_AT_COLOUR, stage, NULL);
+}
+
+/* Returns the wanted stage.  If the program lacks it, counts the lack and returns the
+ * plainer stage. */
+tp_stage tp_shaders_pick(tp_shaders *list, tp_stage wanted, tp_stage plainer);
+
+/* True for water drawn by exact stages, seen from above or below. */
+static inline bool tp_shaders_is_exact_water(const tp_shaders *list)
+{
+    return list->kind == TP_LIST_WATER || list->kind == TP_LIST_UNDERSIDE;
+}
+
+/* True if the list has a stage of the place. */
+bool tp_shaders_has(const tp_shaders *list, tp_shader_order place);
+
+/* -- stencil values ------------------------------------------------------------------ */
+
+/*
+ * Sky and water have fixed values.  The others are dealt to the modules enabled when a
+ * frame is laid out, in the order of the program's list.
+ */
+
+#define TP_MARKS (1u << TP_MARK_BITS)
+
+typedef struct {
+    tp_shaders *list;           /* lists of sky, water, then the modules */
+    uint8_t    *list_of;        /* list index of each stencil value */
+    uint16_t    count;          /* number of values dealt */
+    uint8_t     lists;          /* number of lists */
+} tp_marks;
+
+/* Deals the fixed values of sky and water. */
+void tp_marks_init(tp_marks *marks);
+
+/* Deals `wanted` values and one list, and returns the first value; 0: none is wanted, or
+ * too few are left. */
+uint32_t tp_marks_reserve_values(tp_marks *marks, uint32_t wanted);
+
+/* Allocates the memory of the lists; all values are dealt. */
+void tp_marks_layout(tp_marks *marks, tp_arena *arena);
+
+/* Assigns list i, and the values from `first` on, to their owner. */
+void tp_marks_assign_list(tp_marks *marks, uint32_t i, uint32_t first,
+                          const struct tp_drawing *owner);
+
+static inline tp_shaders *tp_marks_list(const tp_marks *marks, uint32_t mark)
+{
+    TP_ASSERT(mark < marks->count);
+    return &marks->list[marks->list_of[mark]];
+}
+
+/* -- callbacks of a module ----------------------------------------------------------- */
 
 struct tp_frame;
 struct tp_frame_buffers;
@@ -99,4 +223,5 @@ const tp_stage *tp_frame_stages(const struct tp_frame *frame, uint32_t id);
 
 /* Returns 1, the number of stencil values of most modules. */
 uint32_t tp_marks_one(const tp_want *want);
+
 #endif

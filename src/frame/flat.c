@@ -8,7 +8,7 @@
  * Valid for any camera above the highest crest at any pitch and roll, and for water of any
  * outline.  Not valid if the surface shows more than waves: rings and pools as heights, a
  * coastal floor or wind tables, a tank. */
-#include "frame/buffers.h"
+#include "frame/frame.h"
 
 enum { CELL = TP_LATTICE_CELL, BLOCK = 16 };
 

@@ -1,17 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* Internals of a frame: all data read while drawing a tile. */
-#ifndef TP_FRAME_INSIDE_H
-#define TP_FRAME_INSIDE_H
+/*
+ * Internals of a frame: all data read while drawing a tile.
+ */
+#ifndef TP_FRAME_FRAME_H
+#define TP_FRAME_FRAME_H
 #include "frame/drawing.h"
 #include "frame/render_view.h"
 #include "frame/tools.h"
-#include "geom/level.h"
-#include "pixel/toned.h"
-#include "raster/rows.h"
-#include "scene/drawn.h"
-#include "scene/plan.h"
-#include "scene/sides.h"
-#include "wave/wave.h"
+#include "pixel/rgb565.h"
+#include "quality/plan.h"
+#include "quality/prices.h"
+#include "raster/scanlines.h"
+#include "view/level_plane.h"
+#include "waves/deep_water.h"
+#include "world/pools.h"
+#include "world/world.h"
 
 /* Data of the screen grid: lines of points parallel to the horizon, see projected.c. */
 typedef struct {
@@ -138,10 +141,6 @@ void tp_frame_draw_cells(const tp_frame *frame, const tp_gbuffer *tile,
                          tp_grid_window *window, uint32_t j, uint32_t first, uint32_t end);
 tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint32_t end);
 
-/* tile.c: draws row y of a tile with the application's own spans in it. */
-void tp_frame_overlay_row(const tp_frame *frame, const void *samples, int32_t y,
-                          void *row);
-
 /* holds.c: true if scanline water draws this frame as triangles would. */
 bool tp_frame_can_draw_rows(tp_frame *frame);
 
@@ -176,5 +175,40 @@ int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_g
 /* frame.c: the surface including pools of pool_bump; light falls through all pools. */
 tp_surface tp_frame_surface_with_pools(const tp_frame *frame);
 
-#include "frame/buffers.h"
+/* -- water renderers and the quality plan -------------------------------------------- */
+
+/*
+ * Interfaces between the frame and the water renderers and the quality plan, as a program
+ * links them.  A program's pointer to a renderer or to the plan is NULL if the program
+ * lacks it.
+ */
+
+/* A water renderer, see visibility.c.  `memory` is scratch, free until pixels are
+ * stored: tp_renderer_column_bytes() for each column of the tile, then a window if
+ * grid vertices are streamed. */
+struct tp_water_renderer {
+    void (*layout)(tp_frame_buffers *parts, tp_arena *arena, const tp_program *program,
+                   const tp_scene *scene, const tp_config *config);
+    bool (*holds)(tp_frame *frame);     /* true if it can draw this frame; NULL: always */
+    void (*place)(tp_frame *frame);
+    void (*draw)(const tp_frame *frame, tp_gbuffer *tile, void *memory);
+    bool streams;                       /* triangles: grid vertices are not stored */
+};
+
+#define TP_RENDERER_BYTES sizeof(tp_row_column)
+
+/* Scratch bytes per column; 0 if no renderer of the program works by columns. */
+static inline size_t tp_renderer_column_bytes(const tp_program *program)
+{
+    return program->method.rows || program->method.projected ? TP_RENDERER_BYTES : 0;
+}
+
+/* The quality plan, see planned.c. */
+struct tp_draw_rungs {
+    void (*layout)(tp_frame_buffers *parts, tp_arena *arena, const tp_plan_input *in);
+    tp_ladder (*ladder)(const tp_plan_input *in);
+    tp_rungs (*rungs)(const tp_plan_input *in);
+    void (*thin)(tp_frame *frame);
+};
+
 #endif

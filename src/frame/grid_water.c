@@ -2,7 +2,7 @@
 /* The water's cells as triangles. */
 #include "frame/frame.h"
 #include "frame/tools.h"
-#include "geom/waters.h"
+#include "view/wave_models.h"
 
 static tp_screen_vertex make_corner(const tp_grid *grid, const tp_grid_window *window,
                                     uint32_t i, uint32_t j)

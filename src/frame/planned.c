@@ -3,8 +3,8 @@
  * be seen.  A program without the plan uses the rungs named by the scene, and the exact
  * rung of each kind left open. */
 #include "frame/frame.h"
-#include "scene/wave_culling.h"
-#include "scene/prices.h"
+#include "quality/prices.h"
+#include "quality/wave_culling.h"
 
 static tp_rungs choose_rungs_by_cost(const tp_plan_input *in)
 {

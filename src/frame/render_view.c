@@ -1,6 +1,49 @@
 /* SPDX-License-Identifier: MIT */
-/* Functions shared by all render views. */
+/*
+ * Functions shared by all render views: triangles clipped by the near plane, the frustum
+ * or a level; the view's shading numbers; planar maps.  Conversion between world positions
+ * and positions in the picture's own view.
+ */
 #include "frame/frame.h"
+#include "frame/render_view.h"
+
+/* -- clipped triangles, shared by all solids ----------------------------------------- */
+
+tp_view_vertex tp_solid_vertex_make(const tp_projection *projection, tp_vec3 at,
+                                    const int16_t n[3])
+{
+    tp_view_vertex c;
+
+    tp_projection_view_vertex(projection, at, &c);
+    c.s = c.t = 0;
+    for (int k = 0; k < 3; k++)
+        c.n[k] = n[k];
+    return c;
+}
+
+int tp_clipped_corners(const tp_projection *projection, const tp_view_plane *level,
+                       const tp_view_vertex in[3], tp_screen_vertex to[TP_CLIP_VERTICES])
+{
+    tp_view_vertex out[TP_CLIP_VERTICES];
+    int count = tp_clip_triangle_plane(projection, level, in, out);
+
+    for (int k = 0; k < count; k++)
+        tp_view_vertex_project(projection, &out[k], &to[k]);
+    return count;
+}
+
+void tp_clipped_draw(const tp_projection *projection, const tp_view_plane *level,
+                     const tp_gbuffer *tile, const tp_view_vertex in[3], uint32_t mark,
+                     uint32_t t)
+{
+    tp_screen_vertex corner[TP_CLIP_VERTICES];
+    int count = tp_clipped_corners(projection, level, in, corner);
+
+    for (int k = 2; k < count; k++)
+        tp_tri_solid(tile, &corner[0], &corner[k - 1], &corner[k], mark, t, 16);
+}
+
+/* -- views --------------------------------------------------------------------------- */
 
 tp_fx tp_view_anchor_level(const tp_frame *frame)
 {
@@ -48,4 +91,103 @@ tp_grid_box tp_view_project_solids(tp_frame *frame, tp_view *view)
 void tp_view_draw_solids(const tp_frame *frame, const tp_view *view, tp_gbuffer *tile)
 {
     tp_frame_draw_modules(frame, view, tile);
+}
+
+/* -- planar maps --------------------------------------------------------------------- */
+
+void tp_planar_layout(tp_planar_memory *store, tp_arena *arena, const tp_want *want,
+                      uint32_t halvings)
+{
+    TP_ASSERT(want->width >= 16 && want->height >= 16);
+    store->halvings = halvings;
+    store->cols = (want->width + (1u << halvings) - 1) >> halvings;
+    store->rows = (want->height + (1u << halvings) - 1) >> halvings;
+    store->colour = tp_arena_alloc(arena, (size_t)store->cols * store->rows,
+                                  sizeof *store->colour);
+    store->samples = tp_arena_alloc(arena, (size_t)store->cols * TP_PLANAR_BAND,
+                                    4 * sizeof *store->samples);
+}
+
+bool tp_planar_set_bounds(const tp_planar_memory *store, const tp_grid_box *box,
+                          tp_planar_map *map)
+{
+    TP_ASSERT(store->colour != NULL);
+    int32_t cols = (int32_t)store->cols, rows = (int32_t)store->rows;
+
+    *map = (tp_planar_map){
+        store->colour, tp_clamp(box->x0, 0, cols), tp_clamp(box->y0, 0, rows),
+        tp_clamp(box->x1 + 1, 0, cols), tp_clamp(box->y1 + 1, 0, rows),
+        (int32_t)store->halvings - 1,
+    };
+    if (map->x0 < map->x1 && map->y0 < map->y1)
+        return true;
+    map->colour = NULL;
+    return false;
+}
+
+tp_gbuffer tp_planar_gbuffer(const tp_planar_memory *store, const tp_planar_map *map,
+                             int32_t y0)
+{
+    size_t plane = (size_t)store->cols * TP_PLANAR_BAND;
+    int32_t y1 = y0 + TP_PLANAR_BAND < map->y1 ? y0 + TP_PLANAR_BAND : map->y1;
+
+    return (tp_gbuffer){ map->x0, y0, map->x1, y1, store->cols, store->samples,
+                         store->samples + plane, store->samples + 2 * plane,
+                         store->samples + 3 * plane, false };
+}
+
+/* -- world and picture positions ----------------------------------------------------- */
+
+/* Component of a position relative to the eye along an axis of the view, m, Q30.
+ * Differences below 2^32 times 2^30 fit 64 bits; three of them fit once 16 bits are cut. */
+static int64_t view_axis_component(const tp_projection *projection, tp_vec3 place,
+                                   tp_dir3 axis)
+{
+    const int64_t x = (int64_t)place.x - projection->eye.x;
+    const int64_t y = (int64_t)place.y - projection->eye.y;
+    const int64_t z = (int64_t)place.z - projection->eye.z;
+
+    return (x * axis.x >> 16) + (y * axis.y >> 16) + (z * axis.z >> 16);
+}
+
+/* Returns focal x way / depth, px, 16.16, saturated.  Both lengths are halved until depth
+ * fits 31 bits; if the product would still not fit, the point lies far outside. */
+static tp_fx project_pixels(const tp_projection *projection, int64_t way, int64_t depth)
+{
+    int64_t most;
+
+    for (; depth >> 31 > 0; depth >>= 1)
+        way /= 2;
+    most = INT64_MAX / 2 / projection->focal;
+    if (way > most || way < -most)
+        return way > 0 ? TP_FX_MAX : TP_FX_MIN;
+    return tp_fx_saturate(tp_div_rounded(way * projection->focal, depth));
+}
+
+bool tp_frame_project(const tp_frame *frame, tp_vec3 place, tp_fx *x_px, tp_fx *y_px,
+                      tp_fx *depth)
+{
+    TP_ASSERT(frame != NULL && frame->world != NULL);
+    const tp_projection *projection = &frame->projection;
+    const int64_t far = view_axis_component(projection, place, projection->ahead);
+
+    if (far >> 14 < projection->near)
+        return false;
+    *x_px = tp_fx_saturate(
+        (int64_t)frame->config.width * (TP_FX_ONE / 2)
+        + project_pixels(
+            projection, view_axis_component(projection, place, projection->turn.x), far));
+    *y_px = tp_fx_saturate(
+        (int64_t)frame->config.height * (TP_FX_ONE / 2)
+        - project_pixels(
+            projection, view_axis_component(projection, place, projection->turn.y), far));
+    *depth = tp_fx_saturate((far + (1 << 13)) >> 14);
+    return true;
+}
+
+bool tp_frame_pick(const tp_frame *frame, tp_fx x_px, tp_fx y_px, tp_vec3 *at)
+{
+    TP_ASSERT(frame != NULL && frame->world != NULL);
+    return tp_world_pick(frame->program, frame->world, frame->scene, frame->config.width,
+                         frame->config.height, x_px, y_px, at);
 }

@@ -1,17 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* Render views: cameras that solids are drawn for.  The picture is one view.  Mirrors,
+/*
+ * Render views: cameras that solids are drawn for.  The picture is one view.  Mirrors,
  * refraction maps and the faces of a cube map are other views, drawn before the picture;
  * all views share the memory of projected vertices.
  *
  *     tp_view_begin(frame, &view)       sets up shading for the view
  *     tp_view_project_solids(frame, &view)       projects all solids
- *     tp_view_draw_solids(frame, &view, tile)  draws one tile, any number of times */
+ *     tp_view_draw_solids(frame, &view, tile)  draws one tile, any number of times
+ */
 #ifndef TP_FRAME_RENDER_VIEW_H
 #define TP_FRAME_RENDER_VIEW_H
-#include "geom/grid.h"
+#include "base/arena.h"
 #include "raster/raster.h"
-#include "shade/depth.h"
+#include "shade/shade.h"
 #include "tidepool/frame.h"
+#include "view/grid.h"
+#include "world/module.h"
 
 typedef struct {
     const tp_projection *projection;
@@ -86,5 +90,34 @@ int tp_clipped_corners(const tp_projection *projection, const tp_view_plane *lev
 void tp_clipped_draw(const tp_projection *projection, const tp_view_plane *level,
                      const tp_gbuffer *tile, const tp_view_vertex in[3], uint32_t mark,
                      uint32_t t);
+
+/* -- planar maps --------------------------------------------------------------------- */
+
+/*
+ * Pictures of half or a quarter of the picture's size, sampled by the water's stages.  Maps
+ * are drawn before any tile, a few rows at a time to keep the G-buffer small.
+ */
+
+#define TP_PLANAR_BAND 4        /* rows drawn at a time */
+
+typedef struct {
+    uint32_t *colour;
+    uint32_t *samples;          /* four planes of one band */
+    uint32_t  cols, rows;
+    uint32_t  halvings;         /* halvings of the picture's sides: 1 or 2 */
+} tp_planar_memory;
+
+/* Allocates the map's memory; pointers are NULL if the arena only counts. */
+void tp_planar_layout(tp_planar_memory *store, tp_arena *arena, const tp_want *want,
+                      uint32_t halvings);
+
+/* Sets *half to the part of the map covered by `box`.  Returns false if the part is
+ * empty. */
+bool tp_planar_set_bounds(const tp_planar_memory *store, const tp_grid_box *box,
+                          tp_planar_map *map);
+
+/* Returns the G-buffer of the band at row y0. */
+tp_gbuffer tp_planar_gbuffer(const tp_planar_memory *store, const tp_planar_map *map,
+                             int32_t y0);
 
 #endif

@@ -7,7 +7,7 @@
 #ifndef TP_FRAME_SCANLINE_GRID_H
 #define TP_FRAME_SCANLINE_GRID_H
 #include "frame/frame.h"
-#include "raster/rows.h"
+#include "raster/scanlines.h"
 
 /* A row of cells between two neighbouring lines of water, from side to side; see
  * scanline_water.c. */

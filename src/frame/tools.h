@@ -3,7 +3,7 @@
  * textures baked in advance. */
 #ifndef TP_FRAME_TOOLS_H
 #define TP_FRAME_TOOLS_H
-#include "scene/plan.h"
+#include "quality/plan.h"
 #include "tidepool/frame.h"
 
 /* RAM by use, bytes. */
@@ -34,14 +34,6 @@ void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs);
 
 /* Returns the number of tiles of the picture. */
 uint32_t tp_frame_tiles(const tp_frame *frame);
-
-/* Bakes the textures of fast shading in advance, for storage in ROM.  Index i:
- * assets.graded by the layer, then offsets, then slopes.  tp_baked_layer_bytes returns 0 if
- * the scene has no such texture.  Memory is aligned to 4. */
-#define TP_BAKED_LAYERS (TP_LAYERS + 2)
-size_t tp_baked_layer_bytes(const tp_assets *assets, int i);
-void   tp_bake_layer(tp_texture *to, const tp_scene *scene, const tp_assets *assets, int i,
-                  void *memory);
 
 /* Returns the name of the first module without a needed stage at the last tp_frame_begin;
  * "sky": no module draws the scene's sky; NULL: no stage was missing.  Other dropped

@@ -1,12 +1,18 @@
 /* SPDX-License-Identifier: MIT */
+/* RGB565: conversion of colours to the nearest level of each channel, and the same after
+ * tone mapping, by a table. */
+#ifndef TP_PIXEL_RGB565_H
+#define TP_PIXEL_RGB565_H
+#include "base/dsp.h"
+#include "tidepool/modules.h"
+
+/* -- conversion ---------------------------------------------------------------------- */
+
 /* Conversion of colours to RGB565: the nearest level of each channel.
  *
  * (31 c + 127)/255 = (249 c + 1014) >> 11 and (63 c + 127)/255 = (253 c + 505) >> 10 for
  * all c = 0..255.  Both sums are below 2^16: one multiply converts both halves of a word,
  * either red and blue of one colour or the same channel of two colours. */
-#ifndef TP_PIXEL_RGB565_H
-#define TP_PIXEL_RGB565_H
-#include "base/dsp.h"
 
 #define TP_RB_SCALE 249u
 #define TP_RB_HALF  (1014u << 16 | 1014u)
@@ -50,4 +56,29 @@ TP_ALWAYS_INLINE uint32_t tp_rgb565_pair(const tp_rgb565_kept *k, uint32_t first
     return (tp_high_halves(a, b) & k->red) | (green >> 5 & k->green)
          | (tp_low_halves(a, b) >> 11 & k->blue);
 }
+
+/* -- tone mapping -------------------------------------------------------------------- */
+
+/* RGB565 with tone mapping by a table: each entry holds the RGB565 level of a channel after
+ * the camera's exposure.  One look-up per channel gives the same pixels as tone mapping
+ * followed by conversion. */
+
+typedef struct {
+    uint8_t five[256], six[256];        /* five: levels of red and blue;
+                                         * six: levels of green */
+} tp_rgb565_tone_map;
+
+/* Sets entry i to the RGB565 levels of the tone-mapped channel value `tone`. */
+static inline void tp_rgb565_tone_map_set(tp_rgb565_tone_map *tone_map, uint32_t i,
+                                          uint32_t tone)
+{
+    const uint32_t pixel = tp_rgb565(tone << 16 | tone << 8 | tone);
+
+    tone_map->five[i] = (uint8_t)(pixel & 31);
+    tone_map->six[i] = (uint8_t)(pixel >> 5 & 63);
+}
+
+void tp_store_rgb565_tone_mapped(const tp_rgb565_tone_map *tone_map, uint16_t *to,
+                                 const uint32_t *colours, int count);
+
 #endif

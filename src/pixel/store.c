@@ -8,7 +8,6 @@
  * optimum method for two-level rendition of continuous-tone pictures, ICC 1973. */
 #include "base/base.h"
 #include "pixel/rgb565.h"
-#include "pixel/toned.h"
 
 static const uint8_t bayer[8][8] = {
     {  0, 32,  8, 40,  2, 34, 10, 42 },

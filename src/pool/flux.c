@@ -10,8 +10,8 @@
  * Heights are Q8.24 metres within +-FULL = +-(2^30 - 1).  A flux is at most a fourth of the
  * giver's height above -FULL, and at most a fourth of the taker's distance to FULL.  No
  * height ever leaves the range, for any value of r2q; below 16 m the bound is never met. */
-#include "pool/pool.h"
 #include "base/base.h"
+#include "pool/pool.h"
 
 #define FULL TP_FULL_32
 

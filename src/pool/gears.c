@@ -23,8 +23,8 @@
  * = T + w / 2^(m+1): the large product is never formed, and a floor of a floor is exact.
  * The second divides by 2^10.  This literal costs a Cortex-M4 less than the reduced
  * fraction of [C13], and the bits are the same. */
-#include "pool/pool.h"
 #include "base/base.h"
+#include "pool/pool.h"
 
 typedef struct {
     int32_t  rate;          /* r2q */

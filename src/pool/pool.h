@@ -13,7 +13,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "fx/fx.h"
+#include "fixed/arithmetic.h"
 #include "tidepool/assets.h"
 #include "tidepool/scene.h"
 
@@ -108,7 +108,7 @@ void tp_pool_step(tp_pool *pool);
 
 /* Returns height and slopes at a point (x, z) of the world, by bilinear interpolation
  * between cell centres; 0 inside walls, and outside of a field that is not tiled.
- * `back`, 0..1 (16.16), is the fraction of a tick to look into the past.  The slope of
+ * `lag`, 0..1 (16.16), is the fraction of a tick to look into the past.  The slope of
  * a cell is the central difference of its two neighbours [A6]; slopes are continuous
  * too.  Walls mirror. */
 tp_height_slope tp_pool_height_slope(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx lag);
@@ -217,13 +217,6 @@ static inline int32_t tp_pool_shift_left(int32_t x, uint32_t n)
 
 /* Layout of the block of a config: offsets of the parts, and `bytes`, the total size. */
 typedef struct { uint32_t walls, sponge, scratch, first, bytes; } tp_pool_layout;
-tp_pool_layout tp_pool_layout_make(const tp_pool_config *config);
-
-/* Marks the walls of `mask` (may be NULL) and of the edges.  The sizes must already be
- * set. */
-void tp_pool_set_walls(tp_pool *pool, const tp_grey *mask);
-/* Sets one damping exponent per column and per row; a cell has the smaller of its two. */
-void tp_pool_set_sponge(tp_pool *pool, uint32_t width);
 
 /* Returns the stored height of a cell inside the field. */
 int32_t tp_pool_cell_height(const tp_pool *pool, uint32_t index);
@@ -248,15 +241,10 @@ static inline int32_t tp_pool_net_inflow(const tp_pool *pool, uint32_t col, uint
  * outside. */
 bool tp_pool_locate(const tp_pool *pool, tp_fx x, tp_fx z, uint64_t *u, uint64_t *w);
 
-/* Makes a splash around (u, w), Q32.32 in cells, inside the field and not in a wall.  sigma
- * is in cells, 16.16, clamped to 1.5..128.  |peak| is within the range, in LSB. */
-void tp_pool_add_splash_cells(tp_pool *pool, uint64_t u, uint64_t w, tp_fx sigma,
-                              int32_t peak);
-
 /* Slopes dy/dx and dy/dz, Q3.12, clamped to +-4. */
 typedef struct { int16_t x, z; } tp_pool_slope;
 
-/* Writes the slopes at all cell centres times `gain`, at `back` of a tick in the past.
+/* Writes the slopes at all cell centres times `gain`, at `lag` of a tick in the past.
  * A border of one cell all round is wrapped or mirrored: the table has (rows + 2) x
  * (cols + 2) entries, and bilinear sampling needs no special case at the edges.
  * Sampled slopes equal the slopes of tp_pool_height_slope, except inside walls: there

@@ -1,4 +1,11 @@
 /* SPDX-License-Identifier: MIT */
+/* Splashes of zero sum [C11] [D5], and the drive, random splashes that keep the water
+ * moving [C16]. */
+#include "base/base.h"
+#include "pool/pool.h"
+
+/* -- splashes ------------------------------------------------------------------------ */
+
 /* The splash, a hat-shaped wave of zero sum [C11] [D5].  With s = rho^2 / (2 sigma^2) the
  * height is A (1 - s) exp(-s).  Its integral over the plane is 0.  Beyond s = 12 the height
  * is below A / 14000 and left out.
@@ -8,8 +15,6 @@
  * error of each cell is passed on to the next.  A cell at the end of its range may not
  * take its share: the missing rest is spread over the cells of the window, and last over
  * the whole field. */
-#include "base/assert.h"
-#include "pool/pool.h"
 
 #define S_MAX TP_FX(12)
 
@@ -158,7 +163,9 @@ static int32_t clip_window(int32_t middle, int32_t reach, uint32_t cells, bool t
     return first;
 }
 
-void tp_pool_add_splash_cells(tp_pool *pool, uint64_t u, uint64_t w, tp_fx sigma,
+/* Makes a splash around (u, w), Q32.32 in cells, inside the field and not in a wall.  sigma
+ * is in cells, 16.16, clamped to 1.5..128.  |peak| is within the range, in LSB. */
+static void pool_add_splash_cells(tp_pool *pool, uint64_t u, uint64_t w, tp_fx sigma,
                               int32_t peak)
 {
     TP_ASSERT(u >> 32 < pool->cols && w >> 32 < pool->rows);
@@ -192,7 +199,7 @@ bool tp_pool_add_splash(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx heig
     if (!tp_pool_cell(pool, x, z, &col, &row))
         return false;
     tp_pool_locate(pool, x, z, &u, &w);
-    tp_pool_add_splash_cells(pool, u, w, tp_fx_div(sigma, pool->cell),
+    pool_add_splash_cells(pool, u, w, tp_fx_div(sigma, pool->cell),
                              tp_pool_from_metres(pool, height));
     return true;
 }
@@ -211,4 +218,83 @@ int32_t tp_pool_from_metres(const tp_pool *pool, tp_fx metres)
     else
         lsb = up / twice - (up % twice < 0);
     return (int32_t)tp_clamp_abs(lsb, full);
+}
+
+/* -- the drive ----------------------------------------------------------------------- */
+
+/* The drive: random splashes that keep the water moving [C16].  Each tick whose heights
+ * have an rms below `drive_min` injects one splash at a random place.
+ *
+ * A splash of too small a height never lifts the rms into the band.  The height of the
+ * splashes therefore adapts, once in a window of 64 ticks.  If at least half of the ticks
+ * injected, the height grows by an eighth.  Otherwise, if the rms is above `drive_max`, the
+ * height shrinks again, but not below the configured height. */
+
+static const tp_fx drive_sigma = TP_FX(2.5);     /* cells; waves of some 11 cells */
+
+/* sum_of_squares adds the squares of all heights.  energy_limit gives the same sum for
+ * a pool with the height `rms` in each cell.  32-bit heights are cut to Q8.16: 2^18
+ * cells of (2^22)^2 are below 2^63. */
+static int64_t sum_of_squares(const tp_pool *pool)
+{
+    const uint32_t count = tp_pool_count(pool);
+    const int shift = pool->cells == TP_CELLS_32 ? 8 : 0;
+    int64_t sum = 0;
+
+    for (uint32_t i = 0; i < count; i++) {
+        const int64_t h = tp_pool_cell_height(pool, i) >> shift;
+        sum += h * h;
+    }
+    return sum;
+}
+
+static int64_t energy_limit(const tp_pool *pool, tp_fx rms)
+{
+    const int64_t lsb = tp_pool_from_metres(pool, rms);
+    const int64_t h = pool->cells == TP_CELLS_32 ? lsb >> 8 : lsb;
+    return h * h * tp_pool_count(pool);
+}
+
+static uint32_t random_index(tp_pool *pool, uint32_t end)
+{
+    return (uint32_t)((uint64_t)tp_random(&pool->random) * end >> 32);
+}
+
+static void inject(tp_pool *pool)
+{
+    TP_ASSERT(pool->drive_peak >= 0 && pool->drive_peak <= tp_pool_max_lsb(pool));
+    const uint32_t col = random_index(pool, pool->cols);
+    const uint32_t row = random_index(pool, pool->rows);
+    const uint64_t half = (uint64_t)1 << 31;
+
+    pool->drive_hits++;
+    if (tp_pool_is_wall_or_outside(pool, col, row))
+        return;                                 /* the next tick tries another place */
+    pool_add_splash_cells(pool, ((uint64_t)col << 32) + half,
+                             ((uint64_t)row << 32) + half, drive_sigma, pool->drive_peak);
+    pool->injections++;
+}
+
+static void adapt_splash_height(tp_pool *pool, bool high)
+{
+    const int32_t asked = tp_pool_from_metres(pool, pool->drive_amplitude),
+                  full = tp_pool_max_lsb(pool);
+    const int32_t step = pool->drive_peak / 8 + 1;
+
+    if (2 * pool->drive_hits >= TP_DRIVE_WINDOW)
+        pool->drive_peak = pool->drive_peak < full - step ? pool->drive_peak + step : full;
+    else if (high)
+        pool->drive_peak =
+            pool->drive_peak - step > asked ? pool->drive_peak - step : asked;
+    pool->drive_ticks = pool->drive_hits = 0;
+}
+
+void tp_pool_drive(tp_pool *pool)
+{
+    const int64_t sum = sum_of_squares(pool);
+
+    if (sum < energy_limit(pool, pool->drive_min))
+        inject(pool);
+    if (++pool->drive_ticks == TP_DRIVE_WINDOW)
+        adapt_splash_height(pool, sum > energy_limit(pool, pool->drive_max));
 }

@@ -6,8 +6,8 @@
  * multiples of 16 columns, with a step between.  The same holds for s and t; in segments
  * long and deep enough to show perspective, s and t are exact in perspective at these
  * columns. */
-#include "raster/edge.h"
-#include "raster/row_piece.h"
+#include "raster/raster.h"
+#include "raster/scanline_cover.h"
 
 size_t tp_rows_bytes(uint32_t columns)
 {

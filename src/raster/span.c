@@ -5,7 +5,6 @@
  * positions s and t and a pair of slopes as normal; for solids; and for lids, with depth
  * only. s and t are affine in small triangles. In large triangles s and t are exact every
  * TP_SPAN_STEP pixels (at multiples and at the ends of the row) and linear between. */
-#include "raster/step.h"
 #include "raster/tri.h"
 
 enum { WATER, SOLID, LID };

@@ -1,13 +1,45 @@
 /* SPDX-License-Identifier: MIT */
-/* Triangle set-up: rejection, sorting, edges, and a plane for each quantity.  The code is
+/*
+ * Triangle set-up: rejection, sorting, edges, and a plane for each quantity.  The code is
  * inline, because small triangles spend half of their time here.
  *
  * Bits: vertices lie within 8192 + 2048 px.  Differences have 19 bits in 28.4, the area
- * 2^38; a 32-bit difference times a 19-bit difference, twice, is below 2^52. */
+ * 2^38; a 32-bit difference times a 19-bit difference, twice, is below 2^52.
+ */
 #ifndef TP_RASTER_TRI_H
 #define TP_RASTER_TRI_H
-#include "raster/edge.h"
+#include <stdint.h>
 #include "raster/raster.h"
+
+/* -- perspective --------------------------------------------------------------------- */
+
+/*
+ * TP_SPAN_STEP is the distance in px between perspective-exact s and t along a row; between
+ * exact positions s and t are linear.  A power of two up to 32, or 0: s and t are affine in
+ * all triangles.  The charts compare the values; pictures depend on the choice.
+ */
+
+#ifndef TP_SPAN_STEP
+#define TP_SPAN_STEP 16
+#endif
+_Static_assert(TP_SPAN_STEP >= 0 && TP_SPAN_STEP <= 32
+               && (TP_SPAN_STEP & (TP_SPAN_STEP - 1)) == 0, "a power of two, or 0");
+
+/* 65536 / n, n: pixels between two exact positions. */
+#if TP_SPAN_STEP > 16
+static const uint32_t tp_span_over[33] = {
+    0, 65536, 32768, 21845, 16384, 13107, 10923, 9362, 8192, 7282, 6554, 5958, 5461, 5041,
+    4681, 4369, 4096, 3855, 3641, 3449, 3277, 3121, 2979, 2849, 2731, 2621, 2521, 2427,
+    2341, 2260, 2185, 2114, 2048,
+};
+#else
+static const uint32_t tp_span_over[17] = {
+    0, 65536, 32768, 21845, 16384, 13107, 10923, 9362, 8192, 7282, 6554, 5958, 5461, 5041,
+    4681, 4369, 4096,
+};
+#endif
+
+/* -- a triangle ---------------------------------------------------------------------- */
 
 /* A triangle with vertices sorted by row, and the constants shared by all planes. */
 typedef struct {
@@ -192,4 +224,5 @@ TP_ALWAYS_INLINE bool tp_tri_begin(tp_tri *tri, const tp_gbuffer *tile,
     tri->perspective = needs_perspective(tri, wide > other ? wide : other);
     return true;
 }
+
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The environment: the light that arrives from a direction.
+/*
+ * The environment: the light that arrives from a direction.
  *
  * There are three kinds: a gradient by elevation; a dome, a generated sky of two
  * gradients, mixed by the angle to the light, with a glow around the light; a cube map of
@@ -10,10 +11,11 @@
  *
  * A cube's pictures are seen from inside.  The four sides stand upright.  The lower edge
  * of the upper picture joins the south side; the upper edge of the lower picture does
- * too. */
+ * too.
+ */
 #ifndef TP_SHADE_ENV_H
 #define TP_SHADE_ENV_H
-#include "shade/depth.h"
+#include "shade/shade.h"
 #include "tidepool/assets.h"
 
 /* -- the gradient: below the horizon it has the horizon's colour ------------------- */
@@ -254,4 +256,28 @@ TP_ALWAYS_INLINE uint32_t tp_light_colour(const tp_shade *shade, uint32_t light)
 {
     return tp_colour_brighten(light, tp_light_gain(shade, light));
 }
+
+/* -- the mirrored view vector -------------------------------------------------------- */
+
+/*
+ * The mirrored view vector [F3]: R = 2 (N.V) N - V.  Its height Ry is known already.  With
+ * k = Ry + Vy = 2 (N.V) Ny and N = Ny (-sx, 1, -sz) the other components are -k sx - Vx
+ * and -k sz - Vz.
+ */
+
+/* Fills rx and rz of sample i, Q1.14, and returns the mirrored vector.  A vector that
+ * points down is made level. */
+TP_ALWAYS_INLINE tp_ray tp_reflected_compute(tp_run *run, int32_t i)
+{
+    int32_t up = run->up[i], k = up + run->vy[i];
+    int32_t rx = -(k * run->sx[i] >> 12) - run->vx[i];
+    int32_t rz = -(k * run->sz[i] >> 12) - run->vz[i];
+
+    rx = tp_clamp(rx, -16384, 16384);
+    rz = tp_clamp(rz, -16384, 16384);
+    run->rx[i] = (int16_t)rx;
+    run->rz[i] = (int16_t)rz;
+    return (tp_ray){ rx, up > 0 ? up : 0, rz, 0 };
+}
+
 #endif

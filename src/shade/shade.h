@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Shading: a shader list, each stage a small loop over a run of samples.
+/*
+ * Shading: a shader list, each stage a small loop over a run of samples.
  *
  * A run is up to TP_RUN neighbouring samples of one kind in one row.  A run never crosses
  * a multiple of TP_RUN, and values shared by several pixels are computed at multiples of
@@ -17,15 +18,52 @@
  * and expose.
  *
  * Unit vectors are Q1.14, slopes Q3.12, shares 0..256, colours as in colour.h.  The
- * mirror's alpha is light beyond white [F8]. */
-#ifndef TP_SHADE_H
-#define TP_SHADE_H
+ * mirror's alpha is light beyond white [F8].
+ */
+#ifndef TP_SHADE_SHADE_H
+#define TP_SHADE_SHADE_H
+#include <stdint.h>
 #include "base/base.h"
 #include "shade/colour.h"
-#include "shade/inside.h"
-#include "shade/layer.h"
 #include "shade/skies.h"
-#include "shade/wide.h"
+#include "shade/water_volume.h"
+#include "tidepool/assets.h"
+#include "view/projection.h"
+
+/* -- two forms of some loops --------------------------------------------------------- */
+
+/*
+ * TP_WIDE selects between two forms of some loops: for processors with eight-lane vectors
+ * and for all others.  If TP_WIDE is 1, selects are cheaper than branches, and two small
+ * loops are cheaper than one loop with a table look-up.  On x86-64 entries of small tables
+ * take a word each, because vector units gather only words: 6 KB more per view there, none
+ * elsewhere.
+ */
+
+#if defined(__AVX2__)
+#define TP_WIDE 1
+#else
+#define TP_WIDE 0
+#endif
+
+#if defined(__x86_64__)
+typedef uint32_t tp_entry8, tp_entry16;
+#else
+typedef uint8_t  tp_entry8;
+typedef uint16_t tp_entry16;
+#endif
+
+/* -- drifting textures on the water, as a frame stores them -------------------------- */
+
+/* A texture with the numbers that a span stage samples it by. */
+typedef struct {
+    const tp_texture *texture;
+    uint32_t per_metre;         /* repeats a metre, Q0.32 over Q16.16: s x this wraps */
+    uint32_t drift_s, drift_t;  /* offsets in repeats, Q0.32 */
+    int32_t  lod;               /* mipmap level at 1 m, Q8, for tp_mip_level_choose */
+} tp_layer;
+
+/* -- a run, and the numbers of a picture --------------------------------------------- */
 
 /* Largest run.  32 or 16 take less stack on small targets; the picture is the same to the
  * bit. */
@@ -172,4 +210,73 @@ typedef struct {
 } tp_ray;
 
 tp_ray tp_view_ray(const tp_shade *shade, const tp_view_axes *axes, int32_t x, int32_t y);
+
+/* -- depth of a sample from its key, and the mipmap level at that depth -------------- */
+
+/* Returns log2(n) of n != 0, Q8, within 1/12: the exponent by clz, the fraction from the
+ * next eight bits. */
+static inline int32_t tp_log2_q8(uint32_t n)
+{
+    int shift = tp_clz(n);
+    return (31 - shift) * 256 + (int32_t)((n << shift) >> 23 & 0xff);
+}
+
+/* Inverse depth of a sample: near plane / depth, Q1.31.  The low bits keep the sample's
+ * mark; they are below the precision.  The result is never 0. */
+static inline uint32_t tp_key_zi(uint32_t key)
+{
+    return key >> 1 | 0x80;
+}
+
+/* Returns the depth for zi != 0 in m, 16.16, within a relative error of 2^-16. */
+static inline int64_t tp_depth_from_zi(tp_fx zi_near, uint32_t zi)
+{
+    int shift = tp_clz(zi);
+    return (int64_t)zi_near * tp_recip_rough(zi << shift) >> (31 - shift);
+}
+
+/* Returns log2 of the depth in metres, Q8. */
+static inline int32_t tp_log_depth(const tp_shade *shade, uint32_t key)
+{
+    return shade->zi_log - tp_log2_q8(tp_key_zi(key));
+}
+
+/* Mipmap level at a depth, from `lod`, the texture's level at 1 m; Q8.  On upright
+ * surfaces texels per pixel grow in proportion to the depth.  On level ground they grow in
+ * proportion across the view and by the square along the view; the geometric mean
+ * counts. */
+static inline int32_t tp_mip_level_choose(int32_t lod, int32_t log_depth, bool ground,
+                                          int levels)
+{
+    int32_t level = lod + log_depth + (ground && log_depth > 0 ? log_depth / 2 : 0);
+    return tp_clamp(level >> 8, 0, levels - 1);
+}
+
+/* -- bilinear look-up in a planar map of half the picture's size --------------------- */
+
+/* Returns a pixel of the map; 0 outside of the map's box. */
+static inline uint32_t tp_planar_map_pixel(const tp_planar_map *map, int32_t i, int32_t j)
+{
+    if (i < map->x0 || i >= map->x1 || j < map->y0 || j >= map->y1)
+        return 0;
+    return map->colour[(size_t)(uint32_t)(j - map->y0)
+                        * (uint32_t)(map->x1 - map->x0) + (uint32_t)(i - map->x0)];
+}
+
+/* Samples the map at (u, v) of the whole picture, 28.4.  The result is premultiplied by
+ * its alpha, because uncovered pixels are 0. */
+static inline uint32_t tp_planar_map_sample(const tp_planar_map *map, int32_t u, int32_t v)
+{
+    int32_t i = (u - 16) >> 5, j = (v - 16) >> 5;
+    uint32_t fu = (uint32_t)(u - 16) & 31, fv = (uint32_t)(v - 16) & 31;
+
+    if (i < map->x0 - 1 || i >= map->x1 || j < map->y0 - 1 || j >= map->y1)
+        return 0;
+    return tp_argb_mix_32(tp_argb_mix_32(tp_planar_map_pixel(map, i, j),
+                                         tp_planar_map_pixel(map, i + 1, j), fu),
+                          tp_argb_mix_32(tp_planar_map_pixel(map, i, j + 1),
+                                         tp_planar_map_pixel(map, i + 1, j + 1), fu),
+                          fv);
+}
+
 #endif

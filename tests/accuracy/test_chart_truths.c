@@ -9,7 +9,7 @@
 #include <cmocka.h>
 #include "tests/charts/span.h"
 #include "tests/charts/span_true.h"
-#include "tests/reference/sea.h"
+#include "tools/reference/deep_water.h"
 #include "tests/lib/random.h"
 #include "tests/lib/vectors.h"
 

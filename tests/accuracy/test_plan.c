@@ -9,7 +9,7 @@
 #include <cmocka.h>
 #include <stdio.h>
 #include "tests/lib/quality_error.h"
-#include "host/path.h"
+#include "app/files/path.h"
 
 /* Compares the planned picture with the reference picture of outlines or of shading: the
  * error is at most the plan's estimate above the error of the exact rungs with all

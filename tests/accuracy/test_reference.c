@@ -155,7 +155,7 @@ static void measure_roots(const tp_scene *scene)
         ref_meeting m;
         if (!ref_ray_meets(&v.ref.surface, &ray, 0, 1e5, false, &m))
             continue;
-        const ref_vec at = ref_ray_at(&ray, m.t);
+        const ref_vec at = ref_ray_point(&ray, m.t);
         const ref_point p = point_at_rest(&v.ref.surface, m.water.x0, m.water.z0);
         measure_add(&off, hypot(at.y - p.y, hypot(at.x - p.x, at.z - p.z)), i, 0, 0);
         measure_add(&slope, slope_by_steps(&v.ref.surface, at, m.water.x0, m.water.z0)
@@ -194,7 +194,7 @@ static void no_crest_is_passed(void **state)
         if (!ref_ray_meets(&v.ref.surface, &ray, 0, 1e5, false, &m))
             continue;
         for (double t = 0; t < m.t - 1e-6; t += 0.02) {
-            const ref_vec at = ref_ray_at(&ray, t);
+            const ref_vec at = ref_ray_point(&ray, t);
             const double f = at.y - ref_surface_height(&v.ref.surface, at.x, at.z, rest,
                                                        1e-9);
             measure_add(&deep, f < 0 ? f : 0, i, (int64_t)(t * 1000), 0);

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/lib/reference_scenes.h"
-#include "tests/reference/inside.h"
+#include "tools/reference/inside.h"
 #include "tests/lib/measure.h"
 
 /* Fresnel reflectance from the sines and tangents of the sum and the difference of the
@@ -24,14 +24,14 @@ static void fresnels_share_is_that_of_the_angles(void **state)
     (void)state;
     for (int i = 1; i < 900; i++) {
         const double angle = i * PI / 1800;
-        measure_add(&off, ref_fresnel_into(cos(angle), 1.333) - fresnel_by_angles(angle),
+        measure_add(&off, ref_fresnel_reflectance(cos(angle), 1.333) - fresnel_by_angles(angle),
                     i, 0, 0);
     }
     measure_print(&off);
     assert_true(off.worst < 1e-12);
-    assert_true(fabs(ref_fresnel_into(1, 1.333) - pow(0.333 / 2.333, 2)) < 1e-15);
-    assert_true(fabs(ref_fresnel_into(0, 1.333) - 1) < 1e-15);
-    assert_true(fabs(ref_fresnel_into(cos(0.7), 1 / 1.333)
+    assert_true(fabs(ref_fresnel_reflectance(1, 1.333) - pow(0.333 / 2.333, 2)) < 1e-15);
+    assert_true(fabs(ref_fresnel_reflectance(0, 1.333) - 1) < 1e-15);
+    assert_true(fabs(ref_fresnel_reflectance(cos(0.7), 1 / 1.333)
                      - fresnel_by_angles(asin(1.333 * sin(0.7)))) < 1e-12);
 }
 
@@ -140,7 +140,7 @@ static void a_sunken_eye_sees_snells_window(void **state)
     v.scene.water.clear = 200 * TP_FX_ONE;
     view_open(&v, 64, 48);
     assert_true(v.ref.immersion);
-    const ref_colour deep = ref_colour_of((uint32_t)v.scene.water.deep);
+    const ref_colour deep = ref_colour_unpack((uint32_t)v.scene.water.deep);
     for (uint32_t y = 0; y < 48; y++) {
         const ref_vec way = way_of(&v.ref.camera, 32, y + 0.5);
         const double angle = acos(way.y) * 180 / PI;
@@ -181,8 +181,8 @@ static void a_mirror_is_an_eye_below_the_level(void **state)
             if (way.y > -0.01 || ref_look(s, x + 0.5, y + 0.5).kind != REF_WATER)
                 continue;
             const ref_seen want = ref_dry(s, &below, -e.y / way.y, 1e5, &at);
-            const double share = ref_fresnel_into(-way.y, REF_INDEX);
-            ref_colour c = ref_scale(ref_colour_of((uint32_t)v.scene.water.colour),
+            const double share = ref_fresnel_reflectance(-way.y, REF_INDEX);
+            ref_colour c = ref_scale(ref_colour_unpack((uint32_t)v.scene.water.colour),
                                      s->ambient + (1 - s->ambient) * s->light.y);
             c = ref_mix(c, want.colour, share);
             const ref_colour got = ref_look(s, x + 0.5, y + 0.5).colour;

@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "scene/pools.h"
+#include "world/pools.h"
 #include "tests/lib/reference_scenes.h"
 
 enum { TICKS = 90 };

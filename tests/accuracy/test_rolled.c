@@ -14,9 +14,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "host/canvas.h"
-#include "scene/world.h"
-#include "tests/reference/stand.h"
+#include "app/scene/frame_renderer.h"
+#include "world/world.h"
+#include "tools/reference/shipped_scene.h"
 
 enum { WIDTH = 320, HEIGHT = 240, PIXELS = WIDTH * HEIGHT, TICKS = 100 };
 

@@ -11,11 +11,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include "frame/tools.h"
-#include "host/bench_scene.h"
-#include "host/machine.h"
+#include "tools/bench/bench_scene.h"
+#include "app/scene/machine.h"
 #include "pixel/pixel.h"
-#include "scene/value.h"
-#include "scene/world.h"
+#include "world/value.h"
+#include "world/world.h"
 #include "tidepool/tidepool.h"
 
 static void *claim(size_t bytes)

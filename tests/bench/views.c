@@ -15,9 +15,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "host/stage.h"
-#include "host/timing.h"
-#include "scene/world.h"
+#include "app/scene/loaded_scene.h"
+#include "app/files/timing.h"
+#include "world/world.h"
 #include "tests/lib/random.h"
 
 static uint32_t seed;

@@ -5,7 +5,7 @@
  *     oled_greys PICTURE.png >SCREEN.ppm */
 #include <stdio.h>
 #include <stdlib.h>
-#include "host/picture.h"
+#include "app/files/picture.h"
 
 enum { SIDE = 4, STEP = 255 / 15 };
 

@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "host/picture.h"
+#include "app/files/picture.h"
 
 /* Reads a PPM as 0x00RRGGBB, one value a pixel; the caller frees the result. Returns NULL
  * if the file is no such PPM. */

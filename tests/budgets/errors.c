@@ -8,8 +8,8 @@
  * exact rung's error; "exact ..." with the exact rungs' errors; and
  *     slope COLOUR SCENE: rms of the picture that a small added wave causes, per slope */
 #include <stdio.h>
-#include "scene/world_parts.h"
-#include "scene/prices.h"
+#include "world/module.h"
+#include "quality/prices.h"
 #include "tests/lib/quality_error.h"
 
 #define SMALL_SLOPE  0.02       /* k A, the slope */

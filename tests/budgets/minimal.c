@@ -3,7 +3,7 @@
  * the core: the cost for the smallest user. Bands of 16 rows are drawn and discarded. */
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"
-#include "cortex-m/marks.h"
+#include "cortex-m/trace_marks.h"
 #include "cortex-m/semihost.h"
 #include "frame/tools.h"
 

@@ -12,7 +12,7 @@
  * Freestanding if the compiler is in freestanding mode: static memory, words by
  * semihosting. Each row's assumptions (no breaking, moving water, all in view) are checked
  * during the run; a row that fails ends the program with 1. */
-#include "cortex-m/marks.h"
+#include "cortex-m/trace_marks.h"
 #include "tests/budgets/models.h"
 #include "tests/lib/board_output.h"
 

@@ -4,7 +4,7 @@
 #define MODELS_H
 #include "pool/pool.h"
 #include "tidepool/tidepool.h"
-#include "wave/wave.h"
+#include "waves/deep_water.h"
 
 /* A model: its preparation, its counted function, and its number of units. A row of zeros
  * ends a list. */

@@ -2,7 +2,7 @@
 /* Models of coastal water: waves over a floor and in wind, and one wave at a depth; see
  * models.c. */
 #include "tests/budgets/models.h"
-#include "wave/ocean.h"
+#include "waves/coastal_water.h"
 
 enum { SWELL, WIND, SLOPE, MAP, BREAKING, MAP_SIDE = 64 };
 

@@ -2,7 +2,7 @@
 /* Models of moving parts of a scene: drops, boats, the world's tick; and the water's mesh;
  * see models.c. */
 #include "features/drops/drops.h"
-#include "geom/grid.h"
+#include "view/grid.h"
 #include "features/boat/boat.h"
 #include "tests/budgets/models.h"
 

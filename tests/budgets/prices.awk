@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Converts the cost table from CSV to C, one initializer a row.
 #
-#   awk -f tests/budgets/prices.awk assets/charts/prices.csv >src/scene/prices.inc
+#   awk -f tests/budgets/prices.awk assets/charts/prices.csv >src/quality/prices.inc
 #
 # Rows: what,rung,item,figure. The plan does not know a rung without rows.
 BEGIN {

@@ -6,11 +6,11 @@
 #include "base/arena.h"
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"
-#include "cortex-m/marks.h"
+#include "cortex-m/trace_marks.h"
 #include "cortex-m/semihost.h"
 #include "frame/tools.h"
-#include "scene/prices.h"
-#include "scene/value.h"
+#include "quality/prices.h"
+#include "world/value.h"
 
 #define BAND  16
 #define STEPS 60                /* of pools and foam, until all of the water moves */

@@ -6,14 +6,14 @@
 #   tests/budgets/prices.sh             test: the chart `prices` equals the measurement;
 #                                       its errors, which test_plan checks, only with TP_SOAK
 #   tests/budgets/prices.sh --rows      rows of that chart
-#   tests/budgets/prices.sh --write     writes a new chart and a new src/scene/prices.inc
+#   tests/budgets/prices.sh --write     writes a new chart and a new src/quality/prices.inc
 #
 # Build again after --write: the plan of a scene may change, and with it the pictures.
 . "$(dirname "$0")/../lib/script.sh"
 . "$(dirname "$0")/../lib/board.sh"
 
 table=assets/charts/prices.csv
-made=src/scene/prices.inc
+made=src/quality/prices.inc
 elf=build/cortex-m/prices.elf
 
 if [ "${1:-}" = --write ]; then

@@ -8,11 +8,11 @@
 #include "base/arena.h"
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"
-#include "cortex-m/marks.h"
+#include "cortex-m/trace_marks.h"
 #include "cortex-m/semihost.h"
 #include "frame/tools.h"
 #include "pixel/pixel.h"
-#include "scene/world.h"
+#include "world/world.h"
 
 enum { WIDTH = 320, HEIGHT = 240, FIRST = 60 };
 

@@ -13,10 +13,10 @@
  * after a first frame that has filled the caches. */
 #include "base/arena.h"
 #include "cortex-m/baked.h"
-#include "cortex-m/marks.h"
+#include "cortex-m/trace_marks.h"
 #include "frame/tools.h"
 #include "pixel/pixel.h"
-#include "scene/world.h"
+#include "world/world.h"
 #include "tests/lib/board_output.h"
 #include "tests/charts/words.h"
 

@@ -5,8 +5,8 @@
 #include "tests/charts/errors.h"
 #include "tests/charts/gerstner.h"
 #include "tests/charts/used.h"
-#include "tests/reference/sea.h"
-#include "wave/wave.h"
+#include "tools/reference/deep_water.h"
+#include "waves/deep_water.h"
 
 #define LSB (1 / 65536.0)
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Unit normals against double precision, over slopes spread evenly within 1. */
 #include <stdlib.h>
-#include "scene/sides.h"
-#include "shade/normal.h"
+#include "world/pools.h"
+#include "shade/phong.h"
 #include "tests/charts/spread.h"
 #include "tests/charts/used.h"
 

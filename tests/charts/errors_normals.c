@@ -5,8 +5,8 @@
 #include "tests/charts/errors.h"
 #include "tests/charts/normals.h"
 #include "tests/charts/used.h"
-#include "tests/reference/sea.h"
-#include "wave/wave.h"
+#include "tools/reference/deep_water.h"
+#include "waves/deep_water.h"
 
 #define LSB (1 / 65536.0)
 
@@ -59,7 +59,7 @@ void judge_normals(const kernel *k, const int32_t *in, const int32_t *out)
     (void)in;
     ref_phases(&deep, NORMALS_TICK, phase);
     for (uint32_t i = 0; i < KERNEL_UNITS; i++, out += 2) {
-        const ref_point p = ref_above(&deep, phase, normals_x(i) * LSB, normals_z(i) * LSB);
+        const ref_point p = ref_sample_deep_water(&deep, phase, normals_x(i) * LSB, normals_z(i) * LSB);
         const double off = degrees_off(&p, out);
         worst = fmax(worst, off);
         sum += off * off;

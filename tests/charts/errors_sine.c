@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Sines against the C library's, at phases 4093 of 2^32 apart: 4093 is prime, so the phases
  * fall anywhere within the steps of tables. */
-#include "fx/fx.h"
+#include "fixed/arithmetic.h"
 #include "tests/charts/spread.h"
 #include "tests/charts/used.h"
 

@@ -16,7 +16,7 @@
 #include "tests/lib/reference_difference.h"
 #include "tests/charts/picture.h"
 #include "tests/charts/words.h"
-#include "scene/prices.h"
+#include "quality/prices.h"
 
 #define FOLDER "assets/scenes/"
 

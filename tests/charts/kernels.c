@@ -3,7 +3,7 @@
  *     kernel CHART POINT
  * Freestanding if the compiler is in freestanding mode: static memory, words by
  * semihosting. */
-#include "cortex-m/marks.h"
+#include "cortex-m/trace_marks.h"
 #include "tests/lib/board_output.h"
 #include "tests/charts/kernels.h"
 

@@ -5,7 +5,7 @@
  * power 2 [A3]. Results: place, then slopes dy/dx and dy/dz. */
 #include "tests/charts/gerstner.h"
 #include "tests/charts/kernels.h"
-#include "wave/wave.h"
+#include "waves/deep_water.h"
 
 #define WAVE(amplitude, length, heading, phase) \
     { TP_FX(amplitude), TP_FX(length), 0, TP_FX(heading), TP_FX(phase), TP_FX_ONE, 1 }

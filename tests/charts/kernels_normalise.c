@@ -5,7 +5,7 @@
  *
  * Results are Q2.30 or coarser; errors_normalise.c lists the formats. */
 #include "tests/charts/kernels.h"
-#include "shade/normal.h"
+#include "shade/phong.h"
 #include "shade/slope.h"
 
 enum { ONE = 4096 };
@@ -141,7 +141,7 @@ METHOD sum_32(int32_t sx, int32_t sz)
 RUN(sum_32)
 
 static const uint16_t lines[193] = {
-#include "fx/rsqrt_table.inc"
+#include "fixed/rsqrt_table.inc"
 };
 
 /* tp_rsqrt_norm without Newton's step. */

@@ -7,7 +7,7 @@
  *             normals: unpacking and a division */
 #include "base/base.h"
 #include "tests/charts/normals.h"
-#include "wave/wave.h"
+#include "waves/deep_water.h"
 
 #define WAVE(amplitude, length, heading, phase) \
     { TP_FX(amplitude), TP_FX(length), TP_FX(0.7) / 3, TP_FX(heading), TP_FX(phase), \

@@ -7,7 +7,7 @@
  *
  * The engine's functions of 16.16 receive the high half of n, and their results are shifted
  * to the same format. The tables are computed in integers before the count begins. */
-#include "fx/fx.h"
+#include "fixed/arithmetic.h"
 #include "tests/charts/kernels.h"
 
 #define METHOD static __attribute__((noinline)) uint32_t
@@ -99,7 +99,7 @@ RUN(divide_64)
 
 /* The engine's table without Newton's step. */
 static const uint16_t recip_lines[257] = {
-#include "fx/recip_table.inc"
+#include "fixed/recip_table.inc"
 };
 
 METHOD lines_recip(uint32_t n)
@@ -209,7 +209,7 @@ RUN(fx_rsqrt)
 RUN(divide_root)
 
 static const uint16_t rsqrt_lines[193] = {
-#include "fx/rsqrt_table.inc"
+#include "fixed/rsqrt_table.inc"
 };
 
 METHOD lines_rsqrt(uint32_t n)

@@ -6,7 +6,7 @@
  * The engine's own rotations, whose sine is accurate to 5e-9, fill the tables in integers
  * before the count begins. Each method is a function of its own, like tp_sin, so the cost
  * of the call is equal for all. */
-#include "fx/fx.h"
+#include "fixed/arithmetic.h"
 #include "tests/charts/kernels.h"
 
 #define METHOD static __attribute__((noinline)) tp_q30

@@ -4,7 +4,7 @@
  * once between walls, and once with a sponge layer, the two cases of scenes. The water has
  * standing waves of 16 cells and more, so all cells move, in gear A. Freestanding if the
  * compiler is in freestanding mode: static memory, words by semihosting. */
-#include "cortex-m/marks.h"
+#include "cortex-m/trace_marks.h"
 #include "pool/pool.h"
 #include "tests/lib/board_output.h"
 #include "tests/charts/pool_points.h"

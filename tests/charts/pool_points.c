@@ -8,8 +8,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "host/path.h"
-#include "host/scene_file.h"
+#include "app/files/path.h"
+#include "app/scene/scene_file.h"
 #include "tests/charts/pool_points.h"
 
 #define FOLDER "assets/scenes"

@@ -15,10 +15,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "host/timing.h"
+#include "app/files/timing.h"
 #include "tests/charts/words.h"
-#include "tests/reference/image.h"
-#include "tests/reference/stand.h"
+#include "tools/reference/image.h"
+#include "tools/reference/shipped_scene.h"
 
 #define FOLDER "assets/scenes/"
 #define LEAST  1e-6

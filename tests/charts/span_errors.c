@@ -13,7 +13,7 @@
 #include "raster/raster.h"
 #include "tests/charts/span.h"
 #include "tests/charts/span_used.h"
-#include "tests/reference/image.h"
+#include "tools/reference/image.h"
 #include "tidepool/modules.h"
 
 enum { WIDTH = 320, HEIGHT = 240, COUNT = WIDTH * HEIGHT, PARTS = 8, RAYS = 64 };

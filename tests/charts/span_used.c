@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "host/path.h"
-#include "host/stage.h"
+#include "app/files/path.h"
+#include "app/scene/loaded_scene.h"
 
 #define FOLDER "assets/scenes"
 

@@ -3,7 +3,7 @@
 #ifndef CHARTS_SPAN_USED_H
 #define CHARTS_SPAN_USED_H
 #include <stdbool.h>
-#include "scene/plan.h"
+#include "quality/plan.h"
 
 typedef bool rungs_test(const tp_scene *scene, const tp_rungs *rungs, const void *of);
 

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
-#include "wave/wave.h"
+#include "waves/deep_water.h"
 
 #define STABILITY_PI  3.14159265358979323846
 #define STABILITY_LSB (1 / 65536.0)

@@ -4,7 +4,7 @@
 #include "tests/charts/stability.h"
 #include <string.h>
 #include "tests/charts/used.h"
-#include "wave/wave.h"
+#include "waves/deep_water.h"
 
 #define CHART "stability-jacobian"
 

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "tests/charts/used.h"
-#include "scene/module.h"
+#include "world/module.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "host/path.h"
-#include "host/scene_file.h"
+#include "app/files/path.h"
+#include "app/scene/scene_file.h"
 
 #define FOLDER "assets/scenes"
 

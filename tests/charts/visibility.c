@@ -43,7 +43,7 @@ static visibility_error error_of(const drawn_image *a, const ref_image *b)
         borders += i >= b->width && water != (b->kind[i - b->width] == REF_WATER);
         if (!water || a->kind[i] != REF_WATER)
             continue;
-        const ref_colour got = ref_colour_of(a->pixel[i]);
+        const ref_colour got = ref_colour_unpack(a->pixel[i]);
         for (int c = 0; c < 3; c++) {
             const double more = got.c[c] - ref_clamp(b->colour[i].c[c], 0, 255);
             sum[c] += more * more;

@@ -6,8 +6,8 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include "cortex-m/baked.h"
-#include "host/film.h"
-#include "host/say.h"
+#include "app/files/film.h"
+#include "app/files/log.h"
 #include "pixel/pixel.h"
 
 static void *claim(size_t bytes)

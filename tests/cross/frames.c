@@ -9,11 +9,11 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "base/fail.h"
+#include "base/error.h"
 #include "cortex-m/baked.h"
 #include "frame/tools.h"
 #include "pixel/pixel.h"
-#include "scene/world.h"
+#include "world/world.h"
 #include "tests/lib/golden_sizes.h"
 
 typedef struct {

@@ -13,7 +13,7 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <unistd.h>
-#include "host/say.h"
+#include "app/files/log.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

@@ -2,7 +2,7 @@
 /* Fuzzes command lines: the first byte selects the command, then each line is a word.
  * Accepted options are within their ranges; errors name the command. */
 #include "fuzz.h"
-#include "host/args.h"
+#include "app/cli/args.h"
 
 enum { COMMANDS = 13, WORDS = 24 };
 

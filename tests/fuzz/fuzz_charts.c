@@ -3,8 +3,8 @@
  * by --collect, and the frame of the page. Rows give the same table in any order, and the
  * table can be read back. */
 #include "fuzz.h"
-#include "host/charts.h"
-#include "host/csv.h"
+#include "tools/charts/charts.h"
+#include "app/files/csv.h"
 
 static void write_file(const char *path, const void *data, size_t size)
 {

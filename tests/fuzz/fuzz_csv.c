@@ -2,8 +2,8 @@
 /* Fuzzes tables as read by `check --vectors`. The first byte selects the model of the
  * table. An accepted table reads back the same, then the model runs on the table. */
 #include "fuzz.h"
-#include "host/check.h"
-#include "host/commands.h"
+#include "tools/check/check.h"
+#include "app/cli/commands.h"
 
 #define X(name) #name,
 static const char *const models[] = { CHECK_MODELS(X) };

@@ -2,7 +2,7 @@
 /* Fuzzes lists of frames' CRCs as read by --expect. Each line of an accepted list is a
  * hash, a comment or blank, and its printed form reads back the same. */
 #include "fuzz.h"
-#include "host/hashes.h"
+#include "app/files/hashes.h"
 
 #define BLANKS     " \t\r\v\f"
 #define HASH_BYTES "framec0123456789abcdefABCDEF" BLANKS    /* no sign, no "0x" */

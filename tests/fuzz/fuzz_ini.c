@@ -4,8 +4,8 @@
  * settings, the scene reads back the same, and without settings the file's bytes do not
  * change. */
 #include "fuzz.h"
-#include "host/scene_save.h"
-#include "scene/value.h"
+#include "app/scene/scene_save.h"
+#include "world/value.h"
 
 static void write_file(const char *path, const uint8_t *data, size_t size)
 {

@@ -2,7 +2,7 @@
 /* Fuzzes key files as read by `view --keys`. A rejected file changes no key. In an accepted
  * file no key has two actions, and the help's text reads back as the same keys. */
 #include "fuzz.h"
-#include "sdl2/keymap.h"
+#include "app/preview/keymap.h"
 
 static size_t count_keys(const keymap *m, int of)
 {

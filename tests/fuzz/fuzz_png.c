@@ -3,7 +3,7 @@
  * otherwise the reader would reject nearly each file by its first CRC. An accepted picture
  * becomes a texture; written as a drawn picture it reads back the same. */
 #include "fuzz.h"
-#include "host/picture.h"
+#include "app/files/picture.h"
 #include "pixel/pixel.h"
 
 enum { PIXELS_MOST = 4096 };        /* most pixels to write and read again */

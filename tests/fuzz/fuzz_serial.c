@@ -3,7 +3,7 @@
  * error changes nothing. After any settings the scene can still be drawn: some ticks and a
  * picture are made, in the memory of the start. */
 #include "fuzz.h"
-#include "board/control.h"
+#include "serial/control.h"
 #include "tidepool/modules.h"
 
 enum { TICKS = 12, SAID = 1 << 16 };

@@ -3,8 +3,8 @@
  * session.ini, or the lines behind a correct name of the world. The settings are applied to
  * a scene, as --resume does. */
 #include "fuzz.h"
-#include "host/scene_file.h"
-#include "host/session.h"
+#include "app/scene/scene_file.h"
+#include "app/session/session.h"
 #include "pixel/pixel.h"
 #include <sys/stat.h>
 

@@ -2,8 +2,8 @@
 /* Fuzzes lines as words behind --set. A rejected word changes nothing and is reported; an
  * accepted word prints as a text for the same value. */
 #include "fuzz.h"
-#include "host/scene_file.h"
-#include "scene/value.h"
+#include "app/scene/scene_file.h"
+#include "world/value.h"
 
 enum { ROWS = 1024, LINES = 8 };
 

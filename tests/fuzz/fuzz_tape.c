@@ -2,7 +2,7 @@
 /* Fuzzes whole tape files for a scene called "pond". An accepted tape is recorded again and
  * reads back the same; then the tape is played to the scene for the first ticks. */
 #include "fuzz.h"
-#include "host/replay.h"
+#include "app/scene/replay.h"
 
 enum { TICKS = 8 };
 

@@ -3,8 +3,8 @@
  * pause between Esc and a sequence, other values are a number of bytes at once. After any
  * bytes the input stays small, and all keys are released. */
 #include "fuzz.h"
-#include "live/wish.h"
-#include "screen/keys.h"
+#include "interact/input_merge.h"
+#include "app/fullscreen/terminal_keys.h"
 
 static bool is_within(int32_t number, int64_t most)
 {

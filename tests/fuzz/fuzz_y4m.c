@@ -3,7 +3,7 @@
  * one part equals the part; in a film of two parts, the second part's frames follow the
  * first part's. */
 #include "fuzz.h"
-#include "host/commands.h"
+#include "app/cli/commands.h"
 
 /* Joins films. Returns an exit code; the output file exists if the code is 0, and only
  * then. */

@@ -3,26 +3,25 @@
 #
 #   awk -f tests/gates/features.awk include/tidepool/*.h src/*/*.[ch] src/*/*/*.[ch]
 #
-# Headers of src/features/NAME are included only by files of that folder, and names that
-# begin with tp_FEATURE_ occur only there. Each file that declares a module is a feature,
-# so the list of names follows the code. The list of modules, tidepool/modules.h, and
-# features/all*.c name all features; public headers may declare a feature's functions.
+# Headers of src/features/NAME are included only by files of that folder, and functions that
+# the folder declares or defines, inline functions included, are called only there. The list
+# of modules, tidepool/modules.h, and features/all*.c name all features; public headers may
+# declare a feature's functions.
 BEGIN {
-    # Prefixes of the modules; files are read twice, first for the prefixes.
+    # Functions of each folder; files are read twice, first for the functions.
     for (i = 1; i < ARGC; i++)
         if (ARGV[i] ~ /src\/features\/[a-z_]+\//) {
             folder = ARGV[i]
             sub(/^.*src\/features\//, "", folder)
             sub(/\/.*/, "", folder)
-            while ((getline line < ARGV[i]) > 0)
-                if (match(line, /tp_[a-z_]+_module = /)) {
-                    name = substr(line, RSTART, RLENGTH - length("_module = "))
-                    home[name "_"] = folder
-                }
+            while ((getline line < ARGV[i]) > 0) {
+                if (line ~ /_module = /)
+                    found++
+                if (line ~ /^[A-Za-z]/ && match(line, /tp_[a-z0-9_]+\(/))
+                    home[substr(line, RSTART, RLENGTH)] = folder
+            }
             close(ARGV[i])
         }
-    for (name in home)
-        found++
     if (!found) {
         print "no module in src/features"
         bad = 1
@@ -55,16 +54,13 @@ FILENAME ~ /src\/features\/all(_rows)?\.c$/ || FILENAME ~ /include\/tidepool\// 
 {
     code = $0
     gsub(/\/\*[^*]*\*\//, "", code)
-    for (name in home) {
-        rest = code
-        while (match(rest, "(^|[^a-z_])" name "[a-z_]+[(]?")) {
-            word = substr(rest, RSTART, RLENGTH)
-            if (home[name] != here && word ~ /[(]$/) {
-                printf "%s:%d: %s belongs to features/%s\n", FILENAME, FNR, word, home[name]
-                bad = 1
-            }
-            rest = substr(rest, RSTART + RLENGTH)
+    while (match(code, /tp_[a-z0-9_]+\(/)) {
+        word = substr(code, RSTART, RLENGTH)
+        if (word in home && home[word] != here) {
+            printf "%s:%d: %s) belongs to features/%s\n", FILENAME, FNR, word, home[word]
+            bad = 1
         }
+        code = substr(code, RSTART + RLENGTH)
     }
 }
 

@@ -55,7 +55,7 @@ esac
 # Ports shared by pages and boards: no heap, no files, no floats either.
 shared()
 {
-    for file in ports/live/*.c; do
+    for file in ports/interact/*.c; do
         cc -std=c11 -O2 -ffreestanding -mgeneral-regs-only -fno-pie -Iinclude -Isrc \
             -Werror -Wall -c "$file" -o "$scratch/live-$(basename "$file" .c).o" || return 1
     done

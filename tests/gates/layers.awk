@@ -8,53 +8,51 @@
 # modules that may include a header for its types. A public header may include the headers
 # before it in their order.
 #
-# Host, sdl2, screen, linuxfb, kms and null are tools: they may include all headers of
-# src. Other ports include the public headers and their own, and from src those named in
-# `grants`:
+# app, tools, linuxfb, kms, null and library may include all headers of src. Other ports
+# include the public headers and their own, and from src those named in `grants`:
 #   rpi, cortex-m   share one block of memory (arena.h), print a picture's checksum (pixel.h),
 #                   count pixels of water (tools.h), write buttons as a tape (tape.h)
-#   board           a serial line has the tape's format, and sets rows by text (value.h)
-#   live            keeps a world's state over a change (world.h, meter.h), and finds
-#                   the water under a pixel (parts.h, pools.h, drops.h, fx.h)
-#   web             reads OBJ in pieces (reader.h), has a governor (tools.h), keeps the camera
+#   serial          a serial line has the tape's format, and sets rows by text (value.h)
+#   interact        keeps a world's state over a change (world.h, exposure.h), and finds
+#                   the water under a pixel (pools.h, drops.h, arithmetic.h)
+#   web             reads OBJ in pieces (mesh.h), has a governor (tools.h), keeps the camera
 #                   of a world that it makes again (world.h)
-# The raw screens linuxfb and kms are driven by screen, and host passes its pictures to
-# screen. The input and the changes of live are for all interactive ports. The preview
-# compares its pictures with the reference's, which is in tests. The host library, in
-# ports/library, offers the parts of host and live to other programs. A program's own
-# modules, in ports/examples, include the same headers as the library's modules; TP_MORE
-# names the header that lists such modules.
+# The raw screens linuxfb and kms are driven by app/fullscreen. The input and the changes of
+# interact are for all interactive ports. The host library, in ports/library, offers parts
+# of app and interact to other programs. A program's own modules, in ports/examples, include
+# the same headers as the library's modules; TP_MORE names the header that lists such
+# modules.
 BEGIN {
-    levels = split("base|fx|pixel|asset wave pool|geom|raster shade|scene|frame|features|" \
-                   "engine", level, "|")
+    levels = split("base|fixed|pixel|mesh waves pool|view|raster shade|world|quality|" \
+                   "frame|features|engine", level, "|")
     for (i = 1; i <= levels; i++) {
         n = split(level[i], module, " ")
         for (j = 1; j <= n; j++)
             rank[module[j]] = i
     }
-    split("fixed=base status=base assets=asset modules=pixel world=scene " \
+    split("fixed=base status=base assets=mesh modules=pixel scene=world " \
           "tidepool=engine", special, " ")
     for (i in special) {
         split(special[i], pair, "=")
         owner[pair[1]] = pair[2]
     }
-    split("base=tidepool pixel=frame wave=scene wave=assets wave=world pool=scene " \
-          "pool=assets geom=world", types, " ")
+    split("base=tidepool pixel=frame waves=scene waves=assets waves=world pool=scene " \
+          "pool=assets view=world", types, " ")
     for (i in types)
         typed[types[i]]
-    split("host sdl2 screen linuxfb kms null library", tools, " ")
+    split("app tools linuxfb kms null library", tools, " ")
     for (i in tools)
         tool[tools[i]]
     split("rpi=base/arena.h rpi=pixel/pixel.h cortex-m=base/arena.h " \
-          "cortex-m=pixel/pixel.h cortex-m=frame/tools.h cortex-m=scene/tape.h " \
-          "board=base/fail.h board=scene/value.h board=scene/tape.h " \
-          "board=scene/pools.h board=features/drops/drops.h " \
-          "live=fx/fx.h live=scene/value.h live=scene/world.h live=scene/world_parts.h " \
-          "live=scene/pools.h live=features/drops/drops.h " \
-          "live=features/exposure/meter.h " \
-          "web=asset/reader.h web=base/fail.h web=scene/value.h web=scene/world.h " \
+          "cortex-m=pixel/pixel.h cortex-m=frame/tools.h cortex-m=world/tape.h " \
+          "serial=base/error.h serial=world/value.h serial=world/tape.h " \
+          "serial=world/pools.h serial=features/drops/drops.h " \
+          "interact=fixed/arithmetic.h interact=world/value.h interact=world/world.h " \
+          "interact=world/pools.h interact=features/drops/drops.h " \
+          "interact=features/exposure/exposure.h " \
+          "web=mesh/mesh.h web=base/error.h web=world/value.h web=world/world.h " \
           "web=frame/tools.h " \
-          "web=pixel/pixel.h web=scene/pools.h web=features/drops/drops.h", grants, " ")
+          "web=pixel/pixel.h web=world/pools.h web=features/drops/drops.h", grants, " ")
     for (i in grants)
         granted[grants[i]]
     n = split("fixed status scene assets world frame modules tidepool", public_header, " ")
@@ -63,10 +61,9 @@ BEGIN {
     split("stddef.h stdint.h stdbool.h limits.h", system_header, " ")
     for (i in system_header)
         free[system_header[i]]
-    split("sdl2=host null=host host=screen screen=host screen=cortex-m linuxfb=screen " \
-          "linuxfb=host kms=screen kms=host rpi=board cortex-m=board cortex-m=lcd " \
-          "sdl2=live screen=live board=live web=live host=live host=tests " \
-          "library=host library=live", sights, " ")
+    split("app=tools tools=app app=interact app=cortex-m null=app kms=app linuxfb=app " \
+          "serial=interact rpi=serial cortex-m=serial cortex-m=lcd web=interact " \
+          "library=app library=interact", sights, " ")
     for (i in sights)
         guest[sights[i]]
 }

@@ -3,8 +3,8 @@
 # Tests of the gates: each gate gets a good example and some bad ones.
 . "$(dirname "$0")/../lib/script.sh"
 
-mkdir -p "$scratch/src/fx" "$scratch/src/wave" "$scratch/src/pool" "$scratch/src/odd" \
-    "$scratch/include/tidepool" "$scratch/ports/sdl2"
+mkdir -p "$scratch/src/fixed" "$scratch/src/waves" "$scratch/src/pool" "$scratch/src/odd" \
+    "$scratch/include/tidepool" "$scratch/ports/app/preview"
 
 # put FILE LINE...: writes a file with these lines under a licence line.
 put()
@@ -17,21 +17,21 @@ layers()    { awk -f $gates/layers.awk "$scratch/$1"; }
 words()     { awk -f $gates/words.awk "$scratch/$1"; }
 text()      { awk -f $gates/text.awk "$scratch/$1"; }
 
-put src/wave/a.c '#include "fx/fx_table.inc"' '#include "wave/wave.h"' \
+put src/waves/a.c '#include "fixed/fx_table.inc"' '#include "waves/deep_water.h"' \
     '#include <stdint.h>'
-check  "layers: passes includes that point down" layers src/wave/a.c
-put src/fx/a.c '#include "wave/wave.h"'
-refuse "layers: an include that points up" layers src/fx/a.c
-put src/wave/b.c '#include "pool/pool.h"'
-refuse "layers: a peer" layers src/wave/b.c
-put src/wave/c.c '#include "tidepool/frame.h"'
-refuse "layers: a public header of a higher rank" layers src/wave/c.c
-put src/wave/d.c '#include "wave.h"'
-refuse "layers: a name not written from src" layers src/wave/d.c
-put src/wave/e.c '# include <stdio.h>'
-refuse "layers: the C library in the core" layers src/wave/e.c
-put src/wave/f.c '#include "host/say.h"'
-refuse "layers: a port in the core" layers src/wave/f.c
+check  "layers: passes includes that point down" layers src/waves/a.c
+put src/fixed/a.c '#include "waves/deep_water.h"'
+refuse "layers: an include that points up" layers src/fixed/a.c
+put src/waves/b.c '#include "pool/pool.h"'
+refuse "layers: a peer" layers src/waves/b.c
+put src/waves/c.c '#include "tidepool/frame.h"'
+refuse "layers: a public header of a higher rank" layers src/waves/c.c
+put src/waves/d.c '#include "wave.h"'
+refuse "layers: a name not written from src" layers src/waves/d.c
+put src/waves/e.c '# include <stdio.h>'
+refuse "layers: the C library in the core" layers src/waves/e.c
+put src/waves/f.c '#include "app/files/log.h"'
+refuse "layers: a port in the core" layers src/waves/f.c
 put src/odd/a.c ''
 refuse "layers: a folder without a rank" layers src/odd/a.c
 put include/tidepool/fixed.h '#include "base/base.h"'
@@ -45,21 +45,21 @@ put ports/lcd/a.c '#include "base/arena.h"'
 refuse "layers: the core's inside in a port" layers ports/lcd/a.c
 put ports/rpi/a.c '#include "base/arena.h"'
 check  "layers: passes a header of the core that a port is granted" layers ports/rpi/a.c
-put ports/rpi/b.c '#include "base/fail.h"'
+put ports/rpi/b.c '#include "base/error.h"'
 refuse "layers: another header of the same folder" layers ports/rpi/b.c
-put ports/sdl2/a.c '#include "fx/fx.h"'
-check  "layers: passes the core's inside in a tool" layers ports/sdl2/a.c
-put ports/sdl2/b.c '#include "tidepool/tidepool.h"' '#include <SDL.h>' \
-    '#include "../host/say.h"'
-check  "layers: passes a port that keeps to the API" layers ports/sdl2/b.c
+put ports/app/preview/a.c '#include "fixed/arithmetic.h"'
+check  "layers: passes the core's inside in a tool" layers ports/app/preview/a.c
+put ports/app/preview/b.c '#include "tidepool/tidepool.h"' '#include <SDL.h>' \
+    '#include "app/files/log.h"'
+check  "layers: passes a port that keeps to the API" layers ports/app/preview/b.c
 
 mkdir -p "$scratch/ports/cortex-m"
-put ports/cortex-m/a.c '#include "board/control.h"' '#include "lcd/lcd.h"'
+put ports/cortex-m/a.c '#include "serial/control.h"' '#include "lcd/lcd.h"'
 check  "layers: passes what boards share" layers ports/cortex-m/a.c
-put ports/cortex-m/b.c '#include "host/say.h"'
+put ports/cortex-m/b.c '#include "app/files/log.h"'
 refuse "layers: the host program in a board" layers ports/cortex-m/b.c
 
-mkdir -p "$scratch/src/features/buoy" "$scratch/src/features/kite" "$scratch/src/scene"
+mkdir -p "$scratch/src/features/buoy" "$scratch/src/features/kite" "$scratch/src/world"
 features() { awk -f $gates/features.awk "$scratch/src/features/buoy/buoy.c" "$scratch/$1"; }
 put src/features/buoy/buoy.c '#include "features/buoy/buoy.h"' \
     'const tp_module tp_buoy_module = { 0 };' 'void tp_buoy_step(void) { tp_buoy_sway(); }'
@@ -67,34 +67,34 @@ put src/features/buoy/sway.c '#include "features/buoy/buoy.h"' 'void f(void) { t
 check  "features: passes a feature's own files" features src/features/buoy/sway.c
 put src/features/all.c '#include "features/buoy/buoy.h"'
 check  "features: passes the list" features src/features/all.c
-put src/scene/a.c '#include "features/buoy/buoy.h"'
-refuse "features: a feature's header outside of its folder" features src/scene/a.c
+put src/world/a.c '#include "features/buoy/buoy.h"'
+refuse "features: a feature's header outside of its folder" features src/world/a.c
 put src/features/kite/a.c '#include "features/buoy/buoy.h"'
 refuse "features: another feature's header" features src/features/kite/a.c
-put src/scene/b.c 'void f(void) { tp_buoy_step(); }'
-refuse "features: a feature's function outside of its folder" features src/scene/b.c
+put src/world/b.c 'void f(void) { tp_buoy_step(); }'
+refuse "features: a feature's function outside of its folder" features src/world/b.c
 
-put src/wave/g.c '/* a double */ int x; /* free' ' float */ const char *s = "malloc";'
-check  "words: passes comments and strings" words src/wave/g.c
-put src/wave/h.c '/* fine */ double x;'
-refuse "words: a double" words src/wave/h.c
-put src/wave/i.c 'int f(void) { return (int)(float)3; }'
-refuse "words: a cast to float" words src/wave/i.c
-put src/wave/j.c 'void *p = malloc(3);'
-refuse "words: the heap" words src/wave/j.c
+put src/waves/g.c '/* a double */ int x; /* free' ' float */ const char *s = "malloc";'
+check  "words: passes comments and strings" words src/waves/g.c
+put src/waves/h.c '/* fine */ double x;'
+refuse "words: a double" words src/waves/h.c
+put src/waves/i.c 'int f(void) { return (int)(float)3; }'
+refuse "words: a cast to float" words src/waves/i.c
+put src/waves/j.c 'void *p = malloc(3);'
+refuse "words: the heap" words src/waves/j.c
 
-put src/wave/j1.c 'int f(int *p) { return __atomic_fetch_add(p, 1, 0); }'
-refuse "words: a lock" words src/wave/j1.c
+put src/waves/j1.c 'int f(int *p) { return __atomic_fetch_add(p, 1, 0); }'
+refuse "words: a lock" words src/waves/j1.c
 
-check  "text: passes a plain file" text src/wave/a.c
+check  "text: passes a plain file" text src/waves/a.c
 printf 'int x;\nint y;\nint z;\n' >"$scratch/src/wave/k.c"
-refuse "text: no licence line" text src/wave/k.c
-put src/wave/l.c "$(printf 'int\tx;')" ''
-refuse "text: a tab" text src/wave/l.c
-put src/wave/m.c 'int x; ' ''
-refuse "text: a blank at the end" text src/wave/m.c
-put src/wave/n.c "/* $(printf '%0100d' 0) */" ''
-refuse "text: a line too long" text src/wave/n.c
+refuse "text: no licence line" text src/waves/k.c
+put src/waves/l.c "$(printf 'int\tx;')" ''
+refuse "text: a tab" text src/waves/l.c
+put src/waves/m.c 'int x; ' ''
+refuse "text: a blank at the end" text src/waves/m.c
+put src/waves/n.c "/* $(printf '%0100d' 0) */" ''
+refuse "text: a line too long" text src/waves/n.c
 
 headers()   { headers_alone gcc g++ "$scratch/$1"; }
 mkdir -p "$scratch/one/tidepool"
@@ -175,7 +175,7 @@ refuse "asserts: code without any" asserts src/pool/e.c
 
 # assert_by FLAG...: a program whose assert fails; prints its output and its exit code.
 cat >"$scratch/broken.c" <<'END'
-#include "base/assert.h"
+#include "base/base.h"
 int main(int count, char **words) { TP_ASSERT(count == 0); return words == 0; }
 END
 assert_by()
@@ -252,6 +252,6 @@ if pkg-config --exists cmocka; then
     rm "$scratch/pc/cmocka.pc"
 fi
 check  "left out: every test is told of where no library is" every_test ""
-check  "left out: unit tests" tells_of tests/unit/test_fx_trig libcmocka-dev
+check  "left out: unit tests" tells_of tests/unit/test_fixed_angles libcmocka-dev
 check  "left out: golden frames" tells_of tests/golden/test_frames libcmocka-dev
 finish

@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "tests/lib/golden.h"
-#include "host/path.h"
+#include "app/files/path.h"
 #include "pixel/pixel.h"
 
 #define WRECK "build/golden"

@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
-#include "host/picture.h"
+#include "app/files/picture.h"
 
 #define HEAD_BYTES 4096         /* chunks before the pixels: palette and others */
 

@@ -252,7 +252,7 @@ ini "word that is no choice" 3 \
 ini "a value that the core refuses, by its check" 3 \
     "^harbour.ini:2: wave0.length: expected a number, found nine$" \
     "[wave0]" "length = nine"
-expect "the same with its check" 3 "found nine \[src/scene/value.c:[0-9]*\]$" \
+expect "the same with its check" 3 "found nine \[src/world/value.c:[0-9]*\]$" \
     render harbour.ini --verbose
 ini "both errors of a file, the first by line" 3 "^harbour.ini:2: neither" \
     "[wave0]" "steepness" "length = nine"

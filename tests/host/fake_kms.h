@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include <stddef.h>
-#include "../../ports/kms/choose.h"
+#include "../../ports/kms/mode_select.h"
 
 #define FAKE_CONSOLE   90       /* buffer shown before the start */
 #define FAKE_CRTC      41       /* drives FAKE_CONNECTOR before the start; 40 is free */

@@ -6,9 +6,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "host/canvas.h"
-#include "host/say.h"
-#include "host/stage.h"
+#include "app/scene/frame_renderer.h"
+#include "app/files/log.h"
+#include "app/scene/loaded_scene.h"
 
 #define SIDE 4.0                /* m, longest side of a drawn mesh */
 

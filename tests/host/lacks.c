@@ -3,7 +3,7 @@
  * changes, a line each. */
 #include <stdio.h>
 #include <string.h>
-#include "scene/world_parts.h"
+#include "world/module.h"
 
 extern const tp_scene baked_scene;
 extern const tp_assets baked_assets;

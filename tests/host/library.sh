@@ -202,7 +202,7 @@ done
 
 # SDL's flags ask the C library for POSIX names; without SDL a file asks by itself.
 same "nothing that it is made of needs SDL" "$(cd "$root" && for file in ports/host/*.c \
-        ports/live/*.c ports/library/*.c; do
+        ports/interact/*.c ports/library/*.c; do
     $cc -std=c11 -Iinclude -Iports -Iports/library -Isrc -I. -fsyntax-only "$file" 2>&1
 done | grep error)" ""
 

@@ -13,10 +13,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include "../../ports/host/actions.h"
-#include "../../ports/host/picture.h"
-#include "../../ports/sdl2/panel.h"
-#include "scene/value.h"
+#include "../../ports/app/session/actions.h"
+#include "../../ports/app/files/picture.h"
+#include "../../ports/app/preview/panel.h"
+#include "world/value.h"
 
 enum { ROWS = 512, TIMES = 4096 };
 

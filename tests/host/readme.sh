@@ -32,12 +32,12 @@ ripple()
         sed 's/sea_ripple/ripple/'
 }
 if [ "${1:-}" = --write ]; then
-    ripple >src/scene/sea_ripple.inc
+    ripple >src/world/sea_ripple.inc
     exit
 fi
-same_ripple() { ripple | cmp - src/scene/sea_ripple.inc; }
+same_ripple() { ripple | cmp - src/world/sea_ripple.inc; }
 check "the built-in picture is the shipped one, 16 texels a side" same_ripple
-small() { [ "$(grep -o 0x src/scene/sea_ripple.inc | wc -l)" -le 1024 ]; }
+small() { [ "$(grep -o 0x src/world/sea_ripple.inc | wc -l)" -le 1024 ]; }
 check "it is no larger than 4 KB" small
 
 # The sizes on the page for embedders equal the library's.
@@ -109,10 +109,10 @@ keys()          # prints the preview's keys: the first one of each action
         sed 's/\\fR$//; s/\\-/-/g' >"$scratch/keys"
     grep -qx F1 "$scratch/keys" || { echo "the manual lists no keys"; return 1; }
     while read -r key; do
-        grep -qF "\`$key\`" ports/sdl2/KEYS.md || { echo "the page lacks $key"; return 1; }
+        grep -qF "\`$key\`" ports/app/preview/KEYS.md || { echo "the page lacks $key"; return 1; }
     done <"$scratch/keys"
 }
-check "ports/sdl2/KEYS.md lists the preview's keys" keys
+check "ports/app/preview/KEYS.md lists the preview's keys" keys
 
 # -- tables and links -------------------------------------------------------------------
 

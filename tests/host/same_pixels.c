@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "host/picture.h"
+#include "app/files/picture.h"
 
 int main(int argc, char **argv)
 {

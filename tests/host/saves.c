@@ -11,12 +11,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "host/picture.h"
-#include "host/say.h"
-#include "host/scene_save.h"
-#include "host/session.h"
-#include "host/stage.h"
-#include "screen/keep.h"
+#include "app/files/picture.h"
+#include "app/files/log.h"
+#include "app/scene/scene_save.h"
+#include "app/session/session.h"
+#include "app/scene/loaded_scene.h"
+#include "app/files/snapshot.h"
 
 /* Defined by faults.c, if loaded. */
 void faults_begin(void) __attribute__((weak));

@@ -11,11 +11,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "host/canvas.h"
-#include "host/path.h"
-#include "scene/world.h"
-#include "tests/reference/image.h"
-#include "tests/reference/stand.h"
+#include "app/scene/frame_renderer.h"
+#include "app/files/path.h"
+#include "world/world.h"
+#include "tools/reference/image.h"
+#include "tools/reference/shipped_scene.h"
 
 /* -- an empty overlay ------------------------------------------------------------------ */
 

@@ -6,10 +6,10 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <cmocka.h>
-#include "../../ports/board/buttons.h"
+#include "../../ports/serial/buttons.h"
 #include "tests/lib/scenes.h"
 #include "tests/lib/frames.h"
-#include "scene/world.h"
+#include "world/world.h"
 
 #define NONE 0x1fu              /* no button pressed: all lines are high */
 

@@ -10,9 +10,9 @@
 #include <string.h>
 #include <time.h>
 #include <cmocka.h>
-#include "../../ports/host/compare.h"
-#include "../../ports/host/differ.h"
-#include "../../ports/host/timing.h"
+#include "../../ports/app/session/compare.h"
+#include "../../ports/app/session/image_diff.h"
+#include "../../ports/app/files/timing.h"
 
 #define SEA   "assets/scenes/three-swells.ini"
 #define POND  "assets/scenes/pond.ini"

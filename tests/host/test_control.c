@@ -8,12 +8,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <cmocka.h>
-#include "../../ports/board/control.h"
+#include "../../ports/serial/control.h"
 #include "tests/lib/scenes.h"
 #include "tests/lib/frames.h"
 #include "pixel/pixel.h"
-#include "scene/value.h"
-#include "scene/world.h"
+#include "world/value.h"
+#include "world/world.h"
 
 static const tp_config config = {
     .width = 64, .height = 48, .tile_height = 8, .format = TP_FORMAT_L8

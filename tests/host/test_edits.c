@@ -9,7 +9,7 @@
 #include <string.h>
 #include <cmocka.h>
 #undef fail                     /* cmocka's, without arguments */
-#include "../../ports/host/edits.h"
+#include "../../ports/app/session/undo.h"
 #include "tests/lib/measure.h"
 
 static undo_edits e;

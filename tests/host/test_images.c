@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <setjmp.h>
 #include <stdint.h>
-#include "../../ports/host/canvas.h"
+#include "../../ports/app/scene/frame_renderer.h"
 #include "tests/lib/png_files.h"
 
 static void good_pictures_are_read_to_the_texel(void **state)

@@ -7,10 +7,10 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <cmocka.h>
-#include "../../ports/host/path.h"
-#include "../../ports/host/stage.h"
+#include "../../ports/app/files/path.h"
+#include "../../ports/app/scene/loaded_scene.h"
 #include "tests/lib/random.h"
-#include "scene/world.h"
+#include "world/world.h"
 
 #define FOLDER "assets/scenes"
 

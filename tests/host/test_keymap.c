@@ -10,9 +10,9 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "../../ports/host/say.h"       /* before cmocka's macro `fail` */
+#include "../../ports/app/files/log.h"       /* before cmocka's macro `fail` */
 #include <cmocka.h>
-#include "../../ports/sdl2/keymap.h"
+#include "../../ports/app/preview/keymap.h"
 #include "tests/lib/messages.h"
 
 static keymap map;

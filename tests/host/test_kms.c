@@ -14,9 +14,9 @@
 #include <sys/stat.h>
 #include <sys/time.h>
 #include <unistd.h>
-#include "../../ports/host/say.h"
+#include "../../ports/app/files/log.h"
 #include <cmocka.h>
-#include "../../ports/screen/screen.h"
+#include "../../ports/app/fullscreen/screen.h"
 #include "fake_kms.h"
 #include "tests/lib/messages.h"
 

@@ -13,13 +13,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #undef log_fail                     /* cmocka's, without arguments */
-#include "host/deck.h"
-#include "host/long_name.h"
-#include "host/say.h"
-#include "host/scene_save.h"
-#include "host/session.h"
-#include "host/stage.h"
-#include "scene/value.h"
+#include "app/scene/tape_file.h"
+#include "app/scene/long_name.h"
+#include "app/files/log.h"
+#include "app/scene/scene_save.h"
+#include "app/session/session.h"
+#include "app/scene/loaded_scene.h"
+#include "world/value.h"
 
 enum { FOLDERS = 15, FOLDER = 240 };
 

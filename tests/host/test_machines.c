@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../ports/host/path.h"
-#include "../../ports/host/stage.h"
+#include "../../ports/app/files/path.h"
+#include "../../ports/app/scene/loaded_scene.h"
 
 #define FOLDER "assets/scenes"
 

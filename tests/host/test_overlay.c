@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../ports/sdl2/help_words.h"
-#include "../../ports/sdl2/overlay.h"
+#include "../../ports/app/preview/key_help_words.h"
+#include "../../ports/app/preview/overlay.h"
 
 #define MOST  1200
 #define AMBER 0xffd479u

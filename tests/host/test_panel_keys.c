@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../ports/sdl2/panel_keys.h"
+#include "../../ports/app/preview/panel_keys.h"
 
 /* A key without a letter is given by its scancode. */
 static bool key(panel_keys *k, uint32_t type, SDL_Keycode sym, uint16_t mod)

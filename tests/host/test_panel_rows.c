@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../ports/sdl2/panel_rows.h"
-#include "scene/value.h"
+#include "../../ports/app/preview/panel_rows.h"
+#include "world/value.h"
 
 static panel_row row_of(const tp_param *p)
 {

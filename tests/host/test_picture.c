@@ -12,11 +12,11 @@
 #include <unistd.h>
 #include <cmocka.h>
 #include <png.h>
-#include "../../ports/host/film.h"
-#include "../../ports/host/nearest.h"
-#include "../../ports/host/path.h"
-#include "../../ports/host/picture.h"
-#include "../../ports/host/timing.h"
+#include "../../ports/app/files/film.h"
+#include "../../ports/app/files/did_you_mean.h"
+#include "../../ports/app/files/path.h"
+#include "../../ports/app/files/picture.h"
+#include "../../ports/app/files/timing.h"
 #include "pixel/pixel.h"
 #include "tests/lib/random.h"
 

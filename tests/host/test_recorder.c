@@ -13,7 +13,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "host/recorder.h"
+#include "app/session/recorder.h"
 
 #define WIDTH  160
 #define HEIGHT 120

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <setjmp.h>
 #include <stdint.h>
-#include "../../ports/host/roff.h"     /* before cmocka's macro `fail` */
+#include "../../ports/app/cli/roff.h"     /* before cmocka's macro `fail` */
 #include <cmocka.h>
 #include <stdio.h>
 #include <string.h>

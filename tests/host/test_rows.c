@@ -12,9 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "frame/frame.h"
-#include "host/assets.h"
-#include "host/scene_file.h"
-#include "scene/value.h"
+#include "app/scene/assets.h"
+#include "app/scene/scene_file.h"
+#include "world/value.h"
 
 enum { MOST_WIDTH = 320, MOST_HEIGHT = 240, MOST = MOST_WIDTH * MOST_HEIGHT };
 

@@ -14,9 +14,9 @@
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
-#include "host/path.h"
-#include "host/scene_save.h"
-#include "scene/value.h"
+#include "app/files/path.h"
+#include "app/scene/scene_save.h"
+#include "world/value.h"
 
 static char folder[] = "/tmp/tidepool-save-XXXXXX";
 static char scenes[4096];       /* assets/scenes, absolute */

@@ -6,8 +6,8 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../ports/live/wish.h"
-#include "../../ports/screen/keys.h"
+#include "../../ports/interact/input_merge.h"
+#include "../../ports/app/fullscreen/terminal_keys.h"
 
 static terminal_keys k;
 

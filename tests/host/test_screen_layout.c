@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../ports/screen/layout.h"
+#include "../../ports/app/fullscreen/pixel_layout.h"
 #include "pixel/pixel.h"
 
 #define WIDTH 67

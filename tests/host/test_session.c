@@ -15,9 +15,9 @@
 #include <time.h>
 #include <unistd.h>
 #undef fail                     /* cmocka's, without arguments */
-#include "host/session.h"
-#include "host/stage.h"
-#include "scene/world.h"
+#include "app/session/session.h"
+#include "app/scene/loaded_scene.h"
+#include "world/world.h"
 
 static char home[] = "/tmp/tidepool-state-XXXXXX";
 

@@ -9,10 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../ports/host/path.h"
-#include "../../ports/host/stage.h"
-#include "../../ports/host/stopwatch.h"
-#include "../../ports/host/timing.h"
+#include "../../ports/app/files/path.h"
+#include "../../ports/app/scene/loaded_scene.h"
+#include "../../ports/app/scene/stopwatch.h"
+#include "../../ports/app/files/timing.h"
 
 #define FOLDER "assets/scenes"
 #define SCENE  FOLDER "/three-swells.ini"

@@ -10,9 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../ports/host/crew.h"
-#include "../../ports/host/path.h"
-#include "../../ports/host/stage.h"
+#include "../../ports/app/scene/thread_pool.h"
+#include "../../ports/app/files/path.h"
+#include "../../ports/app/scene/loaded_scene.h"
 
 #define FOLDER "assets/scenes"
 

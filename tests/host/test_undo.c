@@ -10,10 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 #undef log_fail                     /* cmocka's, without arguments */
-#include "host/say.h"
-#include "host/undo.h"
-#include "scene/value.h"
-#include "scene/world.h"
+#include "app/files/log.h"
+#include "app/session/undo.h"
+#include "world/value.h"
+#include "world/world.h"
 
 static options given;           /* of the open stage */
 static loaded_scene stood;

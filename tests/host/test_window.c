@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../ports/sdl2/window.h"
+#include "../../ports/app/preview/window.h"
 
 #define BAR 6
 

@@ -5,7 +5,7 @@
 #ifndef TP_CHECKED
 #define TP_CHECKED
 #endif
-#include "base/assert.h"
+#include "base/base.h"
 
 _Noreturn void tp_assert_failed(const char *file, int line, const char *condition)
 {

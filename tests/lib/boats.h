@@ -3,8 +3,8 @@
 #ifndef TP_TESTS_LIB_BOATS_H
 #define TP_TESTS_LIB_BOATS_H
 #include "features/boat/boat.h"
-#include "scene/pools.h"
-#include "scene/world.h"
+#include "world/pools.h"
+#include "world/world.h"
 #include "tests/lib/frames.h"
 #include "tests/lib/scenes.h"
 #include "tidepool/modules.h"

@@ -2,9 +2,9 @@
 /* A camera for tests, in the core's formats and in double precision. */
 #ifndef TP_TESTS_LIB_CAMERA_H
 #define TP_TESTS_LIB_CAMERA_H
-#include "geom/geom.h"
+#include "view/projection.h"
 #include "tests/lib/random.h"
-#include "tests/reference/camera.h"
+#include "tools/reference/camera.h"
 
 typedef struct {
     tp_projection    projection;
@@ -18,7 +18,7 @@ static inline test_view view_of(tp_vec3 eye, tp_turn heading, tp_turn pitch, tp_
     test_view v = { .width = width, .height = height };
 
     tp_projection_init(&v.projection, eye, heading, pitch, fov, near, width, height);
-    v.ref = ref_camera_of(eye, heading, pitch, fov, near, width, height);
+    v.ref = ref_camera_make(eye, heading, pitch, fov, near, width, height);
     return v;
 }
 

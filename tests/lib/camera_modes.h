@@ -2,7 +2,7 @@
 /* A world with a camera mode, stepped as the view steps it, for tests. */
 #ifndef TP_TESTS_LIB_CAMERA_MODES_H
 #define TP_TESTS_LIB_CAMERA_MODES_H
-#include "live/look.h"
+#include "interact/camera_mode.h"
 #include "tests/lib/boats.h"
 
 #define NEAR 2                  /* LSB of 16.16 */

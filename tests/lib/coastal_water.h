@@ -4,7 +4,7 @@
 #ifndef TP_TESTS_LIB_COASTAL_WATER_H
 #define TP_TESTS_LIB_COASTAL_WATER_H
 #include "tests/lib/random.h"
-#include "wave/ocean.h"
+#include "waves/coastal_water.h"
 
 #define TURNS (1 / 4294967296.0)
 #define LSB   (1 / 65536.0)

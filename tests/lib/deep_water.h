@@ -6,8 +6,8 @@
 #define TP_TESTS_LIB_DEEP_WATER_H
 #include "tests/lib/measure.h"
 #include "tests/lib/random.h"
-#include "tests/reference/sea.h"
-#include "wave/wave.h"
+#include "tools/reference/deep_water.h"
+#include "waves/deep_water.h"
 
 #define TEN_YEARS (3652ull * 24 * 3600 * TP_TICKS_PER_SECOND)
 #define LSB       (1 / 65536.0)

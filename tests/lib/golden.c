@@ -2,13 +2,13 @@
 /* Draws golden frames and compares them with their references. */
 #include "tests/lib/golden.h"
 #include "pixel/pixel.h"
-#include "scene/world.h"
+#include "world/world.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "host/canvas.h"
+#include "app/scene/frame_renderer.h"
 
 #define PATH_BYTES 512
 

@@ -10,9 +10,9 @@
 #ifndef TP_TESTS_LIB_GOLDEN_H
 #define TP_TESTS_LIB_GOLDEN_H
 #include <stdbool.h>
-#include "host/assets.h"
-#include "host/picture.h"
-#include "host/scene_file.h"
+#include "app/scene/assets.h"
+#include "app/files/picture.h"
+#include "app/scene/scene_file.h"
 #include "tests/lib/golden_sizes.h"
 
 extern const uint32_t golden_frames[GOLDEN_FRAMES];     /* in ticks */

@@ -4,7 +4,7 @@
 #define TP_TESTS_LIB_GRIDS_H
 #include <stdlib.h>
 #include <string.h>
-#include "geom/grid.h"
+#include "view/grid.h"
 
 static inline void grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols,
                               uint32_t rows, bool coastal)

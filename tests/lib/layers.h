@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include "features/water/water.h"
 #include "tests/lib/shading.h"
-#include "tests/reference/texture.h"
+#include "tools/reference/texture.h"
 
 typedef void stage(const tp_shade *shade, tp_run *run);
 

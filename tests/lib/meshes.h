@@ -6,8 +6,8 @@
 #define TP_TESTS_LIB_MESHES_H
 #include <stdlib.h>
 #include <string.h>
-#include "asset/cut.h"
-#include "asset/reader.h"
+#include "mesh/triangulate.h"
+#include "mesh/mesh.h"
 #include "tests/lib/random.h"
 
 #define OBJ_TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\n"

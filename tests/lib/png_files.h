@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "host/assets.h"
-#include "host/say.h"
+#include "app/scene/assets.h"
+#include "app/files/log.h"
 #include <cmocka.h>
 
 static const char *const textures[] = {

@@ -17,7 +17,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "host/stage.h"
+#include "app/scene/loaded_scene.h"
 #include "raster/raster.h"
 
 enum { FINER = 4, LAST = 300, MOST = 320 * 240 };

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "tests/lib/frames.h"
-#include "tests/reference/image.h"
-#include "tests/reference/stand.h"
+#include "tools/reference/image.h"
+#include "tools/reference/shipped_scene.h"
 
 /* Settings that turn off features the reference does not draw, or draws in another way. */
 #define REF_WITHOUT "foam.cells=0", "spray.count=0", "water.caustics=0", \
@@ -118,7 +118,7 @@ static inline bool is_inner(const drawn_image *a, const ref_image *b, uint32_t x
 
 static inline void difference_add(difference *d, uint32_t drawn, ref_colour want)
 {
-    const ref_colour got = ref_colour_of(drawn);
+    const ref_colour got = ref_colour_unpack(drawn);
 
     d->water++;
     for (int c = 0; c < 3; c++) {

@@ -2,11 +2,11 @@
 /* Small scenes for the reference's own checks, and the colours to be seen in them. */
 #ifndef TP_TESTS_LIB_REFERENCE_SCENES_H
 #define TP_TESTS_LIB_REFERENCE_SCENES_H
-#include "scene/world.h"
+#include "world/world.h"
 #include "tests/lib/frames.h"
 #include "tests/lib/measure.h"
 #include "tests/lib/scenes.h"
-#include "tests/reference/image.h"
+#include "tools/reference/image.h"
 #include "tidepool/modules.h"
 
 typedef struct {

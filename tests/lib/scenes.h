@@ -4,8 +4,8 @@
 #ifndef TP_TESTS_LIB_SCENES_H
 #define TP_TESTS_LIB_SCENES_H
 #include <string.h>
-#include "asset/mesh.h"
-#include "fx/fx.h"
+#include "mesh/mesh.h"
+#include "fixed/arithmetic.h"
 #include "tests/lib/random.h"
 #include "tidepool/modules.h"
 

@@ -3,13 +3,13 @@
  * the reference needs from them, and differences of colours. */
 #ifndef TP_TESTS_LIB_SHADING_H
 #define TP_TESTS_LIB_SHADING_H
-#include "features/water/quick_light.h"
-#include "shade/depth.h"
+#include "features/water/fast_shading.h"
+#include "shade/shade.h"
 #include "shade/env.h"
 #include "tests/lib/measure.h"
 #include "tests/lib/random.h"
-#include "tests/reference/env.h"
-#include "tests/reference/shading.h"
+#include "tools/reference/env.h"
+#include "tools/reference/shading.h"
 
 /* -- differences in levels of 255 ---------------------------------------------------- */
 
@@ -21,7 +21,7 @@ typedef struct {
 
 static inline void colour_error_add(colour_error *l, uint32_t got, ref_colour want)
 {
-    const ref_colour g = ref_colour_of(got);
+    const ref_colour g = ref_colour_unpack(got);
 
     for (int k = 0; k < 3; k++) {
         const double off = fabs(g.c[k] - want.c[k]);
@@ -217,7 +217,7 @@ static inline void sky_cube(test_sky *sky, tp_shade *shade,
 
     for (int f = 0; f < 6; f++) {
         for (int i = 0; i < SKY_SIDE * SKY_SIDE; i++)
-            pixels[i] = paint(ref_cube_to(f, (i % SKY_SIDE + 0.5) / SKY_SIDE,
+            pixels[i] = paint(ref_cube_direction(f, (i % SKY_SIDE + 0.5) / SKY_SIDE,
                                           ((double)(i / SKY_SIDE) + 0.5) / SKY_SIDE), with);
         if (tp_texture_init(&sky->face[f], pixels, SKY_SIDE, SKY_SIDE, sky->texel[f],
                             tp_texture_bytes(SKY_SIDE, SKY_SIDE), NULL))

@@ -5,8 +5,8 @@
 #ifndef TP_TESTS_LIB_SNAPSHOTS_H
 #define TP_TESTS_LIB_SNAPSHOTS_H
 #include "pixel/pixel.h"
-#include "scene/pools.h"
-#include "screen/keep.h"
+#include "world/pools.h"
+#include "app/files/snapshot.h"
 #include "tests/lib/worlds.h"
 
 enum { KEPT_SCENES = 3, KEPT_WIDTH = 32, KEPT_HEIGHT = 24 };

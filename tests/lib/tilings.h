@@ -5,11 +5,10 @@
 #define TP_TESTS_LIB_TILINGS_H
 #include "features/exposure/exposure.h"
 #include "features/foam/foam.h"
-#include "features/reflection/mirror.h"
-#include "features/reflection/object_cube.h"
+#include "features/reflection/reflection.h"
 #include "features/tank/tank.h"
 #include "features/underwater/underwater.h"
-#include "features/water/bumps.h"
+#include "features/water/water.h"
 #include "frame/frame.h"
 #include "frame/tools.h"
 #include "pixel/pixel.h"

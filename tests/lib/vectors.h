@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "tests/lib/measure.h"
-#include "wave/wave.h"
+#include "waves/deep_water.h"
 
 /* -- rows of numbers ----------------------------------------------------------------- */
 

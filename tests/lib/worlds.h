@@ -2,7 +2,7 @@
 /* Scenes with buffers behind the world's head, and their random inputs. */
 #ifndef TP_TESTS_LIB_WORLDS_H
 #define TP_TESTS_LIB_WORLDS_H
-#include "scene/world_parts.h"
+#include "world/module.h"
 #include "tests/lib/frames.h"
 #include "tests/lib/scenes.h"
 

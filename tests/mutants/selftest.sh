@@ -26,7 +26,7 @@ check "comments, strings, preprocessor" same '' '#define A 7' '/* a + 7' ' b && 
 check "names and numbers with a point" same '' 'int x1 = y2 = TP_FX(0.5);'
 check "assertions" same '' '    TP_ASSERT(a < 7);'
 
-awk -f tests/mutants/sites.awk src/fx/*.c >"$scratch/sites"
+awk -f tests/mutants/sites.awk src/fixed/*.c >"$scratch/sites"
 picked()        # SEED
 {
     awk -v seed="$1" -f tests/mutants/pick.awk "$scratch/sites"

@@ -4,7 +4,7 @@
 #ifndef TP_REFERENCE_MIRROR_H
 #define TP_REFERENCE_MIRROR_H
 #include <stdbool.h>
-#include "camera.h"
+#include "tools/reference/camera.h"
 
 typedef struct {
     ref_vec place;

@@ -5,7 +5,7 @@
 #define TP_REFERENCE_WATER_RAY_H
 #include <math.h>
 #include <stdbool.h>
-#include "camera.h"
+#include "tools/reference/camera.h"
 
 typedef struct {
     double x0, x1, z0, z1, depth;

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "features/drops/drops.h"
-#include "scene/clock.h"
+#include "world/world.h"
 #include "tests/lib/random.h"
 
 #define MINUTE 3600             /* ticks */

@@ -12,9 +12,9 @@
 #include <cmocka.h>
 #include "features/drops/drops.h"
 #include "tests/lib/tilings.h"
-#include "scene/pools.h"
-#include "scene/world_parts.h"
-#include "wave/ocean_tables.h"
+#include "world/pools.h"
+#include "world/module.h"
+#include "waves/coastal_tables.h"
 
 #define HIGHEST (2200 * (int64_t)TP_FX_ONE)     /* 16 waves, 1024 rings, two pools */
 #define FAR     (8000 * TP_FX_ONE)

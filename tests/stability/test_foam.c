@@ -10,7 +10,7 @@
 #include <cmocka.h>
 #include "features/foam/foam.h"
 #include "features/spray/spray.h"
-#include "scene/world_parts.h"
+#include "world/module.h"
 #include "tests/lib/scenes.h"
 #include "tests/lib/frames.h"
 

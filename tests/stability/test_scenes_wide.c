@@ -13,7 +13,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "ports/host/machine.h"
+#include "app/scene/machine.h"
 #include "tests/lib/programs.h"
 #include "tests/lib/tilings.h"
 

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/lib/random.h"
-#include "wave/wave.h"
+#include "waves/deep_water.h"
 
 #define LSB (1 / 65536.0)
 #define Q30 1073741824.0

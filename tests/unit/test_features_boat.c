@@ -5,7 +5,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "../reference/sea.h"
+#include "tools/reference/deep_water.h"
 #include "tests/lib/measure.h"
 #include "tests/lib/boats.h"
 
@@ -153,7 +153,7 @@ static void compare_boat(const tp_scene *scene, const tp_world *w, measure *heav
     for (int i = 0; i < 4; i++) {
         const double x = scene->boat.x * LSB + half[i][0] * sin(h) + half[i][1] * cos(h);
         const double z = scene->boat.z * LSB - half[i][0] * cos(h) + half[i][1] * sin(h);
-        y[i] = ref_above(&sea, phase, x, z).y;
+        y[i] = ref_sample_deep_water(&sea, phase, x, z).y;
     }
     const double pitch = atan2(y[0] - y[1], scene->boat.length * LSB);
     const double roll = atan2((y[3] - y[2]) * cos(pitch), scene->boat.beam * LSB);

@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "../reference/sea.h"
+#include "tools/reference/deep_water.h"
 #include "tests/lib/boats.h"
 
 static uint64_t chance;

@@ -8,7 +8,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "features/boat/boat.h"
-#include "asset/mesh.h"
+#include "mesh/mesh.h"
 #include "tests/lib/shading.h"
 
 #define NEAR TP_FX(0.25)

@@ -10,7 +10,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "../reference/camera.h"
+#include "tools/reference/camera.h"
 #include "features/drops/drops.h"
 #include "tests/lib/tilings.h"
 
@@ -62,9 +62,9 @@ static ball ball_of(const tp_world *w, const tp_scene *s, tp_vec3 at, tp_fx radi
     const double a = 1 + squash / 16384.0, r = radius / 65536.0;
 
     return (ball){
-        .camera = ref_camera_of(w->eye, w->heading, w->pitch, s->camera.fov,
+        .camera = ref_camera_make(w->eye, w->heading, w->pitch, s->camera.fov,
                                 s->camera.near, WIDTH, HEIGHT),
-        .centre = ref_vec_of(at), .wide = r * pow(a, -1 / 3.0), .high = r * pow(a, 2 / 3.0),
+        .centre = ref_vec_make(at), .wide = r * pow(a, -1 / 3.0), .high = r * pow(a, 2 / 3.0),
     };
 }
 

@@ -5,7 +5,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "asset/mesh.h"
+#include "mesh/mesh.h"
 #include "tests/lib/shading.h"
 #include "tidepool/modules.h"
 

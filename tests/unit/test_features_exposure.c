@@ -31,7 +31,7 @@ static void tones_follow_their_formula(void **state)
         const tp_run before = r.run;
         tp_stage_expose(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
-            ref_colour c = ref_colour_of(before.colour[i]);
+            ref_colour c = ref_colour_unpack(before.colour[i]);
             for (int k = 0; k < 3; k++)
                 c.c[k] = 255 * exposed(e / 65536.0, c.c[k] / 255);
             colour_error_add(&off, r.run.colour[i], c);

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "features/foam/foam.h"
-#include "scene/world_parts.h"
+#include "world/module.h"
 #include "tests/lib/scenes.h"
 #include "tests/lib/frames.h"
 

@@ -7,8 +7,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "features/foam/foam.h"
-#include "wave/wave.h"
-#include "scene/world_parts.h"
+#include "waves/deep_water.h"
+#include "world/module.h"
 #include "tests/lib/measure.h"
 #include "tests/lib/scenes.h"
 #include "tests/lib/frames.h"

@@ -7,9 +7,9 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "features/foam/foam_stage.h"
-#include "../reference/texture.h"
-#include "asset/mesh.h"
+#include "features/foam/foam.h"
+#include "tools/reference/texture.h"
+#include "mesh/mesh.h"
 #include "tests/lib/shading.h"
 #include "tidepool/modules.h"
 
@@ -148,10 +148,10 @@ static void compare(bool textured, int level, foam_spread *off)
                          (r.t[i] * f->repeats + f->drift_t) / repeat).c[1] : 0;
         const double share = c > 0 ? white_of(f, c, textured ? rank_of(green) : 128,
                                               textured ? f->mean : 128, level) : 0;
-        const ref_colour want = ref_mix(ref_colour_of(before.run.colour[i]),
-                                        ref_scale(ref_colour_of(f->colour),
+        const ref_colour want = ref_mix(ref_colour_unpack(before.run.colour[i]),
+                                        ref_scale(ref_colour_unpack(f->colour),
                                                   lit_of(&s, &r, i)), share);
-        const double e = ref_off(r.run.colour[i], want);
+        const double e = ref_colour_difference(r.run.colour[i], want);
         measure_add(&off->worst, e, (int64_t)(c * 256), level, i);
         off->square += e * e;
         off->count++;

@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "../reference/camera.h"
+#include "tools/reference/camera.h"
 #include "tests/lib/tilings.h"
 
 enum { WIDTH = 150, HEIGHT = 90 };
@@ -85,7 +85,7 @@ static void the_nearer_of_land_and_water_is_seen(void **state)
         s.camera.heading = chance_fx(&chance, -60, 60);
         s.camera.pitch = chance_fx(&chance, -45, 0);
         tp_world *world = scene_world(&s, &none);
-        const ref_camera c = ref_camera_of(world->eye, world->heading, world->pitch,
+        const ref_camera c = ref_camera_make(world->eye, world->heading, world->pitch,
                                            s.camera.fov, s.camera.near, WIDTH, HEIGHT);
         marks_draw(&s, &none, world, config, key, NULL);
         for (int y = 0; y < HEIGHT; y++) {

@@ -5,10 +5,10 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "../reference/dome.h"
-#include "../reference/shading.h"
-#include "features/exposure/meter.h"
-#include "scene/world.h"
+#include "tools/reference/sky_light.h"
+#include "tools/reference/shading.h"
+#include "features/exposure/exposure.h"
+#include "world/world.h"
 #include "tests/lib/measure.h"
 #include "tests/lib/scenes.h"
 #include "tests/lib/frames.h"
@@ -72,7 +72,7 @@ static double ref_mean(const tp_scene *s)
                                               u * sin(h) - along * cos(h) });
         const double sky = ref_sky_at(s, d);
         const double share = ref_fresnel(fabs(d.y)) * s->water.reflection / 65536.0;
-        const double water = grey(ref_colour_of((uint32_t)s->water.colour)) * lit;
+        const double water = grey(ref_colour_unpack((uint32_t)s->water.colour)) * lit;
         sum += d.y >= 0 ? sky : water + (sky - water) * share;
     }
     return sum / (32 * 24);

@@ -7,10 +7,9 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "features/reflection/mirror.h"
-#include "features/reflection/object_cube.h"
-#include "scene/world.h"
-#include "shade/half.h"
+#include "features/reflection/reflection.h"
+#include "world/world.h"
+#include "shade/shade.h"
 #include "tests/lib/shading.h"
 
 enum { SIDE = 240 };

@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "features/sky/sky_dome_quick.h"
+#include "features/sky/sky.h"
 #include "tests/lib/shading.h"
 
 static uint64_t chance;
@@ -71,7 +71,7 @@ static void compare(const char *what, int32_t focal, double most)
         tp_stage_quick_sky_dome(&s, &quick);
         for (int i = 0; i < TP_RUN; i++)
             if (r.run.vy[i] < -100)
-                colour_error_add(&off, quick.colour[i], ref_colour_of(r.run.colour[i]));
+                colour_error_add(&off, quick.colour[i], ref_colour_unpack(r.run.colour[i]));
     }
     colour_error_print(&off);
     assert_true(colour_error_rms(&off) < most);
@@ -95,7 +95,7 @@ static void paint_unequal(const int log2_side[6])
     for (int f = 0; f < 6; f++) {
         const int side = 1 << log2_side[f];
         for (int i = 0; i < side * side; i++)
-            pixels[i] = quick_smooth(ref_cube_to(f, (i % side + 0.5) / side,
+            pixels[i] = quick_smooth(ref_cube_direction(f, (i % side + 0.5) / side,
                                                  ((double)(i / side) + 0.5) / side), NULL);
         assert_int_equal(tp_texture_init(&lights.sky.face[f], pixels, (uint32_t)side,
                                          (uint32_t)side, lights.sky.texel[f],
@@ -124,7 +124,7 @@ static void faces_of_unequal_size_are_one_sky(void **state)
         paint_unequal(log2_side);
         tp_quick_light_init(&lights.quick, &s, TP_LOBE_NONE, false, true);
         for (int i = 0; i < TP_QUICK_SIDE * TP_QUICK_SIDE; i++)
-            colour_error_add(&off, map[i], ref_colour_of(equal[i]));
+            colour_error_add(&off, map[i], ref_colour_unpack(equal[i]));
     }
     colour_error_print(&off);
     assert_true(colour_error_rms(&off) < 1 && off.largest < 6);
@@ -145,7 +145,7 @@ static void a_direction_finds_its_own_sky(void **state)
         const double in = 16 * (1 - d.y / 2);
         const int u = (int)floor(-d.x * in) + 16, v = (int)floor(-d.z * in) + 16;
         colour_error_add(&off, lights.quick.sky[v * TP_QUICK_SIDE + u],
-                  ref_colour_of(quick_smooth(d, NULL)));
+                  ref_colour_unpack(quick_smooth(d, NULL)));
     }
     colour_error_print(&off);
     assert_true(colour_error_rms(&off) < 3 && off.largest < 12);

@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "scene/world_parts.h"
+#include "world/module.h"
 #include "features/spray/spray.h"
 #include "tests/lib/scenes.h"
 #include "tests/lib/frames.h"

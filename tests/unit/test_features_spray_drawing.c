@@ -5,7 +5,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "../reference/camera.h"
+#include "tools/reference/camera.h"
 #include "features/spray/spray.h"
 #include "tests/lib/tilings.h"
 
@@ -53,7 +53,7 @@ static void a_speck_lies_where_the_camera_sees_it(void **state)
         tp_world *world = scene_world(&s, &none);
         const tp_vec3 at = { chance_fx(&chance, -1, 1), chance_fx(&chance, 9.5, 10.5),
                              chance_fx(&chance, -4, -2) };
-        const ref_camera camera = ref_camera_of(world->eye, 0, 0, s.camera.fov,
+        const ref_camera camera = ref_camera_make(world->eye, 0, 0, s.camera.fov,
                                                 s.camera.near, WIDTH, HEIGHT);
         put(world, at, TP_SPECK_SPRAY, 128);
         const uint32_t count = drawn(&s, world);

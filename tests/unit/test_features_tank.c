@@ -82,7 +82,7 @@ static void picture_of(const tp_scene *s, uint32_t *pixels)
 
 static ref_camera camera_of(const tp_scene *s)
 {
-    return ref_camera_of((tp_vec3){ s->camera.x, s->camera.y, s->camera.z },
+    return ref_camera_make((tp_vec3){ s->camera.x, s->camera.y, s->camera.z },
                          tp_turn_of_degrees(s->camera.heading),
                          tp_turn_of_degrees(s->camera.pitch), s->camera.fov,
                          s->camera.near, WIDE, HIGH);

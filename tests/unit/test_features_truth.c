@@ -9,7 +9,7 @@
 #include <cmocka.h>
 #include "frame/frame.h"
 #include "tests/lib/scenes.h"
-#include "scene/prices.h"
+#include "quality/prices.h"
 #include "tests/lib/frames.h"
 
 enum { SCENES = 1000 };

@@ -7,11 +7,10 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/water_ray.h"
-#include "features/underwater/caustics.h"
 #include "features/underwater/underwater.h"
 #include "frame/frame.h"
 #include "tests/lib/measure.h"
-#include "scene/pools.h"
+#include "world/pools.h"
 #include "tests/lib/scenes.h"
 #include "tests/lib/frames.h"
 
@@ -140,7 +139,7 @@ static void a_beach_lies_as_deep_as_rays_say(void **state)
         s.camera.pitch = chance_fx(&chance, -60, -20);
         tp_world *world = scene_world(&s, &assets);
         picture_of(&s, &assets, world, 0, 0, pixels);
-        const ref_camera c = ref_camera_of(
+        const ref_camera c = ref_camera_make(
             (tp_vec3){ s.camera.x, s.camera.y, s.camera.z },
             tp_turn_of_degrees(s.camera.heading), tp_turn_of_degrees(s.camera.pitch),
             s.camera.fov, s.camera.near, WIDE, HIGH);

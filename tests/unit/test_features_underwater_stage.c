@@ -10,8 +10,8 @@
 #include <cmocka.h>
 #include "../reference/water_ray.h"
 #include "features/underwater/underwater.h"
-#include "scene/world.h"
-#include "shade/beam.h"
+#include "world/world.h"
+#include "shade/refracted_ray.h"
 #include "tests/lib/shading.h"
 
 enum { RUNS = 1500 };
@@ -25,7 +25,7 @@ typedef struct {
 
 static void error_add(span_error *e, uint32_t got, ref_colour want, int n, int i)
 {
-    const double off = ref_off(got, want);
+    const double off = ref_colour_difference(got, want);
     measure_add(&e->most, off, n, i, (int64_t)got);
     e->square += off * off;
 }
@@ -124,7 +124,7 @@ static ref_colour lit_face(const scene *s, ref_face face, ref_vec way)
                      : face == REF_WALL_X ? (way.x > 0 ? -in->sun_x : in->sun_x)
                                           : (way.z > 0 ? -in->sun_z : in->sun_z);
     const double light = ambient + (1 - ambient) * ref_clamp(sun / Q14, 0, 1);
-    return ref_scale(ref_colour_of(face == REF_FLOOR ? in->floor.colour : in->wall.colour),
+    return ref_scale(ref_colour_unpack(face == REF_FLOOR ? in->floor.colour : in->wall.colour),
                      light);
 }
 
@@ -157,7 +157,7 @@ static bool look_up(const scene *s, ref_vec at, ref_vec way, ref_vec n, ref_colo
     const double ct = sqrt(1 - sine2);
     const double up = 1.333 * way.y + (ct - 1.333 * ci) * n.y;
     const double sky = ref_clamp(floor(up * 256), 0, 256) / 256;
-    *c = ref_mix(ref_colour_of(s->shade.sky[(int)(sky * 256)]), mirrored,
+    *c = ref_mix(ref_colour_unpack(s->shade.sky[(int)(sky * 256)]), mirrored,
                  ref_fresnel(ct));
     return true;
 }
@@ -213,8 +213,8 @@ static void what_is_behind_follows_snell_and_beer(void **state)
             const ref_vec way = view_way(&s, &r.run, i);
             const ref_vec at = far[i] > 0 ? place_sample(&s, &r, i, far[i]) : s.eye;
             const ref_vec in = ref_bent(way, normal_of(&r, i), 1.333);
-            const ref_colour body = ref_mix(ref_colour_of(s.shade.underwater->deep),
-                                            ref_colour_of(before.colour[i]), 0.25);
+            const ref_colour body = ref_mix(ref_colour_unpack(s.shade.underwater->deep),
+                                            ref_colour_unpack(before.colour[i]), 0.25);
             ref_colour want;
             if (far[i] < 0 || in.y > -0.12 || ref_dot(way, normal_of(&r, i)) > -0.02
                 || fabs(at.x) > s.box.x1 || fabs(at.z) > s.box.z1)
@@ -253,7 +253,7 @@ static void what_is_behind_glass_follows_snell_and_beer(void **state)
             if (far[i] < 0 || at.y > 0 || at.y < -s.box.depth || fabs(at.z) > s.box.z1)
                 continue;
             if (look(&s, (ref_vec){ s.box.x1 - 1e-6, at.y, at.z }, in,
-                     ref_colour_of(s.shade.underwater->deep), &want))
+                     ref_colour_unpack(s.shade.underwater->deep), &want))
                 error_add(&off, r.run.colour[i], want, n, i);
         }
     }
@@ -284,7 +284,7 @@ static void the_surface_from_below_follows_fresnel(void **state)
         for (int i = 0; i < TP_RUN; i++) {
             const ref_vec way = view_way(&s, &r.run, i);
             const ref_vec at = far[i] > 0 ? place_sample(&s, &r, i, far[i]) : s.eye;
-            const ref_colour body = ref_colour_of(s.shade.underwater->deep);
+            const ref_colour body = ref_colour_unpack(s.shade.underwater->deep);
             ref_colour want;
             if (far[i] < 0 || fabs(at.x) > s.box.x1 || fabs(at.z) > s.box.z1)
                 continue;
@@ -340,8 +340,8 @@ static void water_before_things_follows_beer(void **state)
         tp_stage_absorb(&s.shade, &r.run);
         for (int i = 0; i < TP_RUN; i++)
             error_add(&off, r.run.colour[i],
-                      through(&s, ref_colour_of(before.colour[i]),
-                              ref_colour_of(s.shade.underwater->deep), far[i]), n, i);
+                      through(&s, ref_colour_unpack(before.colour[i]),
+                              ref_colour_unpack(s.shade.underwater->deep), far[i]), n, i);
     }
     error_check(&off, 1.2);
 }

@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "features/water/bumps.h"
+#include "features/water/water.h"
 #include "tests/lib/pools.h"
 #include "tests/lib/shading.h"
 

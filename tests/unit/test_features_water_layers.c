@@ -30,13 +30,13 @@ static ref_colour sampled(const tp_layer *layer, int level, const test_run *r, i
     const double s = repeats(r->s[i], layer->per_metre, layer->drift_s);
     const double t = repeats(r->t[i], layer->per_metre, layer->drift_t);
     return filter ? ref_linear(layer->texture, level, s, t)
-                  : ref_colour_of(ref_nearest(layer->texture, level, s, t));
+                  : ref_colour_unpack(ref_nearest(layer->texture, level, s, t));
 }
 
 static ref_colour granted(const grade_wish *w, ref_colour texel)
 {
     return ref_grade(texel, w->saturation / 65536.0, w->clamp / 65536.0,
-                     ref_colour_of(w->colour));
+                     ref_colour_unpack(w->colour));
 }
 
 /* -- the first layer ----------------------------------------------------------------- */
@@ -69,7 +69,7 @@ static void grades_are_saturation_clamp_and_colour(void **state)
         own.base.grade = tp_grade_make(w.saturation, w.clamp, w.colour);
         run_by(tp_stage_texture_graded, &s, &own.base, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
-            const double e = ref_off(r.run.colour[i],
+            const double e = ref_colour_difference(r.run.colour[i],
                                      granted(&w, sampled(&layer, level, &r, i, 0)));
             assert_true(e <= slack(&w, 0));
             measure_add(&off, e, r.s[i], w.saturation, w.clamp);
@@ -159,7 +159,7 @@ static void compare_added(const tp_texture *t, int filter, measure *off)
     const test_run before = r;
     run_by(filter ? tp_stage_layers_linear : tp_stage_layers, &s, &own.layers, &r.run);
     for (int i = 0; i < TP_RUN; i++) {
-        ref_colour want = ref_colour_of(before.run.colour[i]);
+        ref_colour want = ref_colour_unpack(before.run.colour[i]);
         double allowed = 0;
         for (int k = 0; k < 2; k++) {
             if (!own.layers.added[k].texture)
@@ -167,10 +167,10 @@ static void compare_added(const tp_texture *t, int filter, measure *off)
             const ref_colour texel = sampled(&layer[k], level, &before, i, filter);
             want = ref_add(want, own.layers.graded[k]
                                      ? granted(&w[k], texel)
-                                     : ref_times(texel, ref_colour_of(w[k].colour)));
+                                     : ref_times(texel, ref_colour_unpack(w[k].colour)));
             allowed += own.layers.graded[k] ? slack(&w[k], filter) : 1 + 4 * filter;
         }
-        const double e = ref_off(r.run.colour[i], want);
+        const double e = ref_colour_difference(r.run.colour[i], want);
         assert_true(e <= allowed);
         measure_add(off, e, before.s[i], filter, level);
     }

@@ -38,8 +38,8 @@ static void compare_diffuse(stage *diffuse, measure *off, double most)
             const ref_dir normal = normal_of(&r, i);
             const double ambient = s.ambient / 256.0;
             const double nl = fmax(0, ref_dir_dot(normal, shade_light(&s.world)));
-            const double e = ref_off(r.run.colour[i],
-                                     ref_scale(ref_colour_of(before.colour[i]),
+            const double e = ref_colour_difference(r.run.colour[i],
+                                     ref_scale(ref_colour_unpack(before.colour[i]),
                                                ambient + (1 - ambient) * fmin(nl, 1)));
             assert_true(e <= most);
             measure_add(off, e, (int32_t)r.n[i], s.ambient, s.world.ly);
@@ -85,8 +85,8 @@ static void no_slope_makes_water_brighter_than_itself(void **state)
         const tp_run before = r.run;
         stages[n % 4](&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
-            const ref_colour was = ref_colour_of(before.colour[i]);
-            const ref_colour is = ref_colour_of(r.run.colour[i]);
+            const ref_colour was = ref_colour_unpack(before.colour[i]);
+            const ref_colour is = ref_colour_unpack(r.run.colour[i]);
             for (int k = 0; k < 3; k++)
                 assert_true(is.c[k] <= was.c[k]
                             && is.c[k] >= floor(was.c[k] * s.ambient / 256.0));

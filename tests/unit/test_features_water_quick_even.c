@@ -6,8 +6,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "features/water/quick_even_m4.h"
-#include "features/water/quick_even_plain.h"
+#include "features/water/fast_light_m4.h"
+#include "features/water/fast_light_plain.h"
 #include "tests/lib/shading.h"
 
 static uint64_t chance;

@@ -8,8 +8,8 @@
 #include <cmocka.h>
 #include "tests/lib/layers.h"
 #include "tests/lib/measure.h"
-#include "features/water/quick_layers_m4.h"
-#include "features/water/quick_plain.h"
+#include "features/water/fast_layers_m4.h"
+#include "features/water/fast_layers_plain.h"
 
 static uint64_t chance;
 

@@ -6,8 +6,8 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "features/water/quick_light_m4.h"
-#include "features/water/quick_light_plain.h"
+#include "features/water/fast_light_m4.h"
+#include "features/water/fast_light_plain.h"
 #include "tests/lib/shading.h"
 
 static uint64_t chance;
@@ -111,7 +111,7 @@ static double compare(const bodies *b, const char *what, int32_t steep, bool shi
         b->plain(&s, &fast);
         for (int i = 0; i < TP_RUN; i++)
             if (is_seen(&r.run, i))
-                colour_error_add(&off, fast.colour[i], ref_colour_of(r.run.colour[i]));
+                colour_error_add(&off, fast.colour[i], ref_colour_unpack(r.run.colour[i]));
     }
     colour_error_print(&off);
     return colour_error_rms(&off);

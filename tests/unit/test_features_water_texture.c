@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "features/boat/boat.h"
-#include "asset/mesh.h"
+#include "mesh/mesh.h"
 #include "tests/lib/layers.h"
 #include "tests/lib/measure.h"
 
@@ -37,8 +37,8 @@ static void compare_nearest(const tp_texture *texture, int level)
             ref_nearest(texture, level, repeats(r.s[i], layer.per_metre, layer.drift_s),
                         repeats(r.t[i], layer.per_metre, layer.drift_t));
         assert_int_equal(r.run.colour[i], want & 0xffffff);
-        assert_true(ref_off(tinted.run.colour[i],
-                            ref_times(ref_colour_of(want), ref_colour_of(s.water_colour)))
+        assert_true(ref_colour_difference(tinted.run.colour[i],
+                            ref_times(ref_colour_unpack(want), ref_colour_unpack(s.water_colour)))
                     < 1);
     }
 }
@@ -68,7 +68,7 @@ static void compare_linear(const tp_texture *texture, int level, measure *off)
     own.base.layer = layer;
     run_by(tp_stage_texture_linear, &s, &own.base, &r.run);
     for (int i = 0; i < TP_RUN; i++) {
-        const double e = ref_off(
+        const double e = ref_colour_difference(
             r.run.colour[i],
             ref_linear(texture, level, repeats(r.s[i], layer.per_metre, layer.drift_s),
                        repeats(r.t[i], layer.per_metre, layer.drift_t)));
@@ -246,8 +246,8 @@ static void solids_show_the_texel_that_holds_the_place(void **state)
         for (int i = 0; i < TP_RUN; i++) {
             const uint32_t want = ref_nearest(&t, level, (r.s[i] >> 16) / 65536.0,
                                               (r.s[i] & 0xffff) / 65536.0);
-            assert_true(ref_off(r.run.colour[i], ref_times(ref_colour_of(want),
-                                                           ref_colour_of(solid.diffuse)))
+            assert_true(ref_colour_difference(r.run.colour[i], ref_times(ref_colour_unpack(want),
+                                                           ref_colour_unpack(solid.diffuse)))
                         < 1);
         }
         layer_free(&t);

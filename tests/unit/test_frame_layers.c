@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "features/water/water.h"
 #include "frame/frame.h"
-#include "scene/pools.h"
+#include "world/pools.h"
 #include "tests/lib/scenes.h"
 #include "tests/lib/frames.h"
 

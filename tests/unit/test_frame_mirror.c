@@ -8,12 +8,12 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/mirror.h"
-#include "features/reflection/mirror.h"
+#include "features/reflection/reflection.h"
 #include "features/underwater/underwater.h"
 #include "frame/tools.h"
 #include "tests/lib/tilings.h"
 #include "tests/lib/measure.h"
-#include "shade/half.h"
+#include "shade/shade.h"
 
 enum { WIDTH = 320, HEIGHT = 240 };
 
@@ -84,7 +84,7 @@ static test_frame begun(const tp_scene *scene, uint32_t width, uint32_t height)
 static ref_camera camera_of(const tp_frame *frame, uint32_t width, uint32_t height)
 {
     const tp_scene *s = frame->scene;
-    return ref_camera_of(frame->projection.eye, tp_turn_of_degrees(s->camera.heading),
+    return ref_camera_make(frame->projection.eye, tp_turn_of_degrees(s->camera.heading),
                          tp_turn_of_degrees(s->camera.pitch), s->camera.fov,
                          s->camera.near, width, height);
 }
@@ -92,7 +92,7 @@ static ref_camera camera_of(const tp_frame *frame, uint32_t width, uint32_t heig
 static ref_mirror_box box_of(const tp_frame *frame)
 {
     const tp_pose *pose = &frame->drawn.boat;
-    return (ref_mirror_box){ ref_vec_of(pose->place),
+    return (ref_mirror_box){ ref_vec_make(pose->place),
                              pose->heading * 6.283185307179586 / 4294967296.0,
                              { 1, 0.5, 2 } };
 }

@@ -8,10 +8,10 @@
 #include <cmocka.h>
 #include "pixel/pixel.h"
 #include "pool/pool.h"
-#include "scene/plan.h"
+#include "quality/plan.h"
 #include "tests/lib/scenes.h"
 #include "tests/lib/frames.h"
-#include "wave/ocean.h"
+#include "waves/coastal_water.h"
 
 enum { BYTES = 1 << 20, WIDTH = 32, HEIGHT = 24 };
 

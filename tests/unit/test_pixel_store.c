@@ -9,7 +9,6 @@
 #include "tests/lib/measure.h"
 #include "pixel/pixel.h"
 #include "pixel/rgb565.h"
-#include "pixel/toned.h"
 
 enum { FLAT_COLOURS = 20000, WIDTH = 40 };
 

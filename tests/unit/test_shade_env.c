@@ -23,10 +23,10 @@ static ref_light dome_at(const tp_shade *s, ref_dir d, bool *edge)
     const double square = ref_dir_dot(off, off) * 268435456.0;
     const double at = ref_clamp(d.y, 0, 1) * TP_SKY, share = ref_towards(square);
     const int i = (int)fmin(at, TP_SKY - 1);
-    const ref_colour away = ref_mix(ref_colour_of(sky.dome.away[i]),
-                                    ref_colour_of(sky.dome.away[i + 1]), at - i);
-    const ref_colour towards = ref_mix(ref_colour_of(sky.dome.towards[i]),
-                                       ref_colour_of(sky.dome.towards[i + 1]), at - i);
+    const ref_colour away = ref_mix(ref_colour_unpack(sky.dome.away[i]),
+                                    ref_colour_unpack(sky.dome.away[i + 1]), at - i);
+    const ref_colour towards = ref_mix(ref_colour_unpack(sky.dome.towards[i]),
+                                       ref_colour_unpack(sky.dome.towards[i + 1]), at - i);
     ref_light light = ref_glow((int)sky.config.kind, sky.config.light,
                                sky.config.sun / 65536.0, square);
 
@@ -39,7 +39,7 @@ static ref_light dome_at(const tp_shade *s, ref_dir d, bool *edge)
 
 static ref_colour shown(ref_light light, const tp_shade *s)
 {
-    const ref_colour c = ref_beyond(light, s->env.beyond / 4096.0);
+    const ref_colour c = ref_unclamped_colour(light, s->env.beyond / 4096.0);
     return (ref_colour){ { fmin(255, c.c[0]), fmin(255, c.c[1]), fmin(255, c.c[2]) } };
 }
 
@@ -91,7 +91,7 @@ static void the_disc_is_the_brightest_and_beyond_white(void **state)
             continue;
         const uint32_t sun = tp_env_sample(&s, s.world.lx, s.world.ly, s.world.lz);
         const double white = fmin(1, sky.config.sun / 65536.0);
-        const ref_colour c = ref_colour_of(sun), l = ref_colour_of(sky.config.light);
+        const ref_colour c = ref_colour_unpack(sun), l = ref_colour_unpack(sky.config.light);
         for (int k = 0; k < 3; k++)
             assert_true(c.c[k] >= floor(l.c[k] * white) - 2);
         assert_true(fabs((sun >> 24) - 255 * (sky.config.sun / 65536.0) / 16) <= 2);
@@ -112,7 +112,7 @@ static void mirrors_may_leave_the_disc_out(void **state)
         const uint32_t inside = tp_env_dome(&s, TP_DISC_END, w->lx, w->ly, w->lz);
         assert_int_equal(inside >> 24, 0);
         const uint32_t around = tp_env_dome(&s, TP_DISC_END, w->lx + 200, w->ly, w->lz);
-        assert_true(ref_off(inside, ref_colour_of(around)) <= 3);
+        assert_true(ref_colour_difference(inside, ref_colour_unpack(around)) <= 3);
     }
 }
 
@@ -131,7 +131,7 @@ static void cubes_are_looked_up_between_their_texels(void **state)
         sky_cube(&sky, &s, sky_noise, &chance);
         for (int i = 0; i < 3000; i++) {
             const ref_dir d = sky_direction(&chance);
-            const ref_place p = ref_cube_at(d);
+            const ref_place p = ref_cube_place(d);
             const double near = fmin(fmin(p.s, 1 - p.s), fmin(p.t, 1 - p.t));
             const uint32_t got =
                 tp_env_sample(&s, sky_q14(d.x), sky_q14(d.y), sky_q14(d.z));
@@ -179,16 +179,16 @@ static void seams_do_not_show(void **state)
                 v[(axis + 2) % 3] = b;
                 const ref_dir d = ref_unit((ref_dir){ v[0], v[1], v[2] });
                 side[which] = tp_env_sample(&s, sky_q14(d.x), sky_q14(d.y), sky_q14(d.z));
-                colour_error_add(&off, side[which], ref_colour_of(smooth(d, NULL)));
+                colour_error_add(&off, side[which], ref_colour_unpack(smooth(d, NULL)));
             }
-            step = fmax(step, ref_off(side[0], ref_colour_of(side[1])));
+            step = fmax(step, ref_colour_difference(side[0], ref_colour_unpack(side[1])));
         }
     }
     for (int i = 0; i < 20000; i++) {
         const ref_dir d = sky_direction(&chance);
         colour_error_add(&whole,
                          tp_env_sample(&s, sky_q14(d.x), sky_q14(d.y), sky_q14(d.z)),
-                         ref_colour_of(smooth(d, NULL)));
+                         ref_colour_unpack(smooth(d, NULL)));
     }
     colour_error_print(&off);
     colour_error_print(&whole);

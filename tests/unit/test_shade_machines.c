@@ -7,7 +7,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "host/machine.h"
+#include "app/scene/machine.h"
 #include "tests/lib/layers.h"
 #include "tests/lib/shading.h"
 

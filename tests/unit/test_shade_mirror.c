@@ -7,7 +7,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "features/haze/haze.h"
+#include "features/sky/sky.h"
 #include "tests/lib/shading.h"
 
 static uint64_t chance;
@@ -35,8 +35,8 @@ static void mirrors_show_the_sky_by_fresnel(void **state)
             const double up = before.up[i] / Q14;
             const double above = ref_clamp(1 + 4 * up, 0.5, 1);
             const double share = ref_fresnel(before.nv[i] / Q14) * s.mirror / 256 * above;
-            const double e = ref_off(
-                r.run.colour[i], ref_mix(ref_colour_of(before.colour[i]),
+            const double e = ref_colour_difference(
+                r.run.colour[i], ref_mix(ref_colour_unpack(before.colour[i]),
                                          ref_sky(s.sky[0], s.sky[TP_SKY], up), share));
             assert_true(e <= 6 + 2 + 2.5);
             measure_add(&off, e, before.nv[i], before.up[i], s.mirror);
@@ -177,12 +177,12 @@ static void fresnel_mixes_light_beyond_white(void **state)
             const double above = ref_clamp(1 + 4 * before.up[i] / Q14, 0.5, 1);
             const double f = s.fresnel[before.nv[i] >> 6] / 256.0;
             const double share = f * s.mirror / 256 * above;
-            const ref_light light = ref_light_of(before.mirror[i]);
-            const ref_colour was = ref_scale(ref_colour_of(before.colour[i]), 1 - share);
+            const ref_light light = ref_light_unpack(before.mirror[i]);
+            const ref_colour was = ref_scale(ref_colour_unpack(before.colour[i]), 1 - share);
             colour_error_add(&off, r.run.colour[i],
                              ref_add(was, ref_scale(light.colour, share)));
             colour_error_add(&hdr, bright.colour[i],
-                      ref_add(was, ref_scale(ref_beyond(light, s.env.beyond / 4096.0),
+                      ref_add(was, ref_scale(ref_unclamped_colour(light, s.env.beyond / 4096.0),
                                              share)));
         }
     }
@@ -219,8 +219,8 @@ static void air_takes_the_horizon_s_colour_in_its_direction(void **state)
             const uint32_t light = tp_env_sample(&s, sky_q14(flat.x), 0, sky_q14(flat.z));
             if (fabs(v.y) > 0.7 || light >> 24)
                 continue;       /* 16 columns cover many degrees there */
-            colour_error_add(&off, r.run.colour[i], ref_mix(ref_colour_of(before.colour[i]),
-                                                     ref_colour_of(light), share));
+            colour_error_add(&off, r.run.colour[i], ref_mix(ref_colour_unpack(before.colour[i]),
+                                                     ref_colour_unpack(light), share));
         }
     }
     colour_error_print(&off);

@@ -5,7 +5,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "../reference/shading.h"
+#include "tools/reference/shading.h"
 #include "tests/lib/measure.h"
 #include "tests/lib/random.h"
 #include "shade/optics.h"

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "features/boat/boat.h"
-#include "asset/mesh.h"
+#include "mesh/mesh.h"
 #include "tests/lib/shading.h"
 
 static uint64_t chance;
@@ -42,8 +42,8 @@ static ref_colour phong(const tp_shade *s, ref_colour diffuse, uint32_t specular
     const double lobe = nl > 0 ? pow(ref_clamp(rv + slack, 0, 1), shininess) : 0;
 
     return ref_add(ref_scale(diffuse, ambient + (1 - ambient) * nl),
-                   ref_scale(ref_times(ref_colour_of(specular),
-                                       ref_colour_of(s->light_colour)), lobe));
+                   ref_scale(ref_times(ref_colour_unpack(specular),
+                                       ref_colour_unpack(s->light_colour)), lobe));
 }
 
 /* The gloss table has 256 entries with linear interpolation.  Colours lose a level at the
@@ -51,7 +51,7 @@ static ref_colour phong(const tp_shade *s, ref_colour diffuse, uint32_t specular
  * a 256th short at its peak. */
 static void assert_between(uint32_t got, ref_colour low, ref_colour high, measure *off)
 {
-    const ref_colour g = ref_colour_of(got);
+    const ref_colour g = ref_colour_unpack(got);
 
     for (int k = 0; k < 3; k++) {
         measure_add(off, fmax(fmax(low.c[k] - g.c[k], g.c[k] - high.c[k]), 0), got, k, 0);
@@ -78,7 +78,7 @@ static void solids_follow_phong(void **state)
             r.n[i] = any_normal();
         tp_stage_solid(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
-            const ref_colour d = ref_colour_of(solid.diffuse);
+            const ref_colour d = ref_colour_unpack(solid.diffuse);
             const ref_dir normal = unpacked(r.n[i]);
             if (grazes(&s, normal, 16 / Q14))
                 continue;
@@ -150,12 +150,12 @@ static void normal_maps_bend_solids(void **state)
         const double e =
             (1.5 + 0.006 * hypot(nx, ny)) / sqrt(ref_dir_dot(v, v)) + 2 / 511.0;
         for (int i = 0; i < TP_RUN && !grazes(&s, bent, e); i++) {
-            const ref_colour d = ref_colour_of(solid.diffuse);
+            const ref_colour d = ref_colour_unpack(solid.diffuse);
             const ref_colour low = phong(&s, d, solid.specular, 8, bent, &r.run, i,
                                          -4 * e - 1 / 255.0);
             const ref_colour high =
                 phong(&s, d, solid.specular, 8, bent, &r.run, i, 4 * e);
-            const ref_colour g = ref_colour_of(r.run.colour[i]);
+            const ref_colour g = ref_colour_unpack(r.run.colour[i]);
             for (int k = 0; k < 3; k++) {
                 const double beyond = fmax(low.c[k] - g.c[k], g.c[k] - high.c[k]);
                 measure_add(&off, fmax(beyond, 0), n, i, k);

@@ -9,7 +9,7 @@
 #include <cmocka.h>
 #include "features/boat/boat.h"
 #include "features/exposure/exposure.h"
-#include "features/haze/haze.h"
+#include "features/sky/sky.h"
 #include "tests/lib/shading.h"
 
 static uint64_t chance;
@@ -65,7 +65,7 @@ static void the_sky_turns_from_horizon_to_zenith(void **state)
         tp_stage_sky(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
             const ref_dir v = shade_view(&s, &s.world, r.run.x + i, r.run.y);
-            const double e = ref_off(r.run.colour[i],
+            const double e = ref_colour_difference(r.run.colour[i],
                                      ref_sky(s.sky[0], s.sky[TP_SKY], -v.y));
             /* The gradient rises by 2 at the horizon, times 255 levels: an entry of 1/256
              * is up to 2 levels, and the chord's error over 64 pixels likewise. */
@@ -93,9 +93,9 @@ static void glints_add_the_light_and_hold_at_white(void **state)
         for (int i = 0; i < TP_RUN; i++) {
             const double share = fmin(1, before.glint[i] / 256.0);
             const double e =
-                ref_off(r.run.colour[i],
-                        ref_add(ref_colour_of(before.colour[i]),
-                                ref_scale(ref_colour_of(s.light_colour), share)));
+                ref_colour_difference(r.run.colour[i],
+                        ref_add(ref_colour_unpack(before.colour[i]),
+                                ref_scale(ref_colour_unpack(s.light_colour), share)));
             assert_true(e < 0.51);      /* one product, rounded */
             measure_add(&off, e, before.glint[i], 0, 0);
         }
@@ -123,9 +123,9 @@ static void haze_goes_into_the_horizon(void **state)
         for (int i = 0; i < TP_RUN; i++) {
             const double z = zi_near / 65536 / (r.key[i] / 4294967296.0);
             const double share = z * z / (z * z + (double)half * half);
-            const double e = ref_off(r.run.colour[i],
-                                     ref_mix(ref_colour_of(before.colour[i]),
-                                             ref_colour_of(s.sky[0]), share));
+            const double e = ref_colour_difference(r.run.colour[i],
+                                     ref_mix(ref_colour_unpack(before.colour[i]),
+                                             ref_colour_unpack(s.sky[0]), share));
             assert_true(e <= 5 + 1 + 0.5);
             measure_add(&off, e, r.key[i], half, 0);
         }

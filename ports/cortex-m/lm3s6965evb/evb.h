@@ -24,5 +24,5 @@ void evb_command(void *unused, uint8_t byte);
 void evb_data(void *unused, const uint8_t *bytes, size_t count);
 void evb_pause(void *unused, uint32_t ms);
 
-uint32_t evb_buttons(void);     /* lines in the format of board/buttons.h */
+uint32_t evb_buttons(void);     /* lines in the format of serial/buttons.h */
 #endif

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The baked scene, live on the evaluation board's OLED.  Ticks follow the clock; buttons
- * and command lines over the serial port change the scene (board/buttons.h,
- * board/control.h).
+ * and command lines over the serial port change the scene (serial/buttons.h,
+ * serial/control.h).
  *
- * Input is echoed as lines of a tape (scene/tape.h): with the head "tape 1 SCENE" and
+ * Input is echoed as lines of a tape (world/tape.h): with the head "tape 1 SCENE" and
  * `tidepool render SCENE --tape` they reproduce the same pictures elsewhere.  The scene
  * lies in RAM, where commands change it; board.mk names the modules that commands may
  * switch on.  In QEMU's window the arrow keys and Ctrl are the buttons:
@@ -12,16 +12,16 @@
  *     qemu-system-arm -M lm3s6965evb -serial stdio \
  *         -kernel build/lm3s6965evb/scenes/tarn.elf */
 #include "base/arena.h"
-#include "board/buttons.h"
-#include "board/control.h"
-#include "frame/tools.h"
-#include "lcd/lcd.h"
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"
-#include "cortex-m/marks.h"
+#include "cortex-m/trace_marks.h"
 #include "evb.h"
+#include "frame/tools.h"
+#include "lcd/lcd.h"
 #include "pixel/pixel.h"
-#include "scene/tape.h"
+#include "serial/buttons.h"
+#include "serial/control.h"
+#include "world/tape.h"
 
 #define TICK_CLOCKS   (EVB_HZ / TP_TICKS_PER_SECOND)
 #define TICKS_AT_ONCE 8             /* a larger backlog is dropped: water slows down */

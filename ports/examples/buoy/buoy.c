@@ -2,8 +2,8 @@
 /* The buoy's motion: a damped spring pulls it to the water's height, and it leans with the
  * water's slope. */
 #include "buoy.h"
-#include "geom/surface.h"
-#include "scene/world_parts.h"
+#include "view/surface.h"
+#include "world/module.h"
 
 #define STIFFNESS 8             /* rise per tick: + 1 / 8 of the way to the water */
 #define DAMPING   4             /* and - 1 / 4 of itself */

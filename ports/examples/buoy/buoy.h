@@ -8,8 +8,8 @@
  *     buoy_drawing.c   how it is drawn */
 #ifndef BUOY_H
 #define BUOY_H
-#include "scene/module.h"
 #include "tidepool/fixed.h"
+#include "world/module.h"
 
 #define BUOY_ID TP_MODULE_ID('b', 'u', 'o', 'y')
 

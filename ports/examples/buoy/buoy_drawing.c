@@ -4,7 +4,7 @@
 #include "buoy.h"
 #include "frame/frame.h"
 #include "shade/colour.h"
-#include "shade/normal.h"
+#include "shade/phong.h"
 
 enum { SIDES = 8, BOTTOM = SIDES, TOP, MAST, TIP, LOW, POINTS };
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <cstdio>
-#include <vector>
 #include <tidepool/tidepool.h>
+#include <vector>
 
 int main()
 {

@@ -4,5 +4,5 @@ TRIPLE  := aarch64-linux-gnu-
 ARCH    := -mcpu=cortex-a53 -mgeneral-regs-only -mstrict-align -ffreestanding \
            -fno-pie -no-pie
 BOARD_C := $(addprefix ports/rpi/,rpi.c board.c start.c entry.S) $(addprefix ports/, \
-           board/answer.c board/control.c board/control_set.c live/setting.c live/poke.c \
+           serial/reply.c serial/control.c serial/control_set.c interact/setting.c interact/poke.c \
            cortex-m/memory.c)

@@ -1,19 +1,23 @@
 /* SPDX-License-Identifier: MIT */
-/* The boat: its course, its pose on the waves, its wake in a pool, its drawing.  A scene
- * without a mesh has no boat.  Position and pose lie in tp_world, because a camera aboard
- * follows them.
+/*
+ * The boat: its course, its pose on the waves, its wake in a pool, its drawing, its
+ * parameters.  A scene without a mesh has no boat.  Position and pose lie in tp_world,
+ * because a camera aboard follows them.
  *
- *     boat.c           the module hull: the course
- *     float.c          the pose on the water
+ *     boat_module.c    the module hull: the course
+ *     buoyancy.c       the pose on the water
  *     wake.c           the module wake
  *     boat_drawing.c   the modules boat (the mesh) and lids
- *     boat_stage.c     the lighting of the boat's materials */
-#ifndef TP_BOAT_MODULE_H
-#define TP_BOAT_MODULE_H
+ *     boat_stage.c     the lighting of the boat's materials
+ *     boat_rungs.c     the cost of the boat's faces
+ */
+#ifndef TP_FEATURES_BOAT_BOAT_H
+#define TP_FEATURES_BOAT_BOAT_H
 #include "pool/pool.h"
-#include "scene/module.h"
-#include "scene/world.h"
 #include "shade/shade.h"
+#include "tidepool/modules.h"
+#include "world/module.h"
+#include "world/world.h"
 
 #define TP_BOAT_ID TP_MODULE_ID('b', 'o', 'a', 't')
 
@@ -77,4 +81,37 @@ static inline tp_fx tp_fx_of_q40(int64_t x)
 {
     return (tp_fx)((x + (1 << 23)) >> 24);
 }
+
+#define TP_BOAT_ROWS \
+    TP_ROW_NAME("boat.mesh", boat.mesh, MESH, "OBJ file of the boat; empty: no boat"), \
+    TP_ROW_NUMBER("boat.x", boat.x, "m", -8000, 8000, 0, \
+        "start position, to the right of the origin"), \
+    TP_ROW_NUMBER("boat.z", boat.z, "m", -8000, 8000, -12, \
+        "start position, from the origin towards the viewer"), \
+    TP_ROW_HEADING("boat.heading", boat.heading, 0, \
+        "start direction of the bow, clockwise from -z"), \
+    TP_ROW_NUMBER("boat.scale", boat.scale, "", 0.001, 100, 1, \
+        "metres per unit of the mesh"), \
+    TP_ROW_NUMBER("boat.lift", boat.lift, "m", -50, 50, 0, \
+        "height of the mesh above the water"), \
+    TP_ROW_NUMBER("boat.length", boat.length, "m", 0.1, 200, 10, \
+        "distance between the points at bow and stern that sample the water"), \
+    TP_ROW_NUMBER("boat.beam", boat.beam, "m", 0.1, 200, 3, \
+        "distance between the points at both sides that sample the water"), \
+    TP_ROW_CHOICE("boat.mode", boat.mode, "kinematic|dynamic", TP_BOAT_DYNAMIC, \
+        TP_BOAT_KINEMATIC, \
+        "kinematic: follows the water; dynamic: floats by its weight"), \
+    TP_ROW_NUMBER("boat.smooth", boat.smooth, "s", 0, 10, 0, \
+        "time constant with which the boat follows the water"), \
+    TP_ROW_NUMBER("boat.draft", boat.draft, "m", 0.05, 20, 0.6, \
+        "depth of the hull in the water at rest"), \
+    TP_ROW_NUMBER("boat.drag", boat.drag, "", 0, 2, 0.3, \
+        "damping of heave, roll and pitch; 1: critical, no overshoot"), \
+    TP_ROW_NUMBER("boat.speed", boat.speed, "m/s", -30, 30, 0, \
+        "speed without any input"), \
+    TP_ROW_NUMBER("boat.rudder", boat.rudder, "degrees/s", -90, 90, 0, \
+        "turn rate without any input"), \
+    TP_ROW_NUMBER("boat.wake", boat.wake, "", 0, 1, 0.5, \
+        "share of the displaced volume that makes waves in the pool")
+
 #endif

@@ -8,8 +8,8 @@
  * Faces of a material with opacity 0 are lids.  A lid is invisible and hides the water
  * behind it, for example inside a hull. */
 #include "features/boat/boat.h"
-#include "asset/mesh.h"
 #include "frame/frame.h"
+#include "mesh/mesh.h"
 
 /* The boat in one render view; valid until the next view is placed. */
 typedef struct {

@@ -7,7 +7,6 @@
  * Gram-Schmidt here; this file omits the step, because the meshes' normals are within a
  * few degrees of their faces' normals. */
 #include "features/boat/boat.h"
-#include "shade/normal.h"
 #include "shade/phong.h"
 
 typedef tp_vec_q14 vec;

@@ -21,9 +21,9 @@
  *
  * The cells around the hull take the negative sum of the differences.  A remainder goes
  * to any cell within reach, at worst to the cells where the water came from. */
+#include "base/base.h"
 #include "features/boat/boat.h"
-#include "base/assert.h"
-#include "scene/pools.h"
+#include "world/pools.h"
 
 #define PEAK_LEAST 2                    /* LSB */
 #define AROUND     TP_FX(1.5)           /* times half the hull's sides */

@@ -10,7 +10,7 @@
  * tick.  The height over the water is the parabola through both ends with the initial
  * speed. */
 #include <stdbool.h>
-#include "base/assert.h"
+#include "base/base.h"
 #include "features/drops/drops.h"
 
 #define RATE        TP_TICKS_PER_SECOND

@@ -1,15 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* The camera's exposure, fixed or automatic.
+/*
+ * The camera's exposure, fixed or automatic, and its parameters.
  *
- *     exposure_drawing.c   the module; selects the stage or the pixel table
+ *     exposure_module.c    the light meter, and the adaptation of the exposure
+ *     exposure_drawing.c   the module of tone mapping; selects stage or pixel table
  *     exposure_stage.c     the tone mapping curve, and the span stage
- *     meter.c              the module of automatic exposure; see meter.h */
-#ifndef TP_EXPOSURE_MODULE_H
-#define TP_EXPOSURE_MODULE_H
-#include "pixel/toned.h"
-#include "scene/module.h"
-#include "shade/wide.h"
+ */
+#ifndef TP_FEATURES_EXPOSURE_EXPOSURE_H
+#define TP_FEATURES_EXPOSURE_EXPOSURE_H
+#include "pixel/rgb565.h"
+#include "shade/shade.h"
 #include "tidepool/fixed.h"
+#include "tidepool/modules.h"
+#include "tidepool/world.h"
+#include "world/module.h"
 
 /* Returns the exposure after one tick of adaptation [F8]: towards 0.5 / mean, within
  * 1/8..8, by the share `rate` (0..1) of the difference.  `mean` is the picture's mean
@@ -28,4 +32,23 @@ typedef struct {
 
 /* Fills the tone curve of a channel for an exposure of 1/8..8. */
 void tp_exposure_make_tone_curve(tp_entry8 tone[256], tp_fx exposure);
+
+/* True if the exposure is automatic. */
+bool tp_world_is_metered(const tp_world *world);
+
+#define TP_METER_ID TP_MODULE_ID('m', 'e', 't', 'r')
+
+/* Returns the mean brightness of the view, white is 1; 0: the world has no meter. */
+tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene);
+
+#define TP_EXPOSURE_ROWS \
+    TP_ROW_NUMBER("hdr.share", hdr.share, "", 0, 1, 0, \
+        "share of sun and sky light above white; 0: no HDR"), \
+    TP_ROW_CHOICE("hdr.exposure", hdr.exposure, "fixed|auto", TP_EXPOSURE_AUTO, \
+        TP_EXPOSURE_FIXED, "fixed or automatic exposure of the camera"), \
+    TP_ROW_NUMBER("hdr.value", hdr.value, "", 0.125, 8, 1, \
+        "exposure; start value of automatic exposure"), \
+    TP_ROW_NUMBER("hdr.rate", hdr.rate, "", 0, 1, 0.03, \
+        "automatic exposure: share of the difference made up each tick")
+
 #endif

@@ -1,20 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* Foam: a field of cover, one byte per cell, over rest positions of the water.  Foam
+/*
+ * Foam: a field of cover, one byte per cell, over rest positions of the water.  Foam
  * therefore moves with the water displaced by waves.  The cells lie on an endless
  * lattice; the lattice drifts by the scene's speed.  The field is a window of
  * cells x cells on the lattice, around the pool or the eye, stored as a torus: cell (i,
  * j) of the lattice lies in column i mod cells, row j mod cells, at any position of the
  * window.
  *
- *     foam.c          the module: its state, window, fading and drift
- *     foam_sources.c  the foam made in a tick
- *     foam_drawing.c  the data of a frame
- *     foam_stage.c    the span stages */
-#ifndef TP_FOAM_MODULE_H
-#define TP_FOAM_MODULE_H
+ *     foam_module.c    the module: its state, window, fading and drift
+ *     foam_sources.c   the foam made in a tick
+ *     foam_drawing.c   the data of a frame
+ *     foam_stage.c     the span stages
+ */
+#ifndef TP_FEATURES_FOAM_FOAM_H
+#define TP_FEATURES_FOAM_FOAM_H
+#include <stdint.h>
 #include "pool/pool.h"
-#include "scene/module.h"
-#include "wave/ocean.h"
+#include "tidepool/assets.h"
+#include "tidepool/modules.h"
+#include "waves/coastal_water.h"
+#include "world/module.h"
 
 #define TP_FOAM_TICKS 4         /* each tick visits a quarter of the rows */
 
@@ -100,4 +105,54 @@ void tp_foam_maker_seed_cell(tp_foam_maker *m, uint32_t col, tp_fx x);
  * units, below 2^16; or TP_FOAM_DRY for a dry cell.  Ask for the cells of a row in order
  * of columns.  `joined`: the last cell was the neighbour at x - cell. */
 uint32_t tp_foam_maker_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool joined);
+
+/* -- data of the stages, in tp_run.mine ---------------------------------------------- */
+
+typedef struct {
+    const uint8_t *cover;       /* torus of cells x cells bytes */
+    uint32_t cells, col, row;   /* cells per side; cell of the low corner */
+    tp_fx    low_s, low_t;      /* rest position of the low corner, m */
+    uint32_t side;              /* side of the window, m, 16.16 */
+    uint64_t per_metre;         /* cells per metre, Q16 over 16.16, Q32 */
+    uint32_t edge;              /* 2^24 over an eighth of the window in cells, Q8;
+                                 * UINT32_MAX: no fading, walls at the window's edge */
+    uint32_t colour;
+    const tp_texture *texture;  /* NULL: no texture */
+    uint32_t repeats, drift_s, drift_t;     /* as in tp_layer */
+    int32_t  lod;
+    int32_t  mean;              /* rank of the texture's mean */
+    uint8_t  rank[256];         /* share of darker texels, by green, 0..255 */
+} tp_shade_foam;
+
+/* name, slopes bent by a ripple, glint below the foam */
+#define TP_FOAM_STAGES(X) \
+    X(foam,                 0, 0) \
+    X(foam_rippled,         1, 0) \
+    X(foam_shiny,           0, 1) \
+    X(foam_shiny_rippled,   1, 1)
+
+/* Fills `rank`.  With ranks every texture turns white by the share of the cover. */
+void tp_shade_foam_make_ranks(tp_shade_foam *foam, const tp_texture *texture);
+
+/* -- parameters ---------------------------------------------------------------------- */
+
+#define TP_FOAM_ROWS \
+    TP_ROW_COUNT("foam.cells", foam.cells, "cells", 0, 256, 0, \
+        "cells along a side of the foam field; 0: no foam"), \
+    TP_ROW_NUMBER("foam.cell", foam.cell, "m", 0.01, 50, 0.5, "side of a cell"), \
+    TP_ROW_NUMBER("foam.crest", foam.crest, "", 0, 2, 0.6, \
+        "crests whose Jacobian is below this value foam; 0: none"), \
+    TP_ROW_NUMBER("foam.breaking", foam.breaking, "", 0, 2, 1, \
+        "strength of foam on breaking crests"), \
+    TP_ROW_NUMBER("foam.shore", foam.shore, "m", 0, 20, 0.3, \
+        "moving water shallower than this foams"), \
+    TP_ROW_NUMBER("foam.wall", foam.wall, "", 0, 2, 0.5, \
+        "strength of foam from water that moves along walls"), \
+    TP_ROW_NUMBER("foam.hull", foam.hull, "", 0, 2, 0.5, \
+        "strength of foam around and behind the boat"), \
+    TP_ROW_NUMBER("foam.fade", foam.fade, "s", 0.1, 600, 4, \
+        "time in which foam fades to about a third"), \
+    TP_ROW_MAP("foam", foam.map, 4, "PNG of the bubbles; empty: plain foam"), \
+    TP_ROW_COLOUR("foam.colour", foam.colour, 0xf4f8fa, "colour of foam in full light")
+
 #endif

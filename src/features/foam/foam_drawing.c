@@ -2,11 +2,10 @@
 /* Prepares the drawing of foam: the field's position at the drawn moment, its texture and
  * colour. */
 #include "features/foam/foam.h"
-#include "features/foam/foam_stage.h"
 #include "frame/frame.h"
-#include "scene/pools.h"
+#include "world/pools.h"
 
-/* Returns the drift in m at the drawn moment, `back` of a tick before the world's current
+/* Returns the drift in m at the drawn moment, `lag` of a tick before the world's current
  * tick. */
 static tp_fx interpolate_drift(int64_t drift_q32, tp_fx speed, tp_fx lag)
 {

@@ -6,10 +6,10 @@
  * are white. */
 #include "base/base.h"
 #include "features/foam/foam.h"
-#include "scene/world_parts.h"
-#include "scene/pools.h"
-#include "wave/ocean_tables.h"
-#include "wave/wave.h"
+#include "waves/coastal_tables.h"
+#include "waves/deep_water.h"
+#include "world/module.h"
+#include "world/pools.h"
 
 #define GAIN_MOST 0xff00u
 

@@ -1,11 +1,24 @@
 /* SPDX-License-Identifier: MIT */
-/* Land: a sea floor near the water's level or above it.
+/*
+ * Land: a sea floor near the water's level or above it.
  *
  *     land_drawing.c   the module, and its triangles
- *     land_stage.c     its shading, plain or with the floor's texture */
-#ifndef TP_LAND_MODULE_H
-#define TP_LAND_MODULE_H
-#include "scene/module.h"
+ *     land_stage.c     its shading, plain or with the floor's texture
+ *     land_rungs.c     the cost of its rows of cells
+ */
+#ifndef TP_FEATURES_LAND_LAND_H
+#define TP_FEATURES_LAND_LAND_H
+#include "tidepool/modules.h"
+#include "world/module.h"
 
 #define TP_LAND_ID TP_MODULE_ID('l', 'a', 'n', 'd')
+
+#define TP_LAND_ROWS \
+    TP_ROW_COLOUR("floor.colour", floor.colour, 0xc8b48c, \
+        "colour of the land; multiplies the texture"), \
+    TP_ROW_NAME("floor.texture", floor.texture, TEXTURE, \
+        "PNG over the land; empty: none"), \
+    TP_ROW_NUMBER("floor.texture_size", floor.texture_size, "m", 0.1, 1000, 8, \
+        "side of the square that one repeat covers")
+
 #endif

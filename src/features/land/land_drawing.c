@@ -5,7 +5,7 @@
 #include "base/base.h"
 #include "features/land/land.h"
 #include "frame/frame.h"
-#include "scene/sides.h"
+#include "world/pools.h"
 
 /* A screen vertex of the land; u may be TP_GRID_NEEDS_CLIP as for the water. */
 typedef struct {

@@ -1,21 +1,131 @@
 /* SPDX-License-Identifier: MIT */
-/* Skies other than the plain gradient; a scene has at most one.  The `begin` of a sky
- * sets shade->env for its stages, for reflections and for haze.  shade/dome.c and cube.c
- * make the tables.
+/*
+ * Skies other than the plain gradient, and the air below them.  A scene has at most one
+ * sky.  The `begin` of a sky sets shade->env for its stages, for reflections and for
+ * haze. The tables are made in shade/.  Haze is air between the eye and everything except
+ * the sky.
  *
- *     sky_dome_drawing.c       a generated sky: day, dusk, night
- *     sky_dome_stage.c         the visible sky, and its reflection
- *     sky_dome_quick_stage.c   the visible sky by fast shading
- *     sky_cube_drawing.c       a cube map of six textures
- *     sky_cube_stage.c         the visible sky, and its reflection
- *     stars_drawing.c          stars of a night
- *     stars_stage.c            their span stage */
-#ifndef TP_SKY_MODULES_H
-#define TP_SKY_MODULES_H
-#include "scene/light.h"
-#include "scene/module.h"
+ *     sky_drawing.c      the modules: dome (day, dusk, night), stars, cube map, haze
+ *     sky_dome_stage.c   the visible dome, exact and fast, its reflection, stars
+ *     sky_cube_stage.c   the visible cube map of six textures, and its reflection
+ *     haze_stage.c       the rule of haze, and its stages, one for each kind of sky
+ *     sky_rungs.c        the cost of their pixels
+ */
+#ifndef TP_FEATURES_SKY_SKY_H
+#define TP_FEATURES_SKY_SKY_H
+#include "base/dsp.h"
+#include "shade/env.h"
+#include "shade/shade.h"
+#include "tidepool/modules.h"
+#include "world/light.h"
+#include "world/module.h"
 
 #define TP_SKY_DOME_ID TP_MODULE_ID('s', 'k', 'y', 'd')
 #define TP_SKY_CUBE_ID TP_MODULE_ID('s', 'k', 'y', 'c')
 #define TP_STARS_ID    TP_MODULE_ID('s', 't', 'a', 'r')
+
+/* -- helpers of the stages ----------------------------------------------------------- */
+
+/* Returns the colour of a sky look-up.  `hdr` is a literal: 1 adds the light above white,
+ * 0 leaves it out. */
+TP_ALWAYS_INLINE uint32_t tp_sky_colour(const tp_shade *shade, uint32_t light, int hdr)
+{
+    return hdr ? tp_light_colour(shade, light) : light & 0x00ffffffu;
+}
+
+/* -- fast shading of the visible dome ------------------------------------------------ */
+
+/* The colour is looked up at every 16th column and linear in between.  Close to the sun
+ * the colour is looked up at every column.
+ *
+ * Channels are 8.8 in the halves of a word, so one addition serves two channels. */
+
+/* Red and blue packed, and green; each with its step per column. */
+typedef struct {
+    uint32_t rb, g, rb_step, g_step;
+} tp_quick_shade;
+
+static inline tp_quick_shade tp_quick_shade_make(uint32_t a, uint32_t b)
+{
+    uint32_t from = tp_even_bytes(a), to = tp_even_bytes(b);
+
+    return (tp_quick_shade){
+        .rb = (from << 8) + 0x00800080, .g = (a & 0xff00) + 0x80,
+        .rb_step = tp_pair16((tp_high16(to) - tp_high16(from)) * 16,
+                             (tp_low16(to) - tp_low16(from)) * 16),
+        .g_step = ((b & 0xff00) - (a & 0xff00)) >> 4,
+    };
+}
+
+/* Fills columns [k, end) of a block of 16. */
+static inline void tp_plain_fill(uint32_t *colour, tp_quick_shade s, int32_t k,
+                                 int32_t end)
+{
+    const int32_t r = tp_high16(s.rb_step), b = tp_low16(s.rb_step);
+    const int32_t g = (int16_t)s.g_step;
+
+    for (; k < end; k++) {
+        uint32_t red = (s.rb >> 16) + (uint32_t)(r * k);
+        uint32_t blue = (s.rb & 0xffff) + (uint32_t)(b * k);
+        uint32_t green = s.g + (uint32_t)(g * k);
+        *colour++ = (red & 0xff00) << 8 | (green & 0xff00) | (blue >> 8 & 0xff);
+    }
+}
+
+static inline void tp_packed_fill(uint32_t *colour, tp_quick_shade s, int32_t k,
+                                  int32_t end)
+{
+    s.g_step = (uint32_t)(int32_t)(int16_t)s.g_step;
+    for (int32_t i = 0; i < k; i++) {
+        s.rb = tp_sadd16(s.rb, s.rb_step);
+        s.g += s.g_step;
+    }
+    for (; k < end; k++) {
+        *colour++ = tp_add_odd_bytes(s.g & 0xff00, s.rb);
+        s.rb = tp_sadd16(s.rb, s.rb_step);
+        s.g += s.g_step;
+    }
+}
+
+/* -- haze ---------------------------------------------------------------------------- */
+
+#define TP_HAZE_ID TP_MODULE_ID('h', 'a', 'z', 'e')
+
+/* Data of the haze stages, in tp_run.mine. */
+typedef struct {
+    uint32_t scale;             /* factor from zi to table entries, Q0.32 */
+} tp_haze;
+
+#define TP_HAZE 512
+extern const tp_entry8 tp_haze_table[TP_HAZE + 1];      /* horizon's share of 255 */
+
+/* -- parameters ---------------------------------------------------------------------- */
+
+#define TP_ROW_FACE(name, part, help) TP_ROW_NAME("sky." name, sky.part, TEXTURE, help)
+
+#define TP_SKY_COLOUR_ROWS \
+    TP_ROW_CHOICE("sky.kind", sky.kind, "gradient|day|dusk|night|cube", TP_SKY_CUBE, \
+        TP_SKY_GRADIENT, "two colours, a generated sky, or a cube map of six PNGs"), \
+    TP_ROW_COLOUR("sky.horizon", sky.horizon, 0xc8d8e4, \
+        "colour at the horizon, for gradient and day"), \
+    TP_ROW_COLOUR("sky.zenith", sky.zenith, 0x3a6ea5, \
+        "colour overhead, for gradient and day")
+
+#define TP_SKY_LIGHT_ROWS \
+    TP_ROW_NUMBER("sky.sun", sky.sun, "", 0, 16, 1, \
+        "brightness of a generated sun; above 1 needs hdr.share"), \
+    TP_ROW_NUMBER("sky.stars", sky.stars, "", 0, 1, 0.5, \
+        "density of stars in a night sky"), \
+    TP_ROW_FACE("east", east, \
+        "PNG of the cube's face towards +x; alpha: light above white"), \
+    TP_ROW_FACE("west", west, "PNG of the face towards -x"), \
+    TP_ROW_FACE("up", up, "PNG overhead; its lower edge joins the south face"), \
+    TP_ROW_FACE("down", down, "PNG underfoot; its upper edge joins the south face"), \
+    TP_ROW_FACE("south", south, "PNG of the face towards +z"), \
+    TP_ROW_FACE("north", north, "PNG of the face towards -z")
+
+#define TP_HAZE_ROWS \
+    TP_ROW_NUMBER("sky.haze", sky.haze, "m", 0, 32000, 2000, \
+        "distance at which a colour is half the horizon's; 0: no haze")
+
 #endif

@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Spray and bubbles: specks flying over the water, and specks rising in the water.
+/*
+ * Spray and bubbles: specks flying over the water, and specks rising in the water.
  *
- *     spray.c           the module: crests, splashes, flight
+ *     spray_module.c    the module: crests, splashes, flight
  *     spray_drawing.c   specks as discs over the picture
- *     spray_stage.c     their colour */
-#ifndef TP_SPRAY_MODULE_H
-#define TP_SPRAY_MODULE_H
-#include "scene/module.h"
+ *     spray_stage.c     their colour
+ */
+#ifndef TP_FEATURES_SPRAY_SPRAY_H
+#define TP_FEATURES_SPRAY_SPRAY_H
+#include "tidepool/modules.h"
 #include "tidepool/world.h"
+#include "world/module.h"
 
 typedef enum { TP_SPECK_SPRAY, TP_SPECK_BUBBLE } tp_speck_kind;
 
@@ -42,4 +45,14 @@ static inline tp_spray *tp_spray_of_world(const tp_world *world)
  * `level`, m. */
 void tp_spray_splash(tp_spray *spray, const tp_scene *scene, const tp_impact *impact,
                      tp_fx level);
+
+#define TP_SPRAY_ROWS \
+    TP_ROW_COUNT("spray.count", spray.count, "", 0, 1024, 0, \
+        "most specks of spray and bubbles at once; 0: none"), \
+    TP_ROW_NUMBER("spray.crest", spray.crest, "", 0, 4, 1, \
+        "amount of spray from breaking crests"), \
+    TP_ROW_NUMBER("spray.impact", spray.impact, "", 0, 4, 1, \
+        "amount of spray from drops"), \
+    TP_ROW_NUMBER("spray.size", spray.size, "m", 0.001, 1, 0.03, "size of a speck")
+
 #endif

@@ -6,11 +6,11 @@
  * from the floor up to the surface's edge, takes its place (glass_drawing.c).  The inside
  * of the other walls is drawn like stone.  Walls in a pool's mask are blocks, made once
  * from the pool's cells. */
-#include "features/tank/tank.h"
-#include "asset/mesh.h"
 #include "base/base.h"
+#include "features/tank/tank.h"
 #include "frame/frame.h"
-#include "scene/pools.h"
+#include "mesh/mesh.h"
+#include "world/pools.h"
 
 /* -- geometry ------------------------------------------------------------------------ */
 

@@ -1,8 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Span stage of the stone of a tank and of a pool's inner walls. */
+/*
+ * Span stages of a tank: the stone of the tank and of a pool's inner walls; behind walls
+ * of glass the water's side, and the panes.
+ *
+ * The glass is thin: a ray is refracted as from air directly to water [F4].
+ */
 #include "features/tank/tank.h"
-#include "shade/beam.h"
-#include "shade/wall_material.h"
+#include "raster/raster.h"
+#include "shade/env.h"
+#include "shade/refracted_ray.h"
+#include "shade/sampler.h"
+
+/* -- stone --------------------------------------------------------------------------- */
 
 /* Shades stone.  The texture is projected along the largest component of the normal:
  * on x y, z y or x z. */
@@ -24,5 +33,134 @@ void tp_stage_wall(const tp_shade *shade, tp_run *run)
 const tp_stage tp_tank_stages[] = {
 #define X(name) tp_stage_##name,
     TP_STAGES_OF_tank(X)
+#undef X
+};
+
+/* -- glass --------------------------------------------------------------------------- */
+
+/* Returns the outward normal of wall `face`: +x, -x, +z, -z. */
+static tp_ray wall_normal(uint32_t face)
+{
+    int32_t one = face & 1 ? -16384 : 16384;
+    return face & 2 ? (tp_ray){ 0, 0, one, 0 } : (tp_ray){ one, 0, 0, 0 };
+}
+
+void tp_stage_tank_side(const tp_shade *shade, tp_run *run)
+{
+    tp_view_run(shade, &shade->world, run);
+    for (int32_t i = 0; i < run->count; i++) {
+        tp_ray  in = { -run->vx[i], -run->vy[i], -run->vz[i], 0 };
+        tp_refracted_ray ray;
+        tp_underwater_set_start_points(shade, run, i, i + 1, &ray);
+        ray.way = tp_underwater_refract(shade->underwater, 1, in, wall_normal(run->t[i]));
+        run->colour[i] = tp_underwater_trace(shade, &shade->underwater->floor_plane, &ray,
+                                             shade->underwater->deep);
+    }
+}
+
+/* -- panes ---------------------------------------------------------------------------- */
+
+/* Samples first to end - 1 of a run. */
+typedef struct {
+    int32_t first, end;
+} pane_part;
+
+/* Returns the part of a run covered by a convex polygon, with the fill rule of
+ * triangles. */
+static pane_part covered(const tp_pane *pane, const tp_run *run)
+{
+    int32_t y = run->y, x0 = INT32_MAX, x1 = INT32_MIN;
+
+    for (int k = 0; k < pane->count; k++) {
+        int n = k + 1 < pane->count ? k + 1 : 0;
+        int a = pane->v[k] < pane->v[n] ? k : n, b = a == k ? n : k;
+        if (tp_first_centre(pane->v[a]) > y || tp_first_centre(pane->v[b]) <= y)
+            continue;
+        tp_edge edge = tp_edge_begin(pane->u[a], pane->v[a], pane->u[b], pane->v[b]);
+        tp_edge_advance(&edge, y);
+        x0 = edge.pixel < x0 ? edge.pixel : x0;
+        x1 = edge.pixel > x1 ? edge.pixel : x1;
+    }
+    if (x0 >= x1)
+        return (pane_part){ 0, 0 };
+    return (pane_part){ x0 > run->x ? x0 - run->x : 0,
+                        x1 < run->x + run->count ? x1 - run->x : run->count };
+}
+
+/* True if a sample lies behind the glass: depth > gap / (n . D), or zi < zi_near (n .
+ * D) / gap.  The test is multiplied by `gap`; the formats are Q42, and 16.16 times Q31. */
+static bool is_behind_glass(const tp_shade *shade, const tp_glass_wall *wall, uint32_t key,
+                      int64_t view)
+{
+    int64_t near = (int64_t)shade->underwater->zi_near * (view >> 22);      /* Q36 */
+    int64_t here = (int64_t)(TP_ZI(key) >> 4) * (wall->gap >> 2);       /* Q27 times Q14 */
+    int64_t rise = near * (wall->gap > 0 ? 1 : -1);
+    int64_t far = (here >> 5) * (wall->gap > 0 ? 1 : -1);
+    return far <= rise + (rise >> 10);
+}
+
+/* Tints samples: the sky's reflection in the pane over the glass's own colour.  The view
+ * vectors of the run are set. */
+static void tint(const tp_shade *shade, const tp_glass *glass, tp_run *run, pane_part p,
+                 uint32_t face)
+{
+    tp_ray n = wall_normal(face);
+
+    for (int32_t i = p.first; i < p.end; i++) {
+        int32_t  vx = run->vx[i], vy = run->vy[i], vz = run->vz[i];
+        int32_t  nv = (vx * n.x + vz * n.z) >> 14;
+        uint32_t share = shade->fresnel[tp_clamp(nv, 0, 16384) >> 6];
+        uint32_t sky = tp_env_sample(shade, (2 * nv * n.x >> 14) - vx, -vy,
+                                     (2 * nv * n.z >> 14) - vz);
+        uint32_t c = tp_colour_mix(run->colour[i], glass->colour, glass->share);
+        run->colour[i] = tp_colour_mix(c, sky, share);
+    }
+}
+
+static void tint_behind_glass(const tp_shade *shade, const tp_glass *glass,
+                              const tp_glass_wall *wall, tp_run *run, pane_part p)
+{
+    int64_t v = shade->v0 - 16 * run->y - 8;
+
+    for (int32_t i = p.first; i < p.end; ) {
+        int32_t from = i;
+        int64_t u = 16 * (run->x + i) + 8 - shade->u0;
+        int64_t view = wall->right * u + wall->up * v + wall->ahead;
+        bool seen = is_behind_glass(shade, wall, run->key[i], view);
+        for (; i < p.end && seen == is_behind_glass(shade, wall, run->key[i], view); i++)
+            view += wall->right * 16;
+        if (seen)
+            tint(shade, glass, run, (pane_part){ from, i }, wall->face);
+    }
+}
+
+static bool is_run_in_wall_box(const tp_glass_wall *wall, const tp_run *run)
+{
+    return run->y >= wall->y0 && run->y < wall->y1
+        && run->x < wall->x1 && run->x + run->count > wall->x0;
+}
+
+void tp_stage_pane(const tp_shade *shade, tp_run *run)
+{
+    const tp_glass *glass = run->mine;
+    bool viewed = false;
+
+    for (uint32_t k = 0; k < 2 * glass->walls; k++) {
+        const tp_glass_wall *wall = &glass->wall[k / 2];
+        if (!is_run_in_wall_box(wall, run))
+            continue;
+        const pane_part p = covered(&wall->pane[k % 2], run);
+        if (p.first >= p.end)
+            continue;
+        if (!viewed)
+            tp_view_run(shade, &shade->world, run);
+        viewed = true;
+        tint_behind_glass(shade, glass, wall, run, p);
+    }
+}
+
+const tp_stage tp_glass_stages[] = {
+#define X(name) tp_stage_##name,
+    TP_STAGES_OF_glass(X)
 #undef X
 };

@@ -7,11 +7,10 @@
  * so their order does not matter and no light is lost.  Light beyond an edge is mirrored
  * at the edge, as by a wall.  A place on the map is the surface point lighting the floor
  * there through still water, so still water gives exactly 256 everywhere. */
-#include "features/underwater/caustics.h"
 #include "base/base.h"
 #include "features/underwater/underwater.h"
 #include "frame/frame.h"
-#include "shade/beam.h"
+#include "shade/refracted_ray.h"
 #include "shade/slope.h"
 
 /* -- place of the map ---------------------------------------------------------------- */

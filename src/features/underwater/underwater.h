@@ -1,16 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* The inside of the water, by four modules:
+/*
+ * The inside of the water, by four modules, and their parameters:
  *
- *     underwater_drawing.c    its data (shade/inside.h), and the view from under water
- *     underwater_stage.c      span stages of the view from under water
- *     caustics_drawing.c      sunlight focused on the floor by waves
- *     refraction_drawing.c    a planar map of the objects under the level
- *     clear_water_drawing.c   the view through clear water from above
- *     clear_water_stage.c     its span stages */
-#ifndef TP_UNDERWATER_H
-#define TP_UNDERWATER_H
-#include "scene/module.h"
+ *     underwater_drawing.c   the data of the inside (shade/water_volume.h), the view from
+ *                            under water, the view through clear water from above, a
+ *                            planar map of the objects under the level
+ *     underwater_stage.c     the span stages of both views
+ *     caustics_drawing.c     sunlight focused on the floor by waves
+ *     underwater_rungs.c     the cost of caustics
+ */
+#ifndef TP_FEATURES_UNDERWATER_UNDERWATER_H
+#define TP_FEATURES_UNDERWATER_UNDERWATER_H
 #include "shade/shade.h"
+#include "shade/water_volume.h"
+#include "tidepool/modules.h"
+#include "world/module.h"
+#include "world/pools.h"
 
 #define TP_UNDERWATER_ID  TP_MODULE_ID('u', 'n', 'd', 'r')
 #define TP_CAUSTICS_ID    TP_MODULE_ID('c', 'a', 'u', 's')
@@ -28,4 +33,44 @@ typedef struct {
     X(refract_rippled,           1, 0) \
     X(refract_dispersed,         0, 1) \
     X(refract_rippled_dispersed, 1, 1)
+
+/* -- the caustics map of a frame ----------------------------------------------------- */
+
+/* A surface vertex (x, z) and the place of its light on the floor; map cells, Q8. */
+typedef struct {
+    int32_t x, z, lit_x, lit_z;
+} tp_caustic_vertex;
+
+/* Horizontal metres travelled by sunlight per metre of depth, 16.16. */
+typedef struct {
+    int32_t x, z;
+} tp_fall;
+
+typedef struct {
+    tp_caustic         look;    /* data for the shading */
+    uint16_t          *light;   /* cells x cells */
+    tp_caustic_vertex *row;     /* two rows of cells + 1 vertices */
+    tp_rectangle       place;
+    tp_fall            level_fall;   /* through still water */
+} tp_caustics;
+
+/* -- parameters ---------------------------------------------------------------------- */
+
+#define TP_UNDERWATER_ROWS \
+    TP_ROW_NUMBER("water.clear", water.clear, "m", 0, 200, 0, \
+        "distance in water after which white is the tint; 0: opaque water"), \
+    TP_ROW_COLOUR("water.tint", water.tint, 0x2f8f9f, \
+        "colour of white seen through water.clear metres of water"), \
+    TP_ROW_COLOUR("water.deep", water.deep, 0x0a3040, "colour of bottomless water"), \
+    TP_ROW_NUMBER("water.dispersion", water.dispersion, "", 0, 1, 0, \
+        "spread of the refractive index, red to violet; real water: 0.02")
+
+#define TP_CAUSTICS_ROWS \
+    TP_ROW_NUMBER("water.caustics", water.caustics, "", 0, 4, 0, \
+        "strength of light that waves focus on the floor; 0: none"), \
+    TP_ROW_COUNT("water.caustic_cells", water.caustic_cells, "cells", 16, 256, 64, \
+        "cells along a side of the caustics map"), \
+    TP_ROW_NUMBER("water.caustic_size", water.caustic_size, "m", 1, 1000, 20, \
+        "side of the caustics map if there is no pool")
+
 #endif

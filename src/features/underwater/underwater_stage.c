@@ -1,10 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* The view from under water: the surface from below, bare water, and the absorption in
- * front of all other surfaces. */
+/*
+ * Span stages of the inside of the water.  From under water: the surface from below, bare
+ * water, and the absorption in front of all other surfaces.  From above: the view through
+ * the surface of clear water.
+ */
 #include "features/underwater/underwater.h"
-#include "scene/world.h"
-#include "shade/beam.h"
+#include "shade/refracted_ray.h"
+#include "shade/shade.h"
 #include "shade/slope.h"
+#include "view/projection.h"
+#include "world/world.h"
+
+/* -- from under water ---------------------------------------------------------------- */
 
 /* Returns the view ray of sample i; run->vx, vy, vz are set. */
 TP_ALWAYS_INLINE tp_ray view_direction(const tp_run *run, int32_t i)
@@ -79,5 +86,139 @@ void tp_stage_absorb(const tp_shade *shade, tp_run *run)
 const tp_stage tp_underwater_stages[] = {
 #define X(name) tp_stage_##name,
     TP_STAGES_OF_underwater(X)
+#undef X
+};
+
+/* -- from above ---------------------------------------------------------------------- */
+
+/* The view through the surface from above: floor, walls and objects in the water,
+ * refracted at the bumped normal [F4] and attenuated along the ray.
+ *
+ * The water's own light is three parts of the deep colour and one part of the lit colour
+ * left by the earlier stages.  Layers and light therefore still move over deep water,
+ * while the shallowest water at a shore shows the land alone.
+ *
+ * With dispersion each channel has its own refractive index and its own ray. */
+
+/* The surface at a sample, Q1.14: its normal, and the cosine of the angle to the view
+ * ray. */
+typedef struct {
+    int16_t x, y, z, cosine;
+} facet;
+
+TP_ALWAYS_INLINE tp_ray clear_view_direction(const tp_run *run, int32_t i)
+{
+    return (tp_ray){ -run->vx[i], -run->vy[i], -run->vz[i], 0 };
+}
+
+TP_ALWAYS_INLINE void facets(const tp_run *run, int32_t i, int32_t stop, int rippled,
+                             facet *to)
+{
+    for (; i < stop; i++, to++) {
+        tp_ray n = tp_slope_run_normal(run, i, rippled);
+        *to = (facet){ (int16_t)n.x, (int16_t)n.y, (int16_t)n.z,
+                       (int16_t)tp_incidence_cosine(clear_view_direction(run, i), n) };
+    }
+}
+
+/* Computes the refracted rays of samples [i, stop) for one channel. */
+TP_ALWAYS_INLINE void refract_rays(const tp_shade *shade, const tp_run *run, int32_t i,
+                                   int32_t stop, const facet *at, int channel,
+                                   tp_refracted_ray *ray)
+{
+    for (; i < stop; i++, at++, ray++) {
+        tp_ray n = { at->x, at->y, at->z, 0 };
+        tp_ray way = tp_underwater_refract_cosine(
+            shade->underwater, channel, clear_view_direction(run, i), n, at->cosine);
+        if (way.y > -1638)      /* a steep ripple would bend the ray out of the water */
+            way.y = -1638;
+        ray->way = way;
+    }
+}
+
+/* Mixes the refraction map over a colour.  The place in the map is displaced as for an
+ * object half a metre under the surface, by a quarter of the slope [F4]. */
+static uint32_t mix_refraction_map(const tp_shade *shade, const tp_planar_map *map,
+                                   const tp_run *run, int32_t i, tp_fx metres, int32_t nx,
+                                   int32_t nz, uint32_t colour)
+{
+    const tp_view_axes *axes = &shade->world;
+    int32_t across = (int32_t)(((int64_t)axes->right.x * nx + (int64_t)axes->right.z * nz)
+                               >> 30);
+    int32_t along = (int32_t)(((int64_t)axes->up.x * nx + (int64_t)axes->up.z * nz)
+                              >> 30);
+    uint32_t far = (uint32_t)metres | 1;
+    int      shift = tp_clz(far);
+    int64_t  each = tp_recip_rough(far << shift);       /* 2^46 / m / 2^shift */
+    int64_t  focal = shade->focal;
+    int32_t  u = (int32_t)tp_clamp_abs((across * focal >> 4) * each >> (64 - shift), 64);
+    int32_t  v = (int32_t)tp_clamp_abs((along * focal >> 4) * each >> (64 - shift), 64);
+    int32_t  x = (run->x + i) / 2 - u, y = run->y / 2 + v;
+
+    uint32_t over = tp_planar_map_pixel(map, x, y);
+    uint32_t share = (over >> 24) + (over >> 31);
+    return tp_colour_mix(colour, over, share);
+}
+
+/* Shades samples [i, stop) with dispersion.  On entry the beams hold the rays of green,
+ * and the floor between the ends is looked up for green.  Red and blue rays end some
+ * millimetres aside per metre of depth, where the floor is the same plane. */
+static void shade_dispersed(const tp_shade *shade, const tp_run *run, int32_t i,
+                            int32_t stop, const facet *surface,
+                            const tp_floor_plane ends[2], tp_refracted_ray *ray,
+                            const uint32_t *body, uint32_t *seen)
+{
+    const int32_t count = stop - i;
+    tp_ground under[TP_UNDERWATER_ROW];
+
+    tp_underwater_interpolate_floor(shade, ends, ray, count, under);
+    for (int32_t k = 0; k < count; k++)
+        seen[k] = 0;
+    tp_underwater_shade_row_channel(shade, under, ray, count, body, 8, seen);
+    for (int channel = 0; channel < 3; channel += 2) {
+        refract_rays(shade, run, i, stop, surface, channel, ray);
+        tp_underwater_shade_row_channel(shade, under, ray, count, body, 16 - 8 * channel,
+                                        seen);
+    }
+}
+
+TP_ALWAYS_INLINE void shade_clear_water(const tp_shade *shade, tp_run *run, int rippled,
+                                        int dispersed)
+{
+    const tp_clear_water *clear = run->mine;
+    uint32_t body[TP_UNDERWATER_ROW];
+    tp_refracted_ray  ray[TP_UNDERWATER_ROW];
+    facet    surface[TP_UNDERWATER_ROW];
+    tp_floor_plane   ends[2];
+
+    for (int32_t i = 0; i < run->count; ) {
+        int32_t   stop = tp_block_end(run, i), count = stop - i;
+        uint32_t *seen = run->colour + i;
+        for (int32_t k = 0; k < count; k++)
+            body[k] = tp_colour_mix(shade->underwater->deep, seen[k], 64);
+        tp_underwater_set_start_points(shade, run, i, stop, ray);
+        facets(run, i, stop, rippled, surface);
+        refract_rays(shade, run, i, stop, surface, 1, ray);
+        ends[0] = tp_underwater_find_floor_plane(shade, ray);
+        ends[1] = tp_underwater_find_floor_plane(shade, &ray[count - 1]);
+        if (dispersed)
+            shade_dispersed(shade, run, i, stop, surface, ends, ray, body, seen);
+        else
+            tp_underwater_shade_row(shade, ends, ray, count, body, seen);
+        for (int32_t k = 0; clear->refraction_map && k < count; k++)
+            seen[k] = mix_refraction_map(shade, clear->refraction_map, run, i + k,
+                                         ray[k].far, surface[k].x, surface[k].z, seen[k]);
+        i = stop;
+    }
+}
+
+#define REFRACT_STAGE(name, rippled, dispersed) \
+    void tp_stage_##name(const tp_shade *shade, tp_run *run) \
+    { shade_clear_water(shade, run, rippled, dispersed); }
+TP_CLEAR_WATER_STAGES(REFRACT_STAGE)
+
+const tp_stage tp_clear_water_stages[] = {
+#define X(name, rippled, dispersed) [2 * (dispersed) + (rippled)] = tp_stage_##name,
+    TP_CLEAR_WATER_STAGES(X)
 #undef X
 };

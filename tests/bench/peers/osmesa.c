@@ -150,7 +150,7 @@ static float rough_log2(float x)
 }
 
 /* Sets a texture map: repeats a metre, the drift at BENCH_TICK, and the mipmap level at 1 m
- * (src/frame/layer.c). */
+ * (src/frame/shader_list.c). */
 static void set_map(const gl *g, int unit, const char *sampler, const char *how,
                     const tp_texture *texture, const tp_scene_map *map, bool linear,
                     float coarser)

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "peer.h"
-#include "wave/wave.h"
+#include "waves/deep_water.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "host/picture.h"
-#include "host/timing.h"
+#include "app/files/picture.h"
+#include "app/files/timing.h"
 #include "tidepool/tidepool.h"
 
 float peer_metres(tp_fx x)

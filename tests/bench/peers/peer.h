@@ -6,7 +6,7 @@
  *   PEER plain|full|smooth WIDTH HEIGHT POINTS FRAMES FILE.png */
 #ifndef BENCH_PEER_H
 #define BENCH_PEER_H
-#include "host/bench_scene.h"
+#include "tools/bench/bench_scene.h"
 
 typedef struct {
     float place[3];             /* displaced place, m, y up */

@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: MIT */
+/* tidepool plan: prints for each rung of a scene its cost, error and bytes, and the reason
+ * why the rung was chosen or not. */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "app/files/log.h"
+#include "app/scene/plan_sheet.h"
+#include "command_help.h"
+#include "commands.h"
+#include "frame/tools.h"
+
+#define BAND 16                 /* rows of a tile, as on a board */
+#define MHZ  168                /* clock, MHz, and cycles per instruction of the estimate */
+#define CPI  "1.3"
+#define SPEED (MHZ * 1000000ull * 10 / 13)      /* instructions per second */
+
+typedef struct {
+    loaded_scene     *loaded;
+    plan_sheet sheet;
+} plan;
+
+/* -- output for programs ------------------------------------------------------------- */
+
+static void print_csv(const plan *p)
+{
+    char word[32], px[24], colour[24];
+    const tp_plan_report *r = &p->sheet.report;
+
+    puts("kind,rung,why,instructions,error_px,error_colour,bytes");
+    for (int k = 0; k < TP_KINDS; k++)
+        for (int i = 0; i < r->rung_count[k]; i++) {
+            const tp_rung_report *rung = &r->rung[k][i];
+            plan_word(k, i, word);
+            printf("%s,%s,%s,", plan_kind[k], word, plan_why[rung->why]);
+            if (rung->price.known)
+                printf("%" PRIu64 ",%s,%s", rung->price.cost,
+                       plan_number(rung->price.error_px, px),
+                       plan_number(rung->price.error_colour, colour));
+            else
+                printf(",,");
+            printf(",%zu\n", p->sheet.bytes[k][i]);
+        }
+    printf("total,,,%" PRIu64 ",%s,%s,%zu\n", r->total.cost,
+           plan_number(r->total.error_px, px),
+           plan_number(r->total.error_colour, colour),
+           p->loaded->renderer.frame_bytes + p->loaded->renderer.scratch_bytes);
+}
+
+/* -- output for people --------------------------------------------------------------- */
+
+static void print_head(const plan *p, const options *o)
+{
+    const tp_plan_report *r = &p->sheet.report;
+    const tp_scene *scene = &p->loaded->file.scene;
+    char px[24], colour[24];
+
+    printf("%s, %ux%u: about %u pixels of water, %u vertices, %u wave%s",
+           p->loaded->file.name, (unsigned)o->width, (unsigned)o->height,
+           (unsigned)r->water_pixels, (unsigned)r->vertices, (unsigned)r->waves,
+           r->waves == 1 ? "" : "s");
+    if (r->waves_dropped)
+        printf(" (%u more too faint)", (unsigned)r->waves_dropped);
+    printf("\nbudget: outlines %s px, colours %s of 255 rms\n\n",
+           plan_number(scene->quality.error_px, px),
+           plan_number(scene->quality.error_colour, colour));
+    printf("%-10s  %-9s %8s %6s %6s %9s  %s\n", "", "", "M instr", "px", "colour",
+           "bytes", "why");
+}
+
+static void print_rung(const plan *p, int kind, int i)
+{
+    const tp_rung_report *rung = &p->sheet.report.rung[kind][i];
+    const bool taken = rung->why == TP_WHY_CHOSEN || rung->why == TP_WHY_NAMED;
+    char word[32], px[24] = "-", colour[24] = "-", cost[24] = "-";
+
+    plan_word(kind, i, word);
+    if (rung->price.known) {
+        plan_number(rung->price.error_px, px);
+        plan_number(rung->price.error_colour, colour);
+        snprintf(cost, sizeof cost, "%.2f", (double)rung->price.cost / 1e6);
+    }
+    printf("%-10s %c%-9s %8s %6s %6s %9zu  %s\n", i ? "" : plan_kind[kind],
+           taken ? '*' : ' ', word, cost, px, colour, p->sheet.bytes[kind][i],
+           plan_why[rung->why]);
+}
+
+static void print_total(const plan *p)
+{
+    const tp_plan_report *r = &p->sheet.report;
+    const tp_ram_use ram = tp_frame_ram(p->loaded->renderer.frame);
+    const double cost = (double)r->total.cost;
+    char px[24], colour[24];
+
+    if (r->total.known)
+        printf("\nin all: %.2f M instructions a frame, %.0f a water pixel; off %s px,"
+               " %s\nestimate: %.1f frames/s at %d MHz if an instruction takes "
+               CPI " cycles\n", cost / 1e6, r->water_pixels ? cost / r->water_pixels : 0,
+               plan_number(r->total.error_px, px),
+               plan_number(r->total.error_colour, colour),
+               r->total.cost ? (double)SPEED / cost : 0, MHZ);
+    else
+        puts("\nin all: unknown, because a rung has no measured cost yet");
+    printf("bytes: frame %zu (vertices %zu, tables %zu, mirror %zu),\n  a tile's scratch"
+           " %zu, world %zu\n", ram.frame, ram.vertices, ram.tables, ram.mirror,
+           ram.scratch, p->loaded->world_bytes);
+    puts("Instructions: one frame on a Cortex-M4 at the scene's start, without ticks."
+         "\nErrors: the largest measured, beyond those of the exact rungs.");
+}
+
+static int run(const options *o)
+{
+    loaded_scene s;
+    plan  p = { .loaded = &s };
+    int code = loaded_scene_open(&s, o);
+
+    if (!code) {
+        p.sheet = plan_sheet_make(&s);
+        if (o->csv)
+            print_csv(&p);
+        else {
+            print_head(&p, o);
+            for (int k = 0; k < TP_KINDS; k++)
+                for (int i = 0; i < p.sheet.report.rung_count[k]; i++)
+                    print_rung(&p, k, i);
+            print_total(&p);
+        }
+    }
+    loaded_scene_close(&s);
+    return code;
+}
+
+int plan_command(int argc, char **argv)
+{
+    options o;
+    int code = args_read(&o, FOR_PLAN, argc, argv);
+
+    if (!o.band && !o.strip)
+        o.band = BAND;
+    if (!code && o.help) {
+        command_help_print(FOR_PLAN);
+    } else if (!code) {
+        code = run(&o);
+    }
+    free(o.settings);
+    const int end = streams_finish();
+    return code ? code : end;
+}

@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: MIT */
+/* From the command line to a world and a canvas. */
+#include "loaded_scene.h"
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "app/files/log.h"
+#include "pool/pool.h"
+#include "world/value.h"
+#include "world/world.h"
+
+int loaded_scene_read(scene_file *file, const options *o)
+{
+    int code = scene_file_open(file, o->scene);
+    for (uint32_t i = 0; i < o->n_settings && !code; i++)
+        code = scene_file_set(file, o->settings[i]);
+    if (!code && o->visibility) {
+        uint32_t count;
+        const tp_param *row = tp_param_find("quality.visibility", 18);
+        file->scene.quality.visibility = o->visibility;
+        file->set_at[row - tp_params(&count)] = SET_BY_COMMAND;
+    }
+    return code;
+}
+
+/* Reports clamped steepness with three decimals: in 16.16 a sum of decimal values as 0.4 is
+ * not a round number. */
+static void report_clamps(const scene_file *file, const tp_deep_water *deep)
+{
+    char sum[16];
+    if (!deep->clamped)
+        return;
+    const int64_t thousandths = ((int64_t)deep->steepness * 1000 + 0x8000) >> 16;
+    tp_fx_write((tp_fx)((thousandths * 65536 + 500) / 1000), sum);
+    log_line("%s: steepness sum %s is clamped to 0.95", file->name, sum);
+}
+
+/* True if the noise exceeds an eighth of the range: 8-bit cells then show little but their
+ * own rounding errors. */
+static bool is_noisy(tp_fx courant, int32_t damping)
+{
+    return tp_pool_noise(courant, (uint32_t)damping) > 16 * TP_FX_ONE;
+}
+
+static void report_noise(const scene_file *file, const tp_scene_pool *pool,
+                         const char *courant)
+{
+    const int64_t noise = tp_pool_noise(pool->courant, (uint32_t)pool->damping);
+    int  thousandths = 50;
+    char who[300];
+
+    if (pool->cols == 0 || pool->cells != TP_CELLS_8
+        || !is_noisy(pool->courant, pool->damping))
+        return;
+    while (is_noisy(thousandths * TP_FX_ONE / 1000, pool->damping))
+        thousandths++;
+    scene_file_who(file, tp_param_find(courant, strlen(courant)), who, sizeof who);
+    log_line("%s: 8-bit cells have noise of %d %% of their range; 0.%03d or more, or "
+             "cells = 16,"
+             " gives less than 13 %%",
+             who, (int)((noise * 100 / 127 + 0xffff) >> 16), thousandths);
+}
+
+void loaded_scene_report_clamps(const scene_file *file, const tp_deep_water *deep)
+{
+    report_clamps(file, deep);
+    report_noise(file, &file->scene.pool, "pool.courant");
+    report_noise(file, &file->scene.field, "field.courant");
+}
+
+int loaded_scene_load_assets(asset_set *a, const scene_file *file, const options *o)
+{
+    return assets_load(a, file, &(assets_options){
+        .texels = o->texels, .strict = o->strict, .quiet = o->quiet });
+}
+
+int loaded_scene_load(loaded_scene *s, const options *o)
+{
+    memset(s, 0, sizeof *s);
+    int code = loaded_scene_read(&s->file, o);
+    if (!code)
+        code = loaded_scene_load_assets(&s->assets, &s->file, o);
+    if (!code)
+        code = loaded_scene_make_world(s);
+    if (!code && !o->quiet)
+        loaded_scene_report_clamps(&s->file, &s->world->deep);
+    return code;
+}
+
+int loaded_scene_open(loaded_scene *s, const options *o)
+{
+    const int code = loaded_scene_load(s, o);
+    return code ? code : loaded_scene_open_renderer(s, o);
+}
+
+tp_world *loaded_scene_new_world(const tp_scene *scene, const tp_assets *names,
+                                 size_t *bytes, tp_error *err)
+{
+    *bytes = tp_world_bytes(&tp_program_all, scene, names);
+    tp_world *world = malloc(*bytes > sizeof *world ? *bytes : sizeof *world);
+    if (world
+        && tp_world_init(&tp_program_all, world, *bytes, scene, names, err) == TP_OK)
+        return world;
+    free(world);
+    return NULL;
+}
+
+void loaded_scene_take_world(loaded_scene *s, tp_world *world, size_t bytes)
+{
+    free(s->world);
+    s->world = world;
+    s->world_bytes = bytes;
+}
+
+int loaded_scene_make_world(loaded_scene *s)
+{
+    tp_error err = { 0 };
+    size_t bytes;
+    tp_world *world =
+        loaded_scene_new_world(&s->file.scene, &s->assets.names, &bytes, &err);
+    if (!world)
+        return err.code ? scene_file_refuse(&s->file, &err) : log_fail_memory(bytes);
+    loaded_scene_take_world(s, world, bytes);
+    return EXIT_DONE;
+}
+
+/* Returns the memory that a board needs beside the picture, bytes. */
+static size_t board_memory_bytes(const frame_renderer *c, size_t world_bytes)
+{
+    return c->frame_bytes + world_bytes + c->scratch_bytes;
+}
+
+/* Chooses streaming of grid vertices if memory does not suffice for storing them. */
+static void choose_store(frame_renderer *c, const tp_scene *scene, const tp_assets *names,
+                         size_t world_bytes, const options *o)
+{
+    c->stream = o->stream;
+    frame_renderer_measure(c, scene, names);
+    if (o->memory && board_memory_bytes(c, world_bytes) > o->memory) {
+        c->stream = true;
+        frame_renderer_measure(c, scene, names);
+    }
+}
+
+/* Checks --memory.  Meshes and textures are not counted: on a board they may be in ROM. */
+static int check_memory(const loaded_scene *s, const frame_renderer *c, const asset_set *a,
+                        size_t world_bytes, uint64_t allowed)
+{
+    const size_t named = a->mesh_bytes + a->texture_bytes;
+    const size_t bytes = board_memory_bytes(c, world_bytes);
+    char rom[80] = "";
+    if (!allowed || bytes <= allowed)
+        return EXIT_DONE;
+    if (named)
+        snprintf(rom, sizeof rom, "; %zu bytes of pictures and mesh are not counted",
+                 named);
+    return log_fail(EXIT_INPUT,
+                    "%s needs %zu bytes (frame %zu, world %zu, scratch %zu),"
+                    " --memory allows %" PRIu64 "%s",
+                    s->file.name, bytes, c->frame_bytes, world_bytes, c->scratch_bytes,
+                    allowed, rom);
+}
+
+int loaded_scene_plan_renderer(const loaded_scene *s, const options *o,
+                               const asset_set *a, size_t world_bytes, frame_renderer *c)
+{
+    const tp_config config = {
+        .width = o->width,
+        .height = o->height,
+        .tile_width = o->strip,
+        .tile_height = o->band,
+        .format = o->format,
+    };
+    frame_renderer_plan(c, &config, o->threads);
+    if (o->machine)
+        c->machine = o->machine;
+    choose_store(c, &s->file.scene, &a->names, world_bytes, o);
+    return check_memory(s, c, a, world_bytes, o->memory);
+}
+
+tp_ladder loaded_scene_ladder(const loaded_scene *s)
+{
+    return tp_ladder_make(&s->file.scene, &s->assets.names, s->renderer.config.width,
+                          s->renderer.config.height);
+}
+
+int loaded_scene_open_renderer(loaded_scene *s, const options *o)
+{
+    frame_renderer_close(&s->renderer);
+    const int code =
+        loaded_scene_plan_renderer(s, o, &s->assets, s->world_bytes, &s->renderer);
+    s->ladder = loaded_scene_ladder(s);
+    return code ? code
+                : frame_renderer_open(&s->renderer, &s->file.scene, &s->assets.names);
+}
+
+void loaded_scene_close(loaded_scene *s)
+{
+    frame_renderer_close(&s->renderer);
+    free(s->world);
+    assets_close(&s->assets);
+    scene_file_close(&s->file);
+}

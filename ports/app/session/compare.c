@@ -1,0 +1,372 @@
+/* SPDX-License-Identifier: MIT */
+/* A second canvas draws the other picture: of the stage's world, with a copy of the scene
+ * that has other values in quality.*.  Or the reference renderer draws the other picture
+ * (tracer.h).
+ *
+ * The reference is in tests/reference, where tests judge pictures by the reference; for
+ * this view it is linked into the program.  It draws the correct picture, by rays that meet
+ * the exact surface, but without foam, spray, caustics and stars. */
+#include "compare.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "app/files/timing.h"
+#include "image_diff.h"
+#include "reference_thread.h"
+
+#define JUDGE_US 250000u        /* us between two plans; a plan takes 10 ms */
+
+const char *const compare_how_name[COMPARE_HOWS] = { "off", "split", "difference" };
+const char *const compare_against_name[AGAINSTS] = {
+    "exact", "triangles", "rows", "projected", "flat", "quick", "layers", "colour", "lod",
+    "reference",
+};
+
+struct comparison {
+    compare_how how;
+    compare_against against;
+    tp_scene given;             /* copy of the stage's scene when `scene` was made */
+    tp_scene scene;             /* scene of the other canvas: differs in quality.* */
+    frame_renderer   other;
+    bool     open, failed;      /* of `other`; failed: no memory, until a change */
+    uint64_t judged_at;
+    bool     judged, unfit;
+    bool     same;              /* the stage's picture is drawn with the same rungs */
+    reference_thread  *reference;
+    bool     delivered;         /* the tracer has delivered a complete picture */
+    reference_pass pass;           /* pass of the reference's picture in `theirs` */
+    uint32_t *ours, *theirs;    /* pixels 0x00RRGGBB */
+    picture  shown;
+    double   psnr;
+    char     note[128];
+};
+
+/* -- choice of the other picture ----------------------------------------------------- */
+
+static const tp_rungs exact = { TP_VISIBILITY_TRIANGLES, TP_SHADING_EXACT, TP_RATE_FULL,
+                                TP_LOD_OFF };
+
+static tp_rungs choose_rungs(compare_against against)
+{
+    tp_rungs r = exact;
+
+    switch (against) {
+    case AGAINST_ROWS:      r.visibility = TP_VISIBILITY_ROWS; break;
+    case AGAINST_PROJECTED: r.visibility = TP_VISIBILITY_PROJECTED; break;
+    case AGAINST_FLAT:      r.visibility = TP_VISIBILITY_FLAT; break;
+    case AGAINST_LAYERS:    r.rate = TP_RATE_LAYERS; break;
+    case AGAINST_COLOUR:    r.rate = TP_RATE_COLOUR; break;
+    case AGAINST_LOD:       r.lod = TP_LOD_ON; break;
+    default:                break;
+    }
+    if (against == AGAINST_QUICK || r.rate != TP_RATE_FULL)
+        r.shading = TP_SHADING_QUICK;
+    return r;
+}
+
+static tp_rungs rungs_of_stage(const loaded_scene *s)
+{
+    return tp_rungs_choose(&s->file.scene, &s->assets.names, s->renderer.picture.width,
+                           s->renderer.picture.height);
+}
+
+static bool same_rungs(tp_rungs a, tp_rungs b)
+{
+    return a.visibility == b.visibility && a.shading == b.shading && a.rate == b.rate
+        && a.lod == b.lod;
+}
+
+static void name_rungs(comparison *c, const loaded_scene *s)
+{
+    const bool mine = c->against == AGAINST_TRIANGLES;
+    const tp_rungs own = rungs_of_stage(s);
+    tp_rungs r = mine ? own : choose_rungs(c->against);
+
+    if (mine)
+        r.visibility = TP_VISIBILITY_TRIANGLES;
+    c->same = same_rungs(r, own);
+    c->scene.quality.visibility = (int32_t)r.visibility;
+    c->scene.quality.shading = (int32_t)r.shading;
+    c->scene.quality.rate = (int32_t)r.rate;
+    c->scene.quality.lod = (int32_t)r.lod;
+    c->scene.quality.frame_ms = 0;
+    if (!mine)
+        c->scene.quality.error_px = c->scene.quality.error_colour = 0;
+}
+
+/* Makes a plan with every choice open: its report marks the rungs unfit for the scene. */
+static bool is_unfit(const loaded_scene *s, tp_rungs r)
+{
+    const picture *p = &s->renderer.picture;
+    tp_scene open = s->file.scene;
+
+    open.quality.visibility = TP_VISIBILITY_AUTO;
+    open.quality.shading = TP_SHADING_AUTO;
+    open.quality.rate = TP_RATE_AUTO;
+    open.quality.lod = TP_LOD_AUTO;
+    const tp_plan_report plan = tp_plan_make(&open, &s->assets.names, p->width, p->height);
+    return plan.rung[0][r.visibility - 1].why == TP_WHY_UNFIT
+        || plan.rung[1][r.shading - 1].why == TP_WHY_UNFIT
+        || plan.rung[3][r.lod - 1].why == TP_WHY_UNFIT;
+}
+
+static void judge(comparison *c, const loaded_scene *s)
+{
+    if (c->judged || now_us() - c->judged_at < JUDGE_US)
+        return;
+    c->unfit = is_unfit(s, choose_rungs(c->against));
+    c->judged = true;
+    c->judged_at = now_us();
+}
+
+compare_against compare_usual(const loaded_scene *s)
+{
+    if (s->renderer.picture.format != TP_FORMAT_XRGB8888
+        || !same_rungs(rungs_of_stage(s), exact))
+        return AGAINST_EXACT;
+    return is_unfit(s, choose_rungs(AGAINST_QUICK)) ? AGAINST_REFERENCE : AGAINST_QUICK;
+}
+
+/* -- memory -------------------------------------------------------------------------- */
+
+static void discard(comparison *c)
+{
+    reference_thread_end(c->reference);
+    c->reference = NULL;
+    if (c->open)
+        frame_renderer_close(&c->other);
+    c->open = c->failed = c->judged = c->same = c->delivered = false;
+}
+
+void compare_forget(comparison *c)
+{
+    discard(c);
+    c->pass = REFERENCE_NONE;
+    c->psnr = -1;
+}
+
+comparison *compare_begin(void)
+{
+    comparison *c = calloc(1, sizeof *c);
+
+    if (c)
+        c->psnr = -1;
+    return c;
+}
+
+void compare_end(comparison *c)
+{
+    if (!c)
+        return;
+    discard(c);
+    free(c->ours);
+    free(c->theirs);
+    free(c->shown.rows);
+    free(c);
+}
+
+void compare_set(comparison *c, compare_how how, compare_against against)
+{
+    if (against != c->against || how == COMPARE_OFF)
+        compare_forget(c);
+    if (against != c->against) {
+        c->unfit = false;
+        c->judged_at = 0;
+    }
+    c->how = how;
+    c->against = against;
+}
+
+/* Allocates the pictures; false: no memory. */
+static bool resize(comparison *c, uint32_t width, uint32_t height)
+{
+    const size_t bytes = (size_t)width * height * sizeof *c->ours;
+
+    free(c->ours);
+    free(c->theirs);
+    free(c->shown.rows);
+    c->ours = malloc(bytes);
+    c->theirs = malloc(bytes);
+    c->shown = (picture){ TP_FORMAT_XRGB8888, width, height, (size_t)width * 4,
+                          malloc(bytes) };
+    if (c->ours && c->theirs && c->shown.rows)
+        return true;
+    c->shown.width = 0;
+    return false;
+}
+
+/* Adopts the stage's size and scene.  False: no memory. */
+static bool follow(comparison *c, const loaded_scene *s)
+{
+    const picture *p = &s->renderer.picture;
+    const bool sized = c->shown.width == p->width && c->shown.height == p->height;
+
+    if (sized && memcmp(&c->given, &s->file.scene, sizeof c->given) == 0)
+        return !c->failed;
+    compare_forget(c);
+    memcpy(&c->given, &s->file.scene, sizeof c->given);
+    memcpy(&c->scene, &s->file.scene, sizeof c->scene);
+    c->failed = !sized && !resize(c, p->width, p->height);
+    return !c->failed;
+}
+
+/* -- drawing the other picture ------------------------------------------------------- */
+
+static bool open_other(comparison *c, const loaded_scene *s)
+{
+    tp_config config = s->renderer.config;
+
+    config.format = TP_FORMAT_XRGB8888;
+    name_rungs(c, s);
+    frame_renderer_plan(&c->other, &config, s->renderer.threads);
+    c->other.machine = s->renderer.machine;
+    c->open = true;
+    c->failed = frame_renderer_open(&c->other, &c->scene, &s->assets.names) != 0;
+    return !c->failed;
+}
+
+static void expand(const picture *p, uint32_t *to)
+{
+    for (uint32_t y = 0; y < p->height; y++)
+        picture_expand_row(p, y, to + (size_t)y * p->width);
+}
+
+static bool draw_rung(comparison *c, const loaded_scene *s)
+{
+    if (!c->open && !open_other(c, s))
+        return false;
+    judge(c, s);
+    frame_renderer_draw(&c->other, s->world);
+    expand(&s->renderer.picture, c->ours);
+    expand(&c->other.picture, c->theirs);
+    return true;
+}
+
+/* Finishes a picture once begun, even if the world moves meanwhile.  While the world stands
+ * still, further passes add samples.  After the world has moved, the reference starts
+ * again. */
+static bool draw_reference(comparison *c, const loaded_scene *s)
+{
+    if (c->reference && reference_thread_has_news(c->reference)) {
+        c->pass = reference_thread_take(c->reference, c->ours, c->theirs);
+        c->delivered = c->pass >= REFERENCE_1;
+    }
+    if (c->delivered && !reference_thread_has_same_world(c->reference, s->world)) {
+        reference_thread_end(c->reference);
+        c->reference = NULL;
+    }
+    if (!c->reference) {
+        c->reference = reference_thread_begin(s, c->pass == REFERENCE_NONE);
+        c->delivered = false;
+    }
+    c->failed = !c->reference;
+    return c->pass != REFERENCE_NONE;
+}
+
+/* ------------------------------------------------------------------------------------ */
+
+const picture *compare_draw(comparison *c, const loaded_scene *s)
+{
+    if (c->how == COMPARE_OFF || !follow(c, s))
+        return NULL;
+    if (!(c->against == AGAINST_REFERENCE ? draw_reference(c, s) : draw_rung(c, s)))
+        return NULL;
+    c->psnr = c->pass == REFERENCE_COARSE ? -1
+            : image_diff_psnr(c->ours, c->theirs, (size_t)c->shown.width * c->shown.height);
+    if (c->how == COMPARE_SPLIT)
+        image_diff_split(&c->shown, c->ours, c->theirs);
+    else
+        image_diff_draw(&c->shown, c->ours, c->theirs);
+    return &c->shown;
+}
+
+/* -- results ------------------------------------------------------------------------- */
+
+compare_how compare_get_how(const comparison *c)
+{
+    return c->how;
+}
+
+compare_against compare_get_against(const comparison *c)
+{
+    return c->against;
+}
+
+double compare_psnr(const comparison *c)
+{
+    return c->psnr;
+}
+
+bool compare_moves(const comparison *c)
+{
+    return c->how != COMPARE_OFF && c->reference && reference_thread_has_news(c->reference);
+}
+
+/* Appends "; without foam, spray": the parts of the scene that the reference does not
+ * draw. */
+static void add_lacks(const tp_scene *s, char *note, size_t bytes)
+{
+    const struct { bool there; const char *name; } lacks[] = {
+        { s->foam.cells > 0, "foam" },
+        { s->spray.count > 0, "spray" },
+        { s->water.clear > 0 && s->water.caustics > 0, "caustics" },
+        { s->sky.kind == TP_SKY_NIGHT && s->sky.stars > 0, "stars" },
+    };
+    const char *before = "; without ";
+
+    for (size_t i = 0; i < sizeof lacks / sizeof *lacks; i++) {
+        const size_t length = strlen(note);
+        if (!lacks[i].there)
+            continue;
+        snprintf(note + length, bytes - length, "%s%s", before, lacks[i].name);
+        before = ", ";
+    }
+}
+
+static const char *const pass_text[] = {
+    [REFERENCE_NONE] = "", [REFERENCE_COARSE] = "1 sample per 16 pixels",
+    [REFERENCE_1] = "1 sample per pixel", [REFERENCE_4] = "4 samples per pixel",
+    [REFERENCE_16] = "16 samples per pixel",
+};
+
+/* Writes "1 sample per pixel; 4 samples per pixel: 40%". */
+static void note_reference(comparison *c)
+{
+    uint32_t percent = 0;
+    const reference_pass draws =
+        c->reference ? reference_thread_progress(c->reference, &percent) : REFERENCE_NONE;
+    const bool over = draws == REFERENCE_NONE || draws == c->pass;
+
+    if (c->pass == REFERENCE_NONE && c->reference && over
+        && !reference_thread_has_news(c->reference))
+        snprintf(c->note, sizeof c->note, "no memory for the reference");
+    else if (c->pass == REFERENCE_NONE)
+        snprintf(c->note, sizeof c->note, "drawing the reference: %u%%", (unsigned)percent);
+    else if (over)
+        snprintf(c->note, sizeof c->note, "%s", pass_text[c->pass]);
+    else
+        snprintf(c->note, sizeof c->note, "%s; %s: %u%%", pass_text[c->pass],
+                 pass_text[draws], (unsigned)percent);
+    add_lacks(&c->given, c->note, sizeof c->note);
+}
+
+const char *compare_note(comparison *c)
+{
+    const bool water = c->against >= AGAINST_ROWS && c->against <= AGAINST_FLAT;
+
+    if (c->how == COMPARE_OFF)
+        return "";
+    if (c->failed)
+        return "no memory for the other picture";
+    if (c->against == AGAINST_REFERENCE) {
+        note_reference(c);
+        return c->note;
+    }
+    if (c->same && c->psnr >= 100)
+        return "the scene is drawn with this method: nothing to compare";
+    if (!c->unfit)
+        return "";
+    return water ? "not for this scene: triangles are drawn"
+         : c->against == AGAINST_LOD ? "not for this scene: all lines are drawn"
+                                     : "not for this scene: exact shading is drawn";
+}

@@ -1,0 +1,362 @@
+/* SPDX-License-Identifier: MIT */
+/* tidepool bake: writes a scene and all files that it names as one file of constant C, for
+ * machines without files. */
+#include "bake.h"
+#include <ctype.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include "app/cli/args.h"
+#include "app/cli/command_help.h"
+#include "app/cli/commands.h"
+#include "app/files/log.h"
+#include "app/files/output_file.h"
+#include "app/scene/loaded_scene.h"
+#include "bake_program.h"
+#include "features/water/water.h"
+#include "frame/tools.h"
+
+#define IDENTIFIER_BYTES 48
+
+/* The textures and grey maps in tp_assets: member in C, part of the baked name, offset. */
+static const struct { const char *member, *part; size_t offset; } pictures[] = {
+    { "layer[0]", "layer0", offsetof(tp_assets, layer[0]) },
+    { "layer[1]", "layer1", offsetof(tp_assets, layer[1]) },
+    { "layer[2]", "layer2", offsetof(tp_assets, layer[2]) },
+    { "distortion", "distortion", offsetof(tp_assets, distortion) },
+    { "ripple", "ripple", offsetof(tp_assets, ripple) },
+    { "foam", "foam", offsetof(tp_assets, foam) },
+    { "baked_layer[0]", "baked_layer0", offsetof(tp_assets, baked_layer[0]) },
+    { "baked_layer[1]", "baked_layer1", offsetof(tp_assets, baked_layer[1]) },
+    { "baked_layer[2]", "baked_layer2", offsetof(tp_assets, baked_layer[2]) },
+    { "baked_offset", "baked_offset", offsetof(tp_assets, baked_offset) },
+    { "baked_slope", "baked_slope", offsetof(tp_assets, baked_slope) },
+    { "sky[0]", "sky_east", offsetof(tp_assets, sky[0]) },
+    { "sky[1]", "sky_west", offsetof(tp_assets, sky[1]) },
+    { "sky[2]", "sky_up", offsetof(tp_assets, sky[2]) },
+    { "sky[3]", "sky_down", offsetof(tp_assets, sky[3]) },
+    { "sky[4]", "sky_south", offsetof(tp_assets, sky[4]) },
+    { "sky[5]", "sky_north", offsetof(tp_assets, sky[5]) },
+    { "tank_wall", "tank_wall", offsetof(tp_assets, tank_wall) },
+    { "tank_floor", "tank_floor", offsetof(tp_assets, tank_floor) },
+    { "floor_texture", "floor_texture", offsetof(tp_assets, floor_texture) },
+}, greys[] = {
+    { "floor", "floor", offsetof(tp_assets, floor) },
+    { "pool_mask", "pool_mask", offsetof(tp_assets, pool_mask) },
+    { "field_mask", "field_mask", offsetof(tp_assets, field_mask) },
+};
+
+enum {
+    PICTURES = sizeof pictures / sizeof *pictures,
+    GREYS = sizeof greys / sizeof *greys
+};
+
+static const tp_texture *nth_texture(const tp_assets *names, int i)
+{
+    const void *at = (const char *)names + pictures[i].offset;
+    return *(const tp_texture *const *)at;
+}
+
+static const tp_grey *nth_grey(const tp_assets *names, int i)
+{
+    const void *at = (const char *)names + greys[i].offset;
+    return *(const tp_grey *const *)at;
+}
+
+/* -- names --------------------------------------------------------------------------- */
+
+/* True if a name has only letters, digits and underscores, begins with a letter, and does
+ * not begin with "tp_". */
+static bool can_be_name(const char *name)
+{
+    const size_t n = strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                  "0123456789_");
+    return n > 0 && n < IDENTIFIER_BYTES && name[n] == '\0'
+           && isalpha((unsigned char)*name) && strncmp(name, "tp_", 3) != 0
+           && strcmp(name, "tp") != 0;
+}
+
+/* Makes an identifier: "three-swells" becomes three_swells; a name that is still no
+ * identifier, as 64, becomes scene_64. */
+static void make_identifier(const char *file, char name[IDENTIFIER_BYTES])
+{
+    snprintf(name, IDENTIFIER_BYTES, "%s", file);
+    for (char *c = name; *c; c++)
+        if (!isalnum((unsigned char)*c))
+            *c = '_';
+    if (can_be_name(name))
+        return;
+    char whole[IDENTIFIER_BYTES + 8];
+    snprintf(whole, sizeof whole, "scene_%s", name);
+    memcpy(name, whole, IDENTIFIER_BYTES);
+    name[IDENTIFIER_BYTES - 1] = '\0';
+}
+
+/* -- the list of pictures ------------------------------------------------------------ */
+
+static void add_picture(bake *b, const tp_texture *texture, const char *part, uint32_t i)
+{
+    if (!texture || bake_find(b, texture))
+        return;
+    bake_picture *p = &b->pictures[b->n_pictures++];
+    p->texture = texture;
+    snprintf(p->name, sizeof p->name, i == UINT32_MAX ? "%s" : "%s%" PRIu32,
+             part, i);
+}
+
+static int list_pictures(bake *b, const tp_assets *names)
+{
+    const tp_mesh *boat = names->boat;
+    const uint32_t materials = boat ? boat->n_materials : 0;
+    b->pictures = calloc(PICTURES + 2 * (size_t)materials, sizeof *b->pictures);
+    if (!b->pictures)
+        return log_fail_memory((PICTURES + 2 * (size_t)materials) * sizeof *b->pictures);
+    for (int i = 0; i < PICTURES; i++)
+        add_picture(b, nth_texture(names, i), pictures[i].part, UINT32_MAX);
+    for (uint32_t i = 0; i < materials; i++) {
+        add_picture(b, boat->materials[i].diffuse_map, "boat_diffuse", i);
+        add_picture(b, boat->materials[i].normal_map, "boat_normal", i);
+    }
+    return EXIT_DONE;
+}
+
+/* -- the file's head ----------------------------------------------------------------- */
+
+/* Prints text inside a comment: characters that could end or begin a comment, or continue a
+ * line, become blanks. */
+static void put_remark(FILE *out, const char *text)
+{
+    for (; *text; text++)
+        fputc(strchr("*/\\", *text) || (unsigned char)*text < 32 ? ' ' : *text, out);
+}
+
+static void put_bytes(FILE *out, size_t *sum, size_t bytes, const char *part)
+{
+    fprintf(out, " * %9zu  %s\n", bytes, part);
+    *sum += bytes;
+}
+
+static void put_contents(const bake *b, const tp_assets *names)
+{
+    size_t sum = 0;
+    char   text[64];
+    fprintf(b->out, " *     bytes\n");
+    put_bytes(b->out, &sum, sizeof(tp_scene), "the scene's numbers");
+    for (uint32_t i = 0; i < b->n_pictures; i++) {
+        const tp_texture *t = b->pictures[i].texture;
+        snprintf(text, sizeof text, "%s, %u x %u", b->pictures[i].name, 1u << t->log2_w,
+                 1u << t->log2_h);
+        put_bytes(b->out, &sum, bake_texture_bytes(t), text);
+    }
+    for (int i = 0; i < GREYS; i++)
+        if (nth_grey(names, i))
+            put_bytes(b->out, &sum, bake_grey_bytes(nth_grey(names, i)), greys[i].part);
+    if (names->boat)
+        put_bytes(b->out, &sum, bake_mesh_bytes(names->boat), "boat, without pictures");
+    fprintf(b->out, " * %9zu  together", sum);
+    if (b->program) {
+        fputc('\n', b->out);
+        bake_put_pieces(b->program, b->out);
+    }
+    fprintf(b->out, " */\n");
+}
+
+static void put_head(const bake *b, const options *o, const loaded_scene *s)
+{
+    fprintf(b->out, "/* ");
+    put_remark(b->out, s->file.name);
+    fprintf(b->out, ", a scene as constants: made by `tidepool bake`; do not edit.\n");
+    if (o->texels)
+        fprintf(b->out, " * No picture is larger than %" PRIu32 " texels a side.\n",
+                o->texels);
+    for (uint32_t i = 0; i < o->n_settings; i++) {
+        fprintf(b->out, " * Changed: ");
+        put_remark(b->out, o->settings[i]);
+        fprintf(b->out, "\n");
+    }
+    fprintf(b->out, " *\n * A program declares:\n"
+            " *     extern const tp_scene %s_scene;\n"
+            " *     extern const tp_assets %s_assets;\n", b->name, b->name);
+    if (b->program)
+        fprintf(b->out,
+                " *     extern const tp_program %s_program;\n"
+                " *     extern const tp_config %s_config;\n",
+                b->name, b->name);
+    fprintf(b->out, " *\n");
+    put_contents(b, &s->assets.names);
+    fprintf(b->out, "#include <tidepool/modules.h>\n");
+}
+
+/* -- the whole file ------------------------------------------------------------------ */
+
+static void put_assets(const bake *b, const tp_assets *names)
+{
+    fprintf(b->out, "\nextern const tp_assets %s_assets;\n"
+            "const tp_assets %s_assets = {\n", b->name, b->name);
+    if (names->boat)
+        fprintf(b->out, "    .boat = &%s_boat,\n", b->name);
+    else
+        fprintf(b->out, "    .boat = 0,\n");
+    for (int i = 0; i < PICTURES; i++) {
+        const bake_picture *p = bake_find(b, nth_texture(names, i));
+        if (p)
+            fprintf(b->out, "    .%s = &%s_%s,\n", pictures[i].member, b->name,
+                    p->name);
+    }
+    for (int i = 0; i < GREYS; i++)
+        if (nth_grey(names, i))
+            fprintf(b->out, "    .%s = &%s_%s,\n", greys[i].member, b->name,
+                    greys[i].part);
+    fprintf(b->out, "};\n");
+}
+
+static void put_all(const bake *b, const options *o, const loaded_scene *s)
+{
+    const tp_assets *names = &s->assets.names;
+    put_head(b, o, s);
+    for (uint32_t i = 0; i < b->n_pictures; i++)
+        bake_texture(b, &b->pictures[i]);
+    for (int i = 0; i < GREYS; i++)
+        if (nth_grey(names, i))
+            bake_grey(b, greys[i].part, nth_grey(names, i));
+    if (names->boat)
+        bake_mesh(b, "boat", names->boat);
+    bake_scene(b, b->program ? &b->program->scene : &s->file.scene);
+    put_assets(b, names);
+    if (b->program)
+        bake_put_program(b->program, b->out, b->name);
+}
+
+/* -- baked layers of fast shading ---------------------------------------------------- */
+
+/* The size of picture assumed for the plan, a board's; the index of shading among the kinds
+ * of rung in the plan's report. */
+enum { WIDTH = 320, HEIGHT = 240, SHADING = 1 };
+
+static bool may_be_quick(const tp_scene *scene, const tp_assets *names)
+{
+    const tp_ladder ladder = tp_ladder_make(scene, names, WIDTH, HEIGHT);
+    return tp_ladder_rung_mask(&ladder).shading >> TP_SHADING_QUICK & 1;
+}
+
+/* True if fast shading fits the scene.  The plan reports TP_WHY_UNFIT only for a setting
+ * that the scene leaves open: the copy of the scene sets shading to AUTO. */
+static bool is_quick_fit(const tp_scene *scene, const tp_assets *names)
+{
+    tp_scene open = *scene;
+
+    open.quality.shading = TP_SHADING_AUTO;
+    const tp_plan_report report = tp_plan_make(&open, names, WIDTH, HEIGHT);
+    return report.rung[SHADING][TP_SHADING_QUICK - 1].why != TP_WHY_UNFIT;
+}
+
+/* True if nothing reads the layers after baking: all water is drawn by fast stages, and no
+ * exposure meter reads the first layer.  The texture of ripples stays: the surface from
+ * below needs the texture. */
+static bool is_all_quick(const tp_scene *scene, const tp_assets *names)
+{
+    return scene->quality.shading == TP_SHADING_QUICK && scene->quality.frame_ms == 0
+           && scene->hdr.exposure == TP_EXPOSURE_FIXED && is_quick_fit(scene, names);
+}
+
+static const tp_texture **baked_texture_slot(tp_assets *names, int i)
+{
+    return i < TP_LAYERS ? &names->baked_layer[i] : i == TP_LAYERS ? &names->baked_offset
+                                                              : &names->baked_slope;
+}
+
+/* Drops the layers that only exact stages read, and only from above the water. */
+static void drop_layers(tp_assets *names)
+{
+    for (int i = 0; i < TP_LAYERS; i++)
+        names->layer[i] = NULL;
+    names->distortion = NULL;
+}
+
+/* Adds baked layers to *names.  `memory` and `made` hold them; the caller frees memory. */
+static int prepare(tp_assets *names, const tp_scene *scene, void *memory[TP_BAKED_LAYERS],
+                   tp_texture made[TP_BAKED_LAYERS])
+{
+    const tp_assets from = *names;
+
+    if (!may_be_quick(scene, names))
+        return EXIT_DONE;
+    for (int i = 0; i < TP_BAKED_LAYERS; i++) {
+        const size_t bytes = tp_baked_layer_bytes(&from, i);
+        if (bytes == 0)
+            continue;
+        memory[i] = malloc(bytes);
+        if (!memory[i])
+            return log_fail_memory(bytes);
+        tp_bake_layer(&made[i], scene, &from, i, memory[i]);
+        *baked_texture_slot(names, i) = &made[i];
+    }
+    if (is_all_quick(scene, &from))
+        drop_layers(names);
+    return EXIT_DONE;
+}
+
+/* -- the command ---------------------------------------------------------------------- */
+
+static int write_file(bake *b, const options *o, const loaded_scene *s)
+{
+    output_file out;
+    const int code = output_file_open(&out, o->out);
+    if (code)
+        return code;
+    b->out = out.file;
+    put_all(b, o, s);
+    return output_file_close(&out);
+}
+
+/* Loads the stage together with its world: a scene with an impossible world is refused
+ * here, not on the board. */
+static int run(loaded_scene *s, const options *o)
+{
+    char name[IDENTIFIER_BYTES];
+    bake b = { .name = name };
+    void *memory[TP_BAKED_LAYERS] = { NULL };
+    tp_texture made[TP_BAKED_LAYERS];
+    if (o->name && !can_be_name(o->name))
+        return log_fail(EXIT_USAGE,
+                        "tidepool bake: --name %.40s: expected a C identifier that"
+                        " begins with a letter, not with tp_",
+                        o->name);
+    int code = bake_check_options(o);
+    if (!code)
+        code = loaded_scene_load(s, o);
+    if (code)
+        return code;
+    make_identifier(o->name ? o->name : s->file.name, name);
+    const tp_assets all = s->assets.names;
+    bake_program program;
+    code = prepare(&s->assets.names, &s->file.scene, memory, made);
+    if (!code && bake_has_program(o)) {
+        code = bake_find_program(&program, o, &s->file.scene, &all, &s->assets.names);
+        b.program = &program;
+    }
+    if (!code)
+        code = list_pictures(&b, &s->assets.names);
+    if (!code)
+        code = write_file(&b, o, s);
+    free(b.pictures);
+    for (int i = 0; i < TP_BAKED_LAYERS; i++)
+        free(memory[i]);
+    return code;
+}
+
+int bake_command(int argc, char **argv)
+{
+    options o;
+    loaded_scene s;
+    memset(&s, 0, sizeof s);
+    int code = args_read(&o, FOR_BAKE, argc, argv);
+    if (!code && o.help)
+        command_help_print(FOR_BAKE);
+    else if (!code)
+        code = run(&s, &o);
+    const int end = code ? code : streams_finish();
+    loaded_scene_close(&s);
+    free(o.settings);
+    return end;
+}

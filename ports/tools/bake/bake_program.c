@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: MIT */
+#include "bake_program.h"
+#include <inttypes.h>
+#include <string.h>
+#include "pixel/pixel.h"
+
+#include "app/files/did_you_mean.h"
+#include "app/files/log.h"
+
+/* -- the options ---------------------------------------------------------------------- */
+
+bool bake_has_program(const options *o)
+{
+    return o->sized || o->formatted;
+}
+
+int bake_check_options(const options *o)
+{
+    const char *of = o->with ? "--with" : o->without ? "--without" : o->no_input
+                   ? "--no-input" : o->stream ? "--stream" : o->band ? "--band"
+                   : o->strip ? "--strip" : NULL;
+    if (!of || bake_has_program(o))
+        return EXIT_DONE;
+    return log_fail(EXIT_USAGE, "tidepool bake: %s is an option of the program: add --size"
+                " or --format", of);
+}
+
+static int refuse_piece(const char *option, const char *name, size_t length)
+{
+    char word[64];
+    snprintf(word, sizeof word, "%.*s", (int)(length < 60 ? length : 60), name);
+    did_you_mean best = did_you_mean_make(word);
+    for (size_t i = 0; i < component_count; i++)
+        did_you_mean_offer(&best, components[i].name);
+    if (!best.name)
+        return log_fail(EXIT_USAGE, "tidepool bake: %s %s: no such module", option, word);
+    return log_fail(EXIT_USAGE, "tidepool bake: %s %s: no such module; did you mean %s?",
+                    option, word, best.name);
+}
+
+/* Reads a list of pieces, as "drops,boat". */
+static int read_pieces(component_set *to, const char *option, const char *list)
+{
+    for (const char *c = list; c && *c; ) {
+        const size_t length = strcspn(c, ",");
+        if (!components_add_named(to, c, length))
+            return refuse_piece(option, c, length);
+        c += length + (c[length] == ',');
+    }
+    return EXIT_DONE;
+}
+
+static int check_pieces(const component_search_request *wish)
+{
+    for (size_t i = 0; i < component_count; i++)
+        if (wish->with.has[i] && wish->without.has[i])
+            return log_fail(EXIT_USAGE, "tidepool bake: %s is in both --with and --without",
+                        components[i].name);
+    return EXIT_DONE;
+}
+
+/* -- the list ------------------------------------------------------------------------- */
+
+/* Returns the scene with the rungs of the ladder named.  A program without a quality plan
+ * draws with the named rungs. */
+static tp_scene named_scene(const tp_scene *scene, const tp_ladder *ladder)
+{
+    tp_scene named = *scene;
+    named.quality.visibility = (int32_t)ladder->rung[0].visibility;
+    named.quality.shading = (int32_t)ladder->rung[0].shading;
+    named.quality.rate = (int32_t)ladder->rung[0].rate;
+    named.quality.lod = (int32_t)ladder->rung[0].lod;
+    return named;
+}
+
+/* Returns the assets with baked layers, without the textures from which the layers are
+ * made. */
+static tp_assets prepared_alone(const tp_assets *names)
+{
+    tp_assets lean = *names;
+    for (int i = 0; i < TP_LAYERS; i++)
+        if (lean.baked_layer[i])
+            lean.layer[i] = NULL;
+    if (lean.baked_offset)
+        lean.distortion = NULL;
+    if (lean.baked_slope)
+        lean.ripple = NULL;
+    return lean;
+}
+
+/* Prints each piece that the scene asks for and the program lacks, by name, once. */
+static int tell_lacks(const component_search_result *found, bool strict)
+{
+    const char *last = "";
+
+    for (size_t i = 0; i < component_count; i++) {
+        if (!found->lacks.has[i] || !strcmp(components[i].name, last))
+            continue;
+        last = components[i].name;
+        log_line("left out, but the scene uses it: %s %s", component_kind_name(i), last);
+    }
+    return strict && *last
+               ? log_fail(EXIT_CHECK, "tidepool bake: the program would draw"
+                                      " another picture than one with every module")
+               : EXIT_DONE;
+}
+
+int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
+                      const tp_assets *assets, tp_assets *baked)
+{
+    component_search_request *wish = &p->wish;
+
+    *p = (bake_program){ .scene = *scene };
+    *wish = (component_search_request){
+        .scene = scene,
+        .assets = assets,
+        .named = &p->scene,
+        .baked = baked,
+        .config = { .width = o->width,
+                    .height = o->height,
+                    .tile_width = o->strip,
+                    .tile_height = o->band ? o->band : 16,
+                    .format = o->format },
+        /* With --with, scenes can switch on more at run time: scenes are checked, and the
+         * program has room for waves beyond the scene's own. */
+        .terms = { o->format, o->stream, !o->with, o->with != NULL },
+        .acts = !o->no_input,
+    };
+    int code = read_pieces(&wish->with, "--with", o->with);
+    if (!code)
+        code = read_pieces(&wish->without, "--without", o->without);
+    components_add_models(&wish->with);
+    if (!code)
+        code = check_pieces(wish);
+    if (code)
+        return code;
+    const tp_assets lean = prepared_alone(baked);
+    wish->lean = &lean;
+    const tp_ladder ladder = tp_ladder_make(scene, assets, o->width, o->height);
+    if (ladder.count == 1)
+        p->scene = named_scene(scene, &ladder);
+    code = component_search_run(&p->found, wish);
+    wish->lean = NULL;
+    if (p->found.lean)
+        *baked = lean;
+    if (p->found.planned)
+        p->scene = *scene;
+    return code ? code : tell_lacks(&p->found, o->strict);
+}
+
+/* -- the file ------------------------------------------------------------------------- */
+
+/* Prints the pieces of a set under a heading; for an empty set prints nothing. */
+static void put_set(FILE *out, const char *heading, const component_set *set)
+{
+    const char *before = "";
+    size_t column = 0;
+
+    for (size_t i = 0; i < component_count; i++) {
+        if (!set->has[i] || components[i].kind == COMPONENT_DRAWING)
+            continue;
+        if (!*before)
+            fprintf(out, "\n * %s:", heading);
+        const bool begins = i == 0 || strcmp(component_kind_name(i), before) != 0;
+        const size_t bytes = strlen(components[i].name) + 1;
+        if (begins || column + bytes > 70) {
+            fprintf(out, "\n *     %-6s", begins ? component_kind_name(i) : "");
+            column = 0;
+        }
+        fprintf(out, " %s", components[i].name);
+        before = component_kind_name(i);
+        column += bytes;
+    }
+}
+
+void bake_put_pieces(const bake_program *p, FILE *out)
+{
+    const tp_config *c = &p->wish.config;
+
+    fprintf(out,
+            " *\n * %" PRIu32 "x%" PRIu32 " %s: %" PRIu32 " pictures are those of the"
+            " whole list.",
+            c->width, c->height, tp_format_name(c->format), p->found.pictures);
+    put_set(out, "Modules of the program", &p->found.in);
+    put_set(out, "Refused by name if the scene switches it on", &p->found.refused);
+    fprintf(out, "\n");
+}
+
+void bake_put_program(const bake_program *p, FILE *out, const char *name)
+{
+    const tp_config *c = &p->wish.config;
+    static const char *const format[] = {
+#define X(name, word, bits, text) [TP_FORMAT_##name] = "TP_FORMAT_" #name,
+        TP_FORMAT_LIST(X)
+#undef X
+    };
+
+    components_write(out, name, &p->found.in, &p->found.refused, &p->wish.terms);
+    fprintf(out,
+            "\nextern const tp_config %s_config;\nconst tp_config %s_config = {\n"
+            "    .width = %" PRIu32 ", .height = %" PRIu32 ", .tile_width = %" PRIu32
+            ", .tile_height = %" PRIu32 ",\n    .format = %s, .program = &%s_program, "
+            ".assets = &%s_assets\n};\n",
+            name, name, c->width, c->height, c->tile_width, c->tile_height,
+            format[c->format], name, name);
+    fprintf(out,
+            "\n/* The default program, unless another file defines it. */\n"
+            "#ifdef __GNUC__\n__attribute__((weak))\n#endif\n"
+            "const tp_program *const tp_program_linked = &%s_program;\n",
+            name);
+}

@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: MIT */
+/* Intersection of rays and water; see the header. */
+#include "ray.h"
+
+#define STEEPEST 6
+#define ROUGH    1e-4           /* accuracy of the rest point while marching, m along */
+
+typedef struct {
+    const ref_surface *surface;
+    const ref_ray *ray;
+    double rest[2];
+} ray_probe;
+
+static double surface_offset(ray_probe *p, double t, double along)
+{
+    const ref_vec at = ref_ray_point(p->ray, t);
+    return at.y - ref_surface_height(p->surface, at.x, at.z, p->rest, along);
+}
+
+/* F with the right sign: near a root F is computed again with full accuracy. */
+static double surface_sign(ray_probe *p, double t)
+{
+    const double f = surface_offset(p, t, ROUGH);
+    return fabs(f) < 20 * ROUGH ? surface_offset(p, t, p->surface->close / 100) : f;
+}
+
+/* Root between a and b, where F has different signs: regula falsi with the Illinois rule,
+ * and bisection if three steps do not at least halve the interval. */
+static double find_root(ray_probe *p, double a, double b, double fa, double fb)
+{
+    double wide = b - a;
+
+    for (int n = 0; n < 200 && fa != fb; n++) {
+        const bool halve = n % 3 == 2 && b - a > wide / 2;
+        const double t = halve ? (a + b) / 2 : (a * fb - b * fa) / (fb - fa);
+        const double f = surface_offset(p, t, p->surface->close / 100);
+        if (n % 3 == 2)
+            wide = b - a;
+        if (fabs(f) < p->surface->close || b - a < 1e-13 * (1 + b))
+            return t;
+        if ((f < 0) == (fa < 0)) {
+            a = t;
+            fa = f;
+            fb /= halve ? 1 : 2;
+        } else {
+            b = t;
+            fb = f;
+            fa /= halve ? 1 : 2;
+        }
+    }
+    return (a + b) / 2;
+}
+
+static bool accept(ray_probe *p, double t, bool from_below, ref_meeting *m)
+{
+    const ref_vec at = ref_ray_point(p->ray, t);
+
+    *m = (ref_meeting){ t, ref_surface_sample(p->surface, at.x, at.z, p->rest),
+                        from_below };
+    return m->water.wet;
+}
+
+/* Marches through moving water. */
+static bool march(ray_probe *p, double t0, double t1, bool below, ref_meeting *m)
+{
+    const ref_surface *s = p->surface;
+    const double rate = fabs(p->ray->way.y)
+                      + fmin(s->steep, STEEPEST) * hypot(p->ray->way.x, p->ray->way.z);
+    double t = t0, f = surface_sign(p, t);
+
+    while (t < t1) {
+        const double least = fmax(fmax(s->fine / 128, t / 4000), 1e-4);
+        const double next = fmin(t1, t + fmax(fabs(f) / rate, least));
+        const double g = surface_sign(p, next);
+        if ((f >= 0) != (g >= 0) && (below || f >= 0)
+            && accept(p, find_root(p, t, next, f, g), f < 0, m))
+            return true;
+        t = next;
+        f = g;
+    }
+    return false;
+}
+
+/* Intersection with level water. */
+static bool meets_level(ray_probe *p, double t0, double t1, bool below, ref_meeting *m)
+{
+    const double t = -p->ray->from.y / p->ray->way.y;
+
+    return p->ray->way.y != 0 && t >= t0 && t <= t1 && (below || p->ray->way.y < 0)
+        && accept(p, t, p->ray->way.y > 0, m);
+}
+
+bool ref_ray_meets(const ref_surface *s, const ref_ray *ray, double t0, double t1,
+                   bool below, ref_meeting *meeting)
+{
+    const ref_extent *e = &s->extent;
+    ray_probe p = { s, ray, { ray->from.x, ray->from.z } };
+    const double high = s->high, reach = s->reach;
+
+    if (!ref_ray_clip_slab(ray->from.x, ray->way.x, e->x - e->out_x - reach,
+                         e->x + e->out_x + reach, &t0, &t1)
+        || !ref_ray_clip_slab(ray->from.z, ray->way.z, e->z - e->out_z - reach,
+                            e->z + e->out_z + reach, &t0, &t1)
+        || !ref_ray_clip_slab(ray->from.y, ray->way.y, -high, high, &t0, &t1))
+        return false;
+    if (high < 1e-8)
+        return meets_level(&p, t0, t1, below, meeting);
+    if (e->fade == 0)
+        return march(&p, t0, t1, below, meeting);
+
+    double w0 = t0, w1 = t1;            /* interval with moving water */
+    if (!ref_ray_clip_slab(ray->from.x, ray->way.x, e->x - e->half_x - reach,
+                         e->x + e->half_x + reach, &w0, &w1)
+        || !ref_ray_clip_slab(ray->from.z, ray->way.z, e->z - e->half_z - reach,
+                            e->z + e->half_z + reach, &w0, &w1))
+        return meets_level(&p, t0, t1, below, meeting);
+    return meets_level(&p, t0, w0, below, meeting)
+        || march(&p, w0, w1, below, meeting)
+        || meets_level(&p, w1, t1, below, meeting);
+}

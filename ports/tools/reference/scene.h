@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+/* Scene of the reference: the engine's scene, assets and world are read as data; everything
+ * else is computed again in double precision.
+ *
+ * The heads of surface.h, ocean.h, heaven.h, water.h, solids.h and inside.h list the
+ * features. */
+#ifndef TP_TOOLS_REFERENCE_SCENE_H
+#define TP_TOOLS_REFERENCE_SCENE_H
+#include "mesh.h"
+#include "optics.h"
+#include "ray.h"
+
+/* A drop: half axes, m. */
+typedef struct {
+    ref_vec centre;
+    double  wide, high;
+} ref_drop;
+
+/* A block of stone: a wall of a tank, or wall cells of a pool's mask. */
+typedef struct {
+    double x0, x1, y0, y1, z0, z1;
+} ref_block;
+
+/* Box of a pool: stone or transparent glass. */
+typedef struct {
+    int    kind;                /* tp_tank_kind */
+    double x0, x1, z0, z1, depth, rim;
+} ref_tank;
+
+typedef struct {
+    const tp_scene  *scene;
+    const tp_assets *assets;
+    bool       meshed;          /* waves fade and textures have the engine's mipmap levels:
+                                 * for comparisons with one sample a pixel */
+    ref_camera camera;
+    ref_surface surface;
+    ref_vec    light;           /* towards the light */
+    double     ambient, haze;   /* ambient light, 0..1; haze, m */
+    double     exposure;        /* exposure of the camera; 1: neutral */
+    double     seconds;         /* since tick 0 */
+    bool       immersion;            /* the eye is under water */
+    ref_mesh   boat, lids;
+    ref_rows   boat_rows;
+    ref_vec    boat_place;
+    ref_drop  *drop;
+    int        drops;
+    ref_tank   tank;
+    ref_block *block;
+    int        blocks;
+} ref_scene;
+
+/* Opens a scene. Scene, assets and world must outlive the result. */
+void ref_scene_open(ref_scene *s, const tp_scene *scene, const tp_assets *assets,
+                    const tp_world *world, uint32_t width, uint32_t height, bool meshed);
+void ref_scene_close(ref_scene *s);
+#endif

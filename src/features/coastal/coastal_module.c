@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: MIT */
+/* The module of coastal water: swells that react to a floor or a wind.  Its state is
+ * the tables of waves/coastal_water.h, made from the world's sea.  The tables follow
+ * from the scene; no tick changes them. */
+#include "base/base.h"
+#include "base/error.h"
+#include "view/wave_models.h"
+#include "waves/coastal_tables.h"
+#include "world/module.h"
+#include "world/pools.h"
+
+static tp_coastal_config make_coastal_config(const tp_scene *scene, const tp_assets *assets)
+{
+    return (tp_coastal_config){
+        .floor = {
+            .depth = scene->floor.depth, .slope = scene->floor.slope,
+            .heading = scene->floor.heading, .map = assets ? assets->floor : NULL,
+            .map_x = scene->floor.map_x, .map_z = scene->floor.map_z,
+            .map_size = scene->floor.map_size, .map_low = scene->floor.map_low,
+            .map_high = scene->floor.map_high,
+        },
+        .wind = scene->wind.strength, .wind_heading = scene->wind.heading,
+        .k0 = scene->surf.k0, .kx = scene->surf.kx, .ky = scene->surf.ky,
+        .stretch = scene->surf.stretch, .irregular = scene->surf.irregular,
+    };
+}
+
+bool tp_coastal_enabled(const tp_want *want)
+{
+    const tp_wave_models *water = want->water;
+
+    return (tp_has_floor(want->scene) || want->scene->wind.strength > 0)
+           && (!water || (water->coastal && water->swells));
+}
+
+/* Returns the size of the state; 0: the floor's map cannot be used. */
+static size_t bytes(const tp_want *want)
+{
+    const tp_scene *scene = want->scene;
+    const tp_coastal_config config = make_coastal_config(scene, want->assets);
+    tp_deep_water deep;
+
+    tp_deep_water_init(&deep, scene->wave, TP_WAVES, scene->water.gravity);
+    return tp_coastal_bytes(&config, &deep);
+}
+
+static tp_status check(const tp_want *want, tp_error *err)
+{
+    return bytes(want) > 0
+         ? TP_OK : tp_error_blame(err, TP_FAIL(err, TP_E_ARG, 0, 0, 0), "floor.map");
+}
+
+static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
+{
+    const tp_coastal_config config = make_coastal_config(want->scene, want->assets);
+    return tp_coastal_init(mine, &config, &world->deep, want->scene->wave, TP_WAVES, err);
+}
+
+/* Recomputes the tables whose inputs have changed. */
+static bool refresh(void *mine, tp_world *world, const tp_want *want)
+{
+    const tp_coastal_config config = make_coastal_config(want->scene, want->assets);
+    return tp_coastal_refresh(mine, &config, &world->deep, want->scene->wave, TP_WAVES,
+                              NULL)
+           == TP_OK;
+}
+
+static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
+{
+    (void)world;
+    return memcmp(mine, fresh, tp_module_state_bytes(fresh)) == 0;
+}
+
+static void add_surface(const void *mine, tp_surface *to)
+{
+    to->coastal = to->by->coastal && to->by->swells ? mine : NULL;
+}
+
+const tp_module tp_coastal_module = {
+    .name = "coastal", .id = TP_COASTAL_ID, .is = TP_MODULE_COASTAL,
+    .enabled = tp_coastal_enabled,
+    .check = check,
+    .bytes = bytes,
+    .init = init,
+    .refresh = refresh,
+    .surface = add_surface,
+    .is_valid = is_valid,
+};

@@ -1,0 +1,395 @@
+/* SPDX-License-Identifier: MIT */
+/* The drops of a scene and their rings, in one block of fixed size.  Drops and rings
+ * beyond the capacity are counted as dropped. */
+#include "base/base.h"
+#include "features/drops/drops.h"
+#include "view/wave_models.h"
+#include "world/module.h"
+
+#define MOST       1024
+#define SPHERE_FAR (8000 * TP_FX_ONE)
+
+enum { DROPS_AT = (sizeof(tp_drops) + 7) & ~7u };
+
+_Static_assert(sizeof(tp_drop) % 8 == 0 && sizeof(tp_ring) % 8 == 0,
+               "both hold int64_t and follow each other");
+
+static uint32_t clamp_capacity(int32_t asked)
+{
+    return (uint32_t)tp_clamp(asked, 0, MOST);
+}
+
+size_t tp_drops_bytes(const tp_scene_drops *config)
+{
+    if (config->count <= 0)
+        return 0;
+    return DROPS_AT + clamp_capacity(config->count) * sizeof(tp_drop)
+           + clamp_capacity(config->rings) * sizeof(tp_ring);
+}
+
+void tp_drops_init(tp_drops *drops, const tp_scene_drops *config)
+{
+    TP_ASSERT((uintptr_t)drops % 8 == 0 && config->count > 0);
+    memset(drops, 0, tp_drops_bytes(config));
+    drops->capacity = clamp_capacity(config->count);
+    drops->ring_capacity = clamp_capacity(config->rings);
+    drops->random = 1;
+    drops->sphere = (tp_vec3){ config->x, config->y, config->z };
+    drops->last_sphere = drops->sphere;
+    drops->sphere_radius = 2 * config->radius;
+}
+
+static tp_drop *list(tp_drops *drops)
+{
+    return (tp_drop *)(void *)((char *)drops + DROPS_AT);
+}
+
+static tp_ring *rings(tp_drops *drops)
+{
+    return (tp_ring *)(void *)(list(drops) + drops->capacity);
+}
+
+const tp_drop *tp_drops_list(const tp_drops *drops)
+{
+    return (const tp_drop *)(const void *)((const char *)drops + DROPS_AT);
+}
+
+const tp_ring *tp_drops_rings(const tp_drops *drops)
+{
+    return (const tp_ring *)(const void *)(tp_drops_list(drops) + drops->capacity);
+}
+
+/* -- the sphere ---------------------------------------------------------------------- */
+
+static tp_fx clamp_coordinate(int64_t x)
+{
+    return (tp_fx)tp_clamp_abs(x, SPHERE_FAR);
+}
+
+void tp_drops_move_sphere(tp_drops *drops, tp_fx x, tp_fx z)
+{
+    drops->last_sphere = drops->sphere;
+    drops->sphere.x = clamp_coordinate((int64_t)drops->sphere.x + x);
+    drops->sphere.z = clamp_coordinate((int64_t)drops->sphere.z + z);
+}
+
+/* Returns a random place, uniform over a disc of radius `reach` around the sphere's
+ * centre.  The square root gives each annulus of equal width a share in proportion to its
+ * area. */
+static tp_vec3 random_release_place(tp_drops *drops, tp_fx reach)
+{
+    tp_turn round = tp_random(&drops->random);
+    tp_fx   way = tp_fx_mul(tp_fx_sqrt((tp_fx)(tp_random(&drops->random) >> 16)), reach);
+    tp_vec3 at = drops->sphere;
+
+    at.x += tp_q30_mul(way, tp_sin(round));
+    at.z += tp_q30_mul(way, tp_cos(round));
+    return at;
+}
+
+void tp_drops_release(tp_drops *drops, const tp_scene_drops *config, uint32_t count)
+{
+    TP_ASSERT(drops->count <= drops->capacity);
+    uint32_t room = drops->capacity - drops->count, most = UINT32_MAX - drops->dropped;
+    uint32_t fits = count < room ? count : room, lost = count - fits;
+    tp_fx    reach = config->scatter;
+
+    if (count > 1 && reach < drops->sphere_radius)
+        reach = drops->sphere_radius;
+    for (uint32_t i = 0; i < fits; i++) {
+        tp_vec3 at = random_release_place(drops, reach);
+        list(drops)[drops->count++] = (tp_drop){
+            .place = at, .last = at, .high_q32 = (int64_t)at.y * 65536,
+            .radius = config->radius, .level = TP_DROP_NEW,
+        };
+    }
+    drops->released += fits;
+    drops->dropped += lost < most ? lost : most;
+}
+
+/* Releases the drops due in this tick.  `every` is at most 60 s, 22 bits, so its product
+ * with 60 fits 32 bits.  At 1/65536 s the loop releases 1092 drops per tick. */
+void tp_drops_release_due(tp_drops *drops, const tp_scene_drops *config)
+{
+    uint32_t interval = (uint32_t)config->every * TP_TICKS_PER_SECOND, due = 0;
+
+    if (config->every <= 0) {
+        drops->wait = 0;
+        return;
+    }
+    if (drops->wait > interval)             /* the interval was longer at its start */
+        drops->wait = interval;
+    for (; drops->wait < TP_FX_ONE; due++)
+        drops->wait += interval;
+    drops->wait -= TP_FX_ONE;
+    tp_drops_release(drops, config, due);
+}
+
+/* -- impacts ------------------------------------------------------------------------- */
+
+bool tp_drops_step(tp_drops *drops, const tp_scene_drops *config, uint32_t i,
+                   tp_fx gravity, tp_fx level, uint64_t tick, tp_impact *impact)
+{
+    TP_ASSERT(i < drops->count);
+    bool struck = tp_drop_step(&list(drops)[i], config, gravity, level, tick, impact);
+
+    drops->impacts += struck;
+    return struck;
+}
+
+/* Adds a ring.  The smallest drops ask for shorter waves than a ring can have; the length
+ * is clamped. */
+bool tp_drops_add_ring(tp_drops *drops, const tp_scene_drops *config,
+                       const tp_impact *impact)
+{
+    TP_ASSERT(drops->rings <= drops->ring_capacity);
+    if (impact->amplitude <= 0)
+        return false;
+    if (drops->rings == drops->ring_capacity) {
+        drops->rings_dropped++;
+        return false;
+    }
+    rings(drops)[drops->rings++] = (tp_ring){
+        .x = impact->x, .z = impact->z,
+        .start = impact->time,
+        .amplitude = impact->amplitude,
+        .length = tp_clamp(impact->length, TP_FX(0.02), 64 * TP_FX_ONE),
+        .speed = config->speed,
+        .decay = config->decay,
+        .spread = config->spread,
+        .attack = config->attack,
+    };
+    return true;
+}
+
+void tp_drops_remove_spent(tp_drops *drops, int64_t now, tp_fx beyond)
+{
+    tp_drop *drop = list(drops);
+    tp_ring *ring = rings(drops);
+    uint32_t n = 0;
+
+    for (uint32_t i = 0; i < drops->count; i++)
+        if (drop[i].radius > 0)
+            drop[n++] = drop[i];
+    drops->count = n;
+    n = 0;
+    for (uint32_t i = 0; i < drops->rings; i++)
+        if (!tp_ring_is_spent(&ring[i], now, beyond))
+            ring[n++] = ring[i];
+    drops->rings = n;
+}
+
+/* -- validation of a state from outside ---------------------------------------------- */
+
+static bool is_far(tp_fx x)
+{
+    return x != clamp_coordinate(x);
+}
+
+/* True if all members agree with `fresh`, except the members changed by steps. */
+static bool is_same_config(const tp_drops *drops, const tp_drops *fresh)
+{
+    return drops->capacity == fresh->capacity
+        && drops->ring_capacity == fresh->ring_capacity
+        && drops->sphere.y == fresh->sphere.y
+        && drops->sphere_radius == fresh->sphere_radius;
+}
+
+static bool is_sphere_valid(const tp_drops *drops)
+{
+    return !is_far(drops->sphere.x) && !is_far(drops->sphere.z)
+        && !is_far(drops->last_sphere.x) && !is_far(drops->last_sphere.y)
+        && !is_far(drops->last_sphere.z);
+}
+
+/* True if a drop can have raised the ring: within the drops' range, and not after
+ * `tick`. */
+static bool is_ring_valid(const tp_ring *ring, uint64_t tick)
+{
+    return tp_ring_is_valid(ring) && ring->start >= 0
+        && (uint64_t)ring->start <= tick * TP_FX_ONE
+        && ring->x >= -TP_DROP_FAR && ring->x <= TP_DROP_FAR
+        && ring->z >= -TP_DROP_FAR && ring->z <= TP_DROP_FAR;
+}
+
+bool tp_drops_are_valid(const tp_drops *drops, const tp_drops *fresh, uint64_t tick)
+{
+    bool valid = is_same_config(drops, fresh) && is_sphere_valid(drops)
+              && drops->count <= drops->capacity && drops->rings <= drops->ring_capacity;
+
+    for (uint32_t i = 0; valid && i < drops->count; i++)
+        valid = tp_drop_is_valid(&tp_drops_list(drops)[i]);
+    for (uint32_t i = 0; valid && i < drops->rings; i++)
+        valid = is_ring_valid(&tp_drops_rings(drops)[i], tick);
+    return valid;
+}
+
+/* -- the module's state -------------------------------------------------------------- */
+
+/* The rings at this tick, for the water's surface.  The array stands after the block of
+ * tp_drops; its room is 0 if drops do not raise rings. */
+typedef struct {
+    uint32_t count, room;
+    tp_ring_now ring[];
+} rings_now;
+
+static rings_now *current_rings(const tp_drops *drops)
+{
+    const tp_ring *end = tp_drops_rings(drops) + drops->ring_capacity;
+    return (rings_now *)(uintptr_t)end;
+}
+
+const tp_drops *tp_world_drops(const tp_world *world)
+{
+    return tp_world_module_state(world, TP_DROPS_ID);
+}
+
+bool tp_drops_enabled(const tp_want *want)
+{
+    return want->scene->drops.count > 0;
+}
+
+static uint32_t configured_ring_capacity(const tp_scene_drops *config)
+{
+    return config->into == TP_DROPS_RINGS ? clamp_capacity(config->rings) : 0;
+}
+
+static size_t bytes(const tp_want *want)
+{
+    const tp_scene_drops *config = &want->scene->drops;
+
+    return tp_drops_bytes(config) + sizeof(rings_now)
+           + configured_ring_capacity(config) * sizeof(tp_ring_now);
+}
+
+static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
+{
+    (void)world, (void)err;
+    tp_drops_init(mine, &want->scene->drops);
+    *current_rings(mine) =
+        (rings_now){ .room = configured_ring_capacity(&want->scene->drops) };
+    return TP_OK;
+}
+
+static bool fits(const void *mine, const tp_scene *scene)
+{
+    const tp_drops *drops = mine;
+
+    return drops->capacity == clamp_capacity(scene->drops.count)
+           && drops->ring_capacity == clamp_capacity(scene->drops.rings)
+           && current_rings(drops)->room == configured_ring_capacity(&scene->drops);
+}
+
+static bool refresh(void *mine, tp_world *world, const tp_want *want)
+{
+    tp_drops *drops = mine;
+
+    (void)world;
+    drops->sphere.y = want->scene->drops.y;
+    drops->sphere_radius = 2 * want->scene->drops.radius;
+    return true;
+}
+
+/* -- a tick -------------------------------------------------------------------------- */
+
+/* Handles an impact.  With drops.into = rings the impact raises a ring; otherwise a pool
+ * takes the same impact [D5]. */
+static bool handle_impact(void *mine, const tp_scene *scene, const tp_impact *impact,
+                          tp_fx level)
+{
+    (void)level;
+    return scene->drops.into == TP_DROPS_RINGS
+           && tp_drops_add_ring(mine, &scene->drops, impact);
+}
+
+static void move_drops(tp_drops *drops, const tp_program *program, tp_world *world,
+                       const tp_scene *scene)
+{
+    const tp_surface surface = tp_world_surface(program, world);
+    const tp_drop *drop = tp_drops_list(drops);
+    tp_impact impact;
+
+    for (uint32_t i = 0; i < drops->count; i++) {
+        tp_fx level = tp_surface_sample(&surface, drop[i].place.x, drop[i].place.z,
+                                       NULL).position.y;
+        if (tp_drops_step(drops, &scene->drops, i, scene->water.gravity, level,
+                          world->tick, &impact))
+            tp_modules_handle_impact(program, world, scene, &impact, level);
+    }
+}
+
+uint32_t tp_drops_rings_evaluate(const tp_drops *drops, const tp_program *program,
+                                 int64_t time, tp_ring_now *to, uint32_t room)
+{
+    const tp_ring *ring = tp_drops_rings(drops);
+    uint32_t n = 0;
+
+    for (uint32_t i = 0; program->water.rings && i < drops->rings && n < room; i++)
+        n += program->water.rings->at(&ring[i], time, &to[n]);
+    return n;
+}
+
+static void step(void *mine, const tp_program *program, tp_world *world,
+                 const tp_scene *scene, const tp_input *in)
+{
+    const int64_t time = (int64_t)(world->tick * TP_FX_ONE);
+    tp_drops *drops = mine;
+    rings_now *now = current_rings(drops);
+
+    tp_drops_move_sphere(drops, in ? in->sphere_x : 0, in ? in->sphere_z : 0);
+    tp_drops_release_due(drops, &scene->drops);
+    if (in && in->drops > 0)
+        tp_drops_release(drops, &scene->drops, (uint32_t)in->drops);
+    move_drops(drops, program, world, scene);
+    tp_drops_remove_spent(drops, time, 200 * TP_FX_ONE);
+    now->count = tp_drops_rings_evaluate(drops, program, time, now->ring, now->room);
+}
+
+static void add_surface(const void *mine, tp_surface *surface)
+{
+    const rings_now *now = current_rings(mine);
+
+    surface->ring = now->ring;
+    surface->rings = now->count;
+    surface->raised = tp_drops_rings(mine);
+    surface->n_raised = ((const tp_drops *)mine)->rings;
+}
+
+/* True if `now` is empty or holds exactly the drops' rings at this time. */
+static bool are_rings_valid(const tp_drops *drops, const rings_now *now, int64_t time)
+{
+    uint32_t n = 0;
+
+    if (now->count == 0)
+        return true;
+    for (uint32_t i = 0; i < drops->rings && n < now->count && n < now->room; i++) {
+        tp_ring_now at;
+        if (!tp_ring_evaluate(&tp_drops_rings(drops)[i], time, &at))
+            continue;
+        if (memcmp(&at, &now->ring[n++], sizeof at) != 0)
+            return false;
+    }
+    return n == now->count;
+}
+
+static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
+{
+    return tp_drops_are_valid(mine, fresh, world->tick)
+        && current_rings(mine)->room == current_rings(fresh)->room
+        && are_rings_valid(mine, current_rings(mine), (int64_t)(world->tick * TP_FX_ONE));
+}
+
+const tp_module tp_drops_module = {
+    .name = "drops",
+    .id = TP_DROPS_ID,
+    .is = TP_MODULE_SOLID | TP_MODULE_DRAWS(DROP),
+    .enabled = tp_drops_enabled,
+    .bytes = bytes,
+    .init = init,
+    .fits = fits,
+    .refresh = refresh,
+    .step = step,
+    .hit = handle_impact,
+    .surface = add_surface,
+    .is_valid = is_valid,
+};

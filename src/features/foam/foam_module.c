@@ -1,0 +1,341 @@
+/* SPDX-License-Identifier: MIT */
+/* The foam field: its window, its fading, its drift.
+ *
+ * A cell is visited every fourth tick.  The visit keeps e^(-4 ticks / fade) of the cover
+ * and adds the foam made since.  The sum, in 2^-24 of a unit, is rounded by a threshold.
+ * The threshold cycles through 0..1 in steps of the golden ratio, with another phase in
+ * each cell.  The mean therefore fades exactly, however slowly, and always ends at 0.
+ *
+ * Drift moves the lattice and leaves the cells' bytes alone, so no cover spreads or is
+ * lost at any speed.  Interpolation in place would smear a byte over its neighbours.
+ *
+ * Cells left behind by the window are cleared when they are reused for other places. */
+#include "base/base.h"
+#include "features/foam/foam.h"
+#include "waves/softfloat.h"
+#include "world/module.h"
+#include "world/pools.h"
+#include "world/world.h"
+
+#define MIDDLE_MOST (8000 * TP_FX_ONE)  /* limit of the eye and of pools, m */
+#define GOLDEN 10368889u        /* 2^24 / 1.618..., odd, so the period is 2^24 */
+
+/* -- the window --------------------------------------------------------------------- */
+
+static size_t cover_bytes(uint32_t cells)
+{
+    return ((size_t)cells * cells + 7) & ~(size_t)7;
+}
+
+bool tp_foam_enabled(const tp_want *want)
+{
+    return want->scene->foam.cells > 0;
+}
+
+/* Returns the size of the state.  With coastal water a row of displaced positions follows
+ * the cover. */
+static size_t bytes(const tp_want *want)
+{
+    const uint32_t cells = (uint32_t)want->scene->foam.cells;
+
+    return sizeof(tp_foam) + cover_bytes(cells)
+         + (want->above & TP_MODULE_COASTAL ? cells * sizeof(tp_vec3) : 0);
+}
+
+/* Returns the window's side, Q32 m: below 2^46. */
+static int64_t window_side(const tp_foam *foam)
+{
+    return (int64_t)foam->cells * foam->cell * 65536;
+}
+
+/* Returns the lowest lattice cell of a window around `middle`, m.  The drift is within
+ * 0..side. */
+static int32_t first_window_cell(const tp_foam *foam, tp_fx middle, int64_t drift_q32)
+{
+    TP_ASSERT(foam->cells > 0 && foam->cell > 0);
+    int64_t from = (int64_t)middle - (drift_q32 >> 16), cell = foam->cell;
+    int64_t at = from / cell - (from % cell < 0);
+
+    return (int32_t)at - (int32_t)(foam->cells / 2);
+}
+
+static void place_window(tp_foam *foam, const tp_world *world, const tp_scene *scene)
+{
+    bool  pool = tp_world_pool(world) != NULL;
+    tp_vec3 eye = tp_camera_interpolate(world, 0).eye;
+    tp_fx x = pool ? scene->pool.x : eye.x;
+    tp_fx z = pool ? scene->pool.z : eye.z;
+
+    foam->first_x = first_window_cell(foam, x, foam->drift_x);
+    foam->first_z = first_window_cell(foam, z, foam->drift_z);
+}
+
+static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
+{
+    const tp_scene *scene = want->scene;
+    const uint32_t cells = (uint32_t)scene->foam.cells;
+    tp_foam *foam = mine;
+
+    TP_ASSERT(cells > 0 && cells <= 256);
+    (void)err;
+    foam->cells = cells;
+    foam->cell = scene->foam.cell;
+    foam->scratch = want->above & TP_MODULE_COASTAL
+               ? (uint32_t)(sizeof *foam + cover_bytes(cells)) : 0;
+    place_window(foam, world, scene);
+    for (int q = 0; q < TP_FOAM_TICKS; q++) {
+        foam->seen[q][0] = foam->first_x;
+        foam->seen[q][1] = foam->first_z;
+    }
+    return TP_OK;
+}
+
+/* Returns the drift after one tick.  A drift by a full side maps the torus onto
+ * itself, so the drift is reduced by the side and the cell numbers in `seen` are
+ * shifted instead. */
+static int64_t advance_drift(tp_foam *foam, int64_t drift, tp_fx speed, int way)
+{
+    int64_t side = window_side(foam), step = (int64_t)speed * 65536 / TP_TICKS_PER_SECOND;
+    int32_t turns = 0;
+
+    for (drift += step % side; drift >= side; drift -= side)
+        turns++;
+    for (; drift < 0; drift += side)
+        turns--;
+    for (int q = 0; q < TP_FOAM_TICKS; q++)
+        foam->seen[q][way] += turns * (int32_t)foam->cells;
+    return drift;
+}
+
+/* One axis of the window: lattice cells from `first` on; cell `first` lies in column or
+ * row `seam`. */
+typedef struct {
+    int32_t  first;
+    uint32_t seam, cells;
+} lattice_axis;
+
+static lattice_axis make_axis(int32_t first, uint32_t cells)
+{
+    return (lattice_axis){ first, tp_foam_mod(first, cells), cells };
+}
+
+/* Returns the lattice cell number of a column or row. */
+static int32_t lattice_index(const lattice_axis *a, uint32_t i)
+{
+    return a->first + (int32_t)(i >= a->seam ? i - a->seam : i + a->cells - a->seam);
+}
+
+/* Returns the centre of a lattice cell, m. */
+static tp_fx cell_centre(const tp_foam *foam, int32_t number, int64_t drift)
+{
+    return (tp_fx)((int64_t)number * foam->cell + foam->cell / 2 + (drift >> 16));
+}
+
+/* -- visits ------------------------------------------------------------------------- */
+
+/* Returns e^(-4 / 60 / fade), Q24, the share of cover kept by a visit.  `fade` is 0.1 s
+ * or more. */
+static uint32_t visit_fade_factor(tp_fx fade)
+{
+    TP_ASSERT(fade > 0);
+    uint64_t x = ((uint64_t)TP_FOAM_TICKS << 40) / (TP_TICKS_PER_SECOND * (uint32_t)fade);
+    return tp_exp_neg((uint32_t)x) >> 8;
+}
+
+typedef struct {
+    tp_foam_maker make;
+    uint32_t kept_q24, threshold_q24;
+    lattice_axis x, z, seen_x, seen_z;
+} visit;
+
+/* Returns the new cover of a cell.  New foam covers only the free share.
+ * cover x kept < 255 x 2^24; with the threshold the sum stays below 2^32. */
+static uint8_t compute_cover(uint32_t cover, const visit *v, uint32_t col, uint32_t gain_q8)
+{
+    uint64_t sum = (uint64_t)cover * v->kept_q24
+                 + ((uint64_t)(gain_q8 * (255 - cover)) << 8);
+    uint32_t held = sum < (uint32_t)255 << 24 ? (uint32_t)sum : (uint32_t)255 << 24;
+    uint32_t threshold = (v->threshold_q24 + col * GOLDEN) & 0xffffff;
+
+    return (uint8_t)((held + threshold) >> 24);
+}
+
+static void seed_previous_row(visit *v, const tp_foam *foam)
+{
+    for (uint32_t i = 0; i < foam->cells; i++)
+        tp_foam_maker_seed_cell(&v->make, i,
+                            cell_centre(foam, lattice_index(&v->x, i), foam->drift_x));
+}
+
+static void visit_row(visit *v, tp_foam *foam, uint8_t *cover)
+{
+    int32_t last = INT32_MIN;
+
+    for (uint32_t i = 0; i < foam->cells; i++) {
+        int32_t number = lattice_index(&v->x, i);
+        tp_fx   x = cell_centre(foam, number, foam->drift_x);
+        uint32_t gain = tp_foam_maker_gain(&v->make, i, x, number - 1 == last);
+        bool    same = number == lattice_index(&v->seen_x, i);
+        last = number;
+        cover[i] = gain == TP_FOAM_DRY ? 0 : compute_cover(same ? cover[i] : 0, v, i, gain);
+    }
+}
+
+static void visit_quarter(visit *v, tp_foam *foam)
+{
+    uint32_t q = foam->visits % TP_FOAM_TICKS, cells = foam->cells;
+    uint32_t end = (q + 1) * cells / TP_FOAM_TICKS;
+    int32_t  last = INT32_MIN;
+
+    v->x = make_axis(foam->first_x, cells);
+    v->z = make_axis(foam->first_z, cells);
+    v->seen_x = make_axis(foam->seen[q][0], cells);
+    v->seen_z = make_axis(foam->seen[q][1], cells);
+    for (uint32_t j = q * cells / TP_FOAM_TICKS; j < end; j++) {
+        int32_t  number = lattice_index(&v->z, j);
+        uint8_t *cover = tp_foam_cover(foam) + (size_t)j * cells;
+        if (number != lattice_index(&v->seen_z, j))
+            memset(cover, 0, cells);
+        v->threshold_q24 = foam->visits / TP_FOAM_TICKS * GOLDEN + j * (GOLDEN / 7);
+        v->make.z = cell_centre(foam, number, foam->drift_z);
+        if (foam->scratch && number - 1 != last)
+            seed_previous_row(v, foam);
+        last = number;
+        visit_row(v, foam, cover);
+    }
+    foam->seen[q][0] = foam->first_x;
+    foam->seen[q][1] = foam->first_z;
+}
+
+void tp_foam_step(tp_foam *foam, const tp_world *world, const tp_scene *scene)
+{
+    visit v = { .kept_q24 = visit_fade_factor(scene->foam.fade) };
+
+    foam->drift_x = advance_drift(foam, foam->drift_x, scene->foam.map.drift_x, 0);
+    foam->drift_z = advance_drift(foam, foam->drift_z, scene->foam.map.drift_z, 1);
+    place_window(foam, world, scene);
+    tp_foam_maker_begin(&v.make, foam, world, scene);
+    visit_quarter(&v, foam);
+    foam->visits++;
+}
+
+/* -- access by place ----------------------------------------------------------------- */
+
+/* Returns the distance of a place from the window's low side, cells, Q8.  The place may
+ * lie outside. */
+static int64_t window_offset_q8(const tp_foam *foam, tp_fx place, int32_t first,
+                                int64_t drift)
+{
+    int64_t low = (int64_t)first * foam->cell + (drift >> 16);
+    return ((int64_t)place - low) * 256 / foam->cell;
+}
+
+/* Adds cover to each cell with its centre within the radius, less towards the rim. */
+void tp_foam_blob(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t cover)
+{
+    TP_ASSERT(radius >= 0 && cover <= 255);
+    int64_t u = window_offset_q8(foam, x, foam->first_x, foam->drift_x);
+    int64_t w = window_offset_q8(foam, z, foam->first_z, foam->drift_z);
+    int64_t r = (int64_t)radius * 256 / foam->cell, cells = foam->cells;
+
+    r = r < 192 ? 192 : r > 16 * 256 ? 16 * 256 : r;
+    for (int64_t j = (w - r) >> 8; j <= (w + r) >> 8; j++) {
+        for (int64_t i = (u - r) >> 8; i <= (u + r) >> 8; i++) {
+            int64_t dx = i * 256 + 128 - u, dz = j * 256 + 128 - w;
+            int64_t left = r * r - dx * dx - dz * dz;
+            if (left <= 0 || i < 0 || j < 0 || i >= cells || j >= cells)
+                continue;
+            uint32_t col = tp_foam_mod(foam->first_x + (int32_t)i, foam->cells);
+            uint32_t row = tp_foam_mod(foam->first_z + (int32_t)j, foam->cells);
+            uint8_t *at = tp_foam_cover(foam) + (size_t)row * foam->cells + col;
+            uint32_t more = *at + (uint32_t)(cover * left / (r * r));
+            *at = (uint8_t)(more < 255 ? more : 255);
+        }
+    }
+}
+
+uint8_t tp_foam_sample(const tp_foam *foam, tp_fx x, tp_fx z)
+{
+    int64_t u = window_offset_q8(foam, x, foam->first_x, foam->drift_x);
+    int64_t w = window_offset_q8(foam, z, foam->first_z, foam->drift_z);
+    const uint8_t *cover = (const uint8_t *)(foam + 1);
+    int64_t most = (int64_t)foam->cells * 256, sum = 0;
+
+    if (u < 0 || w < 0 || u >= most || w >= most)
+        return 0;
+    int32_t s = (int32_t)u - 128, t = (int32_t)w - 128;
+    for (int32_t k = 0; k < 4; k++) {
+        uint32_t col = tp_foam_mod(foam->first_x + (s >> 8) + (k & 1), foam->cells);
+        uint32_t row = tp_foam_mod(foam->first_z + (t >> 8) + (k >> 1), foam->cells);
+        int32_t  fs = k & 1 ? s & 255 : 256 - (s & 255);
+        int32_t  ft = k >> 1 ? t & 255 : 256 - (t & 255);
+        sum += (int64_t)cover[(size_t)row * foam->cells + col] * fs * ft;
+    }
+    return (uint8_t)((sum + 0x8000) >> 16);
+}
+
+/* -- validation of a state from outside ---------------------------------------------- */
+
+static bool is_window_valid(const tp_foam *foam, int32_t first, int64_t cells)
+{
+    const int64_t most = MIDDLE_MOST / foam->cell + cells;
+    return first >= -most && first <= most;
+}
+
+/* True if the state is in range.  A window starts at most half a side and a drift of less
+ * than a side from its middle.  The four windows in `seen` may lag by one more side per
+ * tick. */
+static bool is_valid(const void *mine, const void *made, const tp_world *world)
+{
+    (void)world;
+    const tp_foam *foam = mine, *fresh = made;
+    const int64_t cells = fresh->cells, side = window_side(fresh);
+    bool valid = foam->cells == fresh->cells && foam->cell == fresh->cell
+              && foam->scratch == fresh->scratch
+              && foam->drift_x >= 0 && foam->drift_x < side
+              && foam->drift_z >= 0 && foam->drift_z < side
+              && is_window_valid(fresh, foam->first_x, 2 * cells)
+              && is_window_valid(fresh, foam->first_z, 2 * cells);
+
+    for (int q = 0; q < TP_FOAM_TICKS; q++)
+        valid = valid && is_window_valid(fresh, foam->seen[q][0], 6 * cells)
+             && is_window_valid(fresh, foam->seen[q][1], 6 * cells);
+    return valid;
+}
+
+/* -- the module ---------------------------------------------------------------------- */
+
+/* True if the cells match the scene.  A change of the cells' number or size loses the
+ * cover. */
+static bool fits(const void *mine, const tp_scene *scene)
+{
+    const tp_foam *foam = mine;
+    return foam->cells == (uint32_t)scene->foam.cells && foam->cell == scene->foam.cell;
+}
+
+static void step(void *mine, const tp_program *program, tp_world *world,
+                 const tp_scene *scene, const tp_input *input)
+{
+    (void)program, (void)input;
+    tp_foam_step(mine, world, scene);
+}
+
+static bool handle_impact(void *mine, const tp_scene *scene, const tp_impact *impact,
+                          tp_fx level)
+{
+    (void)scene, (void)level;
+    tp_foam_blob(mine, impact->x, impact->z, impact->length / 5, 160);
+    return false;
+}
+
+const tp_foam *tp_world_foam(const tp_world *world)
+{
+    return tp_foam_of_world(world);
+}
+
+const tp_module tp_foam_module = {
+    .name = "foam", .id = TP_FOAM_ID, .is = TP_MODULE_EXACT,
+    .trait = TP_TRAIT_foam, .enabled = tp_foam_enabled,
+    .bytes = bytes, .init = init, .fits = fits, .step = step, .hit = handle_impact,
+    .is_valid = is_valid,
+};

@@ -1,0 +1,327 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The modules of a scene's two pools: [pool], stirred by drops and by user input, and
+ * [field]; and the paddle at a pool's edge.  In a tick the splashes, by user input and at
+ * random, come first.  Then a paddle pushes the water.  Then each pool steps.
+ */
+#include "base/base.h"
+#include "features/pool/pool_module.h"
+#include "pool/pool.h"
+#include "world/world.h"
+
+/* -- the paddle ---------------------------------------------------------------------- */
+
+/* A paddle at a pool's north edge: two rows of cells about half a wavelength apart.  One
+ * row is pushed up while the other is pushed down, with the period of the wave.  The gain
+ * of one row equals the loss of the other, so the sum of all heights stays.
+ *
+ * A wave obeys sin(k/2) = sin(om/2) / r, with k and om its phase per cell and per tick
+ * [C1].  A row pushed by d per tick sends d / (2 r cos(k/2)) in both directions.  The
+ * second row, n cells away with opposite sign, multiplies the amplitude by 2 sin(k
+ * n / 2).  At a wall the mirrored rows contribute too; the factor is 2 (cos(k/2) - cos(k
+ * (n + 1/2))). */
+
+typedef struct {
+    uint32_t row, apart;        /* the rows are `row` and `row + apart` */
+    int32_t  push;              /* maximum per tick, LSB */
+} stroke;
+
+/* Returns om / 2, a turn.  The period is at least 0.1 s, so the result is below 1/12
+ * turn. */
+static tp_turn half_phase_per_tick(const tp_scene_pool *scene)
+{
+    TP_ASSERT(scene->paddle_period > 0);
+    return (tp_turn)(((uint64_t)1 << 47) / ((uint64_t)(uint32_t)scene->paddle_period
+                                            * TP_TICKS_PER_SECOND));
+}
+
+/* Returns the rows and the push for the scene's wave.  The amplitude, half of the height,
+ * has 29 bits; the push is below 2^60 before its division.  The push is at most the
+ * amplitude, so a pool too short for its wave gets a lower wave.  The shortest waves of a
+ * grid do not travel, so k is clamped just below 1/2 turn. */
+static stroke compute_stroke(const tp_pool *pool, const tp_scene_pool *scene)
+{
+    TP_ASSERT(scene->courant > 0 && scene->paddle >= 0);
+    bool    walls = pool->edges == TP_EDGES_WALL;
+    stroke  s = { .row = pool->edges == TP_EDGES_SPONGE ? (uint32_t)scene->sponge : 0 };
+    int64_t sine = (int64_t)tp_sin(half_phase_per_tick(scene)) * TP_FX_ONE / scene->courant;
+
+    sine = sine < TP_Q30(0.99) ? sine : TP_Q30(0.99);
+    int64_t cosine = tp_isqrt64(((uint64_t)1 << 60) - (uint64_t)(sine * sine));
+    tp_turn half = tp_atan2((int32_t)sine, (int32_t)cosine);            /* k / 2 */
+    uint32_t most = (pool->rows - 1 - s.row) / 2;
+    s.apart = (((uint32_t)1 << 30) + half / 2) / half;
+    s.apart = s.apart < 1 ? 1 : s.apart > most ? most : s.apart;
+
+    int64_t share = walls ? cosine - tp_cos(half * (2 * s.apart + 1))
+                          : tp_sin(half * s.apart);
+    int64_t most_push = tp_pool_from_metres(pool, scene->paddle) / 2;
+    int64_t push = (most_push * scene->courant >> 16) * cosine;
+    s.push = (int32_t)(push < most_push * share ? push / share : most_push);
+    return s;
+}
+
+/* Pushes one column: up at the first row, down by the same amount at the second, limited
+ * by the smaller of both. */
+static void push_column(tp_pool *pool, const stroke *s, uint32_t col, int32_t push)
+{
+    uint32_t other = s->row + s->apart;
+
+    if (tp_pool_is_wall_or_outside(pool, col, s->row)
+        || tp_pool_is_wall_or_outside(pool, col, other))
+        return;
+    int32_t done = tp_pool_add(pool, col, s->row, push);
+    int32_t back = tp_pool_add(pool, col, other, -done);
+    if (back != -done)
+        tp_pool_add(pool, col, s->row, -done - back);
+}
+
+void tp_paddle_push(tp_pool *pool, const tp_scene_pool *scene, uint64_t tick)
+{
+    stroke  s = compute_stroke(pool, scene);
+    tp_turn phase = (tp_turn)(2 * (uint64_t)half_phase_per_tick(scene) * tick);
+    int32_t push = tp_q30_mul(s.push, tp_sin(phase));
+
+    for (uint32_t col = 0; push != 0 && col < pool->cols; col++)
+        push_column(pool, &s, col, push);
+    tp_pool_wake(pool, tp_pool_from_metres(pool, scene->paddle));
+}
+
+/* -- the module ---------------------------------------------------------------------- */
+
+static bool has_paddle(const tp_scene_pool *scene)
+{
+    return scene->cols > 0 && scene->paddle > 0;
+}
+
+bool tp_paddle_enabled(const tp_want *want)
+{
+    return has_paddle(&want->scene->pool) || has_paddle(&want->scene->field);
+}
+
+static void step_paddle(void *mine, const tp_program *program, tp_world *world,
+                 const tp_scene *scene, const tp_input *input)
+{
+    tp_pool *pool = tp_world_mutable_pool(world), *field = tp_world_mutable_field(world);
+
+    (void)mine, (void)program, (void)input;
+    if (pool && has_paddle(&scene->pool))
+        tp_paddle_push(pool, &scene->pool, world->tick);
+    if (field && has_paddle(&scene->field))
+        tp_paddle_push(field, &scene->field, world->tick);
+}
+
+const tp_module tp_paddle_module = {
+    .name = "paddle", .id = TP_MODULE_ID('p', 'a', 'd', 'l'),
+    .enabled = tp_paddle_enabled,
+    .step = step_paddle,
+};
+
+/* -- enabled pools ------------------------------------------------------------------- */
+
+static bool is_pool_enabled(const tp_want *want, const tp_scene_pool *pool)
+{
+    return pool->cols > 0 && (!want->water || want->water->pools);
+}
+
+bool tp_main_pool_enabled(const tp_want *want)
+{
+    return is_pool_enabled(want, &want->scene->pool);
+}
+
+bool tp_field_enabled(const tp_want *want)
+{
+    return is_pool_enabled(want, &want->scene->field);
+}
+
+/* -- splashes ------------------------------------------------------------------------ */
+
+/* Returns a random place along one side, within the middle four fifths of a pool. */
+static tp_fx random_place(tp_world *world, tp_fx centre, int32_t cells, tp_fx cell)
+{
+    int64_t side = (int64_t)cells * cell * 4 / 5;
+    return (tp_fx)(centre - side / 2 + (side * (tp_random(&world->random) >> 8) >> 24));
+}
+
+static void step_random_splash(tp_basin *basin, tp_world *world, const tp_scene_pool *scene)
+{
+    if (!basin || scene->poke_every <= 0)
+        return;
+    uint32_t every = (uint32_t)((int64_t)scene->poke_every * TP_TICKS_PER_SECOND >> 16);
+    if (basin->poke_wait > every)       /* the interval was longer at its start */
+        basin->poke_wait = every;
+    if (basin->poke_wait > 0 && --basin->poke_wait > 0)
+        return;
+    basin->poke_wait = every;
+    tp_fx x = random_place(world, scene->x, scene->cols, scene->cell);
+    tp_fx z = random_place(world, scene->z, scene->rows, scene->cell);
+    tp_pool_add_splash(&basin->pool, x, z, scene->poke_size, scene->poke);
+}
+
+static void add_user_splashes(tp_pool *pool, const tp_scene *scene, const tp_input *in)
+{
+    for (int i = 0; in && pool && i < TP_PUSHES; i++) {
+        const tp_push *p = &in->push[i];
+        if (p->height != 0)
+            tp_pool_add_splash(pool, p->x, p->z, scene->pool.poke_size, p->height);
+    }
+}
+
+static void step_pokes(void *mine, const tp_program *program, tp_world *world,
+                       const tp_scene *scene, const tp_input *in)
+{
+    (void)mine, (void)program;
+    add_user_splashes(tp_world_mutable_pool(world), scene, in);
+    step_random_splash(tp_world_module_state(world, TP_POOL_ID), world, &scene->pool);
+    step_random_splash(tp_world_module_state(world, TP_FIELD_ID), world, &scene->field);
+}
+
+bool tp_pokes_enabled(const tp_want *want)
+{
+    return tp_main_pool_enabled(want) || tp_field_enabled(want);
+}
+
+const tp_module tp_pokes_module = {
+    .name = "pokes", .id = TP_MODULE_ID('p', 'o', 'k', 'e'), .enabled = tp_pokes_enabled,
+    .step = step_pokes,
+};
+
+/* -- common to both pools ------------------------------------------------------------ */
+
+static size_t basin_bytes(const tp_want *want, bool field)
+{
+    const tp_pool_config config = tp_pools_config(want->scene, want->assets, field);
+    return offsetof(tp_basin, pool) + tp_pool_bytes(&config);
+}
+
+static tp_status init_one(tp_basin *basin, const tp_want *want, bool field, tp_error *err)
+{
+    const tp_pool_config config = tp_pools_config(want->scene, want->assets, field);
+    return tp_pool_init(&basin->pool, &config, err);
+}
+
+/* True if the new parameters fit.  The test runs on a copy of the pool's head; the copy
+ * has no memory for a sponge layer. */
+static bool fits_one(const tp_basin *basin, const tp_scene *scene, bool field)
+{
+    const tp_pool_config config = tp_pools_config(scene, NULL, field);
+    tp_pool head = basin->pool;
+
+    head.sponge = 0;
+    return tp_pool_set_config(&head, &config);
+}
+
+static bool refresh_one(tp_basin *basin, const tp_scene *scene, bool field)
+{
+    const tp_pool_config config = tp_pools_config(scene, NULL, field);
+    return tp_pool_set_config(&basin->pool, &config);
+}
+
+static void step(void *mine, const tp_program *program, tp_world *world,
+                 const tp_scene *scene, const tp_input *in)
+{
+    tp_basin *basin = mine;
+
+    (void)program, (void)world, (void)scene, (void)in;
+    tp_pool_step(&basin->pool);
+}
+
+static bool is_valid(const void *mine, const void *made, const tp_world *world)
+{
+    (void)world;
+    const tp_basin *basin = mine, *fresh = made;
+    return tp_pool_is_valid(&basin->pool, &fresh->pool);
+}
+
+/* -- [pool] -------------------------------------------------------------------------- */
+
+static tp_status pool_check(const tp_want *want, tp_error *err)
+{
+    return tp_pools_check(want->scene, want->assets, false, err);
+}
+
+static size_t pool_bytes(const tp_want *want)
+{
+    return basin_bytes(want, false);
+}
+
+static tp_status pool_init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
+{
+    (void)world;
+    return init_one(mine, want, false, err);
+}
+
+static bool pool_fits(const void *mine, const tp_scene *scene)
+{
+    return fits_one(mine, scene, false);
+}
+
+static bool pool_refresh(void *mine, tp_world *world, const tp_want *want)
+{
+    (void)world;
+    return refresh_one(mine, want->scene, false);
+}
+
+/* Handles an impact: a splash of the strength of a ring [D5]. */
+static bool pool_hit(void *mine, const tp_scene *scene, const tp_impact *impact,
+                     tp_fx level)
+{
+    tp_basin *basin = mine;
+
+    (void)level;
+    return scene->drops.into != TP_DROPS_RINGS
+           && tp_pool_add_splash(&basin->pool, impact->x, impact->z, impact->length / 4,
+                                 -impact->amplitude);
+}
+
+static void pool_surface(const void *mine, tp_surface *surface)
+{
+    surface->pool = surface->by->pools ? &((const tp_basin *)mine)->pool : NULL;
+}
+
+const tp_module tp_main_pool_module = {
+    .name = "pool", .id = TP_POOL_ID,
+    .enabled = tp_main_pool_enabled, .check = pool_check,
+    .bytes = pool_bytes, .init = pool_init, .fits = pool_fits, .refresh = pool_refresh,
+    .step = step, .surface = pool_surface, .hit = pool_hit, .is_valid = is_valid,
+};
+
+/* -- [field] ------------------------------------------------------------------------- */
+
+static tp_status field_check(const tp_want *want, tp_error *err)
+{
+    return tp_pools_check(want->scene, want->assets, true, err);
+}
+
+static size_t field_bytes(const tp_want *want)
+{
+    return basin_bytes(want, true);
+}
+
+static tp_status field_init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
+{
+    (void)world;
+    return init_one(mine, want, true, err);
+}
+
+static bool field_fits(const void *mine, const tp_scene *scene)
+{
+    return fits_one(mine, scene, true);
+}
+
+static bool field_refresh(void *mine, tp_world *world, const tp_want *want)
+{
+    (void)world;
+    return refresh_one(mine, want->scene, true);
+}
+
+static void field_surface(const void *mine, tp_surface *surface)
+{
+    surface->field = surface->by->pools ? &((const tp_basin *)mine)->pool : NULL;
+}
+
+const tp_module tp_field_module = {
+    .name = "field", .id = TP_FIELD_ID, .enabled = tp_field_enabled, .check = field_check,
+    .bytes = field_bytes, .init = field_init, .fits = field_fits,
+    .refresh = field_refresh, .surface = field_surface, .step = step, .is_valid = is_valid,
+};

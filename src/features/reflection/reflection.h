@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Reflections of objects on the water, by two modules, with the data of their stages in
+ * tp_run.mine: the planar reflection, a planar map of the objects; and the object cube
+ * map, five small pictures of the objects around a point on the water.  Further their
+ * parameters.
+ *
+ *     reflection_drawing.c   the modules, and their pictures
+ *     reflection_stage.c     their span stages
+ *     reflection_rungs.c     the cost of the planar reflection
+ */
+#ifndef TP_FEATURES_REFLECTION_REFLECTION_H
+#define TP_FEATURES_REFLECTION_REFLECTION_H
+#include "shade/shade.h"
+#include "tidepool/fixed.h"
+#include "tidepool/modules.h"
+#include "world/module.h"
+
+#define TP_MIRROR_ID TP_MODULE_ID('m', 'i', 'r', 'r')
+
+/* Inverse depths (zi) of the nearest and farthest object in a column, Q1.31. */
+typedef struct {
+    uint32_t near, far;
+} tp_mirrored_zi;
+
+typedef struct {
+    tp_planar_map map;          /* planar map of objects above the level, upside down */
+    int32_t  bend;              /* effect of slopes; 256 is physical */
+    int64_t  height;            /* eye over the mirror's level, Q12 near planes */
+    const tp_mirrored_zi *zi;   /* array, one for each column from x0 on */
+} tp_mirror;
+
+#define TP_OBJECT_CUBE_ID TP_MODULE_ID('c', 'u', 'b', 'e')
+
+#define TP_OBJECT_CUBE_SIDE  32
+#define TP_OBJECT_CUBE_FACES 5         /* +x -x +z -z +y; -y is below the water's level */
+
+typedef struct {
+    const uint32_t *colour;     /* texels 0xAARRGGBB, face by face; NULL: empty */
+    tp_vec3  from;              /* eye - the point, m */
+    tp_vec3  to;                /* middle of the objects - the point, m */
+    int32_t  nx, nz;            /* horizontal direction of `to`, Q1.14 */
+    tp_fx    zi_near;
+} tp_object_cube;
+
+#define TP_REFLECTION_ROWS \
+    TP_ROW_CHOICE("mirror.objects", mirror.objects, "none|stencil|cube", \
+        TP_MIRROR_CUBE, TP_MIRROR_NONE, \
+        "boat and drops in the water: sharp (stencil), or from a small cube"), \
+    TP_ROW_CHOICE("mirror.size", mirror.size, "half|quarter", TP_MIRROR_QUARTER, \
+        TP_MIRROR_HALF, \
+        "side of the stencil's mirrored image, relative to the picture"), \
+    TP_ROW_NUMBER("mirror.bend", mirror.bend, "", 0, 4, 1, \
+        "strength with which waves distort the mirrored image")
+
+#endif

@@ -1,0 +1,325 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Draws the pictures for both reflections of objects.
+ */
+#include "features/reflection/reflection.h"
+#include "frame/frame.h"
+#include "frame/render_view.h"
+#include "tidepool/modules.h"
+
+/* -- adding the stage ---------------------------------------------------------------- */
+
+/* Adds the stage of reflected objects.  Water without a reflected sky does not reflect
+ * objects either. */
+static inline void tp_add_mirrored(const tp_frame *frame, const void *mine,
+                                   const tp_stage *stage, tp_shaders *list)
+{
+    (void)frame;
+    if (tp_shaders_has(list, TP_AT_REFLECT))
+        tp_shaders_add(list, TP_AT_OBJECTS, stage[0], mine);
+}
+
+/* -- the planar reflection ----------------------------------------------------------- */
+
+/* A planar map of the objects above the water.  The map is the view of a mirrored camera:
+ * as deep under the level as the camera is above it, with the pitch negated, and upside
+ * down [F4]. */
+
+typedef struct {
+    tp_mirror        look;      /* data of the stage; first member */
+    tp_mirrored_zi  *zi;        /* array, one for each column */
+    tp_planar_memory  store;
+} mirror;
+
+/* Updates the columns' depths by row y of a band. */
+static void update_column_depths(tp_mirrored_zi *zi, const tp_gbuffer *band, int32_t y)
+{
+    const uint32_t *key = band->key + (size_t)(uint32_t)(y - band->y0) * band->stride;
+
+    for (int32_t i = 0; i < band->x1 - band->x0; i++) {
+        uint32_t at = TP_ZI(key[i]);
+        if (at == 0)
+            continue;
+        zi[i].far = zi[i].near == 0 || at < zi[i].far ? at : zi[i].far;
+        zi[i].near = at > zi[i].near ? at : zi[i].near;
+    }
+}
+
+/* Gives a column without an object the depths of its left neighbour; columns before the
+ * first object get the depths of that first column. */
+static void fill_gaps(tp_mirrored_zi *zi, uint32_t count)
+{
+    uint32_t first = 0;
+
+    while (first + 1 < count && zi[first].near == 0)
+        first++;
+    for (uint32_t i = 0; i < first; i++)
+        zi[i] = zi[first];
+    for (uint32_t i = first + 1; i < count; i++)
+        zi[i] = zi[i].near ? zi[i] : zi[i - 1];
+}
+
+/* Returns the projection of the mirrored camera.  Its rows count from the other end: its
+ * row j is row rows - 1 - j of the camera, because its up vector is the camera's,
+ * mirrored and negated. */
+static tp_projection mirrored_projection(const tp_frame *frame,
+                                         const tp_planar_memory *store, tp_fx level)
+{
+    TP_ASSERT(store->halvings > 0);
+    const tp_projection *from = &frame->projection;
+    const tp_dir3  r = from->turn.x, up = from->turn.y, back = from->turn.z;
+    const tp_rotation turn = { { r.x, -r.y, r.z }, { -up.x, up.y, -up.z },
+                               { back.x, -back.y, back.z } };
+    tp_projection projection;
+
+    tp_projection_init_turned(
+        &projection, (tp_vec3){ from->eye.x, 2 * level - from->eye.y, from->eye.z }, turn,
+        frame->scene->camera.fov, from->near, frame->config.width, frame->config.height);
+    for (uint32_t n = 0; n < store->halvings; n++)
+        projection = tp_projection_halve(&projection);
+    projection.v0 = 16 * (int32_t)store->rows - projection.v0;
+    return projection;
+}
+
+/* Pixels by which the clip level is lowered.  At the foot of an object one pixel of the
+ * map covers water from both sides of the level.  The additional part of the reflection
+ * lies behind its object and stays hidden. */
+enum { OVERLAP = 2 };
+
+/* Returns the clip level.  Troughs expose a hull below the mean level, so the clip level
+ * is the deepest trough.  With tank walls the clip level is the mean level: walls and
+ * floor below it would be reflected all over the water. */
+static tp_view_plane mirror_clip_plane(const tp_frame *frame,
+                                       const tp_projection *projection, tp_fx level)
+{
+    const tp_fx trough = -tp_surface_height_bound(&frame->surface);
+    const bool  bare = !tp_frame_has_module(frame, TP_MODULE_WALLS) && trough < level;
+    tp_view_plane plane = tp_projection_level_plane(projection, bare ? trough : level, 1);
+
+    plane.depth +=
+        (int32_t)(((int64_t)OVERLAP << 43) / projection->focal); /* halved px */
+    return plane;
+}
+
+static void set_bending(const tp_frame *frame, tp_mirror *to, tp_fx level)
+{
+    to->bend = frame->scene->mirror.bend >> 8;
+    to->height =
+        (int64_t)(frame->projection.eye.y - level) * 4096 / frame->projection.zi_near;
+}
+
+static void draw_mirror(tp_frame *frame, mirror *m, const tp_view *view)
+{
+    const tp_planar_memory *store = &m->store;
+    const tp_planar_map *map = &m->look.map;
+    uint32_t wide = (uint32_t)(map->x1 - map->x0);
+
+    memset(m->zi, 0, wide * sizeof *m->zi);
+    for (int32_t y0 = map->y0; y0 < map->y1; y0 += TP_PLANAR_BAND) {
+        tp_gbuffer band = tp_planar_gbuffer(store, map, y0);
+        tp_gbuffer_clear(&band);
+        tp_view_draw_solids(frame, view, &band);
+        for (int32_t y = y0; y < band.y1; y++) {
+            tp_frame_colour_row(frame, &band, y,
+                                store->colour + (uint32_t)(map->y1 - 1 - y) * wide);
+            update_column_depths(m->zi, &band, y);
+        }
+    }
+    fill_gaps(m->zi, wide);
+}
+
+static void draw_mirror_map(tp_frame *frame, void *mine)
+{
+    mirror *m = mine;
+    const int32_t rows = (int32_t)m->store.rows;
+    tp_fx    level = tp_view_anchor_level(frame);
+    tp_planar_map *map = &m->look.map;
+
+    map->colour = NULL;
+    if (!tp_view_is_above_level(frame, level))
+        return;
+    tp_projection  projection = mirrored_projection(frame, &m->store, level);
+    tp_view view = { .projection = &projection, .clipped = true, .walls = true,
+                       .level = mirror_clip_plane(frame, &projection, level) };
+    tp_view_begin(frame, &view);
+    tp_grid_box box = tp_view_project_solids(frame, &view);
+    if (!tp_planar_set_bounds(&m->store, &box, map))
+        return;
+    set_bending(frame, &m->look, level);
+    draw_mirror(frame, m, &view);
+    *map = (tp_planar_map){ map->colour, map->x0, rows - map->y1, map->x1,
+                       rows - map->y0, map->coarser };
+}
+
+/* -- the module ---------------------------------------------------------------------- */
+
+bool tp_mirror_enabled(const tp_want *want)
+{
+    return want->scene->mirror.objects == TP_MIRROR_STENCIL
+           && want->scene->water.reflection > 0
+           && want->above & (TP_MODULE_SOLID | TP_MODULE_WALLS);
+}
+
+/* Returns the number of halvings.  The projection of a small picture can be halved only
+ * once. */
+static uint32_t count_halvings(const tp_want *want)
+{
+    return want->scene->mirror.size == TP_MIRROR_QUARTER && want->width >= 64
+           && want->height >= 64 ? 2 : 1;
+}
+
+static void *layout_mirror(tp_arena *arena, const tp_want *want)
+{
+    mirror *m = tp_arena_alloc(arena, 1, sizeof *m), made = { .look.bend = 0 };
+
+    tp_planar_layout(&made.store, arena, want, count_halvings(want));
+    made.look.zi = made.zi = tp_arena_alloc(arena, made.store.cols, sizeof *made.zi);
+    if (m)
+        *m = made;
+    return m;
+}
+
+const tp_module tp_mirror_module = {
+    .name = "mirror", .id = TP_MIRROR_ID, .is = TP_MODULE_EXACT | TP_MODULE_MIRROR,
+    .trait = TP_TRAIT_objects, .enabled = tp_mirror_enabled,
+};
+
+const tp_drawing tp_mirror_drawing = {
+    .layout = layout_mirror, .draw_map = draw_mirror_map, .stages = tp_add_mirrored,
+};
+
+/* -- the object cube map ------------------------------------------------------------- */
+
+/* Boat and drops seen from a point on the water, drawn anew in each frame.  The point is
+ * the reflection point of the objects' middle for the camera.  The cube is exact at the
+ * point and a good approximation around it. */
+
+#define WIDE (2 * TP_OBJECT_CUBE_SIDE)
+#define BAND 4                  /* rows drawn at a time */
+
+typedef struct {
+    tp_object_cube object_cube;           /* data of the stage; first member */
+    uint32_t *colour;           /* texels of TP_OBJECT_CUBE_FACES faces */
+    uint32_t *samples;
+} cube_map;
+
+/* Returns the point eye + (to - eye) part, with y = level. */
+static tp_vec3 interpolate_on_level(tp_vec3 eye, tp_vec3 to, tp_fx part, tp_fx level)
+{
+    return (tp_vec3){ eye.x + tp_fx_mul(to.x - eye.x, part), level,
+                      eye.z + tp_fx_mul(to.z - eye.z, part) };
+}
+
+/* Fills *cube except for its colours.  Returns the point. */
+static tp_vec3 set_cube_viewpoint(const tp_frame *frame, tp_object_cube *cube, tp_fx level)
+{
+    const tp_vec3 eye = frame->projection.eye, to = tp_frame_anchor(frame).middle;
+    const tp_fx up = eye.y - level, high = to.y - level > TP_FX_ONE / 4
+                                         ? to.y - level : TP_FX_ONE / 4;
+    const tp_vec3 point = interpolate_on_level(eye, to, tp_fx_div(up, up + high), level);
+    const tp_vec3 way = tp_vec3_sub(to, point);
+    const tp_dir3 n = tp_normalise(way.x, 0, way.z);
+
+    *cube = (tp_object_cube){
+        .from = tp_vec3_sub(eye, point), .to = way, .nx = n.x >> 16, .nz = n.z >> 16,
+        .zi_near = frame->projection.zi_near,
+    };
+    return point;
+}
+
+/* Adds one row of the G-buffer to a row of texels.  The G-buffer is twice as fine each
+ * way: a quarter of each colour is added to its texel, so a colour is premultiplied by
+ * its cover.  The colours overwrite the row's normals; the shading has used the normals
+ * before. */
+static void add_row(const tp_frame *frame, const tp_gbuffer *band, int32_t y, uint32_t *to)
+{
+    uint32_t *row = band->n + (uint32_t)(y - band->y0) * WIDE;
+
+    tp_frame_colour_row(frame, band, y, row);
+    for (int32_t x = 0; x < WIDE; x++)
+        to[x / 2] += row[x] >> 2 & 0x3f3f3f3fu;
+}
+
+/* Draws one face.  Returns true if the face shows an object. */
+static bool draw_face(tp_frame *frame, uint32_t *at, tp_view *view, uint32_t *to)
+{
+    const size_t plane = WIDE * BAND;
+
+    tp_view_begin(frame, view);
+    tp_grid_box box = tp_view_project_solids(frame, view);
+    memset(to, 0, TP_OBJECT_CUBE_SIDE * TP_OBJECT_CUBE_SIDE * sizeof *to);
+    for (int32_t y0 = 0; y0 < WIDE; y0 += BAND) {
+        tp_gbuffer band = { 0, y0, WIDE, y0 + BAND, WIDE, at, at + plane,
+                            at + 2 * plane, at + 3 * plane, false };
+        if (!tp_view_touches(&box, &band))
+            continue;
+        tp_gbuffer_clear(&band);
+        tp_view_draw_solids(frame, view, &band);
+        for (int32_t y = y0; y < y0 + BAND; y++)
+            add_row(frame, &band, y, to + y / 2 * TP_OBJECT_CUBE_SIDE);
+    }
+    return box.x0 <= box.x1;
+}
+
+static void draw_cube_map(tp_frame *frame, void *mine)
+{
+    static const int32_t turn[TP_OBJECT_CUBE_FACES][2] = { /* quarters: heading, pitch */
+                                                           { 1, 0 },
+                                                           { 3, 0 },
+                                                           { 2, 0 },
+                                                           { 0, 0 },
+                                                           { 0, 1 }
+    };
+    cube_map *m = mine;
+    const tp_fx level = tp_view_anchor_level(frame);
+    const uint32_t quarter = (uint32_t)1 << 30;
+    bool seen = false;
+
+    m->object_cube.colour = NULL;
+    if (!tp_view_is_above_level(frame, level)
+        || !tp_frame_has_module(frame, TP_MODULE_SOLID))
+        return;
+    const tp_vec3 point = set_cube_viewpoint(frame, &m->object_cube, level);
+    for (uint32_t f = 0; f < TP_OBJECT_CUBE_FACES; f++) {
+        tp_projection projection;
+        tp_projection_init(&projection, point, (uint32_t)turn[f][0] * quarter,
+                     (uint32_t)turn[f][1] * quarter, 90 * TP_FX_ONE,
+                     frame->scene->camera.near, WIDE, WIDE);
+        tp_view view = { .projection = &projection, .clipped = true,
+                           .level = tp_projection_level_plane(&projection, level, 1) };
+        seen |= draw_face(frame, m->samples, &view,
+                          m->colour + f * TP_OBJECT_CUBE_SIDE * TP_OBJECT_CUBE_SIDE);
+    }
+    m->object_cube.colour = seen ? m->colour : NULL;
+}
+
+/* -- the module ---------------------------------------------------------------------- */
+
+bool tp_object_cube_enabled(const tp_want *want)
+{
+    return want->scene->mirror.objects == TP_MIRROR_CUBE
+        && want->scene->water.reflection > 0 && want->above & TP_MODULE_SOLID;
+}
+
+static void *layout_cube(tp_arena *arena, const tp_want *want)
+{
+    const size_t texels = TP_OBJECT_CUBE_FACES * TP_OBJECT_CUBE_SIDE * TP_OBJECT_CUBE_SIDE;
+    cube_map *m = tp_arena_alloc(arena, 1, sizeof *m),
+             made = { .object_cube.colour = NULL };
+
+    (void)want;
+    made.colour = tp_arena_alloc(arena, texels, sizeof *made.colour);
+    made.samples = tp_arena_alloc(arena, WIDE * BAND, 4 * sizeof *made.samples);
+    if (m)
+        *m = made;
+    return m;
+}
+
+const tp_module tp_object_cube_module = {
+    .name = "object cube", .id = TP_OBJECT_CUBE_ID, .is = TP_MODULE_EXACT,
+    .trait = TP_TRAIT_objects, .enabled = tp_object_cube_enabled,
+};
+
+const tp_drawing tp_object_cube_drawing = {
+    .layout = layout_cube, .draw_map = draw_cube_map, .stages = tp_add_mirrored,
+};

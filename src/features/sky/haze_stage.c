@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT */
+/* Air between the eye and surfaces: colours fade to the horizon's colour.
+ *
+ * The share is z^2 / (z^2 + h^2): 1/2 at the distance h and 0 near the eye.  The rule is
+ * the project's own.  It is smooth in 1/z, the depth of the G-buffer, so a short table is
+ * enough.
+ *
+ * The horizon of a dome or a cube varies with direction.  The stage looks the horizon up
+ * at every 16th column and interpolates linearly. */
+#include "features/sky/sky.h"
+#include "shade/env.h"
+
+const tp_entry8 tp_haze_table[TP_HAZE + 1] = {
+#include "features/sky/haze_table.inc"
+};
+
+TP_ALWAYS_INLINE uint32_t haze_share(uint32_t scale, uint32_t key)
+{
+    uint32_t entry = (uint32_t)((uint64_t)(key >> 1) * scale >> 32);
+    return tp_haze_table[entry < TP_HAZE ? entry : TP_HAZE];
+}
+
+void tp_stage_haze(const tp_shade *restrict shade, tp_run *restrict run)
+{
+    const tp_haze *mine = run->mine;
+    const uint32_t horizon = shade->sky[0], scale = mine->scale;
+    const int32_t  count = run->count;
+
+    for (int32_t i = 0; i < count; i++)
+        run->colour[i] = tp_colour_mix(run->colour[i], horizon,
+                                       haze_share(scale, run->key[i]));
+}
+
+/* Returns the horizon's colour in column x.  A cube is read at the mipmap level of the
+ * sky view. */
+TP_ALWAYS_INLINE uint32_t sample_horizon(const tp_shade *shade, tp_env_kind kind, int32_t x,
+                                     int32_t y)
+{
+    tp_ray  ray = tp_view_ray(shade, &shade->world, x, y);
+    tp_dir3 d = tp_normalise(-ray.x, 0, -ray.z);
+    int     level = tp_env_mip_level(shade, kind, 0);
+    uint32_t light =
+        tp_env_sample_kind(shade, kind, level, d.x >> 16, d.y >> 16, d.z >> 16);
+
+    return tp_light_colour(shade, light);
+}
+
+TP_ALWAYS_INLINE void haze_run(const tp_shade *restrict shade, tp_run *restrict run,
+                               tp_env_kind kind)
+{
+    const tp_haze *mine = run->mine;
+    const uint32_t scale = mine->scale;
+    int32_t  x = run->x, end = run->x + run->count;
+    uint32_t a = sample_horizon(shade, kind, x & ~15, run->y);
+
+    for (int32_t i = 0; x < end; ) {
+        int32_t  from = x & ~15, stop = from + 16 < end ? from + 16 : end;
+        uint32_t b = sample_horizon(shade, kind, from + 16, run->y);
+        for (; x < stop; x++, i++) {
+            uint32_t horizon = tp_colour_mix(a, b, (uint32_t)(x - from) * 16);
+            run->colour[i] = tp_colour_mix(run->colour[i], horizon,
+                                           haze_share(scale, run->key[i]));
+        }
+        a = b;
+    }
+}
+
+void tp_stage_haze_dome(const tp_shade *restrict shade, tp_run *restrict run)
+{
+    haze_run(shade, run, TP_ENV_DOME);
+}
+
+void tp_stage_haze_cube(const tp_shade *restrict shade, tp_run *restrict run)
+{
+    haze_run(shade, run, TP_ENV_CUBE);
+}
+
+const tp_stage tp_haze_stages[] = {
+#define X(name) tp_stage_##name,
+    TP_STAGES_OF_haze(X)
+#undef X
+};

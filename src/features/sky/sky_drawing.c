@@ -1,0 +1,264 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Chooses the stages of the sky and of haze, and makes their tables.
+ */
+#include "features/sky/sky.h"
+#include "frame/frame.h"
+
+/* -- a generated sky ----------------------------------------------------------------- */
+
+/* The tables are rebuilt when the scene's sky numbers have changed. */
+
+/* Indices in the program's table of stages. */
+enum { DOME_SKY, DOME_SKY_HDR, DOME_SKY_FAST, DOME_REFLECTION };
+
+static bool is_same(const tp_dome_config *a, const tp_dome_config *b)
+{
+    return a->kind == b->kind && a->horizon == b->horizon && a->zenith == b->zenith
+        && a->light == b->light && a->sun == b->sun;
+}
+
+static void init_dome(tp_frame *frame, void *mine)
+{
+    tp_dome *dome = mine;
+
+    (void)frame;
+    dome->made_of.sun = -1;     /* tables not built yet */
+}
+
+static void begin_dome(tp_frame *frame, void *mine)
+{
+    const tp_scene *scene = frame->scene;
+    const tp_dome_config config = tp_dome_config_make(scene);
+    tp_dome *dome = mine;
+    tp_env  *env = &frame->shade.env;
+
+    if (!is_same(&config, &dome->made_of))
+        tp_dome_init(dome, &config);
+    if (scene->water.specular > 0)      /* the glitter is the disc's reflection */
+        env->least = TP_DISC_END;
+    env->kind = TP_ENV_DOME;
+    env->dome = dome;
+}
+
+/* Returns the stage of the visible sky.  The fast stage does not compute the view vectors
+ * needed by stars, so stars exclude the fast stage. */
+static tp_stage select_sky_stage(const tp_frame *frame, const tp_stage *stage)
+{
+    const tp_env *env = &frame->shade.env;
+
+    if (env->beyond)
+        return stage[DOME_SKY_HDR];
+    if (frame->rungs.shading == TP_SHADING_QUICK && env->stars == 0 && stage[DOME_SKY_FAST])
+        return stage[DOME_SKY_FAST];
+    return stage[DOME_SKY];
+}
+
+static void add_dome_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                       tp_shaders *list)
+{
+    if (list->kind == TP_LIST_SKY && !frame->under)
+        tp_shaders_add(list, TP_AT_COLOUR, select_sky_stage(frame, stage), mine);
+    if (tp_frame_reflects_sky(frame, list))
+        tp_shaders_add(list, TP_AT_REFLECT, stage[DOME_REFLECTION], mine);
+}
+
+/* -- the module ---------------------------------------------------------------------- */
+
+bool tp_sky_dome_enabled(const tp_want *want)
+{
+    return tp_has_dome(want->scene);
+}
+
+static void *layout_dome(tp_arena *arena, const tp_want *want)
+{
+    (void)want;
+    return tp_arena_alloc(arena, 1, sizeof(tp_dome));
+}
+
+const tp_module tp_sky_dome_module = {
+    .name = "sky_dome", .id = TP_SKY_DOME_ID, .is = TP_MODULE_DOME,
+    .trait = TP_TRAIT_dome, .enabled = tp_sky_dome_enabled,
+};
+
+const tp_drawing tp_sky_dome_drawing = {
+    .layout = layout_dome,
+    .init = init_dome,
+    .begin = begin_dome,
+    .stages = add_dome_stages,
+};
+
+/* -- stars over a night's dome ------------------------------------------------------- */
+
+typedef struct {
+    uint32_t recip[TP_RECIP + 2];
+} stars;
+
+static void init_stars(tp_frame *frame, void *mine)
+{
+    stars *s = mine;
+
+    (void)frame;
+    tp_recip_init(s->recip);
+}
+
+/* Sets the stars' count and size.  A star's radius is 0.85 px; a pixel is
+ * 65536 / 2 / focal units of a face.  The radius stays within the margin of the stars'
+ * cells. */
+static void begin_stars(tp_frame *frame, void *mine)
+{
+    const stars *s = mine;
+    tp_env  *env = &frame->shade.env;
+    uint32_t focal = (uint32_t)frame->projection.focal >> 16;
+    uint32_t radius = 32768 * 85 / 100 / (focal > 110 ? focal : 110);
+
+    radius = radius > 8 ? radius : 8;
+    env->stars = (uint32_t)frame->scene->sky.stars >> 10;
+    env->star = (1u << 24) / (radius * radius);
+    env->recip = s->recip;
+}
+
+/* Adds the stars' stage.  It reads the view vectors of the dome's stage, which may be
+ * missing. */
+static void add_stars_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                      tp_shaders *list)
+{
+    if (list->kind == TP_LIST_SKY && !frame->under && frame->shade.env.stars > 0
+        && tp_shaders_has(list, TP_AT_COLOUR))
+        tp_shaders_add(list, TP_AT_COLOUR, stage[0], mine);
+}
+
+/* -- the module ---------------------------------------------------------------------- */
+
+bool tp_stars_enabled(const tp_want *want)
+{
+    return want->scene->sky.kind == TP_SKY_NIGHT && want->above & TP_MODULE_DOME;
+}
+
+static void *layout_stars(tp_arena *arena, const tp_want *want)
+{
+    (void)want;
+    return tp_arena_alloc(arena, 1, sizeof(stars));
+}
+
+const tp_module tp_stars_module = {
+    .name = "stars", .id = TP_STARS_ID, .is = TP_MODULE_STARS,
+    .enabled = tp_stars_enabled,
+};
+
+const tp_drawing tp_stars_drawing = {
+    .layout = layout_stars,
+    .init = init_stars,
+    .begin = begin_stars,
+    .stages = add_stars_stage,
+};
+
+/* -- a cube map of six textures ------------------------------------------------------ */
+
+/* Indices in the program's table of stages. */
+enum { CUBE_SKY, CUBE_SKY_HDR, CUBE_REFLECTION };
+
+typedef struct {
+    tp_cube  cube;
+    uint32_t recip[TP_RECIP + 2];
+} sky_cube;
+
+static void init_cube(tp_frame *frame, void *mine)
+{
+    sky_cube *sky = mine;
+
+    tp_cube_init(&sky->cube, frame->assets.sky);
+    tp_recip_init(sky->recip);
+}
+
+/* Sets the environment.  A face spans 90 degrees, so half of its texels span a tangent of
+ * 1; the mipmap level follows from the projection's focal length. */
+static void begin_cube(tp_frame *frame, void *mine)
+{
+    sky_cube *sky = mine;
+    tp_env   *env = &frame->shade.env;
+    int32_t   focal = tp_log2_q8((uint32_t)frame->projection.focal) - 16 * 256;
+
+    sky->cube.lod = (sky->cube.face[0]->log2_w - 1) * 256 - focal;
+    env->kind = TP_ENV_CUBE;
+    env->cube = &sky->cube;
+    env->recip = sky->recip;
+}
+
+static void add_cube_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                       tp_shaders *list)
+{
+    if (list->kind == TP_LIST_SKY && !frame->under)
+        tp_shaders_add(list, TP_AT_COLOUR,
+                       stage[frame->shade.env.beyond ? CUBE_SKY_HDR : CUBE_SKY], mine);
+    if (tp_frame_reflects_sky(frame, list))
+        tp_shaders_add(list, TP_AT_REFLECT, stage[CUBE_REFLECTION], mine);
+}
+
+/* -- the module ---------------------------------------------------------------------- */
+
+bool tp_sky_cube_enabled(const tp_want *want)
+{
+    return tp_has_cube(want->scene, want->assets);
+}
+
+static void *layout_cube(tp_arena *arena, const tp_want *want)
+{
+    (void)want;
+    return tp_arena_alloc(arena, 1, sizeof(sky_cube));
+}
+
+const tp_module tp_sky_cube_module = {
+    .name = "sky_cube", .id = TP_SKY_CUBE_ID, .is = TP_MODULE_CUBE,
+    .trait = TP_TRAIT_cube, .enabled = tp_sky_cube_enabled,
+};
+
+const tp_drawing tp_sky_cube_drawing = {
+    .layout = layout_cube,
+    .init = init_cube,
+    .begin = begin_cube,
+    .stages = add_cube_stages,
+};
+
+/* -- haze ---------------------------------------------------------------------------- */
+
+/* A stage in every shader list except the sky's. */
+
+static void begin_haze(tp_frame *frame, void *mine)
+{
+    tp_haze *haze = mine;
+
+    TP_ASSERT(frame->projection.zi_near > 0);
+    haze->scale =
+        (uint32_t)((int64_t)frame->scene->sky.haze * 64 / frame->projection.zi_near);
+}
+
+/* Adds the stage for the kind of sky; `stage` is in the order of tp_env_kind.  Under
+ * water there is no haze. */
+static void add_haze_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                      tp_shaders *list)
+{
+    if (list->kind != TP_LIST_SKY && !frame->under)
+        tp_shaders_add(list, TP_AT_AIR, stage[frame->shade.env.kind], mine);
+}
+
+/* -- the module ---------------------------------------------------------------------- */
+
+bool tp_haze_enabled(const tp_want *want)
+{
+    return want->scene->sky.haze > 0;
+}
+
+static void *layout_haze(tp_arena *arena, const tp_want *want)
+{
+    (void)want;
+    return tp_arena_alloc(arena, 1, sizeof(tp_haze));
+}
+
+const tp_module tp_haze_module = {
+    .name = "haze", .id = TP_HAZE_ID, .trait = TP_TRAIT_haze, .enabled = tp_haze_enabled,
+};
+
+const tp_drawing tp_haze_drawing = {
+    .layout = layout_haze, .begin = begin_haze, .stages = add_haze_stage,
+};

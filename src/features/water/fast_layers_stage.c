@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: MIT */
+/* First half of fast shading: a distortion, three layers and ripples, all by look-ups of
+ * the nearest texel of baked textures.
+ *
+ * Distances are quantized to half a mipmap level, once per 16 columns.  Neighbours of
+ * equal distance form a span; in a span a texture has one level.
+ *
+ * Half rate stages have places and layers for every second column only: the even columns
+ * of the picture and the run's first column.  The places are stored densely until the
+ * layers are shaded and the columns in between are filled; if light comes first, until
+ * the even columns are lit. */
+#include "base/dsp.h"
+#include "features/water/fast_shading.h"
+#include "shade/shade.h"
+#if TP_DSP
+#include "features/water/fast_layers_m4.h"
+#define LOOP(name) packed_##name
+#else
+#include "features/water/fast_layers_plain.h"
+#define LOOP(name) plain_##name
+#endif
+
+#define HALF 128                /* half a level, Q8 */
+
+static int32_t half_rate_place_count(const tp_run *run, int32_t end)
+{
+    return (end + (run->x & 1) + 1) >> 1;
+}
+
+void tp_stage_quick_far(const tp_shade *shade, tp_run *run)
+{
+    uint32_t spans = 0;
+
+    for (int32_t i = 0; i < run->count; ) {
+        int32_t depth = tp_log_depth(shade, run->key[i]);
+        int32_t far = ((depth > 0 ? depth + depth / 2 : depth) & -HALF) + HALF / 2;
+        i = tp_block_end(run, i);
+        if (spans == 0 || run->span[spans - 1].far != far)
+            run->span[spans++].far = (int16_t)far;
+        run->span[spans - 1].end = (uint8_t)i;
+        run->span[spans - 1].places = (uint8_t)half_rate_place_count(run, i);
+    }
+    run->spans = spans;
+}
+
+static tp_columns make_columns(const tp_run *run, int32_t at, int32_t end)
+{
+    return (tp_columns){ run->s + at, run->t + at, run->n + at, end - at,
+                         (uint32_t)(run->x + at) & 1 };
+}
+
+/* -- places of layers ------------------------------------------------------------------ */
+
+void tp_stage_quick_still(const tp_shade *shade, tp_run *run)
+{
+    const uint32_t *s = run->s, *t = run->t;
+    uint32_t *place = run->place;
+
+    (void)shade;
+    for (int32_t i = 0; i < run->count; i++) {
+        place[i] = s[i];
+        place[i + TP_RUN] = t[i];
+    }
+}
+
+void tp_stage_quick_still_thin(const tp_shade *shade, tp_run *run)
+{
+    const int32_t odd = run->x & 1, places = half_rate_place_count(run, run->count);
+    const uint32_t *s = run->s, *t = run->t;
+    uint32_t *place = run->place;
+
+    (void)shade;
+    place[0] = s[0];
+    place[TP_RUN] = t[0];
+    for (int32_t j = 1; j < places; j++) {
+        place[j] = s[2 * j - odd];
+        place[j + TP_RUN] = t[2 * j - odd];
+    }
+}
+
+void tp_stage_quick_bend(const tp_shade *shade, tp_run *run)
+{
+    const tp_quick_layers *quick = run->mine;
+
+    (void)shade;
+    for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
+        const tp_columns c = make_columns(run, (int32_t)at, run->span[k].end);
+        LOOP(distort_places)(&quick->bend, run->span[k].far, &c, run->place + at);
+    }
+}
+
+void tp_stage_quick_bend_thin(const tp_shade *shade, tp_run *run)
+{
+    const tp_quick_layers *quick = run->mine;
+
+    (void)shade;
+    for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
+        const tp_columns c = make_columns(run, (int32_t)at, run->span[k].end);
+        LOOP(distort_even_places)(&quick->bend, run->span[k].far, &c,
+                        run->place + (k ? run->span[k - 1].places : 0));
+    }
+}
+
+/* -- layers ---------------------------------------------------------------------------- */
+
+TP_ALWAYS_INLINE void shade_layer(const tp_quick_map *map, const tp_run *run,
+                                  uint32_t *colour, int thin, int add)
+{
+    for (uint32_t k = 0, at = 0; k < run->spans; k++) {
+        const uint32_t  end = thin ? run->span[k].places : run->span[k].end;
+        if (add)
+            LOOP(add_texels)(map, run->span[k].far, run->place + at, colour + at,
+                        (int32_t)(end - at));
+        else
+            LOOP(write_texels)(map, run->span[k].far, run->place + at, colour + at,
+                        (int32_t)(end - at));
+        at = end;
+    }
+}
+
+/* Shades all layers.  Without a base texture the water's colour replaces the first
+ * layer. */
+TP_ALWAYS_INLINE void shade_layers(const tp_shade *shade, const tp_run *run,
+                                   uint32_t *colour, int thin)
+{
+    const tp_quick_map *layer = ((const tp_quick_layers *)run->mine)->layer;
+
+    if (layer[0].level)
+        shade_layer(&layer[0], run, colour, thin, 0);
+    else
+        for (int32_t i = 0;
+             i < (thin ? half_rate_place_count(run, run->count) : run->count); i++)
+            colour[i] = shade->water_colour;
+    for (int k = 1; k < TP_QUICK_LAYERS; k++)
+        if (layer[k].level)
+            shade_layer(&layer[k], run, colour, thin, 1);
+}
+
+void tp_stage_quick_layers(const tp_shade *shade, tp_run *run)
+{
+    shade_layers(shade, run, run->colour, 0);
+}
+
+/* Fills the columns in between with the mean of their neighbours.  At the end of a block
+ * of 16 columns, a possible tile border, and at the run's end, a column copies the column
+ * before. */
+static void fill_odd_columns(const uint32_t *restrict thin, tp_run *run)
+{
+    const int32_t odd = run->x & 1, count = run->count, pairs = (count - odd) >> 1;
+    uint32_t *restrict colour = run->colour + odd;
+
+    run->colour[0] = thin[0];
+    thin += odd;
+    LOOP(expand_pairs)(thin, colour, pairs);
+    if ((count - odd) & 1)
+        colour[2 * pairs] = thin[pairs];
+    else if (pairs > 0)
+        colour[2 * pairs - 1] = thin[pairs - 1];
+    for (int32_t i = 15 - (run->x & 15); i < count; i += 16)
+        if (i > 0)
+            run->colour[i] = run->colour[i - 1];
+}
+
+/* Shades the layers at half rate.  The slopes' array is free until the slopes are made,
+ * so the array holds the half rate colours. */
+void tp_stage_quick_layers_thin(const tp_shade *shade, tp_run *run)
+{
+    shade_layers(shade, run, run->slope, 1);
+    fill_odd_columns(run->slope, run);
+}
+
+void tp_stage_quick_layers_even(const tp_shade *shade, tp_run *run)
+{
+    shade_layers(shade, run, run->even, 1);
+}
+
+void tp_quick_odd_fill(tp_run *run)
+{
+    fill_odd_columns(run->even, run);
+}
+
+void tp_stage_quick_odd_fill(const tp_shade *shade, tp_run *run)
+{
+    (void)shade;
+    tp_quick_odd_fill(run);
+}
+
+/* -- slopes ---------------------------------------------------------------------------- */
+
+void tp_stage_quick_ripple(const tp_shade *shade, tp_run *run)
+{
+    const tp_quick_layers *quick = run->mine;
+
+    (void)shade;
+    for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
+        const tp_columns c = make_columns(run, (int32_t)at, run->span[k].end);
+        LOOP(rippled)(&quick->ripple, run->span[k].far, &c, run->slope + at);
+    }
+}
+
+void tp_stage_quick_slopes(const tp_shade *shade, tp_run *run)
+{
+    const uint32_t *n = run->n;
+
+    (void)shade;
+    for (int32_t i = 0; i < run->count; i++)
+        run->slope[i] = n[i];
+}

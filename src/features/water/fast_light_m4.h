@@ -1,0 +1,381 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Fast light for cores with the DSP extension.  Slopes and views stay packed in pairs;
+ * the view is stepped in registers, several columns per iteration.  The results equal
+ * those of fast_light_plain.h bit for bit; its comments apply here too.
+ */
+#ifndef TP_FEATURES_WATER_FAST_LIGHT_M4_H
+#define TP_FEATURES_WATER_FAST_LIGHT_M4_H
+#include "features/water/fast_shading.h"
+#include "features/water/pairs_m4.h"
+#include "fixed/arithmetic.h"
+#include "tidepool/modules.h"
+
+/* -- every column -------------------------------------------------------------------- */
+
+TP_ALWAYS_INLINE uint32_t packed_cube_colour(const uint32_t *sky, uint32_t slope,
+                                             uint32_t back, int32_t n, int32_t up)
+{
+    int32_t twice = tp_usat(n, 12, 14);
+    int32_t x = (twice * tp_high16(slope) >> 11) - tp_high16(back);
+    int32_t z = (twice * tp_low16(slope) >> 11) - tp_low16(back);
+    int32_t in = 16384 - tp_usat(up, 13, 13);
+    int32_t u = tp_clamp(x * (in >> 2) >> 22, -16, 15);
+    int32_t v = tp_clamp(z * (in >> 2) >> 22, -16, 15);
+
+    return sky[(v + 16) * TP_QUICK_SIDE + u + 16];
+}
+
+/* Returns light and reflection of one column. */
+TP_ALWAYS_INLINE uint32_t packed_light_and_reflect(const struct tp_quick_light *quick,
+                                                   const uint32_t *sky, tp_quick_sun sun,
+                                                   tp_quick_view v, uint32_t slope,
+                                                   uint32_t colour, int env)
+{
+    int32_t  n = tp_smlad(slope, v.back, v.y), up = 2 * tp_usat(n, 0, 27) - v.y;
+    int32_t  l = tp_smlad(slope, sun.back, sun.y);
+    int32_t  lit = sun.ambient + sun.direct * tp_usat(l, 18, 8);
+    uint32_t light = env == TP_ENV_CUBE
+                         ? packed_cube_colour(sky, slope, v.back, n + quick->least, up)
+                         : sky[tp_ssat(up, 21, 6)];
+    uint32_t share = quick->share[tp_usat(n, 18, 8)];
+    uint32_t keeps = (uint32_t)tp_smulwt(lit, share), mirrors = share & 0xffff;
+    uint32_t rb = tp_even_bytes(colour) * keeps + tp_even_bytes(light) * mirrors;
+    uint32_t g = tp_odd_bytes(colour) * keeps + tp_odd_bytes(light) * mirrors;
+
+    return tp_add_odd_bytes(g & 0xff00ff00, rb);
+}
+
+/* Adds the glint of one column. */
+TP_ALWAYS_INLINE uint32_t packed_add_glint(const struct tp_quick_light *quick,
+                                           tp_quick_sun sun, tp_quick_view v,
+                                           uint32_t slope, uint32_t colour, int lobe)
+{
+    if (lobe == TP_LOBE_PHONG) {
+        int32_t n = tp_smlad(slope, v.back, v.y), l = tp_smlad(slope, sun.back, sun.y);
+        int32_t way = tp_smulwt(tp_smlad(slope, slope, 1 << 24), (uint32_t)v.lv)
+                    - (tp_smulwb(n + quick->least, (uint32_t)tp_usat(l, 12, 14)) >> 1);
+        return tp_uqadd8(colour, quick->lobe[tp_usat(way, 11, 9)]);
+    }
+    if (lobe == TP_LOBE_BLINN) {
+        uint32_t away = tp_shsub16(slope, v.half);
+        return tp_uqadd8(colour, quick->lobe[tp_usat(tp_smuad(away, away), 11, 9)]);
+    }
+    return colour;
+}
+
+/* Returns the full colour of one column. */
+TP_ALWAYS_INLINE uint32_t packed_shade_column(const struct tp_quick_light *quick,
+                                      const uint32_t *sky, tp_quick_sun sun,
+                                      tp_quick_view v, uint32_t slope, uint32_t colour,
+                                      int env, int lobe)
+{
+    colour = packed_light_and_reflect(quick, sky, sun, v, slope, colour, env);
+    return packed_add_glint(quick, sun, v, slope, colour, lobe);
+}
+
+/* Returns the address of a word in a run: `sample` is the run plus 4 bytes per column,
+ * `place` the offset of an array. */
+TP_ALWAYS_INLINE uint32_t *packed_word_pointer(char *sample, size_t place)
+{
+    return (uint32_t *)(void *)(sample + place);
+}
+
+#define COLOUR(sample, i) packed_word_pointer(sample, offsetof(tp_run, colour))[i]
+#define SLOPE(sample, i)  packed_word_pointer(sample, offsetof(tp_run, slope))[i]
+
+/* Shades columns x to stop of one span.  One pointer serves all arrays, because registers
+ * are few.  Half vectors are computed for Blinn's lobe only; the lane instructions set
+ * flags, so compilers would keep them even without a reader. */
+TP_ALWAYS_INLINE void packed_span(const tp_shade *shade, tp_quick_sun sun, tp_run *run,
+                                  tp_quick_view v, tp_quick_view step, int32_t x,
+                                  int32_t stop, int env, int lobe)
+{
+    const struct tp_quick_light *quick = shade->quick;
+    const uint32_t *sky = quick->sky + (env == TP_ENV_CUBE ? 0 : TP_QUICK_HEIGHTS / 2)
+                        + (env == TP_ENV_DOME ? tp_quick_column(shade, &v) : 0);
+    const int width = TP_QUICK_STEP(lobe);
+    char *at = (char *)run + 4 * (x - run->x), *end = at + 4 * (stop - x);
+    int32_t begun = x & (TP_QUICK_SPAN(lobe) - 1), left = -x & (width - 1);
+
+    tp_quick_walk walk = { 0 };
+    uint32_t half = 0;
+    if (lobe == TP_LOBE_BLINN) {
+        walk = tp_quick_walk_make(step.half);
+        half = tp_quick_half_first(v.half, walk);
+        if (begun)
+            half = tp_quick_half_advance(half, step.half, begun);
+    }
+    if (begun)
+        v = tp_quick_view_advance(v, step, begun / width);
+    uint32_t back = v.back;
+    int32_t  y = v.y, lv = v.lv;
+
+#define SEEN(i) \
+    COLOUR(at, i) = packed_shade_column(quick, sky, sun, (tp_quick_view){ back, half, y, lv }, \
+                                SLOPE(at, i), COLOUR(at, i), env, lobe)
+#define TO_NEXT(by) (half = lobe == TP_LOBE_BLINN ? tp_sadd16(half, by) : 0)
+#define SEEN_AND_ON(i) (SEEN(i), TO_NEXT(walk.quarter))
+#define SEEN_LAST(i) \
+    (SEEN(i), TO_NEXT(walk.rest), back = tp_sadd16(back, step.back), y += step.y, \
+     lv += step.lv)
+    for (; left > 1 && at < end; left--, at += 4)
+        SEEN_AND_ON(0);
+    if (left == 1 && at < end) {
+        SEEN_LAST(0);
+        at += 4;
+    }
+    for (; at + 4 * width <= end; at += 4 * width) {
+        SEEN_AND_ON(0);
+        if (width == 4) {
+            SEEN_AND_ON(1);
+            SEEN_AND_ON(2);
+        }
+        SEEN_LAST(width - 1);
+    }
+    for (; at < end; at += 4)
+        SEEN_AND_ON(0);
+#undef SEEN
+#undef TO_NEXT
+#undef SEEN_AND_ON
+#undef SEEN_LAST
+}
+
+TP_ALWAYS_INLINE void packed_light(const tp_shade *shade, tp_run *run, int env, int lobe)
+{
+    const tp_quick_sun sun = tp_quick_sun_make(shade);
+    const tp_quick_row row = tp_quick_row_make(shade, run->y);
+    int32_t x = run->x, end = run->x + run->count, span = TP_QUICK_SPAN(lobe);
+    tp_quick_view v = tp_quick_view_sample(shade, &row, x & -span, lobe);
+
+    while (x < end) {
+        int32_t next = (x & -span) + span, stop = next < end ? next : end;
+        const tp_quick_view to = tp_quick_view_sample(shade, &row, next, lobe);
+        packed_span(shade, sun, run, v, tp_quick_step(v, to, lobe), x, stop, env, lobe);
+        v = to;
+        x = stop;
+    }
+}
+
+/* -- every second column, and glints of all columns ---------------------------------- */
+
+#define SPAN TP_QUICK_SPAN(TP_LOBE_BLINN)
+
+/* Lights columns x to stop of one span; x is even, or the run's first column. */
+TP_ALWAYS_INLINE void packed_light_even_span(const tp_shade *shade, tp_quick_sun sun,
+                                       tp_run *run, tp_quick_view v, tp_quick_view step,
+                                       int32_t x, int32_t stop, int env)
+{
+    const struct tp_quick_light *quick = shade->quick;
+    const uint32_t *sky = quick->sky + (env == TP_ENV_CUBE ? 0 : TP_QUICK_HEIGHTS / 2)
+                        + (env == TP_ENV_DOME ? tp_quick_column(shade, &v) : 0);
+    const uint32_t *slope = run->slope + (x - run->x);
+    uint32_t *even = run->even + ((x - run->x + (run->x & 1)) >> 1);
+
+    if (x & (SPAN - 1))
+        v = tp_quick_view_advance(v, step, (x & (SPAN - 1)) >> 2);
+    uint32_t back = v.back;
+    int32_t  y = v.y;
+#define SEEN(i) \
+    even[i] = packed_light_and_reflect(quick, sky, sun, (tp_quick_view){ .back = back, .y = y }, \
+                              slope[2 * (i)], even[i], env)
+#define WALK() (back = tp_sadd16(back, step.back), y += step.y)
+    if (x & 1) {
+        SEEN(0);
+        even++, slope++;
+        if ((++x & 3) == 0)
+            WALK();
+    }
+    if ((x & 2) && x < stop) {
+        SEEN(0);
+        even++, slope += 2, x += 2;
+        WALK();
+    }
+    const int32_t left = stop > x ? stop - x : 0;
+    for (const uint32_t *end = slope + (left & ~3); slope != end; slope += 4, even += 2) {
+        SEEN(0);
+        SEEN(1);
+        WALK();
+    }
+    if (left & 3)
+        SEEN(0);
+    if ((left & 3) == 3)
+        SEEN(1);
+#undef SEEN
+#undef WALK
+}
+
+/* Lights the even columns of a run.  The half vectors at the ends of spans stay in the
+ * run, for the glints. */
+TP_ALWAYS_INLINE void packed_light_even(const tp_shade *shade, tp_run *run, int env)
+{
+    const tp_quick_sun sun = tp_quick_sun_make(shade);
+    const tp_quick_row row = tp_quick_row_make(shade, run->y);
+    int32_t   x = run->x, end = run->x + run->count;
+    uint32_t *half = run->half;
+    tp_quick_view v = tp_quick_blinn_sample(shade, &row, x & -SPAN);
+
+    *half++ = v.half;
+    while (x < end) {
+        int32_t next = (x & -SPAN) + SPAN, stop = next < end ? next : end;
+        const tp_quick_view to = tp_quick_blinn_sample(shade, &row, next);
+        packed_light_even_span(shade, sun, run, v, tp_quick_step(v, to, TP_LOBE_NONE), x,
+                               stop, env);
+        *half++ = to.half;
+        v = to;
+        x = stop;
+    }
+}
+
+/* -- glints -------------------------------------------------------------------------- */
+
+/* Adds Phong's glints to columns x to stop of one span; half rate colours are filled in
+ * already. */
+TP_ALWAYS_INLINE void packed_phong_span(const struct tp_quick_light *quick,
+                                        tp_quick_sun sun, tp_run *run, tp_quick_view v,
+                                        tp_quick_view step, int32_t x, int32_t stop)
+{
+    const uint32_t *slope = run->slope + (x - run->x);
+    uint32_t *colour = run->colour + (x - run->x);
+
+    v = tp_quick_view_advance(v, step, (x & (TP_QUICK_SPAN(TP_LOBE_PHONG) - 1)) >> 1);
+    for (; x < stop; x++) {
+        *colour = packed_add_glint(quick, sun, v, *slope++, *colour, TP_LOBE_PHONG);
+        colour++;
+        if (x & 1)
+            v = tp_quick_view_advance(v, step, 1);
+    }
+}
+
+TP_ALWAYS_INLINE void packed_phong(const tp_shade *shade, tp_run *run)
+{
+    const tp_quick_sun sun = tp_quick_sun_make(shade);
+    const tp_quick_row row = tp_quick_row_make(shade, run->y);
+    const int32_t end = run->x + run->count, span = TP_QUICK_SPAN(TP_LOBE_PHONG);
+    int32_t x = run->x;
+    tp_quick_view v = tp_quick_phong_sample(shade, &row, x & -span);
+
+    tp_quick_odd_fill(run);
+    while (x < end) {
+        int32_t next = (x & -span) + span, stop = next < end ? next : end;
+        const tp_quick_view to = tp_quick_phong_sample(shade, &row, next);
+        packed_phong_span(shade->quick, sun, run, v, tp_quick_step(v, to, TP_LOBE_PHONG),
+                          x, stop);
+        v = to;
+        x = stop;
+    }
+}
+
+TP_ALWAYS_INLINE uint32_t packed_blinn(const uint32_t *lobe, uint32_t slope,
+                                       uint32_t half, uint32_t colour)
+{
+    uint32_t away = tp_shsub16(slope, half);
+    return tp_uqadd8(colour, lobe[tp_usat(tp_smuad(away, away), 11, 9)]);
+}
+
+/* Writes four columns with Blinn's glints.  a and b are the colours of the even columns,
+ * c the next even colour; odd columns get means.  `half` is the half vector of the first
+ * column.  Returns the half vector of the column after the four.  SLOPES is the distance
+ * in words from a colour to its slope. */
+#define SLOPES ((int)((offsetof(tp_run, slope) - offsetof(tp_run, colour)) / 4))
+TP_ALWAYS_INLINE uint32_t packed_blinn_four(const uint32_t *lobe, uint32_t half,
+                                            tp_quick_walk walk, uint32_t *colour,
+                                            uint32_t a, uint32_t b, uint32_t c)
+{
+    const word_pair s = pair_load(colour, SLOPES), t = pair_load(colour, SLOPES + 2);
+    const uint32_t second = tp_sadd16(half, walk.quarter);
+    const uint32_t third = tp_sadd16(second, walk.quarter);
+    const uint32_t fourth = tp_sadd16(third, walk.quarter);
+
+    pair_store(colour, 0, packed_blinn(lobe, s.first, half, a),
+               packed_blinn(lobe, s.second, second, tp_uhadd8(a, b)));
+    pair_store(colour, 2, packed_blinn(lobe, t.first, third, b),
+               packed_blinn(lobe, t.second, fourth, tp_uhadd8(b, c)));
+    return tp_sadd16(fourth, walk.rest);
+}
+
+/* Returns the colour of column i, like tp_quick_odd_fill. */
+TP_ALWAYS_INLINE uint32_t packed_column_colour(const tp_run *run, int32_t i)
+{
+    const int32_t odd = run->x & 1, x = run->x + i;
+    const uint32_t *even = run->even + ((i + odd) >> 1);
+
+    if (i == 0 || (x & 1) == 0)
+        return even[0];
+    even = run->even + ((i - 1 + odd) >> 1);
+    return (x & 15) == 15 || i + 1 == run->count ? even[0] : tp_uhadd8(even[0], even[1]);
+}
+
+/* Returns the half vector of column x, and its steps in *walk, from the half vectors left
+ * in the run at the ends of spans. */
+TP_ALWAYS_INLINE uint32_t packed_half_sample(const tp_run *run, int32_t x,
+                                             tp_quick_walk *walk)
+{
+    const uint32_t *half = run->half + ((x >> 5) - (run->x >> 5));
+    const uint32_t step = tp_quick_eighth(half[0], half[1]);
+
+    *walk = tp_quick_walk_make(step);
+    return tp_quick_half_advance(tp_quick_half_first(half[0], *walk), step, x & (SPAN - 1));
+}
+
+/* Adds glints to the columns of an incomplete block. */
+TP_LOOP packed_blinn_part(const uint32_t *lobe, tp_run *run, int32_t i, int32_t end)
+{
+    for (; i < end; i++) {
+        tp_quick_walk walk;
+        uint32_t half = packed_half_sample(run, run->x + i, &walk);
+        run->colour[i] =
+            packed_blinn(lobe, run->slope[i], half, packed_column_colour(run, i));
+    }
+}
+
+/* Adds glints to complete blocks of 16 columns, [i, end). */
+TP_ALWAYS_INLINE void packed_blinn_blocks(const uint32_t *lobe, tp_run *run, int32_t i,
+                                          int32_t end)
+{
+    const uint32_t *even = run->even + ((i + (run->x & 1)) >> 1);
+    uint32_t *colour = run->colour + i, half = 0;
+    tp_quick_walk walk = { 0 };
+
+    for (bool begun = false; i < end; i += 16, begun = true) {
+        if (!begun || ((run->x + i) & (SPAN - 1)) == 0)
+            half = packed_half_sample(run, run->x + i, &walk);
+        uint32_t a = even[0];
+        for (uint32_t *const last = colour + 12; colour != last; colour += 4, even += 2) {
+            const uint32_t b = even[1], c = even[2];
+            half = packed_blinn_four(lobe, half, walk, colour, a, b, c);
+            a = c;
+        }
+        half = packed_blinn_four(lobe, half, walk, colour, a, even[1], even[1]);
+        colour += 4;
+        even += 2;
+    }
+}
+
+TP_ALWAYS_INLINE void packed_blinn_run(const uint32_t *lobe, tp_run *run)
+{
+    const int32_t begin = -run->x & 15, end = run->count - ((run->x + run->count) & 15);
+
+#if TP_DSP
+    __asm__("" : "+r"(lobe));   /* keeps the address in its own register */
+#endif
+    if (begin >= end) {
+        packed_blinn_part(lobe, run, 0, run->count);
+        return;
+    }
+    packed_blinn_part(lobe, run, 0, begin);
+    packed_blinn_blocks(lobe, run, begin, end);
+    packed_blinn_part(lobe, run, end, run->count);
+}
+
+TP_ALWAYS_INLINE void packed_glint(const tp_shade *shade, tp_run *run, int lobe)
+{
+    if (lobe == TP_LOBE_PHONG)
+        packed_phong(shade, run);
+    else
+        packed_blinn_run(shade->quick->lobe, run);
+}
+#undef SPAN
+#undef SLOPES
+
+#endif

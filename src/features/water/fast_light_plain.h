@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Fast light as plain loops for vectorizing compilers: 32-bit arithmetic, tables of
+ * words, no branches.  fast_light_m4.h gives identical results.
+ */
+#ifndef TP_FEATURES_WATER_FAST_LIGHT_PLAIN_H
+#define TP_FEATURES_WATER_FAST_LIGHT_PLAIN_H
+#include "features/water/fast_shading.h"
+#include "fixed/arithmetic.h"
+#include "shade/slope.h"
+#include "tidepool/modules.h"
+
+/* -- every column -------------------------------------------------------------------- */
+
+/* Returns the index of the negated reflected view in the map of a cube's sky.  The
+ * horizontal part is contracted by half its height, so the horizon has as many cells per
+ * degree as the rest.  n and `up` are Q26. */
+TP_ALWAYS_INLINE int32_t plain_cube_index(int32_t sx, int32_t sz, int32_t vx, int32_t vz,
+                                          int32_t n, int32_t up)
+{
+    int32_t twice = tp_usat(n, 12, 14);
+    int32_t x = (twice * sx >> 11) - vx, z = (twice * sz >> 11) - vz;
+    int32_t in = 16384 - tp_usat(up, 13, 13);
+    int32_t u = tp_clamp(x * (in >> 2) >> 22, -16, 15);
+    int32_t v = tp_clamp(z * (in >> 2) >> 22, -16, 15);
+
+    return (v + 16) * TP_QUICK_SIDE + u + 16;
+}
+
+/* Mixes two colours.  The shares sum to 257; the extra 1/256 replaces the half lost by
+ * truncation. */
+TP_ALWAYS_INLINE uint32_t plain_mixed(uint32_t colour, uint32_t sky, uint32_t keeps,
+                                      uint32_t mirrors)
+{
+    uint32_t rb = (colour & 0xff00ff) * keeps + (sky & 0xff00ff) * mirrors;
+    uint32_t g = (colour >> 8 & 0xff) * keeps + (sky >> 8 & 0xff) * mirrors;
+
+    return (rb >> 8 & 0xff00ff) | (g & 0xff00);
+}
+
+/* Pointers and constants of the loops; the tables do not overlap. */
+typedef struct {
+    const uint32_t *restrict sky, *restrict shares, *restrict lobes;
+    tp_quick_sun sun;
+    int32_t least, lx, lz;
+} plain_tables;
+
+TP_ALWAYS_INLINE plain_tables plain_tables_make(const tp_shade *shade, int env)
+{
+    const struct tp_quick_light *quick = shade->quick;
+    const tp_quick_sun sun = tp_quick_sun_make(shade);
+
+    return (plain_tables){
+        quick->sky + (env == TP_ENV_CUBE ? 0 : TP_QUICK_HEIGHTS / 2), quick->share,
+        quick->lobe, sun, quick->least, tp_high16(sun.back), tp_low16(sun.back),
+    };
+}
+
+/* Values of one column: slopes, -V, y of the view, n and l. */
+typedef struct {
+    int32_t sx, sz, vx, vz, y, n, l;
+} plain_column;
+
+TP_ALWAYS_INLINE plain_column plain_column_make(const plain_tables *t, uint32_t slope,
+                                                uint32_t back, int32_t y)
+{
+    int32_t sx = tp_high16(slope), sz = tp_low16(slope);
+    int32_t vx = tp_high16(back), vz = tp_low16(back);
+
+    return (plain_column){ sx, sz, vx, vz, y, y + sx * vx + sz * vz,
+                           t->sun.y + sx * t->lx + sz * t->lz };
+}
+
+/* Returns light and reflection; `column` is the column of heights in a dome's sky. */
+TP_ALWAYS_INLINE uint32_t plain_light_and_reflect(const plain_tables *t, plain_column c,
+                                         uint32_t column, uint32_t colour, int env)
+{
+    int32_t up = 2 * tp_usat(c.n, 0, 27) - c.y;
+    int32_t place = env == TP_ENV_CUBE
+                        ? plain_cube_index(c.sx, c.sz, c.vx, c.vz, c.n + t->least, up)
+                    : env == TP_ENV_DOME ? (int32_t)column + tp_ssat(up, 21, 6)
+                                         : tp_ssat(up, 21, 6);
+    uint32_t share = t->shares[tp_usat(c.n, 18, 8)];
+    uint32_t lit = (uint32_t)(t->sun.ambient + t->sun.direct * tp_usat(c.l, 18, 8));
+
+    return plain_mixed(colour, t->sky[place], lit * (share >> 16) >> 16, share & 0xffff);
+}
+
+TP_ALWAYS_INLINE uint32_t plain_phong(const plain_tables *t, plain_column c,
+                                      int32_t view_l, uint32_t colour)
+{
+    int32_t one_q = (int32_t)((1u << 24) + tp_slope_square(c.sx, c.sz));
+    int32_t way = tp_smulwt(one_q, (uint32_t)view_l)
+                - (tp_smulwb(c.n + t->least, (uint32_t)tp_usat(c.l, 12, 14)) >> 1);
+
+    return tp_colour_add(colour, t->lobes[tp_usat(way, 11, 9)]);
+}
+
+TP_ALWAYS_INLINE uint32_t plain_blinn(const plain_tables *t, uint32_t slope,
+                                      uint32_t half, uint32_t colour)
+{
+    int32_t dx = (tp_high16(slope) - tp_high16(half)) >> 1;
+    int32_t dz = (tp_low16(slope) - tp_low16(half)) >> 1;
+
+    return tp_colour_add(colour, t->lobes[tp_usat(dx * dx + dz * dz, 11, 9)]);
+}
+
+/* Shades a run; its arrays do not overlap. */
+TP_ALWAYS_INLINE void plain_shade_loop(const plain_tables tables,
+                                       const tp_run *restrict run,
+                                       uint32_t *restrict colours, int32_t count, int env,
+                                       int lobe)
+{
+    for (int32_t i = 0; i < count; i++) {
+        plain_column c = plain_column_make(&tables, run->slope[i], run->back[i],
+                                         run->view_y[i]);
+        uint32_t column = env == TP_ENV_DOME ? run->column[i] : 0;
+        uint32_t colour = plain_light_and_reflect(&tables, c, column, colours[i], env);
+        if (lobe == TP_LOBE_PHONG)
+            colour = plain_phong(&tables, c, run->view_l[i], colour);
+        if (lobe == TP_LOBE_BLINN)
+            colour = plain_blinn(&tables, run->slope[i], run->half[i], colour);
+        colours[i] = colour;
+    }
+}
+
+TP_ALWAYS_INLINE void plain_light(const tp_shade *shade, tp_run *run, int env, int lobe)
+{
+    tp_quick_view_run(shade, run, lobe);
+    plain_shade_loop(plain_tables_make(shade, env), run, run->colour, run->count, env,
+                     lobe);
+}
+
+/* -- every second column, and glints of all columns ---------------------------------- */
+
+/* Lights the even columns, from the first even column on.  Slopes and views are read at
+ * every second column of the run. */
+TP_ALWAYS_INLINE void plain_light_even_loop(const plain_tables tables,
+                                            const tp_run *restrict run,
+                                            uint32_t *restrict even, int32_t odd,
+                                            int32_t places, int env)
+{
+    const uint32_t *restrict slope = run->slope + odd, *restrict back = run->back + odd;
+    const uint32_t *restrict column = run->column + odd;
+    const int32_t  *restrict y = run->view_y + odd;
+
+    for (int32_t k = 0; k < places; k++) {
+        plain_column c = plain_column_make(&tables, slope[2 * k], back[2 * k], y[2 * k]);
+        even[k] = plain_light_and_reflect(
+            &tables, c, env == TP_ENV_DOME ? column[2 * k] : 0, even[k], env);
+    }
+}
+
+TP_ALWAYS_INLINE void plain_light_even(const tp_shade *shade, tp_run *run, int env)
+{
+    const plain_tables tables = plain_tables_make(shade, env);
+    const int32_t odd = run->x & 1;
+
+    tp_quick_view_run(shade, run, TP_LOBE_BLINN);
+    if (odd) {
+        plain_column c = plain_column_make(&tables, run->slope[0], run->back[0],
+                                         run->view_y[0]);
+        run->even[0] = plain_light_and_reflect(
+            &tables, c, env == TP_ENV_DOME ? run->column[0] : 0, run->even[0], env);
+    }
+    plain_light_even_loop(tables, run, run->even + odd, odd, (run->count - odd + 1) >> 1,
+                          env);
+}
+
+/* Adds the glints.  The half vectors are those left in the run by the light of the even
+ * columns. */
+TP_ALWAYS_INLINE void plain_glint(const tp_shade *shade, tp_run *run, int lobe)
+{
+    const plain_tables tables = plain_tables_make(shade, TP_ENV_GRADIENT);
+    uint32_t *restrict colour = run->colour;
+
+    tp_quick_odd_fill(run);
+    if (lobe == TP_LOBE_PHONG)
+        tp_quick_view_run(shade, run, lobe);
+    for (int32_t i = 0; i < run->count; i++) {
+        plain_column c = plain_column_make(&tables, run->slope[i], run->back[i],
+                                         run->view_y[i]);
+        colour[i] = lobe == TP_LOBE_PHONG
+                        ? plain_phong(&tables, c, run->view_l[i], colour[i])
+                        : plain_blinn(&tables, run->slope[i], run->half[i], colour[i]);
+    }
+}
+
+#endif

@@ -1,0 +1,221 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Counts the works of a frame, the cost besides finding and shading water, without
+ * drawing, seen by the start camera of the scene; each module counts its own.  The rungs
+ * do not change the works, so the choice of rungs ignores them; reports add them to the
+ * total cost of a frame.  Moving objects are counted at their start position in the
+ * scene.
+ */
+#include "quality/fixed_cost.h"
+#include "view/grid.h"
+
+/* -- the start camera ---------------------------------------------------------------- */
+
+/* Returns the distance from the centre of the grid to the end of the even cells, m.
+ * *flank: number of lines beyond that end. */
+static int64_t start_view_core_half_width(const tp_scene *s, int32_t lines, int32_t *flank)
+{
+    *flank = s->grid.reach > 0 ? lines / 8 : 0;
+    *flank = *flank < TP_GRID_FLANK ? *flank : TP_GRID_FLANK;
+    return (int64_t)s->grid.cell * (lines - 2 * *flank - 1) / 2;
+}
+
+int64_t tp_start_view_line_coordinate(const tp_scene *s, int32_t lines, int64_t centre,
+                                      int64_t line)
+{
+    int32_t flank;
+    const int64_t half = start_view_core_half_width(s, lines, &flank);
+    const int64_t core = (int64_t)(lines - 1 - 2 * flank) * 32768;
+    const int64_t out = line < 0 ? -line - core : line - core;      /* lines, Q16 */
+
+    if (out <= 0)
+        return centre + (line * s->grid.cell >> 16);
+    TP_ASSERT(flank > 0);
+    const int64_t share = out / flank;          /* of the skirt, Q16; cubed */
+    const int64_t way = half + (s->grid.reach * (share * share * share >> 32) >> 16);
+    return centre + (line < 0 ? -way : way);
+}
+
+/* Returns the position of the eye. A camera on the boat has a position in deck axes. */
+static tp_vec3 start_eye(const tp_scene *s)
+{
+    tp_vec3 eye = { s->camera.x, s->camera.y, s->camera.z };
+
+    if (s->camera.follow == TP_FOLLOW_BOAT) {
+        const tp_turn heading = tp_turn_of_degrees(s->boat.heading);
+        const tp_rotation boat = tp_rotation_from_angles(heading, 0, 0);
+        eye = tp_rotate_back(&boat, eye);
+        eye.x = tp_fx_saturate((int64_t)eye.x + s->boat.x);
+        eye.z = tp_fx_saturate((int64_t)eye.z + s->boat.z);
+    }
+    return eye;
+}
+
+static void set_water_extent(tp_start_view *at, const tp_scene *s)
+{
+    int32_t flank;
+    int64_t wide = start_view_core_half_width(s, s->grid.cols, &flank) + s->grid.reach;
+    int64_t deep = start_view_core_half_width(s, s->grid.rows, &flank) + s->grid.reach;
+
+    at->x = at->z = 0;
+    if (s->grid.follow) {
+        at->x = at->eye.x - ((int64_t)s->grid.cell * s->grid.cols * 3 / 10
+                             * at->turn.z.x >> 30);
+        at->z = at->eye.z - ((int64_t)s->grid.cell * s->grid.rows * 3 / 10
+                             * at->turn.z.z >> 30);
+    }
+    at->water =
+        (tp_rectangle){ tp_fx_saturate(at->x - wide), tp_fx_saturate(at->x + wide),
+                        tp_fx_saturate(at->z - deep), tp_fx_saturate(at->z + deep) };
+    if (tp_has_tank(s))
+        at->water = tp_pool_sides(s);
+}
+
+tp_start_view tp_start_view_make(const tp_scene *s, uint32_t width, uint32_t height)
+{
+    TP_ASSERT(width > 0 && height > 0);
+    const tp_dir3 half =
+        tp_rotation_from_angles(tp_turn_of_degrees(s->camera.fov) / 2, 0, 0).x;
+    const tp_turn aboard = s->camera.follow == TP_FOLLOW_BOAT
+                         ? tp_turn_of_degrees(s->boat.heading) : 0;
+    tp_start_view at = { .eye = start_eye(s) };
+
+    at.turn = tp_rotation_from_angles(aboard + tp_turn_of_degrees(s->camera.heading),
+                                      tp_turn_of_degrees(s->camera.pitch), 0);
+    at.high = ((int64_t)half.z * 65536) / half.x;
+    at.wide = at.high * width / height;
+    set_water_extent(&at, s);
+    return at;
+}
+
+/* -- pixels -------------------------------------------------------------------------- */
+
+tp_vec3 tp_start_view_ray(const tp_start_view *at, int64_t x, int64_t y)
+{
+    return tp_rotate_back(&at->turn, (tp_vec3){ (tp_fx)x, (tp_fx)y, -TP_FX_ONE });
+}
+
+int64_t tp_start_view_water_distance(const tp_start_view *at, int64_t x, int64_t y)
+{
+    const tp_vec3 ray = tp_start_view_ray(at, x, y);
+
+    if (ray.y == 0 || at->eye.y == 0 || (ray.y < 0) != (at->eye.y > 0))
+        return 0;
+    const int64_t far = (int64_t)at->eye.y * 65536 / -ray.y;    /* Q16 m, up to 2^47 */
+    if (far > (int64_t)1 << 32)
+        return 0;
+    const int64_t px = at->eye.x + (far * ray.x >> 16);
+    const int64_t pz = at->eye.z + (far * ray.z >> 16);
+    return px >= at->water.x0 && px <= at->water.x1
+        && pz >= at->water.z0 && pz <= at->water.z1 ? far : 0;
+}
+
+/* -- works --------------------------------------------------------------------------- */
+
+/* The enabled modules with a cost. */
+typedef struct {
+    const tp_cost *cost[TP_MODULES];
+    uint32_t stopped[TP_MODULES];       /* rays stopped by each module */
+    uint32_t count;
+} costs;
+
+static costs collect_costs(const tp_plan_input *in, tp_want want)
+{
+    costs all = { .count = 0 };
+
+    for (const tp_use *u = in->modules; u && u->module; u++)
+        if (tp_module_ask_enabled(u->module, &want) && u->drawing && u->cost)
+            all.cost[all.count++] = u->cost;
+    return all;
+}
+
+static uint32_t count_bits(uint32_t word)
+{
+    uint32_t n = 0;
+
+    for (; word; word &= word - 1)
+        n++;
+    return n;
+}
+
+/* Tests a ray that would meet water.  If objects of several modules stop the ray, the
+ * last module counts the ray. */
+static void test_ray_for_objects(tp_site *w, costs *all, int32_t i, int32_t j, int64_t far)
+{
+    const tp_vec3 ray = tp_work_ray(w, i, j);
+    uint32_t by = all->count;
+
+    for (uint32_t k = 0; k < all->count; k++)
+        if (all->cost[k]->stops && all->cost[k]->stops(w, ray, far))
+            by = k;
+    if (by == all->count || w->solid[j] >> i & 1)
+        return;
+    w->solid[j] |= 1u << i;
+    w->apart++;
+    all->stopped[by]++;
+}
+
+/* Finds the rays that meet water, and among them the rays that meet water near enough to
+ * reflect objects: up to an eighth beyond the objects, as in the stage of the planar
+ * reflection. */
+static void cast_rays(tp_site *w, costs *all, uint32_t near[TP_RAYS])
+{
+    const tp_start_view *at = &w->at;
+
+    for (int32_t j = 0; j < TP_RAYS; j++) {
+        near[j] = w->wet[j] = 0;
+        for (int32_t i = 0; i < TP_RAYS; i++) {
+            const int64_t far =
+                tp_start_view_water_distance(at, at->wide * (2 * i + 1 - TP_RAYS) / TP_RAYS,
+                                    at->high * (2 * j + 1 - TP_RAYS) / TP_RAYS);
+            if (far > 0)
+                test_ray_for_objects(w, all, i, j, far);
+            w->wet[j] |= (uint32_t)(far > 0) << i;
+            near[j] |= (uint32_t)(far > 0 && far < w->far + w->far / 8) << i;
+        }
+    }
+}
+
+static void add_pixel_costs(tp_site *w, costs *all)
+{
+    uint32_t near[TP_RAYS], sky = 0, water = 0, hidden = 0, solid = 0, looks = 0;
+
+    cast_rays(w, all, near);
+    for (int j = 0; j < TP_RAYS; j++) {
+        solid += count_bits(w->solid[j]);
+        hidden += count_bits(w->wet[j] & w->solid[j]);
+        water += count_bits(w->wet[j] & ~w->solid[j]);
+        looks += count_bits(near[j] & ~w->solid[j]);
+        sky += count_bits(~(w->wet[j] | w->solid[j]));
+    }
+    w->fixed_cost.hidden = tp_work_ray_pixels(w, hidden);
+    w->fixed_cost.solid = tp_work_ray_pixels(w, solid);
+    w->fixed_cost.of[TP_WORK_solid] = tp_work_ray_pixels(w, solid - w->apart);
+    for (uint32_t k = 0; k < all->count; k++) {
+        const tp_work_pixels pixels = {
+            tp_work_ray_pixels(w, sky), tp_work_ray_pixels(w, water),
+            tp_work_ray_pixels(w, solid - w->apart), tp_work_ray_pixels(w, looks),
+            all->stopped[k],
+        };
+        if (all->cost[k]->pixels)
+            all->cost[k]->pixels(w, &pixels);
+    }
+}
+
+tp_fixed_cost tp_fixed_cost_estimate(const tp_plan_input *in,
+                                     const tp_view_estimate *estimate, bool quick)
+{
+    tp_site w = {
+        .scene = in->scene, .assets = in->assets, .estimate = estimate, .quick = quick,
+        .width = in->width, .height = in->height,
+        .at = tp_start_view_make(in->scene, in->width, in->height), .is = estimate->modules,
+    };
+    costs all = collect_costs(in, tp_plan_want(in));
+
+    w.mirrors = w.is & TP_MODULE_MIRROR && w.at.eye.y > 0;
+    for (uint32_t k = 0; k < all.count; k++)
+        if (all.cost[k]->work)
+            all.cost[k]->work(&w);
+    add_pixel_costs(&w, &all);
+    return w.fixed_cost;
+}

@@ -1,7 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-/* The cost table. prices.awk generates prices.inc from assets/charts/prices.csv. */
-#include "scene/prices.h"
-
-const tp_prices tp_prices_measured = {
-#include "scene/prices.inc"
-};

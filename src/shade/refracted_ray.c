@@ -1,0 +1,382 @@
+/* SPDX-License-Identifier: MIT */
+/* View rays in the water: intersection with floor or walls, and the light from the hit
+ * point; see inside.h and beam.h. */
+#include "shade/env.h"
+#include "shade/refracted_ray.h"
+#include "shade/sampler.h"
+
+const uint16_t tp_sqrt_one_minus_table[65] = {
+#include "shade/root_table.inc"
+};
+
+/* -- distances along a ray ------------------------------------------------------------ */
+
+/* Returns the distance along a ray, m, until a `gap` >= 0 m is closed; the gap shrinks by
+ * `speed` > 0 per metre, Q1.14. */
+static inline tp_fx closing_distance(tp_fx gap, int32_t speed)
+{
+    int     shift = tp_clz((uint32_t)speed);
+    int64_t way = (int64_t)gap * tp_recip_rough((uint32_t)speed << shift) >> (48 - shift);
+    return way < TP_UNDERWATER_FAR ? (tp_fx)way : TP_UNDERWATER_FAR;
+}
+
+/* Returns the point `metres` along the ray, 0..TP_UNDERWATER_FAR: each product fits 32 bits
+ * after the shift. */
+static inline tp_vec3 point_along_ray(tp_vec3 from, tp_ray way, tp_fx metres)
+{
+    return (tp_vec3){ tp_fx_add_sat(from.x, (tp_fx)((int64_t)way.x * metres >> 14)),
+                      tp_fx_add_sat(from.y, (tp_fx)((int64_t)way.y * metres >> 14)),
+                      tp_fx_add_sat(from.z, (tp_fx)((int64_t)way.z * metres >> 14)) };
+}
+
+/* -- the floor ------------------------------------------------------------------------ */
+
+/* Rise of the plane from the world's origin to a point, Q32; sums may wrap. */
+static inline uint64_t plane_rise(const tp_floor_plane *bed, tp_fx x, tp_fx z)
+{
+    return (uint64_t)((int64_t)bed->rise_x * x) + (uint64_t)((int64_t)bed->rise_z * z);
+}
+
+/* Depth of the plane below a point, m, clamped to 16 km. */
+static inline tp_fx plane_depth(const tp_floor_plane *bed, tp_vec3 at)
+{
+    int64_t rise = (int64_t)(plane_rise(bed, at.x, at.z) - plane_rise(bed, bed->x, bed->z));
+    return (tp_fx)tp_clamp_abs(bed->depth - (rise >> 16), TP_UNDERWATER_FAR);
+}
+
+static inline tp_ground sample_ground(const tp_floor_plane *bed, tp_vec3 at)
+{
+    return (tp_ground){ plane_depth(bed, at), bed->rise_x, bed->rise_z, bed->nl };
+}
+
+/* Interpolates two floor planes: share / 16 of b, the rest of a.  The two depths differ by
+ * less than 2^31. */
+static inline tp_ground interpolate_ground(const tp_floor_plane *a,
+                                           const tp_floor_plane *b, int32_t share,
+                                           tp_vec3 at)
+{
+    int32_t one = plane_depth(a, at), other = plane_depth(b, at);
+
+    return (tp_ground){
+        one + (int32_t)((int64_t)(other - one) * share >> 4),
+        a->rise_x + ((b->rise_x - a->rise_x) * share >> 4),
+        a->rise_z + ((b->rise_z - a->rise_z) * share >> 4),
+        a->nl + ((b->nl - a->nl) * share >> 4),
+    };
+}
+
+/* Returns the distance along a ray to the floor plane.  Rays that approach the floor by
+ * less than 1 m in 1024 m count as parallel: they never meet the floor. */
+static inline tp_fx way_to_floor(const tp_ground *under, tp_fx from_y, tp_ray way)
+{
+    tp_fx   gap = tp_fx_add_sat(from_y, under->depth);
+    int32_t down = (int32_t)(((int64_t)under->rise_x * way.x
+                              + (int64_t)under->rise_z * way.z) >> 16) - way.y;
+
+    if (gap <= 0)
+        return 0;
+    return down < 16 ? TP_UNDERWATER_FAR : closing_distance(gap, down);
+}
+
+static int32_t floor_light_cosine(const tp_underwater *in, tp_fx rise_x, tp_fx rise_z)
+{
+    tp_dir3 n = tp_normalise(-rise_x, TP_FX_ONE, -rise_z);
+    int32_t nl = (n.x >> 16) * in->sun_x + (n.y >> 16) * in->sun_y
+               + (n.z >> 16) * in->sun_z;
+    return nl > 0 ? nl >> 14 : 0;
+}
+
+static tp_floor_plane sample_floor_plane(const tp_underwater *in, tp_vec3 at)
+{
+    tp_floor_at floor = tp_coastal_floor(in->coastal, at.x, at.z);
+    return (tp_floor_plane){ at.x, at.z, floor.depth, floor.rise_x, floor.rise_z, 0 };
+}
+
+/* Finds the floor's tangent plane near the hit point by two iterations; after them the
+ * curvature of a beach leaves an error below a hundredth of its depth.  A beam that goes
+ * up meets the floor after its reflection at the surface. */
+tp_floor_plane tp_underwater_find_floor_plane(const tp_shade *shade,
+                                              const tp_refracted_ray *ray)
+{
+    const tp_underwater *in = shade->underwater;
+    tp_ray down = { ray->way.x, -tp_abs(ray->way.y), ray->way.z, 0 };
+
+    if (!in->coastal)
+        return in->floor_plane;
+    tp_floor_plane here = sample_floor_plane(in, ray->at), bed = here;
+    for (int n = 0; n < 2; n++) {
+        tp_ground under = sample_ground(&bed, ray->at);
+        tp_fx  way = way_to_floor(&under, ray->at.y, down);
+        way = way < 200 * TP_FX_ONE ? way : 200 * TP_FX_ONE;
+        bed = sample_floor_plane(in, point_along_ray(ray->at, down, way));
+    }
+    if (plane_depth(&bed, ray->at) + (int64_t)ray->at.y <= 0)
+        bed = here;             /* a far bank's slope does not pass under this point */
+    bed.nl = floor_light_cosine(in, bed.rise_x, bed.rise_z);
+    return bed;
+}
+
+/* -- caustics ------------------------------------------------------------------------- */
+
+/* Coordinate on the caustics map in cells, 16.16, mirrored at the map's edges and clamped
+ * to the range between the centres of the first and the last cell. */
+static inline int32_t map_coordinate(int64_t metres, uint32_t per_metre, uint32_t cells)
+{
+    int64_t at = metres * (int64_t)per_metre >> 16, side = (int64_t)cells * 65536;
+
+    at = at < 0 ? -at : at > side ? 2 * side - at : at;
+    at -= 0x8000;
+    return (int32_t)(at < 0 ? 0 : at > side - 65536 ? side - 65536 : at);
+}
+
+/* Returns the fade at the map's edges: 0 at an edge, 256 from an eighth of the side on. */
+static inline int32_t map_edge_fade(int32_t at, uint32_t cells)
+{
+    int32_t last = (int32_t)(cells - 1) * 65536, edge = at < last - at ? at : last - at;
+    int32_t share = edge / (int32_t)(cells * 32);
+    return share < 256 ? share : 256;
+}
+
+/* Returns the caustics' factor of the sunlight on a floor or a wall, 256 is 1. */
+static int32_t caustic_sample(const tp_caustic *c, tp_vec3 at)
+{
+    if (at.y >= 0)
+        return 256;
+    int64_t x = (int64_t)at.x - c->x - ((int64_t)c->lean_x * at.y >> 14);
+    int64_t z = (int64_t)at.z - c->z - ((int64_t)c->lean_z * at.y >> 14);
+    int32_t u = map_coordinate(x, c->per_metre_x, c->cells);
+    int32_t v = map_coordinate(z, c->per_metre_z, c->cells);
+    uint32_t i = (uint32_t)u >> 16, j = (uint32_t)v >> 16, n = c->cells;
+    uint32_t right = i + 1 < n ? 1 : 0, below = j + 1 < n ? n : 0;
+    const uint16_t *cell = c->light + j * n + i;
+    int32_t fu = u >> 8 & 0xff, fv = v >> 8 & 0xff;
+    int32_t top = cell[0] * (256 - fu) + cell[right] * fu;
+    int32_t low = cell[below] * (256 - fu) + cell[below + right] * fu;
+    int32_t light = (top >> 8) + (((low >> 8) - (top >> 8)) * fv >> 8);
+    int64_t deep = -(int64_t)at.y * c->per_depth >> 16;
+    int32_t share = c->strength * (int32_t)(deep < 256 ? deep : 256) >> 8;
+
+    if (c->fades) {
+        int32_t eu = map_edge_fade(u, n), ev = map_edge_fade(v, n);
+        share = share * (eu < ev ? eu : ev) >> 8;
+    }
+    light = 256 + ((light - 256) * share >> 8);
+    return light > 0 ? light : 0;
+}
+
+/* Returns the factor of a colour in the light at a point, Q8. */
+static inline uint32_t light_factor(const tp_shade *shade, int32_t nl, tp_vec3 at)
+{
+    int32_t sun = (256 - shade->ambient) * (nl < 16384 ? nl : 16384) >> 14;
+    int32_t light = shade->caustic ? caustic_sample(shade->caustic, at) : 256;
+    return (uint32_t)(shade->ambient + (sun * light >> 8));
+}
+
+/* -- hits ----------------------------------------------------------------------------- */
+
+typedef enum { NOTHING, FLOOR, WALL_X, WALL_Z } face;
+
+typedef struct {
+    face  what;
+    tp_fx way;
+} hit;
+
+static inline hit nearer(hit a, face what, tp_fx way)
+{
+    return way < a.way ? (hit){ what, way } : a;
+}
+
+static inline tp_fx way_to_side(tp_fx from, int32_t speed, tp_fx low, tp_fx high)
+{
+    tp_fx gap = speed > 0 ? tp_fx_sub_sat(high, from) : tp_fx_sub_sat(from, low);
+
+    if (speed == 0)
+        return TP_UNDERWATER_FAR;
+    return gap > 0 ? closing_distance(gap, speed > 0 ? speed : -speed) : 0;
+}
+
+static inline hit first_hit(const tp_underwater *in, const tp_ground *under, tp_vec3 from,
+                            tp_ray way)
+{
+    hit h = { NOTHING, TP_UNDERWATER_FAR };
+
+    if (in->floored)
+        h = nearer(h, FLOOR, way_to_floor(under, from.y, way));
+    if (in->walled) {
+        h = nearer(h, WALL_X, way_to_side(from.x, way.x, in->x0, in->x1));
+        h = nearer(h, WALL_Z, way_to_side(from.z, way.z, in->z0, in->z1));
+    }
+    return h;
+}
+
+/* The material at a hit point, the position in its plane, the distance from the eye, and
+ * the light there. */
+typedef struct {
+    const tp_wall_material *coat;
+    tp_fx    x, z, far;
+    bool     ground;
+    uint32_t light;
+} spot;
+
+/* Describes the hit point.  Walls are lit from inside: their normal points against the
+ * ray. */
+static inline spot make_spot(const tp_shade *shade, int32_t floor_nl, hit h, tp_vec3 from,
+                             tp_ray way, tp_fx far)
+{
+    const tp_underwater *in = shade->underwater;
+    tp_vec3 at = point_along_ray(from, way, h.way);
+    tp_fx   from_eye = tp_fx_add_sat(far, h.way);
+
+    if (h.what == FLOOR)
+        return (spot){ &in->floor, at.x, at.z, from_eye, true,
+                       light_factor(shade, floor_nl, at) };
+    int32_t across = h.what == WALL_X ? way.x : way.z;
+    int32_t sun = h.what == WALL_X ? in->sun_x : in->sun_z;
+    int32_t nl = across > 0 ? -sun : sun;
+    return (spot){ &in->wall, h.what == WALL_X ? at.z : at.x, -at.y, from_eye, false,
+                   light_factor(shade, nl > 0 ? nl : 0, at) };
+}
+
+/* Returns the colour along a ray that starts at `from`, without the surface: the colour of
+ * the hit point, attenuated by the water on the path. */
+static inline uint32_t shade_hit(const tp_shade *shade, int32_t floor_nl, hit h,
+                                 tp_vec3 from, tp_ray way, tp_fx far, uint32_t body)
+{
+    if (h.what == NOTHING)
+        return body;
+    spot s = make_spot(shade, floor_nl, h, from, way, far);
+    uint32_t colour = tp_wall_material_sample(s.coat, s.x, s.z, s.far, s.ground);
+    return tp_absorb_apply(&shade->underwater->absorb, tp_colour_brighten(colour, s.light),
+                           body, h.way);
+}
+
+/* One channel of shade_hit, shifted to its place in a colour. */
+static inline uint32_t shade_hit_channel(const tp_shade *shade, int32_t floor_nl, hit h,
+                                         const tp_refracted_ray *ray, uint32_t body,
+                                         int shift)
+{
+    if (h.what == NOTHING)
+        return body & (uint32_t)0xff << shift;
+    spot s = make_spot(shade, floor_nl, h, ray->at, ray->way, ray->far);
+    uint32_t c = tp_wall_material_channel(s.coat, s.x, s.z, s.far, s.ground, shift);
+    return tp_absorbed_channel(shade->underwater->absorb.halvings[2 - shift / 8], h.way,
+                               tp_channel_brighten(c, s.light), body >> shift) << shift;
+}
+
+/* Entry n is 16 / n, Q8. */
+static const uint16_t over[TP_UNDERWATER_ROW] = { 0, 4096, 2048, 1365, 1024, 819, 683, 585,
+                                              512, 455, 410, 372, 341, 315, 293, 273 };
+
+TP_ALWAYS_INLINE tp_ground row_ground(const tp_underwater *in, const tp_floor_plane ends[2],
+                                      int32_t sixteenths, tp_vec3 at)
+{
+    return in->coastal ? interpolate_ground(&ends[0], &ends[1], sixteenths, at)
+                       : sample_ground(&ends[0], at);
+}
+
+void tp_underwater_interpolate_floor(const tp_shade *shade, const tp_floor_plane ends[2],
+                      const tp_refracted_ray *ray, int32_t count, tp_ground *under)
+{
+    TP_ASSERT(count > 0 && count <= TP_UNDERWATER_ROW);
+    const int32_t each = over[count - 1];
+
+    for (int32_t k = 0; k < count; k++)
+        under[k] = row_ground(shade->underwater, ends, k * each >> 8, ray[k].at);
+}
+
+void tp_underwater_shade_row(const tp_shade *shade, const tp_floor_plane ends[2],
+                   const tp_refracted_ray *ray, int32_t count, const uint32_t *body,
+                   uint32_t *seen)
+{
+    TP_ASSERT(count > 0 && count <= TP_UNDERWATER_ROW);
+    const tp_underwater *in = shade->underwater;
+    const int32_t each = over[count - 1];
+
+    for (int32_t k = 0; k < count; k++, ray++) {
+        tp_ground g = row_ground(in, ends, k * each >> 8, ray->at);
+        hit h = first_hit(in, &g, ray->at, ray->way);
+        seen[k] = shade_hit(shade, g.nl, h, ray->at, ray->way, ray->far, body[k]);
+    }
+}
+
+void tp_underwater_shade_row_channel(const tp_shade *shade, const tp_ground *under,
+                                     const tp_refracted_ray *ray, int32_t count,
+                                     const uint32_t *body, int shift, uint32_t *seen)
+{
+    for (int32_t k = 0; k < count; k++, ray++, under++) {
+        hit h = first_hit(shade->underwater, under, ray->at, ray->way);
+        seen[k] |= shade_hit_channel(shade, under->nl, h, ray, body[k], shift);
+    }
+}
+
+/* -- the surface from below ------------------------------------------------------------ */
+
+#define INDEX  21840            /* refractive index of water, 1.333, Q1.14 */
+#define INDEX2 29113            /* INDEX squared, Q1.14 */
+
+/* Cosine in air of a ray that goes up with cosine ci in water, Q1.14.  Returns 0 or less
+ * beyond 48.6 degrees, where reflection is total. */
+static inline int32_t cos_in_air(int32_t ci)
+{
+    int64_t left = ((int64_t)1 << 28)
+                 - ((((int64_t)1 << 28) - (int64_t)ci * ci) * INDEX2 >> 14);
+    if (left <= 0)
+        return 0;
+    int      even = tp_clz((uint32_t)left) & ~1;        /* n in [2^30, 2^32) */
+    uint32_t n = (uint32_t)left << even;
+    return (int32_t)((uint64_t)n * tp_rsqrt_norm(n) >> (47 + even / 2));
+}
+
+/* Fresnel share, interpolated between the table's entries: near the rim of Snell's window
+ * neighbouring entries differ by 6 levels. */
+static inline uint32_t fresnel_share(const tp_shade *shade, int32_t cosine)
+{
+    const tp_entry8 *at = shade->fresnel + (cosine >> 6);
+    if (cosine >= 16384)
+        return at[0];
+    int32_t a = (int32_t)at[0], b = (int32_t)at[1];
+    return (uint32_t)(a + ((b - a) * (cosine & 63) >> 6));
+}
+
+uint32_t tp_underwater_trace_surface(const tp_shade *shade, const tp_floor_plane *bed,
+                                 const tp_refracted_ray *ray, tp_ray n, uint32_t body)
+{
+    tp_ray  way = ray->way;
+    int32_t ci = (way.x * n.x + way.y * n.y + way.z * n.z) >> 14;
+
+    ci = tp_clamp(ci, 0, 16384);
+    int32_t  ct = cos_in_air(ci), lean = ct - (INDEX * ci >> 14);
+    uint32_t share = ct > 0 ? fresnel_share(shade, ct) : 256, sky = 0;
+    if (share < 256)
+        sky = tp_env_sample(shade, (INDEX * way.x + lean * n.x) >> 14,
+                        (INDEX * way.y + lean * n.y) >> 14,
+                        (INDEX * way.z + lean * n.z) >> 14) & 0xffffff;
+    if (share < 4)
+        return sky;
+    tp_ray back = { way.x - (2 * ci * n.x >> 14), way.y - (2 * ci * n.y >> 14),
+                    way.z - (2 * ci * n.z >> 14), 0 };
+    if (back.y > -64)           /* reflected upwards by a steep slope: taken as nearly
+                                 * level */
+        back.y = -64;
+    tp_ground under = sample_ground(bed, ray->at);
+    hit h = first_hit(shade->underwater, &under, ray->at, back);
+    uint32_t mirrored = shade_hit(shade, bed->nl, h, ray->at, back, ray->far, body);
+    return tp_colour_mix(sky, mirrored, share);
+}
+
+uint32_t tp_underwater_trace(const tp_shade *shade, const tp_floor_plane *bed,
+                             const tp_refracted_ray *ray, uint32_t body)
+{
+    tp_ground under = sample_ground(bed, ray->at);
+    hit    h = first_hit(shade->underwater, &under, ray->at, ray->way);
+    tp_fx  deep = ray->at.y < 0 ? -(ray->at.y + (ray->at.y == TP_FX_MIN)) : 0;
+
+    if (ray->way.y <= 0 || closing_distance(deep, ray->way.y) >= h.way)
+        return shade_hit(shade, bed->nl, h, ray->at, ray->way, ray->far, body);
+    tp_fx   way = closing_distance(deep, ray->way.y);
+    tp_refracted_ray on = { point_along_ray(ray->at, ray->way, way), ray->way,
+                            tp_fx_saturate((int64_t)ray->far + way) };
+    uint32_t colour =
+        tp_underwater_trace_surface(shade, bed, &on, (tp_ray){ 0, 16384, 0, 0 }, body);
+    return tp_absorb_apply(&shade->underwater->absorb, colour, body, way);
+}

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: MIT */
+/* View rays in the water: their start points and the surfaces that they hit (see
+ * inside.h). */
+#ifndef TP_SHADE_REFRACTED_RAY_H
+#define TP_SHADE_REFRACTED_RAY_H
+#include "fixed/arithmetic.h"
+#include "shade/shade.h"
+
+#define TP_UNDERWATER_FAR (16000 * TP_FX_ONE)
+
+/* -- start points and directions ------------------------------------------------------ */
+
+/* Sets the members of `in` that depend on the current view of `shade`. */
+void tp_underwater_set_view(tp_underwater *in, const tp_shade *shade, tp_fx zi_near);
+
+/* Start point of a ray in world coordinates, m, and its direction, a unit vector in
+ * Q1.14. */
+#define TP_UNDERWATER_ROW 16        /* largest number of rays in one batch */
+
+typedef struct {
+    tp_vec3 at;
+    tp_ray  way;
+    tp_fx   far;                /* distance from the eye to the start point, m,
+                                 * approximate */
+} tp_refracted_ray;
+
+/* Entry i is sqrt(1 - i / 64), Q1.14. */
+extern const uint16_t tp_sqrt_one_minus_table[65];
+
+/* Returns sqrt(1 - x), Q1.14, for x in 0..1, Q28.  Error: within 2 units for x <= 0.8. */
+TP_ALWAYS_INLINE int32_t tp_sqrt_one_minus(uint32_t x)
+{
+    const uint16_t *at = tp_sqrt_one_minus_table + (x >> 22 & 63);
+    return at[0] - ((at[0] - at[1]) * (int32_t)(x >> 8 & 0x3fff) >> 14);
+}
+
+/* Returns -in . n, clamped to -1..1. */
+TP_ALWAYS_INLINE int32_t tp_incidence_cosine(tp_ray in, tp_ray n)
+{
+    return tp_clamp(-((in.x * n.x + in.y * n.y + in.z * n.z) >> 14), -16384, 16384);
+}
+
+/* Refracts a ray from air into water [F4].  `in` points towards the surface, `n` is the
+ * surface normal out of the water, `ci` the cosine between them, all Q1.14. */
+TP_ALWAYS_INLINE tp_ray tp_underwater_refract_cosine(const tp_underwater *underwater,
+                                                     int channel, tp_ray in, tp_ray n,
+                                                     int32_t ci)
+{
+    int32_t  eta = underwater->eta[channel];
+    uint32_t s2 = (1u << 28) - (uint32_t)(ci * ci);
+    int32_t ct = tp_sqrt_one_minus(
+        (uint32_t)((uint64_t)s2 * (uint32_t)underwater->eta2[channel] >> 14));
+    int32_t lean = (eta * ci >> 14) - ct;
+    return (tp_ray){ (eta * in.x + lean * n.x) >> 14, (eta * in.y + lean * n.y) >> 14,
+                     (eta * in.z + lean * n.z) >> 14, 0 };
+}
+
+TP_ALWAYS_INLINE tp_ray tp_underwater_refract(const tp_underwater *underwater,
+                                              int channel, tp_ray in, tp_ray n)
+{
+    return tp_underwater_refract_cosine(underwater, channel, in, n,
+                                        tp_incidence_cosine(in, n));
+}
+
+/* Fills beam[].at and beam[].far with the world positions of samples [i, stop) of a run.
+ * The directions are left unchanged. */
+void tp_underwater_set_start_points(const tp_shade *shade, const tp_run *run, int32_t i,
+                                    int32_t stop, tp_refracted_ray *ray);
+
+/* -- colour along a ray --------------------------------------------------------------- */
+
+/* Returns the floor, as a plane, near the point where the beam would hit the floor. */
+tp_floor_plane tp_underwater_find_floor_plane(const tp_shade *shade,
+                                              const tp_refracted_ray *ray);
+
+/* Returns the colour seen along a beam; `body` is the colour of the water itself. */
+uint32_t tp_underwater_trace(const tp_shade *shade, const tp_floor_plane *plane,
+                             const tp_refracted_ray *ray, uint32_t body);
+
+/* The floor plane below one point: its depth there in m, its slopes along x and z, and
+ * N.L. */
+typedef struct {
+    tp_fx   depth, rise_x, rise_z;
+    int32_t nl;
+} tp_ground;
+
+/* Returns the floor below up to 16 neighbouring beams, interpolated between the planes of
+ * the first beam and the last beam. */
+void tp_underwater_interpolate_floor(const tp_shade *shade, const tp_floor_plane ends[2],
+                      const tp_refracted_ray *ray, int32_t count, tp_ground *under);
+
+/* Colours seen along beams that go down.  The second function computes only the channel at
+ * bit `shift` and adds the channel to the others in `seen`. */
+void tp_underwater_shade_row(const tp_shade *shade, const tp_floor_plane ends[2],
+                   const tp_refracted_ray *ray, int32_t count, const uint32_t *body,
+                   uint32_t *seen);
+void tp_underwater_shade_row_channel(const tp_shade *shade, const tp_ground *under,
+                                     const tp_refracted_ray *ray, int32_t count,
+                                     const uint32_t *body, int shift, uint32_t *seen);
+
+/* Colour of a beam that goes up and has reached the surface, whose normal is n: the sky
+ * through Snell's window mixed with the water mirrored by the Fresnel share.  Beyond 48.6
+ * degrees all light is mirrored [F1]. */
+uint32_t tp_underwater_trace_surface(const tp_shade *shade, const tp_floor_plane *plane,
+                                 const tp_refracted_ray *ray, tp_ray n, uint32_t body);
+
+#endif

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: MIT */
+/* The water surface of all wave models together. Swells of deep water, or coastal water
+ * over its floor, displace a point of still water; rings and pools add heights at the
+ * displaced position. A model without a part in the scene is NULL or 0 and is not
+ * asked. */
+#ifndef TP_VIEW_SURFACE_H
+#define TP_VIEW_SURFACE_H
+#include "pool/pool.h"
+#include "tidepool/modules.h"
+#include "waves/coastal_water.h"
+#include "waves/ring.h"
+
+typedef struct {
+    const tp_wave_models
+        *by; /* wave models of the program; models it lacks are not used here */
+    const tp_deep_water *deep;
+    const tp_turn  *phases;
+    const tp_coastal_water *coastal;      /* replaces the sum of `deep`; NULL: deep water */
+    const tp_ring_now *ring;
+    uint32_t        rings;
+    const tp_ring  *raised;     /* rings of the world, the source of `ring` at its tick */
+    uint32_t        n_raised;   /* number of `raised` rings */
+    const tp_pool  *pool, *field;
+    tp_fx           lag;       /* interpolation of the pools, 0..1 tick */
+} tp_surface;
+
+/* Returns height and slopes of rings and pools at world (x, z). */
+tp_height_slope tp_surface_height_slope(const tp_surface *surface, tp_fx x, tp_fx z);
+
+/* Same, with a weight `fade`, 0..1.  A mesh fades its waves in the distance, where its
+ * cells are too wide for them. */
+tp_height_slope tp_surface_height_slope_faded(const tp_surface *surface, tp_fx x, tp_fx z,
+                                              tp_fx fade);
+
+/* True if the sea has swells and the program has their wave model. */
+static inline bool tp_surface_has_swells(const tp_surface *surface)
+{
+    return surface->deep->count > 0 && surface->by->swells;
+}
+
+/* True if the surface has rings or pools. */
+static inline bool tp_surface_has_rings_or_pools(const tp_surface *surface)
+{
+    return surface->rings || surface->pool || surface->field;
+}
+
+/* Bounds of the displacement from a rest position, m: horizontal and vertical. */
+tp_fx tp_surface_displacement_bound(const tp_surface *surface);
+tp_fx tp_surface_height_bound(const tp_surface *surface);
+
+/* Returns the surface point above or below a position; ignores overhangs.  `rest` (x0,
+ * z0) may be NULL; otherwise it is the start of the search and receives the rest position
+ * found. */
+tp_surface_point tp_surface_sample(const tp_surface *surface, tp_fx x, tp_fx z,
+                                   tp_fx rest[2]);
+
+/* Same for coastal water, without rings and pools; `rest` is not NULL. */
+tp_surface_point tp_surface_coastal_sample(const tp_surface *surface, tp_fx x, tp_fx z,
+                                           tp_fx rest[2]);
+
+/* Computes dy/dx and dy/dz of a surface that goes along_x from column to column and
+ * along_z from row to row (16.16 m, lengths below 2 km).  Slopes are within +-8;
+ * overhangs get the limit. */
+void tp_slopes_from_tangents(tp_vec3 along_x, tp_vec3 along_z, tp_fx *slope_x,
+                             tp_fx *slope_z);
+#endif

@@ -1,0 +1,359 @@
+/* SPDX-License-Identifier: MIT */
+/* The surface of coastal water at a point: [B8]-[B19] of the models, evaluated from
+ * tables, and the noise that makes its breaking crests irregular. */
+#include "waves/coastal_tables.h"
+#include "waves/deep_water.h"
+
+/* -- noise --------------------------------------------------------------------------- */
+
+/* Value noise in integers: a hash of the grid coordinates gives heights at grid points, and
+ * smoothsteps interpolate. */
+
+#define V_CELLS 8
+
+/* Two rounds of multiply and shift after Wang.  Only the high bits need to be well
+ * mixed. */
+static tp_fx hash_height(uint32_t u, uint32_t v, uint32_t seed)
+{
+    uint32_t h = (u & 0xffff) * 0x9e3779b1u ^ (v % V_CELLS) * 0x85ebca77u ^ seed;
+
+    h = (h ^ h >> 15) * 0x2c1b3c6du;
+    h = (h ^ h >> 12) * 0x297a2d39u;
+    return (tp_fx)(h >> 15) - TP_FX_ONE;        /* 17 bits: -1..1 */
+}
+
+tp_fx tp_noise(uint32_t u_q16, uint32_t v_q16, uint32_t seed)
+{
+    const uint32_t u = u_q16 >> 16, v = v_q16 >> 16;
+    const tp_fx s = tp_smoothstep((tp_fx)(u_q16 & 0xffff));
+    const tp_fx t = tp_smoothstep((tp_fx)(v_q16 & 0xffff));
+    const tp_fx near =
+        tp_coastal_mix(hash_height(u, v, seed), hash_height(u + 1, v, seed), s);
+    const tp_fx far =
+        tp_coastal_mix(hash_height(u, v + 1, seed), hash_height(u + 1, v + 1, seed), s);
+    return tp_coastal_mix(near, far, t);
+}
+
+/* -- the surface --------------------------------------------------------------------- */
+
+/* Phi is the models' phase of an orbit, 0 in the trough: a quarter turn more than the
+ * phase of the sines of deep water [A7].  In deep water, where the tables end, a point
+ * equals the point of the tp_deep_water.  The horizontal part of an orbit follows the
+ * local direction of travel: particles move across their crests.  A crest breaks by
+ * its height before the cap of [B15]: the cap limits the drawn height, and the gate
+ * opens as the depth falls below the depth that the uncapped wave needs. */
+
+#define QUARTER 0x40000000u
+
+/* -- the floor under a point ------------------------------------------------------- */
+
+typedef struct {
+    tp_fx    depth;
+    tp_fx    rise_x, rise_z;    /* slopes of a map */
+    tp_coastal_table_place at;          /* table position; valid for a depth > 0 */
+    size_t   node;              /* map node north-west of the point; fraction_x, fraction_z:
+                                 * fractions to the next node, Q16 */
+    int32_t  fraction_x, fraction_z;
+} floor_place;
+
+/* Returns the distance from the first node in nodes, Q16, clamped to the map.  |way| <= 128
+ * steps and a step of at least 2^9 leave the product 57 bits.  map_per_step is rounded
+ * down: the quotient of a way below `last` is below nodes - 1. */
+static uint32_t node_coordinate(const tp_coastal_water *coastal, int64_t way,
+                                uint32_t nodes)
+{
+    const int64_t last = (int64_t)coastal->map_step * (nodes - 1);
+
+    if (way <= 0)
+        return 0;
+    if (way >= last)
+        return ((nodes - 1) << 16) - 1;
+    return (uint32_t)((uint64_t)way * coastal->map_per_step >> 32);
+}
+
+/* Interpolates between the four nodes around a point. */
+static inline int32_t interpolate_nodes(int32_t a, int32_t b, int32_t c, int32_t d,
+                                        const floor_place *p)
+{
+    return tp_coastal_mix(tp_coastal_mix(a, b, p->fraction_x),
+                          tp_coastal_mix(c, d, p->fraction_x), p->fraction_z);
+}
+
+static void locate_on_map(const tp_coastal_water *coastal, tp_fx x, tp_fx z,
+                          floor_place *p)
+{
+    const uint32_t u = node_coordinate(coastal, x - coastal->map_x, coastal->map_cols);
+    const uint32_t v = node_coordinate(coastal, z - coastal->map_z, coastal->map_rows);
+
+    TP_ASSERT((u >> 16) + 1 < coastal->map_cols && (v >> 16) + 1 < coastal->map_rows);
+    p->node = (size_t)(v >> 16) * coastal->map_cols + (u >> 16);
+    p->fraction_x = (int32_t)(u & 0xffff);
+    p->fraction_z = (int32_t)(v & 0xffff);
+    const tp_coastal_floor_node *n = tp_coastal_floor_nodes(coastal) + p->node,
+                                *s = n + coastal->map_cols;
+    p->depth = interpolate_nodes(n[0].depth, n[1].depth, s[0].depth, s[1].depth, p);
+    p->rise_x =
+        interpolate_nodes(n[0].rise_x, n[1].rise_x, s[0].rise_x, s[1].rise_x, p) * 32;
+    p->rise_z =
+        interpolate_nodes(n[0].rise_z, n[1].rise_z, s[0].rise_z, s[1].rise_z, p) * 32;
+}
+
+static void locate_on_slope(const tp_coastal_water *coastal, tp_fx x, tp_fx z,
+                            floor_place *p)
+{
+    const tp_fx along = tp_way_project((tp_way){ coastal->up_x, coastal->up_z }, x, z);
+    const int64_t rise = (int64_t)coastal->slope * along;
+
+    p->depth = tp_fx_saturate(coastal->depth - ((rise + 0x8000) >> 16));
+}
+
+static floor_place locate_point(const tp_coastal_water *coastal, tp_fx x, tp_fx z)
+{
+    floor_place p = { .depth = 0 };
+
+    if (coastal->map_cols)
+        locate_on_map(coastal, x, z, &p);
+    else
+        locate_on_slope(coastal, x, z, &p);
+    if (p.depth > 0)
+        p.at = tp_coastal_table_find(p.depth);
+    return p;
+}
+
+tp_floor_at tp_coastal_floor(const tp_coastal_water *coastal, tp_fx x, tp_fx z)
+{
+    const floor_place p = locate_point(coastal, x, z);
+
+    if (coastal->map_cols)
+        return (tp_floor_at){ p.depth, p.rise_x, p.rise_z };
+    return (tp_floor_at){ p.depth, tp_q30_mul(coastal->slope, coastal->up_x),
+                          tp_q30_mul(coastal->slope, coastal->up_z) };
+}
+
+/* -- one wave at a point ----------------------------------------------------------- */
+
+typedef struct {
+    tp_ellipse orbit;
+    tp_way  way;
+    tp_turn phi;
+} motion;
+
+/* Interpolates the phase in excess of deep water: Q16 turns in the nodes, Q0.32 as
+ * result. */
+static tp_turn interpolate_turns(int64_t a, int64_t b, int32_t part)
+{
+    return (tp_turn)(uint64_t)(a * TP_FX_ONE + (b - a) * part);
+}
+
+/* Interpolates the phases of four nodes; rows are in Q24.  2^31, 2^8 and a fraction of
+ * 2^17 make 56 bits. */
+static tp_turn ray_turns(const tp_coastal_wave_node *n, const tp_coastal_wave_node *s,
+                         const floor_place *p)
+{
+    const int64_t north = n[0].turns * (int64_t)256
+                          + (((int64_t)n[1].turns - n[0].turns) * p->fraction_x >> 8);
+    const int64_t south = s[0].turns * (int64_t)256
+                          + (((int64_t)s[1].turns - s[0].turns) * p->fraction_x >> 8);
+    return (tp_turn)(uint64_t)(north * 256 + ((south - north) * p->fraction_z >> 8));
+}
+
+/* Tilts the orbit over a floor that rises along the direction of travel [B11].  turn_node
+ * of ocean_tables.c does the same for a straight floor. */
+static void tilt(const tp_coastal_water *coastal, const floor_place *p, motion *m)
+{
+    const int64_t rise = ((int64_t)p->rise_x * m->way.x + (int64_t)p->rise_z * m->way.z)
+                         >> 16;                                     /* Q30, below 2^34 */
+    const uint32_t *fall = coastal->fall + p->at.depth;
+    const uint32_t kept = (uint32_t)(fall[0] - ((uint64_t)(fall[0] - fall[1])
+                                                * (uint32_t)p->at.depth_fraction >> 16));
+    if (rise <= 0 || kept < 1 << 16)
+        return;
+    const int64_t r = rise >> 8, one = 1 << 22;                     /* Q22 */
+    const uint32_t length = tp_isqrt64((uint64_t)(one * one + r * r));
+    const int zeros = tp_clz(length);
+    const uint32_t over = tp_recip_norm(length << zeros);           /* 2^63 / length */
+    const uint64_t sin = (uint64_t)r * over >> (33 - zeros);        /* Q30 */
+    m->orbit.sin = (tp_q30)(sin * kept >> 32);
+    m->orbit.cos = tp_cos_of_sin(m->orbit.sin);
+}
+
+static void add_map_motion(const tp_coastal_water *coastal, const tp_coastal_wave *wave,
+                           const floor_place *p, motion *m)
+{
+    const tp_coastal_wave_node *n = tp_coastal_wave_nodes(coastal, wave) + p->node;
+    const tp_coastal_wave_node *s = n + coastal->map_cols;
+
+    m->phi += ray_turns(n, s, p);
+    m->way.x = wave->way_x
+               + interpolate_nodes(n[0].way_x, n[1].way_x, s[0].way_x, s[1].way_x, p)
+                     * (1 << 17);
+    m->way.z = wave->way_z
+               + interpolate_nodes(n[0].way_z, n[1].way_z, s[0].way_z, s[1].way_z, p)
+                     * (1 << 17);
+    tilt(coastal, p, m);
+}
+
+static void add_slope_motion(const tp_coastal_table *table, const floor_place *p, motion *m)
+{
+    const tp_coastal_depth_entry *d = table->depth + p->at.depth;
+    const int32_t *turns = table->turns + p->at.phase, part = p->at.depth_fraction;
+
+    m->phi += interpolate_turns(turns[0], turns[1], p->at.phase_fraction);
+    m->way.x = tp_coastal_mix(d[0].way_x, d[1].way_x, part);
+    m->way.z = tp_coastal_mix(d[0].way_z, d[1].way_z, part);
+    if ((d[0].tilt_sin | d[1].tilt_sin) == 0)
+        return;
+    m->orbit.sin =
+        tp_coastal_mix(d[0].tilt_sin * (1 << 16), d[1].tilt_sin * (1 << 16), part);
+    m->orbit.cos =
+        tp_coastal_mix(d[0].tilt_cos * (1 << 16), d[1].tilt_cos * (1 << 16), part);
+}
+
+static motion evaluate_motion(const tp_coastal_water *coastal, uint32_t i,
+                              const tp_turn *phases, tp_fx x0, tp_fx z0,
+                              const floor_place *p)
+{
+    const tp_coastal_wave *wave = &coastal->wave[i];
+    const tp_coastal_table *table = &tp_coastal_tables(coastal)[i];
+    const tp_coastal_depth_entry *d = table->depth + p->at.depth;
+    motion m = {
+        .phi = phases[i] + tp_swell_turns(wave->turns_x, x0)
+               + tp_swell_turns(wave->turns_z, z0) + QUARTER,
+        .orbit.along = tp_coastal_mix(d[0].along, d[1].along, p->at.depth_fraction),
+        .orbit.up = tp_coastal_mix(d[0].up, d[1].up, p->at.depth_fraction),
+        .orbit.cos = TP_Q30_ONE,
+    };
+
+    if (coastal->map_cols)
+        add_map_motion(coastal, wave, p, &m);
+    else
+        add_slope_motion(table, p, &m);
+    if (wave->lambda)
+        m.phi = tp_wind_phase(m.phi, tp_wind_push(wave->lambda, m.orbit.up),
+                              wave->iterations);
+    return m;
+}
+
+/* -- breaking ---------------------------------------------------------------------- */
+
+/* Noise at a point.  Across the direction of travel a cell is half a wave long, along the
+ * direction two waves.  If there is another wave, one beat between the two waves moves the
+ * noise on by eight cells.  Both coordinates wrap: 2^16 turns across are 2^17 cells, 16
+ * turns along are eight cells. */
+static tp_fx sample_noise(const tp_coastal_water *coastal, uint32_t i,
+                          const tp_turn *phases, tp_fx x0, tp_fx z0)
+{
+    const tp_coastal_wave *wave = &coastal->wave[i];
+    const uint64_t x = (uint64_t)(int64_t)x0, z = (uint64_t)(int64_t)z0;
+    const uint64_t kx = (uint64_t)wave->turns_x, kz = (uint64_t)wave->turns_z;
+    const uint64_t across = kx * z - kz * x, along = kx * x + kz * z;   /* Q48 */
+    const tp_turn beat = phases[i + 1 < coastal->count ? i + 1 : 0] - phases[i];
+
+    return tp_noise((uint32_t)(across >> 31),
+                    (uint32_t)((along >> 33) + (beat >> 13)), i * 0x632be5abu);
+}
+
+/* Returns the gate of [B15], 16.16: 0 closed, 1 fully open. */
+static tp_fx breaking_gate(const tp_coastal_water *coastal, uint32_t i,
+                           const tp_turn *phases, tp_fx x0, tp_fx z0,
+                           const floor_place *p)
+{
+    const tp_coastal_depth_entry *d = tp_coastal_tables(coastal)[i].depth + p->at.depth;
+    tp_fx ratio = tp_coastal_mix(d[0].ratio, d[1].ratio, p->at.depth_fraction);
+
+    if (ratio < TP_COASTAL_RATIO_LEAST)
+        return 0;
+    if (coastal->irregular) {
+        const tp_fx noise = sample_noise(coastal, i, phases, x0, z0);
+        ratio += tp_fx_mul(ratio, tp_fx_mul(coastal->irregular, noise) / 2);
+    }
+    return tp_breaking_gate(ratio);
+}
+
+/* Returns the foam of a gate, 0..255: none in the trough half, full on the crest,
+ * quadratic in between. */
+static uint32_t gate_foam(tp_fx gate, int32_t p)
+{
+    const uint32_t far = p < 0 ? 0u - (uint32_t)p : (uint32_t)p;
+    const uint32_t near = far > QUARTER ? (far - QUARTER) >> 15 : 0;    /* 0..2^15 */
+    return ((uint32_t)gate * (near * near >> 15) >> 15) * 255 >> 16;
+}
+
+/* Returns the offset of one wave that may break, and raises *foam to the foam of the wave.
+ * Without `whole` the offset leaves out overhanging crests. */
+static tp_offset surf_offset(const tp_coastal_water *coastal, uint32_t i,
+                             const tp_turn *phases, const floor_place *p, const motion *m,
+                             tp_fx x0, tp_fx z0, bool whole, uint32_t *foam)
+{
+    const tp_coastal_wave *wave = &coastal->wave[i];
+    const tp_coastal_depth_entry *d = tp_coastal_tables(coastal)[i].depth + p->at.depth;
+    const tp_fx gate = breaking_gate(coastal, i, phases, x0, z0, p);
+    const tp_fx steep = tp_coastal_mix(d[0].steep, d[1].steep, p->at.depth_fraction) * 4;
+    const int32_t phase = (int32_t)(m->phi - tp_orbit_lowest(&m->orbit));
+    const uint32_t here = gate_foam(gate > steep ? gate : steep, phase);
+
+    *foam = here > *foam ? here : *foam;
+    if (!whole || gate == 0 || wave->stretch == 0)
+        return tp_orbit_offset(&m->orbit, m->phi);
+    const tp_fx lip = tp_coastal_mix(d[0].lip, d[1].lip, p->at.depth_fraction);
+    const tp_breaker breaker = {
+        .orbit = m->orbit, .stretch = tp_fx_mul(lip, wave->stretch),
+        .lip = tp_fx_mul(lip, wave->plunge), .kept_stretch = gate, .kept_lip = gate,
+    };
+    return tp_breaking_shape(&breaker, m->phi).offset;
+}
+
+/* -- points ------------------------------------------------------------------------ */
+
+static tp_coastal_point sample_point(const tp_coastal_water *coastal,
+                                     const tp_turn *phases, tp_fx x0, tp_fx z0,
+                                     bool whole)
+{
+    const floor_place p = locate_point(coastal, x0, z0);
+    const uint32_t count = p.depth > 0 ? coastal->count : 0; /* dry land does not move */
+    tp_coastal_point point = { .position = { 0, 0, 0 }, .depth = p.depth };
+    uint32_t foam = 0;
+
+    for (uint32_t i = 0; i < count; i++) {
+        const motion m = evaluate_motion(coastal, i, phases, x0, z0, &p);
+        const tp_offset o = p.at.depth >= coastal->wave[i].calm
+                          ? tp_orbit_offset(&m.orbit, m.phi)
+                          : surf_offset(coastal, i, phases, &p, &m, x0, z0, whole, &foam);
+        point.position.x += tp_q30_mul(o.along, m.way.x);
+        point.position.y += o.up;
+        point.position.z += tp_q30_mul(o.along, m.way.z);
+    }
+    point.position.x = tp_fx_add_sat(x0, point.position.x);
+    point.position.z = tp_fx_add_sat(z0, point.position.z);
+    point.breaking = (uint8_t)foam;
+    return point;
+}
+
+tp_coastal_point tp_coastal_displace_point(const tp_coastal_water *coastal,
+                                       const tp_turn phases[TP_WAVES], tp_fx x0, tp_fx z0)
+{
+    return sample_point(coastal, phases, x0, z0, true);
+}
+
+tp_coastal_point tp_coastal_displace_smooth(const tp_coastal_water *coastal,
+                                            const tp_turn phases[TP_WAVES], tp_fx x0,
+                                            tp_fx z0)
+{
+    return sample_point(coastal, phases, x0, z0, false);
+}
+
+tp_fx tp_coastal_max_displacement(const tp_coastal_water *coastal)
+{
+    return coastal->max_displacement;
+}
+
+tp_fx tp_coastal_max_height(const tp_coastal_water *coastal)
+{
+    return coastal->height;
+}
+
+tp_fx tp_coastal_breaking_depth(const tp_coastal_water *coastal)
+{
+    return (tp_fx)tp_clamp_abs((int64_t)tp_coastal_max_height(coastal) * 8,
+                               2048 * TP_FX_ONE);
+}

@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The water's bounds and pools in a scene: the sides of the pool, a tank around the pool,
+ * a floor; the configurations of the two pools, [pool] and [field], and their states in a
+ * world. features/pool initialises and steps them.
+ */
+#ifndef TP_WORLD_POOLS_H
+#define TP_WORLD_POOLS_H
+#include "fixed/arithmetic.h"
+#include "tidepool/scene.h"
+#include "world/module.h"
+
+/* A horizontal rectangle in world coordinates, m. */
+typedef struct {
+    tp_fx x0, x1, z0, z1;
+} tp_rectangle;
+
+static inline tp_rectangle tp_pool_sides(const tp_scene *scene)
+{
+    int64_t wide = (int64_t)scene->pool.cell * scene->pool.cols / 2;
+    int64_t deep = (int64_t)scene->pool.cell * scene->pool.rows / 2;
+
+    return (tp_rectangle){ tp_fx_saturate(scene->pool.x - wide),
+                           tp_fx_saturate(scene->pool.x + wide),
+                           tp_fx_saturate(scene->pool.z - deep),
+                           tp_fx_saturate(scene->pool.z + deep) };
+}
+
+static inline bool tp_has_tank(const tp_scene *scene)
+{
+    return scene->tank.kind != TP_TANK_NONE && scene->pool.cols > 0;
+}
+
+/* True if there is a sea floor. The floor may rise above the water as land. */
+static inline bool tp_has_floor(const tp_scene *scene)
+{
+    return scene->floor.depth > 0 || scene->floor.map[0];
+}
+
+/* True if the pool has inner walls. */
+static inline bool tp_has_inner_walls(const tp_scene *scene)
+{
+    return scene->pool.cols > 0 && scene->pool.mask[0];
+}
+
+/* -- states in a world, or NULL ---------------------------------------------------- */
+
+const tp_pool  *tp_world_pool(const tp_world *world);
+const tp_pool  *tp_world_field(const tp_world *world);
+
+#define TP_POOL_ID  TP_MODULE_ID('p', 'o', 'o', 'l')
+#define TP_FIELD_ID TP_MODULE_ID('f', 'i', 'e', 'l')
+
+/* State of the pool module and of the field module. */
+typedef struct {
+    uint32_t poke_wait;         /* ticks until the next random poke */
+    uint32_t unused;
+    tp_pool  pool;              /* the cells follow the struct */
+} tp_basin;
+
+/* Returns the configuration of the pool or the field. NULL assets: no mask. */
+tp_pool_config tp_pools_config(const tp_scene *scene, const tp_assets *assets, bool field);
+
+/* Runs tp_pool_check if the scene has this pool; err->word is the parameter at fault. */
+tp_status tp_pools_check(const tp_scene *scene, const tp_assets *assets, bool field,
+                         tp_error *err);
+
+/* Returns the pool or the field of a world, or NULL. */
+tp_pool *tp_world_mutable_pool(const tp_world *world);
+tp_pool *tp_world_mutable_field(const tp_world *world);
+
+#endif

@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: MIT */
+/* The table of parameters as listed in tests/golden/params.txt: unit, range and default of
+ * each row; and the constant for each word of a choice. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <string.h>
+#include <cmocka.h>
+#include "tests/lib/listing.h"
+#include "world/value.h"
+
+static listing listed;
+
+/* Writes "fx m, -8000 to 8000, 0": kind, unit, range, default; names have no range. */
+static void tell(const tp_param *row, char *to, size_t bytes)
+{
+    static const char *const kinds[] = {
+        [TP_PARAM_FX] = "fx", [TP_PARAM_INT] = "int", [TP_PARAM_BOOL] = "bool",
+        [TP_PARAM_COLOUR] = "colour", [TP_PARAM_CHOICE] = "choice",
+        [TP_PARAM_MESH] = "mesh", [TP_PARAM_TEXTURE] = "texture",
+        [TP_PARAM_GREY] = "grey", [TP_PARAM_TEXT] = "text",
+    };
+    const int32_t numbers[] = { row->low, row->high, row->normal };
+    char text[3][TP_NAME_BYTES];
+    tp_scene scene;
+
+    tp_scene_level(&scene);
+    for (int i = 0; i < 3 && !tp_param_is_text(row); i++) {
+        memcpy((char *)&scene + row->offset, &numbers[i], sizeof numbers[i]);
+        tp_param_text(&scene, row, text[i], sizeof text[i]);
+    }
+    if (tp_param_is_text(row))
+        snprintf(to, bytes, "%s \"%s\"", kinds[row->kind], row->text);
+    else
+        snprintf(to, bytes, "%s%s%s, %s to %s, %s", kinds[row->kind],
+                 row->unit[0] ? " " : "", row->unit, text[0], text[1], text[2]);
+}
+
+static void every_row_is_the_listed_one(void **state)
+{
+    uint32_t count, wrong = 0;
+    const tp_param *rows = tp_params(&count);
+
+    (void)state;
+    assert_true(count <= LISTING_MOST);
+    for (uint32_t i = 0; i < count; i++) {
+        char values[LISTING_VALUES];
+        tell(&rows[i], values, sizeof values);
+        wrong += !listing_holds(&listed, i, rows[i].name, values);
+    }
+    wrong += listed.count != count;
+    listed.count = count;
+    listing_write(&listed);
+    assert_true(wrong == 0 || listed.write);
+}
+
+/* -- words --------------------------------------------------------------------------- */
+
+static const struct {
+    const char *name, *word;
+    int32_t     number;
+} words[] = {
+    { "camera.follow", "none", TP_FOLLOW_NONE },
+    { "camera.follow", "boat", TP_FOLLOW_BOAT },
+    { "light.model", "phong", TP_LIGHT_PHONG },
+    { "light.model", "blinn", TP_LIGHT_BLINN },
+    { "sky.kind", "gradient", TP_SKY_GRADIENT },
+    { "sky.kind", "day", TP_SKY_DAY },
+    { "sky.kind", "dusk", TP_SKY_DUSK },
+    { "sky.kind", "night", TP_SKY_NIGHT },
+    { "sky.kind", "cube", TP_SKY_CUBE },
+    { "hdr.exposure", "fixed", TP_EXPOSURE_FIXED },
+    { "hdr.exposure", "auto", TP_EXPOSURE_AUTO },
+    { "water.filter", "nearest", TP_FILTER_NEAREST },
+    { "water.filter", "linear", TP_FILTER_LINEAR },
+    { "water.fresnel", "table", TP_FRESNEL_TABLE },
+    { "water.fresnel", "schlick", TP_FRESNEL_SCHLICK },
+    { "mirror.objects", "none", TP_MIRROR_NONE },
+    { "mirror.objects", "stencil", TP_MIRROR_STENCIL },
+    { "mirror.objects", "cube", TP_MIRROR_CUBE },
+    { "mirror.size", "half", TP_MIRROR_HALF },
+    { "mirror.size", "quarter", TP_MIRROR_QUARTER },
+    { "pool.cells", "8", TP_CELLS_8 },
+    { "pool.cells", "16", TP_CELLS_16 },
+    { "pool.cells", "32", TP_CELLS_32 },
+    { "pool.edges", "wall", TP_EDGES_WALL },
+    { "pool.edges", "sponge", TP_EDGES_SPONGE },
+    { "pool.edges", "tile", TP_EDGES_TILE },
+    { "field.cells", "8", TP_CELLS_8 },
+    { "field.cells", "16", TP_CELLS_16 },
+    { "field.cells", "32", TP_CELLS_32 },
+    { "field.edges", "wall", TP_EDGES_WALL },
+    { "field.edges", "sponge", TP_EDGES_SPONGE },
+    { "field.edges", "tile", TP_EDGES_TILE },
+    { "tank.kind", "none", TP_TANK_NONE },
+    { "tank.kind", "stone", TP_TANK_STONE },
+    { "tank.kind", "glass", TP_TANK_GLASS },
+    { "drops.into", "rings", TP_DROPS_RINGS },
+    { "drops.into", "pool", TP_DROPS_POOL },
+    { "boat.mode", "kinematic", TP_BOAT_KINEMATIC },
+    { "boat.mode", "dynamic", TP_BOAT_DYNAMIC },
+    { "quality.visibility", "auto", TP_VISIBILITY_AUTO },
+    { "quality.visibility", "triangles", TP_VISIBILITY_TRIANGLES },
+    { "quality.visibility", "rows", TP_VISIBILITY_ROWS },
+    { "quality.visibility", "projected", TP_VISIBILITY_PROJECTED },
+    { "quality.visibility", "flat", TP_VISIBILITY_FLAT },
+    { "quality.shading", "auto", TP_SHADING_AUTO },
+    { "quality.shading", "exact", TP_SHADING_EXACT },
+    { "quality.shading", "quick", TP_SHADING_QUICK },
+    { "quality.rate", "auto", TP_RATE_AUTO },
+    { "quality.rate", "full", TP_RATE_FULL },
+    { "quality.rate", "layers", TP_RATE_LAYERS },
+    { "quality.rate", "colour", TP_RATE_COLOUR },
+    { "quality.lod", "auto", TP_LOD_AUTO },
+    { "quality.lod", "off", TP_LOD_OFF },
+    { "quality.lod", "on", TP_LOD_ON },
+};
+
+enum { WORDS = sizeof words / sizeof words[0] };
+
+static void words_stand_for_their_constants(void **state)
+{
+    (void)state;
+    for (int i = 0; i < WORDS; i++) {
+        const tp_param *row = tp_param_find(words[i].name, strlen(words[i].name));
+        tp_scene scene;
+        int32_t number;
+
+        tp_scene_level(&scene);
+        assert_non_null(row);
+        assert_int_equal(row->kind, TP_PARAM_CHOICE);
+        assert_int_equal(tp_param_set(&scene, row, words[i].word, strlen(words[i].word),
+                                      NULL), TP_OK);
+        memcpy(&number, (char *)&scene + row->offset, sizeof number);
+        assert_int_equal(number, words[i].number);
+    }
+}
+
+/* The lists above and those of the rows are as long as the ranges. */
+static void every_choice_has_a_word_for_each_of_its_numbers(void **state)
+{
+    uint32_t count;
+    const tp_param *rows = tp_params(&count);
+
+    (void)state;
+    for (uint32_t i = 0; i < count; i++) {
+        int listed_here = 0, in_unit = 1;
+        if (rows[i].kind != TP_PARAM_CHOICE)
+            continue;
+        for (const char *c = rows[i].unit; *c; c++)
+            in_unit += *c == '|';
+        for (int k = 0; k < WORDS; k++)
+            listed_here += !strcmp(words[k].name, rows[i].name);
+        assert_int_equal(rows[i].low, 0);
+        assert_int_equal(rows[i].high, in_unit - 1);
+        if (listed_here != in_unit)
+            fail_msg("%s has %d words here, %d in its row", rows[i].name, listed_here,
+                     in_unit);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_row_is_the_listed_one),
+        cmocka_unit_test(words_stand_for_their_constants),
+        cmocka_unit_test(every_choice_has_a_word_for_each_of_its_numbers),
+    };
+
+    listing_read(&listed, "tests/golden/params.txt", argc, argv);
+    return cmocka_run_group_tests_name("scene params list", tests, NULL, NULL);
+}
