@@ -279,7 +279,7 @@ static void make_waves(tp_coastal_water *coastal, const tp_coastal_config *confi
                        const tp_deep_water *deep, const tp_wave *const wave[TP_WAVES],
                        const block_layout *plan, parts_kept kept)
 {
-    const int32_t tilt = plan->cols ? tp_ocean_floor_tilt_sine_bound(coastal) : 0;
+    const int32_t tilt = plan->cols ? tp_coastal_floor_tilt_sine_bound(coastal) : 0;
 
     for (uint32_t i = 0; i < deep->count; i++)
         make_wave(coastal, i, wave[i], &deep->swell[i], config);

@@ -257,7 +257,7 @@ void tp_coastal_make_phases(tp_coastal_water *coastal, uint32_t i,
 
 /* Returns a bound of the sine of the tilt over a map, Q14, from the steepest slope: r
  * / sqrt(1 + r^2). */
-int32_t tp_ocean_floor_tilt_sine_bound(const tp_coastal_water *coastal)
+int32_t tp_coastal_floor_tilt_sine_bound(const tp_coastal_water *coastal)
 {
     const tp_coastal_floor_node *beds = tp_coastal_floor_nodes(coastal);
     int64_t most = 0;

@@ -177,10 +177,10 @@ void tp_coastal_make_phases(tp_coastal_water *coastal, uint32_t i,
                             const tp_coastal_swell *swell);
 void tp_coastal_limit_steepness(tp_coastal_water *coastal);
 
-/* tp_ocean_floor_tilt_sine_bound returns the sine of the steepest tilt over a map,
+/* tp_coastal_floor_tilt_sine_bound returns the sine of the steepest tilt over a map,
  * Q14. tp_coastal_add_bounds adds the bounds of a swell, whose table and phases must
  * exist, to the bounds of the ocean. */
-int32_t tp_ocean_floor_tilt_sine_bound(const tp_coastal_water *coastal);
+int32_t tp_coastal_floor_tilt_sine_bound(const tp_coastal_water *coastal);
 void tp_coastal_add_bounds(tp_coastal_water *coastal, uint32_t i, int32_t tilt);
 
 void tp_coastal_make_floor_nodes(tp_coastal_water *coastal, const tp_floor *floor);

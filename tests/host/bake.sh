@@ -102,11 +102,11 @@ done
 
 run bake count-64 -o g.c --set quality.shading=quick --texels 8
 same "pictures are baked as the quick rung wants them, and not beside" \
-    "$(grep -c '\.graded\[0\] = \|\.slopes = ' g.c) $(grep -c '\.layer\[0\] = &' g.c)" \
+    "$(grep -c '\.baked_layer\[0\] = \|\.baked_slope = ' g.c) $(grep -c '\.layer\[0\] = &' g.c)" \
     "2 0"
 run bake count-64 -o g.c --texels 8 --set quality.shading=quick --set water.clear=3
 same "but beside what exact stages will ask for" \
-    "$(grep -c '\.graded\[0\] = &\|\.layer\[0\] = &' g.c)" 2
+    "$(grep -c '\.baked_layer\[0\] = &\|\.layer\[0\] = &' g.c)" 2
 run bake count-64 -o g.c --texels 8 --set quality.shading=quick --set ripple.bump=0
 same "and where smooth water under a dome is drawn by exact stages" \
     "$(grep -c '\.layer\[0\] = &' g.c)" 1

@@ -8,7 +8,7 @@
 program_begin "$1"
 sanitized=$root/build/san/tidepool
 lacks Xvfb xvfb "the preview's leaks" && exit 0
-[ -x "$sanitized" ] || { fail "$sanitized" "make host-tests builds it"; exit 1; }
+[ -x "$sanitized" ] || { fail "$sanitized" "make test-all builds it"; exit 1; }
 "$sanitized" view no-such-scene 2>&1 | grep -q 'built without the preview' &&
     { skip "the preview's leaks" "libsdl2-dev"; exit 0; }
 

@@ -344,7 +344,7 @@ fi
 
 every() {
     sed -n 's/^    X([A-Z0-9_]*, *"[a-z]*", *"\([a-z0-9_]*\)".*/\1/p' \
-        "$root/ports/host/actions.h" | sort >listed
+        "$root/ports/app/session/actions.h" | sort >listed
     printf '%s\n' $covered | sort -u | diff listed - >log && [ -s listed ]
 }
 check "every action of the list has a case" every

@@ -318,7 +318,7 @@ static void check_written(tp_fx x)
 /* Asserts that neither neighbour decimal with one place less reads back as x. */
 static void check_shortest(tp_fx x)
 {
-    char text[16], cut[24];
+    char text[16], cut[48];
     tp_fx_write(x, text);
     const char *const point = strchr(text, '.');
     if (point == NULL)

@@ -1,302 +1,412 @@
 /* SPDX-License-Identifier: MIT */
-/* Scenes filled in by a program: every row just beyond its range and far beyond, names
- * without an end, combinations.  Every entry point refuses the same scenes and names the
- * same row; accepted scenes are stepped and drawn under the sanitizers. */
+/* Worlds from outside: any state that steps can reach is accepted, for any scene and input;
+ * any other state is refused with the name of the faulty field. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "base/error.h"
-#include "quality/plan.h"
-#include "tests/lib/frames.h"
-#include "tests/lib/scenes.h"
+#include "features/drops/drops.h"
+#include "features/exposure/exposure.h"
+#include "features/foam/foam.h"
+#include "features/spray/spray.h"
+#include "tests/lib/worlds.h"
+#include "world/pools.h"
+#include "waves/coastal_tables.h"
 
-enum { WIDTH = 32, HEIGHT = 24 };
-
-static const tp_config picture = {
-    .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_XRGB8888
-};
 static uint64_t chance;
-static test_kit kit;
 
-typedef struct {
-    tp_scene  scene;            /* the world's scene */
-    tp_world *world;
-    size_t    world_bytes;
-    void     *block;            /* as large as a frame of any scene here */
-    size_t    block_bytes;
-    void     *copy;             /* copy of the world */
-} check_stand;
+/* -- accepted worlds --------------------------------------------------------------- */
 
-static check_stand stand_of(const tp_scene *scene)
+/* Asserts that the world is valid for the scene as it is now. */
+static void assert_valid(const tp_world *world, const tp_scene *scene,
+                         const tp_assets *assets)
 {
-    check_stand s = { .scene = *scene,
-                      .world_bytes = tp_world_bytes(&tp_program_all, scene, NULL),
-                      .block_bytes = 1 << 22 };
+    tp_world *fresh = scene_world(scene, assets);
+    tp_error err = { .word = "" };
 
-    s.world = malloc(s.world_bytes);
-    s.copy = malloc(s.world_bytes);
-    s.block = malloc(s.block_bytes);
-    assert_int_equal(
-        tp_world_init(&tp_program_all, s.world, s.world_bytes, scene, NULL, NULL), TP_OK);
-    memcpy(s.copy, s.world, s.world_bytes);
+    if (tp_world_check(&tp_program_all, world, world->layout.bytes, fresh, &err) != TP_OK)
+        fail_msg("seed %llu: tick %llu: %s", (unsigned long long)chance,
+                 (unsigned long long)world->tick, err.word);
+    free(fresh);
+}
+
+/* Input with everything at once, as extreme as a port can request. */
+static tp_input input_wild(void)
+{
+    const int32_t most = chance_int(&chance, 0, 3) ? TP_FX_ONE : INT32_MAX;
+
+    return (tp_input){
+        .forward = chance_int(&chance, -most, most),
+        .up = chance_int(&chance, -most, most),
+        .strafe = chance_int(&chance, -most, most),
+        .turn = (int32_t)random_next(&chance),
+        .tilt = (int32_t)random_next(&chance),
+        .drops = chance_int(&chance, 0, 1024),
+        .sphere_x = chance_int(&chance, -most, most),
+        .sphere_z = chance_int(&chance, -most, most),
+        .throttle = chance_int(&chance, -most, most),
+        .rudder = chance_int(&chance, -most, most),
+        .push[0] = { chance_fx(&chance, -64, 64), chance_fx(&chance, -8, 8),
+                     chance_fx(&chance, -8, 8) },
+        .push[7].height = chance_int(&chance, INT32_MIN, INT32_MAX),
+        .slowdown = chance_int(&chance, -3, 3),
+        .light_turn = (int32_t)random_next(&chance),
+        .light_tilt = (int32_t)random_next(&chance),
+    };
+}
+
+/* Any scene of the table, limited to sizes that a test has time for. */
+static tp_scene scene_small(void)
+{
+    tp_scene s = scene_any(&chance);
+    tp_scene_pool *const pools[] = { &s.pool, &s.field };
+
+    for (int i = 0; i < 2; i++) {
+        pools[i]->cols = chance_int(&chance, 0, 1) ? chance_int(&chance, 16, 40) : 0;
+        pools[i]->rows = chance_int(&chance, 16, 40);
+        pools[i]->courant = TP_FX(0.3);
+        pools[i]->feed_high = pools[i]->feed_low + TP_FX(0.1);
+    }
+    s.foam.cells = chance_int(&chance, 0, 40);
+    if (chance_int(&chance, 0, 1))
+        strcpy(s.boat.mesh, "boat.obj");
+    else
+        s.boat.mesh[0] = '\0';
     return s;
 }
 
-static void stand_free(check_stand *s)
+static void step_wildly(tp_world *world, const tp_scene *scene, int pictures)
 {
-    free(s->world);
-    free(s->copy);
-    free(s->block);
-}
-
-static void assert_refused(tp_status status, const tp_error *err, const tp_error *why,
-                           const char *entry)
-{
-    if (status != why->code || err->code != why->code || err->a != why->a
-        || err->b != why->b || strcmp(err->word, why->word) != 0)
-        fail_msg("%s says %s of %s, tp_scene_check says %s of %s", entry,
-                 tp_status_text(status), err->word, tp_status_text(why->code), why->word);
-}
-
-/* Asserts that every entry point refuses the scene as tp_scene_check does, and changes
- * nothing. */
-static void all_refuse(check_stand *s, const tp_scene *bad, const tp_error *why)
-{
-    tp_error  err;
-    tp_frame *frame = NULL;
-    const tp_rungs rungs = tp_rungs_choose(bad, NULL, WIDTH, HEIGHT);
-
-    assert_int_equal(tp_world_bytes(&tp_program_all, bad, NULL), 0);
-    assert_int_equal(tp_frame_bytes(&picture, bad), 0);
-    assert_int_equal(tp_frame_scratch_bytes(&picture, bad), 0);
-    assert_int_equal(tp_frame_direct_scratch_bytes(&picture, bad), 0);
-    assert_false(tp_world_apply(&tp_program_all, s->world, bad, NULL));
-    assert_refused(
-        tp_world_init(&tp_program_all, s->world, s->world_bytes, bad, NULL, &err), &err,
-        why, "tp_world_init");
-    assert_memory_equal(s->world, s->copy, s->world_bytes);
-    assert_refused(tp_frame_init(&frame, &picture, bad, s->block,
-                                 tp_frame_bytes(&picture, bad), &err),
-                   &err, why, "tp_frame_init");
-    assert_null(frame);
-    assert_int_equal(rungs.visibility, TP_VISIBILITY_TRIANGLES);
-    assert_int_equal(rungs.shading, TP_SHADING_EXACT);
-    assert_int_equal(tp_plan_make(bad, NULL, WIDTH, HEIGHT).total.cost, 0);
-    assert_int_equal(tp_ladder_make(bad, NULL, WIDTH, HEIGHT).count, 1);
-}
-
-/* Steps and draws the scene under the sanitizers. */
-static void use(const tp_scene *scene, const tp_assets *assets)
-{
-    tp_world *world = scene_world(scene, assets);
-    tp_tile   tile;
-
-    assert_non_null(world);
-    test_frame f = frame_of(scene, assets, &picture);
-    for (int tick = 0; tick < 2; tick++) {
-        tp_world_step(&tp_program_all, world, scene, NULL);
-        tp_frame_begin(f.frame, world);
-        for (uint32_t i = 0; tp_frame_draw_tile(f.frame, i, f.scratch, &tile); i++)
-            assert_non_null(tile.pixels);
-    }
-    assert_true(frame_guard_holds(f.block, f.bytes));
-    frame_free(&f);
-    free(world);
-}
-
-static void every_number_beyond_its_range_is_refused_by_its_name(void **state)
-{
-    (void)state;
-    uint32_t count;
-    const tp_param *const rows = tp_params(&count);
-    const tp_scene plain = scene_plain();
-    check_stand s = stand_of(&plain);
-
-    for (uint32_t i = 0; i < count; i++) {
-        const int32_t beyond[] = { rows[i].low - 1, rows[i].high + 1, INT32_MIN,
-                                   INT32_MAX };
-        for (size_t k = 0; scene_is_number(&rows[i]) && k < 4; k++) {
-            tp_scene bad = plain;
-            tp_error why;
-            *scene_number(&bad, &rows[i]) = beyond[k];
-            assert_int_equal(tp_scene_check(&bad, &why), TP_E_RANGE);
-            assert_string_equal(why.word, rows[i].name);
-            assert_int_equal(why.a, rows[i].low);
-            assert_int_equal(why.b, rows[i].high);
-            assert_int_equal(tp_scene_check(&bad, NULL), TP_E_RANGE);
-            all_refuse(&s, &bad, &why);
+    for (int i = 0; i < pictures; i++) {
+        for (uint32_t n = tp_world_advance_clock(world); n > 0; n--) {
+            const tp_input in = input_wild();
+            tp_world_step(&tp_program_all, world, scene, &in);
         }
     }
-    stand_free(&s);
 }
 
-/* A scene of plain waves; a grid of a million points is left to slower tests. */
-static void every_number_at_the_ends_of_its_range_is_taken(void **state)
+static void worlds_that_step_are_valid(void **state)
 {
     (void)state;
-    uint32_t count;
-    const tp_param *const rows = tp_params(&count);
-    const tp_assets none = { 0 };
+    const int scenes = getenv("TP_SOAK") ? 20000 : 60;
 
-    for (uint32_t i = 0; i < 2 * count; i++) {
-        const tp_param *row = &rows[i / 2];
-        tp_scene scene = scene_plain();
-        scene.grid.cols = scene.grid.rows = 12;
-        if (!scene_is_number(row))
+    for (int i = 0; i < scenes; i++) {
+        tp_scene scene = scene_small();
+        tp_assets assets = assets_with(&chance, &scene, chance_int(&chance, 0, 3) == 0,
+                                       chance_int(&chance, 0, 1));
+        tp_world *world = scene_world(&scene, &assets);
+        if (!world)
             continue;
-        *scene_number(&scene, row) = i % 2 ? row->high : row->low;
-        assert_int_equal(tp_scene_check(&scene, NULL), TP_OK);
-        if (scene.grid.cols + scene.grid.rows < 100)
-            use(&scene, &none);
+        assert_valid(world, &scene, &assets);
+        step_wildly(world, &scene, 20);
+        assert_valid(world, &scene, &assets);
+        const tp_input look = input_wild();
+        tp_world_move_camera(world, &look);
+        assert_valid(world, &scene, &assets);
+        free(world);
     }
 }
 
-static void names_without_an_end_and_with_control_characters_are_refused(void **state)
+/* Parameters change while the world moves: derived values equal those of a new world. */
+static void worlds_that_were_refreshed_are_valid(void **state)
 {
     (void)state;
     uint32_t count;
-    const tp_param *const rows = tp_params(&count);
-    const tp_scene plain = scene_plain();
-    check_stand s = stand_of(&plain);
+    const tp_param *rows = tp_params(&count);
+    const int scenes = getenv("TP_SOAK") ? 2000 : 8;
 
-    for (uint32_t i = 0; i < count; i++) {
-        tp_scene bad = plain;
-        tp_error why;
-        char *name = (char *)&bad + rows[i].offset;
-        if (scene_is_number(&rows[i]))
-            continue;
-        memset(name, 'n', TP_NAME_BYTES);
-        assert_int_equal(tp_scene_check(&bad, &why), TP_E_UNENDED);
-        assert_string_equal(why.word, rows[i].name);
-        all_refuse(&s, &bad, &why);
-        name[TP_NAME_BYTES - 1] = '\0';             /* the longest possible name */
-        assert_int_equal(tp_scene_check(&bad, NULL), TP_OK);
-        name[1] = '\n';
-        assert_int_equal(tp_scene_check(&bad, &why), TP_E_TEXT);
-        assert_string_equal(why.word, rows[i].name);
-        all_refuse(&s, &bad, &why);
-    }
-    stand_free(&s);
-}
-
-/* Combinations of rows are refused with the same words as from a file. */
-static void combinations_that_cannot_be_used_are_refused(void **state)
-{
-    (void)state;
-    const tp_scene plain = scene_plain();
-    check_stand s = stand_of(&plain);
-
-    for (int n = 0; n < 6; n++) {
-        tp_scene bad = plain;
-        tp_scene_pool *pool = n % 2 ? &bad.field : &bad.pool;
-        const char *field = n % 2 ? "field" : "pool";
-        char word[32];
-        tp_error why;
-        pool->cols = n / 2 == 0 ? 15 : 16;
-        pool->courant = n / 2 == 1 ? TP_FX(0.8) : TP_FX(0.4);
-        pool->feed_low = n / 2 == 2 ? TP_FX_ONE : 0;
-        snprintf(word, sizeof word, "%s.%s", field,
-                 n / 2 == 0 ? "cols" : n / 2 == 1 ? "courant" : "feed_low");
-        assert_int_equal(tp_scene_check(&bad, &why),
-                         n / 2 == 0 ? TP_E_POOL_SIZE : n / 2 == 1 ? TP_E_POOL_COURANT
-                                                                  : TP_E_POOL_FEED);
-        assert_string_equal(why.word, word);
-        all_refuse(&s, &bad, &why);
-    }
-    stand_free(&s);
-}
-
-static void set_any_row_anyhow(tp_scene *scene)
-{
-    static const int32_t odd[] = { INT32_MIN, INT32_MAX, -1, 0, 1, -TP_FX_ONE, TP_FX_ONE };
-    uint32_t count;
-    const tp_param *const rows = tp_params(&count);
-    const tp_param *row = &rows[random_below(&chance, count)];
-    const uint32_t kind = random_below(&chance, 4);
-
-    if (scene_is_number(row))
-        *scene_number(scene, row) =
-            kind == 0 ? odd[random_below(&chance, sizeof odd / sizeof *odd)]
-          : kind == 1 ? chance_int(&chance, INT32_MIN, INT32_MAX)
-          : kind == 2 ? row->low - 1 : chance_int(&chance, row->low, row->high);
-    else if (kind == 0)
-        memset((char *)scene + row->offset, 1 + (int)random_below(&chance, 255),
-               TP_NAME_BYTES - random_below(&chance, 2));
-}
-
-static bool in_range(const tp_scene *scene)
-{
-    uint32_t count;
-    const tp_param *const rows = tp_params(&count);
-
-    for (uint32_t i = 0; i < count; i++) {
-        const int32_t *number = scene_number((tp_scene *)(uintptr_t)scene, &rows[i]);
-        if (scene_is_number(&rows[i])
-            && (*number < rows[i].low || *number > rows[i].high))
-            return false;
-    }
-    return true;
-}
-
-/* Any scene of the table with up to three rows set to any value: every entry point refuses
- * the scene, or the scene works. */
-static void scenes_of_any_numbers_are_refused_or_can_be_used(void **state)
-{
-    (void)state;
-    const tp_scene plain = scene_plain();
-    check_stand s = stand_of(&plain);
-    uint32_t used = 0, refused = 0;
-
-    for (int n = 0; n < 300; n++) {
-        tp_scene scene = kit_scene(&chance, 10, 24);
-        const tp_assets assets = kit_assets(&kit, &scene, &chance);
-        tp_error why = { 0 };
-        for (uint32_t k = random_below(&chance, 4); k > 0; k--)
-            set_any_row_anyhow(&scene);
-        if (tp_scene_check(&scene, &why) == TP_OK) {
-            assert_true(in_range(&scene));
-            kit_hold(&scene, 10, 24);
-            use(&scene, &assets);
-            used++;
-        } else {
-            all_refuse(&s, &scene, &why);
-            refused++;
+    for (int i = 0; i < scenes; i++) {
+        tp_scene scene = scene_small();
+        tp_assets assets = assets_with(&chance, &scene, false, chance_int(&chance, 0, 1));
+        tp_world *world = scene_world(&scene, &assets);
+        for (int n = 0; world && n < 40; n++) {
+            const tp_param *row = &rows[random_below(&chance, count)];
+            const tp_scene before = scene;
+            if (!scene_is_number(row))
+                continue;
+            *scene_number(&scene, row) = chance_int(&chance, row->low, row->high);
+            if (!tp_world_apply(&tp_program_all, world, &scene, &assets))
+                scene = before;
+            if (n % 2)
+                step_wildly(world, &scene, 2);
+            assert_valid(world, &scene, &assets);
         }
+        free(world);
     }
-    print_message("# %u scenes used, %u refused\n", used, refused);
-    assert_true(used > 30 && refused > 30);
-    stand_free(&s);
 }
 
-/* A program without the check accepts unread content of a baked scene: texts. */
-static void a_program_without_the_check_trusts_its_scene(void **state)
+/* -- refused worlds ---------------------------------------------------------------- */
+
+/* A world with every part after some time, and a world of the same scene at tick 0. */
+static tp_scene scene;
+static tp_world *kept, *fresh;
+
+static int make(void **state)
 {
     (void)state;
-    tp_program trusting = tp_program_all;
-    tp_scene scene = scene_plain();
+    uint64_t fixed = 5;
+
+    scene = scene_with(&fixed, 31);
+    scene.pool.cells = TP_CELLS_16;
+    scene.pool.edges = TP_EDGES_SPONGE;
+    scene.field.cells = TP_CELLS_32;
+    scene.field.edges = TP_EDGES_WALL;
+    scene.drops.into = TP_DROPS_RINGS;
+    scene.foam.cells = 20;
+    scene.spray.count = 60;
+    scene.hdr.exposure = TP_EXPOSURE_AUTO;
+    kept = scene_world(&scene, NULL);
+    fresh = scene_world(&scene, NULL);
+    run(&fixed, kept, &scene, 90);
+    return kept && fresh && tp_world_drops(kept)->rings > 0
+                   && tp_world_spray(kept)->count > 0 && tp_world_drops(kept)->count > 0
+               ? 0
+               : -1;
+}
+
+static int unmake(void **state)
+{
+    (void)state;
+    free(kept);
+    free(fresh);
+    return 0;
+}
+
+static void assert_refused(const char *what, const char *word)
+{
+    tp_error err = { .word = "nothing" };
+    tp_world_check(&tp_program_all, kept, kept->layout.bytes, fresh, &err);
+    if (strcmp(err.word, word) != 0)
+        fail_msg("%s is refused for %s, expected %s", what, err.word, word);
+}
+
+/* Writes hostile values into a number of 4 or 8 bytes; each value must be refused. */
+static void refused(const void *at, size_t size, const char *what, const char *word)
+{
+    static const int32_t hostile[] = { INT32_MIN, INT32_MAX, -0x40000000, 0x40000000 };
+    uint8_t before[8];
+    void *const to = (void *)(uintptr_t)at;
+
+    memcpy(before, to, size);
+    for (size_t i = 0; i < sizeof hostile / sizeof *hostile; i++) {
+        const int64_t wide = hostile[i] * ((int64_t)1 << 32);
+        memcpy(to, size == 8 ? (const void *)&wide : (const void *)&hostile[i], size);
+        if (memcmp(to, before, size) != 0)
+            assert_refused(what, word);
+    }
+    memcpy(to, before, size);
+    assert_int_equal(
+        tp_world_check(&tp_program_all, kept, kept->layout.bytes, fresh, NULL), TP_OK);
+}
+
+#define REFUSED(member, word) refused(&(member), sizeof (member), #member, word)
+
+static void the_head_is_checked(void **state)
+{
+    (void)state;
+    REFUSED(kept->layout.version, "version");
+    REFUSED(kept->layout.modules, "layout");
+    REFUSED(kept->layout.bytes, "layout");
+    REFUSED(kept->lag, "head");
+    REFUSED(kept->aboard, "head");
+    REFUSED(kept->eye.x, "camera");
+    REFUSED(kept->last_eye.y, "camera");
+    REFUSED(kept->exposure, "light");
+    REFUSED(kept->last_exposure, "light");
+    REFUSED(kept->clock.scale_q40, "clock");
+    REFUSED(kept->clock.fraction_q40, "clock");
+    REFUSED(kept->clock.target, "clock");
+    REFUSED(kept->clock.zero, "clock");
+    const uint64_t tick = kept->tick;
+    kept->tick = (uint64_t)1 << 47;
+    assert_refused("tick", "head");
+    kept->tick = tick;
+}
+
+static void the_boat_is_checked(void **state)
+{
+    (void)state;
+    REFUSED(kept->boat.place.x, "hull");
+    REFUSED(kept->last_boat.place.y, "hull");
+    REFUSED(kept->boat_state.placed, "head");
+    REFUSED(kept->boat_state.sailed_x, "hull");
+    REFUSED(kept->boat_state.attitude.at[0], "hull");
+    REFUSED(kept->boat_state.without_pool.speed[2], "hull");
+    REFUSED(kept->boat_state.hull.z, "hull");
+    REFUSED(kept->boat_state.wake_hull.immersion[1], "hull");
+}
+
+/* Boolean values of 2 to 255 are invalid. */
+static void the_sea_is_checked(void **state)
+{
+    (void)state;
+    uint8_t *const flags[] = { (uint8_t *)&kept->deep.clamped,
+                               (uint8_t *)&kept->deep.capped,
+                               (uint8_t *)&kept->deep.sharpened,
+                               (uint8_t *)&kept->deep.crossed };
+    for (int i = 0; i < 4; i++) {
+        const uint8_t before = *flags[i];
+        for (int value = 0; value < 256; value++) {
+            *flags[i] = (uint8_t)value;
+            assert_int_equal(
+                tp_world_check(&tp_program_all, kept, kept->layout.bytes, fresh, NULL),
+                value == before ? TP_OK : TP_E_WORLD);
+        }
+        *flags[i] = before;
+    }
+    REFUSED(kept->deep.count, "sea");
+    REFUSED(kept->deep.swell[0].power, "sea");
+    REFUSED(kept->deep.swell[2].mean_q24, "sea");
+    REFUSED(kept->deep.swell[1].turns_x, "sea");
+    const tp_coastal_water *coastal = tp_world_coastal(kept);
+    REFUSED(coastal->count, "coastal");
+    REFUSED(coastal->wave[0].wave_nodes, "coastal");
+    REFUSED(tp_coastal_tables(coastal)[1].turns[TP_COASTAL_PHASES - 1], "coastal");
+}
+
+static void pools_are_checked(void **state)
+{
+    (void)state;
+    const tp_pool *pool = tp_world_pool(kept), *field = tp_world_field(kept);
+    const int32_t *heights = (const int32_t *)(const void *)(field + 1);
+    const uint32_t count = field->cols * field->rows;
+
+    REFUSED(pool->cols, "pool");
+    REFUSED(pool->walls, "pool");
+    REFUSED(pool->sponge, "pool");
+    REFUSED(pool->courant_sq_q10, "pool");
+    REFUSED(pool->unit_shift, "pool");
+    REFUSED(pool->drive_peak, "pool");
+    REFUSED(pool->drive_ticks, "pool");
+    REFUSED(pool->drive_hits, "pool");
+    REFUSED(pool->at_rest, "pool");
+    REFUSED(field->edges, "field");
+    REFUSED(heights[count / 2], "field");
+    REFUSED(heights[count + count / 2], "field");
+    int32_t *last = (int32_t *)(uintptr_t)&heights[2 * count - 1];  /* into the wall */
+    *last = 1;
+    assert_refused("a flux", "field");
+    *last = 0;
+    uint8_t *byte = (uint8_t *)(uintptr_t)pool + pool->walls + 3;
+    *byte ^= 2;
+    assert_refused("a wall", "pool");
+    *byte ^= 2;
+}
+
+static void what_floats_in_the_air_is_checked(void **state)
+{
+    (void)state;
+    const tp_drops *drops = tp_world_drops(kept);
+    const tp_drop *drop = tp_drops_list(drops);
+    const tp_ring *ring = tp_drops_rings(drops);
+    const uint32_t *now = (const uint32_t *)(const void *)(ring + drops->ring_capacity);
+    const tp_spray *spray = tp_world_spray(kept);
+    const tp_speck *speck = tp_spray_list(spray);
+    const tp_foam *foam = tp_world_foam(kept);
+
+    REFUSED(drops->capacity, "drops");
+    REFUSED(drops->count, "drops");
+    REFUSED(drops->rings, "drops");
+    REFUSED(drops->sphere.x, "drops");
+    REFUSED(drops->sphere.y, "drops");
+    REFUSED(drops->sphere.z, "drops");
+    REFUSED(drops->last_sphere.x, "drops");
+    REFUSED(drops->last_sphere.y, "drops");
+    REFUSED(drops->last_sphere.z, "drops");
+    REFUSED(drop->place.x, "drops");
+    REFUSED(drop->high_q32, "drops");
+    REFUSED(drop->radius, "drops");
+    REFUSED(drop->squash_speed, "drops");
+    REFUSED(ring->decay, "drops");
+    REFUSED(ring->start, "drops");
+    REFUSED(now[0], "drops");                   /* number and room of the tick's rings */
+    REFUSED(now[1], "drops");
+    REFUSED(spray->capacity, "spray");
+    REFUSED(spray->count, "spray");
+    REFUSED(speck->place.y, "spray");
+    REFUSED(speck->speed.x, "spray");
+    REFUSED(foam->cells, "foam");
+    REFUSED(foam->scratch, "foam");
+    REFUSED(foam->first_x, "foam");
+    REFUSED(foam->seen[3][1], "foam");
+    REFUSED(foam->drift_z, "foam");
+    uint8_t *probe = tp_world_module_state(kept, TP_METER_ID);
+    *probe ^= 1;
+    assert_refused("a table", "meter");
+    *probe ^= 1;
+}
+
+/* The id and the length before the state of every module with a state. */
+static void the_chunks_are_checked(void **state)
+{
+    (void)state;
+    uint32_t chunks = 0;
+
+    for (const tp_use *u = tp_program_all.modules; u->module; u++) {
+        const uint32_t *mine = tp_world_module_state(kept, u->module->id);
+        if (!mine)
+            continue;
+        refused(&mine[-2], sizeof *mine, "an id", u->module->name);
+        refused(&mine[-1], sizeof *mine, "a length", u->module->name);
+        chunks++;
+    }
+    assert_true(chunks >= 7);
+}
+
+/* A head that ends before its version, a head of version 0 as before version numbers
+ * existed, and a head of a later version. */
+static void worlds_of_other_versions_are_refused(void **state)
+{
+    (void)state;
+    const uint32_t other[] = { 0, TP_WORLD_VERSION - 1, TP_WORLD_VERSION + 1 };
+
+    for (int i = 0; i < 3; i++) {
+        tp_error err;
+        kept->layout.version = other[i];
+        assert_int_equal(
+            tp_world_check(&tp_program_all, kept, kept->layout.bytes, fresh, &err),
+            TP_E_WORLD);
+        assert_string_equal(err.word, "version");
+        assert_int_equal(
+            tp_world_check(&tp_program_all, kept, offsetof(tp_world, layout), fresh, &err),
+            TP_E_WORLD);
+        assert_string_equal(err.word, "layout");
+    }
+    kept->layout.version = TP_WORLD_VERSION;
+    assert_int_equal(
+        tp_world_check(&tp_program_all, kept, kept->layout.bytes, fresh, NULL), TP_OK);
+}
+
+static void short_blocks_are_refused(void **state)
+{
+    (void)state;
     tp_error err;
-
-    trusting.check = NULL;
-    memset(scene.title, 'n', sizeof scene.title);
-    assert_int_equal(tp_world_bytes(&tp_program_all, &scene, NULL), 0);
-    assert_true(tp_world_bytes(&trusting, &scene, NULL) > 0);
-    assert_int_equal(tp_world_init(&trusting, NULL, 0, &scene, NULL, &err), TP_E_NULL);
+    assert_int_equal(
+        tp_world_check(&tp_program_all, kept, kept->layout.bytes - 1, fresh, &err),
+        TP_E_WORLD);
+    assert_string_equal(err.word, "layout");
+    assert_int_equal(tp_world_check(&tp_program_all, kept, 0, fresh, &err), TP_E_WORLD);
+    assert_int_equal(tp_world_check(&tp_program_all, NULL, 99, fresh, &err), TP_E_NULL);
     assert_string_equal(err.word, "world");
+    assert_int_equal(tp_world_check(&tp_program_all, kept, 99, NULL, &err), TP_E_NULL);
+    assert_string_equal(err.word, "fresh");
 }
 
 int main(void)
 {
     chance = random_seed();
-    kit_make(&kit, &chance);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_number_beyond_its_range_is_refused_by_its_name),
-        cmocka_unit_test(every_number_at_the_ends_of_its_range_is_taken),
-        cmocka_unit_test(names_without_an_end_and_with_control_characters_are_refused),
-        cmocka_unit_test(combinations_that_cannot_be_used_are_refused),
-        cmocka_unit_test(scenes_of_any_numbers_are_refused_or_can_be_used),
-        cmocka_unit_test(a_program_without_the_check_trusts_its_scene),
+        cmocka_unit_test(worlds_that_step_are_valid),
+        cmocka_unit_test(worlds_that_were_refreshed_are_valid),
+        cmocka_unit_test(the_head_is_checked),
+        cmocka_unit_test(the_boat_is_checked),
+        cmocka_unit_test(the_sea_is_checked),
+        cmocka_unit_test(pools_are_checked),
+        cmocka_unit_test(what_floats_in_the_air_is_checked),
+        cmocka_unit_test(the_chunks_are_checked),
+        cmocka_unit_test(worlds_of_other_versions_are_refused),
+        cmocka_unit_test(short_blocks_are_refused),
     };
-    return cmocka_run_group_tests_name("scene check", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("world check", tests, make, unmake);
 }

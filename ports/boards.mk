@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: MIT
+# Scenes as constants, and the programs of machines without files that draw them: boards,
+# emulated processors, and static files for small Linux boards.
+
+SCENES   := $(patsubst assets/scenes/%.ini,%,$(wildcard assets/scenes/*.ini))
+# Scenes drawn by tests only.
+DRAWN    := $(patsubst tests/golden/scenes/%.ini,%,$(wildcard tests/golden/scenes/*.ini))
+
+# -- bake ------------------------------------------------------------------------------
+
+# Scenes are baked once for each processor, and again when the code that writes them
+# changes. SCENE=harbour@32 limits textures to 32 texels a side.
+BAKES    := $(wildcard ports/tools/bake/*.c ports/app/scene/assets*.c \
+                ports/app/scene/scene*.c ports/app/files/*_read.c src/mesh/*.c \
+                src/features/all_rows.c include/tidepool/*.h)
+SHIPPED  := $(wildcard assets/scenes/*.ini $(addprefix assets/boats/*.,mtl obj png) \
+                assets/textures/*.png assets/skies/*.png)
+BAKED_FROM := $(BAKES) $(SHIPPED) | build/host/tidepool
+define bake
+	@mkdir -p $$(@D)
+	$$(SAY)build/host/tidepool bake $1 --name baked $2 -o $$@
+endef
+# Rules for baked scenes in a folder, with options, and with prerequisites besides the
+# scene.
+define baked_in
+$1/%.c: ports/cortex-m/scenes/%.ini $3 $$(BAKED_FROM)
+	$(call bake,$$<,$2)
+$1/%.c: tests/golden/scenes/%.ini $3 $$(BAKED_FROM)
+	$(call bake,$$<,$2)
+$1/%.c: $3 $$(BAKED_FROM)
+	$(call bake,assets/scenes/$$(basename $$(@F)).ini,$2)
+$1/board-%.c: tests/budgets/board-%.ini $3 $$(BAKED_FROM)
+	$(call bake,$$<,$2)
+endef
+define baked_at
+$1/%@$4.c: $5/%.ini $3 $$(BAKED_FROM)
+	$(call bake,$$<,$2 --texels $4)
+endef
+baked = $(eval $(call baked_in,$1,$2,$3)) $(foreach n,16 32 64 128,$(foreach folder, \
+    assets/scenes ports/cortex-m/scenes tests/budgets, \
+        $(eval $(call baked_at,$1,$2,$3,$n,$(folder)))))
+$(call baked,build/baked)
+# A board's baked scenes include the module list for the link, which depends on all
+# drawing code.
+ifdef BAKE
+$(call baked,$(BUILD)/baked,$(BAKE),build/host/tidepool ports/$(BOARD)/board.mk)
+endif
+build/baked/prices.c: tests/budgets/prices.ini $(BAKES) $(SHIPPED) | build/host/tidepool
+	@mkdir -p $(@D)
+	$(SAY)build/host/tidepool bake $< --name baked -o $@
+build/baked/$(MACHINE)/%.o: build/baked/%.c
+	@mkdir -p $(@D)
+	$(SAY)$(COMPILE) -c $< -o $@
+$(BUILD)/baked/%.o: $(BUILD)/baked/%.c $(BUILD)/flags
+	$(SAY)$(COMPILE) -c $< -o $@
+
+# -- programs of boards ----------------------------------------------------------------
+
+elf: $(BUILD)/scenes/$(SCENE).elf
+elves: $(SCENES:%=$(BUILD)/scenes/%.elf)
+BOARD_O  := $(addprefix $(BUILD)/,$(addsuffix .o,$(basename $(BOARD_C))))
+LD_FILES := $(if $(BOARD),$(BOARD_LD) $(wildcard $(dir $(BOARD_LD))../*.ld))
+# All that a test's own program for a board needs besides its own objects.
+BOARD_REST := $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(LD_FILES)
+LINK_ELF  = $(LINK) -nostdlib -T $(BOARD_LD) -Wl,--gc-sections $(filter %.o,$^) \
+            $(LIB) -lgcc -o $@
+$(BUILD)/scenes/%.elf: $(if $(BAKE),$(BUILD)/baked,build/baked/$(MACHINE))/%.o \
+          $(BOARD_O) $(LIB) $(LD_FILES)
+	@mkdir -p $(@D)
+	$(SAY)$(LINK_ELF) -Wl,-Map=$(@:.elf=.map)
+# The program for raw screens.
+$(SCENES:%=$(BUILD)/scenes/%-screen): $(BUILD)/scenes/%-screen: $(call objects,$(SCREEN)) \
+          build/baked/$(MACHINE)/%.o $(LIB)
+	@mkdir -p $(@D)
+	$(SAY)$(LINK) -static $^ -lpthread -o $@
+
+list-scenes:
+	@echo $(SCENES)
+.PHONY: elf elves list-scenes

@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: MIT
+# Programs for the tests of boards.
+
+LCD_O   := $(patsubst %,$(BUILD)/%.o,$(addprefix ports/lcd/,clear lcd panels ssd0323 turn) \
+               tests/lib/lcd_panel tests/lib/golden)
+$(filter $(BUILD)/tests/host/test_lcd%,$(UNIT)): $(LCD_O)
+$(BUILD)/tests/boards/sent: $(filter %/clear.o %/lcd.o %/panels.o %/turn.o,$(LCD_O))
+$(BUILD)/tests/boards/vm_state: $(BUILD)/tests/boards/vm_state.o
+	$(SAY)$(LINK) -static $^ -o $@
+
+# A board whose program fails, each in another way.
+FAULTS  := $(addprefix $(BUILD)/faults/,address instruction stack ram)
+$(FAULTS:%=%.o): $(BUILD)/faults/%.o: tests/boards/faults.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(SAY)$(COMPILE) $(HOSTED) -DFAULT_$* -c $< -o $@
+$(FAULTS:%=%.elf): $(BUILD)/faults/%.elf: $(BUILD)/faults/%.o \
+          $(filter-out %/sum.o,$(BOARD_REST))
+	$(SAY)$(LINK_ELF)

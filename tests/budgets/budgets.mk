@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: MIT
+# Programs that count instructions and memory, for this machine and for boards.
+
+build/host/count.so: tests/budgets/count.c $(BUILD)/flags
+	$(SAY)$(COMPILE) -D_POSIX_C_SOURCE=200809L -fPIC -shared $< -o $@
+build/host/tally.so: tests/bench/tally.c $(BUILD)/flags
+	$(SAY)$(COMPILE) -fPIC -shared $< -o $@
+
+# Costs of models, and prices: errors of the program's own estimates.
+MODELS_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/budgets/models*.c))
+# Uses the board's mem*: the C library selects its own at run time by the processor.
+$(BUILD)/tests/budgets/models: $(MODELS_O) $(BUILD)/ports/cortex-m/memory.o $(LIB)
+	$(SAY)$(LINK) $^ -o $@
+$(BUILD)/tests/budgets/errors: $(BUILD)/tests/budgets/errors.o $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) $^ $(LIBS) -o $@
+$(BUILD)/models.elf: $(MODELS_O) $(BOARD_REST)
+	$(SAY)$(LINK_ELF)
+$(BUILD)/prices.elf: $(BUILD)/tests/budgets/prices.o build/baked/$(MACHINE)/prices.o \
+          $(BOARD_REST)
+	$(SAY)$(LINK_ELF)
+$(BUILD)/ram/%.elf: $(BUILD)/tests/budgets/ram.o build/baked/$(MACHINE)/%.o $(BOARD_REST)
+	@mkdir -p $(@D)
+	$(SAY)$(LINK_ELF)
+
+# The minimal program, and programs with the first n features in addition.
+FEATURES := tests/budgets/features.txt
+PROGRAMS := $(addprefix $(BUILD)/features/,$(shell seq 0 $$(grep -vc '^\#' $(FEATURES))))
+programs: $(PROGRAMS:%=%.elf)
+$(PROGRAMS:%=%.c): $(BUILD)/features/%.c: tests/budgets/least.ini $(FEATURES) \
+          build/host/tidepool
+	@mkdir -p $(@D)
+	$(SAY)with=$$(grep -v '^#' $(FEATURES) | head -n $* | sed 's/.*| //' | paste -sd, -) && \
+	    build/host/tidepool bake $< --size 320x240 --format rgb565 --no-input \
+	        $${with:+--with $$with} --name baked -o $@
+$(PROGRAMS:%=%.o): %.o: %.c $(BUILD)/flags
+	$(SAY)$(COMPILE) -c $< -o $@
+$(PROGRAMS:%=%.elf): %.elf: %.o $(BUILD)/tests/budgets/minimal.o $(BOARD_REST)
+	$(SAY)$(LINK_ELF) -Wl,-Map=$(@:.elf=.map)
+.PHONY: programs

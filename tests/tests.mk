@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: MIT
+# Test programs, and the lists of tests that `make test`, `make test-all` and `make soak`
+# run.
+
+# -- programs --------------------------------------------------------------------------
+
+UNIT    := $(patsubst %.c,$(BUILD)/%,$(wildcard $(addsuffix /test_*.c,tests/unit \
+               tests/host tests/stability tests/accuracy)))
+FUZZ    := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
+GOLDEN  := $(BUILD)/tests/golden/test_frames $(BUILD)/tests/golden/test_harness
+LISTS   := $(BUILD)/tests/unit/test_world_params_list $(BUILD)/tests/unit/test_quality_fixed_cost
+CMOCKA  := -lcmocka
+# Tests left out because a library is missing: LEFT_OUT lists them as TEST=PACKAGE, and
+# tests/gates/left-out.sh reports them.
+LEFT_OUT :=
+without = $(eval LEFT_OUT += $(patsubst $(BUILD)/%,%=$1,$(filter $2,$(UNIT) $(GOLDEN)))) \
+          $(eval UNIT := $(filter-out $2,$(UNIT))) \
+          $(eval GOLDEN := $(filter-out $2,$(GOLDEN)))
+ifneq ($(shell pkg-config --exists cmocka 2>/dev/null && echo yes),yes)
+CMOCKA  :=
+$(call without,libcmocka-dev,%)
+endif
+ifndef KMS_CFLAGS
+$(call without,libdrm-dev,%/test_kms %/test_kms_mode_select)
+endif
+ifndef SDL_CFLAGS
+$(call without,libsdl2-dev,$(addprefix %/test_,keymap font overlay gamepad window \
+    panel_keys panel_rows))
+FUZZ    := $(filter-out %/fuzz_keys,$(FUZZ))
+endif
+ifeq ($(filter %/panel.cpp,$(PORTS)),)
+$(call without,$(if $(shell pkg-config --exists imgui 2>/dev/null && echo yes),g++,$(strip \
+    libimgui-dev)),%/test_panel_keys %/test_panel_rows)
+endif
+
+# The faster linker, if installed: tests are hundreds of programs.
+GOLD    := $(if $(shell command -v ld.gold),-fuse-ld=gold)
+# These tests' own objects need no speed, since the library does the work.
+$(BUILD)/tests/unit/%.o $(BUILD)/tests/host/%.o: private FLAGS += $(TESTS_OPT)
+
+$(UNIT): $(UNIT_LIB)
+$(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) $(GOLD) $(filter %.o,$^) $(BUILD)/ports.a \
+	    $(or $(filter $(UNIT_LIB),$^),$(LIB)) $(CMOCKA) $(LIBS) -o $@
+$(filter $(BUILD)/%,$(GOLDEN)): $(BUILD)/tests/lib/golden.o
+$(BUILD)/tests/host/test_kms: $(BUILD)/tests/host/fake_kms.o
+$(BUILD)/tests/host/apng_frames: LIBS += -lz
+$(BUILD)/screen_fake.so $(BUILD)/faults.so: $(BUILD)/%.so: tests/host/%.c $(BUILD)/flags
+	$(SAY)$(COMPILE) -fPIC -shared $< -ldl -o $@
+# Fuzz targets: all readers of bytes, in the core and the ports.
+$(FUZZ): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) -fsanitize=fuzzer -Wl,--as-needed $(filter %.o,$^) $(BUILD)/ports.a \
+	    $(LIB) $(LIBS) -o $@
+# Other renderers for `tidepool bench --peers`, as far as their packages are installed.
+PEERS   := $(BUILD)/tests/bench/peers
+peers:
+	@for peer in osmesa=osmesa:libosmesa6-dev sdl=sdl2:libsdl2-dev; do \
+	    name=$${peer%=*} package=$${peer#*=}; \
+	    if pkg-config --exists $${package%:*} 2>/dev/null; then \
+	        $(MAKE) --no-print-directory $(PEERS)/$$name || exit 1; \
+	    else \
+	        echo "left out: $$name (package $${package#*:}; ports/setup.sh bench)"; \
+	    fi; \
+	done
+$(PEERS)/osmesa: LIBS += -lOSMesa
+$(PEERS)/%: $(PEERS)/%.o $(PEERS)/peer.o $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) $^ $(LIBS) -o $@
+
+# -- make test -------------------------------------------------------------------------
+
+# The quick tests run without sanitizers, the library's asserts on; here are those that
+# take longer, which `make test-all` runs.
+LONG    := $(BUILD)/tests/stability/% $(BUILD)/tests/accuracy/% $(addprefix %/test_, \
+               features_water_quick_light features_water_quick_even frame_hostile \
+               frame_lod frame_tiles quality_plan quality_fixed_cost world \
+               app_overlay snapshot rows threads undo)
+QUICK   := $(filter-out $(LONG),$(UNIT))
+RUN     := TP_BUILD=$(BUILD) TP_PROGRAM=$(PROGRAM) TP_LEFT_OUT='$(LEFT_OUT)' tests/run.sh
+
+unit: $(UNIT)
+quick: all $(QUICK) $(GOLDEN) $(BUILD)/faults.so $(BUILD)/screen_fake.so
+quick-tests: quick
+	@$(RUN) build/log/host tests/host/cli.sh $(QUICK) $(GOLDEN) \
+	    $(if $(LEFT_OUT),tests/gates/left-out.sh) \
+	    $(patsubst %,tests/gates/%.sh,sources headers glossary words selftest) \
+	    $(patsubst %,tests/host/%.sh,manual exits check_ranges linked readme) \
+	    tests/boards/readme.sh tests/mutants/selftest.sh
+
+# -- make test-all ---------------------------------------------------------------------
+
+# All tests run under the sanitizers, except: tests that measure errors do so in the soak
+# only; threads have a test of their own. The second copy of the pixel loops is compiled
+# with light optimisation, and sanitized only where its source differs from the first
+# copy.
+SAN     := TARGET=san OPT='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all' \
+           V3_OPT='-O1 -march=x86-64-v3' V3_SAME_OPT=-fno-sanitize=all \
+           TESTS_OPT=-O0 CHECKED=1
+SAN_UNIT := $(filter-out $(BUILD)/tests/accuracy/% $(addprefix %/test_, \
+               features_water_quick_light features_water_quick_even threads),$(UNIT))
+sanitized: $(SAN_UNIT) $(GOLDEN) $(PROGRAM) $(PANEL_DEMO)
+at_san   = $(patsubst $(BUILD)/%,build/san/%,$1)
+
+everything: quick $(PANEL_DEMO) $(filter-out $(SAN_UNIT),$(UNIT)) $(FRAMES) \
+          $(BUILD)/longship $(BUILD)/textures \
+          $(addprefix $(BUILD)/tests/,bench/scene_s bench/views boards/oled_greys \
+              boards/same_picture boards/vm_state host/apng_frames host/furniture \
+              host/same_pixels host/saves host/screen_crc)
+# Builds first what several tests need from the board's compiler; the longest tests begin
+# first.
+more-tests: everything build/host/count.so build/host/tally.so
+	@$(MAKE) --no-print-directory $(SAN) sanitized
+	@! command -v arm-none-eabi-gcc >/dev/null || \
+	    for goals in 'BOARD=cortex-m elves' 'BOARD=cortex-m/microbit lib' \
+	            'BOARD=cortex-m/lm3s6965evb lib' charts-tools; do \
+	        $(MAKE) --no-print-directory $$goals || exit 1; \
+	    done
+	@$(RUN) build/log/more tests/cross/run.sh tests/boards/cortex-m.sh tests/fuzz/run.sh \
+	    tests/gates/arm.sh tests/gates/clang.sh tests/gates/coverage.sh \
+	    tests/gates/sanitized.sh \
+	    $(patsubst %,tests/host/%.sh,saves screen view panel view_keys leaks furniture \
+	        threads) \
+	    tests/web/web.sh tests/bench/views.sh tests/cross/film.sh \
+	    $(patsubst %,tests/boards/%.sh,rpi oled control linuxfb kms kms_events console) \
+	    tests/charts/sweep.sh tests/budgets/prices.sh \
+	    $(call at_san,$(filter $(LONG),$(SAN_UNIT)) $(filter-out $(LONG),$(SAN_UNIT))) \
+	    $(filter-out $(SAN_UNIT),$(UNIT)) $(call at_san,$(GOLDEN)) tests/gates/host.sh \
+	    $(patsubst %,tests/host/%.sh,check packages output bake own_module library tape \
+	        charts generators examples charts_stop) \
+	    $(patsubst %,tests/budgets/%.sh,models-count scenes-count ram programs plan-count) \
+	    tests/charts/same.sh
+# The random scenes, tapes and builds that a whole run has fewer of, and riscv64.
+soak-tests: everything build/host/count.so
+	@$(MAKE) --no-print-directory $(SAN) unit
+	@TP_SOAK=1 TP_SCENES=100000 FUZZ_SECONDS=$${FUZZ_SECONDS:-300} TP_TIMEOUT=7200 \
+	    TP_BUILD=build/san tests/run.sh build/log/soak tests/gates/coverage.sh \
+	    tests/cross/run.sh tests/budgets/prices.sh tests/fuzz/run.sh \
+	    $(call at_san,$(filter $(BUILD)/tests/stability/% $(BUILD)/tests/accuracy/%,$(UNIT)))
+fuzzers: $(FUZZ)
+list-tests:
+	@for test in $(patsubst $(BUILD)/%,%,$(UNIT) $(GOLDEN)) $(LEFT_OUT); do \
+	    echo $$test; \
+	done
+.PHONY: unit quick quick-tests sanitized everything more-tests soak-tests fuzzers peers \
+    list-tests
