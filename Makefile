@@ -20,6 +20,8 @@ ONE     := $(if $(filter command,$(firstword $(origin SCENE))),$(SCENE))
 # Folder of modules from outside the project.
 MORE    ?=
 OBJCOPY ?= objcopy
+# Tests are built on all processors, unless make was called with -j.
+BUILDS   = $(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell nproc))
 all:
 
 include ports/compile.mk
@@ -48,16 +50,16 @@ run:
 ## install the small packages and run the quick tests: 150 s on two processors
 test:
 	@ports/setup.sh test
-	@$(MAKE) --no-print-directory quick-tests
+	+@$(BUILDS) quick-tests
 ## install the other packages and run all tests: sanitizers, processors, boards, windows
 test-all:
 	@ports/setup.sh all
-	@$(if $(TESTED),,$(MAKE) --no-print-directory quick-tests)
-	@$(MAKE) --no-print-directory more-tests
+	+@$(if $(TESTED),,$(BUILDS) quick-tests)
+	+@$(BUILDS) more-tests
 ## run the long tests: random scenes, 300 s of each fuzz target, frames of all builds
 soak:
 	@ports/setup.sh all
-	@$(MAKE) --no-print-directory soak-tests
+	+@$(BUILDS) soak-tests
 ## compare costs of scenes and models with the budgets; SCENE=x by function; WRITE=1
 count: $(PROGRAM) build/host/count.so
 	@tests/budgets/scenes-count.sh $(if $(WRITE),--write) $(ONE)

@@ -135,7 +135,7 @@ size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene);
 
 /* Return the bytes of one tile's scratch, for tp_frame_draw_tile and for
  * tp_frame_draw_tile_direct.  A program with tp_method_streamed needs two lines of grid
- * vertices more; a program without the methods rows and projected needs up to 24 bytes a
+ * vertices more; a program without the renderers rows and projected needs up to 24 bytes a
  * column less. */
 size_t tp_frame_scratch_bytes(const tp_config *config, const tp_scene *scene);
 size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *scene);

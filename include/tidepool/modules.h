@@ -73,7 +73,7 @@ typedef void (*tp_store)(void *row, int x_in_row, int x, int y, const uint32_t *
 TP_FORMAT_LIST(X)
 #undef X
 
-/* -- wave models: the water's surface; src/view/wave_models.h ---------------------------- */
+/* -- wave models: the water's surface; src/view/wave_models.h -------------------------- */
 
 #define TP_WATER_LIST(X) \
     X(swells)       /* sums of waves; without them the water is level */ \
@@ -360,7 +360,7 @@ extern const tp_program tp_program_all; /* every module, renderer and format */
  * else is linked then. */
 extern const tp_program *const tp_program_linked;
 
-/* -- rows of parameters ------------------------------------------------------------------ */
+/* -- rows of parameters ---------------------------------------------------------------- */
 
 /* Rows of the table of parameters: name, member of tp_scene, unit, range, default, one
  * line of help.

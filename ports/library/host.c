@@ -59,7 +59,7 @@ static int load(tp_host *h)
         return code;
     code = loaded_scene_open(&h->loaded, &h->options);
     h->filed = h->loaded.file.scene;
-    h->options.scene = NULL; /* the stage has a copy */
+    h->options.scene = NULL; /* the loaded scene has a copy */
     return code;
 }
 

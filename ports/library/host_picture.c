@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Pictures and PNG files.  A file is replaced atomically: a temporary file beside it is
- * renamed.  The program's own code for this (output.h) catches signals, which belong to
- * the caller here. */
+ * renamed.  The program's own code for this (output_file.h) catches signals, which belong
+ * to the caller here. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <fcntl.h>

@@ -2,10 +2,10 @@
 /* /dev/fb0: the frame buffer device of Linux, mapped into memory.
  *
  * The current mode is kept: 8, 16, 24 or 32 bits per pixel, channels and line length as
- * described by the driver (../screen/layout.h).  If the memory holds two screens,
- * pictures are written to the hidden page, and the display is panned to it; not with DRM
- * drivers, which copy the first page only.  Otherwise pictures are written into the
- * visible page during the vertical blank. close() restores the former content of the
+ * described by the driver (app/fullscreen/pixel_layout.h).  If the memory holds two
+ * screens, pictures are written to the hidden page, and the display is panned to it; not
+ * with DRM drivers, which copy the first page only.  Otherwise pictures are written into
+ * the visible page during the vertical blank. close() restores the former content of the
  * screen. */
 #define _GNU_SOURCE             /* for flock, memmem */
 #include <errno.h>

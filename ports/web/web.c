@@ -19,7 +19,7 @@
 #include "world/pools.h"
 #include "world/world.h"
 
-#define BAND_ROWS 128           /* as in the host's canvas */
+#define BAND_ROWS 128           /* as in the frame renderer of ports/app */
 
 static struct {
     tp_world *world;            /* NULL: none yet, or dropped after a change */

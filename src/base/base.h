@@ -15,8 +15,8 @@
  *
  * A release build compiles the condition but does not evaluate it.  Test builds define
  * TP_CHECKED: a false condition then calls tp_assert_failed(), which the program supplies.
- * tests/assert_failed.c prints the place and aborts.  To use another TP_ASSERT, include a
- * header that defines it first: make lib CPPFLAGS='-include my_assert.h' */
+ * tests/lib/assert_failed.c prints the place and aborts.  To use another TP_ASSERT, include
+ * a header that defines it first: make lib CPPFLAGS='-include my_assert.h' */
 
 #ifdef TP_CHECKED
 /* Never returns. */

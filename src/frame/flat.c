@@ -2,8 +2,8 @@
 /* Flat water: a level plane, pixel by pixel, without mesh or wave outline.  Along a row
  * world positions are linear in x.  In a rolled picture positions are exact at every 16th
  * column and linear between; where depth changes much within 16 columns, each pixel is
- * exact.  Slopes are interpolated between the points of lattice.c; a sea without waves has
- * slope 0.
+ * exact.  Slopes are interpolated between the points of slope_grid.c; a sea without waves
+ * has slope 0.
  *
  * Valid for any camera above the highest crest at any pitch and roll, and for water of any
  * outline.  Not valid if the surface shows more than waves: rings and pools as heights, a

@@ -16,7 +16,7 @@
 #include "world/pools.h"
 #include "world/world.h"
 
-/* Data of the screen grid: lines of points parallel to the horizon, see projected.c. */
+/* Data of the screen grid: lines of points parallel to the horizon, see screen_grid.c. */
 typedef struct {
     tp_level_line horizon, top[TP_LEVEL_SIDES];     /* outlines of the water's far end */
     int     tops;
@@ -95,7 +95,7 @@ static inline tp_shaders *tp_frame_list(const tp_frame *frame, uint32_t mark)
     return tp_marks_list(&frame->buffers.marks, mark);
 }
 
-/* layout.c: the layout of the block, the frame itself first.  Called with a counting arena,
+/* frame.c: the layout of the block, the frame itself first.  Called with a counting arena,
  * then with the block.  Returns sizes in `ram`. */
 tp_frame *tp_frame_layout(const tp_program *program, tp_frame_buffers *buffers,
                           tp_ram_use *ram, tp_arena *arena, const tp_scene *scene,
@@ -121,7 +121,7 @@ void tp_frame_choose_visibility(tp_frame *frame);
 void tp_frame_place_surface(tp_frame *frame);
 void tp_frame_draw_surface(const tp_frame *frame, tp_gbuffer *tile, void *memory);
 
-/* lattice.c: the slope grid of flat water.  tp_frame_is_swell is true if the water is
+/* slope_grid.c: the slope grid of flat water.  tp_frame_is_swell is true if the water is
  * swells alone, below the eye, and has memory.  The other functions place the level
  * plane's outline, lay out the slopes' memory, and compute the slopes. */
 #define TP_LATTICE_CELL 8       /* cell side, px */
@@ -141,7 +141,7 @@ void tp_frame_draw_cells(const tp_frame *frame, const tp_gbuffer *tile,
                          tp_grid_window *window, uint32_t j, uint32_t first, uint32_t end);
 tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint32_t end);
 
-/* holds.c: true if scanline water draws this frame as triangles would. */
+/* scanline_grid.c: true if scanline water draws this frame as triangles would. */
 bool tp_frame_can_draw_rows(tp_frame *frame);
 
 /* True if walls stand around the pool in this picture. */
@@ -155,7 +155,7 @@ static inline bool tp_frame_has_tank(const tp_frame *frame)
 void tp_frame_colour_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y,
                          uint32_t *to);
 
-/* plan.c: builds the shader lists for the scene, and their numbers. */
+/* shader_list.c: builds the shader lists for the scene, and their numbers. */
 void tp_frame_plan_shaders(tp_frame *frame);
 
 /* True for a list of water with a reflection of the sky: the sky's module adds a stage at
@@ -166,7 +166,7 @@ static inline bool tp_frame_reflects_sky(const tp_frame *frame, const tp_shaders
         && tp_shaders_has(list, TP_AT_VIEW);
 }
 
-/* layer.c: the sampling numbers of a drifting texture of the water. */
+/* shader_list.c: the sampling numbers of a drifting texture of the water. */
 tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
                         const tp_scene_map *map);
 uint32_t tp_frame_repeats_per_metre(tp_fx size); /* repeats a metre, Q0.32 over Q16.16 */

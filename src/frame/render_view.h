@@ -80,7 +80,7 @@ void tp_view_begin(tp_frame *frame, const tp_view *view);
 tp_grid_box tp_view_project_solids(tp_frame *frame, tp_view *view);
 void tp_view_draw_solids(const tp_frame *frame, const tp_view *view, tp_gbuffer *tile);
 
-/* clipped.c: a view vertex without texture coordinates; the clipped screen vertices of a
+/* A view vertex without texture coordinates; the clipped screen vertices of a
  * triangle, fewer than 3 if nothing is left; drawing the clipped polygon, with t as its
  * stage expects. */
 tp_view_vertex tp_solid_vertex_make(const tp_projection *projection, tp_vec3 at,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Scanline grid: the grid's lines across the view, ordered from near to far, for
- * raster/rows.h.
+ * raster/scanlines.h.
  *
  * Lines run along the grid axis across the camera's heading.  Row k of cells lies between
  * lines k and k + 1 in the grid's own order; points are numbered in the same order. */

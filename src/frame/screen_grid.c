@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Screen grid: water by lines of points laid over the picture.  Points start on the level
- * plane, are displaced by the waves and projected again, for raster/rows.h.  No vertex is
- * stored, and the number of points depends on the picture, not on the water's size.
+ * plane, are displaced by the waves and projected again, for raster/scanlines.h.  No vertex
+ * is stored, and the number of points depends on the picture, not on the water's size.
  *
  * Lines are parallel to the horizon, hence depth and its reciprocal are constant on a
  * line.  They get denser towards the horizon; points lie at every 8th column.  Lines begin
@@ -367,7 +367,7 @@ static void layout_projected(tp_frame_buffers *buffers, tp_arena *arena,
     buffers->projected = tp_arena_alloc(arena, 1, sizeof *buffers->projected);
 }
 
-/* Does nothing: hold_projected has set all data. */
+/* Does nothing: can_draw_projected has set all data. */
 static void place_nothing(tp_frame *frame)
 {
     (void)frame;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Interface of meshes for higher ranks: access to a mesh beyond its open struct, and the
- * reader of Wavefront OBJ and MTL, which ports drive. */
+/* Meshes for higher ranks: access to a mesh beyond its open struct, and the reader of
+ * Wavefront OBJ and MTL, which ports drive. */
 #ifndef TP_MESH_MESH_H
 #define TP_MESH_MESH_H
 #include <stdbool.h>

@@ -344,7 +344,7 @@ tp_status tp_obj_end_load(tp_obj *obj, tp_error *err)
         status = tp_obj_build_geometry(obj, err);
     if (status != TP_OK)
         return tp_obj_latch_failure(obj, status);
-    /* Image names reuse the memory of loading, which ends here; obj_store.c defines the
+    /* Image names reuse the memory of loading, which ends here; obj_layout.c defines the
      * layout. */
     tp_names_clear(&obj->store.image_names);
     obj->libraries = obj->store.library_names.count;

@@ -196,7 +196,7 @@ struct tp_obj_slot { int64_t sum[3]; uint32_t position, group; };
 enum { TP_MAP_DIFFUSE, TP_MAP_BUMP, TP_MAPS };
 
 struct tp_obj_made {
-    uint64_t area, picture;             /* sums over its faces, in the units of shape.c */
+    uint64_t area, picture;             /* sums over its faces, see obj_geometry.c */
     uint32_t map[TP_MAPS];              /* number of the image, or TP_NO_NAME */
     bool     defined, has_diffuse, has_opacity;
 };
@@ -229,18 +229,18 @@ tp_status tp_obj_lines_feed(tp_obj *obj, const void *text, size_t bytes,
 tp_status tp_obj_lines_end(tp_obj *obj, tp_obj_statement *statement, tp_error *err);
 tp_status tp_obj_latch_failure(tp_obj *obj, tp_status status);
 
-/* use.c: the statements usemtl and mtllib.  tp_obj_use_default_material selects the
- * material "", used by faces before any usemtl. */
+/* obj_statements.c: the statements usemtl and mtllib. */
 tp_status tp_obj_usemtl(tp_obj *obj, tp_words *words, tp_error *err);
 tp_status tp_obj_mtllib(tp_obj *obj, tp_words *words, tp_error *err);
 
-/* face.c: the statement f, or a part of it. */
+/* obj_statements.c: the statement f, or a part of it. */
 tp_status tp_obj_face(tp_obj *obj, tp_words *words, tp_error *err);
 
-/* obj_store.c: lays out the store; an arena without a block only counts. */
+/* obj_layout.c: lays out the store; an arena without a block only counts. */
 void tp_obj_layout(tp_obj *obj, tp_arena *arena);
 
-/* shape.c: turns polygons into faces; computes normals and the final form of vertices. */
+/* obj_geometry.c: turns polygons into faces; computes normals and the final form of
+ * vertices. */
 tp_status tp_obj_build_geometry(tp_obj *obj, tp_error *err);
 
 #endif

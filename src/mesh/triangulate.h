@@ -25,7 +25,7 @@ struct tp_obj_cut {
     uint64_t  steps;                    /* steps left for tests */
     bool      flat;                     /* no area: corners are cut in order */
     uint32_t *tried;                    /* per corner: what blocked its last test */
-    /* The grid of cut_grid.c: */
+    /* The grid of corner_grid.c: */
     uint32_t *cell, *next;              /* first corner of a cell; next in the cell */
     uint32_t  cols, shift;              /* cells in a row; a cell is 2^shift units square */
 };

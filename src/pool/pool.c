@@ -223,7 +223,7 @@ static int32_t normalised_ratio(uint64_t num, uint64_t den, int32_t *shift)
     return (int32_t)((num + den / 2) / den);
 }
 
-/* Sets the factor from a fine height (see fine.h) to metres in 16.16: range / full
+/* Sets the factor from a fine height (see subcell.c) to metres in 16.16: range / full
  * range for 8 and 16 bits, 2^-8 for Q8.24; then the factor from a difference over two
  * cells to a slope. */
 static void set_scale_factors(tp_pool *pool)

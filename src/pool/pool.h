@@ -47,7 +47,7 @@ typedef struct {
     uint32_t damping;               /* damping exponent m */
     tp_fx    range, cell, x, z;
     uint64_t turns_x, turns_z;      /* 2^64 / (cells x cell): the field is one turn */
-    int32_t  unit_q, unit_shift;    /* fine height (fine.h) to metres, 16.16: factor */
+    int32_t  unit_q, unit_shift;    /* fine height (subcell.c) to metres, 16.16: factor */
     int32_t  slope_q, slope_shift;  /* factor from a difference over two cells to a slope */
     tp_fx    drive_min, drive_max, drive_amplitude;
     int32_t  drive_peak;             /* height of an injection, LSB, adapted by [C16] */

@@ -9,13 +9,12 @@
 
 /* Fine heights of cells: the stored height with extra fraction bits for interpolation.
  * 8-bit cells get 16 more bits, 16-bit cells 8 more, 32-bit cells none.  `lag` is a
- * fraction of a tick into the past: the height was then H - back V.  Neither the
+ * fraction of a tick into the past: the height was then H - lag V.  Neither the
  * height H nor the last one, H - V, leaves the range of the cell, and all heights
  * between fit 31 bits. */
 
-/* Returns a fine height.  `base` is the index of the first cell of the row.
- * `interpolates` is true if lag is not 0.  `cells` and `interpolates` are literals in
- * fast loops. */
+/* Returns a fine height.  `base` is the index of the first cell of the row.  `interpolates`
+ * is true if lag is not 0.  `cells` and `interpolates` are literals in fast loops. */
 TP_ALWAYS_INLINE int32_t tp_pool_fine_height(const tp_pool *pool, uint32_t col,
                                              uint32_t row, uint32_t base, tp_fx lag,
                                              tp_cells cells, int interpolates)

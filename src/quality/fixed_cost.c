@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Counts the works of a frame, the cost besides finding and shading water, without
- * drawing, seen by the start camera of the scene; each module counts its own.  The rungs
- * do not change the works, so the choice of rungs ignores them; reports add them to the
- * total cost of a frame.  Moving objects are counted at their start position in the
- * scene.
+ * Counts the fixed cost of a frame, besides finding and shading water, without drawing,
+ * seen by the start camera of the scene; each module counts its own.  The rungs do not
+ * change the fixed cost, so the choice of rungs ignores it; reports add it to the total
+ * cost of a frame.  Moving objects are counted at their start position in the scene.
  */
 #include "quality/fixed_cost.h"
 #include "view/grid.h"
@@ -110,7 +109,7 @@ int64_t tp_start_view_water_distance(const tp_start_view *at, int64_t x, int64_t
         && pz >= at->water.z0 && pz <= at->water.z1 ? far : 0;
 }
 
-/* -- works --------------------------------------------------------------------------- */
+/* -- fixed cost ---------------------------------------------------------------------- */
 
 /* The enabled modules with a cost. */
 typedef struct {

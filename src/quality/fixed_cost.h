@@ -3,9 +3,9 @@
  * The cost of a feature besides the water's pixels: the fourth part of a module, used for
  * reports of the plan.  A program without reports does not link this part.
  *
- * Works are counted without drawing: from the geometry of the objects, and with a lattice
- * of rays over the picture of the scene's start camera.  Some rays meet level water, some
- * are stopped by objects.  The view estimate uses the same camera.
+ * The fixed cost is counted without drawing: from the geometry of the objects, and with a
+ * lattice of rays over the picture of the scene's start camera.  Some rays meet level
+ * water, some are stopped by objects.  The view estimate uses the same camera.
  */
 #ifndef TP_QUALITY_FIXED_COST_H
 #define TP_QUALITY_FIXED_COST_H
@@ -49,7 +49,7 @@ static inline tp_vec3 tp_start_view_clamped_vector(tp_vec3 from, tp_vec3 to)
                       (tp_fx)tp_clamp_abs((int64_t)to.z - from.z, most) };
 }
 
-/* -- works --------------------------------------------------------------------------- */
+/* -- fixed cost ---------------------------------------------------------------------- */
 
 #define TP_RAYS       32        /* rays along each axis; a row of bits is a word */
 #define TP_WORK_BAND  16        /* rows of a tile, as a board draws */
@@ -80,13 +80,13 @@ typedef struct {
 
 /* All members may be NULL. */
 typedef struct tp_cost {
-    /* Counts works known from the geometry, and the rays that its objects stop. */
+    /* Counts work known from the geometry, and the rays that its objects stop. */
     void (*work)(tp_site *site);
 
     /* True if its objects stop a ray that would meet the water `far` (Q16 m) ahead. */
     bool (*stops)(const tp_site *site, tp_vec3 ray, int64_t far);
 
-    /* Counts works by pixels, after the content of all rays is known. */
+    /* Counts work by pixels, after the content of all rays is known. */
     void (*pixels)(tp_site *site, const tp_work_pixels *pixels);
 } tp_cost;
 

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The quality plan: chooses the methods for drawing a scene.  The plan is a pure function
+/* The quality plan: chooses the rungs for drawing a scene.  The plan is a pure function
  * of scene, picture size and error budget.  It uses integers only, and costs in Cortex-M4
  * instructions on every machine, so all machines draw the same bits.
  *
- * A rung is a method of a kind; its neighbours on the ladder are cheaper or more exact. */
+ * A rung is one choice of a kind; its neighbours on the ladder are cheaper or more
+ * exact. */
 #ifndef TP_QUALITY_PLAN_H
 #define TP_QUALITY_PLAN_H
 #include <stdbool.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Measured costs and errors of the methods.  Costs are Cortex-M4 instructions.  Errors
- * are relative to a reference picture (tests/budgets/truth.h), minus the error of the
+/* Measured costs and errors of the rungs.  Costs are Cortex-M4 instructions.  Errors
+ * are relative to a reference picture (tests/lib/quality_error.h), minus the error of the
  * exact rungs.  The table is generated from assets/charts/prices.csv. */
 #ifndef TP_QUALITY_PRICES_H
 #define TP_QUALITY_PRICES_H
@@ -21,7 +21,7 @@ enum {
     TP_SEA_OCEAN, TP_SEA_OCEAN_GLOSSY, TP_SEA_OCEAN_SPARKS, TP_SEA_CLASSES
 };
 
-/* The cost of a method for finding the water (visibility). */
+/* The cost of a water renderer (visibility). */
 typedef struct {
     bool  known;
     tp_fx pixel;                /* instructions per water pixel */
@@ -34,7 +34,7 @@ typedef struct {
     tp_fx still;                /* replaces `pixel` for level water */
 } tp_seen_price;
 
-/* The cost of a method for shading the water, instructions per pixel; some parts are
+/* The cost of a shading of the water, instructions per pixel; some parts are
  * negative. */
 typedef struct {
     bool  known;
@@ -101,8 +101,8 @@ tp_want tp_plan_want(const tp_plan_input *in);
 tp_rungs tp_rungs_choose_priced(const tp_prices *prices, const tp_plan_input *in);
 tp_plan_report tp_plan_make_priced(const tp_prices *prices, const tp_plan_input *in);
 
-/* Returns the cost used to choose rungs.  The cost excludes the works: the rungs hardly
- * change them, so only reports add them. */
+/* Returns the cost used to choose rungs.  The cost excludes the fixed cost: the rungs
+ * hardly change the fixed cost, so only reports add it. */
 tp_price tp_price_estimate(const tp_prices *prices, const tp_plan_input *in);
 
 tp_ladder tp_ladder_make_priced(const tp_prices *prices, const tp_plan_input *in);
@@ -110,7 +110,7 @@ tp_ladder tp_ladder_make_priced(const tp_prices *prices, const tp_plan_input *in
 /* True if a wave is culled or drawn lower, seen from the scene's camera. */
 bool tp_thins_sea(const tp_plan_input *in);
 
-/* -- estimate.c: an estimate of the start camera's view -------------------------------- */
+/* -- view_estimate.c: an estimate of the start camera's view ------------------------- */
 
 typedef struct {
     uint32_t water_pixels, other_pixels, vertices, waves;
@@ -124,15 +124,15 @@ typedef struct {
     uint32_t drawn;             /* grid cells that get a pixel */
     tp_fx    slant;             /* slant of the view to the grid's lines, 0..3 */
     uint8_t  sharp, still, plain;       /* a wave is sharpened; level water; swells only */
-    uint32_t points[TP_VISIBILITIES];   /* points evaluated by each method */
-    uint8_t  fits[TP_VISIBILITIES];     /* true if the method can draw the view */
+    uint32_t points[TP_VISIBILITIES];   /* points evaluated by each renderer */
+    uint8_t  fits[TP_VISIBILITIES];     /* true if the renderer can draw the view */
     uint32_t modules;           /* bits of tp_module.is of the enabled modules */
     uint8_t  quick;             /* true if the fast stages support all features */
 } tp_view_estimate;
 
 tp_view_estimate tp_view_estimate_make(const tp_plan_input *in);
 
-/* -- fixed_cost.c: fixed cost besides the water ------------------------------------------- */
+/* -- fixed_cost.c: fixed cost besides the water ---------------------------------------- */
 
 /* Counts the fixed cost of a frame. `quick`: the water uses the fast stages. */
 tp_fixed_cost tp_fixed_cost_estimate(const tp_plan_input *in,

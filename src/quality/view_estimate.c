@@ -98,7 +98,7 @@ static viewed count_visible_grid_points(const tp_start_view *at, const tp_scene 
 
 /* -- points of a lattice over the picture -------------------------------------------- */
 
-/* Lines of the projected method (frame/screen_grid.c) in the first `rows` rows below the
+/* Lines of the screen grid (frame/screen_grid.c) in the first `rows` rows below the
  * horizon: every row, then every 2nd, then every 4th. */
 static int64_t count_projected_lines(int64_t rows)
 {
@@ -153,7 +153,7 @@ static void set_points_per_renderer(tp_view_estimate *o, const tp_start_view *at
     o->points[TP_VISIBILITY_FLAT - 1] = flat_points(at, o->focal, waves, width, height);
 }
 
-/* -- methods that can draw the view -------------------------------------------------- */
+/* -- renderers that can draw the view ------------------------------------------------ */
 
 #define FOLDS    (TP_FX_ONE * 9 / 10)   /* limits of the sum, as in frame/scanline_grid.c */
 #define STEEPENS (TP_FX_ONE * 3 / 4)
@@ -210,8 +210,8 @@ static tp_fx view_slant(const tp_start_view *at)
     return across > 0 ? (tp_fx)(along * TP_FX_ONE / across) : 0;
 }
 
-/* Lists the methods that fit the view.  The frame decides by its own camera; the estimate
- * uses the scene's camera and is slightly stricter. */
+/* Lists the water renderers that fit the view.  The frame decides by its own camera; the
+ * estimate uses the scene's camera and is slightly stricter. */
 static void set_usable_renderers(tp_view_estimate *o, const tp_scene *s,
                                  const tp_start_view *at, int64_t waves, bool ahead)
 {

@@ -38,8 +38,9 @@ tp_fx tp_wave_cull_weight(const tp_wave_cull_limits *limits, tp_fx amplitude, tp
 tp_wave_cull tp_wave_cull_evaluate(const tp_scene *scene, const tp_wave_cull_limits *limits,
                            tp_fx slope_colour);
 
-/* Writes the culled sea and its phases to `thin` and `thin_phases`.  Returns false and
- * writes nothing if no wave is culled.  The bounds in `thin` stay the bounds of `whole`. */
+/* Writes the culled deep water and its phases to `thin` and `thin_phases`.  Returns false
+ * and writes nothing if no wave is culled.  The bounds in `thin` stay the bounds of
+ * `whole`. */
 bool tp_wave_cull_deep_water(tp_deep_water *thin, tp_turn thin_phases[TP_WAVES],
                              const tp_deep_water *whole, const tp_turn phases[TP_WAVES],
                              const tp_wave_cull_limits *limits);

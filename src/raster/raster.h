@@ -92,7 +92,7 @@ TP_ALWAYS_INLINE void tp_edge_advance(tp_edge *e, int32_t y)
 /* -- the G-buffer, and triangles in it ----------------------------------------------- */
 
 /* Stencil values.  Values from SOLID on are assigned at the layout of a frame:
- * frame/marks.h. */
+ * frame/drawing.h. */
 enum { TP_MARK_SKY = 0, TP_MARK_WATER = 1, TP_MARK_SOLID = 2 };
 #define TP_MARK_BITS  8
 #define TP_MARK(key)  ((key) & 0xffu)

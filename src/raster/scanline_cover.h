@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Internals shared by the files of raster/scanlines.h: interpolation along a line and
- * down a column.
+/* Internals shared by the files of raster/scanlines.h: interpolation along a line and down
+ * a column.
  *
  * A share of an interval is Q.31.  The part of a difference is the upper word of a
  * product, doubled.  Rows are 16.16 and at most 2^13 px, so differences stay below 2^31. */
@@ -108,7 +108,7 @@ TP_ALWAYS_INLINE void close_column(tp_rows *rows, tp_row_column *column, int32_t
     }
 }
 
-/* cover.c: the share of s and t for a share on the screen. */
+/* scanline_cover.c: the share of s and t for a share on the screen. */
 int32_t tp_row_perspective_share(int32_t share, uint32_t za, uint32_t zb);
 
 /* Returns the step between two exact positions, n = 1..16 rows or columns apart. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* View rays in the water: intersection with floor or walls, and the light from the hit
- * point; see inside.h and beam.h. */
+ * point; see water_volume.h and refracted_ray.h. */
 #include "shade/env.h"
 #include "shade/refracted_ray.h"
 #include "shade/sampler.h"

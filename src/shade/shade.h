@@ -90,7 +90,7 @@ typedef struct tp_run {
             int16_t  vx[TP_RUN], vy[TP_RUN], vz[TP_RUN];    /* unit vector to the eye */
             int16_t  lv[TP_RUN];        /* light . view */
         };
-        struct { uint32_t back[TP_RUN]; int32_t view_y[TP_RUN]; };  /* quick_light.h */
+        struct { uint32_t back[TP_RUN]; int32_t view_y[TP_RUN]; };  /* fast_shading.h */
     };
     union {                     /* slopes, valid after a ripple stage */
         struct { int16_t sx[TP_RUN], sz[TP_RUN]; };
@@ -101,7 +101,7 @@ typedef struct tp_run {
             int16_t  nv[TP_RUN];        /* normal . view, 0..1 */
             int16_t  up[TP_RUN];        /* y of the mirrored view, -1..1 */
         };
-        int32_t view_l[TP_RUN];         /* quick_light.h */
+        int32_t view_l[TP_RUN];         /* fast_shading.h */
     };
     union {
         uint16_t glint[TP_RUN]; /* specular, 256 is the light's full colour, or more */
@@ -114,7 +114,7 @@ typedef struct tp_run {
         };
         struct { uint32_t bent_s[TP_RUN], bent_t[TP_RUN]; };
         uint32_t place[2 * TP_RUN];         /* bent positions of fast stages */
-        struct { uint32_t half[TP_RUN], column[TP_RUN]; };  /* quick_light.h */
+        struct { uint32_t half[TP_RUN], column[TP_RUN]; };  /* fast_shading.h */
     };
 } tp_run;
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Data of an environment: the tables of a generated sky, or six pictures.  dome.c and
- * cube.c fill the data, env.h looks colours up. */
+/* Data of an environment: the tables of a generated sky, or six pictures.  skies.c
+ * fills the data, env.h looks colours up. */
 #ifndef TP_SHADE_SKIES_H
 #define TP_SHADE_SKIES_H
 #include "tidepool/assets.h"

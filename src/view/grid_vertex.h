@@ -72,7 +72,7 @@ typedef struct {
 typedef struct {
     tp_grid_line   *line;
     int32_t        *rest[3];            /* parts of x, y, depth, by tp_vertex_rest_x */
-    tp_vertex_phase *turn;               /* with fading, unless the sea is sharpened */
+    tp_vertex_phase *turn;               /* with fading, unless crests are sharpened */
     uint32_t       *pair;               /* two Q.15: the sine low, the cosine high */
 } tp_vertex_columns;
 

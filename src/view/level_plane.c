@@ -110,20 +110,6 @@ tp_level_scale tp_level_scale_make(const tp_level *level, int64_t down)
     return (tp_level_scale){ (int32_t)factor, tp_clamp(shift, 0, 63) };
 }
 
-bool tp_level_unproject(const tp_level *level, int32_t x, int32_t y, tp_fx place[2])
-{
-    int64_t down = tp_level_evaluate(&level->down, x, y);
-
-    if (down <= 0)
-        return false;
-    tp_level_scale scale = tp_level_scale_make(level, down);
-    int64_t s = level->x + tp_level_metres(scale, tp_level_evaluate(&level->east, x, y));
-    int64_t t = level->z + tp_level_metres(scale, tp_level_evaluate(&level->south, x, y));
-    place[0] = (tp_fx)s;
-    place[1] = (tp_fx)t;
-    return place[0] == s && place[1] == t;
-}
-
 /* -- outlines -------------------------------------------------------------------------- */
 
 /* Returns the first pixel between a and b with b's sign of the sum; the sign changes

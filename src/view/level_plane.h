@@ -73,10 +73,6 @@ TP_ALWAYS_INLINE int64_t tp_level_metres(tp_level_scale scale, int64_t pixels_q3
     return (int64_t)scale.factor * (int32_t)(pixels_q30 >> 14) >> scale.shift;
 }
 
-/* Finds the water position at a pixel's centre.  Returns false if there is no water
- * within +-32 km. */
-bool tp_level_unproject(const tp_level *level, int32_t x, int32_t y, tp_fx place[2]);
-
 /* Clips *x0..*x1 to the pixels of row y with water; tests only the sides in `mask`. */
 void tp_level_clip_span(const tp_level *level, unsigned mask, int32_t y, int32_t *x0,
                         int32_t *x1);

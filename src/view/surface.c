@@ -84,9 +84,8 @@ typedef struct {
     int64_t error, step;
 } axis_search;
 
-/* Moves the search.  The root lies within `max_displacement` of the target, and the
- * search stays within `max_displacement` too; at the ends of 16.16 the search stays
- * there. */
+/* Moves the search.  The root lies within `max_displacement` of the target, and the search
+ * stays within `max_displacement` too; at the ends of 16.16 the search stays there. */
 static void step_search(axis_search *s, int64_t error, int64_t by, tp_fx place,
                         tp_fx max_displacement)
 {

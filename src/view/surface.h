@@ -32,7 +32,7 @@ tp_height_slope tp_surface_height_slope(const tp_surface *surface, tp_fx x, tp_f
 tp_height_slope tp_surface_height_slope_faded(const tp_surface *surface, tp_fx x, tp_fx z,
                                               tp_fx fade);
 
-/* True if the sea has swells and the program has their wave model. */
+/* True if the deep water has swells and the program has their wave model. */
 static inline bool tp_surface_has_swells(const tp_surface *surface)
 {
     return surface->deep->count > 0 && surface->by->swells;

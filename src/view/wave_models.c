@@ -11,7 +11,7 @@
 /* -- sharpened swells ------------------------------------------------------------------ */
 
 /* Sums over all swells in 64 bits: positions per cosine Q.50 and per f Q.44, h
- * Q.(38 + tilt), bends Q.59.  By the bounds of a sea the sums have 59, 53, 54 and 60
+ * Q.(38 + tilt), bends Q.59.  By the bounds of deep water the sums have 59, 53, 54 and 60
  * bits. */
 typedef struct {
     int64_t along[3], rise[2];          /* along: x, y, depth; rise: y, depth */
@@ -121,7 +121,7 @@ TP_ALWAYS_INLINE void displace_vertex(const tp_vertex_batch_input *place, uint32
         along_x += tp_q30_mul(deep->swell[k].orbit_x, c);
         along_z += tp_q30_mul(deep->swell[k].orbit_z, c);
     }
-    if (deep->sharpened) {           /* turns of other seas have fading included */
+    if (deep->sharpened) {           /* other turns have fading included */
         tp_fx fade = tp_fx_mul(place->row->line.fade, line->fade);
         along_x = tp_fx_mul(along_x, fade);
         along_z = tp_fx_mul(along_z, fade);
@@ -131,7 +131,7 @@ TP_ALWAYS_INLINE void displace_vertex(const tp_vertex_batch_input *place, uint32
 }
 
 /* Adds the share of rings and pools to the right, for a camera with roll; see
- * lean_sharpened. */
+ * add_sharp_roll_shift. */
 static void add_height_roll_shift(const tp_vertex_batch_input *place, tp_vertex_batch *run)
 {
     for (uint32_t i = 0; i < place->count; i++) {

@@ -33,7 +33,7 @@ struct tp_water_swells {
     void (*columns)(const tp_vertex_frame *frame, const tp_vertex_columns *columns,
                     uint32_t first, uint32_t end, tp_fx cell);
     void (*row)(const tp_vertex_frame *frame, tp_vertex_row *row, bool sloped);
-    /* sway: a view axis of a run, from + rest; slope: the slopes of a run. */
+    /* displace_axis: a view axis of a batch, from + rest; slope: the slopes of a batch. */
     void (*displace_axis)(const tp_vertex_batch_input *place, int axis, const int32_t *from,
                  int32_t rest, int32_t *to);
     void (*slope)(const tp_vertex_batch_input *place, tp_grid_vertex *to);

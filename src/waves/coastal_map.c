@@ -238,8 +238,7 @@ static tp_dir3 normalise_way(int64_t x, int64_t z)
     return tp_normalise((int32_t)x, 0, (int32_t)z);
 }
 
-/* node_number returns the wave number at a node, rad/m; node_bent_number returns the
- * wave vector. */
+/* Returns the wave number at a node, rad/m. */
 static int64_t node_wave_number(const tp_coastal_water *coastal,
                                 const tp_coastal_swell *w, size_t at)
 {

@@ -113,8 +113,6 @@ static inline tp_offset tp_orbit_offset(const tp_ellipse *o, tp_turn phi)
  * and v are Q16; u repeats after 2^16 cells, v after 8 cells. */
 tp_fx tp_noise(uint32_t u_q16, uint32_t v_q16, uint32_t seed);
 
-/* -- the eikonal equation ---------------------------------------------------------- */
-
 /* -- construction ------------------------------------------------------------------ */
 
 /* Inputs of a wave's tables. */
@@ -179,7 +177,7 @@ void tp_coastal_limit_steepness(tp_coastal_water *coastal);
 
 /* tp_coastal_floor_tilt_sine_bound returns the sine of the steepest tilt over a map,
  * Q14. tp_coastal_add_bounds adds the bounds of a swell, whose table and phases must
- * exist, to the bounds of the ocean. */
+ * exist, to the bounds of the coastal water. */
 int32_t tp_coastal_floor_tilt_sine_bound(const tp_coastal_water *coastal);
 void tp_coastal_add_bounds(tp_coastal_water *coastal, uint32_t i, int32_t tilt);
 
@@ -188,8 +186,8 @@ void tp_coastal_make_wave_nodes(tp_coastal_water *coastal, uint32_t i,
                                 const tp_coastal_swell *swell, int64_t *turns);
 tp_q30 tp_coastal_beach_slope(const tp_coastal_water *coastal, tp_fx amplitude);
 
-/* ocean.c: depth, m, up to which crests foam by breaking alone.  In deeper water crests
- * foam where the surface is compressed. */
+/* coastal_water.c: depth, m, up to which crests foam by breaking alone.  In deeper water
+ * crests foam where the surface is compressed. */
 tp_fx tp_coastal_breaking_depth(const tp_coastal_water *coastal);
 
 #endif

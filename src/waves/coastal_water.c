@@ -36,12 +36,12 @@ tp_fx tp_noise(uint32_t u_q16, uint32_t v_q16, uint32_t seed)
 
 /* -- the surface --------------------------------------------------------------------- */
 
-/* Phi is the models' phase of an orbit, 0 in the trough: a quarter turn more than the
- * phase of the sines of deep water [A7].  In deep water, where the tables end, a point
- * equals the point of the tp_deep_water.  The horizontal part of an orbit follows the
- * local direction of travel: particles move across their crests.  A crest breaks by
- * its height before the cap of [B15]: the cap limits the drawn height, and the gate
- * opens as the depth falls below the depth that the uncapped wave needs. */
+/* Phi is the models' phase of an orbit, 0 in the trough: a quarter turn more than the phase
+ * of the sines of deep water [A7].  In deep water, where the tables end, a point equals the
+ * point of the tp_deep_water.  The horizontal part of an orbit follows the local direction
+ * of travel: particles move across their crests.  A crest breaks by its height before the
+ * cap of [B15]: the cap limits the drawn height, and the gate opens as the depth falls
+ * below the depth that the uncapped wave needs. */
 
 #define QUARTER 0x40000000u
 
@@ -157,8 +157,8 @@ static tp_turn ray_turns(const tp_coastal_wave_node *n, const tp_coastal_wave_no
     return (tp_turn)(uint64_t)(north * 256 + ((south - north) * p->fraction_z >> 8));
 }
 
-/* Tilts the orbit over a floor that rises along the direction of travel [B11].  turn_node
- * of ocean_tables.c does the same for a straight floor. */
+/* Tilts the orbit over a floor that rises along the direction of travel [B11].
+ * set_node_direction of coastal_tables.c does the same for a straight floor. */
 static void tilt(const tp_coastal_water *coastal, const floor_place *p, motion *m)
 {
     const int64_t rise = ((int64_t)p->rise_x * m->way.x + (int64_t)p->rise_z * m->way.z)

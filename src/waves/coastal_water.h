@@ -141,12 +141,12 @@ typedef struct tp_coastal_water {
 size_t tp_coastal_bytes(const tp_coastal_config *config, const tp_deep_water *deep);
 
 /* Builds the tables; may take a while on small processors.  The swells of `deep` are used
- * in their order; `waves` and `count` are the arguments that made the sea.  Their
- * `power` is ignored: all waves are trochoids.  The map of the config is read now and
- * not kept.  Errors: TP_E_NULL, TP_E_ALIGN for the argument err->word; the block must be
- * aligned to 8.  TP_E_ARG if the map has a side of 0 or of more than 4096 pixels, or a
- * size outside of 1..8000 m, or if the waves did not make this sea.  Other numbers are
- * clamped to their ranges. */
+ * in their order; `waves` and `count` are the arguments that made `deep`.  Their `power`
+ * is ignored: all waves are trochoids.  The map of the config is read now and not kept.
+ * Errors: TP_E_NULL, TP_E_ALIGN for the argument err->word; the block must be aligned to 8.
+ * TP_E_ARG if the map has a side of 0 or of more than 4096 pixels, or a size outside of
+ * 1..8000 m, or if the waves did not make `deep`.  Other numbers are clamped to
+ * their ranges. */
 tp_status tp_coastal_init(tp_coastal_water *coastal, const tp_coastal_config *config,
                           const tp_deep_water *deep, const tp_wave *waves, uint32_t count,
                           tp_error *err);
@@ -155,7 +155,7 @@ tp_status tp_coastal_init(tp_coastal_water *coastal, const tp_coastal_config *co
  * of tp_coastal_init, byte for byte.  The floor nodes depend on the floor alone.  The
  * map nodes of a swell depend on the floor and on the length and heading of the swell.
  * Everything else depends on all numbers.  The map must be the map of tp_coastal_init.
- * Returns TP_E_ARG and changes nothing in the cases of tp_coastal_init, or if the sea
+ * Returns TP_E_ARG and changes nothing in the cases of tp_coastal_init, or if `deep`
  * has another number of swells, or the map other sides. */
 tp_status tp_coastal_refresh(tp_coastal_water *coastal, const tp_coastal_config *config,
                            const tp_deep_water *deep, const tp_wave *waves, uint32_t count,
@@ -180,7 +180,7 @@ tp_coastal_point tp_coastal_displace_smooth(const tp_coastal_water *coastal,
                                             const tp_turn phases[TP_WAVES], tp_fx x0,
                                             tp_fx z0);
 
-/* Bounds of the displacement of all points: horizontal (reach) and vertical (height), m. */
+/* Bounds of the displacement of all points: horizontal and vertical, m. */
 tp_fx tp_coastal_max_displacement(const tp_coastal_water *coastal);
 tp_fx tp_coastal_max_height(const tp_coastal_water *coastal);
 

@@ -13,8 +13,8 @@
  * hz Jxx), and dy/dx = -Nx/Ny = (hx Jzz - hz Jxz) / det.  The clamp of [A11] keeps the
  * smallest eigenvalue of J at 0.05 or above: det > 0, and the quotient exists.  Gentle
  * seas, with tp_deep_water.crossed false, use N = (-hx, 1 - sum QkA sin th, -hz).  All
- * terms are evaluated at the rest point.  The form printed with the displaced point
- * inside the sine is a different, wrong surface ([A10]).
+ * terms are evaluated at the rest point.  The form printed with the displaced point inside
+ * the sine is a different, wrong surface ([A10]).
  *
  * Derivation of the error bounds of normals in deep_water.h.  Errors dh and dJ turn the
  * normal of the slopes g = J^-1 h by |J^-1 (dh - dJ g)| / sqrt(1 + g^2) <= hypot(|dh|,
@@ -90,15 +90,15 @@ tp_fx tp_deep_water_jacobian(const tp_deep_water *deep, const tp_turn phases[TP_
  *
  * P is the gradient of |p0|^2/2 + sum (QA/k) sin th.  Its Hessian is the Jacobian J of [A9]
  * with eigenvalues within 1 -+ q, q the sum of QkA.  For q < 1 there is one root.  The root
- * lies within the sea's reach of p, in a box around p; the search never leaves the box.
+ * lies within max_displacement of p, in a box around p; the search never leaves the box.
  *
  * A pure Newton step fails if one wave is long and steep, and another wave is far shorter
  * than the distance left.  The local slope of the short wave says nothing about the slope
  * along this distance, where the short wave averages out.  Each wave therefore counts in J
  * with the weight 1 / (1 + 2 (k e)^2), e the present error in metres.  Long waves are
- * solved first, and the step becomes Newton's as e goes to 0.  On 20,000 legal seas at the
- * steepness clamp, seven pure Newton steps, with plain steps where Newton failed, left
- * errors of up to 25 m; seven weighted steps leave rounding errors only. */
+ * solved first, and the step becomes Newton's as e goes to 0.  On 20,000 legal sets of
+ * waves at the steepness clamp, seven pure Newton steps, with plain steps where Newton
+ * failed, left errors of up to 25 m; seven weighted steps leave rounding errors only. */
 
 #define STEPS 7             /* a last evaluation follows: eight in all */
 #define NEAR  2             /* LSB of x and z: the rounding error of a rest point */
@@ -157,8 +157,8 @@ static rest_place newton_step(const tp_deep_water *deep, const int32_t sine[TP_W
                          (tp_fx)tp_div_rounded(e.x * jxz - e.z * jxx, det) };
 }
 
-/* The box around p, clipped to the range of 16.16.  Its half side is the reach + 2^-16 m,
- * for the rounding of a point. */
+/* The box around p, clipped to the range of 16.16.  Its half side is max_displacement +
+ * 2^-16 m, for the rounding of a point. */
 typedef struct { rest_place low, high; } box;
 
 static box search_box(const tp_deep_water *deep, tp_fx x, tp_fx z)

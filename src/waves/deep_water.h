@@ -64,17 +64,17 @@ typedef struct {
     tp_swell swell[TP_WAVES];   /* last field: the memory may end after `count` swells */
 } tp_deep_water;
 
-/* Makes a sea from `count` waves; gravity in m/s^2. */
+/* Makes deep water from `count` waves; gravity in m/s^2. */
 void tp_deep_water_init(tp_deep_water *deep, const tp_wave *waves, uint32_t count,
                         tp_fx gravity);
 
-/* The same for a sea in less memory: it ends after the last swell of amplitude above 0. */
+/* The same in less memory: the struct ends after the last swell of amplitude above 0. */
 void tp_deep_water_init_compact(tp_deep_water *deep, const tp_wave *waves, uint32_t count,
                                 tp_fx gravity);
 
-/* Adds a wave to a sea; an empty sea is all 0.  Amplitudes are cut as in
+/* Adds a wave to deep water; deep water without waves is all 0.  Amplitudes are cut as in
  * tp_deep_water_init.  If the steepness sum would exceed 0.95, the steepness of this
- * wave alone is reduced.  A sea of TP_WAVES waves takes no more, and a wave without
+ * wave alone is reduced.  Deep water of TP_WAVES waves takes no more, and a wave without
  * amplitude is ignored. */
 void tp_deep_water_add(tp_deep_water *deep, const tp_wave_exact *wave);
 
@@ -89,7 +89,7 @@ typedef struct {
 } tp_surface_point;
 
 /* Returns the displaced point of the rest point (x0, z0).  Normals are exact [A10] if
- * the sea is `crossed`: the steepness sum is above 0.3, or the form without cross
+ * the deep water is `crossed`: the steepness sum is above 0.3, or the form without cross
  * terms could be 1.5 degrees off.  The form without cross terms is exact for sines and
  * for a single wave.
  *
@@ -107,7 +107,7 @@ tp_surface_point tp_deep_water_displace_point(const tp_deep_water *deep,
                                               tp_fx z0);
 
 /* Returns the surface above or below the point (x, z) of the world [E1], inverted with at
- * most 8 evaluations, for any start and every legal sea.  Within 30 km of the origin on
+ * most 8 evaluations, for any start and all legal waves.  Within 30 km of the origin on
  * each axis the horizontal error is below 0.05 mm, and the vertical error below 0.05 mm
  * times the slope.  Farther out the bound holds until the displacements reach the ends of
  * 16.16, at most 600 m before them.  There the search stays within 16.16, and `position`
@@ -126,11 +126,11 @@ tp_surface_point tp_deep_water_sample_fixed_point(const tp_deep_water *deep,
                                                   tp_fx z, uint32_t n);
 
 /* Slopes and normal of a surface known by heights alone, by central differences [A6].
- * `neighbours` holds the heights at x - spacing, x + spacing, z - spacing and z +
- * spacing.  A height missing at a wall is mirrored.  If grid points lie on the wall,
- * the caller passes the height of the opposite neighbour.  If the wall lies half a
- * spacing beyond, the caller passes the height of the middle.  |height| < 8192 m, 0 <
- * spacing < 8192 m; slopes saturate. */
+ * `neighbours` holds the heights at x - spacing, x + spacing, z - spacing and z + spacing.
+ * A height missing at a wall is mirrored.  If grid points lie on the wall, the caller
+ * passes the height of the opposite neighbour.  If the wall lies half a spacing beyond, the
+ * caller passes the height of the middle.  |height| < 8192 m, 0 < spacing < 8192 m; slopes
+ * saturate. */
 tp_height_slope tp_neighbour_height_slope(tp_fx middle, const tp_fx neighbours[4],
                                           tp_fx spacing);
 tp_dir3 tp_neighbour_normal(const tp_fx neighbours[4], tp_fx spacing);
@@ -140,9 +140,9 @@ tp_dir3 tp_neighbour_normal(const tp_fx neighbours[4], tp_fx spacing);
 /* The sum of swells, step by step, for code that evaluates many points: the grid adds one
  * wave at a time, with phases stored per row and column.
  *
- * A sea states once which terms its points need: tp_deep_water.sharpened and
- * tp_deep_water.crossed.  The functions below take both flags as literals, and a plain
- * sea pays for neither. */
+ * Deep water states once which terms its points need: tp_deep_water.sharpened and
+ * tp_deep_water.crossed.  The functions below take both flags as literals, and plain
+ * deep water pays for neither. */
 
 #define TP_SWELL_SLOPE_MAX TP_FX(7.99)
 
@@ -200,7 +200,7 @@ TP_ALWAYS_INLINE void tp_swell_add_as(tp_swell_sum *sum, const tp_swell *w, tp_t
     }
 }
 
-/* Returns the sum of all swells of a sea; the phase of each is a[i] + b[i]. */
+/* Returns the sum of all swells; the phase of each is a[i] + b[i]. */
 TP_ALWAYS_INLINE tp_swell_sum tp_swell_sum_all(const tp_deep_water *deep, const tp_turn *a,
                                            const tp_turn *b, int sharpened, int crossed)
 {
@@ -231,8 +231,8 @@ TP_ALWAYS_INLINE tp_fx tp_swell_sum_slope(int64_t num, int shift, int32_t invers
 }
 
 /* Returns the displaced point of the rest point (x0, z0), with the sum scaled by `fade`
- * (16.16, 0..1).  Slopes follow the head of gerstner.c; without cross terms the slope is h
- * / (1 - sum QkA sin th). */
+ * (16.16, 0..1).  Slopes follow the head of deep_water.c; without cross terms the slope is
+ * h / (1 - sum QkA sin th). */
 TP_ALWAYS_INLINE tp_surface_point tp_swell_sum_point_as(const tp_swell_sum *sum, tp_fx x0,
                                                         tp_fx z0, tp_fx fade, int crossed)
 {
@@ -267,16 +267,14 @@ TP_ALWAYS_INLINE tp_surface_point tp_swell_sum_point_as(const tp_swell_sum *sum,
     };
 }
 
-/* The same for a sum that has the cross terms, for any sea. */
+/* The same for a sum that has the cross terms, for any waves. */
 tp_surface_point tp_swell_sum_point(const tp_swell_sum *sum, tp_fx x0, tp_fx z0,
                                     tp_fx fade);
 
-/* [A3]: tp_sharp_mean returns the mean of f, Q8.24.  tp_sharp_height returns the
- * largest A |f - mean|.  tp_sharp_slope_bound takes k A in Q2.30 and returns an upper
- * bound of k A f', twice the bound if sharpened (see twist_of in swell.c), 16.16. */
+/* [A3]: returns the largest A |f - mean|. */
 tp_fx   tp_sharp_height(tp_fx amplitude, int32_t power);
 
-/* jacobian.c: returns Jxx Jzz - Jxz^2 of [A9] at a rest point, 16.16.  Below 1 the water is
+/* Returns Jxx Jzz - Jxz^2 of [A9] at a rest point, 16.16.  Below 1 the water is
  * compressed; at 0 the surface would fold.  `phases` are the phases of the tick. */
 tp_fx tp_deep_water_jacobian(const tp_deep_water *deep, const tp_turn phases[TP_WAVES],
                              tp_fx x, tp_fx z);

@@ -15,6 +15,7 @@ static const int32_t mean_q14[8] = {
     16384, 12288, 10240, 8960, 8064, 7392, 6864, 6435
 };
 
+/* Returns the mean of f, Q8.24. */
 static int32_t sharp_mean(int32_t power)
 {
     return mean_q14[tp_clamp(power, 1, 8) - 1] * (1 << 10);
@@ -27,8 +28,9 @@ tp_fx tp_sharp_height(tp_fx amplitude, int32_t power)
     return (tp_fx)((amplitude * crest + (1 << 24) - 1) >> 24);
 }
 
-/* f' is at most 1, 1.30, 1.55, 1.77 ... 2.47 [A3]; 1 + 0.3 (power - 1) is
- * at least as large. */
+/* Takes k A in Q2.30 and returns an upper bound of k A f', twice the bound if sharpened
+ * (see swell_cross_term_bound), 16.16.  f' is at most 1, 1.30, 1.55, 1.77 ... 2.47 [A3]; 1
+ * + 0.3 (power - 1) is at least as large. */
 static tp_fx sharp_slope_bound(tp_q30 slope, int32_t power)
 {
     int64_t n = tp_clamp(power, 1, 8) - 1, tenths = n ? 2 * (10 + 3 * n) : 10;

@@ -58,7 +58,7 @@ tp_fx tp_depth_amplitude(tp_fx amplitude, tp_fx ks, tp_fx kr, tp_fx depth);
 /* -- the phase over a straight coast --------------------------------------------------
  *
  * For any point, to 3e-4 rad.  `tidepool check` compares the tables of [B8] with these
- * functions.  Coastal water has its own tables, by depth (ocean.h). */
+ * functions.  Coastal water has its own tables, by depth (coastal_water.h). */
 
 /* A straight coast: h(x) = max(least, depth - slope x), x towards the shore. */
 typedef struct {

@@ -24,7 +24,7 @@ static size_t count_swells(const tp_program *program, const tp_scene *scene)
     return count;
 }
 
-/* Computes the layout of a scene's world and the size of the block; parts->bytes is 0 if
+/* Computes the layout of a scene's world and the size of the block; layout->bytes is 0 if
  * the scene is refused.  If a pool is invalid, err->word is the parameter at fault. */
 static tp_status world_layout_measure(const tp_program *program, tp_world_layout *layout,
                            const tp_scene *scene, const tp_assets *assets, tp_error *err)
@@ -66,7 +66,7 @@ tp_surface tp_world_surface(const tp_program *program, const tp_world *world)
 
 /* -- initial state ----------------------------------------------------------------- */
 
-/* Initialises the sea.  In a program without swells the sea stays all 0, and the world's
+/* Initialises the deep water.  In a program without swells it stays all 0, and the world's
  * block ends before the swells. */
 static void make_deep_water(const tp_program *program, tp_deep_water *deep,
                             const tp_scene *scene)
@@ -138,7 +138,8 @@ tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes
     return TP_OK;
 }
 
-/* Recomputes the sea and the boat's pose after each change; both take microseconds. */
+/* Recomputes the deep water and the boat's pose after each change; both take
+ * microseconds. */
 bool tp_world_apply(const tp_program *program, tp_world *world, const tp_scene *scene,
                     const tp_assets *assets)
 {

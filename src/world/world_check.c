@@ -7,9 +7,9 @@
  * file is set row by row through tp_param_set, and tp_param_set checks the same ranges.
  *
  * A world: no byte is trusted, neither offsets and counts nor truth values, compared as
- * bytes.  Layout, sea, floor and tables follow from the scene, so they must equal a fresh
- * world of the same scene.  State changed by ticks is checked by the file that owns the
- * state.
+ * bytes.  Layout, deep water, floor and tables follow from the scene, so they must equal a
+ * fresh world of the same scene.  State changed by ticks is checked by the file that owns
+ * the state.
  */
 #include "base/base.h"
 #include "base/error.h"

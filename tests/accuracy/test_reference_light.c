@@ -24,7 +24,8 @@ static void fresnels_share_is_that_of_the_angles(void **state)
     (void)state;
     for (int i = 1; i < 900; i++) {
         const double angle = i * PI / 1800;
-        measure_add(&off, ref_fresnel_reflectance(cos(angle), 1.333) - fresnel_by_angles(angle),
+        measure_add(&off,
+                    ref_fresnel_reflectance(cos(angle), 1.333) - fresnel_by_angles(angle),
                     i, 0, 0);
     }
     measure_print(&off);

@@ -14,5 +14,5 @@ $(FAULTS:%=%.o): $(BUILD)/faults/%.o: tests/boards/faults.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) $(HOSTED) -DFAULT_$* -c $< -o $@
 $(FAULTS:%=%.elf): $(BUILD)/faults/%.elf: $(BUILD)/faults/%.o \
-          $(filter-out %/sum.o,$(BOARD_REST))
+          $(filter-out %/frame_crc.o,$(BOARD_REST))
 	$(SAY)$(LINK_ELF)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Measures the error of each rung: shipped scenes at 160x120 and 320x240, against the
- * reference picture (truth.h).
+ * reference picture (tests/lib/quality_error.h).
  *
  *     errors SCENE.ini...
  *

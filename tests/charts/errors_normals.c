@@ -59,7 +59,8 @@ void judge_normals(const kernel *k, const int32_t *in, const int32_t *out)
     (void)in;
     ref_phases(&deep, NORMALS_TICK, phase);
     for (uint32_t i = 0; i < KERNEL_UNITS; i++, out += 2) {
-        const ref_point p = ref_sample_deep_water(&deep, phase, normals_x(i) * LSB, normals_z(i) * LSB);
+        const ref_point p =
+            ref_sample_deep_water(&deep, phase, normals_x(i) * LSB, normals_z(i) * LSB);
         const double off = degrees_off(&p, out);
         worst = fmax(worst, off);
         sum += off * off;

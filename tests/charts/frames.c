@@ -6,10 +6,10 @@
  *     frames errors SCENE WIDTH HEIGHT TICK
  *         prints rows of the sweep
  *
- * The reference (tests/reference, double precision, rays) takes 16 samples a pixel of the
- * exact surface, not of the engine's mesh. Features that the reference draws in another way
- * are left out of both pictures: foam, spray, caustics, stars; and mirrors bend to first
- * order. Costs are those of the shipped scenes. */
+ * The reference (ports/tools/reference, double precision, rays) takes 16 samples a pixel of
+ * the exact surface, not of the engine's mesh. Features that the reference draws in another
+ * way are left out of both pictures: foam, spray, caustics, stars; and mirrors bend to
+ * first order. Costs are those of the shipped scenes. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

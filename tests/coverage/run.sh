@@ -5,7 +5,7 @@
 #
 #   tests/coverage/run.sh [N]           the N lowest files, 20 by default
 #
-# For the lines of one file:  gcov -b -t build/coverage/src/fx/fx.gcda
+# For the lines of one file:  gcov -b -t build/coverage/src/fixed/roots.gcda
 # Built without asserts, whose failing branch no test takes, and without the program for
 # newer processors. Headers are left out: gcov reports them once for each inclusion.
 . "$(dirname "$0")/../lib/script.sh"

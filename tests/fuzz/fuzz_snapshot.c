@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Fuzzes saved worlds under a correct CRC: an accepted world is drawn, moved by three ticks
- * and drawn again. The first byte selects one of the worlds of tests/host/kept.h; 255: the
- * rest is the whole file. Then follows any number of changes:
+ * and drawn again. The first byte selects one of the worlds of tests/lib/snapshots.h; 255:
+ * the rest is the whole file. Then follows any number of changes:
  *
  *     WHERE       a byte: 0: the file's head; 1: the world's head; 2..7: a part
  *     OFFSET      two bytes, in words of 4 from the beginning of the target

@@ -157,7 +157,7 @@ beyond t 10000001 "0..10000000"
 line "an amplitude above 16 m is refused" \
     "A = S L / 2 pi = 16.2338042 m is above 16" 5 '5s/0.0502[0-9]*/0.051/'
 
-# The bound of wave.h at the origin is 0.0008 degrees for S = 0.1 and 0.0027 for 0.93.  S
+# The bound of deep_water.h at the origin is 0.0008 degrees for S = 0.1 and 0.0027 for 0.93.  S
 # is 2 pi A / L, with an A exact in Q16.16.
 table gerstner_single <<'ROWS'
 1.25 0.1000155473701438 77 0 0 1.5 0.002

@@ -201,8 +201,8 @@ for language in "cc -std=c11" "c++ -std=c++11"; do
 done
 
 # SDL's flags ask the C library for POSIX names; without SDL a file asks by itself.
-same "nothing that it is made of needs SDL" "$(cd "$root" && for file in ports/app/[cfs]*/*.c ports/tools/*/*.c \
-        ports/interact/*.c ports/library/*.c; do
+same "nothing that it is made of needs SDL" "$(cd "$root" && for file in \
+        ports/app/[cfs]*/*.c ports/tools/*/*.c ports/interact/*.c ports/library/*.c; do
     $cc -std=c11 -Iinclude -Iports -Iports/library -Isrc -I. -fsyntax-only "$file" 2>&1
 done | grep error)" ""
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Comparison of a picture with another rung's and with the reference tracer's, for one
+/* Comparison of a picture with another rung's and with the reference renderer's, for one
  * world. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdarg.h>
@@ -118,7 +118,7 @@ static void the_same_rung_has_the_same_bits(void **state)
     finish(&b);
 }
 
-/* The note says if the stage draws by the compared rungs already, and only then. */
+/* The note says if the loaded scene draws by the compared rungs already, and only then. */
 static void what_is_drawn_so_anyway_is_told(void **state)
 {
     bench b;

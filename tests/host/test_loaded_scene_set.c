@@ -49,7 +49,7 @@ static bool set(const char *setting)
 
 /* -- accepted changes ------------------------------------------------------------ */
 
-/* Compares the running canvas with a newly opened canvas. */
+/* Compares the running frame renderer with a newly opened one. */
 static void assert_drawn_as_new(const char *setting)
 {
     const uint32_t crc = drawn();
@@ -125,7 +125,8 @@ static void numbers_need_no_new_canvas(void **state)
     loaded_scene_close(&stood);
 }
 
-/* The harbour's pool has inner walls: only changes that move walls need a new canvas. */
+/* The harbour's pool has inner walls: only changes that move walls need a new frame
+ * renderer. */
 static void walls_that_move_open_the_canvas(void **state)
 {
     (void)state;

@@ -302,7 +302,7 @@ static void a_cut_or_foreign_world_is_not_taken(void **state)
     put_pond(&s);
     assert_int_equal(worlds(name), 1);
     char *path = strdup(state_path(name));
-    /* keep.c: magic, version, scene, build */
+    /* snapshot.c: magic, version, scene, build */
     const uint8_t build = put_byte(path, 12, 0);
     put_byte(path, 12, build ^ 1);
     listen();

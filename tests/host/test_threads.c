@@ -65,7 +65,7 @@ static void every_scene_is_the_same_by_1_to_16_threads(void **state)
     path_free_names(names, count);
 }
 
-/* -- a crew ---------------------------------------------------------------------- */
+/* -- a thread pool --------------------------------------------------------------- */
 
 enum { JOBS = 2000, HANDS = 7 };
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Ends a test program when a contract of the core is broken: base/assert.h. */
+/* Ends a test program when a contract of the core is broken: base/base.h. */
 #include <stdio.h>
 #include <stdlib.h>
 #ifndef TP_CHECKED

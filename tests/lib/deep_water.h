@@ -11,7 +11,7 @@
 
 #define TEN_YEARS (3652ull * 24 * 3600 * TP_TICKS_PER_SECOND)
 #define LSB       (1 / 65536.0)
-#define SINE      4.8e-6        /* error of tp_sin (fx.h), and of its rounding to Q24 */
+#define SINE      4.8e-6        /* error of tp_sin, and of its rounding to Q24 */
 
 typedef struct {
     tp_wave wave[TP_WAVES];
@@ -75,9 +75,9 @@ static inline void deep_water_sharpen(uint64_t *chance, deep_water *o)
 }
 
 /* Bound of a wave's phase error, in radians.  Wave numbers in turns per metre are rounded
- * to Q0.32; directions have 28 bits (rotations, fx.h) and a heading of 2^-31 turn; phases
- * are truncated to 2^-32 turn four times; the clock errs by 2^-62 turn per tick (speed up
- * to 8). */
+ * to Q0.32; directions have 28 bits (rotations, arithmetic.h) and a heading of 2^-31 turn;
+ * phases are truncated to 2^-32 turn four times; the clock errs by 2^-62 turn per tick
+ * (speed up to 8). */
 static inline double phase_error(const deep_water *o, int i, double x0, double z0)
 {
     const double e32 = 1 / 4294967296.0, way = fabs(x0) + fabs(z0);

@@ -291,7 +291,7 @@ static void so_do_the_worst_waves_that_are_known(void **state)
     assert_true(s.rms.worst > 0.8 && s.corner.worst > 0.6);
 }
 
-/* -- later ------------------------------------------------------------------------------- */
+/* -- later ----------------------------------------------------------------------------- */
 
 static void waves_of_8_bits_stay_within_it_later(void **state)
 {

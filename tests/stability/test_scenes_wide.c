@@ -129,7 +129,7 @@ static tp_config any_config(const tp_scene *s)
     return c;
 }
 
-/* -- programs ------------------------------------------------------------------------------ */
+/* -- programs -------------------------------------------------------------------------- */
 
 typedef struct {
     tp_program by, tiled_by;

@@ -63,8 +63,10 @@ static ball ball_of(const tp_world *w, const tp_scene *s, tp_vec3 at, tp_fx radi
 
     return (ball){
         .camera = ref_camera_make(w->eye, w->heading, w->pitch, s->camera.fov,
-                                s->camera.near, WIDTH, HEIGHT),
-        .centre = ref_vec_make(at), .wide = r * pow(a, -1 / 3.0), .high = r * pow(a, 2 / 3.0),
+                                  s->camera.near, WIDTH, HEIGHT),
+        .centre = ref_vec_make(at),
+        .wide = r * pow(a, -1 / 3.0),
+        .high = r * pow(a, 2 / 3.0),
     };
 }
 

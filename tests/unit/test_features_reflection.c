@@ -181,7 +181,7 @@ static void water_behind_an_object_mirrors_none_of_it(void **state)
 /* -- the cube map --------------------------------------------------------------------- */
 
 /* Face of the cube map and position (i, j) in texels, for a direction; as in
- * object_cube.h. */
+ * reflection.h. */
 static int face_of(ref_dir w, double *i, double *j)
 {
     const double ax = fabs(w.x), az = fabs(w.z);

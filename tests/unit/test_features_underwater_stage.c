@@ -124,8 +124,8 @@ static ref_colour lit_face(const scene *s, ref_face face, ref_vec way)
                      : face == REF_WALL_X ? (way.x > 0 ? -in->sun_x : in->sun_x)
                                           : (way.z > 0 ? -in->sun_z : in->sun_z);
     const double light = ambient + (1 - ambient) * ref_clamp(sun / Q14, 0, 1);
-    return ref_scale(ref_colour_unpack(face == REF_FLOOR ? in->floor.colour : in->wall.colour),
-                     light);
+    return ref_scale(
+        ref_colour_unpack(face == REF_FLOOR ? in->floor.colour : in->wall.colour), light);
 }
 
 /* Colour of a ray in the water; false if too near to an edge for a sure result. */

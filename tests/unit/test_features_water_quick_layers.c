@@ -261,7 +261,7 @@ static void slopes_are_those_of_the_normal_map(void **state)
     measure_print(&off);
 }
 
-/* -- cuts -------------------------------------------------------------------------------- */
+/* -- cuts ------------------------------------------------------------------------------ */
 
 typedef struct {
     tp_texture t, graded, offsets, slopes;

@@ -38,7 +38,8 @@ static void compare_nearest(const tp_texture *texture, int level)
                         repeats(r.t[i], layer.per_metre, layer.drift_t));
         assert_int_equal(r.run.colour[i], want & 0xffffff);
         assert_true(ref_colour_difference(tinted.run.colour[i],
-                            ref_times(ref_colour_unpack(want), ref_colour_unpack(s.water_colour)))
+                                          ref_times(ref_colour_unpack(want),
+                                                    ref_colour_unpack(s.water_colour)))
                     < 1);
     }
 }
@@ -246,8 +247,9 @@ static void solids_show_the_texel_that_holds_the_place(void **state)
         for (int i = 0; i < TP_RUN; i++) {
             const uint32_t want = ref_nearest(&t, level, (r.s[i] >> 16) / 65536.0,
                                               (r.s[i] & 0xffff) / 65536.0);
-            assert_true(ref_colour_difference(r.run.colour[i], ref_times(ref_colour_unpack(want),
-                                                           ref_colour_unpack(solid.diffuse)))
+            assert_true(ref_colour_difference(r.run.colour[i],
+                                              ref_times(ref_colour_unpack(want),
+                                                        ref_colour_unpack(solid.diffuse)))
                         < 1);
         }
         layer_free(&t);

@@ -149,7 +149,8 @@ static void make_sliver_through_centre(tp_screen_vertex c[3], int32_t far)
 }
 
 /* Slivers of all kinds: no depth is nearer than the nearest corner or farther than the
- * farthest corner, except for 1/256 of the range, the allowance of geom.h for rounding. */
+ * farthest corner, except for 1/256 of the range, the allowance of projection.h for
+ * rounding. */
 static void no_sliver_leaves_the_depths_of_its_corners(void **state)
 {
     (void)state;

@@ -91,7 +91,8 @@ static void the_disc_is_the_brightest_and_beyond_white(void **state)
             continue;
         const uint32_t sun = tp_env_sample(&s, s.world.lx, s.world.ly, s.world.lz);
         const double white = fmin(1, sky.config.sun / 65536.0);
-        const ref_colour c = ref_colour_unpack(sun), l = ref_colour_unpack(sky.config.light);
+        const ref_colour c = ref_colour_unpack(sun),
+                         l = ref_colour_unpack(sky.config.light);
         for (int k = 0; k < 3; k++)
             assert_true(c.c[k] >= floor(l.c[k] * white) - 2);
         assert_true(fabs((sun >> 24) - 255 * (sky.config.sun / 65536.0) / 16) <= 2);

@@ -178,12 +178,14 @@ static void fresnel_mixes_light_beyond_white(void **state)
             const double f = s.fresnel[before.nv[i] >> 6] / 256.0;
             const double share = f * s.mirror / 256 * above;
             const ref_light light = ref_light_unpack(before.mirror[i]);
-            const ref_colour was = ref_scale(ref_colour_unpack(before.colour[i]), 1 - share);
+            const ref_colour was =
+                ref_scale(ref_colour_unpack(before.colour[i]), 1 - share);
             colour_error_add(&off, r.run.colour[i],
                              ref_add(was, ref_scale(light.colour, share)));
-            colour_error_add(&hdr, bright.colour[i],
-                      ref_add(was, ref_scale(ref_unclamped_colour(light, s.env.beyond / 4096.0),
-                                             share)));
+            colour_error_add(
+                &hdr, bright.colour[i],
+                ref_add(was, ref_scale(ref_unclamped_colour(light, s.env.beyond / 4096.0),
+                                       share)));
         }
     }
     colour_error_print(&off);
@@ -219,8 +221,9 @@ static void air_takes_the_horizon_s_colour_in_its_direction(void **state)
             const uint32_t light = tp_env_sample(&s, sky_q14(flat.x), 0, sky_q14(flat.z));
             if (fabs(v.y) > 0.7 || light >> 24)
                 continue;       /* 16 columns cover many degrees there */
-            colour_error_add(&off, r.run.colour[i], ref_mix(ref_colour_unpack(before.colour[i]),
-                                                     ref_colour_unpack(light), share));
+            colour_error_add(&off, r.run.colour[i],
+                             ref_mix(ref_colour_unpack(before.colour[i]),
+                                     ref_colour_unpack(light), share));
         }
     }
     colour_error_print(&off);

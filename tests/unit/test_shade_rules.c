@@ -139,7 +139,7 @@ static void the_sky_is_linear_between_multiples_of_32(void **state)
     }
 }
 
-/* The error as stated in sky.c; an entry stands for all sines up to the next entry's
+/* The error as stated in skies.c; an entry stands for all sines up to the next entry's
  * sine. */
 static void the_skys_height_is_as_near_as_stated(void **state)
 {
@@ -221,7 +221,7 @@ static void a_level_is_that_of_the_first_sample_of_16_columns(void **state)
     }
 }
 
-/* -- rippled water ----------------------------------------------------------------------- */
+/* -- rippled water --------------------------------------------------------------------- */
 
 /* N.V of rippled water stays at 0.1 or above for any tilt; smooth water may be seen edge
  * on.  Everything else is the same. */

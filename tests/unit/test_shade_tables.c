@@ -195,7 +195,8 @@ static void the_sky_goes_from_horizon_to_zenith(void **state)
         assert_int_equal(shade.sky[0], horizon);
         assert_int_equal(shade.sky[TP_SKY], zenith);
         for (int i = 0; i <= TP_SKY; i++) {
-            const double off = ref_colour_difference(shade.sky[i], ref_sky(horizon, zenith, i / 256.0));
+            const double off =
+                ref_colour_difference(shade.sky[i], ref_sky(horizon, zenith, i / 256.0));
             measure_add(&m, off, horizon, zenith, i);
             assert_true(off <= 1.5);
             assert_int_equal(shade.sky[i] >> 24, 0);

@@ -25,8 +25,8 @@ static void no_floor_is_deep_everywhere(void **state)
     assert_int_equal(at.rise_z, 0);
 }
 
-/* The uphill direction is a unit vector within 7e-9 (wave.h's rotations): the bound is the
- * distance times 7e-9, plus the roundings of position and depth. */
+/* The uphill direction is a unit vector within 7e-9 (rotations, arithmetic.h): the bound is
+ * the distance times 7e-9, plus the roundings of position and depth. */
 static void slopes_follow_their_plane(void **state)
 {
     (void)state;

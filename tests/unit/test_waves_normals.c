@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Normals stay within the bounds of wave.h: one trochoid [A8] swept over steepness, length,
- * direction, phase and position, and deep water of any waves [A10]; compared with double
- * precision. */
+/* Normals stay within the bounds of deep_water.h: one trochoid [A8] swept over steepness,
+ * length, direction, phase and position, and deep water of any waves [A10]; compared with
+ * double precision. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -9,7 +9,7 @@
 #include <cmocka.h>
 #include "tests/lib/deep_water.h"
 
-#define FAR 30000.0             /* m in each direction, as in wave.h */
+#define FAR 30000.0             /* m in each direction, as in deep_water.h */
 
 static uint64_t chance;
 

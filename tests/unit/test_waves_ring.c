@@ -14,7 +14,7 @@
 #define LSB    (1 / 65536.0)
 #define TAU    6.283185307179586
 #define SECOND (60 * 65536.0)           /* in ring time units */
-#define SINE   4.8e-6                   /* error of tp_sin, see fx.h */
+#define SINE   4.8e-6                   /* error of tp_sin, see arithmetic.h */
 #define STEEP  7.99                     /* clamp of slopes */
 
 static uint64_t chance;

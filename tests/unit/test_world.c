@@ -215,7 +215,8 @@ static void play(tp_world *world, const tp_scene *scene, const tp_input tape[100
 static void a_tape_replays_bit_for_bit(void **state)
 {
     (void)state;
-    for (int n = 0; n < 16; n++) {
+    const int tapes = getenv("TP_SOAK") ? 40 : 16;
+    for (int n = 0; n < tapes; n++) {
         const tp_scene scene = any_moving_scene();
         const size_t bytes = tp_world_bytes(&tp_program_all, &scene, NULL);
         tp_input tape[100];

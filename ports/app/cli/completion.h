@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Shell completion: one script per shell, printed on stdout.  The scripts are made from the
- * tables of commands, options and parameters and from the words of arguments (takes.h). */
+ * tables of commands, options and parameters and from the words of arguments
+ * (argument_types.h). */
 #ifndef TP_APP_CLI_COMPLETION_H
 #define TP_APP_CLI_COMPLETION_H
 #include "app/files/log.h"

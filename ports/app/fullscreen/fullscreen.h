@@ -35,7 +35,8 @@ typedef struct {
     int  (*acts)(void *user);
     const tp_input *(*taped)(void *user);
 
-    /* Tape callbacks for kept worlds: the number of entries played so far; keep.remake. */
+    /* Tape callbacks for kept worlds: the number of entries played so far;
+     * snapshot_store.remake. */
     uint32_t (*played)(void *user);
     bool (*remake)(void *user, uint32_t played);
 } show;
@@ -49,7 +50,7 @@ const screen_port *show_port(const char *name);
  * here and ends the program. */
 int show_run(const show *what);
 
-/* -- interface between watch.c and loop.c ---------------------------------------- */
+/* -- interface between supervisor.c and drawing_loop.c ------------------------------- */
 
 /* Runs in the child. *signal: the signal that ended the loop, or 0. */
 int loop_run(const show *what, screen *on, console *tty, const snapshot_store *kept,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A screen without a window system.  A port provides one screen_port; only its functions
- * access the device.  The loop (loop.c) draws, waits and reads keys; the console
- * (console.h) owns the virtual terminal.
+ * access the device.  The loop (drawing_loop.c) draws, waits and reads keys; the
+ * console (console.h) owns the virtual terminal.
  *
  * Two processes share an open screen.  The parent opens the screen, forks and waits; the
  * child draws.  After the child's end, of any kind, the parent closes the screen with

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* One thread and one buffer.  While the buffer is empty the drawing thread may fill it;
- * while it is full the keeper thread writes it. */
+ * while it is full the snapshot thread writes it. */
 #define _POSIX_C_SOURCE 200809L
 #include "snapshot_thread.h"
 #include <pthread.h>

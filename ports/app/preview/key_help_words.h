@@ -8,7 +8,7 @@
 #define KEY_HELP_NAME 40
 
 /* Appends keys in the notation of a keymap, shortened: "PgUp" for PageUp, arrows of
- * letters.h for Up ... Right, a single "Shift" for both Shift keys. */
+ * font.h for Up ... Right, a single "Shift" for both Shift keys. */
 void key_help_add_keys(char out[KEY_HELP_KEYS], const char *keys);
 
 /* Writes the name without its group: "left" for light_left of group light. */

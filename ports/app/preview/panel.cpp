@@ -2,7 +2,7 @@
 /* The panel beside the picture, by Dear ImGui; the project's only C++ file.
  *
  * The panel's content is in C files (panel_top.c, panel_list.c, panel_value.c,
- * panel_performance.c), on top of the interface panel_pen.h.  This file implements the
+ * panel_performance.c), on top of the interface panel_ui.h.  This file implements the
  * interface with Dear ImGui, sets style and font, and passes events to Dear ImGui and
  * triangles back. */
 #include <backends/imgui_impl_sdl.h>

@@ -58,7 +58,7 @@ typedef struct {
     const char *const *pictures;                        /* PNG names offered to a row */
     uint32_t           picture_count;
 
-    /* Runs an action, as a key does.  `action`: a number of ../host/actions.h. */
+    /* Runs an action, as a key does.  `action`: a number of ../session/actions.h. */
     void (*act)(void *user, int action);
     const char *(*keys)(void *user, int action);        /* "Ctrl+S" */
     bool (*is_on)(void *user, int action);              /* state of a switch: pause,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Mouse, wheel, held keys and window events: the person's input between two ticks.  Keys
- * with a single effect go to view_act.c. */
+ * with a single effect go to view_actions.c. */
 #ifndef TP_APP_PREVIEW_USER_INPUT_H
 #define TP_APP_PREVIEW_USER_INPUT_H
 #include <SDL.h>

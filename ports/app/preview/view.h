@@ -4,8 +4,8 @@
  *     view.c          the command and the main loop
  *     view_time.c     ticks, pause, rewinding, tapes
  *     view_scenes.c   the list of scenes, opening a scene
- *     view_change.c   changing values, undo, saving, the session for --resume
- *     view_act.c      what each action does
+ *     view_changes.c  changing values, undo, saving, the session for --resume
+ *     view_actions.c  what each action does
  *     view_picture.c  drawing the frame, comparing, filming, overlays
  *     view_panel.c    callbacks of the panel */
 #ifndef TP_APP_PREVIEW_VIEW_H
@@ -121,10 +121,11 @@ void view_step_scene(view *v, int by);             /* by: 1 next, -1 previous sc
 void view_list(view *v);                        /* fills v->scenes and v->pictures */
 void view_unlist(view *v);
 
-/* The scene differs from the drawn scene.  `opened`: the canvas was opened again too. */
+/* The scene differs from the drawn scene.  `opened`: the frame renderer was opened again
+ * too. */
 void view_refit(view *v, bool opened);
 
-/* -- view_change.c ----------------------------------------------------------------- */
+/* -- view_changes.c ---------------------------------------------------------------- */
 
 /* Sets the value of a row from text.  `going` as in panel.h.  Returns false if refused;
  * the reason has been said. */
@@ -138,7 +139,7 @@ void view_save(view *v);
 int  view_resume(view *v, const char *otherwise);
 void view_keep(view *v, uint64_t now);
 
-/* -- view_act.c -------------------------------------------------------------------- */
+/* -- view_actions.c ---------------------------------------------------------------- */
 
 void view_act(view *v, action what);
 bool view_is_active(const view *v, action what);    /* true if switched on */
@@ -147,7 +148,7 @@ void view_hush(view *v);                        /* removes the message */
 
 /* -- view_picture.c ---------------------------------------------------------------- */
 
-int  view_size(view *v);                        /* opens a canvas for the window's size */
+int  view_size(view *v);                        /* opens a renderer for the window's size */
 int  view_draw(view *v);
 void view_show(view *v, uint64_t now);
 void view_save_shot(view *v);

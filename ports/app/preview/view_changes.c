@@ -20,7 +20,7 @@ static const tp_param *row_param(uint32_t row)
     return &tp_params(&count)[row];
 }
 
-/* To call before the stage changes.  Returns false while a tape plays. */
+/* To call before the loaded scene changes.  Returns false while a tape plays. */
 static bool may_change(view *v)
 {
     if (v->playing)
@@ -30,8 +30,8 @@ static bool may_change(view *v)
     return !v->playing;
 }
 
-/* To call after the stage has changed; `tick` is the world's tick before the change.  A
- * changed file name makes the kept worlds useless, because they refer to other files. */
+/* To call after the loaded scene has changed; `tick` is the world's tick before the change.
+ * A changed file name makes the kept worlds useless, because they refer to other files. */
 static void was_changed(view *v, const tp_param *param, uint64_t tick, bool opened)
 {
     v->base += tick - v->loaded->world->tick;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The picture: drawn by a canvas as large as the window allows, compared, filmed, and
- * shown under overlays.  Overlays are drawn into the window only: screenshots and films
+/* The picture: drawn by a frame renderer as large as the window allows, compared, filmed,
+ * and shown under overlays.  Overlays are drawn into the window only: screenshots and films
  * hold exactly the core's pixels. */
 #include <stdio.h>
 #include <string.h>

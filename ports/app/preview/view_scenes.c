@@ -143,7 +143,7 @@ bool view_open(view *v, const char *scene)
     if (before) {
         view_film(v, false);
         view_untape(v);
-        compare_forget(v->compare);     /* the comparison reads the old stage */
+        compare_forget(v->compare);     /* the comparison reads the old loaded scene */
     }
     v->loaded = next;
     v->filed = next->file.scene;
@@ -159,7 +159,7 @@ bool view_open(view *v, const char *scene)
     undo_edits_clear(&v->edits);
     v->camera_mode = (camera_mode){ .mode = CAMERA_FREE };
     select_listed_scene(v, next->file.path);
-    if (before)                         /* only now: `scene` may point into the old stage */
+    if (before)                         /* only now: `scene` may point into it */
         loaded_scene_close(before);
     free(before);
     free(v->saved_as);

@@ -88,7 +88,7 @@ void view_step(view *v)
 
 /* Restores the world of the previous frame: takes the latest snapshot before the frame
  * and replays the inputs since.  A tp_frame holds a plan made for its scene, so a
- * changed scene needs a new canvas. */
+ * changed scene needs a new frame renderer. */
 void view_back(view *v)
 {
     loaded_scene *s = v->loaded;

@@ -10,7 +10,8 @@ typedef struct {
     tp_frame   *frame;
 } frame_governor;
 
-/* Begins with the stage's canvas; to call again after the canvas has changed. */
+/* Begins with the loaded scene's frame renderer; to call again after the frame renderer has
+ * changed. */
 void frame_governor_begin(frame_governor *g, const loaded_scene *s);
 
 /* Reports the time of frame `number`, us; sets the rungs of the next frame. */

@@ -27,9 +27,9 @@ typedef struct {
                                          * then pixels by all threads */
 } frame_renderer;
 
-/* Sets how the picture is drawn; allocates nothing.  Tile sides of 0: the canvas chooses.
- * The defaults are the best machine for this processor and stored grid vertices; the caller
- * may then set `machine` or `stream`. */
+/* Sets how the picture is drawn; allocates nothing.  Tile sides of 0: the frame renderer
+ * chooses.  The defaults are the best machine for this processor and stored grid vertices;
+ * the caller may then set `machine` or `stream`. */
 void frame_renderer_plan(frame_renderer *c, const tp_config *config, uint32_t threads);
 
 /* To call after frame_renderer_plan: computes frame_bytes and scratch_bytes without
@@ -37,7 +37,7 @@ void frame_renderer_plan(frame_renderer *c, const tp_config *config, uint32_t th
 void frame_renderer_measure(frame_renderer *c, const tp_scene *scene,
                             const tp_assets *assets);
 
-/* To call after frame_renderer_plan.  scene and assets must outlive the canvas.
+/* To call after frame_renderer_plan.  scene and assets must outlive the frame renderer.
  * Returns an exit code, and prints the reason of a failure; the caller calls
  * frame_renderer_close in every case. */
 int  frame_renderer_open(frame_renderer *c, const tp_scene *scene, const tp_assets *assets);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* From the command line to a world and a canvas. */
+/* From the command line to a world and a frame renderer. */
 #include "loaded_scene.h"
 #include <inttypes.h>
 #include <stdio.h>

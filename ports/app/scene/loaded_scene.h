@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The loaded scene, ready to be drawn: its file, its assets, its world, a canvas. */
+/* The loaded scene, ready to be drawn: its file, its assets, its world, a frame
+ * renderer. */
 #ifndef TP_APP_SCENE_LOADED_SCENE_H
 #define TP_APP_SCENE_LOADED_SCENE_H
 #include "app/cli/args.h"
@@ -15,13 +16,13 @@ typedef struct {
     tp_world  *world;           /* in a block of world_bytes */
     size_t     world_bytes;
     frame_renderer     renderer;
-    tp_ladder  ladder;          /* ladder at the time the canvas was opened */
+    tp_ladder  ladder;          /* ladder at the time the renderer was opened */
 } loaded_scene;
 
 /* Each function returns an exit code, and prints the reason of a failure; the caller calls
  * loaded_scene_close in every case. */
 int loaded_scene_open(loaded_scene *s, const options *o);
-int loaded_scene_load(loaded_scene *s, const options *o); /* all but the canvas */
+int loaded_scene_load(loaded_scene *s, const options *o); /* all but the renderer */
 int loaded_scene_make_world(loaded_scene *s); /* at tick 0, of the current scene */
 int loaded_scene_open_renderer(loaded_scene *s,
                                const options *o); /* again after a change of size */
@@ -33,7 +34,7 @@ void loaded_scene_close(loaded_scene *s);
 int  loaded_scene_read(scene_file *file, const options *o);
 void loaded_scene_report_clamps(const scene_file *file, const tp_deep_water *deep);
 
-/* -- changes while the world moves: loaded_scene_set.c ---------------------------------- */
+/* -- changes while the world moves: loaded_scene_set.c ------------------------------- */
 
 /* A value in the form of scene_file. */
 typedef struct {
@@ -44,9 +45,9 @@ typedef struct {
 loaded_scene_value loaded_scene_get(const loaded_scene *s, const tp_param *param);
 
 /* Sets "name=value" like --set.  Applies the consequences: the world continues with the
- * value, or is made anew at the same place and time; files are loaded; the canvas, if any,
- * is reopened, and *opened is then set.  Returns EXIT_INPUT if the value is refused:
- * everything is unchanged to the bit, and the message begins with `place`. */
+ * value, or is made anew at the same place and time; files are loaded; the frame renderer,
+ * if any, is reopened, and *opened is then set.  Returns EXIT_INPUT if the value is
+ * refused: everything is unchanged to the bit, and the message begins with `place`. */
 int loaded_scene_set(loaded_scene *s, const options *o, const char *place,
                      const char *setting, bool *opened);
 
@@ -64,7 +65,7 @@ typedef struct {
 int loaded_scene_set_all(loaded_scene *s, const options *o,
                          const loaded_scene_setting *all, size_t count, bool *opened);
 
-/* -- shared by stage.c and loaded_scene_set.c ------------------------------------------- */
+/* -- shared by loaded_scene.c and loaded_scene_set.c --------------------------------- */
 
 int  loaded_scene_load_assets(asset_set *a, const scene_file *file, const options *o);
 
@@ -74,8 +75,8 @@ tp_world *loaded_scene_new_world(const tp_scene *scene, const tp_assets *names,
                                  size_t *bytes, tp_error *err);
 void loaded_scene_take_world(loaded_scene *s, tp_world *world, size_t bytes);
 
-/* Plans a canvas of the current scene; allocates nothing.  Returns EXIT_INPUT if --memory
- * does not suffice. */
+/* Plans a frame renderer of the current scene; allocates nothing.  Returns EXIT_INPUT if
+ * --memory does not suffice. */
 int loaded_scene_plan_renderer(const loaded_scene *s, const options *o,
                                const asset_set *a, size_t world_bytes, frame_renderer *c);
 tp_ladder loaded_scene_ladder(const loaded_scene *s);

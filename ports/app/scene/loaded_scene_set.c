@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Changes a stage while its world moves.  Every possible refusal is tested before the world
- * is touched: after a refusal only the value has to be restored. */
+/* Changes a loaded scene while its world moves.  Every possible refusal is tested before
+ * the world is touched: after a refusal only the value has to be restored. */
 #include <stdlib.h>
 #include <string.h>
 #include "app/files/log.h"
@@ -79,8 +79,9 @@ static int world_anew(const loaded_scene *s, change *c)
     return EXIT_DONE;
 }
 
-/* Plans the new canvas.  A picture beyond --memory is refused while the old canvas still
- * exists.  A bad scene is not reported here: making the world reports the error. */
+/* Plans the new frame renderer.  A picture beyond --memory is refused while the old frame
+ * renderer still exists.  A bad scene is not reported here: making the world reports the
+ * error. */
 static int plan_anew(const loaded_scene *s, change *c)
 {
     const asset_set *a = current_assets(s, c);
@@ -135,7 +136,7 @@ static bool needs_canvas(const loaded_scene *s, const change *c)
         || c->frame_bytes != now->frame_bytes || changes_plan(s);
 }
 
-/* Applies the change.  Only lack of memory for the canvas can still fail. */
+/* Applies the change.  Only lack of memory for the frame renderer can still fail. */
 static int do_change(loaded_scene *s, change *c, bool *opened)
 {
     const bool again = needs_canvas(s, c);

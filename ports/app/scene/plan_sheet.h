@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The quality plan of a stage with the bytes and the names of its rungs, for `tidepool
- * plan` and for the preview's figures. */
+/* The quality plan of a loaded scene with the bytes and the names of its rungs, for
+ * `tidepool plan` and for the preview's figures. */
 #ifndef TP_APP_SCENE_PLAN_SHEET_H
 #define TP_APP_SCENE_PLAN_SHEET_H
 #include "loaded_scene.h"

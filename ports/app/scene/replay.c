@@ -66,7 +66,7 @@ static int try_all(const replay *r, loaded_scene *s, const options *o, replay_ro
     return code;
 }
 
-/* Applies all sets of the tape to a second, hidden stage of the same scene. */
+/* Applies all sets of the tape to a second, hidden loaded scene. */
 static int try(const replay *r, const options *o, replay_room room)
 {
     options quiet = *o;

@@ -52,8 +52,6 @@ void scene_file_who(const scene_file *file, const tp_param *param, char *text,
  * message names the place where the parameter was set. */
 int  scene_file_refuse(const scene_file *file, const tp_error *err);
 
-/* -- shared by scene_file.c and scene_ini.c -------------------------------------- */
-
 /* Sets one value.  False: refused, after a message that begins with `place`. */
 bool scene_file_apply(scene_file *file, const char *place, uint32_t set_at,
                       const char *name, const char *value);

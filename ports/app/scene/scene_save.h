@@ -5,8 +5,8 @@
 #define TP_APP_SCENE_SCENE_SAVE_H
 #include "scene_file.h"
 
-/* Writes the scene as `name`, complete or not at all (output.h).  Lines of file->path with
- * an unchanged value stay.  A changed value replaces the text after its "=".  Lines of
+/* Writes the scene as `name`, complete or not at all (output_file.h).  Lines of file->path
+ * with an unchanged value stay.  A changed value replaces the text after its "=".  Lines of
  * values now equal to the default are removed.  New values come at the end of their
  * section, new sections at the end of the file.  File names are relative to the new file's
  * folder.  Returns an exit code, and prints the reason of a failure. */

@@ -44,7 +44,8 @@ typedef struct {
 } tape_file;
 
 /* Both return an exit code, and print the reason of a failure with file and line.  scene:
- * name of the scene, which a tape for replay must have.  name must outlive the deck. */
+ * name of the scene, which a tape for replay must have.  name must outlive the tape
+ * file. */
 int  tape_file_read(tape_file *d, const char *name, const char *scene);
 int  tape_file_record(tape_file *d, const char *name, const char *scene);
 

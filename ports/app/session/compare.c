@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* A second canvas draws the other picture: of the stage's world, with a copy of the scene
- * that has other values in quality.*.  Or the reference renderer draws the other picture
- * (tracer.h).
+/* A second frame renderer draws the other picture: of the loaded scene's world, with a copy
+ * of the scene that has other values in quality.*.  Or the reference renderer draws the
+ * other picture (reference_thread.h).
  *
- * The reference is in tests/reference, where tests judge pictures by the reference; for
- * this view it is linked into the program.  It draws the correct picture, by rays that meet
- * the exact surface, but without foam, spray, caustics and stars. */
+ * The reference is ports/tools/reference.  Tests judge pictures by the reference; for this
+ * view the reference is linked into the program.  It draws the correct picture, by rays
+ * that meet the exact surface, but without foam, spray, caustics and stars. */
 #include "compare.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -25,15 +25,15 @@ const char *const compare_against_name[AGAINSTS] = {
 struct comparison {
     compare_how how;
     compare_against against;
-    tp_scene given;             /* copy of the stage's scene when `scene` was made */
-    tp_scene scene;             /* scene of the other canvas: differs in quality.* */
+    tp_scene given;             /* copy of the loaded scene's scene when `scene` was made */
+    tp_scene scene;             /* scene of the other renderer: differs in quality.* */
     frame_renderer   other;
     bool     open, failed;      /* of `other`; failed: no memory, until a change */
     uint64_t judged_at;
     bool     judged, unfit;
-    bool     same;              /* the stage's picture is drawn with the same rungs */
+    bool     same;              /* both pictures are drawn with the same rungs */
     reference_thread  *reference;
-    bool     delivered;         /* the tracer has delivered a complete picture */
+    bool     delivered;         /* the reference thread has delivered a complete picture */
     reference_pass pass;           /* pass of the reference's picture in `theirs` */
     uint32_t *ours, *theirs;    /* pixels 0x00RRGGBB */
     picture  shown;
@@ -195,7 +195,7 @@ static bool resize(comparison *c, uint32_t width, uint32_t height)
     return false;
 }
 
-/* Adopts the stage's size and scene.  False: no memory. */
+/* Adopts the loaded scene's size and scene.  False: no memory. */
 static bool follow(comparison *c, const loaded_scene *s)
 {
     const picture *p = &s->renderer.picture;

@@ -3,7 +3,7 @@
  * stage, latency from input to picture, memory, the current plan.
  *
  * The header uses no type of the core: the panel is C++, and the core's headers are C only.
- * figures_texts.h makes the texts about a stage. */
+ * performance_texts.h makes the texts about a loaded scene. */
 #ifndef TP_APP_SESSION_PERFORMANCE_H
 #define TP_APP_SESSION_PERFORMANCE_H
 #include <stdbool.h>
@@ -87,8 +87,8 @@ void performance_note_shown(performance *f, uint64_t now);
 
 void performance_set_limit(performance *f, float ms);       /* ms; initially 1000/60 */
 
-/* on: the canvas's program has the stopwatch (stopwatch.h); performance_fill reads and
- * zeroes it. */
+/* on: the frame renderer's program has the stopwatch (stopwatch.h); performance_fill reads
+ * and zeroes it. */
 void performance_set_stopwatch(performance *f, bool on);
 
 /* Copies a text of up to 2047 bytes; a longer text is cut. */

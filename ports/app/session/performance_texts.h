@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The preview's texts about a stage: memory, plan, state. */
+/* The preview's texts about a loaded scene: memory, plan, state. */
 #ifndef TP_APP_SESSION_PERFORMANCE_TEXTS_H
 #define TP_APP_SESSION_PERFORMANCE_TEXTS_H
 #include "app/scene/frame_governor.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Runs the reference renderer, tests/reference, which is linked into the program only for
- * this view. */
+/* Runs the reference renderer, ports/tools/reference, which is linked into the program only
+ * for this view. */
 #define _XOPEN_SOURCE 700
 #include "reference_thread.h"
 #include <pthread.h>

@@ -8,9 +8,9 @@
 
 typedef struct reference_thread reference_thread;
 
-/* Begins with the current stage, whose canvas has just drawn its world.  Scene, world and
- * picture are copied; the assets must outlive the tracer.  NULL: no memory, or no
- * thread. */
+/* Begins with the current loaded scene, whose frame renderer has just drawn its world.
+ * Scene, world and picture are copied; the assets must outlive the reference thread.  NULL:
+ * no memory, or no thread. */
 reference_thread  *reference_thread_begin(const loaded_scene *s, bool coarse);
 
 /* Stops drawing and ends the thread within some ms.  Accepts NULL. */
@@ -25,8 +25,8 @@ typedef enum {
     REFERENCE_16
 } reference_pass;
 
-/* Copies the canvas's picture and the reference's picture of the last finished pass,
- * both 0x00RRGGBB row by row.  Returns the pass; REFERENCE_NONE: none finished,
+/* Copies the frame renderer's picture and the reference's picture of the last finished
+ * pass, both 0x00RRGGBB row by row.  Returns the pass; REFERENCE_NONE: none finished,
  * nothing copied. */
 reference_pass reference_thread_take(reference_thread *t, uint32_t *ours, uint32_t *theirs);
 /* true if a picture is not taken yet */

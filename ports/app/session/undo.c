@@ -181,7 +181,7 @@ static bool same_value(const loaded_scene_value *a, const loaded_scene_value *b)
     return a->set_at == b->set_at && strcmp(a->text, b->text) == 0;
 }
 
-/* True if the stage's world equals `was` except for the camera. */
+/* True if the loaded scene's world equals `was` except for the camera. */
 static bool still_stands(const loaded_scene *s, const undo_world *was)
 {
     const size_t behind = CAMERA + CAMERA_BYTES;

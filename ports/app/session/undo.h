@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Undo and redo: the list of changes of parameters, and the changes themselves.
  *
- * An edit keeps the value and, if the world stood still, the world before and after
- * the change.  Undo always restores the scene to the bit.  If only the camera has
- * moved the world since the change, the world is restored to the bit too, and hence
- * its picture; the camera stays at its present place, unless the change itself had
- * moved the camera.  If the water has moved on, the old value is set like any value,
- * and the water continues with it. */
+ * An edit keeps the value and, if the world stood still, the world before and after the
+ * change.  Undo always restores the scene to the bit.  If only the camera has moved the
+ * world since the change, the world is restored to the bit too, and hence its picture; the
+ * camera stays at its present place, unless the change itself had moved the camera.  If the
+ * water has moved on, the old value is set like any value, and the water continues with
+ * it. */
 #ifndef TP_APP_SESSION_UNDO_H
 #define TP_APP_SESSION_UNDO_H
 #include <stdbool.h>

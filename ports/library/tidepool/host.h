@@ -52,7 +52,7 @@ typedef struct {
     const void *rows;
 } tp_host_picture;
 
-/* -- a scene ---------------------------------------------------------------------------- */
+/* -- a scene --------------------------------------------------------------------------- */
 
 /* Loads a scene file (INI) and the OBJ, PNGs and maps that it names, by paths relative
  * to the scene file.  The water is at tick 0.  The config is copied; NULL means all 0.

@@ -309,7 +309,7 @@ static int write_file(bake *b, const options *o, const loaded_scene *s)
     return output_file_close(&out);
 }
 
-/* Loads the stage together with its world: a scene with an impossible world is refused
+/* Loads the scene together with its world: a scene with an impossible world is refused
  * here, not on the board. */
 static int run(loaded_scene *s, const options *o)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool bench: times of scene S, for each rung and for other renderers, printed as
- * a text table or as CSV.  A round measures every figure once; rounds follow each
- * other.  A temporary slow-down of the machine then affects all figures alike. */
+/* tidepool bench: times of scene S, for each rung and for other renderers, printed as a
+ * text table or as CSV.  A round measures every figure once; rounds follow each other.  A
+ * temporary slow-down of the machine then affects all figures alike. */
 #include "bench.h"
 #include <inttypes.h>
 #include <math.h>

@@ -53,6 +53,4 @@ int  bench_peers_build(void);
 bool bench_peers_add(bench_list *list, bench_figure figure);    /* false: no memory */
 void bench_peer_run(const bench_list *list, bench_figure *f, int round);
 
-/* -- bench_print.c ------------------------------------------------------------------ */
-
 #endif

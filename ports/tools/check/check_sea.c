@@ -18,8 +18,8 @@ tp_deep_water check_sea_make(const check_wave *waves, unsigned count)
     return deep;
 }
 
-/* Returns the bound of the phase error, rad: wave.h's bound plus the rounding of the
- * point. */
+/* Returns the bound of the phase error, rad: the bound of waves/deep_water.h plus the
+ * rounding of the point. */
 static double phase_error(const check_wave *w, double x, double z)
 {
     return (fabs(x) + fabs(z)) * (1.5e-9 + 1e-8 * w->k)

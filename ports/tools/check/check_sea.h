@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Seas made from the waves of a table, for tidepool check, and bounds of the errors of
- * their points, from the bounds in wave/wave.h. */
+ * their points, from the bounds in waves/deep_water.h. */
 #ifndef TP_TOOLS_CHECK_CHECK_SEA_H
 #define TP_TOOLS_CHECK_CHECK_SEA_H
 #include "check.h"

@@ -8,7 +8,7 @@
 #include <math.h>
 #include "check_sea.h"
 
-/* Ranges, m.  PLACE: rest position, 30 km each way as in wave.h.  POINT: displaced
+/* Ranges, m.  PLACE: rest position, 30 km each way as in deep_water.h.  POINT: displaced
  * position, at most 303 m farther (q / k).  HEIGHT: 16 waves of 16 m with crests up to
  * twice as high. */
 #define PLACE(n)  { .name = n, .low = -30000, .high = 30000 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Evaluates the coastal water at a place; ocean_make.c builds the tables. */
+/* Evaluates the coastal water at a place; coastal_water_tables.c builds the tables. */
 #include "coastal_water.h"
 
 /* -- grid places --------------------------------------------------------------------- */
@@ -176,8 +176,8 @@ ref_point ref_coastal_rest(const ref_coastal *coastal, const double phase[TP_WAV
 #define STEP 1e-3
 
 /* Derivative of the displacement along x or z, by four points. */
-static ref_point displacement_rate(const ref_coastal *coastal, const double *phase, double x0,
-                            double z0, double dx, double dz)
+static ref_point displacement_rate(const ref_coastal *coastal, const double *phase,
+                                   double x0, double z0, double dx, double dz)
 {
     static const double at[4] = { -2, -1, 1, 2 }, by[4] = { 1, -8, 8, -1 };
     ref_point sum = { .x = 0 };

@@ -52,7 +52,8 @@ static ref_depth_node place_node(const ref_coastal *o, const ref_coastal_wave *w
 {
     const bool   deep = i == REF_DEPTHS - 1;
     const double h = table_depth(i), k = deep ? w->deep.k : ref_depth_number(w->deep.k, h);
-    const double r = deep ? w->deep.amplitude : local_amplitude(w, k, kz, h, o->map != NULL);
+    const double r =
+        deep ? w->deep.amplitude : local_amplitude(w, k, kz, h, o->map != NULL);
     const double sx = deep ? 1 : 1 / -expm1(-ref_number(scene->surf.kx) * h);
     const double sy = deep ? 1 : sx * -expm1(-ref_number(scene->surf.ky) * h);
     const double round = w->deep.q / w->deep.k * r / w->deep.amplitude;

@@ -133,8 +133,9 @@ static inline ref_point ref_uncrossed(ref_point p)
 
 /* Surface point above or below (x, z) by Newton's method; the step is halved if the full
  * step does not come nearer. */
-static inline ref_point ref_sample_deep_water(const ref_deep_water *sea, const double phase[TP_WAVES],
-                                  double x, double z)
+static inline ref_point ref_sample_deep_water(const ref_deep_water *sea,
+                                              const double phase[TP_WAVES], double x,
+                                              double z)
 {
     double x0 = x, z0 = z, step = 1;
     ref_point p = ref_at_rest(sea, phase, x0, z0);

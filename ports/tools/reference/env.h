@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Environments in double precision, by the definitions of src/shade/env.h and dome.c. */
+/* Environments in double precision, by the definitions of src/shade/env.h and skies.c. */
 #ifndef TP_TOOLS_REFERENCE_ENV_H
 #define TP_TOOLS_REFERENCE_ENV_H
 #include "shading.h"

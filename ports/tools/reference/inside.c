@@ -25,8 +25,9 @@ static ref_colour through(const ref_scene *s, ref_colour seen, ref_colour body,
 {
     const double clear = s->scene->water.clear / 65536.0;
 
-    return ref_shade_absorption(seen, body, ref_colour_unpack((uint32_t)s->scene->water.tint),
-                       clear > 0 ? clear : CLEAR, way);
+    return ref_shade_absorption(seen, body,
+                                ref_colour_unpack((uint32_t)s->scene->water.tint),
+                                clear > 0 ? clear : CLEAR, way);
 }
 
 static ref_colour shade_from_water(const ref_scene *s, const ref_ray *ray,

@@ -20,8 +20,9 @@ static double axis_component(ref_vec v, int axis)
 
 static double middle(const ref_mesh *m, uint32_t face, int axis)
 {
-    return axis_component(corner(m, face, 0), axis) + axis_component(corner(m, face, 1), axis)
-         + axis_component(corner(m, face, 2), axis);
+    return axis_component(corner(m, face, 0), axis)
+           + axis_component(corner(m, face, 1), axis)
+           + axis_component(corner(m, face, 2), axis);
 }
 
 static void widen(ref_box *box, ref_vec p)
@@ -132,7 +133,8 @@ static void try_face(const ref_mesh *m, uint32_t face, const ref_ray *ray, doubl
 static bool meets_box(const ref_box *box, const ref_ray *ray, double t0, double t1)
 {
     for (int axis = 0; axis < 3; axis++) {
-        const double from = axis_component(ray->from, axis), over = 1 / axis_component(ray->way, axis);
+        const double from = axis_component(ray->from, axis),
+                     over = 1 / axis_component(ray->way, axis);
         const double a = (axis_component(box->low, axis) - from) * over;
         const double b = (axis_component(box->high, axis) - from) * over;
         t0 = fmax(t0, fmin(a, b) - 1e-9);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Intersection of a mesh and a ray: a tree of bounding boxes, split at the median along the
  * longest side. Positions are in the mesh's frame, in metres after `scale`. A tree holds
- * either the visible faces or the lids (asset.h): faces of opacity 0. */
+ * either the visible faces or the lids (tidepool/assets.h): faces of opacity 0. */
 #ifndef TP_TOOLS_REFERENCE_MESH_H
 #define TP_TOOLS_REFERENCE_MESH_H
 #include <stdbool.h>

@@ -47,8 +47,8 @@ static inline bool ref_refracted(ref_vec way, ref_vec n, double e, ref_vec *to)
 
 /* Colour `seen` through `way` m of water that turns white into `tint` after `clear` m; the
  * absorbed part is replaced by the water's own light, `deep`. */
-static inline ref_colour ref_shade_absorption(ref_colour seen, ref_colour deep, ref_colour tint,
-                                     double clear, double way)
+static inline ref_colour ref_shade_absorption(ref_colour seen, ref_colour deep,
+                                              ref_colour tint, double clear, double way)
 {
     ref_colour r;
     for (int i = 0; i < 3; i++) {

@@ -2,8 +2,8 @@
 /* Scene of the reference: the engine's scene, assets and world are read as data; everything
  * else is computed again in double precision.
  *
- * The heads of surface.h, ocean.h, heaven.h, water.h, solids.h and inside.h list the
- * features. */
+ * The heads of surface.h, coastal_water.h, sky_light.h, water.h, solids.h and inside.h
+ * list the features. */
 #ifndef TP_TOOLS_REFERENCE_SCENE_H
 #define TP_TOOLS_REFERENCE_SCENE_H
 #include "mesh.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Sky colour by direction, built from the parts of env.h.  First the gradients of
- * generated skies, with the engine's palettes copied as data; then the plain gradient,
- * cube maps, haze and exposure. */
+/* Sky colour by direction, built from the parts of env.h.  First the gradients of generated
+ * skies, with the engine's palettes copied as data; then the plain gradient, cube maps,
+ * haze and exposure. */
 #include "sky_light.h"
 #include "map.h"
 
@@ -107,7 +107,8 @@ static bool has_cube(const ref_scene *s)
     return all;
 }
 
-static ref_light sample_environment(const ref_scene *s, ref_vec way, double coarser, bool disc)
+static ref_light sample_environment(const ref_scene *s, ref_vec way, double coarser,
+                                    bool disc)
 {
     const tp_scene *scene = s->scene;
 

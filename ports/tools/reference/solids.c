@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Intersections of rays and solids; the colours are in coats.c. */
+/* Intersections of rays and solids; the colours are in solid_colours.c. */
 #include "solids.h"
 
 static bool is_nearer(ref_solid *solid, double t0, double t, ref_kind kind,

@@ -30,8 +30,9 @@ static inline ref_colour ref_linear(const tp_texture *t, int level, double s, do
     const double x = s * ref_side(t->log2_w, level) - 0.5;
     const double y = v * ref_side(t->log2_h, level) - 0.5;
     const int i = (int)floor(x), j = (int)floor(y);
-    const ref_colour above = ref_mix(ref_colour_unpack(ref_texel(t, level, i, j)),
-                                     ref_colour_unpack(ref_texel(t, level, i + 1, j)), x - i);
+    const ref_colour above =
+        ref_mix(ref_colour_unpack(ref_texel(t, level, i, j)),
+                ref_colour_unpack(ref_texel(t, level, i + 1, j)), x - i);
     const ref_colour below =
         ref_mix(ref_colour_unpack(ref_texel(t, level, i, j + 1)),
                 ref_colour_unpack(ref_texel(t, level, i + 1, j + 1)), x - i);

@@ -36,8 +36,8 @@ static ref_colour layers(const ref_scene *s, const ref_water *w)
     double x = w->x0, z = w->z0;
 
     if (s->assets->distortion && scene->distortion.strength > 0) {
-        const ref_colour d = ref_sample_map(s, s->assets->distortion, &scene->distortion.map,
-                                        x, z, 0, w->at, true);
+        const ref_colour d = ref_sample_map(s, s->assets->distortion,
+                                            &scene->distortion.map, x, z, 0, w->at, true);
         x += (d.c[0] - 128) / 128 * fx(scene->distortion.strength);
         z += (d.c[1] - 128) / 128 * fx(scene->distortion.strength);
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The module of coastal water: swells that react to a floor or a wind.  Its state is
- * the tables of waves/coastal_water.h, made from the world's sea.  The tables follow
+/* The module of coastal water: swells that react to a floor or a wind.  Its state is the
+ * tables of waves/coastal_water.h, made from the world's deep water.  The tables follow
  * from the scene; no tick changes them. */
 #include "base/base.h"
 #include "base/error.h"

@@ -12,7 +12,7 @@
 
 /* Returns the highest crest of a wave over a shoaling floor, m, with the bound of
  * waves/coastal_water.c: the wave grows, its orbit tilts with the floor, its crest is
- * thrown. Over a map the mean rise counts and no crest is thrown. */
+ * thrown.  Over a map the mean rise counts and no crest is thrown. */
 static tp_fx bound_crest_height(const tp_scene *s, const tp_wave *given, tp_fx steep)
 {
     const tp_fx   slope = tp_clamp(steep, 0, TP_FX_ONE);

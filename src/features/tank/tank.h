@@ -49,7 +49,7 @@ typedef struct {
     tp_tank_side_post *post;
     tp_pane       pane[2];
     int32_t       x0, x1, y0, y1;   /* pixel box of both panes, x1 and y1 excluded */
-    int64_t       gap, right, up, ahead;    /* plane of its depth, see place_depth */
+    int64_t       gap, right, up, ahead;    /* plane of its depth, see glass_drawing.c */
 } tp_glass_wall;
 
 #define TP_GLASSES 2            /* an eye is outside of two walls at most */

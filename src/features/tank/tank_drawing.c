@@ -137,7 +137,7 @@ static void draw_walls(const tp_frame *frame, const target *to)
 }
 
 /* Draws walls and blocks.  For an eye in the tank's water the span stages `deep` and
- * `below` show the walls by ray tests instead. */
+ * `underside` show the walls by ray tests instead. */
 static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
                  tp_gbuffer *samples, uint32_t mark)
 {

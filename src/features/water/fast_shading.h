@@ -156,14 +156,14 @@ struct tp_quick_light {
     X(cube_phong,     TP_ENV_CUBE,     TP_LOBE_PHONG) \
     X(cube_blinn,     TP_ENV_CUBE,     TP_LOBE_BLINN)
 
-/* quick_tables.c.  tp_quick_light_init makes the tables from the shade's sky, light and
- * numbers.  The camera's angles enter only through tp_quick_share_at_sun, 1/256, in a
+/* fast_water_tables.c.  tp_quick_light_init makes the tables from the shade's sky, light
+ * and numbers.  The camera's angles enter only through tp_quick_share_at_sun, 1/256, in a
  * dome's lobe. */
 uint32_t tp_quick_share_at_sun(const tp_shade *shade);
 void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
                          tp_lobe lobe, bool shiny, bool rippled);
 
-/* quick_layers_stage.c.  Fills the colours of odd columns from the even columns. */
+/* fast_layers_stage.c.  Fills the colours of odd columns from the even columns. */
 void tp_quick_odd_fill(tp_run *run);
 
 /* -- the view -------------------------------------------------------------------------- */

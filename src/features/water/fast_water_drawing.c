@@ -44,6 +44,7 @@ static const tp_texture *baked_texture(const tp_assets *assets, int i)
          : assets->baked_layer[i];
 }
 
+/* Takes memory for the baked textures missing in the assets. */
 static void quick_layout_pictures(void *memory[TP_BAKED_LAYERS], tp_arena *arena,
                               const tp_assets *assets)
 {
@@ -57,7 +58,7 @@ static void quick_layout_pictures(void *memory[TP_BAKED_LAYERS], tp_arena *arena
 /* -- parameters of baked textures ---------------------------------------------------- */
 
 /* Returns the colour of layer i.  The base layer includes the water's colour, as in
- * layers_drawing.c. */
+ * water_drawing.c. */
 static uint32_t layer_colour(const tp_scene *scene, const tp_assets *assets, int i)
 {
     const uint32_t colour = (uint32_t)scene->layer[i].colour;
@@ -137,9 +138,7 @@ static tp_quick_map make_map(const tp_frame *frame, tp_fast_water *fast, int i,
     return tp_quick_map_make(&layer);
 }
 
-/* quick_layers_drawing.c.  quick_layout_pictures takes memory for the textures missing
- * in the assets.  quick_begin_layers sets the layers of this frame; call after the
- * water's colour is set. */
+/* Sets the layers of this frame.  Call after the water's colour is set. */
 static void quick_begin_layers(tp_frame *frame, tp_fast_water *fast)
 {
     const tp_scene *scene = frame->scene;

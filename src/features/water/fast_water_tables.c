@@ -84,7 +84,7 @@ tp_quick_map tp_quick_map_make(const tp_layer *layer)
                            texture->levels - 2, texture->log2_w, texture->level };
 }
 
-/* -- layers: as in layers_stage.c, base_layer_stage.c ------------------------------ */
+/* -- layers: as in layers_stage.c --------------------------------------------------- */
 
 static uint32_t graded_texel(const bake_work *w, uint32_t texel)
 {
@@ -215,7 +215,7 @@ static void make_lobe(struct tp_quick_light *quick, const tp_shade *shade, tp_lo
 }
 
 /* Returns the sky as mirrored at a height.  A reflected view downwards meets other water,
- * with a share of the horizon's brightness by the rule of reflectance_stage.c. */
+ * with a share of the horizon's brightness by the rule of lighting_stage.c. */
 static uint32_t mirrored_sky_colour(uint32_t sky, int32_t up)
 {
     return tp_colour_scale(sky, (uint32_t)tp_clamp(256 + 4 * up, 128, 256));

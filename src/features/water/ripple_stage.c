@@ -12,11 +12,11 @@
 
 /* Adds the pools' slopes at the rest position of every sample.  The mesh stays flat.
  *
- * Slopes of heights over one plane add up, so no tangent frame is needed.  A slope map
- * with one entry per cell is made at the start of the frame and read bilinearly, with the
- * same result as tp_pool_height_slope.  The map costs 114 instructions per sample on
- * x86-64 and some 60 per cell; a call of tp_pool_height_slope costs 500.  The map also
- * lets the world move on while tiles are drawn.
+ * Slopes of heights over one plane add up, so no tangent frame is needed.  A slope map with
+ * one entry per cell is made at the start of the frame and read bilinearly, with the same
+ * result as tp_pool_height_slope.  The map costs 114 instructions per sample on x86-64 and
+ * some 60 per cell; a call of tp_pool_height_slope costs 500.  The map also lets the world
+ * move on while tiles are drawn.
  *
  * The waves of a pool are a few cells long.  At two cells per pixel they begin to fade;
  * at four cells per pixel they are gone. */
