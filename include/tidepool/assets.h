@@ -44,7 +44,7 @@ tp_status tp_texture_init(tp_texture *texture, const uint32_t *pixels, uint32_t 
 typedef uint32_t tp_packed_dir;
 
 typedef struct {
-    tp_vec3       position;             /* unit: see TP_MESH_LOG2_UNIT */
+    tp_vec3       position;             /* 1.0: 2^log2_unit units of the OBJ file */
     tp_packed_dir normal;
     tp_fx         s, t;                 /* texture repeats; t = 0 is the picture's top */
 } tp_mesh_vertex;
@@ -66,13 +66,14 @@ typedef struct {
     tp_fx    bump;                      /* -bm, +-16, 1 by default */
     const tp_texture *diffuse_map;      /* or NULL */
     const tp_texture *normal_map;       /* tangent space, or NULL */
-    tp_fx    texels;                    /* mean texels of the diffuse map per 1.0 */
+    tp_fx    texels;                    /* mean texels of the diffuse map per 1.0
+                                         * of position */
 } tp_material;
 
-/* Limit of log2_unit.  A position of 1.0 is 2^log2_unit units of the file: a mesh that
- * extends beyond +-16384 units is stored more coarsely.  A scene draws a unit of the file
- * as boat.scale metres. */
-#define TP_MESH_LOG2_UNIT 8
+/* Largest tp_mesh.log2_unit.  A position of 1.0 is 2^log2_unit units of the OBJ file:
+ * log2_unit is 0 if the mesh fits +-16384 units; a larger mesh is stored more coarsely.  A
+ * scene draws a unit of the file as boat.scale metres. */
+#define TP_MESH_MAX_LOG2_UNIT 8
 
 typedef struct {
     const tp_mesh_vertex *vertices;
@@ -80,7 +81,7 @@ typedef struct {
     const tp_material    *materials;
     uint32_t n_vertices, n_faces, n_materials;
     tp_vec3  low, high;                 /* corners of the bounding box, as positions */
-    uint32_t log2_unit;
+    uint32_t log2_unit;                 /* scale of positions, 0..TP_MESH_MAX_LOG2_UNIT */
 } tp_mesh;
 
 /* A picture of one number per pixel, row by row: heights of a sea floor, masks of walls. */

@@ -170,13 +170,13 @@ typedef struct {
     P(boat)         /* its mesh; at equal depth the module listed first is visible */ \
     P(land)         /* a floor that rises out of the water */ \
     P(drops)        /* falling drops, the sphere that they fall from, and rings */ \
-    N(coastal)      /* waves over a floor or in a wind; needs water.coastal, .swells */ \
+    N(coastal)      /* waves over a floor or in a wind; needs models coastal, swells */ \
     N(hull)         /* how a boat sails and floats; follows the rings of drops */ \
     N(wake)         /* wake of a boat in a pool */ \
     N(pokes)        /* splashes in pools, random and by input */ \
     N(paddle)       /* wave maker of pools */ \
-    N(main_pool)    /* [pool]; needs water.pools */ \
-    N(field)        /* [field]; needs water.pools */ \
+    N(main_pool)    /* pool of section [pool]; needs the wave model pools */ \
+    N(field)        /* pool of section [field]; needs the wave model pools */ \
     X(reflectance)  /* reflection of the sky, by Fresnel's share */ \
     X(glint) \
     X(underwater)   /* the volume of the water, and the view from in it */ \
@@ -228,7 +228,7 @@ typedef struct {
 #define TP_STAGES_OF_glint(X)       X(glint)            /* adds the specular */
 #define TP_STAGES_OF_fast_water(X) \
     /* in this order: colour and slope x:z from baked textures */ \
-    X(quick_far)            /* mipmap level by distance; always first */ \
+    X(quick_mip_spans)      /* spans of one mipmap level, by distance; always first */ \
     X(quick_still) X(quick_bend)        /* positions in layers; */ \
     X(quick_still_thin) X(quick_bend_thin)      /* half rate: even columns only */ \
     X(quick_layers)         /* colour: all layers */ \

@@ -29,8 +29,9 @@ const tp_host_picture *tp_host_draw(tp_host *host)
 
 /* -- PNG --------------------------------------------------------------------------- */
 
-/* Each returns 0 or an errno. */
-static int end(FILE *file, int error)
+/* The int functions below return 0 or an errno, except open_beside.  close_file also
+ * passes on an earlier `error`. */
+static int close_file(FILE *file, int error)
 {
     errno = 0;
     const int closed = fclose(file) == 0 ? 0 : errno ? errno : EIO;
@@ -40,7 +41,7 @@ static int end(FILE *file, int error)
 static int write_png(const picture *p, const char *path)
 {
     FILE *file = fopen(path, "wb");
-    return file ? end(file, picture_put_png(p, file)) : errno;
+    return file ? close_file(file, picture_put_png(p, file)) : errno;
 }
 
 /* Opens a new file beside `path`; writes its name to `temporary`.  Returns -1 on
@@ -73,7 +74,7 @@ static int replace(const picture *p, const char *path, char *temporary, size_t b
     FILE *file = fdopen(fd, "wb");
     if (!file)
         close(fd);
-    int error = file ? end(file, picture_put_png(p, file)) : ENOMEM;
+    int error = file ? close_file(file, picture_put_png(p, file)) : ENOMEM;
     if (!error)
         error = take_name(temporary, path);
     if (error)

@@ -73,9 +73,10 @@ static int32_t side_margin(const tp_frame *frame, int64_t down)
 
 /* -- conditions ---------------------------------------------------------------------- */
 
-static int64_t line_row(const tp_projected *p, int32_t x, int32_t rows)
+/* Returns the row in column x, Q.30, of the line that lies `below` px below the horizon. */
+static int64_t row_below_horizon(const tp_projected *p, int32_t x, int32_t below)
 {
-    return p->horizon.at + p->horizon.x * x + (int64_t)rows * TP_Q30_ONE;
+    return p->horizon.at + p->horizon.x * x + (int64_t)below * TP_Q30_ONE;
 }
 
 /* True if points near pixel (x, y) keep their order, by the second condition of the file's
@@ -109,14 +110,15 @@ static bool are_points_ordered(const tp_frame *frame, int32_t x, int32_t y)
 static bool add_far_edge(tp_projected *p, const tp_level_linear *side, int32_t x0,
                          int32_t x1)
 {
-    int64_t below[2] = { line_row(p, x0, p->start), line_row(p, x1, p->start) };
-    int64_t above[2] = { line_row(p, x0, 0), line_row(p, x1, 0) };
+    int64_t nearest[2] = { row_below_horizon(p, x0, p->start),
+                           row_below_horizon(p, x1, p->start) };
+    int64_t horizon[2] = { row_below_horizon(p, x0, 0), row_below_horizon(p, x1, 0) };
 
-    if (tp_level_evaluate_row(side, x0, below[0]) < 0
-        || tp_level_evaluate_row(side, x1, below[1]) < 0)
+    if (tp_level_evaluate_row(side, x0, nearest[0]) < 0
+        || tp_level_evaluate_row(side, x1, nearest[1]) < 0)
         return false;
-    if (tp_level_evaluate_row(side, x0, above[0]) >= 0
-        && tp_level_evaluate_row(side, x1, above[1]) >= 0)
+    if (tp_level_evaluate_row(side, x0, horizon[0]) >= 0
+        && tp_level_evaluate_row(side, x1, horizon[1]) >= 0)
         return true;
     if (side->y <= 0 || side->y < side->x || side->y < -side->x)
         return false;
@@ -125,9 +127,11 @@ static bool add_far_edge(tp_projected *p, const tp_level_linear *side, int32_t x
     return true;
 }
 
-static int64_t line_descent(const tp_frame *frame, int32_t rows)
+/* Returns -d.y, px, Q.30, of the rays through the line that lies `below` px below the
+ * horizon. */
+static int64_t line_descent(const tp_frame *frame, int32_t below)
 {
-    return frame->buffers.level->down.y * rows;
+    return frame->buffers.level->down.y * below;
 }
 
 /* Sets the first line below the picture's lower edge; true if all conditions hold up to
@@ -197,7 +201,7 @@ static bool can_draw_projected(tp_frame *frame)
 
 typedef struct {
     const tp_frame *frame;
-    int32_t rows;               /* px below the horizon; 0: at the water's far end */
+    int32_t below;              /* px below the horizon; 0: at the water's far end */
     int64_t gap;                /* distance to the next line, in -d.y */
     tp_level_scale reach, beyond;
 } screen_line;
@@ -246,14 +250,14 @@ static void sample_rest(const screen_line *l, int32_t x, int64_t row, bool ends,
     }
 }
 
-/* Projects a displaced point.  A point outside of the frustum keeps its rest position;
- * waves of a valid sea do not move points there. */
+/* Projects a displaced point.  A point outside of the guard band keeps its rest
+ * position; waves of a valid sea do not move points there. */
 static void project(const tp_frame *frame, const tp_surface_point *from, tp_row_point *to)
 {
     tp_view_vertex c = { .s = 0 };
 
     tp_projection_view_vertex(&frame->projection, from->position, &c);
-    if (tp_projection_contains(&frame->projection, &c))
+    if (tp_projection_can_project(&frame->projection, &c))
         tp_projection_project(&frame->projection, &c, &to->u, &to->v, &to->zi);
 }
 
@@ -261,7 +265,7 @@ static tp_row_point sample_point(const screen_line *l, int32_t x)
 {
     const tp_frame *frame = l->frame;
     const tp_level *level = frame->buffers.level;
-    int64_t row = line_row(frame->buffers.projected, x, l->rows);
+    int64_t row = row_below_horizon(frame->buffers.projected, x, l->below);
     int64_t end = water_end_row(frame->buffers.projected, x);
     tp_fx   at[2], step[2][2];
 
@@ -285,10 +289,10 @@ static tp_row_point sample_point(const screen_line *l, int32_t x)
 
 /* -- lines ----------------------------------------------------------------------------- */
 
-/* Returns the next line: 1/16 nearer to the horizon, at most 4 px. */
-static int32_t next_line(int32_t rows)
+/* Returns the next line, px below the horizon: 1/16 nearer to the horizon, at most 4 px. */
+static int32_t next_line(int32_t below)
 {
-    return rows > 64 ? rows - 4 : rows > 32 ? rows - 2 : rows - 1;
+    return below > 64 ? below - 4 : below > 32 ? below - 2 : below - 1;
 }
 
 static void draw_line_points(const screen_line *l, tp_rows *rows, int32_t x0, int32_t x1)

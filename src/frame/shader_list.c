@@ -10,10 +10,12 @@
 #include "raster/raster.h"
 #include "world/light.h"
 
+/* Empties the list over two arrays of `room` entries: stages with their data, and their
+ * places. */
 static void shaders_init(tp_shaders *list, tp_list_kind kind, tp_shader *shader,
-                     uint8_t *place, uint32_t room)
+                     uint8_t *order, uint32_t room)
 {
-    *list = (tp_shaders){ .shader = shader, .order = place, .kind = (uint8_t)kind,
+    *list = (tp_shaders){ .shader = shader, .order = order, .kind = (uint8_t)kind,
                           .room = (uint8_t)room };
     tp_shaders_clear(list);
 }
@@ -93,18 +95,18 @@ void tp_marks_layout(tp_marks *marks, tp_arena *arena)
 {
     const uint32_t room = list_offset(marks->lists);
     tp_shader *shader;
-    uint8_t   *place;
+    uint8_t   *order;
 
     marks->list = tp_arena_alloc(arena, marks->lists, sizeof *marks->list);
     shader = tp_arena_alloc(arena, room, sizeof *shader);
-    place = tp_arena_alloc(arena, room + marks->count, sizeof *place);
+    order = tp_arena_alloc(arena, room + marks->count, sizeof *order);
     if (!marks->list)
         return;
-    marks->list_of = place + room;
+    marks->list_of = order + room;
     for (uint32_t i = 0; i < marks->lists; i++)
         shaders_init(&marks->list[i],
                         i < LISTS ? (tp_list_kind)i : TP_LIST_THINGS,
-                        shader + list_offset(i), place + list_offset(i),
+                        shader + list_offset(i), order + list_offset(i),
                         list_offset(i + 1) - list_offset(i));
     tp_marks_assign_list(marks, TP_LIST_SKY, TP_MARK_SKY, NULL);
     tp_marks_assign_list(marks, TP_LIST_WATER, TP_MARK_WATER, NULL);

@@ -112,7 +112,9 @@ typedef struct {
     uint32_t vertices, texcoords, normals, polygons, corners, triangles;
     uint32_t largest;                   /* corners of the largest polygon */
     uint32_t smooth;                    /* corners that need a smooth normal */
-    uint32_t position_bits;                     /* integer parts of all positions, or'ed */
+    uint32_t position_bits;             /* bitwise or of the whole parts of all coordinates
+                                         * without signs; its highest bit selects the unit
+                                         * of the mesh */
     uint32_t bytes;                     /* bytes of text, modulo 2^32 */
     uint64_t digest;                    /* digest of all numbers */
 } tp_obj_counts;

@@ -19,7 +19,8 @@ static struct tp_obj_made *current_material_data(tp_obj *obj)
     return &obj->store.made[obj->material];
 }
 
-static tp_status skip_statement(tp_obj *obj)
+/* Counts a statement that the reader does not know or use. */
+static tp_status count_skipped_statement(tp_obj *obj)
 {
     obj->skipped++;
     return TP_OK;
@@ -39,7 +40,7 @@ static tp_status begin_material(tp_obj *obj, tp_word keyword, tp_words *words,
     if (obj->material == TP_NO_NAME || name.bytes == 0
         || current_material_data(obj)->defined) {
         obj->material = NOT_WANTED;
-        return skip_statement(obj);
+        return count_skipped_statement(obj);
     }
     current_material_data(obj)->defined = true;
     return TP_OK;
@@ -70,6 +71,9 @@ static tp_status clamp_number(const tp_obj *obj, tp_word keyword, int64_t x, int
     return TP_E_MTL_RANGE;
 }
 
+/* Every reader of a statement gets the keyword, and the words after the keyword.  The
+ * functions for numbers need the keyword for error reports only. */
+
 /* Reads the single number of a statement. */
 static tp_status read_number(const tp_obj *obj, tp_word keyword, tp_words *words,
                              int32_t low, int32_t high, tp_fx *x, tp_error *err)
@@ -89,7 +93,7 @@ static tp_status read_colour(tp_obj *obj, tp_word keyword, tp_words *words,
     tp_words ahead = *words;
     const tp_word first = tp_word_next(&ahead);
     if (tp_word_is(first, "spectral") || tp_word_is(first, "xyz"))
-        return skip_statement(obj);
+        return count_skipped_statement(obj);
     const uint32_t need = tp_words_at_end(&ahead) ? 1 : 3;
     int64_t rgb[3];
     uint32_t found, packed = 0;
@@ -108,8 +112,8 @@ static tp_status read_colour(tp_obj *obj, tp_word keyword, tp_words *words,
     return status;
 }
 
-static tp_status read_diffuse(tp_obj *obj, tp_word keyword, tp_words *words,
-                              tp_error *err)
+static tp_status read_diffuse_colour(tp_obj *obj, tp_word keyword, tp_words *words,
+                                     tp_error *err)
 {
     const tp_status status =
         read_colour(obj, keyword, words, &material(obj)->diffuse, err);
@@ -118,8 +122,8 @@ static tp_status read_diffuse(tp_obj *obj, tp_word keyword, tp_words *words,
     return status;
 }
 
-static tp_status read_specular(tp_obj *obj, tp_word keyword, tp_words *words,
-                               tp_error *err)
+static tp_status read_specular_colour(tp_obj *obj, tp_word keyword, tp_words *words,
+                                      tp_error *err)
 {
     return read_colour(obj, keyword, words, &material(obj)->specular, err);
 }
@@ -223,7 +227,7 @@ static tp_status read_map(tp_obj *obj, tp_words *words, unsigned map, int64_t *b
     if (status != TP_OK)
         return status;
     if (name.bytes == 0 || current_material_data(obj)->map[map] != TP_NO_NAME)
-        return skip_statement(obj);
+        return count_skipped_statement(obj);
     tp_obj_names *const names = &obj->store.image_names;
     const uint32_t image =
         tp_names_add(names, name, obj->library, obj->lines.first, obj->total.digest);
@@ -259,8 +263,8 @@ typedef tp_status run_statement(tp_obj *obj, tp_word keyword, tp_words *words,
                                 tp_error *err);
 
 static const struct { const char *name; run_statement *run; } statements[] = {
-    { "newmtl", begin_material },    { "kd", read_diffuse },
-    { "ks", read_specular },         { "ns", read_shininess },
+    { "newmtl", begin_material },    { "kd", read_diffuse_colour },
+    { "ks", read_specular_colour },  { "ns", read_shininess },
     { "d", read_opacity },           { "tr", read_transparency },
     { "map_kd", read_diffuse_map },  { "map_bump", read_bump_map },
     { "bump", read_bump_map },       { "norm", read_bump_map },
@@ -275,7 +279,7 @@ static tp_status dispatch_statement(tp_obj *obj, tp_words *line, tp_error *err)
     while (i < STATEMENTS && !tp_word_is_any_case(word, statements[i].name))
         i++;
     if (i == STATEMENTS || (i > 0 && obj->material == NOT_WANTED))
-        return skip_statement(obj);
+        return count_skipped_statement(obj);
     if (obj->lines.goes_on) {
         obj->material = i == 0 ? NOT_WANTED : obj->material;
         return tp_obj_fail_long_line(obj, err);

@@ -302,7 +302,7 @@ tp_status tp_obj_end_count(tp_obj *obj, tp_error *err)
     obj->total = obj->now;
     while (obj->total.position_bits >> obj->log2_unit >= 1 << 14)
         obj->log2_unit++;
-    TP_ASSERT(obj->log2_unit <= TP_MESH_LOG2_UNIT);
+    TP_ASSERT(obj->log2_unit <= TP_MESH_MAX_LOG2_UNIT);
     tp_arena count = tp_arena_init(NULL, 0);
     tp_obj_layout(obj, &count);
     if (count.failed)

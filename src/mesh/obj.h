@@ -173,7 +173,7 @@ enum { TP_NAMES_LIBRARY, TP_NAMES_MATERIAL };
 
 /* Source of a corner's normal: two bits of kind above an index. */
 #define TP_NORMAL_FILE  (0u << 30)      /* index of a vn */
-#define TP_NORMAL_GROUP (1u << 30)      /* smoothing group; later index of a slot */
+#define TP_NORMAL_GROUP (1u << 30)      /* smoothing group; then a tp_obj_slot */
 #define TP_NORMAL_FLAT  (2u << 30)      /* index of a polygon */
 #define TP_NORMAL_KNOWN (3u << 30)      /* the packed normal itself */
 #define TP_NORMAL_KIND  (3u << 30)
@@ -227,6 +227,7 @@ typedef tp_status tp_obj_statement(tp_obj *obj, tp_words *line, tp_error *err);
 tp_status tp_obj_lines_feed(tp_obj *obj, const void *text, size_t bytes,
                             tp_obj_statement *statement, tp_error *err);
 tp_status tp_obj_lines_end(tp_obj *obj, tp_obj_statement *statement, tp_error *err);
+/* Returns `status`; if it is not TP_OK, all later calls of the reader fail. */
 tp_status tp_obj_latch_failure(tp_obj *obj, tp_status status);
 
 /* obj_statements.c: the statements usemtl and mtllib. */

@@ -106,7 +106,7 @@ tp_rung_mask tp_ladder_rung_mask(const tp_ladder *ladder);
  * With a limit of 0, or a ladder of a single rung, the governor does nothing. */
 typedef struct {
     tp_ladder ladder;
-    uint32_t  limit;            /* time limit of a frame; 0: off */
+    uint32_t  limit;            /* time limit of a frame, in the port's unit; 0: off */
     uint32_t  at;               /* current step of the ladder */
     uint32_t  mean;             /* mean time of the last window of frames */
     uint64_t  sum;              /* private from here on; sum of frame times */

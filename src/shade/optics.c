@@ -138,8 +138,9 @@ static uint32_t log2_q16(uint32_t n)
     return digits;
 }
 
-/* A channel halves 9 times at most over `clear` metres.  If `clear` is 1/65536 m the rate
- * is below 2^36; larger rates than 32 bits saturate. */
+/* Sets the halvings per metre, Q16.16.  A channel halves at most 9 times over `clear`
+ * metres, because a channel of 0 counts as 1/512.  At the least `clear`, 1/65536 m, the
+ * rate is below 2^36; rates beyond 32 bits saturate. */
 void tp_absorb_init(tp_absorb *absorb, uint32_t tint, tp_fx clear)
 {
     for (int k = 0; k < 3; k++) {

@@ -76,8 +76,8 @@ typedef struct tp_run {
     int32_t  x, y;              /* picture position of the first sample, px */
     int32_t  count;
     uint32_t material;          /* material index of a mesh */
-    struct {                    /* fast stages: neighbours of one distance */
-        int16_t far;            /* mipmap level at lod 0 on level ground, Q8 */
+    struct {                    /* fast stages: neighbours of one mipmap level */
+        int16_t mip_offset;     /* mipmap level minus the texture's lod, Q8 */
         uint8_t end, places;    /* end column; stored positions up to there */
     } span[TP_RUN / 16];
     uint32_t spans;

@@ -96,7 +96,7 @@ static tp_vec3 add_rings_pools_and_slopes(const tp_vec3 around[4], const tp_grid
                                 &sum.slope_x, &sum.slope_z);
     if (tp_surface_has_rings_or_pools(surface)) {
         tp_height_slope relief =
-            tp_surface_height_slope_faded(surface, middle.x, middle.z, fade);
+            tp_rings_pools_sample_faded(surface, middle.x, middle.z, fade);
         middle.y += relief.height;
         sum.slope_x += relief.slope_x;
         sum.slope_z += relief.slope_z;
@@ -127,7 +127,7 @@ static void project_vertex(const tp_projection *projection, tp_vec3 at,
     tp_projection_view_vertex(projection, at, &c);
     to->slope_x = slope[0];
     to->slope_z = slope[1];
-    if (tp_projection_contains(projection, &c))
+    if (tp_projection_can_project(projection, &c))
         tp_projection_project(projection, &c, &to->u, &to->v, &to->zi);
     else
         to->u = TP_GRID_NEEDS_CLIP;
@@ -162,7 +162,7 @@ tp_view_vertex tp_sheet_make_view_vertex(const tp_grid *grid, uint32_t i, uint32
 
     if (tp_surface_has_rings_or_pools(surface))
         at.y +=
-            tp_surface_height_slope_faded(surface, at.x, at.z, vertex_fade(grid, i, j))
+            tp_rings_pools_sample_faded(surface, at.x, at.z, vertex_fade(grid, i, j))
                 .height;
     tp_projection_view_vertex(grid->frame.projection, at, &c);
     return c;

@@ -55,19 +55,22 @@ void tp_grid_layout_coastal(tp_grid *grid, tp_arena *arena)
 
 /* -- visible cells ------------------------------------------------------------------- */
 
-/* Returns the maximum of n . p + d over a row of cells, without the term n.x x.  A
- * displaced vertex lies within `reach` of its rest position in every direction. */
-static int64_t max_row_plane_offset(const tp_plane *p, tp_fx z0, tp_fx z1, tp_fx reach)
+/* Returns an upper bound of the signed distance n . p + d from the plane, for the water of
+ * the row of cells z0..z1 at x = 0; n.x x is the rest of the distance at x.  A vertex is
+ * displaced by at most `max_displacement` in every direction. */
+static int64_t max_plane_distance_at_x0(const tp_plane *p, tp_fx z0, tp_fx z1,
+                                        tp_fx max_displacement)
 {
     tp_fx z = p->n.z > 0 ? z1 : z0;
-    return ((int64_t)p->n.z * z >> 30) + p->d + reach + 2;
+    return ((int64_t)p->n.z * z >> 30) + p->d + max_displacement + 2;
 }
 
 /* Returns a border column of a row against a plane. n.x > 0: the last column outside,
  * before the row enters the inner side; else: the first column outside, after the row
- * leaves the inner side.  Coordinates of columns increase, so the column is unique.  The
- * search starts at the result of the previous row. */
-static uint32_t find_side_column(const tp_grid *grid, const tp_plane *plane, int64_t rest,
+ * leaves the inner side.  Coordinates of columns increase, so the column is unique.
+ * `at_x0`: the row's max_plane_distance_at_x0.  The search starts at the result of the
+ * previous row. */
+static uint32_t find_side_column(const tp_grid *grid, const tp_plane *plane, int64_t at_x0,
                                  uint32_t at)
 {
     const tp_grid_line *column = grid->column;
@@ -75,14 +78,14 @@ static uint32_t find_side_column(const tp_grid *grid, const tp_plane *plane, int
     int64_t  nx = plane->n.x;
 
     if (nx > 0) {
-        while (at > 0 && (nx * column[at].place >> 30) + rest >= 0)
+        while (at > 0 && (nx * column[at].place >> 30) + at_x0 >= 0)
             at--;
-        while (at < last && (nx * column[at + 1].place >> 30) + rest < 0)
+        while (at < last && (nx * column[at + 1].place >> 30) + at_x0 < 0)
             at++;
     } else {
-        while (at < last && (nx * column[at].place >> 30) + rest >= 0)
+        while (at < last && (nx * column[at].place >> 30) + at_x0 >= 0)
             at++;
-        while (at > 0 && (nx * column[at - 1].place >> 30) + rest < 0)
+        while (at > 0 && (nx * column[at - 1].place >> 30) + at_x0 < 0)
             at--;
     }
     return at;
@@ -90,14 +93,15 @@ static uint32_t find_side_column(const tp_grid *grid, const tp_plane *plane, int
 
 /* Returns the cells of row j that touch the view: the cells between all planes' columns. */
 static tp_grid_span seen_cells(const tp_grid *grid, const tp_plane *planes, uint32_t j,
-                               tp_fx reach, uint32_t side[TP_PROJECTION_PLANES])
+                               tp_fx max_displacement,
+                               uint32_t side[TP_PROJECTION_PLANES])
 {
     uint32_t first = 0, end = grid->cols - 1;
 
     for (int k = 0; k < TP_PROJECTION_PLANES; k++) {
-        int64_t rest = max_row_plane_offset(&planes[k], grid->row[j].place,
-                                            grid->row[j + 1].place, reach);
-        side[k] = find_side_column(grid, &planes[k], rest, side[k]);
+        int64_t at_x0 = max_plane_distance_at_x0(&planes[k], grid->row[j].place,
+                                                 grid->row[j + 1].place, max_displacement);
+        side[k] = find_side_column(grid, &planes[k], at_x0, side[k]);
         if (planes[k].n.x > 0)
             first = side[k] > first ? side[k] : first;
         else

@@ -8,13 +8,14 @@
  * A vertex starts at *from + rest.  Q.18 times Q.30 leaves 16.16 in the upper word,
  * rounded by adding a half below.  A swell moves a point by less than 2^9 m, so a product
  * has 57 bits. */
-TP_ALWAYS_INLINE void add_swells(const tp_vertex_phase *number, const tp_vertex_phase *turn,
+TP_ALWAYS_INLINE void add_swells(const tp_vertex_sincos *number,
+                                 const tp_vertex_sincos *turn,
                                  uint32_t stride, const int32_t *from, int32_t rest,
                                  uint32_t count, int swells, int32_t *to)
 {
-    const tp_vertex_phase none = { 0, 0 };
-    const tp_vertex_phase a = number[0], b = swells > 1 ? number[1] : none;
-    const tp_vertex_phase c = swells > 2 ? number[2] : none;
+    const tp_vertex_sincos none = { 0, 0 };
+    const tp_vertex_sincos a = number[0], b = swells > 1 ? number[1] : none;
+    const tp_vertex_sincos c = swells > 2 ? number[2] : none;
     const int32_t *end = to + count;
 
     do {
@@ -74,8 +75,8 @@ static void compute_view_axis(const tp_vertex_batch_input *place, int axis, bool
 void tp_batch_displace_axis(const tp_vertex_batch_input *place, int axis,
                             const int32_t *from, int32_t rest, int32_t *to)
 {
-    const tp_vertex_phase *number = place->row->place[axis];
-    const tp_vertex_phase *turn
+    const tp_vertex_sincos *number = place->row->place[axis];
+    const tp_vertex_sincos *turn
         = place->columns->turn + (size_t)place->first * place->frame->count;
     uint32_t stride = place->frame->count, left = stride, count = place->count;
 
@@ -193,7 +194,7 @@ static void project_any(const tp_projection *projection, const tp_vertex_batch *
     for (uint32_t i = 0; i < count; i++, to++) {
         const tp_view_vertex c = { .x = from->at[0][i], .y = from->at[1][i],
                                    .depth = from->at[2][i] };
-        if (tp_projection_contains(projection, &c))
+        if (tp_projection_can_project(projection, &c))
             tp_projection_project(projection, &c, &to->u, &to->v, &to->zi);
         else
             to->u = TP_GRID_NEEDS_CLIP;

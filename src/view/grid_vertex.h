@@ -39,10 +39,10 @@ typedef struct {
     tp_fx fade;                 /* weight of the waves, 0..1 */
 } tp_grid_line;
 
-/* Sine and cosine of a phase, Q2.30. */
+/* Sine and cosine of an angle such as a phase, Q2.30. */
 typedef struct {
     int32_t sin, cos;
-} tp_vertex_phase;
+} tp_vertex_sincos;
 
 /* Numbers of a swell, constant in a frame. */
 typedef struct {
@@ -72,7 +72,8 @@ typedef struct {
 typedef struct {
     tp_grid_line   *line;
     int32_t        *rest[3];            /* parts of x, y, depth, by tp_vertex_rest_x */
-    tp_vertex_phase *turn;               /* with fading, unless crests are sharpened */
+    tp_vertex_sincos *turn;              /* phases times fade weights; for sharpened crests,
+                                         * only the weights of tp_lod_share */
     uint32_t       *pair;               /* two Q.15: the sine low, the cosine high */
 } tp_vertex_columns;
 
@@ -83,11 +84,11 @@ typedef struct {
 } tp_vertex_tilt;
 
 typedef struct {
-    tp_grid_line   line;
-    int32_t        rest[3];
-    tp_vertex_phase turn[TP_WAVES];      /* phase, with fading like the columns' pairs */
-    tp_vertex_phase place[3][TP_WAVES];  /* x, y, depth: m per sine and cosine, Q.18 */
-    tp_vertex_tilt tilt[TP_WAVES];
+    tp_grid_line     line;
+    int32_t          rest[3];
+    tp_vertex_sincos turn[TP_WAVES];        /* phase, with fading like the columns' pairs */
+    tp_vertex_sincos place[3][TP_WAVES];    /* x, y, depth: m per sine and cosine, Q.18 */
+    tp_vertex_tilt   tilt[TP_WAVES];
 } tp_vertex_row;
 
 /* Starts a frame for water in x0..x1 and z0..z1.  The caller sets projection, surface
@@ -102,14 +103,15 @@ void tp_vertex_set_swells(tp_vertex_frame *frame);
 void tp_vertex_rest_x(const tp_vertex_frame *frame, tp_fx x, int32_t rest[3]);
 void tp_vertex_rest_z(const tp_vertex_frame *frame, tp_fx z, int32_t rest[3]);
 
-/* Returns sine and cosine within 2^-28. */
-tp_vertex_phase tp_vertex_phase_from_angle(tp_turn angle);
+/* Returns sine and cosine of an angle, within 2^-28. */
+tp_vertex_sincos tp_vertex_sincos_from_angle(tp_turn angle);
 
-/* Returns sine and cosine of the sum of two phases. */
-TP_ALWAYS_INLINE tp_vertex_phase tp_vertex_phase_add(tp_vertex_phase a, tp_vertex_phase b)
+/* Returns sine and cosine of the sum of two angles, by the addition theorems. */
+TP_ALWAYS_INLINE tp_vertex_sincos tp_vertex_sincos_add_angles(tp_vertex_sincos a,
+                                                              tp_vertex_sincos b)
 {
     const int64_t half = 1 << 29;
-    return (tp_vertex_phase){
+    return (tp_vertex_sincos){
         .sin = (int32_t)(((int64_t)a.sin * b.cos + (int64_t)a.cos * b.sin + half) >> 30),
         .cos = (int32_t)(((int64_t)a.cos * b.cos - (int64_t)a.sin * b.sin + half) >> 30),
     };

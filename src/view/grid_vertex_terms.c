@@ -144,7 +144,7 @@ void tp_vertex_set_swells(tp_vertex_frame *frame)
  * d <= 2 pi / 2048:
  *     sin(a + d) = sin a + d cos a - d^2/2 sin a,  less d^3/6 < 5e-9.
  * d is Q.38 and below 2^30, d^2/2 is Q.45. */
-tp_vertex_phase tp_vertex_phase_from_angle(tp_turn angle)
+tp_vertex_sincos tp_vertex_sincos_from_angle(tp_turn angle)
 {
     const int32_t two_pi = 1686629713;                      /* 2 pi, Q.28 */
     tp_turn whole = (angle + (1u << 21)) & ~((1u << 22) - 1);
@@ -152,7 +152,7 @@ tp_vertex_phase tp_vertex_phase_from_angle(tp_turn angle)
     int32_t half = tp_mul_upper(d, d);
     int32_t s = tp_sin(whole), c = tp_cos(whole);
 
-    return (tp_vertex_phase){
+    return (tp_vertex_sincos){
         .sin = s + ((tp_mul_upper(c, d) - (tp_mul_upper(s, half) >> 7) + 32) >> 6),
         .cos = c - ((tp_mul_upper(s, d) + (tp_mul_upper(c, half) >> 7) + 32) >> 6),
     };
@@ -165,14 +165,16 @@ static uint32_t pack_pair(int32_t low, int32_t high)
     return ((uint32_t)low & 0xffff) | (uint32_t)high << 16;
 }
 
-static tp_vertex_phase scale_turn(tp_vertex_phase turn, tp_fx fade)
+/* Returns sine and cosine times a weight: the amplitude fades, the phase stays. */
+static tp_vertex_sincos scale_sin_cos(tp_vertex_sincos phase, tp_fx weight)
 {
-    return (tp_vertex_phase){ tp_fx_mul(turn.sin, fade), tp_fx_mul(turn.cos, fade) };
+    return (tp_vertex_sincos){ tp_fx_mul(phase.sin, weight), tp_fx_mul(phase.cos, weight) };
 }
 
-static uint32_t pair_of_turn(tp_vertex_phase turn)
+/* Returns sine and cosine as two Q.15: the sine low, the cosine high. */
+static uint32_t pack_sin_cos(tp_vertex_sincos phase)
 {
-    return pack_pair((turn.sin + (1 << 14)) >> 15, (turn.cos + (1 << 14)) >> 15);
+    return pack_pair((phase.sin + (1 << 14)) >> 15, (phase.cos + (1 << 14)) >> 15);
 }
 
 /* Returns the remaining weight of a swell on a line of columns (`way` 0) or rows (`way`
@@ -187,33 +189,34 @@ static tp_lod_share line_swell_share(const tp_vertex_frame *frame, int way, tp_f
     return lod->share(&frame->lod[way], lod->step(&frame->lod[way], place), turns);
 }
 
-static tp_vertex_phase fade_turn(tp_vertex_phase turn, tp_fx fade)
+/* Same as scale_sin_cos; a weight of 1 costs no multiplication. */
+static tp_vertex_sincos fade_sin_cos(tp_vertex_sincos phase, tp_fx weight)
 {
-    return fade == TP_FX_ONE ? turn : scale_turn(turn, fade);
+    return weight == TP_FX_ONE ? phase : scale_sin_cos(phase, weight);
 }
 
 /* Fills the columns' tables of a swell.  Within a run the phase advances by a rotation
  * per cell, with an error of 2^-31 each; every run starts with a fresh phase. */
-static void set_column_turns(const tp_vertex_frame *frame,
-                             const tp_vertex_columns *columns, uint32_t k, uint32_t first,
-                             uint32_t end, tp_fx cell)
+static void set_column_phases(const tp_vertex_frame *frame,
+                              const tp_vertex_columns *columns, uint32_t k,
+                              uint32_t first, uint32_t end, tp_fx cell)
 {
     const int64_t turns_x = frame->surface->deep->swell[k].turns_x;
     const bool fading = !frame->surface->deep->sharpened;
-    tp_vertex_phase step = tp_vertex_phase_from_angle(tp_swell_turns(turns_x, cell));
-    tp_vertex_phase now = { 0, 0 };
+    tp_vertex_sincos step = tp_vertex_sincos_from_angle(tp_swell_turns(turns_x, cell));
+    tp_vertex_sincos now = { 0, 0 };
 
     for (uint32_t i = first; i < end; i++) {
         const tp_grid_line *line = &columns->line[i];
         size_t at = (size_t)i * frame->count + k;
         if ((i - first) % TP_VERTEX_BATCH == 0 || line->place - line[-1].place != cell)
-            now = tp_vertex_phase_from_angle(tp_swell_turns(turns_x, line->place));
+            now = tp_vertex_sincos_from_angle(tp_swell_turns(turns_x, line->place));
         else
-            now = tp_vertex_phase_add(now, step);
-        tp_vertex_phase turn = fading ? fade_turn(now, line->fade) : now;
+            now = tp_vertex_sincos_add_angles(now, step);
+        tp_vertex_sincos phase = fading ? fade_sin_cos(now, line->fade) : now;
         tp_lod_share share = line_swell_share(frame, 0, line->place, turns_x);
-        columns->turn[at] = fade_turn(turn, share.height);
-        columns->pair[at] = pair_of_turn(fade_turn(turn, share.slope));
+        columns->turn[at] = fade_sin_cos(phase, share.height);
+        columns->pair[at] = pack_sin_cos(fade_sin_cos(phase, share.slope));
     }
 }
 
@@ -221,16 +224,16 @@ void tp_vertex_set_columns(const tp_vertex_frame *frame, const tp_vertex_columns
                            uint32_t first, uint32_t end, tp_fx cell)
 {
     for (uint32_t k = 0; k < frame->count; k++)
-        set_column_turns(frame, columns, k, first, end, cell);
+        set_column_phases(frame, columns, k, first, end, cell);
 }
 
 /* -- rows ------------------------------------------------------------------------------ */
 
 /* Splits C cos + S sin of the whole phase into factors of the column's sine and cosine. */
-static tp_vertex_phase split_column_factors(int32_t c, int32_t s, tp_vertex_phase b)
+static tp_vertex_sincos split_column_factors(int32_t c, int32_t s, tp_vertex_sincos b)
 {
     const int64_t half = (int64_t)1 << 31;
-    return (tp_vertex_phase){
+    return (tp_vertex_sincos){
         tp_upper((int64_t)s * b.cos - (int64_t)c * b.sin + half),
         tp_upper((int64_t)c * b.cos + (int64_t)s * b.sin + half),
     };
@@ -252,13 +255,13 @@ static void set_position_factors(const tp_vertex_frame *frame, tp_vertex_row *ro
     for (uint32_t k = 0; k < frame->count; k++) {
         const tp_vertex_swell *w = &frame->swell[k];
         const int64_t turns_z = surface->deep->swell[k].turns_z;
-        tp_vertex_phase b = tp_vertex_phase_from_angle(surface->phases[k]
+        tp_vertex_sincos b = tp_vertex_sincos_from_angle(surface->phases[k]
                                              + tp_swell_turns(turns_z, row->line.place));
         tp_lod_share share = line_swell_share(frame, 1, row->line.place, turns_z);
         if (!surface->deep->sharpened)
-            b = fade_turn(b, row->line.fade);
-        row->turn[k] = fade_turn(b, share.slope);
-        b = fade_turn(b, share.height);
+            b = fade_sin_cos(b, row->line.fade);
+        row->turn[k] = fade_sin_cos(b, share.slope);
+        b = fade_sin_cos(b, share.height);
         row->place[0][k] = split_column_factors(w->x, w->rise_x, b);
         row->place[1][k] = split_column_factors(w->y, w->rise_y, b);
         row->place[2][k] = split_column_factors(w->depth, w->rise_depth, b);
@@ -269,7 +272,7 @@ static void set_slope_factors(const tp_vertex_frame *frame, tp_vertex_row *row)
 {
     for (uint32_t k = 0; k < frame->count; k++) {
         const tp_vertex_swell *w = &frame->swell[k];
-        tp_vertex_phase b = row->turn[k];
+        tp_vertex_sincos b = row->turn[k];
         row->tilt[k] = (tp_vertex_tilt){
             .tilt_x = pair_upper(-w->tilt_x, w->tilt_x, b.sin, b.cos),
             .tilt_z = pair_upper(-w->tilt_z, w->tilt_z, b.sin, b.cos),

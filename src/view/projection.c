@@ -87,7 +87,7 @@ tp_view_plane tp_projection_level_plane(const tp_projection *projection, tp_fx l
 void tp_view_vertex_project(const tp_projection *projection, const tp_view_vertex *from,
                             tp_screen_vertex *to)
 {
-    TP_ASSERT(tp_projection_contains(projection, from));
+    TP_ASSERT(tp_projection_can_project(projection, from));
     tp_projection_project(projection, from, &to->u, &to->v, &to->zi);
     to->s = from->s;
     to->t = from->t;
@@ -135,7 +135,7 @@ typedef struct {
 
 /* Returns the distance inside a side, without a fixed unit; >= 0 is inside.  Five cuts
  * round by one each; the margin of four keeps the new vertices within the strict test of
- * tp_projection_contains. */
+ * tp_projection_can_project. */
 static int64_t side_distance(const sides *of, const tp_view_vertex *c, int side)
 {
     const tp_projection *projection = of->projection;

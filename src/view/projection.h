@@ -78,10 +78,10 @@ TP_ALWAYS_INLINE void tp_projection_view_vertex(const tp_projection *projection,
     c->depth = tp_dot_dir_clamped(d, projection->ahead);
 }
 
-/* True if the vertex is in front of the near plane and inside the guard band, and may be
- * projected. */
-TP_ALWAYS_INLINE bool tp_projection_contains(const tp_projection *projection,
-                                             const tp_view_vertex *c)
+/* True if the vertex can be projected without a clip: beyond the near plane and inside the
+ * guard band, a square much larger than the picture.  There is no test of the far plane. */
+TP_ALWAYS_INLINE bool tp_projection_can_project(const tp_projection *projection,
+                                                const tp_view_vertex *c)
 {
     int shift = TP_GUARD_LOG2 - projection->m;
     int32_t ax = c->x < 0 ? -c->x : c->x, ay = c->y < 0 ? -c->y : c->y;
@@ -136,8 +136,8 @@ TP_ALWAYS_INLINE int32_t tp_projection_screen_offset(int32_t x, int32_t r, int d
     return (int32_t)(((int64_t)x * r + ((int64_t)1 << (31 + down))) >> (32 + down));
 }
 
-/* Projects view coordinates inside the projection (tp_projection_contains).  `far`:
- * depth >= 2^(6 + m).
+/* Projects view coordinates that tp_projection_can_project accepts.  `far`: depth is at
+ * least 2^(6 + m).
  * r is 2^62 / (depth x 2^shift); near >= 1/20 m and m <= 13, so down >= -7.  The shift of
  * zi_near loses no bits, because zi_near <= depth. */
 TP_ALWAYS_INLINE void tp_projection_project_scaled(const tp_projection *projection,
@@ -154,7 +154,7 @@ TP_ALWAYS_INLINE void tp_projection_project_scaled(const tp_projection *projecti
                      >> 32);
 }
 
-/* Projects a vertex inside the projection (tp_projection_contains). */
+/* Projects a vertex that tp_projection_can_project accepts. */
 TP_ALWAYS_INLINE void tp_projection_project(const tp_projection *projection,
                                             const tp_view_vertex *c, int32_t *u,
                                             int32_t *v, uint32_t *zi)

@@ -22,7 +22,7 @@ static void add_height_slope(tp_height_slope *sum, tp_height_slope more)
     sum->slope_z += more.slope_z;
 }
 
-tp_height_slope tp_surface_height_slope(const tp_surface *surface, tp_fx x, tp_fx z)
+tp_height_slope tp_rings_pools_sample(const tp_surface *surface, tp_fx x, tp_fx z)
 {
     tp_height_slope sum = { 0, 0, 0 };
 
@@ -37,18 +37,18 @@ tp_height_slope tp_surface_height_slope(const tp_surface *surface, tp_fx x, tp_f
     return sum;
 }
 
-tp_height_slope tp_surface_height_slope_faded(const tp_surface *surface, tp_fx x, tp_fx z,
-                                              tp_fx fade)
+tp_height_slope tp_rings_pools_sample_faded(const tp_surface *surface, tp_fx x, tp_fx z,
+                                            tp_fx weight)
 {
-    TP_ASSERT(fade >= 0 && fade <= TP_FX_ONE);
-    if (fade == 0)
+    TP_ASSERT(weight >= 0 && weight <= TP_FX_ONE);
+    if (weight == 0)
         return (tp_height_slope){ 0, 0, 0 };
-    tp_height_slope relief = tp_surface_height_slope(surface, x, z);
-    if (fade == TP_FX_ONE)
+    tp_height_slope relief = tp_rings_pools_sample(surface, x, z);
+    if (weight == TP_FX_ONE)
         return relief;
-    return (tp_height_slope){ tp_fx_mul(relief.height, fade),
-                              tp_fx_mul(relief.slope_x, fade),
-                              tp_fx_mul(relief.slope_z, fade) };
+    return (tp_height_slope){ tp_fx_mul(relief.height, weight),
+                              tp_fx_mul(relief.slope_x, weight),
+                              tp_fx_mul(relief.slope_z, weight) };
 }
 
 /* Returns a bound of the height: each ring adds at most 4 m, a pool at most its range. */
@@ -175,7 +175,7 @@ tp_surface_point tp_surface_sample(const tp_surface *surface, tp_fx x, tp_fx z,
     else if (surface->by->swells)
         at = surface->by->swells->above(surface->deep, surface->phases, x, z, rest);
     if (tp_surface_has_rings_or_pools(surface)) {
-        tp_height_slope relief = tp_surface_height_slope(surface, x, z);
+        tp_height_slope relief = tp_rings_pools_sample(surface, x, z);
         at.position.y += relief.height;
         at.slope_x += relief.slope_x;
         at.slope_z += relief.slope_z;

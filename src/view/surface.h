@@ -24,13 +24,14 @@ typedef struct {
     tp_fx           lag;       /* interpolation of the pools, 0..1 tick */
 } tp_surface;
 
-/* Returns height and slopes of rings and pools at world (x, z). */
-tp_height_slope tp_surface_height_slope(const tp_surface *surface, tp_fx x, tp_fx z);
+/* Returns the summed height and slopes of rings, pool and field at world (x, z), without
+ * the swells. */
+tp_height_slope tp_rings_pools_sample(const tp_surface *surface, tp_fx x, tp_fx z);
 
-/* Same, with a weight `fade`, 0..1.  A mesh fades its waves in the distance, where its
- * cells are too wide for them. */
-tp_height_slope tp_surface_height_slope_faded(const tp_surface *surface, tp_fx x, tp_fx z,
-                                              tp_fx fade);
+/* Same, times `weight`, 0..1.  A mesh fades its waves in the distance, where its cells are
+ * too wide for them. */
+tp_height_slope tp_rings_pools_sample_faded(const tp_surface *surface, tp_fx x, tp_fx z,
+                                            tp_fx weight);
 
 /* True if the deep water has swells and the program has their wave model. */
 static inline bool tp_surface_has_swells(const tp_surface *surface)

@@ -18,17 +18,17 @@ typedef struct {
     int64_t hx, hz, bxx, bxz, bzz;
 } sums;
 
-TP_ALWAYS_INLINE tp_vertex_phase vertex_phase(const tp_vertex_batch_input *place,
-                                              uint32_t i, uint32_t k)
+TP_ALWAYS_INLINE tp_vertex_sincos vertex_sincos(const tp_vertex_batch_input *place,
+                                                uint32_t i, uint32_t k)
 {
-    tp_vertex_phase a = place->columns->turn[(size_t)(place->first + i)
-                                            * place->frame->count + k];
-    tp_vertex_phase b = place->row->turn[k];
-    return tp_vertex_phase_add(a, b);
+    tp_vertex_sincos a = place->columns->turn[(size_t)(place->first + i)
+                                             * place->frame->count + k];
+    tp_vertex_sincos b = place->row->turn[k];
+    return tp_vertex_sincos_add_angles(a, b);
 }
 
 static void add_sharp_swell(sums *sum, const tp_vertex_swell *w, const tp_swell *swell,
-                            tp_vertex_phase th)
+                            tp_vertex_sincos th)
 {
     int32_t f, df;
 
@@ -67,7 +67,7 @@ static void add_sharp_roll_shift(const tp_vertex_batch_input *place, tp_vertex_b
     for (uint32_t i = 0; i < place->count; i++) {
         int64_t rise = 0;
         for (uint32_t k = 0; k < frame->count; k++) {
-            const tp_vertex_phase th = vertex_phase(place, i, k);
+            const tp_vertex_sincos th = vertex_sincos(place, i, k);
             int32_t f, df;
             tp_swell_sharpen(&deep->swell[k], th.sin, th.cos, &f, &df);
             rise += (int64_t)frame->swell[k].rise_x * f;
@@ -88,7 +88,7 @@ void tp_batch_add_sharp_swells(const tp_vertex_batch_input *place, tp_vertex_bat
         sums sum = { 0 };
         for (uint32_t k = 0; k < frame->count; k++)
             add_sharp_swell(&sum, &frame->swell[k], &deep->swell[k],
-                            vertex_phase(place, i, k));
+                            vertex_sincos(place, i, k));
         run->at[0][i] += round_and_fade(sum.along[0], 34, fade);
         run->at[1][i] += round_and_fade(sum.along[1] + sum.rise[0] * 64, 34, fade);
         run->at[2][i] += round_and_fade(sum.along[2] + sum.rise[1] * 64, 34, fade);
@@ -117,7 +117,7 @@ TP_ALWAYS_INLINE void displace_vertex(const tp_vertex_batch_input *place, uint32
     tp_fx along_x = 0, along_z = 0;
 
     for (uint32_t k = 0; k < frame->count && !place->at_rest; k++) {
-        tp_q30 c = vertex_phase(place, i, k).cos;
+        tp_q30 c = vertex_sincos(place, i, k).cos;
         along_x += tp_q30_mul(deep->swell[k].orbit_x, c);
         along_z += tp_q30_mul(deep->swell[k].orbit_z, c);
     }
@@ -137,7 +137,7 @@ static void add_height_roll_shift(const tp_vertex_batch_input *place, tp_vertex_
     for (uint32_t i = 0; i < place->count; i++) {
         tp_fx x, z;
         displace_vertex(place, i, &x, &z);
-        const tp_height_slope relief = tp_surface_height_slope_faded(
+        const tp_height_slope relief = tp_rings_pools_sample_faded(
             place->frame->surface, x, z, vertex_fade(place, i));
         run->at[0][i] += tp_q30_mul(relief.height, place->frame->projection->lean);
     }
@@ -154,7 +154,7 @@ void tp_batch_add_rings_and_pools(const tp_vertex_batch_input *place, tp_vertex_
                                place->columns->line[place->first + i].fade);
         displace_vertex(place, i, &x, &z);
         tp_height_slope relief =
-            tp_surface_height_slope_faded(place->frame->surface, x, z, fade);
+            tp_rings_pools_sample_faded(place->frame->surface, x, z, fade);
         run->at[1][i] += tp_q30_mul(relief.height, projection->up.y);
         run->at[2][i] += tp_q30_mul(relief.height, projection->ahead.y);
         vertex[i].slope_x = tp_saturated(vertex[i].slope_x

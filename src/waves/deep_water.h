@@ -72,11 +72,11 @@ void tp_deep_water_init(tp_deep_water *deep, const tp_wave *waves, uint32_t coun
 void tp_deep_water_init_compact(tp_deep_water *deep, const tp_wave *waves, uint32_t count,
                                 tp_fx gravity);
 
-/* Adds a wave to deep water; deep water without waves is all 0.  Amplitudes are cut as in
- * tp_deep_water_init.  If the steepness sum would exceed 0.95, the steepness of this
- * wave alone is reduced.  Deep water of TP_WAVES waves takes no more, and a wave without
- * amplitude is ignored. */
-void tp_deep_water_add(tp_deep_water *deep, const tp_wave_exact *wave);
+/* Appends a wave to the swells of deep water; deep water without waves is all 0.  The
+ * amplitude is cut as in tp_deep_water_init.  If the steepness sum would exceed 0.95, the
+ * steepness of this wave alone is reduced.  Deep water of TP_WAVES waves takes no more,
+ * and a wave without amplitude is ignored. */
+void tp_deep_water_append_wave(tp_deep_water *deep, const tp_wave_exact *wave);
 
 /* Returns the phases of all swells, phase - omega t, at `lag` of a tick
  * (0..1) before `tick`. */

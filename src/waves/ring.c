@@ -115,20 +115,20 @@ bool tp_ring_evaluate(const tp_ring *ring, int64_t now, tp_ring_now *at)
 
 /* -- at a point ---------------------------------------------------------------------- */
 
-/* 1 / sqrt(x) of x > 0: n is x shifted up, r is 1 / sqrt(n / 2^32) as Q1.31 in [1, 2],
- * `half` is half of the shift: sqrt(x) = sqrt(n / 2^32) 2^(32 - half). */
+/* Normalised inverse square root of x > 0: n is x shifted up, r is 1 / sqrt(n / 2^32) as
+ * Q1.31 in [1, 2], `half` is half of the shift: sqrt(x) = sqrt(n / 2^32) 2^(32 - half). */
 typedef struct {
     uint32_t n, r;
     int      half;
-} root;
+} inverse_root;
 
-static inline root make_root(uint64_t x)
+static inline inverse_root make_inverse_root(uint64_t x)
 {
     uint32_t high = (uint32_t)(x >> 32);
     int      half = (high ? tp_clz(high) : 32 + tp_clz((uint32_t)x)) >> 1;
     uint32_t n = (uint32_t)(x << 2 * half >> 32);
 
-    return (root){ n, tp_rsqrt_norm(n), half };
+    return (inverse_root){ n, tp_rsqrt_norm(n), half };
 }
 
 /* Returns s(rho) = sqrt(rho0 / (rho0 + rho)), Q2.30, and 1 / (2 (rho0 + rho)), Q.22.  The
@@ -138,7 +138,7 @@ static inline tp_q30 spreading(const tp_ring_now *ring, int64_t rho_q24,
 {
     const int64_t sum = rho_q24 + (int64_t)ring->spread * 256;
     TP_ASSERT(sum >> 17 > 0 && sum >> 39 == 0);
-    root q = make_root((uint64_t)sum);
+    inverse_root q = make_inverse_root((uint64_t)sum);
     uint64_t s = (uint64_t)ring->root_q24 * q.r >> (45 - q.half);
 
     *bend_q22 = (int32_t)((uint64_t)q.r * q.r >> 32 >> (49 - 2 * q.half));
@@ -155,9 +155,9 @@ static void add_ring(ring_sums *sum, const tp_ring_now *ring, int32_t dx, int32_
                      uint64_t d2)
 {
     TP_ASSERT(d2 > 0 && d2 >> 60 == 0);
-    root     over = make_root(d2);
-    int64_t  rho = (int64_t)((uint64_t)over.n * over.r >> (23 + over.half));
-    int64_t  way = rho - ring->rear_q24;            /* 0 at the rear, L at the front */
+    inverse_root over = make_inverse_root(d2);
+    int64_t rho = (int64_t)((uint64_t)over.n * over.r >> (23 + over.half));
+    int64_t way = rho - ring->rear_q24;            /* 0 at the rear, L at the front */
 
     if (way <= 0 || way >= (int64_t)ring->length * 256)
         return;                             /* the squares were rounded outwards */

@@ -179,7 +179,7 @@ static tp_swell make_swell(const tp_wave_exact *w, tp_fx amplitude, tp_fx length
     };
 }
 
-void tp_deep_water_add(tp_deep_water *deep, const tp_wave_exact *wave)
+void tp_deep_water_append_wave(tp_deep_water *deep, const tp_wave_exact *wave)
 {
     if (deep->count == TP_WAVES || wave->amplitude <= 0)
         return;
@@ -252,7 +252,7 @@ void tp_deep_water_init_compact(tp_deep_water *deep, const tp_wave *waves, uint3
         int64_t share = waves[i].steepness;
         share = clamped ? share * BEND_MAX / asked : share << 14;
         tp_wave_exact exact = make_exact(&waves[i], (tp_q30)share, gravity);
-        tp_deep_water_add(deep, &exact);
+        tp_deep_water_append_wave(deep, &exact);
     }
     deep->steepness = asked;
     deep->clamped = clamped;

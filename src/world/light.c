@@ -62,7 +62,7 @@ void tp_light_init(tp_world *world, const tp_scene *scene)
 
 /* A light moved by time or input keeps its position until the scene's heading or
  * elevation changes. */
-void tp_light_refresh(tp_world *world, const tp_scene *scene)
+void tp_light_apply_scene(tp_world *world, const tp_scene *scene)
 {
     if (world->scene_light[0] != scene->light.heading
         || world->scene_light[1] != scene->light.elevation)

@@ -14,7 +14,9 @@ bool tp_has_dome(const tp_scene *scene);
 tp_dome_config tp_dome_config_make(const tp_scene *scene);
 
 void tp_light_init(tp_world *world, const tp_scene *scene);
-void tp_light_refresh(tp_world *world, const tp_scene *scene);
+/* Takes over a changed direction of the scene's light, and the exposure if it is fixed.
+ * Otherwise a light moved by time or input stays. */
+void tp_light_apply_scene(tp_world *world, const tp_scene *scene);
 
 /* Moves the light by one tick; the exposure does not change. */
 void tp_light_step(tp_world *world, const tp_scene *scene, const tp_input *in);

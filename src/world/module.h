@@ -206,9 +206,9 @@ bool tp_modules_handle_impact(const tp_program *program, tp_world *world,
                               const tp_scene *scene, const tp_impact *impact,
                               tp_fx level);
 
-/* Returns the name of the first module with an invalid chunk in `world`, a block from
- * outside the program, or NULL.  Invalid: the id or the length differs from `fresh`, or
- * the state is not valid.  Both blocks have the same length. */
+/* Checks the modules' chunks of `world`, a block from outside the program, against
+ * `fresh`, a new world of the same length.  Returns the name of the first module whose
+ * chunk has another id or length or an invalid state; NULL if all chunks are valid. */
 const char *tp_modules_find_invalid(const tp_program *program, const tp_world *world,
                                     const tp_world *fresh);
 

@@ -128,7 +128,8 @@ static tp_status fail_word(tp_error *err, tp_status code, tp_string_view w)
     return code;
 }
 
-/* Reads decimal digits. TP_E_NUMBER: another character. TP_E_RANGE: above `most`. */
+/* Reads decimal digits.  TP_E_NUMBER: no digit, or another character.  TP_E_RANGE: above
+ * `most`. */
 static tp_status read_digits(tp_string_view w, uint64_t most, uint64_t *number)
 {
     uint64_t sum = 0;

@@ -50,6 +50,8 @@ const tp_param *tp_param_find(const char *name, size_t bytes);
 tp_status tp_param_set(tp_scene *scene, const tp_param *param, const char *text,
                        size_t bytes, tp_error *err);
 
+/* Writes a number as in scene files: by the parameter's kind "0.35", "on", "#204060" or a
+ * choice.  Returns the length of the whole text, even if `text` holds only its begin. */
 size_t tp_param_number_text(const tp_param *param, int32_t number, char *text,
                             size_t bytes);
 

@@ -43,7 +43,7 @@ static tp_vec3 sample_surface_point(const tp_surface *then, const tp_fx rest[2],
     tp_surface pools = *then;
 
     pools.rings = 0;
-    p.y += tp_surface_height_slope(&pools, p.x, p.z).height;
+    p.y += tp_rings_pools_sample(&pools, p.x, p.z).height;
     if (then->rings)
         p.y += sample_rings(then, time, p.x, p.z);
     return p;

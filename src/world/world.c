@@ -153,7 +153,7 @@ bool tp_world_apply(const tp_program *program, tp_world *world, const tp_scene *
         || !tp_modules_fit(program, world, want))
         return false;
     init_deep_water_and_phases(program, world, scene);
-    tp_light_refresh(world, scene);
+    tp_light_apply_scene(world, scene);
     if (world->clock_scale != scene->clock.scale)
         tp_clock_set_target(&world->clock, scene->clock.scale);
     world->clock_scale = scene->clock.scale;

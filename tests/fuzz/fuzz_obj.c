@@ -41,7 +41,7 @@ static void check(const tp_obj *obj, const tp_mesh *mesh)
     const tp_vec3 most = { 1 << 30, 1 << 30, 1 << 30 };
     const tp_vec3 least = { -most.x, -most.y, -most.z };
     REQUIRE(mesh->n_faces > 0 && mesh->n_vertices > 0 && mesh->n_materials > 0);
-    REQUIRE(mesh->log2_unit <= TP_MESH_LOG2_UNIT);
+    REQUIRE(mesh->log2_unit <= TP_MESH_MAX_LOG2_UNIT);
     REQUIRE(mesh->n_materials <= TP_OBJ_MATERIALS);
     REQUIRE(is_between(least, mesh->low, most) && is_between(least, mesh->high, most));
     REQUIRE(tp_obj_kept_bytes(obj) <= tp_obj_bytes(obj));

@@ -142,7 +142,7 @@ static inline void rows_sea(const vector_table *r, double q, tp_deep_water *deep
     for (int i = 0; i < r->waves; i++) {
         tp_wave_exact exact = row_exact(&r->wave[i]);
         exact.steepness = (tp_q30)(exact.steepness * q);
-        tp_deep_water_add(deep, &exact);
+        tp_deep_water_append_wave(deep, &exact);
     }
     assert_int_equal(deep->count, r->waves);
     assert_false(deep->clamped);

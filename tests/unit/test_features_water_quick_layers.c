@@ -197,7 +197,7 @@ static void layers_are_the_exact_ones_of_nearest_texels(void **state)
         run_by(n & 2 ? tp_stage_texture_tinted : tp_stage_texture_graded, &s, &own.base,
                &r.run);
         run_by(tp_stage_layers, &s, &own.layers, &r.run);
-        run_by(tp_stage_quick_far, &s, &layers, &quick);
+        run_by(tp_stage_quick_mip_spans, &s, &layers, &quick);
         run_by(tp_stage_quick_still, &s, &layers, &quick);
         run_by(tp_stage_quick_layers, &s, &layers, &quick);
         assert_memory_equal(quick.colour, r.run.colour, sizeof quick.colour);
@@ -297,7 +297,7 @@ static void busy_free(busy *b)
 
 static void draw(const busy *b, tp_run *run, bool thin, bool bends)
 {
-    run_by(tp_stage_quick_far, &b->shade, &b->layers, run);
+    run_by(tp_stage_quick_mip_spans, &b->shade, &b->layers, run);
     if (bends)
         run_by(thin ? tp_stage_quick_bend_thin : tp_stage_quick_bend, &b->shade,
                &b->layers, run);

@@ -141,7 +141,7 @@ static void what_a_program_lacks_is_left_out_and_counted(void **state)
     assert_int_equal(lacks, 0);
 }
 
-#define OF_LIST(X) X(quick_far) X(quick_bend) X(quick_layers) X(quick_ripple)
+#define OF_LIST(X) X(quick_mip_spans) X(quick_bend) X(quick_layers) X(quick_ripple)
 #define OF_HALVES(X) \
     X(quick_bend_thin) X(quick_layers_even) X(quick_gradient_even) X(quick_glint_phong)
 #define OF_OTHERS(X) \

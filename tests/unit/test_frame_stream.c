@@ -155,7 +155,7 @@ static void what_is_not_stored_takes_no_memory(void **state)
         tp_frame_bytes(&config, &scene) - tp_frame_bytes(&streamed, &scene);
     const size_t waves = TP_WAVES - 3;          /* the plain scene has three waves */
     assert_int_equal(saved, (62 * sizeof(tp_grid_vertex)
-                             + waves * (sizeof(tp_vertex_phase) + 4)) * 64);
+                             + waves * (sizeof(tp_vertex_sincos) + 4)) * 64);
     assert_true(tp_frame_scratch_bytes(&streamed, &scene)
                 <= tp_frame_scratch_bytes(&config, &scene) + TP_GRID_WINDOW(64));
 }

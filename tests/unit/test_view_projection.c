@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The projection compared with a pinhole camera in double precision: screen positions
- * of points, the points that tp_projection_contains() accepts, and the planes of the
+ * of points, the points that tp_projection_can_project() accepts, and the planes of the
  * frustum. */
 #include <stdarg.h>
 #include <stddef.h>
@@ -66,7 +66,7 @@ static void points_come_out_where_the_pinhole_has_them(void **state)
         tp_view_vertex c;
         tp_projection_view_vertex(&v.projection, p, &c);
         /* Coordinates are scaled by at most 1.42 and clamped beyond 32000 m. */
-        if (!tp_projection_contains(&v.projection, &c) || hypot(at.x, at.y) > 22000)
+        if (!tp_projection_can_project(&v.projection, &c) || hypot(at.x, at.y) > 22000)
             continue;
         int32_t u, w;
         uint32_t zi;
@@ -111,7 +111,7 @@ static void a_usual_view_is_right_to_a_sixteenth_of_a_pixel(void **state)
         const ref_vec at = ref_view(&v.ref, ref_vec_make(p));
         tp_view_vertex c;
         tp_projection_view_vertex(&v.projection, p, &c);
-        assert_true(tp_projection_contains(&v.projection, &c));
+        assert_true(tp_projection_can_project(&v.projection, &c));
         int32_t u, w;
         uint32_t zi;
         tp_projection_project(&v.projection, &c, &u, &w, &zi);
@@ -151,7 +151,7 @@ static void ahead_is_up_the_screen_and_right_is_right(void **state)
 }
 
 /* Corners of any object in a scene, in the camera's frame: a point that
- * tp_projection_contains() accepts is in front of the near plane and inside the guard
+ * tp_projection_can_project() accepts is in front of the near plane and inside the guard
  * band. */
 static void what_is_held_is_in_front_however_far(void **state)
 {
@@ -178,7 +178,7 @@ static void what_is_held_is_in_front_however_far(void **state)
         if (fabs(at.z) > 1)
             assert_int_equal(c.depth < 0, at.z < 0);
         behind += at.z < 0;
-        if (!tp_projection_contains(&v.projection, &c))
+        if (!tp_projection_can_project(&v.projection, &c))
             continue;
         int32_t u, w;
         uint32_t zi;

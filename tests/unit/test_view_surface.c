@@ -98,7 +98,7 @@ static void relief_is_the_sum_of_rings_pool_and_field(void **state)
                 want.slope_x += use >> i & 1 ? part[i].slope_x : 0;
                 want.slope_z += use >> i & 1 ? part[i].slope_z : 0;
             }
-            const tp_height_slope got = tp_surface_height_slope(&some, x, z);
+            const tp_height_slope got = tp_rings_pools_sample(&some, x, z);
             assert_int_equal(got.height, want.height);
             assert_int_equal(got.slope_x, want.slope_x);
             assert_int_equal(got.slope_z, want.slope_z);
@@ -118,7 +118,7 @@ static void no_relief_is_higher_than_the_surface_says(void **state)
         const tp_fx waves = w.deep.deep.height;
         for (int k = 0; k < 300; k++) {
             s.lag = chance_int(&chance, 0, 65536);
-            const tp_height_slope r = tp_surface_height_slope(
+            const tp_height_slope r = tp_rings_pools_sample(
                 &s, chance_fx(&chance, -14, 14), chance_fx(&chance, -12, 12));
             assert_true(abs(r.height) <= tp_surface_height_bound(&s) - waves + 3);
         }
@@ -140,7 +140,7 @@ static void a_falling_pool_of_32_bits_was_higher_a_tick_ago(void **state)
     tp_pool_step(pool);
     tp_fx most = 0;
     for (int32_t i = -64; i <= 64; i++) {
-        const tp_fx h = tp_surface_height_slope(&s, i * 2048, TP_FX(0.1)).height;
+        const tp_fx h = tp_rings_pools_sample(&s, i * 2048, TP_FX(0.1)).height;
         most = h > most ? h : most;
     }
     assert_true(most > (tp_pool_stats(pool).highest >> 8) + 1);  /* the test has effect */
@@ -158,7 +158,7 @@ static void above_deep_water_is_its_height_plus_rings_and_pools(void **state)
         const tp_surface s = surface_make(&w, chance_double(&chance, 0, 0.95));
         for (int k = 0; k < 60; k++) {
             const tp_fx x = chance_fx(&chance, -14, 14), z = chance_fx(&chance, -14, 14);
-            const tp_height_slope r = tp_surface_height_slope(&s, x, z);
+            const tp_height_slope r = tp_rings_pools_sample(&s, x, z);
             tp_fx rest[2] = { x + 99, z - 99 }, same[2] = { x + 99, z - 99 };
             tp_fx *from = k % 2 ? rest : NULL;
             const tp_surface_point got = tp_surface_sample(&s, x, z, from);
@@ -203,7 +203,7 @@ static void coastal_errors(double q, bool floor, measure *m, uint32_t *coarse)
             const tp_coastal_point at =
                 tp_coastal_displace_smooth(s.coastal, s.phases, rest[0], rest[1]);
             const double off = hypot(at.position.x - x, at.position.z - z) * LSB;
-            const tp_height_slope r = tp_surface_height_slope(&s, x, z);
+            const tp_height_slope r = tp_rings_pools_sample(&s, x, z);
             assert_int_equal(got.position.y, at.position.y + r.height);
             measure_add(m, off * 1000, x, z, n);
             *coarse += off > 0.001;

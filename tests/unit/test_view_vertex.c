@@ -225,7 +225,7 @@ static void sines_of_phases_are_right_to_28_bits(void **state)
 
     for (int n = 0; n < 300000; n++) {
         const tp_turn angle = (tp_turn)random_next(&chance);
-        const tp_vertex_phase got = tp_vertex_phase_from_angle(angle);
+        const tp_vertex_sincos got = tp_vertex_sincos_from_angle(angle);
         const double th = angle / 4294967296.0 * 2 * PI;
         measure_add(&error, got.sin - sin(th) * 1073741824.0, angle, 0, 0);
         measure_add(&error, got.cos - cos(th) * 1073741824.0, angle, 1, 0);

@@ -25,7 +25,7 @@ static void sharpened_sines_follow_the_table(void **state)
         tp_wave_exact exact = row_exact(&w);
         exact.power = (int32_t)r.at[0];
         tp_deep_water deep = { .count = 0 };
-        tp_deep_water_add(&deep, &exact);
+        tp_deep_water_append_wave(&deep, &exact);
         assert_false(deep.capped);
         assert_int_equal(deep.sharpened, exact.power > 1);
         const tp_turn phases[TP_WAVES] = { row_turn(r.at[2]) };

@@ -164,21 +164,21 @@ static void what_is_added_beyond_a_steepness_of_095_is_taken_from_the_last(void 
                            .steepness = TP_Q30(0.9) };
     tp_deep_water deep = { .count = 0 };
 
-    tp_deep_water_add(&deep, &wave);
+    tp_deep_water_append_wave(&deep, &wave);
     assert_int_equal(deep.swell[0].bend, TP_Q30(0.9));
     assert_false(deep.clamped);
     assert_false(deep.crossed);
-    tp_deep_water_add(&deep, &wave);
+    tp_deep_water_append_wave(&deep, &wave);
     assert_int_equal(deep.steepness_sum, TP_Q30(0.95));
     assert_int_equal(deep.swell[0].bend, TP_Q30(0.9));
     assert_true(deep.clamped);
     assert_true(deep.crossed);
     wave.amplitude = 0;
-    tp_deep_water_add(&deep, &wave);
+    tp_deep_water_append_wave(&deep, &wave);
     assert_int_equal(deep.count, 2);
     wave.amplitude = TP_FX_ONE;
     for (int i = 0; i < 20; i++)
-        tp_deep_water_add(&deep, &wave);
+        tp_deep_water_append_wave(&deep, &wave);
     assert_int_equal(deep.count, TP_WAVES);
     assert_int_equal(deep.steepness_sum, TP_Q30(0.95));
     assert_int_equal(deep.height, TP_WAVES * TP_FX_ONE);

@@ -53,7 +53,7 @@ static void seen_at(const tp_world *w, tp_vec3 deck, double *u, double *v)
     uint32_t zi;
 
     tp_projection_view_vertex(&projection, tp_vec3_add(w->boat.place, way), &c);
-    assert_true(tp_projection_contains(&projection, &c));
+    assert_true(tp_projection_can_project(&projection, &c));
     tp_projection_project(&projection, &c, &at[0], &at[1], &zi);
     *u = at[0] / 16.0;
     *v = at[1] / 16.0;

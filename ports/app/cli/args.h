@@ -23,8 +23,8 @@ typedef struct {
     uint64_t     memory;            /* upper bound of memory, bytes; 0: unlimited */
     int32_t      visibility;        /* tp_visibility; auto: the scene's value */
     bool         hash, stats, csv;
-    bool         strict;            /* refuse a mesh with missing parts */
-    bool         quiet;             /* no message on missing parts; set by no option */
+    bool         strict;            /* refuse a mesh with missing or faulty files */
+    bool         quiet;             /* no warnings on loading; set by no option */
     bool         stream;            /* stream grid vertices; `memory` may force it */
     const char  *expect;            /* file with a list of hashes */
     const char  *tape;              /* tape of inputs: render plays, view records */

@@ -122,7 +122,7 @@ static void show_search(panel *p)
 {
     const float clear = p->wanted[0] ? ui_high() + ui_px(1) : 0;
     if (p->keys.searching)
-        panel_ask(p);
+        panel_request_focus(p);
     ui_field("##search", "search names and help", p->wanted, sizeof p->wanted,
              ui_room() - clear);
     if (ui_active() && p->keys.writes)

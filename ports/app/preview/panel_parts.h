@@ -58,8 +58,9 @@ void panel_rows_end(panel *p);
 
 void panel_performance_show(panel *p);
 
-/* Requests the keyboard focus for the next widget; call until the widget has the focus. */
-void panel_ask(panel *p);
+/* Requests the keyboard focus for the next widget.  Call in each frame until the widget has
+ * the focus. */
+void panel_request_focus(panel *p);
 
 #ifdef __cplusplus
 }

@@ -32,7 +32,8 @@ float ui_gap(void);                    /* gap between widgets */
 float ui_room(void);                   /* width left in the line */
 SDL_FPoint ui_position(void);                /* position of the next widget */
 void  ui_go(float x, float y);
-bool  ui_in_sight(float y, float margin);      /* y: top; margin: px out of view */
+/* True if a widget with its top at y is in view, or at most `margin` px above or below. */
+bool  ui_in_sight(float y, float margin);
 
 void  ui_push_id(int id);
 void  ui_pop_id(void);

@@ -48,7 +48,7 @@ static void show_field(panel *p, uint32_t row, const char *text, float wide)
 
 /* Dear ImGui moves the focus in the following frame, and starts over if asked again: ask
  * in every 4th frame only. */
-void panel_ask(panel *p)
+void panel_request_focus(panel *p)
 {
     if (p->asked++ % 4 == 0)
         ui_focus_next();
@@ -72,7 +72,7 @@ static void type_number(panel *p, uint32_t row, const char *text, float wide)
         return;
     }
     if (p->typing_new)
-        panel_ask(p);
+        panel_request_focus(p);
     show_field(p, row, text, wide);
     if (ui_active())
         p->typing_new = false;

@@ -13,8 +13,8 @@ enum { ASSETS_PICTURES = 15 };  /* number of textures that a scene can name */
 
 typedef struct {
     uint32_t texels;            /* bound of a texture's sides, texels; 0: none */
-    bool     strict;            /* refuse a mesh with missing parts */
-    bool     quiet;             /* no message on missing parts: printed before */
+    bool     strict;            /* refuse a mesh with missing or faulty files */
+    bool     quiet;             /* no warnings about meshes: an earlier load printed them */
 } assets_options;
 
 typedef struct {

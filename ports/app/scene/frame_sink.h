@@ -25,6 +25,6 @@ typedef struct {
 int  frame_sink_open(frame_sink *s, const options *o);
 int  frame_sink_add(frame_sink *s, const picture *p, uint32_t frame);
 int  frame_sink_close(frame_sink *s);
-/* discards an unfinished file; complete PNGs stay */
+/* Removes an unfinished animation or film; PNGs already written stay. */
 void frame_sink_discard(frame_sink *s);
 #endif

@@ -79,7 +79,7 @@ static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
         const tp_view_vertex c =
             tp_solid_vertex_make(view->projection, b->point[k], no_normal);
         tp_screen_vertex p;
-        if (!tp_projection_contains(view->projection, &c)) {
+        if (!tp_projection_can_project(view->projection, &c)) {
             *box = (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
             return;
         }

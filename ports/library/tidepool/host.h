@@ -41,7 +41,7 @@ typedef struct {
 typedef struct {
     uint32_t width, height; /* of the picture, pixels, 16..4096; both 0: 640x480 */
     tp_format format;       /* 0: xrgb8888 */
-    uint32_t threads;       /* that draw, at most 64; 0: only the caller's */
+    uint32_t threads;       /* drawing threads, the caller's included, 1..64; 0: as 1 */
 } tp_host_config;
 
 /* A picture: row y begins at rows + y stride. */

@@ -13,7 +13,7 @@ tp_deep_water check_sea_make(const check_wave *waves, unsigned count)
             .amplitude = check_fx(w->amplitude), .steepness = check_q30(w->q),
             .power = w->power,
         };
-        tp_deep_water_add(&deep, &exact);
+        tp_deep_water_append_wave(&deep, &exact);
     }
     return deep;
 }

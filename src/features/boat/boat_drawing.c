@@ -86,6 +86,8 @@ static tp_view_vertex transform_vertex(const drawn_boat *b, const tp_mesh_vertex
  * vertices is not drawn.  A face with one or two is clipped. */
 #define OUTSIDE (TP_GRID_NEEDS_CLIP + 1)
 
+/* Projects vertex i of the mesh into b->vertex[i], or marks it as OUTSIDE or as one that
+ * needs clipping. */
 static void place_vertex(const drawn_boat *b, const tp_view *view, uint32_t i)
 {
     tp_boat_vertex *to = &b->vertex[i];
@@ -93,7 +95,7 @@ static void place_vertex(const drawn_boat *b, const tp_view *view, uint32_t i)
 
     if (view->clipped && tp_view_plane_distance(&view->level, &c) < 0)
         to->u = OUTSIDE;
-    else if (tp_projection_contains(&b->projection, &c))
+    else if (tp_projection_can_project(&b->projection, &c))
         tp_projection_project(&b->projection, &c, &to->u, &to->v, &to->zi);
     else
         to->u = TP_GRID_NEEDS_CLIP;

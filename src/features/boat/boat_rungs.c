@@ -152,7 +152,7 @@ static void count_faces(tp_site *w, boat_view *l)
             uint32_t zi;
             const bool under = l->mirrored && tp_view_plane_distance(&l->level, &c) < 0;
             low += under;
-            cut += under || !tp_projection_contains(&l->projection, &c);
+            cut += under || !tp_projection_can_project(&l->projection, &c);
             if (cut == 0)
                 tp_projection_project(&l->projection, &c, &o.u[k], &o.v[k], &zi);
             if (l->mirrored && !under && c.depth > w->far)

@@ -34,8 +34,9 @@ typedef struct {
     tp_turn heading;
     int64_t along_q24[2], across_q24[2];
     tp_fx   length, beam;               /* half lengths, m */
-    tp_fx   heave, rise, tilt;          /* m: column in the middle, its differences */
-    tp_fx   high;                       /* 2 draft, the longest column, m */
+    tp_fx   heave, rise, tilt;          /* immersed depth amidships, and its
+                                         * differences bow - stern, port - starboard, m */
+    tp_fx   max_depth;                  /* limit of the immersed depth: 2 draft, m */
     tp_q30  share;                      /* b times the factor of shallowness */
 } hull_form;
 
@@ -68,7 +69,7 @@ static hull_form make_form(const tp_hull *hull, const tp_scene *scene, const tp_
         .length = length, .beam = beam,
         .heave = scene->boat.draft + hull->immersion[0],
         .rise = hull->immersion[1], .tilt = hull->immersion[2],
-        .high = 2 * scene->boat.draft,
+        .max_depth = 2 * scene->boat.draft,
         .share = tp_q30_mul((int32_t)wide, scene->boat.wake << 14),
     };
 }
@@ -89,9 +90,11 @@ static bool is_within(const int64_t at[2], tp_fx reach)
     return at[0] > -reach && at[0] < reach && at[1] > -reach && at[1] < reach;
 }
 
-/* Returns the submerged column times the stirring share, in the pool's LSB.  A column of
- * at most 40 m and parabolas of at most 1 keep each product below 2^38. */
-static int32_t submerged_column(const hull_form *f, const tp_pool *pool, tp_fx x, tp_fx z)
+/* Returns the immersed depth of the hull at (x, z) times `share`, in the pool's LSB; 0
+ * outside of the hull.  A depth of at most 40 m and parabolas of at most 1 keep each
+ * product below 2^38. */
+static int32_t weighted_immersed_depth(const hull_form *f, const tp_pool *pool, tp_fx x,
+                                       tp_fx z)
 {
     int64_t at[2];
 
@@ -102,7 +105,7 @@ static int32_t submerged_column(const hull_form *f, const tp_pool *pool, tp_fx x
     tp_fx deep = f->heave + tp_fx_mul(alpha, f->rise / 2) - tp_fx_mul(beta, f->tilt / 2);
     tp_fx lean = tp_fx_mul(TP_FX_ONE - tp_fx_mul(alpha, alpha),
                            TP_FX_ONE - tp_fx_mul(beta, beta));
-    tp_fx metres = tp_fx_mul(tp_clamp(deep, 0, f->high), lean);
+    tp_fx metres = tp_fx_mul(tp_clamp(deep, 0, f->max_depth), lean);
     return tp_pool_from_metres(pool, tp_q30_mul(metres, f->share));
 }
 
@@ -232,8 +235,8 @@ static cell_box hull_cell_box(const wake *w, tp_fx reach)
 /* Returns the change of height of a cell, LSB. */
 static int32_t height_change(const wake *w, const wake_cell *at)
 {
-    return submerged_column(&w->before, w->pool, at->x, at->z)
-           - submerged_column(&w->now, w->pool, at->x, at->z);
+    return weighted_immersed_depth(&w->before, w->pool, at->x, at->z)
+           - weighted_immersed_depth(&w->now, w->pool, at->x, at->z);
 }
 
 /* True for a water cell around the current hull: outside of the hull, within AROUND of
@@ -310,8 +313,9 @@ static int64_t fill_surrounding_cells(wake *w, const cell_box *b, int64_t sum)
     return left;
 }
 
-/* Adds the remainder to the first cells with room. */
-static void add_remainder(wake *w, const cell_box *b, int64_t left)
+/* Adds `left`, the sum that did not fit around the hull, to the first cells of the box with
+ * room for more. */
+static void fill_cells_with_room(wake *w, const cell_box *b, int64_t left)
 {
     for (wake_cell at = begin_cell_scan(b); left != 0 && next(w->pool, b, &at);)
         left -= add(w, &at, left);
@@ -324,7 +328,7 @@ static void stir_pool(wake *w, const cell_box *hulls)
     if (left != 0) {
         const cell_box around = hull_cell_box(w, AROUND);
         left = fill_surrounding_cells(w, &around, left);
-        add_remainder(w, &around, left);
+        fill_cells_with_room(w, &around, left);
     }
     tp_pool_wake(w->pool, w->peak);
 }

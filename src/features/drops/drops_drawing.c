@@ -130,7 +130,7 @@ static tp_grid_box ball_box(const drawn_drops *d, const tp_view *view, const sph
             ahead |= ring[i].depth >= view->projection->near
                      && (!view->clipped
                          || tp_view_plane_distance(&view->level, &ring[i]) >= 0);
-            cut |= !tp_projection_contains(view->projection, &ring[i]);
+            cut |= !tp_projection_can_project(view->projection, &ring[i]);
             if (cut)
                 continue;
             tp_projection_project(view->projection, &ring[i], &p.u, &p.v, &p.zi);

@@ -199,9 +199,10 @@ static uint32_t trace_ray(const probe *p, const tp_scene *scene, meter_way light
     return ((p->water * lit >> 8) * (256 - share) + mirror * share) >> 8;
 }
 
-/* Returns the mean over the rays (i, j) of the lattice.  u and v are the sine of half the
- * view's angle times -31/24..31/24 and -23/24..23/24; the depth is the cosine of the same
- * angle. */
+/* Returns the mean brightness, 1 for white, over a lattice of 32 x 24 view rays, for a
+ * picture of 4:3.  A ray's direction in view space is (u, v, depth): u and v are the sine
+ * of half the vertical view angle times -31/24..31/24 and -23/24..23/24; the depth is the
+ * cosine of the same angle. */
 tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene)
 {
     const probe *p = tp_world_module_state(world, TP_METER_ID);

@@ -72,7 +72,7 @@ static void place_corner(const tp_frame *frame, const land *l, uint32_t i, uint3
     set_normal(to->n, floor.rise_x, floor.rise_z);
     to->out = (int16_t)((floor.depth > deepest ? DEEP : 0)
                         | (c.depth < frame->projection.near ? BEHIND : 0));
-    if (tp_projection_contains(&frame->projection, &c))
+    if (tp_projection_can_project(&frame->projection, &c))
         tp_projection_project(&frame->projection, &c, &to->u, &to->v, &to->zi);
     else
         to->u = TP_GRID_NEEDS_CLIP;

@@ -122,7 +122,7 @@ static cost_corner project_corner(const land_ground *g, int32_t i, int32_t j)
                     tp_start_view_clamped_vector(g->projection.eye, place)),
         &c);
     cost_corner to = { at.depth > g->deepest, c.depth < g->projection.near,
-                       !tp_projection_contains(&g->projection, &c), 0, 0 };
+                       !tp_projection_can_project(&g->projection, &c), 0, 0 };
     if (!to.cut)
         tp_projection_project(&g->projection, &c, &to.u, &to.v, &zi);
     return to;

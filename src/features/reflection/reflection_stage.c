@@ -105,7 +105,9 @@ static push push_difference(const push *a, const push *b)
                    b->hu - a->hu, b->hv - a->hv, b->dy - a->dy };
 }
 
-TP_ALWAYS_INLINE int32_t interpolate_factor(int32_t from, int32_t step, int32_t k)
+/* Returns a factor at column k of a block of 16 columns.  `from` is the factor at column 0,
+ * `step` the difference to column 0 of the next block. */
+TP_ALWAYS_INLINE int32_t interpolate_in_block(int32_t from, int32_t step, int32_t k)
 {
     return from + (step * k >> 4);
 }
@@ -153,15 +155,15 @@ TP_ALWAYS_INLINE uint32_t sample_reflected_object(const tp_mirror *look, int32_t
     }
     int32_t share = tp_clamp(65536 - ratio, 0, 65536) * look->bend >> 8;
     int64_t high = ((int64_t)zi * look->height >> 27)
-                   + ((int64_t)interpolate_factor(a->dy, step->dy, k) * ratio >> 16);
+                   + ((int64_t)interpolate_in_block(a->dy, step->dy, k) * ratio >> 16);
     int32_t h = (int32_t)tp_clamp_abs(high, 1 << 20);
 
-    int32_t du = pixel_displacement(interpolate_factor(a->xu, step->xu, k), sx,
-                                    interpolate_factor(a->zu, step->zu, k), sz, share,
-                                    interpolate_factor(a->hu, step->hu, k), h);
-    int32_t dv = pixel_displacement(interpolate_factor(a->xv, step->xv, k), sx,
-                                    interpolate_factor(a->zv, step->zv, k), sz, share,
-                                    interpolate_factor(a->hv, step->hv, k), h);
+    int32_t du = pixel_displacement(interpolate_in_block(a->xu, step->xu, k), sx,
+                                    interpolate_in_block(a->zu, step->zu, k), sz, share,
+                                    interpolate_in_block(a->hu, step->hu, k), h);
+    int32_t dv = pixel_displacement(interpolate_in_block(a->xv, step->xv, k), sx,
+                                    interpolate_in_block(a->zv, step->zv, k), sz, share,
+                                    interpolate_in_block(a->hv, step->hv, k), h);
     return tp_planar_map_sample(map, (16 * x + 8 + du) >> map->coarser,
                                 (16 * y + 8 + dv) >> map->coarser);
 }

@@ -15,7 +15,8 @@ typedef struct {
 } disc;
 
 typedef struct {
-    uint32_t colour;            /* colour of all specks; first member, for the stage */
+    uint32_t colour;            /* colour of all specks; first: the stage reads
+                                 * tp_run.mine as a pointer to the colour */
     uint32_t count, room;
     disc    *disc;              /* visible specks */
 } discs;
@@ -54,7 +55,7 @@ static bool project(const tp_frame *frame, const tp_speck *s, bool through, disc
 
     tp_projection_view_vertex(&frame->projection,
                               interpolate_speck(s, frame->world->lag, through), &view);
-    if (!tp_projection_contains(&frame->projection, &view))
+    if (!tp_projection_can_project(&frame->projection, &view))
         return false;
     tp_projection_project(&frame->projection, &view, &to->u, &to->v, &to->zi);
     to->wide = (uint16_t)speck_width(frame, s, view.depth);

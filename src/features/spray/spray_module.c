@@ -118,7 +118,7 @@ static tp_fx sample_level(const tp_surface *surface, tp_fx x, tp_fx z)
     tp_fx level = sample_rest_position(surface, 2 * x - first.x, 2 * z - first.z).y;
 
     return tp_surface_has_rings_or_pools(surface)
-         ? level + tp_surface_height_slope(surface, x, z).height : level;
+         ? level + tp_rings_pools_sample(surface, x, z).height : level;
 }
 
 /* -- flight -------------------------------------------------------------------------- */

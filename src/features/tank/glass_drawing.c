@@ -20,7 +20,7 @@ static void place_post(const tp_frame *frame, tp_glass_wall *wall, const tp_rect
     tp_vec3 at = on_wall(r, wall->face, along, 0);
 
     post->along = along;
-    post->high = tp_surface_height_slope(&frame->surface, at.x, at.z).height;
+    post->high = tp_rings_pools_sample(&frame->surface, at.x, at.z).height;
     wall->posts++;
 }
 

@@ -56,9 +56,10 @@ typedef struct {
 
 /* Data of the panes' stage, in tp_run.mine. */
 typedef struct {
-    uint32_t      walls;        /* 0: eye in the water, or above the tank */
+    uint32_t      walls;        /* number of walls; 0: eye in the water or above the
+                                 * tank */
     tp_glass_wall wall[TP_GLASSES];
-    uint32_t      colour, share;    /* of the glass; its opacity 0..256 */
+    uint32_t      colour, share;    /* colour of the glass; its opacity, 0..256 */
 } tp_glass;
 
 #define TP_TANK_ROWS \

@@ -82,7 +82,7 @@ static tp_surface_point surface_point(const tp_surface *s, tp_fx x, tp_fx z)
                               : tp_deep_water_displace_point(s->deep, s->phases, x, z);
 
     if (tp_surface_has_rings_or_pools(s)) {
-        tp_height_slope relief = tp_surface_height_slope(s, p.position.x, p.position.z);
+        tp_height_slope relief = tp_rings_pools_sample(s, p.position.x, p.position.z);
         p.position.y += relief.height;
         p.slope_x += relief.slope_x;
         p.slope_z += relief.slope_z;

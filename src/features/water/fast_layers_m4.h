@@ -14,9 +14,9 @@
 
 /* Returns the look-up of a map.  The asm hides the side from the compiler, which would
  * otherwise replace the multiplication by a shift and an addition. */
-TP_ALWAYS_INLINE tp_lookup packed_lookup(const tp_quick_map *map, int32_t far)
+TP_ALWAYS_INLINE tp_lookup packed_lookup(const tp_quick_map *map, int32_t mip_offset)
 {
-    tp_lookup l = tp_lookup_make(map, far);
+    tp_lookup l = tp_lookup_make(map, mip_offset);
 #if TP_DSP
     __asm__("" : "+r"(l.side));
 #endif
@@ -39,10 +39,10 @@ TP_ALWAYS_INLINE void packed_write_texel_pair(const tp_lookup *l, const uint32_t
                packed_texel(l, s.second, t.second));
 }
 
-TP_LOOP packed_write_texels(const tp_quick_map *map, int32_t far, const uint32_t *place,
-                            uint32_t *colour, int32_t count)
+TP_LOOP packed_write_texels(const tp_quick_map *map, int32_t mip_offset,
+                            const uint32_t *place, uint32_t *colour, int32_t count)
 {
-    const tp_lookup l = packed_lookup(map, far);
+    const tp_lookup l = packed_lookup(map, mip_offset);
     const uint32_t *end = place + (count & ~7);
 
     for (; place != end; place += 8, colour += 8) {
@@ -66,10 +66,10 @@ TP_ALWAYS_INLINE void packed_add_texel_pair(const tp_lookup *l, const uint32_t *
     pair_store(colour, skip, tp_uqadd8(c.first, a), tp_uqadd8(c.second, b));
 }
 
-TP_LOOP packed_add_texels(const tp_quick_map *map, int32_t far, const uint32_t *place,
-                          uint32_t *colour, int32_t count)
+TP_LOOP packed_add_texels(const tp_quick_map *map, int32_t mip_offset,
+                          const uint32_t *place, uint32_t *colour, int32_t count)
 {
-    const tp_lookup l = packed_lookup(map, far);
+    const tp_lookup l = packed_lookup(map, mip_offset);
     const uint32_t *end = place + (count & ~7);
 
     for (; place != end; place += 8, colour += 8) {
@@ -115,10 +115,10 @@ TP_ALWAYS_INLINE void packed_distort_pair(const tp_lookup *l, const uint32_t **s
                packed_add_offset_t(tt.second, off_t));
 }
 
-TP_LOOP packed_distort_places(const tp_quick_map *map, int32_t far,
+TP_LOOP packed_distort_places(const tp_quick_map *map, int32_t mip_offset,
                               const tp_columns *columns, uint32_t *place)
 {
-    const tp_lookup l = packed_lookup(map, far);
+    const tp_lookup l = packed_lookup(map, mip_offset);
     const uint32_t *s = columns->s, *t = columns->t;
     int32_t count = columns->count;
 
@@ -139,10 +139,10 @@ TP_LOOP packed_distort_places(const tp_quick_map *map, int32_t far,
         packed_distort_place(&l, *s, *t, place);
 }
 
-TP_LOOP packed_distort_even_places(const tp_quick_map *map, int32_t far,
+TP_LOOP packed_distort_even_places(const tp_quick_map *map, int32_t mip_offset,
                                    const tp_columns *columns, uint32_t *place)
 {
-    const tp_lookup l = packed_lookup(map, far);
+    const tp_lookup l = packed_lookup(map, mip_offset);
     const uint32_t *s = columns->s, *t = columns->t;
     int32_t count = columns->count;
 
@@ -177,10 +177,10 @@ TP_ALWAYS_INLINE void packed_rippled_pair(const tp_lookup *l, const uint32_t **s
     pair_store(slope, skip, tp_qadd16(nn.first, a), tp_qadd16(nn.second, b));
 }
 
-TP_LOOP packed_rippled(const tp_quick_map *map, int32_t far, const tp_columns *columns,
-                       uint32_t *slope)
+TP_LOOP packed_rippled(const tp_quick_map *map, int32_t mip_offset,
+                       const tp_columns *columns, uint32_t *slope)
 {
-    const tp_lookup l = packed_lookup(map, far);
+    const tp_lookup l = packed_lookup(map, mip_offset);
     const uint32_t *s = columns->s, *t = columns->t, *n = columns->n;
     const uint32_t *end = slope + (columns->count & ~3);
 

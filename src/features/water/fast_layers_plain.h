@@ -25,22 +25,22 @@ TP_ALWAYS_INLINE uint32_t plain_sum(uint32_t a, uint32_t b)
 }
 
 /* Writes the texels of the first layer. */
-TP_LOOP plain_write_texels(const tp_quick_map *map, int32_t far,
+TP_LOOP plain_write_texels(const tp_quick_map *map, int32_t mip_offset,
                            const uint32_t *restrict place, uint32_t *restrict colour,
                            int32_t count)
 {
-    const tp_lookup l = tp_lookup_make(map, far);
+    const tp_lookup l = tp_lookup_make(map, mip_offset);
 
     for (int32_t i = 0; i < count; i++)
         colour[i] = plain_texel(&l, place[i], place[i + TP_RUN]);
 }
 
 /* Adds the texels of a further layer, saturated at white. */
-TP_LOOP plain_add_texels(const tp_quick_map *map, int32_t far,
+TP_LOOP plain_add_texels(const tp_quick_map *map, int32_t mip_offset,
                          const uint32_t *restrict place, uint32_t *restrict colour,
                          int32_t count)
 {
-    const tp_lookup l = tp_lookup_make(map, far);
+    const tp_lookup l = tp_lookup_make(map, mip_offset);
 
     for (int32_t i = 0; i < count; i++)
         colour[i] = plain_sum(colour[i], plain_texel(&l, place[i], place[i + TP_RUN]));
@@ -68,10 +68,10 @@ TP_ALWAYS_INLINE void plain_distort_place(const tp_lookup *l, const tp_columns *
 }
 
 /* Distorts the places: two columns share the offset of the even column. */
-TP_LOOP plain_distort_places(const tp_quick_map *map, int32_t far,
+TP_LOOP plain_distort_places(const tp_quick_map *map, int32_t mip_offset,
                              const tp_columns *columns, uint32_t *restrict place)
 {
-    const tp_lookup  l = tp_lookup_make(map, far);
+    const tp_lookup  l = tp_lookup_make(map, mip_offset);
     const tp_columns c = *columns;
     const int32_t    odd = (int32_t)c.odd, pairs = (c.count - odd) >> 1;
     const uint32_t *restrict s = c.s + odd, *restrict t = c.t + odd;
@@ -91,10 +91,10 @@ TP_LOOP plain_distort_places(const tp_quick_map *map, int32_t far,
 }
 
 /* Distorts the places of the first column and of the even columns only. */
-TP_LOOP plain_distort_even_places(const tp_quick_map *map, int32_t far,
+TP_LOOP plain_distort_even_places(const tp_quick_map *map, int32_t mip_offset,
                                   const tp_columns *columns, uint32_t *restrict place)
 {
-    const tp_lookup  l = tp_lookup_make(map, far);
+    const tp_lookup  l = tp_lookup_make(map, mip_offset);
     const tp_columns c = *columns;
     const int32_t    odd = (int32_t)c.odd, evens = (c.count - odd + 1) >> 1;
     const uint32_t *restrict s = c.s + odd, *restrict t = c.t + odd;
@@ -110,10 +110,10 @@ TP_LOOP plain_distort_even_places(const tp_quick_map *map, int32_t far,
 }
 
 /* Adds the ripple's slopes; both halves of the sum saturate at 16 bits. */
-TP_LOOP plain_rippled(const tp_quick_map *map, int32_t far, const tp_columns *columns,
-                          uint32_t *restrict slope)
+TP_LOOP plain_rippled(const tp_quick_map *map, int32_t mip_offset,
+                      const tp_columns *columns, uint32_t *restrict slope)
 {
-    const tp_lookup l = tp_lookup_make(map, far);
+    const tp_lookup l = tp_lookup_make(map, mip_offset);
     const uint32_t *restrict s = columns->s, *restrict t = columns->t;
     const uint32_t *restrict n = columns->n;
     const int32_t count = columns->count;

@@ -27,16 +27,18 @@ static int32_t half_rate_place_count(const tp_run *run, int32_t end)
     return (end + (run->x & 1) + 1) >> 1;
 }
 
-void tp_stage_quick_far(const tp_shade *shade, tp_run *run)
+/* Divides the run into spans of equal mipmap level, by the distance from the eye, for the
+ * later stages.  Draws nothing. */
+void tp_stage_quick_mip_spans(const tp_shade *shade, tp_run *run)
 {
     uint32_t spans = 0;
 
     for (int32_t i = 0; i < run->count; ) {
         int32_t depth = tp_log_depth(shade, run->key[i]);
-        int32_t far = ((depth > 0 ? depth + depth / 2 : depth) & -HALF) + HALF / 2;
+        int32_t mip_offset = ((depth > 0 ? depth + depth / 2 : depth) & -HALF) + HALF / 2;
         i = tp_block_end(run, i);
-        if (spans == 0 || run->span[spans - 1].far != far)
-            run->span[spans++].far = (int16_t)far;
+        if (spans == 0 || run->span[spans - 1].mip_offset != mip_offset)
+            run->span[spans++].mip_offset = (int16_t)mip_offset;
         run->span[spans - 1].end = (uint8_t)i;
         run->span[spans - 1].places = (uint8_t)half_rate_place_count(run, i);
     }
@@ -85,7 +87,7 @@ void tp_stage_quick_bend(const tp_shade *shade, tp_run *run)
     (void)shade;
     for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
         const tp_columns c = make_columns(run, (int32_t)at, run->span[k].end);
-        LOOP(distort_places)(&quick->bend, run->span[k].far, &c, run->place + at);
+        LOOP(distort_places)(&quick->bend, run->span[k].mip_offset, &c, run->place + at);
     }
 }
 
@@ -96,7 +98,7 @@ void tp_stage_quick_bend_thin(const tp_shade *shade, tp_run *run)
     (void)shade;
     for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
         const tp_columns c = make_columns(run, (int32_t)at, run->span[k].end);
-        LOOP(distort_even_places)(&quick->bend, run->span[k].far, &c,
+        LOOP(distort_even_places)(&quick->bend, run->span[k].mip_offset, &c,
                         run->place + (k ? run->span[k - 1].places : 0));
     }
 }
@@ -109,10 +111,10 @@ TP_ALWAYS_INLINE void shade_layer(const tp_quick_map *map, const tp_run *run,
     for (uint32_t k = 0, at = 0; k < run->spans; k++) {
         const uint32_t  end = thin ? run->span[k].places : run->span[k].end;
         if (add)
-            LOOP(add_texels)(map, run->span[k].far, run->place + at, colour + at,
+            LOOP(add_texels)(map, run->span[k].mip_offset, run->place + at, colour + at,
                         (int32_t)(end - at));
         else
-            LOOP(write_texels)(map, run->span[k].far, run->place + at, colour + at,
+            LOOP(write_texels)(map, run->span[k].mip_offset, run->place + at, colour + at,
                         (int32_t)(end - at));
         at = end;
     }
@@ -194,7 +196,7 @@ void tp_stage_quick_ripple(const tp_shade *shade, tp_run *run)
     (void)shade;
     for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
         const tp_columns c = make_columns(run, (int32_t)at, run->span[k].end);
-        LOOP(rippled)(&quick->ripple, run->span[k].far, &c, run->slope + at);
+        LOOP(rippled)(&quick->ripple, run->span[k].mip_offset, &c, run->slope + at);
     }
 }
 

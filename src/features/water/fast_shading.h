@@ -75,10 +75,10 @@ typedef struct {
     uint32_t down, side;        /* 32 - log2 of the side, 24..31; the side */
 } tp_lookup;
 
-TP_ALWAYS_INLINE tp_lookup tp_lookup_make(const tp_quick_map *map, int32_t far)
+TP_ALWAYS_INLINE tp_lookup tp_lookup_make(const tp_quick_map *map, int32_t mip_offset)
 {
     TP_ASSERT(map->level != NULL && map->last >= 0 && map->last <= (int32_t)map->log2);
-    int32_t  level = tp_clamp((map->lod + far) >> 8, 0, map->last);
+    int32_t  level = tp_clamp((map->lod + mip_offset) >> 8, 0, map->last);
     uint32_t log2 = map->log2 - (uint32_t)level;
 
     return (tp_lookup){ map->level[level], map->per_metre, map->drift_s, map->drift_t,
@@ -161,7 +161,7 @@ struct tp_quick_light {
  * dome's lobe. */
 uint32_t tp_quick_share_at_sun(const tp_shade *shade);
 void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
-                         tp_lobe lobe, bool shiny, bool rippled);
+                         tp_lobe lobe, bool specular, bool rippled);
 
 /* fast_layers_stage.c.  Fills the colours of odd columns from the even columns. */
 void tp_quick_odd_fill(tp_run *run);

@@ -69,6 +69,7 @@ static uint32_t layer_colour(const tp_scene *scene, const tp_assets *assets, int
                             : (uint32_t)scene->water.colour;
 }
 
+/* Returns the parameters to bake texture i with: a layer, OFFSETS or SLOPES. */
 static tp_quick_wish bake_parameters(const tp_scene *scene, const tp_assets *assets, int i)
 {
     if (i == OFFSETS)
@@ -129,12 +130,14 @@ static const tp_texture *provide_baked_texture(const tp_frame *frame, tp_fast_wa
     return &fast->picture[i];
 }
 
+/* Returns baked texture i, placed on the water as `map` says; `lod_bias` is added to the
+ * level of detail of the frame. */
 static tp_quick_map make_map(const tp_frame *frame, tp_fast_water *fast, int i,
-                             const tp_scene_map *map, int32_t lod)
+                             const tp_scene_map *map, int32_t lod_bias)
 {
     tp_layer layer = tp_frame_layer(frame, provide_baked_texture(frame, fast, i), map);
 
-    layer.lod += lod;
+    layer.lod += lod_bias;
     return tp_quick_map_make(&layer);
 }
 
@@ -187,18 +190,18 @@ static void fill_table_key(int32_t key[TP_QUICK_KEY], const tp_frame *frame, boo
     memcpy(key, numbers, sizeof numbers);
 }
 
-/* Makes the tables if a number has changed.  A program without the module of glints has
- * no table of glints. */
+/* Makes the tables again if a number of their key has changed.  A program without the
+ * module `glint` has no table of glints. */
 static void update_tables(tp_frame *frame, struct tp_quick_light *light, bool ripples)
 {
-    const bool shiny = frame->scene->water.specular > 0 && frame->shade.shine;
+    const bool specular = frame->scene->water.specular > 0 && frame->shade.shine;
     int32_t key[TP_QUICK_KEY];
 
     fill_table_key(key, frame, ripples);
     if (memcmp(key, light->made_for, sizeof key) == 0)
         return;
     memcpy(light->made_for, key, sizeof key);
-    tp_quick_light_init(light, &frame->shade, select_lobe(frame), shiny, ripples);
+    tp_quick_light_init(light, &frame->shade, select_lobe(frame), specular, ripples);
 }
 
 static void begin(tp_frame *frame, void *mine)
@@ -261,7 +264,7 @@ static void link_layers(chain *c, const tp_frame *frame, const tp_quick_layers *
     const bool bends = quick->bend.level && frame->scene->distortion.strength > 0;
 
     if (layers || ripples)
-        link_stage(c, stage[TP_NTH_quick_far]);
+        link_stage(c, stage[TP_NTH_quick_mip_spans]);
     if (layers)
         link_stage(c, places_stage(stage, bends, thin));
     link_stage(c, even ? stage[TP_NTH_quick_layers_even]

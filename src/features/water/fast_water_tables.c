@@ -88,7 +88,7 @@ tp_quick_map tp_quick_map_make(const tp_layer *layer)
 
 static uint32_t graded_texel(const bake_work *w, uint32_t texel)
 {
-    return w->graded ? tp_graded(&w->grade, tp_split_rgb_make(texel))
+    return w->graded ? tp_grade_texel(&w->grade, tp_split_rgb_make(texel))
                      : tp_colour_times(texel, w->tint);
 }
 
@@ -179,13 +179,15 @@ uint32_t tp_quick_share_at_sun(const tp_shade *shade)
          * (uint32_t)shade->mirror >> 8;
 }
 
-/* Returns the colour of lobe and glow at c, Q14; c is R.V or 2 (N.H)^2 - 1. */
-static uint32_t lobe_colour(const tp_shade *shade, int32_t c, bool shiny,
+/* Returns the colour of the specular lobe, if `specular`, plus the glow of a dome times
+ * `glow_share`, 0..256.  c: cosine of the angle from the lobe's axis, R.V or 2 (N.H)^2 - 1,
+ * Q14. */
+static uint32_t lobe_colour(const tp_shade *shade, int32_t c, bool specular,
                             uint32_t glow_share)
 {
     uint32_t light = 0;
 
-    if (shiny) {
+    if (specular) {
         int32_t  up = tp_clamp(c, 0, 16384);
         uint32_t here = shade->shine[up >> 4], next = shade->shine[(up + 15) >> 4];
         uint32_t shine = here + (((next - here) * (uint32_t)(up & 15)) >> 4);
@@ -202,7 +204,7 @@ static uint32_t lobe_colour(const tp_shade *shade, int32_t c, bool shiny,
 /* Fills the lobe's table.  In the middle of entry i, w is (i + 1/2) / 2048.  For Phong
  * R.V is 1 - w.  For Blinn w is the square of the tangent, and c = (1 - w) / (1 + w). */
 static void make_lobe(struct tp_quick_light *quick, const tp_shade *shade, tp_lobe lobe,
-                      bool shiny)
+                      bool specular)
 {
     uint32_t glow_share = tp_quick_share_at_sun(shade);
 
@@ -210,7 +212,7 @@ static void make_lobe(struct tp_quick_light *quick, const tp_shade *shade, tp_lo
         int32_t w = 8 * i + 4;
         int32_t c = lobe == TP_LOBE_BLINN ? (16384 - w) * 16384 / (16384 + w)
                                           : 16384 - w;
-        quick->lobe[i] = lobe_colour(shade, c, shiny, glow_share);
+        quick->lobe[i] = lobe_colour(shade, c, specular, glow_share);
     }
 }
 
@@ -278,12 +280,12 @@ static void make_cube(struct tp_quick_light *quick, const tp_shade *shade)
 }
 
 void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
-                         tp_lobe lobe, bool shiny, bool rippled)
+                         tp_lobe lobe, bool specular, bool rippled)
 {
     TP_ASSERT((unsigned)lobe <= TP_LOBE_BLINN && shade->fresnel != NULL);
     quick->least = rippled ? RIPPLED_VIEW : 0;
     make_shares(quick, shade);
-    make_lobe(quick, shade, lobe, shiny);
+    make_lobe(quick, shade, lobe, specular);
     if (shade->env.kind == TP_ENV_CUBE)
         make_cube(quick, shade);
     else

@@ -83,7 +83,7 @@ TP_ALWAYS_INLINE void shade_stretch(const tp_sampler *sampler, const tp_grade *g
     for (int32_t i = 0; i < count; i++) {
         tp_split_rgb texel = tp_sampled(&p, s[i], t[i], filter);
         uint32_t c =
-            how == GRADED ? tp_graded(&g, texel) : tp_split_rgb_multiply(texel, with);
+            how == GRADED ? tp_grade_texel(&g, texel) : tp_split_rgb_multiply(texel, with);
         colour[i] = add ? tp_colour_add(colour[i], c) : c;
     }
 }

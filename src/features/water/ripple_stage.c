@@ -42,10 +42,12 @@ TP_ALWAYS_INLINE int32_t bilinear_mean(int32_t a, int32_t b, int32_t c, int32_t 
     return (above * 256 + (below - above) * ft + 0x8000) >> 16;
 }
 
-/* Returns a place in turns of the field, Q0.32, from its corner; whole turns wrap away. */
-TP_ALWAYS_INLINE uint32_t place_in_turns(uint32_t from_middle, uint64_t turns)
+/* Converts a distance from the middle of the pool, m, to a distance from the corner, in
+ * turns (a turn is the pool's side), Q0.32; whole turns wrap away. */
+TP_ALWAYS_INLINE uint32_t place_in_turns(uint32_t from_middle,
+                                         uint64_t turns_per_metre)
 {
-    uint64_t way = (uint64_t)(int64_t)(int32_t)from_middle * turns;
+    uint64_t way = (uint64_t)(int64_t)(int32_t)from_middle * turns_per_metre;
     return (uint32_t)(way >> 16) + 0x80000000u;
 }
 

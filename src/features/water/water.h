@@ -67,10 +67,11 @@ static inline bool tp_is_graded(tp_fx saturation, tp_fx clamp)
     return saturation != TP_FX_ONE || clamp > 0;
 }
 
-/* Returns a graded channel.  v <= span, and span x gain <= 255 << 24 rounded down, so
- * adding a half still fits. */
-TP_ALWAYS_INLINE uint32_t tp_graded_channel(const tp_grade *grade, int32_t grey,
-                                            uint32_t c, int channel)
+/* Returns a graded channel.  `grey` is the part shared by all channels: the texel's grey
+ * times (1 - saturation), minus the clamp.  v <= span, and span x gain <= 255 << 24
+ * rounded down, so adding a half still fits. */
+TP_ALWAYS_INLINE uint32_t tp_grade_channel(const tp_grade *grade, int32_t grey,
+                                           uint32_t c, int channel)
 {
     int32_t v = grey + (int32_t)c * grade->saturation;
 
@@ -78,15 +79,15 @@ TP_ALWAYS_INLINE uint32_t tp_graded_channel(const tp_grade *grade, int32_t grey,
     return ((uint32_t)v * grade->gain[channel] + (1u << 23)) >> 24;
 }
 
-TP_ALWAYS_INLINE uint32_t tp_graded(const tp_grade *grade, tp_split_rgb texel)
+TP_ALWAYS_INLINE uint32_t tp_grade_texel(const tp_grade *grade, tp_split_rgb texel)
 {
     uint32_t r = texel.rb >> 16, g = texel.g, b = texel.rb & 0xff;
     int32_t  grey = (int32_t)(77 * r + 150 * g + 29 * b);
 
     grey = (grey * (256 - grade->saturation) >> 8) - grade->clamp;
-    return tp_graded_channel(grade, grey, r, 0) << 16
-         | tp_graded_channel(grade, grey, g, 1) << 8
-         | tp_graded_channel(grade, grey, b, 2);
+    return tp_grade_channel(grade, grey, r, 0) << 16
+         | tp_grade_channel(grade, grey, g, 1) << 8
+         | tp_grade_channel(grade, grey, b, 2);
 }
 
 /* -- data of the stages -------------------------------------------------------------- */
