@@ -180,9 +180,9 @@ static tp_status take_text(void)
     if (f->stage == SCAN) {
         if (tp_obj_end_count(&all.obj, &all.error))
             return all.error.code;
-        memory = web_take(tp_obj_bytes(&all.obj));
+        memory = web_take(tp_obj_memory_bytes(&all.obj));
         if (!memory)
-            return TP_FAIL(&all.error, TP_E_NOSPACE, 0, tp_obj_bytes(&all.obj), 0);
+            return TP_FAIL(&all.error, TP_E_NOSPACE, 0, tp_obj_memory_bytes(&all.obj), 0);
         tp_obj_begin_load(&all.obj, memory);
     } else if (f->stage == LOAD) {
         if (tp_obj_end_load(&all.obj, &all.error))

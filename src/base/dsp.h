@@ -88,9 +88,9 @@ static inline uint32_t tp_pair16(int32_t high, int32_t low)
     return (uint32_t)high << 16 | ((uint32_t)low & 0xffff);
 }
 
-/* Packs the lower halves of a and b into a word, b's half on top; tp_high_halves packs
+/* Packs the lower halves of a and b into a word, b's half on top; tp_pack_high_halves packs
  * the upper halves. */
-TP_ALWAYS_INLINE uint32_t tp_low_halves(uint32_t a, uint32_t b)
+TP_ALWAYS_INLINE uint32_t tp_pack_low_halves(uint32_t a, uint32_t b)
 {
 #if TP_DSP
     uint32_t halves;
@@ -101,7 +101,7 @@ TP_ALWAYS_INLINE uint32_t tp_low_halves(uint32_t a, uint32_t b)
 #endif
 }
 
-TP_ALWAYS_INLINE uint32_t tp_high_halves(uint32_t a, uint32_t b)
+TP_ALWAYS_INLINE uint32_t tp_pack_high_halves(uint32_t a, uint32_t b)
 {
 #if TP_DSP
     uint32_t halves;
@@ -125,13 +125,13 @@ TP_ALWAYS_INLINE uint32_t tp_keep_in_register(uint32_t constant)
 
 /* Returns the product of the upper halves + the product of the lower halves +
  * c; the sum wraps. */
-TP_ALWAYS_INLINE int32_t tp_smlad(uint32_t a, uint32_t b, int32_t c)
+TP_ALWAYS_INLINE int32_t tp_smlad(uint32_t a, uint32_t b, int32_t sum)
 {
 #if TP_DSP
-    return __smlad((int16x2_t)a, (int16x2_t)b, c);
+    return __smlad((int16x2_t)a, (int16x2_t)b, sum);
 #else
     return (int32_t)((uint32_t)(tp_high16(a) * tp_high16(b))
-                     + (uint32_t)(tp_low16(a) * tp_low16(b)) + (uint32_t)c);
+                     + (uint32_t)(tp_low16(a) * tp_low16(b)) + (uint32_t)sum);
 #endif
 }
 
@@ -214,7 +214,7 @@ TP_ALWAYS_INLINE uint32_t tp_shadd16(uint32_t a, uint32_t b)
 }
 
 /* Spreads bytes 0 and 2 into two 16-bit halves; tp_odd_bytes spreads bytes 1 and 3.
- * tp_add_odd_bytes adds bytes 1 and 3 of b to the halves of a. */
+ * tp_halves_add_odd_bytes adds bytes 1 and 3 of b to the halves of a. */
 TP_ALWAYS_INLINE uint32_t tp_even_bytes(uint32_t a)
 {
 #if TP_DSP
@@ -236,14 +236,14 @@ TP_ALWAYS_INLINE uint32_t tp_odd_bytes(uint32_t a)
 }
 
 /* The sums must not overflow their 16-bit halves. */
-TP_ALWAYS_INLINE uint32_t tp_add_odd_bytes(uint32_t a, uint32_t b)
+TP_ALWAYS_INLINE uint32_t tp_halves_add_odd_bytes(uint32_t halves, uint32_t bytes)
 {
 #if TP_DSP
     uint32_t sum;
-    __asm__("uxtab16 %0, %1, %2, ror #8" : "=r"(sum) : "r"(a), "r"(b));
+    __asm__("uxtab16 %0, %1, %2, ror #8" : "=r"(sum) : "r"(halves), "r"(bytes));
     return sum;
 #else
-    return a + tp_odd_bytes(b);
+    return halves + tp_odd_bytes(bytes);
 #endif
 }
 

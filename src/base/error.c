@@ -17,7 +17,7 @@ tp_text tp_text_init(char *buffer, size_t bytes)
     return (tp_text){ .text = buffer, .bytes = bytes, .length = 0 };
 }
 
-void tp_text_char(tp_text *text, char c)
+void tp_text_append_char(tp_text *text, char c)
 {
     if (text->length + 1 < text->bytes) {
         text->text[text->length] = c;
@@ -26,13 +26,13 @@ void tp_text_char(tp_text *text, char c)
     text->length++;
 }
 
-void tp_text_add(tp_text *text, const char *string)
+void tp_text_append(tp_text *text, const char *string)
 {
     for (; *string != '\0'; string++)
-        tp_text_char(text, *string);
+        tp_text_append_char(text, *string);
 }
 
-void tp_text_int(tp_text *text, int32_t number)
+void tp_text_append_int(tp_text *text, int32_t number)
 {
     char digits[10];
     int n = 0;
@@ -42,12 +42,12 @@ void tp_text_int(tp_text *text, int32_t number)
         left /= 10;
     } while (left > 0);
     if (number < 0)
-        tp_text_char(text, '-');
+        tp_text_append_char(text, '-');
     while (n > 0)
-        tp_text_char(text, digits[--n]);
+        tp_text_append_char(text, digits[--n]);
 }
 
-size_t tp_text_length(const char *string)
+size_t tp_string_length(const char *string)
 {
     size_t n = 0;
     while (string[n] != '\0')
@@ -68,13 +68,13 @@ const char *tp_status_text(tp_status code)
     return (unsigned)code < TP_STATUS_COUNT ? sentences[code] : "unknown status";
 }
 
-static void put_placeholder(tp_text *out, char part, const tp_error *err)
+static void append_placeholder_value(tp_text *out, char letter, const tp_error *err)
 {
-    switch (part) {
-    case 'a': tp_text_int(out, err->a);    break;
-    case 'b': tp_text_int(out, err->b);    break;
-    case 's': tp_text_add(out, err->word); break;
-    default:  tp_text_char(out, part);     break;
+    switch (letter) {
+    case 'a': tp_text_append_int(out, err->a);    break;
+    case 'b': tp_text_append_int(out, err->b);    break;
+    case 's': tp_text_append(out, err->word); break;
+    default:  tp_text_append_char(out, letter);     break;
     }
 }
 
@@ -84,9 +84,9 @@ size_t tp_error_text(const tp_error *err, char *text, size_t bytes)
     tp_text out = tp_text_init(text, bytes);
     for (const char *at = tp_status_text(err->code); *at != '\0'; at++) {
         if (*at == '%' && at[1] != '\0')
-            put_placeholder(&out, *++at, err);
+            append_placeholder_value(&out, *++at, err);
         else
-            tp_text_char(&out, *at);
+            tp_text_append_char(&out, *at);
     }
     return out.length;
 }
@@ -116,25 +116,25 @@ void tp_error_set_word(tp_error *err, const char *word, size_t bytes)
 
 tp_status tp_error_blame(tp_error *err, tp_status code, const char *word)
 {
-    tp_error_set_word(err, word, tp_text_length(word));
+    tp_error_set_word(err, word, tp_string_length(word));
     return code;
 }
 
 /* -- pointers of a caller ------------------------------------------------------------ */
 
-tp_status tp_given_check(const void *given, const char *name, tp_error *err)
+tp_status tp_pointer_check(const void *given, const char *name, tp_error *err)
 {
     return given != NULL ? TP_OK
                          : tp_error_blame(err, TP_FAIL(err, TP_E_NULL, 0, 0, 0), name);
 }
 
-tp_status tp_given_block(const void *block, uint32_t align, const char *name,
-                         tp_error *err)
+tp_status tp_pointer_check_aligned(const void *block, uint32_t align, const char *name,
+                                   tp_error *err)
 {
     TP_ASSERT(align > 0 && (align & (align - 1)) == 0);
     if ((uintptr_t)block % align != 0)
         return tp_error_blame(err, TP_FAIL(err, TP_E_ALIGN, 0, align, 0), name);
-    return tp_given_check(block, name, err);
+    return tp_pointer_check(block, name, err);
 }
 
 /* -- version ------------------------------------------------------------------------- */

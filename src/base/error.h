@@ -19,12 +19,12 @@ typedef struct {
 } tp_text;
 
 tp_text tp_text_init(char *buffer, size_t bytes);
-void    tp_text_char(tp_text *text, char c);
-void    tp_text_add(tp_text *text, const char *string);     /* `string` is terminated */
-void    tp_text_int(tp_text *text, int32_t number);
+void    tp_text_append_char(tp_text *text, char c);
+void    tp_text_append(tp_text *text, const char *string);     /* `string` is terminated */
+void    tp_text_append_int(tp_text *text, int32_t number);
 
 /* Returns the length of a terminated string in bytes, without the terminator. */
-size_t tp_text_length(const char *string);
+size_t tp_string_length(const char *string);
 
 /* -- reports ------------------------------------------------------------------------- */
 
@@ -53,11 +53,11 @@ tp_status tp_error_blame(tp_error *err, tp_status code, const char *word);
  * the argument, for the error message. */
 
 /* Returns TP_E_NULL for a NULL pointer, or TP_OK. */
-tp_status tp_given_check(const void *given, const char *name, tp_error *err);
+tp_status tp_pointer_check(const void *given, const char *name, tp_error *err);
 
 /* Checks a block of memory.  Returns TP_E_NULL for a NULL pointer, TP_E_ALIGN if the
  * address is not a multiple of `align` bytes, or TP_OK. */
-tp_status tp_given_block(const void *block, uint32_t align, const char *name,
-                         tp_error *err);
+tp_status tp_pointer_check_aligned(const void *block, uint32_t align, const char *name,
+                                   tp_error *err);
 
 #endif

@@ -69,23 +69,23 @@ static tp_status diagnose_refusal(const tp_config *c, const tp_scene *scene, voi
                ? status : tp_world_init(c->program, memory, bytes, scene, c->assets, err);
 }
 
-static tp_status check(tp_engine **out, const tp_config *config, const tp_scene *scene,
-                       const void *memory, tp_error *err)
+static tp_status check_arguments(tp_engine **out, const tp_config *config,
+                                 const tp_scene *scene, const void *memory, tp_error *err)
 {
-    tp_status status = tp_given_check(out, "engine", err);
+    tp_status status = tp_pointer_check(out, "engine", err);
 
     if (status == TP_OK)
-        status = tp_given_check(config, "config", err);
+        status = tp_pointer_check(config, "config", err);
     if (status == TP_OK)
-        status = tp_given_check(scene, "scene", err);
-    return status == TP_OK ? tp_given_block(memory, 8, "memory", err) : status;
+        status = tp_pointer_check(scene, "scene", err);
+    return status == TP_OK ? tp_pointer_check_aligned(memory, 8, "memory", err) : status;
 }
 
 tp_status tp_engine_init(tp_engine **out, const tp_config *config, const tp_scene *scene,
                          void *memory, size_t bytes, tp_error *err)
 {
     tp_frame *frame;
-    tp_status status = check(out, config, scene, memory, err);
+    tp_status status = check_arguments(out, config, scene, memory, err);
 
     if (status != TP_OK)
         return status;

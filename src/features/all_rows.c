@@ -184,7 +184,7 @@ const tp_param *tp_params(uint32_t *count)
 const tp_param *tp_param_find(const char *name, size_t bytes)
 {
     for (uint32_t i = 0; i < ROWS; i++)
-        if (tp_string_view_is((tp_string_view){ name, bytes }, rows[i].name))
+        if (tp_string_view_equals((tp_string_view){ name, bytes }, rows[i].name))
             return &rows[i];
     return NULL;
 }

@@ -20,9 +20,9 @@ static inline int32_t tp_clamp(int32_t x, int32_t low, int32_t high)
 static inline int32_t tp_abs(int32_t x) { return x < 0 ? -x : x; }  /* x > INT32_MIN */
 
 /* tp_clamp_abs clamps x to -most..most, most >= 0.  tp_fx_saturate saturates x to 16.16. */
-static inline int64_t tp_clamp_abs(int64_t x, int64_t most)
+static inline int64_t tp_clamp_abs(int64_t x, int64_t limit)
 {
-    return x > most ? most : x < -most ? -most : x;
+    return x > limit ? limit : x < -limit ? -limit : x;
 }
 
 static inline tp_fx tp_fx_saturate(int64_t x)

@@ -158,7 +158,7 @@ uint32_t tp_fx_read(const char *text, uint32_t bytes, tp_fx *x, int *beyond)
 
 /* Finds the decimal number of fewest places within half a unit of x.  A decimal of up to 5
  * places never lies exactly at half a unit: no tie can read back as the neighbour of x. */
-static uint32_t shortest(uint32_t units, int *places)
+static uint32_t shortest_decimal(uint32_t units, int *places)
 {
     for (*places = 0;; ++*places) {
         const uint64_t scale = power_of_ten[*places], exact = units * scale;
@@ -173,7 +173,7 @@ uint32_t tp_fx_write(tp_fx x, char text[16])
 {
     char reversed[12];                  /* 10 digits and the point */
     int places, length = 0;
-    uint32_t n = shortest(x < 0 ? 0u - (uint32_t)x : (uint32_t)x, &places);
+    uint32_t n = shortest_decimal(x < 0 ? 0u - (uint32_t)x : (uint32_t)x, &places);
     for (int i = 0; i < places; i++, n /= 10)
         reversed[length++] = (char)('0' + n % 10);
     if (places > 0)

@@ -15,8 +15,8 @@
 /* -- memory --------------------------------------------------------------------------- */
 
 /* True if this module is drawn.  *mark is its first stencil value; 0 if it needs none. */
-static bool assign_marks(tp_frame_buffers *buffers, const tp_use *u, tp_want *want,
-                         uint32_t *mark)
+static bool check_enabled_and_reserve_marks(tp_frame_buffers *buffers, const tp_use *u,
+                                            tp_want *want, uint32_t *mark)
 {
     *mark = 0;
     if (!tp_module_ask_enabled(u->module, want) || !u->drawing)
@@ -51,7 +51,7 @@ void tp_frame_layout_modules(const tp_program *program, tp_frame_buffers *buffer
     buffers->mark = tp_arena_alloc(arena, count, sizeof *buffers->mark);
     tp_marks_init(&buffers->marks);
     for (uint32_t i = 0; i < count; i++) {
-        const bool on = assign_marks(buffers, &u[i], &want, &mark);
+        const bool on = check_enabled_and_reserve_marks(buffers, &u[i], &want, &mark);
         const size_t used = arena->used;
         void *mine = on && u[i].drawing->layout ? u[i].drawing->layout(arena, &want) : NULL;
         looks += on && u[i].drawing->draw_map ? (uint32_t)(arena->used - used) : 0;
@@ -72,7 +72,7 @@ void tp_frame_layout_modules(const tp_program *program, tp_frame_buffers *buffer
 
 /* True if module i has its memory.  A module that was off at init has none and is not
  * drawn if it is on now, unless it needs neither memory nor stencil values. */
-static bool has_module_memory(const tp_frame *frame, uint32_t i)
+static bool module_has_needed_memory(const tp_frame *frame, uint32_t i)
 {
     const tp_drawing *drawing = frame->program->modules[i].drawing;
 
@@ -87,7 +87,8 @@ void tp_frame_enable_modules(tp_frame *frame)
     frame->modules_on = 0;
     const tp_use *use = frame->program->modules;
     for (uint32_t i = 0; use && use[i].module; i++)
-        if (has_module_memory(frame, i) && tp_module_ask_enabled(use[i].module, &want))
+        if (module_has_needed_memory(frame, i)
+            && tp_module_ask_enabled(use[i].module, &want))
             frame->modules_on |= (uint64_t)1 << i;
 }
 
@@ -99,7 +100,7 @@ void *tp_frame_module_memory(const tp_frame *frame, uint32_t id)
     return NULL;
 }
 
-const tp_stage *tp_frame_stages(const tp_frame *frame, uint32_t id)
+const tp_stage *tp_frame_module_stages(const tp_frame *frame, uint32_t id)
 {
     EACH_ON(i, use, frame)
         if (use[i].module->id == id)
@@ -132,7 +133,7 @@ void tp_frame_init_modules(tp_frame *frame)
         use[i].drawing->init(frame, frame->buffers.module[i]);
 }
 
-void tp_frame_add_surface(tp_frame *frame, tp_surface *surface)
+void tp_frame_add_displacements(tp_frame *frame, tp_surface *surface)
 {
     EACH_ON(i, use, frame)
         if (use[i].drawing->surface)
@@ -146,7 +147,7 @@ void tp_frame_begin_modules(tp_frame *frame)
             use[i].drawing->begin(frame, frame->buffers.module[i]);
 }
 
-tp_view_anchor tp_frame_anchor(const tp_frame *frame)
+tp_view_anchor tp_frame_objects_anchor(const tp_frame *frame)
 {
     tp_view_anchor anchor = { .level = 0 };
 
@@ -175,7 +176,7 @@ void tp_frame_add_stages(const tp_frame *frame, tp_shaders *list)
     }
 }
 
-void tp_frame_place_modules(tp_frame *frame, tp_view *view, tp_grid_box *box)
+void tp_frame_project_modules(tp_frame *frame, tp_view *view, tp_grid_box *box)
 {
     EACH_ON(i, use, frame)
     if (use[i].drawing->project)

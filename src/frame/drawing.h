@@ -74,7 +74,7 @@ typedef struct {
 void tp_shaders_clear(tp_shaders *list);
 
 /* Adds a stage after those of the same place.  NULL is not added but counted as lacking. */
-void tp_shaders_add(tp_shaders *list, tp_shader_order place, tp_stage stage,
+void tp_shaders_add(tp_shaders *list, tp_shader_order order, tp_stage stage,
                     const void *mine);
 
 /* Adds a stage at TP_AT_COLOUR without a module. */
@@ -94,7 +94,7 @@ static inline bool tp_shaders_is_exact_water(const tp_shaders *list)
 }
 
 /* True if the list has a stage of the place. */
-bool tp_shaders_has(const tp_shaders *list, tp_shader_order place);
+bool tp_shaders_has(const tp_shaders *list, tp_shader_order order);
 
 /* -- stencil values ------------------------------------------------------------------ */
 
@@ -196,11 +196,11 @@ void tp_frame_layout_modules(const tp_program *program, struct tp_frame_buffers 
 void tp_frame_enable_modules(struct tp_frame *frame);
 
 void tp_frame_init_modules(struct tp_frame *frame);
-void tp_frame_add_surface(struct tp_frame *frame, tp_surface *surface);
+void tp_frame_add_displacements(struct tp_frame *frame, tp_surface *surface);
 void tp_frame_begin_modules(struct tp_frame *frame);
 void tp_frame_draw_maps(struct tp_frame *frame);
 void tp_frame_add_stages(const struct tp_frame *frame, tp_shaders *list);
-void tp_frame_place_modules(struct tp_frame *frame, tp_view *view, tp_grid_box *box);
+void tp_frame_project_modules(struct tp_frame *frame, tp_view *view, tp_grid_box *box);
 void tp_frame_draw_modules(const struct tp_frame *frame, const tp_view *view,
                            tp_gbuffer *samples);
 void tp_frame_draw_post_water(const struct tp_frame *frame, const tp_gbuffer *samples);
@@ -209,7 +209,7 @@ void tp_frame_draw_post_water(const struct tp_frame *frame, const tp_gbuffer *sa
 void tp_frame_fill_module_lists(struct tp_frame *frame);
 
 /* Returns the anchor of the first module with objects; the origin if none has. */
-tp_view_anchor tp_frame_anchor(const struct tp_frame *frame);
+tp_view_anchor tp_frame_objects_anchor(const struct tp_frame *frame);
 
 /* True if a module draws samples before the water. */
 bool tp_frame_has_solids(const struct tp_frame *frame);
@@ -219,7 +219,7 @@ bool tp_frame_has_module(const struct tp_frame *frame, uint32_t kinds);
 
 /* Memory and stage table of a module; NULL if the module is off in this picture. */
 void *tp_frame_module_memory(const struct tp_frame *frame, uint32_t id);
-const tp_stage *tp_frame_stages(const struct tp_frame *frame, uint32_t id);
+const tp_stage *tp_frame_module_stages(const struct tp_frame *frame, uint32_t id);
 
 /* Returns 1, the number of stencil values of most modules. */
 uint32_t tp_marks_one(const tp_want *want);

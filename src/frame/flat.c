@@ -160,11 +160,11 @@ static flat_walker make_walker(tp_level_scale scale, tp_fx eye, const tp_level_l
     return (flat_walker){ from + step * (uint32_t)x, step };
 }
 
-static void draw_level(const tp_frame *frame, flat_piece *p, bool tested)
+static void draw_unrolled_row(const tp_frame *frame, flat_piece *p, bool tested)
 {
     const tp_level *level = frame->buffers.level;
     tp_level_scale scale =
-        tp_level_scale_make(level, tp_level_evaluate(&level->down, 0, p->y));
+        tp_level_metres_per_pixel(level, tp_level_evaluate(&level->down, 0, p->y));
 
     p->zi = (uint32_t)(tp_level_evaluate(&level->zi, 0, p->y) >> TP_LEVEL_ZI);
     p->place[0] = make_walker(scale, level->x, &level->east, p->x, p->y);
@@ -186,11 +186,13 @@ static knot sample_knot(const tp_level *level, int32_t x, int32_t y)
 
     if (k.down <= 0)
         return k;
-    tp_level_scale scale = tp_level_scale_make(level, k.down);
+    tp_level_scale scale = tp_level_metres_per_pixel(level, k.down);
     k.place[0] = (uint32_t)level->x
-               + (uint32_t)tp_level_metres(scale, tp_level_evaluate(&level->east, x, y));
+                 + (uint32_t)tp_level_pixels_to_metres(
+                     scale, tp_level_evaluate(&level->east, x, y));
     k.place[1] = (uint32_t)level->z
-               + (uint32_t)tp_level_metres(scale, tp_level_evaluate(&level->south, x, y));
+                 + (uint32_t)tp_level_pixels_to_metres(
+                     scale, tp_level_evaluate(&level->south, x, y));
     return k;
 }
 
@@ -230,7 +232,7 @@ static void draw_pixel_by_pixel(const tp_frame *frame, const flat_piece *block)
     }
 }
 
-static void draw_rolled(const tp_frame *frame, const flat_piece *row)
+static void draw_rolled_row(const tp_frame *frame, const flat_piece *row)
 {
     const tp_level *level = frame->buffers.level;
     knot a = sample_knot(level, row->x & ~(BLOCK - 1), row->y);
@@ -284,9 +286,9 @@ static void draw_flat(const tp_frame *frame, tp_gbuffer *tile, void *memory)
         flat_piece  p = { tile->key + at, tile->s + at, tile->t + at, tile->n + at, x0, y,
                      x1 - x0, 0, 0, { { 0, 0 }, { 0, 0 } } };
         if (level->rolled)
-            draw_rolled(frame, &p);
+            draw_rolled_row(frame, &p);
         else
-            draw_level(frame, &p, has_any_sample(p.key, p.count));
+            draw_unrolled_row(frame, &p, has_any_sample(p.key, p.count));
     }
 }
 

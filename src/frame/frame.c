@@ -34,7 +34,7 @@ static void layout_renderers(tp_frame_buffers *p, tp_arena *arena,
 
 bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene)
 {
-    const tp_want want = tp_world_want(program, scene, NULL);
+    const tp_want want = tp_world_module_conditions(program, scene, NULL);
     return tp_modules_is_any_active(program->modules, &want, TP_MODULE_COASTAL);
 }
 
@@ -185,7 +185,7 @@ size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene)
     return ram.frame;
 }
 
-static size_t tile_samples(const tp_config *c)
+static size_t tile_sample_count(const tp_config *c)
 {
     return (size_t)c->tile_width * c->tile_height;
 }
@@ -198,17 +198,17 @@ static uint32_t streamed_cols(const tp_program *program, const tp_scene *scene)
 /* Scratch size: four planes of the G-buffer, then the pixels unless they are drawn
  * elsewhere.  Before pixels exist, the renderer's bytes per column and the window of a
  * streamed grid use the same place. */
-static size_t scratch_size(const tp_config *config, const tp_scene *scene, bool into)
+static size_t scratch_size(const tp_config *config, const tp_scene *scene, bool direct)
 {
     const tp_config c = config_with_defaults(config, scene);
 
-    if (check(&c, NULL) != TP_OK || tp_program_check(c.program, scene, NULL) != TP_OK)
+    if (check(&c, NULL) != TP_OK || tp_program_check_scene(c.program, scene, NULL) != TP_OK)
         return 0;
     const size_t pixels = tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
     const size_t method = tp_renderer_column_bytes(c.program) * c.tile_width
                           + TP_GRID_WINDOW(streamed_cols(c.program, scene));
-    return 4 * tile_samples(&c) * sizeof(uint32_t)
-         + (pixels > method && !into ? pixels : method);
+    return 4 * tile_sample_count(&c) * sizeof(uint32_t)
+           + (pixels > method && !direct ? pixels : method);
 }
 
 size_t tp_frame_scratch_bytes(const tp_config *config, const tp_scene *scene)
@@ -247,14 +247,14 @@ tp_status tp_frame_init(tp_frame **out, const tp_config *config, const tp_scene 
                         void *memory, size_t bytes, tp_error *err)
 {
     const tp_config c = config_with_defaults(config, scene);
-    tp_status status = tp_given_check(out, "frame", err);
+    tp_status status = tp_pointer_check(out, "frame", err);
 
     if (status == TP_OK)
         status = check_both(&c, scene, err);
     if (status == TP_OK)
         status = check_program(c.program, c.format, err);
     if (status == TP_OK)
-        status = tp_given_block(memory, 8, "memory", err);
+        status = tp_pointer_check_aligned(memory, 8, "memory", err);
     if (status != TP_OK)
         return status;
     const size_t needed = tp_frame_bytes(&c, scene);
@@ -281,7 +281,7 @@ static void set_water_surface(tp_frame *frame)
     surface->rings = 0;
     if (tp_frame_has_module(frame, TP_MODULE_SLOPES))
         surface->pool = surface->field = NULL;
-    tp_frame_add_surface(frame, surface);
+    tp_frame_add_displacements(frame, surface);
 }
 
 tp_surface tp_frame_surface_with_pools(const tp_frame *frame)
@@ -329,7 +329,7 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     tp_frame_choose_rungs(frame);
     if (draw->rungs)
         draw->rungs->thin(frame);
-    tp_frame_plan_shaders(frame);
+    tp_frame_set_up_shading(frame);
     tp_frame_choose_visibility(frame);
     tp_frame_place_surface(frame);
     draw_maps_and_place_solids(frame);

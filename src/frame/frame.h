@@ -134,9 +134,9 @@ void tp_frame_place_slopes(tp_frame *frame);
  * from 0.  A tile reads them through a window in its renderer's memory.  Cells [first,
  * end) of row j are drawn, or their box after the frustum clip is returned; they need
  * the line placed last and the line before it, or any stored lines. */
-void tp_frame_begin_water(tp_frame *frame);
-void tp_frame_place_line(tp_frame *frame, uint32_t j);
-tp_grid_window tp_frame_window(const tp_frame *frame, void *memory);
+void tp_frame_begin_grid(tp_frame *frame);
+void tp_frame_place_grid_line(tp_frame *frame, uint32_t j);
+tp_grid_window tp_frame_grid_window(const tp_frame *frame, void *memory);
 void tp_frame_draw_cells(const tp_frame *frame, const tp_gbuffer *tile,
                          tp_grid_window *window, uint32_t j, uint32_t first, uint32_t end);
 tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint32_t end);
@@ -156,7 +156,7 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t 
                          uint32_t *to);
 
 /* shader_list.c: builds the shader lists for the scene, and their numbers. */
-void tp_frame_plan_shaders(tp_frame *frame);
+void tp_frame_set_up_shading(tp_frame *frame);
 
 /* True for a list of water with a reflection of the sky: the sky's module adds a stage at
  * TP_AT_REFLECT. */

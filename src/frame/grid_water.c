@@ -154,7 +154,7 @@ static void tighten_clipped_boxes(tp_frame *frame, uint32_t j)
     }
 }
 
-void tp_frame_begin_water(tp_frame *frame)
+void tp_frame_begin_grid(tp_frame *frame)
 {
     const tp_grid *grid = frame->buffers.grid;
 
@@ -164,7 +164,7 @@ void tp_frame_begin_water(tp_frame *frame)
         frame->stats.triangles += 2u * (uint32_t)(grid->span[j].end - grid->span[j].first);
 }
 
-void tp_frame_place_line(tp_frame *frame, uint32_t j)
+void tp_frame_place_grid_line(tp_frame *frame, uint32_t j)
 {
     const uint32_t before = frame->buffers.grid->vertices;
 
@@ -176,14 +176,14 @@ void tp_frame_place_line(tp_frame *frame, uint32_t j)
 
 static void place_water(tp_frame *frame)
 {
-    tp_frame_begin_water(frame);
+    tp_frame_begin_grid(frame);
     for (uint32_t j = 0; j < frame->buffers.grid->rows; j++)
-        tp_frame_place_line(frame, j);
+        tp_frame_place_grid_line(frame, j);
 }
 
 /* -- drawing ------------------------------------------------------------------------- */
 
-tp_grid_window tp_frame_window(const tp_frame *frame, void *memory)
+tp_grid_window tp_frame_grid_window(const tp_frame *frame, void *memory)
 {
     void *rows = (uint8_t *)memory
                  + tp_renderer_column_bytes(frame->program) * frame->config.tile_width;
@@ -199,14 +199,14 @@ static void draw_blocks(const tp_frame *frame, const tp_gbuffer *tile,
 
     for (uint32_t b = span.first / TP_GRID_BLOCK; b * TP_GRID_BLOCK < span.end; b++) {
         tp_grid_span cells = block_span(span, b);
-        if (cells.first < cells.end && tp_view_touches(&box[b], tile))
+        if (cells.first < cells.end && tp_box_overlaps_tile(&box[b], tile))
             tp_frame_draw_cells(frame, tile, window, j, cells.first, cells.end);
     }
 }
 
 static void draw_water(const tp_frame *frame, tp_gbuffer *tile, void *memory)
 {
-    tp_grid_window window = tp_frame_window(frame, memory);
+    tp_grid_window window = tp_frame_grid_window(frame, memory);
 
     tile->front_only = frame->cull_water;
     for (uint32_t j = 0; j + 1 < frame->buffers.grid->rows; j++)

@@ -37,7 +37,7 @@ static void cull_faint_waves(tp_frame *frame)
     tp_wave_cull_limits limits =
         tp_wave_cull_limits_make(frame->scene, surface->deep->count, slope_colour);
     limits.focal = projection->focal >> 16;
-    limits.near = tp_wave_cull_near(
+    limits.near = tp_nearest_water_distance(
         tp_fx_saturate((int64_t)projection->eye.y - surface->deep->height),
         &projection->turn, frame->scene->camera.fov);
     if (tp_wave_cull_deep_water(&thin->deep, thin->phases, surface->deep, surface->phases,

@@ -47,7 +47,7 @@ void tp_clipped_draw(const tp_projection *projection, const tp_view_plane *level
 
 tp_fx tp_view_anchor_level(const tp_frame *frame)
 {
-    return tp_frame_anchor(frame).level;
+    return tp_frame_objects_anchor(frame).level;
 }
 
 bool tp_view_is_above_level(const tp_frame *frame, tp_fx level)
@@ -84,7 +84,7 @@ tp_grid_box tp_view_project_solids(tp_frame *frame, tp_view *view)
 {
     tp_grid_box box = TP_BOX_NONE;
 
-    tp_frame_place_modules(frame, view, &box);
+    tp_frame_project_modules(frame, view, &box);
     return box;
 }
 
@@ -152,16 +152,16 @@ static int64_t view_axis_component(const tp_projection *projection, tp_vec3 plac
 
 /* Returns focal x way / depth, px, 16.16, saturated.  Both lengths are halved until depth
  * fits 31 bits; if the product would still not fit, the point lies far outside. */
-static tp_fx project_pixels(const tp_projection *projection, int64_t way, int64_t depth)
+static tp_fx project_pixels(const tp_projection *projection, int64_t offset, int64_t depth)
 {
     int64_t most;
 
     for (; depth >> 31 > 0; depth >>= 1)
-        way /= 2;
+        offset /= 2;
     most = INT64_MAX / 2 / projection->focal;
-    if (way > most || way < -most)
-        return way > 0 ? TP_FX_MAX : TP_FX_MIN;
-    return tp_fx_saturate(tp_div_rounded(way * projection->focal, depth));
+    if (offset > most || offset < -most)
+        return offset > 0 ? TP_FX_MAX : TP_FX_MIN;
+    return tp_fx_saturate(tp_div_rounded(offset * projection->focal, depth));
 }
 
 bool tp_frame_project(const tp_frame *frame, tp_vec3 place, tp_fx *x_px, tp_fx *y_px,

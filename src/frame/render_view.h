@@ -37,7 +37,7 @@ static inline const tp_view_plane *tp_view_clip_plane(const tp_view *view)
     return view->clipped ? &view->level : NULL;
 }
 
-static inline bool tp_view_touches(const tp_grid_box *box, const tp_gbuffer *tile)
+static inline bool tp_box_overlaps_tile(const tp_grid_box *box, const tp_gbuffer *tile)
 {
     return box->x0 < tile->x1 && box->x1 >= tile->x0 && box->y0 < tile->y1
         && box->y1 >= tile->y0 && box->x0 <= box->x1;

@@ -326,7 +326,7 @@ static void set_row(tp_frame *frame, uint32_t k)
 
     line->is = 0;
     set_box(frame, k);
-    if (line->cells.first >= line->cells.end || !tp_view_touches(&line->box, &picture))
+    if (line->cells.first >= line->cells.end || !tp_box_overlaps_tile(&line->box, &picture))
         return;
     if (is_cut(frame, k))
         line->is |= TP_LINE_CUT;
@@ -342,14 +342,14 @@ void tp_lines_place(tp_frame *frame)
 {
     const tp_frame_lines *lines = frame->buffers.lines;
 
-    tp_frame_begin_water(frame);
+    tp_frame_begin_grid(frame);
     turn(frame);
     set_cells(frame);
     for (uint32_t j = 0; lines->upright && j < frame->buffers.grid->rows; j++)
-        tp_frame_place_line(frame, j);
+        tp_frame_place_grid_line(frame, j);
     for (uint32_t k = 0; k < lines->lines; k++) {
         if (!lines->upright)
-            tp_frame_place_line(frame, k);
+            tp_frame_place_grid_line(frame, k);
         set_reach(frame, k);
         if (k > 0)
             set_row(frame, k - 1);

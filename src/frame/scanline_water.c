@@ -66,7 +66,7 @@ static void draw_triangles(walk *w, uint32_t k)
     for (uint32_t b = line->cells.first / TP_GRID_BLOCK;
          b * TP_GRID_BLOCK < line->cells.end; b++) {
         tp_grid_span cells = tp_line_block_cells(line, b);
-        if (cells.first < cells.end && tp_view_touches(&box[b], w->rows.tile))
+        if (cells.first < cells.end && tp_box_overlaps_tile(&box[b], w->rows.tile))
             draw_cells(w, k, cells.first, cells.end);
     }
 }
@@ -247,9 +247,9 @@ static void lay_sided(walk *w, uint32_t last, uint32_t row, uint32_t k)
     bool left = was[0].u != TP_GRID_NEEDS_CLIP && now[0].u != TP_GRID_NEEDS_CLIP;
     bool right = was[1].u != TP_GRID_NEEDS_CLIP && now[1].u != TP_GRID_NEEDS_CLIP;
     if (left)
-        tp_rows_set_side(&w->rows, &now[0], &was[0]);
+        tp_rows_start_side_segment(&w->rows, &now[0], &was[0]);
     if (right)
-        tp_rows_set_side(&w->rows, &was[1], &now[1]);
+        tp_rows_start_side_segment(&w->rows, &was[1], &now[1]);
     if (w->frame->buffers.lines->line[row].is & TP_LINE_WIDE)
         lay_middles(w, row);
     if (left)
@@ -291,7 +291,7 @@ static void advance_to_line(walk *w, uint32_t last, uint32_t k, uint32_t next, i
 static void draw_rows(const tp_frame *frame, tp_gbuffer *tile, void *memory)
 {
     const tp_frame_lines *lines = frame->buffers.lines;
-    walk w = { .frame = frame, .window = tp_frame_window(frame, memory) };
+    walk w = { .frame = frame, .window = tp_frame_grid_window(frame, memory) };
     int  how = GAP;
 
     tile->front_only = frame->cull_water;

@@ -26,13 +26,13 @@ enum { CELL = 8, RUN = 16 };
 /* -- range of the lines -------------------------------------------------------------- */
 
 /* Returns G of the file's head for a ray with a fall of `fall` per metre. */
-static tp_fx bound_rise(const tp_deep_water *deep, tp_fx fall)
+static tp_fx max_rise_over_ray(const tp_deep_water *deep, tp_fx fall)
 {
     int64_t sum = 0;
 
     for (uint32_t i = 0; i < deep->count; i++) {
         const tp_swell *w = &deep->swell[i];
-        int64_t a = tp_sharp_height(w->amplitude, w->power);
+        int64_t a = tp_sharp_max_height(w->amplitude, w->power);
         int64_t q = tp_isqrt64((uint64_t)((int64_t)w->orbit_x * w->orbit_x
                                           + (int64_t)w->orbit_z * w->orbit_z));
         q = (q * fall >> 16) + 2;
@@ -44,31 +44,31 @@ static tp_fx bound_rise(const tp_deep_water *deep, tp_fx fall)
 
 /* Returns the fall of a ray per metre of depth, from its pixels below the horizon in
  * Q.30. */
-static tp_fx ray_fall(const tp_frame *frame, int64_t down)
+static tp_fx ray_fall(const tp_frame *frame, int64_t descent)
 {
     TP_ASSERT(frame->projection.focal > 0);
-    return tp_fx_div((tp_fx)(down >> 14), frame->projection.focal);
+    return tp_fx_div((tp_fx)(descent >> 14), frame->projection.focal);
 }
 
 /* Returns the first line, px below the horizon and a multiple of 4, that stays below a ray
  * for any phase of the waves; 0: no line does. */
-static int32_t find_first_line(const tp_frame *frame, int64_t down)
+static int32_t find_first_line(const tp_frame *frame, int64_t descent)
 {
     const tp_level *level = frame->buffers.level;
     tp_fx h = level->height,
-          low = h - bound_rise(frame->surface.deep, ray_fall(frame, down));
+          low = h - max_rise_over_ray(frame->surface.deep, ray_fall(frame, descent));
 
     if (low < h / 4)
         return 0;
-    int64_t rows = (down >> 14) * tp_fx_div(h, low) / (level->down.y >> 14);
+    int64_t rows = (descent >> 14) * tp_fx_div(h, low) / (level->down.y >> 14);
     return ((int32_t)(rows >> 16) + 8) & ~3;
 }
 
 /* Returns how many pixels a line extends beyond each side: f / D is -d.y / h. */
-static int32_t side_margin(const tp_frame *frame, int64_t down)
+static int32_t side_margin(const tp_frame *frame, int64_t descent)
 {
     const tp_projected *p = frame->buffers.projected;
-    return (int32_t)((down >> 14) * p->share >> 32) + 2 * CELL;
+    return (int32_t)((descent >> 14) * p->share >> 32) + 2 * CELL;
 }
 
 /* -- conditions ---------------------------------------------------------------------- */
@@ -107,8 +107,8 @@ static bool are_points_ordered(const tp_frame *frame, int32_t x, int32_t y)
 
 /* Adds one side of the water as a far end in columns x0 to x1.  Returns true if the side
  * is such an end or lies outside; false if it crosses the lines otherwise. */
-static bool add_far_edge(tp_projected *p, const tp_level_linear *side, int32_t x0,
-                         int32_t x1)
+static bool accept_far_edge(tp_projected *p, const tp_level_linear *side, int32_t x0,
+                            int32_t x1)
 {
     int64_t nearest[2] = { row_below_horizon(p, x0, p->start),
                            row_below_horizon(p, x1, p->start) };
@@ -156,7 +156,7 @@ static bool set_line_range(tp_frame *frame)
         || !are_points_ordered(frame, wide + CELL, high + CELL))
         return false;
     for (int k = 0; k < TP_LEVEL_SIDES; k++) {
-        if (!add_far_edge(p, &level->side[k], x0, x1))
+        if (!accept_far_edge(p, &level->side[k], x0, x1))
             return false;
     }
     return true;
@@ -206,9 +206,9 @@ typedef struct {
     tp_level_scale reach, beyond;
 } screen_line;
 
-static tp_level_scale make_clamped_reach(const tp_level *level, int64_t down)
+static tp_level_scale make_clamped_scale(const tp_level *level, int64_t descent)
 {
-    return tp_level_scale_make(level, down > 0 ? down : 1);
+    return tp_level_metres_per_pixel(level, descent > 0 ? descent : 1);
 }
 
 /* Returns the row of the water's far end in column x. */
@@ -225,7 +225,7 @@ static int64_t water_end_row(const tp_projected *p, int32_t x)
 
 /* Rest position of the point in column x at `row`, and the vectors to its right neighbour
  * and to the next line's point. */
-static void sample_rest(const screen_line *l, int32_t x, int64_t row, bool ends,
+static void sample_rest(const screen_line *l, int32_t x, int64_t row, bool at_water_end,
                         tp_fx at[2], tp_fx step[2][2])
 {
     const tp_level *level = l->frame->buffers.level;
@@ -233,20 +233,20 @@ static void sample_rest(const screen_line *l, int32_t x, int64_t row, bool ends,
     const tp_fx eye[2] = { level->x, level->z };
     tp_level_scale reach = l->reach, beyond = l->beyond;
 
-    if (ends) {
+    if (at_water_end) {
         int64_t down = tp_level_evaluate_row(&level->down, x, row);
-        reach = make_clamped_reach(level, down);
-        beyond = make_clamped_reach(level, down - l->gap);
+        reach = make_clamped_scale(level, down);
+        beyond = make_clamped_scale(level, down - l->gap);
     }
     for (int axis = 0; axis < 2; axis++) {
         const tp_level_linear *sum = sums[axis];
         int64_t way = tp_level_evaluate_row(sum, x, row);
         int64_t across = sum->x + (sum->y * l->frame->buffers.projected->horizon.x >> 30);
         int64_t farther = way - (sum->y * (l->gap >> 14) / (level->down.y >> 14));
-        int64_t here = tp_level_metres(reach, way);
+        int64_t here = tp_level_pixels_to_metres(reach, way);
         at[axis] = tp_fx_saturate(eye[axis] + here);
-        step[0][axis] = tp_fx_saturate(tp_level_metres(reach, across * CELL));
-        step[1][axis] = tp_fx_saturate(tp_level_metres(beyond, farther) - here);
+        step[0][axis] = tp_fx_saturate(tp_level_pixels_to_metres(reach, across * CELL));
+        step[1][axis] = tp_fx_saturate(tp_level_pixels_to_metres(beyond, farther) - here);
     }
 }
 
@@ -280,7 +280,7 @@ static tp_row_point sample_point(const screen_line *l, int32_t x)
     if (tp_surface_has_swells(&frame->surface)) {
         tp_surface_point from = frame->surface.by->swells->point(level, &frame->surface, at,
                                                              step);
-        p.n = tp_level_slopes(&from);
+        p.n = tp_level_pack_slopes(&from);
         if (from.position.x != at[0] || from.position.y != 0 || from.position.z != at[1])
             project(frame, &from, &p);
     }
@@ -317,8 +317,8 @@ static void draw_grid_line(const tp_frame *frame, tp_rows *rows, int32_t below)
     int32_t next = below > 0 ? next_line(below) : 0;
     int64_t down = line_descent(frame, below > 0 ? below : 1);
     screen_line l = { frame, below, line_descent(frame, below > 0 ? below - next : 1),
-                      make_clamped_reach(level, down),
-                      make_clamped_reach(level, line_descent(frame, next)) };
+                      make_clamped_scale(level, down),
+                      make_clamped_scale(level, line_descent(frame, next)) };
     int32_t margin =
         tp_surface_has_swells(&frame->surface) ? side_margin(frame, down) : 2 * CELL;
 

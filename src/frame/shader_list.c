@@ -28,7 +28,7 @@ void tp_shaders_clear(tp_shaders *list)
     list->lacks = list->lacking = 0;
 }
 
-void tp_shaders_add(tp_shaders *list, tp_shader_order place, tp_stage stage,
+void tp_shaders_add(tp_shaders *list, tp_shader_order order, tp_stage stage,
                     const void *mine)
 {
     uint32_t at = list->count;
@@ -39,12 +39,12 @@ void tp_shaders_add(tp_shaders *list, tp_shader_order place, tp_stage stage,
     }
     TP_ASSERT(list->count + 1 < list->room);
     list->shader[++list->count] = (tp_shader){ NULL, NULL };
-    for (; at > 0 && list->order[at - 1] > place; at--) {
+    for (; at > 0 && list->order[at - 1] > order; at--) {
         list->shader[at] = list->shader[at - 1];
         list->order[at] = list->order[at - 1];
     }
     list->shader[at] = (tp_shader){ stage, mine };
-    list->order[at] = (uint8_t)place;
+    list->order[at] = (uint8_t)order;
 }
 
 tp_stage tp_shaders_pick(tp_shaders *list, tp_stage wanted, tp_stage plainer)
@@ -55,10 +55,10 @@ tp_stage tp_shaders_pick(tp_shaders *list, tp_stage wanted, tp_stage plainer)
     return plainer;
 }
 
-bool tp_shaders_has(const tp_shaders *list, tp_shader_order place)
+bool tp_shaders_has(const tp_shaders *list, tp_shader_order order)
 {
     for (uint32_t i = 0; i < list->count; i++)
-        if (list->order[i] == place)
+        if (list->order[i] == order)
             return true;
     return false;
 }
@@ -253,7 +253,7 @@ static void fill_shader_lists(tp_frame *frame)
     count_missing_stages(frame, tp_frame_list(frame, TP_MARK_WATER), 0);
 }
 
-void tp_frame_plan_shaders(tp_frame *frame)
+void tp_frame_set_up_shading(tp_frame *frame)
 {
     TP_ASSERT(frame->projection.zi_near > 0);
     const tp_scene *scene = frame->scene;

@@ -65,7 +65,7 @@ typedef struct {
 
 static tp_level_scale make_clamped_reach(const tp_level *level, int64_t down)
 {
-    return tp_level_scale_make(level, down > 0 ? down : 1);
+    return tp_level_metres_per_pixel(level, down > 0 ? down : 1);
 }
 
 static row_of_points make_row(const tp_level *level, int32_t y)
@@ -91,10 +91,11 @@ static void sample_rest(const tp_level *level, const row_of_points *row, int32_t
     }
     for (int axis = 0; axis < 2; axis++) {
         int64_t way = tp_level_evaluate(sums[axis], x, y);
-        int64_t here = tp_level_metres(reach, way);
-        int64_t far = tp_level_metres(beyond, way - sums[axis]->y * CELL);
+        int64_t here = tp_level_pixels_to_metres(reach, way);
+        int64_t far = tp_level_pixels_to_metres(beyond, way - sums[axis]->y * CELL);
         at[axis] = tp_fx_saturate(eye[axis] + here);
-        step[0][axis] = tp_fx_saturate(tp_level_metres(reach, sums[axis]->x * CELL));
+        step[0][axis] =
+            tp_fx_saturate(tp_level_pixels_to_metres(reach, sums[axis]->x * CELL));
         step[1][axis] = tp_fx_saturate(far - here);
     }
 }
@@ -108,7 +109,7 @@ static uint32_t sample_slopes(const tp_frame *frame, const row_of_points *row, i
     sample_rest(level, row, x, y, at, step);
     tp_surface_point point =
         frame->surface.by->swells->point(level, &frame->surface, at, step);
-    return tp_level_slopes(&point);
+    return tp_level_pack_slopes(&point);
 }
 
 /* Computes a row of slopes.  Slopes above the horizon are 0 and not evaluated. */

@@ -27,16 +27,16 @@ static void *scratch_pixels(const tp_frame *frame, void *scratch)
     return (uint32_t *)scratch + 4 * plane;
 }
 
-/* Returns the number of samples, up to `most`, with the first sample's stencil value. */
-static int32_t run_length(const uint32_t *key, int32_t most)
+/* Returns the number of samples, up to `limit`, with the first sample's stencil value. */
+static int32_t run_length(const uint32_t *key, int32_t limit)
 {
     uint32_t mark = TP_MARK(key[0]);
     int32_t  n = 1;
 
-    while (n + 4 <= most && !TP_MARK((key[n] ^ mark) | (key[n + 1] ^ mark)
+    while (n + 4 <= limit && !TP_MARK((key[n] ^ mark) | (key[n + 1] ^ mark)
                                      | (key[n + 2] ^ mark) | (key[n + 3] ^ mark)))
         n += 4;
-    while (n < most && TP_MARK(key[n]) == mark)
+    while (n < limit && TP_MARK(key[n]) == mark)
         n++;
     return n;
 }
@@ -91,8 +91,8 @@ static void shade_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, 
 
 /* Draws a row with the application's spans.  Colours replace the row's normals run by run:
  * no stage reads the normals of another run. */
-static void frame_overlay_row(const tp_frame *frame, const void *samples, int32_t y,
-                          void *row)
+static void shade_row_with_overlay(const tp_frame *frame, const void *samples, int32_t y,
+                                   void *row)
 {
     const tp_gbuffer *tile = samples;
     const size_t at = (size_t)(uint32_t)(y - tile->y0) * tile->stride;
@@ -152,7 +152,8 @@ static bool set_tile_bounds(const tp_frame *frame, uint32_t i, const void *scrat
 {
     const tp_config *c = &frame->config;
 
-    if (i >= tp_frame_tiles(frame) || tp_given_block(scratch, 8, "scratch", NULL) != TP_OK)
+    if (i >= tp_frame_tiles(frame)
+        || tp_pointer_check_aligned(scratch, 8, "scratch", NULL) != TP_OK)
         return false;
     tile->x0 = i % frame->across * c->tile_width;
     tile->y0 = i / frame->across * c->tile_height;
@@ -162,8 +163,8 @@ static bool set_tile_bounds(const tp_frame *frame, uint32_t i, const void *scrat
     return true;
 }
 
-static void overlay_rows(const tp_frame *frame, const tp_gbuffer *samples,
-                         const tp_tile *tile, uint8_t *row)
+static void shade_rows_with_overlay(const tp_frame *frame, const tp_gbuffer *samples,
+                                    const tp_tile *tile, uint8_t *row)
 {
     for (int32_t y = samples->y0; y < samples->y1; y++, row += tile->stride)
         frame->config.overlay.draw(frame, samples, y, row);
@@ -176,7 +177,7 @@ static void draw_tile(const tp_frame *frame, void *scratch, const tp_tile *tile,
     tp_gbuffer samples = make_samples(frame, scratch, tile);
     draw_samples(frame, &samples, scratch_pixels(frame, scratch));
     if (frame->config.overlay.draw) {
-        overlay_rows(frame, &samples, tile, row);
+        shade_rows_with_overlay(frame, &samples, tile, row);
         return;
     }
     for (int32_t y = samples.y0; y < samples.y1; y++, row += tile->stride)
@@ -319,7 +320,7 @@ static uint32_t blended(uint32_t over, uint32_t under)
 
 tp_overlay tp_overlay_make(void (*row)(void *user, const tp_overlay_row *row), void *user)
 {
-    return (tp_overlay){ row, user, frame_overlay_row };
+    return (tp_overlay){ row, user, shade_row_with_overlay };
 }
 
 void tp_overlay_span(const tp_overlay_row *row, int32_t x, uint32_t count, tp_fx depth,

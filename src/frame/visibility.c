@@ -43,13 +43,14 @@ static bool has_rung(uint8_t bits, unsigned rung)
 }
 
 /* Replaces rungs without memory, or out of range, by the exact rung. */
-static tp_rungs replace_unavailable_rungs(tp_rung_mask reach, tp_rungs r)
+static tp_rungs replace_unavailable_rungs(tp_rung_mask available, tp_rungs r)
 {
     return (tp_rungs){
-        has_rung(reach.visibility, r.visibility) ? r.visibility : TP_VISIBILITY_TRIANGLES,
-        has_rung(reach.shading, r.shading) ? r.shading : TP_SHADING_EXACT,
-        has_rung(reach.rate, r.rate) ? r.rate : TP_RATE_FULL,
-        has_rung(reach.lod, r.lod) ? r.lod : TP_LOD_OFF,
+        has_rung(available.visibility, r.visibility) ? r.visibility
+                                                     : TP_VISIBILITY_TRIANGLES,
+        has_rung(available.shading, r.shading) ? r.shading : TP_SHADING_EXACT,
+        has_rung(available.rate, r.rate) ? r.rate : TP_RATE_FULL,
+        has_rung(available.lod, r.lod) ? r.lod : TP_LOD_OFF,
     };
 }
 
@@ -84,7 +85,7 @@ void tp_frame_choose_rungs(tp_frame *frame)
 
 /* Cell size, m.  A grid wider than 16 km gets smaller cells, for coordinates to stay in
  * range. */
-static tp_fx clamp_cell(const tp_scene *scene)
+static tp_fx clamped_cell_size(const tp_scene *scene)
 {
     TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2 && scene->grid.cell > 0);
     int32_t lines = scene->grid.cols > scene->grid.rows ? scene->grid.cols
@@ -109,7 +110,7 @@ static void set_grid_view(tp_frame *frame)
         .surface = &frame->surface,
         .width = frame->config.width,
         .height = frame->config.height,
-        .cell = clamp_cell(frame->scene),
+        .cell = clamped_cell_size(frame->scene),
         .reach = frame->scene->grid.reach,
         .follow = frame->scene->grid.follow != 0,
         .lod = frame->rungs.lod == TP_LOD_ON && frame->surface.by->lod

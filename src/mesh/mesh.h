@@ -56,7 +56,7 @@ static inline int32_t tp_dir_z(tp_packed_dir n) { return tp_dir_unpack_component
  * the second fills memory of the counted size.
  *
  *     tp_obj_begin_count(&obj);        feed the bytes ...  tp_obj_end_count(&obj, &err)
- *     mem = tp_obj_bytes(&obj)
+ *     mem = tp_obj_memory_bytes(&obj)
  *     tp_obj_begin_load(&obj, mem);   feed the same bytes ...  tp_obj_end_load(&obj, &err)
  *     for each i < obj.libraries: read the file tp_obj_library(&obj, i), then
  *         tp_mtl_begin(&obj, i);  feed its bytes ...  tp_mtl_end(&obj, &err)
@@ -207,7 +207,7 @@ typedef struct tp_obj {
 void      tp_obj_begin_count(tp_obj *obj);
 tp_status tp_obj_feed(tp_obj *obj, const void *text, size_t bytes, tp_error *err);
 tp_status tp_obj_end_count(tp_obj *obj, tp_error *err);
-size_t    tp_obj_bytes(const tp_obj *obj);      /* size of the memory, aligned to 8, */
+size_t tp_obj_memory_bytes(const tp_obj *obj); /* size of the memory, aligned to 8, */
 void      tp_obj_begin_load(tp_obj *obj, void *mem);  /* for loading and binding together */
 tp_status tp_obj_end_load(tp_obj *obj, tp_error *err);
 
@@ -229,6 +229,6 @@ tp_status tp_obj_finish(tp_obj *obj, const tp_texture *const *textures, tp_mesh 
 
 /* Returns the number of bytes from the start of the memory that the mesh uses after
  * tp_obj_finish; the rest is free for other use. */
-size_t    tp_obj_kept_bytes(const tp_obj *obj);
+size_t    tp_obj_mesh_bytes(const tp_obj *obj);
 
 #endif

@@ -31,7 +31,7 @@ static tp_status begin_material(tp_obj *obj, tp_word keyword, tp_words *words,
 {
     (void)keyword;
     tp_word name;
-    const tp_status status = tp_obj_read_name(obj, words, &name, err);
+    const tp_status status = tp_obj_read_rest_as_name(obj, words, &name, err);
     if (status != TP_OK) {
         obj->material = NOT_WANTED;
         return status;
@@ -53,18 +53,18 @@ static uint32_t unit_to_byte(tp_fx x)
     return (uint32_t)(x * 255 + TP_FX_ONE / 2) >> 16;
 }
 
-static bool is_usable(tp_status status)
+static bool is_ok_or_clamped(tp_status status)
 {
     return status == TP_OK || status == TP_E_MTL_RANGE;
 }
 
 /* Clamps x to low..high.  Returns TP_E_MTL_RANGE if x was outside. */
 static tp_status clamp_number(const tp_obj *obj, tp_word keyword, int64_t x, int32_t low,
-                              int32_t high, tp_fx *held, tp_error *err)
+                              int32_t high, tp_fx *clamped, tp_error *err)
 {
     const int64_t bottom = (int64_t)low * TP_FX_ONE, top = (int64_t)high * TP_FX_ONE;
-    *held = (tp_fx)(x < bottom ? bottom : x > top ? top : x);
-    if (*held == x)
+    *clamped = (tp_fx)(x < bottom ? bottom : x > top ? top : x);
+    if (*clamped == x)
         return TP_OK;
     TP_FAIL(err, TP_E_MTL_RANGE, obj->lines.first, low, high);
     tp_error_set_word(err, keyword.text, keyword.bytes);
@@ -117,7 +117,7 @@ static tp_status read_diffuse_colour(tp_obj *obj, tp_word keyword, tp_words *wor
 {
     const tp_status status =
         read_colour(obj, keyword, words, &material(obj)->diffuse, err);
-    if (is_usable(status))
+    if (is_ok_or_clamped(status))
         current_material_data(obj)->has_diffuse = true;
     return status;
 }
@@ -134,7 +134,7 @@ static tp_status read_shininess(tp_obj *obj, tp_word keyword, tp_words *words,
 {
     tp_fx n = 0;
     const tp_status status = read_number(obj, keyword, words, 0, 1000, &n, err);
-    if (is_usable(status))
+    if (is_ok_or_clamped(status))
         material(obj)->shininess = n > TP_FX_ONE ? n : TP_FX_ONE;
     return status;
 }
@@ -148,7 +148,7 @@ static tp_status read_opacity(tp_obj *obj, tp_word keyword, tp_words *words,
         *words = ahead;
     tp_fx n = 0;
     const tp_status status = read_number(obj, keyword, words, 0, 1, &n, err);
-    if (is_usable(status)) {
+    if (is_ok_or_clamped(status)) {
         material(obj)->opacity = n;
         current_material_data(obj)->has_opacity = true;
     }
@@ -160,7 +160,7 @@ static tp_status read_transparency(tp_obj *obj, tp_word keyword, tp_words *words
 {
     tp_fx n = 0;
     const tp_status status = read_number(obj, keyword, words, 0, 1, &n, err);
-    if (is_usable(status) && !current_material_data(obj)->has_opacity)
+    if (is_ok_or_clamped(status) && !current_material_data(obj)->has_opacity)
         material(obj)->opacity = TP_FX_ONE - n;
     return status;
 }
@@ -186,10 +186,10 @@ static bool is_last_word(tp_words words)
 
 /* Skips numbers after an option.  The last word of the line is the file name, even if the
  * word looks like a number. */
-static void skip_numbers(tp_words *words, uint32_t most)
+static void skip_numbers(tp_words *words, uint32_t max_count)
 {
     int64_t unused;
-    while (most-- > 0 && !is_last_word(*words) && tp_word_number(words, &unused))
+    while (max_count-- > 0 && !is_last_word(*words) && tp_words_read_number(words, &unused))
         ;
 }
 
@@ -204,7 +204,7 @@ static bool take_option(tp_words *words, int64_t *bump)
         if (!tp_word_is_any_case(word, options[i].name))
             continue;
         *words = ahead;
-        if (tp_word_is_any_case(word, "-bm") && tp_word_number(words, &number)) {
+        if (tp_word_is_any_case(word, "-bm") && tp_words_read_number(words, &number)) {
             *bump = number;
             return true;
         }
@@ -223,14 +223,14 @@ static tp_status read_map(tp_obj *obj, tp_words *words, unsigned map, int64_t *b
     while (take_option(words, bump))
         ;
     tp_word name;
-    const tp_status status = tp_obj_read_name(obj, words, &name, err);
+    const tp_status status = tp_obj_read_rest_as_name(obj, words, &name, err);
     if (status != TP_OK)
         return status;
     if (name.bytes == 0 || current_material_data(obj)->map[map] != TP_NO_NAME)
         return count_skipped_statement(obj);
     tp_obj_names *const names = &obj->store.image_names;
-    const uint32_t image =
-        tp_names_add(names, name, obj->library, obj->lines.first, obj->total.digest);
+    const uint32_t image = tp_names_find_or_add(names, name, obj->library,
+                                                obj->lines.first, obj->total.digest);
     if (image == TP_NO_NAME)
         return TP_FAIL(err, TP_E_MTL_IMAGES, obj->lines.first, names->room, 0);
     current_material_data(obj)->map[map] = image;
@@ -292,7 +292,7 @@ static tp_status dispatch_statement(tp_obj *obj, tp_words *line, tp_error *err)
 }
 
 /* Runs a statement.  No fault stops the reading. */
-static tp_status tolerate_statement(tp_obj *obj, tp_words *line, tp_error *err)
+static tp_status dispatch_statement_or_warn(tp_obj *obj, tp_words *line, tp_error *err)
 {
     (void)err;
     tp_error fault;
@@ -315,14 +315,14 @@ tp_status tp_mtl_feed(tp_obj *obj, const void *text, size_t bytes, tp_error *err
 {
     if (obj->stage != TP_STAGE_MTL)
         return tp_obj_latch_failure(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
-    return tp_obj_lines_feed(obj, text, bytes, tolerate_statement, err);
+    return tp_obj_lines_feed(obj, text, bytes, dispatch_statement_or_warn, err);
 }
 
 tp_status tp_mtl_end(tp_obj *obj, tp_error *err)
 {
     if (obj->stage != TP_STAGE_MTL)
         return tp_obj_latch_failure(obj, TP_FAIL(err, TP_E_ARG, 0, 0, 0));
-    const tp_status status = tp_obj_lines_end(obj, tolerate_statement, err);
+    const tp_status status = tp_obj_lines_end(obj, dispatch_statement_or_warn, err);
     if (status != TP_OK)
         return tp_obj_latch_failure(obj, status);
     obj->libraries_read++;

@@ -19,7 +19,7 @@ tp_status tp_obj_read_numbers(const tp_obj *obj, tp_words *words, tp_word keywor
 {
     uint32_t n = 0;
     for (; n < most && !tp_words_at_end(words); n++) {
-        if (!tp_word_number(words, &numbers[n])) {
+        if (!tp_words_read_number(words, &numbers[n])) {
             const tp_word word = tp_word_next(words);
             TP_FAIL(err, TP_E_OBJ_NUMBER, obj->lines.first, 0, 0);
             tp_error_set_word(err, word.text, word.bytes);
@@ -44,7 +44,8 @@ tp_status tp_obj_check_room(const tp_obj *obj, uint32_t now, uint32_t total, uin
                    TP_OBJ_COUNT, 0);
 }
 
-tp_status tp_obj_read_name(const tp_obj *obj, tp_words *words, tp_word *name, tp_error *err)
+tp_status tp_obj_read_rest_as_name(const tp_obj *obj, tp_words *words, tp_word *name,
+                                   tp_error *err)
 {
     *name = tp_word_rest(words);
     if (!tp_word_holds_nul(*name))
@@ -172,7 +173,8 @@ static tp_status read_smoothing(tp_obj *obj, tp_words *words, tp_error *err)
     const tp_word word = tp_word_next(words);
     tp_words digits = { word.text, word.text + word.bytes };
     int32_t group = 0;
-    const bool number = tp_word_int(&digits, &group) && digits.at == digits.end;
+    const bool number =
+        tp_words_read_int_prefix(&digits, &group) && digits.at == digits.end;
     if ((number || tp_word_is(word, "off")) && group >= 0 && group < MOST_GROUP) {
         obj->group = (uint32_t)group;
         return TP_OK;
@@ -312,7 +314,7 @@ tp_status tp_obj_end_count(tp_obj *obj, tp_error *err)
     return TP_OK;
 }
 
-size_t tp_obj_bytes(const tp_obj *obj)
+size_t tp_obj_memory_bytes(const tp_obj *obj)
 {
     return obj->bytes;
 }

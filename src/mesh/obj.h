@@ -26,7 +26,7 @@
 /* Sizes and the mixing step shared by the reader's hash tables. */
 
 /* Returns the smallest power of two >= 1.5 n, at least 2; n <= 2^26. */
-static inline uint32_t tp_table_size(uint32_t n)
+static inline uint32_t tp_hash_table_size(uint32_t n)
 {
     TP_ASSERT(n <= 1u << 26);
     uint32_t size = 2;
@@ -68,11 +68,11 @@ bool tp_word_holds_nul(tp_word word);
 
 /* Reads the next word as a number in 48.16.  Returns false and takes nothing if the word is
  * not a number.  Too large numbers saturate to +-TP_WIDE_MAX. */
-bool tp_word_number(tp_words *words, int64_t *x);
+bool tp_words_read_number(tp_words *words, int64_t *x);
 
 /* Reads [+-] digits at the cursor, without skipping blanks; false if there is no number.
  * Saturates at +-INT32_MAX. */
-bool tp_word_int(tp_words *words, int32_t *x);
+bool tp_words_read_int_prefix(tp_words *words, int32_t *x);
 
 /* -- logical lines ------------------------------------------------------------------- */
 
@@ -106,8 +106,10 @@ bool tp_lines_last(tp_obj_lines *lines, tp_words *line);
 
 #define TP_NO_NAME UINT32_MAX
 
-/* Allocates room for `most` names of `room` bytes in total, terminators included. */
-void tp_names_layout(tp_obj_names *names, tp_arena *arena, uint32_t most, uint32_t room);
+/* Allocates room for `max_names` names of `text_bytes` bytes in total, terminators
+ * included. */
+void tp_names_layout(tp_obj_names *names, tp_arena *arena, uint32_t max_names,
+                     uint32_t text_bytes);
 
 /* Empties the set. */
 void tp_names_clear(tp_obj_names *names);
@@ -119,8 +121,8 @@ uint32_t tp_names_find(const tp_obj_names *names, tp_word word, uint32_t tag,
 
 /* Returns the number of the name like tp_names_find, but adds a missing name, as found in
  * `line`.  Returns TP_NO_NAME if there is no room. */
-uint32_t tp_names_add(tp_obj_names *names, tp_word word, uint32_t tag, uint32_t line,
-                      uint64_t seed);
+uint32_t tp_names_find_or_add(tp_obj_names *names, tp_word word, uint32_t tag,
+                              uint32_t line, uint64_t seed);
 
 static inline const char *tp_names_text(const tp_obj_names *names, uint32_t i)
 {
@@ -212,8 +214,8 @@ tp_status tp_obj_check_room(const tp_obj *obj, uint32_t now, uint32_t total, uin
                       tp_error *err);
 
 /* obj.c: returns the rest of the line as a name, possibly of no bytes. */
-tp_status tp_obj_read_name(const tp_obj *obj, tp_words *words, tp_word *name,
-                           tp_error *err);
+tp_status tp_obj_read_rest_as_name(const tp_obj *obj, tp_words *words, tp_word *name,
+                                   tp_error *err);
 
 /* obj.c: returns the error for a line longer than its statement allows. */
 tp_status tp_obj_fail_long_line(const tp_obj *obj, tp_error *err);

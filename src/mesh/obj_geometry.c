@@ -192,7 +192,7 @@ static tp_dir3 any_tangent(tp_area normal)
  * (ds_e dt_f - ds_f dt_e) = e dt_f - f dt_e.  t grows downwards: a picture that is not
  * mirrored turns against the face.  Adds the area of the picture to *picture. */
 static tp_packed_dir face_tangent(const tp_obj *obj, const tp_mesh_face *face, tp_vec3 e,
-                                  tp_vec3 f, tp_area normal, uint64_t *picture)
+                                  tp_vec3 f, tp_area normal, uint64_t *picture_area_sum)
 {
     const struct tp_obj_texcoord a = vertex_texcoord(&obj->store, face->vertex[0]);
     const struct tp_obj_texcoord b = vertex_texcoord(&obj->store, face->vertex[1]);
@@ -201,7 +201,7 @@ static tp_packed_dir face_tangent(const tp_obj *obj, const tp_mesh_face *face, t
     const int64_t turn = tp_area_product_difference(b.s - a.s, dt_f, c.s - a.s, dt_e);
     if (turn == 0)
         return tp_dir_pack(any_tangent(normal));
-    *picture += (uint64_t)(turn < 0 ? -turn : turn) >> obj->picture_shift;
+    *picture_area_sum += (uint64_t)(turn < 0 ? -turn : turn) >> obj->picture_shift;
     const tp_dir3 along =
         tp_area_direction((tp_area){ tp_area_product_difference(e.x, dt_f, f.x, dt_e),
                                      tp_area_product_difference(e.y, dt_f, f.y, dt_e),
@@ -237,7 +237,8 @@ static void make_face(tp_obj *obj, const uint32_t vertex[3], uint32_t material,
     add_to_slots(store, face, area);
 }
 
-static void begin_cut(const tp_obj_memory *store, const uint32_t *corners, uint32_t n)
+static void begin_triangulation(const tp_obj_memory *store, const uint32_t *corners,
+                                uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
         const tp_vec3 p = vertex_position(store, corners[i]);
@@ -256,7 +257,7 @@ static void triangulate_polygon(tp_obj *obj, const struct tp_obj_polygon *polygo
         make_face(obj, corners, polygon->material, sum);
         return;
     }
-    begin_cut(&obj->store, corners, polygon->corners);
+    begin_triangulation(&obj->store, corners, polygon->corners);
     for (uint32_t at[3]; tp_cut_next(obj->store.cut, at);) {
         const uint32_t vertex[3] = { corners[at[0]], corners[at[1]], corners[at[2]] };
         make_face(obj, vertex, polygon->material, sum);

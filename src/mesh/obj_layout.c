@@ -9,17 +9,17 @@
 
 /* A set is a hash table with open addressing, at most two thirds full.  The hash begins
  * with the digest of the file: nobody can choose names that collide. */
-
-void tp_names_layout(tp_obj_names *names, tp_arena *arena, uint32_t most, uint32_t room)
+void tp_names_layout(tp_obj_names *names, tp_arena *arena, uint32_t max_names,
+                     uint32_t text_bytes)
 {
-    names->most = most;
-    names->room = room;
-    names->mask = tp_table_size(most) - 1;
-    names->start = tp_arena_alloc(arena, most, sizeof *names->start);
-    names->tag = tp_arena_alloc(arena, most, sizeof *names->tag);
-    names->line = tp_arena_alloc(arena, most, sizeof *names->line);
+    names->most = max_names;
+    names->room = text_bytes;
+    names->mask = tp_hash_table_size(max_names) - 1;
+    names->start = tp_arena_alloc(arena, max_names, sizeof *names->start);
+    names->tag = tp_arena_alloc(arena, max_names, sizeof *names->tag);
+    names->line = tp_arena_alloc(arena, max_names, sizeof *names->line);
     names->table = tp_arena_alloc(arena, (size_t)names->mask + 1, sizeof *names->table);
-    names->text = tp_arena_alloc(arena, room, 1);
+    names->text = tp_arena_alloc(arena, text_bytes, 1);
 }
 
 void tp_names_clear(tp_obj_names *names)
@@ -56,8 +56,8 @@ uint32_t tp_names_find(const tp_obj_names *names, tp_word word, uint32_t tag,
     return number != 0 ? number - 1 : TP_NO_NAME;
 }
 
-uint32_t tp_names_add(tp_obj_names *names, tp_word word, uint32_t tag, uint32_t line,
-                      uint64_t seed)
+uint32_t tp_names_find_or_add(tp_obj_names *names, tp_word word, uint32_t tag,
+                              uint32_t line, uint64_t seed)
 {
     TP_ASSERT(names->used <= names->room && names->count <= names->most);
     uint32_t *const place = find_slot(names, word, tag, seed);
@@ -100,7 +100,7 @@ static void layout_loading(tp_obj_memory *store, const tp_obj_counts *total,
     store->corners   = tp_arena_alloc(arena, total->corners, sizeof *store->corners);
     store->polygons  = tp_arena_alloc(arena, total->polygons, sizeof *store->polygons);
     store->slots     = tp_arena_alloc(arena, total->smooth, sizeof *store->slots);
-    store->mask      = tp_table_size(total->corners) - 1;
+    store->mask      = tp_hash_table_size(total->corners) - 1;
     store->table     = tp_arena_alloc(arena, (size_t)store->mask + 1,
                                      sizeof *store->table);
     store->cut       = tp_cut_layout(arena, total->largest);

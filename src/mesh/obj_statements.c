@@ -52,7 +52,7 @@ static tp_status count_name(tp_obj *obj, unsigned kind, tp_word name, tp_error *
     return TP_OK;
 }
 
-static void mix_name(tp_obj *obj, tp_word name)
+static void mix_name_into_digest(tp_obj *obj, tp_word name)
 {
     for (uint32_t i = 0; i < name.bytes; i++)
         obj->now.digest = tp_mix(obj->now.digest, (unsigned char)name.text[i]);
@@ -79,7 +79,7 @@ static uint32_t find_or_add_material(tp_obj *obj, tp_word name)
     uint32_t i = tp_names_find(names, name, 0, obj->total.digest);
     if (i != TP_NO_NAME || !has_room_for_name(obj, name))
         return i;
-    i = tp_names_add(names, name, 0, obj->lines.first, obj->total.digest);
+    i = tp_names_find_or_add(names, name, 0, obj->lines.first, obj->total.digest);
     if (i == TP_NO_NAME)
         return TP_NO_NAME;
     obj->store.made[i] = (struct tp_obj_made){ .map = { TP_NO_NAME, TP_NO_NAME } };
@@ -116,11 +116,11 @@ tp_status tp_obj_usemtl(tp_obj *obj, tp_words *words, tp_error *err)
 {
     tp_word name;
     tp_error fault;
-    if (tp_obj_read_name(obj, words, &name, &fault) != TP_OK) {
+    if (tp_obj_read_rest_as_name(obj, words, &name, &fault) != TP_OK) {
         tp_obj_warn(obj, &fault);
         return TP_OK;
     }
-    mix_name(obj, name);
+    mix_name_into_digest(obj, name);
     return use_material(obj, name, err);
 }
 
@@ -131,12 +131,12 @@ static tp_status obj_use_default_material(tp_obj *obj, tp_error *err)
 
 /* -- libraries ----------------------------------------------------------------------- */
 
-static tp_status use_library(tp_obj *obj, tp_word name, tp_error *err)
+static tp_status record_library_name(tp_obj *obj, tp_word name, tp_error *err)
 {
-    mix_name(obj, name);
+    mix_name_into_digest(obj, name);
     if (obj->stage == TP_STAGE_SCAN)
         return count_name(obj, TP_NAMES_LIBRARY, name, err);
-    if (tp_names_add(&obj->store.library_names, name, 0, obj->lines.first,
+    if (tp_names_find_or_add(&obj->store.library_names, name, 0, obj->lines.first,
                      obj->total.digest) != TP_NO_NAME)
         return TP_OK;
     return TP_FAIL(err, TP_E_OBJ_CHANGED, obj->lines.first, 0, 0);
@@ -167,11 +167,12 @@ tp_status tp_obj_mtllib(tp_obj *obj, tp_words *words, tp_error *err)
         tp_words one = next_library_name(words);
         tp_word name;
         tp_error fault;
-        if (tp_obj_read_name(obj, &one, &name, &fault) != TP_OK) {
+        if (tp_obj_read_rest_as_name(obj, &one, &name, &fault) != TP_OK) {
             tp_obj_warn(obj, &fault);
             continue;
         }
-        const tp_status status = name.bytes > 0 ? use_library(obj, name, err) : TP_OK;
+        const tp_status status =
+            name.bytes > 0 ? record_library_name(obj, name, err) : TP_OK;
         if (status != TP_OK || name.bytes == 0)
             return status;
     }
@@ -204,21 +205,22 @@ static bool pass_slash(tp_words *words)
 static int read_corner(tp_words *words, int32_t corner[3])
 {
     corner[TEXCOORD] = corner[NORMAL] = 0;
-    if (!tp_word_int(words, &corner[POSITION]))
+    if (!tp_words_read_int_prefix(words, &corner[POSITION]))
         return -1;
     int form = 0;
     if (pass_slash(words)) {
-        if (tp_word_int(words, &corner[TEXCOORD]))
+        if (tp_words_read_int_prefix(words, &corner[TEXCOORD]))
             form |= HAS_TEXCOORD;
-        if (pass_slash(words) && tp_word_int(words, &corner[NORMAL]))
+        if (pass_slash(words) && tp_words_read_int_prefix(words, &corner[NORMAL]))
             form |= HAS_NORMAL;
     }
     return words->at == words->end || tp_is_blank(*words->at) ? form : -1;
 }
 
 /* Converts an index of the file, from 1 or negative, to an index from 0. */
-static tp_status resolve(const tp_obj *obj, int32_t index, uint32_t now, uint32_t total,
-                         tp_status code, uint32_t *out, tp_error *err)
+static tp_status resolve_index(const tp_obj *obj, int32_t index, uint32_t now,
+                               uint32_t total, tp_status code, uint32_t *out,
+                               tp_error *err)
 {
     if (index == 0)
         return TP_FAIL(err, TP_E_OBJ_ZERO, obj->lines.first, 0, 0);
@@ -270,14 +272,14 @@ static tp_status commit_corner(tp_obj *obj, const int32_t corner[3], tp_error *e
     const int form = obj->face.form;
     uint32_t position = 0, texcoord = TP_NO_TEXCOORD, normal = computed_normal_code(obj);
     const tp_obj_counts *const now = &obj->now, *const total = &obj->total;
-    tp_status status = resolve(obj, corner[POSITION], now->vertices, total->vertices,
+    tp_status status = resolve_index(obj, corner[POSITION], now->vertices, total->vertices,
                                TP_E_OBJ_VERTEX, &position, err);
     if (status == TP_OK && (form & HAS_TEXCOORD))
-        status = resolve(obj, corner[TEXCOORD], now->texcoords, total->texcoords,
-                         TP_E_OBJ_TEXCOORD, &texcoord, err);
+        status = resolve_index(obj, corner[TEXCOORD], now->texcoords, total->texcoords,
+                               TP_E_OBJ_TEXCOORD, &texcoord, err);
     if (status == TP_OK && (form & HAS_NORMAL))
-        status = resolve(obj, corner[NORMAL], now->normals, total->normals,
-                         TP_E_OBJ_NORMAL, &normal, err);
+        status = resolve_index(obj, corner[NORMAL], now->normals, total->normals,
+                               TP_E_OBJ_NORMAL, &normal, err);
     if (status == TP_OK)
         status = tp_obj_check_room(obj, now->corners, total->corners, 1, err);
     if (status != TP_OK)
@@ -293,7 +295,7 @@ static tp_status commit_corner(tp_obj *obj, const int32_t corner[3], tp_error *e
 
 /* Called when a third corner arrives: counts the first two corners, and makes sure that the
  * face has a material. */
-static tp_status commit_held_corners(tp_obj *obj, tp_error *err)
+static tp_status commit_first_two_corners(tp_obj *obj, tp_error *err)
 {
     tp_status status = TP_OK;
     if (obj->material == TP_NO_NAME && obj->stage == TP_STAGE_LOAD)
@@ -303,7 +305,7 @@ static tp_status commit_held_corners(tp_obj *obj, tp_error *err)
     return status;
 }
 
-static tp_status add_corner(tp_obj *obj, const int32_t corner[3], tp_error *err)
+static tp_status hold_or_commit_corner(tp_obj *obj, const int32_t corner[3], tp_error *err)
 {
     tp_obj_face_state *const face = &obj->face;
     const uint32_t i = face->corners++;
@@ -312,7 +314,7 @@ static tp_status add_corner(tp_obj *obj, const int32_t corner[3], tp_error *err)
             face->held[i][k] = corner[k];
         return TP_OK;
     }
-    const tp_status status = i == 2 ? commit_held_corners(obj, err) : TP_OK;
+    const tp_status status = i == 2 ? commit_first_two_corners(obj, err) : TP_OK;
     return status != TP_OK ? status : commit_corner(obj, corner, err);
 }
 
@@ -332,7 +334,7 @@ static tp_status read_corners(tp_obj *obj, tp_words *words, tp_error *err)
         if (face->corners > 0 && form != face->form)
             return TP_FAIL(err, TP_E_OBJ_MIXED, obj->lines.first, 0, 0);
         face->form = form;
-        const tp_status status = add_corner(obj, corner, err);
+        const tp_status status = hold_or_commit_corner(obj, corner, err);
         if (status != TP_OK)
             return status;
     }

@@ -57,15 +57,16 @@ static tap make_tap(uint32_t i, uint32_t n, uint32_t log2)
 }
 
 /* Blends one channel of four pixels.  The weights add up to 2^16: 24 bits with rounding. */
-static uint32_t blend(const uint32_t pixel[4], const uint32_t weight[4], uint32_t shift)
+static uint32_t blend_texel_channel(const uint32_t pixel[4], const uint32_t weight[4],
+                                    uint32_t channel_shift)
 {
     uint32_t sum = 0x8000;
     for (int i = 0; i < 4; i++)
-        sum += (pixel[i] >> shift & 255) * weight[i];
-    return sum >> 16 << shift;
+        sum += (pixel[i] >> channel_shift & 255) * weight[i];
+    return sum >> 16 << channel_shift;
 }
 
-static uint32_t resample(const uint32_t *pixels, uint32_t w, tap x, tap y)
+static uint32_t sample_bilinear(const uint32_t *pixels, uint32_t w, tap x, tap y)
 {
     const uint32_t *const upper = pixels + (size_t)y.first * w;
     const uint32_t *const lower = pixels + (size_t)y.second * w;
@@ -74,8 +75,9 @@ static uint32_t resample(const uint32_t *pixels, uint32_t w, tap x, tap y)
     const uint32_t weight[4] = {
         (256 - x.weight) * (256 - y.weight), x.weight * (256 - y.weight),
         (256 - x.weight) * y.weight,         x.weight * y.weight };
-    return blend(pixel, weight, 0) | blend(pixel, weight, 8) | blend(pixel, weight, 16)
-         | blend(pixel, weight, 24);
+    return blend_texel_channel(pixel, weight, 0) | blend_texel_channel(pixel, weight, 8)
+           | blend_texel_channel(pixel, weight, 16)
+           | blend_texel_channel(pixel, weight, 24);
 }
 
 static void fill_first_level(uint32_t *to, uint32_t log2_w, uint32_t log2_h,
@@ -84,14 +86,14 @@ static void fill_first_level(uint32_t *to, uint32_t log2_w, uint32_t log2_h,
     for (uint32_t y = 0; y < level_side(log2_h, 0); y++) {
         const tap row = make_tap(y, h, log2_h);
         for (uint32_t x = 0; x < level_side(log2_w, 0); x++)
-            *to++ = resample(pixels, w, make_tap(x, w, log2_w), row);
+            *to++ = sample_bilinear(pixels, w, make_tap(x, w, log2_w), row);
     }
 }
 
 /* -- mipmap levels ------------------------------------------------------------------- */
 
 /* Averages two channels at a time, 16 bits each: four times 255 and the rounding fit. */
-static uint32_t mean(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
+static uint32_t average_pixels(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
 {
     const uint32_t mask = 0x00ff00ff, half = 0x00020002;
     const uint32_t low = (a & mask) + (b & mask) + (c & mask) + (d & mask) + half;
@@ -107,7 +109,7 @@ static void halve(uint32_t *to, const uint32_t *from, uint32_t w, uint32_t h)
     for (uint32_t y = 0; y < h; y += 2) {
         for (uint32_t x = 0; x < w; x += 2) {
             const uint32_t *const at = from + (size_t)y * w + x;
-            *to++ = mean(at[0], at[right], at[below], at[below + right]);
+            *to++ = average_pixels(at[0], at[right], at[below], at[below + right]);
         }
     }
 }
@@ -117,11 +119,11 @@ tp_status tp_texture_init(tp_texture *texture, const uint32_t *pixels, uint32_t 
 {
     if (!is_valid_size(w, h))
         return TP_FAIL(err, TP_E_TEXTURE, 0, w, h);
-    tp_status status = tp_given_check(texture, "texture", err);
+    tp_status status = tp_pointer_check(texture, "texture", err);
     if (status == TP_OK)
-        status = tp_given_check(pixels, "pixels", err);
+        status = tp_pointer_check(pixels, "pixels", err);
     if (status == TP_OK)
-        status = tp_given_block(memory, 4, "memory", err);
+        status = tp_pointer_check_aligned(memory, 4, "memory", err);
     if (status != TP_OK)
         return status;
     if (bytes < tp_texture_bytes(w, h))

@@ -68,7 +68,7 @@ bool tp_word_holds_nul(tp_word word)
     return false;
 }
 
-bool tp_word_number(tp_words *words, int64_t *x)
+bool tp_words_read_number(tp_words *words, int64_t *x)
 {
     skip_blanks(words);
     const uint32_t n = tp_fx_read_wide(words->at, (uint32_t)(words->end - words->at), x);
@@ -79,7 +79,7 @@ bool tp_word_number(tp_words *words, int64_t *x)
     return true;
 }
 
-bool tp_word_int(tp_words *words, int32_t *x)
+bool tp_words_read_int_prefix(tp_words *words, int32_t *x)
 {
     const char *at = words->at;
     const bool negative = at < words->end && *at == '-';
@@ -112,7 +112,7 @@ void tp_lines_begin(tp_obj_lines *lines)
 }
 
 /* Returns the first LF or CR, or `end`. */
-static const char *find_end(const char *at, const char *end)
+static const char *find_line_end(const char *at, const char *end)
 {
     while (at < end && *at != '\n' && *at != '\r')
         at++;
@@ -120,7 +120,7 @@ static const char *find_end(const char *at, const char *end)
 }
 
 /* Steps over the line end at `at` and counts the line. */
-static const char *pass_end(tp_obj_lines *lines, const char *at, const char *end)
+static const char *skip_line_end(tp_obj_lines *lines, const char *at, const char *end)
 {
     lines->next++;
     const bool cr = *at++ == '\r';
@@ -159,7 +159,7 @@ static const char *append(tp_obj_lines *lines, const char *at, const char *end)
 }
 
 /* The text is full and more bytes follow: hands out the text up to the last blank. */
-static void split_line(tp_obj_lines *lines, tp_words *line)
+static void emit_line_part(tp_obj_lines *lines, tp_words *line)
 {
     uint32_t part = lines->used;
     while (part > 0 && !tp_is_blank(lines->text[part - 1]))
@@ -171,7 +171,7 @@ static void split_line(tp_obj_lines *lines, tp_words *line)
 }
 
 /* Removes the part that was handed out, before the next part is read. */
-static void drop_part(tp_obj_lines *lines)
+static void remove_emitted_part(tp_obj_lines *lines)
 {
     if (!lines->goes_on)
         return;
@@ -193,7 +193,7 @@ static bool join_continuation(tp_obj_lines *lines)
 
 /* True if [at, stop), the first part of a line, is the whole line.  Also true
  * for most comments. */
-static bool is_whole(const char *at, const char *stop)
+static bool is_whole_line(const char *at, const char *stop)
 {
     return stop - at <= TP_OBJ_LINE_BYTES && (at == stop || stop[-1] != '\\');
 }
@@ -202,21 +202,21 @@ bool tp_lines_next(tp_obj_lines *lines, const char **from, const char *end,
                    tp_words *line)
 {
     const char *at = *from;
-    drop_part(lines);
+    remove_emitted_part(lines);
     if (lines->after_cr && at < end) {
         lines->after_cr = false;
         at += *at == '\n';
     }
     while (at < end) {
-        const char *const stop = find_end(at, end);
+        const char *const stop = find_line_end(at, end);
         if (!lines->open)
             at = begin_line(lines, at, stop);
         *line = (tp_words){ at, stop };
-        const bool here = lines->used == 0 && stop < end && is_whole(at, stop);
+        const bool here = lines->used == 0 && stop < end && is_whole_line(at, stop);
         if (lines->open && !here) {
             at = append(lines, at, stop);
             if (at < stop) {
-                split_line(lines, line);
+                emit_line_part(lines, line);
                 *from = at;
                 return true;
             }
@@ -224,7 +224,7 @@ bool tp_lines_next(tp_obj_lines *lines, const char **from, const char *end,
         }
         if (stop == end)
             break;
-        at = pass_end(lines, stop, end);
+        at = skip_line_end(lines, stop, end);
         if (!lines->open || (!here && join_continuation(lines)))
             continue;
         lines->open = false;

@@ -44,15 +44,15 @@ static int64_t twice_triangle_area(const struct tp_obj_cut *cut, uint32_t a, uin
 /* -- projection of the polygon ----------------------------------------------------- */
 
 /* Moves one coordinate of all corners to begin at 0.  Returns the extent. */
-static uint32_t to_origin(int32_t *at, uint32_t n)
+static uint32_t move_min_to_zero(int32_t *coordinate, uint32_t n)
 {
-    int32_t low = at[0], high = at[0];
+    int32_t low = coordinate[0], high = coordinate[0];
     for (uint32_t i = 1; i < n; i++) {
-        low  = at[i] < low ? at[i] : low;
-        high = at[i] > high ? at[i] : high;
+        low  = coordinate[i] < low ? coordinate[i] : low;
+        high = coordinate[i] > high ? coordinate[i] : high;
     }
     for (uint32_t i = 0; i < n; i++)
-        at[i] -= low;
+        coordinate[i] -= low;
     return (uint32_t)(high - low);
 }
 
@@ -61,7 +61,7 @@ static uint32_t to_origin(int32_t *at, uint32_t n)
 static void normalise_extent(struct tp_obj_cut *cut, uint32_t n, uint32_t extent[3])
 {
     for (int k = 0; k < 3; k++)
-        extent[k] = to_origin(cut->at[k], n);
+        extent[k] = move_min_to_zero(cut->at[k], n);
     const uint32_t most = extent[0] | extent[1] | extent[2];
     uint32_t shift = 0;
     while (most >> shift >= 1u << EXTENT_BITS)

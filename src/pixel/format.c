@@ -43,7 +43,7 @@ int tp_format_find(const char *name, uint32_t bytes)
 {
     TP_ASSERT(name != NULL || bytes == 0);
     for (int i = 0; i < TP_FORMAT_COUNT; i++)
-        if (tp_text_length(formats[i].name) == bytes
+        if (tp_string_length(formats[i].name) == bytes
             && memcmp(formats[i].name, name, bytes) == 0)
             return i;
     return -1;

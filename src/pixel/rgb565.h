@@ -50,11 +50,11 @@ TP_ALWAYS_INLINE uint32_t tp_rgb565_pair(const tp_rgb565_kept *k, uint32_t first
 {
     const uint32_t a = tp_even_bytes(first) * k->rb_scale + k->rb_half;
     const uint32_t b = tp_even_bytes(second) * k->rb_scale + k->rb_half;
-    const uint32_t green = tp_low_halves(tp_odd_bytes(first), tp_odd_bytes(second))
+    const uint32_t green = tp_pack_low_halves(tp_odd_bytes(first), tp_odd_bytes(second))
                          * k->g_scale + k->g_half;
 
-    return (tp_high_halves(a, b) & k->red) | (green >> 5 & k->green)
-         | (tp_low_halves(a, b) >> 11 & k->blue);
+    return (tp_pack_high_halves(a, b) & k->red) | (green >> 5 & k->green)
+           | (tp_pack_low_halves(a, b) >> 11 & k->blue);
 }
 
 /* -- tone mapping -------------------------------------------------------------------- */

@@ -29,7 +29,7 @@ static inline uint32_t luma_q8(uint32_t colour)
 /* Returns the palette index in the colour cube.  A channel c times 257 is 0..65535.  This
  * value times the number of steps of the axis, plus a threshold of 512..65024, has the
  * level in its high half.  c = 255 still reaches the last level because 6 < 512. */
-static inline uint32_t to_palette(uint32_t colour, uint32_t rank)
+static inline uint32_t dither_to_palette(uint32_t colour, uint32_t rank)
 {
     const uint32_t threshold = rank * 1024 + 512;
     const uint32_t r = ((colour >> 16 & 0xff) * (257 * 5) + threshold) >> 16;
@@ -131,7 +131,7 @@ void tp_store_p8(void *row, int x_in_row, int x, int y, const uint32_t *colours,
     uint8_t *to = (uint8_t *)row + x_in_row;
 
     for (int i = 0; i < count; i++)
-        to[i] = (uint8_t)to_palette(colours[i], ranks[(x + i) & 7]);
+        to[i] = (uint8_t)dither_to_palette(colours[i], ranks[(x + i) & 7]);
 }
 
 /* Dithers the fraction of the luma: 255 * 256 + 4 * 63 + 2 stays below 2^16. */
@@ -146,7 +146,7 @@ void tp_store_l8(void *row, int x_in_row, int x, int y, const uint32_t *colours,
 }
 
 /* Returns 1 if the luma, 0..64 * 1020, is above the threshold 510, 1530, ... 64770. */
-static inline uint32_t is_white(uint32_t colour, uint32_t rank)
+static inline uint32_t is_dithered_white(uint32_t colour, uint32_t rank)
 {
     return (rank * 1020 + 510 - luma_q8(colour)) >> 31;
 }
@@ -164,7 +164,7 @@ void tp_store_i1(void *row, int x_in_row, int x, int y, const uint32_t *colours,
         const int n = count < room ? count : room;
         uint32_t bits = 0;
         for (int i = 0; i < n; i++)
-            bits = bits << 1 | is_white(colours[i], ranks[(x + i) & 7]);
+            bits = bits << 1 | is_dithered_white(colours[i], ranks[(x + i) & 7]);
         const uint32_t mask = (0xffu >> skip) & ~(0xffu >> (skip + n));
         uint8_t *const byte = (uint8_t *)row + (x_in_row >> 3);
         *byte = (uint8_t)((*byte & ~mask) | bits << (room - n));

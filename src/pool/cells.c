@@ -52,7 +52,7 @@ bool tp_pool_is_wall_or_outside(const tp_pool *pool, uint32_t col, uint32_t row)
 /* The velocity is kept: the height before the last step changes by the same amount.  Both
  * heights stay in the range, as [C5] and the interpolation between two steps require
  * [C11]. */
-int32_t tp_pool_add(tp_pool *pool, uint32_t col, uint32_t row, int32_t lsb)
+int32_t tp_pool_add_cell_height(tp_pool *pool, uint32_t col, uint32_t row, int32_t lsb)
 {
     if (tp_pool_is_wall_or_outside(pool, col, row))
         return 0;
@@ -92,7 +92,7 @@ static uint64_t natural_log(uint32_t x)
 /* Subtracts `h_part` and `v_part` from the height and the velocity of a cell.  Skips
  * a wall, and a cell whose velocity, height, or height before the last step would
  * leave the range. */
-static void subtract_from_cell(tp_pool *pool, uint32_t i, int64_t *h, int64_t *v,
+static void subtract_from_cell(tp_pool *pool, uint32_t i, int64_t *h_sum, int64_t *v_sum,
                                int64_t h_part, int64_t v_part)
 {
     const int32_t full = tp_pool_max_lsb(pool);
@@ -103,8 +103,8 @@ static void subtract_from_cell(tp_pool *pool, uint32_t i, int64_t *h, int64_t *v
     if (tp_pool_is_wall(pool, i) || next > full || next < -full || next - now > full
         || next - now < -full || now > full || now < -full)
         return;
-    *h -= h_part;
-    *v -= v_part;
+    *h_sum -= h_part;
+    *v_sum -= v_part;
     if (pool->cells == TP_CELLS_8)
         ((tp_pool_pair_8 *)tp_pool_pointer(pool, sizeof *pool))[i] =
             (tp_pool_pair_8){ (int8_t)next, (int8_t)now };
@@ -136,7 +136,7 @@ static void zero_height_and_velocity_sums(tp_pool *pool)
 
 /* Runs gear A for TA = ceil(2^(m+1) ln(A / 8)) ticks [C11].  An earlier, higher wave keeps
  * its longer time. */
-void tp_pool_wake(tp_pool *pool, int32_t peak_lsb)
+void tp_pool_start_carry_rounding(tp_pool *pool, int32_t peak_lsb)
 {
     const int32_t full = tp_pool_max_lsb(pool);
     const uint32_t peak = (uint32_t)tp_abs(tp_clamp(peak_lsb, -full, full));
@@ -171,7 +171,7 @@ void tp_pool_step(tp_pool *pool)
 {
     TP_ASSERT(pool->cells <= TP_CELLS_32 && pool->damping >= 4 && pool->damping <= 10);
     if (pool->drive_min > 0)
-        tp_pool_drive(pool);
+        tp_pool_splash_if_quiet(pool);
     if (!pool->at_rest) {
         switch (pool->cells) {
         case TP_CELLS_8:  tp_pool_step_8(pool);  break;
@@ -212,12 +212,12 @@ static bool is_same_config(const tp_pool *pool, const tp_pool *fresh)
     return memcmp(&head, pool, offsetof(tp_pool, first) + sizeof head.first) == 0;
 }
 
-static bool is_same_part(const tp_pool *pool, const tp_pool *fresh, uint32_t at,
+static bool is_same_part(const tp_pool *pool, const tp_pool *fresh, uint32_t offset,
                          uint32_t bytes)
 {
-    return at == 0
-           || memcmp(tp_pool_const_pointer(pool, at), tp_pool_const_pointer(fresh, at),
-                     bytes)
+    return offset == 0
+           || memcmp(tp_pool_const_pointer(pool, offset),
+                     tp_pool_const_pointer(fresh, offset), bytes)
                   == 0;
 }
 
@@ -249,9 +249,9 @@ static bool can_flow(const tp_pool *pool, uint32_t col, uint32_t row, bool down)
     return !last || pool->edges == TP_EDGES_TILE;
 }
 
-static bool is_flux_valid(int32_t flux, bool goes)
+static bool is_flux_valid(int32_t flux, bool open)
 {
-    return is_within_limit(flux, goes ? TP_FULL_32 / 2 : 0);
+    return is_within_limit(flux, open ? TP_FULL_32 / 2 : 0);
 }
 
 static bool are_fluxes_valid(const tp_pool *pool)

@@ -113,7 +113,7 @@ typedef struct {
 
 /* Updates the fluxes q from the cells of row y to the cells `to`. */
 static int32_t update_row_fluxes(const flux_cells *s, uint32_t y, int32_t *q,
-                                 const int32_t *to, int32_t way)
+                                 const int32_t *to, int32_t direction)
 {
     const size_t at = (size_t)y * s->cols;
     const int32_t *const from = s->h + at;
@@ -122,7 +122,7 @@ static int32_t update_row_fluxes(const flux_cells *s, uint32_t y, int32_t *q,
     if (s->walls == NULL)
         return flow_open(q + at, from, to, s->cols, &e);
     e.walls = s->walls + at;
-    e.way = way;
+    e.way = direction;
     if (s->sponge == NULL)
         return flow_walls(q + at, from, to, s->cols, &e);
     e.sponge = s->sponge;
@@ -188,7 +188,7 @@ void tp_pool_step_32(tp_pool *pool)
         .cols = pool->cols, .rows = pool->rows, .tiled = pool->edges == TP_EDGES_TILE,
         .walls = pool->walls != 0 ? tp_pool_const_pointer(pool, pool->walls) : NULL,
         .sponge = pool->sponge != 0 ? tp_pool_const_pointer(pool, pool->sponge) : NULL,
-        .edge = { .rate = (int32_t)tp_pool_courant_sq_q10(pool),
+        .edge = { .rate = (int32_t)tp_pool_clamped_courant_sq_q10(pool),
                   .damping = (int32_t)pool->damping },
     };
     TP_ASSERT(s.edge.rate <= TP_COURANT_SQ_MAX_Q10 && s.edge.damping >= 4);

@@ -32,9 +32,9 @@ typedef struct {
     int32_t  whole;         /* denominator of S: 2^(11+m) <= 2^21 */
 } gear;
 
-static gear make_gear(const tp_pool *pool)
+static gear make_step_constants(const tp_pool *pool)
 {
-    return (gear){ (int32_t)tp_pool_courant_sq_q10(pool), pool->damping + 1,
+    return (gear){ (int32_t)tp_pool_clamped_courant_sq_q10(pool), pool->damping + 1,
                    (int32_t)1 << (11 + pool->damping) };
 }
 
@@ -42,7 +42,7 @@ static gear make_gear(const tp_pool *pool)
  * The carry is stored with half of `whole` added, 0 < carry <= whole, to make the rounding
  * a floor.  A floor rounds a tie up; below 0 a tie has to go down, and the last lines
  * correct the result. */
-TP_ALWAYS_INLINE int32_t round_with_carry(int32_t t, const gear *g, int32_t *carry)
+TP_ALWAYS_INLINE int32_t damp_and_round(int32_t t, const gear *g, int32_t *carry)
 {
     const int32_t w = *carry - t;
     int32_t s = (t + (w >> g->down)) >> 10;
@@ -56,12 +56,13 @@ TP_ALWAYS_INLINE int32_t round_with_carry(int32_t t, const gear *g, int32_t *car
     return s;
 }
 
-/* Gear A in a sponge, where the damping `own` of the cell is stronger.  The carry stays in
- * units of the damping of the field: (2^(m+1) - 2^(m-own)) T fits 39 bits. */
-TP_ALWAYS_INLINE int32_t round_sponge_with_carry(int32_t t, const gear *g, uint32_t own,
-                                                 int32_t *carry)
+/* Gear A in a sponge, where the damping `cell_damping` of the cell is stronger.  The
+ * carry stays in units of the damping of the field: (2^(m+1) - 2^(m-own)) T fits 39
+ * bits. */
+TP_ALWAYS_INLINE int32_t damp_and_round_in_sponge(int32_t t, const gear *g,
+                                                  uint32_t cell_damping, int32_t *carry)
 {
-    const int32_t factor = (1 << g->down) - (1 << (g->down - 1 - own));
+    const int32_t factor = (1 << g->down) - (1 << (g->down - 1 - cell_damping));
     const int64_t y = (int64_t)factor * t + *carry;
     int32_t s = (int32_t)(y >> (10 + g->down));
     int32_t rest = (int32_t)(y - (int64_t)s * g->whole);
@@ -75,7 +76,7 @@ TP_ALWAYS_INLINE int32_t round_sponge_with_carry(int32_t t, const gear *g, uint3
 }
 
 /* Gear B: truncates S towards 0. */
-TP_ALWAYS_INLINE int32_t truncate_sum(int32_t t, const gear *g)
+TP_ALWAYS_INLINE int32_t damp_and_truncate(int32_t t, const gear *g)
 {
     const int32_t w = (t >> 31 & (g->whole - 1)) - t;
     return (t + (w >> g->down)) >> 10;

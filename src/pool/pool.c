@@ -54,16 +54,19 @@ static void pool_set_walls(tp_pool *pool, const tp_grey *mask)
                 walls[y * pool->cols + x] = open_neighbour_bits(pool, x, y);
 }
 
-/* Returns the j >= 1 with 2^-j nearest to delta = 8 (W - d)^2 / (max(W, 16) W^2), nearest
- * in the exponent: the first j with delta^2 2^(2j+1) >= 1, at most `most`.  Both sides of
- * the comparison are below 2^52. */
-static uint8_t sponge_exponent(uint32_t d, uint32_t width, uint32_t most)
+/* Returns the j >= 1 with 2^-j nearest to delta = 8 (W - d)^2 / (max(W, 16) W^2),
+ * nearest in the exponent: the first j with delta^2 2^(2j+1) >= 1, at most
+ * `max_exponent`.  Both sides of the comparison are below 2^52. */
+static uint8_t sponge_exponent(uint32_t edge_distance, uint32_t width,
+                               uint32_t max_exponent)
 {
     const uint64_t least = width > 16 ? width : 16, w2 = width * width;
-    const uint64_t depth2 = d < width ? (uint64_t)(width - d) * (width - d) : 0;
+    const uint64_t depth2 = edge_distance < width ? (uint64_t)(width - edge_distance)
+                                                        * (width - edge_distance)
+                                                  : 0;
     uint8_t j = 1;
 
-    while (j < most && (depth2 * depth2 << (2 * j + 7)) < least * least * w2 * w2)
+    while (j < max_exponent && (depth2 * depth2 << (2 * j + 7)) < least * least * w2 * w2)
         j++;
     return j;
 }
@@ -105,7 +108,7 @@ static uint32_t max_stable_courant_sq(uint32_t damping)
  * Half of the mean square is energy added per tick.  Damping removes 2^-m of the
  * energy of waves of rms h, r^2 / 2 x 4 h^2.  Both are equal at h^2 = 2^m / (24 r^2).
  * 52 bits at the most. */
-tp_fx tp_pool_noise(tp_fx courant, uint32_t damping)
+tp_fx tp_pool_rounding_noise(tp_fx courant, uint32_t damping)
 {
     const uint32_t courant_sq_q10 = tp_pool_square_courant(courant),
                    m = damping < 10 ? damping : 10;
@@ -160,7 +163,7 @@ static tp_status check_courant(const tp_pool_config *c, tp_error *err)
 
 tp_status tp_pool_check(const tp_pool_config *config, tp_error *err)
 {
-    tp_status status = tp_given_check(config, "config", err);
+    tp_status status = tp_pointer_check(config, "config", err);
 
     if (status == TP_OK)
         status = check_size(config, err);
@@ -253,7 +256,7 @@ static uint64_t reciprocal_q64(uint64_t n)
 
 tp_status tp_pool_init(tp_pool *pool, const tp_pool_config *config, tp_error *err)
 {
-    tp_status status = tp_given_block(pool, 8, "pool", err);
+    tp_status status = tp_pointer_check_aligned(pool, 8, "pool", err);
 
     if (status == TP_OK)
         status = tp_pool_check(config, err);

@@ -87,7 +87,7 @@ tp_status tp_pool_check(const tp_pool_config *config, tp_error *err);
  * formula is no bound.  Over 6000 ticks of gear A all of 5600 random waves of 8 bits kept
  * the bound, the worst with 0.88.  Of 17,000 waves of 16 bits with a courant up to 0.31 one
  * in 140 exceeded the bound, the worst by 4.0 times, an error of 2.3 % of the range. */
-tp_fx tp_pool_noise(tp_fx courant, uint32_t damping);
+tp_fx tp_pool_rounding_noise(tp_fx courant, uint32_t damping);
 
 /* Returns the size of the block in bytes; the block must be aligned to 8.  Returns 0 if the
  * config is not valid. */
@@ -119,13 +119,14 @@ tp_height_slope tp_pool_height_slope(const tp_pool *pool, tp_fx x, tp_fx z, tp_f
 bool tp_pool_add_splash(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx height);
 
 /* Finds the cell at a point.  Returns false outside of the field or in a wall. */
-bool tp_pool_cell(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col, uint32_t *row);
+bool tp_pool_find_open_cell(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col,
+                            uint32_t *row);
 
-/* tp_pool_add adds to the height of one cell, in LSB of the cell, and returns the part that
- * fitted.  The caller keeps the sum of all additions at zero, then calls tp_pool_wake
- * with the highest addition. */
-int32_t tp_pool_add(tp_pool *pool, uint32_t col, uint32_t row, int32_t lsb);
-void    tp_pool_wake(tp_pool *pool, int32_t peak_lsb);
+/* tp_pool_add_cell_height adds to the height of one cell, in LSB of the cell, and
+ * returns the part that fitted.  The caller keeps the sum of all additions at zero,
+ * then calls tp_pool_start_carry_rounding with the highest addition. */
+int32_t tp_pool_add_cell_height(tp_pool *pool, uint32_t col, uint32_t row, int32_t lsb);
+void    tp_pool_start_carry_rounding(tp_pool *pool, int32_t peak_lsb);
 int32_t tp_pool_from_metres(const tp_pool *pool, tp_fx metres);     /* rounded to nearest */
 
 /* Returns a bound of |height| of the water, m. */
@@ -181,14 +182,14 @@ static inline uint32_t tp_pool_count(const tp_pool *pool)
 }
 
 /* Address at an offset in bytes from the head of the block. */
-static inline void *tp_pool_pointer(tp_pool *pool, uint32_t bytes)
+static inline void *tp_pool_pointer(tp_pool *pool, uint32_t offset)
 {
-    return (char *)pool + bytes;
+    return (char *)pool + offset;
 }
 
-static inline const void *tp_pool_const_pointer(const tp_pool *pool, uint32_t bytes)
+static inline const void *tp_pool_const_pointer(const tp_pool *pool, uint32_t offset)
 {
-    return (const char *)pool + bytes;
+    return (const char *)pool + offset;
 }
 
 static inline bool tp_pool_is_wall(const tp_pool *pool, uint32_t index)
@@ -203,7 +204,7 @@ static inline uint32_t tp_pool_square_courant(tp_fx courant)
     return (uint32_t)(((uint64_t)courant * (uint64_t)courant * 1024 + (1u << 31)) >> 32);
 }
 
-static inline uint32_t tp_pool_courant_sq_q10(const tp_pool *pool)
+static inline uint32_t tp_pool_clamped_courant_sq_q10(const tp_pool *pool)
 {
     return pool->courant_sq_q10 < TP_COURANT_SQ_MAX_Q10 ? pool->courant_sq_q10
                                                         : TP_COURANT_SQ_MAX_Q10;
@@ -262,5 +263,5 @@ void tp_pool_step_16(tp_pool *pool);
 void tp_pool_step_32(tp_pool *pool);
 
 /* Injects a splash before a step if the water is too quiet [C16]. */
-void tp_pool_drive(tp_pool *pool);
+void tp_pool_splash_if_quiet(tp_pool *pool);
 #endif

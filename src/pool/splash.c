@@ -66,8 +66,8 @@ static uint32_t wrapped(int32_t i, uint32_t cells)
 /* Adds `lsb` to a cell of the window.  Returns the part that fitted into its range. */
 static int32_t add_cell_height(const splash *h, int32_t x, int32_t y, int32_t lsb)
 {
-    return tp_pool_add(h->pool, wrapped(h->col + x, h->pool->cols),
-                       wrapped(h->row + y, h->pool->rows), lsb);
+    return tp_pool_add_cell_height(h->pool, wrapped(h->col + x, h->pool->cols),
+                                   wrapped(h->row + y, h->pool->rows), lsb);
 }
 
 static bool is_wall(const splash *h, int32_t x, int32_t y)
@@ -120,14 +120,14 @@ static int64_t add_hat(const splash *h, int32_t peak)
     return sum;
 }
 
-/* Subtracts `sum` from the cells of the window, at most `share` from each.
+/* Subtracts `sum` from the cells of the window, at most `max_per_cell` from each.
  * Returns the rest. */
-static int64_t subtract_from_cells(const splash *h, int64_t sum, int64_t share)
+static int64_t subtract_from_cells(const splash *h, int64_t sum, int64_t max_per_cell)
 {
     for (int32_t y = 0; y < h->rows; y++) {
         for (int32_t x = 0; x < h->cols && sum != 0; x++) {
             if (cell_exponent(h, x, y) < S_MAX)
-                sum += add_cell_height(h, x, y, (int32_t)-tp_clamp_abs(sum, share));
+                sum += add_cell_height(h, x, y, (int32_t)-tp_clamp_abs(sum, max_per_cell));
         }
     }
     return sum;
@@ -188,7 +188,7 @@ static void pool_add_splash_cells(tp_pool *pool, uint64_t u, uint64_t w, tp_fx s
         extend_window_to_field(&h);
         subtract_from_cells(&h, sum, 2 * (int64_t)tp_pool_max_lsb(pool));
     }
-    tp_pool_wake(pool, peak);
+    tp_pool_start_carry_rounding(pool, peak);
 }
 
 bool tp_pool_add_splash(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx height)
@@ -196,7 +196,7 @@ bool tp_pool_add_splash(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx heig
     uint32_t col, row;
     uint64_t u, w;
 
-    if (!tp_pool_cell(pool, x, z, &col, &row))
+    if (!tp_pool_find_open_cell(pool, x, z, &col, &row))
         return false;
     tp_pool_locate(pool, x, z, &u, &w);
     pool_add_splash_cells(pool, u, w, tp_fx_div(sigma, pool->cell),
@@ -248,7 +248,7 @@ static int64_t sum_of_squares(const tp_pool *pool)
     return sum;
 }
 
-static int64_t energy_limit(const tp_pool *pool, tp_fx rms)
+static int64_t sum_of_squares_at_rms(const tp_pool *pool, tp_fx rms)
 {
     const int64_t lsb = tp_pool_from_metres(pool, rms);
     const int64_t h = pool->cells == TP_CELLS_32 ? lsb >> 8 : lsb;
@@ -260,7 +260,7 @@ static uint32_t random_index(tp_pool *pool, uint32_t end)
     return (uint32_t)((uint64_t)tp_random(&pool->random) * end >> 32);
 }
 
-static void inject(tp_pool *pool)
+static void inject_random_splash(tp_pool *pool)
 {
     TP_ASSERT(pool->drive_peak >= 0 && pool->drive_peak <= tp_pool_max_lsb(pool));
     const uint32_t col = random_index(pool, pool->cols);
@@ -275,7 +275,7 @@ static void inject(tp_pool *pool)
     pool->injections++;
 }
 
-static void adapt_splash_height(tp_pool *pool, bool high)
+static void adapt_splash_height(tp_pool *pool, bool above_band)
 {
     const int32_t asked = tp_pool_from_metres(pool, pool->drive_amplitude),
                   full = tp_pool_max_lsb(pool);
@@ -283,18 +283,18 @@ static void adapt_splash_height(tp_pool *pool, bool high)
 
     if (2 * pool->drive_hits >= TP_DRIVE_WINDOW)
         pool->drive_peak = pool->drive_peak < full - step ? pool->drive_peak + step : full;
-    else if (high)
+    else if (above_band)
         pool->drive_peak =
             pool->drive_peak - step > asked ? pool->drive_peak - step : asked;
     pool->drive_ticks = pool->drive_hits = 0;
 }
 
-void tp_pool_drive(tp_pool *pool)
+void tp_pool_splash_if_quiet(tp_pool *pool)
 {
     const int64_t sum = sum_of_squares(pool);
 
-    if (sum < energy_limit(pool, pool->drive_min))
-        inject(pool);
+    if (sum < sum_of_squares_at_rms(pool, pool->drive_min))
+        inject_random_splash(pool);
     if (++pool->drive_ticks == TP_DRIVE_WINDOW)
-        adapt_splash_height(pool, sum > energy_limit(pool, pool->drive_max));
+        adapt_splash_height(pool, sum > sum_of_squares_at_rms(pool, pool->drive_max));
 }

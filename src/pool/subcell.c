@@ -40,7 +40,7 @@ TP_ALWAYS_INLINE int32_t tp_pool_fine_height(const tp_pool *pool, uint32_t col,
 
 /* Returns column or row i, wrapped or mirrored into the field; i may lie one or
  * two cells outside. */
-static inline uint32_t tp_pool_folded(int32_t i, uint32_t cells, bool tiled)
+static inline uint32_t tp_pool_wrap_or_mirror(int32_t i, uint32_t cells, bool tiled)
 {
     const int32_t n = (int32_t)cells;
 
@@ -77,7 +77,8 @@ bool tp_pool_locate(const tp_pool *pool, tp_fx x, tp_fx z, uint64_t *u, uint64_t
            && locate_on_axis(pool, dz, pool->turns_z, pool->rows, w);
 }
 
-bool tp_pool_cell(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col, uint32_t *row)
+bool tp_pool_find_open_cell(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col,
+                            uint32_t *row)
 {
     uint64_t u, w;
 
@@ -99,8 +100,8 @@ static int32_t fine_height_any(const tp_pool *pool, uint32_t col, uint32_t row,
 /* Returns the fine height of a cell.  A wall cell gets the mean of the open cells beside
  * the wall: a flat wall mirrors, and the surface beside a wall does not depend on the side
  * it is sampled from.  A wall cell without open neighbours gets `inside`. */
-static int32_t pool_fine_height_or_wall(const tp_pool *pool, uint32_t col, uint32_t row,
-                                    tp_fx lag, int32_t inside)
+static int32_t fine_height_extended_into_wall(const tp_pool *pool, uint32_t col,
+                                              uint32_t row, tp_fx lag, int32_t inside)
 {
     TP_ASSERT(col < pool->cols && row < pool->rows);
     static const int8_t beside[4][2] = { { -1, 0 }, { 1, 0 }, { 0, -1 }, { 0, 1 } };
@@ -111,8 +112,10 @@ static int32_t pool_fine_height_or_wall(const tp_pool *pool, uint32_t col, uint3
     if (!tp_pool_is_wall(pool, row * pool->cols + col))
         return fine_height_any(pool, col, row, lag);
     for (int n = 0; n < 4; n++) {
-        const uint32_t x = tp_pool_folded((int32_t)col + beside[n][0], pool->cols, tiled);
-        const uint32_t y = tp_pool_folded((int32_t)row + beside[n][1], pool->rows, tiled);
+        const uint32_t x =
+            tp_pool_wrap_or_mirror((int32_t)col + beside[n][0], pool->cols, tiled);
+        const uint32_t y =
+            tp_pool_wrap_or_mirror((int32_t)row + beside[n][1], pool->rows, tiled);
         if (!tp_pool_is_wall(pool, y * pool->cols + x)) {
             sum += fine_height_any(pool, x, y, lag);
             open++;
@@ -165,9 +168,10 @@ X(now_8, TP_CELLS_8, 0) X(now_16, TP_CELLS_16, 0) X(now_32, TP_CELLS_32, 0)
 X(back_8, TP_CELLS_8, 1) X(back_16, TP_CELLS_16, 1) X(back_32, TP_CELLS_32, 1)
 #undef X
 
-/* Collects the heights of a pool with walls: one small function for all kinds of cell. */
-static void gather_walls(const tp_pool *pool, const patch *p, heights *to, uint32_t col,
-                         uint32_t row)
+    /* Collects the heights of a pool with walls: one small function for all kinds of
+     * cell. */
+    static void gather_walled_patch(const tp_pool *pool, const patch *p, heights *to,
+                                    uint32_t col, uint32_t row)
 {
     const int32_t own = fine_height_any(pool, col, row, p->lag);
 
@@ -175,11 +179,11 @@ static void gather_walls(const tp_pool *pool, const patch *p, heights *to, uint3
         const int i = n >> 2, j = n & 3;
         if (i % 3 != 0 || j % 3 != 0)           /* no corner */
             to->h[i][j] =
-                pool_fine_height_or_wall(pool, p->col[j], p->row[i], p->lag, own);
+                fine_height_extended_into_wall(pool, p->col[j], p->row[i], p->lag, own);
     }
 }
 
-static void gather(const tp_pool *pool, const patch *p, heights *to)
+static void gather_open_patch(const tp_pool *pool, const patch *p, heights *to)
 {
     const bool interpolates = p->lag != 0;
 
@@ -213,7 +217,7 @@ static uint32_t find_neighbour_indices(uint64_t u, uint32_t cells, bool tiled,
         at[3] = at[1] + 2;
     } else {
         for (int32_t n = 0; n < 4; n++)
-            at[n] = tp_pool_folded(i + n - 1, cells, tiled);
+            at[n] = tp_pool_wrap_or_mirror(i + n - 1, cells, tiled);
     }
     return (uint32_t)(uint64_t)from >> 16;
 }
@@ -268,9 +272,9 @@ tp_height_slope tp_pool_height_slope(const tp_pool *pool, tp_fx x, tp_fx z, tp_f
     p.s = find_neighbour_indices(u, pool->cols, tiled, p.col);
     p.t = find_neighbour_indices(w, pool->rows, tiled, p.row);
     if (pool->walls != 0)
-        gather_walls(pool, &p, &of, col, row);
+        gather_walled_patch(pool, &p, &of, col, row);
     else
-        gather(pool, &p, &of);
+        gather_open_patch(pool, &p, &of);
     return interpolate_height_slope(pool, &p, &of);
 }
 
@@ -305,9 +309,9 @@ TP_ALWAYS_INLINE void write_open_row(const pool_row *l, tp_pool_slope *to, tp_ce
     const bool     tiled = pool->edges == TP_EDGES_TILE;
 
     for (int32_t col = -1; col <= (int32_t)cols; col++) {
-        const uint32_t at = tp_pool_folded(col, cols, tiled);
-        const uint32_t left = tp_pool_folded(col - 1, cols, tiled);
-        const uint32_t right = tp_pool_folded(col + 1, cols, tiled);
+        const uint32_t at = tp_pool_wrap_or_mirror(col, cols, tiled);
+        const uint32_t left = tp_pool_wrap_or_mirror(col - 1, cols, tiled);
+        const uint32_t right = tp_pool_wrap_or_mirror(col + 1, cols, tiled);
         const int32_t x =
             tp_pool_fine_height(pool, right, l->row, base, l->lag, cells, interpolates)
             - tp_pool_fine_height(pool, left, l->row, base, l->lag, cells, interpolates);
@@ -328,14 +332,14 @@ static void write_walled_row(const pool_row *l, tp_pool_slope *to)
     const bool     tiled = pool->edges == TP_EDGES_TILE;
 
     for (int32_t col = -1; col <= (int32_t)cols; col++) {
-        const uint32_t at = tp_pool_folded(col, cols, tiled);
-        const uint32_t left = tp_pool_folded(col - 1, cols, tiled);
-        const uint32_t right = tp_pool_folded(col + 1, cols, tiled);
-        const int32_t  own = pool_fine_height_or_wall(pool, at, l->row, l->lag, 0);
-        const int32_t  x = pool_fine_height_or_wall(pool, right, l->row, l->lag, own)
-                         - pool_fine_height_or_wall(pool, left, l->row, l->lag, own);
-        const int32_t  z = pool_fine_height_or_wall(pool, at, l->down, l->lag, own)
-                         - pool_fine_height_or_wall(pool, at, l->up, l->lag, own);
+        const uint32_t at = tp_pool_wrap_or_mirror(col, cols, tiled);
+        const uint32_t left = tp_pool_wrap_or_mirror(col - 1, cols, tiled);
+        const uint32_t right = tp_pool_wrap_or_mirror(col + 1, cols, tiled);
+        const int32_t  own = fine_height_extended_into_wall(pool, at, l->row, l->lag, 0);
+        const int32_t  x = fine_height_extended_into_wall(pool, right, l->row, l->lag, own)
+                         - fine_height_extended_into_wall(pool, left, l->row, l->lag, own);
+        const int32_t  z = fine_height_extended_into_wall(pool, at, l->down, l->lag, own)
+                         - fine_height_extended_into_wall(pool, at, l->up, l->lag, own);
         *to++ = (tp_pool_slope){ scale_slope(l, x), scale_slope(l, z) };
     }
 }
@@ -361,9 +365,9 @@ void tp_pool_slopes(const tp_pool *pool, tp_fx lag, tp_fx gain, tp_pool_slope *t
     const bool tiled = pool->edges == TP_EDGES_TILE;
 
     for (int32_t row = -1; row <= (int32_t)pool->rows; row++) {
-        const pool_row l = { pool, tp_pool_folded(row, pool->rows, tiled),
-                         tp_pool_folded(row - 1, pool->rows, tiled),
-                         tp_pool_folded(row + 1, pool->rows, tiled), lag, gain };
+        const pool_row l = { pool, tp_pool_wrap_or_mirror(row, pool->rows, tiled),
+                         tp_pool_wrap_or_mirror(row - 1, pool->rows, tiled),
+                         tp_pool_wrap_or_mirror(row + 1, pool->rows, tiled), lag, gain };
         write_slope_row(&l, to);
         to += pool->cols + 2;
     }

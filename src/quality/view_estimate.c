@@ -100,7 +100,7 @@ static viewed count_visible_grid_points(const tp_start_view *at, const tp_scene 
 
 /* Lines of the screen grid (frame/screen_grid.c) in the first `rows` rows below the
  * horizon: every row, then every 2nd, then every 4th. */
-static int64_t count_projected_lines(int64_t rows)
+static int64_t count_screen_grid_lines(int64_t rows)
 {
     return rows > 64 ? 48 + (rows - 64) / 4 : rows > 32 ? 32 + (rows - 32) / 2
          : rows > 0 ? rows : 0;
@@ -117,40 +117,41 @@ static int64_t count_rows_below_horizon(const tp_start_view *at, int32_t focal,
 
 /* Counts the points of tiles of BAND rows.  Each tile walks again the lines that waves of
  * this height may raise into it. */
-static uint32_t projected_points(const tp_start_view *at, int32_t focal, int64_t waves,
-                                 uint32_t width, uint32_t height)
+static uint32_t projected_points(const tp_start_view *at, int32_t focal,
+                                 int64_t wave_height, uint32_t width, uint32_t height)
 {
     const int64_t below = count_rows_below_horizon(at, focal, height), eye = at->eye.y;
     int64_t lines = 0;
 
-    if (eye <= waves)
+    if (eye <= wave_height)
         return 0;
     for (int64_t low = below; low > 0 && low > below - height; low -= BAND) {
-        const int64_t first = low * eye / (eye - waves) + (waves > 0 ? 8 : 4);
-        const int64_t last = (low - BAND) * eye / (eye + waves);
-        lines += count_projected_lines(first) - count_projected_lines(last) + 1;
+        const int64_t first = low * eye / (eye - wave_height) + (wave_height > 0 ? 8 : 4);
+        const int64_t last = (low - BAND) * eye / (eye + wave_height);
+        lines += count_screen_grid_lines(first) - count_screen_grid_lines(last) + 1;
     }
     return (uint32_t)tp_clamp_abs(lines * (width / 8 + 5), POINTS);
 }
 
 /* Counts every 8th pixel of every 8th row, if the water has waves. */
-static uint32_t flat_points(const tp_start_view *at, int32_t focal, int64_t waves,
+static uint32_t flat_points(const tp_start_view *at, int32_t focal, int64_t wave_height,
                             uint32_t width, uint32_t height)
 {
     const int64_t below = count_rows_below_horizon(at, focal, height);
     const int64_t rows = below < height ? below : height;
 
-    return waves > 0 && rows > 0 ? (uint32_t)((rows / 8 + 1) * (width / 8 + 1)) : 0;
+    return wave_height > 0 && rows > 0 ? (uint32_t)((rows / 8 + 1) * (width / 8 + 1)) : 0;
 }
 
 static void set_points_per_renderer(tp_view_estimate *o, const tp_start_view *at,
-                                    int64_t waves, uint32_t width, uint32_t height)
+                                    int64_t wave_height, uint32_t width, uint32_t height)
 {
     o->points[TP_VISIBILITY_TRIANGLES - 1] = o->vertices;
     o->points[TP_VISIBILITY_ROWS - 1] = o->vertices;
     o->points[TP_VISIBILITY_PROJECTED - 1] =
-        projected_points(at, o->focal, waves, width, height);
-    o->points[TP_VISIBILITY_FLAT - 1] = flat_points(at, o->focal, waves, width, height);
+        projected_points(at, o->focal, wave_height, width, height);
+    o->points[TP_VISIBILITY_FLAT - 1] =
+        flat_points(at, o->focal, wave_height, width, height);
 }
 
 /* -- renderers that can draw the view ------------------------------------------------ */
@@ -160,7 +161,7 @@ static void set_points_per_renderer(tp_view_estimate *o, const tp_start_view *at
 
 /* True if lines keep their order along a ray.  Sums the bend along the lines minus t
  * times the bend across the lines.  Steepness is scaled to a sum of at most 0.95. */
-static bool is_line_order_kept(const tp_scene *s, bool coastal, bool upright, int64_t t)
+static bool is_line_order_kept(const tp_scene *s, bool coastal, bool upright, int64_t slant)
 {
     int64_t sum = 0, steepness = 0;
 
@@ -169,7 +170,7 @@ static bool is_line_order_kept(const tp_scene *s, bool coastal, bool upright, in
         const tp_dir3  d = tp_rotation_from_angles(tp_turn_of_degrees(w->heading), 0, 0).x;
         const int64_t  m = upright ? d.x >> 14 : d.z >> 14, k = upright ? d.z >> 14
                                                                         : d.x >> 14;
-        const int64_t  bend = (m * m + (t * m >> 16) * k) >> 16;
+        const int64_t  bend = (m * m + (slant * m >> 16) * k) >> 16;
         if (w->amplitude <= 0)
             continue;
         sum += (bend < 0 ? -bend : bend) * w->steepness >> 16;
@@ -213,9 +214,9 @@ static tp_fx view_slant(const tp_start_view *at)
 /* Lists the water renderers that fit the view.  The frame decides by its own camera; the
  * estimate uses the scene's camera and is slightly stricter. */
 static void set_usable_renderers(tp_view_estimate *o, const tp_scene *s,
-                                 const tp_start_view *at, int64_t waves, bool ahead)
+                                 const tp_start_view *at, int64_t wave_height, bool ahead)
 {
-    const bool over = at->eye.y > waves + TP_FX_ONE / 8;
+    const bool over = at->eye.y > wave_height + TP_FX_ONE / 8;
     const bool swell = over && !o->ocean && !o->stirred;
 
     o->fits[TP_VISIBILITY_TRIANGLES - 1] = 1;
@@ -223,7 +224,8 @@ static void set_usable_renderers(tp_view_estimate *o, const tp_scene *s,
         over && ahead && is_rows_renderer_usable(s, o->ocean, at)
         && !(o->ocean
              && tp_can_overhang(s->surf.stretch, s->floor.slope, s->floor.map[0]));
-    o->fits[TP_VISIBILITY_PROJECTED - 1] = swell && ahead && waves < at->eye.y * 3 / 4;
+    o->fits[TP_VISIBILITY_PROJECTED - 1] =
+        swell && ahead && wave_height < at->eye.y * 3 / 4;
     o->fits[TP_VISIBILITY_FLAT - 1] = swell;
 }
 
@@ -344,8 +346,8 @@ tp_view_estimate tp_view_estimate_make(const tp_plan_input *in)
     set_wave_flags(&o, scene);
     for (int i = 0; i < TP_WAVES; i++)
         waves += scene->wave[i].amplitude > 0 ? scene->wave[i].amplitude : 0;
-    o.near =
-        tp_wave_cull_near(tp_fx_saturate(at.eye.y - waves), &at.turn, scene->camera.fov);
+    o.near = tp_nearest_water_distance(tp_fx_saturate(at.eye.y - waves), &at.turn,
+                                       scene->camera.fov);
     set_points_per_renderer(&o, &at, waves, width, height);
     set_usable_renderers(&o, scene, &at, waves, low.y >= 0 || ahead > 0);
     return o;

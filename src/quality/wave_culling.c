@@ -28,7 +28,7 @@ tp_wave_cull_limits tp_wave_cull_limits_make(const tp_scene *scene, uint32_t wav
 /* A camera at or below the crests gets 1 LSB, the smallest distance.  If the point
  * straight below the camera is in view, the distance is the height.  The point straight
  * below is in view if its angle to the view axis is below half of the field of view. */
-tp_fx tp_wave_cull_near(tp_fx height, const tp_rotation *turn, tp_fx fov)
+tp_fx tp_nearest_water_distance(tp_fx height, const tp_rotation *turn, tp_fx fov)
 {
     const tp_dir3 half = tp_rotation_from_angles(tp_turn_of_degrees(fov) / 2, 0, 0).x;
     const tp_q30 down = tp_q30_mul(turn->z.y, half.x) + tp_q30_mul(turn->y.y, half.z);
@@ -104,7 +104,7 @@ static tp_swell scale_swell_height(const tp_swell *swell, tp_fx weight)
     return w;
 }
 
-bool tp_wave_cull_deep_water(tp_deep_water *thin, tp_turn thin_phases[TP_WAVES],
+bool tp_wave_cull_deep_water(tp_deep_water *culled, tp_turn culled_phases[TP_WAVES],
                              const tp_deep_water *whole, const tp_turn phases[TP_WAVES],
                              const tp_wave_cull_limits *limits)
 {
@@ -119,17 +119,17 @@ bool tp_wave_cull_deep_water(tp_deep_water *thin, tp_turn thin_phases[TP_WAVES],
     }
     if (!any)
         return false;
-    *thin = *whole;
-    thin->count = 0;
+    *culled = *whole;
+    culled->count = 0;
     for (uint32_t i = 0; i < whole->count; i++) {
         if (weight[i] == 0)
             continue;
-        thin->swell[thin->count] = scale_swell_height(&whole->swell[i], weight[i]);
-        thin_phases[thin->count++] = phases[i];
+        culled->swell[culled->count] = scale_swell_height(&whole->swell[i], weight[i]);
+        culled_phases[culled->count++] = phases[i];
     }
-    for (uint32_t i = thin->count; i < TP_WAVES; i++) {
-        thin->swell[i] = (tp_swell){ .power = 0 };
-        thin_phases[i] = 0;
+    for (uint32_t i = culled->count; i < TP_WAVES; i++) {
+        culled->swell[i] = (tp_swell){ .power = 0 };
+        culled_phases[i] = 0;
     }
     return true;
 }

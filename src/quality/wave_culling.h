@@ -28,7 +28,7 @@ tp_wave_cull_limits tp_wave_cull_limits_make(const tp_scene *scene, uint32_t wav
 
 /* Returns the distance to the nearest water in view, for a camera `height` m above the
  * crests: the point where the lowest ray of the view meets the crest level. */
-tp_fx tp_wave_cull_near(tp_fx height, const tp_rotation *turn, tp_fx fov);
+tp_fx tp_nearest_water_distance(tp_fx height, const tp_rotation *turn, tp_fx fov);
 
 /* Returns the factor, 0..1, for the height of a drawn wave.  The factor is 0 if both
  * height and slope are below their limits, and 1 if either is at least twice its limit.
@@ -38,10 +38,10 @@ tp_fx tp_wave_cull_weight(const tp_wave_cull_limits *limits, tp_fx amplitude, tp
 tp_wave_cull tp_wave_cull_evaluate(const tp_scene *scene, const tp_wave_cull_limits *limits,
                            tp_fx slope_colour);
 
-/* Writes the culled deep water and its phases to `thin` and `thin_phases`.  Returns false
- * and writes nothing if no wave is culled.  The bounds in `thin` stay the bounds of
- * `whole`. */
-bool tp_wave_cull_deep_water(tp_deep_water *thin, tp_turn thin_phases[TP_WAVES],
+/* Writes the culled deep water and its phases to `culled` and `culled_phases`.
+ * Returns false and writes nothing if no wave is culled.  The bounds in `culled` stay
+ * the bounds of `whole`. */
+bool tp_wave_cull_deep_water(tp_deep_water *culled, tp_turn culled_phases[TP_WAVES],
                              const tp_deep_water *whole, const tp_turn phases[TP_WAVES],
                              const tp_wave_cull_limits *limits);
 #endif

@@ -27,7 +27,7 @@ int32_t tp_row_perspective_share(int32_t share, uint32_t za, uint32_t zb)
 static const uint32_t over[17] = { 0, 65536, 32768, 21845, 16384, 13107, 10923, 9362,
                                    8192, 7282, 6554, 5958, 5461, 5041, 4681, 4369, 4096 };
 
-uint32_t tp_row_place_step(uint32_t from, uint32_t to, int32_t n)
+uint32_t tp_row_st_step(uint32_t from, uint32_t to, int32_t n)
 {
     TP_ASSERT(n >= 0 && n <= 16);
     return (uint32_t)((int64_t)(int32_t)(to - from) * over[n] >> 16);
@@ -39,7 +39,7 @@ TP_ALWAYS_INLINE uint32_t key_step(int32_t zi_step)
     return ((uint32_t)zi_step * 2 + 128) & ~(uint32_t)0xff;
 }
 
-TP_ALWAYS_INLINE void step_rows(sample *p, const sample *step, uint32_t rows)
+TP_ALWAYS_INLINE void advance_sample_rows(sample *p, const sample *step, uint32_t rows)
 {
     p->key += step->key * rows;
     p->s += step->s * rows;
@@ -55,10 +55,10 @@ TP_ALWAYS_INLINE void fill(const tp_gbuffer *tile, int32_t x, int32_t y, int32_t
     uint32_t *at = key_pointer(tile, x, y);
 
     if (y > top)
-        step_rows(&now, &step, (uint32_t)(y - top));
+        advance_sample_rows(&now, &step, (uint32_t)(y - top));
     for (int32_t count = end - y; count > 0; count--, at += stride) {
         write_sample(at, plane, &now, tested);
-        step_rows(&now, &step, 1);
+        advance_sample_rows(&now, &step, 1);
     }
 }
 
@@ -110,20 +110,20 @@ TP_ALWAYS_INLINE void set_linear_sample(const between *b, int32_t y, sample *now
 
 typedef struct {
     uint32_t s, t;
-} cover_place;
+} cover_st;
 
-static cover_place interpolate_place(const between *b, int32_t y)
+static cover_st interpolate_st(const between *b, int32_t y)
 {
     const tp_row_sample *far = b->far, *near = b->near;
     int32_t share = tp_row_perspective_share(row_share(b, y), far->zi, near->zi);
 
-    return (cover_place){ (uint32_t)add_share(far->s, difference(far->s, near->s), share),
-                    (uint32_t)add_share(far->t, difference(far->t, near->t), share) };
+    return (cover_st){ (uint32_t)add_share(far->s, difference(far->s, near->s), share),
+                       (uint32_t)add_share(far->t, difference(far->t, near->t), share) };
 }
 
 /* Fills rows [y, end) of a piece that begins at row `top`. s and t are exact in
  * perspective at multiples of 16 rows and at the ends of the piece. */
-static __attribute__((noinline)) void fill_deep(const tp_rows *rows,
+static __attribute__((noinline)) void fill_perspective_rows(const tp_rows *rows,
                                                 const tp_row_sample *near,
                                                 const tp_row_sample *far, int32_t x,
                                                 int32_t y, int32_t end, int32_t top)
@@ -131,18 +131,18 @@ static __attribute__((noinline)) void fill_deep(const tp_rows *rows,
     const between b = make_interval(far, near);
     int32_t last = first_row(near->v) - 1;
     int32_t from = (y & ~15) > top ? y & ~15 : top;
-    cover_place   p = interpolate_place(&b, from);
+    cover_st   p = interpolate_st(&b, from);
     sample  now, step;
 
     for (int32_t stop; y < end; y = from = stop) {
         int32_t next = (from | 15) + 1, to = next < last ? next : last;
-        cover_place   q = to > from ? interpolate_place(&b, to) : p;
+        cover_st   q = to > from ? interpolate_st(&b, to) : p;
         stop = next < end ? next : end;
         set_linear_sample(&b, from, &now, &step);
         now.s = p.s;
         now.t = p.t;
-        step.s = to > from ? tp_row_place_step(p.s, q.s, to - from) : 0;
-        step.t = to > from ? tp_row_place_step(p.t, q.t, to - from) : 0;
+        step.s = to > from ? tp_row_st_step(p.s, q.s, to - from) : 0;
+        step.t = to > from ? tp_row_st_step(p.t, q.t, to - from) : 0;
         fill_tested(rows->tile, x, y, stop, from, &now, &step);
         p = q;
     }
@@ -191,9 +191,9 @@ static __attribute__((noinline)) void fill_many(const tp_rows *rows,
         fill(rows->tile, x, y, end, top, now, step, false);
 }
 
-void tp_row_fill_piece(const tp_rows *rows, const tp_row_sample *near,
-                       const tp_row_sample *far, int32_t x, int32_t y, int32_t end,
-                       int32_t top)
+void tp_rows_fill_column(const tp_rows *rows, const tp_row_sample *near,
+                         const tp_row_sample *far, int32_t x, int32_t y, int32_t end,
+                         int32_t top)
 {
     TP_ASSERT(y < end && y >= top && end <= rows->tile->y1);
     TP_ASSERT(near->v - far->v >= 256);
@@ -204,7 +204,7 @@ void tp_row_fill_piece(const tp_rows *rows, const tp_row_sample *near,
     else if (first_row(near->v) - top <= FEW)
         fill_few(rows, near, far, x, y, end);
     else if (apart >= DEEP * ROW && needs_row_perspective(far->zi, near->zi, apart >> 16))
-        fill_deep(rows, near, far, x, y, end, top);
+        fill_perspective_rows(rows, near, far, x, y, end, top);
     else
         fill_many(rows, near, far, x, y, end, top);
 }

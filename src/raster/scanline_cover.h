@@ -112,13 +112,13 @@ TP_ALWAYS_INLINE void close_column(tp_rows *rows, tp_row_column *column, int32_t
 int32_t tp_row_perspective_share(int32_t share, uint32_t za, uint32_t zb);
 
 /* Returns the step between two exact positions, n = 1..16 rows or columns apart. */
-uint32_t tp_row_place_step(uint32_t from, uint32_t to, int32_t n);
+uint32_t tp_row_st_step(uint32_t from, uint32_t to, int32_t n);
 
 /* Fills rows [y, end) of column x between two lines; the whole piece begins at row
  * `top`. */
-void tp_row_fill_piece(const tp_rows *rows, const tp_row_sample *near,
-                       const tp_row_sample *far, int32_t x, int32_t y, int32_t end,
-                       int32_t top);
+void tp_rows_fill_column(const tp_rows *rows, const tp_row_sample *near,
+                         const tp_row_sample *far, int32_t x, int32_t y, int32_t end,
+                         int32_t top);
 
 /* Handles a column where a line behind a gap rises to the column's limit: the column
  * starts anew.  Draws the pixel at the line if `joined`. */

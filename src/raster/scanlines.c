@@ -48,7 +48,7 @@ void tp_rows_begin(tp_rows *rows, const tp_gbuffer *tile, void *memory, bool sol
 
 typedef struct {
     uint32_t s, t;
-} column_place;
+} column_st;
 
 enum { LINE, START, JOINED, SIDE };
 
@@ -57,8 +57,8 @@ enum { LINE, START, JOINED, SIDE };
 #define CLOSE (ROW / 2)
 
 /* Draws the only row of column x with its centre between two close lines. */
-TP_ALWAYS_INLINE void draw_single_row(const tp_rows *rows, const tp_row_sample *near,
-                                      const tp_row_sample *far, int32_t x, int32_t y)
+TP_ALWAYS_INLINE void draw_single_pixel(const tp_rows *rows, const tp_row_sample *near,
+                                        const tp_row_sample *far, int32_t x, int32_t y)
 {
     const tp_gbuffer *tile = rows->tile;
     uint32_t *at = key_pointer(tile, x, y);
@@ -95,10 +95,10 @@ TP_ALWAYS_INLINE void cover_column(tp_rows *rows, tp_row_column *column,
     if (y >= end || near == TP_ROW_NONE)
         return;
     if (near - far->v < CLOSE) {
-        draw_single_row(rows, &column->line, far, x, y);
+        draw_single_pixel(rows, &column->line, far, x, y);
     } else {
         const tp_row_sample line = *far;
-        tp_row_fill_piece(rows, &column->line, &line, x, y, end, top);
+        tp_rows_fill_column(rows, &column->line, &line, x, y, end, top);
     }
 }
 
@@ -146,14 +146,14 @@ static int32_t column_share(const segment *g, int32_t x)
     return (int32_t)((uint32_t)(16 * x + 8 - g->a->u) * g->inverse);
 }
 
-static column_place interpolate_place(const segment *g, int32_t x)
+static column_st interpolate_st(const segment *g, int32_t x)
 {
     int32_t share = column_share(g, x);
 
     if (g->deep)
         share = tp_row_perspective_share(share, g->a->zi, g->b->zi);
-    return (column_place){ (uint32_t)add_share(g->a->s, g->ds, share),
-                           (uint32_t)add_share(g->a->t, g->dt, share) };
+    return (column_st){ (uint32_t)add_share(g->a->s, g->ds, share),
+                        (uint32_t)add_share(g->a->t, g->dt, share) };
 }
 
 /* Returns the steps from column to column; the segment has more than one column. */
@@ -173,7 +173,7 @@ static tp_row_sample column_steps(const segment *g)
 static tp_row_sample interpolate_sample(const segment *g, int32_t x)
 {
     int32_t share = column_share(g, x);
-    column_place   p = interpolate_place(g, x);
+    column_st   p = interpolate_st(g, x);
 
     return (tp_row_sample){
         .v = add_share(g->a->v * 4096, g->dv, share),
@@ -207,11 +207,11 @@ TP_ALWAYS_INLINE void walk_segment(tp_rows *rows, const segment *g, int32_t firs
         tp_row_sample now = interpolate_sample(g, from);
         if (g->deep && stop - first > 1) {
             int32_t last = next < stop ? next : stop - 1;
-            column_place   q = interpolate_place(g, last);
+            column_st   q = interpolate_st(g, last);
             step.s = step.t = 0;
             if (last > from) {
-                step.s = (int32_t)tp_row_place_step((uint32_t)now.s, q.s, last - from);
-                step.t = (int32_t)tp_row_place_step((uint32_t)now.t, q.t, last - from);
+                step.s = (int32_t)tp_row_st_step((uint32_t)now.s, q.s, last - from);
+                step.t = (int32_t)tp_row_st_step((uint32_t)now.t, q.t, last - from);
             }
         }
         to = next < end ? next : end;
@@ -259,9 +259,10 @@ void tp_rows_restart_line(tp_rows *rows, const tp_row_point *point, uint32_t cou
     }
 }
 
-void tp_rows_set_side(tp_rows *rows, const tp_row_point *left, const tp_row_point *right)
+void tp_rows_start_side_segment(tp_rows *rows, const tp_row_point *from,
+                                const tp_row_point *to)
 {
-    rasterize_segment(rows, left, right, SIDE);
+    rasterize_segment(rows, from, to, SIDE);
 }
 
 void tp_rows_mark_gap(tp_rows *rows, int32_t left_28_4, int32_t right_28_4)

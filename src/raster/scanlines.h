@@ -68,7 +68,8 @@ void tp_rows_restart_line(tp_rows *rows, const tp_row_point *point, uint32_t cou
 
 /* Used before a line that reaches farther to a side than the previous line: the edge of
  * the side, from left to right, replaces the previous line there. */
-void tp_rows_set_side(tp_rows *rows, const tp_row_point *left, const tp_row_point *right);
+void tp_rows_start_side_segment(tp_rows *rows, const tp_row_point *from,
+                                const tp_row_point *to);
 
 /* Marks columns without a line between two u positions; the next line starts anew there. */
 void tp_rows_mark_gap(tp_rows *rows, int32_t left_28_4, int32_t right_28_4);

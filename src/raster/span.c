@@ -132,9 +132,9 @@ static uint32_t divide_by_w(int64_t sw, uint32_t r, int shift)
 
 typedef struct {
     uint32_t s, t;
-} span_place;
+} span_st;
 
-static span_place evaluate_place(const perspective *p, const tp_tri *tri, int32_t x,
+static span_st evaluate_st(const perspective *p, const tp_tri *tri, int32_t x,
                                  int32_t y)
 {
     int32_t dx = x - tri->x_ref, dy = y - tri->y_ref;
@@ -143,13 +143,13 @@ static span_place evaluate_place(const perspective *p, const tp_tri *tri, int32_
     int      shift = tp_clz(n);
     uint32_t r = tp_recip_norm(n << shift);
 
-    return (span_place){
+    return (span_st){
         p->s0 + divide_by_w(evaluate_gradient(&p->sw, dx, dy), r, shift),
         p->t0 + divide_by_w(evaluate_gradient(&p->tw, dx, dy), r, shift),
     };
 }
 
-static uint32_t place_step(uint32_t from, uint32_t to, int32_t n)
+static uint32_t st_step(uint32_t from, uint32_t to, int32_t n)
 {
     return (uint32_t)((int64_t)(int32_t)(to - from) * tp_span_over[n] >> 16);
 }
@@ -190,14 +190,14 @@ TP_ALWAYS_INLINE void fill_perspective(const span_painter *p, span *sp, int32_t 
     int32_t from = x & -TP_SPAN_STEP;
 
     from = from > left ? from : left;
-    span_place a = evaluate_place(&p->persp, p->tri, from, y);
+    span_st a = evaluate_st(&p->persp, p->tri, from, y);
     while (x < end) {
         int32_t next = (from | (TP_SPAN_STEP - 1)) + 1;
         int32_t to = next < right ? next : right - 1;
         int32_t stop = next < end ? next : end;
-        span_place   b = to > from ? evaluate_place(&p->persp, p->tri, to, y) : a;
-        sp->s.step = place_step(a.s, b.s, to - from);
-        sp->t.step = place_step(a.t, b.t, to - from);
+        span_st   b = to > from ? evaluate_st(&p->persp, p->tri, to, y) : a;
+        sp->s.step = st_step(a.s, b.s, to - from);
+        sp->t.step = st_step(a.t, b.t, to - from);
         sp->s.now = a.s + sp->s.step * (uint32_t)(x - from);
         sp->t.now = a.t + sp->t.step * (uint32_t)(x - from);
         fill_pixels(sp, x, stop, kind);

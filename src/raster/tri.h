@@ -84,7 +84,7 @@ TP_ALWAYS_INLINE tp_gradient tp_tri_gradient(const tp_tri *tri, int64_t at_a,
 
 /* True if a vertex is inside the guard band.  The centre of the band is up to half a
  * picture from the corner; another pixel allows for rounding in the projection. */
-static inline bool tp_screen_vertex_is_in_range(const tp_screen_vertex *c)
+static inline bool tp_screen_vertex_in_guard_band(const tp_screen_vertex *c)
 {
     const int32_t most = 16 * ((1 << TP_GUARD_LOG2) + 2048 + 1);
     return tp_abs(c->u) <= most && tp_abs(c->v) <= most;
@@ -107,8 +107,8 @@ TP_ALWAYS_INLINE bool is_outside_tile_columns(const tp_gbuffer *tile,
 
 /* Sorts the vertices by row.  True: the order was reversed, so the sign of the area is
  * too. */
-TP_ALWAYS_INLINE bool sort(tp_tri *tri, const tp_screen_vertex *a,
-                           const tp_screen_vertex *b, const tp_screen_vertex *c)
+TP_ALWAYS_INLINE bool sort_by_row(tp_tri *tri, const tp_screen_vertex *a,
+                                  const tp_screen_vertex *b, const tp_screen_vertex *c)
 {
     const tp_screen_vertex *swap;
     bool odd = false;
@@ -150,7 +150,7 @@ TP_ALWAYS_INLINE int32_t max_int32(int32_t a, int32_t b)
  * triangle a value has an error of up to 5 x 2^-27 of its range times length / thickness.
  * Slivers thinner than 1/65536 of their length take all values from their upper vertex:
  * an extrapolated depth could put a sliver in front of everything. */
-TP_ALWAYS_INLINE void set_factors(tp_tri *tri, int64_t area)
+TP_ALWAYS_INLINE void set_gradient_factors(tp_tri *tri, int64_t area)
 {
     const tp_screen_vertex *a = tri->a, *b = tri->b, *c = tri->c;
     int32_t  du1 = b->u - a->u, dv1 = b->v - a->v, du2 = c->u - a->u, dv2 = c->v - a->v;
@@ -194,7 +194,7 @@ TP_ALWAYS_INLINE bool tp_tri_begin(tp_tri *tri, const tp_gbuffer *tile,
 {
     if (is_outside_tile_columns(tile, a, b, c))
         return false;
-    bool odd = sort(tri, a, b, c);
+    bool odd = sort_by_row(tri, a, b, c);
     a = tri->a;
     b = tri->b;
     c = tri->c;
@@ -203,12 +203,12 @@ TP_ALWAYS_INLINE bool tp_tri_begin(tp_tri *tri, const tp_gbuffer *tile,
     tri->bottom = bottom < tile->y1 ? bottom : tile->y1;
     if (tri->top >= tri->bottom)
         return false;
-    TP_ASSERT(tp_screen_vertex_is_in_range(a) && tp_screen_vertex_is_in_range(b)
-              && tp_screen_vertex_is_in_range(c));
+    TP_ASSERT(tp_screen_vertex_in_guard_band(a) && tp_screen_vertex_in_guard_band(b)
+              && tp_screen_vertex_in_guard_band(c));
     int64_t area = tp_tri_twice_area(a, b, c);
     if (area == 0 || (tile->front_only && (area > 0) != odd))
         return false;
-    set_factors(tri, area);
+    set_gradient_factors(tri, area);
     tri->long_left = area > 0;          /* b is right of the long edge */
     tri->middle = tp_first_centre(b->v);
     tri->length = tp_edge_begin(a->u, a->v, c->u, c->v);

@@ -83,7 +83,7 @@ TP_ALWAYS_INLINE uint32_t tp_split_rgb_multiply(tp_split_rgb a, tp_split_rgb b)
         blue = (a.rb & 0xff) * (b.rb & 0xff) + 128;
     }
     uint32_t rb = r << 16 | blue;
-    return tp_odd_bytes(tp_add_odd_bytes(rb, rb)) | ((g + (g >> 8)) & 0xff00);
+    return tp_odd_bytes(tp_halves_add_odd_bytes(rb, rb)) | ((g + (g >> 8)) & 0xff00);
 }
 
 static inline uint32_t tp_colour_times(uint32_t a, uint32_t b)
@@ -133,7 +133,7 @@ TP_ALWAYS_INLINE uint32_t tp_argb_mix(uint32_t a, uint32_t b, uint32_t share)
 }
 
 /* Mixes all four bytes: f / 32 of b and the rest of a, rounded; f 0..32. */
-static inline uint32_t tp_argb_mix_32(uint32_t a, uint32_t b, uint32_t f)
+static inline uint32_t tp_argb_mix_32nds(uint32_t a, uint32_t b, uint32_t f)
 {
     uint32_t low = (a & 0x00ff00ffu) * (32 - f) + (b & 0x00ff00ffu) * f + 0x00100010u;
     uint32_t high = (a >> 8 & 0x00ff00ffu) * (32 - f) + (b >> 8 & 0x00ff00ffu) * f

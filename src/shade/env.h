@@ -164,7 +164,7 @@ TP_ALWAYS_INLINE int32_t tp_cube_texel_coordinate(int32_t ratio, int32_t log2)
     return tp_clamp(u, 0, (256 << log2) - 256);
 }
 
-TP_ALWAYS_INLINE tp_cube_four tp_cube_gather(const uint32_t *recip, int32_t m,
+TP_ALWAYS_INLINE tp_cube_four tp_cube_find_texels(const uint32_t *recip, int32_t m,
                                              int32_t right, int32_t down, int32_t log2_w,
                                              int32_t log2_h)
 {
@@ -193,8 +193,8 @@ TP_ALWAYS_INLINE uint32_t tp_cube_mix(uint32_t a, uint32_t b, uint32_t c, uint32
 TP_ALWAYS_INLINE uint32_t tp_cube_sample(const tp_shade *shade, const tp_cube_ray *ray,
                                          const tp_cube_face_level *side)
 {
-    tp_cube_four f = tp_cube_gather(shade->env.recip, ray->m, ray->right, ray->down,
-                                    side->log2_w, side->log2_h);
+    tp_cube_four f = tp_cube_find_texels(shade->env.recip, ray->m, ray->right, ray->down,
+                                         side->log2_w, side->log2_h);
     const uint32_t *at = side->texel + f.first, *low = at + f.below;
 
     return tp_cube_mix(at[0], at[f.right], low[0], low[f.right], f.fu, f.fv)

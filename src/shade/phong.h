@@ -46,7 +46,7 @@ static inline tp_vec_q14 tp_vec_q14_unpack(tp_packed_dir n)
 /* All arguments and the result are Q1.14.  The square of the sum is below 2^30, the
  * reciprocal at most 2^32.  Where L is nearly -V (light from straight behind) hardly any
  * half vector exists; a result beyond the lobe's peak is clamped to the peak. */
-TP_ALWAYS_INLINE int32_t tp_blinn_cosine(int32_t nl, int32_t nv, int32_t lv)
+TP_ALWAYS_INLINE int32_t tp_blinn_double_angle_cosine(int32_t nl, int32_t nv, int32_t lv)
 {
     uint32_t sum = (uint32_t)tp_clamp(nl + nv, 0, 32767);
     uint32_t w = (uint32_t)tp_clamp(16384 + lv, 2, 32768);
@@ -58,7 +58,7 @@ TP_ALWAYS_INLINE int32_t tp_blinn_cosine(int32_t nl, int32_t nv, int32_t lv)
 
 TP_ALWAYS_INLINE int32_t tp_lobe_cosine(int32_t nl, int32_t nv, int32_t lv, int blinn)
 {
-    return blinn ? tp_blinn_cosine(nl, nv, lv) : (2 * nl * nv >> 14) - lv;
+    return blinn ? tp_blinn_double_angle_cosine(nl, nv, lv) : (2 * nl * nv >> 14) - lv;
 }
 
 /* -- the lit colour ------------------------------------------------------------------ */

@@ -38,36 +38,37 @@ static inline uint64_t plane_rise(const tp_floor_plane *bed, tp_fx x, tp_fx z)
 }
 
 /* Depth of the plane below a point, m, clamped to 16 km. */
-static inline tp_fx plane_depth(const tp_floor_plane *bed, tp_vec3 at)
+static inline tp_fx plane_depth_at_xz(const tp_floor_plane *plane, tp_vec3 at)
 {
-    int64_t rise = (int64_t)(plane_rise(bed, at.x, at.z) - plane_rise(bed, bed->x, bed->z));
-    return (tp_fx)tp_clamp_abs(bed->depth - (rise >> 16), TP_UNDERWATER_FAR);
+    int64_t rise =
+        (int64_t)(plane_rise(plane, at.x, at.z) - plane_rise(plane, plane->x, plane->z));
+    return (tp_fx)tp_clamp_abs(plane->depth - (rise >> 16), TP_UNDERWATER_FAR);
 }
 
 static inline tp_ground sample_ground(const tp_floor_plane *bed, tp_vec3 at)
 {
-    return (tp_ground){ plane_depth(bed, at), bed->rise_x, bed->rise_z, bed->nl };
+    return (tp_ground){ plane_depth_at_xz(bed, at), bed->rise_x, bed->rise_z, bed->nl };
 }
 
 /* Interpolates two floor planes: share / 16 of b, the rest of a.  The two depths differ by
  * less than 2^31. */
 static inline tp_ground interpolate_ground(const tp_floor_plane *a,
-                                           const tp_floor_plane *b, int32_t share,
+                                           const tp_floor_plane *b, int32_t sixteenths,
                                            tp_vec3 at)
 {
-    int32_t one = plane_depth(a, at), other = plane_depth(b, at);
+    int32_t one = plane_depth_at_xz(a, at), other = plane_depth_at_xz(b, at);
 
     return (tp_ground){
-        one + (int32_t)((int64_t)(other - one) * share >> 4),
-        a->rise_x + ((b->rise_x - a->rise_x) * share >> 4),
-        a->rise_z + ((b->rise_z - a->rise_z) * share >> 4),
-        a->nl + ((b->nl - a->nl) * share >> 4),
+        one + (int32_t)((int64_t)(other - one) * sixteenths >> 4),
+        a->rise_x + ((b->rise_x - a->rise_x) * sixteenths >> 4),
+        a->rise_z + ((b->rise_z - a->rise_z) * sixteenths >> 4),
+        a->nl + ((b->nl - a->nl) * sixteenths >> 4),
     };
 }
 
 /* Returns the distance along a ray to the floor plane.  Rays that approach the floor by
  * less than 1 m in 1024 m count as parallel: they never meet the floor. */
-static inline tp_fx way_to_floor(const tp_ground *under, tp_fx from_y, tp_ray way)
+static inline tp_fx distance_to_floor(const tp_ground *under, tp_fx from_y, tp_ray way)
 {
     tp_fx   gap = tp_fx_add_sat(from_y, under->depth);
     int32_t down = (int32_t)(((int64_t)under->rise_x * way.x
@@ -106,11 +107,11 @@ tp_floor_plane tp_underwater_find_floor_plane(const tp_shade *shade,
     tp_floor_plane here = sample_floor_plane(in, ray->at), bed = here;
     for (int n = 0; n < 2; n++) {
         tp_ground under = sample_ground(&bed, ray->at);
-        tp_fx  way = way_to_floor(&under, ray->at.y, down);
+        tp_fx  way = distance_to_floor(&under, ray->at.y, down);
         way = way < 200 * TP_FX_ONE ? way : 200 * TP_FX_ONE;
         bed = sample_floor_plane(in, point_along_ray(ray->at, down, way));
     }
-    if (plane_depth(&bed, ray->at) + (int64_t)ray->at.y <= 0)
+    if (plane_depth_at_xz(&bed, ray->at) + (int64_t)ray->at.y <= 0)
         bed = here;             /* a far bank's slope does not pass under this point */
     bed.nl = floor_light_cosine(in, bed.rise_x, bed.rise_z);
     return bed;
@@ -186,7 +187,7 @@ static inline hit nearer(hit a, face what, tp_fx way)
     return way < a.way ? (hit){ what, way } : a;
 }
 
-static inline tp_fx way_to_side(tp_fx from, int32_t speed, tp_fx low, tp_fx high)
+static inline tp_fx distance_to_wall(tp_fx from, int32_t speed, tp_fx low, tp_fx high)
 {
     tp_fx gap = speed > 0 ? tp_fx_sub_sat(high, from) : tp_fx_sub_sat(from, low);
 
@@ -201,10 +202,10 @@ static inline hit first_hit(const tp_underwater *in, const tp_ground *under, tp_
     hit h = { NOTHING, TP_UNDERWATER_FAR };
 
     if (in->floored)
-        h = nearer(h, FLOOR, way_to_floor(under, from.y, way));
+        h = nearer(h, FLOOR, distance_to_floor(under, from.y, way));
     if (in->walled) {
-        h = nearer(h, WALL_X, way_to_side(from.x, way.x, in->x0, in->x1));
-        h = nearer(h, WALL_Z, way_to_side(from.z, way.z, in->z0, in->z1));
+        h = nearer(h, WALL_X, distance_to_wall(from.x, way.x, in->x0, in->x1));
+        h = nearer(h, WALL_Z, distance_to_wall(from.z, way.z, in->z0, in->z1));
     }
     return h;
 }
@@ -220,12 +221,12 @@ typedef struct {
 
 /* Describes the hit point.  Walls are lit from inside: their normal points against the
  * ray. */
-static inline spot make_spot(const tp_shade *shade, int32_t floor_nl, hit h, tp_vec3 from,
-                             tp_ray way, tp_fx far)
+static inline spot describe_hit_point(const tp_shade *shade, int32_t floor_nl, hit h,
+                                      tp_vec3 from, tp_ray way, tp_fx eye_distance)
 {
     const tp_underwater *in = shade->underwater;
     tp_vec3 at = point_along_ray(from, way, h.way);
-    tp_fx   from_eye = tp_fx_add_sat(far, h.way);
+    tp_fx   from_eye = tp_fx_add_sat(eye_distance, h.way);
 
     if (h.what == FLOOR)
         return (spot){ &in->floor, at.x, at.z, from_eye, true,
@@ -240,11 +241,12 @@ static inline spot make_spot(const tp_shade *shade, int32_t floor_nl, hit h, tp_
 /* Returns the colour along a ray that starts at `from`, without the surface: the colour of
  * the hit point, attenuated by the water on the path. */
 static inline uint32_t shade_hit(const tp_shade *shade, int32_t floor_nl, hit h,
-                                 tp_vec3 from, tp_ray way, tp_fx far, uint32_t body)
+                                 tp_vec3 from, tp_ray way, tp_fx eye_distance,
+                                 uint32_t body)
 {
     if (h.what == NOTHING)
         return body;
-    spot s = make_spot(shade, floor_nl, h, from, way, far);
+    spot s = describe_hit_point(shade, floor_nl, h, from, way, eye_distance);
     uint32_t colour = tp_wall_material_sample(s.coat, s.x, s.z, s.far, s.ground);
     return tp_absorb_apply(&shade->underwater->absorb, tp_colour_brighten(colour, s.light),
                            body, h.way);
@@ -257,7 +259,7 @@ static inline uint32_t shade_hit_channel(const tp_shade *shade, int32_t floor_nl
 {
     if (h.what == NOTHING)
         return body & (uint32_t)0xff << shift;
-    spot s = make_spot(shade, floor_nl, h, ray->at, ray->way, ray->far);
+    spot s = describe_hit_point(shade, floor_nl, h, ray->at, ray->way, ray->far);
     uint32_t c = tp_wall_material_channel(s.coat, s.x, s.z, s.far, s.ground, shift);
     return tp_absorbed_channel(shade->underwater->absorb.halvings[2 - shift / 8], h.way,
                                tp_channel_brighten(c, s.light), body >> shift) << shift;
@@ -267,8 +269,9 @@ static inline uint32_t shade_hit_channel(const tp_shade *shade, int32_t floor_nl
 static const uint16_t over[TP_UNDERWATER_ROW] = { 0, 4096, 2048, 1365, 1024, 819, 683, 585,
                                               512, 455, 410, 372, 341, 315, 293, 273 };
 
-TP_ALWAYS_INLINE tp_ground row_ground(const tp_underwater *in, const tp_floor_plane ends[2],
-                                      int32_t sixteenths, tp_vec3 at)
+TP_ALWAYS_INLINE tp_ground ground_between_ends(const tp_underwater *in,
+                                               const tp_floor_plane ends[2],
+                                               int32_t sixteenths, tp_vec3 at)
 {
     return in->coastal ? interpolate_ground(&ends[0], &ends[1], sixteenths, at)
                        : sample_ground(&ends[0], at);
@@ -281,7 +284,7 @@ void tp_underwater_interpolate_floor(const tp_shade *shade, const tp_floor_plane
     const int32_t each = over[count - 1];
 
     for (int32_t k = 0; k < count; k++)
-        under[k] = row_ground(shade->underwater, ends, k * each >> 8, ray[k].at);
+        under[k] = ground_between_ends(shade->underwater, ends, k * each >> 8, ray[k].at);
 }
 
 void tp_underwater_shade_row(const tp_shade *shade, const tp_floor_plane ends[2],
@@ -293,7 +296,7 @@ void tp_underwater_shade_row(const tp_shade *shade, const tp_floor_plane ends[2]
     const int32_t each = over[count - 1];
 
     for (int32_t k = 0; k < count; k++, ray++) {
-        tp_ground g = row_ground(in, ends, k * each >> 8, ray->at);
+        tp_ground g = ground_between_ends(in, ends, k * each >> 8, ray->at);
         hit h = first_hit(in, &g, ray->at, ray->way);
         seen[k] = shade_hit(shade, g.nl, h, ray->at, ray->way, ray->far, body[k]);
     }
@@ -338,7 +341,7 @@ static inline uint32_t fresnel_share(const tp_shade *shade, int32_t cosine)
     return (uint32_t)(a + ((b - a) * (cosine & 63) >> 6));
 }
 
-uint32_t tp_underwater_trace_surface(const tp_shade *shade, const tp_floor_plane *bed,
+uint32_t tp_underwater_shade_underside(const tp_shade *shade, const tp_floor_plane *bed,
                                  const tp_refracted_ray *ray, tp_ray n, uint32_t body)
 {
     tp_ray  way = ray->way;
@@ -377,6 +380,6 @@ uint32_t tp_underwater_trace(const tp_shade *shade, const tp_floor_plane *bed,
     tp_refracted_ray on = { point_along_ray(ray->at, ray->way, way), ray->way,
                             tp_fx_saturate((int64_t)ray->far + way) };
     uint32_t colour =
-        tp_underwater_trace_surface(shade, bed, &on, (tp_ray){ 0, 16384, 0, 0 }, body);
+        tp_underwater_shade_underside(shade, bed, &on, (tp_ray){ 0, 16384, 0, 0 }, body);
     return tp_absorb_apply(&shade->underwater->absorb, colour, body, way);
 }

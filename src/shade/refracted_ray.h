@@ -42,9 +42,9 @@ TP_ALWAYS_INLINE int32_t tp_incidence_cosine(tp_ray in, tp_ray n)
 
 /* Refracts a ray from air into water [F4].  `in` points towards the surface, `n` is the
  * surface normal out of the water, `ci` the cosine between them, all Q1.14. */
-TP_ALWAYS_INLINE tp_ray tp_underwater_refract_cosine(const tp_underwater *underwater,
-                                                     int channel, tp_ray in, tp_ray n,
-                                                     int32_t ci)
+TP_ALWAYS_INLINE tp_ray tp_underwater_refract_at_cosine(const tp_underwater *underwater,
+                                                        int channel, tp_ray in, tp_ray n,
+                                                        int32_t ci)
 {
     int32_t  eta = underwater->eta[channel];
     uint32_t s2 = (1u << 28) - (uint32_t)(ci * ci);
@@ -58,8 +58,8 @@ TP_ALWAYS_INLINE tp_ray tp_underwater_refract_cosine(const tp_underwater *underw
 TP_ALWAYS_INLINE tp_ray tp_underwater_refract(const tp_underwater *underwater,
                                               int channel, tp_ray in, tp_ray n)
 {
-    return tp_underwater_refract_cosine(underwater, channel, in, n,
-                                        tp_incidence_cosine(in, n));
+    return tp_underwater_refract_at_cosine(underwater, channel, in, n,
+                                           tp_incidence_cosine(in, n));
 }
 
 /* Fills beam[].at and beam[].far with the world positions of samples [i, stop) of a run.
@@ -101,7 +101,7 @@ void tp_underwater_shade_row_channel(const tp_shade *shade, const tp_ground *und
 /* Colour of a beam that goes up and has reached the surface, whose normal is n: the sky
  * through Snell's window mixed with the water mirrored by the Fresnel share.  Beyond 48.6
  * degrees all light is mirrored [F1]. */
-uint32_t tp_underwater_trace_surface(const tp_shade *shade, const tp_floor_plane *plane,
+uint32_t tp_underwater_shade_underside(const tp_shade *shade, const tp_floor_plane *plane,
                                  const tp_refracted_ray *ray, tp_ray n, uint32_t body);
 
 #endif

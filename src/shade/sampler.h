@@ -223,12 +223,12 @@ TP_ALWAYS_INLINE uint32_t tp_wall_material_channel(const tp_wall_material *mater
     return tp_divide_by_255(tp_channel_mix(above, below, f.ft) * colour);
 }
 
-/* Returns a matt colour lit by sun and ambient light; `packed` is the surface normal. */
-static inline uint32_t tp_wall_material_light(const tp_shade *shade, uint32_t colour,
-                                              tp_packed_dir packed)
+/* Returns a matt colour lit by sun and ambient light; `normal` is the surface normal. */
+static inline uint32_t tp_light_matt_colour(const tp_shade *shade, uint32_t colour,
+                                            tp_packed_dir normal)
 {
     const tp_view_axes *world = &shade->world;
-    int32_t nl = tp_vec_q14_dot(tp_vec_q14_unpack(packed),
+    int32_t nl = tp_vec_q14_dot(tp_vec_q14_unpack(normal),
                                 (tp_vec_q14){ world->lx, world->ly, world->lz });
     return tp_colour_scale(colour, (uint32_t)tp_lit_share(shade->ambient,
                                                           tp_clamp(nl, 0, 16384)));

@@ -187,7 +187,8 @@ void tp_shade_gloss_blinn(uint8_t gloss[TP_GLOSS], tp_fx shininess);
 
 /* -- called by stages ---------------------------------------------------------------- */
 
-void tp_view_run(const tp_shade *shade, const tp_view_axes *axes, tp_run *run);
+void tp_run_fill_vectors_to_eye(const tp_shade *shade, const tp_view_axes *axes,
+                                tp_run *run);
 
 /* Returns the end of the 16 columns that sample i lies in, or of the run. */
 static inline int32_t tp_block_end(const tp_run *run, int32_t i)
@@ -209,7 +210,8 @@ typedef struct {
     int32_t x, y, z, l;
 } tp_ray;
 
-tp_ray tp_view_ray(const tp_shade *shade, const tp_view_axes *axes, int32_t x, int32_t y);
+tp_ray tp_vector_to_eye(const tp_shade *shade, const tp_view_axes *axes, int32_t x,
+                        int32_t y);
 
 /* -- depth of a sample from its key, and the mipmap level at that depth -------------- */
 
@@ -272,9 +274,9 @@ static inline uint32_t tp_planar_map_sample(const tp_planar_map *map, int32_t u,
 
     if (i < map->x0 - 1 || i >= map->x1 || j < map->y0 - 1 || j >= map->y1)
         return 0;
-    return tp_argb_mix_32(tp_argb_mix_32(tp_planar_map_pixel(map, i, j),
+    return tp_argb_mix_32nds(tp_argb_mix_32nds(tp_planar_map_pixel(map, i, j),
                                          tp_planar_map_pixel(map, i + 1, j), fu),
-                          tp_argb_mix_32(tp_planar_map_pixel(map, i, j + 1),
+                          tp_argb_mix_32nds(tp_planar_map_pixel(map, i, j + 1),
                                          tp_planar_map_pixel(map, i + 1, j + 1), fu),
                           fv);
 }

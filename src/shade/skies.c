@@ -46,11 +46,11 @@ void tp_stage_sky(const tp_shade *shade, tp_run *run)
 {
     const uint32_t *sky = shade->sky;
     int32_t x = run->x, end = run->x + run->count;
-    int32_t a = tp_view_ray(shade, &shade->world, x & -STEP, run->y).y;
+    int32_t a = tp_vector_to_eye(shade, &shade->world, x & -STEP, run->y).y;
 
     for (int32_t i = 0; x < end; ) {
         int32_t from = x & -STEP, next = from + STEP;
-        int32_t b = tp_view_ray(shade, &shade->world, next, run->y).y;
+        int32_t b = tp_vector_to_eye(shade, &shade->world, next, run->y).y;
         int32_t stop = next < end ? next : end;
         int32_t step = a - b, sine = -STEP * a + step * (x - from);     /* Q14 x 32 */
         for (; x < stop; x++, i++, sine += step)
@@ -85,7 +85,7 @@ static const colour_stop night_away[STOPS] = {
     { 110, 0x080e1e }, { 170, 0x060b19 }, { 256, 0x040915 },
 };
 
-static uint32_t between_stops(const colour_stop *s, int32_t sine)
+static uint32_t interpolate_colour_stops(const colour_stop *s, int32_t sine)
 {
     int i = 0;
 
@@ -97,23 +97,23 @@ static uint32_t between_stops(const colour_stop *s, int32_t sine)
 
 /* Mixes horizon and zenith by 1 - (1 - sine)^2, as the plain gradient does.  Towards the
  * sun the low air takes up to 5/8 of the sun's colour. */
-static uint32_t day_gradient(const tp_dome_config *config, bool towards, int32_t sine)
+static uint32_t day_gradient(const tp_dome_config *config, bool towards_light, int32_t sine)
 {
     uint32_t left = (uint32_t)(TP_SKY - sine), low = left * left / TP_SKY;
     uint32_t colour = tp_colour_mix(config->horizon, config->zenith, 256 - low);
     uint32_t haze = low * low / TP_SKY;
 
-    return towards ? tp_colour_mix(colour, config->light, haze * 5 / 8) : colour;
+    return towards_light ? tp_colour_mix(colour, config->light, haze * 5 / 8) : colour;
 }
 
-uint32_t tp_dome_gradient(const tp_dome_config *config, bool towards, int32_t sine)
+uint32_t tp_dome_gradient(const tp_dome_config *config, bool towards_light, int32_t sine)
 {
     TP_ASSERT(sine >= 0 && sine <= TP_SKY);
     if (config->kind == TP_DOME_DUSK)
-        return between_stops(towards ? dusk_towards : dusk_away, sine);
+        return interpolate_colour_stops(towards_light ? dusk_towards : dusk_away, sine);
     if (config->kind == TP_DOME_NIGHT)
-        return between_stops(towards ? night_towards : night_away, sine);
-    return day_gradient(config, towards, sine);
+        return interpolate_colour_stops(towards_light ? night_towards : night_away, sine);
+    return day_gradient(config, towards_light, sine);
 }
 
 /* -- the glow around the light ----------------------------------------------------- */
@@ -136,9 +136,9 @@ static const halo halos[] = {
 
 /* Returns peak / (1 + square / width), shifted to reach 0 opposite the light; in 256ths of
  * a level. */
-static uint32_t glow_lobe(uint32_t peak, uint32_t width, uint32_t square)
+static uint32_t glow_lobe(uint32_t peak, uint32_t width, uint32_t squared_chord)
 {
-    uint64_t here = ((uint64_t)peak << 8) * width / ((uint64_t)width + square);
+    uint64_t here = ((uint64_t)peak << 8) * width / ((uint64_t)width + squared_chord);
     uint64_t last = ((uint64_t)peak << 8) * width / ((uint64_t)width + FAR);
 
     return here > last ? (uint32_t)(here - last) : 0;
@@ -146,14 +146,14 @@ static uint32_t glow_lobe(uint32_t peak, uint32_t width, uint32_t square)
 
 /* Returns the glow with the disc.  The disc takes its intensity from config->sun: the
  * moon's disc is paler than moonlight, grey. */
-uint32_t tp_dome_glow(const tp_dome_config *config, uint32_t square)
+uint32_t tp_dome_glow(const tp_dome_config *config, uint32_t squared_chord)
 {
     TP_ASSERT((unsigned)config->kind <= TP_DOME_NIGHT);
     const halo *h = &halos[config->kind];
-    uint32_t share = (glow_lobe(h->near_peak, h->near_width, square)
-                      + glow_lobe(h->far_peak, h->far_width, square)) >> 8;
+    uint32_t share = (glow_lobe(h->near_peak, h->near_width, squared_chord)
+                      + glow_lobe(h->far_peak, h->far_width, squared_chord)) >> 8;
     uint32_t glow = tp_colour_scale(config->light, share);
-    uint32_t over = square > DISC ? square - DISC : 0;
+    uint32_t over = squared_chord > DISC ? squared_chord - DISC : 0;
     uint32_t cover = over < DISC_EDGE ? 256 - over * 256 / DISC_EDGE : 0;
     uint32_t sun = (uint32_t)tp_clamp(config->sun, 0, 16 * TP_FX_ONE);
     uint32_t white = sun < TP_FX_ONE ? sun >> 8 : 256;
@@ -163,7 +163,7 @@ uint32_t tp_dome_glow(const tp_dome_config *config, uint32_t square)
     return glow | alpha << 24;
 }
 
-uint32_t tp_glow_index_square(uint32_t i)
+uint32_t tp_glow_entry_squared_chord(uint32_t i)
 {
     TP_ASSERT(i <= TP_GLOW);
     uint32_t mantissa = TP_GLOW_STEP + i % TP_GLOW_STEP;
@@ -178,7 +178,7 @@ void tp_dome_init(tp_dome *dome, const tp_dome_config *config)
         dome->towards[i] = tp_dome_gradient(config, true, i);
     }
     for (uint32_t i = 0; i <= TP_GLOW; i++)
-        dome->glow[i] = tp_dome_glow(config, tp_glow_index_square(i));
+        dome->glow[i] = tp_dome_glow(config, tp_glow_entry_squared_chord(i));
 }
 
 /* -- the cube map -------------------------------------------------------------------- */

@@ -54,15 +54,15 @@ typedef struct {
 
 /* Single table entries, for tables smaller than the sky's: the gradient at a sine in
  * 256ths; the glow at a squared chord in Q28. */
-uint32_t tp_dome_gradient(const tp_dome_config *config, bool towards, int32_t sine);
-uint32_t tp_dome_glow(const tp_dome_config *config, uint32_t square);
+uint32_t tp_dome_gradient(const tp_dome_config *config, bool towards_light, int32_t sine);
+uint32_t tp_dome_glow(const tp_dome_config *config, uint32_t squared_chord);
 
 void tp_dome_init(tp_dome *dome, const tp_dome_config *config);
 
 #define TP_DISC_END 131072u     /* squared chord at the disc's outer edge: 1.27 degrees */
 
 /* Returns the squared chord of entry i of the glow, Q28. */
-uint32_t tp_glow_index_square(uint32_t i);
+uint32_t tp_glow_entry_squared_chord(uint32_t i);
 
 /* Returns false if a face is missing; the cube is then not usable. */
 bool tp_cube_init(tp_cube *cube, const tp_texture *const face[TP_CUBE_FACES]);

@@ -69,9 +69,9 @@ TP_ALWAYS_INLINE tp_ray tp_slope_normal(int32_t sx, int32_t sz)
 }
 
 TP_ALWAYS_INLINE tp_ray tp_slope_run_normal(const tp_run *run, int32_t i,
-                                           int rippled)
+                                           int bent)
 {
-    return tp_slope_normal(tp_slope_x(run, i, rippled), tp_slope_z(run, i, rippled));
+    return tp_slope_normal(tp_slope_x(run, i, bent), tp_slope_z(run, i, bent));
 }
 
 /* -- view rays of the fast stages ---------------------------------------------------- */

@@ -39,9 +39,9 @@ static uint32_t exponent(tp_fx shininess)
 }
 
 /* Blinn's lobe (N.H)^(4 n) [F5] as a function of c = 2 (N.H)^2 - 1: ((1 + c) / 2)^(2 n). */
-static tp_q30 blinn(tp_q30 c, uint32_t n)
+static tp_q30 blinn_lobe_double_angle(tp_q30 cos_double, uint32_t n)
 {
-    return power(c / 2 + TP_Q30_ONE / 2, 2 * n);
+    return power(cos_double / 2 + TP_Q30_ONE / 2, 2 * n);
 }
 
 /* Converts a lobe value of 0..1 into a table entry, scaled by the strength. */
@@ -62,8 +62,9 @@ void tp_shade_shine_blinn(tp_entry16 shine[TP_SHINE + 1], tp_fx shininess, tp_fx
 {
     TP_ASSERT(shine != NULL && strength >= 0);
     for (int32_t i = 0; i <= TP_SHINE; i++)
-        shine[i] = shine_entry(blinn(i * (TP_Q30_ONE / TP_SHINE), exponent(shininess)),
-                               strength);
+        shine[i] = shine_entry(
+            blinn_lobe_double_angle(i * (TP_Q30_ONE / TP_SHINE), exponent(shininess)),
+            strength);
 }
 
 void tp_shade_gloss(uint8_t gloss[TP_GLOSS], tp_fx shininess)
@@ -76,6 +77,6 @@ void tp_shade_gloss(uint8_t gloss[TP_GLOSS], tp_fx shininess)
 void tp_shade_gloss_blinn(uint8_t gloss[TP_GLOSS], tp_fx shininess)
 {
     for (int32_t i = 0; i < TP_GLOSS; i++)
-        gloss[i] = (uint8_t)(blinn(i * (TP_Q30_ONE / (TP_GLOSS - 1)),
+        gloss[i] = (uint8_t)(blinn_lobe_double_angle(i * (TP_Q30_ONE / (TP_GLOSS - 1)),
                                    exponent(shininess)) >> 22);
 }

@@ -20,7 +20,8 @@ typedef struct {
     int64_t x, y, z;
 } way;
 
-static way pixel_way(const tp_shade *shade, const tp_view_axes *a, int32_t x, int32_t y)
+static way pixel_view_vector(const tp_shade *shade, const tp_view_axes *a, int32_t x,
+                             int32_t y)
 {
     int64_t u = 16 * x + 8 - shade->u0, v = shade->v0 - 16 * y - 8, f = shade->focal;
 
@@ -42,14 +43,14 @@ static tp_ray normalise_ray(const tp_view_axes *a, way w)
     return r;
 }
 
-tp_ray tp_view_ray(const tp_shade *shade, const tp_view_axes *a, int32_t x, int32_t y)
+tp_ray tp_vector_to_eye(const tp_shade *shade, const tp_view_axes *a, int32_t x, int32_t y)
 {
-    return normalise_ray(a, pixel_way(shade, a, x, y));
+    return normalise_ray(a, pixel_view_vector(shade, a, x, y));
 }
 
 /* Returns the ray 16 columns further right: unnormalised rays are exactly linear in the
  * column. */
-static tp_ray next_ray(const tp_view_axes *a, way *w)
+static tp_ray advance_ray_to_next_knot(const tp_view_axes *a, way *w)
 {
     w->x -= 256 * (int64_t)a->right.x;
     w->y -= 256 * (int64_t)a->right.y;
@@ -95,30 +96,31 @@ static void evaluate_arcs(arc a, arc b, int32_t k, int32_t count, int16_t *restr
     }
 }
 
-static void between_knots(const tp_ray knot[4], int32_t k, int32_t count, tp_run *run,
-                          int32_t at)
+static void interpolate_knot_rays(const tp_ray knot[4], int32_t k, int32_t count,
+                                  tp_run *run, int32_t first)
 {
     const tp_ray *a = knot, *b = knot + 1, *c = knot + 2, *d = knot + 3;
 
     evaluate_arcs(make_arc(a->x, b->x, c->x, d->x), make_arc(a->y, b->y, c->y, d->y), k,
-                  count, run->vx + at, run->vy + at);
+                  count, run->vx + first, run->vy + first);
     evaluate_arcs(make_arc(a->z, b->z, c->z, d->z), make_arc(a->l, b->l, c->l, d->l), k,
-                  count, run->vz + at, run->lv + at);
+                  count, run->vz + first, run->lv + first);
 }
 
-void tp_view_run(const tp_shade *shade, const tp_view_axes *axes, tp_run *run)
+void tp_run_fill_vectors_to_eye(const tp_shade *shade, const tp_view_axes *axes,
+                                tp_run *run)
 {
     TP_ASSERT(run->count > 0 && run->count <= TP_RUN);
     int32_t from = run->x & ~15;
-    way     w = pixel_way(shade, axes, from - 16, run->y);
+    way     w = pixel_view_vector(shade, axes, from - 16, run->y);
     tp_ray  knot[4] = { normalise_ray(axes, w) };
 
-    knot[1] = next_ray(axes, &w);
-    knot[2] = next_ray(axes, &w);
+    knot[1] = advance_ray_to_next_knot(axes, &w);
+    knot[2] = advance_ray_to_next_knot(axes, &w);
     for (int32_t i = 0; i < run->count; ) {
         int32_t stop = tp_block_end(run, i), k = (run->x + i) & 15;
-        knot[3] = next_ray(axes, &w);
-        between_knots(knot, k, stop - i, run, i);
+        knot[3] = advance_ray_to_next_knot(axes, &w);
+        interpolate_knot_rays(knot, k, stop - i, run, i);
         i = stop;
         knot[0] = knot[1];
         knot[1] = knot[2];
@@ -128,7 +130,7 @@ void tp_view_run(const tp_shade *shade, const tp_view_axes *axes, tp_run *run)
 
 void tp_stage_view(const tp_shade *shade, tp_run *run)
 {
-    tp_view_run(shade, &shade->world, run);
+    tp_run_fill_vectors_to_eye(shade, &shade->world, run);
 }
 
 /* -- view rays of the fast stages, see slope.h --------------------------------------- */

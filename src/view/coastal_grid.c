@@ -6,29 +6,30 @@
 
 /* -- displaced vertices ---------------------------------------------------------------- */
 
-static tp_fx vertex_fade(const tp_grid *grid, uint32_t i, uint32_t j)
+static tp_fx vertex_wave_weight(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     return tp_fx_mul(grid->column[i].fade, grid->row[j].fade);
 }
 
 /* Returns the displaced vertex. *depth: depth of still water at the vertex, m; may be
  * NULL. */
-static tp_vec3 displaced(const tp_grid *grid, uint32_t i, uint32_t j, tp_fx *depth)
+static tp_vec3 displaced_vertex(const tp_grid *grid, uint32_t i, uint32_t j,
+                                tp_fx *water_depth)
 {
     const tp_surface *surface = grid->frame.surface;
     tp_vec3 rest = { grid->column[i].place, 0, grid->row[j].place };
-    tp_fx   fade = vertex_fade(grid, i, j);
+    tp_fx   fade = vertex_wave_weight(grid, i, j);
 
     if (fade == 0) {
-        if (depth)
-            *depth = tp_coastal_floor(surface->coastal, rest.x, rest.z).depth;
+        if (water_depth)
+            *water_depth = tp_coastal_floor(surface->coastal, rest.x, rest.z).depth;
         return rest;
     }
     tp_coastal_point p =
         tp_coastal_displace_point(surface->coastal, surface->phases, rest.x, rest.z);
     tp_vec3 way = tp_vec3_sub(p.position, rest);
-    if (depth)
-        *depth = p.depth;
+    if (water_depth)
+        *water_depth = p.depth;
     return (tp_vec3){ rest.x + tp_fx_mul(way.x, fade), rest.y + tp_fx_mul(way.y, fade),
                       rest.z + tp_fx_mul(way.z, fade) };
 }
@@ -68,7 +69,7 @@ static void displace_row(tp_grid *grid, uint32_t j)
 
     for (uint32_t i = columns.first; i < columns.end; i++) {
         tp_fx depth;
-        sheet[i] = displaced(grid, i, j, &depth);
+        sheet[i] = displaced_vertex(grid, i, j, &depth);
         set_dry(grid, i, j, depth <= 0);
     }
 }
@@ -83,7 +84,8 @@ static tp_vec3 shortened(tp_vec3 v, int shift)
 }
 
 static tp_vec3 add_rings_pools_and_slopes(const tp_vec3 around[4], const tp_grid *grid,
-                                          tp_vec3 middle, tp_fx fade, int16_t slope[3])
+                                          tp_vec3 middle, tp_fx wave_weight,
+                                          int16_t slope[3])
 {
     const tp_surface *surface = grid->frame.surface;
     tp_vec3 across = tp_vec3_sub(around[1], around[0]);
@@ -91,12 +93,12 @@ static tp_vec3 add_rings_pools_and_slopes(const tp_vec3 around[4], const tp_grid
     int     shift = across.x > 1000 * TP_FX_ONE || along.z > 1000 * TP_FX_ONE ? 5 : 0;
     tp_height_slope sum = { 0, 0, 0 };
 
-    if (fade != 0)
+    if (wave_weight != 0)
         tp_slopes_from_tangents(shortened(across, shift), shortened(along, shift),
                                 &sum.slope_x, &sum.slope_z);
     if (tp_surface_has_rings_or_pools(surface)) {
         tp_height_slope relief =
-            tp_rings_pools_sample_faded(surface, middle.x, middle.z, fade);
+            tp_rings_pools_sample_faded(surface, middle.x, middle.z, wave_weight);
         middle.y += relief.height;
         sum.slope_x += relief.slope_x;
         sum.slope_z += relief.slope_z;
@@ -133,7 +135,7 @@ static void project_vertex(const tp_projection *projection, tp_vec3 at,
         to->u = TP_GRID_NEEDS_CLIP;
 }
 
-void tp_sheet_place_row(tp_grid *grid, uint32_t j, tp_grid_span needed)
+void tp_coastal_grid_evaluate_row(tp_grid *grid, uint32_t j, tp_grid_span needed)
 {
     TP_ASSERT(tp_grid_is_coastal(grid) && j < grid->rows && needed.end <= grid->cols);
     uint32_t near = previous_clamped(j), far = next_clamped(j, grid->rows);
@@ -148,21 +150,21 @@ void tp_sheet_place_row(tp_grid *grid, uint32_t j, tp_grid_span needed)
                                     grid->sheet[near % 3][i], grid->sheet[far % 3][i] };
         int16_t slope[3];
         tp_vec3 at = add_rings_pools_and_slopes(around, grid, row[i],
-                                                vertex_fade(grid, i, j), slope);
+                                                vertex_wave_weight(grid, i, j), slope);
         project_vertex(grid->frame.projection, at, slope,
                        &grid->vertex[(size_t)j * grid->cols + i]);
     }
 }
 
-tp_view_vertex tp_sheet_make_view_vertex(const tp_grid *grid, uint32_t i, uint32_t j)
+tp_view_vertex tp_coastal_grid_make_view_vertex(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     const tp_surface *surface = grid->frame.surface;
-    tp_vec3 at = displaced(grid, i, j, NULL);
+    tp_vec3 at = displaced_vertex(grid, i, j, NULL);
     tp_view_vertex c = { .s = grid->column[i].place, .t = grid->row[j].place };
 
     if (tp_surface_has_rings_or_pools(surface))
         at.y +=
-            tp_rings_pools_sample_faded(surface, at.x, at.z, vertex_fade(grid, i, j))
+            tp_rings_pools_sample_faded(surface, at.x, at.z, vertex_wave_weight(grid, i, j))
                 .height;
     tp_projection_view_vertex(grid->frame.projection, at, &c);
     return c;

@@ -4,8 +4,8 @@
 #include "view/wave_models.h"
 
 /* Allocates all tables except the vertices. */
-static void layout_lines(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
-                         uint32_t waves)
+static void layout_tables(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
+                          uint32_t waves)
 {
     TP_ASSERT(cols >= 2 && rows >= 2 && waves <= TP_WAVES);
     grid->cols = grid->most_cols = cols;
@@ -29,7 +29,7 @@ static void layout_lines(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t
 
 void tp_grid_layout(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows)
 {
-    layout_lines(grid, arena, cols, rows, TP_WAVES);
+    layout_tables(grid, arena, cols, rows, TP_WAVES);
     grid->vertex = tp_arena_alloc(arena, (size_t)cols * rows, sizeof *grid->vertex);
     grid->streams = false;
     grid->window = tp_grid_window_init(NULL);
@@ -38,7 +38,7 @@ void tp_grid_layout(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows
 void tp_grid_layout_streamed(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
                              uint32_t waves)
 {
-    layout_lines(grid, arena, cols, rows, waves);
+    layout_tables(grid, arena, cols, rows, waves);
     grid->vertex = NULL;
     grid->streams = true;
     grid->window = tp_grid_window_init(
@@ -68,27 +68,27 @@ static int64_t max_plane_distance_at_x0(const tp_plane *p, tp_fx z0, tp_fx z1,
 /* Returns a border column of a row against a plane. n.x > 0: the last column outside,
  * before the row enters the inner side; else: the first column outside, after the row
  * leaves the inner side.  Coordinates of columns increase, so the column is unique.
- * `at_x0`: the row's max_plane_distance_at_x0.  The search starts at the result of the
- * previous row. */
-static uint32_t find_side_column(const tp_grid *grid, const tp_plane *plane, int64_t at_x0,
-                                 uint32_t at)
+ * `distance_at_x0`: the row's max_plane_distance_at_x0.  The search starts at the
+ * result of the previous row. */
+static uint32_t find_side_column(const tp_grid *grid, const tp_plane *plane,
+                                 int64_t distance_at_x0, uint32_t start)
 {
     const tp_grid_line *column = grid->column;
     uint32_t last = grid->cols - 1;
     int64_t  nx = plane->n.x;
 
     if (nx > 0) {
-        while (at > 0 && (nx * column[at].place >> 30) + at_x0 >= 0)
-            at--;
-        while (at < last && (nx * column[at + 1].place >> 30) + at_x0 < 0)
-            at++;
+        while (start > 0 && (nx * column[start].place >> 30) + distance_at_x0 >= 0)
+            start--;
+        while (start < last && (nx * column[start + 1].place >> 30) + distance_at_x0 < 0)
+            start++;
     } else {
-        while (at < last && (nx * column[at].place >> 30) + at_x0 >= 0)
-            at++;
-        while (at > 0 && (nx * column[at - 1].place >> 30) + at_x0 < 0)
-            at--;
+        while (start < last && (nx * column[start].place >> 30) + distance_at_x0 >= 0)
+            start++;
+        while (start > 0 && (nx * column[start - 1].place >> 30) + distance_at_x0 < 0)
+            start--;
     }
-    return at;
+    return start;
 }
 
 /* Returns the cells of row j that touch the view: the cells between all planes' columns. */
@@ -128,7 +128,7 @@ static void set_columns(tp_grid *grid, tp_fx cell)
 {
     for (uint32_t i = 0; i < grid->cols; i++) {
         int32_t rest[3];
-        tp_vertex_rest_x(&grid->frame, grid->column[i].place, rest);
+        tp_vertex_x_to_view(&grid->frame, grid->column[i].place, rest);
         for (int axis = 0; axis < 3; axis++)
             grid->columns.rest[axis][i] = rest[axis];
     }
@@ -140,7 +140,7 @@ static void set_columns(tp_grid *grid, tp_fx cell)
 static void set_row(const tp_grid *grid, uint32_t j, bool sloped, tp_vertex_row *row)
 {
     row->line = grid->row[j];
-    tp_vertex_rest_z(&grid->frame, row->line.place, row->rest);
+    tp_vertex_z_to_view(&grid->frame, row->line.place, row->rest);
     if (row->line.fade != 0 && grid->frame.count > 0)
         grid->frame.surface->by->swells->row(&grid->frame, row, sloped);
 }
@@ -174,8 +174,8 @@ tp_view_vertex tp_grid_make_view_vertex(const tp_grid *grid, const tp_grid_verte
 
 /* Evaluates the vertices of a row in runs.  A run ends at every TP_VERTEX_BATCH-th column
  * and where waves begin or end. */
-static void place_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
-                      tp_grid_vertex *vertex)
+static void evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
+                         tp_grid_vertex *vertex)
 {
     tp_vertex_row row;
 
@@ -219,11 +219,11 @@ void tp_grid_window_load(const tp_grid *grid, tp_grid_window *window, uint32_t j
     window->row[side] = j;
     window->line[side] = to;
     if (first < done->first) {
-        place_row(grid, j, first, done->first, to);
+        evaluate_row(grid, j, first, done->first, to);
         done->first = (uint16_t)first;
     }
     if (end > done->end) {
-        place_row(grid, j, done->end, end, to);
+        evaluate_row(grid, j, done->end, end, to);
         done->end = (uint16_t)end;
     }
 }
@@ -259,7 +259,7 @@ static tp_grid_box box_union(tp_grid_box a, tp_grid_box b)
 
 /* Extends the boxes of row j - 1 by the vertices of row j and starts the boxes of row j.
  * [first, end) has all vertices that the visible cells need. */
-static void place_boxes(tp_grid *grid, uint32_t j, uint32_t first, uint32_t end)
+static void merge_row_into_boxes(tp_grid *grid, uint32_t j, uint32_t first, uint32_t end)
 {
     const tp_grid_vertex *vertex = grid->window.line[j & 1];
 
@@ -340,11 +340,11 @@ void tp_grid_place_row(tp_grid *grid, uint32_t j)
     if (tp_grid_is_coastal(grid))
         grid->frame.surface->by->coastal->row(grid, j, needed);
     else if (!grid->streams)
-        place_row(grid, j, needed.first, needed.end,
-                  grid->vertex + (size_t)j * grid->cols);
+        evaluate_row(grid, j, needed.first, needed.end,
+                     grid->vertex + (size_t)j * grid->cols);
     tp_grid_window_load(grid, &grid->window, j, needed.first, needed.end);
     grid->vertices += (uint32_t)(needed.end - needed.first);
-    place_boxes(grid, j, needed.first, needed.end);
+    merge_row_into_boxes(grid, j, needed.first, needed.end);
 }
 
 void tp_grid_place(tp_grid *grid, const tp_grid_view *view)

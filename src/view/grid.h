@@ -79,7 +79,7 @@ typedef struct {
     bool  lod;                  /* true: level of detail is allowed (plain swells) */
 } tp_grid_view;
 
-static inline bool tp_grid_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)
+static inline bool tp_grid_vertex_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     size_t at = (size_t)j * grid->cols + i;
     return grid->dry[at / 32] >> at % 32 & 1;
@@ -88,9 +88,10 @@ static inline bool tp_grid_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)
 /* True if all four vertices of a visible cell are on land, so the cell has no water. */
 static inline bool tp_grid_cell_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)
 {
-    return grid->dry && grid->frame.surface->coastal
-        && tp_grid_is_dry(grid, i, j) && tp_grid_is_dry(grid, i + 1, j)
-        && tp_grid_is_dry(grid, i, j + 1) && tp_grid_is_dry(grid, i + 1, j + 1);
+    return grid->dry && grid->frame.surface->coastal && tp_grid_vertex_is_dry(grid, i, j)
+           && tp_grid_vertex_is_dry(grid, i + 1, j)
+           && tp_grid_vertex_is_dry(grid, i, j + 1)
+           && tp_grid_vertex_is_dry(grid, i + 1, j + 1);
 }
 
 /* grid_lines.c: sets the positions of the columns, or of the rows along z; returns the
@@ -201,9 +202,10 @@ static inline bool tp_grid_is_coastal(const tp_grid *grid)
 tp_grid_span tp_grid_needed_vertices(const tp_grid *grid, uint32_t j);
 
 /* Evaluates a row; rows must be called in order. */
-void tp_sheet_place_row(tp_grid *grid, uint32_t j, tp_grid_span needed);
+void tp_coastal_grid_evaluate_row(tp_grid *grid, uint32_t j, tp_grid_span needed);
 
 /* Returns a vertex before projection; its slopes stay 0. */
-tp_view_vertex tp_sheet_make_view_vertex(const tp_grid *grid, uint32_t i, uint32_t j);
+tp_view_vertex tp_coastal_grid_make_view_vertex(const tp_grid *grid, uint32_t i,
+                                                uint32_t j);
 
 #endif

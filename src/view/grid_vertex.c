@@ -54,8 +54,8 @@ static void convert_wide_coordinates(const int32_t *from, int32_t rest, uint32_t
 }
 
 /* Computes a view axis of a run; `at_rest`: without waves. */
-static void compute_view_axis(const tp_vertex_batch_input *place, int axis, bool at_rest,
-                              int32_t *to)
+static void compute_view_coordinate(const tp_vertex_batch_input *place, int axis,
+                                    bool at_rest, int32_t *to)
 {
     const tp_vertex_frame *frame = place->frame;
     const int32_t *from = place->columns->rest[axis] + place->first;
@@ -204,15 +204,15 @@ static void project_any(const tp_projection *projection, const tp_vertex_batch *
 /* -- runs ------------------------------------------------------------------------------ */
 
 /* Computes view coordinates and, if `sloped`, the slopes of `vertex`. */
-static void displace(const tp_vertex_batch_input *place, bool sloped, tp_vertex_batch *run,
-                     tp_grid_vertex *vertex)
+static void displace_batch(const tp_vertex_batch_input *place, bool sloped,
+                           tp_vertex_batch *run, tp_grid_vertex *vertex)
 {
     const tp_surface *surface = place->frame->surface;
     bool at_rest = place->at_rest || place->frame->count == 0;
     bool sharpened = surface->deep->sharpened && !at_rest && surface->by->sharp;
 
     for (int axis = 0; axis < 3; axis++)
-        compute_view_axis(place, axis, at_rest || sharpened, run->at[axis]);
+        compute_view_coordinate(place, axis, at_rest || sharpened, run->at[axis]);
     if (sharpened) {
         surface->by->sharp->run(place, run, vertex);
     } else if (at_rest) {
@@ -236,7 +236,7 @@ void tp_vertex_evaluate_batch(const tp_vertex_frame *frame,
     const tp_vertex_batch_input place = { frame, columns, row, first, count, at_rest };
     tp_vertex_batch run;
 
-    displace(&place, true, &run, vertex);
+    displace_batch(&place, true, &run, vertex);
     if (is_run_far_in_view(&place))
         project_far(frame->projection, &run, count, vertex);
     else
@@ -251,7 +251,7 @@ tp_view_vertex tp_vertex_make_view_vertex(const tp_vertex_frame *frame,
     tp_grid_vertex vertex = { .slope_x = 0 };
     tp_vertex_batch run;
 
-    displace(&place, false, &run, &vertex);
+    displace_batch(&place, false, &run, &vertex);
     return (tp_view_vertex){
         .x = run.at[0][0], .y = run.at[1][0], .depth = run.at[2][0],
         .s = columns->line[column].place, .t = row->line.place,

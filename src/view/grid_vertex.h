@@ -71,7 +71,7 @@ typedef struct {
 /* Tables of the columns, with frame.count turns and pairs per column. */
 typedef struct {
     tp_grid_line   *line;
-    int32_t        *rest[3];            /* parts of x, y, depth, by tp_vertex_rest_x */
+    int32_t        *rest[3];            /* parts of x, y, depth, by tp_vertex_x_to_view */
     tp_vertex_sincos *turn;              /* phases times fade weights; for sharpened crests,
                                          * only the weights of tp_lod_share */
     uint32_t       *pair;               /* two Q.15: the sine low, the cosine high */
@@ -100,8 +100,8 @@ void tp_vertex_set_swells(tp_vertex_frame *frame);
 
 /* Compute the view coordinates of water at rest: the part of a column at x, and the part
  * of a row at z, including the height of the eye. 16.16, or 18.14 in wide frames. */
-void tp_vertex_rest_x(const tp_vertex_frame *frame, tp_fx x, int32_t rest[3]);
-void tp_vertex_rest_z(const tp_vertex_frame *frame, tp_fx z, int32_t rest[3]);
+void tp_vertex_x_to_view(const tp_vertex_frame *frame, tp_fx x, int32_t view_part[3]);
+void tp_vertex_z_to_view(const tp_vertex_frame *frame, tp_fx z, int32_t view_part[3]);
 
 /* Returns sine and cosine of an angle, within 2^-28. */
 tp_vertex_sincos tp_vertex_sincos_from_angle(tp_turn angle);
@@ -201,7 +201,7 @@ typedef struct {
  * 2^62.5 with both terms of a sum, is Q.(13 + tilt).  The reciprocal of a det shifted up
  * by 2..8 is 2^(34 - shift) / det.  Shifted down by tilt - 1 - shift, not negative as
  * tilt >= 9, the reciprocal takes the numerators to 16.16 for every tilt. */
-TP_ALWAYS_INLINE void tp_set_slopes(const tp_jacobian *j, int tilt, bool crossed,
+TP_ALWAYS_INLINE void tp_set_slopes(const tp_jacobian *j, int slope_bits, bool crossed,
                                     tp_grid_vertex *to)
 {
     int32_t det = j->jxx >> 2, nx = j->hx >> 2, nz = j->hz >> 2;
@@ -212,8 +212,8 @@ TP_ALWAYS_INLINE void tp_set_slopes(const tp_jacobian *j, int tilt, bool crossed
         nz = tp_upper((int64_t)j->hz * j->jxx + (int64_t)j->hx * j->bxz);
     }
     int     shift = tp_clz((uint32_t)det);
-    TP_ASSERT(det > 0 && shift < tilt);
-    int32_t r = tp_recip_rough((uint32_t)det << shift) >> (tilt - 1 - shift);
+    TP_ASSERT(det > 0 && shift < slope_bits);
+    int32_t r = tp_recip_rough((uint32_t)det << shift) >> (slope_bits - 1 - shift);
     to->slope_x = tp_saturated((tp_mul_upper(nx, r) + 8) >> 4);
     to->slope_z = tp_saturated((tp_mul_upper(nz, r) + 8) >> 4);
 }

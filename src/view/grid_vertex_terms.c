@@ -14,9 +14,9 @@ static int32_t dot_horizontal_q20(tp_fx a, tp_q30 x, tp_fx b, tp_q30 z)
 }
 
 /* Converts a slope from Q2.30 to Q.(14 + tilt). */
-static int32_t convert_slope_bits(tp_q30 slope, int tilt)
+static int32_t convert_slope_bits(tp_q30 slope, int slope_bits)
 {
-    return (int32_t)(((int64_t)slope * (1 << tilt) + (1 << 15)) >> 16);
+    return (int32_t)(((int64_t)slope * (1 << slope_bits) + (1 << 15)) >> 16);
 }
 
 static tp_vertex_swell project_swell(const tp_vertex_frame *frame, const tp_swell *w)
@@ -78,15 +78,15 @@ static void transform_to_view(const tp_vertex_frame *frame, tp_vec3 d, int32_t r
     }
 }
 
-void tp_vertex_rest_x(const tp_vertex_frame *frame, tp_fx x, int32_t rest[3])
+void tp_vertex_x_to_view(const tp_vertex_frame *frame, tp_fx x, int32_t view_part[3])
 {
-    transform_to_view(frame, (tp_vec3){ x - frame->projection->eye.x, 0, 0 }, rest);
+    transform_to_view(frame, (tp_vec3){ x - frame->projection->eye.x, 0, 0 }, view_part);
 }
 
-void tp_vertex_rest_z(const tp_vertex_frame *frame, tp_fx z, int32_t rest[3])
+void tp_vertex_z_to_view(const tp_vertex_frame *frame, tp_fx z, int32_t view_part[3])
 {
     const tp_vec3 *eye = &frame->projection->eye;
-    transform_to_view(frame, (tp_vec3){ 0, -eye->y, z - eye->z }, rest);
+    transform_to_view(frame, (tp_vec3){ 0, -eye->y, z - eye->z }, view_part);
 }
 
 /* True if view coordinates may exceed 16.16.  View coordinates are linear over columns
@@ -99,8 +99,8 @@ static bool needs_wide_coordinates(tp_vertex_frame *frame, const tp_fx x[2],
     frame->wide = true;         /* 18.14, so that parts fit */
     for (int k = 0; k < 4; k++) {
         int32_t a[3], b[3];
-        tp_vertex_rest_x(frame, x[k & 1], a);
-        tp_vertex_rest_z(frame, z[k >> 1], b);
+        tp_vertex_x_to_view(frame, x[k & 1], a);
+        tp_vertex_z_to_view(frame, z[k >> 1], b);
         for (int axis = 0; axis < 3; axis++) {
             int64_t most = 4 * ((int64_t)tp_abs(a[axis]) + tp_abs(b[axis]) + 2);
             wide = wide || most + frame->margin > TP_FX_MAX;
@@ -177,16 +177,16 @@ static uint32_t pack_sin_cos(tp_vertex_sincos phase)
     return pack_pair((phase.sin + (1 << 14)) >> 15, (phase.cos + (1 << 14)) >> 15);
 }
 
-/* Returns the remaining weight of a swell on a line of columns (`way` 0) or rows (`way`
+/* Returns the remaining weight of a swell on a line of columns (`axis` 0) or rows (`axis`
  * 1). */
-static tp_lod_share line_swell_share(const tp_vertex_frame *frame, int way, tp_fx place,
+static tp_lod_share line_swell_share(const tp_vertex_frame *frame, int axis, tp_fx position,
                                      int64_t turns)
 {
     const struct tp_water_lod *lod = frame->surface->by->lod;
 
     if (!frame->lod)
         return (tp_lod_share){ TP_FX_ONE, TP_FX_ONE };
-    return lod->share(&frame->lod[way], lod->step(&frame->lod[way], place), turns);
+    return lod->share(&frame->lod[axis], lod->step(&frame->lod[axis], position), turns);
 }
 
 /* Same as scale_sin_cos; a weight of 1 costs no multiplication. */
@@ -230,18 +230,21 @@ void tp_vertex_set_columns(const tp_vertex_frame *frame, const tp_vertex_columns
 /* -- rows ------------------------------------------------------------------------------ */
 
 /* Splits C cos + S sin of the whole phase into factors of the column's sine and cosine. */
-static tp_vertex_sincos split_column_factors(int32_t c, int32_t s, tp_vertex_sincos b)
+static tp_vertex_sincos split_column_factors(int32_t cos_amplitude, int32_t sin_amplitude,
+                                             tp_vertex_sincos row_phase)
 {
     const int64_t half = (int64_t)1 << 31;
     return (tp_vertex_sincos){
-        tp_upper((int64_t)s * b.cos - (int64_t)c * b.sin + half),
-        tp_upper((int64_t)c * b.cos + (int64_t)s * b.sin + half),
+        tp_upper((int64_t)sin_amplitude * row_phase.cos
+                 - (int64_t)cos_amplitude * row_phase.sin + half),
+        tp_upper((int64_t)cos_amplitude * row_phase.cos
+                 + (int64_t)sin_amplitude * row_phase.sin + half),
     };
 }
 
 /* Packs two products as 16-bit halves.  The numbers have 14 extra bits, and Q2.30 removes
  * 2. */
-static inline uint32_t pair_upper(int32_t sine, int32_t cosine, int32_t a, int32_t b)
+static inline uint32_t pack_two_products(int32_t sine, int32_t cosine, int32_t a, int32_t b)
 {
     int32_t low = tp_mul_upper(sine, a) + (1 << 11);
     int32_t high = tp_mul_upper(cosine, b) + (1 << 11);
@@ -274,11 +277,11 @@ static void set_slope_factors(const tp_vertex_frame *frame, tp_vertex_row *row)
         const tp_vertex_swell *w = &frame->swell[k];
         tp_vertex_sincos b = row->turn[k];
         row->tilt[k] = (tp_vertex_tilt){
-            .tilt_x = pair_upper(-w->tilt_x, w->tilt_x, b.sin, b.cos),
-            .tilt_z = pair_upper(-w->tilt_z, w->tilt_z, b.sin, b.cos),
-            .bend_xx = pair_upper(-w->bend_xx, -w->bend_xx, b.cos, b.sin),
-            .bend_xz = pair_upper(w->bend_xz, w->bend_xz, b.cos, b.sin),
-            .bend_zz = pair_upper(-w->bend_zz, -w->bend_zz, b.cos, b.sin),
+            .tilt_x = pack_two_products(-w->tilt_x, w->tilt_x, b.sin, b.cos),
+            .tilt_z = pack_two_products(-w->tilt_z, w->tilt_z, b.sin, b.cos),
+            .bend_xx = pack_two_products(-w->bend_xx, -w->bend_xx, b.cos, b.sin),
+            .bend_xz = pack_two_products(w->bend_xz, w->bend_xz, b.cos, b.sin),
+            .bend_zz = pack_two_products(-w->bend_zz, -w->bend_zz, b.cos, b.sin),
         };
     }
 }

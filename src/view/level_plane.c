@@ -11,7 +11,7 @@ static int64_t shifted(int64_t x, int right)
 /* -- sums ------------------------------------------------------------------------------ */
 
 /* Returns d . n as a sum over X and Y. focal is below 2^14 px, so a sum has 46 bits. */
-static tp_level_linear make_sum(const tp_projection *projection, tp_dir3 n)
+static tp_level_linear make_ray_dot_linear(const tp_projection *projection, tp_dir3 n)
 {
     tp_q30 right = tp_dir3_dot(projection->turn.x, n),
            up = tp_dir3_dot(projection->turn.y, n);
@@ -30,8 +30,8 @@ static tp_level_linear make_sum(const tp_projection *projection, tp_dir3 n)
 /* Returns near / depth as a sum: near / (h focal) times -d.y.  `over` has the quotient's
  * 31 upper bits: with h and focal in 16.16 and near / over in Q.30, zi in Q1.43 is down
  * over / 2^right. */
-static tp_level_linear make_zi_sum(const tp_projection *projection,
-                                   const tp_level_linear *down)
+static tp_level_linear make_zi_linear(const tp_projection *projection,
+                                      const tp_level_linear *down)
 {
     uint64_t under = (uint64_t)projection->eye.y * (uint32_t)projection->focal;
     int      up = under >> 32 ? tp_clz((uint32_t)(under >> 32))
@@ -48,14 +48,15 @@ static tp_level_linear make_zi_sum(const tp_projection *projection,
     };
 }
 
-/* Returns the inside of the plane through the eye and a side of the water.  `way`:
- * distance of the side from the eye along x or z, m; `sign`: direction of the side on
- * that axis. */
-static tp_level_linear make_side_sum(const tp_projection *projection, int sign, int64_t way,
-                                  bool along_z)
+/* Returns the inside of the plane through the eye and a side of the water.
+ * `side_distance`: distance of the side from the eye along x or z, m; `sign`:
+ * direction of the side on that axis. */
+static tp_level_linear make_side_linear(const tp_projection *projection, int sign,
+                                        int64_t side_distance, bool along_z)
 {
-    tp_fx h = projection->eye.y * -sign, w = tp_fx_saturate(way * -sign);
-    return make_sum(projection, along_z ? tp_normalise(0, w, h) : tp_normalise(h, w, 0));
+    tp_fx h = projection->eye.y * -sign, w = tp_fx_saturate(side_distance * -sign);
+    return make_ray_dot_linear(projection,
+                               along_z ? tp_normalise(0, w, h) : tp_normalise(h, w, 0));
 }
 
 void tp_level_begin(tp_level *level, const tp_projection *projection,
@@ -64,14 +65,17 @@ void tp_level_begin(tp_level *level, const tp_projection *projection,
     const tp_vec3 *eye = &projection->eye;
 
     TP_ASSERT(eye->y >= TP_LEVEL_HEIGHT);
-    level->down = make_sum(projection, (tp_dir3){ 0, -TP_Q30_ONE, 0 });
-    level->east = make_sum(projection, (tp_dir3){ TP_Q30_ONE, 0, 0 });
-    level->south = make_sum(projection, (tp_dir3){ 0, 0, TP_Q30_ONE });
-    level->zi = make_zi_sum(projection, &level->down);
-    level->side[0] = make_side_sum(projection, -1, (int64_t)across->first - eye->x, false);
-    level->side[1] = make_side_sum(projection, 1, (int64_t)across->last - eye->x, false);
-    level->side[2] = make_side_sum(projection, -1, (int64_t)along->first - eye->z, true);
-    level->side[3] = make_side_sum(projection, 1, (int64_t)along->last - eye->z, true);
+    level->down = make_ray_dot_linear(projection, (tp_dir3){ 0, -TP_Q30_ONE, 0 });
+    level->east = make_ray_dot_linear(projection, (tp_dir3){ TP_Q30_ONE, 0, 0 });
+    level->south = make_ray_dot_linear(projection, (tp_dir3){ 0, 0, TP_Q30_ONE });
+    level->zi = make_zi_linear(projection, &level->down);
+    level->side[0] =
+        make_side_linear(projection, -1, (int64_t)across->first - eye->x, false);
+    level->side[1] =
+        make_side_linear(projection, 1, (int64_t)across->last - eye->x, false);
+    level->side[2] =
+        make_side_linear(projection, -1, (int64_t)along->first - eye->z, true);
+    level->side[3] = make_side_linear(projection, 1, (int64_t)along->last - eye->z, true);
     level->side[4] = (tp_level_linear){
         ((int64_t)255 << (23 + TP_LEVEL_ZI)) - level->zi.at, -level->zi.x, -level->zi.y,
     };
@@ -94,13 +98,13 @@ tp_level_line tp_level_zero_line(const tp_level_linear *sum)
 /* -- positions ------------------------------------------------------------------------- */
 
 /* 1 / down is r 2^(up - 95); Q.30 pixels are treated as integers; h r has 59 bits. */
-tp_level_scale tp_level_scale_make(const tp_level *level, int64_t down)
+tp_level_scale tp_level_metres_per_pixel(const tp_level *level, int64_t ray_down)
 {
-    TP_ASSERT(down > 0);
-    uint32_t high = (uint32_t)((uint64_t)down >> 32);
-    int      up = high ? tp_clz(high) : 32 + tp_clz((uint32_t)down);
+    TP_ASSERT(ray_down > 0);
+    uint32_t high = (uint32_t)((uint64_t)ray_down >> 32);
+    int      up = high ? tp_clz(high) : 32 + tp_clz((uint32_t)ray_down);
     uint64_t factor = (uint64_t)level->height
-                    * tp_recip_norm((uint32_t)((uint64_t)down << up >> 32));
+                    * tp_recip_norm((uint32_t)((uint64_t)ray_down << up >> 32));
     int      shift = 81 - up;
     int      least = 33 - tp_clz((uint32_t)(factor >> 32));
 
@@ -173,18 +177,18 @@ static tp_fx swell_sampling_weight(const tp_swell *w, const tp_fx step[2])
                          : tp_smoothstep((tp_fx)((most - turns) >> 14));
 }
 
-static void add_swell(tp_swell_sum *sum, const tp_swell *w, tp_turn th, tp_fx share)
+static void add_swell(tp_swell_sum *sum, const tp_swell *w, tp_turn phase, tp_fx weight)
 {
-    const tp_q30 sine = tp_sin(th), cosine = tp_cos(th);
+    const tp_q30 sine = tp_sin(phase), cosine = tp_cos(phase);
     int32_t s = sine >> 6, c = cosine >> 6, f = s, df = c;
 
     if (w->power > 1)
         tp_swell_sharpen(w, sine, cosine, &f, &df);
-    if (share != TP_FX_ONE) {
-        s = tp_fx_mul(s, share);
-        c = tp_fx_mul(c, share);
-        f = tp_fx_mul(f, share);
-        df = tp_fx_mul(df, share);
+    if (weight != TP_FX_ONE) {
+        s = tp_fx_mul(s, weight);
+        c = tp_fx_mul(c, weight);
+        f = tp_fx_mul(f, weight);
+        df = tp_fx_mul(df, weight);
     }
     sum->x += (int64_t)w->orbit_x * c;
     sum->z += (int64_t)w->orbit_z * c;

@@ -54,9 +54,9 @@ tp_level_line tp_level_zero_line(const tp_level_linear *sum);
 
 /* Evaluates a sum at column x and a row in Q.30; rows and sums are below 2^14. */
 TP_ALWAYS_INLINE int64_t tp_level_evaluate_row(const tp_level_linear *sum, int32_t x,
-                                               int64_t row)
+                                               int64_t row_q30)
 {
-    return sum->at + sum->x * x + (sum->y * (row >> 14) >> 16);
+    return sum->at + sum->x * x + (sum->y * (row_q30 >> 14) >> 16);
 }
 
 /* h / -d.y as factor / 2^shift: metres (16.16) per pixel (Q.16). */
@@ -65,10 +65,11 @@ typedef struct {
     int     shift;
 } tp_level_scale;
 
-tp_level_scale tp_level_scale_make(const tp_level *level, int64_t down); /* `down` > 0 */
+tp_level_scale tp_level_metres_per_pixel(const tp_level *level,
+                                         int64_t ray_down); /* `down` > 0 */
 
 /* Returns metres, 16.16: 31 bits times 30. Bits above 32 are cut off. */
-TP_ALWAYS_INLINE int64_t tp_level_metres(tp_level_scale scale, int64_t pixels_q30)
+TP_ALWAYS_INLINE int64_t tp_level_pixels_to_metres(tp_level_scale scale, int64_t pixels_q30)
 {
     return (int64_t)scale.factor * (int32_t)(pixels_q30 >> 14) >> scale.shift;
 }
@@ -89,7 +90,7 @@ tp_surface_point tp_level_sample_surface(const tp_level *level, const tp_surface
                                          const tp_fx place[2], tp_fx step[2][2]);
 
 /* Returns the slopes in the format of the G-buffer: x:z, Q3.12 each. */
-static inline uint32_t tp_level_slopes(const tp_surface_point *at)
+static inline uint32_t tp_level_pack_slopes(const tp_surface_point *at)
 {
     int32_t x = tp_clamp((at->slope_x + 8) >> 4, INT16_MIN, INT16_MAX);
     int32_t z = tp_clamp((at->slope_z + 8) >> 4, INT16_MIN, INT16_MAX);

@@ -95,12 +95,12 @@ void tp_view_vertex_project(const tp_projection *projection, const tp_view_verte
         to->n[i] = from->n[i];
 }
 
-/* Returns the plane through the eye and the screen column or row `half` px from the
- * centre: normal = side x focal + ahead x half; the inside faces the centre. */
+/* Returns the plane through the eye and the screen column or row `edge_distance` px
+ * from the centre: normal = side x focal + ahead x half; the inside faces the centre. */
 static tp_plane side_plane(const tp_projection *projection, tp_dir3 side, int sign,
-                           uint32_t half)
+                           uint32_t edge_distance)
 {
-    int32_t f = projection->focal >> 4, h = (int32_t)half << 12;      /* Q20.12 */
+    int32_t f = projection->focal >> 4, h = (int32_t)edge_distance << 12;      /* Q20.12 */
     tp_dir3 a = projection->ahead;
     tp_dir3 n = tp_normalise(
         (int32_t)(((int64_t)sign * side.x * f + (int64_t)a.x * h) >> 28),

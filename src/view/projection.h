@@ -128,12 +128,13 @@ TP_ALWAYS_INLINE int32_t tp_recip_fine(uint32_t n)
 
 /* Returns x r / 2^(32 + down), rounded half up.  For a positive `down` the upper word of
  * the product is enough, because a floor of a floor is exact. */
-TP_ALWAYS_INLINE int32_t tp_projection_screen_offset(int32_t x, int32_t r, int down,
-                                                     bool far)
+TP_ALWAYS_INLINE int32_t tp_projection_screen_offset(int32_t x, int32_t reciprocal,
+                                                     int down, bool far)
 {
     if (far || down > 0)
-        return (tp_mul_upper(x, r) + (1 << (down - 1))) >> down;
-    return (int32_t)(((int64_t)x * r + ((int64_t)1 << (31 + down))) >> (32 + down));
+        return (tp_mul_upper(x, reciprocal) + (1 << (down - 1))) >> down;
+    return (int32_t)(((int64_t)x * reciprocal + ((int64_t)1 << (31 + down)))
+                     >> (32 + down));
 }
 
 /* Projects view coordinates that tp_projection_can_project accepts.  `far`: depth is at

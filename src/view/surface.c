@@ -86,12 +86,12 @@ typedef struct {
 
 /* Moves the search.  The root lies within `max_displacement` of the target, and the search
  * stays within `max_displacement` too; at the ends of 16.16 the search stays there. */
-static void step_search(axis_search *s, int64_t error, int64_t by, tp_fx place,
+static void step_search(axis_search *s, int64_t error, int64_t mixing_q8, tp_fx target,
                         tp_fx max_displacement)
 {
-    int64_t step = error - by * (s->step + error - s->error) / 256;
-    int64_t off = tp_clamp_abs(s->at + step - place, max_displacement);
-    tp_fx   to = tp_fx_saturate(place + off);
+    int64_t step = error - mixing_q8 * (s->step + error - s->error) / 256;
+    int64_t off = tp_clamp_abs(s->at + step - target, max_displacement);
+    tp_fx   to = tp_fx_saturate(target + off);
 
     s->step = (int64_t)to - s->at;
     s->error = error;
@@ -122,7 +122,7 @@ static tp_surface_point sample_coastal(const tp_surface *surface, tp_fx x, tp_fx
     step_search(&u, (int64_t)rest[0] - x, 0, x,
                 max_displacement); /* limited to the box */
     step_search(&w, (int64_t)rest[1] - z, 0, z, max_displacement);
-    at = tp_coastal_displace_smooth(surface->coastal, surface->phases, u.at, w.at);
+    at = tp_coastal_displace_no_overhang(surface->coastal, surface->phases, u.at, w.at);
     for (int n = 0; n < STEPS; n++) {
         int64_t dx = (int64_t)x - at.position.x, dz = (int64_t)z - at.position.z;
         if (dx < CLOSE && dx > -CLOSE && dz < CLOSE && dz > -CLOSE)
@@ -130,7 +130,7 @@ static tp_surface_point sample_coastal(const tp_surface *surface, tp_fx x, tp_fx
         int64_t by = n > 0 ? anderson_factor(&u, &w, dx, dz) : 0;
         step_search(&u, dx, by, x, max_displacement);
         step_search(&w, dz, by, z, max_displacement);
-        at = tp_coastal_displace_smooth(surface->coastal, surface->phases, u.at, w.at);
+        at = tp_coastal_displace_no_overhang(surface->coastal, surface->phases, u.at, w.at);
     }
     rest[0] = u.at;
     rest[1] = w.at;
@@ -146,7 +146,7 @@ static void set_coastal_slopes(const tp_surface *surface, tp_surface_point *at,
     tp_vec3 p[4];
 
     for (int k = 0; k < 4; k++)
-        p[k] = tp_coastal_displace_smooth(surface->coastal, surface->phases,
+        p[k] = tp_coastal_displace_no_overhang(surface->coastal, surface->phases,
                                tp_fx_add_sat(rest[0], way[k][0]),
                                tp_fx_add_sat(rest[1], way[k][1])).position;
     tp_slopes_from_tangents(tp_vec3_sub(p[1], p[0]), tp_vec3_sub(p[3], p[2]), &at->slope_x,

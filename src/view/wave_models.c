@@ -52,7 +52,7 @@ TP_ALWAYS_INLINE int32_t round_and_fade(int64_t sum, int down, tp_fx fade)
     return fade == TP_FX_ONE ? whole : tp_fx_mul(whole, fade);
 }
 
-TP_ALWAYS_INLINE tp_fx vertex_fade(const tp_vertex_batch_input *place, uint32_t i)
+TP_ALWAYS_INLINE tp_fx vertex_wave_weight(const tp_vertex_batch_input *place, uint32_t i)
 {
     return tp_fx_mul(place->row->line.fade, place->columns->line[place->first + i].fade);
 }
@@ -72,7 +72,7 @@ static void add_sharp_roll_shift(const tp_vertex_batch_input *place, tp_vertex_b
             tp_swell_sharpen(&deep->swell[k], th.sin, th.cos, &f, &df);
             rise += (int64_t)frame->swell[k].rise_x * f;
         }
-        run->at[0][i] += round_and_fade(rise * 64, 34, vertex_fade(place, i));
+        run->at[0][i] += round_and_fade(rise * 64, 34, vertex_wave_weight(place, i));
     }
 }
 
@@ -108,8 +108,8 @@ void tp_batch_add_sharp_swells(const tp_vertex_batch_input *place, tp_vertex_bat
 /* -- rings and pools ------------------------------------------------------------------- */
 
 /* Computes the world position of a displaced vertex. */
-TP_ALWAYS_INLINE void displace_vertex(const tp_vertex_batch_input *place, uint32_t i,
-                                      tp_fx *x, tp_fx *z)
+TP_ALWAYS_INLINE void compute_displaced_xz(const tp_vertex_batch_input *place, uint32_t i,
+                                           tp_fx *x, tp_fx *z)
 {
     const tp_vertex_frame *frame = place->frame;
     const tp_deep_water *deep = frame->surface->deep;
@@ -132,13 +132,14 @@ TP_ALWAYS_INLINE void displace_vertex(const tp_vertex_batch_input *place, uint32
 
 /* Adds the share of rings and pools to the right, for a camera with roll; see
  * add_sharp_roll_shift. */
-static void add_height_roll_shift(const tp_vertex_batch_input *place, tp_vertex_batch *run)
+static void add_rings_pools_roll_shift(const tp_vertex_batch_input *place,
+                                       tp_vertex_batch *run)
 {
     for (uint32_t i = 0; i < place->count; i++) {
         tp_fx x, z;
-        displace_vertex(place, i, &x, &z);
+        compute_displaced_xz(place, i, &x, &z);
         const tp_height_slope relief = tp_rings_pools_sample_faded(
-            place->frame->surface, x, z, vertex_fade(place, i));
+            place->frame->surface, x, z, vertex_wave_weight(place, i));
         run->at[0][i] += tp_q30_mul(relief.height, place->frame->projection->lean);
     }
 }
@@ -152,7 +153,7 @@ void tp_batch_add_rings_and_pools(const tp_vertex_batch_input *place, tp_vertex_
         tp_fx x, z;
         tp_fx fade = tp_fx_mul(place->row->line.fade,
                                place->columns->line[place->first + i].fade);
-        displace_vertex(place, i, &x, &z);
+        compute_displaced_xz(place, i, &x, &z);
         tp_height_slope relief =
             tp_rings_pools_sample_faded(place->frame->surface, x, z, fade);
         run->at[1][i] += tp_q30_mul(relief.height, projection->up.y);
@@ -163,7 +164,7 @@ void tp_batch_add_rings_and_pools(const tp_vertex_batch_input *place, tp_vertex_
                                          + ((relief.slope_z + 8) >> 4));
     }
     if (projection->lean != 0)
-        add_height_roll_shift(place, run);
+        add_rings_pools_roll_shift(place, run);
 }
 
 /* -- the structs --------------------------------------------------------------------- */
@@ -194,11 +195,11 @@ const struct tp_water_coastal tp_water_coastal = {
     .max_displacement = tp_coastal_max_displacement,
     .height = tp_coastal_max_height,
     .above = tp_surface_coastal_sample,
-    .smooth = tp_coastal_displace_smooth,
+    .smooth = tp_coastal_displace_no_overhang,
     .floor = tp_coastal_floor,
     .layout = tp_grid_layout_coastal,
-    .row = tp_sheet_place_row,
-    .corner = tp_sheet_make_view_vertex,
+    .row = tp_coastal_grid_evaluate_row,
+    .corner = tp_coastal_grid_make_view_vertex,
 };
 
 const struct tp_water_lod tp_water_lod = {

@@ -49,9 +49,9 @@ static int64_t min_int64(int64_t a, int64_t b)
 /* Returns the depth at x, Q32.  x is in halves of 2^-16 m, to have midpoints.  |x| <=
  * 2^32 + 2^24 and slope <= 2^30: 63 bits.  One node past the shore the depth is half of
  * the least depth. */
-static int64_t beach_depth(const coast_profile *b, int64_t halves)
+static int64_t beach_depth(const coast_profile *b, int64_t x_q17)
 {
-    const int64_t rise = (halves * b->slope_q30 + (1 << 14)) >> 15;
+    const int64_t rise = (x_q17 * b->slope_q30 + (1 << 14)) >> 15;
     return max_int64(b->depth_q32 - rise, b->least_q32 / 2);
 }
 
@@ -69,7 +69,7 @@ static tp_fx x_from_depth(const coast_profile *b, int64_t depth_q32)
 
 /* Finds the ends of the table: from the point where the wave begins to feel the floor, to
  * the point where the floor becomes level. */
-static void find_ends(coast_profile *b, const tp_coast_shape *s)
+static void find_table_ends(coast_profile *b, const tp_coast_shape *s)
 {
     b->x_first = s->x_from;
     b->x_last = s->x_to > s->x_from ? s->x_to : s->x_from;
@@ -85,7 +85,7 @@ static void find_ends(coast_profile *b, const tp_coast_shape *s)
     b->shore_q32 = max_int64(beach_depth(b, 2 * (int64_t)b->x_last), b->least_q32);
 }
 
-static coast_profile make_beach(const tp_coast_shape *s)
+static coast_profile make_coast_profile(const tp_coast_shape *s)
 {
     const int64_t k = min_int64(max_int64(s->k_inf_q32, 0), K_MOST_Q32);
     const int64_t kz = max_int64(min_int64(s->kz_q32, k), -k);
@@ -98,14 +98,14 @@ static coast_profile make_beach(const tp_coast_shape *s)
         .least_q32 = (int64_t)least * 65536,
         .slope_q30 = tp_clamp(s->slope, 0, TP_Q30_ONE),
     };
-    find_ends(&b, s);
+    find_table_ends(&b, s);
     return b;
 }
 
 /* k^2 - kz^2 = (k_inf / sinh kh)^2 + k_inf^2 - kz^2, because k = k_inf / tanh kh.
  * Both terms keep all their bits for a grazing wave, where the difference of k and kz
  * would lose bits. */
-static tp_scaled across_squared(const coast_profile *b, int64_t depth_q32)
+static tp_scaled cross_shore_wave_number_squared(const coast_profile *b, int64_t depth_q32)
 {
     const tp_scaled h = tp_scaled_from_fixed((uint64_t)depth_q32, 32);
     const tp_scaled x = tp_scaled_mul(tp_depth_wave_number_scaled(b->k_inf, h, 3), h);
@@ -117,11 +117,11 @@ static tp_scaled across_squared(const coast_profile *b, int64_t depth_q32)
 }
 
 /* Returns sqrt(k^2 - kz^2) / 2 pi in turns per metre, Q31.32. */
-static int64_t phase_rise(const coast_profile *b, int64_t depth_q32)
+static int64_t phase_turns_per_metre(const coast_profile *b, int64_t depth_q32)
 {
     if (b->k_inf.m == 0)
         return 0;
-    const tp_scaled across = tp_scaled_sqrt(across_squared(b, depth_q32));
+    const tp_scaled across = tp_scaled_sqrt(cross_shore_wave_number_squared(b, depth_q32));
     const tp_scaled over_two_pi = tp_scaled_from_fixed(TP_OVER_TWO_PI_Q32, 32);
     return tp_scaled_fixed(tp_scaled_mul(across, over_two_pi), 32);
 }
@@ -147,7 +147,7 @@ static uint32_t count_nodes(const coast_profile *b, uint32_t bits)
 
 size_t tp_coast_bytes(const tp_coast_shape *shape)
 {
-    const coast_profile b = make_beach(shape);
+    const coast_profile b = make_coast_profile(shape);
     size_t bytes = sizeof(tp_coast);
 
     if (b.x_first < b.x_last)
@@ -180,13 +180,13 @@ static void integrate_phases(tp_coast *coast, const coast_profile *b)
     tp_coast_node *const node = coast_nodes(coast);
     const int64_t step = (int64_t)1 << coast->bits, half = TP_FX_ONE / 2;
     int64_t halves = 2 * (int64_t)b->x_first, sum = 0;
-    int64_t from = phase_rise(b, beach_depth(b, halves));
+    int64_t from = phase_turns_per_metre(b, beach_depth(b, halves));
 
     for (uint32_t i = 0; i < coast->count; i++) {
         const int64_t rise = (from * step + half) >> 16;
         node[i] = make_node(sum, (uint32_t)rise);
-        const int64_t middle = phase_rise(b, beach_depth(b, halves + step));
-        const int64_t to = phase_rise(b, beach_depth(b, halves + 2 * step));
+        const int64_t middle = phase_turns_per_metre(b, beach_depth(b, halves + step));
+        const int64_t to = phase_turns_per_metre(b, beach_depth(b, halves + 2 * step));
         sum += ((from + 4 * middle + to) * step + 6 * half) / (6 * TP_FX_ONE);
         halves += 2 * step;
         from = to;
@@ -213,9 +213,9 @@ static int64_t interpolate_phase(const tp_coast *coast, tp_fx x)
 
 /* Returns rise x way.  Rises are below 2^40 and ways below 2^32: the product is
  * computed in two parts. */
-static int64_t linear_phase(int64_t rise, int64_t way)
+static int64_t linear_phase(int64_t rise, int64_t distance)
 {
-    return rise * (way >> 16) + ((rise * (way & 0xffff) + 0x8000) >> 16);
+    return rise * (distance >> 16) + ((rise * (distance & 0xffff) + 0x8000) >> 16);
 }
 
 int64_t tp_coast_phase(const tp_coast *coast, tp_fx x)
@@ -230,15 +230,15 @@ int64_t tp_coast_phase(const tp_coast *coast, tp_fx x)
 
 void tp_coast_init(tp_coast *coast, const tp_coast_shape *shape)
 {
-    const coast_profile b = make_beach(shape);
+    const coast_profile b = make_coast_profile(shape);
     const bool bent = b.x_first < b.x_last;
     const int64_t sea = b.x_first > shape->x_from ? DEPTH_MOST_Q32 - 1
                       : max_int64(beach_depth(&b, 2 * (int64_t)b.x_first), b.least_q32);
 
     *coast = (tp_coast){
         .x_first = b.x_first, .x_last = b.x_last,
-        .rise_first = phase_rise(&b, sea),
-        .rise_last = phase_rise(&b, b.shore_q32),
+        .rise_first = phase_turns_per_metre(&b, sea),
+        .rise_last = phase_turns_per_metre(&b, b.shore_q32),
     };
     if (bent) {
         coast->bits = node_spacing_bits(&b);

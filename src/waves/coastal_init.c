@@ -28,33 +28,37 @@ static bool is_map_usable(const tp_grey *map)
                            && map->rows > 0 && map->rows <= PIXELS_MOST);
 }
 
-/* Returns the number of nodes along a side.  Nodes cover the map between the centres of its
- * outermost pixels; outside the edge goes on level.  The longer side has `steps` steps, the
- * other side as many as fit. */
-static uint32_t count_nodes(uint32_t steps, uint32_t pixels, uint32_t most)
+/* Returns the number of nodes along a side.  Nodes cover the map between the centres
+ * of its outermost pixels; outside the edge goes on level.  The longer side has
+ * `longer_side_steps` steps, the other side as many as fit. */
+static uint32_t count_side_nodes(uint32_t longer_side_steps, uint32_t side_pixels,
+                                 uint32_t longer_side_pixels)
 {
-    const uint32_t nodes = most > 1 ? steps * (pixels - 1) / (most - 1) + 1 : 2;
+    const uint32_t nodes =
+        longer_side_pixels > 1
+            ? longer_side_steps * (side_pixels - 1) / (longer_side_pixels - 1) + 1
+            : 2;
     return nodes < 2 ? 2 : nodes;
 }
 
-static block_layout make_layout(const tp_grey *map, uint32_t count)
+static block_layout make_layout(const tp_grey *map, uint32_t wave_count)
 {
     const size_t tables =
-        round_up_to_8(sizeof(tp_coastal_water) + count * sizeof(tp_coastal_table));
+        round_up_to_8(sizeof(tp_coastal_water) + wave_count * sizeof(tp_coastal_table));
     if (map == NULL)
         return (block_layout){ .bytes = tables };
 
     const uint32_t most = map->cols >= map->rows ? map->cols : map->rows;
     const uint32_t nodes = (uint32_t)tp_clamp((int32_t)most, NODES_LEAST, NODES_MOST);
     block_layout plan = {
-        .floor_nodes = tables, .cols = count_nodes(nodes - 1, map->cols, most),
-        .rows = count_nodes(nodes - 1, map->rows, most),
+        .floor_nodes = tables, .cols = count_side_nodes(nodes - 1, map->cols, most),
+        .rows = count_side_nodes(nodes - 1, map->rows, most),
     };
     const size_t all = (size_t)plan.cols * plan.rows;
     plan.wave_nodes =
         plan.floor_nodes + round_up_to_8(all * sizeof(tp_coastal_floor_node));
     plan.turns =
-        plan.wave_nodes + count * round_up_to_8(all * sizeof(tp_coastal_wave_node));
+        plan.wave_nodes + wave_count * round_up_to_8(all * sizeof(tp_coastal_wave_node));
     plan.bytes = plan.turns + all * sizeof(int64_t);
     return plan;
 }
@@ -113,7 +117,7 @@ static tp_coastal_swell_inputs make_swell_key(const tp_wave *wave, const tp_swel
                                       swell->orbit_x, swell->orbit_z };
 }
 
-static bool has_same_nodes(const tp_coastal_water *coastal, const tp_grey *map)
+static bool has_same_node_counts(const tp_coastal_water *coastal, const tp_grey *map)
 {
     const block_layout plan = make_layout(map, coastal->count);
     return plan.cols == coastal->map_cols && plan.rows == coastal->map_rows;
@@ -266,7 +270,7 @@ typedef struct {
     uint32_t wave_nodes;              /* one bit per swell */
 } parts_kept;
 
-static uint32_t count_moving_waves(const tp_wave *waves, uint32_t count)
+static uint32_t count_waves_with_amplitude(const tp_wave *waves, uint32_t count)
 {
     uint32_t found = 0;
 
@@ -292,7 +296,7 @@ static void make_waves(tp_coastal_water *coastal, const tp_coastal_config *confi
 }
 
 /* The scratch memory of the solver is left all 0, whichever swells used the memory. */
-static void clear_turns(tp_coastal_water *coastal, const block_layout *plan)
+static void clear_scratch_turns(tp_coastal_water *coastal, const block_layout *plan)
 {
     if (plan->cols)
         memset(at_byte(coastal, plan->turns), 0, plan->bytes - plan->turns);
@@ -320,7 +324,7 @@ static void build_coastal(tp_coastal_water *coastal, const tp_coastal_config *co
     make_waves(coastal, config, deep, wave, &plan, kept);
     for (uint32_t i = 0; i < deep->count; i++)
         tp_coastal_tables(coastal)[i].key = make_swell_key(wave[i], &deep->swell[i]);
-    clear_turns(coastal, &plan);
+    clear_scratch_turns(coastal, &plan);
 }
 
 /* True if the arguments describe valid coastal water.  Then fills `wave` with the waves of
@@ -332,7 +336,8 @@ static bool collect_waves_if_valid(const tp_coastal_config *config,
     const tp_floor *floor = &config->floor;
     uint32_t n = 0;
 
-    if (count_moving_waves(waves, count) != deep->count || !is_map_usable(floor->map))
+    if (count_waves_with_amplitude(waves, count) != deep->count
+        || !is_map_usable(floor->map))
         return false;
     if (floor->map && (floor->map_size < TP_FX_ONE || floor->map_size > TP_FX(8000)))
         return false;
@@ -347,14 +352,14 @@ static tp_status check_given(const tp_coastal_water *coastal,
                              const tp_coastal_config *config, const tp_deep_water *deep,
                              const tp_wave *waves, tp_error *err)
 {
-    tp_status status = tp_given_block(coastal, 8, "coastal", err);
+    tp_status status = tp_pointer_check_aligned(coastal, 8, "coastal", err);
 
     if (status == TP_OK)
-        status = tp_given_check(config, "config", err);
+        status = tp_pointer_check(config, "config", err);
     if (status == TP_OK)
-        status = tp_given_check(deep, "sea", err);
+        status = tp_pointer_check(deep, "sea", err);
     if (status == TP_OK)
-        status = tp_given_check(waves, "waves", err);
+        status = tp_pointer_check(waves, "waves", err);
     return status;
 }
 
@@ -383,7 +388,8 @@ tp_status tp_coastal_refresh(tp_coastal_water *coastal, const tp_coastal_config 
     if (status != TP_OK)
         return status;
     if (!collect_waves_if_valid(config, deep, waves, count, wave)
-        || coastal->count != deep->count || !has_same_nodes(coastal, config->floor.map))
+        || coastal->count != deep->count
+        || !has_same_node_counts(coastal, config->floor.map))
         return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
 
     const tp_coastal_floor_inputs floor = make_floor_key(config);

@@ -47,7 +47,7 @@ static before lower_neighbour(const lattice *l, size_t at, size_t step, bool has
 }
 
 /* Returns f half a step back from `here`, in Q32.32. */
-static int64_t half_step_number(int64_t here, int64_t there)
+static int64_t half_step_wave_number(int64_t here, int64_t there)
 {
     return (here + there) * ((int64_t)1 << 7);
 }
@@ -71,12 +71,12 @@ static int64_t godunov_solution(int64_t number, before a, before b)
     }
     if (a.turns == UNSOLVED)
         return UNSOLVED;
-    const int64_t alone = half_step_number(number, a.number);
+    const int64_t alone = half_step_wave_number(number, a.number);
     if (b.turns == UNSOLVED || b.turns - a.turns >= alone)
         return a.turns + alone;
     const int64_t da = number - a.number, db = number - b.number;
     const bool more = (db < 0 ? -db : db) > (da < 0 ? -da : da);
-    const int64_t f = half_step_number(number, more ? b.number : a.number);
+    const int64_t f = half_step_wave_number(number, more ? b.number : a.number);
     const int64_t d = b.turns - a.turns;
     if (d >= f)
         return a.turns + alone;
@@ -186,12 +186,12 @@ static int16_t pack_rise(int64_t deeper, int64_t step)
     return (int16_t)tp_clamp_abs(deeper * 1024 / step, 16384);
 }
 
-static void find_rises(const tp_coastal_water *coastal, tp_coastal_floor_node *beds)
+static void set_node_rises(const tp_coastal_water *coastal, tp_coastal_floor_node *nodes)
 {
     for (size_t i = 0; i < (size_t)coastal->map_cols * coastal->map_rows; i++) {
         const floor_gradient f = node_fall(coastal, i);
-        beds[i].rise_x = pack_rise(f.x, coastal->map_step);
-        beds[i].rise_z = pack_rise(f.z, coastal->map_step);
+        nodes[i].rise_x = pack_rise(f.x, coastal->map_step);
+        nodes[i].rise_z = pack_rise(f.z, coastal->map_step);
     }
 }
 
@@ -205,7 +205,7 @@ void tp_coastal_make_floor_nodes(tp_coastal_water *coastal, const tp_floor *floo
                                         coastal->map_x + (int64_t)c * coastal->map_step,
                                         coastal->map_z + (int64_t)r * coastal->map_step);
     }
-    find_rises(coastal, beds);
+    set_node_rises(coastal, beds);
 }
 
 /* Returns the mean slope of the beach, Q30: of all nodes where a wave of this
@@ -231,7 +231,7 @@ tp_q30 tp_coastal_beach_slope(const tp_coastal_water *coastal, tp_fx amplitude)
 
 /* -- waves ------------------------------------------------------------------------- */
 
-static tp_dir3 normalise_way(int64_t x, int64_t z)
+static tp_dir3 normalise_horizontal(int64_t x, int64_t z)
 {
     for (; x > TP_Q30_ONE || x < -TP_Q30_ONE || z > TP_Q30_ONE || z < -TP_Q30_ONE; z /= 2)
         x /= 2;
@@ -254,14 +254,14 @@ static tp_coastal_wave_number node_wave_vector(const tp_coastal_water *coastal,
     tp_way up = { 0, 0 };
 
     if (f.x > least || f.x < -least || f.z > least || f.z < -least) {
-        const tp_dir3 dir = normalise_way(f.x, f.z);
+        const tp_dir3 dir = normalise_horizontal(f.x, f.z);
         up = (tp_way){ dir.x, dir.z };
     }
     return tp_coastal_wave_vector(w, up, node_wave_number(coastal, w, at));
 }
 
 /* Turns in a step between nodes: 2^34 times 2^23 at the most. */
-static int64_t turns_a_step(const tp_coastal_water *coastal, int64_t k_q32)
+static int64_t turns_per_step(const tp_coastal_water *coastal, int64_t k_q32)
 {
     return tp_coastal_turns_per_metre(k_q32) * (int64_t)coastal->map_step >> 16;
 }
@@ -282,7 +282,7 @@ static void integrate_edge_phases(const tp_coastal_water *coastal,
             node_wave_vector(coastal, w, (size_t)(at + step));
         const int64_t mean = east_west ? (here.x_q32 + next.x_q32) / 2
                                        : (here.z_q32 + next.z_q32) / 2;
-        turns[at + step] = turns[at] + sign * turns_a_step(coastal, mean);
+        turns[at + step] = turns[at] + sign * turns_per_step(coastal, mean);
         here = next;
     }
 }
@@ -290,8 +290,9 @@ static void integrate_edge_phases(const tp_coastal_water *coastal,
 /* Returns the phase of deep water at a node as Q32.32, equal to the bits of
  * tp_swell_turns, but with 16 bits of whole turns.  More turns wrap, and the difference
  * from this phase wraps too. */
-static int64_t plane_phase(const tp_coastal_water *coastal, const tp_coastal_wave *wave,
-                           uint32_t col, uint32_t row)
+static int64_t deep_water_node_phase(const tp_coastal_water *coastal,
+                                     const tp_coastal_wave *wave, uint32_t col,
+                                     uint32_t row)
 {
     const int64_t x = coastal->map_x + (int64_t)col * coastal->map_step;
     const int64_t z = coastal->map_z + (int64_t)row * coastal->map_step;
@@ -310,11 +311,11 @@ static void init_phases(const tp_coastal_water *coastal, const tp_coastal_wave *
 
     for (size_t i = 0; i < count; i++) {
         const int64_t f =
-            (turns_a_step(coastal, node_wave_number(coastal, w, i)) + 0x80) >> 8;
+            (turns_per_step(coastal, node_wave_number(coastal, w, i)) + 0x80) >> 8;
         rays[i].turns = (int32_t)(uint32_t)(f < UINT32_MAX ? f : UINT32_MAX);
         turns[i] = UNKNOWN;
     }
-    turns[corner] = plane_phase(coastal, wave, col, row);
+    turns[corner] = deep_water_node_phase(coastal, wave, col, row);
     if (w->way.z != 0)
         integrate_edge_phases(coastal, w, turns, (ptrdiff_t)corner, w->way.x < 0 ? -1 : 1,
                               cols);
@@ -331,9 +332,9 @@ static int32_t phase_excess(int64_t turns, int64_t plane)
 }
 
 /* Converts a difference in Q30 to Q2.13. */
-static int16_t to_q13(int64_t way)
+static int16_t q30_to_q13(int64_t q30)
 {
-    return (int16_t)((way + (1 << 16)) >> 17);
+    return (int16_t)((q30 + (1 << 16)) >> 17);
 }
 
 /* The direction of travel is the gradient of the phase. */
@@ -348,13 +349,14 @@ static void store_rays(const tp_coastal_water *coastal, const tp_coastal_wave *w
             const size_t west = c > 0 ? c - 1 : c, east = c + 1 < cols ? c + 1 : c;
             const int64_t x = turns[r * cols + east] - turns[r * cols + west];
             const int64_t z = turns[south * cols + c] - turns[north * cols + c];
-            const tp_dir3 way = normalise_way(x * (east - west == 2 ? 1 : 2),
-                                              z * (south - north == 2 ? 1 : 2));
+            const tp_dir3 way = normalise_horizontal(x * (east - west == 2 ? 1 : 2),
+                                                     z * (south - north == 2 ? 1 : 2));
             tp_coastal_wave_node *ray = &rays[r * cols + c];
-            ray->turns = phase_excess(turns[r * cols + c],
-                                      plane_phase(coastal, wave, (uint32_t)c, (uint32_t)r));
-            ray->way_x = to_q13((int64_t)way.x - wave->way_x);
-            ray->way_z = to_q13((int64_t)way.z - wave->way_z);
+            ray->turns = phase_excess(
+                turns[r * cols + c],
+                deep_water_node_phase(coastal, wave, (uint32_t)c, (uint32_t)r));
+            ray->way_x = q30_to_q13((int64_t)way.x - wave->way_x);
+            ray->way_z = q30_to_q13((int64_t)way.z - wave->way_z);
         }
     }
 }

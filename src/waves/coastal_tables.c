@@ -16,7 +16,7 @@
 #define TWO_PI     TP_FX(6.283185307)
 #define DEEP       (TP_COASTAL_DEPTHS - 1)
 
-int64_t tp_coastal_cross_shore_number(int64_t k_q32, int64_t kz_q32)
+int64_t tp_cross_shore_wave_number(int64_t k_q32, int64_t kz_q32)
 {
     uint64_t k = (uint64_t)k_q32, kz = (uint64_t)(kz_q32 < 0 ? -kz_q32 : kz_q32);
     int up = 0, down = 0;
@@ -43,7 +43,7 @@ tp_coastal_wave_number tp_coastal_wave_vector(const tp_coastal_swell *swell, tp_
                                          tp_coastal_scale_q30(k_q32, swell->way.z) };
     const int64_t kz =
         tp_coastal_scale_q30(swell->k_inf_q32, tp_way_dot(swell->way, along));
-    const int64_t across = tp_coastal_cross_shore_number(k_q32, kz);
+    const int64_t across = tp_cross_shore_wave_number(k_q32, kz);
     const int64_t kx = tp_way_dot(swell->way, up) < 0 ? -across : across;
     return (tp_coastal_wave_number){
         tp_coastal_scale_q30(kx, up.x) + tp_coastal_scale_q30(kz, along.x),
@@ -100,7 +100,7 @@ static int16_t steep_breaking_strength(int64_t k_q32, tp_fx amplitude)
 /* Returns QA A/A_inf Sx, clamped to 0.95 / k.  QA <= 303 m and A < 2^26 have 51 bits.
  * Their quotient is below 2^25 (512 m, above any 0.95 / k) before the 37 bits of Sx >=
  * 1. */
-static tp_fx along_semi_axis(const tp_coastal_swell *w, tp_fx amplitude, int64_t k_q32,
+static tp_fx horizontal_semi_axis(const tp_coastal_swell *w, tp_fx amplitude, int64_t k_q32,
                              int64_t sx)
 {
     TP_ASSERT(k_q32 > 0 && w->amplitude > 0);
@@ -157,7 +157,7 @@ static tp_coastal_depth_entry make_node(const tp_coastal_water *coastal,
     const tp_fx amplitude = held < miche ? held : miche;
 
     return (tp_coastal_depth_entry){
-        .along = along_semi_axis(w, amplitude, k_q32, s.x_q24),
+        .along = horizontal_semi_axis(w, amplitude, k_q32, s.x_q24),
         .up = (tp_fx)((amplitude * s.y_q24 + (1 << 23)) >> 24),
         .ratio = height_depth_ratio(w, ks, kr, h),
         .lip = (tp_fx)((int64_t)amplitude * tp_orbit_depth_decay(KEPT_RATE, h) >> 32),
@@ -217,11 +217,11 @@ void tp_coastal_limit_steepness(tp_coastal_water *coastal)
 /* -- phases ------------------------------------------------------------------------ */
 
 /* Returns the wave number towards the shore at a depth less the number in deep water. */
-static int64_t number_excess(const tp_coastal_swell *w, tp_fx h)
+static int64_t cross_shore_wave_number_excess(const tp_coastal_swell *w, tp_fx h)
 {
-    return tp_coastal_cross_shore_number(tp_coastal_local_wave_number(w->k_inf_q32, h),
-                                         w->kz_q32)
-           - tp_coastal_cross_shore_number(w->k_inf_q32, w->kz_q32);
+    return tp_cross_shore_wave_number(tp_coastal_local_wave_number(w->k_inf_q32, h),
+                                      w->kz_q32)
+           - tp_cross_shore_wave_number(w->k_inf_q32, w->kz_q32);
 }
 
 /* [B8] [B9] as the difference from deep water.  With h = depth - slope x the integral
@@ -245,8 +245,9 @@ void tp_coastal_make_phases(tp_coastal_water *coastal, uint32_t i,
             turns[n] = 0;
             continue;
         }
-        const int64_t low = number_excess(swell, h);
-        const int64_t six = low + 4 * number_excess(swell, h + (top - h) / 2) + high;
+        const int64_t low = cross_shore_wave_number_excess(swell, h);
+        const int64_t six =
+            low + 4 * cross_shore_wave_number_excess(swell, h + (top - h) / 2) + high;
         sum += (six * (top - h) / 6 + 0x8000) >> 16;
         high = low;
         turns[n] = (int32_t)(sign * (sum * TP_FX_ONE / over));
@@ -272,7 +273,8 @@ int32_t tp_coastal_floor_tilt_sine_bound(const tp_coastal_water *coastal)
 
 /* Adds the bounds of a wave.  Stretch and lip count only at depths where the gate can open.
  * A margin covers direction vectors longer than 1 by rounding. */
-static void add_bounds(tp_coastal_water *coastal, uint32_t i, int32_t tilt)
+static void add_displacement_bounds(tp_coastal_water *coastal, uint32_t i,
+                                    int32_t tilt_sine_bound)
 {
     const tp_coastal_wave *wave = &coastal->wave[i];
     const tp_fx open = tp_fx_div(TP_FX(0.6), TP_FX_ONE + coastal->irregular / 2) - 1;
@@ -283,7 +285,7 @@ static void add_bounds(tp_coastal_water *coastal, uint32_t i, int32_t tilt)
         const bool near = node->ratio > open || node[-1].ratio > open
                           || (n + 1 < TP_COASTAL_DEPTHS && node[1].ratio > open);
         const tp_fx lip = near ? tp_fx_mul(node->lip, wave->stretch + wave->plunge) : 0;
-        const int32_t sin = coastal->map_cols ? tilt : node->tilt_sin;
+        const int32_t sin = coastal->map_cols ? tilt_sine_bound : node->tilt_sin;
         const tp_fx along = node->along + lip;
         const tp_fx up = node->up + (tp_fx)((int64_t)node->along * sin >> 14) + lip;
         reach = along > reach ? along : reach;
@@ -295,7 +297,7 @@ static void add_bounds(tp_coastal_water *coastal, uint32_t i, int32_t tilt)
 
 /* Finds the first node below the deepest node where a wave may break, by depth
  * or by steepness. */
-static void set_calm_node(tp_coastal_water *coastal, uint32_t i)
+static void set_first_nonbreaking_node(tp_coastal_water *coastal, uint32_t i)
 {
     const tp_coastal_depth_entry *depth = tp_coastal_tables(coastal)[i].depth;
     uint32_t n = TP_COASTAL_DEPTHS;
@@ -305,8 +307,8 @@ static void set_calm_node(tp_coastal_water *coastal, uint32_t i)
     coastal->wave[i].calm = n;
 }
 
-void tp_coastal_add_bounds(tp_coastal_water *coastal, uint32_t i, int32_t tilt)
+void tp_coastal_add_bounds(tp_coastal_water *coastal, uint32_t i, int32_t tilt_sine_bound)
 {
-    set_calm_node(coastal, i);
-    add_bounds(coastal, i, tilt);
+    set_first_nonbreaking_node(coastal, i);
+    add_displacement_bounds(coastal, i, tilt_sine_bound);
 }

@@ -145,7 +145,7 @@ static inline int64_t tp_coastal_scale_q30(int64_t x, tp_q30 y)
 }
 
 /* Returns sqrt(k^2 - kz^2) for |kz| <= k; else 0. */
-int64_t tp_coastal_cross_shore_number(int64_t k_q32, int64_t kz_q32);
+int64_t tp_cross_shore_wave_number(int64_t k_q32, int64_t kz_q32);
 
 /* Wave vector k over a floor that rises towards `up`: by Snell's law [B9] the component
  * along the depth contours stays.  up = (0, 0): no change of direction. */
@@ -179,7 +179,7 @@ void tp_coastal_limit_steepness(tp_coastal_water *coastal);
  * Q14. tp_coastal_add_bounds adds the bounds of a swell, whose table and phases must
  * exist, to the bounds of the coastal water. */
 int32_t tp_coastal_floor_tilt_sine_bound(const tp_coastal_water *coastal);
-void tp_coastal_add_bounds(tp_coastal_water *coastal, uint32_t i, int32_t tilt);
+void tp_coastal_add_bounds(tp_coastal_water *coastal, uint32_t i, int32_t tilt_sine_bound);
 
 void tp_coastal_make_floor_nodes(tp_coastal_water *coastal, const tp_floor *floor);
 void tp_coastal_make_wave_nodes(tp_coastal_water *coastal, uint32_t i,

@@ -59,16 +59,16 @@ typedef struct {
 /* Returns the distance from the first node in nodes, Q16, clamped to the map.  |way| <= 128
  * steps and a step of at least 2^9 leave the product 57 bits.  map_per_step is rounded
  * down: the quotient of a way below `last` is below nodes - 1. */
-static uint32_t node_coordinate(const tp_coastal_water *coastal, int64_t way,
+static uint32_t node_coordinate(const tp_coastal_water *coastal, int64_t distance,
                                 uint32_t nodes)
 {
     const int64_t last = (int64_t)coastal->map_step * (nodes - 1);
 
-    if (way <= 0)
+    if (distance <= 0)
         return 0;
-    if (way >= last)
+    if (distance >= last)
         return ((nodes - 1) << 16) - 1;
-    return (uint32_t)((uint64_t)way * coastal->map_per_step >> 32);
+    return (uint32_t)((uint64_t)distance * coastal->map_per_step >> 32);
 }
 
 /* Interpolates between the four nodes around a point. */
@@ -147,8 +147,8 @@ static tp_turn interpolate_turns(int64_t a, int64_t b, int32_t part)
 
 /* Interpolates the phases of four nodes; rows are in Q24.  2^31, 2^8 and a fraction of
  * 2^17 make 56 bits. */
-static tp_turn ray_turns(const tp_coastal_wave_node *n, const tp_coastal_wave_node *s,
-                         const floor_place *p)
+static tp_turn interpolate_node_turns(const tp_coastal_wave_node *n,
+                                      const tp_coastal_wave_node *s, const floor_place *p)
 {
     const int64_t north = n[0].turns * (int64_t)256
                           + (((int64_t)n[1].turns - n[0].turns) * p->fraction_x >> 8);
@@ -159,7 +159,7 @@ static tp_turn ray_turns(const tp_coastal_wave_node *n, const tp_coastal_wave_no
 
 /* Tilts the orbit over a floor that rises along the direction of travel [B11].
  * set_node_direction of coastal_tables.c does the same for a straight floor. */
-static void tilt(const tp_coastal_water *coastal, const floor_place *p, motion *m)
+static void tilt_orbit(const tp_coastal_water *coastal, const floor_place *p, motion *m)
 {
     const int64_t rise = ((int64_t)p->rise_x * m->way.x + (int64_t)p->rise_z * m->way.z)
                          >> 16;                                     /* Q30, below 2^34 */
@@ -177,23 +177,25 @@ static void tilt(const tp_coastal_water *coastal, const floor_place *p, motion *
     m->orbit.cos = tp_cos_of_sin(m->orbit.sin);
 }
 
-static void add_map_motion(const tp_coastal_water *coastal, const tp_coastal_wave *wave,
-                           const floor_place *p, motion *m)
+static void apply_map_to_motion(const tp_coastal_water *coastal,
+                                const tp_coastal_wave *wave, const floor_place *p,
+                                motion *m)
 {
     const tp_coastal_wave_node *n = tp_coastal_wave_nodes(coastal, wave) + p->node;
     const tp_coastal_wave_node *s = n + coastal->map_cols;
 
-    m->phi += ray_turns(n, s, p);
+    m->phi += interpolate_node_turns(n, s, p);
     m->way.x = wave->way_x
                + interpolate_nodes(n[0].way_x, n[1].way_x, s[0].way_x, s[1].way_x, p)
                      * (1 << 17);
     m->way.z = wave->way_z
                + interpolate_nodes(n[0].way_z, n[1].way_z, s[0].way_z, s[1].way_z, p)
                      * (1 << 17);
-    tilt(coastal, p, m);
+    tilt_orbit(coastal, p, m);
 }
 
-static void add_slope_motion(const tp_coastal_table *table, const floor_place *p, motion *m)
+static void apply_slope_to_motion(const tp_coastal_table *table, const floor_place *p,
+                                  motion *m)
 {
     const tp_coastal_depth_entry *d = table->depth + p->at.depth;
     const int32_t *turns = table->turns + p->at.phase, part = p->at.depth_fraction;
@@ -225,9 +227,9 @@ static motion evaluate_motion(const tp_coastal_water *coastal, uint32_t i,
     };
 
     if (coastal->map_cols)
-        add_map_motion(coastal, wave, p, &m);
+        apply_map_to_motion(coastal, wave, p, &m);
     else
-        add_slope_motion(table, p, &m);
+        apply_slope_to_motion(table, p, &m);
     if (wave->lambda)
         m.phi = tp_wind_phase(m.phi, tp_wind_push(wave->lambda, m.orbit.up),
                               wave->iterations);
@@ -272,28 +274,28 @@ static tp_fx breaking_gate(const tp_coastal_water *coastal, uint32_t i,
 
 /* Returns the foam of a gate, 0..255: none in the trough half, full on the crest,
  * quadratic in between. */
-static uint32_t gate_foam(tp_fx gate, int32_t p)
+static uint32_t breaking_foam(tp_fx gate, int32_t phase)
 {
-    const uint32_t far = p < 0 ? 0u - (uint32_t)p : (uint32_t)p;
+    const uint32_t far = phase < 0 ? 0u - (uint32_t)phase : (uint32_t)phase;
     const uint32_t near = far > QUARTER ? (far - QUARTER) >> 15 : 0;    /* 0..2^15 */
     return ((uint32_t)gate * (near * near >> 15) >> 15) * 255 >> 16;
 }
 
 /* Returns the offset of one wave that may break, and raises *foam to the foam of the wave.
- * Without `whole` the offset leaves out overhanging crests. */
-static tp_offset surf_offset(const tp_coastal_water *coastal, uint32_t i,
+ * Without `with_overhang` the offset leaves out overhanging crests. */
+static tp_offset breaking_wave_offset(const tp_coastal_water *coastal, uint32_t i,
                              const tp_turn *phases, const floor_place *p, const motion *m,
-                             tp_fx x0, tp_fx z0, bool whole, uint32_t *foam)
+                             tp_fx x0, tp_fx z0, bool with_overhang, uint32_t *foam)
 {
     const tp_coastal_wave *wave = &coastal->wave[i];
     const tp_coastal_depth_entry *d = tp_coastal_tables(coastal)[i].depth + p->at.depth;
     const tp_fx gate = breaking_gate(coastal, i, phases, x0, z0, p);
     const tp_fx steep = tp_coastal_mix(d[0].steep, d[1].steep, p->at.depth_fraction) * 4;
-    const int32_t phase = (int32_t)(m->phi - tp_orbit_lowest(&m->orbit));
-    const uint32_t here = gate_foam(gate > steep ? gate : steep, phase);
+    const int32_t phase = (int32_t)(m->phi - tp_orbit_lowest_phase(&m->orbit));
+    const uint32_t here = breaking_foam(gate > steep ? gate : steep, phase);
 
     *foam = here > *foam ? here : *foam;
-    if (!whole || gate == 0 || wave->stretch == 0)
+    if (!with_overhang || gate == 0 || wave->stretch == 0)
         return tp_orbit_offset(&m->orbit, m->phi);
     const tp_fx lip = tp_coastal_mix(d[0].lip, d[1].lip, p->at.depth_fraction);
     const tp_breaker breaker = {
@@ -307,7 +309,7 @@ static tp_offset surf_offset(const tp_coastal_water *coastal, uint32_t i,
 
 static tp_coastal_point sample_point(const tp_coastal_water *coastal,
                                      const tp_turn *phases, tp_fx x0, tp_fx z0,
-                                     bool whole)
+                                     bool with_overhang)
 {
     const floor_place p = locate_point(coastal, x0, z0);
     const uint32_t count = p.depth > 0 ? coastal->count : 0; /* dry land does not move */
@@ -317,8 +319,9 @@ static tp_coastal_point sample_point(const tp_coastal_water *coastal,
     for (uint32_t i = 0; i < count; i++) {
         const motion m = evaluate_motion(coastal, i, phases, x0, z0, &p);
         const tp_offset o = p.at.depth >= coastal->wave[i].calm
-                          ? tp_orbit_offset(&m.orbit, m.phi)
-                          : surf_offset(coastal, i, phases, &p, &m, x0, z0, whole, &foam);
+                                ? tp_orbit_offset(&m.orbit, m.phi)
+                                : breaking_wave_offset(coastal, i, phases, &p, &m, x0, z0,
+                                                       with_overhang, &foam);
         point.position.x += tp_q30_mul(o.along, m.way.x);
         point.position.y += o.up;
         point.position.z += tp_q30_mul(o.along, m.way.z);
@@ -335,9 +338,9 @@ tp_coastal_point tp_coastal_displace_point(const tp_coastal_water *coastal,
     return sample_point(coastal, phases, x0, z0, true);
 }
 
-tp_coastal_point tp_coastal_displace_smooth(const tp_coastal_water *coastal,
-                                            const tp_turn phases[TP_WAVES], tp_fx x0,
-                                            tp_fx z0)
+tp_coastal_point tp_coastal_displace_no_overhang(const tp_coastal_water *coastal,
+                                                 const tp_turn phases[TP_WAVES], tp_fx x0,
+                                                 tp_fx z0)
 {
     return sample_point(coastal, phases, x0, z0, false);
 }

@@ -176,9 +176,9 @@ tp_coastal_point tp_coastal_displace_point(const tp_coastal_water *coastal,
 
 /* The same without overhanging parts (stretch and displacement), for boats and drops: a
  * height field wherever sum Q k A < 1. */
-tp_coastal_point tp_coastal_displace_smooth(const tp_coastal_water *coastal,
-                                            const tp_turn phases[TP_WAVES], tp_fx x0,
-                                            tp_fx z0);
+tp_coastal_point tp_coastal_displace_no_overhang(const tp_coastal_water *coastal,
+                                                 const tp_turn phases[TP_WAVES], tp_fx x0,
+                                                 tp_fx z0);
 
 /* Bounds of the displacement of all points: horizontal and vertical, m. */
 tp_fx tp_coastal_max_displacement(const tp_coastal_water *coastal);
@@ -211,7 +211,7 @@ tp_ellipse tp_orbit_ellipse(tp_fx r, tp_fx depth, tp_turn gamma, int64_t k_q32, 
 tp_offset tp_orbit_evaluate(const tp_ellipse *orbit, tp_turn phi);
 
 /* Returns the phase of the lowest point of the orbit [B16]. */
-tp_turn tp_orbit_lowest(const tp_ellipse *orbit);
+tp_turn tp_orbit_lowest_phase(const tp_ellipse *orbit);
 
 /* Returns smoothstep(0.6, 0.78, H / h), 16.16. */
 tp_fx tp_breaking_gate(tp_fx height_over_depth);

@@ -27,10 +27,10 @@
 
 tp_surface_point tp_swell_sum_point(const tp_swell_sum *sum, tp_fx x0, tp_fx z0, tp_fx fade)
 {
-    return tp_swell_sum_point_as(sum, x0, z0, fade, 1);
+    return tp_swell_sum_point_inline(sum, x0, z0, fade, 1);
 }
 
-TP_ALWAYS_INLINE tp_surface_point point_as(const tp_deep_water *deep,
+TP_ALWAYS_INLINE tp_surface_point displace_point_with_flags(const tp_deep_water *deep,
                                            const tp_turn *phases, tp_fx x0, tp_fx z0,
                                            int sharpened, int crossed)
 {
@@ -40,9 +40,9 @@ TP_ALWAYS_INLINE tp_surface_point point_as(const tp_deep_water *deep,
         const tp_swell *w = &deep->swell[i];
         tp_turn th = phases[i] + tp_swell_turns(w->turns_x, x0)
                                + tp_swell_turns(w->turns_z, z0);
-        tp_swell_add_as(&sum, w, th, sharpened, crossed);
+        tp_swell_sum_add_swell(&sum, w, th, sharpened, crossed);
     }
-    return tp_swell_sum_point_as(&sum, x0, z0, TP_FX_ONE, crossed);
+    return tp_swell_sum_point_inline(&sum, x0, z0, TP_FX_ONE, crossed);
 }
 
 tp_surface_point tp_deep_water_displace_point(const tp_deep_water *deep,
@@ -51,10 +51,10 @@ tp_surface_point tp_deep_water_displace_point(const tp_deep_water *deep,
 {
     TP_ASSERT(deep->count <= TP_WAVES);
     if (deep->sharpened)
-        return deep->crossed ? point_as(deep, phases, x0, z0, 1, 1)
-                             : point_as(deep, phases, x0, z0, 1, 0);
-    return deep->crossed ? point_as(deep, phases, x0, z0, 0, 1)
-                         : point_as(deep, phases, x0, z0, 0, 0);
+        return deep->crossed ? displace_point_with_flags(deep, phases, x0, z0, 1, 1)
+                             : displace_point_with_flags(deep, phases, x0, z0, 1, 0);
+    return deep->crossed ? displace_point_with_flags(deep, phases, x0, z0, 0, 1)
+                         : displace_point_with_flags(deep, phases, x0, z0, 0, 0);
 }
 
 /* -- compression --------------------------------------------------------------------- */
@@ -64,7 +64,7 @@ tp_surface_point tp_deep_water_displace_point(const tp_deep_water *deep,
 
 /* Bends sum to at most 0.95: the sums fit Q30, and their products fit 64 bits. */
 tp_fx tp_deep_water_jacobian(const tp_deep_water *deep, const tp_turn phases[TP_WAVES],
-                             tp_fx x, tp_fx z)
+                             tp_fx x0, tp_fx z0)
 {
     TP_ASSERT(deep->count <= TP_WAVES);
     int32_t bxx = 0, bxz = 0, bzz = 0;
@@ -73,8 +73,8 @@ tp_fx tp_deep_water_jacobian(const tp_deep_water *deep, const tp_turn phases[TP_
         const tp_swell *w = &deep->swell[i];
         if (w->bend == 0)
             continue;
-        tp_q30 s = tp_sin(phases[i] + tp_swell_turns(w->turns_x, x)
-                          + tp_swell_turns(w->turns_z, z));
+        tp_q30 s = tp_sin(phases[i] + tp_swell_turns(w->turns_x, x0)
+                          + tp_swell_turns(w->turns_z, z0));
         bxx += tp_q30_mul(w->bend_xx, s);
         bxz += tp_q30_mul(w->bend_xz, s);
         bzz += tp_q30_mul(w->bend_zz, s);
@@ -128,7 +128,7 @@ static rest_place displacement(const tp_deep_water *deep, const tp_turn phases[T
 /* Returns the weight 1 / (1 + 2 (k e)^2) in 16.16 for an error e in 16.16 below 2^11 m.
  * With t = k e / 2 pi the weight is 1 / (1 + 79 t^2).  34 and 27 bits make t.  From 16
  * turns on the wave counts for almost nothing, and 79 t^2 has 47 bits. */
-static uint32_t wave_weight(const tp_swell *w, uint32_t error)
+static uint32_t newton_wave_weight(const tp_swell *w, uint32_t error)
 {
     uint64_t t = w->turns * error >> 32;
     uint64_t most = t < 16 << 16 ? t : 16 << 16;
@@ -145,7 +145,7 @@ static rest_place newton_step(const tp_deep_water *deep, const int32_t sine[TP_W
 
     for (uint32_t i = 0; i < deep->count; i++) {
         const tp_swell *w = &deep->swell[i];
-        int64_t s = (int64_t)sine[i] * wave_weight(w, error) >> 16;
+        int64_t s = (int64_t)sine[i] * newton_wave_weight(w, error) >> 16;
         bxx += w->bend_xx * s;
         bxz += w->bend_xz * s;
         bzz += w->bend_zz * s;
@@ -210,14 +210,14 @@ tp_surface_point tp_deep_water_sample(const tp_deep_water *deep,
     return tp_deep_water_displace_point(deep, phases, at.x, at.z);
 }
 
-tp_surface_point tp_deep_water_sample_fixed_point(const tp_deep_water *deep,
-                                                  const tp_turn phases[TP_WAVES], tp_fx x,
-                                                  tp_fx z, uint32_t n)
+tp_surface_point tp_deep_water_sample_iterated(const tp_deep_water *deep,
+                                               const tp_turn phases[TP_WAVES], tp_fx x,
+                                               tp_fx z, uint32_t steps)
 {
     rest_place at = { x, z };
     int32_t sine[TP_WAVES];
 
-    for (; n > 0; n--) {
+    for (; steps > 0; steps--) {
         rest_place d = displacement(deep, phases, at, sine);
         at = (rest_place){ tp_fx_sub_sat(x, d.x), tp_fx_sub_sat(z, d.z) };
     }

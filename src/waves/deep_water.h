@@ -121,9 +121,9 @@ tp_surface_point tp_deep_water_sample(const tp_deep_water *deep,
 /* Returns the n-th plain step of [E1] towards the same point, from p0 = (x, z), which is
  * step 0: p0 <- p0 + (p - P(p0)).  The distance left is at most q^n of the first distance,
  * q the sum of steepnesses.  Points are clamped to the range of 16.16. */
-tp_surface_point tp_deep_water_sample_fixed_point(const tp_deep_water *deep,
-                                                  const tp_turn phases[TP_WAVES], tp_fx x,
-                                                  tp_fx z, uint32_t n);
+tp_surface_point tp_deep_water_sample_iterated(const tp_deep_water *deep,
+                                               const tp_turn phases[TP_WAVES], tp_fx x,
+                                               tp_fx z, uint32_t steps);
 
 /* Slopes and normal of a surface known by heights alone, by central differences [A6].
  * `neighbours` holds the heights at x - spacing, x + spacing, z - spacing and z + spacing.
@@ -178,8 +178,8 @@ TP_ALWAYS_INLINE void tp_swell_sharpen(const tp_swell *w, tp_q30 s, tp_q30 c,
 }
 
 /* Adds one swell at phase th: the terms of [A7] and [A9]. */
-TP_ALWAYS_INLINE void tp_swell_add_as(tp_swell_sum *sum, const tp_swell *w, tp_turn th,
-                                      int sharpened, int crossed)
+TP_ALWAYS_INLINE void tp_swell_sum_add_swell(tp_swell_sum *sum, const tp_swell *w,
+                                             tp_turn th, int sharpened, int crossed)
 {
     const tp_q30 sine = tp_sin(th), cosine = tp_cos(th);
     int32_t s = sine >> 6, c = cosine >> 6, f = s, df = c;
@@ -201,13 +201,16 @@ TP_ALWAYS_INLINE void tp_swell_add_as(tp_swell_sum *sum, const tp_swell *w, tp_t
 }
 
 /* Returns the sum of all swells; the phase of each is a[i] + b[i]. */
-TP_ALWAYS_INLINE tp_swell_sum tp_swell_sum_all(const tp_deep_water *deep, const tp_turn *a,
-                                           const tp_turn *b, int sharpened, int crossed)
+TP_ALWAYS_INLINE tp_swell_sum tp_swell_sum_all(const tp_deep_water *deep,
+                                               const tp_turn *phases_a,
+                                               const tp_turn *phases_b, int sharpened,
+                                               int crossed)
 {
     tp_swell_sum sum = { 0 };
 
     for (uint32_t i = 0; i < deep->count; i++)
-        tp_swell_add_as(&sum, &deep->swell[i], a[i] + b[i], sharpened, crossed);
+        tp_swell_sum_add_swell(&sum, &deep->swell[i], phases_a[i] + phases_b[i],
+                               sharpened, crossed);
     return sum;
 }
 
@@ -233,8 +236,9 @@ TP_ALWAYS_INLINE tp_fx tp_swell_sum_slope(int64_t num, int shift, int32_t invers
 /* Returns the displaced point of the rest point (x0, z0), with the sum scaled by `fade`
  * (16.16, 0..1).  Slopes follow the head of deep_water.c; without cross terms the slope is
  * h / (1 - sum QkA sin th). */
-TP_ALWAYS_INLINE tp_surface_point tp_swell_sum_point_as(const tp_swell_sum *sum, tp_fx x0,
-                                                        tp_fx z0, tp_fx fade, int crossed)
+TP_ALWAYS_INLINE tp_surface_point tp_swell_sum_point_inline(const tp_swell_sum *sum,
+                                                            tp_fx x0, tp_fx z0,
+                                                            tp_fx fade, int crossed)
 {
     const int64_t half = (int64_t)1 << 23;
     const int32_t one = 1 << 28;                                    /* J is Q4.28 */
@@ -272,10 +276,10 @@ tp_surface_point tp_swell_sum_point(const tp_swell_sum *sum, tp_fx x0, tp_fx z0,
                                     tp_fx fade);
 
 /* [A3]: returns the largest A |f - mean|. */
-tp_fx   tp_sharp_height(tp_fx amplitude, int32_t power);
+tp_fx   tp_sharp_max_height(tp_fx amplitude, int32_t power);
 
 /* Returns Jxx Jzz - Jxz^2 of [A9] at a rest point, 16.16.  Below 1 the water is
  * compressed; at 0 the surface would fold.  `phases` are the phases of the tick. */
 tp_fx tp_deep_water_jacobian(const tp_deep_water *deep, const tp_turn phases[TP_WAVES],
-                             tp_fx x, tp_fx z);
+                             tp_fx x0, tp_fx z0);
 #endif

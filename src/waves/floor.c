@@ -41,19 +41,21 @@ typedef struct {
     bool     outside;
 } map_place;
 
-/* `way` is the distance from the middle of the map; `cells` samples have a pitch of `size`
- * / `across` metres.  |way| < 2^32 and across <= 2^12 leave room for 16 more bits. */
-static map_place locate_sample(int64_t way, uint32_t cells, uint32_t across, tp_fx size)
+/* `distance` is the distance from the middle of the map; `samples` samples have a
+ * pitch of `size` / `map_cols` metres.  |way| < 2^32 and across <= 2^12 leave room for
+ * 16 more bits. */
+static map_place locate_sample(int64_t distance, uint32_t samples, uint32_t map_cols,
+                               tp_fx size)
 {
-    TP_ASSERT(cells > 0 && across > 0 && across <= 4096 && size > 0);
-    const int64_t at = way * (int64_t)across * TP_FX_ONE / size
-                     + ((int64_t)cells - 1) * (TP_FX_ONE / 2);
-    const int64_t last = ((int64_t)cells - 1) * TP_FX_ONE;
+    TP_ASSERT(samples > 0 && map_cols > 0 && map_cols <= 4096 && size > 0);
+    const int64_t at = distance * (int64_t)map_cols * TP_FX_ONE / size
+                     + ((int64_t)samples - 1) * (TP_FX_ONE / 2);
+    const int64_t last = ((int64_t)samples - 1) * TP_FX_ONE;
 
     if (at < 0)
         return (map_place){ .outside = true };
     if (at >= last)
-        return (map_place){ cells - 1, cells - 1, 0, at > last };
+        return (map_place){ samples - 1, samples - 1, 0, at > last };
     const uint32_t sample = (uint32_t)(at >> 16);
     return (map_place){ sample, sample + 1, (int32_t)(at & 0xffff), false };
 }
@@ -69,14 +71,14 @@ static int64_t scale_to_map_range(const tp_floor *floor, int64_t sample_q8)
 /* Converts a difference of neighbours (17 bits) to a slope, m/m.  The range has 33 bits and
  * the number of columns 12: the product fits 64 bits.  The factor 2^16 / 65535 of white is
  * approximated by 1 + 1/65535. */
-static tp_fx map_rise(const tp_floor *floor, int64_t step)
+static tp_fx map_slope_from_difference(const tp_floor *floor, int64_t sample_difference)
 {
     const int64_t range = (int64_t)floor->map_high - floor->map_low;
-    const int64_t rise = range * floor->map->cols * step / floor->map_size;
+    const int64_t rise = range * floor->map->cols * sample_difference / floor->map_size;
     return (tp_fx)tp_clamp_abs(rise + rise / 65535, RISE_MAX);
 }
 
-static int64_t interpolate_q16(int64_t a, int64_t b, int32_t part)
+static int64_t interpolate_scaled_q16(int64_t a, int64_t b, int32_t part)
 {
     return a * TP_FX_ONE + (b - a) * part;
 }
@@ -90,16 +92,19 @@ static tp_floor_at sample_map(const tp_floor *floor, tp_fx x, tp_fx z)
                              floor->map_size);
     const uint16_t *north = map->sample + (size_t)v.sample * map->cols;
     const uint16_t *south = map->sample + (size_t)v.next * map->cols;
-    const int64_t high = interpolate_q16(north[u.sample], north[u.next], u.part);
-    const int64_t low = interpolate_q16(south[u.sample], south[u.next], u.part);
-    const int64_t west = interpolate_q16(north[u.sample], south[u.sample], v.part);
-    const int64_t east = interpolate_q16(north[u.next], south[u.next], v.part);
-    const int64_t middle = (interpolate_q16(high, low, v.part) + (1 << 23)) >> 24;
+    const int64_t high = interpolate_scaled_q16(north[u.sample], north[u.next], u.part);
+    const int64_t low = interpolate_scaled_q16(south[u.sample], south[u.next], u.part);
+    const int64_t west = interpolate_scaled_q16(north[u.sample], south[u.sample], v.part);
+    const int64_t east = interpolate_scaled_q16(north[u.next], south[u.next], v.part);
+    const int64_t middle = (interpolate_scaled_q16(high, low, v.part) + (1 << 23)) >> 24;
 
     return (tp_floor_at){
         .depth = tp_fx_saturate(-(floor->map_low + scale_to_map_range(floor, middle))),
-        .rise_x = u.outside ? 0 : map_rise(floor, (east - west + 0x8000) >> 16),
-        .rise_z = v.outside ? 0 : map_rise(floor, (low - high + 0x8000) >> 16),
+        .rise_x = u.outside
+                      ? 0
+                      : map_slope_from_difference(floor, (east - west + 0x8000) >> 16),
+        .rise_z =
+            v.outside ? 0 : map_slope_from_difference(floor, (low - high + 0x8000) >> 16),
     };
 }
 

@@ -48,7 +48,7 @@ tp_q30 tp_cos_of_sin(tp_q30 sin)
 }
 
 /* Returns 0.95 / k, saturated. */
-static tp_fx axis_most(int64_t k_q32)
+static tp_fx max_semi_axis(int64_t k_q32)
 {
     if (k_q32 <= 0)
         return TP_FX_MAX;
@@ -59,7 +59,7 @@ static tp_fx axis_most(int64_t k_q32)
 tp_ellipse tp_orbit_ellipse(tp_fx r, tp_fx depth, tp_turn gamma, int64_t k_q32, tp_fx k0,
                             tp_fx kx, tp_fx ky)
 {
-    const tp_fx most = axis_most(k_q32);
+    const tp_fx most = max_semi_axis(k_q32);
     const tp_fx held = tp_clamp(r, 0, most < R_MAX ? most : R_MAX);
     const tp_orbit_scale s = tp_orbit_scale_make(depth, kx, ky);
     const int64_t half = 1 << 23;
@@ -101,7 +101,7 @@ tp_fx tp_breaking_gate(tp_fx height_over_depth)
     return tp_smoothstep(tp_fx_mul(x, TP_FX(5.5555556)));
 }
 
-tp_turn tp_orbit_lowest(const tp_ellipse *orbit)
+tp_turn tp_orbit_lowest_phase(const tp_ellipse *orbit)
 {
     return 0u - tp_atan2(tp_q30_mul(orbit->along, orbit->sin),
                          tp_q30_mul(orbit->up, orbit->cos));
@@ -110,17 +110,17 @@ tp_turn tp_orbit_lowest(const tp_ellipse *orbit)
 /* Returns the ramp of a phase, Q30: 0 between the joints, 1 at the crest.  The ramp in
  * front is a third of a turn long, the ramp behind a sixteenth: factors 3/4 and 4
  * convert Q32 to Q30. */
-static tp_q30 crest_ramp(int32_t p)
+static tp_q30 crest_ramp(int32_t phase)
 {
-    if (p < -FRONT)
-        return (tp_q30)(((uint64_t)(-(int64_t)p - FRONT) * 3) >> 2);
-    return p > BACK ? (p - BACK) * 4 : 0;
+    if (phase < -FRONT)
+        return (tp_q30)(((uint64_t)(-(int64_t)phase - FRONT) * 3) >> 2);
+    return phase > BACK ? (phase - BACK) * 4 : 0;
 }
 
 /* Returns (p / pi)^2 as Q30; |p| <= 2^31. */
-static tp_q30 phase_square(int32_t p)
+static tp_q30 phase_square(int32_t phase)
 {
-    const uint64_t size = p < 0 ? 0u - (uint32_t)p : (uint32_t)p;
+    const uint64_t size = phase < 0 ? 0u - (uint32_t)phase : (uint32_t)phase;
     return (tp_q30)((size * size + 0x80000000u) >> 32);
 }
 
@@ -129,7 +129,7 @@ tp_breaking tp_breaking_shape(const tp_breaker *breaker, tp_turn phi)
     TP_ASSERT(breaker->kept_stretch >= 0 && breaker->kept_stretch <= TP_FX_ONE);
     TP_ASSERT(breaker->kept_lip >= 0 && breaker->kept_lip <= TP_FX_ONE);
     const tp_ellipse *orbit = &breaker->orbit;
-    const int32_t p = (int32_t)(phi - tp_orbit_lowest(orbit));
+    const int32_t p = (int32_t)(phi - tp_orbit_lowest_phase(orbit));
     const tp_q30 ramp = crest_ramp(p);
     const int32_t tilt = (int32_t)tp_atan2(orbit->sin, orbit->cos);
     tp_breaking at = {

@@ -50,7 +50,7 @@ static bool has_faded(const tp_ring *ring, int64_t age)
 
 /* Returns c a: speed < 2^22.1, and the product has 60 bits.  Converts Q32 x
  * seconds x 60 to Q24. */
-static int64_t rear_q24(const tp_ring *ring, int64_t age)
+static int64_t rear_radius_q24(const tp_ring *ring, int64_t age)
 {
     const int64_t over = TP_TICKS_PER_SECOND << 8;
     return ((int64_t)ring->speed * age + over / 2) / over;
@@ -88,7 +88,7 @@ bool tp_ring_evaluate(const tp_ring *ring, int64_t now, tp_ring_now *at)
 
     if (age <= 0 || has_faded(ring, age))
         return false;
-    int64_t rear = rear_q24(ring, age);
+    int64_t rear = rear_radius_q24(ring, age);
     int64_t outer = ((rear + 255) >> 8) + ring->length;
     int32_t gain =
         ring_gain(ring, tp_q30_mul(decay_factor(ring, age), attack_factor(ring, age)));
@@ -133,8 +133,8 @@ static inline inverse_root make_inverse_root(uint64_t x)
 
 /* Returns s(rho) = sqrt(rho0 / (rho0 + rho)), Q2.30, and 1 / (2 (rho0 + rho)), Q.22.  The
  * sum is 2^17 to 2^39 in Q24, and `half` is 12 to 23: no shift is negative. */
-static inline tp_q30 spreading(const tp_ring_now *ring, int64_t rho_q24,
-                               int32_t *bend_q22)
+static inline tp_q30 spreading_factor(const tp_ring_now *ring, int64_t rho_q24,
+                                      int32_t *bend_q22)
 {
     const int64_t sum = rho_q24 + (int64_t)ring->spread * 256;
     TP_ASSERT(sum >> 17 > 0 && sum >> 39 == 0);
@@ -163,7 +163,7 @@ static void add_ring(ring_sums *sum, const tp_ring_now *ring, int32_t dx, int32_
         return;                             /* the squares were rounded outwards */
     tp_turn turns = (tp_turn)((uint64_t)(way * ring->turns_q32) >> 24);
     int32_t bend;
-    tp_q30  s = spreading(ring, rho, &bend);
+    tp_q30  s = spreading_factor(ring, rho, &bend);
     tp_q30  w = (tp_q30)(((int64_t)TP_Q30_ONE - tp_cos(turns)) >> 1);
     int64_t high = ((int64_t)ring->gain_q24 * s + (1 << 29)) >> 30;
     /* s W' - s^3 W / (2 rho0) over s, Q22: pi / L < 2^29.3, the rest < 2^28. */
@@ -206,7 +206,7 @@ tp_height_slope tp_ring_height_slope(const tp_ring_now *rings, uint32_t count, t
 
 /* -- the end of a ring --------------------------------------------------------------- */
 
-bool tp_ring_is_spent(const tp_ring *ring, int64_t now, tp_fx beyond)
+bool tp_ring_is_spent(const tp_ring *ring, int64_t now, tp_fx max_distance)
 {
     int64_t age = ring_age(ring, now);
 
@@ -214,14 +214,14 @@ bool tp_ring_is_spent(const tp_ring *ring, int64_t now, tp_fx beyond)
         return false;
     if (has_faded(ring, age))
         return true;
-    int64_t rear = rear_q24(ring, age);
-    if ((rear >> 8) > beyond || (rear >> 8) + ring->length >= REACH)
+    int64_t rear = rear_radius_q24(ring, age);
+    if ((rear >> 8) > max_distance || (rear >> 8) + ring->length >= REACH)
         return true;
     tp_ring_now at = {
         .root_q24 = tp_isqrt64((uint64_t)(uint32_t)ring->spread << 32),
         .spread = ring->spread,
     };
     int32_t bend;
-    tp_q30  s = spreading(&at, rear + (int64_t)ring->length * 128, &bend);
+    tp_q30  s = spreading_factor(&at, rear + (int64_t)ring->length * 128, &bend);
     return tp_q30_mul(ring_gain(ring, decay_factor(ring, age)), s) < 1 << 8;
 }

@@ -45,10 +45,10 @@ typedef struct {
  * begun, has no height left, or has run 16384 m. */
 bool tp_ring_evaluate(const tp_ring *ring, int64_t now, tp_ring_now *at);
 
-/* True if the ring can be removed: its height A0 exp(-a / decay) s(rc) is below 1/65536 m,
- * or its rear is more than `beyond` metres (16.16) from its centre, or its front has run
- * 16384 m.  A ring that has not begun returns false. */
-bool tp_ring_is_spent(const tp_ring *ring, int64_t now, tp_fx beyond);
+/* True if the ring can be removed: its height A0 exp(-a / decay) s(rc) is below
+ * 1/65536 m, or its rear is more than `max_distance` metres (16.16) from its centre,
+ * or its front has run 16384 m.  A ring that has not begun returns false. */
+bool tp_ring_is_spent(const tp_ring *ring, int64_t now, tp_fx max_distance);
 
 /* Returns the sum of `count` rings at the point (x, z) of the world.  A ring with the point
  * in its band costs two reciprocal roots, any other ring a comparison or two; no division.

@@ -22,7 +22,7 @@ static int32_t sharp_mean(int32_t power)
 }
 
 /* 2 - mean is at least 1: a crest is never nearer to the mean than a trough. */
-tp_fx tp_sharp_height(tp_fx amplitude, int32_t power)
+tp_fx tp_sharp_max_height(tp_fx amplitude, int32_t power)
 {
     int64_t crest = 2 * (1 << 24) - sharp_mean(power);
     return (tp_fx)((amplitude * crest + (1 << 24) - 1) >> 24);
@@ -50,7 +50,7 @@ static tp_fx sharp_slope_bound(tp_q30 slope, int32_t power)
 /* Returns g / (2 pi L) in Q8.120, below 64, for g <= 100 m/s^2 and L >= 1/4 m; half[0]
  * is the high half, half[1] the low half.  Divides g / 2 pi by L in digits of 32 bits,
  * by long division. */
-static void frequency_squared(tp_fx gravity, tp_fx length, uint64_t half[2])
+static void frequency_squared(tp_fx gravity, tp_fx length, uint64_t high_low[2])
 {
     TP_ASSERT(gravity > 0 && gravity <= 100 * TP_FX_ONE && length >= TP_FX_ONE / 4);
     const uint64_t over_two_pi = 0x28be60db9391054a;        /* 2^64 / 2 pi */
@@ -66,17 +66,17 @@ static void frequency_squared(tp_fx gravity, tp_fx length, uint64_t half[2])
         digit[i] = (uint32_t)(part / (uint32_t)length);
         rest = part % (uint32_t)length;
     }
-    half[0] = (uint64_t)digit[1] << 32 | digit[2];
-    half[1] = (uint64_t)digit[3] << 32 | digit[4];
+    high_low[0] = (uint64_t)digit[1] << 32 | digit[2];
+    high_low[1] = (uint64_t)digit[3] << 32 | digit[4];
 }
 
 /* Returns the square root of a number of 128 bits, > 0, within 2 of 2^64 after the
  * number is shifted up.  As in long division: first the root s of the high half, then
  * the rest over 2 s. */
-static uint64_t sqrt_128(const uint64_t half[2])
+static uint64_t sqrt_128(const uint64_t high_low[2])
 {
-    TP_ASSERT((half[0] | half[1]) != 0);
-    uint64_t high = half[0], low = half[1];
+    TP_ASSERT((high_low[0] | high_low[1]) != 0);
+    uint64_t high = high_low[0], low = high_low[1];
     int      up = 0;
 
     for (; high >> 62 == 0; up++) {
@@ -143,7 +143,7 @@ static tp_fx swell_cross_term_bound(const tp_deep_water *deep, const tp_swell *w
     return sum;
 }
 
-static bool needs_cross(const tp_deep_water *deep)
+static bool needs_cross_terms(const tp_deep_water *deep)
 {
     const tp_fx most = TP_FX(0.026);                        /* 1.49 degrees */
     return deep->count > 1 && deep->steepness_sum > 0
@@ -194,7 +194,7 @@ void tp_deep_water_append_wave(tp_deep_water *deep, const tp_wave_exact *wave)
     deep->capped |= wave->amplitude > cap;
     deep->clamped |= wave->steepness > left;
     deep->sharpened |= wave->power > 1;
-    deep->height += tp_sharp_height(amplitude, wave->power);
+    deep->height += tp_sharp_max_height(amplitude, wave->power);
     deep->max_displacement += swell_displacement(bend, length) + 1;
     deep->steepness += (wave->steepness + (1 << 13)) >> 14;
     deep->steepness_sum += bend;
@@ -202,10 +202,10 @@ void tp_deep_water_append_wave(tp_deep_water *deep, const tp_wave_exact *wave)
     *w = make_swell(wave, amplitude, length, bend);
     deep->cross_term_bound += swell_cross_term_bound(deep, w);
     deep->count++;
-    deep->crossed = needs_cross(deep);
+    deep->crossed = needs_cross_terms(deep);
 }
 
-static tp_wave_exact make_exact(const tp_wave *w, tp_q30 steepness, tp_fx gravity)
+static tp_wave_exact make_exact_wave(const tp_wave *w, tp_q30 steepness, tp_fx gravity)
 {
     TP_ASSERT(w->length >= TP_FX_ONE / 4);
     tp_rotation turned = tp_rotation_from_angles(tp_turn_of_degrees(w->heading), 0, 0);
@@ -251,7 +251,7 @@ void tp_deep_water_init_compact(tp_deep_water *deep, const tp_wave *waves, uint3
             continue;
         int64_t share = waves[i].steepness;
         share = clamped ? share * BEND_MAX / asked : share << 14;
-        tp_wave_exact exact = make_exact(&waves[i], (tp_q30)share, gravity);
+        tp_wave_exact exact = make_exact_wave(&waves[i], (tp_q30)share, gravity);
         tp_deep_water_append_wave(deep, &exact);
     }
     deep->steepness = asked;

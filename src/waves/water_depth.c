@@ -168,7 +168,7 @@ static tp_scaled group_speed_ratio(tp_scaled k, tp_fx depth)
     return tp_scaled_mul(tp_scaled_from_fixed(sum, 32), over);
 }
 
-static tp_scaled speed(tp_scaled k_inf, tp_scaled k, tp_fx gravity)
+static tp_scaled phase_speed(tp_scaled k_inf, tp_scaled k, tp_fx gravity)
 {
     const tp_scaled g = tp_scaled_from_fixed((uint32_t)(gravity > 0 ? gravity : 0), 16);
     const tp_scaled omega = tp_scaled_sqrt(tp_scaled_mul(g, k_inf));
@@ -179,8 +179,8 @@ tp_fx tp_depth_speed(int64_t k_inf_q32, int64_t k_q32, tp_fx gravity)
 {
     if (k_q32 <= 0)
         return 0;
-    return tp_scaled_fx(speed(tp_scaled_from_wave_number(k_inf_q32),
-                              tp_scaled_from_wave_number(k_q32), gravity));
+    return tp_scaled_fx(phase_speed(tp_scaled_from_wave_number(k_inf_q32),
+                                    tp_scaled_from_wave_number(k_q32), gravity));
 }
 
 tp_fx tp_depth_group_speed(int64_t k_inf_q32, int64_t k_q32, tp_fx depth, tp_fx gravity)
@@ -188,7 +188,7 @@ tp_fx tp_depth_group_speed(int64_t k_inf_q32, int64_t k_q32, tp_fx depth, tp_fx 
     if (k_q32 <= 0)
         return 0;
     const tp_scaled k = tp_scaled_from_wave_number(k_q32);
-    const tp_scaled c = speed(tp_scaled_from_wave_number(k_inf_q32), k, gravity);
+    const tp_scaled c = phase_speed(tp_scaled_from_wave_number(k_inf_q32), k, gravity);
     return tp_scaled_fx(tp_scaled_mul(c, group_speed_ratio(k, depth)));
 }
 
@@ -255,7 +255,7 @@ tp_fx tp_depth_amplitude(tp_fx amplitude, tp_fx ks, tp_fx kr, tp_fx depth)
 
 /* Returns 0.142 L tanh(kh) = 0.142 2 pi tanh(kh) / k.  For k = 0 the limit of
  * tanh(kh)/k is h. */
-static tp_scaled miche(tp_scaled k, tp_fx depth)
+static tp_scaled miche_height_scaled(tp_scaled k, tp_fx depth)
 {
     const tp_scaled h = tp_scaled_from_depth(depth),
                     share = tp_scaled_from_fixed(MICHE_Q32, 32);
@@ -268,7 +268,9 @@ static tp_scaled miche(tp_scaled k, tp_fx depth)
 
 tp_fx tp_miche_height(int64_t k_q32, tp_fx depth)
 {
-    return depth > 0 ? tp_scaled_fx(miche(tp_scaled_from_wave_number(k_q32), depth)) : 0;
+    return depth > 0 ? tp_scaled_fx(
+               miche_height_scaled(tp_scaled_from_wave_number(k_q32), depth))
+                     : 0;
 }
 
 uint32_t tp_breaking_flags(tp_fx height, int64_t k_q32, tp_fx depth)
@@ -283,7 +285,8 @@ uint32_t tp_breaking_flags(tp_fx height, int64_t k_q32, tp_fx depth)
         flags |= TP_BREAKING_STEEP;
     if ((int64_t)height * 100 > (int64_t)depth * 78)
         flags |= TP_BREAKING_DEPTH;
-    if (depth <= 0 || tp_scaled_fixed(h, 32) > tp_scaled_fixed(miche(k, depth), 32))
+    if (depth <= 0
+        || tp_scaled_fixed(h, 32) > tp_scaled_fixed(miche_height_scaled(k, depth), 32))
         flags |= TP_BREAKING_MICHE;
     return flags;
 }
@@ -318,10 +321,11 @@ tp_breaker_type tp_breaker_classify(tp_fx iribarren)
 
 #define PUSH_MOST       TP_Q30(0.5)
 #define ITERATIONS_MOST 32              /* 2^-33 of the initial error is left */
-
-tp_fx tp_wind_lambda(tp_fx lambda, tp_q30 along)
+tp_fx tp_wind_lambda(tp_fx lambda, tp_q30 wind_cosine)
 {
-    return along <= 0 ? 0 : along >= TP_Q30_ONE ? lambda : tp_q30_mul(lambda, along);
+    return wind_cosine <= 0            ? 0
+           : wind_cosine >= TP_Q30_ONE ? lambda
+                                       : tp_q30_mul(lambda, wind_cosine);
 }
 
 /* Q32 to Q30. */

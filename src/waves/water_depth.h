@@ -104,7 +104,7 @@ int64_t tp_coast_phase(const tp_coast *coast, tp_fx x);
 
 /* Returns lambda max(0, D . W): the wind pushes only waves with a component along the
  * wind. */
-tp_fx tp_wind_lambda(tp_fx lambda, tp_q30 along);
+tp_fx tp_wind_lambda(tp_fx lambda, tp_q30 wind_cosine);
 
 /* tp_wind_push returns lambda r, Q2.30, clamped to +-0.5.  tp_wind_iterations returns the
  * number of iterations for a push: 1, or 3 for |push| above 0.3. */

@@ -21,7 +21,7 @@
 #define SLIDE_Q32 ((int64_t)175279947)      /* 1 - exp(-dt / tau), dt / tau = 1/24 */
 #define SNAP_Q40  ((int64_t)2 << 24)        /* 2 LSB of 16.16 */
 
-static int64_t q40(tp_fx x)
+static int64_t fx_to_q40(tp_fx x)
 {
     return (int64_t)x * (1 << 24);
 }
@@ -33,8 +33,8 @@ static tp_fx clamp_scale(tp_fx scale)
 
 void tp_clock_init(tp_clock *clock, tp_fx scale)
 {
-    *clock =
-        (tp_clock){ .scale_q40 = q40(clamp_scale(scale)), .target = clamp_scale(scale) };
+    *clock = (tp_clock){ .scale_q40 = fx_to_q40(clamp_scale(scale)),
+                         .target = clamp_scale(scale) };
 }
 
 void tp_clock_set_target(tp_clock *clock, tp_fx target)
@@ -42,21 +42,21 @@ void tp_clock_set_target(tp_clock *clock, tp_fx target)
     clock->target = clamp_scale(target);
 }
 
-void tp_clock_shift_target(tp_clock *clock, int32_t steps)
+void tp_clock_shift_target(tp_clock *clock, int32_t halvings)
 {
     tp_fx target = clock->target;
 
-    for (; steps > 0 && target > TP_CLOCK_SLOWEST; steps--)
+    for (; halvings > 0 && target > TP_CLOCK_SLOWEST; halvings--)
         target /= 2;
-    for (; steps < 0 && target < TP_CLOCK_FASTEST; steps++)
+    for (; halvings < 0 && target < TP_CLOCK_FASTEST; halvings++)
         target *= 2;
     tp_clock_set_target(clock, target);
 }
 
 bool tp_clock_is_valid(const tp_clock *clock)
 {
-    return clock->scale_q40 >= q40(TP_CLOCK_SLOWEST)
-        && clock->scale_q40 <= q40(TP_CLOCK_FASTEST)
+    return clock->scale_q40 >= fx_to_q40(TP_CLOCK_SLOWEST)
+        && clock->scale_q40 <= fx_to_q40(TP_CLOCK_FASTEST)
         && clock->fraction_q40 >= 0 && clock->fraction_q40 < ONE_Q40
         && clock->target == clamp_scale(clock->target) && clock->zero == 0;
 }
@@ -67,7 +67,7 @@ void tp_clock_advance(tp_clock *clock)
 {
     TP_ASSERT(clock->scale_q40 > 0 && clock->fraction_q40 >= 0
               && clock->fraction_q40 < ONE_Q40);
-    int64_t way = q40(clock->target) - clock->scale_q40;
+    int64_t way = fx_to_q40(clock->target) - clock->scale_q40;
 
     if (way < SNAP_Q40 && way > -SNAP_Q40)
         clock->scale_q40 += way;
@@ -96,18 +96,18 @@ tp_fx tp_clock_fraction(const tp_clock *clock)
 /* -- between two ticks --------------------------------------------------------------- */
 
 /* Interpolates from b to a along the shorter arc. */
-static tp_turn interpolate_turn(tp_turn a, tp_turn b, tp_fx lag)
+static tp_turn interpolate_turn(tp_turn last, tp_turn now, tp_fx lag)
 {
-    return b + (tp_turn)((int64_t)(int32_t)(a - b) * lag >> 16);
+    return now + (tp_turn)((int64_t)(int32_t)(last - now) * lag >> 16);
 }
 
-static tp_pose interpolate_pose(const tp_pose *a, const tp_pose *b, tp_fx lag)
+static tp_pose interpolate_pose(const tp_pose *last, const tp_pose *now, tp_fx lag)
 {
     return (tp_pose){
-        tp_place_interpolate(a->place, b->place, lag),
-        interpolate_turn(a->heading, b->heading, lag),
-        interpolate_turn(a->pitch, b->pitch, lag),
-        interpolate_turn(a->roll, b->roll, lag),
+        tp_position_interpolate(last->place, now->place, lag),
+        interpolate_turn(last->heading, now->heading, lag),
+        interpolate_turn(last->pitch, now->pitch, lag),
+        interpolate_turn(last->roll, now->roll, lag),
     };
 }
 
@@ -135,7 +135,7 @@ tp_camera tp_camera_interpolate(const tp_world *world, tp_fx lag)
     const tp_turn heading = interpolate_turn(world->last_heading, world->heading, lag);
     const tp_turn pitch = interpolate_turn(world->last_pitch, world->pitch, lag);
     const tp_turn roll = interpolate_turn(world->last_roll, world->roll, lag);
-    const tp_camera camera = { tp_place_interpolate(world->last_eye, world->eye, lag),
+    const tp_camera camera = { tp_position_interpolate(world->last_eye, world->eye, lag),
                                tp_rotation_from_angles(heading, pitch, roll) };
 
     if (world->aboard != TP_ABOARD_DECK)

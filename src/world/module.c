@@ -53,10 +53,10 @@ size_t tp_module_state_bytes(const void *part)
     return ((const chunk *)part - 1)->bytes;
 }
 
-bool tp_modules_is_any_active(const tp_use *modules, const tp_want *want, uint32_t is)
+bool tp_modules_is_any_active(const tp_use *modules, const tp_want *want, uint32_t flags)
 {
     for (const tp_use *u = modules; u && u->module; u++)
-        if (u->module->is & is && u->module->enabled(want))
+        if (u->module->is & flags && u->module->enabled(want))
             return true;
     return false;
 }
@@ -89,7 +89,7 @@ tp_status tp_program_check_all(const tp_program *program, const tp_scene *scene,
                                const tp_assets *assets, tp_error *err)
 {
     program = tp_program_or_linked(program);
-    const tp_status status = tp_program_check(program, scene, err);
+    const tp_status status = tp_program_check_scene(program, scene, err);
 
     return status == TP_OK && program->refuse
                ? program->refuse(program, scene, assets, err) : status;

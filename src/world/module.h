@@ -83,8 +83,9 @@ typedef struct tp_want {
 } tp_want;
 
 /* Returns the conditions for a world. */
-static inline tp_want tp_world_want(const tp_program *program, const tp_scene *scene,
-                                    const tp_assets *assets)
+static inline tp_want tp_world_module_conditions(const tp_program *program,
+                                                 const tp_scene *scene,
+                                                 const tp_assets *assets)
 {
     return (tp_want){ .scene = scene,
                       .assets = tp_assets_or_scene_default(scene, assets),
@@ -170,9 +171,9 @@ static inline bool tp_module_ask_enabled(const tp_module *module, tp_want *want)
     return on;
 }
 
-/* True if an enabled module has at least one of the bits `is` of tp_module.is.  Other
+/* True if an enabled module has at least one of the bits `flags` of tp_module.is.  Other
  * modules are not asked, so want->above stays as given. */
-bool tp_modules_is_any_active(const tp_use *modules, const tp_want *want, uint32_t is);
+bool tp_modules_is_any_active(const tp_use *modules, const tp_want *want, uint32_t flags);
 
 /* -- chunks of a world --------------------------------------------------------------- */
 
@@ -229,8 +230,8 @@ const tp_coastal_water *tp_world_coastal(const tp_world *world);
 
 /* Returns TP_E_NULL for a NULL scene, else the result of the program's own check of the
  * scene.  All init functions call this check through tp_program_check_all. */
-tp_status tp_program_check(const tp_program *program, const tp_scene *scene,
-                           tp_error *err);
+tp_status tp_program_check_scene(const tp_program *program, const tp_scene *scene,
+                                 tp_error *err);
 
 /* Returns TP_E_PROGRAM; err->word names the missing module. */
 tp_status tp_program_fail_lacking(const char *what, tp_error *err);

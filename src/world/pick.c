@@ -39,13 +39,15 @@ typedef struct {
  * px from the centre, and the focal length with the same limit, stay within the range of
  * tp_rotate_back. */
 static pick_ray make_ray(const tp_surface *surface, const tp_camera *camera,
-                    const tp_scene *scene, const uint32_t side[2], tp_fx x_px, tp_fx y_px)
+                         const tp_scene *scene, const uint32_t picture_size[2],
+                         tp_fx x_px, tp_fx y_px)
 {
     const tp_turn half = tp_turn_of_degrees(scene->camera.fov) / 2;
-    const int64_t focal = (int64_t)side[1] * (1 << 13) * tp_cos(half) / tp_sin(half);
+    const int64_t focal =
+        (int64_t)picture_size[1] * (1 << 13) * tp_cos(half) / tp_sin(half);
     const int64_t most = (1 << 30) - 1;
-    const int64_t u = ((int64_t)x_px >> 2) - (int64_t)side[0] * (1 << 13);
-    const int64_t v = (int64_t)side[1] * (1 << 13) - ((int64_t)y_px >> 2);
+    const int64_t u = ((int64_t)x_px >> 2) - (int64_t)picture_size[0] * (1 << 13);
+    const int64_t v = (int64_t)picture_size[1] * (1 << 13) - ((int64_t)y_px >> 2);
     pick_ray r = {
         .surface = surface,
         .eye = camera->eye,
@@ -99,11 +101,13 @@ static int64_t height_above_surface(const pick_ray *r, int64_t t)
 typedef struct { int64_t from, to; } stretch;       /* along the ray, Q16.16 m */
 
 /* Clips the interval to low..high on an axis; returns false if nothing is left. */
-static bool clip_interval(stretch *s, tp_fx eye, tp_q30 way, int64_t low, int64_t high)
+static bool clip_interval(stretch *s, tp_fx eye, tp_q30 direction, int64_t low,
+                          int64_t high)
 {
-    if (way == 0)
+    if (direction == 0)
         return eye >= low && eye <= high;
-    const int64_t a = (low - eye) * TP_Q30_ONE / way, b = (high - eye) * TP_Q30_ONE / way;
+    const int64_t a = (low - eye) * TP_Q30_ONE / direction,
+                  b = (high - eye) * TP_Q30_ONE / direction;
     const int64_t first = a < b ? a : b, last = a < b ? b : a;
     s->from = s->from > first ? s->from : first;
     s->to = s->to < last ? s->to : last;

@@ -27,10 +27,10 @@ static void prefix_error_word(tp_error *err, const char *part)
 
     if (!err)
         return;
-    tp_text_add(&text, part);
-    tp_text_char(&text, '.');
-    tp_text_add(&text, err->word);
-    tp_error_set_word(err, name, tp_text_length(name));
+    tp_text_append(&text, part);
+    tp_text_append_char(&text, '.');
+    tp_text_append(&text, err->word);
+    tp_error_set_word(err, name, tp_string_length(name));
 }
 
 tp_status tp_pools_check(const tp_scene *scene, const tp_assets *assets, bool field,

@@ -70,21 +70,21 @@ static void put_unsigned(tp_text *out, uint64_t number)
         number /= 10;
     } while (number > 0);
     while (n > 0)
-        tp_text_char(out, digits[--n]);
+        tp_text_append_char(out, digits[--n]);
 }
 
 static void put_field(tp_text *out, const field *f, int32_t value)
 {
     char digits[16];
 
-    tp_text_char(out, ' ');
-    tp_text_add(out, f->name);
-    tp_text_char(out, '=');
+    tp_text_append_char(out, ' ');
+    tp_text_append(out, f->name);
+    tp_text_append_char(out, '=');
     if (f->whole) {
-        tp_text_int(out, value);
+        tp_text_append_int(out, value);
     } else {
         tp_fx_write(value, digits);
-        tp_text_add(out, digits);
+        tp_text_append(out, digits);
     }
 }
 
@@ -129,8 +129,8 @@ static tp_status fail_word(tp_error *err, tp_status code, tp_string_view w)
 }
 
 /* Reads decimal digits.  TP_E_NUMBER: no digit, or another character.  TP_E_RANGE: above
- * `most`. */
-static tp_status read_digits(tp_string_view w, uint64_t most, uint64_t *number)
+ * `max`. */
+static tp_status read_digits(tp_string_view w, uint64_t max, uint64_t *number)
 {
     uint64_t sum = 0;
     bool     beyond = false;
@@ -142,7 +142,7 @@ static tp_status read_digits(tp_string_view w, uint64_t most, uint64_t *number)
         if (c < '0' || c > '9')
             return TP_E_NUMBER;
         const uint64_t digit = (uint64_t)(c - '0');
-        beyond = beyond || sum > (most - digit) / 10;
+        beyond = beyond || sum > (max - digit) / 10;
         sum = beyond ? sum : sum * 10 + digit;
     }
     *number = sum;
@@ -164,7 +164,7 @@ static tp_status read_signed_integer(tp_string_view w, int32_t *value)
 static int find_field(tp_string_view name)
 {
     int i = 0;
-    while (i < FIELDS && !tp_string_view_is(name, fields[i].name))
+    while (i < FIELDS && !tp_string_view_equals(name, fields[i].name))
         i++;
     return i;
 }
@@ -190,7 +190,7 @@ static tp_status read_field(tp_input *input, tp_string_view w, uint64_t *seen,
     const field *f = &fields[i];
     const tp_string_view number = { name.text + name.bytes + 1, w.bytes - name.bytes - 1 };
     tp_status status = f->whole ? read_signed_integer(number, &value)
-                                : tp_string_view_fx(number, &value);
+                                : tp_string_view_read_fx(number, &value);
     if (status == TP_OK && (value < f->low || value > f->high))
         status = TP_E_RANGE;
     if (status != TP_OK)
@@ -224,8 +224,8 @@ tp_status tp_tape_read(tp_tape_entry *entry, const char *text, size_t bytes,
 size_t tp_tape_head_write(const char *scene, char *text, size_t bytes)
 {
     tp_text out = tp_text_init(text, bytes);
-    tp_text_add(&out, "tape 1 ");
-    tp_text_add(&out, scene);
+    tp_text_append(&out, "tape 1 ");
+    tp_text_append(&out, scene);
     return out.length;
 }
 
@@ -233,8 +233,8 @@ tp_status tp_tape_head_read(char *scene, size_t room, const char *text, size_t b
                             tp_error *err)
 {
     tp_string_view line = { text, bytes };
-    const bool ours = tp_string_view_is(next_word(&line), "tape")
-                      && tp_string_view_is(next_word(&line), "1");
+    const bool ours = tp_string_view_equals(next_word(&line), "tape")
+                      && tp_string_view_equals(next_word(&line), "1");
     const tp_string_view first = next_word(&line);
     const tp_string_view name = tp_string_view_trim((tp_string_view){ first.text,
                                                        first.bytes + line.bytes });

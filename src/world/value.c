@@ -19,10 +19,10 @@ tp_string_view tp_string_view_trim(tp_string_view piece)
     return piece;
 }
 
-bool tp_string_view_is(tp_string_view piece, const char *name)
+bool tp_string_view_equals(tp_string_view piece, const char *name)
 {
-    return tp_text_length(name) == piece.bytes
-        && memcmp(name, piece.text, piece.bytes) == 0;
+    return tp_string_length(name) == piece.bytes
+           && memcmp(name, piece.text, piece.bytes) == 0;
 }
 
 bool tp_string_view_has_control(tp_string_view piece)
@@ -33,7 +33,7 @@ bool tp_string_view_has_control(tp_string_view piece)
     return false;
 }
 
-tp_status tp_string_view_fx(tp_string_view piece, tp_fx *x)
+tp_status tp_string_view_read_fx(tp_string_view piece, tp_fx *x)
 {
     int beyond = 0;
 
@@ -115,7 +115,7 @@ static tp_status read_number(const tp_param *param, tp_string_view w, int32_t *v
 {
     tp_status status = TP_OK;
     switch (param->kind) {
-    case TP_PARAM_FX:     status = tp_string_view_fx(w, value);               break;
+    case TP_PARAM_FX:     status = tp_string_view_read_fx(w, value);               break;
     case TP_PARAM_INT:    status = read_int(w, value);                  break;
     case TP_PARAM_BOOL:   status = read_switch(w, value);               break;
     case TP_PARAM_COLOUR: status = read_colour(w, value);               break;
@@ -166,12 +166,12 @@ tp_status tp_scene_set(tp_scene *scene, const char *name, const char *value, tp_
     const void *const given[] = { scene, name, value };
     const char *const names[] = { "scene", "name", "value" };
     for (int i = 0; i < 3; i++)
-        if (tp_given_check(given[i], names[i], err) != TP_OK)
+        if (tp_pointer_check(given[i], names[i], err) != TP_OK)
             return TP_E_NULL;
-    const tp_param *param = tp_param_find(name, tp_text_length(name));
+    const tp_param *param = tp_param_find(name, tp_string_length(name));
     if (!param)
         return tp_error_blame(err, TP_FAIL(err, TP_E_NAME, 0, 0, 0), name);
-    return tp_param_set(scene, param, value, tp_text_length(value), err);
+    return tp_param_set(scene, param, value, tp_string_length(value), err);
 }
 
 tp_status tp_param_set(tp_scene *scene, const tp_param *param, const char *text,
@@ -194,9 +194,9 @@ tp_status tp_param_set(tp_scene *scene, const tp_param *param, const char *text,
 
 static void put_colour(tp_text *out, int32_t colour)
 {
-    tp_text_char(out, '#');
+    tp_text_append_char(out, '#');
     for (int shift = 20; shift >= 0; shift -= 4)
-        tp_text_char(out, "0123456789abcdef"[(uint32_t)colour >> shift & 15]);
+        tp_text_append_char(out, "0123456789abcdef"[(uint32_t)colour >> shift & 15]);
 }
 
 static void put_choice(tp_text *out, const char *list, int32_t number)
@@ -204,14 +204,14 @@ static void put_choice(tp_text *out, const char *list, int32_t number)
     for (; *list != '\0' && number > 0; list++)
         number -= *list == '|';
     for (; *list != '\0' && *list != '|'; list++)
-        tp_text_char(out, *list);
+        tp_text_append_char(out, *list);
 }
 
 static void put_fx(tp_text *out, tp_fx number)
 {
     char digits[16];
     tp_fx_write(number, digits);
-    tp_text_add(out, digits);
+    tp_text_append(out, digits);
 }
 
 size_t tp_param_number_text(const tp_param *param, int32_t number, char *text,
@@ -220,11 +220,11 @@ size_t tp_param_number_text(const tp_param *param, int32_t number, char *text,
     tp_text out = tp_text_init(text, bytes);
     switch (param->kind) {
     case TP_PARAM_FX:     put_fx(&out, number);                         break;
-    case TP_PARAM_INT:    tp_text_int(&out, number);                    break;
-    case TP_PARAM_BOOL:   tp_text_add(&out, number != 0 ? "on" : "off"); break;
+    case TP_PARAM_INT:    tp_text_append_int(&out, number);                    break;
+    case TP_PARAM_BOOL:   tp_text_append(&out, number != 0 ? "on" : "off"); break;
     case TP_PARAM_COLOUR: put_colour(&out, number);                     break;
     case TP_PARAM_CHOICE: put_choice(&out, param->unit, number);        break;
-    default:              tp_text_add(&out, param->text);               break;
+    default:              tp_text_append(&out, param->text);               break;
     }
     return out.length;
 }
@@ -237,7 +237,7 @@ size_t tp_param_text(const tp_scene *scene, const tp_param *param, char *text,
         return tp_param_number_text(param, *(const int32_t *)(const void *)value, text,
                                     bytes);
     tp_text out = tp_text_init(text, bytes);
-    tp_text_add(&out, value);
+    tp_text_append(&out, value);
     return out.length;
 }
 
@@ -250,7 +250,7 @@ void tp_scene_level(tp_scene *scene)
     for (uint32_t i = 0; i < count; i++) {
         const tp_param *const row = &rows[i];
         if (tp_param_is_text(row))
-            memcpy(value_pointer(scene, row), row->text, tp_text_length(row->text));
+            memcpy(value_pointer(scene, row), row->text, tp_string_length(row->text));
         else
             *(int32_t *)value_pointer(scene, row) = row->normal;
     }

@@ -21,12 +21,12 @@ static inline bool tp_is_white(char c)
 /* Returns the view without leading and trailing white space. */
 tp_string_view tp_string_view_trim(tp_string_view piece);
 
-bool tp_string_view_is(tp_string_view piece, const char *name);
+bool tp_string_view_equals(tp_string_view piece, const char *name);
 bool tp_string_view_has_control(tp_string_view piece); /* bytes below the space, or DEL */
 
 /* Reads the whole view as a number.  TP_E_NUMBER: not a number.  TP_E_RANGE: outside
  * Q16.16. */
-tp_status tp_string_view_fx(tp_string_view piece, tp_fx *x);
+tp_status tp_string_view_read_fx(tp_string_view piece, tp_fx *x);
 
 /* tp_param_is_file: true if the row's value is a file name. tp_param_is_text: true if the
  * value is any text in a char[TP_NAME_BYTES], false for a number in an int32_t. */

@@ -13,7 +13,7 @@
 /* -- layout of the block ------------------------------------------------------------- */
 
 /* Returns the number of swells that the world needs memory for. */
-static size_t count_swells(const tp_program *program, const tp_scene *scene)
+static size_t count_swell_slots(const tp_program *program, const tp_scene *scene)
 {
     size_t count = 0;
 
@@ -37,9 +37,10 @@ static tp_status world_layout_measure(const tp_program *program, tp_world_layout
         return status;
     tp_arena_alloc(&arena, 1,
                    offsetof(tp_world, deep.swell)
-                       + count_swells(program, scene) * sizeof(tp_swell));
+                       + count_swell_slots(program, scene) * sizeof(tp_swell));
     status = tp_modules_check_and_measure(
-        program, &arena, tp_world_want(program, scene, assets), &layout->modules, err);
+        program, &arena, tp_world_module_conditions(program, scene, assets),
+        &layout->modules, err);
     layout->bytes = status == TP_OK ? (uint32_t)arena.used : 0;
     return status;
 }
@@ -113,7 +114,7 @@ tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes
                         const tp_scene *scene, const tp_assets *assets, tp_error *err)
 {
     tp_world_layout layout;
-    tp_status status = tp_given_block(world, 8, "world", err);
+    tp_status status = tp_pointer_check_aligned(world, 8, "world", err);
 
     program = tp_program_or_linked(program);
 
@@ -131,7 +132,8 @@ tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes
     tp_clock_init(&world->clock, scene->clock.scale);
     world->clock_scale = scene->clock.scale;
     init_deep_water_and_phases(program, world, scene);
-    status = tp_modules_init(program, world, tp_world_want(program, scene, assets), err);
+    status = tp_modules_init(program, world,
+                             tp_world_module_conditions(program, scene, assets), err);
     if (status != TP_OK)
         return status;
     tp_modules_place_floating(program, world, scene);
@@ -145,7 +147,7 @@ bool tp_world_apply(const tp_program *program, tp_world *world, const tp_scene *
 {
     TP_ASSERT(world != NULL && world->layout.bytes > 0);
     program = tp_program_or_linked(program);
-    const tp_want want = tp_world_want(program, scene, assets);
+    const tp_want want = tp_world_module_conditions(program, scene, assets);
     tp_world_layout layout;
 
     if (world_layout_measure(program, &layout, scene, assets, NULL) != TP_OK

@@ -35,9 +35,9 @@ typedef struct {
 void tp_clock_init(tp_clock *clock, tp_fx scale);
 void tp_clock_set_target(tp_clock *clock, tp_fx target);       /* clamps `target` */
 
-/* Moves the target by `steps` along the scales 1/8, 1/4 .. 4: +1 halves the target, -1
+/* Moves the target by `halvings` along the scales 1/8, 1/4 .. 4: +1 halves the target, -1
  * doubles the target. */
-void tp_clock_shift_target(tp_clock *clock, int32_t steps);
+void tp_clock_shift_target(tp_clock *clock, int32_t halvings);
 
 /* True if scale, target and part are in their ranges.  Use: the bytes of `clock` come
  * from outside the program. */
@@ -165,15 +165,16 @@ tp_camera tp_camera_interpolate(const tp_world *world, tp_fx lag);
 bool tp_camera_is_valid(const tp_world *world);
 
 /* Interpolates linearly: b for back = 0, a for back = 1. */
-static inline tp_fx tp_interpolate(tp_fx a, tp_fx b, tp_fx lag)
+static inline tp_fx tp_interpolate(tp_fx last, tp_fx now, tp_fx lag)
 {
-    return b + (tp_fx)(((int64_t)a - b) * lag >> 16);
+    return now + (tp_fx)(((int64_t)last - now) * lag >> 16);
 }
 
-static inline tp_vec3 tp_place_interpolate(tp_vec3 a, tp_vec3 b, tp_fx lag)
+static inline tp_vec3 tp_position_interpolate(tp_vec3 last, tp_vec3 now, tp_fx lag)
 {
-    return (tp_vec3){ tp_interpolate(a.x, b.x, lag), tp_interpolate(a.y, b.y, lag),
-                      tp_interpolate(a.z, b.z, lag) };
+    return (tp_vec3){ tp_interpolate(last.x, now.x, lag),
+                      tp_interpolate(last.y, now.y, lag),
+                      tp_interpolate(last.z, now.z, lag) };
 }
 
 #endif

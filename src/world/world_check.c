@@ -32,7 +32,7 @@ static tp_status check_number(const tp_scene *scene, const tp_param *row, tp_err
                           row->name);
 }
 
-static tp_status check_name(const tp_scene *scene, const tp_param *row, tp_error *err)
+static tp_status check_text_value(const tp_scene *scene, const tp_param *row, tp_error *err)
 {
     const char *const name = (const char *)scene + row->offset;
     size_t bytes = 0;
@@ -47,10 +47,10 @@ static tp_status check_name(const tp_scene *scene, const tp_param *row, tp_error
     return TP_OK;
 }
 
-tp_status tp_program_check(const tp_program *program, const tp_scene *scene,
-                           tp_error *err)
+tp_status tp_program_check_scene(const tp_program *program, const tp_scene *scene,
+                                 tp_error *err)
 {
-    tp_status status = tp_given_check(scene, "scene", err);
+    tp_status status = tp_pointer_check(scene, "scene", err);
 
     if (status == TP_OK && program->check != NULL)
         status = program->check(scene, err);
@@ -62,10 +62,10 @@ tp_status tp_scene_check(const tp_scene *scene, tp_error *err)
     uint32_t count;
     const tp_param *const rows = tp_params(&count);
 
-    tp_status status = tp_given_check(scene, "scene", err);
+    tp_status status = tp_pointer_check(scene, "scene", err);
 
     for (uint32_t i = 0; i < count && status == TP_OK; i++)
-        status = tp_param_is_text(&rows[i]) ? check_name(scene, &rows[i], err)
+        status = tp_param_is_text(&rows[i]) ? check_text_value(scene, &rows[i], err)
                                             : check_number(scene, &rows[i], err);
     for (int field = 0; field < 2 && status == TP_OK; field++)
         status = tp_pools_check(scene, NULL, field, err);
@@ -123,10 +123,10 @@ tp_status tp_world_check(const tp_program *program, const tp_world *world, size_
                          const tp_world *fresh, tp_error *err)
 {
     const char *invalid = "layout";
-    tp_status status = tp_given_block(world, 8, "world", err);
+    tp_status status = tp_pointer_check_aligned(world, 8, "world", err);
 
     if (status == TP_OK)
-        status = tp_given_block(fresh, 8, "fresh", err);
+        status = tp_pointer_check_aligned(fresh, 8, "fresh", err);
     if (status != TP_OK)
         return status;
     if (bytes >= offsetof(tp_world, layout) + sizeof fresh->layout

@@ -83,7 +83,7 @@ static void prepare_world(int kind)
     model_expect(
         !tp_world_init(&tp_program_all, world, sizeof model.block, &scene, NULL, NULL),
         "no world");
-    tp_boat_init(&tp_program_all, world, &scene);
+    tp_boat_place_on_water(&tp_program_all, world, &scene);
     model.bytes = kind == PLAIN ? sizeof(tp_world)
                                 : (uint32_t)(sizeof(tp_boat_state) + 2 * sizeof(tp_pose));
 }

@@ -40,14 +40,14 @@ function stage_of(account, path,    folder, name)
     folder = substr(path, 1, index(path, "/") - 1)
     name = substr(path, index(path, "/") + 1)
     sub(/\.[a-z]*$/, "", name)
-    if (folder == "fx" || folder == "base" || folder == "asset")
+    if (folder == "fixed" || folder == "base" || folder == "mesh")
         return "helpers"
     if (folder == "pixel")
         return "store"
     if (account == "tiles")
-        return folder == "shade" ? name : folder == "raster" || folder == "geom" || \
+        return folder == "shade" ? name : folder == "raster" || folder == "view" || \
             folder == "frame" ? "visibility" : "places"
-    if (folder == "wave" || folder == "geom" || folder == "pool")
+    if (folder == "waves" || folder == "view" || folder == "pool")
         return "vertices"
     return folder == "shade" || folder == "raster" ? "pictures" : "plan"
 }

@@ -29,7 +29,7 @@ $1 == "count" {
 function finds(account, place)
 {
     return account == "frame" ? place !~ /^(shade|pixel)$/ \
-         : account == "tiles" && place ~ /^(geom|raster|frame|wave)$/
+         : account == "tiles" && place ~ /^(view|raster|frame|waves)$/
 }
 
 END {

@@ -9,7 +9,7 @@
 #     N WIDTH HEIGHT WATER_PIXELS VERTICES TICK FRAME TILES SEEN CRC32
 # TICK, FRAME, TILES: instructions of the last tick, of the beginning of the frame, of all
 # tiles.  SEEN: the share of FRAME and TILES that finds the water: in tiles the code of
-# src/view, raster, frame and wave; before the tiles all code except src/shade and src/pixel.
+# src/view, raster, frame and waves; before the tiles all code except src/shade and src/pixel.
 #
 # m4: an emulated Cortex-M4, the board's compiler at -O2; x86: baseline x86-64, -O2, by the
 # user mode of QEMU.  `make charts-tools` builds the programs.

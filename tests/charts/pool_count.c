@@ -26,9 +26,9 @@ static void ruffle(int32_t high)
         for (uint32_t x = 0; x < pool->cols; x++) {
             const tp_q30 wave = tp_cos(x << 27) / 4 + tp_cos(z << 26) / 4
                               + tp_cos((x + z) << 25) / 4;
-            tp_pool_add(pool, x, z, tp_q30_mul(high, wave));
+            tp_pool_add_cell_height(pool, x, z, tp_q30_mul(high, wave));
         }
-    tp_pool_wake(pool, high);
+    tp_pool_start_carry_rounding(pool, high);
 }
 
 static bool prepare(const pool_point *point, tp_edges edges)

@@ -89,8 +89,8 @@ static void stir(tp_pool *pool, int32_t part)
     for (uint32_t i = 0; i < half; i++) {
         random = random * 1664525 + 1013904223;
         const int32_t h = (int32_t)((int64_t)(int32_t)random * most >> 31);
-        tp_pool_add(pool, i % cols, i / cols, h);
-        tp_pool_add(pool, (i + half) % cols, (i + half) / cols, -h);
+        tp_pool_add_cell_height(pool, i % cols, i / cols, h);
+        tp_pool_add_cell_height(pool, (i + half) % cols, (i + half) / cols, -h);
     }
     pool->gear = 2;
 }

@@ -61,7 +61,7 @@ static double height_above(const tp_deep_water *deep, const tp_turn *phases, dou
 static tp_surface_point found(const tp_deep_water *deep, const tp_turn *phases, tp_fx x,
                               tp_fx z, stability_search how, uint32_t n, tp_fx rest[2])
 {
-    return how == STABILITY_PLAIN ? tp_deep_water_sample_fixed_point(deep, phases, x, z, n)
+    return how == STABILITY_PLAIN ? tp_deep_water_sample_iterated(deep, phases, x, z, n)
                                   : tp_deep_water_sample(deep, phases, x, z,
                                                  how == STABILITY_WARM ? rest : NULL);
 }

@@ -20,9 +20,9 @@ static void *load(tp_obj *obj)
     tp_obj_begin_count(obj);
     REQUIRE(tp_obj_feed(obj, obj_text, sizeof obj_text - 1, NULL) == TP_OK);
     REQUIRE(tp_obj_end_count(obj, NULL) == TP_OK);
-    void *const mem = malloc(tp_obj_bytes(obj));
+    void *const mem = malloc(tp_obj_memory_bytes(obj));
     REQUIRE(mem != NULL);
-    memset(mem, 0xA5, tp_obj_bytes(obj));
+    memset(mem, 0xA5, tp_obj_memory_bytes(obj));
     tp_obj_begin_load(obj, mem);
     REQUIRE(tp_obj_feed(obj, obj_text, sizeof obj_text - 1, NULL) == TP_OK);
     REQUIRE(tp_obj_end_load(obj, NULL) == TP_OK);

@@ -8,7 +8,7 @@
 # folder and of the core. A core figure below `least` or above `most`, if given, is an
 # error.
 BEGIN {
-    n = split("sizeof tp_abs tp_clz tp_screen_vertex_is_in_range " \
+    n = split("sizeof tp_abs tp_clz tp_screen_vertex_in_guard_band " \
               "tp_projection_can_project tp_pool_max_lsb tp_grid_is_coastal", name, " ")
     for (i = 1; i <= n; i++)
         pure[name[i]]

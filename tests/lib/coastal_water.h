@@ -71,8 +71,8 @@ static inline tp_floor shore(double depth, double slope, double heading)
 static inline double coastal_phase(const coastal_water *o, tp_fx x, tp_fx z)
 {
     const tp_turn now[TP_WAVES] = { 0 }, later[TP_WAVES] = { 0x40000000u };
-    const double c = -tp_coastal_displace_smooth(o->coastal, now, x, z).position.y;
-    const double s = tp_coastal_displace_smooth(o->coastal, later, x, z).position.y;
+    const double c = -tp_coastal_displace_no_overhang(o->coastal, now, x, z).position.y;
+    const double s = tp_coastal_displace_no_overhang(o->coastal, later, x, z).position.y;
     return atan2(s, c) / (2 * 3.14159265358979323846);
 }
 

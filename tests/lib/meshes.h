@@ -52,8 +52,8 @@ static inline tp_status scan_text(obj_reader *r, const char *text, size_t bytes,
 static inline tp_status load_text(obj_reader *r, const char *text, size_t bytes,
                                   size_t piece)
 {
-    r->mem = malloc(tp_obj_bytes(&r->obj));
-    memset(r->mem, 0xA5, tp_obj_bytes(&r->obj));
+    r->mem = malloc(tp_obj_memory_bytes(&r->obj));
+    memset(r->mem, 0xA5, tp_obj_memory_bytes(&r->obj));
     tp_obj_begin_load(&r->obj, r->mem);
     tp_status status = feed_pieces(tp_obj_feed, &r->obj, text, bytes, piece, &r->err);
     return status != TP_OK ? status : tp_obj_end_load(&r->obj, &r->err);

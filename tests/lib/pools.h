@@ -39,8 +39,8 @@ static inline void pool_fill(tp_pool *pool, uint64_t *chance, int32_t most)
 {
     for (uint32_t y = 0; y < pool->rows; y++)
         for (uint32_t x = 0; x < pool->cols; x++)
-            tp_pool_add(pool, x, y, chance_int(chance, -most, most));
-    tp_pool_wake(pool, most);
+            tp_pool_add_cell_height(pool, x, y, chance_int(chance, -most, most));
+    tp_pool_start_carry_rounding(pool, most);
 }
 
 /* A mask with walls in about `walls` of 256 cells, for pools of at most 64 x 64. */

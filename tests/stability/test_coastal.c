@@ -50,7 +50,7 @@ static extent extent_of(const coastal_water *o, bool whole)
         const tp_turn phases[TP_WAVES] = { n << 26 };
         const tp_vec3 p =
             whole ? tp_coastal_displace_point(o->coastal, phases, 0, 0).position
-                  : tp_coastal_displace_smooth(o->coastal, phases, 0, 0).position;
+                  : tp_coastal_displace_no_overhang(o->coastal, phases, 0, 0).position;
         e.up = fmax(e.up, abs(p.y) * LSB);
         e.along = fmax(e.along, hypot(p.x, p.z) * LSB);
     }
@@ -97,8 +97,8 @@ static double jump_to_shore(const coastal_water *o, double shore, double z)
         tp_vec3 last = { 0, 0, 0 };
         for (int k = 0; k * d < 32; k++) {
             const tp_fx x = (tp_fx)lround((from + k * d) * 65536);
-            const tp_coastal_point p = tp_coastal_displace_smooth(o->coastal, phases, x,
-                                                     (tp_fx)(z * 65536));
+            const tp_coastal_point p = tp_coastal_displace_no_overhang(
+                o->coastal, phases, x, (tp_fx)(z * 65536));
             const tp_vec3 step = tp_vec3_sub(p.position, last);
             assert_true(p.depth > 0 || p.position.y == 0);
             assert_true(abs(p.position.y) <= tp_coastal_max_height(o->coastal));
@@ -278,7 +278,8 @@ static void look_at(const coastal_water *o, const coastal_water *moving, double 
     const tp_turn phases[TP_WAVES] = {
         (tp_turn)(uint64_t)llround((1.25 - here) * 4294967296.0)
     };
-    const tp_vec3 p = tp_coastal_displace_smooth(moving->coastal, phases, x, z).position;
+    const tp_vec3 p =
+        tp_coastal_displace_no_overhang(moving->coastal, phases, x, z).position;
     r->places++;
     r->against_deep += on_x * sin(heading) - on_z * cos(heading) < -1e-4;
     r->against_own += on_x * (p.x - x) + on_z * (p.z - z)
@@ -368,10 +369,10 @@ static double least_step(const coastal_water *o, double length)
 
     for (uint32_t n = 0; n < 4; n++) {
         const tp_turn phases[TP_WAVES] = { (tp_turn)random_next(&chance) };
-        tp_fx last = tp_coastal_displace_smooth(o->coastal, phases, 0, 0).position.x;
+        tp_fx last = tp_coastal_displace_no_overhang(o->coastal, phases, 0, 0).position.x;
         for (int k = 1; k <= 1024; k++) {
             const tp_fx x =
-                tp_coastal_displace_smooth(o->coastal, phases, k * d, 0).position.x;
+                tp_coastal_displace_no_overhang(o->coastal, phases, k * d, 0).position.x;
             least = fmin(least, (double)(x - last) / d);
             last = x;
         }
@@ -423,8 +424,8 @@ static extent alias_of(const coastal_water *o, double cell, double height)
                              (tp_fx)((k + 1) * cell * 65536) };
         double y[3];
         for (int i = 0; i < 3; i++)
-            y[i] = tp_coastal_displace_smooth(o->coastal, phases, x[i], 0).position.y * LSB
-                   / height;
+            y[i] = tp_coastal_displace_no_overhang(o->coastal, phases, x[i], 0).position.y
+                   * LSB / height;
         e.up = fmax(e.up, fabs(y[0]));
         e.along = fmax(e.along, fabs((y[0] + y[2]) / 2 - y[1]));
     }

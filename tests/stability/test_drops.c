@@ -91,7 +91,7 @@ static void a_thousand_drops_fall_for_a_minute(void **state)
         for (uint32_t i = 0; i < drops->count; i++) {
             tp_impact impact;
             const tp_fx x = tp_drops_list(drops)[i].place.x;
-            if (tp_drops_step(drops, &c, i, GRAVITY, level_at(x, tick), tick, &impact))
+            if (tp_drops_step_drop(drops, &c, i, GRAVITY, level_at(x, tick), tick, &impact))
                 tp_drops_add_ring(drops, &c, &impact);
         }
         tp_drops_remove_spent(drops, (int64_t)tick * 65536, TP_FX(100));
@@ -128,7 +128,7 @@ static void all_drops_and_rings_come_to_an_end(void **state)
         tick++;
         for (uint32_t i = 0; i < drops->count; i++) {
             tp_impact impact;
-            if (tp_drops_step(drops, &c, i, GRAVITY, 0, tick, &impact))
+            if (tp_drops_step_drop(drops, &c, i, GRAVITY, 0, tick, &impact))
                 tp_drops_add_ring(drops, &c, &impact);
         }
         tp_drops_remove_spent(drops, (int64_t)tick * 65536, TP_FX(100));

@@ -75,7 +75,7 @@ static void ask_coastal(const tp_coastal_water *coastal, const tp_turn *phases, 
                         tp_fx z)
 {
     const tp_coastal_point whole = tp_coastal_displace_point(coastal, phases, x, z);
-    const tp_coastal_point smooth = tp_coastal_displace_smooth(coastal, phases, x, z);
+    const tp_coastal_point smooth = tp_coastal_displace_no_overhang(coastal, phases, x, z);
     const tp_fx reach = tp_coastal_max_displacement(coastal);
 
     assert_near(whole.position.x, x, reach);
@@ -92,7 +92,7 @@ static void ask_pool(tp_pool *pool, tp_fx x, tp_fx z)
     const tp_fx lag = chance_int(&chance, 0, TP_FX_ONE);
     const tp_height_slope r = tp_pool_height_slope(pool, x, z, lag);
     uint32_t col, row;
-    const bool cell = tp_pool_cell(pool, x, z, &col, &row);
+    const bool cell = tp_pool_find_open_cell(pool, x, z, &col, &row);
 
     assert_true(abs(r.height) <= tp_pool_height_bound(pool));
     assert_true(!cell || (col < pool->cols && row < pool->rows));

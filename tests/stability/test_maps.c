@@ -74,7 +74,7 @@ static double moved_along(const tp_deep_water *deep, double from)
     const tp_turn phases[TP_WAVES] = { 0x40000000 };
     const double x = (double)w->turns_x, z = (double)w->turns_z, turns = hypot(x, z);
     const tp_vec3 p =
-        tp_deep_water_sample_fixed_point(deep, phases, TP_FX(from * x / turns),
+        tp_deep_water_sample_iterated(deep, phases, TP_FX(from * x / turns),
                                          TP_FX(from * z / turns), 0)
             .position;
 

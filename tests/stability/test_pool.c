@@ -25,10 +25,10 @@ static void stir(tp_pool *pool)
     for (uint32_t i = 0; i < count / 2; i++) {
         const int32_t h = chance_int(&chance, -full, full);
         const uint32_t j = (i + count / 2) % count;
-        tp_pool_add(pool, i % pool->cols, i / pool->cols, h);
-        tp_pool_add(pool, j % pool->cols, j / pool->cols, -h);
+        tp_pool_add_cell_height(pool, i % pool->cols, i / pool->cols, h);
+        tp_pool_add_cell_height(pool, j % pool->cols, j / pool->cols, -h);
     }
-    tp_pool_wake(pool, full);
+    tp_pool_start_carry_rounding(pool, full);
 }
 
 /* Returns the ticks until rest, or `most`. */
@@ -310,7 +310,7 @@ static bool moves(tp_pool *pool, bool gear_a)
 static bool cell_moves(double r, bool gear_a, int32_t height)
 {
     tp_pool *const pool = tank(TP_CELLS_16, TP_EDGES_WALL, 16, 6, r);
-    tp_pool_add(pool, 7, 8, height);
+    tp_pool_add_cell_height(pool, 7, 8, height);
     const bool moved = moves(pool, gear_a);
     free(pool);
     return moved;
@@ -323,8 +323,8 @@ static bool mode_moves(double r, bool gear_a, uint32_t n, int32_t height)
     tp_pool *const pool = pool_make(&c);
     pool->courant_sq_q10 = r2q_of(r);
     for (uint32_t i = 0; i < 16 * n; i++)
-        tp_pool_add(pool, i % n, i / n,
-                    (int32_t)lround(height * cos(PI * (i % n + 0.5) / n)));
+        tp_pool_add_cell_height(pool, i % n, i / n,
+                                (int32_t)lround(height * cos(PI * (i % n + 0.5) / n)));
     const bool moved = moves(pool, gear_a);
     free(pool);
     return moved;

@@ -161,7 +161,7 @@ static void a_band_below_the_noise_is_harmless(void **state)
     (void)state;
     print_head();
     for (uint32_t m = 6; m <= 10; m += 2) {
-        const double noise = tp_pool_noise(TP_FX(0.4841), m) / 65536.0;
+        const double noise = tp_pool_rounding_noise(TP_FX(0.4841), m) / 65536.0;
         const record r = print_feed(m == 10 ? TP_CELLS_8 : TP_CELLS_16, TP_EDGES_TILE, 32,
                                     m, 4, 20, ticks_asked(10000));
         assert_true(r.high <= 2.2 * fmax(noise, 4.5));

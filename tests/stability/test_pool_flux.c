@@ -141,7 +141,7 @@ static void grow(uint32_t m, double r)
     int full_at;
 
     for (uint32_t k = 0; k < 24 * 24; k++)
-        tp_pool_add(pool, k % 24, k / 24, (k % 24 + k / 24) % 2 ? 4096 : -4096);
+        tp_pool_add_cell_height(pool, k % 24, k / 24, (k % 24 + k / 24) % 2 ? 4096 : -4096);
     const double growth = growth_measured(pool, &full_at);
     assert_int_equal(full_at != 0, model > 1);
     if (model > 1) {

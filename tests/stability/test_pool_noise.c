@@ -21,7 +21,7 @@ static uint64_t chance;
 
 static double noise_of(const tp_pool_config *c)
 {
-    return tp_pool_noise(c->courant, c->damping) / 65536.0;
+    return tp_pool_rounding_noise(c->courant, c->damping) / 65536.0;
 }
 
 /* r from 1024 r^2, the number that a pool stores. */
@@ -44,13 +44,16 @@ static void the_noise_is_the_root_of_2_to_m_over_24_by_courant(void **state)
         for (uint32_t courant_sq_q10 = 3; courant_sq_q10 <= r2q_most(m); courant_sq_q10++) {
             const double want = sqrt(ldexp(1, (int)m) / 24 * 1024 / courant_sq_q10);
             assert_true(
-                fabs(tp_pool_noise(courant_of(courant_sq_q10), m) / 65536.0 - want)
+                fabs(tp_pool_rounding_noise(courant_of(courant_sq_q10), m) / 65536.0 - want)
                 < 3e-5);
         }
-        assert_true(fabs(pool_noise_r(tp_pool_noise(TP_FX_ONE / 2, m) / 65536.0, m) - 0.5)
-                    < 1e-5);
+        assert_true(
+            fabs(pool_noise_r(tp_pool_rounding_noise(TP_FX_ONE / 2, m) / 65536.0, m)
+                 - 0.5)
+            < 1e-5);
     }
-    assert_true(tp_pool_noise(0, 99) > 0);      /* invalid input also gives a number */
+    /* invalid input also gives a number */
+    assert_true(tp_pool_rounding_noise(0, 99) > 0);
 }
 
 /* -- water that moves forever ---------------------------------------------------------- */
@@ -192,7 +195,8 @@ static miss worst_of(const wave *w, int ticks)
 
     for (uint32_t j = 0; j < pool->rows; j++)
         for (uint32_t i = 0; i < pool->cols; i++)
-            tp_pool_add(pool, i, j, (int32_t)lround(w->height * w->x[i] * w->z[j]));
+            tp_pool_add_cell_height(pool, i, j,
+                                    (int32_t)lround(w->height * w->x[i] * w->z[j]));
     for (int n = 1; n <= ticks; n++) {
         v = (1 + rho) * (v - r2 * w->mu * h / 2) - v;
         h += v;

@@ -42,7 +42,7 @@ static uint32_t tick_of(tp_drops *drops, const tp_scene_drops *c, uint64_t tick)
     uint32_t struck = 0;
     for (uint32_t i = 0; i < drops->count; i++) {
         tp_impact impact;
-        if (!tp_drops_step(drops, c, i, G, 0, tick, &impact))
+        if (!tp_drops_step_drop(drops, c, i, G, 0, tick, &impact))
             continue;
         struck++;
         tp_drops_add_ring(drops, c, &impact);

@@ -103,7 +103,7 @@ static void drift_moves_foam_without_spreading_it(void **state)
 
     scene.foam.map.drift_x = TP_FX(1.5);
     scene.foam.map.drift_z = TP_FX(-0.7);
-    tp_foam_blob(tp_foam_of_world(world), TP_FX(2.25), TP_FX(1.25), TP_FX(0.2), 200);
+    tp_foam_add_blob(tp_foam_of_world(world), TP_FX(2.25), TP_FX(1.25), TP_FX(0.2), 200);
     const double sum = sum_of(world);
     const int there = tp_foam_sample(tp_world_foam(world), TP_FX(2.25), TP_FX(1.25));
     assert_true(there > 100);
@@ -145,7 +145,7 @@ static void the_window_follows_the_eye(void **state)
     tp_world *world = scene_world(&scene, NULL);
     const tp_input aside = { .strafe = TP_FX(0.1) };
 
-    tp_foam_blob(tp_foam_of_world(world), TP_FX(5.25), TP_FX(0.25), TP_FX(0.5), 250);
+    tp_foam_add_blob(tp_foam_of_world(world), TP_FX(5.25), TP_FX(0.25), TP_FX(0.5), 250);
     const int there = tp_foam_sample(tp_world_foam(world), TP_FX(5.25), TP_FX(0.25));
     for (int i = 0; i < 190; i++)
         tp_world_step(&tp_program_all, world, &scene, &aside);

@@ -34,8 +34,8 @@ static void both_fills_have_the_same_bits(void **state)
         const int32_t k = chance_int(&chance, 0, 15);
         const int32_t end = chance_int(&chance, k + 1, 16);
         uint32_t plain[16], packed[16];
-        tp_plain_fill(plain, tp_quick_shade_make(a, b), k, end);
-        tp_packed_fill(packed, tp_quick_shade_make(a, b), k, end);
+        tp_gradient_fill_scalar(plain, tp_quick_shade_make(a, b), k, end);
+        tp_gradient_fill_packed(packed, tp_quick_shade_make(a, b), k, end);
         assert_memory_equal(plain, packed, (size_t)(end - k) * 4);
         assert_true(k > 0 || plain[0] == a);
     }

@@ -311,7 +311,7 @@ static void snells_window_ends_at_48_6_degrees(void **state)
                                (int32_t)lround(cos(angle) * Q14), 0, 0 }, 0 };
         water.walled = water.floored = false;
         const uint32_t c =
-            tp_underwater_trace_surface(&s.shade, &s.shade.underwater->floor_plane, &ray,
+            tp_underwater_shade_underside(&s.shade, &s.shade.underwater->floor_plane, &ray,
                                         (tp_ray){ 0, 16384, 0, 0 }, 0);
         if ((c & 0xff) > 8)
             rim = k / 100.0;

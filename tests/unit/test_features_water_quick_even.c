@@ -22,7 +22,7 @@ typedef struct {
 #define X(name, env, lobe) \
     static void plain_##name(const tp_shade *shade, tp_run *run) \
     { \
-        plain_light_even(shade, run, env); \
+        plain_light_even_columns(shade, run, env); \
         if (lobe == TP_LOBE_NONE) \
             tp_quick_odd_fill(run); \
         else \
@@ -30,7 +30,7 @@ typedef struct {
     } \
     static void packed_##name(const tp_shade *shade, tp_run *run) \
     { \
-        packed_light_even(shade, run, env); \
+        packed_light_even_columns(shade, run, env); \
         if (lobe == TP_LOBE_NONE) \
             tp_quick_odd_fill(run); \
         else \

@@ -134,8 +134,8 @@ static void both_bodies_add_the_same_ripples(void **state)
         any_texels(&map, levels, 0xffffffff);
         any_lanes(&l, 0xffffffff);
         const tp_columns c = any_columns(&l, &at);
-        plain_rippled(&map, 0, &c, l.to[0] + at);
-        packed_rippled(&map, 0, &c, l.to[1] + at);
+        plain_add_ripple_slopes(&map, 0, &c, l.to[0] + at);
+        packed_add_ripple_slopes(&map, 0, &c, l.to[1] + at);
         assert_memory_equal(l.to[0], l.to[1], sizeof l.to[0]);
     }
 }
@@ -147,8 +147,8 @@ static void both_bodies_fill_the_same_columns(void **state)
         lanes l;
         any_lanes(&l, 0xffffff);
         const int32_t pairs = chance_int(&chance, 0, TP_RUN / 2), at = n & 1;
-        plain_expand_pairs(l.to[0] + TP_RUN, l.to[0] + at, pairs);
-        packed_expand_pairs(l.to[1] + TP_RUN, l.to[1] + at, pairs);
+        plain_upsample_colours(l.to[0] + TP_RUN, l.to[0] + at, pairs);
+        packed_upsample_colours(l.to[1] + TP_RUN, l.to[1] + at, pairs);
         assert_memory_equal(l.to[0], l.to[1], sizeof l.to[0]);
     }
 }

@@ -238,11 +238,11 @@ static size_t bytes_of_names(uint32_t lines, uint32_t names)
     obj_reader r;
     char *const text = make_materials(lines, names, &bytes);
     assert_int_equal(scan_text(&r, text, bytes, 1 << 20), TP_OK);
-    all = tp_obj_bytes(&r.obj);
+    all = tp_obj_memory_bytes(&r.obj);
     free(text);
     char *const same = make_materials(lines, 1, &bytes);
     assert_int_equal(scan_text(&r, same, bytes, 1 << 20), TP_OK);
-    bare = tp_obj_bytes(&r.obj);
+    bare = tp_obj_memory_bytes(&r.obj);
     free(same);
     return all - bare;
 }

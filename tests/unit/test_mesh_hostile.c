@@ -69,9 +69,9 @@ static void assert_sound(const obj_reader *r)
         assert_true(mesh->low.z <= p.z && p.z <= mesh->high.z);
         assert_unit(mesh->vertices[i].normal);
     }
-    assert_true(tp_obj_kept_bytes(&r->obj) <= tp_obj_bytes(&r->obj));
+    assert_true(tp_obj_mesh_bytes(&r->obj) <= tp_obj_memory_bytes(&r->obj));
     assert_true((const char *)(mesh->vertices + mesh->n_vertices)
-                == (const char *)r->mem + tp_obj_kept_bytes(&r->obj));
+                == (const char *)r->mem + tp_obj_mesh_bytes(&r->obj));
 }
 
 /* Asserts that two readings of the same bytes have equal results. */
@@ -311,11 +311,11 @@ static void only_a_scan_that_ended_well_asks_for_memory(void **state)
     const char good[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", bad[] = "v 0 0 zero\n";
     obj_reader r;
     assert_int_equal(scan_text(&r, bad, strlen(bad), 4096), TP_E_OBJ_NUMBER);
-    assert_int_equal(tp_obj_bytes(&r.obj), 0);
+    assert_int_equal(tp_obj_memory_bytes(&r.obj), 0);
     assert_int_equal(scan_text(&r, good, strlen(good), 4096), TP_OK);
-    assert_true(tp_obj_bytes(&r.obj) > 0);
+    assert_true(tp_obj_memory_bytes(&r.obj) > 0);
     tp_obj_begin_count(&r.obj);
-    assert_int_equal(tp_obj_bytes(&r.obj), 0);
+    assert_int_equal(tp_obj_memory_bytes(&r.obj), 0);
 }
 
 int main(void)

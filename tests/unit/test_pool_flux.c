@@ -103,7 +103,7 @@ static void a_mode_swings_as_its_closed_form(void **state)
                         + 4 * pow(sin(PI * q / 2 / rows), 2);
         for (uint32_t y = 0; y < rows; y++)
             for (uint32_t x = 0; x < cols; x++)
-                tp_pool_add(pool, x, y, (int32_t)lround(amplitude
+                tp_pool_add_cell_height(pool, x, y, (int32_t)lround(amplitude
                     * cos(PI * p * (x + 0.5) / cols) * cos(PI * q * (y + 0.5) / rows)));
         const double shape = cos(PI * p * 0.5 / cols) * cos(PI * q * 0.5 / rows);
         double h = amplitude, last = amplitude;
@@ -153,7 +153,8 @@ static void no_height_leaves_the_range_whatever_r_is(void **state)
     tp_pool *const pool = pool_make(&c);
     for (uint32_t y = 0; y < 33; y++)
         for (uint32_t x = 0; x < 17; x++)
-            tp_pool_add(pool, x, y, random_next(&chance) & 1 ? INT32_MAX : -INT32_MAX);
+            tp_pool_add_cell_height(pool, x, y,
+                                    random_next(&chance) & 1 ? INT32_MAX : -INT32_MAX);
     assert_int_equal(tp_pool_stats(pool).highest, FULL);
     const int64_t sum = tp_pool_stats(pool).sum;
     pool->courant_sq_q10 = UINT32_MAX;
@@ -197,7 +198,7 @@ static void what_is_added_keeps_both_ends_of_the_last_tick_in_the_range(void **s
         const uint32_t x = random_below(&chance, 20), y = random_below(&chance, 16);
         if (n % 40 == 0)
             tp_pool_step(pool);
-        tp_pool_add(pool, x, y, chance_word(&chance));
+        tp_pool_add_cell_height(pool, x, y, chance_word(&chance));
         const int64_t h = tp_pool_height(pool, x, y), v = tp_pool_velocity(pool, x, y);
         assert_true(llabs(h) <= FULL && llabs(h - v) <= FULL);
         const tp_height_slope at = tp_pool_height_slope(pool, chance_word(&chance),

@@ -46,7 +46,8 @@ static tp_pool *vector_pool(uint32_t bits, uint32_t cols, uint32_t rows,
         char *end;
         const uint32_t at = (uint32_t)strtoul(init, &end, 10);
         const int32_t height = (int32_t)strtol(end + 1, &end, 10);
-        assert_int_equal(tp_pool_add(pool, at % cols, at / cols, height), height);
+        assert_int_equal(tp_pool_add_cell_height(pool, at % cols, at / cols, height),
+                         height);
         init = *end == ';' ? end + 1 : end;
     }
     pool->gear = 24;

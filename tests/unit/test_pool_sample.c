@@ -191,7 +191,7 @@ static void outside_there_is_no_water(void **state)
 
     for (uint32_t y = 0; y < 20; y++)
         for (uint32_t x = 0; x < 17; x++)
-            tp_pool_add(pool, x, y, 32767);
+            tp_pool_add_cell_height(pool, x, y, 32767);
     /* 17 cells of 1/4 m around x = 100: 97.875 to 102.125; 20 cells around z = 0 */
     assert_int_equal(tp_pool_height_slope(pool, TP_FX(97.875), 0, 0).height, TP_FX_ONE);
     assert_int_equal(tp_pool_height_slope(pool, TP_FX(97.875) - 1, 0, 0).height, 0);
@@ -204,12 +204,12 @@ static void outside_there_is_no_water(void **state)
     assert_int_equal(tp_pool_height_slope(pool, TP_FX(100), TP_FX(2.5) + 1, 0).height, 0);
     assert_int_equal(tp_pool_height_slope(pool, TP_FX(100), TP_FX(-2.5), 0).height,
                      TP_FX_ONE);
-    assert_true(tp_pool_cell(pool, TP_FX(97.875), TP_FX(-2.5), &col, &row));
+    assert_true(tp_pool_find_open_cell(pool, TP_FX(97.875), TP_FX(-2.5), &col, &row));
     assert_true(col == 0 && row == 0);
-    assert_true(tp_pool_cell(pool, TP_FX(102.1), TP_FX(2.49), &col, &row));
+    assert_true(tp_pool_find_open_cell(pool, TP_FX(102.1), TP_FX(2.49), &col, &row));
     assert_true(col == 16 && row == 19);
-    assert_false(tp_pool_cell(pool, TP_FX_MIN, 0, &col, &row));
-    assert_false(tp_pool_cell(pool, TP_FX(100), TP_FX_MAX, &col, &row));
+    assert_false(tp_pool_find_open_cell(pool, TP_FX_MIN, 0, &col, &row));
+    assert_false(tp_pool_find_open_cell(pool, TP_FX(100), TP_FX_MAX, &col, &row));
     free(pool);
 }
 
@@ -224,14 +224,14 @@ static void level_water_is_level_beside_walls(void **state)
         tp_pool *const pool = pool_make(&c);
         for (uint32_t y = 0; y < 24; y++)
             for (uint32_t x = 0; x < 24; x++)
-                tp_pool_add(pool, x, y, 100);
+                tp_pool_add_cell_height(pool, x, y, 100);
         const int32_t level = (int32_t)lround(100 * metres_per_lsb(pool) * 65536);
         for (int k = 0; k < 500; k++) {
             const tp_fx x = chance_fx(&chance, -2.99, 2.99);
             const tp_fx z = chance_fx(&chance, -2.99, 2.99);
             const tp_height_slope got = tp_pool_height_slope(pool, x, z, 0);
             uint32_t col, row;
-            const bool open = tp_pool_cell(pool, x, z, &col, &row);
+            const bool open = tp_pool_find_open_cell(pool, x, z, &col, &row);
             assert_int_equal(got.height, open ? level : 0);
             assert_true(got.slope_x == 0 && got.slope_z == 0);
         }

@@ -61,7 +61,7 @@ static void hats_add_up_to_nothing(void **state)
         for (int k = 0; k < 25; k++) {
             const tp_fx x = chance_fx(&chance, -7, 7), z = chance_fx(&chance, -5, 5);
             uint32_t col, row;
-            const bool open = tp_pool_cell(pool, x, z, &col, &row);
+            const bool open = tp_pool_find_open_cell(pool, x, z, &col, &row);
             assert_int_equal(tp_pool_add_splash(pool, x, z, chance_scale(&chance, 0.01, 40),
                                          chance_fx(&chance, -1.5, 1.5)), open);
             refused += !open;
@@ -79,12 +79,12 @@ static void a_cell_takes_what_fits(void **state)
         const int32_t full = n == 0 ? 127 : n == 1 ? 32767 : (1 << 30) - 1;
         const tp_pool_config c = pool_config((tp_cells)n, TP_EDGES_WALL, 16, 16);
         tp_pool *const pool = pool_make(&c);
-        assert_int_equal(tp_pool_add(pool, 3, 4, 100), 100);
-        assert_int_equal(tp_pool_add(pool, 3, 4, INT32_MAX), full - 100);
-        assert_int_equal(tp_pool_add(pool, 3, 4, INT32_MIN), -2 * full);
+        assert_int_equal(tp_pool_add_cell_height(pool, 3, 4, 100), 100);
+        assert_int_equal(tp_pool_add_cell_height(pool, 3, 4, INT32_MAX), full - 100);
+        assert_int_equal(tp_pool_add_cell_height(pool, 3, 4, INT32_MIN), -2 * full);
         assert_int_equal(tp_pool_height(pool, 3, 4), -full);
-        assert_int_equal(tp_pool_add(pool, 16, 4, 5), 0);
-        assert_int_equal(tp_pool_add(pool, 3, UINT32_MAX, 5), 0);
+        assert_int_equal(tp_pool_add_cell_height(pool, 16, 4, 5), 0);
+        assert_int_equal(tp_pool_add_cell_height(pool, 3, UINT32_MAX, 5), 0);
         assert_int_equal(tp_pool_height(pool, 16, 0), 0);
         assert_true(tp_pool_is_wall_or_outside(pool, 0, 16)
                     && !tp_pool_is_wall_or_outside(pool, 0, 15));
@@ -103,7 +103,7 @@ static void what_is_added_keeps_the_past_in_range(void **state)
     for (int tick = 0; tick < 50; tick++) {
         tp_pool_step(pool);
         for (uint32_t i = 0; i < 256; i++) {
-            tp_pool_add(pool, i % 16, i / 16, chance_int(&chance, -300, 300));
+            tp_pool_add_cell_height(pool, i % 16, i / 16, chance_int(&chance, -300, 300));
             const int32_t h = tp_pool_height(pool, i % 16, i / 16);
             const int32_t v = tp_pool_velocity(pool, i % 16, i / 16);
             assert_true(abs(h) <= 127 && abs(h - v) <= 127);
@@ -123,7 +123,7 @@ static void gear_a_lasts_as_long_as_the_model_says(void **state)
         for (int32_t peak = 0; peak <= 32767; peak++) {
             const double time = peak > 8 ? (2 << pool->damping) * log(peak / 8.0) : 0;
             pool->gear = 0;
-            tp_pool_wake(pool, peak & 1 ? peak : -peak);
+            tp_pool_start_carry_rounding(pool, peak & 1 ? peak : -peak);
             if (fabs(time - round(time)) > 1e-4)
                 assert_int_equal(pool->gear, (int32_t)ceil(time));
             else
@@ -132,11 +132,12 @@ static void gear_a_lasts_as_long_as_the_model_says(void **state)
     }
     pool->damping = 6;
     pool->gear = 0;
-    tp_pool_wake(pool, 25600);
+    tp_pool_start_carry_rounding(pool, 25600);
     assert_int_equal(pool->gear, 1034);
-    tp_pool_wake(pool, 100);             /* a smaller splash does not shorten the gear */
+    tp_pool_start_carry_rounding(pool,
+                                 100); /* a smaller splash does not shorten the gear */
     assert_int_equal(pool->gear, 1034);
-    tp_pool_wake(pool, INT32_MIN);
+    tp_pool_start_carry_rounding(pool, INT32_MIN);
     assert_int_equal(pool->gear, 1065);     /* the same as at full range */
     free(pool);
 }

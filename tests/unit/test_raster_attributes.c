@@ -55,9 +55,9 @@ static tp_screen_vertex corner_within(int32_t far)
                                .v = HEIGHT * 8 + chance_int(&chance, -far, far) };
 }
 
-/* Error bound of a value with this `range`, far from its corner: the gradients' factors,
- * see set_factors(), and the truncation of each gradient by one unit of its last place per
- * pixel. */
+/* Error bound of a value with this `range`, far from its corner: the gradients'
+ * factors, see set_gradient_factors(), and the truncation of each gradient by one unit
+ * of its last place per pixel. */
 static double plane_error(const drawn_face *f, double range, double unit)
 {
     return 5 / 134217728.0 * range * f->thinness + unit * (2 + f->length / 8);

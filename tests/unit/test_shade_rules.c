@@ -76,7 +76,7 @@ static void views_are_bowed_between_multiples_of_16(void **state)
             const int32_t x = r.run.x + i, k = x % 16;
             tp_ray at[4];
             for (int m = 0; m < 4; m++)
-                at[m] = tp_view_ray(&s, &s.world, x - k + 16 * (m - 1), r.run.y);
+                at[m] = tp_vector_to_eye(&s, &s.world, x - k + 16 * (m - 1), r.run.y);
             assert_int_equal(r.run.vx[i], bowed(at[0].x, at[1].x, at[2].x, at[3].x, k));
             assert_int_equal(r.run.vy[i], bowed(at[0].y, at[1].y, at[2].y, at[3].y, k));
             assert_int_equal(r.run.vz[i], bowed(at[0].z, at[1].z, at[2].z, at[3].z, k));
@@ -131,8 +131,8 @@ static void the_sky_is_linear_between_multiples_of_32(void **state)
         tp_stage_sky(&s, &r.run);
         for (int i = 0; i < r.run.count; i++) {
             const int32_t x = r.run.x + i, from = x - x % 32;
-            const double a = tp_view_ray(&s, &s.world, from, r.run.y).y / Q14;
-            const double b = tp_view_ray(&s, &s.world, from + 32, r.run.y).y / Q14;
+            const double a = tp_vector_to_eye(&s, &s.world, from, r.run.y).y / Q14;
+            const double b = tp_vector_to_eye(&s, &s.world, from + 32, r.run.y).y / Q14;
             const double sine = -(a + (b - a) * (x - from) / 32);
             assert_int_equal(r.run.colour[i], sine < 0 ? 0 : floor(fmin(sine, 1) * 256));
         }

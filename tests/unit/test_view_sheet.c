@@ -106,7 +106,7 @@ static void vertices_are_coastal_points(void **state)
                 assert_int_equal(got.x, want.x);
                 assert_int_equal(got.y, want.y);
                 assert_int_equal(got.depth, want.depth);
-                assert_int_equal(tp_grid_is_dry(&s.grid, i, j), p.depth <= 0);
+                assert_int_equal(tp_grid_vertex_is_dry(&s.grid, i, j), p.depth <= 0);
                 int32_t u = TP_GRID_NEEDS_CLIP, v = vertex->v;
                 uint32_t zi = vertex->zi;
                 if (tp_projection_can_project(&s.v.projection, &want))

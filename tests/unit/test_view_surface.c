@@ -201,7 +201,7 @@ static void coastal_errors(double q, bool floor, measure *m, uint32_t *coarse)
             tp_fx rest[2] = { x, z };
             const tp_surface_point got = tp_surface_sample(&s, x, z, rest);
             const tp_coastal_point at =
-                tp_coastal_displace_smooth(s.coastal, s.phases, rest[0], rest[1]);
+                tp_coastal_displace_no_overhang(s.coastal, s.phases, rest[0], rest[1]);
             const double off = hypot(at.position.x - x, at.position.z - z) * LSB;
             const tp_height_slope r = tp_rings_pools_sample(&s, x, z);
             assert_int_equal(got.position.y, at.position.y + r.height);

@@ -122,7 +122,7 @@ static tp_view_vertex corner_of(const vertex_pond *p, uint32_t i, uint32_t j)
     tp_vertex_row row = { .line = p->grid.row[j] };
     tp_grid_vertex vertex;
 
-    tp_vertex_rest_z(&p->grid.frame, row.line.place, row.rest);
+    tp_vertex_z_to_view(&p->grid.frame, row.line.place, row.rest);
     tp_vertex_set_row(&p->grid.frame, &row, true);
     tp_vertex_evaluate_batch(&p->grid.frame, &p->grid.columns, &row, i, 1, still, &vertex);
     tp_view_vertex c =
@@ -249,7 +249,7 @@ static void where_a_run_begins_does_not_show(void **state)
             deep_water_sharpen(&chance, &deep);
         make(&p, deep, chance_double(&chance, 0.2, 5), 0);
         row.line = p.grid.row[random_below(&chance, SIDE)];
-        tp_vertex_rest_z(&p.grid.frame, row.line.place, row.rest);
+        tp_vertex_z_to_view(&p.grid.frame, row.line.place, row.rest);
         tp_vertex_set_row(&p.grid.frame, &row, true);
         memset(whole, 0, sizeof whole);
         memset(parts, 0, sizeof parts);

@@ -223,7 +223,7 @@ static void above_any_place_there_is_an_answer(void **state)
         assert_true(room || !has_room(x, z, TP_FX_MAX - 30000 * TP_FX_ONE));
         measure_add(room ? &found : &held, hypot((double)dx, (double)dz) * LSB * 1000, x,
                     z, n);
-        tp_deep_water_sample_fixed_point(&o.deep, o.phases, x, z, random_below(&chance, 9));
+        tp_deep_water_sample_iterated(&o.deep, o.phases, x, z, random_below(&chance, 9));
     }
     measure_print(&found);
     measure_print(&held);
@@ -244,7 +244,7 @@ static void plain_steps_keep_their_bound(void **state)
         const tp_surface_point first =
             tp_deep_water_displace_point(&o.deep, o.phases, x, z);
         const tp_surface_point got =
-            tp_deep_water_sample_fixed_point(&o.deep, o.phases, x, z, steps);
+            tp_deep_water_sample_iterated(&o.deep, o.phases, x, z, steps);
         const double off = hypot(got.position.x - x, got.position.z - z) * LSB;
         const double way = hypot(first.position.x - x, first.position.z - z) * LSB;
         const double q = o.deep.steepness_sum / 1073741824.0;
@@ -278,7 +278,7 @@ static void both_searches_follow_the_table(void **state)
         measure_add(&e.normal, row_angle(&got, r.at + 11), r.rows, 0, 0);
         for (uint32_t n = 0; n < 5; n++) {
             const tp_surface_point at =
-                tp_deep_water_sample_fixed_point(&deep, phases, x, z, n);
+                tp_deep_water_sample_iterated(&deep, phases, x, z, n);
             measure_add(&step[n], row_error(at.position.y, r.at[6 + n]) * 1000, r.rows, 0,
                         0);
         }

@@ -70,7 +70,8 @@ static void crests_follow_their_vectors_to_two_millimetres(void **state)
         measure_add(&displacement, 1000 * row_error(at.displacement, v[11]), r.rows, 0,
                     0);
         measure_add(&angle, 1000 * (at.orientation * turn - v[12]), r.rows, 0, 0);
-        measure_add(&lowest, 1000 * ((int32_t)tp_orbit_lowest(&b.orbit) * turn - v[8]),
+        measure_add(&lowest,
+                    1000 * ((int32_t)tp_orbit_lowest_phase(&b.orbit) * turn - v[8]),
                     r.rows, 0, 0);
         measure_add(&gate, tp_breaking_gate(row_fx(2 * v[0] / v[1])) / 65536.0 - v[13],
                     r.rows, 0, 0);
@@ -138,7 +139,7 @@ static void the_lowest_phase_is_the_lowest(void **state)
     (void)state;
     for (int n = 0; n < 200; n++) {
         const tp_breaker b = any_breaker();
-        const tp_turn lowest = tp_orbit_lowest(&b.orbit);
+        const tp_turn lowest = tp_orbit_lowest_phase(&b.orbit);
         const tp_fx least = tp_orbit_evaluate(&b.orbit, lowest).up;
         for (uint32_t i = 0; i < 512; i++)
             assert_true(tp_orbit_evaluate(&b.orbit, lowest + (i << 23)).up >= least - 2);

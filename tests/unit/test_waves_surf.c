@@ -34,7 +34,7 @@ static double overhang(const coastal_water *o, tp_turn phase, bool whole)
     for (tp_fx x = TP_FX(-10); x < TP_FX(31); x += 1000) {
         const tp_coastal_point p =
             whole ? tp_coastal_displace_point(o->coastal, phases, x, 0)
-                  : tp_coastal_displace_smooth(o->coastal, phases, x, 0);
+                  : tp_coastal_displace_no_overhang(o->coastal, phases, x, 0);
         if (p.depth < TP_FX(0.1))
             break;
         assert_true(hypot((double)p.position.x - x, p.position.z)
@@ -75,7 +75,7 @@ static void waves_that_leave_the_shore_do_not_break_backwards(void **state)
         assert_true(tp_coastal_tables(o.coastal)[0].depth[i].way_x < 0);
     }
     for (tp_fx x = TP_FX(-100); x < TP_FX(31); x += 5000) {
-        const tp_coastal_point s = tp_coastal_displace_smooth(o.coastal, now, x, 0);
+        const tp_coastal_point s = tp_coastal_displace_no_overhang(o.coastal, now, x, 0);
         const tp_coastal_point p = tp_coastal_displace_point(o.coastal, now, x, 0);
         assert_true(p.position.x <= s.position.x + 1);
     }

@@ -218,7 +218,7 @@ static void det_stays_above_zero_where_all_crests_meet(void **state)
         deep_water_settle(&o);
         tp_swell_sum sum = { 0 };
         for (uint32_t i = 0; i < o.deep.count; i++)
-            tp_swell_add_as(&sum, &o.deep.swell[i], 0x40000000, 0, 1);
+            tp_swell_sum_add_swell(&sum, &o.deep.swell[i], 0x40000000, 0, 1);
         const double q54 = 18014398509481984.0;
         const double xx = (double)sum.bxx / q54, zz = (double)sum.bzz / q54;
         const double xz = (double)sum.bxz / q54;

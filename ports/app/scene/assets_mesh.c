@@ -253,10 +253,10 @@ static int load_text(loading *l, const char *who)
     int code = pass_obj(l, who, tp_obj_end_count);
     if (code)
         return code;
-    void *memory = assets_take(l->assets, tp_obj_bytes(l->obj));
+    void *memory = assets_take(l->assets, tp_obj_memory_bytes(l->obj));
     if (!memory)
         return EXIT_INPUT;
-    l->assets->mesh_bytes += tp_obj_bytes(l->obj);
+    l->assets->mesh_bytes += tp_obj_memory_bytes(l->obj);
     tp_obj_begin_load(l->obj, memory);
     code = pass_obj(l, who, tp_obj_end_load);
     if (!code)

@@ -40,13 +40,13 @@ static void report_clamps(const scene_file *file, const tp_deep_water *deep)
  * own rounding errors. */
 static bool is_noisy(tp_fx courant, int32_t damping)
 {
-    return tp_pool_noise(courant, (uint32_t)damping) > 16 * TP_FX_ONE;
+    return tp_pool_rounding_noise(courant, (uint32_t)damping) > 16 * TP_FX_ONE;
 }
 
 static void report_noise(const scene_file *file, const tp_scene_pool *pool,
                          const char *courant)
 {
-    const int64_t noise = tp_pool_noise(pool->courant, (uint32_t)pool->damping);
+    const int64_t noise = tp_pool_rounding_noise(pool->courant, (uint32_t)pool->damping);
     int  thousandths = 50;
     char who[300];
 

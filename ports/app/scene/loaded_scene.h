@@ -30,7 +30,7 @@ void loaded_scene_close(loaded_scene *s);
 
 /* loaded_scene_read reads the scene and its settings only.  loaded_scene_report_clamps
  * prints values that the core clamps, and pools with cells too coarse for their
- * parameters (tp_pool_noise). */
+ * parameters (tp_pool_rounding_noise). */
 int  loaded_scene_read(scene_file *file, const options *o);
 void loaded_scene_report_clamps(const scene_file *file, const tp_deep_water *deep);
 

@@ -185,7 +185,7 @@ static void breaking_row(check_run *run, unsigned row, const double *v)
     const tp_breaker breaker = make_breaker(v, gate);
     const tp_breaking at = tp_breaking_shape(&breaker, check_turn(v[PHI]));
     const breaking_lost lost = breaking_error_bound(v, &breaker.orbit);
-    const double lowest = check_radians(tp_orbit_lowest(&breaker.orbit));
+    const double lowest = check_radians(tp_orbit_lowest_phase(&breaker.orbit));
     const double error[6] = {
         apart_mm(at.offset, v[X], v[Y]), 1000 * (check_metres(at.stretch) - v[STRETCH]),
         1000 * (check_metres(at.displacement) - v[DISPLACEMENT]),

@@ -81,10 +81,10 @@ static int stir(const check_run *run, unsigned row, tp_pool *pool)
             || index < 0 || index >= cells || fabs(height) > most)
             return check_refuse(run, row, "init: expected INDEX:HEIGHT;..., found"
                                 " '%.40s'", text);
-        tp_pool_add(pool, (uint32_t)fmod(index, v[N]), (uint32_t)(index / v[N]),
+        tp_pool_add_cell_height(pool, (uint32_t)fmod(index, v[N]), (uint32_t)(index / v[N]),
                     (int32_t)height);
     }
-    tp_pool_wake(pool, (int32_t)most);
+    tp_pool_start_carry_rounding(pool, (int32_t)most);
     return EXIT_DONE;
 }
 
@@ -189,7 +189,7 @@ enum { MODE_N, MODE_M, MODE_P, MODE_Q, R2, DELTA, STEPS, MU, OMEGA, DISCRETE, FL
  * stays within 1, up to rounding. */
 #define SWING(n) { .name = n, .low = -1.41422, .high = 1.41422 }
 
-/* n: up to the last tick for which tp_pool_noise bounds a wave. */
+/* n: up to the last tick for which tp_pool_rounding_noise bounds a wave. */
 static const check_field mode_columns[] = {
     { .name = "N", .low = 16, .high = 512, .kind = CHECK_WHOLE },
     { .name = "M", .low = 16, .high = 512, .kind = CHECK_WHOLE },
@@ -217,8 +217,9 @@ static void stir_mode(tp_pool *pool, const double *v)
     const double amplitude = quarter_range[pool->cells];
     for (uint32_t j = 0; j < pool->rows; j++)
         for (uint32_t i = 0; i < pool->cols; i++)
-            tp_pool_add(pool, i, j, (int32_t)lround(amplitude * sample_mode(v, i, j)));
-    tp_pool_wake(pool, (int32_t)amplitude);
+            tp_pool_add_cell_height(pool, i, j,
+                                    (int32_t)lround(amplitude * sample_mode(v, i, j)));
+    tp_pool_start_carry_rounding(pool, (int32_t)amplitude);
 }
 
 /* Errors, LSB: in the corner cell, where every mode has its full height; rms of all cells;
@@ -245,11 +246,13 @@ static mode_error measure_mode_error(const tp_pool *pool, const double *v, doubl
     return e;
 }
 
-/* Returns the allowed rms error of a wave of 8- or 16-bit cells, LSB: see tp_pool_noise. */
+/* Returns the allowed rms error of a wave of 8- or 16-bit cells, LSB: see
+ * tp_pool_rounding_noise. */
 static double mode_noise(const tp_pool *pool, const double *v)
 {
     const double k = CHECK_PI * hypot(v[MODE_P] / v[MODE_N], v[MODE_Q] / v[MODE_M]);
-    const double noise = check_metres(tp_pool_noise(check_fx(sqrt(v[R2])), pool->damping));
+    const double noise =
+        check_metres(tp_pool_rounding_noise(check_fx(sqrt(v[R2])), pool->damping));
     return 1 + 8 * noise + fmin(2 * quarter_range[pool->cells], 1 / (v[R2] * k));
 }
 

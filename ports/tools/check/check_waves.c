@@ -302,7 +302,7 @@ static void buoyancy_row(check_run *run, unsigned row, const waves *w)
     compute_phases(run, v[2], phases);
     for (unsigned n = 0; n < STEPS; n++) {
         const tp_surface_point p =
-            tp_deep_water_sample_fixed_point(&w->deep, phases, x, z, n);
+            tp_deep_water_sample_iterated(&w->deep, phases, x, z, n);
         const double off = check_metres(p.position.y) - v[FIRST_STEP + n];
         check_add(run, n, row, off / most.step);
     }

@@ -40,7 +40,8 @@ typedef struct {
 /* Places the boat on the water at tick 0 and after a change of the scene's numbers.
  * After a change the boat keeps its distance sailed and its turn from the scene's start.
  * A boat in dynamic mode or with boat.smooth > 0 also keeps its attitude. */
-void tp_boat_init(const tp_program *program, tp_world *world, const tp_scene *scene);
+void tp_boat_place_on_water(const tp_program *program, tp_world *world,
+                            const tp_scene *scene);
 
 /* Advances the boat by one tick, after the water.  The caller has copied the last pose to
  * world->last_boat. */

@@ -30,8 +30,8 @@ static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
     return (tp_dir3){ v.x, v.y, v.z };
 }
 
-static void turn_view(const tp_frame *frame, drawn_boat *b, const tp_view *view,
-                      const tp_pose *boat)
+static void set_mesh_space_view(const tp_frame *frame, drawn_boat *b, const tp_view *view,
+                                const tp_pose *boat)
 {
     const tp_rotation turn =
         tp_rotation_from_angles(boat->heading, boat->pitch, boat->roll);
@@ -88,7 +88,7 @@ static tp_view_vertex transform_vertex(const drawn_boat *b, const tp_mesh_vertex
 
 /* Projects vertex i of the mesh into b->vertex[i], or marks it as OUTSIDE or as one that
  * needs clipping. */
-static void place_vertex(const drawn_boat *b, const tp_view *view, uint32_t i)
+static void project_vertex(const drawn_boat *b, const tp_view *view, uint32_t i)
 {
     tp_boat_vertex *to = &b->vertex[i];
     tp_view_vertex c = transform_vertex(b, &b->look.mesh->vertices[i]);
@@ -101,8 +101,8 @@ static void place_vertex(const drawn_boat *b, const tp_view *view, uint32_t i)
         to->u = TP_GRID_NEEDS_CLIP;
 }
 
-static int clipped(const drawn_boat *b, const tp_view *view, const tp_mesh_face *face,
-                   tp_screen_vertex corner[TP_CLIP_VERTICES])
+static int clip_face(const drawn_boat *b, const tp_view *view, const tp_mesh_face *face,
+                     tp_screen_vertex corner[TP_CLIP_VERTICES])
 {
     tp_view_vertex in[3];
 
@@ -111,7 +111,7 @@ static int clipped(const drawn_boat *b, const tp_view *view, const tp_mesh_face 
     return tp_clipped_corners(&b->projection, tp_view_clip_plane(view), in, corner);
 }
 
-static void widen_by_face(drawn_boat *b, const tp_view *view, const tp_mesh_face *face)
+static void widen_box_by_face(drawn_boat *b, const tp_view *view, const tp_mesh_face *face)
 {
     const tp_boat_vertex *vertex = b->vertex;
     tp_screen_vertex corner[TP_CLIP_VERTICES];
@@ -126,21 +126,21 @@ static void widen_by_face(drawn_boat *b, const tp_view *view, const tp_mesh_face
     }
     if (cut == 0 || outside == 3)
         return;
-    for (int k = clipped(b, view, face, corner); k-- > 0; )
+    for (int k = clip_face(b, view, face, corner); k-- > 0; )
         tp_box_widen(&b->box, corner[k].u, corner[k].v);
 }
 
-static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
+static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     drawn_boat *b = mine;
     const tp_mesh *mesh = b->look.mesh;
 
     b->box = TP_BOX_NONE;
-    turn_view(frame, b, view, &frame->drawn.boat);
+    set_mesh_space_view(frame, b, view, &frame->drawn.boat);
     for (uint32_t i = 0; i < mesh->n_vertices; i++)
-        place_vertex(b, view, i);
+        project_vertex(b, view, i);
     for (uint32_t f = 0; f < mesh->n_faces; f++)
-        widen_by_face(b, view, &mesh->faces[f]);
+        widen_box_by_face(b, view, &mesh->faces[f]);
     if (b->box.x0 <= b->box.x1) {
         frame->stats.vertices += mesh->n_vertices;
         frame->stats.triangles += mesh->n_faces;
@@ -187,7 +187,7 @@ static void draw_triangle(const pass *p, const tp_screen_vertex corner[3], uint3
 static void draw_clipped(const pass *p, uint32_t f)
 {
     tp_screen_vertex corner[TP_CLIP_VERTICES];
-    int count = clipped(p->boat, p->view, &p->mesh->faces[f], corner);
+    int count = clip_face(p->boat, p->view, &p->mesh->faces[f], corner);
 
     for (int k = 2; k < count; k++) {
         const tp_screen_vertex fan[3] = { corner[0], corner[k - 1], corner[k] };
@@ -229,18 +229,18 @@ static void draw_face(const pass *p, const tp_mesh_face *face, uint32_t f)
 }
 
 static void draw_faces(const drawn_boat *b, const tp_view *view, tp_gbuffer *samples,
-                       bool lids, uint32_t mark)
+                       bool lids_only, uint32_t mark)
 {
     const tp_mesh *mesh = b->look.mesh;
     const pass p = { b, mesh, b->vertex, view, samples, 16 * samples->y0,
                      16 * samples->y1, mark };
 
-    if (!tp_view_touches(&b->box, samples))
+    if (!tp_box_overlaps_tile(&b->box, samples))
         return;
     samples->front_only = true;
     for (uint32_t f = 0; f < mesh->n_faces; f++) {
         const tp_mesh_face *face = &mesh->faces[f];
-        if (is_invisible_lid(mesh, face->material) == lids)
+        if (is_invisible_lid(mesh, face->material) == lids_only)
             draw_face(&p, face, f);
     }
 }
@@ -319,9 +319,9 @@ static void *layout(tp_arena *arena, const tp_want *want)
     return b;
 }
 
-/* Returns the middle of two mesh coordinates in m.  place() clamps vertices to 4 km; with
+/* Returns the middle of two mesh coordinates in m.  project() clamps vertices to 4 km; with
  * the boat's position the sum is below 15 km.  The eye is at most 23 km away. */
-static tp_fx middle(tp_fx low, tp_fx high, tp_fx scale)
+static tp_fx scaled_middle(tp_fx low, tp_fx high, tp_fx scale)
 {
     return (tp_fx)tp_clamp_abs(((int64_t)low + high) / 2 * scale >> 16, 4000 * TP_FX_ONE);
 }
@@ -335,9 +335,9 @@ static bool set_anchor(const tp_frame *frame, const void *mine, tp_view_anchor *
     const tp_fx scale = tp_mesh_metres_per_unit(mesh, frame->scene->boat.scale);
     const tp_rotation turn =
         tp_rotation_from_angles(boat->heading, boat->pitch, boat->roll);
-    const tp_vec3 at = { middle(mesh->low.x, mesh->high.x, scale),
-                         middle(mesh->low.y, mesh->high.y, scale),
-                         middle(mesh->low.z, mesh->high.z, scale) };
+    const tp_vec3 at = { scaled_middle(mesh->low.x, mesh->high.x, scale),
+                         scaled_middle(mesh->low.y, mesh->high.y, scale),
+                         scaled_middle(mesh->low.z, mesh->high.z, scale) };
 
     *anchor = (tp_view_anchor){
         .middle = tp_vec3_add(boat->place, tp_rotate_back(&turn, at)),
@@ -369,7 +369,7 @@ const tp_module tp_boat_module = {
 
 const tp_drawing tp_boat_drawing = {
     .layout = layout, .init = make_gloss, .marks = count_marks, .begin = begin,
-    .anchor = set_anchor, .project = place, .draw = draw, .stages = add_stages,
+    .anchor = set_anchor, .project = project, .draw = draw, .stages = add_stages,
 };
 
 /* -- the module lids ----------------------------------------------------------------- */

@@ -23,15 +23,15 @@
 
 /* -- position ----------------------------------------------------------------------- */
 
-/* Clamps `way`, the distance sailed from the scene's start position, in one axis.  The
+/* Clamps `sailed`, the distance sailed from the scene's start position, in one axis.  The
  * boat stays within 8 km of the origin.  In a tank the boat also stays between the walls
  * `low` and `high`, half a boat length clear of each, at any heading.  If the walls are
  * closer together than the boat is long, the boat lies in the middle. */
-static int64_t clamp_sailed_distance(int64_t way, tp_fx from, const tp_scene *scene,
-                                     tp_fx low, tp_fx high)
+static int64_t clamp_sailed_distance(int64_t sailed, tp_fx start_place,
+                                     const tp_scene *scene, tp_fx low, tp_fx high)
 {
-    int64_t start = (int64_t)from * TP_FX_ONE;
-    int64_t at = tp_clamp_abs(start + way, PLACE_MOST);
+    int64_t start = (int64_t)start_place * TP_FX_ONE;
+    int64_t at = tp_clamp_abs(start + sailed, PLACE_MOST);
     int64_t middle = ((int64_t)low + high) * (TP_FX_ONE / 2);
     int64_t room = ((int64_t)high - low - scene->boat.length) * (TP_FX_ONE / 2);
 
@@ -40,9 +40,9 @@ static int64_t clamp_sailed_distance(int64_t way, tp_fx from, const tp_scene *sc
     return at - start;
 }
 
-static tp_fx travelled_place(int64_t way, tp_fx from)
+static tp_fx sailed_coordinate(int64_t sailed, tp_fx start_place)
 {
-    int64_t at = tp_clamp_abs((int64_t)from * TP_FX_ONE + way, PLACE_MOST);
+    int64_t at = tp_clamp_abs((int64_t)start_place * TP_FX_ONE + sailed, PLACE_MOST);
     return (tp_fx)((at + 0x8000) >> 16);
 }
 
@@ -78,8 +78,8 @@ static void sail(tp_boat_state *boat_state, const tp_scene *scene, const tp_inpu
 
 static void place_hull(tp_boat_state *boat_state, const tp_scene *scene)
 {
-    boat_state->hull.x = travelled_place(boat_state->sailed_x, scene->boat.x);
-    boat_state->hull.z = travelled_place(boat_state->sailed_z, scene->boat.z);
+    boat_state->hull.x = sailed_coordinate(boat_state->sailed_x, scene->boat.x);
+    boat_state->hull.z = sailed_coordinate(boat_state->sailed_z, scene->boat.z);
     boat_state->hull.heading = boat_heading(boat_state, scene);
 }
 
@@ -137,13 +137,14 @@ static void update_boat_pose(tp_world *world, const tp_scene *scene)
 
 /* ----------------------------------------------------------------------------------- */
 
-static bool is_attitude_reset(const tp_boat_state *boat_state, const tp_scene *scene)
+static bool needs_attitude_reset(const tp_boat_state *boat_state, const tp_scene *scene)
 {
     return !boat_state->placed
            || (scene->boat.mode == TP_BOAT_KINEMATIC && scene->boat.smooth <= 0);
 }
 
-void tp_boat_init(const tp_program *program, tp_world *world, const tp_scene *scene)
+void tp_boat_place_on_water(const tp_program *program, tp_world *world,
+                            const tp_scene *scene)
 {
     TP_ASSERT(scene->boat.length > 0 && scene->boat.beam > 0);
     tp_boat_state *a = &world->boat_state;
@@ -156,7 +157,7 @@ void tp_boat_init(const tp_program *program, tp_world *world, const tp_scene *sc
         a->rest[i][1] = points[i][1];
     }
     const waters w = sample_hull_water(program, world, points);
-    if (is_attitude_reset(a, scene)) {
+    if (needs_attitude_reset(a, scene)) {
         tp_boat_snap_attitude(&a->attitude, w.all);
         tp_boat_snap_attitude(&a->without_pool, w.without_pool);
     }
@@ -185,15 +186,14 @@ void tp_boat_step(const tp_program *program, tp_world *world, const tp_scene *sc
 /* -- validation of a state from outside --------------------------------------------- */
 
 #define REST_MOST (16000 * TP_FX_ONE)       /* m: plus half a boat and a displacement */
-
-static bool is_within(int64_t x, int64_t most)
+static bool is_magnitude_within(int64_t x, int64_t limit)
 {
-    return x >= -most && x <= most;
+    return x >= -limit && x <= limit;
 }
 
 static bool is_coordinate_valid(tp_fx x)
 {
-    return is_within(x, PLACE_MOST >> 16);
+    return is_magnitude_within(x, PLACE_MOST >> 16);
 }
 
 static bool is_pose_place_valid(const tp_pose *pose)
@@ -211,16 +211,16 @@ static bool is_hull_valid(const tp_hull *hull)
 bool tp_boat_is_valid(const tp_world *world)
 {
     const tp_boat_state *a = &world->boat_state;
-    bool valid = is_within(a->sailed_x, 2 * PLACE_MOST)
-                 && is_within(a->sailed_z, 2 * PLACE_MOST)
+    bool valid = is_magnitude_within(a->sailed_x, 2 * PLACE_MOST)
+                 && is_magnitude_within(a->sailed_z, 2 * PLACE_MOST)
                  && tp_boat_attitude_is_valid(&a->attitude)
                  && tp_boat_attitude_is_valid(&a->without_pool) && is_hull_valid(&a->hull)
                  && is_hull_valid(&a->wake_hull) && is_pose_place_valid(&world->boat)
                  && is_pose_place_valid(&world->last_boat);
 
     for (int i = 0; i < 4; i++)
-        valid = valid && is_within(a->rest[i][0], REST_MOST)
-             && is_within(a->rest[i][1], REST_MOST);
+        valid = valid && is_magnitude_within(a->rest[i][0], REST_MOST)
+                && is_magnitude_within(a->rest[i][1], REST_MOST);
     return valid;
 }
 
@@ -253,7 +253,7 @@ static void place_floating(void *mine, const tp_program *program, tp_world *worl
 {
     (void)mine;
     if (has_boat(scene))
-        tp_boat_init(program, world, scene);
+        tp_boat_place_on_water(program, world, scene);
     world->last_boat = world->boat;
     set_camera_aboard(world, has_boat(scene) && scene->camera.follow == TP_FOLLOW_BOAT);
 }

@@ -87,7 +87,7 @@ typedef struct {
 } outline;
 
 /* Marks the lattice rays inside a front face as stopped by a solid. */
-static void stop_rays(tp_site *w, const boat_view *l, const outline *o)
+static void mark_stopped_rays(tp_site *w, const boat_view *l, const outline *o)
 {
     for (int32_t j = 0; j < TP_RAYS; j++) {
         const int32_t v = 16 * l->rows - (2 * j + 1) * l->rows * 8 / TP_RAYS;
@@ -118,7 +118,7 @@ static int32_t most(const int32_t of[3])
 
 /* Counts one face: its setup in each band, and its filled pixels if the face is a front
  * face. */
-static void add_face(tp_site *w, boat_view *l, const outline *o)
+static void count_face(tp_site *w, boat_view *l, const outline *o)
 {
     const int32_t low = least(o->v) >> 4, high = most(o->v) >> 4;
     const int32_t top = tp_clamp(low, 0, l->rows), end = tp_clamp(high + 1, 0, l->rows);
@@ -134,7 +134,7 @@ static void add_face(tp_site *w, boat_view *l, const outline *o)
     l->back += area < 0 ? 0 : bands;
     l->fill += area < 0 ? -area / 512 : 0;
     if (area < 0 && !l->mirrored)
-        stop_rays(w, l, o);
+        mark_stopped_rays(w, l, o);
 }
 
 static void count_faces(tp_site *w, boat_view *l)
@@ -159,7 +159,7 @@ static void count_faces(tp_site *w, boat_view *l)
                 w->far = c.depth;
         }
         if (cut == 0)
-            add_face(w, l, &o);
+            count_face(w, l, &o);
         l->cut += cut > 0 && low < 3;
     }
 }

@@ -24,11 +24,11 @@ static vec cross(vec a, vec b)
 
 /* Returns the texel at `st`, two coordinates in 0.16 repeats: s in the high half, t in
  * the low. */
-static uint32_t fetch_texel(const tp_texture *texture, int l, uint32_t st)
+static uint32_t fetch_texel(const tp_texture *texture, int level, uint32_t st)
 {
-    int w = texture->log2_w > l ? texture->log2_w - l : 0;
-    int h = texture->log2_h > l ? texture->log2_h - l : 0;
-    return texture->level[l][(st & 0xffff) >> (16 - h) << w | st >> 16 >> (16 - w)];
+    int w = texture->log2_w > level ? texture->log2_w - level : 0;
+    int h = texture->log2_h > level ? texture->log2_h - level : 0;
+    return texture->level[level][(st & 0xffff) >> (16 - h) << w | st >> 16 >> (16 - w)];
 }
 
 /* Returns the normal bent by the normal map, of any length; the caller normalizes.  A sum
@@ -54,7 +54,7 @@ TP_ALWAYS_INLINE void solid_run(const tp_shade *shade, tp_run *run, int blinn)
     const tp_solid *solid = &shading->solid[run->material];
     const tp_texture *picture = solid->diffuse_map, *normals = solid->normal_map;
 
-    tp_view_run(shade, &shading->axes, run);
+    tp_run_fill_vectors_to_eye(shade, &shading->axes, run);
     for (int32_t i = 0; i < run->count; i++) {
         int32_t  depth = tp_log_depth(shade, run->key[i]);
         uint32_t st = run->s[i], diffuse = solid->diffuse;

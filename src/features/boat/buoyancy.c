@@ -164,22 +164,23 @@ static void compute_push(const tp_boat_attitude *attitude, tp_fx draft,
     push[2] = e[TP_PORT] - e[TP_STARBOARD];
 }
 
-static bool is_within(const int64_t x[3], int64_t most)
+static bool are_magnitudes_within(const int64_t x[3], int64_t limit)
 {
-    return x[0] <= most && x[1] <= most && x[2] <= most
-        && x[0] >= -most && x[1] >= -most && x[2] >= -most;
+    return x[0] <= limit && x[1] <= limit && x[2] <= limit
+        && x[0] >= -limit && x[1] >= -limit && x[2] >= -limit;
 }
 
 /* Advances the attitude by one step.  Near rest the step ends exactly at rest: the push
  * is then the remaining distance. */
-static void step(tp_boat_attitude *attitude, const swing *s, tp_fx draft,
-                 const tp_fx water[4])
+static void step_oscillation(tp_boat_attitude *attitude, const swing *s, tp_fx draft,
+                             const tp_fx water[4])
 {
     TP_ASSERT(s->steps > 0 && draft > 0);
     int64_t push[3];
 
     compute_push(attitude, draft, water, push);
-    bool at_rest = is_within(push, STILL) && is_within(attitude->speed, STILL_TICK);
+    bool at_rest = are_magnitudes_within(push, STILL)
+                   && are_magnitudes_within(attitude->speed, STILL_TICK);
     for (int i = 0; i < 3; i++) {
         int64_t speed = scale_towards_zero(attitude->speed[i], s->keep)
                         + scale_towards_zero(push[i], s->kick);
@@ -197,7 +198,7 @@ void tp_boat_step_attitude(tp_boat_attitude *attitude, const tp_scene *scene,
     if (scene->boat.mode == TP_BOAT_DYNAMIC) {
         const swing s = compute_oscillation(scene);
         for (int n = 0; n < s.steps; n++)
-            step(attitude, &s, scene->boat.draft, water);
+            step_oscillation(attitude, &s, scene->boat.draft, water);
     } else if (scene->boat.smooth > 0) {
         smooth_attitude(attitude, scene->boat.smooth, water);
     } else {
@@ -220,7 +221,8 @@ void tp_boat_set_immersion(tp_hull *hull, const tp_boat_attitude *attitude,
  * water, equal to ATTITUDE_MAX. */
 bool tp_boat_attitude_is_valid(const tp_boat_attitude *attitude)
 {
-    return is_within(attitude->at, ATTITUDE_MAX) && is_within(attitude->speed, SPEED_MOST);
+    return are_magnitudes_within(attitude->at, ATTITUDE_MAX)
+           && are_magnitudes_within(attitude->speed, SPEED_MOST);
 }
 
 bool tp_boat_immersion_is_valid(const tp_hull *hull)

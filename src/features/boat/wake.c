@@ -85,9 +85,9 @@ static void hull_coordinates(const hull_form *f, tp_fx x, tp_fx z, int64_t at[2]
     at[1] = (dx * f->across_q24[0] + dz * f->across_q24[1] + half) >> 24;
 }
 
-static bool is_within(const int64_t at[2], tp_fx reach)
+static bool are_magnitudes_smaller(const int64_t at[2], tp_fx limit)
 {
-    return at[0] > -reach && at[0] < reach && at[1] > -reach && at[1] < reach;
+    return at[0] > -limit && at[0] < limit && at[1] > -limit && at[1] < limit;
 }
 
 /* Returns the immersed depth of the hull at (x, z) times `share`, in the pool's LSB; 0
@@ -99,7 +99,7 @@ static int32_t weighted_immersed_depth(const hull_form *f, const tp_pool *pool, 
     int64_t at[2];
 
     hull_coordinates(f, x, z, at);
-    if (!is_within(at, TP_FX_ONE))
+    if (!are_magnitudes_smaller(at, TP_FX_ONE))
         return 0;
     tp_fx alpha = (tp_fx)at[0], beta = (tp_fx)at[1];
     tp_fx deep = f->heave + tp_fx_mul(alpha, f->rise / 2) - tp_fx_mul(beta, f->tilt / 2);
@@ -136,16 +136,16 @@ static uint32_t wrap_index(int32_t i, uint32_t count)
 }
 
 /* Returns the coordinate of the outer edge of the first column or row of cells. */
-static int64_t first_cell_edge(tp_fx middle, tp_fx side, uint32_t count)
+static int64_t first_cell_edge(tp_fx middle, tp_fx cell, uint32_t count)
 {
-    return middle - (int64_t)count * side / 2;
+    return middle - (int64_t)count * cell / 2;
 }
 
 /* Returns the centre of column or row i.  Centres are exactly one side apart, to the
  * LSB. */
-static tp_fx centre(tp_fx middle, tp_fx side, uint32_t count, int32_t i)
+static tp_fx cell_centre(tp_fx middle, tp_fx cell, uint32_t count, int32_t i)
 {
-    return (tp_fx)(first_cell_edge(middle, side, count) + side / 2 + (int64_t)i * side);
+    return (tp_fx)(first_cell_edge(middle, cell, count) + cell / 2 + (int64_t)i * cell);
 }
 
 static wake_cell make_cell(const tp_pool *pool, int32_t col, int32_t row)
@@ -153,8 +153,8 @@ static wake_cell make_cell(const tp_pool *pool, int32_t col, int32_t row)
     TP_ASSERT(pool->cols > 0 && pool->rows > 0);
     return (wake_cell){
         col, row, wrap_index(col, pool->cols), wrap_index(row, pool->rows),
-        centre(pool->x, pool->cell, pool->cols, col),
-        centre(pool->z, pool->cell, pool->rows, row),
+        cell_centre(pool->x, pool->cell, pool->cols, col),
+        cell_centre(pool->z, pool->cell, pool->rows, row),
     };
 }
 
@@ -167,7 +167,7 @@ static wake_cell begin_cell_scan(const cell_box *b)
 }
 
 /* Steps to the next cell.  Returns false after the last cell. */
-static bool next(const tp_pool *pool, const cell_box *b, wake_cell *at)
+static bool next_cell(const tp_pool *pool, const cell_box *b, wake_cell *at)
 {
     if (at->col < b->col1) {
         at->col++;
@@ -205,7 +205,7 @@ static int64_t min_int64(int64_t a, int64_t b) { return a < b ? a : b; }
 static int64_t max_int64(int64_t a, int64_t b) { return a > b ? a : b; }
 
 /* Returns the hull's largest extent from its middle along an axis of the world. */
-static tp_fx extent(const hull_form *f, tp_turn heading)
+static tp_fx hull_half_extent(const hull_form *f, tp_turn heading)
 {
     return tp_q30_mul(f->length, tp_abs(tp_sin(heading)))
          + tp_q30_mul(f->beam, tp_abs(tp_cos(heading)));
@@ -217,10 +217,10 @@ static cell_box hull_cell_box(const wake *w, tp_fx reach)
     const hull_form *a = &w->before, *b = &w->now;
     const tp_pool *pool = w->pool;
     const tp_turn quarter = 0x40000000;
-    int64_t ax = tp_fx_mul(extent(a, a->heading), reach);
-    int64_t az = tp_fx_mul(extent(a, a->heading + quarter), reach);
-    int64_t bx = tp_fx_mul(extent(b, b->heading), reach);
-    int64_t bz = tp_fx_mul(extent(b, b->heading + quarter), reach);
+    int64_t ax = tp_fx_mul(hull_half_extent(a, a->heading), reach);
+    int64_t az = tp_fx_mul(hull_half_extent(a, a->heading + quarter), reach);
+    int64_t bx = tp_fx_mul(hull_half_extent(b, b->heading), reach);
+    int64_t bz = tp_fx_mul(hull_half_extent(b, b->heading + quarter), reach);
     int32_t col[2], row[2];
 
     find_cell_range(pool, pool->cols, pool->x, min_int64(a->x - ax, b->x - bx),
@@ -246,15 +246,15 @@ static bool is_surrounding_cell(const wake *w, const wake_cell *at)
     int64_t way[2];
 
     hull_coordinates(&w->now, at->x, at->z, way);
-    return is_within(way, AROUND) && !is_within(way, TP_FX_ONE)
+    return are_magnitudes_smaller(way, AROUND) && !are_magnitudes_smaller(way, TP_FX_ONE)
            && !tp_pool_is_wall_or_outside(w->pool, at->in_col, at->in_row);
 }
 
 /* Adds height to a cell and returns the amount that fitted: 0 in walls. */
-static int32_t add(wake *w, const wake_cell *at, int64_t lsb)
+static int32_t add_cell_height(wake *w, const wake_cell *at, int64_t lsb)
 {
     int32_t part = (int32_t)tp_clamp_abs(lsb, INT32_MAX);
-    int32_t added = tp_pool_add(w->pool, at->in_col, at->in_row, part);
+    int32_t added = tp_pool_add_cell_height(w->pool, at->in_col, at->in_row, part);
 
     w->peak = tp_abs(added) > w->peak ? tp_abs(added) : w->peak;
     return added;
@@ -267,7 +267,7 @@ static int32_t largest_height_change(const wake *w, const cell_box *b)
     int32_t highest = 0;
 
     for (wake_cell at = begin_cell_scan(b);
-         highest < PEAK_LEAST && next(w->pool, b, &at);) {
+         highest < PEAK_LEAST && next_cell(w->pool, b, &at);) {
         int32_t size = tp_abs(height_change(w, &at));
         highest = size > highest ? size : highest;
     }
@@ -279,9 +279,9 @@ static int64_t apply_height_changes(wake *w, const cell_box *b)
 {
     int64_t sum = 0;
 
-    for (wake_cell at = begin_cell_scan(b); next(w->pool, b, &at);) {
+    for (wake_cell at = begin_cell_scan(b); next_cell(w->pool, b, &at);) {
         int32_t lsb = height_change(w, &at);
-        sum += lsb ? add(w, &at, lsb) : 0;
+        sum += lsb ? add_cell_height(w, &at, lsb) : 0;
     }
     return sum;
 }
@@ -290,7 +290,7 @@ static int64_t count_surrounding_cells(const wake *w, const cell_box *b)
 {
     int64_t count = 0;
 
-    for (wake_cell at = begin_cell_scan(b); next(w->pool, b, &at);)
+    for (wake_cell at = begin_cell_scan(b); next_cell(w->pool, b, &at);)
         count += is_surrounding_cell(w, &at);
     return count;
 }
@@ -302,12 +302,12 @@ static int64_t fill_surrounding_cells(wake *w, const cell_box *b, int64_t sum)
 {
     int64_t n = count_surrounding_cells(w, b), i = 0, given = 0, left = sum;
 
-    for (wake_cell at = begin_cell_scan(b); next(w->pool, b, &at);) {
+    for (wake_cell at = begin_cell_scan(b); next_cell(w->pool, b, &at);) {
         if (!is_surrounding_cell(w, &at))
             continue;
         i++;
         int64_t due = sum / n * i + sum % n * i / n;
-        left -= due != given ? add(w, &at, due - given) : 0;
+        left -= due != given ? add_cell_height(w, &at, due - given) : 0;
         given = due;
     }
     return left;
@@ -317,8 +317,8 @@ static int64_t fill_surrounding_cells(wake *w, const cell_box *b, int64_t sum)
  * room for more. */
 static void fill_cells_with_room(wake *w, const cell_box *b, int64_t left)
 {
-    for (wake_cell at = begin_cell_scan(b); left != 0 && next(w->pool, b, &at);)
-        left -= add(w, &at, left);
+    for (wake_cell at = begin_cell_scan(b); left != 0 && next_cell(w->pool, b, &at);)
+        left -= add_cell_height(w, &at, left);
 }
 
 static void stir_pool(wake *w, const cell_box *hulls)
@@ -330,7 +330,7 @@ static void stir_pool(wake *w, const cell_box *hulls)
         left = fill_surrounding_cells(w, &around, left);
         fill_cells_with_room(w, &around, left);
     }
-    tp_pool_wake(w->pool, w->peak);
+    tp_pool_start_carry_rounding(w->pool, w->peak);
 }
 
 /* ----------------------------------------------------------------------------------- */

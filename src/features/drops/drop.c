@@ -143,10 +143,10 @@ static int bit_length(uint64_t x)
 }
 
 /* Returns the 32 highest bits of x and subtracts the number of dropped bits from *down. */
-static uint64_t keep_top_bits(uint64_t x, int *down)
+static uint64_t keep_top_bits(uint64_t x, int *shift)
 {
     int out = bit_length(x) > 32 ? bit_length(x) - 32 : 0;
-    *down -= out;
+    *shift -= out;
     return x >> out;
 }
 
@@ -215,19 +215,20 @@ static fall bounced(int64_t speed, tp_fx gravity, int64_t left, const crossing *
 
 /* -- shape --------------------------------------------------------------------------- */
 
-/* Returns |speed| / whole x `of`; the quotient is at most 1.  `speed` in Q24 m/s, `whole`
- * in m/s. */
-static int32_t speed_share(int64_t speed, int32_t whole, int32_t of)
+/* Returns |speed| / whole x `full_value`; the quotient is at most 1.  `speed` in Q24
+ * m/s, `full_speed` in m/s. */
+static int32_t scale_by_speed(int64_t speed, int32_t full_speed, int32_t full_value)
 {
     int64_t q16 = (speed < 0 ? -speed : speed) >> 8;
-    return q16 >= whole * TP_FX_ONE ? of : (int32_t)(q16 * of / whole >> 16);
+    return q16 >= full_speed * TP_FX_ONE ? full_value
+                                         : (int32_t)(q16 * full_value / full_speed >> 16);
 }
 
 /* Advances the shape: a damped spring, about three oscillations per second, around the
  * squash for the current speed. */
-static void wobble(tp_drop *drop)
+static void step_squash(tp_drop *drop)
 {
-    int32_t rest = speed_share(drop->fall_q24, 12, 6000);
+    int32_t rest = scale_by_speed(drop->fall_q24, 12, 6000);
 
     drop->squash_speed += ((rest - drop->squash + 4) >> 3)
                         - ((drop->squash_speed + 2) >> 2);
@@ -236,7 +237,7 @@ static void wobble(tp_drop *drop)
 
 static void flatten(tp_drop *drop, int64_t speed)
 {
-    drop->squash = -speed_share(speed, 6, SQUASH_MOST);
+    drop->squash = -scale_by_speed(speed, 6, SQUASH_MOST);
     drop->squash_speed = 0;
 }
 
@@ -292,27 +293,28 @@ bool tp_drop_step(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
         to.fall_q24 = (int32_t)(to.fall_q24 > c.water ? to.fall_q24 : c.water);
     }
     apply_fall(drop, &to);
-    wobble(drop);
+    step_squash(drop);
     return false;
 }
 
 /* -- validation of a state from outside ---------------------------------------------- */
 
-static bool is_within(int64_t x, int64_t most)
+static bool is_magnitude_within(int64_t x, int64_t limit)
 {
-    return x >= -most && x <= most;
+    return x >= -limit && x <= limit;
 }
 
 /* True if the drop is in range.  The spring's speed loses a quarter per tick and gains at
  * most 1777. */
 bool tp_drop_is_valid(const tp_drop *drop)
 {
-    return is_within(drop->place.x, TP_DROP_FAR) && is_within(drop->place.z, TP_DROP_FAR)
-        && drop->last.x == drop->place.x && drop->last.z == drop->place.z
-        && is_within(drop->high_q32, HIGH_MOST) && is_within(drop->last.y, HIGH_MOST >> 16)
-        && drop->place.y == (tp_fx)((drop->high_q32 + (1 << 15)) >> 16)
-        && is_within(drop->fall_q24, FALL_MOST)
-        && drop->radius > 0 && drop->radius <= TP_FX_ONE
-        && is_within(drop->squash, SQUASH_MOST)
-        && is_within(drop->squash_speed, SQUASH_MOST);
+    return is_magnitude_within(drop->place.x, TP_DROP_FAR)
+           && is_magnitude_within(drop->place.z, TP_DROP_FAR)
+           && drop->last.x == drop->place.x && drop->last.z == drop->place.z
+           && is_magnitude_within(drop->high_q32, HIGH_MOST)
+           && is_magnitude_within(drop->last.y, HIGH_MOST >> 16)
+           && drop->place.y == (tp_fx)((drop->high_q32 + (1 << 15)) >> 16)
+           && is_magnitude_within(drop->fall_q24, FALL_MOST) && drop->radius > 0
+           && drop->radius <= TP_FX_ONE && is_magnitude_within(drop->squash, SQUASH_MOST)
+           && is_magnitude_within(drop->squash_speed, SQUASH_MOST);
 }

@@ -56,7 +56,7 @@ bool tp_drops_are_valid(const tp_drops *drops, const tp_drops *fresh, uint64_t t
 bool tp_drop_is_valid(const tp_drop *drop);
 
 /* Moves the sphere by (x, z) m, within +-8000 m.  Call once per tick, also with 0. */
-void tp_drops_move_sphere(tp_drops *drops, tp_fx x, tp_fx z);
+void tp_drops_move_sphere(tp_drops *drops, tp_fx dx, tp_fx dz);
 
 /* Releases `count` drops from the sphere.  Drops beyond the capacity are counted.  A
  * single drop without scatter falls from the sphere's centre; of several drops each has
@@ -75,8 +75,8 @@ bool tp_drop_step(tp_drop *drop, const tp_scene_drops *config, tp_fx gravity,
                   tp_fx level, uint64_t tick, tp_impact *impact);
 
 /* Steps drop i of the list like tp_drop_step, and counts its impact. */
-bool tp_drops_step(tp_drops *drops, const tp_scene_drops *config, uint32_t i,
-                   tp_fx gravity, tp_fx level, uint64_t tick, tp_impact *impact);
+bool tp_drops_step_drop(tp_drops *drops, const tp_scene_drops *config, uint32_t i,
+                        tp_fx gravity, tp_fx level, uint64_t tick, tp_impact *impact);
 
 /* Adds the ring raised by an impact.  Returns true if there was room; otherwise counts
  * the ring as dropped. */

@@ -75,7 +75,7 @@ static spheroid interpolate_spheroid(const tp_drops *drops, tp_fx lag, uint32_t 
     const tp_drop *drop = tp_drops_list(drops) + (sphere ? 0 : i);
     tp_vec3 a = sphere ? drops->last_sphere : drop->last;
     tp_vec3 b = sphere ? drops->sphere : drop->place;
-    tp_vec3 at = tp_place_interpolate(a, b, lag);
+    tp_vec3 at = tp_position_interpolate(a, b, lag);
 
     return sphere ? (spheroid){ at, drops->sphere_radius, drops->sphere_radius }
                   : make_spheroid(at, drop->radius, drop->squash);
@@ -116,8 +116,8 @@ static const tp_grid_box nowhere = { 1, 1, 0, 0 };
 
 /* Returns the pixel box of a spheroid's vertices; all pixels if a vertex must be clipped.
  * A spheroid cut by the clip level counts in full. */
-static tp_grid_box ball_box(const drawn_drops *d, const tp_view *view, const spheroid *s,
-                            uint32_t step)
+static tp_grid_box spheroid_box(const drawn_drops *d, const tp_view *view,
+                                const spheroid *s, uint32_t step)
 {
     tp_grid_box box = TP_BOX_NONE;
     tp_view_vertex ring[ROUND];
@@ -149,13 +149,13 @@ static uint32_t choose_detail_step(const tp_grid_box *box)
     return box->x1 - box->x0 > 16 || box->y1 - box->y0 > 16 ? 1 : 2;
 }
 
-static void widen(tp_grid_box *all, const tp_grid_box *box)
+static void widen_box(tp_grid_box *all, const tp_grid_box *box)
 {
     tp_box_widen(all, 16 * box->x0, 16 * box->y0);
     tp_box_widen(all, 16 * box->x1, 16 * box->y1);
 }
 
-static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
+static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     const tp_drops *drops = tp_world_drops(frame->world);
     drawn_drops *d = mine;
@@ -166,13 +166,13 @@ static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
     frame->stats.dropped += drops->count - d->seen;
     for (uint32_t i = 0; i <= d->seen; i++) {
         spheroid s = interpolate_spheroid(drops, frame->world->lag, i, d->seen);
-        d->box[i] = ball_box(d, view, &s, 2);
+        d->box[i] = spheroid_box(d, view, &s, 2);
         uint32_t step = choose_detail_step(&d->box[i]);
         if (step == 1)
-            d->box[i] = ball_box(d, view, &s, 1);
+            d->box[i] = spheroid_box(d, view, &s, 1);
         if (d->box[i].x0 <= d->box[i].x1) {
             uint32_t points = ROUND / step * (RINGS / step);
-            widen(box, &d->box[i]);
+            widen_box(box, &d->box[i]);
             frame->stats.vertices += points + 2;
             frame->stats.triangles += 2 * points;
         }
@@ -190,7 +190,7 @@ static void draw_face(const tp_view *view, const tp_gbuffer *tile,
     tp_clipped_draw(view->projection, tp_view_clip_plane(view), tile, in, mark, 0);
 }
 
-static void draw_one(const drawn_drops *d, const tp_view *view, const tp_gbuffer *tile,
+static void draw_spheroid(const drawn_drops *d, const tp_view *view, const tp_gbuffer *tile,
                      const spheroid *s, uint32_t step, uint32_t mark)
 {
     tp_view_vertex ring[2][ROUND];
@@ -218,10 +218,10 @@ static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
 
     samples->front_only = true;
     for (uint32_t i = 0; drops && i <= d->seen; i++) {
-        if (!tp_view_touches(&d->box[i], samples))
+        if (!tp_box_overlaps_tile(&d->box[i], samples))
             continue;
         spheroid s = interpolate_spheroid(drops, frame->world->lag, i, d->seen);
-        draw_one(d, view, samples, &s, choose_detail_step(&d->box[i]), mark);
+        draw_spheroid(d, view, samples, &s, choose_detail_step(&d->box[i]), mark);
     }
 }
 
@@ -283,6 +283,6 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 
 const tp_drawing tp_drops_drawing = {
     .layout = layout, .init = make_ball, .marks = tp_marks_one, .surface = add_surface,
-    .begin = begin, .anchor = set_anchor, .project = place, .draw = draw,
+    .begin = begin, .anchor = set_anchor, .project = project, .draw = draw,
     .stages = add_stages,
 };

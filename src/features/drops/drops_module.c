@@ -66,11 +66,11 @@ static tp_fx clamp_coordinate(int64_t x)
     return (tp_fx)tp_clamp_abs(x, SPHERE_FAR);
 }
 
-void tp_drops_move_sphere(tp_drops *drops, tp_fx x, tp_fx z)
+void tp_drops_move_sphere(tp_drops *drops, tp_fx dx, tp_fx dz)
 {
     drops->last_sphere = drops->sphere;
-    drops->sphere.x = clamp_coordinate((int64_t)drops->sphere.x + x);
-    drops->sphere.z = clamp_coordinate((int64_t)drops->sphere.z + z);
+    drops->sphere.x = clamp_coordinate((int64_t)drops->sphere.x + dx);
+    drops->sphere.z = clamp_coordinate((int64_t)drops->sphere.z + dz);
 }
 
 /* Returns a random place, uniform over a disc of radius `reach` around the sphere's
@@ -127,8 +127,8 @@ void tp_drops_release_due(tp_drops *drops, const tp_scene_drops *config)
 
 /* -- impacts ------------------------------------------------------------------------- */
 
-bool tp_drops_step(tp_drops *drops, const tp_scene_drops *config, uint32_t i,
-                   tp_fx gravity, tp_fx level, uint64_t tick, tp_impact *impact)
+bool tp_drops_step_drop(tp_drops *drops, const tp_scene_drops *config, uint32_t i,
+                        tp_fx gravity, tp_fx level, uint64_t tick, tp_impact *impact)
 {
     TP_ASSERT(i < drops->count);
     bool struck = tp_drop_step(&list(drops)[i], config, gravity, level, tick, impact);
@@ -181,7 +181,7 @@ void tp_drops_remove_spent(tp_drops *drops, int64_t now, tp_fx beyond)
 
 /* -- validation of a state from outside ---------------------------------------------- */
 
-static bool is_far(tp_fx x)
+static bool is_out_of_range(tp_fx x)
 {
     return x != clamp_coordinate(x);
 }
@@ -197,9 +197,9 @@ static bool is_same_config(const tp_drops *drops, const tp_drops *fresh)
 
 static bool is_sphere_valid(const tp_drops *drops)
 {
-    return !is_far(drops->sphere.x) && !is_far(drops->sphere.z)
-        && !is_far(drops->last_sphere.x) && !is_far(drops->last_sphere.y)
-        && !is_far(drops->last_sphere.z);
+    return !is_out_of_range(drops->sphere.x) && !is_out_of_range(drops->sphere.z)
+        && !is_out_of_range(drops->last_sphere.x) && !is_out_of_range(drops->last_sphere.y)
+        && !is_out_of_range(drops->last_sphere.z);
 }
 
 /* True if a drop can have raised the ring: within the drops' range, and not after
@@ -280,7 +280,7 @@ static bool fits(const void *mine, const tp_scene *scene)
            && current_rings(drops)->room == configured_ring_capacity(&scene->drops);
 }
 
-static bool refresh(void *mine, tp_world *world, const tp_want *want)
+static bool apply_sphere_config(void *mine, tp_world *world, const tp_want *want)
 {
     tp_drops *drops = mine;
 
@@ -312,8 +312,8 @@ static void move_drops(tp_drops *drops, const tp_program *program, tp_world *wor
     for (uint32_t i = 0; i < drops->count; i++) {
         tp_fx level = tp_surface_sample(&surface, drop[i].place.x, drop[i].place.z,
                                        NULL).position.y;
-        if (tp_drops_step(drops, &scene->drops, i, scene->water.gravity, level,
-                          world->tick, &impact))
+        if (tp_drops_step_drop(drops, &scene->drops, i, scene->water.gravity, level,
+                               world->tick, &impact))
             tp_modules_handle_impact(program, world, scene, &impact, level);
     }
 }
@@ -387,7 +387,7 @@ const tp_module tp_drops_module = {
     .bytes = bytes,
     .init = init,
     .fits = fits,
-    .refresh = refresh,
+    .refresh = apply_sphere_config,
     .step = step,
     .hit = handle_impact,
     .surface = add_surface,

@@ -68,7 +68,7 @@ void tp_stage_drop(const tp_shade *shade, tp_run *run)
 {
     const tp_solid *drop = run->mine;
 
-    tp_view_run(shade, &shade->world, run);
+    tp_run_fill_vectors_to_eye(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++) {
         run->colour[i] = shade_drop(shade, drop, tp_vec_q14_unpack(run->n[i]),
                              (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i]);

@@ -95,7 +95,8 @@ static void fill_dome(probe *p, const tp_scene *scene, uint32_t beyond)
     }
     for (uint32_t i = 0; i <= GLOWS; i++)
         p->glow[i] =
-            dome ? hdr_grey(tp_dome_glow(&config, tp_glow_index_square(8 * i)), beyond)
+            dome ? hdr_grey(tp_dome_glow(&config, tp_glow_entry_squared_chord(8 * i)),
+                            beyond)
                  : 0;
 }
 

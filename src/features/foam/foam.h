@@ -52,7 +52,7 @@ void tp_foam_step(tp_foam *foam, const tp_world *world, const tp_scene *scene);
 
 /* Adds a round patch of `radius` m around a rest position; `cover` 0..255 is its centre
  * value. */
-void tp_foam_blob(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t cover);
+void tp_foam_add_blob(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t cover);
 
 static inline uint8_t *tp_foam_cover(tp_foam *foam)
 {
@@ -99,12 +99,12 @@ void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_world *world,
 /* Coastal water only.  Prepares the displaced positions of the row at m->z - cell.  Call
  * once for each cell of a row before asking for the row, unless the last row was the
  * neighbour at z - cell. */
-void tp_foam_maker_seed_cell(tp_foam_maker *m, uint32_t col, tp_fx x);
+void tp_foam_maker_set_previous_point(tp_foam_maker *m, uint32_t col, tp_fx x);
 
 /* Returns the cover gained by the cell at x in TP_FOAM_TICKS ticks, in 1/256 of a byte's
  * units, below 2^16; or TP_FOAM_DRY for a dry cell.  Ask for the cells of a row in order
- * of columns.  `joined`: the last cell was the neighbour at x - cell. */
-uint32_t tp_foam_maker_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool joined);
+ * of columns.  `after_neighbour`: the last cell was the neighbour at x - cell. */
+uint32_t tp_foam_maker_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool after_neighbour);
 
 /* -- data of the stages, in tp_run.mine ---------------------------------------------- */
 

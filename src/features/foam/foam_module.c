@@ -43,7 +43,7 @@ static size_t bytes(const tp_want *want)
 }
 
 /* Returns the window's side, Q32 m: below 2^46. */
-static int64_t window_side(const tp_foam *foam)
+static int64_t window_side_q32(const tp_foam *foam)
 {
     return (int64_t)foam->cells * foam->cell * 65536;
 }
@@ -93,9 +93,10 @@ static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error
 /* Returns the drift after one tick.  A drift by a full side maps the torus onto
  * itself, so the drift is reduced by the side and the cell numbers in `seen` are
  * shifted instead. */
-static int64_t advance_drift(tp_foam *foam, int64_t drift, tp_fx speed, int way)
+static int64_t advance_drift(tp_foam *foam, int64_t drift, tp_fx speed, int axis)
 {
-    int64_t side = window_side(foam), step = (int64_t)speed * 65536 / TP_TICKS_PER_SECOND;
+    int64_t side = window_side_q32(foam),
+            step = (int64_t)speed * 65536 / TP_TICKS_PER_SECOND;
     int32_t turns = 0;
 
     for (drift += step % side; drift >= side; drift -= side)
@@ -103,7 +104,7 @@ static int64_t advance_drift(tp_foam *foam, int64_t drift, tp_fx speed, int way)
     for (; drift < 0; drift += side)
         turns--;
     for (int q = 0; q < TP_FOAM_TICKS; q++)
-        foam->seen[q][way] += turns * (int32_t)foam->cells;
+        foam->seen[q][axis] += turns * (int32_t)foam->cells;
     return drift;
 }
 
@@ -133,12 +134,13 @@ static tp_fx cell_centre(const tp_foam *foam, int32_t number, int64_t drift)
 
 /* -- visits ------------------------------------------------------------------------- */
 
-/* Returns e^(-4 / 60 / fade), Q24, the share of cover kept by a visit.  `fade` is 0.1 s
- * or more. */
-static uint32_t visit_fade_factor(tp_fx fade)
+/* Returns e^(-4 / 60 / fade), Q24, the share of cover kept by a visit.  `fade_seconds`
+ * is 0.1 s or more. */
+static uint32_t visit_fade_factor(tp_fx fade_seconds)
 {
-    TP_ASSERT(fade > 0);
-    uint64_t x = ((uint64_t)TP_FOAM_TICKS << 40) / (TP_TICKS_PER_SECOND * (uint32_t)fade);
+    TP_ASSERT(fade_seconds > 0);
+    uint64_t x =
+        ((uint64_t)TP_FOAM_TICKS << 40) / (TP_TICKS_PER_SECOND * (uint32_t)fade_seconds);
     return tp_exp_neg((uint32_t)x) >> 8;
 }
 
@@ -160,10 +162,10 @@ static uint8_t compute_cover(uint32_t cover, const visit *v, uint32_t col, uint3
     return (uint8_t)((held + threshold) >> 24);
 }
 
-static void seed_previous_row(visit *v, const tp_foam *foam)
+static void set_previous_row_points(visit *v, const tp_foam *foam)
 {
     for (uint32_t i = 0; i < foam->cells; i++)
-        tp_foam_maker_seed_cell(&v->make, i,
+        tp_foam_maker_set_previous_point(&v->make, i,
                             cell_centre(foam, lattice_index(&v->x, i), foam->drift_x));
 }
 
@@ -199,7 +201,7 @@ static void visit_quarter(visit *v, tp_foam *foam)
         v->threshold_q24 = foam->visits / TP_FOAM_TICKS * GOLDEN + j * (GOLDEN / 7);
         v->make.z = cell_centre(foam, number, foam->drift_z);
         if (foam->scratch && number - 1 != last)
-            seed_previous_row(v, foam);
+            set_previous_row_points(v, foam);
         last = number;
         visit_row(v, foam, cover);
     }
@@ -231,7 +233,7 @@ static int64_t window_offset_q8(const tp_foam *foam, tp_fx place, int32_t first,
 }
 
 /* Adds cover to each cell with its centre within the radius, less towards the rim. */
-void tp_foam_blob(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t cover)
+void tp_foam_add_blob(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t cover)
 {
     TP_ASSERT(radius >= 0 && cover <= 255);
     int64_t u = window_offset_q8(foam, x, foam->first_x, foam->drift_x);
@@ -285,11 +287,11 @@ static bool is_window_valid(const tp_foam *foam, int32_t first, int64_t cells)
 /* True if the state is in range.  A window starts at most half a side and a drift of less
  * than a side from its middle.  The four windows in `seen` may lag by one more side per
  * tick. */
-static bool is_valid(const void *mine, const void *made, const tp_world *world)
+static bool is_valid(const void *mine, const void *fresh_state, const tp_world *world)
 {
     (void)world;
-    const tp_foam *foam = mine, *fresh = made;
-    const int64_t cells = fresh->cells, side = window_side(fresh);
+    const tp_foam *foam = mine, *fresh = fresh_state;
+    const int64_t cells = fresh->cells, side = window_side_q32(fresh);
     bool valid = foam->cells == fresh->cells && foam->cell == fresh->cell
               && foam->scratch == fresh->scratch
               && foam->drift_x >= 0 && foam->drift_x < side
@@ -324,7 +326,7 @@ static bool handle_impact(void *mine, const tp_scene *scene, const tp_impact *im
                           tp_fx level)
 {
     (void)scene, (void)level;
-    tp_foam_blob(mine, impact->x, impact->z, impact->length / 5, 160);
+    tp_foam_add_blob(mine, impact->x, impact->z, impact->length / 5, 160);
     return false;
 }
 

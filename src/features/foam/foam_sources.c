@@ -27,9 +27,9 @@ static uint32_t scale_gain(tp_fx share, int32_t units)
 #define CREST_MOST     TP_FX(0.2)   /* ... over at most this range of the Jacobian */
 #define BREAKING_UNITS 36
 
-static uint32_t crest_gain(const tp_foam_maker *m, tp_fx squeeze)
+static uint32_t crest_gain(const tp_foam_maker *m, tp_fx jacobian)
 {
-    tp_fx below = m->scene->foam.crest - squeeze;
+    tp_fx below = m->scene->foam.crest - jacobian;
     return scale_gain(tp_clamp(below, 0, CREST_MOST), CREST_UNITS);
 }
 
@@ -89,9 +89,9 @@ static uint32_t shore_gain(const tp_foam_maker *m, const tp_coastal_point *at)
     return scale_gain(tp_fx_mul(shallow, moves), 40);
 }
 
-static uint32_t coastal_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool joined)
+static uint32_t coastal_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool after_neighbour)
 {
-    if (!joined)
+    if (!after_neighbour)
         m->left = sample_coastal(m, x - m->foam->cell, m->z).position;
     tp_coastal_point at = sample_coastal(m, x, m->z);
     tp_fx squeeze = coastal_jacobian(m, col, at.position);
@@ -114,10 +114,10 @@ static bool is_wall_near(const tp_foam_maker *m, tp_fx x)
     tp_fx d = pool->cell > m->foam->cell ? pool->cell : m->foam->cell;
     uint32_t col, row;
 
-    return !tp_pool_cell(pool, x - d, m->z, &col, &row)
-        || !tp_pool_cell(pool, x + d, m->z, &col, &row)
-        || !tp_pool_cell(pool, x, m->z - d, &col, &row)
-        || !tp_pool_cell(pool, x, m->z + d, &col, &row);
+    return !tp_pool_find_open_cell(pool, x - d, m->z, &col, &row)
+           || !tp_pool_find_open_cell(pool, x + d, m->z, &col, &row)
+           || !tp_pool_find_open_cell(pool, x, m->z - d, &col, &row)
+           || !tp_pool_find_open_cell(pool, x, m->z + d, &col, &row);
 }
 
 /* Returns the gain along walls.  Outside of the pool the gain is 0; inside a wall the
@@ -128,7 +128,7 @@ static uint32_t wall_gain(const tp_foam_maker *m, tp_fx x)
     int64_t dx = (int64_t)x - pool->x, dz = (int64_t)m->z - pool->z;
     uint32_t col, row;
 
-    if (!tp_pool_cell(pool, x, m->z, &col, &row))
+    if (!tp_pool_find_open_cell(pool, x, m->z, &col, &row))
         return 2 * (dx < 0 ? -dx : dx) < (int64_t)pool->cols * pool->cell
                    && 2 * (dz < 0 ? -dz : dz) < (int64_t)pool->rows * pool->cell
                ? TP_FOAM_DRY : 0;
@@ -158,10 +158,11 @@ static tp_fx triangle_profile(tp_fx e, tp_fx wide)
 }
 
 /* Returns the intensity of the wake, 0..1: two arms from the bow, kept outside of the
- * hull, and turbulent water behind the stern.  `behind`: distance from the bow, `side`:
- * distance from the hull's axis, `wide`: half width of the hull there; all in m. */
-static tp_fx sample_wake(const tp_foam_hull *h, tp_fx behind, tp_fx side, tp_fx wide,
-                         tp_fx line)
+ * hull, and turbulent water behind the stern.  `behind`: distance from the bow,
+ * `side`: distance from the hull's axis, `hull_half_width`: half width of the hull
+ * there; all in m. */
+static tp_fx wake_foam_intensity(const tp_foam_hull *h, tp_fx behind, tp_fx side,
+                                 tp_fx hull_half_width, tp_fx line_half_width)
 {
     tp_fx reach = ARM_LONG * h->length, stern = behind - 2 * h->length;
 
@@ -169,10 +170,11 @@ static tp_fx sample_wake(const tp_foam_hull *h, tp_fx behind, tp_fx side, tp_fx 
         return 0;
     tp_fx left = TP_FX_ONE - tp_fx_div(behind, reach);
     tp_fx off = tp_fx_mul(behind, ARM);
-    tp_fx arm =
-        triangle_profile(side - (off > wide ? off : wide) - line / 2, line + behind / 24);
+    tp_fx arm = triangle_profile(side - (off > hull_half_width ? off : hull_half_width)
+                                     - line_half_width / 2,
+                                 line_half_width + behind / 24);
     tp_fx trail = stern > -h->length / 2 && stern < h->length / 2
-                ? triangle_profile(side, h->beam / 2 + line) / 2 : 0;
+                ? triangle_profile(side, h->beam / 2 + line_half_width) / 2 : 0;
     return tp_fx_mul(arm > trail ? arm : trail, tp_fx_mul(left, left));
 }
 
@@ -200,7 +202,7 @@ static uint32_t hull_gain(const tp_foam_maker *m, tp_fx x)
     if (pace > 0) {
         int64_t ahead = h->pace > 0 ? alpha : -(int64_t)alpha;
         tp_fx behind = tp_fx_saturate((TP_FX_ONE - ahead) * h->length >> 16);
-        tp_fx wake = sample_wake(h, behind, side, wide, line);
+        tp_fx wake = wake_foam_intensity(h, behind, side, wide, line);
         gain += scale_gain(tp_fx_mul(wake, pace), PACE_UNITS);
     }
     return (uint32_t)((uint64_t)gain * (uint32_t)m->scene->foam.hull >> 16);
@@ -262,15 +264,15 @@ void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_world *world,
     find_hull(m);
 }
 
-void tp_foam_maker_seed_cell(tp_foam_maker *m, uint32_t col, tp_fx x)
+void tp_foam_maker_set_previous_point(tp_foam_maker *m, uint32_t col, tp_fx x)
 {
     previous_row(m)[col] = sample_coastal(m, x, m->z - m->foam->cell).position;
 }
 
-uint32_t tp_foam_maker_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool joined)
+uint32_t tp_foam_maker_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool after_neighbour)
 {
     TP_ASSERT(col < m->foam->cells);
-    uint32_t gain = m->coastal ? coastal_gain(m, col, x, joined)
+    uint32_t gain = m->coastal ? coastal_gain(m, col, x, after_neighbour)
                     : m->scene->foam.crest > 0
                         ? crest_gain(m, tp_deep_water_jacobian(&m->world->deep,
                                                                m->world->phases, x, m->z))

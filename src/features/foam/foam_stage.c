@@ -92,13 +92,13 @@ static const struct { int16_t soft, span; uint16_t per_soft; } softs[] = {
 };
 #define SOFTS (int32_t)(sizeof softs / sizeof softs[0] - 1)
 
-static void soften(lace *l, int32_t n, int32_t mean)
+static void set_ramp_softness(lace *l, int32_t level, int32_t mean_rank)
 {
-    n = n < SOFTS ? n : SOFTS;
-    l->soft = softs[n].soft;
-    l->span = softs[n].span;
-    l->per_soft = softs[n].per_soft;
-    l->middle = 128 + (mean - 128) * n * 51 / 256;
+    level = level < SOFTS ? level : SOFTS;
+    l->soft = softs[level].soft;
+    l->span = softs[level].span;
+    l->per_soft = softs[level].per_soft;
+    l->middle = 128 + (mean_rank - 128) * level * 51 / 256;
 }
 
 static void select_bubble_level(const tp_shade *shade, const tp_shade_foam *f, uint32_t key,
@@ -108,12 +108,12 @@ static void select_bubble_level(const tp_shade *shade, const tp_shade_foam *f, u
 
     if (!texture) {
         l->level.texel = NULL;
-        soften(l, SOFTS, 128);
+        set_ramp_softness(l, SOFTS, 128);
         return;
     }
     int n = tp_mip_level_choose(f->lod, tp_log_depth(shade, key), true, texture->levels);
     l->level = tp_mip_level_select(texture, n);
-    soften(l, n, f->mean);
+    set_ramp_softness(l, n, f->mean);
 }
 
 static uint32_t green(uint32_t texel)
@@ -168,7 +168,8 @@ TP_ALWAYS_INLINE uint32_t foam_light_share(const tp_shade *shade, const tp_run *
     return (uint32_t)(256 + tp_lit_share(shade->ambient, nl)) / 2;
 }
 
-TP_ALWAYS_INLINE void foam_run(const tp_shade *shade, tp_run *run, int rippled, int shiny)
+TP_ALWAYS_INLINE void foam_run(const tp_shade *shade, tp_run *run, int rippled,
+                               int has_glint)
 {
     const tp_shade_foam *f = run->mine;
 
@@ -190,7 +191,7 @@ TP_ALWAYS_INLINE void foam_run(const tp_shade *shade, tp_run *run, int rippled, 
             uint32_t colour =
                 tp_colour_scale(f->colour, foam_light_share(shade, run, i, rippled));
             run->colour[i] = tp_colour_mix(run->colour[i], colour, share);
-            if (shiny)
+            if (has_glint)
                 run->glint[i] = (uint16_t)(run->glint[i] * (256 - share) >> 8);
         }
     }

@@ -112,7 +112,7 @@ static void set_row_extent(const tp_frame *frame, const land *l, uint32_t j)
 
 /* Projects the land.  Land appears in the main view only, and needs grid vertices: only
  * some water renderers make them. */
-static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
+static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     const tp_grid *grid = frame->buffers.grid;
     tp_fx deepest = tp_surface_height_bound(&frame->surface) + TP_FX_ONE;
@@ -240,6 +240,6 @@ const tp_module tp_land_module = {
 };
 
 const tp_drawing tp_land_drawing = {
-    .layout = layout, .marks = tp_marks_one, .begin = begin, .project = place,
+    .layout = layout, .marks = tp_marks_one, .begin = begin, .project = project,
     .draw = draw, .stages = add_stages,
 };

@@ -13,9 +13,9 @@
 /* Returns the highest crest of a wave over a shoaling floor, m, with the bound of
  * waves/coastal_water.c: the wave grows, its orbit tilts with the floor, its crest is
  * thrown.  Over a map the mean rise counts and no crest is thrown. */
-static tp_fx bound_crest_height(const tp_scene *s, const tp_wave *given, tp_fx steep)
+static tp_fx bound_crest_height(const tp_scene *s, const tp_wave *given, tp_fx floor_slope)
 {
-    const tp_fx   slope = tp_clamp(steep, 0, TP_FX_ONE);
+    const tp_fx   slope = tp_clamp(floor_slope, 0, TP_FX_ONE);
     const tp_wave held = {
         .amplitude = tp_clamp(given->amplitude, 1, 16 * TP_FX_ONE),
         .length = tp_clamp(given->length, TP_FX(0.25), TP_FX(2000)),
@@ -172,7 +172,7 @@ static void count_visible_cell(const land_ground *g, strip *to, const cost_corne
     to->fill += (uint64_t)(area / 512 * (across + 1) * (down + 1) / whole);
 }
 
-static void add_cell(const land_ground *g, strip *to, const cost_corner p[4])
+static void count_cell(const land_ground *g, strip *to, const cost_corner p[4])
 {
     const bool cut = p[0].cut || p[1].cut || p[2].cut || p[3].cut;
     const bool none = p[0].cut && p[1].cut && p[2].cut && p[3].cut;
@@ -202,7 +202,7 @@ static strip measure_strip(const land_ground *g, int32_t j)
         const cost_corner right[2] = { project_corner(g, i + 1, j),
                                        project_corner(g, i + 1, j + 1) };
         const cost_corner all[4] = { left[0], left[1], right[0], right[1] };
-        add_cell(g, &to, all);
+        count_cell(g, &to, all);
         left[0] = right[0];
         left[1] = right[1];
     }

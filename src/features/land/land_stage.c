@@ -11,7 +11,7 @@ void tp_stage_land(const tp_shade *shade, tp_run *run)
 {
     const tp_solid *land = run->mine;
 
-    tp_view_run(shade, &shade->world, run);
+    tp_run_fill_vectors_to_eye(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++)
         run->colour[i] = tp_phong(shade, &shade->world, land, land->diffuse,
                                   tp_vec_q14_unpack(run->n[i]),
@@ -24,7 +24,7 @@ void tp_stage_ground(const tp_shade *shade, tp_run *run)
     for (int32_t i = 0; i < run->count; i++) {
         tp_refracted_ray ray;
         tp_underwater_set_start_points(shade, run, i, i + 1, &ray);
-        run->colour[i] = tp_wall_material_light(
+        run->colour[i] = tp_light_matt_colour(
             shade,
             tp_wall_material_sample(&shade->underwater->floor, ray.at.x, ray.at.z, ray.far,
                                     true),

@@ -70,10 +70,10 @@ static void push_column(tp_pool *pool, const stroke *s, uint32_t col, int32_t pu
     if (tp_pool_is_wall_or_outside(pool, col, s->row)
         || tp_pool_is_wall_or_outside(pool, col, other))
         return;
-    int32_t done = tp_pool_add(pool, col, s->row, push);
-    int32_t back = tp_pool_add(pool, col, other, -done);
+    int32_t done = tp_pool_add_cell_height(pool, col, s->row, push);
+    int32_t back = tp_pool_add_cell_height(pool, col, other, -done);
     if (back != -done)
-        tp_pool_add(pool, col, s->row, -done - back);
+        tp_pool_add_cell_height(pool, col, s->row, -done - back);
 }
 
 void tp_paddle_push(tp_pool *pool, const tp_scene_pool *scene, uint64_t tick)
@@ -84,7 +84,7 @@ void tp_paddle_push(tp_pool *pool, const tp_scene_pool *scene, uint64_t tick)
 
     for (uint32_t col = 0; push != 0 && col < pool->cols; col++)
         push_column(pool, &s, col, push);
-    tp_pool_wake(pool, tp_pool_from_metres(pool, scene->paddle));
+    tp_pool_start_carry_rounding(pool, tp_pool_from_metres(pool, scene->paddle));
 }
 
 /* -- the module ---------------------------------------------------------------------- */
@@ -137,7 +137,7 @@ bool tp_field_enabled(const tp_want *want)
 /* -- splashes ------------------------------------------------------------------------ */
 
 /* Returns a random place along one side, within the middle four fifths of a pool. */
-static tp_fx random_place(tp_world *world, tp_fx centre, int32_t cells, tp_fx cell)
+static tp_fx random_coordinate(tp_world *world, tp_fx centre, int32_t cells, tp_fx cell)
 {
     int64_t side = (int64_t)cells * cell * 4 / 5;
     return (tp_fx)(centre - side / 2 + (side * (tp_random(&world->random) >> 8) >> 24));
@@ -153,8 +153,8 @@ static void step_random_splash(tp_basin *basin, tp_world *world, const tp_scene_
     if (basin->poke_wait > 0 && --basin->poke_wait > 0)
         return;
     basin->poke_wait = every;
-    tp_fx x = random_place(world, scene->x, scene->cols, scene->cell);
-    tp_fx z = random_place(world, scene->z, scene->rows, scene->cell);
+    tp_fx x = random_coordinate(world, scene->x, scene->cols, scene->cell);
+    tp_fx z = random_coordinate(world, scene->z, scene->rows, scene->cell);
     tp_pool_add_splash(&basin->pool, x, z, scene->poke_size, scene->poke);
 }
 
@@ -188,32 +188,33 @@ const tp_module tp_pokes_module = {
 
 /* -- common to both pools ------------------------------------------------------------ */
 
-static size_t basin_bytes(const tp_want *want, bool field)
+static size_t basin_bytes(const tp_want *want, bool is_field)
 {
-    const tp_pool_config config = tp_pools_config(want->scene, want->assets, field);
+    const tp_pool_config config = tp_pools_config(want->scene, want->assets, is_field);
     return offsetof(tp_basin, pool) + tp_pool_bytes(&config);
 }
 
-static tp_status init_one(tp_basin *basin, const tp_want *want, bool field, tp_error *err)
+static tp_status init_basin(tp_basin *basin, const tp_want *want, bool is_field,
+                            tp_error *err)
 {
-    const tp_pool_config config = tp_pools_config(want->scene, want->assets, field);
+    const tp_pool_config config = tp_pools_config(want->scene, want->assets, is_field);
     return tp_pool_init(&basin->pool, &config, err);
 }
 
 /* True if the new parameters fit.  The test runs on a copy of the pool's head; the copy
  * has no memory for a sponge layer. */
-static bool fits_one(const tp_basin *basin, const tp_scene *scene, bool field)
+static bool basin_fits_scene(const tp_basin *basin, const tp_scene *scene, bool is_field)
 {
-    const tp_pool_config config = tp_pools_config(scene, NULL, field);
+    const tp_pool_config config = tp_pools_config(scene, NULL, is_field);
     tp_pool head = basin->pool;
 
     head.sponge = 0;
     return tp_pool_set_config(&head, &config);
 }
 
-static bool refresh_one(tp_basin *basin, const tp_scene *scene, bool field)
+static bool apply_basin_config(tp_basin *basin, const tp_scene *scene, bool is_field)
 {
-    const tp_pool_config config = tp_pools_config(scene, NULL, field);
+    const tp_pool_config config = tp_pools_config(scene, NULL, is_field);
     return tp_pool_set_config(&basin->pool, &config);
 }
 
@@ -226,10 +227,10 @@ static void step(void *mine, const tp_program *program, tp_world *world,
     tp_pool_step(&basin->pool);
 }
 
-static bool is_valid(const void *mine, const void *made, const tp_world *world)
+static bool is_valid(const void *mine, const void *fresh_state, const tp_world *world)
 {
     (void)world;
-    const tp_basin *basin = mine, *fresh = made;
+    const tp_basin *basin = mine, *fresh = fresh_state;
     return tp_pool_is_valid(&basin->pool, &fresh->pool);
 }
 
@@ -248,23 +249,23 @@ static size_t pool_bytes(const tp_want *want)
 static tp_status pool_init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
 {
     (void)world;
-    return init_one(mine, want, false, err);
+    return init_basin(mine, want, false, err);
 }
 
 static bool pool_fits(const void *mine, const tp_scene *scene)
 {
-    return fits_one(mine, scene, false);
+    return basin_fits_scene(mine, scene, false);
 }
 
 static bool pool_refresh(void *mine, tp_world *world, const tp_want *want)
 {
     (void)world;
-    return refresh_one(mine, want->scene, false);
+    return apply_basin_config(mine, want->scene, false);
 }
 
 /* Handles an impact: a splash of the strength of a ring [D5]. */
-static bool pool_hit(void *mine, const tp_scene *scene, const tp_impact *impact,
-                     tp_fx level)
+static bool pool_handle_impact(void *mine, const tp_scene *scene, const tp_impact *impact,
+                               tp_fx level)
 {
     tp_basin *basin = mine;
 
@@ -283,7 +284,7 @@ const tp_module tp_main_pool_module = {
     .name = "pool", .id = TP_POOL_ID,
     .enabled = tp_main_pool_enabled, .check = pool_check,
     .bytes = pool_bytes, .init = pool_init, .fits = pool_fits, .refresh = pool_refresh,
-    .step = step, .surface = pool_surface, .hit = pool_hit, .is_valid = is_valid,
+    .step = step, .surface = pool_surface, .hit = pool_handle_impact, .is_valid = is_valid,
 };
 
 /* -- [field] ------------------------------------------------------------------------- */
@@ -301,18 +302,18 @@ static size_t field_bytes(const tp_want *want)
 static tp_status field_init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
 {
     (void)world;
-    return init_one(mine, want, true, err);
+    return init_basin(mine, want, true, err);
 }
 
 static bool field_fits(const void *mine, const tp_scene *scene)
 {
-    return fits_one(mine, scene, true);
+    return basin_fits_scene(mine, scene, true);
 }
 
 static bool field_refresh(void *mine, tp_world *world, const tp_want *want)
 {
     (void)world;
-    return refresh_one(mine, want->scene, true);
+    return apply_basin_config(mine, want->scene, true);
 }
 
 static void field_surface(const void *mine, tp_surface *surface)

@@ -11,8 +11,8 @@
 
 /* Adds the stage of reflected objects.  Water without a reflected sky does not reflect
  * objects either. */
-static inline void tp_add_mirrored(const tp_frame *frame, const void *mine,
-                                   const tp_stage *stage, tp_shaders *list)
+static inline void add_reflected_objects_stage(const tp_frame *frame, const void *mine,
+                                               const tp_stage *stage, tp_shaders *list)
 {
     (void)frame;
     if (tp_shaders_has(list, TP_AT_REFLECT))
@@ -185,7 +185,9 @@ const tp_module tp_mirror_module = {
 };
 
 const tp_drawing tp_mirror_drawing = {
-    .layout = layout_mirror, .draw_map = draw_mirror_map, .stages = tp_add_mirrored,
+    .layout = layout_mirror,
+    .draw_map = draw_mirror_map,
+    .stages = add_reflected_objects_stage,
 };
 
 /* -- the object cube map ------------------------------------------------------------- */
@@ -213,7 +215,7 @@ static tp_vec3 interpolate_on_level(tp_vec3 eye, tp_vec3 to, tp_fx part, tp_fx l
 /* Fills *cube except for its colours.  Returns the point. */
 static tp_vec3 set_cube_viewpoint(const tp_frame *frame, tp_object_cube *cube, tp_fx level)
 {
-    const tp_vec3 eye = frame->projection.eye, to = tp_frame_anchor(frame).middle;
+    const tp_vec3 eye = frame->projection.eye, to = tp_frame_objects_anchor(frame).middle;
     const tp_fx up = eye.y - level, high = to.y - level > TP_FX_ONE / 4
                                          ? to.y - level : TP_FX_ONE / 4;
     const tp_vec3 point = interpolate_on_level(eye, to, tp_fx_div(up, up + high), level);
@@ -231,7 +233,8 @@ static tp_vec3 set_cube_viewpoint(const tp_frame *frame, tp_object_cube *cube, t
  * way: a quarter of each colour is added to its texel, so a colour is premultiplied by
  * its cover.  The colours overwrite the row's normals; the shading has used the normals
  * before. */
-static void add_row(const tp_frame *frame, const tp_gbuffer *band, int32_t y, uint32_t *to)
+static void accumulate_row(const tp_frame *frame, const tp_gbuffer *band, int32_t y,
+                           uint32_t *to)
 {
     uint32_t *row = band->n + (uint32_t)(y - band->y0) * WIDE;
 
@@ -241,22 +244,22 @@ static void add_row(const tp_frame *frame, const tp_gbuffer *band, int32_t y, ui
 }
 
 /* Draws one face.  Returns true if the face shows an object. */
-static bool draw_face(tp_frame *frame, uint32_t *at, tp_view *view, uint32_t *to)
+static bool draw_face(tp_frame *frame, uint32_t *samples, tp_view *view, uint32_t *texels)
 {
     const size_t plane = WIDE * BAND;
 
     tp_view_begin(frame, view);
     tp_grid_box box = tp_view_project_solids(frame, view);
-    memset(to, 0, TP_OBJECT_CUBE_SIDE * TP_OBJECT_CUBE_SIDE * sizeof *to);
+    memset(texels, 0, TP_OBJECT_CUBE_SIDE * TP_OBJECT_CUBE_SIDE * sizeof *texels);
     for (int32_t y0 = 0; y0 < WIDE; y0 += BAND) {
-        tp_gbuffer band = { 0, y0, WIDE, y0 + BAND, WIDE, at, at + plane,
-                            at + 2 * plane, at + 3 * plane, false };
-        if (!tp_view_touches(&box, &band))
+        tp_gbuffer band = { 0, y0, WIDE, y0 + BAND, WIDE, samples, samples + plane,
+                            samples + 2 * plane, samples + 3 * plane, false };
+        if (!tp_box_overlaps_tile(&box, &band))
             continue;
         tp_gbuffer_clear(&band);
         tp_view_draw_solids(frame, view, &band);
         for (int32_t y = y0; y < y0 + BAND; y++)
-            add_row(frame, &band, y, to + y / 2 * TP_OBJECT_CUBE_SIDE);
+            accumulate_row(frame, &band, y, texels + y / 2 * TP_OBJECT_CUBE_SIDE);
     }
     return box.x0 <= box.x1;
 }
@@ -321,5 +324,5 @@ const tp_module tp_object_cube_module = {
 };
 
 const tp_drawing tp_object_cube_drawing = {
-    .layout = layout_cube, .draw_map = draw_cube_map, .stages = tp_add_mirrored,
+    .layout = layout_cube, .draw_map = draw_cube_map, .stages = add_reflected_objects_stage,
 };

@@ -99,10 +99,11 @@ static push displacement_factors(const tp_shade *shade, int32_t x, int32_t y)
     };
 }
 
-static push push_difference(const push *a, const push *b)
+static push push_step(const push *from, const push *to)
 {
-    return (push){ b->xu - a->xu, b->xv - a->xv, b->zu - a->zu, b->zv - a->zv,
-                   b->hu - a->hu, b->hv - a->hv, b->dy - a->dy };
+    return (push){ to->xu - from->xu, to->xv - from->xv, to->zu - from->zu,
+                   to->zv - from->zv, to->hu - from->hu, to->hv - from->hv,
+                   to->dy - from->dy };
 }
 
 /* Returns a factor at column k of a block of 16 columns.  `from` is the factor at column 0,
@@ -179,7 +180,7 @@ void tp_stage_mirrored(const tp_shade *shade, tp_run *run)
     push a = displacement_factors(shade, x & ~15, run->y);
     for (int32_t i = 0; x < end; ) {
         int32_t next = (x & ~15) + 16, stop = next < end ? next : end;
-        push b = displacement_factors(shade, next, run->y), step = push_difference(&a, &b);
+        push b = displacement_factors(shade, next, run->y), step = push_step(&a, &b);
         for (; x < stop; x++, i++) {
             uint32_t top = sample_reflected_object(look, run->y, &a, &step, x,
                                                    run->key[i], run->sx[i], run->sz[i]);
@@ -264,9 +265,9 @@ static uint32_t sample_cube(const tp_object_cube *cube, const cube_way *w)
 
     i >>= 5;
     j >>= 5;
-    return tp_argb_mix_32(
-        tp_argb_mix_32(texel(from, i, j), texel(from, i + 1, j), fi),
-        tp_argb_mix_32(texel(from, i, j + 1), texel(from, i + 1, j + 1), fi), fj);
+    return tp_argb_mix_32nds(
+        tp_argb_mix_32nds(texel(from, i, j), texel(from, i + 1, j), fi),
+        tp_argb_mix_32nds(texel(from, i, j + 1), texel(from, i + 1, j + 1), fi), fj);
 }
 
 /* Returns the view ray at column x with 1 along the camera's axis, Q16. */

@@ -36,7 +36,7 @@ void tp_stage_haze(const tp_shade *restrict shade, tp_run *restrict run)
 TP_ALWAYS_INLINE uint32_t sample_horizon(const tp_shade *shade, tp_env_kind kind, int32_t x,
                                      int32_t y)
 {
-    tp_ray  ray = tp_view_ray(shade, &shade->world, x, y);
+    tp_ray  ray = tp_vector_to_eye(shade, &shade->world, x, y);
     tp_dir3 d = tp_normalise(-ray.x, 0, -ray.z);
     int     level = tp_env_mip_level(shade, kind, 0);
     uint32_t light =

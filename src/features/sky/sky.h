@@ -58,8 +58,8 @@ static inline tp_quick_shade tp_quick_shade_make(uint32_t a, uint32_t b)
 }
 
 /* Fills columns [k, end) of a block of 16. */
-static inline void tp_plain_fill(uint32_t *colour, tp_quick_shade s, int32_t k,
-                                 int32_t end)
+static inline void tp_gradient_fill_scalar(uint32_t *colour, tp_quick_shade s, int32_t k,
+                                           int32_t end)
 {
     const int32_t r = tp_high16(s.rb_step), b = tp_low16(s.rb_step);
     const int32_t g = (int16_t)s.g_step;
@@ -72,8 +72,8 @@ static inline void tp_plain_fill(uint32_t *colour, tp_quick_shade s, int32_t k,
     }
 }
 
-static inline void tp_packed_fill(uint32_t *colour, tp_quick_shade s, int32_t k,
-                                  int32_t end)
+static inline void tp_gradient_fill_packed(uint32_t *colour, tp_quick_shade s, int32_t k,
+                                           int32_t end)
 {
     s.g_step = (uint32_t)(int32_t)(int16_t)s.g_step;
     for (int32_t i = 0; i < k; i++) {
@@ -81,7 +81,7 @@ static inline void tp_packed_fill(uint32_t *colour, tp_quick_shade s, int32_t k,
         s.g += s.g_step;
     }
     for (; k < end; k++) {
-        *colour++ = tp_add_odd_bytes(s.g & 0xff00, s.rb);
+        *colour++ = tp_halves_add_odd_bytes(s.g & 0xff00, s.rb);
         s.rb = tp_sadd16(s.rb, s.rb_step);
         s.g += s.g_step;
     }

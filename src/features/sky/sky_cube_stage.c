@@ -45,8 +45,8 @@ TP_ALWAYS_INLINE void tp_cube_sample_wide(const tp_shade *restrict shade,
 
     for (int32_t i = 0; i < count; i++) {
         tp_cube_ray  c = tp_cube_face(x[i], y[i], z[i]);
-        tp_cube_four f = tp_cube_gather(shade->env.recip, c.m, c.right, c.down,
-                                        side[c.face].log2_w, side[c.face].log2_h);
+        tp_cube_four f = tp_cube_find_texels(shade->env.recip, c.m, c.right, c.down,
+                                             side[c.face].log2_w, side[c.face].log2_h);
         face[i] = c.face;
         first[i] = f.first;
         right[i] = f.right;
@@ -91,7 +91,7 @@ TP_ALWAYS_INLINE void shade_sky(const tp_shade *shade, tp_run *run, int hdr)
     TP_ASSERT(shade->env.cube != NULL);
     tp_cube_sides sides = { .level = -1 };
 
-    tp_view_run(shade, &shade->world, run);
+    tp_run_fill_vectors_to_eye(shade, &shade->world, run);
     tp_cube_sides_select(&sides, shade->env.cube, tp_env_mip_level(shade, TP_ENV_CUBE, 0));
     for (int32_t i = 0; i < run->count; ) {
         int32_t stop = tp_block_end(run, i);

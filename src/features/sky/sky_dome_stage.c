@@ -15,7 +15,7 @@ TP_ALWAYS_INLINE void shade_sky(const tp_shade *shade, tp_run *run, int hdr)
     TP_ASSERT(shade->env.dome != NULL);
     const int32_t count = run->count;
 
-    tp_view_run(shade, &shade->world, run);
+    tp_run_fill_vectors_to_eye(shade, &shade->world, run);
     for (int32_t i = 0; i < count; i++) {
         uint32_t light = tp_env_dome(shade, 0, -run->vx[i], -run->vy[i], -run->vz[i]);
         run->colour[i] = tp_sky_colour(shade, light, hdr);
@@ -32,11 +32,11 @@ void tp_stage_sky_dome_hdr(const tp_shade *shade, tp_run *run)
     shade_sky(shade, run, 1);
 }
 
-TP_ALWAYS_INLINE void dome_wide(const tp_dome *restrict dome,
-                                const uint32_t *restrict square,
-                                const int16_t *restrict up,
-                                const uint32_t *restrict glow, int32_t count,
-                                uint32_t *restrict out)
+TP_ALWAYS_INLINE void compute_dome_colours(const tp_dome *restrict dome,
+                                           const uint32_t *restrict square,
+                                           const int16_t *restrict up,
+                                           const uint32_t *restrict glow, int32_t count,
+                                           uint32_t *restrict out)
 {
     for (int32_t i = 0; i < count; i++)
         out[i] = tp_dome_colour(dome, square[i], up[i] > 0 ? up[i] : 0, glow[i]);
@@ -56,7 +56,7 @@ TP_ALWAYS_INLINE void reflect_wide(const tp_shade *restrict shade, tp_run *restr
     }
     for (int32_t i = 0; i < count; i++)
         glow[i] = tp_dome_lookup_glow(dome, shade->env.least, square[i]);
-    dome_wide(dome, square, run->up, glow, count, run->mirror);
+    compute_dome_colours(dome, square, run->up, glow, count, run->mirror);
 }
 
 void tp_stage_reflect_dome(const tp_shade *restrict shade, tp_run *restrict run)
@@ -83,9 +83,9 @@ const tp_stage tp_sky_dome_stages[] = {
 /* -- fast shading, without stars ----------------------------------------------------- */
 
 #if TP_DSP
-#define FILL tp_packed_fill
+#define FILL tp_gradient_fill_packed
 #else
-#define FILL tp_plain_fill
+#define FILL tp_gradient_fill_scalar
 #endif
 
 #define CLOSE (1u << 23)        /* square of 10 degrees: beyond it the glow is smooth */
@@ -155,10 +155,10 @@ TP_ALWAYS_INLINE uint32_t hash(uint32_t n)
 /* Returns the brightness 0..256 of the dot at (ds, dt) from its centre.  A unit of a face
  * covers a smaller angle farther out; m is the cosine of the angle to the face's centre. */
 TP_ALWAYS_INLINE uint32_t dot_brightness(const tp_shade *shade, int32_t ds, int32_t dt,
-                                         int32_t m)
+                                         int32_t cosine)
 {
     uint32_t square = (uint32_t)(ds * ds + dt * dt) >> 2;
-    uint32_t narrow = (uint32_t)(m * m) >> 16;          /* Q12 */
+    uint32_t narrow = (uint32_t)(cosine * cosine) >> 16;          /* Q12 */
     uint32_t down = (uint32_t)((uint64_t)(square * narrow >> 10) * shade->env.star >> 16);
     return down < 256 ? 256 - down : 0;
 }

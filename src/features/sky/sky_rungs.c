@@ -7,7 +7,7 @@
 #include "features/sky/sky.h"
 #include "quality/fixed_cost.h"
 
-static void add_hdr_work(tp_site *w, const tp_work_pixels *px)
+static void count_hdr_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
     const tp_scene *s = w->scene;
 
@@ -22,13 +22,13 @@ static void count_dome_pixel_work(tp_site *w, const tp_work_pixels *px)
     const bool quick = w->quick && !(w->is & TP_MODULE_STARS);
 
     w->fixed_cost.of[quick ? TP_WORK_sky_quick : TP_WORK_sky_dome] = px->sky;
-    add_hdr_work(w, px);
+    count_hdr_pixel_work(w, px);
 }
 
 static void count_cube_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
     w->fixed_cost.of[TP_WORK_sky_cube] = px->sky;
-    add_hdr_work(w, px);
+    count_hdr_pixel_work(w, px);
 }
 
 static void count_star_pixel_work(tp_site *w, const tp_work_pixels *px)

@@ -25,11 +25,11 @@ typedef struct {
 
 /* Returns the speck's place at the drawn moment.  A point under flat water appears at 3/4
  * of its depth [F4]. */
-static tp_vec3 interpolate_speck(const tp_speck *s, tp_fx lag, bool through)
+static tp_vec3 interpolate_speck(const tp_speck *s, tp_fx lag, bool through_water)
 {
-    tp_vec3 at = tp_place_interpolate(s->last, s->place, lag);
+    tp_vec3 at = tp_position_interpolate(s->last, s->place, lag);
 
-    if (through && at.y < 0)
+    if (through_water && at.y < 0)
         at.y -= at.y / 4;
     return at;
 }
@@ -49,17 +49,19 @@ static uint32_t speck_width(const tp_frame *frame, const tp_speck *s, tp_fx dept
     return wide < WIDE_MOST ? (uint32_t)wide : WIDE_MOST;
 }
 
-static bool project(const tp_frame *frame, const tp_speck *s, bool through, disc *to)
+static bool project_speck(const tp_frame *frame, const tp_speck *s, bool through_water,
+                          disc *to)
 {
     tp_view_vertex view;
 
     tp_projection_view_vertex(&frame->projection,
-                              interpolate_speck(s, frame->world->lag, through), &view);
+                              interpolate_speck(s, frame->world->lag, through_water),
+                              &view);
     if (!tp_projection_can_project(&frame->projection, &view))
         return false;
     tp_projection_project(&frame->projection, &view, &to->u, &to->v, &to->zi);
     to->wide = (uint16_t)speck_width(frame, s, view.depth);
-    to->through = through;
+    to->through = through_water;
     return to->wide > 0;
 }
 
@@ -71,7 +73,7 @@ static uint32_t spray_colour(const tp_shade *shade, uint32_t colour)
     return tp_colour_scale(colour, (uint32_t)(lit + (256 - lit) / 2));
 }
 
-static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
+static void project_specks(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     discs *d = mine;
     const tp_spray *spray = tp_spray_of_world(frame->world);
@@ -87,7 +89,7 @@ static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
         bool bubble = s->kind == TP_SPECK_BUBBLE;
         if (bubble && !under && !clear)
             continue;
-        d->count += project(frame, s, bubble && !under, &d->disc[d->count]);
+        d->count += project_speck(frame, s, bubble && !under, &d->disc[d->count]);
     }
 }
 
@@ -106,7 +108,7 @@ static void write_speck_sample(const tp_gbuffer *tile, size_t at, const disc *s,
 
 /* Draws the pixels with their centres in the disc; the smallest disc covers the pixel
  * with its centre. */
-static void draw(const tp_gbuffer *tile, const disc *s, uint32_t mark)
+static void draw_disc(const tp_gbuffer *tile, const disc *s, uint32_t mark)
 {
     int32_t r = s->wide / 2, u = s->u, v = s->v;
 
@@ -136,7 +138,7 @@ static void draw_post_water(const tp_frame *frame, const void *mine, const tp_gb
         int32_t r = s->wide / 2 + 16;
         if (s->u + r >= 16 * tile->x0 && s->u - r < 16 * tile->x1
             && s->v + r >= 16 * tile->y0 && s->v - r < 16 * tile->y1)
-            draw(tile, s, mark);
+            draw_disc(tile, s, mark);
     }
 }
 
@@ -160,6 +162,9 @@ static void *layout(tp_arena *arena, const tp_want *want)
 }
 
 const tp_drawing tp_spray_drawing = {
-    .layout = layout, .marks = tp_marks_one, .project = place, .over = draw_post_water,
+    .layout = layout,
+    .marks = tp_marks_one,
+    .project = project_specks,
+    .over = draw_post_water,
     .stages = add_stages,
 };

@@ -101,10 +101,10 @@ static void throw(tp_spray *spray, tp_vec3 place, tp_vec3 speed, tp_speck_kind k
 
 /* -- the water's level --------------------------------------------------------------- */
 
-static tp_vec3 sample_rest_position(const tp_surface *surface, tp_fx x, tp_fx z)
+static tp_vec3 displace_rest_point(const tp_surface *surface, tp_fx x, tp_fx z)
 {
     return surface->coastal
-               ? tp_coastal_displace_smooth(surface->coastal, surface->phases, x, z)
+               ? tp_coastal_displace_no_overhang(surface->coastal, surface->phases, x, z)
                      .position
                : tp_deep_water_displace_point(surface->deep, surface->phases, x, z)
                      .position;
@@ -114,8 +114,8 @@ static tp_vec3 sample_rest_position(const tp_surface *surface, tp_fx x, tp_fx z)
  * only in steep waves, and steep waves throw enough specks to hide the error. */
 static tp_fx sample_level(const tp_surface *surface, tp_fx x, tp_fx z)
 {
-    tp_vec3 first = sample_rest_position(surface, x, z);
-    tp_fx level = sample_rest_position(surface, 2 * x - first.x, 2 * z - first.z).y;
+    tp_vec3 first = displace_rest_point(surface, x, z);
+    tp_fx level = displace_rest_point(surface, 2 * x - first.x, 2 * z - first.z).y;
 
     return tp_surface_has_rings_or_pools(surface)
          ? level + tp_rings_pools_sample(surface, x, z).height : level;
@@ -124,14 +124,14 @@ static tp_fx sample_level(const tp_surface *surface, tp_fx x, tp_fx z)
 /* -- flight -------------------------------------------------------------------------- */
 
 /* Returns the place after a tick, moved by the mean of two speeds. */
-static tp_fx advance_coordinate(tp_fx place, tp_fx speed, tp_fx next)
+static tp_fx advance_coordinate(tp_fx place, tp_fx speed, tp_fx next_speed)
 {
-    return tp_fx_saturate((int64_t)place + TICK((speed + next) / 2));
+    return tp_fx_saturate((int64_t)place + TICK((speed + next_speed) / 2));
 }
 
 /* Advances a speck by one tick.  The equation v' = -g - v / 0.6 s has an exact solution
  * for a tick.  A bubble keeps its speed. */
-static void fly(tp_speck *s, tp_fx gravity)
+static void advance_speck(tp_speck *s, tp_fx gravity)
 {
     tp_vec3 v = s->speed, next = v, at = s->place;
 
@@ -160,11 +160,11 @@ static bool has_speck_ended(const tp_speck *s, const tp_surface *surface)
                && s->place.y <= sample_level(surface, s->place.x, s->place.z));
 }
 
-static void fly_all(tp_spray *spray, const tp_scene *scene, const tp_surface *surface)
+static void step_specks(tp_spray *spray, const tp_scene *scene, const tp_surface *surface)
 {
     for (uint32_t i = 0; i < spray->count; ) {
         tp_speck *s = &list(spray)[i];
-        fly(s, scene->water.gravity);
+        advance_speck(s, scene->water.gravity);
         if (has_speck_ended(s, surface))
             *s = list(spray)[--spray->count];
         else
@@ -194,10 +194,10 @@ static tp_fx coastal_spray_strength(const tp_surface *surface, tp_fx x, tp_fx z)
 
     if (at.depth <= tp_coastal_breaking_depth(surface->coastal) || at.position.y < 0)
         return at.breaking * 257;
-    tp_vec3 u = tp_vec3_sub(sample_rest_position(surface, x + d, z),
-                            sample_rest_position(surface, x - d, z));
-    tp_vec3 w = tp_vec3_sub(sample_rest_position(surface, x, z + d),
-                            sample_rest_position(surface, x, z - d));
+    tp_vec3 u = tp_vec3_sub(displace_rest_point(surface, x + d, z),
+                            displace_rest_point(surface, x - d, z));
+    tp_vec3 w = tp_vec3_sub(displace_rest_point(surface, x, z + d),
+                            displace_rest_point(surface, x, z - d));
     tp_fx jacobian = jacobian_from_differences(u, w);
     return jacobian < SHARP ? (SHARP - jacobian) * 4 : 0;
 }
@@ -215,7 +215,7 @@ static tp_vec3 sample_velocity(const tp_surface *now, const tp_surface *before, 
                                tp_fx z)
 {
     tp_vec3 way =
-        tp_vec3_sub(sample_rest_position(now, x, z), sample_rest_position(before, x, z));
+        tp_vec3_sub(displace_rest_point(now, x, z), displace_rest_point(before, x, z));
     const int64_t rate = TP_TICKS_PER_SECOND;
 
     return (tp_vec3){ (tp_fx)tp_clamp_abs(way.x * rate, SPEED_MOST),
@@ -225,10 +225,10 @@ static tp_vec3 sample_velocity(const tp_surface *now, const tp_surface *before, 
 
 /* Throws the specks of a crest.  Specks start scattered over +-1/3 m, with the water's
  * horizontal velocity times 1 to 2, and a random part upwards. */
-static void throw_specks(tp_spray *spray, const tp_surface *now, const tp_surface *before,
-                         tp_fx x, tp_fx z, tp_fx strength)
+static void throw_crest_specks(tp_spray *spray, const tp_surface *now,
+                               const tp_surface *before, tp_fx x, tp_fx z, tp_fx strength)
 {
-    tp_vec3 from = sample_rest_position(now, x, z),
+    tp_vec3 from = displace_rest_point(now, x, z),
             flow = sample_velocity(now, before, x, z);
     int32_t count = 3 + (tp_fx_mul(strength, 9 * TP_FX_ONE) >> 16);
 
@@ -265,16 +265,16 @@ static void throw_random_crests(tp_world *world, const tp_scene *scene, tp_spray
         tp_fx z = eye.z + tp_q30_mul(far, tp_cos(way));
         tp_fx strength = tp_fx_mul(sample_spray_strength(now, x, z), scene->spray.crest);
         if (strength > random_unit(spray))
-            throw_specks(spray, now, &before, x, z, tp_clamp(strength, 0, TP_FX_ONE));
+            throw_crest_specks(spray, now, &before, x, z, tp_clamp(strength, 0, TP_FX_ONE));
     }
 }
 
 /* -- impacts and the bow ------------------------------------------------------------- */
 
-static tp_vec3 offset_horizontally(tp_vec3 from, tp_turn way, tp_fx far)
+static tp_vec3 offset_horizontally(tp_vec3 from, tp_turn heading, tp_fx distance)
 {
-    return (tp_vec3){ from.x + tp_q30_mul(far, tp_sin(way)), from.y,
-                      from.z + tp_q30_mul(far, tp_cos(way)) };
+    return (tp_vec3){ from.x + tp_q30_mul(distance, tp_sin(heading)), from.y,
+                      from.z + tp_q30_mul(distance, tp_cos(heading)) };
 }
 
 /* Throws a crown of specks, and bubbles under it.  The crown rises to eight amplitudes of
@@ -307,8 +307,8 @@ void tp_spray_splash(tp_spray *spray, const tp_scene *scene, const tp_impact *im
 
 #define BOW_PACE 2              /* m/s: lowest speed with bow spray */
 
-static void throw_bow(tp_world *world, const tp_scene *scene, tp_spray *spray,
-                      const tp_surface *surface)
+static void throw_bow_spray(tp_world *world, const tp_scene *scene, tp_spray *spray,
+                            const tp_surface *surface)
 {
     const tp_hull *hull = &world->boat_state.hull;
     tp_vec3 way = tp_vec3_sub(world->boat.place, world->last_boat.place);
@@ -343,33 +343,33 @@ static void step(void *mine, const tp_program *program, tp_world *world,
     tp_spray *spray = mine;
     const tp_surface surface = tp_world_surface(program, world);
 
-    fly_all(spray, scene, &surface);
+    step_specks(spray, scene, &surface);
     throw_random_crests(world, scene, spray, &surface);
     if (scene->boat.mesh[0] && world->boat_state.placed)
-        throw_bow(world, scene, spray, &surface);
+        throw_bow_spray(world, scene, spray, &surface);
 }
 
 /* -- validation of a state from outside ---------------------------------------------- */
 
-static bool is_within(tp_vec3 v, tp_fx most)
+static bool is_vector_within(tp_vec3 v, tp_fx limit)
 {
-    return v.x >= -most && v.x <= most && v.y >= -most && v.y <= most && v.z >= -most
-        && v.z <= most;
+    return v.x >= -limit && v.x <= limit && v.y >= -limit && v.y <= limit && v.z >= -limit
+        && v.z <= limit;
 }
 
 /* True if a speck is in range.  At 60 m/s and the table's largest gravity a tick of
  * gravity adds only the speed lost to drag. */
 static bool is_speck_valid(const tp_speck *s)
 {
-    return is_within(s->place, FAR_MOST) && is_within(s->last, FAR_MOST)
-        && is_within(s->speed, SPEED_MOST + TP_FX_ONE)
-        && s->kind <= TP_SPECK_BUBBLE && s->age < BUBBLE_AGE;
+    return is_vector_within(s->place, FAR_MOST) && is_vector_within(s->last, FAR_MOST)
+           && is_vector_within(s->speed, SPEED_MOST + TP_FX_ONE)
+           && s->kind <= TP_SPECK_BUBBLE && s->age < BUBBLE_AGE;
 }
 
-static bool is_valid(const void *mine, const void *made, const tp_world *world)
+static bool is_valid(const void *mine, const void *fresh_state, const tp_world *world)
 {
     (void)world;
-    const tp_spray *spray = mine, *fresh = made;
+    const tp_spray *spray = mine, *fresh = fresh_state;
     if (spray->capacity != fresh->capacity || spray->count > spray->capacity)
         return false;
     for (uint32_t i = 0; i < spray->count; i++)
@@ -386,7 +386,8 @@ static bool fits(const void *mine, const tp_scene *scene)
     return spray->capacity == (uint32_t)scene->spray.count;
 }
 
-static bool hit(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level)
+static bool handle_impact(void *mine, const tp_scene *scene, const tp_impact *impact,
+                          tp_fx level)
 {
     tp_spray_splash(mine, scene, impact, level);
     return false;
@@ -406,6 +407,6 @@ const tp_module tp_spray_module = {
     .init = init,
     .fits = fits,
     .step = step,
-    .hit = hit,
+    .hit = handle_impact,
     .is_valid = is_valid,
 };

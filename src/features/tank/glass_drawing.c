@@ -6,18 +6,18 @@
 
 /* -- the water's side ----------------------------------------------------------------- */
 
-static tp_vec3 on_wall(const tp_rectangle *r, uint32_t face, tp_fx along, tp_fx y)
+static tp_vec3 point_on_wall(const tp_rectangle *r, uint32_t face, tp_fx along, tp_fx y)
 {
     return face & 2 ? (tp_vec3){ along, y, face & 1 ? r->z0 : r->z1 }
                     : (tp_vec3){ face & 1 ? r->x0 : r->x1, y, along };
 }
 
-static void place_post(const tp_frame *frame, tp_glass_wall *wall, const tp_rectangle *r,
-                       tp_fx along)
+static void append_side_post(const tp_frame *frame, tp_glass_wall *wall,
+                             const tp_rectangle *r, tp_fx along)
 {
     TP_ASSERT(wall->post != NULL);
     tp_tank_side_post *post = &wall->post[wall->posts];
-    tp_vec3 at = on_wall(r, wall->face, along, 0);
+    tp_vec3 at = point_on_wall(r, wall->face, along, 0);
 
     post->along = along;
     post->high = tp_rings_pools_sample(&frame->surface, at.x, at.z).height;
@@ -36,15 +36,15 @@ static void place_posts(const tp_frame *frame, tp_glass_wall *wall, const tp_rec
     tp_fx from = across ? r->x0 : r->z0, to = across ? r->x1 : r->z1;
 
     wall->posts = 0;
-    place_post(frame, wall, r, from);
+    append_side_post(frame, wall, r, from);
     for (uint32_t i = 0; i < lines; i++)
         if (line[i].place > from && line[i].place < to)
-            place_post(frame, wall, r, line[i].place);
-    place_post(frame, wall, r, to);
+            append_side_post(frame, wall, r, line[i].place);
+    append_side_post(frame, wall, r, to);
 }
 
 /* Places the posts of all walls; runs after the water's grid. */
-static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
+static void place_side_posts(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     const tp_rectangle r = tp_pool_sides(frame->scene);
     tp_glass *glass = mine;
@@ -55,12 +55,11 @@ static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 }
 
 static const int16_t no_normal[3] = { 0, 0, 0 };    /* the stage knows the wall's normal */
-
-static void transform_corners(const tp_frame *frame, const tp_vec3 at[3],
+static void transform_corners(const tp_frame *frame, const tp_vec3 corner[3],
                               tp_view_vertex to[3])
 {
     for (int k = 0; k < 3; k++)
-        to[k] = tp_solid_vertex_make(&frame->projection, at[k], no_normal);
+        to[k] = tp_solid_vertex_make(&frame->projection, corner[k], no_normal);
 }
 
 /* One side of the water, and its target. */
@@ -84,10 +83,10 @@ static void draw_triangle(const glass_side *s, const tp_vec3 at[3])
 static void draw_between_posts(const glass_side *s, const tp_tank_side_post *a,
                                const tp_tank_side_post *b)
 {
-    tp_vec3 low = on_wall(&s->sides, s->face, a->along, s->floor);
-    tp_vec3 top = on_wall(&s->sides, s->face, b->along, b->high);
-    tp_vec3 left = on_wall(&s->sides, s->face, a->along, a->high);
-    tp_vec3 right = on_wall(&s->sides, s->face, b->along, s->floor);
+    tp_vec3 low = point_on_wall(&s->sides, s->face, a->along, s->floor);
+    tp_vec3 top = point_on_wall(&s->sides, s->face, b->along, b->high);
+    tp_vec3 left = point_on_wall(&s->sides, s->face, a->along, a->high);
+    tp_vec3 right = point_on_wall(&s->sides, s->face, b->along, s->floor);
     const tp_vec3 one[3] = { low, right, top }, two[3] = { low, top, left };
 
     draw_triangle(s, one);
@@ -115,7 +114,7 @@ static void draw_water_sides(const tp_frame *frame, const void *mine, const tp_v
 
 /* -- the panes ------------------------------------------------------------------------ */
 
-static void widen(tp_glass_wall *wall, int32_t u, int32_t v)
+static void widen_wall_box(tp_glass_wall *wall, int32_t u, int32_t v)
 {
     wall->x0 = u >> 4 < wall->x0 ? u >> 4 : wall->x0;
     wall->x1 = u >> 4 >= wall->x1 ? (u >> 4) + 1 : wall->x1;
@@ -123,8 +122,8 @@ static void widen(tp_glass_wall *wall, int32_t u, int32_t v)
     wall->y1 = v >> 4 >= wall->y1 ? (v >> 4) + 1 : wall->y1;
 }
 
-static void place_pane(const tp_frame *frame, tp_glass_wall *wall, tp_pane *pane,
-                       const tp_vec3 at[3])
+static void project_pane(const tp_frame *frame, tp_glass_wall *wall, tp_pane *pane,
+                         const tp_vec3 at[3])
 {
     tp_view_vertex in[3];
     tp_screen_vertex corner[TP_CLIP_VERTICES];
@@ -134,7 +133,7 @@ static void place_pane(const tp_frame *frame, tp_glass_wall *wall, tp_pane *pane
     for (int k = 0; k < pane->count; k++) {
         pane->u[k] = corner[k].u;
         pane->v[k] = corner[k].v;
-        widen(wall, corner[k].u, corner[k].v);
+        widen_wall_box(wall, corner[k].u, corner[k].v);
     }
 }
 
@@ -146,7 +145,7 @@ static void set_pane_depth_plane(const tp_frame *frame, tp_glass_wall *wall,
 {
     const tp_underwater *in = frame->shade.underwater;
     const tp_dir3 back = frame->shade.world.back;
-    tp_vec3 at = on_wall(r, wall->face, 0, 0), eye = frame->projection.eye;
+    tp_vec3 at = point_on_wall(r, wall->face, 0, 0), eye = frame->projection.eye;
     int     axis = wall->face & 2 ? 2 : 0;
     int64_t gap = axis ? (int64_t)at.z - eye.z : (int64_t)at.x - eye.x;
 
@@ -158,22 +157,22 @@ static void set_pane_depth_plane(const tp_frame *frame, tp_glass_wall *wall,
     wall->ahead = -(int64_t)(axis ? back.z : back.x) * 4096;
 }
 
-static void place_wall(const tp_frame *frame, tp_glass_wall *wall, uint32_t face)
+static void project_wall(const tp_frame *frame, tp_glass_wall *wall, uint32_t face)
 {
     const tp_scene *scene = frame->scene;
     const tp_rectangle r = tp_pool_sides(scene);
     const tp_fx from = face & 2 ? r.x0 : r.z0, to = face & 2 ? r.x1 : r.z1;
-    const tp_vec3 at[4] = { on_wall(&r, face, from, -scene->tank.depth),
-                            on_wall(&r, face, to, -scene->tank.depth),
-                            on_wall(&r, face, to, scene->tank.rim),
-                            on_wall(&r, face, from, scene->tank.rim) };
+    const tp_vec3 at[4] = { point_on_wall(&r, face, from, -scene->tank.depth),
+                            point_on_wall(&r, face, to, -scene->tank.depth),
+                            point_on_wall(&r, face, to, scene->tank.rim),
+                            point_on_wall(&r, face, from, scene->tank.rim) };
     const tp_vec3 other[3] = { at[0], at[2], at[3] };
 
     wall->face = face;
     wall->x0 = wall->y0 = INT32_MAX;
     wall->x1 = wall->y1 = INT32_MIN;
-    place_pane(frame, wall, &wall->pane[0], at);
-    place_pane(frame, wall, &wall->pane[1], other);
+    project_pane(frame, wall, &wall->pane[0], at);
+    project_pane(frame, wall, &wall->pane[1], other);
     set_pane_depth_plane(frame, wall, &r);
 }
 
@@ -188,7 +187,7 @@ static void begin(tp_frame *frame, void *mine)
         if (!tp_tank_is_front_glass(frame, face))
             continue;
         TP_ASSERT(glass->walls < TP_GLASSES);
-        place_wall(frame, &glass->wall[glass->walls++], face);
+        project_wall(frame, &glass->wall[glass->walls++], face);
     }
 }
 
@@ -237,7 +236,7 @@ const tp_drawing tp_glass_drawing = {
     .layout = layout,
     .marks = tp_marks_one,
     .begin = begin,
-    .project = place,
+    .project = place_side_posts,
     .draw = draw_water_sides,
     .stages = add_stages,
 };

@@ -3,9 +3,9 @@
  * glass walls in front of the viewer.
  *
  * A wall of glass with the eye on its outer side is not drawn here.  The water's side,
- * from the floor up to the surface's edge, takes its place (glass_drawing.c).  The inside
- * of the other walls is drawn like stone.  Walls in a pool's mask are blocks, made once
- * from the pool's cells. */
+ * from the floor up to the surface's edge, takes its widen_box_to_view
+ * (glass_drawing.c).  The inside of the other walls is drawn like stone.  Walls in a
+ * pool's mask are blocks, made once from the pool's cells. */
 #include "base/base.h"
 #include "features/tank/tank.h"
 #include "frame/frame.h"
@@ -160,7 +160,7 @@ static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
 }
 
 /* Widens the box to all pixels: walls may be anywhere in the view. */
-static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
+static void widen_box_to_view(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     const tp_tank *tank = mine;
 
@@ -198,7 +198,7 @@ static bool extend_block(tp_tank *tank, tp_rectangle r)
     return false;
 }
 
-static void add_row(tp_tank *tank, const tp_pool *pool, uint32_t row)
+static void append_row_blocks(tp_tank *tank, const tp_pool *pool, uint32_t row)
 {
     uint32_t end;
 
@@ -232,7 +232,7 @@ static void begin(tp_frame *frame, void *mine)
     tank->high = walled ? scene->tank.rim : 3 * scene->pool.cell;
     tank->low = walled ? -scene->tank.depth : -scene->pool.range;
     for (uint32_t row = 0; !tank->made && pool && row < pool->rows; row++)
-        add_row(tank, pool, row);
+        append_row_blocks(tank, pool, row);
     tank->made = true;
     frame->stats.dropped += tank->dropped;
 }
@@ -266,6 +266,10 @@ const tp_module tp_tank_module = {
 };
 
 const tp_drawing tp_tank_drawing = {
-    .layout = layout, .marks = tp_marks_one, .begin = begin, .project = place, .draw = draw,
+    .layout = layout,
+    .marks = tp_marks_one,
+    .begin = begin,
+    .project = widen_box_to_view,
+    .draw = draw,
     .stages = add_stage,
 };

@@ -103,7 +103,8 @@ const tp_cost tp_tank_cost = { .work = count_wall_work,
 
 /* True if a ray enters the tank through a wall with the eye on its outer side.  *y is the
  * ray's height at the wall. */
-static bool enters(const tp_site *w, const tp_rectangle *r, tp_vec3 ray, int64_t *y)
+static bool ray_enters_tank(const tp_site *w, const tp_rectangle *r, tp_vec3 ray,
+                            int64_t *y)
 {
     const tp_vec3 eye = w->at.eye;
     bool found = false;
@@ -130,8 +131,10 @@ static void count_glass_rays(tp_site *w, const tp_rectangle *r)
     for (int32_t j = 0; j < TP_RAYS; j++)
         for (int32_t i = 0; i < TP_RAYS; i++) {
             const tp_vec3 ray = tp_work_ray(w, i, j);
-            int64_t y = 0;      /* for compilers that miss the assignment in enters() */
-            if (!enters(w, r, ray, &y) || y < -(int64_t)s->tank.depth || y > s->tank.rim)
+            int64_t y =
+                0; /* for compilers that miss the assignment in ray_enters_tank() */
+            if (!ray_enters_tank(w, r, ray, &y) || y < -(int64_t)s->tank.depth
+                || y > s->tank.rim)
                 continue;
             panes++;
             sides += y < 0;

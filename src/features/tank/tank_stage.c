@@ -26,7 +26,7 @@ void tp_stage_wall(const tp_shade *shade, tp_run *run)
         tp_fx t = y >= x && y >= z ? ray.at.z : -ray.at.y;
         uint32_t colour =
             tp_wall_material_sample(&shade->underwater->wall, s, t, ray.far, false);
-        run->colour[i] = tp_wall_material_light(shade, colour, n);
+        run->colour[i] = tp_light_matt_colour(shade, colour, n);
     }
 }
 
@@ -47,7 +47,7 @@ static tp_ray wall_normal(uint32_t face)
 
 void tp_stage_tank_side(const tp_shade *shade, tp_run *run)
 {
-    tp_view_run(shade, &shade->world, run);
+    tp_run_fill_vectors_to_eye(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++) {
         tp_ray  in = { -run->vx[i], -run->vy[i], -run->vz[i], 0 };
         tp_refracted_ray ray;
@@ -67,7 +67,7 @@ typedef struct {
 
 /* Returns the part of a run covered by a convex polygon, with the fill rule of
  * triangles. */
-static pane_part covered(const tp_pane *pane, const tp_run *run)
+static pane_part covered_part(const tp_pane *pane, const tp_run *run)
 {
     int32_t y = run->y, x0 = INT32_MAX, x1 = INT32_MIN;
 
@@ -149,11 +149,11 @@ void tp_stage_pane(const tp_shade *shade, tp_run *run)
         const tp_glass_wall *wall = &glass->wall[k / 2];
         if (!is_run_in_wall_box(wall, run))
             continue;
-        const pane_part p = covered(&wall->pane[k % 2], run);
+        const pane_part p = covered_part(&wall->pane[k % 2], run);
         if (p.first >= p.end)
             continue;
         if (!viewed)
-            tp_view_run(shade, &shade->world, run);
+            tp_run_fill_vectors_to_eye(shade, &shade->world, run);
         viewed = true;
         tint_behind_glass(shade, glass, wall, run, p);
     }

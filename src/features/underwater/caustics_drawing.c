@@ -62,12 +62,14 @@ static tp_fall refract_light(const tp_shade *shade, tp_fx slope_x, tp_fx slope_z
     return (tp_fall){ t.x * 65536 / down, t.z * 65536 / down };
 }
 
-static tp_surface_point coastal_point(const tp_surface *s, tp_fx x, tp_fx z)
+static tp_surface_point displaced_coastal_point(const tp_surface *s, tp_fx x, tp_fx z)
 {
     const tp_fx d = TP_FX_ONE / 32;
-    tp_vec3 at = tp_coastal_displace_smooth(s->coastal, s->phases, x, z).position;
-    tp_vec3 east = tp_coastal_displace_smooth(s->coastal, s->phases, x + d, z).position;
-    tp_vec3 south = tp_coastal_displace_smooth(s->coastal, s->phases, x, z + d).position;
+    tp_vec3 at = tp_coastal_displace_no_overhang(s->coastal, s->phases, x, z).position;
+    tp_vec3 east =
+        tp_coastal_displace_no_overhang(s->coastal, s->phases, x + d, z).position;
+    tp_vec3 south =
+        tp_coastal_displace_no_overhang(s->coastal, s->phases, x, z + d).position;
     tp_surface_point p = { .position = at };
 
     tp_slopes_from_tangents(tp_vec3_sub(east, at), tp_vec3_sub(south, at), &p.slope_x,
@@ -76,9 +78,9 @@ static tp_surface_point coastal_point(const tp_surface *s, tp_fx x, tp_fx z)
 }
 
 /* Returns the surface point with the rest position (x, z). */
-static tp_surface_point surface_point(const tp_surface *s, tp_fx x, tp_fx z)
+static tp_surface_point displaced_surface_point(const tp_surface *s, tp_fx x, tp_fx z)
 {
-    tp_surface_point p = s->coastal ? coastal_point(s, x, z)
+    tp_surface_point p = s->coastal ? displaced_coastal_point(s, x, z)
                               : tp_deep_water_displace_point(s->deep, s->phases, x, z);
 
     if (tp_surface_has_rings_or_pools(s)) {
@@ -92,33 +94,34 @@ static tp_surface_point surface_point(const tp_surface *s, tp_fx x, tp_fx z)
 
 /* Converts metres to cells Q8, clamped to 2^20 cells.  With 16 fraction bits, 256 cells
  * over a pool of 0.16 m are 2^27 per metre. */
-static int32_t in_cells(int64_t metres, uint32_t per_metre)
+static int32_t metres_to_cells_q8(int64_t metres, uint32_t per_metre)
 {
     int64_t cells = tp_clamp_abs(metres, (int64_t)1 << 30) * (int64_t)per_metre >> 24;
     return (int32_t)tp_clamp_abs(cells, (int64_t)1 << 28);
 }
 
 /* Traces vertex (i, j): its place over the map, and the place of its light. */
-static void trace(const tp_frame *frame, const tp_caustics *map, const tp_surface *surface,
-                  uint32_t i, uint32_t j, tp_caustic_vertex *to)
+static void trace_light_vertex(const tp_frame *frame, const tp_caustics *map,
+                               const tp_surface *surface, uint32_t i, uint32_t j,
+                               tp_caustic_vertex *to)
 {
     const tp_caustic *c = &map->look;
     const tp_rectangle r = map->place;
     tp_fx x = r.x0 + (tp_fx)(((int64_t)r.x1 - r.x0) * i / c->cells);
     tp_fx z = r.z0 + (tp_fx)(((int64_t)r.z1 - r.z0) * j / c->cells);
-    tp_surface_point p = surface_point(surface, x, z);
+    tp_surface_point p = displaced_surface_point(surface, x, z);
     tp_fall fall = refract_light(&frame->shade, p.slope_x, p.slope_z);
     tp_fall still = map->level_fall;
     int64_t high = sample_depth(frame, p.position.x, p.position.z) + (int64_t)p.position.y;
     int64_t away_x = (int64_t)p.position.x - x, away_z = (int64_t)p.position.z - z;
 
     high = high > 0 ? high : 0;
-    to->x = (int32_t)(i * 256) + in_cells(away_x, c->per_metre_x);
-    to->z = (int32_t)(j * 256) + in_cells(away_z, c->per_metre_z);
+    to->x = (int32_t)(i * 256) + metres_to_cells_q8(away_x, c->per_metre_x);
+    to->z = (int32_t)(j * 256) + metres_to_cells_q8(away_z, c->per_metre_z);
     away_x += (((int64_t)fall.x - still.x) * high + (int64_t)still.x * p.position.y) >> 16;
     away_z += (((int64_t)fall.z - still.z) * high + (int64_t)still.z * p.position.y) >> 16;
-    to->lit_x = (int32_t)(i * 256) + in_cells(away_x, c->per_metre_x);
-    to->lit_z = (int32_t)(j * 256) + in_cells(away_z, c->per_metre_z);
+    to->lit_x = (int32_t)(i * 256) + metres_to_cells_q8(away_x, c->per_metre_x);
+    to->lit_z = (int32_t)(j * 256) + metres_to_cells_q8(away_z, c->per_metre_z);
 }
 
 /* -- distribution of the light ------------------------------------------------------- */
@@ -184,7 +187,7 @@ static void make(const tp_frame *frame, tp_caustics *map)
         tp_caustic_vertex *here = map->row + (j & 1) * (n + 1);
         const tp_caustic_vertex *last = map->row + (~j & 1) * (n + 1);
         for (uint32_t i = 0; i <= n; i++)
-            trace(frame, map, &surface, i, j, &here[i]);
+            trace_light_vertex(frame, map, &surface, i, j, &here[i]);
         for (uint32_t i = 0; j > 0 && i < n; i++)
             splat_cell_light(map->light, n, &last[i], &here[i]);
     }

@@ -104,7 +104,7 @@ static bool is_eye_submerged(const tp_frame *frame)
  * from above is drawn. */
 static bool has_underwater_stages(const tp_frame *frame)
 {
-    const tp_stage *stage = tp_frame_stages(frame, TP_UNDERWATER_ID);
+    const tp_stage *stage = tp_frame_module_stages(frame, TP_UNDERWATER_ID);
 
     return frame->program->stage.view && stage[UNDERSIDE] && stage[DEEP] && stage[ABSORB];
 }
@@ -130,7 +130,7 @@ static void begin_underwater(tp_frame *frame, void *mine)
 
 /* Sets the view's axes for the stage of walls: walls are drawn in every render view, and
  * their stage finds places by the axes. */
-static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
+static void set_wall_view(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     (void)view, (void)box;
     if (tp_frame_has_module(frame, TP_MODULE_WALLS))
@@ -186,7 +186,7 @@ const tp_drawing tp_underwater_drawing = {
     .layout = layout_underwater,
     .init = init_underwater,
     .begin = begin_underwater,
-    .project = place,
+    .project = set_wall_view,
     .stages = add_stages,
 };
 
@@ -279,7 +279,7 @@ static tp_projection refraction_projection(const tp_projection *projection, tp_f
  * ETA. */
 static tp_fx path_per_depth(const tp_frame *frame, int32_t x, int32_t y)
 {
-    tp_ray  ray = tp_view_ray(&frame->shade, &frame->shade.world, x, y);
+    tp_ray  ray = tp_vector_to_eye(&frame->shade, &frame->shade.world, x, y);
     int64_t s2 = (1 << 28) - (int64_t)ray.y * ray.y;            /* Q28 */
     int64_t c2 = (1 << 28) - ((s2 * (ETA >> 15) >> 15) * (ETA >> 15) >> 15);
     tp_fx   c = (tp_fx)(tp_isqrt64((uint64_t)c2 << 4));         /* Q16 */
@@ -287,8 +287,8 @@ static tp_fx path_per_depth(const tp_frame *frame, int32_t x, int32_t y)
 }
 
 /* Applies absorption to each colour of a row, by the sample's depth under the level. */
-static void absorb_row(const tp_frame *frame, const tp_projection *projection, tp_fx height,
-                       const tp_gbuffer *band, int32_t y, uint32_t *to)
+static void absorb_row(const tp_frame *frame, const tp_projection *projection,
+                       tp_fx eye_height, const tp_gbuffer *band, int32_t y, uint32_t *to)
 {
     const uint32_t *key = band->key + (size_t)(uint32_t)(y - band->y0) * band->stride;
     const uint32_t deep = (uint32_t)frame->scene->water.deep;
@@ -306,14 +306,14 @@ static void absorb_row(const tp_frame *frame, const tp_projection *projection, t
             continue;
         int64_t z = tp_depth_from_zi(projection->zi_near, tp_key_zi(*key));
         int64_t fall = middle + ((16 * x + 8 - projection->u0) * aside >> 32);
-        tp_fx   depth = tp_fx_saturate((fall * z >> 16) - height);
+        tp_fx   depth = tp_fx_saturate((fall * z >> 16) - eye_height);
         *to = tp_absorb_apply(&frame->shade.underwater->absorb, *to & 0xffffff, deep,
                            tp_fx_mul(depth > 0 ? depth : 0, way)) | 0xff000000u;
     }
 }
 
 static void draw_refraction_map(tp_frame *frame, const refraction *r, const tp_view *view,
-                                const tp_projection *projection, tp_fx height)
+                                const tp_projection *projection, tp_fx eye_height)
 {
     const tp_planar_memory *store = &r->store;
     const tp_planar_map *map = &r->map;
@@ -326,7 +326,7 @@ static void draw_refraction_map(tp_frame *frame, const refraction *r, const tp_v
         for (int32_t y = y0; y < band.y1; y++) {
             uint32_t *to = store->colour + (uint32_t)(y - map->y0) * wide;
             tp_frame_colour_row(frame, &band, y, to);
-            absorb_row(frame, projection, height, &band, y, to);
+            absorb_row(frame, projection, eye_height, &band, y, to);
         }
     }
 }

@@ -21,11 +21,11 @@ TP_ALWAYS_INLINE tp_ray view_direction(const tp_run *run, int32_t i)
 
 /* Returns the length of the ray, m, to a depth along the camera's axis: the depth over
  * the cosine between both.  The cosine is at least 1/16, the edge of the widest view. */
-static tp_fx ray_length_at_depth(const tp_shade *shade, tp_ray way, tp_fx depth)
+static tp_fx ray_length_at_depth(const tp_shade *shade, tp_ray direction, tp_fx depth)
 {
     const tp_dir3 back = shade->world.back;
-    int64_t cosine = -((int64_t)back.x * way.x + (int64_t)back.y * way.y
-                       + (int64_t)back.z * way.z) >> 30;
+    int64_t cosine = -((int64_t)back.x * direction.x + (int64_t)back.y * direction.y
+                       + (int64_t)back.z * direction.z) >> 30;
     uint32_t n = (uint32_t)tp_clamp((int32_t)cosine, 1024, 16384) << 17;
     int      shift = tp_clz(n);
     return tp_fx_saturate((int64_t)((uint64_t)(uint32_t)depth * tp_recip_norm(n << shift)
@@ -42,7 +42,7 @@ TP_ALWAYS_INLINE void shade_underside(const tp_shade *shade, tp_run *run, int ri
         tp_underwater_set_start_points(shade, run, i, i + 1, &ray);
         ray.way = view_direction(run, i);
         tp_floor_plane  plane = tp_underwater_find_floor_plane(shade, &ray);
-        uint32_t c = tp_underwater_trace_surface(shade, &plane, &ray, n, in->deep);
+        uint32_t c = tp_underwater_shade_underside(shade, &plane, &ray, n, in->deep);
         run->colour[i] = tp_absorb_apply(&in->absorb, c, in->deep,
                                          ray_length_at_depth(shade, ray.way, ray.far));
     }
@@ -61,7 +61,7 @@ void tp_stage_underside_rippled(const tp_shade *shade, tp_run *run)
 /* Shades bare water.  The stage computes its own view vectors. */
 void tp_stage_deep(const tp_shade *shade, tp_run *run)
 {
-    tp_view_run(shade, &shade->world, run);
+    tp_run_fill_vectors_to_eye(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++) {
         tp_refracted_ray ray = { shade->eye, view_direction(run, i), 0 };
         tp_floor_plane  plane = tp_underwater_find_floor_plane(shade, &ray);
@@ -73,7 +73,7 @@ void tp_stage_absorb(const tp_shade *shade, tp_run *run)
 {
     const tp_underwater *in = shade->underwater;
 
-    tp_view_run(shade, &shade->world, run);
+    tp_run_fill_vectors_to_eye(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++) {
         tp_refracted_ray ray;
         tp_underwater_set_start_points(shade, run, i, i + 1, &ray);
@@ -111,8 +111,8 @@ TP_ALWAYS_INLINE tp_ray clear_view_direction(const tp_run *run, int32_t i)
     return (tp_ray){ -run->vx[i], -run->vy[i], -run->vz[i], 0 };
 }
 
-TP_ALWAYS_INLINE void facets(const tp_run *run, int32_t i, int32_t stop, int rippled,
-                             facet *to)
+TP_ALWAYS_INLINE void compute_facets(const tp_run *run, int32_t i, int32_t stop,
+                                     int rippled, facet *to)
 {
     for (; i < stop; i++, to++) {
         tp_ray n = tp_slope_run_normal(run, i, rippled);
@@ -123,13 +123,13 @@ TP_ALWAYS_INLINE void facets(const tp_run *run, int32_t i, int32_t stop, int rip
 
 /* Computes the refracted rays of samples [i, stop) for one channel. */
 TP_ALWAYS_INLINE void refract_rays(const tp_shade *shade, const tp_run *run, int32_t i,
-                                   int32_t stop, const facet *at, int channel,
+                                   int32_t stop, const facet *surface, int channel,
                                    tp_refracted_ray *ray)
 {
-    for (; i < stop; i++, at++, ray++) {
-        tp_ray n = { at->x, at->y, at->z, 0 };
-        tp_ray way = tp_underwater_refract_cosine(
-            shade->underwater, channel, clear_view_direction(run, i), n, at->cosine);
+    for (; i < stop; i++, surface++, ray++) {
+        tp_ray n = { surface->x, surface->y, surface->z, 0 };
+        tp_ray way = tp_underwater_refract_at_cosine(
+            shade->underwater, channel, clear_view_direction(run, i), n, surface->cosine);
         if (way.y > -1638)      /* a steep ripple would bend the ray out of the water */
             way.y = -1638;
         ray->way = way;
@@ -139,7 +139,7 @@ TP_ALWAYS_INLINE void refract_rays(const tp_shade *shade, const tp_run *run, int
 /* Mixes the refraction map over a colour.  The place in the map is displaced as for an
  * object half a metre under the surface, by a quarter of the slope [F4]. */
 static uint32_t mix_refraction_map(const tp_shade *shade, const tp_planar_map *map,
-                                   const tp_run *run, int32_t i, tp_fx metres, int32_t nx,
+                                   const tp_run *run, int32_t i, tp_fx depth, int32_t nx,
                                    int32_t nz, uint32_t colour)
 {
     const tp_view_axes *axes = &shade->world;
@@ -147,7 +147,7 @@ static uint32_t mix_refraction_map(const tp_shade *shade, const tp_planar_map *m
                                >> 30);
     int32_t along = (int32_t)(((int64_t)axes->up.x * nx + (int64_t)axes->up.z * nz)
                               >> 30);
-    uint32_t far = (uint32_t)metres | 1;
+    uint32_t far = (uint32_t)depth | 1;
     int      shift = tp_clz(far);
     int64_t  each = tp_recip_rough(far << shift);       /* 2^46 / m / 2^shift */
     int64_t  focal = shade->focal;
@@ -197,7 +197,7 @@ TP_ALWAYS_INLINE void shade_clear_water(const tp_shade *shade, tp_run *run, int 
         for (int32_t k = 0; k < count; k++)
             body[k] = tp_colour_mix(shade->underwater->deep, seen[k], 64);
         tp_underwater_set_start_points(shade, run, i, stop, ray);
-        facets(run, i, stop, rippled, surface);
+        compute_facets(run, i, stop, rippled, surface);
         refract_rays(shade, run, i, stop, surface, 1, ray);
         ends[0] = tp_underwater_find_floor_plane(shade, ray);
         ends[1] = tp_underwater_find_floor_plane(shade, &ray[count - 1]);

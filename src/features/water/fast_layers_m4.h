@@ -165,9 +165,9 @@ TP_LOOP packed_distort_even_places(const tp_quick_map *map, int32_t mip_offset,
 
 /* -- ripples and half rate colours --------------------------------------------------- */
 
-TP_ALWAYS_INLINE void packed_rippled_pair(const tp_lookup *l, const uint32_t **s,
-                                          const uint32_t **t, const uint32_t **n,
-                                          uint32_t *slope, int skip)
+TP_ALWAYS_INLINE void packed_add_ripple_slope_pair(const tp_lookup *l, const uint32_t **s,
+                                                   const uint32_t **t, const uint32_t **n,
+                                                   uint32_t *slope, int skip)
 {
     const word_pair ss = pair_next(s), tt = pair_next(t);
     uint32_t a = packed_texel(l, ss.first, tt.first);
@@ -177,34 +177,34 @@ TP_ALWAYS_INLINE void packed_rippled_pair(const tp_lookup *l, const uint32_t **s
     pair_store(slope, skip, tp_qadd16(nn.first, a), tp_qadd16(nn.second, b));
 }
 
-TP_LOOP packed_rippled(const tp_quick_map *map, int32_t mip_offset,
-                       const tp_columns *columns, uint32_t *slope)
+TP_LOOP packed_add_ripple_slopes(const tp_quick_map *map, int32_t mip_offset,
+                                 const tp_columns *columns, uint32_t *slope)
 {
     const tp_lookup l = packed_lookup(map, mip_offset);
     const uint32_t *s = columns->s, *t = columns->t, *n = columns->n;
     const uint32_t *end = slope + (columns->count & ~3);
 
     for (; slope != end; slope += 4) {
-        packed_rippled_pair(&l, &s, &t, &n, slope, 0);
-        packed_rippled_pair(&l, &s, &t, &n, slope, 2);
+        packed_add_ripple_slope_pair(&l, &s, &t, &n, slope, 0);
+        packed_add_ripple_slope_pair(&l, &s, &t, &n, slope, 2);
     }
     for (end += columns->count & 3; slope != end; slope++)
         *slope = tp_qadd16(*n++, packed_texel(&l, *s++, *t++));
 }
 
-TP_LOOP packed_expand_pairs(const uint32_t *thin, uint32_t *colour, int32_t pairs)
+TP_LOOP packed_upsample_colours(const uint32_t *half_rate, uint32_t *colour, int32_t pairs)
 {
-    const uint32_t *const end = thin + (pairs & ~1);
-    uint32_t a = *thin;
+    const uint32_t *const end = half_rate + (pairs & ~1);
+    uint32_t a = *half_rate;
 
-    for (; thin != end; thin += 2, colour += 4) {
-        uint32_t b = thin[1], c = thin[2];
+    for (; half_rate != end; half_rate += 2, colour += 4) {
+        uint32_t b = half_rate[1], c = half_rate[2];
         pair_store(colour, 0, a, tp_uhadd8(a, b));
         pair_store(colour, 2, b, tp_uhadd8(b, c));
         a = c;
     }
     if (pairs & 1)
-        pair_store(colour, 0, a, tp_uhadd8(a, thin[1]));
+        pair_store(colour, 0, a, tp_uhadd8(a, half_rate[1]));
 }
 
 #endif

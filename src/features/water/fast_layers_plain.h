@@ -15,7 +15,7 @@ TP_ALWAYS_INLINE uint32_t plain_texel(const tp_lookup *l, uint32_t s, uint32_t t
 }
 
 /* Returns the sum of two colours 0x00RRGGBB; a channel with a carry saturates at 255. */
-TP_ALWAYS_INLINE uint32_t plain_sum(uint32_t a, uint32_t b)
+TP_ALWAYS_INLINE uint32_t plain_add_saturated(uint32_t a, uint32_t b)
 {
     uint32_t over = (a & b) + ((a ^ b) >> 1 & 0x7f7f7f);
 
@@ -43,17 +43,18 @@ TP_LOOP plain_add_texels(const tp_quick_map *map, int32_t mip_offset,
     const tp_lookup l = tp_lookup_make(map, mip_offset);
 
     for (int32_t i = 0; i < count; i++)
-        colour[i] = plain_sum(colour[i], plain_texel(&l, place[i], place[i + TP_RUN]));
+        colour[i] =
+            plain_add_saturated(colour[i], plain_texel(&l, place[i], place[i + TP_RUN]));
 }
 
 /* Return an offset in m, 16.16.  The s offset keeps t's bits as a fraction, less than
  * 1/1024 m. */
-TP_ALWAYS_INLINE uint32_t plain_offset_s(uint32_t off)
+TP_ALWAYS_INLINE uint32_t plain_unpack_offset_s(uint32_t off)
 {
     return (uint32_t)((int32_t)off >> 10);
 }
 
-TP_ALWAYS_INLINE uint32_t plain_offset_t(uint32_t off)
+TP_ALWAYS_INLINE uint32_t plain_unpack_offset_t(uint32_t off)
 {
     return (uint32_t)((int32_t)(off << 16) >> 10);
 }
@@ -63,8 +64,8 @@ TP_ALWAYS_INLINE void plain_distort_place(const tp_lookup *l, const tp_columns *
 {
     uint32_t off = plain_texel(l, c->s[i], c->t[i]);
 
-    place[0] = c->s[i] + plain_offset_s(off);
-    place[TP_RUN] = c->t[i] + plain_offset_t(off);
+    place[0] = c->s[i] + plain_unpack_offset_s(off);
+    place[TP_RUN] = c->t[i] + plain_unpack_offset_t(off);
 }
 
 /* Distorts the places: two columns share the offset of the even column. */
@@ -81,10 +82,10 @@ TP_LOOP plain_distort_places(const tp_quick_map *map, int32_t mip_offset,
         plain_distort_place(&l, &c, 0, place);
     for (int32_t k = 0; k < pairs; k++) {
         uint32_t off = plain_texel(&l, s[2 * k], t[2 * k]);
-        to[2 * k] = s[2 * k] + plain_offset_s(off);
-        to[2 * k + 1] = s[2 * k + 1] + plain_offset_s(off);
-        to[2 * k + TP_RUN] = t[2 * k] + plain_offset_t(off);
-        to[2 * k + 1 + TP_RUN] = t[2 * k + 1] + plain_offset_t(off);
+        to[2 * k] = s[2 * k] + plain_unpack_offset_s(off);
+        to[2 * k + 1] = s[2 * k + 1] + plain_unpack_offset_s(off);
+        to[2 * k + TP_RUN] = t[2 * k] + plain_unpack_offset_t(off);
+        to[2 * k + 1 + TP_RUN] = t[2 * k + 1] + plain_unpack_offset_t(off);
     }
     if ((c.count - odd) & 1)
         plain_distort_place(&l, &c, c.count - 1, place + c.count - 1);
@@ -104,14 +105,14 @@ TP_LOOP plain_distort_even_places(const tp_quick_map *map, int32_t mip_offset,
         plain_distort_place(&l, &c, 0, place);
     for (int32_t k = 0; k < evens; k++) {
         uint32_t off = plain_texel(&l, s[2 * k], t[2 * k]);
-        to[k] = s[2 * k] + plain_offset_s(off);
-        to[k + TP_RUN] = t[2 * k] + plain_offset_t(off);
+        to[k] = s[2 * k] + plain_unpack_offset_s(off);
+        to[k + TP_RUN] = t[2 * k] + plain_unpack_offset_t(off);
     }
 }
 
 /* Adds the ripple's slopes; both halves of the sum saturate at 16 bits. */
-TP_LOOP plain_rippled(const tp_quick_map *map, int32_t mip_offset,
-                      const tp_columns *columns, uint32_t *restrict slope)
+TP_LOOP plain_add_ripple_slopes(const tp_quick_map *map, int32_t mip_offset,
+                                const tp_columns *columns, uint32_t *restrict slope)
 {
     const tp_lookup l = tp_lookup_make(map, mip_offset);
     const uint32_t *restrict s = columns->s, *restrict t = columns->t;
@@ -129,11 +130,11 @@ TP_LOOP plain_rippled(const tp_quick_map *map, int32_t mip_offset,
 }
 /* Expands half rate colours to pairs of columns: each colour, and its mean with the next.
  * The colour after the last pair is read too. */
-TP_LOOP plain_expand_pairs(const uint32_t *restrict thin, uint32_t *restrict colour,
-                           int32_t pairs)
+TP_LOOP plain_upsample_colours(const uint32_t *restrict half_rate,
+                               uint32_t *restrict colour, int32_t pairs)
 {
     for (int32_t k = 0; k < pairs; k++) {
-        uint32_t a = thin[k], b = thin[k + 1];
+        uint32_t a = half_rate[k], b = half_rate[k + 1];
         colour[2 * k] = a;
         colour[2 * k + 1] = (a & b) + ((a ^ b) >> 1 & 0x7f7f7f);
     }

@@ -45,10 +45,10 @@ void tp_stage_quick_mip_spans(const tp_shade *shade, tp_run *run)
     run->spans = spans;
 }
 
-static tp_columns make_columns(const tp_run *run, int32_t at, int32_t end)
+static tp_columns make_columns(const tp_run *run, int32_t first, int32_t end)
 {
-    return (tp_columns){ run->s + at, run->t + at, run->n + at, end - at,
-                         (uint32_t)(run->x + at) & 1 };
+    return (tp_columns){ run->s + first, run->t + first, run->n + first, end - first,
+                         (uint32_t)(run->x + first) & 1 };
 }
 
 /* -- places of layers ------------------------------------------------------------------ */
@@ -106,10 +106,10 @@ void tp_stage_quick_bend_thin(const tp_shade *shade, tp_run *run)
 /* -- layers ---------------------------------------------------------------------------- */
 
 TP_ALWAYS_INLINE void shade_layer(const tp_quick_map *map, const tp_run *run,
-                                  uint32_t *colour, int thin, int add)
+                                  uint32_t *colour, int half_rate, int add)
 {
     for (uint32_t k = 0, at = 0; k < run->spans; k++) {
-        const uint32_t  end = thin ? run->span[k].places : run->span[k].end;
+        const uint32_t  end = half_rate ? run->span[k].places : run->span[k].end;
         if (add)
             LOOP(add_texels)(map, run->span[k].mip_offset, run->place + at, colour + at,
                         (int32_t)(end - at));
@@ -123,19 +123,19 @@ TP_ALWAYS_INLINE void shade_layer(const tp_quick_map *map, const tp_run *run,
 /* Shades all layers.  Without a base texture the water's colour replaces the first
  * layer. */
 TP_ALWAYS_INLINE void shade_layers(const tp_shade *shade, const tp_run *run,
-                                   uint32_t *colour, int thin)
+                                   uint32_t *colour, int half_rate)
 {
     const tp_quick_map *layer = ((const tp_quick_layers *)run->mine)->layer;
 
     if (layer[0].level)
-        shade_layer(&layer[0], run, colour, thin, 0);
+        shade_layer(&layer[0], run, colour, half_rate, 0);
     else
         for (int32_t i = 0;
-             i < (thin ? half_rate_place_count(run, run->count) : run->count); i++)
+             i < (half_rate ? half_rate_place_count(run, run->count) : run->count); i++)
             colour[i] = shade->water_colour;
     for (int k = 1; k < TP_QUICK_LAYERS; k++)
         if (layer[k].level)
-            shade_layer(&layer[k], run, colour, thin, 1);
+            shade_layer(&layer[k], run, colour, half_rate, 1);
 }
 
 void tp_stage_quick_layers(const tp_shade *shade, tp_run *run)
@@ -146,18 +146,18 @@ void tp_stage_quick_layers(const tp_shade *shade, tp_run *run)
 /* Fills the columns in between with the mean of their neighbours.  At the end of a block
  * of 16 columns, a possible tile border, and at the run's end, a column copies the column
  * before. */
-static void fill_odd_columns(const uint32_t *restrict thin, tp_run *run)
+static void fill_odd_columns(const uint32_t *restrict half_rate, tp_run *run)
 {
     const int32_t odd = run->x & 1, count = run->count, pairs = (count - odd) >> 1;
     uint32_t *restrict colour = run->colour + odd;
 
-    run->colour[0] = thin[0];
-    thin += odd;
-    LOOP(expand_pairs)(thin, colour, pairs);
+    run->colour[0] = half_rate[0];
+    half_rate += odd;
+    LOOP(upsample_colours)(half_rate, colour, pairs);
     if ((count - odd) & 1)
-        colour[2 * pairs] = thin[pairs];
+        colour[2 * pairs] = half_rate[pairs];
     else if (pairs > 0)
-        colour[2 * pairs - 1] = thin[pairs - 1];
+        colour[2 * pairs - 1] = half_rate[pairs - 1];
     for (int32_t i = 15 - (run->x & 15); i < count; i += 16)
         if (i > 0)
             run->colour[i] = run->colour[i - 1];
@@ -196,7 +196,8 @@ void tp_stage_quick_ripple(const tp_shade *shade, tp_run *run)
     (void)shade;
     for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
         const tp_columns c = make_columns(run, (int32_t)at, run->span[k].end);
-        LOOP(rippled)(&quick->ripple, run->span[k].mip_offset, &c, run->slope + at);
+        LOOP(add_ripple_slopes)
+        (&quick->ripple, run->span[k].mip_offset, &c, run->slope + at);
     }
 }
 

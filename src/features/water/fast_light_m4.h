@@ -43,7 +43,7 @@ TP_ALWAYS_INLINE uint32_t packed_light_and_reflect(const struct tp_quick_light *
     uint32_t rb = tp_even_bytes(colour) * keeps + tp_even_bytes(light) * mirrors;
     uint32_t g = tp_odd_bytes(colour) * keeps + tp_odd_bytes(light) * mirrors;
 
-    return tp_add_odd_bytes(g & 0xff00ff00, rb);
+    return tp_halves_add_odd_bytes(g & 0xff00ff00, rb);
 }
 
 /* Adds the glint of one column. */
@@ -75,10 +75,10 @@ TP_ALWAYS_INLINE uint32_t packed_shade_column(const struct tp_quick_light *quick
 }
 
 /* Returns the address of a word in a run: `sample` is the run plus 4 bytes per column,
- * `place` the offset of an array. */
-TP_ALWAYS_INLINE uint32_t *packed_word_pointer(char *sample, size_t place)
+ * `offset` the offset of an array. */
+TP_ALWAYS_INLINE uint32_t *packed_word_pointer(char *sample, size_t offset)
 {
-    return (uint32_t *)(void *)(sample + place);
+    return (uint32_t *)(void *)(sample + offset);
 }
 
 #define COLOUR(sample, i) packed_word_pointer(sample, offsetof(tp_run, colour))[i]
@@ -87,9 +87,9 @@ TP_ALWAYS_INLINE uint32_t *packed_word_pointer(char *sample, size_t place)
 /* Shades columns x to stop of one span.  One pointer serves all arrays, because registers
  * are few.  Half vectors are computed for Blinn's lobe only; the lane instructions set
  * flags, so compilers would keep them even without a reader. */
-TP_ALWAYS_INLINE void packed_span(const tp_shade *shade, tp_quick_sun sun, tp_run *run,
-                                  tp_quick_view v, tp_quick_view step, int32_t x,
-                                  int32_t stop, int env, int lobe)
+TP_ALWAYS_INLINE void packed_shade_span(const tp_shade *shade, tp_quick_sun sun,
+                                        tp_run *run, tp_quick_view v, tp_quick_view step,
+                                        int32_t x, int32_t stop, int env, int lobe)
 {
     const struct tp_quick_light *quick = shade->quick;
     const uint32_t *sky = quick->sky + (env == TP_ENV_CUBE ? 0 : TP_QUICK_HEIGHTS / 2)
@@ -151,7 +151,8 @@ TP_ALWAYS_INLINE void packed_light(const tp_shade *shade, tp_run *run, int env, 
     while (x < end) {
         int32_t next = (x & -span) + span, stop = next < end ? next : end;
         const tp_quick_view to = tp_quick_view_sample(shade, &row, next, lobe);
-        packed_span(shade, sun, run, v, tp_quick_step(v, to, lobe), x, stop, env, lobe);
+        packed_shade_span(shade, sun, run, v, tp_quick_step(v, to, lobe), x, stop, env,
+                          lobe);
         v = to;
         x = stop;
     }
@@ -162,9 +163,10 @@ TP_ALWAYS_INLINE void packed_light(const tp_shade *shade, tp_run *run, int env, 
 #define SPAN TP_QUICK_SPAN(TP_LOBE_BLINN)
 
 /* Lights columns x to stop of one span; x is even, or the run's first column. */
-TP_ALWAYS_INLINE void packed_light_even_span(const tp_shade *shade, tp_quick_sun sun,
-                                       tp_run *run, tp_quick_view v, tp_quick_view step,
-                                       int32_t x, int32_t stop, int env)
+TP_ALWAYS_INLINE void packed_light_span_even_columns(const tp_shade *shade,
+                                                     tp_quick_sun sun, tp_run *run,
+                                                     tp_quick_view v, tp_quick_view step,
+                                                     int32_t x, int32_t stop, int env)
 {
     const struct tp_quick_light *quick = shade->quick;
     const uint32_t *sky = quick->sky + (env == TP_ENV_CUBE ? 0 : TP_QUICK_HEIGHTS / 2)
@@ -207,7 +209,7 @@ TP_ALWAYS_INLINE void packed_light_even_span(const tp_shade *shade, tp_quick_sun
 
 /* Lights the even columns of a run.  The half vectors at the ends of spans stay in the
  * run, for the glints. */
-TP_ALWAYS_INLINE void packed_light_even(const tp_shade *shade, tp_run *run, int env)
+TP_ALWAYS_INLINE void packed_light_even_columns(const tp_shade *shade, tp_run *run, int env)
 {
     const tp_quick_sun sun = tp_quick_sun_make(shade);
     const tp_quick_row row = tp_quick_row_make(shade, run->y);
@@ -219,8 +221,8 @@ TP_ALWAYS_INLINE void packed_light_even(const tp_shade *shade, tp_run *run, int 
     while (x < end) {
         int32_t next = (x & -SPAN) + SPAN, stop = next < end ? next : end;
         const tp_quick_view to = tp_quick_blinn_sample(shade, &row, next);
-        packed_light_even_span(shade, sun, run, v, tp_quick_step(v, to, TP_LOBE_NONE), x,
-                               stop, env);
+        packed_light_span_even_columns(shade, sun, run, v,
+                                       tp_quick_step(v, to, TP_LOBE_NONE), x, stop, env);
         *half++ = to.half;
         v = to;
         x = stop;
@@ -231,7 +233,7 @@ TP_ALWAYS_INLINE void packed_light_even(const tp_shade *shade, tp_run *run, int 
 
 /* Adds Phong's glints to columns x to stop of one span; half rate colours are filled in
  * already. */
-TP_ALWAYS_INLINE void packed_phong_span(const struct tp_quick_light *quick,
+TP_ALWAYS_INLINE void packed_add_phong_glints_span(const struct tp_quick_light *quick,
                                         tp_quick_sun sun, tp_run *run, tp_quick_view v,
                                         tp_quick_view step, int32_t x, int32_t stop)
 {
@@ -247,7 +249,7 @@ TP_ALWAYS_INLINE void packed_phong_span(const struct tp_quick_light *quick,
     }
 }
 
-TP_ALWAYS_INLINE void packed_phong(const tp_shade *shade, tp_run *run)
+TP_ALWAYS_INLINE void packed_add_phong_glints(const tp_shade *shade, tp_run *run)
 {
     const tp_quick_sun sun = tp_quick_sun_make(shade);
     const tp_quick_row row = tp_quick_row_make(shade, run->y);
@@ -259,17 +261,17 @@ TP_ALWAYS_INLINE void packed_phong(const tp_shade *shade, tp_run *run)
     while (x < end) {
         int32_t next = (x & -span) + span, stop = next < end ? next : end;
         const tp_quick_view to = tp_quick_phong_sample(shade, &row, next);
-        packed_phong_span(shade->quick, sun, run, v, tp_quick_step(v, to, TP_LOBE_PHONG),
-                          x, stop);
+        packed_add_phong_glints_span(shade->quick, sun, run, v,
+                                     tp_quick_step(v, to, TP_LOBE_PHONG), x, stop);
         v = to;
         x = stop;
     }
 }
 
-TP_ALWAYS_INLINE uint32_t packed_blinn(const uint32_t *lobe, uint32_t slope,
-                                       uint32_t half, uint32_t colour)
+TP_ALWAYS_INLINE uint32_t packed_add_blinn_glint(const uint32_t *lobe, uint32_t slope,
+                                                 uint32_t half_vector, uint32_t colour)
 {
-    uint32_t away = tp_shsub16(slope, half);
+    uint32_t away = tp_shsub16(slope, half_vector);
     return tp_uqadd8(colour, lobe[tp_usat(tp_smuad(away, away), 11, 9)]);
 }
 
@@ -278,24 +280,26 @@ TP_ALWAYS_INLINE uint32_t packed_blinn(const uint32_t *lobe, uint32_t slope,
  * column.  Returns the half vector of the column after the four.  SLOPES is the distance
  * in words from a colour to its slope. */
 #define SLOPES ((int)((offsetof(tp_run, slope) - offsetof(tp_run, colour)) / 4))
-TP_ALWAYS_INLINE uint32_t packed_blinn_four(const uint32_t *lobe, uint32_t half,
-                                            tp_quick_walk walk, uint32_t *colour,
-                                            uint32_t a, uint32_t b, uint32_t c)
+TP_ALWAYS_INLINE uint32_t packed_fill_four_with_glints(const uint32_t *lobe,
+                                                       uint32_t half_vector,
+                                                       tp_quick_walk walk,
+                                                       uint32_t *colour, uint32_t a,
+                                                       uint32_t b, uint32_t c)
 {
     const word_pair s = pair_load(colour, SLOPES), t = pair_load(colour, SLOPES + 2);
-    const uint32_t second = tp_sadd16(half, walk.quarter);
+    const uint32_t second = tp_sadd16(half_vector, walk.quarter);
     const uint32_t third = tp_sadd16(second, walk.quarter);
     const uint32_t fourth = tp_sadd16(third, walk.quarter);
 
-    pair_store(colour, 0, packed_blinn(lobe, s.first, half, a),
-               packed_blinn(lobe, s.second, second, tp_uhadd8(a, b)));
-    pair_store(colour, 2, packed_blinn(lobe, t.first, third, b),
-               packed_blinn(lobe, t.second, fourth, tp_uhadd8(b, c)));
+    pair_store(colour, 0, packed_add_blinn_glint(lobe, s.first, half_vector, a),
+               packed_add_blinn_glint(lobe, s.second, second, tp_uhadd8(a, b)));
+    pair_store(colour, 2, packed_add_blinn_glint(lobe, t.first, third, b),
+               packed_add_blinn_glint(lobe, t.second, fourth, tp_uhadd8(b, c)));
     return tp_sadd16(fourth, walk.rest);
 }
 
 /* Returns the colour of column i, like tp_quick_odd_fill. */
-TP_ALWAYS_INLINE uint32_t packed_column_colour(const tp_run *run, int32_t i)
+TP_ALWAYS_INLINE uint32_t packed_upsampled_colour(const tp_run *run, int32_t i)
 {
     const int32_t odd = run->x & 1, x = run->x + i;
     const uint32_t *even = run->even + ((i + odd) >> 1);
@@ -308,30 +312,32 @@ TP_ALWAYS_INLINE uint32_t packed_column_colour(const tp_run *run, int32_t i)
 
 /* Returns the half vector of column x, and its steps in *walk, from the half vectors left
  * in the run at the ends of spans. */
-TP_ALWAYS_INLINE uint32_t packed_half_sample(const tp_run *run, int32_t x,
-                                             tp_quick_walk *walk)
+TP_ALWAYS_INLINE uint32_t packed_sample_half_vector(const tp_run *run, int32_t x,
+                                                    tp_quick_walk *steps)
 {
     const uint32_t *half = run->half + ((x >> 5) - (run->x >> 5));
     const uint32_t step = tp_quick_eighth(half[0], half[1]);
 
-    *walk = tp_quick_walk_make(step);
-    return tp_quick_half_advance(tp_quick_half_first(half[0], *walk), step, x & (SPAN - 1));
+    *steps = tp_quick_walk_make(step);
+    return tp_quick_half_advance(tp_quick_half_first(half[0], *steps), step,
+                                 x & (SPAN - 1));
 }
 
 /* Adds glints to the columns of an incomplete block. */
-TP_LOOP packed_blinn_part(const uint32_t *lobe, tp_run *run, int32_t i, int32_t end)
+TP_LOOP packed_fill_columns_with_glints(const uint32_t *lobe, tp_run *run, int32_t i,
+                                        int32_t end)
 {
     for (; i < end; i++) {
         tp_quick_walk walk;
-        uint32_t half = packed_half_sample(run, run->x + i, &walk);
-        run->colour[i] =
-            packed_blinn(lobe, run->slope[i], half, packed_column_colour(run, i));
+        uint32_t half = packed_sample_half_vector(run, run->x + i, &walk);
+        run->colour[i] = packed_add_blinn_glint(lobe, run->slope[i], half,
+                                                packed_upsampled_colour(run, i));
     }
 }
 
 /* Adds glints to complete blocks of 16 columns, [i, end). */
-TP_ALWAYS_INLINE void packed_blinn_blocks(const uint32_t *lobe, tp_run *run, int32_t i,
-                                          int32_t end)
+TP_ALWAYS_INLINE void packed_fill_blocks_with_glints(const uint32_t *lobe, tp_run *run,
+                                                     int32_t i, int32_t end)
 {
     const uint32_t *even = run->even + ((i + (run->x & 1)) >> 1);
     uint32_t *colour = run->colour + i, half = 0;
@@ -339,20 +345,20 @@ TP_ALWAYS_INLINE void packed_blinn_blocks(const uint32_t *lobe, tp_run *run, int
 
     for (bool begun = false; i < end; i += 16, begun = true) {
         if (!begun || ((run->x + i) & (SPAN - 1)) == 0)
-            half = packed_half_sample(run, run->x + i, &walk);
+            half = packed_sample_half_vector(run, run->x + i, &walk);
         uint32_t a = even[0];
         for (uint32_t *const last = colour + 12; colour != last; colour += 4, even += 2) {
             const uint32_t b = even[1], c = even[2];
-            half = packed_blinn_four(lobe, half, walk, colour, a, b, c);
+            half = packed_fill_four_with_glints(lobe, half, walk, colour, a, b, c);
             a = c;
         }
-        half = packed_blinn_four(lobe, half, walk, colour, a, even[1], even[1]);
+        half = packed_fill_four_with_glints(lobe, half, walk, colour, a, even[1], even[1]);
         colour += 4;
         even += 2;
     }
 }
 
-TP_ALWAYS_INLINE void packed_blinn_run(const uint32_t *lobe, tp_run *run)
+TP_ALWAYS_INLINE void packed_fill_run_with_glints(const uint32_t *lobe, tp_run *run)
 {
     const int32_t begin = -run->x & 15, end = run->count - ((run->x + run->count) & 15);
 
@@ -360,20 +366,20 @@ TP_ALWAYS_INLINE void packed_blinn_run(const uint32_t *lobe, tp_run *run)
     __asm__("" : "+r"(lobe));   /* keeps the address in its own register */
 #endif
     if (begin >= end) {
-        packed_blinn_part(lobe, run, 0, run->count);
+        packed_fill_columns_with_glints(lobe, run, 0, run->count);
         return;
     }
-    packed_blinn_part(lobe, run, 0, begin);
-    packed_blinn_blocks(lobe, run, begin, end);
-    packed_blinn_part(lobe, run, end, run->count);
+    packed_fill_columns_with_glints(lobe, run, 0, begin);
+    packed_fill_blocks_with_glints(lobe, run, begin, end);
+    packed_fill_columns_with_glints(lobe, run, end, run->count);
 }
 
 TP_ALWAYS_INLINE void packed_glint(const tp_shade *shade, tp_run *run, int lobe)
 {
     if (lobe == TP_LOBE_PHONG)
-        packed_phong(shade, run);
+        packed_add_phong_glints(shade, run);
     else
-        packed_blinn_run(shade->quick->lobe, run);
+        packed_fill_run_with_glints(shade->quick->lobe, run);
 }
 #undef SPAN
 #undef SLOPES

@@ -86,8 +86,8 @@ TP_ALWAYS_INLINE uint32_t plain_light_and_reflect(const plain_tables *t, plain_c
     return plain_mixed(colour, t->sky[place], lit * (share >> 16) >> 16, share & 0xffff);
 }
 
-TP_ALWAYS_INLINE uint32_t plain_phong(const plain_tables *t, plain_column c,
-                                      int32_t view_l, uint32_t colour)
+TP_ALWAYS_INLINE uint32_t plain_add_phong_glint(const plain_tables *t, plain_column c,
+                                                int32_t view_l, uint32_t colour)
 {
     int32_t one_q = (int32_t)((1u << 24) + tp_slope_square(c.sx, c.sz));
     int32_t way = tp_smulwt(one_q, (uint32_t)view_l)
@@ -96,11 +96,11 @@ TP_ALWAYS_INLINE uint32_t plain_phong(const plain_tables *t, plain_column c,
     return tp_colour_add(colour, t->lobes[tp_usat(way, 11, 9)]);
 }
 
-TP_ALWAYS_INLINE uint32_t plain_blinn(const plain_tables *t, uint32_t slope,
-                                      uint32_t half, uint32_t colour)
+TP_ALWAYS_INLINE uint32_t plain_add_blinn_glint(const plain_tables *t, uint32_t slope,
+                                                uint32_t half_vector, uint32_t colour)
 {
-    int32_t dx = (tp_high16(slope) - tp_high16(half)) >> 1;
-    int32_t dz = (tp_low16(slope) - tp_low16(half)) >> 1;
+    int32_t dx = (tp_high16(slope) - tp_high16(half_vector)) >> 1;
+    int32_t dz = (tp_low16(slope) - tp_low16(half_vector)) >> 1;
 
     return tp_colour_add(colour, t->lobes[tp_usat(dx * dx + dz * dz, 11, 9)]);
 }
@@ -117,9 +117,9 @@ TP_ALWAYS_INLINE void plain_shade_loop(const plain_tables tables,
         uint32_t column = env == TP_ENV_DOME ? run->column[i] : 0;
         uint32_t colour = plain_light_and_reflect(&tables, c, column, colours[i], env);
         if (lobe == TP_LOBE_PHONG)
-            colour = plain_phong(&tables, c, run->view_l[i], colour);
+            colour = plain_add_phong_glint(&tables, c, run->view_l[i], colour);
         if (lobe == TP_LOBE_BLINN)
-            colour = plain_blinn(&tables, run->slope[i], run->half[i], colour);
+            colour = plain_add_blinn_glint(&tables, run->slope[i], run->half[i], colour);
         colours[i] = colour;
     }
 }
@@ -135,10 +135,10 @@ TP_ALWAYS_INLINE void plain_light(const tp_shade *shade, tp_run *run, int env, i
 
 /* Lights the even columns, from the first even column on.  Slopes and views are read at
  * every second column of the run. */
-TP_ALWAYS_INLINE void plain_light_even_loop(const plain_tables tables,
-                                            const tp_run *restrict run,
-                                            uint32_t *restrict even, int32_t odd,
-                                            int32_t places, int env)
+TP_ALWAYS_INLINE void plain_light_even_columns_loop(const plain_tables tables,
+                                                    const tp_run *restrict run,
+                                                    uint32_t *restrict even, int32_t odd,
+                                                    int32_t places, int env)
 {
     const uint32_t *restrict slope = run->slope + odd, *restrict back = run->back + odd;
     const uint32_t *restrict column = run->column + odd;
@@ -151,7 +151,7 @@ TP_ALWAYS_INLINE void plain_light_even_loop(const plain_tables tables,
     }
 }
 
-TP_ALWAYS_INLINE void plain_light_even(const tp_shade *shade, tp_run *run, int env)
+TP_ALWAYS_INLINE void plain_light_even_columns(const tp_shade *shade, tp_run *run, int env)
 {
     const plain_tables tables = plain_tables_make(shade, env);
     const int32_t odd = run->x & 1;
@@ -163,8 +163,8 @@ TP_ALWAYS_INLINE void plain_light_even(const tp_shade *shade, tp_run *run, int e
         run->even[0] = plain_light_and_reflect(
             &tables, c, env == TP_ENV_DOME ? run->column[0] : 0, run->even[0], env);
     }
-    plain_light_even_loop(tables, run, run->even + odd, odd, (run->count - odd + 1) >> 1,
-                          env);
+    plain_light_even_columns_loop(tables, run, run->even + odd, odd,
+                                  (run->count - odd + 1) >> 1, env);
 }
 
 /* Adds the glints.  The half vectors are those left in the run by the light of the even
@@ -180,9 +180,10 @@ TP_ALWAYS_INLINE void plain_glint(const tp_shade *shade, tp_run *run, int lobe)
     for (int32_t i = 0; i < run->count; i++) {
         plain_column c = plain_column_make(&tables, run->slope[i], run->back[i],
                                          run->view_y[i]);
-        colour[i] = lobe == TP_LOBE_PHONG
-                        ? plain_phong(&tables, c, run->view_l[i], colour[i])
-                        : plain_blinn(&tables, run->slope[i], run->half[i], colour[i]);
+        colour[i] =
+            lobe == TP_LOBE_PHONG
+                ? plain_add_phong_glint(&tables, c, run->view_l[i], colour[i])
+                : plain_add_blinn_glint(&tables, run->slope[i], run->half[i], colour[i]);
     }
 }
 

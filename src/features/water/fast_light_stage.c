@@ -89,7 +89,7 @@ TP_ALWAYS_INLINE void fill_span_views(tp_run *restrict run, int32_t i, int32_t s
 }
 
 /* Fills the arrays of a whole run. */
-TP_ALWAYS_INLINE void view_run(const tp_shade *shade, tp_run *run, int lobe)
+TP_ALWAYS_INLINE void fill_run_views(const tp_shade *shade, tp_run *run, int lobe)
 {
     tp_quick_row  row = tp_quick_row_make(shade, run->y);
     int32_t       x = run->x, end = run->x + run->count, span = TP_QUICK_SPAN(lobe);
@@ -109,9 +109,9 @@ TP_ALWAYS_INLINE void view_run(const tp_shade *shade, tp_run *run, int lobe)
 void tp_quick_view_run(const tp_shade *shade, tp_run *run, int lobe)
 {
     if (lobe == TP_LOBE_PHONG)
-        view_run(shade, run, TP_LOBE_PHONG);
+        fill_run_views(shade, run, TP_LOBE_PHONG);
     else
-        view_run(shade, run, TP_LOBE_BLINN);
+        fill_run_views(shade, run, TP_LOBE_BLINN);
 }
 
 /* -- every column -------------------------------------------------------------------- */
@@ -150,17 +150,17 @@ const tp_stage tp_fast_water_stages[] = {
 
 void tp_stage_quick_gradient_even(const tp_shade *shade, tp_run *run)
 {
-    BODY(light_even)(shade, run, TP_ENV_GRADIENT);
+    BODY(light_even_columns)(shade, run, TP_ENV_GRADIENT);
 }
 
 void tp_stage_quick_dome_even(const tp_shade *shade, tp_run *run)
 {
-    BODY(light_even)(shade, run, TP_ENV_DOME);
+    BODY(light_even_columns)(shade, run, TP_ENV_DOME);
 }
 
 void tp_stage_quick_cube_even(const tp_shade *shade, tp_run *run)
 {
-    BODY(light_even)(shade, run, TP_ENV_CUBE);
+    BODY(light_even_columns)(shade, run, TP_ENV_CUBE);
 }
 
 void tp_stage_quick_glint_phong(const tp_shade *shade, tp_run *run)

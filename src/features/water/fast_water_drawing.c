@@ -241,37 +241,39 @@ typedef struct {
     uint32_t count;
 } chain;
 
-static void link_stage(chain *c, tp_stage stage)
+static void append_stage(chain *c, tp_stage stage)
 {
     TP_ASSERT(c->count < MOST);
     c->stage[c->count++] = stage;
 }
 
-static tp_stage places_stage(const tp_stage *stage, bool bends, bool thin)
+static tp_stage places_stage(const tp_stage *stage, bool bends, bool half_rate)
 {
-    return stage[bends ? thin ? TP_NTH_quick_bend_thin : TP_NTH_quick_bend
-                       : thin ? TP_NTH_quick_still_thin : TP_NTH_quick_still];
+    return stage[bends ? half_rate ? TP_NTH_quick_bend_thin : TP_NTH_quick_bend
+                       : half_rate ? TP_NTH_quick_still_thin : TP_NTH_quick_still];
 }
 
-/* Links the stages of colours and slopes.  `even`: only even columns get a colour. */
-static void link_layers(chain *c, const tp_frame *frame, const tp_quick_layers *quick,
-                        const tp_stage *stage, bool even)
+/* Links the stages of colours and slopes.  `even_columns_only`: only even columns get
+ * a colour. */
+static void append_layer_stages(chain *c, const tp_frame *frame,
+                                const tp_quick_layers *quick, const tp_stage *stage,
+                                bool even_columns_only)
 {
     const bool layers = quick->layer[0].level || quick->layer[1].level
                      || quick->layer[2].level;
-    const bool thin = even || frame->rungs.rate == TP_RATE_LAYERS;
+    const bool thin = even_columns_only || frame->rungs.rate == TP_RATE_LAYERS;
     const bool ripples = has_ripples(frame, quick);
     const bool bends = quick->bend.level && frame->scene->distortion.strength > 0;
 
     if (layers || ripples)
-        link_stage(c, stage[TP_NTH_quick_mip_spans]);
+        append_stage(c, stage[TP_NTH_quick_mip_spans]);
     if (layers)
-        link_stage(c, places_stage(stage, bends, thin));
-    link_stage(c, even ? stage[TP_NTH_quick_layers_even]
-                  : !layers
-                      ? frame->program->stage.plain
-                      : stage[thin ? TP_NTH_quick_layers_thin : TP_NTH_quick_layers]);
-    link_stage(c, stage[ripples ? TP_NTH_quick_ripple : TP_NTH_quick_slopes]);
+        append_stage(c, places_stage(stage, bends, thin));
+    append_stage(c, even_columns_only ? stage[TP_NTH_quick_layers_even]
+                    : !layers
+                        ? frame->program->stage.plain
+                        : stage[thin ? TP_NTH_quick_layers_thin : TP_NTH_quick_layers]);
+    append_stage(c, stage[ripples ? TP_NTH_quick_ripple : TP_NTH_quick_slopes]);
 }
 
 static chain make_full_rate_chain(const tp_frame *frame, const tp_quick_layers *layers,
@@ -285,8 +287,8 @@ static chain make_full_rate_chain(const tp_frame *frame, const tp_quick_layers *
     };
     chain c = { .count = 0 };
 
-    link_layers(&c, frame, layers, stage, false);
-    link_stage(&c, stage[light[frame->shade.env.kind][select_lobe(frame)]]);
+    append_layer_stages(&c, frame, layers, stage, false);
+    append_stage(&c, stage[light[frame->shade.env.kind][select_lobe(frame)]]);
     return c;
 }
 
@@ -300,15 +302,15 @@ static chain make_half_rate_chain(const tp_frame *frame, const tp_quick_layers *
                                     TP_NTH_quick_glint_blinn };
     chain c = { .count = 0 };
 
-    link_layers(&c, frame, layers, stage, true);
-    link_stage(&c, stage[light[frame->shade.env.kind]]);
-    link_stage(&c, stage[rest[select_lobe(frame)]]);
+    append_layer_stages(&c, frame, layers, stage, true);
+    append_stage(&c, stage[light[frame->shade.env.kind]]);
+    append_stage(&c, stage[rest[select_lobe(frame)]]);
     return c;
 }
 
 /* Adds all stages or none, because each stage reads the results of the stage before.
  * Returns true if added. */
-static bool add_chain(tp_shaders *list, const chain *c, const void *mine)
+static bool add_chain_if_complete(tp_shaders *list, const chain *c, const void *mine)
 {
     for (uint32_t i = 0; i < c->count; i++)
         if (!c->stage[i])
@@ -326,10 +328,10 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
     if (list->kind != TP_LIST_FAST)
         return;
     const chain halves = make_half_rate_chain(frame, layers, stage);
-    if (frame->rungs.rate == TP_RATE_COLOUR && add_chain(list, &halves, mine))
+    if (frame->rungs.rate == TP_RATE_COLOUR && add_chain_if_complete(list, &halves, mine))
         return;
     const chain columns = make_full_rate_chain(frame, layers, stage);
-    add_chain(list, &columns, mine);
+    add_chain_if_complete(list, &columns, mine);
 }
 
 const tp_drawing tp_fast_water_drawing = {

@@ -27,7 +27,7 @@ static uint32_t longer_side_log2(const tp_texture *t)
 }
 
 /* Returns log2 of the baked side, 1..TP_QUICK_LOG2. */
-static uint32_t side_log2(const tp_texture *from)
+static uint32_t baked_side_log2(const tp_texture *from)
 {
     return (uint32_t)tp_clamp((int32_t)longer_side_log2(from), 1, TP_QUICK_LOG2);
 }
@@ -35,7 +35,7 @@ static uint32_t side_log2(const tp_texture *from)
 /* Sum of 4^n words for n of 0..side. */
 size_t tp_quick_bytes(const tp_texture *from)
 {
-    return ((4u << 2 * side_log2(from)) - 1) / 3 * sizeof(uint32_t);
+    return ((4u << 2 * baked_side_log2(from)) - 1) / 3 * sizeof(uint32_t);
 }
 
 static uint32_t level_log2(uint32_t log2, uint32_t level)
@@ -43,8 +43,8 @@ static uint32_t level_log2(uint32_t log2, uint32_t level)
     return log2 > level ? log2 - level : 0;
 }
 
-static void prepare_level(uint32_t *to, uint32_t log2, const tp_texture *from,
-                          uint32_t level, texel_work texel, const bake_work *w)
+static void bake_level(uint32_t *to, uint32_t log2, const tp_texture *from,
+                       uint32_t level, texel_work texel, const bake_work *w)
 {
     const uint32_t log2_w = level_log2(from->log2_w, level);
     const uint32_t log2_h = level_log2(from->log2_h, level);
@@ -57,11 +57,11 @@ static void prepare_level(uint32_t *to, uint32_t log2, const tp_texture *from,
     }
 }
 
-static void prepare(tp_texture *to, const tp_texture *from, texel_work texel,
-                    const bake_work *w, uint32_t *mem)
+static void bake_levels(tp_texture *to, const tp_texture *from, texel_work texel,
+                        const bake_work *w, uint32_t *mem)
 {
     TP_ASSERT(from->levels > 0 && (uintptr_t)mem % 4 == 0);
-    const uint32_t side = side_log2(from), whole = longer_side_log2(from);
+    const uint32_t side = baked_side_log2(from), whole = longer_side_log2(from);
     const uint32_t left_out = whole > side ? whole - side : 0;
 
     *to = (tp_texture){ .log2_w = (uint8_t)side, .log2_h = (uint8_t)side,
@@ -69,7 +69,7 @@ static void prepare(tp_texture *to, const tp_texture *from, texel_work texel,
     for (uint32_t l = 0; l <= side; l++) {
         const uint32_t level = l + left_out;
         to->level[l] = mem;
-        prepare_level(mem, side - l, from, level <= whole ? level : whole, texel, w);
+        bake_level(mem, side - l, from, level <= whole ? level : whole, texel, w);
         mem += (size_t)1 << 2 * (side - l);
     }
 }
@@ -97,13 +97,13 @@ void tp_quick_graded(tp_texture *to, const tp_texture *from, tp_fx saturation, t
 {
     const bake_work w = { .grade = tp_grade_make(saturation, clamp, colour), .tint = colour,
                      .graded = tp_is_graded(saturation, clamp) };
-    prepare(to, from, graded_texel, &w, mem);
+    bake_levels(to, from, graded_texel, &w, mem);
 }
 
 /* -- distortion: red along s, green along t; 128 is 0, 0 full negative strength ------ */
 
 /* Returns an offset in 1/1024 m.  2^7 x 20 m is below 2^28. */
-static uint32_t offset(const bake_work *w, uint32_t channel)
+static uint32_t channel_offset(const bake_work *w, uint32_t channel)
 {
     int32_t m = ((int32_t)channel - 128) * w->gain;
     return (uint32_t)((m + (1 << 12)) >> 13);
@@ -111,13 +111,14 @@ static uint32_t offset(const bake_work *w, uint32_t channel)
 
 static uint32_t offset_texel(const bake_work *w, uint32_t texel)
 {
-    return offset(w, texel >> 16 & 0xff) << 16 | (offset(w, texel >> 8 & 0xff) & 0xffff);
+    return channel_offset(w, texel >> 16 & 0xff) << 16
+           | (channel_offset(w, texel >> 8 & 0xff) & 0xffff);
 }
 
 void tp_quick_offsets(tp_texture *to, const tp_texture *from, tp_fx strength, void *mem)
 {
     const bake_work w = { .gain = strength };
-    prepare(to, from, offset_texel, &w, mem);
+    bake_levels(to, from, offset_texel, &w, mem);
 }
 
 /* -- ripples: slopes -nx / nz along s and ny / nz along t ----------------------------- */
@@ -142,7 +143,7 @@ static uint32_t slope_texel(const bake_work *w, uint32_t texel)
 void tp_quick_slopes(tp_texture *to, const tp_texture *from, tp_fx bump, void *mem)
 {
     const bake_work w = { .gain = bump >> 8 };
-    prepare(to, from, slope_texel, &w, mem);
+    bake_levels(to, from, slope_texel, &w, mem);
 }
 
 /* -- light --------------------------------------------------------------------------- */
@@ -151,7 +152,7 @@ void tp_quick_slopes(tp_texture *to, const tp_texture *from, tp_fx bump, void *m
 
 /* Fills the table of shares.  In the middle of entry i, n is the lower bound plus
  * (i + 1/2) / 256. */
-static void make_shares(struct tp_quick_light *quick, const tp_shade *shade)
+static void fill_fresnel_shares(struct tp_quick_light *quick, const tp_shade *shade)
 {
     for (int32_t i = 0; i < TP_QUICK_SHARES; i++) {
         int32_t  n = (quick->least + ((i + 1) << 18)) >> 18;
@@ -225,7 +226,7 @@ static uint32_t mirrored_sky_colour(uint32_t sky, int32_t up)
 
 /* Fills the columns of heights.  Entry i is in the middle of a 32nd; `up` is in 256ths.
  * A gradient has one column; a dome has 16 columns, mixed from its two sides. */
-static void fill_sky_heights(struct tp_quick_light *quick, const tp_shade *shade)
+static void fill_sky_colours_by_height(struct tp_quick_light *quick, const tp_shade *shade)
 {
     const tp_dome *dome = shade->env.kind == TP_ENV_DOME ? shade->env.dome : NULL;
     const int32_t least = quick->least >> 18;
@@ -243,14 +244,14 @@ static void fill_sky_heights(struct tp_quick_light *quick, const tp_shade *shade
 }
 
 /* Returns the height y, Q14, at which the contracted horizontal part sqrt(1 - y^2) (1 -
- * y / 2) is `far` / 16384.  The horizontal part falls with y. */
-static int32_t solve_height(int32_t far)
+ * y / 2) is `radius` / 16384.  The horizontal part falls with y. */
+static int32_t solve_height_from_radius(int32_t radius)
 {
     int32_t low = 0, high = 16384;
 
     for (int k = 0; k < 14; k++) {
         int32_t y = (low + high) / 2;
-        if (root_q14((1 << 28) - y * y) * (int64_t)(32768 - y) >> 15 > far)
+        if (root_q14((1 << 28) - y * y) * (int64_t)(32768 - y) >> 15 > radius)
             low = y;
         else
             high = y;
@@ -266,12 +267,13 @@ static int choose_level(const tp_texture *face)
 
 /* Fills the map of a cube.  A cell holds the light from the direction opposite to its
  * place. */
-static void make_cube(struct tp_quick_light *quick, const tp_shade *shade)
+static void make_cube_sky_map(struct tp_quick_light *quick, const tp_shade *shade)
 {
     for (int32_t i = 0; i < TP_QUICK_SIDE * TP_QUICK_SIDE; i++) {
         int32_t u = (i % TP_QUICK_SIDE - 16) * 1024 + 512;
         int32_t v = (i / TP_QUICK_SIDE - 16) * 1024 + 512;
-        int32_t far = tp_clamp(root_q14(u * u + v * v), 1, 32767), y = solve_height(far);
+        int32_t far = tp_clamp(root_q14(u * u + v * v), 1, 32767),
+                y = solve_height_from_radius(far);
         int32_t level_part = root_q14((1 << 28) - y * y);
         int32_t x = -u * level_part / far, z = -v * level_part / far;
         const tp_texture *face = shade->env.cube->face[tp_cube_face(x, y, z).face];
@@ -284,10 +286,10 @@ void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
 {
     TP_ASSERT((unsigned)lobe <= TP_LOBE_BLINN && shade->fresnel != NULL);
     quick->least = rippled ? RIPPLED_VIEW : 0;
-    make_shares(quick, shade);
+    fill_fresnel_shares(quick, shade);
     make_lobe(quick, shade, lobe, specular);
     if (shade->env.kind == TP_ENV_CUBE)
-        make_cube(quick, shade);
+        make_cube_sky_map(quick, shade);
     else
-        fill_sky_heights(quick, shade);
+        fill_sky_colours_by_height(quick, shade);
 }

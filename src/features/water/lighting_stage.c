@@ -131,8 +131,8 @@ TP_ALWAYS_INLINE uint32_t reflected_share(const tp_shade *shade, int32_t nv, int
 
 /* Returns reflected_share in 1/65536: light of many whites multiplies the rounding
  * error. */
-TP_ALWAYS_INLINE uint32_t fine_reflected_share(const tp_shade *shade, int32_t nv,
-                                               int32_t up)
+TP_ALWAYS_INLINE uint32_t reflected_share_q16(const tp_shade *shade, int32_t nv,
+                                              int32_t up)
 {
     uint32_t share = shade->fresnel[nv >> 6] * (uint32_t)shade->mirror;
     return share * horizon_fade(up) >> 8;
@@ -195,7 +195,7 @@ TP_ALWAYS_INLINE void fresnel(const tp_shade *restrict shade, tp_run *restrict r
         uint32_t light = run->mirror[i], colour = run->colour[i], bright = 0;
         int32_t  nv = run->nv[i], up = run->up[i];
         if (hdr && (TP_WIDE || light >> 24))
-            bright = bright_mix(colour, light, fine_reflected_share(shade, nv, up),
+            bright = bright_mix(colour, light, reflected_share_q16(shade, nv, up),
                                 tp_light_gain(shade, light));
         uint32_t mixed = tp_colour_mix(colour, light, reflected_share(shade, nv, up));
         run->colour[i] = hdr && light >> 24 ? bright : mixed;

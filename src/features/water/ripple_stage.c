@@ -35,8 +35,8 @@ tp_pool_bump tp_pool_bump_make(const tp_pool *pool, const tp_pool_slope *slope)
 }
 
 /* Returns the bilinear mean of four values, |a| < 2^14: a sum has 30 bits. */
-TP_ALWAYS_INLINE int32_t bilinear_mean(int32_t a, int32_t b, int32_t c, int32_t d,
-                                       int32_t fs, int32_t ft)
+TP_ALWAYS_INLINE int32_t interpolate_bilinear(int32_t a, int32_t b, int32_t c, int32_t d,
+                                              int32_t fs, int32_t ft)
 {
     int32_t above = a * 256 + (b - a) * fs, below = c * 256 + (d - c) * fs;
     return (above * 256 + (below - above) * ft + 0x8000) >> 16;
@@ -78,8 +78,8 @@ TP_ALWAYS_INLINE void add_bump_slopes(const tp_pool_bump *pool, tp_run *run, int
     int32_t  fs = (int32_t)((uint32_t)su >> 24), ft = (int32_t)((uint32_t)tv >> 24);
     const tp_pool_slope *a = pool->slope + (size_t)v * (pool->cols + 2) + u;
     const tp_pool_slope *c = a + pool->cols + 2;
-    int32_t  sx = bilinear_mean(a[0].x, a[1].x, c[0].x, c[1].x, fs, ft);
-    int32_t  sz = bilinear_mean(a[0].z, a[1].z, c[0].z, c[1].z, fs, ft);
+    int32_t  sx = interpolate_bilinear(a[0].x, a[1].x, c[0].x, c[1].x, fs, ft);
+    int32_t  sz = interpolate_bilinear(a[0].z, a[1].z, c[0].z, c[1].z, fs, ft);
 
     run->sx[i] = (int16_t)tp_clamp(run->sx[i] + (sx * share >> 8), -32000, 32000);
     run->sz[i] = (int16_t)tp_clamp(run->sz[i] + (sz * share >> 8), -32000, 32000);

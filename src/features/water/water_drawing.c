@@ -292,8 +292,8 @@ static void begin_reflectance(tp_frame *frame, void *mine)
 
 /* Adds separate stages for reflection and mixing.  If the program lacks the sky's stage,
  * neither sky nor objects are mixed in. */
-static void add_separate_stages(const tp_frame *frame, const tp_stage *stage,
-                                tp_shaders *list)
+static void add_reflect_and_fresnel_stages(const tp_frame *frame, const tp_stage *stage,
+                                           tp_shaders *list)
 {
     const bool hdr = frame->shade.env.beyond && stage[TP_NTH_fresnel_hdr];
 
@@ -317,7 +317,7 @@ static void add_reflectance_stages(const tp_frame *frame, const void *mine,
         && frame->scene->mirror.objects == TP_MIRROR_NONE)
         tp_shaders_add(list, TP_AT_FRESNEL, stage[TP_NTH_mirror], NULL);
     else
-        add_separate_stages(frame, stage, list);
+        add_reflect_and_fresnel_stages(frame, stage, list);
 }
 
 const tp_drawing tp_reflectance_drawing = { .begin = begin_reflectance,

@@ -10,7 +10,7 @@ static bool has_layer(const tp_want *want, int k)
     return want->assets && (want->assets->layer[k] || want->assets->baked_layer[k]);
 }
 
-static uint8_t layers_added(const tp_want *want)
+static uint8_t added_layer_count(const tp_want *want)
 {
     return (uint8_t)(has_layer(want, 1) + has_layer(want, 2));
 }
@@ -20,7 +20,7 @@ static bool bends_layers(const tp_want *want)
 {
     return want->assets && (want->assets->distortion || want->assets->baked_offset)
            && want->scene->distortion.strength > 0
-           && (has_layer(want, 0) || layers_added(want) > 0);
+           && (has_layer(want, 0) || added_layer_count(want) > 0);
 }
 
 static bool is_linear(const tp_want *want)
@@ -33,7 +33,7 @@ bool tp_base_layer_enabled(const tp_want *want)
     return has_layer(want, 0);
 }
 
-static void count_base_layer(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
+static void set_base_layer_traits(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
 {
     trait[TP_TRAIT_texture] = 1;
     trait[TP_TRAIT_linear] = is_linear(want);
@@ -41,13 +41,13 @@ static void count_base_layer(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
 
 bool tp_layers_enabled(const tp_want *want)
 {
-    return layers_added(want) > 0 || bends_layers(want);
+    return added_layer_count(want) > 0 || bends_layers(want);
 }
 
-static void count_layers(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
+static void set_layer_traits(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
 {
     trait[TP_TRAIT_bend] = bends_layers(want);
-    trait[is_linear(want) ? TP_TRAIT_lined : TP_TRAIT_layer] = layers_added(want);
+    trait[is_linear(want) ? TP_TRAIT_lined : TP_TRAIT_layer] = added_layer_count(want);
 }
 
 /* -- slopes -------------------------------------------------------------------------- */
@@ -65,7 +65,7 @@ bool tp_bumps_enabled(const tp_want *want)
     return pool_bump_count(want) > 0;
 }
 
-static void count_bumps(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
+static void set_bump_traits(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
 {
     trait[TP_TRAIT_bump] = pool_bump_count(want);
 }
@@ -106,7 +106,7 @@ bool tp_reflectance_enabled(const tp_want *want)
         || want->scene->water.fresnel == TP_FRESNEL_SCHLICK;
 }
 
-static void count_reflectance(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
+static void set_reflectance_traits(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
 {
     trait[TP_TRAIT_mirror] = want->scene->water.reflection > 0;
 }
@@ -130,18 +130,18 @@ bool tp_fast_water_enabled(const tp_want *want)
 const tp_module tp_bumps_module = {
     .name = "bumps", .id = TP_BUMPS_ID,
     .is = TP_MODULE_EXACT | TP_MODULE_SLOPES,
-    .enabled = tp_bumps_enabled, .count = count_bumps,
+    .enabled = tp_bumps_enabled, .count = set_bump_traits,
 };
 
 const tp_module tp_base_layer_module = {
     .name = "base layer", .id = TP_MODULE_ID('b', 'a', 's', 'e'),
-    .enabled = tp_base_layer_enabled, .count = count_base_layer,
+    .enabled = tp_base_layer_enabled, .count = set_base_layer_traits,
 };
 
 const tp_module tp_layers_module = {
     .name = "layers", .id = TP_MODULE_ID('l', 'a', 'y', 'r'),
     .enabled = tp_layers_enabled,
-    .count = count_layers,
+    .count = set_layer_traits,
 };
 
 const tp_module tp_ripple_module = {
@@ -161,7 +161,7 @@ const tp_module tp_diffuse_module = {
 
 const tp_module tp_reflectance_module = {
     .name = "reflectance", .id = TP_MODULE_ID('r', 'f', 'l', 'c'),
-    .enabled = tp_reflectance_enabled, .count = count_reflectance,
+    .enabled = tp_reflectance_enabled, .count = set_reflectance_traits,
 };
 
 const tp_module tp_glint_module = {
