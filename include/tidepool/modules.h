@@ -77,7 +77,7 @@ TP_FORMAT_LIST(X)
 
 #define TP_WATER_LIST(X) \
     X(swells)       /* sums of waves; without them the water is level */ \
-    X(sharp)        /* sharpened crests of swells (wave.power) */ \
+    X(sharp)        /* sharpened crests of swells (wave.exponent) */ \
     X(lod)          /* grid level of detail; needs swells */ \
     X(coastal)      /* coastal water: over a floor or in a wind; needs swells */ \
     X(rings) X(pools)

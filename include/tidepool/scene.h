@@ -26,26 +26,26 @@ typedef struct {
     tp_fx heading;          /* direction of travel, degrees, clockwise from -z */
     tp_fx phase;            /* degrees at tick 0 */
     tp_fx speed;            /* factor of the natural speed sqrt(g/k); 0: stands still */
-    int32_t power;          /* 1..8: 1 is a sine, more sharpens crests [A3]; 0 is 1 */
+    int32_t exponent;       /* 1..8: 1 is a sine, more sharpens crests [A3]; 0 is 1 */
 } tp_wave;
 
-typedef enum { TP_DROPS_RINGS, TP_DROPS_POOL } tp_drops_into;
+typedef enum { TP_DROPS_RINGS, TP_DROPS_POOL } tp_drops_target;
 
 /* Drops that fall from a sphere and bounce on the water. */
 typedef struct {
     int32_t count;          /* drops in the air at once, 0..1024; 0: no drops, no sphere */
     int32_t rings;          /* rings on the water at once, 0..1024 */
-    int32_t into;           /* tp_drops_into: impacts make rings, or move the pool */
+    int32_t target;         /* tp_drops_target: impacts make rings, or move the pool */
     tp_fx   x, y, z;        /* position of the sphere at tick 0, m */
     tp_fx   radius;         /* radius, m, 0.002..1; the sphere's is twice as large */
     tp_fx   density;        /* kg/m^3, 100..10000 */
     tp_fx   drag;           /* Cd [D1], 0..2; 0: mass does not matter */
     tp_fx   bounce;         /* coefficient of restitution e [D2], 0.5..0.8 */
     int32_t impacts;        /* impacts of a drop before it vanishes, 5..7 */
-    tp_fx   every;          /* time between automatic drops, s; 0: no automatic drops */
-    tp_fx   scatter;        /* greatest distance of a falling drop from the sphere, m */
+    tp_fx   interval;       /* time between automatic drops, s; 0: no automatic drops */
+    tp_fx   scatter_radius; /* greatest distance of a falling drop from the sphere, m */
     tp_fx   efficiency;     /* share of the lost energy that the ring takes, 0..1 [D4] */
-    tp_fx   speed, decay, spread, attack;   /* rings: m/s, s, m, s */
+    tp_fx   ring_speed, ring_decay, ring_spread, ring_rise_time;    /* m/s, s, m, s */
     int32_t colour;         /* colour of drops and sphere */
 } tp_scene_drops;
 
@@ -80,17 +80,17 @@ typedef enum { TP_LOD_AUTO, TP_LOD_OFF, TP_LOD_ON } tp_lod;
 /* A pool: a grid of cells that simulates waves in shallow water. */
 typedef struct {
     int32_t cols, rows;             /* cells, 16..512; cols 0: no pool */
-    int32_t cells, edges;           /* tp_cells, tp_edges */
+    int32_t cell_bits, boundary;    /* tp_cells, tp_edges */
     int32_t damping;                /* n: each tick 2^-n of the motion is lost */
     int32_t sponge;                 /* absorbing cells of TP_EDGES_SPONGE */
     tp_fx   courant;                /* Courant number, 0.05 to about 0.49 */
-    tp_fx   range;                  /* m at the full range of 8- and 16-bit cells */
+    tp_fx   max_height;             /* m at the full range of 8- and 16-bit cells */
     tp_fx   cell, x, z;             /* side of a cell, m; centre of the pool, m */
-    tp_fx   feed_low, feed_high;    /* rms of the heights, m, between which the drive keeps
+    tp_fx   drive_min, drive_max;   /* rms of the heights, m, between which the drive keeps
                                      * them; 0, 0: no drive */
-    tp_fx   feed;                   /* height of one push of the drive, m */
-    tp_fx   poke_every;             /* time between splashes at random places, s; 0: none */
-    tp_fx   poke, poke_size;        /* height and width of a splash, m */
+    tp_fx   drive_amplitude;        /* height of one push of the drive, m */
+    tp_fx   splash_interval;        /* s between splashes at random places; 0: none */
+    tp_fx   splash_height, splash_width;    /* of a splash at a random place, m */
     tp_fx   paddle, paddle_period;  /* wave maker at the north edge: height m, period s */
     char    mask[TP_NAME_BYTES];    /* PNG of inner walls; "": none */
 } tp_scene_pool;
@@ -122,7 +122,7 @@ typedef struct {
  * are 0x00RRGGBB.  `tidepool params` prints unit, range, default and meaning of each
  * row. */
 typedef struct tp_scene {
-    char title[TP_NAME_BYTES], shows[TP_NAME_BYTES];
+    char title[TP_NAME_BYTES], description[TP_NAME_BYTES];
     struct {
         tp_fx   x, y, z, heading, pitch, fov, near;
         int32_t follow;                     /* tp_camera_follow */
@@ -150,7 +150,8 @@ typedef struct tp_scene {
     struct {
         tp_fx   share;                      /* share of the light in alpha; 0: no HDR */
         int32_t exposure;                   /* tp_exposure_mode */
-        tp_fx   value, rate;                /* fixed exposure; adaptation per tick, 0..1 */
+        tp_fx   exposure_factor;            /* fixed; start of automatic exposure */
+        tp_fx   rate;                       /* adaptation per tick, 0..1 */
     } hdr;
     struct {
         int32_t colour;                     /* colour of the water, times the first layer */
@@ -158,10 +159,10 @@ typedef struct tp_scene {
         tp_fx   specular, shininess, reflection;
         int32_t fresnel;                    /* tp_fresnel_rule */
         tp_fx   gravity;
-        tp_fx   pool_bump;                  /* > 0: pools bend normals, not the mesh */
-        tp_fx   clear;                      /* clarity, m; 0: the water is opaque */
-        int32_t tint;                       /* colour of white light after `clear` m */
-        int32_t deep;                       /* colour of bottomless water */
+        tp_fx   pool_normal_strength;       /* > 0: pools bend normals, not the mesh */
+        tp_fx   clarity;                    /* m; 0: the water is opaque */
+        int32_t tint;                       /* colour of white light after `clarity` m */
+        int32_t deep_colour;                /* colour of bottomless water */
         tp_fx   dispersion;                 /* spread of the refractive index by colour */
         tp_fx   caustics;                   /* strength of light focused on the floor */
         int32_t caustic_cells;              /* cells along the side of the caustics map */
@@ -171,8 +172,8 @@ typedef struct tp_scene {
     struct { tp_scene_map map; tp_fx strength; } distortion;        /* distortion, m */
     struct { tp_scene_map map; tp_fx bump; } ripple;    /* normal map; bump 1: as drawn */
     struct {
-        int32_t objects, size;              /* tp_mirror_kind, tp_mirror_size */
-        tp_fx   bend;
+        int32_t method, size;               /* tp_mirror_kind, tp_mirror_size */
+        tp_fx   distortion;
     } mirror;
     struct {                                /* the sides of the pool */
         int32_t kind;                       /* tp_tank_kind */
@@ -202,7 +203,9 @@ typedef struct tp_scene {
         tp_fx   texture_size;
     } floor;
     struct { tp_fx strength, heading; } wind;       /* rad/m [B10], degrees */
-    struct { tp_fx k0, kx, ky, stretch, irregular; } surf;  /* [B12], [B20] */
+    struct {                                        /* decays per m [B12]; [B20] */
+        tp_fx   tilt_decay, widening_decay, flattening_decay, stretch, irregular;
+    } surf;
     tp_scene_pool pool, field;              /* a bounded pool; a periodic field */
     tp_scene_drops drops;
     struct {

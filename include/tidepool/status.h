@@ -56,7 +56,7 @@ TP_BEGIN_C
     X(E_POOL_COURANT, "%s of 0.%a is above 0.%b, the bound of this damping; water "      \
                       "would not come to rest")                                          \
     X(E_POOL_RANGE, "%s is outside the range of pools")                                  \
-    X(E_POOL_FEED, "%s is above feed_high")                                              \
+    X(E_POOL_FEED, "%s is above drive_max")                                              \
     X(E_POOL_MASK, "%s has no samples: %a x %b")                                         \
     X(E_WORLD, "the world's %s does not match its scene")                                \
     X(E_TAPE_HEAD, "expected \"tape 1 SCENE\", found %s")                                \

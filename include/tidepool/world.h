@@ -33,7 +33,7 @@ typedef struct tp_world tp_world;
 #define TP_TICKS_PER_SECOND 60      /* clock of all simulation */
 
 
-/* A push of the pool's water at (x, z): a splash of pool.poke_size, `height` above the
+/* A push of the pool's water at (x, z): a splash of pool.splash_width, `height` above the
  * level.  A height of 0 is no push; a push outside of the pool has no effect. */
 typedef struct {
     tp_fx   height, x, z;       /* m */
@@ -90,11 +90,10 @@ void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *s
 
 /* Pushes the water at (x, z), m, at once.  Call between ticks, any number of times.
  *  - In the pool, else in the field: a splash `height` m high or deep and `radius` m
- *  wide, at
- *    least 1.5 cells, that adds no volume.  A push of pool.poke_size has the same bits as
- *    the same tp_input.push in the next tick, unless drops or a boat affect the pool in
- *    that tick.
- *  - On open water, if drops raise rings (drops.into = rings): a ring that begins with a
+ *    wide, at least 1.5 cells, that adds no volume.  A push of pool.splash_width has the
+ *    same bits as the same tp_input.push in the next tick, unless drops or a boat affect
+ *    the pool in that tick.
+ *  - On open water, if drops raise rings (drops.target = rings): a ring that begins with a
  *  crest
  *    of |height| m, at most 4 m, and a length of 4 radii; a radius is at most 16 m.  The
  *    ring makes foam if the scene has foam, and is visible after the next tick.

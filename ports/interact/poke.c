@@ -33,7 +33,7 @@ tp_push poke_make_push(const tp_scene *scene, tp_fx x, tp_fx z)
 {
     const tp_scene_pool *pool = poked(scene);
 
-    return (tp_push){ .height = pool ? pool->poke : 0, .x = x, .z = z };
+    return (tp_push){ .height = pool ? pool->splash_height : 0, .x = x, .z = z };
 }
 
 /* -- input of a tick ----------------------------------------------------------------- */

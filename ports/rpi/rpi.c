@@ -21,6 +21,7 @@
  * board.ld, on the card beside the firmware's files.  Tested in QEMU only. */
 #include "rpi.h"
 #include "base/arena.h"
+#include "interact/old_names.h"
 #include "pixel/pixel.h"
 #include "serial/control.h"
 #include "tidepool/modules.h"
@@ -212,6 +213,7 @@ static void work_begin(rpi_work *w, const rpi_screen *s)
         .write = write,
         .state = say_state,
         .to = w,
+        .find = old_name_param,
     };
     control_begin(&w->control, &w->setup);
 }

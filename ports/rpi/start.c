@@ -31,7 +31,7 @@ enum { NOBODYS, CACHED, BARE, DEVICE };
  * DEVICE are not executable. */
 #define BLOCK   0x200000u
 #define ENTRIES 512
-typedef uint64_t entry;
+typedef uint64_t page_entry;
 static const page_entry kinds[] = {
     [CACHED] = 0x701, [BARE] = 0x60000000000705, [DEVICE] = 0x60000000000409,
 };
@@ -40,7 +40,7 @@ static const page_entry kinds[] = {
  * DEVICE are not executable. */
 #define BLOCK   0x100000u
 #define ENTRIES 4096
-typedef uint32_t entry;
+typedef uint32_t page_entry;
 static const page_entry kinds[] = {
     [CACHED] = 0x1c0e, [BARE] = 0x1c12, [DEVICE] = 0xc16,
 };

@@ -33,7 +33,7 @@ static bool aim(const tp_world *world, const tp_scene *scene, tp_input *input)
         x = tp_fx_sub_sat(camera.eye.x, tp_q30_mul(far, back->x));
         z = tp_fx_sub_sat(camera.eye.z, tp_q30_mul(far, back->z));
     }
-    const tp_push push = { scene->pool.poke,
+    const tp_push push = { scene->pool.splash_height,
                            held(scene, scene->pool.cols, scene->pool.x, x),
                            held(scene, scene->pool.rows, scene->pool.z, z) };
     return push.height == 0 || poke_put(input, &push);

@@ -70,7 +70,7 @@ static void refuse_full(const control *c)
 static void poke(control *c, control_word rest)
 {
     const tp_world *world = c->setup->world;
-    tp_push push = { .height = c->setup->shown->pool.poke };
+    tp_push push = { .height = c->setup->shown->pool.splash_height };
     bool read = next_metres(&rest, &push.x) && next_metres(&rest, &push.z);
     if (read && rest.bytes > 0)
         read = next_metres(&rest, &push.height) && rest.bytes == 0;

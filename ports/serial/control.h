@@ -7,16 +7,19 @@
  *     get sky.kind                ok sky.kind = day of gradient|day|dusk|night|cube
  *     list wave0                  a line for each parameter, then: ok 7 parameters
  *     drop                        ok drop
- *     poke 1.5 -8                 ok poke; a height may follow, default pool.poke; a tick
- *                                 takes 8 pokes, more are refused until the next tick
+ *     poke 1.5 -8                 ok poke; a height may follow, default
+ *                                 pool.splash_height; a tick takes 8 pokes, more are
+ *                                 refused until the next tick
  *     input light_turn=9 drops=1  ok input; fields as in world/tape.h, for one tick
  *     pause, go, step 30          ok pause; step makes so many ticks, then pauses
  *     restart                     ok restart; from tick 0, with the present numbers
  *     state                       ok tick 37, then data of the port
  *
  * Bytes are passed in one by one, between frames only: drawing a frame reads the scene.
- * Every line that is not blank gets a reply line that begins with "ok" or "error"; a line
- * ends with CR, LF or both.  No function allocates memory or waits. */
+ * Every line that is not blank gets a reply line that begins with "ok" or "error"; before
+ * it, an earlier name of a parameter is answered with a line "pool.feed is now called
+ * pool.drive_amplitude", if control_setup.find knows it.  A line ends with CR, LF or both.
+ * No function allocates memory or waits. */
 #ifndef TP_SERIAL_CONTROL_H
 #define TP_SERIAL_CONTROL_H
 #include <stdbool.h>
@@ -36,6 +39,9 @@ typedef struct {
     void           (*write)(void *to, const char *text);    /* sends a piece of a reply */
     void           (*state)(void *to);      /* the port's part of `state`; NULL: none */
     void            *to;
+    /* Returns the row of a present or an earlier name (old_name_param of
+     * ports/interact); NULL: earlier names are refused, which saves their table. */
+    const tp_param *(*find)(const char *name, size_t bytes);
 } control_setup;
 
 typedef struct {

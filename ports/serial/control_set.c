@@ -6,7 +6,7 @@
  * Parameters fixed at bake time, files and the grid's size, are refused.  If the frame
  * lacks memory for a change, the change is made, and the reply says that it is drawn in
  * part: tidepool/frame.h lists the features left out.  The reply says nothing if the new
- * setting needs no more memory than the old one (mirror.objects from stencil to cube). */
+ * setting needs no more memory than the old one (mirror.method from stencil to cube). */
 #include "../interact/setting.h"
 #include "reply.h"
 #include "world/value.h"

@@ -36,11 +36,17 @@ bool control_is(control_word word, const char *name)
 
 const tp_param *control_find(const control *c, control_word name)
 {
-    const tp_param *param = tp_param_find(name.text, name.bytes);
+    const tp_param *param = c->setup->find ? c->setup->find(name.text, name.bytes)
+                                           : tp_param_find(name.text, name.bytes);
+    tp_error err = { .code = TP_E_NAME };
+    tp_error_set_word(&err, name.text, name.bytes);
     if (!param) {
-        tp_error err = { .code = TP_E_NAME };
-        tp_error_set_word(&err, name.text, name.bytes);
         reply_input_error(c, &err);
+    } else if (!control_is(name, param->name)) {
+        reply_text(c, err.word);
+        reply_text(c, " is now called ");
+        reply_text(c, param->name);
+        reply_text(c, "\n");
     }
     return param;
 }

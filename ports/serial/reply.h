@@ -17,8 +17,8 @@ typedef struct { const char *text; size_t bytes; } control_word;
 control_word control_next(control_word *rest, char end);
 bool control_is(control_word word, const char *name);
 
-/* Returns the parameter of a name.  If the name is unknown, replies with an error and
- * returns NULL. */
+/* Returns the parameter of a name.  An earlier name is answered with a line that gives the
+ * present name, an unknown name with an error; the function then returns NULL. */
 const tp_param *control_find(const control *c, control_word name);
 void control_set(control *c, control_word rest);
 

@@ -68,12 +68,17 @@
                 const text = this.string(at);
                 const word = name => (text.match('\n' + name + '=(.*)') || [])[1] || '';
                 list.push({ name: text.split('\n', 1)[0], title: word('title'),
-                            shows: word('shows') });
+                            description: word('description') });
             }
             return list;
         }
 
         /* -- values -------------------------------------------------------------- */
+
+        /* Returns the row with this name, or once called so; undefined: none. */
+        find(name) {
+            return this.row.get(name) || this.table[this.c.find(this.say(name))];
+        }
 
         value(p) { return this.string(this.c.value(p.index, false)); }
         filed(p) { return this.string(this.c.value(p.index, true)); }

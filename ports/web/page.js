@@ -5,8 +5,8 @@
     const $ = id => document.getElementById(id);
     const canvas = $('canvas'), context = canvas.getContext('2d', { alpha: false });
     /* Drops for a scene without drops, large enough for the sea; count comes last. */
-    const SEA_DROPS = { every: '0', radius: '0.3', y: '4', speed: '2.5', decay: '3',
-                        spread: '3', efficiency: '0.6', count: '32' };
+    const SEA_DROPS = { interval: '0', radius: '0.3', y: '4', ring_speed: '2.5',
+                        ring_decay: '3', ring_spread: '3', efficiency: '0.6', count: '32' };
     const LOOKS = ['free', 'orbit', 'top', 'boat'];
     const FIRST = 'three-swells';
     const TICK = 1000 / 60, AT_ONCE = 8;    /* limit per frame; if more are due, the
@@ -201,10 +201,12 @@
         engine.choose(state.scene);
         for (const [name, text] of wanted.settings)
             try {
-                const p = engine.row.get(name);
+                const p = engine.find(name);
                 if (!p)
                     throw new Error(`no parameter is called ${name}`);
                 engine.put(p, text);
+                if (p.name !== name)
+                    note(new Error(`${name} is now called ${p.name}`));
             } catch (error) {
                 note(error);
             }
@@ -237,7 +239,7 @@
         if (![...$('size').options].some(o => o.value === size))
             $('size').append(sizeOption(size));
         $('size').value = size;
-        $('scene').title = scene.shows;
+        $('scene').title = scene.description;
         document.title = `${scene.title} – Tidepool`;
     }
 
@@ -393,7 +395,7 @@
         return tell(`Tidepool cannot run here: ${error.message}`);
     }
     $('scene').append(...engine.scenes.map(
-        s => make('option', { value: s.name, title: s.shows }, s.title)));
+        s => make('option', { value: s.name, title: s.description }, s.title)));
     panel = makePanel(engine, Object.keys(TIDEPOOL.files),
                       (p, text) => pending.set(p, text));
     hands = makeHands(canvas, act);

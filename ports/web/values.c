@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Scenes and their values, by index in the table of parameters. */
 #include "base/error.h"
+#include "interact/old_names.h"
 #include "interact/setting.h"
 #include "web.h"
 #include "world/value.h"
@@ -109,6 +110,14 @@ EXPORT(uint32_t, param_count, void)
     uint32_t count;
     tp_params(&count);
     return count;
+}
+
+/* Returns the index of the row whose name, present or earlier, is in `bytes` bytes of
+ * web_text; -1: none. */
+EXPORT(int, find, size_t bytes)
+{
+    const tp_param *param = old_name_param(web_text, bytes);
+    return param ? (int)(param - web_params()) : -1;
 }
 
 /* Returns a value as text: of the changed scene, or as in its file (filed). */

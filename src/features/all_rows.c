@@ -36,12 +36,12 @@
         "phase at the origin at tick 0"), \
     TP_ROW_NUMBER("wave" #n ".speed", wave[n].speed, "", 0, 8, 1, \
         "factor of the wave's natural speed; 0: the wave stands still"), \
-    TP_ROW_COUNT("wave" #n ".power", wave[n].power, "", 1, 8, 1, \
-        "1: a sine; more: sharper crests and flatter troughs")
+    TP_ROW_COUNT("wave" #n ".exponent", wave[n].exponent, "", 1, 8, 1, \
+        "exponent of the sine; above 1: sharper crests, flatter troughs")
 
 static const tp_param rows[] = {
     TP_ROW_NAME("scene.title", title, TEXT, "title of the preview's window"),
-    TP_ROW_NAME("scene.shows", shows, TEXT,
+    TP_ROW_NAME("scene.description", description, TEXT,
         "description of the scene for `tidepool scenes`, one line"),
 
     TP_ROW_NUMBER("camera.x", camera.x, "m", -8000, 8000, 0,
@@ -129,11 +129,11 @@ static const tp_param rows[] = {
     TP_ROW_HEADING("wind.heading", wind.heading, 0,
         "direction in which the wind blows, clockwise from -z"),
 
-    TP_ROW_NUMBER("surf.k0", surf.k0, "1/m", 0, 4, 0.1,
+    TP_ROW_NUMBER("surf.tilt_decay", surf.tilt_decay, "1/m", 0, 4, 0.1,
         "decay with depth of the tilt of orbits towards the floor"),
-    TP_ROW_NUMBER("surf.kx", surf.kx, "1/m", 0.001, 4, 0.11,
+    TP_ROW_NUMBER("surf.widening_decay", surf.widening_decay, "1/m", 0.001, 4, 0.11,
         "decay with depth of the widening of orbits"),
-    TP_ROW_NUMBER("surf.ky", surf.ky, "1/m", 0.001, 4, 0.09,
+    TP_ROW_NUMBER("surf.flattening_decay", surf.flattening_decay, "1/m", 0.001, 4, 0.09,
         "decay with depth of the flattening of orbits"),
     TP_ROW_NUMBER("surf.stretch", surf.stretch, "", 0, 2, 1,
         "stretch of breaking crests; 1: as their breaker type demands"),

@@ -20,9 +20,9 @@ typedef struct {
  *  - tables: a sky's gradient; shininess, if the program has lit water; a generated or
  *    cube sky, the exposure, the boat's materials, slopes of pools that only change the
  *    light; glass, walls inside a pool, the caustics map (2 bytes a cell)
- *  - mirror: with mirror.objects = stencil a map of half the picture's size and four rows
+ *  - mirror: with mirror.method = stencil a map of half the picture's size and four rows
  *    of samples, 88320 bytes at 320x240; with mirror.size = quarter 24960.  88320 more for
- *    objects seen under water (water.clear).  With mirror.objects = cube 24576 bytes at
+ *    objects seen under water (water.clarity).  With mirror.method = cube 24576 bytes at
  *    any size.  Each mirror has up to 128 bytes of numbers besides. */
 
 tp_ram_use tp_frame_ram(const tp_frame *frame);

@@ -122,18 +122,18 @@ tp_fx tp_pool_rounding_noise(tp_fx courant, uint32_t damping)
 
 static tp_status check_numbers(const tp_pool_config *c, tp_error *err)
 {
-    RANGE("cells", is_in_range((int)c->cells, TP_CELLS_8, TP_CELLS_32));
-    RANGE("edges", is_in_range((int)c->edges, TP_EDGES_WALL, TP_EDGES_TILE));
+    RANGE("cell_bits", is_in_range((int)c->cells, TP_CELLS_8, TP_CELLS_32));
+    RANGE("boundary", is_in_range((int)c->edges, TP_EDGES_WALL, TP_EDGES_TILE));
     RANGE("courant", is_in_range(c->courant, TP_FX(0.05), TP_FX(0.8)));
     RANGE("damping", is_in_range(c->damping, 4, 10));
     RANGE("sponge", c->edges != TP_EDGES_SPONGE || is_in_range(c->sponge, 4, 64));
-    RANGE("range",
+    RANGE("max_height",
           c->cells == TP_CELLS_32 || is_in_range(c->range, TP_FX(0.01), TP_FX(64)));
     RANGE("cell", is_in_range(c->cell, TP_FX(0.01), TP_FX(50)));
-    RANGE("feed_low", c->drive_min >= 0);
-    RANGE("feed", c->drive_amplitude >= 0);
+    RANGE("drive_min", c->drive_min >= 0);
+    RANGE("drive_amplitude", c->drive_amplitude >= 0);
     if (c->drive_min > c->drive_max)
-        return tp_error_blame(err, TP_FAIL(err, TP_E_POOL_FEED, 0, 0, 0), "feed_low");
+        return tp_error_blame(err, TP_FAIL(err, TP_E_POOL_FEED, 0, 0, 0), "drive_min");
     return TP_OK;
 }
 

@@ -301,7 +301,7 @@ static void set_wave_flags(tp_view_estimate *o, const tp_scene *s)
     const bool raised = o->pools > 0 || o->rings || o->ocean;
 
     for (int i = 0; i < TP_WAVES; i++)
-        o->sharp |= s->wave[i].amplitude > 0 && s->wave[i].power > 1;
+        o->sharp |= s->wave[i].amplitude > 0 && s->wave[i].exponent > 1;
     o->still = o->waves == 0 && !raised;
     o->plain = !o->sharp && !raised;
 }

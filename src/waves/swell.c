@@ -217,7 +217,7 @@ static tp_wave_exact make_exact_wave(const tp_wave *w, tp_q30 steepness, tp_fx g
         .steepness = steepness,
         .turns_tick = turns_per_tick(gravity, w->length, w->speed),
         .phase = tp_turn_of_degrees(w->phase),
-        .power = w->power,
+        .power = w->exponent,
     };
 }
 

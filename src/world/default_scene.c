@@ -16,7 +16,7 @@ static tp_wave make_wave(tp_fx amplitude, tp_fx length, tp_fx heading, tp_fx pha
 {
     return (tp_wave){
         .amplitude = amplitude, .length = length, .steepness = TP_FX(0.25),
-        .heading = heading, .phase = phase, .speed = TP_FX_ONE, .power = 1,
+        .heading = heading, .phase = phase, .speed = TP_FX_ONE, .exponent = 1,
     };
 }
 

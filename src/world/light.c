@@ -54,9 +54,9 @@ static void set_light_from_scene(tp_world *world, const tp_scene *scene)
 
 void tp_light_init(tp_world *world, const tp_scene *scene)
 {
-    TP_ASSERT(world != NULL && scene->hdr.value > 0);
+    TP_ASSERT(world != NULL && scene->hdr.exposure_factor > 0);
     set_light_from_scene(world, scene);
-    world->exposure = scene->hdr.value;
+    world->exposure = scene->hdr.exposure_factor;
     save_last_light(world);
 }
 
@@ -68,7 +68,7 @@ void tp_light_apply_scene(tp_world *world, const tp_scene *scene)
         || world->scene_light[1] != scene->light.elevation)
         set_light_from_scene(world, scene);
     if (scene->hdr.exposure == TP_EXPOSURE_FIXED)
-        world->exposure = world->last_exposure = scene->hdr.value;
+        world->exposure = world->last_exposure = scene->hdr.exposure_factor;
 }
 
 /* The rotation per tick is rounded to within 2^-33 turn; the sum drifts by less than 1

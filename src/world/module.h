@@ -25,7 +25,7 @@ static inline const tp_program *tp_program_or_linked(const tp_program *program)
 }
 
 /* Range of drops and rings: largest distance of their start from the origin along each
- * axis, 8000 m for the sphere plus 1000 m for scatter. */
+ * axis, 8000 m for the sphere plus 1000 m of scatter. */
 #define TP_DROP_FAR (9000 * TP_FX_ONE)
 
 /* Effect of an impact on the water; the caller passes the impact to rings or to a pool. */

@@ -185,7 +185,7 @@ bool tp_world_pick(const tp_program *program, const tp_world *world,
 
     surface.phases = drawn.phases;
     surface.lag = world->lag;
-    if (scene->water.pool_bump > 0) /* pools change the shading only, not the height */
+    if (scene->water.pool_normal_strength > 0) /* pools change the shading alone */
         surface.pool = surface.field = NULL;
     if (width == 0 || height == 0 || width > MOST || height > MOST)
         return false;

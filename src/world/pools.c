@@ -10,11 +10,11 @@ tp_pool_config tp_pools_config(const tp_scene *scene, const tp_assets *assets, b
 
     return (tp_pool_config){
         .cols = (uint32_t)pool->cols, .rows = (uint32_t)pool->rows,
-        .cells = (tp_cells)pool->cells, .edges = (tp_edges)pool->edges,
+        .cells = (tp_cells)pool->cell_bits, .edges = (tp_edges)pool->boundary,
         .courant = pool->courant, .damping = (uint32_t)pool->damping,
-        .sponge = (uint32_t)pool->sponge, .range = pool->range, .cell = pool->cell,
-        .x = pool->x, .z = pool->z, .drive_min = pool->feed_low,
-        .drive_max = pool->feed_high, .drive_amplitude = pool->feed,
+        .sponge = (uint32_t)pool->sponge, .range = pool->max_height, .cell = pool->cell,
+        .x = pool->x, .z = pool->z, .drive_min = pool->drive_min,
+        .drive_max = pool->drive_max, .drive_amplitude = pool->drive_amplitude,
         .mask = !assets ? NULL : field ? assets->field_mask : assets->pool_mask,
     };
 }

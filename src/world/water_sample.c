@@ -116,7 +116,7 @@ static bool push_open_water(const tp_program *program, tp_world *world,
     };
     const tp_surface surface = tp_world_surface(program, world);
 
-    if (!program->water.rings || scene->drops.into != TP_DROPS_RINGS || is_far(x)
+    if (!program->water.rings || scene->drops.target != TP_DROPS_RINGS || is_far(x)
         || is_far(z))
         return false;
     return tp_modules_handle_impact(program, world, scene, &impact,

@@ -49,7 +49,7 @@ enum { OFF = sizeof off / sizeof *off };
  *  - shore-break: the reference leaves out overhangs (2.3 with surf.stretch = 0). */
 /* No mirror of the boat: the engine bends that mirror by the waves to first order only (3.6
  * and 3.7 with the mirror). */
-#define BARE "mirror.objects=none"
+#define BARE "mirror.method=none"
 #define STILL "wave0.amplitude=0", "wave1.amplitude=0", "wave2.amplitude=0"
 
 static const engine_row rows[] = {
@@ -92,11 +92,11 @@ static const engine_row rows[] = {
         "sky.north=assets/skies/day-north.png" } },
 
     /* under water */
-    { "tank", 100, 1.4, 0, 0.0005, { "tank.kind=stone", "water.clear=2" } },
+    { "tank", 100, 1.4, 0, 0.0005, { "tank.kind=stone", "water.clarity=2" } },
     { "tank", 100, 2.2, 0, 0.0025, { "water.dispersion=0.2" } },
     { "tank", 100, 1.2, 0, 0.003, { "camera.y=0.9", "camera.pitch=-14" } },
-    { "pond", 100, 1.7, 0, 0.0005, { "water.pool_bump=0" } },
-    { "shallows", 100, 1.9, 0, 0.0005, { "water.clear=15" } },
+    { "pond", 100, 1.7, 0, 0.0005, { "water.pool_normal_strength=0" } },
+    { "shallows", 100, 1.9, 0, 0.0005, { "water.clarity=15" } },
 
     /* scenes above the goal, without the feature that causes the difference */
     { "shore-break", 100, 2.3, 0, 0.0005, { "surf.stretch=0" } },

@@ -79,7 +79,8 @@ static void a_wave_is_met_where_brute_force_finds_it(void **state)
     (void)state;
     v.scene.wave[0] = (tp_wave){ .amplitude = TP_FX(0.8), .length = 11 * TP_FX_ONE,
                                  .steepness = TP_FX(0.42), .heading = 90 * TP_FX_ONE,
-                                 .phase = 30 * TP_FX_ONE, .speed = TP_FX_ONE, .power = 1 };
+                                 .phase = 30 * TP_FX_ONE, .speed = TP_FX_ONE,
+                                 .exponent = 1 };
     view_open(&v, 64, 48);
     const trochoid w = { ref_number(TP_FX(0.8)), ref_number(TP_FX(0.42)), 2 * PI / 11,
                          PI / 6 };
@@ -107,7 +108,7 @@ static tp_scene scene_crossing(void)
     s.boat.mesh[0] = 0;
     for (int i = 0; i < 3; i++)
         s.wave[i].steepness = TP_FX(0.25);
-    s.wave[1].power = 3;
+    s.wave[1].exponent = 3;
     return s;
 }
 
@@ -116,7 +117,7 @@ static tp_scene scene_beach(void)
 {
     tp_scene s = scene_crossing();
 
-    s.wave[1].power = 1;
+    s.wave[1].exponent = 1;
     s.wind.strength = TP_FX(0.2);
     s.wind.heading = 20 * TP_FX_ONE;
     s.floor.depth = 6 * TP_FX_ONE;

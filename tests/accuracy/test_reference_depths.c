@@ -51,7 +51,7 @@ static void measure_bent(measure *off, const view_of_ref *v, const noise_picture
         const double index = fmax(1.15, WATER + (k - 1) * v->scene.water.dispersion
                                                     / 131072.0);
         const double way = asin(sin(met) / index) - tilt;
-        const double body = between(channel(v->scene.water.deep, k),
+        const double body = between(channel(v->scene.water.deep_colour, k),
                                     channel(v->scene.water.colour, k) * lit, 0.25);
         if (fabs(met) > PI / 2 || fabs(way) > 1.4)
             continue;           /* surface seen from behind, or floor far away */
@@ -134,7 +134,7 @@ static void a_beach_is_lit_by_its_slope_wet_and_dry(void **state)
             const double lit = lit_of(&v.scene, is_dry ? sight_cos(up, sight_light(&v))
                                                        : wet_cos(&v, up));
             const double sand = channel(v.scene.floor.colour, k) * lit;
-            const double body = between(channel(v.scene.water.deep, k),
+            const double body = between(channel(v.scene.water.deep_colour, k),
                                         channel(v.scene.water.colour, k) * level, 0.25);
             measure_add(is_dry ? &dry : &wet, seen.colour.c[k]
                         - (is_dry ? sand : beer_of(&v.scene, sand, body, way, k)), n, k,
@@ -155,7 +155,7 @@ static void a_beach_is_lit_by_its_slope_wet_and_dry(void **state)
 static double from_above(const view_of_ref *v, double up, int k)
 {
     const double depth = v->scene.floor.depth / 65536.0;
-    const double deep = channel(v->scene.water.deep, k);
+    const double deep = channel(v->scene.water.deep_colour, k);
     const double lit = lit_of(&v->scene, wet_cos(v, (sight_angles){ 0, PI / 2 }));
 
     if (depth == 0)
@@ -175,7 +175,7 @@ static void the_surface_from_below_is_a_window_and_a_mirror(void **state)
     for (int n = 0; n < 1500; n++) {
         view_of_ref v = { .scene = scene_clear() };
         v.scene.floor.depth = n % 2 ? chance_scale(&seed, 1, 10) : 0;
-        v.scene.water.clear = n % 3 ? v.scene.water.clear : 0;
+        v.scene.water.clarity = n % 3 ? v.scene.water.clarity : 0;
         v.scene.camera.y = -chance_fx(&seed, 0.1, 0.9);
         v.scene.camera.pitch = chance_fx(&seed, 10, 89);
         v.scene.camera.fov = 80 * TP_FX_ONE;
@@ -190,7 +190,7 @@ static void the_surface_from_below_is_a_window_and_a_mirror(void **state)
                 back = between(gradient_of(&v.scene, acos(sine), k), back,
                                fresnel_of(asin(sine), WATER));
             measure_add(sine < 1 ? &window : &mirror, seen.colour.c[k]
-                        - beer_of(&v.scene, back, channel(v.scene.water.deep, k),
+                        - beer_of(&v.scene, back, channel(v.scene.water.deep_colour, k),
                                   high / sin(to.elevation), k), n, k, 0);
         }
         view_close(&v);

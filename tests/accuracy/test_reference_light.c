@@ -82,7 +82,7 @@ static tp_scene scene_clear(void)
 
     s.light.ambient = TP_FX_ONE;
     s.water.reflection = 0;
-    s.water.clear = 3 * TP_FX_ONE;
+    s.water.clarity = 3 * TP_FX_ONE;
     s.floor.depth = 2 * TP_FX_ONE;
     s.camera.pitch = -35 * TP_FX_ONE;
     return s;
@@ -113,7 +113,7 @@ static void the_floor_lies_where_snell_says(void **state)
             const double tint = (v.scene.water.tint >> (16 - 8 * c) & 255) / 255.0;
             const double left = pow(tint, 2 / cos(t) / 3);
             const double own = v.scene.water.colour >> (16 - 8 * c) & 255;
-            const double deep = 0.75 * (v.scene.water.deep >> (16 - 8 * c) & 255)
+            const double deep = 0.75 * (v.scene.water.deep_colour >> (16 - 8 * c) & 255)
                               + 0.25 * own;
             const double sand = v.scene.floor.colour >> (16 - 8 * c) & 255;
             measure_add(&colour, seen.colour.c[c] - deep - (sand - deep) * left, y, c, 0);
@@ -138,10 +138,10 @@ static void a_sunken_eye_sees_snells_window(void **state)
     v.scene.camera.y = TP_FX(-0.5);
     v.scene.camera.pitch = 45 * TP_FX_ONE;
     v.scene.camera.fov = 80 * TP_FX_ONE;
-    v.scene.water.clear = 200 * TP_FX_ONE;
+    v.scene.water.clarity = 200 * TP_FX_ONE;
     view_open(&v, 64, 48);
     assert_true(v.ref.immersion);
-    const ref_colour deep = ref_colour_unpack((uint32_t)v.scene.water.deep);
+    const ref_colour deep = ref_colour_unpack((uint32_t)v.scene.water.deep_colour);
     for (uint32_t y = 0; y < 48; y++) {
         const ref_vec way = way_of(&v.ref.camera, 32, y + 0.5);
         const double angle = acos(way.y) * 180 / PI;
@@ -170,7 +170,7 @@ static void a_mirror_is_an_eye_below_the_level(void **state)
     v.assets.boat = &boat.mesh;
     v.scene.boat.z = -12 * TP_FX_ONE;
     v.scene.boat.lift = TP_FX_ONE;
-    v.scene.mirror.objects = TP_MIRROR_STENCIL;
+    v.scene.mirror.method = TP_MIRROR_STENCIL;
     v.scene.camera.pitch = -12 * TP_FX_ONE;
     view_open(&v, 96, 72);
     ref_scene *s = &v.ref;

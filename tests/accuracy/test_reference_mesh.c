@@ -175,7 +175,7 @@ static void a_sunken_mesh_shines_in_the_bent_light(void **state)
             const double lit = lit_of(&v.scene, sin(light.elevation));
             const double own = channel(0x402010, k) * lit
                              + channel(v.scene.light.colour, k) * beam * gloss;
-            const double body = between(channel(v.scene.water.deep, k),
+            const double body = between(channel(v.scene.water.deep_colour, k),
                                         channel(v.scene.water.colour, k) * lit, 0.25);
             measure_add(&off, seen.colour.c[k]
                         - beer_of(&v.scene, fmin(255, own), body, 1 / cos(bent), k), n, k,
@@ -205,7 +205,7 @@ static void a_lid_keeps_water_out(void **state)
         b.material[1] = (tp_material){ .diffuse = 0xffffff, .shininess = TP_FX_ONE };
         v.scene.camera.y = 90 * TP_FX_ONE;
         v.scene.camera.pitch = -89 * TP_FX_ONE;
-        v.scene.water.clear = 0;
+        v.scene.water.clarity = 0;
         open_posed(&v, &b, (tp_pose){ .place = { 0, (tp_fx)(high * 65536),
                                                  -2 * TP_FX_ONE } });
         const sight_angles to = { atan2(x, 2 - z), -atan2(90 - high, hypot(x, 2 - z)) };

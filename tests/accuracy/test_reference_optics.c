@@ -271,10 +271,11 @@ static void exposure_bends_between_black_and_white(void **state)
     (void)state;
     for (int n = 0; n < 300; n++) {
         view_of_ref v = { .scene = scene_level() };
-        v.scene.hdr.value = chance_scale(&seed, 0.125, 8);
+        v.scene.hdr.exposure_factor = chance_scale(&seed, 0.125, 8);
         v.scene.camera.pitch = 20 * TP_FX_ONE;
         view_open(&v, 64, 48);
-        const double e = v.scene.hdr.value / 65536.0, up = chance_double(&seed, 0, 0.7);
+        const double e = v.scene.hdr.exposure_factor / 65536.0;
+        const double up = chance_double(&seed, 0, 0.7);
         const ref_seen seen = sight_look(&v, (sight_angles){ 0, up });
         for (int k = 0; k < 3; k++) {
             const double t = gradient_of(&v.scene, up, k) / 255;

@@ -217,7 +217,7 @@ enum { CELLS = 32 };
 static double height_at(const view_of_ref *v, int col, int row)
 {
     return tp_pool_height(tp_world_pool(v->world), (uint32_t)col, (uint32_t)row)
-         * (v->scene.pool.range / 65536.0) / 32767;
+         * (v->scene.pool.max_height / 65536.0) / 32767;
 }
 
 /* Pool after a poke, seen from 6 m above and 5 m before its middle. */
@@ -228,10 +228,10 @@ static void open_poked(view_of_ref *v, bool bump)
                                          chance_fx(&seed, -3, 3) } };
 
     s->pool.cols = s->pool.rows = CELLS;
-    s->pool.cells = TP_CELLS_16;
+    s->pool.cell_bits = TP_CELLS_16;
     s->pool.cell = TP_FX(CELL);
-    s->pool.range = TP_FX_ONE;
-    s->water.pool_bump = bump ? chance_fx(&seed, 0.5, 2) : 0;
+    s->pool.max_height = TP_FX_ONE;
+    s->water.pool_normal_strength = bump ? chance_fx(&seed, 0.5, 2) : 0;
     s->camera.heading = 0;
     s->camera.x = 0;
     s->camera.y = 6 * TP_FX_ONE;
@@ -257,7 +257,7 @@ static void pools_are_as_steep_as_their_cells(void **state)
             v.scene.light.elevation = 50 * TP_FX_ONE;
             open_poked(&v, bump);
             const int col = chance_int(&seed, 12, 19), row = chance_int(&seed, 12, 19);
-            const double by = bump ? v.scene.water.pool_bump / 65536.0 : 1;
+            const double by = bump ? v.scene.water.pool_normal_strength / 65536.0 : 1;
             const double x = (col + 0.5 - CELLS / 2) * CELL;
             const double z = (row + 0.5 - CELLS / 2) * CELL;
             const double high = bump ? 0 : height_at(&v, col, row);

@@ -45,7 +45,7 @@ static double side_of(const view_of_ref *v, const noise_picture *p, double heigh
     const double depth = v->scene.tank.depth / 65536.0, steep = asin(sin(up) / WATER);
     const double wall = height + 2 * HALF * tan(steep);
     const double tile = v->scene.tank.tile / 65536.0, x = v->world->eye.x / 65536.0;
-    const double deep = channel(v->scene.water.deep, k);
+    const double deep = channel(v->scene.water.deep_colour, k);
     const double fall = steep > 0 ? depth - height : depth + height;
     const double across = fall / tan(fabs(steep));
     double seen;

@@ -98,7 +98,7 @@ switched()      # NAME=VALUE: in addition to all earlier changes
     # shellcheck disable=SC2046,SC2086
     draws $(printf -- '--set %s ' $changes)
 }
-check "sharp crests" switched wave0.power=3
+check "sharp crests" switched wave0.exponent=3
 check "a paddle" switched pool.paddle=0.5 " m"
 check "no glint" switched water.specular=0
 check "and no mirror: diffuse light" switched water.reflection=0

@@ -127,7 +127,7 @@ static void lay_a_wave(loaded_scene *s)
     tp_scene scene = scene_by(s, (rung_choice){ { 0, 0, 0, 0 } });
     draw(&without, s, &scene, s->world);
     *last = (tp_wave){ .length = SMALL_LENGTH * TP_FX_ONE, .heading = 70 * TP_FX_ONE,
-                       .power = 1 };
+                       .exponent = 1 };
     last->amplitude = (tp_fx)lround(SMALL_SLOPE * SMALL_LENGTH / 6.2831853 * 65536);
     if (loaded_scene_make_world(s))
         exit(1);

@@ -23,7 +23,7 @@ void model_sea(tp_fx steepness, int32_t power)
     for (int i = 0; i < 3; i++) {
         wave[i] = model_waves[i];
         wave[i].steepness = steepness / 3;
-        wave[i].power = power > 1 ? power + i : 1;
+        wave[i].exponent = power > 1 ? power + i : 1;
     }
     tp_deep_water_init(&model.deep, wave, 3, TP_FX(9.81));
     tp_deep_water_phases(&model.deep, TICK, 0, model.phases);

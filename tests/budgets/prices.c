@@ -41,8 +41,9 @@ typedef struct {
 #define STILL "wave0.amplitude=0 wave1.amplitude=0 wave2.amplitude=0 "
 
 /* the pool is stirred before the frame: water at rest costs less */
-#define POOL "pool.cols=64 pool.rows=64 pool.cells=16 pool.cell=2 pool.range=2 " \
-             "pool.edges=tile pool.poke_every=0.1 pool.poke=0.12 pool.poke_size=8 "
+#define POOL "pool.cols=64 pool.rows=64 pool.cell_bits=16 pool.cell=2 pool.max_height=2 " \
+             "pool.boundary=tile pool.splash_interval=0.1 pool.splash_height=0.12 " \
+             "pool.splash_width=8 "
 
 #define BED   "sand floor.depth=3 floor.slope=0.05 floor.heading=160 "
 #define CHART "sand map floor.map_size=400 floor.map_low=-6 floor.map_high=-3 "
@@ -67,19 +68,19 @@ static const row shaded[] = {
     { "cube0", "ripple ripple.bump=0.8 sky.kind=cube" },
     { "cube", "ripple ripple.bump=0.8 sky.kind=cube water.reflection=0.6" },
     { "objects0", "water.reflection=0.6 drops.count=1" },
-    { "objects", "water.reflection=0.6 drops.count=1 mirror.objects=stencil" },
-    { "behind", "water.reflection=0.6 water.clear=8" },
+    { "objects", "water.reflection=0.6 drops.count=1 mirror.method=stencil" },
+    { "behind", "water.reflection=0.6 water.clarity=8" },
     { "bed0", "water.reflection=0.6 " BED },
-    { "bed", "water.reflection=0.6 water.clear=8 " BED },
-    { "spread", "water.reflection=0.6 water.clear=8 water.dispersion=0.02 " BED },
-    { "caustic", "water.reflection=0.6 water.clear=8 water.caustics=1 " BED },
+    { "bed", "water.reflection=0.6 water.clarity=8 " BED },
+    { "spread", "water.reflection=0.6 water.clarity=8 water.dispersion=0.02 " BED },
+    { "caustic", "water.reflection=0.6 water.clarity=8 water.caustics=1 " BED },
     { "chart0", "water.reflection=0.6 " CHART },
-    { "chart", "water.reflection=0.6 water.clear=8 " CHART },
+    { "chart", "water.reflection=0.6 water.clarity=8 " CHART },
     { "tank0", "water.reflection=0.6 tank tank.kind=stone " POOL },
-    { "tank", "water.reflection=0.6 water.clear=8 tank tank.kind=stone " POOL },
+    { "tank", "water.reflection=0.6 water.clarity=8 tank tank.kind=stone " POOL },
     { "foam", "foam foam.cells=128 foam.cell=0.6 foam.crest=0.6 foam.fade=5" },
-    { "expose", "hdr.value=1.25" },
-    { "bump", POOL "water.pool_bump=1" },
+    { "expose", "hdr.exposure_factor=1.25" },
+    { "bump", POOL "water.pool_normal_strength=1" },
 };
 
 static const row seen[] = {
@@ -100,7 +101,7 @@ static const row seen[] = {
                "grid.cell=1.3 grid.cols=90 grid.rows=90 grid.reach=2000 "
                "wave0.amplitude=0.1 wave1.amplitude=0.05 wave2.amplitude=0.03" },
     { "still", STILL },
-    { "sharp", "wave0.power=3" },
+    { "sharp", "wave0.exponent=3" },
     { "pool", POOL },
     { "ocean", "wind.strength=0.2" },
     { "floor", "floor.depth=20 floor.slope=0.004" },
@@ -116,8 +117,9 @@ typedef struct {
                 "boat.heading=140 "
 #define RAIN    "camera.y=1.6 camera.z=4.4 camera.pitch=-15 camera.fov=56 "
 #define DROPS   "drops.count=64 drops.rings=64 drops.y=1.8 drops.radius=0.09 " \
-                "drops.every=0.5 drops.scatter=1.8 drops.efficiency=0.9 "
-#define BASIN   POOL "pool.cell=0.05 pool.range=0.6 pool.poke=0.15 pool.poke_size=0.2 " \
+                "drops.interval=0.5 drops.scatter_radius=1.8 drops.efficiency=0.9 "
+#define BASIN   POOL "pool.cell=0.05 pool.max_height=0.6 pool.splash_height=0.15 " \
+                "pool.splash_width=0.2 " \
                 "grid.cell=0.0508 grid.follow=off camera.x=2.85 camera.y=2.2 " \
                 "camera.z=3.75 camera.heading=-37 camera.pitch=-31 camera.fov=50 "
 #define AWAY    "camera.x=4 camera.y=2.6 camera.z=4 camera.heading=-45 camera.pitch=-26 "
@@ -131,7 +133,7 @@ typedef struct {
                 "camera.y=1.5 camera.heading=50 camera.pitch=-3 "
 #define RIPPLED "ripple ripple.bump=0.8 water.reflection=0.6 "
 #define QUICK   "quality.shading=quick "
-#define MIRROR  "mirror.objects=stencil "
+#define MIRROR  "mirror.method=stencil "
 #define NEAR    "boat boat.z=-14 boat.x=2 boat.heading=60 "
 #define FAR     "boat boat.z=-30 boat.x=-4 boat.heading=100 "
 #define ALONG   "boat boat.z=-20 boat.x=5 boat.heading=10 "
@@ -184,8 +186,8 @@ static const pair works[] = {
       ALONG RIPPLED MIRROR "sky.kind=cube boat.scale=1.7" },
     { "drops0", "", STILL RAIN },
     { "drops", "drops0", STILL RAIN DROPS },
-    { "ball", "drops0", STILL RAIN DROPS "drops.every=0" },
-    { "ball_large", "drops0", STILL RAIN DROPS "drops.every=0 drops.radius=0.25" },
+    { "ball", "drops0", STILL RAIN DROPS "drops.interval=0" },
+    { "ball_large", "drops0", STILL RAIN DROPS "drops.interval=0 drops.radius=0.25" },
     { "rain0", "", STILL RIPPLED "sky.kind=cube " RAIN DROPS },
     { "rain_mirror", "rain0", STILL RIPPLED MIRROR "sky.kind=cube " RAIN DROPS },
     { "rain1", "",
@@ -210,11 +212,11 @@ static const pair works[] = {
     { "glass_low", "glass_low0", STILL BASIN AWAY GLASS "tank.depth=0.4" },
     { "glass_one0", "", STILL BASIN FRONT },
     { "glass_one", "glass_one0", STILL BASIN FRONT GLASS },
-    { "lit0", "", STILL POOL "tank tank.kind=stone water.reflection=0.6 water.clear=8" },
-    { "lit", "lit0", STILL POOL "tank tank.kind=stone water.reflection=0.6 water.clear=8 "
+    { "lit0", "", STILL POOL "tank tank.kind=stone water.reflection=0.6 water.clarity=8" },
+    { "lit", "lit0", STILL POOL "tank tank.kind=stone water.reflection=0.6 water.clarity=8 "
                      "water.caustics=1" },
-    { "sunny0", "", BED "water.reflection=0.6 water.clear=8" },
-    { "sunny", "sunny0", BED "water.reflection=0.6 water.clear=8 water.caustics=1" },
+    { "sunny0", "", BED "water.reflection=0.6 water.clarity=8" },
+    { "sunny", "sunny0", BED "water.reflection=0.6 water.clarity=8 water.caustics=1" },
     { "deep", "", FLOOR "floor.depth=20 floor.slope=0.004" },
     { "beach", "deep", FLOOR "floor.depth=2.4 floor.slope=0.13 floor.heading=0" },
     { "beach_left", "deep", FLOOR "floor.depth=2.4 floor.slope=0.13 floor.heading=270" },

@@ -56,7 +56,8 @@ static void judge_one(normalise_errors *e, const int32_t *slope, const int32_t *
  * is clear; the light stage of plain water takes the nearest entry. */
 static bool is_lit(const tp_scene *s, int32_t lit)
 {
-    return (s->water.specular > 0 || s->water.reflection > 0 || s->water.clear > 0) == lit;
+    return (s->water.specular > 0 || s->water.reflection > 0 || s->water.clarity > 0)
+           == lit;
 }
 
 /* Walls, drops and land keep packed normals. */

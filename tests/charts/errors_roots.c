@@ -27,7 +27,7 @@ static uint32_t given(const kernel *k, uint32_t n)
 static bool has_cells(const tp_scene *s, int32_t unused)
 {
     (void)unused;
-    return s->foam.cells > 0 || (s->pool.cols > 0 && s->water.pool_bump > 0);
+    return s->foam.cells > 0 || (s->pool.cols > 0 && s->water.pool_normal_strength > 0);
 }
 
 static bool never(const tp_scene *s, int32_t unused)

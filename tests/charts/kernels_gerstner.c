@@ -24,7 +24,7 @@ uint32_t gerstner_waves(const char *point, tp_wave wave[GERSTNER_MOST])
     for (uint32_t i = 0; i < count; i++) {
         wave[i] = waves[i];
         wave[i].steepness = steepness / (tp_fx)count;
-        wave[i].power = gerstner_form(point) == 's' ? 2 : 1;
+        wave[i].exponent = gerstner_form(point) == 's' ? 2 : 1;
     }
     return count;
 }

@@ -55,7 +55,7 @@ static void print_grid(void)
 static void print_pool(const tp_scene_pool *pool)
 {
     if (pool->cols > 0)
-        print_point(pool->cells, (uint32_t)pool->cols, (uint32_t)pool->rows,
+        print_point(pool->cell_bits, (uint32_t)pool->cols, (uint32_t)pool->rows,
                     (uint32_t)pool->damping, pool->courant);
 }
 

@@ -30,7 +30,7 @@ static const pool_point *sought;        /* argument of is_in */
 static bool is_it(const tp_scene_pool *pool)
 {
     return pool->cols == (int32_t)sought->cols && pool->rows == (int32_t)sought->rows
-        && pool->cells == (int32_t)sought->cells && pool->courant == sought->courant
+        && pool->cell_bits == (int32_t)sought->cells && pool->courant == sought->courant
         && pool->damping == (int32_t)sought->damping;
 }
 

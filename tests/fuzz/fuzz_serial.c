@@ -3,6 +3,7 @@
  * error changes nothing. After any settings the scene can still be drawn: some ticks and a
  * picture are made, in the memory of the start. */
 #include "fuzz.h"
+#include "interact/old_names.h"
 #include "serial/control.h"
 #include "tidepool/modules.h"
 
@@ -54,7 +55,7 @@ static void make_scene(tp_scene *s, uint8_t kind)
     s->floor.depth = kind & 4 ? 3 * TP_FX_ONE : 0;
     s->foam.cells = kind & 8 ? 8 : 0;
     s->spray.count = kind & 8 ? 4 : 0;
-    s->water.clear = kind & 16 ? 8 * TP_FX_ONE : 0;
+    s->water.clarity = kind & 16 ? 8 * TP_FX_ONE : 0;
     s->sky.kind = kind & 32 ? TP_SKY_DUSK : TP_SKY_GRADIENT;
 }
 
@@ -83,6 +84,7 @@ static void board_open(serial_board *b, uint8_t kind)
         .write = hear,
         .state = kind & 64 ? state : NULL,
         .to = b,
+        .find = kind & 128 ? NULL : old_name_param,
     };
     control_begin(&b->control, &b->setup);
 }

@@ -62,7 +62,7 @@ BEGIN {
     for (i in system_header)
         free[system_header[i]]
     split("app=tools tools=app app=interact app=cortex-m null=app kms=app linuxfb=app " \
-          "serial=interact rpi=serial cortex-m=serial cortex-m=lcd web=interact " \
+          "serial=interact rpi=serial rpi=interact cortex-m=serial cortex-m=lcd web=interact " \
           "library=app library=interact", sights, " ")
     for (i in sights)
         guest[sights[i]]

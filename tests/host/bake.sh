@@ -67,7 +67,7 @@ run bake count-64 -o b.c --texels 8
 same "a dash in the scene's is no name" \
     "$(grep -c '^const tp_scene count_64_scene' b.c)" 1
 printf '[scene]\ntitle = a?\?/ */ "b" \\\n' >'3 *.ini'
-run bake '3 *.ini' -o c.c --set scene.shows='/* %s */'
+run bake '3 *.ini' -o c.c --set scene.description='/* %s */'
 same "a digit is no beginning" "$code $(grep -c '^const tp_scene scene_3___scene' c.c)" \
     "0 1"
 run bake harbour -o d.c --texels 32
@@ -104,7 +104,7 @@ run bake count-64 -o g.c --set quality.shading=quick --texels 8
 same "pictures are baked as the quick rung wants them, and not beside" \
     "$(grep -c '\.baked_layer\[0\] = \|\.baked_slope = ' g.c) $(grep -c '\.layer\[0\] = &' g.c)" \
     "2 0"
-run bake count-64 -o g.c --texels 8 --set quality.shading=quick --set water.clear=3
+run bake count-64 -o g.c --texels 8 --set quality.shading=quick --set water.clarity=3
 same "but beside what exact stages will ask for" \
     "$(grep -c '\.baked_layer\[0\] = &\|\.layer\[0\] = &' g.c)" 2
 run bake count-64 -o g.c --texels 8 --set quality.shading=quick --set ripple.bump=0

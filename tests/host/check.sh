@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# tidepool check: the shipped tables hold, and a fault in a table is reported with file
-# and line.
+# tidepool check: the shipped tables hold, and a fault in a table or in a scene is reported
+# with file and line; old names of parameters are rewritten in place.
 #     check.sh PROGRAM
 . "$(dirname "$0")/../lib/script.sh"
 program_begin "$1"
@@ -135,6 +135,91 @@ expect "a zero byte" 3 "t/sine.csv: contains a zero byte" check --vectors t
 mkdir t/fresnel.csv
 expect "a folder for a table" 3 "t/fresnel.csv: Is a directory" check --vectors t
 
+# -- scenes ----------------------------------------------------------------------------
+
+# scene LINE...: writes lake.ini.
+scene() { printf '%s\n' "$@" >lake.ini; }
+
+for shipped in "$root"/assets/scenes/*.ini; do
+    stem=$(basename "$shipped" .ini)
+    expect "$stem is without a fault" 0 "" check "$stem"
+    verdict "the values of $stem are counted" \
+        "$(grep -q "/$stem.ini: [1-9][0-9]* values, no fault$" out || cat out)"
+done
+expect "a scene that is not there" 3 "^stormy: no such scene or file" check stormy
+expect "a path that is not there" 3 "^no/lake.ini: No such file" check no/lake.ini
+scene "[camera]" "x = 1" "y = wide" "zz = 4" "[wave0]" "steepness = 7"
+expect "all bad lines are found" 3 "^lake.ini:3: camera.y: expected a number" check lake.ini
+same "each in its line" "$(cut -d: -f2 err | tr '\n' ' ')" "3 4 6 "
+scene "[camera]" "x = 1" "y ="
+expect "a line without a value" 3 "^lake.ini:3: camera.y" check lake.ini
+scene "[layer0]" "texture = none.png"
+expect "a picture that is not there" 3 "^lake.ini:2: layer0.texture: .*none.png: No such" \
+    check lake.ini
+scene "[pool]" "cols = 32" "courant = 0.6"
+expect "numbers that make no world" 3 "^lake.ini:3: pool.courant of 0.600 is above" \
+    check lake.ini
+
+# -- old names in scenes ---------------------------------------------------------------
+
+# old: writes lake.ini with four old names, and the file `new` with the new ones.
+old()
+{
+    scene "; pool.poke = 1 is a comment" "[scene]" "title=Lake ; feed = it" "shows = feed" \
+        "" "[pool]" "  cols=32" "rows = 32" "  poke : 0.25   ; poke = high" "poke_size=1" \
+        "feed_low = 0" "# the end"
+    sed -e 's/^shows/description/' -e 's/^  poke :/  splash_height :/' \
+        -e 's/^poke_size/splash_width/' -e 's/^feed_low/drive_min/' lake.ini >new
+}
+old
+cp lake.ini before
+expect "old names are faults" 1 \
+    "^lake.ini:9: pool.poke is now called pool.splash_height$" check lake.ini
+same "each in its line" "$(sed -n 's/^lake.ini:\([0-9]*\): .*/\1/p' err | tr '\n' ' ')" \
+    "4 9 10 11 "
+verdict "the last line says how to rewrite them" "$(tail -1 err | grep -v \
+    '^lake.ini: old names are read until version .*`tidepool check lake.ini --write`')"
+same "the file stays" "$(cmp lake.ini before)" ""
+chmod 640 lake.ini
+expect "--write rewrites them" 0 "" check lake.ini --write
+same "and keeps all else" "$(cmp lake.ini new)" ""
+same "and the file's mode" "$(stat -c %a lake.ini)" 640
+same "and says what it changed" "$(head -2 out | tail -1)" \
+    "lake.ini:9: pool.poke is now pool.splash_height"
+touch -d 2001-01-01 lake.ini
+expect "a second time there is nothing to write" 0 "" check lake.ini --write
+same "the file is not touched" "$(date -r lake.ini +%Y) $(cmp lake.ini new)" "2001 "
+same "it only says so" "$(cat out)" "lake.ini: 7 values, no fault"
+old
+sed -i 's/$/\r/' lake.ini new
+expect "lines with other ends are rewritten" 0 "" check lake.ini --write
+same "with the same ends" "$(cmp lake.ini new)" ""
+old
+printf '[grid]\ncell = 1' | tee -a new >>lake.ini
+ln -s lake.ini link.ini
+expect "a file behind a link" 0 "" check --write ./link.ini
+same "is rewritten, the link stays" "$(cmp lake.ini new) $(readlink link.ini)" " lake.ini"
+old
+echo "y = 1" >>lake.ini
+cp lake.ini before
+expect "a file with another bad line" 3 "^lake.ini:13: no parameter is called pool.y; " \
+    check lake.ini --write
+same "stays as it is" "$(cmp lake.ini before)" ""
+old
+echo "mask = none.png" | tee -a new >>lake.ini
+expect "a file that names no picture" 3 "none.png: No such file" check lake.ini --write
+same "is rewritten all the same" "$(cmp lake.ini new)" ""
+old
+i=0
+while [ $((i += 1)) -le 400 ]; do echo "# comment"; done >>lake.ini
+cp lake.ini before
+(ulimit -f 1; timeout 60 "$program" check lake.ini --write >out 2>err)
+code=$?
+judge "no room for the new file" 3 "^lake.ini: File too large"
+same "leaves the old one" "$(cmp lake.ini before) $(ls -A | grep -c 'lake.ini')" " 1"
+same "and reports no change" "$(cat out)" ""
+rm link.ini
+
 # -- command lines ---------------------------------------------------------------------
 
 mkdir empty
@@ -144,7 +229,12 @@ touch README
 expect "a file for a folder" 3 "README: Not a directory" check --vectors README
 expect "no folder" 2 "--vectors DIR is missing" check
 expect "an empty name" 2 "expected a folder" check --vectors ""
-expect "a scene" 2 "too many names" check three-swells --vectors empty
+expect "a scene and a folder" 2 "SCENE and --vectors exclude each other" \
+    check three-swells --vectors empty
+expect "two scenes" 2 "too many names: storm" check three-swells storm
+expect "names to write in tables" 2 "--write and --vectors exclude" check --write \
+    --vectors empty
+expect "nothing to write in" 2 "SCENE or --vectors DIR is missing" check --write
 expect "an option of another command" 2 "no option --hash" check --hash
 expect "a misspelt option" 2 "did you mean --vectors?" check --vector empty
 finish

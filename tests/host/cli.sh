@@ -235,6 +235,19 @@ ini "line that is no setting" 3 "^harbour.ini:2: neither" "[wave0]" "steepness" 
 ini "section that does not close" 3 "^harbour.ini:1: neither" "[wave0" "steepness = 0.1"
 ini "unknown name" 3 "^harbour.ini:3: .*did you mean wave0.steepness?" "" "[wave0]" \
     "steepnes = 0.4"
+ini "an old name" 0 \
+    "^harbour.ini:2: pool.poke is now called pool.splash_height; .*check harbour.ini --write" \
+    "[pool]" "poke = 0.3"
+same "one line tells of all old names of a file" "$(
+    printf '%s\n' "[pool]" "poke = 0.3" "feed = 0.1" >harbour.ini
+    run render harbour.ini --size 16x16 --hash
+    wc -l <err; sed 's/; .*//' err)" "1
+harbour.ini:2: pool.poke is now called pool.splash_height (and 1 more old name)"
+expect "an old name of the command line" 0 \
+    "^--set: mirror.bend is now called mirror.distortion; " render minimal --size 16x16 \
+    --hash --set mirror.bend=2
+expect "a misspelt old name" 2 "did you mean mirror.distortion, once called mirror.bend?$" \
+    render minimal --set mirror.bnd=2
 ini "unknown section" 3 \
     "^harbour.ini:2: no parameter is called wive0.length; did you mean wave0.length?" \
     "[wive0]" "length = 3"
@@ -290,7 +303,7 @@ expect "clamp of the steepness sum" 0 \
     "^minimal: steepness sum 1.2[0-9]* is clamped to 0.95$" \
     render minimal --size 16x16 --hash $steep $tall
 
-coarse="--set pool.cols=16 --set pool.rows=16 --set pool.cells=8 --set pool.damping=10"
+coarse="--set pool.cols=16 --set pool.rows=16 --set pool.cell_bits=8 --set pool.damping=10"
 # shellcheck disable=SC2086
 expect "a pool of cells too coarse for its numbers" 0 \
     "^--set: pool.courant: 8-bit cells have noise of 21 % of their range; 0.409 or more" \
@@ -318,8 +331,8 @@ pools "a field that is too fast" "^harbour.ini:8: field.courant of 0.500 is abov
     "damping = 4" "courant = 0.5"
 pools "too few columns" "^harbour.ini:8: pool.cols: pool of 7 x 32 cells; 16 x 16 to" \
     "[pool]" "cols = 7"
-pools "a band upside down" "^harbour.ini:7: field.feed_low is above feed_high$" \
-    "feed_low = 0.2" "feed_high = 0.1"
+pools "a band upside down" "^harbour.ini:7: field.drive_min is above drive_max$" \
+    "drive_min = 0.2" "drive_max = 0.1"
 expect "a pool of the command line" 2 "^--set: pool.courant of 0.600 is above" \
     render minimal --set pool.cols=32 --set pool.courant=0.6
 expect "rows of the command line" 2 "^--set: field.rows = 9 is outside 16..512 cells$" \

@@ -50,7 +50,7 @@ int main(void)
     scene.sky.kind = TP_SKY_NIGHT;
     tell("night", &scene, &assets);
     scene = baked_scene;
-    scene.water.clear = TP_FX_ONE;
+    scene.water.clarity = TP_FX_ONE;
     tell("clear water", &scene, &assets);
     return 0;
 }

@@ -40,14 +40,14 @@ done
 same "its stage takes the colour of its row" \
     "$([ "$(hashes $on --set buoy.colour=#20c040)" != "$seen" ]; echo $?)" 0
 
-mirrored=$(hashes $on --set mirror.objects=stencil)
-unmirrored=$(hashes $on --set mirror.objects=none)
+mirrored=$(hashes $on --set mirror.method=stencil)
+unmirrored=$(hashes $on --set mirror.method=none)
 same "the sharp mirror shows it" "$([ "$mirrored" != "$unmirrored" ]; echo $?)" 0
 same "and shows nothing without it" \
-    "$(hashes --set mirror.objects=none)" "$(hashes --set mirror.objects=stencil)"
+    "$(hashes --set mirror.method=none)" "$(hashes --set mirror.method=stencil)"
 same "clear water shows what of it lies below" \
-    "$([ "$(hashes $on --set water.clear=8 --set mirror.objects=none)" != \
-         "$(hashes --set water.clear=8 --set mirror.objects=none)" ]; echo $?)" 0
+    "$([ "$(hashes $on --set water.clarity=8 --set mirror.method=none)" != \
+         "$(hashes --set water.clarity=8 --set mirror.method=none)" ]; echo $?)" 0
 
 # -- its parameters ---------------------------------------------------------------------
 

@@ -41,6 +41,16 @@ bad() {
     refused "$1" "bad.tape:3: $2" bad.tape
 }
 
+# -- old names of parameters ---------------------------------------------------------
+
+tape new.tape "4 set drops.count=20" "4 set drops.interval=0.1" "9 set mirror.method=cube"
+tape old.tape "4 set drops.count=20" "4 set drops.every=0.1" "9 set mirror.objects=cube"
+same "old names are played" "$(hashes minimal --tape old.tape)" \
+    "$(hashes minimal --tape new.tape)"
+hashes minimal --tape old.tape >/dev/null
+same "with one warning" "$(sed 's/; .*//' err)" \
+    "old.tape:3: drops.every is now called drops.interval (and 1 more old name)"
+
 # -- replays ------------------------------------------------------------------------
 
 plain=$(hashes minimal)
@@ -55,7 +65,7 @@ if [ "$walk" = "$plain" ]; then verdict "a tape moves the camera" "it does not"
 else verdict "a tape moves the camera" ""; fi
 
 # All pokes of a tick have an effect; their order on the line is free.
-pond() { hashes pond --set pool.poke_every=0 --tape "$1"; }
+pond() { hashes pond --set pool.splash_interval=0 --tape "$1"; }
 poked() { printf 'tape 1 pond\n3 %s\n' "$1" >poked.tape; pond poked.tape; }
 one="poke=0.3 poke_x=-1" two="poke2=0.3 poke2_x=1" last="poke8=0.2 poke8_z=1"
 all=$(poked "$one $two $last")
@@ -104,7 +114,7 @@ part=$(timeout 60 "$program" render minimal --size 48x32 --frames 30:39 --hash \
     --tape walk.tape 2>err)
 same "frames from the middle are the same" "$part" "$(echo "$walk" | tail -10)"
 
-drops="--set drops.count=20 --set drops.every=0 --set camera.pitch=-20"
+drops="--set drops.count=20 --set drops.interval=0 --set camera.pitch=-20"
 printf 'tape 1 minimal\n1 drops=5\n9 sphere_z=-0.5 drops=3\n' >drops.tape
 # shellcheck disable=SC2086
 same "drops fall alike twice" "$(hashes minimal $drops --tape drops.tape)" \
@@ -158,8 +168,8 @@ printf 'tape 1 pond\n5 set grid.cols=33\n6 set grid.rows=40\n' >grid.tape
 grid=$(hashes pond --tape grid.tape)
 same "a set of the grid, twice alike" "$(hashes pond --tape grid.tape)" "$grid"
 same "grids are drawn" "$(echo "$grid" | sort -u -k4 | wc -l)" 40
-sea_tape kinds.tape "3 set sky.kind=day" "5 set mirror.objects=cube" "7 set foam.cells=64" \
-    "9 set mirror.objects=none" "11 set drops.count=30" "12 drops=3" "20 set boat.mesh="
+sea_tape kinds.tape "3 set sky.kind=day" "5 set mirror.method=cube" "7 set foam.cells=64" \
+    "9 set mirror.method=none" "11 set drops.count=30" "12 drops=3" "20 set boat.mesh="
 kinds=$(hashes three-swells --tape kinds.tape)
 same "skies, mirrors, foam, drops and no boat, twice alike" \
     "$(hashes three-swells --tape kinds.tape)" "$kinds"
@@ -250,7 +260,7 @@ bad "a look after its tick's input" "expected look and set lines before" "3 look
 bad "a look that lets drops fall" "a look only moves the camera" "4 look turn=4 drops=1"
 bad "a look with an unknown name" "no input is called sideways" "4 look sideways=1"
 bad "a word that is neither" "expected NAME=NUMBER, found looks" "4 looks turn=1"
-tape twice.tape "4 set pool.cols=64" "4 set pool.feed_low=0.5" "4 set pool.feed_high=1"
+tape twice.tape "4 set pool.cols=64" "4 set pool.drive_min=0.5" "4 set pool.drive_max=1"
 run render minimal --size 48x32 --frames 40 --hash --tape twice.tape
 same "of one tick sets are taken in any order" "$code $(wc -l <out)" "0 40"
 tape bad.tape "4 set pool.cols=64" "4 set pool.damping=10" "4 set pool.courant=0.8"

@@ -65,7 +65,7 @@ static void each_button_does_what_it_stands_for(void **state)
     assert_memory_equal(&got, &left, sizeof got);
     got = click(&w, BUTTON_RIGHT);
     assert_memory_equal(&got, &right, sizeof got);
-    assert_int_equal(click(&w, BUTTON_SELECT).push[0].height, w.scene.pool.poke);
+    assert_int_equal(click(&w, BUTTON_SELECT).push[0].height, w.scene.pool.splash_height);
     water_free(&w);
 }
 
@@ -80,7 +80,7 @@ static void a_poke_that_finds_no_room_comes_a_tick_later(void **state)
         full.push[i].height = 1;
     buttons_read(&b, NONE, w.world, &w.scene, &full);
     buttons_read(&b, NONE, w.world, &w.scene, &next);
-    assert_int_equal(next.push[0].height, w.scene.pool.poke);
+    assert_int_equal(next.push[0].height, w.scene.pool.splash_height);
     buttons_read(&b, NONE, w.world, &w.scene, &after);
     assert_int_equal(after.push[0].height, 0);
     water_free(&w);

@@ -22,7 +22,7 @@ static const char *exact[] = { "quality.visibility=triangles", "quality.shading=
                                "quality.rate=full", "quality.lod=off",
                                "quality.error_px=0", "quality.error_colour=0" };
 static const char *quick[] = { "quality.shading=quick", "quality.rate=colour",
-                               "mirror.objects=none", "foam.cells=0", "hdr.share=0" };
+                               "mirror.method=none", "foam.cells=0", "hdr.share=0" };
 
 typedef struct {
     loaded_scene    loaded;
@@ -143,9 +143,9 @@ static void what_is_drawn_so_anyway_is_told(void **state)
 /* For every quality plan the usual comparison uses other rungs than the plan. */
 static void the_usual_other_picture_is_another(void **state)
 {
-    static const char *quick_sea[] = { "quality.shading=quick", "mirror.objects=none",
+    static const char *quick_sea[] = { "quality.shading=quick", "mirror.method=none",
                                        "foam.cells=0", "hdr.share=0" };
-    static const char *plain_sea[] = { "quality.shading=exact", "mirror.objects=none",
+    static const char *plain_sea[] = { "quality.shading=exact", "mirror.method=none",
                                        "quality.visibility=triangles", "quality.lod=off",
                                        "foam.cells=0", "hdr.share=0" };
     bench b;

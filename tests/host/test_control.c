@@ -8,7 +8,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <cmocka.h>
-#include "../../ports/serial/control.h"
+#include "interact/old_names.h"
+#include "serial/control.h"
 #include "tests/lib/scenes.h"
 #include "tests/lib/frames.h"
 #include "pixel/pixel.h"
@@ -52,7 +53,7 @@ static void board_open(board *b)
                                    tp_frame_bytes(&config, &b->scene), NULL),
                      TP_OK);
     b->setup = (control_setup){ &b->scene, &b->scene, &config, b->world, bytes,
-                                hear,      NULL,      b };
+                                hear,      NULL,      b,       NULL };
     control_begin(&b->control, &b->setup);
 }
 
@@ -136,7 +137,8 @@ static void lines_are_answered_as_documented(void **state)
         { "set grid.follow off\n", "ok grid.follow = off\n" },
         { "set scene.title A pond, ours\n", "ok scene.title = A pond, ours\n" },
         { "list wave3.sp\n", "wave3.speed = 1\nok 1 parameter\n" },
-        { "list surf.\n", "surf.k0 = 0.1 1/m\nsurf.kx = 0.11 1/m\nsurf.ky = 0.09 1/m\n"
+        { "list surf.\n", "surf.tilt_decay = 0.1 1/m\nsurf.widening_decay = 0.11 1/m\n"
+                        "surf.flattening_decay = 0.09 1/m\n"
           "surf.stretch = 1\nsurf.irregular = 0.3\nok 5 parameters\n" },
         { "drop\n", "ok drop\n" }, { "poke 1 -2\n", "ok poke\n" },
         { "input light_turn=9 drops=3\n", "ok input\n" },
@@ -185,6 +187,30 @@ static void what_the_program_lacks_is_refused_by_name(void **state)
     assert_string_equal(ask(b, "set foam.cells=64\n"), "ok foam.cells = 64 cells\n");
 }
 
+/* The reply begins with a line that gives the present name. */
+static void old_names_are_read_if_the_port_asks_for_them(void **state)
+{
+    static const exchange refused[] = {
+        { "set pool.poke 0.5\n", "error no parameter is called pool.poke\n" },
+    };
+    static const exchange talk[] = {
+        { "set pool.poke 0.5\n", "pool.poke is now called pool.splash_height\n"
+                                 "ok pool.splash_height = 0.5 m\n" },
+        { "get pool.poke\n", "pool.poke is now called pool.splash_height\n"
+                             "ok pool.splash_height = 0.5 m of -16..16\n" },
+        { "get pool.splash_height\n", "ok pool.splash_height = 0.5 m of -16..16\n" },
+        { "set drops.into=lake\n", "drops.into is now called drops.target\n"
+                                   "error drops.target = lake is none of rings|pool\n" },
+        { "get pool.pokes\n", "error no parameter is called pool.pokes\n" },
+        { "list pool.poke\n", "error 0 parameters\n" },
+    };
+    board *b = *state;
+    hold(b, refused, COUNT(refused));
+    b->setup.find = old_name_param;
+    hold(b, talk, COUNT(talk));
+    assert_int_equal(b->scene.pool.splash_height, TP_FX(0.5));
+}
+
 static void wrong_lines_say_what_was_expected(void **state)
 {
     static const exchange talk[] = {
@@ -192,8 +218,8 @@ static void wrong_lines_say_what_was_expected(void **state)
           "error wave0.amplitude = 99 is outside 0..16 m\n" },
         { "set wave0.amplitude 1e9\n",
           "error wave0.amplitude = 1e9 is outside 0..16 m\n" },
-        { "set wave0.power 2.5\n",
-          "error wave0.power: expected a number, found 2.5\n" },
+        { "set wave0.exponent 2.5\n",
+          "error wave0.exponent: expected a number, found 2.5\n" },
         { "set wave0.amplitude\n",
           "error wave0.amplitude: expected a number, found \n" },
         { "set sky.kind noon\n",
@@ -272,8 +298,8 @@ static void what_the_world_has_no_room_for_is_taken_back(void **state)
                         "error pool.courant: pool.courant of 0.800 is above 0.497, the"
                         " bound of this damping; water would not come to rest\n");
     assert_memory_equal(&before, &b->scene, sizeof before);
-    assert_string_equal(ask(b, "set pool.range 2\n"),
-                        "error pool.range = 2 m cannot change in a running world\n");
+    assert_string_equal(ask(b, "set pool.max_height 2\n"),
+                        "error pool.max_height = 2 m cannot change in a running world\n");
     assert_memory_equal(&before, &b->scene, sizeof before);
 }
 
@@ -353,7 +379,7 @@ static void input_is_taken_once(void **state)
     assert_memory_equal(&first, &want, sizeof want);
     assert_memory_equal(&second, &(tp_input){ 0 }, sizeof second);
     ask(b, "poke 1 2\ninput turn=5\n");
-    assert_int_equal(control_take(&b->control).push[0].height, b->scene.pool.poke);
+    assert_int_equal(control_take(&b->control).push[0].height, b->scene.pool.splash_height);
     for (int i = 0; i < 2000; i++)
         ask(b, "drop\n");
     ask(b, "input drops=1000\n");
@@ -492,6 +518,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         HELD(lines_are_answered_as_documented),
         HELD(what_the_program_lacks_is_refused_by_name),
+        HELD(old_names_are_read_if_the_port_asks_for_them),
         HELD(wrong_lines_say_what_was_expected),
         HELD(scenes_without_a_pool_or_drops_say_so),
         HELD(a_constant_scene_is_read_but_not_set),

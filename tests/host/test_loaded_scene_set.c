@@ -133,8 +133,8 @@ static void walls_that_move_open_the_canvas(void **state)
     open_scene("assets/scenes/harbour.ini");
     (void)drawn();
     assert_false(set("pool.damping=9"));
-    assert_false(set("pool.poke=0.3"));
-    assert_drawn_as_new("pool.poke");
+    assert_false(set("pool.splash_height=0.3"));
+    assert_drawn_as_new("pool.splash_height");
     assert_true(set("pool.x=1.5"));
     steps(1);
     assert_drawn_as_new("pool.x");
@@ -145,7 +145,7 @@ static void what_needs_memory_opens_the_canvas(void **state)
 {
     (void)state;
     static const char *const settings[] = { "grid.cols=33", "sky.kind=day",
-                                            "mirror.objects=cube", "boat.mesh=",
+                                            "mirror.method=cube", "boat.mesh=",
                                             "drops.count=300" };
     open_scene("assets/scenes/three-swells.ini");
     for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
@@ -274,8 +274,8 @@ static void several_are_taken_in_any_order(void **state)
         { "5", "sky.down=assets/skies/dusk-down.png" },
         { "6", "sky.south=assets/skies/dusk-south.png" },
         { "7", "sky.north=assets/skies/dusk-north.png" }, { "8", "pool.cols=32" },
-        { "9", "pool.feed_low=0.5" }, { "10", "pool.feed_high=1" },
-    }, some[] = { { "1", "boat.mesh=no.obj" }, { "2", "pool.feed_low=3" },
+        { "9", "pool.drive_min=0.5" }, { "10", "pool.drive_max=1" },
+    }, some[] = { { "1", "boat.mesh=no.obj" }, { "2", "pool.drive_min=3" },
                   { "3", "camera.fov=50" } };
     bool opened = false;
     open_scene("assets/scenes/minimal.ini");
@@ -283,10 +283,10 @@ static void several_are_taken_in_any_order(void **state)
         loaded_scene_set_all(&stood, &given, all, sizeof all / sizeof *all, &opened), 0);
     assert_true(opened);
     assert_int_equal(stood.file.scene.sky.kind, TP_SKY_CUBE);
-    assert_int_equal(stood.file.scene.pool.feed_low, 1 << 15);
+    assert_int_equal(stood.file.scene.pool.drive_min, 1 << 15);
     assert_drawn_as_new("all of them");
     assert_int_equal(loaded_scene_set_all(&stood, &given, some, 3, &opened), 3);
-    assert_int_equal(stood.file.scene.pool.feed_low, 1 << 15);
+    assert_int_equal(stood.file.scene.pool.drive_min, 1 << 15);
     assert_int_equal(stood.file.scene.camera.fov, 50 << 16);
     assert_int_equal(loaded_scene_set_all(&stood, &given, all, 0, &opened), 0);
     loaded_scene_close(&stood);

@@ -92,8 +92,8 @@ static void numbers_are_told_as_finely_as_they_are_worth(void **state)
     a_place_in("wave0.steepness", 0.25, -1, "0.25");
     a_place_in("camera.x", 0, -1, "0");
     a_place_in("camera.x", 0, 1000, "8000");
-    a_place_in("wave0.power", 3, -1, "3");
-    a_place_in("wave0.power", 0, 7, "8");
+    a_place_in("wave0.exponent", 3, -1, "3");
+    a_place_in("wave0.exponent", 0, 7, "8");
     a_place_in("drops.radius", 0.002, 0, "0.002");
 }
 

@@ -121,6 +121,13 @@ static void values_change_behind_their_equals(void **state)
     CHECK("[camera]\nx = 1\nx = 2\n", "[camera]\nx = 1\nx = 4\n", "camera.x=4");
 }
 
+static void old_names_stay(void **state)
+{
+    (void)state;
+    CHECK("[pool]\npoke = 0.3 ; high\nfeed=1\n", "[pool]\npoke = 0.5 ; high\nfeed=1\n",
+          "pool.splash_height=0.5");
+}
+
 static void unchanged_values_keep_their_spelling(void **state)
 {
     (void)state;
@@ -446,6 +453,7 @@ int main(int argc, char **argv)
         return print_names(argv[1]);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_change_behind_their_equals),
+        cmocka_unit_test(old_names_stay),
         cmocka_unit_test(unchanged_values_keep_their_spelling),
         cmocka_unit_test(defaults_go),
         cmocka_unit_test(new_values_end_their_section),

@@ -140,7 +140,7 @@ static void what_was_put_is_read(void **state)
     (void)state;
     static char *const none[1], *const changes[] = {
         "wave0.amplitude=0.8", "scene.title=a ; 50%  b", "wave3.length=17.25",
-        "scene.shows=;", "boat.mesh=assets/boats/../boats/longship.obj",
+        "scene.description=;", "boat.mesh=assets/boats/../boats/longship.obj",
     };
     char name[64];
     static const char *const scenes[] = { "three-swells", "pond", "raindrops",

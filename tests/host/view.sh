@@ -108,7 +108,7 @@ quit_view
 # -- a recorded tape: played by render, its last frame equals the window's picture -------
 
 scene=tank
-open_view tank --size 320x240 --tape played.tape --set pool.poke_every=0 --no-panel
+open_view tank --size 320x240 --tape played.tape --set pool.splash_interval=0 --no-panel
 sleep 0.3
 do_x windowfocus "$window" key --delay 0 1 2 3 4 5 6
 sleep 0.2
@@ -132,7 +132,7 @@ check "and of stirring" at_least 14
 check "and of the walk" told "aside=-"
 
 check "render plays the tape to the screenshot's bits" \
-    replayed last.png tank --size 320x240 --tape played.tape --set pool.poke_every=0
+    replayed last.png tank --size 320x240 --tape played.tape --set pool.splash_interval=0
 
 # -- the display is lost, and --resume goes on ----------------------------------------------
 

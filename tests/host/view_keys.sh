@@ -57,7 +57,7 @@ does drop -- "Space lets a drop fall" told 'drops=1'
 
 scene=tank
 check "the tank opens" open_view tank --size 160x120 --no-panel --tape tank.tape \
-    --set pool.poke_every=0
+    --set pool.splash_interval=0
 for number in 1 2 3 4 5 6; do
     press $number
     sleep 0.15

@@ -111,9 +111,9 @@ static inline tp_scene pool_scene(tp_cells cells, tp_edges edges)
     tp_scene_level(&s);
     strcpy(s.boat.mesh, "boat.obj");
     s.pool.cols = s.pool.rows = 96;
-    s.pool.cells = (int32_t)cells;
-    s.pool.edges = (int32_t)edges;
-    s.pool.range = 2 * TP_FX_ONE;
+    s.pool.cell_bits = (int32_t)cells;
+    s.pool.boundary = (int32_t)edges;
+    s.pool.max_height = 2 * TP_FX_ONE;
     s.boat.x = s.boat.z = 0;
     s.boat.length = 4 * TP_FX_ONE;
     s.boat.beam = TP_FX(1.6);

@@ -70,7 +70,7 @@ static inline deep_water deep_water_usual(uint64_t *chance, int most, double ste
 static inline void deep_water_sharpen(uint64_t *chance, deep_water *o)
 {
     for (int i = 0; i < o->count; i++)
-        o->wave[i].power = chance_int(chance, 0, 8);
+        o->wave[i].exponent = chance_int(chance, 0, 8);
     deep_water_settle(o);
 }
 

@@ -9,8 +9,9 @@
 static const tp_scene_drops usual = {
     .count = 64, .rings = 64, .y = TP_FX(3), .radius = TP_FX(0.06),
     .density = TP_FX(1000), .drag = TP_FX(0.47), .bounce = TP_FX(0.65), .impacts = 6,
-    .every = TP_FX_ONE, .efficiency = TP_FX(0.2), .speed = TP_FX(1.2), .decay = TP_FX(2),
-    .spread = TP_FX_ONE, .attack = TP_FX(0.1),
+    .interval = TP_FX_ONE, .efficiency = TP_FX(0.2),
+    .ring_speed = TP_FX(1.2), .ring_decay = TP_FX(2),
+    .ring_spread = TP_FX_ONE, .ring_rise_time = TP_FX(0.1),
 };
 
 static inline tp_scene_drops any_config(uint64_t *chance)

@@ -13,7 +13,7 @@
 
 /* Settings that turn off features the reference does not draw, or draws in another way. */
 #define REF_WITHOUT "foam.cells=0", "spray.count=0", "water.caustics=0", \
-                    "sky.stars=0", "mirror.bend=1"
+                    "sky.stars=0", "mirror.distortion=1"
 
 /* The engine's picture: colours and the kind of surface in each pixel. */
 typedef struct {

@@ -151,9 +151,9 @@ static inline tp_scene scene_clear_any(uint64_t *state)
     s.light.elevation = chance_fx(state, 5, 90);
     s.light.ambient = chance_fx(state, 0, 1);
     s.light.colour = chance_int(state, 0, 0xffffff);
-    s.water.clear = chance_scale(state, 1, 30);
+    s.water.clarity = chance_scale(state, 1, 30);
     s.water.tint = chance_int(state, 0, 0xffffff) | 0x202020;
-    s.water.deep = chance_int(state, 0, 0xffffff);
+    s.water.deep_colour = chance_int(state, 0, 0xffffff);
     return s;
 }
 
@@ -194,7 +194,7 @@ static inline double wet_cos(const view_of_ref *v, sight_angles face)
 static inline double beer_of(const tp_scene *s, double seen, double body, double way,
                              int k)
 {
-    const double clear = s->water.clear > 0 ? s->water.clear / 65536.0 : 4;
+    const double clear = s->water.clarity > 0 ? s->water.clarity / 65536.0 : 4;
     return between(body, seen, exp(way / clear * log(channel(s->water.tint, k) / 255)));
 }
 

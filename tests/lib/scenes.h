@@ -286,13 +286,13 @@ static inline void kit_switch_on(tp_scene *s, uint64_t *state)
     s->sky.kind = chance_int(state, TP_SKY_GRADIENT, TP_SKY_CUBE);
     s->hdr.share = chance_fx(state, 0.1, 1);
     s->hdr.exposure = TP_EXPOSURE_AUTO;
-    s->water.clear = chance_scale(state, 0.2, 60);
+    s->water.clarity = chance_scale(state, 0.2, 60);
     s->water.caustics = chance_fx(state, 0.1, 4);
     s->water.dispersion = chance_int(state, 0, 1) * chance_fx(state, 0.01, 1);
     s->water.reflection = chance_fx(state, 0.1, 1);
-    s->water.pool_bump = chance_int(state, 0, 1) * chance_fx(state, 0.1, 4);
+    s->water.pool_normal_strength = chance_int(state, 0, 1) * chance_fx(state, 0.1, 4);
     s->water.specular = chance_int(state, 0, 2) * TP_FX_ONE;
-    s->mirror.objects = chance_int(state, TP_MIRROR_NONE, TP_MIRROR_CUBE);
+    s->mirror.method = chance_int(state, TP_MIRROR_NONE, TP_MIRROR_CUBE);
     s->mirror.size = chance_int(state, TP_MIRROR_HALF, TP_MIRROR_QUARTER);
     s->tank.kind = chance_int(state, TP_TANK_NONE, TP_TANK_GLASS);
     s->foam.cells = chance_int(state, 1, 40);
@@ -301,7 +301,7 @@ static inline void kit_switch_on(tp_scene *s, uint64_t *state)
     s->ripple.bump = chance_fx(state, 0.1, 4);
     s->distortion.strength = chance_fx(state, 0.1, 20);
     s->drops.count = chance_int(state, 0, 12);
-    s->drops.every = TP_FX(0.05);
+    s->drops.interval = TP_FX(0.05);
 }
 
 /* A scene of random numbers; three in four scenes have all assets in front of the

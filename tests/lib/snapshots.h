@@ -29,21 +29,21 @@ static inline void kept_pool(tp_scene_pool *pool, int32_t cells, int32_t edges)
 {
     pool->cols = 20;
     pool->rows = 18;
-    pool->cells = cells;
-    pool->edges = edges;
+    pool->cell_bits = cells;
+    pool->boundary = edges;
     pool->sponge = 4;
     pool->courant = TP_FX(0.4);
-    pool->feed_low = TP_FX(0.01);
-    pool->feed_high = TP_FX(0.02);
-    pool->poke_every = TP_FX(0.2);
+    pool->drive_min = TP_FX(0.01);
+    pool->drive_max = TP_FX(0.02);
+    pool->splash_interval = TP_FX(0.2);
 }
 
 static inline void kept_air(tp_scene *s, int32_t into)
 {
     s->drops.count = 6;
     s->drops.rings = 6;
-    s->drops.into = into;
-    s->drops.every = TP_FX(0.1);
+    s->drops.target = into;
+    s->drops.interval = TP_FX(0.1);
     s->spray.count = 12;
     s->foam.cells = 12;
 }
@@ -65,18 +65,18 @@ static inline void kept_scene(kept *k, int number, uint64_t *chance)
         kept_pool(&s->field, TP_CELLS_32, TP_EDGES_SPONGE);
         s->boat.mode = TP_BOAT_DYNAMIC;
         s->hdr.exposure = TP_EXPOSURE_AUTO;
-        s->mirror.objects = TP_MIRROR_STENCIL;
-        s->water.clear = TP_FX(4);
+        s->mirror.method = TP_MIRROR_STENCIL;
+        s->water.clarity = TP_FX(4);
     } else if (number == 1) {
         kept_pool(&s->pool, TP_CELLS_8, TP_EDGES_TILE);
         s->floor.map_size = 100 * TP_FX_ONE;
         s->wind.strength = TP_FX(0.05);
         s->camera.follow = TP_FOLLOW_BOAT;
-        s->mirror.objects = TP_MIRROR_CUBE;
+        s->mirror.method = TP_MIRROR_CUBE;
     } else {
         kept_pool(&s->field, TP_CELLS_32, TP_EDGES_TILE);
         s->drops.count = 4;
-        s->drops.into = TP_DROPS_POOL;
+        s->drops.target = TP_DROPS_POOL;
         s->boat.mesh[0] = '\0';
     }
     if (s->boat.mesh[0])

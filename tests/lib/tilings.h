@@ -320,7 +320,7 @@ static inline void twice_count(const tp_frame *f, const uint32_t *key, size_t pi
     r->hdr += env->beyond > 0;
     r->exposed +=
         tp_frame_module_memory(f, TP_EXPOSURE_ID) && f->drawn.exposure != TP_FX_ONE;
-    r->dispersed += f->scene->water.dispersion > 0 && f->scene->water.clear > 0;
+    r->dispersed += f->scene->water.dispersion > 0 && f->scene->water.clarity > 0;
     r->between_ticks += f->world->lag > 0;
 }
 

@@ -18,10 +18,10 @@ static inline tp_scene_pool some_pool(uint64_t *chance)
     tp_scene_level(&s);
     s.pool.cols = chance_int(chance, 16, 40);
     s.pool.rows = chance_int(chance, 16, 40);
-    s.pool.cells = chance_int(chance, 0, 2);
-    s.pool.edges = chance_int(chance, 0, 2);
+    s.pool.cell_bits = chance_int(chance, 0, 2);
+    s.pool.boundary = chance_int(chance, 0, 2);
     s.pool.sponge = 4;
-    s.pool.poke_every = TP_FX(0.2);
+    s.pool.splash_interval = TP_FX(0.2);
     s.pool.paddle = TP_FX(0.1);
     return s.pool;
 }
@@ -40,8 +40,8 @@ static inline tp_scene scene_with(uint64_t *chance, uint32_t parts)
         s.field = some_pool(chance);
     s.drops.count = parts & 16 ? chance_int(chance, 1, 40) : 0;
     s.drops.rings = chance_int(chance, 0, 40);
-    s.drops.into = chance_int(chance, 0, 1);
-    s.drops.every = TP_FX(0.1);
+    s.drops.target = chance_int(chance, 0, 1);
+    s.drops.interval = TP_FX(0.1);
     s.boat.wake = TP_FX(0.5);
     return s;
 }

@@ -74,8 +74,9 @@ static void a_thousand_drops_fall_for_a_minute(void **state)
     const tp_scene_drops c = {
         .count = 1000, .rings = 1000, .y = TP_FX(10), .radius = TP_FX(0.05),
         .density = TP_FX(1000), .drag = TP_FX(0.47), .bounce = TP_FX(0.7), .impacts = 7,
-        .every = TP_FX(0.004), .scatter = TP_FX(20), .efficiency = TP_FX(0.3),
-        .speed = TP_FX(1.2), .decay = TP_FX(2), .spread = TP_FX_ONE, .attack = TP_FX(0.1),
+        .interval = TP_FX(0.004), .scatter_radius = TP_FX(20), .efficiency = TP_FX(0.3),
+        .ring_speed = TP_FX(1.2), .ring_decay = TP_FX(2),
+        .ring_spread = TP_FX_ONE, .ring_rise_time = TP_FX(0.1),
     };
     tp_drops *const drops = malloc(tp_drops_bytes(&c));
     tp_ring_now *const rings = malloc(1000 * sizeof *rings);
@@ -115,8 +116,9 @@ static void all_drops_and_rings_come_to_an_end(void **state)
     const tp_scene_drops c = {
         .count = 1000, .rings = 1000, .y = TP_FX(10), .radius = TP_FX(0.05),
         .density = TP_FX(1000), .drag = TP_FX(0.47), .bounce = TP_FX(0.8), .impacts = 7,
-        .scatter = TP_FX(20), .efficiency = TP_FX(0.3), .speed = TP_FX(1.2),
-        .decay = TP_FX(2), .spread = TP_FX_ONE, .attack = TP_FX(0.1),
+        .scatter_radius = TP_FX(20), .efficiency = TP_FX(0.3), .ring_speed = TP_FX(1.2),
+        .ring_decay = TP_FX(2),
+        .ring_spread = TP_FX_ONE, .ring_rise_time = TP_FX(0.1),
     };
     tp_drops *const drops = malloc(tp_drops_bytes(&c));
     uint64_t tick = 0, dry = 0;

@@ -25,19 +25,19 @@ static tp_scene everything(void)
 
     s.grid.cols = s.grid.rows = 12;
     s.pool.cols = s.pool.rows = 24;
-    s.pool.edges = TP_EDGES_SPONGE;
+    s.pool.boundary = TP_EDGES_SPONGE;
     s.pool.sponge = 5;
-    s.pool.poke_every = TP_FX(0.02);
+    s.pool.splash_interval = TP_FX(0.02);
     s.field.cols = s.field.rows = 16;
-    s.field.edges = TP_EDGES_TILE;
-    s.field.feed_low = TP_FX(0.02);
-    s.field.feed_high = TP_FX(0.03);
+    s.field.boundary = TP_EDGES_TILE;
+    s.field.drive_min = TP_FX(0.02);
+    s.field.drive_max = TP_FX(0.03);
     s.floor.depth = 4 * TP_FX_ONE;
     s.floor.slope = TP_FX(0.04);
     s.wind.strength = TP_FX(0.1);
     s.drops.count = 8;
     s.drops.rings = 8;
-    s.drops.every = TP_FX(0.02);
+    s.drops.interval = TP_FX(0.02);
     s.boat.mode = TP_BOAT_DYNAMIC;
     s.boat.speed = 2 * TP_FX_ONE;
     kit_gather(&s, &chance);

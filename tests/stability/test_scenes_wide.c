@@ -70,8 +70,8 @@ static void size_lattices(tp_scene *s)
 static void fit_pool(tp_scene_pool *p)
 {
     p->courant = chance_fx(&chance, 0.25, 0.48);
-    if (p->feed_low > p->feed_high)
-        p->feed_low = p->feed_high;
+    if (p->drive_min > p->drive_max)
+        p->drive_min = p->drive_max;
 }
 
 /* A random scene; most scenes are drawn, the others are refused for their pools. */

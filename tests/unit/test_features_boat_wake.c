@@ -94,7 +94,7 @@ static void the_hull_s_column_follows_the_models(void **state)
     for (int n = 0; n < 60; n++) {
         tp_scene s = pool_scene(TP_CELLS_16, TP_EDGES_WALL);
         any_small_boat(&s);
-        s.pool.range = 16 * TP_FX_ONE;
+        s.pool.max_height = 16 * TP_FX_ONE;
         compare_stroke(&s, &off);
     }
     measure_print(&off);
@@ -115,26 +115,26 @@ static void no_water_is_lost_or_won(void **state)
         any_small_boat(&s);
         s.pool.cols = chance_int(&chance, 16, 64);
         s.pool.rows = chance_int(&chance, 16, 64);
-        s.pool.range = chance_scale(&chance, 0.01, 8);
+        s.pool.max_height = chance_scale(&chance, 0.01, 8);
         s.pool.cell = chance_scale(&chance, 0.1, 1);
         s.boat.mode = n % 2 ? TP_BOAT_DYNAMIC : TP_BOAT_KINEMATIC;
         s.boat.x = chance_fx(&chance, -10, 10);
         s.boat.z = chance_fx(&chance, -10, 10);
         tp_world *w = wake_world(&s);
-        const double high = s.pool.range * LSB;
+        const double high = s.pool.max_height * LSB;
         for (int t = 0; t < 60; t++) {
             const tp_input in = { .throttle = chance_fx(&chance, -4, 30),
                                   .rudder = chance_fx(&chance, -90, 90) };
             tp_pool_step(water_of(w));
             const int64_t before = tp_pool_stats(water_of(w)).sum;
             const tp_pool *water = water_of(w);
-            const bool settling = s.pool.cells != TP_CELLS_32 && water->gear == 0
+            const bool settling = s.pool.cell_bits != TP_CELLS_32 && water->gear == 0
                                && !water->at_rest;
             sail(w, &s, &in);
             const tp_pool_state after = tp_pool_stats(water);
             if (!settling || after.sum != 0)    /* a settling pool drifts and is levelled */
                 assert_int_equal(after.sum, before);
-            full += s.pool.cells != TP_CELLS_32
+            full += s.pool.cell_bits != TP_CELLS_32
                  && after.highest >= lsb_of(water_of(w)) * high - 1;
         }
         stirs += w->boat_state.wake_ticks;
@@ -282,7 +282,7 @@ static void any_boat_may_stir_any_pool(void **state)
         s.field.cols = 16 + n % 7;
         s.pool.rows = s.field.rows = 16 + n % 11;
         s.pool.courant = s.field.courant = TP_FX(0.4);
-        s.pool.feed_low = s.field.feed_low = 0;
+        s.pool.drive_min = s.field.drive_min = 0;
         if (n % 4) {
             s.boat.x = s.pool.x + chance_fx(&chance, -3, 3);
             s.boat.z = s.pool.z + chance_fx(&chance, -3, 3);

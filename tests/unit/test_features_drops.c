@@ -21,8 +21,8 @@ static tp_scene_drops config_of(int32_t count, int32_t rings)
         .count = count, .rings = rings, .x = TP_FX(5), .y = TP_FX(3), .z = TP_FX(-7),
         .radius = TP_FX(0.06), .density = TP_FX(1000), .drag = TP_FX(0.47),
         .bounce = TP_FX(0.65), .impacts = 6, .efficiency = TP_FX(0.2),
-        .speed = TP_FX(1.2), .decay = TP_FX(2), .spread = TP_FX_ONE,
-        .attack = TP_FX(0.1),
+        .ring_speed = TP_FX(1.2), .ring_decay = TP_FX(2), .ring_spread = TP_FX_ONE,
+        .ring_rise_time = TP_FX(0.1),
     };
 }
 
@@ -108,7 +108,7 @@ static void scatter_is_even_and_ends_where_it_says(void **state)
 {
     (void)state;
     tp_scene_drops c = config_of(1024, 0);
-    c.scatter = TP_FX(20);
+    c.scatter_radius = TP_FX(20);
     tp_drops *const drops = block_of(&c);
     int inner = 0, right = 0;
     for (int n = 0; n < 1024; n++)
@@ -116,8 +116,8 @@ static void scatter_is_even_and_ends_where_it_says(void **state)
     for (uint32_t i = 0; i < drops->count; i++) {
         const double x = tp_drops_list(drops)[i].place.x - c.x;
         const double z = tp_drops_list(drops)[i].place.z - c.z;
-        assert_true(hypot(x, z) <= c.scatter + 1);
-        inner += hypot(x, z) < c.scatter / 2.0;
+        assert_true(hypot(x, z) <= c.scatter_radius + 1);
+        inner += hypot(x, z) < c.scatter_radius / 2.0;
         right += x > 0;
     }
     assert_in_range(inner, 200, 312);
@@ -133,16 +133,16 @@ static void drops_fall_by_themselves_every_so_often(void **state)
     for (int tick = 0; tick < 100; tick++)
         tp_drops_release_due(drops, &c);
     assert_int_equal(drops->released, 0);               /* `every` is 0 */
-    c.every = TP_FX(0.5);
+    c.interval = TP_FX(0.5);
     for (int tick = 0; tick < 600; tick++)
         tp_drops_release_due(drops, &c);
     assert_int_equal(drops->released, 20);
-    c.every = TP_FX_ONE / 180;                          /* about three per tick */
+    c.interval = TP_FX_ONE / 180;                          /* about three per tick */
     drops->count = 0;
     for (int tick = 0; tick < 60; tick++)
         tp_drops_release_due(drops, &c);
     assert_in_range(drops->released, 20 + 178, 20 + 182);
-    c.every = 1;
+    c.interval = 1;
     tp_drops_release_due(drops, &c);
     assert_int_equal(drops->count, 1024);               /* 1092 were due */
     free(drops);
@@ -153,10 +153,10 @@ static void a_shorter_pause_is_felt_at_once(void **state)
     (void)state;
     tp_scene_drops c = config_of(16, 0);
     tp_drops *const drops = block_of(&c);
-    c.every = TP_FX(60);
+    c.interval = TP_FX(60);
     tp_drops_release_due(drops, &c);
     assert_int_equal(drops->released, 1);
-    c.every = TP_FX(0.25);
+    c.interval = TP_FX(0.25);
     for (int tick = 0; tick < 16; tick++)
         tp_drops_release_due(drops, &c);
     assert_int_equal(drops->released, 2);
@@ -193,7 +193,7 @@ static void each_impact_raises_one_ring(void **state)
             const tp_ring *const ring = &tp_drops_rings(drops)[drops->rings - 1];
             assert_in_range(ring->start, (tick - 1) * 65536, tick * 65536);
             assert_int_equal(ring->x, c.x);
-            assert_int_equal(ring->speed, c.speed);
+            assert_int_equal(ring->speed, c.ring_speed);
             assert_true(ring->amplitude > 0 && ring->amplitude * 14 <= ring->length);
         }
     }
@@ -233,8 +233,8 @@ static void a_story_repeats_bit_for_bit(void **state)
 {
     (void)state;
     tp_scene_drops c = config_of(40, 30);
-    c.every = TP_FX(0.1);
-    c.scatter = TP_FX(2);
+    c.interval = TP_FX(0.1);
+    c.scatter_radius = TP_FX(2);
     tp_drops *const a = block_of(&c), *const b = block_of(&c);
     for (uint64_t tick = 1; tick < 900; tick++) {
         const tp_fx x = random_number(&chance) / 65536;

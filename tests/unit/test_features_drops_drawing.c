@@ -29,7 +29,7 @@ static tp_scene scene_of(int32_t count)
     tp_scene s = marks_still(50);
 
     s.drops.count = count;
-    s.drops.every = 0;
+    s.drops.interval = 0;
     s.drops.y = 50 * TP_FX_ONE;
     s.drops.z = 300 * TP_FX_ONE;
     return s;

@@ -148,9 +148,9 @@ static void walls_foam_where_the_water_moves(void **state)
     tp_scene_level(&s);
     s.pool.cols = s.pool.rows = 48;
     s.pool.cell = TP_FX(0.1);
-    s.pool.poke_every = TP_FX(0.5);
-    s.pool.poke = TP_FX(0.3);
-    s.pool.poke_size = TP_FX(0.25);
+    s.pool.splash_interval = TP_FX(0.5);
+    s.pool.splash_height = TP_FX(0.3);
+    s.pool.splash_width = TP_FX(0.25);
     s = field(s, TP_FX(0.1));
     tp_world *world = scene_world(&s, NULL);
     for (int i = 0; i < 600; i++)

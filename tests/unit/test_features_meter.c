@@ -136,7 +136,7 @@ static void it_settles_at_a_mean_of_a_half(void **state)
         tp_scene s = auto_scene();
         tp_fx mean;
         s.sky.kind = n % 4;
-        s.hdr.value = n % 2 ? TP_FX_ONE / 8 : 8 * TP_FX_ONE;
+        s.hdr.exposure_factor = n % 2 ? TP_FX_ONE / 8 : 8 * TP_FX_ONE;
         const tp_fx at = settled(&s, 1500, &mean);
         const double target = ref_clamp(0.5 / fmax(mean / 65536.0, 1 / 16.0), 0.125, 8);
         assert_true(fabs(at / 65536.0 - target) < 0.001);
@@ -236,7 +236,7 @@ static void a_fixed_exposure_takes_no_room_and_stays(void **state)
     (void)state;
     tp_scene s = auto_scene(), fixed = s;
     fixed.hdr.exposure = TP_EXPOSURE_FIXED;
-    fixed.hdr.value = TP_FX(2.5);
+    fixed.hdr.exposure_factor = TP_FX(2.5);
 
     assert_true(tp_world_bytes(&tp_program_all, &s, NULL)
                 > tp_world_bytes(&tp_program_all, &fixed, NULL));

@@ -21,9 +21,9 @@ static tp_scene_pool scene_of(tp_cells cells, tp_edges edges, double courant, do
                               double period)
 {
     return (tp_scene_pool){
-        .cols = COLS, .rows = ROWS, .cells = (int32_t)cells, .edges = (int32_t)edges,
+        .cols = COLS, .rows = ROWS, .cell_bits = (int32_t)cells, .boundary = (int32_t)edges,
         .damping = 10, .sponge = 8, .courant = (tp_fx)lround(courant * 65536),
-        .range = TP_FX_ONE, .cell = TP_FX(0.25),
+        .max_height = TP_FX_ONE, .cell = TP_FX(0.25),
         .paddle = (tp_fx)lround(height * 65536),
         .paddle_period = (tp_fx)lround(period * 65536),
     };
@@ -31,12 +31,12 @@ static tp_scene_pool scene_of(tp_cells cells, tp_edges edges, double courant, do
 
 static tp_pool *pool_for(const tp_scene_pool *s)
 {
-    tp_pool_config c = pool_config((tp_cells)s->cells, (tp_edges)s->edges,
+    tp_pool_config c = pool_config((tp_cells)s->cell_bits, (tp_edges)s->boundary,
                                    (uint32_t)s->cols, (uint32_t)s->rows);
     c.courant = s->courant;
     c.damping = (uint32_t)s->damping;
     c.sponge = (uint32_t)s->sponge;
-    c.range = s->range;
+    c.range = s->max_height;
     return pool_make(&c);
 }
 
@@ -69,7 +69,7 @@ static void the_sum_stays_exactly_0(void **state)
             const int64_t before = tp_pool_stats(pool).sum;
             tp_paddle_push(pool, &s, tick);
             assert_int_equal(tp_pool_stats(pool).sum, before);
-            if (s.cells == TP_CELLS_32)
+            if (s.cell_bits == TP_CELLS_32)
                 assert_int_equal(before, 0);
             tp_pool_step(pool);
         }

@@ -42,7 +42,7 @@ static tp_scene sky_scene(int32_t kind)
     s.water.specular = chance_int(&chance, 0, 1) * TP_FX_ONE;
     s.hdr.share = chance_int(&chance, 0, 1) * TP_FX_ONE;
     s.hdr.exposure = chance_int(&chance, 0, 1);
-    s.hdr.value = chance_fx(&chance, 0.5, 2);
+    s.hdr.exposure_factor = chance_fx(&chance, 0.5, 2);
     s.sky.stars = TP_FX_ONE;
     return s;
 }
@@ -113,7 +113,7 @@ static void skies_are_carved_for_those_who_have_them(void **state)
     assert_in_range(tp_frame_bytes(&c, &s), plain + sizeof(tp_dome),
                     plain + sizeof(tp_dome) + 16);
     s.sky.kind = TP_SKY_GRADIENT;
-    s.hdr.value = 2 * TP_FX_ONE;
+    s.hdr.exposure_factor = 2 * TP_FX_ONE;
     const size_t toned = plain + 256 * sizeof(tp_entry8) + sizeof(tp_rgb565_tone_map);
     assert_in_range(tp_frame_bytes(&c, &s), toned, toned + 16);
 }
@@ -130,7 +130,7 @@ static void a_live_change_is_drawn_as_far_as_there_are_tables(void **state)
                           .tile_height = HEIGHT,
                           .format = TP_FORMAT_XRGB8888 };
     s.hdr.exposure = TP_EXPOSURE_FIXED;
-    s.hdr.value = TP_FX_ONE;
+    s.hdr.exposure_factor = TP_FX_ONE;
     tp_world *w = scene_world(&s, &a);
     test_frame f = frame_of(&s, &a, &c);
     tp_tile tile;
@@ -225,7 +225,7 @@ static tp_scene day_scene(void)
 
     s.boat.mesh[0] = '\0';
     s.hdr.exposure = TP_EXPOSURE_FIXED;
-    s.mirror.objects = TP_MIRROR_NONE;
+    s.mirror.method = TP_MIRROR_NONE;
     s.quality.shading = TP_SHADING_EXACT;
     s.quality.visibility = TP_VISIBILITY_TRIANGLES;
     s.water.specular = s.water.reflection = TP_FX_ONE;

@@ -112,7 +112,7 @@ static void bubbles_are_seen_through_clear_water(void **state)
 
     put(world, (tp_vec3){ 0, TP_FX(-1), -17 * TP_FX_ONE }, TP_SPECK_BUBBLE, 128);
     assert_int_equal(drawn(&s, world), 0);
-    s.water.clear = 5 * TP_FX_ONE;
+    s.water.clarity = 5 * TP_FX_ONE;
     assert_true(drawn(&s, world) > 10);
     free(world);
 }

@@ -35,9 +35,9 @@ static tp_scene tank_scene(void)
     s.tank.floor_colour = 0xff0000;
     s.tank.wall_colour = 0;
     s.tank.glass = 0;
-    s.water.clear = 200 * TP_FX_ONE;
+    s.water.clarity = 200 * TP_FX_ONE;
     s.water.tint = 0xffffff;
-    s.water.deep = 0;
+    s.water.deep_colour = 0;
     s.water.colour = 0;
     s.water.specular = s.water.reflection = 0;
     s.light.ambient = TP_FX_ONE;

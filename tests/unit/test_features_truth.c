@@ -48,7 +48,7 @@ static void compare_scene(truth_tally *t)
     };
 
     if (random_below(&chance, 2))           /* the fast stages support none of these */
-        scene.water.clear = scene.hdr.share = scene.foam.cells = 0;
+        scene.water.clarity = scene.hdr.share = scene.foam.cells = 0;
     scene.quality.shading = TP_SHADING_QUICK;
     scene.quality.rate = TP_RATE_FULL;
     if (tp_scene_check(&scene, NULL) != TP_OK)

@@ -26,13 +26,14 @@ static tp_scene wet_scene(int kind)
     tp_scene s;
 
     tp_scene_level(&s);
-    s.water.clear = 3 * TP_FX_ONE;
+    s.water.clarity = 3 * TP_FX_ONE;
     s.water.caustics = TP_FX_ONE;
     s.water.caustic_cells = 32;
     s.camera.near = TP_FX(0.05);
     if (kind == 2) {
         s.wave[0] = (tp_wave){ .amplitude = TP_FX(0.2), .length = 9 * TP_FX_ONE,
-                               .steepness = TP_FX(0.1), .speed = TP_FX_ONE, .power = 1 };
+                               .steepness = TP_FX(0.1), .speed = TP_FX_ONE,
+                               .exponent = 1 };
         s.floor.depth = 2 * TP_FX_ONE;
         s.floor.slope = TP_FX(0.1);
         return s;
@@ -129,7 +130,7 @@ static void a_beach_lies_as_deep_as_rays_say(void **state)
         s.floor.heading = 90 * TP_FX_ONE;
         s.floor.colour = 0xffffff;
         s.water.tint = 0x808080;
-        s.water.colour = s.water.deep = 0;
+        s.water.colour = s.water.deep_colour = 0;
         s.water.specular = s.water.reflection = s.water.caustics = 0;
         s.light.ambient = TP_FX_ONE;
         s.sky.haze = 0;
@@ -260,7 +261,7 @@ static void a_lens_gathers_light_where_rays_say(void **state)
         tp_world *world = scene_world(&s, NULL);
         const tp_input poke = { .push[0] = { TP_FX(0.08), chance_fx(&chance, -1, 1),
                                              chance_fx(&chance, -1, 1) } };
-        s.pool.poke_size = TP_FX(0.35);
+        s.pool.splash_width = TP_FX(0.35);
         tp_world_step(&tp_program_all, world, &s, &poke);
         light_of(&s, world, light);
         deal_rays(&s, world, rays);

@@ -207,7 +207,7 @@ static void long_waves_have_the_slopes_of_the_mesh(void **state)
             scene.wave[i] = (tp_wave){ .amplitude = TP_FX(0.02), .steepness = 0,
                                        .length = chance_fx(&chance, 10, 16),
                                        .heading = chance_fx(&chance, 0, 360),
-                                       .power = 1 };
+                                       .exponent = 1 };
         scene.camera.y = chance_fx(&chance, 3, 8);
         scene.camera.pitch = chance_fx(&chance, -85, -60);
         scene.camera.fov = chance_fx(&chance, 30, 60);

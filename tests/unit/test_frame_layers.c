@@ -48,17 +48,17 @@ static tp_scene busy_scene(void)
     s.camera.y = chance_fx(&chance, 0.5, 9);
     s.camera.pitch = chance_fx(&chance, -40, 5);
     s.water.filter = chance_int(&chance, 0, 1);
-    s.water.pool_bump = chance_fx(&chance, 0.1, 4);
+    s.water.pool_normal_strength = chance_fx(&chance, 0.1, 4);
     s.pool.cols = 32;
     s.pool.rows = 24;
     s.pool.cell = TP_FX(0.25);
     s.field.cols = 16;
     s.field.rows = 16;
-    s.field.edges = TP_EDGES_TILE;
+    s.field.boundary = TP_EDGES_TILE;
     s.field.cell = TP_FX(0.5);
-    s.pool.poke_every = s.field.poke_every = TP_FX_ONE / 4;
-    s.pool.poke = s.field.poke = TP_FX(0.1);
-    s.pool.poke_size = s.field.poke_size = TP_FX_ONE;
+    s.pool.splash_interval = s.field.splash_interval = TP_FX_ONE / 4;
+    s.pool.splash_height = s.field.splash_height = TP_FX(0.1);
+    s.pool.splash_width = s.field.splash_width = TP_FX_ONE;
     for (int k = 0; k < TP_LAYERS; k++) {
         any_map(&s.layer[k].map);
         s.layer[k].saturation = chance_int(&chance, 0, 4) * TP_FX_ONE;
@@ -169,7 +169,7 @@ static void numbers_may_change_while_the_frame_lives(void **state)
         &scene.layer[1].clamp, &scene.layer[1].colour, &scene.layer[2].map.drift_z,
         &scene.layer[2].saturation, &scene.distortion.strength,
         &scene.distortion.map.size, &scene.distortion.map.drift_x, &scene.water.filter,
-        &scene.water.pool_bump,
+        &scene.water.pool_normal_strength,
     };
     tp_world *world = world_of(&scene);
     test_frame f = frame_of(&scene, &assets, &config);
@@ -273,12 +273,12 @@ static void bumps_without_room_are_heights(void **state)
     const tp_assets assets = all_assets();
     const tp_config config = cut(0, 0);
 
-    scene.water.pool_bump = 0;
+    scene.water.pool_normal_strength = 0;
     tp_world *world = world_of(&scene);
     test_frame f = frame_of(&scene, &assets, &config);
     tp_frame_begin(f.frame, world);
     draw(&f, heights);
-    scene.water.pool_bump = TP_FX_ONE;
+    scene.water.pool_normal_strength = TP_FX_ONE;
     tp_frame_begin(f.frame, world);
     assert_ptr_equal(f.frame->surface.pool, tp_world_pool(world));
     draw(&f, asked);

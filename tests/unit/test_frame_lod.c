@@ -22,7 +22,7 @@ static tp_scene far_scene(void)
     for (int i = 0; i < 3; i++)
         s.wave[i] = (tp_wave){ .amplitude = TP_FX(size[i][0]), .length = TP_FX(size[i][1]),
                                .steepness = TP_FX(0.2), .speed = TP_FX_ONE,
-                               .heading = (30 + 45 * i) * TP_FX_ONE, .power = 1 };
+                               .heading = (30 + 45 * i) * TP_FX_ONE, .exponent = 1 };
     s.camera.x = chance_fx(&chance, -50, 50);
     s.camera.z = chance_fx(&chance, -50, 50);
     s.camera.y = 4 * TP_FX_ONE;

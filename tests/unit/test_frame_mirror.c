@@ -50,8 +50,8 @@ static tp_scene calm_scene(double lift)
 
     for (int i = 0; i < 3; i++)
         s.wave[i].amplitude = 0;
-    s.mirror.objects = TP_MIRROR_STENCIL;
-    s.water.clear = 20 * TP_FX_ONE;
+    s.mirror.method = TP_MIRROR_STENCIL;
+    s.water.clarity = 20 * TP_FX_ONE;
     s.sky.haze = 0;
     s.camera.y = chance_fx(&chance, 0.7, 9);
     s.camera.heading = chance_fx(&chance, -180, 180);
@@ -233,14 +233,14 @@ static void depth_takes_the_colour_of_what_is_sunken(void **state)
         s.camera.z = s.boat.z + 3 * TP_FX_ONE;
         s.camera.heading = 0;
         s.camera.pitch = -75 * TP_FX_ONE;
-        s.water.clear = TP_FX_ONE / 2;
+        s.water.clarity = TP_FX_ONE / 2;
         test_frame f = begun(&s, WIDTH, HEIGHT);
         const tp_planar_map *map = sunken_of(f.frame);
         assert_non_null(map->colour);
         const int32_t count = (map->x1 - map->x0) * (map->y1 - map->y0);
         for (int32_t i = 0; i < count; i++)
             if (map->colour[i])
-                off[deep] += (map->colour[i] & 0xffffff) != (uint32_t)s.water.deep;
+                off[deep] += (map->colour[i] & 0xffffff) != (uint32_t)s.water.deep_colour;
         frame_free(&f);
     }
     printf("    texels unlike the deep water: %u near, %u far down\n", off[0], off[1]);
@@ -325,7 +325,7 @@ static void the_mirror_under_waves_stays_under_the_boat(void **state)
 
     for (int n = 0; n < 20; n++) {
         tp_scene s = calm_scene(0.1);
-        s.water.clear = 0;
+        s.water.clarity = 0;
         s.water.reflection = TP_FX_ONE;
         s.wave[0].amplitude = TP_FX(0.06);
         s.wave[0].length = 6 * TP_FX_ONE;
@@ -335,7 +335,7 @@ static void the_mirror_under_waves_stays_under_the_boat(void **state)
         const double focal = f.frame->projection.focal / 65536.0;
         const int most = (int)(2 * 0.07 * focal) + 12;
         marks_draw(&s, assets_of_boat(), world, config, key, with);
-        s.mirror.objects = TP_MIRROR_NONE;
+        s.mirror.method = TP_MIRROR_NONE;
         marks_draw(&s, assets_of_boat(), world, config, NULL, without);
         for (int i = 0; i < WIDTH * HEIGHT; i++) {
             if (!map.colour || !differ(with[i], without[i]))
@@ -369,14 +369,14 @@ static void troughs_mirror_what_they_bare(void **state)
         tp_scene s = calm_scene(0);
         s.camera.y = TP_FX_ONE;             /* water seen steeply reflects too little */
         s.camera.pitch = 0;
-        s.water.clear = 0;
+        s.water.clarity = 0;
         s.water.reflection = TP_FX_ONE;
-        s.mirror.bend = 0;
+        s.mirror.distortion = 0;
         s.wave[0].amplitude = TP_FX(0.2);
         s.wave[0].length = 14 * TP_FX_ONE;
         tp_world *world = scene_world(&s, assets_of_boat());
         marks_draw(&s, assets_of_boat(), world, config, key, with);
-        s.mirror.objects = TP_MIRROR_NONE;
+        s.mirror.method = TP_MIRROR_NONE;
         marks_draw(&s, assets_of_boat(), world, config, NULL, without);
         for (int i = WIDTH; i < WIDTH * HEIGHT; i++) {
             if (TP_MARK(key[i]) != MARKS_WATER || TP_MARK(key[i - WIDTH]) < MARKS_BOAT)
@@ -398,7 +398,7 @@ static void mirrors_cost_the_bytes_that_are_told(void **state)
     const size_t want[3] = { 0, 88320, 24576 };
 
     for (int kind = TP_MIRROR_NONE; kind <= TP_MIRROR_CUBE; kind++) {
-        s.mirror.objects = kind;
+        s.mirror.method = kind;
         test_frame f = begun(&s, 320, 240);
         const size_t got = tp_frame_ram(f.frame).mirror;
         assert_true(got >= want[kind] && got <= want[kind] + (want[kind] ? 128 : 0));

@@ -232,7 +232,7 @@ static void picks_agree_with_the_samples_of_tiles(void **state)
         scene.grid.reach = 0;
         scene.grid.follow = 0;
         scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
-        scene.drops.into = TP_DROPS_RINGS;
+        scene.drops.target = TP_DROPS_RINGS;
         scene.drops.rings = 40;
         scene.drops.radius = TP_FX(0.01); /* too small to be visible in the air */
         tp_world *w = scene_world(&scene, NULL);

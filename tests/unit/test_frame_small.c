@@ -164,7 +164,7 @@ static void waves_beyond_those_at_init_are_left_out(void **state)
         for (int i = 0; i < TP_WAVES; i++)
             if (scene.wave[i].amplitude == 0)
                 scene.wave[i] = (tp_wave){ .amplitude = TP_FX(0.5),
-                                           .length = 9 * TP_FX_ONE, .power = 1 };
+                                           .length = 9 * TP_FX_ONE, .exponent = 1 };
     }
     assert_true(frame_guard_holds(f.block, f.bytes));
     frame_free(&f);
@@ -195,7 +195,7 @@ static void draw_mirror(tp_scene *s, int32_t objects, int32_t size, uint8_t *pic
                                .format = TP_FORMAT_XRGB8888 };
     const tp_assets boat = { .boat = &kit.boat.mesh };
 
-    s->mirror.objects = objects;
+    s->mirror.method = objects;
     s->mirror.size = size;
     test_frame f = frame_of(s, &boat, &config);
     tp_world *world = scene_world(s, &boat);

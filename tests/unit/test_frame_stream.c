@@ -175,7 +175,7 @@ static void waves_beyond_those_at_init_are_left_out(void **state)
 
     for (int i = 3; i < TP_WAVES; i++)
         scene.wave[i] = (tp_wave){ .amplitude = TP_FX(0.5), .length = 9 * TP_FX_ONE,
-                                    .power = 1 };
+                                    .exponent = 1 };
     tp_world *world = scene_world(&scene, &none);
     tp_frame_begin(f.frame, world);
     assert_int_equal(f.frame->buffers.grid->frame.count, 3);

@@ -67,8 +67,8 @@ static tp_scene busy_scene(tp_world *world)
     s.boat.z = chance_fx(&chance, -14, 2);
     s.boat.heading = chance_fx(&chance, 0, 360);
     s.water.filter = chance_int(&chance, 0, 1);
-    s.mirror.objects = chance_int(&chance, TP_MIRROR_NONE, TP_MIRROR_CUBE);
-    s.water.clear = chance_int(&chance, 0, 1) * TP_FX_ONE;
+    s.mirror.method = chance_int(&chance, TP_MIRROR_NONE, TP_MIRROR_CUBE);
+    s.water.clarity = chance_int(&chance, 0, 1) * TP_FX_ONE;
     s.layer[0].map.size = 3 * TP_FX_ONE;
     s.boat.length = 4 * TP_FX_ONE;
     s.boat.beam = 2 * TP_FX_ONE;

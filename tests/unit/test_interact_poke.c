@@ -22,8 +22,8 @@ static tp_scene pool(void)
     s.pool.cell = TP_FX(0.25);
     s.pool.x = TP_FX(5);
     s.pool.z = TP_FX(-7);
-    s.pool.poke = TP_FX(0.3);
-    s.pool.edges = TP_EDGES_WALL;
+    s.pool.splash_height = TP_FX(0.3);
+    s.pool.boundary = TP_EDGES_WALL;
     return s;
 }
 
@@ -36,7 +36,7 @@ static void points_lie_as_they_are_seen_from_the_south(void **state)
 
     for (uint32_t i = 0; i < POKE_POINTS; i++) {
         const tp_push push = poke_point(&scene, i);
-        assert_int_equal(push.height, scene.pool.poke);
+        assert_int_equal(push.height, scene.pool.splash_height);
         assert_int_equal(push.x, TP_FX(want[i][0]));
         assert_int_equal(push.z, TP_FX(want[i][1]));
     }
@@ -73,7 +73,7 @@ static void without_a_pool_it_is_the_field(void **state)
 
     scene.field = scene.pool;
     scene.field.x = TP_FX(-20);
-    scene.field.poke = TP_FX(0.1);
+    scene.field.splash_height = TP_FX(0.1);
     scene.pool.cols = 0;
     const tp_push push = poke_point(&scene, 4);
     assert_int_equal(push.height, TP_FX(0.1));
@@ -191,7 +191,7 @@ static void a_stir_is_a_third_of_a_poke(void **state)
 
     poke_stir(&queue, TP_FX(1), TP_FX(2));
     poke_take(&queue, &scene, &in);
-    assert_int_equal(in.push[0].height, scene.pool.poke / 3);
+    assert_int_equal(in.push[0].height, scene.pool.splash_height / 3);
     assert_int_equal(in.push[0].x, TP_FX(1));
     assert_int_equal(in.push[0].z, TP_FX(2));
     assert_int_equal(in.push[1].height, 0);
@@ -220,7 +220,7 @@ static void a_path_shares_the_stir_of_a_tick(void **state)
         }
         assert_int_equal(n, places < TP_PUSHES - 1 ? places : TP_PUSHES - 1);
         assert_int_equal(last, places);
-        assert_in_range(scene.pool.poke / 3 - sum, 0, TP_PUSHES);
+        assert_in_range(scene.pool.splash_height / 3 - sum, 0, TP_PUSHES);
         assert_int_equal(queue.places, 0);
     }
 }
@@ -241,7 +241,7 @@ static void a_path_waits_where_pokes_fill_the_tick(void **state)
     assert_int_equal(in.push[TP_PUSHES - 1].height, TP_PUSHES);
     poke_take(&queue, &scene, &after);
     assert_int_equal(after.push[0].x, 5);
-    assert_int_equal(after.push[0].height, scene.pool.poke / 3);
+    assert_int_equal(after.push[0].height, scene.pool.splash_height / 3);
 }
 
 int main(void)

@@ -34,11 +34,11 @@ static tp_scene scene_some(void)
     tp_scene s = scene_with(&chance, 4 + 16);
 
     s.pool.cols = s.pool.rows = 32;
-    s.pool.cells = TP_CELLS_16;
-    s.pool.edges = TP_EDGES_WALL;
+    s.pool.cell_bits = TP_CELLS_16;
+    s.pool.boundary = TP_EDGES_WALL;
     s.pool.x = 300 * TP_FX_ONE;
     s.drops.rings = 20;
-    s.drops.into = TP_DROPS_RINGS;
+    s.drops.target = TP_DROPS_RINGS;
     s.drops.x = s.drops.z = 300 * TP_FX_ONE;
     s.boat.speed = TP_FX(2);
     s.light.turn = TP_FX(3);

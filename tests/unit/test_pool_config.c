@@ -49,13 +49,13 @@ static void numbers_have_ranges(void **state)
     c = good, c.sponge = 65;
     assert_says(&c, "sponge is outside the range of pools");
     c = good, c.range = 0;
-    assert_says(&c, "range is outside the range of pools");
+    assert_says(&c, "max_height is outside the range of pools");
     c = good, c.cell = TP_FX(51);
     assert_says(&c, "cell is outside the range of pools");
     c = good, c.drive_min = 2, c.drive_max = 1;
-    assert_says(&c, "feed_low is above feed_high");
+    assert_says(&c, "drive_min is above drive_max");
     c = good, c.cells = (tp_cells)3;
-    assert_says(&c, "cells is outside the range of pools");
+    assert_says(&c, "cell_bits is outside the range of pools");
     const tp_grey none = { 4, 0, NULL };
     c = good, c.mask = &none;
     assert_says(&c, "mask has no samples: 4 x 0");

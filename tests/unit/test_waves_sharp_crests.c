@@ -69,7 +69,7 @@ static void the_steepest_sharpened_sea_stays_in_its_formats(void **state)
             o.wave[i] = (tp_wave){ .amplitude = 16 * TP_FX_ONE,
                                    .length = chance_scale(&chance, 0.25, 53),
                                    .steepness = TP_FX_ONE, .heading = heading,
-                                   .phase = chance_fx(&chance, 50, 70), .power = 8 };
+                                   .phase = chance_fx(&chance, 50, 70), .exponent = 8 };
         deep_water_settle(&o);
         for (int k = 0; k < 10; k++)
             deep_water_compare(&o, chance_int(&chance, -2000, 2000),
@@ -81,7 +81,7 @@ static void the_steepest_sharpened_sea_stays_in_its_formats(void **state)
 static tp_deep_water one_wave(int32_t power)
 {
     const tp_wave wave = { .amplitude = TP_FX_ONE, .length = 20 * TP_FX_ONE,
-                           .power = power };
+                           .exponent = power };
     tp_deep_water deep;
     tp_deep_water_init(&deep, &wave, 1, TP_FX(9.81));
     return deep;

@@ -66,7 +66,7 @@ static tp_scene scene_small(void)
         pools[i]->cols = chance_int(&chance, 0, 1) ? chance_int(&chance, 16, 40) : 0;
         pools[i]->rows = chance_int(&chance, 16, 40);
         pools[i]->courant = TP_FX(0.3);
-        pools[i]->feed_high = pools[i]->feed_low + TP_FX(0.1);
+        pools[i]->drive_max = pools[i]->drive_min + TP_FX(0.1);
     }
     s.foam.cells = chance_int(&chance, 0, 40);
     if (chance_int(&chance, 0, 1))
@@ -148,11 +148,11 @@ static int make(void **state)
     uint64_t fixed = 5;
 
     scene = scene_with(&fixed, 31);
-    scene.pool.cells = TP_CELLS_16;
-    scene.pool.edges = TP_EDGES_SPONGE;
-    scene.field.cells = TP_CELLS_32;
-    scene.field.edges = TP_EDGES_WALL;
-    scene.drops.into = TP_DROPS_RINGS;
+    scene.pool.cell_bits = TP_CELLS_16;
+    scene.pool.boundary = TP_EDGES_SPONGE;
+    scene.field.cell_bits = TP_CELLS_32;
+    scene.field.boundary = TP_EDGES_WALL;
+    scene.drops.target = TP_DROPS_RINGS;
     scene.foam.cells = 20;
     scene.spray.count = 60;
     scene.hdr.exposure = TP_EXPOSURE_AUTO;

@@ -72,11 +72,11 @@ static bool any_scene(shown_modules *s)
     s->scene = kit_scene(&chance, 14, 40);
     s->assets = kit_assets(&kit, &s->scene, &chance);
     if (random_below(&chance, 2))
-        s->scene.water.clear = s->scene.hdr.share = s->scene.foam.cells = 0;
+        s->scene.water.clarity = s->scene.hdr.share = s->scene.foam.cells = 0;
     if (random_below(&chance, 2))
-        s->scene.mirror.objects = TP_MIRROR_NONE;
+        s->scene.mirror.method = TP_MIRROR_NONE;
     if (random_below(&chance, 8) == 0) /* matt water */
-        s->scene.water.clear = s->scene.water.specular = s->scene.water.reflection = 0;
+        s->scene.water.clarity = s->scene.water.specular = s->scene.water.reflection = 0;
     s->scene.quality.shading = TP_SHADING_QUICK;
     s->scene.quality.rate = TP_RATE_FULL;
     if (tp_program_check_all(&tp_program_all, &s->scene, &s->assets, NULL) != TP_OK
@@ -216,7 +216,7 @@ static void a_world_refuses_to_switch_on_what_its_program_lacks(void **state)
                      TP_OK);
     tp_world_step(&l.program, world, &scene, NULL);
     memcpy(before, world, bytes);
-    scene.hdr.value = 2 * TP_FX_ONE;
+    scene.hdr.exposure_factor = 2 * TP_FX_ONE;
     scene.wave[0].amplitude = TP_FX_ONE;
     assert_false(tp_world_apply(&l.program, world, &scene, &assets));
     assert_memory_equal(before, world, bytes);

@@ -215,12 +215,12 @@ static void a_bad_pool_gives_its_status(void **state)
         pool->courant = TP_FX(0.8);
         refuses(&bad, NULL, TP_E_POOL_COURANT, n ? "field.courant" : "pool.courant");
         *pool = kept;
-        pool->cells = 3;
-        refuses(&bad, NULL, TP_E_RANGE, n ? "field.cells" : "pool.cells");
+        pool->cell_bits = 3;
+        refuses(&bad, NULL, TP_E_RANGE, n ? "field.cell_bits" : "pool.cell_bits");
         *pool = kept;
-        pool->feed_low = TP_FX_ONE;
-        pool->feed_high = 0;
-        refuses(&bad, NULL, TP_E_POOL_FEED, n ? "field.feed_low" : "pool.feed_low");
+        pool->drive_min = TP_FX_ONE;
+        pool->drive_max = 0;
+        refuses(&bad, NULL, TP_E_POOL_FEED, n ? "field.drive_min" : "pool.drive_min");
         assert_true(tp_world_bytes(&tp_program_all, &good, NULL) > 0);
         refuses(&good, &masked, TP_E_POOL_MASK, "pool.mask");
     }
@@ -250,7 +250,7 @@ static void pokes_come_as_often_as_the_scene_says(void **state)
     tp_scene scene = scene_with(&chance, 4);
     scene.boat.mesh[0] = '\0';
     scene.pool.paddle = 0;
-    scene.pool.poke_every = TP_FX(0.5);
+    scene.pool.splash_interval = TP_FX(0.5);
     tp_world *world = scene_world(&scene, NULL);
     uint32_t pokes = 0, random = world->random;
 
@@ -260,10 +260,10 @@ static void pokes_come_as_often_as_the_scene_says(void **state)
         random = world->random;
     }
     assert_int_equal(pokes, 20);
-    scene.pool.poke_every = 600 * TP_FX_ONE;
+    scene.pool.splash_interval = 600 * TP_FX_ONE;
     for (int i = 0; i < 40; i++)
         tp_world_step(&tp_program_all, world, &scene, NULL);
-    scene.pool.poke_every = TP_FX(0.1);     /* the long interval is not simulated */
+    scene.pool.splash_interval = TP_FX(0.1);     /* the long interval is not simulated */
     random = world->random;
     for (int i = 0; i < 7; i++)
         tp_world_step(&tp_program_all, world, &scene, NULL);
@@ -275,7 +275,7 @@ static void the_surface_names_every_part(void **state)
 {
     (void)state;
     tp_scene scene = scene_with(&chance, 29);
-    scene.drops.into = TP_DROPS_RINGS;
+    scene.drops.target = TP_DROPS_RINGS;
     scene.drops.rings = 40;
     tp_world *world = scene_world(&scene, NULL);
     run(&chance, world, &scene, 60);

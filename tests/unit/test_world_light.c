@@ -116,7 +116,7 @@ static void a_refresh_takes_what_has_changed(void **state)
     assert_true(tp_world_apply(&tp_program_all, w, &s, NULL));
     assert_int_equal(w->light_heading, moved);
     s.light.heading = 17 * TP_FX_ONE;
-    s.hdr.value = 3 * TP_FX_ONE;
+    s.hdr.exposure_factor = 3 * TP_FX_ONE;
     assert_true(tp_world_apply(&tp_program_all, w, &s, NULL));
     assert_int_equal(w->light_heading, tp_turn_of_degrees(17 * TP_FX_ONE));
     assert_int_equal(w->exposure, 3 * TP_FX_ONE);

@@ -30,7 +30,7 @@ static pick_water water_of(const tp_scene *scene, int ticks)
 
     assert_non_null(w.world);
     for (int i = 0; i < ticks; i++) {
-        const tp_fx height = i % 20 ? 0 : scene->pool.poke;
+        const tp_fx height = i % 20 ? 0 : scene->pool.splash_height;
         const tp_input in = { .drops = i % 7 == 0,
                               .push[0] = { height, scene->pool.x, scene->pool.z } };
         tp_world_step(&tp_program_all, w.world, &w.scene, &in);
@@ -61,8 +61,8 @@ static tp_scene pool(void)
     s.pool.cols = s.pool.rows = 96;
     s.pool.cell = TP_FX(0.1);
     s.pool.z = TP_FX(-6);
-    s.pool.range = TP_FX_ONE;
-    s.pool.poke = TP_FX(0.4);
+    s.pool.max_height = TP_FX_ONE;
+    s.pool.splash_height = TP_FX(0.4);
     s.drops.count = 20;
     s.drops.z = TP_FX(-6);
     s.drops.radius = TP_FX(0.1);
@@ -268,7 +268,7 @@ static void pools_that_bend_the_light_only_have_no_heights(void **state)
 {
     (void)state;
     tp_scene scene = pool();
-    scene.water.pool_bump = TP_FX_ONE;
+    scene.water.pool_normal_strength = TP_FX_ONE;
     scene.drops.count = 0;
     pick_water w = water_of(&scene, 45);
     tp_fx highest = 0;

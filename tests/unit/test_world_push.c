@@ -23,7 +23,7 @@ static tp_scene scene_pools(bool pool, bool field)
 
 static bool push(tp_world *world, const tp_scene *scene, const tp_push *p)
 {
-    return tp_world_push(&tp_program_all, world, scene, p->x, p->z, scene->pool.poke_size,
+    return tp_world_push(&tp_program_all, world, scene, p->x, p->z, scene->pool.splash_width,
                          p->height);
 }
 
@@ -67,13 +67,13 @@ static void any_number_is_taken(void **state)
 {
     (void)state;
     tp_scene scene = scene_pools(true, false);
-    scene.pool.cells = TP_CELLS_32;
-    scene.pool.edges = TP_EDGES_WALL;
+    scene.pool.cell_bits = TP_CELLS_32;
+    scene.pool.boundary = TP_EDGES_WALL;
     tp_world *w = scene_world(&scene, NULL);
 
     for (int i = 0; i < 500; i++)
         tp_world_push(&tp_program_all, w, &scene, scene.pool.x, scene.pool.z,
-                      scene.pool.poke_size, TP_FX(0.01));
+                      scene.pool.splash_width, TP_FX(0.01));
     const tp_pool_state look = tp_pool_stats(tp_world_pool(w));
     assert_true(look.highest > 3 << 24); /* 5 m less the mean of a splash */
     assert_int_equal(look.sum, 0);
@@ -86,8 +86,8 @@ static void a_pool_goes_before_a_field(void **state)
 {
     (void)state;
     tp_scene scene = scene_pools(true, true);
-    scene.field.edges = TP_EDGES_TILE;
-    scene.pool.edges = TP_EDGES_WALL;
+    scene.field.boundary = TP_EDGES_TILE;
+    scene.pool.boundary = TP_EDGES_WALL;
     tp_world *w = scene_world(&scene, NULL);
 
     assert_false(tp_world_push(&tp_program_all, w, &scene, scene.pool.x, scene.pool.z,
@@ -107,8 +107,8 @@ static tp_scene scene_rings(int32_t rings)
 {
     tp_scene s = scene_with(&chance, 16);
 
-    s.drops.into = TP_DROPS_RINGS;
-    s.drops.every = 0;
+    s.drops.target = TP_DROPS_RINGS;
+    s.drops.interval = 0;
     s.drops.rings = rings;
     s.boat.mesh[0] = '\0';
     return s;
@@ -155,7 +155,7 @@ static void what_nothing_takes_is_told(void **state)
     (void)state;
     const tp_scene still = scene_with(&chance, 0), rings = scene_rings(3);
     tp_scene into_pool = scene_rings(3);
-    into_pool.drops.into = !TP_DROPS_RINGS;
+    into_pool.drops.target = !TP_DROPS_RINGS;
     tp_world *a = scene_world(&still, NULL), *b = scene_world(&rings, NULL);
     tp_world *c = scene_world(&into_pool, NULL);
 

@@ -54,14 +54,15 @@ static bool refreshes(tp_scene scene, int32_t *(*number)(tp_scene *), int32_t va
 
 #define NUMBER(name, member) \
     static int32_t *name(tp_scene *s) { return (int32_t *)&s->member; }
-NUMBER(pool_cols, pool.cols) NUMBER(pool_cells, pool.cells) NUMBER(pool_cell, pool.cell)
-NUMBER(pool_range, pool.range) NUMBER(pool_edges, pool.edges)
+NUMBER(pool_cols, pool.cols) NUMBER(pool_cells, pool.cell_bits) NUMBER(pool_cell, pool.cell)
+NUMBER(pool_range, pool.max_height) NUMBER(pool_edges, pool.boundary)
 NUMBER(field_cell, field.cell)
 NUMBER(field_rows, field.rows) NUMBER(drops_count, drops.count)
-NUMBER(drops_rings, drops.rings) NUMBER(drops_into, drops.into)
+NUMBER(drops_rings, drops.rings) NUMBER(drops_into, drops.target)
 NUMBER(floor_depth, floor.depth) NUMBER(wind, wind.strength)
 NUMBER(pool_courant, pool.courant) NUMBER(pool_damping, pool.damping)
-NUMBER(pool_x, pool.x) NUMBER(pool_feed, pool.feed) NUMBER(pool_poke, pool.poke)
+NUMBER(pool_x, pool.x) NUMBER(pool_drive, pool.drive_amplitude)
+NUMBER(pool_splash, pool.splash_height)
 NUMBER(pool_paddle, pool.paddle) NUMBER(field_courant, field.courant)
 NUMBER(wave_amplitude, wave[1].amplitude) NUMBER(wave_count, wave[7].amplitude)
 NUMBER(floor_slope, floor.slope) NUMBER(drops_radius, drops.radius)
@@ -72,12 +73,12 @@ static tp_scene scene_full(void)
 {
     tp_scene s = scene_with(&chance, 31);
 
-    s.pool.cells = s.field.cells = TP_CELLS_16;
-    s.pool.edges = s.field.edges = TP_EDGES_WALL;
+    s.pool.cell_bits = s.field.cell_bits = TP_CELLS_16;
+    s.pool.boundary = s.field.boundary = TP_EDGES_WALL;
     s.pool.cols = s.pool.rows = s.field.cols = s.field.rows = 32;
     s.wind.strength = 0;
     s.drops.rings = 20;
-    s.drops.into = TP_DROPS_RINGS;
+    s.drops.target = TP_DROPS_RINGS;
     return s;
 }
 
@@ -105,7 +106,7 @@ static void what_cannot_be_tuned_asks_for_a_new_world(void **state)
 
     assert_false(refreshes(s, pool_cell, s.pool.cell + 1));
     assert_false(refreshes(s, field_cell, s.field.cell + 1));
-    assert_false(refreshes(s, pool_range, s.pool.range + 1));
+    assert_false(refreshes(s, pool_range, s.pool.max_height + 1));
     assert_false(refreshes(s, pool_courant, TP_FX(0.7)));
     assert_false(refreshes(s, field_courant, TP_FX(0.7)));
     s.field.cols = 64;                  /* the same number of cells in another shape */
@@ -129,8 +130,8 @@ static void what_may_change_is_taken(void **state)
     assert_true(refreshes(s, pool_courant, TP_FX(0.3)));
     assert_true(refreshes(s, pool_damping, 10));
     assert_true(refreshes(s, pool_x, 5 * TP_FX_ONE));
-    assert_true(refreshes(s, pool_feed, TP_FX(0.3)));
-    assert_true(refreshes(s, pool_poke, TP_FX(0.3)));
+    assert_true(refreshes(s, pool_drive, TP_FX(0.3)));
+    assert_true(refreshes(s, pool_splash, TP_FX(0.3)));
     assert_true(refreshes(s, pool_paddle, TP_FX(0.3)));
     assert_true(refreshes(s, drops_radius, TP_FX(0.2)));
     assert_true(refreshes(s, scale, TP_FX_ONE / 4));

@@ -91,13 +91,13 @@ static void follow_points(uint32_t parts, double *worst, double *fastest)
 {
     tp_scene scene = scene_with(&chance, parts);
     scene.boat.mesh[0] = '\0';
-    scene.drops.into = TP_DROPS_RINGS;
+    scene.drops.target = TP_DROPS_RINGS;
     scene.drops.rings = 40;
     tp_world *w = scene_world(&scene, NULL), *last = scene_world(&scene, NULL);
 
     for (int i = 0; i < 200; i++)
         tp_world_step(&tp_program_all, w, &scene, NULL);
-    scene.pool.poke_every = scene.field.poke_every = 0; /* splashes are no motion */
+    scene.pool.splash_interval = scene.field.splash_interval = 0; /* splashes are no motion */
     scene.pool.paddle = scene.field.paddle = 0;
     for (int i = 0; i < 40; i++) {
         const tp_fx x = chance_fx(&chance, -6, 6), z = chance_fx(&chance, -6, 6);
@@ -136,7 +136,7 @@ static void still_water_stands_still(void **state)
     scene.boat.mesh[0] = '\0';
     for (int i = 0; i < TP_WAVES; i++)
         scene.wave[i].amplitude = 0;
-    scene.pool.poke_every = 0;
+    scene.pool.splash_interval = 0;
     scene.pool.paddle = 0;
     tp_world *w = scene_world(&scene, NULL);
 

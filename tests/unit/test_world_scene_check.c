@@ -196,9 +196,9 @@ static void combinations_that_cannot_be_used_are_refused(void **state)
         tp_error why;
         pool->cols = n / 2 == 0 ? 15 : 16;
         pool->courant = n / 2 == 1 ? TP_FX(0.8) : TP_FX(0.4);
-        pool->feed_low = n / 2 == 2 ? TP_FX_ONE : 0;
+        pool->drive_min = n / 2 == 2 ? TP_FX_ONE : 0;
         snprintf(word, sizeof word, "%s.%s", field,
-                 n / 2 == 0 ? "cols" : n / 2 == 1 ? "courant" : "feed_low");
+                 n / 2 == 0 ? "cols" : n / 2 == 1 ? "courant" : "drive_min");
         assert_int_equal(tp_scene_check(&bad, &why),
                          n / 2 == 0 ? TP_E_POOL_SIZE : n / 2 == 1 ? TP_E_POOL_COURANT
                                                                   : TP_E_POOL_FEED);

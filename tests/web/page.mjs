@@ -221,7 +221,7 @@ async function searching(page) {
     const names = await page.$$eval('#groups .row', all =>
         all.filter(r => r.offsetParent).map(r => r.dataset.name));
     is('a search finds what has its words',
-       `${names.length > 0} ${names.every(n => /steepness|power|wind|surf/.test(n))}`,
+       `${names.length > 0} ${names.every(n => /steepness|exponent|wind|surf/.test(n))}`,
        'true true');
     await page.fill('#search', 'xyzzy');
     is('or says that nothing has', await page.isVisible('.none'), true);
@@ -297,7 +297,7 @@ async function hands(page) {
     await settle(page);
     await page.click('#step');
     await settle(page);
-    const falling = told('minimal', '160x120', 1, 'drops.count=32', 'drops.every=0',
+    const falling = told('minimal', '160x120', 1, 'drops.count=32', 'drops.interval=0',
                          'drops.radius=0.3', 'drops.y=4');
     const dry = told('minimal', '160x120', 1), crc = await sum(page);
     is('or lets drops fall there all the same',
@@ -345,6 +345,11 @@ async function sharing(context, page) {
     await other.goto(`${index}#scene=nowhere&wave0.height=2`);
     await other.waitForFunction(() => !document.getElementById('alert').hidden);
     is('a link to nothing says so', await alertOf(other), 'no scene is called nowhere');
+    await other.goto(`${index}#scene=tank&pool.poke=0.3`);
+    await other.waitForFunction(() => !document.getElementById('alert').hidden);
+    is('a link with an old name sets the parameter',
+       `${await value(other, 'pool.splash_height')} ${await alertOf(other)}`,
+       '0.3 pool.poke is now called pool.splash_height');
     await other.close();
 }
 

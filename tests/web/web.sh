@@ -53,6 +53,11 @@ node "$root/tests/web/frames.js" "$page" <asked >got 2>err
 same "the module draws every scene's frames bit for bit" \
     "$(cmp wanted got 2>&1 | head -1) $(wc -l <got)" " $(wc -l <wanted)"
 
+frame_with() { echo "tank 64x48 xrgb8888 $1 0 90" | node "$root/tests/web/frames.js" "$page"; }
+calm=$(frame_with pool.splash_interval=0)
+same "an old name of a parameter sets the same value" "$(frame_with pool.poke_every=0)" "$calm"
+same "which is not the scene's" "$([ "$(frame_with '')" != "$calm" ]; echo $?)" 0
+
 # -- the server ------------------------------------------------------------------------
 
 : >served

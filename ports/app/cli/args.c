@@ -127,8 +127,11 @@ static int check(const options *o, unsigned command)
         return refuse(o, "-o FILE.c is missing");
     if (o->hold && !o->counted)
         return refuse(o, "--hold needs --frames");
-    if (!o->vectors && all && (command & FOR_CHECK))
-        return refuse(o, "--vectors DIR is missing");
+    if (all && (command & FOR_CHECK) && !o->scene == !o->vectors)
+        return refuse(o, o->scene ? "SCENE and --vectors exclude each other"
+                                  : "SCENE or --vectors DIR is missing");
+    if (o->write && o->vectors)
+        return refuse(o, "--write and --vectors exclude each other");
     if (!all || !(command & MANY))
         return EXIT_DONE;
     const uint32_t least = o->list ? 0 : command & FOR_JOIN || o->collect ? 2 : 1;
@@ -149,8 +152,7 @@ static int read_name(options *o, unsigned command, const char *word)
         o->names[o->n_names++] = word;
         return EXIT_DONE;
     }
-    if (o->scene || (command & (FOR_SCENES | FOR_CHECK | FOR_BENCH | FOR_MANUAL
-                                | FOR_VERSION))) {
+    if (o->scene || (command & (FOR_SCENES | FOR_BENCH | FOR_MANUAL | FOR_VERSION))) {
         snprintf(what, sizeof what, "too many names: %.60s", word);
         return refuse(o, what);
     }

@@ -29,6 +29,7 @@ typedef struct {
     const char  *expect;            /* file with a list of hashes */
     const char  *tape;              /* tape of inputs: render plays, view records */
     const char  *vectors;           /* folder of tables */
+    bool         write;             /* rewrite old names in the scene's file */
     const char  *name;              /* prefix of baked names; NULL: the scene's name */
     uint32_t     texels;            /* bound of a texture's sides, texels; 0: none */
     const char  *only;              /* prefix of parameters' names; NULL: all */

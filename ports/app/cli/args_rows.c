@@ -198,6 +198,7 @@ SWITCH(no_input)
 SWITCH(stats)
 SWITCH(csv)
 SWITCH(help)
+SWITCH(write)
 WORD(out, "a file name")
 WORD(expect, "a file name")
 WORD(vectors, "a folder")
@@ -311,7 +312,10 @@ const option_row args_rows[] = {
       "print the CRC-32 of every frame" },
     { "--expect", "FILE", FOR_RENDER, read_expect,
       "compare with a list of --hash; exit 1 if a frame differs" },
-    { "--vectors", "DIR", FOR_CHECK, read_vectors, "the folder of tables; required" },
+    { "--write", NULL, FOR_CHECK, read_write,
+      "replace old names of parameters in SCENE's file" },
+    { "--vectors", "DIR", FOR_CHECK, read_vectors,
+      "compare the models with the tables in DIR" },
     { "--tape", "FILE", FOR_RENDER | FOR_SHOW, read_tape,
       "play the inputs recorded in FILE" },
     { "--scale", "N", FOR_VIEW, read_scale, "pixels N times as large, 1..16" },

@@ -53,13 +53,16 @@ static const command_help_row rows[] = {
       "quality.error_colour.  A rung that the scene names (quality.visibility, shading,\n"
       "rate, lod) is taken whatever its error.\n",
       "", USUAL, NULL },
-    { FOR_CHECK, "tidepool check --vectors DIR",
-      "Compares the fixed-point models with tables of known values, all .csv files of\n"
-      "DIR.  Prints for each quantity the number of rows, the largest error, the rms\n"
-      "error and the budget.\n",
+    { FOR_CHECK, "tidepool check SCENE [--write]\ntidepool check --vectors DIR",
+      "Checks SCENE, a shipped scene or an INI file: every line, the files that it\n"
+      "names, and whether its numbers make a world.  Old names of parameters are faults\n"
+      "too; --write rewrites them, in a file without other bad lines.\n"
+      "With --vectors, compares the fixed-point models with tables of known values, all\n"
+      ".csv files of DIR.  Prints for each quantity the number of rows, the largest\n"
+      "error, the rms error and the budget.\n",
       "A table has lines of parameters that begin with #, a line of column names, and\n"
       "rows.  The name of the file selects the model.\n",
-      CHECKS, "an error is over its budget" },
+      CHECKS, "an old name, or an error over its budget" },
     { FOR_BENCH, "tidepool bench [OPTION]...",
       "Times whole frames of one scene that other renderers can draw too: a sea of\n"
       "20 m x 20 m as a grid of points.  plain: a texture, light, depth.  full: waves\n"

@@ -26,7 +26,7 @@ static int list_scenes(const char *folder)
         if (bad)
             code = bad;
         else
-            printf("%-*s  %s\n", width, names[i], file.scene.shows);
+            printf("%-*s  %s\n", width, names[i], file.scene.description);
         scene_file_close(&file);
     }
     path_free_names(names, count);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "argument_types.h"
+#include "interact/old_names.h"
 #include "manual.h"
 #include "roff.h"
 
@@ -23,6 +24,11 @@ static void print_file(void)
               " warning; ");
     roff_bold("--strict");
     roff_text(" turns the warnings into errors.");
+    roff_macro(".PP");
+    roff_text("Some parameters had another name. The old name is read until version "
+              OLD_NAMES_END ", with a warning; ");
+    roff_bold("tidepool check SCENE --write");
+    roff_text(" rewrites old names in a file and keeps all else.");
     roff_macro(".PP");
     roff_text("On a command line ");
     roff_bold("--set section.name=value");

@@ -11,8 +11,8 @@
  * signal. */
 #define EXIT_LIST(X) \
     X(DONE,    0, "done", "Everything requested was done.") \
-    X(CHECK,   1, "a check failed", "A requested comparison failed: --expect," \
-      " check, or a job of charts.") \
+    X(CHECK,   1, "a check failed", "A requested check failed: --expect, check," \
+      " or a job of charts.") \
     X(USAGE,   2, "usage", "The command line is wrong; nothing was done.") \
     X(INPUT,   3, "bad input", "A file cannot be read, used or written, or there is too" \
       " little memory.") \

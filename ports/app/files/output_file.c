@@ -114,13 +114,15 @@ int output_file_adopt(output_file *out, int fd, const char *name)
     return refuse(out, error);
 }
 
-/* Opens the temporary file.  If the name is a link, the link's target is replaced, not the
- * link. */
-static int open_temporary(output_file *out, bool exists)
+/* Opens the temporary file.  old: the file to be replaced, or NULL; the new file gets its
+ * mode.  If the name is a link, the link's target is replaced, not the link. */
+static int open_temporary(output_file *out, const struct stat *old)
 {
-    out->target = exists ? realpath(out->name, NULL)
-                         : path_copy(out->name, strlen(out->name));
+    out->target = old ? realpath(out->name, NULL)
+                      : path_copy(out->name, strlen(out->name));
     int error = out->target ? atomic_file_open(&out->temporary, out->target, "") : errno;
+    if (!error && old)          /* some file systems have no modes: no error */
+        (void)fchmod(out->temporary.fd, old->st_mode & 0777);
     if (!error)
         error = open_stream(out, out->temporary.fd);
     return error ? refuse(out, error) : EXIT_DONE;
@@ -138,7 +140,7 @@ int output_file_open(output_file *out, const char *name)
     if (exists && !S_ISREG(info.st_mode))
         return output_file_adopt(
             out, open(name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666), name);
-    return open_temporary(out, exists);
+    return open_temporary(out, exists ? &info : NULL);
 }
 
 int output_file_close(output_file *out)

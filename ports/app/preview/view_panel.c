@@ -195,7 +195,7 @@ void view_panel_fill(view *v, uint64_t now)
 {
     v->host.scene = v->scenes.at;
     v->host.name = v->loaded->file.name;
-    v->host.about = v->loaded->file.scene.shows;
+    v->host.about = v->loaded->file.scene.description;
     v->host.saved_as = v->saved_as ? v->saved_as : "";
     v->host.message = v->said;
     v->compared = (panel_compare){

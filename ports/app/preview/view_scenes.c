@@ -30,7 +30,7 @@ static void add_scene(view *v, const char *folder, const char *name, const char 
         scene_file_close(&file);
         return;
     }
-    const char *text = given ? file.scene.shows : "an INI file in this folder";
+    const char *text = given ? file.scene.description : "an INI file in this folder";
     const char *word = given ? given : path;
     all->shows[n] = path_copy(text, strlen(text));
     all->name[n] = path_copy(word, strlen(word));

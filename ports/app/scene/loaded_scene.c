@@ -21,6 +21,8 @@ int loaded_scene_read(scene_file *file, const options *o)
         file->scene.quality.visibility = o->visibility;
         file->set_at[row - tp_params(&count)] = SET_BY_COMMAND;
     }
+    if (!code && !o->quiet)
+        scene_file_report_old_names(file);
     return code;
 }
 
@@ -50,7 +52,7 @@ static void report_noise(const scene_file *file, const tp_scene_pool *pool,
     int  thousandths = 50;
     char who[300];
 
-    if (pool->cols == 0 || pool->cells != TP_CELLS_8
+    if (pool->cols == 0 || pool->cell_bits != TP_CELLS_8
         || !is_noisy(pool->courant, pool->damping))
         return;
     while (is_noisy(thousandths * TP_FX_ONE / 1000, pool->damping))

@@ -200,10 +200,19 @@ static int set(loaded_scene *s, const options *o, const loaded_scene_setting *se
     return put(s, &c, &value, opened);
 }
 
+static void report_old_names(const loaded_scene_setting *all, size_t count)
+{
+    old_name_note note = { .count = 0 };
+    for (size_t i = 0; i < count; i++)
+        (void)old_name_note_add(&note, all[i].setting, strcspn(all[i].setting, "="), 0);
+    old_name_note_print(&note, count ? all->place : "", NULL);
+}
+
 int loaded_scene_set(loaded_scene *s, const options *o, const char *place,
                      const char *setting, bool *opened)
 {
     const loaded_scene_setting one = { place, setting };
+    report_old_names(&one, 1);
     return set(s, o, &one, false, opened);
 }
 
@@ -212,6 +221,7 @@ int loaded_scene_set_all(loaded_scene *s, const options *o,
                          const loaded_scene_setting *all, size_t count, bool *opened)
 {
     bool *done = calloc(count ? count : 1, sizeof *done), later = true;
+    report_old_names(all, count);
     int code = done ? EXIT_DONE : log_fail_memory(count);
     for (size_t left = done ? count : 0; left > 0;) {
         const size_t before = left;

@@ -42,6 +42,19 @@ static int scene_ini_read(scene_file *file)
 
 /* -- one value ------------------------------------------------------------------- */
 
+/* Returns the best match if an old name is nearer than every present name, else NULL. */
+static const old_name *offer_old_names(did_you_mean *best)
+{
+    uint32_t count;
+    const old_name *names = old_names(&count), *nearest = NULL;
+    for (uint32_t i = 0; i < count; i++) {
+        const unsigned before = best->distance;
+        did_you_mean_offer(best, names[i].old);
+        nearest = best->distance < before ? &names[i] : nearest;
+    }
+    return nearest;
+}
+
 static void refuse_name(const char *place, const char *name)
 {
     uint32_t count;
@@ -49,32 +62,40 @@ static void refuse_name(const char *place, const char *name)
     did_you_mean best = did_you_mean_make(name);
     for (uint32_t i = 0; i < count; i++)
         did_you_mean_offer(&best, params[i].name);
-    if (best.name)
+    const old_name *const old = offer_old_names(&best);
+    if (old)
+        log_line("%s: no parameter is called %s; did you mean %s, once called %s?", place,
+                 name, old->now, old->old);
+    else if (best.name)
         log_line("%s: no parameter is called %s; did you mean %s?", place, name, best.name);
     else
         log_line("%s: no parameter is called %s; `tidepool params` lists them", place,
                  name);
 }
 
-static void refuse_value(const char *place, const tp_param *param, const char *value,
-                         const tp_error *err)
+/* name: the row's name as given, possibly an old one. */
+static void refuse_value(const char *place, const tp_param *param, const char *name,
+                         const char *value, const tp_error *err)
 {
-    char low[32], high[32], sentence[256];
+    char low[32], high[32], sentence[256], row[TP_NAME_BYTES];
     const char *gap = param->unit[0] ? " " : "";
+    const bool is_old = strcmp(name, param->name) != 0;
+    snprintf(row, sizeof row, "%s%s%s%s", param->name, is_old ? " (once called " : "",
+             is_old ? name : "", is_old ? ")" : "");
     switch (err->code) {
     case TP_E_RANGE:
         tp_param_number_text(param, err->a, low, sizeof low);
         tp_param_number_text(param, err->b, high, sizeof high);
-        log_line("%s: %s = %s is outside %s..%s%s%s%s", place, param->name, value, low,
+        log_line("%s: %s = %s is outside %s..%s%s%s%s", place, row, value, low,
                  high, gap, param->unit, log_check_place(err));
         break;
     case TP_E_CHOICE:
-        log_line("%s: %s = %s is none of %s%s", place, param->name, value,
+        log_line("%s: %s = %s is none of %s%s", place, row, value,
             param->kind == TP_PARAM_BOOL ? "off|on" : param->unit, log_check_place(err));
         break;
     default:
         tp_error_text(err, sentence, sizeof sentence);
-        log_line("%s: %s: %s%s", place, param->name, sentence, log_check_place(err));
+        log_line("%s: %s: %s%s", place, row, sentence, log_check_place(err));
     }
 }
 
@@ -111,7 +132,7 @@ const tp_param *scene_file_check(const char *place, const char *setting,
     }
     tp_scene scene = { 0 };
     char *name = path_copy(setting, (size_t)(equals - setting));
-    const tp_param *param = name ? tp_param_find(name, strlen(name)) : NULL;
+    const tp_param *param = name ? old_name_param(name, strlen(name)) : NULL;
     tp_error err = { 0 };
     *value = equals + 1;
     if (!name) {
@@ -121,7 +142,7 @@ const tp_param *scene_file_check(const char *place, const char *setting,
     } else if (!(*value = scene_file_value(param, *value))) {
         param = NULL;
     } else if (tp_param_set(&scene, param, *value, strlen(*value), &err)) {
-        refuse_value(place, param, *value, &err);
+        refuse_value(place, param, name, *value, &err);
         param = NULL;
     }
     free(name);
@@ -131,7 +152,7 @@ const tp_param *scene_file_check(const char *place, const char *setting,
 bool scene_file_apply(scene_file *file, const char *place, uint32_t set_at,
                       const char *name, const char *value)
 {
-    const tp_param *param = tp_param_find(name, strlen(name));
+    const tp_param *param = old_name_param(name, strlen(name));
     if (!param) {
         refuse_name(place, name);
         return false;
@@ -141,11 +162,14 @@ bool scene_file_apply(scene_file *file, const char *place, uint32_t set_at,
     if (!value)
         return false;
     if (tp_param_set(&file->scene, param, value, strlen(value), &err)) {
-        refuse_value(place, param, value, &err);
+        refuse_value(place, param, name, value, &err);
         return false;
     }
     uint32_t count;
     file->set_at[param - tp_params(&count)] = set_at;
+    const bool by_command = set_at == SET_BY_COMMAND;
+    (void)old_name_note_add(by_command ? &file->old_by_command : &file->old_in_file, name,
+                            strlen(name), by_command ? 0 : set_at);
     return true;
 }
 
@@ -184,7 +208,7 @@ static int refuse_scene(const char *given, const char *folder)
 }
 
 /* Finds the file.  A plain word is first a shipped scene's name, then a file name. */
-static int find(scene_file *file, const char *given)
+static int find_path(scene_file *file, const char *given)
 {
     if (strchr(given, '/') || path_ends(given, ".ini")) {
         file->path = path_copy(given, strlen(given));
@@ -204,20 +228,32 @@ static int find(scene_file *file, const char *given)
     return code;
 }
 
-int scene_file_open(scene_file *file, const char *given)
+int scene_file_find(scene_file *file, const char *given)
 {
     *file = (scene_file){ 0 };
     tp_scene_level(&file->scene);
     uint32_t count;
     tp_params(&count);
-    const int code = find(file, given);
+    const int code = find_path(file, given);
     if (code)
         return code;
     file->name = path_stem(file->path);
     file->set_at = calloc(count, sizeof *file->set_at);
     if (!file->name || !file->set_at)
         return log_fail_memory(count * sizeof *file->set_at);
-    return scene_ini_read(file);
+    return EXIT_DONE;
+}
+
+int scene_file_open(scene_file *file, const char *given)
+{
+    const int code = scene_file_find(file, given);
+    return code ? code : scene_ini_read(file);
+}
+
+void scene_file_report_old_names(const scene_file *file)
+{
+    old_name_note_print(&file->old_in_file, file->path, file->path);
+    old_name_note_print(&file->old_by_command, "--set", NULL);
 }
 
 void scene_file_close(scene_file *file)

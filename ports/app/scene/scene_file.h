@@ -3,6 +3,7 @@
 #ifndef TP_APP_SCENE_SCENE_FILE_H
 #define TP_APP_SCENE_SCENE_FILE_H
 #include <stdint.h>
+#include "old_name_note.h"
 #include "tidepool/scene.h"
 
 #define SET_BY_COMMAND UINT32_MAX
@@ -13,6 +14,7 @@ typedef struct {
     uint32_t *set_at;       /* for each row of the table: line of the INI that set the
                              * value, 0: default, or SET_BY_COMMAND */
     const char *by;         /* origin of SET_BY_COMMAND in messages; NULL: "--set" */
+    old_name_note old_in_file, old_by_command;      /* old names of rows that were read */
     tp_scene scene;
 } scene_file;
 
@@ -23,7 +25,14 @@ int  scene_file_open(scene_file *file, const char *given);
 int  scene_file_set(scene_file *file, const char *setting);     /* "name=value" */
 void scene_file_close(scene_file *file);
 
-/* Checks "name=value" without setting it.  Returns the row; *value points after the "=".
+/* Opens a scene without reading its file. */
+int  scene_file_find(scene_file *file, const char *given);
+
+/* Prints a warning for the old names of rows in the file, and one for those of --set. */
+void scene_file_report_old_names(const scene_file *file);
+
+/* Checks "name=value" without setting it.  Returns the row, by its present name or an
+ * earlier one; *value points after the "=".
  * Returns NULL after a message that begins with `place`. */
 const tp_param *scene_file_check(const char *place, const char *setting,
                                  const char **value);

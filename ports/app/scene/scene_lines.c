@@ -156,6 +156,41 @@ bool scene_lines_replace(scene_lines *l, uint32_t line, const char *value, size_
     return true;
 }
 
+/* Returns the offset of `name` in a line that sets it, maybe with its section before a dot;
+ * -1: the line sets something else. */
+static long find_name(const char *text, const char *name)
+{
+    const size_t bytes = strlen(name), sign = strcspn(text, "=:");
+    size_t begin = strncmp(text, MARK, 3) == 0 ? 3 : 0, end = sign;
+    begin += strspn(text + begin, WHITE);
+    while (end > begin && strchr(WHITE, text[end - 1]))
+        end--;
+    if (!text[sign] || end - begin < bytes
+        || strncmp(text + end - bytes, name, bytes) != 0)
+        return -1;
+    const bool whole = end - begin == bytes || text[end - bytes - 1] == '.';
+    return whole ? (long)(end - bytes) : -1;
+}
+
+bool scene_lines_rename(scene_lines *l, uint32_t line, const char *old, const char *now)
+{
+    if (line == 0 || line > l->count)
+        return false;
+    scene_line *of = &l->of[line - 1];
+    const long at = find_name(of->text, old);
+    if (at < 0)
+        return false;
+    char *head = path_copy(of->text, (size_t)at);
+    const char *const parts[] = { head, now, of->text + at + strlen(old) };
+    char *text = head ? chain(parts, 3) : NULL;
+    free(head);
+    if (!text)
+        return false;
+    free(of->text);
+    of->text = text;
+    return true;
+}
+
 /* -- removing -------------------------------------------------------------------- */
 
 static bool is_blank(const scene_line *line)

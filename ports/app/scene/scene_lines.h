@@ -44,6 +44,11 @@ void scene_lines_remove(scene_lines *l, long row);
  * before it. */
 bool scene_lines_replace(scene_lines *l, uint32_t line, const char *value, size_t most);
 
+/* Replaces the name before the "=" of line `line`, from 1, by `now`; blanks and the rest of
+ * the line stay.  Returns false if the line does not set `old`, or memory is lacking, with
+ * nothing changed.  Names are without their section. */
+bool scene_lines_rename(scene_lines *l, uint32_t line, const char *old, const char *now);
+
 /* Adds "section.name" at the end of its section, or in a new section at the end of the
  * file. */
 bool scene_lines_append(scene_lines *l, const char *name, const char *value);

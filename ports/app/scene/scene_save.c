@@ -41,7 +41,7 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
     char full[256];
     uint32_t count;
     snprintf(full, sizeof full, "%s%s%s", section, section[0] ? "." : "", name);
-    const tp_param *param = tp_param_find(full, strlen(full));
+    const tp_param *param = old_name_param(full, strlen(full));
     const long row = param ? (long)(param - tp_params(&count)) : LINE_OTHER;
     scene_lines_value(&s->lines, line, row, strlen(value));
     if (!param)

@@ -13,6 +13,7 @@
 #include "app/files/path.h"
 #include "base/error.h"
 #include "long_name.h"
+#include "old_name_note.h"
 #include "scene_file.h"
 #include "world/tape.h"
 
@@ -26,6 +27,7 @@ typedef struct {
     const char *name, *scene;
     FILE       *file;
     uint32_t    line;
+    old_name_note old;          /* old names of rows that were read */
 } tape_file_reader;
 
 static int fail_line(const tape_file_reader *r, tp_error *err)
@@ -138,7 +140,21 @@ static int read_look(const tape_file_reader *r, char *text, size_t bytes, char *
     return EXIT_DONE;
 }
 
-static int read_set(const tape_file_reader *r, char *text, size_t bytes, char *word,
+/* Returns a copy of "name=value" with the row's present name; NULL: no memory. */
+static char *copy_setting(tape_file_reader *r, const char *setting)
+{
+    const size_t bytes = strcspn(setting, "=");
+    const old_name *old = old_name_note_add(&r->old, setting, bytes, r->line);
+    if (!old)
+        return path_copy(setting, strlen(setting));
+    const size_t room = strlen(old->now) + strlen(setting + bytes) + 1;
+    char *copy = malloc(room);
+    if (copy)
+        snprintf(copy, room, "%s%s", old->now, setting + bytes);
+    return copy;
+}
+
+static int read_set(tape_file_reader *r, char *text, size_t bytes, char *word,
                     tape_file_entry *entry)
 {
     char place[PATH_MAX + 16];
@@ -159,11 +175,11 @@ static int read_set(const tape_file_reader *r, char *text, size_t bytes, char *w
     if (!scene_file_check(place, word, &value))
         return EXIT_INPUT;
     *entry = (tape_file_entry){ .tick = read.tick, .kind = TAPE_FILE_SET };
-    entry->setting = path_copy(word, strlen(word));
+    entry->setting = copy_setting(r, word);
     return entry->setting ? EXIT_DONE : log_fail_memory(bytes);
 }
 
-static int read_line(const tape_file_reader *r, char *text, size_t bytes,
+static int read_line(tape_file_reader *r, char *text, size_t bytes,
                      tape_file_entry *entry)
 {
     tp_tape_entry read;
@@ -201,7 +217,7 @@ static int read_lines(tape_file *d, tape_file_reader *r)
 
 int tape_file_read(tape_file *d, const char *name, const char *scene)
 {
-    tape_file_reader r = { name, scene, fopen(name, "r"), 0 };
+    tape_file_reader r = { .name = name, .scene = scene, .file = fopen(name, "r") };
     *d = (tape_file){ .name = name };
     if (!r.file)
         return log_fail(EXIT_INPUT, "%s: %s", name, strerror(errno));
@@ -209,6 +225,8 @@ int tape_file_read(tape_file *d, const char *name, const char *scene)
     if (!code && ferror(r.file))
         code = log_fail(EXIT_INPUT, "%s: cannot be read", name);
     fclose(r.file);
+    if (!code)
+        old_name_note_print(&r.old, name, NULL);
     return code;
 }
 

@@ -309,7 +309,7 @@ static void add_lacks(const tp_scene *s, char *note, size_t bytes)
     const struct { bool there; const char *name; } lacks[] = {
         { s->foam.cells > 0, "foam" },
         { s->spray.count > 0, "spray" },
-        { s->water.clear > 0 && s->water.caustics > 0, "caustics" },
+        { s->water.clarity > 0 && s->water.caustics > 0, "caustics" },
         { s->sky.kind == TP_SKY_NIGHT && s->sky.stars > 0, "stars" },
     };
     const char *before = "; without ";

@@ -5,4 +5,4 @@ ARCH    := -mcpu=cortex-a53 -mgeneral-regs-only -mstrict-align -ffreestanding \
            -fno-pie -no-pie
 BOARD_C := $(addprefix ports/rpi/,rpi.c board.c start.c entry.S) $(addprefix ports/, \
            serial/reply.c serial/control.c serial/control_set.c interact/setting.c interact/poke.c \
-           cortex-m/memory.c)
+           interact/old_names.c cortex-m/memory.c)

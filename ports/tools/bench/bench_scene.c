@@ -215,7 +215,7 @@ static void set_plain(tp_scene *s)
 static void set_full(tp_scene *s, bool smooth)
 {
     s->sky.kind = TP_SKY_CUBE;
-    s->hdr.value = TP_FX(1.25);
+    s->hdr.exposure_factor = TP_FX(1.25);
     s->light.heading = TP_FX(20);
     s->water.colour = 0x609098;
     s->water.filter = smooth ? TP_FILTER_LINEAR : TP_FILTER_NEAREST;

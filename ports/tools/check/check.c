@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool check: reads the files of a folder, checks each file against the description of
- * its model, and prints the table of errors.  The models are in the other check_*.c. */
+/* tidepool check --vectors: reads the files of a folder, checks each against the description
+ * of its model, and prints the table of errors.  The models are in the other check_*.c. */
 #define _POSIX_C_SOURCE 200809L
 #include "check.h"
 #include <dirent.h>
@@ -15,6 +15,7 @@
 #include "app/cli/commands.h"
 #include "app/files/did_you_mean.h"
 #include "app/files/path.h"
+#include "check_scene.h"
 
 static const struct {
     const char        *file;
@@ -390,7 +391,7 @@ int check_command(int argc, char **argv)
     if (!code && o.help) {
         command_help_print(FOR_CHECK);
     } else if (!code) {
-        code = check_folder(o.vectors);
+        code = o.scene ? check_scene(&o) : check_folder(o.vectors);
     }
     free(o.settings);
     const int end = streams_finish();

@@ -54,8 +54,9 @@ static ref_depth_node place_node(const ref_coastal *o, const ref_coastal_wave *w
     const double h = table_depth(i), k = deep ? w->deep.k : ref_depth_number(w->deep.k, h);
     const double r =
         deep ? w->deep.amplitude : local_amplitude(w, k, kz, h, o->map != NULL);
-    const double sx = deep ? 1 : 1 / -expm1(-ref_number(scene->surf.kx) * h);
-    const double sy = deep ? 1 : sx * -expm1(-ref_number(scene->surf.ky) * h);
+    const double sx = deep ? 1 : 1 / -expm1(-ref_number(scene->surf.widening_decay) * h);
+    const double sy = deep ? 1
+                           : sx * -expm1(-ref_number(scene->surf.flattening_decay) * h);
     const double round = w->deep.q / w->deep.k * r / w->deep.amplitude;
     ref_depth_node n = { .k = k, .way_x = w->deep.dx, .way_z = w->deep.dz };
 
@@ -143,7 +144,7 @@ static void lay_floor(ref_coastal *o, const tp_scene *scene, const tp_world *wor
     o->depth = scene->floor.depth > 0 ? ref_number(scene->floor.depth) : 1e9;
     o->slope = scene->floor.depth > 0 ? ref_number(scene->floor.slope) : 0;
     o->slope = o->slope < 0x1p-12 ? 0 : o->slope;
-    o->k0 = ref_number(scene->surf.k0);
+    o->k0 = ref_number(scene->surf.tilt_decay);
     if (scene->floor.map[0]) {
         o->map = tp_world_coastal(world);
         o->slope = 0;

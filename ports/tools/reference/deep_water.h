@@ -47,7 +47,7 @@ static inline ref_wave ref_wave_make(const tp_wave *w, double gravity, double sh
         .phase = ref_number(w->phase) * PI / 180,
         .turns_tick = sqrtl((long double)gravity / length / (2 * 3.14159265358979323846L))
                     * (w->speed / 65536.0L) / TP_TICKS_PER_SECOND,
-        .power = w->power > 1 ? w->power : 1,
+        .power = w->exponent > 1 ? w->exponent : 1,
     };
 }
 

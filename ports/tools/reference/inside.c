@@ -11,7 +11,7 @@
 
 static ref_colour own(const ref_scene *s)
 {
-    return ref_colour_unpack((uint32_t)s->scene->water.deep);
+    return ref_colour_unpack((uint32_t)s->scene->water.deep_colour);
 }
 
 static double point_depth(const ref_scene *s, ref_vec at)
@@ -23,7 +23,7 @@ static double point_depth(const ref_scene *s, ref_vec at)
 static ref_colour through(const ref_scene *s, ref_colour seen, ref_colour body,
                           double way)
 {
-    const double clear = s->scene->water.clear / 65536.0;
+    const double clear = s->scene->water.clarity / 65536.0;
 
     return ref_shade_absorption(seen, body,
                                 ref_colour_unpack((uint32_t)s->scene->water.tint),

@@ -3,7 +3,8 @@
  * place of the world. Rings and cells are read from the world, which evolves them. A ring
  * is evaluated by its formula; a pool is bilinear between cell centres as defined in
  * pool/pool.h, and a cell's slope is the difference of its two neighbours. If
- * water.pool_bump is above 0, the slopes of pools times the bump are kept separate. */
+ * water.pool_normal_strength is above 0, the slopes of pools times that strength are kept
+ * separate. */
 #ifndef TP_TOOLS_REFERENCE_RELIEF_H
 #define TP_TOOLS_REFERENCE_RELIEF_H
 #include <stdbool.h>

@@ -32,7 +32,7 @@ static void place_light(ref_scene *s, const tp_scene *scene, const tp_world *wor
     s->ambient = ref_number(scene->light.ambient);
     s->haze = ref_number(scene->sky.haze);
     s->exposure = 1;
-    if (scene->hdr.exposure == TP_EXPOSURE_AUTO || scene->hdr.value != TP_FX_ONE)
+    if (scene->hdr.exposure == TP_EXPOSURE_AUTO || scene->hdr.exposure_factor != TP_FX_ONE)
         s->exposure = ref_number(world->exposure)
                     + back * (ref_number(world->last_exposure)
                               - ref_number(world->exposure));
@@ -166,7 +166,7 @@ static void place_blocks(ref_scene *s)
 {
     const ref_cells *c = &s->surface.relief.cells[0];
     const bool tank = s->tank.kind != TP_TANK_NONE;
-    const double low = tank ? -s->tank.depth : -ref_number(s->scene->pool.range);
+    const double low = tank ? -s->tank.depth : -ref_number(s->scene->pool.max_height);
     const double high = tank ? s->tank.rim : 3 * c->cell;
 
     s->block = calloc((size_t)(c->rows * (c->cols / 2 + 1) + 4), sizeof *s->block);

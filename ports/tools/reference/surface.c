@@ -82,7 +82,7 @@ ref_surface ref_surface_make(const tp_scene *scene, const tp_world *world, ref_v
 {
     ref_surface s = {
         .sea = ref_deep_water_make(scene->wave, TP_WAVES, scene->water.gravity),
-        .relief = ref_relief_make(world, ref_number(scene->water.pool_bump)),
+        .relief = ref_relief_make(world, ref_number(scene->water.pool_normal_strength)),
         .extent = make_extent(scene, eye, ahead, fading),
         .close = REF_CLOSE,
     };

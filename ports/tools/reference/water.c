@@ -66,8 +66,8 @@ static bool is_rippled(const ref_scene *s)
     return has_ripples(s) || (r->bump > 0 && (r->cells[0].cols || r->cells[1].cols));
 }
 
-/* Bump share of a pool with bump mapping only (water.pool_bump): fades from two cells in a
- * pixel, 0 from four cells in a pixel. */
+/* Share of the slopes of a pool that bends normals only (water.pool_normal_strength): fades
+ * from two cells in a pixel, 0 from four cells in a pixel. */
 static double bump_share(const ref_scene *s, const ref_cells *c, ref_vec at)
 {
     if (!s->meshed || c->cols == 0)
@@ -108,7 +108,7 @@ static ref_seen sample_object(const ref_scene *s, const ref_water *w, ref_vec n,
     ref_seen seen = { .kind = REF_SKY };
     ref_vec at;
 
-    if (s->scene->mirror.objects != TP_MIRROR_NONE)
+    if (s->scene->mirror.method != TP_MIRROR_NONE)
         seen = ref_dry(s, &ray, 1e-6, 1e5, &at);
     if (seen.kind == REF_LAND)
         seen.kind = REF_SKY;
@@ -163,7 +163,7 @@ ref_colour ref_water_colour(const ref_scene *s, const ref_water *w, ref_vec way,
                  * fx(scene->water.reflection);
     ref_colour c = ref_scale(layers(s, w), s->ambient + (1 - s->ambient) * nl);
 
-    if (scene->water.clear > 0)
+    if (scene->water.clarity > 0)
         c = ref_shade_refraction(s, w->at, n, way, c);
     const ref_light mirror = mirrored(s, w, n, nv, way, &share, in_mirror);
     c = with_mirror(s, c, mirror, share);

@@ -8,9 +8,9 @@
  *     mirror      colour along the reflected ray [F3], by Fresnel's share [F1] [F2]
  *     glint       specular lobe of the light, R.V or N.H
  *
- * The mirror is a ray from the exact surface, so `mirror.bend` has no meaning here. With
- * mirror.objects the ray finds boat, drops and walls, otherwise only the sky. A mirrored
- * ray below the horizon would meet other water and is half as bright. */
+ * The mirror is a ray from the exact surface, so `mirror.distortion` has no meaning here.
+ * With mirror.method the ray finds boat, drops and walls, otherwise only the sky. A
+ * mirrored ray below the horizon would meet other water and is half as bright. */
 #ifndef TP_TOOLS_REFERENCE_WATER_H
 #define TP_TOOLS_REFERENCE_WATER_H
 #include "solids.h"

@@ -20,7 +20,8 @@ static tp_coastal_config make_coastal_config(const tp_scene *scene, const tp_ass
             .map_high = scene->floor.map_high,
         },
         .wind = scene->wind.strength, .wind_heading = scene->wind.heading,
-        .k0 = scene->surf.k0, .kx = scene->surf.kx, .ky = scene->surf.ky,
+        .k0 = scene->surf.tilt_decay, .kx = scene->surf.widening_decay,
+        .ky = scene->surf.flattening_decay,
         .stretch = scene->surf.stretch, .irregular = scene->surf.irregular,
     };
 }

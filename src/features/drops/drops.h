@@ -100,7 +100,7 @@ uint32_t tp_drops_rings_evaluate(const tp_drops *drops, const tp_program *progra
         "most drops in the air at once; 0: no sphere and no drops"), \
     TP_ROW_COUNT("drops.rings", drops.rings, "", 0, 1024, 64, \
         "most rings on the water at once"), \
-    TP_ROW_CHOICE("drops.into", drops.into, "rings|pool", TP_DROPS_POOL, \
+    TP_ROW_CHOICE("drops.target", drops.target, "rings|pool", TP_DROPS_POOL, \
         TP_DROPS_RINGS, "an impact makes a ring, or a splash in the pool"), \
     TP_ROW_NUMBER("drops.x", drops.x, "m", -8000, 8000, 0, \
         "start position of the sphere, to the right of the origin"), \
@@ -117,18 +117,19 @@ uint32_t tp_drops_rings_evaluate(const tp_drops *drops, const tp_program *progra
         "speed after an impact over the speed before"), \
     TP_ROW_COUNT("drops.impacts", drops.impacts, "", 5, 7, 6, \
         "impacts after which a drop vanishes"), \
-    TP_ROW_NUMBER("drops.every", drops.every, "s", 0, 60, 1, \
+    TP_ROW_NUMBER("drops.interval", drops.interval, "s", 0, 60, 1, \
         "time between automatic drops; 0: no automatic drops"), \
-    TP_ROW_NUMBER("drops.scatter", drops.scatter, "m", 0, 1000, 0, \
+    TP_ROW_NUMBER("drops.scatter_radius", drops.scatter_radius, "m", 0, 1000, 0, \
         "greatest distance of an automatic drop from the sphere"), \
     TP_ROW_NUMBER("drops.efficiency", drops.efficiency, "", 0, 1, 0.2, \
         "share of a drop's lost energy that goes into its ring"), \
-    TP_ROW_NUMBER("drops.speed", drops.speed, "m/s", 0.01, 64, 1.2, "speed of rings"), \
-    TP_ROW_NUMBER("drops.decay", drops.decay, "s", 0.05, 1000, 2, \
+    TP_ROW_NUMBER("drops.ring_speed", drops.ring_speed, "m/s", 0.01, 64, 1.2, \
+        "speed of rings"), \
+    TP_ROW_NUMBER("drops.ring_decay", drops.ring_decay, "s", 0.05, 1000, 2, \
         "time constant with which rings decay"), \
-    TP_ROW_NUMBER("drops.spread", drops.spread, "m", 0.01, 1000, 1, \
+    TP_ROW_NUMBER("drops.ring_spread", drops.ring_spread, "m", 0.01, 1000, 1, \
         "distance at which the height of a ring has fallen to 0.7"), \
-    TP_ROW_NUMBER("drops.attack", drops.attack, "s", 0, 8, 0.1, \
+    TP_ROW_NUMBER("drops.ring_rise_time", drops.ring_rise_time, "s", 0, 8, 0.1, \
         "time in which a ring rises to its full height"), \
     TP_ROW_COLOUR("drops.colour", drops.colour, 0xbfe0f0, "colour of sphere and drops")
 

@@ -92,7 +92,7 @@ void tp_drops_release(tp_drops *drops, const tp_scene_drops *config, uint32_t co
     TP_ASSERT(drops->count <= drops->capacity);
     uint32_t room = drops->capacity - drops->count, most = UINT32_MAX - drops->dropped;
     uint32_t fits = count < room ? count : room, lost = count - fits;
-    tp_fx    reach = config->scatter;
+    tp_fx    reach = config->scatter_radius;
 
     if (count > 1 && reach < drops->sphere_radius)
         reach = drops->sphere_radius;
@@ -111,9 +111,9 @@ void tp_drops_release(tp_drops *drops, const tp_scene_drops *config, uint32_t co
  * with 60 fits 32 bits.  At 1/65536 s the loop releases 1092 drops per tick. */
 void tp_drops_release_due(tp_drops *drops, const tp_scene_drops *config)
 {
-    uint32_t interval = (uint32_t)config->every * TP_TICKS_PER_SECOND, due = 0;
+    uint32_t interval = (uint32_t)config->interval * TP_TICKS_PER_SECOND, due = 0;
 
-    if (config->every <= 0) {
+    if (config->interval <= 0) {
         drops->wait = 0;
         return;
     }
@@ -154,10 +154,10 @@ bool tp_drops_add_ring(tp_drops *drops, const tp_scene_drops *config,
         .start = impact->time,
         .amplitude = impact->amplitude,
         .length = tp_clamp(impact->length, TP_FX(0.02), 64 * TP_FX_ONE),
-        .speed = config->speed,
-        .decay = config->decay,
-        .spread = config->spread,
-        .attack = config->attack,
+        .speed = config->ring_speed,
+        .decay = config->ring_decay,
+        .spread = config->ring_spread,
+        .attack = config->ring_rise_time,
     };
     return true;
 }
@@ -251,7 +251,7 @@ bool tp_drops_enabled(const tp_want *want)
 
 static uint32_t configured_ring_capacity(const tp_scene_drops *config)
 {
-    return config->into == TP_DROPS_RINGS ? clamp_capacity(config->rings) : 0;
+    return config->target == TP_DROPS_RINGS ? clamp_capacity(config->rings) : 0;
 }
 
 static size_t bytes(const tp_want *want)
@@ -292,13 +292,13 @@ static bool apply_sphere_config(void *mine, tp_world *world, const tp_want *want
 
 /* -- a tick -------------------------------------------------------------------------- */
 
-/* Handles an impact.  With drops.into = rings the impact raises a ring; otherwise a pool
+/* Handles an impact.  With drops.target = rings the impact raises a ring; otherwise a pool
  * takes the same impact [D5]. */
 static bool handle_impact(void *mine, const tp_scene *scene, const tp_impact *impact,
                           tp_fx level)
 {
     (void)level;
-    return scene->drops.into == TP_DROPS_RINGS
+    return scene->drops.target == TP_DROPS_RINGS
            && tp_drops_add_ring(mine, &scene->drops, impact);
 }
 

@@ -15,7 +15,7 @@ static void count_work(tp_site *w)
     const tp_vec3 view = tp_rotate(&w->at.turn, way);
     uint32_t *work = w->fixed_cost.of;
 
-    work[TP_WORK_rings] = s->drops.every > 0 ? o->vertices : 0;
+    work[TP_WORK_rings] = s->drops.interval > 0 ? o->vertices : 0;
     if (-view.z <= 0)
         return;
     const int64_t rows = (int64_t)o->focal * 4 * s->drops.radius / -view.z;

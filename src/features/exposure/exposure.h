@@ -46,7 +46,7 @@ tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene);
         "share of sun and sky light above white; 0: no HDR"), \
     TP_ROW_CHOICE("hdr.exposure", hdr.exposure, "fixed|auto", TP_EXPOSURE_AUTO, \
         TP_EXPOSURE_FIXED, "fixed or automatic exposure of the camera"), \
-    TP_ROW_NUMBER("hdr.value", hdr.value, "", 0.125, 8, 1, \
+    TP_ROW_NUMBER("hdr.exposure_factor", hdr.exposure_factor, "", 0.125, 8, 1, \
         "exposure; start value of automatic exposure"), \
     TP_ROW_NUMBER("hdr.rate", hdr.rate, "", 0, 1, 0.03, \
         "automatic exposure: share of the difference made up each tick")

@@ -51,7 +51,7 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
 bool tp_exposure_enabled(const tp_want *want)
 {
     return want->scene->hdr.exposure == TP_EXPOSURE_AUTO
-        || want->scene->hdr.value != TP_FX_ONE;
+        || want->scene->hdr.exposure_factor != TP_FX_ONE;
 }
 
 static void *layout(tp_arena *arena, const tp_want *want)

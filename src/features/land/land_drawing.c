@@ -221,7 +221,8 @@ static void begin(tp_frame *frame, void *mine)
 static bool is_shaded_as_floor(const tp_frame *frame)
 {
     return tp_frame_has_module(frame, TP_MODULE_UNDERWATER)
-        && (frame->under || frame->assets.floor_texture || frame->scene->water.clear > 0);
+        && (frame->under || frame->assets.floor_texture
+            || frame->scene->water.clarity > 0);
 }
 
 static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,

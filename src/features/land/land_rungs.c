@@ -34,13 +34,14 @@ static tp_fx bound_crest_height(const tp_scene *s, const tp_wave *given, tp_fx f
         const int64_t k = tp_coastal_local_wave_number(k_inf, h);
         const tp_fx   a = tp_depth_amplitude(wave->amplitude,
                                              tp_depth_shoaling(k_inf, k, h), TP_FX_ONE, h);
-        const tp_orbit_scale sc = tp_orbit_scale_make(h, s->surf.kx, s->surf.ky);
+        const tp_orbit_scale sc = tp_orbit_scale_make(h, s->surf.widening_decay,
+                                                      s->surf.flattening_decay);
         const int64_t most = ((int64_t)TP_FX(0.95) << 32) / k;
         const int64_t reach = ((int64_t)wave->steepness << 32) / k_inf;
         const int64_t round = reach * a / wave->amplitude * (sc.x_q24 >> 8) >> 16;
         const int64_t along = round < most ? round : most;
         const int64_t tilt =
-            (along * slope >> 16) * (tp_orbit_depth_decay(s->surf.k0, h) >> 16) >> 16;
+            (along * slope >> 16) * (tp_orbit_depth_decay(s->surf.tilt_decay, h) >> 16) >> 16;
         const int64_t lip =
             4 * (int64_t)a > h
                 ? ((int64_t)a * tp_orbit_depth_decay(KEPT_RATE, h) >> 32) * lips >> 16

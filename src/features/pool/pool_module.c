@@ -145,9 +145,10 @@ static tp_fx random_coordinate(tp_world *world, tp_fx centre, int32_t cells, tp_
 
 static void step_random_splash(tp_basin *basin, tp_world *world, const tp_scene_pool *scene)
 {
-    if (!basin || scene->poke_every <= 0)
+    if (!basin || scene->splash_interval <= 0)
         return;
-    uint32_t every = (uint32_t)((int64_t)scene->poke_every * TP_TICKS_PER_SECOND >> 16);
+    uint32_t every =
+        (uint32_t)((int64_t)scene->splash_interval * TP_TICKS_PER_SECOND >> 16);
     if (basin->poke_wait > every)       /* the interval was longer at its start */
         basin->poke_wait = every;
     if (basin->poke_wait > 0 && --basin->poke_wait > 0)
@@ -155,7 +156,7 @@ static void step_random_splash(tp_basin *basin, tp_world *world, const tp_scene_
     basin->poke_wait = every;
     tp_fx x = random_coordinate(world, scene->x, scene->cols, scene->cell);
     tp_fx z = random_coordinate(world, scene->z, scene->rows, scene->cell);
-    tp_pool_add_splash(&basin->pool, x, z, scene->poke_size, scene->poke);
+    tp_pool_add_splash(&basin->pool, x, z, scene->splash_width, scene->splash_height);
 }
 
 static void add_user_splashes(tp_pool *pool, const tp_scene *scene, const tp_input *in)
@@ -163,7 +164,7 @@ static void add_user_splashes(tp_pool *pool, const tp_scene *scene, const tp_inp
     for (int i = 0; in && pool && i < TP_PUSHES; i++) {
         const tp_push *p = &in->push[i];
         if (p->height != 0)
-            tp_pool_add_splash(pool, p->x, p->z, scene->pool.poke_size, p->height);
+            tp_pool_add_splash(pool, p->x, p->z, scene->pool.splash_width, p->height);
     }
 }
 
@@ -270,7 +271,7 @@ static bool pool_handle_impact(void *mine, const tp_scene *scene, const tp_impac
     tp_basin *basin = mine;
 
     (void)level;
-    return scene->drops.into != TP_DROPS_RINGS
+    return scene->drops.target != TP_DROPS_RINGS
            && tp_pool_add_splash(&basin->pool, impact->x, impact->z, impact->length / 4,
                                  -impact->amplitude);
 }

@@ -17,9 +17,9 @@ void tp_paddle_push(tp_pool *pool, const tp_scene_pool *scene, uint64_t tick);
     TP_ROW_COUNT(name ".cols", part.cols, "cells", 0, 512, 0, \
         "cells along x, 16 or more; 0: no pool"), \
     TP_ROW_COUNT(name ".rows", part.rows, "cells", 16, 512, 64, "cells along z"), \
-    TP_ROW_CHOICE(name ".cells", part.cells, "8|16|32", TP_CELLS_32, TP_CELLS_16, \
+    TP_ROW_CHOICE(name ".cell_bits", part.cell_bits, "8|16|32", TP_CELLS_32, TP_CELLS_16, \
         "bits of a cell: 8 saves memory, 32 keeps volume and detail"), \
-    TP_ROW_CHOICE(name ".edges", part.edges, "wall|sponge|tile", TP_EDGES_TILE, \
+    TP_ROW_CHOICE(name ".boundary", part.boundary, "wall|sponge|tile", TP_EDGES_TILE, \
         TP_EDGES_WALL, \
         "reflect waves, absorb them, or continue at the opposite edge"), \
     TP_ROW_NUMBER(name ".courant", part.courant, "", 0.05, 0.8, 0.484, \
@@ -28,24 +28,24 @@ void tp_paddle_push(tp_pool *pool, const tp_scene_pool *scene, uint64_t tick);
         "m: each tick removes 2^-m of the motion; lower m damps more"), \
     TP_ROW_COUNT(name ".sponge", part.sponge, "cells", 4, 64, 16, \
         "width of a sponge edge"), \
-    TP_ROW_NUMBER(name ".range", part.range, "m", 0.01, 64, 1, \
+    TP_ROW_NUMBER(name ".max_height", part.max_height, "m", 0.01, 64, 1, \
         "greatest water height in 8- and 16-bit cells"), \
     TP_ROW_NUMBER(name ".cell", part.cell, "m", 0.01, 50, 0.25, "side of a cell"), \
     TP_ROW_NUMBER(name ".x", part.x, "m", -8000, 8000, 0, \
         "centre of the pool, to the right of the origin"), \
     TP_ROW_NUMBER(name ".z", part.z, "m", -8000, 8000, 0, \
         "centre of the pool, from the origin towards the viewer"), \
-    TP_ROW_NUMBER(name ".feed_low", part.feed_low, "m", 0, 16, 0, \
+    TP_ROW_NUMBER(name ".drive_min", part.drive_min, "m", 0, 16, 0, \
         "rms height below which a splash is added; 0: never"), \
-    TP_ROW_NUMBER(name ".feed_high", part.feed_high, "m", 0, 16, 0, \
+    TP_ROW_NUMBER(name ".drive_max", part.drive_max, "m", 0, 16, 0, \
         "rms height above which added splashes get smaller"), \
-    TP_ROW_NUMBER(name ".feed", part.feed, "m", 0, 16, 0.1, \
+    TP_ROW_NUMBER(name ".drive_amplitude", part.drive_amplitude, "m", 0, 16, 0.1, \
         "height of an added splash"), \
-    TP_ROW_NUMBER(name ".poke_every", part.poke_every, "s", 0, 600, 0, \
+    TP_ROW_NUMBER(name ".splash_interval", part.splash_interval, "s", 0, 600, 0, \
         "time between splashes at random places; 0: none"), \
-    TP_ROW_NUMBER(name ".poke", part.poke, "m", -16, 16, 0.2, \
+    TP_ROW_NUMBER(name ".splash_height", part.splash_height, "m", -16, 16, 0.2, \
         "height of a splash at a random place"), \
-    TP_ROW_NUMBER(name ".poke_size", part.poke_size, "m", 0.01, 50, 0.5, \
+    TP_ROW_NUMBER(name ".splash_width", part.splash_width, "m", 0.01, 50, 0.5, \
         "width of a splash at a random place, sigma"), \
     TP_ROW_NUMBER(name ".paddle", part.paddle, "m", 0, 16, 0, \
         "height of waves that a paddle makes at the north edge; 0: none"), \

@@ -44,13 +44,13 @@ typedef struct {
 } tp_object_cube;
 
 #define TP_REFLECTION_ROWS \
-    TP_ROW_CHOICE("mirror.objects", mirror.objects, "none|stencil|cube", \
+    TP_ROW_CHOICE("mirror.method", mirror.method, "none|stencil|cube", \
         TP_MIRROR_CUBE, TP_MIRROR_NONE, \
         "boat and drops in the water: sharp (stencil), or from a small cube"), \
     TP_ROW_CHOICE("mirror.size", mirror.size, "half|quarter", TP_MIRROR_QUARTER, \
         TP_MIRROR_HALF, \
         "side of the stencil's mirrored image, relative to the picture"), \
-    TP_ROW_NUMBER("mirror.bend", mirror.bend, "", 0, 4, 1, \
+    TP_ROW_NUMBER("mirror.distortion", mirror.distortion, "", 0, 4, 1, \
         "strength with which waves distort the mirrored image")
 
 #endif

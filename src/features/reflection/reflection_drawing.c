@@ -103,7 +103,7 @@ static tp_view_plane mirror_clip_plane(const tp_frame *frame,
 
 static void set_bending(const tp_frame *frame, tp_mirror *to, tp_fx level)
 {
-    to->bend = frame->scene->mirror.bend >> 8;
+    to->bend = frame->scene->mirror.distortion >> 8;
     to->height =
         (int64_t)(frame->projection.eye.y - level) * 4096 / frame->projection.zi_near;
 }
@@ -155,7 +155,7 @@ static void draw_mirror_map(tp_frame *frame, void *mine)
 
 bool tp_mirror_enabled(const tp_want *want)
 {
-    return want->scene->mirror.objects == TP_MIRROR_STENCIL
+    return want->scene->mirror.method == TP_MIRROR_STENCIL
            && want->scene->water.reflection > 0
            && want->above & (TP_MODULE_SOLID | TP_MODULE_WALLS);
 }
@@ -300,7 +300,7 @@ static void draw_cube_map(tp_frame *frame, void *mine)
 
 bool tp_object_cube_enabled(const tp_want *want)
 {
-    return want->scene->mirror.objects == TP_MIRROR_CUBE
+    return want->scene->mirror.method == TP_MIRROR_CUBE
         && want->scene->water.reflection > 0 && want->above & TP_MODULE_SOLID;
 }
 

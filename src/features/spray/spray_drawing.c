@@ -77,7 +77,7 @@ static void project_specks(tp_frame *frame, void *mine, tp_view *view, tp_grid_b
 {
     discs *d = mine;
     const tp_spray *spray = tp_spray_of_world(frame->world);
-    bool under = frame->under, clear = frame->scene->water.clear > 0;
+    bool under = frame->under, clear = frame->scene->water.clarity > 0;
 
     (void)box;
     if (!view->picture)

@@ -230,7 +230,7 @@ static void begin(tp_frame *frame, void *mine)
     const bool walled = tp_has_tank(scene);
 
     tank->high = walled ? scene->tank.rim : 3 * scene->pool.cell;
-    tank->low = walled ? -scene->tank.depth : -scene->pool.range;
+    tank->low = walled ? -scene->tank.depth : -scene->pool.max_height;
     for (uint32_t row = 0; !tank->made && pool && row < pool->rows; row++)
         append_row_blocks(tank, pool, row);
     tank->made = true;

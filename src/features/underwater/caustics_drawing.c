@@ -227,7 +227,7 @@ bool tp_caustics_enabled(const tp_want *want)
     const tp_scene *scene = want->scene;
     const bool tank = tp_has_tank(scene) && want->above & TP_MODULE_WALLS;
 
-    return scene->water.clear > 0 && scene->water.caustics > 0
+    return scene->water.clarity > 0 && scene->water.caustics > 0
            && want->above & TP_MODULE_UNDERWATER && (tank || tp_has_floor(scene));
 }
 

@@ -57,11 +57,12 @@ typedef struct {
 /* -- parameters ---------------------------------------------------------------------- */
 
 #define TP_UNDERWATER_ROWS \
-    TP_ROW_NUMBER("water.clear", water.clear, "m", 0, 200, 0, \
+    TP_ROW_NUMBER("water.clarity", water.clarity, "m", 0, 200, 0, \
         "distance in water after which white is the tint; 0: opaque water"), \
     TP_ROW_COLOUR("water.tint", water.tint, 0x2f8f9f, \
-        "colour of white seen through water.clear metres of water"), \
-    TP_ROW_COLOUR("water.deep", water.deep, 0x0a3040, "colour of bottomless water"), \
+        "colour of white seen through water.clarity metres of water"), \
+    TP_ROW_COLOUR("water.deep_colour", water.deep_colour, 0x0a3040, \
+        "colour of bottomless water"), \
     TP_ROW_NUMBER("water.dispersion", water.dispersion, "", 0, 1, 0, \
         "spread of the refractive index, red to violet; real water: 0.02")
 

@@ -116,12 +116,12 @@ static void begin_underwater(tp_frame *frame, void *mine)
 
     frame->shade.caustic = NULL;
     frame->under = has_underwater_stages(frame) && is_eye_submerged(frame);
-    if (!frame->under && scene->water.clear == 0 && !frame->assets.floor_texture
+    if (!frame->under && scene->water.clarity == 0 && !frame->assets.floor_texture
         && !tp_frame_has_module(frame, TP_MODULE_WALLS))
         return;
     tp_absorb_init(&in->absorb, (uint32_t)scene->water.tint,
-                   scene->water.clear > 0 ? scene->water.clear : CLEAR_UNDERSIDE);
-    in->deep = (uint32_t)scene->water.deep;
+                   scene->water.clarity > 0 ? scene->water.clarity : CLEAR_UNDERSIDE);
+    in->deep = (uint32_t)scene->water.deep_colour;
     set_refractive_indices(in, scene->water.dispersion);
     set_sun(&frame->shade, in);
     tp_underwater_set_view(in, &frame->shade, frame->projection.zi_near);
@@ -194,7 +194,7 @@ const tp_drawing tp_underwater_drawing = {
 
 bool tp_clear_water_enabled(const tp_want *want)
 {
-    return want->scene->water.clear > 0 && want->above & TP_MODULE_UNDERWATER;
+    return want->scene->water.clarity > 0 && want->above & TP_MODULE_UNDERWATER;
 }
 
 /* Sets the cost traits.  A ray's cost depends on its target: a box, a map or a plane. */
@@ -291,7 +291,7 @@ static void absorb_row(const tp_frame *frame, const tp_projection *projection,
                        tp_fx eye_height, const tp_gbuffer *band, int32_t y, uint32_t *to)
 {
     const uint32_t *key = band->key + (size_t)(uint32_t)(y - band->y0) * band->stride;
-    const uint32_t deep = (uint32_t)frame->scene->water.deep;
+    const uint32_t deep = (uint32_t)frame->scene->water.deep_colour;
     const int64_t v = tp_over_focal(&frame->shade, projection->v0 - 16 * y - 8);
     const int64_t middle =
         -((projection->ahead.y >> 14) + (v * (projection->turn.y.y >> 14) >> 16));
@@ -357,7 +357,7 @@ static void draw_map(tp_frame *frame, void *mine)
 
 bool tp_refraction_enabled(const tp_want *want)
 {
-    return want->scene->water.clear > 0 && want->above & TP_MODULE_SOLID
+    return want->scene->water.clarity > 0 && want->above & TP_MODULE_SOLID
            && want->above & TP_MODULE_UNDERWATER;
 }
 

@@ -142,7 +142,7 @@ typedef struct {
         "exact Fresnel reflection from a table, or Schlick's approximation")
 
 #define TP_BUMPS_ROWS \
-    TP_ROW_NUMBER("water.pool_bump", water.pool_bump, "", 0, 4, 0, \
+    TP_ROW_NUMBER("water.pool_normal_strength", water.pool_normal_strength, "", 0, 4, 0, \
         "above 0: pools bend normals with this strength, not the mesh")
 
 #define TP_ROW_LAYER(n, help) \

@@ -116,9 +116,9 @@ const tp_drawing tp_layers_drawing = {
 
 /* -- pools that bend the normals ----------------------------------------------------- */
 
-/* With water.pool_bump the mesh stays flat; the water's normals get the pools' slopes.
- * The slope maps lie in the frame's block and are made at the start of a frame.  A pool
- * without room for its map stays flat. */
+/* With water.pool_normal_strength the mesh stays flat; the water's normals get the pools'
+ * slopes.  The slope maps lie in the frame's block and are made at the start of a frame.  A
+ * pool without room for its map stays flat. */
 
 typedef struct {
     tp_pool_bumps  look;        /* data of the stage; first member */
@@ -165,7 +165,7 @@ static void begin_bumps(tp_frame *frame, void *mine)
             continue;
         *bump = tp_pool_bump_make(pool, b->slope[k]);
         bump->lod = tp_frame_lod(frame, tp_fx_recip(pool->cell), true);
-        tp_pool_slopes(pool, frame->world->lag, frame->scene->water.pool_bump,
+        tp_pool_slopes(pool, frame->world->lag, frame->scene->water.pool_normal_strength,
                        b->slope[k]);
     }
 }
@@ -314,7 +314,7 @@ static void add_reflectance_stages(const tp_frame *frame, const void *mine,
     if (!tp_frame_reflects_sky(frame, list))
         return;
     if (frame->shade.env.kind == TP_ENV_GRADIENT
-        && frame->scene->mirror.objects == TP_MIRROR_NONE)
+        && frame->scene->mirror.method == TP_MIRROR_NONE)
         tp_shaders_add(list, TP_AT_FRESNEL, stage[TP_NTH_mirror], NULL);
     else
         add_reflect_and_fresnel_stages(frame, stage, list);

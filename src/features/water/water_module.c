@@ -56,7 +56,7 @@ static uint8_t pool_bump_count(const tp_want *want)
 {
     const tp_scene *scene = want->scene;
 
-    return scene->water.pool_bump > 0
+    return scene->water.pool_normal_strength > 0
                ? (uint8_t)((scene->pool.cols > 0) + (scene->field.cols > 0)) : 0;
 }
 
@@ -84,7 +84,7 @@ bool tp_lighting_enabled(const tp_want *want)
     const tp_scene *scene = want->scene;
 
     return scene->water.specular > 0 || scene->water.reflection > 0
-        || scene->water.clear > 0;
+        || scene->water.clarity > 0;
 }
 
 /* True if diffuse light has an effect: light with full ambient share changes no colour. */

@@ -220,7 +220,7 @@ static void set_camera(const gl *g)
     glUseProgram(g->sky);
     glUniformMatrix4fv(name(g->sky, "rays"), 1, GL_FALSE, rays);
     glUniform1i(name(g->sky, "sky"), MAPS);
-    set(g->sky, "exposure", peer_metres(s->hdr.value));
+    set(g->sky, "exposure", peer_metres(s->hdr.exposure_factor));
 }
 
 /* The tint is the product of both colours; the engine's colours have 8 bits. */
@@ -240,7 +240,7 @@ static void set_water(const gl *g)
     set(g->sea, "specular", peer_metres(s->water.specular));
     set(g->sea, "shininess", peer_metres(s->water.shininess));
     set(g->sea, "reflection", peer_metres(s->water.reflection));
-    set(g->sea, "exposure", peer_metres(s->hdr.value));
+    set(g->sea, "exposure", peer_metres(s->hdr.exposure_factor));
     glUniform1i(name(g->sea, "sky"), MAPS);
     set_maps(g);
 }

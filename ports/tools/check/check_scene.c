@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: MIT */
+/* Reads the scene like the other commands, but continues after a bad line: all faults are
+ * printed at once.  Old names are rewritten in the file's own lines: comments, order and
+ * spacing stay. */
+#define _POSIX_C_SOURCE 200809L
+#include "check_scene.h"
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "app/files/ini_read.h"
+#include "app/files/log.h"
+#include "app/files/output_file.h"
+#include "app/scene/loaded_scene.h"
+#include "app/scene/scene_lines.h"
+
+typedef struct { uint32_t line; const old_name *name; } renamed_line;
+
+typedef struct {
+    scene_file   *file;
+    renamed_line *renamed;      /* lines with old names */
+    size_t        n_renamed;
+    unsigned      values, faults;
+} scene_check;
+
+/* -- lines ------------------------------------------------------------------------- */
+
+static bool add_renamed(scene_check *c, uint32_t line, const old_name *name)
+{
+    const size_t bytes = (c->n_renamed + 1) * sizeof *c->renamed;
+    renamed_line *more = realloc(c->renamed, bytes);
+    if (!more) {
+        log_fail_memory(bytes);
+        return false;
+    }
+    more[c->n_renamed++] = (renamed_line){ line, name };
+    c->renamed = more;
+    return true;
+}
+
+static bool take(void *user, uint32_t line, const char *section, const char *name,
+                 const char *value)
+{
+    scene_check *c = user;
+    char full[128], place[PATH_MAX + 16];
+    snprintf(full, sizeof full, "%s%s%s", section, section[0] ? "." : "", name);
+    snprintf(place, sizeof place, "%s:%u", c->file->path, (unsigned)line);
+    c->values++;
+    c->faults += !scene_file_apply(c->file, place, line, full, value);
+    const old_name *old = old_name_find(full, strlen(full));
+    return !old || add_renamed(c, line, old);
+}
+
+static int check_lines(scene_check *c)
+{
+    const int code = ini_read(c->file->path, take, c);
+    return code ? code : c->faults ? EXIT_INPUT : EXIT_DONE;
+}
+
+/* -- old names --------------------------------------------------------------------- */
+
+static const char *member(const char *name)
+{
+    return strchr(name, '.') + 1;
+}
+
+static int report(const scene_check *c)
+{
+    const char *path = c->file->path;
+    for (size_t i = 0; i < c->n_renamed; i++)
+        log_line("%s:%u: %s is now called %s", path, (unsigned)c->renamed[i].line,
+                 c->renamed[i].name->old, c->renamed[i].name->now);
+    return log_fail(EXIT_CHECK,
+                    "%s: old names are read until version " OLD_NAMES_END
+                    "; `tidepool check %s --write` rewrites them", path, path);
+}
+
+static int write_lines(const scene_lines *l, const char *path)
+{
+    output_file out;
+    const int code = output_file_open(&out, path);
+    if (code)
+        return code;
+    scene_lines_write(l, out.file);
+    return output_file_close(&out);
+}
+
+static int rename_lines(const scene_check *c, scene_lines *l)
+{
+    for (size_t i = 0; i < c->n_renamed; i++) {
+        const old_name *name = c->renamed[i].name;
+        if (!scene_lines_rename(l, c->renamed[i].line, member(name->old),
+                                member(name->now)))
+            return log_fail(EXIT_INPUT, "%s:%u: %s cannot be rewritten: no memory, or the"
+                            " file is being changed", c->file->path,
+                            (unsigned)c->renamed[i].line, name->old);
+    }
+    return EXIT_DONE;
+}
+
+static int rewrite(const scene_check *c)
+{
+    scene_lines l = { 0 };
+    int code = scene_lines_read(&l, c->file->path);
+    if (!code)
+        code = rename_lines(c, &l);
+    if (!code)
+        code = write_lines(&l, c->file->path);
+    scene_lines_free(&l);
+    for (size_t i = 0; i < c->n_renamed && !code; i++)
+        printf("%s:%u: %s is now %s\n", c->file->path, (unsigned)c->renamed[i].line,
+               c->renamed[i].name->old, c->renamed[i].name->now);
+    return code;
+}
+
+/* -- the scene --------------------------------------------------------------------- */
+
+static int check_world(loaded_scene *s, const options *o)
+{
+    options strict = *o;
+    strict.strict = true;
+    int code = loaded_scene_load_assets(&s->assets, &s->file, &strict);
+    if (!code)
+        code = loaded_scene_make_world(s);
+    return code;
+}
+
+static int check_file(loaded_scene *s, const options *o, scene_check *c)
+{
+    int code = check_lines(c);
+    if (code)
+        return code;
+    if (c->n_renamed)
+        code = o->write ? rewrite(c) : report(c);
+    const int world = check_world(s, o);
+    return world ? world : code;
+}
+
+int check_scene(const options *o)
+{
+    loaded_scene s = { 0 };
+    scene_check c = { .file = &s.file };
+    int code = scene_file_find(&s.file, o->scene);
+    if (!code)
+        code = check_file(&s, o, &c);
+    if (!code)
+        printf("%s: %u values, no fault\n", s.file.path, c.values);
+    free(c.renamed);
+    loaded_scene_close(&s);
+    return code;
+}
