@@ -6,7 +6,7 @@
  * The empty functions are marks for instruction counters: they separate the core's work
  * for a whole frame, for its tiles and for a tick of the world. */
 #include "baked.h"
-#include "base/arena.h"
+#include "base/base.h"
 #include "board.h"
 #include "frame/tools.h"
 #include "frame_crc.h"

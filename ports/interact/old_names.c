@@ -2,11 +2,12 @@
 /* The table of old names of rows.
  *
  * The table is here, not in the core: tp_scene_set serves programs, whose names are
- * corrected once, in their source; ports read the texts of users.  Only a port that asks for
- * old names links this file: a board with little memory refuses them and pays nothing. */
+ * corrected once, in their source; ports read the texts of users.  Only a port that
+ * asks for old names links this file: a board with little memory refuses them and pays
+ * nothing. */
 #include "old_names.h"
 #include "tidepool/tidepool.h"
-#include "world/value.h"
+#include "world/text.h"
 
 _Static_assert(TP_VERSION < 2000, "0.2 reads no old name: remove these or move the end");
 
@@ -58,7 +59,7 @@ const old_name *old_names(uint32_t *count)
 const old_name *old_name_find(const char *name, size_t bytes)
 {
     for (uint32_t i = 0; i < NAMES; i++)
-        if (tp_string_view_is((tp_string_view){ name, bytes }, names[i].old))
+        if (tp_string_view_equals((tp_string_view){ name, bytes }, names[i].old))
             return &names[i];
     return NULL;
 }

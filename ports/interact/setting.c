@@ -7,7 +7,7 @@
  * tp_world_apply keeps the camera where input has moved it, so changes of camera.* are
  * applied to the camera here. */
 #include "setting.h"
-#include "world/value.h"
+#include "world/text.h"
 #include "world/world.h"
 
 void *memcpy(void *restrict to, const void *restrict from, size_t bytes);

@@ -7,7 +7,7 @@
 #include "app/files/log.h"
 #include "app/files/path.h"
 #include "frame/tools.h"
-#include "world/value.h"
+#include "world/text.h"
 #include "world/world.h"
 
 void host_call_begin(host_call *call, tp_host_error *err)

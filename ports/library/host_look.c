@@ -3,7 +3,7 @@
 #include <string.h>
 #include "app/files/log.h"
 #include "host.h"
-#include "world/value.h"
+#include "world/text.h"
 #include "world/world.h"
 
 _Static_assert((int)TP_HOST_FREE == CAMERA_FREE && (int)TP_HOST_ORBIT == CAMERA_ORBIT

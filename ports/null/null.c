@@ -6,7 +6,7 @@
 #include <string.h>
 #include "pixel/pixel.h"
 #include "tidepool/tidepool.h"
-#include "world/value.h"
+#include "world/text.h"
 #include "world/world.h"
 
 enum { WIDTH = 160, HEIGHT = 120, BAND = 16, FRAMES = 4 };

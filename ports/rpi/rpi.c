@@ -20,7 +20,7 @@
  * For a board: make BOARD=rpi/raspi2b SCENE=x elf, then objcopy -O binary to the name in
  * board.ld, on the card beside the firmware's files.  Tested in QEMU only. */
 #include "rpi.h"
-#include "base/arena.h"
+#include "base/base.h"
 #include "interact/old_names.h"
 #include "pixel/pixel.h"
 #include "serial/control.h"

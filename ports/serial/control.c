@@ -7,7 +7,7 @@
 #include "features/drops/drops.h"
 #include "reply.h"
 #include "world/pools.h"
-#include "world/tape.h"
+#include "world/text.h"
 
 #define DROPS_MOST 1024         /* limit of tp_input */
 #define STEPS_MOST 100000

@@ -10,7 +10,7 @@
  *     poke 1.5 -8                 ok poke; a height may follow, default
  *                                 pool.splash_height; a tick takes 8 pokes, more are
  *                                 refused until the next tick
- *     input light_turn=9 drops=1  ok input; fields as in world/tape.h, for one tick
+ *     input light_turn=9 drops=1  ok input; fields as in world/text.h, for one tick
  *     pause, go, step 30          ok pause; step makes so many ticks, then pauses
  *     restart                     ok restart; from tick 0, with the present numbers
  *     state                       ok tick 37, then data of the port

@@ -9,7 +9,7 @@
  * setting needs no more memory than the old one (mirror.method from stencil to cube). */
 #include "../interact/setting.h"
 #include "reply.h"
-#include "world/value.h"
+#include "world/text.h"
 
 static bool may_change(const control *c, const tp_param *param)
 {

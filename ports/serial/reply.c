@@ -2,8 +2,8 @@
 /* Words of a command line, and pieces of its reply.  Pieces are sent at once: the reply
  * needs no buffer. */
 #include "reply.h"
-#include "base/error.h"
-#include "world/value.h"
+#include "base/base.h"
+#include "world/text.h"
 
 /* -- words ------------------------------------------------------------------------- */
 

@@ -8,7 +8,7 @@
  *
  * An MTL is looked up beside its OBJ, a picture beside its MTL, as on the host.  An OBJ
  * is wanted twice, because its reader needs two passes. */
-#include "base/error.h"
+#include "base/base.h"
 #include "mesh/mesh.h"
 #include "web.h"
 

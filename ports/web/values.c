@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Scenes and their values, by index in the table of parameters. */
-#include "base/error.h"
+#include "base/base.h"
 #include "interact/old_names.h"
 #include "interact/setting.h"
 #include "web.h"
-#include "world/value.h"
+#include "world/text.h"
 
 char web_text[WEB_TEXT_BYTES];
 tp_scene web_scene, web_filed;

@@ -9,7 +9,7 @@
  * Frame numbers are counted as in `tidepool render`: crc() equals the number of its
  * --hash. */
 #include "web.h"
-#include "base/error.h"
+#include "base/base.h"
 #include "features/drops/drops.h"
 #include "frame/tools.h"
 #include "interact/camera_mode.h"

@@ -16,7 +16,7 @@ WEB_O    := $(patsubst %.c,$(WASM)/%.o,$(CORE) \
 WEB_PAGE := $(patsubst ports/web/%,$(WEB)/%,$(wildcard ports/web/*.html ports/web/*.css) \
                 $(filter-out %/serve.js,$(wildcard ports/web/*.js)))
 WEB_FAST := $(patsubst %.c,$(WASM)/%.o,$(filter src/shade/% %_stage.c src/raster/% src/pixel/% \
-                src/view/% src/fixed/roots.c $(addprefix src/pool/,flux.c gears.c subcell.c) \
+                src/view/% src/fixed/roots.c $(addprefix src/pool/,flux.c subcell.c) \
                 $(addprefix src/frame/,grid_water.c scanline_water.c tile.c) \
                 %/boat_drawing.c %/caustics_drawing.c,$(CORE)))
 WEB_FLAGS := --target=wasm32 -std=c11 $(WARN) -MMD -MP -fmacro-prefix-map=$(CURDIR)/= \

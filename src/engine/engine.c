@@ -3,7 +3,6 @@
  * block. tp_world_init and tp_frame_init make them separately. */
 #include <stdbool.h>
 #include "base/base.h"
-#include "base/error.h"
 #include "tidepool/tidepool.h"
 #include "world/module.h"
 

@@ -18,7 +18,7 @@
 #include "features/tank/tank.h"
 #include "features/underwater/underwater.h"
 #include "features/water/water.h"
-#include "world/value.h"
+#include "world/text.h"
 #ifndef TP_MORE_ROWS            /* rows of a program's own modules */
 #define TP_MORE_ROWS
 #endif

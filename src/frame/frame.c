@@ -3,7 +3,7 @@
  * A frame from its config to its first tile: check, layout, init, begin.  The frame is one
  * block of memory, laid out at init as the scene demands.  Nothing is allocated later.
  */
-#include "base/error.h"
+#include "base/base.h"
 #include "frame/frame.h"
 #include "frame/tools.h"
 #include "pixel/pixel.h"

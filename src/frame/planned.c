@@ -4,7 +4,6 @@
  * rung of each kind left open. */
 #include "frame/frame.h"
 #include "quality/prices.h"
-#include "quality/wave_culling.h"
 
 static tp_rungs choose_rungs_by_cost(const tp_plan_input *in)
 {

@@ -4,8 +4,8 @@
  * or a level; the view's shading numbers; planar maps.  Conversion between world positions
  * and positions in the picture's own view.
  */
+#include "frame/drawing.h"
 #include "frame/frame.h"
-#include "frame/render_view.h"
 
 /* -- clipped triangles, shared by all solids ----------------------------------------- */
 

@@ -4,7 +4,6 @@
  * and kinds of a drawn tile, and spans of its own in a row of the tile.
  */
 #include "base/base.h"
-#include "base/error.h"
 #include "frame/frame.h"
 #include "frame/tools.h"
 #include "pixel/pixel.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The grid of a polygon's corners: mesh/triangulate.h.  A corner that was cut off leaves
+/* The grid of a polygon's corners: mesh/obj.h.  A corner that was cut off leaves
  * its cell when a walk meets the corner. */
 #include "base/base.h"
-#include "mesh/triangulate.h"
+#include "mesh/obj.h"
 
 enum { CELL_CORNERS = 8, ROW_STEPS = 8 };
 

@@ -5,7 +5,6 @@
  * A statement returns its fault, and the fault becomes a warning.  The material keeps its
  * default; a number out of range is clamped to the nearest valid number. */
 #include "base/base.h"
-#include "base/error.h"
 #include "mesh/obj.h"
 
 /* Values of obj->material while an MTL is read: before any newmtl; in a material not

@@ -4,7 +4,6 @@
  * of the format: the appendix on object files of the Advanced Visualizer manual
  * (Wavefront, version 3.0). */
 #include "base/base.h"
-#include "base/error.h"
 #include "fixed/arithmetic.h"
 #include "mesh/mesh.h"
 #include "mesh/obj.h"

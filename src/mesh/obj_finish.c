@@ -2,7 +2,6 @@
 /* The last step of the OBJ reader: names the libraries and images for the caller,
  * assigns the textures to the materials, and hands out the mesh. */
 #include "base/base.h"
-#include "base/error.h"
 #include "fixed/arithmetic.h"
 #include "mesh/obj.h"
 

@@ -2,11 +2,9 @@
 /* Geometry of a mesh, after the whole file is read: polygons become faces and finished
  * vertices, with normals and tangents from exact area vectors. */
 #include "base/base.h"
-#include "base/error.h"
 #include "fixed/arithmetic.h"
 #include "mesh/mesh.h"
 #include "mesh/obj.h"
-#include "mesh/triangulate.h"
 
 /* -- area vectors -------------------------------------------------------------------- */
 

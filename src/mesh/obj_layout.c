@@ -3,7 +3,6 @@
  * beforehand, and the layout of the block. */
 #include "base/base.h"
 #include "mesh/obj.h"
-#include "mesh/triangulate.h"
 
 /* -- sets of names ------------------------------------------------------------------- */
 

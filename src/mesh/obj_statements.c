@@ -2,7 +2,6 @@
 /* The OBJ statements that name other things: usemtl and mtllib name materials and
  * libraries, f names the vertices of a face. */
 #include "base/base.h"
-#include "base/error.h"
 #include "mesh/obj.h"
 
 /* -- usemtl and mtllib --------------------------------------------------------------- */

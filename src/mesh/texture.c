@@ -6,7 +6,6 @@
  * pixels around the centre are weighted by 8-bit fractions. */
 #include <stdbool.h>
 #include "base/base.h"
-#include "base/error.h"
 #include "tidepool/assets.h"
 
 enum { MOST = 4096 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Cuts a polygon into triangles by ear clipping, in integers: mesh/triangulate.h.
+/* Cuts a polygon into triangles by ear clipping, in integers: mesh/obj.h.
  *
  * The polygon is projected along the axis with its largest area.  An ear is a corner that
  * turns the same way as the polygon, and whose triangle, borders included, no other corner
@@ -17,7 +17,7 @@
  * triangle: about a hundred steps per corner for outlines of tens of thousands of corners.
  * Steps are counted: after STEPS n steps the remaining corners are cut without tests. */
 #include "base/base.h"
-#include "mesh/triangulate.h"
+#include "mesh/obj.h"
 
 enum { EXTENT_BITS = 27, STEPS = 2048 };
 

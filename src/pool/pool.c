@@ -2,7 +2,6 @@
 /* A pool's config: its check, the layout of the memory block, walls and sponge, the
  * set-up of still water, and changes of the config while the water moves. */
 #include "base/base.h"
-#include "base/error.h"
 #include "pool/pool.h"
 
 /* -- walls and sponge ---------------------------------------------------------------- */

@@ -5,7 +5,7 @@
  * change the fixed cost, so the choice of rungs ignores it; reports add it to the total
  * cost of a frame.  Moving objects are counted at their start position in the scene.
  */
-#include "quality/fixed_cost.h"
+#include "quality/prices.h"
 #include "view/grid.h"
 
 /* -- the start camera ---------------------------------------------------------------- */

@@ -1,12 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* Measured costs and errors of the rungs.  Costs are Cortex-M4 instructions.  Errors
- * are relative to a reference picture (tests/lib/quality_error.h), minus the error of the
- * exact rungs.  The table is generated from assets/charts/prices.csv. */
+/*
+ * Costs and errors for the plan: the measured table of the rungs, the estimate of the
+ * start camera's view, the fixed cost of features, and wave culling.
+ *
+ * Costs are Cortex-M4 instructions.  Errors are relative to a reference picture
+ * (tests/lib/quality_error.h), minus the error of the exact rungs.  The table is generated
+ * from assets/charts/prices.csv.
+ */
 #ifndef TP_QUALITY_PRICES_H
 #define TP_QUALITY_PRICES_H
+#include "base/base.h"
 #include "quality/plan.h"
 #include "tidepool/modules.h"
+#include "waves/deep_water.h"
 #include "world/module.h"
+#include "world/pools.h"
 
 enum { TP_KIND_VISIBILITY, TP_KIND_SHADING, TP_KIND_RATE, TP_KIND_LOD };
 enum { TP_VISIBILITIES = 4, TP_SHADINGS = 2, TP_RATES = 3, TP_LODS = 2 };
@@ -137,4 +145,157 @@ tp_view_estimate tp_view_estimate_make(const tp_plan_input *in);
 /* Counts the fixed cost of a frame. `quick`: the water uses the fast stages. */
 tp_fixed_cost tp_fixed_cost_estimate(const tp_plan_input *in,
                                      const tp_view_estimate *estimate, bool quick);
+
+/* -- the cost of a feature besides the water's pixels -------------------------------- */
+
+/*
+ * The fourth part of a module, used for reports of the plan.  A program without reports
+ * does not link this part.
+ *
+ * The fixed cost is counted without drawing: from the geometry of the objects, and with a
+ * lattice of rays over the picture of the scene's start camera.  Some rays meet level
+ * water, some are stopped by objects.  The view estimate uses the same camera.
+ */
+
+/* -- the start camera, and its view of level water ----------------------------------- */
+
+typedef struct {
+    tp_vec3     eye;
+    tp_rotation turn;
+    int64_t     wide, high;     /* tangents of half the picture's angles of view, Q16 */
+    int64_t     x, z;           /* centre of the grid, m */
+    tp_rectangle water;         /* extent of the water */
+} tp_start_view;
+
+tp_start_view tp_start_view_make(const tp_scene *scene, uint32_t width, uint32_t height);
+
+/* Returns the coordinate of a position `line` lines (Q16) from the middle of an axis.
+ * Steps between lines of the skirt grow outwards. */
+int64_t tp_start_view_line_coordinate(const tp_scene *scene, int32_t lines, int64_t centre,
+                           int64_t line);
+
+/* Returns the ray through (x, y) of the picture: tangents, Q16 per unit ahead, below
+ * 2^26. */
+tp_vec3 tp_start_view_ray(const tp_start_view *at, int64_t x, int64_t y);
+
+/* Returns the distance ahead, Q16 m, at that the ray through (x, y) meets level water, or
+ * 0. */
+int64_t tp_start_view_water_distance(const tp_start_view *at, int64_t x, int64_t y);
+
+/* Returns to - from, clamped to 8 km along each axis. */
+static inline tp_vec3 tp_start_view_clamped_vector(tp_vec3 from, tp_vec3 to)
+{
+    const int64_t most = 1 << 29;
+
+    return (tp_vec3){ (tp_fx)tp_clamp_abs((int64_t)to.x - from.x, most),
+                      (tp_fx)tp_clamp_abs((int64_t)to.y - from.y, most),
+                      (tp_fx)tp_clamp_abs((int64_t)to.z - from.z, most) };
+}
+
+/* -- fixed cost ---------------------------------------------------------------------- */
+
+#define TP_RAYS       32        /* rays along each axis; a row of bits is a word */
+#define TP_WORK_BAND  16        /* rows of a tile, as a board draws */
+#define TP_WORK_STRIP 4         /* rows of a reflection map drawn at once */
+
+typedef struct tp_site {
+    const tp_scene   *scene;
+    const tp_assets  *assets;
+    const tp_view_estimate *estimate;
+    tp_start_view at;
+    uint32_t width, height;
+    uint32_t is;                /* bits of tp_module.is of the enabled modules */
+    bool     mirrors;           /* true if a reflection map of objects is drawn */
+    bool     quick;             /* true if water uses the fast stages */
+    uint32_t solid[TP_RAYS];    /* bit set: an object stops the ray; lowest row first */
+    uint32_t wet[TP_RAYS];      /* bit set: the ray meets level water */
+    uint32_t apart;             /* solid rays counted by a module's `stops` */
+    int64_t  far;               /* farthest corner of a reflected object, distance, Q16 m */
+    tp_fixed_cost fixed_cost;
+} tp_site;
+
+/* The number of pixels of a picture, by content. */
+typedef struct {
+    uint32_t sky, water, solid;
+    uint32_t mirrored;          /* water pixels near enough to reflect objects */
+    uint32_t stopped;           /* rays stopped by this feature's `stops` */
+} tp_work_pixels;
+
+/* All members may be NULL. */
+typedef struct tp_cost {
+    /* Counts work known from the geometry, and the rays that its objects stop. */
+    void (*work)(tp_site *site);
+
+    /* True if its objects stop a ray that would meet the water `far` (Q16 m) ahead. */
+    bool (*stops)(const tp_site *site, tp_vec3 ray, int64_t far);
+
+    /* Counts work by pixels, after the content of all rays is known. */
+    void (*pixels)(tp_site *site, const tp_work_pixels *pixels);
+} tp_cost;
+
+/* Returns the number of pixels for a number of rays. */
+static inline uint32_t tp_work_ray_pixels(const tp_site *site, uint32_t rays)
+{
+    return (uint32_t)((uint64_t)site->width * site->height * rays / (TP_RAYS * TP_RAYS));
+}
+
+/* Returns the number of bands of `band` rows that an object `rows` rows high touches. */
+static inline uint32_t tp_work_bands(int64_t rows, int32_t band)
+{
+    return (uint32_t)(rows / band) + 1;
+}
+
+/* Returns the ray in column i, row j of the lattice. */
+static inline tp_vec3 tp_work_ray(const tp_site *site, int32_t i, int32_t j)
+{
+    TP_ASSERT(i >= 0 && i < TP_RAYS && j >= 0 && j < TP_RAYS);
+    return tp_start_view_ray(&site->at, site->at.wide * (2 * i + 1 - TP_RAYS) / TP_RAYS,
+                             site->at.high * (2 * j + 1 - TP_RAYS) / TP_RAYS);
+}
+
+/* -- wave culling -------------------------------------------------------------------- */
+
+/* Finds waves too small to be visible, to be omitted or drawn lower. */
+
+#define TP_WAVE_CULL_SHARE 4        /* part of the error budget for wave culling, 1/4 */
+
+/* Visibility thresholds of a wave: `px` for its height at the nearest water in pixels,
+ * `slope` for its slope.  The other fields convert a height from metres to pixels. */
+typedef struct {
+    tp_fx   px;
+    tp_fx   slope;              /* slope k A */
+    int32_t focal;              /* size in px of 1 m at a distance of 1 m */
+    tp_fx   near;               /* distance to the nearest water in view, m; > 0 */
+} tp_wave_cull_limits;
+
+typedef struct {
+    uint32_t left;              /* number of waves drawn */
+    bool     any;               /* true if a wave is drawn lower or omitted */
+    tp_fx    px, colour;        /* errors caused by culling, all waves together */
+} tp_wave_cull;
+
+/* `waves`: number of waves with an amplitude.  `slope_colour`: rms colour error (of 255)
+ * caused by slopes of rms 1; 0 means unknown, and no wave is culled. */
+tp_wave_cull_limits tp_wave_cull_limits_make(const tp_scene *scene, uint32_t waves,
+                                             tp_fx slope_colour);
+
+/* Returns the distance to the nearest water in view, for a camera `height` m above the
+ * crests: the point where the lowest ray of the view meets the crest level. */
+tp_fx tp_nearest_water_distance(tp_fx height, const tp_rotation *turn, tp_fx fov);
+
+/* Returns the factor, 0..1, for the height of a drawn wave.  The factor is 0 if both
+ * height and slope are below their limits, and 1 if either is at least twice its limit.
+ * The ramp between the limits prevents sudden appearance or disappearance. */
+tp_fx tp_wave_cull_weight(const tp_wave_cull_limits *limits, tp_fx amplitude, tp_fx slope);
+
+tp_wave_cull tp_wave_cull_evaluate(const tp_scene *scene, const tp_wave_cull_limits *limits,
+                           tp_fx slope_colour);
+
+/* Writes the culled deep water and its phases to `culled` and `culled_phases`.
+ * Returns false and writes nothing if no wave is culled.  The bounds in `culled` stay
+ * the bounds of `whole`. */
+bool tp_wave_cull_deep_water(tp_deep_water *culled, tp_turn culled_phases[TP_WAVES],
+                             const tp_deep_water *whole, const tp_turn phases[TP_WAVES],
+                             const tp_wave_cull_limits *limits);
+
 #endif

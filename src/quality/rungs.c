@@ -9,7 +9,6 @@
  * smaller budget, so a larger budget never costs more. */
 #include "base/base.h"
 #include "quality/prices.h"
-#include "quality/wave_culling.h"
 #include "world/pools.h"
 
 #define COMBINATIONS (TP_VISIBILITIES * TP_SHADINGS * TP_RATES * TP_LODS)

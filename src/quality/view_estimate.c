@@ -3,9 +3,7 @@
  * a lattice of rays against level water, grid vertices by a lattice of points on the
  * grid.  The span stages of these pixels come from the modules, asked as a frame asks
  * them.  Water behind the boat, drops and the tank is counted as visible. */
-#include "quality/fixed_cost.h"
 #include "quality/prices.h"
-#include "quality/wave_culling.h"
 #include "view/grid.h"
 #include "waves/coastal_tables.h"
 #include "world/light.h"

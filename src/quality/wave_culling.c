@@ -6,7 +6,7 @@
  * squares of their errors add up, so each wave gets the share divided by the square root
  * of the number of waves. */
 #include "base/base.h"
-#include "quality/wave_culling.h"
+#include "quality/prices.h"
 
 #define TWO_PI_Q16 411775
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Internals shared by the files of raster/scanlines.h: interpolation along a line and down
+/* Internals shared by the files of raster/raster.h: interpolation along a line and down
  * a column.
  *
  * A share of an interval is Q.31.  The part of a difference is the upper word of a
@@ -7,7 +7,7 @@
 #ifndef TP_RASTER_SCANLINE_COVER_H
 #define TP_RASTER_SCANLINE_COVER_H
 #include "base/dsp.h"
-#include "raster/scanlines.h"
+#include "raster/raster.h"
 
 #define ROW 65536               /* a row in 16.16 */
 

@@ -2,8 +2,8 @@
 /* View rays in the water: intersection with floor or walls, and the light from the hit
  * point; see water_volume.h and refracted_ray.h. */
 #include "shade/env.h"
+#include "shade/material.h"
 #include "shade/refracted_ray.h"
-#include "shade/sampler.h"
 
 const uint16_t tp_sqrt_one_minus_table[65] = {
 #include "shade/root_table.inc"

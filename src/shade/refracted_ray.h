@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* View rays in the water: their start points and the surfaces that they hit (see
- * inside.h). */
+ * optics.h). */
 #ifndef TP_SHADE_REFRACTED_RAY_H
 #define TP_SHADE_REFRACTED_RAY_H
 #include "fixed/arithmetic.h"

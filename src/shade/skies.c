@@ -14,7 +14,6 @@
 #include "base/base.h"
 #include "shade/env.h"
 #include "shade/shade.h"
-#include "shade/skies.h"
 #include "tidepool/modules.h"
 
 /* -- water of one colour ------------------------------------------------------------- */

@@ -11,12 +11,12 @@
  * nothing swims.
  *
  * Texture coordinates are rest positions, so a column has a constant s and a row a
- * constant t. view/grid_vertex.h describes the evaluation of a vertex.
+ * constant t. view/surface.h describes the evaluation of a vertex.
  */
 #ifndef TP_VIEW_GRID_H
 #define TP_VIEW_GRID_H
-#include "base/arena.h"
-#include "view/grid_vertex.h"
+#include "base/base.h"
+#include "view/surface.h"
 
 #define TP_GRID_FLANK 12
 #define TP_GRID_BLOCK 16        /* cells of a row with a common bounding box */
@@ -200,12 +200,5 @@ static inline bool tp_grid_is_coastal(const tp_grid *grid)
 
 /* Returns the vertices of row j, first to end - 1, that the cells on both sides need. */
 tp_grid_span tp_grid_needed_vertices(const tp_grid *grid, uint32_t j);
-
-/* Evaluates a row; rows must be called in order. */
-void tp_coastal_grid_evaluate_row(tp_grid *grid, uint32_t j, tp_grid_span needed);
-
-/* Returns a vertex before projection; its slopes stay 0. */
-tp_view_vertex tp_coastal_grid_make_view_vertex(const tp_grid *grid, uint32_t i,
-                                                uint32_t j);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Level water in the picture; see the header for the idea. */
-#include "view/level_plane.h"
+#include "view/wave_models.h"
 #include "waves/deep_water.h"
 
 static int64_t shifted(int64_t x, int right)

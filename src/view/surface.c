@@ -203,3 +203,21 @@ void tp_slopes_from_tangents(tp_vec3 along_x, tp_vec3 along_z, tp_fx *slope_x,
     *slope_x = (tp_fx)(-nx * TP_FX_ONE / ny);
     *slope_z = (tp_fx)(-nz * TP_FX_ONE / ny);
 }
+
+tp_vec3 tp_surface_displace(const tp_surface *surface, tp_fx x, tp_fx z)
+{
+    return surface->coastal
+               ? tp_coastal_displace_no_overhang(surface->coastal, surface->phases, x, z)
+                     .position
+               : tp_deep_water_displace_point(surface->deep, surface->phases, x, z)
+                     .position;
+}
+
+tp_fx tp_surface_level(const tp_surface *surface, tp_fx x, tp_fx z)
+{
+    tp_vec3 first = tp_surface_displace(surface, x, z);
+    tp_fx level = tp_surface_displace(surface, 2 * x - first.x, 2 * z - first.z).y;
+
+    return tp_surface_has_rings_or_pools(surface)
+         ? level + tp_rings_pools_sample(surface, x, z).height : level;
+}

@@ -1,11 +1,109 @@
 /* SPDX-License-Identifier: MIT */
-/* The wave models of the water surface, as structs that a program links.  A surface
- * points to its program's models and uses no others. */
+/*
+ * Level water in the picture, pixel by pixel, without a mesh; and the wave models of the
+ * water surface, as structs that a program links.  A surface points to its program's
+ * models and uses no others.
+ */
 #ifndef TP_VIEW_WAVE_MODELS_H
 #define TP_VIEW_WAVE_MODELS_H
 #include "view/grid.h"
-#include "view/grid_vertex.h"
-#include "view/level_plane.h"
+#include "view/projection.h"
+#include "view/surface.h"
+#include "waves/deep_water.h"
+
+/* -- level water --------------------------------------------------------------------- */
+
+/* The ray of pixel (X, Y) is d = focal ahead + u right + v up, with u and v in px from
+ * the picture's centre.  Along any world direction d is a sum that is linear in X and Y.
+ * From an eye at height h the ray meets the water at eye + d h / -d.y, so
+ *     near / depth is linear in X and Y, with its own sum;
+ *     s and t need the reciprocal of -d.y, constant along a row without roll;
+ *     each straight side of the water is a sign, e.g. h d.x <= (x1 - eye.x) (-d.y).
+ * Values depend on absolute X and Y, so tile borders are not visible. */
+
+/* A linear sum: at + x X + y Y at the centre of pixel (X, Y). */
+typedef struct {
+    int64_t at, x, y;
+} tp_level_linear;
+
+#define TP_LEVEL_SIDES 5        /* west, east, north, south, near plane */
+#define TP_LEVEL_ZI    12       /* bits of zi beyond Q1.31 */
+
+typedef struct {
+    tp_level_linear down, east, south;     /* -d.y, d.x, d.z, px, Q.30 */
+    tp_level_linear zi;                    /* near / depth, Q1.43 */
+    tp_level_linear side[TP_LEVEL_SIDES];  /* water if no side is negative */
+    tp_fx height, x, z;                 /* position of the eye, m */
+    tp_grid_extent across, along;       /* extent of the water and its waves */
+    bool  rolled;
+} tp_level;
+
+#define TP_LEVEL_HEIGHT TP_FX(0.0625)   /* smallest height of the eye, m */
+
+/* Sets up the sums. The eye is at least TP_LEVEL_HEIGHT above the level. */
+void tp_level_begin(tp_level *level, const tp_projection *projection,
+                    const tp_grid_extent *across, const tp_grid_extent *along);
+
+TP_ALWAYS_INLINE int64_t tp_level_evaluate(const tp_level_linear *sum, int32_t x, int32_t y)
+{
+    return sum->at + sum->x * x + sum->y * y;
+}
+
+/* A straight line in the picture: the row at column X, px in Q.30, is at + x X. */
+typedef struct {
+    int64_t at, x;
+} tp_level_line;
+
+/* Returns the line where a sum is 0.  The sum must increase downwards, at least as fast
+ * as sideways. */
+tp_level_line tp_level_zero_line(const tp_level_linear *sum);
+
+/* Evaluates a sum at column x and a row in Q.30; rows and sums are below 2^14. */
+TP_ALWAYS_INLINE int64_t tp_level_evaluate_row(const tp_level_linear *sum, int32_t x,
+                                               int64_t row_q30)
+{
+    return sum->at + sum->x * x + (sum->y * (row_q30 >> 14) >> 16);
+}
+
+/* h / -d.y as factor / 2^shift: metres (16.16) per pixel (Q.16). */
+typedef struct {
+    int32_t factor;
+    int     shift;
+} tp_level_scale;
+
+tp_level_scale tp_level_metres_per_pixel(const tp_level *level,
+                                         int64_t ray_down); /* `down` > 0 */
+
+/* Returns metres, 16.16: 31 bits times 30. Bits above 32 are cut off. */
+TP_ALWAYS_INLINE int64_t tp_level_pixels_to_metres(tp_level_scale scale, int64_t pixels_q30)
+{
+    return (int64_t)scale.factor * (int32_t)(pixels_q30 >> 14) >> scale.shift;
+}
+
+/* Clips *x0..*x1 to the pixels of row y with water; tests only the sides in `mask`. */
+void tp_level_clip_span(const tp_level *level, unsigned mask, int32_t y, int32_t *x0,
+                        int32_t *x1);
+
+/* Returns the sides that cut a tile, as bits: at least one pixel lies beyond the side. x1
+ * and y1 are not included. */
+unsigned tp_level_clip_mask(const tp_level *level, int32_t x0, int32_t y0, int32_t x1,
+                            int32_t y1);
+
+/* Returns the surface point of a rest position, for sample points `step` apart in two
+ * directions.  Waves shorter than two steps are omitted, waves longer than four steps
+ * have full height.  Waves fade at the borders like the grid's waves. */
+tp_surface_point tp_level_sample_surface(const tp_level *level, const tp_surface *surface,
+                                         const tp_fx place[2], tp_fx step[2][2]);
+
+/* Returns the slopes in the format of the G-buffer: x:z, Q3.12 each. */
+static inline uint32_t tp_level_pack_slopes(const tp_surface_point *at)
+{
+    int32_t x = tp_clamp((at->slope_x + 8) >> 4, INT16_MIN, INT16_MAX);
+    int32_t z = tp_clamp((at->slope_z + 8) >> 4, INT16_MIN, INT16_MAX);
+    return (uint32_t)x << 16 | ((uint32_t)z & 0xffff);
+}
+
+/* -- wave models --------------------------------------------------------------------- */
 
 /* Adds the heights and slopes of rings and pools to a run of vertices. */
 typedef void (*tp_batch_add_model)(const tp_vertex_batch_input *place, tp_vertex_batch *run,
@@ -59,4 +157,5 @@ struct tp_water_coastal {
     void (*row)(tp_grid *grid, uint32_t j, tp_grid_span needed);
     tp_view_vertex (*corner)(const tp_grid *grid, uint32_t i, uint32_t j);
 };
+
 #endif

@@ -17,8 +17,8 @@
  * table; this effect is left out: 2 e^-12 / slope rad at the most. */
 #include <stdbool.h>
 #include "base/base.h"
+#include "waves/coastal_water.h"
 #include "waves/softfloat.h"
-#include "waves/water_depth.h"
 
 #define K_MOST_Q32      ((int64_t)1024 << 32)
 #define SIXTEENTH_Q32   1686629713      /* 2^32 2 pi / 16 */

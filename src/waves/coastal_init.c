@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Layout of coastal water in its block, and the order of its construction. */
-#include "base/error.h"
+#include "base/base.h"
 #include "waves/coastal_tables.h"
 
 #define NODES_LEAST 65          /* along the longer side of a map */
@@ -68,22 +68,6 @@ size_t tp_coastal_bytes(const tp_coastal_config *config, const tp_deep_water *de
     if (config == NULL || deep == NULL || !is_map_usable(config->floor.map))
         return 0;
     return make_layout(config->floor.map, deep->count).bytes;
-}
-
-static void *at_byte(const tp_coastal_water *coastal, size_t offset)
-{
-    return (char *)(uintptr_t)coastal + offset;
-}
-
-tp_coastal_floor_node *tp_coastal_floor_nodes(const tp_coastal_water *coastal)
-{
-    return at_byte(coastal, coastal->floor_nodes);
-}
-
-tp_coastal_wave_node *tp_coastal_wave_nodes(const tp_coastal_water *coastal,
-                                            const tp_coastal_wave *wave)
-{
-    return at_byte(coastal, wave->wave_nodes);
 }
 
 /* -- inputs of the tables ---------------------------------------------------------- */
@@ -259,7 +243,8 @@ static void make_wave_phases(tp_coastal_water *coastal, uint32_t i, const tp_wav
         (uint32_t)(plan->wave_nodes
                    + i * round_up_to_8(all * sizeof(tp_coastal_wave_node)));
     if (!keep_rays)
-        tp_coastal_make_wave_nodes(coastal, i, &w, at_byte(coastal, plan->turns));
+        tp_coastal_make_wave_nodes(coastal, i, &w,
+                                   tp_coastal_at_byte(coastal, plan->turns));
 }
 
 /* -- the whole --------------------------------------------------------------------- */
@@ -299,7 +284,7 @@ static void make_waves(tp_coastal_water *coastal, const tp_coastal_config *confi
 static void clear_scratch_turns(tp_coastal_water *coastal, const block_layout *plan)
 {
     if (plan->cols)
-        memset(at_byte(coastal, plan->turns), 0, plan->bytes - plan->turns);
+        memset(tp_coastal_at_byte(coastal, plan->turns), 0, plan->bytes - plan->turns);
 }
 
 static void build_coastal(tp_coastal_water *coastal, const tp_coastal_config *config,

@@ -16,6 +16,17 @@
 #define TWO_PI     TP_FX(6.283185307)
 #define DEEP       (TP_COASTAL_DEPTHS - 1)
 
+tp_coastal_floor_node *tp_coastal_floor_nodes(const tp_coastal_water *coastal)
+{
+    return tp_coastal_at_byte(coastal, coastal->floor_nodes);
+}
+
+tp_coastal_wave_node *tp_coastal_wave_nodes(const tp_coastal_water *coastal,
+                                            const tp_coastal_wave *wave)
+{
+    return tp_coastal_at_byte(coastal, wave->wave_nodes);
+}
+
 int64_t tp_cross_shore_wave_number(int64_t k_q32, int64_t kz_q32)
 {
     uint64_t k = (uint64_t)k_q32, kz = (uint64_t)(kz_q32 < 0 ? -kz_q32 : kz_q32);

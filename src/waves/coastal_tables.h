@@ -164,6 +164,11 @@ static inline tp_coastal_table *tp_coastal_tables(const tp_coastal_water *coasta
     return (tp_coastal_table *)(coastal + 1);
 }
 
+static inline void *tp_coastal_at_byte(const tp_coastal_water *coastal, size_t offset)
+{
+    return (char *)(uintptr_t)coastal + offset;
+}
+
 tp_coastal_floor_node *tp_coastal_floor_nodes(const tp_coastal_water *coastal);
 tp_coastal_wave_node *tp_coastal_wave_nodes(const tp_coastal_water *coastal,
                                             const tp_coastal_wave *wave);

@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include "base/base.h"
 #include "tidepool/world.h"
-#include "waves/ring.h"
+#include "waves/deep_water.h"
 #include "waves/softfloat.h"
 
 #define REACH       (16384 * TP_FX_ONE)     /* largest radius: squares fit 2^61 */

@@ -2,7 +2,7 @@
 /* The light of a world, and its camera's exposure. */
 #ifndef TP_WORLD_LIGHT_H
 #define TP_WORLD_LIGHT_H
-#include "shade/skies.h"
+#include "shade/shade.h"
 #include "world/module.h"
 
 /* Returns the unit vector from the world towards the light. */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The modules of a world: loops over the program's module list; see the header. */
 #include "base/base.h"
-#include "base/error.h"
 #include "world/module.h"
 
 /* Header of a chunk. The module's state follows, aligned to 8 bytes. */

@@ -14,7 +14,7 @@
  */
 #ifndef TP_WORLD_MODULE_H
 #define TP_WORLD_MODULE_H
-#include "base/arena.h"
+#include "base/base.h"
 #include "tidepool/modules.h"
 #include "view/surface.h"
 #include "world/world.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The two pools of a scene; see the header. */
 #include "base/base.h"
-#include "base/error.h"
 #include "world/pools.h"
 
 tp_pool_config tp_pools_config(const tp_scene *scene, const tp_assets *assets, bool field)

@@ -2,10 +2,8 @@
 /* Tapes: a table names the numbers of tp_input; lines are written and read with this
  * table. */
 #include "base/base.h"
-#include "base/error.h"
 #include "fixed/arithmetic.h"
-#include "world/tape.h"
-#include "world/value.h"
+#include "world/text.h"
 
 typedef struct {
     const char *name;

@@ -4,9 +4,8 @@
  * the table (features/all_rows.c).
  */
 #include "base/base.h"
-#include "base/error.h"
 #include "fixed/arithmetic.h"
-#include "world/value.h"
+#include "world/text.h"
 
 tp_string_view tp_string_view_trim(tp_string_view piece)
 {

@@ -4,7 +4,6 @@
  * block.  The world does not depend on drawing.
  */
 #include "base/base.h"
-#include "base/error.h"
 #include "view/wave_models.h"
 #include "world/light.h"
 #include "world/module.h"

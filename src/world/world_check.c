@@ -12,11 +12,10 @@
  * the state.
  */
 #include "base/base.h"
-#include "base/error.h"
 #include "world/light.h"
 #include "world/module.h"
 #include "world/pools.h"
-#include "world/value.h"
+#include "world/text.h"
 #include "world/world.h"
 
 /* -- a scene ------------------------------------------------------------------------- */

@@ -14,7 +14,7 @@
 #include "tools/bench/bench_scene.h"
 #include "app/scene/machine.h"
 #include "pixel/pixel.h"
-#include "world/value.h"
+#include "world/text.h"
 #include "world/world.h"
 #include "tidepool/tidepool.h"
 

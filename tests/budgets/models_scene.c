@@ -11,10 +11,19 @@
 enum { FALL, LIFE };
 
 static const tp_scene_drops drops = {
-    .count = 8, .rings = 8, .y = TP_FX(3), .radius = TP_FX(0.05),
-    .density = 1000 * TP_FX_ONE, .drag = TP_FX(0.47), .bounce = TP_FX(0.7),
-    .impacts = 6, .efficiency = TP_FX(0.2), .ring_speed = TP_FX(1.2), .ring_decay = TP_FX(2),
-    .ring_spread = TP_FX(0.5), .ring_rise_time = TP_FX(0.1),
+    .count = 8,
+    .rings = 8,
+    .y = TP_FX(3),
+    .radius = TP_FX(0.05),
+    .density = 1000 * TP_FX_ONE,
+    .drag = TP_FX(0.47),
+    .bounce = TP_FX(0.7),
+    .impacts = 6,
+    .efficiency = TP_FX(0.2),
+    .ring_speed = TP_FX(1.2),
+    .ring_decay = TP_FX(2),
+    .ring_spread = TP_FX(0.5),
+    .ring_rise_time = TP_FX(0.1),
 };
 static tp_drop drop;
 

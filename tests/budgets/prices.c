@@ -3,14 +3,14 @@
  * prices.ini with all features off, then with one feature after another on, for each rung.
  * Prints the picture of each section of the plugin's counts; prices-count.awk takes the
  * differences. */
-#include "base/arena.h"
+#include "base/base.h"
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"
 #include "cortex-m/trace_marks.h"
 #include "cortex-m/semihost.h"
 #include "frame/tools.h"
 #include "quality/prices.h"
-#include "world/value.h"
+#include "world/text.h"
 
 #define BAND  16
 #define STEPS 60                /* of pools and foam, until all of the water moves */

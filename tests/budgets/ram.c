@@ -5,7 +5,7 @@
  *
  * Prints the use of the memory for each case, and the picture's CRC, which is equal in all
  * cases; the marks let the plugin count the frame's instructions. */
-#include "base/arena.h"
+#include "base/base.h"
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"
 #include "cortex-m/trace_marks.h"

@@ -11,7 +11,7 @@
  *
  * The marks count the tick that leads to TICK, a frame's beginning, and the frame's tiles,
  * after a first frame that has filled the caches. */
-#include "base/arena.h"
+#include "base/base.h"
 #include "cortex-m/baked.h"
 #include "cortex-m/trace_marks.h"
 #include "frame/tools.h"

@@ -2,7 +2,7 @@
 /* Unit normals against double precision, over slopes spread evenly within 1. */
 #include <stdlib.h>
 #include "world/pools.h"
-#include "shade/phong.h"
+#include "shade/material.h"
 #include "tests/charts/spread.h"
 #include "tests/charts/used.h"
 

@@ -7,7 +7,7 @@
  * The table holds x / sqrt(y), which is 1 at 0 and smooth. Inputs are k_inf in Q31.32, in
  * two words, and the depth; the result is k in the same format. */
 #include "tests/charts/kernels.h"
-#include "waves/water_depth.h"
+#include "waves/coastal_water.h"
 #include "waves/softfloat.h"
 
 #define METHOD static __attribute__((noinline)) int64_t

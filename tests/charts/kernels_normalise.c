@@ -5,7 +5,7 @@
  *
  * Results are Q2.30 or coarser; errors_normalise.c lists the formats. */
 #include "tests/charts/kernels.h"
-#include "shade/phong.h"
+#include "shade/material.h"
 #include "shade/slope.h"
 
 enum { ONE = 4096 };

@@ -4,7 +4,7 @@
  *
  * Freestanding if the compiler is in freestanding mode, else with a C library. */
 #include "tests/charts/span.h"
-#include "base/arena.h"
+#include "base/base.h"
 #include "frame/tools.h"
 #include "tidepool/modules.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Scenes of span.h: shipped scenes without boats and foam, and settings. */
 #include "cortex-m/baked.h"
-#include "world/value.h"
+#include "world/text.h"
 #include "tests/charts/span.h"
 
 #define WATER "boat.mesh= mirror.method=none foam.cells=0 quality.lod=off "

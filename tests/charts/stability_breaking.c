@@ -4,7 +4,7 @@
  * [B7] and without the cap. */
 #include "tests/charts/stability.h"
 #include "tests/charts/used.h"
-#include "waves/water_depth.h"
+#include "waves/coastal_water.h"
 
 #define CHART  "stability-breaking"
 #define LENGTH 16.0             /* wavelength of the map's wave, m */

@@ -3,7 +3,7 @@
  * Deep: k = k_inf. Shallow: tanh(kh) = kh. Hunt: the sum of 1979 up to the sixth power. */
 #include "tests/charts/stability.h"
 #include "tests/charts/used.h"
-#include "waves/water_depth.h"
+#include "waves/coastal_water.h"
 
 #define CHART "stability-dispersion"
 

@@ -7,7 +7,7 @@
  *     grid/N          one line of N */
 #ifndef WORDS_H
 #define WORDS_H
-#include "world/value.h"
+#include "world/text.h"
 
 /* Number of characters up to a blank, `end` or the end of the text. */
 static inline size_t word_until(const char *text, char end)

@@ -9,7 +9,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "base/error.h"
+#include "base/base.h"
 #include "cortex-m/baked.h"
 #include "frame/tools.h"
 #include "pixel/pixel.h"

@@ -5,7 +5,7 @@
  * change. */
 #include "fuzz.h"
 #include "app/scene/scene_save.h"
-#include "world/value.h"
+#include "world/text.h"
 
 static void write_file(const char *path, const uint8_t *data, size_t size)
 {

@@ -3,8 +3,7 @@
  * parameter with the rest as its value. An accepted line reads back the same from its
  * printed form. */
 #include "fuzz.h"
-#include "world/tape.h"
-#include "world/value.h"
+#include "world/text.h"
 
 static void try_head(const char *text, size_t bytes)
 {

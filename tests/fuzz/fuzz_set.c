@@ -3,7 +3,7 @@
  * accepted word prints as a text for the same value. */
 #include "fuzz.h"
 #include "app/scene/scene_file.h"
-#include "world/value.h"
+#include "world/text.h"
 
 enum { ROWS = 1024, LINES = 8 };
 

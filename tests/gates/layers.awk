@@ -10,9 +10,9 @@
 #
 # app, tools, linuxfb, kms, null and library may include all headers of src. Other ports
 # include the public headers and their own, and from src those named in `grants`:
-#   rpi, cortex-m   share one block of memory (arena.h), print a picture's checksum (pixel.h),
-#                   count pixels of water (tools.h), write buttons as a tape (tape.h)
-#   serial          a serial line has the tape's format, and sets rows by text (value.h)
+#   rpi, cortex-m   share one block of memory (base.h), print a picture's checksum (pixel.h),
+#                   count pixels of water (tools.h), write buttons as a tape (text.h)
+#   serial          a serial line has the tape's format, and sets rows by text (text.h)
 #   interact        keeps a world's state over a change (world.h, exposure.h), and finds
 #                   the water under a pixel (pools.h, drops.h, arithmetic.h)
 #   web             reads OBJ in pieces (mesh.h), has a governor (tools.h), keeps the camera
@@ -43,14 +43,14 @@ BEGIN {
     split("app tools linuxfb kms null library", tools, " ")
     for (i in tools)
         tool[tools[i]]
-    split("rpi=base/arena.h rpi=pixel/pixel.h cortex-m=base/arena.h " \
-          "cortex-m=pixel/pixel.h cortex-m=frame/tools.h cortex-m=world/tape.h " \
-          "serial=base/error.h serial=world/value.h serial=world/tape.h " \
+    split("rpi=base/base.h rpi=pixel/pixel.h cortex-m=base/base.h " \
+          "cortex-m=pixel/pixel.h cortex-m=frame/tools.h cortex-m=world/text.h " \
+          "serial=base/base.h serial=world/text.h " \
           "serial=world/pools.h serial=features/drops/drops.h " \
-          "interact=fixed/arithmetic.h interact=world/value.h interact=world/world.h " \
+          "interact=fixed/arithmetic.h interact=world/text.h interact=world/world.h " \
           "interact=world/pools.h interact=features/drops/drops.h " \
           "interact=features/exposure/exposure.h " \
-          "web=mesh/mesh.h web=base/error.h web=world/value.h web=world/world.h " \
+          "web=mesh/mesh.h web=base/base.h web=world/text.h web=world/world.h " \
           "web=frame/tools.h " \
           "web=pixel/pixel.h web=world/pools.h web=features/drops/drops.h", grants, " ")
     for (i in grants)

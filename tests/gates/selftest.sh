@@ -41,11 +41,11 @@ refuse "layers: a public header that points up" layers include/tidepool/scene.h
 mkdir -p "$scratch/src/pixel" "$scratch/ports/lcd" "$scratch/ports/rpi"
 put src/pixel/a.c '#include "tidepool/frame.h"'
 check  "layers: passes a public header that is seen for its types" layers src/pixel/a.c
-put ports/lcd/a.c '#include "base/arena.h"'
+put ports/lcd/a.c '#include "base/base.h"'
 refuse "layers: the core's inside in a port" layers ports/lcd/a.c
-put ports/rpi/a.c '#include "base/arena.h"'
+put ports/rpi/a.c '#include "base/base.h"'
 check  "layers: passes a header of the core that a port is granted" layers ports/rpi/a.c
-put ports/rpi/b.c '#include "base/error.h"'
+put ports/rpi/b.c '#include "base/dsp.h"'
 refuse "layers: another header of the same folder" layers ports/rpi/b.c
 put ports/app/preview/a.c '#include "fixed/arithmetic.h"'
 check  "layers: passes the core's inside in a tool" layers ports/app/preview/a.c
@@ -180,7 +180,7 @@ int main(int count, char **words) { TP_ASSERT(count == 0); return words == 0; }
 END
 assert_by()
 {
-    gcc -std=c11 -Wall -Wextra -Werror -Isrc "$@" "$scratch/broken.c" \
+    gcc -std=c11 -Wall -Wextra -Werror -Iinclude -Isrc "$@" "$scratch/broken.c" \
         tests/lib/assert_failed.c -o "$scratch/broken" || return 2
     "$scratch/broken" >"$scratch/said" 2>&1
 }

@@ -16,7 +16,7 @@
 #include "../../ports/app/session/actions.h"
 #include "../../ports/app/files/picture.h"
 #include "../../ports/app/preview/panel.h"
-#include "world/value.h"
+#include "world/text.h"
 
 enum { ROWS = 512, TIMES = 4096 };
 

@@ -13,7 +13,7 @@
 #include "tests/lib/scenes.h"
 #include "tests/lib/frames.h"
 #include "pixel/pixel.h"
-#include "world/value.h"
+#include "world/text.h"
 #include "world/world.h"
 
 static const tp_config config = {

@@ -15,7 +15,7 @@
 #undef fail                     /* cmocka's, without arguments */
 #include "app/scene/loaded_scene.h"
 #include "world/pools.h"
-#include "world/value.h"
+#include "world/text.h"
 #include "world/world.h"
 
 static options given;           /* of the open stage */

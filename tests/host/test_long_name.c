@@ -19,7 +19,7 @@
 #include "app/scene/scene_save.h"
 #include "app/session/session.h"
 #include "app/scene/loaded_scene.h"
-#include "world/value.h"
+#include "world/text.h"
 
 enum { FOLDERS = 15, FOLDER = 240 };
 

@@ -15,7 +15,7 @@
 #include "app/scene/scene_lines.h"
 #include "app/scene/tape_file.h"
 #include "tests/lib/messages.h"
-#include "world/value.h"
+#include "world/text.h"
 
 #define UNTIL "; old names are read until version " OLD_NAMES_END
 

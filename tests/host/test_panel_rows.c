@@ -10,7 +10,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../ports/app/preview/panel_rows.h"
-#include "world/value.h"
+#include "world/text.h"
 
 static panel_row row_of(const tp_param *p)
 {

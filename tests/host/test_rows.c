@@ -14,7 +14,7 @@
 #include "frame/frame.h"
 #include "app/scene/assets.h"
 #include "app/scene/scene_file.h"
-#include "world/value.h"
+#include "world/text.h"
 
 enum { MOST_WIDTH = 320, MOST_HEIGHT = 240, MOST = MOST_WIDTH * MOST_HEIGHT };
 

@@ -16,7 +16,7 @@
 #include <unistd.h>
 #include "app/files/path.h"
 #include "app/scene/scene_save.h"
-#include "world/value.h"
+#include "world/text.h"
 
 static char folder[] = "/tmp/tidepool-save-XXXXXX";
 static char scenes[4096];       /* assets/scenes, absolute */

@@ -12,7 +12,7 @@
 #undef log_fail                     /* cmocka's, without arguments */
 #include "app/files/log.h"
 #include "app/session/undo.h"
-#include "world/value.h"
+#include "world/text.h"
 #include "world/world.h"
 
 static options given;           /* of the open stage */

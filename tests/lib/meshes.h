@@ -6,7 +6,7 @@
 #define TP_TESTS_LIB_MESHES_H
 #include <stdlib.h>
 #include <string.h>
-#include "mesh/triangulate.h"
+#include "mesh/obj.h"
 #include "mesh/mesh.h"
 #include "tests/lib/random.h"
 

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-#include "base/arena.h"
+#include "base/base.h"
 
 static void takes_are_aligned_and_do_not_overlap(void **state)
 {

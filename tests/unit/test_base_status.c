@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-#include "base/error.h"
+#include "base/base.h"
 
 static void every_status_has_a_sentence(void **state)
 {

@@ -9,7 +9,6 @@
 #include <sys/mman.h>
 #include <unistd.h>
 #include "frame/frame.h"
-#include "frame/scanline_grid.h"
 #include "tests/lib/scenes.h"
 #include "tests/lib/frames.h"
 

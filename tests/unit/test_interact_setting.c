@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "../../ports/interact/setting.h"
 #include "tests/lib/worlds.h"
-#include "world/value.h"
+#include "world/text.h"
 
 static uint64_t chance;
 static const tp_assets none;

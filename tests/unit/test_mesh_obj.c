@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include <stdio.h>
-#include "base/error.h"
+#include "base/base.h"
 #include "tests/lib/meshes.h"
 
 #define ONE TP_FX_ONE

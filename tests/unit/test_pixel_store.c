@@ -8,7 +8,6 @@
 #include <cmocka.h>
 #include "tests/lib/measure.h"
 #include "pixel/pixel.h"
-#include "pixel/rgb565.h"
 
 enum { FLAT_COLOURS = 20000, WIDTH = 40 };
 

@@ -8,7 +8,6 @@
 #include "frame/tools.h"
 #include "tests/lib/frames.h"
 #include "tests/lib/scenes.h"
-#include "quality/wave_culling.h"
 #include "quality/prices.h"
 
 enum { SCENES = 400 };

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include <stdio.h>
 #include "tests/lib/random.h"
-#include "raster/scanlines.h"
+#include "raster/raster.h"
 #include "tests/lib/frames.h"
 
 enum { WIDTH = 96, HEIGHT = 80, LINES = 30, POINTS = 24 };

@@ -9,7 +9,7 @@
 #include <cmocka.h>
 #include "tests/lib/random.h"
 #include "tests/lib/vectors.h"
-#include "waves/ring.h"
+#include "waves/deep_water.h"
 
 #define LSB    (1 / 65536.0)
 #define TAU    6.283185307179586

@@ -9,7 +9,7 @@
 #include "tools/reference/finite_depth.h"
 #include "tests/lib/random.h"
 #include "tests/lib/vectors.h"
-#include "waves/water_depth.h"
+#include "waves/coastal_water.h"
 
 #define LSB (1 / 65536.0)
 

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include "tests/lib/random.h"
 #include "tests/lib/vectors.h"
-#include "waves/water_depth.h"
+#include "waves/coastal_water.h"
 
 #define LSB    (1 / 65536.0)
 #define TWO_PI 6.28318530717958647693

@@ -8,8 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 #include <cmocka.h>
-#include "base/error.h"
-#include "world/value.h"
+#include "base/base.h"
+#include "world/text.h"
 
 static const tp_param *row_of(const char *name)
 {

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "tests/lib/listing.h"
-#include "world/value.h"
+#include "world/text.h"
 
 static listing listed;
 

@@ -23,8 +23,8 @@ static tp_scene scene_pools(bool pool, bool field)
 
 static bool push(tp_world *world, const tp_scene *scene, const tp_push *p)
 {
-    return tp_world_push(&tp_program_all, world, scene, p->x, p->z, scene->pool.splash_width,
-                         p->height);
+    return tp_world_push(&tp_program_all, world, scene, p->x, p->z,
+                         scene->pool.splash_width, p->height);
 }
 
 /* A push within the pool, or anywhere. */

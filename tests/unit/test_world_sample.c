@@ -97,7 +97,8 @@ static void follow_points(uint32_t parts, double *worst, double *fastest)
 
     for (int i = 0; i < 200; i++)
         tp_world_step(&tp_program_all, w, &scene, NULL);
-    scene.pool.splash_interval = scene.field.splash_interval = 0; /* splashes are no motion */
+    /* splashes are no motion */
+    scene.pool.splash_interval = scene.field.splash_interval = 0;
     scene.pool.paddle = scene.field.paddle = 0;
     for (int i = 0; i < 40; i++) {
         const tp_fx x = chance_fx(&chance, -6, 6), z = chance_fx(&chance, -6, 6);

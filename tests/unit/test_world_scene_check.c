@@ -7,7 +7,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "base/error.h"
+#include "base/base.h"
 #include "quality/plan.h"
 #include "tests/lib/frames.h"
 #include "tests/lib/scenes.h"

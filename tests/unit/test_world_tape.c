@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/lib/random.h"
-#include "world/tape.h"
+#include "world/text.h"
 
 enum { FIELDS = sizeof(tp_input) / sizeof(int32_t) };
 

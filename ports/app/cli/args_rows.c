@@ -7,7 +7,7 @@
 #include "app/scene/frame_renderer.h"
 #include "pixel/pixel.h"
 #include "tools/bench/bench_scene.h"
-#include "world/value.h"
+#include "world/text.h"
 
 #define SIDE_LOW   16           /* bounds of a picture's side, px, as in the core */
 #define SIDE_HIGH  4096

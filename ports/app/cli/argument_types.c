@@ -10,7 +10,7 @@
 #include "commands.h"
 #include "pixel/pixel.h"
 #include "tools/bench/bench_scene.h"
-#include "world/value.h"
+#include "world/text.h"
 
 static bool add(string_list *list, const char *word)
 {

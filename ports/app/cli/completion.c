@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "command_help.h"
-#include "world/value.h"
+#include "world/text.h"
 
 /* Prints a text in single quotes.  An apostrophe is placed outside of the quotes:
  * 'it'\''s'.  A backslash, treated differently by the shells, becomes a slash. */

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "completion.h"
-#include "world/value.h"
+#include "world/text.h"
 
 static void print_condition(unsigned of)
 {

@@ -7,7 +7,7 @@
 #include "app/files/log.h"
 #include "app/scene/scene_save.h"
 #include "view.h"
-#include "world/value.h"
+#include "world/text.h"
 #include "world/world.h"
 
 #define KEEP_US 1000000u

@@ -9,7 +9,7 @@
 #include "app/scene/scene_save.h"
 #include "app/scene/stopwatch.h"
 #include "view.h"
-#include "world/value.h"
+#include "world/text.h"
 
 #define PANEL_WIDE 340          /* px at 100% letter size */
 #define FILL_US    250000u      /* least interval between updates of the texts */

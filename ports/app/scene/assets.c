@@ -10,7 +10,7 @@
 #include "app/files/log.h"
 #include "app/files/path.h"
 #include "app/files/picture.h"
-#include "world/value.h"
+#include "world/text.h"
 
 #define WHO_BYTES (PATH_MAX + 64)
 

@@ -17,7 +17,7 @@
 #include "assets.h"
 #include "fixed/arithmetic.h"
 #include "mesh/mesh.h"
-#include "world/value.h"
+#include "world/text.h"
 
 enum {
     CHUNK      = 16384,

@@ -7,7 +7,7 @@
 #include <string.h>
 #include "app/files/log.h"
 #include "pool/pool.h"
-#include "world/value.h"
+#include "world/text.h"
 #include "world/world.h"
 
 int loaded_scene_read(scene_file *file, const options *o)

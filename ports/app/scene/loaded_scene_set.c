@@ -6,7 +6,7 @@
 #include "app/files/log.h"
 #include "interact/setting.h"
 #include "loaded_scene.h"
-#include "world/value.h"
+#include "world/text.h"
 
 #define LATER EXIT_CHECK        /* refused by the present scene, without a message */
 

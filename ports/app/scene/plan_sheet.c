@@ -3,7 +3,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
-#include "world/value.h"
+#include "world/text.h"
 
 const char *const plan_kind[TP_KINDS] = { "visibility", "shading", "rate", "lod" };
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "app/files/log.h"
-#include "world/value.h"
+#include "world/text.h"
 #include "world/world.h"
 
 /* -- checks before the replay ---------------------------------------------------- */

@@ -38,7 +38,7 @@ static int scene_ini_read(scene_file *file)
 #include "app/files/log.h"
 #include "app/files/path.h"
 #include "long_name.h"
-#include "world/value.h"
+#include "world/text.h"
 
 /* -- one value ------------------------------------------------------------------- */
 

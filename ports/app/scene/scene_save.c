@@ -18,7 +18,7 @@
 #include "app/files/path.h"
 #include "long_name.h"
 #include "scene_lines.h"
-#include "world/value.h"
+#include "world/text.h"
 
 #define LINE_MOST 199           /* bytes of a line with a comment */
 

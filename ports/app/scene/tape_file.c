@@ -11,11 +11,11 @@
 #include <unistd.h>
 #include "app/files/log.h"
 #include "app/files/path.h"
-#include "base/error.h"
+#include "base/base.h"
 #include "long_name.h"
 #include "old_name_note.h"
 #include "scene_file.h"
-#include "world/tape.h"
+#include "world/text.h"
 
 #define WHITE " \t\r\v\f"
 

@@ -14,7 +14,7 @@
 #include "app/files/string_list.h"
 #include "app/scene/long_name.h"
 #include "pixel/pixel.h"
-#include "world/value.h"
+#include "world/text.h"
 
 #define PART 120                /* bytes of a value per line */
 #define HEAD "# State of `tidepool view`, for --resume.\n[session]\nworld = "

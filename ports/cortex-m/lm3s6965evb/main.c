@@ -3,7 +3,7 @@
  * and command lines over the serial port change the scene (serial/buttons.h,
  * serial/control.h).
  *
- * Input is echoed as lines of a tape (world/tape.h): with the head "tape 1 SCENE" and
+ * Input is echoed as lines of a tape (world/text.h): with the head "tape 1 SCENE" and
  * `tidepool render SCENE --tape` they reproduce the same pictures elsewhere.  The scene
  * lies in RAM, where commands change it; board.mk names the modules that commands may
  * switch on.  In QEMU's window the arrow keys and Ctrl are the buttons:
@@ -11,7 +11,7 @@
  *     make BOARD=cortex-m/lm3s6965evb SCENE=tarn elf
  *     qemu-system-arm -M lm3s6965evb -serial stdio \
  *         -kernel build/lm3s6965evb/scenes/tarn.elf */
-#include "base/arena.h"
+#include "base/base.h"
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"
 #include "cortex-m/trace_marks.h"
@@ -21,7 +21,7 @@
 #include "pixel/pixel.h"
 #include "serial/buttons.h"
 #include "serial/control.h"
-#include "world/tape.h"
+#include "world/text.h"
 
 #define TICK_CLOCKS   (EVB_HZ / TP_TICKS_PER_SECOND)
 #define TICKS_AT_ONCE 8             /* a larger backlog is dropped: water slows down */

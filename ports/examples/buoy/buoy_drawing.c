@@ -4,7 +4,7 @@
 #include "buoy.h"
 #include "frame/frame.h"
 #include "shade/colour.h"
-#include "shade/phong.h"
+#include "shade/material.h"
 
 enum { SIDES = 8, BOTTOM = SIDES, TOP, MAST, TIP, LOW, POINTS };
 

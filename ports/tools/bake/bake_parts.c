@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <string.h>
 #include "bake.h"
-#include "world/value.h"
+#include "world/text.h"
 
 /* -- the scene ----------------------------------------------------------------------- */
 

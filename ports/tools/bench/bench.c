@@ -13,7 +13,7 @@
 #include "app/cli/commands.h"
 #include "app/files/log.h"
 #include "app/files/timing.h"
-#include "world/value.h"
+#include "world/text.h"
 
 /* middle_us: median of the rounds' medians; spread_us: largest minus smallest of them. */
 static uint32_t middle_us(const bench_figure *f)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool check --vectors: reads the files of a folder, checks each against the description
- * of its model, and prints the table of errors.  The models are in the other check_*.c. */
+/* tidepool check --vectors: reads the files of a folder, checks each against the
+ * description of its model, and prints the table of errors.  The models are in the
+ * other check_*.c. */
 #define _POSIX_C_SOURCE 200809L
 #include "check.h"
 #include <dirent.h>

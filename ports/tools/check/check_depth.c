@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "check.h"
-#include "waves/water_depth.h"
+#include "waves/coastal_water.h"
 
 #define GRAVITY TP_FX(9.81)
 #define Q32     4294967296.0

@@ -355,18 +355,6 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
         tp_shaders_add(list, TP_AT_COLOUR, blinn && stage[1] ? stage[1] : stage[0], mine);
 }
 
-bool tp_boat_enabled(const tp_want *want)
-{
-    return want->assets && want->assets->boat;
-}
-
-const tp_module tp_boat_module = {
-    .name = "boat",
-    .id = TP_BOAT_ID,
-    .enabled = tp_boat_enabled,
-    .is = TP_MODULE_SOLID | TP_MODULE_DRAWS(OBJECT),
-};
-
 const tp_drawing tp_boat_drawing = {
     .layout = layout, .init = make_gloss, .marks = count_marks, .begin = begin,
     .anchor = set_anchor, .project = project, .draw = draw, .stages = add_stages,

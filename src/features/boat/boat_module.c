@@ -277,3 +277,17 @@ const tp_module tp_hull_module = {
     .name = "hull", .id = TP_MODULE_ID('h', 'u', 'l', 'l'), .enabled = tp_hull_enabled,
     .settle = place_floating, .step = step, .is_valid = is_valid,
 };
+
+/* -- the module of the drawn boat --------------------------------------------------- */
+
+bool tp_boat_enabled(const tp_want *want)
+{
+    return want->assets && want->assets->boat;
+}
+
+const tp_module tp_boat_module = {
+    .name = "boat",
+    .id = TP_BOAT_ID,
+    .enabled = tp_boat_enabled,
+    .is = TP_MODULE_SOLID | TP_MODULE_DRAWS(OBJECT),
+};

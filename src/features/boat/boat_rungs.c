@@ -2,7 +2,7 @@
 /* Cost estimate of the boat: its faces in the main view and in the planar reflection. */
 #include "features/boat/boat.h"
 #include "mesh/mesh.h"
-#include "quality/fixed_cost.h"
+#include "quality/prices.h"
 #include "view/projection.h"
 
 /* Counts for one view of the boat: the main view, or the reflection at reduced size. */

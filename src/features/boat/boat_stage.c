@@ -7,7 +7,7 @@
  * Gram-Schmidt here; this file omits the step, because the meshes' normals are within a
  * few degrees of their faces' normals. */
 #include "features/boat/boat.h"
-#include "shade/phong.h"
+#include "shade/material.h"
 
 typedef tp_vec_q14 vec;
 

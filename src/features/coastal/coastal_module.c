@@ -3,7 +3,6 @@
  * tables of waves/coastal_water.h, made from the world's deep water.  The tables follow
  * from the scene; no tick changes them. */
 #include "base/base.h"
-#include "base/error.h"
 #include "view/wave_models.h"
 #include "waves/coastal_tables.h"
 #include "world/module.h"

@@ -5,15 +5,14 @@
  *
  *     drop.c            fall, impact, bounce and shape of one drop
  *     drops_module.c    the module: the list of drops, the list of rings
- *     drops_drawing.c   drops and sphere as spheroids
+ *     drops_drawing.c   drops and sphere as spheroids; cost
  *     drops_stage.c     their shading
- *     drops_rungs.c     the cost of rings and spheres
  */
 #ifndef TP_FEATURES_DROPS_DROPS_H
 #define TP_FEATURES_DROPS_DROPS_H
 #include "tidepool/modules.h"
 #include "tidepool/world.h"
-#include "waves/ring.h"
+#include "waves/deep_water.h"
 #include "world/module.h"
 
 typedef struct {

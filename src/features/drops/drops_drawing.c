@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws drops and the releasing sphere as spheroids of triangles, in the tiles touched by
- * their boxes.  Small spheroids use every second meridian and parallel.  A drop keeps its
- * volume at any shape: with height over width a = 1 + squash, height is proportional to
- * a^(2/3) and width to a^(-1/3). */
+/*
+ * Draws drops and the releasing sphere as spheroids of triangles, in the tiles touched by
+ * their boxes, and estimates their cost.  Small spheroids use every second meridian and
+ * parallel.  A drop keeps its volume at any shape: with height over width a = 1 + squash,
+ * height is proportional to a^(2/3) and width to a^(-1/3).
+ */
 #include "base/base.h"
 #include "features/drops/drops.h"
 #include "frame/frame.h"
+#include "quality/prices.h"
 
 #define ROUND 20                        /* meridians */
 #define RINGS 11                        /* parallels */
@@ -286,3 +289,33 @@ const tp_drawing tp_drops_drawing = {
     .begin = begin, .anchor = set_anchor, .project = project, .draw = draw,
     .stages = add_stages,
 };
+
+/* -- cost ---------------------------------------------------------------------------- */
+
+/* Rings at the water's grid vertices, and the spheres' faces. */
+
+#define BALL_FACES 440          /* faces of a large sphere; a small one has a quarter */
+
+/* Counts the faces of the releasing sphere, in the main view and in the reflection. */
+static void count_work(tp_site *w)
+{
+    const tp_view_estimate *o = w->estimate;
+    const tp_scene *s = w->scene;
+    const tp_vec3 sphere = { s->drops.x, s->drops.y, s->drops.z };
+    const tp_vec3 way = tp_start_view_clamped_vector(w->at.eye, sphere);
+    const tp_vec3 view = tp_rotate(&w->at.turn, way);
+    uint32_t *work = w->fixed_cost.of;
+
+    work[TP_WORK_rings] = s->drops.interval > 0 ? o->vertices : 0;
+    if (-view.z <= 0)
+        return;
+    const int64_t rows = (int64_t)o->focal * 4 * s->drops.radius / -view.z;
+    const uint32_t faces = rows > 16 ? BALL_FACES : BALL_FACES / 4;
+    work[TP_WORK_ball] = faces * tp_work_bands(rows, TP_WORK_BAND);
+    if (w->mirrors) {
+        work[TP_WORK_ball] += faces * tp_work_bands(rows / 2, TP_WORK_STRIP);
+        w->far = -view.z > w->far ? -view.z : w->far;
+    }
+}
+
+const tp_cost tp_drops_cost = { .work = count_work };

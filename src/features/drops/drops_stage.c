@@ -8,7 +8,7 @@
  * reflection at the front surface, weighted by Fresnel, and the specular lobe of the
  * light are added. */
 #include "shade/env.h"
-#include "shade/phong.h"
+#include "shade/material.h"
 #include "tidepool/modules.h"
 
 typedef tp_vec_q14 vec;

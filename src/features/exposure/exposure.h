@@ -8,7 +8,7 @@
  */
 #ifndef TP_FEATURES_EXPOSURE_EXPOSURE_H
 #define TP_FEATURES_EXPOSURE_EXPOSURE_H
-#include "pixel/rgb565.h"
+#include "pixel/pixel.h"
 #include "shade/shade.h"
 #include "tidepool/fixed.h"
 #include "tidepool/modules.h"

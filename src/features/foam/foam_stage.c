@@ -9,7 +9,7 @@
  * Foam is matt: it reflects diffuse light only and hides the glitter under it.  The
  * window's outer eighth fades out to hide the edge. */
 #include "features/foam/foam.h"
-#include "shade/sampler.h"
+#include "shade/material.h"
 #include "shade/slope.h"
 #include "tidepool/modules.h"
 

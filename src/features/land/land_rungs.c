@@ -4,7 +4,7 @@
  * with all corners below the deepest trough or all behind the near plane. */
 #include "base/base.h"
 #include "features/land/land.h"
-#include "quality/fixed_cost.h"
+#include "quality/prices.h"
 #include "view/projection.h"
 #include "waves/coastal_tables.h"
 
@@ -41,7 +41,8 @@ static tp_fx bound_crest_height(const tp_scene *s, const tp_wave *given, tp_fx f
         const int64_t round = reach * a / wave->amplitude * (sc.x_q24 >> 8) >> 16;
         const int64_t along = round < most ? round : most;
         const int64_t tilt =
-            (along * slope >> 16) * (tp_orbit_depth_decay(s->surf.tilt_decay, h) >> 16) >> 16;
+            (along * slope >> 16) * (tp_orbit_depth_decay(s->surf.tilt_decay, h) >> 16)
+            >> 16;
         const int64_t lip =
             4 * (int64_t)a > h
                 ? ((int64_t)a * tp_orbit_depth_decay(KEPT_RATE, h) >> 32) * lips >> 16

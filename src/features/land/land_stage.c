@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Span stages of land.  The stage `land` shades one plain colour; the stage `ground`
  * textures and lights the land like the floor under water. */
-#include "shade/phong.h"
+#include "shade/material.h"
 #include "shade/refracted_ray.h"
-#include "shade/sampler.h"
 #include "tidepool/modules.h"
 
 /* tp_run.mine begins with the material, a tp_solid. */

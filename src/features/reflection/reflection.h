@@ -5,9 +5,8 @@
  * map, five small pictures of the objects around a point on the water.  Further their
  * parameters.
  *
- *     reflection_drawing.c   the modules, and their pictures
+ *     reflection_drawing.c   the modules, and their pictures; cost
  *     reflection_stage.c     their span stages
- *     reflection_rungs.c     the cost of the planar reflection
  */
 #ifndef TP_FEATURES_REFLECTION_REFLECTION_H
 #define TP_FEATURES_REFLECTION_REFLECTION_H

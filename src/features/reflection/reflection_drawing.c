@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Draws the pictures for both reflections of objects.
+ * Draws the pictures for both reflections of objects, and estimates the cost of the planar
+ * reflection.
  */
 #include "features/reflection/reflection.h"
+#include "frame/drawing.h"
 #include "frame/frame.h"
-#include "frame/render_view.h"
+#include "quality/prices.h"
 #include "tidepool/modules.h"
 
 /* -- adding the stage ---------------------------------------------------------------- */
@@ -326,3 +328,18 @@ const tp_module tp_object_cube_module = {
 const tp_drawing tp_object_cube_drawing = {
     .layout = layout_cube, .draw_map = draw_cube_map, .stages = add_reflected_objects_stage,
 };
+
+/* -- cost ---------------------------------------------------------------------------- */
+
+/* Water pixels that read the planar map.  Each object's own cost function counts its faces
+ * in the reflection. */
+
+static void count_pixel_work(tp_site *w, const tp_work_pixels *px)
+{
+    if (!w->mirrors)
+        return;
+    w->fixed_cost.of[TP_WORK_looked] = px->water;
+    w->fixed_cost.of[TP_WORK_looked_near] = px->mirrored;
+}
+
+const tp_cost tp_mirror_cost = { .pixels = count_pixel_work };

@@ -5,11 +5,11 @@
  * haze. The tables are made in shade/.  Haze is air between the eye and everything except
  * the sky.
  *
- *     sky_drawing.c      the modules: dome (day, dusk, night), stars, cube map, haze
- *     sky_dome_stage.c   the visible dome, exact and fast, its reflection, stars
- *     sky_cube_stage.c   the visible cube map of six textures, and its reflection
+ *     sky_drawing.c      the modules: dome (day, dusk, night), stars, cube map, haze;
+ *                        the cost of their pixels
+ *     sky_stage.c        the visible cube map of six textures, the visible dome, exact and
+ *                        fast, their reflections, stars
  *     haze_stage.c       the rule of haze, and its stages, one for each kind of sky
- *     sky_rungs.c        the cost of their pixels
  */
 #ifndef TP_FEATURES_SKY_SKY_H
 #define TP_FEATURES_SKY_SKY_H

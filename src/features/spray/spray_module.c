@@ -99,28 +99,6 @@ static void throw(tp_spray *spray, tp_vec3 place, tp_vec3 speed, tp_speck_kind k
                                               .chance = chance };
 }
 
-/* -- the water's level --------------------------------------------------------------- */
-
-static tp_vec3 displace_rest_point(const tp_surface *surface, tp_fx x, tp_fx z)
-{
-    return surface->coastal
-               ? tp_coastal_displace_no_overhang(surface->coastal, surface->phases, x, z)
-                     .position
-               : tp_deep_water_displace_point(surface->deep, surface->phases, x, z)
-                     .position;
-}
-
-/* Returns the water level at a place, by one step of the search of [E1].  The error shows
- * only in steep waves, and steep waves throw enough specks to hide the error. */
-static tp_fx sample_level(const tp_surface *surface, tp_fx x, tp_fx z)
-{
-    tp_vec3 first = displace_rest_point(surface, x, z);
-    tp_fx level = displace_rest_point(surface, 2 * x - first.x, 2 * z - first.z).y;
-
-    return tp_surface_has_rings_or_pools(surface)
-         ? level + tp_rings_pools_sample(surface, x, z).height : level;
-}
-
 /* -- flight -------------------------------------------------------------------------- */
 
 /* Returns the place after a tick, moved by the mean of two speeds. */
@@ -153,11 +131,11 @@ static bool has_speck_ended(const tp_speck *s, const tp_surface *surface)
 {
     if (s->kind == TP_SPECK_BUBBLE)
         return s->age >= BUBBLE_AGE
-            || ((s->age & 3) == 0 && s->place.y >= sample_level(surface, s->place.x,
+            || ((s->age & 3) == 0 && s->place.y >= tp_surface_level(surface, s->place.x,
                                                             s->place.z));
     return s->age >= SPRAY_AGE
            || (s->speed.y < 0 && (s->age & 3) == 0
-               && s->place.y <= sample_level(surface, s->place.x, s->place.z));
+               && s->place.y <= tp_surface_level(surface, s->place.x, s->place.z));
 }
 
 static void step_specks(tp_spray *spray, const tp_scene *scene, const tp_surface *surface)
@@ -194,10 +172,10 @@ static tp_fx coastal_spray_strength(const tp_surface *surface, tp_fx x, tp_fx z)
 
     if (at.depth <= tp_coastal_breaking_depth(surface->coastal) || at.position.y < 0)
         return at.breaking * 257;
-    tp_vec3 u = tp_vec3_sub(displace_rest_point(surface, x + d, z),
-                            displace_rest_point(surface, x - d, z));
-    tp_vec3 w = tp_vec3_sub(displace_rest_point(surface, x, z + d),
-                            displace_rest_point(surface, x, z - d));
+    tp_vec3 u = tp_vec3_sub(tp_surface_displace(surface, x + d, z),
+                            tp_surface_displace(surface, x - d, z));
+    tp_vec3 w = tp_vec3_sub(tp_surface_displace(surface, x, z + d),
+                            tp_surface_displace(surface, x, z - d));
     tp_fx jacobian = jacobian_from_differences(u, w);
     return jacobian < SHARP ? (SHARP - jacobian) * 4 : 0;
 }
@@ -215,7 +193,7 @@ static tp_vec3 sample_velocity(const tp_surface *now, const tp_surface *before, 
                                tp_fx z)
 {
     tp_vec3 way =
-        tp_vec3_sub(displace_rest_point(now, x, z), displace_rest_point(before, x, z));
+        tp_vec3_sub(tp_surface_displace(now, x, z), tp_surface_displace(before, x, z));
     const int64_t rate = TP_TICKS_PER_SECOND;
 
     return (tp_vec3){ (tp_fx)tp_clamp_abs(way.x * rate, SPEED_MOST),
@@ -228,7 +206,7 @@ static tp_vec3 sample_velocity(const tp_surface *now, const tp_surface *before, 
 static void throw_crest_specks(tp_spray *spray, const tp_surface *now,
                                const tp_surface *before, tp_fx x, tp_fx z, tp_fx strength)
 {
-    tp_vec3 from = displace_rest_point(now, x, z),
+    tp_vec3 from = tp_surface_displace(now, x, z),
             flow = sample_velocity(now, before, x, z);
     int32_t count = 3 + (tp_fx_mul(strength, 9 * TP_FX_ONE) >> 16);
 
@@ -326,7 +304,7 @@ static void throw_bow_spray(tp_world *world, const tp_scene *scene, tp_spray *sp
                        hull->z - tp_q30_mul(ahead, c) + tp_q30_mul(aside, s) };
         tp_fx out = tp_fx_mul(over / 3 + TP_FX(0.3) + random_unit(spray), side);
         tp_fx on = over / 3, lift = random_unit(spray), up = random_unit(spray);
-        at.y = sample_level(surface, at.x, at.z);
+        at.y = tp_surface_level(surface, at.x, at.z);
         throw(spray, at,
               (tp_vec3){ tp_q30_mul(on, s) + tp_q30_mul(out, c),
                          TP_FX(0.8) + tp_fx_mul(on, lift) + up,

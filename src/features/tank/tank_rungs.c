@@ -5,7 +5,7 @@
  */
 #include "base/base.h"
 #include "features/tank/tank.h"
-#include "quality/fixed_cost.h"
+#include "quality/prices.h"
 
 /* -- stone --------------------------------------------------------------------------- */
 

@@ -8,8 +8,8 @@
 #include "features/tank/tank.h"
 #include "raster/raster.h"
 #include "shade/env.h"
+#include "shade/material.h"
 #include "shade/refracted_ray.h"
-#include "shade/sampler.h"
 
 /* -- stone --------------------------------------------------------------------------- */
 

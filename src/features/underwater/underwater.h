@@ -2,17 +2,16 @@
 /*
  * The inside of the water, by four modules, and their parameters:
  *
- *     underwater_drawing.c   the data of the inside (shade/water_volume.h), the view from
+ *     underwater_drawing.c   the data of the inside (shade/optics.h), the view from; cost
  *                            under water, the view through clear water from above, a
  *                            planar map of the objects under the level
  *     underwater_stage.c     the span stages of both views
  *     caustics_drawing.c     sunlight focused on the floor by waves
- *     underwater_rungs.c     the cost of caustics
  */
 #ifndef TP_FEATURES_UNDERWATER_UNDERWATER_H
 #define TP_FEATURES_UNDERWATER_UNDERWATER_H
+#include "shade/optics.h"
 #include "shade/shade.h"
-#include "shade/water_volume.h"
 #include "tidepool/modules.h"
 #include "world/module.h"
 #include "world/pools.h"

@@ -8,7 +8,6 @@
 #ifndef TP_FEATURES_WATER_FAST_LAYERS_M4_H
 #define TP_FEATURES_WATER_FAST_LAYERS_M4_H
 #include "features/water/fast_shading.h"
-#include "features/water/pairs_m4.h"
 
 /* -- look-ups ------------------------------------------------------------------------ */
 

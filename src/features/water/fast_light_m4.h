@@ -7,7 +7,6 @@
 #ifndef TP_FEATURES_WATER_FAST_LIGHT_M4_H
 #define TP_FEATURES_WATER_FAST_LIGHT_M4_H
 #include "features/water/fast_shading.h"
-#include "features/water/pairs_m4.h"
 #include "fixed/arithmetic.h"
 #include "tidepool/modules.h"
 

@@ -3,7 +3,7 @@
  * The shader list of fast water: baked textures and slopes, then one stage of light, or
  * two at half rate.
  */
-#include "base/arena.h"
+#include "base/base.h"
 #include "features/water/fast_shading.h"
 #include "features/water/water.h"
 #include "frame/frame.h"

@@ -6,7 +6,7 @@
  * distortion moves the places at which layers are sampled.
  */
 #include "features/water/water.h"
-#include "shade/sampler.h"
+#include "shade/material.h"
 
 /* -- the base layer ------------------------------------------------------------------ */
 

@@ -4,7 +4,7 @@
  * weighted by Fresnel; and the glint, added to the water's colour.
  */
 #include "shade/env.h"
-#include "shade/phong.h"
+#include "shade/material.h"
 #include "shade/shade.h"
 #include "shade/slope.h"
 #include "tidepool/modules.h"
@@ -14,7 +14,7 @@
 /* The normal stays a pair of slopes, N = (-sx, 1, -sz) / sqrt(1 + sx^2 + sz^2).  With V
  * to the eye and L to the light, R = 2 (N.L) N - L gives R.V = 2 (N.L)(N.V) - L.V, and
  * the reflected view's height is 2 (N.V) Ny - Vy.  The stages need neither a reflected
- * vector nor a half vector (see phong.h). */
+ * vector nor a half vector (see material.h). */
 
 /* Shades the diffuse term alone, for water without glitter and reflection.  The nearest
  * entry of the table of roots is within 0.2 %, half a level of 255. */

@@ -4,7 +4,7 @@
  * pools, then capillary waves.
  */
 #include "features/water/water.h"
-#include "shade/sampler.h"
+#include "shade/material.h"
 #include "shade/slope.h"
 #include "view/projection.h"
 

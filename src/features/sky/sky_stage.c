@@ -1,16 +1,177 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Stages of the dome: look-up along the view ray where the sky is visible, exact and by
- * fast shading, and along the reflected ray on water; and the stars over a night's dome.
+ * Stages of the cube sky and of the dome: look-up along the view ray where the sky is
+ * visible, exact and, for the dome, by fast shading, and along the reflected ray on water;
+ * and the stars over a night's dome.
  */
 #include "features/sky/sky.h"
 #include "shade/env.h"
 #include "shade/slope.h"
 #include "tidepool/modules.h"
 
-/* -- the dome ------------------------------------------------------------------------ */
+/* -- the cube ------------------------------------------------------------------------ */
+
+/*
+ * Many directions are looked up at one mipmap level, with the result of env.h.  The
+ * faces' data at the level are found once.  On processors with SIMD, steps for eight
+ * directions at once are separate loops.
+ */
+
+/* -- look-ups along many directions -------------------------------------------------- */
+
+typedef struct {
+    int level;                  /* mipmap level of `side`; -1: not set */
+    tp_cube_face_level side[TP_CUBE_FACES];
+} tp_cube_sides;
+
+TP_ALWAYS_INLINE void tp_cube_sides_select(tp_cube_sides *sides, const tp_cube *cube,
+                                           int level)
+{
+    if (sides->level == level)
+        return;
+    sides->level = level;
+    for (int i = 0; i < TP_CUBE_FACES; i++)
+        sides->side[i] = tp_cube_face_level_select(cube->face[i], level);
+}
+
+#define TP_CUBE_ROW 16
+
+/* Looks up to TP_CUBE_ROW directions.  The faces and coordinates are computed eight at a
+ * time, the texels are read one by one, the colours are mixed eight at a time. */
+TP_ALWAYS_INLINE void tp_cube_sample_wide(const tp_shade *restrict shade,
+                                          const tp_cube_face_level *restrict side,
+                                          const int32_t *restrict x,
+                                          const int32_t *restrict y,
+                                          const int32_t *restrict z, int32_t count,
+                                          uint32_t *restrict out)
+{
+    int32_t  face[TP_CUBE_ROW], first[TP_CUBE_ROW];
+    int32_t  right[TP_CUBE_ROW], below[TP_CUBE_ROW];
+    uint32_t fu[TP_CUBE_ROW], fv[TP_CUBE_ROW], four[4][TP_CUBE_ROW];
+
+    for (int32_t i = 0; i < count; i++) {
+        tp_cube_ray  c = tp_cube_face(x[i], y[i], z[i]);
+        tp_cube_four f = tp_cube_find_texels(shade->env.recip, c.m, c.right, c.down,
+                                             side[c.face].log2_w, side[c.face].log2_h);
+        face[i] = c.face;
+        first[i] = f.first;
+        right[i] = f.right;
+        below[i] = f.below;
+        fu[i] = f.fu;
+        fv[i] = f.fv;
+    }
+    for (int32_t i = 0; i < count; i++) {
+        const uint32_t *at = side[face[i]].texel + first[i], *low = at + below[i];
+        four[0][i] = at[0];
+        four[1][i] = at[right[i]];
+        four[2][i] = low[0];
+        four[3][i] = low[right[i]];
+    }
+    for (int32_t i = 0; i < count; i++)
+        out[i] = tp_cube_mix(four[0][i], four[1][i], four[2][i], four[3][i], fu[i], fv[i])
+               & shade->env.cube->mask[face[i]];
+}
+
+/* -- stages -------------------------------------------------------------------------- */
+
+/* Shades the sky in samples [i, stop), at most TP_CUBE_ROW. */
+TP_ALWAYS_INLINE void shade_sky_wide(const tp_shade *restrict shade, tp_run *restrict run,
+                                     const tp_cube_face_level *side, int32_t i,
+                                     int32_t stop, int hdr)
+{
+    int32_t  x[TP_CUBE_ROW], y[TP_CUBE_ROW], z[TP_CUBE_ROW], count = stop - i;
+    uint32_t light[TP_CUBE_ROW];
+
+    for (int32_t k = 0; k < count; k++) {
+        x[k] = -run->vx[i + k];
+        y[k] = -run->vy[i + k];
+        z[k] = -run->vz[i + k];
+    }
+    tp_cube_sample_wide(shade, side, x, y, z, count, light);
+    for (int32_t k = 0; k < count; k++)
+        run->colour[i + k] = tp_sky_colour(shade, light[k], hdr);
+}
 
 TP_ALWAYS_INLINE void shade_sky(const tp_shade *shade, tp_run *run, int hdr)
+{
+    TP_ASSERT(shade->env.cube != NULL);
+    tp_cube_sides sides = { .level = -1 };
+
+    tp_run_fill_vectors_to_eye(shade, &shade->world, run);
+    tp_cube_sides_select(&sides, shade->env.cube, tp_env_mip_level(shade, TP_ENV_CUBE, 0));
+    for (int32_t i = 0; i < run->count; ) {
+        int32_t stop = tp_block_end(run, i);
+        if (TP_WIDE) {
+            shade_sky_wide(shade, run, sides.side, i, stop, hdr);
+            i = stop;
+        }
+        for (; i < stop; i++) {
+            tp_cube_ray ray = tp_cube_face(-run->vx[i], -run->vy[i], -run->vz[i]);
+            uint32_t    light = tp_cube_sample(shade, &ray, &sides.side[ray.face]);
+            run->colour[i] = tp_sky_colour(shade, light, hdr);
+        }
+    }
+}
+
+void tp_stage_sky_cube(const tp_shade *shade, tp_run *run)
+{
+    shade_sky(shade, run, 0);
+}
+
+void tp_stage_sky_cube_hdr(const tp_shade *shade, tp_run *run)
+{
+    shade_sky(shade, run, 1);
+}
+
+/* Shades the reflection in samples [i, stop), at most TP_CUBE_ROW. */
+TP_ALWAYS_INLINE void reflect_wide(const tp_shade *restrict shade, tp_run *restrict run,
+                                   const tp_cube_face_level *side, int32_t i, int32_t stop)
+{
+    int32_t x[TP_CUBE_ROW], y[TP_CUBE_ROW], z[TP_CUBE_ROW], count = stop - i;
+
+    for (int32_t k = 0; k < count; k++) {
+        tp_ray to = tp_reflected_compute(run, i + k);
+        x[k] = to.x;
+        y[k] = to.y;
+        z[k] = to.z;
+    }
+    tp_cube_sample_wide(shade, side, x, y, z, count, run->mirror + i);
+}
+
+/* Reflects the cube.  The mipmap level is chosen for blocks of 16 columns.  In far water
+ * a pixel holds more waves than normals, and the waves scatter the reflection, so the
+ * level gets coarser with depth. */
+void tp_stage_reflect_cube(const tp_shade *restrict shade, tp_run *restrict run)
+{
+    TP_ASSERT(shade->env.cube != NULL && shade->env.recip != NULL);
+    tp_cube_sides sides = { .level = -1 };
+
+    for (int32_t i = 0; i < run->count; ) {
+        int32_t depth = tp_log_depth(shade, run->key[i]), stop = tp_block_end(run, i);
+        int     coarser = 128 + (depth > 0 ? depth / 2 : 0);
+        tp_cube_sides_select(&sides, shade->env.cube,
+                             tp_env_mip_level(shade, TP_ENV_CUBE, coarser));
+        if (TP_WIDE) {
+            reflect_wide(shade, run, sides.side, i, stop);
+            i = stop;
+        }
+        for (; i < stop; i++) {
+            tp_ray to = tp_reflected_compute(run, i);
+            tp_cube_ray ray = tp_cube_face(to.x, to.y, to.z);
+            run->mirror[i] = tp_cube_sample(shade, &ray, &sides.side[ray.face]);
+        }
+    }
+}
+
+const tp_stage tp_sky_cube_stages[] = {
+#define X(name) tp_stage_##name,
+    TP_STAGES_OF_sky_cube(X)
+#undef X
+};
+
+/* -- the dome ------------------------------------------------------------------------ */
+
+TP_ALWAYS_INLINE void shade_dome(const tp_shade *shade, tp_run *run, int hdr)
 {
     TP_ASSERT(shade->env.dome != NULL);
     const int32_t count = run->count;
@@ -24,12 +185,12 @@ TP_ALWAYS_INLINE void shade_sky(const tp_shade *shade, tp_run *run, int hdr)
 
 void tp_stage_sky_dome(const tp_shade *shade, tp_run *run)
 {
-    shade_sky(shade, run, 0);
+    shade_dome(shade, run, 0);
 }
 
 void tp_stage_sky_dome_hdr(const tp_shade *shade, tp_run *run)
 {
-    shade_sky(shade, run, 1);
+    shade_dome(shade, run, 1);
 }
 
 TP_ALWAYS_INLINE void compute_dome_colours(const tp_dome *restrict dome,
@@ -44,7 +205,8 @@ TP_ALWAYS_INLINE void compute_dome_colours(const tp_dome *restrict dome,
 
 /* Shades the reflection in three loops.  The glow needs a logarithm, which is not
  * vectorized, so its loop is separate. */
-TP_ALWAYS_INLINE void reflect_wide(const tp_shade *restrict shade, tp_run *restrict run)
+TP_ALWAYS_INLINE void reflect_dome_wide(const tp_shade *restrict shade,
+                                        tp_run *restrict run)
 {
     const tp_dome *dome = shade->env.dome;
     const int32_t count = run->count;
@@ -65,7 +227,7 @@ void tp_stage_reflect_dome(const tp_shade *restrict shade, tp_run *restrict run)
     const int32_t count = run->count;
 
     if (TP_WIDE) {
-        reflect_wide(shade, run);
+        reflect_dome_wide(shade, run);
         return;
     }
     for (int32_t i = 0; i < count; i++) {
