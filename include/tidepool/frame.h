@@ -114,9 +114,10 @@ typedef struct {
 
 /* Counts of the picture begun last. */
 typedef struct {
-    uint32_t vertices;              /* vertices of water and boat, evaluated */
-    uint32_t triangles;             /* triangles in view, before clipping */
-    uint32_t dropped;               /* features left out: no room, or no module for them */
+    uint32_t vertices;              /* number of evaluated vertices of water and boat */
+    uint32_t triangles;             /* number of triangles in view, before clipping */
+    uint32_t dropped;               /* number of stages, drops, walls and materials left
+                                     * out: no module for them, or no room */
 } tp_draw_stats;
 
 typedef struct tp_frame tp_frame;   /* lies at the start of the block */
@@ -199,7 +200,7 @@ typedef enum {
     TP_SAMPLE_WALL,   /* a wall of a tank or in a pool */
     TP_SAMPLE_GLASS,  /* a tank's glass wall, and the water behind it */
     TP_SAMPLE_SPRAY,
-    TP_SAMPLE_OTHER /* object of a module that a program brings itself */
+    TP_SAMPLE_OTHER   /* object of a module that a program brings itself */
 } tp_sample_kind;
 
 /* Writes the depth of each pixel, m along the camera's direction, and its tp_sample_kind;

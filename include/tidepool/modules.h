@@ -221,8 +221,8 @@ typedef struct {
     X(light) X(light_rippled) X(light_blinn) X(light_blinn_rippled)
 #define TP_STAGES_OF_diffuse(X)     X(diffuse) X(diffuse_rippled)       /* colour */
 #define TP_STAGES_OF_reflectance(X) \
-    X(mirror)               /* reflects a gradient sky, in one stage */ \
-    X(slopes)               /* any sky, in several: sx sz of smooth water, */ \
+    X(mirror_gradient_sky)  /* mixes the reflected gradient sky into colour, alone; */ \
+    X(slopes)               /* or, for any sky, in turn: sx sz of smooth water, */ \
     X(reflect_gradient)     /* mirror, rx rz, */ \
     X(fresnel) X(fresnel_hdr)       /* mirror into the colour */
 #define TP_STAGES_OF_glint(X)       X(glint)            /* adds the specular */
@@ -265,7 +265,7 @@ typedef struct {
 struct tp_module;
 struct tp_drawing;
 struct tp_cost;
-struct tp_want;
+struct tp_module_conditions;
 
 /* A module as a program uses it.  A list of uses ends with { 0 }; the list's order is the
  * order of memory, of steps and of drawing. */
@@ -284,7 +284,7 @@ typedef struct tp_use {
     TP_STAGES_OF_##name(X)
 #define UNSEEN(name)                                                                     \
     extern const struct tp_module tp_##name##_module;                                    \
-    bool tp_##name##_enabled(const struct tp_want *want);
+    bool tp_##name##_enabled(const struct tp_module_conditions *conditions);
 #define PRICED(name) extern const struct tp_cost tp_##name##_cost; MODULE(name)
 TP_MODULE_LIST(MODULE, UNSEEN, PRICED)
 #undef PRICED
@@ -317,7 +317,7 @@ TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
  * list of lacks ends with { 0 } and has the order of TP_MODULE_LIST. */
 typedef struct tp_lack {
     const char *name; /* as in TP_MODULE_LIST */
-    bool (*enabled)(const struct tp_want *want);
+    bool (*enabled)(const struct tp_module_conditions *conditions);
     uint32_t above; /* number of the program's uses that come before it in TP_MODULE_LIST:
                      * its condition may ask about them only */
 } tp_lack;

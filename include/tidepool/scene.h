@@ -195,7 +195,7 @@ typedef struct tp_scene {
     tp_wave wave[TP_WAVES];
     struct {
         tp_fx   depth;                      /* m; 0 and no map: deep water */
-        tp_fx   slope, heading;             /* rise, m per m, and its direction */
+        tp_fx   slope, heading;             /* rise, m per m; direction uphill, degrees */
         char    map[TP_NAME_BYTES];         /* PNG of heights, "": none */
         tp_fx   map_x, map_z, map_size, map_low, map_high;
         int32_t colour;                     /* colour of the land, times the texture */
@@ -226,7 +226,7 @@ typedef struct tp_scene {
         tp_fx   frame_ms;                   /* frame time for the governor, ms; 0: off */
     } quality;
     int32_t own[TP_OWN_WORDS];              /* settings of the application's own modules */
-    const struct tp_assets *pictures;       /* those of tp_scene_init; NULL: none */
+    const struct tp_assets *pictures;       /* of tp_scene_init; NULL: none */
 } tp_scene;
 
 typedef enum { TP_BOAT_KINEMATIC, TP_BOAT_DYNAMIC } tp_boat_mode;

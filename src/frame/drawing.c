@@ -16,14 +16,15 @@
 
 /* True if this module is drawn.  *mark is its first stencil value; 0 if it needs none. */
 static bool check_enabled_and_reserve_marks(tp_frame_buffers *buffers, const tp_use *u,
-                                            tp_want *want, uint32_t *mark)
+                                            tp_module_conditions *conditions,
+                                            uint32_t *mark)
 {
     *mark = 0;
-    if (!tp_module_ask_enabled(u->module, want) || !u->drawing)
+    if (!tp_module_ask_enabled(u->module, conditions) || !u->drawing)
         return false;
     if (!u->drawing->marks)
         return true;
-    *mark = tp_marks_reserve_values(&buffers->marks, u->drawing->marks(want));
+    *mark = tp_marks_reserve_values(&buffers->marks, u->drawing->marks(conditions));
     buffers->lacks += *mark == 0;
     return *mark > 0;
 }
@@ -38,7 +39,7 @@ static void assign_lists(tp_frame_buffers *buffers, const tp_use *u, uint32_t co
 }
 
 void tp_frame_layout_modules(const tp_program *program, tp_frame_buffers *buffers,
-                             tp_arena *arena, tp_want want)
+                             tp_arena *arena, tp_module_conditions conditions)
 {
     const size_t begin = arena->used;
     const tp_use *const u = program->modules;
@@ -51,9 +52,10 @@ void tp_frame_layout_modules(const tp_program *program, tp_frame_buffers *buffer
     buffers->mark = tp_arena_alloc(arena, count, sizeof *buffers->mark);
     tp_marks_init(&buffers->marks);
     for (uint32_t i = 0; i < count; i++) {
-        const bool on = check_enabled_and_reserve_marks(buffers, &u[i], &want, &mark);
+        const bool on = check_enabled_and_reserve_marks(buffers, &u[i], &conditions, &mark);
         const size_t used = arena->used;
-        void *mine = on && u[i].drawing->layout ? u[i].drawing->layout(arena, &want) : NULL;
+        void *mine =
+            on && u[i].drawing->layout ? u[i].drawing->layout(arena, &conditions) : NULL;
         looks += on && u[i].drawing->draw_map ? (uint32_t)(arena->used - used) : 0;
         buffers->laid |= (uint64_t)on << i;
         if (buffers->module) {
@@ -81,14 +83,14 @@ static bool module_has_needed_memory(const tp_frame *frame, uint32_t i)
 
 void tp_frame_enable_modules(tp_frame *frame)
 {
-    tp_want want = tp_frame_want(frame->program, &frame->buffers, frame->scene,
-                                 &frame->assets, &frame->config);
+    tp_module_conditions conditions = tp_frame_module_conditions(
+        frame->program, &frame->buffers, frame->scene, &frame->assets, &frame->config);
 
     frame->modules_on = 0;
     const tp_use *use = frame->program->modules;
     for (uint32_t i = 0; use && use[i].module; i++)
         if (module_has_needed_memory(frame, i)
-            && tp_module_ask_enabled(use[i].module, &want))
+            && tp_module_ask_enabled(use[i].module, &conditions))
             frame->modules_on |= (uint64_t)1 << i;
 }
 
@@ -202,9 +204,9 @@ void tp_frame_draw_post_water(const tp_frame *frame, const tp_gbuffer *samples)
 
 /* -- shader lists of the modules' own samples ---------------------------------------- */
 
-uint32_t tp_marks_one(const tp_want *want)
+uint32_t tp_marks_one(const tp_module_conditions *conditions)
 {
-    (void)want;
+    (void)conditions;
     return 1;
 }
 

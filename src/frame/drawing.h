@@ -31,7 +31,7 @@
 typedef struct {
     const tp_projection *projection;
     bool          picture;      /* true: the picture itself */
-    bool          clipped;          /* true: clipped to the inner side of `level` */
+    bool          clipped;      /* true: clipped to the inner side of `level` */
     bool          walls;        /* true: tanks and blocks are drawn too */
     tp_view_plane level;
 } tp_view;
@@ -119,8 +119,8 @@ typedef struct {
 } tp_planar_memory;
 
 /* Allocates the map's memory; pointers are NULL if the arena only counts. */
-void tp_planar_layout(tp_planar_memory *store, tp_arena *arena, const tp_want *want,
-                      uint32_t halvings);
+void tp_planar_layout(tp_planar_memory *store, tp_arena *arena,
+                      const tp_module_conditions *conditions, uint32_t halvings);
 
 /* Sets *half to the part of the map covered by `box`.  Returns false if the part is
  * empty. */
@@ -148,7 +148,7 @@ typedef enum {
     TP_AT_SLOPE,                /* ripples and pools change the normals */
     TP_AT_VIEW,
     TP_AT_LIGHT,
-    TP_AT_REFRACT,               /* colours seen through the water */
+    TP_AT_REFRACT,              /* colours seen through the water */
     TP_AT_REFLECT,              /* the sky's reflection */
     TP_AT_OBJECTS,              /* reflections of objects, over the sky's */
     TP_AT_FRESNEL,              /* Fresnel share of the reflection */
@@ -169,7 +169,7 @@ typedef enum {
     TP_LIST_SKY,
     TP_LIST_WATER,
     TP_LIST_FAST,               /* water, by fast stages alone */
-    TP_LIST_UNDERSIDE,              /* water seen from below */
+    TP_LIST_UNDERSIDE,          /* water seen from below */
     TP_LIST_THINGS              /* land, a boat, drops ... */
 } tp_list_kind;
 
@@ -258,13 +258,13 @@ struct tp_frame_buffers;
 typedef struct tp_drawing {
     /* Allocates memory for the life of the frame.  Called twice: first with a counting
      * arena (the result is NULL), then with the frame's block. */
-    void *(*layout)(tp_arena *arena, const tp_want *want);
+    void *(*layout)(tp_arena *arena, const tp_module_conditions *conditions);
     void  (*init)(struct tp_frame *frame, void *mine);
 
     /* Returns the number of stencil values for the module's samples, one for each material
      * (its stage reads tp_run.material).  NULL: the module draws no samples.  If too few
      * values are left, the module is not drawn. */
-    uint32_t (*marks)(const tp_want *want);
+    uint32_t (*marks)(const tp_module_conditions *conditions);
 
     /* Adds the module's displacement to the water's surface of the drawn moment. */
     void  (*surface)(struct tp_frame *frame, void *mine, tp_surface *surface);
@@ -306,7 +306,7 @@ typedef struct tp_drawing {
 
 /* Lays out the memory of all enabled modules, their stencil values and all shader lists. */
 void tp_frame_layout_modules(const tp_program *program, struct tp_frame_buffers *buffers,
-                             tp_arena *arena, tp_want want);
+                             tp_arena *arena, tp_module_conditions conditions);
 
 /* Asks each module if it is on in this picture; only enabled modules take part. */
 void tp_frame_enable_modules(struct tp_frame *frame);
@@ -338,6 +338,6 @@ void *tp_frame_module_memory(const struct tp_frame *frame, uint32_t id);
 const tp_stage *tp_frame_module_stages(const struct tp_frame *frame, uint32_t id);
 
 /* Returns 1, the number of stencil values of most modules. */
-uint32_t tp_marks_one(const tp_want *want);
+uint32_t tp_marks_one(const tp_module_conditions *conditions);
 
 #endif

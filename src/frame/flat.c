@@ -305,7 +305,7 @@ static void layout_flat(tp_frame_buffers *buffers, tp_arena *arena,
 
 static bool can_draw_flat(tp_frame *frame)
 {
-    return tp_frame_is_swell(frame)
+    return tp_frame_can_use_level_plane(frame)
            && (!tp_surface_has_swells(&frame->surface) || frame->buffers.slopes);
 }
 

@@ -34,8 +34,9 @@ static void layout_renderers(tp_frame_buffers *p, tp_arena *arena,
 
 bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene)
 {
-    const tp_want want = tp_world_module_conditions(program, scene, NULL);
-    return tp_modules_is_any_active(program->modules, &want, TP_MODULE_COASTAL);
+    const tp_module_conditions conditions =
+        tp_world_module_conditions(program, scene, NULL);
+    return tp_modules_is_any_active(program->modules, &conditions, TP_MODULE_COASTAL);
 }
 
 /* True if grid vertices are streamed.  Vertices of coastal water depend on their
@@ -46,12 +47,13 @@ bool tp_frame_is_grid_streamed(const tp_program *program, const tp_scene *scene)
     return method && method->streams && !tp_frame_is_coastal(program, scene);
 }
 
-/* Returns the conditions for asking modules. */
-tp_want tp_frame_want(const tp_program *program, const tp_frame_buffers *buffers,
-                      const tp_scene *scene, const tp_assets *assets,
-                      const tp_config *config)
+/* Returns the conditions that decide if a module is on, for a frame. */
+tp_module_conditions tp_frame_module_conditions(const tp_program *program,
+                                   const tp_frame_buffers *buffers,
+                                   const tp_scene *scene, const tp_assets *assets,
+                                   const tp_config *config)
 {
-    return (tp_want){
+    return (tp_module_conditions){
         .scene = scene,
         .assets = assets,
         .water = &program->water,
@@ -83,8 +85,9 @@ tp_frame *tp_frame_layout(const tp_program *program, tp_frame_buffers *buffers,
     if (program->draw.rungs)
         program->draw.rungs->layout(buffers, arena, &in);
     const size_t placed = arena->used;
-    const tp_want want = tp_frame_want(program, buffers, scene, assets, config);
-    tp_frame_layout_modules(program, buffers, arena, want);
+    const tp_module_conditions conditions =
+        tp_frame_module_conditions(program, buffers, scene, assets, config);
+    tp_frame_layout_modules(program, buffers, arena, conditions);
     *ram = (tp_ram_use){
         .frame = arena->used,
         .vertices = placed - fixed,

@@ -49,7 +49,7 @@ typedef struct tp_frame_buffers {
     uint64_t         laid;              /* bit i: module i was on at init */
     tp_marks         marks;
     uint32_t         module_bytes;      /* of modules without a map for the water */
-    uint32_t         map_bytes;        /* of modules with a map, such as a mirror */
+    uint32_t         map_bytes;         /* of modules with a map, such as a mirror */
 } tp_frame_buffers;
 
 struct tp_frame {
@@ -74,7 +74,7 @@ struct tp_frame {
     uint8_t          quality[sizeof ((tp_scene *)0)->quality];  /* the plan's settings */
     tp_visibility    visibility;        /* water renderer of this frame */
 
-    tp_view         view;             /* render view of the picture itself */
+    tp_view         view;               /* render view of the picture itself */
     uint64_t         modules_on;        /* bits in the order of the program's list */
     uint64_t         modules_drawn;     /* enabled modules with samples */
 
@@ -100,9 +100,10 @@ static inline tp_shaders *tp_frame_list(const tp_frame *frame, uint32_t mark)
 tp_frame *tp_frame_layout(const tp_program *program, tp_frame_buffers *buffers,
                           tp_ram_use *ram, tp_arena *arena, const tp_scene *scene,
                           tp_assets *assets, const tp_config *config);
-tp_want tp_frame_want(const tp_program *program, const tp_frame_buffers *buffers,
-                      const tp_scene *scene, const tp_assets *assets,
-                      const tp_config *config);
+tp_module_conditions tp_frame_module_conditions(const tp_program *program,
+                                   const tp_frame_buffers *buffers,
+                                   const tp_scene *scene, const tp_assets *assets,
+                                   const tp_config *config);
 bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene);
 
 /* True if the water's grid vertices are streamed, not stored. */
@@ -121,11 +122,13 @@ void tp_frame_choose_visibility(tp_frame *frame);
 void tp_frame_place_surface(tp_frame *frame);
 void tp_frame_draw_surface(const tp_frame *frame, tp_gbuffer *tile, void *memory);
 
-/* slope_grid.c: the slope grid of flat water.  tp_frame_is_swell is true if the water is
- * swells alone, below the eye, and has memory.  The other functions place the level
- * plane's outline, lay out the slopes' memory, and compute the slopes. */
+/* slope_grid.c: the level plane and the slope grid of flat water.
+ * tp_frame_can_use_level_plane: true if swells of deep water alone move the water (no
+ * rings, pools, tank or coastal water), the eye is above all crests, and memory for the
+ * level plane was laid out.  The other functions place the level plane's outline, lay out
+ * the slopes' memory, and compute the slopes. */
 #define TP_LATTICE_CELL 8       /* cell side, px */
-bool tp_frame_is_swell(const tp_frame *frame);
+bool tp_frame_can_use_level_plane(const tp_frame *frame);
 void tp_frame_place_level(tp_frame *frame);
 void tp_frame_layout_slopes(tp_frame_buffers *buffers, tp_arena *arena,
                             const tp_scene *scene, const tp_config *config);
@@ -283,13 +286,14 @@ static inline tp_grid_span tp_line_block_segments(tp_grid_span points, uint32_t 
     return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
 }
 
-/* tp_line_points: the points of line k used by visible cells on either side;
- * tp_line_point: one point of the line. */
+/* tp_line_points: range of the points of line k that are corners of visible cells.
+ * tp_line_point: point m of line k after projection. */
 tp_grid_span tp_line_points(const tp_frame *frame, uint32_t k);
 tp_row_point tp_line_point(const tp_frame *frame, const tp_grid_window *window, uint32_t k,
                            uint32_t m);
 
-/* Both ends of line k, from left to right on the screen; clipped points are marked
+/* Returns the first and the last point of tp_line_points(k) in end[0] and end[1],
+ * projected, from left to right on the screen.  u of a point that needs clipping is
  * TP_GRID_NEEDS_CLIP. */
 void tp_line_ends(const tp_frame *frame, const tp_grid_window *window, uint32_t k,
                   tp_row_point end[2]);

@@ -95,13 +95,13 @@ void tp_view_draw_solids(const tp_frame *frame, const tp_view *view, tp_gbuffer 
 
 /* -- planar maps --------------------------------------------------------------------- */
 
-void tp_planar_layout(tp_planar_memory *store, tp_arena *arena, const tp_want *want,
-                      uint32_t halvings)
+void tp_planar_layout(tp_planar_memory *store, tp_arena *arena,
+                      const tp_module_conditions *conditions, uint32_t halvings)
 {
-    TP_ASSERT(want->width >= 16 && want->height >= 16);
+    TP_ASSERT(conditions->width >= 16 && conditions->height >= 16);
     store->halvings = halvings;
-    store->cols = (want->width + (1u << halvings) - 1) >> halvings;
-    store->rows = (want->height + (1u << halvings) - 1) >> halvings;
+    store->cols = (conditions->width + (1u << halvings) - 1) >> halvings;
+    store->rows = (conditions->height + (1u << halvings) - 1) >> halvings;
     store->colour = tp_arena_alloc(arena, (size_t)store->cols * store->rows,
                                   sizeof *store->colour);
     store->samples = tp_arena_alloc(arena, (size_t)store->cols * TP_PLANAR_BAND,

@@ -114,9 +114,9 @@ bool tp_frame_can_draw_rows(tp_frame *frame)
 
 /* -- placement ----------------------------------------------------------------------- */
 
-/* Mean cell width, px, above which a row of cells also draws middle lines.  WIDE_TILTED
- * holds for a camera turned by more than 14 degrees from the lines' normal: its rays go
- * farther from line to line. */
+/* Mean cell width, px, above which a row of cells of the water also gets a middle line,
+ * drawn between its two grid lines.  WIDE_TILTED holds for a camera turned by more than
+ * 14 degrees from the lines' normal: its rays go farther from line to line. */
 #define WIDE_CELL   16
 #define WIDE_TILTED 4
 
@@ -242,8 +242,9 @@ static void set_cells(tp_frame *frame)
     }
 }
 
-/* True if the frustum clips cells of row k within the picture's columns. */
-static bool is_cut(tp_frame *frame, uint32_t k)
+/* True if a cell of row k needs clipping, because a corner cannot be projected, and the
+ * cell overlaps the picture's columns. */
+static bool has_cell_to_clip(tp_frame *frame, uint32_t k)
 {
     const tp_grid_window *seen = &frame->buffers.grid->window;
     const tp_frame_line *line = &frame->buffers.lines->line[k];
@@ -285,7 +286,8 @@ static bool is_on_screen(const tp_frame *frame, int32_t u)
     return u != TP_GRID_NEEDS_CLIP && u > 0 && u < 16 * (int32_t)frame->config.width;
 }
 
-static bool is_sided(const tp_frame *frame, uint32_t k)
+/* True if an end of one of the two lines of row k lies between the sides of the picture. */
+static bool has_line_end_on_screen(const tp_frame *frame, uint32_t k)
 {
     for (uint32_t far = 0; far < 2; far++) {
         tp_row_point end[2];
@@ -327,9 +329,9 @@ static void set_row(tp_frame *frame, uint32_t k)
     set_box(frame, k);
     if (line->cells.first >= line->cells.end || !tp_box_overlaps_tile(&line->box, &picture))
         return;
-    if (is_cut(frame, k))
+    if (has_cell_to_clip(frame, k))
         line->is |= TP_LINE_CUT;
-    if (is_sided(frame, k))
+    if (has_line_end_on_screen(frame, k))
         line->is |= TP_LINE_SIDED;
     if (line->box.x1 - line->box.x0 > wide * (line->cells.end - line->cells.first))
         line->is |= TP_LINE_WIDE;

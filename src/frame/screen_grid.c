@@ -185,7 +185,7 @@ static bool can_draw_projected(tp_frame *frame)
 {
     tp_projected *p = frame->buffers.projected;
 
-    if (!tp_frame_is_swell(frame) || !p)
+    if (!tp_frame_can_use_level_plane(frame) || !p)
         return false;
     tp_frame_place_level(frame);
     const tp_level_linear *down = &frame->buffers.level->down;

@@ -33,7 +33,7 @@ void tp_frame_layout_slopes(tp_frame_buffers *buffers, tp_arena *arena,
                                   sizeof *buffers->slopes);
 }
 
-bool tp_frame_is_swell(const tp_frame *frame)
+bool tp_frame_can_use_level_plane(const tp_frame *frame)
 {
     const tp_surface *surface = &frame->surface;
 

@@ -302,7 +302,8 @@ typedef tp_status tp_obj_statement(tp_obj *obj, tp_words *line, tp_error *err);
 tp_status tp_obj_lines_feed(tp_obj *obj, const void *text, size_t bytes,
                             tp_obj_statement *statement, tp_error *err);
 tp_status tp_obj_lines_end(tp_obj *obj, tp_obj_statement *statement, tp_error *err);
-/* Returns `status`; if it is not TP_OK, all later calls of the reader fail. */
+/* Returns `status` unchanged; after a status other than TP_OK all later calls of the reader
+ * fail. */
 tp_status tp_obj_latch_failure(tp_obj *obj, tp_status status);
 
 /* obj_statements.c: the statements usemtl and mtllib. */

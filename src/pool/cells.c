@@ -238,7 +238,8 @@ static bool are_cells_valid(const tp_pool *pool)
     return true;
 }
 
-/* True if water can flow from a cell, not a wall, to the right (or down). */
+/* True if water can flow between a cell and its neighbour to the right (or below, for
+ * `down`): neither is a wall, and both are in the pool or the pool is tiled. */
 static bool can_flow(const tp_pool *pool, uint32_t col, uint32_t row, bool down)
 {
     const bool last = down ? row + 1 == pool->rows : col + 1 == pool->cols;

@@ -50,14 +50,14 @@ typedef struct {
     int32_t  unit_q, unit_shift;    /* fine height (subcell.c) to metres, 16.16: factor */
     int32_t  slope_q, slope_shift;  /* factor from a difference over two cells to a slope */
     tp_fx    drive_min, drive_max, drive_amplitude;
-    int32_t  drive_peak;             /* height of an injection, LSB, adapted by [C16] */
+    int32_t  drive_peak;            /* height of an injection, LSB, adapted by [C16] */
     uint32_t drive_ticks, drive_hits; /* of the current window: ticks, ticks with an
                                      * injection */
     uint32_t random;                /* state of the drive's random sequence */
     uint32_t injections;            /* number of injections since init */
     uint32_t gear;                  /* ticks left in gear A; 0: gear B [C11] */
     uint32_t at_rest;               /* true: all is still until the next injection */
-    uint32_t no_flux;                 /* 32 bits: no flux in the last step */
+    uint32_t no_flux;               /* 32 bits: no flux in the last step */
     uint32_t walls, sponge, scratch, first;    /* byte offsets from the head; 0: none */
     uint64_t tick;
 } tp_pool;

@@ -124,14 +124,15 @@ static int32_t fine_height_extended_into_wall(const tp_pool *pool, uint32_t col,
     return open != 0 ? (int32_t)(sum / open) : inside;
 }
 
-/* The 4 x 4 cells around a point, without the four corner cells. */
+/* The 4 x 4 cells around a point, without the four corner cells: their columns and rows. */
 typedef struct {
     uint32_t col[4], row[4];
     uint32_t s, t;              /* fraction from col[1], row[1] on, 1/65536 */
-    tp_fx    lag;
+    tp_fx    lag;               /* fraction of a tick into the past */
 } patch;
 
-typedef struct { int32_t h[4][4]; } heights;    /* fine heights, [row][column] */
+/* The fine heights of the cells of a patch, [row][column]. */
+typedef struct { int32_t h[4][4]; } heights;
 
 /* Collects the heights of row i of the 4 x 4 patch; `no_corners` leaves out the first and
  * the last column, for rows 0 and 3.  `interpolated` takes the heights p->lag earlier.

@@ -118,12 +118,12 @@ typedef struct {
     uint32_t count;
 } costs;
 
-static costs collect_costs(const tp_plan_input *in, tp_want want)
+static costs collect_costs(const tp_plan_input *in, tp_module_conditions conditions)
 {
     costs all = { .count = 0 };
 
     for (const tp_use *u = in->modules; u && u->module; u++)
-        if (tp_module_ask_enabled(u->module, &want) && u->drawing && u->cost)
+        if (tp_module_ask_enabled(u->module, &conditions) && u->drawing && u->cost)
             all.cost[all.count++] = u->cost;
     return all;
 }
@@ -209,7 +209,7 @@ tp_fixed_cost tp_fixed_cost_estimate(const tp_plan_input *in,
         .width = in->width, .height = in->height,
         .at = tp_start_view_make(in->scene, in->width, in->height), .is = estimate->modules,
     };
-    costs all = collect_costs(in, tp_plan_want(in));
+    costs all = collect_costs(in, tp_plan_module_conditions(in));
 
     w.mirrors = w.is & TP_MODULE_MIRROR && w.at.eye.y > 0;
     for (uint32_t k = 0; k < all.count; k++)

@@ -102,8 +102,9 @@ typedef struct {
     uint32_t width, height;
 } tp_plan_input;
 
-/* Returns the conditions for asking modules; view_estimate.c. */
-tp_want tp_plan_want(const tp_plan_input *in);
+/* view_estimate.c: returns the conditions that decide if a module is on, with all shading
+ * rungs allowed.  Chooses nothing itself. */
+tp_module_conditions tp_plan_module_conditions(const tp_plan_input *in);
 
 /* Compute the rungs and the plan with a given cost table. */
 tp_rungs tp_rungs_choose_priced(const tp_prices *prices, const tp_plan_input *in);

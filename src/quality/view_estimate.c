@@ -232,11 +232,11 @@ static void set_usable_renderers(tp_view_estimate *o, const tp_scene *s,
 /* Records the enabled modules that raise the water's surface.  Their conditions do not
  * depend on other modules. */
 static void record_surface_modules(tp_view_estimate *o, const tp_use *modules,
-                                   const tp_want *want)
+                                   const tp_module_conditions *conditions)
 {
     for (const tp_use *u = modules; u && u->module; u++) {
         const tp_module *m = u->module;
-        if (!m->surface || !m->enabled(want))
+        if (!m->surface || !m->enabled(conditions))
             continue;
         if (m->is & TP_MODULE_COASTAL)
             o->ocean = 1;
@@ -250,18 +250,19 @@ static void record_surface_modules(tp_view_estimate *o, const tp_use *modules,
 
 /* Records the enabled modules that are drawn.  Pools drawn only as slopes do not raise
  * the grid. */
-static void record_drawn_modules(tp_view_estimate *o, const tp_use *modules, tp_want want)
+static void record_drawn_modules(tp_view_estimate *o, const tp_use *modules,
+                                 tp_module_conditions conditions)
 {
     for (const tp_use *u = modules; u && u->module; u++) {
-        if (!u->drawing || !tp_module_ask_enabled(u->module, &want))
+        if (!u->drawing || !tp_module_ask_enabled(u->module, &conditions))
             continue;
         o->trait[u->module->trait] = 1;
         if (u->module->count)
-            u->module->count(&want, o->trait);
+            u->module->count(&conditions, o->trait);
     }
     if (!o->trait[TP_TRAIT_mirror])             /* the sky is not reflected */
         o->trait[TP_TRAIT_dome] = o->trait[TP_TRAIT_cube] = 0;
-    o->modules = want.above;
+    o->modules = conditions.above;
     if (o->modules & TP_MODULE_SLOPES)
         o->pools = 0;
 }
@@ -306,9 +307,9 @@ static void set_wave_flags(tp_view_estimate *o, const tp_scene *s)
 
 /* -- the estimate -------------------------------------------------------------------- */
 
-tp_want tp_plan_want(const tp_plan_input *in)
+tp_module_conditions tp_plan_module_conditions(const tp_plan_input *in)
 {
-    return (tp_want){
+    return (tp_module_conditions){
         .scene = in->scene, .assets = in->assets, .width = in->width, .height = in->height,
         .shadings = UINT32_MAX,
     };
@@ -320,7 +321,7 @@ tp_view_estimate tp_view_estimate_make(const tp_plan_input *in)
     const tp_assets *assets = in->assets;
     const uint32_t   width = in->width, height = in->height;
     TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2);
-    const tp_want want = tp_plan_want(in);
+    const tp_module_conditions conditions = tp_plan_module_conditions(in);
     const tp_start_view at = tp_start_view_make(scene, width, height);
     const uint64_t pixels = (uint64_t)width * height;
     const tp_vec3 low = tp_start_view_ray(&at, 0, -at.high);
@@ -334,9 +335,9 @@ tp_view_estimate tp_view_estimate_make(const tp_plan_input *in)
     const uint64_t crossings = (uint64_t)scene->grid.cols * (uint64_t)scene->grid.rows;
     o.vertices = (uint32_t)(crossings * spots.spots / (SPOTS * SPOTS));
     o.drawn = (uint32_t)(crossings * spots.drawn / (256 * SPOTS * SPOTS));
-    record_surface_modules(&o, in->modules, &want);
+    record_surface_modules(&o, in->modules, &conditions);
     o.trait[TP_TRAIT_plain] = 1;
-    record_drawn_modules(&o, in->modules, want);
+    record_drawn_modules(&o, in->modules, conditions);
     o.quick = (o.modules & TP_MODULE_FAST) != 0;
     classify_sea(&o, scene);
     o.floor = (uint8_t)(tp_has_floor(scene) + (tp_has_floor(scene) && assets->floor));

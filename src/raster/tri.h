@@ -105,10 +105,12 @@ TP_ALWAYS_INLINE bool is_outside_tile_columns(const tp_gbuffer *tile,
     return first >= end || first >= tile->x1 || end <= tile->x0;
 }
 
-/* Sorts the vertices by row.  True: the order was reversed, so the sign of the area is
- * too. */
-TP_ALWAYS_INLINE bool sort_by_row(tp_tri *tri, const tp_screen_vertex *a,
-                                  const tp_screen_vertex *b, const tp_screen_vertex *c)
+/* Sorts the vertices by row, from the top down.  Returns true if the sorted order turns
+ * the other way round, which changes the sign of the area. */
+TP_ALWAYS_INLINE bool sort_by_row_flips_winding(tp_tri *tri,
+                                                const tp_screen_vertex *a,
+                                                const tp_screen_vertex *b,
+                                                const tp_screen_vertex *c)
 {
     const tp_screen_vertex *swap;
     bool odd = false;
@@ -194,7 +196,7 @@ TP_ALWAYS_INLINE bool tp_tri_begin(tp_tri *tri, const tp_gbuffer *tile,
 {
     if (is_outside_tile_columns(tile, a, b, c))
         return false;
-    bool odd = sort_by_row(tri, a, b, c);
+    bool odd = sort_by_row_flips_winding(tri, a, b, c);
     a = tri->a;
     b = tri->b;
     c = tri->c;

@@ -136,8 +136,9 @@ typedef struct {
         *coastal; /* coastal water whose floor counts; NULL: `floor_plane` counts */
     tp_floor_plane floor_plane;
     tp_wall_material wall, floor;
-    uint32_t deep;              /* colour of bottomless water */
-    tp_absorb absorb;           /* attenuation of other light on its path */
+    uint32_t deep;              /* colour of bottomless water, 0x00RRGGBB */
+    tp_absorb absorb;           /* loss of light from surfaces and objects, per m of
+                                 * its path in the water */
     int32_t sun_x, sun_y, sun_z;/* direction to the sun in water, scaled by cos i / cos t;
                                  * Q1.14 */
     int32_t eta[3], eta2[3];    /* 1 / index of red, green, blue; squared; Q1.14 */

@@ -274,23 +274,26 @@ void tp_lod_layout(tp_grid *grid, tp_arena *arena)
 
 /* -- waves ----------------------------------------------------------------------------- */
 
-/* Returns the weight of a wave.  `turns`: turns of the wave per step, 16.16, times 6
- * (heights) or 4 (slopes).  The weight is 1 up to 1 and 0 from 2 on, but at least
- * `still`. */
-static tp_fx carried(uint64_t turns, tp_fx still)
+/* Returns the weight left of a wave on a grid of coarse lines.  `scaled_turns`: turns of
+ * the wave from line to line, 16.16, times 6 for heights or 4 for slopes.  The weight is 1
+ * up to 1 scaled turn and 0 from 2 on, but at least `min_weight`. */
+static tp_fx compute_lod_weight(uint64_t scaled_turns, tp_fx min_weight)
 {
-    tp_fx share = turns >= 2 * TP_FX_ONE ? 0 : tp_smoothstep(2 * TP_FX_ONE - (tp_fx)turns);
-    return share > still ? share : still;
+    tp_fx weight = scaled_turns >= 2 * TP_FX_ONE
+                       ? 0
+                       : tp_smoothstep(2 * TP_FX_ONE - (tp_fx)scaled_turns);
+    return weight > min_weight ? weight : min_weight;
 }
 
 tp_lod_share tp_lod_swell_share(const tp_lod_axis *lod, tp_fx step, int64_t turns)
 {
     uint64_t of_step = (uint64_t)(turns < 0 ? -turns : turns) * (uint32_t)step >> 32;
-    tp_fx    still = 0;
+    tp_fx    min_weight = 0;
 
     if (step <= lod->cell || of_step * 6 <= TP_FX_ONE)
         return (tp_lod_share){ TP_FX_ONE, TP_FX_ONE };
     if (step < 2 * lod->cell)
-        still = tp_fx_div(2 * lod->cell - step, lod->cell);
-    return (tp_lod_share){ carried(of_step * 6, still), carried(of_step * 4, still) };
+        min_weight = tp_fx_div(2 * lod->cell - step, lod->cell);
+    return (tp_lod_share){ compute_lod_weight(of_step * 6, min_weight),
+                           compute_lod_weight(of_step * 4, min_weight) };
 }

@@ -24,7 +24,7 @@ typedef struct {
     const tp_ring  *raised;     /* rings of the world, the source of `ring` at its tick */
     uint32_t        n_raised;   /* number of `raised` rings */
     const tp_pool  *pool, *field;
-    tp_fx           lag;       /* interpolation of the pools, 0..1 tick */
+    tp_fx           lag;        /* interpolation of the pools, 0..1 tick */
 } tp_surface;
 
 /* Returns the summed height and slopes of rings, pool and field at world (x, z), without
@@ -146,8 +146,8 @@ typedef struct {
 typedef struct {
     tp_grid_line   *line;
     int32_t        *rest[3];            /* parts of x, y, depth, by tp_vertex_x_to_view */
-    tp_vertex_sincos *turn;              /* phases times fade weights; for sharpened crests,
-                                         * only the weights of tp_lod_share */
+    tp_vertex_sincos *turn;             /* phases times fade weights; for sharpened crests,
+                                        * only the weights of tp_lod_share */
     uint32_t       *pair;               /* two Q.15: the sine low, the cosine high */
 } tp_vertex_columns;
 

@@ -33,8 +33,8 @@ typedef struct {
     tp_level_linear down, east, south;     /* -d.y, d.x, d.z, px, Q.30 */
     tp_level_linear zi;                    /* near / depth, Q1.43 */
     tp_level_linear side[TP_LEVEL_SIDES];  /* water if no side is negative */
-    tp_fx height, x, z;                 /* position of the eye, m */
-    tp_grid_extent across, along;       /* extent of the water and its waves */
+    tp_fx height, x, z;                    /* position of the eye, m */
+    tp_grid_extent across, along;          /* extent of the water and its waves */
     bool  rolled;
 } tp_level;
 

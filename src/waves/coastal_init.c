@@ -133,7 +133,9 @@ static uint32_t node_step(const tp_floor *floor, uint32_t nodes)
     return (uint32_t)(step < TP_FX(125) ? step : TP_FX(125));
 }
 
-/* The step is limited to 125 m: a map much taller than wide loses its ends. */
+/* Sets size, place and step of the floor map, and computes the floor nodes.
+ * `keep_floor_nodes`: the block already holds the nodes of this floor.  The step is limited
+ * to 125 m: a map much taller than wide loses its ends. */
 static void set_floor_map(tp_coastal_water *coastal, const tp_floor *floor,
                           const block_layout *plan, bool keep_floor_nodes)
 {
@@ -272,7 +274,7 @@ static void make_waves(tp_coastal_water *coastal, const tp_coastal_config *confi
 
     for (uint32_t i = 0; i < deep->count; i++)
         make_wave(coastal, i, wave[i], &deep->swell[i], config);
-    tp_coastal_limit_steepness(coastal);
+    tp_coastal_limit_steepness_sum(coastal);
     for (uint32_t i = 0; i < deep->count; i++) {
         make_wave_phases(coastal, i, wave[i], &deep->swell[i], plan,
                          kept.wave_nodes >> i & 1);

@@ -186,7 +186,7 @@ static int32_t node_steepness(const tp_coastal_depth_entry *node, int64_t k_q32,
     return (int32_t)(q + (q * tp_wind_push(lambda, node->up) >> 30)) + 1;
 }
 
-/* Stores the steepness in `turns` until tp_coastal_limit_steepness reads it; the phases
+/* Stores the steepness in `turns` until tp_coastal_limit_steepness_sum reads it; the phases
  * come later. */
 void tp_coastal_make_table(tp_coastal_water *coastal, uint32_t i,
                            const tp_coastal_swell *swell, const tp_coastal_config *config)
@@ -212,7 +212,7 @@ void tp_coastal_make_table(tp_coastal_water *coastal, uint32_t i,
     table->turns[0] = 0;
 }
 
-void tp_coastal_limit_steepness(tp_coastal_water *coastal)
+void tp_coastal_limit_steepness_sum(tp_coastal_water *coastal)
 {
     for (uint32_t n = 1; n < TP_COASTAL_DEPTHS; n++) {
         int64_t sum = 0;

@@ -178,7 +178,9 @@ void tp_coastal_make_table(tp_coastal_water *coastal, uint32_t i,
                            const tp_coastal_config *config);
 void tp_coastal_make_phases(tp_coastal_water *coastal, uint32_t i,
                             const tp_coastal_swell *swell);
-void tp_coastal_limit_steepness(tp_coastal_water *coastal);
+/* At each depth: if the steepness of all waves adds up to more than 0.951, scales the
+ * horizontal axes of the orbits to a sum of 0.95.  Heights stay. */
+void tp_coastal_limit_steepness_sum(tp_coastal_water *coastal);
 
 /* tp_coastal_floor_tilt_sine_bound returns the sine of the steepest tilt over a map,
  * Q14. tp_coastal_add_bounds adds the bounds of a swell, whose table and phases must

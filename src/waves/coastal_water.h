@@ -373,6 +373,9 @@ typedef struct {
     int32_t   orientation;          /* turns, Q0.32 */
     tp_offset offset;               /* includes the offset of the orbit */
 } tp_breaking;
+
+/* Returns the displacement at phase `phi` of a wave whose crest breaks: the orbit's offset,
+ * stretched near the crest, with the lip thrown forward and down. */
 tp_breaking tp_breaking_shape(const tp_breaker *breaker, tp_turn phi);
 
 #endif

@@ -126,11 +126,13 @@ static tp_q30 swell_slope(tp_fx amplitude, tp_fx length)
     return (tp_q30)((TWO_PI_Q28 * amplitude * 4 + length / 2) / length);
 }
 
-/* Bounds the part of the slopes g due to the cross terms: adj(B) g / (1 - tr B), B = I - J,
- * with g about h.  In adj(B) h a wave has no effect on itself.  Two waves have at most the
- * greater of q1 k2 A2 and q2 k1 A1, because the sine of one wave meets the cosine of the
- * other.  Over 1 - sum q the result bounds the angle in radians.  Rounded up.  The tilt of
- * sharpened waves counts twice, because their sine and their f' are large together. */
+/* Bounds the slope that the cross terms of wave w with the waves of `deep` add to the
+ * surface.  The cross terms make the part adj(B) g / (1 - tr B) of the slopes g; B = I - J,
+ * and g is about h.  In adj(B) h a wave has no effect on itself.  Two waves have at most
+ * the greater of q1 k2 A2 and q2 k1 A1, because the sine of one wave meets the cosine of
+ * the other.  Over 1 - sum q the result bounds the angle in radians.  Rounded up.  The
+ * tilt of sharpened waves counts twice, because their sine and their f' are large
+ * together. */
 static tp_fx swell_cross_term_bound(const tp_deep_water *deep, const tp_swell *w)
 {
     tp_fx sum = 0;

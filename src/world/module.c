@@ -20,16 +20,17 @@ static uint32_t next_chunk_offset(const tp_world *world, uint32_t at)
     return at + (uint32_t)sizeof(chunk) + chunk_pointer(world, at)->bytes;
 }
 
-/* Asks each module in list order, because `want` tells later modules the bits of earlier
- * modules. */
-static bool ask_enabled_with_state(const tp_module *module, tp_want *want)
+/* Asks each module in list order, because `conditions` tells later modules the bits of
+ * earlier modules. */
+static bool ask_enabled_with_state(const tp_module *module,
+                                   tp_module_conditions *conditions)
 {
-    return tp_module_ask_enabled(module, want) && module->bytes;
+    return tp_module_ask_enabled(module, conditions) && module->bytes;
 }
 
-static size_t state_bytes(const tp_module *module, const tp_want *want)
+static size_t state_bytes(const tp_module *module, const tp_module_conditions *conditions)
 {
-    return (module->bytes(want) + 7) & ~(size_t)7;
+    return (module->bytes(conditions) + 7) & ~(size_t)7;
 }
 
 /* Returns the first chunk with this id at or after an offset, or NULL. */
@@ -52,10 +53,11 @@ size_t tp_module_state_bytes(const void *part)
     return ((const chunk *)part - 1)->bytes;
 }
 
-bool tp_modules_is_any_active(const tp_use *modules, const tp_want *want, uint32_t flags)
+bool tp_modules_is_any_active(const tp_use *modules,
+                              const tp_module_conditions *conditions, uint32_t flags)
 {
     for (const tp_use *u = modules; u && u->module; u++)
-        if (u->module->is & flags && u->module->enabled(want))
+        if (u->module->is & flags && u->module->enabled(conditions))
             return true;
     return false;
 }
@@ -70,15 +72,18 @@ tp_status tp_program_fail_lacking(const char *what, tp_error *err)
 tp_status tp_lacks_check(const tp_program *program, const tp_scene *scene,
                          const tp_assets *assets, tp_error *err)
 {
-    tp_want want = { .scene = scene, .assets = tp_assets_or_scene_default(scene, assets),
-                     .shadings = (uint32_t)1 << scene->quality.shading };
+    tp_module_conditions conditions = { .scene = scene,
+                                        .assets =
+                                            tp_assets_or_scene_default(scene, assets),
+                                        .shadings = (uint32_t)1
+                                                    << scene->quality.shading };
     const tp_use *u = program->modules;
     uint32_t above = 0;
 
     for (const tp_lack *l = program->lacks; l && l->enabled; l++) {
         for (; above < l->above && u && u->module; above++)
-            tp_module_ask_enabled(u++->module, &want);
-        if (l->enabled(&want))
+            tp_module_ask_enabled(u++->module, &conditions);
+        if (l->enabled(&conditions))
             return tp_program_fail_lacking(l->name, err);
     }
     return TP_OK;
@@ -95,75 +100,79 @@ tp_status tp_program_check_all(const tp_program *program, const tp_scene *scene,
 }
 
 tp_status tp_modules_check_and_measure(const tp_program *program, tp_arena *arena,
-                                       tp_want want, uint32_t *at, tp_error *err)
+                                       tp_module_conditions conditions, uint32_t *at,
+                                       tp_error *err)
 {
-    TP_ASSERT(arena->block == NULL && want.above == 0);
+    TP_ASSERT(arena->block == NULL && conditions.above == 0);
     const size_t begin = arena->used;
     tp_status status = TP_OK;
 
     for (const tp_use *u = program->modules; u && u->module; u++) {
         const tp_module *m = u->module;
-        if (!tp_module_ask_enabled(m, &want))
+        if (!tp_module_ask_enabled(m, &conditions))
             continue;
-        if (m->check && (status = m->check(&want, err)) != TP_OK)
+        if (m->check && (status = m->check(&conditions, err)) != TP_OK)
             return status;
         if (m->bytes)
-            tp_arena_alloc(arena, 1, sizeof(chunk) + state_bytes(m, &want));
+            tp_arena_alloc(arena, 1, sizeof(chunk) + state_bytes(m, &conditions));
     }
     *at = arena->used > begin ? (uint32_t)begin : 0;
     return TP_OK;
 }
 
-static void write_chunk_headers(const tp_program *program, tp_world *world, tp_want want)
+static void write_chunk_headers(const tp_program *program, tp_world *world,
+                                tp_module_conditions conditions)
 {
     uint32_t at = world->layout.modules;
 
     for (const tp_use *u = program->modules; u && u->module; u++) {
-        if (!ask_enabled_with_state(u->module, &want))
+        if (!ask_enabled_with_state(u->module, &conditions))
             continue;
         *chunk_pointer(world, at) = (chunk){ u->module->id,
-                                        (uint32_t)state_bytes(u->module, &want) };
+                                        (uint32_t)state_bytes(u->module, &conditions) };
         at = next_chunk_offset(world, at);
     }
 }
 
-tp_status tp_modules_init(const tp_program *program, tp_world *world, tp_want want,
-                          tp_error *err)
+tp_status tp_modules_init(const tp_program *program, tp_world *world,
+                          tp_module_conditions conditions, tp_error *err)
 {
     tp_status status = TP_OK;
 
-    write_chunk_headers(program, world, want);
+    write_chunk_headers(program, world, conditions);
     for (const tp_use *u = program->modules; u && u->module && status == TP_OK; u++)
-        if (ask_enabled_with_state(u->module, &want) && u->module->init)
+        if (ask_enabled_with_state(u->module, &conditions) && u->module->init)
             status = u->module->init(tp_world_module_state(world, u->module->id), world,
-                                     &want, err);
+                                     &conditions, err);
     return status;
 }
 
-bool tp_modules_fit(const tp_program *program, const tp_world *world, tp_want want)
+bool tp_modules_fit(const tp_program *program, const tp_world *world,
+                    tp_module_conditions conditions)
 {
     uint32_t at = world->layout.modules;
 
     for (const tp_use *u = program->modules; u && u->module; u++) {
-        if (!ask_enabled_with_state(u->module, &want))
+        if (!ask_enabled_with_state(u->module, &conditions))
             continue;
         if (at == 0 || at >= world->layout.bytes)
             return false;
         const chunk *c = chunk_pointer(world, at);
-        if (c->id != u->module->id || c->bytes != state_bytes(u->module, &want)
-            || (u->module->fits && !u->module->fits(c + 1, want.scene)))
+        if (c->id != u->module->id || c->bytes != state_bytes(u->module, &conditions)
+            || (u->module->fits && !u->module->fits(c + 1, conditions.scene)))
             return false;
         at = next_chunk_offset(world, at);
     }
     return at == 0 || at == world->layout.bytes;
 }
 
-bool tp_modules_refresh(const tp_program *program, tp_world *world, tp_want want)
+bool tp_modules_refresh(const tp_program *program, tp_world *world,
+                        tp_module_conditions conditions)
 {
     for (const tp_use *u = program->modules; u && u->module; u++)
-        if (ask_enabled_with_state(u->module, &want) && u->module->refresh
+        if (ask_enabled_with_state(u->module, &conditions) && u->module->refresh
             && !u->module->refresh(tp_world_module_state(world, u->module->id), world,
-                                   &want))
+                                   &conditions))
             return false;
     return true;
 }

@@ -53,7 +53,7 @@ enum {
     TP_MODULE_EXACT  = 1,       /* water stage without a fast form */
     TP_MODULE_SOLID  = 2,       /* draws floating or flying objects, to be reflected */
     TP_MODULE_WALLS  = 4,       /* draws the tank or the stone walls in the pool */
-    TP_MODULE_UNDERWATER = 8,       /* models the volume of the water */
+    TP_MODULE_UNDERWATER = 8,   /* models the volume of the water */
     TP_MODULE_FAST   = 16,      /* draws the water with fast stages only */
     TP_MODULE_SLOPES = 32,      /* draws pools as slopes on flat water */
     TP_MODULE_LIGHT  = 64,      /* adds view-dependent light to the water */
@@ -73,23 +73,23 @@ enum {
 #define TP_MODULES 40           /* most modules in a program's list */
 
 /* The conditions that decide if a module is on. */
-typedef struct tp_want {
+typedef struct tp_module_conditions {
     const tp_scene  *scene;
     const tp_assets *assets;    /* NULL: the scene names no file */
     const tp_wave_models *water;     /* wave models of the program; NULL: all models */
     uint32_t width, height;     /* size of the picture in px; 0 for a world */
     uint32_t shadings;          /* bits of tp_shading: shading rungs that a frame may use */
     uint32_t above;             /* bits of tp_module.is of earlier enabled modules */
-} tp_want;
+} tp_module_conditions;
 
 /* Returns the conditions for a world. */
-static inline tp_want tp_world_module_conditions(const tp_program *program,
-                                                 const tp_scene *scene,
-                                                 const tp_assets *assets)
+static inline tp_module_conditions tp_world_module_conditions(const tp_program *program,
+                                                              const tp_scene *scene,
+                                                              const tp_assets *assets)
 {
-    return (tp_want){ .scene = scene,
-                      .assets = tp_assets_or_scene_default(scene, assets),
-                      .water = &program->water };
+    return (tp_module_conditions){ .scene = scene,
+                                   .assets = tp_assets_or_scene_default(scene, assets),
+                                   .water = &program->water };
 }
 
 /* Traits of water pixels; each trait has a cost. plain: every pixel; diffuse: light that
@@ -118,26 +118,27 @@ typedef struct tp_module {
 
     /* True if the feature is on.  Layout, step and drawing ask this function only, as
      * does the check of a program without the module (tp_lack). */
-    bool (*enabled)(const tp_want *want);
+    bool (*enabled)(const tp_module_conditions *conditions);
 
     /* Sets the number of times that a pixel of water pays each trait's cost, if `trait`
      * does not describe the cost.  Used by the cost estimate.  The table is zeroed before
      * the call. */
-    void (*count)(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT]);
+    void (*count)(const tp_module_conditions *conditions, uint8_t trait[TP_TRAIT_COUNT]);
 
     /* Refuses combinations that the parameter table cannot express; err->word is the
      * parameter at fault. */
-    tp_status (*check)(const tp_want *want, tp_error *err);
+    tp_status (*check)(const tp_module_conditions *conditions, tp_error *err);
 
     /* Returns the size of the state in bytes; the state is aligned to 8.  NULL: the
      * module has no state in a world.  The state is zeroed before `init`. */
-    size_t    (*bytes)(const tp_want *want);
-    tp_status (*init)(void *mine, tp_world *world, const tp_want *want, tp_error *err);
+    size_t (*bytes)(const tp_module_conditions *conditions);
+    tp_status (*init)(void *mine, tp_world *world, const tp_module_conditions *conditions,
+                      tp_error *err);
 
     /* Called after numbers of the scene have changed.  `fits` changes nothing.  If all
      * states fit, each state is refreshed.  False: the world must be initialised again. */
     bool (*fits)(const void *mine, const tp_scene *scene);
-    bool (*refresh)(void *mine, tp_world *world, const tp_want *want);
+    bool (*refresh)(void *mine, tp_world *world, const tp_module_conditions *conditions);
 
     /* Puts floating objects on the water, after all states have been initialised or
      * refreshed. */
@@ -162,18 +163,21 @@ typedef struct tp_module {
     bool (*is_valid)(const void *mine, const void *fresh, const tp_world *world);
 } tp_module;
 
-/* True if the module is on. Then adds its bits to want->above for the later modules. */
-static inline bool tp_module_ask_enabled(const tp_module *module, tp_want *want)
+/* True if the module is on. Then adds its bits to conditions->above for the later
+ * modules. */
+static inline bool tp_module_ask_enabled(const tp_module *module,
+                                         tp_module_conditions *conditions)
 {
-    const bool on = module->enabled(want);
+    const bool on = module->enabled(conditions);
 
-    want->above |= on ? module->is : 0;
+    conditions->above |= on ? module->is : 0;
     return on;
 }
 
 /* True if an enabled module has at least one of the bits `flags` of tp_module.is.  Other
- * modules are not asked, so want->above stays as given. */
-bool tp_modules_is_any_active(const tp_use *modules, const tp_want *want, uint32_t flags);
+ * modules are not asked, so conditions->above stays as given. */
+bool tp_modules_is_any_active(const tp_use *modules,
+                              const tp_module_conditions *conditions, uint32_t flags);
 
 /* -- chunks of a world --------------------------------------------------------------- */
 
@@ -184,17 +188,20 @@ void *tp_world_module_state(const tp_world *world, uint32_t id);
 size_t tp_module_state_bytes(const void *part);
 
 /* Checks all enabled modules and lays out their chunks. *at: offset of the first chunk,
- * or 0 without chunks.  `want.above` must be 0. */
+ * or 0 without chunks.  `conditions.above` must be 0. */
 tp_status tp_modules_check_and_measure(const tp_program *program, tp_arena *arena,
-                                       tp_want want, uint32_t *at, tp_error *err);
+                                       tp_module_conditions conditions, uint32_t *at,
+                                       tp_error *err);
 
 /* Writes the chunk headers, then the initial states; the block is zeroed by the caller. */
-tp_status tp_modules_init(const tp_program *program, tp_world *world, tp_want want,
-                          tp_error *err);
+tp_status tp_modules_init(const tp_program *program, tp_world *world,
+                          tp_module_conditions conditions, tp_error *err);
 
 /* True if the chunks match the scene's current modules and their states fit the scene. */
-bool tp_modules_fit(const tp_program *program, const tp_world *world, tp_want want);
-bool tp_modules_refresh(const tp_program *program, tp_world *world, tp_want want);
+bool tp_modules_fit(const tp_program *program, const tp_world *world,
+                    tp_module_conditions conditions);
+bool tp_modules_refresh(const tp_program *program, tp_world *world,
+                        tp_module_conditions conditions);
 
 void tp_modules_place_floating(const tp_program *program, tp_world *world,
                                const tp_scene *scene);

@@ -146,19 +146,20 @@ bool tp_world_apply(const tp_program *program, tp_world *world, const tp_scene *
 {
     TP_ASSERT(world != NULL && world->layout.bytes > 0);
     program = tp_program_or_linked(program);
-    const tp_want want = tp_world_module_conditions(program, scene, assets);
+    const tp_module_conditions conditions =
+        tp_world_module_conditions(program, scene, assets);
     tp_world_layout layout;
 
     if (world_layout_measure(program, &layout, scene, assets, NULL) != TP_OK
         || memcmp(&layout, &world->layout, sizeof layout) != 0
-        || !tp_modules_fit(program, world, want))
+        || !tp_modules_fit(program, world, conditions))
         return false;
     init_deep_water_and_phases(program, world, scene);
     tp_light_apply_scene(world, scene);
     if (world->clock_scale != scene->clock.scale)
         tp_clock_set_target(&world->clock, scene->clock.scale);
     world->clock_scale = scene->clock.scale;
-    if (!tp_modules_refresh(program, world, want))
+    if (!tp_modules_refresh(program, world, conditions))
         return false;
     tp_modules_place_floating(program, world, scene);
     return true;

@@ -26,7 +26,7 @@
 typedef struct {
     int64_t  scale_q40;     /* s; 40 fraction bits keep small steps */
     uint64_t ticks;         /* whole ticks in the sum of s */
-    int64_t  fraction_q40;      /* fraction of the sum, 0..1 */
+    int64_t  fraction_q40;  /* fraction of the sum, 0..1 */
     tp_fx    target;        /* s*, clamped to 1/8..4 */
     int32_t  zero;          /* padding; equal clocks are equal byte by byte */
 } tp_clock;
@@ -46,7 +46,7 @@ bool tp_clock_is_valid(const tp_clock *clock);
 /* Advances by one frame: first updates the scale, then adds the scale to the time. */
 void tp_clock_advance(tp_clock *clock);
 
-tp_fx    tp_clock_scale(const tp_clock *clock);     /* s, rounded */
+tp_fx    tp_clock_scale(const tp_clock *clock);     /* s: ticks per frame */
 uint64_t tp_clock_ticks(const tp_clock *clock);     /* whole ticks so far */
 tp_fx    tp_clock_fraction(const tp_clock *clock);  /* rest of a tick, 0 <= f < 1 */
 
@@ -101,7 +101,7 @@ typedef enum {
 
 struct tp_world {
     uint64_t tick;
-    tp_fx    lag;              /* time of the picture before the last tick, 0..1 tick */
+    tp_fx    lag;               /* time of the picture before the last tick, 0..1 tick */
     tp_world_layout layout;
     tp_vec3  eye, last_eye;     /* camera position now and a tick ago; axes by `aboard` */
     tp_turn heading, pitch, roll, last_heading, last_pitch, last_roll;

@@ -83,6 +83,7 @@ const tp_scene *used_scene(size_t i, const char **name)
 
 bool used_coast(const tp_scene *scene)
 {
-    return tp_modules_is_any_active(tp_program_all.modules, &(tp_want){ .scene = scene },
-                                  TP_MODULE_COASTAL);
+    return tp_modules_is_any_active(tp_program_all.modules,
+                                    &(tp_module_conditions){ .scene = scene },
+                                    TP_MODULE_COASTAL);
 }

@@ -16,7 +16,8 @@ crc_of()        # COMMAND...
     "$@" >"$scratch/raw" && gzip -c "$scratch/raw" | tail -c 8 | od -An -tu1 -N4 |
         awk '{ printf "%02x%02x%02x%02x\n", $4, $3, $2, $1 }'
 }
-# Frame 30 of the first sea; tests/host/first.ini has the numbers of tp_scene_init.
+# Frame 30 of the first sea; tests/host/first.ini has the numbers of
+# tp_scene_init.
 want()          # SIZE OPTION...
 {
     size=$1; shift

@@ -11,7 +11,8 @@ first_program >"$program.c"
 check "the README has a program" grep -q tp_engine_next_tile "$program.c"
 check "it compiles without a warning" cc -std=c11 -Wall -Wextra -Werror -Iinclude \
     "$program.c" build/host/libtidepool.a -o "$program"
-# tests/host/first.ini has the numbers of tp_scene_init, and names the picture used there.
+# tests/host/first.ini has the numbers of tp_scene_init, and names the picture
+# used there.
 "${TP_PROGRAM:-build/host/tidepool}" render tests/host/first.ini --texels 16 \
     --size 320x240 --frames 30:30 --hash | sed 's/.* //' >"$scratch/want"
 draws() { "$1" >"$scratch/got" && cmp "$scratch/want" "$scratch/got"; }

@@ -137,7 +137,7 @@ static void drops_fall_by_themselves_every_so_often(void **state)
     for (int tick = 0; tick < 600; tick++)
         tp_drops_release_due(drops, &c);
     assert_int_equal(drops->released, 20);
-    c.interval = TP_FX_ONE / 180;                          /* about three per tick */
+    c.interval = TP_FX_ONE / 180;                       /* about three per tick */
     drops->count = 0;
     for (int tick = 0; tick < 60; tick++)
         tp_drops_release_due(drops, &c);

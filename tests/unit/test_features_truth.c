@@ -21,7 +21,8 @@ typedef struct {
     int drawn, fast, exact, on[TP_MODULES];
 } truth_tally;
 
-static void compare_modules(const tp_frame *frame, tp_want want, truth_tally *t)
+static void compare_modules(const tp_frame *frame, tp_module_conditions want,
+                            truth_tally *t)
 {
     const tp_use *u = frame->program->modules;
 
@@ -60,8 +61,8 @@ static void compare_scene(truth_tally *t)
     const tp_view_estimate told = tp_view_estimate_make(&in);
     test_frame f = frame_by(&tp_program_all, &scene, &assets, &config);
     tp_frame_begin(f.frame, world);
-    const tp_want want = tp_frame_want(&tp_program_all, &f.frame->buffers, &scene,
-                                       &f.frame->assets, &f.frame->config);
+    const tp_module_conditions want = tp_frame_module_conditions(
+        &tp_program_all, &f.frame->buffers, &scene, &f.frame->assets, &f.frame->config);
     compare_modules(f.frame, want, t);
     const bool fast = tp_frame_list(f.frame, TP_MARK_WATER)->kind == TP_LIST_FAST;
     if (!f.frame->under)

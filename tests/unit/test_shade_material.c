@@ -19,7 +19,7 @@ static uint32_t any_normal(void)
                                     chance_int(&chance, -99, 99)));
 }
 
-static ref_dir unpacked(tp_packed_dir n)
+static ref_dir unpack_dir(tp_packed_dir n)
 {
     return ref_unit((ref_dir){ tp_dir_x(n), tp_dir_y(n), tp_dir_z(n) });
 }
@@ -79,7 +79,7 @@ static void solids_follow_phong(void **state)
         tp_stage_solid(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
             const ref_colour d = ref_colour_unpack(solid.diffuse);
-            const ref_dir normal = unpacked(r.n[i]);
+            const ref_dir normal = unpack_dir(r.n[i]);
             if (grazes(&s, normal, 16 / Q14))
                 continue;
             assert_between(r.run.colour[i],
@@ -119,7 +119,7 @@ static void normal_maps_bend_solids(void **state)
         const tp_boat_shading shading = { &mesh, &solid, s.world };
         r.run.mine = &shading;
         const uint32_t packed = any_normal(), other = any_normal();
-        const ref_dir nn = unpacked(packed), o = unpacked(other);
+        const ref_dir nn = unpack_dir(packed), o = unpack_dir(other);
         const double along = ref_dir_dot(nn, o);
         if (fabs(along) > 0.8)
             continue;           /* T would be short after the projection square to N */

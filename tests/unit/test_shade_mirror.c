@@ -30,7 +30,7 @@ static void mirrors_show_the_sky_by_fresnel(void **state)
             r.run.up[i] = (int16_t)chance_int(&chance, -16384, 16384);
         }
         const tp_run before = r.run;
-        tp_stage_mirror(&s, &r.run);
+        tp_stage_mirror_gradient_sky(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
             const double up = before.up[i] / Q14;
             const double above = ref_clamp(1 + 4 * up, 0.5, 1);
@@ -117,7 +117,7 @@ static void reflection_in_parts_is_the_fused_one(void **state)
         tp_stage_slopes(&s, &r.run);
         tp_stage_light(&s, &r.run);
         tp_run fused = r.run;
-        tp_stage_mirror(&s, &fused);
+        tp_stage_mirror_gradient_sky(&s, &fused);
         tp_stage_reflect_gradient(&s, &r.run);
         tp_stage_fresnel(&s, &r.run);
         assert_memory_equal(r.run.colour, fused.colour, sizeof fused.colour);

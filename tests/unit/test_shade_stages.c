@@ -141,9 +141,9 @@ static void runs_may_be_cut_anywhere(void **state)
     (void)state;
     static stage *const stages[] = {
         tp_stage_view, tp_stage_sky, tp_stage_plain, tp_stage_diffuse, tp_stage_light,
-        tp_stage_diffuse_rippled, tp_stage_light_rippled, tp_stage_mirror, tp_stage_glint,
-        tp_stage_haze, tp_stage_solid, tp_stage_solid_blinn, tp_stage_land, tp_stage_drop,
-        tp_stage_light_blinn, tp_stage_light_blinn_rippled, tp_stage_slopes,
+        tp_stage_diffuse_rippled, tp_stage_light_rippled, tp_stage_mirror_gradient_sky,
+        tp_stage_glint, tp_stage_haze, tp_stage_solid, tp_stage_solid_blinn, tp_stage_land,
+        tp_stage_drop, tp_stage_light_blinn, tp_stage_light_blinn_rippled, tp_stage_slopes,
         tp_stage_sky_dome, tp_stage_sky_dome_hdr, tp_stage_stars,
         tp_stage_reflect_gradient, tp_stage_reflect_dome, tp_stage_fresnel,
         tp_stage_fresnel_hdr, tp_stage_haze_dome, tp_stage_expose

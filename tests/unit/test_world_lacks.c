@@ -23,7 +23,7 @@ static const char *const names[] = {
 #undef X
 };
 
-static bool (*const conditions[])(const tp_want *) = {
+static bool (*const conditions[])(const tp_module_conditions *) = {
 #define X(name) tp_##name##_enabled,
     TP_MODULE_LIST(X, X, X)
 #undef X
@@ -83,8 +83,9 @@ static bool any_scene(shown_modules *s)
         || tp_world_bytes(&tp_program_all, &s->scene, &s->assets) == 0)
         return false;
     test_frame f = frame_by(&tp_program_all, &s->scene, &s->assets, &config);
-    tp_want want =
-        tp_frame_want(&tp_program_all, &f.frame->buffers, &s->scene, &s->assets, &config);
+    tp_module_conditions want =
+        tp_frame_module_conditions(&tp_program_all, &f.frame->buffers, &s->scene,
+                                   &s->assets, &config);
     for (uint32_t i = 0; i < COUNT; i++)
         s->on[i] = tp_module_ask_enabled(tp_program_all.modules[i].module, &want);
     frame_free(&f);

@@ -20,7 +20,7 @@ typedef struct {
     uint32_t    line;           /* number of the last line read, from 1 */
     bool        failed;         /* true after an error and its message */
     char        text[INI_LINE + 1];
-    const char *value;          /* value of the line if too long for libinih */
+    const char *value;          /* value of a line too long for libinih; otherwise NULL */
 } ini_input;
 
 static bool refuse_line(ini_input *in, const char *why, int limit)

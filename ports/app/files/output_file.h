@@ -17,7 +17,7 @@ typedef struct {
     const char *name;       /* name in messages; owned by the caller */
     char       *target;     /* file to be replaced; NULL: written directly */
     atomic_file temporary;
-    output_stream *end;        /* private: state of the stream */
+    output_stream *end;     /* private: state of the stream */
 } output_file;
 
 /* Each function returns an exit code, and prints the reason of a failure; after a failure

@@ -18,7 +18,8 @@ typedef struct {
     bool    run;                /* the last letter was a capital */
     bool    quit, interrupt;    /* Esc; Ctrl-C */
     bool    pause;              /* a state, not an event */
-    int     drops, slower;      /* events since the last tick */
+    int     drops, slower;      /* since the last tick: number of drops to release; slower
+                                 * minus faster key presses */
     bool    within;             /* inside an escape sequence, or just after an Esc */
     uint8_t escape[8], escapes; /* bytes of the sequence after the Esc */
 } terminal_keys;

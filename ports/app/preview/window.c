@@ -197,7 +197,9 @@ static bool motion(window *w, const SDL_MouseMotionEvent *event)
     return false;
 }
 
-static void lose(window *w)
+/* Frees the picture's texture after the renderer has lost its textures.  `lost` makes the
+ * view load the font again and draw again. */
+static void drop_texture(window *w)
 {
     if (w->texture)
         SDL_DestroyTexture(w->texture);
@@ -210,7 +212,7 @@ bool window_event(window *w, const SDL_Event *event)
     switch (event->type) {
     case SDL_RENDER_TARGETS_RESET:
     case SDL_RENDER_DEVICE_RESET:
-        lose(w);
+        drop_texture(w);
         return false;
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP:

@@ -34,7 +34,7 @@ struct comparison {
     bool     same;              /* both pictures are drawn with the same rungs */
     reference_thread  *reference;
     bool     delivered;         /* the reference thread has delivered a complete picture */
-    reference_pass pass;           /* pass of the reference's picture in `theirs` */
+    reference_pass pass;        /* pass of the reference's picture in `theirs` */
     uint32_t *ours, *theirs;    /* pixels 0x00RRGGBB */
     picture  shown;
     double   psnr;
@@ -333,9 +333,9 @@ static const char *const pass_text[] = {
 static void note_reference(comparison *c)
 {
     uint32_t percent = 0;
-    const reference_pass draws =
+    const reference_pass pass_now =
         c->reference ? reference_thread_progress(c->reference, &percent) : REFERENCE_NONE;
-    const bool over = draws == REFERENCE_NONE || draws == c->pass;
+    const bool over = pass_now == REFERENCE_NONE || pass_now == c->pass;
 
     if (c->pass == REFERENCE_NONE && c->reference && over
         && !reference_thread_has_news(c->reference))
@@ -346,7 +346,7 @@ static void note_reference(comparison *c)
         snprintf(c->note, sizeof c->note, "%s", pass_text[c->pass]);
     else
         snprintf(c->note, sizeof c->note, "%s; %s: %u%%", pass_text[c->pass],
-                 pass_text[draws], (unsigned)percent);
+                 pass_text[pass_now], (unsigned)percent);
     add_lacks(&c->given, c->note, sizeof c->note);
 }
 

@@ -181,8 +181,9 @@ static int finish(recorder *r)
     return code;
 }
 
-/* Ends the film after film_add has failed, printed the reason and closed the pipe. */
-static void lose(recorder *r)
+/* Stops recording after film_add has failed; film_add has printed the reason and closed
+ * the pipe.  Waits for FFmpeg and removes the unfinished film. */
+static void abandon_film(recorder *r)
 {
     r->over = true;
     if (r->ffmpeg) {
@@ -201,7 +202,7 @@ bool recorder_add(recorder *r, const picture *p)
         return false;
     }
     if (film_add(&r->film, p)) {
-        lose(r);
+        abandon_film(r);
         return false;
     }
     r->pictures++;

@@ -25,14 +25,14 @@ struct reference_thread {
     uint32_t   width, height;
     uint32_t  *ours;            /* ... and the picture for comparison */
     ref_pace   pace;
-    atomic_uint height_now;     /* height of the pass, rows */
-    reference_pass first;
-    atomic_uint draws;          /* reference_pass in progress */
+    atomic_uint height_now;     /* rows of the picture of pass_now */
+    reference_pass first;       /* pass to start with */
+    atomic_uint pass_now;       /* the pass being drawn; REFERENCE_NONE: all are finished */
     pthread_t  thread;
     pthread_mutex_t lock;       /* guards the last finished picture: */
     uint32_t  *pixel;
-    reference_pass last;
-    bool       taken;
+    reference_pass last;        /* pass of that picture; REFERENCE_NONE: no picture yet */
+    bool       taken;           /* true if that picture has been copied out */
 };
 
 static void publish(reference_thread *t, const ref_image *image, reference_pass pass)
@@ -60,7 +60,7 @@ static bool draw_pass(reference_thread *t, reference_pass pass)
 
     atomic_store(&t->pace.rows, 0);
     atomic_store(&t->height_now, height);
-    atomic_store(&t->draws, pass);
+    atomic_store(&t->pass_now, pass);
     ref_scene_open(&scene, &t->scene, t->assets, t->world, width, height, false);
     const bool done = ref_image_draw_size(&image, &scene, width, height, samples_of[pass],
                                         (thread_pool_default_size() + 1) / 2, &t->pace);
@@ -89,7 +89,7 @@ static void *live(void *user)
     step_back();
     for (reference_pass pass = t->first; pass <= REFERENCE_16 && goes_on; pass++)
         goes_on = draw_pass(t, pass);
-    atomic_store(&t->draws, REFERENCE_NONE);
+    atomic_store(&t->pass_now, REFERENCE_NONE);
     return NULL;
 }
 
@@ -135,7 +135,7 @@ reference_thread *reference_thread_begin(const loaded_scene *s, bool coarse)
     atomic_init(&t->pace.rows, 0);
     atomic_init(&t->pace.stop, false);
     t->first = coarse ? REFERENCE_COARSE : REFERENCE_1;
-    atomic_init(&t->draws, t->first);
+    atomic_init(&t->pass_now, t->first);
     atomic_init(&t->height_now, 1);
     if (copy(t, s) && pthread_create(&t->thread, NULL, live, t) == 0)
         return t;
@@ -185,5 +185,5 @@ reference_pass reference_thread_progress(reference_thread *t, uint32_t *percent)
     const uint32_t height = atomic_load(&t->height_now), rows = atomic_load(&t->pace.rows);
 
     *percent = rows < height ? rows * 100 / height : 100;
-    return (reference_pass)atomic_load(&t->draws);
+    return (reference_pass)atomic_load(&t->pass_now);
 }

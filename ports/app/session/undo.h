@@ -37,7 +37,7 @@ typedef struct {
 
 /* Initially all 0. */
 typedef struct {
-    undo_edit of[UNDO_EDITS]; /* ring: of[(first + i) % EDITS] is edit i of count */
+    undo_edit of[UNDO_EDITS];   /* ring: of[(first + i) % EDITS] is edit i of count */
     uint32_t first, count, undone;
     bool     open;              /* the last edit continues: a drag */
     size_t   bytes;             /* bytes of all worlds */

@@ -11,14 +11,14 @@
 #define LEAN_MOST TP_FX(0.75)
 #define HEIGHT_MOST (100 * TP_FX_ONE)
 
-bool tp_buoy_enabled(const tp_want *want)
+bool tp_buoy_enabled(const tp_module_conditions *conditions)
 {
-    return want->scene->own[BUOY_ON] != 0;
+    return conditions->scene->own[BUOY_ON] != 0;
 }
 
-static size_t bytes(const tp_want *want)
+static size_t bytes(const tp_module_conditions *conditions)
 {
-    (void)want;
+    (void)conditions;
     return sizeof(buoy_state);
 }
 

@@ -181,9 +181,9 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
         tp_shaders_add(list, TP_AT_COLOUR, stage[0], mine);
 }
 
-static void *layout(tp_arena *arena, const tp_want *want)
+static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)want;
+    (void)conditions;
     return tp_arena_alloc(arena, 1, sizeof(buoy));
 }
 

@@ -120,12 +120,12 @@ bool tp_host_stir(tp_host *host, tp_fx x, tp_fx z);
 /* -- camera modes ---------------------------------------------------------------------- */
 
 typedef enum {
-    TP_HOST_FREE, /* input moves the camera, from where it was free last */
-    TP_HOST_ORBIT, /* around what the middle of the picture shows: the boat, which the camera
-                    * then follows, the water, or a point ahead.  turn, tilt and strafe go
-                    * around it, forward comes nearer, up rises */
-    TP_HOST_TOP,  /* from above: forward and strafe glide, up rises, turn turns the map */
-    TP_HOST_BOAT, /* on the deck, where input moves it as TP_HOST_FREE does */
+    TP_HOST_FREE,   /* input moves the camera, from where it was free last */
+    TP_HOST_ORBIT,  /* around the object in the middle of the picture: the boat, which the
+                     * camera then follows, the water, or a point ahead.  turn, tilt and
+                     * strafe go around the object, forward comes nearer, up rises */
+    TP_HOST_TOP,    /* from above: forward and strafe glide, up rises, turn turns the map */
+    TP_HOST_BOAT,   /* on the deck, where input moves it as TP_HOST_FREE does */
     TP_HOST_WAYS
 } tp_host_way;
 

@@ -23,8 +23,8 @@ typedef struct {
     component_set       needed;     /* pieces that are never left out */
     component_set       moved;      /* last set with the same world steps as all pieces */
     component_list      list;
-    bool            lean;       /* draw with the reduced assets */
-    int             code;       /* error that stopped the search */
+    bool            lean;           /* draw with the reduced assets */
+    int             code;           /* error that stopped the search */
 } component_search;
 
 /* -- programs ------------------------------------------------------------------------- */

@@ -15,15 +15,15 @@ typedef struct {
     const tp_assets *lean;      /* fewer assets, used if they suffice; or NULL */
     tp_config config;
     component_terms      terms;
-    component_set        with;      /* pieces that stay in any case */
+    component_set        with;  /* pieces that stay in any case */
     component_set        without;   /* pieces that are left out in any case */
     bool             acts;
 } component_search_request;
 
 typedef struct {
     component_set in;
-    component_set lacks;            /* pieces of `without` that the scene asks for */
-    component_set refused;          /* modules that a changed scene may not switch on */
+    component_set lacks;        /* pieces of `without` that the scene asks for */
+    component_set refused;      /* modules that a changed scene may not switch on */
     bool      lean;             /* true: `lean` assets suffice */
     bool      planned;          /* true: has the plan; false: use the named scene */
     uint32_t  pictures;         /* number of pictures compared */

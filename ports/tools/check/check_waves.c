@@ -244,9 +244,9 @@ static const check_field steepness_sum[] = {
     { .name = "sum Q k A", .high = 0.95 * CHECK_ONE },
 };
 
-/* Returns the error of the normal.  For a sea without cross terms the expected normal has
- * no cross terms either [A10]; it follows from the table's tangents (Jxx, hx, Jxz) and
- * (Jxz, hz, Jzz). */
+/* Returns the error of the normal.  The expected normal is nx, ny, nz of the check's table.
+ * A sea without cross terms [A10] is compared with a normal without cross terms, computed
+ * from the table's tangents t = (Jxx, hx, Jxz) and b = (Jxz, hz, Jzz). */
 static double gerstner_normal_error(const tp_deep_water *deep, const tp_surface_point *p,
                                     const double *v)
 {

@@ -10,7 +10,7 @@ typedef struct {
     double     shininess;
 } coat;
 
-static ref_vec unpacked(tp_packed_dir n)
+static ref_vec unpack_dir(tp_packed_dir n)
 {
     return (ref_vec){ tp_dir_x(n) / 511.0, tp_dir_y(n) / 511.0, tp_dir_z(n) / 511.0 };
 }
@@ -63,7 +63,7 @@ static ref_colour phong(const ref_scene *s, const coat *c, ref_vec n, ref_vec wa
  * T. */
 static ref_vec bent(ref_vec n, uint32_t texel, double bump, tp_packed_dir tangent)
 {
-    const ref_vec t = unpacked(tangent), b = ref_cross(n, t);
+    const ref_vec t = unpack_dir(tangent), b = ref_cross(n, t);
     const double hand = tangent & TP_TANGENT_MIRRORED ? -1 : 1;
     const double nx = ((int)(texel >> 16 & 255) - 128) * bump;
     const double ny = ((int)(texel >> 8 & 255) - 128) * bump * hand;
@@ -87,7 +87,7 @@ static attributes interpolate_attributes(const tp_mesh *mesh, const ref_face_hit
             &mesh->vertices[mesh->faces[hit->face].vertex[k]];
         a.s += hit->share[k] * v->s / 65536;
         a.t += hit->share[k] * v->t / 65536;
-        a.n = ref_plus(a.n, ref_times_vec(unpacked(v->normal), hit->share[k]));
+        a.n = ref_plus(a.n, ref_times_vec(unpack_dir(v->normal), hit->share[k]));
     }
     return a;
 }

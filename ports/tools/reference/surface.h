@@ -25,7 +25,7 @@ typedef struct {
 
 typedef struct {
     ref_deep_water    sea;
-    ref_coastal *coastal;           /* coastal water, or NULL */
+    ref_coastal *coastal;       /* coastal water, or NULL */
     double     phase[TP_WAVES];
     ref_relief relief;
     ref_extent extent;

@@ -13,7 +13,7 @@
 
 /* The boat in one render view; valid until the next view is placed. */
 typedef struct {
-    tp_boat_shading    look;       /* data of the span stages; first member */
+    tp_boat_shading    look;    /* data of the span stages; first member */
     tp_boat_vertex *vertex;
     tp_solid       *solid;      /* array, one for each material */
     uint8_t        *gloss;      /* tables, TP_GLOSS bytes for each material */
@@ -297,15 +297,15 @@ static void begin(tp_frame *frame, void *mine)
 /* -- the module ---------------------------------------------------------------------- */
 
 /* Returns the number of stencil values: at least 1, also for a mesh without materials. */
-static uint32_t count_marks(const tp_want *want)
+static uint32_t count_marks(const tp_module_conditions *conditions)
 {
-    const uint32_t n = want->assets->boat->n_materials;
+    const uint32_t n = conditions->assets->boat->n_materials;
     return n == 0 ? 1 : n < TP_BOAT_MATERIALS ? n : TP_BOAT_MATERIALS;
 }
 
-static void *layout(tp_arena *arena, const tp_want *want)
+static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    const tp_mesh *mesh = want->assets->boat;
+    const tp_mesh *mesh = conditions->assets->boat;
     drawn_boat *b = tp_arena_alloc(arena, 1, sizeof *b), made = { .look.mesh = mesh };
 
     made.materials = mesh->n_materials < TP_BOAT_MATERIALS ? mesh->n_materials
@@ -362,9 +362,9 @@ const tp_drawing tp_boat_drawing = {
 
 /* -- the module lids ----------------------------------------------------------------- */
 
-bool tp_lids_enabled(const tp_want *want)
+bool tp_lids_enabled(const tp_module_conditions *conditions)
 {
-    const tp_mesh *mesh = want->assets ? want->assets->boat : NULL;
+    const tp_mesh *mesh = conditions->assets ? conditions->assets->boat : NULL;
 
     for (uint32_t i = 0; mesh && i < mesh->n_materials; i++)
         if (is_invisible_lid(mesh, i))

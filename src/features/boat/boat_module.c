@@ -233,9 +233,9 @@ static bool has_boat(const tp_scene *scene)
     return scene->boat.mesh[0] != '\0';
 }
 
-bool tp_hull_enabled(const tp_want *want)
+bool tp_hull_enabled(const tp_module_conditions *conditions)
 {
-    return has_boat(want->scene);
+    return has_boat(conditions->scene);
 }
 
 /* Sets the camera's place for the scene.  A camera that has left the deck stays off the
@@ -280,9 +280,9 @@ const tp_module tp_hull_module = {
 
 /* -- the module of the drawn boat --------------------------------------------------- */
 
-bool tp_boat_enabled(const tp_want *want)
+bool tp_boat_enabled(const tp_module_conditions *conditions)
 {
-    return want->assets && want->assets->boat;
+    return conditions->assets && conditions->assets->boat;
 }
 
 const tp_module tp_boat_module = {

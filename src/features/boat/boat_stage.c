@@ -11,7 +11,7 @@
 
 typedef tp_vec_q14 vec;
 
-static vec unpacked(tp_packed_dir n)
+static vec unpack_dir_q14(tp_packed_dir n)
 {
     return (vec){ tp_dir_x(n) * 32, tp_dir_y(n) * 32, tp_dir_z(n) * 32 };
 }
@@ -37,7 +37,7 @@ static vec apply_normal_map(vec n, const tp_solid *solid, int level, uint32_t st
                             tp_packed_dir tangent)
 {
     uint32_t texel = fetch_texel(solid->normal_map, level, st);
-    vec t = unpacked(tangent), b = cross(n, t);
+    vec t = unpack_dir_q14(tangent), b = cross(n, t);
     int32_t hand = tangent >> 30 & 1 ? -1 : 1;
     int32_t nx = ((int32_t)(texel >> 16 & 0xff) - 128) * solid->bump >> 8;
     int32_t ny = ((int32_t)(texel >> 8 & 0xff) - 128) * solid->bump * hand >> 8;
@@ -58,7 +58,7 @@ TP_ALWAYS_INLINE void solid_run(const tp_shade *shade, tp_run *run, int blinn)
     for (int32_t i = 0; i < run->count; i++) {
         int32_t  depth = tp_log_depth(shade, run->key[i]);
         uint32_t st = run->s[i], diffuse = solid->diffuse;
-        vec n = unpacked(run->n[i]);
+        vec n = unpack_dir_q14(run->n[i]);
         if (picture) {
             int level = tp_mip_level_choose(solid->lod, depth, false, picture->levels);
             diffuse = tp_colour_times(fetch_texel(picture, level, st), diffuse);

@@ -369,9 +369,9 @@ void tp_boat_stir_pool(tp_world *world, const tp_scene *scene)
 
 /* -- the module ---------------------------------------------------------------------- */
 
-bool tp_wake_enabled(const tp_want *want)
+bool tp_wake_enabled(const tp_module_conditions *conditions)
 {
-    return want->scene->boat.mesh[0] != '\0';
+    return conditions->scene->boat.mesh[0] != '\0';
 }
 
 static void step(void *mine, const tp_program *program, tp_world *world,

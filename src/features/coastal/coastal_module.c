@@ -25,43 +25,47 @@ static tp_coastal_config make_coastal_config(const tp_scene *scene, const tp_ass
     };
 }
 
-bool tp_coastal_enabled(const tp_want *want)
+bool tp_coastal_enabled(const tp_module_conditions *conditions)
 {
-    const tp_wave_models *water = want->water;
+    const tp_wave_models *water = conditions->water;
 
-    return (tp_has_floor(want->scene) || want->scene->wind.strength > 0)
+    return (tp_has_floor(conditions->scene) || conditions->scene->wind.strength > 0)
            && (!water || (water->coastal && water->swells));
 }
 
 /* Returns the size of the state; 0: the floor's map cannot be used. */
-static size_t bytes(const tp_want *want)
+static size_t bytes(const tp_module_conditions *conditions)
 {
-    const tp_scene *scene = want->scene;
-    const tp_coastal_config config = make_coastal_config(scene, want->assets);
+    const tp_scene *scene = conditions->scene;
+    const tp_coastal_config config = make_coastal_config(scene, conditions->assets);
     tp_deep_water deep;
 
     tp_deep_water_init(&deep, scene->wave, TP_WAVES, scene->water.gravity);
     return tp_coastal_bytes(&config, &deep);
 }
 
-static tp_status check(const tp_want *want, tp_error *err)
+static tp_status check(const tp_module_conditions *conditions, tp_error *err)
 {
-    return bytes(want) > 0
+    return bytes(conditions) > 0
          ? TP_OK : tp_error_blame(err, TP_FAIL(err, TP_E_ARG, 0, 0, 0), "floor.map");
 }
 
-static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
+static tp_status init(void *mine, tp_world *world, const tp_module_conditions *conditions,
+                      tp_error *err)
 {
-    const tp_coastal_config config = make_coastal_config(want->scene, want->assets);
-    return tp_coastal_init(mine, &config, &world->deep, want->scene->wave, TP_WAVES, err);
+    const tp_coastal_config config =
+        make_coastal_config(conditions->scene, conditions->assets);
+    return tp_coastal_init(mine, &config, &world->deep, conditions->scene->wave, TP_WAVES,
+                           err);
 }
 
 /* Recomputes the tables whose inputs have changed. */
-static bool refresh(void *mine, tp_world *world, const tp_want *want)
+static bool refresh(void *mine, tp_world *world, const tp_module_conditions *conditions)
 {
-    const tp_coastal_config config = make_coastal_config(want->scene, want->assets);
-    return tp_coastal_refresh(mine, &config, &world->deep, want->scene->wave, TP_WAVES,
-                              NULL)
+    const tp_coastal_config config =
+        make_coastal_config(conditions->scene, conditions->assets);
+    return tp_coastal_refresh(mine, &config, &world->deep, conditions->scene->wave,
+                              TP_WAVES, NULL)
            == TP_OK;
 }
 

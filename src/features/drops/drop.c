@@ -215,8 +215,8 @@ static fall bounced(int64_t speed, tp_fx gravity, int64_t left, const crossing *
 
 /* -- shape --------------------------------------------------------------------------- */
 
-/* Returns |speed| / whole x `full_value`; the quotient is at most 1.  `speed` in Q24
- * m/s, `full_speed` in m/s. */
+/* Returns `full_value` x |speed| / full_speed; the quotient is at most 1.  `speed` is in
+ * Q24 m/s, `full_speed` in whole m/s. */
 static int32_t scale_by_speed(int64_t speed, int32_t full_speed, int32_t full_value)
 {
     int64_t q16 = (speed < 0 ? -speed : speed) >> 8;

@@ -230,11 +230,11 @@ static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
 
 /* -- the module ---------------------------------------------------------------------- */
 
-static void *layout(tp_arena *arena, const tp_want *want)
+static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
     drawn_drops *d = tp_arena_alloc(arena, 1, sizeof *d), made = {
-        .room = (uint32_t)want->scene->drops.count,
-        .ring_room = (uint32_t)want->scene->drops.rings,
+        .room = (uint32_t)conditions->scene->drops.count,
+        .ring_room = (uint32_t)conditions->scene->drops.rings,
     };
 
     made.box = tp_arena_alloc(arena, made.room + 1, sizeof *made.box);
@@ -292,11 +292,13 @@ const tp_drawing tp_drops_drawing = {
 
 /* -- cost ---------------------------------------------------------------------------- */
 
-/* Rings at the water's grid vertices, and the spheres' faces. */
+/* Fixed cost of a frame with drops, for the quality plan: rings at the water's grid
+ * vertices, and the spheres' faces. */
 
 #define BALL_FACES 440          /* faces of a large sphere; a small one has a quarter */
 
-/* Counts the faces of the releasing sphere, in the main view and in the reflection. */
+/* Counts the grid vertices with rings, and the faces of one sphere at the place of release,
+ * in the main view and in the reflection. */
 static void count_work(tp_site *w)
 {
     const tp_view_estimate *o = w->estimate;

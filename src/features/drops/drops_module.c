@@ -244,9 +244,9 @@ const tp_drops *tp_world_drops(const tp_world *world)
     return tp_world_module_state(world, TP_DROPS_ID);
 }
 
-bool tp_drops_enabled(const tp_want *want)
+bool tp_drops_enabled(const tp_module_conditions *conditions)
 {
-    return want->scene->drops.count > 0;
+    return conditions->scene->drops.count > 0;
 }
 
 static uint32_t configured_ring_capacity(const tp_scene_drops *config)
@@ -254,20 +254,21 @@ static uint32_t configured_ring_capacity(const tp_scene_drops *config)
     return config->target == TP_DROPS_RINGS ? clamp_capacity(config->rings) : 0;
 }
 
-static size_t bytes(const tp_want *want)
+static size_t bytes(const tp_module_conditions *conditions)
 {
-    const tp_scene_drops *config = &want->scene->drops;
+    const tp_scene_drops *config = &conditions->scene->drops;
 
     return tp_drops_bytes(config) + sizeof(rings_now)
            + configured_ring_capacity(config) * sizeof(tp_ring_now);
 }
 
-static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
+static tp_status init(void *mine, tp_world *world, const tp_module_conditions *conditions,
+                      tp_error *err)
 {
     (void)world, (void)err;
-    tp_drops_init(mine, &want->scene->drops);
+    tp_drops_init(mine, &conditions->scene->drops);
     *current_rings(mine) =
-        (rings_now){ .room = configured_ring_capacity(&want->scene->drops) };
+        (rings_now){ .room = configured_ring_capacity(&conditions->scene->drops) };
     return TP_OK;
 }
 
@@ -280,13 +281,14 @@ static bool fits(const void *mine, const tp_scene *scene)
            && current_rings(drops)->room == configured_ring_capacity(&scene->drops);
 }
 
-static bool apply_sphere_config(void *mine, tp_world *world, const tp_want *want)
+static bool apply_sphere_config(void *mine, tp_world *world,
+                                const tp_module_conditions *conditions)
 {
     tp_drops *drops = mine;
 
     (void)world;
-    drops->sphere.y = want->scene->drops.y;
-    drops->sphere_radius = 2 * want->scene->drops.radius;
+    drops->sphere.y = conditions->scene->drops.y;
+    drops->sphere_radius = 2 * conditions->scene->drops.radius;
     return true;
 }
 

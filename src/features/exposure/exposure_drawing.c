@@ -48,15 +48,15 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
 
 /* -- the module ---------------------------------------------------------------------- */
 
-bool tp_exposure_enabled(const tp_want *want)
+bool tp_exposure_enabled(const tp_module_conditions *conditions)
 {
-    return want->scene->hdr.exposure == TP_EXPOSURE_AUTO
-        || want->scene->hdr.exposure_factor != TP_FX_ONE;
+    return conditions->scene->hdr.exposure == TP_EXPOSURE_AUTO
+           || conditions->scene->hdr.exposure_factor != TP_FX_ONE;
 }
 
-static void *layout(tp_arena *arena, const tp_want *want)
+static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)want;
+    (void)conditions;
     return tp_arena_alloc(arena, 1, sizeof(tp_exposure));
 }
 

@@ -227,32 +227,33 @@ tp_fx tp_meter_mean(const tp_world *world, const tp_scene *scene)
 
 /* -- the module ---------------------------------------------------------------------- */
 
-bool tp_meter_enabled(const tp_want *want)
+bool tp_meter_enabled(const tp_module_conditions *conditions)
 {
-    return want->scene->hdr.exposure == TP_EXPOSURE_AUTO;
+    return conditions->scene->hdr.exposure == TP_EXPOSURE_AUTO;
 }
 
-static size_t bytes(const tp_want *want)
+static size_t bytes(const tp_module_conditions *conditions)
 {
-    (void)want;
+    (void)conditions;
     return sizeof(probe);
 }
 
-static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
+static tp_status init(void *mine, tp_world *world, const tp_module_conditions *conditions,
+                      tp_error *err)
 {
     (void)world, (void)err;
-    make_tables(mine, want->scene, want->assets);
+    make_tables(mine, conditions->scene, conditions->assets);
     return TP_OK;
 }
 
-static bool refresh(void *mine, tp_world *world, const tp_want *want)
+static bool refresh(void *mine, tp_world *world, const tp_module_conditions *conditions)
 {
     const probe *p = mine;
-    const source of = collect_table_inputs(want->scene);
+    const source of = collect_table_inputs(conditions->scene);
 
     (void)world;
     if (memcmp(&of, &p->made_of, sizeof of) != 0)
-        make_tables(mine, want->scene, want->assets);
+        make_tables(mine, conditions->scene, conditions->assets);
     return true;
 }
 

@@ -31,7 +31,7 @@ typedef struct {
     int32_t  first_x, first_z;  /* lowest lattice cell of the window */
     int32_t  seen[TP_FOAM_TICKS][2];    /* first_x, first_z at a quarter's last visit */
     uint32_t visits;            /* ticks so far */
-    uint32_t scratch;              /* byte offset of a row of positions; 0: none */
+    uint32_t scratch;           /* byte offset of a row of positions; 0: none */
 } tp_foam;
 
 /* Returns the cover 0..255 at a rest position, bilinear between cell centres; 0 outside. */

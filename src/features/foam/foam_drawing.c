@@ -58,9 +58,9 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
         tp_shaders_add(list, TP_AT_MATT, stage[list->rippled + 2 * list->shines], mine);
 }
 
-static void *layout(tp_arena *arena, const tp_want *want)
+static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)want;
+    (void)conditions;
     return tp_arena_alloc(arena, 1, sizeof(tp_shade_foam));
 }
 

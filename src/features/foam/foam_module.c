@@ -27,19 +27,19 @@ static size_t cover_bytes(uint32_t cells)
     return ((size_t)cells * cells + 7) & ~(size_t)7;
 }
 
-bool tp_foam_enabled(const tp_want *want)
+bool tp_foam_enabled(const tp_module_conditions *conditions)
 {
-    return want->scene->foam.cells > 0;
+    return conditions->scene->foam.cells > 0;
 }
 
 /* Returns the size of the state.  With coastal water a row of displaced positions follows
  * the cover. */
-static size_t bytes(const tp_want *want)
+static size_t bytes(const tp_module_conditions *conditions)
 {
-    const uint32_t cells = (uint32_t)want->scene->foam.cells;
+    const uint32_t cells = (uint32_t)conditions->scene->foam.cells;
 
     return sizeof(tp_foam) + cover_bytes(cells)
-         + (want->above & TP_MODULE_COASTAL ? cells * sizeof(tp_vec3) : 0);
+           + (conditions->above & TP_MODULE_COASTAL ? cells * sizeof(tp_vec3) : 0);
 }
 
 /* Returns the window's side, Q32 m: below 2^46. */
@@ -70,9 +70,10 @@ static void place_window(tp_foam *foam, const tp_world *world, const tp_scene *s
     foam->first_z = first_window_cell(foam, z, foam->drift_z);
 }
 
-static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
+static tp_status init(void *mine, tp_world *world, const tp_module_conditions *conditions,
+                      tp_error *err)
 {
-    const tp_scene *scene = want->scene;
+    const tp_scene *scene = conditions->scene;
     const uint32_t cells = (uint32_t)scene->foam.cells;
     tp_foam *foam = mine;
 
@@ -80,7 +81,7 @@ static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error
     (void)err;
     foam->cells = cells;
     foam->cell = scene->foam.cell;
-    foam->scratch = want->above & TP_MODULE_COASTAL
+    foam->scratch = conditions->above & TP_MODULE_COASTAL
                ? (uint32_t)(sizeof *foam + cover_bytes(cells)) : 0;
     place_window(foam, world, scene);
     for (int q = 0; q < TP_FOAM_TICKS; q++) {

@@ -79,7 +79,7 @@ TP_ALWAYS_INLINE uint32_t sample_faded_cover(const tp_shade_foam *f, uint32_t s,
 /* -- bubbles ------------------------------------------------------------------------- */
 
 typedef struct {
-    tp_mip_level level;             /* mipmap level; texel NULL: no texture */
+    tp_mip_level level;         /* mipmap level; texel NULL: no texture */
     int32_t  soft, middle;      /* width of the ramp; rank of its centre */
     int32_t  span;              /* shift of the ramp by full or no cover */
     uint32_t per_soft;          /* 2^16 / soft */

@@ -190,15 +190,15 @@ static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
 
 /* -- the module ---------------------------------------------------------------------- */
 
-bool tp_land_enabled(const tp_want *want)
+bool tp_land_enabled(const tp_module_conditions *conditions)
 {
-    return tp_has_floor(want->scene);
+    return tp_has_floor(conditions->scene);
 }
 
-static void *layout(tp_arena *arena, const tp_want *want)
+static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    const size_t cols = (size_t)want->scene->grid.cols;
-    const size_t rows = (size_t)want->scene->grid.rows;
+    const size_t cols = (size_t)conditions->scene->grid.cols;
+    const size_t rows = (size_t)conditions->scene->grid.rows;
     land *l = tp_arena_alloc(arena, 1, sizeof *l), made = { .seen = false };
 
     made.at = tp_arena_alloc(arena, cols * rows, sizeof *made.at);

@@ -94,9 +94,9 @@ static bool has_paddle(const tp_scene_pool *scene)
     return scene->cols > 0 && scene->paddle > 0;
 }
 
-bool tp_paddle_enabled(const tp_want *want)
+bool tp_paddle_enabled(const tp_module_conditions *conditions)
 {
-    return has_paddle(&want->scene->pool) || has_paddle(&want->scene->field);
+    return has_paddle(&conditions->scene->pool) || has_paddle(&conditions->scene->field);
 }
 
 static void step_paddle(void *mine, const tp_program *program, tp_world *world,
@@ -119,19 +119,20 @@ const tp_module tp_paddle_module = {
 
 /* -- enabled pools ------------------------------------------------------------------- */
 
-static bool is_pool_enabled(const tp_want *want, const tp_scene_pool *pool)
+static bool is_pool_enabled(const tp_module_conditions *conditions,
+                            const tp_scene_pool *pool)
 {
-    return pool->cols > 0 && (!want->water || want->water->pools);
+    return pool->cols > 0 && (!conditions->water || conditions->water->pools);
 }
 
-bool tp_main_pool_enabled(const tp_want *want)
+bool tp_main_pool_enabled(const tp_module_conditions *conditions)
 {
-    return is_pool_enabled(want, &want->scene->pool);
+    return is_pool_enabled(conditions, &conditions->scene->pool);
 }
 
-bool tp_field_enabled(const tp_want *want)
+bool tp_field_enabled(const tp_module_conditions *conditions)
 {
-    return is_pool_enabled(want, &want->scene->field);
+    return is_pool_enabled(conditions, &conditions->scene->field);
 }
 
 /* -- splashes ------------------------------------------------------------------------ */
@@ -177,9 +178,9 @@ static void step_pokes(void *mine, const tp_program *program, tp_world *world,
     step_random_splash(tp_world_module_state(world, TP_FIELD_ID), world, &scene->field);
 }
 
-bool tp_pokes_enabled(const tp_want *want)
+bool tp_pokes_enabled(const tp_module_conditions *conditions)
 {
-    return tp_main_pool_enabled(want) || tp_field_enabled(want);
+    return tp_main_pool_enabled(conditions) || tp_field_enabled(conditions);
 }
 
 const tp_module tp_pokes_module = {
@@ -189,16 +190,18 @@ const tp_module tp_pokes_module = {
 
 /* -- common to both pools ------------------------------------------------------------ */
 
-static size_t basin_bytes(const tp_want *want, bool is_field)
+static size_t basin_bytes(const tp_module_conditions *conditions, bool is_field)
 {
-    const tp_pool_config config = tp_pools_config(want->scene, want->assets, is_field);
+    const tp_pool_config config =
+        tp_pools_config(conditions->scene, conditions->assets, is_field);
     return offsetof(tp_basin, pool) + tp_pool_bytes(&config);
 }
 
-static tp_status init_basin(tp_basin *basin, const tp_want *want, bool is_field,
-                            tp_error *err)
+static tp_status init_basin(tp_basin *basin, const tp_module_conditions *conditions,
+                            bool is_field, tp_error *err)
 {
-    const tp_pool_config config = tp_pools_config(want->scene, want->assets, is_field);
+    const tp_pool_config config =
+        tp_pools_config(conditions->scene, conditions->assets, is_field);
     return tp_pool_init(&basin->pool, &config, err);
 }
 
@@ -237,20 +240,21 @@ static bool is_valid(const void *mine, const void *fresh_state, const tp_world *
 
 /* -- [pool] -------------------------------------------------------------------------- */
 
-static tp_status pool_check(const tp_want *want, tp_error *err)
+static tp_status pool_check(const tp_module_conditions *conditions, tp_error *err)
 {
-    return tp_pools_check(want->scene, want->assets, false, err);
+    return tp_pools_check(conditions->scene, conditions->assets, false, err);
 }
 
-static size_t pool_bytes(const tp_want *want)
+static size_t pool_bytes(const tp_module_conditions *conditions)
 {
-    return basin_bytes(want, false);
+    return basin_bytes(conditions, false);
 }
 
-static tp_status pool_init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
+static tp_status pool_init(void *mine, tp_world *world,
+                           const tp_module_conditions *conditions, tp_error *err)
 {
     (void)world;
-    return init_basin(mine, want, false, err);
+    return init_basin(mine, conditions, false, err);
 }
 
 static bool pool_fits(const void *mine, const tp_scene *scene)
@@ -258,10 +262,11 @@ static bool pool_fits(const void *mine, const tp_scene *scene)
     return basin_fits_scene(mine, scene, false);
 }
 
-static bool pool_refresh(void *mine, tp_world *world, const tp_want *want)
+static bool pool_refresh(void *mine, tp_world *world,
+                         const tp_module_conditions *conditions)
 {
     (void)world;
-    return apply_basin_config(mine, want->scene, false);
+    return apply_basin_config(mine, conditions->scene, false);
 }
 
 /* Handles an impact: a splash of the strength of a ring [D5]. */
@@ -290,20 +295,21 @@ const tp_module tp_main_pool_module = {
 
 /* -- [field] ------------------------------------------------------------------------- */
 
-static tp_status field_check(const tp_want *want, tp_error *err)
+static tp_status field_check(const tp_module_conditions *conditions, tp_error *err)
 {
-    return tp_pools_check(want->scene, want->assets, true, err);
+    return tp_pools_check(conditions->scene, conditions->assets, true, err);
 }
 
-static size_t field_bytes(const tp_want *want)
+static size_t field_bytes(const tp_module_conditions *conditions)
 {
-    return basin_bytes(want, true);
+    return basin_bytes(conditions, true);
 }
 
-static tp_status field_init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
+static tp_status field_init(void *mine, tp_world *world,
+                            const tp_module_conditions *conditions, tp_error *err)
 {
     (void)world;
-    return init_basin(mine, want, true, err);
+    return init_basin(mine, conditions, true, err);
 }
 
 static bool field_fits(const void *mine, const tp_scene *scene)
@@ -311,10 +317,11 @@ static bool field_fits(const void *mine, const tp_scene *scene)
     return basin_fits_scene(mine, scene, true);
 }
 
-static bool field_refresh(void *mine, tp_world *world, const tp_want *want)
+static bool field_refresh(void *mine, tp_world *world,
+                          const tp_module_conditions *conditions)
 {
     (void)world;
-    return apply_basin_config(mine, want->scene, true);
+    return apply_basin_config(mine, conditions->scene, true);
 }
 
 static void field_surface(const void *mine, tp_surface *surface)

@@ -155,26 +155,26 @@ static void draw_mirror_map(tp_frame *frame, void *mine)
 
 /* -- the module ---------------------------------------------------------------------- */
 
-bool tp_mirror_enabled(const tp_want *want)
+bool tp_mirror_enabled(const tp_module_conditions *conditions)
 {
-    return want->scene->mirror.method == TP_MIRROR_STENCIL
-           && want->scene->water.reflection > 0
-           && want->above & (TP_MODULE_SOLID | TP_MODULE_WALLS);
+    return conditions->scene->mirror.method == TP_MIRROR_STENCIL
+           && conditions->scene->water.reflection > 0
+           && conditions->above & (TP_MODULE_SOLID | TP_MODULE_WALLS);
 }
 
 /* Returns the number of halvings.  The projection of a small picture can be halved only
  * once. */
-static uint32_t count_halvings(const tp_want *want)
+static uint32_t count_halvings(const tp_module_conditions *conditions)
 {
-    return want->scene->mirror.size == TP_MIRROR_QUARTER && want->width >= 64
-           && want->height >= 64 ? 2 : 1;
+    return conditions->scene->mirror.size == TP_MIRROR_QUARTER && conditions->width >= 64
+           && conditions->height >= 64 ? 2 : 1;
 }
 
-static void *layout_mirror(tp_arena *arena, const tp_want *want)
+static void *layout_mirror(tp_arena *arena, const tp_module_conditions *conditions)
 {
     mirror *m = tp_arena_alloc(arena, 1, sizeof *m), made = { .look.bend = 0 };
 
-    tp_planar_layout(&made.store, arena, want, count_halvings(want));
+    tp_planar_layout(&made.store, arena, conditions, count_halvings(conditions));
     made.look.zi = made.zi = tp_arena_alloc(arena, made.store.cols, sizeof *made.zi);
     if (m)
         *m = made;
@@ -300,19 +300,19 @@ static void draw_cube_map(tp_frame *frame, void *mine)
 
 /* -- the module ---------------------------------------------------------------------- */
 
-bool tp_object_cube_enabled(const tp_want *want)
+bool tp_object_cube_enabled(const tp_module_conditions *conditions)
 {
-    return want->scene->mirror.method == TP_MIRROR_CUBE
-        && want->scene->water.reflection > 0 && want->above & TP_MODULE_SOLID;
+    return conditions->scene->mirror.method == TP_MIRROR_CUBE
+        && conditions->scene->water.reflection > 0 && conditions->above & TP_MODULE_SOLID;
 }
 
-static void *layout_cube(tp_arena *arena, const tp_want *want)
+static void *layout_cube(tp_arena *arena, const tp_module_conditions *conditions)
 {
     const size_t texels = TP_OBJECT_CUBE_FACES * TP_OBJECT_CUBE_SIDE * TP_OBJECT_CUBE_SIDE;
     cube_map *m = tp_arena_alloc(arena, 1, sizeof *m),
              made = { .object_cube.colour = NULL };
 
-    (void)want;
+    (void)conditions;
     made.colour = tp_arena_alloc(arena, texels, sizeof *made.colour);
     made.samples = tp_arena_alloc(arena, WIDE * BAND, 4 * sizeof *made.samples);
     if (m)

@@ -66,14 +66,14 @@ static void add_dome_stages(const tp_frame *frame, const void *mine, const tp_st
 
 /* -- the module ---------------------------------------------------------------------- */
 
-bool tp_sky_dome_enabled(const tp_want *want)
+bool tp_sky_dome_enabled(const tp_module_conditions *conditions)
 {
-    return tp_has_dome(want->scene);
+    return tp_has_dome(conditions->scene);
 }
 
-static void *layout_dome(tp_arena *arena, const tp_want *want)
+static void *layout_dome(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)want;
+    (void)conditions;
     return tp_arena_alloc(arena, 1, sizeof(tp_dome));
 }
 
@@ -131,14 +131,15 @@ static void add_stars_stage(const tp_frame *frame, const void *mine, const tp_st
 
 /* -- the module ---------------------------------------------------------------------- */
 
-bool tp_stars_enabled(const tp_want *want)
+bool tp_stars_enabled(const tp_module_conditions *conditions)
 {
-    return want->scene->sky.kind == TP_SKY_NIGHT && want->above & TP_MODULE_DOME;
+    return conditions->scene->sky.kind == TP_SKY_NIGHT
+           && conditions->above & TP_MODULE_DOME;
 }
 
-static void *layout_stars(tp_arena *arena, const tp_want *want)
+static void *layout_stars(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)want;
+    (void)conditions;
     return tp_arena_alloc(arena, 1, sizeof(stars));
 }
 
@@ -198,14 +199,14 @@ static void add_cube_stages(const tp_frame *frame, const void *mine, const tp_st
 
 /* -- the module ---------------------------------------------------------------------- */
 
-bool tp_sky_cube_enabled(const tp_want *want)
+bool tp_sky_cube_enabled(const tp_module_conditions *conditions)
 {
-    return tp_has_cube(want->scene, want->assets);
+    return tp_has_cube(conditions->scene, conditions->assets);
 }
 
-static void *layout_cube(tp_arena *arena, const tp_want *want)
+static void *layout_cube(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)want;
+    (void)conditions;
     return tp_arena_alloc(arena, 1, sizeof(sky_cube));
 }
 
@@ -245,14 +246,14 @@ static void add_haze_stage(const tp_frame *frame, const void *mine, const tp_sta
 
 /* -- the module ---------------------------------------------------------------------- */
 
-bool tp_haze_enabled(const tp_want *want)
+bool tp_haze_enabled(const tp_module_conditions *conditions)
 {
-    return want->scene->sky.haze > 0;
+    return conditions->scene->sky.haze > 0;
 }
 
-static void *layout_haze(tp_arena *arena, const tp_want *want)
+static void *layout_haze(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)want;
+    (void)conditions;
     return tp_arena_alloc(arena, 1, sizeof(tp_haze));
 }
 

@@ -150,9 +150,9 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
         tp_shaders_add(list, TP_AT_COLOUR, stage[0], mine);
 }
 
-static void *layout(tp_arena *arena, const tp_want *want)
+static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    const uint32_t room = (uint32_t)want->scene->spray.count;
+    const uint32_t room = (uint32_t)conditions->scene->spray.count;
     discs *d = tp_arena_alloc(arena, 1, sizeof *d);
     disc  *all = tp_arena_alloc(arena, room, sizeof *all);
 

@@ -35,23 +35,24 @@ const tp_speck *tp_spray_list(const tp_spray *spray)
     return (const tp_speck *)(const void *)(spray + 1);
 }
 
-bool tp_spray_enabled(const tp_want *want)
+bool tp_spray_enabled(const tp_module_conditions *conditions)
 {
-    return want->scene->spray.count > 0;
+    return conditions->scene->spray.count > 0;
 }
 
-static size_t bytes(const tp_want *want)
+static size_t bytes(const tp_module_conditions *conditions)
 {
-    return sizeof(tp_spray) + (size_t)want->scene->spray.count * sizeof(tp_speck);
+    return sizeof(tp_spray) + (size_t)conditions->scene->spray.count * sizeof(tp_speck);
 }
 
-static tp_status init(void *mine, tp_world *world, const tp_want *want, tp_error *err)
+static tp_status init(void *mine, tp_world *world, const tp_module_conditions *conditions,
+                      tp_error *err)
 {
     tp_spray *spray = mine;
 
     (void)world, (void)err;
-    TP_ASSERT(want->scene->spray.count > 0);
-    spray->capacity = (uint32_t)want->scene->spray.count;
+    TP_ASSERT(conditions->scene->spray.count > 0);
+    spray->capacity = (uint32_t)conditions->scene->spray.count;
     spray->random = 1;
     return TP_OK;
 }

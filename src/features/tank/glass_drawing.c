@@ -206,15 +206,15 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 
 /* -- the module ----------------------------------------------------------------------- */
 
-bool tp_glass_enabled(const tp_want *want)
+bool tp_glass_enabled(const tp_module_conditions *conditions)
 {
-    return want->above & TP_MODULE_WALLS && tp_has_tank(want->scene)
-        && want->scene->tank.kind == TP_TANK_GLASS;
+    return conditions->above & TP_MODULE_WALLS && tp_has_tank(conditions->scene)
+           && conditions->scene->tank.kind == TP_TANK_GLASS;
 }
 
-static void *layout(tp_arena *arena, const tp_want *want)
+static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    const int32_t cols = want->scene->grid.cols, rows = want->scene->grid.rows;
+    const int32_t cols = conditions->scene->grid.cols, rows = conditions->scene->grid.rows;
     const size_t lines = (size_t)(cols > rows ? cols : rows);
     tp_glass *glass = tp_arena_alloc(arena, 1, sizeof *glass), made = { .walls = 0 };
 

@@ -23,7 +23,7 @@ struct tp_frame;
 #define TP_BLOCKS 256           /* maximum of a pool's inner wall blocks */
 
 typedef struct {
-    tp_rectangle *block;        /* room for TP_BLOCKS; NULL: no inner walls */
+    tp_rectangle *block;        /* inner walls, room for TP_BLOCKS; NULL: none */
     uint32_t blocks, dropped;
     tp_fx    low, high;         /* height range of all blocks, m */
     bool     made;

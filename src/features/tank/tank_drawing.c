@@ -184,9 +184,9 @@ static tp_fx grid_line_coordinate(tp_fx centre, tp_fx cell, uint32_t i, uint32_t
                           - (cells & 1 ? cell / 2 : 0));
 }
 
-/* Lengthens a block with the same x range that ends at r.z0 to r.z1.  Returns false if
- * there is no such block. */
-static bool extend_block(tp_tank *tank, tp_rectangle r)
+/* Lengthens a wall block with the same x range that ends at r.z0 to r.z1.  Returns false
+ * if there is no such block. */
+static bool extend_wall_block(tp_tank *tank, tp_rectangle r)
 {
     for (uint32_t i = 0; i < tank->blocks; i++) {
         tp_rectangle *b = &tank->block[i];
@@ -198,7 +198,9 @@ static bool extend_block(tp_tank *tank, tp_rectangle r)
     return false;
 }
 
-static void append_row_blocks(tp_tank *tank, const tp_pool *pool, uint32_t row)
+/* Adds the wall cells of a row: each stretch of neighbouring wall cells lengthens the same
+ * stretch of the row before, or begins a new block.  Counts blocks without room. */
+static void append_row_wall_blocks(tp_tank *tank, const tp_pool *pool, uint32_t row)
 {
     uint32_t end;
 
@@ -211,7 +213,7 @@ static void append_row_blocks(tp_tank *tank, const tp_pool *pool, uint32_t row)
                            grid_line_coordinate(pool->x, pool->cell, end, pool->cols),
                            grid_line_coordinate(pool->z, pool->cell, row, pool->rows),
                            grid_line_coordinate(pool->z, pool->cell, row + 1, pool->rows) };
-        if (!wall || extend_block(tank, r))
+        if (!wall || extend_wall_block(tank, r))
             continue;
         if (tank->blocks < TP_BLOCKS)
             tank->block[tank->blocks++] = r;
@@ -220,8 +222,8 @@ static void append_row_blocks(tp_tank *tank, const tp_pool *pool, uint32_t row)
     }
 }
 
-/* Makes the blocks once, and sets the heights.  Without a tank blocks are three cells
- * high, above a splash of the usual height. */
+/* Makes the wall blocks once, and sets their heights.  Without a tank blocks are three
+ * cells high, above a splash of the usual height. */
 static void begin(tp_frame *frame, void *mine)
 {
     tp_tank *tank = mine;
@@ -232,7 +234,7 @@ static void begin(tp_frame *frame, void *mine)
     tank->high = walled ? scene->tank.rim : 3 * scene->pool.cell;
     tank->low = walled ? -scene->tank.depth : -scene->pool.max_height;
     for (uint32_t row = 0; !tank->made && pool && row < pool->rows; row++)
-        append_row_blocks(tank, pool, row);
+        append_row_wall_blocks(tank, pool, row);
     tank->made = true;
     frame->stats.dropped += tank->dropped;
 }
@@ -241,17 +243,17 @@ static void begin(tp_frame *frame, void *mine)
 
 /* True if the stone is on.  Stone uses the materials and the light of the module for the
  * inside of the water. */
-bool tp_tank_enabled(const tp_want *want)
+bool tp_tank_enabled(const tp_module_conditions *conditions)
 {
-    return want->above & TP_MODULE_UNDERWATER
-           && (tp_has_tank(want->scene) || tp_has_inner_walls(want->scene));
+    return conditions->above & TP_MODULE_UNDERWATER
+           && (tp_has_tank(conditions->scene) || tp_has_inner_walls(conditions->scene));
 }
 
-static void *layout(tp_arena *arena, const tp_want *want)
+static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
     tp_tank *tank = tp_arena_alloc(arena, 1, sizeof *tank), made = { .block = NULL };
 
-    if (tp_has_inner_walls(want->scene))
+    if (tp_has_inner_walls(conditions->scene))
         made.block = tp_arena_alloc(arena, TP_BLOCKS, sizeof *made.block);
     if (tank)
         *tank = made;

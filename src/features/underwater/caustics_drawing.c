@@ -126,14 +126,16 @@ static void trace_light_vertex(const tp_frame *frame, const tp_caustics *map,
 
 /* -- distribution of the light ------------------------------------------------------- */
 
+/* Returns the index of a cell; a cell outside of the map is mirrored at the map's edge. */
 static uint32_t mirrored_index(int32_t i, uint32_t cells)
 {
     int32_t n = (int32_t)cells, at = i < 0 ? -1 - i : i < n ? i : 2 * n - 1 - i;
     return (uint32_t)tp_clamp(at, 0, n - 1);
 }
 
-static void add_cell_light(uint16_t *light, uint32_t cells, int32_t i, int32_t j,
-                           int32_t share)
+/* Adds light to cell (i, j), at most to 65535; cells outside of the map are mirrored. */
+static void add_mirrored_cell_light(uint16_t *light, uint32_t cells, int32_t i, int32_t j,
+                                    int32_t share)
 {
     uint16_t *to = light + mirrored_index(j, cells) * cells + mirrored_index(i, cells);
     *to = (uint16_t)(*to + share < 65535 ? *to + share : 65535);
@@ -149,10 +151,10 @@ static void splat_light(uint16_t *light, uint32_t cells, int32_t x, int32_t z,
     int32_t b = share * f * (16 - g) >> 8, c = share * (16 - f) * g >> 8;
     int32_t d = share * f * g >> 8;
 
-    add_cell_light(light, cells, i, j, share - b - c - d);
-    add_cell_light(light, cells, i + 1, j, b);
-    add_cell_light(light, cells, i, j + 1, c);
-    add_cell_light(light, cells, i + 1, j + 1, d);
+    add_mirrored_cell_light(light, cells, i, j, share - b - c - d);
+    add_mirrored_cell_light(light, cells, i + 1, j, b);
+    add_mirrored_cell_light(light, cells, i, j + 1, c);
+    add_mirrored_cell_light(light, cells, i + 1, j + 1, d);
 }
 
 /* Distributes the light of the cell between two rows of vertices.  Its light is its
@@ -177,7 +179,9 @@ static void splat_cell_light(uint16_t *light, uint32_t cells, const tp_caustic_v
     }
 }
 
-static void make(const tp_frame *frame, tp_caustics *map)
+/* Traces light through each vertex of the map to the floor, and distributes the light of
+ * each cell. */
+static void make_light_map(const tp_frame *frame, tp_caustics *map)
 {
     const tp_surface surface = tp_frame_surface_with_pools(frame);
     uint32_t n = map->look.cells;
@@ -217,23 +221,23 @@ static void begin(tp_frame *frame, void *mine)
     map->place = r;
     map->level_fall = still;
     frame->shade.caustic = &map->look;
-    make(frame, map);
+    make_light_map(frame, map);
 }
 
 /* -- the module ----------------------------------------------------------------------- */
 
-bool tp_caustics_enabled(const tp_want *want)
+bool tp_caustics_enabled(const tp_module_conditions *conditions)
 {
-    const tp_scene *scene = want->scene;
-    const bool tank = tp_has_tank(scene) && want->above & TP_MODULE_WALLS;
+    const tp_scene *scene = conditions->scene;
+    const bool tank = tp_has_tank(scene) && conditions->above & TP_MODULE_WALLS;
 
     return scene->water.clarity > 0 && scene->water.caustics > 0
-           && want->above & TP_MODULE_UNDERWATER && (tank || tp_has_floor(scene));
+           && conditions->above & TP_MODULE_UNDERWATER && (tank || tp_has_floor(scene));
 }
 
-static void *layout(tp_arena *arena, const tp_want *want)
+static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    const size_t cells = (size_t)want->scene->water.caustic_cells;
+    const size_t cells = (size_t)conditions->scene->water.caustic_cells;
     tp_caustics *map = tp_arena_alloc(arena, 1, sizeof *map);
     uint16_t *light = tp_arena_alloc(arena, cells * cells, sizeof *light);
     tp_caustic_vertex *row = tp_arena_alloc(arena, 2 * (cells + 1), sizeof *row);

@@ -103,9 +103,9 @@ static bool is_eye_submerged(const tp_frame *frame)
     return eye.y < tp_surface_sample(&frame->surface, eye.x, eye.z, NULL).position.y;
 }
 
-/* True if the program has all stages of the view from under water.  Otherwise the view
- * from above is drawn. */
-static bool has_underwater_stages(const tp_frame *frame)
+/* True if the program has all stages for an eye under water.  Otherwise the view from above
+ * is drawn. */
+static bool has_stages_for_submerged_eye(const tp_frame *frame)
 {
     const tp_stage *stage = tp_frame_module_stages(frame, TP_UNDERWATER_ID);
 
@@ -118,7 +118,7 @@ static void begin_underwater(tp_frame *frame, void *mine)
     tp_underwater *in = mine;
 
     frame->shade.caustic = NULL;
-    frame->under = has_underwater_stages(frame) && is_eye_submerged(frame);
+    frame->under = has_stages_for_submerged_eye(frame) && is_eye_submerged(frame);
     if (!frame->under && scene->water.clarity == 0 && !frame->assets.floor_texture
         && !tp_frame_has_module(frame, TP_MODULE_WALLS))
         return;
@@ -162,15 +162,15 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 /* -- the module ---------------------------------------------------------------------- */
 
 /* True in every scene: any camera may dive. */
-bool tp_underwater_enabled(const tp_want *want)
+bool tp_underwater_enabled(const tp_module_conditions *conditions)
 {
-    (void)want;
+    (void)conditions;
     return true;
 }
 
-static void *layout_underwater(tp_arena *arena, const tp_want *want)
+static void *layout_underwater(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)want;
+    (void)conditions;
     return tp_arena_alloc(arena, 1, sizeof(tp_underwater));
 }
 
@@ -195,18 +195,19 @@ const tp_drawing tp_underwater_drawing = {
 
 /* -- clear water --------------------------------------------------------------------- */
 
-bool tp_clear_water_enabled(const tp_want *want)
+bool tp_clear_water_enabled(const tp_module_conditions *conditions)
 {
-    return want->scene->water.clarity > 0 && want->above & TP_MODULE_UNDERWATER;
+    return conditions->scene->water.clarity > 0 && conditions->above & TP_MODULE_UNDERWATER;
 }
 
 /* Sets the cost traits.  A ray's cost depends on its target: a box, a map or a plane. */
-static void set_cost_traits(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
+static void set_cost_traits(const tp_module_conditions *conditions,
+                            uint8_t trait[TP_TRAIT_COUNT])
 {
-    const tp_scene *scene = want->scene;
-    const bool tank = tp_has_tank(scene) && want->above & TP_MODULE_WALLS;
+    const tp_scene *scene = conditions->scene;
+    const bool tank = tp_has_tank(scene) && conditions->above & TP_MODULE_WALLS;
     const bool floor = !tank && tp_has_floor(scene);
-    const bool chart = floor && want->assets && want->assets->floor;
+    const bool chart = floor && conditions->assets && conditions->assets->floor;
 
     trait[TP_TRAIT_tank] = tank;
     trait[TP_TRAIT_chart] = chart;
@@ -214,9 +215,9 @@ static void set_cost_traits(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
     trait[TP_TRAIT_dispersion] = scene->water.dispersion > 0;
 }
 
-static void *layout_clear_water(tp_arena *arena, const tp_want *want)
+static void *layout_clear_water(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)want;
+    (void)conditions;
     return tp_arena_alloc(arena, 1, sizeof(tp_clear_water));
 }
 
@@ -358,17 +359,17 @@ static void draw_map(tp_frame *frame, void *mine)
 
 /* -- the module ---------------------------------------------------------------------- */
 
-bool tp_refraction_enabled(const tp_want *want)
+bool tp_refraction_enabled(const tp_module_conditions *conditions)
 {
-    return want->scene->water.clarity > 0 && want->above & TP_MODULE_SOLID
-           && want->above & TP_MODULE_UNDERWATER;
+    return conditions->scene->water.clarity > 0 && conditions->above & TP_MODULE_SOLID
+           && conditions->above & TP_MODULE_UNDERWATER;
 }
 
-static void *layout_refraction(tp_arena *arena, const tp_want *want)
+static void *layout_refraction(tp_arena *arena, const tp_module_conditions *conditions)
 {
     refraction *r = tp_arena_alloc(arena, 1, sizeof *r), made = { .map.colour = NULL };
 
-    tp_planar_layout(&made.store, arena, want, 1);
+    tp_planar_layout(&made.store, arena, conditions, 1);
     if (r)
         *r = made;
     return r;

@@ -121,7 +121,8 @@ TP_ALWAYS_INLINE void compute_facets(const tp_run *run, int32_t i, int32_t stop,
     }
 }
 
-/* Computes the refracted rays of samples [i, stop) for one channel. */
+/* Refracts the view rays of samples [i, stop) at the surface into the water, for one
+ * colour channel. */
 TP_ALWAYS_INLINE void refract_rays(const tp_shade *shade, const tp_run *run, int32_t i,
                                    int32_t stop, const facet *surface, int channel,
                                    tp_refracted_ray *ray)

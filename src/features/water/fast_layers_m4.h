@@ -30,11 +30,11 @@ TP_ALWAYS_INLINE uint32_t packed_texel(const tp_lookup *l, uint32_t s, uint32_t 
 }
 
 TP_ALWAYS_INLINE void packed_write_texel_pair(const tp_lookup *l, const uint32_t *place,
-                                              uint32_t *colour, int skip)
+                                              uint32_t *colour, int index)
 {
-    const word_pair s = pair_load(place, skip), t = pair_load(place, skip + TP_RUN);
+    const word_pair s = pair_load(place, index), t = pair_load(place, index + TP_RUN);
 
-    pair_store(colour, skip, packed_texel(l, s.first, t.first),
+    pair_store(colour, index, packed_texel(l, s.first, t.first),
                packed_texel(l, s.second, t.second));
 }
 
@@ -55,14 +55,14 @@ TP_LOOP packed_write_texels(const tp_quick_map *map, int32_t mip_offset,
 }
 
 TP_ALWAYS_INLINE void packed_add_texel_pair(const tp_lookup *l, const uint32_t *place,
-                                            uint32_t *colour, int skip)
+                                            uint32_t *colour, int index)
 {
-    const word_pair s = pair_load(place, skip), t = pair_load(place, skip + TP_RUN);
+    const word_pair s = pair_load(place, index), t = pair_load(place, index + TP_RUN);
     uint32_t a = packed_texel(l, s.first, t.first);
     uint32_t b = packed_texel(l, s.second, t.second);
-    const word_pair c = pair_load(colour, skip);
+    const word_pair c = pair_load(colour, index);
 
-    pair_store(colour, skip, tp_uqadd8(c.first, a), tp_uqadd8(c.second, b));
+    pair_store(colour, index, tp_uqadd8(c.first, a), tp_uqadd8(c.second, b));
 }
 
 TP_LOOP packed_add_texels(const tp_quick_map *map, int32_t mip_offset,
@@ -102,15 +102,17 @@ TP_ALWAYS_INLINE void packed_distort_place(const tp_lookup *l, uint32_t s, uint3
     place[TP_RUN] = packed_add_offset_t(t, off << 16);
 }
 
+/* Distorts the next two places of *s and *t, both by the offset at the first place, into
+ * place[index] and place[index + 1]. */
 TP_ALWAYS_INLINE void packed_distort_pair(const tp_lookup *l, const uint32_t **s,
-                                          const uint32_t **t, uint32_t *place, int skip)
+                                          const uint32_t **t, uint32_t *place, int index)
 {
     const word_pair ss = pair_next(s), tt = pair_next(t);
     uint32_t off = packed_texel(l, ss.first, tt.first), off_t = off << 16;
 
-    pair_store(place, skip, packed_add_offset_s(ss.first, off),
+    pair_store(place, index, packed_add_offset_s(ss.first, off),
                packed_add_offset_s(ss.second, off));
-    pair_store(place, skip + TP_RUN, packed_add_offset_t(tt.first, off_t),
+    pair_store(place, index + TP_RUN, packed_add_offset_t(tt.first, off_t),
                packed_add_offset_t(tt.second, off_t));
 }
 
@@ -166,14 +168,14 @@ TP_LOOP packed_distort_even_places(const tp_quick_map *map, int32_t mip_offset,
 
 TP_ALWAYS_INLINE void packed_add_ripple_slope_pair(const tp_lookup *l, const uint32_t **s,
                                                    const uint32_t **t, const uint32_t **n,
-                                                   uint32_t *slope, int skip)
+                                                   uint32_t *slope, int index)
 {
     const word_pair ss = pair_next(s), tt = pair_next(t);
     uint32_t a = packed_texel(l, ss.first, tt.first);
     uint32_t b = packed_texel(l, ss.second, tt.second);
     const word_pair nn = pair_next(n);
 
-    pair_store(slope, skip, tp_qadd16(nn.first, a), tp_qadd16(nn.second, b));
+    pair_store(slope, index, tp_qadd16(nn.first, a), tp_qadd16(nn.second, b));
 }
 
 TP_LOOP packed_add_ripple_slopes(const tp_quick_map *map, int32_t mip_offset,

@@ -28,20 +28,21 @@ typedef struct {
     uint32_t first, second;
 } word_pair;
 
-/* Loads from[skip] and from[skip + 1]; `skip` is a literal, in words. */
-TP_ALWAYS_INLINE word_pair pair_load(const uint32_t *from, int skip)
+/* Loads from[index] and from[index + 1]; `index` is a literal. */
+TP_ALWAYS_INLINE word_pair pair_load(const uint32_t *from, int index)
 {
     word_pair p;
 #if TP_DSP
     __asm__("ldrd %0, %1, [%2, %3]" : "=r"(p.first), "=r"(p.second)
-            : "r"(from), "i"(4 * skip), "m"(from[skip]), "m"(from[skip + 1]));
+            : "r"(from), "i"(4 * index), "m"(from[index]), "m"(from[index + 1]));
 #else
-    p.first = from[skip];
-    p.second = from[skip + 1];
+    p.first = from[index];
+    p.second = from[index + 1];
 #endif
     return p;
 }
 
+/* Loads two words and advances *from behind them. */
 TP_ALWAYS_INLINE word_pair pair_next(const uint32_t **from)
 {
     word_pair p;
@@ -56,14 +57,15 @@ TP_ALWAYS_INLINE word_pair pair_next(const uint32_t **from)
     return p;
 }
 
-TP_ALWAYS_INLINE void pair_store(uint32_t *to, int skip, uint32_t first, uint32_t second)
+/* Stores to[index] and to[index + 1]; `index` is a literal. */
+TP_ALWAYS_INLINE void pair_store(uint32_t *to, int index, uint32_t first, uint32_t second)
 {
 #if TP_DSP
-    __asm__("strd %2, %3, [%4, %5]" : "=m"(to[skip]), "=m"(to[skip + 1])
-            : "r"(first), "r"(second), "r"(to), "i"(4 * skip));
+    __asm__("strd %2, %3, [%4, %5]" : "=m"(to[index]), "=m"(to[index + 1])
+            : "r"(first), "r"(second), "r"(to), "i"(4 * index));
 #else
-    to[skip] = first;
-    to[skip + 1] = second;
+    to[index] = first;
+    to[index + 1] = second;
 #endif
 }
 

@@ -215,12 +215,12 @@ static void begin(tp_frame *frame, void *mine)
     update_tables(frame, &fast->light, has_ripples(frame, &fast->layers));
 }
 
-static void *layout(tp_arena *arena, const tp_want *want)
+static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
     tp_fast_water *fast = tp_arena_alloc(arena, 1, sizeof *fast);
     void *counted[TP_BAKED_LAYERS];
 
-    quick_layout_pictures(fast ? fast->memory : counted, arena, want->assets);
+    quick_layout_pictures(fast ? fast->memory : counted, arena, conditions->assets);
     return fast;
 }
 

@@ -138,7 +138,9 @@ TP_ALWAYS_INLINE uint32_t reflected_share_q16(const tp_shade *shade, int32_t nv,
     return share * horizon_fade(up) >> 8;
 }
 
-void tp_stage_mirror(const tp_shade *restrict shade, tp_run *restrict run)
+/* Mixes the reflected gradient sky into the colours, by Fresnel's share: the work of
+ * tp_stage_reflect_gradient and tp_stage_fresnel in one stage. */
+void tp_stage_mirror_gradient_sky(const tp_shade *restrict shade, tp_run *restrict run)
 {
     const int32_t count = run->count;
 

@@ -12,9 +12,9 @@
 
 /* -- the base layer ------------------------------------------------------------------ */
 
-static void *layout_base(tp_arena *arena, const tp_want *want)
+static void *layout_base(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)want;
+    (void)conditions;
     return tp_arena_alloc(arena, 1, sizeof(tp_base_layer));
 }
 
@@ -62,9 +62,9 @@ const tp_drawing tp_base_layer_drawing = {
 
 /* -- the added layers ---------------------------------------------------------------- */
 
-static void *layout_layers(tp_arena *arena, const tp_want *want)
+static void *layout_layers(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)want;
+    (void)conditions;
     return tp_arena_alloc(arena, 1, sizeof(tp_layers));
 }
 
@@ -132,9 +132,9 @@ static uint32_t padded_cell_count(const tp_scene_pool *pool)
     return pool->cols <= 0 ? 0 : (uint32_t)(pool->cols + 2) * (uint32_t)(pool->rows + 2);
 }
 
-static void *layout_bumps(tp_arena *arena, const tp_want *want)
+static void *layout_bumps(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    const tp_scene_pool *pool[] = { &want->scene->pool, &want->scene->field };
+    const tp_scene_pool *pool[] = { &conditions->scene->pool, &conditions->scene->field };
     bumps *b = tp_arena_alloc(arena, 1, sizeof *b), made = { .cells = { 0 } };
 
     for (int k = 0; k < TP_POOL_BUMPS; k++) {
@@ -188,9 +188,9 @@ const tp_drawing tp_bumps_drawing = {
 
 /* -- capillary waves ----------------------------------------------------------------- */
 
-static void *layout_ripple(tp_arena *arena, const tp_want *want)
+static void *layout_ripple(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)want;
+    (void)conditions;
     return tp_arena_alloc(arena, 1, sizeof(tp_ripple));
 }
 
@@ -315,7 +315,7 @@ static void add_reflectance_stages(const tp_frame *frame, const void *mine,
         return;
     if (frame->shade.env.kind == TP_ENV_GRADIENT
         && frame->scene->mirror.method == TP_MIRROR_NONE)
-        tp_shaders_add(list, TP_AT_FRESNEL, stage[TP_NTH_mirror], NULL);
+        tp_shaders_add(list, TP_AT_FRESNEL, stage[TP_NTH_mirror_gradient_sky], NULL);
     else
         add_reflect_and_fresnel_stages(frame, stage, list);
 }
@@ -327,9 +327,9 @@ const tp_drawing tp_reflectance_drawing = { .begin = begin_reflectance,
 
 /* The lobe's table for the light model. */
 
-static void *layout_glint(tp_arena *arena, const tp_want *want)
+static void *layout_glint(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)want;
+    (void)conditions;
     return tp_arena_alloc(arena, TP_SHINE + 1, sizeof(tp_entry16));
 }
 

@@ -5,110 +5,119 @@
 /* -- layers -------------------------------------------------------------------------- */
 
 /* True if layer k was loaded, or baked for fast shading. */
-static bool has_layer(const tp_want *want, int k)
+static bool has_layer(const tp_module_conditions *conditions, int k)
 {
-    return want->assets && (want->assets->layer[k] || want->assets->baked_layer[k]);
+    return conditions->assets
+           && (conditions->assets->layer[k] || conditions->assets->baked_layer[k]);
 }
 
-static uint8_t added_layer_count(const tp_want *want)
+static uint8_t added_layer_count(const tp_module_conditions *conditions)
 {
-    return (uint8_t)(has_layer(want, 1) + has_layer(want, 2));
+    return (uint8_t)(has_layer(conditions, 1) + has_layer(conditions, 2));
 }
 
 /* True if a distortion moves a layer; without any layer the distortion is off. */
-static bool bends_layers(const tp_want *want)
+static bool bends_layers(const tp_module_conditions *conditions)
 {
-    return want->assets && (want->assets->distortion || want->assets->baked_offset)
-           && want->scene->distortion.strength > 0
-           && (has_layer(want, 0) || added_layer_count(want) > 0);
+    return conditions->assets
+           && (conditions->assets->distortion || conditions->assets->baked_offset)
+           && conditions->scene->distortion.strength > 0
+           && (has_layer(conditions, 0) || added_layer_count(conditions) > 0);
 }
 
-static bool is_linear(const tp_want *want)
+static bool is_linear(const tp_module_conditions *conditions)
 {
-    return want->scene->water.filter == TP_FILTER_LINEAR;
+    return conditions->scene->water.filter == TP_FILTER_LINEAR;
 }
 
-bool tp_base_layer_enabled(const tp_want *want)
+bool tp_base_layer_enabled(const tp_module_conditions *conditions)
 {
-    return has_layer(want, 0);
+    return has_layer(conditions, 0);
 }
 
-static void set_base_layer_traits(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
+static void set_base_layer_traits(const tp_module_conditions *conditions,
+                                  uint8_t trait[TP_TRAIT_COUNT])
 {
     trait[TP_TRAIT_texture] = 1;
-    trait[TP_TRAIT_linear] = is_linear(want);
+    trait[TP_TRAIT_linear] = is_linear(conditions);
 }
 
-bool tp_layers_enabled(const tp_want *want)
+bool tp_layers_enabled(const tp_module_conditions *conditions)
 {
-    return added_layer_count(want) > 0 || bends_layers(want);
+    return added_layer_count(conditions) > 0 || bends_layers(conditions);
 }
 
-static void set_layer_traits(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
+static void set_layer_traits(const tp_module_conditions *conditions,
+                             uint8_t trait[TP_TRAIT_COUNT])
 {
-    trait[TP_TRAIT_bend] = bends_layers(want);
-    trait[is_linear(want) ? TP_TRAIT_lined : TP_TRAIT_layer] = added_layer_count(want);
+    trait[TP_TRAIT_bend] = bends_layers(conditions);
+    trait[is_linear(conditions) ? TP_TRAIT_lined : TP_TRAIT_layer] =
+        added_layer_count(conditions);
 }
 
 /* -- slopes -------------------------------------------------------------------------- */
 
-static uint8_t pool_bump_count(const tp_want *want)
+static uint8_t pool_bump_count(const tp_module_conditions *conditions)
 {
-    const tp_scene *scene = want->scene;
+    const tp_scene *scene = conditions->scene;
 
     return scene->water.pool_normal_strength > 0
                ? (uint8_t)((scene->pool.cols > 0) + (scene->field.cols > 0)) : 0;
 }
 
-bool tp_bumps_enabled(const tp_want *want)
+bool tp_bumps_enabled(const tp_module_conditions *conditions)
 {
-    return pool_bump_count(want) > 0;
+    return pool_bump_count(conditions) > 0;
 }
 
-static void set_bump_traits(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
+static void set_bump_traits(const tp_module_conditions *conditions,
+                            uint8_t trait[TP_TRAIT_COUNT])
 {
-    trait[TP_TRAIT_bump] = pool_bump_count(want);
+    trait[TP_TRAIT_bump] = pool_bump_count(conditions);
 }
 
-bool tp_ripple_enabled(const tp_want *want)
+bool tp_ripple_enabled(const tp_module_conditions *conditions)
 {
-    return want->assets && (want->assets->ripple || want->assets->baked_slope)
-           && want->scene->ripple.bump > 0;
+    return conditions->assets
+           && (conditions->assets->ripple || conditions->assets->baked_slope)
+           && conditions->scene->ripple.bump > 0;
 }
 
 /* -- light --------------------------------------------------------------------------- */
 
 /* True for water with glitter, reflection or clarity, whose look depends on the view. */
-bool tp_lighting_enabled(const tp_want *want)
+bool tp_lighting_enabled(const tp_module_conditions *conditions)
 {
-    const tp_scene *scene = want->scene;
+    const tp_scene *scene = conditions->scene;
 
     return scene->water.specular > 0 || scene->water.reflection > 0
         || scene->water.clarity > 0;
 }
 
 /* True if diffuse light has an effect: light with full ambient share changes no colour. */
-bool tp_diffuse_enabled(const tp_want *want)
+bool tp_diffuse_enabled(const tp_module_conditions *conditions)
 {
-    return !(want->above & TP_MODULE_LIGHT) && want->scene->light.ambient < TP_FX_ONE;
+    return !(conditions->above & TP_MODULE_LIGHT)
+           && conditions->scene->light.ambient < TP_FX_ONE;
 }
 
-bool tp_glint_enabled(const tp_want *want)
+bool tp_glint_enabled(const tp_module_conditions *conditions)
 {
-    return want->scene->water.specular > 0;
+    return conditions->scene->water.specular > 0;
 }
 
 /* True if the sky is reflected, or for Schlick's law, whose table the module sets.  The
  * exact law needs no module. */
-bool tp_reflectance_enabled(const tp_want *want)
+bool tp_reflectance_enabled(const tp_module_conditions *conditions)
 {
-    return want->scene->water.reflection > 0
-        || want->scene->water.fresnel == TP_FRESNEL_SCHLICK;
+    return conditions->scene->water.reflection > 0
+           || conditions->scene->water.fresnel == TP_FRESNEL_SCHLICK;
 }
 
-static void set_reflectance_traits(const tp_want *want, uint8_t trait[TP_TRAIT_COUNT])
+static void set_reflectance_traits(const tp_module_conditions *conditions,
+                                   uint8_t trait[TP_TRAIT_COUNT])
 {
-    trait[TP_TRAIT_mirror] = want->scene->water.reflection > 0;
+    trait[TP_TRAIT_mirror] = conditions->scene->water.reflection > 0;
 }
 
 /* -- fast shading -------------------------------------------------------------------- */
@@ -117,12 +126,13 @@ static void set_reflectance_traits(const tp_want *want, uint8_t trait[TP_TRAIT_C
  * reflected sky and glints, and pass on a colour only.  Scenes with other features use
  * exact stages.  Smooth water would show the cells of a dome or a cube, so those skies
  * need ripples. */
-bool tp_fast_water_enabled(const tp_want *want)
+bool tp_fast_water_enabled(const tp_module_conditions *conditions)
 {
-    const bool sky = want->above & (TP_MODULE_DOME | TP_MODULE_CUBE);
+    const bool sky = conditions->above & (TP_MODULE_DOME | TP_MODULE_CUBE);
 
-    return (want->shadings >> TP_SHADING_QUICK & 1) && want->scene->hdr.share <= 0
-        && (tp_ripple_enabled(want) || !sky) && !(want->above & TP_MODULE_EXACT);
+    return (conditions->shadings >> TP_SHADING_QUICK & 1)
+           && conditions->scene->hdr.share <= 0 && (tp_ripple_enabled(conditions) || !sky)
+           && !(conditions->above & TP_MODULE_EXACT);
 }
 
 /* -- the modules --------------------------------------------------------------------- */
