@@ -131,7 +131,7 @@ more-tests: everything build/host/count.so build/host/tally.so
 # The random scenes, tapes and builds that a whole run has fewer of, and riscv64.
 soak-tests: everything build/host/count.so
 	@$(MAKE) --no-print-directory $(SAN) unit
-	@TP_SOAK=1 TP_SCENES=100000 FUZZ_SECONDS=$${FUZZ_SECONDS:-300} TP_TIMEOUT=7200 \
+	@TP_SOAK=1 TP_SCENES=10000 FUZZ_SECONDS=$${FUZZ_SECONDS:-300} TP_TIMEOUT=7200 \
 	    TP_BUILD=build/san tests/run.sh build/log/soak tests/gates/coverage.sh \
 	    tests/cross/run.sh tests/budgets/prices.sh tests/fuzz/run.sh \
 	    $(call at_san,$(filter $(BUILD)/tests/stability/% $(BUILD)/tests/accuracy/% \

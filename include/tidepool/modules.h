@@ -253,7 +253,7 @@ typedef struct {
     X(pane)                 /* the glass, after tone mapping */
 #define TP_STAGES_OF_caustics(X)
 #define TP_STAGES_OF_mirror(X)      X(mirrored)         /* objects, over the sky's mirror */
-#define TP_STAGES_OF_object_cube(X) X(mirrored_cube)
+#define TP_STAGES_OF_object_cube(X) X(mirrored_object_cube) /* the same from a cube map */
 #define TP_STAGES_OF_refraction(X)
 #define TP_STAGES_OF_clear_water(X) \
     X(refract) X(refract_rippled) X(refract_dispersed) X(refract_rippled_dispersed)

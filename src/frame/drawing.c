@@ -24,7 +24,7 @@ static bool check_enabled_and_reserve_marks(tp_frame_buffers *buffers, const tp_
         return false;
     if (!u->drawing->marks)
         return true;
-    *mark = tp_marks_reserve_values(&buffers->marks, u->drawing->marks(conditions));
+    *mark = tp_marks_reserve_stencil_values(&buffers->marks, u->drawing->marks(conditions));
     buffers->lacks += *mark == 0;
     return *mark > 0;
 }

@@ -75,8 +75,9 @@ static inline void tp_box_join(tp_grid_box *to, const tp_grid_box *box)
     to->y1 = box->y1 > to->y1 ? box->y1 : to->y1;
 }
 
-/* Returns the height of still water at the anchor, m. */
-tp_fx tp_view_anchor_level(const tp_frame *frame);
+/* Returns the height of still water, m, at the middle of the objects: the anchor of the
+ * mirror views. */
+tp_fx tp_view_objects_water_level(const tp_frame *frame);
 
 /* Sets the shade's view numbers from a projection; the light stays the world's. */
 void tp_view_set_shade(tp_frame *frame, const tp_projection *projection);
@@ -224,18 +225,18 @@ bool tp_shaders_has(const tp_shaders *list, tp_shader_order order);
 typedef struct {
     tp_shaders *list;           /* lists of sky, water, then the modules */
     uint8_t    *list_of;        /* list index of each stencil value */
-    uint16_t    count;          /* number of values dealt */
+    uint16_t    count;          /* stencil values dealt */
     uint8_t     lists;          /* number of lists */
 } tp_marks;
 
-/* Deals the fixed values of sky and water. */
+/* Deals the fixed stencil values of sky and water. */
 void tp_marks_init(tp_marks *marks);
 
-/* Deals `wanted` values and one list, and returns the first value; 0: none is wanted, or
- * too few are left. */
-uint32_t tp_marks_reserve_values(tp_marks *marks, uint32_t wanted);
+/* Deals `wanted` stencil values and one shader list to a module, and returns the first
+ * value; 0: none is wanted, or too few are left. */
+uint32_t tp_marks_reserve_stencil_values(tp_marks *marks, uint32_t wanted);
 
-/* Allocates the memory of the lists; all values are dealt. */
+/* Allocates the memory of the lists; all stencil values are dealt. */
 void tp_marks_layout(tp_marks *marks, tp_arena *arena);
 
 /* Assigns list i, and the values from `first` on, to their owner. */

@@ -45,7 +45,7 @@ void tp_clipped_draw(const tp_projection *projection, const tp_view_plane *level
 
 /* -- views --------------------------------------------------------------------------- */
 
-tp_fx tp_view_anchor_level(const tp_frame *frame)
+tp_fx tp_view_objects_water_level(const tp_frame *frame)
 {
     return tp_frame_objects_anchor(frame).level;
 }

@@ -26,7 +26,7 @@
  * deviation from the triangles.
  */
 
-#define STEEP   3                       /* t of the widest ray: 71.6 degrees */
+#define WIDEST_T 3                      /* limit of t, the tangent of 71.6 degrees */
 #define ROLL    (TP_FX_ONE / 64)        /* sine of the largest roll */
 #define ABOVE   (TP_FX_ONE / 8)         /* least height over the highest crest, m */
 #define FOLDS   (TP_FX_ONE * 9 / 10)    /* limit of the sum for deep water */
@@ -83,7 +83,7 @@ static bool are_lines_ordered_in_view(const tp_frame *frame)
         level_ray ray = corner_ray(frame, corner);
         int64_t across = behind ? -ray.across : ray.across;
         int64_t along = behind ? -ray.along : ray.along;
-        if (across < TP_FX_ONE || (along < 0 ? -along : along) >= STEEP * across)
+        if (across < TP_FX_ONE || (along < 0 ? -along : along) >= WIDEST_T * across)
             return false;
         if (!is_line_order_kept(frame, (tp_fx)(along * TP_FX_ONE / across)))
             return false;

@@ -72,7 +72,7 @@ void tp_marks_init(tp_marks *marks)
     *marks = (tp_marks){ .count = TP_MARK_SOLID, .lists = LISTS };
 }
 
-uint32_t tp_marks_reserve_values(tp_marks *marks, uint32_t wanted)
+uint32_t tp_marks_reserve_stencil_values(tp_marks *marks, uint32_t wanted)
 {
     const uint32_t first = marks->count;
 

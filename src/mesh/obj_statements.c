@@ -14,7 +14,9 @@
 
 enum { MOST_LIBRARIES = 1 << 20, MOST_ROOM = 1 << 28, SHORT_NAME = 255 };
 
-/* obj->seen holds records of kind + 1, length, bytes; a 0 ends the list. */
+/* True if the name was seen before among names of its kind, libraries or materials.
+ * Otherwise adds the name to the recent names if there is room.  obj->seen holds records of
+ * kind + 1, length, bytes; a 0 ends the list. */
 static bool was_seen_or_remember(tp_obj *obj, unsigned kind, tp_word name)
 {
     char *at = obj->seen, *const end = at + sizeof obj->seen;

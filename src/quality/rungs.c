@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Chooses the rungs of a scene: among all combinations of the open kinds, the cheapest
- * with errors within the budget.
+ * with errors within the budget.  A kind is open if the scene leaves the choice of its rung
+ * to the plan.
  *
  * The error of a rung is relative to the exact rung, itself not free of error.  Errors
  * are summed, the worst case.  Rungs named by the scene are not tested against the
@@ -29,7 +30,7 @@ typedef struct {
     tp_fx      left_px, left_colour;    /* budget left for the open kinds */
     int64_t    works;                   /* fixed cost, instructions, Q16 */
     uint32_t   hidden;                  /* water pixels behind solid objects */
-} ground;
+} plan_conditions;
 
 static choice decode_choice(uint32_t number)
 {
@@ -53,19 +54,19 @@ static tp_rungs make_rungs(choice c)
 
 /* True if the rung can draw this view.  Otherwise the frame draws with the exact rung of
  * the kind. */
-static bool is_fit(const ground *g, int kind, int rung)
+static bool is_fit(const plan_conditions *g, int kind, int rung)
 {
     return kind == TP_KIND_VISIBILITY ? g->estimate.fits[rung] != 0
          : kind == TP_KIND_LOD ? rung == 0 || g->estimate.plain
          : kind != TP_KIND_SHADING || rung == 0 || g->estimate.quick;
 }
 
-static tp_error_price rung_error(const ground *g, int kind, int rung)
+static tp_error_price rung_error(const plan_conditions *g, int kind, int rung)
 {
     return g->prices->error[kind][is_fit(g, kind, rung) ? rung : 0][g->estimate.sea];
 }
 
-static int drawn_method(const ground *g, choice c)
+static int drawn_method(const plan_conditions *g, choice c)
 {
     const int v = c.of[TP_KIND_VISIBILITY];
     return is_fit(g, TP_KIND_VISIBILITY, v) ? v : 0;
@@ -74,14 +75,14 @@ static int drawn_method(const ground *g, choice c)
 /* Returns the cost of finding the water.  Some measured settings change nothing and have
  * no cost of their own: a level of detail that is not `known` here, a rate that is not
  * `known` in shaded_price.  The cost without the setting applies. */
-static const tp_seen_price *seen_price(const ground *g, choice c)
+static const tp_seen_price *seen_price(const plan_conditions *g, choice c)
 {
     const tp_seen_price *seen = g->prices->seen[drawn_method(g, c)];
     const int lod = c.of[TP_KIND_LOD];
     return &seen[is_fit(g, TP_KIND_LOD, lod) && seen[lod].known ? lod : 0];
 }
 
-static const tp_shaded_price *shaded_price(const ground *g, choice c)
+static const tp_shaded_price *shaded_price(const plan_conditions *g, choice c)
 {
     const int s = c.of[TP_KIND_SHADING];
     const int drawn = is_fit(g, TP_KIND_SHADING, s) ? s : 0;
@@ -89,7 +90,8 @@ static const tp_shaded_price *shaded_price(const ground *g, choice c)
     return &shaded[shaded[c.of[TP_KIND_RATE]].known ? c.of[TP_KIND_RATE] : 0];
 }
 
-static bool is_open(const ground *g, int kind)
+/* True if the kind is open: the scene names no rung of the kind. */
+static bool is_chosen_by_plan(const plan_conditions *g, int kind)
 {
     return g->named[kind] < 0;
 }
@@ -103,7 +105,7 @@ static int64_t pixel_price(const tp_view_estimate *o, const tp_shaded_price *sha
     return sum;
 }
 
-static int64_t point_price(const ground *g, const tp_seen_price *seen)
+static int64_t point_price(const plan_conditions *g, const tp_seen_price *seen)
 {
     const tp_view_estimate *o = &g->estimate;
     const int64_t wave = (int64_t)seen->wave + (o->sharp ? seen->sharp : 0);
@@ -114,7 +116,7 @@ static int64_t point_price(const ground *g, const tp_seen_price *seen)
 }
 
 /* Costs are below 2^31, pixels below 2^24, vertices below 2^20; waves are at most 16. */
-static tp_price estimate_price(const ground *g, choice c)
+static tp_price estimate_price(const plan_conditions *g, choice c)
 {
     const tp_prices *p = g->prices;
     const tp_view_estimate *o = &g->estimate;
@@ -141,46 +143,47 @@ static tp_price estimate_price(const ground *g, choice c)
 /* -- combinations within the budget -------------------------------------------------- */
 
 /* True if all rungs of open kinds fit the view; named rungs may be unfit. */
-static bool all_fit(const ground *g, choice c)
+static bool all_fit(const plan_conditions *g, choice c)
 {
     for (int k = 0; k < TP_KINDS; k++)
-        if (is_open(g, k) && !is_fit(g, k, c.of[k]))
+        if (is_chosen_by_plan(g, k) && !is_fit(g, k, c.of[k]))
             return false;
     return true;
 }
 
 /* True if the errors of the open kinds stay within the budget left for them. */
-static bool is_within(const ground *g, choice c)
+static bool is_within_budget(const plan_conditions *g, choice c)
 {
     tp_fx px = 0, colour = 0;
 
     for (int k = 0; k < TP_KINDS; k++) {
-        px += is_open(g, k) ? rung_error(g, k, c.of[k]).px : 0;
-        colour += is_open(g, k) ? rung_error(g, k, c.of[k]).colour : 0;
+        px += is_chosen_by_plan(g, k) ? rung_error(g, k, c.of[k]).px : 0;
+        colour += is_chosen_by_plan(g, k) ? rung_error(g, k, c.of[k]).colour : 0;
     }
     return px <= g->left_px && colour <= g->left_colour;
 }
 
-static bool is_named_so(const ground *g, choice c)
+/* True if the choice has the rung that the scene names, for each kind that is not open. */
+static bool keeps_named_rungs(const plan_conditions *g, choice c)
 {
     for (int k = 0; k < TP_KINDS; k++)
-        if (!is_open(g, k) && g->named[k] != (int8_t)c.of[k])
+        if (!is_chosen_by_plan(g, k) && g->named[k] != (int8_t)c.of[k])
             return false;
     return true;
 }
 
 /* Returns the named rungs and, for each open kind, the exact rung.  An exact rung needs
  * no known cost. */
-static choice exact_choice(const ground *g)
+static choice exact_choice(const plan_conditions *g)
 {
     choice c;
 
     for (int k = 0; k < TP_KINDS; k++)
-        c.of[k] = is_open(g, k) ? 0 : (uint8_t)g->named[k];
+        c.of[k] = is_chosen_by_plan(g, k) ? 0 : (uint8_t)g->named[k];
     return c;
 }
 
-static choice find_cheapest(const ground *g)
+static choice find_cheapest(const plan_conditions *g)
 {
     choice   best = exact_choice(g);
     tp_price least = estimate_price(g, best);
@@ -188,8 +191,8 @@ static choice find_cheapest(const ground *g)
     for (uint32_t i = 0; least.known && i < COMBINATIONS; i++) {
         const choice   c = decode_choice(i);
         const tp_price price = estimate_price(g, c);
-        if (price.known && price.cost < least.cost && is_named_so(g, c) && all_fit(g, c)
-            && is_within(g, c)) {
+        if (price.known && price.cost < least.cost && keeps_named_rungs(g, c)
+            && all_fit(g, c) && is_within_budget(g, c)) {
             best = c;
             least = price;
         }
@@ -205,13 +208,14 @@ static int8_t named_rung(int32_t rung, int kind)
     return rung > 0 && rung <= counts[kind] ? (int8_t)(rung - 1) : -1;
 }
 
-static ground make_ground(const tp_prices *prices, const tp_plan_input *in)
+static plan_conditions make_plan_conditions(const tp_prices *prices,
+                                            const tp_plan_input *in)
 {
     TP_ASSERT(in->width > 0 && in->height > 0);
     const tp_scene *scene = in->scene;
     const int32_t asked[TP_KINDS] = { scene->quality.visibility, scene->quality.shading,
                                       scene->quality.rate, scene->quality.lod };
-    ground g = { .prices = prices, .estimate = tp_view_estimate_make(in) };
+    plan_conditions g = { .prices = prices, .estimate = tp_view_estimate_make(in) };
 
     tp_wave_cull_limits limits = tp_wave_cull_limits_make(scene, g.estimate.waves,
                                                 prices->slope_colour);
@@ -235,20 +239,20 @@ static ground make_ground(const tp_prices *prices, const tp_plan_input *in)
 
 bool tp_thins_sea(const tp_plan_input *in)
 {
-    const ground g = make_ground(&tp_prices_measured, in);
+    const plan_conditions g = make_plan_conditions(&tp_prices_measured, in);
     return g.faint.any && !g.estimate.ocean;
 }
 
 tp_rungs tp_rungs_choose_priced(const tp_prices *prices, const tp_plan_input *in)
 {
-    const ground g = make_ground(prices, in);
+    const plan_conditions g = make_plan_conditions(prices, in);
     return make_rungs(find_cheapest(&g));
 }
 
 /* -- reports ------------------------------------------------------------------------- */
 
 /* Returns the cost of a water pixel with the exact rungs, minus the cost of a sky pixel. */
-static int64_t exact_pixel(const ground *g)
+static int64_t exact_pixel(const plan_conditions *g)
 {
     const tp_seen_price *seen = &g->prices->seen[0][0];
 
@@ -259,7 +263,7 @@ static int64_t exact_pixel(const ground *g)
 /* Adds the fixed cost after the rungs are chosen, and subtracts the water pixels hidden
  * behind solid objects.  Hidden pixels are subtracted at the exact rungs' cost, so the
  * sum is the same for all rungs. */
-static void add_works(ground *g, choice chosen, const tp_plan_input *in)
+static void add_works(plan_conditions *g, choice chosen, const tp_plan_input *in)
 {
     const bool quick = chosen.of[TP_KIND_SHADING] > 0 && g->estimate.quick;
     const tp_fixed_cost works = tp_fixed_cost_estimate(in, &g->estimate, quick);
@@ -271,22 +275,23 @@ static void add_works(ground *g, choice chosen, const tp_plan_input *in)
     g->hidden = works.hidden;
 }
 
-static tp_why explain_rung(const ground *g, int kind, choice chosen, choice c)
+static tp_why explain_rung(const plan_conditions *g, int kind, choice chosen, choice c)
 {
     const tp_price price = estimate_price(g, c);
 
     if (c.of[kind] == chosen.of[kind])
-        return is_open(g, kind) ? TP_WHY_CHOSEN : TP_WHY_NAMED;
-    if (!is_open(g, kind))
+        return is_chosen_by_plan(g, kind) ? TP_WHY_CHOSEN : TP_WHY_NAMED;
+    if (!is_chosen_by_plan(g, kind))
         return TP_WHY_OTHER_NAMED;
     if (!is_fit(g, kind, c.of[kind]))
         return TP_WHY_UNFIT;
     if (!price.known)
         return TP_WHY_UNKNOWN;
-    return is_within(g, c) ? TP_WHY_COST : TP_WHY_ERROR;
+    return is_within_budget(g, c) ? TP_WHY_COST : TP_WHY_ERROR;
 }
 
-static tp_rung_report report_rung(const ground *g, int kind, choice chosen, int rung)
+static tp_rung_report report_rung(const plan_conditions *g, int kind, choice chosen,
+                                  int rung)
 {
     const tp_error_price error = rung_error(g, kind, rung);
     choice c = chosen;
@@ -300,13 +305,13 @@ static tp_rung_report report_rung(const ground *g, int kind, choice chosen, int 
 
 tp_price tp_price_estimate(const tp_prices *prices, const tp_plan_input *in)
 {
-    const ground g = make_ground(prices, in);
+    const plan_conditions g = make_plan_conditions(prices, in);
     return estimate_price(&g, find_cheapest(&g));
 }
 
 tp_plan_report tp_plan_make_priced(const tp_prices *prices, const tp_plan_input *in)
 {
-    ground g = make_ground(prices, in);
+    plan_conditions g = make_plan_conditions(prices, in);
     const choice chosen = find_cheapest(&g);
     add_works(&g, chosen, in);
     tp_plan_report r = {
@@ -334,14 +339,14 @@ static uint64_t weigh_errors(tp_price price)
 }
 
 /* Takes the step from `from` that adds the least error per instruction saved. */
-static bool lower_choice(const ground *g, choice *from)
+static bool lower_choice(const plan_conditions *g, choice *from)
 {
     const tp_price here = estimate_price(g, *from);
     choice   best = *from;
     uint64_t added = 1, saved = 0;              /* of the best step; 1 / 0: infinite */
 
     for (int k = 0; k < TP_KINDS; k++) {
-        for (uint8_t i = 0; is_open(g, k) && i < counts[k]; i++) {
+        for (uint8_t i = 0; is_chosen_by_plan(g, k) && i < counts[k]; i++) {
             choice c = *from;
             c.of[k] = i;
             const tp_price p = estimate_price(g, c);
@@ -364,7 +369,7 @@ static bool lower_choice(const ground *g, choice *from)
 
 tp_ladder tp_ladder_make_priced(const tp_prices *prices, const tp_plan_input *in)
 {
-    const ground g = make_ground(prices, in);
+    const plan_conditions g = make_plan_conditions(prices, in);
     choice c = find_cheapest(&g);
     tp_ladder ladder = { .count = 0 };
 

@@ -82,8 +82,9 @@ typedef struct {
 
 #define TP_WHITES 16            /* an alpha of 1 is light of 16 whites more */
 
-/* Single table entries, for tables smaller than the sky's: the gradient at a sine in
- * 256ths; the glow at a squared chord in Q28. */
+/* Single table entries, for tables smaller than the sky's: the colour of the gradient at a
+ * sine in 256ths; the colour of the glow at a squared chord in Q28, with light beyond white
+ * in the alpha. */
 uint32_t tp_dome_gradient(const tp_dome_config *config, bool towards_light, int32_t sine);
 uint32_t tp_dome_glow(const tp_dome_config *config, uint32_t squared_chord);
 

@@ -112,7 +112,8 @@ static tp_grid_span seen_cells(const tp_grid *grid, const tp_plane *planes, uint
 
 /* -- vertices ------------------------------------------------------------------------ */
 
-/* Returns the columns between the skirts, where the waves have not faded to 0. */
+/* Returns the range of columns that waves move.  The outer columns at both sides, skirts
+ * included, have a fade weight of 0 and stay flat. */
 static tp_grid_span wave_columns(const tp_grid *grid)
 {
     uint32_t first = 0, end = grid->cols;

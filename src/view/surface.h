@@ -160,7 +160,7 @@ typedef struct {
 typedef struct {
     tp_grid_line     line;
     int32_t          rest[3];
-    tp_vertex_sincos turn[TP_WAVES];        /* phase, with fading like the columns' pairs */
+    tp_vertex_sincos turn[TP_WAVES];        /* row phases times fade weights of slopes */
     tp_vertex_sincos place[3][TP_WAVES];    /* x, y, depth: m per sine and cosine, Q.18 */
     tp_vertex_tilt   tilt[TP_WAVES];
 } tp_vertex_row;

@@ -287,9 +287,9 @@ static void integrate_edge_phases(const tp_coastal_water *coastal,
     }
 }
 
-/* Returns the phase of deep water at a node as Q32.32, equal to the bits of
- * tp_swell_turns, but with 16 bits of whole turns.  More turns wrap, and the difference
- * from this phase wraps too. */
+/* Returns the phase of deep water at a node in turns, Q32.32; the fraction is the sum of
+ * tp_swell_turns along x and z.  Only 16 bits of the whole turns are kept: more turns wrap.
+ * phase_excess takes the difference of 48 bits, so the wrap cancels there. */
 static int64_t deep_water_node_phase(const tp_coastal_water *coastal,
                                      const tp_coastal_wave *wave, uint32_t col,
                                      uint32_t row)

@@ -80,7 +80,8 @@ static inline tp_fx tp_coastal_node_depth(uint32_t i, int bits)
 typedef struct {
     int64_t x_q24, y_q24;
 } tp_orbit_scale;
-tp_orbit_scale tp_orbit_scale_make(tp_fx depth, tp_fx kx, tp_fx ky);
+tp_orbit_scale tp_orbit_scale_make(tp_fx depth, tp_fx widening_decay,
+                                   tp_fx flattening_decay);
 
 /* Returns e^-K h as Q0.32. */
 uint32_t tp_orbit_depth_decay(tp_fx rate, tp_fx depth);

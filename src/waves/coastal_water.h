@@ -345,10 +345,11 @@ typedef struct {
 } tp_offset;
 
 /* Returns the orbit of [B11]-[B13].  r is the amplitude (0..64 m), k the wave number.
- * gamma is the angle of the floor's rise along the direction of travel.  k0, kx and ky are
- * as in the config. */
-tp_ellipse tp_orbit_ellipse(tp_fx r, tp_fx depth, tp_turn gamma, int64_t k_q32, tp_fx k0,
-                            tp_fx kx, tp_fx ky);
+ * floor_angle is the angle of the floor's rise along the direction of travel.  The decays
+ * with depth, 1/m, are k0, kx and ky of the config. */
+tp_ellipse tp_orbit_ellipse(tp_fx r, tp_fx depth, tp_turn floor_angle, int64_t k_q32,
+                            tp_fx tilt_decay, tp_fx widening_decay,
+                            tp_fx flattening_decay);
 
 /* Returns the offset of the particle at phase Phi; Phi is 0 in the trough [A7]. */
 tp_offset tp_orbit_evaluate(const tp_ellipse *orbit, tp_turn phi);

@@ -30,11 +30,12 @@ uint32_t tp_orbit_depth_decay(tp_fx rate, tp_fx depth)
 
 /* The exponentials are within 2^-30.  1 - e^-Kx h is at least 0.0068 with the usual rates
  * and has a relative error below 2^-22. */
-tp_orbit_scale tp_orbit_scale_make(tp_fx depth, tp_fx kx, tp_fx ky)
+tp_orbit_scale tp_orbit_scale_make(tp_fx depth, tp_fx widening_decay,
+                                   tp_fx flattening_decay)
 {
     const int64_t one = (int64_t)1 << 32, most = (int64_t)1 << 37, two = 1 << 25;
-    const int64_t lack_x = one - tp_orbit_depth_decay(kx, depth);
-    const int64_t lack_y = one - tp_orbit_depth_decay(ky, depth);
+    const int64_t lack_x = one - tp_orbit_depth_decay(widening_decay, depth);
+    const int64_t lack_y = one - tp_orbit_depth_decay(flattening_decay, depth);
     const int64_t x = ((one << 24) + lack_x / 2) / lack_x;
     const int64_t y = ((lack_y << 24) + lack_x / 2) / lack_x;
 
@@ -56,16 +57,18 @@ static tp_fx max_semi_axis(int64_t k_q32)
     return tp_fx_saturate(most);
 }
 
-tp_ellipse tp_orbit_ellipse(tp_fx r, tp_fx depth, tp_turn gamma, int64_t k_q32, tp_fx k0,
-                            tp_fx kx, tp_fx ky)
+tp_ellipse tp_orbit_ellipse(tp_fx r, tp_fx depth, tp_turn floor_angle, int64_t k_q32,
+                            tp_fx tilt_decay, tp_fx widening_decay,
+                            tp_fx flattening_decay)
 {
     const tp_fx most = max_semi_axis(k_q32);
     const tp_fx held = tp_clamp(r, 0, most < R_MAX ? most : R_MAX);
-    const tp_orbit_scale s = tp_orbit_scale_make(depth, kx, ky);
+    const tp_orbit_scale s = tp_orbit_scale_make(depth, widening_decay, flattening_decay);
     const int64_t half = 1 << 23;
     const int64_t along = (held * s.x_q24 + half) >> 24;
-    const tp_q30 rise = tp_sin(gamma);
-    const tp_q30 fall = (tp_q30)((tp_orbit_depth_decay(k0, depth) + (uint64_t)2) >> 2);
+    const tp_q30 rise = tp_sin(floor_angle);
+    const tp_q30 fall =
+        (tp_q30)((tp_orbit_depth_decay(tilt_decay, depth) + (uint64_t)2) >> 2);
     const tp_q30 sin = rise > 0 ? tp_q30_mul(rise, fall) : 0;
 
     return (tp_ellipse){

@@ -5,7 +5,7 @@
  * numbers change under the same frames.  The build with UBSan and ASan detects faults
  * inside.
  *
- *     TP_SCENES=n     number of random scenes, default 300 (`make soak`: 100000) */
+ *     TP_SCENES=n     number of random scenes, default 300 (`make soak`: 10000) */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>

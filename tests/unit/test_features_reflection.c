@@ -262,7 +262,7 @@ static void the_cube_is_met_in_the_objects_plane(void **state)
                      | 0xff;
         }
         r.run.mine = &around;
-        tp_stage_mirrored_cube(&s, &r.run);
+        tp_stage_mirrored_object_cube(&s, &r.run);
         for (int k = 0; k < TP_RUN; k++)
             compare_cube(&s, &r, k, &off);
     }

@@ -17,7 +17,7 @@ typedef struct {
 typedef struct {
     const char *name;           /* file name; NULL: keep nothing */
     uint32_t    scene, build;   /* digests */
-    bool        failed;         /* the last write failed, and an error was printed */
+    bool        failed;         /* the last write of a world failed; error printed */
 
     /* Makes a fresh world at tick 0 in the memory passed to snapshot_read, for the scene as
      * changed by the first `played` entries of the tape.  Returns false if the tape has

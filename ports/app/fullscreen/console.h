@@ -19,9 +19,9 @@ typedef struct {
     int            number;      /* its number; 0: unknown, treated as active */
     int            mode;        /* saved: KD_TEXT */
     struct vt_mode switching;
-    struct {
-        int            fd;      /* -1: unused or hung up */
-        struct termios was;
+    struct {                    /* terminals that keys come from */
+        int            fd;      /* its descriptor; -1: unused or hung up */
+        struct termios was;     /* settings before console_take */
     } keys[CONSOLE_KEYS];
 } console;
 

@@ -246,6 +246,8 @@ static tp_status init(void *mine, tp_world *world, const tp_module_conditions *c
     return TP_OK;
 }
 
+/* Makes the tables again if the numbers of the scene behind them have changed.  Returns
+ * true: the state fits every scene. */
 static bool refresh(void *mine, tp_world *world, const tp_module_conditions *conditions)
 {
     const probe *p = mine;

@@ -134,7 +134,7 @@ static void draw_mirror_map(tp_frame *frame, void *mine)
 {
     mirror *m = mine;
     const int32_t rows = (int32_t)m->store.rows;
-    tp_fx    level = tp_view_anchor_level(frame);
+    tp_fx    level = tp_view_objects_water_level(frame);
     tp_planar_map *map = &m->look.map;
 
     map->colour = NULL;
@@ -276,7 +276,7 @@ static void draw_cube_map(tp_frame *frame, void *mine)
                                                            { 0, 1 }
     };
     cube_map *m = mine;
-    const tp_fx level = tp_view_anchor_level(frame);
+    const tp_fx level = tp_view_objects_water_level(frame);
     const uint32_t quarter = (uint32_t)1 << 30;
     bool seen = false;
 

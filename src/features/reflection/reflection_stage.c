@@ -293,9 +293,10 @@ static cube_way water_offset(const tp_object_cube *cube, const cube_way *ray, ui
                   cube->from.z + (ray->z * z >> 16) };
 }
 
-/* Lengths have 8 fraction bits of a metre, are below 2^25, and are multiplied by 14
- * bits. */
-void tp_stage_mirrored_cube(const tp_shade *shade, tp_run *run)
+/* Draws the objects' cube map over the sky's reflection, where the mirrored ray meets the
+ * vertical plane through the middle of the objects.  Lengths have 8 fraction bits of a
+ * metre, are below 2^25, and are multiplied by 14 bits. */
+void tp_stage_mirrored_object_cube(const tp_shade *shade, tp_run *run)
 {
     const tp_object_cube *cube = run->mine;
 

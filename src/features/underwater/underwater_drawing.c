@@ -339,7 +339,7 @@ static void draw_map(tp_frame *frame, void *mine)
 {
     refraction *r = mine;
     tp_clear_water *clear = tp_frame_module_memory(frame, TP_CLEAR_WATER_ID);
-    tp_fx    level = tp_view_anchor_level(frame);
+    tp_fx    level = tp_view_objects_water_level(frame);
     tp_planar_map *map = &r->map;
 
     map->colour = NULL;

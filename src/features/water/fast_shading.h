@@ -106,8 +106,8 @@ tp_quick_map tp_quick_map_make(const tp_layer *layer);
 /* Returns the size of the baked texture in bytes; memory is aligned to 4. */
 size_t tp_quick_bytes(const tp_texture *from);
 
-/* Bake a texture into `mem`.  The base layer's colour is the water's colour times its
- * own. */
+/* Bake a texture into `mem`.  Texels darker than `clamp` become black.  The base layer's
+ * colour is the water's colour times its own. */
 void tp_quick_graded(tp_texture *to, const tp_texture *from, tp_fx saturation, tp_fx clamp,
                      uint32_t colour, void *mem);
 void tp_quick_offsets(tp_texture *to, const tp_texture *from, tp_fx strength, void *mem);
