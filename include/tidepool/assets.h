@@ -11,7 +11,7 @@
 
 TP_BEGIN_C
 
-/* -- textures ------------------------------------------------------------------ */
+/* -- textures ------------------------------------------------------------------------ */
 
 #define TP_TEXTURE_LEVELS 13            /* 4096 texels down to 1 */
 
@@ -37,7 +37,7 @@ size_t tp_texture_bytes(uint32_t w, uint32_t h);
 tp_status tp_texture_init(tp_texture *texture, const uint32_t *pixels, uint32_t w,
                           uint32_t h, void *memory, size_t bytes, tp_error *err);
 
-/* -- meshes -------------------------------------------------------------------- */
+/* -- meshes -------------------------------------------------------------------------- */
 
 /* A unit vector in one word: x, y, z as signed 10-bit numbers (x lowest), 511 is 1.0; the
  * upper two bits are free.  "mesh/mesh.h" packs and unpacks it. */
@@ -79,9 +79,9 @@ typedef struct {
     const tp_mesh_vertex *vertices;
     const tp_mesh_face   *faces;
     const tp_material    *materials;
-    uint32_t n_vertices, n_faces, n_materials;
+    uint32_t              n_vertices, n_faces, n_materials;
     tp_vec3  low, high;                 /* corners of the bounding box, as positions */
-    uint32_t log2_unit;                 /* scale of positions, 0..TP_MESH_MAX_LOG2_UNIT */
+    uint32_t              log2_unit;    /* scale of positions, 0..TP_MESH_MAX_LOG2_UNIT */
 } tp_mesh;
 
 /* A picture of one number per pixel, row by row: heights of a sea floor, masks of walls. */
@@ -90,7 +90,9 @@ typedef struct {
     const uint16_t *sample;     /* 0 black, 65535 white */
 } tp_grey;
 
-/* -- the pictures and meshes of a scene, loaded by the application; NULL if not named -- */
+/* -- the assets of a scene ----------------------------------------------------------- */
+
+/* The pictures and meshes of a scene, loaded by the application; NULL if not named. */
 
 typedef struct tp_assets {
     const tp_mesh    *boat;

@@ -54,7 +54,7 @@ uint32_t tp_crc32_pixels(uint32_t crc, tp_format format, const void *row, int co
 
 struct tp_frame;
 
-/* -- spans of the application, drawn into tiles ------------------------------------- */
+/* -- spans of the application, drawn into tiles -------------------------------------- */
 
 /* A row of a tile with its final colours, before they become pixels of the format. */
 typedef struct {
@@ -184,9 +184,9 @@ bool tp_frame_project(const tp_frame *frame, tp_vec3 place, tp_fx *x_px, tp_fx *
  * Returns false if the ray meets land, the end of a tank, or no water within 8000 m. */
 bool tp_frame_pick(const tp_frame *frame, tp_fx x_px, tp_fx y_px, tp_vec3 *at);
 
-/* -- samples of a drawn tile ----------------------------------------------------------
- *
- * Drawing leaves depth and kind of each pixel in the scratch until the next tile is drawn
+/* -- samples of a drawn tile --------------------------------------------------------- */
+
+/* Drawing leaves depth and kind of each pixel in the scratch until the next tile is drawn
  * there, so these rows need no memory of their own.  tile->y0 <= y < tile->y1; a row has
  * x1 - x0 entries. */
 

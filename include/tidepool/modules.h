@@ -41,8 +41,7 @@ struct tp_run;
 typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
 
 #define TP_STAGE_LIST(X) \
-    /* sky or other empty view */ \
-    X(sky) \
+    X(sky)                  /* sky or other empty view */ \
     X(plain)                /* water without texture */ \
     X(view)                 /* vx vy vz, lv: view vectors in world axes */
 
@@ -73,7 +72,7 @@ typedef void (*tp_store)(void *row, int x_in_row, int x, int y, const uint32_t *
 TP_FORMAT_LIST(X)
 #undef X
 
-/* -- wave models: the water's surface; src/view/wave_models.h -------------------------- */
+/* -- wave models: the water's surface; src/view/wave_models.h ------------------------ */
 
 #define TP_WATER_LIST(X) \
     X(swells)       /* sums of waves; without them the water is level */ \
@@ -99,7 +98,7 @@ typedef struct {
  * made anew. */
 extern const struct tp_water_swells tp_water_few_swells;
 
-/* -- water renderers and the quality plan; src/frame/frame.h ------------------------ */
+/* -- water renderers and the quality plan; src/frame/frame.h ------------------------- */
 
 #define TP_DRAW_LIST(X) X(rungs) /* the quality plan */
 
@@ -143,7 +142,7 @@ typedef struct {
 
 #define TP_DRAW(name) .name = &tp_draw_##name
 
-/* -- modules; src/world/module.h, src/frame/drawing.h ------------------------------- */
+/* -- modules; src/world/module.h, src/frame/drawing.h -------------------------------- */
 
 /* Modules that a program brings itself, see ports/README.md.  They come first, which lets
  * mirrors include them. */
@@ -216,7 +215,7 @@ typedef struct {
 #define TP_STAGES_OF_ripple(X) \
     X(ripple)               /* sx sz from a normal map, */ \
     X(ripple_gentle)        /* for flat surfaces, */ \
-    X(ripple_pool_slopes)          /* added to pools' sx sz */
+    X(ripple_pool_slopes)   /* added to pools' sx sz */
 #define TP_STAGES_OF_lighting(X)    /* colour nv up glint; after view */ \
     X(light) X(light_rippled) X(light_blinn) X(light_blinn_rippled)
 #define TP_STAGES_OF_diffuse(X)     X(diffuse) X(diffuse_rippled)       /* colour */
@@ -241,7 +240,7 @@ typedef struct {
     X(quick_cube) X(quick_cube_phong) X(quick_cube_blinn) \
     /* half rate lighting: light and reflection of even columns; */ \
     X(quick_gradient_even) X(quick_dome_even) X(quick_cube_even) \
-    X(quick_odd_fill)        /* interpolates odd columns; */ \
+    X(quick_odd_fill)       /* interpolates odd columns; */ \
     X(quick_glint_phong) X(quick_glint_blinn)   /* interpolates, adds glints */
 #define TP_STAGES_OF_underwater(X) \
     X(underside) X(underside_rippled)       /* the surface from below */ \
@@ -249,7 +248,7 @@ typedef struct {
     X(absorb)               /* absorption in front of things */
 #define TP_STAGES_OF_tank(X)        X(wall)
 #define TP_STAGES_OF_glass(X) \
-    X(tank_side)                 /* water behind the glass */ \
+    X(tank_side)            /* water behind the glass */ \
     X(pane)                 /* the glass, after tone mapping */
 #define TP_STAGES_OF_caustics(X)
 #define TP_STAGES_OF_mirror(X)      X(mirrored)         /* objects, over the sky's mirror */
@@ -316,18 +315,15 @@ TP_MODULE_LIST(MODULE, UNSEEN, MODULE)
 /* A module that a program leaves out: only its condition, without state and drawing.  A
  * list of lacks ends with { 0 } and has the order of TP_MODULE_LIST. */
 typedef struct tp_lack {
-    const char *name; /* as in TP_MODULE_LIST */
-    bool (*enabled)(const struct tp_module_conditions *conditions);
-    uint32_t above; /* number of the program's uses that come before it in TP_MODULE_LIST:
-                     * its condition may ask about them only */
+    const char *name;           /* as in TP_MODULE_LIST */
+    bool      (*enabled)(const struct tp_module_conditions *conditions);
+    uint32_t    above;          /* number of the program's uses that come before it in
+                                 * TP_MODULE_LIST: its condition may ask about them only */
 } tp_lack;
 
-#define TP_LACK(name, above)                                                             \
-    {                                                                                    \
-#name, tp_##name##_enabled, above                                                \
-    }
+#define TP_LACK(name, above) { #name, tp_##name##_enabled, above }
 
-/* ------------------------------------------------------------------------------------ */
+/* -- programs ------------------------------------------------------------------------ */
 
 struct tp_scene;
 struct tp_assets;
@@ -337,10 +333,10 @@ typedef struct tp_program {
      * right for a baked scene: `tidepool bake` has checked it.  The check links the table
      * of parameters. */
     tp_status (*check)(const struct tp_scene *scene, tp_error *err);
-    tp_stages stage;
-    tp_store  store[TP_FORMAT_COUNT];
-    tp_wave_models water;
-    tp_draws  draw;
+    tp_stages          stage;
+    tp_store           store[TP_FORMAT_COUNT];
+    tp_wave_models     water;
+    tp_draws           draw;
     tp_water_renderers method;
     const tp_use *modules;      /* a list of uses; NULL: none */
     /* tp_lacks_check: refuses a scene that has a module of `lacks` on, see tp_world_init.
@@ -350,6 +346,8 @@ typedef struct tp_program {
     const tp_lack *lacks;       /* ends with { 0 }; NULL: none */
 } tp_program;
 
+/* Returns TP_OK, or an error that names the first module of `lacks` that the scene has
+ * on. */
 tp_status tp_lacks_check(const tp_program *program, const struct tp_scene *scene,
                          const struct tp_assets *assets, tp_error *err);
 
@@ -360,7 +358,7 @@ extern const tp_program tp_program_all; /* every module, renderer and format */
  * else is linked then. */
 extern const tp_program *const tp_program_linked;
 
-/* -- rows of parameters ---------------------------------------------------------------- */
+/* -- rows of parameters -------------------------------------------------------------- */
 
 /* Rows of the table of parameters: name, member of tp_scene, unit, range, default, one
  * line of help.
@@ -375,9 +373,11 @@ extern const tp_program *const tp_program_linked;
  * name the words there.  Scene files, snapshots, tapes and baked scenes then include the
  * settings:
  *
- *     enum { BUOY_ON = BUOY_AT, BUOY_HEIGHT }; TP_ROW_SWITCH("buoy.on", own[BUOY_ON], 0,
- *     "a buoy floats on the water"), TP_ROW_NUMBER("buoy.height", own[BUOY_HEIGHT], "m",
- *     0.1, 20, 2, "height of its mast"),
+ *     enum { BUOY_ON = BUOY_AT, BUOY_HEIGHT };
+ *
+ *     TP_ROW_SWITCH("buoy.on", own[BUOY_ON], 0, "a buoy floats on the water"),
+ *     TP_ROW_NUMBER("buoy.height", own[BUOY_HEIGHT], "m", 0.1, 20, 2,
+ *         "height of its mast"),
  *
  * The header that lists a program's own modules assigns the words (BUOY_AT) and registers
  * the modules by TP_MORE; see ports/README.md. */

@@ -68,7 +68,7 @@ TP_BEGIN_C
  * program linked with another version. */
 const char *tp_version(void);
 
-/* -- the engine ------------------------------------------------------------------------ */
+/* -- the engine ---------------------------------------------------------------------- */
 
 typedef struct tp_engine tp_engine;     /* lies at the start of the memory */
 

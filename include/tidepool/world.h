@@ -32,7 +32,6 @@ typedef struct tp_world tp_world;
 
 #define TP_TICKS_PER_SECOND 60      /* clock of all simulation */
 
-
 /* A push of the pool's water at (x, z): a splash of pool.splash_width, `height` above the
  * level.  A height of 0 is no push; a push outside of the pool has no effect. */
 typedef struct {

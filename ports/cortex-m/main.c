@@ -26,7 +26,7 @@ TRACE_MARK(count_as_tiles)
 TRACE_MARK(count_as_tick)
 TRACE_MARK(count_end)
 
-/* -- drawing and reports ------------------------------------------------------- */
+/* -- drawing and reports ------------------------------------------------------------- */
 
 typedef struct {
     uint32_t crc, water;

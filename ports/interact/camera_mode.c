@@ -4,7 +4,7 @@
  * tp_world_step first turns and tilts the camera, then moves it forward and sideways
  * along the new heading.  So one input can reach any position and direction: with (dx,
  * dz) the way to go, s and c the sine and cosine of the new heading,
- *     ahead = (dx s - dz c) / (s^2 + c^2),  aside = (dx c + dz s) / (s^2 + c^2),
+ *     forward = (dx s - dz c) / (s^2 + c^2),  strafe = (dx c + dz s) / (s^2 + c^2),
  * exact within 1 LSB of Q16.16, whatever the error of the tables in s^2 + c^2 = 1.  In
  * the modes orbit and top the camera's position follows from the target, the distance
  * and the direction.  Each input leads there from the current camera pose: an error of a
@@ -48,7 +48,7 @@ tp_camera_follow camera_mode_follow(const camera_mode *l, const tp_scene *filed)
          : l->mode == CAMERA_FREE ? (tp_camera_follow)filed->camera.follow : TP_FOLLOW_NONE;
 }
 
-/* -- target ------------------------------------------------------------------------- */
+/* -- target -------------------------------------------------------------------------- */
 
 static tp_fx held(int64_t x, int64_t most)
 {
@@ -155,7 +155,7 @@ static void begin_orbit(camera_mode *l, const tp_world *world, const tp_scene *s
     }
 }
 
-/* -- modes -------------------------------------------------------------------------- */
+/* -- modes --------------------------------------------------------------------------- */
 
 static void begin_first_person(camera_mode *l, tp_vec3 eye, tp_turn heading, tp_turn pitch)
 {

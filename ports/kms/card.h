@@ -13,8 +13,8 @@ typedef struct {
     uint32_t    width, height;          /* of pictures, px; kept while dark */
     bool        master, lit;
     bool        blind;                  /* no display output */
-    kms_connectors   heads;
-    kms_mode_choice  now;                    /* connector, CRTC and mode, if lit */
+    kms_connectors heads;
+    kms_mode_choice now;                /* connector, CRTC and mode, if lit */
     struct drm_mode_crtc before;        /* state as found; crtc_id 0: not yet saved */
     uint32_t    before_on[KMS_LIMIT];
     kms_buffer  buffers[2];

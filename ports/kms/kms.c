@@ -45,7 +45,7 @@ static int64_t now_ms(void)
     return (int64_t)t.tv_sec * 1000 + t.tv_nsec / 1000000;
 }
 
-/* -- events ------------------------------------------------------------------------ */
+/* -- events -------------------------------------------------------------------------- */
 
 /* Reads flip events.  Returns false if the card fails. */
 static bool read_flips(screen *s)
@@ -111,7 +111,7 @@ static bool read_plugs(screen *s)
     return any;
 }
 
-/* -- losing and taking the screen -------------------------------------------------- */
+/* -- losing and taking the screen ---------------------------------------------------- */
 
 static bool take(screen *s, bool first)
 {
@@ -144,7 +144,7 @@ static int kms_events(screen *s)
     return EXIT_DONE;
 }
 
-/* -- pictures ---------------------------------------------------------------------- */
+/* -- pictures ------------------------------------------------------------------------ */
 
 static bool flip(screen *s, const kms_buffer *b)
 {
@@ -222,7 +222,7 @@ static bool kms_lacks(const screen *s)
     return s->card.lit && !s->drawn;
 }
 
-/* -- the port ---------------------------------------------------------------------- */
+/* -- the port ------------------------------------------------------------------------ */
 
 static void kms_close(screen *s)
 {

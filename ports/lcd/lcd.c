@@ -27,7 +27,7 @@ typedef struct {
     int32_t x0, y0, x1, y1, skip_x, skip_y;
 } lcd_part;
 
-/* -- checks of the config ----------------------------------------------------------- */
+/* -- checks of the config ------------------------------------------------------------ */
 
 /* Returns the walk of a turned picture over the glass, relative to upright.  Turned by one
  * quarter, picture rows run down the glass, the first row on the right. */
@@ -96,7 +96,7 @@ size_t lcd_bytes(const lcd_config *config, lcd_status *why)
     return status == LCD_OK ? 2 * buffer_bytes(config) : 0;
 }
 
-/* -- commands ----------------------------------------------------------------------- */
+/* -- commands ------------------------------------------------------------------------ */
 
 static lcd_status await_wires(lcd *l, lcd_until until)
 {
@@ -167,7 +167,7 @@ lcd_status lcd_open(lcd *l, const lcd_config *config, void *memory)
     return p->set_turn ? order(l, p->set_turn, l->arguments, 1) : LCD_OK;
 }
 
-/* -- pixels ------------------------------------------------------------------------- */
+/* -- pixels -------------------------------------------------------------------------- */
 
 static uint8_t *put(const lcd *l, uint8_t *to, uint32_t value, unsigned bytes)
 {
@@ -236,7 +236,7 @@ static size_t pack(const lcd *l, uint8_t *to, const tp_tile *tile, const lcd_par
     return (size_t)(row - to);
 }
 
-/* -- frames ------------------------------------------------------------------------- */
+/* -- frames -------------------------------------------------------------------------- */
 
 void lcd_begin(lcd *l)
 {

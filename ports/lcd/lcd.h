@@ -37,7 +37,7 @@ typedef enum {
 
 const char *lcd_status_text(lcd_status status);
 
-/* -- the board's wires -------------------------------------------------------------- */
+/* -- the board's wires --------------------------------------------------------------- */
 
 typedef enum {
     LCD_SENT,               /* the bytes of the last data() have left their buffer */
@@ -57,7 +57,7 @@ typedef struct {
     void (*pause)(void *user, uint32_t ms);
 } lcd_wires;
 
-/* -- panel descriptions ------------------------------------------------------------- */
+/* -- panel descriptions -------------------------------------------------------------- */
 
 /* A sequence of commands, each `command, count, argument ...`.  Flags in the count:
  * LCD_PAUSE: a byte of milliseconds follows the arguments; LCD_BUSY: wait for the BUSY
@@ -113,7 +113,7 @@ extern const lcd_panel lcd_ssd0323;         /* greyscale OLED, 128x64 */
 typedef struct {
     const lcd_panel *panel;
     lcd_wires        wires;
-    tp_config frame;                /* config of the frame; in the panel's format */
+    tp_config        frame;         /* config of the frame; in the panel's format */
     int16_t          x, y;          /* picture's corner on the turned glass; pixels outside
                                      * of the glass are drawn but not sent */
     uint8_t          turn;          /* quarter turns, clockwise: 0..3 */

@@ -31,7 +31,7 @@ static const uint8_t display_on[] = { 0x29, 0 };
     .x_bytes = 2, .y_bytes = 2, .set_x = 0x2a, .set_y = 0x2b, .write = 0x2c, \
     .set_turn = 0x36, .able = EVERY_WALK, .on = LCD_SCRIPT(display_on)
 
-/* -- ILI9341, 240x320 --------------------------------------------------------------- */
+/* -- ILI9341, 240x320 ---------------------------------------------------------------- */
 
 /* Voltages and frame rate for modules of 2.2 to 3.2 inches; other registers keep their
  * reset values.  The glass shows the memory's columns from the right, blue first. */
@@ -51,7 +51,7 @@ const lcd_panel lcd_ili9341 = {
     .start = LCD_SCRIPT(ili9341_start),
 };
 
-/* -- ST7789, 240x320 and smaller glass in the same memory --------------------------- */
+/* -- ST7789, 240x320 and smaller glass in the same memory ---------------------------- */
 
 /* Glass of this controller shows inverted colours unless INVON is set. */
 static const uint8_t st7789_start[] = {
@@ -74,7 +74,7 @@ const lcd_panel lcd_st7789_135x240 = {
     .start = LCD_SCRIPT(st7789_start),
 };
 
-/* -- SSD1680, 122x250 of 176x296 ---------------------------------------------------- */
+/* -- SSD1680, 122x250 of 176x296 ----------------------------------------------------- */
 
 /* The controller has two memories: 24h holds the next image, 26h the shown image.  A whole
  * update (display mode 1) blinks through black and white.  A partial update (mode 2)

@@ -11,7 +11,7 @@ static unsigned bit(const tp_tile *t, uint32_t x, uint32_t y)
 
 /* Returns the picture's pixel at (x, y) of the turned picture. */
 static unsigned sample_turned_bit(const tp_tile *t, const tp_config *picture, unsigned turn,
-                         uint32_t x, uint32_t y)
+                                  uint32_t x, uint32_t y)
 {
     const uint32_t right = picture->width - 1, below = picture->height - 1;
     switch (turn) {

@@ -21,7 +21,7 @@ void host_call_end(void)
     log_redirect(NULL, 0);
 }
 
-/* -- a scene ----------------------------------------------------------------------- */
+/* -- a scene ------------------------------------------------------------------------- */
 
 /* Returns the path to open.  A plain word is a file in the current folder, never a
  * shipped scene. */
@@ -108,7 +108,7 @@ const tp_assets *tp_host_assets(const tp_host *host)
     return &host->loaded.assets.names;
 }
 
-/* -- values ------------------------------------------------------------------------ */
+/* -- values -------------------------------------------------------------------------- */
 
 static char *format_setting(const char *name, const char *value)
 {
@@ -180,7 +180,7 @@ bool tp_host_changed(const tp_host *host, uint32_t i, tp_host_value *value)
     return false;
 }
 
-/* -- the water --------------------------------------------------------------------- */
+/* -- the water ----------------------------------------------------------------------- */
 
 tp_world *tp_host_world(tp_host *host)
 {

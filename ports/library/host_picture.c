@@ -27,7 +27,7 @@ const tp_host_picture *tp_host_draw(tp_host *host)
     return &host->picture;
 }
 
-/* -- PNG --------------------------------------------------------------------------- */
+/* -- PNG ----------------------------------------------------------------------------- */
 
 /* The int functions below return 0 or an errno, except open_beside.  close_file also
  * passes on an earlier `error`. */

@@ -32,7 +32,7 @@ struct screen {
     colours   found;                    /* colour table as found */
     bool      tabled;                   /* has a colour table, for indices or per channel */
     int       table_of;                 /* format with its table set, -1: none */
-    pixel_layout    layout;
+    pixel_layout layout;
     uint32_t  width, height;            /* of pictures, px */
     uint8_t  *map, *saved;              /* saved: former content */
     uint8_t  *row;                      /* a row being converted: the map is slow to
@@ -49,7 +49,7 @@ static int refuse(const screen *s, const char *what)
                     strerror(errno));
 }
 
-/* -- detection ------------------------------------------------------------------- */
+/* -- detection ----------------------------------------------------------------------- */
 
 static pixel_channel make_channel(const struct fb_bitfield *field)
 {
@@ -118,7 +118,7 @@ static int choose_size(screen *s, uint32_t width, uint32_t height)
                     s->device, s->var.xres, s->var.yres, s->width, s->height);
 }
 
-/* -- colour table ---------------------------------------------------------------- */
+/* -- colour table -------------------------------------------------------------------- */
 
 static int table_call(const screen *s, unsigned long request, colours *c)
 {
@@ -138,7 +138,7 @@ static int set_table(screen *s, tp_format format)
     return table_call(s, FBIOPUTCMAP, &c) ? refuse(s, "its colours") : EXIT_DONE;
 }
 
-/* -- pictures -------------------------------------------------------------------- */
+/* -- pictures ------------------------------------------------------------------------ */
 
 /* Returns the first line of the page for the next picture. */
 static uint32_t first_line(const screen *s)
@@ -243,7 +243,7 @@ static int fb_back(screen *s)
     return EXIT_DONE;
 }
 
-/* -- beginning and end ----------------------------------------------------------- */
+/* -- beginning and end --------------------------------------------------------------- */
 
 /* Returns the memory to be written: the visible rows, or both pages. */
 static uint8_t *touched(const screen *s, size_t *bytes)

@@ -24,7 +24,7 @@ uint32_t microseconds(void)
     return take(TIMER_LOW);
 }
 
-/* -- the GPU ----------------------------------------------------------------------- */
+/* -- the GPU ------------------------------------------------------------------------- */
 
 static struct {
     uint32_t bytes, code;
@@ -69,7 +69,7 @@ bool gpu_ask(property *properties, int n)
     return message.code == ANSWERED;
 }
 
-/* -- the serial port ---------------------------------------------------------------- */
+/* -- the serial port ----------------------------------------------------------------- */
 
 void uart_open(void)
 {

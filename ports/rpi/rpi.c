@@ -41,7 +41,7 @@ static _Noreturn void stop(const char *why)
     halt(3);
 }
 
-/* -- the task ---------------------------------------------------------------------- */
+/* -- the task ------------------------------------------------------------------------ */
 
 typedef struct { uint32_t depth, width, height, first, frames; } rpi_request;
 
@@ -77,7 +77,7 @@ static rpi_request what_to_draw(void)
     return w;
 }
 
-/* -- the screen -------------------------------------------------------------------- */
+/* -- the screen ---------------------------------------------------------------------- */
 
 typedef struct {
     uint8_t  *pixels;               /* first page */
@@ -154,7 +154,7 @@ static void screen_flip(rpi_screen *s)
     s->seen = 1 - s->seen;
 }
 
-/* -- pictures ---------------------------------------------------------------------- */
+/* -- pictures ------------------------------------------------------------------------ */
 
 typedef struct {
     tp_config config;
@@ -248,7 +248,7 @@ static void tell(const rpi_work *w, const rpi_screen *s)
     say("\n");
 }
 
-/* -- main loop --------------------------------------------------------------------- */
+/* -- main loop ----------------------------------------------------------------------- */
 
 /* Returns the ticks since `clock` and advances `clock`; if a scene is too slow some ticks
  * are lost. */

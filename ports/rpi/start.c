@@ -22,7 +22,7 @@ _Noreturn void fault(uint32_t class, uintptr_t pc, uintptr_t address);
 
 #define PAINT 0xa5a5a5a5u
 
-/* -- the map ------------------------------------------------------------------- */
+/* -- the map ------------------------------------------------------------------------- */
 
 enum { NOBODYS, CACHED, BARE, DEVICE };
 
@@ -71,7 +71,7 @@ static void make_map(void)
     map_enable(map);
 }
 
-/* -- start and end ---------------------------------------------------------------- */
+/* -- start and end ------------------------------------------------------------------- */
 
 void reset(void)
 {

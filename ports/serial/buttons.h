@@ -6,8 +6,8 @@
  * Lines are low while a button is pressed, and buttons act on release (rising edge): a
  * line that reads low until it is first driven has no effect.  Read the lines once a
  * picture: contact bounce has ended by the next reading. */
-#ifndef TP_INTERACT_BUTTONS_H
-#define TP_INTERACT_BUTTONS_H
+#ifndef TP_SERIAL_BUTTONS_H
+#define TP_SERIAL_BUTTONS_H
 #include "tidepool/world.h"
 
 enum { BUTTON_UP = 1, BUTTON_DOWN = 2, BUTTON_LEFT = 4, BUTTON_RIGHT = 8,

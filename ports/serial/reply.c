@@ -5,7 +5,7 @@
 #include "base/base.h"
 #include "world/text.h"
 
-/* -- words ------------------------------------------------------------------------- */
+/* -- words --------------------------------------------------------------------------- */
 
 static bool is_blank(char byte)
 {
@@ -51,7 +51,7 @@ const tp_param *control_find(const control *c, control_word name)
     return param;
 }
 
-/* -- replies ----------------------------------------------------------------------- */
+/* -- replies ------------------------------------------------------------------------- */
 
 void reply_text(const control *c, const char *text)
 {

@@ -40,7 +40,7 @@ tp_assets web_assets;
 int       web_kind;
 char      web_name[TP_NAME_BYTES];
 
-/* -- names ----------------------------------------------------------------------- */
+/* -- names --------------------------------------------------------------------------- */
 
 static bool same(const char *a, const char *b)
 {
@@ -84,7 +84,7 @@ static file *add(void)
     return f;
 }
 
-/* -- pictures -------------------------------------------------------------------- */
+/* -- pictures ------------------------------------------------------------------------ */
 
 /* Returns memory for the pixels of the wanted picture: 0xAARRGGBB, or 16-bit greys.
  * NULL: too large. */
@@ -118,7 +118,7 @@ static tp_status take_picture(void)
                            tp_texture_bytes(all.w, all.h), &all.error);
 }
 
-/* -- meshes ---------------------------------------------------------------------- */
+/* -- meshes -------------------------------------------------------------------------- */
 
 /* Names the next file wanted by the OBJ being read.  Returns false if there is none; the
  * mesh is then complete. */
@@ -195,7 +195,7 @@ static tp_status take_text(void)
     return TP_OK;
 }
 
-/* -- calls of the page ----------------------------------------------------------- */
+/* -- calls of the page --------------------------------------------------------------- */
 
 /* The wanted file is complete.  Returns 0, or an error with its text in web_text. */
 EXPORT(int, given, void)
@@ -213,7 +213,7 @@ EXPORT(void, forget, void)
         all.count--;
 }
 
-/* -- the scene ------------------------------------------------------------------- */
+/* -- the scene ----------------------------------------------------------------------- */
 
 /* Returns false if a named file is wanted.  Names in scenes are relative to the scenes'
  * folder: "../skies/day-up.png" is assets/skies/day-up.png. */

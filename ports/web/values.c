@@ -9,7 +9,7 @@
 char web_text[WEB_TEXT_BYTES];
 tp_scene web_scene, web_filed;
 
-/* -- text ------------------------------------------------------------------------ */
+/* -- text ---------------------------------------------------------------------------- */
 
 EXPORT(char *, words, void)
 {
@@ -30,7 +30,7 @@ static size_t length(const char *text, char end)
     return n;
 }
 
-/* -- scenes ---------------------------------------------------------------------- */
+/* -- scenes -------------------------------------------------------------------------- */
 
 /* Returns the text of scene i, with its name in the first line; NULL if there is none. */
 EXPORT(const char *, file, uint32_t i)
@@ -95,7 +95,7 @@ EXPORT(int, wanted, void)
     return web_kind;
 }
 
-/* -- values ---------------------------------------------------------------------- */
+/* -- values -------------------------------------------------------------------------- */
 
 _Static_assert(sizeof(tp_param) == 9 * 4, "the page reads rows as nine words");
 

@@ -36,11 +36,11 @@ static struct {
     bool      was;
     tp_input  wish;             /* input of the next tick */
     poke_queue pokes;           /* pokes for the next tick and later ticks */
-    camera_mode      look;
+    camera_mode look;
     tp_governor governor;
 } page;
 
-/* -- a world and a frame --------------------------------------------------------- */
+/* -- a world and a frame ------------------------------------------------------------- */
 
 /* Drops world and picture.  The arena is a stack: it must be unwound before files are
  * added or a world is made. */
@@ -159,7 +159,7 @@ EXPORT(int, resize, uint32_t width, uint32_t height, int format)
     return 0;
 }
 
-/* -- time ------------------------------------------------------------------------ */
+/* -- time ---------------------------------------------------------------------------- */
 
 _Static_assert(offsetof(tp_input, push) == 13 * sizeof(int32_t),
                "the page adds to thirteen fields of 32 bits");
@@ -193,7 +193,7 @@ EXPORT(void, turn, void)
     wish->turn = wish->tilt = 0;
 }
 
-/* -- pictures -------------------------------------------------------------------- */
+/* -- pictures ------------------------------------------------------------------------ */
 
 static void show_row(uint32_t y)
 {
@@ -241,7 +241,7 @@ EXPORT(int, took, uint32_t us)
     return step;
 }
 
-/* -- touch and camera ------------------------------------------------------------ */
+/* -- touch and camera ---------------------------------------------------------------- */
 
 /* Moves the sphere of drops over the point and releases a drop. */
 static void release_drop(const tp_drops *drops, const tp_vec3 *at)

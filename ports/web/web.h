@@ -13,13 +13,13 @@
     type web_##name(__VA_ARGS__); \
     __attribute__((export_name(#name))) type web_##name(__VA_ARGS__)
 
-/* -- memory.c: a stack of memory ------------------------------------------------- */
+/* -- memory.c: a stack of memory ----------------------------------------------------- */
 
 void     *web_take(size_t bytes);       /* aligned to 16; NULL: out of memory */
 uintptr_t web_mark(void);
 void      web_restore_mark(uintptr_t mark);  /* frees all taken since the mark */
 
-/* -- values.c -------------------------------------------------------------------- */
+/* -- values.c ------------------------------------------------------------------------ */
 
 #define WEB_TEXT_BYTES 65536            /* also the size of a piece of a file */
 extern char     web_text[WEB_TEXT_BYTES];
@@ -28,20 +28,20 @@ extern tp_scene web_scene, web_filed;   /* changed scene; scene as in its file *
 int web_refuse(const tp_error *err);    /* writes the error's text to web_text; returns
                                          * its code */
 
-/* -- web.c ----------------------------------------------------------------------- */
+/* -- web.c --------------------------------------------------------------------------- */
 
 tp_world *web_world(void);              /* NULL: none */
 void      web_drop(void);               /* frees world and picture */
 int       web_changed(bool anew);       /* after a change taken by the world; anew: make
                                          * a new frame */
 
-/* -- scenes: written by scenes.awk from assets/scenes -------------------------------
- *
- * A name in the first line, then "[section]" and "name=value" as in their files. */
+/* -- scenes: written by scenes.awk from assets/scenes -------------------------------- */
+
+/* A name in the first line, then "[section]" and "name=value" as in their files. */
 extern const char *const web_scenes[];
 extern const uint32_t web_scene_count;
 
-/* -- assets.c: files named by scenes --------------------------------------------- */
+/* -- assets.c: files named by scenes ------------------------------------------------- */
 
 enum { WEB_NOTHING, WEB_PICTURE, WEB_GREY, WEB_TEXT };      /* kinds of files */
 

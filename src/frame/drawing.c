@@ -12,7 +12,7 @@
 
 #define EACH_ON(i, use, frame) EACH_OF((frame)->modules_on, i, use, (frame)->program)
 
-/* -- memory --------------------------------------------------------------------------- */
+/* -- memory -------------------------------------------------------------------------- */
 
 /* True if this module is drawn.  *mark is its first stencil value; 0 if it needs none. */
 static bool check_enabled_and_reserve_marks(tp_frame_buffers *buffers, const tp_use *u,
@@ -126,7 +126,7 @@ bool tp_frame_has_solids(const tp_frame *frame)
     return false;
 }
 
-/* -- hooks ---------------------------------------------------------------------------- */
+/* -- hooks --------------------------------------------------------------------------- */
 
 void tp_frame_init_modules(tp_frame *frame)
 {

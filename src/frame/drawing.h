@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The drawing half of a module: render views, memory, per-picture numbers, shader stages.
- * world/module.h has the simulation half and decides if the feature is on.
+ * The drawing half of a module: its callbacks, and the parts of a frame that they use:
+ * render views, planar maps, shader lists, stencil values.  world/module.h has the
+ * simulation half and decides if the feature is on.
  *
  * Each module has one shader list and one or more stencil values: the low bits of a
  * sample's key identify the module of the sample.
@@ -16,16 +17,16 @@
 #include "view/grid.h"
 #include "world/module.h"
 
-/* -- render views -------------------------------------------------------------------- */
+/* -- render views: render_view.c ----------------------------------------------------- */
 
 /*
  * Cameras that solids are drawn for.  The picture is one view.  Mirrors, refraction maps
  * and the faces of a cube map are other views, drawn before the picture; all views share
  * the memory of projected vertices.
  *
- *     tp_view_begin(frame, &view)       sets up shading for the view
+ *     tp_view_begin(frame, &view)                sets up shading for the view
  *     tp_view_project_solids(frame, &view)       projects all solids
- *     tp_view_draw_solids(frame, &view, tile)  draws one tile, any number of times
+ *     tp_view_draw_solids(frame, &view, tile)    draws one tile, any number of times
  */
 
 typedef struct {
@@ -103,7 +104,7 @@ void tp_clipped_draw(const tp_projection *projection, const tp_view_plane *level
                      const tp_gbuffer *tile, const tp_view_vertex in[3], uint32_t mark,
                      uint32_t t);
 
-/* -- planar maps --------------------------------------------------------------------- */
+/* -- planar maps: render_view.c ------------------------------------------------------ */
 
 /*
  * Pictures of half or a quarter of the picture's size, sampled by the water's stages.  Maps
@@ -123,7 +124,7 @@ typedef struct {
 void tp_planar_layout(tp_planar_memory *store, tp_arena *arena,
                       const tp_module_conditions *conditions, uint32_t halvings);
 
-/* Sets *half to the part of the map covered by `box`.  Returns false if the part is
+/* Sets *map to the part of the map covered by `box`.  Returns false if the part is
  * empty. */
 bool tp_planar_set_bounds(const tp_planar_memory *store, const tp_grid_box *box,
                           tp_planar_map *map);
@@ -132,7 +133,7 @@ bool tp_planar_set_bounds(const tp_planar_memory *store, const tp_grid_box *box,
 tp_gbuffer tp_planar_gbuffer(const tp_planar_memory *store, const tp_planar_map *map,
                              int32_t y0);
 
-/* -- shader lists -------------------------------------------------------------------- */
+/* -- shader lists: shader_list.c ----------------------------------------------------- */
 
 /*
  * The span stages of a kind of sample, ordered by place.  A stage of a module finds the
@@ -213,7 +214,7 @@ static inline bool tp_shaders_is_exact_water(const tp_shaders *list)
 /* True if the list has a stage of the place. */
 bool tp_shaders_has(const tp_shaders *list, tp_shader_order order);
 
-/* -- stencil values ------------------------------------------------------------------ */
+/* -- stencil values: shader_list.c --------------------------------------------------- */
 
 /*
  * Sky and water have fixed values.  The others are dealt to the modules enabled when a

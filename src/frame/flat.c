@@ -24,7 +24,7 @@ typedef struct {
     uint32_t *key, *s, *t, *n;
     int32_t   x, y, count;
     uint32_t  zi, zi_step;
-    flat_walker    place[2];
+    flat_walker place[2];
 } flat_piece;
 
 /* Interpolated values of a few pixels; 32 bits suffice.  n packs both slopes; the lower
@@ -150,7 +150,7 @@ static void fill_piece(const tp_frame *frame, const flat_piece *p, bool tested)
 /* Returns the walker of a row, computed from absolute x = 0: a product of a 31-bit factor
  * and a 30-bit pixel direction. */
 static flat_walker make_walker(tp_level_scale scale, tp_fx eye, const tp_level_linear *sum,
-                          int32_t x, int32_t y)
+                               int32_t x, int32_t y)
 {
     int      shift = scale.shift > 16 ? scale.shift - 16 : 0;
     int64_t  first = (int64_t)scale.factor * (int32_t)(tp_level_evaluate(sum, 0, y) >> 14);
@@ -259,7 +259,7 @@ static void draw_rolled_row(const tp_frame *frame, const flat_piece *row)
     }
 }
 
-/* -- a tile ---------------------------------------------------------------------------- */
+/* -- a tile -------------------------------------------------------------------------- */
 
 static bool has_any_sample(const uint32_t *key, int32_t count)
 {

@@ -49,9 +49,10 @@ bool tp_frame_is_grid_streamed(const tp_program *program, const tp_scene *scene)
 
 /* Returns the conditions that decide if a module is on, for a frame. */
 tp_module_conditions tp_frame_module_conditions(const tp_program *program,
-                                   const tp_frame_buffers *buffers,
-                                   const tp_scene *scene, const tp_assets *assets,
-                                   const tp_config *config)
+                                                const tp_frame_buffers *buffers,
+                                                const tp_scene *scene,
+                                                const tp_assets *assets,
+                                                const tp_config *config)
 {
     return (tp_module_conditions){
         .scene = scene,

@@ -27,22 +27,21 @@ typedef struct {
 
 /* Deep water without waves too faint to be seen. */
 typedef struct {
-    tp_deep_water  deep;
-    tp_turn phases[TP_WAVES];
+    tp_deep_water deep;
+    tp_turn       phases[TP_WAVES];
 } tp_thin_sea;
 
 /* Layout of the frame's block: memory for all features needed at init, NULL or 0 for the
  * others.  A feature switched on later finds no memory and is left out. */
 typedef struct tp_frame_buffers {
     tp_grid         *grid;              /* NULL: no renderer stores grid vertices */
-    tp_rung_mask         rung_mask;             /* rungs with memory */
+    tp_rung_mask     rung_mask;         /* rungs with memory */
     tp_level        *level;             /* level plane of flat and screen grid */
     tp_projected    *projected;
     uint32_t        *slopes;            /* flat: slope grid, row by row */
     uint32_t         slope_cols;
     tp_thin_sea     *thin;
-    struct tp_frame_lines
-        *lines; /* scanline grid; NULL: rows cannot draw */
+    struct tp_frame_lines *lines;       /* scanline grid; NULL: rows cannot draw */
     uint32_t         lacks;             /* modules without enough stencil values */
     void           **module;            /* memory of each module of the program, or NULL */
     uint8_t         *mark;              /* first stencil value of each module, or 0 */
@@ -56,13 +55,13 @@ struct tp_frame {
     const tp_program *program;
     const tp_scene  *scene;
     tp_assets        assets;
-    tp_config config;                   /* tile sizes filled in */
+    tp_config        config;            /* tile sizes filled in */
     uint32_t         across, down;      /* number of tiles */
-    tp_draw_stats stats;
-    tp_ram_use ram;
-    tp_frame_buffers   buffers;
+    tp_draw_stats    stats;
+    tp_ram_use       ram;
+    tp_frame_buffers buffers;
 
-    tp_projection          projection;
+    tp_projection    projection;
     const tp_world  *world;
     tp_drawn         drawn;
     tp_surface       surface;
@@ -74,19 +73,19 @@ struct tp_frame {
     uint8_t          quality[sizeof ((tp_scene *)0)->quality];  /* the plan's settings */
     tp_visibility    visibility;        /* water renderer of this frame */
 
-    tp_view         view;               /* render view of the picture itself */
+    tp_view          view;              /* render view of the picture itself */
     uint64_t         modules_on;        /* bits in the order of the program's list */
     uint64_t         modules_drawn;     /* enabled modules with samples */
 
     bool             under;             /* true: the eye is in the water */
-    uint8_t lacking;                    /* first tp_shaders.lacking of all lists, or ... */
+    uint8_t          lacking;           /* first tp_shaders.lacking of all lists, or ... */
 #define TP_LACKING_SKY 255              /* ... no module draws the scene's sky */
 
     tp_shade         shade;
     const tp_rgb565_tone_map *tone_map; /* tone mapping and store in one table, or NULL */
+    /* Writes pixels through `toned`; or NULL. */
     void (*store_tone_mapped)(const tp_rgb565_tone_map *toned, uint16_t *to,
-                              const uint32_t *colours,
-                              int count); /* writes pixels through `toned`; or NULL */
+                              const uint32_t *colours, int count);
 };
 
 /* Returns the shader list of a stencil value. */
@@ -101,9 +100,10 @@ tp_frame *tp_frame_layout(const tp_program *program, tp_frame_buffers *buffers,
                           tp_ram_use *ram, tp_arena *arena, const tp_scene *scene,
                           tp_assets *assets, const tp_config *config);
 tp_module_conditions tp_frame_module_conditions(const tp_program *program,
-                                   const tp_frame_buffers *buffers,
-                                   const tp_scene *scene, const tp_assets *assets,
-                                   const tp_config *config);
+                                                const tp_frame_buffers *buffers,
+                                                const tp_scene *scene,
+                                                const tp_assets *assets,
+                                                const tp_config *config);
 bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene);
 
 /* True if the water's grid vertices are streamed, not stored. */
@@ -133,6 +133,7 @@ void tp_frame_place_level(tp_frame *frame);
 void tp_frame_layout_slopes(tp_frame_buffers *buffers, tp_arena *arena,
                             const tp_scene *scene, const tp_config *config);
 void tp_frame_place_slopes(tp_frame *frame);
+
 /* grid_water.c: starts the grid's lines, then places the points of line j, in order
  * from 0.  A tile reads them through a window in its renderer's memory.  Cells [first,
  * end) of row j are drawn, or their box after the frustum clip is returned; they need
@@ -181,11 +182,9 @@ tp_surface tp_frame_surface_with_pools(const tp_frame *frame);
 
 /* -- water renderers and the quality plan -------------------------------------------- */
 
-/*
- * Interfaces between the frame and the water renderers and the quality plan, as a program
+/* Interfaces between the frame and the water renderers and the quality plan, as a program
  * links them.  A program's pointer to a renderer or to the plan is NULL if the program
- * lacks it.
- */
+ * lacks it. */
 
 /* A water renderer, see visibility.c.  `memory` is scratch, free until pixels are
  * stored: tp_renderer_column_bytes() for each column of the tile, then a window if
@@ -207,7 +206,7 @@ static inline size_t tp_renderer_column_bytes(const tp_program *program)
     return program->method.rows || program->method.projected ? TP_RENDERER_BYTES : 0;
 }
 
-/* The quality plan, see visibility.c. */
+/* The quality plan, see planned.c. */
 struct tp_draw_rungs {
     void (*layout)(tp_frame_buffers *parts, tp_arena *arena, const tp_plan_input *in);
     tp_ladder (*ladder)(const tp_plan_input *in);
@@ -222,10 +221,11 @@ struct tp_draw_rungs {
  * Lines run along the grid axis across the camera's heading.  Row k of cells lies between
  * lines k and k + 1 in the grid's own order; points are numbered in the same order. */
 
-/* A row of cells between two neighbouring lines of water, from side to side; see
- * scanline_water.c. */
+/* Kinds of a row of cells, see tp_frame_line.is. */
 enum { TP_LINE_CUT = 1, TP_LINE_SIDED = 2, TP_LINE_WIDE = 4 };
 
+/* A row of cells between two neighbouring lines of water, from side to side; see
+ * scanline_water.c. */
 typedef struct {
     tp_grid_span cells;         /* possibly visible cells */
     tp_grid_box  box;           /* picture box of these cells */
@@ -260,6 +260,7 @@ static inline const tp_grid_vertex *tp_line_vertex(const tp_frame *frame,
                                          : &window->line[k & 1][m];
 }
 
+/* True if the cell at point m of row k is dry. */
 static inline bool tp_line_is_dry(const tp_frame *frame, uint32_t k, uint32_t m)
 {
     return frame->buffers.lines->upright ? tp_grid_cell_is_dry(frame->buffers.grid, k, m)
@@ -298,8 +299,9 @@ tp_row_point tp_line_point(const tp_frame *frame, const tp_grid_window *window, 
 void tp_line_ends(const tp_frame *frame, const tp_grid_window *window, uint32_t k,
                   tp_row_point end[2]);
 
+/* Lay out the lines' memory if rows can draw, and place the lines of a frame. */
 void tp_lines_layout(tp_frame_buffers *buffers, tp_arena *arena, const tp_program *program,
-                    const tp_scene *scene, const tp_config *config);
+                     const tp_scene *scene, const tp_config *config);
 void tp_lines_place(tp_frame *frame);
 
 #endif

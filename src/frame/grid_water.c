@@ -26,7 +26,7 @@ static bool needs_clipping(const tp_screen_vertex *const p[4])
 }
 
 static void transform_cell(const tp_frame *frame, const tp_grid_window *window, uint32_t i,
-                      uint32_t j, tp_view_vertex c[4])
+                           uint32_t j, tp_view_vertex c[4])
 {
     for (uint32_t k = 0; k < 4; k++) {
         uint32_t x = i + (k == 1 || k == 2), y = j + k / 2;
@@ -212,7 +212,6 @@ static void draw_water(const tp_frame *frame, tp_gbuffer *tile, void *memory)
     for (uint32_t j = 0; j + 1 < frame->buffers.grid->rows; j++)
         draw_blocks(frame, tile, &window, j);
 }
-
 
 /* Returns the grid; `counted` stands in if the arena only counts bytes. */
 static tp_grid *layout_grid(tp_frame_buffers *buffers, tp_arena *arena, tp_grid *counted)

@@ -121,7 +121,7 @@ bool tp_frame_can_draw_rows(tp_frame *frame)
 #define WIDE_TILTED 4
 
 void tp_lines_layout(tp_frame_buffers *buffers, tp_arena *arena, const tp_program *program,
-                    const tp_scene *scene, const tp_config *config)
+                     const tp_scene *scene, const tp_config *config)
 {
     size_t cols = (size_t)scene->grid.cols, rows = (size_t)scene->grid.rows;
     size_t lines = cols > rows ? cols : rows;

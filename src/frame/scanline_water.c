@@ -8,8 +8,8 @@
 typedef struct {
     const tp_frame *frame;
     tp_grid_window  window;
-    tp_rows  rows;
-    int32_t  x0, x1;            /* columns of the current row of cells; empty: x0 >= x1 */
+    tp_rows         rows;
+    int32_t         x0, x1;     /* columns of the current row of cells; empty: x0 >= x1 */
 } walk;
 
 static void draw_cells(walk *w, uint32_t k, uint32_t first, uint32_t end)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Screen grid: water by lines of points laid over the picture.  Points start on the level
- * plane, are displaced by the waves and projected again, for raster/scanlines.h.  No vertex
+ * plane, are displaced by the waves and projected again, for raster/raster.h.  No vertex
  * is stored, and the number of points depends on the picture, not on the water's size.
  *
  * Lines are parallel to the horizon, hence depth and its reciprocal are constant on a
@@ -197,7 +197,7 @@ static bool can_draw_projected(tp_frame *frame)
     return set_line_range(frame);
 }
 
-/* -- points ---------------------------------------------------------------------------- */
+/* -- points -------------------------------------------------------------------------- */
 
 typedef struct {
     const tp_frame *frame;
@@ -287,7 +287,7 @@ static tp_row_point sample_point(const screen_line *l, int32_t x)
     return p;
 }
 
-/* -- lines ----------------------------------------------------------------------------- */
+/* -- lines --------------------------------------------------------------------------- */
 
 /* Returns the next line, px below the horizon: 1/16 nearer to the horizon, at most 4 px. */
 static int32_t next_line(int32_t below)

@@ -13,7 +13,7 @@
 /* Empties the list over two arrays of `room` entries: stages with their data, and their
  * places. */
 static void shaders_init(tp_shaders *list, tp_list_kind kind, tp_shader *shader,
-                     uint8_t *order, uint32_t room)
+                         uint8_t *order, uint32_t room)
 {
     *list = (tp_shaders){ .shader = shader, .order = order, .kind = (uint8_t)kind,
                           .room = (uint8_t)room };

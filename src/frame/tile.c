@@ -42,7 +42,7 @@ static int32_t run_length(const uint32_t *key, int32_t limit)
 
 /* Sets up the run at (x, y) and returns its shader list. */
 static const tp_shaders *begin_run(const tp_frame *frame, const tp_gbuffer *tile, int32_t x,
-                             int32_t y, tp_run *run)
+                                   int32_t y, tp_run *run)
 {
     TP_ASSERT(x >= tile->x0 && x < tile->x1 && y >= tile->y0 && y < tile->y1);
     int32_t most = TP_RUN - x % TP_RUN;
@@ -227,7 +227,7 @@ uint32_t tp_frame_water_pixels(const tp_frame *frame, const void *scratch,
     return count;
 }
 
-/* -- depths and kinds, read from the depth_stencil keys in the scratch --------------- */
+/* -- depths and kinds, read from the keys in the scratch ----------------------------- */
 
 /* Returns the depth in m.  A key keeps 24 bits of near / depth, rounded down: the middle
  * of the interval is used. */

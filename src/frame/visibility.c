@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Choice of the water renderer of a frame: the planned one if it can draw this camera and
+/* The rungs of a frame, as planned, named by the scene or asked for by the application, and
+ * the choice of its water renderer: the renderer of the rung if it can draw this camera and
  * this sea, else triangles.  The choice does not depend on the frame before. */
 #include "frame/frame.h"
 #include "frame/tools.h"

@@ -70,9 +70,9 @@ static inline int32_t tp_dir_z(tp_packed_dir n) { return tp_dir_unpack_component
  * tp_obj_finish store their warnings in obj.warning.  A missing library is skipped: its
  * materials are grey. */
 
-/* -- OBJ and MTL ----------------------------------------------------------------------
- *
- * Choices where the format leaves room:
+/* -- OBJ and MTL --------------------------------------------------------------------- */
+
+/* Choices where the format leaves room:
  *  - Normals not given by the file are computed.  Within a smoothing group (s N) a normal
  *    is the mean of the faces around a position, weighted by their area.  Without `s`, or
  *    with `s 0` or `s off`, normals are flat.  Groups do not share normals, even at one

@@ -10,11 +10,11 @@
 
 enum { MOST_GROUP = 1 << 30 };          /* fits below TP_NORMAL_KIND */
 
-/* -- helpers of statements ------------------------------------------------------- */
+/* -- helpers of statements ----------------------------------------------------------- */
 
 tp_status tp_obj_read_numbers(const tp_obj *obj, tp_words *words, tp_word keyword,
-                         uint32_t need, uint32_t most, int64_t *numbers, uint32_t *found,
-                         tp_error *err)
+                              uint32_t need, uint32_t most, int64_t *numbers,
+                              uint32_t *found, tp_error *err)
 {
     uint32_t n = 0;
     for (; n < most && !tp_words_at_end(words); n++) {
@@ -34,7 +34,7 @@ tp_status tp_obj_read_numbers(const tp_obj *obj, tp_words *words, tp_word keywor
 }
 
 tp_status tp_obj_check_room(const tp_obj *obj, uint32_t now, uint32_t total, uint32_t more,
-                      tp_error *err)
+                            tp_error *err)
 {
     const bool scan = obj->stage == TP_STAGE_SCAN;
     if (more <= (scan ? TP_OBJ_COUNT : total) - now)
@@ -66,7 +66,7 @@ void tp_obj_warn(tp_obj *obj, const tp_error *fault)
     obj->warnings++;
 }
 
-/* -- v, vt, vn, s ------------------------------------------------------------------ */
+/* -- v, vt, vn, s -------------------------------------------------------------------- */
 
 static uint64_t magnitude(int64_t x)
 {
@@ -226,7 +226,7 @@ static tp_status dispatch_statement(tp_obj *obj, tp_words *line, tp_error *err)
     return statements[obj->statement].run(obj, line, err);
 }
 
-/* -- lines ------------------------------------------------------------------------- */
+/* -- lines --------------------------------------------------------------------------- */
 
 tp_status tp_obj_latch_failure(tp_obj *obj, tp_status status)
 {
@@ -257,7 +257,7 @@ tp_status tp_obj_lines_end(tp_obj *obj, tp_obj_statement *run, tp_error *err)
     return tp_lines_last(&obj->lines, &line) ? run(obj, &line, err) : TP_OK;
 }
 
-/* -- the passes -------------------------------------------------------------------- */
+/* -- the passes ---------------------------------------------------------------------- */
 
 static void begin_pass(tp_obj *obj, uint32_t stage)
 {

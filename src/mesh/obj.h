@@ -81,9 +81,9 @@ typedef struct {
     struct tp_obj_cut *cut;
     const uint32_t    *triangle;
     uint32_t          *link;            /* link to the next corner */
-    uint32_t row, last_row;             /* row of the cell; last row of the walk */
-    uint32_t col, last_col, low_col, high_col;
-    uint32_t steps;                     /* corners and cells visited */
+    uint32_t           row, last_row;   /* row of the cell; last row of the walk */
+    uint32_t           col, last_col, low_col, high_col;
+    uint32_t           steps;           /* corners and cells visited */
 } tp_cut_walk;
 
 /* `from` is the corner after which the walk begins, where an earlier walk over the same
@@ -278,13 +278,13 @@ struct tp_obj_made {
 
 /* obj.c: reads the next `most` numbers of a line, at least `need`, in 48.16. */
 tp_status tp_obj_read_numbers(const tp_obj *obj, tp_words *words, tp_word keyword,
-                         uint32_t need, uint32_t most, int64_t *numbers, uint32_t *found,
-                         tp_error *err);
+                              uint32_t need, uint32_t most, int64_t *numbers,
+                              uint32_t *found, tp_error *err);
 
 /* obj.c: returns TP_OK if `more` can be added to `now`.  The limit is TP_OBJ_COUNT in the
  * scan, and the total of the scan in the load. */
 tp_status tp_obj_check_room(const tp_obj *obj, uint32_t now, uint32_t total, uint32_t more,
-                      tp_error *err);
+                            tp_error *err);
 
 /* obj.c: returns the rest of the line as a name, possibly of no bytes. */
 tp_status tp_obj_read_rest_as_name(const tp_obj *obj, tp_words *words, tp_word *name,

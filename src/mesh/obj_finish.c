@@ -74,7 +74,7 @@ static tp_fx scaled_ratio_sqrt(uint64_t picture, uint64_t area, int power)
 /* Both sums are twice an area.  `area` is in 2^-32 of squared mesh units, `picture` in
  * 2^-32 of squared texture repeats; each sum is divided by 2^shift. */
 static tp_fx texels_per_unit(const tp_obj *obj, const struct tp_obj_made *made,
-                              const tp_texture *texture)
+                             const tp_texture *texture)
 {
     if (texture == NULL)
         return 0;

@@ -72,7 +72,7 @@ tp_dir3 tp_area_direction(tp_area a)
  * indices.  Each face adds its area vector to its smooth normals, one sum per position
  * and smoothing group.  Then every vertex is replaced by its final form, in place. */
 
-/* -- scales -------------------------------------------------------------------------- */
+/* -- bounds and scales --------------------------------------------------------------- */
 
 static void widen(int32_t *low, int32_t *high, int32_t x)
 {

@@ -41,7 +41,7 @@ static int64_t twice_triangle_area(const struct tp_obj_cut *cut, uint32_t a, uin
     return cross_product(corner_difference(cut, a, b), corner_difference(cut, a, c));
 }
 
-/* -- projection of the polygon ----------------------------------------------------- */
+/* -- projection of the polygon ------------------------------------------------------- */
 
 /* Moves one coordinate of all corners to begin at 0.  Returns the extent. */
 static uint32_t move_min_to_zero(int32_t *coordinate, uint32_t n)
@@ -123,7 +123,7 @@ static void project_polygon(struct tp_obj_cut *cut, uint32_t n, const uint32_t e
     tp_cut_grid_fill(cut, n, extent[u], extent[v]);
 }
 
-/* -- ears --------------------------------------------------------------------------- */
+/* -- ears ---------------------------------------------------------------------------- */
 
 /* Corner p stands on the border of a triangle.  Seen from p the inside lies between the
  * directions to y and, turning left, to z.  True if an edge of p leads inside. */
@@ -216,7 +216,7 @@ static uint32_t choose_next_corner(struct tp_obj_cut *cut)
     return cut->start;
 }
 
-/* -- cutting ------------------------------------------------------------------------ */
+/* -- cutting ------------------------------------------------------------------------- */
 
 struct tp_obj_cut *tp_cut_layout(tp_arena *arena, uint32_t corners)
 {

@@ -192,7 +192,8 @@ X(flow_walls, 1, 0) X(flow_sponge, 1, 1)
 
 /* Updates the heights of a row by its fluxes; right[-1] is the flux into the first cell. */
 static void apply_fluxes(int32_t *restrict h, const int32_t *restrict right,
-                  const int32_t *restrict up, const int32_t *restrict down, uint32_t cols)
+                         const int32_t *restrict up, const int32_t *restrict down,
+                         uint32_t cols)
 {
     const int32_t *const left = right - 1;
 

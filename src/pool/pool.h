@@ -43,7 +43,7 @@ typedef struct {
 typedef struct {
     uint32_t cols, rows;
     uint32_t cells, edges;          /* tp_cells, tp_edges */
-    uint32_t courant_sq_q10;                   /* 1024 r^2, rounded */
+    uint32_t courant_sq_q10;        /* 1024 r^2, rounded */
     uint32_t damping;               /* damping exponent m */
     tp_fx    range, cell, x, z;
     uint64_t turns_x, turns_z;      /* 2^64 / (cells x cell): the field is one turn */
@@ -145,6 +145,21 @@ typedef struct {
 } tp_pool_state;
 tp_pool_state tp_pool_stats(const tp_pool *pool);
 
+/* Slopes dy/dx and dy/dz, Q3.12, clamped to +-4. */
+typedef struct { int16_t x, z; } tp_pool_slope;
+
+/* Writes the slopes at all cell centres times `gain`, at `lag` of a tick in the past.
+ * A border of one cell all round is wrapped or mirrored: the table has (rows + 2) x
+ * (cols + 2) entries, and bilinear sampling needs no special case at the edges.
+ * Sampled slopes equal the slopes of tp_pool_height_slope, except inside walls: there
+ * the sampled slopes fade out over one cell. */
+void tp_pool_slopes(const tp_pool *pool, tp_fx lag, tp_fx gain, tp_pool_slope *to);
+
+/* True if a pool from outside of the program is safe to step and read.  All fields derived
+ * from the config must equal the fields of `fresh`, a pool of the same config.  Cells and
+ * fluxes must be in the ranges kept by steps, and walls must be still. */
+bool tp_pool_is_valid(const tp_pool *pool, const tp_pool *fresh);
+
 /* -- private to src/pool ------------------------------------------------------------- */
 
 /* Layout of the block, and functions shared by the files of the pool.
@@ -242,21 +257,6 @@ static inline int32_t tp_pool_net_inflow(const tp_pool *pool, uint32_t col, uint
  * outside. */
 bool tp_pool_locate(const tp_pool *pool, tp_fx x, tp_fx z, uint64_t *u, uint64_t *w);
 
-/* Slopes dy/dx and dy/dz, Q3.12, clamped to +-4. */
-typedef struct { int16_t x, z; } tp_pool_slope;
-
-/* Writes the slopes at all cell centres times `gain`, at `lag` of a tick in the past.
- * A border of one cell all round is wrapped or mirrored: the table has (rows + 2) x
- * (cols + 2) entries, and bilinear sampling needs no special case at the edges.
- * Sampled slopes equal the slopes of tp_pool_height_slope, except inside walls: there
- * the sampled slopes fade out over one cell. */
-void tp_pool_slopes(const tp_pool *pool, tp_fx lag, tp_fx gain, tp_pool_slope *to);
-
-/* True if a pool from outside of the program is safe to step and read.  All fields derived
- * from the config must equal the fields of `fresh`, a pool of the same config.  Cells and
- * fluxes must be in the ranges kept by steps, and walls must be still. */
-bool tp_pool_is_valid(const tp_pool *pool, const tp_pool *fresh);
-
 /* One step of all cells, for each kind of cell. */
 void tp_pool_step_8(tp_pool *pool);
 void tp_pool_step_16(tp_pool *pool);
@@ -264,4 +264,5 @@ void tp_pool_step_32(tp_pool *pool);
 
 /* Injects a splash before a step if the water is too quiet [C16]. */
 void tp_pool_splash_if_quiet(tp_pool *pool);
+
 #endif

@@ -166,7 +166,7 @@ static int32_t clip_window(int32_t middle, int32_t reach, uint32_t cells, bool t
 /* Makes a splash around (u, w), Q32.32 in cells, inside the field and not in a wall.  sigma
  * is in cells, 16.16, clamped to 1.5..128.  |peak| is within the range, in LSB. */
 static void pool_add_splash_cells(tp_pool *pool, uint64_t u, uint64_t w, tp_fx sigma,
-                              int32_t peak)
+                                  int32_t peak)
 {
     TP_ASSERT(u >> 32 < pool->cols && w >> 32 < pool->rows);
     TP_ASSERT(peak >= -tp_pool_max_lsb(pool) && peak <= tp_pool_max_lsb(pool));
@@ -232,9 +232,9 @@ int32_t tp_pool_from_metres(const tp_pool *pool, tp_fx metres)
 
 static const tp_fx drive_sigma = TP_FX(2.5);     /* cells; waves of some 11 cells */
 
-/* sum_of_squares adds the squares of all heights.  energy_limit gives the same sum for
- * a pool with the height `rms` in each cell.  32-bit heights are cut to Q8.16: 2^18
- * cells of (2^22)^2 are below 2^63. */
+/* sum_of_squares adds the squares of all heights.  sum_of_squares_at_rms gives the same
+ * sum for a pool with the height `rms` in each cell.  32-bit heights are cut to Q8.16:
+ * 2^18 cells of (2^22)^2 are below 2^63. */
 static int64_t sum_of_squares(const tp_pool *pool)
 {
     const uint32_t count = tp_pool_count(pool);

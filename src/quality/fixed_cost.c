@@ -10,7 +10,7 @@
 
 /* -- the start camera ---------------------------------------------------------------- */
 
-/* Returns the distance from the centre of the grid to the end of the even cells, m.
+/* Returns the distance from the centre of the grid to the end of the equal cells, m.
  * *flank: number of lines beyond that end. */
 static int64_t start_view_core_half_width(const tp_scene *s, int32_t lines, int32_t *flank)
 {

@@ -36,7 +36,7 @@ tp_rungs tp_rungs_choose(const tp_scene *scene, const tp_assets *assets, uint32_
 }
 
 tp_plan_report tp_plan_make(const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                          uint32_t height)
+                            uint32_t height)
 {
     const tp_plan_input in = make_input(scene, assets, width, height);
 

@@ -74,7 +74,7 @@ typedef struct {
 } tp_plan_report;
 
 tp_plan_report tp_plan_make(const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                          uint32_t height);
+                            uint32_t height);
 
 /* -- the ladder and the governor ----------------------------------------------------- */
 

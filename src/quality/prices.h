@@ -19,7 +19,7 @@
 enum { TP_KIND_VISIBILITY, TP_KIND_SHADING, TP_KIND_RATE, TP_KIND_LOD };
 enum { TP_VISIBILITIES = 4, TP_SHADINGS = 2, TP_RATES = 3, TP_LODS = 2 };
 
-/* Classes of sea: by slope, then by gloss; both determine the errors. sparks: the
+/* Classes of sea: by slope, then by gloss; both determine the errors.  sparks: the
  * specular lobe is so sharp and bright that glints are smaller than a pixel. ocean: steep
  * coastal water, over a floor or in a wind. */
 enum {
@@ -33,8 +33,8 @@ enum {
 typedef struct {
     bool  known;
     tp_fx pixel;                /* instructions per water pixel */
-    tp_fx vertex;               /* instructions per evaluated point, plus the fields
-                                 * below */
+    tp_fx vertex;               /* instructions per evaluated point, to which the fields
+                                 * below are added */
     tp_fx wave, sharp, pool;    /* per wave; per wave of a sharpened sea, extra; per pool */
     tp_fx ocean, floor, map;    /* coastal: with wind only; over a plane; over a map */
     tp_fx drawn;                /* per grid cell that gets a pixel */
@@ -64,9 +64,9 @@ typedef struct {
     X(haze) X(haze_dome) X(haze_cube) X(hdr) X(solid) \
     X(boat_face) X(boat_scan) X(boat_back) X(boat_piece) X(boat_fill) X(boat_cut) \
     X(mirror_fill) X(looked) X(looked_near) X(rings) X(ball) X(wall) X(walled) \
-    X(wall_face)     X(pane) X(side) X(side_face) \
+    X(wall_face) X(pane) X(side) X(side_face) \
     X(caustic_pool) X(caustic_sea) X(land) X(land_row) X(land_cell) X(land_cut) \
-    X(land_off)     X(surf) X(land_drawn) X(land_fill)
+    X(land_off) X(surf) X(land_drawn) X(land_fill)
 
 enum {
 #define X(name) TP_WORK_##name,
@@ -82,9 +82,9 @@ typedef struct {
 } tp_fixed_cost;
 
 typedef struct {
-    tp_fx frame;                /* thousands of instructions per frame */
-    tp_fx sky;                  /* instructions per sky pixel */
-    tp_fx slope_colour;         /* rms colour error (of 255) caused by slopes of rms 1 */
+    tp_fx           frame;      /* thousands of instructions per frame */
+    tp_fx           sky;        /* instructions per sky pixel */
+    tp_fx           slope_colour; /* rms colour error (of 255) caused by slopes of rms 1 */
     tp_seen_price   seen[TP_VISIBILITIES][TP_LODS];
     tp_shaded_price shaded[TP_SHADINGS][TP_RATES];
     tp_fx           work[TP_WORK_COUNT];
@@ -99,7 +99,7 @@ typedef struct {
     const tp_use    *modules;
     const tp_scene  *scene;
     const tp_assets *assets;
-    uint32_t width, height;
+    uint32_t         width, height;
 } tp_plan_input;
 
 /* view_estimate.c: returns the conditions that decide if a module is on, with all shading
@@ -141,24 +141,9 @@ typedef struct {
 
 tp_view_estimate tp_view_estimate_make(const tp_plan_input *in);
 
-/* -- fixed_cost.c: fixed cost besides the water ---------------------------------------- */
+/* -- fixed_cost.c: the start camera, and its view of level water --------------------- */
 
-/* Counts the fixed cost of a frame. `quick`: the water uses the fast stages. */
-tp_fixed_cost tp_fixed_cost_estimate(const tp_plan_input *in,
-                                     const tp_view_estimate *estimate, bool quick);
-
-/* -- the cost of a feature besides the water's pixels -------------------------------- */
-
-/*
- * The fourth part of a module, used for reports of the plan.  A program without reports
- * does not link this part.
- *
- * The fixed cost is counted without drawing: from the geometry of the objects, and with a
- * lattice of rays over the picture of the scene's start camera.  Some rays meet level
- * water, some are stopped by objects.  The view estimate uses the same camera.
- */
-
-/* -- the start camera, and its view of level water ----------------------------------- */
+/* The camera of the view estimate and of the fixed cost. */
 
 typedef struct {
     tp_vec3     eye;
@@ -173,13 +158,13 @@ tp_start_view tp_start_view_make(const tp_scene *scene, uint32_t width, uint32_t
 /* Returns the coordinate of a position `line` lines (Q16) from the middle of an axis.
  * Steps between lines of the skirt grow outwards. */
 int64_t tp_start_view_line_coordinate(const tp_scene *scene, int32_t lines, int64_t centre,
-                           int64_t line);
+                                      int64_t line);
 
 /* Returns the ray through (x, y) of the picture: tangents, Q16 per unit ahead, below
  * 2^26. */
 tp_vec3 tp_start_view_ray(const tp_start_view *at, int64_t x, int64_t y);
 
-/* Returns the distance ahead, Q16 m, at that the ray through (x, y) meets level water, or
+/* Returns the distance ahead, Q16 m, at which the ray through (x, y) meets level water, or
  * 0. */
 int64_t tp_start_view_water_distance(const tp_start_view *at, int64_t x, int64_t y);
 
@@ -193,15 +178,23 @@ static inline tp_vec3 tp_start_view_clamped_vector(tp_vec3 from, tp_vec3 to)
                       (tp_fx)tp_clamp_abs((int64_t)to.z - from.z, most) };
 }
 
-/* -- fixed cost ---------------------------------------------------------------------- */
+/* -- fixed_cost.c: fixed cost besides the water's pixels ----------------------------- */
+
+/* The fixed cost is counted without drawing: from the geometry of the objects, and with a
+ * lattice of rays over the picture of the scene's start camera.  Some rays meet level
+ * water, some are stopped by objects. */
+
+/* Counts the fixed cost of a frame. `quick`: the water uses the fast stages. */
+tp_fixed_cost tp_fixed_cost_estimate(const tp_plan_input *in,
+                                     const tp_view_estimate *estimate, bool quick);
 
 #define TP_RAYS       32        /* rays along each axis; a row of bits is a word */
 #define TP_WORK_BAND  16        /* rows of a tile, as a board draws */
 #define TP_WORK_STRIP 4         /* rows of a reflection map drawn at once */
 
 typedef struct tp_site {
-    const tp_scene   *scene;
-    const tp_assets  *assets;
+    const tp_scene *scene;
+    const tp_assets *assets;
     const tp_view_estimate *estimate;
     tp_start_view at;
     uint32_t width, height;
@@ -222,7 +215,8 @@ typedef struct {
     uint32_t stopped;           /* rays stopped by this feature's `stops` */
 } tp_work_pixels;
 
-/* All members may be NULL. */
+/* The fourth part of a module, used for reports of the plan: the cost of its objects.  A
+ * program without reports does not link this part.  All members may be NULL. */
 typedef struct tp_cost {
     /* Counts work known from the geometry, and the rays that its objects stop. */
     void (*work)(tp_site *site);
@@ -254,9 +248,9 @@ static inline tp_vec3 tp_work_ray(const tp_site *site, int32_t i, int32_t j)
                              site->at.high * (2 * j + 1 - TP_RAYS) / TP_RAYS);
 }
 
-/* -- wave culling -------------------------------------------------------------------- */
+/* -- wave_culling.c: waves too small to be visible ----------------------------------- */
 
-/* Finds waves too small to be visible, to be omitted or drawn lower. */
+/* Such waves are omitted or drawn lower. */
 
 #define TP_WAVE_CULL_SHARE 4        /* part of the error budget for wave culling, 1/4 */
 
@@ -290,7 +284,7 @@ tp_fx tp_nearest_water_distance(tp_fx height, const tp_rotation *turn, tp_fx fov
 tp_fx tp_wave_cull_weight(const tp_wave_cull_limits *limits, tp_fx amplitude, tp_fx slope);
 
 tp_wave_cull tp_wave_cull_evaluate(const tp_scene *scene, const tp_wave_cull_limits *limits,
-                           tp_fx slope_colour);
+                                   tp_fx slope_colour);
 
 /* Writes the culled deep water and its phases to `culled` and `culled_phases`.
  * Returns false and writes nothing if no wave is culled.  The bounds in `culled` stay

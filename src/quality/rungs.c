@@ -25,7 +25,7 @@ typedef struct {
 typedef struct {
     const tp_prices *prices;
     tp_view_estimate estimate;
-    tp_wave_cull   faint;
+    tp_wave_cull faint;
     int8_t     named[TP_KINDS];         /* rung named by the scene; -1: open */
     tp_fx      left_px, left_colour;    /* budget left for the open kinds */
     int64_t    works;                   /* fixed cost, instructions, Q16 */

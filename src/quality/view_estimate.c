@@ -47,7 +47,7 @@ typedef struct {
  * has the area of the cell times focal^2 height / depth^3.  A cell counts once for each
  * tile that its rows touch. */
 static uint32_t cell_pixel_share(const tp_start_view *at, const tp_scene *s, int32_t focal,
-                               int64_t depth)
+                                 int64_t depth)
 {
     const int64_t height = tp_abs(at->eye.y);
 

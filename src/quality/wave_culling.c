@@ -65,7 +65,7 @@ tp_fx tp_wave_cull_weight(const tp_wave_cull_limits *limits, tp_fx amplitude, tp
 }
 
 tp_wave_cull tp_wave_cull_evaluate(const tp_scene *scene, const tp_wave_cull_limits *limits,
-                           tp_fx slope_colour)
+                                   tp_fx slope_colour)
 {
     tp_wave_cull culled = { .left = 0 };
     uint64_t px = 0, slopes = 0;

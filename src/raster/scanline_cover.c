@@ -124,9 +124,10 @@ static cover_st interpolate_st(const between *b, int32_t y)
 /* Fills rows [y, end) of a piece that begins at row `top`. s and t are exact in
  * perspective at multiples of 16 rows and at the ends of the piece. */
 static __attribute__((noinline)) void fill_perspective_rows(const tp_rows *rows,
-                                                const tp_row_sample *near,
-                                                const tp_row_sample *far, int32_t x,
-                                                int32_t y, int32_t end, int32_t top)
+                                                            const tp_row_sample *near,
+                                                            const tp_row_sample *far,
+                                                            int32_t x, int32_t y,
+                                                            int32_t end, int32_t top)
 {
     const between b = make_interval(far, near);
     int32_t last = first_row(near->v) - 1;
@@ -210,7 +211,7 @@ void tp_rows_fill_column(const tp_rows *rows, const tp_row_sample *near,
 }
 
 void tp_row_restart_column(tp_rows *rows, tp_row_column *column, const tp_row_sample *line,
-                  bool joined)
+                           bool joined)
 {
     const tp_gbuffer *tile = rows->tile;
     int32_t top = first_row(line->v), y = top > tile->y0 ? top : tile->y0;

@@ -123,5 +123,5 @@ void tp_rows_fill_column(const tp_rows *rows, const tp_row_sample *near,
 /* Handles a column where a line behind a gap rises to the column's limit: the column
  * starts anew.  Draws the pixel at the line if `joined`. */
 void tp_row_restart_column(tp_rows *rows, tp_row_column *column, const tp_row_sample *line,
-                  bool joined);
+                           bool joined);
 #endif

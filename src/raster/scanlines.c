@@ -104,7 +104,8 @@ TP_ALWAYS_INLINE void cover_column(tp_rows *rows, tp_row_column *column,
 
 /* Walks columns [x, end); `now` is the value at column x. */
 TP_ALWAYS_INLINE void walk_columns(tp_rows *rows, const tp_row_sample *now,
-                           const tp_row_sample *step, int32_t x, int32_t end, int kind)
+                                   const tp_row_sample *step, int32_t x, int32_t end,
+                                   int kind)
 {
     TP_ASSERT(x < end && x >= rows->tile->x0 && end <= rows->tile->x1);
     tp_row_column *column = rows->column + (x - rows->tile->x0);

@@ -135,7 +135,7 @@ typedef struct {
 } span_st;
 
 static span_st evaluate_st(const perspective *p, const tp_tri *tri, int32_t x,
-                                 int32_t y)
+                           int32_t y)
 {
     int32_t dx = x - tri->x_ref, dy = y - tri->y_ref;
     int64_t w = evaluate_gradient(&p->w, dx, dy) >> PLUS;

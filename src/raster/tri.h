@@ -90,7 +90,7 @@ static inline bool tp_screen_vertex_in_guard_band(const tp_screen_vertex *c)
     return tp_abs(c->u) <= most && tp_abs(c->v) <= most;
 }
 
-/* -- set-up ------------------------------------------------------------------------ */
+/* -- set-up -------------------------------------------------------------------------- */
 
 TP_ALWAYS_INLINE bool is_outside_tile_columns(const tp_gbuffer *tile,
                                               const tp_screen_vertex *a,

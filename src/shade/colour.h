@@ -122,7 +122,7 @@ static inline int32_t tp_lit_share(int32_t ambient, int32_t nl)
     return ambient + ((256 - ambient) * nl >> 14);
 }
 
-/* -- colours with an alpha ------------------------------------------------------------- */
+/* -- colours with an alpha ----------------------------------------------------------- */
 
 /* Mixes all four bytes: share / 256 of b and the rest of a, rounded down; share 0..256. */
 TP_ALWAYS_INLINE uint32_t tp_argb_mix(uint32_t a, uint32_t b, uint32_t share)

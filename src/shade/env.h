@@ -18,14 +18,16 @@
 #include "shade/shade.h"
 #include "tidepool/assets.h"
 
-/* -- the gradient: below the horizon it has the horizon's colour ------------------- */
+/* -- the gradient -------------------------------------------------------------------- */
+
+/* Below the horizon the gradient has the horizon's colour. */
 
 TP_ALWAYS_INLINE uint32_t tp_env_gradient(const tp_shade *shade, int32_t y)
 {
     return shade->sky[tp_clamp(y >> 6, 0, TP_SKY)];
 }
 
-/* -- the dome ---------------------------------------------------------------------- */
+/* -- the dome ------------------------------------------------------------------------ */
 
 /* Squared chord between two unit vectors, Q28: 2 - 2 cos. */
 TP_ALWAYS_INLINE uint32_t tp_square_length(int32_t dx, int32_t dy, int32_t dz)
@@ -48,7 +50,7 @@ TP_ALWAYS_INLINE uint32_t tp_light_side_weight(uint32_t square)
 }
 
 TP_ALWAYS_INLINE uint32_t tp_light_chord_square(const tp_shade *shade, int32_t x, int32_t y,
-                                        int32_t z)
+                                                int32_t z)
 {
     return tp_square_length(x - shade->world.lx, y - shade->world.ly, z - shade->world.lz);
 }
@@ -86,7 +88,7 @@ TP_ALWAYS_INLINE uint32_t tp_env_dome(const tp_shade *shade, uint32_t least, int
     return tp_dome_colour(dome, square, y, tp_dome_lookup_glow(dome, least, square));
 }
 
-/* -- the cube ---------------------------------------------------------------------- */
+/* -- the cube ------------------------------------------------------------------------ */
 
 /* A face of the cube, and the position on it: right / m and down / m, where m is the
  * largest component. */
@@ -124,7 +126,7 @@ typedef struct {
 /* Selects the face by the largest component; the other two over it give the position
  * [F7]. */
 TP_ALWAYS_INLINE tp_cube_place tp_cube_project(const uint32_t *recip, int32_t x, int32_t y,
-                                          int32_t z)
+                                               int32_t z)
 {
     tp_cube_ray c = tp_cube_face(x, y, z);
     int32_t r = tp_cube_recip(recip, c.m);
@@ -165,8 +167,8 @@ TP_ALWAYS_INLINE int32_t tp_cube_texel_coordinate(int32_t ratio, int32_t log2)
 }
 
 TP_ALWAYS_INLINE tp_cube_four tp_cube_find_texels(const uint32_t *recip, int32_t m,
-                                             int32_t right, int32_t down, int32_t log2_w,
-                                             int32_t log2_h)
+                                                  int32_t right, int32_t down,
+                                                  int32_t log2_w, int32_t log2_h)
 {
     int32_t r = tp_cube_recip(recip, m), w = 1 << log2_w, h = 1 << log2_h;
     int32_t u = tp_cube_texel_coordinate(right * r >> 14, log2_w);
@@ -211,7 +213,7 @@ TP_ALWAYS_INLINE uint32_t tp_env_cube(const tp_shade *shade, int level, int32_t 
     return tp_cube_sample(shade, &ray, &side);
 }
 
-/* -- any kind ---------------------------------------------------------------------- */
+/* -- any kind ------------------------------------------------------------------------ */
 
 #define TP_ENV_KINDS(X) \
     X(gradient, TP_ENV_GRADIENT) \

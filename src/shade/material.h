@@ -107,7 +107,7 @@ TP_ALWAYS_INLINE uint32_t tp_phong(const tp_shade *shade, const tp_view_axes *ax
  * of eight take signed indices.
  */
 
-/* -- one mipmap level, and four of its texels --------------------------------------- */
+/* -- one mipmap level, and four of its texels ---------------------------------------- */
 
 typedef struct {
     const uint32_t *texel;
@@ -173,7 +173,7 @@ TP_ALWAYS_INLINE uint32_t tp_mip_level_sample_linear(const tp_mip_level *l, uint
     return tp_split_rgb_join(tp_four_interpolate(&f));
 }
 
-/* -- the mipmap level of a layer ---------------------------------------------------- */
+/* -- the mipmap level of a layer ----------------------------------------------------- */
 
 static inline int tp_layer_mip_level(const tp_shade *shade, const tp_layer *layer,
                                      uint32_t key)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* View rays in the water: intersection with floor or walls, and the light from the hit
- * point; see water_volume.h and refracted_ray.h. */
+ * point; see optics.h and refracted_ray.h. */
 #include "shade/env.h"
 #include "shade/material.h"
 #include "shade/refracted_ray.h"
@@ -9,7 +9,7 @@ const uint16_t tp_sqrt_one_minus_table[65] = {
 #include "shade/root_table.inc"
 };
 
-/* -- distances along a ray ------------------------------------------------------------ */
+/* -- distances along a ray ----------------------------------------------------------- */
 
 /* Returns the distance along a ray, m, until a `gap` >= 0 m is closed; the gap shrinks by
  * `speed` > 0 per metre, Q1.14. */
@@ -29,7 +29,7 @@ static inline tp_vec3 point_along_ray(tp_vec3 from, tp_ray way, tp_fx metres)
                       tp_fx_add_sat(from.z, (tp_fx)((int64_t)way.z * metres >> 14)) };
 }
 
-/* -- the floor ------------------------------------------------------------------------ */
+/* -- the floor ----------------------------------------------------------------------- */
 
 /* Rise of the plane from the world's origin to a point, Q32; sums may wrap. */
 static inline uint64_t plane_rise(const tp_floor_plane *bed, tp_fx x, tp_fx z)
@@ -94,7 +94,7 @@ static tp_floor_plane sample_floor_plane(const tp_underwater *in, tp_vec3 at)
 }
 
 /* Finds the floor's tangent plane near the hit point by two iterations; after them the
- * curvature of a beach leaves an error below a hundredth of its depth.  A beam that goes
+ * curvature of a beach leaves an error below a hundredth of its depth.  A ray that goes
  * up meets the floor after its reflection at the surface. */
 tp_floor_plane tp_underwater_find_floor_plane(const tp_shade *shade,
                                               const tp_refracted_ray *ray)
@@ -117,7 +117,7 @@ tp_floor_plane tp_underwater_find_floor_plane(const tp_shade *shade,
     return bed;
 }
 
-/* -- caustics ------------------------------------------------------------------------- */
+/* -- caustics ------------------------------------------------------------------------ */
 
 /* Coordinate on the caustics map in cells, 16.16, mirrored at the map's edges and clamped
  * to the range between the centres of the first and the last cell. */
@@ -173,7 +173,7 @@ static inline uint32_t light_factor(const tp_shade *shade, int32_t nl, tp_vec3 a
     return (uint32_t)(shade->ambient + (sun * light >> 8));
 }
 
-/* -- hits ----------------------------------------------------------------------------- */
+/* -- hits ---------------------------------------------------------------------------- */
 
 typedef enum { NOTHING, FLOOR, WALL_X, WALL_Z } face;
 
@@ -278,7 +278,8 @@ TP_ALWAYS_INLINE tp_ground ground_between_ends(const tp_underwater *in,
 }
 
 void tp_underwater_interpolate_floor(const tp_shade *shade, const tp_floor_plane ends[2],
-                      const tp_refracted_ray *ray, int32_t count, tp_ground *under)
+                                     const tp_refracted_ray *ray, int32_t count,
+                                     tp_ground *under)
 {
     TP_ASSERT(count > 0 && count <= TP_UNDERWATER_ROW);
     const int32_t each = over[count - 1];
@@ -288,8 +289,8 @@ void tp_underwater_interpolate_floor(const tp_shade *shade, const tp_floor_plane
 }
 
 void tp_underwater_shade_row(const tp_shade *shade, const tp_floor_plane ends[2],
-                   const tp_refracted_ray *ray, int32_t count, const uint32_t *body,
-                   uint32_t *seen)
+                             const tp_refracted_ray *ray, int32_t count,
+                             const uint32_t *body, uint32_t *seen)
 {
     TP_ASSERT(count > 0 && count <= TP_UNDERWATER_ROW);
     const tp_underwater *in = shade->underwater;
@@ -312,7 +313,7 @@ void tp_underwater_shade_row_channel(const tp_shade *shade, const tp_ground *und
     }
 }
 
-/* -- the surface from below ------------------------------------------------------------ */
+/* -- the surface from below ---------------------------------------------------------- */
 
 #define INDEX  21840            /* refractive index of water, 1.333, Q1.14 */
 #define INDEX2 29113            /* INDEX squared, Q1.14 */
@@ -342,7 +343,7 @@ static inline uint32_t fresnel_share(const tp_shade *shade, int32_t cosine)
 }
 
 uint32_t tp_underwater_shade_underside(const tp_shade *shade, const tp_floor_plane *bed,
-                                 const tp_refracted_ray *ray, tp_ray n, uint32_t body)
+                                       const tp_refracted_ray *ray, tp_ray n, uint32_t body)
 {
     tp_ray  way = ray->way;
     int32_t ci = (way.x * n.x + way.y * n.y + way.z * n.z) >> 14;

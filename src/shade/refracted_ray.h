@@ -8,15 +8,15 @@
 
 #define TP_UNDERWATER_FAR (16000 * TP_FX_ONE)
 
-/* -- start points and directions ------------------------------------------------------ */
+/* -- start points and directions ----------------------------------------------------- */
 
 /* Sets the members of `in` that depend on the current view of `shade`. */
 void tp_underwater_set_view(tp_underwater *in, const tp_shade *shade, tp_fx zi_near);
 
-/* Start point of a ray in world coordinates, m, and its direction, a unit vector in
- * Q1.14. */
 #define TP_UNDERWATER_ROW 16        /* largest number of rays in one batch */
 
+/* Start point of a ray in world coordinates, m, and its direction, a unit vector in
+ * Q1.14. */
 typedef struct {
     tp_vec3 at;
     tp_ray  way;
@@ -62,18 +62,18 @@ TP_ALWAYS_INLINE tp_ray tp_underwater_refract(const tp_underwater *underwater,
                                            tp_incidence_cosine(in, n));
 }
 
-/* Fills beam[].at and beam[].far with the world positions of samples [i, stop) of a run.
+/* Fills ray[].at and ray[].far with the world positions of samples [i, stop) of a run.
  * The directions are left unchanged. */
 void tp_underwater_set_start_points(const tp_shade *shade, const tp_run *run, int32_t i,
                                     int32_t stop, tp_refracted_ray *ray);
 
-/* -- colour along a ray --------------------------------------------------------------- */
+/* -- colour along a ray -------------------------------------------------------------- */
 
-/* Returns the floor, as a plane, near the point where the beam would hit the floor. */
+/* Returns the floor, as a plane, near the point where the ray would hit the floor. */
 tp_floor_plane tp_underwater_find_floor_plane(const tp_shade *shade,
                                               const tp_refracted_ray *ray);
 
-/* Returns the colour seen along a beam; `body` is the colour of the water itself. */
+/* Returns the colour seen along a ray; `body` is the colour of the water itself. */
 uint32_t tp_underwater_trace(const tp_shade *shade, const tp_floor_plane *plane,
                              const tp_refracted_ray *ray, uint32_t body);
 
@@ -84,24 +84,26 @@ typedef struct {
     int32_t nl;
 } tp_ground;
 
-/* Returns the floor below up to 16 neighbouring beams, interpolated between the planes of
- * the first beam and the last beam. */
+/* Returns the floor below up to 16 neighbouring rays, interpolated between the planes of
+ * the first ray and the last ray. */
 void tp_underwater_interpolate_floor(const tp_shade *shade, const tp_floor_plane ends[2],
-                      const tp_refracted_ray *ray, int32_t count, tp_ground *under);
+                                     const tp_refracted_ray *ray, int32_t count,
+                                     tp_ground *under);
 
-/* Colours seen along beams that go down.  The second function computes only the channel at
+/* Colours seen along rays that go down.  The second function computes only the channel at
  * bit `shift` and adds the channel to the others in `seen`. */
 void tp_underwater_shade_row(const tp_shade *shade, const tp_floor_plane ends[2],
-                   const tp_refracted_ray *ray, int32_t count, const uint32_t *body,
-                   uint32_t *seen);
+                             const tp_refracted_ray *ray, int32_t count,
+                             const uint32_t *body, uint32_t *seen);
 void tp_underwater_shade_row_channel(const tp_shade *shade, const tp_ground *under,
                                      const tp_refracted_ray *ray, int32_t count,
                                      const uint32_t *body, int shift, uint32_t *seen);
 
-/* Colour of a beam that goes up and has reached the surface, whose normal is n: the sky
+/* Colour of a ray that goes up and has reached the surface, whose normal is n: the sky
  * through Snell's window mixed with the water mirrored by the Fresnel share.  Beyond 48.6
  * degrees all light is mirrored [F1]. */
 uint32_t tp_underwater_shade_underside(const tp_shade *shade, const tp_floor_plane *plane,
-                                 const tp_refracted_ray *ray, tp_ray n, uint32_t body);
+                                       const tp_refracted_ray *ray, tp_ray n,
+                                       uint32_t body);
 
 #endif

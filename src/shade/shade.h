@@ -10,11 +10,11 @@
  *
  * Order of the water's list; the scene decides on the stages that are present:
  *     bend (ls lt), layers (colour), pool_bump and ripple (sx sz), view (vx vy vz lv),
- *     light (colour nv up glint), behind (adds the colours seen through the water),
- *     mirror; or in parts: reflect (mirror rx rz), mirrored (objects over the sky), fresnel
- *     (mirror into colour), for which slopes (sx sz) stands in for ripples; then foam,
- *     glint, haze, expose.
- * The list of water seen from below: pool_bump, ripple, view, below, expose.  Any other
+ *     light (colour nv up glint), refract (adds the colours seen through the water),
+ *     mirror_gradient_sky; or in parts: reflect (mirror rx rz), mirrored (objects over the
+ *     sky), fresnel (mirror into colour), for which slopes (sx sz) stands in for ripples;
+ *     then foam, glint, haze, expose.
+ * The list of water seen from below: pool_bump, ripple, view, underside, expose.  Any other
  * kind of sample has one stage that computes its colour, then haze (absorb in the water)
  * and expose.
  *
@@ -99,17 +99,13 @@ uint32_t tp_glow_entry_squared_chord(uint32_t i);
 bool tp_cube_init(tp_cube *cube, const tp_texture *const face[TP_CUBE_FACES]);
 void tp_recip_init(uint32_t recip[TP_RECIP + 2]);
 
-/* -- runs, samples and stages -------------------------------------------------------- */
-
 /* -- two forms of some loops --------------------------------------------------------- */
 
-/*
- * TP_WIDE selects between two forms of some loops: for processors with eight-lane vectors
+/* TP_WIDE selects between two forms of some loops: for processors with eight-lane vectors
  * and for all others.  If TP_WIDE is 1, selects are cheaper than branches, and two small
  * loops are cheaper than one loop with a table look-up.  On x86-64 entries of small tables
  * take a word each, because vector units gather only words: 6 KB more per view there, none
- * elsewhere.
- */
+ * elsewhere. */
 
 #if defined(__AVX2__)
 #define TP_WIDE 1
@@ -229,13 +225,12 @@ typedef struct tp_shade {
     int32_t  ambient;           /* ambient light, 0..256 */
     int32_t  mirror;            /* strength of the reflection, 0..256 */
 
-
     tp_vec3  eye;
     const tp_underwater *underwater;    /* the water volume and its floor, or NULL */
     const tp_caustic *caustic;  /* caustics map; NULL: even light */
 
     const tp_entry16 *shine;    /* TP_SHINE + 1: 256 at 1, times the specular; or NULL */
-    const tp_entry8 *fresnel;           /* reflected share at N.V = i / 256 */
+    const tp_entry8 *fresnel;   /* reflected share at N.V = i / 256 */
     uint32_t sky[TP_SKY + 1];
     tp_env   env;               /* sky beyond the gradient */
     const struct tp_quick_light *quick; /* fast lighting alone */
@@ -248,7 +243,9 @@ extern const tp_entry8 tp_fresnel_table[257];               /* the exact law [F1
 extern const tp_entry8 tp_schlick_table[257];               /* Schlick's law [F2] */
 extern const uint8_t tp_drop_gloss[TP_GLOSS];               /* for drops and land */
 
-/* -- called by the frame: fill the other tables -------------------------------------- */
+/* -- tables filled for a scene ------------------------------------------------------- */
+
+/* Called by the frame and by modules: optics.c, skies.c. */
 
 void tp_shade_shine(tp_entry16 shine[TP_SHINE + 1], tp_fx shininess, tp_fx strength);
 void tp_shade_sky(tp_shade *shade, uint32_t horizon, uint32_t zenith);

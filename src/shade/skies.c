@@ -115,7 +115,7 @@ uint32_t tp_dome_gradient(const tp_dome_config *config, bool towards_light, int3
     return day_gradient(config, towards_light, sine);
 }
 
-/* -- the glow around the light ----------------------------------------------------- */
+/* -- the glow around the light ------------------------------------------------------- */
 
 /* The glow is the sum of two lobes.  Peaks are of 255; widths are squared chord distances
  * to the light in Q28: 2^20 is 3.6 degrees, 2^25 is 20 degrees. */

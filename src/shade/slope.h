@@ -69,7 +69,7 @@ TP_ALWAYS_INLINE tp_ray tp_slope_normal(int32_t sx, int32_t sz)
 }
 
 TP_ALWAYS_INLINE tp_ray tp_slope_run_normal(const tp_run *run, int32_t i,
-                                           int bent)
+                                            int bent)
 {
     return tp_slope_normal(tp_slope_x(run, i, bent), tp_slope_z(run, i, bent));
 }
@@ -101,7 +101,7 @@ static inline int32_t tp_quick_over_focal(const tp_shade *shade, int32_t sixteen
 
 /* Returns the unit vector to the eye; member l is its y in Q26. */
 TP_ALWAYS_INLINE tp_ray tp_quick_ray_inline(const tp_shade *shade, const tp_quick_row *row,
-                                        int32_t sixteenths)
+                                            int32_t sixteenths)
 {
     const tp_view_axes *a = &shade->world;
     int32_t  u = tp_quick_over_focal(shade, sixteenths - shade->u0);

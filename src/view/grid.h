@@ -128,7 +128,7 @@ void tp_grid_window_load(const tp_grid *grid, tp_grid_window *window, uint32_t j
                          uint32_t first, uint32_t end);
 
 /* Evaluates a vertex of a visible cell again, before projection, for cells that need
- * clipping.  Lens and surface are those of the last tp_grid_place; slopes come from
+ * clipping.  Projection and surface are those of the last tp_grid_place; slopes come from
  * `vertex`. */
 tp_view_vertex tp_grid_make_view_vertex(const tp_grid *grid, const tp_grid_vertex *vertex,
                                         uint32_t i, uint32_t j);

@@ -126,9 +126,7 @@ tp_fx tp_grid_extent_wave_weight(const tp_grid_extent *extent, tp_fx place)
     return from_edge <= 0 ? 0 : tp_smoothstep(tp_fx_div((tp_fx)from_edge, extent->fading));
 }
 
-/* -- level of detail ----------------------------------------------------------------- */
-
-/* -- distance of lines ----------------------------------------------------------------- */
+/* -- level of detail: distance of lines ---------------------------------------------- */
 
 /* A ray in px, Q.16: along the camera's heading, across the heading, down. */
 typedef struct {
@@ -225,7 +223,7 @@ tp_fx tp_lod_step(const tp_lod_axis *lod, tp_fx place)
     return tp_fx_saturate(step > lod->least ? step : lod->least);
 }
 
-/* -- lines ----------------------------------------------------------------------------- */
+/* -- level of detail: lines ---------------------------------------------------------- */
 
 /* Returns the index of the cell at a position, counted from the world's origin; lines may
  * lie in the middle of cells. */
@@ -272,7 +270,7 @@ void tp_lod_layout(tp_grid *grid, tp_arena *arena)
         grid->lod = lod;
 }
 
-/* -- waves ----------------------------------------------------------------------------- */
+/* -- level of detail: waves ---------------------------------------------------------- */
 
 /* Returns the weight left of a wave on a grid of coarse lines.  `scaled_turns`: turns of
  * the wave from line to line, 16.16, times 6 for heights or 4 for slopes.  The weight is 1

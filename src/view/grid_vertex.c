@@ -2,7 +2,7 @@
 /* The loops over grid vertices; see the header for the idea. */
 #include "view/wave_models.h"
 
-/* -- positions ------------------------------------------------------------------------- */
+/* -- positions ----------------------------------------------------------------------- */
 
 /* Adds at most three swells along a view axis; three sets of numbers stay in registers.
  * A vertex starts at *from + rest.  Q.18 times Q.30 leaves 16.16 in the upper word,
@@ -88,7 +88,7 @@ void tp_batch_displace_axis(const tp_vertex_batch_input *place, int axis,
         add_swells(number, turn, stride, from, rest, count, 1, to);
 }
 
-/* -- slopes ---------------------------------------------------------------------------- */
+/* -- slopes -------------------------------------------------------------------------- */
 
 TP_ALWAYS_INLINE void add_slope_terms(tp_jacobian *j, uint32_t pair,
                                       const tp_vertex_tilt *w, bool crossed)
@@ -141,7 +141,7 @@ void tp_batch_set_slopes(const tp_vertex_batch_input *place, tp_grid_vertex *to)
         set_run_slopes(place, swells, true, to);
 }
 
-/* -- projection ------------------------------------------------------------------------ */
+/* -- projection ---------------------------------------------------------------------- */
 
 static inline int32_t max_int32(int32_t a, int32_t b)
 {
@@ -201,7 +201,7 @@ static void project_any(const tp_projection *projection, const tp_vertex_batch *
     }
 }
 
-/* -- runs ------------------------------------------------------------------------------ */
+/* -- runs ---------------------------------------------------------------------------- */
 
 /* Computes view coordinates and, if `sloped`, the slopes of `vertex`. */
 static void displace_batch(const tp_vertex_batch_input *place, bool sloped,
@@ -244,8 +244,9 @@ void tp_vertex_evaluate_batch(const tp_vertex_frame *frame,
 }
 
 tp_view_vertex tp_vertex_make_view_vertex(const tp_vertex_frame *frame,
-                                const tp_vertex_columns *columns,
-                                const tp_vertex_row *row, uint32_t column, bool at_rest)
+                                          const tp_vertex_columns *columns,
+                                          const tp_vertex_row *row, uint32_t column,
+                                          bool at_rest)
 {
     const tp_vertex_batch_input place = { frame, columns, row, column, 1, at_rest };
     tp_grid_vertex vertex = { .slope_x = 0 };

@@ -4,7 +4,7 @@
 #include "view/wave_models.h"
 #include "waves/deep_water.h"
 
-/* -- the frame ------------------------------------------------------------------------- */
+/* -- the frame ----------------------------------------------------------------------- */
 
 /* Returns a x + b z in Q.20, rounded, from 16.16 times Q2.30: a horizontal displacement
  * along a view axis, or an amplitude times the y of an axis. */
@@ -60,7 +60,7 @@ static int choose_tilt_bits(const tp_deep_water *deep)
     return tilt;
 }
 
-/* -- rest positions -------------------------------------------------------------------- */
+/* -- rest positions ------------------------------------------------------------------ */
 
 /* Computes the view coordinates of a vector.  Rows of the projection are no longer
  * than 1.42, and the eye is at most 24 km from water. */
@@ -138,7 +138,7 @@ void tp_vertex_set_swells(tp_vertex_frame *frame)
         frame->swell[i] = project_swell(frame, &deep->swell[i]);
 }
 
-/* -- phases ---------------------------------------------------------------------------- */
+/* -- phases -------------------------------------------------------------------------- */
 
 /* Starts at the nearest of 1024 angles with an exact sine and adds the rest
  * d <= 2 pi / 2048:
@@ -227,7 +227,7 @@ void tp_vertex_set_columns(const tp_vertex_frame *frame, const tp_vertex_columns
         set_column_phases(frame, columns, k, first, end, cell);
 }
 
-/* -- rows ------------------------------------------------------------------------------ */
+/* -- rows ---------------------------------------------------------------------------- */
 
 /* Splits C cos + S sin of the whole phase into factors of the column's sine and cosine. */
 static tp_vertex_sincos split_column_factors(int32_t cos_amplitude, int32_t sin_amplitude,

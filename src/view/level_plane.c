@@ -8,7 +8,7 @@ static int64_t shifted(int64_t x, int right)
     return right >= 0 ? x >> right : x * ((int64_t)1 << -right);
 }
 
-/* -- sums ------------------------------------------------------------------------------ */
+/* -- sums ---------------------------------------------------------------------------- */
 
 /* Returns d . n as a sum over X and Y. focal is below 2^14 px, so a sum has 46 bits. */
 static tp_level_linear make_ray_dot_linear(const tp_projection *projection, tp_dir3 n)
@@ -95,7 +95,7 @@ tp_level_line tp_level_zero_line(const tp_level_linear *sum)
                             -(sum->x * ((int64_t)1 << 30) / sum->y) };
 }
 
-/* -- positions ------------------------------------------------------------------------- */
+/* -- positions ----------------------------------------------------------------------- */
 
 /* 1 / down is r 2^(up - 95); Q.30 pixels are treated as integers; h r has 59 bits. */
 tp_level_scale tp_level_metres_per_pixel(const tp_level *level, int64_t ray_down)
@@ -114,7 +114,7 @@ tp_level_scale tp_level_metres_per_pixel(const tp_level *level, int64_t ray_down
     return (tp_level_scale){ (int32_t)factor, tp_clamp(shift, 0, 63) };
 }
 
-/* -- outlines -------------------------------------------------------------------------- */
+/* -- outlines ------------------------------------------------------------------------ */
 
 /* Returns the first pixel between a and b with b's sign of the sum; the sign changes
  * once. */
@@ -163,7 +163,7 @@ unsigned tp_level_clip_mask(const tp_level *level, int32_t x0, int32_t y0, int32
     return mask;
 }
 
-/* -- waves ----------------------------------------------------------------------------- */
+/* -- waves --------------------------------------------------------------------------- */
 
 /* Returns the weight of a wave for a step between sample points, in turns of the wave,
  * Q.32: 1 up to a quarter turn, 0 from half a turn on, smooth between. */

@@ -110,7 +110,7 @@ static tp_plane side_plane(const tp_projection *projection, tp_dir3 side, int si
 }
 
 void tp_projection_planes(const tp_projection *projection, uint32_t width, uint32_t height,
-                    tp_plane planes[TP_PROJECTION_PLANES])
+                          tp_plane planes[TP_PROJECTION_PLANES])
 {
     uint32_t half_w = width / 2 + 1, half_h = height / 2 + 1;
 
@@ -201,7 +201,7 @@ static int clip_side(const sides *of, const tp_view_vertex *in, int count,
 }
 
 int tp_clip_triangle_plane(const tp_projection *projection, const tp_view_plane *plane,
-                        const tp_view_vertex in[3], tp_view_vertex out[TP_CLIP_VERTICES])
+                           const tp_view_vertex in[3], tp_view_vertex out[TP_CLIP_VERTICES])
 {
     const sides of = { projection, plane };
     tp_view_vertex other[TP_CLIP_VERTICES];

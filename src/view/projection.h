@@ -196,7 +196,8 @@ TP_ALWAYS_INLINE int64_t tp_view_plane_distance(const tp_view_plane *plane,
 
 /* Same as tp_clip_triangle, also clipped by `plane` unless `plane` is NULL. */
 int tp_clip_triangle_plane(const tp_projection *projection, const tp_view_plane *plane,
-                        const tp_view_vertex in[3], tp_view_vertex out[TP_CLIP_VERTICES]);
+                           const tp_view_vertex in[3],
+                           tp_view_vertex out[TP_CLIP_VERTICES]);
 
 /* Returns the same view for a picture of half the width and height.  The result is exact,
  * because only the power of two in the view coordinates is halved. */
@@ -211,5 +212,5 @@ typedef struct {
 
 #define TP_PROJECTION_PLANES 5        /* near, left, right, bottom, top */
 void tp_projection_planes(const tp_projection *projection, uint32_t width, uint32_t height,
-                    tp_plane planes[TP_PROJECTION_PLANES]);
+                          tp_plane planes[TP_PROJECTION_PLANES]);
 #endif

@@ -14,11 +14,11 @@
 #include "waves/deep_water.h"
 
 typedef struct {
-    const tp_wave_models
-        *by; /* wave models of the program; models it lacks are not used here */
+    const tp_wave_models *by;   /* wave models of the program; models it lacks are not
+                                 * used here */
     const tp_deep_water *deep;
     const tp_turn  *phases;
-    const tp_coastal_water *coastal;      /* replaces the sum of `deep`; NULL: deep water */
+    const tp_coastal_water *coastal; /* replaces the sum of `deep`; NULL: deep water */
     const tp_ring_now *ring;
     uint32_t        rings;
     const tp_ring  *raised;     /* rings of the world, the source of `ring` at its tick */
@@ -97,7 +97,7 @@ void tp_slopes_from_tangents(tp_vec3 along_x, tp_vec3 along_z, tp_fx *slope_x,
  * separately.
  */
 
-#define TP_VERTEX_BATCH 32        /* vertices processed at a time */
+#define TP_VERTEX_BATCH 32      /* vertices processed at a time */
 
 /* A grid vertex: displaced, projected, packed. */
 typedef struct {
@@ -129,14 +129,14 @@ typedef struct {
 struct tp_lod_axis;                     /* defined in view/grid.h */
 
 typedef struct {
-    const tp_projection    *projection;
+    const tp_projection *projection;
     const tp_surface *surface;
     const struct tp_lod_axis *lod;      /* for columns and rows; NULL: all lines are kept */
-    tp_vertex_swell   swell[TP_WAVES];
+    tp_vertex_swell swell[TP_WAVES];
     uint32_t most;                      /* swells that the columns have memory for */
     uint32_t count;                     /* number of swells */
     int      tilt;                      /* fraction bits of slopes, 9..19 */
-    tp_fx    max_displacement;                     /* largest displacement of a vertex, m */
+    tp_fx    max_displacement;          /* largest displacement of a vertex, m */
     int32_t  margin;                    /* the same in view coordinates */
     int32_t  far;                       /* smallest depth for the fast projection */
     bool     wide;                      /* true if view coordinates may exceed 16.16 */
@@ -210,8 +210,9 @@ void tp_vertex_evaluate_batch(const tp_vertex_frame *frame,
 /* Returns a vertex before projection, with the same bits that tp_vertex_evaluate_batch
  * projects; its slopes stay 0.  The row needs no tilts. */
 tp_view_vertex tp_vertex_make_view_vertex(const tp_vertex_frame *frame,
-                                const tp_vertex_columns *columns,
-                                const tp_vertex_row *row, uint32_t column, bool at_rest);
+                                          const tp_vertex_columns *columns,
+                                          const tp_vertex_row *row, uint32_t column,
+                                          bool at_rest);
 
 /* -- runs of vertices, for the files of src/view alone ------------------------------- */
 
@@ -226,8 +227,8 @@ typedef struct {
     const tp_vertex_frame   *frame;
     const tp_vertex_columns *columns;
     const tp_vertex_row     *row;
-    uint32_t first, count;
-    bool     at_rest;
+    uint32_t                 first, count;
+    bool                     at_rest;
 } tp_vertex_batch_input;
 
 /* tp_batch_displace_axis: displaces a run along a view axis: from + rest + the

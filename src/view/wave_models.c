@@ -10,9 +10,7 @@
 #include "view/wave_models.h"
 #include "waves/deep_water.h"
 
-/* -- coastal water ------------------------------------------------------------------- */
-
-/* -- displaced vertices ---------------------------------------------------------------- */
+/* -- coastal water: displaced vertices ----------------------------------------------- */
 
 static tp_fx coastal_wave_weight(const tp_grid *grid, uint32_t i, uint32_t j)
 {
@@ -82,7 +80,7 @@ static void displace_row(tp_grid *grid, uint32_t j)
     }
 }
 
-/* -- slopes ---------------------------------------------------------------------------- */
+/* -- coastal water: slopes ----------------------------------------------------------- */
 
 /* Shifts a vector to a length below 2 km, the limit of tp_slopes_from_tangents.  In a
  * grid with cells of kilometres, smaller slopes cannot be told from flat. */
@@ -117,7 +115,7 @@ static tp_vec3 add_rings_pools_and_slopes(const tp_vec3 around[4], const tp_grid
     return middle;
 }
 
-/* -- vertices -------------------------------------------------------------------------- */
+/* -- coastal water: vertices --------------------------------------------------------- */
 
 static uint32_t previous_clamped(uint32_t k)
 {
@@ -181,7 +179,7 @@ static tp_view_vertex coastal_grid_make_view_vertex(const tp_grid *grid, uint32_
     return c;
 }
 
-/* -- sharpened swells ------------------------------------------------------------------ */
+/* -- sharpened swells ---------------------------------------------------------------- */
 
 /* Sums over all swells in 64 bits: positions per cosine Q.50 and per f Q.44, h
  * Q.(38 + tilt), bends Q.59.  By the bounds of deep water the sums have 59, 53, 54 and 60
@@ -251,7 +249,7 @@ static void add_sharp_roll_shift(const tp_vertex_batch_input *place, tp_vertex_b
 
 /* Adds sharpened swells to undisplaced vertices, and computes the slopes. */
 static void batch_add_sharp_swells(const tp_vertex_batch_input *place, tp_vertex_batch *run,
-                               tp_grid_vertex *vertex)
+                                   tp_grid_vertex *vertex)
 {
     const tp_vertex_frame *frame = place->frame;
     const tp_deep_water *deep = frame->surface->deep;
@@ -279,7 +277,7 @@ static void batch_add_sharp_swells(const tp_vertex_batch_input *place, tp_vertex
         add_sharp_roll_shift(place, run);
 }
 
-/* -- rings and pools ------------------------------------------------------------------- */
+/* -- rings and pools ----------------------------------------------------------------- */
 
 /* Computes the world position of a displaced vertex. */
 TP_ALWAYS_INLINE void compute_displaced_xz(const tp_vertex_batch_input *place, uint32_t i,

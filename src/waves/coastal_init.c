@@ -8,7 +8,7 @@
 #define PIXELS_MOST 4096
 #define SLOPE_LEAST 16          /* 2^-12: a smaller slope counts as level */
 
-/* -- the block --------------------------------------------------------------------- */
+/* -- the block ----------------------------------------------------------------------- */
 
 /* Byte offsets of the parts of the block. */
 typedef struct {
@@ -70,7 +70,7 @@ size_t tp_coastal_bytes(const tp_coastal_config *config, const tp_deep_water *de
     return make_layout(config->floor.map, deep->count).bytes;
 }
 
-/* -- inputs of the tables ---------------------------------------------------------- */
+/* -- inputs of the tables ------------------------------------------------------------ */
 
 /* A map ignores the numbers of the straight floor, and a straight floor ignores the
  * numbers of a map. */
@@ -107,7 +107,7 @@ static bool has_same_node_counts(const tp_coastal_water *coastal, const tp_grey 
     return plan.cols == coastal->map_cols && plan.rows == coastal->map_rows;
 }
 
-/* -- the floor --------------------------------------------------------------------- */
+/* -- the floor ----------------------------------------------------------------------- */
 
 static void set_straight_floor(tp_coastal_water *coastal, const tp_floor *floor)
 {
@@ -154,7 +154,7 @@ static void set_floor_map(tp_coastal_water *coastal, const tp_floor *floor,
         tp_coastal_make_floor_nodes(coastal, floor);
 }
 
-/* -- the waves --------------------------------------------------------------------- */
+/* -- the waves ----------------------------------------------------------------------- */
 
 /* Returns the length of (x, z) in 16.16, rounded to nearest: 2^25 squared, twice,
  * and 8 more bits. */
@@ -249,7 +249,7 @@ static void make_wave_phases(tp_coastal_water *coastal, uint32_t i, const tp_wav
                                    tp_coastal_at_byte(coastal, plan->turns));
 }
 
-/* -- the whole --------------------------------------------------------------------- */
+/* -- the whole ----------------------------------------------------------------------- */
 
 /* Parts of the block that are still valid and stay. */
 typedef struct {
@@ -366,8 +366,8 @@ tp_status tp_coastal_init(tp_coastal_water *coastal, const tp_coastal_config *co
 }
 
 tp_status tp_coastal_refresh(tp_coastal_water *coastal, const tp_coastal_config *config,
-                           const tp_deep_water *deep, const tp_wave *waves, uint32_t count,
-                           tp_error *err)
+                             const tp_deep_water *deep, const tp_wave *waves,
+                             uint32_t count, tp_error *err)
 {
     const tp_wave *wave[TP_WAVES];
     const tp_status status = check_given(coastal, config, deep, waves, err);

@@ -113,7 +113,7 @@ static bool sweep(const lattice *l, bool west, bool north)
  * `turns` holds the earliest phase everywhere.  `ray[i].turns` holds k times the step, as
  * unsigned turns Q8.24. */
 static void eikonal_solve(int64_t *turns, const tp_coastal_wave_node *ray, uint32_t cols,
-                      uint32_t rows)
+                          uint32_t rows)
 {
     TP_ASSERT(cols >= 2 && rows >= 2);
     const lattice l = { turns, ray, cols, rows };
@@ -141,7 +141,7 @@ static void eikonal_solve(int64_t *turns, const tp_coastal_wave_node *ray, uint3
 #define UNKNOWN   INT64_MAX
 #define RISE_LEAST 1024         /* half of 1 / the least slope that bends waves */
 
-/* -- the floor --------------------------------------------------------------------- */
+/* -- the floor ----------------------------------------------------------------------- */
 
 /* Returns the depth at a node.  A map with more pixels than nodes is sampled at four points
  * around the node. */
@@ -229,7 +229,7 @@ tp_q30 tp_coastal_beach_slope(const tp_coastal_water *coastal, tp_fx amplitude)
     return (tp_q30)(mean < TP_Q30_ONE ? mean : TP_Q30_ONE);
 }
 
-/* -- waves ------------------------------------------------------------------------- */
+/* -- waves --------------------------------------------------------------------------- */
 
 static tp_dir3 normalise_horizontal(int64_t x, int64_t z)
 {

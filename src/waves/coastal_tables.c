@@ -72,7 +72,7 @@ static tp_q30 q30_share(int64_t part, int64_t whole)
     return (tp_q30)(part * TP_Q30_ONE / whole);
 }
 
-/* -- amplitude --------------------------------------------------------------------- */
+/* -- amplitude ----------------------------------------------------------------------- */
 
 /* Returns half of Miche's height, but at least the same share of Miche's height as a
  * wave of this amplitude has in deep water.  Both heights saturate at 2^31: the
@@ -112,7 +112,7 @@ static int16_t steep_breaking_strength(int64_t k_q32, tp_fx amplitude)
  * Their quotient is below 2^25 (512 m, above any 0.95 / k) before the 37 bits of Sx >=
  * 1. */
 static tp_fx horizontal_semi_axis(const tp_coastal_swell *w, tp_fx amplitude, int64_t k_q32,
-                             int64_t sx)
+                                  int64_t sx)
 {
     TP_ASSERT(k_q32 > 0 && w->amplitude > 0);
     const int64_t most = ((int64_t)TP_FX(0.95) << 32) / k_q32;
@@ -124,7 +124,7 @@ static tp_fx horizontal_semi_axis(const tp_coastal_swell *w, tp_fx amplitude, in
     return (tp_fx)(along < most ? along : most);
 }
 
-/* -- nodes ------------------------------------------------------------------------- */
+/* -- nodes --------------------------------------------------------------------------- */
 
 /* Sets the direction of travel over a straight floor, and the tilt of the orbit. */
 static void set_node_direction(const tp_coastal_water *coastal,
@@ -225,7 +225,7 @@ void tp_coastal_limit_steepness_sum(tp_coastal_water *coastal)
     }
 }
 
-/* -- phases ------------------------------------------------------------------------ */
+/* -- phases -------------------------------------------------------------------------- */
 
 /* Returns the wave number towards the shore at a depth less the number in deep water. */
 static int64_t cross_shore_wave_number_excess(const tp_coastal_swell *w, tp_fx h)
@@ -265,7 +265,7 @@ void tp_coastal_make_phases(tp_coastal_water *coastal, uint32_t i,
     }
 }
 
-/* -- bounds ------------------------------------------------------------------------ */
+/* -- bounds -------------------------------------------------------------------------- */
 
 /* Returns a bound of the sine of the tilt over a map, Q14, from the steepest slope: r
  * / sqrt(1 + r^2). */

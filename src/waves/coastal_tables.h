@@ -6,7 +6,7 @@
 #include "base/base.h"
 #include "waves/coastal_water.h"
 
-/* -- points and directions --------------------------------------------------------- */
+/* -- points and directions ----------------------------------------------------------- */
 
 /* A horizontal unit vector. */
 typedef struct {
@@ -14,7 +14,7 @@ typedef struct {
 } tp_way;
 
 tp_way tp_way_from_degrees(tp_fx heading_degrees);
-tp_fx  tp_way_project(tp_way way, tp_fx x, tp_fx z);  /* m along `way`; saturates */
+tp_fx  tp_way_project(tp_way way, tp_fx x, tp_fx z);    /* m along `way`; saturates */
 
 static inline tp_q30 tp_way_dot(tp_way a, tp_way b)
 {
@@ -27,13 +27,13 @@ static inline int32_t tp_coastal_mix(int32_t a, int32_t b, int32_t part)
     return a + (int32_t)(((int64_t)(b - a) * part + 0x8000) >> 16);
 }
 
-/* -- depths of the tables -------------------------------------------------------------
- *
- * Eight depths an octave (32 for phases).  The leading bits of h give the node, the next
+/* -- depths of the tables ------------------------------------------------------------ */
+
+/* Eight depths an octave (32 for phases).  The leading bits of h give the node, the next
  * bits the fraction: a look-up needs neither a root nor a division. */
 
-#define TP_COASTAL_FIRST 12       /* 1/16 m is 2^12 in 16.16 ... */
-#define TP_COASTAL_LAST  27       /* ... and 2048 m is 2^27 */
+#define TP_COASTAL_FIRST 12     /* 1/16 m is 2^12 in 16.16 ... */
+#define TP_COASTAL_LAST  27     /* ... and 2048 m is 2^27 */
 
 /* True if waves with this stretch may overhang: only where the floor rises. */
 static inline bool tp_can_overhang(tp_fx stretch, tp_fx slope, bool mapped)
@@ -42,8 +42,8 @@ static inline bool tp_can_overhang(tp_fx stretch, tp_fx slope, bool mapped)
 }
 
 typedef struct {
-    uint32_t depth, phase;          /* next shallower nodes */
-    int32_t  depth_fraction, phase_fraction;/* fractions to the next node, Q16 */
+    uint32_t depth, phase;                      /* next shallower nodes */
+    int32_t  depth_fraction, phase_fraction;    /* fractions to the next node, Q16 */
 } tp_coastal_table_place;
 
 /* Returns the table position of a depth > 0. */
@@ -73,7 +73,7 @@ static inline tp_fx tp_coastal_node_depth(uint32_t i, int bits)
     return (tp_fx)(((1u << bits) + in) << (TP_COASTAL_FIRST - bits + (int)octave));
 }
 
-/* -- orbits and breaking ----------------------------------------------------------- */
+/* -- orbits and breaking ------------------------------------------------------------- */
 
 /* Sx and Sy of [B12], 8.24.  Sx is about 2^7 at 1/16 m with the default rates.  Unusual
  * rates are bounded: Sx is clamped to 2^13 and Sy to 2. */
@@ -108,13 +108,17 @@ static inline tp_offset tp_orbit_offset(const tp_ellipse *o, tp_turn phi)
 /* The least H / h where the gate may begin to open, with full noise: 0.6 / 1.5. */
 #define TP_COASTAL_RATIO_LEAST TP_FX(0.3999)
 
-/* -- noise ------------------------------------------------------------------------- */
+/* -- noise, breaking depth: coastal_water.c ------------------------------------------ */
 
 /* Value noise in -1..1, 16.16: random heights at integer u and v, smooth interpolation.  u
  * and v are Q16; u repeats after 2^16 cells, v after 8 cells. */
 tp_fx tp_noise(uint32_t u_q16, uint32_t v_q16, uint32_t seed);
 
-/* -- construction ------------------------------------------------------------------ */
+/* Returns the depth, m, up to which crests foam by breaking alone.  In
+ * deeper water crests foam where the surface is compressed. */
+tp_fx tp_coastal_breaking_depth(const tp_coastal_water *coastal);
+
+/* -- construction: coastal_tables.c, coastal_map.c ----------------------------------- */
 
 /* Inputs of a wave's tables. */
 typedef struct {
@@ -174,11 +178,13 @@ tp_coastal_floor_node *tp_coastal_floor_nodes(const tp_coastal_water *coastal);
 tp_coastal_wave_node *tp_coastal_wave_nodes(const tp_coastal_water *coastal,
                                             const tp_coastal_wave *wave);
 
+/* Make the table of swell i, and its phases over a straight floor. */
 void tp_coastal_make_table(tp_coastal_water *coastal, uint32_t i,
                            const tp_coastal_swell *swell,
                            const tp_coastal_config *config);
 void tp_coastal_make_phases(tp_coastal_water *coastal, uint32_t i,
                             const tp_coastal_swell *swell);
+
 /* At each depth: if the steepness of all waves adds up to more than 0.951, scales the
  * horizontal axes of the orbits to a sum of 0.95.  Heights stay. */
 void tp_coastal_limit_steepness_sum(tp_coastal_water *coastal);
@@ -189,13 +195,10 @@ void tp_coastal_limit_steepness_sum(tp_coastal_water *coastal);
 int32_t tp_coastal_floor_tilt_sine_bound(const tp_coastal_water *coastal);
 void tp_coastal_add_bounds(tp_coastal_water *coastal, uint32_t i, int32_t tilt_sine_bound);
 
+/* coastal_map.c: the nodes of a map. */
 void tp_coastal_make_floor_nodes(tp_coastal_water *coastal, const tp_floor *floor);
 void tp_coastal_make_wave_nodes(tp_coastal_water *coastal, uint32_t i,
                                 const tp_coastal_swell *swell, int64_t *turns);
 tp_q30 tp_coastal_beach_slope(const tp_coastal_water *coastal, tp_fx amplitude);
-
-/* coastal_water.c: depth, m, up to which crests foam by breaking alone.  In deeper water
- * crests foam where the surface is compressed. */
-tp_fx tp_coastal_breaking_depth(const tp_coastal_water *coastal);
 
 #endif

@@ -45,12 +45,12 @@ tp_fx tp_noise(uint32_t u_q16, uint32_t v_q16, uint32_t seed)
 
 #define QUARTER 0x40000000u
 
-/* -- the floor under a point ------------------------------------------------------- */
+/* -- the floor under a point --------------------------------------------------------- */
 
 typedef struct {
     tp_fx    depth;
     tp_fx    rise_x, rise_z;    /* slopes of a map */
-    tp_coastal_table_place at;          /* table position; valid for a depth > 0 */
+    tp_coastal_table_place at;  /* table position; valid for a depth > 0 */
     size_t   node;              /* map node north-west of the point; fraction_x, fraction_z:
                                  * fractions to the next node, Q16 */
     int32_t  fraction_x, fraction_z;
@@ -130,7 +130,7 @@ tp_floor_at tp_coastal_floor(const tp_coastal_water *coastal, tp_fx x, tp_fx z)
                           tp_q30_mul(coastal->slope, coastal->up_z) };
 }
 
-/* -- one wave at a point ----------------------------------------------------------- */
+/* -- one wave at a point ------------------------------------------------------------- */
 
 typedef struct {
     tp_ellipse orbit;
@@ -236,7 +236,7 @@ static motion evaluate_motion(const tp_coastal_water *coastal, uint32_t i,
     return m;
 }
 
-/* -- breaking ---------------------------------------------------------------------- */
+/* -- breaking ------------------------------------------------------------------------ */
 
 /* Noise at a point.  Across the direction of travel a cell is half a wave long, along the
  * direction two waves.  If there is another wave, one beat between the two waves moves the
@@ -284,8 +284,9 @@ static uint32_t breaking_foam(tp_fx gate, int32_t phase)
 /* Returns the offset of one wave that may break, and raises *foam to the foam of the wave.
  * Without `with_overhang` the offset leaves out overhanging crests. */
 static tp_offset breaking_wave_offset(const tp_coastal_water *coastal, uint32_t i,
-                             const tp_turn *phases, const floor_place *p, const motion *m,
-                             tp_fx x0, tp_fx z0, bool with_overhang, uint32_t *foam)
+                                      const tp_turn *phases, const floor_place *p,
+                                      const motion *m, tp_fx x0, tp_fx z0,
+                                      bool with_overhang, uint32_t *foam)
 {
     const tp_coastal_wave *wave = &coastal->wave[i];
     const tp_coastal_depth_entry *d = tp_coastal_tables(coastal)[i].depth + p->at.depth;
@@ -305,7 +306,7 @@ static tp_offset breaking_wave_offset(const tp_coastal_water *coastal, uint32_t 
     return tp_breaking_shape(&breaker, m->phi).offset;
 }
 
-/* -- points ------------------------------------------------------------------------ */
+/* -- points -------------------------------------------------------------------------- */
 
 static tp_coastal_point sample_point(const tp_coastal_water *coastal,
                                      const tp_turn *phases, tp_fx x0, tp_fx z0,
@@ -333,7 +334,8 @@ static tp_coastal_point sample_point(const tp_coastal_water *coastal,
 }
 
 tp_coastal_point tp_coastal_displace_point(const tp_coastal_water *coastal,
-                                       const tp_turn phases[TP_WAVES], tp_fx x0, tp_fx z0)
+                                           const tp_turn phases[TP_WAVES], tp_fx x0,
+                                           tp_fx z0)
 {
     return sample_point(coastal, phases, x0, z0, true);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Coastal water: waves over a sea floor and under wind, [B1]-[B20] of the models: first a
- * single wave over a depth, then all waves of a sea.
+ * single wave over a depth, then all waves of a sea, then single formulas of the models.
  *
  * Each swell of a tp_deep_water is changed by the depth.  Its period stays, its length
  * shortens, its height shoals, its crests turn towards the shore, its orbits flatten and
@@ -23,7 +23,7 @@
 #include "tidepool/assets.h"
 #include "waves/deep_water.h"
 
-/* -- a single wave over a depth ------------------------------------------------------ */
+/* -- a single wave over a depth, water_depth.c --------------------------------------- */
 
 /* A single wave over a depth, under wind, on a beach: [B1]-[B10], [B14], [B15] and [B20] of
  * the models, formula by formula.
@@ -39,7 +39,7 @@
 
 #define TP_DEPTH_LEAST TP_FX(0.0625)    /* m; a smaller depth counts as 1/16 m [B13] */
 
-/* -- length and speed ---------------------------------------------------------------- */
+/* -- a single wave: length and speed ------------------------------------------------- */
 
 /* Returns 2 pi / length, rounded to nearest; a length below 1/64 m counts as 1/64 m. */
 int64_t tp_depth_wave_number_deep(tp_fx length);
@@ -62,7 +62,7 @@ tp_depth_regime tp_depth_classify(int64_t k_q32, tp_fx depth);
 tp_fx tp_depth_speed(int64_t k_inf_q32, int64_t k_q32, tp_fx gravity);
 tp_fx tp_depth_group_speed(int64_t k_inf_q32, int64_t k_q32, tp_fx depth, tp_fx gravity);
 
-/* -- height -------------------------------------------------------------------------- */
+/* -- a single wave: height ----------------------------------------------------------- */
 
 /* Shoaling factor Ks = sqrt(c_inf / 2 cg) [B7]: 0.913 at the least, 48 for 2000 m waves at
  * 1/65536 m; 1 if a wave number is 0.  Error below 2^-16 + 2^-24 Ks. */
@@ -76,10 +76,10 @@ tp_fx tp_depth_refraction(int64_t k_inf_q32, int64_t k_q32, int64_t kz_q32);
 /* Returns A_inf Ks Kr, at most 0.39 of the depth [B15]; 0 on land. */
 tp_fx tp_depth_amplitude(tp_fx amplitude, tp_fx ks, tp_fx kr, tp_fx depth);
 
-/* -- the phase over a straight coast --------------------------------------------------
- *
- * For any point, to 3e-4 rad.  `tidepool check` compares the tables of [B8] with these
- * functions.  Coastal water has its own tables, by depth (coastal_water.h). */
+/* -- the phase over a straight coast, coast.c ---------------------------------------- */
+
+/* The phase for any point, to 3e-4 rad.  `tidepool check` compares the tables of [B8] with
+ * these functions.  Coastal water has its own tables, by depth: see below. */
 
 /* A straight coast: h(x) = max(least, depth - slope x), x towards the shore. */
 typedef struct {
@@ -121,7 +121,7 @@ void   tp_coast_init(tp_coast *coast, const tp_coast_shape *shape);
  * 0. */
 int64_t tp_coast_phase(const tp_coast *coast, tp_fx x);
 
-/* -- wind [B10] ---------------------------------------------------------------------- */
+/* -- a single wave: wind [B10], water_depth.c ---------------------------------------- */
 
 /* Returns lambda max(0, D . W): the wind pushes only waves with a component along the
  * wind. */
@@ -140,7 +140,7 @@ tp_turn tp_wind_phase(tp_turn theta, tp_q30 push, int iterations);
  * for one wave under wind alone; coastal water bounds the sum of all waves. */
 tp_fx tp_wind_max_radius(int64_t k_q32, tp_fx lambda);
 
-/* -- breaking ------------------------------------------------------------------------ */
+/* -- a single wave: breaking, water_depth.c ------------------------------------------ */
 
 enum {
     TP_BREAKING_STEEP = 1,  /* H / L > 1/7 [B14] */
@@ -161,7 +161,7 @@ typedef enum { TP_BREAKER_SPILLING, TP_BREAKER_PLUNGING, TP_BREAKER_SURGING }
     tp_breaker_type;
 tp_breaker_type tp_breaker_classify(tp_fx iribarren);
 
-/* -- the floor --------------------------------------------------------------------- */
+/* -- the floor, floor.c -------------------------------------------------------------- */
 
 typedef struct {
     tp_fx depth;            /* depth of still water at the origin, m; 0: no
@@ -183,7 +183,7 @@ typedef struct {
 } tp_floor_at;
 tp_floor_at tp_floor_sample(const tp_floor *floor, tp_fx x, tp_fx z);
 
-/* -- waves over the floor ---------------------------------------------------------- */
+/* -- all waves over the floor, coastal_init.c and coastal_water.c -------------------- */
 
 typedef struct {
     tp_floor floor;
@@ -248,7 +248,7 @@ typedef struct {
     tp_fx    lambda;                /* lambda of the wind on this wave, rad/m */
     int32_t  iterations;            /* iterations of [B10]; the same for all depths */
     tp_fx    stretch, plunge;       /* factors from breaker type and config [B20] */
-    uint32_t wave_nodes;                  /* byte offset of its map nodes */
+    uint32_t wave_nodes;            /* byte offset of its map nodes */
     uint32_t calm;                  /* first depth node without breaking;
                                      * deeper nodes have none */
 } tp_coastal_wave;
@@ -265,7 +265,7 @@ typedef struct tp_coastal_water {
     int64_t  map_x, map_z;          /* north-west node, m, 16.16 */
     uint32_t map_cols, map_rows;    /* number of nodes; 0: no map */
     uint32_t map_step;              /* distance of nodes, m, 16.16 */
-    uint32_t floor_nodes;                  /* byte offset of the floor's nodes */
+    uint32_t floor_nodes;           /* byte offset of the floor's nodes */
     uint64_t map_per_step;          /* 2^48 / map_step */
     uint32_t fall[TP_COASTAL_DEPTHS]; /* e^-K0 h [B11], Q0.32 */
     tp_coastal_wave wave[TP_WAVES];
@@ -301,8 +301,8 @@ tp_status tp_coastal_init(tp_coastal_water *coastal, const tp_coastal_config *co
  * Returns TP_E_ARG and changes nothing in the cases of tp_coastal_init, or if `deep`
  * has another number of swells, or the map other sides. */
 tp_status tp_coastal_refresh(tp_coastal_water *coastal, const tp_coastal_config *config,
-                           const tp_deep_water *deep, const tp_wave *waves, uint32_t count,
-                           tp_error *err);
+                             const tp_deep_water *deep, const tp_wave *waves,
+                             uint32_t count, tp_error *err);
 
 typedef struct {
     tp_vec3 position;       /* displaced point, m; may overhang */
@@ -330,7 +330,7 @@ tp_fx tp_coastal_max_height(const tp_coastal_water *coastal);
 /* Returns the depth under a point, from the tables. */
 tp_floor_at tp_coastal_floor(const tp_coastal_water *coastal, tp_fx x, tp_fx z);
 
-/* -- single formulas of the models ------------------------------------------------- */
+/* -- orbits and breaking crests, orbit.c --------------------------------------------- */
 
 /* An orbit: its semi-axes r Sx (along) and r Sy (up), and the tilt alpha of the first as
  * sine and cosine. */

@@ -31,8 +31,9 @@ tp_surface_point tp_swell_sum_point(const tp_swell_sum *sum, tp_fx x0, tp_fx z0,
 }
 
 TP_ALWAYS_INLINE tp_surface_point displace_point_with_flags(const tp_deep_water *deep,
-                                           const tp_turn *phases, tp_fx x0, tp_fx z0,
-                                           int sharpened, int crossed)
+                                                            const tp_turn *phases,
+                                                            tp_fx x0, tp_fx z0,
+                                                            int sharpened, int crossed)
 {
     tp_swell_sum sum = { 0 };
 

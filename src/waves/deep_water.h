@@ -54,10 +54,10 @@ typedef struct {
 typedef struct {
     uint32_t count;             /* number of swells; amplitudes of 0 are left out */
     tp_fx    height;            /* bound of |y| of all points, m */
-    tp_fx max_displacement;     /* sum QA: bound of the horizontal displacement, m */
+    tp_fx    max_displacement;  /* sum QA: bound of the horizontal displacement, m */
     tp_fx    steepness;         /* sum QkA as configured */
-    tp_q30 steepness_sum;       /* sum QkA after the clamp, <= 0.95 */
-    tp_fx cross_term_bound;     /* bound of the slope added by the cross terms of [A10] */
+    tp_q30   steepness_sum;     /* sum QkA after the clamp, <= 0.95 */
+    tp_fx    cross_term_bound;  /* bound of the slope added by the cross terms of [A10] */
     bool     clamped;           /* true if the sum was above 0.95; all Q are
                                  * scaled down [A11] */
     bool     capped;            /* true if an amplitude was above 0.3 of its length, and
@@ -127,6 +127,13 @@ tp_surface_point tp_deep_water_sample(const tp_deep_water *deep,
 tp_surface_point tp_deep_water_sample_iterated(const tp_deep_water *deep,
                                                const tp_turn phases[TP_WAVES], tp_fx x,
                                                tp_fx z, uint32_t steps);
+
+/* Returns Jxx Jzz - Jxz^2 of [A9] at a rest point, 16.16.  Below 1 the water is
+ * compressed; at 0 the surface would fold.  `phases` are the phases of the tick. */
+tp_fx tp_deep_water_jacobian(const tp_deep_water *deep, const tp_turn phases[TP_WAVES],
+                             tp_fx x0, tp_fx z0);
+
+/* -- slopes by central differences --------------------------------------------------- */
 
 /* Slopes and normal of a surface known by heights alone, by central differences [A6].
  * `neighbours` holds the heights at x - spacing, x + spacing, z - spacing and z + spacing.
@@ -280,11 +287,6 @@ tp_surface_point tp_swell_sum_point(const tp_swell_sum *sum, tp_fx x0, tp_fx z0,
 
 /* [A3]: returns the largest A |f - mean|. */
 tp_fx   tp_sharp_max_height(tp_fx amplitude, int32_t power);
-
-/* Returns Jxx Jzz - Jxz^2 of [A9] at a rest point, 16.16.  Below 1 the water is
- * compressed; at 0 the surface would fold.  `phases` are the phases of the tick. */
-tp_fx tp_deep_water_jacobian(const tp_deep_water *deep, const tp_turn phases[TP_WAVES],
-                             tp_fx x0, tp_fx z0);
 
 /* -- rings --------------------------------------------------------------------------- */
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Numbers with an exponent, for set-up only, and the exponential functions of waves over
- * a depth. */
+/* Numbers with an exponent, for set-up only, and the exponential functions and wave
+ * numbers of waves over a depth. */
 #ifndef TP_WAVES_SOFTFLOAT_H
 #define TP_WAVES_SOFTFLOAT_H
 #include <stdint.h>
@@ -38,8 +38,8 @@ tp_fx   tp_scaled_fx(tp_scaled x);
 
 /* -- exponential functions ----------------------------------------------------------- */
 
-/* Building blocks of waves over a depth: e^-x, tanh x and related functions, and the wave
- * number before its rounding.  Arguments are x >= 0 in 8.24 [G2]. */
+/* Building blocks of waves over a depth: e^-x, tanh x and related functions.  Arguments are
+ * x >= 0 in 8.24 [G2]. */
 
 /* Returns e^-x as Q0.32, within 2^-30; 2^32 - 1 at 0; 0 from 23 on. */
 uint32_t tp_exp_neg(uint32_t x_q24);
@@ -65,6 +65,8 @@ static inline uint32_t tp_sech_squared(tp_tanh at)
 /* Returns 1 / sinh^2 x for x > 0; relative error below 2^-26 up to x = 4, below
  * 2^-30 from there on. */
 tp_scaled tp_csch_squared(tp_scaled x);
+
+/* -- wave numbers over a depth, water_depth.c ---------------------------------------- */
 
 /* tp_scaled_from_depth converts a depth; land counts as 1/16 m.  tp_scaled_q24
  * converts x to 8.24, saturated. */

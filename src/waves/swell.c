@@ -47,9 +47,9 @@ static tp_fx sharp_slope_bound(tp_q30 slope, int32_t power)
 #define BEND_CROSSED TP_Q30(0.3)
 #define TWO_PI_Q28   1686629713LL
 
-/* Returns g / (2 pi L) in Q8.120, below 64, for g <= 100 m/s^2 and L >= 1/4 m; half[0]
- * is the high half, half[1] the low half.  Divides g / 2 pi by L in digits of 32 bits,
- * by long division. */
+/* Returns g / (2 pi L) in Q8.120, below 64, for g <= 100 m/s^2 and L >= 1/4 m;
+ * high_low[0] is the high half, high_low[1] the low half.  Divides g / 2 pi by L in
+ * digits of 32 bits, by long division. */
 static void frequency_squared(tp_fx gravity, tp_fx length, uint64_t high_low[2])
 {
     TP_ASSERT(gravity > 0 && gravity <= 100 * TP_FX_ONE && length >= TP_FX_ONE / 4);
@@ -154,7 +154,7 @@ static bool needs_cross_terms(const tp_deep_water *deep)
 }
 
 static tp_swell make_swell(const tp_wave_exact *w, tp_fx amplitude, tp_fx length,
-                         tp_q30 bend)
+                           tp_q30 bend)
 {
     tp_fx   reach = swell_displacement(bend, length);
     tp_q30  slope = swell_slope(amplitude, length);

@@ -236,7 +236,7 @@ static const char *module_name(const tp_program *program, uint32_t id)
  * or NULL.  Walks the chunks by the lengths in `fresh` and compares the lengths in
  * `world`. */
 static const char *find_mismatched_module(const tp_program *program, const tp_world *world,
-                                    const tp_world *fresh)
+                                          const tp_world *fresh)
 {
     uint32_t at = fresh->layout.modules;
 

@@ -9,8 +9,9 @@
  * chunk: an id and a length, then the bytes of the state.  A copy of the block therefore
  * describes its own contents.
  *
- * Further below: what a program accepts, and the variable part of a world, the states
- * that only some scenes need, after the head in the same block.
+ * Further below: the variable part of a world, the states that only some scenes need,
+ * after the head in the same block; the water of a world; the scenes that a program
+ * accepts.
  */
 #ifndef TP_WORLD_MODULE_H
 #define TP_WORLD_MODULE_H
@@ -209,6 +210,7 @@ void tp_modules_step(const tp_program *program, tp_world *world, const tp_scene 
                      const tp_input *input);
 void tp_modules_add_surface(const tp_program *program, const tp_world *world,
                             tp_surface *surface);
+
 /* True if at least one module moves the water. */
 bool tp_modules_handle_impact(const tp_program *program, tp_world *world,
                               const tp_scene *scene, const tp_impact *impact,
@@ -219,6 +221,19 @@ bool tp_modules_handle_impact(const tp_program *program, tp_world *world,
  * chunk has another id or length or an invalid state; NULL if all chunks are valid. */
 const char *tp_modules_find_invalid(const tp_program *program, const tp_world *world,
                                     const tp_world *fresh);
+
+/* -- the water of a world ------------------------------------------------------------ */
+
+/* Returns the coastal water of a world, or NULL. */
+const tp_coastal_water *tp_world_coastal(const tp_world *world);
+
+#define TP_COASTAL_ID TP_MODULE_ID('o', 'c', 'e', 'a')
+
+/* Returns the water surface of this tick, from the wave models of the program; valid
+ * until the next step. */
+tp_surface tp_world_surface(const tp_program *program, const tp_world *world);
+
+/* -- scenes that a program accepts --------------------------------------------------- */
 
 /* Returns TP_OK if worlds and frames of this program accept this scene.  All init
  * functions, their byte counts and tp_world_apply call this check.  NULL assets: none.
@@ -231,10 +246,6 @@ const char *tp_modules_find_invalid(const tp_program *program, const tp_world *w
 tp_status tp_program_check_all(const tp_program *program, const tp_scene *scene,
                                const tp_assets *assets, tp_error *err);
 
-const tp_coastal_water *tp_world_coastal(const tp_world *world);
-
-#define TP_COASTAL_ID TP_MODULE_ID('o', 'c', 'e', 'a')
-
 /* Returns TP_E_NULL for a NULL scene, else the result of the program's own check of the
  * scene.  All init functions call this check through tp_program_check_all. */
 tp_status tp_program_check_scene(const tp_program *program, const tp_scene *scene,
@@ -242,9 +253,5 @@ tp_status tp_program_check_scene(const tp_program *program, const tp_scene *scen
 
 /* Returns TP_E_PROGRAM; err->word names the missing module. */
 tp_status tp_program_fail_lacking(const char *what, tp_error *err);
-
-/* Returns the water surface of this tick, from the wave models of the program; valid
- * until the next step. */
-tp_surface tp_world_surface(const tp_program *program, const tp_world *world);
 
 #endif

@@ -43,7 +43,7 @@ static inline bool tp_has_inner_walls(const tp_scene *scene)
     return scene->pool.cols > 0 && scene->pool.mask[0];
 }
 
-/* -- states in a world, or NULL ---------------------------------------------------- */
+/* -- states in a world, or NULL ------------------------------------------------------ */
 
 const tp_pool  *tp_world_pool(const tp_world *world);
 const tp_pool  *tp_world_field(const tp_world *world);

@@ -163,11 +163,11 @@ typedef struct {
     tp_vec3   eye;
     tp_dir3   way;
     tp_fx     near;             /* distance along the ray to the near plane, m */
-    int32_t focal_q14;          /* focal length, px, Q14 */
+    int32_t   focal_q14;        /* focal length, px, Q14 */
     bool      floor;
 } pick_ray;
 
-/* -- the ray ------------------------------------------------------------------------ */
+/* -- the ray ------------------------------------------------------------------------- */
 
 /* Builds the ray through a point of the picture.  Pixels are Q14: offsets of up to 2^16
  * px from the centre, and the focal length with the same limit, stay within the range of
@@ -207,7 +207,7 @@ static tp_vec3 ray_point(const pick_ray *r, int64_t t)
                       tp_fx_add_sat(r->eye.z, tp_q30_mul(far, r->way.z)) };
 }
 
-/* -- the surface -------------------------------------------------------------------- */
+/* -- the surface --------------------------------------------------------------------- */
 
 static tp_fx sample_water(const pick_ray *r, tp_fx x, tp_fx z)
 {
@@ -230,7 +230,7 @@ static int64_t height_above_surface(const pick_ray *r, int64_t t)
     return (int64_t)p.y - (water > land ? water : land);
 }
 
-/* -- the walk ----------------------------------------------------------------------- */
+/* -- the walk ------------------------------------------------------------------------ */
 
 typedef struct { int64_t from, to; } stretch;       /* along the ray, Q16.16 m */
 

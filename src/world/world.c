@@ -26,7 +26,8 @@ static size_t count_swell_slots(const tp_program *program, const tp_scene *scene
 /* Computes the layout of a scene's world and the size of the block; layout->bytes is 0 if
  * the scene is refused.  If a pool is invalid, err->word is the parameter at fault. */
 static tp_status world_layout_measure(const tp_program *program, tp_world_layout *layout,
-                           const tp_scene *scene, const tp_assets *assets, tp_error *err)
+                                      const tp_scene *scene, const tp_assets *assets,
+                                      tp_error *err)
 {
     tp_arena  arena = tp_arena_init(NULL, 0);
     tp_status status = tp_program_check_all(program, scene, assets, err);
@@ -64,7 +65,7 @@ tp_surface tp_world_surface(const tp_program *program, const tp_world *world)
 #define PITCH_MOST TP_DEG(89)
 #define EYE_MOST   (8000 * TP_FX_ONE)
 
-/* -- initial state ----------------------------------------------------------------- */
+/* -- initial state ------------------------------------------------------------------- */
 
 /* Initialises the deep water.  In a program without swells it stays all 0, and the world's
  * block ends before the swells. */
@@ -165,7 +166,7 @@ bool tp_world_apply(const tp_program *program, tp_world *world, const tp_scene *
     return true;
 }
 
-/* -- the camera -------------------------------------------------------------------- */
+/* -- the camera ---------------------------------------------------------------------- */
 
 /* Adds a tilt to the signed pitch, clamped to +-89 degrees.  Without a tilt the pitch
  * stays, even if the scene set it beyond the limit. */
@@ -238,7 +239,7 @@ void tp_world_reset_camera(tp_world *world, const tp_scene *scene)
         world->aboard = TP_ABOARD_DECK;
 }
 
-/* -- a tick ------------------------------------------------------------------------ */
+/* -- a tick -------------------------------------------------------------------------- */
 
 /* Advances by one tick. Each module sees the water of the last tick; pools move last. */
 void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *scene,

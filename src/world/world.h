@@ -87,7 +87,7 @@ typedef struct {
     tp_boat_attitude attitude,
         without_pool;           /* alone: attitude without the pool that the boat stirs */
     tp_fx    rest[4][2];        /* rest positions of bow, stern, port, starboard [E1] */
-    tp_hull hull, wake_hull; /* hull now, and at its last disturbance of the pool [E4] */
+    tp_hull  hull, wake_hull; /* hull now, and at its last disturbance of the pool [E4] */
     uint32_t placed;         /* 1: the boat has been placed on the water */
     uint32_t wake_ticks;     /* number of ticks so far that disturbed the pool */
 } tp_boat_state;
@@ -104,11 +104,11 @@ struct tp_world {
     tp_fx    lag;               /* time of the picture before the last tick, 0..1 tick */
     tp_world_layout layout;
     tp_vec3  eye, last_eye;     /* camera position now and a tick ago; axes by `aboard` */
-    tp_turn heading, pitch, roll, last_heading, last_pitch, last_roll;
+    tp_turn  heading, pitch, roll, last_heading, last_pitch, last_roll;
     tp_turn  phases[TP_WAVES];  /* phases at this tick */
     uint32_t random;            /* random state of the pokes */
     tp_pose  boat, last_boat;
-    tp_boat_state boat_state;           /* state of the boat */
+    tp_boat_state boat_state;   /* state of the boat */
     tp_turn  light_heading, light_elevation;    /* light as moved by input and time */
     tp_turn  last_light_heading, last_light_elevation;
     tp_fx    scene_light[2];    /* last seen heading and elevation of the scene */

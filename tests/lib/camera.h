@@ -7,7 +7,7 @@
 #include "tools/reference/camera.h"
 
 typedef struct {
-    tp_projection    projection;
+    tp_projection projection;
     ref_camera ref;
     uint32_t   width, height;
 } test_view;

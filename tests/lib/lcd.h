@@ -103,7 +103,7 @@ static inline uint32_t *golden_picture(tp_format format)
 /* -- wires -------------------------------------------------------------------------- */
 
 typedef struct {
-    panel_model    *panel;
+    panel_model *panel;
     uint32_t  waits, blocked_from;      /* number of the first wait to time out; 0: none */
     bool      liar;                     /* waits return at once */
 } bus;
@@ -146,7 +146,7 @@ static inline lcd_wires wires_to(bus *b)
 /* -- a panel and its driver --------------------------------------------------------- */
 
 typedef struct {
-    panel_model  model;
+    panel_model model;
     bus    wires;
     lcd    driver;
     void  *memory;

@@ -23,7 +23,7 @@ typedef struct {
 } panel_transfer;
 
 typedef struct {
-    panel_model_kind  kind;
+    panel_model_kind kind;
     uint32_t    ms, ready_ms, wake_ms;  /* now; earliest for commands; for SLPOUT */
     bool        reset, awake, lit, inverted, busy;
     int         command;                /* -1: none yet */

@@ -18,7 +18,7 @@ typedef struct {
     test_frame frame;
     tp_world  *fresh, *world;   /* at tick 0; destination of snapshot_read */
     size_t     bytes;
-    snapshot_store       keep;
+    snapshot_store keep;
     uint8_t   *file;            /* written by snapshot_write: a head, then the world */
     size_t     head;
 } kept;

@@ -228,7 +228,7 @@ typedef struct {
     const tp_program *tiled_by; /* program of the tiled frame; NULL: the same */
     bool          backwards;    /* draws the last tile first */
     test_frame    whole, tiled;
-    tp_config config; /* config of the tiled frame */
+    tp_config     config;       /* config of the tiled frame */
     size_t        pixels;
     uint32_t     *picture[2];
     twice_reached reached;

@@ -51,7 +51,7 @@ typedef struct {
     bool         no_panel;
     bool         scene_page;        /* print the manual page of scenes */
     bool         hold, counted, formatted;  /* --hold, --frames, --format were given */
-    const char  *with, *without;    /* comma-separated pieces of a baked program's list */
+    const char  *with, *without;    /* components of a baked program's list, by commas */
     bool         no_input;
     bool         help;
 } options;

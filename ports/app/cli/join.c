@@ -26,7 +26,7 @@ typedef struct {
 } film_part;
 
 typedef struct {
-    output_file      out;
+    output_file out;
     const char *first;          /* first part; other heads must equal its head */
     char        head[HEAD_BYTES];
     uint64_t    bytes;          /* size of a frame, without the line FRAME */

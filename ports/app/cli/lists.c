@@ -11,7 +11,7 @@
 #include "command_help.h"
 #include "commands.h"
 
-/* -- scenes ---------------------------------------------------------------------- */
+/* -- scenes -------------------------------------------------------------------------- */
 
 static int list_scenes(const char *folder)
 {
@@ -51,7 +51,7 @@ int scenes_command(int argc, char **argv)
     return code ? code : end;
 }
 
-/* -- params ---------------------------------------------------------------------- */
+/* -- params -------------------------------------------------------------------------- */
 
 enum { NAME, VALUE, UNIT, RANGE, COLUMNS };
 

@@ -18,8 +18,8 @@
 #include "world/pools.h"
 
 typedef struct {
-    loaded_scene    loaded;
-    frame_sink     sink;
+    loaded_scene loaded;
+    frame_sink sink;
     hashes   expected;
     replay   tape;
     timings  times;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* tidepool show: a scene on a screen without a window system.  The loop, the console and
- * the screens are in ../screen; the program adds files, threads and tapes here. */
+ * the interface of screens are in app/fullscreen, the devices in kms and linuxfb; the
+ * program adds files, threads and tapes here. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,13 +17,13 @@
 
 typedef struct {
     options  *options;
-    loaded_scene     loaded;
+    loaded_scene loaded;
     replay    tape;
     uint32_t  played;           /* entries of the tape taken by the kept world */
     frame_governor governor;
 } show_state;
 
-/* -- callbacks of the loop ------------------------------------------------------- */
+/* -- callbacks of the loop ----------------------------------------------------------- */
 
 static int prepare(void *user, uint32_t width, uint32_t height, tp_format format)
 {
@@ -76,7 +77,7 @@ static bool remake(void *user, uint32_t played)
     return replay_remake(&s->tape, &s->loaded, played);
 }
 
-/* -- the command ----------------------------------------------------------------- */
+/* -- the command --------------------------------------------------------------------- */
 
 static int run(show_state *s, options *o)
 {

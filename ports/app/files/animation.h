@@ -7,7 +7,7 @@
 #include "picture.h"
 
 typedef struct {
-    output_file    out;
+    output_file out;
     uint32_t  frames;           /* total number of frames to be added */
     uint32_t  ticks;            /* duration of each frame, in 1/60 s */
     uint32_t  added, sequence;  /* frames until now; number of the next chunk */

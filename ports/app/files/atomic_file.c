@@ -36,7 +36,7 @@ static struct {
 static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
 static int held;                /* number of entries in use */
 
-/* -- signals --------------------------------------------------------------------- */
+/* -- signals ------------------------------------------------------------------------- */
 
 static void settle(atomic_int *state)
 {
@@ -88,7 +88,7 @@ static void exchange(void (*from)(int), void (*to)(int))
             sigaction(number, &then, NULL);
 }
 
-/* -- the table ------------------------------------------------------------------- */
+/* -- the table ----------------------------------------------------------------------- */
 
 static void enter(sigset_t *before)
 {
@@ -130,7 +130,7 @@ static void release(int slot)
         exchange(on_signal, SIG_DFL);
 }
 
-/* -- names ----------------------------------------------------------------------- */
+/* -- names --------------------------------------------------------------------------- */
 
 static uint64_t random_number(void)
 {
@@ -173,7 +173,7 @@ static int make_file(int slot, const char *target, const char *suffix)
     return fd;
 }
 
-/* -- one file -------------------------------------------------------------------- */
+/* -- one file ------------------------------------------------------------------------ */
 
 int atomic_file_open(atomic_file *f, const char *target, const char *suffix)
 {
@@ -232,7 +232,7 @@ const char *atomic_file_name(const atomic_file *f)
     return slots[f->slot].name;
 }
 
-/* -- a file in one call ---------------------------------------------------------- */
+/* -- a file in one call -------------------------------------------------------------- */
 
 int atomic_file_put(int fd, const void *data, size_t bytes)
 {

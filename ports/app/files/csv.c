@@ -47,7 +47,7 @@ const char *csv_number(const char *text, double *value)
     return end;
 }
 
-/* -- reading the file -------------------------------------------------------------- */
+/* -- reading the file ---------------------------------------------------------------- */
 
 static int take_bytes(csv *table, FILE *file, size_t *bytes)
 {
@@ -85,7 +85,7 @@ static int take_file(csv *table, size_t *bytes)
     return code;
 }
 
-/* -- splitting into lines ---------------------------------------------------------- */
+/* -- splitting into lines ------------------------------------------------------------ */
 
 static unsigned count_characters(const char *text, char what)
 {

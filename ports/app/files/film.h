@@ -7,7 +7,7 @@
 #include "picture.h"
 
 typedef struct {
-    output_file    out;
+    output_file out;
     uint32_t  width, height;
     uint32_t *pixels;           /* two rows, 0x00RRGGBB */
     uint8_t  *planes;           /* Y, then U and V of half the width and height */

@@ -36,7 +36,7 @@ enum {
 /* Prints a line on stderr, after erasing a progress line. */
 void log_line(const char *format, ...) LOG_PRINTF(1, 2);
 
-/* Prints a line and returns `code`: a function can end with `return fail(...)`. */
+/* Prints a line and returns `code`: a function can end with `return log_fail(...)`. */
 int log_fail(int code, const char *format, ...) LOG_PRINTF(2, 3);
 
 /* Prints "file:line: sentence", without a line number if the error has none; returns

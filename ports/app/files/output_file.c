@@ -19,7 +19,7 @@ struct output_stream {
     char buffer[BUFFER_BYTES];
 };
 
-/* -- streams --------------------------------------------------------------------- */
+/* -- streams ------------------------------------------------------------------------- */
 
 /* Writes to the descriptor; after an error writes nothing more. */
 static ssize_t put(void *cookie, const char *data, size_t bytes)
@@ -60,7 +60,7 @@ static int close_stream(output_file *out)
     return error;
 }
 
-/* -- files ----------------------------------------------------------------------- */
+/* -- files --------------------------------------------------------------------------- */
 
 static int output_file_descriptor(const output_file *out)
 {

@@ -179,7 +179,7 @@ static bool read_open_file(png_reader *r)
     return done;
 }
 
-/* -- pictures of other kinds ----------------------------------------------------- */
+/* -- pictures of other kinds --------------------------------------------------------- */
 
 /* First bytes of files, by kind; TGA files have no signature. */
 static const struct { const char *name, *start; size_t bytes; } kinds[] = {
@@ -213,7 +213,7 @@ static bool is_foreign(png_reader *r, const char *name)
     return true;
 }
 
-/* -- files ----------------------------------------------------------------------- */
+/* -- files --------------------------------------------------------------------------- */
 
 /* Returns NULL after a failure; r->why has the reason. */
 static uint8_t *load_file(png_reader *r, const char *name)

@@ -27,13 +27,13 @@ typedef struct {
     char     magic[7];
     uint8_t  version;
     uint32_t scene, build;
-    snapshot_progress  at;
+    snapshot_progress at;
     uint32_t bytes, crc;
 } head;
 
 static const char magic[7] = "TPKEEP";
 
-/* -- digests --------------------------------------------------------------------- */
+/* -- digests ------------------------------------------------------------------------- */
 
 static uint32_t digest_grey(uint32_t crc, const tp_grey *grey)
 {
@@ -95,7 +95,7 @@ static uint32_t digest(head h, const void *world)
     return tp_crc32(tp_crc32(0, &h, sizeof h), world, h.bytes);
 }
 
-/* -- reading --------------------------------------------------------------------- */
+/* -- reading ------------------------------------------------------------------------- */
 
 /* Returns the fault of the file, or NULL. */
 static const char *check_file(const snapshot_store *k, const head *h, const void *world,
@@ -178,7 +178,7 @@ bool snapshot_read(const snapshot_store *k, tp_world *world, size_t bytes,
     return !wrong;
 }
 
-/* -- writing --------------------------------------------------------------------- */
+/* -- writing ------------------------------------------------------------------------- */
 
 int snapshot_write(snapshot_store *k, const tp_world *world, size_t bytes,
                    snapshot_progress at)

@@ -30,7 +30,7 @@ static void *claim(size_t bytes)
     return memory;
 }
 
-/* -- callbacks of the loop ------------------------------------------------------- */
+/* -- callbacks of the loop ----------------------------------------------------------- */
 
 static int prepare(void *user, uint32_t width, uint32_t height, tp_format format)
 {
@@ -67,7 +67,7 @@ static const picture *draw(void *user, const tp_world *world, uint32_t frame)
     return &d->picture;
 }
 
-/* -- the command line ------------------------------------------------------------ */
+/* -- the command line ---------------------------------------------------------------- */
 
 #define TAKES "--on " SHOW_PORTS ", --device PATH, --size WxH, --frames N|A:B, --hold," \
               " --hash, --keep FILE"

@@ -19,7 +19,7 @@
 #define TTY_MAJOR 4
 #define VTS       63            /* /dev/tty1 .. /dev/tty63 */
 
-/* -- detection ------------------------------------------------------------------- */
+/* -- detection ----------------------------------------------------------------------- */
 
 static bool is_vt(int fd)
 {
@@ -106,7 +106,7 @@ int console_open(console *c)
     return log_fail(EXIT_DISPLAY, "the console is busy: another program draws on it");
 }
 
-/* -- taking and restoring -------------------------------------------------------- */
+/* -- taking and restoring ------------------------------------------------------------ */
 
 static int take_keys(const console *c)
 {
@@ -178,7 +178,7 @@ void console_close(console *c)
     c->vt = c->keys[0].fd = c->keys[1].fd = -1;
 }
 
-/* -- keys ------------------------------------------------------------------------ */
+/* -- keys ---------------------------------------------------------------------------- */
 
 int console_fds(const console *c, struct pollfd fds[CONSOLE_KEYS])
 {
@@ -213,7 +213,7 @@ void console_read(console *c, const struct pollfd *fds, int count, terminal_keys
     }
 }
 
-/* -- switching ------------------------------------------------------------------- */
+/* -- switching ----------------------------------------------------------------------- */
 
 bool console_front(const console *c)
 {

@@ -44,7 +44,7 @@ typedef struct {
     int         code;               /* exit code of a failed tape */
 } loop;
 
-/* -- signals --------------------------------------------------------------------- */
+/* -- signals ------------------------------------------------------------------------- */
 
 static volatile sig_atomic_t ended_by, asked_away, asked_back;
 
@@ -74,7 +74,7 @@ static void listen_to_signals(void)
         sigaction(heard[i], &act, NULL);
 }
 
-/* -- time ------------------------------------------------------------------------ */
+/* -- time ---------------------------------------------------------------------------- */
 
 static bool act(loop *l)
 {
@@ -129,7 +129,7 @@ static void advance(loop *l, uint64_t now)
     l->owed %= what->counted && l->stale ? 2 * SECOND_US : SECOND_US;
 }
 
-/* -- drawing --------------------------------------------------------------------- */
+/* -- drawing ------------------------------------------------------------------------- */
 
 /* Prepares pictures of the screen's current size. */
 static int prepare(loop *l)
@@ -169,7 +169,7 @@ static int draw(loop *l)
     return EXIT_DONE;
 }
 
-/* -- signals, keys, device events ------------------------------------------------ */
+/* -- signals, keys, device events ---------------------------------------------------- */
 
 static int switch_console(loop *l)
 {
@@ -224,7 +224,7 @@ static int wait_events(loop *l)
                                                                  : port->events(l->on);
 }
 
-/* -- the loop -------------------------------------------------------------------- */
+/* -- the loop ------------------------------------------------------------------------ */
 
 static snapshot_progress place(const loop *l)
 {

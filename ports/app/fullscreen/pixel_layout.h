@@ -13,8 +13,8 @@ typedef struct {
     bool     indexed;           /* 8-bit index into a colour table */
     bool     grey;              /* 8-bit brightness */
     bool     big;               /* high byte first; usually the machine's order */
-    pixel_channel  red, green, blue;  /* unused if indexed or grey */
-    pixel_channel  spare;             /* alpha or padding, filled with ones */
+    pixel_channel red, green, blue;   /* unused if indexed or grey */
+    pixel_channel spare;        /* alpha or padding, filled with ones */
 } pixel_layout;
 
 bool machine_is_big(void);      /* true on a big-endian machine */

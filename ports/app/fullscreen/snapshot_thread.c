@@ -12,8 +12,8 @@ struct snapshot_thread {
     pthread_mutex_t mutex;          /* guards `full` and `end` */
     pthread_cond_t  changed;
     bool            full, end;
-    snapshot_store            keep;
-    snapshot_progress         at;
+    snapshot_store  keep;
+    snapshot_progress at;
     size_t          bytes;
     void           *copy;
 };

@@ -38,14 +38,14 @@ const screen_port *show_port(const char *name)
     return NULL;
 }
 
-/* -- the child ------------------------------------------------------------------- */
+/* -- the child ----------------------------------------------------------------------- */
 
 typedef struct {
     const show *what;
     screen     *on;
     console     tty;
     pid_t       parent, child;
-    snapshot_store        kept;
+    snapshot_store kept;
     uint32_t    frame;              /* first frame */
 } watch;
 
@@ -99,7 +99,7 @@ static void child_run(watch *w, const sigset_t *before)
     _exit(code);
 }
 
-/* -- the parent ------------------------------------------------------------------ */
+/* -- the parent ---------------------------------------------------------------------- */
 
 /* Signals passed on to the child: requests to end, and faults sent from outside.  A
  * fault of the parent itself kills the parent, and the child then restores the screen. */
@@ -162,7 +162,7 @@ static int watch_run(watch *w)
     return code;
 }
 
-/* -- start ----------------------------------------------------------------------- */
+/* -- start --------------------------------------------------------------------------- */
 
 static int check_size(const show *what, const screen *on, const char *device)
 {

@@ -236,7 +236,7 @@ void font_draw(font *l, int x, int y, int scale, uint32_t colour, const char *te
 }
 
 void font_fill(font *l, int x, int y, int wide, int high, uint32_t colour,
-                  uint8_t alpha)
+               uint8_t alpha)
 {
     const SDL_Rect box = { x, y, wide, high };
     if (wide <= 0 || high <= 0)

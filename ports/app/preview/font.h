@@ -27,7 +27,7 @@ void font_draw(font *l, int x, int y, int scale, uint32_t colour, const char *te
 /* Fills a rectangle with a colour 0xRRGGBB; alpha 255 = opaque.  An empty rectangle
  * draws nothing. */
 void font_fill(font *l, int x, int y, int wide, int high, uint32_t colour,
-                  uint8_t alpha);
+               uint8_t alpha);
 
 /* Clips all later drawing to the rectangle; NULL: no clip. */
 void font_set_clip(font *l, const SDL_Rect *within);

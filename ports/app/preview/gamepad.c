@@ -68,7 +68,7 @@ void pad_close(pad *p)
     p->pad = NULL;
 }
 
-/* -- sticks ------------------------------------------------------------------------- */
+/* -- sticks -------------------------------------------------------------------------- */
 
 /* Returns 0 within the dead zone, then linear from its edge to 1 at full deflection. */
 static double beyond(double way, double dead)

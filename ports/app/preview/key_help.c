@@ -42,7 +42,7 @@ typedef struct {
     int  body;              /* lines of the highest column */
 } key_help_sheet;
 
-/* -- lines -------------------------------------------------------------------------- */
+/* -- lines --------------------------------------------------------------------------- */
 
 static key_help_line *add_line(key_help_sheet *s, line_kind kind)
 {
@@ -136,7 +136,7 @@ static void write_lines(key_help_sheet *s, const keymap *m)
         add_sentence(s, action_notes[i].keys, action_notes[i].help);
 }
 
-/* -- columns ------------------------------------------------------------------------ */
+/* -- columns ------------------------------------------------------------------------- */
 
 /* Returns the number of lines to keep together from `i` on: a whole group, or a heading
  * with its first row, or a sentence. */
@@ -253,7 +253,7 @@ static bool fits_rectangle(key_help_sheet *s, const SDL_Rect *where)
                 (where->h - margin) / s->form.pitch);
 }
 
-/* -- choice of the form ---------------------------------------------------------------- */
+/* -- choice of the form -------------------------------------------------------------- */
 
 /* Finds a layout for the written lines: the fewest columns first, then the largest line
  * pitch, then unsplit groups. */

@@ -16,7 +16,7 @@
 #define WORD_BYTES (NAME_BYTES + 12)
 #define WRONG_BYTES 160
 
-/* -- names of keys ----------------------------------------------------------------- */
+/* -- names of keys ------------------------------------------------------------------- */
 
 /* Writes the name of a scancode, "" if SDL has no name for the scancode. */
 static void key_name(SDL_Scancode code, char name[NAME_BYTES])
@@ -78,7 +78,7 @@ static keymap_key key_read(const char *word, const char **rest)
     return key;
 }
 
-/* -- an action's keys -------------------------------------------------------------- */
+/* -- an action's keys ---------------------------------------------------------------- */
 
 /* Writes m->text[of]: the names of the keys, cut to whole names if the room ends. */
 static void write_text(keymap *m, action of)
@@ -143,7 +143,7 @@ void keymap_default(keymap *m)
         put_keys(m, (action)of, actions[of].keys, wrong);
 }
 
-/* -- the keys file ----------------------------------------------------------------- */
+/* -- the keys file ------------------------------------------------------------------- */
 
 typedef struct {
     keymap      map;
@@ -253,7 +253,7 @@ int keymap_read(keymap *m, const char *name)
     return code;
 }
 
-/* -- pressed keys ------------------------------------------------------------------ */
+/* -- pressed keys -------------------------------------------------------------------- */
 
 static action exactly(const keymap *m, SDL_Scancode code, bool ctrl, bool shift)
 {

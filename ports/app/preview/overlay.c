@@ -17,7 +17,7 @@ static const uint32_t green = 0x6fcf97, red = 0xff6b5e, grey = 0xb4c2ce;
 
 /* A box of figures while its lines are written. */
 typedef struct {
-    font *to;
+    font    *to;
     int      x, y, scale;
     int      low;                   /* lower end; lines that end below are dropped */
 } overlay_sheet;
@@ -74,7 +74,7 @@ static void write_time(overlay_sheet *s, uint32_t colour, const panel_time *t)
               SDL_max((int)(share * (float)room), s->scale), 6 * s->scale, colour, 255);
 }
 
-/* -- the graph ---------------------------------------------------------------------- */
+/* -- the graph ----------------------------------------------------------------------- */
 
 static uint32_t duration_colour(float ms, float limit)
 {
@@ -104,7 +104,7 @@ static void write_graph(overlay_sheet *s, const panel_performance *f)
                  text);
 }
 
-/* -- the comparison -------------------------------------------------------------------- */
+/* -- the comparison ------------------------------------------------------------------ */
 
 static void write_compare(overlay_sheet *s, const panel_compare *c)
 {
@@ -162,7 +162,7 @@ void overlay_performance(font *l, const SDL_Rect *where, int scale,
     font_set_clip(l, NULL);
 }
 
-/* -- messages -------------------------------------------------------------------------- */
+/* -- messages ------------------------------------------------------------------------ */
 
 void overlay_message(font *l, const SDL_Rect *where, int scale, const char *text,
                      uint8_t alpha)

@@ -10,7 +10,7 @@ bool panel_keys_types(const panel_keys *k)
     return k->searching || k->typing || k->writes;
 }
 
-/* -- keys for the panel ---------------------------------------------------------- */
+/* -- keys for the panel -------------------------------------------------------------- */
 
 /* True for a printable key; SDL sends its letter as a text event too. */
 static bool is_plain(SDL_Keycode key)
@@ -65,7 +65,7 @@ static bool takes(panel_keys *k, const SDL_Keysym *key)
     return (k->here || k->open) && moves_about(key->sym);
 }
 
-/* -- the queue ------------------------------------------------------------------- */
+/* -- the queue ----------------------------------------------------------------------- */
 
 static void queue_event(panel_keys *k, const SDL_Event *event)
 {
@@ -188,7 +188,7 @@ bool panel_keys_next(panel_keys *k, SDL_Event *event)
     return true;
 }
 
-/* -- the mouse ------------------------------------------------------------------- */
+/* -- the mouse ----------------------------------------------------------------------- */
 
 static bool has_pointer(const panel_keys *k, int x, int y)
 {

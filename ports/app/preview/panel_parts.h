@@ -18,8 +18,8 @@ struct panel {
     const panel_host *host;
     SDL_Window   *window;
     void         *imgui;
-    panel_raster           pen;
-    panel_draw_call      call[PANEL_CALLS];
+    panel_raster  pen;
+    panel_draw_call call[PANEL_CALLS];
     panel_keys    keys;
     SDL_Rect      where;
     float         scale;

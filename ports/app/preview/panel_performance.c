@@ -7,7 +7,7 @@
 #include "panel_parts.h"
 #include "panel_ui.h"
 
-/* -- the graph ------------------------------------------------------------------- */
+/* -- the graph ----------------------------------------------------------------------- */
 
 static float highest(const panel_performance *f, uint32_t n)
 {
@@ -40,7 +40,7 @@ static void show_graph(const panel_performance *f)
     ui_take(wide, high);
 }
 
-/* -- tables ---------------------------------------------------------------------- */
+/* -- tables -------------------------------------------------------------------------- */
 
 /* Name at the left, time at the right, and behind both a bar for the share. */
 static void show_time(const panel_time *t)
@@ -95,7 +95,7 @@ static void show_lines(const char *lines)
     }
 }
 
-/* -- all figures ----------------------------------------------------------------- */
+/* -- all figures --------------------------------------------------------------------- */
 
 static void show_compare(panel *p, const panel_compare *c)
 {

@@ -55,7 +55,7 @@ bool panel_raster_set_atlas(panel_raster *k, const uint8_t *bytes, int wide, int
     return true;
 }
 
-/* -- rectangles from triangles --------------------------------------------------- */
+/* -- rectangles from triangles ------------------------------------------------------- */
 
 static bool same(SDL_Color a, SDL_Color b)
 {
@@ -142,7 +142,7 @@ void panel_raster_draw(panel_raster *k, const panel_draw_call *call, int calls)
     SDL_RenderSetClipRect(k->renderer, NULL);
 }
 
-/* -- cache ----------------------------------------------------------------------- */
+/* -- cache --------------------------------------------------------------------------- */
 
 /* Adds data to a checksum, in words of 4 bytes; order matters.  The odd multiplier and
  * the xor shift are bijective: two different words never give the same sum. */

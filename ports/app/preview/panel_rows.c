@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* -- groups ---------------------------------------------------------------------- */
+/* -- groups -------------------------------------------------------------------------- */
 
 static size_t head_bytes(const char *name)
 {
@@ -55,7 +55,7 @@ void panel_group_count(const panel_host *host, panel_group *group, bool fresh)
         group->idle = group->changed == 0 && is_absent(host, group->first);
 }
 
-/* -- names and search ------------------------------------------------------------ */
+/* -- names and search ---------------------------------------------------------------- */
 
 void panel_label(const panel_row *row, uint32_t letters, char text[PANEL_NAME])
 {
@@ -116,7 +116,7 @@ bool panel_word(const char *list, uint32_t i, char text[PANEL_TEXT])
     return true;
 }
 
-/* -- values ---------------------------------------------------------------------- */
+/* -- values -------------------------------------------------------------------------- */
 
 /* A linear slider is useless for a range from centimetres to many metres: such a range
  * gets a logarithmic slider (fine > 0). */

@@ -18,7 +18,7 @@ void panel_line(uint32_t colour, const char *text)
         ui_tip(text);
 }
 
-/* -- buttons --------------------------------------------------------------------- */
+/* -- buttons ------------------------------------------------------------------------- */
 
 static const struct { int what; const char *name, *name_on; } buttons[] = {
     { ACT_PAUSE, "pause", "go on" }, { ACT_STEP, "step", "step" },
@@ -68,7 +68,7 @@ static void show_buttons(panel *p)
     }
 }
 
-/* -- scenes ---------------------------------------------------------------------- */
+/* -- scenes -------------------------------------------------------------------------- */
 
 static void show_scenes(panel *p)
 {

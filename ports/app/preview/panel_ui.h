@@ -21,7 +21,7 @@ enum {
     UI_EDITED = 0xe8b060, UI_OVERDUE = 0xd86858
 };
 
-/* -- lengths and positions ------------------------------------------------------- */
+/* -- lengths and positions ----------------------------------------------------------- */
 
 float ui_px(float at_one);             /* px at scale 1 to px at the current scale */
 float ui_letter(void);                 /* width of a letter (monospaced font) */
@@ -43,7 +43,7 @@ void  ui_end(void);
 void  ui_beside(float gap);            /* puts the next widget to the right */
 void  ui_take(float wide, float high); /* reserves room for the following drawing calls */
 
-/* -- drawing --------------------------------------------------------------------- */
+/* -- drawing ------------------------------------------------------------------------- */
 
 void  ui_box(float x, float y, float wide, float high, uint32_t colour);
 void  ui_write(float x, float y, uint32_t colour, const char *text);
@@ -53,7 +53,7 @@ void  ui_text(uint32_t colour, const char *text);       /* a widget of text */
 void  ui_text_wrapped(uint32_t colour, const char *text);
 void  ui_tip(const char *text);        /* tooltip of the last widget, beside the panel */
 
-/* -- state of the last widget, mouse, keyboard ----------------------------------- */
+/* -- state of the last widget, mouse, keyboard --------------------------------------- */
 
 SDL_FRect ui_last(void);
 bool  ui_hovered(void);
@@ -69,7 +69,7 @@ bool  ui_ctrl(void);
 bool  ui_moves(void);                  /* the keyboard focus is shown */
 double ui_time(void);                  /* s */
 
-/* -- widgets --------------------------------------------------------------------- */
+/* -- widgets ------------------------------------------------------------------------- */
 
 bool  ui_button(const char *id, float wide, bool lit);
 bool  ui_check(const char *id, bool *on);

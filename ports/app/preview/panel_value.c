@@ -34,7 +34,7 @@ static void end_sliding(panel *p)
     p->sliding = -1;
 }
 
-/* -- text and numbers ------------------------------------------------------------ */
+/* -- text and numbers ---------------------------------------------------------------- */
 
 /* A text field.  Sets the typed text when the field is left, if the text has changed. */
 static void show_field(panel *p, uint32_t row, const char *text, float wide)
@@ -127,7 +127,7 @@ static void show_number(panel *p, uint32_t row, const char *text, float wide)
         slide(p, row, text, wide);
 }
 
-/* -- the other kinds ------------------------------------------------------------- */
+/* -- the other kinds ----------------------------------------------------------------- */
 
 static void show_switch(panel *p, uint32_t row, const char *text)
 {
@@ -193,7 +193,7 @@ static void show_value(panel *p, uint32_t row, const char *text, float wide)
     }
 }
 
-/* -- the row --------------------------------------------------------------------- */
+/* -- the row ------------------------------------------------------------------------- */
 
 /* A reset button at the end of a row, shown if the value differs from the file's or the
  * default. */

@@ -97,7 +97,7 @@ void user_input_capture(user_input *c, bool on)
     c->drag_x = c->drag_y = 0;
 }
 
-/* -- input of a tick ------------------------------------------------------------- */
+/* -- input of a tick ----------------------------------------------------------------- */
 
 typedef struct {
     const keymap  *keys;

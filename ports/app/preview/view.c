@@ -23,7 +23,7 @@
 #define AWAY_MS   100           /* the same for a minimised window */
 #define PAST      (64u << 20)   /* bytes of memory for rewinding */
 
-/* -- the end --------------------------------------------------------------------- */
+/* -- the end ------------------------------------------------------------------------- */
 
 /* SDL calls exit() if the display is lost.  The exit handler then keeps the session and
  * tells the person how to resume. */
@@ -46,7 +46,7 @@ static void on_exit(void)
     _exit(EXIT_LOST);
 }
 
-/* -- events ---------------------------------------------------------------------- */
+/* -- events -------------------------------------------------------------------------- */
 
 static bool is_key(const SDL_Event *event)
 {
@@ -88,7 +88,7 @@ static void take_events(view *v)
     v->quit = v->quit || v->control.quit;
 }
 
-/* -- the loop -------------------------------------------------------------------- */
+/* -- the loop ------------------------------------------------------------------------ */
 
 static const char *scene_title(const view *v)
 {
@@ -152,7 +152,7 @@ static int turn(view *v)
     return EXIT_DONE;
 }
 
-/* -- the beginning --------------------------------------------------------------- */
+/* -- the beginning ------------------------------------------------------------------- */
 
 static void place_window(view *v, int width, int height)
 {

@@ -43,7 +43,7 @@ typedef struct {
 
 typedef struct view {
     options    *options;
-    loaded_scene      *loaded;          /* never moved: it has pointers into itself */
+    loaded_scene *loaded;       /* never moved: it has pointers into itself */
     tp_scene    filed;          /* the scene as its file has it */
     view_scenes scenes;
     char      **pictures;       /* PNG files offered as values of a row */
@@ -59,32 +59,32 @@ typedef struct view {
     bool        changed;        /* scene or camera changed, other than by a tick */
     rewind_history *history;    /* NULL: out of memory */
     camera_mode camera_mode;
-    tape_file tape; /* the tape being recorded; replay: the tape being played */
+    tape_file   tape;           /* the tape being recorded; replay: the tape being played */
     replay      replay;
     bool        taping, playing;
     char        tape_name[TP_NAME_BYTES + 32];
-    undo_edits       edits;
+    undo_edits  edits;
     char       *saved_as;       /* path used by "save" */
 
     /* the picture */
     bool        stale;          /* the picture is older than the world */
-    frame_governor   governor;
-    comparison    *compare;
+    frame_governor governor;
+    comparison *compare;
     bool        chosen;         /* comparison renderer chosen by the person */
-    performance    *performance;
+    performance *performance;
     performance_plan plan;
-    panel_performance  shown;
-    panel_compare  compared;
+    panel_performance shown;
+    panel_compare compared;
     recorder   *film;
     uint32_t    drawn;          /* frames drawn so far */
     uint64_t    title_at, kept_at, shown_at;    /* us */
 
     /* the window */
     window      window;
-    user_input     control;
+    user_input  control;
     keymap      keys;
     pad         pad;
-    font    *font;
+    font       *font;
     panel      *panel;
     panel_host  host;
     int         scale;          /* window pixels per picture pixel */
@@ -100,7 +100,7 @@ typedef struct view {
     uint64_t    filled_at;      /* us: last update of the panel's texts */
 } view;
 
-/* -- view_time.c ------------------------------------------------------------------- */
+/* -- view_time.c --------------------------------------------------------------------- */
 
 void view_advance(view *v, uint64_t now);       /* makes all ticks due */
 void view_poke(view *v, const tp_push *push);   /* for the next tick with a free place */
@@ -109,15 +109,14 @@ void view_back(view *v);                        /* one frame back, if kept */
 void view_restart(view *v);                     /* from tick 0; keeps the changes */
 int  view_play(view *v, const char *name);      /* plays a tape from now on */
 int  view_tape(view *v, const char *name);      /* records from now on; keeps `name` */
-void view_tape_changes(view *v);                /* records values unlike the file's */
 int  view_untape(view *v);
 
-/* -- view_scenes.c ----------------------------------------------------------------- */
+/* -- view_scenes.c ------------------------------------------------------------------- */
 
 /* Opens a scene in place of the current one.  On failure nothing changes, and a message
- * has been said. */
+ * gives the reason. */
 bool view_open(view *v, const char *scene);
-void view_step_scene(view *v, int by);             /* by: 1 next, -1 previous scene */
+void view_step_scene(view *v, int by);          /* by: 1 next, -1 previous scene */
 void view_list(view *v);                        /* fills v->scenes and v->pictures */
 void view_unlist(view *v);
 
@@ -125,28 +124,29 @@ void view_unlist(view *v);
  * too. */
 void view_refit(view *v, bool opened);
 
-/* -- view_changes.c ---------------------------------------------------------------- */
+/* -- view_changes.c ------------------------------------------------------------------ */
 
 /* Sets the value of a row from text.  `going` as in panel.h.  Returns false if refused;
- * the reason has been said. */
+ * a message has given the reason. */
 bool view_set(view *v, uint32_t row, const char *text, bool going);
 void view_undo(view *v, bool again);
 void view_look(view *v, camera_mode_kind mode);
 void view_begin_here(view *v);                  /* stores the camera's pose as camera.* */
 void view_save(view *v);
+void view_tape_changes(view *v);                /* records values unlike the file's */
 
 /* Called before the first frame.  Opens `otherwise` if no session was kept. */
 int  view_resume(view *v, const char *otherwise);
 void view_keep(view *v, uint64_t now);
 
-/* -- view_actions.c ---------------------------------------------------------------- */
+/* -- view_actions.c ------------------------------------------------------------------ */
 
 void view_act(view *v, action what);
 bool view_is_active(const view *v, action what);    /* true if switched on */
 void view_say(view *v, const char *format, ...) LOG_PRINTF(2, 3);  /* on the picture */
 void view_hush(view *v);                        /* removes the message */
 
-/* -- view_picture.c ---------------------------------------------------------------- */
+/* -- view_picture.c ------------------------------------------------------------------ */
 
 int  view_size(view *v);                        /* opens a renderer for the window's size */
 int  view_draw(view *v);
@@ -154,7 +154,7 @@ void view_show(view *v, uint64_t now);
 void view_save_shot(view *v);
 void view_film(view *v, bool on);
 
-/* -- view_panel.c ------------------------------------------------------------------ */
+/* -- view_panel.c -------------------------------------------------------------------- */
 
 void view_panel_open(view *v);
 void view_panel_fill(view *v, uint64_t now);    /* current values for the panel */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Effects of the actions.  Held actions are not handled here: control.c reads them at
+/* Effects of the actions.  Held actions are not handled here: user_input.c reads them at
  * each tick. */
 #include <stdarg.h>
 #include <stdio.h>

@@ -22,7 +22,7 @@ int view_panel_width(const view *v)
     return PANEL_WIDE * v->ui / 100;
 }
 
-/* -- values ---------------------------------------------------------------------- */
+/* -- values -------------------------------------------------------------------------- */
 
 static const tp_param *row_param(uint32_t row)
 {
@@ -85,7 +85,7 @@ static void reset(void *user, uint32_t row)
     view_set(user, row, text, false);
 }
 
-/* -- scenes and actions ---------------------------------------------------------- */
+/* -- scenes and actions -------------------------------------------------------------- */
 
 static void open_scene(void *user, uint32_t scene)
 {
@@ -117,7 +117,7 @@ static bool measures(void *user, bool on)
     return true;
 }
 
-/* -- rows ------------------------------------------------------------------------ */
+/* -- rows ---------------------------------------------------------------------------- */
 
 static panel_row make_panel_row(const tp_param *param, char normal[PANEL_TEXT])
 {

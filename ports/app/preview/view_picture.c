@@ -14,7 +14,7 @@
 #define SAID_US 4000000u        /* how long a message stays */
 #define FADE_US 500000u         /* how long a message then fades */
 
-/* -- drawing --------------------------------------------------------------------- */
+/* -- drawing ------------------------------------------------------------------------- */
 
 int view_size(view *v)
 {
@@ -58,7 +58,7 @@ int view_draw(view *v)
     return EXIT_DONE;
 }
 
-/* -- overlays -------------------------------------------------------------------- */
+/* -- overlays ------------------------------------------------------------------------ */
 
 /* Copies the last message printed to the terminal, to show it over the picture too. */
 static void take_said(view *v, uint64_t now)
@@ -138,7 +138,7 @@ void view_show(view *v, uint64_t now)
     v->control.exposed = false;
 }
 
-/* -- pictures and films as files ------------------------------------------------- */
+/* -- pictures and films as files ----------------------------------------------------- */
 
 void view_save_shot(view *v)
 {

@@ -8,7 +8,7 @@
 #include "app/scene/scene_save.h"
 #include "view.h"
 
-/* -- lists ----------------------------------------------------------------------- */
+/* -- lists --------------------------------------------------------------------------- */
 
 static bool make_room(char ***list, uint32_t count)
 {
@@ -95,7 +95,7 @@ void view_unlist(view *v)
     v->picture_count = 0;
 }
 
-/* -- opening --------------------------------------------------------------------- */
+/* -- opening ------------------------------------------------------------------------- */
 
 /* Sets `at` by comparing files, because --resume gives a path for a scene listed by
  * name. */

@@ -25,7 +25,7 @@ static uint64_t current_tick(view *v)
     return v->base + current_world(v)->tick;
 }
 
-/* -- one frame ------------------------------------------------------------------- */
+/* -- one frame ----------------------------------------------------------------------- */
 
 /* Applies the tape's scene changes and camera moves recorded at the current tick. */
 static void play_acts(view *v)
@@ -125,7 +125,7 @@ void view_back(view *v)
     view_refit(v, other);
 }
 
-/* -- a tick ---------------------------------------------------------------------- */
+/* -- a tick -------------------------------------------------------------------------- */
 
 void view_poke(view *v, const tp_push *push)
 {
@@ -215,7 +215,7 @@ void view_advance(view *v, uint64_t now)
     v->owed %= SECOND_US;
 }
 
-/* -- the beginning, and tapes ---------------------------------------------------- */
+/* -- the beginning, and tapes -------------------------------------------------------- */
 
 void view_restart(view *v)
 {

@@ -9,7 +9,7 @@
 #define ROOM_LEAST 64           /* least px left to the picture */
 #define PANEL_LEAST 120         /* least panel width by dragging, px */
 
-/* -- opening ----------------------------------------------------------------------- */
+/* -- opening ------------------------------------------------------------------------- */
 
 /* True if SDL has fallen back to a driver without a display.  Such a driver is used only
  * if SDL_VIDEODRIVER names it. */
@@ -100,7 +100,7 @@ void window_full(window *w, bool full)
         SDL_SetWindowSize(w->window, w->wide, w->high);
 }
 
-/* -- layout ------------------------------------------------------------------------ */
+/* -- layout -------------------------------------------------------------------------- */
 
 layout window_layout(const window *w, int scale)
 {
@@ -144,7 +144,7 @@ bool window_pixel(const window *w, int scale, int x, int y, int *px, int *py)
     return true;
 }
 
-/* -- events ------------------------------------------------------------------------ */
+/* -- events -------------------------------------------------------------------------- */
 
 /* Shows the resize cursor while the mouse is on the bar or drags the bar. */
 static void point(window *w, bool over)
@@ -228,7 +228,7 @@ bool window_event(window *w, const SDL_Event *event)
     }
 }
 
-/* -- pictures ---------------------------------------------------------------------- */
+/* -- pictures ------------------------------------------------------------------------ */
 
 /* Returns the texture's format: the window's own for a software renderer, to save a
  * conversion; else ARGB8888, supported by every SDL renderer. */

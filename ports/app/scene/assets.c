@@ -58,7 +58,7 @@ void assets_move(asset_set *to, asset_set *from)
     *from = (asset_set){ 0 };
 }
 
-/* -- textures -------------------------------------------------------------------- */
+/* -- textures ------------------------------------------------------------------------ */
 
 /* Drops the largest mipmap levels until the longer side is at most `most` texels.  Returns
  * the number of bytes dropped; most = 0 drops nothing. */
@@ -106,7 +106,7 @@ static int load_texture(asset_set *a, tp_texture *texture, const char *path,
     return code == EXIT_CHECK ? log_fail(EXIT_INPUT, "%s: %s: %s", who, path, why) : code;
 }
 
-/* -- grey maps ------------------------------------------------------------------- */
+/* -- grey maps ----------------------------------------------------------------------- */
 
 static int load_grey(asset_set *a, tp_grey *grey, const char *path, const char *who)
 {
@@ -124,7 +124,7 @@ static int load_grey(asset_set *a, tp_grey *grey, const char *path, const char *
     return memory ? EXIT_DONE : EXIT_INPUT;
 }
 
-/* -- the scene ------------------------------------------------------------------- */
+/* -- the scene ----------------------------------------------------------------------- */
 
 /* Loads the file named by the parameter `name`; *there: true if the scene names a file. */
 static int load(asset_set *a, const scene_file *file, const char *name, void *into,

@@ -41,7 +41,7 @@ int  assets_refuse(const scene_file *file, const char *lacking);    /* prints th
 /* Closes *to, moves the contents of *from there, and leaves *from empty. */
 void assets_move(asset_set *to, asset_set *from);
 
-/* -- shared by assets.c and assets_mesh.c ----------------------------------------- */
+/* -- shared by assets.c and assets_mesh.c -------------------------------------------- */
 
 /* Returns memory that assets_close frees, or NULL after printing the reason. */
 void *assets_take(asset_set *a, size_t bytes);

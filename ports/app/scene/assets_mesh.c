@@ -28,13 +28,13 @@ enum {
 };
 
 typedef struct {
-    asset_set *assets;
+    asset_set  *assets;
     tp_obj     *obj;
     const char *path;               /* path of the OBJ */
     unsigned    warnings;
 } loading;
 
-/* -- warnings -------------------------------------------------------------------- */
+/* -- warnings ------------------------------------------------------------------------ */
 
 static int warn(loading *l, const char *remedy, const char *format, ...) LOG_PRINTF(3, 4);
 
@@ -126,7 +126,7 @@ static int warn_reach(loading *l, const tp_mesh *mesh, tp_fx scale)
                 " most: %s fits", l->path, (unsigned)(metres >> 16), now, METRES, fits);
 }
 
-/* -- files ----------------------------------------------------------------------- */
+/* -- files --------------------------------------------------------------------------- */
 
 typedef tp_status (*feed)(tp_obj *obj, const void *text, size_t bytes, tp_error *err);
 typedef tp_status (*end)(tp_obj *obj, tp_error *err);
@@ -174,7 +174,7 @@ static char *resolve_file_name(const char *path, const char *name)
     return full;
 }
 
-/* -- libraries and pictures ------------------------------------------------------ */
+/* -- libraries and pictures ---------------------------------------------------------- */
 
 /* Reads a material library.  After a read error the materials read until then are kept. */
 static int load_library(loading *l, uint32_t i, const char *library)
@@ -245,7 +245,7 @@ static int load_images(loading *l, const tp_texture *const **list)
     return code;
 }
 
-/* -- the mesh -------------------------------------------------------------------- */
+/* -- the mesh ------------------------------------------------------------------------ */
 
 static int load_text(loading *l, const char *who)
 {

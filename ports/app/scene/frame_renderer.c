@@ -93,7 +93,7 @@ void frame_renderer_close(frame_renderer *c)
     *c = (frame_renderer){ 0 };
 }
 
-/* -- drawing --------------------------------------------------------------------- */
+/* -- drawing ------------------------------------------------------------------------- */
 
 typedef struct {
     frame_renderer     *canvas;

@@ -18,13 +18,13 @@ typedef struct {
     void     *block;            /* memory of the frame */
     size_t    frame_bytes, scratch_bytes;       /* scratch: sum of all threads */
     uint32_t  threads;
-    thread_pool     *pool;             /* threads that help the caller; NULL: none */
+    thread_pool *pool;          /* threads that help the caller; NULL: none */
     void     *scratch[FRAME_RENDERER_THREADS];
     tp_config config;           /* configuration, with tile sides chosen */
-    uint32_t water_pixels;      /* pixels of water in the last frame_renderer_draw */
+    uint32_t  water_pixels;     /* pixels of water in the last frame_renderer_draw */
     uint32_t begin_us,
-        tiles_us; /* duration of the last frame_renderer_draw, us: geometry,
-                                         * then pixels by all threads */
+        tiles_us;               /* duration of the last frame_renderer_draw, us: geometry,
+                                 * then pixels by all threads */
 } frame_renderer;
 
 /* Sets how the picture is drawn; allocates nothing.  Tile sides of 0: the frame renderer

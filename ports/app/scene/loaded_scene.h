@@ -15,7 +15,7 @@ typedef struct {
     asset_set  assets;
     tp_world  *world;           /* in a block of world_bytes */
     size_t     world_bytes;
-    frame_renderer     renderer;
+    frame_renderer renderer;
     tp_ladder  ladder;          /* ladder at the time the renderer was opened */
 } loaded_scene;
 

@@ -35,7 +35,7 @@ loaded_scene_value loaded_scene_get(const loaded_scene *s, const tp_param *param
     return value;
 }
 
-/* -- tests for refusal ------------------------------------------------------------- */
+/* -- tests for refusal --------------------------------------------------------------- */
 
 static int refuse_change(const change *c, const tp_error *err)
 {
@@ -115,7 +115,7 @@ static int try_change(loaded_scene *s, change *c, const loaded_scene_value *valu
     return code ? code : take_change(s, c);
 }
 
-/* -- applying the change ----------------------------------------------------------- */
+/* -- applying the change ------------------------------------------------------------- */
 
 /* True if the ladder changes.  Frames get their plan when opened: calm water that becomes
  * rough may need other rungs. */
@@ -176,7 +176,7 @@ int loaded_scene_put(loaded_scene *s, const options *o, const char *place,
     return put(s, &c, value, opened);
 }
 
-/* -- by name ----------------------------------------------------------------------- */
+/* -- by name ------------------------------------------------------------------------- */
 
 /* Returns the value set by hand, without the white space around it. */
 static loaded_scene_value normalise_value(const tp_param *param, const char *text)

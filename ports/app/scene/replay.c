@@ -8,7 +8,7 @@
 #include "world/text.h"
 #include "world/world.h"
 
-/* -- checks before the replay ---------------------------------------------------- */
+/* -- checks before the replay -------------------------------------------------------- */
 
 static void format_location(const replay *r, const tape_file_entry *entry, char *place,
                             size_t bytes)
@@ -101,7 +101,7 @@ int replay_close(replay *r)
     return tape_file_close(&r->tape);
 }
 
-/* -- replay ---------------------------------------------------------------------- */
+/* -- replay -------------------------------------------------------------------------- */
 
 static int act(replay *r, const tape_file_entry *entry, loaded_scene *s, const options *o,
                bool *opened)
@@ -137,7 +137,7 @@ const tp_input *replay_step(replay *r)
     return step ? &step->input : NULL;
 }
 
-/* -- continuing from a kept world ------------------------------------------------ */
+/* -- continuing from a kept world ---------------------------------------------------- */
 
 /* Returns the number of entries played; a step that waits for its tick is not yet
  * played. */

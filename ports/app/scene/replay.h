@@ -14,8 +14,8 @@
 typedef struct {
     tape_file      tape;
     uint64_t  tick;             /* number of steps until now */
-    const tape_file_entry
-        *step; /* entry of this tick's step, already taken from the tape */
+    const tape_file_entry *step; /* entry of this tick's step, already taken from the
+                                  * tape */
 } replay;
 
 /* Allowed changes of the world: all, or only changes that need no new block of memory. */

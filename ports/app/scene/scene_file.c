@@ -9,12 +9,23 @@
 
 #define _POSIX_C_SOURCE 200809L
 #include "scene_file.h"
+#include <ctype.h>
 #include <limits.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "app/files/did_you_mean.h"
 #include "app/files/ini_read.h"
+#include "app/files/log.h"
+#include "app/files/path.h"
+#include "long_name.h"
+#include "world/text.h"
+
+/* -- lines of a file ------------------------------------------------------------------ */
 
 static bool apply_line(void *user, uint32_t line, const char *section, const char *name,
-                 const char *value)
+                       const char *value)
 {
     scene_file *file = user;
     char full[128], place[PATH_MAX + 16];
@@ -28,19 +39,7 @@ static int scene_ini_read(scene_file *file)
     return ini_read(file->path, apply_line, file);
 }
 
-#define _POSIX_C_SOURCE 200809L
-#include <ctype.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
-#include "app/files/did_you_mean.h"
-#include "app/files/log.h"
-#include "app/files/path.h"
-#include "long_name.h"
-#include "world/text.h"
-
-/* -- one value ------------------------------------------------------------------- */
+/* -- one value ----------------------------------------------------------------------- */
 
 /* Returns the best match if an old name is nearer than every present name, else NULL. */
 static const old_name *offer_old_names(did_you_mean *best)
@@ -187,7 +186,7 @@ int scene_file_set(scene_file *file, const char *setting)
     return done ? EXIT_DONE : EXIT_USAGE;
 }
 
-/* -- the file -------------------------------------------------------------------- */
+/* -- the file ------------------------------------------------------------------------ */
 
 static int refuse_scene(const char *given, const char *folder)
 {
@@ -264,7 +263,7 @@ void scene_file_close(scene_file *file)
     *file = (scene_file){ 0 };
 }
 
-/* -- names in the scene ---------------------------------------------------------- */
+/* -- names in the scene -------------------------------------------------------------- */
 
 static const char *by(const scene_file *file)
 {

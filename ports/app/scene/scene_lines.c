@@ -11,7 +11,7 @@
 #define WHITE " \t\v\f\r"
 #define MARK  "\xef\xbb\xbf"    /* UTF-8 byte order mark, written by some editors */
 
-/* -- reading and writing --------------------------------------------------------- */
+/* -- reading and writing ------------------------------------------------------------- */
 
 static bool add(scene_lines *l, const char *text, size_t bytes)
 {
@@ -83,7 +83,7 @@ void scene_lines_write(const scene_lines *l, FILE *to)
         fputs(l->tail, to);
 }
 
-/* -- one line -------------------------------------------------------------------- */
+/* -- one line ------------------------------------------------------------------------ */
 
 void scene_lines_value(scene_lines *l, uint32_t line, long row, size_t value_bytes)
 {
@@ -191,7 +191,7 @@ bool scene_lines_rename(scene_lines *l, uint32_t line, const char *old, const ch
     return true;
 }
 
-/* -- removing -------------------------------------------------------------------- */
+/* -- removing ------------------------------------------------------------------------ */
 
 static bool is_blank(const scene_line *line)
 {
@@ -227,7 +227,7 @@ void scene_lines_remove(scene_lines *l, long row)
     }
 }
 
-/* -- adding ---------------------------------------------------------------------- */
+/* -- adding -------------------------------------------------------------------------- */
 
 static bool grow(char **text, const char *const *more, size_t count)
 {

@@ -32,7 +32,7 @@ typedef struct {
     bool        moved;          /* the new file is in another folder */
 } save;
 
-/* -- reading the file ------------------------------------------------------------ */
+/* -- reading the file ---------------------------------------------------------------- */
 
 static bool take(void *user, uint32_t line, const char *section, const char *name,
                  const char *value)
@@ -63,7 +63,7 @@ static int read_lines(save *s)
     return code ? code : ini_read(path, take, s);
 }
 
-/* -- editing the lines ----------------------------------------------------------- */
+/* -- editing the lines --------------------------------------------------------------- */
 
 /* Returns the text of a value.  A relative file name that leads from the new file to the
  * same target stays unchanged, and so does an absolute name given by a file. */
@@ -141,7 +141,7 @@ static int edit_all(save *s, bool away)
     return code;
 }
 
-/* -- writing the file ------------------------------------------------------------ */
+/* -- writing the file ---------------------------------------------------------------- */
 
 static int write_file(const save *s)
 {
@@ -174,7 +174,7 @@ int scene_save(const scene_file *file, const char *name)
     return code;
 }
 
-/* -- the file's name ------------------------------------------------------------- */
+/* -- the file's name ----------------------------------------------------------------- */
 
 static bool is_shipped(const char *path)
 {

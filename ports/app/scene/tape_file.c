@@ -21,7 +21,7 @@
 
 enum { LINE = PATH_MAX + TP_TAPE_LINE };        /* bytes; a set may name a file */
 
-/* -- reading --------------------------------------------------------------------- */
+/* -- reading ------------------------------------------------------------------------- */
 
 typedef struct {
     const char *name, *scene;
@@ -104,7 +104,7 @@ static int add(tape_file *d, const tape_file_reader *r, const tape_file_entry *e
     return EXIT_DONE;
 }
 
-/* -- lines ----------------------------------------------------------------------- */
+/* -- lines --------------------------------------------------------------------------- */
 
 /* Returns the second word of a line if it equals `word`; else NULL. */
 static char *second_word(char *text, const char *word)
@@ -230,7 +230,7 @@ int tape_file_read(tape_file *d, const char *name, const char *scene)
     return code;
 }
 
-/* -- replaying ------------------------------------------------------------------- */
+/* -- replaying ----------------------------------------------------------------------- */
 
 const tape_file_entry *tape_file_next(tape_file *d, uint64_t tick)
 {
@@ -245,7 +245,7 @@ bool tape_file_has_ended(const tape_file *d, uint64_t tick)
     return d->count == 0 || d->entries[d->count - 1].tick < tick;
 }
 
-/* -- recording ------------------------------------------------------------------- */
+/* -- recording ----------------------------------------------------------------------- */
 
 int tape_file_record(tape_file *d, const char *name, const char *scene)
 {

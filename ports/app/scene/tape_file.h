@@ -33,12 +33,12 @@ typedef struct { uint32_t picture; long at; } tape_file_mark;
 
 typedef struct {
     const char *name;
-    tape_file_entry *entries;        /* in order of ticks */
+    tape_file_entry *entries;   /* in order of ticks */
     size_t count, at;           /* count; index of the next entry */
     FILE  *file;                /* file of a recording.  Written line by line: after a crash
                                  * the tape holds the inputs before the crash */
     uint32_t   picture;         /* number of the picture shown while recording */
-    tape_file_mark *marks;           /* of each line: picture, offset in the file */
+    tape_file_mark *marks;      /* of each line: picture, offset in the file */
     size_t     lines;
     bool       failed;
 } tape_file;

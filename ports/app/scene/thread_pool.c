@@ -9,7 +9,7 @@
 #define USUAL_MOST 8
 
 typedef struct {
-    thread_pool     *of;
+    thread_pool *of;
     uint32_t  number;           /* index, from 1 */
     uint32_t  done;             /* number of the last job that the thread began */
     pthread_t thread;

@@ -27,12 +27,12 @@ struct comparison {
     compare_against against;
     tp_scene given;             /* copy of the loaded scene's scene when `scene` was made */
     tp_scene scene;             /* scene of the other renderer: differs in quality.* */
-    frame_renderer   other;
+    frame_renderer other;
     bool     open, failed;      /* of `other`; failed: no memory, until a change */
     uint64_t judged_at;
     bool     judged, unfit;
     bool     same;              /* both pictures are drawn with the same rungs */
-    reference_thread  *reference;
+    reference_thread *reference;
     bool     delivered;         /* the reference thread has delivered a complete picture */
     reference_pass pass;        /* pass of the reference's picture in `theirs` */
     uint32_t *ours, *theirs;    /* pixels 0x00RRGGBB */

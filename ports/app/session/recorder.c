@@ -32,7 +32,7 @@ struct recorder {
     bool     over;              /* the film has ended, after a message */
 };
 
-/* -- names ----------------------------------------------------------------------- */
+/* -- names --------------------------------------------------------------------------- */
 
 /* Chooses the first number used by neither kind of film. */
 static void choose_number(const char *scene, char *stem, size_t bytes)
@@ -48,7 +48,7 @@ static void choose_number(const char *scene, char *stem, size_t bytes)
     }
 }
 
-/* -- ffmpeg ---------------------------------------------------------------------- */
+/* -- ffmpeg -------------------------------------------------------------------------- */
 
 /* Starts ffmpeg.  Returns 0 or an errno; ENOENT: ffmpeg is not installed.  H.264 in 4:2:0
  * needs even sides: odd sides are padded. */
@@ -130,7 +130,7 @@ static int begin_ffmpeg(recorder *r)
     return error;
 }
 
-/* -- the film -------------------------------------------------------------------- */
+/* -- the film ------------------------------------------------------------------------ */
 
 recorder *recorder_begin(const char *scene, uint32_t width, uint32_t height)
 {

@@ -29,14 +29,14 @@ typedef struct {
 
 struct rewind_history {
     size_t    budget, used;     /* bytes of blocks and inputs: limit, in use */
-    rewind_frame   *kept;             /* snapshots, in order of pictures */
+    rewind_frame *kept;         /* snapshots, in order of pictures */
     size_t    count, room;
     tp_input *input;            /* inputs of the pictures kept[0].picture to end - 1, ... */
     size_t    lead, inputs_room;/* ... from input[lead] on */
     uint32_t  end;
 };
 
-/* -- inputs ------------------------------------------------------------------------- */
+/* -- inputs -------------------------------------------------------------------------- */
 
 static size_t count_inputs(const rewind_history *p)
 {
@@ -80,7 +80,7 @@ const tp_input *rewind_input(const rewind_history *p, uint32_t picture)
     return &p->input[p->lead + (picture - p->kept[0].picture)];
 }
 
-/* -- snapshots ---------------------------------------------------------------------- */
+/* -- snapshots ----------------------------------------------------------------------- */
 
 static void drop(rewind_history *p, size_t i)
 {
@@ -177,7 +177,7 @@ static bool keep(rewind_history *p, uint32_t picture, const tp_world *world, siz
     return true;
 }
 
-/* -- pictures ----------------------------------------------------------------------- */
+/* -- pictures ------------------------------------------------------------------------ */
 
 /* Drops everything from `picture` on. */
 static void cut(rewind_history *p, uint32_t picture)

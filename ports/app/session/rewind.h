@@ -20,12 +20,12 @@ void  rewind_end(rewind_history *p);                /* accepts NULL */
  * increase by one.  A lower number discards that picture and all later ones; a gap discards
  * everything. */
 void  rewind_add(rewind_history *p, uint32_t picture, const tp_world *world, size_t bytes,
-               const tp_scene *scene, const tp_input *input, bool changed);
+                 const tp_scene *scene, const tp_input *input, bool changed);
 
 /* Copies the world and scene of the latest snapshot at or before `picture`; *from: number
  * of its picture.  False: no snapshot is that old, or its world has another size. */
 bool  rewind_take(const rewind_history *p, uint32_t picture, tp_world *world, size_t bytes,
-                tp_scene *scene, uint32_t *from);
+                  tp_scene *scene, uint32_t *from);
 
 /* Returns the input of a picture, for replay; NULL: not kept. */
 const tp_input *rewind_input(const rewind_history *p, uint32_t picture);

@@ -28,7 +28,7 @@ typedef enum { TAKEN, EMPTY, FULL } fill;
 
 struct session {
     char   *folder, *ini;       /* ini: session.ini in the folder */
-    snapshot_store    keep;               /* .build and .failed */
+    snapshot_store keep;        /* .build and .failed */
     bool    failed;             /* writing has failed, after a message */
     /* State to be written.  Owned by the thread while FULL, by session_put while TAKEN;
      * initially TAKEN, owned by the thread. */
@@ -44,7 +44,7 @@ struct session {
     bool    end;
 };
 
-/* -- writing --------------------------------------------------------------------- */
+/* -- writing ------------------------------------------------------------------------- */
 
 static bool is_written(const session *s)
 {
@@ -136,7 +136,7 @@ static void *work(void *user)
     return NULL;
 }
 
-/* -- collecting the state -------------------------------------------------------- */
+/* -- collecting the state ------------------------------------------------------------ */
 
 static bool copy_world(session *s, const tp_world *world, size_t bytes)
 {
@@ -206,7 +206,7 @@ int session_put(session *s, const scene_file *file, const tp_assets *assets,
     return code;
 }
 
-/* -- beginning and end ----------------------------------------------------------- */
+/* -- beginning and end --------------------------------------------------------------- */
 
 static void say_once(const char *folder, int why)
 {
@@ -263,7 +263,7 @@ void session_end(session *s)
     release(s);
 }
 
-/* -- resuming -------------------------------------------------------------------- */
+/* -- resuming ------------------------------------------------------------------------ */
 
 bool session_world(const tp_scene *scene, const tp_assets *assets, tp_world *world,
                    size_t bytes, uint32_t *picture)

@@ -19,7 +19,7 @@
 #define PART 120                /* bytes of a value per line */
 #define HEAD "# State of `tidepool view`, for --resume.\n[session]\nworld = "
 
-/* -- the folder ------------------------------------------------------------------ */
+/* -- the folder ---------------------------------------------------------------------- */
 
 /* Makes a folder and its parents like mkdir -p, with mode 0700 as the XDG rules demand. */
 static bool make_folder(char *path)
@@ -54,7 +54,7 @@ char *session_folder(bool make, int *why)
     return NULL;
 }
 
-/* -- writing --------------------------------------------------------------------- */
+/* -- writing ------------------------------------------------------------------------- */
 
 static void put_value(FILE *to, const char *name, const char *value)
 {
@@ -146,7 +146,7 @@ void session_nameless(tp_scene *to, const tp_scene *scene)
             (void)tp_param_set(to, &params[i], "", 0, NULL);
 }
 
-/* -- reading --------------------------------------------------------------------- */
+/* -- reading ------------------------------------------------------------------------- */
 
 static char *slurp(FILE *file)
 {
@@ -191,7 +191,7 @@ char *session_load(const char *folder, session_world_name *world, int *code)
     return text;
 }
 
-/* -- settings -------------------------------------------------------------------- */
+/* -- settings ------------------------------------------------------------------------ */
 
 typedef struct {
     char    last[160];          /* name of the last line */

@@ -19,7 +19,7 @@ static undo_edit *edit_slot(undo_edits *e, uint32_t i)
     return &e->of[(e->first + i) % UNDO_EDITS];
 }
 
-/* -- worlds ------------------------------------------------------------------------ */
+/* -- worlds -------------------------------------------------------------------------- */
 
 void undo_edits_release_world(undo_edits *e, undo_world *world)
 {
@@ -69,7 +69,7 @@ void undo_edits_forget_worlds(undo_edits *e)
         let_go_both(e, edit_slot(e, i));
 }
 
-/* -- the ring ---------------------------------------------------------------------- */
+/* -- the ring ------------------------------------------------------------------------ */
 
 /* Removes the last edit. */
 static void drop_last(undo_edits *e)
@@ -158,7 +158,7 @@ static const tp_param *row_param(uint32_t row)
     return &tp_params(&count)[row];
 }
 
-/* -- the camera -------------------------------------------------------------------- */
+/* -- the camera ---------------------------------------------------------------------- */
 
 /* The camera's members are contiguous in a world: CAMERA_BYTES from `eye` on. */
 #define CAMERA       offsetof(tp_world, eye)
@@ -190,7 +190,7 @@ static bool still_stands(const loaded_scene *s, const undo_world *was)
         && memcmp(now + behind, then + behind, was->bytes - behind) == 0;
 }
 
-/* -- changes ----------------------------------------------------------------------- */
+/* -- changes ------------------------------------------------------------------------- */
 
 /* A drag is one change as long as nothing else happens: a moved camera ends the change. */
 static void part(undo_edits *e, const loaded_scene *s, uint32_t row)
@@ -240,7 +240,7 @@ int undo_set(undo_edits *e, loaded_scene *s, const options *o, const undo_change
     return EXIT_DONE;
 }
 
-/* -- undo and redo ----------------------------------------------------------------- */
+/* -- undo and redo ------------------------------------------------------------------- */
 
 /* Restores the world before the change, but keeps a camera moved since. */
 static undo_result put_world(loaded_scene *s, const undo_edit *change,

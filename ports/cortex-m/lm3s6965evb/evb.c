@@ -48,7 +48,7 @@ enum { CORE_VECTORS = 16, UART_IRQ = 5, VECTORS = CORE_VECTORS + UART_IRQ + 1 };
 
 void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
 
-/* -- clock -------------------------------------------------------------------------- */
+/* -- clock --------------------------------------------------------------------------- */
 
 /* Switches to the PLL.  If the PLL does not lock, the slow clock stays on, and the water
  * is slow. */

@@ -44,7 +44,7 @@ TRACE_MARK(count_as_frame)
 TRACE_MARK(count_as_tiles)
 TRACE_MARK(count_end)
 
-/* -- memory ------------------------------------------------------------------------- */
+/* -- memory -------------------------------------------------------------------------- */
 
 static void say(const char *what, size_t n)
 {

@@ -93,7 +93,7 @@ static void place(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 
 typedef struct {
     const buoy       *b;
-    const tp_view   *view;
+    const tp_view    *view;
     const tp_gbuffer *samples;
     uint32_t          mark;
 } pen;

@@ -52,7 +52,7 @@ typedef struct {
     const void *rows;
 } tp_host_picture;
 
-/* -- a scene --------------------------------------------------------------------------- */
+/* -- a scene ------------------------------------------------------------------------- */
 
 /* Loads a scene file (INI) and the OBJ, PNGs and maps that it names, by paths relative
  * to the scene file.  The water is at tick 0.  The config is copied; NULL means all 0.
@@ -93,7 +93,7 @@ bool tp_host_get(const tp_host *host, const char *name, tp_host_value *value);
  * table of parameters.  False: there are no more. */
 bool tp_host_changed(const tp_host *host, uint32_t i, tp_host_value *value);
 
-/* -- the water ------------------------------------------------------------------------- */
+/* -- the water ----------------------------------------------------------------------- */
 
 /* The world, for the functions of tidepool/world.h.  The pointer is valid until the next
  * tp_host_set, tp_host_look or tp_host_close. */
@@ -117,7 +117,7 @@ bool tp_host_poke(tp_host *host, tp_fx x, tp_fx z);
  * a poke along the way.  False: the scene has no pool. */
 bool tp_host_stir(tp_host *host, tp_fx x, tp_fx z);
 
-/* -- camera modes ---------------------------------------------------------------------- */
+/* -- camera modes -------------------------------------------------------------------- */
 
 typedef enum {
     TP_HOST_FREE,   /* input moves the camera, from where it was free last */
@@ -136,7 +136,7 @@ typedef enum {
 bool tp_host_look(tp_host *host, tp_host_way way, tp_host_error *err);
 tp_host_way tp_host_get_way(const tp_host *host);
 
-/* -- pictures -------------------------------------------------------------------------- */
+/* -- pictures ------------------------------------------------------------------------ */
 
 /* Draws the world as it is now.  The picture is valid until the next tp_host_draw,
  * tp_host_save_png, tp_host_set, tp_host_look or tp_host_close.  NULL: an earlier

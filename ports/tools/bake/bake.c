@@ -296,7 +296,7 @@ static int prepare(tp_assets *names, const tp_scene *scene, void *memory[TP_BAKE
     return EXIT_DONE;
 }
 
-/* -- the command ---------------------------------------------------------------------- */
+/* -- the command --------------------------------------------------------------------- */
 
 static int write_file(bake *b, const options *o, const loaded_scene *s)
 {

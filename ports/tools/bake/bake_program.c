@@ -7,7 +7,7 @@
 #include "app/files/did_you_mean.h"
 #include "app/files/log.h"
 
-/* -- the options ---------------------------------------------------------------------- */
+/* -- the options --------------------------------------------------------------------- */
 
 bool bake_has_program(const options *o)
 {
@@ -38,7 +38,7 @@ static int refuse_piece(const char *option, const char *name, size_t length)
                     option, word, best.name);
 }
 
-/* Reads a list of pieces, as "drops,boat". */
+/* Reads a list of components, as "drops,boat". */
 static int read_pieces(component_set *to, const char *option, const char *list)
 {
     for (const char *c = list; c && *c; ) {
@@ -59,7 +59,7 @@ static int check_pieces(const component_search_request *wish)
     return EXIT_DONE;
 }
 
-/* -- the list ------------------------------------------------------------------------- */
+/* -- the list ------------------------------------------------------------------------ */
 
 /* Returns the scene with the rungs of the ladder named.  A program without a quality plan
  * draws with the named rungs. */
@@ -88,7 +88,7 @@ static tp_assets prepared_alone(const tp_assets *names)
     return lean;
 }
 
-/* Prints each piece that the scene asks for and the program lacks, by name, once. */
+/* Prints each component that the scene asks for and the program lacks, by name, once. */
 static int tell_lacks(const component_search_result *found, bool strict)
 {
     const char *last = "";
@@ -148,9 +148,9 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
     return code ? code : tell_lacks(&p->found, o->strict);
 }
 
-/* -- the file ------------------------------------------------------------------------- */
+/* -- the file ------------------------------------------------------------------------ */
 
-/* Prints the pieces of a set under a heading; for an empty set prints nothing. */
+/* Prints the components of a set under a heading; for an empty set prints nothing. */
 static void put_set(FILE *out, const char *heading, const component_set *set)
 {
     const char *before = "";

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The part of a baked file for linking a program: NAME_program lists the pieces that the
- * scene needs at one size and format; NAME_config has the size and the format. */
+/* The part of a baked file for linking a program: NAME_program lists the components that
+ * the scene needs at one size and format; NAME_config has the size and the format. */
 #ifndef TP_TOOLS_BAKE_BAKE_PROGRAM_H
 #define TP_TOOLS_BAKE_BAKE_PROGRAM_H
 #include <stdio.h>
@@ -25,7 +25,7 @@ int  bake_check_options(const options *o);
 int  bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
                        const tp_assets *assets, tp_assets *baked);
 
-/* Write the pieces as lines of the file's head, and the list. */
+/* Write the components as lines of the file's head, and the list. */
 void bake_put_pieces(const bake_program *p, FILE *out);
 void bake_put_program(const bake_program *p, FILE *out, const char *name);
 #endif

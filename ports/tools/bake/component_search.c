@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Searches the pieces that a program needs.  First all cameras are drawn with all pieces,
- * by stages that note when they run.  Then the search leaves out pieces, many at a time,
- * fewer at a time if the result changes, and compares the pictures of a few cameras.  The
- * resulting list is compared on all cameras.  A camera with a different picture joins the
- * few, and the search goes on.  The search ends with a list that is right for all
- * cameras. */
+/* Searches the components that a program needs.  First all cameras are drawn with all
+ * components, by stages that note when they run.  Then the search leaves out components,
+ * many at a time, fewer at a time if the result changes, and compares the pictures of a
+ * few cameras.  The resulting list is compared on all cameras.  A camera with a different
+ * picture joins the few, and the search goes on.  The search ends with a list that is
+ * right for all cameras. */
 #include "component_search.h"
 #include <stdlib.h>
 #include <string.h>
@@ -16,18 +16,18 @@
 typedef struct {
     const component_search_request *wish;
     dry_run         run;
-    dry_run_picture    *want;       /* picture of each camera, drawn with all pieces */
+    dry_run_picture *want;          /* picture of each camera, drawn with all components */
     uint32_t       *few;
     uint32_t        n_few;
-    component_set       in;         /* current list */
-    component_set       needed;     /* pieces that are never left out */
-    component_set       moved;      /* last set with the same world steps as all pieces */
-    component_list      list;
+    component_set   in;             /* current list */
+    component_set   needed;         /* components that are never left out */
+    component_set   moved;          /* last set that steps worlds as all components do */
+    component_list  list;
     bool            lean;           /* draw with the reduced assets */
     int             code;           /* error that stopped the search */
 } component_search;
 
-/* -- programs ------------------------------------------------------------------------- */
+/* -- programs ------------------------------------------------------------------------ */
 
 static bool is_plan(size_t i)
 {
@@ -61,7 +61,7 @@ static component_set everything(const component_search_request *wish)
     return all;
 }
 
-/* -- comparing ------------------------------------------------------------------------ */
+/* -- comparing ----------------------------------------------------------------------- */
 
 static bool moves_as(const component_set *a, const component_set *b)
 {
@@ -71,8 +71,8 @@ static bool moves_as(const component_set *a, const component_set *b)
     return true;
 }
 
-/* True if a program steps the worlds as all pieces do.  Stepping is slow: a set with the
- * same moving pieces as the last set is not stepped again. */
+/* True if a program steps the worlds as all components do.  Stepping is slow: a set with
+ * the same moving components as the last set is not stepped again. */
 static bool moves_same(component_search *s, const component_set *set,
                        const dry_run_program *by)
 {
@@ -100,11 +100,12 @@ static bool will_do(component_search *s, const component_set *set, bool all,
     return !s->code && first == s->run.cameras && moves_same(s, set, &by);
 }
 
-/* -- pieces needed for sure ----------------------------------------------------------- */
+/* -- components needed for sure ------------------------------------------------------ */
 
-/* A piece is needed if the memory shrinks without the piece, even if the piece is rarely
- * visible.  A module's drawing, with no part in the world, is needed only if its module is
- * needed, or if a user acts there: other cameras may then see the drawing. */
+/* A component is needed if the memory shrinks without the component, even if the
+ * component is rarely visible.  A module's drawing, with no part in the world, is needed
+ * only if its module is needed, or if a user acts there: other cameras may then see the
+ * drawing. */
 static void need_what_takes_memory(component_search *s)
 {
     const component_search_request *wish = s->wish;
@@ -158,8 +159,8 @@ static void require_active_modules(component_search *s)
     }
 }
 
-/* Pieces needed for every picture, and the plan for each program that chooses rungs at run
- * time. */
+/* Components needed for every picture, and the plan for each program that chooses rungs
+ * at run time. */
 static void need_always(component_search *s)
 {
     static const char *const always[] = { "sky", "plain" };
@@ -173,9 +174,9 @@ static void need_always(component_search *s)
     }
 }
 
-/* -- leaving out ---------------------------------------------------------------------- */
+/* -- leaving out --------------------------------------------------------------------- */
 
-/* Leaves out of s->in as many of the listed pieces as the few cameras allow. */
+/* Leaves out of s->in as many of the listed components as the few cameras allow. */
 static void remove_unneeded(component_search *s, const uint32_t *which, uint32_t count)
 {
     component_set less = s->in;
@@ -192,8 +193,8 @@ static void remove_unneeded(component_search *s, const uint32_t *which, uint32_t
     }
 }
 
-/* Leaves out pieces until nothing changes.  If two pieces can replace each other, leaving
- * out either may make a third piece needless. */
+/* Leaves out components until nothing changes.  If two components can replace each other,
+ * leaving out either may make a third component needless. */
 static void leave_out_all(component_search *s, const component_set *of)
 {
     uint32_t which[COMPONENTS_MOST] = { 0 }, count, before;
@@ -211,8 +212,9 @@ static void leave_out_all(component_search *s, const component_set *of)
     } while (before > 0 && !s->code);
 }
 
-/* Adds a camera to the few.  All pieces come back, and the pieces that are needless for the
- * new camera too are left out again.  False: the picture is wrong even with all pieces. */
+/* Adds a camera to the few.  All components come back, and the components that are
+ * needless for the new camera too are left out again.  False: the picture is wrong even
+ * with all components. */
 static bool add_camera(component_search *s, uint32_t camera)
 {
     const component_set all = everything(s->wish);
@@ -251,8 +253,8 @@ static int refuse(const component_search *s, uint32_t camera)
                     place[0], place[1], place[2]);
 }
 
-/* Leaves out the stages that did not run, then other pieces.  False: no list is right for
- * all cameras; *differs: the first camera with a wrong picture. */
+/* Leaves out the stages that did not run, then other components.  False: no list is right
+ * for all cameras; *differs: the first camera with a wrong picture. */
 static bool narrow(component_search *s, uint32_t *differs)
 {
     component_set idle = { .has = { false } }, parts = { .has = { false } };
@@ -301,7 +303,7 @@ static int find(component_search *s)
     return narrow(s, &differs) ? EXIT_DONE : refuse(s, differs);
 }
 
-/* -- missing pieces ------------------------------------------------------------------- */
+/* -- missing components -------------------------------------------------------------- */
 
 static bool has_any(const component_set *set)
 {
@@ -311,7 +313,7 @@ static bool has_any(const component_set *set)
     return false;
 }
 
-/* Finds each piece of `without` that alone would change a picture or the world. */
+/* Finds each component of `without` that alone would change a picture or the world. */
 static int find_lacks(component_search *s, component_set *lacks)
 {
     const component_search_request *wish = s->wish;
@@ -352,7 +354,7 @@ static component_set refused_modules(const component_search_request *wish,
     return refused;
 }
 
-/* -- the search ----------------------------------------------------------------------- */
+/* -- the search ---------------------------------------------------------------------- */
 
 static int open_search(component_search *s, const component_search_request *wish)
 {

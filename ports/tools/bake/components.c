@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The table of pieces, made from the lists of tidepool/modules.h: a piece added or removed
- * there needs no change here. */
+/* The table of components, made from the lists of tidepool/modules.h: a component added
+ * or removed there needs no change here. */
 #include "components.h"
 #include <inttypes.h>
 #include <stdatomic.h>
@@ -8,7 +8,7 @@
 #include <string.h>
 #include "world/module.h"
 
-/* -- the rows ------------------------------------------------------------------------- */
+/* -- the rows ------------------------------------------------------------------------ */
 
 const component components[] = {
 #define X(x) { #x, COMPONENT_STAGE },
@@ -36,7 +36,8 @@ const size_t component_count = sizeof components / sizeof *components;
 _Static_assert(sizeof components / sizeof *components <= COMPONENTS_MOST,
                "a set holds all pieces");
 
-/* The code of a piece: a stage, a pointer in a program with its offset there, or a use. */
+/* The code of a component: a stage, a pointer in a program with its offset there, or a
+ * use. */
 typedef struct {
     tp_stage    stage, watched;
     const void *part;
@@ -45,7 +46,7 @@ typedef struct {
     tp_lack     lack;
 } meaning;
 
-/* -- watched stages ------------------------------------------------------------------- */
+/* -- watched stages ------------------------------------------------------------------ */
 
 /* Indices of stages in the order of the rows above; stages of parts are counted but not
  * used. */
@@ -116,7 +117,7 @@ bool components_have_run(size_t i)
     return component_is_stage(i) && atomic_load(&ran[at]);
 }
 
-/* -- a list --------------------------------------------------------------------------- */
+/* -- a list -------------------------------------------------------------------------- */
 
 /* Sets a program's member at its offset; all pointers to parts have the same size. */
 static void put(tp_program *program, const meaning *m, tp_stage stage)
@@ -171,7 +172,7 @@ void components_list_traced(component_list *to, const component_set *of,
     make(to, of, terms, true);
 }
 
-/* Returns the number of the set's modules before a piece. */
+/* Returns the number of the set's modules before a component. */
 static uint32_t count_earlier_modules(const component_set *of, size_t i)
 {
     uint32_t above = 0;
@@ -195,7 +196,7 @@ bool component_is_active(size_t i, const component_set *of, const component_term
     return tp_program_check_all(&list.program, scene, assets, NULL) == TP_E_PROGRAM;
 }
 
-/* -- names ---------------------------------------------------------------------------- */
+/* -- names --------------------------------------------------------------------------- */
 
 bool components_add_named(component_set *to, const char *name, size_t length)
 {
@@ -249,7 +250,7 @@ const char *component_kind_name(size_t i)
     return word[components[i].kind];
 }
 
-/* -- as text -------------------------------------------------------------------------- */
+/* -- as text ------------------------------------------------------------------------- */
 
 static const char *piece_symbol(size_t i, const component_terms *terms)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The pieces of a program list, named as in the lists of tidepool/modules.h, and a program
- * list made from a set of pieces. */
+/* The components of a program list, named as in the lists of tidepool/modules.h, and a
+ * program list made from a set of components. */
 #ifndef TP_TOOLS_BAKE_COMPONENTS_H
 #define TP_TOOLS_BAKE_COMPONENTS_H
 #include <stdbool.h>
@@ -23,12 +23,12 @@ typedef struct {
 extern const component  components[];
 extern const size_t component_count;        /* up to COMPONENTS_MOST */
 
-/* A set of pieces, by their indices. */
+/* A set of components, by their indices. */
 typedef struct {
     bool has[COMPONENTS_MOST];
 } component_set;
 
-/* Settings of a list beside its pieces. */
+/* Settings of a list beside its components. */
 typedef struct {
     tp_format format;           /* pixel format */
     bool      streams;          /* grid vertices are not stored: tp_method_streamed */
@@ -55,14 +55,14 @@ void components_list_traced(component_list *to, const component_set *of,
 void components_forget(void);
 bool components_have_run(size_t i);
 
-/* Adds all pieces with a name, a module with its drawing and stages; false: no such
+/* Adds all components with a name, a module with its drawing and stages; false: no such
  * name. */
 bool components_add_named(component_set *to, const char *name, size_t length);
 
 /* Adds the wave models of the water that modules of the set need. */
 void components_add_models(component_set *set);
 
-/* True if a piece belongs to the world: a wave model or a module. */
+/* True if a component belongs to the world: a wave model or a module. */
 bool component_is_in_world(size_t i);
 
 static inline bool component_is_stage(size_t i)
@@ -74,7 +74,8 @@ static inline bool component_is_stage(size_t i)
 /* Returns the kind in words: "stage" of "stage sky", "module" of "module foam". */
 const char *component_kind_name(size_t i);
 
-/* True if the scene switches the module on, with the set's other pieces in the program. */
+/* True if the scene switches the module on, with the set's other components in the
+ * program. */
 bool component_is_active(size_t i, const component_set *of, const component_terms *terms,
                          const tp_scene *scene, const tp_assets *assets);
 

@@ -15,7 +15,7 @@
 #define CAMERAS 8               /* cameras per moment if a user acts */
 #define BAND    48              /* rows of a tile; every tiling draws the same bits */
 
-/* -- random numbers ------------------------------------------------------------------- */
+/* -- random numbers ------------------------------------------------------------------ */
 
 static uint32_t next(uint64_t *state)
 {
@@ -37,7 +37,7 @@ static tp_fx metres(uint64_t *state, int32_t low_mm, int32_t high_mm)
     return (tp_fx)((int64_t)between(state, low_mm, high_mm) * TP_FX_ONE / 1000);
 }
 
-/* -- the world ------------------------------------------------------------------------ */
+/* -- the world ----------------------------------------------------------------------- */
 
 /* Returns a random input of a player: steers, drops, pushes the water, turns the light. */
 static tp_input random_input(uint64_t *state)
@@ -91,7 +91,7 @@ bool dry_run_moves_same(const dry_run *d, const dry_run_program *by)
     return same;
 }
 
-/* -- cameras -------------------------------------------------------------------------- */
+/* -- cameras ------------------------------------------------------------------------- */
 
 static const tp_world *moment_world(const dry_run *d, uint32_t moment)
 {
@@ -188,7 +188,7 @@ void dry_run_close(dry_run *d)
     *d = (dry_run){ 0 };
 }
 
-/* -- pictures ------------------------------------------------------------------------- */
+/* -- pictures ------------------------------------------------------------------------ */
 
 typedef struct {
     const dry_run     *run;

@@ -29,7 +29,7 @@ typedef struct {
 } dry_run_picture;
 
 typedef struct {
-    tp_config config;
+    tp_config   config;
     tp_ladder   ladder;
     bool        acts;
     size_t      world_bytes;

@@ -116,7 +116,7 @@ bool bench_add(bench_list *list, const bench_figure *figure)
     return true;
 }
 
-/* -- cases ------------------------------------------------------------------------- */
+/* -- cases --------------------------------------------------------------------------- */
 
 static size_t append_word(const tp_scene *scene, const char *name, char *text, size_t at)
 {
@@ -184,7 +184,7 @@ static bool add_cases(bench_list *list, const options *o)
     return true;
 }
 
-/* -- measuring --------------------------------------------------------------------- */
+/* -- measuring ----------------------------------------------------------------------- */
 
 static int measure(bench_list *list, bench_scene *s, const options *o)
 {

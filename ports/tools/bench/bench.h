@@ -33,7 +33,7 @@ typedef struct {
 bool bench_same_case(const bench_figure *a, const bench_figure *b);
 bool bench_add(bench_list *list, const bench_figure *figure);   /* false: no memory */
 
-/* -- bench_draw.c: frames of this engine ------------------------------------------- */
+/* -- bench_draw.c: frames of this engine --------------------------------------------- */
 
 /* Measures the times of one round.  Round 0 also counts pixels of water and sets
  * `decibels`, or, if `first`, keeps the picture.  With a folder, round 0 writes the picture
@@ -45,7 +45,7 @@ int bench_draw(bench_list *list, bench_scene *s, bench_figure *f, int round, boo
 double bench_decibels(const bench_list *list, const bench_figure *f,
                       const uint32_t *pixels);
 
-/* -- bench_peers.c: other renderers, in the project's folder ------------------------ */
+/* -- bench_peers.c: other renderers, in the project's folder ------------------------- */
 
 #define BENCH_FOLDER "build/bench"      /* folder of pictures */
 

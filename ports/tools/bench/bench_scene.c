@@ -90,7 +90,7 @@ static void bench_map_fill(bench_map map, uint32_t *texels)
         texels[i] = sample_map(map, i % BENCH_MAP, i / BENCH_MAP);
 }
 
-/* -- a sky ----------------------------------------------------------------------- */
+/* -- a sky --------------------------------------------------------------------------- */
 
 /* Returns the direction through a point of a cube's face; right, down: -128..128 in units
  * of 1/128 of half the face. */
@@ -137,7 +137,7 @@ static void bench_face_fill(int face, uint32_t *texels)
 
 const char *const bench_work_name[BENCH_WORKS] = { "plain", "full", "smooth" };
 
-/* -- textures -------------------------------------------------------------------- */
+/* -- textures ------------------------------------------------------------------------ */
 
 static size_t texture_word_count(uint32_t side)
 {
@@ -177,7 +177,7 @@ void bench_scene_close(bench_scene *s)
     s->memory = NULL;
 }
 
-/* -- the scene ------------------------------------------------------------------- */
+/* -- the scene ----------------------------------------------------------------------- */
 
 static void set_sea(tp_scene *s, uint32_t points)
 {

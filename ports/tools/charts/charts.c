@@ -15,7 +15,7 @@
 #include "app/files/log.h"
 #include "app/files/path.h"
 
-/* -- requirements ------------------------------------------------------------------- */
+/* -- requirements -------------------------------------------------------------------- */
 
 static int check_place(const options *o)
 {
@@ -56,7 +56,7 @@ static int make_folder(const char *dir)
     return fits ? EXIT_DONE : log_fail(EXIT_INPUT, "%s: %s", dir, strerror(error));
 }
 
-/* -- a sweep ------------------------------------------------------------------------ */
+/* -- a sweep ------------------------------------------------------------------------- */
 
 static int list_jobs(const charts *c, const options *o)
 {

@@ -36,7 +36,7 @@ chart *charts_find(const charts *c, const char *name);
 /* Returns "folder/NAME.suffix", which the caller frees; NULL: no memory. */
 char *chart_path(const char *folder, const chart *of, const char *suffix);
 
-/* -- cells: charts_rows.c, charts_table.c ------------------------------------------ */
+/* -- cells: charts_rows.c, charts_table.c -------------------------------------------- */
 
 typedef struct {
     const chart *chart;
@@ -67,7 +67,7 @@ int  chart_write(const chart *of, const chart_cells *all, const char *dir, bool 
  * of words also sort by value. */
 int  charts_natural_order(const char *a, const char *b, const char *separators);
 
-/* -- jobs: charts_jobs.c, charts_run.c ---------------------------------------------- */
+/* -- jobs: charts_jobs.c, charts_run.c ----------------------------------------------- */
 
 typedef struct {
     char *command;              /* command line of a shell */
@@ -103,7 +103,7 @@ bool chart_jobs_add(chart_jobs *jobs, char *command, char *rows);
 int  chart_jobs_run(chart_jobs *jobs, unsigned most, const char *what);
 void chart_jobs_stop(const chart_jobs *jobs);
 
-/* -- pictures and the page: charts_draw.c, charts_page.c ---------------------------- */
+/* -- pictures and the page: charts_draw.c, charts_page.c ----------------------------- */
 
 int charts_draw(const charts *c, const bool *written, const char *dir, unsigned most);
 int charts_page(const charts *c, const char *dir);

@@ -137,7 +137,7 @@ static bool add_picture(chart_jobs *jobs, const places *at, const chart *of)
     return true;
 }
 
-/* -- the temporary folder ----------------------------------------------------------- */
+/* -- the temporary folder ------------------------------------------------------------ */
 
 /* Makes a private folder and returns its name, which the caller frees.  Returns NULL after
  * printing the reason. */
@@ -208,7 +208,7 @@ static int settle(const chart *of, const places *at)
     return code;
 }
 
-/* -- all charts --------------------------------------------------------------------- */
+/* -- all charts ---------------------------------------------------------------------- */
 
 static bool has_gnuplot(void)
 {

@@ -92,7 +92,7 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
     return held && (known || refuse_name(c, line, name));
 }
 
-/* -- consistency -------------------------------------------------------------------- */
+/* -- consistency --------------------------------------------------------------------- */
 
 static int wrong(const chart *c, const char *what, const char *word)
 {
@@ -159,7 +159,7 @@ static int check(const chart *c)
     return code ? code : check_names(c);
 }
 
-/* -- all charts --------------------------------------------------------------------- */
+/* -- all charts ---------------------------------------------------------------------- */
 
 char *chart_path(const char *folder, const chart *of, const char *suffix)
 {

@@ -135,7 +135,7 @@ void chart_jobs_free(chart_jobs *jobs)
     *jobs = (chart_jobs){ 0 };
 }
 
-/* -- stored rows ---------------------------------------------------------------------- */
+/* -- stored rows --------------------------------------------------------------------- */
 
 static struct timespec later(struct timespec a, struct timespec b)
 {

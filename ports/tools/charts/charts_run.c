@@ -31,7 +31,7 @@ typedef struct {
     const char *what;           /* noun for messages, as "jobs" */
 } job_sweep;
 
-/* -- signals ------------------------------------------------------------------------ */
+/* -- signals ------------------------------------------------------------------------- */
 
 /* Blocks the signals.  Ignored signals stay ignored.  SIGCHLD is blocked too: otherwise a
  * child that ends between waitpid and sigtimedwait would be missed. */
@@ -53,7 +53,7 @@ void charts_release(const chart_hold *h)
     sigprocmask(SIG_SETMASK, &h->before, NULL);
 }
 
-/* -- one job ------------------------------------------------------------------------ */
+/* -- one job ------------------------------------------------------------------------- */
 
 static char *partial_rows_path(const chart_job *job)
 {
@@ -130,7 +130,7 @@ static void end_job(chart_job *job, int status, bool stopped)
     free(part);
 }
 
-/* -- all jobs ----------------------------------------------------------------------- */
+/* -- all jobs ------------------------------------------------------------------------ */
 
 static chart_job *next_job(const chart_jobs *jobs, bool timed)
 {

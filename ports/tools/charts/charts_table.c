@@ -57,7 +57,7 @@ static int table_fill(table *t, const chart_cells *all)
     return EXIT_DONE;
 }
 
-/* -- the Pareto front --------------------------------------------------------------- */
+/* -- the Pareto front ---------------------------------------------------------------- */
 
 /* Returns the key with index `number`; *bytes: its length. */
 static const char *nth_key(const char *keys, int number, size_t *bytes)
@@ -126,7 +126,7 @@ static int find_front(table *t)
     return code;
 }
 
-/* -- writing ------------------------------------------------------------------------ */
+/* -- writing ------------------------------------------------------------------------- */
 
 static void tell_missing(const table *t)
 {

@@ -29,7 +29,7 @@ static const struct {
 
 #define MODELS (sizeof models / sizeof *models)
 
-/* -- functions for models ---------------------------------------------------------- */
+/* -- functions for models ------------------------------------------------------------ */
 
 const double *check_row(const check_run *run, unsigned row)
 {
@@ -87,7 +87,7 @@ void check_progress(const check_run *run, unsigned row)
     log_progress(text);
 }
 
-/* -- values ------------------------------------------------------------------------ */
+/* -- values -------------------------------------------------------------------------- */
 
 static int refuse_range(const check_run *run, unsigned line, const check_field *field,
                         double value)
@@ -153,7 +153,7 @@ static int read_rows(check_run *run)
     return EXIT_DONE;
 }
 
-/* -- parameter lines --------------------------------------------------------------- */
+/* -- parameter lines ----------------------------------------------------------------- */
 
 /* True if the line has the form of the note; `value` gets the numbers in place of each
  * '%'. */
@@ -215,7 +215,7 @@ static int read_notes(check_run *run)
     return EXIT_DONE;
 }
 
-/* -- columns ----------------------------------------------------------------------- */
+/* -- columns ------------------------------------------------------------------------- */
 
 static int refuse_column(const check_run *run, const char *name)
 {
@@ -259,7 +259,7 @@ static int place_columns(check_run *run)
     return EXIT_DONE;
 }
 
-/* -- the table --------------------------------------------------------------------- */
+/* -- the table ----------------------------------------------------------------------- */
 
 static void print_heading(void)
 {
@@ -295,7 +295,7 @@ static int print_quantities(const check_run *run)
     return code;
 }
 
-/* -- files ------------------------------------------------------------------------- */
+/* -- files --------------------------------------------------------------------------- */
 
 static const check_model *find_model(const char *folder, const char *file)
 {

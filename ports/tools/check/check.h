@@ -106,7 +106,7 @@ int check_refuse_line(const check_run *run, unsigned note, unsigned i, const cha
 /* Shows the progress on a terminal; for models that take seconds. */
 void check_progress(const check_run *run, unsigned row);
 
-/* -- ranges shared by several tables ----------------------------------------------- */
+/* -- ranges shared by several tables ------------------------------------------------- */
 
 /* Tables hold doubles: a value of 1 may appear as 1.0000000000000002. */
 #define CHECK_ONE     (1 + 1e-9)
@@ -125,7 +125,7 @@ void check_progress(const check_run *run, unsigned row);
  * formula. */
 #define CHECK_WAVES(n) { .name = n, .low = 0.003, .high = 1310 }
 
-/* -- conversions from doubles to the core's formats and back ----------------------- */
+/* -- conversions from doubles to the core's formats and back ------------------------- */
 
 #define CHECK_PI 3.14159265358979323846
 
@@ -139,7 +139,7 @@ double check_wrapped(double radians);       /* reduced to -pi..pi */
 double check_angle(tp_dir3 got, const double want[3]);  /* angle between both, degrees */
 double check_percent(double got, double want);  /* excess of got over want, % */
 
-/* -- rounding of table values to 16.16 ---------------------------------------------- */
+/* -- rounding of table values to 16.16 ----------------------------------------------- */
 
 #define CHECK_HALF (1 / 131072.0)           /* half of the last bit of 16.16 */
 

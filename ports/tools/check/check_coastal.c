@@ -15,7 +15,7 @@
  * 128. */
 #define OFFSET(n) { .name = n, .low = -1000, .high = 1000 }
 
-/* -- orbits ------------------------------------------------------------------------ */
+/* -- orbits -------------------------------------------------------------------------- */
 
 enum { R, H, GAMMA_AT, K };         /* the first columns of both files */
 
@@ -110,7 +110,7 @@ const check_model check_fr_orbit = {
     .run = run_fr_orbit,
 };
 
-/* -- breaking crests --------------------------------------------------------------- */
+/* -- breaking crests ----------------------------------------------------------------- */
 
 enum { STRETCH_MOST = 4, KS, KD, PHI, PHI_MIN, P, STRETCH, DISPLACEMENT, ORIENTATION,
        GATE, X, Y };

@@ -38,7 +38,7 @@ static bool on_the_edge(double x, double limit, double lost)
     return fabs(x / limit - 1) < 1e-4 + lost;
 }
 
-/* -- dispersion -------------------------------------------------------------------- */
+/* -- dispersion ---------------------------------------------------------------------- */
 
 enum { D_T, D_H, D_OMEGA, D_KINF, D_K, D_ECKART, D_FENTON, D_NEWTON, D_L, D_C, D_CG, D_KS,
        D_CLASS };
@@ -94,7 +94,7 @@ const check_model check_dispersion = {
     .each = each_dispersion,
 };
 
-/* -- phase over a coast ------------------------------------------------------------ */
+/* -- phase over a coast -------------------------------------------------------------- */
 
 enum { S_T, S_H0, S_SLOPE, S_THETA, S_X, S_H, S_K, S_KZ, S_ANGLE, S_PHASE, S_ECKART };
 
@@ -179,7 +179,7 @@ const check_model check_shoaling_phase = {
     .run = run_shoaling_phase,
 };
 
-/* -- wind -------------------------------------------------------------------------- */
+/* -- wind ---------------------------------------------------------------------------- */
 
 static const check_field wind_columns[] = {
     { .name = "r", .low = 0.001, .high = 64 },
@@ -219,7 +219,7 @@ const check_model check_wind_phase = {
     .run = run_wind_phase,
 };
 
-/* -- criteria of breaking ---------------------------------------------------------- */
+/* -- criteria of breaking ------------------------------------------------------------ */
 
 enum { C_T, C_H0, C_H, C_SLOPE, C_K, C_KS, C_HEIGHT, C_OVER_L, C_OVER_H, C_STEEP, C_DEPTH,
        C_MICHE, C_H_MICHE, C_XI0, C_TYPE };

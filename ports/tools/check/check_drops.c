@@ -13,7 +13,7 @@
 #define PLACE(n)  { .name = n, .low = -32767, .high = 32767 }
 #define HEIGHT(n) { .name = n, .low = -64, .high = 64 }
 
-/* -- rings ------------------------------------------------------------------------- */
+/* -- rings --------------------------------------------------------------------------- */
 
 static const check_field ring_columns[] = {
     PLACE("x"), PLACE("z"), CHECK_TIME("t"), HEIGHT("y"), CHECK_ANY("dydx"),
@@ -132,7 +132,7 @@ const check_model check_droplet_waves = {
     .each = each_ring_row,
 };
 
-/* -- drops ------------------------------------------------------------------------- */
+/* -- drops --------------------------------------------------------------------------- */
 
 enum { CASE, Y0, E, EFF, B, T, M, RAD, V, LOST, LENGTH, A0 };
 
@@ -254,7 +254,7 @@ const check_model check_drop_bounce = {
     .run = run_drop_bounce,
 };
 
-/* -- the clock --------------------------------------------------------------------- */
+/* -- the clock ----------------------------------------------------------------------- */
 
 static const check_field clock_columns[] = {
     { .name = "frame", .high = 1e9, .kind = CHECK_WHOLE },

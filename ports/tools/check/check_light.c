@@ -10,7 +10,7 @@
 
 #define SHARE(n) { .name = n, .high = CHECK_ONE }
 
-/* -- Fresnel ----------------------------------------------------------------------- */
+/* -- Fresnel ------------------------------------------------------------------------- */
 
 static const check_field fresnel_columns[] = {
     SHARE("cos_i"), SHARE("Rs"), SHARE("Rp"), SHARE("R_exact"), SHARE("R_schlick"),
@@ -30,7 +30,7 @@ const check_model check_fresnel = {
     .each = each_fresnel,
 };
 
-/* -- rays -------------------------------------------------------------------------- */
+/* -- rays ---------------------------------------------------------------------------- */
 
 static const check_field ray_columns[] = {
     CHECK_UNIT("ix"), CHECK_UNIT("iy"), CHECK_UNIT("iz"), CHECK_UNIT("nx"),
@@ -82,7 +82,7 @@ const check_model check_reflect_refract = {
     .each = each_ray,
 };
 
-/* -- exposure ---------------------------------------------------------------------- */
+/* -- exposure ------------------------------------------------------------------------ */
 
 static const check_field exposure_columns[] = {
     { .name = "tick", .high = 1e9, .kind = CHECK_WHOLE },

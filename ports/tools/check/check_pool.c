@@ -30,7 +30,7 @@ int check_pool_refuse(const check_run *run, unsigned row, const check_pool_shape
                         check_metres(shape->courant), (unsigned)shape->damping);
 }
 
-/* -- bit for bit ------------------------------------------------------------------- */
+/* -- bit for bit --------------------------------------------------------------------- */
 
 enum { CASE, BITS, N, M, R2Q, DM, INIT, STEP, GEAR, SUM_H, SUM_V, MAX_H, CRC };
 
@@ -103,7 +103,7 @@ static void digest_cell(digest *d, int32_t x)
 
 /* Sums the heights or the velocities of the open rows. */
 static digest digest_cells(const tp_pool *pool, const double *v, uint32_t crc,
-                        int32_t (*cell)(const tp_pool *pool, uint32_t col, uint32_t row))
+                           int32_t (*cell)(const tp_pool *pool, uint32_t col, uint32_t row))
 {
     digest d = { .crc = crc };
     for (uint32_t j = 0; j < (uint32_t)v[M]; j++)
@@ -178,7 +178,7 @@ const check_model check_automaton_int = {
     .run = run_automaton_int,
 };
 
-/* -- modes ------------------------------------------------------------------------- */
+/* -- modes --------------------------------------------------------------------------- */
 
 enum { MODE_N, MODE_M, MODE_P, MODE_Q, R2, DELTA, STEPS, MU, OMEGA, DISCRETE, FLUX };
 

@@ -23,7 +23,7 @@ typedef struct {
     unsigned      values, faults;
 } scene_check;
 
-/* -- lines ------------------------------------------------------------------------- */
+/* -- lines --------------------------------------------------------------------------- */
 
 static bool add_renamed(scene_check *c, uint32_t line, const old_name *name)
 {
@@ -57,7 +57,7 @@ static int check_lines(scene_check *c)
     return code ? code : c->faults ? EXIT_INPUT : EXIT_DONE;
 }
 
-/* -- old names --------------------------------------------------------------------- */
+/* -- old names ----------------------------------------------------------------------- */
 
 static const char *member(const char *name)
 {
@@ -113,7 +113,7 @@ static int rewrite(const scene_check *c)
     return code;
 }
 
-/* -- the scene --------------------------------------------------------------------- */
+/* -- the scene ----------------------------------------------------------------------- */
 
 static int check_world(loaded_scene *s, const options *o)
 {

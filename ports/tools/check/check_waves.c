@@ -19,7 +19,7 @@
 #define LENGTH    { .name = "L", .low = 0.25, .high = 2000 }
 #define LEAST     (1 / 65536.0)
 
-/* -- sine -------------------------------------------------------------------------- */
+/* -- sine ---------------------------------------------------------------------------- */
 
 static const check_field sine_columns[] = {
     { .name = "phase_u32", .high = 4294967295.0, .kind = CHECK_WHOLE },
@@ -46,7 +46,7 @@ const check_model check_sine = {
     .each = each_sine,
 };
 
-/* -- a sea from a table's parameter lines ------------------------------------------ */
+/* -- a sea from a table's parameter lines -------------------------------------------- */
 
 #define WAVE_TEXT "wave %: L=% k=% omega=% Dx=% Dz=% phase=% A=% Q=%" \
                   " (m, rad/m, rad/s, 1, 1, rad, m, 1)"
@@ -75,7 +75,7 @@ static check_wave make_wave(const double *p, bool sharp)
 typedef struct {
     check_wave wave[CHECK_LINES];
     unsigned   count;
-    tp_deep_water     deep;
+    tp_deep_water deep;
 } waves;
 
 static int read_waves(const check_run *run, bool sharp, waves *w)
@@ -129,7 +129,7 @@ static double place_error(const tp_surface_point *p, check_bound most, double x,
                      fabs(check_metres(p->position.z) - z)) / most.along);
 }
 
-/* -- sum of sines ------------------------------------------------------------------ */
+/* -- sum of sines -------------------------------------------------------------------- */
 
 static const check_field sum_columns[] = {
     PLACE("x"), PLACE("z"), CHECK_TIME("t"), HEIGHT("y"), CHECK_ANY("dydx"),
@@ -161,7 +161,7 @@ const check_model check_sum_of_sines = {
     .run = run_sum_of_sines,
 };
 
-/* -- sharpened sine ---------------------------------------------------------------- */
+/* -- sharpened sine ------------------------------------------------------------------ */
 
 /* A: up to 0.3 of the length, 2 pi m. */
 static const check_field sharp_columns[] = {
@@ -193,7 +193,7 @@ const check_model check_sharp_sine = {
     .each = each_sharp,
 };
 
-/* -- Gerstner ---------------------------------------------------------------------- */
+/* -- Gerstner ------------------------------------------------------------------------ */
 
 static const check_field single_columns[] = {
     LENGTH, { .name = "S", .high = 0.95 * CHECK_ONE },
@@ -279,7 +279,7 @@ const check_model check_gerstner_sum = {
     .run = run_gerstner_sum,
 };
 
-/* -- height above a fixed point ---------------------------------------------------- */
+/* -- height above a fixed point ------------------------------------------------------ */
 
 enum { STEPS = 5, FIRST_STEP = 6 };
 

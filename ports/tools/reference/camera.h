@@ -31,8 +31,8 @@ static inline ref_vec ref_vec_make(tp_vec3 v)
 }
 
 static inline ref_camera ref_camera_make(tp_vec3 eye, tp_turn heading, tp_turn pitch,
-                                       tp_fx fov, tp_fx near, uint32_t width,
-                                       uint32_t height)
+                                         tp_fx fov, tp_fx near, uint32_t width,
+                                         uint32_t height)
 {
     const double turn = 6.283185307179586476925 / 4294967296.0;
     const double h = heading * turn, p = pitch * turn;

@@ -24,7 +24,7 @@ static double across(double k, double kz)
 /* Amplitude A Ks Kr, capped by [B15] and by Miche's height. Miche's cap is never below the
  * part of it that the wave already has on deep water. */
 static double local_amplitude(const ref_coastal_wave *w, double k, double kz, double h,
-                           bool mapped)
+                              bool mapped)
 {
     const double kr = mapped ? 1
         : sqrt(fmax(across(w->deep.k, kz) / w->deep.k, 1 / 16.0)
@@ -48,7 +48,7 @@ static void bend(const ref_coastal *o, const ref_coastal_wave *w, double kz, dou
 }
 
 static ref_depth_node place_node(const ref_coastal *o, const ref_coastal_wave *w,
-                              const tp_scene *scene, double kz, int i)
+                                 const tp_scene *scene, double kz, int i)
 {
     const bool   deep = i == REF_DEPTHS - 1;
     const double h = table_depth(i), k = deep ? w->deep.k : ref_depth_number(w->deep.k, h);

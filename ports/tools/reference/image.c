@@ -122,8 +122,8 @@ void ref_image_draw(ref_image *image, const ref_scene *s, uint32_t width, uint32
 }
 
 bool ref_image_draw_size(ref_image *image, const ref_scene *s, uint32_t width,
-                       uint32_t height, uint32_t samples, uint32_t threads,
-                       ref_pace *pace)
+                         uint32_t height, uint32_t samples, uint32_t threads,
+                         ref_pace *pace)
 {
     ref_work w = { image, s, side_length(samples), pace, 0 };
     const bool there = allocate(image, width, height);

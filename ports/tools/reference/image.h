@@ -30,8 +30,8 @@ typedef struct {
 /* Draws like ref_image_draw but prints nothing. Returns false if the drawing was stopped or
  * memory is lacking; then there is nothing to free. */
 bool ref_image_draw_size(ref_image *image, const ref_scene *s, uint32_t width,
-                       uint32_t height, uint32_t samples, uint32_t threads,
-                       ref_pace *pace);
+                         uint32_t height, uint32_t samples, uint32_t threads,
+                         ref_pace *pace);
 void ref_image_free(ref_image *image);
 
 /* Colour of a pixel, rounded, 0x00RRGGBB. */

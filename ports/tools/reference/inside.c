@@ -31,7 +31,7 @@ static ref_colour through(const ref_scene *s, ref_colour seen, ref_colour body,
 }
 
 static ref_colour shade_from_water(const ref_scene *s, const ref_ray *ray,
-                             const ref_meeting *m, const ref_wet *wet)
+                                   const ref_meeting *m, const ref_wet *wet)
 {
     const ref_vec up = ref_water_normal(s, &m->water);
     const ref_vec n = ref_times_vec(up, ref_dot(up, ray->way) > 0 ? -1 : 1);
@@ -72,7 +72,7 @@ ref_colour ref_shade_water_depth(const ref_scene *s, const ref_ray *ray, int bou
 /* Colour behind the surface. The water's own light is three parts deep colour, one part lit
  * surface. */
 ref_colour ref_shade_refraction(const ref_scene *s, ref_vec at, ref_vec normal, ref_vec way,
-                      ref_colour lit)
+                                ref_colour lit)
 {
     const double spread = s->scene->water.dispersion / 65536.0;
     ref_colour seen = { { 0, 0, 0 } };

@@ -22,5 +22,5 @@ ref_colour ref_shade_water_depth(const ref_scene *s, const ref_ray *ray, int bou
 /* Colour seen through the surface at `at` along `way`; `lit` is the brightness of the
  * surface itself. Dispersion follows three rays with three indices. */
 ref_colour ref_shade_refraction(const ref_scene *s, ref_vec at, ref_vec normal, ref_vec way,
-                      ref_colour lit);
+                                ref_colour lit);
 #endif

@@ -36,7 +36,7 @@ static void widen(ref_box *box, ref_vec p)
 /* Quickselect (Hoare): moves the face that belongs at index `want` by order along the axis
  * to that index, with no greater face before it. */
 static void split_part(const ref_mesh *m, uint32_t *face, int64_t low, int64_t high,
-                    int64_t want, int axis)
+                       int64_t want, int axis)
 {
     while (low < high) {
         const double pivot = middle(m, face[(low + high) / 2], axis);

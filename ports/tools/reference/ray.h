@@ -26,7 +26,7 @@ bool ref_ray_meets(const ref_surface *s, const ref_ray *ray, double t0, double t
 /* Clips the interval of a ray to the space between two planes perpendicular to an axis.
  * Returns false if nothing is left. */
 static inline bool ref_ray_clip_slab(double from, double way, double low, double high,
-                                   double *t0, double *t1)
+                                     double *t0, double *t1)
 {
     if (way == 0)
         return from >= low && from <= high;

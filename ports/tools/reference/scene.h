@@ -38,7 +38,7 @@ typedef struct {
     double     ambient, haze;   /* ambient light, 0..1; haze, m */
     double     exposure;        /* exposure of the camera; 1: neutral */
     double     seconds;         /* since tick 0 */
-    bool       immersion;            /* the eye is under water */
+    bool       immersion;       /* the eye is under water */
     ref_mesh   boat, lids;
     ref_rows   boat_rows;
     ref_vec    boat_place;

@@ -18,7 +18,7 @@ typedef struct {
 } ref_offset;
 
 static inline ref_ellipse ref_orbit_make(double r, double h, double gamma, double k,
-                                       double k0, double kx, double ky)
+                                         double k0, double kx, double ky)
 {
     h = fmax(h, 1 / 16.0);
     r = fmin(r, 0.95 / k);

@@ -8,8 +8,8 @@
 
 /* -- extent -------------------------------------------------------------------------- */
 
-/* Width of a skirt, the growing steps beside the even cells: up to `reach`, or `flank` even
- * cells. */
+/* Width of a skirt, the growing steps beside the equal cells: up to `reach`, or `flank`
+ * equal cells. */
 static double flanks(double cell, int flank, double half, double reach)
 {
     return flank ? fmax(fmin(reach, 16000 - half), cell * flank) : 0;
@@ -23,7 +23,7 @@ static double cell_centre(double eye, double ahead, double cell, int count, bool
 }
 
 static ref_extent make_extent(const tp_scene *scene, ref_vec eye, ref_vec ahead,
-                            bool fading)
+                              bool fading)
 {
     const int cols = scene->grid.cols, rows = scene->grid.rows;
     const int lines = cols > rows ? cols : rows;
@@ -78,7 +78,7 @@ static void bound_sea(ref_surface *s)
 }
 
 ref_surface ref_surface_make(const tp_scene *scene, const tp_world *world, ref_vec eye,
-                           ref_vec ahead, bool fading)
+                             ref_vec ahead, bool fading)
 {
     ref_surface s = {
         .sea = ref_deep_water_make(scene->wave, TP_WAVES, scene->water.gravity),

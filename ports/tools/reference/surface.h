@@ -16,15 +16,15 @@
 
 typedef struct {
     double x, z;                /* centre, m */
-    double half_x, half_z;      /* half sides of the even cells, m */
+    double half_x, half_z;      /* half sides of the equal cells, m */
     double out_x, out_z;        /* half sides of the whole water, m */
-    double fade;                /* m inside of the even cells' edge; 0: no fading */
+    double fade;                /* m inside of the equal cells' edge; 0: no fading */
 } ref_extent;
 
 #define REF_CLOSE 1e-10         /* m; tests/charts/reference.c shows the reason */
 
 typedef struct {
-    ref_deep_water    sea;
+    ref_deep_water sea;
     ref_coastal *coastal;       /* coastal water, or NULL */
     double     phase[TP_WAVES];
     ref_relief relief;
@@ -44,7 +44,7 @@ typedef struct {
 } ref_water;
 
 ref_surface ref_surface_make(const tp_scene *scene, const tp_world *world, ref_vec eye,
-                           ref_vec ahead, bool fading);
+                             ref_vec ahead, bool fading);
 void        ref_surface_free(ref_surface *surface);
 
 /* Height of the surface at (x, z), accurate to `off` m along. `rest`: start of the search,

@@ -44,7 +44,7 @@ static double find_glass(const ref_scene *s, const ref_ray *ray, ref_vec *n)
 /* Colour of the water behind the glass, below its surface. Returns false if there is
  * air. */
 static bool visible_side(const ref_scene *s, const ref_ray *ray, double t, ref_vec n,
-                    ref_colour *colour)
+                         ref_colour *colour)
 {
     ref_ray on = { ref_ray_point(ray, t), ray->way };
     double rest[2] = { on.from.x, on.from.z };

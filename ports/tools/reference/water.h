@@ -4,7 +4,7 @@
  *     layers      texels at the rest point, bent by the distortion, added up
  *     ripples     a normal map in the surface's tangent space [F6]
  *     light       ambient and N.L [F5]
- *     behind      colour along the refracted ray [F4], absorbed (inside.h)
+ *     refract     colour along the refracted ray [F4], absorbed (inside.h)
  *     mirror      colour along the reflected ray [F3], by Fresnel's share [F1] [F2]
  *     glint       specular lobe of the light, R.V or N.H
  *

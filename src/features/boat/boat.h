@@ -57,7 +57,7 @@ void tp_boat_stir_pool(tp_world *world, const tp_scene *scene);
 /* Returns the pool stirred by the hull: [pool], else [field], else NULL. */
 tp_pool *tp_boat_pool(tp_world *world);
 
-/* -- buoyancy.c --------------------------------------------------------------------- */
+/* -- buoyancy.c ---------------------------------------------------------------------- */
 
 typedef enum { TP_BOW, TP_STERN, TP_PORT, TP_STARBOARD } tp_hull_point;
 

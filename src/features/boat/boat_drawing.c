@@ -13,13 +13,13 @@
 
 /* The boat in one render view; valid until the next view is placed. */
 typedef struct {
-    tp_boat_shading    look;    /* data of the span stages; first member */
+    tp_boat_shading look;       /* data of the span stages; first member */
     tp_boat_vertex *vertex;
     tp_solid       *solid;      /* array, one for each material */
     uint8_t        *gloss;      /* tables, TP_GLOSS bytes for each material */
     int32_t         model;      /* light model of the gloss tables */
     uint32_t        materials;  /* number of distinct materials */
-    tp_projection         projection;       /* the view's projection in the mesh's frame */
+    tp_projection   projection; /* the view's projection in the mesh's frame */
     tp_fx           metres;     /* metres per 1.0 of the mesh's positions */
     tp_grid_box     box;        /* covered pixels; empty: not visible */
 } drawn_boat;
@@ -148,7 +148,7 @@ static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box
     tp_box_join(box, &b->box);
 }
 
-/* -- faces ------------------------------------------------------------------------ */
+/* -- faces --------------------------------------------------------------------------- */
 
 static uint32_t clamp_material(uint32_t material)
 {
@@ -165,10 +165,10 @@ typedef struct {
     const drawn_boat *boat;
     const tp_mesh    *mesh;
     const tp_boat_vertex *at;   /* the projected vertices of the mesh */
-    const tp_view   *view;
+    const tp_view    *view;
     const tp_gbuffer *tile;
     int32_t  top, bottom;       /* rows of the tile, 28.4 fixed point */
-    uint32_t mark;
+    uint32_t          mark;
 } pass;
 
 static void draw_triangle(const pass *p, const tp_screen_vertex corner[3], uint32_t f)
@@ -252,7 +252,7 @@ static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
     draw_faces(mine, view, samples, false, mark);
 }
 
-/* -- materials ------------------------------------------------------------------------ */
+/* -- materials ----------------------------------------------------------------------- */
 
 static void make_gloss(tp_frame *frame, void *mine)
 {

@@ -21,7 +21,7 @@
 #define TURN_MOST  (360 * TP_FX_ONE)        /* degrees/s */
 #define WATER_MOST (2048 * TP_FX_ONE)
 
-/* -- position ----------------------------------------------------------------------- */
+/* -- position ------------------------------------------------------------------------ */
 
 /* Clamps `sailed`, the distance sailed from the scene's start position, in one axis.  The
  * boat stays within 8 km of the origin.  In a tank the boat also stays between the walls
@@ -83,7 +83,7 @@ static void place_hull(tp_boat_state *boat_state, const tp_scene *scene)
     boat_state->hull.heading = boat_heading(boat_state, scene);
 }
 
-/* -- attitude ----------------------------------------------------------------------- */
+/* -- attitude ------------------------------------------------------------------------ */
 
 static void hull_points(const tp_hull *hull, const tp_scene *scene, tp_fx points[4][2])
 {
@@ -183,7 +183,7 @@ void tp_boat_step(const tp_program *program, tp_world *world, const tp_scene *sc
     update_boat_pose(world, scene);
 }
 
-/* -- validation of a state from outside --------------------------------------------- */
+/* -- validation of a state from outside ---------------------------------------------- */
 
 #define REST_MOST (16000 * TP_FX_ONE)       /* m: plus half a boat and a displacement */
 static bool is_magnitude_within(int64_t x, int64_t limit)
@@ -278,7 +278,7 @@ const tp_module tp_hull_module = {
     .settle = place_floating, .step = step, .is_valid = is_valid,
 };
 
-/* -- the module of the drawn boat --------------------------------------------------- */
+/* -- the module of the drawn boat ---------------------------------------------------- */
 
 bool tp_boat_enabled(const tp_module_conditions *conditions)
 {

@@ -7,7 +7,7 @@
 
 /* Counts for one view of the boat: the main view, or the reflection at reduced size. */
 typedef struct {
-    tp_projection  projection;              /* projection in the mesh's own axes */
+    tp_projection projection;               /* projection in the mesh's own axes */
     bool     mirrored;
     tp_view_plane level;
     int32_t  rows, cols, band;
@@ -25,7 +25,7 @@ static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
 /* Returns the projection of the planar reflection: the eye mirrored at the water's level,
  * the picture upside down. */
 static tp_projection mirrored_projection(const tp_projection *projection, const tp_scene *s,
-                                 uint32_t width, uint32_t height)
+                                         uint32_t width, uint32_t height)
 {
     const tp_dir3 r = projection->turn.x, up = projection->turn.y,
                   back = projection->turn.z;

@@ -74,7 +74,7 @@ void tp_boat_snap_attitude(tp_boat_attitude *attitude, const tp_fx water[4])
         attitude->speed[k] = 0;
 }
 
-/* -- kinematic ---------------------------------------------------------------------- */
+/* -- kinematic ----------------------------------------------------------------------- */
 
 /* Returns 1 - exp(-dt / tau), Q0.32.  dt / tau = 2^48 / (60 tau) in Q32.  The exponential
  * uses 24 of the fraction bits; the factor 1 - x uses the remaining 8. */
@@ -102,7 +102,7 @@ static void smooth_attitude(tp_boat_attitude *attitude, tp_fx tau, const tp_fx w
     }
 }
 
-/* -- dynamic ------------------------------------------------------------------------ */
+/* -- dynamic ------------------------------------------------------------------------- */
 
 /* Oscillation constants.  `steps`: steps per tick; `keep`: q of a step, Q0.32; `kick`:
  * share of the push added to the speed per tick, n (1 + q) K / 2, Q0.32. */

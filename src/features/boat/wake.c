@@ -40,7 +40,7 @@ typedef struct {
     tp_q30  share;                      /* b times the factor of shallowness */
 } hull_form;
 
-/* -- the hull's form ---------------------------------------------------------------- */
+/* -- the hull's form ----------------------------------------------------------------- */
 
 /* Returns half a side, at least 1.5 cells. */
 static tp_fx clamped_half_side(tp_fx side, const tp_pool *pool)
@@ -109,7 +109,7 @@ static int32_t weighted_immersed_depth(const hull_form *f, const tp_pool *pool, 
     return tp_pool_from_metres(pool, tp_q30_mul(metres, f->share));
 }
 
-/* -- cells -------------------------------------------------------------------------- */
+/* -- cells --------------------------------------------------------------------------- */
 
 /* A rectangle of cells within the hulls' reach, scanned row by row.  In a tiled field the
  * rectangle may extend beyond the field's edge; its cells then wrap. */
@@ -119,7 +119,7 @@ typedef struct {
 
 typedef struct {
     tp_pool *pool;
-    hull_form     before, now;
+    hull_form before, now;
     int32_t  peak;              /* largest change of a cell, LSB */
 } wake;
 
@@ -158,7 +158,7 @@ static wake_cell make_cell(const tp_pool *pool, int32_t col, int32_t row)
     };
 }
 
-/* Returns the position before the first cell, as `next` expects.  An empty box has no
+/* Returns the position before the first cell, as next_cell expects.  An empty box has no
  * cells. */
 static wake_cell begin_cell_scan(const cell_box *b)
 {
@@ -184,7 +184,7 @@ static bool next_cell(const tp_pool *pool, const cell_box *b, wake_cell *at)
 /* Computes the first and last cell between low and high, m.  In a tiled field the count
  * is at most the number of cells of the field. */
 static void find_cell_range(const tp_pool *pool, uint32_t count, tp_fx middle, int64_t low,
-                        int64_t high, int32_t ends[2])
+                            int64_t high, int32_t ends[2])
 {
     int64_t start = first_cell_edge(middle, pool->cell, count), most = (int64_t)count - 1;
     int64_t a = (low - start) / pool->cell - 1, b = (high - start) / pool->cell + 1;
@@ -230,7 +230,7 @@ static cell_box hull_cell_box(const wake *w, tp_fx reach)
     return (cell_box){ col[0], col[1], row[0], row[1] };
 }
 
-/* -- stirring ----------------------------------------------------------------------- */
+/* -- stirring ------------------------------------------------------------------------ */
 
 /* Returns the change of height of a cell, LSB. */
 static int32_t height_change(const wake *w, const wake_cell *at)

@@ -173,7 +173,7 @@ static tp_fx energy_lost(const tp_scene_drops *config, uint64_t radius, uint64_t
  *     A0 = u sqrt(eff (1 - e^2 / 2)) sqrt(rho r / (36 rho_w g));
  * the roots are below 1 and 1.7, in Q31 and Q29. */
 static int32_t ring_height(const tp_scene_drops *config, tp_fx gravity, uint64_t radius,
-                         uint64_t speed)
+                           uint64_t speed)
 {
     uint64_t taken = (uint64_t)config->efficiency * lost_energy_share(config);     /* Q32 */
     uint64_t heavy = ((uint64_t)config->density * radius << 18)             /* Q50 */

@@ -62,7 +62,7 @@ void tp_drops_move_sphere(tp_drops *drops, tp_fx dx, tp_fx dz);
  * its own place. */
 void tp_drops_release(tp_drops *drops, const tp_scene_drops *config, uint32_t count);
 
-/* Releases the automatic drops, one per interval `every`.  Call once per tick. */
+/* Releases the automatic drops, one per drops.interval.  Call once per tick. */
 void tp_drops_release_due(tp_drops *drops, const tp_scene_drops *config);
 
 /* Moves a drop by the tick that ends at `tick`, over water with the height `level`, m, at
@@ -86,6 +86,7 @@ bool tp_drops_add_ring(tp_drops *drops, const tp_scene_drops *config,
  * `beyond`: m from a ring's centre to its rear. */
 void tp_drops_remove_spent(tp_drops *drops, int64_t now, tp_fx beyond);
 
+/* Returns the drops of a world, or NULL. */
 const tp_drops *tp_world_drops(const tp_world *world);
 
 #define TP_DROPS_ID TP_MODULE_ID('d', 'r', 'o', 'p')

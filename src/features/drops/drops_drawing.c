@@ -28,7 +28,7 @@ typedef struct {
     uint32_t     seen;          /* number of drops drawn, at most `room` */
 } drawn_drops;
 
-/* -- the unit sphere --------------------------------------------------------------- */
+/* -- the unit sphere ----------------------------------------------------------------- */
 
 /* Makes the unit sphere: north pole, parallels from north to south, south pole. */
 static void make_ball(tp_frame *frame, void *mine)
@@ -50,7 +50,7 @@ static void make_ball(tp_frame *frame, void *mine)
     *to = (ball_point){ 0, -16384, 0 };
 }
 
-/* -- one spheroid ------------------------------------------------------------------- */
+/* -- one spheroid -------------------------------------------------------------------- */
 
 typedef struct {
     tp_vec3 centre;
@@ -103,7 +103,7 @@ static tp_view_vertex transform_point(const tp_view *view, const spheroid *s,
 /* Transforms every `step`th point of parallel j.  A pole counts as a parallel whose
  * points are all equal. */
 static void transform_parallel(const drawn_drops *d, const tp_view *view, const spheroid *s,
-                     uint32_t j, uint32_t step, tp_view_vertex to[ROUND])
+                               uint32_t j, uint32_t step, tp_view_vertex to[ROUND])
 {
     TP_ASSERT(j <= RINGS + 1 && step > 0);
     const bool north = j == 0, south = j > RINGS;
@@ -113,7 +113,7 @@ static void transform_parallel(const drawn_drops *d, const tp_view *view, const 
         to[i] = (north || south) && i > 0 ? to[0] : transform_point(view, s, &ring[i]);
 }
 
-/* -- placing ------------------------------------------------------------------------ */
+/* -- placing ------------------------------------------------------------------------- */
 
 static const tp_grid_box nowhere = { 1, 1, 0, 0 };
 
@@ -182,7 +182,7 @@ static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box
     }
 }
 
-/* -- drawing ------------------------------------------------------------------------ */
+/* -- drawing ------------------------------------------------------------------------- */
 
 static void draw_face(const tp_view *view, const tp_gbuffer *tile,
                       const tp_view_vertex *a, const tp_view_vertex *b,
@@ -194,7 +194,7 @@ static void draw_face(const tp_view *view, const tp_gbuffer *tile,
 }
 
 static void draw_spheroid(const drawn_drops *d, const tp_view *view, const tp_gbuffer *tile,
-                     const spheroid *s, uint32_t step, uint32_t mark)
+                          const spheroid *s, uint32_t step, uint32_t mark)
 {
     tp_view_vertex ring[2][ROUND];
 

@@ -107,8 +107,8 @@ void tp_drops_release(tp_drops *drops, const tp_scene_drops *config, uint32_t co
     drops->dropped += lost < most ? lost : most;
 }
 
-/* Releases the drops due in this tick.  `every` is at most 60 s, 22 bits, so its product
- * with 60 fits 32 bits.  At 1/65536 s the loop releases 1092 drops per tick. */
+/* Releases the drops due in this tick.  The interval is at most 60 s, 22 bits, so its
+ * product with 60 fits 32 bits.  At 1/65536 s the loop releases 1092 drops per tick. */
 void tp_drops_release_due(tp_drops *drops, const tp_scene_drops *config)
 {
     uint32_t interval = (uint32_t)config->interval * TP_TICKS_PER_SECOND, due = 0;

@@ -26,7 +26,7 @@ tp_fx tp_exposure_step(tp_fx exposure, tp_fx mean, tp_fx rate);
 /* Data of the span stage, in tp_run.mine. */
 typedef struct {
     tp_entry8 tone[256];        /* tone curve of a channel */
-    tp_rgb565_tone_map  tone_map;            /* the same curve for rgb565 pixels */
+    tp_rgb565_tone_map tone_map;             /* the same curve for rgb565 pixels */
     tp_fx     made_for;         /* exposure of the tables; 0: none */
 } tp_exposure;
 

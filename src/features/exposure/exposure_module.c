@@ -68,7 +68,7 @@ typedef struct {
     uint16_t water;             /* water colour in full light */
 } probe;
 
-/* -- the tables --------------------------------------------------------------------- */
+/* -- the tables ---------------------------------------------------------------------- */
 
 static uint16_t hdr_grey(uint32_t light, uint32_t beyond)
 {
@@ -159,7 +159,7 @@ static void make_tables(probe *p, const tp_scene *scene, const tp_assets *assets
     fill_water(p, scene, assets);
 }
 
-/* -- a tick --------------------------------------------------------------------------- */
+/* -- a tick -------------------------------------------------------------------------- */
 
 typedef struct {
     int32_t x, y, z;            /* direction, Q1.14 */

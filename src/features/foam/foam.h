@@ -37,7 +37,8 @@ typedef struct {
 /* Returns the cover 0..255 at a rest position, bilinear between cell centres; 0 outside. */
 uint8_t tp_foam_sample(const tp_foam *foam, tp_fx x, tp_fx z);
 
-const tp_foam  *tp_world_foam(const tp_world *world);
+/* Returns the foam of a world, or NULL. */
+const tp_foam *tp_world_foam(const tp_world *world);
 
 #define TP_FOAM_ID TP_MODULE_ID('f', 'o', 'a', 'm')
 
@@ -70,7 +71,7 @@ static inline uint32_t tp_foam_mod(int32_t i, uint32_t n)
 
 /* A hull over rest positions: alpha from stern -1 to bow 1, beta to starboard. */
 typedef struct {
-    tp_fx x, z, foam_radius;          /* middle, and farthest foam of the hull, m */
+    tp_fx x, z, foam_radius;    /* middle, and farthest foam of the hull, m */
     tp_fx along[2], across[2];  /* gradients of alpha and beta, 1/m */
     tp_fx length, beam;         /* half lengths, m */
     tp_fx pace;                 /* speed ahead over PACE, -1..1 */
@@ -81,7 +82,7 @@ typedef struct {
     const tp_world *world;
     const tp_scene *scene;
     const tp_coastal_water *coastal;
-    const tp_pool  *pool;       /* a pool with walls that make foam */
+    const tp_pool *pool;        /* a pool with walls that make foam */
     tp_foam *foam;
     tp_fx    z;                 /* z of the row, m; set by the caller */
     tp_vec3  left;              /* coastal: position of the last cell */

@@ -20,7 +20,7 @@
 #define MIDDLE_MOST (8000 * TP_FX_ONE)  /* limit of the eye and of pools, m */
 #define GOLDEN 10368889u        /* 2^24 / 1.618..., odd, so the period is 2^24 */
 
-/* -- the window --------------------------------------------------------------------- */
+/* -- the window ---------------------------------------------------------------------- */
 
 static size_t cover_bytes(uint32_t cells)
 {
@@ -133,7 +133,7 @@ static tp_fx cell_centre(const tp_foam *foam, int32_t number, int64_t drift)
     return (tp_fx)((int64_t)number * foam->cell + foam->cell / 2 + (drift >> 16));
 }
 
-/* -- visits ------------------------------------------------------------------------- */
+/* -- visits -------------------------------------------------------------------------- */
 
 /* Returns e^(-4 / 60 / fade), Q24, the share of cover kept by a visit.  `fade_seconds`
  * is 0.1 s or more. */

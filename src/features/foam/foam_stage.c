@@ -102,7 +102,7 @@ static void set_ramp_softness(lace *l, int32_t level, int32_t mean_rank)
 }
 
 static void select_bubble_level(const tp_shade *shade, const tp_shade_foam *f, uint32_t key,
-                        lace *l)
+                                lace *l)
 {
     const tp_texture *texture = f->texture;
 

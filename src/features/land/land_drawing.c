@@ -128,7 +128,7 @@ static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box
     }
 }
 
-/* -- drawing ------------------------------------------------------------------------ */
+/* -- drawing ------------------------------------------------------------------------- */
 
 static tp_screen_vertex make_screen_vertex(const corner *v)
 {

@@ -56,7 +56,7 @@ static tp_fx bound_crest_height(const tp_scene *s, const tp_wave *given, tp_fx f
 typedef struct {
     const tp_scene *scene;
     tp_floor floor;
-    tp_projection  projection;
+    tp_projection projection;
     int64_t  x, z;              /* centre of the grid, m, Q16 */
     int64_t  deepest;           /* deepest floor exposed by a trough, m, Q16 */
     int32_t  cols, rows;        /* size of the picture, px */

@@ -100,7 +100,7 @@ bool tp_paddle_enabled(const tp_module_conditions *conditions)
 }
 
 static void step_paddle(void *mine, const tp_program *program, tp_world *world,
-                 const tp_scene *scene, const tp_input *input)
+                        const tp_scene *scene, const tp_input *input)
 {
     tp_pool *pool = tp_world_mutable_pool(world), *field = tp_world_mutable_field(world);
 

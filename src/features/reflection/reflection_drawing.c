@@ -30,7 +30,7 @@ static inline void add_reflected_objects_stage(const tp_frame *frame, const void
 typedef struct {
     tp_mirror        look;      /* data of the stage; first member */
     tp_mirrored_zi  *zi;        /* array, one for each column */
-    tp_planar_memory  store;
+    tp_planar_memory store;
 } mirror;
 
 /* Updates the columns' depths by row y of a band. */
@@ -153,7 +153,7 @@ static void draw_mirror_map(tp_frame *frame, void *mine)
                        rows - map->y0, map->coarser };
 }
 
-/* -- the module ---------------------------------------------------------------------- */
+/* -- the module mirror --------------------------------------------------------------- */
 
 bool tp_mirror_enabled(const tp_module_conditions *conditions)
 {
@@ -298,7 +298,7 @@ static void draw_cube_map(tp_frame *frame, void *mine)
     m->object_cube.colour = seen ? m->colour : NULL;
 }
 
-/* -- the module ---------------------------------------------------------------------- */
+/* -- the module object_cube ---------------------------------------------------------- */
 
 bool tp_object_cube_enabled(const tp_module_conditions *conditions)
 {

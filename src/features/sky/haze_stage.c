@@ -34,7 +34,7 @@ void tp_stage_haze(const tp_shade *restrict shade, tp_run *restrict run)
 /* Returns the horizon's colour in column x.  A cube is read at the mipmap level of the
  * sky view. */
 TP_ALWAYS_INLINE uint32_t sample_horizon(const tp_shade *shade, tp_env_kind kind, int32_t x,
-                                     int32_t y)
+                                         int32_t y)
 {
     tp_ray  ray = tp_vector_to_eye(shade, &shade->world, x, y);
     tp_dir3 d = tp_normalise(-ray.x, 0, -ray.z);

@@ -56,7 +56,7 @@ static tp_stage select_sky_stage(const tp_frame *frame, const tp_stage *stage)
 }
 
 static void add_dome_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
-                       tp_shaders *list)
+                            tp_shaders *list)
 {
     if (list->kind == TP_LIST_SKY && !frame->under)
         tp_shaders_add(list, TP_AT_COLOUR, select_sky_stage(frame, stage), mine);
@@ -64,7 +64,7 @@ static void add_dome_stages(const tp_frame *frame, const void *mine, const tp_st
         tp_shaders_add(list, TP_AT_REFLECT, stage[DOME_REFLECTION], mine);
 }
 
-/* -- the module ---------------------------------------------------------------------- */
+/* -- the module sky_dome ------------------------------------------------------------- */
 
 bool tp_sky_dome_enabled(const tp_module_conditions *conditions)
 {
@@ -122,14 +122,14 @@ static void begin_stars(tp_frame *frame, void *mine)
 /* Adds the stars' stage.  It reads the view vectors of the dome's stage, which may be
  * missing. */
 static void add_stars_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
-                      tp_shaders *list)
+                            tp_shaders *list)
 {
     if (list->kind == TP_LIST_SKY && !frame->under && frame->shade.env.stars > 0
         && tp_shaders_has(list, TP_AT_COLOUR))
         tp_shaders_add(list, TP_AT_COLOUR, stage[0], mine);
 }
 
-/* -- the module ---------------------------------------------------------------------- */
+/* -- the module stars ---------------------------------------------------------------- */
 
 bool tp_stars_enabled(const tp_module_conditions *conditions)
 {
@@ -188,7 +188,7 @@ static void begin_cube(tp_frame *frame, void *mine)
 }
 
 static void add_cube_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
-                       tp_shaders *list)
+                            tp_shaders *list)
 {
     if (list->kind == TP_LIST_SKY && !frame->under)
         tp_shaders_add(list, TP_AT_COLOUR,
@@ -197,7 +197,7 @@ static void add_cube_stages(const tp_frame *frame, const void *mine, const tp_st
         tp_shaders_add(list, TP_AT_REFLECT, stage[CUBE_REFLECTION], mine);
 }
 
-/* -- the module ---------------------------------------------------------------------- */
+/* -- the module sky_cube ------------------------------------------------------------- */
 
 bool tp_sky_cube_enabled(const tp_module_conditions *conditions)
 {
@@ -238,13 +238,13 @@ static void begin_haze(tp_frame *frame, void *mine)
 /* Adds the stage for the kind of sky; `stage` is in the order of tp_env_kind.  Under
  * water there is no haze. */
 static void add_haze_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
-                      tp_shaders *list)
+                           tp_shaders *list)
 {
     if (list->kind != TP_LIST_SKY && !frame->under)
         tp_shaders_add(list, TP_AT_AIR, stage[frame->shade.env.kind], mine);
 }
 
-/* -- the module ---------------------------------------------------------------------- */
+/* -- the module haze ----------------------------------------------------------------- */
 
 bool tp_haze_enabled(const tp_module_conditions *conditions)
 {

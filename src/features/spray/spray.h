@@ -31,6 +31,7 @@ typedef struct {
 
 const tp_speck *tp_spray_list(const tp_spray *spray);
 
+/* Returns the spray of a world, or NULL. */
 const tp_spray *tp_world_spray(const tp_world *world);
 
 #define TP_SPRAY_ID TP_MODULE_ID('s', 'p', 'r', 'y')

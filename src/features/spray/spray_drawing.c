@@ -128,7 +128,7 @@ static void draw_disc(const tp_gbuffer *tile, const disc *s, uint32_t mark)
 }
 
 static void draw_post_water(const tp_frame *frame, const void *mine, const tp_gbuffer *tile,
-                 uint32_t mark)
+                            uint32_t mark)
 {
     const discs *d = mine;
 

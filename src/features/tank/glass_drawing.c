@@ -4,7 +4,7 @@
 #include "features/tank/tank.h"
 #include "frame/frame.h"
 
-/* -- the water's side ----------------------------------------------------------------- */
+/* -- the water's side ---------------------------------------------------------------- */
 
 static tp_vec3 point_on_wall(const tp_rectangle *r, uint32_t face, tp_fx along, tp_fx y)
 {
@@ -112,7 +112,7 @@ static void draw_water_sides(const tp_frame *frame, const void *mine, const tp_v
     }
 }
 
-/* -- the panes ------------------------------------------------------------------------ */
+/* -- the panes ----------------------------------------------------------------------- */
 
 static void widen_wall_box(tp_glass_wall *wall, int32_t u, int32_t v)
 {
@@ -204,7 +204,7 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
         tp_shaders_add(list, TP_AT_GLASS, stage[1], mine);
 }
 
-/* -- the module ----------------------------------------------------------------------- */
+/* -- the module ---------------------------------------------------------------------- */
 
 bool tp_glass_enabled(const tp_module_conditions *conditions)
 {

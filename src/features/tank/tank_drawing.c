@@ -3,9 +3,9 @@
  * glass walls in front of the viewer.
  *
  * A wall of glass with the eye on its outer side is not drawn here.  The water's side,
- * from the floor up to the surface's edge, takes its widen_box_to_view
- * (glass_drawing.c).  The inside of the other walls is drawn like stone.  Walls in a
- * pool's mask are blocks, made once from the pool's cells. */
+ * from the floor up to the surface's edge, takes its place (glass_drawing.c).  The inside
+ * of the other walls is drawn like stone.  Walls in a pool's mask are blocks, made once
+ * from the pool's cells. */
 #include "base/base.h"
 #include "features/tank/tank.h"
 #include "frame/frame.h"
@@ -42,7 +42,7 @@ bool tp_tank_is_front_glass(const tp_frame *frame, uint32_t face)
            && is_outside(&r, face, frame->projection.eye);
 }
 
-/* -- drawing -------------------------------------------------------------------------- */
+/* -- drawing ------------------------------------------------------------------------- */
 
 /* Four corners, counter-clockwise as seen from the tip of the normal. */
 typedef struct {
@@ -52,7 +52,7 @@ typedef struct {
 
 /* Target of quads: the G-buffer of a render view. */
 typedef struct {
-    const tp_view   *view;
+    const tp_view    *view;
     const tp_gbuffer *samples;
     uint32_t          mark;
 } target;
@@ -176,7 +176,7 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
         tp_shaders_add(list, TP_AT_COLOUR, stage[0], mine);
 }
 
-/* -- blocks --------------------------------------------------------------------------- */
+/* -- blocks -------------------------------------------------------------------------- */
 
 static tp_fx grid_line_coordinate(tp_fx centre, tp_fx cell, uint32_t i, uint32_t cells)
 {
@@ -239,7 +239,7 @@ static void begin(tp_frame *frame, void *mine)
     frame->stats.dropped += tank->dropped;
 }
 
-/* -- the module ----------------------------------------------------------------------- */
+/* -- the module ---------------------------------------------------------------------- */
 
 /* True if the stone is on.  Stone uses the materials and the light of the module for the
  * inside of the water. */

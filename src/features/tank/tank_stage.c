@@ -58,7 +58,7 @@ void tp_stage_tank_side(const tp_shade *shade, tp_run *run)
     }
 }
 
-/* -- panes ---------------------------------------------------------------------------- */
+/* -- panes --------------------------------------------------------------------------- */
 
 /* Samples first to end - 1 of a run. */
 typedef struct {
@@ -90,7 +90,7 @@ static pane_part covered_part(const tp_pane *pane, const tp_run *run)
 /* True if a sample lies behind the glass: depth > gap / (n . D), or zi < zi_near (n .
  * D) / gap.  The test is multiplied by `gap`; the formats are Q42, and 16.16 times Q31. */
 static bool is_behind_glass(const tp_shade *shade, const tp_glass_wall *wall, uint32_t key,
-                      int64_t view)
+                            int64_t view)
 {
     int64_t near = (int64_t)shade->underwater->zi_near * (view >> 22);      /* Q36 */
     int64_t here = (int64_t)(TP_ZI(key) >> 4) * (wall->gap >> 2);       /* Q27 times Q14 */

@@ -224,7 +224,7 @@ static void begin(tp_frame *frame, void *mine)
     make_light_map(frame, map);
 }
 
-/* -- the module ----------------------------------------------------------------------- */
+/* -- the module ---------------------------------------------------------------------- */
 
 bool tp_caustics_enabled(const tp_module_conditions *conditions)
 {

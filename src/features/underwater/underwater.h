@@ -2,11 +2,12 @@
 /*
  * The inside of the water, by four modules, and their parameters:
  *
- *     underwater_drawing.c   the data of the inside (shade/optics.h), the view from; cost
- *                            under water, the view through clear water from above, a
- *                            planar map of the objects under the level
+ *     underwater_drawing.c   the modules underwater (the data of the inside and the view
+ *                            from under water), clear_water (the view through the surface
+ *                            from above) and refraction (a planar map of the objects under
+ *                            the level); the cost of caustics
  *     underwater_stage.c     the span stages of both views
- *     caustics_drawing.c     sunlight focused on the floor by waves
+ *     caustics_drawing.c     the module caustics: sunlight focused on the floor by waves
  */
 #ifndef TP_FEATURES_UNDERWATER_UNDERWATER_H
 #define TP_FEATURES_UNDERWATER_UNDERWATER_H

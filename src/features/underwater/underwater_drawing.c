@@ -13,19 +13,17 @@
 #include "shade/refracted_ray.h"
 #include "world/pools.h"
 
-/* -- the inside ---------------------------------------------------------------------- */
-
 #define CLEAR_UNDERSIDE (4 * TP_FX_ONE)     /* m: visibility in opaque water */
 
 /* Indices in the program's table of stages. */
 enum { UNDERSIDE, UNDERSIDE_RIPPLED, DEEP, ABSORB };
 
-/* -- data of a frame ----------------------------------------------------------------- */
+/* -- the inside: data of a frame ----------------------------------------------------- */
 
 /* Returns a wall material.  For the ground the mipmap level includes the slant of the
  * view, with the eye's height plus 1 m, because water lies over the ground. */
 static tp_wall_material make_wall_material(const tp_frame *frame, const tp_texture *texture,
-                                  tp_fx size, int32_t colour, bool ground)
+                                           tp_fx size, int32_t colour, bool ground)
 {
     tp_wall_material material = { .texture = texture, .colour = (uint32_t)colour };
 
@@ -140,7 +138,7 @@ static void set_wall_view(tp_frame *frame, void *mine, tp_view *view, tp_grid_bo
         tp_underwater_set_view(mine, &frame->shade, frame->projection.zi_near);
 }
 
-/* -- shader lists -------------------------------------------------------------------- */
+/* -- the inside: shader lists -------------------------------------------------------- */
 
 static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
                        tp_shaders *list)
@@ -159,7 +157,7 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
         tp_shaders_add(list, TP_AT_AIR, stage[ABSORB], mine);
 }
 
-/* -- the module ---------------------------------------------------------------------- */
+/* -- the module underwater ----------------------------------------------------------- */
 
 /* True in every scene: any camera may dive. */
 bool tp_underwater_enabled(const tp_module_conditions *conditions)
@@ -357,7 +355,7 @@ static void draw_map(tp_frame *frame, void *mine)
     clear->refraction_map = map;
 }
 
-/* -- the module ---------------------------------------------------------------------- */
+/* -- the module refraction ----------------------------------------------------------- */
 
 bool tp_refraction_enabled(const tp_module_conditions *conditions)
 {

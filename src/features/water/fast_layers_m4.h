@@ -81,7 +81,7 @@ TP_LOOP packed_add_texels(const tp_quick_map *map, int32_t mip_offset,
         *colour = tp_uqadd8(*colour, packed_texel(&l, place[0], place[TP_RUN]));
 }
 
-/* -- distortion ------------------------------------------------------------------------ */
+/* -- distortion ---------------------------------------------------------------------- */
 
 TP_ALWAYS_INLINE uint32_t packed_add_offset_s(uint32_t s, uint32_t off)
 {

@@ -51,7 +51,7 @@ static tp_columns make_columns(const tp_run *run, int32_t first, int32_t end)
                          (uint32_t)(run->x + first) & 1 };
 }
 
-/* -- places of layers ------------------------------------------------------------------ */
+/* -- places of layers ---------------------------------------------------------------- */
 
 void tp_stage_quick_still(const tp_shade *shade, tp_run *run)
 {
@@ -103,7 +103,7 @@ void tp_stage_quick_bend_thin(const tp_shade *shade, tp_run *run)
     }
 }
 
-/* -- layers ---------------------------------------------------------------------------- */
+/* -- layers -------------------------------------------------------------------------- */
 
 TP_ALWAYS_INLINE void shade_layer(const tp_quick_map *map, const tp_run *run,
                                   uint32_t *colour, int half_rate, int add)
@@ -187,7 +187,7 @@ void tp_stage_quick_odd_fill(const tp_shade *shade, tp_run *run)
     tp_quick_odd_fill(run);
 }
 
-/* -- slopes ---------------------------------------------------------------------------- */
+/* -- slopes -------------------------------------------------------------------------- */
 
 void tp_stage_quick_ripple(const tp_shade *shade, tp_run *run)
 {

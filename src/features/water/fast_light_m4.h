@@ -65,9 +65,9 @@ TP_ALWAYS_INLINE uint32_t packed_add_glint(const struct tp_quick_light *quick,
 
 /* Returns the full colour of one column. */
 TP_ALWAYS_INLINE uint32_t packed_shade_column(const struct tp_quick_light *quick,
-                                      const uint32_t *sky, tp_quick_sun sun,
-                                      tp_quick_view v, uint32_t slope, uint32_t colour,
-                                      int env, int lobe)
+                                              const uint32_t *sky, tp_quick_sun sun,
+                                              tp_quick_view v, uint32_t slope,
+                                              uint32_t colour, int env, int lobe)
 {
     colour = packed_light_and_reflect(quick, sky, sun, v, slope, colour, env);
     return packed_add_glint(quick, sun, v, slope, colour, lobe);
@@ -233,8 +233,9 @@ TP_ALWAYS_INLINE void packed_light_even_columns(const tp_shade *shade, tp_run *r
 /* Adds Phong's glints to columns x to stop of one span; half rate colours are filled in
  * already. */
 TP_ALWAYS_INLINE void packed_add_phong_glints_span(const struct tp_quick_light *quick,
-                                        tp_quick_sun sun, tp_run *run, tp_quick_view v,
-                                        tp_quick_view step, int32_t x, int32_t stop)
+                                                   tp_quick_sun sun, tp_run *run,
+                                                   tp_quick_view v, tp_quick_view step,
+                                                   int32_t x, int32_t stop)
 {
     const uint32_t *slope = run->slope + (x - run->x);
     uint32_t *colour = run->colour + (x - run->x);

@@ -73,7 +73,7 @@ TP_ALWAYS_INLINE plain_column plain_column_make(const plain_tables *t, uint32_t 
 
 /* Returns light and reflection; `column` is the column of heights in a dome's sky. */
 TP_ALWAYS_INLINE uint32_t plain_light_and_reflect(const plain_tables *t, plain_column c,
-                                         uint32_t column, uint32_t colour, int env)
+                                                  uint32_t column, uint32_t colour, int env)
 {
     int32_t up = 2 * tp_usat(c.n, 0, 27) - c.y;
     int32_t place = env == TP_ENV_CUBE

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Fast shading of water: layers, ripples, light, the reflected sky and glints.
+ * Fast shading of water: layers, ripples, light, the reflected sky and glints.  This header
+ * has packed pairs, baked textures, tables of light, and the stepped view.
  *
  *     fast_water_drawing.c   its shader list, and a frame's baked textures
  *     fast_water_tables.c    bakes textures, for frames and for `tidepool bake`; makes
@@ -68,8 +69,6 @@ TP_ALWAYS_INLINE void pair_store(uint32_t *to, int index, uint32_t first, uint32
     to[index + 1] = second;
 #endif
 }
-
-/* -- rows, columns and tables -------------------------------------------------------- */
 
 /* -- baked textures ------------------------------------------------------------------ */
 
@@ -193,7 +192,7 @@ struct tp_quick_light {
     uint32_t share[TP_QUICK_SHARES];    /* 1/256: kept by the water; mirrored */
     uint32_t lobe[TP_QUICK_LOBE];       /* colours */
     uint32_t sky[TP_QUICK_SIDE * TP_QUICK_SIDE];    /* columns of heights, or a map */
-    int32_t  least;             /* lower bound of n, Q26 */
+    int32_t  least;                     /* lower bound of n, Q26 */
     int32_t  made_for[TP_QUICK_KEY];    /* inputs; the first is >= 0 */
 };
 
@@ -218,7 +217,7 @@ void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
 /* fast_layers_stage.c.  Fills the colours of odd columns from the even columns. */
 void tp_quick_odd_fill(tp_run *run);
 
-/* -- the view -------------------------------------------------------------------------- */
+/* -- the view ------------------------------------------------------------------------ */
 
 /* The view in the columns of a step.  back: -V as x : z, Q1.14; half: h as x : z, Q3.12;
  * y: Vy minus the lower bound of n, Q26; lv: 1 + L.V, Q30. */

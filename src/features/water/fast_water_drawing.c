@@ -18,7 +18,7 @@ typedef struct {
 } tp_quick_wish;
 
 typedef struct {
-    tp_quick_layers layers;     /* data of the stages; first member */
+    tp_quick_layers layers;                 /* data of the stages; first member */
     struct tp_quick_light light;
     void         *memory[TP_BAKED_LAYERS];  /* NULL: not baked here */
     tp_texture    picture[TP_BAKED_LAYERS]; /* levels 0: not baked yet */
@@ -46,7 +46,7 @@ static const tp_texture *baked_texture(const tp_assets *assets, int i)
 
 /* Takes memory for the baked textures missing in the assets. */
 static void quick_layout_pictures(void *memory[TP_BAKED_LAYERS], tp_arena *arena,
-                              const tp_assets *assets)
+                                  const tp_assets *assets)
 {
     for (int i = 0; i < TP_BAKED_LAYERS; i++) {
         const tp_texture *source = source_texture(assets, i);
@@ -153,11 +153,9 @@ static void quick_begin_layers(tp_frame *frame, tp_fast_water *fast)
     layers->ripple = make_map(frame, fast, SLOPES, &scene->ripple.map, TP_RIPPLE_LOD);
 }
 
-/* -- light and the list -------------------------------------------------------------- */
-
 #define MOST 6                  /* maximum of stages in a list */
 
-/* -- tables -------------------------------------------------------------------------- */
+/* -- tables of light ----------------------------------------------------------------- */
 
 static bool has_ripples(const tp_frame *frame, const tp_quick_layers *layers)
 {

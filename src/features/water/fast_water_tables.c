@@ -84,7 +84,7 @@ tp_quick_map tp_quick_map_make(const tp_layer *layer)
                            texture->levels - 2, texture->log2_w, texture->level };
 }
 
-/* -- layers: as in layers_stage.c --------------------------------------------------- */
+/* -- layers: as in layers_stage.c ---------------------------------------------------- */
 
 static uint32_t graded_texel(const bake_work *w, uint32_t texel)
 {
@@ -121,7 +121,7 @@ void tp_quick_offsets(tp_texture *to, const tp_texture *from, tp_fx strength, vo
     bake_levels(to, from, offset_texel, &w, mem);
 }
 
-/* -- ripples: slopes -nx / nz along s and ny / nz along t ----------------------------- */
+/* -- ripples: slopes -nx / nz along s and ny / nz along t ---------------------------- */
 
 /* Returns n / nz in Q3.12, rounded.  nz is at least 1/8; n is below 2^18. */
 static uint32_t slope(int32_t n, int32_t nz)

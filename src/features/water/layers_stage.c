@@ -12,8 +12,9 @@
 
 /* Shades one stretch; `filter` and `tinted` are literals. */
 TP_ALWAYS_INLINE void shade_base_stretch(const tp_sampler *sampler, uint32_t tint,
-                          const tp_stretch *over, uint32_t *restrict colour, int filter,
-                          int tinted)
+                                         const tp_stretch *over,
+                                         uint32_t *restrict colour, int filter,
+                                         int tinted)
 {
     const tp_sampler p = *sampler;
     const tp_split_rgb  with = tp_split_rgb_make(tint);
@@ -89,8 +90,8 @@ TP_ALWAYS_INLINE void shade_stretch(const tp_sampler *sampler, const tp_grade *g
 }
 
 TP_ALWAYS_INLINE void shade_layer(const tp_shade *shade, tp_run *run, const tp_layer *layer,
-                              const tp_grade *grade, uint32_t tint, int filter, int how,
-                              int add)
+                                  const tp_grade *grade, uint32_t tint, int filter, int how,
+                                  int add)
 {
     TP_ASSERT(layer->texture != NULL);
     tp_stretch w;

@@ -1,16 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The exact stages of water in a frame: their data, and the choice of stages.
+ * The exact stages of water in a frame: their data, and the choice of stages, for textures,
+ * normals, light, reflectance and glints.
  */
 #include "features/water/water.h"
 #include "frame/frame.h"
 #include "world/pools.h"
 
-/* -- textures ------------------------------------------------------------------------ */
-
-/* The base layer, then the added layers and the distortion. */
-
-/* -- the base layer ------------------------------------------------------------------ */
+/* -- textures: the base layer -------------------------------------------------------- */
 
 static void *layout_base(tp_arena *arena, const tp_module_conditions *conditions)
 {
@@ -60,7 +57,7 @@ const tp_drawing tp_base_layer_drawing = {
     .layout = layout_base, .begin = begin_base, .stages = add_base,
 };
 
-/* -- the added layers ---------------------------------------------------------------- */
+/* -- textures: the added layers and the distortion ----------------------------------- */
 
 static void *layout_layers(tp_arena *arena, const tp_module_conditions *conditions)
 {
@@ -171,7 +168,7 @@ static void begin_bumps(tp_frame *frame, void *mine)
 }
 
 static void add_bumps_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
-                      tp_shaders *list)
+                            tp_shaders *list)
 {
     const tp_pool_bump *pool = ((const bumps *)mine)->look.pool;
 
@@ -219,7 +216,7 @@ static bool is_gentle(const tp_surface *surface)
 
 /* Adds the ripple stage.  Ripples are applied after the slopes of pools. */
 static void add_ripple_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
-                      tp_shaders *list)
+                             tp_shaders *list)
 {
     const tp_ripple *ripple = mine;
     tp_stage how = stage[TP_NTH_ripple];
@@ -345,7 +342,7 @@ static void begin_glint(tp_frame *frame, void *mine)
 }
 
 static void add_glint_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
-                      tp_shaders *list)
+                            tp_shaders *list)
 {
     (void)frame;
     if (list->kind != TP_LIST_WATER || !tp_shaders_has(list, TP_AT_VIEW))
