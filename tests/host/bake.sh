@@ -85,16 +85,22 @@ same "settings are baked" "$(grep -c '^    .camera.y = 131072,$' f.c)" 1
 # -- compiled code --------------------------------------------------------------------
 
 strict="-std=c11 -Wall -Wextra -Wpedantic -Wconversion -Werror -I$root/include"
+compilers=
 for compiler in gcc clang; do
-    command -v $compiler >/dev/null ||
-        { skip "baked scenes by $compiler" "$compiler"; continue; }
-    for scene in "$root"/assets/scenes/*.ini; do
-        name=$(basename "$scene" .ini)
-        run bake "$scene" --texels 32 -o "$name.c"
+    command -v $compiler >/dev/null && compilers="$compilers $compiler" ||
+        skip "baked scenes by $compiler" "$compiler"
+done
+for scene in "$root"/assets/scenes/*.ini; do
+    name=$(basename "$scene" .ini)
+    run bake "$scene" --texels 32 -o "$name.c"
+    same "$name is baked" "$code" 0
+    for compiler in $compilers; do
         # shellcheck disable=SC2086
-        [ "$code" = 0 ] && $compiler $strict -fsyntax-only "$name.c" 2>err
+        $compiler $strict -fsyntax-only "$name.c" 2>err
         same "$name compiles without a warning by $compiler" "$? $(head -n 3 err)" "0 "
     done
+done
+for compiler in $compilers; do
     # shellcheck disable=SC2086
     $compiler $strict -c c.c -o c.o 2>err
     same "so do odd names by $compiler" "$? $(head -n 3 err)" "0 "
@@ -127,8 +133,7 @@ same "a scene that may change is checked, and has room for its waves" \
 same "what may be switched on is in the list" \
     "$(grep -c '^    { &tp_foam_module, &tp_foam_drawing' i.c) \
 $(grep -c '    \.format = TP_FORMAT_I1, .program = ' i.c)" "1 1"
-for compiler in gcc clang; do
-    command -v $compiler >/dev/null || continue
+for compiler in $compilers; do
     # shellcheck disable=SC2086
     $compiler $strict -c h.c -o h.o 2>err && $compiler $strict -c i.c -o i.o 2>>err
     same "lists compile without a warning by $compiler" "$? $(head -n 3 err)" "0 "
