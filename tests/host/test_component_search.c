@@ -19,7 +19,7 @@ typedef struct {
     loaded_scene     loaded;
     tp_scene  named;
     tp_assets lacking;
-    component_search_request  wish;
+    component_search_request request;
 } asked;
 
 static void ask(asked *a, const char *scene, bool acts)
@@ -30,7 +30,7 @@ static void ask(asked *a, const char *scene, bool acts)
     a->named = a->loaded.file.scene;
     const tp_scene  *s = &a->loaded.file.scene;
     const tp_assets *names = &a->loaded.assets.names;
-    a->wish = (component_search_request){
+    a->request = (component_search_request){
         .scene = s,
         .assets = names,
         .named = &a->named,
@@ -67,15 +67,15 @@ static void a_list_has_what_the_scene_needs_and_no_more(void **state)
 
     (void)state;
     ask(&a, "assets/scenes/raindrops.ini", false);
-    assert_int_equal(component_search_run(&found, &a.wish), 0);
-    assert_int_equal(component_search_run(&again, &a.wish), 0);
+    assert_int_equal(component_search_run(&found, &a.request), 0);
+    assert_int_equal(component_search_run(&again, &a.request), 0);
     assert_memory_equal(&found.in, &again.in, sizeof found.in);
     assert_true(has(&found, "drop"));
     assert_false(has(&found, "foam") || has(&found, "land") || has(&found, "rungs"));
-    const dry_run_program by = { &list.program, &a.named, a.wish.baked };
-    components_list_traced(&list, &found.in, &a.wish.terms);
+    const dry_run_program by = { &list.program, &a.named, a.request.baked };
+    components_list_traced(&list, &found.in, &a.request.terms);
     components_forget();
-    assert_int_equal(dry_run_open(&run, &by, &a.wish.config, false), 0);
+    assert_int_equal(dry_run_open(&run, &by, &a.request.config, false), 0);
     dry_run_picture *want = calloc(run.cameras, sizeof *want);
     assert_int_equal(dry_run_draw(&run, &by, NULL, run.cameras, want, NULL, NULL), 0);
     for (size_t i = 0; i < component_count; i++) {
@@ -86,7 +86,7 @@ static void a_list_has_what_the_scene_needs_and_no_more(void **state)
             || components_have_run(i) || !strcmp(components[i].name, "sky")
             || !strcmp(components[i].name, "plain"))
             continue;
-        components_list(&list, &less, &a.wish.terms);
+        components_list(&list, &less, &a.request.terms);
         assert_int_equal(dry_run_draw(&run, &by, NULL, run.cameras, NULL, want, &differs),
                          0);
         if (differs == run.cameras && dry_run_moves_same(&run, &by))
@@ -106,9 +106,9 @@ static void cameras_go_where_somebody_may(void **state)
 
     (void)state;
     ask(&a, "assets/scenes/minimal.ini", false);
-    assert_int_equal(component_search_run(&own, &a.wish), 0);
-    a.wish.acts = true;
-    assert_int_equal(component_search_run(&any, &a.wish), 0);
+    assert_int_equal(component_search_run(&own, &a.request), 0);
+    a.request.acts = true;
+    assert_int_equal(component_search_run(&any, &a.request), 0);
     assert_false(has(&own, "deep"));
     assert_true(has(&any, "deep"));
     assert_true(any.pictures >= 100);
@@ -122,15 +122,15 @@ static void what_draws_another_picture_is_refused(void **state)
 
     (void)state;
     ask(&a, "assets/scenes/minimal.ini", false);
-    a.lacking = *a.wish.assets;
-    a.wish.baked = &a.lacking;
-    assert_int_equal(component_search_run(&found, &a.wish), 0);
+    a.lacking = *a.request.assets;
+    a.request.baked = &a.lacking;
+    assert_int_equal(component_search_run(&found, &a.request), 0);
     assert_non_null(a.lacking.layer[0]);
     a.lacking.layer[0] = NULL;
-    assert_int_equal(component_search_run(&found, &a.wish), EXIT_CHECK);
-    a.lacking = *a.wish.assets;
+    assert_int_equal(component_search_run(&found, &a.request), EXIT_CHECK);
+    a.lacking = *a.request.assets;
     a.named.water.colour ^= 0x404040;
-    assert_int_equal(component_search_run(&found, &a.wish),
+    assert_int_equal(component_search_run(&found, &a.request),
                      0); /* makes a plan of its own then */
     assert_true(found.planned);
     loaded_scene_close(&a.loaded);
@@ -145,13 +145,13 @@ static void lean_assets_are_tried_first(void **state)
 
     (void)state;
     ask(&a, "assets/scenes/minimal.ini", false);
-    a.lacking = *a.wish.assets;
+    a.lacking = *a.request.assets;
     a.lacking.foam = NULL;
-    a.wish.lean = &a.lacking;
-    assert_int_equal(component_search_run(&found, &a.wish), 0);
+    a.request.lean = &a.lacking;
+    assert_int_equal(component_search_run(&found, &a.request), 0);
     assert_true(found.lean);
     a.lacking.layer[0] = NULL;
-    assert_int_equal(component_search_run(&found, &a.wish), 0);
+    assert_int_equal(component_search_run(&found, &a.request), 0);
     assert_false(found.lean);
     loaded_scene_close(&a.loaded);
 }
@@ -163,15 +163,15 @@ static void pieces_are_added_and_left_out_by_name(void **state)
 
     (void)state;
     ask(&a, "assets/scenes/minimal.ini", false);
-    assert_true(components_add_named(&a.wish.with, "foam", 4));
-    assert_true(components_add_named(&a.wish.without, "haze", 4));
-    assert_true(components_add_named(&a.wish.without, "spray", 5));
-    assert_false(components_add_named(&a.wish.without, "spra", 4));
-    assert_int_equal(component_search_run(&found, &a.wish), 0);
+    assert_true(components_add_named(&a.request.with, "foam", 4));
+    assert_true(components_add_named(&a.request.without, "haze", 4));
+    assert_true(components_add_named(&a.request.without, "spray", 5));
+    assert_false(components_add_named(&a.request.without, "spra", 4));
+    assert_int_equal(component_search_run(&found, &a.request), 0);
     assert_true(has(&found, "foam"));
     assert_false(has(&found, "haze"));
     for (size_t i = 0; i < component_count; i++) {
-        assert_false(a.wish.with.has[i] && !found.in.has[i]);
+        assert_false(a.request.with.has[i] && !found.in.has[i]);
         if (!strcmp(components[i].name, "spray"))
             assert_false(found.lacks.has[i]);
     }
@@ -211,20 +211,20 @@ static void what_may_not_be_switched_on_is_refused(void **state)
 
     (void)state;
     ask(&a, "assets/scenes/minimal.ini", false);
-    assert_int_equal(component_search_run(&found, &a.wish), 0);
+    assert_int_equal(component_search_run(&found, &a.request), 0);
     for (size_t i = 0; i < component_count; i++)
         assert_false(found.refused.has[i]);
-    a.wish.terms.checks = true;
-    components_add_named(&a.wish.with, "foam", 4);
-    components_add_named(&a.wish.without, "spray", 5);
-    assert_int_equal(component_search_run(&found, &a.wish), 0);
+    a.request.terms.checks = true;
+    components_add_named(&a.request.with, "foam", 4);
+    components_add_named(&a.request.without, "spray", 5);
+    assert_int_equal(component_search_run(&found, &a.request), 0);
     for (size_t i = 0; i < component_count; i++) {
         const bool module = components[i].kind == COMPONENT_MODULE;
-        const int  where = found.in.has[i] + found.refused.has[i] + a.wish.without.has[i];
+        const int  where = found.in.has[i] + found.refused.has[i] + a.request.without.has[i];
         assert_int_equal(module ? where : found.refused.has[i], module);
         if (module && found.refused.has[i])
-            assert_false(component_is_active(i, &found.in, &a.wish.terms, a.wish.scene,
-                                             a.wish.assets));
+            assert_false(component_is_active(i, &found.in, &a.request.terms, a.request.scene,
+                                             a.request.assets));
         refused += found.refused.has[i];
         undrawn += module && found.in.has[i] && components[i + 1].kind == COMPONENT_DRAWING
                    && !found.in.has[i + 1];

@@ -50,10 +50,10 @@ static int read_pieces(component_set *to, const char *option, const char *list)
     return EXIT_DONE;
 }
 
-static int check_pieces(const component_search_request *wish)
+static int check_pieces(const component_search_request *request)
 {
     for (size_t i = 0; i < component_count; i++)
-        if (wish->with.has[i] && wish->without.has[i])
+        if (request->with.has[i] && request->without.has[i])
             return log_fail(EXIT_USAGE, "tidepool bake: %s is in both --with and --without",
                         components[i].name);
     return EXIT_DONE;
@@ -108,10 +108,10 @@ static int tell_lacks(const component_search_result *found, bool strict)
 int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
                       const tp_assets *assets, tp_assets *baked)
 {
-    component_search_request *wish = &p->wish;
+    component_search_request *request = &p->request;
 
     *p = (bake_program){ .scene = *scene };
-    *wish = (component_search_request){
+    *request = (component_search_request){
         .scene = scene,
         .assets = assets,
         .named = &p->scene,
@@ -126,21 +126,21 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
         .terms = { o->format, o->stream, !o->with, o->with != NULL },
         .acts = !o->no_input,
     };
-    int code = read_pieces(&wish->with, "--with", o->with);
+    int code = read_pieces(&request->with, "--with", o->with);
     if (!code)
-        code = read_pieces(&wish->without, "--without", o->without);
-    components_add_models(&wish->with);
+        code = read_pieces(&request->without, "--without", o->without);
+    components_add_models(&request->with);
     if (!code)
-        code = check_pieces(wish);
+        code = check_pieces(request);
     if (code)
         return code;
     const tp_assets lean = prepared_alone(baked);
-    wish->lean = &lean;
+    request->lean = &lean;
     const tp_ladder ladder = tp_ladder_make(scene, assets, o->width, o->height);
     if (ladder.count == 1)
         p->scene = named_scene(scene, &ladder);
-    code = component_search_run(&p->found, wish);
-    wish->lean = NULL;
+    code = component_search_run(&p->found, request);
+    request->lean = NULL;
     if (p->found.lean)
         *baked = lean;
     if (p->found.planned)
@@ -175,7 +175,7 @@ static void put_set(FILE *out, const char *heading, const component_set *set)
 
 void bake_put_pieces(const bake_program *p, FILE *out)
 {
-    const tp_config *c = &p->wish.config;
+    const tp_config *c = &p->request.config;
 
     fprintf(out,
             " *\n * %" PRIu32 "x%" PRIu32 " %s: %" PRIu32 " pictures are those of the"
@@ -188,14 +188,14 @@ void bake_put_pieces(const bake_program *p, FILE *out)
 
 void bake_put_program(const bake_program *p, FILE *out, const char *name)
 {
-    const tp_config *c = &p->wish.config;
+    const tp_config *c = &p->request.config;
     static const char *const format[] = {
 #define X(name, word, bits, text) [TP_FORMAT_##name] = "TP_FORMAT_" #name,
         TP_FORMAT_LIST(X)
 #undef X
     };
 
-    components_write(out, name, &p->found.in, &p->found.refused, &p->wish.terms);
+    components_write(out, name, &p->found.in, &p->found.refused, &p->request.terms);
     fprintf(out,
             "\nextern const tp_config %s_config;\nconst tp_config %s_config = {\n"
             "    .width = %" PRIu32 ", .height = %" PRIu32 ", .tile_width = %" PRIu32

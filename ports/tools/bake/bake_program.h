@@ -8,7 +8,7 @@
 #include "component_search.h"
 
 typedef struct bake_program {
-    component_search_request  wish;
+    component_search_request request;
     component_search_result found;
     tp_scene  scene;            /* scene to bake with the list; its rungs may be named */
 } bake_program;

@@ -9,12 +9,13 @@
 #include <stdlib.h>
 #include <string.h>
 #include "app/files/log.h"
+#include "component_needs.h"
 #include "fixed/arithmetic.h"
 
 #define FEW 12                  /* number of cameras at first */
 
 typedef struct {
-    const component_search_request *wish;
+    const component_search_request *request;
     dry_run         run;
     dry_run_picture *want;          /* picture of each camera, drawn with all components */
     uint32_t       *few;
@@ -29,15 +30,10 @@ typedef struct {
 
 /* -- programs ------------------------------------------------------------------------ */
 
-static bool is_plan(size_t i)
-{
-    return components[i].kind == COMPONENT_DRAW && strcmp(components[i].name, "rungs") == 0;
-}
-
 static bool plans(const component_set *set)
 {
     for (size_t i = 0; i < component_count; i++)
-        if (is_plan(i) && set->has[i])
+        if (component_is_plan(i) && set->has[i])
             return true;
     return false;
 }
@@ -46,19 +42,12 @@ static bool plans(const component_set *set)
  * named rungs. */
 static dry_run_program make_program(component_search *s, const component_set *set)
 {
-    const component_search_request *wish = s->wish;
+    const component_search_request *request = s->request;
 
-    components_list(&s->list, set, &wish->terms);
-    return (dry_run_program){ &s->list.program, plans(set) ? wish->scene : wish->named,
-                              s->lean ? wish->lean : wish->baked };
-}
-
-static component_set everything(const component_search_request *wish)
-{
-    component_set all = { .has = { false } };
-    for (size_t i = 0; i < component_count; i++)
-        all.has[i] = !wish->without.has[i];
-    return all;
+    components_list(&s->list, set, &request->terms);
+    return (dry_run_program){ &s->list.program,
+                              plans(set) ? request->scene : request->named,
+                              s->lean ? request->lean : request->baked };
 }
 
 /* -- comparing ----------------------------------------------------------------------- */
@@ -98,80 +87,6 @@ static bool will_do(component_search *s, const component_set *set, bool all,
     if (differs)
         *differs = first;
     return !s->code && first == s->run.cameras && moves_same(s, set, &by);
-}
-
-/* -- components needed for sure ------------------------------------------------------ */
-
-/* A component is needed if the memory shrinks without the component, even if the
- * component is rarely visible.  A module's drawing, with no part in the world, is needed
- * only if its module is needed, or if a user acts there: other cameras may then see the
- * drawing. */
-static void need_what_takes_memory(component_search *s)
-{
-    const component_search_request *wish = s->wish;
-    const component_set all = everything(wish);
-    const dry_run_program by = make_program(s, &all);
-    const size_t world = tp_world_bytes(by.program, wish->scene, wish->assets);
-    tp_config config = wish->config;
-
-    config.program = by.program;
-    config.assets = wish->assets;
-    const size_t frame = tp_frame_bytes(&config, wish->scene);
-
-    for (size_t i = 0, module = 0; i < component_count; i++) {
-        component_set less = all;
-        less.has[i] = false;
-        if (!all.has[i] || component_is_stage(i))
-            continue;
-        if (components[i].kind == COMPONENT_MODULE)
-            module = i;
-        components_list(&s->list, &less, &wish->terms);
-        if (component_is_in_world(i))
-            s->needed.has[i] =
-                tp_world_bytes(by.program, wish->scene, wish->assets) != world;
-        else if (components[i].kind == COMPONENT_DRAWING
-                 && (wish->acts || s->needed.has[module]))
-            s->needed.has[i] = tp_frame_bytes(&config, wish->scene) != frame;
-        s->needed.has[module] |=
-            components[i].kind == COMPONENT_DRAWING && s->needed.has[i];
-    }
-}
-
-/* A scene that may change can show more than it shows now: each module that is on stays
- * with its drawing and all its stages.  Fast stages stay only if they have run: exact
- * stages can replace them. */
-static void require_active_modules(component_search *s)
-{
-    const component_search_request *wish = s->wish;
-    const component_set all = everything(wish);
-    bool on = false, fast = false;
-
-    for (size_t i = 0; i < component_count && wish->terms.checks; i++) {
-        if (components[i].kind == COMPONENT_MODULE) {
-            on = all.has[i]
-                 && (component_is_active(i, &all, &wish->terms, wish->scene, wish->assets)
-                     || component_is_active(i, &all, &wish->terms, wish->named,
-                                            wish->baked));
-            fast = strcmp(components[i].name, "fast_water") == 0;
-        }
-        s->needed.has[i] |= components[i].kind >= COMPONENT_MODULE && on
-                            && !(fast && component_is_stage(i));
-    }
-}
-
-/* Components needed for every picture, and the plan for each program that chooses rungs
- * at run time. */
-static void need_always(component_search *s)
-{
-    static const char *const always[] = { "sky", "plain" };
-
-    for (size_t i = 0; i < component_count; i++) {
-        for (size_t k = 0; k < sizeof always / sizeof *always; k++)
-            s->needed.has[i] |= components[i].kind == COMPONENT_STAGE
-                                && strcmp(components[i].name, always[k]) == 0;
-        s->needed.has[i] |= s->wish->with.has[i] || (is_plan(i) && s->run.ladder.count > 1);
-        s->needed.has[i] &= !s->wish->without.has[i];
-    }
 }
 
 /* -- leaving out --------------------------------------------------------------------- */
@@ -217,7 +132,7 @@ static void leave_out_all(component_search *s, const component_set *of)
  * with all components. */
 static bool add_camera(component_search *s, uint32_t camera)
 {
-    const component_set all = everything(s->wish);
+    const component_set all = components_without(&s->request->without);
     component_set out = { .has = { false } };
 
     s->few[s->n_few++] = camera;
@@ -263,7 +178,7 @@ static bool narrow(component_search *s, uint32_t *differs)
         idle.has[i] = component_is_stage(i) && !components_have_run(i);
         parts.has[i] = !component_is_stage(i);
     }
-    s->in = everything(s->wish);
+    s->in = components_without(&s->request->without);
     leave_out_all(s, &idle);
     leave_out_all(s, &parts);
     for (*differs = s->run.cameras; !will_do(s, &s->in, true, differs); )
@@ -289,12 +204,10 @@ static int find(component_search *s)
 {
     uint32_t differs;
 
-    need_what_takes_memory(s);
-    require_active_modules(s);
-    need_always(s);
+    s->needed = components_needed(s->request, s->run.ladder.count > 1);
     for (uint32_t i = 0; i < FEW; i++)
         s->few[s->n_few++] = i * (s->run.cameras / FEW + 1) % s->run.cameras;
-    s->lean = s->wish->lean != NULL;
+    s->lean = s->request->lean != NULL;
     if (narrow(s, &differs))
         return EXIT_DONE;
     if (!s->lean || s->code)
@@ -316,68 +229,69 @@ static bool has_any(const component_set *set)
 /* Finds each component of `without` that alone would change a picture or the world. */
 static int find_lacks(component_search *s, component_set *lacks)
 {
-    const component_search_request *wish = s->wish;
+    const component_search_request *request = s->request;
     dry_run_picture *whole = calloc(s->run.cameras, sizeof *whole);
-    dry_run_program by = { &s->list.program, wish->scene, wish->assets };
+    dry_run_program by = { &s->list.program, request->scene, request->assets };
     component_set    all = { .has = { false } };
     uint32_t     differs;
     int code = whole ? EXIT_DONE : log_fail_memory(s->run.cameras * sizeof *whole);
 
     for (size_t i = 0; i < component_count; i++)
         all.has[i] = true;
-    components_list(&s->list, &all, &wish->terms);
-    const size_t world = tp_world_bytes(by.program, wish->scene, wish->assets);
+    components_list(&s->list, &all, &request->terms);
+    const size_t world = tp_world_bytes(by.program, request->scene, request->assets);
     if (!code)
         code = dry_run_draw(&s->run, &by, NULL, s->run.cameras, whole, NULL, NULL);
     for (size_t i = 0; i < component_count && !code; i++) {
         component_set less = all;
         less.has[i] = false;
-        if (!wish->without.has[i])
+        if (!request->without.has[i])
             continue;
-        components_list(&s->list, &less, &wish->terms);
+        components_list(&s->list, &less, &request->terms);
         code = dry_run_draw(&s->run, &by, NULL, s->run.cameras, NULL, whole, &differs);
-        lacks->has[i] = differs < s->run.cameras
-                        || tp_world_bytes(by.program, wish->scene, wish->assets) != world;
+        lacks->has[i] =
+            differs < s->run.cameras
+            || tp_world_bytes(by.program, request->scene, request->assets) != world;
     }
     free(whole);
     return code;
 }
 
-static component_set refused_modules(const component_search_request *wish,
+static component_set refused_modules(const component_search_request *request,
                                      const component_set *in)
 {
     component_set refused = { .has = { false } };
 
     for (size_t i = 0; i < component_count; i++)
-        refused.has[i] = wish->terms.checks && components[i].kind == COMPONENT_MODULE
-                         && !in->has[i] && !wish->without.has[i];
+        refused.has[i] = request->terms.checks && components[i].kind == COMPONENT_MODULE
+                         && !in->has[i] && !request->without.has[i];
     return refused;
 }
 
 /* -- the search ---------------------------------------------------------------------- */
 
-static int open_search(component_search *s, const component_search_request *wish)
+static int open_search(component_search *s, const component_search_request *request)
 {
-    const component_set all = everything(wish);
+    const component_set all = components_without(&request->without);
     component_list *const list = &s->list;
 
-    *s = (component_search){ .wish = wish };
+    *s = (component_search){ .request = request };
     s->moved = all;
-    components_list(list, &all, &wish->terms);
+    components_list(list, &all, &request->terms);
     int code = dry_run_open(
-        &s->run, &(dry_run_program){ &list->program, wish->scene, wish->assets },
-        &wish->config, wish->acts);
+        &s->run, &(dry_run_program){ &list->program, request->scene, request->assets },
+        &request->config, request->acts);
     if (code)
         return code;
     s->want = calloc(s->run.cameras, sizeof *s->want);
     s->few = calloc(2 * s->run.cameras + FEW + 2, sizeof *s->few);
     if (!s->want || !s->few)
         return log_fail_memory(s->run.cameras * sizeof *s->want);
-    components_list_traced(list, &all, &wish->terms);
+    components_list_traced(list, &all, &request->terms);
     components_forget();
-    return dry_run_draw(&s->run,
-                        &(dry_run_program){ &list->program, wish->scene, wish->assets },
-                        NULL, s->run.cameras, s->want, NULL, NULL);
+    return dry_run_draw(
+        &s->run, &(dry_run_program){ &list->program, request->scene, request->assets },
+        NULL, s->run.cameras, s->want, NULL, NULL);
 }
 
 static void close_search(component_search *s)
@@ -388,20 +302,20 @@ static void close_search(component_search *s)
 }
 
 int component_search_run(component_search_result *found,
-                         const component_search_request *wish)
+                         const component_search_request *request)
 {
     component_search s;
     component_set lacks = { .has = { false } };
-    int code = open_search(&s, wish);
+    int code = open_search(&s, request);
 
     if (!code)
         code = find(&s);
-    if (!code && has_any(&wish->without))
+    if (!code && has_any(&request->without))
         code = find_lacks(&s, &lacks);
     tidy(&s.in);
     *found = (component_search_result){ .in = s.in,
                                         .lacks = lacks,
-                                        .refused = refused_modules(wish, &s.in),
+                                        .refused = refused_modules(request, &s.in),
                                         .lean = s.lean,
                                         .planned = plans(&s.in),
                                         .pictures = s.run.cameras };

@@ -33,5 +33,5 @@ typedef struct {
  * `without`.  Returns EXIT_CHECK after a message if a picture or the world differs;
  * EXIT_INPUT. */
 int component_search_run(component_search_result *found,
-                         const component_search_request *wish);
+                         const component_search_request *request);
 #endif

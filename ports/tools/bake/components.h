@@ -71,6 +71,12 @@ static inline bool component_is_stage(size_t i)
            || components[i].kind == COMPONENT_MODULE_STAGE;
 }
 
+/* True for the quality plan, which chooses rungs at run time. */
+bool component_is_plan(size_t i);
+
+/* Returns all components but those of `out`. */
+component_set components_without(const component_set *out);
+
 /* Returns the kind in words: "stage" of "stage sky", "module" of "module foam". */
 const char *component_kind_name(size_t i);
 

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+#include "component_needs.h"
+#include <string.h>
+
+/* A component is needed if the memory shrinks without the component, even if the
+ * component is rarely visible.  A module's drawing, with no part in the world, is needed
+ * only if its module is needed, or if a user acts there: other cameras may then see the
+ * drawing. */
+static void add_memory_users(component_set *needed,
+                             const component_search_request *request)
+{
+    const component_set all = components_without(&request->without);
+    component_list list;
+    tp_config config = request->config;
+
+    components_list(&list, &all, &request->terms);
+    config.program = &list.program;
+    config.assets = request->assets;
+    const size_t world = tp_world_bytes(&list.program, request->scene, request->assets);
+    const size_t frame = tp_frame_bytes(&config, request->scene);
+
+    for (size_t i = 0, module = 0; i < component_count; i++) {
+        component_set less = all;
+        less.has[i] = false;
+        if (!all.has[i] || component_is_stage(i))
+            continue;
+        if (components[i].kind == COMPONENT_MODULE)
+            module = i;
+        components_list(&list, &less, &request->terms);
+        if (component_is_in_world(i))
+            needed->has[i] =
+                tp_world_bytes(&list.program, request->scene, request->assets) != world;
+        else if (components[i].kind == COMPONENT_DRAWING
+                 && (request->acts || needed->has[module]))
+            needed->has[i] = tp_frame_bytes(&config, request->scene) != frame;
+        needed->has[module] |=
+            components[i].kind == COMPONENT_DRAWING && needed->has[i];
+    }
+}
+
+/* True if either the scene or the scene with named rungs switches the module on. */
+static bool is_module_active(size_t i, const component_set *all,
+                             const component_search_request *request)
+{
+    return component_is_active(i, all, &request->terms, request->scene, request->assets)
+           || component_is_active(i, all, &request->terms, request->named, request->baked);
+}
+
+/* A scene that may change can show more than it shows now: each module that is on stays
+ * with its drawing and all its stages.  Fast stages stay only if they have run: exact
+ * stages can replace them. */
+static void add_active_modules(component_set *needed,
+                               const component_search_request *request)
+{
+    const component_set all = components_without(&request->without);
+    bool on = false, fast = false;
+
+    for (size_t i = 0; i < component_count && request->terms.checks; i++) {
+        if (components[i].kind == COMPONENT_MODULE) {
+            on = all.has[i] && is_module_active(i, &all, request);
+            fast = strcmp(components[i].name, "fast_water") == 0;
+        }
+        needed->has[i] |= components[i].kind >= COMPONENT_MODULE && on
+                          && !(fast && component_is_stage(i));
+    }
+}
+
+/* Every picture needs sky and plain water; the request names others. */
+static void add_required(component_set *needed, const component_search_request *request,
+                         bool plans)
+{
+    static const char *const always[] = { "sky", "plain" };
+
+    for (size_t i = 0; i < component_count; i++) {
+        for (size_t k = 0; k < sizeof always / sizeof *always; k++)
+            needed->has[i] |= components[i].kind == COMPONENT_STAGE
+                              && strcmp(components[i].name, always[k]) == 0;
+        needed->has[i] |= request->with.has[i] || (component_is_plan(i) && plans);
+        needed->has[i] &= !request->without.has[i];
+    }
+}
+
+component_set components_needed(const component_search_request *request, bool plans)
+{
+    component_set needed = { .has = { false } };
+
+    add_memory_users(&needed, request);
+    add_active_modules(&needed, request);
+    add_required(&needed, request, plans);
+    return needed;
+}
