@@ -23,7 +23,7 @@ static const char *const rungs[TP_KINDS][TP_KIND_RUNGS] = {
 static const char *const classes[] = {
     "level", "level_glossy", "level_sparks", "gentle", "gentle_glossy", "gentle_sparks",
     "steep", "steep_glossy", "steep_sparks",
-    "ocean", "ocean_glossy", "ocean_sparks",
+    "coastal", "coastal_glossy", "coastal_sparks",
 };
 
 static const uint8_t counts[TP_KINDS] = { TP_VISIBILITIES, TP_SHADINGS, TP_RATES,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Shared by the counted models; see models.c. */
-#ifndef MODELS_H
-#define MODELS_H
+#ifndef TP_TESTS_BUDGETS_MODELS_H
+#define TP_TESTS_BUDGETS_MODELS_H
 #include "pool/pool.h"
 #include "tidepool/tidepool.h"
 #include "waves/deep_water.h"

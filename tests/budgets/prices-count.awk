@@ -124,7 +124,7 @@ function seen(rung,    near)
         return                              # these renderers support only plain swells
     row("seen", rung, "sharp", more("sharp", near) / waves[near])
     row("seen", rung, "pool", more("pool", near))
-    row("seen", rung, "ocean", more("ocean", near))
+    row("seen", rung, "coastal", more("coastal", near))
     row("seen", rung, "floor", more("floor", near))
     row("seen", rung, "map", more("map", near))
 
@@ -256,7 +256,7 @@ function works(    r, name, than, i, j, k, moved, off, sum, share, right, square
 
 function there_seen(rung, than,    i, item)
 {
-    for (i = split("near dense small one pool ocean", item, " "); i > 0; i--)
+    for (i = split("near dense small one pool coastal", item, " "); i > 0; i--)
         if (cost["seen " rung " " item[i]] != cost["seen " than " " item[i]])
             return 1
     return 0

@@ -37,7 +37,7 @@ END {
     }
     printf "whole,-,slope_colour,%.3f\n", slope
     n = split("level level_glossy level_sparks gentle gentle_glossy gentle_sparks " \
-              "steep steep_glossy steep_sparks ocean ocean_glossy ocean_sparks",
+              "steep steep_glossy steep_sparks coastal coastal_glossy coastal_sparks",
               class, " ")
     for (i = 1; i <= rungs; i++)
         for (k = 1; k <= n; k++) {

@@ -103,7 +103,7 @@ static const row seen[] = {
     { "still", STILL },
     { "sharp", "wave0.exponent=3" },
     { "pool", POOL },
-    { "ocean", "wind.strength=0.2" },
+    { "coastal", "wind.strength=0.2" },
     { "floor", "floor.depth=20 floor.slope=0.004" },
     { "map", "map floor.map_size=400 floor.map_low=-20 floor.map_high=-10" },
 };

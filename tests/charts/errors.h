@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Compares the kernels' results with references in double precision; see kernels.h. */
-#ifndef ERRORS_H
-#define ERRORS_H
+#ifndef TP_TESTS_CHARTS_ERRORS_H
+#define TP_TESTS_CHARTS_ERRORS_H
 #include <math.h>
 #include <stdio.h>
 #include "tests/charts/kernels.h"

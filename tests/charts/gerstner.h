@@ -3,8 +3,8 @@
  * by kernels and their checks. The first three waves are those of three-swells; the others
  * continue the series with other lengths and directions, each with a lower amplitude for
  * its length. */
-#ifndef CHARTS_GERSTNER_H
-#define CHARTS_GERSTNER_H
+#ifndef TP_TESTS_CHARTS_GERSTNER_H
+#define TP_TESTS_CHARTS_GERSTNER_H
 #include "tidepool/scene.h"
 
 enum { GERSTNER_TICK = 1234, GERSTNER_MOST = 8 };

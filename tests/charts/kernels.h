@@ -2,8 +2,8 @@
 /* Small methods for the charts, compared on the same inputs: counted on a Cortex-M4 and on
  * x86-64 (count.sh), and checked in double precision (errors.c). Each chart has one file,
  * kernels_NAME.c, and its reference, errors_NAME.c. */
-#ifndef KERNELS_H
-#define KERNELS_H
+#ifndef TP_TESTS_CHARTS_KERNELS_H
+#define TP_TESTS_CHARTS_KERNELS_H
 #include "tidepool/tidepool.h"
 
 enum { KERNEL_UNITS = 1024, KERNEL_WIDTH = 16 };    /* results; numbers of each */

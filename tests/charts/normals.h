@@ -2,8 +2,8 @@
 /* Water of the chart "normals", shared by kernels and their checks: the waves of
  * three-swells with steepnesses that add up to 0.7, over places of the world spread around
  * the origin. */
-#ifndef CHARTS_NORMALS_H
-#define CHARTS_NORMALS_H
+#ifndef TP_TESTS_CHARTS_NORMALS_H
+#define TP_TESTS_CHARTS_NORMALS_H
 #include "tests/charts/kernels.h"
 
 enum { NORMALS_WAVES = 3, NORMALS_TICK = 1234 };

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Pools of the chart `pool`: a grid of cell sizes, tank sizes, r and dampings, and the
  * pools of the shipped scenes. */
-#ifndef POOL_POINTS_H
-#define POOL_POINTS_H
+#ifndef TP_TESTS_CHARTS_POOL_POINTS_H
+#define TP_TESTS_CHARTS_POOL_POINTS_H
 #include "tidepool/scene.h"
 
 typedef struct {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Rules of a pool's cells without rounding, and the limits of stability by theory; for the
  * charts. */
-#ifndef POOL_RULES_H
-#define POOL_RULES_H
+#ifndef TP_TESTS_CHARTS_POOL_RULES_H
+#define TP_TESTS_CHARTS_POOL_RULES_H
 #include <stdbool.h>
 #include "pool/pool.h"
 

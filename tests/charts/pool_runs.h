@@ -2,8 +2,8 @@
 /* Tanks of the engine's pools that run alone, for the charts: error, growth, time until
  * rest and drift. r and damping are set directly, so tanks may have values that cannot be
  * configured. The program ends if a tank cannot be made. */
-#ifndef POOL_RUNS_H
-#define POOL_RUNS_H
+#ifndef TP_TESTS_CHARTS_POOL_RUNS_H
+#define TP_TESTS_CHARTS_POOL_RUNS_H
 #include "tests/charts/pool_rules.h"
 
 typedef struct {

@@ -6,8 +6,8 @@
  * with rho = 1 - delta, [C6] of the models. A field given at the cells' centres is the sum
  * of the tank's standing modes, by a cosine transform. Each mode has a closed form in time,
  * so the field is known at any moment and at any place between cells. */
-#ifndef POOL_TRUTH_H
-#define POOL_TRUTH_H
+#ifndef TP_TESTS_CHARTS_POOL_TRUTH_H
+#define TP_TESTS_CHARTS_POOL_TRUTH_H
 #include <stdint.h>
 
 /* Height at time t of a mode with frequency omega, and `height` and `speed` at time 0. */

@@ -2,8 +2,8 @@
 /* Pictures for the charts "span" and "filter": a baked scene's water with other settings,
  * drawn by triangles with exact perspective at other distances than the engine's 16 pixels.
  * span.c counts the instructions, span_errors.c measures the errors. */
-#ifndef CHARTS_SPAN_H
-#define CHARTS_SPAN_H
+#ifndef TP_TESTS_CHARTS_SPAN_H
+#define TP_TESTS_CHARTS_SPAN_H
 #include "tidepool/assets.h"
 
 typedef struct {

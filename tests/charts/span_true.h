@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Water triangles with places in double precision: the reference of all steps. Needs a C
  * library; without a C library draws by `exact`. */
-#ifndef CHARTS_SPAN_TRUE_H
-#define CHARTS_SPAN_TRUE_H
+#ifndef TP_TESTS_CHARTS_SPAN_TRUE_H
+#define TP_TESTS_CHARTS_SPAN_TRUE_H
 #include "raster/raster.h"
 
 typedef void span_draw(const tp_gbuffer *tile, const tp_screen_vertex *a,

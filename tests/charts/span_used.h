@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Lists the shipped scenes by the plan's rungs, at 320x240 with their files read. */
-#ifndef CHARTS_SPAN_USED_H
-#define CHARTS_SPAN_USED_H
+#ifndef TP_TESTS_CHARTS_SPAN_USED_H
+#define TP_TESTS_CHARTS_SPAN_USED_H
 #include <stdbool.h>
 #include "quality/plan.h"
 

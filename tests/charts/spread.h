@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Error of a method over many more inputs than the counted run has: runs the kernel block
  * after block, and keeps the largest and the rms error. */
-#ifndef SPREAD_H
-#define SPREAD_H
+#ifndef TP_TESTS_CHARTS_SPREAD_H
+#define TP_TESTS_CHARTS_SPREAD_H
 #include <string.h>
 #include "tests/charts/errors.h"
 

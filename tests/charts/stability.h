@@ -3,8 +3,8 @@
  * beside the theory in double precision. tests/stability/test_maps.c compares the two.
  *
  *     stability CHART         prints rows of the sweep, CHART,KEYS,COLUMN,VALUE */
-#ifndef STABILITY_H
-#define STABILITY_H
+#ifndef TP_TESTS_CHARTS_STABILITY_H
+#define TP_TESTS_CHARTS_STABILITY_H
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Lists the shipped scenes that use a method, for the charts' column `used`; reads the
  * scenes' files with the program's own reader. Run in the project's folder. */
-#ifndef USED_H
-#define USED_H
+#ifndef TP_TESTS_CHARTS_USED_H
+#define TP_TESTS_CHARTS_USED_H
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>

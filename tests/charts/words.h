@@ -5,8 +5,8 @@
  *     NAME=VALUE      a parameter of the scene
  *     grid=N          N lines of the grid along each axis, over the same area of water
  *     grid/N          one line of N */
-#ifndef WORDS_H
-#define WORDS_H
+#ifndef TP_TESTS_CHARTS_WORDS_H
+#define TP_TESTS_CHARTS_WORDS_H
 #include "world/text.h"
 
 /* Number of characters up to a blank, `end` or the end of the text. */

@@ -97,6 +97,8 @@ full completion bash
 FAKE_FB="96 64 32 384 64 2 16 8 8 8 0 8 24 8 0 0" FAKE_GONE=$work/gone
 export FAKE_FB FAKE_GONE
 head -c 24576 /dev/zero >fb0
+check "the fake screen is built" test -f "$build/screen_fake.so"
+[ "$failed" = 0 ] || exit 1     # else `show` would wait for a real screen
 show() {        # ARGUMENT...: on a fake screen (screen_fake.c)
     LD_PRELOAD=$build/screen_fake.so timeout $limit "$program" show "$@" >out 2>err \
         </dev/null

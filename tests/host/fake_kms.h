@@ -2,8 +2,8 @@
 /* A graphics card in memory, for faults of no emulated card.  Replaces ioctl, mmap,
  * munmap, socket, bind and clock_gettime of the test program.  Its device is a named
  * pipe; flip events come through the pipe. */
-#ifndef TESTS_FAKE_KMS_H
-#define TESTS_FAKE_KMS_H
+#ifndef TP_TESTS_HOST_FAKE_KMS_H
+#define TP_TESTS_HOST_FAKE_KMS_H
 #include <stdbool.h>
 #include <stdint.h>
 #include <stddef.h>

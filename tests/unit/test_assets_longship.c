@@ -361,5 +361,5 @@ int main(void)
         cmocka_unit_test(the_ship_is_20_metres_long_and_4_wide),
         cmocka_unit_test(materials_are_defined_and_their_pictures_exist),
     };
-    return cmocka_run_group_tests_name("longship", tests, read_models, NULL);
+    return cmocka_run_group_tests_name("assets/longship", tests, read_models, NULL);
 }

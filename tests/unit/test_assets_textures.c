@@ -309,5 +309,5 @@ int main(void)
         cmocka_unit_test(skies_join_along_their_twelve_edges),
         cmocka_unit_test(alpha_is_the_sun_s_and_the_moon_s),
     };
-    return cmocka_run_group_tests_name("textures", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("assets/textures", tests, NULL, NULL);
 }

@@ -276,5 +276,5 @@ int main(void)
         cmocka_unit_test(drag_is_the_share_of_the_critical),
         cmocka_unit_test(critical_drag_does_not_overshoot),
     };
-    return cmocka_run_group_tests_name("features/boat float", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/boat_buoyancy", tests, NULL, NULL);
 }

@@ -177,5 +177,5 @@ int main(void)
         cmocka_unit_test(it_comes_to_exact_rest_at_its_draft),
         cmocka_unit_test(no_boat_of_the_table_leaves_its_range),
     };
-    return cmocka_run_group_tests_name("features/boat float at rest", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/boat_buoyancy_rest", tests, NULL, NULL);
 }

@@ -134,5 +134,5 @@ int main(void)
         cmocka_unit_test(no_boat_stirs_its_own_ripples_on),
         cmocka_unit_test(a_boat_that_rocks_stirs_the_pool),
     };
-    return cmocka_run_group_tests_name("features/boat wake at rest", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/boat_wake_rest", tests, NULL, NULL);
 }

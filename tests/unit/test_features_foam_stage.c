@@ -265,5 +265,5 @@ int main(void)
         cmocka_unit_test(levels_agree_on_the_mean),
         cmocka_unit_test(where_a_run_is_cut_never_shows),
     };
-    return cmocka_run_group_tests_name("features/foam stages", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/foam_stage", tests, NULL, NULL);
 }

@@ -288,6 +288,6 @@ int main(void)
         cmocka_unit_test(the_cube_is_met_in_the_objects_plane),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("features/reflection stages", tests, make_ramps,
+    return cmocka_run_group_tests_name("features/reflection", tests, make_ramps,
                                        NULL);
 }

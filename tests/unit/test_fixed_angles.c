@@ -171,5 +171,5 @@ int main(void)
         cmocka_unit_test(degrees_become_turns),
     };
     seed = random_seed();
-    return cmocka_run_group_tests_name("fx trig", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("fixed/angles", tests, NULL, NULL);
 }

@@ -399,5 +399,5 @@ int main(void)
         cmocka_unit_test(known_numbers_are_written_as_people_do),
     };
     seed = random_seed();
-    return cmocka_run_group_tests_name("fx text", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("fixed/decimal", tests, NULL, NULL);
 }

@@ -135,5 +135,5 @@ int main(void)
         cmocka_unit_test(axes_cross_right_handed),
     };
     seed = random_seed();
-    return cmocka_run_group_tests_name("fx vec", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("fixed/directions", tests, NULL, NULL);
 }

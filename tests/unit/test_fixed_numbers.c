@@ -134,5 +134,5 @@ int main(void)
         cmocka_unit_test(reciprocals_round_half_up_and_saturate),
     };
     seed = random_seed();
-    return cmocka_run_group_tests_name("fx numbers", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("fixed/numbers", tests, NULL, NULL);
 }

@@ -150,5 +150,5 @@ int main(void)
         cmocka_unit_test(rsqrt_norm_errs_by_less_than_2_to_minus_28),
     };
     seed = random_seed();
-    return cmocka_run_group_tests_name("fx sqrt", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("fixed/roots", tests, NULL, NULL);
 }

@@ -153,5 +153,5 @@ int main(void)
         cmocka_unit_test(a_product_turns_as_its_factors_one_after_the_other),
     };
     seed = random_seed();
-    return cmocka_run_group_tests_name("fx mat", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("fixed/rotations", tests, NULL, NULL);
 }

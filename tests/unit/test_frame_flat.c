@@ -306,5 +306,5 @@ int main(void)
         cmocka_unit_test(water_that_is_not_level_goes_by_triangles),
         cmocka_unit_test(nothing_jumps_at_the_border),
     };
-    return cmocka_run_group_tests_name("flat", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("frame/flat", tests, NULL, NULL);
 }

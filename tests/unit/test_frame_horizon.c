@@ -205,5 +205,5 @@ int main(void)
         cmocka_unit_test(without_reach_the_grid_is_all),
         cmocka_unit_test(the_boat_floats_on_the_water_and_sinks_below_it),
     };
-    return cmocka_run_group_tests_name("horizon", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("frame/horizon", tests, NULL, NULL);
 }

@@ -206,5 +206,5 @@ int main(void)
         cmocka_unit_test(the_eye_may_be_anywhere),
         cmocka_unit_test(a_boat_of_any_size_is_drawn),
     };
-    return cmocka_run_group_tests_name("hostile", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("frame/hostile", tests, NULL, NULL);
 }

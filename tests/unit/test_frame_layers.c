@@ -366,5 +366,5 @@ int main(void)
         cmocka_unit_test(the_world_may_move_on_while_tiles_are_drawn),
         cmocka_unit_test(pictures_drift_for_years),
     };
-    return cmocka_run_group_tests_name("layers", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("frame/layers", tests, NULL, NULL);
 }

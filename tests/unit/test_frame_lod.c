@@ -146,5 +146,5 @@ int main(void)
         cmocka_unit_test(the_picture_stays_what_it_was),
         cmocka_unit_test(nothing_pops_as_the_camera_moves),
     };
-    return cmocka_run_group_tests_name("lod", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("frame/lod", tests, NULL, NULL);
 }

@@ -305,5 +305,5 @@ int main(void)
     };
     chance = random_seed();
     kit_make(&kit, &chance);
-    return cmocka_run_group_tests_name("programs", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("frame/programs", tests, NULL, NULL);
 }

@@ -272,5 +272,5 @@ int main(void)
         cmocka_unit_test(a_picked_place_projects_to_its_pixel),
         cmocka_unit_test(picks_agree_with_the_samples_of_tiles),
     };
-    return cmocka_run_group_tests_name("project", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("frame/project", tests, NULL, NULL);
 }

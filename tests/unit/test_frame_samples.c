@@ -80,5 +80,5 @@ int main(void)
 {
     chance = random_seed();
     const struct CMUnitTest tests[] = { cmocka_unit_test(each_kind_of_thing_is_told) };
-    return cmocka_run_group_tests_name("samples", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("frame/samples", tests, NULL, NULL);
 }

@@ -414,5 +414,5 @@ int main(void)
         cmocka_unit_test(the_numbers_of_a_frame_add_up),
         cmocka_unit_test(materials_beyond_the_marks_are_counted_and_drawn),
     };
-    return cmocka_run_group_tests_name("tiles", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("frame/tiles", tests, NULL, NULL);
 }

@@ -93,5 +93,5 @@ int main(void)
         cmocka_unit_test(from_the_deck_it_goes_round_the_boat),
         cmocka_unit_test(a_boat_in_the_middle_is_gone_with),
     };
-    return cmocka_run_group_tests_name("look and the boat", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("interact/camera_boat", tests, NULL, NULL);
 }

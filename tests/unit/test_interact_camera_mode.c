@@ -276,5 +276,5 @@ int main(void)
         cmocka_unit_test(any_jump_ends_where_it_should),
         cmocka_unit_test(no_input_is_too_large),
     };
-    return cmocka_run_group_tests_name("look", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("interact/camera_mode", tests, NULL, NULL);
 }

@@ -259,5 +259,5 @@ int main(void)
         cmocka_unit_test(a_path_shares_the_stir_of_a_tick),
         cmocka_unit_test(a_path_waits_where_pokes_fill_the_tick),
     };
-    return cmocka_run_group_tests_name("poke", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("interact/poke", tests, NULL, NULL);
 }

@@ -333,5 +333,5 @@ int main(void)
         cmocka_unit_test(what_the_scene_says_anew_is_not_carried),
         cmocka_unit_test(a_camera_whose_deck_is_gone_stands_where_the_scene_says),
     };
-    return cmocka_run_group_tests_name("setting", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("interact/setting", tests, NULL, NULL);
 }

@@ -325,5 +325,5 @@ int main(void)
         cmocka_unit_test(names_with_a_nul_are_passed_over_with_a_warning),
         cmocka_unit_test(names_may_fill_a_line),
     };
-    return cmocka_run_group_tests_name("found", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("mesh/found", tests, NULL, NULL);
 }

@@ -312,5 +312,5 @@ int main(void)
         cmocka_unit_test(faces_without_a_picture_get_some_tangent),
         cmocka_unit_test(area_vectors_are_exact_at_the_ends_of_the_range),
     };
-    return cmocka_run_group_tests_name("shape", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("mesh/geometry", tests, NULL, NULL);
 }

@@ -334,5 +334,5 @@ int main(void)
         cmocka_unit_test(only_a_scan_that_ended_well_asks_for_memory),
         cmocka_unit_test_prestate(any_other_file_in_the_second_pass_is_refused, &seed),
     };
-    return cmocka_run_group_tests_name("hostile", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("mesh/hostile", tests, NULL, NULL);
 }

@@ -328,5 +328,5 @@ int main(void)
         cmocka_unit_test(materials_that_are_not_used_are_not_looked_into),
         cmocka_unit_test(texels_per_metre_are_the_mean_over_the_faces),
     };
-    return cmocka_run_group_tests_name("mtl", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("mesh/mtl", tests, NULL, NULL);
 }

@@ -149,5 +149,5 @@ int main(void)
         cmocka_unit_test(names_of_pictures_may_fill_a_line),
         cmocka_unit_test(names_of_pictures_beyond_their_room_are_left_out),
     };
-    return cmocka_run_group_tests_name("mtl_faults", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("mesh/mtl_faults", tests, NULL, NULL);
 }

@@ -442,5 +442,5 @@ int main(void)
         cmocka_unit_test(more_than_2_to_the_20_libraries_are_refused),
         cmocka_unit_test(calls_out_of_order_are_refused),
     };
-    return cmocka_run_group_tests_name("obj", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("mesh/obj", tests, NULL, NULL);
 }

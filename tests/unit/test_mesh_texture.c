@@ -193,5 +193,5 @@ int main(void)
         cmocka_unit_test_prestate(other_sizes_are_resampled_to_the_next_above, &seed),
         cmocka_unit_test(the_largest_picture_keeps_an_even_colour),
     };
-    return cmocka_run_group_tests_name("texture", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("mesh/texture", tests, NULL, NULL);
 }

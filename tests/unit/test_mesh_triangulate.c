@@ -312,5 +312,5 @@ int main(void)
         cmocka_unit_test_prestate(any_outline_gives_two_triangles_less_than_corners,
                                   &seed),
     };
-    return cmocka_run_group_tests_name("cut", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("mesh/triangulate", tests, NULL, NULL);
 }

@@ -139,5 +139,5 @@ int main(void)
         cmocka_unit_test_prestate(an_outline_at_random_ends_within_its_steps, &seed),
         cmocka_unit_test(the_widest_outlines_turn_the_right_way),
     };
-    return cmocka_run_group_tests_name("cut_large", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("mesh/triangulate_large", tests, NULL, NULL);
 }

@@ -327,5 +327,5 @@ int main(void)
         cmocka_unit_test(beyond_the_bound_water_does_not_rest_but_stays_in_range),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("pool gears", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("pool/flux_gears", tests, NULL, NULL);
 }

@@ -238,5 +238,5 @@ int main(void)
         cmocka_unit_test(too_low_a_feed_gains_authority),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("pool hat", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("pool/splash", tests, NULL, NULL);
 }

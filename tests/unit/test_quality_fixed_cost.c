@@ -212,5 +212,5 @@ int main(int argc, char **argv)
     };
 
     listing_read(&listed, "tests/golden/works.txt", argc, argv);
-    return cmocka_run_group_tests_name("scene/works", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("quality/fixed_cost", tests, NULL, NULL);
 }

@@ -28,7 +28,7 @@ static tp_prices prices_of(uint64_t *state)
                 .known = v + l == 0 || random_below(state, 5) > 0,
                 .pixel = chance_fx(state, 0, 200), .vertex = chance_fx(state, 0, 3000),
                 .wave = chance_fx(state, 0, 200), .pool = chance_fx(state, 0, 1000),
-                .ocean = chance_fx(state, 0, 3000),
+                .coastal = chance_fx(state, 0, 3000),
             };
     for (int s = 0; s < TP_SHADINGS; s++)
         for (int r = 0; r < TP_RATES; r++) {

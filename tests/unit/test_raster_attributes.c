@@ -379,5 +379,5 @@ int main(void)
         cmocka_unit_test(solids_carry_normal_texture_and_face),
         cmocka_unit_test(any_corners_are_safe),
     };
-    return cmocka_run_group_tests_name("attributes", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("raster/attributes", tests, NULL, NULL);
 }

@@ -653,5 +653,5 @@ int main(void)
         cmocka_unit_test(opacity_lets_sixteenths_of_the_pixels_through),
         cmocka_unit_test(clearing_makes_everything_sky_and_touches_no_more),
     };
-    return cmocka_run_group_tests_name("fill", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("raster/fill", tests, NULL, NULL);
 }

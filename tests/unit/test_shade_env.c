@@ -286,5 +286,5 @@ int main(void)
         cmocka_unit_test(faces_stand_as_the_header_says),
         cmocka_unit_test(stars_are_few_and_only_overhead),
     };
-    return cmocka_run_group_tests_name("env", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("shade/env", tests, NULL, NULL);
 }

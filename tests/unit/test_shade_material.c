@@ -173,5 +173,5 @@ int main(void)
         cmocka_unit_test(solids_follow_phong),
         cmocka_unit_test(normal_maps_bend_solids),
     };
-    return cmocka_run_group_tests_name("phong", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("shade/material", tests, NULL, NULL);
 }

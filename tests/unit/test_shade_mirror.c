@@ -243,5 +243,5 @@ int main(void)
         cmocka_unit_test(fresnel_mixes_light_beyond_white),
         cmocka_unit_test(air_takes_the_horizon_s_colour_in_its_direction),
     };
-    return cmocka_run_group_tests_name("mirror", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("shade/mirror", tests, NULL, NULL);
 }

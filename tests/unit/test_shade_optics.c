@@ -186,5 +186,5 @@ int main(void)
         cmocka_unit_test(a_floor_seen_from_above_appears_at_three_quarters),
         cmocka_unit_test(offsets_are_quotients_and_saturate),
     };
-    return cmocka_run_group_tests_name("optics", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("shade/optics", tests, NULL, NULL);
 }

@@ -354,5 +354,5 @@ int main(void)
         cmocka_unit_test(levels_follow_the_depth),
         cmocka_unit_test(levels_never_fall_with_the_depth),
     };
-    return cmocka_run_group_tests_name("tables", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("shade/optics_tables", tests, NULL, NULL);
 }

@@ -268,5 +268,5 @@ int main(void)
         cmocka_unit_test(a_level_is_that_of_the_first_sample_of_16_columns),
         cmocka_unit_test(rippled_water_stays_turned_to_the_eye),
     };
-    return cmocka_run_group_tests_name("rules", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("shade/rules", tests, NULL, NULL);
 }

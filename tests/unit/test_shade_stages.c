@@ -247,5 +247,5 @@ int main(void)
         cmocka_unit_test(colours_keep_their_ends),
         cmocka_unit_test(logarithms_are_within_a_twelfth),
     };
-    return cmocka_run_group_tests_name("stages", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("shade/stages", tests, NULL, NULL);
 }

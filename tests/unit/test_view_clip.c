@@ -386,5 +386,5 @@ int main(void)
         cmocka_unit_test(a_level_cuts_off_what_lies_beyond_it),
         cmocka_unit_test(a_level_cuts_an_edge_once),
     };
-    return cmocka_run_group_tests_name("clip", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("view/clip", tests, NULL, NULL);
 }

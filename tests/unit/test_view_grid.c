@@ -385,5 +385,5 @@ int main(void)
         cmocka_unit_test(no_cell_that_shows_is_left_out),
         cmocka_unit_test(boxes_hold_their_cells),
     };
-    return cmocka_run_group_tests_name("grid", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("view/grid", tests, NULL, NULL);
 }

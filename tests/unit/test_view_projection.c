@@ -253,5 +253,5 @@ int main(void)
         cmocka_unit_test(what_is_held_is_in_front_however_far),
         cmocka_unit_test(planes_hold_all_that_the_picture_shows_and_little_more),
     };
-    return cmocka_run_group_tests_name("projection", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("view/projection", tests, NULL, NULL);
 }

@@ -353,5 +353,5 @@ int main(void)
         cmocka_unit_test(sheets_without_a_size_are_level),
         cmocka_unit_test(what_overhangs_is_as_steep_as_can_be),
     };
-    return cmocka_run_group_tests_name("surface", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("view/surface", tests, NULL, NULL);
 }

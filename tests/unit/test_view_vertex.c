@@ -326,5 +326,5 @@ int main(void)
         cmocka_unit_test(where_a_run_begins_does_not_show),
         cmocka_unit_test(rings_lie_on_the_displaced_water),
     };
-    return cmocka_run_group_tests_name("vertex", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("view/vertex", tests, NULL, NULL);
 }

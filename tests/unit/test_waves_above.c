@@ -309,5 +309,5 @@ int main(void)
         cmocka_unit_test(plain_steps_keep_their_bound),
         cmocka_unit_test(both_searches_follow_the_table),
     };
-    return cmocka_run_group_tests_name("above", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/above", tests, NULL, NULL);
 }

@@ -172,5 +172,5 @@ int main(void)
         cmocka_unit_test(the_gate_opens_from_06_to_078),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("wave/breaking", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/breaking", tests, NULL, NULL);
 }

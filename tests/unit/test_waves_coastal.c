@@ -355,5 +355,5 @@ int main(void)
         cmocka_unit_test(what_cannot_be_built_says_so),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("wave/ocean", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/coastal", tests, NULL, NULL);
 }

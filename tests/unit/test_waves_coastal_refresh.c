@@ -64,7 +64,7 @@ static void assert_as_built(const coastal_water *o, const char *change)
 
     build(&want);
     if (memcmp(want.coastal, o->coastal, bytes) != 0)
-        print_error("after a change of %s the ocean is another\n", change);
+        print_error("a change of %s changes coastal water\n", change);
     assert_memory_equal(want.coastal, o->coastal, bytes);
     coastal_end(&want);
 }
@@ -212,5 +212,5 @@ int main(void)
         cmocka_unit_test(what_depends_on_no_changed_number_is_left_as_it_is),
         cmocka_unit_test(coastal_water_of_another_size_is_refused_unchanged),
     };
-    return cmocka_run_group_tests_name("ocean_refresh", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/coastal_refresh", tests, NULL, NULL);
 }

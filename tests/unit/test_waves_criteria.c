@@ -148,5 +148,5 @@ int main(void)
         cmocka_unit_test(any_words_are_accepted),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("wave criteria", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/criteria", tests, NULL, NULL);
 }

@@ -179,5 +179,5 @@ int main(void)
         cmocka_unit_test(beyond_a_map_its_edge_goes_on),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("wave/floor", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/floor", tests, NULL, NULL);
 }

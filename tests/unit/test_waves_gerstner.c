@@ -228,5 +228,5 @@ int main(void)
         cmocka_unit_test(sums_of_sines_follow_the_table),
         cmocka_unit_test(sines_follow_the_table),
     };
-    return cmocka_run_group_tests_name("gerstner", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/gerstner", tests, NULL, NULL);
 }

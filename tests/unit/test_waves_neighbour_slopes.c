@@ -129,5 +129,5 @@ int main(void)
         cmocka_unit_test(a_wall_mirrors_the_missing_height),
         cmocka_unit_test(slopes_saturate_at_the_ends_of_the_ranges),
     };
-    return cmocka_run_group_tests_name("five", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/neighbour_slopes", tests, NULL, NULL);
 }

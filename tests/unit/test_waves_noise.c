@@ -64,5 +64,5 @@ int main(void)
         cmocka_unit_test(heights_are_spread_evenly),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("wave/noise", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/noise", tests, NULL, NULL);
 }

@@ -145,5 +145,5 @@ int main(void)
         cmocka_unit_test(one_trochoid_keeps_its_bound),
         cmocka_unit_test(any_sea_keeps_its_bound),
     };
-    return cmocka_run_group_tests_name("normals", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/normals", tests, NULL, NULL);
 }

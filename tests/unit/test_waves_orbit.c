@@ -129,5 +129,5 @@ int main(void)
         cmocka_unit_test(a_falling_floor_does_not_tilt_orbits),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("wave/orbit", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/orbit", tests, NULL, NULL);
 }

@@ -257,5 +257,5 @@ int main(void)
         cmocka_unit_test(a_map_of_a_slope_moves_as_the_slope),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("wave/refraction", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/refraction", tests, NULL, NULL);
 }

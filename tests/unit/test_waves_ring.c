@@ -424,5 +424,5 @@ int main(void)
         cmocka_unit_test(a_ring_is_spent_when_it_is_low_or_far),
         cmocka_unit_test(once_spent_it_stays_so),
     };
-    return cmocka_run_group_tests_name("ring", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/ring", tests, NULL, NULL);
 }

@@ -152,5 +152,5 @@ int main(void)
         cmocka_unit_test(powers_beyond_the_range_count_as_its_ends),
         cmocka_unit_test(a_sine_is_a_sine_in_a_sharpened_sea),
     };
-    return cmocka_run_group_tests_name("sharp", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/sharp_crests", tests, NULL, NULL);
 }

@@ -341,5 +341,5 @@ int main(void)
         cmocka_unit_test(shapes_of_any_words_are_accepted),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("wave shoal", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/shoal", tests, NULL, NULL);
 }

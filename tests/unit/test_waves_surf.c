@@ -168,5 +168,5 @@ int main(void)
         cmocka_unit_test(crests_break_where_it_is_shallow_and_not_where_it_is_deep),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("wave/surf", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/surf", tests, NULL, NULL);
 }

@@ -252,5 +252,5 @@ int main(void)
         cmocka_unit_test(the_reach_is_the_greatest_displacement),
         cmocka_unit_test(det_stays_above_zero_where_all_crests_meet),
     };
-    return cmocka_run_group_tests_name("swell", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/swell", tests, NULL, NULL);
 }

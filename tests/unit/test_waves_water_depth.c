@@ -251,5 +251,5 @@ int main(void)
         cmocka_unit_test(exponentials_keep_their_errors),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("wave depth", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/water_depth", tests, NULL, NULL);
 }

@@ -192,5 +192,5 @@ int main(void)
         cmocka_unit_test(radii_leave_no_loop),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("wave wind", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("waves/wind", tests, NULL, NULL);
 }

@@ -253,5 +253,5 @@ int main(void)
         cmocka_unit_test(a_snapshot_goes_on_with_the_same_bits),
         cmocka_unit_test(the_eye_stays_within_the_world),
     };
-    return cmocka_run_group_tests_name("aboard", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("world/aboard", tests, NULL, NULL);
 }

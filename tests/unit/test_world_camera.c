@@ -195,5 +195,5 @@ int main(void)
         cmocka_unit_test(input_moves_a_placed_camera),
         cmocka_unit_test(a_stored_world_may_have_left_the_deck),
     };
-    return cmocka_run_group_tests_name("camera", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("world/camera", tests, NULL, NULL);
 }

@@ -185,5 +185,5 @@ int main(void)
         cmocka_unit_test(the_fraction_glides_between_ticks),
         cmocka_unit_test(ticks_go_on_beyond_years),
     };
-    return cmocka_run_group_tests_name("clock", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("world/clock", tests, NULL, NULL);
 }

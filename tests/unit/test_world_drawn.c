@@ -277,5 +277,5 @@ int main(void)
         cmocka_unit_test(the_ticks_stepped_are_the_clock_s),
         cmocka_unit_test(a_look_is_seen_at_once),
     };
-    return cmocka_run_group_tests_name("drawn", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("world/drawn", tests, NULL, NULL);
 }

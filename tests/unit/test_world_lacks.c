@@ -260,5 +260,5 @@ int main(void)
     };
     chance = random_seed();
     kit_make(&kit, &chance);
-    return cmocka_run_group_tests_name("scene/lacks", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("world/lacks", tests, NULL, NULL);
 }

@@ -321,5 +321,5 @@ int main(void)
         cmocka_unit_test(pokes_come_as_often_as_the_scene_says),
         cmocka_unit_test(the_surface_names_every_part),
     };
-    return cmocka_run_group_tests_name("parts", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("world/layout", tests, NULL, NULL);
 }

@@ -133,5 +133,5 @@ int main(void)
         cmocka_unit_test(between_ticks_it_is_between),
         cmocka_unit_test(a_refresh_takes_what_has_changed),
     };
-    return cmocka_run_group_tests_name("light", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("world/light", tests, NULL, NULL);
 }

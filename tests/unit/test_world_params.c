@@ -401,5 +401,5 @@ int main(void)
         cmocka_unit_test(texts_are_cut_to_their_buffer),
         cmocka_unit_test(fields_have_the_rows_that_name_them),
     };
-    return cmocka_run_group_tests_name("scene params", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("world/params", tests, NULL, NULL);
 }

@@ -169,5 +169,5 @@ int main(int argc, char **argv)
     };
 
     listing_read(&listed, "tests/golden/params.txt", argc, argv);
-    return cmocka_run_group_tests_name("scene params list", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("world/params_list", tests, NULL, NULL);
 }

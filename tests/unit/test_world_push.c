@@ -185,5 +185,5 @@ int main(void)
         cmocka_unit_test(open_water_takes_a_ring),
         cmocka_unit_test(what_nothing_takes_is_told),
     };
-    return cmocka_run_group_tests_name("push", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("world/push", tests, NULL, NULL);
 }

@@ -229,7 +229,7 @@ static void a_refresh_by_need_is_a_full_one(void **state)
         p.full = malloc(p.need->layout.bytes);
         memcpy(p.full, p.need, p.need->layout.bytes);
         turn_every_row(&p);
-        printf("    kind %u: %u refreshes, ocean %s, meter %s\n", (unsigned)kind,
+        printf("    kind %u: %u refreshes, coastal water %s, meter %s\n", (unsigned)kind,
                (unsigned)p.done, tp_world_coastal(p.need) ? "yes" : "no",
                tp_world_is_metered(p.need) ? "yes" : "no");
         assert_true(p.done > 300);
@@ -248,5 +248,5 @@ int main(void)
         cmocka_unit_test(what_may_change_is_taken),
         cmocka_unit_test(a_refresh_by_need_is_a_full_one),
     };
-    return cmocka_run_group_tests_name("refresh", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("world/refresh", tests, NULL, NULL);
 }

@@ -160,5 +160,5 @@ int main(void)
         cmocka_unit_test(points_come_from_where_velocities_say),
         cmocka_unit_test(still_water_stands_still),
     };
-    return cmocka_run_group_tests_name("sample", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("world/sample", tests, NULL, NULL);
 }

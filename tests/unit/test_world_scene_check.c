@@ -298,5 +298,5 @@ int main(void)
         cmocka_unit_test(scenes_of_any_numbers_are_refused_or_can_be_used),
         cmocka_unit_test(a_program_without_the_check_trusts_its_scene),
     };
-    return cmocka_run_group_tests_name("scene check", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("world/scene_check", tests, NULL, NULL);
 }

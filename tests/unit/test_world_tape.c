@@ -326,5 +326,5 @@ int main(void)
         cmocka_unit_test(bad_heads_say_what_was_expected),
         cmocka_unit_test(random_bytes_are_refused_or_read),
     };
-    return cmocka_run_group_tests_name("tape", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("world/tape", tests, NULL, NULL);
 }

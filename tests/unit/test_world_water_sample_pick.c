@@ -402,5 +402,5 @@ int main(void)
         cmocka_unit_test(water_before_the_near_plane_is_not_seen),
         cmocka_unit_test(any_scene_and_pixel_is_answered),
     };
-    return cmocka_run_group_tests_name("pick", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("world/water_sample_pick", tests, NULL, NULL);
 }

@@ -231,7 +231,7 @@ async function searching(page) {
        'camera.fov angle');
 }
 
-async function hands(page) {
+async function userInput(page) {
     const box = await page.locator('#canvas').boundingBox();
     const at = (x, y) => [box.x + box.width * x, box.y + box.height * y];
     await pick(page, '#scene', 'tank');
@@ -444,7 +444,7 @@ try {
     await scenes(page);
     await values(page);
     await searching(page);
-    await hands(page);
+    await userInput(page);
     await sharing(context, page);
     await context.close();
     await phone(browser);

@@ -4,8 +4,8 @@
  * median.
  *
  *   PEER plain|full|smooth WIDTH HEIGHT POINTS FRAMES FILE.png */
-#ifndef BENCH_PEER_H
-#define BENCH_PEER_H
+#ifndef TP_TESTS_BENCH_PEERS_PEER_H
+#define TP_TESTS_BENCH_PEERS_PEER_H
 #include "tools/bench/bench_scene.h"
 
 typedef struct {

@@ -236,5 +236,5 @@ int main(void)
         cmocka_unit_test(lines_are_drawn_as_in_double_precision),
     };
     chance = random_seed();
-    return cmocka_run_group_tests_name("rows", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("raster/scanlines", tests, NULL, NULL);
 }

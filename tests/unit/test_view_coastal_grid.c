@@ -195,5 +195,5 @@ int main(void)
         cmocka_unit_test(slopes_are_those_between_neighbours),
         cmocka_unit_test(cells_on_land_are_told),
     };
-    return cmocka_run_group_tests_name("sheet", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("view/coastal_grid", tests, NULL, NULL);
 }

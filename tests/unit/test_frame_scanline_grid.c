@@ -104,5 +104,5 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_box_beyond_the_last_is_read),
     };
-    return cmocka_run_group_tests_name("frame/rows", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("frame/scanline_grid", tests, NULL, NULL);
 }

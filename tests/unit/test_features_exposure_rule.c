@@ -97,5 +97,5 @@ int main(void)
         cmocka_unit_test(the_target_is_reached_and_kept),
         cmocka_unit_test(any_numbers_give_an_exposure_in_range),
     };
-    return cmocka_run_group_tests_name("features/auto_exposure", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/exposure_rule", tests, NULL, NULL);
 }

@@ -258,5 +258,5 @@ int main(void)
         cmocka_unit_test(cubes_are_metered_by_their_pictures),
         cmocka_unit_test(a_fixed_exposure_takes_no_room_and_stays),
     };
-    return cmocka_run_group_tests_name("features/meter", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/exposure_meter", tests, NULL, NULL);
 }

@@ -40,7 +40,7 @@ static tp_coastal_config config_of(int kind)
 static tp_coastal_water *const coastal = (tp_coastal_water *)(void *)&model.block;
 static tp_fx half;                  /* half width of the places, m */
 
-static void prepare_ocean(int kind)
+static void prepare_coastal(int kind)
 {
     const tp_coastal_config config = config_of(kind);
     tp_wave wave[3];
@@ -54,9 +54,9 @@ static void prepare_ocean(int kind)
     tp_deep_water_init(&model.deep, wave, 3, TP_FX(9.81));
     tp_deep_water_phases(&model.deep, 1234, 0, model.phases);
     model.bytes = (uint32_t)tp_coastal_bytes(&config, &model.deep);
-    model_expect(model.bytes <= sizeof model.block, "the ocean is too large");
+    model_expect(model.bytes <= sizeof model.block, "coastal water is too large");
     model_expect(!tp_coastal_init(coastal, &config, &model.deep, wave, 3, NULL),
-                 "no ocean");
+                 "no coastal water");
     half = kind == BREAKING ? TP_FX(15) : TP_FX(150);
 }
 
@@ -106,10 +106,10 @@ COUNTED(number)
 }
 
 const model_row model_oceans[] = {
-    { "ocean-wind", "point", "3 waves", prepare_ocean, counted_coastal, WIND, 256 },
-    { "ocean-slope", "point", "3 waves", prepare_ocean, counted_coastal, SLOPE, 256 },
-    { "ocean-map", "point", "3 waves", prepare_ocean, counted_coastal, MAP, 256 },
-    { "ocean-breaking", "point", "3 waves", prepare_ocean, counted_coastal, BREAKING, 256 },
+    { "coastal-wind", "point", "3 waves", prepare_coastal, counted_coastal, WIND, 256 },
+    { "coastal-slope", "point", "3 waves", prepare_coastal, counted_coastal, SLOPE, 256 },
+    { "coastal-map", "point", "3 waves", prepare_coastal, counted_coastal, MAP, 256 },
+    { "coastal-breaking", "point", "3 waves", prepare_coastal, counted_coastal, BREAKING, 256 },
     { "depth-eckart", "depth", "", prepare_number, counted_number, ECKART, 256 },
     { "depth-fenton", "depth", "", prepare_number, counted_number, FENTON, 256 },
     { "depth-newton", "depth", "", prepare_number, counted_number, NEWTON, 256 },

@@ -203,5 +203,5 @@ int main(void)
         cmocka_unit_test(up_to_the_border_it_is_the_mesh),
         cmocka_unit_test(every_tiling_of_projected_water_is_the_same),
     };
-    return cmocka_run_group_tests_name("projected", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("frame/screen_grid", tests, NULL, NULL);
 }

@@ -111,5 +111,5 @@ int main(void)
     };
     chance = random_seed();
     kit_make(&kit, &chance);
-    return cmocka_run_group_tests_name("features/truth", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/statements", tests, NULL, NULL);
 }

@@ -195,5 +195,5 @@ int main(void)
         cmocka_unit_test(before_a_sponge_waves_go_south),
         cmocka_unit_test(any_paddle_and_any_tick_are_taken),
     };
-    return cmocka_run_group_tests_name("features/paddle", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("features/pool_paddle", tests, NULL, NULL);
 }
