@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* A baked scene: the scene and its pictures as constants, for machines without files.
  * `tidepool bake SCENE --name baked` writes the file that defines them. */
-#ifndef BAKED_H
-#define BAKED_H
+#ifndef TP_CORTEX_M_BAKED_H
+#define TP_CORTEX_M_BAKED_H
 #include "tidepool/modules.h"
 
 extern const tp_scene  baked_scene;

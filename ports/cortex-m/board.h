@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Services of a board besides its processor: free memory and stack use. */
-#ifndef BOARD_H
-#define BOARD_H
+#ifndef TP_CORTEX_M_BOARD_H
+#define TP_CORTEX_M_BOARD_H
 #include <stddef.h>
 #include <stdint.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Arm semihosting: text output and exit codes through the debugger or emulator. */
-#ifndef SEMIHOST_H
-#define SEMIHOST_H
+#ifndef TP_CORTEX_M_SEMIHOST_H
+#define TP_CORTEX_M_SEMIHOST_H
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>

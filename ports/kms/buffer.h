@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernel's DRM calls, and dumb buffers: memory shown by a CRTC without conversion. */
-#ifndef KMS_BUFFER_H
-#define KMS_BUFFER_H
+#ifndef TP_KMS_BUFFER_H
+#define TP_KMS_BUFFER_H
 #include <stdbool.h>
 #include <stdint.h>
 #include "app/files/picture.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A card's screen: set to a mode with black buffers, and restored at the end. */
-#ifndef KMS_CARD_H
-#define KMS_CARD_H
+#ifndef TP_KMS_CARD_H
+#define TP_KMS_CARD_H
 #include "buffer.h"
 #include "connectors.h"
 

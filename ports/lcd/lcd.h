@@ -12,8 +12,8 @@
  * wires, the core draws the next tile into its scratch, and the tile is packed into the
  * other buffer.  The driver stores nothing of the world or the frame: after a failure the
  * next frame is complete again. */
-#ifndef LCD_H
-#define LCD_H
+#ifndef TP_LCD_LCD_H
+#define TP_LCD_LCD_H
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The inside of a tp_host; tidepool/host.h is the public header. */
-#ifndef LIBRARY_HOST_H
-#define LIBRARY_HOST_H
+#ifndef TP_LIBRARY_HOST_H
+#define TP_LIBRARY_HOST_H
 #include "app/scene/loaded_scene.h"
 #include "interact/camera_mode.h"
 #include "interact/poke.h"

@@ -47,7 +47,7 @@ typedef struct { uint32_t depth, width, height, first, frames; } rpi_request;
 
 /* Sets *number to the number after a name in the command line; leaves it if the name is
  * missing. */
-static void wished(const char *line, const char *name, uint32_t *number)
+static void parse_option(const char *line, const char *name, uint32_t *number)
 {
     for (; *line; line++) {
         const char *c = line, *n = name;
@@ -68,11 +68,11 @@ static rpi_request what_to_draw(void)
     struct { char *text; size_t size; } block = { line, sizeof line };
 
     if (semihost(0x15, &block) == 0) {
-        wished(line, "depth", &w.depth);
-        wished(line, "width", &w.width);
-        wished(line, "height", &w.height);
-        wished(line, "first", &w.first);
-        wished(line, "frames", &w.frames);
+        parse_option(line, "depth", &w.depth);
+        parse_option(line, "width", &w.width);
+        parse_option(line, "height", &w.height);
+        parse_option(line, "first", &w.first);
+        parse_option(line, "frames", &w.frames);
     }
     return w;
 }

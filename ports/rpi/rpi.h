@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Interfaces between start-up code, the board's registers, the linker script and the
  * port. */
-#ifndef RPI_H
-#define RPI_H
+#ifndef TP_RPI_RPI_H
+#define TP_RPI_RPI_H
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>

@@ -177,7 +177,7 @@
         crc() { return (this.c.crc() >>> 0).toString(16).padStart(8, '0'); }
 
         /* Returns the input of the next step, the fields of tp_input without its pokes. */
-        wish() { return new Int32Array(this.c.memory.buffer, this.c.input(), 13); }
+        nextInput() { return new Int32Array(this.c.memory.buffer, this.c.input(), 13); }
 
         camera() { return new Int32Array(this.c.memory.buffer, this.c.camera(), 5); }
 

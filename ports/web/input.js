@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Converts keys, mouse and touch to the input of the next tick.
  *
- *     const hands = makeHands(canvas, act)
- *     hands.wish(input)       adds held keys and drags to the input, once a tick
- *     hands.moves()           true if the input moves the camera
+ *     const userInput = makeUserInput(canvas, act)
+ *     userInput.apply(input)      adds held keys and drags to the input, once a tick
+ *     userInput.movesCamera()     true if the input moves the camera
  *
  * Calls act(name, ...) for single actions: "pause", or "touch" with a position, x and y
  * 0..1. */
@@ -14,8 +14,8 @@
           DROPS = 7, THROTTLE = 8, RUDDER = 9, SLOWER = 10, LIGHT_TURN = 11,
           LIGHT_TILT = 12;
 
-    /* Per tick, as in ports/interact/input_merge.h: 1/60 of m/s (Q16.16) and degrees/s (2^32 = a
-     * turn). */
+    /* Per tick, as in ports/interact/input_merge.h: 1/60 of m/s (Q16.16) and degrees/s
+     * (2^32 = a turn). */
     const metres = m => Math.round(m * 65536);
     const degrees = d => Math.round(d / 360 * 4294967296);
     const WALK = metres(4 / 60), RUN = metres(16 / 60), STEER = metres(1.5 / 60);
@@ -45,7 +45,7 @@
     };
     const TAP = 6;              /* px; a finger moving farther drags */
 
-    root.makeHands = function (canvas, act) {
+    root.makeUserInput = function (canvas, act) {
         const down = new Set(), fingers = new Map();
         let more = new Array(LIGHT_TILT + 1).fill(0), slipped = 0, apart = 0, stirring = false;
 
@@ -150,7 +150,7 @@
 
         /* -- input --------------------------------------------------------------- */
 
-        function wish(input) {
+        function apply(input) {
             const run = down.has('ShiftLeft') || down.has('ShiftRight');
             for (const code of down) {
                 const [field, size] = HELD[code] || [0, 0];
@@ -166,10 +166,10 @@
                 down.add(event.code);
         });
 
-        const moves = () => more.slice(AHEAD, TILT + 1).some(Boolean)
+        const movesCamera = () => more.slice(AHEAD, TILT + 1).some(Boolean)
             || [...down].some(code => HELD[code] && HELD[code][0] <= UP);
 
-        return { wish, moves };
+        return { apply, movesCamera };
     };
 
     root.HELP = [

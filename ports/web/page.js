@@ -17,7 +17,7 @@
                     busy: true,             /* waiting for files */
                     built: false };         /* a world exists */
     const pending = new Map();              /* changes to apply before the next frame */
-    let last = 0, owed = 0, times = [], shown = 0, engine, panel, hands;
+    let last = 0, owed = 0, times = [], shown = 0, engine, panel, userInput;
 
     /* -- messages ---------------------------------------------------------------- */
 
@@ -69,13 +69,13 @@
     /* -- time -------------------------------------------------------------------- */
 
     function tick() {
-        hands.wish(engine.wish());
+        userInput.apply(engine.nextInput());
         state.frame = engine.step();
         state.stale = true;
     }
 
     function look() {
-        hands.wish(engine.wish());
+        userInput.apply(engine.nextInput());
         engine.c.turn();
         state.stale = true;
     }
@@ -87,13 +87,13 @@
         try {
             if (pending.size)
                 await changes();
-            const moves = hands.moves();
+            const moves = userInput.movesCamera();
             state.moved = state.moved || moves;
             owed = Math.min(owed + now - last, AT_ONCE * TICK);
             for (; owed >= TICK; owed -= TICK)
                 if (!state.paused)
                     tick();
-                else if (hands.moves())
+                else if (userInput.movesCamera())
                     look();
             if (state.stale)
                 draw();
@@ -119,18 +119,18 @@
         state.built = true;
         state.steps = 0;        /* steps of the governor (quality.frame_ms) */
         state.frame = carry ? state.frame : 0;
-        glass();
+        resizeCanvas();
     }
 
     /* Fits the canvas to the picture's size. */
-    function glass() {
+    function resizeCanvas() {
         canvas.width = state.width;
         canvas.height = state.height;
         state.stale = true;
         fit();
     }
 
-    const fit = () => fitGlass(canvas, +$('zoom').value);
+    const fit = () => fitCanvas(canvas, +$('zoom').value);
 
     /* Runs one task at a time; no frame is drawn while it waits for files. */
     async function alone(work) {
@@ -354,7 +354,7 @@
         try {
             engine.resize(width, height, FORMATS.indexOf($('format').value));
             Object.assign(state, { width, height, format: $('format').value });
-            glass();
+            resizeCanvas();
         } catch (error) {
             tell(error.message);
             fields();
@@ -398,7 +398,7 @@
         s => make('option', { value: s.name, title: s.description }, s.title)));
     panel = makePanel(engine, Object.keys(TIDEPOOL.files),
                       (p, text) => pending.set(p, text));
-    hands = makeHands(canvas, act);
+    userInput = makeUserInput(canvas, act);
     if (matchMedia('(max-width: 760px)').matches) {
         toggle(false);
         [state.width, state.height] = uprightSize(canvas.parentElement);

@@ -12,7 +12,7 @@
     /* Scales the canvas: `zoom` device pixels per picture pixel, or as large as its
      * place, from factor 2 on by whole numbers, to keep a dither pattern even.  Aligns
      * the canvas to device pixels; otherwise it would be blurred. */
-    root.fitGlass = function (canvas, zoom) {
+    root.fitCanvas = function (canvas, zoom) {
         const box = canvas.parentElement.getBoundingClientRect();
         const ratio = devicePixelRatio || 1;
         const most = ratio * Math.min(box.width / canvas.width,

@@ -34,7 +34,7 @@ static struct {
     uint32_t  number;           /* frame number of the world */
     tp_world  before;           /* head of the last world, for setting_carry */
     bool      was;
-    tp_input  wish;             /* input of the next tick */
+    tp_input  next_input;       /* input of the next tick */
     poke_queue pokes;           /* pokes for the next tick and later ticks */
     camera_mode look;
     tp_governor governor;
@@ -128,7 +128,7 @@ EXPORT(int, build, uint32_t width, uint32_t height, int format, bool carry)
                                .format = (tp_format)format,
                                .assets = &web_assets };
     page.number = carry ? page.number : 0;
-    page.wish = (tp_input){ 0 };
+    page.next_input = (tp_input){ 0 };
     page.pokes = (poke_queue){ .count = 0 };
     if (make_world(&err) || make_frame(&err)) {
         page.world = NULL;
@@ -167,7 +167,7 @@ _Static_assert(offsetof(tp_input, push) == 13 * sizeof(int32_t),
 /* Returns the input of the next step; the page adds to its fields.  Pokes are separate. */
 EXPORT(tp_input *, input, void)
 {
-    return &page.wish;
+    return &page.next_input;
 }
 
 /* Advances by a frame and returns its number.  The first tick takes the input; in slow
@@ -175,10 +175,10 @@ EXPORT(tp_input *, input, void)
 EXPORT(uint32_t, step, void)
 {
     for (uint32_t ticks = tp_world_advance_clock(page.world); ticks > 0; ticks--) {
-        poke_take(&page.pokes, &web_scene, &page.wish);
-        camera_mode_steer(&page.look, page.world, &web_scene, &page.wish);
-        tp_world_step(&tp_program_all, page.world, &web_scene, &page.wish);
-        page.wish = (tp_input){ 0 };
+        poke_take(&page.pokes, &web_scene, &page.next_input);
+        camera_mode_steer(&page.look, page.world, &web_scene, &page.next_input);
+        tp_world_step(&tp_program_all, page.world, &web_scene, &page.next_input);
+        page.next_input = (tp_input){ 0 };
     }
     return ++page.number;
 }
@@ -186,11 +186,11 @@ EXPORT(uint32_t, step, void)
 /* Moves the camera alone while the water stands still. */
 EXPORT(void, turn, void)
 {
-    tp_input *wish = &page.wish;
-    camera_mode_steer(&page.look, page.world, &web_scene, wish);
-    tp_world_move_camera(page.world, wish);
-    wish->forward = wish->strafe = wish->up = 0;
-    wish->turn = wish->tilt = 0;
+    tp_input *input = &page.next_input;
+    camera_mode_steer(&page.look, page.world, &web_scene, input);
+    tp_world_move_camera(page.world, input);
+    input->forward = input->strafe = input->up = 0;
+    input->turn = input->tilt = 0;
 }
 
 /* -- pictures ------------------------------------------------------------------------ */
@@ -246,9 +246,9 @@ EXPORT(int, took, uint32_t us)
 /* Moves the sphere of drops over the point and releases a drop. */
 static void release_drop(const tp_drops *drops, const tp_vec3 *at)
 {
-    page.wish.sphere_x = at->x - drops->sphere.x;
-    page.wish.sphere_z = at->z - drops->sphere.z;
-    page.wish.drops = 1;
+    page.next_input.sphere_x = at->x - drops->sphere.x;
+    page.next_input.sphere_z = at->z - drops->sphere.z;
+    page.next_input.drops = 1;
 }
 
 enum { MISSED, TOUCHED, DRY, FULL };

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Shared by the files of the page's WebAssembly module.  There is one page, so the state
  * is global.  Pages call the exported functions; text is exchanged in web_text. */
-#ifndef WEB_H
-#define WEB_H
+#ifndef TP_WEB_WEB_H
+#define TP_WEB_WEB_H
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>

@@ -33,7 +33,7 @@ typedef struct {
     console    *tty;
     terminal_keys keys;
     snapshot_thread *keeper;        /* NULL: only the final world is kept, or nothing */
-    tp_input    wish;               /* input of the next tick */
+    tp_input    next_input;         /* input of the next tick */
     uint64_t    clock, owed;        /* clock: us; owed: ticks due, in 1/1000000 */
     uint64_t    kept_at, key_at;    /* us */
     uint32_t    width, height;      /* of pictures, px */
@@ -92,8 +92,8 @@ static void step(loop *l)
     for (uint32_t n = act(l) ? tp_world_advance_clock(what->world) : 0; n > 0 && act(l);
          n--) {
         tp_world_step(&tp_program_all, what->world, what->scene,
-                      what->taped ? what->taped(what->user) : &l->wish);
-        l->wish = nothing;
+                      what->taped ? what->taped(what->user) : &l->next_input);
+        l->next_input = nothing;
     }
     l->frame++;
     l->stale = true;
@@ -102,12 +102,12 @@ static void step(loop *l)
 static void tick(loop *l)
 {
     const tp_input input = terminal_keys_input(&l->keys);
-    input_merge(&l->wish, &input);
+    input_merge(&l->next_input, &input);
     if (!l->keys.pause) {
         step(l);
     } else if (input_moves_camera(&input)) {
         tp_world_move_camera(l->what->world, &input);
-        l->wish = (tp_input){ 0 };
+        l->next_input = (tp_input){ 0 };
         l->stale = true;
     }
 }

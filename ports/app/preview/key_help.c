@@ -333,14 +333,14 @@ static const key_help_sheet *chosen(const keymap *m, const SDL_Rect *where, int 
 {
     static key_help_sheet last;
     static keymap keys;
-    static int wide, high, wished;
-    if (!wished || wide != where->w || high != where->h || wished != scale
+    static int wide, high, shown_scale;
+    if (!shown_scale || wide != where->w || high != where->h || shown_scale != scale
         || memcmp(&keys, m, sizeof keys) != 0) {
         search(&last, m, where, scale);
         keys = *m;
         wide = where->w;
         high = where->h;
-        wished = scale;
+        shown_scale = scale;
     }
     return &last;
 }

@@ -53,7 +53,7 @@ typedef struct view {
     uint64_t    clock, owed;    /* clock: us; owed: ticks due, in 1/1000000 */
     uint32_t    picture;        /* frames since the scene was opened or restarted */
     uint64_t    base;           /* ticks made in replaced worlds of this scene */
-    tp_input    wish;           /* input of the next tick */
+    tp_input    next_input;     /* input of the next tick */
     poke_queue  pokes;          /* pokes for the next tick and later ticks */
     bool        paused;
     bool        changed;        /* scene or camera changed, other than by a tick */

@@ -36,7 +36,7 @@ void view_hush(view *v)
 static void drop(view *v)
 {
     if (tp_world_drops(v->loaded->world))
-        v->wish.drops += v->wish.drops < 1024;
+        v->next_input.drops += v->next_input.drops < 1024;
     else
         view_say(v, "this scene has no drops: set drops.count in the panel");
 }
@@ -55,7 +55,7 @@ static void shift_clock(view *v, int slower)
 {
     const int64_t target = v->loaded->world->clock.target;
     const int64_t to = slower > 0 ? target / 2 : target * 2;
-    v->wish.slowdown += slower;
+    v->next_input.slowdown += slower;
     if (to < TP_CLOCK_SLOWEST || to > TP_CLOCK_FASTEST)
         view_say(v, "this is the %s speed", slower > 0 ? "slowest" : "fastest");
     else if (to >= TP_FX_ONE)

@@ -152,7 +152,7 @@ bool view_open(view *v, const char *scene)
     scene_file_close(&filed);
     v->picture = 0;
     v->base = 0;
-    v->wish = (tp_input){ 0 };
+    v->next_input = (tp_input){ 0 };
     v->pokes = (poke_queue){ 0 };
     v->changed = false;
     rewind_forget(v->history);

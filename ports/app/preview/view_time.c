@@ -67,7 +67,7 @@ void view_step(view *v)
     if (v->playing)
         v->pokes = (poke_queue){ 0 };           /* a tape has pokes of its own */
     else if (has_tick(current_world(v)))
-        poke_take(&v->pokes, &v->loaded->file.scene, &v->wish);
+        poke_take(&v->pokes, &v->loaded->file.scene, &v->next_input);
     if (v->playing && tape_file_has_ended(&v->replay.tape, v->replay.tick)) {
         view_untape(v);
         view_say(v, "the tape has ended: keys work again");
@@ -76,12 +76,12 @@ void view_step(view *v)
         play_acts(v);
     else
         rewind_add(v->history, v->picture, current_world(v), v->loaded->world_bytes,
-                   &v->loaded->file.scene, &v->wish, v->changed);
+                   &v->loaded->file.scene, &v->next_input, v->changed);
     v->changed = false;
     v->tape.picture = ++v->picture;
     for (uint32_t ticks = tp_world_advance_clock(current_world(v)); ticks > 0; ticks--) {
-        step_world(v, &v->wish);
-        v->wish = nothing;
+        step_world(v, &v->next_input);
+        v->next_input = nothing;
     }
     v->stale = true;
 }
@@ -117,7 +117,7 @@ void view_back(view *v)
     tape_file_cut(&v->tape, v->picture);
     if (v->taping)                      /* the lines of recorded edits may be gone */
         undo_edits_forget_worlds(&v->edits);
-    v->wish = (tp_input){ 0 };
+    v->next_input = (tp_input){ 0 };
     v->pokes = (poke_queue){ 0 };
     const bool other = memcmp(&before, &s->file.scene, sizeof before) != 0;
     if (other && loaded_scene_open_renderer(s, v->options) != EXIT_DONE)
@@ -159,11 +159,11 @@ static void gather_input(view *v, tp_input *input)
                              v->panel && panel_types(v->panel));
     if (v->camera_mode.mode == CAMERA_ORBIT || v->camera_mode.mode == CAMERA_TOP) {
         /* camera_mode_steer gives the whole way to a pose: drop older camera input */
-        v->wish.forward = v->wish.strafe = v->wish.up = 0;
-        v->wish.turn = v->wish.tilt = 0;
+        v->next_input.forward = v->next_input.strafe = v->next_input.up = 0;
+        v->next_input.turn = v->next_input.tilt = 0;
     }
     camera_mode_steer(&v->camera_mode, current_world(v), &v->loaded->file.scene, input);
-    input_merge(&v->wish, input);
+    input_merge(&v->next_input, input);
     for (int i = 0; i < v->control.places; i++)
         aim(v, &v->control.place[i]);
     v->control.places = 0;
@@ -174,8 +174,8 @@ static void look_round(view *v, const tp_input *input)
 {
     tape_file_add_look(&v->tape, current_tick(v), input);
     tp_world_move_camera(current_world(v), input);
-    v->wish.forward = v->wish.strafe = v->wish.up = 0;
-    v->wish.turn = v->wish.tilt = 0;
+    v->next_input.forward = v->next_input.strafe = v->next_input.up = 0;
+    v->next_input.turn = v->next_input.tilt = 0;
     v->changed = v->stale = true;
 }
 
@@ -227,7 +227,7 @@ void view_restart(view *v)
     }
     v->picture = 0;
     v->base = 0;
-    v->wish = (tp_input){ 0 };
+    v->next_input = (tp_input){ 0 };
     v->pokes = (poke_queue){ 0 };
     rewind_forget(v->history);
     v->camera_mode =

@@ -162,8 +162,8 @@ static void drag(window *w, int x)
     int wide = 0;
     SDL_GetWindowSize(w->window, &wide, NULL);
     const int most = SDL_max(wide - BAR - ROOM_LEAST, 1);
-    const int wished = (w->left ? x : wide - x) - BAR / 2;
-    w->panel = SDL_min(SDL_max(wished, PANEL_LEAST), most);
+    const int width = (w->left ? x : wide - x) - BAR / 2;
+    w->panel = SDL_min(SDL_max(width, PANEL_LEAST), most);
 }
 
 static bool button(window *w, const SDL_MouseButtonEvent *event)

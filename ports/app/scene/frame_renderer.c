@@ -96,7 +96,7 @@ void frame_renderer_close(frame_renderer *c)
 /* -- drawing ------------------------------------------------------------------------- */
 
 typedef struct {
-    frame_renderer     *canvas;
+    frame_renderer *renderer;
     atomic_uint taken;          /* number of tiles taken by threads */
     atomic_uint water_pixels;
 } tile_work;
@@ -120,7 +120,7 @@ static void place(frame_renderer *c, const tp_tile *tile)
 static void draw_tiles(void *user, uint32_t thread)
 {
     tile_work *all = user;
-    frame_renderer *c = all->canvas;
+    frame_renderer *c = all->renderer;
     const uint32_t tiles = tp_frame_tiles(c->frame);
     void *scratch = c->scratch[thread];
     tp_tile tile;
@@ -134,7 +134,7 @@ static void draw_tiles(void *user, uint32_t thread)
 
 void frame_renderer_draw(frame_renderer *c, const tp_world *world)
 {
-    tile_work all = { .canvas = c };
+    tile_work all = { .renderer = c };
     atomic_init(&all.taken, 0);
     atomic_init(&all.water_pixels, 0);
     const uint64_t begin = now_us();

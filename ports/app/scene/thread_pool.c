@@ -13,7 +13,7 @@ typedef struct {
     uint32_t  number;           /* index, from 1 */
     uint32_t  done;             /* number of the last job that the thread began */
     pthread_t thread;
-} hand;
+} worker;
 
 struct thread_pool {
     pthread_mutex_t lock;       /* guards all members below */
@@ -24,29 +24,29 @@ struct thread_pool {
     uint32_t  busy;
     bool      open;             /* threads may still begin the job */
     bool      over;             /* threads shall end */
-    uint32_t  hands;
-    hand      hand[];
+    uint32_t  workers;
+    worker    worker[];
 };
 
-static void do_job(thread_pool *c, hand *h)
+static void do_job(thread_pool *c, worker *w)
 {
-    h->done = c->job;
+    w->done = c->job;
     c->busy++;
     pthread_mutex_unlock(&c->lock);
-    c->task(c->user, h->number);
+    c->task(c->user, w->number);
     pthread_mutex_lock(&c->lock);
     if (--c->busy == 0)
         pthread_cond_signal(&c->rest);
 }
 
-static void *live(void *user)
+static void *run_worker(void *user)
 {
-    hand *h = user;
-    thread_pool *c = h->of;
+    worker *w = user;
+    thread_pool *c = w->of;
     pthread_mutex_lock(&c->lock);
     while (!c->over) {
-        if (c->open && h->done != c->job)
-            do_job(c, h);
+        if (c->open && w->done != c->job)
+            do_job(c, w);
         else
             pthread_cond_wait(&c->work, &c->lock);
     }
@@ -62,15 +62,15 @@ uint32_t thread_pool_default_size(void)
 
 thread_pool *thread_pool_open(uint32_t threads)
 {
-    thread_pool *c = threads ? calloc(1, sizeof *c + threads * sizeof c->hand[0]) : NULL;
+    thread_pool *c = threads ? calloc(1, sizeof *c + threads * sizeof c->worker[0]) : NULL;
     if (!c)
         return NULL;
     pthread_mutex_init(&c->lock, NULL);
     pthread_cond_init(&c->work, NULL);
     pthread_cond_init(&c->rest, NULL);
-    for (uint32_t i = 0; i < threads; i++, c->hands++) {
-        c->hand[i] = (hand){ .of = c, .number = i + 1 };
-        if (pthread_create(&c->hand[i].thread, NULL, live, &c->hand[i]))
+    for (uint32_t i = 0; i < threads; i++, c->workers++) {
+        c->worker[i] = (worker){ .of = c, .number = i + 1 };
+        if (pthread_create(&c->worker[i].thread, NULL, run_worker, &c->worker[i]))
             break;
     }
     return c;
@@ -84,8 +84,8 @@ void thread_pool_close(thread_pool *c)
     c->over = true;
     pthread_cond_broadcast(&c->work);
     pthread_mutex_unlock(&c->lock);
-    for (uint32_t i = 0; i < c->hands; i++)
-        pthread_join(c->hand[i].thread, NULL);
+    for (uint32_t i = 0; i < c->workers; i++)
+        pthread_join(c->worker[i].thread, NULL);
     pthread_cond_destroy(&c->work);
     pthread_cond_destroy(&c->rest);
     pthread_mutex_destroy(&c->lock);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Drivers of the evaluation board: clock, serial port over USB, the display's wires, five
  * buttons. */
-#ifndef EVB_H
-#define EVB_H
+#ifndef TP_CORTEX_M_LM3S6965EVB_EVB_H
+#define TP_CORTEX_M_LM3S6965EVB_EVB_H
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
