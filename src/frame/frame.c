@@ -71,9 +71,11 @@ tp_plan_input tp_frame_plan_input(const tp_program *program, const tp_scene *sce
                             config->height };
 }
 
-tp_frame *tp_frame_layout(const tp_program *program, tp_frame_buffers *buffers,
-                          tp_ram_use *ram, tp_arena *arena, const tp_scene *scene,
-                          tp_assets *assets, const tp_config *config)
+/* Allocates the frame's block, the frame itself first.  Called with a counting arena, then
+ * with the block.  Returns sizes in `ram`. */
+static tp_frame *layout_frame(const tp_program *program, tp_frame_buffers *buffers,
+                              tp_ram_use *ram, tp_arena *arena, const tp_scene *scene,
+                              tp_assets *assets, const tp_config *config)
 {
     tp_frame *frame = tp_arena_alloc(arena, 1, sizeof *frame);
     const size_t fixed = arena->used;
@@ -185,7 +187,7 @@ size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene)
 
     if (check_both(&c, scene, NULL) != TP_OK)
         return 0;
-    tp_frame_layout(c.program, &buffers, &ram, &arena, scene, &known, &c);
+    layout_frame(c.program, &buffers, &ram, &arena, scene, &known, &c);
     return ram.frame;
 }
 
@@ -231,7 +233,7 @@ static tp_frame *make(tp_arena *arena, const tp_config *c, const tp_scene *scene
     tp_assets known = assets_or_empty(c->assets);
     tp_frame_buffers buffers;
     tp_ram_use ram;
-    tp_frame *frame = tp_frame_layout(c->program, &buffers, &ram, arena, scene, &known, c);
+    tp_frame *frame = layout_frame(c->program, &buffers, &ram, arena, scene, &known, c);
 
     TP_ASSERT(arena->used == ram.frame && !arena->failed);
     memset(frame, 0, sizeof *frame);
@@ -332,7 +334,7 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
         frame->projection.lean = 0; /* golden frames of the deck camera have no lean */
     tp_frame_choose_rungs(frame);
     if (draw->rungs)
-        draw->rungs->thin(frame);
+        draw->rungs->cull_waves(frame);
     tp_frame_set_up_shading(frame);
     tp_frame_choose_visibility(frame);
     tp_frame_place_surface(frame);

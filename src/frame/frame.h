@@ -29,7 +29,7 @@ typedef struct {
 typedef struct {
     tp_deep_water deep;
     tp_turn       phases[TP_WAVES];
-} tp_thin_sea;
+} tp_culled_deep_water;
 
 /* Layout of the frame's block: memory for all features needed at init, NULL or 0 for the
  * others.  A feature switched on later finds no memory and is left out. */
@@ -40,7 +40,7 @@ typedef struct tp_frame_buffers {
     tp_projected    *projected;
     uint32_t        *slopes;            /* flat: slope grid, row by row */
     uint32_t         slope_cols;
-    tp_thin_sea     *thin;
+    tp_culled_deep_water *culled;
     struct tp_frame_lines *lines;       /* scanline grid; NULL: rows cannot draw */
     uint32_t         lacks;             /* modules without enough stencil values */
     void           **module;            /* memory of each module of the program, or NULL */
@@ -94,11 +94,7 @@ static inline tp_shaders *tp_frame_list(const tp_frame *frame, uint32_t mark)
     return tp_marks_list(&frame->buffers.marks, mark);
 }
 
-/* frame.c: the layout of the block, the frame itself first.  Called with a counting arena,
- * then with the block.  Returns sizes in `ram`. */
-tp_frame *tp_frame_layout(const tp_program *program, tp_frame_buffers *buffers,
-                          tp_ram_use *ram, tp_arena *arena, const tp_scene *scene,
-                          tp_assets *assets, const tp_config *config);
+/* frame.c */
 tp_module_conditions tp_frame_module_conditions(const tp_program *program,
                                                 const tp_frame_buffers *buffers,
                                                 const tp_scene *scene,
@@ -211,7 +207,7 @@ struct tp_draw_rungs {
     void (*layout)(tp_frame_buffers *parts, tp_arena *arena, const tp_plan_input *in);
     tp_ladder (*ladder)(const tp_plan_input *in);
     tp_rungs (*rungs)(const tp_plan_input *in);
-    void (*thin)(tp_frame *frame);
+    void (*cull_waves)(tp_frame *frame);
 };
 
 /* -- the scanline grid --------------------------------------------------------------- */

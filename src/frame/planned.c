@@ -18,8 +18,8 @@ static tp_ladder make_ladder_by_cost(const tp_plan_input *in)
 static void layout_culled_water(tp_frame_buffers *buffers, tp_arena *arena,
                                 const tp_plan_input *in)
 {
-    if (tp_thins_sea(in))
-        buffers->thin = tp_arena_alloc(arena, 1, sizeof *buffers->thin);
+    if (tp_plan_culls_waves(in))
+        buffers->culled = tp_arena_alloc(arena, 1, sizeof *buffers->culled);
 }
 
 /* Drops faint waves for this frame's camera, by the plan's rule for the scene's start
@@ -28,10 +28,10 @@ static void cull_faint_waves(tp_frame *frame)
 {
     const tp_projection *projection = &frame->projection;
     tp_surface *surface = &frame->surface;
-    tp_thin_sea *thin = frame->buffers.thin;
+    tp_culled_deep_water *culled = frame->buffers.culled;
     const tp_fx slope_colour = tp_prices_measured.slope_colour;
 
-    if (!thin || surface->coastal)
+    if (!culled || surface->coastal)
         return;
     tp_wave_cull_limits limits =
         tp_wave_cull_limits_make(frame->scene, surface->deep->count, slope_colour);
@@ -39,10 +39,10 @@ static void cull_faint_waves(tp_frame *frame)
     limits.near = tp_nearest_water_distance(
         tp_fx_saturate((int64_t)projection->eye.y - surface->deep->height),
         &projection->turn, frame->scene->camera.fov);
-    if (tp_wave_cull_deep_water(&thin->deep, thin->phases, surface->deep, surface->phases,
-                                &limits)) {
-        surface->deep = &thin->deep;
-        surface->phases = thin->phases;
+    if (tp_wave_cull_deep_water(&culled->deep, culled->phases, surface->deep,
+                                surface->phases, &limits)) {
+        surface->deep = &culled->deep;
+        surface->phases = culled->phases;
     }
 }
 

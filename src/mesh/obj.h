@@ -179,11 +179,6 @@ bool tp_lines_last(tp_obj_lines *lines, tp_words *line);
 
 #define TP_NO_NAME UINT32_MAX
 
-/* Allocates room for `max_names` names of `text_bytes` bytes in total, terminators
- * included. */
-void tp_names_layout(tp_obj_names *names, tp_arena *arena, uint32_t max_names,
-                     uint32_t text_bytes);
-
 /* Empties the set. */
 void tp_names_clear(tp_obj_names *names);
 
@@ -232,7 +227,6 @@ uint32_t tp_area_sum_shift(uint32_t extent, uint32_t count);
 tp_area tp_area_divide_pow2(tp_area a,
                             uint32_t shift);        /* towards 0: favours no direction */
 uint64_t tp_area_length(tp_area a);                 /* relative error < 2^-29 */
-tp_dir3  tp_area_direction(tp_area a);              /* (0, 1, 0) for zero area */
 
 /* -- the reader ---------------------------------------------------------------------- */
 

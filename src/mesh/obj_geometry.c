@@ -60,7 +60,8 @@ uint64_t tp_area_length(tp_area a)
     return (uint64_t)tp_isqrt64(square) << shift;
 }
 
-tp_dir3 tp_area_direction(tp_area a)
+/* Returns (0, 1, 0) for zero area. */
+static tp_dir3 area_direction(tp_area a)
 {
     const tp_area small = tp_area_divide_pow2(a, excess_bits(a));
     return tp_normalise((int32_t)small.x, (int32_t)small.y, (int32_t)small.z);
@@ -179,7 +180,7 @@ static void add_to_slots(tp_obj_memory *store, const tp_mesh_face *face, tp_area
  * face. */
 static tp_dir3 any_tangent(tp_area normal)
 {
-    const tp_dir3 n = tp_area_direction(normal);
+    const tp_dir3 n = area_direction(normal);
     const int32_t x = tp_abs(n.x), y = tp_abs(n.y), z = tp_abs(n.z);
     if (x <= y && x <= z)
         return tp_normalise(0, n.z, -n.y);
@@ -201,9 +202,9 @@ static tp_packed_dir face_tangent(const tp_obj *obj, const tp_mesh_face *face, t
         return tp_dir_pack(any_tangent(normal));
     *picture_area_sum += (uint64_t)(turn < 0 ? -turn : turn) >> obj->picture_shift;
     const tp_dir3 along =
-        tp_area_direction((tp_area){ tp_area_product_difference(e.x, dt_f, f.x, dt_e),
-                                     tp_area_product_difference(e.y, dt_f, f.y, dt_e),
-                                     tp_area_product_difference(e.z, dt_f, f.z, dt_e) });
+        area_direction((tp_area){ tp_area_product_difference(e.x, dt_f, f.x, dt_e),
+                                  tp_area_product_difference(e.y, dt_f, f.y, dt_e),
+                                  tp_area_product_difference(e.z, dt_f, f.z, dt_e) });
     if (turn > 0)
         return tp_dir_pack(along) | TP_TANGENT_MIRRORED;
     return tp_dir_pack((tp_dir3){ -along.x, -along.y, -along.z });
@@ -271,7 +272,7 @@ static void make_faces(tp_obj *obj, const struct tp_obj_polygon *polygon,
     int64_t sum[3] = { 0, 0, 0 };
     triangulate_polygon(obj, polygon, corners, sum);
     const tp_packed_dir normal =
-        tp_dir_pack(tp_area_direction((tp_area){ sum[0], sum[1], sum[2] }));
+        tp_dir_pack(area_direction((tp_area){ sum[0], sum[1], sum[2] }));
     for (uint32_t i = 0; i < polygon->corners; i++) {
         union tp_obj_vertex *const vertex = &store->vertices[corners[i]];
         if ((vertex->corner.normal & TP_NORMAL_KIND) == TP_NORMAL_FLAT)
@@ -289,7 +290,7 @@ static tp_packed_dir resolve_normal(const tp_obj_memory *store, uint32_t normal)
         return store->normals[i];
     case TP_NORMAL_GROUP: {
         const int64_t *const sum = store->slots[i].sum;
-        return tp_dir_pack(tp_area_direction((tp_area){ sum[0], sum[1], sum[2] }));
+        return tp_dir_pack(area_direction((tp_area){ sum[0], sum[1], sum[2] }));
     }
     default:
         return i;

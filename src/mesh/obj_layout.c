@@ -6,10 +6,11 @@
 
 /* -- sets of names ------------------------------------------------------------------- */
 
-/* A set is a hash table with open addressing, at most two thirds full.  The hash begins
- * with the digest of the file: nobody can choose names that collide. */
-void tp_names_layout(tp_obj_names *names, tp_arena *arena, uint32_t max_names,
-                     uint32_t text_bytes)
+/* Allocates a set: room for `max_names` names of `text_bytes` bytes in total, terminators
+ * included.  A set is a hash table with open addressing, at most two thirds full.  The
+ * hash begins with the digest of the file: nobody can choose names that collide. */
+static void layout_names(tp_obj_names *names, tp_arena *arena, uint32_t max_names,
+                         uint32_t text_bytes)
 {
     names->most = max_names;
     names->room = text_bytes;
@@ -124,15 +125,15 @@ void tp_obj_layout(tp_obj *obj, tp_arena *arena)
     store->faces     = tp_arena_alloc(arena, total->triangles, sizeof *store->faces);
     store->vertices  = tp_arena_alloc(arena, total->corners, sizeof *store->vertices);
     store->made      = tp_arena_alloc(arena, materials, sizeof *store->made);
-    tp_names_layout(&store->material_names, arena, materials, material_name_bytes(obj));
-    tp_names_layout(&store->library_names, arena, obj->name_most[TP_NAMES_LIBRARY],
-                    obj->name_room[TP_NAMES_LIBRARY]);
+    layout_names(&store->material_names, arena, materials, material_name_bytes(obj));
+    layout_names(&store->library_names, arena, obj->name_most[TP_NAMES_LIBRARY],
+                 obj->name_room[TP_NAMES_LIBRARY]);
 
     tp_arena later = *arena;
     layout_loading(store, total, arena);
     const uint32_t images = TP_MAPS * materials;        /* <= 2^13 of 2^8 bytes */
-    tp_names_layout(&store->image_names, &later, images,
-                    images * IMAGE_NAME + TP_OBJ_LINE_BYTES);
+    layout_names(&store->image_names, &later, images,
+                 images * IMAGE_NAME + TP_OBJ_LINE_BYTES);
     arena->failed = arena->failed || later.failed;
     if (later.used > arena->used)
         arena->used = later.used;

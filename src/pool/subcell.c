@@ -15,7 +15,7 @@
 
 /* Returns a fine height.  `base` is the index of the first cell of the row.  `interpolates`
  * is true if lag is not 0.  `cells` and `interpolates` are literals in fast loops. */
-TP_ALWAYS_INLINE int32_t tp_pool_fine_height(const tp_pool *pool, uint32_t col,
+TP_ALWAYS_INLINE int32_t fine_height(const tp_pool *pool, uint32_t col,
                                              uint32_t row, uint32_t base, tp_fx lag,
                                              tp_cells cells, int interpolates)
 {
@@ -89,11 +89,11 @@ bool tp_pool_find_open_cell(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col
     return !tp_pool_is_wall(pool, *row * pool->cols + *col);
 }
 
-/* tp_pool_fine_height for any kind of cell; slower. */
+/* fine_height for any kind of cell; slower. */
 static int32_t fine_height_any(const tp_pool *pool, uint32_t col, uint32_t row,
                                tp_fx lag)
 {
-    return tp_pool_fine_height(pool, col, row, row * pool->cols, lag,
+    return fine_height(pool, col, row, row * pool->cols, lag,
                                (tp_cells)pool->cells, 1);
 }
 
@@ -143,16 +143,16 @@ TP_ALWAYS_INLINE void gather_patch_row(const tp_pool *pool, const patch *p, heig
 {
     const uint32_t row = p->row[i], base = row * pool->cols;
 
-    to->h[i][1] = tp_pool_fine_height(pool, p->col[1], row, base, p->lag, cells,
+    to->h[i][1] = fine_height(pool, p->col[1], row, base, p->lag, cells,
                                       interpolated);
-    to->h[i][2] = tp_pool_fine_height(pool, p->col[2], row, base, p->lag, cells,
+    to->h[i][2] = fine_height(pool, p->col[2], row, base, p->lag, cells,
                                       interpolated);
     if (!no_corners) {
         to->h[i][0] =
-            tp_pool_fine_height(pool, p->col[0], row, base, p->lag, cells,
+            fine_height(pool, p->col[0], row, base, p->lag, cells,
                                       interpolated);
         to->h[i][3] =
-            tp_pool_fine_height(pool, p->col[3], row, base, p->lag, cells, interpolated);
+            fine_height(pool, p->col[3], row, base, p->lag, cells, interpolated);
     }
 }
 
@@ -314,11 +314,11 @@ TP_ALWAYS_INLINE void write_open_row(const pool_row *l, tp_pool_slope *to, tp_ce
         const uint32_t left = tp_pool_wrap_or_mirror(col - 1, cols, tiled);
         const uint32_t right = tp_pool_wrap_or_mirror(col + 1, cols, tiled);
         const int32_t x =
-            tp_pool_fine_height(pool, right, l->row, base, l->lag, cells, interpolates)
-            - tp_pool_fine_height(pool, left, l->row, base, l->lag, cells, interpolates);
-        const int32_t z = tp_pool_fine_height(pool, at, l->down, l->down * cols, l->lag,
+            fine_height(pool, right, l->row, base, l->lag, cells, interpolates)
+            - fine_height(pool, left, l->row, base, l->lag, cells, interpolates);
+        const int32_t z = fine_height(pool, at, l->down, l->down * cols, l->lag,
                                               cells, interpolates)
-                          - tp_pool_fine_height(pool, at, l->up, l->up * cols, l->lag,
+                          - fine_height(pool, at, l->up, l->up * cols, l->lag,
                                                 cells, interpolates);
         *to++ = (tp_pool_slope){ scale_slope(l, x), scale_slope(l, z) };
     }

@@ -20,13 +20,13 @@ enum { TP_KIND_VISIBILITY, TP_KIND_SHADING, TP_KIND_RATE, TP_KIND_LOD };
 enum { TP_VISIBILITIES = 4, TP_SHADINGS = 2, TP_RATES = 3, TP_LODS = 2 };
 
 /* Classes of sea: by slope, then by gloss; both determine the errors.  sparks: the
- * specular lobe is so sharp and bright that glints are smaller than a pixel. ocean: steep
+ * specular lobe is so sharp and bright that glints are smaller than a pixel. coastal: steep
  * coastal water, over a floor or in a wind. */
 enum {
     TP_SEA_LEVEL, TP_SEA_LEVEL_GLOSSY, TP_SEA_LEVEL_SPARKS,
     TP_SEA_GENTLE, TP_SEA_GENTLE_GLOSSY, TP_SEA_GENTLE_SPARKS,
     TP_SEA_STEEP, TP_SEA_STEEP_GLOSSY, TP_SEA_STEEP_SPARKS,
-    TP_SEA_OCEAN, TP_SEA_OCEAN_GLOSSY, TP_SEA_OCEAN_SPARKS, TP_SEA_CLASSES
+    TP_SEA_COASTAL, TP_SEA_COASTAL_GLOSSY, TP_SEA_COASTAL_SPARKS, TP_SEA_CLASSES
 };
 
 /* The cost of a water renderer (visibility). */
@@ -36,7 +36,7 @@ typedef struct {
     tp_fx vertex;               /* instructions per evaluated point, to which the fields
                                  * below are added */
     tp_fx wave, sharp, pool;    /* per wave; per wave of a sharpened sea, extra; per pool */
-    tp_fx ocean, floor, map;    /* coastal: with wind only; over a plane; over a map */
+    tp_fx coastal, floor, map;  /* coastal: with wind only; over a plane; over a map */
     tp_fx drawn;                /* per grid cell that gets a pixel */
     tp_fx slant;                /* times tp_view_estimate.slant */
     tp_fx still;                /* replaces `pixel` for level water */
@@ -117,7 +117,7 @@ tp_price tp_price_estimate(const tp_prices *prices, const tp_plan_input *in);
 tp_ladder tp_ladder_make_priced(const tp_prices *prices, const tp_plan_input *in);
 
 /* True if a wave is culled or drawn lower, seen from the scene's camera. */
-bool tp_thins_sea(const tp_plan_input *in);
+bool tp_plan_culls_waves(const tp_plan_input *in);
 
 /* -- view_estimate.c: an estimate of the start camera's view ------------------------- */
 
@@ -127,7 +127,7 @@ typedef struct {
     tp_fx    near;              /* distance to the nearest water, m */
     uint8_t  trait[TP_TRAIT_COUNT];     /* times that a pixel pays it */
     uint8_t  sea;               /* class of sea, TP_SEA_ */
-    uint8_t  pools, rings, ocean;       /* number or flag; they raise grid vertices */
+    uint8_t  pools, rings, coastal;     /* number or flag; they raise grid vertices */
     uint8_t  stirred;           /* true with pools or rings, even as slopes only */
     uint8_t  floor;             /* 0: none, 1: a plane, 2: a map */
     uint32_t drawn;             /* grid cells that get a pixel */

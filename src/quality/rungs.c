@@ -109,10 +109,11 @@ static int64_t point_price(const plan_conditions *g, const tp_seen_price *seen)
 {
     const tp_view_estimate *o = &g->estimate;
     const int64_t wave = (int64_t)seen->wave + (o->sharp ? seen->sharp : 0);
-    const tp_fx   ocean = o->floor > 1 ? seen->map : o->floor ? seen->floor : seen->ocean;
+    const tp_fx   coastal = o->floor > 1 ? seen->map
+                          : o->floor     ? seen->floor : seen->coastal;
 
     return seen->vertex + wave * g->faint.left + (int64_t)seen->pool * o->pools
-         + ((int64_t)seen->slant * o->slant >> 16) + (o->ocean ? ocean : 0);
+         + ((int64_t)seen->slant * o->slant >> 16) + (o->coastal ? coastal : 0);
 }
 
 /* Costs are below 2^31, pixels below 2^24, vertices below 2^20; waves are at most 16. */
@@ -237,10 +238,10 @@ static plan_conditions make_plan_conditions(const tp_prices *prices,
     return g;
 }
 
-bool tp_thins_sea(const tp_plan_input *in)
+bool tp_plan_culls_waves(const tp_plan_input *in)
 {
     const plan_conditions g = make_plan_conditions(&tp_prices_measured, in);
-    return g.faint.any && !g.estimate.ocean;
+    return g.faint.any && !g.estimate.coastal;
 }
 
 tp_rungs tp_rungs_choose_priced(const tp_prices *prices, const tp_plan_input *in)

@@ -215,12 +215,12 @@ static void set_usable_renderers(tp_view_estimate *o, const tp_scene *s,
                                  const tp_start_view *at, int64_t wave_height, bool ahead)
 {
     const bool over = at->eye.y > wave_height + TP_FX_ONE / 8;
-    const bool swell = over && !o->ocean && !o->stirred;
+    const bool swell = over && !o->coastal && !o->stirred;
 
     o->fits[TP_VISIBILITY_TRIANGLES - 1] = 1;
     o->fits[TP_VISIBILITY_ROWS - 1] =
-        over && ahead && is_rows_renderer_usable(s, o->ocean, at)
-        && !(o->ocean
+        over && ahead && is_rows_renderer_usable(s, o->coastal, at)
+        && !(o->coastal
              && tp_can_overhang(s->surf.stretch, s->floor.slope, s->floor.map[0]));
     o->fits[TP_VISIBILITY_PROJECTED - 1] =
         swell && ahead && wave_height < at->eye.y * 3 / 4;
@@ -239,7 +239,7 @@ static void record_surface_modules(tp_view_estimate *o, const tp_use *modules,
         if (!m->surface || !m->enabled(conditions))
             continue;
         if (m->is & TP_MODULE_COASTAL)
-            o->ocean = 1;
+            o->coastal = 1;
         else if (m->id == TP_POOL_ID || m->id == TP_FIELD_ID)
             o->pools++;
         else
@@ -289,7 +289,7 @@ static void classify_sea(tp_view_estimate *o, const tp_scene *s)
         slope += (int64_t)s->wave[i].amplitude * 411775 / s->wave[i].length;    /* 2 pi */
         o->waves++;
     }
-    const int most = o->ocean ? TP_SEA_OCEAN : TP_SEA_STEEP;
+    const int most = o->coastal ? TP_SEA_COASTAL : TP_SEA_STEEP;
     const int steep = slope > TP_FX_ONE / 4 ? most
                     : slope > 0 || o->stirred ? TP_SEA_GENTLE : TP_SEA_LEVEL;
     o->sea = (uint8_t)(steep + gloss_class(s));
@@ -297,7 +297,7 @@ static void classify_sea(tp_view_estimate *o, const tp_scene *s)
 
 static void set_wave_flags(tp_view_estimate *o, const tp_scene *s)
 {
-    const bool raised = o->pools > 0 || o->rings || o->ocean;
+    const bool raised = o->pools > 0 || o->rings || o->coastal;
 
     for (int i = 0; i < TP_WAVES; i++)
         o->sharp |= s->wave[i].amplitude > 0 && s->wave[i].exponent > 1;

@@ -174,7 +174,7 @@ typedef struct tp_run {
         uint16_t glint[TP_RUN]; /* specular, 256 is the light's full colour, or more */
         uint32_t even[TP_RUN / 2 + 1];  /* fast stages: colours of even columns */
     };
-    union {                     /* bent positions are free after the layers */
+    union {                     /* bent positions are unused after the layers */
         struct {
             int16_t  rx[TP_RUN], rz[TP_RUN];    /* x and z of the mirrored view; y is up */
             uint32_t mirror[TP_RUN];            /* mirrored colour, 0xAARRGGBB */

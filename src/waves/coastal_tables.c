@@ -27,7 +27,8 @@ tp_coastal_wave_node *tp_coastal_wave_nodes(const tp_coastal_water *coastal,
     return tp_coastal_at_byte(coastal, wave->wave_nodes);
 }
 
-int64_t tp_cross_shore_wave_number(int64_t k_q32, int64_t kz_q32)
+/* Returns sqrt(k^2 - kz^2) for |kz| <= k; else 0. */
+static int64_t cross_shore_wave_number(int64_t k_q32, int64_t kz_q32)
 {
     uint64_t k = (uint64_t)k_q32, kz = (uint64_t)(kz_q32 < 0 ? -kz_q32 : kz_q32);
     int up = 0, down = 0;
@@ -54,7 +55,7 @@ tp_coastal_wave_number tp_coastal_wave_vector(const tp_coastal_swell *swell, tp_
                                          tp_coastal_scale_q30(k_q32, swell->way.z) };
     const int64_t kz =
         tp_coastal_scale_q30(swell->k_inf_q32, tp_way_dot(swell->way, along));
-    const int64_t across = tp_cross_shore_wave_number(k_q32, kz);
+    const int64_t across = cross_shore_wave_number(k_q32, kz);
     const int64_t kx = tp_way_dot(swell->way, up) < 0 ? -across : across;
     return (tp_coastal_wave_number){
         tp_coastal_scale_q30(kx, up.x) + tp_coastal_scale_q30(kz, along.x),
@@ -230,9 +231,9 @@ void tp_coastal_limit_steepness_sum(tp_coastal_water *coastal)
 /* Returns the wave number towards the shore at a depth less the number in deep water. */
 static int64_t cross_shore_wave_number_excess(const tp_coastal_swell *w, tp_fx h)
 {
-    return tp_cross_shore_wave_number(tp_coastal_local_wave_number(w->k_inf_q32, h),
-                                      w->kz_q32)
-           - tp_cross_shore_wave_number(w->k_inf_q32, w->kz_q32);
+    return cross_shore_wave_number(tp_coastal_local_wave_number(w->k_inf_q32, h),
+                                   w->kz_q32)
+           - cross_shore_wave_number(w->k_inf_q32, w->kz_q32);
 }
 
 /* [B8] [B9] as the difference from deep water.  With h = depth - slope x the integral

@@ -149,9 +149,6 @@ static inline int64_t tp_coastal_scale_q30(int64_t x, tp_q30 y)
     return ((x >> 16) * y >> 14) + ((x & 0xffff) * y >> 30);
 }
 
-/* Returns sqrt(k^2 - kz^2) for |kz| <= k; else 0. */
-int64_t tp_cross_shore_wave_number(int64_t k_q32, int64_t kz_q32);
-
 /* Wave vector k over a floor that rises towards `up`: by Snell's law [B9] the component
  * along the depth contours stays.  up = (0, 0): no change of direction. */
 typedef struct {

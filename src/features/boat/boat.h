@@ -48,9 +48,6 @@ void tp_boat_place_on_water(const tp_program *program, tp_world *world,
 void tp_boat_step(const tp_program *program, tp_world *world, const tp_scene *scene,
                   const tp_input *input);
 
-/* True if the boat of a world from outside is in the ranges kept by tp_boat_step. */
-bool tp_boat_is_valid(const tp_world *world);
-
 /* Stirs the water of tp_boat_pool by the hull [E4].  Call after tp_boat_step. */
 void tp_boat_stir_pool(tp_world *world, const tp_scene *scene);
 

@@ -208,7 +208,8 @@ static bool is_hull_valid(const tp_hull *hull)
            && tp_boat_immersion_is_valid(hull);
 }
 
-bool tp_boat_is_valid(const tp_world *world)
+/* True if the boat of a world from outside is in the ranges kept by tp_boat_step. */
+static bool is_boat_valid(const tp_world *world)
 {
     const tp_boat_state *a = &world->boat_state;
     bool valid = is_magnitude_within(a->sailed_x, 2 * PLACE_MOST)
@@ -270,7 +271,7 @@ static void step(void *mine, const tp_program *program, tp_world *world,
 static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 {
     (void)mine, (void)fresh;
-    return tp_boat_is_valid(world);
+    return is_boat_valid(world);
 }
 
 const tp_module tp_hull_module = {

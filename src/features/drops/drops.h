@@ -48,10 +48,6 @@ void   tp_drops_init(tp_drops *drops, const tp_scene_drops *config);
 const tp_drop *tp_drops_list(const tp_drops *drops);
 const tp_ring *tp_drops_rings(const tp_drops *drops);
 
-/* True if drops from outside, as they stood at `tick`, can be stepped and drawn.  All
- * values that follow from the config must equal the values in `fresh`, a state of the
- * same config.  Drops and rings must be in the ranges kept by steps. */
-bool tp_drops_are_valid(const tp_drops *drops, const tp_drops *fresh, uint64_t tick);
 bool tp_drop_is_valid(const tp_drop *drop);
 
 /* Moves the sphere by (x, z) m, within +-8000 m.  Call once per tick, also with 0. */

@@ -212,7 +212,10 @@ static bool is_ring_valid(const tp_ring *ring, uint64_t tick)
         && ring->z >= -TP_DROP_FAR && ring->z <= TP_DROP_FAR;
 }
 
-bool tp_drops_are_valid(const tp_drops *drops, const tp_drops *fresh, uint64_t tick)
+/* True if drops from outside, as they stood at `tick`, can be stepped and drawn.  All
+ * values that follow from the config must equal the values in `fresh`, a state of the
+ * same config.  Drops and rings must be in the ranges kept by steps. */
+static bool are_drops_valid(const tp_drops *drops, const tp_drops *fresh, uint64_t tick)
 {
     bool valid = is_same_config(drops, fresh) && is_sphere_valid(drops)
               && drops->count <= drops->capacity && drops->rings <= drops->ring_capacity;
@@ -376,7 +379,7 @@ static bool are_rings_valid(const tp_drops *drops, const rings_now *now, int64_t
 
 static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 {
-    return tp_drops_are_valid(mine, fresh, world->tick)
+    return are_drops_valid(mine, fresh, world->tick)
         && current_rings(mine)->room == current_rings(fresh)->room
         && are_rings_valid(mine, current_rings(mine), (int64_t)(world->tick * TP_FX_ONE));
 }

@@ -48,9 +48,6 @@ static inline tp_foam *tp_foam_of_world(const tp_world *world)
     return tp_world_module_state(world, TP_FOAM_ID);
 }
 
-/* Advances the foam by one tick, after all other modules have moved. */
-void tp_foam_step(tp_foam *foam, const tp_world *world, const tp_scene *scene);
-
 /* Adds a round patch of `radius` m around a rest position; `cover` 0..255 is its centre
  * value. */
 void tp_foam_add_blob(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t cover);

@@ -210,7 +210,8 @@ static void visit_quarter(visit *v, tp_foam *foam)
     foam->seen[q][1] = foam->first_z;
 }
 
-void tp_foam_step(tp_foam *foam, const tp_world *world, const tp_scene *scene)
+/* Advances the foam by one tick, after all other modules have moved. */
+static void step_foam(tp_foam *foam, const tp_world *world, const tp_scene *scene)
 {
     visit v = { .kept_q24 = visit_fade_factor(scene->foam.fade) };
 
@@ -320,7 +321,7 @@ static void step(void *mine, const tp_program *program, tp_world *world,
                  const tp_scene *scene, const tp_input *input)
 {
     (void)program, (void)input;
-    tp_foam_step(mine, world, scene);
+    step_foam(mine, world, scene);
 }
 
 static bool handle_impact(void *mine, const tp_scene *scene, const tp_impact *impact,

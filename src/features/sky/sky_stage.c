@@ -24,8 +24,8 @@ typedef struct {
     tp_cube_face_level side[TP_CUBE_FACES];
 } tp_cube_sides;
 
-TP_ALWAYS_INLINE void tp_cube_sides_select(tp_cube_sides *sides, const tp_cube *cube,
-                                           int level)
+TP_ALWAYS_INLINE void select_cube_sides(tp_cube_sides *sides, const tp_cube *cube,
+                                        int level)
 {
     if (sides->level == level)
         return;
@@ -38,12 +38,12 @@ TP_ALWAYS_INLINE void tp_cube_sides_select(tp_cube_sides *sides, const tp_cube *
 
 /* Looks up to TP_CUBE_ROW directions.  The faces and coordinates are computed eight at a
  * time, the texels are read one by one, the colours are mixed eight at a time. */
-TP_ALWAYS_INLINE void tp_cube_sample_wide(const tp_shade *restrict shade,
-                                          const tp_cube_face_level *restrict side,
-                                          const int32_t *restrict x,
-                                          const int32_t *restrict y,
-                                          const int32_t *restrict z, int32_t count,
-                                          uint32_t *restrict out)
+TP_ALWAYS_INLINE void sample_cube_wide(const tp_shade *restrict shade,
+                                       const tp_cube_face_level *restrict side,
+                                       const int32_t *restrict x,
+                                       const int32_t *restrict y,
+                                       const int32_t *restrict z, int32_t count,
+                                       uint32_t *restrict out)
 {
     int32_t  face[TP_CUBE_ROW], first[TP_CUBE_ROW];
     int32_t  right[TP_CUBE_ROW], below[TP_CUBE_ROW];
@@ -87,7 +87,7 @@ TP_ALWAYS_INLINE void shade_sky_wide(const tp_shade *restrict shade, tp_run *res
         y[k] = -run->vy[i + k];
         z[k] = -run->vz[i + k];
     }
-    tp_cube_sample_wide(shade, side, x, y, z, count, light);
+    sample_cube_wide(shade, side, x, y, z, count, light);
     for (int32_t k = 0; k < count; k++)
         run->colour[i + k] = tp_sky_colour(shade, light[k], hdr);
 }
@@ -98,7 +98,7 @@ TP_ALWAYS_INLINE void shade_sky(const tp_shade *shade, tp_run *run, int hdr)
     tp_cube_sides sides = { .level = -1 };
 
     tp_run_fill_vectors_to_eye(shade, &shade->world, run);
-    tp_cube_sides_select(&sides, shade->env.cube, tp_env_mip_level(shade, TP_ENV_CUBE, 0));
+    select_cube_sides(&sides, shade->env.cube, tp_env_mip_level(shade, TP_ENV_CUBE, 0));
     for (int32_t i = 0; i < run->count; ) {
         int32_t stop = tp_block_end(run, i);
         if (TP_WIDE) {
@@ -135,7 +135,7 @@ TP_ALWAYS_INLINE void reflect_wide(const tp_shade *restrict shade, tp_run *restr
         y[k] = to.y;
         z[k] = to.z;
     }
-    tp_cube_sample_wide(shade, side, x, y, z, count, run->mirror + i);
+    sample_cube_wide(shade, side, x, y, z, count, run->mirror + i);
 }
 
 /* Reflects the cube.  The mipmap level is chosen for blocks of 16 columns.  In far water
@@ -149,8 +149,8 @@ void tp_stage_reflect_cube(const tp_shade *restrict shade, tp_run *restrict run)
     for (int32_t i = 0; i < run->count; ) {
         int32_t depth = tp_log_depth(shade, run->key[i]), stop = tp_block_end(run, i);
         int     coarser = 128 + (depth > 0 ? depth / 2 : 0);
-        tp_cube_sides_select(&sides, shade->env.cube,
-                             tp_env_mip_level(shade, TP_ENV_CUBE, coarser));
+        select_cube_sides(&sides, shade->env.cube,
+                          tp_env_mip_level(shade, TP_ENV_CUBE, coarser));
         if (TP_WIDE) {
             reflect_wide(shade, run, sides.side, i, stop);
             i = stop;

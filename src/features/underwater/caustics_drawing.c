@@ -10,6 +10,7 @@
 #include "base/base.h"
 #include "features/underwater/underwater.h"
 #include "frame/frame.h"
+#include "quality/prices.h"
 #include "shade/refracted_ray.h"
 #include "shade/slope.h"
 
@@ -255,3 +256,16 @@ const tp_module tp_caustics_module = {
 
 const tp_drawing tp_caustics_drawing = { .layout = layout, .begin = begin };
 const tp_stage tp_caustics_stages[] = { NULL };
+
+/* -- cost ---------------------------------------------------------------------------- */
+
+/* Counts the cells of the map, over a tank's floor or the sea floor. */
+static void count_work(tp_site *w)
+{
+    const uint32_t cells = (uint32_t)w->scene->water.caustic_cells;
+    const int way = tp_has_tank(w->scene) ? TP_WORK_caustic_pool : TP_WORK_caustic_sea;
+
+    w->fixed_cost.of[way] = cells * cells;
+}
+
+const tp_cost tp_caustics_cost = { .work = count_work };

@@ -2,8 +2,7 @@
 /*
  * The inside of the water in a frame: its data (shade/optics.h) and the shader lists for
  * an eye under water; clear water, through whose surface floor, walls and objects are
- * visible from above; the refraction map of the objects under the level; and the cost of
- * caustics.
+ * visible from above; and the refraction map of the objects under the level.
  */
 #include "features/underwater/underwater.h"
 #include "frame/drawing.h"
@@ -380,17 +379,3 @@ const tp_module tp_refraction_module = {
 const tp_drawing tp_refraction_drawing = { .layout = layout_refraction,
                                            .draw_map = draw_map };
 const tp_stage tp_refraction_stages[] = { NULL };
-
-/* -- cost of caustics ---------------------------------------------------------------- */
-
-/* Each cell of the map, over a tank's floor or the sea floor. */
-
-static void count_work(tp_site *w)
-{
-    const uint32_t cells = (uint32_t)w->scene->water.caustic_cells;
-    const int way = tp_has_tank(w->scene) ? TP_WORK_caustic_pool : TP_WORK_caustic_sea;
-
-    w->fixed_cost.of[way] = cells * cells;
-}
-
-const tp_cost tp_caustics_cost = { .work = count_work };
