@@ -159,7 +159,7 @@ void tp_error_set_word(tp_error *err, const char *word, size_t bytes)
     err->word[n] = '\0';
 }
 
-tp_status tp_error_blame(tp_error *err, tp_status code, const char *word)
+tp_status tp_error_add_word(tp_error *err, tp_status code, const char *word)
 {
     tp_error_set_word(err, word, tp_string_length(word));
     return code;
@@ -170,7 +170,7 @@ tp_status tp_error_blame(tp_error *err, tp_status code, const char *word)
 tp_status tp_pointer_check(const void *given, const char *name, tp_error *err)
 {
     return given != NULL ? TP_OK
-                         : tp_error_blame(err, TP_FAIL(err, TP_E_NULL, 0, 0, 0), name);
+                         : tp_error_add_word(err, TP_FAIL(err, TP_E_NULL, 0, 0, 0), name);
 }
 
 tp_status tp_pointer_check_aligned(const void *block, uint32_t align, const char *name,
@@ -178,7 +178,7 @@ tp_status tp_pointer_check_aligned(const void *block, uint32_t align, const char
 {
     TP_ASSERT(align > 0 && (align & (align - 1)) == 0);
     if ((uintptr_t)block % align != 0)
-        return tp_error_blame(err, TP_FAIL(err, TP_E_ALIGN, 0, align, 0), name);
+        return tp_error_add_word(err, TP_FAIL(err, TP_E_ALIGN, 0, align, 0), name);
     return tp_pointer_check(block, name, err);
 }
 

@@ -120,7 +120,7 @@ tp_status tp_fail_(tp_error *err, tp_status code, const char *file, int line,
 void tp_error_set_word(tp_error *err, const char *word, size_t bytes);
 
 /* Copies a terminated word into an error that has just been filled.  Returns `code`. */
-tp_status tp_error_blame(tp_error *err, tp_status code, const char *word);
+tp_status tp_error_add_word(tp_error *err, tp_status code, const char *word);
 
 /* -- pointers of a caller ------------------------------------------------------------ */
 

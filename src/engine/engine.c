@@ -136,7 +136,7 @@ tp_status tp_engine_apply(tp_engine *engine, tp_error *err)
     if (status != TP_OK)
         return status;
     if (!tp_world_apply(c->program, engine->world, engine->scene, c->assets))
-        return tp_error_blame(err, TP_FAIL(err, TP_E_WORLD, 0, 0, 0), "layout");
+        return tp_error_add_word(err, TP_FAIL(err, TP_E_WORLD, 0, 0, 0), "layout");
     return TP_OK;
 }
 

@@ -107,7 +107,7 @@ static uint64_t half_units(const digits *number, int power, bool *exact)
 }
 
 /* Rounds half up, also below zero: there an exact half loses magnitude. */
-static int64_t round_half_units(uint64_t halves, bool exact, bool negative)
+static int64_t round_to_nearest(uint64_t halves, bool exact, bool negative)
 {
     const bool down = negative && exact;
     const int64_t units = (int64_t)((halves >> 1) + (down ? 0 : halves & 1));
@@ -124,7 +124,7 @@ static int64_t evaluate_digits(const digits *number, int64_t power, bool negativ
         return negative ? -TP_WIDE_MAX : TP_WIDE_MAX;
     bool exact;
     const uint64_t halves = half_units(number, (int)power, &exact);
-    return round_half_units(halves, exact, negative);
+    return round_to_nearest(halves, exact, negative);
 }
 
 uint32_t tp_fx_read_wide(const char *text, uint32_t bytes, int64_t *x)

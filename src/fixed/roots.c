@@ -61,7 +61,7 @@ uint32_t tp_rsqrt_norm(uint32_t n)
  * |n - r^2| < 2^38; its low 8 bits are dropped, and the product fits 64 bits.  The Newton
  * step lands at most 2^-20 above the root.  r = 2^32, whose square would wrap, needs n
  * above 2^64 - 2^13; every n of this range was tested. */
-static uint32_t root_norm(uint64_t n)
+static uint32_t sqrt_normalised(uint64_t n)
 {
     TP_ASSERT(n >> 62 != 0);
     const uint32_t high = (uint32_t)(n >> 32), inverse = tp_rsqrt_norm(high);
@@ -81,7 +81,7 @@ uint32_t tp_isqrt64(uint64_t x)
         return 0;
     const uint32_t high = (uint32_t)(x >> 32);
     const int zeros = high != 0 ? tp_clz(high) : 32 + tp_clz((uint32_t)x);
-    return root_norm(x << (zeros & ~1)) >> (zeros >> 1);
+    return sqrt_normalised(x << (zeros & ~1)) >> (zeros >> 1);
 }
 
 tp_fx tp_fx_sqrt(tp_fx x)

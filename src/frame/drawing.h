@@ -240,8 +240,9 @@ uint32_t tp_marks_reserve_stencil_values(tp_marks *marks, uint32_t wanted);
 /* Allocates the memory of the lists; all stencil values are dealt. */
 void tp_marks_layout(tp_marks *marks, tp_arena *arena);
 
-/* Assigns list i, and the values from `first` on, to their owner. */
-void tp_marks_assign_list(tp_marks *marks, uint32_t i, uint32_t first,
+/* Assigns shader list `list_index`, and the stencil values from `first_mark` on, to their
+ * owner. */
+void tp_marks_assign_list(tp_marks *marks, uint32_t list_index, uint32_t first_mark,
                           const struct tp_drawing *owner);
 
 static inline tp_shaders *tp_marks_list(const tp_marks *marks, uint32_t mark)

@@ -96,8 +96,9 @@ static uint32_t pack_slopes(int32_t x, int32_t z)
     return (uint32_t)x * 65536u + (uint32_t)z;
 }
 
-TP_ALWAYS_INLINE void fill_cells(const tp_frame *frame, const flat_piece *p, int rolled,
-                                 int tested)
+/* Fills a piece of a row, with slopes interpolated between the points of the slope grid. */
+TP_ALWAYS_INLINE void fill_with_waves(const tp_frame *frame, const flat_piece *p,
+                                      int rolled, int tested)
 {
     const uint32_t cols = frame->buffers.slope_cols;
     const uint32_t *point = frame->buffers.slopes + (uint32_t)(p->y / CELL) * cols
@@ -132,13 +133,13 @@ static void fill_piece(const tp_frame *frame, const flat_piece *p, bool tested)
     bool waves = tp_surface_has_swells(&frame->surface);
 
     if (frame->buffers.level->rolled && waves)
-        fill_cells(frame, p, 1, 1);
+        fill_with_waves(frame, p, 1, 1);
     else if (frame->buffers.level->rolled)
         fill_without_waves(p, 1, 1);
     else if (waves && tested)
-        fill_cells(frame, p, 0, 1);
+        fill_with_waves(frame, p, 0, 1);
     else if (waves)
-        fill_cells(frame, p, 0, 0);
+        fill_with_waves(frame, p, 0, 0);
     else if (tested)
         fill_without_waves(p, 0, 1);
     else
@@ -160,7 +161,7 @@ static flat_walker make_walker(tp_level_scale scale, tp_fx eye, const tp_level_l
     return (flat_walker){ from + step * (uint32_t)x, step };
 }
 
-static void draw_unrolled_row(const tp_frame *frame, flat_piece *p, bool tested)
+static void draw_row_without_roll(const tp_frame *frame, flat_piece *p, bool tested)
 {
     const tp_level *level = frame->buffers.level;
     tp_level_scale scale =
@@ -180,7 +181,7 @@ typedef struct {
     uint32_t place[2];
 } knot;
 
-static knot sample_knot(const tp_level *level, int32_t x, int32_t y)
+static knot intersect_level_plane(const tp_level *level, int32_t x, int32_t y)
 {
     knot k = { tp_level_evaluate(&level->down, x, y), { 0, 0 } };
 
@@ -206,7 +207,7 @@ static bool is_depth_nearly_equal(const knot *a, const knot *b)
     return a->down > 0 && b->down > 0 && change <= a->down >> 5;
 }
 
-static void draw_interpolated(const tp_frame *frame, flat_piece *p, const knot *a,
+static void draw_interpolated_positions(const tp_frame *frame, flat_piece *p, const knot *a,
                               const knot *b)
 {
     uint32_t off = (uint32_t)p->x % BLOCK;
@@ -223,7 +224,7 @@ static void draw_interpolated(const tp_frame *frame, flat_piece *p, const knot *
 static void draw_pixel_by_pixel(const tp_frame *frame, const flat_piece *block)
 {
     for (int32_t i = 0; i < block->count; i++) {
-        knot  k = sample_knot(frame->buffers.level, block->x + i, block->y);
+        knot  k = intersect_level_plane(frame->buffers.level, block->x + i, block->y);
         flat_piece p = { block->key + i, block->s + i, block->t + i, block->n + i,
                     block->x + i, block->y, 1, block->zi + block->zi_step * (uint32_t)i,
                     0, { { (uint64_t)k.place[0] << 16, 0 },
@@ -235,11 +236,11 @@ static void draw_pixel_by_pixel(const tp_frame *frame, const flat_piece *block)
 static void draw_rolled_row(const tp_frame *frame, const flat_piece *row)
 {
     const tp_level *level = frame->buffers.level;
-    knot a = sample_knot(level, row->x & ~(BLOCK - 1), row->y);
+    knot a = intersect_level_plane(level, row->x & ~(BLOCK - 1), row->y);
 
     for (int32_t i = 0, count; i < row->count; i += count) {
         int32_t x = row->x + i, off = x % BLOCK;
-        knot    b = sample_knot(level, x - off + BLOCK, row->y);
+        knot    b = intersect_level_plane(level, x - off + BLOCK, row->y);
         count = BLOCK - off < row->count - i ? BLOCK - off : row->count - i;
         flat_piece p = { .key = row->key + i,
                          .s = row->s + i,
@@ -252,7 +253,7 @@ static void draw_rolled_row(const tp_frame *frame, const flat_piece *row)
         p.zi = (uint32_t)(tp_level_evaluate(&level->zi, x - off, row->y) >> TP_LEVEL_ZI)
                + p.zi_step * (uint32_t)off;
         if (is_depth_nearly_equal(&a, &b))
-            draw_interpolated(frame, &p, &a, &b);
+            draw_interpolated_positions(frame, &p, &a, &b);
         else
             draw_pixel_by_pixel(frame, &p);
         a = b;
@@ -288,7 +289,7 @@ static void draw_flat(const tp_frame *frame, tp_gbuffer *tile, void *memory)
         if (level->rolled)
             draw_rolled_row(frame, &p);
         else
-            draw_unrolled_row(frame, &p, has_any_sample(p.key, p.count));
+            draw_row_without_roll(frame, &p, has_any_sample(p.key, p.count));
     }
 }
 

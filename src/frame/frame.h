@@ -158,8 +158,8 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t 
 /* shader_list.c: builds the shader lists for the scene, and their numbers. */
 void tp_frame_set_up_shading(tp_frame *frame);
 
-/* True for a list of water with a reflection of the sky: the sky's module adds a stage at
- * TP_AT_REFLECT. */
+/* True if the list is water with a view stage and the scene reflects the sky.  The sky's
+ * module then adds a stage at TP_AT_REFLECT. */
 static inline bool tp_frame_reflects_sky(const tp_frame *frame, const tp_shaders *list)
 {
     return list->kind == TP_LIST_WATER && frame->scene->water.reflection > 0
@@ -257,10 +257,12 @@ static inline const tp_grid_vertex *tp_line_vertex(const tp_frame *frame,
 }
 
 /* True if the cell at point m of row k is dry. */
-static inline bool tp_line_is_dry(const tp_frame *frame, uint32_t k, uint32_t m)
+static inline bool tp_line_cell_is_dry(const tp_frame *frame, uint32_t row,
+                                       uint32_t point)
 {
-    return frame->buffers.lines->upright ? tp_grid_cell_is_dry(frame->buffers.grid, k, m)
-                                         : tp_grid_cell_is_dry(frame->buffers.grid, m, k);
+    return frame->buffers.lines->upright
+               ? tp_grid_cell_is_dry(frame->buffers.grid, row, point)
+               : tp_grid_cell_is_dry(frame->buffers.grid, point, row);
 }
 
 /* Returns the cells [first, end) of block b, without cells out of view. */

@@ -158,7 +158,7 @@ void tp_frame_begin_grid(tp_frame *frame)
 {
     const tp_grid *grid = frame->buffers.grid;
 
-    tp_grid_begin(frame->buffers.grid, &frame->grid_view);
+    tp_grid_set_lines_and_cells(frame->buffers.grid, &frame->grid_view);
     frame->cull_water = frame->projection.eye.y > tp_surface_height_bound(&frame->surface);
     for (uint32_t j = 0; j + 1 < grid->rows; j++)
         frame->stats.triangles += 2u * (uint32_t)(grid->span[j].end - grid->span[j].first);
@@ -168,7 +168,7 @@ void tp_frame_place_grid_line(tp_frame *frame, uint32_t j)
 {
     const uint32_t before = frame->buffers.grid->vertices;
 
-    tp_grid_place_row(frame->buffers.grid, j);
+    tp_grid_evaluate_row(frame->buffers.grid, j);
     frame->stats.vertices += frame->buffers.grid->vertices - before;
     if (j > 0 && (tp_frame_tiles(frame) > 1 || frame->visibility == TP_VISIBILITY_ROWS))
         tighten_clipped_boxes(frame, j - 1);

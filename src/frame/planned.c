@@ -5,12 +5,12 @@
 #include "frame/frame.h"
 #include "quality/prices.h"
 
-static tp_rungs choose_rungs_by_cost(const tp_plan_input *in)
+static tp_rungs choose_rungs_by_measured_prices(const tp_plan_input *in)
 {
     return tp_rungs_choose_priced(&tp_prices_measured, in);
 }
 
-static tp_ladder make_ladder_by_cost(const tp_plan_input *in)
+static tp_ladder make_ladder_by_measured_prices(const tp_plan_input *in)
 {
     return tp_ladder_make_priced(&tp_prices_measured, in);
 }
@@ -46,6 +46,7 @@ static void cull_faint_waves(tp_frame *frame)
     }
 }
 
-const struct tp_draw_rungs tp_draw_rungs = {
-    layout_culled_water, make_ladder_by_cost, choose_rungs_by_cost, cull_faint_waves
-};
+const struct tp_draw_rungs tp_draw_rungs = { layout_culled_water,
+                                             make_ladder_by_measured_prices,
+                                             choose_rungs_by_measured_prices,
+                                             cull_faint_waves };

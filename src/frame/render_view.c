@@ -25,7 +25,7 @@ int tp_clipped_corners(const tp_projection *projection, const tp_view_plane *lev
                        const tp_view_vertex in[3], tp_screen_vertex to[TP_CLIP_VERTICES])
 {
     tp_view_vertex out[TP_CLIP_VERTICES];
-    int count = tp_clip_triangle_plane(projection, level, in, out);
+    int count = tp_clip_triangle_view_and_plane(projection, level, in, out);
 
     for (int k = 0; k < count; k++)
         tp_view_vertex_project(projection, &out[k], &to[k]);

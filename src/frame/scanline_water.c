@@ -82,8 +82,8 @@ static void lay(walk *w, const tp_row_point *run, uint32_t count, int how)
 /* True if segment m of line k has land on both sides. */
 static bool is_land(const tp_frame *frame, uint32_t k, uint32_t m)
 {
-    return frame->buffers.grid->dry && (k == 0 || tp_line_is_dry(frame, k - 1, m))
-           && (k + 1 == frame->buffers.lines->lines || tp_line_is_dry(frame, k, m));
+    return frame->buffers.grid->dry && (k == 0 || tp_line_cell_is_dry(frame, k - 1, m))
+           && (k + 1 == frame->buffers.lines->lines || tp_line_cell_is_dry(frame, k, m));
 }
 
 static bool is_outside_tile(const walk *w, int32_t left, int32_t right)
@@ -198,7 +198,7 @@ static bool find_edge_middles(const walk *w, uint32_t k, uint32_t m, tp_row_poin
     to[back ? 2 : 0] = edge_middle(&p[0], &p[1]);
     to[1] = edge_middle(&p[0], &p[3]);
     to[back ? 0 : 2] = edge_middle(&p[2], &p[3]);
-    return !tp_line_is_dry(frame, k, m);
+    return !tp_line_cell_is_dry(frame, k, m);
 }
 
 static bool is_beside_cell(const walk *w, uint32_t k, uint32_t m)
@@ -247,9 +247,9 @@ static void lay_sided(walk *w, uint32_t last, uint32_t row, uint32_t k)
     bool left = was[0].u != TP_GRID_NEEDS_CLIP && now[0].u != TP_GRID_NEEDS_CLIP;
     bool right = was[1].u != TP_GRID_NEEDS_CLIP && now[1].u != TP_GRID_NEEDS_CLIP;
     if (left)
-        tp_rows_start_side_segment(&w->rows, &now[0], &was[0]);
+        tp_rows_restart_side(&w->rows, &now[0], &was[0]);
     if (right)
-        tp_rows_start_side_segment(&w->rows, &was[1], &now[1]);
+        tp_rows_restart_side(&w->rows, &was[1], &now[1]);
     if (w->frame->buffers.lines->line[row].is & TP_LINE_WIDE)
         lay_middles(w, row);
     if (left)

@@ -44,23 +44,25 @@ static tp_fx max_rise_over_ray(const tp_deep_water *deep, tp_fx fall)
 
 /* Returns the fall of a ray per metre of depth, from its pixels below the horizon in
  * Q.30. */
-static tp_fx ray_fall(const tp_frame *frame, int64_t descent)
+static tp_fx ray_descent_per_metre(const tp_frame *frame, int64_t below_horizon_q30)
 {
     TP_ASSERT(frame->projection.focal > 0);
-    return tp_fx_div((tp_fx)(descent >> 14), frame->projection.focal);
+    return tp_fx_div((tp_fx)(below_horizon_q30 >> 14), frame->projection.focal);
 }
 
 /* Returns the first line, px below the horizon and a multiple of 4, that stays below a ray
  * for any phase of the waves; 0: no line does. */
-static int32_t find_first_line(const tp_frame *frame, int64_t descent)
+static int32_t first_line_below_ray(const tp_frame *frame, int64_t below_horizon_q30)
 {
     const tp_level *level = frame->buffers.level;
     tp_fx h = level->height,
-          low = h - max_rise_over_ray(frame->surface.deep, ray_fall(frame, descent));
+          low = h
+                - max_rise_over_ray(frame->surface.deep,
+                                    ray_descent_per_metre(frame, below_horizon_q30));
 
     if (low < h / 4)
         return 0;
-    int64_t rows = (descent >> 14) * tp_fx_div(h, low) / (level->down.y >> 14);
+    int64_t rows = (below_horizon_q30 >> 14) * tp_fx_div(h, low) / (level->down.y >> 14);
     return ((int32_t)(rows >> 16) + 8) & ~3;
 }
 
@@ -107,18 +109,18 @@ static bool are_points_ordered(const tp_frame *frame, int32_t x, int32_t y)
 
 /* Adds one side of the water as a far end in columns x0 to x1.  Returns true if the side
  * is such an end or lies outside; false if it crosses the lines otherwise. */
-static bool accept_far_edge(tp_projected *p, const tp_level_linear *side, int32_t x0,
-                            int32_t x1)
+static bool add_side_if_far_end(tp_projected *p, const tp_level_linear *side, int32_t x0,
+                                int32_t x1)
 {
     int64_t nearest[2] = { row_below_horizon(p, x0, p->start),
                            row_below_horizon(p, x1, p->start) };
     int64_t horizon[2] = { row_below_horizon(p, x0, 0), row_below_horizon(p, x1, 0) };
 
-    if (tp_level_evaluate_row(side, x0, nearest[0]) < 0
-        || tp_level_evaluate_row(side, x1, nearest[1]) < 0)
+    if (tp_level_evaluate_fractional_row(side, x0, nearest[0]) < 0
+        || tp_level_evaluate_fractional_row(side, x1, nearest[1]) < 0)
         return false;
-    if (tp_level_evaluate_row(side, x0, horizon[0]) >= 0
-        && tp_level_evaluate_row(side, x1, horizon[1]) >= 0)
+    if (tp_level_evaluate_fractional_row(side, x0, horizon[0]) >= 0
+        && tp_level_evaluate_fractional_row(side, x1, horizon[1]) >= 0)
         return true;
     if (side->y <= 0 || side->y < side->x || side->y < -side->x)
         return false;
@@ -127,16 +129,16 @@ static bool accept_far_edge(tp_projected *p, const tp_level_linear *side, int32_
     return true;
 }
 
-/* Returns -d.y, px, Q.30, of the rays through the line that lies `below` px below the
- * horizon. */
-static int64_t line_descent(const tp_frame *frame, int32_t below)
+/* Returns -d.y, px, Q.30, of the rays through the line that lies `px_below_horizon` px
+ * below the horizon. */
+static int64_t ray_descent(const tp_frame *frame, int32_t px_below_horizon)
 {
-    return frame->buffers.level->down.y * below;
+    return frame->buffers.level->down.y * px_below_horizon;
 }
 
 /* Sets the first line below the picture's lower edge; true if all conditions hold up to
  * the water's far end. */
-static bool set_line_range(tp_frame *frame)
+static bool set_line_range_if_drawable(tp_frame *frame)
 {
     const tp_level *level = frame->buffers.level;
     tp_projected *p = frame->buffers.projected;
@@ -144,10 +146,10 @@ static bool set_line_range(tp_frame *frame)
     int64_t left = tp_level_evaluate(&level->down, 0, high);
     int64_t down = left + (level->down.x > 0 ? level->down.x * wide : 0);
 
-    p->start = down > 0 ? find_first_line(frame, down) : 4;
+    p->start = down > 0 ? first_line_below_ray(frame, down) : 4;
     if (p->start == 0 || p->start > 4096)
         return false;
-    down = line_descent(frame, p->start);
+    down = ray_descent(frame, p->start);
     int64_t depth = (int64_t)frame->projection.focal * level->height / (down >> 14);
     if (depth < 2 * (int64_t)frame->projection.near + p->towards)
         return false;
@@ -156,7 +158,7 @@ static bool set_line_range(tp_frame *frame)
         || !are_points_ordered(frame, wide + CELL, high + CELL))
         return false;
     for (int k = 0; k < TP_LEVEL_SIDES; k++) {
-        if (!accept_far_edge(p, &level->side[k], x0, x1))
+        if (!add_side_if_far_end(p, &level->side[k], x0, x1))
             return false;
     }
     return true;
@@ -194,7 +196,7 @@ static bool can_draw_projected(tp_frame *frame)
     p->horizon = tp_level_zero_line(down);
     p->tops = 0;
     set_motion_bounds(frame);
-    return set_line_range(frame);
+    return set_line_range_if_drawable(frame);
 }
 
 /* -- points -------------------------------------------------------------------------- */
@@ -234,13 +236,13 @@ static void sample_rest(const screen_line *l, int32_t x, int64_t row, bool at_wa
     tp_level_scale reach = l->reach, beyond = l->beyond;
 
     if (at_water_end) {
-        int64_t down = tp_level_evaluate_row(&level->down, x, row);
+        int64_t down = tp_level_evaluate_fractional_row(&level->down, x, row);
         reach = make_clamped_scale(level, down);
         beyond = make_clamped_scale(level, down - l->gap);
     }
     for (int axis = 0; axis < 2; axis++) {
         const tp_level_linear *sum = sums[axis];
-        int64_t way = tp_level_evaluate_row(sum, x, row);
+        int64_t way = tp_level_evaluate_fractional_row(sum, x, row);
         int64_t across = sum->x + (sum->y * l->frame->buffers.projected->horizon.x >> 30);
         int64_t farther = way - (sum->y * (l->gap >> 14) / (level->down.y >> 14));
         int64_t here = tp_level_pixels_to_metres(reach, way);
@@ -261,7 +263,7 @@ static void project(const tp_frame *frame, const tp_surface_point *from, tp_row_
         tp_projection_project(&frame->projection, &c, &to->u, &to->v, &to->zi);
 }
 
-static tp_row_point sample_point(const screen_line *l, int32_t x)
+static tp_row_point project_displaced_line_point(const screen_line *l, int32_t x)
 {
     const tp_frame *frame = l->frame;
     const tp_level *level = frame->buffers.level;
@@ -273,9 +275,12 @@ static tp_row_point sample_point(const screen_line *l, int32_t x)
     row = ends ? end : row;
     sample_rest(l, x, row, ends, at, step);
     tp_row_point p = {
-        .u = 16 * x + 8, .v = (int32_t)((row + (1 << 25)) >> 26) + 8,
-        .zi = (uint32_t)(tp_level_evaluate_row(&level->zi, x, row) >> TP_LEVEL_ZI),
-        .s = at[0], .t = at[1],
+        .u = 16 * x + 8,
+        .v = (int32_t)((row + (1 << 25)) >> 26) + 8,
+        .zi = (uint32_t)(tp_level_evaluate_fractional_row(&level->zi, x, row)
+                         >> TP_LEVEL_ZI),
+        .s = at[0],
+        .t = at[1],
     };
     if (tp_surface_has_swells(&frame->surface)) {
         tp_surface_point from = frame->surface.by->swells->point(level, &frame->surface, at,
@@ -290,9 +295,11 @@ static tp_row_point sample_point(const screen_line *l, int32_t x)
 /* -- lines --------------------------------------------------------------------------- */
 
 /* Returns the next line, px below the horizon: 1/16 nearer to the horizon, at most 4 px. */
-static int32_t next_line(int32_t below)
+static int32_t next_line_towards_horizon(int32_t px_below_horizon)
 {
-    return below > 64 ? below - 4 : below > 32 ? below - 2 : below - 1;
+    return px_below_horizon > 64   ? px_below_horizon - 4
+           : px_below_horizon > 32 ? px_below_horizon - 2
+                                   : px_below_horizon - 1;
 }
 
 static void draw_line_points(const screen_line *l, tp_rows *rows, int32_t x0, int32_t x1)
@@ -301,7 +308,7 @@ static void draw_line_points(const screen_line *l, tp_rows *rows, int32_t x0, in
     uint32_t count = 0;
 
     for (int32_t x = x0; x <= x1; x += CELL) {
-        run[count++] = sample_point(l, x);
+        run[count++] = project_displaced_line_point(l, x);
         if (count == RUN + 1 || x + CELL > x1) {
             tp_rows_draw_line(rows, run, count);
             run[0] = run[count - 1];
@@ -310,15 +317,17 @@ static void draw_line_points(const screen_line *l, tp_rows *rows, int32_t x0, in
     }
 }
 
-static void draw_grid_line(const tp_frame *frame, tp_rows *rows, int32_t below)
+static void draw_grid_line(const tp_frame *frame, tp_rows *rows, int32_t px_below_horizon)
 {
     const tp_gbuffer *tile = rows->tile;
     const tp_level *level = frame->buffers.level;
-    int32_t next = below > 0 ? next_line(below) : 0;
-    int64_t down = line_descent(frame, below > 0 ? below : 1);
-    screen_line l = { frame, below, line_descent(frame, below > 0 ? below - next : 1),
+    int32_t next = px_below_horizon > 0 ? next_line_towards_horizon(px_below_horizon) : 0;
+    int64_t down = ray_descent(frame, px_below_horizon > 0 ? px_below_horizon : 1);
+    screen_line l = { frame, px_below_horizon,
+                      ray_descent(frame,
+                                  px_below_horizon > 0 ? px_below_horizon - next : 1),
                       make_clamped_scale(level, down),
-                      make_clamped_scale(level, line_descent(frame, next)) };
+                      make_clamped_scale(level, ray_descent(frame, next)) };
     int32_t margin =
         tp_surface_has_swells(&frame->surface) ? side_margin(frame, down) : 2 * CELL;
 
@@ -349,9 +358,9 @@ static void draw_projected(const tp_frame *frame, tp_gbuffer *tile, void *memory
     if (down <= 0)
         return;
     tp_rows_begin(&rows, tile, memory, true);
-    int32_t below = find_first_line(frame, down), last = last_line(frame, tile);
+    int32_t below = first_line_below_ray(frame, down), last = last_line(frame, tile);
     below = below > 0 && below < p->start ? below : p->start;
-    for (; below > last && rows.open > 0; below = next_line(below))
+    for (; below > last && rows.open > 0; below = next_line_towards_horizon(below))
         draw_grid_line(frame, &rows, below);
     if (rows.open > 0)
         draw_grid_line(frame, &rows, 0);

@@ -85,7 +85,7 @@ uint32_t tp_marks_reserve_stencil_values(tp_marks *marks, uint32_t wanted)
 
 /* Returns the index of list i's first stage in the shared memory of all lists; only the
  * water's list is long. */
-static uint32_t list_offset(uint32_t i)
+static uint32_t first_stage_index(uint32_t i)
 {
     return i * TP_SHADERS_OTHER
          + (i > TP_LIST_WATER ? TP_SHADERS_WATER - TP_SHADERS_OTHER : 0);
@@ -93,7 +93,7 @@ static uint32_t list_offset(uint32_t i)
 
 void tp_marks_layout(tp_marks *marks, tp_arena *arena)
 {
-    const uint32_t room = list_offset(marks->lists);
+    const uint32_t room = first_stage_index(marks->lists);
     tp_shader *shader;
     uint8_t   *order;
 
@@ -106,19 +106,19 @@ void tp_marks_layout(tp_marks *marks, tp_arena *arena)
     for (uint32_t i = 0; i < marks->lists; i++)
         shaders_init(&marks->list[i],
                         i < LISTS ? (tp_list_kind)i : TP_LIST_THINGS,
-                        shader + list_offset(i), order + list_offset(i),
-                        list_offset(i + 1) - list_offset(i));
+                        shader + first_stage_index(i), order + first_stage_index(i),
+                        first_stage_index(i + 1) - first_stage_index(i));
     tp_marks_assign_list(marks, TP_LIST_SKY, TP_MARK_SKY, NULL);
     tp_marks_assign_list(marks, TP_LIST_WATER, TP_MARK_WATER, NULL);
 }
 
-void tp_marks_assign_list(tp_marks *marks, uint32_t i, uint32_t first,
+void tp_marks_assign_list(tp_marks *marks, uint32_t list_index, uint32_t first_mark,
                           const struct tp_drawing *owner)
 {
-    TP_ASSERT(i < marks->lists && first < marks->count);
-    memset(marks->list_of + first, (int)i, marks->count - first);
-    marks->list[i].first = (uint8_t)first;
-    marks->list[i].owner = owner;
+    TP_ASSERT(list_index < marks->lists && first_mark < marks->count);
+    memset(marks->list_of + first_mark, (int)list_index, marks->count - first_mark);
+    marks->list[list_index].first = (uint8_t)first_mark;
+    marks->list[list_index].owner = owner;
 }
 
 /* -- sampling numbers of the water's drifting textures ------------------------------- */
@@ -233,12 +233,14 @@ static void fill_sky_shaders(tp_frame *frame)
         sky->lacks++;
 }
 
-/* Counts missing stages.  `base` is the name to report if no module lacks the stage. */
-static void count_missing_stages(tp_frame *frame, const tp_shaders *list, uint8_t base)
+/* Counts missing stages.  `fallback_lacking` is the name to report if no module lacks
+ * the stage. */
+static void count_missing_stages(tp_frame *frame, const tp_shaders *list,
+                                 uint8_t fallback_lacking)
 {
     frame->stats.dropped += list->lacks;
     if (list->lacks && !frame->lacking)
-        frame->lacking = list->lacking ? list->lacking : base;
+        frame->lacking = list->lacking ? list->lacking : fallback_lacking;
 }
 
 static void fill_shader_lists(tp_frame *frame)

@@ -229,6 +229,6 @@ tp_status tp_obj_finish(tp_obj *obj, const tp_texture *const *textures, tp_mesh 
 
 /* Returns the number of bytes from the start of the memory that the mesh uses after
  * tp_obj_finish; the rest is free for other use. */
-size_t    tp_obj_mesh_bytes(const tp_obj *obj);
+size_t    tp_obj_finished_mesh_bytes(const tp_obj *obj);
 
 #endif

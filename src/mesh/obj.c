@@ -342,7 +342,7 @@ tp_status tp_obj_end_load(tp_obj *obj, tp_error *err)
     if (status == TP_OK && memcmp(&obj->now, &obj->total, sizeof obj->now) != 0)
         status = TP_FAIL(err, TP_E_OBJ_CHANGED, obj->lines.next, 0, 0);
     if (status == TP_OK)
-        status = tp_obj_build_geometry(obj, err);
+        status = tp_obj_build_faces(obj, err);
     if (status != TP_OK)
         return tp_obj_latch_failure(obj, status);
     /* Image names reuse the memory of loading, which ends here; obj_layout.c defines the

@@ -124,6 +124,7 @@ static inline uint64_t tp_mix(uint64_t hash, uint64_t x)
 typedef struct { const char *at, *end; } tp_words;
 typedef struct { const char *text; uint32_t bytes; } tp_word;
 
+/* True for a space and for all control characters, NUL included. */
 static inline bool tp_is_blank(char c) { return (unsigned char)c <= ' '; }
 
 /* Skips blanks.  True if the line ends or a comment follows. */
@@ -312,6 +313,6 @@ void tp_obj_layout(tp_obj *obj, tp_arena *arena);
 
 /* obj_geometry.c: turns polygons into faces; computes normals and the final form of
  * vertices. */
-tp_status tp_obj_build_geometry(tp_obj *obj, tp_error *err);
+tp_status tp_obj_build_faces(tp_obj *obj, tp_error *err);
 
 #endif

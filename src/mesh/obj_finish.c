@@ -140,7 +140,7 @@ tp_status tp_obj_finish(tp_obj *obj, const tp_texture *const *textures, tp_mesh 
     return TP_OK;
 }
 
-size_t tp_obj_mesh_bytes(const tp_obj *obj)
+size_t tp_obj_finished_mesh_bytes(const tp_obj *obj)
 {
     const tp_obj_memory *const store = &obj->store;
     const size_t before = (size_t)((const char *)store->vertices

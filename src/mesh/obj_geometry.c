@@ -214,7 +214,7 @@ static tp_packed_dir face_tangent(const tp_obj *obj, const tp_mesh_face *face, t
 
 /* Makes a face of three vertices, unless its area is 0.  Adds its area vector to *sum. */
 static void make_face(tp_obj *obj, const uint32_t vertex[3], uint32_t material,
-                      int64_t sum[3])
+                      int64_t area_sum[3])
 {
     tp_obj_memory *const store = &obj->store;
     const tp_vec3 corner = vertex_position(store, vertex[0]);
@@ -232,7 +232,7 @@ static void make_face(tp_obj *obj, const uint32_t vertex[3], uint32_t material,
     face->tangent = face_tangent(obj, face, e, f, exact, &made->picture);
     const tp_area area = tp_area_divide_pow2(exact, obj->area_shift);
     made->area += tp_area_length(area);
-    add_area(sum, area);
+    add_area(area_sum, area);
     add_to_slots(store, face, area);
 }
 
@@ -297,7 +297,7 @@ static tp_packed_dir resolve_normal(const tp_obj_memory *store, uint32_t normal)
     }
 }
 
-static void finish_vertices(tp_obj_memory *store)
+static void convert_corners_to_vertices(tp_obj_memory *store)
 {
     for (uint32_t i = 0; i < store->n_vertices; i++) {
         const struct tp_obj_texcoord tex = vertex_texcoord(store, i);
@@ -308,7 +308,7 @@ static void finish_vertices(tp_obj_memory *store)
     }
 }
 
-tp_status tp_obj_build_geometry(tp_obj *obj, tp_error *err)
+tp_status tp_obj_build_faces(tp_obj *obj, tp_error *err)
 {
     tp_obj_memory *const store = &obj->store;
     find_bounds_and_area_shifts(obj);
@@ -320,6 +320,6 @@ tp_status tp_obj_build_geometry(tp_obj *obj, tp_error *err)
     }
     if (store->n_faces == 0)
         return TP_FAIL(err, TP_E_OBJ_EMPTY, obj->lines.next, 0, 0);
-    finish_vertices(store);
+    convert_corners_to_vertices(store);
     return TP_OK;
 }

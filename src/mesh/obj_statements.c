@@ -203,16 +203,16 @@ static bool pass_slash(tp_words *words)
 
 /* Reads v, v/vt, v//vn or v/vt/vn.  Returns the flags of the indices found, or -1
  * for any other form. */
-static int read_corner(tp_words *words, int32_t corner[3])
+static int read_corner_form(tp_words *words, int32_t indices[3])
 {
-    corner[TEXCOORD] = corner[NORMAL] = 0;
-    if (!tp_words_read_int_prefix(words, &corner[POSITION]))
+    indices[TEXCOORD] = indices[NORMAL] = 0;
+    if (!tp_words_read_int_prefix(words, &indices[POSITION]))
         return -1;
     int form = 0;
     if (pass_slash(words)) {
-        if (tp_words_read_int_prefix(words, &corner[TEXCOORD]))
+        if (tp_words_read_int_prefix(words, &indices[TEXCOORD]))
             form |= HAS_TEXCOORD;
-        if (pass_slash(words) && tp_words_read_int_prefix(words, &corner[NORMAL]))
+        if (pass_slash(words) && tp_words_read_int_prefix(words, &indices[NORMAL]))
             form |= HAS_NORMAL;
     }
     return words->at == words->end || tp_is_blank(*words->at) ? form : -1;
@@ -325,7 +325,7 @@ static tp_status read_corners(tp_obj *obj, tp_words *words, tp_error *err)
     while (!tp_words_at_end(words)) {
         tp_words start = *words;
         int32_t corner[3];
-        const int form = read_corner(words, corner);
+        const int form = read_corner_form(words, corner);
         if (form < 0) {
             const tp_word word = tp_word_next(&start);
             TP_FAIL(err, TP_E_OBJ_NUMBER, obj->lines.first, 0, 0);

@@ -193,7 +193,7 @@ static bool join_continuation(tp_obj_lines *lines)
 
 /* True if [at, stop), the first part of a line, is the whole line.  Also true
  * for most comments. */
-static bool is_whole_line(const char *at, const char *stop)
+static bool can_read_line_in_place(const char *at, const char *stop)
 {
     return stop - at <= TP_OBJ_LINE_BYTES && (at == stop || stop[-1] != '\\');
 }
@@ -212,7 +212,8 @@ bool tp_lines_next(tp_obj_lines *lines, const char **from, const char *end,
         if (!lines->open)
             at = begin_line(lines, at, stop);
         *line = (tp_words){ at, stop };
-        const bool here = lines->used == 0 && stop < end && is_whole_line(at, stop);
+        const bool here =
+            lines->used == 0 && stop < end && can_read_line_in_place(at, stop);
         if (lines->open && !here) {
             at = append(lines, at, stop);
             if (at < stop) {

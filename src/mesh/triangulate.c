@@ -127,10 +127,11 @@ static void project_polygon(struct tp_obj_cut *cut, uint32_t n, const uint32_t e
 
 /* Corner p stands on the border of a triangle.  Seen from p the inside lies between the
  * directions to y and, turning left, to z.  True if an edge of p leads inside. */
-static bool has_inward_edge(const struct tp_obj_cut *cut, uint32_t p, uint32_t y,
-                            uint32_t z)
+static bool has_edge_inside_angle(const struct tp_obj_cut *cut, uint32_t p,
+                                  uint32_t right_arm, uint32_t left_arm)
 {
-    const step to_y = corner_difference(cut, p, y), to_z = corner_difference(cut, p, z);
+    const step to_y = corner_difference(cut, p, right_arm),
+               to_z = corner_difference(cut, p, left_arm);
     const step before = corner_difference(cut, p, cut->before[p]);
     const step after = corner_difference(cut, p, cut->after[p]);
     return (cross_product(to_y, before) > 0 && cross_product(before, to_z) > 0)
@@ -157,12 +158,13 @@ static bool is_blocking_corner(const struct tp_obj_cut *cut, uint32_t p, uint32_
     if (ab > 0 && bc > 0)
         return true;
     if (is_same_place(cut, p, a))
-        return has_inward_edge(cut, p, b, c);
+        return has_edge_inside_angle(cut, p, b, c);
     if (is_same_place(cut, p, b))
-        return has_inward_edge(cut, p, c, a);
+        return has_edge_inside_angle(cut, p, c, a);
     if (is_same_place(cut, p, c))
-        return has_inward_edge(cut, p, a, b);
-    return ab == 0 ? has_inward_edge(cut, p, b, a) : has_inward_edge(cut, p, c, b);
+        return has_edge_inside_angle(cut, p, a, b);
+    return ab == 0 ? has_edge_inside_angle(cut, p, b, a)
+                   : has_edge_inside_angle(cut, p, c, b);
 }
 
 static void spend(struct tp_obj_cut *cut, uint32_t steps)

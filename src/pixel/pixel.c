@@ -191,8 +191,8 @@ TP_ALWAYS_INLINE void store_rgb565(uint8_t *to, const uint32_t *colours, int cou
     const tp_rgb565_kept kept = tp_rgb565_load_constants();
     for (; i + 3 < count; i += 4) {
         const uint32_t *c = colours + i;
-        put_pair(to + 2 * i, tp_rgb565_pair(&kept, c[0], c[1]), be);
-        put_pair(to + 2 * i + 4, tp_rgb565_pair(&kept, c[2], c[3]), be);
+        put_pair(to + 2 * i, tp_rgb565_pack_pair(&kept, c[0], c[1]), be);
+        put_pair(to + 2 * i + 4, tp_rgb565_pack_pair(&kept, c[2], c[3]), be);
     }
 #endif
     for (; i < count; i++) {

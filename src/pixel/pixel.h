@@ -41,7 +41,7 @@ TP_ALWAYS_INLINE uint32_t tp_rgb565(uint32_t colour)
     return (red_blue >> 16 & 0xf800) | (green >> 5 & 0x7e0) | (red_blue >> 11 & 0x1f);
 }
 
-/* Constants of tp_rgb565_pair, kept in registers during a loop. */
+/* Constants of tp_rgb565_pack_pair, kept in registers during a loop. */
 typedef struct {
     uint32_t rb_scale, rb_half, g_scale, g_half, red, green, blue;
 } tp_rgb565_kept;
@@ -60,16 +60,16 @@ TP_ALWAYS_INLINE tp_rgb565_kept tp_rgb565_load_constants(void)
 }
 
 /* Returns two pixels in a word; the first colour takes the low half. */
-TP_ALWAYS_INLINE uint32_t tp_rgb565_pair(const tp_rgb565_kept *k, uint32_t first,
-                                         uint32_t second)
+TP_ALWAYS_INLINE uint32_t tp_rgb565_pack_pair(const tp_rgb565_kept *constants,
+                                              uint32_t first, uint32_t second)
 {
-    const uint32_t a = tp_even_bytes(first) * k->rb_scale + k->rb_half;
-    const uint32_t b = tp_even_bytes(second) * k->rb_scale + k->rb_half;
+    const uint32_t a = tp_even_bytes(first) * constants->rb_scale + constants->rb_half;
+    const uint32_t b = tp_even_bytes(second) * constants->rb_scale + constants->rb_half;
     const uint32_t green = tp_pack_low_halves(tp_odd_bytes(first), tp_odd_bytes(second))
-                         * k->g_scale + k->g_half;
+                         * constants->g_scale + constants->g_half;
 
-    return (tp_pack_high_halves(a, b) & k->red) | (green >> 5 & k->green)
-           | (tp_pack_low_halves(a, b) >> 11 & k->blue);
+    return (tp_pack_high_halves(a, b) & constants->red) | (green >> 5 & constants->green)
+           | (tp_pack_low_halves(a, b) >> 11 & constants->blue);
 }
 
 /* -- tone mapping -------------------------------------------------------------------- */

@@ -34,7 +34,7 @@ static bool has_cell(const tp_pool *pool, uint32_t col, uint32_t row)
     return col < pool->cols && row < pool->rows;
 }
 
-int32_t tp_pool_height(const tp_pool *pool, uint32_t col, uint32_t row)
+int32_t tp_pool_height_lsb(const tp_pool *pool, uint32_t col, uint32_t row)
 {
     return has_cell(pool, col, row) ? tp_pool_cell_height(pool, row * pool->cols + col) : 0;
 }
@@ -157,7 +157,7 @@ tp_pool_state tp_pool_stats(const tp_pool *pool)
 
     for (uint32_t row = 0; row < pool->rows; row++) {
         for (uint32_t col = 0; col < pool->cols; col++) {
-            const int32_t h = tp_pool_height(pool, col, row);
+            const int32_t h = tp_pool_height_lsb(pool, col, row);
             const int32_t v = tp_pool_velocity(pool, col, row);
             state.sum += h;
             state.highest = tp_abs(h) > state.highest ? tp_abs(h) : state.highest;
@@ -227,7 +227,7 @@ static bool are_cells_valid(const tp_pool *pool)
 
     for (uint32_t row = 0; row < pool->rows; row++) {
         for (uint32_t col = 0; col < pool->cols; col++) {
-            const int32_t h = tp_pool_height(pool, col, row);
+            const int32_t h = tp_pool_height_lsb(pool, col, row);
             const int32_t v = tp_pool_velocity(pool, col, row);
             const int32_t most = tp_pool_is_wall_or_outside(pool, col, row) ? 0 : full;
             if (!is_within_limit(h, most) || !is_within_limit(v, most)
@@ -275,7 +275,7 @@ static bool are_heights_valid(const tp_pool *pool)
 {
     for (uint32_t row = 0; row < pool->rows; row++) {
         for (uint32_t col = 0; col < pool->cols; col++) {
-            const int64_t h = tp_pool_height(pool, col, row);
+            const int64_t h = tp_pool_height_lsb(pool, col, row);
             const int64_t gain = tp_pool_net_inflow(pool, col, row);
             const int32_t most =
                 tp_pool_is_wall_or_outside(pool, col, row) ? 0 : TP_FULL_32;

@@ -157,9 +157,11 @@ TP_ALWAYS_INLINE int32_t cell_flux(int32_t q, int32_t from, int32_t to, size_t x
 /* Updates the fluxes between `count` cells `from` and their neighbours `to`.  Returns
  * non-zero if any water flows.  Compilers turn the inner loops of eight into vector
  * code, at -O2 too. */
-TP_ALWAYS_INLINE int32_t update_fluxes(int32_t *restrict q, const int32_t *restrict from,
-                                       const int32_t *restrict to, uint32_t count,
-                                       const edges *given, int walls, int sponge)
+TP_ALWAYS_INLINE int32_t update_fluxes_any_nonzero(int32_t *restrict q,
+                                                   const int32_t *restrict from,
+                                                   const int32_t *restrict to,
+                                                   uint32_t count, const edges *given,
+                                                   int walls, int sponge)
 {
     const edges e = *given;             /* locals: q may alias *given */
     int32_t moved[8] = { 0 };
@@ -184,7 +186,7 @@ TP_ALWAYS_INLINE int32_t update_fluxes(int32_t *restrict q, const int32_t *restr
     static int32_t name(int32_t *restrict q, const int32_t *restrict from,               \
                         const int32_t *restrict to, uint32_t count, const edges *e)      \
     {                                                                                    \
-        return update_fluxes(q, from, to, count, e, walls, sponge);                      \
+        return update_fluxes_any_nonzero(q, from, to, count, e, walls, sponge);          \
     }
 X(flow_open, 0, 0)
 X(flow_walls, 1, 0) X(flow_sponge, 1, 1)
@@ -212,7 +214,8 @@ typedef struct {
     edges    edge;
 } flux_cells;
 
-/* Updates the fluxes q from the cells of row y to the cells `to`. */
+/* Updates the fluxes q from the cells of row y to the cells `to`.  Returns 0 if no water
+ * flows. */
 static int32_t update_row_fluxes(const flux_cells *s, uint32_t y, int32_t *q,
                                  const int32_t *to, int32_t direction)
 {
@@ -231,10 +234,10 @@ static int32_t update_row_fluxes(const flux_cells *s, uint32_t y, int32_t *q,
     return flow_sponge(q + at, from, to, s->cols, &e);
 }
 
-/* Updates the fluxes to the right in row y.  The loop reads the right neighbour of the last
- * cell from behind the row.  This number is replaced for the time of the loop: by the first
- * cell of the row in a tiled field, otherwise by the last cell itself, where nothing
- * flows. */
+/* Updates the fluxes to the right in row y.  Returns 0 if no water flows.  The loop
+ * reads the right neighbour of the last cell from behind the row.  This number is
+ * replaced for the time of the loop: by the first cell of the row in a tiled field,
+ * otherwise by the last cell itself, where nothing flows. */
 static int32_t update_right_fluxes(const flux_cells *s, uint32_t y)
 {
     int32_t *const h = s->h + (size_t)y * s->cols, *const beyond = h + s->cols;
@@ -262,9 +265,10 @@ static void apply_row_fluxes(const flux_cells *s, uint32_t y)
     right[-1] = kept;
 }
 
-/* Runs a step, row by row.  The heights of a row change as soon as the fluxes of the row
- * are known: later rows do not read the old heights.  The last row of a tiled field is an
- * exception: its fluxes down need the old row 0 and are computed first. */
+/* Runs a step, row by row, and returns 0 if no flux moved water.  The heights of a row
+ * change as soon as the fluxes of the row are known: later rows do not read the old
+ * heights.  The last row of a tiled field is an exception: its fluxes down need the
+ * old row 0 and are computed first. */
 static int32_t step_rows(const flux_cells *s)
 {
     const uint32_t last = s->rows - 1;

@@ -117,7 +117,7 @@ tp_fx tp_pool_rounding_noise(tp_fx courant, uint32_t damping)
 
 #define RANGE(field, good) \
     if (!(good)) \
-        return tp_error_blame(err, TP_FAIL(err, TP_E_POOL_RANGE, 0, 0, 0), field)
+        return tp_error_add_word(err, TP_FAIL(err, TP_E_POOL_RANGE, 0, 0, 0), field)
 
 static tp_status check_numbers(const tp_pool_config *c, tp_error *err)
 {
@@ -132,7 +132,7 @@ static tp_status check_numbers(const tp_pool_config *c, tp_error *err)
     RANGE("drive_min", c->drive_min >= 0);
     RANGE("drive_amplitude", c->drive_amplitude >= 0);
     if (c->drive_min > c->drive_max)
-        return tp_error_blame(err, TP_FAIL(err, TP_E_POOL_FEED, 0, 0, 0), "drive_min");
+        return tp_error_add_word(err, TP_FAIL(err, TP_E_POOL_FEED, 0, 0, 0), "drive_min");
     return TP_OK;
 }
 
@@ -142,8 +142,8 @@ static tp_status check_size(const tp_pool_config *c, tp_error *err)
 
     if (good_cols && is_in_range(c->rows, 16, 512))
         return TP_OK;
-    return tp_error_blame(err, TP_FAIL(err, TP_E_POOL_SIZE, 0, c->cols, c->rows),
-                          good_cols ? "rows" : "cols");
+    return tp_error_add_word(err, TP_FAIL(err, TP_E_POOL_SIZE, 0, c->cols, c->rows),
+                             good_cols ? "rows" : "cols");
 }
 
 /* The message prints both numbers to three places.  A refused Courant number is 0.491 to
@@ -155,7 +155,7 @@ static tp_status check_courant(const tp_pool_config *c, tp_error *err)
 
     if (tp_pool_square_courant(c->courant) <= bound)
         return TP_OK;
-    return tp_error_blame(err, TP_FAIL(err, TP_E_POOL_COURANT, 0, asked,
+    return tp_error_add_word(err, TP_FAIL(err, TP_E_POOL_COURANT, 0, asked,
                                        tp_isqrt64((uint64_t)bound * 1000000 / 1024)),
                           "courant");
 }
@@ -174,8 +174,8 @@ tp_status tp_pool_check(const tp_pool_config *config, tp_error *err)
         return status;
     const tp_grey *mask = config->mask;
     if (mask != NULL && (mask->cols == 0 || mask->rows == 0 || mask->sample == NULL))
-        return tp_error_blame(err, TP_FAIL(err, TP_E_POOL_MASK, 0, mask->cols, mask->rows),
-                              "mask");
+        return tp_error_add_word(
+            err, TP_FAIL(err, TP_E_POOL_MASK, 0, mask->cols, mask->rows), "mask");
     return TP_OK;
 }
 
@@ -228,7 +228,7 @@ static int32_t normalised_ratio(uint64_t num, uint64_t den, int32_t *shift)
 /* Sets the factor from a fine height (see subcell.c) to metres in 16.16: range / full
  * range for 8 and 16 bits, 2^-8 for Q8.24; then the factor from a difference over two
  * cells to a slope. */
-static void set_scale_factors(tp_pool *pool)
+static void set_height_and_slope_factors(tp_pool *pool)
 {
     int32_t shift;
 
@@ -280,7 +280,7 @@ tp_status tp_pool_init(tp_pool *pool, const tp_pool_config *config, tp_error *er
         .drive_amplitude = config->drive_amplitude, .random = 1, .at_rest = 1, .no_flux = 1,
         .walls = at.walls, .sponge = at.sponge, .scratch = at.scratch, .first = at.first,
     };
-    set_scale_factors(pool);
+    set_height_and_slope_factors(pool);
     pool->drive_peak = tp_pool_from_metres(pool, config->drive_amplitude);
     if (pool->walls != 0)
         pool_set_walls(pool, config->mask);

@@ -133,7 +133,7 @@ int32_t tp_pool_from_metres(const tp_pool *pool, tp_fx metres);     /* rounded t
 tp_fx tp_pool_height_bound(const tp_pool *pool);
 
 /* Stored state of a cell: height and velocity of the last step in LSB; 0 in walls. */
-int32_t tp_pool_height(const tp_pool *pool, uint32_t col, uint32_t row);
+int32_t tp_pool_height_lsb(const tp_pool *pool, uint32_t col, uint32_t row);
 int32_t tp_pool_velocity(const tp_pool *pool, uint32_t col, uint32_t row);
 bool    tp_pool_is_wall_or_outside(const tp_pool *pool, uint32_t col, uint32_t row);
 

@@ -64,7 +64,7 @@ static uint32_t wrapped(int32_t i, uint32_t cells)
 }
 
 /* Adds `lsb` to a cell of the window.  Returns the part that fitted into its range. */
-static int32_t add_cell_height(const splash *h, int32_t x, int32_t y, int32_t lsb)
+static int32_t add_height_to_cell(const splash *h, int32_t x, int32_t y, int32_t lsb)
 {
     return tp_pool_add_cell_height(h->pool, wrapped(h->col + x, h->pool->cols),
                                    wrapped(h->row + y, h->pool->rows), lsb);
@@ -114,7 +114,7 @@ static int64_t add_hat(const splash *h, int32_t peak)
             carry += peak * (hat - (h->ratio * exp_negative(s) >> 30));
             const int64_t lsb = (carry + half) >> 30;
             carry -= lsb * ((int64_t)1 << 30);
-            sum += add_cell_height(h, x, y, (int32_t)tp_clamp_abs(lsb, full));
+            sum += add_height_to_cell(h, x, y, (int32_t)tp_clamp_abs(lsb, full));
         }
     }
     return sum;
@@ -127,7 +127,8 @@ static int64_t subtract_from_cells(const splash *h, int64_t sum, int64_t max_per
     for (int32_t y = 0; y < h->rows; y++) {
         for (int32_t x = 0; x < h->cols && sum != 0; x++) {
             if (cell_exponent(h, x, y) < S_MAX)
-                sum += add_cell_height(h, x, y, (int32_t)-tp_clamp_abs(sum, max_per_cell));
+                sum += add_height_to_cell(h, x, y,
+                                          (int32_t)-tp_clamp_abs(sum, max_per_cell));
         }
     }
     return sum;

@@ -13,14 +13,15 @@
  * height H nor the last one, H - V, leaves the range of the cell, and all heights
  * between fit 31 bits. */
 
-/* Returns a fine height.  `base` is the index of the first cell of the row.  `interpolates`
- * is true if lag is not 0.  `cells` and `interpolates` are literals in fast loops. */
+/* Returns a fine height.  `row_start` is the index of the first cell of the row.
+ * `interpolates` is true if lag is not 0.  `cells` and `interpolates` are literals in
+ * fast loops. */
 TP_ALWAYS_INLINE int32_t fine_height(const tp_pool *pool, uint32_t col,
-                                             uint32_t row, uint32_t base, tp_fx lag,
+                                             uint32_t row, uint32_t row_start, tp_fx lag,
                                              tp_cells cells, int interpolates)
 {
     const void *const from = tp_pool_const_pointer(pool, sizeof *pool);
-    const uint32_t i = base + col;
+    const uint32_t i = row_start + col;
 
     if (cells == TP_CELLS_8) {
         const tp_pool_pair_8 *const cell = (const tp_pool_pair_8 *)from + i;
@@ -99,9 +100,9 @@ static int32_t fine_height_any(const tp_pool *pool, uint32_t col, uint32_t row,
 
 /* Returns the fine height of a cell.  A wall cell gets the mean of the open cells beside
  * the wall: a flat wall mirrors, and the surface beside a wall does not depend on the side
- * it is sampled from.  A wall cell without open neighbours gets `inside`. */
+ * it is sampled from.  A wall cell without open neighbours gets `fallback`. */
 static int32_t fine_height_extended_into_wall(const tp_pool *pool, uint32_t col,
-                                              uint32_t row, tp_fx lag, int32_t inside)
+                                              uint32_t row, tp_fx lag, int32_t fallback)
 {
     TP_ASSERT(col < pool->cols && row < pool->rows);
     static const int8_t beside[4][2] = { { -1, 0 }, { 1, 0 }, { 0, -1 }, { 0, 1 } };
@@ -121,7 +122,7 @@ static int32_t fine_height_extended_into_wall(const tp_pool *pool, uint32_t col,
             open++;
         }
     }
-    return open != 0 ? (int32_t)(sum / open) : inside;
+    return open != 0 ? (int32_t)(sum / open) : fallback;
 }
 
 /* The 4 x 4 cells around a point, without the four corner cells: their columns and rows. */

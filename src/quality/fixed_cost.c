@@ -19,7 +19,7 @@ static int64_t start_view_core_half_width(const tp_scene *s, int32_t lines, int3
     return (int64_t)s->grid.cell * (lines - 2 * *flank - 1) / 2;
 }
 
-int64_t tp_start_view_line_coordinate(const tp_scene *s, int32_t lines, int64_t centre,
+int64_t tp_start_view_grid_line_place(const tp_scene *s, int32_t lines, int64_t centre,
                                       int64_t line)
 {
     int32_t flank;
@@ -94,7 +94,7 @@ tp_vec3 tp_start_view_ray(const tp_start_view *at, int64_t x, int64_t y)
     return tp_rotate_back(&at->turn, (tp_vec3){ (tp_fx)x, (tp_fx)y, -TP_FX_ONE });
 }
 
-int64_t tp_start_view_water_distance(const tp_start_view *at, int64_t x, int64_t y)
+int64_t tp_start_view_water_distance_ahead(const tp_start_view *at, int64_t x, int64_t y)
 {
     const tp_vec3 ray = tp_start_view_ray(at, x, y);
 
@@ -118,7 +118,8 @@ typedef struct {
     uint32_t count;
 } costs;
 
-static costs collect_costs(const tp_plan_input *in, tp_module_conditions conditions)
+static costs collect_cost_callbacks(const tp_plan_input *in,
+                                    tp_module_conditions conditions)
 {
     costs all = { .count = 0 };
 
@@ -139,7 +140,8 @@ static uint32_t count_bits(uint32_t word)
 
 /* Tests a ray that would meet water.  If objects of several modules stop the ray, the
  * last module counts the ray. */
-static void test_ray_for_objects(tp_site *w, costs *all, int32_t i, int32_t j, int64_t far)
+static void count_ray_stopped_by_object(tp_site *w, costs *all, int32_t i, int32_t j,
+                                        int64_t far)
 {
     const tp_vec3 ray = tp_work_ray(w, i, j);
     uint32_t by = all->count;
@@ -154,23 +156,23 @@ static void test_ray_for_objects(tp_site *w, costs *all, int32_t i, int32_t j, i
     all->stopped[by]++;
 }
 
-/* Finds the rays that meet water, and among them the rays that meet water near enough to
- * reflect objects: up to an eighth beyond the objects, as in the stage of the planar
- * reflection. */
-static void cast_rays(tp_site *w, costs *all, uint32_t near[TP_RAYS])
+/* Sets a bit for each ray: in w->wet[row] if the ray meets water, in near_bits[row] if
+ * that water is near enough to reflect objects: up to an eighth beyond the objects, as
+ * in the stage of the planar reflection. */
+static void mark_rays_meeting_water(tp_site *w, costs *all, uint32_t near_bits[TP_RAYS])
 {
     const tp_start_view *at = &w->at;
 
     for (int32_t j = 0; j < TP_RAYS; j++) {
-        near[j] = w->wet[j] = 0;
+        near_bits[j] = w->wet[j] = 0;
         for (int32_t i = 0; i < TP_RAYS; i++) {
-            const int64_t far =
-                tp_start_view_water_distance(at, at->wide * (2 * i + 1 - TP_RAYS) / TP_RAYS,
-                                    at->high * (2 * j + 1 - TP_RAYS) / TP_RAYS);
+            const int64_t far = tp_start_view_water_distance_ahead(
+                at, at->wide * (2 * i + 1 - TP_RAYS) / TP_RAYS,
+                at->high * (2 * j + 1 - TP_RAYS) / TP_RAYS);
             if (far > 0)
-                test_ray_for_objects(w, all, i, j, far);
+                count_ray_stopped_by_object(w, all, i, j, far);
             w->wet[j] |= (uint32_t)(far > 0) << i;
-            near[j] |= (uint32_t)(far > 0 && far < w->far + w->far / 8) << i;
+            near_bits[j] |= (uint32_t)(far > 0 && far < w->far + w->far / 8) << i;
         }
     }
 }
@@ -179,7 +181,7 @@ static void add_pixel_costs(tp_site *w, costs *all)
 {
     uint32_t near[TP_RAYS], sky = 0, water = 0, hidden = 0, solid = 0, looks = 0;
 
-    cast_rays(w, all, near);
+    mark_rays_meeting_water(w, all, near);
     for (int j = 0; j < TP_RAYS; j++) {
         solid += count_bits(w->solid[j]);
         hidden += count_bits(w->wet[j] & w->solid[j]);
@@ -209,7 +211,7 @@ tp_fixed_cost tp_fixed_cost_estimate(const tp_plan_input *in,
         .width = in->width, .height = in->height,
         .at = tp_start_view_make(in->scene, in->width, in->height), .is = estimate->modules,
     };
-    costs all = collect_costs(in, tp_plan_module_conditions(in));
+    costs all = collect_cost_callbacks(in, tp_plan_module_conditions(in));
 
     w.mirrors = w.is & TP_MODULE_MIRROR && w.at.eye.y > 0;
     for (uint32_t k = 0; k < all.count; k++)

@@ -41,12 +41,14 @@ tp_rung_mask tp_ladder_rung_mask(const tp_ladder *ladder)
     return reach;
 }
 
-static int change_rung(tp_governor *g, int by)
+/* Moves `steps` down the ladder, up if negative, and waits for the times to settle.
+ * Returns `steps`. */
+static int move_on_ladder(tp_governor *g, int steps)
 {
-    g->at += (uint32_t)by;
+    g->at += (uint32_t)steps;
     g->settling = SETTLE;
     g->calm = 0;
-    return by;
+    return steps;
 }
 
 /* True if the predicted time on the rung above leaves 1/8 of the limit free.  Times are
@@ -74,10 +76,10 @@ static int evaluate_window(tp_governor *g)
             return 0;
         g->before[g->at + 1] = g->mean;
         g->after[g->at + 1] = 0;
-        return change_rung(g, 1);
+        return move_on_ladder(g, 1);
     }
     g->calm = g->at > 0 && can_raise_rung(g) ? g->calm + 1 : 0;
-    return g->calm >= CALM ? change_rung(g, -1) : 0;
+    return g->calm >= CALM ? move_on_ladder(g, -1) : 0;
 }
 
 int tp_governor_add_frame_time(tp_governor *g, uint32_t took)

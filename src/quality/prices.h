@@ -157,7 +157,7 @@ tp_start_view tp_start_view_make(const tp_scene *scene, uint32_t width, uint32_t
 
 /* Returns the coordinate of a position `line` lines (Q16) from the middle of an axis.
  * Steps between lines of the skirt grow outwards. */
-int64_t tp_start_view_line_coordinate(const tp_scene *scene, int32_t lines, int64_t centre,
+int64_t tp_start_view_grid_line_place(const tp_scene *scene, int32_t lines, int64_t centre,
                                       int64_t line);
 
 /* Returns the ray through (x, y) of the picture: tangents, Q16 per unit ahead, below
@@ -166,7 +166,7 @@ tp_vec3 tp_start_view_ray(const tp_start_view *at, int64_t x, int64_t y);
 
 /* Returns the distance ahead, Q16 m, at which the ray through (x, y) meets level water, or
  * 0. */
-int64_t tp_start_view_water_distance(const tp_start_view *at, int64_t x, int64_t y);
+int64_t tp_start_view_water_distance_ahead(const tp_start_view *at, int64_t x, int64_t y);
 
 /* Returns to - from, clamped to 8 km along each axis. */
 static inline tp_vec3 tp_start_view_clamped_vector(tp_vec3 from, tp_vec3 to)

@@ -23,8 +23,10 @@ static uint32_t count_water_rays(const tp_start_view *at)
 
     for (int32_t j = 0; j < RAYS; j++)
         for (int32_t i = 0; i < RAYS; i++)
-            seen += tp_start_view_water_distance(at, at->wide * (2 * i + 1 - RAYS) / RAYS,
-                                   at->high * (2 * j + 1 - RAYS) / RAYS) > 0;
+            seen += tp_start_view_water_distance_ahead(
+                        at, at->wide * (2 * i + 1 - RAYS) / RAYS,
+                        at->high * (2 * j + 1 - RAYS) / RAYS)
+                    > 0;
     return seen;
 }
 
@@ -34,7 +36,7 @@ static uint32_t count_water_rays(const tp_start_view *at)
 static int64_t grid_point_coordinate(const tp_scene *s, int32_t lines, int64_t centre,
                                      int32_t n)
 {
-    return tp_start_view_line_coordinate(s, lines, centre,
+    return tp_start_view_grid_line_place(s, lines, centre,
                               (int64_t)(lines - 1) * (2 * n + 1 - SPOTS) * 32768 / SPOTS);
 }
 
@@ -46,8 +48,8 @@ typedef struct {
 /* Returns the share, Q8, of level cells at a depth that get a pixel.  The image of a cell
  * has the area of the cell times focal^2 height / depth^3.  A cell counts once for each
  * tile that its rows touch. */
-static uint32_t cell_pixel_share(const tp_start_view *at, const tp_scene *s, int32_t focal,
-                                 int64_t depth)
+static uint32_t share_of_cells_with_pixels(const tp_start_view *at, const tp_scene *s,
+                                           int32_t focal, int64_t depth)
 {
     const int64_t height = tp_abs(at->eye.y);
 
@@ -76,7 +78,7 @@ static void count_grid_point_if_visible(viewed *to, const tp_start_view *at,
 
     if (-v.z > -room && tp_abs(v.x) <= wide && tp_abs(v.y) <= high) {
         to->spots++;
-        to->drawn += cell_pixel_share(at, s, focal, -v.z);
+        to->drawn += share_of_cells_with_pixels(at, s, focal, -v.z);
     }
 }
 
@@ -201,7 +203,7 @@ static bool is_rows_renderer_usable(const tp_scene *s, bool coastal,
 }
 
 /* Returns the metres along the lines for each metre across them, straight ahead. */
-static tp_fx view_slant(const tp_start_view *at)
+static tp_fx view_slant_to_grid_lines(const tp_start_view *at)
 {
     const int64_t x = tp_abs(at->turn.z.x), z = tp_abs(at->turn.z.z);
     const int64_t across = x > z ? x : z, along = x > z ? z : x;
@@ -341,7 +343,7 @@ tp_view_estimate tp_view_estimate_make(const tp_plan_input *in)
     o.quick = (o.modules & TP_MODULE_FAST) != 0;
     classify_sea(&o, scene);
     o.floor = (uint8_t)(tp_has_floor(scene) + (tp_has_floor(scene) && assets->floor));
-    o.slant = view_slant(&at);
+    o.slant = view_slant_to_grid_lines(&at);
     set_wave_flags(&o, scene);
     for (int i = 0; i < TP_WAVES; i++)
         waves += scene->wave[i].amplitude > 0 ? scene->wave[i].amplitude : 0;

@@ -43,7 +43,7 @@ tp_fx tp_nearest_water_distance(tp_fx height, const tp_rotation *turn, tp_fx fov
 }
 
 /* Returns 0 up to `limit`, 1 from 2 * `limit`, linear between. */
-static tp_fx ramp(int64_t x, tp_fx limit)
+static tp_fx ramp_above_limit(int64_t x, tp_fx limit)
 {
     const int64_t over = x - limit;
     return over <= 0 ? 0 : over >= limit ? TP_FX_ONE : (tp_fx)((over << 16) / limit);
@@ -59,8 +59,8 @@ tp_fx tp_wave_cull_weight(const tp_wave_cull_limits *limits, tp_fx amplitude, tp
 {
     if (limits->px <= 0 || limits->slope <= 0)
         return TP_FX_ONE;
-    const tp_fx high = ramp(amplitude_px(limits, amplitude), limits->px);
-    const tp_fx steep = ramp(slope, limits->slope);
+    const tp_fx high = ramp_above_limit(amplitude_px(limits, amplitude), limits->px);
+    const tp_fx steep = ramp_above_limit(slope, limits->slope);
     return high > steep ? high : steep;
 }
 

@@ -196,16 +196,16 @@ void tp_rows_begin(tp_rows *rows, const tp_gbuffer *tile, void *memory, bool sol
 void tp_rows_draw_line(tp_rows *rows, const tp_row_point *point, uint32_t count);
 
 /* Same, for a line behind a gap: nothing is drawn between the previous line and this
- * line, and the gap hides everything behind.  `joined`: triangles lie in front of the
- * line.  Triangles assign pixels at an edge by another rule, so the pixel at the line is
- * drawn again. */
+ * line, and the gap hides everything behind.  `behind_triangles`: triangles lie in
+ * front of the line.  Triangles assign pixels at an edge by another rule, so the pixel
+ * at the line is drawn again. */
 void tp_rows_restart_line(tp_rows *rows, const tp_row_point *point, uint32_t count,
-                          bool joined);
+                          bool behind_triangles);
 
 /* Used before a line that reaches farther to a side than the previous line: the edge of
  * the side, from left to right, replaces the previous line there. */
-void tp_rows_start_side_segment(tp_rows *rows, const tp_row_point *from,
-                                const tp_row_point *to);
+void tp_rows_restart_side(tp_rows *rows, const tp_row_point *left,
+                          const tp_row_point *right);
 
 /* Marks columns without a line between two u positions; the next line starts anew there. */
 void tp_rows_mark_gap(tp_rows *rows, int32_t left_28_4, int32_t right_28_4);

@@ -47,15 +47,16 @@ TP_ALWAYS_INLINE void advance_sample_rows(sample *p, const sample *step, uint32_
     p->n += step->n * rows;
 }
 
-/* Fills rows [y, end); `now` is the sample at row `top`. */
-TP_ALWAYS_INLINE void fill(const tp_gbuffer *tile, int32_t x, int32_t y, int32_t end,
-                           int32_t top, sample now, sample step, bool tested)
+/* Fills rows [y, end); `now` is the sample at row `now_row`. */
+TP_ALWAYS_INLINE void fill_column_rows(const tp_gbuffer *tile, int32_t x, int32_t y,
+                                       int32_t end, int32_t now_row, sample now,
+                                       sample step, bool tested)
 {
     const size_t plane = plane_stride(tile), stride = tile->stride;
     uint32_t *at = key_pointer(tile, x, y);
 
-    if (y > top)
-        advance_sample_rows(&now, &step, (uint32_t)(y - top));
+    if (y > now_row)
+        advance_sample_rows(&now, &step, (uint32_t)(y - now_row));
     for (int32_t count = end - y; count > 0; count--, at += stride) {
         write_sample(at, plane, &now, tested);
         advance_sample_rows(&now, &step, 1);
@@ -66,7 +67,7 @@ static __attribute__((noinline)) void fill_tested(const tp_gbuffer *tile, int32_
                                                   int32_t y, int32_t end, int32_t top,
                                                   const sample *now, const sample *step)
 {
-    fill(tile, x, y, end, top, *now, *step, 1);
+    fill_column_rows(tile, x, y, end, top, *now, *step, 1);
 }
 
 /* An interval between two lines: the lower line `near`, the upper line `far`. */
@@ -189,7 +190,7 @@ static __attribute__((noinline)) void fill_many(const tp_rows *rows,
     if (rows->solid)
         fill_tested(rows->tile, x, y, end, top, &now, &step);
     else
-        fill(rows->tile, x, y, end, top, now, step, false);
+        fill_column_rows(rows->tile, x, y, end, top, now, step, false);
 }
 
 void tp_rows_fill_column(const tp_rows *rows, const tp_row_sample *near,
@@ -219,7 +220,7 @@ void tp_row_restart_column(tp_rows *rows, tp_row_column *column, const tp_row_sa
     const sample p = { make_water_key(line->zi), (uint32_t)line->s, (uint32_t)line->t,
                        line->n };
 
-    close_column(rows, column, y);
+    mark_column_covered(rows, column, y);
     if (joined && top >= tile->y0 && top < end)
         write_sample(key_pointer(tile, tile->x0 + (int32_t)(column - rows->column), top),
                      plane_stride(tile), &p, rows->solid);

@@ -11,11 +11,11 @@
 
 #define ROW 65536               /* a row in 16.16 */
 
-/* Returns the limit of a column covered from row `top` down; a line with v <= limit
+/* Returns the limit of a column covered from row `row` down; a line with v <= limit
  * begins above. */
-static inline int32_t column_limit(int32_t top)
+static inline int32_t v_limit_above_row(int32_t row)
 {
-    return top * ROW - ROW / 2;
+    return row * ROW - ROW / 2;
 }
 
 /* Returns the first row with its centre at or below v. */
@@ -46,14 +46,14 @@ TP_ALWAYS_INLINE uint32_t interpolate_slopes(uint32_t from, uint32_t to, int32_t
     return tp_sadd16(from, (x & 0xffff0000u) | (z & 0xffff));
 }
 
-/* Returns the step of both slopes, `per` in Q.30.  The low half may carry into the high
- * half, an error of an LSB, 2^-12. */
-TP_ALWAYS_INLINE uint32_t slopes_step(uint32_t from, uint32_t to, int32_t per)
+/* Returns the step of both slopes, `share_per_step` in Q.30.  The low half may carry
+ * into the high half, an error of an LSB, 2^-12. */
+TP_ALWAYS_INLINE uint32_t slopes_step(uint32_t from, uint32_t to, int32_t share_per_step)
 {
     uint32_t half = tp_shsub16(to, from);
-    int32_t  x = (tp_smulwt(per, half) + 4096) >> 13;
+    int32_t  x = (tp_smulwt(share_per_step, half) + 4096) >> 13;
 
-    return ((uint32_t)x << 16) + (uint32_t)((tp_smulwb(per, half) + 4096) >> 13);
+    return ((uint32_t)x << 16) + (uint32_t)((tp_smulwb(share_per_step, half) + 4096) >> 13);
 }
 
 /* True if s and t need perspective between two points of different depth.  Linear s and t
@@ -99,10 +99,10 @@ TP_ALWAYS_INLINE uint32_t *key_pointer(const tp_gbuffer *tile, int32_t x, int32_
 }
 
 /* Marks a column as covered from row y down. */
-TP_ALWAYS_INLINE void close_column(tp_rows *rows, tp_row_column *column, int32_t y)
+TP_ALWAYS_INLINE void mark_column_covered(tp_rows *rows, tp_row_column *column, int32_t top)
 {
-    column->limit = column_limit(y);
-    if (y == rows->tile->y0) {
+    column->limit = v_limit_above_row(top);
+    if (top == rows->tile->y0) {
         column->limit = INT32_MIN;
         rows->open--;
     }

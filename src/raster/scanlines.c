@@ -250,20 +250,20 @@ void tp_rows_draw_line(tp_rows *rows, const tp_row_point *point, uint32_t count)
 }
 
 void tp_rows_restart_line(tp_rows *rows, const tp_row_point *point, uint32_t count,
-                          bool joined)
+                          bool behind_triangles)
 {
     for (uint32_t i = 1; i < count; i++) {
-        if (joined)
+        if (behind_triangles)
             rasterize_segment(rows, &point[i - 1], &point[i], JOINED);
         else
             rasterize_segment(rows, &point[i - 1], &point[i], START);
     }
 }
 
-void tp_rows_start_side_segment(tp_rows *rows, const tp_row_point *from,
-                                const tp_row_point *to)
+void tp_rows_restart_side(tp_rows *rows, const tp_row_point *left,
+                          const tp_row_point *right)
 {
-    rasterize_segment(rows, from, to, SIDE);
+    rasterize_segment(rows, left, right, SIDE);
 }
 
 void tp_rows_mark_gap(tp_rows *rows, int32_t left_28_4, int32_t right_28_4)

@@ -149,7 +149,7 @@ static span_st evaluate_st(const perspective *p, const tp_tri *tri, int32_t x,
     };
 }
 
-static uint32_t st_step(uint32_t from, uint32_t to, int32_t n)
+static uint32_t texture_coordinate_step(uint32_t from, uint32_t to, int32_t n)
 {
     return (uint32_t)((int64_t)(int32_t)(to - from) * tp_span_over[n] >> 16);
 }
@@ -196,8 +196,8 @@ TP_ALWAYS_INLINE void fill_perspective(const span_painter *p, span *sp, int32_t 
         int32_t to = next < right ? next : right - 1;
         int32_t stop = next < end ? next : end;
         span_st   b = to > from ? evaluate_st(&p->persp, p->tri, to, y) : a;
-        sp->s.step = st_step(a.s, b.s, to - from);
-        sp->t.step = st_step(a.t, b.t, to - from);
+        sp->s.step = texture_coordinate_step(a.s, b.s, to - from);
+        sp->t.step = texture_coordinate_step(a.t, b.t, to - from);
         sp->s.now = a.s + sp->s.step * (uint32_t)(x - from);
         sp->t.now = a.t + sp->t.step * (uint32_t)(x - from);
         fill_pixels(sp, x, stop, kind);
@@ -273,7 +273,7 @@ TP_ALWAYS_INLINE tp_gradient normal_gradient(const tp_tri *tri, int i, int shift
                            tri->c->n[i] * one, 0);
 }
 
-TP_ALWAYS_INLINE void set_position_gradients(span_painter *p)
+TP_ALWAYS_INLINE void set_depth_and_st_gradients(span_painter *p)
 {
     const tp_tri *tri = p->tri;
 
@@ -296,7 +296,7 @@ void tp_tri_water(const tp_gbuffer *tile, const tp_screen_vertex *a,
         return;
     p.tri = &tri;
     p.mark = TP_MARK_WATER;
-    set_position_gradients(&p);
+    set_depth_and_st_gradients(&p);
     p.n0 = normal_gradient(&tri, 0, SLOPE_SHIFT);
     p.n1 = normal_gradient(&tri, 1, SLOPE_SHIFT);
     if (TP_SPAN_STEP && tri.perspective)
@@ -331,7 +331,7 @@ void tp_tri_solid(const tp_gbuffer *tile, const tp_screen_vertex *a,
     p.mark = mark;
     p.face = face;
     p.pattern_rows = opacity < 16 ? dither_pattern(opacity) : 0xffff;
-    set_position_gradients(&p);
+    set_depth_and_st_gradients(&p);
     p.n0 = normal_gradient(&tri, 0, NORMAL_SHIFT);
     p.n1 = normal_gradient(&tri, 1, NORMAL_SHIFT);
     p.n2 = normal_gradient(&tri, 2, NORMAL_SHIFT);

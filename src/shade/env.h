@@ -63,14 +63,15 @@ TP_ALWAYS_INLINE uint32_t tp_dome_lookup_glow(const tp_dome *dome, uint32_t leas
     return dome->glow[tp_glow_index(square > least ? square : least)];
 }
 
-/* Returns the mixed gradients at height y plus `glow`; `square` is the squared chord to
- * the light.  Below the horizon the sky darkens, to a quarter within 11 degrees. */
-TP_ALWAYS_INLINE uint32_t tp_dome_colour(const tp_dome *dome, uint32_t square, int32_t y,
-                                         uint32_t glow)
+/* Returns the mixed gradients at height y plus `glow`; `light_chord_sq` is the squared
+ * chord to the light.  Below the horizon the sky darkens, to a quarter within 11
+ * degrees. */
+TP_ALWAYS_INLINE uint32_t tp_dome_colour(const tp_dome *dome, uint32_t light_chord_sq,
+                                         int32_t y, uint32_t glow)
 {
     int32_t  sine = y >> 6, i = tp_clamp(sine, 0, TP_SKY);
     uint32_t base = tp_colour_mix(dome->away[i], dome->towards[i],
-                                  tp_light_side_weight(square));
+                                  tp_light_side_weight(light_chord_sq));
 
     if (sine < 0) {
         uint32_t left = (uint32_t)tp_clamp(256 + 4 * sine, 64, 256);
@@ -248,15 +249,15 @@ static inline uint32_t tp_env_sample(const tp_shade *shade, int32_t x, int32_t y
 }
 
 /* Returns 256 times the intensity of light with this alpha [F8]. */
-TP_ALWAYS_INLINE uint32_t tp_light_gain(const tp_shade *shade, uint32_t light)
+TP_ALWAYS_INLINE uint32_t tp_hdr_gain(const tp_shade *shade, uint32_t light_argb)
 {
-    return 256 + ((light >> 24) * shade->env.beyond >> 8);
+    return 256 + ((light_argb >> 24) * shade->env.beyond >> 8);
 }
 
 /* Returns that light as a colour, each channel clamped to white. */
-TP_ALWAYS_INLINE uint32_t tp_light_colour(const tp_shade *shade, uint32_t light)
+TP_ALWAYS_INLINE uint32_t tp_light_colour_clamped(const tp_shade *shade, uint32_t light)
 {
-    return tp_colour_brighten(light, tp_light_gain(shade, light));
+    return tp_colour_brighten(light, tp_hdr_gain(shade, light));
 }
 
 /* -- the mirrored view vector -------------------------------------------------------- */

@@ -58,7 +58,9 @@ TP_ALWAYS_INLINE int32_t tp_blinn_double_angle_cosine(int32_t nl, int32_t nv, in
     return square < 32768 ? (int32_t)square - 16384 : 16384;
 }
 
-TP_ALWAYS_INLINE int32_t tp_lobe_cosine(int32_t nl, int32_t nv, int32_t lv, int blinn)
+/* Returns the cosine for the lobe's table, Q1.14: R.V for Phong, 2 (N.H)^2 - 1 for
+ * Blinn. */
+TP_ALWAYS_INLINE int32_t tp_lobe_table_cosine(int32_t nl, int32_t nv, int32_t lv, int blinn)
 {
     return blinn ? tp_blinn_double_angle_cosine(nl, nv, lv) : (2 * nl * nv >> 14) - lv;
 }
@@ -82,7 +84,8 @@ TP_ALWAYS_INLINE uint32_t tp_phong(const tp_shade *shade, const tp_view_axes *ax
 {
     tp_vec_q14 light = { axes->lx, axes->ly, axes->lz };
     int32_t nl = tp_clamp(tp_vec_q14_dot(n, light), 0, 16384);
-    int32_t rv = tp_clamp(tp_lobe_cosine(nl, tp_vec_q14_dot(n, v), lv, blinn), 0, 16384);
+    int32_t rv =
+        tp_clamp(tp_lobe_table_cosine(nl, tp_vec_q14_dot(n, v), lv, blinn), 0, 16384);
     uint32_t bright = (uint32_t)tp_lit_share(shade->ambient, nl);
     uint32_t gloss = nl > 0 ? tp_gloss_lookup(solid, rv) : 0;
     uint32_t shine = tp_colour_times(solid->specular, shade->light_colour);

@@ -65,7 +65,7 @@ tp_q30 tp_fresnel_schlick(tp_q30 cos_i)
 
 /* Returns the clamped dot product: unit vectors are rounded, and their dot product may
  * exceed 1 by a few LSB. */
-static tp_q30 clamped_cosine(tp_dir3 a, tp_dir3 b)
+static tp_q30 cosine_clamped_to_magnitude_1(tp_dir3 a, tp_dir3 b)
 {
     return tp_clamp(tp_dir3_dot(a, b), -TP_Q30_ONE, TP_Q30_ONE);
 }
@@ -81,12 +81,12 @@ static tp_dir3 weighted_sum(tp_dir3 in, tp_q30 a, tp_dir3 normal, int64_t b)
 tp_dir3 tp_reflect(tp_dir3 incident, tp_dir3 normal)
 {
     return weighted_sum(incident, TP_Q30_ONE, normal,
-                        -2 * (int64_t)clamped_cosine(incident, normal));
+                        -2 * (int64_t)cosine_clamped_to_magnitude_1(incident, normal));
 }
 
 tp_dir3 tp_refract(tp_dir3 incident, tp_dir3 normal)
 {
-    const tp_q30 ci = -clamped_cosine(incident, normal);
+    const tp_q30 ci = -cosine_clamped_to_magnitude_1(incident, normal);
     const int64_t lean = (int64_t)tp_q30_mul(ETA, ci) - cos_refracted(ci);
 
     return weighted_sum(incident, ETA, normal, lean);

@@ -32,7 +32,7 @@ static inline tp_vec3 point_along_ray(tp_vec3 from, tp_ray way, tp_fx metres)
 /* -- the floor ----------------------------------------------------------------------- */
 
 /* Rise of the plane from the world's origin to a point, Q32; sums may wrap. */
-static inline uint64_t plane_rise(const tp_floor_plane *bed, tp_fx x, tp_fx z)
+static inline uint64_t plane_rise_from_origin(const tp_floor_plane *bed, tp_fx x, tp_fx z)
 {
     return (uint64_t)((int64_t)bed->rise_x * x) + (uint64_t)((int64_t)bed->rise_z * z);
 }
@@ -40,8 +40,8 @@ static inline uint64_t plane_rise(const tp_floor_plane *bed, tp_fx x, tp_fx z)
 /* Depth of the plane below a point, m, clamped to 16 km. */
 static inline tp_fx plane_depth_at_xz(const tp_floor_plane *plane, tp_vec3 at)
 {
-    int64_t rise =
-        (int64_t)(plane_rise(plane, at.x, at.z) - plane_rise(plane, plane->x, plane->z));
+    int64_t rise = (int64_t)(plane_rise_from_origin(plane, at.x, at.z)
+                             - plane_rise_from_origin(plane, plane->x, plane->z));
     return (tp_fx)tp_clamp_abs(plane->depth - (rise >> 16), TP_UNDERWATER_FAR);
 }
 
@@ -121,7 +121,8 @@ tp_floor_plane tp_underwater_find_floor_plane(const tp_shade *shade,
 
 /* Coordinate on the caustics map in cells, 16.16, mirrored at the map's edges and clamped
  * to the range between the centres of the first and the last cell. */
-static inline int32_t map_coordinate(int64_t metres, uint32_t per_metre, uint32_t cells)
+static inline int32_t mirrored_map_coordinate(int64_t metres, uint32_t per_metre,
+                                              uint32_t cells)
 {
     int64_t at = metres * (int64_t)per_metre >> 16, side = (int64_t)cells * 65536;
 
@@ -145,8 +146,8 @@ static int32_t caustic_sample(const tp_caustic *c, tp_vec3 at)
         return 256;
     int64_t x = (int64_t)at.x - c->x - ((int64_t)c->lean_x * at.y >> 14);
     int64_t z = (int64_t)at.z - c->z - ((int64_t)c->lean_z * at.y >> 14);
-    int32_t u = map_coordinate(x, c->per_metre_x, c->cells);
-    int32_t v = map_coordinate(z, c->per_metre_z, c->cells);
+    int32_t u = mirrored_map_coordinate(x, c->per_metre_x, c->cells);
+    int32_t v = mirrored_map_coordinate(z, c->per_metre_z, c->cells);
     uint32_t i = (uint32_t)u >> 16, j = (uint32_t)v >> 16, n = c->cells;
     uint32_t right = i + 1 < n ? 1 : 0, below = j + 1 < n ? n : 0;
     const uint16_t *cell = c->light + j * n + i;
@@ -342,8 +343,9 @@ static inline uint32_t fresnel_share(const tp_shade *shade, int32_t cosine)
     return (uint32_t)(a + ((b - a) * (cosine & 63) >> 6));
 }
 
-uint32_t tp_underwater_shade_underside(const tp_shade *shade, const tp_floor_plane *bed,
-                                       const tp_refracted_ray *ray, tp_ray n, uint32_t body)
+uint32_t tp_underwater_shade_underside(const tp_shade *shade, const tp_floor_plane *plane,
+                                       const tp_refracted_ray *ray, tp_ray n,
+                                       uint32_t deep_colour)
 {
     tp_ray  way = ray->way;
     int32_t ci = (way.x * n.x + way.y * n.y + way.z * n.z) >> 14;
@@ -362,9 +364,10 @@ uint32_t tp_underwater_shade_underside(const tp_shade *shade, const tp_floor_pla
     if (back.y > -64)           /* reflected upwards by a steep slope: taken as nearly
                                  * level */
         back.y = -64;
-    tp_ground under = sample_ground(bed, ray->at);
+    tp_ground under = sample_ground(plane, ray->at);
     hit h = first_hit(shade->underwater, &under, ray->at, back);
-    uint32_t mirrored = shade_hit(shade, bed->nl, h, ray->at, back, ray->far, body);
+    uint32_t mirrored =
+        shade_hit(shade, plane->nl, h, ray->at, back, ray->far, deep_colour);
     return tp_colour_mix(sky, mirrored, share);
 }
 

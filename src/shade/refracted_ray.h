@@ -104,6 +104,6 @@ void tp_underwater_shade_row_channel(const tp_shade *shade, const tp_ground *und
  * degrees all light is mirrored [F1]. */
 uint32_t tp_underwater_shade_underside(const tp_shade *shade, const tp_floor_plane *plane,
                                        const tp_refracted_ray *ray, tp_ray n,
-                                       uint32_t body);
+                                       uint32_t deep_colour);
 
 #endif

@@ -184,7 +184,7 @@ void tp_dome_init(tp_dome *dome, const tp_dome_config *config)
 
 /* Returns the mask of a face's texels.  A PNG without alpha loads with alpha 255 in each
  * texel.  No real face is that bright all over: such a face has no light beyond white. */
-static uint32_t alpha_mask(const tp_texture *face)
+static uint32_t face_texel_mask(const tp_texture *face)
 {
     TP_ASSERT(face->levels > 0 && face->levels <= TP_TEXTURE_LEVELS);
     uint32_t mean = face->level[face->levels - 1][0];
@@ -197,7 +197,7 @@ bool tp_cube_init(tp_cube *cube, const tp_texture *const face[TP_CUBE_FACES])
         if (!face[i])
             return false;
         cube->face[i] = face[i];
-        cube->mask[i] = alpha_mask(face[i]);
+        cube->mask[i] = face_texel_mask(face[i]);
     }
     cube->lod = 0;
     return true;

@@ -29,18 +29,19 @@ TP_ALWAYS_INLINE uint32_t tp_slope_square(int32_t sx, int32_t sz)
 
 /* Maps q into the table: 1/sqrt(1 + q) is half of 1/sqrt(1 + (q - 3) / 4).  Returns the
  * number of halvings: 0 up to slopes of 2 (63 degrees), 3 at most. */
-TP_ALWAYS_INLINE int tp_rsqrt_one_plus_reduce(uint32_t *q)
+TP_ALWAYS_INLINE int tp_rsqrt_one_plus_reduce(uint32_t *slope_square)
 {
     int times = 0;
 
     if (TP_WIDE) {
         const uint32_t one = TP_SLOPE_END / 4;
-        times = (*q >= TP_SLOPE_END) + (*q >= 19 * one) + (*q >= 79 * one);
-        *q = ((*q + one) >> 2 * times) - one;
+        times = (*slope_square >= TP_SLOPE_END) + (*slope_square >= 19 * one)
+                + (*slope_square >= 79 * one);
+        *slope_square = ((*slope_square + one) >> 2 * times) - one;
         return times;
     }
-    for (; *q >= TP_SLOPE_END; times++)
-        *q = (*q - TP_SLOPE_END / 4 * 3) / 4;
+    for (; *slope_square >= TP_SLOPE_END; times++)
+        *slope_square = (*slope_square - TP_SLOPE_END / 4 * 3) / 4;
     return times;
 }
 

@@ -64,7 +64,8 @@ typedef struct {
     int32_t begin, step, bow;
 } arc;
 
-static inline arc make_arc(int32_t before, int32_t a, int32_t b, int32_t after)
+static inline arc make_parabola_between_knots(int32_t before, int32_t a, int32_t b,
+                                              int32_t after)
 {
     return (arc){ a * 1024, (b - a) * 64, a + b - before - after };
 }
@@ -96,14 +97,16 @@ static void evaluate_arcs(arc a, arc b, int32_t k, int32_t count, int16_t *restr
     }
 }
 
-static void interpolate_knot_rays(const tp_ray knot[4], int32_t k, int32_t count,
-                                  tp_run *run, int32_t first)
+static void interpolate_knot_rays(const tp_ray knot[4], int32_t column_in_block,
+                                  int32_t count, tp_run *run, int32_t first)
 {
     const tp_ray *a = knot, *b = knot + 1, *c = knot + 2, *d = knot + 3;
 
-    evaluate_arcs(make_arc(a->x, b->x, c->x, d->x), make_arc(a->y, b->y, c->y, d->y), k,
+    evaluate_arcs(make_parabola_between_knots(a->x, b->x, c->x, d->x),
+                  make_parabola_between_knots(a->y, b->y, c->y, d->y), column_in_block,
                   count, run->vx + first, run->vy + first);
-    evaluate_arcs(make_arc(a->z, b->z, c->z, d->z), make_arc(a->l, b->l, c->l, d->l), k,
+    evaluate_arcs(make_parabola_between_knots(a->z, b->z, c->z, d->z),
+                  make_parabola_between_knots(a->l, b->l, c->l, d->l), column_in_block,
                   count, run->vz + first, run->lv + first);
 }
 

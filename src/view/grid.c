@@ -94,18 +94,18 @@ static uint32_t find_side_column(const tp_grid *grid, const tp_plane *plane,
 /* Returns the cells of row j that touch the view: the cells between all planes' columns. */
 static tp_grid_span seen_cells(const tp_grid *grid, const tp_plane *planes, uint32_t j,
                                tp_fx max_displacement,
-                               uint32_t side[TP_PROJECTION_PLANES])
+                               uint32_t side_column[TP_PROJECTION_PLANES])
 {
     uint32_t first = 0, end = grid->cols - 1;
 
     for (int k = 0; k < TP_PROJECTION_PLANES; k++) {
         int64_t at_x0 = max_plane_distance_at_x0(&planes[k], grid->row[j].place,
                                                  grid->row[j + 1].place, max_displacement);
-        side[k] = find_side_column(grid, &planes[k], at_x0, side[k]);
+        side_column[k] = find_side_column(grid, &planes[k], at_x0, side_column[k]);
         if (planes[k].n.x > 0)
-            first = side[k] > first ? side[k] : first;
+            first = side_column[k] > first ? side_column[k] : first;
         else
-            end = side[k] < end ? side[k] : end;
+            end = side_column[k] < end ? side_column[k] : end;
     }
     return (tp_grid_span){ (uint16_t)(first < end ? first : end), (uint16_t)end };
 }
@@ -125,7 +125,9 @@ static tp_grid_span wave_columns(const tp_grid *grid)
     return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
 }
 
-static void set_columns(tp_grid *grid, tp_fx cell)
+/* Computes the view coordinates of all columns, and their swell phases for cells of size
+ * `cell`. */
+static void compute_column_terms(tp_grid *grid, tp_fx cell)
 {
     for (uint32_t i = 0; i < grid->cols; i++) {
         int32_t rest[3];
@@ -308,7 +310,7 @@ static void place_lines(tp_grid *grid, const tp_grid_view *view)
     grid->blocks = (grid->cols - 2) / TP_GRID_BLOCK + 1;
 }
 
-void tp_grid_begin(tp_grid *grid, const tp_grid_view *view)
+void tp_grid_set_lines_and_cells(tp_grid *grid, const tp_grid_view *view)
 {
     TP_ASSERT(view->cell > 0);
     tp_plane planes[TP_PROJECTION_PLANES];
@@ -328,10 +330,10 @@ void tp_grid_begin(tp_grid *grid, const tp_grid_view *view)
     grid->sheets = 0;
     for (uint32_t j = 0; j + 1 < grid->rows; j++)
         grid->span[j] = seen_cells(grid, planes, j, frame->max_displacement, side);
-    set_columns(grid, view->cell);
+    compute_column_terms(grid, view->cell);
 }
 
-void tp_grid_place_row(tp_grid *grid, uint32_t j)
+void tp_grid_evaluate_row(tp_grid *grid, uint32_t j)
 {
     TP_ASSERT(j < grid->rows);
     tp_grid_span needed = tp_grid_needed_vertices(grid, j);
@@ -348,9 +350,9 @@ void tp_grid_place_row(tp_grid *grid, uint32_t j)
     merge_row_into_boxes(grid, j, needed.first, needed.end);
 }
 
-void tp_grid_place(tp_grid *grid, const tp_grid_view *view)
+void tp_grid_evaluate_vertices(tp_grid *grid, const tp_grid_view *view)
 {
-    tp_grid_begin(grid, view);
+    tp_grid_set_lines_and_cells(grid, view);
     for (uint32_t j = 0; j < grid->rows; j++)
-        tp_grid_place_row(grid, j);
+        tp_grid_evaluate_row(grid, j);
 }

@@ -45,10 +45,10 @@ typedef struct {
     tp_grid_line   *column, *row;
     tp_grid_vertex *vertex;     /* rows x cols; NULL if the grid is streamed */
     bool            streams;
-    tp_grid_window  window;     /* for tp_grid_place_row, valid until the next call */
+    tp_grid_window  window;     /* for tp_grid_evaluate_row, valid until the next call */
     tp_grid_span   *span;       /* visible cells of each row */
     tp_grid_box    *box;        /* bounding boxes, (rows - 1) x blocks */
-    uint32_t vertices;          /* vertices evaluated by the last tp_grid_place */
+    uint32_t vertices;          /* vertices evaluated in the last frame */
     tp_vertex_frame   frame;
     struct tp_lod_axis *lod;    /* for columns and rows; NULL: no memory */
     tp_vertex_columns columns;
@@ -111,11 +111,12 @@ tp_grid_extent tp_grid_lines_extent(uint32_t count, const tp_grid_view *view, bo
 /* Returns the weight of the waves at a position, 0..1, as tp_grid_line.fade. */
 tp_fx tp_grid_extent_wave_weight(const tp_grid_extent *extent, tp_fx place);
 
-/* Places the lines and evaluates the visible vertices: all rows at once, or row by row
- * after tp_grid_begin.  Row j completes the bounding boxes of the cells of row j - 1. */
-void tp_grid_place(tp_grid *grid, const tp_grid_view *view);
-void tp_grid_begin(tp_grid *grid, const tp_grid_view *view);
-void tp_grid_place_row(tp_grid *grid, uint32_t j);
+/* tp_grid_set_lines_and_cells places the lines and finds the visible cells of each row.
+ * tp_grid_evaluate_row then evaluates the vertices of row j, in order from 0, and completes
+ * the bounding boxes of row j - 1.  tp_grid_evaluate_vertices does both for all rows. */
+void tp_grid_evaluate_vertices(tp_grid *grid, const tp_grid_view *view);
+void tp_grid_set_lines_and_cells(tp_grid *grid, const tp_grid_view *view);
+void tp_grid_evaluate_row(tp_grid *grid, uint32_t j);
 
 /* Returns a window of the caller, so that several threads can read a placed grid.
  * `memory` has TP_GRID_WINDOW(most_cols) bytes; unused if vertices are stored. */
@@ -128,8 +129,8 @@ void tp_grid_window_load(const tp_grid *grid, tp_grid_window *window, uint32_t j
                          uint32_t first, uint32_t end);
 
 /* Evaluates a vertex of a visible cell again, before projection, for cells that need
- * clipping.  Projection and surface are those of the last tp_grid_place; slopes come from
- * `vertex`. */
+ * clipping.  Projection and surface are those of the last tp_grid_evaluate_vertices;
+ * slopes come from `vertex`. */
 tp_view_vertex tp_grid_make_view_vertex(const tp_grid *grid, const tp_grid_vertex *vertex,
                                         uint32_t i, uint32_t j);
 

@@ -44,8 +44,8 @@ static void add_rest_offset(const int32_t *from, int32_t rest, uint32_t count, i
 
 /* Converts 18.14 parts to 16.16.  Parts are clamped first: with the displacement of all
  * swells they might not fit 16.16. */
-static void convert_wide_coordinates(const int32_t *from, int32_t rest, uint32_t count,
-                                     int32_t margin, int32_t *to)
+static void convert_18_14_to_16_16(const int32_t *from, int32_t rest, uint32_t count,
+                                   int32_t margin, int32_t *to)
 {
     const int32_t most = (TP_FX_MAX - margin) / 4;
 
@@ -62,7 +62,7 @@ static void compute_view_coordinate(const tp_vertex_batch_input *place, int axis
     int32_t rest = place->row->rest[axis];
 
     if (frame->wide) {
-        convert_wide_coordinates(from, rest, place->count, frame->margin, to);
+        convert_18_14_to_16_16(from, rest, place->count, frame->margin, to);
         from = to;
         rest = 0;
     } else if (at_rest) {

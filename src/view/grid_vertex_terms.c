@@ -230,8 +230,9 @@ void tp_vertex_set_columns(const tp_vertex_frame *frame, const tp_vertex_columns
 /* -- rows ---------------------------------------------------------------------------- */
 
 /* Splits C cos + S sin of the whole phase into factors of the column's sine and cosine. */
-static tp_vertex_sincos split_column_factors(int32_t cos_amplitude, int32_t sin_amplitude,
-                                             tp_vertex_sincos row_phase)
+static tp_vertex_sincos rotate_amplitudes_by_row(int32_t cos_amplitude,
+                                                 int32_t sin_amplitude,
+                                                 tp_vertex_sincos row_phase)
 {
     const int64_t half = (int64_t)1 << 31;
     return (tp_vertex_sincos){
@@ -265,9 +266,9 @@ static void set_position_factors(const tp_vertex_frame *frame, tp_vertex_row *ro
             b = fade_sin_cos(b, row->line.fade);
         row->turn[k] = fade_sin_cos(b, share.slope);
         b = fade_sin_cos(b, share.height);
-        row->place[0][k] = split_column_factors(w->x, w->rise_x, b);
-        row->place[1][k] = split_column_factors(w->y, w->rise_y, b);
-        row->place[2][k] = split_column_factors(w->depth, w->rise_depth, b);
+        row->place[0][k] = rotate_amplitudes_by_row(w->x, w->rise_x, b);
+        row->place[1][k] = rotate_amplitudes_by_row(w->y, w->rise_y, b);
+        row->place[2][k] = rotate_amplitudes_by_row(w->depth, w->rise_depth, b);
     }
 }
 

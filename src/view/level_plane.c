@@ -177,7 +177,8 @@ static tp_fx swell_sampling_weight(const tp_swell *w, const tp_fx step[2])
                          : tp_smoothstep((tp_fx)((most - turns) >> 14));
 }
 
-static void add_swell(tp_swell_sum *sum, const tp_swell *w, tp_turn phase, tp_fx weight)
+static void add_weighted_swell_terms(tp_swell_sum *sum, const tp_swell *w, tp_turn phase,
+                                     tp_fx weight)
 {
     const tp_q30 sine = tp_sin(phase), cosine = tp_cos(phase);
     int32_t s = sine >> 6, c = cosine >> 6, f = s, df = c;
@@ -215,8 +216,10 @@ tp_surface_point tp_level_sample_surface(const tp_level *level, const tp_surface
         share = share < other ? share : other;
         if (share == 0)
             continue;
-        add_swell(&sum, w, surface->phases[k] + tp_swell_turns(w->turns_x, place[0])
-                         + tp_swell_turns(w->turns_z, place[1]), share);
+        add_weighted_swell_terms(&sum, w,
+                                 surface->phases[k] + tp_swell_turns(w->turns_x, place[0])
+                                     + tp_swell_turns(w->turns_z, place[1]),
+                                 share);
         some = true;
     }
     if (!some)

@@ -200,8 +200,10 @@ static int clip_side(const sides *of, const tp_view_vertex *in, int count,
     return kept;
 }
 
-int tp_clip_triangle_plane(const tp_projection *projection, const tp_view_plane *plane,
-                           const tp_view_vertex in[3], tp_view_vertex out[TP_CLIP_VERTICES])
+int tp_clip_triangle_view_and_plane(const tp_projection *projection,
+                                    const tp_view_plane *plane,
+                                    const tp_view_vertex in[3],
+                                    tp_view_vertex out[TP_CLIP_VERTICES])
 {
     const sides of = { projection, plane };
     tp_view_vertex other[TP_CLIP_VERTICES];
@@ -224,5 +226,5 @@ int tp_clip_triangle_plane(const tp_projection *projection, const tp_view_plane 
 int tp_clip_triangle(const tp_projection *projection, const tp_view_vertex in[3],
                      tp_view_vertex out[TP_CLIP_VERTICES])
 {
-    return tp_clip_triangle_plane(projection, NULL, in, out);
+    return tp_clip_triangle_view_and_plane(projection, NULL, in, out);
 }

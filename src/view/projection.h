@@ -195,9 +195,10 @@ TP_ALWAYS_INLINE int64_t tp_view_plane_distance(const tp_view_plane *plane,
 }
 
 /* Same as tp_clip_triangle, also clipped by `plane` unless `plane` is NULL. */
-int tp_clip_triangle_plane(const tp_projection *projection, const tp_view_plane *plane,
-                           const tp_view_vertex in[3],
-                           tp_view_vertex out[TP_CLIP_VERTICES]);
+int tp_clip_triangle_view_and_plane(const tp_projection *projection,
+                                    const tp_view_plane *plane,
+                                    const tp_view_vertex in[3],
+                                    tp_view_vertex out[TP_CLIP_VERTICES]);
 
 /* Returns the same view for a picture of half the width and height.  The result is exact,
  * because only the power of two in the view coordinates is halved. */

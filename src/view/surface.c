@@ -111,8 +111,8 @@ static int64_t anderson_factor(const axis_search *u, const axis_search *w, int64
 
 /* Finds the surface point of coastal water, without slopes: they are differences
  * (set_coastal_slopes), because waves over a floor have no closed form. */
-static tp_surface_point sample_coastal(const tp_surface *surface, tp_fx x, tp_fx z,
-                                       tp_fx rest[2])
+static tp_surface_point sample_coastal_without_slopes(const tp_surface *surface, tp_fx x,
+                                                      tp_fx z, tp_fx rest[2])
 {
     tp_fx most = tp_coastal_max_displacement(surface->coastal),
           max_displacement = most < REACH ? most : REACH;
@@ -157,7 +157,7 @@ tp_surface_point tp_surface_coastal_sample(const tp_surface *surface, tp_fx x, t
                                            tp_fx rest[2])
 {
     TP_ASSERT(surface->coastal != NULL && rest != NULL);
-    tp_surface_point at = sample_coastal(surface, x, z, rest);
+    tp_surface_point at = sample_coastal_without_slopes(surface, x, z, rest);
     set_coastal_slopes(surface, &at, rest);
     return at;
 }
@@ -213,7 +213,7 @@ tp_vec3 tp_surface_displace(const tp_surface *surface, tp_fx x, tp_fx z)
                      .position;
 }
 
-tp_fx tp_surface_level(const tp_surface *surface, tp_fx x, tp_fx z)
+tp_fx tp_surface_rough_height(const tp_surface *surface, tp_fx x, tp_fx z)
 {
     tp_vec3 first = tp_surface_displace(surface, x, z);
     tp_fx level = tp_surface_displace(surface, 2 * x - first.x, 2 * z - first.z).y;

@@ -67,7 +67,7 @@ tp_vec3 tp_surface_displace(const tp_surface *surface, tp_fx x, tp_fx z);
 
 /* Returns the water level at a place, by one step of the search of [E1].  The error shows
  * only in steep waves; spray uses the level, and there has specks enough to hide it. */
-tp_fx tp_surface_level(const tp_surface *surface, tp_fx x, tp_fx z);
+tp_fx tp_surface_rough_height(const tp_surface *surface, tp_fx x, tp_fx z);
 
 /* Computes dy/dx and dy/dz of a surface that goes along_x from column to column and
  * along_z from row to row (16.16 m, lengths below 2 km).  Slopes are within +-8;

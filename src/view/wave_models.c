@@ -230,7 +230,7 @@ TP_ALWAYS_INLINE tp_fx vertex_wave_weight(const tp_vertex_batch_input *place, ui
 
 /* Adds the share of the heights to the right, for a camera with roll.  A separate pass,
  * so other cameras pay nothing. */
-static void add_sharp_roll_shift(const tp_vertex_batch_input *place, tp_vertex_batch *run)
+static void add_sharp_to_view_x(const tp_vertex_batch_input *place, tp_vertex_batch *run)
 {
     const tp_vertex_frame *frame = place->frame;
     const tp_deep_water *deep = frame->surface->deep;
@@ -274,7 +274,7 @@ static void batch_add_sharp_swells(const tp_vertex_batch_input *place, tp_vertex
         tp_set_slopes(&j, frame->tilt, deep->crossed, &vertex[i]);
     }
     if (frame->projection->lean != 0)
-        add_sharp_roll_shift(place, run);
+        add_sharp_to_view_x(place, run);
 }
 
 /* -- rings and pools ----------------------------------------------------------------- */
@@ -303,9 +303,9 @@ TP_ALWAYS_INLINE void compute_displaced_xz(const tp_vertex_batch_input *place, u
 }
 
 /* Adds the share of rings and pools to the right, for a camera with roll; see
- * add_sharp_roll_shift. */
-static void add_rings_pools_roll_shift(const tp_vertex_batch_input *place,
-                                       tp_vertex_batch *run)
+  * add_sharp_to_view_x. */
+static void add_rings_pools_to_view_x(const tp_vertex_batch_input *place,
+                                      tp_vertex_batch *run)
 {
     for (uint32_t i = 0; i < place->count; i++) {
         tp_fx x, z;
@@ -337,7 +337,7 @@ static void batch_add_rings_and_pools(const tp_vertex_batch_input *place,
                                          + ((relief.slope_z + 8) >> 4));
     }
     if (projection->lean != 0)
-        add_rings_pools_roll_shift(place, run);
+        add_rings_pools_to_view_x(place, run);
 }
 
 /* -- the structs --------------------------------------------------------------------- */

@@ -59,8 +59,8 @@ typedef struct {
 tp_level_line tp_level_zero_line(const tp_level_linear *sum);
 
 /* Evaluates a sum at column x and a row in Q.30; rows and sums are below 2^14. */
-TP_ALWAYS_INLINE int64_t tp_level_evaluate_row(const tp_level_linear *sum, int32_t x,
-                                               int64_t row_q30)
+TP_ALWAYS_INLINE int64_t tp_level_evaluate_fractional_row(const tp_level_linear *sum,
+                                                          int32_t x, int64_t row_q30)
 {
     return sum->at + sum->x * x + (sum->y * (row_q30 >> 14) >> 16);
 }

@@ -117,7 +117,7 @@ static tp_scaled cross_shore_wave_number_squared(const coast_profile *b, int64_t
 }
 
 /* Returns sqrt(k^2 - kz^2) / 2 pi in turns per metre, Q31.32. */
-static int64_t phase_turns_per_metre(const coast_profile *b, int64_t depth_q32)
+static int64_t cross_shore_turns_per_metre(const coast_profile *b, int64_t depth_q32)
 {
     if (b->k_inf.m == 0)
         return 0;
@@ -180,13 +180,15 @@ static void integrate_phases(tp_coast *coast, const coast_profile *b)
     tp_coast_node *const node = coast_nodes(coast);
     const int64_t step = (int64_t)1 << coast->bits, half = TP_FX_ONE / 2;
     int64_t halves = 2 * (int64_t)b->x_first, sum = 0;
-    int64_t from = phase_turns_per_metre(b, beach_depth(b, halves));
+    int64_t from = cross_shore_turns_per_metre(b, beach_depth(b, halves));
 
     for (uint32_t i = 0; i < coast->count; i++) {
         const int64_t rise = (from * step + half) >> 16;
         node[i] = make_node(sum, (uint32_t)rise);
-        const int64_t middle = phase_turns_per_metre(b, beach_depth(b, halves + step));
-        const int64_t to = phase_turns_per_metre(b, beach_depth(b, halves + 2 * step));
+        const int64_t middle =
+            cross_shore_turns_per_metre(b, beach_depth(b, halves + step));
+        const int64_t to =
+            cross_shore_turns_per_metre(b, beach_depth(b, halves + 2 * step));
         sum += ((from + 4 * middle + to) * step + 6 * half) / (6 * TP_FX_ONE);
         halves += 2 * step;
         from = to;
@@ -211,20 +213,21 @@ static int64_t interpolate_phase(const tp_coast *coast, tp_fx x)
     return node_turns(n) + ((y * t + half) >> coast->bits);
 }
 
-/* Returns rise x way.  Rises are below 2^40 and ways below 2^32: the product is
- * computed in two parts. */
-static int64_t linear_phase(int64_t rise, int64_t distance)
+/* Returns gradient x distance.  Gradients are below 2^40 and distances below 2^32: the
+ * product is computed in two parts. */
+static int64_t phase_from_gradient(int64_t gradient, int64_t distance)
 {
-    return rise * (distance >> 16) + ((rise * (distance & 0xffff) + 0x8000) >> 16);
+    return gradient * (distance >> 16) + ((gradient * (distance & 0xffff) + 0x8000) >> 16);
 }
 
 int64_t tp_coast_phase(const tp_coast *coast, tp_fx x)
 {
     if (x <= coast->x_first)
         return coast->first
-               + linear_phase(coast->rise_first, (int64_t)x - coast->x_first);
+               + phase_from_gradient(coast->rise_first, (int64_t)x - coast->x_first);
     if (x >= coast->x_last)
-        return coast->last + linear_phase(coast->rise_last, (int64_t)x - coast->x_last);
+        return coast->last
+               + phase_from_gradient(coast->rise_last, (int64_t)x - coast->x_last);
     return interpolate_phase(coast, x);
 }
 
@@ -237,8 +240,8 @@ void tp_coast_init(tp_coast *coast, const tp_coast_shape *shape)
 
     *coast = (tp_coast){
         .x_first = b.x_first, .x_last = b.x_last,
-        .rise_first = phase_turns_per_metre(&b, sea),
-        .rise_last = phase_turns_per_metre(&b, b.shore_q32),
+        .rise_first = cross_shore_turns_per_metre(&b, sea),
+        .rise_last = cross_shore_turns_per_metre(&b, b.shore_q32),
     };
     if (bent) {
         coast->bits = node_spacing_bits(&b);

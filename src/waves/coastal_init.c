@@ -124,7 +124,7 @@ static void set_straight_floor(tp_coastal_water *coastal, const tp_floor *floor)
 /* Returns the distance of nodes, m, 16.16.  If pixels are finer than nodes, a node's depth
  * is the mean of four points a quarter of a step around the node: the outermost nodes keep
  * this distance from the edge.  4096 times 8000 m has 41 bits. */
-static uint32_t node_step(const tp_floor *floor, uint32_t nodes)
+static uint32_t node_spacing(const tp_floor *floor, uint32_t nodes)
 {
     const tp_grey *map = floor->map;
     const uint32_t most = map->cols >= map->rows ? map->cols : map->rows;
@@ -143,7 +143,8 @@ static void set_floor_map(tp_coastal_water *coastal, const tp_floor *floor,
 
     coastal->map_cols = plan->cols;
     coastal->map_rows = plan->rows;
-    coastal->map_step = node_step(floor, plan->cols > plan->rows ? plan->cols : plan->rows);
+    coastal->map_step =
+        node_spacing(floor, plan->cols > plan->rows ? plan->cols : plan->rows);
     coastal->map_per_step = ((uint64_t)1 << 48) / coastal->map_step;
     coastal->map_x = tp_clamp(floor->map_x, -far, far)
                      - (int64_t)coastal->map_step * (plan->cols - 1) / 2;
@@ -202,8 +203,8 @@ static void set_breaker(tp_coastal_water *coastal, tp_coastal_wave *wave,
 }
 
 /* A level floor does not turn waves, but shortens them. */
-static void shorten_wave(tp_coastal_water *coastal, tp_coastal_wave *wave,
-                         const tp_coastal_swell *w)
+static void shorten_wave_on_level_floor(tp_coastal_water *coastal, tp_coastal_wave *wave,
+                                        const tp_coastal_swell *w)
 {
     if (coastal->slope > 0 || coastal->map_cols || coastal->depth >= 1 << TP_COASTAL_LAST)
         return;
@@ -226,25 +227,25 @@ static void make_wave(tp_coastal_water *coastal, uint32_t i, const tp_wave *give
         .lambda = tp_wind_lambda(tp_clamp(config->wind, 0, TP_FX_ONE),
                                  tp_way_dot(w.way, wind)),
     };
-    shorten_wave(coastal, wave, &w);
+    shorten_wave_on_level_floor(coastal, wave, &w);
     set_breaker(coastal, wave, &w, config->stretch);
     tp_coastal_make_table(coastal, i, &w, config);
 }
 
 static void make_wave_phases(tp_coastal_water *coastal, uint32_t i, const tp_wave *given,
                              const tp_swell *swell, const block_layout *plan,
-                             bool keep_rays)
+                             bool reuse_wave_nodes)
 {
     const tp_coastal_swell w = make_swell(coastal, given, swell);
     const size_t all = (size_t)plan->cols * plan->rows;
 
-    tp_coastal_make_phases(coastal, i, &w);
+    tp_coastal_make_phases_by_depth(coastal, i, &w);
     if (plan->cols == 0)
         return;
     coastal->wave[i].wave_nodes =
         (uint32_t)(plan->wave_nodes
                    + i * round_up_to_8(all * sizeof(tp_coastal_wave_node)));
-    if (!keep_rays)
+    if (!reuse_wave_nodes)
         tp_coastal_make_wave_nodes(coastal, i, &w,
                                    tp_coastal_at_byte(coastal, plan->turns));
 }

@@ -160,13 +160,14 @@ static tp_fx average_depth(const tp_coastal_water *coastal, const tp_floor *floo
     return (tp_fx)(sum >> 2);
 }
 
-/* Depth at a node's western neighbour less its eastern, and northern less southern, over
- * two steps.  On the edges the difference over one step is doubled. */
+/* Rise of the floor along x and z at a node, over two steps: depth of the western neighbour
+ * less the eastern, of the northern less the southern.  On the edges the difference over
+ * one step is doubled. */
 typedef struct {
     int64_t x, z;
 } floor_gradient;
 
-static floor_gradient node_fall(const tp_coastal_water *coastal, size_t at)
+static floor_gradient floor_rise_over_two_steps(const tp_coastal_water *coastal, size_t at)
 {
     const size_t cols = coastal->map_cols, col = at % cols, row = at / cols;
     const tp_coastal_floor_node *node = tp_coastal_floor_nodes(coastal) + at;
@@ -180,18 +181,18 @@ static floor_gradient node_fall(const tp_coastal_water *coastal, size_t at)
                    ((int64_t)north->depth - south->depth) * (inside_z ? 1 : 2) };
 }
 
-/* Converts a fall to a slope, Q4.11, clamped: the floor rises away from deeper water. */
-static int16_t pack_rise(int64_t deeper, int64_t step)
+/* Converts a rise over two steps to a slope, Q4.11, clamped. */
+static int16_t pack_floor_rise(int64_t rise, int64_t step)
 {
-    return (int16_t)tp_clamp_abs(deeper * 1024 / step, 16384);
+    return (int16_t)tp_clamp_abs(rise * 1024 / step, 16384);
 }
 
 static void set_node_rises(const tp_coastal_water *coastal, tp_coastal_floor_node *nodes)
 {
     for (size_t i = 0; i < (size_t)coastal->map_cols * coastal->map_rows; i++) {
-        const floor_gradient f = node_fall(coastal, i);
-        nodes[i].rise_x = pack_rise(f.x, coastal->map_step);
-        nodes[i].rise_z = pack_rise(f.z, coastal->map_step);
+        const floor_gradient f = floor_rise_over_two_steps(coastal, i);
+        nodes[i].rise_x = pack_floor_rise(f.x, coastal->map_step);
+        nodes[i].rise_z = pack_floor_rise(f.z, coastal->map_step);
     }
 }
 
@@ -249,7 +250,7 @@ static int64_t node_wave_number(const tp_coastal_water *coastal,
 static tp_coastal_wave_number node_wave_vector(const tp_coastal_water *coastal,
                                                const tp_coastal_swell *w, size_t at)
 {
-    const floor_gradient f = node_fall(coastal, at);
+    const floor_gradient f = floor_rise_over_two_steps(coastal, at);
     const int64_t least = coastal->map_step / RISE_LEAST;
     tp_way up = { 0, 0 };
 
@@ -338,8 +339,9 @@ static int16_t q30_to_q13(int64_t q30)
 }
 
 /* The direction of travel is the gradient of the phase. */
-static void store_rays(const tp_coastal_water *coastal, const tp_coastal_wave *wave,
-                       tp_coastal_wave_node *rays, const int64_t *turns)
+static void store_phases_and_directions(const tp_coastal_water *coastal,
+                                        const tp_coastal_wave *wave,
+                                        tp_coastal_wave_node *rays, const int64_t *turns)
 {
     const size_t cols = coastal->map_cols, rows = coastal->map_rows;
 
@@ -362,12 +364,12 @@ static void store_rays(const tp_coastal_water *coastal, const tp_coastal_wave *w
 }
 
 void tp_coastal_make_wave_nodes(tp_coastal_water *coastal, uint32_t i,
-                                const tp_coastal_swell *swell, int64_t *turns)
+                                const tp_coastal_swell *swell, int64_t *scratch_turns)
 {
     const tp_coastal_wave *wave = &coastal->wave[i];
     tp_coastal_wave_node *rays = tp_coastal_wave_nodes(coastal, wave);
 
-    init_phases(coastal, wave, rays, swell, turns);
-    eikonal_solve(turns, rays, coastal->map_cols, coastal->map_rows);
-    store_rays(coastal, wave, rays, turns);
+    init_phases(coastal, wave, rays, swell, scratch_turns);
+    eikonal_solve(scratch_turns, rays, coastal->map_cols, coastal->map_rows);
+    store_phases_and_directions(coastal, wave, rays, scratch_turns);
 }

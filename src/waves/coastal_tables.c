@@ -128,9 +128,9 @@ static tp_fx horizontal_semi_axis(const tp_coastal_swell *w, tp_fx amplitude, in
 /* -- nodes --------------------------------------------------------------------------- */
 
 /* Sets the direction of travel over a straight floor, and the tilt of the orbit. */
-static void set_node_direction(const tp_coastal_water *coastal,
-                               tp_coastal_depth_entry *node, uint32_t fall_q32,
-                               const tp_coastal_swell *w, int64_t k_q32)
+static void set_node_direction_and_tilt(const tp_coastal_water *coastal,
+                                        tp_coastal_depth_entry *node, uint32_t fall_q32,
+                                        const tp_coastal_swell *w, int64_t k_q32)
 {
     const tp_way up = { coastal->up_x, coastal->up_z };
     const tp_coastal_wave_number k = tp_coastal_wave_vector(w, up, k_q32);
@@ -161,9 +161,9 @@ static tp_coastal_depth_entry make_node(const tp_coastal_water *coastal,
                                         const tp_coastal_config *config)
 {
     const tp_orbit_scale s = tp_orbit_scale_make(h, config->kx, config->ky);
-    const tp_fx ks = tp_depth_shoaling(w->k_inf_q32, k_q32, h);
+    const tp_fx ks = tp_depth_shoaling_factor(w->k_inf_q32, k_q32, h);
     const tp_fx kr = coastal->map_cols ? TP_FX_ONE
-                   : tp_depth_refraction(w->k_inf_q32, k_q32, w->kz_q32);
+                   : tp_depth_refraction_factor(w->k_inf_q32, k_q32, w->kz_q32);
     const tp_fx miche = miche_amplitude(w, k_q32, h);
     const tp_fx held = tp_depth_amplitude(w->amplitude, ks, kr, h);
     const tp_fx amplitude = held < miche ? held : miche;
@@ -184,7 +184,7 @@ static int32_t node_steepness(const tp_coastal_depth_entry *node, int64_t k_q32,
                               tp_fx lambda)
 {
     const int64_t q = k_q32 * node->along >> 32;
-    return (int32_t)(q + (q * tp_wind_push(lambda, node->up) >> 30)) + 1;
+    return (int32_t)(q + (q * tp_wind_phase_shift(lambda, node->up) >> 30)) + 1;
 }
 
 /* Stores the steepness in `turns` until tp_coastal_limit_steepness_sum reads it; the phases
@@ -202,9 +202,9 @@ void tp_coastal_make_table(tp_coastal_water *coastal, uint32_t i,
         tp_coastal_depth_entry *node = &table->depth[n];
         *node = n < DEEP ? make_node(coastal, swell, h, k, config) : deep_node(swell);
         if (coastal->slope > 0 && n < DEEP)
-            set_node_direction(coastal, node, coastal->fall[n], swell, k);
+            set_node_direction_and_tilt(coastal, node, coastal->fall[n], swell, k);
         table->turns[n] = node_steepness(node, k, wave->lambda);
-        const int times = tp_wind_iterations(tp_wind_push(wave->lambda, node->up));
+        const int times = tp_wind_iterations(tp_wind_phase_shift(wave->lambda, node->up));
         if (times > wave->iterations)
             wave->iterations = times;
     }
@@ -241,8 +241,8 @@ static int64_t cross_shore_wave_number_excess(const tp_coastal_swell *w, tp_fx h
  * 32nd of an octave apart, from the deep end.  Rad in Q32 over 2 pi slope (both 16.16)
  * is turns in Q16: for slopes from 2^-12 on, and an integral below 4 rad at a slope of
  * 1, less than 2^27. */
-void tp_coastal_make_phases(tp_coastal_water *coastal, uint32_t i,
-                            const tp_coastal_swell *swell)
+void tp_coastal_make_phases_by_depth(tp_coastal_water *coastal, uint32_t i,
+                                     const tp_coastal_swell *swell)
 {
     const tp_way up = { coastal->up_x, coastal->up_z };
     const int sign = tp_way_dot(swell->way, up) < 0 ? -1 : 1;

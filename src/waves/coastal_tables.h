@@ -64,13 +64,15 @@ static inline tp_coastal_table_place tp_coastal_table_find(tp_fx h)
 }
 
 /* Returns the depth of node i with 2^bits nodes an octave. */
-static inline tp_fx tp_coastal_node_depth(uint32_t i, int bits)
+static inline tp_fx tp_coastal_node_depth(uint32_t i, int octave_bits)
 {
-    TP_ASSERT(i <= TP_COASTAL_PHASES && (bits == 3 || bits == 5));
+    TP_ASSERT(i <= TP_COASTAL_PHASES && (octave_bits == 3 || octave_bits == 5));
     if (i == 0)
         return 0;
-    const uint32_t in = (i - 1) & ((1u << bits) - 1), octave = (i - 1) >> bits;
-    return (tp_fx)(((1u << bits) + in) << (TP_COASTAL_FIRST - bits + (int)octave));
+    const uint32_t in = (i - 1) & ((1u << octave_bits) - 1),
+                   octave = (i - 1) >> octave_bits;
+    return (tp_fx)(((1u << octave_bits) + in)
+                   << (TP_COASTAL_FIRST - octave_bits + (int)octave));
 }
 
 /* -- orbits and breaking ------------------------------------------------------------- */
@@ -116,7 +118,7 @@ tp_fx tp_noise(uint32_t u_q16, uint32_t v_q16, uint32_t seed);
 
 /* Returns the depth, m, up to which crests foam by breaking alone.  In
  * deeper water crests foam where the surface is compressed. */
-tp_fx tp_coastal_breaking_depth(const tp_coastal_water *coastal);
+tp_fx tp_coastal_breaking_foam_depth(const tp_coastal_water *coastal);
 
 /* -- construction: coastal_tables.c, coastal_map.c ----------------------------------- */
 
@@ -179,8 +181,8 @@ tp_coastal_wave_node *tp_coastal_wave_nodes(const tp_coastal_water *coastal,
 void tp_coastal_make_table(tp_coastal_water *coastal, uint32_t i,
                            const tp_coastal_swell *swell,
                            const tp_coastal_config *config);
-void tp_coastal_make_phases(tp_coastal_water *coastal, uint32_t i,
-                            const tp_coastal_swell *swell);
+void tp_coastal_make_phases_by_depth(tp_coastal_water *coastal, uint32_t i,
+                                     const tp_coastal_swell *swell);
 
 /* At each depth: if the steepness of all waves adds up to more than 0.951, scales the
  * horizontal axes of the orbits to a sum of 0.95.  Heights stay. */
@@ -192,10 +194,10 @@ void tp_coastal_limit_steepness_sum(tp_coastal_water *coastal);
 int32_t tp_coastal_floor_tilt_sine_bound(const tp_coastal_water *coastal);
 void tp_coastal_add_bounds(tp_coastal_water *coastal, uint32_t i, int32_t tilt_sine_bound);
 
-/* coastal_map.c: the nodes of a map. */
+/* coastal_map.c: the nodes of a map.  `scratch_turns` is memory for one phase per node. */
 void tp_coastal_make_floor_nodes(tp_coastal_water *coastal, const tp_floor *floor);
 void tp_coastal_make_wave_nodes(tp_coastal_water *coastal, uint32_t i,
-                                const tp_coastal_swell *swell, int64_t *turns);
+                                const tp_coastal_swell *swell, int64_t *scratch_turns);
 tp_q30 tp_coastal_beach_slope(const tp_coastal_water *coastal, tp_fx amplitude);
 
 #endif

@@ -79,8 +79,8 @@ static inline int32_t interpolate_nodes(int32_t a, int32_t b, int32_t c, int32_t
                           tp_coastal_mix(c, d, p->fraction_x), p->fraction_z);
 }
 
-static void locate_on_map(const tp_coastal_water *coastal, tp_fx x, tp_fx z,
-                          floor_place *p)
+static void sample_floor_on_map(const tp_coastal_water *coastal, tp_fx x, tp_fx z,
+                                floor_place *p)
 {
     const uint32_t u = node_coordinate(coastal, x - coastal->map_x, coastal->map_cols);
     const uint32_t v = node_coordinate(coastal, z - coastal->map_z, coastal->map_rows);
@@ -112,7 +112,7 @@ static floor_place locate_point(const tp_coastal_water *coastal, tp_fx x, tp_fx 
     floor_place p = { .depth = 0 };
 
     if (coastal->map_cols)
-        locate_on_map(coastal, x, z, &p);
+        sample_floor_on_map(coastal, x, z, &p);
     else
         locate_on_slope(coastal, x, z, &p);
     if (p.depth > 0)
@@ -211,9 +211,9 @@ static void apply_slope_to_motion(const tp_coastal_table *table, const floor_pla
         tp_coastal_mix(d[0].tilt_cos * (1 << 16), d[1].tilt_cos * (1 << 16), part);
 }
 
-static motion evaluate_motion(const tp_coastal_water *coastal, uint32_t i,
-                              const tp_turn *phases, tp_fx x0, tp_fx z0,
-                              const floor_place *p)
+static motion evaluate_wave_phase_and_orbit(const tp_coastal_water *coastal, uint32_t i,
+                                            const tp_turn *phases, tp_fx x0, tp_fx z0,
+                                            const floor_place *p)
 {
     const tp_coastal_wave *wave = &coastal->wave[i];
     const tp_coastal_table *table = &tp_coastal_tables(coastal)[i];
@@ -231,7 +231,7 @@ static motion evaluate_motion(const tp_coastal_water *coastal, uint32_t i,
     else
         apply_slope_to_motion(table, p, &m);
     if (wave->lambda)
-        m.phi = tp_wind_phase(m.phi, tp_wind_push(wave->lambda, m.orbit.up),
+        m.phi = tp_wind_phase(m.phi, tp_wind_phase_shift(wave->lambda, m.orbit.up),
                               wave->iterations);
     return m;
 }
@@ -318,7 +318,7 @@ static tp_coastal_point sample_point(const tp_coastal_water *coastal,
     uint32_t foam = 0;
 
     for (uint32_t i = 0; i < count; i++) {
-        const motion m = evaluate_motion(coastal, i, phases, x0, z0, &p);
+        const motion m = evaluate_wave_phase_and_orbit(coastal, i, phases, x0, z0, &p);
         const tp_offset o = p.at.depth >= coastal->wave[i].calm
                                 ? tp_orbit_offset(&m.orbit, m.phi)
                                 : breaking_wave_offset(coastal, i, phases, &p, &m, x0, z0,
@@ -357,7 +357,7 @@ tp_fx tp_coastal_max_height(const tp_coastal_water *coastal)
     return coastal->height;
 }
 
-tp_fx tp_coastal_breaking_depth(const tp_coastal_water *coastal)
+tp_fx tp_coastal_breaking_foam_depth(const tp_coastal_water *coastal)
 {
     return (tp_fx)tp_clamp_abs((int64_t)tp_coastal_max_height(coastal) * 8,
                                2048 * TP_FX_ONE);

@@ -66,12 +66,12 @@ tp_fx tp_depth_group_speed(int64_t k_inf_q32, int64_t k_q32, tp_fx depth, tp_fx 
 
 /* Shoaling factor Ks = sqrt(c_inf / 2 cg) [B7]: 0.913 at the least, 48 for 2000 m waves at
  * 1/65536 m; 1 if a wave number is 0.  Error below 2^-16 + 2^-24 Ks. */
-tp_fx tp_depth_shoaling(int64_t k_inf_q32, int64_t k_q32, tp_fx depth);
+tp_fx tp_depth_shoaling_factor(int64_t k_inf_q32, int64_t k_q32, tp_fx depth);
 
 /* Refraction factor Kr = sqrt(cos th_inf / cos th) [B7] of a wave with the wave number kz
  * along the shore [B9].  Grazing waves are bounded: no cosine counts as less than 1/16
  * (86.4 degrees).  A k at or above k_inf gives 1/4..1, any other k up to 4. */
-tp_fx tp_depth_refraction(int64_t k_inf_q32, int64_t k_q32, int64_t kz_q32);
+tp_fx tp_depth_refraction_factor(int64_t k_inf_q32, int64_t k_q32, int64_t k_shore_q32);
 
 /* Returns A_inf Ks Kr, at most 0.39 of the depth [B15]; 0 on land. */
 tp_fx tp_depth_amplitude(tp_fx amplitude, tp_fx ks, tp_fx kr, tp_fx depth);
@@ -127,14 +127,14 @@ int64_t tp_coast_phase(const tp_coast *coast, tp_fx x);
  * wind. */
 tp_fx tp_wind_lambda(tp_fx lambda, tp_q30 wind_cosine);
 
-/* tp_wind_push returns lambda r, Q2.30, clamped to +-0.5.  tp_wind_iterations returns the
- * number of iterations for a push: 1, or 3 for |push| above 0.3. */
-tp_q30 tp_wind_push(tp_fx lambda, tp_fx radius);
-int    tp_wind_iterations(tp_q30 push);
+/* tp_wind_phase_shift returns lambda r, Q2.30, clamped to +-0.5.  tp_wind_iterations
+ * returns the number of iterations for a shift: 1, or 3 for |shift| above 0.3. */
+tp_q30 tp_wind_phase_shift(tp_fx lambda, tp_fx orbit_radius);
+int    tp_wind_iterations(tp_q30 shift);
 
-/* Solves Phi = theta + push cos Phi, starting from Phi = theta.  After n iterations the
- * error is at most |push|^(n+1).  The push is clamped to +-0.5 here too. */
-tp_turn tp_wind_phase(tp_turn theta, tp_q30 push, int iterations);
+/* Solves Phi = theta + shift cos Phi, starting from Phi = theta.  After n iterations the
+ * error is at most |shift|^(n+1).  The shift is clamped to +-0.5 here too. */
+tp_turn tp_wind_phase(tp_turn theta, tp_q30 shift, int iterations);
 
 /* Returns the largest radius without a loop, 0.95 / sqrt(k^2 + lambda^2), saturated.  Valid
  * for one wave under wind alone; coastal water bounds the sum of all waves. */

@@ -138,10 +138,13 @@ static uint32_t newton_wave_weight(const tp_swell *w, uint32_t error)
 
 /* Returns the step against the error e = P(p0) - p: -e over the weighted J, Q4.28.  The
  * eigenvalues of J are 0.05 or more, and det > 0.047; 27 and 30 bits make the numerator. */
-static rest_place newton_step(const tp_deep_water *deep, const int32_t sine[TP_WAVES],
-                              rest_place e)
+static rest_place newton_step_against_error(const tp_deep_water *deep,
+                                            const int32_t sine[TP_WAVES],
+                                            rest_place position_error)
 {
-    uint32_t error = tp_isqrt64((uint64_t)((int64_t)e.x * e.x + (int64_t)e.z * e.z));
+    uint32_t error =
+        tp_isqrt64((uint64_t)((int64_t)position_error.x * position_error.x
+                              + (int64_t)position_error.z * position_error.z));
     int64_t  bxx = 0, bxz = 0, bzz = 0;
 
     for (uint32_t i = 0; i < deep->count; i++) {
@@ -154,8 +157,10 @@ static rest_place newton_step(const tp_deep_water *deep, const int32_t sine[TP_W
     int64_t jxx = (1 << 28) - (bxx >> 26), jzz = (1 << 28) - (bzz >> 26);
     int64_t jxz = -(bxz >> 26), det = (jxx * jzz - jxz * jxz) >> 28;
     TP_ASSERT(det > 0);
-    return (rest_place){ (tp_fx)tp_div_rounded(e.z * jxz - e.x * jzz, det),
-                         (tp_fx)tp_div_rounded(e.x * jxz - e.z * jxx, det) };
+    return (rest_place){
+        (tp_fx)tp_div_rounded(position_error.z * jxz - position_error.x * jzz, det),
+        (tp_fx)tp_div_rounded(position_error.x * jxz - position_error.z * jxx, det)
+    };
 }
 
 /* The box around p, clipped to the range of 16.16.  Its half side is max_displacement +
@@ -202,7 +207,7 @@ tp_surface_point tp_deep_water_sample(const tp_deep_water *deep,
         rest_place e = { at.x - x + d.x, at.z - z + d.z };
         if (is_rounding_error(e.x) && is_rounding_error(e.z))
             break;
-        at = add_step_in_box(&around, at, newton_step(deep, sine, e));
+        at = add_step_in_box(&around, at, newton_step_against_error(deep, sine, e));
     }
     if (rest) {
         rest[0] = at.x;

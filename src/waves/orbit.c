@@ -121,7 +121,7 @@ static tp_q30 crest_ramp(int32_t phase)
 }
 
 /* Returns (p / pi)^2 as Q30; |p| <= 2^31. */
-static tp_q30 phase_square(int32_t phase)
+static tp_q30 half_turns_squared(int32_t phase)
 {
     const uint64_t size = phase < 0 ? 0u - (uint32_t)phase : (uint32_t)phase;
     return (tp_q30)((size * size + 0x80000000u) >> 32);
@@ -137,7 +137,7 @@ tp_breaking tp_breaking_shape(const tp_breaker *breaker, tp_turn phi)
     const int32_t tilt = (int32_t)tp_atan2(orbit->sin, orbit->cos);
     tp_breaking at = {
         .p = p,
-        .stretch = tp_q30_mul(breaker->stretch, phase_square(p)),
+        .stretch = tp_q30_mul(breaker->stretch, half_turns_squared(p)),
         .displacement = tp_q30_mul(breaker->lip, ramp),
         .orientation = tilt + tp_q30_mul(DOWN - tilt, ramp),
         .offset = tp_orbit_offset(orbit, phi),

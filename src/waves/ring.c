@@ -76,7 +76,7 @@ static tp_q30 attack_factor(const tp_ring *ring, int64_t age)
 }
 
 /* Returns A0 times a share: 16.16 and Q2.30 to Q8.24. */
-static int32_t ring_gain(const tp_ring *ring, tp_q30 share)
+static int32_t scale_ring_amplitude(const tp_ring *ring, tp_q30 share)
 {
     return (int32_t)(((int64_t)ring->amplitude * share + (1 << 21)) >> 22);
 }
@@ -90,8 +90,8 @@ bool tp_ring_evaluate(const tp_ring *ring, int64_t now, tp_ring_now *at)
         return false;
     int64_t rear = rear_radius_q24(ring, age);
     int64_t outer = ((rear + 255) >> 8) + ring->length;
-    int32_t gain =
-        ring_gain(ring, tp_q30_mul(decay_factor(ring, age), attack_factor(ring, age)));
+    int32_t gain = scale_ring_amplitude(
+        ring, tp_q30_mul(decay_factor(ring, age), attack_factor(ring, age)));
     if (outer >= REACH || gain <= 0)
         return false;
 
@@ -223,5 +223,5 @@ bool tp_ring_is_spent(const tp_ring *ring, int64_t now, tp_fx max_distance)
     };
     int32_t bend;
     tp_q30  s = spreading_factor(&at, rear + (int64_t)ring->length * 128, &bend);
-    return tp_q30_mul(ring_gain(ring, decay_factor(ring, age)), s) < 1 << 8;
+    return tp_q30_mul(scale_ring_amplitude(ring, decay_factor(ring, age)), s) < 1 << 8;
 }

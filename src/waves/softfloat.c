@@ -90,9 +90,9 @@ static const uint32_t power[64] = {
 
 /* Returns 1 - 2^-part/64 for part below 1 as Q0.32.  With s = part ln 2 / 64 < 0.01084 the
  * power is 1 - s + s^2/2 - s^3/6; the next term is 5.8e-10. */
-static inline uint32_t one_minus_exp2_neg(uint32_t part)
+static inline uint32_t one_minus_exp2_neg(uint32_t part_q32)
 {
-    const uint32_t s = (uint32_t)((uint64_t)part * 46516320 >> 32); /* 2^32 ln 2 / 64 */
+    const uint32_t s = (uint32_t)((uint64_t)part_q32 * 46516320 >> 32); /* 2^32 ln 2 / 64 */
     const uint32_t square = (uint32_t)((uint64_t)s * s >> 32);
     return s - square / 2 + (uint32_t)((uint64_t)square * s >> 32) / 6;
 }

@@ -50,7 +50,7 @@ static tp_fx sharp_slope_bound(tp_q30 slope, int32_t power)
 /* Returns g / (2 pi L) in Q8.120, below 64, for g <= 100 m/s^2 and L >= 1/4 m;
  * high_low[0] is the high half, high_low[1] the low half.  Divides g / 2 pi by L in
  * digits of 32 bits, by long division. */
-static void frequency_squared(tp_fx gravity, tp_fx length, uint64_t high_low[2])
+static void squared_turns_per_second(tp_fx gravity, tp_fx length, uint64_t high_low[2])
 {
     TP_ASSERT(gravity > 0 && gravity <= 100 * TP_FX_ONE && length >= TP_FX_ONE / 4);
     const uint64_t over_two_pi = 0x28be60db9391054a;        /* 2^64 / 2 pi */
@@ -98,7 +98,7 @@ static uint64_t turns_per_tick(tp_fx gravity, tp_fx length, tp_fx speed)
 
     if (gravity <= 0)
         return 0;
-    frequency_squared(gravity, length, half);
+    squared_turns_per_second(gravity, length, half);
     uint64_t root = sqrt_128(half);                          /* Q4.60, below 8 */
     uint64_t high = (root >> 32) * (uint32_t)speed;
     uint64_t low = (root & 0xffffffff) * (uint32_t)speed;

@@ -193,7 +193,7 @@ tp_fx tp_depth_group_speed(int64_t k_inf_q32, int64_t k_q32, tp_fx depth, tp_fx 
 }
 
 /* Ks^2 = c_inf / 2 cg = (k / k_inf) / (2 cg/c). */
-tp_fx tp_depth_shoaling(int64_t k_inf_q32, int64_t k_q32, tp_fx depth)
+tp_fx tp_depth_shoaling_factor(int64_t k_inf_q32, int64_t k_q32, tp_fx depth)
 {
     if (k_inf_q32 <= 0 || k_q32 <= 0)
         return TP_FX_ONE;
@@ -222,9 +222,10 @@ static tp_scaled cosine_squared(int64_t k_q32, uint64_t kz_q32)
 }
 
 /* Kr^4 = cos^2 th_inf / cos^2 th, 1/256..256 before the roots. */
-tp_fx tp_depth_refraction(int64_t k_inf_q32, int64_t k_q32, int64_t kz_q32)
+tp_fx tp_depth_refraction_factor(int64_t k_inf_q32, int64_t k_q32, int64_t k_shore_q32)
 {
-    const uint64_t kz = kz_q32 < 0 ? 0u - (uint64_t)kz_q32 : (uint64_t)kz_q32;
+    const uint64_t kz =
+        k_shore_q32 < 0 ? 0u - (uint64_t)k_shore_q32 : (uint64_t)k_shore_q32;
     const tp_scaled over = tp_scaled_recip(cosine_squared(k_q32, kz));
     const tp_scaled ratio = tp_scaled_mul(cosine_squared(k_inf_q32, kz), over);
     return tp_scaled_fx(tp_scaled_sqrt(tp_scaled_sqrt(ratio)));
@@ -319,7 +320,7 @@ tp_breaker_type tp_breaker_classify(tp_fx iribarren)
  * source can also be read as a sum of (omega + lambda dy) dt over the ticks.  This reading
  * is not used: it slows waves down by their height and depends on history. */
 
-#define PUSH_MOST       TP_Q30(0.5)
+#define SHIFT_MOST      TP_Q30(0.5)
 #define ITERATIONS_MOST 32              /* 2^-33 of the initial error is left */
 tp_fx tp_wind_lambda(tp_fx lambda, tp_q30 wind_cosine)
 {
@@ -329,21 +330,21 @@ tp_fx tp_wind_lambda(tp_fx lambda, tp_q30 wind_cosine)
 }
 
 /* Q32 to Q30. */
-tp_q30 tp_wind_push(tp_fx lambda, tp_fx radius)
+tp_q30 tp_wind_phase_shift(tp_fx lambda, tp_fx orbit_radius)
 {
-    return (tp_q30)tp_clamp_abs(((int64_t)lambda * radius + 2) >> 2, PUSH_MOST);
+    return (tp_q30)tp_clamp_abs(((int64_t)lambda * orbit_radius + 2) >> 2, SHIFT_MOST);
 }
 
-int tp_wind_iterations(tp_q30 push)
+int tp_wind_iterations(tp_q30 shift)
 {
-    return push > TP_Q30(0.3) || push < -TP_Q30(0.3) ? 3 : 1;
+    return shift > TP_Q30(0.3) || shift < -TP_Q30(0.3) ? 3 : 1;
 }
 
 /* Returns turns of 2^-32: half a radian is 2^28.35. */
-tp_turn tp_wind_phase(tp_turn theta, tp_q30 push, int iterations)
+tp_turn tp_wind_phase(tp_turn theta, tp_q30 shift, int iterations)
 {
-    const tp_q30 held = tp_clamp(push, -PUSH_MOST, PUSH_MOST);
-    const int32_t turns = tp_q30_mul(TP_OVER_TWO_PI_Q32, held);
+    const tp_q30 clamped = tp_clamp(shift, -SHIFT_MOST, SHIFT_MOST);
+    const int32_t turns = tp_q30_mul(TP_OVER_TWO_PI_Q32, clamped);
     const int n = iterations < ITERATIONS_MOST ? iterations : ITERATIONS_MOST;
     tp_turn phi = theta;
 

@@ -20,7 +20,7 @@ static tp_wave make_wave(tp_fx amplitude, tp_fx length, tp_fx heading, tp_fx pha
     };
 }
 
-static void set_light(tp_scene *scene)
+static void set_light_and_sky(tp_scene *scene)
 {
     scene->light.heading = TP_FX(20);
     scene->light.elevation = TP_FX(22);
@@ -55,7 +55,7 @@ void tp_scene_init(tp_scene *scene)
     scene->camera.y = TP_FX(2.4);
     scene->camera.pitch = TP_FX(-6);
     scene->camera.fov = TP_FX(60);
-    set_light(scene);
+    set_light_and_sky(scene);
     set_water(scene);
     scene->pictures = &pictures;
 }

@@ -20,10 +20,10 @@ static uint32_t next_chunk_offset(const tp_world *world, uint32_t at)
     return at + (uint32_t)sizeof(chunk) + chunk_pointer(world, at)->bytes;
 }
 
-/* Asks each module in list order, because `conditions` tells later modules the bits of
- * earlier modules. */
-static bool ask_enabled_with_state(const tp_module *module,
-                                   tp_module_conditions *conditions)
+/* True if the module is on and has a state in the world.  Ask each module in list order:
+ * `conditions` tells later modules the bits of earlier modules. */
+static bool ask_enabled_and_has_state(const tp_module *module,
+                                      tp_module_conditions *conditions)
 {
     return tp_module_ask_enabled(module, conditions) && module->bytes;
 }
@@ -64,7 +64,7 @@ bool tp_modules_is_any_active(const tp_use *modules,
 
 tp_status tp_program_fail_lacking(const char *what, tp_error *err)
 {
-    return tp_error_blame(err, TP_FAIL(err, TP_E_PROGRAM, 0, 0, 0), what);
+    return tp_error_add_word(err, TP_FAIL(err, TP_E_PROGRAM, 0, 0, 0), what);
 }
 
 /* Asks each missing module (tp_lack) at its position in the list of all modules, with all
@@ -100,8 +100,8 @@ tp_status tp_program_check_all(const tp_program *program, const tp_scene *scene,
 }
 
 tp_status tp_modules_check_and_measure(const tp_program *program, tp_arena *arena,
-                                       tp_module_conditions conditions, uint32_t *at,
-                                       tp_error *err)
+                                       tp_module_conditions conditions,
+                                       uint32_t *modules_offset, tp_error *err)
 {
     TP_ASSERT(arena->block == NULL && conditions.above == 0);
     const size_t begin = arena->used;
@@ -116,7 +116,7 @@ tp_status tp_modules_check_and_measure(const tp_program *program, tp_arena *aren
         if (m->bytes)
             tp_arena_alloc(arena, 1, sizeof(chunk) + state_bytes(m, &conditions));
     }
-    *at = arena->used > begin ? (uint32_t)begin : 0;
+    *modules_offset = arena->used > begin ? (uint32_t)begin : 0;
     return TP_OK;
 }
 
@@ -126,7 +126,7 @@ static void write_chunk_headers(const tp_program *program, tp_world *world,
     uint32_t at = world->layout.modules;
 
     for (const tp_use *u = program->modules; u && u->module; u++) {
-        if (!ask_enabled_with_state(u->module, &conditions))
+        if (!ask_enabled_and_has_state(u->module, &conditions))
             continue;
         *chunk_pointer(world, at) = (chunk){ u->module->id,
                                         (uint32_t)state_bytes(u->module, &conditions) };
@@ -141,7 +141,7 @@ tp_status tp_modules_init(const tp_program *program, tp_world *world,
 
     write_chunk_headers(program, world, conditions);
     for (const tp_use *u = program->modules; u && u->module && status == TP_OK; u++)
-        if (ask_enabled_with_state(u->module, &conditions) && u->module->init)
+        if (ask_enabled_and_has_state(u->module, &conditions) && u->module->init)
             status = u->module->init(tp_world_module_state(world, u->module->id), world,
                                      &conditions, err);
     return status;
@@ -153,7 +153,7 @@ bool tp_modules_fit(const tp_program *program, const tp_world *world,
     uint32_t at = world->layout.modules;
 
     for (const tp_use *u = program->modules; u && u->module; u++) {
-        if (!ask_enabled_with_state(u->module, &conditions))
+        if (!ask_enabled_and_has_state(u->module, &conditions))
             continue;
         if (at == 0 || at >= world->layout.bytes)
             return false;
@@ -170,7 +170,7 @@ bool tp_modules_refresh(const tp_program *program, tp_world *world,
                         tp_module_conditions conditions)
 {
     for (const tp_use *u = program->modules; u && u->module; u++)
-        if (ask_enabled_with_state(u->module, &conditions) && u->module->refresh
+        if (ask_enabled_and_has_state(u->module, &conditions) && u->module->refresh
             && !u->module->refresh(tp_world_module_state(world, u->module->id), world,
                                    &conditions))
             return false;

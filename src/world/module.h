@@ -188,11 +188,11 @@ void *tp_world_module_state(const tp_world *world, uint32_t id);
 /* Returns the length of a state in bytes, a multiple of 8. */
 size_t tp_module_state_bytes(const void *part);
 
-/* Checks all enabled modules and lays out their chunks. *at: offset of the first chunk,
- * or 0 without chunks.  `conditions.above` must be 0. */
+/* Checks all enabled modules and lays out their chunks. *modules_offset: offset of the
+ * first chunk, or 0 without chunks.  `conditions.above` must be 0. */
 tp_status tp_modules_check_and_measure(const tp_program *program, tp_arena *arena,
-                                       tp_module_conditions conditions, uint32_t *at,
-                                       tp_error *err);
+                                       tp_module_conditions conditions,
+                                       uint32_t *modules_offset, tp_error *err);
 
 /* Writes the chunk headers, then the initial states; the block is zeroed by the caller. */
 tp_status tp_modules_init(const tp_program *program, tp_world *world,

@@ -159,6 +159,7 @@ static tp_status read_signed_integer(tp_string_view w, int32_t *value)
     return status;
 }
 
+/* Returns the index of the field with this name, or FIELDS. */
 static int find_field(tp_string_view name)
 {
     int i = 0;

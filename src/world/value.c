@@ -169,7 +169,7 @@ tp_status tp_scene_set(tp_scene *scene, const char *name, const char *value, tp_
             return TP_E_NULL;
     const tp_param *param = tp_param_find(name, tp_string_length(name));
     if (!param)
-        return tp_error_blame(err, TP_FAIL(err, TP_E_NAME, 0, 0, 0), name);
+        return tp_error_add_word(err, TP_FAIL(err, TP_E_NAME, 0, 0, 0), name);
     return tp_param_set(scene, param, value, tp_string_length(value), err);
 }
 

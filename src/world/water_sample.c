@@ -222,7 +222,7 @@ static tp_fx sample_land(const pick_ray *r, tp_fx x, tp_fx z)
 
 /* Returns the height of the ray above water or land, whichever is higher; negative
  * below. */
-static int64_t height_above_surface(const pick_ray *r, int64_t t)
+static int64_t height_above_water_or_land(const pick_ray *r, int64_t t)
 {
     const tp_vec3 p = ray_point(r, t);
     const tp_fx water = sample_water(r, p.x, p.z), land = sample_land(r, p.x, p.z);
@@ -281,7 +281,7 @@ static int64_t bisect_crossing(const pick_ray *r, int64_t from, int64_t to, bool
 {
     while (to - from > 1) {
         const int64_t middle = (from + to) / 2;
-        if ((height_above_surface(r, middle) > 0) == above)
+        if ((height_above_water_or_land(r, middle) > 0) == above)
             from = middle;
         else
             to = middle;
@@ -291,13 +291,13 @@ static int64_t bisect_crossing(const pick_ray *r, int64_t from, int64_t to, bool
 
 static bool march_to_surface(const pick_ray *r, const stretch *s, int64_t *t)
 {
-    int64_t from = s->from, high = height_above_surface(r, from);
+    int64_t from = s->from, high = height_above_water_or_land(r, from);
     const bool above = high > 0;
 
     while (from < s->to) {
         const int64_t next = from + march_step_length(r, from, high);
         const int64_t to = next < s->to ? next : s->to;
-        high = height_above_surface(r, to);
+        high = height_above_water_or_land(r, to);
         if ((high > 0) != above) {
             *t = bisect_crossing(r, from, to, above);
             return true;

@@ -260,7 +260,7 @@ void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *s
 }
 
 /* Returns the number of ticks needed to draw at the clock's time. */
-static uint64_t clock_ticks_ceiling(const tp_clock *clock)
+static uint64_t ticks_needed_for_clock_time(const tp_clock *clock)
 {
     return tp_clock_ticks(clock) + (tp_clock_fraction(clock) > 0);
 }
@@ -273,10 +273,10 @@ uint64_t tp_world_tick(const tp_world *world)
 uint32_t tp_world_advance_clock(tp_world *world)
 {
     TP_ASSERT(world != NULL && world->clock.scale_q40 > 0);
-    uint64_t before = clock_ticks_ceiling(&world->clock);
+    uint64_t before = ticks_needed_for_clock_time(&world->clock);
     tp_clock_advance(&world->clock);
     tp_fx part = tp_clock_fraction(&world->clock);
 
     world->lag = part > 0 ? TP_FX_ONE - part : 0;
-    return (uint32_t)(clock_ticks_ceiling(&world->clock) - before);
+    return (uint32_t)(ticks_needed_for_clock_time(&world->clock) - before);
 }

@@ -164,7 +164,7 @@ tp_camera tp_camera_interpolate(const tp_world *world, tp_fx lag);
  * from outside the program.  Defined in world.c. */
 bool tp_camera_is_valid(const tp_world *world);
 
-/* Interpolates linearly: b for back = 0, a for back = 1. */
+/* Interpolates linearly: returns `now` for lag = 0, `last` for lag = 1. */
 static inline tp_fx tp_interpolate(tp_fx last, tp_fx now, tp_fx lag)
 {
     return now + (tp_fx)(((int64_t)last - now) * lag >> 16);

@@ -27,8 +27,8 @@ static tp_status check_number(const tp_scene *scene, const tp_param *row, tp_err
     memcpy(&number, (const char *)scene + row->offset, sizeof number);
     if (number >= row->low && number <= row->high)
         return TP_OK;
-    return tp_error_blame(err, TP_FAIL(err, TP_E_RANGE, 0, row->low, row->high),
-                          row->name);
+    return tp_error_add_word(err, TP_FAIL(err, TP_E_RANGE, 0, row->low, row->high),
+                             row->name);
 }
 
 static tp_status check_text_value(const tp_scene *scene, const tp_param *row, tp_error *err)
@@ -39,10 +39,10 @@ static tp_status check_text_value(const tp_scene *scene, const tp_param *row, tp
     while (bytes < TP_NAME_BYTES && name[bytes] != '\0')
         bytes++;
     if (bytes == TP_NAME_BYTES)
-        return tp_error_blame(err, TP_FAIL(err, TP_E_UNENDED, 0, TP_NAME_BYTES, 0),
-                              row->name);
+        return tp_error_add_word(err, TP_FAIL(err, TP_E_UNENDED, 0, TP_NAME_BYTES, 0),
+                                 row->name);
     if (tp_string_view_has_control((tp_string_view){ name, bytes }))
-        return tp_error_blame(err, TP_FAIL(err, TP_E_TEXT, 0, 0, 0), row->name);
+        return tp_error_add_word(err, TP_FAIL(err, TP_E_TEXT, 0, 0, 0), row->name);
     return TP_OK;
 }
 
@@ -134,6 +134,6 @@ tp_status tp_world_check(const tp_program *program, const tp_world *world, size_
     else if (bytes >= fresh->layout.bytes
              && memcmp(&world->layout, &fresh->layout, sizeof fresh->layout) == 0)
         invalid = find_invalid(tp_program_or_linked(program), world, fresh);
-    return invalid ? tp_error_blame(err, TP_FAIL(err, TP_E_WORLD, 0, 0, 0), invalid)
+    return invalid ? tp_error_add_word(err, TP_FAIL(err, TP_E_WORLD, 0, 0, 0), invalid)
                    : TP_OK;
 }

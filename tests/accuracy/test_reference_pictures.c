@@ -216,7 +216,7 @@ enum { CELLS = 32 };
 
 static double height_at(const view_of_ref *v, int col, int row)
 {
-    return tp_pool_height(tp_world_pool(v->world), (uint32_t)col, (uint32_t)row)
+    return tp_pool_height_lsb(tp_world_pool(v->world), (uint32_t)col, (uint32_t)row)
          * (v->scene.pool.max_height / 65536.0) / 32767;
 }
 

@@ -192,7 +192,7 @@ static void prepare_grid(int kind)
 
 COUNTED(grid)
 {
-    tp_grid_place(&grid, &view);
+    tp_grid_evaluate_vertices(&grid, &view);
     model_expect(grid.vertices == model.count, "a vertex outside of the view");
     for (uint32_t i = 0; i < model.count; i++)
         model_expect(grid.vertex[i].u != TP_GRID_NEEDS_CLIP, "a vertex to be cut");

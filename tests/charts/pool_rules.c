@@ -92,7 +92,7 @@ pool_field pool_field_of(const tp_pool *pool)
                      pool_room(count) };
 
     for (uint32_t at = 0; at < count; at++) {
-        w.h[at] = tp_pool_height(pool, at % w.cols, at / w.cols);
+        w.h[at] = tp_pool_height_lsb(pool, at % w.cols, at / w.cols);
         w.v[at] = tp_pool_velocity(pool, at % w.cols, at / w.cols);
     }
     return w;

@@ -50,7 +50,7 @@ static void rows_of_wave(const char *name, int n, const tp_wave *wave, double de
     for (double depth = deepest; depth > 0.05; depth /= 1.25) {
         const tp_fx   h = TP_FX(depth);
         const int64_t k = tp_depth_wave_number_exact(k_inf, h);
-        const tp_fx   ks = tp_depth_shoaling(k_inf, k, h);
+        const tp_fx   ks = tp_depth_shoaling_factor(k_inf, k, h);
         const double  height = 2.0 * wave->amplitude * ks * STABILITY_LSB;
         const double  length = 2 * STABILITY_PI * 4294967296.0 / (double)k;
         const double  rise = height * STABILITY_LSB / length;

@@ -44,7 +44,7 @@ static void check(const tp_obj *obj, const tp_mesh *mesh)
     REQUIRE(mesh->log2_unit <= TP_MESH_MAX_LOG2_UNIT);
     REQUIRE(mesh->n_materials <= TP_OBJ_MATERIALS);
     REQUIRE(is_between(least, mesh->low, most) && is_between(least, mesh->high, most));
-    REQUIRE(tp_obj_mesh_bytes(obj) <= tp_obj_memory_bytes(obj));
+    REQUIRE(tp_obj_finished_mesh_bytes(obj) <= tp_obj_memory_bytes(obj));
     for (uint32_t i = 0; i < mesh->n_faces; i++) {
         for (int k = 0; k < 3; k++)
             REQUIRE(mesh->faces[i].vertex[k] < mesh->n_vertices);

@@ -220,11 +220,12 @@ static void what_may_not_be_switched_on_is_refused(void **state)
     assert_int_equal(component_search_run(&found, &a.request), 0);
     for (size_t i = 0; i < component_count; i++) {
         const bool module = components[i].kind == COMPONENT_MODULE;
-        const int  where = found.in.has[i] + found.refused.has[i] + a.request.without.has[i];
+        const int where =
+            found.in.has[i] + found.refused.has[i] + a.request.without.has[i];
         assert_int_equal(module ? where : found.refused.has[i], module);
         if (module && found.refused.has[i])
-            assert_false(component_is_active(i, &found.in, &a.request.terms, a.request.scene,
-                                             a.request.assets));
+            assert_false(component_is_active(i, &found.in, &a.request.terms,
+                                             a.request.scene, a.request.assets));
         refused += found.refused.has[i];
         undrawn += module && found.in.has[i] && components[i + 1].kind == COMPONENT_DRAWING
                    && !found.in.has[i + 1];

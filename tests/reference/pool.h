@@ -50,7 +50,7 @@ static inline void ref_pool_read(ref_pool *p, const tp_pool *pool)
         const uint32_t x = (uint32_t)(i % p->cols), y = (uint32_t)(i / p->cols);
         p->wall[i] = tp_pool_is_wall_or_outside(pool, x, y);
         p->own[i] = p->m;
-        p->h[i] = tp_pool_height(pool, x, y);
+        p->h[i] = tp_pool_height_lsb(pool, x, y);
         p->v[i] = tp_pool_velocity(pool, x, y);
         p->right[i] = p->down[i] = 0;
     }

@@ -88,14 +88,14 @@ static void a_thousand_drops_fall_for_a_minute(void **state)
     for (uint64_t tick = 1; tick <= MINUTE; tick++) {
         tp_drops_move_sphere(drops, 0, 0);
         tp_drops_release(drops, &c, tick == 1 ? 1000 : 0);
-        tp_drops_release_due(drops, &c);
+        tp_drops_release_by_interval(drops, &c);
         for (uint32_t i = 0; i < drops->count; i++) {
             tp_impact impact;
             const tp_fx x = tp_drops_list(drops)[i].place.x;
             if (tp_drops_step_drop(drops, &c, i, GRAVITY, level_at(x, tick), tick, &impact))
                 tp_drops_add_ring(drops, &c, &impact);
         }
-        tp_drops_remove_spent(drops, (int64_t)tick * 65536, TP_FX(100));
+        tp_drops_rings_remove_spent(drops, (int64_t)tick * 65536, TP_FX(100));
         look(drops, tick, &f);
         if (tick % 8 == 0)
             ripple(drops, (int64_t)tick * 65536, rings, &f);
@@ -133,7 +133,7 @@ static void all_drops_and_rings_come_to_an_end(void **state)
             if (tp_drops_step_drop(drops, &c, i, GRAVITY, 0, tick, &impact))
                 tp_drops_add_ring(drops, &c, &impact);
         }
-        tp_drops_remove_spent(drops, (int64_t)tick * 65536, TP_FX(100));
+        tp_drops_rings_remove_spent(drops, (int64_t)tick * 65536, TP_FX(100));
         dry = drops->count > 0 ? tick : dry;
         assert_true(tick < 6000);
     }

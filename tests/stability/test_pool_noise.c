@@ -74,7 +74,7 @@ static double kept_rms(const tp_pool_config *c)
         if (n < before || n % 16 != 0)
             continue;
         for (uint32_t i = 0; i < c->cols * c->rows; i++)
-            squares += pow(tp_pool_height(pool, i % c->cols, i / c->cols) - mean, 2);
+            squares += pow(tp_pool_height_lsb(pool, i % c->cols, i / c->cols) - mean, 2);
         looks++;
     }
     free(pool);
@@ -176,7 +176,7 @@ static miss miss_of(const tp_pool *pool, const wave *w, double high)
 
     for (uint32_t j = 0; j < pool->rows; j++) {
         for (uint32_t i = 0; i < pool->cols; i++) {
-            const double off = tp_pool_height(pool, i, j) - high * w->x[i] * w->z[j];
+            const double off = tp_pool_height_lsb(pool, i, j) - high * w->x[i] * w->z[j];
             squares += off * off;
             corner = i + j == 0 ? fabs(off) : corner;
         }

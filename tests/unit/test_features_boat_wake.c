@@ -78,7 +78,7 @@ static void compare_stroke(tp_scene *s, measure *off)
             const double was = ref_column(s, pool, &before, x, z);
             const double is = ref_column(s, pool, &now, x, z);
             if (is > 0.001)     /* well within: no share of the remainder goes here */
-                measure_add(off, tp_pool_height(pool, col, row) - (was - is) * lsb,
+                measure_add(off, tp_pool_height_lsb(pool, col, row) - (was - is) * lsb,
                             (int64_t)col, row, 0);
         }
     }
@@ -153,7 +153,7 @@ static int32_t highest_under(tp_world *w, const tp_scene *s)
 
     for (uint32_t row = 0; row < pool->rows; row++) {
         for (uint32_t col = 0; col < pool->cols; col++) {
-            const int32_t h = abs(tp_pool_height(pool, col, row));
+            const int32_t h = abs(tp_pool_height_lsb(pool, col, row));
             if (h > highest
                 && ref_column(s, pool, &w->boat_state.hull, cell_x(pool, col),
                               cell_z(pool, row)) > 0)
@@ -200,7 +200,7 @@ static double spread_of(const tp_world *w, const tp_pool *pool, int side)
         if (astern < 8 || astern > 24)
             continue;
         for (uint32_t row = 0; row < pool->rows; row++) {
-            const int32_t h = tp_pool_height(pool, col, row);
+            const int32_t h = tp_pool_height_lsb(pool, col, row);
             if (cell_z(pool, row) * side > 0 && h > highest) {
                 highest = h;
                 at = cell_z(pool, row) * side;

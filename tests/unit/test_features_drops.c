@@ -47,7 +47,7 @@ static uint32_t tick_of(tp_drops *drops, const tp_scene_drops *c, uint64_t tick)
         struck++;
         tp_drops_add_ring(drops, c, &impact);
     }
-    tp_drops_remove_spent(drops, (int64_t)tick * 65536, FAR);
+    tp_drops_rings_remove_spent(drops, (int64_t)tick * 65536, FAR);
     return struck;
 }
 
@@ -131,19 +131,19 @@ static void drops_fall_by_themselves_every_so_often(void **state)
     tp_scene_drops c = config_of(1024, 0);
     tp_drops *const drops = block_of(&c);
     for (int tick = 0; tick < 100; tick++)
-        tp_drops_release_due(drops, &c);
+        tp_drops_release_by_interval(drops, &c);
     assert_int_equal(drops->released, 0);               /* `every` is 0 */
     c.interval = TP_FX(0.5);
     for (int tick = 0; tick < 600; tick++)
-        tp_drops_release_due(drops, &c);
+        tp_drops_release_by_interval(drops, &c);
     assert_int_equal(drops->released, 20);
     c.interval = TP_FX_ONE / 180;                       /* about three per tick */
     drops->count = 0;
     for (int tick = 0; tick < 60; tick++)
-        tp_drops_release_due(drops, &c);
+        tp_drops_release_by_interval(drops, &c);
     assert_in_range(drops->released, 20 + 178, 20 + 182);
     c.interval = 1;
-    tp_drops_release_due(drops, &c);
+    tp_drops_release_by_interval(drops, &c);
     assert_int_equal(drops->count, 1024);               /* 1092 were due */
     free(drops);
 }
@@ -154,11 +154,11 @@ static void a_shorter_pause_is_felt_at_once(void **state)
     tp_scene_drops c = config_of(16, 0);
     tp_drops *const drops = block_of(&c);
     c.interval = TP_FX(60);
-    tp_drops_release_due(drops, &c);
+    tp_drops_release_by_interval(drops, &c);
     assert_int_equal(drops->released, 1);
     c.interval = TP_FX(0.25);
     for (int tick = 0; tick < 16; tick++)
-        tp_drops_release_due(drops, &c);
+        tp_drops_release_by_interval(drops, &c);
     assert_int_equal(drops->released, 2);
     free(drops);
 }
@@ -200,7 +200,7 @@ static void each_impact_raises_one_ring(void **state)
     assert_int_equal(impacts, c.impacts);
     assert_int_equal(drops->impacts, impacts);
     for (uint64_t tick = 1; tick < 6000; tick++)
-        tp_drops_remove_spent(drops, (int64_t)tick * 65536, FAR);
+        tp_drops_rings_remove_spent(drops, (int64_t)tick * 65536, FAR);
     assert_int_equal(drops->rings, 0);
     free(drops);
 }
@@ -243,7 +243,7 @@ static void a_story_repeats_bit_for_bit(void **state)
             tp_drops *const drops = k ? a : b;
             tp_drops_move_sphere(drops, x, -x);
             tp_drops_release(drops, &c, more);
-            tp_drops_release_due(drops, &c);
+            tp_drops_release_by_interval(drops, &c);
             tick_of(drops, &c, tick);
         }
         assert_memory_equal(a, b, tp_drops_bytes(&c));

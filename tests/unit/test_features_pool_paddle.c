@@ -46,7 +46,7 @@ static double height_of(const tp_pool *pool, uint32_t first, uint32_t end)
     int32_t low = INT32_MAX, high = INT32_MIN;
 
     for (uint32_t row = first; row < end; row++) {
-        const int32_t h = tp_pool_height(pool, pool->cols / 2, row);
+        const int32_t h = tp_pool_height_lsb(pool, pool->cols / 2, row);
         low = h < low ? h : low;
         high = h > high ? h : high;
     }

@@ -69,9 +69,9 @@ static void assert_sound(const obj_reader *r)
         assert_true(mesh->low.z <= p.z && p.z <= mesh->high.z);
         assert_unit(mesh->vertices[i].normal);
     }
-    assert_true(tp_obj_mesh_bytes(&r->obj) <= tp_obj_memory_bytes(&r->obj));
+    assert_true(tp_obj_finished_mesh_bytes(&r->obj) <= tp_obj_memory_bytes(&r->obj));
     assert_true((const char *)(mesh->vertices + mesh->n_vertices)
-                == (const char *)r->mem + tp_obj_mesh_bytes(&r->obj));
+                == (const char *)r->mem + tp_obj_finished_mesh_bytes(&r->obj));
 }
 
 /* Asserts that two readings of the same bytes have equal results. */

@@ -55,8 +55,10 @@ static void pairs_of_pixels_are_two_pixels(void **state)
 
     for (uint32_t i = 0; i < 1 << 16; i++) {
         const uint32_t a = i * 2654435761u >> 8, b = i * 0x010101u & 0xffffff;
-        assert_int_equal(tp_rgb565_pair(&kept, a, b), tp_rgb565(b) << 16 | tp_rgb565(a));
-        assert_int_equal(tp_rgb565_pair(&kept, b, a), tp_rgb565(a) << 16 | tp_rgb565(b));
+        assert_int_equal(tp_rgb565_pack_pair(&kept, a, b),
+                         tp_rgb565(b) << 16 | tp_rgb565(a));
+        assert_int_equal(tp_rgb565_pack_pair(&kept, b, a),
+                         tp_rgb565(a) << 16 | tp_rgb565(b));
     }
 }
 

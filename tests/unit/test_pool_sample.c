@@ -30,7 +30,7 @@ static double height_at(const tp_pool *pool, int x, int y, double back)
     x = x < 0 ? -1 - x : x < cols ? x : 2 * cols - 1 - x;
     y = y < 0 ? -1 - y : y < rows ? y : 2 * rows - 1 - y;
     return metres_per_lsb(pool)
-         * (tp_pool_height(pool, (uint32_t)x, (uint32_t)y)
+         * (tp_pool_height_lsb(pool, (uint32_t)x, (uint32_t)y)
             - back * tp_pool_velocity(pool, (uint32_t)x, (uint32_t)y));
 }
 

@@ -324,7 +324,7 @@ static void a_level_cuts_off_what_lies_beyond_it(void **state)
         const tp_view_vertex in[3] = { any_corner(30, 30), any_corner(30, 30),
                                        any_corner(30, 30) };
         tp_view_vertex out[TP_CLIP_VERTICES];
-        const int count = tp_clip_triangle_plane(&v.projection, &plane, in, out);
+        const int count = tp_clip_triangle_view_and_plane(&v.projection, &plane, in, out);
         assert_in_range(count, 0, TP_CLIP_VERTICES);
         for (int i = 0; i < 3; i++)
             measure_add(&height, ldexp((double)tp_view_plane_distance(&plane, &in[i]), -32)
@@ -358,8 +358,8 @@ static void a_level_cuts_an_edge_once(void **state)
             == (tp_view_plane_distance(&plane, &b) >= 0))
             continue;
         tp_view_vertex p[TP_CLIP_VERTICES], q[TP_CLIP_VERTICES];
-        const int np = tp_clip_triangle_plane(&v.projection, &plane, one, p);
-        const int nq = tp_clip_triangle_plane(&v.projection, &plane, two, q);
+        const int np = tp_clip_triangle_view_and_plane(&v.projection, &plane, one, p);
+        const int nq = tp_clip_triangle_view_and_plane(&v.projection, &plane, two, q);
         int same = 0;
         for (int i = 0; i < np; i++)
             for (int k = 0; k < nq; k++)

@@ -57,7 +57,7 @@ static void make(beach *s)
                               .follow = random_below(&chance, 2) > 0 };
     const uint32_t cols = (uint32_t)chance_int(&chance, 2, 40);
     s->block = grid_block(&s->grid, cols, (uint32_t)chance_int(&chance, 2, 40), true);
-    tp_grid_place(&s->grid, &s->look);
+    tp_grid_evaluate_vertices(&s->grid, &s->look);
 }
 
 static void beach_free(beach *s)

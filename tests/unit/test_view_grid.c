@@ -35,7 +35,7 @@ static void place(pond *p)
     p->look.surface = &p->surface;
     p->look.width = p->v.width;
     p->look.height = p->v.height;
-    tp_grid_place(&p->grid, &p->look);
+    tp_grid_evaluate_vertices(&p->grid, &p->look);
 }
 
 /* Longest cell that keeps a grid within 16 km, the frame's bound. */

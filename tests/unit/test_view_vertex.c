@@ -34,7 +34,7 @@ static void place(vertex_pond *p)
     p->look.surface = &p->surface;
     p->look.width = p->v.width;
     p->look.height = p->v.height;
-    tp_grid_place(&p->grid, &p->look);
+    tp_grid_evaluate_vertices(&p->grid, &p->look);
 }
 
 static void make(vertex_pond *p, deep_water deep, double cell, double reach)

@@ -52,8 +52,9 @@ static void criteria_follow_their_vectors(void **state)
         check_flag(flags & TP_BREAKING_DEPTH, v[10], v[8], 0.78, &close);
         check_flag(flags & TP_BREAKING_MICHE, v[11], v[6], v[12], &close);
         measure_add(&miche, 100 * (tp_miche_height(k, h) * LSB / v[12] - 1), rows, 0, 0);
-        measure_add(&shoaling, 100 * (tp_depth_shoaling(deep, k, h) * LSB / v[5] - 1),
-                    rows, 0, 0);
+        measure_add(&shoaling,
+                    100 * (tp_depth_shoaling_factor(deep, k, h) * LSB / v[5] - 1), rows,
+                    0, 0);
         measure_add(&xi, (xi0 * LSB - v[13]) / (LSB + 1e-4 * v[13]), rows, 0, 0);
         assert_string_equal(names[tp_breaker_classify(xi0)], word);
         rows++;

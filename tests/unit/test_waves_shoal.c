@@ -32,8 +32,9 @@ static void shoaling_follows_the_models(void **state)
         const tp_fx h = chance_scale(&chance, LSB, 8000);
         const double k = ref_depth_number(ref_q32(k_inf), h * LSB);
         const double want = ref_shoaling(ref_q32(k_inf), k, h * LSB);
-        const tp_fx got = tp_depth_shoaling(k_inf, ref_to_q32(k), h);
-        const tp_fx quick = tp_depth_shoaling(k_inf, tp_depth_wave_number(k_inf, h), h);
+        const tp_fx got = tp_depth_shoaling_factor(k_inf, ref_to_q32(k), h);
+        const tp_fx quick =
+            tp_depth_shoaling_factor(k_inf, tp_depth_wave_number(k_inf, h), h);
 
         const double may = LSB / 2 + want / 16777216;
         measure_add(&m, fabs(got * LSB - want) / may, k_inf, h, 0);
@@ -45,8 +46,8 @@ static void shoaling_follows_the_models(void **state)
     printf("    least Ks %.5f\n", least);
     assert_true(m.worst < 1.1 && usual.worst < 0.1);
     assert_true(fabs(least - 0.913) < 0.001);
-    assert_int_equal(tp_depth_shoaling(0, 1, 1), TP_FX_ONE);
-    assert_int_equal(tp_depth_shoaling(1, 0, 1), TP_FX_ONE);
+    assert_int_equal(tp_depth_shoaling_factor(0, 1, 1), TP_FX_ONE);
+    assert_int_equal(tp_depth_shoaling_factor(1, 0, 1), TP_FX_ONE);
 }
 
 static double cosine(double k, double kz)
@@ -67,7 +68,7 @@ static void refraction_follows_snell_up_to_grazing(void **state)
         const int64_t kz = (int64_t)(sin(angle) * (double)k_inf);
         const double want = sqrt(cosine((double)k_inf, (double)kz)
                                  / cosine((double)k, (double)kz));
-        const tp_fx got = tp_depth_refraction(k_inf, k, kz);
+        const tp_fx got = tp_depth_refraction_factor(k_inf, k, kz);
 
         measure_add(&m, (got * LSB - want) / LSB, k_inf, h, kz);
         assert_true(got >= TP_FX_ONE / 4 && got <= TP_FX_ONE);
@@ -82,20 +83,20 @@ static void refraction_is_bounded_for_any_words(void **state)
     (void)state;
     const int64_t k = tp_depth_wave_number_deep(TP_FX(20));
 
-    assert_int_equal(tp_depth_refraction(k, k, k), TP_FX_ONE);
-    assert_int_equal(tp_depth_refraction(k, k, -k), TP_FX_ONE);
-    assert_int_equal(tp_depth_refraction(k, 1000 * k, k), TP_FX_ONE / 4);
-    assert_int_equal(tp_depth_refraction(k, 2 * k, INT64_MIN), TP_FX_ONE);
-    assert_int_equal(tp_depth_refraction(k, 2 * k, 0), TP_FX_ONE);
+    assert_int_equal(tp_depth_refraction_factor(k, k, k), TP_FX_ONE);
+    assert_int_equal(tp_depth_refraction_factor(k, k, -k), TP_FX_ONE);
+    assert_int_equal(tp_depth_refraction_factor(k, 1000 * k, k), TP_FX_ONE / 4);
+    assert_int_equal(tp_depth_refraction_factor(k, 2 * k, INT64_MIN), TP_FX_ONE);
+    assert_int_equal(tp_depth_refraction_factor(k, 2 * k, 0), TP_FX_ONE);
     for (int i = 0; i < 20000; i++) {
         const int64_t a = (int64_t)random_next(&chance) >> (random_next(&chance) & 63);
         const int64_t b = (int64_t)random_next(&chance) >> (random_next(&chance) & 63);
         const int64_t c = (int64_t)random_next(&chance) >> (random_next(&chance) & 63);
-        const tp_fx kr = tp_depth_refraction(a, b, c);
+        const tp_fx kr = tp_depth_refraction_factor(a, b, c);
         const tp_fx h = random_number(&chance), w = random_number(&chance);
 
         assert_in_range(kr, TP_FX_ONE / 4 - 1, TP_FX_ONE * 4 + 1);
-        assert_true(tp_depth_shoaling(a, b, h) >= 0);
+        assert_true(tp_depth_shoaling_factor(a, b, h) >= 0);
         assert_true(tp_depth_amplitude(random_number(&chance), w, kr, h) >= 0);
         assert_true(tp_depth_amplitude(TP_FX_MAX, TP_FX_MAX, kr, h)
                     <= fmax(0, h) * 0.39 + 0.5);

@@ -66,8 +66,9 @@ static void dispersion_follows_its_vectors(void **state)
                     0, 0);
         measure_add(&speed, 100 * apart(tp_depth_group_speed(k_inf, fine, h, g) * LSB,
                                         v[10]), rows, 1, 0);
-        measure_add(&shoaling, 100 * apart(tp_depth_shoaling(k_inf, k, h) * LSB, v[11]),
-                    rows, 0, 0);
+        measure_add(&shoaling,
+                    100 * apart(tp_depth_shoaling_factor(k_inf, k, h) * LSB, v[11]), rows,
+                    0, 0);
         assert_string_equal(names[tp_depth_classify(fine, h)], word);
         rows++;
     }
@@ -182,8 +183,8 @@ static void land_counts_as_a_film_of_a_16th(void **state)
     assert_int_equal(tp_depth_wave_number_fenton(k_inf, -1),
                      tp_depth_wave_number_fenton(k_inf, TP_DEPTH_LEAST));
     assert_int_equal(tp_depth_classify(film, 0), TP_DEPTH_SHALLOW);
-    assert_int_equal(tp_depth_shoaling(k_inf, film, -5),
-                     tp_depth_shoaling(k_inf, film, TP_DEPTH_LEAST));
+    assert_int_equal(tp_depth_shoaling_factor(k_inf, film, -5),
+                     tp_depth_shoaling_factor(k_inf, film, TP_DEPTH_LEAST));
 }
 
 static int64_t any_word(void)

@@ -36,7 +36,7 @@ static void iterates_follow_their_vectors(void **state)
 
     assert_non_null(file);
     while (csv_row(file, v, 7) == 7) {
-        const tp_q30 push = tp_wind_push((tp_fx)lround(v[1] * 65536),
+        const tp_q30 push = tp_wind_phase_shift((tp_fx)lround(v[1] * 65536),
                                          (tp_fx)lround(v[0] * 65536));
         const tp_turn theta = turn_of(v[2]);
         for (int n = 1; n <= 3; n++) {
@@ -99,12 +99,12 @@ static void a_push_is_held_at_half_a_radian(void **state)
     (void)state;
     const tp_q30 half = TP_Q30(0.5);
 
-    assert_int_equal(tp_wind_push(TP_FX(0.25), TP_FX(2)), half);
-    assert_int_equal(tp_wind_push(TP_FX(0.25), TP_FX(1.5)), TP_Q30(0.375));
-    assert_int_equal(tp_wind_push(TP_FX(0.25), TP_FX(2.5)), half);
-    assert_int_equal(tp_wind_push(TP_FX(-0.25), TP_FX(2.5)), -half);
-    assert_int_equal(tp_wind_push(TP_FX_MIN, TP_FX_MIN), half);
-    assert_int_equal(tp_wind_push(TP_FX_MIN, TP_FX_MAX), -half);
+    assert_int_equal(tp_wind_phase_shift(TP_FX(0.25), TP_FX(2)), half);
+    assert_int_equal(tp_wind_phase_shift(TP_FX(0.25), TP_FX(1.5)), TP_Q30(0.375));
+    assert_int_equal(tp_wind_phase_shift(TP_FX(0.25), TP_FX(2.5)), half);
+    assert_int_equal(tp_wind_phase_shift(TP_FX(-0.25), TP_FX(2.5)), -half);
+    assert_int_equal(tp_wind_phase_shift(TP_FX_MIN, TP_FX_MIN), half);
+    assert_int_equal(tp_wind_phase_shift(TP_FX_MIN, TP_FX_MAX), -half);
     for (int i = 0; i < 1000; i++) {
         const tp_turn theta = (tp_turn)random_next(&chance);
         assert_int_equal(tp_wind_phase(theta, INT32_MAX, 3),

@@ -76,7 +76,7 @@ static void each_dispersion(check_run *run, unsigned row, const double *v)
     const double cg = check_metres(tp_depth_group_speed(k_inf, exact, h, GRAVITY));
     compare_percent(run, 5, row, c, v[D_C], lost + CHECK_HALF / v[D_C]);
     compare_percent(run, 6, row, cg, v[D_CG], lost + CHECK_HALF / v[D_CG]);
-    const double shoaled = check_metres(tp_depth_shoaling(k_inf, exact, h));
+    const double shoaled = check_metres(tp_depth_shoaling_factor(k_inf, exact, h));
     compare_percent(run, 7, row, shoaled, v[D_KS], lost);
     if (!on_the_edge(ratio, 0.5, 2 * lost) && !on_the_edge(ratio, 0.05, 2 * lost))
         check_add(run, 8, row, (int)tp_depth_classify(exact, h) != (int)v[D_CLASS]);
@@ -190,7 +190,7 @@ static const check_field wind_columns[] = {
 
 static void wind_row(check_run *run, unsigned row, const double *v)
 {
-    const tp_q30 push = tp_wind_push(check_fx(v[1]), check_fx(v[0]));
+    const tp_q30 push = tp_wind_phase_shift(check_fx(v[1]), check_fx(v[0]));
     for (int n = 1; n <= 3; n++) {
         const tp_turn phi = tp_wind_phase(check_turn(v[2]), push, n);
         const double off = check_wrapped(check_radians(phi) - v[3 + n]);
@@ -262,7 +262,7 @@ static void each_criterion(check_run *run, unsigned row, const double *v)
     const tp_fx   h = check_fx(v[C_H]), high = check_fx(v[C_H0]);
     const double  length = deep_length(v[C_T]);
     const int64_t k_inf = deep_number(v[C_T]), k = tp_depth_wave_number_exact(k_inf, h);
-    const tp_fx   ks = tp_depth_shoaling(k_inf, k, h), height = tp_fx_mul(high, ks);
+    const tp_fx   ks = tp_depth_shoaling_factor(k_inf, k, h), height = tp_fx_mul(high, ks);
     const tp_fx   xi = tp_iribarren(check_q30(v[C_SLOPE]), high, check_fx(length));
     const double  deep = check_share(v[C_H]), first = check_share(v[C_H0]);
     const double  miche = deep + CHECK_HALF / v[C_H_MICHE];

@@ -115,7 +115,7 @@ static digest digest_cells(const tp_pool *pool, const double *v, uint32_t crc,
 static void compare_bits(check_run *run, unsigned row, const tp_pool *pool)
 {
     const double *v = check_row(run, row);
-    const digest h = digest_cells(pool, v, 0, tp_pool_height);
+    const digest h = digest_cells(pool, v, 0, tp_pool_height_lsb);
     const digest s = digest_cells(pool, v, h.crc, tp_pool_velocity);
     check_add(run, 0, row, s.crc != (uint32_t)v[CRC]);
     check_add(run, 1, row, h.sum - v[SUM_H]);
@@ -231,13 +231,13 @@ typedef struct {
 static mode_error measure_mode_error(const tp_pool *pool, const double *v, double share)
 {
     const double amplitude = quarter_range[pool->cells] * share;
-    const double corner = tp_pool_height(pool, 0, 0) - amplitude * sample_mode(v, 0, 0);
+    const double corner = tp_pool_height_lsb(pool, 0, 0) - amplitude * sample_mode(v, 0, 0);
     mode_error e = { .corner = corner };
     double squares = 0;
     for (uint32_t j = 0; j < pool->rows; j++) {
         for (uint32_t i = 0; i < pool->cols; i++) {
             const double off =
-                tp_pool_height(pool, i, j) - amplitude * sample_mode(v, i, j);
+                tp_pool_height_lsb(pool, i, j) - amplitude * sample_mode(v, i, j);
             squares += off * off;
             e.worst = fmax(e.worst, fabs(off));
         }

@@ -98,7 +98,7 @@ static void read_heights(ref_cells *c, const tp_pool *pool, double back)
     for (int i = 0; i < c->cols * c->rows; i++) {
         const uint32_t col = (uint32_t)(i % c->cols), row = (uint32_t)(i / c->cols);
         c->wall[i] = tp_pool_is_wall_or_outside(pool, col, row);
-        c->height[i] = lsb * (tp_pool_height(pool, col, row)
+        c->height[i] = lsb * (tp_pool_height_lsb(pool, col, row)
                               - back * tp_pool_velocity(pool, col, row));
     }
     for (int i = 0; i < c->cols * c->rows; i++) {

@@ -76,7 +76,7 @@ static void sail(tp_boat_state *boat_state, const tp_scene *scene, const tp_inpu
         clamp_sailed_distance(boat_state->sailed_z - z, scene->boat.z, scene, r.z0, r.z1);
 }
 
-static void place_hull(tp_boat_state *boat_state, const tp_scene *scene)
+static void update_hull_position(tp_boat_state *boat_state, const tp_scene *scene)
 {
     boat_state->hull.x = sailed_coordinate(boat_state->sailed_x, scene->boat.x);
     boat_state->hull.z = sailed_coordinate(boat_state->sailed_z, scene->boat.z);
@@ -150,7 +150,7 @@ void tp_boat_place_on_water(const tp_program *program, tp_world *world,
     tp_boat_state *a = &world->boat_state;
     tp_fx points[4][2];
 
-    place_hull(a, scene);
+    update_hull_position(a, scene);
     hull_points(&a->hull, scene, points);
     for (int i = 0; i < 4; i++) {
         a->rest[i][0] = points[i][0];
@@ -174,7 +174,7 @@ void tp_boat_step(const tp_program *program, tp_world *world, const tp_scene *sc
     tp_fx points[4][2];
 
     sail(a, scene, input);
-    place_hull(a, scene);
+    update_hull_position(a, scene);
     hull_points(&a->hull, scene, points);
     const waters w = sample_hull_water(program, world, points);
     tp_boat_step_attitude(&a->attitude, scene, w.all);

@@ -43,7 +43,7 @@ typedef struct {
 /* -- the hull's form ----------------------------------------------------------------- */
 
 /* Returns half a side, at least 1.5 cells. */
-static tp_fx clamped_half_side(tp_fx side, const tp_pool *pool)
+static tp_fx half_side_at_least_1_5_cells(tp_fx side, const tp_pool *pool)
 {
     TP_ASSERT(side > 0 && pool->cell > 0);
     tp_fx least = pool->cell + pool->cell / 2;
@@ -54,8 +54,8 @@ static tp_fx clamped_half_side(tp_fx side, const tp_pool *pool)
  * below 2^29 in Q24. */
 static hull_form make_form(const tp_hull *hull, const tp_scene *scene, const tp_pool *pool)
 {
-    tp_fx   length = clamped_half_side(scene->boat.length, pool);
-    tp_fx   beam = clamped_half_side(scene->boat.beam, pool);
+    tp_fx   length = half_side_at_least_1_5_cells(scene->boat.length, pool);
+    tp_fx   beam = half_side_at_least_1_5_cells(scene->boat.beam, pool);
     int64_t s = (int64_t)tp_sin(hull->heading) * 1024;      /* Q40; the quotient is Q24 */
     int64_t c = (int64_t)tp_cos(hull->heading) * 1024;
     int64_t slim = ((int64_t)scene->boat.length << 29) / length;
@@ -148,7 +148,9 @@ static tp_fx cell_centre(tp_fx middle, tp_fx cell, uint32_t count, int32_t i)
     return (tp_fx)(first_cell_edge(middle, cell, count) + cell / 2 + (int64_t)i * cell);
 }
 
-static wake_cell make_cell(const tp_pool *pool, int32_t col, int32_t row)
+/* Returns the cell with its indices wrapped into the pool and its centre in the world,
+ * m. */
+static wake_cell locate_wake_cell(const tp_pool *pool, int32_t col, int32_t row)
 {
     TP_ASSERT(pool->cols > 0 && pool->rows > 0);
     return (wake_cell){
@@ -160,7 +162,7 @@ static wake_cell make_cell(const tp_pool *pool, int32_t col, int32_t row)
 
 /* Returns the position before the first cell, as next_cell expects.  An empty box has no
  * cells. */
-static wake_cell begin_cell_scan(const cell_box *b)
+static wake_cell position_before_first_cell(const cell_box *b)
 {
     bool empty = b->col0 > b->col1;
     return (wake_cell){ .col = b->col1, .row = empty ? b->row1 : b->row0 - 1 };
@@ -177,7 +179,7 @@ static bool next_cell(const tp_pool *pool, const cell_box *b, wake_cell *at)
     }
     if (at->row >= b->row1)
         return false;
-    *at = make_cell(pool, b->col0, at->row + 1);
+    *at = locate_wake_cell(pool, b->col0, at->row + 1);
     return true;
 }
 
@@ -211,16 +213,17 @@ static tp_fx hull_half_extent(const hull_form *f, tp_turn heading)
          + tp_q30_mul(f->beam, tp_abs(tp_cos(heading)));
 }
 
-/* Returns the cells reached by both hulls, enlarged `reach` times. */
-static cell_box hull_cell_box(const wake *w, tp_fx reach)
+/* Returns the cells reached by the hulls before and after.  `enlargement` scales the half
+ * extents; 1 is the hull itself. */
+static cell_box hull_cell_box(const wake *w, tp_fx enlargement)
 {
     const hull_form *a = &w->before, *b = &w->now;
     const tp_pool *pool = w->pool;
     const tp_turn quarter = 0x40000000;
-    int64_t ax = tp_fx_mul(hull_half_extent(a, a->heading), reach);
-    int64_t az = tp_fx_mul(hull_half_extent(a, a->heading + quarter), reach);
-    int64_t bx = tp_fx_mul(hull_half_extent(b, b->heading), reach);
-    int64_t bz = tp_fx_mul(hull_half_extent(b, b->heading + quarter), reach);
+    int64_t ax = tp_fx_mul(hull_half_extent(a, a->heading), enlargement);
+    int64_t az = tp_fx_mul(hull_half_extent(a, a->heading + quarter), enlargement);
+    int64_t bx = tp_fx_mul(hull_half_extent(b, b->heading), enlargement);
+    int64_t bz = tp_fx_mul(hull_half_extent(b, b->heading + quarter), enlargement);
     int32_t col[2], row[2];
 
     find_cell_range(pool, pool->cols, pool->x, min_int64(a->x - ax, b->x - bx),
@@ -266,7 +269,7 @@ static int32_t largest_height_change(const wake *w, const cell_box *b)
 {
     int32_t highest = 0;
 
-    for (wake_cell at = begin_cell_scan(b);
+    for (wake_cell at = position_before_first_cell(b);
          highest < PEAK_LEAST && next_cell(w->pool, b, &at);) {
         int32_t size = tp_abs(height_change(w, &at));
         highest = size > highest ? size : highest;
@@ -279,7 +282,7 @@ static int64_t apply_height_changes(wake *w, const cell_box *b)
 {
     int64_t sum = 0;
 
-    for (wake_cell at = begin_cell_scan(b); next_cell(w->pool, b, &at);) {
+    for (wake_cell at = position_before_first_cell(b); next_cell(w->pool, b, &at);) {
         int32_t lsb = height_change(w, &at);
         sum += lsb ? add_cell_height(w, &at, lsb) : 0;
     }
@@ -290,7 +293,7 @@ static int64_t count_surrounding_cells(const wake *w, const cell_box *b)
 {
     int64_t count = 0;
 
-    for (wake_cell at = begin_cell_scan(b); next_cell(w->pool, b, &at);)
+    for (wake_cell at = position_before_first_cell(b); next_cell(w->pool, b, &at);)
         count += is_surrounding_cell(w, &at);
     return count;
 }
@@ -302,7 +305,7 @@ static int64_t fill_surrounding_cells(wake *w, const cell_box *b, int64_t sum)
 {
     int64_t n = count_surrounding_cells(w, b), i = 0, given = 0, left = sum;
 
-    for (wake_cell at = begin_cell_scan(b); next_cell(w->pool, b, &at);) {
+    for (wake_cell at = position_before_first_cell(b); next_cell(w->pool, b, &at);) {
         if (!is_surrounding_cell(w, &at))
             continue;
         i++;
@@ -317,7 +320,8 @@ static int64_t fill_surrounding_cells(wake *w, const cell_box *b, int64_t sum)
  * room for more. */
 static void fill_cells_with_room(wake *w, const cell_box *b, int64_t left)
 {
-    for (wake_cell at = begin_cell_scan(b); left != 0 && next_cell(w->pool, b, &at);)
+    for (wake_cell at = position_before_first_cell(b);
+         left != 0 && next_cell(w->pool, b, &at);)
         left -= add_cell_height(w, &at, left);
 }
 

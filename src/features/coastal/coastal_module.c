@@ -47,7 +47,7 @@ static size_t bytes(const tp_module_conditions *conditions)
 static tp_status check(const tp_module_conditions *conditions, tp_error *err)
 {
     return bytes(conditions) > 0
-         ? TP_OK : tp_error_blame(err, TP_FAIL(err, TP_E_ARG, 0, 0, 0), "floor.map");
+         ? TP_OK : tp_error_add_word(err, TP_FAIL(err, TP_E_ARG, 0, 0, 0), "floor.map");
 }
 
 static tp_status init(void *mine, tp_world *world, const tp_module_conditions *conditions,

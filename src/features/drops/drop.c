@@ -142,7 +142,7 @@ static int bit_length(uint64_t x)
     return x >> 32 ? 64 - tp_clz((uint32_t)(x >> 32)) : x ? 32 - tp_clz((uint32_t)x) : 0;
 }
 
-/* Returns the 32 highest bits of x and subtracts the number of dropped bits from *down. */
+/* Returns the 32 highest bits of x and subtracts the number of dropped bits from *shift. */
 static uint64_t keep_top_bits(uint64_t x, int *shift)
 {
     int out = bit_length(x) > 32 ? bit_length(x) - 32 : 0;

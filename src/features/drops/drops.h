@@ -59,7 +59,7 @@ void tp_drops_move_sphere(tp_drops *drops, tp_fx dx, tp_fx dz);
 void tp_drops_release(tp_drops *drops, const tp_scene_drops *config, uint32_t count);
 
 /* Releases the automatic drops, one per drops.interval.  Call once per tick. */
-void tp_drops_release_due(tp_drops *drops, const tp_scene_drops *config);
+void tp_drops_release_by_interval(tp_drops *drops, const tp_scene_drops *config);
 
 /* Moves a drop by the tick that ends at `tick`, over water with the height `level`, m, at
  * the end of the tick [D1].  Returns true if the drop struck the water, at most once per
@@ -79,8 +79,8 @@ bool tp_drops_add_ring(tp_drops *drops, const tp_scene_drops *config,
                        const tp_impact *impact);
 
 /* Removes drops with radius 0 and rings spent by tp_ring_is_spent.  `now`: ticks x 65536;
- * `beyond`: m from a ring's centre to its rear. */
-void tp_drops_remove_spent(tp_drops *drops, int64_t now, tp_fx beyond);
+ * `max_distance`: m from a ring's centre to its rear. */
+void tp_drops_rings_remove_spent(tp_drops *drops, int64_t now, tp_fx max_distance);
 
 /* Returns the drops of a world, or NULL. */
 const tp_drops *tp_world_drops(const tp_world *world);

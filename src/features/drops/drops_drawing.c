@@ -71,10 +71,10 @@ static spheroid make_spheroid(tp_vec3 centre, tp_fx radius, int32_t squash_q14)
 
 /* Returns spheroid i at the drawn moment: drop i, or the sphere for i = seen. */
 static spheroid interpolate_spheroid(const tp_drops *drops, tp_fx lag, uint32_t i,
-                                     uint32_t seen)
+                                     uint32_t sphere_index)
 {
-    TP_ASSERT(i <= seen && seen <= drops->count);
-    bool  sphere = i == seen;
+    TP_ASSERT(i <= sphere_index && sphere_index <= drops->count);
+    bool  sphere = i == sphere_index;
     const tp_drop *drop = tp_drops_list(drops) + (sphere ? 0 : i);
     tp_vec3 a = sphere ? drops->last_sphere : drop->last;
     tp_vec3 b = sphere ? drops->sphere : drop->place;

@@ -61,7 +61,7 @@ const tp_ring *tp_drops_rings(const tp_drops *drops)
 
 /* -- the sphere ---------------------------------------------------------------------- */
 
-static tp_fx clamp_coordinate(int64_t x)
+static tp_fx clamp_sphere_coordinate(int64_t x)
 {
     return (tp_fx)tp_clamp_abs(x, SPHERE_FAR);
 }
@@ -69,8 +69,8 @@ static tp_fx clamp_coordinate(int64_t x)
 void tp_drops_move_sphere(tp_drops *drops, tp_fx dx, tp_fx dz)
 {
     drops->last_sphere = drops->sphere;
-    drops->sphere.x = clamp_coordinate((int64_t)drops->sphere.x + dx);
-    drops->sphere.z = clamp_coordinate((int64_t)drops->sphere.z + dz);
+    drops->sphere.x = clamp_sphere_coordinate((int64_t)drops->sphere.x + dx);
+    drops->sphere.z = clamp_sphere_coordinate((int64_t)drops->sphere.z + dz);
 }
 
 /* Returns a random place, uniform over a disc of radius `reach` around the sphere's
@@ -109,7 +109,7 @@ void tp_drops_release(tp_drops *drops, const tp_scene_drops *config, uint32_t co
 
 /* Releases the drops due in this tick.  The interval is at most 60 s, 22 bits, so its
  * product with 60 fits 32 bits.  At 1/65536 s the loop releases 1092 drops per tick. */
-void tp_drops_release_due(tp_drops *drops, const tp_scene_drops *config)
+void tp_drops_release_by_interval(tp_drops *drops, const tp_scene_drops *config)
 {
     uint32_t interval = (uint32_t)config->interval * TP_TICKS_PER_SECOND, due = 0;
 
@@ -162,7 +162,7 @@ bool tp_drops_add_ring(tp_drops *drops, const tp_scene_drops *config,
     return true;
 }
 
-void tp_drops_remove_spent(tp_drops *drops, int64_t now, tp_fx beyond)
+void tp_drops_rings_remove_spent(tp_drops *drops, int64_t now, tp_fx max_distance)
 {
     tp_drop *drop = list(drops);
     tp_ring *ring = rings(drops);
@@ -174,7 +174,7 @@ void tp_drops_remove_spent(tp_drops *drops, int64_t now, tp_fx beyond)
     drops->count = n;
     n = 0;
     for (uint32_t i = 0; i < drops->rings; i++)
-        if (!tp_ring_is_spent(&ring[i], now, beyond))
+        if (!tp_ring_is_spent(&ring[i], now, max_distance))
             ring[n++] = ring[i];
     drops->rings = n;
 }
@@ -183,7 +183,7 @@ void tp_drops_remove_spent(tp_drops *drops, int64_t now, tp_fx beyond)
 
 static bool is_out_of_range(tp_fx x)
 {
-    return x != clamp_coordinate(x);
+    return x != clamp_sphere_coordinate(x);
 }
 
 /* True if all members agree with `fresh`, except the members changed by steps. */
@@ -195,7 +195,7 @@ static bool is_same_config(const tp_drops *drops, const tp_drops *fresh)
         && drops->sphere_radius == fresh->sphere_radius;
 }
 
-static bool is_sphere_valid(const tp_drops *drops)
+static bool is_releasing_sphere_valid(const tp_drops *drops)
 {
     return !is_out_of_range(drops->sphere.x) && !is_out_of_range(drops->sphere.z)
         && !is_out_of_range(drops->last_sphere.x) && !is_out_of_range(drops->last_sphere.y)
@@ -217,7 +217,7 @@ static bool is_ring_valid(const tp_ring *ring, uint64_t tick)
  * same config.  Drops and rings must be in the ranges kept by steps. */
 static bool are_drops_valid(const tp_drops *drops, const tp_drops *fresh, uint64_t tick)
 {
-    bool valid = is_same_config(drops, fresh) && is_sphere_valid(drops)
+    bool valid = is_same_config(drops, fresh) && is_releasing_sphere_valid(drops)
               && drops->count <= drops->capacity && drops->rings <= drops->ring_capacity;
 
     for (uint32_t i = 0; valid && i < drops->count; i++)
@@ -342,11 +342,11 @@ static void step(void *mine, const tp_program *program, tp_world *world,
     rings_now *now = current_rings(drops);
 
     tp_drops_move_sphere(drops, in ? in->sphere_x : 0, in ? in->sphere_z : 0);
-    tp_drops_release_due(drops, &scene->drops);
+    tp_drops_release_by_interval(drops, &scene->drops);
     if (in && in->drops > 0)
         tp_drops_release(drops, &scene->drops, (uint32_t)in->drops);
     move_drops(drops, program, world, scene);
-    tp_drops_remove_spent(drops, time, 200 * TP_FX_ONE);
+    tp_drops_rings_remove_spent(drops, time, 200 * TP_FX_ONE);
     now->count = tp_drops_rings_evaluate(drops, program, time, now->ring, now->room);
 }
 

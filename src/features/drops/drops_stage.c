@@ -26,7 +26,7 @@ static vec linear_combination(vec x, int32_t a, vec y, int32_t b)
 static uint32_t sample_surroundings(const tp_shade *shade, vec d)
 {
     uint32_t light = tp_env_sample(shade, d.x, d.y > 0 ? d.y : 0, d.z);
-    uint32_t sky = tp_light_colour(shade, light);
+    uint32_t sky = tp_light_colour_clamped(shade, light);
 
     if (d.y >= 0)
         return sky;

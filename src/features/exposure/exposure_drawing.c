@@ -13,6 +13,7 @@ static void make_tones(tp_exposure *e, tp_fx exposure)
     e->made_for = exposure;
 }
 
+/* Marks the tone tables as not computed; begin() computes them for the frame's exposure. */
 static void init(tp_frame *frame, void *mine)
 {
     tp_exposure *e = mine;

@@ -70,12 +70,12 @@ typedef struct {
 
 /* -- the tables ---------------------------------------------------------------------- */
 
-static uint16_t hdr_grey(uint32_t light, uint32_t beyond)
+static uint16_t hdr_brightness(uint32_t hdr_argb, uint32_t whites_q8)
 {
-    TP_ASSERT(beyond <= 256 * TP_WHITES);
-    uint32_t grey = (77 * (light >> 16 & 0xff) + 150 * (light >> 8 & 0xff)
-                     + 29 * (light & 0xff)) >> 8;
-    uint32_t gain = 256 + ((light >> 24) * beyond >> 8);
+    TP_ASSERT(whites_q8 <= 256 * TP_WHITES);
+    uint32_t grey = (77 * (hdr_argb >> 16 & 0xff) + 150 * (hdr_argb >> 8 & 0xff)
+                     + 29 * (hdr_argb & 0xff)) >> 8;
+    uint32_t gain = 256 + ((hdr_argb >> 24) * whites_q8 >> 8);
     uint32_t bright = grey * gain >> 8;
 
     return (uint16_t)(bright < BRIGHTEST ? bright : BRIGHTEST);
@@ -90,12 +90,12 @@ static void fill_dome(probe *p, const tp_scene *scene, uint32_t beyond)
 
     for (int32_t i = 0; i <= BANDS; i++) {
         int32_t sine = i * TP_SKY / BANDS;
-        p->low[0][i] = hdr_grey(tp_dome_gradient(&config, false, sine), 0);
-        p->low[1][i] = hdr_grey(tp_dome_gradient(&config, dome, sine), 0);
+        p->low[0][i] = hdr_brightness(tp_dome_gradient(&config, false, sine), 0);
+        p->low[1][i] = hdr_brightness(tp_dome_gradient(&config, dome, sine), 0);
     }
     for (uint32_t i = 0; i <= GLOWS; i++)
         p->glow[i] =
-            dome ? hdr_grey(tp_dome_glow(&config, tp_glow_entry_squared_chord(8 * i)),
+            dome ? hdr_brightness(tp_dome_glow(&config, tp_glow_entry_squared_chord(8 * i)),
                             beyond)
                  : 0;
 }
@@ -112,7 +112,7 @@ static void fill_face(uint16_t to[SIDE * SIDE], const tp_cube *cube, int i, uint
 
     for (int at = 0; at < SIDE * SIDE; at++) {
         int u = at % SIDE << w >> 3, v = at / SIDE << h >> 3;
-        to[at] = hdr_grey(face->level[level][(v << w) + u] & cube->mask[i], beyond);
+        to[at] = hdr_brightness(face->level[level][(v << w) + u] & cube->mask[i], beyond);
     }
 }
 
@@ -124,7 +124,7 @@ static void fill_water(probe *p, const tp_scene *scene, const tp_assets *assets)
 
     if (layer)
         colour = tp_colour_times(layer->level[layer->levels - 1][0], colour);
-    p->water = hdr_grey(colour & 0xffffff, 0);
+    p->water = hdr_brightness(colour & 0xffffff, 0);
     for (int32_t i = 0; i <= BANDS; i++) {
         tp_q30 c = i * (TP_Q30_ONE / BANDS);
         tp_q30 r = scene->water.fresnel == TP_FRESNEL_SCHLICK ? tp_fresnel_schlick(c)

@@ -97,7 +97,7 @@ void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_world *world,
 /* Coastal water only.  Prepares the displaced positions of the row at m->z - cell.  Call
  * once for each cell of a row before asking for the row, unless the last row was the
  * neighbour at z - cell. */
-void tp_foam_maker_set_previous_point(tp_foam_maker *m, uint32_t col, tp_fx x);
+void tp_foam_maker_sample_previous_row(tp_foam_maker *m, uint32_t col, tp_fx x);
 
 /* Returns the cover gained by the cell at x in TP_FOAM_TICKS ticks, in 1/256 of a byte's
  * units, below 2^16; or TP_FOAM_DRY for a dry cell.  Ask for the cells of a row in order

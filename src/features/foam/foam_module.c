@@ -59,7 +59,8 @@ static int32_t first_window_cell(const tp_foam *foam, tp_fx middle, int64_t drif
     return (int32_t)at - (int32_t)(foam->cells / 2);
 }
 
-static void place_window(tp_foam *foam, const tp_world *world, const tp_scene *scene)
+static void centre_window_on_pool_or_eye(tp_foam *foam, const tp_world *world,
+                                         const tp_scene *scene)
 {
     bool  pool = tp_world_pool(world) != NULL;
     tp_vec3 eye = tp_camera_interpolate(world, 0).eye;
@@ -83,7 +84,7 @@ static tp_status init(void *mine, tp_world *world, const tp_module_conditions *c
     foam->cell = scene->foam.cell;
     foam->scratch = conditions->above & TP_MODULE_COASTAL
                ? (uint32_t)(sizeof *foam + cover_bytes(cells)) : 0;
-    place_window(foam, world, scene);
+    centre_window_on_pool_or_eye(foam, world, scene);
     for (int q = 0; q < TP_FOAM_TICKS; q++) {
         foam->seen[q][0] = foam->first_x;
         foam->seen[q][1] = foam->first_z;
@@ -122,9 +123,11 @@ static lattice_axis make_axis(int32_t first, uint32_t cells)
 }
 
 /* Returns the lattice cell number of a column or row. */
-static int32_t lattice_index(const lattice_axis *a, uint32_t i)
+static int32_t lattice_cell_number(const lattice_axis *a, uint32_t col_or_row)
 {
-    return a->first + (int32_t)(i >= a->seam ? i - a->seam : i + a->cells - a->seam);
+    return a->first
+           + (int32_t)(col_or_row >= a->seam ? col_or_row - a->seam
+                                             : col_or_row + a->cells - a->seam);
 }
 
 /* Returns the centre of a lattice cell, m. */
@@ -166,8 +169,8 @@ static uint8_t compute_cover(uint32_t cover, const visit *v, uint32_t col, uint3
 static void set_previous_row_points(visit *v, const tp_foam *foam)
 {
     for (uint32_t i = 0; i < foam->cells; i++)
-        tp_foam_maker_set_previous_point(&v->make, i,
-                            cell_centre(foam, lattice_index(&v->x, i), foam->drift_x));
+        tp_foam_maker_sample_previous_row(
+            &v->make, i, cell_centre(foam, lattice_cell_number(&v->x, i), foam->drift_x));
 }
 
 static void visit_row(visit *v, tp_foam *foam, uint8_t *cover)
@@ -175,10 +178,10 @@ static void visit_row(visit *v, tp_foam *foam, uint8_t *cover)
     int32_t last = INT32_MIN;
 
     for (uint32_t i = 0; i < foam->cells; i++) {
-        int32_t number = lattice_index(&v->x, i);
+        int32_t number = lattice_cell_number(&v->x, i);
         tp_fx   x = cell_centre(foam, number, foam->drift_x);
         uint32_t gain = tp_foam_maker_gain(&v->make, i, x, number - 1 == last);
-        bool    same = number == lattice_index(&v->seen_x, i);
+        bool    same = number == lattice_cell_number(&v->seen_x, i);
         last = number;
         cover[i] = gain == TP_FOAM_DRY ? 0 : compute_cover(same ? cover[i] : 0, v, i, gain);
     }
@@ -195,9 +198,9 @@ static void visit_quarter(visit *v, tp_foam *foam)
     v->seen_x = make_axis(foam->seen[q][0], cells);
     v->seen_z = make_axis(foam->seen[q][1], cells);
     for (uint32_t j = q * cells / TP_FOAM_TICKS; j < end; j++) {
-        int32_t  number = lattice_index(&v->z, j);
+        int32_t  number = lattice_cell_number(&v->z, j);
         uint8_t *cover = tp_foam_cover(foam) + (size_t)j * cells;
-        if (number != lattice_index(&v->seen_z, j))
+        if (number != lattice_cell_number(&v->seen_z, j))
             memset(cover, 0, cells);
         v->threshold_q24 = foam->visits / TP_FOAM_TICKS * GOLDEN + j * (GOLDEN / 7);
         v->make.z = cell_centre(foam, number, foam->drift_z);
@@ -217,7 +220,7 @@ static void step_foam(tp_foam *foam, const tp_world *world, const tp_scene *scen
 
     foam->drift_x = advance_drift(foam, foam->drift_x, scene->foam.map.drift_x, 0);
     foam->drift_z = advance_drift(foam, foam->drift_z, scene->foam.map.drift_z, 1);
-    place_window(foam, world, scene);
+    centre_window_on_pool_or_eye(foam, world, scene);
     tp_foam_maker_begin(&v.make, foam, world, scene);
     visit_quarter(&v, foam);
     foam->visits++;

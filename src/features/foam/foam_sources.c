@@ -108,7 +108,7 @@ static uint32_t coastal_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool after
 #define WALL_UNITS 400          /* units per m/s above WALL_STILL */
 #define WALL_STILL TP_FX(0.06)
 
-static bool is_wall_near(const tp_foam_maker *m, tp_fx x)
+static bool is_beside_pool_wall(const tp_foam_maker *m, tp_fx x)
 {
     const tp_pool *pool = m->pool;
     tp_fx d = pool->cell > m->foam->cell ? pool->cell : m->foam->cell;
@@ -134,7 +134,7 @@ static uint32_t wall_gain(const tp_foam_maker *m, tp_fx x)
                ? TP_FOAM_DRY : 0;
     int64_t lsb = tp_abs(tp_pool_velocity(pool, col, row));
     tp_fx speed = (tp_fx)tp_clamp_abs(lsb * m->per_lsb >> 32, 64 * TP_FX_ONE) - WALL_STILL;
-    return speed > 0 && m->scene->foam.wall > 0 && is_wall_near(m, x)
+    return speed > 0 && m->scene->foam.wall > 0 && is_beside_pool_wall(m, x)
          ? scale_gain(tp_fx_mul(speed, m->scene->foam.wall), WALL_UNITS) : 0;
 }
 
@@ -211,7 +211,7 @@ static uint32_t hull_gain(const tp_foam_maker *m, tp_fx x)
 /* Finds the hull in rest positions.  The rest positions of the hull's four points give
  * its axes, whatever the waves' displacement.  The displacement is at most 600 m, so det
  * is below 2^53. */
-static void find_hull(tp_foam_maker *m)
+static void find_hull_in_rest_positions(tp_foam_maker *m)
 {
     const tp_boat_state *a = &m->world->boat_state;
     const tp_vec3 *now = &m->world->boat.place, *last = &m->world->last_boat.place;
@@ -258,13 +258,13 @@ void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_world *world,
         m->per_lsb = full > 0 ? (most * TP_TICKS_PER_SECOND << 32) / full : 0;
     }
     if (m->coastal) {
-        m->deep = tp_coastal_breaking_depth(m->coastal);
+        m->deep = tp_coastal_breaking_foam_depth(m->coastal);
         m->per_deep = tp_fx_recip(m->deep);
     }
-    find_hull(m);
+    find_hull_in_rest_positions(m);
 }
 
-void tp_foam_maker_set_previous_point(tp_foam_maker *m, uint32_t col, tp_fx x)
+void tp_foam_maker_sample_previous_row(tp_foam_maker *m, uint32_t col, tp_fx x)
 {
     previous_row(m)[col] = sample_coastal(m, x, m->z - m->foam->cell).position;
 }

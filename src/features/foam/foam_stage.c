@@ -64,7 +64,8 @@ static uint32_t edge_fade(const tp_shade_foam *f, uint32_t u, uint32_t w)
 }
 
 /* Returns the cover 0..255 at a place of the window, 0 outside. */
-TP_ALWAYS_INLINE uint32_t sample_faded_cover(const tp_shade_foam *f, uint32_t s, uint32_t t)
+TP_ALWAYS_INLINE uint32_t sample_edge_faded_cover(const tp_shade_foam *f, uint32_t s,
+                                                  uint32_t t)
 {
     uint32_t ds = s - (uint32_t)f->low_s, dt = t - (uint32_t)f->low_t;
 
@@ -180,7 +181,7 @@ TP_ALWAYS_INLINE void foam_run(const tp_shade *shade, tp_run *run, int rippled,
         lace    l;
         bool    laced = false;
         for (; i < stop; i++) {
-            uint32_t cover = sample_faded_cover(f, run->s[i], run->t[i]);
+            uint32_t cover = sample_edge_faded_cover(f, run->s[i], run->t[i]);
             if (cover == 0)     /* the case of most water pixels */
                 continue;
             if (!laced)

@@ -62,7 +62,7 @@ static void set_normal(int16_t n[3], tp_fx rise_x, tp_fx rise_z)
 }
 
 static void place_corner(const tp_frame *frame, const land *l, uint32_t i, uint32_t j,
-                         tp_fx deepest)
+                         tp_fx culling_depth)
 {
     TP_ASSERT(i < frame->buffers.grid->cols && j < frame->buffers.grid->rows);
     corner *to = grid_vertex(frame, l, i, j);
@@ -70,7 +70,7 @@ static void place_corner(const tp_frame *frame, const land *l, uint32_t i, uint3
     tp_view_vertex c = transform_vertex(frame, i, j, &floor);
 
     set_normal(to->n, floor.rise_x, floor.rise_z);
-    to->out = (int16_t)((floor.depth > deepest ? DEEP : 0)
+    to->out = (int16_t)((floor.depth > culling_depth ? DEEP : 0)
                         | (c.depth < frame->projection.near ? BEHIND : 0));
     if (tp_projection_can_project(&frame->projection, &c))
         tp_projection_project(&frame->projection, &c, &to->u, &to->v, &to->zi);
@@ -91,7 +91,7 @@ static bool needs_clipping(const corner *const p[4])
 }
 
 /* Sets the pixel rows touched by a row of cells; y0 > y1: none. */
-static void set_row_extent(const tp_frame *frame, const land *l, uint32_t j)
+static void set_pixel_rows_of_cell_row(const tp_frame *frame, const land *l, uint32_t j)
 {
     const corner *at = grid_vertex(frame, l, 0, j);
     band rows = { INT32_MAX, INT32_MIN };
@@ -124,7 +124,7 @@ static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box
         for (uint32_t i = 0; i < grid->cols; i++)
             place_corner(frame, l, i, j, deepest);
         if (j > 0)
-            set_row_extent(frame, l, j - 1);
+            set_pixel_rows_of_cell_row(frame, l, j - 1);
     }
 }
 

@@ -32,8 +32,8 @@ static tp_fx bound_crest_height(const tp_scene *s, const tp_wave *given, tp_fx f
     for (uint32_t n = 1; n < TP_COASTAL_DEPTHS - 8; n += 4) {
         const tp_fx   h = tp_coastal_node_depth(n, 3);
         const int64_t k = tp_coastal_local_wave_number(k_inf, h);
-        const tp_fx   a = tp_depth_amplitude(wave->amplitude,
-                                             tp_depth_shoaling(k_inf, k, h), TP_FX_ONE, h);
+        const tp_fx a = tp_depth_amplitude(
+            wave->amplitude, tp_depth_shoaling_factor(k_inf, k, h), TP_FX_ONE, h);
         const tp_orbit_scale sc = tp_orbit_scale_make(h, s->surf.widening_decay,
                                                       s->surf.flattening_decay);
         const int64_t most = ((int64_t)TP_FX(0.95) << 32) / k;
@@ -108,9 +108,9 @@ static tp_fx floor_steepest_slope(const land_ground *g)
 static cost_corner project_corner(const land_ground *g, int32_t i, int32_t j)
 {
     const tp_scene *s = g->scene;
-    const int64_t x = tp_start_view_line_coordinate(s, s->grid.cols, g->x,
+    const int64_t x = tp_start_view_grid_line_place(s, s->grid.cols, g->x,
                                          (2 * (int64_t)i + 1 - s->grid.cols) * 32768);
-    const int64_t z = tp_start_view_line_coordinate(s, s->grid.rows, g->z,
+    const int64_t z = tp_start_view_grid_line_place(s, s->grid.rows, g->z,
                                     (2 * (int64_t)j + 1 - s->grid.rows) * 32768);
     const tp_floor_at at = tp_floor_sample(&g->floor, tp_fx_saturate(x), tp_fx_saturate(z));
     const tp_vec3 place = { tp_fx_saturate(x), tp_fx_saturate(-(int64_t)at.depth),

@@ -51,6 +51,8 @@ static int32_t clamped_displacement(int64_t q16, int32_t focal)
     return (int32_t)tp_clamp_abs(q16 * focal >> 16, 1 << 20);
 }
 
+/* Returns the tangent of a screen offset from the centre, in 1/16 px, over the focal
+ * length; Q16, clamped. */
 static int32_t ray_coordinate(const tp_shade *shade, int32_t sixteenths)
 {
     TP_ASSERT(shade->per_focal > 0);
@@ -99,7 +101,7 @@ static push displacement_factors(const tp_shade *shade, int32_t x, int32_t y)
     };
 }
 
-static push push_step(const push *from, const push *to)
+static push push_change_per_block(const push *from, const push *to)
 {
     return (push){ to->xu - from->xu, to->xv - from->xv, to->zu - from->zu,
                    to->zv - from->zv, to->hu - from->hu, to->hv - from->hv,
@@ -114,11 +116,12 @@ TP_ALWAYS_INLINE int32_t interpolate_in_block(int32_t from, int32_t step, int32_
 }
 
 /* Returns z / zm, Q16, clamped below 2. */
-TP_ALWAYS_INLINE int32_t depth_ratio(uint32_t zi_mirror, uint32_t key)
+TP_ALWAYS_INLINE int32_t water_depth_over_object_depth(uint32_t object_zi,
+                                                       uint32_t water_key)
 {
-    uint32_t zi = tp_key_zi(key);
+    uint32_t zi = tp_key_zi(water_key);
     int      shift = tp_clz(zi);
-    uint64_t ratio = (uint64_t)zi_mirror * (uint32_t)tp_recip_rough(zi << shift)
+    uint64_t ratio = (uint64_t)object_zi * (uint32_t)tp_recip_rough(zi << shift)
                   >> (46 - shift);
     return ratio < 131071 ? (int32_t)ratio : 131071;
 }
@@ -147,10 +150,10 @@ TP_ALWAYS_INLINE uint32_t sample_reflected_object(const tp_mirror *look, int32_t
     const tp_mirrored_zi *column =
         &look->zi[tp_clamp((x >> (1 + map->coarser)) - map->x0, 0, last)];
     uint32_t zi = column->near;
-    int32_t ratio = depth_ratio(zi, key);
+    int32_t ratio = water_depth_over_object_depth(zi, key);
     if (ratio > BESIDE) {
         zi = column->far;
-        ratio = depth_ratio(zi, key);
+        ratio = water_depth_over_object_depth(zi, key);
         if (ratio > 65536)
             return 0;
     }
@@ -180,7 +183,8 @@ void tp_stage_mirrored(const tp_shade *shade, tp_run *run)
     push a = displacement_factors(shade, x & ~15, run->y);
     for (int32_t i = 0; x < end; ) {
         int32_t next = (x & ~15) + 16, stop = next < end ? next : end;
-        push b = displacement_factors(shade, next, run->y), step = push_step(&a, &b);
+        push b = displacement_factors(shade, next, run->y),
+             step = push_change_per_block(&a, &b);
         for (; x < stop; x++, i++) {
             uint32_t top = sample_reflected_object(look, run->y, &a, &step, x,
                                                    run->key[i], run->sx[i], run->sz[i]);
@@ -285,7 +289,8 @@ static cube_way compute_view_ray(const tp_shade *shade, int32_t x, int32_t y)
 }
 
 /* Returns the vector from the point to the water at a pixel, m, 16.16. */
-static cube_way water_offset(const tp_object_cube *cube, const cube_way *ray, uint32_t key)
+static cube_way viewpoint_to_water(const tp_object_cube *cube, const cube_way *ray,
+                                   uint32_t key)
 {
     int64_t z = tp_depth_from_zi(cube->zi_near, tp_key_zi(key));
 
@@ -305,7 +310,7 @@ void tp_stage_mirrored_object_cube(const tp_shade *shade, tp_run *run)
     for (int32_t i = 0; i < run->count; i++) {
         int64_t rx = run->rx[i], ry = run->up[i], rz = run->rz[i];
         cube_way ray = compute_view_ray(shade, run->x + i, run->y);
-        cube_way p = water_offset(cube, &ray, run->key[i]);
+        cube_way p = viewpoint_to_water(cube, &ray, run->key[i]);
         int64_t a = ((cube->to.x - p.x) * cube->nx + (cube->to.z - p.z) * cube->nz) >> 22;
         int64_t b = (rx * cube->nx + rz * cube->nz) >> 14;
         if (a <= 0 || b <= 0)       /* behind the plane, or the ray leads away from it */

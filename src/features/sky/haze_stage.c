@@ -42,7 +42,7 @@ TP_ALWAYS_INLINE uint32_t sample_horizon(const tp_shade *shade, tp_env_kind kind
     uint32_t light =
         tp_env_sample_kind(shade, kind, level, d.x >> 16, d.y >> 16, d.z >> 16);
 
-    return tp_light_colour(shade, light);
+    return tp_light_colour_clamped(shade, light);
 }
 
 TP_ALWAYS_INLINE void haze_run(const tp_shade *restrict shade, tp_run *restrict run,

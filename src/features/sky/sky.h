@@ -30,7 +30,7 @@
  * 0 leaves it out. */
 TP_ALWAYS_INLINE uint32_t tp_sky_colour(const tp_shade *shade, uint32_t light, int hdr)
 {
-    return hdr ? tp_light_colour(shade, light) : light & 0x00ffffffu;
+    return hdr ? tp_light_colour_clamped(shade, light) : light & 0x00ffffffu;
 }
 
 /* -- fast shading of the visible dome ------------------------------------------------ */

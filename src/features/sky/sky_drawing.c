@@ -19,12 +19,13 @@ static bool is_same(const tp_dome_config *a, const tp_dome_config *b)
         && a->light == b->light && a->sun == b->sun;
 }
 
+/* Marks the tables as not built; begin_dome builds them. */
 static void init_dome(tp_frame *frame, void *mine)
 {
     tp_dome *dome = mine;
 
     (void)frame;
-    dome->made_of.sun = -1;     /* tables not built yet */
+    dome->made_of.sun = -1;
 }
 
 static void begin_dome(tp_frame *frame, void *mine)
@@ -44,7 +45,7 @@ static void begin_dome(tp_frame *frame, void *mine)
 
 /* Returns the stage of the visible sky.  The fast stage does not compute the view vectors
  * needed by stars, so stars exclude the fast stage. */
-static tp_stage select_sky_stage(const tp_frame *frame, const tp_stage *stage)
+static tp_stage select_dome_sky_stage(const tp_frame *frame, const tp_stage *stage)
 {
     const tp_env *env = &frame->shade.env;
 
@@ -59,7 +60,7 @@ static void add_dome_stages(const tp_frame *frame, const void *mine, const tp_st
                             tp_shaders *list)
 {
     if (list->kind == TP_LIST_SKY && !frame->under)
-        tp_shaders_add(list, TP_AT_COLOUR, select_sky_stage(frame, stage), mine);
+        tp_shaders_add(list, TP_AT_COLOUR, select_dome_sky_stage(frame, stage), mine);
     if (tp_frame_reflects_sky(frame, list))
         tp_shaders_add(list, TP_AT_REFLECT, stage[DOME_REFLECTION], mine);
 }

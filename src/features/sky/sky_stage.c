@@ -75,7 +75,7 @@ TP_ALWAYS_INLINE void sample_cube_wide(const tp_shade *restrict shade,
 /* -- stages -------------------------------------------------------------------------- */
 
 /* Shades the sky in samples [i, stop), at most TP_CUBE_ROW. */
-TP_ALWAYS_INLINE void shade_sky_wide(const tp_shade *restrict shade, tp_run *restrict run,
+TP_ALWAYS_INLINE void shade_cube_wide(const tp_shade *restrict shade, tp_run *restrict run,
                                      const tp_cube_face_level *side, int32_t i,
                                      int32_t stop, int hdr)
 {
@@ -92,7 +92,7 @@ TP_ALWAYS_INLINE void shade_sky_wide(const tp_shade *restrict shade, tp_run *res
         run->colour[i + k] = tp_sky_colour(shade, light[k], hdr);
 }
 
-TP_ALWAYS_INLINE void shade_sky(const tp_shade *shade, tp_run *run, int hdr)
+TP_ALWAYS_INLINE void shade_cube(const tp_shade *shade, tp_run *run, int hdr)
 {
     TP_ASSERT(shade->env.cube != NULL);
     tp_cube_sides sides = { .level = -1 };
@@ -102,7 +102,7 @@ TP_ALWAYS_INLINE void shade_sky(const tp_shade *shade, tp_run *run, int hdr)
     for (int32_t i = 0; i < run->count; ) {
         int32_t stop = tp_block_end(run, i);
         if (TP_WIDE) {
-            shade_sky_wide(shade, run, sides.side, i, stop, hdr);
+            shade_cube_wide(shade, run, sides.side, i, stop, hdr);
             i = stop;
         }
         for (; i < stop; i++) {
@@ -115,12 +115,12 @@ TP_ALWAYS_INLINE void shade_sky(const tp_shade *shade, tp_run *run, int hdr)
 
 void tp_stage_sky_cube(const tp_shade *shade, tp_run *run)
 {
-    shade_sky(shade, run, 0);
+    shade_cube(shade, run, 0);
 }
 
 void tp_stage_sky_cube_hdr(const tp_shade *shade, tp_run *run)
 {
-    shade_sky(shade, run, 1);
+    shade_cube(shade, run, 1);
 }
 
 /* Shades the reflection in samples [i, stop), at most TP_CUBE_ROW. */

@@ -132,11 +132,12 @@ static bool has_speck_ended(const tp_speck *s, const tp_surface *surface)
 {
     if (s->kind == TP_SPECK_BUBBLE)
         return s->age >= BUBBLE_AGE
-            || ((s->age & 3) == 0 && s->place.y >= tp_surface_level(surface, s->place.x,
-                                                            s->place.z));
+               || ((s->age & 3) == 0
+                   && s->place.y
+                          >= tp_surface_rough_height(surface, s->place.x, s->place.z));
     return s->age >= SPRAY_AGE
            || (s->speed.y < 0 && (s->age & 3) == 0
-               && s->place.y <= tp_surface_level(surface, s->place.x, s->place.z));
+               && s->place.y <= tp_surface_rough_height(surface, s->place.x, s->place.z));
 }
 
 static void step_specks(tp_spray *spray, const tp_scene *scene, const tp_surface *surface)
@@ -171,7 +172,7 @@ static tp_fx coastal_spray_strength(const tp_surface *surface, tp_fx x, tp_fx z)
     tp_coastal_point at =
         tp_coastal_displace_point(surface->coastal, surface->phases, x, z);
 
-    if (at.depth <= tp_coastal_breaking_depth(surface->coastal) || at.position.y < 0)
+    if (at.depth <= tp_coastal_breaking_foam_depth(surface->coastal) || at.position.y < 0)
         return at.breaking * 257;
     tp_vec3 u = tp_vec3_sub(tp_surface_displace(surface, x + d, z),
                             tp_surface_displace(surface, x - d, z));
@@ -305,7 +306,7 @@ static void throw_bow_spray(tp_world *world, const tp_scene *scene, tp_spray *sp
                        hull->z - tp_q30_mul(ahead, c) + tp_q30_mul(aside, s) };
         tp_fx out = tp_fx_mul(over / 3 + TP_FX(0.3) + random_unit(spray), side);
         tp_fx on = over / 3, lift = random_unit(spray), up = random_unit(spray);
-        at.y = tp_surface_level(surface, at.x, at.z);
+        at.y = tp_surface_rough_height(surface, at.x, at.z);
         throw(spray, at,
               (tp_vec3){ tp_q30_mul(on, s) + tp_q30_mul(out, c),
                          TP_FX(0.8) + tp_fx_mul(on, lift) + up,

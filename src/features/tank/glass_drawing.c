@@ -80,8 +80,8 @@ static void draw_triangle(const glass_side *s, const tp_vec3 at[3])
 }
 
 /* Draws the part of the side between two posts. */
-static void draw_between_posts(const glass_side *s, const tp_tank_side_post *a,
-                               const tp_tank_side_post *b)
+static void draw_water_face_between_posts(const glass_side *s, const tp_tank_side_post *a,
+                                          const tp_tank_side_post *b)
 {
     tp_vec3 low = point_on_wall(&s->sides, s->face, a->along, s->floor);
     tp_vec3 top = point_on_wall(&s->sides, s->face, b->along, b->high);
@@ -108,7 +108,7 @@ static void draw_water_sides(const tp_frame *frame, const void *mine, const tp_v
         const tp_glass_wall *wall = &glass->wall[k];
         s.face = wall->face;
         for (uint32_t i = 0; i + 1 < wall->posts; i++)
-            draw_between_posts(&s, &wall->post[i], &wall->post[i + 1]);
+            draw_water_face_between_posts(&s, &wall->post[i], &wall->post[i + 1]);
     }
 }
 

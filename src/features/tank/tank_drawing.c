@@ -178,7 +178,8 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
 
 /* -- blocks -------------------------------------------------------------------------- */
 
-static tp_fx grid_line_coordinate(tp_fx centre, tp_fx cell, uint32_t i, uint32_t cells)
+/* Returns the coordinate of edge i of a row of `cells` pool cells around `centre`, m. */
+static tp_fx pool_cell_edge_coordinate(tp_fx centre, tp_fx cell, uint32_t i, uint32_t cells)
 {
     return tp_fx_saturate(centre + ((int64_t)i - cells / 2) * cell
                           - (cells & 1 ? cell / 2 : 0));
@@ -209,10 +210,12 @@ static void append_row_wall_blocks(tp_tank *tank, const tp_pool *pool, uint32_t 
         for (end = col + 1;
              end < pool->cols && tp_pool_is_wall_or_outside(pool, end, row) == wall;)
             end++;
-        tp_rectangle r = { grid_line_coordinate(pool->x, pool->cell, col, pool->cols),
-                           grid_line_coordinate(pool->x, pool->cell, end, pool->cols),
-                           grid_line_coordinate(pool->z, pool->cell, row, pool->rows),
-                           grid_line_coordinate(pool->z, pool->cell, row + 1, pool->rows) };
+        tp_rectangle r = {
+            pool_cell_edge_coordinate(pool->x, pool->cell, col, pool->cols),
+            pool_cell_edge_coordinate(pool->x, pool->cell, end, pool->cols),
+            pool_cell_edge_coordinate(pool->z, pool->cell, row, pool->rows),
+            pool_cell_edge_coordinate(pool->z, pool->cell, row + 1, pool->rows)
+        };
         if (!wall || extend_wall_block(tank, r))
             continue;
         if (tank->blocks < TP_BLOCKS)

@@ -9,7 +9,7 @@
 
 /* -- stone --------------------------------------------------------------------------- */
 
-static bool is_wall(const tp_site *w, int64_t x, int64_t z)
+static bool is_mask_wall(const tp_site *w, int64_t x, int64_t z)
 {
     const tp_grey *mask = w->assets->pool_mask;
     const tp_rectangle r = tp_pool_sides(w->scene);
@@ -26,9 +26,10 @@ static tp_fx wall_height(const tp_scene *s)
     return tp_has_tank(s) ? s->tank.rim : 3 * s->pool.cell;
 }
 
-/* True if an inner wall of the pool stops a ray that would meet the water `far` m ahead,
- * Q16. */
-static bool is_ray_stopped(const tp_site *w, tp_vec3 ray, int64_t far)
+/* True if an inner wall of the pool stops a ray that would meet the water
+ * `water_distance` m ahead, Q16. */
+static bool is_ray_stopped_by_inner_wall(const tp_site *w, tp_vec3 ray,
+                                         int64_t water_distance)
 {
     const tp_vec3 eye = w->at.eye;
     const int64_t high = wall_height(w->scene);
@@ -37,8 +38,8 @@ static bool is_ray_stopped(const tp_site *w, tp_vec3 ray, int64_t far)
         return false;
     /* points of the ray, from the water back to where the ray is as high as a wall's top */
     for (int k = 0; k <= 32; k++) {
-        const int64_t way = far - far / 32 * k * high / eye.y;
-        if (is_wall(w, eye.x + (way * ray.x >> 16), eye.z + (way * ray.z >> 16)))
+        const int64_t way = water_distance - water_distance / 32 * k * high / eye.y;
+        if (is_mask_wall(w, eye.x + (way * ray.x >> 16), eye.z + (way * ray.z >> 16)))
             return true;
     }
     return false;
@@ -57,11 +58,12 @@ static uint32_t count_blocks(const tp_site *w)
         bool wall = false, same = false;
         for (int32_t col = 0; col <= pool->cols; col++) {
             const int64_t x = r.x0 + (int64_t)pool->cell * col + pool->cell / 2;
-            const bool here = col < pool->cols && is_wall(w, x, z);
+            const bool here = col < pool->cols && is_mask_wall(w, x, z);
             const bool above = row > 0 && col < pool->cols
-                            && is_wall(w, x, z - pool->cell);
+                            && is_mask_wall(w, x, z - pool->cell);
             if (here && !wall)
-                same = above && !(col > 0 && is_wall(w, x - pool->cell, z - pool->cell));
+                same = above
+                       && !(col > 0 && is_mask_wall(w, x - pool->cell, z - pool->cell));
             if (!here && wall)
                 blocks += !(same && !above);
             wall = here;
@@ -96,7 +98,7 @@ static void count_wall_pixel_work(tp_site *w, const tp_work_pixels *px)
 }
 
 const tp_cost tp_tank_cost = { .work = count_wall_work,
-                               .stops = is_ray_stopped,
+                               .stops = is_ray_stopped_by_inner_wall,
                                .pixels = count_wall_pixel_work };
 
 /* -- glass --------------------------------------------------------------------------- */

@@ -18,10 +18,10 @@
 
 /* Returns the low corner of the map's square along one axis.  The square lies ahead of
  * the eye and moves by whole cells, so the pattern does not crawl. */
-static tp_fx snapped_map_corner(tp_fx eye, int32_t behind, tp_fx size, int32_t cells)
+static tp_fx snapped_map_corner(tp_fx eye, int32_t back_q30, tp_fx size, int32_t cells)
 {
     tp_fx   cell = size / cells > 0 ? size / cells : 1;
-    int64_t corner = (int64_t)eye - size / 2 - ((int64_t)behind * (size / 5 * 2) >> 30);
+    int64_t corner = (int64_t)eye - size / 2 - ((int64_t)back_q30 * (size / 5 * 2) >> 30);
     return tp_fx_saturate(corner / cell * cell);
 }
 

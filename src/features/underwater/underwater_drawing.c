@@ -130,7 +130,8 @@ static void begin_underwater(tp_frame *frame, void *mine)
 
 /* Sets the view's axes for the stage of walls: walls are drawn in every render view, and
  * their stage finds places by the axes. */
-static void set_wall_view(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
+static void set_wall_stage_axes(tp_frame *frame, void *mine, tp_view *view,
+                                tp_grid_box *box)
 {
     (void)view, (void)box;
     if (tp_frame_has_module(frame, TP_MODULE_WALLS))
@@ -186,7 +187,7 @@ const tp_drawing tp_underwater_drawing = {
     .layout = layout_underwater,
     .init = init_underwater,
     .begin = begin_underwater,
-    .project = set_wall_view,
+    .project = set_wall_stage_axes,
     .stages = add_stages,
 };
 

@@ -21,15 +21,17 @@ TP_ALWAYS_INLINE tp_ray view_direction(const tp_run *run, int32_t i)
 
 /* Returns the length of the ray, m, to a depth along the camera's axis: the depth over
  * the cosine between both.  The cosine is at least 1/16, the edge of the widest view. */
-static tp_fx ray_length_at_depth(const tp_shade *shade, tp_ray direction, tp_fx depth)
+static tp_fx ray_length_at_view_depth(const tp_shade *shade, tp_ray direction,
+                                      tp_fx view_depth)
 {
     const tp_dir3 back = shade->world.back;
     int64_t cosine = -((int64_t)back.x * direction.x + (int64_t)back.y * direction.y
                        + (int64_t)back.z * direction.z) >> 30;
     uint32_t n = (uint32_t)tp_clamp((int32_t)cosine, 1024, 16384) << 17;
     int      shift = tp_clz(n);
-    return tp_fx_saturate((int64_t)((uint64_t)(uint32_t)depth * tp_recip_norm(n << shift)
-                                >> (32 - shift)));
+    return tp_fx_saturate(
+        (int64_t)((uint64_t)(uint32_t)view_depth * tp_recip_norm(n << shift)
+                  >> (32 - shift)));
 }
 
 TP_ALWAYS_INLINE void shade_underside(const tp_shade *shade, tp_run *run, int rippled)
@@ -44,7 +46,7 @@ TP_ALWAYS_INLINE void shade_underside(const tp_shade *shade, tp_run *run, int ri
         tp_floor_plane  plane = tp_underwater_find_floor_plane(shade, &ray);
         uint32_t c = tp_underwater_shade_underside(shade, &plane, &ray, n, in->deep);
         run->colour[i] = tp_absorb_apply(&in->absorb, c, in->deep,
-                                         ray_length_at_depth(shade, ray.way, ray.far));
+                                         ray_length_at_view_depth(shade, ray.way, ray.far));
     }
 }
 
@@ -77,9 +79,9 @@ void tp_stage_absorb(const tp_shade *shade, tp_run *run)
     for (int32_t i = 0; i < run->count; i++) {
         tp_refracted_ray ray;
         tp_underwater_set_start_points(shade, run, i, i + 1, &ray);
-        run->colour[i] =
-            tp_absorb_apply(&in->absorb, run->colour[i], in->deep,
-                            ray_length_at_depth(shade, view_direction(run, i), ray.far));
+        run->colour[i] = tp_absorb_apply(
+            &in->absorb, run->colour[i], in->deep,
+            ray_length_at_view_depth(shade, view_direction(run, i), ray.far));
     }
 }
 

@@ -167,15 +167,16 @@ TP_LOOP packed_distort_even_places(const tp_quick_map *map, int32_t mip_offset,
 /* -- ripples and half rate colours --------------------------------------------------- */
 
 TP_ALWAYS_INLINE void packed_add_ripple_slope_pair(const tp_lookup *l, const uint32_t **s,
-                                                   const uint32_t **t, const uint32_t **n,
-                                                   uint32_t *slope, int index)
+                                                   const uint32_t **t,
+                                                   const uint32_t **wave_slope,
+                                                   uint32_t *sum, int index)
 {
     const word_pair ss = pair_next(s), tt = pair_next(t);
     uint32_t a = packed_texel(l, ss.first, tt.first);
     uint32_t b = packed_texel(l, ss.second, tt.second);
-    const word_pair nn = pair_next(n);
+    const word_pair nn = pair_next(wave_slope);
 
-    pair_store(slope, index, tp_qadd16(nn.first, a), tp_qadd16(nn.second, b));
+    pair_store(sum, index, tp_qadd16(nn.first, a), tp_qadd16(nn.second, b));
 }
 
 TP_LOOP packed_add_ripple_slopes(const tp_quick_map *map, int32_t mip_offset,

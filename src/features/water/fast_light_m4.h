@@ -111,8 +111,9 @@ TP_ALWAYS_INLINE void packed_shade_span(const tp_shade *shade, tp_quick_sun sun,
     int32_t  y = v.y, lv = v.lv;
 
 #define SEEN(i) \
-    COLOUR(at, i) = packed_shade_column(quick, sky, sun, (tp_quick_view){ back, half, y, lv }, \
-                                SLOPE(at, i), COLOUR(at, i), env, lobe)
+    COLOUR(at, i) = packed_shade_column(quick, sky, sun, \
+                                        (tp_quick_view){ back, half, y, lv }, \
+                                        SLOPE(at, i), COLOUR(at, i), env, lobe)
 #define TO_NEXT(by) (half = lobe == TP_LOBE_BLINN ? tp_sadd16(half, by) : 0)
 #define SEEN_AND_ON(i) (SEEN(i), TO_NEXT(walk.quarter))
 #define SEEN_LAST(i) \
@@ -178,8 +179,9 @@ TP_ALWAYS_INLINE void packed_light_span_even_columns(const tp_shade *shade,
     uint32_t back = v.back;
     int32_t  y = v.y;
 #define SEEN(i) \
-    even[i] = packed_light_and_reflect(quick, sky, sun, (tp_quick_view){ .back = back, .y = y }, \
-                              slope[2 * (i)], even[i], env)
+    even[i] = packed_light_and_reflect(quick, sky, sun, \
+                                       (tp_quick_view){ .back = back, .y = y }, \
+                                       slope[2 * (i)], even[i], env)
 #define WALK() (back = tp_sadd16(back, step.back), y += step.y)
     if (x & 1) {
         SEEN(0);
@@ -280,21 +282,21 @@ TP_ALWAYS_INLINE uint32_t packed_add_blinn_glint(const uint32_t *lobe, uint32_t 
  * column.  Returns the half vector of the column after the four.  SLOPES is the distance
  * in words from a colour to its slope. */
 #define SLOPES ((int)((offsetof(tp_run, slope) - offsetof(tp_run, colour)) / 4))
-TP_ALWAYS_INLINE uint32_t packed_fill_four_with_glints(const uint32_t *lobe,
-                                                       uint32_t half_vector,
-                                                       tp_quick_walk walk,
-                                                       uint32_t *colour, uint32_t a,
-                                                       uint32_t b, uint32_t c)
+TP_ALWAYS_INLINE uint32_t packed_upsample_add_glints_four(
+    const uint32_t *lobe, uint32_t half_vector, tp_quick_walk walk, uint32_t *colour,
+    uint32_t first_even, uint32_t second_even, uint32_t next_even)
 {
     const word_pair s = pair_load(colour, SLOPES), t = pair_load(colour, SLOPES + 2);
     const uint32_t second = tp_sadd16(half_vector, walk.quarter);
     const uint32_t third = tp_sadd16(second, walk.quarter);
     const uint32_t fourth = tp_sadd16(third, walk.quarter);
 
-    pair_store(colour, 0, packed_add_blinn_glint(lobe, s.first, half_vector, a),
-               packed_add_blinn_glint(lobe, s.second, second, tp_uhadd8(a, b)));
-    pair_store(colour, 2, packed_add_blinn_glint(lobe, t.first, third, b),
-               packed_add_blinn_glint(lobe, t.second, fourth, tp_uhadd8(b, c)));
+    pair_store(colour, 0, packed_add_blinn_glint(lobe, s.first, half_vector, first_even),
+               packed_add_blinn_glint(lobe, s.second, second,
+                                      tp_uhadd8(first_even, second_even)));
+    pair_store(colour, 2, packed_add_blinn_glint(lobe, t.first, third, second_even),
+               packed_add_blinn_glint(lobe, t.second, fourth,
+                                      tp_uhadd8(second_even, next_even)));
     return tp_sadd16(fourth, walk.rest);
 }
 
@@ -324,8 +326,8 @@ TP_ALWAYS_INLINE uint32_t packed_sample_half_vector(const tp_run *run, int32_t x
 }
 
 /* Adds glints to the columns of an incomplete block. */
-TP_LOOP packed_fill_columns_with_glints(const uint32_t *lobe, tp_run *run, int32_t i,
-                                        int32_t end)
+TP_LOOP packed_upsample_add_glints_columns(const uint32_t *lobe, tp_run *run, int32_t i,
+                                           int32_t end)
 {
     for (; i < end; i++) {
         tp_quick_walk walk;
@@ -336,8 +338,8 @@ TP_LOOP packed_fill_columns_with_glints(const uint32_t *lobe, tp_run *run, int32
 }
 
 /* Adds glints to complete blocks of 16 columns, [i, end). */
-TP_ALWAYS_INLINE void packed_fill_blocks_with_glints(const uint32_t *lobe, tp_run *run,
-                                                     int32_t i, int32_t end)
+TP_ALWAYS_INLINE void packed_upsample_add_glints_blocks(const uint32_t *lobe, tp_run *run,
+                                                        int32_t i, int32_t end)
 {
     const uint32_t *even = run->even + ((i + (run->x & 1)) >> 1);
     uint32_t *colour = run->colour + i, half = 0;
@@ -349,16 +351,17 @@ TP_ALWAYS_INLINE void packed_fill_blocks_with_glints(const uint32_t *lobe, tp_ru
         uint32_t a = even[0];
         for (uint32_t *const last = colour + 12; colour != last; colour += 4, even += 2) {
             const uint32_t b = even[1], c = even[2];
-            half = packed_fill_four_with_glints(lobe, half, walk, colour, a, b, c);
+            half = packed_upsample_add_glints_four(lobe, half, walk, colour, a, b, c);
             a = c;
         }
-        half = packed_fill_four_with_glints(lobe, half, walk, colour, a, even[1], even[1]);
+        half = packed_upsample_add_glints_four(lobe, half, walk, colour, a, even[1],
+                                               even[1]);
         colour += 4;
         even += 2;
     }
 }
 
-TP_ALWAYS_INLINE void packed_fill_run_with_glints(const uint32_t *lobe, tp_run *run)
+TP_ALWAYS_INLINE void packed_upsample_add_glints_run(const uint32_t *lobe, tp_run *run)
 {
     const int32_t begin = -run->x & 15, end = run->count - ((run->x + run->count) & 15);
 
@@ -366,12 +369,12 @@ TP_ALWAYS_INLINE void packed_fill_run_with_glints(const uint32_t *lobe, tp_run *
     __asm__("" : "+r"(lobe));   /* keeps the address in its own register */
 #endif
     if (begin >= end) {
-        packed_fill_columns_with_glints(lobe, run, 0, run->count);
+        packed_upsample_add_glints_columns(lobe, run, 0, run->count);
         return;
     }
-    packed_fill_columns_with_glints(lobe, run, 0, begin);
-    packed_fill_blocks_with_glints(lobe, run, begin, end);
-    packed_fill_columns_with_glints(lobe, run, end, run->count);
+    packed_upsample_add_glints_columns(lobe, run, 0, begin);
+    packed_upsample_add_glints_blocks(lobe, run, begin, end);
+    packed_upsample_add_glints_columns(lobe, run, end, run->count);
 }
 
 TP_ALWAYS_INLINE void packed_glint(const tp_shade *shade, tp_run *run, int lobe)
@@ -379,7 +382,7 @@ TP_ALWAYS_INLINE void packed_glint(const tp_shade *shade, tp_run *run, int lobe)
     if (lobe == TP_LOBE_PHONG)
         packed_add_phong_glints(shade, run);
     else
-        packed_fill_run_with_glints(shade->quick->lobe, run);
+        packed_upsample_add_glints_run(shade->quick->lobe, run);
 }
 #undef SPAN
 #undef SLOPES

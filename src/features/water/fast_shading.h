@@ -29,16 +29,18 @@ typedef struct {
     uint32_t first, second;
 } word_pair;
 
-/* Loads from[index] and from[index + 1]; `index` is a literal. */
-TP_ALWAYS_INLINE word_pair pair_load(const uint32_t *from, int index)
+/* Loads from[index] and from[index + 1]; `word_index` is a literal. */
+TP_ALWAYS_INLINE word_pair pair_load(const uint32_t *from, int word_index)
 {
     word_pair p;
 #if TP_DSP
-    __asm__("ldrd %0, %1, [%2, %3]" : "=r"(p.first), "=r"(p.second)
-            : "r"(from), "i"(4 * index), "m"(from[index]), "m"(from[index + 1]));
+    __asm__("ldrd %0, %1, [%2, %3]"
+            : "=r"(p.first), "=r"(p.second)
+            : "r"(from), "i"(4 * word_index), "m"(from[word_index]),
+              "m"(from[word_index + 1]));
 #else
-    p.first = from[index];
-    p.second = from[index + 1];
+    p.first = from[word_index];
+    p.second = from[word_index + 1];
 #endif
     return p;
 }

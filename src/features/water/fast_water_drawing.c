@@ -132,10 +132,12 @@ static const tp_texture *provide_baked_texture(const tp_frame *frame, tp_fast_wa
 
 /* Returns baked texture i, placed on the water as `map` says; `lod_bias` is added to the
  * level of detail of the frame. */
-static tp_quick_map make_map(const tp_frame *frame, tp_fast_water *fast, int i,
-                             const tp_scene_map *map, int32_t lod_bias)
+static tp_quick_map make_baked_map(const tp_frame *frame, tp_fast_water *fast,
+                                   int texture_index, const tp_scene_map *map,
+                                   int32_t lod_bias)
 {
-    tp_layer layer = tp_frame_layer(frame, provide_baked_texture(frame, fast, i), map);
+    tp_layer layer =
+        tp_frame_layer(frame, provide_baked_texture(frame, fast, texture_index), map);
 
     layer.lod += lod_bias;
     return tp_quick_map_make(&layer);
@@ -148,9 +150,9 @@ static void quick_begin_layers(tp_frame *frame, tp_fast_water *fast)
     tp_quick_layers *layers = &fast->layers;
 
     for (int k = 0; k < TP_LAYERS; k++)
-        layers->layer[k] = make_map(frame, fast, k, &scene->layer[k].map, 0);
-    layers->bend = make_map(frame, fast, OFFSETS, &scene->distortion.map, 0);
-    layers->ripple = make_map(frame, fast, SLOPES, &scene->ripple.map, TP_RIPPLE_LOD);
+        layers->layer[k] = make_baked_map(frame, fast, k, &scene->layer[k].map, 0);
+    layers->bend = make_baked_map(frame, fast, OFFSETS, &scene->distortion.map, 0);
+    layers->ripple = make_baked_map(frame, fast, SLOPES, &scene->ripple.map, TP_RIPPLE_LOD);
 }
 
 #define MOST 6                  /* maximum of stages in a list */
@@ -291,8 +293,9 @@ static chain make_full_rate_chain(const tp_frame *frame, const tp_quick_layers *
 }
 
 /* Returns the stages at half rate: light and reflection of every second column. */
-static chain make_half_rate_chain(const tp_frame *frame, const tp_quick_layers *layers,
-                                  const tp_stage *stage)
+static chain make_half_rate_colour_chain(const tp_frame *frame,
+                                         const tp_quick_layers *layers,
+                                         const tp_stage *stage)
 {
     static const uint8_t light[] = { TP_NTH_quick_gradient_even, TP_NTH_quick_dome_even,
                                      TP_NTH_quick_cube_even };
@@ -325,7 +328,7 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 
     if (list->kind != TP_LIST_FAST)
         return;
-    const chain halves = make_half_rate_chain(frame, layers, stage);
+    const chain halves = make_half_rate_colour_chain(frame, layers, stage);
     if (frame->rungs.rate == TP_RATE_COLOUR && add_chain_if_complete(list, &halves, mine))
         return;
     const chain columns = make_full_rate_chain(frame, layers, stage);

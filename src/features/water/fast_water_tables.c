@@ -152,7 +152,7 @@ void tp_quick_slopes(tp_texture *to, const tp_texture *from, tp_fx bump, void *m
 
 /* Fills the table of shares.  In the middle of entry i, n is the lower bound plus
  * (i + 1/2) / 256. */
-static void fill_fresnel_shares(struct tp_quick_light *quick, const tp_shade *shade)
+static void fill_fresnel_by_view_cosine(struct tp_quick_light *quick, const tp_shade *shade)
 {
     for (int32_t i = 0; i < TP_QUICK_SHARES; i++) {
         int32_t  n = (quick->least + ((i + 1) << 18)) >> 18;
@@ -219,7 +219,7 @@ static void make_lobe(struct tp_quick_light *quick, const tp_shade *shade, tp_lo
 
 /* Returns the sky as mirrored at a height.  A reflected view downwards meets other water,
  * with a share of the horizon's brightness by the rule of lighting_stage.c. */
-static uint32_t mirrored_sky_colour(uint32_t sky, int32_t up)
+static uint32_t darken_sky_below_horizon(uint32_t sky, int32_t up)
 {
     return tp_colour_scale(sky, (uint32_t)tp_clamp(256 + 4 * up, 128, 256));
 }
@@ -238,14 +238,15 @@ static void fill_sky_colours_by_height(struct tp_quick_light *quick, const tp_sh
             uint32_t sky = dome ? tp_colour_mix(dome->away[at], dome->towards[at],
                                                 16 * k + 8)
                                 : shade->sky[at];
-            quick->sky[k * TP_QUICK_HEIGHTS + (uint32_t)i] = mirrored_sky_colour(sky, up);
+            quick->sky[k * TP_QUICK_HEIGHTS + (uint32_t)i] =
+                darken_sky_below_horizon(sky, up);
         }
     }
 }
 
 /* Returns the height y, Q14, at which the contracted horizontal part sqrt(1 - y^2) (1 -
  * y / 2) is `radius` / 16384.  The horizontal part falls with y. */
-static int32_t solve_height_from_radius(int32_t radius)
+static int32_t sky_map_radius_to_direction_y(int32_t radius)
 {
     int32_t low = 0, high = 16384;
 
@@ -273,7 +274,7 @@ static void make_cube_sky_map(struct tp_quick_light *quick, const tp_shade *shad
         int32_t u = (i % TP_QUICK_SIDE - 16) * 1024 + 512;
         int32_t v = (i / TP_QUICK_SIDE - 16) * 1024 + 512;
         int32_t far = tp_clamp(root_q14(u * u + v * v), 1, 32767),
-                y = solve_height_from_radius(far);
+                y = sky_map_radius_to_direction_y(far);
         int32_t level_part = root_q14((1 << 28) - y * y);
         int32_t x = -u * level_part / far, z = -v * level_part / far;
         const tp_texture *face = shade->env.cube->face[tp_cube_face(x, y, z).face];
@@ -286,7 +287,7 @@ void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
 {
     TP_ASSERT((unsigned)lobe <= TP_LOBE_BLINN && shade->fresnel != NULL);
     quick->least = rippled ? RIPPLED_VIEW : 0;
-    fill_fresnel_shares(quick, shade);
+    fill_fresnel_by_view_cosine(quick, shade);
     make_lobe(quick, shade, lobe, specular);
     if (shade->env.kind == TP_ENV_CUBE)
         make_cube_sky_map(quick, shade);

@@ -27,7 +27,8 @@ TP_ALWAYS_INLINE void shade_base_stretch(const tp_sampler *sampler, uint32_t tin
     }
 }
 
-TP_ALWAYS_INLINE void texture(const tp_shade *shade, tp_run *run, int filter, int tinted)
+TP_ALWAYS_INLINE void shade_base_layer(const tp_shade *shade, tp_run *run, int filter,
+                                       int tinted)
 {
     const tp_layer *layer = &((const tp_base_layer *)run->mine)->layer;
     TP_ASSERT(layer->texture != NULL);
@@ -42,7 +43,7 @@ TP_ALWAYS_INLINE void texture(const tp_shade *shade, tp_run *run, int filter, in
 
 #define TEXTURE_STAGE(name, filter, tinted) \
     void tp_stage_##name(const tp_shade *shade, tp_run *run) \
-    { texture(shade, run, filter, tinted); }
+    { shade_base_layer(shade, run, filter, tinted); }
 TP_TEXTURE_STAGES(TEXTURE_STAGE)
 
 const tp_stage tp_base_layer_stages[] = {

@@ -73,7 +73,7 @@ TP_ALWAYS_INLINE void light(const tp_shade *restrict shade, tp_run *restrict run
         int32_t seen = tp_clamp(nv * ny >> 14, 0, 16384);
         nv = rippled && seen < RIPPLED_VIEW ? RIPPLED_VIEW : seen;
         nl = tp_clamp(nl * ny >> 14, 0, 16384);
-        int32_t rv = tp_lobe_cosine(nl, seen, run->lv[i], blinn);
+        int32_t rv = tp_lobe_table_cosine(nl, seen, run->lv[i], blinn);
         int32_t up = (2 * nv * ny >> 14) - vy;
         run->nv[i] = (int16_t)nv;
         run->up[i] = (int16_t)(up > 16384 ? 16384 : up);    /* vy is at most 1 */
@@ -198,7 +198,7 @@ TP_ALWAYS_INLINE void fresnel(const tp_shade *restrict shade, tp_run *restrict r
         int32_t  nv = run->nv[i], up = run->up[i];
         if (hdr && (TP_WIDE || light >> 24))
             bright = bright_mix(colour, light, reflected_share_q16(shade, nv, up),
-                                tp_light_gain(shade, light));
+                                tp_hdr_gain(shade, light));
         uint32_t mixed = tp_colour_mix(colour, light, reflected_share(shade, nv, up));
         run->colour[i] = hdr && light >> 24 ? bright : mixed;
     }

@@ -44,10 +44,10 @@ TP_ALWAYS_INLINE int32_t interpolate_bilinear(int32_t a, int32_t b, int32_t c, i
 
 /* Converts a distance from the middle of the pool, m, to a distance from the corner, in
  * turns (a turn is the pool's side), Q0.32; whole turns wrap away. */
-TP_ALWAYS_INLINE uint32_t place_in_turns(uint32_t from_middle,
-                                         uint64_t turns_per_metre)
+TP_ALWAYS_INLINE uint32_t pool_corner_distance_in_turns(uint32_t from_pool_middle,
+                                                        uint64_t turns_per_metre)
 {
-    uint64_t way = (uint64_t)(int64_t)(int32_t)from_middle * turns_per_metre;
+    uint64_t way = (uint64_t)(int64_t)(int32_t)from_pool_middle * turns_per_metre;
     return (uint32_t)(way >> 16) + 0x80000000u;
 }
 
@@ -72,8 +72,10 @@ TP_ALWAYS_INLINE void add_bump_slopes(const tp_pool_bump *pool, tp_run *run, int
 
     if (!is_within_side(x, pool->side_x) || !is_within_side(z, pool->side_z))
         return;
-    uint64_t su = (uint64_t)place_in_turns(x, pool->turns_x) * pool->cols - 0x80000000u;
-    uint64_t tv = (uint64_t)place_in_turns(z, pool->turns_z) * pool->rows - 0x80000000u;
+    uint64_t su = (uint64_t)pool_corner_distance_in_turns(x, pool->turns_x) * pool->cols
+                  - 0x80000000u;
+    uint64_t tv = (uint64_t)pool_corner_distance_in_turns(z, pool->turns_z) * pool->rows
+                  - 0x80000000u;
     uint32_t u = (uint32_t)(su >> 32) + 1, v = (uint32_t)(tv >> 32) + 1;
     int32_t  fs = (int32_t)((uint32_t)su >> 24), ft = (int32_t)((uint32_t)tv >> 24);
     const tp_pool_slope *a = pool->slope + (size_t)v * (pool->cols + 2) + u;
@@ -219,19 +221,19 @@ typedef struct {
 
 /* Returns the slopes of the texel turned into the tangent space.  Slopes are below 8, nx
  * and ny within 4, so sums are below 2^21. */
-TP_ALWAYS_INLINE slopes turn_slopes(int32_t sx, int32_t sz, bump m)
+TP_ALWAYS_INLINE slopes turn_bump_onto_slopes(int32_t surface_x, int32_t surface_z, bump m)
 {
-    uint32_t qx = (uint32_t)(sx * sx), qz = (uint32_t)(sz * sz);
+    uint32_t qx = (uint32_t)(surface_x * surface_x), qz = (uint32_t)(surface_z * surface_z);
     int32_t  a = sqrt_one_plus(qx), w = sqrt_one_plus(qx + qz);
-    int32_t  up = (a * m.nz >> 13) - (sz * m.ny >> 12);
-    int32_t  side = (a * m.ny >> 13) + (sz * m.nz >> 12);
+    int32_t  up = (a * m.nz >> 13) - (surface_z * m.ny >> 12);
+    int32_t  side = (a * m.ny >> 13) + (surface_z * m.nz >> 12);
     int32_t  along = w * (m.nx >> 1) >> 12;
-    int32_t  y = up + multiply_shift(sx, along, 12);
+    int32_t  y = up + multiply_shift(surface_x, along, 12);
 
     y = y < UP_LEAST ? UP_LEAST : y;
     int      shift = leading_zeros((uint32_t)y);
     int32_t  recip = tp_recip_rough((uint32_t)y << shift);
-    return (slopes){ divide_slope(multiply_shift(sx, up, 12) - along, recip, shift),
+    return (slopes){ divide_slope(multiply_shift(surface_x, up, 12) - along, recip, shift),
                      divide_slope(multiply_shift(a, side, 13), recip, shift) };
 }
 
@@ -261,7 +263,7 @@ TP_ALWAYS_INLINE void ripple_stretch(const tp_sampler *sampler, int32_t gain,
         bump    m = filter_bump(&f, gain);
         int32_t x = how == OVER ? sx[i] : (int32_t)n[i] >> 16;
         int32_t z = how == OVER ? sz[i] : (int16_t)(n[i] & 0xffff);
-        slopes  to = how == GENTLE ? add_slopes(x, z, m) : turn_slopes(x, z, m);
+        slopes  to = how == GENTLE ? add_slopes(x, z, m) : turn_bump_onto_slopes(x, z, m);
         sx[i] = (int16_t)to.x;
         sz[i] = (int16_t)to.z;
     }

@@ -29,7 +29,7 @@ static void begin_base(tp_frame *frame, void *mine)
     base->grade = tp_grade_make(layer->saturation, layer->clamp, shade->water_colour);
 }
 
-static tp_stage texture_stage(const tp_frame *frame, const tp_stage *stage)
+static tp_stage select_base_layer_stage(const tp_frame *frame, const tp_stage *stage)
 {
     const tp_scene_layer *layer = &frame->scene->layer[0];
     const bool linear = frame->scene->water.filter == TP_FILTER_LINEAR;
@@ -47,7 +47,7 @@ static void add_base(const tp_frame *frame, const void *mine, const tp_stage *st
     if (list->kind != TP_LIST_WATER || !base->layer.texture)
         return;
     tp_shaders_add(list, TP_AT_COLOUR,
-                   tp_shaders_pick(list, texture_stage(frame, stage),
+                   tp_shaders_pick(list, select_base_layer_stage(frame, stage),
                                    stage[TP_NTH_texture] ? stage[TP_NTH_texture]
                                                          : frame->program->stage.plain),
                    mine);
