@@ -32,7 +32,7 @@ static bool has_any_sample(const tp_gbuffer *tile)
 void tp_rows_begin(tp_rows *rows, const tp_gbuffer *tile, void *memory, bool solid)
 {
     TP_ASSERT(tile->x0 < tile->x1 && (uintptr_t)memory % 4 == 0);
-    int32_t limit = column_limit(tile->y1);
+    int32_t limit = v_limit_above_row(tile->y1);
 
     *rows = (tp_rows){
         .tile = tile, .column = memory, .x0 = tile->x0, .x1 = tile->x1,
@@ -86,7 +86,7 @@ TP_ALWAYS_INLINE void cover_column(tp_rows *rows, tp_row_column *column,
     int32_t y = top;
 
     if (top > y0) {
-        column->limit = column_limit(top);
+        column->limit = v_limit_above_row(top);
     } else {
         y = y0;
         column->limit = INT32_MIN;
