@@ -317,6 +317,7 @@ ini "a unit without one" " units: expected COLUMN:UNIT, found ms" 's/ms:ms/ms/'
 ini "times without a job" " times (columns) and time (a command) go" '/^time /d'
 ini "a job without times" " times (columns) and time (a command) go" '/^times/d'
 ini "a column twice" " two columns are called size" '/used/s/used/used size/'
+ini "a column that reads as a note" " a column cannot be called #" '/^keys/s/= */= #/'
 ini "a column of ours" " two columns are called front" '/used/s/used/front/'
 sed '/pareto/s/$/\nsparse = used/' ini.good >charts/demo.ini
 expect "what may be missing is not told of" 0 "" charts sparse --from charts

@@ -113,20 +113,22 @@ static void what_is_timed_is_what_is_drawn(void **state)
 
 static void threads_add_up(void **state)
 {
-    uint64_t one, two = 0;
+    uint64_t one = UINT64_MAX, two = UINT64_MAX;        /* the least of 20 */
     loaded_scene s;
     (void)state;
     open_scene(&s, SCENE, 320, 1);
     crc_of(&s, true);
-    stopwatch_zero();
-    crc_of(&s, true);
-    one = sum_ns();
+    for (int i = 0; i < 20; i++) {
+        stopwatch_zero();
+        crc_of(&s, true);
+        one = sum_ns() < one ? sum_ns() : one;
+    }
     loaded_scene_close(&s);
     for (int crews = 0; crews < 20; crews++) {  /* more threads than places in all */
         open_scene(&s, SCENE, 320, 2);
         stopwatch_zero();
         crc_of(&s, true);
-        two = sum_ns();
+        two = sum_ns() < two ? sum_ns() : two;
         loaded_scene_close(&s);
     }
     assert_in_range(two, one / 4, one * 8);     /* the machine may be busy */

@@ -99,7 +99,8 @@ static int wrong(const chart *c, const char *what, const char *word)
     return log_fail(EXIT_INPUT, "%s: %s%s", c->path, what, word);
 }
 
-/* Checks that no two columns share a name and that no column is called `front`. */
+/* Checks that no two columns share a name, that no column is called `front`, and that the
+ * names can stand in a table: a line that begins with # would be read as a note. */
 static int check_columns(const chart *c)
 {
     const string_list *const all[] = { &c->keys, &c->values, &c->times };
@@ -112,7 +113,7 @@ static int check_columns(const chart *c)
                     found += strcmp(all[b]->of[k], name) == 0;
             if (found > 1)
                 return wrong(c, "two columns are called ", name);
-            if (strpbrk(name, ",;\""))
+            if (strpbrk(name, ",;\"") || name[0] == '#')
                 return wrong(c, "a column cannot be called ", name);
         }
     return EXIT_DONE;
