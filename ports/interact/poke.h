@@ -10,13 +10,14 @@
 #define TP_INTERACT_POKE_H
 #include "tidepool/world.h"
 
-#define POKE_POINTS 6           /* two rows of three, as in the Czech report */
+#define POKE_POINTS 6           /* fixed points for pokes: two rows of three, the layout of
+                                 * the Czech report */
 #define POKE_WAITS  64          /* most waiting pokes */
 #define POKE_PATH   32          /* most points of a path */
 
-/* Returns poke number 0..5 of the scene's pool (or field): 0 far left ... 5 near right,
- * seen from the scene's south, at a quarter of a side from the edges.  The height is 0
- * for another number, or for a scene without pool and field. */
+/* Returns a poke at fixed point 0..5 of the scene's pool (or field): 0 far left ... 5 near
+ * right, seen from the scene's south, at a quarter of a side from the edges.  The height is
+ * 0 for another number, or for a scene without pool and field. */
 tp_push poke_point(const tp_scene *scene, uint32_t number);
 
 /* Returns a poke at (x, z), m; height 0 without pool and field. */

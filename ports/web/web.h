@@ -37,7 +37,8 @@ int       web_changed(bool anew);       /* after a change taken by the world; an
 
 /* -- scenes: written by scenes.awk from assets/scenes -------------------------------- */
 
-/* A name in the first line, then "[section]" and "name=value" as in their files. */
+/* The text of each scene: the scene's name in the first line, then the lines "[section]"
+ * and "name=value" of the scene's file.  The array has web_scene_count texts. */
 extern const char *const web_scenes[];
 extern const uint32_t web_scene_count;
 

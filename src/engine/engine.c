@@ -68,8 +68,8 @@ static tp_status diagnose_refusal(const tp_config *c, const tp_scene *scene, voi
                ? status : tp_world_init(c->program, memory, bytes, scene, c->assets, err);
 }
 
-static tp_status check_arguments(tp_engine **out, const tp_config *config,
-                                 const tp_scene *scene, const void *memory, tp_error *err)
+static tp_status check_pointers(tp_engine **out, const tp_config *config,
+                                const tp_scene *scene, const void *memory, tp_error *err)
 {
     tp_status status = tp_pointer_check(out, "engine", err);
 
@@ -84,7 +84,7 @@ tp_status tp_engine_init(tp_engine **out, const tp_config *config, const tp_scen
                          void *memory, size_t bytes, tp_error *err)
 {
     tp_frame *frame;
-    tp_status status = check_arguments(out, config, scene, memory, err);
+    tp_status status = check_pointers(out, config, scene, memory, err);
 
     if (status != TP_OK)
         return status;

@@ -230,7 +230,8 @@ typedef struct {
     uint8_t     lists;          /* number of lists */
 } tp_marks;
 
-/* Deals the fixed stencil values of sky and water. */
+/* Starts with the fixed stencil values and the lists of sky and water.  No module has a
+ * value yet. */
 void tp_marks_init(tp_marks *marks);
 
 /* Deals `wanted` stencil values and one shader list to a module, and returns the first

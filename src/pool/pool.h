@@ -118,9 +118,10 @@ tp_height_slope tp_pool_height_slope(const tp_pool *pool, tp_fx x, tp_fx z, tp_f
  * balanced to sum 0 again.  Returns false if the middle lies outside or in a wall. */
 bool tp_pool_add_splash(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx height);
 
-/* Finds the cell at a point.  Returns false outside of the field or in a wall. */
-bool tp_pool_find_open_cell(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col,
-                            uint32_t *row);
+/* Finds the cell that contains a point.  Returns false if the point is outside of the pool
+ * or in a wall. */
+bool tp_pool_open_cell_at_point(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col,
+                                uint32_t *row);
 
 /* tp_pool_add_cell_height adds to the height of one cell, in LSB of the cell, and
  * returns the part that fitted.  The caller keeps the sum of all additions at zero,

@@ -197,7 +197,7 @@ bool tp_pool_add_splash(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx heig
     uint32_t col, row;
     uint64_t u, w;
 
-    if (!tp_pool_find_open_cell(pool, x, z, &col, &row))
+    if (!tp_pool_open_cell_at_point(pool, x, z, &col, &row))
         return false;
     tp_pool_locate(pool, x, z, &u, &w);
     pool_add_splash_cells(pool, u, w, tp_fx_div(sigma, pool->cell),

@@ -78,8 +78,8 @@ bool tp_pool_locate(const tp_pool *pool, tp_fx x, tp_fx z, uint64_t *u, uint64_t
            && locate_on_axis(pool, dz, pool->turns_z, pool->rows, w);
 }
 
-bool tp_pool_find_open_cell(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col,
-                            uint32_t *row)
+bool tp_pool_open_cell_at_point(const tp_pool *pool, tp_fx x, tp_fx z, uint32_t *col,
+                                uint32_t *row)
 {
     uint64_t u, w;
 

@@ -156,15 +156,17 @@ static void count_ray_stopped_by_object(tp_site *w, costs *all, int32_t i, int32
     all->stopped[by]++;
 }
 
-/* Sets a bit for each ray: in w->wet[row] if the ray meets water, in near_bits[row] if
+/* Sets a bit for each ray: in w->wet[row] if the ray meets water, in reflecting[row] if
  * that water is near enough to reflect objects: up to an eighth beyond the objects, as
- * in the stage of the planar reflection. */
-static void mark_rays_meeting_water(tp_site *w, costs *all, uint32_t near_bits[TP_RAYS])
+ * in the stage of the planar reflection.  Counts rays that an object stops before the
+ * water in `all`, and sets their bits in w->solid. */
+static void mark_water_and_reflecting_rays(tp_site *w, costs *all,
+                                           uint32_t reflecting[TP_RAYS])
 {
     const tp_start_view *at = &w->at;
 
     for (int32_t j = 0; j < TP_RAYS; j++) {
-        near_bits[j] = w->wet[j] = 0;
+        reflecting[j] = w->wet[j] = 0;
         for (int32_t i = 0; i < TP_RAYS; i++) {
             const int64_t far = tp_start_view_water_distance_ahead(
                 at, at->wide * (2 * i + 1 - TP_RAYS) / TP_RAYS,
@@ -172,7 +174,7 @@ static void mark_rays_meeting_water(tp_site *w, costs *all, uint32_t near_bits[T
             if (far > 0)
                 count_ray_stopped_by_object(w, all, i, j, far);
             w->wet[j] |= (uint32_t)(far > 0) << i;
-            near_bits[j] |= (uint32_t)(far > 0 && far < w->far + w->far / 8) << i;
+            reflecting[j] |= (uint32_t)(far > 0 && far < w->far + w->far / 8) << i;
         }
     }
 }
@@ -181,7 +183,7 @@ static void add_pixel_costs(tp_site *w, costs *all)
 {
     uint32_t near[TP_RAYS], sky = 0, water = 0, hidden = 0, solid = 0, looks = 0;
 
-    mark_rays_meeting_water(w, all, near);
+    mark_water_and_reflecting_rays(w, all, near);
     for (int j = 0; j < TP_RAYS; j++) {
         solid += count_bits(w->solid[j]);
         hidden += count_bits(w->wet[j] & w->solid[j]);

@@ -153,6 +153,8 @@ typedef struct {
     tp_rectangle water;         /* extent of the water */
 } tp_start_view;
 
+/* Returns the scene's camera at tick 0, for a picture of width x height px, and the extent
+ * of the scene's water. */
 tp_start_view tp_start_view_make(const tp_scene *scene, uint32_t width, uint32_t height);
 
 /* Returns the coordinate of a position `line` lines (Q16) from the middle of an axis.

@@ -212,7 +212,7 @@ void tp_rows_fill_column(const tp_rows *rows, const tp_row_sample *near,
 }
 
 void tp_row_restart_column(tp_rows *rows, tp_row_column *column, const tp_row_sample *line,
-                           bool joined)
+                           bool behind_triangles)
 {
     const tp_gbuffer *tile = rows->tile;
     int32_t top = first_row(line->v), y = top > tile->y0 ? top : tile->y0;
@@ -221,7 +221,7 @@ void tp_row_restart_column(tp_rows *rows, tp_row_column *column, const tp_row_sa
                        line->n };
 
     mark_column_covered(rows, column, y);
-    if (joined && top >= tile->y0 && top < end)
+    if (behind_triangles && top >= tile->y0 && top < end)
         write_sample(key_pointer(tile, tile->x0 + (int32_t)(column - rows->column), top),
                      plane_stride(tile), &p, rows->solid);
 }

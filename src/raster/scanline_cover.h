@@ -120,8 +120,10 @@ void tp_rows_fill_column(const tp_rows *rows, const tp_row_sample *near,
                          const tp_row_sample *far, int32_t x, int32_t y, int32_t end,
                          int32_t top);
 
-/* Handles a column where a line behind a gap rises to the column's limit: the column
- * starts anew.  Draws the pixel at the line if `joined`. */
+/* Handles a column where the first line behind a gap, or the edge of a side, rises above
+ * the covered rows.  The column then counts as covered from this line down, but the rows
+ * between the previous line and this line are not drawn.  `behind_triangles`: triangles
+ * fill the gap, and the pixel at the line is drawn; see tp_rows_restart_line. */
 void tp_row_restart_column(tp_rows *rows, tp_row_column *column, const tp_row_sample *line,
-                           bool joined);
+                           bool behind_triangles);
 #endif

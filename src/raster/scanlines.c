@@ -50,7 +50,9 @@ typedef struct {
     uint32_t s, t;
 } column_st;
 
-enum { LINE, START, JOINED, SIDE };
+/* Kinds of segments: a line with water down to the previous line; the first line behind a
+ * gap, or behind triangles that fill the gap; the edge of a side. */
+enum { LINE, BEHIND_GAP, BEHIND_TRIANGLES, SIDE };
 
 /* Rows between two lines.  For closer lines a pixel between takes the values of the
  * nearer line. */
@@ -118,7 +120,7 @@ TP_ALWAYS_INLINE void walk_columns(tp_rows *rows, const tp_row_sample *now,
             if (kind == LINE)
                 cover_column(rows, column, &line, x);
             else
-                tp_row_restart_column(rows, column, &line, kind == JOINED);
+                tp_row_restart_column(rows, column, &line, kind == BEHIND_TRIANGLES);
         }
         column->line.v = (int32_t)v;
         column->line.zi = zi;
@@ -254,9 +256,9 @@ void tp_rows_restart_line(tp_rows *rows, const tp_row_point *point, uint32_t cou
 {
     for (uint32_t i = 1; i < count; i++) {
         if (behind_triangles)
-            rasterize_segment(rows, &point[i - 1], &point[i], JOINED);
+            rasterize_segment(rows, &point[i - 1], &point[i], BEHIND_TRIANGLES);
         else
-            rasterize_segment(rows, &point[i - 1], &point[i], START);
+            rasterize_segment(rows, &point[i - 1], &point[i], BEHIND_GAP);
     }
 }
 

@@ -279,8 +279,8 @@ TP_ALWAYS_INLINE tp_ground ground_between_ends(const tp_underwater *in,
 }
 
 void tp_underwater_interpolate_floor(const tp_shade *shade, const tp_floor_plane ends[2],
-                                     const tp_refracted_ray *ray, int32_t count,
-                                     tp_ground *under)
+                                     const tp_refracted_ray ray[], int32_t count,
+                                     tp_ground under[])
 {
     TP_ASSERT(count > 0 && count <= TP_UNDERWATER_ROW);
     const int32_t each = over[count - 1];
@@ -290,8 +290,8 @@ void tp_underwater_interpolate_floor(const tp_shade *shade, const tp_floor_plane
 }
 
 void tp_underwater_shade_row(const tp_shade *shade, const tp_floor_plane ends[2],
-                             const tp_refracted_ray *ray, int32_t count,
-                             const uint32_t *body, uint32_t *seen)
+                             const tp_refracted_ray ray[], int32_t count,
+                             const uint32_t body[], uint32_t seen[])
 {
     TP_ASSERT(count > 0 && count <= TP_UNDERWATER_ROW);
     const tp_underwater *in = shade->underwater;
@@ -304,9 +304,9 @@ void tp_underwater_shade_row(const tp_shade *shade, const tp_floor_plane ends[2]
     }
 }
 
-void tp_underwater_shade_row_channel(const tp_shade *shade, const tp_ground *under,
-                                     const tp_refracted_ray *ray, int32_t count,
-                                     const uint32_t *body, int shift, uint32_t *seen)
+void tp_underwater_shade_row_channel(const tp_shade *shade, const tp_ground under[],
+                                     const tp_refracted_ray ray[], int32_t count,
+                                     const uint32_t body[], int shift, uint32_t seen[])
 {
     for (int32_t k = 0; k < count; k++, ray++, under++) {
         hit h = first_hit(shade->underwater, under, ray->at, ray->way);
@@ -344,23 +344,23 @@ static inline uint32_t fresnel_share(const tp_shade *shade, int32_t cosine)
 }
 
 uint32_t tp_underwater_shade_underside(const tp_shade *shade, const tp_floor_plane *plane,
-                                       const tp_refracted_ray *ray, tp_ray n,
+                                       const tp_refracted_ray *ray, tp_ray normal,
                                        uint32_t deep_colour)
 {
     tp_ray  way = ray->way;
-    int32_t ci = (way.x * n.x + way.y * n.y + way.z * n.z) >> 14;
+    int32_t ci = (way.x * normal.x + way.y * normal.y + way.z * normal.z) >> 14;
 
     ci = tp_clamp(ci, 0, 16384);
     int32_t  ct = cos_in_air(ci), lean = ct - (INDEX * ci >> 14);
     uint32_t share = ct > 0 ? fresnel_share(shade, ct) : 256, sky = 0;
     if (share < 256)
-        sky = tp_env_sample(shade, (INDEX * way.x + lean * n.x) >> 14,
-                        (INDEX * way.y + lean * n.y) >> 14,
-                        (INDEX * way.z + lean * n.z) >> 14) & 0xffffff;
+        sky = tp_env_sample(shade, (INDEX * way.x + lean * normal.x) >> 14,
+                        (INDEX * way.y + lean * normal.y) >> 14,
+                        (INDEX * way.z + lean * normal.z) >> 14) & 0xffffff;
     if (share < 4)
         return sky;
-    tp_ray back = { way.x - (2 * ci * n.x >> 14), way.y - (2 * ci * n.y >> 14),
-                    way.z - (2 * ci * n.z >> 14), 0 };
+    tp_ray back = { way.x - (2 * ci * normal.x >> 14), way.y - (2 * ci * normal.y >> 14),
+                    way.z - (2 * ci * normal.z >> 14), 0 };
     if (back.y > -64)           /* reflected upwards by a steep slope: taken as nearly
                                  * level */
         back.y = -64;

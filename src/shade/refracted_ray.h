@@ -87,23 +87,26 @@ typedef struct {
 /* Returns the floor below up to 16 neighbouring rays, interpolated between the planes of
  * the first ray and the last ray. */
 void tp_underwater_interpolate_floor(const tp_shade *shade, const tp_floor_plane ends[2],
-                                     const tp_refracted_ray *ray, int32_t count,
-                                     tp_ground *under);
+                                     const tp_refracted_ray ray[], int32_t count,
+                                     tp_ground under[]);
 
-/* Colours seen along rays that go down.  The second function computes only the channel at
- * bit `shift` and adds the channel to the others in `seen`. */
+/* Colours seen along up to 16 neighbouring rays that go down.  seen[k] is the colour of the
+ * point that ray[k] hits, absorbed towards body[k], the colour of the water itself, or
+ * body[k] if nothing is hit.  The second function computes only the channel at bit `shift`
+ * and adds the channel to the others in `seen`. */
 void tp_underwater_shade_row(const tp_shade *shade, const tp_floor_plane ends[2],
-                             const tp_refracted_ray *ray, int32_t count,
-                             const uint32_t *body, uint32_t *seen);
-void tp_underwater_shade_row_channel(const tp_shade *shade, const tp_ground *under,
-                                     const tp_refracted_ray *ray, int32_t count,
-                                     const uint32_t *body, int shift, uint32_t *seen);
+                             const tp_refracted_ray ray[], int32_t count,
+                             const uint32_t body[], uint32_t seen[]);
+void tp_underwater_shade_row_channel(const tp_shade *shade, const tp_ground under[],
+                                     const tp_refracted_ray ray[], int32_t count,
+                                     const uint32_t body[], int shift, uint32_t seen[]);
 
-/* Colour of a ray that goes up and has reached the surface, whose normal is n: the sky
- * through Snell's window mixed with the water mirrored by the Fresnel share.  Beyond 48.6
- * degrees all light is mirrored [F1]. */
+/* Colour of a ray that goes up and has reached the surface: the sky through Snell's window
+ * mixed with the water mirrored by the Fresnel share.  Beyond 48.6 degrees all light is
+ * mirrored [F1].  `normal`: of the surface, out of the water, Q1.14.  `deep_colour`: the
+ * colour of the water itself. */
 uint32_t tp_underwater_shade_underside(const tp_shade *shade, const tp_floor_plane *plane,
-                                       const tp_refracted_ray *ray, tp_ray n,
+                                       const tp_refracted_ray *ray, tp_ray normal,
                                        uint32_t deep_colour);
 
 #endif

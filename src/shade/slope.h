@@ -82,17 +82,19 @@ TP_ALWAYS_INLINE tp_ray tp_slope_run_normal(const tp_run *run, int32_t i,
  * keeps lengths: a table of 1 / sqrt(1 + u^2 + v^2) normalises the ray.
  */
 
-/* View vector of a row of pixels: x, y, z at the picture's middle column for focal length
- * 1, Q1.14, and the squared distance of the row from the middle row, Q24. */
+/* The part of view rays that is equal along a row of pixels.  x, y, z: vector to the eye at
+ * the picture's middle column for focal length 1, Q1.14.  square: squared distance of the
+ * row from the middle row, for focal length 1, Q24. */
 typedef struct {
     int32_t x, y, z;
     uint32_t square;
-} tp_quick_row;
+} tp_quick_ray_row;
 
-tp_quick_row tp_quick_row_make(const tp_shade *shade, int32_t y);
+/* Returns the values of pixel row y, for tp_quick_ray. */
+tp_quick_ray_row tp_quick_ray_row_make(const tp_shade *shade, int32_t y);
 
 /* tp_quick_ray_inline as a function call, for callers with few rays. */
-tp_ray tp_quick_ray(const tp_shade *shade, const tp_quick_row *row, int32_t sixteenths);
+tp_ray tp_quick_ray(const tp_shade *shade, const tp_quick_ray_row *row, int32_t sixteenths);
 
 /* Returns sixteenths of a pixel over the focal length, Q14, clamped to -4..4. */
 static inline int32_t tp_quick_over_focal(const tp_shade *shade, int32_t sixteenths)
@@ -101,7 +103,8 @@ static inline int32_t tp_quick_over_focal(const tp_shade *shade, int32_t sixteen
 }
 
 /* Returns the unit vector to the eye; member l is its y in Q26. */
-TP_ALWAYS_INLINE tp_ray tp_quick_ray_inline(const tp_shade *shade, const tp_quick_row *row,
+TP_ALWAYS_INLINE tp_ray tp_quick_ray_inline(const tp_shade *shade,
+                                            const tp_quick_ray_row *row,
                                             int32_t sixteenths)
 {
     const tp_view_axes *a = &shade->world;

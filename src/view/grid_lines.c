@@ -128,7 +128,8 @@ tp_fx tp_grid_extent_wave_weight(const tp_grid_extent *extent, tp_fx place)
 
 /* -- level of detail: distance of lines ---------------------------------------------- */
 
-/* A ray in px, Q.16: along the camera's heading, across the heading, down. */
+/* A ray in px, Q.16: along the camera's heading, across the heading (the absolute value),
+ * down. */
 typedef struct {
     int64_t ahead, aside, down;
 } ray;
@@ -140,8 +141,9 @@ static int64_t along(const tp_projection *projection, int32_t u, int32_t v, tp_q
             + (int64_t)v * 4096 * up) >> 30;
 }
 
-/* Returns the ray through a corner (u, v) of the picture, 28.4 px from its centre, for
- * the heading (hx, hz). */
+/* Returns the ray from the eye through a corner (u, v) of the picture, 28.4 px from the
+ * picture's centre.  Its components are relative to the camera's horizontal heading
+ * (hx, hz), a unit vector. */
 static ray corner_ray(const tp_projection *projection, int32_t u, int32_t v, tp_q30 hx,
                       tp_q30 hz)
 {

@@ -91,7 +91,7 @@ static tp_vec3 shortened(tp_vec3 v, int shift)
 
 static tp_vec3 add_rings_pools_and_slopes(const tp_vec3 around[4], const tp_grid *grid,
                                           tp_vec3 middle, tp_fx wave_weight,
-                                          int16_t slope[3])
+                                          int16_t slope[2])
 {
     const tp_surface *surface = grid->frame.surface;
     tp_vec3 across = tp_vec3_sub(around[1], around[0]);
@@ -111,7 +111,6 @@ static tp_vec3 add_rings_pools_and_slopes(const tp_vec3 around[4], const tp_grid
     }
     slope[0] = (int16_t)tp_clamp((sum.slope_x + 8) >> 4, INT16_MIN, INT16_MAX);
     slope[1] = (int16_t)tp_clamp((sum.slope_z + 8) >> 4, INT16_MIN, INT16_MAX);
-    slope[2] = 0;
     return middle;
 }
 
@@ -128,7 +127,7 @@ static uint32_t next_clamped(uint32_t k, uint32_t count)
 }
 
 static void project_vertex(const tp_projection *projection, tp_vec3 at,
-                           const int16_t slope[3], tp_grid_vertex *to)
+                           const int16_t slope[2], tp_grid_vertex *to)
 {
     tp_view_vertex c;
 
@@ -155,7 +154,7 @@ static void coastal_grid_evaluate_row(tp_grid *grid, uint32_t j, tp_grid_span ne
         const tp_vec3 around[4] = { row[previous_clamped(i)],
                                     row[next_clamped(i, grid->cols)],
                                     grid->sheet[near % 3][i], grid->sheet[far % 3][i] };
-        int16_t slope[3];
+        int16_t slope[2];
         tp_vec3 at = add_rings_pools_and_slopes(around, grid, row[i],
                                                 coastal_wave_weight(grid, i, j), slope);
         project_vertex(grid->frame.projection, at, slope,

@@ -87,7 +87,8 @@ static tp_fx miche_amplitude(const tp_coastal_swell *w, int64_t k_q32, tp_fx h)
     return tp_fx_saturate(most);
 }
 
-/* Returns H / h before the cap of [B15]. */
+/* Returns the ratio of wave height to depth, H / h, before the cap of [B15].  ks, kr: the
+ * factors of shoaling and refraction. */
 static tp_fx height_depth_ratio(const tp_coastal_swell *w, tp_fx ks, tp_fx kr, tp_fx h)
 {
     const int64_t shoaled = (int64_t)tp_fx_mul(w->amplitude, ks) * kr >> 15;

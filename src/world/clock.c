@@ -61,8 +61,8 @@ bool tp_clock_is_valid(const tp_clock *clock)
         && clock->target == clamp_scale(clock->target) && clock->zero == 0;
 }
 
-/* The distance is below 2^42 in Q40 and SLIDE_Q32 is below 2^28.  The distance is shifted
- * to Q28 first, so the product stays below 2^58. */
+/* The distance from the scale to its target is below 2^42 in Q40, and SLIDE_Q32 is below
+ * 2^28.  The distance is shifted to Q28 first, so the product stays below 2^58. */
 void tp_clock_advance(tp_clock *clock)
 {
     TP_ASSERT(clock->scale_q40 > 0 && clock->fraction_q40 >= 0

@@ -105,7 +105,8 @@ struct tp_world {
     tp_world_layout layout;
     tp_vec3  eye, last_eye;     /* camera position now and a tick ago; axes by `aboard` */
     tp_turn  heading, pitch, roll, last_heading, last_pitch, last_roll;
-    tp_turn  phases[TP_WAVES];  /* phases at this tick */
+    tp_turn  phases[TP_WAVES];  /* phases of the waves at this tick; phases between ticks
+                                 * are computed from the time (tp_drawn) */
     uint32_t random;            /* random state of the pokes */
     tp_pose  boat, last_boat;
     tp_boat_state boat_state;   /* state of the boat */

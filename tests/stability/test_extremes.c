@@ -92,7 +92,7 @@ static void ask_pool(tp_pool *pool, tp_fx x, tp_fx z)
     const tp_fx lag = chance_int(&chance, 0, TP_FX_ONE);
     const tp_height_slope r = tp_pool_height_slope(pool, x, z, lag);
     uint32_t col, row;
-    const bool cell = tp_pool_find_open_cell(pool, x, z, &col, &row);
+    const bool cell = tp_pool_open_cell_at_point(pool, x, z, &col, &row);
 
     assert_true(abs(r.height) <= tp_pool_height_bound(pool));
     assert_true(!cell || (col < pool->cols && row < pool->rows));

@@ -133,7 +133,8 @@ static void walls_mirror_the_water_before_them(void **state)
             uint32_t col, row;
             const tp_height_slope at =
                 tp_pool_height_slope(b.pool, (tp_fx)r.s[i], (tp_fx)r.t[i], TP_FX(0.3));
-            if (!tp_pool_find_open_cell(b.pool, (tp_fx)r.s[i], (tp_fx)r.t[i], &col, &row))
+            if (!tp_pool_open_cell_at_point(b.pool, (tp_fx)r.s[i], (tp_fx)r.t[i], &col,
+                                            &row))
                 continue;
             measure_add(&off, fabs(r.run.sx[i] / Q12 - at.slope_x / 65536.0), col, row, n);
             measure_add(&off, fabs(r.run.sz[i] / Q12 - at.slope_z / 65536.0), col, row, n);

@@ -60,7 +60,8 @@ static void the_water_rises_where_it_was_poked(void **state)
                 best[0] = k % 48;
                 best[1] = k / 48;
             }
-        assert_true(tp_pool_find_open_cell(water, in.push[0].x, in.push[0].z, &col, &row));
+        assert_true(tp_pool_open_cell_at_point(water, in.push[0].x, in.push[0].z, &col,
+                                               &row));
         assert_true(abs((int)(col - best[0])) <= 1 && abs((int)(row - best[1])) <= 1);
         free(world);
     }

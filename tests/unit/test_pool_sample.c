@@ -204,12 +204,12 @@ static void outside_there_is_no_water(void **state)
     assert_int_equal(tp_pool_height_slope(pool, TP_FX(100), TP_FX(2.5) + 1, 0).height, 0);
     assert_int_equal(tp_pool_height_slope(pool, TP_FX(100), TP_FX(-2.5), 0).height,
                      TP_FX_ONE);
-    assert_true(tp_pool_find_open_cell(pool, TP_FX(97.875), TP_FX(-2.5), &col, &row));
+    assert_true(tp_pool_open_cell_at_point(pool, TP_FX(97.875), TP_FX(-2.5), &col, &row));
     assert_true(col == 0 && row == 0);
-    assert_true(tp_pool_find_open_cell(pool, TP_FX(102.1), TP_FX(2.49), &col, &row));
+    assert_true(tp_pool_open_cell_at_point(pool, TP_FX(102.1), TP_FX(2.49), &col, &row));
     assert_true(col == 16 && row == 19);
-    assert_false(tp_pool_find_open_cell(pool, TP_FX_MIN, 0, &col, &row));
-    assert_false(tp_pool_find_open_cell(pool, TP_FX(100), TP_FX_MAX, &col, &row));
+    assert_false(tp_pool_open_cell_at_point(pool, TP_FX_MIN, 0, &col, &row));
+    assert_false(tp_pool_open_cell_at_point(pool, TP_FX(100), TP_FX_MAX, &col, &row));
     free(pool);
 }
 
@@ -231,7 +231,7 @@ static void level_water_is_level_beside_walls(void **state)
             const tp_fx z = chance_fx(&chance, -2.99, 2.99);
             const tp_height_slope got = tp_pool_height_slope(pool, x, z, 0);
             uint32_t col, row;
-            const bool open = tp_pool_find_open_cell(pool, x, z, &col, &row);
+            const bool open = tp_pool_open_cell_at_point(pool, x, z, &col, &row);
             assert_int_equal(got.height, open ? level : 0);
             assert_true(got.slope_x == 0 && got.slope_z == 0);
         }

@@ -61,7 +61,7 @@ static void hats_add_up_to_nothing(void **state)
         for (int k = 0; k < 25; k++) {
             const tp_fx x = chance_fx(&chance, -7, 7), z = chance_fx(&chance, -5, 5);
             uint32_t col, row;
-            const bool open = tp_pool_find_open_cell(pool, x, z, &col, &row);
+            const bool open = tp_pool_open_cell_at_point(pool, x, z, &col, &row);
             assert_int_equal(tp_pool_add_splash(pool, x, z, chance_scale(&chance, 0.01, 40),
                                          chance_fx(&chance, -1.5, 1.5)), open);
             refused += !open;

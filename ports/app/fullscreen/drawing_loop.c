@@ -41,7 +41,8 @@ typedef struct {
     bool        stale;              /* the screen is older than the world */
     bool        away;               /* another terminal is active */
     bool        over;
-    int         code;               /* exit code of a failed tape */
+    int         code;               /* exit code of the tape; not EXIT_DONE: the tape
+                                     * failed, and the loop ends */
 } loop;
 
 /* -- signals ------------------------------------------------------------------------- */

@@ -328,7 +328,8 @@ static void draw_column(const key_help_sheet *s, font *l, int c, int x, int y)
     }
 }
 
-/* Caches the chosen form, since the search takes milliseconds. */
+/* Returns the sheet for a rectangle and a scale of letters.  The last sheet is kept, since
+ * the search takes milliseconds. */
 static const key_help_sheet *chosen(const keymap *m, const SDL_Rect *where, int scale)
 {
     static key_help_sheet last;

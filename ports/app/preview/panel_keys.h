@@ -33,7 +33,8 @@ typedef struct {
 
     SDL_Event event[PANEL_KEYS];
     uint32_t  events, waited;   /* frames that the first event has waited */
-    bool      taken;            /* the panel took the last key press */
+    bool      taken;            /* the panel took the last key press, so the letter of that
+                                 * press is the panel's too */
     bool      held;             /* a mouse button pressed in the panel */
     bool      up, down;         /* this frame got a key release, a press */
 } panel_keys;

@@ -39,9 +39,9 @@ void scene_lines_value(scene_lines *l, uint32_t line, long row, size_t value_byt
  * stays, on a line of its own. */
 void scene_lines_remove(scene_lines *l, long row);
 
-/* Both return false if memory is lacking, with nothing changed.  scene_lines_replace: a
- * comment that would make the line longer than `most` bytes moves to a line of its own
- * before it. */
+/* Replaces the value in line `line`, from 1.  A comment that would make the line longer
+ * than `most` bytes moves to a line of its own before the line.  Returns false if memory is
+ * lacking, with nothing changed. */
 bool scene_lines_replace(scene_lines *l, uint32_t line, const char *value, size_t most);
 
 /* Replaces the name before the "=" of line `line`, from 1, by `now`; blanks and the rest of
@@ -50,6 +50,6 @@ bool scene_lines_replace(scene_lines *l, uint32_t line, const char *value, size_
 bool scene_lines_rename(scene_lines *l, uint32_t line, const char *old, const char *now);
 
 /* Adds "section.name" at the end of its section, or in a new section at the end of the
- * file. */
+ * file.  Returns false if memory is lacking, with nothing changed. */
 bool scene_lines_append(scene_lines *l, const char *name, const char *value);
 #endif

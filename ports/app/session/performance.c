@@ -19,13 +19,15 @@ typedef struct {
 
 struct performance {
     times    now;               /* picture in progress */
-    times    last[PANEL_HISTORY];       /* picture n is at n % PANEL_HISTORY */
-    uint32_t pictures;
-    uint64_t shown_at[PANEL_HISTORY];   /* time of display, us; indexed as last */
-    uint32_t shown;
-    uint64_t pressed_at;        /* first input since the last picture; 0: none */
-    uint32_t answer[ANSWERS];   /* us from an input to its picture */
-    uint32_t answers;
+    times    last[PANEL_HISTORY];       /* computed picture n is at n % PANEL_HISTORY */
+    uint32_t pictures;          /* number of computed pictures */
+    uint64_t shown_at[PANEL_HISTORY];   /* time when displayed picture n reached the
+                                         * display, us; at n % PANEL_HISTORY */
+    uint32_t shown;             /* number of displayed pictures */
+    uint64_t pressed_at;        /* time of the first input since the last displayed
+                                 * picture, us; 0: none */
+    uint32_t answer[ANSWERS];   /* us from an input to its picture; a ring */
+    uint32_t answers;           /* number of inputs answered */
     float    limit_ms;
     bool     measures;
     uint64_t stages_at;         /* time when the stopwatch was zeroed */

@@ -28,9 +28,9 @@ char *session_folder(bool make, int *why);
  * NULL: no memory. */
 char *session_text(const scene_file *file, session_world_name *world);
 
-/* Returns the text of folder/session.ini, which the caller frees.  Returns NULL after a
- * message: no file or an incomplete one (*code = EXIT_DONE), or a read error
- * (EXIT_INPUT). */
+/* Returns the text of folder/session.ini, which the caller frees; *world: the world's name
+ * in the text.  Returns NULL after a message: no file or an incomplete one (*code =
+ * EXIT_DONE), or a read error (EXIT_INPUT). */
 char *session_load(const char *folder, session_world_name *world, int *code);
 
 /* Copies a scene without file names: files are identified by their contents. */

@@ -18,7 +18,7 @@ typedef struct {
     const component_search_request *request;
     dry_run         run;
     dry_run_picture *want;          /* picture of each camera, drawn with all components */
-    uint32_t       *few;
+    uint32_t       *few;            /* cameras compared at each step of the search */
     uint32_t        n_few;
     component_set   in;             /* current list */
     component_set   needed;         /* components that are never left out */
@@ -127,9 +127,9 @@ static void leave_out_all(component_search *s, const component_set *of)
     } while (before > 0 && !s->code);
 }
 
-/* Adds a camera to the few.  All components come back, and the components that are
- * needless for the new camera too are left out again.  False: the picture is wrong even
- * with all components. */
+/* Adds a camera to the few compared cameras.  All components come back; then the search
+ * leaves out again the components that the new camera does not need either.  Returns false
+ * if the program is wrong even with all components, or after an error (s->code). */
 static bool add_camera(component_search *s, uint32_t camera)
 {
     const component_set all = components_without(&s->request->without);

@@ -18,7 +18,8 @@ typedef struct {
     const bench_peer *peer;             /* other renderer; NULL: this engine */
     char       by[BENCH_BY];            /* "rows quick", "llvmpipe" */
     uint32_t   us[BENCH_ROUNDS];        /* median of each round, us; 0: failed */
-    uint32_t   water;                   /* pixels; of a peer: as the case's first */
+    uint32_t   water;                   /* pixels of water; not counted for a peer, which
+                                         * gets the count of the case's first figure */
     double     decibels;                /* PSNR against the case's first; < 0: none */
 } bench_figure;
 

@@ -87,7 +87,8 @@ const tp_drops *tp_world_drops(const tp_world *world);
 
 #define TP_DROPS_ID TP_MODULE_ID('d', 'r', 'o', 'p')
 
-/* Fills `to` with the rings at `time`, ticks x 65536, up to `room`.  Returns the count. */
+/* Fills `to` with the rings at `time`, ticks x 65536, up to `room`.  Returns the count; 0
+ * if the program has no wave model of rings. */
 uint32_t tp_drops_rings_evaluate(const tp_drops *drops, const tp_program *program,
                                  int64_t time, tp_ring_now *to, uint32_t room);
 

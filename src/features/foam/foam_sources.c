@@ -114,10 +114,10 @@ static bool is_beside_pool_wall(const tp_foam_maker *m, tp_fx x)
     tp_fx d = pool->cell > m->foam->cell ? pool->cell : m->foam->cell;
     uint32_t col, row;
 
-    return !tp_pool_find_open_cell(pool, x - d, m->z, &col, &row)
-           || !tp_pool_find_open_cell(pool, x + d, m->z, &col, &row)
-           || !tp_pool_find_open_cell(pool, x, m->z - d, &col, &row)
-           || !tp_pool_find_open_cell(pool, x, m->z + d, &col, &row);
+    return !tp_pool_open_cell_at_point(pool, x - d, m->z, &col, &row)
+           || !tp_pool_open_cell_at_point(pool, x + d, m->z, &col, &row)
+           || !tp_pool_open_cell_at_point(pool, x, m->z - d, &col, &row)
+           || !tp_pool_open_cell_at_point(pool, x, m->z + d, &col, &row);
 }
 
 /* Returns the gain along walls.  Outside of the pool the gain is 0; inside a wall the
@@ -128,7 +128,7 @@ static uint32_t wall_gain(const tp_foam_maker *m, tp_fx x)
     int64_t dx = (int64_t)x - pool->x, dz = (int64_t)m->z - pool->z;
     uint32_t col, row;
 
-    if (!tp_pool_find_open_cell(pool, x, m->z, &col, &row))
+    if (!tp_pool_open_cell_at_point(pool, x, m->z, &col, &row))
         return 2 * (dx < 0 ? -dx : dx) < (int64_t)pool->cols * pool->cell
                    && 2 * (dz < 0 ? -dz : dz) < (int64_t)pool->rows * pool->cell
                ? TP_FOAM_DRY : 0;

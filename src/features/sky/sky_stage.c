@@ -276,7 +276,7 @@ static void sample_dome_columns(const tp_shade *shade, uint32_t *colour, tp_ray 
 
 void tp_stage_quick_sky_dome(const tp_shade *shade, tp_run *run)
 {
-    const tp_quick_row row = tp_quick_row_make(shade, run->y);
+    const tp_quick_ray_row row = tp_quick_ray_row_make(shade, run->y);
     int32_t  x = run->x, end = run->x + run->count;
     tp_ray   a = tp_quick_ray(shade, &row, 16 * (x & ~15) + 8);
     uint32_t here = sample_dome(shade, a);

@@ -144,7 +144,7 @@ TP_ALWAYS_INLINE void packed_shade_span(const tp_shade *shade, tp_quick_sun sun,
 TP_ALWAYS_INLINE void packed_light(const tp_shade *shade, tp_run *run, int env, int lobe)
 {
     const tp_quick_sun sun = tp_quick_sun_make(shade);
-    const tp_quick_row row = tp_quick_row_make(shade, run->y);
+    const tp_quick_ray_row row = tp_quick_ray_row_make(shade, run->y);
     int32_t x = run->x, end = run->x + run->count, span = TP_QUICK_SPAN(lobe);
     tp_quick_view v = tp_quick_view_sample(shade, &row, x & -span, lobe);
 
@@ -213,7 +213,7 @@ TP_ALWAYS_INLINE void packed_light_span_even_columns(const tp_shade *shade,
 TP_ALWAYS_INLINE void packed_light_even_columns(const tp_shade *shade, tp_run *run, int env)
 {
     const tp_quick_sun sun = tp_quick_sun_make(shade);
-    const tp_quick_row row = tp_quick_row_make(shade, run->y);
+    const tp_quick_ray_row row = tp_quick_ray_row_make(shade, run->y);
     int32_t   x = run->x, end = run->x + run->count;
     uint32_t *half = run->half;
     tp_quick_view v = tp_quick_blinn_sample(shade, &row, x & -SPAN);
@@ -254,7 +254,7 @@ TP_ALWAYS_INLINE void packed_add_phong_glints_span(const struct tp_quick_light *
 TP_ALWAYS_INLINE void packed_add_phong_glints(const tp_shade *shade, tp_run *run)
 {
     const tp_quick_sun sun = tp_quick_sun_make(shade);
-    const tp_quick_row row = tp_quick_row_make(shade, run->y);
+    const tp_quick_ray_row row = tp_quick_ray_row_make(shade, run->y);
     const int32_t end = run->x + run->count, span = TP_QUICK_SPAN(TP_LOBE_PHONG);
     int32_t x = run->x;
     tp_quick_view v = tp_quick_phong_sample(shade, &row, x & -span);

@@ -22,7 +22,7 @@ TP_ALWAYS_INLINE uint32_t half_vector_slopes(const tp_view_axes *a, int32_t x, i
     return tp_pair16(tp_clamp(sx, -16384, 16383), tp_clamp(sz, -16384, 16383));
 }
 
-TP_ALWAYS_INLINE tp_quick_view make_view(const tp_shade *shade, const tp_quick_row *row,
+TP_ALWAYS_INLINE tp_quick_view make_view(const tp_shade *shade, const tp_quick_ray_row *row,
                                          int32_t x, int lobe)
 {
     const tp_view_axes *a = &shade->world;
@@ -38,13 +38,13 @@ TP_ALWAYS_INLINE tp_quick_view make_view(const tp_shade *shade, const tp_quick_r
     return v;
 }
 
-tp_quick_view tp_quick_phong_sample(const tp_shade *shade, const tp_quick_row *row,
+tp_quick_view tp_quick_phong_sample(const tp_shade *shade, const tp_quick_ray_row *row,
                                     int32_t x)
 {
     return make_view(shade, row, x, TP_LOBE_PHONG);
 }
 
-tp_quick_view tp_quick_blinn_sample(const tp_shade *shade, const tp_quick_row *row,
+tp_quick_view tp_quick_blinn_sample(const tp_shade *shade, const tp_quick_ray_row *row,
                                     int32_t x)
 {
     return make_view(shade, row, x, TP_LOBE_BLINN);
@@ -91,7 +91,7 @@ TP_ALWAYS_INLINE void fill_span_views(tp_run *restrict run, int32_t i, int32_t s
 /* Fills the arrays of a whole run. */
 TP_ALWAYS_INLINE void fill_run_views(const tp_shade *shade, tp_run *run, int lobe)
 {
-    tp_quick_row  row = tp_quick_row_make(shade, run->y);
+    tp_quick_ray_row row = tp_quick_ray_row_make(shade, run->y);
     int32_t       x = run->x, end = run->x + run->count, span = TP_QUICK_SPAN(lobe);
     tp_quick_view a = tp_quick_view_sample(shade, &row, x & -span, lobe);
 

@@ -230,13 +230,13 @@ typedef struct {
 
 /* Return the view in the middle of the step that begins with column x: the first with
  * L.V; the second with h, also used without a lobe. */
-tp_quick_view tp_quick_phong_sample(const tp_shade *shade, const tp_quick_row *row,
+tp_quick_view tp_quick_phong_sample(const tp_shade *shade, const tp_quick_ray_row *row,
                                     int32_t x);
-tp_quick_view tp_quick_blinn_sample(const tp_shade *shade, const tp_quick_row *row,
+tp_quick_view tp_quick_blinn_sample(const tp_shade *shade, const tp_quick_ray_row *row,
                                     int32_t x);
 
 TP_ALWAYS_INLINE tp_quick_view tp_quick_view_sample(const tp_shade *shade,
-                                                    const tp_quick_row *row, int32_t x,
+                                                    const tp_quick_ray_row *row, int32_t x,
                                                     int lobe)
 {
     return lobe == TP_LOBE_PHONG ? tp_quick_phong_sample(shade, row, x)
