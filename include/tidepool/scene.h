@@ -217,7 +217,7 @@ typedef struct tp_scene {
         tp_fx   draft;                      /* draft of the hull at rest, m */
         tp_fx   drag;                       /* damping of rocking; 1 is critical */
         tp_fx   speed, rudder;              /* cruise: speed m/s, turn rate degrees/s */
-        tp_fx   wake;                       /* share of the moving volume in the pool */
+        tp_fx   wake;                       /* share of displaced volume in waves, 0..1 */
     } boat;
     struct { tp_fx scale; } clock;          /* time scale, 1/8..4 [D6] */
     struct {                                /* quality targets */

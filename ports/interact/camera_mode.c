@@ -245,8 +245,9 @@ static void go_with_boat(camera_mode *l, const tp_world *world, const tp_scene *
     l->boat_z = boat->z;
 }
 
-/* Writes the input leading to the mode's pose.  Differences of positions are below 2^30,
- * sines at most 2^30 (Q2.30), and `one` is about 2^30. */
+/* Writes the input that moves the world's camera to the mode's pose within this tick.
+ * Differences of positions are below 2^30, sines at most 2^30 (Q2.30).  `one` is
+ * sin^2 + cos^2, about 2^30; the division removes the error of the table's sines. */
 static void lead(const camera_mode *l, const tp_world *world, tp_input *input)
 {
     const tp_rotation turn = tp_rotation_from_angles(l->heading, l->pitch, 0);

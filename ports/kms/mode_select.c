@@ -65,7 +65,7 @@ void kms_mode_offer(kms_mode_choice *best, const kms_connector *head, uint32_t w
                   : !holds(&c.mode, width, height)   ? KMS_SMALL
                                                      : KMS_FITS;
     } else if (!c.sure) {
-        return;         /* status and modes unknown: treated as not connected */
+        return;         /* KMS_UNKNOWN without modes: treated as KMS_DISCONNECTED */
     }
     if (rank(&c) > rank(best))
         *best = c;

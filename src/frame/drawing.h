@@ -115,7 +115,7 @@ void tp_clipped_draw(const tp_projection *projection, const tp_view_plane *level
 
 typedef struct {
     uint32_t *colour;
-    uint32_t *samples;          /* four planes of one band */
+    uint32_t *samples;          /* G-buffer of one band: four planes, cols wide */
     uint32_t  cols, rows;
     uint32_t  halvings;         /* halvings of the picture's sides: 1 or 2 */
 } tp_planar_memory;

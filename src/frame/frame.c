@@ -290,7 +290,7 @@ static void set_water_surface(tp_frame *frame)
     tp_frame_add_displacements(frame, surface);
 }
 
-tp_surface tp_frame_surface_with_pools(const tp_frame *frame)
+tp_surface tp_frame_surface_with_all_pools(const tp_frame *frame)
 {
     tp_surface surface = frame->surface;
 

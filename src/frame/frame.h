@@ -172,9 +172,9 @@ tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
 uint32_t tp_frame_repeats_per_metre(tp_fx size); /* repeats a metre, Q0.32 over Q16.16 */
 int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_ground);
 
-/* frame.c: the surface including pools that bend normals alone; light falls through all
- * pools. */
-tp_surface tp_frame_surface_with_pools(const tp_frame *frame);
+/* frame.c.  Returns the surface that light falls through: the drawn surface, and also the
+ * pools that only bend the normals of the drawn surface. */
+tp_surface tp_frame_surface_with_all_pools(const tp_frame *frame);
 
 /* -- water renderers and the quality plan -------------------------------------------- */
 

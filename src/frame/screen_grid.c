@@ -252,8 +252,8 @@ static void sample_rest(const screen_line *l, int32_t x, int64_t row, bool at_wa
     }
 }
 
-/* Projects a displaced point.  A point outside of the guard band keeps its rest
- * position; waves of a valid sea do not move points there. */
+/* Projects a displaced point to the screen.  A point outside of the guard band keeps *to,
+ * the projected rest position; waves of a valid sea do not move points there. */
 static void project(const tp_frame *frame, const tp_surface_point *from, tp_row_point *to)
 {
     tp_view_vertex c = { .s = 0 };

@@ -294,8 +294,8 @@ static tp_status commit_corner(tp_obj *obj, const int32_t corner[3], tp_error *e
     return TP_OK;
 }
 
-/* Called when a third corner arrives: counts the first two corners, and makes sure that the
- * face has a material. */
+/* Called when a face's third corner arrives: commits the two corners held until then.  A
+ * face in front of all usemtl statements gets the default material. */
 static tp_status commit_first_two_corners(tp_obj *obj, tp_error *err)
 {
     tp_status status = TP_OK;

@@ -111,22 +111,22 @@ int64_t tp_start_view_water_distance_ahead(const tp_start_view *at, int64_t x, i
 
 /* -- fixed cost ---------------------------------------------------------------------- */
 
-/* The enabled modules with a cost. */
+/* The cost callbacks of the enabled modules. */
 typedef struct {
     const tp_cost *cost[TP_MODULES];
     uint32_t stopped[TP_MODULES];       /* rays stopped by each module */
     uint32_t count;
-} costs;
+} cost_callbacks;
 
-static costs collect_cost_callbacks(const tp_plan_input *in,
-                                    tp_module_conditions conditions)
+static cost_callbacks collect_cost_callbacks(const tp_plan_input *in,
+                                             tp_module_conditions conditions)
 {
-    costs all = { .count = 0 };
+    cost_callbacks callbacks = { .count = 0 };
 
     for (const tp_use *u = in->modules; u && u->module; u++)
         if (tp_module_ask_enabled(u->module, &conditions) && u->drawing && u->cost)
-            all.cost[all.count++] = u->cost;
-    return all;
+            callbacks.cost[callbacks.count++] = u->cost;
+    return callbacks;
 }
 
 static uint32_t count_bits(uint32_t word)
@@ -140,85 +140,87 @@ static uint32_t count_bits(uint32_t word)
 
 /* Tests a ray that would meet water.  If objects of several modules stop the ray, the
  * last module counts the ray. */
-static void count_ray_stopped_by_object(tp_site *w, costs *all, int32_t i, int32_t j,
-                                        int64_t far)
+static void count_ray_stopped_by_object(tp_site *site, cost_callbacks *callbacks,
+                                        int32_t i, int32_t j, int64_t far)
 {
-    const tp_vec3 ray = tp_work_ray(w, i, j);
-    uint32_t by = all->count;
+    const tp_vec3 ray = tp_work_ray(site, i, j);
+    uint32_t by = callbacks->count;
 
-    for (uint32_t k = 0; k < all->count; k++)
-        if (all->cost[k]->stops && all->cost[k]->stops(w, ray, far))
+    for (uint32_t k = 0; k < callbacks->count; k++)
+        if (callbacks->cost[k]->stops && callbacks->cost[k]->stops(site, ray, far))
             by = k;
-    if (by == all->count || w->solid[j] >> i & 1)
+    if (by == callbacks->count || site->solid[j] >> i & 1)
         return;
-    w->solid[j] |= 1u << i;
-    w->apart++;
-    all->stopped[by]++;
+    site->solid[j] |= 1u << i;
+    site->apart++;
+    callbacks->stopped[by]++;
 }
 
-/* Sets a bit for each ray: in w->wet[row] if the ray meets water, in reflecting[row] if
+/* Sets a bit for each ray: in site->wet[row] if the ray meets water, in reflecting[row] if
  * that water is near enough to reflect objects: up to an eighth beyond the objects, as
  * in the stage of the planar reflection.  Counts rays that an object stops before the
- * water in `all`, and sets their bits in w->solid. */
-static void mark_water_and_reflecting_rays(tp_site *w, costs *all,
+ * water in `callbacks`, and sets their bits in site->solid. */
+static void mark_water_and_reflecting_rays(tp_site *site, cost_callbacks *callbacks,
                                            uint32_t reflecting[TP_RAYS])
 {
-    const tp_start_view *at = &w->at;
+    const tp_start_view *at = &site->at;
 
     for (int32_t j = 0; j < TP_RAYS; j++) {
-        reflecting[j] = w->wet[j] = 0;
+        reflecting[j] = site->wet[j] = 0;
         for (int32_t i = 0; i < TP_RAYS; i++) {
             const int64_t far = tp_start_view_water_distance_ahead(
                 at, at->wide * (2 * i + 1 - TP_RAYS) / TP_RAYS,
                 at->high * (2 * j + 1 - TP_RAYS) / TP_RAYS);
             if (far > 0)
-                count_ray_stopped_by_object(w, all, i, j, far);
-            w->wet[j] |= (uint32_t)(far > 0) << i;
-            reflecting[j] |= (uint32_t)(far > 0 && far < w->far + w->far / 8) << i;
+                count_ray_stopped_by_object(site, callbacks, i, j, far);
+            site->wet[j] |= (uint32_t)(far > 0) << i;
+            reflecting[j] |= (uint32_t)(far > 0 && far < site->far + site->far / 8) << i;
         }
     }
 }
 
-static void add_pixel_costs(tp_site *w, costs *all)
+/* Counts the picture's pixels by content, and lets each module add the work of its pixels
+ * to site->fixed_cost. */
+static void add_pixels_to_fixed_cost(tp_site *site, cost_callbacks *callbacks)
 {
-    uint32_t near[TP_RAYS], sky = 0, water = 0, hidden = 0, solid = 0, looks = 0;
+    uint32_t reflecting[TP_RAYS], sky = 0, water = 0, hidden = 0, solid = 0, looks = 0;
 
-    mark_water_and_reflecting_rays(w, all, near);
+    mark_water_and_reflecting_rays(site, callbacks, reflecting);
     for (int j = 0; j < TP_RAYS; j++) {
-        solid += count_bits(w->solid[j]);
-        hidden += count_bits(w->wet[j] & w->solid[j]);
-        water += count_bits(w->wet[j] & ~w->solid[j]);
-        looks += count_bits(near[j] & ~w->solid[j]);
-        sky += count_bits(~(w->wet[j] | w->solid[j]));
+        solid += count_bits(site->solid[j]);
+        hidden += count_bits(site->wet[j] & site->solid[j]);
+        water += count_bits(site->wet[j] & ~site->solid[j]);
+        looks += count_bits(reflecting[j] & ~site->solid[j]);
+        sky += count_bits(~(site->wet[j] | site->solid[j]));
     }
-    w->fixed_cost.hidden = tp_work_ray_pixels(w, hidden);
-    w->fixed_cost.solid = tp_work_ray_pixels(w, solid);
-    w->fixed_cost.of[TP_WORK_solid] = tp_work_ray_pixels(w, solid - w->apart);
-    for (uint32_t k = 0; k < all->count; k++) {
+    site->fixed_cost.hidden = tp_work_ray_pixels(site, hidden);
+    site->fixed_cost.solid = tp_work_ray_pixels(site, solid);
+    site->fixed_cost.of[TP_WORK_solid] = tp_work_ray_pixels(site, solid - site->apart);
+    for (uint32_t k = 0; k < callbacks->count; k++) {
         const tp_work_pixels pixels = {
-            tp_work_ray_pixels(w, sky), tp_work_ray_pixels(w, water),
-            tp_work_ray_pixels(w, solid - w->apart), tp_work_ray_pixels(w, looks),
-            all->stopped[k],
+            tp_work_ray_pixels(site, sky), tp_work_ray_pixels(site, water),
+            tp_work_ray_pixels(site, solid - site->apart), tp_work_ray_pixels(site, looks),
+            callbacks->stopped[k],
         };
-        if (all->cost[k]->pixels)
-            all->cost[k]->pixels(w, &pixels);
+        if (callbacks->cost[k]->pixels)
+            callbacks->cost[k]->pixels(site, &pixels);
     }
 }
 
 tp_fixed_cost tp_fixed_cost_estimate(const tp_plan_input *in,
                                      const tp_view_estimate *estimate, bool quick)
 {
-    tp_site w = {
+    tp_site site = {
         .scene = in->scene, .assets = in->assets, .estimate = estimate, .quick = quick,
         .width = in->width, .height = in->height,
         .at = tp_start_view_make(in->scene, in->width, in->height), .is = estimate->modules,
     };
-    costs all = collect_cost_callbacks(in, tp_plan_module_conditions(in));
+    cost_callbacks callbacks = collect_cost_callbacks(in, tp_plan_module_conditions(in));
 
-    w.mirrors = w.is & TP_MODULE_MIRROR && w.at.eye.y > 0;
-    for (uint32_t k = 0; k < all.count; k++)
-        if (all.cost[k]->work)
-            all.cost[k]->work(&w);
-    add_pixel_costs(&w, &all);
-    return w.fixed_cost;
+    site.mirrors = site.is & TP_MODULE_MIRROR && site.at.eye.y > 0;
+    for (uint32_t k = 0; k < callbacks.count; k++)
+        if (callbacks.cost[k]->work)
+            callbacks.cost[k]->work(&site);
+    add_pixels_to_fixed_cost(&site, &callbacks);
+    return site.fixed_cost;
 }

@@ -150,10 +150,11 @@ static __attribute__((noinline)) void fill_perspective_rows(const tp_rows *rows,
     }
 }
 
-/* Fills rows [y, end) of a piece with at most two rows, each row on its own. */
-TP_ALWAYS_INLINE void fill_few(const tp_rows *rows, const tp_row_sample *near,
-                               const tp_row_sample *far, int32_t x, int32_t y,
-                               int32_t end)
+/* Fills rows [y, end) of column x, in a piece of at most FEW rows.  Each row is
+ * interpolated on its own, without steps from row to row. */
+TP_ALWAYS_INLINE void fill_few_rows(const tp_rows *rows, const tp_row_sample *near,
+                                    const tp_row_sample *far, int32_t x, int32_t y,
+                                    int32_t end)
 {
     const tp_gbuffer *tile = rows->tile;
     const size_t plane = plane_stride(tile);
@@ -178,10 +179,12 @@ TP_ALWAYS_INLINE void fill_few(const tp_rows *rows, const tp_row_sample *near,
     }
 }
 
-static __attribute__((noinline)) void fill_many(const tp_rows *rows,
-                                                const tp_row_sample *near,
-                                                const tp_row_sample *far, int32_t x,
-                                                int32_t y, int32_t end, int32_t top)
+/* Fills rows [y, end) of column x by steps from row `top`, the piece's upper end. */
+static __attribute__((noinline)) void fill_many_rows(const tp_rows *rows,
+                                                     const tp_row_sample *near,
+                                                     const tp_row_sample *far,
+                                                     int32_t x, int32_t y, int32_t end,
+                                                     int32_t top)
 {
     const between b = make_interval(far, near);
     sample now, step;
@@ -202,13 +205,13 @@ void tp_rows_fill_column(const tp_rows *rows, const tp_row_sample *near,
     uint32_t apart = (uint32_t)(near->v - far->v);
 
     if (end - y == 1 && first_row(near->v) - top <= FEW)
-        fill_few(rows, near, far, x, y, y + 1);
+        fill_few_rows(rows, near, far, x, y, y + 1);
     else if (first_row(near->v) - top <= FEW)
-        fill_few(rows, near, far, x, y, end);
+        fill_few_rows(rows, near, far, x, y, end);
     else if (apart >= DEEP * ROW && needs_row_perspective(far->zi, near->zi, apart >> 16))
         fill_perspective_rows(rows, near, far, x, y, end, top);
     else
-        fill_many(rows, near, far, x, y, end, top);
+        fill_many_rows(rows, near, far, x, y, end, top);
 }
 
 void tp_row_restart_column(tp_rows *rows, tp_row_column *column, const tp_row_sample *line,

@@ -62,8 +62,8 @@ TP_ALWAYS_INLINE tp_ray tp_underwater_refract(const tp_underwater *underwater,
                                            tp_incidence_cosine(in, n));
 }
 
-/* Fills ray[].at and ray[].far with the world positions of samples [i, stop) of a run.
- * The directions are left unchanged. */
+/* Sets the start points of the rays of samples [i, stop) of a run: ray[].at to the sample's
+ * world position, ray[].far to the sample's depth, m.  Directions are left unchanged. */
 void tp_underwater_set_start_points(const tp_shade *shade, const tp_run *run, int32_t i,
                                     int32_t stop, tp_refracted_ray *ray);
 

@@ -196,8 +196,8 @@ static int32_t side_rate(const tp_projection *projection, tp_fx wide, tp_q30 cos
 }
 
 /* Sets the step limits of both axes, for water no higher than `height`. */
-static void begin(tp_lod_axis lod[2], const tp_projection *projection, tp_fx height,
-                  tp_fx cell)
+static void set_lod_step_limits(tp_lod_axis lod[2], const tp_projection *projection,
+                                tp_fx height, tp_fx cell)
 {
     tp_dir3 heading = tp_normalise(projection->ahead.x, 0, projection->ahead.z);
     int64_t down;
@@ -258,7 +258,8 @@ static uint32_t thin(const tp_lod_axis *lod, tp_grid_line *line, uint32_t count,
 
 void tp_lod_thin(tp_grid *grid, const tp_grid_view *view)
 {
-    begin(grid->lod, view->projection, tp_surface_height_bound(view->surface), view->cell);
+    set_lod_step_limits(grid->lod, view->projection,
+                        tp_surface_height_bound(view->surface), view->cell);
     grid->cols = thin(&grid->lod[0], grid->column, grid->cols,
                       tp_grid_lines_skirt_count(grid->cols, view));
     grid->rows = thin(&grid->lod[1], grid->row, grid->rows,

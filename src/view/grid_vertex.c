@@ -173,8 +173,10 @@ static bool is_run_far_in_view(const tp_vertex_batch_input *place)
            && (most + frame->margin) >> (TP_GUARD_LOG2 - frame->projection->m) < least;
 }
 
-static void project_far(const tp_projection *projection, const tp_vertex_batch *from,
-                        uint32_t count, tp_grid_vertex *to)
+/* Projects the vertices of a run for which is_run_far_in_view is true: no tests. */
+static void project_run_far_in_view(const tp_projection *projection,
+                                    const tp_vertex_batch *from, uint32_t count,
+                                    tp_grid_vertex *to)
 {
     const tp_projection local = { .m = projection->m,
                                   .zi_near = projection->zi_near,
@@ -188,8 +190,10 @@ static void project_far(const tp_projection *projection, const tp_vertex_batch *
                                      &to->zi);
 }
 
-static void project_any(const tp_projection *projection, const tp_vertex_batch *from,
-                        uint32_t count, tp_grid_vertex *to)
+/* Projects each vertex inside the guard band; marks all others for clipping. */
+static void project_or_mark_for_clipping(const tp_projection *projection,
+                                         const tp_vertex_batch *from, uint32_t count,
+                                         tp_grid_vertex *to)
 {
     for (uint32_t i = 0; i < count; i++, to++) {
         const tp_view_vertex c = { .x = from->at[0][i], .y = from->at[1][i],
@@ -238,9 +242,9 @@ void tp_vertex_evaluate_batch(const tp_vertex_frame *frame,
 
     displace_batch(&place, true, &run, vertex);
     if (is_run_far_in_view(&place))
-        project_far(frame->projection, &run, count, vertex);
+        project_run_far_in_view(frame->projection, &run, count, vertex);
     else
-        project_any(frame->projection, &run, count, vertex);
+        project_or_mark_for_clipping(frame->projection, &run, count, vertex);
 }
 
 tp_view_vertex tp_vertex_make_view_vertex(const tp_vertex_frame *frame,

@@ -101,8 +101,8 @@ static int16_t round_to_q14(tp_q30 x)
     return (int16_t)((x + 0x8000) >> 16);
 }
 
-/* Returns the strength of breaking by steepness: k r from pi / 7, the breaking steepness,
- * to 0.5, where slopes are 30 degrees. */
+/* Returns the strength of breaking by steepness [B14], Q1.14: a smooth step from 0 at
+ * k A = pi / 7, the breaking steepness, to 1 at k A = 0.5, where slopes are 30 degrees. */
 static int16_t steep_breaking_strength(int64_t k_q32, tp_fx amplitude)
 {
     const int64_t kr = k_q32 * amplitude >> 32;

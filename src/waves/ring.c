@@ -131,17 +131,18 @@ static inline inverse_root make_inverse_root(uint64_t x)
     return (inverse_root){ n, tp_rsqrt_norm(n), half };
 }
 
-/* Returns s(rho) = sqrt(rho0 / (rho0 + rho)), Q2.30, and 1 / (2 (rho0 + rho)), Q.22.  The
- * sum is 2^17 to 2^39 in Q24, and `half` is 12 to 23: no shift is negative. */
+/* Returns s(rho) = sqrt(rho0 / (rho0 + rho)), Q2.30, and the share of s that is lost per
+ * metre, -s'/s = 1 / (2 (rho0 + rho)), Q.22.  The sum is 2^17 to 2^39 in Q24, and `half`
+ * is 12 to 23: no shift is negative. */
 static inline tp_q30 spreading_factor(const tp_ring_now *ring, int64_t rho_q24,
-                                      int32_t *bend_q22)
+                                      int32_t *loss_per_m_q22)
 {
     const int64_t sum = rho_q24 + (int64_t)ring->spread * 256;
     TP_ASSERT(sum >> 17 > 0 && sum >> 39 == 0);
     inverse_root q = make_inverse_root((uint64_t)sum);
     uint64_t s = (uint64_t)ring->root_q24 * q.r >> (45 - q.half);
 
-    *bend_q22 = (int32_t)((uint64_t)q.r * q.r >> 32 >> (49 - 2 * q.half));
+    *loss_per_m_q22 = (int32_t)((uint64_t)q.r * q.r >> 32 >> (49 - 2 * q.half));
     return s < TP_Q30_ONE ? (tp_q30)s : TP_Q30_ONE;
 }
 
@@ -162,13 +163,13 @@ static void add_ring(ring_sums *sum, const tp_ring_now *ring, int32_t dx, int32_
     if (way <= 0 || way >= (int64_t)ring->length * 256)
         return;                             /* the squares were rounded outwards */
     tp_turn turns = (tp_turn)((uint64_t)(way * ring->turns_q32) >> 24);
-    int32_t bend;
-    tp_q30  s = spreading_factor(ring, rho, &bend);
+    int32_t loss_per_m;
+    tp_q30  s = spreading_factor(ring, rho, &loss_per_m);
     tp_q30  w = (tp_q30)(((int64_t)TP_Q30_ONE - tp_cos(turns)) >> 1);
     int64_t high = ((int64_t)ring->gain_q24 * s + (1 << 29)) >> 30;
     /* s W' - s^3 W / (2 rho0) over s, Q22: pi / L < 2^29.3, the rest < 2^28. */
     int64_t steep = ((int64_t)ring->steep_q22 * tp_sin(turns)
-                     - (int64_t)bend * w) >> 30;
+                     - (int64_t)loss_per_m * w) >> 30;
     int64_t slope = tp_clamp_abs((high * steep + (1 << 21)) >> 22, SLOPE_MOST);
     /* Divides by rho: d r < 2^62, and 2^(33 - half) turns the product into a Q2.30
      * of magnitude <= 1. */
@@ -221,7 +222,7 @@ bool tp_ring_is_spent(const tp_ring *ring, int64_t now, tp_fx max_distance)
         .root_q24 = tp_isqrt64((uint64_t)(uint32_t)ring->spread << 32),
         .spread = ring->spread,
     };
-    int32_t bend;
-    tp_q30  s = spreading_factor(&at, rear + (int64_t)ring->length * 128, &bend);
+    int32_t loss_per_m;
+    tp_q30  s = spreading_factor(&at, rear + (int64_t)ring->length * 128, &loss_per_m);
     return tp_q30_mul(scale_ring_amplitude(ring, decay_factor(ring, age)), s) < 1 << 8;
 }

@@ -86,7 +86,7 @@ static void a_thousand_drops_fall_for_a_minute(void **state)
     assert_non_null(rings);
     tp_drops_init(drops, &c);
     for (uint64_t tick = 1; tick <= MINUTE; tick++) {
-        tp_drops_move_sphere(drops, 0, 0);
+        tp_drops_move_releasing_sphere(drops, 0, 0);
         tp_drops_release(drops, &c, tick == 1 ? 1000 : 0);
         tp_drops_release_by_interval(drops, &c);
         for (uint32_t i = 0; i < drops->count; i++) {

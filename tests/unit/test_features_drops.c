@@ -168,12 +168,12 @@ static void the_sphere_is_steered_at_its_height(void **state)
     (void)state;
     const tp_scene_drops c = config_of(1, 0);
     tp_drops *const drops = block_of(&c);
-    tp_drops_move_sphere(drops, TP_FX(0.5), TP_FX(-1));
+    tp_drops_move_releasing_sphere(drops, TP_FX(0.5), TP_FX(-1));
     assert_int_equal(drops->sphere.x, TP_FX(5.5));
     assert_int_equal(drops->sphere.z, TP_FX(-8));
     assert_int_equal(drops->sphere.y, TP_FX(3));
     assert_int_equal(drops->last_sphere.x, TP_FX(5));
-    tp_drops_move_sphere(drops, TP_FX_MAX, TP_FX_MIN);
+    tp_drops_move_releasing_sphere(drops, TP_FX_MAX, TP_FX_MIN);
     assert_int_equal(drops->sphere.x, 8000 * TP_FX_ONE);
     assert_int_equal(drops->sphere.z, -8000 * TP_FX_ONE);
     free(drops);
@@ -241,7 +241,7 @@ static void a_story_repeats_bit_for_bit(void **state)
         const uint32_t more = random_below(&chance, 40) == 0 ? 7 : 0;
         for (int k = 0; k < 2; k++) {
             tp_drops *const drops = k ? a : b;
-            tp_drops_move_sphere(drops, x, -x);
+            tp_drops_move_releasing_sphere(drops, x, -x);
             tp_drops_release(drops, &c, more);
             tp_drops_release_by_interval(drops, &c);
             tick_of(drops, &c, tick);

@@ -14,7 +14,8 @@
 #define RCC     AT(0x400fe060)
 #define RCGC1   AT(0x400fe104)
 #define RCGC2   AT(0x400fe108)
-#define RCC_FIELDS 0x07c03bf1u          /* SYSDIV USESYSDIV PWRDN BYPASS XTAL OSCSRC */
+#define RCC_FIELDS 0x07c03bf1u          /* fields that RCC_50MHZ replaces: SYSDIV USESYSDIV
+                                         * PWRDN OEN BYPASS XTAL OSCSRC MOSCDIS */
 #define RCC_BYPASS 0x00000800u
 #define RCC_50MHZ  0x01c00380u          /* 200 MHz / 4 from the 8 MHz crystal */
 #define PLL_LOCKED 0x00000040u

@@ -123,7 +123,8 @@ static void draw_body(const pen *to)
     }
 }
 
-/* Draws mast and flag; they are thin and visible from both sides. */
+/* Draws mast and flag as flat triangles; the caller switches culling off, and both sides
+ * are visible. */
 static void draw_mast(const pen *to)
 {
     static const int16_t front[3] = { 0, 0, 511 }, side[3] = { 511, 0, 0 };

@@ -8,14 +8,16 @@
 
 /* -- extent -------------------------------------------------------------------------- */
 
-/* Width of a skirt, the growing steps beside the equal cells: up to `reach`, or `flank`
- * equal cells. */
-static double flanks(double cell, int flank, double half, double reach)
+/* Returns the width of the grid's skirt at one side, m: `reach`, but at least the width of
+ * `skirt_lines` equal cells.  The skirt ends within 16000 m of the centre if that leaves
+ * room for the cells.  `half` is half the width of the equal cells.  No skirt lines: 0. */
+static double skirt_width(double cell, int skirt_lines, double half, double reach)
 {
-    return flank ? fmax(fmin(reach, 16000 - half), cell * flank) : 0;
+    return skirt_lines ? fmax(fmin(reach, 16000 - half), cell * skirt_lines) : 0;
 }
 
-/* Centre of a grid that follows the eye: ahead of the eye, in whole cells. */
+/* Returns the centre of the grid on one axis, m: ahead of the eye in whole cells if the
+ * grid follows the eye, else 0. */
 static double cell_centre(double eye, double ahead, double cell, int count, bool follow)
 {
     return follow ? cell * trunc((eye + cell * (count - 2 * (count / 8)) * 0.4 * ahead)
@@ -38,8 +40,8 @@ static ref_extent make_extent(const tp_scene *scene, ref_vec eye, ref_vec ahead,
         .half_z = cell * (rows - 2 * fz - 1) / 2,
     };
 
-    e.out_x = e.half_x + flanks(cell, fx, e.half_x, reach);
-    e.out_z = e.half_z + flanks(cell, fz, e.half_z, reach);
+    e.out_x = e.half_x + skirt_width(cell, fx, e.half_x, reach);
+    e.out_z = e.half_z + skirt_width(cell, fz, e.half_z, reach);
     e.fade = fading && fx ? cell * ((cols - 2 * fx) / 8 + 1) : 0;
     return e;
 }

@@ -269,7 +269,8 @@ static void make_gloss(tp_frame *frame, void *mine)
     }
 }
 
-static void begin(tp_frame *frame, void *mine)
+/* Sets the boat's materials: mipmap bias, maps and tables of highlights. */
+static void begin_boat_materials(tp_frame *frame, void *mine)
 {
     drawn_boat *b = mine;
     const tp_mesh *mesh = b->look.mesh;
@@ -356,7 +357,8 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 }
 
 const tp_drawing tp_boat_drawing = {
-    .layout = layout, .init = make_gloss, .marks = count_marks, .begin = begin,
+    .layout = layout, .init = make_gloss, .marks = count_marks,
+    .begin = begin_boat_materials,
     .anchor = set_anchor, .project = project, .draw = draw, .stages = add_stages,
 };
 

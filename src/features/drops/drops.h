@@ -38,7 +38,7 @@ typedef struct {
     uint32_t released, impacts; /* totals so far */
     uint32_t random;
     uint32_t wait;              /* ticks x 65536 until the next automatic drop */
-    tp_vec3  sphere, last_sphere;
+    tp_vec3  sphere, last_sphere;       /* centre of the releasing sphere; a tick ago */
     tp_fx    sphere_radius;
 } tp_drops;
 
@@ -50,8 +50,9 @@ const tp_ring *tp_drops_rings(const tp_drops *drops);
 
 bool tp_drop_is_valid(const tp_drop *drop);
 
-/* Moves the sphere by (x, z) m, within +-8000 m.  Call once per tick, also with 0. */
-void tp_drops_move_sphere(tp_drops *drops, tp_fx dx, tp_fx dz);
+/* Moves the sphere that drops are released from by (dx, dz) m, within +-8000 m of the
+ * origin.  Call once per tick, also with 0. */
+void tp_drops_move_releasing_sphere(tp_drops *drops, tp_fx dx, tp_fx dz);
 
 /* Releases `count` drops from the sphere.  Drops beyond the capacity are counted.  A
  * single drop without scatter falls from the sphere's centre; of several drops each has

@@ -258,7 +258,8 @@ static void add_surface(tp_frame *frame, void *mine, tp_surface *surface)
                            : 0;
 }
 
-static void begin(tp_frame *frame, void *mine)
+/* Sets the material of drops and sphere: the scene's colour, with white highlights. */
+static void begin_drop_material(tp_frame *frame, void *mine)
 {
     drawn_drops *d = mine;
 
@@ -286,7 +287,7 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 
 const tp_drawing tp_drops_drawing = {
     .layout = layout, .init = make_ball, .marks = tp_marks_one, .surface = add_surface,
-    .begin = begin, .anchor = set_anchor, .project = project, .draw = draw,
+    .begin = begin_drop_material, .anchor = set_anchor, .project = project, .draw = draw,
     .stages = add_stages,
 };
 

@@ -66,7 +66,7 @@ static tp_fx clamp_sphere_coordinate(int64_t x)
     return (tp_fx)tp_clamp_abs(x, SPHERE_FAR);
 }
 
-void tp_drops_move_sphere(tp_drops *drops, tp_fx dx, tp_fx dz)
+void tp_drops_move_releasing_sphere(tp_drops *drops, tp_fx dx, tp_fx dz)
 {
     drops->last_sphere = drops->sphere;
     drops->sphere.x = clamp_sphere_coordinate((int64_t)drops->sphere.x + dx);
@@ -341,7 +341,7 @@ static void step(void *mine, const tp_program *program, tp_world *world,
     tp_drops *drops = mine;
     rings_now *now = current_rings(drops);
 
-    tp_drops_move_sphere(drops, in ? in->sphere_x : 0, in ? in->sphere_z : 0);
+    tp_drops_move_releasing_sphere(drops, in ? in->sphere_x : 0, in ? in->sphere_z : 0);
     tp_drops_release_by_interval(drops, &scene->drops);
     if (in && in->drops > 0)
         tp_drops_release(drops, &scene->drops, (uint32_t)in->drops);

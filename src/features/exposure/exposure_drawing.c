@@ -13,7 +13,8 @@ static void make_tones(tp_exposure *e, tp_fx exposure)
     e->made_for = exposure;
 }
 
-/* Marks the tone tables as not computed; begin() computes them for the frame's exposure. */
+/* Marks the tone tables as not computed; begin_tone_mapping computes them for the frame's
+ * exposure. */
 static void init(tp_frame *frame, void *mine)
 {
     tp_exposure *e = mine;
@@ -22,9 +23,9 @@ static void init(tp_frame *frame, void *mine)
     e->made_for = 0;
 }
 
-/* Chooses the method.  Panes of glass and overlays must be drawn over tone-mapped
- * colours, so both exclude the pixel table. */
-static void begin(tp_frame *frame, void *mine)
+/* Makes the tone tables if the exposure changed, and chooses the method.  Panes of glass
+ * and overlays must be drawn over tone-mapped colours: both exclude the pixel table. */
+static void begin_tone_mapping(tp_frame *frame, void *mine)
 {
     tp_exposure *e = mine;
     const tp_fx exposure = frame->drawn.exposure;
@@ -67,5 +68,5 @@ const tp_module tp_exposure_module = {
 };
 
 const tp_drawing tp_exposure_drawing = {
-    .layout = layout, .init = init, .begin = begin, .stages = add_stage,
+    .layout = layout, .init = init, .begin = begin_tone_mapping, .stages = add_stage,
 };

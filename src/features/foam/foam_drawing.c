@@ -32,7 +32,9 @@ static void place_foam(tp_shade_foam *f, const tp_foam *foam, const tp_scene_map
     f->per_metre = ((uint64_t)1 << 48) / (uint32_t)foam->cell;
 }
 
-static void begin(tp_frame *frame, void *mine)
+/* Sets the foam's colour and texture, and the place of its cover under the picture's
+ * water. */
+static void begin_foam(tp_frame *frame, void *mine)
 {
     const tp_scene *scene = frame->scene;
     const tp_foam  *foam = tp_foam_of_world(frame->world);
@@ -72,5 +74,5 @@ static void init(tp_frame *frame, void *mine)
 }
 
 const tp_drawing tp_foam_drawing = {
-    .layout = layout, .init = init, .begin = begin, .stages = add_stage,
+    .layout = layout, .init = init, .begin = begin_foam, .stages = add_stage,
 };

@@ -208,7 +208,8 @@ static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
     return l;
 }
 
-static void begin(tp_frame *frame, void *mine)
+/* Sets the material of bare land: the colour of the floor, without highlights. */
+static void begin_land_material(tp_frame *frame, void *mine)
 {
     land *l = mine;
 
@@ -241,6 +242,7 @@ const tp_module tp_land_module = {
 };
 
 const tp_drawing tp_land_drawing = {
-    .layout = layout, .marks = tp_marks_one, .begin = begin, .project = project,
+    .layout = layout, .marks = tp_marks_one, .begin = begin_land_material,
+    .project = project,
     .draw = draw, .stages = add_stages,
 };

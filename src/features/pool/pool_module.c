@@ -295,6 +295,8 @@ const tp_module tp_main_pool_module = {
 
 /* -- [field] ------------------------------------------------------------------------- */
 
+/* The field is the scene's second pool and uses the pool's functions, with `field` true. */
+
 static tp_status field_check(const tp_module_conditions *conditions, tp_error *err)
 {
     return tp_pools_check(conditions->scene, conditions->assets, true, err);

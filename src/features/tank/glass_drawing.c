@@ -176,7 +176,9 @@ static void project_wall(const tp_frame *frame, tp_glass_wall *wall, uint32_t fa
     set_pane_depth_plane(frame, wall, &r);
 }
 
-static void begin(tp_frame *frame, void *mine)
+/* Sets the glass's colour and projects the glass walls towards the viewer.  An eye under
+ * water sees no glass. */
+static void begin_glass_panes(tp_frame *frame, void *mine)
 {
     tp_glass *glass = mine;
 
@@ -235,7 +237,7 @@ const tp_module tp_glass_module = {
 const tp_drawing tp_glass_drawing = {
     .layout = layout,
     .marks = tp_marks_one,
-    .begin = begin,
+    .begin = begin_glass_panes,
     .project = place_side_posts,
     .draw = draw_water_sides,
     .stages = add_stages,

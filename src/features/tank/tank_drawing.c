@@ -227,7 +227,7 @@ static void append_row_wall_blocks(tp_tank *tank, const tp_pool *pool, uint32_t 
 
 /* Makes the wall blocks once, and sets their heights.  Without a tank blocks are three
  * cells high, above a splash of the usual height. */
-static void begin(tp_frame *frame, void *mine)
+static void begin_tank_walls(tp_frame *frame, void *mine)
 {
     tp_tank *tank = mine;
     const tp_scene *scene = frame->scene;
@@ -273,7 +273,7 @@ const tp_module tp_tank_module = {
 const tp_drawing tp_tank_drawing = {
     .layout = layout,
     .marks = tp_marks_one,
-    .begin = begin,
+    .begin = begin_tank_walls,
     .project = widen_box_to_view,
     .draw = draw,
     .stages = add_stage,

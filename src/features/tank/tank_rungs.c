@@ -133,8 +133,7 @@ static void count_glass_rays(tp_site *w, const tp_rectangle *r)
     for (int32_t j = 0; j < TP_RAYS; j++)
         for (int32_t i = 0; i < TP_RAYS; i++) {
             const tp_vec3 ray = tp_work_ray(w, i, j);
-            int64_t y =
-                0; /* for compilers that miss the assignment in ray_enters_tank() */
+            int64_t y = 0;      /* for compilers that miss the assignment by the call */
             if (!ray_enters_tank(w, r, ray, &y) || y < -(int64_t)s->tank.depth
                 || y > s->tank.rim)
                 continue;

@@ -184,7 +184,7 @@ static void splat_cell_light(uint16_t *light, uint32_t cells, const tp_caustic_v
  * each cell. */
 static void make_light_map(const tp_frame *frame, tp_caustics *map)
 {
-    const tp_surface surface = tp_frame_surface_with_pools(frame);
+    const tp_surface surface = tp_frame_surface_with_all_pools(frame);
     uint32_t n = map->look.cells;
 
     memset(map->light, 0, (size_t)n * n * sizeof *map->light);
@@ -198,7 +198,8 @@ static void make_light_map(const tp_frame *frame, tp_caustics *map)
     }
 }
 
-static void begin(tp_frame *frame, void *mine)
+/* Makes the map of caustics for this picture: where its cells lie, and their light. */
+static void begin_caustic_map(tp_frame *frame, void *mine)
 {
     const tp_scene *scene = frame->scene;
     tp_caustics *map = mine;
@@ -254,7 +255,7 @@ const tp_module tp_caustics_module = {
     .enabled = tp_caustics_enabled,
 };
 
-const tp_drawing tp_caustics_drawing = { .layout = layout, .begin = begin };
+const tp_drawing tp_caustics_drawing = { .layout = layout, .begin = begin_caustic_map };
 const tp_stage tp_caustics_stages[] = { NULL };
 
 /* -- cost ---------------------------------------------------------------------------- */

@@ -133,18 +133,18 @@ TP_ALWAYS_INLINE void plain_light(const tp_shade *shade, tp_run *run, int env, i
 
 /* -- every second column, and glints of all columns ---------------------------------- */
 
-/* Lights the even columns, from the first even column on.  Slopes and views are read at
- * every second column of the run. */
+/* Lights `count` even columns of the picture; `first`, 0 or 1, is the first one's column in
+ * the run.  even[k] contains the colour of the layers and receives the lit colour. */
 TP_ALWAYS_INLINE void plain_light_even_columns_loop(const plain_tables tables,
                                                     const tp_run *restrict run,
-                                                    uint32_t *restrict even, int32_t odd,
-                                                    int32_t places, int env)
+                                                    uint32_t *restrict even, int32_t first,
+                                                    int32_t count, int env)
 {
-    const uint32_t *restrict slope = run->slope + odd, *restrict back = run->back + odd;
-    const uint32_t *restrict column = run->column + odd;
-    const int32_t  *restrict y = run->view_y + odd;
+    const uint32_t *restrict slope = run->slope + first, *restrict back = run->back + first;
+    const uint32_t *restrict column = run->column + first;
+    const int32_t  *restrict y = run->view_y + first;
 
-    for (int32_t k = 0; k < places; k++) {
+    for (int32_t k = 0; k < count; k++) {
         plain_column c = plain_column_make(&tables, slope[2 * k], back[2 * k], y[2 * k]);
         even[k] = plain_light_and_reflect(
             &tables, c, env == TP_ENV_DOME ? column[2 * k] : 0, even[k], env);

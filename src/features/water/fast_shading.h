@@ -265,8 +265,8 @@ TP_ALWAYS_INLINE tp_quick_view tp_quick_step(tp_quick_view a, tp_quick_view b, i
     };
 }
 
-/* Steps of h from column to column: three times a quarter of a step, truncated, then the
- * rest of the step. */
+/* Steps of the half vector h from column to column: three times a quarter of a step,
+ * truncated, then the rest of the step. */
 typedef struct {
     uint32_t quarter, rest;
 } tp_quick_walk;
@@ -293,7 +293,8 @@ static inline uint32_t tp_quick_plus(uint32_t a, uint32_t step, int32_t k)
                      tp_low16(a) + k * tp_low16(step));
 }
 
-/* Returns h in column k; `first` is h in column 0. */
+/* Returns h in column k; `first` is h in column 0, `step` the change in four columns.
+ * Quarters of a step are truncated, as in tp_quick_walk. */
 TP_ALWAYS_INLINE uint32_t tp_quick_half_advance(uint32_t first, uint32_t step, int32_t k)
 {
     return tp_pair16(tp_high16(first) + (k >> 2) * tp_high16(step)

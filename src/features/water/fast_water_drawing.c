@@ -204,7 +204,8 @@ static void update_tables(tp_frame *frame, struct tp_quick_light *light, bool ri
     tp_quick_light_init(light, &frame->shade, select_lobe(frame), specular, ripples);
 }
 
-static void begin(tp_frame *frame, void *mine)
+/* Sets the layers and tables of fast shading, if this picture uses fast shading. */
+static void begin_fast_water(tp_frame *frame, void *mine)
 {
     tp_fast_water *fast = mine;
 
@@ -336,5 +337,5 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 }
 
 const tp_drawing tp_fast_water_drawing = {
-    .layout = layout, .init = init, .begin = begin, .stages = add_stages,
+    .layout = layout, .init = init, .begin = begin_fast_water, .stages = add_stages,
 };

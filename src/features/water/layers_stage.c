@@ -54,7 +54,7 @@ const tp_stage tp_base_layer_stages[] = {
 
 /* -- added and graded layers --------------------------------------------------------- */
 
-/* The span is at least 12 levels of 255. */
+/* The range is at least 12 levels of 255. */
 tp_grade tp_grade_make(tp_fx saturation, tp_fx clamp, uint32_t colour)
 {
     TP_ASSERT(saturation >= 0 && saturation <= 4 * TP_FX_ONE);

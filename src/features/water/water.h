@@ -54,8 +54,8 @@ typedef struct {
 typedef struct {
     int32_t  saturation;        /* 0: grey; 256: unchanged; at most 1024 */
     int32_t  clamp;             /* darker values become black, 0..0.95 of white */
-    int32_t  range;             /* white minus the clamp */
-    uint32_t gain[3];           /* red, green, blue of the colour / span, Q24 */
+    int32_t  range;             /* white minus the clamp, Q8 */
+    uint32_t gain[3];           /* red, green, blue of the colour / range, Q24 */
 } tp_grade;
 
 /* layers_stage.c.  Returns the grading for saturation 0..4, clamp 0..0.95. */
@@ -67,9 +67,10 @@ static inline bool tp_is_graded(tp_fx saturation, tp_fx clamp)
     return saturation != TP_FX_ONE || clamp > 0;
 }
 
-/* Returns a graded channel.  `grey` is the part shared by all channels: the texel's grey
- * times (1 - saturation), minus the clamp.  v <= span, and span x gain <= 255 << 24
- * rounded down, so adding a half still fits. */
+/* Returns a graded channel, 0..255, of the texel's channel `c`.  `grey` is the part shared
+ * by all channels, Q8: the texel's grey times (1 - saturation), minus the clamp.
+ * v <= range, and the gain is rounded down: v x gain <= 255 << 24, and adding a half
+ * still fits 32 bits. */
 TP_ALWAYS_INLINE uint32_t tp_grade_channel(const tp_grade *grade, int32_t grey,
                                            uint32_t c, int channel)
 {
