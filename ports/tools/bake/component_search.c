@@ -12,7 +12,7 @@
 #include "component_needs.h"
 #include "fixed/arithmetic.h"
 
-#define FEW 12                  /* number of cameras at first */
+#define FEW 4                   /* number of cameras at first */
 
 typedef struct {
     const component_search_request *request;
