@@ -361,6 +361,20 @@ static inline void twice_paint(const test_frame *f, bool backwards, uint32_t *pi
     assert_true(frame_guard_holds(f->scratch, f->scratch_bytes));
 }
 
+/* False if a streamed grid draws triangles where the stored grid draws scanlines: in a view
+ * along x, whose lines a streamed grid cannot read.  No other difference is legal. */
+static inline bool twice_has_one_renderer(const test_twice *t)
+{
+    const tp_frame *a = t->whole.frame, *b = t->tiled.frame;
+
+    if (a->visibility == b->visibility)
+        return true;
+    assert_int_equal(a->visibility, TP_VISIBILITY_ROWS);
+    assert_int_equal(b->visibility, TP_VISIBILITY_TRIANGLES);
+    assert_true(b->buffers.grid->streams && !a->buffers.grid->streams);
+    return false;
+}
+
 static inline void twice_draw(test_twice *t, const tp_world *world)
 {
     tp_frame_begin(t->whole.frame, world);
@@ -369,7 +383,8 @@ static inline void twice_draw(test_twice *t, const tp_world *world)
     twice_paint(&t->tiled, t->backwards, t->picture[1]);
     twice_count(t->whole.frame, (const uint32_t *)(const void *)t->whole.scratch,
                 t->pixels, &t->reached);
-    assert_memory_equal(t->picture[0], t->picture[1],
-                        t->pixels * sizeof *t->picture[0]);
+    if (twice_has_one_renderer(t))
+        assert_memory_equal(t->picture[0], t->picture[1],
+                            t->pixels * sizeof *t->picture[0]);
 }
 #endif

@@ -297,23 +297,32 @@ static void so_do_the_worst_waves_that_are_known(void **state)
 
 /* -- later ----------------------------------------------------------------------------- */
 
-static void waves_of_8_bits_stay_within_it_later(void **state)
+/* Random waves keep twice the bound.  Of 34,000 two passed the bound itself; the worst is
+ * the first of the known waves. */
+static void waves_of_8_bits_pass_it_later_by_half(void **state)
 {
     (void)state;
     const int count = getenv("TP_SOAK") ? 2000 : 60;
+    static const struct { uint32_t m, courant_sq_q10, cols, rows, p, q; } known[] = {
+        { 4, 64, 57, 16, 48, 7 }, { 4, 51, 50, 16, 0, 5 }, { 4, 27, 32, 32, 0, 25 },
+    };
     shares s = shares_of("8 bits, later, rms", "8 bits, later, corner");
 
     for (int n = 0; n < count; n++) {
         const uint32_t m = (uint32_t)chance_int(&chance, 4, 10);
-        wave w = any_wave(TP_CELLS_8, any_r2q(m), m);
+        const wave w = any_wave(TP_CELLS_8, any_r2q(m), m);
         if (w.config.cols * w.config.rows < 1300)
             compare(&s, &w, LATER);
     }
-    wave worst = { .config = pool_config(TP_CELLS_8, TP_EDGES_WALL, 32, 32) };
-    shape(&worst, 0, 25, 27, 4);                /* worst of 5600 random waves */
-    compare(&s, &worst, LATER);
-    assert_shares(&s);
-    assert_true(s.rms.worst > 0.8);
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        wave w = { .config = pool_config(TP_CELLS_8, TP_EDGES_WALL, known[i].cols,
+                                         known[i].rows) };
+        shape(&w, known[i].p, known[i].q, known[i].courant_sq_q10, known[i].m);
+        compare(&s, &w, LATER);
+    }
+    measure_print(&s.rms);
+    measure_print(&s.corner);
+    assert_true(s.rms.worst > 1.4 && s.rms.worst < 2 && s.corner.worst < 2);
 }
 
 /* The worst of 17,000 random waves: the bound of the first ticks does not hold for later
@@ -346,7 +355,7 @@ int main(void)
         cmocka_unit_test(a_wave_stays_within_its_noise),
         cmocka_unit_test(so_do_waves_at_a_courant_of_a_quarter),
         cmocka_unit_test(so_do_the_worst_waves_that_are_known),
-        cmocka_unit_test(waves_of_8_bits_stay_within_it_later),
+        cmocka_unit_test(waves_of_8_bits_pass_it_later_by_half),
         cmocka_unit_test(the_worst_known_of_16_bits_pass_it_later_by_4_times),
     };
     chance = random_seed();
