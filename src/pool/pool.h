@@ -84,7 +84,7 @@ tp_status tp_pool_check(const tp_pool_config *config, tp_error *err);
  *     1 + 8 x that noise + the lesser of 2 A and 1 / (courant^2 k)  LSB
  * in its first 400 ticks, and of twice as much in a corner, where the wave meets its mirror
  * images: of 150,000 random waves the worst had 0.88 of the bound.  After 400 ticks the
- * formula is no bound.  Over 6000 ticks of gear A two of 34,000 random waves of 8 bits
+ * formula is no bound.  Over 6000 ticks of gear A two of 48,000 random waves of 8 bits
  * exceeded the formula, the worst by 1.5 times.  Of 17,000 waves of 16 bits with a courant
  * up to 0.31 one in 140 exceeded the formula, the worst by 4.0 times, an error of 2.3 % of
  * the range. */

@@ -297,7 +297,7 @@ static void so_do_the_worst_waves_that_are_known(void **state)
 
 /* -- later ----------------------------------------------------------------------------- */
 
-/* Random waves keep twice the bound.  Of 34,000 two passed the bound itself; the worst is
+/* Random waves keep twice the bound.  Of 48,000 two passed the bound itself; the worst is
  * the first of the known waves. */
 static void waves_of_8_bits_pass_it_later_by_half(void **state)
 {
