@@ -73,9 +73,9 @@ tp_plan_input tp_frame_plan_input(const tp_program *program, const tp_scene *sce
 
 /* Allocates the frame's block, the frame itself first.  Called with a counting arena, then
  * with the block.  Returns sizes in `ram`. */
-static tp_frame *layout_frame(const tp_program *program, tp_frame_buffers *buffers,
-                              tp_ram_use *ram, tp_arena *arena, const tp_scene *scene,
-                              tp_assets *assets, const tp_config *config)
+static tp_frame *allocate_frame(const tp_program *program, tp_frame_buffers *buffers,
+                                tp_ram_use *ram, tp_arena *arena, const tp_scene *scene,
+                                tp_assets *assets, const tp_config *config)
 {
     tp_frame *frame = tp_arena_alloc(arena, 1, sizeof *frame);
     const size_t fixed = arena->used;
@@ -187,7 +187,7 @@ size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene)
 
     if (check_both(&c, scene, NULL) != TP_OK)
         return 0;
-    layout_frame(c.program, &buffers, &ram, &arena, scene, &known, &c);
+    allocate_frame(c.program, &buffers, &ram, &arena, scene, &known, &c);
     return ram.frame;
 }
 
@@ -233,7 +233,7 @@ static tp_frame *make(tp_arena *arena, const tp_config *c, const tp_scene *scene
     tp_assets known = assets_or_empty(c->assets);
     tp_frame_buffers buffers;
     tp_ram_use ram;
-    tp_frame *frame = layout_frame(c->program, &buffers, &ram, arena, scene, &known, c);
+    tp_frame *frame = allocate_frame(c->program, &buffers, &ram, arena, scene, &known, c);
 
     TP_ASSERT(arena->used == ram.frame && !arena->failed);
     memset(frame, 0, sizeof *frame);
