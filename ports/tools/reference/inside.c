@@ -69,6 +69,11 @@ ref_colour ref_shade_water_depth(const ref_scene *s, const ref_ray *ray, int bou
     return ref_shade_underwater(s, ray, &wet);
 }
 
+ref_colour ref_shade_absorbed(const ref_scene *s, ref_colour seen, double way)
+{
+    return through(s, seen, own(s), way);
+}
+
 /* Colour behind the surface. The water's own light is three parts deep colour, one part lit
  * surface. */
 ref_colour ref_shade_refraction(const ref_scene *s, ref_vec at, ref_vec normal, ref_vec way,

@@ -19,6 +19,9 @@ ref_colour ref_shade_underwater(const ref_scene *s, const ref_ray *ray, const re
 /* Colour along a ray that came in through the surface. */
 ref_colour ref_shade_water_depth(const ref_scene *s, const ref_ray *ray, int bounces);
 
+/* Colour `seen` from an eye under water after `way` m of water. */
+ref_colour ref_shade_absorbed(const ref_scene *s, ref_colour seen, double way);
+
 /* Colour seen through the surface at `at` along `way`; `lit` is the brightness of the
  * surface itself. Dispersion follows three rays with three indices. */
 ref_colour ref_shade_refraction(const ref_scene *s, ref_vec at, ref_vec normal, ref_vec way,

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "features/drops/drops.h"
+#include "foam.h"
+#include "spray.h"
 #include "world/world.h"
 
 static ref_vec between(tp_vec3 last, tp_vec3 now, double back)
@@ -210,6 +212,8 @@ void ref_scene_open(ref_scene *s, const tp_scene *scene, const tp_assets *assets
     s->surface = ref_surface_make(scene, world, s->camera.eye, s->camera.ahead, meshed);
     place_blocks(s);
     s->immersion = is_sunk(s);
+    ref_foam_open(s, world);
+    ref_spray_open(s, world);
 }
 
 void ref_scene_close(ref_scene *s)
@@ -218,5 +222,6 @@ void ref_scene_close(ref_scene *s)
     ref_mesh_free(&s->boat);
     ref_mesh_free(&s->lids);
     free(s->drop);
+    free(s->speck);
     free(s->block);
 }

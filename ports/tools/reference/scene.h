@@ -2,8 +2,8 @@
 /* Scene of the reference: the engine's scene, assets and world are read as data; everything
  * else is computed again in double precision.
  *
- * The heads of surface.h, coastal_water.h, sky_light.h, water.h, solids.h and inside.h
- * list the features. */
+ * The heads of surface.h, coastal_water.h, sky_light.h, water.h, foam.h, spray.h, solids.h
+ * and inside.h list the features. */
 #ifndef TP_TOOLS_REFERENCE_SCENE_H
 #define TP_TOOLS_REFERENCE_SCENE_H
 #include "mesh.h"
@@ -27,6 +27,26 @@ typedef struct {
     double x0, x1, z0, z1, depth, rim;
 } ref_tank;
 
+/* Foam: cover over rest positions of the water. */
+typedef struct {
+    const uint8_t *cover;       /* torus of cells x cells bytes; NULL: no foam */
+    int     cells;
+    int32_t first_x, first_z;   /* lowest cell of the window */
+    double  cell;               /* side of a cell, m */
+    double  drift_x, drift_z;   /* origin of the cells' lattice, m */
+    bool    fades;              /* the cover fades towards the window's edge */
+    double  rank[256];          /* share of darker texels, by green, 0..1 */
+    double  mean;               /* rank of the texture's mean */
+} ref_foam;
+
+/* A speck of spray or a bubble as a disc. */
+typedef struct {
+    double u, v, radius;        /* centre and radius, pixels of the picture */
+    double depth;               /* ahead of the eye, m */
+    bool   through;             /* a bubble seen through the water's surface */
+    bool   pixel;               /* the disc is the pixel with its centre */
+} ref_speck;
+
 typedef struct {
     const tp_scene  *scene;
     const tp_assets *assets;
@@ -44,6 +64,9 @@ typedef struct {
     ref_vec    boat_place;
     ref_drop  *drop;
     int        drops;
+    ref_foam   foam;
+    ref_speck *speck;
+    int        specks;
     ref_tank   tank;
     ref_block *block;
     int        blocks;

@@ -3,6 +3,7 @@
 #include "trace.h"
 #include "inside.h"
 #include "sky_light.h"
+#include "spray.h"
 #include "water.h"
 
 #define FAR 1e5
@@ -100,18 +101,42 @@ static ref_seen bare(const ref_scene *s, const ref_ray *ray, double t0, double *
     ref_meeting m;
     ref_solid solid;
     const bool hit = ref_solid_meets(s, ray, IN_AIR, t0, FAR, &solid);
-
-    *far = solid.t;
     const double wet_to = solid.kind == REF_BOAT ? ref_find_lid(s, ray, t0, solid.t)
                                                  : solid.t;
-    if (ref_ray_meets(&s->surface, ray, t0, wet_to, false, &m)) {
-        *far = m.t;
+    const bool water = ref_ray_meets(&s->surface, ray, t0, wet_to, false, &m);
+    const double speck = ref_spray_meets(s, ray, t0, water ? m.t : wet_to, water);
+
+    *far = fmin(speck, water ? m.t : solid.t);
+    if (speck < HUGE_VAL)
+        return hazed(s, ref_spray_colour(s), REF_SPRAY, ref_ray_point(ray, speck));
+    if (water)
         return wet(s, &m.water, ray->way);
-    }
     if (hit)
         return hazed(s, ref_solid_colour(s, &solid, ray->way, false), solid.kind,
                      solid.at);
     return (ref_seen){ .colour = ref_heaven(s, ray->way), .kind = REF_SKY };
+}
+
+/* Distance at which a solid or the surface ends the view of an eye under water. */
+static double find_end_of_water(const ref_scene *s, const ref_ray *ray)
+{
+    ref_meeting m;
+    ref_solid solid;
+
+    ref_solid_meets(s, ray, IN_AIR | REF_TANK, 0, FAR, &solid);
+    return ref_ray_meets(&s->surface, ray, 0, solid.t, true, &m) ? m.t : solid.t;
+}
+
+/* Traces a ray of an eye under water. */
+static ref_seen sunk(const ref_scene *s, const ref_ray *ray, double t0)
+{
+    const double speck = s->specks == 0 ? HUGE_VAL
+                       : ref_spray_meets(s, ray, t0, find_end_of_water(s, ray), false);
+
+    if (speck < HUGE_VAL)
+        return (ref_seen){ .colour = ref_shade_absorbed(s, ref_spray_colour(s), speck),
+                           .kind = REF_SPRAY };
+    return (ref_seen){ .colour = ref_shade_water_depth(s, ray, 2), .kind = REF_WATER };
 }
 
 static ref_seen look(const ref_scene *s, double u, double v)
@@ -122,7 +147,7 @@ static ref_seen look(const ref_scene *s, double u, double v)
     double far;
 
     if (s->immersion)
-        return (ref_seen){ .colour = ref_shade_water_depth(s, &ray, 2), .kind = REF_WATER };
+        return sunk(s, &ray, t0);
     const double glass = find_glass(s, &ray, &n);
     ref_seen seen = bare(s, &ray, t0, &far);
     if (!(glass > t0 && glass < far))

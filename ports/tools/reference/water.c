@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Shading of water; see the header. */
 #include "water.h"
+#include "foam.h"
 #include "inside.h"
 #include "map.h"
 #include "sky_light.h"
@@ -166,10 +167,11 @@ ref_colour ref_water_colour(const ref_scene *s, const ref_water *w, ref_vec way,
     if (scene->water.clarity > 0)
         c = ref_shade_refraction(s, w->at, n, way, c);
     const ref_light mirror = mirrored(s, w, n, nv, way, &share, in_mirror);
-    c = with_mirror(s, c, mirror, share);
+    const double foam = ref_foam_opacity(s, w);
+    c = ref_mix(with_mirror(s, c, mirror, share), ref_foam_colour(s, nl), foam);
     if (scene->water.specular > 0)
         c = ref_add(c, ref_scale(ref_colour_unpack((uint32_t)scene->light.colour),
-                                 fmin(1, fx(scene->water.specular)
-                                         * lobe(s, n, seen, nl, way))));
+                                 (1 - foam) * fmin(1, fx(scene->water.specular)
+                                                      * lobe(s, n, seen, nl, way))));
     return c;
 }

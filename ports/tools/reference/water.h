@@ -6,7 +6,8 @@
  *     light       ambient and N.L [F5]
  *     refract     colour along the refracted ray [F4], absorbed (inside.h)
  *     mirror      colour along the reflected ray [F3], by Fresnel's share [F1] [F2]
- *     glint       specular lobe of the light, R.V or N.H
+ *     foam        matt foam over the water (foam.h)
+ *     glint       specular lobe of the light, R.V or N.H, where no foam hides it
  *
  * The mirror is a ray from the exact surface, so `mirror.distortion` has no meaning here.
  * With mirror.method the ray finds boat, drops and walls, otherwise only the sky. A

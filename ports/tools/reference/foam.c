@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: MIT */
+/* Cover, ranks and light of foam; see the header. */
+#include "foam.h"
+#include "features/foam/foam.h"
+#include "map.h"
+#include "world/pools.h"
+
+#define OPAQUE (15 / 16.0)      /* largest opacity */
+#define LACE   (212 / 256.0)    /* white share of full cover */
+#define COARSE 5                /* mipmap level from which the threshold covers all ranks */
+
+/* Rank of a green: the share of darker texels, with half of the equal texels. */
+static void make_ranks(ref_foam *foam, const tp_texture *t)
+{
+    const uint32_t texels = 1u << (t->log2_w + t->log2_h);
+    uint32_t count[256] = { 0 };
+    double below = 0;
+
+    for (uint32_t i = 0; i < texels; i++)
+        count[t->level[0][i] >> 8 & 255]++;
+    for (int green = 0; green < 256; green++) {
+        foam->rank[green] = (below + count[green] / 2.0) / texels;
+        below += count[green];
+    }
+    foam->mean = foam->rank[t->level[t->levels - 1][0] >> 8 & 255];
+}
+
+/* Lattice origin at the drawn moment, `back` of a tick before the world's tick, m. */
+static double lattice_origin(int64_t drift, tp_fx speed, double back)
+{
+    return ldexp((double)drift, -32) - ref_number(speed) * back / TP_TICKS_PER_SECOND;
+}
+
+void ref_foam_open(ref_scene *s, const tp_world *world)
+{
+    const tp_foam *foam = tp_world_foam(world);
+    const tp_scene_map *map = &s->scene->foam.map;
+    const double back = ref_number(world->lag);
+
+    if (!foam)
+        return;
+    s->foam = (ref_foam){
+        .cover = (const uint8_t *)(foam + 1), .cells = (int)foam->cells,
+        .first_x = foam->first_x, .first_z = foam->first_z,
+        .cell = ref_number(foam->cell),
+        .drift_x = lattice_origin(foam->drift_x, map->drift_x, back),
+        .drift_z = lattice_origin(foam->drift_z, map->drift_z, back),
+        .fades = !tp_world_pool(world),
+    };
+    if (s->assets->foam)
+        make_ranks(&s->foam, s->assets->foam);
+}
+
+/* -- cover --------------------------------------------------------------------------- */
+
+/* Cover of the cell (i, j) of the window, 0..1. The cells are stored as a torus. */
+static double cell_cover(const ref_foam *f, int i, int j)
+{
+    const int n = f->cells, most = n - 1;
+    const int64_t col = (int64_t)f->first_x + (i < 0 ? 0 : i > most ? most : i);
+    const int64_t row = (int64_t)f->first_z + (j < 0 ? 0 : j > most ? most : j);
+
+    return f->cover[(row % n + n) % n * n + (col % n + n) % n] / 255.0;
+}
+
+static double mix(double a, double b, double share)
+{
+    return a + share * (b - a);
+}
+
+double ref_foam_cover(const ref_foam *f, double x0, double z0)
+{
+    const double u = (x0 - f->drift_x) / f->cell - f->first_x;
+    const double w = (z0 - f->drift_z) / f->cell - f->first_z;
+    const double edge = fmin(fmin(u, f->cells - u), fmin(w, f->cells - w));
+
+    if (!(edge >= 0))
+        return 0;
+    const int i = (int)floor(u - 0.5), j = (int)floor(w - 0.5);
+    const double cover = mix(mix(cell_cover(f, i, j), cell_cover(f, i + 1, j), u - 0.5 - i),
+                             mix(cell_cover(f, i, j + 1), cell_cover(f, i + 1, j + 1),
+                                 u - 0.5 - i), w - 0.5 - j);
+    return f->fades ? cover * fmin(1, 8 * edge / f->cells) : cover;
+}
+
+/* -- bubbles ------------------------------------------------------------------------- */
+
+/* The ramp is `soft` ranks wide. No cover shifts the ramp above all ranks; full cover shifts
+ * it below all. At most four times the cover is white: foam comes and goes without a
+ * jump. */
+double ref_foam_white(const ref_foam *foam, double cover, double rank, int level)
+{
+    const double coarse = ref_clamp((double)level / COARSE, 0, 1);
+    const double soft = mix(80 / 256.0, 1, coarse), span = mix(168 / 256.0, 0.5, coarse);
+    const double middle = mix(0.5, foam->mean, coarse);
+    const double up = rank - middle + soft / 2 - span * (1 - 2 * LACE * cover);
+
+    return ref_clamp(up / soft, 0, fmin(1, 4 * cover));
+}
+
+static double rank_at(const ref_foam *foam, double green)
+{
+    const int low = (int)ref_clamp(floor(green), 0, 254);
+    return mix(foam->rank[low], foam->rank[low + 1], green - low);
+}
+
+double ref_foam_opacity(const ref_scene *s, const ref_water *w)
+{
+    const ref_foam *foam = &s->foam;
+    const tp_texture *t = s->assets->foam;
+    const tp_scene_map *map = &s->scene->foam.map;
+    const double cover = foam->cover ? ref_foam_cover(foam, w->x0, w->z0) : 0;
+
+    if (cover == 0)
+        return 0;
+    if (!t)
+        return OPAQUE * LACE * cover;
+    const double lod = ref_water_lod(s, (1 << t->log2_w) / ref_number(map->size), w->at);
+    const ref_colour texel = ref_sample_map(s, t, map, w->x0, w->z0, 0, w->at, true);
+    return OPAQUE * ref_foam_white(foam, cover, rank_at(foam, texel.c[1]),
+                                   ref_level(s, t, lod));
+}
+
+/* Bubbles scatter light: the foam is half way between the water's light and full light. */
+ref_colour ref_foam_colour(const ref_scene *s, double nl)
+{
+    return ref_scale(ref_colour_unpack((uint32_t)s->scene->foam.colour),
+                     (1 + s->ambient + (1 - s->ambient) * nl) / 2);
+}

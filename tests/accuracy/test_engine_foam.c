@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: MIT */
+/* Compares the engine's foam and spray with the reference's: shipped scenes at 160x120, one
+ * sample a pixel, both with the engine's extent of waves and mipmap levels. All pixels are
+ * compared, and the same picture is compared with a reference without foam and spray.
+ *
+ * Foam lies over rest positions, and the engine interpolates them linearly over its mesh's
+ * cells: a bubble's edge moves by a pixel or two where cells are coarse. The last rows have
+ * narrow cells, and what remains there is close to the difference without foam. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <stdio.h>
+#include "tests/lib/reference_difference.h"
+
+enum { WIDTH = 160, HEIGHT = 120, SETTINGS = 6 };
+
+typedef struct {
+    const char *name;
+    uint32_t tick;
+    double   both, most;        /* bounds of the mean error, of 255, and of its part of the
+                                 * error against a reference without foam and spray */
+    double   specks;            /* bound of the specks' pixels in one of the pictures only,
+                                 * of those in either; 0: no spray */
+    const char *set[SETTINGS];  /* further settings, ended by NULL */
+} foam_row;
+
+static const char *const off[] = {
+    "water.caustics=0", "sky.stars=0", "mirror.distortion=1", "mirror.method=none",
+    "quality.visibility=triangles", "quality.shading=exact", "quality.rate=full",
+    "quality.lod=off",
+};
+
+enum { OFF = sizeof off / sizeof *off };
+
+static const foam_row rows[] = {
+    { "storm", 850, 20, 1, 1, { NULL } },
+    { "storm", 850, 20, 1, 1, { "foam.cells=0" } },
+    { "storm", 850, 20, 1, 0, { "spray.count=0" } },
+    { "storm", 850, 20, 1, 0, { "spray.count=0", "foam.texture=" } },
+    { "storm", 850, 20, 1, 1, { "foam.cells=0", "spray.count=0" } },
+    { "deep-sea", 600, 20, 1, 1, { NULL } },
+    { "deep-sea", 600, 20, 1, 1, { "foam.cells=0", "spray.count=0" } },
+    { "three-swells", 600, 20, 1, 0, { NULL } },
+    { "three-swells", 600, 20, 1, 0, { "foam.cells=0" } },
+    { "night-sea", 600, 20, 1, 0, { NULL } },
+    { "night-sea", 600, 20, 1, 0, { "foam.cells=0" } },
+    { "from-above", 600, 20, 1, 0, { NULL } },
+    { "from-above", 600, 20, 1, 0, { "foam.cells=0" } },
+    { "harbour", 600, 20, 1, 0, { NULL } },
+    { "harbour", 600, 20, 1, 0, { "foam.cells=0" } },
+    { "shallows", 600, 20, 1, 0, { NULL } },
+    { "shallows", 600, 20, 1, 0, { "foam.cells=0" } },
+    { "shore-break", 900, 20, 1, 1, { "surf.stretch=0" } },
+    { "shore-break", 900, 20, 1, 1, { "surf.stretch=0", "foam.cells=0" } },
+    { "shore-break", 900, 20, 1, 1, { "surf.stretch=0", "foam.cells=0", "spray.count=0" } },
+    { "raindrops", 300, 20, 1, 1, { NULL } },
+    { "raindrops", 300, 20, 1, 1, { "spray.count=0" } },
+    { "storm", 850, 20, 1, 0,
+      { "spray.count=0", "grid.cell=0.3", "grid.cols=400", "grid.rows=400" } },
+    { "deep-sea", 600, 20, 1, 1, { "grid.cell=0.6", "grid.cols=450", "grid.rows=450" } },
+    { "three-swells", 600, 20, 1, 0,
+      { "grid.cell=0.3", "grid.cols=400", "grid.rows=400" } },
+};
+
+/* Mean error of all pixels and channels, of 255. */
+static double mean_error(const drawn_image *a, const ref_image *b)
+{
+    const uint32_t pixels = a->width * a->height;
+    double sum = 0;
+
+    for (uint32_t i = 0; i < pixels; i++) {
+        const ref_colour got = ref_colour_unpack(a->pixel[i]);
+        for (int c = 0; c < 3; c++)
+            sum += fabs(got.c[c] - ref_clamp(b->colour[i].c[c], 0, 255));
+    }
+    return sum / 3 / pixels;
+}
+
+/* Pixels with a speck: in both pictures, and in either. */
+static void count_specks(const drawn_image *a, const ref_image *b, uint32_t count[2])
+{
+    const uint32_t pixels = a->width * a->height;
+
+    count[0] = count[1] = 0;
+    for (uint32_t i = 0; i < pixels; i++) {
+        const int specks = (a->kind[i] == REF_SPRAY) + (b->kind[i] == REF_SPRAY);
+        count[0] += specks == 2;
+        count[1] += specks > 0;
+    }
+}
+
+static void open_row(const foam_row *r, ref_stand *stand)
+{
+    const char *set[OFF + SETTINGS];
+    uint32_t sets = 0;
+    char path[64];
+
+    snprintf(path, sizeof path, "assets/scenes/%s.ini", r->name);
+    for (int i = 0; i < OFF; i++)
+        set[sets++] = off[i];
+    for (int i = 0; i < SETTINGS && r->set[i]; i++)
+        set[sets++] = r->set[i];
+    assert_int_equal(ref_stand_open(stand, path, set, sets, r->tick), 0);
+}
+
+/* Draws the reference's picture, without foam and spray if `bare`. */
+static void draw_reference(const ref_stand *stand, bool bare, ref_image *image)
+{
+    ref_scene scene;
+
+    ref_scene_open(&scene, &stand->file.scene, &stand->assets.names, stand->world, WIDTH,
+                   HEIGHT, true);
+    if (bare) {
+        scene.foam.cover = NULL;
+        scene.specks = 0;
+    }
+    ref_image_draw(image, &scene, WIDTH, HEIGHT, 1, 1);
+    ref_scene_close(&scene);
+}
+
+static bool is_near(const foam_row *r)
+{
+    ref_stand stand;
+    ref_image image, bare;
+    uint32_t specks[2];
+
+    open_row(r, &stand);
+    drawn_image drawn = drawn_of(&stand, WIDTH, HEIGHT);
+    draw_reference(&stand, false, &image);
+    draw_reference(&stand, true, &bare);
+    const double both = mean_error(&drawn, &image), without = mean_error(&drawn, &bare);
+    count_specks(&drawn, &image, specks);
+    printf("    %-13s%-23s mean error %5.2f, without foam and spray %5.2f; specks in both"
+           " %4u, in either %4u pixels\n", r->name, r->set[0] ? r->set[0] : "", both,
+           without, specks[0], specks[1]);
+    ref_image_free(&bare);
+    ref_image_free(&image);
+    drawn_free(&drawn);
+    ref_stand_close(&stand);
+    return both <= r->both && both <= r->most * without
+        && specks[1] - specks[0] <= r->specks * specks[1];
+}
+
+static void foam_and_spray_are_near_the_reference(void **state)
+{
+    int above = 0;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const bool near = is_near(&rows[i]);
+        if (!near)
+            print_error("%s is above its bounds\n", rows[i].name);
+        above += !near;
+    }
+    assert_int_equal(above, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(foam_and_spray_are_near_the_reference),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
