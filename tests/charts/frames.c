@@ -8,8 +8,9 @@
  *
  * The reference (ports/tools/reference, double precision, rays) takes 16 samples a pixel of
  * the exact surface, not of the engine's mesh. Features that the reference draws in another
- * way are left out of both pictures: foam, spray, caustics, stars; and mirrors bend to
- * first order. Costs are those of the shipped scenes. */
+ * way are left out of both pictures: caustics, stars; and mirrors bend to first order. Foam
+ * and spray, which the reference draws (tests/accuracy/test_engine_foam.c), are left out,
+ * too. Costs are those of the shipped scenes. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

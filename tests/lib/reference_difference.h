@@ -11,7 +11,8 @@
 #include "tools/reference/image.h"
 #include "tools/reference/shipped_scene.h"
 
-/* Settings that turn off features the reference does not draw, or draws in another way. */
+/* Settings that turn off features the reference does not draw, or draws in another way; and
+ * foam and spray, which test_engine_foam.c compares. */
 #define REF_WITHOUT "foam.cells=0", "spray.count=0", "water.caustics=0", \
                     "sky.stars=0", "mirror.distortion=1"
 

@@ -98,7 +98,7 @@ double ref_foam_white(const ref_foam *foam, double cover, double rank, int level
     return ref_clamp(up / soft, 0, fmin(1, 4 * cover));
 }
 
-static double rank_at(const ref_foam *foam, double green)
+static double green_rank(const ref_foam *foam, double green)
 {
     const int low = (int)ref_clamp(floor(green), 0, 254);
     return mix(foam->rank[low], foam->rank[low + 1], green - low);
@@ -117,7 +117,7 @@ double ref_foam_opacity(const ref_scene *s, const ref_water *w)
         return OPAQUE * LACE * cover;
     const double lod = ref_water_lod(s, (1 << t->log2_w) / ref_number(map->size), w->at);
     const ref_colour texel = ref_sample_map(s, t, map, w->x0, w->z0, 0, w->at, true);
-    return OPAQUE * ref_foam_white(foam, cover, rank_at(foam, texel.c[1]),
+    return OPAQUE * ref_foam_white(foam, cover, green_rank(foam, texel.c[1]),
                                    ref_level(s, t, lod));
 }
 
