@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Colour along a ray in the water: floor, walls and objects through absorption (Beer) and
  * the water's own light; and the surface from below, which refracts the ray out or reflects
- * it, beyond 48.6 degrees totally. Caustics are left out: the sun shines as through level
- * water. */
+ * it, beyond 48.6 degrees totally. Sunlight under water is focused by the waves
+ * (caustics.h). */
 #ifndef TP_TOOLS_REFERENCE_INSIDE_H
 #define TP_TOOLS_REFERENCE_INSIDE_H
 #include "scene.h"

@@ -3,6 +3,7 @@
 #include "scene.h"
 #include <stdlib.h>
 #include <string.h>
+#include "caustics.h"
 #include "features/drops/drops.h"
 #include "foam.h"
 #include "spray.h"
@@ -214,6 +215,7 @@ void ref_scene_open(ref_scene *s, const tp_scene *scene, const tp_assets *assets
     s->immersion = is_sunk(s);
     ref_foam_open(s, world);
     ref_spray_open(s, world);
+    s->caustics = ref_caustics_make(s);
 }
 
 void ref_scene_close(ref_scene *s)
@@ -224,4 +226,5 @@ void ref_scene_close(ref_scene *s)
     free(s->drop);
     free(s->speck);
     free(s->block);
+    ref_caustics_free(s->caustics);
 }

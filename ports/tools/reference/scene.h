@@ -2,8 +2,8 @@
 /* Scene of the reference: the engine's scene, assets and world are read as data; everything
  * else is computed again in double precision.
  *
- * The heads of surface.h, coastal_water.h, sky_light.h, water.h, foam.h, spray.h, solids.h
- * and inside.h list the features. */
+ * The heads of surface.h, coastal_water.h, sky_light.h, stars.h, water.h, foam.h, spray.h,
+ * solids.h, inside.h and caustics.h list the features. */
 #ifndef TP_TOOLS_REFERENCE_SCENE_H
 #define TP_TOOLS_REFERENCE_SCENE_H
 #include "mesh.h"
@@ -20,6 +20,9 @@ typedef struct {
 typedef struct {
     double x0, x1, y0, y1, z0, z1;
 } ref_block;
+
+/* Light focused by waves (caustics.h). */
+typedef struct ref_caustics ref_caustics;
 
 /* Box of a pool: stone or transparent glass. */
 typedef struct {
@@ -70,6 +73,7 @@ typedef struct {
     ref_tank   tank;
     ref_block *block;
     int        blocks;
+    ref_caustics *caustics;     /* NULL: none */
 } ref_scene;
 
 /* Opens a scene. Scene, assets and world must outlive the result. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Colours of solids. */
+#include "caustics.h"
 #include "map.h"
 #include "mesh/mesh.h"
 #include "sky_light.h"
@@ -43,15 +44,16 @@ static double lobe(const ref_scene *s, double shininess, ref_vec n, ref_vec way,
 }
 
 /* Phong shading of a material with normal `n` seen along `way`. A narrowed beam scales the
- * diffuse light and the lobe; the width of the lobe does not change. */
+ * diffuse light and the lobe; the width of the lobe does not change. `focus`: factor of the
+ * diffuse sunlight. */
 static ref_colour phong(const ref_scene *s, const coat *c, ref_vec n, ref_vec way,
-                        ref_vec sun)
+                        ref_vec sun, double focus)
 {
     const double nl = ref_clamp(ref_dot(n, sun), 0, 1), beam = sqrt(ref_dot(sun, sun));
     const ref_colour light = ref_scale(ref_colour_unpack((uint32_t)s->scene->light.colour),
                                        beam);
 
-    return ref_add(ref_scale(c->diffuse, s->ambient + (1 - s->ambient) * nl),
+    return ref_add(ref_scale(c->diffuse, s->ambient + (1 - s->ambient) * nl * focus),
                    ref_scale(ref_times(c->specular, light),
                              beam > 0 ? lobe(s, c->shininess, n, way, ref_unit_vec(sun))
                                       : 0));
@@ -116,7 +118,7 @@ static ref_colour boat_colour(const ref_scene *s, const ref_solid *solid, ref_ve
                  ref_clamp(m->bump / 65536.0, -16, 16), face->tangent);
     }
     return phong(s, &c, ref_unit_vec(n), ref_world_to_local(&s->boat_rows, way),
-                 ref_world_to_local(&s->boat_rows, sun));
+                 ref_world_to_local(&s->boat_rows, sun), 1);
 }
 
 /* -- drops --------------------------------------------------------------------------- */
@@ -198,5 +200,6 @@ ref_colour ref_solid_colour(const ref_scene *s, const ref_solid *solid, ref_vec 
     if (solid->kind == REF_DROP)
         return drop_colour(s, solid->normal, way);
     const coat c = { ground_colour(s, solid), { { 0, 0, 0 } }, 1 };
-    return phong(s, &c, solid->normal, way, sun);
+    return phong(s, &c, solid->normal, way, sun,
+                 wet ? ref_caustics_factor(s->caustics, solid->at) : 1);
 }
