@@ -276,6 +276,7 @@ static inline tp_scene scene_sky(uint64_t *state, int32_t kind)
     tp_scene s = scene_level();
 
     s.sky.kind = kind;
+    s.sky.stars = 0;
     s.camera.heading = chance_fx(state, -180, 180);
     s.camera.pitch = chance_fx(state, -40, 80);
     s.camera.fov = 90 * TP_FX_ONE;

@@ -3,8 +3,8 @@
  * brightness above white [F8]; haze, and the camera's exposure.  A generated sky is two
  * gradients mixed by the direction to the light, and a glow around the light.
  *
- * Left out: stars, since water mirrors no stars.  The exposure comes from the world, whose
- * light meter evolves it. */
+ * Stars are added to a direct view alone (stars.h).  The exposure comes from the world,
+ * whose light meter evolves it. */
 #ifndef TP_TOOLS_REFERENCE_SKY_LIGHT_H
 #define TP_TOOLS_REFERENCE_SKY_LIGHT_H
 #include "env.h"

@@ -4,6 +4,7 @@
 #include "inside.h"
 #include "sky_light.h"
 #include "spray.h"
+#include "stars.h"
 #include "water.h"
 
 #define FAR 1e5
@@ -114,7 +115,8 @@ static ref_seen bare(const ref_scene *s, const ref_ray *ray, double t0, double *
     if (hit)
         return hazed(s, ref_solid_colour(s, &solid, ray->way, false), solid.kind,
                      solid.at);
-    return (ref_seen){ .colour = ref_heaven(s, ray->way), .kind = REF_SKY };
+    return (ref_seen){ .colour = ref_add(ref_heaven(s, ray->way), ref_stars(s, ray->way)),
+                       .kind = REF_SKY };
 }
 
 /* Distance at which a solid or the surface ends the view of an eye under water. */
