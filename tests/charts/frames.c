@@ -7,10 +7,9 @@
  *         prints rows of the sweep
  *
  * The reference (ports/tools/reference, double precision, rays) takes 16 samples a pixel of
- * the exact surface, not of the engine's mesh. Features that the reference draws in another
- * way are left out of both pictures: caustics, stars; and mirrors bend to first order. Foam
- * and spray, which the reference draws (tests/accuracy/test_engine_foam.c), are left out,
- * too. Costs are those of the shipped scenes. */
+ * the exact surface, not of the engine's mesh. Foam, spray, caustics and stars are left out
+ * of both pictures (tests/accuracy/scene_errors.c has them); mirrors bend to first order.
+ * Costs are those of the shipped scenes. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -149,6 +149,20 @@ static inline difference difference_of(const drawn_image *a, const ref_image *b)
     return d;
 }
 
+/* Mean magnitude of the difference over all pixels and channels, of 255. */
+static inline double difference_mean(const drawn_image *a, const ref_image *b)
+{
+    const size_t pixels = (size_t)a->width * a->height;
+    double sum = 0;
+
+    for (size_t i = 0; i < pixels; i++) {
+        const ref_colour got = ref_colour_unpack(a->pixel[i]);
+        for (int c = 0; c < 3; c++)
+            sum += fabs(got.c[c] - ref_clamp(b->colour[i].c[c], 0, 255));
+    }
+    return sum / (3 * (double)pixels);
+}
+
 static inline double greatest(const double of[3])
 {
     return fmax(of[0], fmax(of[1], of[2]));

@@ -5,7 +5,7 @@
  *
  * The reference is ports/tools/reference.  Tests judge pictures by the reference; for this
  * view the reference is linked into the program.  It draws the correct picture, by rays
- * that meet the exact surface, but without foam, spray, caustics and stars. */
+ * that meet the exact surface, but without foam and spray. */
 #include "compare.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -309,8 +309,6 @@ static void add_lacks(const tp_scene *s, char *note, size_t bytes)
     const struct { bool there; const char *name; } lacks[] = {
         { s->foam.cells > 0, "foam" },
         { s->spray.count > 0, "spray" },
-        { s->water.clarity > 0 && s->water.caustics > 0, "caustics" },
-        { s->sky.kind == TP_SKY_NIGHT && s->sky.stars > 0, "stars" },
     };
     const char *before = "; without ";
 
