@@ -60,20 +60,6 @@ static const foam_row rows[] = {
       { "grid.cell=0.3", "grid.cols=400", "grid.rows=400" } },
 };
 
-/* Mean error of all pixels and channels, of 255. */
-static double mean_error(const drawn_image *a, const ref_image *b)
-{
-    const uint32_t pixels = a->width * a->height;
-    double sum = 0;
-
-    for (uint32_t i = 0; i < pixels; i++) {
-        const ref_colour got = ref_colour_unpack(a->pixel[i]);
-        for (int c = 0; c < 3; c++)
-            sum += fabs(got.c[c] - ref_clamp(b->colour[i].c[c], 0, 255));
-    }
-    return sum / 3 / pixels;
-}
-
 /* Pixels with a speck: in both pictures, and in either. */
 static void count_specks(const drawn_image *a, const ref_image *b, uint32_t count[2])
 {
@@ -126,7 +112,8 @@ static bool is_near(const foam_row *r)
     drawn_image drawn = drawn_of(&stand, WIDTH, HEIGHT);
     draw_reference(&stand, false, &image);
     draw_reference(&stand, true, &bare);
-    const double both = mean_error(&drawn, &image), without = mean_error(&drawn, &bare);
+    const double both = difference_mean(&drawn, &image),
+                 without = difference_mean(&drawn, &bare);
     count_specks(&drawn, &image, specks);
     printf("    %-13s%-23s mean error %5.2f, without foam and spray %5.2f; specks in both"
            " %4u, in either %4u pixels\n", r->name, r->set[0] ? r->set[0] : "", both,
