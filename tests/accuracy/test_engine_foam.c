@@ -3,13 +3,14 @@
  * sample a pixel, both with the engine's extent of waves and mipmap levels. All pixels are
  * compared, and the same picture is compared with a reference without foam and spray.
  *
- * Foam lies over rest positions, and the engine interpolates them linearly over its mesh's
- * cells: a bubble's edge moves by a pixel or two where cells are coarse (storm with foam of
- * one white: 1.4). Narrow cells leave 0.9 to 1.9, where the pictures without foam are 0.7 to
- * 1.1 apart.
+ * Foam lies over rest positions, and the engine interpolates them linearly over its
+ * mesh's cells: a bubble's edge moves by a pixel or two where cells are coarse (storm
+ * with foam of one white: 1.4). Narrow cells leave 0.9 to 1.9, where the pictures without
+ * foam are 0.7 to 1.1 apart.
  *
- * Spray covers few pixels, so its pixels are counted, too: discs in one of the pictures only
- * are rims, since the engine rounds a disc's centre and width to 1/16 pixel. */
+ * Spray covers few pixels, so its pixels are counted, too: discs in one of the
+ * pictures only are rims, since the engine rounds a disc's centre and width to 1/16
+ * pixel. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>

@@ -36,7 +36,8 @@ enum { ALWAYS = sizeof always / sizeof *always };
 static const light_row rows[] = {
     { "tank", 100, 160, 0.93, { NULL } },
     { "tank", 160, 160, 1.69, { "light.elevation=25" } },
-    { "tank", 100, 160, 0.85, { "tank.kind=stone", "water.clarity=8", "water.caustics=1" } },
+    { "tank", 100, 160, 0.85,
+      { "tank.kind=stone", "water.clarity=8", "water.caustics=1" } },
     { "shallows", 100, 160, 2.77,
       { "camera.pitch=-50", "camera.fov=30", "water.clarity=15", "water.caustic_size=32",
         "water.caustic_cells=128" } },

@@ -294,7 +294,8 @@ static void still_water_changes_no_light(void **state)
         view_of_ref v = { .scene = n % 2 ? scene_walled(0) : scene_floored(0) };
         view_open(&v, 64, 48);
         for (int i = 0; i < 500; i++) {
-            const double depth = (n % 2 ? v.scene.tank.depth : v.scene.floor.depth) / 65536.0;
+            const double depth =
+                (n % 2 ? v.scene.tank.depth : v.scene.floor.depth) / 65536.0;
             const ref_vec eye = v.ref.camera.eye;
             const ref_vec at = { eye.x + chance_double(&seed, -9, 9),
                                  -depth * chance_double(&seed, 0, 1),

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Checks the reference's foam against closed forms: place and drift of the cover, bubbles by
- * rank, light, glint, the window's edge, and foam on a wave. */
+/* Checks the reference's foam against closed forms: place and drift of the cover,
+ * bubbles by rank, light, glint, the window's edge, and foam on a wave. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>

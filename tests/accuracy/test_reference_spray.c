@@ -227,8 +227,8 @@ static void bubbles_show_through_clear_water(void **state)
                                                         : TP_SPECK_SPRAY);
         open_view(&v, false);
         const double depth = depth_of(&v, to, far);
-        const ref_seen seen = look_beside(&v, to, bubble ? 0.99 * radius_of(&v, chance, depth)
-                                                  : 0);
+        const ref_seen seen =
+            look_beside(&v, to, bubble ? 0.99 * radius_of(&v, chance, depth) : 0);
         if (inside) {
             assert_int_equal(seen.kind, bubble && clear ? REF_SPRAY : REF_WATER);
             hidden += seen.kind == REF_WATER;

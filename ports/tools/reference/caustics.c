@@ -215,7 +215,8 @@ static bool crosses(const double a[2], const double b[2], const double at[2])
     return at[0] < a[0] + (b[0] - a[0]) * (at[1] - a[1]) / (b[1] - a[1]);
 }
 
-/* Light of one triangle at a map place. A triangle that faces away from the sun has none. */
+/* Light of one triangle at a map place. A triangle that faces away from the sun has
+ * none. */
 static double triangle_light(const ref_light_ray *const r[3], const double at[2],
                              double depth)
 {

@@ -85,9 +85,9 @@ double ref_foam_cover(const ref_foam *f, double x0, double z0)
 
 /* -- bubbles ------------------------------------------------------------------------- */
 
-/* The ramp is `soft` ranks wide. No cover shifts the ramp above all ranks; full cover shifts
- * it below all. At most four times the cover is white: foam comes and goes without a
- * jump. */
+/* The ramp is `soft` ranks wide. No cover shifts the ramp above all ranks; full cover
+ * shifts it below all. At most four times the cover is white: foam comes and goes
+ * without a jump. */
 double ref_foam_white(const ref_foam *foam, double cover, double rank, int level)
 {
     const double coarse = ref_clamp((double)level / COARSE, 0, 1);
