@@ -119,7 +119,7 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    tests/gates/sanitized.sh \
 	    $(patsubst %,tests/host/%.sh,saves screen view panel view_keys leaks furniture \
 	        threads) \
-	    tests/web/web.sh tests/bench/views.sh tests/cross/film.sh \
+	    tests/web/web.sh tests/bench/views.sh tests/cross/film.sh tests/accuracy/errors.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi oled control linuxfb kms kms_events console) \
 	    tests/charts/sweep.sh tests/budgets/prices.sh \
 	    $(call at_san,$(filter $(LONG),$(SAN_UNIT)) $(filter-out $(LONG),$(SAN_UNIT))) \

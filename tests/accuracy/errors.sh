@@ -14,7 +14,7 @@ here=$(dirname "$0")
 tool=build/host/tests/accuracy/scene_errors size=320x240
 ticks='0 60 200 600'            # of errors.csv; twinkle.csv has the last
 moving='lava three-swells storm count-64'       # scenes of twinkle.csv
-cheap='minimal raindrops'
+cheap='minimal tank pond'
 
 check "the measuring program builds" alone build "$tool"
 [ "$failed" = 0 ] || exit 1

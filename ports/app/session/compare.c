@@ -5,7 +5,7 @@
  *
  * The reference is ports/tools/reference.  Tests judge pictures by the reference; for this
  * view the reference is linked into the program.  It draws the correct picture, by rays
- * that meet the exact surface, but without foam and spray. */
+ * that meet the exact surface. */
 #include "compare.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -302,25 +302,6 @@ bool compare_moves(const comparison *c)
     return c->how != COMPARE_OFF && c->reference && reference_thread_has_news(c->reference);
 }
 
-/* Appends "; without foam, spray": the parts of the scene that the reference does not
- * draw. */
-static void add_lacks(const tp_scene *s, char *note, size_t bytes)
-{
-    const struct { bool there; const char *name; } lacks[] = {
-        { s->foam.cells > 0, "foam" },
-        { s->spray.count > 0, "spray" },
-    };
-    const char *before = "; without ";
-
-    for (size_t i = 0; i < sizeof lacks / sizeof *lacks; i++) {
-        const size_t length = strlen(note);
-        if (!lacks[i].there)
-            continue;
-        snprintf(note + length, bytes - length, "%s%s", before, lacks[i].name);
-        before = ", ";
-    }
-}
-
 static const char *const pass_text[] = {
     [REFERENCE_NONE] = "", [REFERENCE_COARSE] = "1 sample per 16 pixels",
     [REFERENCE_1] = "1 sample per pixel", [REFERENCE_4] = "4 samples per pixel",
@@ -345,7 +326,6 @@ static void note_reference(comparison *c)
     else
         snprintf(c->note, sizeof c->note, "%s; %s: %u%%", pass_text[c->pass],
                  pass_text[pass_now], (unsigned)percent);
-    add_lacks(&c->given, c->note, sizeof c->note);
 }
 
 const char *compare_note(comparison *c)
