@@ -5,12 +5,11 @@
  *     scene_errors SCENE.ini WIDTHxHEIGHT TICK...
  *         SCENE,TICK,RUNG,RMS,PSNR,SSIM for each tick, the exact rung and the shipped one
  *     scene_errors --twinkle SCENE.ini WIDTHxHEIGHT TICK
- *         SCENE,TICK,RUNG,TWINKLE: the second difference of 12 frames from TICK on, over
- *         that of the reference's frames
+ *         SCENE,TICK,RUNG,MEAN,RMS: the second difference of 12 frames from TICK on, over
+ *         that of the reference's frames, once as a mean magnitude and once as an rms
  *
  * RMS is in levels of 255 over all pixels and channels.  The second difference of a pixel
- * is p(t - 1) - 2 p(t) + p(t + 1); its mean is taken of absolute values, over all pixels,
- * channels and frames. */
+ * is p(t - 1) - 2 p(t) + p(t + 1), over all pixels, channels and frames. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -120,23 +119,28 @@ static int print_errors(const request *r, uint32_t tick)
 
 /* -- twinkle ------------------------------------------------------------------------- */
 
-static double second_difference(const uint32_t *a, const uint32_t *b, const uint32_t *c,
-                                size_t pixels)
-{
-    double sum = 0;
+/* Sums of second differences: of magnitudes and of squares. */
+typedef struct {
+    double magnitude, square;
+} twinkle_sums;
 
+static void add_second_differences(twinkle_sums *sum, const uint32_t *a,
+                                   const uint32_t *b, const uint32_t *c, size_t pixels)
+{
     for (size_t i = 0; i < pixels; i++)
-        for (int shift = 0; shift < 24; shift += 8)
-            sum += abs((int)(a[i] >> shift & 255) - 2 * (int)(b[i] >> shift & 255)
-                       + (int)(c[i] >> shift & 255));
-    return sum / (3.0 * (double)pixels);
+        for (int shift = 0; shift < 24; shift += 8) {
+            const int off = (int)(a[i] >> shift & 255) - 2 * (int)(b[i] >> shift & 255)
+                          + (int)(c[i] >> shift & 255);
+            sum->magnitude += abs(off);
+            sum->square += off * off;
+        }
 }
 
 static int print_twinkle(const request *r, uint32_t tick)
 {
     const size_t count = (size_t)r->width * r->height;
     pictures p[FRAMES];
-    double truth = 0, rung[RUNGS] = { 0 };
+    twinkle_sums truth = { 0, 0 }, rung[RUNGS] = { { 0, 0 } };
 
     for (uint32_t k = 0; k < FRAMES; k++) {
         const int code = draw_pictures(r, tick + k, &p[k]);
@@ -144,13 +148,14 @@ static int print_twinkle(const request *r, uint32_t tick)
             return code;
     }
     for (uint32_t k = 1; k + 1 < FRAMES; k++) {
-        truth += second_difference(p[k - 1].truth, p[k].truth, p[k + 1].truth, count);
+        add_second_differences(&truth, p[k - 1].truth, p[k].truth, p[k + 1].truth, count);
         for (uint32_t i = 0; i < RUNGS; i++)
-            rung[i] += second_difference(p[k - 1].rung[i], p[k].rung[i], p[k + 1].rung[i],
-                                         count);
+            add_second_differences(&rung[i], p[k - 1].rung[i], p[k].rung[i],
+                                   p[k + 1].rung[i], count);
     }
     for (uint32_t i = 0; i < RUNGS; i++)
-        printf("%s,%u,%s,%.3f\n", r->name, (unsigned)tick, rungs[i].name, rung[i] / truth);
+        printf("%s,%u,%s,%.3f,%.3f\n", r->name, (unsigned)tick, rungs[i].name,
+               rung[i].magnitude / truth.magnitude, sqrt(rung[i].square / truth.square));
     for (uint32_t k = 0; k < FRAMES; k++)
         free_pictures(&p[k]);
     return EXIT_DONE;
