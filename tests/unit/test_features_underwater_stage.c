@@ -323,6 +323,29 @@ static void snells_window_ends_at_48_6_degrees(void **state)
     assert_true(fabs(rim - 48.61) < 0.1);
 }
 
+/* A tank in a sea: between its walls rays see the same as in a tank alone, beyond them
+ * nothing but water. */
+static void an_island_is_seen_from_between_its_walls(void **state)
+{
+    (void)state;
+
+    for (int n = 0; n < RUNS; n++) {
+        const scene s = scene_inside(-1, -0.1);
+        const tp_floor_plane *plane = &water.floor_plane;
+        tp_refracted_ray ray = { s.shade.eye, { 9000, -9000, 10300, 0 }, 0 };
+        const uint32_t inside = tp_underwater_trace(&s.shade, plane, &ray, 0x123456);
+
+        water.walled = water.floored = false;
+        assert_int_equal(tp_underwater_trace(&s.shade, plane, &ray, 0x123456), 0x123456);
+        water.island = true;
+        assert_int_equal(tp_underwater_trace(&s.shade, plane, &ray, 0x123456), inside);
+        ray.at.x = water.x1 + 1;
+        assert_int_equal(tp_underwater_trace(&s.shade, plane, &ray, 0x123456), 0x123456);
+        ray.at = (tp_vec3){ s.shade.eye.x, s.shade.eye.y, water.z0 - 1 };
+        assert_int_equal(tp_underwater_trace(&s.shade, plane, &ray, 0x123456), 0x123456);
+    }
+}
+
 static void water_before_things_follows_beer(void **state)
 {
     (void)state;
@@ -351,6 +374,7 @@ int main(void)
 {
     chance = random_seed();
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_island_is_seen_from_between_its_walls),
         cmocka_unit_test(what_is_behind_follows_snell_and_beer),
         cmocka_unit_test(what_is_behind_glass_follows_snell_and_beer),
         cmocka_unit_test(the_surface_from_below_follows_fresnel),
