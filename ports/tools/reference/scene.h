@@ -42,12 +42,13 @@ typedef struct {
     double  mean;               /* rank of the texture's mean */
 } ref_foam;
 
-/* A speck of spray or a bubble as a disc. */
+/* A speck of spray or a bubble as a soft streak. */
 typedef struct {
-    double u, v, radius;        /* centre and radius, pixels of the picture */
+    double u, v, radius;        /* middle and half of the width, pixels of the picture */
+    double du, dv;              /* half of the way, pixels */
     double depth;               /* ahead of the eye, m */
+    double opacity;             /* on the way, 0..1 */
     bool   through;             /* a bubble seen through the water's surface */
-    bool   pixel;               /* the disc is the pixel with its centre */
 } ref_speck;
 
 typedef struct {

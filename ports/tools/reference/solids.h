@@ -11,10 +11,10 @@
 #define TP_TOOLS_REFERENCE_SOLIDS_H
 #include "scene.h"
 
-/* Kinds of surface. REF_BED: floor of a tank; REF_SIDE: water behind a tank's glass;
- * REF_SPRAY: spray and bubbles, which are no solids (spray.h). */
+/* Kinds of surface. REF_BED: floor of a tank; REF_SIDE: water behind a tank's
+ * glass. */
 typedef enum { REF_SKY, REF_WATER, REF_BOAT, REF_DROP, REF_LAND, REF_WALL, REF_BED,
-               REF_SIDE, REF_SPRAY } ref_kind;
+               REF_SIDE } ref_kind;
 
 typedef struct {
     ref_kind kind;
