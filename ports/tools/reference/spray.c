@@ -86,7 +86,7 @@ void ref_spray_open(ref_scene *s, const tp_world *world)
 }
 
 /* Opacity of a streak at a place of the picture. */
-static double opacity_at(const ref_speck *d, double u, double v)
+static double streak_opacity(const ref_speck *d, double u, double v)
 {
     const double square = d->du * d->du + d->dv * d->dv;
     const double along = (u - d->u) * d->du + (v - d->v) * d->dv;
@@ -108,7 +108,7 @@ double ref_spray_blend(const ref_scene *s, const ref_ray *ray, double t1, bool w
     for (int i = 0; i < s->specks; i++) {
         const ref_speck *d = &s->speck[i];
         const double t = d->depth / view.z;
-        const double share = t < t1 || (water && d->through) ? opacity_at(d, u, v) : 0;
+        const double share = t < t1 || (water && d->through) ? streak_opacity(d, u, v) : 0;
         if (share <= 0)
             continue;
         ref_colour own = ref_spray_colour(s, ray->way);

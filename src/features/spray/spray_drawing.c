@@ -3,9 +3,10 @@
  * which they lie.
  *
  * A speck is a puff of droplets.  Its opacity is largest on its way in half a tick and
- * falls to 0 with the square of the distance from the way, at the speck's size.  A streak is at most MOST long, its way included.  A streak
- * narrower than two pixels is drawn two pixels wide and fainter in proportion, so far
- * spray neither flickers nor vanishes.  Specks nearer than 2 m fade out.
+ * falls to 0 with the square of the distance from the way, at the speck's size.  A streak
+ * is at most MOST long, its way included.  A streak narrower than two pixels is drawn two
+ * pixels wide and fainter in proportion, so far spray neither flickers nor vanishes.
+ * Specks nearer than 2 m fade out.
  *
  * The haze, or the water before an eye under water, is applied to a speck's colour once
  * a picture. */
@@ -20,7 +21,7 @@
 
 /* -- from specks to streaks ---------------------------------------------------------- */
 
-/* Returns the speck's place at the drawn moment, and `later` ticks later in *end.  A
+/* Returns the speck's place at the drawn moment, and a quarter of a tick later in *end.  A
  * point under flat water appears at 3/4 of its depth [F4]. */
 static tp_vec3 interpolate_speck(const tp_speck *s, tp_fx lag, bool through_water,
                                  tp_vec3 *end)

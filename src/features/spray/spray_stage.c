@@ -74,7 +74,7 @@ static void blend_streak(const tp_streak *s, tp_run *run)
 
 /* Blends the streaks of the bands that reach this row.  The order of the streaks is the
  * same in every tile. */
-void tp_stage_spray_over(const tp_shade *shade, tp_run *run)
+void tp_stage_spray_blend(const tp_shade *shade, tp_run *run)
 {
     const tp_streaks *d = run->mine;
     const uint32_t y = (uint32_t)run->y, reach = TP_STREAK_REACH;
