@@ -154,7 +154,8 @@ static void plain_foam_lies_and_drifts_as_its_cells(void **state)
         meet(&v, to, at);
         const double cover = cover_at(&v, at);
         outside += cover == 0;
-        add(&off, &v, &seen, sin(sight_light(&v).elevation), opacity_of(cover, WHITE * cover), 0, n);
+        add(&off, &v, &seen, sin(sight_light(&v).elevation),
+            opacity_of(cover, WHITE * cover), 0, n);
         view_close(&v);
     }
     measure_print(&off);
@@ -185,7 +186,8 @@ static void foam_of_a_pool_ends_at_its_walls(void **state)
         meet(&v, to, at);
         const bool wet = fmax(fabs(at[0]), fabs(at[1])) < CELLS / 2 * 0.25;
         inside += wet;
-        add(&off, &v, &seen, sin(sight_light(&v).elevation), wet ? opacity_of(1, WHITE) : 0, 0, n);
+        add(&off, &v, &seen, sin(sight_light(&v).elevation),
+            wet ? opacity_of(1, WHITE) : 0, 0, n);
         view_close(&v);
     }
     measure_print(&off);
@@ -248,7 +250,8 @@ static void bubbles_turn_white_by_rank(void **state)
         const double cover = flat + 1.6 * patch * flat * (1 - flat);
         const double white = white_of(cover, rank_seen(&v, &p, at, 1));
         lace += white > 0.01 && white < 0.99;
-        add(&off, &v, &seen, sin(sight_light(&v).elevation), opacity_of(cover, white), 0, n);
+        add(&off, &v, &seen, sin(sight_light(&v).elevation), opacity_of(cover, white), 0,
+            n);
         view_close(&v);
     }
     measure_print(&off);
@@ -301,7 +304,8 @@ static void foam_hides_the_glint(void **state)
                            * pow(fmax(0, sight_cos(mirrored, sight_light(&v))),
                                  v.scene.water.shininess / 65536);
         most = fmax(most, glint);
-        add(&off, &v, &seen, sin(sight_light(&v).elevation), opacity_of(cover / 255.0, WHITE * cover / 255),
+        add(&off, &v, &seen, sin(sight_light(&v).elevation),
+            opacity_of(cover / 255.0, WHITE * cover / 255),
             glint, n);
         view_close(&v);
     }
@@ -355,7 +359,7 @@ static void foam_moves_with_the_waves(void **state)
 }
 
 /* Foam beyond the window of cells on a trochoid: the field's mean in proportion to the
- * square of the slope, less 10 of 255, and 144 at most. */
+ * square of the slope, less 20 of 255, and 144 at most. */
 static void foam_beyond_the_window_lies_on_slopes(void **state)
 {
     measure off = { .what = "far foam on a wave", .unit = "of 255" };
@@ -392,7 +396,7 @@ static void foam_beyond_the_window_lies_on_slopes(void **state)
                                   -atan2(eye[1] - a * sin(th), hypot(dx, dz)) };
         const sight_angles normal = { slope > 0 ? -PI / 2 : PI / 2,
                                       atan2(1, fabs(slope)) };
-        const double share = cover * slope * slope / (k * a * k * a / 2) - 10;
+        const double share = cover * slope * slope / (k * a * k * a / 2) - 20;
         const double far = fmax(0, fmin(144, share)) / 255;
         none += share < 0;
         most += share > 144;

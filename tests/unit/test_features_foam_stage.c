@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The foam stage compared with a double-precision version of the file head's formulas:
- * cover interpolated between four cells of a torus, cover beyond the window, the texture's ranks,
- * light, and the remaining glint. */
+ * cover interpolated between four cells of a torus, cover beyond the window, the texture's
+ * ranks, light, and the remaining glint. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -49,7 +49,8 @@ static tp_shade shade_foam(test_run *r, bool textured, int level)
         .cover = cover, .cells = CELLS, .col = random_below(&chance, CELLS),
         .row = random_below(&chance, CELLS), .low_s = chance_fx(&chance, -900, 900),
         .low_t = chance_fx(&chance, -900, 900), .side = CELLS * 32768,
-        .per_metre = ((uint64_t)1 << 48) / 32768, .edge = (uint32_t)(((uint64_t)1 << 44) / (7ull * 128 * CELLS * 128 * CELLS)),
+        .per_metre = ((uint64_t)1 << 48) / 32768,
+        .edge = (uint32_t)(((uint64_t)1 << 44) / (7ull * 128 * CELLS * 128 * CELLS)),
         .far_per_square = random_below(&chance, 3) * 0x30000,
         .colour = (uint32_t)random_next(&chance) & 0xffffff,
         .texture = textured ? &picture : NULL, .repeats = 1 << 15,
@@ -107,7 +108,7 @@ static double whole_cover(const tp_shade_foam *f, const test_run *r, int i)
     double weight;
     const double c = cover_of(f, r->s[i], r->t[i], &weight);
     const double x = (int16_t)(r->n[i] >> 16) / 4096.0, z = (int16_t)r->n[i] / 4096.0;
-    const double far = ref_clamp(f->far_per_square * (x * x + z * z) - 10, 0, 144);
+    const double far = ref_clamp(f->far_per_square * (x * x + z * z) - 20, 0, 144);
 
     return c * weight + far * (1 - weight);
 }

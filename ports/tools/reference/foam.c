@@ -8,7 +8,7 @@
 #define OPAQUE (15 / 16.0)      /* largest opacity */
 #define LACE   (236 / 256.0)    /* white share of full cover */
 #define BAND   0.25             /* opacity of the bubbles below full cover */
-#define FAR_LEAST (10 / 255.0)  /* taken from all far cover */
+#define FAR_LEAST (20 / 255.0)  /* taken from all far cover */
 #define FAR_MOST  (144 / 255.0)
 #define COARSE 5                /* mipmap level from which the threshold covers all ranks */
 
@@ -158,11 +158,12 @@ double ref_foam_lace(double cover, double white)
 double ref_foam_opacity(const ref_scene *s, const ref_water *w)
 {
     const ref_foam *foam = &s->foam;
-    double weight = 0, cover = foam->cover ? ref_foam_cover(foam, w->x0, w->z0, &weight) : 0;
+    double weight, cover;
     int level = COARSE;
 
     if (!foam->cover)
         return 0;
+    cover = ref_foam_cover(foam, w->x0, w->z0, &weight);
     cover = mix(far_cover(foam, w), cover, weight);
     if (cover <= 0)
         return 0;

@@ -37,7 +37,7 @@ typedef struct {
     int32_t first_x, first_z;   /* lowest cell of the window */
     double  cell;               /* side of a cell, m */
     double  drift_x, drift_z;   /* origin of the cells' lattice, m */
-    bool    fades;              /* the cover passes into the far cover at the window's edge */
+    bool    fades;              /* the cover passes into the far cover */
     double  far_per_square;     /* cover beyond the window over the square of the slope */
     double  rank[256];          /* share of darker texels, by green, 0..1 */
     double  mean;               /* rank of the texture's mean */

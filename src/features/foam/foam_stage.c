@@ -2,9 +2,9 @@
 /* Foam on water.  The field gives the cover, which is the foam's age: fresh foam has full
  * cover, old foam little.  A texture of bubbles gives the pattern of white.  A texel is
  * white if its rank among all texels, 0..1, is above 1 - cover.  Fresh foam therefore is
- * white nearly all over; with age the foam breaks up into lace, into specks, and vanishes.  The
- * same texture, four times as large, moves the cover up and down first: patches and holes
- * of the lace.  Every texture turns white by the share in the field.  The threshold is
+ * white nearly all over; with age the foam breaks up into lace, into specks, and vanishes.
+ * The same texture, four times as large, moves the cover up and down first: patches and
+ * holes of the lace.  Every texture turns white by the share in the field.  The threshold is
  * soft, over a third of the ranks.  Smaller mipmap levels, whose texels are more alike, use
  * a wider threshold, and small levels are not read: far foam shows the cover itself.
  * Bubbles below the lace lighten the water by BAND of the cover.
@@ -171,8 +171,8 @@ static uint32_t patch_cover(const tp_shade_foam *f, const lace *l, uint32_t cove
     const int32_t rank = f->rank[sample_bubbles(&l->wide, s * f->wide_repeats
                                                           + f->wide_drift_s,
                                                 t * f->wide_repeats + f->wide_drift_t)];
-    const int32_t free = (int32_t)(cover * (255 - cover) >> 6);
-    return (uint32_t)((int32_t)cover + (rank - l->wide_middle) * free * 103 / 65536);
+    const int32_t spread = (int32_t)(cover * (255 - cover) >> 6);
+    return (uint32_t)((int32_t)cover + (rank - l->wide_middle) * spread * 103 / 65536);
 }
 
 /* Returns the whiteness 0..256 of a place with this cover.  The mean over all ranks of a
@@ -220,7 +220,7 @@ TP_ALWAYS_INLINE uint32_t foam_light_share(const tp_shade *shade, const tp_run *
 }
 
 #define FAR_MOST  144           /* of 255: largest cover beyond the window */
-#define FAR_LEAST 10            /* cover taken from all: most water has none */
+#define FAR_LEAST 20            /* cover taken from all: most water has none */
 
 /* Returns the cover 0..255 beyond the window: the field's mean, in proportion to the square
  * of the slope. */
