@@ -50,6 +50,8 @@ static const foam_row rows[] = {
     { "harbour", 600, 1.1, 0.55, 0, { NULL } },
     { "shallows", 600, 1.2, 0.85, 0, { NULL } },
     { "shore-break", 900, 2.8, 0.22, 0.75, { "surf.stretch=0" } },
+    { "shore-break", 900, 2.5, 0.9, 0, { "surf.stretch=0", "camera.heading=150",
+                                         "camera.pitch=-20", "camera.z=13" } },
     { "raindrops", 300, 1.5, 0.85, 0.2, { "spray.size=0.05", "spray.impact=3" } },
     { "raindrops", 400, 1.5, 0.92, 0.2, { "spray.size=0.05", "spray.impact=3" } },
 

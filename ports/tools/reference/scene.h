@@ -73,6 +73,7 @@ typedef struct {
     ref_speck *speck;
     int        specks;
     ref_tank   tank;
+    double     runup, swash;    /* height of the highest swash, m; its phase, turns */
     ref_block *block;
     int        blocks;
     ref_caustics *caustics;     /* NULL: none */

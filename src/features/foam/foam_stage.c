@@ -4,8 +4,8 @@
  * white if its rank among all texels, 0..1, is above 1 - cover.  Fresh foam therefore is
  * white nearly all over; with age the foam breaks up into lace, into specks, and vanishes.
  * The same texture, four times as large, moves the cover up and down first: patches and
- * holes of the lace.  Every texture turns white by the share in the field.  The threshold is
- * soft, over a third of the ranks.  Smaller mipmap levels, whose texels are more alike, use
+ * holes of the lace.  Every texture turns white by the share in the field.  The threshold
+ * is soft, over a third of the ranks.  Smaller mipmap levels, whose texels are more alike, use
  * a wider threshold, and small levels are not read: far foam shows the cover itself.
  * Bubbles below the lace lighten the water by BAND of the cover.
  *
