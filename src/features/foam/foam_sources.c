@@ -25,7 +25,7 @@ static uint32_t scale_gain(tp_fx share, int32_t units)
 
 #define CREST_UNITS    600      /* units of cover per unit of the Jacobian, ... */
 #define CREST_MOST     TP_FX(0.2)   /* ... over at most this range of the Jacobian */
-#define BREAKING_UNITS 72
+#define BREAKING_UNITS 112
 
 static uint32_t crest_gain(const tp_foam_maker *m, tp_fx jacobian)
 {
