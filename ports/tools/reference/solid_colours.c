@@ -220,7 +220,7 @@ void ref_swash_open(ref_scene *s, const tp_world *world)
 }
 
 /* Sine of turns that a metre adds, as the engine counts them: 65536 n / 2^32. */
-static double sine_of(double turns)
+static double turns_sine(double turns)
 {
     return sin(2 * PI * turns);
 }
@@ -229,9 +229,9 @@ double ref_swash_height(const ref_scene *s, double x, double z)
 {
     const double far = (x * 1771 + z * 2203) / 65536;
     const double near = (x * 7933 + z * 9973) / 65536;
-    const double level = sine_of(s->swash + sine_of(far) / 8);
+    const double level = turns_sine(s->swash + turns_sine(far) / 8);
 
-    return s->runup * (0.5 + 0.35 * level + 0.06 * sine_of(near));
+    return s->runup * (0.5 + 0.35 * level + 0.06 * turns_sine(near));
 }
 
 /* Colour of sand in and above the swash. */
