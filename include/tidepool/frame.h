@@ -190,7 +190,8 @@ bool tp_frame_pick(const tp_frame *frame, tp_fx x_px, tp_fx y_px, tp_vec3 *at);
  * there, so these rows need no memory of their own.  tile->y0 <= y < tile->y1; a row has
  * x1 - x0 entries. */
 
-/* The kind of object at a pixel. */
+/* The kind of object at a pixel.  Spray and bubbles are translucent: what lies behind them
+ * counts. */
 typedef enum {
     TP_SAMPLE_SKY,    /* no object; in the water: open depth */
     TP_SAMPLE_WATER,  /* the surface, from either side */
@@ -199,7 +200,6 @@ typedef enum {
     TP_SAMPLE_DROP,   /* a falling drop, or the sphere that drops fall from */
     TP_SAMPLE_WALL,   /* a wall of a tank or in a pool */
     TP_SAMPLE_GLASS,  /* a tank's glass wall, and the water behind it */
-    TP_SAMPLE_SPRAY,
     TP_SAMPLE_OTHER   /* object of a module that a program brings itself */
 } tp_sample_kind;
 

@@ -258,7 +258,7 @@ typedef struct {
     X(refract) X(refract_rippled) X(refract_dispersed) X(refract_rippled_dispersed)
 #define TP_STAGES_OF_foam(X) \
     X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled)     /* reduces glint */
-#define TP_STAGES_OF_spray(X)       X(spray)            /* colour of specks */
+#define TP_STAGES_OF_spray(X)       X(spray) X(spray_blend)      /* colour; streaks */
 #define TP_STAGES_OF_exposure(X)    X(expose)
 
 struct tp_module;

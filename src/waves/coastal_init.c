@@ -183,9 +183,10 @@ static tp_coastal_swell make_swell(const tp_coastal_water *coastal, const tp_wav
 }
 
 /* Sets the breaker factors of the beach [B20]: stretch is a factor of r, plunge is
- * the factor for 2 r. */
+ * the factor for 2 r.  A surging wave has no roller: a quarter of the foam,
+ * and orbits that do not widen, so that its front never overhangs. */
 static void set_breaker(tp_coastal_water *coastal, tp_coastal_wave *wave,
-                        const tp_coastal_swell *w, tp_fx stretch)
+                        tp_coastal_swell *w, tp_fx stretch)
 {
     const tp_q30 slope = coastal->map_cols ? tp_coastal_beach_slope(coastal, w->amplitude)
                                            : coastal->slope * (1 << 14);
@@ -194,6 +195,8 @@ static void set_breaker(tp_coastal_water *coastal, tp_coastal_wave *wave,
         tp_breaker_classify(tp_iribarren(slope, height, w->length));
 
     stretch = tp_clamp(stretch, 0, 2 * TP_FX_ONE);
+    w->surging = type == TP_BREAKER_SURGING;
+    wave->foam = w->surging ? 64 : 256;
     if (type == TP_BREAKER_PLUNGING) {
         wave->stretch = stretch;
         wave->plunge = 2 * stretch;
@@ -217,7 +220,7 @@ static void shorten_wave_on_level_floor(tp_coastal_water *coastal, tp_coastal_wa
 static void make_wave(tp_coastal_water *coastal, uint32_t i, const tp_wave *given,
                       const tp_swell *swell, const tp_coastal_config *config)
 {
-    const tp_coastal_swell w = make_swell(coastal, given, swell);
+    tp_coastal_swell w = make_swell(coastal, given, swell);
     const tp_way wind = tp_way_from_degrees(config->wind_heading);
     tp_coastal_wave *wave = &coastal->wave[i];
 
@@ -236,7 +239,7 @@ static void make_wave_phases(tp_coastal_water *coastal, uint32_t i, const tp_wav
                              const tp_swell *swell, const block_layout *plan,
                              bool reuse_wave_nodes)
 {
-    const tp_coastal_swell w = make_swell(coastal, given, swell);
+    tp_coastal_swell w = make_swell(coastal, given, swell);
     const size_t all = (size_t)plan->cols * plan->rows;
 
     tp_coastal_make_phases_by_depth(coastal, i, &w);

@@ -168,9 +168,10 @@ static tp_coastal_depth_entry make_node(const tp_coastal_water *coastal,
     const tp_fx miche = miche_amplitude(w, k_q32, h);
     const tp_fx held = tp_depth_amplitude(w->amplitude, ks, kr, h);
     const tp_fx amplitude = held < miche ? held : miche;
+    const bool round = w->surging && !coastal->map_cols;
 
     return (tp_coastal_depth_entry){
-        .along = horizontal_semi_axis(w, amplitude, k_q32, s.x_q24),
+        .along = horizontal_semi_axis(w, amplitude, k_q32, round ? 1 << 24 : s.x_q24),
         .up = (tp_fx)((amplitude * s.y_q24 + (1 << 23)) >> 24),
         .ratio = height_depth_ratio(w, ks, kr, h),
         .lip = (tp_fx)((int64_t)amplitude * tp_orbit_depth_decay(KEPT_RATE, h) >> 32),

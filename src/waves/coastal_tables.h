@@ -129,6 +129,7 @@ typedef struct {
     tp_way  way;
     tp_fx   amplitude, reach;   /* A and QA in deep water, m */
     tp_fx   length;
+    bool    surging;            /* [B20]: orbits do not widen over a straight floor */
 } tp_coastal_swell;
 
 /* Returns k at a depth; depths below 1/16 m count as 1/16 m.  k is below 29 rad/m for

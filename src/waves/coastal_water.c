@@ -293,7 +293,8 @@ static tp_offset breaking_wave_offset(const tp_coastal_water *coastal, uint32_t 
     const tp_fx gate = breaking_gate(coastal, i, phases, x0, z0, p);
     const tp_fx steep = tp_coastal_mix(d[0].steep, d[1].steep, p->at.depth_fraction) * 4;
     const int32_t phase = (int32_t)(m->phi - tp_orbit_lowest_phase(&m->orbit));
-    const uint32_t here = breaking_foam(gate > steep ? gate : steep, phase);
+    const uint32_t here = breaking_foam(gate > steep ? gate : steep, phase) * wave->foam
+                          >> 8;
 
     *foam = here > *foam ? here : *foam;
     if (!with_overhang || gate == 0 || wave->stretch == 0)

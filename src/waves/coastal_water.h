@@ -248,6 +248,7 @@ typedef struct {
     tp_fx    lambda;                /* lambda of the wind on this wave, rad/m */
     int32_t  iterations;            /* iterations of [B10]; the same for all depths */
     tp_fx    stretch, plunge;       /* factors from breaker type and config [B20] */
+    uint32_t foam;                  /* share of foam by breaker type, 0..256 */
     uint32_t wave_nodes;            /* byte offset of its map nodes */
     uint32_t calm;                  /* first depth node without breaking;
                                      * deeper nodes have none */

@@ -148,6 +148,88 @@ static void a_beach_is_lit_by_its_slope_wet_and_dry(void **state)
     assert_true(wet.worst < 1e-8 && dry.worst < 1e-8);
 }
 
+/* Height of the swash of a wave at a point, m: Hunt's run-up by a share that follows the
+ * wave's phase and wanders over 37 m and 30 m. */
+static double swash_of(const view_of_ref *v, double x, double z, double *runup)
+{
+    const tp_swell *w = &v->world->deep.swell[0];
+    const double height = 2 * v->scene.wave[0].amplitude / 65536.0;
+    const double length = v->scene.wave[0].length / 65536.0;
+    const double rise = v->scene.floor.slope / 65536.0;
+    const double period = 1 / ldexp((double)w->turns_tick, -64);
+    const double ticks = (double)v->world->tick - v->world->lag / 65536.0;
+    const double turn = v->scene.wave[0].phase / 65536.0 / 360 - ticks / period;
+    const double far = sin(2 * PI * (1771 * x + 2203 * z) / 65536) / 8;
+    const double near = sin(2 * PI * (7933 * x + 9973 * z) / 65536);
+
+    *runup = fmin(rise * sqrt(height * length), 2 * height);
+    return *runup * (0.5 + 0.35 * sin(2 * PI * (turn + far)) + 0.06 * near);
+}
+
+/* Light that sand keeps at a height over the level, and the opacities of sky and of foam
+ * over the sand. */
+static void coats_of(double y, double front, double runup, double coat[3])
+{
+    coat[0] = coat[1] = coat[2] = 0;
+    if (y < runup)
+        coat[0] = y > front ? (runup - y) / (runup - front) : 1;
+    coat[0] = 1 - 90 / 256.0 * coat[0];
+    if (y <= front) {
+        coat[1] = 40 / 256.0;
+        coat[2] = 200 / 256.0 * fmax(0, 1 - 10 * (front - y) / runup);
+    }
+}
+
+static void swash_darkens_the_sand_and_ends_in_foam(void **state)
+{
+    measure off = { .what = "swash", .unit = "of 255" };
+    int bare = 0, wet = 0, sheet = 0, foam = 0;
+
+    (void)state;
+    for (int n = 0; n < 3000; n++) {
+        view_of_ref v = { .scene = scene_clear() };
+        v.scene.wave[0].amplitude = chance_fx(&seed, 0.1, 0.5);
+        v.scene.wave[0].length = chance_fx(&seed, 12, 60);
+        v.scene.wave[0].steepness = 0;
+        v.scene.wave[0].phase = chance_fx(&seed, 0, 359);
+        v.scene.wave[0].speed = 0;
+        v.scene.floor.slope = chance_fx(&seed, 0.1, 0.4);
+        v.scene.camera.heading = v.scene.floor.heading;
+        v.scene.foam.colour = chance_int(&seed, 0, 0xffffff);
+        view_open(&v, 64, 48);
+        const sight_angles to = sight_any(&v, &seed, -PI / 2, -0.3);
+        const ref_seen seen = sight_look(&v, to);
+        v.ref.runup = 0;
+        const ref_seen sand = sight_look(&v, to);
+        const double far = beach_met(&v, to, v.world->eye.y / 65536.0, 0);
+        const double x = v.world->eye.x / 65536.0 + far * cos(to.elevation)
+                                                        * sin(to.azimuth);
+        const double z = v.world->eye.z / 65536.0 - far * cos(to.elevation)
+                                                        * cos(to.azimuth);
+        const double y = v.world->eye.y / 65536.0 + far * sin(to.elevation);
+        double runup, coat[3];
+        const double front = swash_of(&v, x, z, &runup);
+        const double level = lit_of(&v.scene, sin(sight_light(&v).elevation));
+        coats_of(y, front, runup, coat);
+        for (int k = 0; k < 3 && seen.kind == REF_LAND; k++) {
+            const double film = between(coat[0] * sand.colour.c[k],
+                                        channel(v.scene.sky.horizon, k), coat[1]);
+            const double white = channel(v.scene.foam.colour, k) * (1 + level) / 2;
+            measure_add(&off, seen.colour.c[k] - between(film, white, coat[2]), n, k, 0);
+        }
+        bare += seen.kind == REF_LAND && coat[0] == 1;
+        wet += seen.kind == REF_LAND && coat[0] < 1 && coat[1] == 0;
+        sheet += seen.kind == REF_LAND && coat[1] > 0 && coat[2] == 0;
+        foam += seen.kind == REF_LAND && coat[2] > 0;
+        view_close(&v);
+    }
+    measure_print(&off);
+    printf("    %d bare, %d wet, %d under the swash, %d in its foam\n", bare, wet, sheet,
+           foam);
+    assert_true(bare > 20 && wet > 20 && sheet > 20 && foam > 3);
+    assert_true(off.worst < 0.1);       /* phases are rounded to 2^-32 a tick */
+}
+
 /* -- from below -------------------------------------------------------------------- */
 
 /* Colour of light that the surface reflects down: the floor, or the water's own colour if
@@ -206,6 +288,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_floor_is_seen_where_light_of_each_colour_is_bent),
         cmocka_unit_test(a_beach_is_lit_by_its_slope_wet_and_dry),
+        cmocka_unit_test(swash_darkens_the_sand_and_ends_in_foam),
         cmocka_unit_test(the_surface_from_below_is_a_window_and_a_mirror),
     };
     seed = random_seed();

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Checks the reference's foam against closed forms: place and drift of the cover,
- * bubbles by rank, light, glint, the window's edge, and foam on a wave. */
+ * bubbles by rank on two scales, light, glint, the window's edge, foam beyond the window,
+ * and foam on a wave. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -13,7 +14,8 @@
 enum { CELLS = 32, TICKS = 90 };
 
 #define SOLID (15 / 16.0)       /* largest opacity */
-#define WHITE (212 / 256.0)     /* white share of full cover */
+#define WHITE (236 / 256.0)     /* white share of full cover */
+#define BAND  0.25              /* opacity of bubbles below full cover */
 #define SOFT  (80 / 256.0)      /* width of the threshold, in ranks */
 
 static uint64_t seed;
@@ -92,23 +94,32 @@ static double tent(const view_of_ref *v, double at, tp_fx speed, int i)
     return fmax(0, 1 - fabs(off - round(off)) * CELLS);
 }
 
-/* Cover 0..1. NAN half a cell from the window's edge, where a torus has no neighbours. */
+/* Cover 0..1: the bilinear cover within 3/4 of the window's circle, less to its rim. Still
+ * water has no foam beyond. NAN half a cell from the window's edge, where a torus has no
+ * neighbours. */
 static double cover_at(const view_of_ref *v, const double at[2])
 {
     const tp_scene_map *map = &v->scene.foam.map;
     const uint8_t *cell = tp_foam_cover(tp_foam_of_world(v->world));
     const double u = from_edge(v, at[0], v->world->eye.x, map->drift_x);
     const double w = from_edge(v, at[1], v->world->eye.z, map->drift_z);
+    const double off = hypot(u - CELLS / 2, w - CELLS / 2) / (CELLS / 2);
     const double edge = fmin(fmin(u, CELLS - u), fmin(w, CELLS - w));
     double sum = 0;
 
     if (fabs(edge) < 0.501)
         return (double)NAN;
-    for (int row = 0; row < CELLS && edge > 0; row++)
+    for (int row = 0; row < CELLS && off < 1; row++)
         for (int col = 0; col < CELLS; col++)
             sum += tent(v, at[0], map->drift_x, col) * tent(v, at[1], map->drift_z, row)
                  * cell[row * CELLS + col] / 255.0;
-    return sum * fmin(1, edge / (CELLS / 8.0));
+    return sum * fmin(1, fmax(0, 1 - off * off) / (1 - 0.75 * 0.75));
+}
+
+/* Opacity of lace over bubbles. */
+static double opacity_of(double cover, double white)
+{
+    return 1 - (1 - SOLID * white) * (1 - BAND * cover);
 }
 
 /* Adds the difference between a colour and foam of an opacity over the lit water. */
@@ -143,7 +154,8 @@ static void plain_foam_lies_and_drifts_as_its_cells(void **state)
         meet(&v, to, at);
         const double cover = cover_at(&v, at);
         outside += cover == 0;
-        add(&off, &v, &seen, sin(sight_light(&v).elevation), SOLID * WHITE * cover, 0, n);
+        add(&off, &v, &seen, sin(sight_light(&v).elevation),
+            opacity_of(cover, WHITE * cover), 0, n);
         view_close(&v);
     }
     measure_print(&off);
@@ -174,7 +186,8 @@ static void foam_of_a_pool_ends_at_its_walls(void **state)
         meet(&v, to, at);
         const bool wet = fmax(fabs(at[0]), fabs(at[1])) < CELLS / 2 * 0.25;
         inside += wet;
-        add(&off, &v, &seen, sin(sight_light(&v).elevation), wet ? SOLID * WHITE : 0, 0, n);
+        add(&off, &v, &seen, sin(sight_light(&v).elevation),
+            wet ? opacity_of(1, WHITE) : 0, 0, n);
         view_close(&v);
     }
     measure_print(&off);
@@ -197,11 +210,24 @@ static double rank_of(const noise_picture *p, int green)
 }
 
 /* White share of a rank: a ramp over SOFT ranks. The ramp begins at rank 1 for no cover and
- * ends below rank 1 / 4 for full cover. */
+ * ends below rank 1 / 8 for full cover. */
 static double white_of(double cover, double rank)
 {
     const double foot = 1 - WHITE * cover * (1 + SOFT);
-    return isnan(cover) ? cover : fmax(0, fmin(fmin(1, 4 * cover), (rank - foot) / SOFT));
+    return isnan(cover) ? cover
+                        : fmax(0, fmin(fmin(1, 4 * cover), (rank - foot) / SOFT));
+}
+
+/* Rank of the texture at a place, with repeats of `size` map sizes. */
+static double rank_seen(const view_of_ref *v, const noise_picture *p, const double at[2],
+                        double size)
+{
+    const tp_scene_map *map = &v->scene.foam.map;
+    const double green =
+        tents_of(p, (at[0] * 65536 - map->drift_x * seconds_of(v)) / map->size / size,
+                 (at[1] * 65536 - map->drift_z * seconds_of(v)) / map->size / size, 1);
+
+    return between(rank_of(p, (int)green), rank_of(p, (int)green + 1), green - (int)green);
 }
 
 static void bubbles_turn_white_by_rank(void **state)
@@ -213,21 +239,19 @@ static void bubbles_turn_white_by_rank(void **state)
     for (int n = 0; n < 2000; n++) {
         static noise_picture p;
         view_of_ref v = { .scene = scene_foamy() };
-        const tp_scene_map *map = &v.scene.foam.map;
         double at[2];
         v.assets.foam = noise_of(&p, &seed);
         open_foamy(&v, 256);
         const sight_angles to = sight_any(&v, &seed, -PI / 2, -0.2);
         const ref_seen seen = sight_look(&v, to);
         meet(&v, to, at);
-        const double green =
-            tents_of(&p, (at[0] * 65536 - map->drift_x * seconds_of(&v)) / map->size,
-                     (at[1] * 65536 - map->drift_z * seconds_of(&v)) / map->size, 1);
-        const double rank = between(rank_of(&p, (int)green), rank_of(&p, (int)green + 1),
-                                    green - (int)green);
-        const double white = white_of(cover_at(&v, at), rank);
+        const double flat = cover_at(&v, at);
+        const double patch = rank_seen(&v, &p, at, 4) - 0.5;
+        const double cover = flat + 1.6 * patch * flat * (1 - flat);
+        const double white = white_of(cover, rank_seen(&v, &p, at, 1));
         lace += white > 0.01 && white < 0.99;
-        add(&off, &v, &seen, sin(sight_light(&v).elevation), SOLID * white, 0, n);
+        add(&off, &v, &seen, sin(sight_light(&v).elevation), opacity_of(cover, white), 0,
+            n);
         view_close(&v);
     }
     measure_print(&off);
@@ -243,12 +267,11 @@ static void far_foam_is_its_cover(void **state)
 
     (void)state;
     for (int n = 0; n < 10000; n++) {
-        const ref_foam foam = { .mean = chance_double(&seed, 0, 1) };
-        const double cover = chance_double(&seed, 0, 1), rank = chance_double(&seed, 0, 1);
-        const double want = fmin(fmin(1, 4 * cover), WHITE * cover + rank - foam.mean);
-        measure_add(&off, ref_foam_white(&foam, cover, rank, chance_int(&seed, 5, 9))
+        const double cover = chance_double(&seed, 0, 1), rank = chance_double(&seed, -1, 1);
+        const double want = fmin(fmin(1, 4 * cover), WHITE * cover + rank);
+        measure_add(&off, ref_foam_white(cover, rank, chance_int(&seed, 5, 9))
                           - fmax(0, want), n, 0, 0);
-        measure_add(&off, ref_foam_white(&foam, cover, rank, 0) - white_of(cover, rank), n,
+        measure_add(&off, ref_foam_white(cover, rank, 0) - white_of(cover, rank + 0.5), n,
                     1, 0);
     }
     measure_print(&off);
@@ -281,7 +304,8 @@ static void foam_hides_the_glint(void **state)
                            * pow(fmax(0, sight_cos(mirrored, sight_light(&v))),
                                  v.scene.water.shininess / 65536);
         most = fmax(most, glint);
-        add(&off, &v, &seen, sin(sight_light(&v).elevation), SOLID * WHITE * cover / 255,
+        add(&off, &v, &seen, sin(sight_light(&v).elevation),
+            opacity_of(cover / 255.0, WHITE * cover / 255),
             glint, n);
         view_close(&v);
     }
@@ -326,12 +350,64 @@ static void foam_moves_with_the_waves(void **state)
         const ref_seen seen = sight_look(&v, to);
         most = fmax(most, fabs(shift));
         add(&off, &v, &seen, sight_cos(normal, sight_light(&v)),
-            SOLID * WHITE * cover_at(&v, rest), 0, n);
+            opacity_of(cover_at(&v, rest), WHITE * cover_at(&v, rest)), 0, n);
         view_close(&v);
     }
     measure_print(&off);
     assert_true(most > 0.4);
     assert_true(off.worst < 1e-4);      /* as plain foam */
+}
+
+/* Foam beyond the window of cells on a trochoid: the field's mean in proportion to the
+ * square of the slope, less 20 of 255, and 144 at most. */
+static void foam_beyond_the_window_lies_on_slopes(void **state)
+{
+    measure off = { .what = "far foam on a wave", .unit = "of 255" };
+    int none = 0, most = 0;
+
+    (void)state;
+    for (int n = 0; n < 1000; n++) {
+        view_of_ref v = { .scene = scene_foamy() };
+        v.scene.wave[0].amplitude = TP_FX(0.6);
+        v.scene.wave[0].length = 12 * TP_FX_ONE;
+        v.scene.wave[0].steepness = 0;
+        v.scene.wave[0].heading = 90 * TP_FX_ONE;
+        v.scene.wave[0].phase = chance_fx(&seed, 0, 360);
+        v.scene.wave[0].speed = 0;
+        v.scene.camera.pitch = -80 * TP_FX_ONE;
+        v.scene.camera.fov = 100 * TP_FX_ONE;
+        v.scene.foam.crest = 0;
+        v.scene.foam.cell = TP_FX(0.01);        /* the window is a third of a metre wide */
+        open_foamy(&v, 0);
+        const int cover = chance_int(&seed, 0, 120);
+        for (int q = 0; q < TP_FOAM_TICKS; q++)
+            tp_foam_of_world(v.world)->sum[q] =
+                (uint32_t)cover * CELLS * CELLS / TP_FOAM_TICKS;
+        ref_scene_close(&v.ref);
+        ref_scene_open(&v.ref, &v.scene, &v.assets, v.world, 64, 48, false);
+        const double eye[3] = { v.world->eye.x / 65536.0, v.world->eye.y / 65536.0,
+                                v.world->eye.z / 65536.0 };
+        const double k = 2 * PI / 12, rest[2] = { eye[0] + chance_double(&seed, 0.3, 1),
+                                                  eye[2] + chance_double(&seed, 0.3, 1) };
+        const double th = k * rest[0] + v.scene.wave[0].phase / 65536.0 * PI / 180;
+        const double a = v.scene.wave[0].amplitude / 65536.0, slope = k * a * cos(th);
+        const double dx = rest[0] - eye[0], dz = rest[1] - eye[2];
+        const sight_angles to = { atan2(dx, -dz),
+                                  -atan2(eye[1] - a * sin(th), hypot(dx, dz)) };
+        const sight_angles normal = { slope > 0 ? -PI / 2 : PI / 2,
+                                      atan2(1, fabs(slope)) };
+        const double share = cover * slope * slope / (k * a * k * a / 2) - 20;
+        const double far = fmax(0, fmin(144, share)) / 255;
+        none += share < 0;
+        most += share > 144;
+        const ref_seen seen = sight_look(&v, to);
+        add(&off, &v, &seen, sight_cos(normal, sight_light(&v)),
+            opacity_of(far, WHITE * far), 0, n);
+        view_close(&v);
+    }
+    measure_print(&off);
+    assert_true(none > 50 && most > 20);
+    assert_true(off.worst < 0.02);      /* amplitude and mean are rounded to 2^-16 */
 }
 
 int main(void)
@@ -343,6 +419,7 @@ int main(void)
         cmocka_unit_test(far_foam_is_its_cover),
         cmocka_unit_test(foam_hides_the_glint),
         cmocka_unit_test(foam_moves_with_the_waves),
+        cmocka_unit_test(foam_beyond_the_window_lies_on_slopes),
     };
     seed = random_seed();
     return cmocka_run_group_tests(tests, NULL, NULL);

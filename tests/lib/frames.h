@@ -94,8 +94,7 @@ static inline void frame_draw_picture(const test_frame *f, const tp_world *world
 /* -- kinds of objects ---------------------------------------------------------------- */
 
 typedef enum {
-    MARKS_SKY, MARKS_WATER, MARKS_BOAT, MARKS_LAND, MARKS_DROP, MARKS_TANK, MARKS_SIDE,
-    MARKS_SPRAY
+    MARKS_SKY, MARKS_WATER, MARKS_BOAT, MARKS_LAND, MARKS_DROP, MARKS_TANK, MARKS_SIDE
 } marks_kind;
 
 /* Returns the kind from the owner of the stencil value's shader list. */
@@ -105,8 +104,7 @@ static inline marks_kind marks_kind_of(const tp_frame *frame, uint32_t mark)
         return mark == TP_MARK_SKY ? MARKS_SKY : MARKS_WATER;
     const tp_drawing *owner = mark < frame->buffers.marks.count
                             ? tp_frame_list(frame, mark)->owner : NULL;
-    return owner == &tp_spray_drawing ? MARKS_SPRAY
-         : owner == &tp_tank_drawing ? MARKS_TANK
+    return owner == &tp_tank_drawing ? MARKS_TANK
          : owner == &tp_glass_drawing ? MARKS_SIDE
          : owner == &tp_land_drawing ? MARKS_LAND
          : owner == &tp_drops_drawing ? MARKS_DROP : MARKS_BOAT;

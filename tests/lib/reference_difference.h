@@ -37,7 +37,7 @@ static inline drawn_image drawn_of(const ref_stand *stand, uint32_t width,
     static const uint8_t kind_of[] = {
         [MARKS_SKY] = REF_SKY, [MARKS_WATER] = REF_WATER, [MARKS_BOAT] = REF_BOAT,
         [MARKS_LAND] = REF_LAND, [MARKS_DROP] = REF_DROP, [MARKS_TANK] = REF_WALL,
-        [MARKS_SIDE] = REF_SIDE, [MARKS_SPRAY] = REF_SPRAY,
+        [MARKS_SIDE] = REF_SIDE,
     };
     uint8_t kind[TP_MARKS];
     drawn_image image = { width, height, malloc(count * 4), malloc(count) };

@@ -6,6 +6,7 @@
 #include "features/exposure/exposure.h"
 #include "features/foam/foam.h"
 #include "features/reflection/reflection.h"
+#include "features/spray/spray.h"
 #include "features/tank/tank.h"
 #include "features/underwater/underwater.h"
 #include "features/water/water.h"
@@ -276,7 +277,7 @@ static inline void twice_end(test_twice *t)
 static inline void twice_marks(const tp_frame *f, const uint32_t *key, size_t pixels,
                                twice_reached *r)
 {
-    bool has[MARKS_SPRAY + 1] = { false };
+    bool has[MARKS_SIDE + 1] = { false };
     uint8_t kind[TP_MARKS];
 
     marks_list_kinds(f, kind);
@@ -288,7 +289,6 @@ static inline void twice_marks(const tp_frame *f, const uint32_t *key, size_t pi
     r->drops += has[MARKS_DROP];
     r->tank += has[MARKS_TANK];
     r->sides += has[MARKS_SIDE];
-    r->spray += has[MARKS_SPRAY];
 }
 
 static inline void twice_count(const tp_frame *f, const uint32_t *key, size_t pixels,
@@ -314,6 +314,8 @@ static inline void twice_count(const tp_frame *f, const uint32_t *key, size_t pi
     r->caustics += tp_frame_module_memory(f, TP_CAUSTICS_ID) != NULL;
     const tp_pool_bumps *bumps = tp_frame_module_memory(f, TP_BUMPS_ID);
     r->bumps += bumps && (bumps->pool[0].slope || bumps->pool[1].slope);
+    const tp_streaks *spray = tp_frame_module_memory(f, TP_SPRAY_ID);
+    r->spray += spray && spray->count > 0;
     r->foam += tp_world_foam(f->world) != NULL;
     r->dome += env->kind == TP_ENV_DOME;
     r->cube_sky += env->kind == TP_ENV_CUBE;

@@ -62,7 +62,7 @@ static void foam_fades_by_its_time(void **state)
         const tp_scene scene = still((tp_fx)lround(fades[n] * 65536));
         const double fade = (double)lround(fades[n] * 65536) / 65536;
         tp_world *world = scene_world(&scene, NULL);
-        const int ticks = 4 * (1 + (int)(fade * 15));
+        const int ticks = TP_FOAM_TICKS * (1 + (int)(fade * 60 / TP_FOAM_TICKS));
         fill_any(world);
         const double before = sum_of(world), want = exp(-ticks / 60.0 / fade);
         step(world, &scene, ticks);
@@ -82,9 +82,9 @@ static void still_water_ends_without_any(void **state)
     int ticks = 0;
 
     memset(tp_foam_cover(tp_foam_of_world(world)), 255, 64 * 64);
-    for (; sum_of(world) > 0; ticks += 4) {
+    for (; sum_of(world) > 0; ticks += TP_FOAM_TICKS) {
         assert_true(ticks < 60 * 60);
-        step(world, &scene, 4);
+        step(world, &scene, TP_FOAM_TICKS);
     }
     printf("    fade 2.5 s: from white to nothing in %d ticks\n", ticks);
     assert_true(ticks > 60 * 2.5 * log(255));

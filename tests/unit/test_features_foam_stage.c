@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The foam stage compared with a double-precision version of the file head's formulas:
- * cover interpolated between four cells of a torus, its soft edge, the texture's ranks,
- * light, and the remaining glint. */
+ * cover interpolated between four cells of a torus, cover beyond the window, the texture's
+ * ranks, light, and the remaining glint. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -49,11 +49,15 @@ static tp_shade shade_foam(test_run *r, bool textured, int level)
         .cover = cover, .cells = CELLS, .col = random_below(&chance, CELLS),
         .row = random_below(&chance, CELLS), .low_s = chance_fx(&chance, -900, 900),
         .low_t = chance_fx(&chance, -900, 900), .side = CELLS * 32768,
-        .per_metre = ((uint64_t)1 << 48) / 32768, .edge = (1 << 24) / (32 * CELLS),
+        .per_metre = ((uint64_t)1 << 48) / 32768,
+        .edge = (uint32_t)(((uint64_t)1 << 44) / (7ull * 128 * CELLS * 128 * CELLS)),
+        .far_per_square = random_below(&chance, 3) * 0x30000,
         .colour = (uint32_t)random_next(&chance) & 0xffffff,
         .texture = textured ? &picture : NULL, .repeats = 1 << 15,
         .drift_s = (uint32_t)random_next(&chance),
-        .drift_t = (uint32_t)random_next(&chance),
+        .drift_t = (uint32_t)random_next(&chance), .wide_repeats = 1 << 13,
+        .wide_drift_s = (uint32_t)random_next(&chance),
+        .wide_drift_t = (uint32_t)random_next(&chance),
     };
     if (textured)
         tp_shade_foam_make_ranks(f, &picture);
@@ -79,19 +83,34 @@ static double cell_at(const tp_shade_foam *f, int i, int j)
 
 static double least(double a, double b) { return a < b ? a : b; }
 
-static double cover_of(const tp_shade_foam *f, uint32_t s, uint32_t t)
+/* Cover of the window, 0..255, and its weight 0..1: bilinear, from 3/4 of the radius on
+ * less by the square of the distance. */
+static double cover_of(const tp_shade_foam *f, uint32_t s, uint32_t t, double *weight)
 {
     const double u = (int32_t)(s - (uint32_t)f->low_s) / 32768.0;
     const double w = (int32_t)(t - (uint32_t)f->low_t) / 32768.0;
+    const double off = hypot(u - CELLS / 2.0, w - CELLS / 2.0) / (CELLS / 2.0);
 
-    if (u < 0 || w < 0 || u >= CELLS || w >= CELLS)
+    *weight = 0;
+    if (off >= 1)
         return 0;
     const int i = (int)floor(u - 0.5), j = (int)floor(w - 0.5);
     const double fs = u - 0.5 - i, ft = w - 0.5 - j;
     const double over = cell_at(f, i, j) * (1 - fs) + cell_at(f, i + 1, j) * fs;
     const double under = cell_at(f, i, j + 1) * (1 - fs) + cell_at(f, i + 1, j + 1) * fs;
-    const double edge = least(least(u, CELLS - u), least(w, CELLS - w)) / (CELLS / 8.0);
-    return (over * (1 - ft) + under * ft) * least(1, edge);
+    *weight = least(1, (1 - off * off) / (7 / 16.0));
+    return over * (1 - ft) + under * ft;
+}
+
+/* Cover after the window's edge: the cover beyond is by the square of the slope. */
+static double whole_cover(const tp_shade_foam *f, const test_run *r, int i)
+{
+    double weight;
+    const double c = cover_of(f, r->s[i], r->t[i], &weight);
+    const double x = (int16_t)(r->n[i] >> 16) / 4096.0, z = (int16_t)r->n[i] / 4096.0;
+    const double far = ref_clamp(f->far_per_square * (x * x + z * z) - 20, 0, 144);
+
+    return c * weight + far * (1 - weight);
 }
 
 /* Share of the texels of level 0 below a green value, equal texels counted half, 0..255. */
@@ -107,15 +126,46 @@ static double rank_of(double green)
     return below * 255 / (64 * 64);
 }
 
-/* The edge is soft by 80 ranks of 256 in level 0, by all ranks in level 5. */
-static double white_of(const tp_shade_foam *f, double c, double rank, double mean,
-                       int level)
+static double level_mean(double mean, int level)
 {
-    const double n = f->texture ? least(level, 5) : 5, soft = 80 + n * 176 / 5;
-    const double span = 168 - 8 * n, middle = 128 + (mean - 128) * n / 5;
-    const double up = rank - middle + soft / 2 - span * (1 - c * 212 / 256 / 128);
+    return 128 + (mean - 128) * least(level, 5) / 5;
+}
+
+static double rank_at(const tp_shade_foam *f, const test_run *r, int i, int level, int wide)
+{
+    const double repeat = 4294967296.0;
+    const uint32_t s = wide ? r->s[i] * f->wide_repeats + f->wide_drift_s
+                            : r->s[i] * f->repeats + f->drift_s;
+    const uint32_t t = wide ? r->t[i] * f->wide_repeats + f->wide_drift_t
+                            : r->t[i] * f->repeats + f->drift_t;
+    const int at = wide ? (level > 2 ? level - 2 : 0) : level;
+
+    return rank_of(ref_linear(&picture, at, s / repeat, t / repeat).c[1])
+         - level_mean(f->mean, at);
+}
+
+/* The edge is soft by 80 ranks of 256 in level 0, by all ranks from level 5 on. */
+static double white_of(double c, double rank, int level)
+{
+    const double n = least(level, 5), soft = 80 + n * 176 / 5, span = 168 - 8 * n;
+    const double up = rank + soft / 2 - span * (1 - c * 236 / 256 / 128);
 
     return ref_clamp(least(up / soft, 4 * c / 256), 0, 1) * 240 / 256;
+}
+
+/* Opacity of lace over bubbles: patches of the large scale first. */
+static double share_of(const tp_shade_foam *f, const test_run *r, int i, int level)
+{
+    double c = whole_cover(f, r, i);
+
+    if (c < 1)
+        return 0;
+    if (f->texture)
+        c += rank_at(f, r, i, level, 1) * c * (255 - c) / 64 * 103 / 65536;
+    const double white = white_of(c, f->texture && level < 5 ? rank_at(f, r, i, level, 0)
+                                                             : 0,
+                                  f->texture ? level : 5);
+    return white + (1 - white) * c / 1024;
 }
 
 static double lit_of(const tp_shade *s, const test_run *r, int i)
@@ -141,13 +191,7 @@ static void compare(bool textured, int level, foam_spread *off)
 
     tp_stage_foam_shiny(&s, &r.run);
     for (int i = 0; i < TP_RUN; i++) {
-        const double c = cover_of(f, r.s[i], r.t[i]);
-        const double repeat = 4294967296.0;
-        const double green = textured
-            ? ref_linear(&picture, level, (r.s[i] * f->repeats + f->drift_s) / repeat,
-                         (r.t[i] * f->repeats + f->drift_t) / repeat).c[1] : 0;
-        const double share = c > 0 ? white_of(f, c, textured ? rank_of(green) : 128,
-                                              textured ? f->mean : 128, level) : 0;
+        const double c = whole_cover(f, &r, i), share = share_of(f, &r, i, level);
         const ref_colour want = ref_mix(ref_colour_unpack(before.run.colour[i]),
                                         ref_scale(ref_colour_unpack(f->colour),
                                                   lit_of(&s, &r, i)), share);
@@ -201,6 +245,7 @@ static void without_cover_nothing_changes(void **state)
     run_any(&r, 8000, &chance);
     const tp_shade s = shade_foam(&r, true, 0);
     const test_run before = r;
+    foam.far_per_square = 0;
     tp_stage_foam_shiny(&s, &r.run);
     assert_memory_equal(&r.run.colour, &before.run.colour, sizeof r.run.colour);
     assert_memory_equal(&r.run.glint, &before.run.glint, sizeof r.run.glint);

@@ -18,7 +18,7 @@ static const tp_sample_kind kind_of[] = {
     [MARKS_SKY] = TP_SAMPLE_SKY,     [MARKS_WATER] = TP_SAMPLE_WATER,
     [MARKS_BOAT] = TP_SAMPLE_OBJECT, [MARKS_LAND] = TP_SAMPLE_LAND,
     [MARKS_DROP] = TP_SAMPLE_DROP,   [MARKS_TANK] = TP_SAMPLE_WALL,
-    [MARKS_SIDE] = TP_SAMPLE_GLASS,  [MARKS_SPRAY] = TP_SAMPLE_SPRAY,
+    [MARKS_SIDE] = TP_SAMPLE_GLASS,
 };
 
 /* Counts the pixels of each kind in a drawn tile. */
@@ -52,7 +52,6 @@ static void each_kind_of_thing_is_told(void **state)
     kit_make(&kit, &chance);
     for (int n = 0; n < SCENES; n++) {
         tp_scene scene = kit_scene(&chance, 20, 40);
-        scene.spray.size = TP_FX(0.8);      /* otherwise a speck seldom covers a pixel */
         const tp_assets assets = kit_assets(&kit, &scene, &chance);
         const tp_config config = { .width = WIDTH, .height = HEIGHT, .tile_height = 32 };
         tp_world *world = scene_world(&scene, &assets);

@@ -158,9 +158,74 @@ static void crests_break_where_it_is_shallow_and_not_where_it_is_deep(void **sta
     assert_int_equal(far, 0);
 }
 
+/* Shape of the crests on a beach, the worst over 32 phases. */
+typedef struct {
+    double back;                /* overhang: x runs back by this, m */
+    double lip;                 /* height where the overhang begins, m */
+    double steep;               /* steepest front, rise over run, where x runs on */
+    int    white;               /* foam of breaking, 0..255 */
+} crest_shape;
+
+/* Adds the water from a depth of 2 m to half of the wave's height: from there on the water
+ * runs up and down the beach. */
+static void add_crest(const coastal_water *o, double slope, tp_turn phase, crest_shape *s)
+{
+    const tp_turn phases[TP_WAVES] = { phase };
+    const double far = 2 / slope, step = far / 4000;
+    double most = -1e9, high = 0;
+    tp_coastal_point last = { .depth = 0 };
+
+    for (double x = -far; x < 0; x += step) {
+        const tp_coastal_point p = tp_coastal_displace_point(
+            o->coastal, phases, (tp_fx)((x + 4 / slope) * 65536), 0);
+        if (p.depth > 0 && p.depth < TP_FX(0.15))
+            break;
+        const double run = (p.position.x - last.position.x) * LSB,
+                     fall = (last.position.y - p.position.y) * LSB;
+        if (p.position.x * LSB >= most) {
+            most = p.position.x * LSB;
+            high = p.position.y * LSB;
+        }
+        if (most - p.position.x * LSB > s->back) {
+            s->back = most - p.position.x * LSB;
+            s->lip = high;
+        }
+        if (last.depth > 0 && run > step / 4)
+            s->steep = fmax(s->steep, fall / run);
+        s->white = p.breaking > s->white ? p.breaking : s->white;
+        last = p;
+    }
+}
+
+/* A swell of 0.3 m over 60 m on four beaches: xi0 is 14 times the slope. */
+static void breakers_differ_by_the_slope_of_the_beach(void **state)
+{
+    static const double slope[] = { 0.02, 0.06, 0.13, 0.3 };
+    crest_shape shape[4] = { { 0 } };
+
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        coastal_water o = { .count = 1, .config = coastal_usual() };
+        o.wave[0] = coastal_wave(0.15, 60, 0.015, 90);
+        o.config.floor = shore(4, slope[k], 90);
+        coastal_build(&o);
+        for (int n = 0; n < 32; n++)
+            add_crest(&o, slope[k], (tp_turn)n << 27, &shape[k]);
+        coastal_end(&o);
+        printf("    slope %.2f: xi0 %.2f, overhang %.3f m at %.3f m, steepest front %.3f,"
+               " foam %d\n", slope[k], slope[k] / sqrt(0.3 / 60), shape[k].back,
+               shape[k].lip, shape[k].steep, shape[k].white);
+    }
+    assert_true(shape[0].back < 0.001 && shape[0].steep < 0.5 && shape[0].white > 200);
+    assert_true(shape[1].back > 0.06 && shape[1].white > 200);
+    assert_true(shape[2].back > 0.06 && shape[2].white > 200);
+    assert_true(shape[3].back < 0.001 && shape[3].steep < 0.25 && shape[3].white < 80);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(breakers_differ_by_the_slope_of_the_beach),
         cmocka_unit_test(plunging_crests_overhang_and_smooth_ones_do_not),
         cmocka_unit_test(waves_that_leave_the_shore_do_not_break_backwards),
         cmocka_unit_test(what_overhangs_is_within_the_bounds),

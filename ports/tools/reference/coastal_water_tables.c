@@ -47,6 +47,13 @@ static void bend(const ref_coastal *o, const ref_coastal_wave *w, double kz, dou
     n->way_z = (kx * o->up_z + kz * o->up_x) / k;
 }
 
+/* True for a surging wave on a straight beach [B20]: its orbits do not widen. */
+static bool is_surging(const ref_coastal *o, const ref_coastal_wave *w)
+{
+    const double height = 2 * w->deep.amplitude, length = 2 * PI / w->deep.k;
+    return !o->map && o->slope / sqrt(height / length) > 3.3;
+}
+
 static ref_depth_node place_node(const ref_coastal *o, const ref_coastal_wave *w,
                                  const tp_scene *scene, double kz, int i)
 {
@@ -54,9 +61,10 @@ static ref_depth_node place_node(const ref_coastal *o, const ref_coastal_wave *w
     const double h = table_depth(i), k = deep ? w->deep.k : ref_depth_number(w->deep.k, h);
     const double r =
         deep ? w->deep.amplitude : local_amplitude(w, k, kz, h, o->map != NULL);
-    const double sx = deep ? 1 : 1 / -expm1(-ref_number(scene->surf.widening_decay) * h);
+    const double wide = 1 / -expm1(-ref_number(scene->surf.widening_decay) * h);
+    const double sx = deep || is_surging(o, w) ? 1 : wide;
     const double sy = deep ? 1
-                           : sx * -expm1(-ref_number(scene->surf.flattening_decay) * h);
+                           : wide * -expm1(-ref_number(scene->surf.flattening_decay) * h);
     const double round = w->deep.q / w->deep.k * r / w->deep.amplitude;
     ref_depth_node n = { .k = k, .way_x = w->deep.dx, .way_z = w->deep.dz };
 

@@ -6,7 +6,10 @@
 #include "world/pools.h"
 
 #define OPAQUE (15 / 16.0)      /* largest opacity */
-#define LACE   (212 / 256.0)    /* white share of full cover */
+#define LACE   (236 / 256.0)    /* white share of full cover */
+#define BAND   0.25             /* opacity of the bubbles below full cover */
+#define FAR_LEAST (20 / 255.0)  /* taken from all far cover */
+#define FAR_MOST  (144 / 255.0)
 #define COARSE 5                /* mipmap level from which the threshold covers all ranks */
 
 /* Rank of a green: the share of darker texels, with half of the equal texels. */
@@ -31,6 +34,18 @@ static double lattice_origin(int64_t drift, tp_fx speed, double back)
     return ldexp((double)drift, -32) - ref_number(speed) * back / TP_TICKS_PER_SECOND;
 }
 
+/* The field's mean over the mean square of the waves' slope. */
+static double cover_per_square(const tp_world *world, const tp_foam *foam)
+{
+    const tp_deep_water *deep = &world->deep;
+    double square = 0;
+
+    for (uint32_t i = 0; i < deep->count; i++)
+        square += (pow(ldexp(deep->swell[i].slope_x, -30), 2)
+                   + pow(ldexp(deep->swell[i].slope_z, -30), 2)) / 2;
+    return square > 0 ? tp_foam_mean(foam) / 65280.0 / square : 0;
+}
+
 void ref_foam_open(ref_scene *s, const tp_world *world)
 {
     const tp_foam *foam = tp_world_foam(world);
@@ -47,6 +62,8 @@ void ref_foam_open(ref_scene *s, const tp_world *world)
         .drift_z = lattice_origin(foam->drift_z, map->drift_z, back),
         .fades = !tp_world_pool(world),
     };
+    if (s->foam.fades && !tp_has_floor(s->scene))
+        s->foam.far_per_square = cover_per_square(world, foam);
     if (s->assets->foam)
         make_ranks(&s->foam, s->assets->foam);
 }
@@ -68,32 +85,39 @@ static double mix(double a, double b, double share)
     return a + share * (b - a);
 }
 
-double ref_foam_cover(const ref_foam *f, double x0, double z0)
+double ref_foam_cover(const ref_foam *f, double x0, double z0, double *weight)
 {
     const double u = (x0 - f->drift_x) / f->cell - f->first_x;
     const double w = (z0 - f->drift_z) / f->cell - f->first_z;
-    const double edge = fmin(fmin(u, f->cells - u), fmin(w, f->cells - w));
+    const double r = f->cells / 2.0, square = pow(u / r - 1, 2) + pow(w / r - 1, 2);
 
-    if (!(edge >= 0))
+    *weight = 0;
+    if (!(u >= 0 && w >= 0 && u < f->cells && w < f->cells))
         return 0;
+    *weight = f->fades ? ref_clamp((1 - square) * 16 / 7, 0, 1) : 1;
     const int i = (int)floor(u - 0.5), j = (int)floor(w - 0.5);
-    const double cover = mix(mix(cell_cover(f, i, j), cell_cover(f, i + 1, j), u - 0.5 - i),
-                             mix(cell_cover(f, i, j + 1), cell_cover(f, i + 1, j + 1),
-                                 u - 0.5 - i), w - 0.5 - j);
-    return f->fades ? cover * fmin(1, 8 * edge / f->cells) : cover;
+    return mix(mix(cell_cover(f, i, j), cell_cover(f, i + 1, j), u - 0.5 - i),
+               mix(cell_cover(f, i, j + 1), cell_cover(f, i + 1, j + 1), u - 0.5 - i),
+               w - 0.5 - j);
+}
+
+/* Cover of the water beyond the window. */
+static double far_cover(const ref_foam *f, const ref_water *w)
+{
+    const double square = w->slope_x * w->slope_x + w->slope_z * w->slope_z;
+    return ref_clamp(f->far_per_square * square - FAR_LEAST, 0, FAR_MOST);
 }
 
 /* -- bubbles ------------------------------------------------------------------------- */
 
 /* The ramp is `soft` ranks wide. No cover shifts the ramp above all ranks; full cover
- * shifts it below all. At most four times the cover is white: foam comes and goes
+ * shifts it below nearly all. At most four times the cover is white: foam comes and goes
  * without a jump. */
-double ref_foam_white(const ref_foam *foam, double cover, double rank, int level)
+double ref_foam_white(double cover, double rank, int level)
 {
     const double coarse = ref_clamp((double)level / COARSE, 0, 1);
     const double soft = mix(80 / 256.0, 1, coarse), span = mix(168 / 256.0, 0.5, coarse);
-    const double middle = mix(0.5, foam->mean, coarse);
-    const double up = rank - middle + soft / 2 - span * (1 - 2 * LACE * cover);
+    const double up = rank + soft / 2 - span * (1 - 2 * LACE * cover);
 
     return ref_clamp(up / soft, 0, fmin(1, 4 * cover));
 }
@@ -104,21 +128,49 @@ static double green_rank(const ref_foam *foam, double green)
     return mix(foam->rank[low], foam->rank[low + 1], green - low);
 }
 
+/* Rank of the drifting texture, `size` as large, above the rank of its mean; 0 for levels
+ * that are not read. */
+static double rank_above_mean(const ref_scene *s, const ref_water *w, int size, int *level)
+{
+    const tp_texture *t = s->assets->foam;
+    tp_scene_map map = s->scene->foam.map;
+
+    map.size *= size;
+    const double lod = ref_water_lod(s, (1 << t->log2_w) / ref_number(map.size), w->at);
+    *level = ref_level(s, t, lod);
+    if (*level >= COARSE)
+        return 0;
+    const ref_colour texel = ref_sample_map(s, t, &map, w->x0, w->z0, 0, w->at, true);
+    return green_rank(&s->foam, texel.c[1])
+         - mix(0.5, s->foam.mean, (double)*level / COARSE);
+}
+
+double ref_foam_patched(double cover, double rank)
+{
+    return cover + 1.6 * rank * cover * (1 - cover);
+}
+
+double ref_foam_lace(double cover, double white)
+{
+    return OPAQUE * white + (1 - OPAQUE * white) * BAND * cover;
+}
+
 double ref_foam_opacity(const ref_scene *s, const ref_water *w)
 {
     const ref_foam *foam = &s->foam;
-    const tp_texture *t = s->assets->foam;
-    const tp_scene_map *map = &s->scene->foam.map;
-    const double cover = foam->cover ? ref_foam_cover(foam, w->x0, w->z0) : 0;
+    double weight, cover;
+    int level = COARSE;
 
-    if (cover == 0)
+    if (!foam->cover)
         return 0;
-    if (!t)
-        return OPAQUE * LACE * cover;
-    const double lod = ref_water_lod(s, (1 << t->log2_w) / ref_number(map->size), w->at);
-    const ref_colour texel = ref_sample_map(s, t, map, w->x0, w->z0, 0, w->at, true);
-    return OPAQUE * ref_foam_white(foam, cover, green_rank(foam, texel.c[1]),
-                                   ref_level(s, t, lod));
+    cover = ref_foam_cover(foam, w->x0, w->z0, &weight);
+    cover = mix(far_cover(foam, w), cover, weight);
+    if (cover <= 0)
+        return 0;
+    if (s->assets->foam)
+        cover = ref_foam_patched(cover, rank_above_mean(s, w, 4, &level));
+    const double rank = s->assets->foam ? rank_above_mean(s, w, 1, &level) : 0;
+    return ref_foam_lace(cover, ref_foam_white(cover, rank, level));
 }
 
 /* Bubbles scatter light: the foam is half way between the water's light and full light. */

@@ -6,6 +6,7 @@
 #include "caustics.h"
 #include "features/drops/drops.h"
 #include "foam.h"
+#include "solids.h"
 #include "spray.h"
 #include "world/world.h"
 
@@ -213,6 +214,7 @@ void ref_scene_open(ref_scene *s, const tp_scene *scene, const tp_assets *assets
     s->surface = ref_surface_make(scene, world, s->camera.eye, s->camera.ahead, meshed);
     place_blocks(s);
     s->immersion = is_sunk(s);
+    ref_swash_open(s, world);
     ref_foam_open(s, world);
     ref_spray_open(s, world);
     s->caustics = ref_caustics_make(s);

@@ -37,17 +37,19 @@ typedef struct {
     int32_t first_x, first_z;   /* lowest cell of the window */
     double  cell;               /* side of a cell, m */
     double  drift_x, drift_z;   /* origin of the cells' lattice, m */
-    bool    fades;              /* the cover fades towards the window's edge */
+    bool    fades;              /* the cover passes into the far cover */
+    double  far_per_square;     /* cover beyond the window over the square of the slope */
     double  rank[256];          /* share of darker texels, by green, 0..1 */
     double  mean;               /* rank of the texture's mean */
 } ref_foam;
 
-/* A speck of spray or a bubble as a disc. */
+/* A speck of spray or a bubble as a soft streak. */
 typedef struct {
-    double u, v, radius;        /* centre and radius, pixels of the picture */
+    double u, v, radius;        /* middle and half of the width, pixels of the picture */
+    double du, dv;              /* half of the way, pixels */
     double depth;               /* ahead of the eye, m */
+    double opacity;             /* on the way, 0..1 */
     bool   through;             /* a bubble seen through the water's surface */
-    bool   pixel;               /* the disc is the pixel with its centre */
 } ref_speck;
 
 typedef struct {
@@ -71,6 +73,7 @@ typedef struct {
     ref_speck *speck;
     int        specks;
     ref_tank   tank;
+    double     runup, swash;    /* height of the highest swash, m; its phase, turns */
     ref_block *block;
     int        blocks;
     ref_caustics *caustics;     /* NULL: none */

@@ -2,9 +2,11 @@
 /* Colours of solids. */
 #include "caustics.h"
 #include "map.h"
+#include "deep_water.h"
 #include "mesh/mesh.h"
 #include "sky_light.h"
 #include "solids.h"
+#include "world/world.h"
 
 typedef struct {
     ref_colour diffuse, specular;
@@ -190,6 +192,63 @@ static ref_colour ground_colour(const ref_scene *s, const ref_solid *solid)
                 solid->far, false);
 }
 
+/* -- swash --------------------------------------------------------------------------- */
+
+/* Phase of a wave `back` ticks before the world's tick, turns. */
+static double wave_phase(const tp_swell *w, const tp_world *world, double back)
+{
+    return ldexp(w->phase, -32)
+         - fmod(((double)world->tick - back) * ldexp((double)w->turns_tick, -64), 1);
+}
+
+void ref_swash_open(ref_scene *s, const tp_world *world)
+{
+    const double slope = s->assets->floor ? 0.1 : ref_number(s->scene->floor.slope);
+
+    for (uint32_t i = 0; i < world->deep.count && !s->immersion; i++) {
+        const tp_swell *w = &world->deep.swell[i];
+        const double height = 2 * ref_number(w->amplitude);
+        const double length = 1 / ldexp((double)w->turns, -32);
+        const double up = fmin(slope * sqrt(height * length), 2 * height);
+        if (up <= s->runup)
+            continue;
+        s->runup = up;
+        s->swash = wave_phase(w, world, ref_number(world->lag));
+    }
+    if (s->scene->water.clarity <= 0 && !s->assets->floor_texture)
+        s->runup = 0;
+}
+
+/* Sine of turns that a metre adds, as the engine counts them: 65536 n / 2^32. */
+static double turns_sine(double turns)
+{
+    return sin(2 * PI * turns);
+}
+
+double ref_swash_height(const ref_scene *s, double x, double z)
+{
+    const double far = (x * 1771 + z * 2203) / 65536;
+    const double near = (x * 7933 + z * 9973) / 65536;
+    const double level = turns_sine(s->swash + turns_sine(far) / 8);
+
+    return s->runup * (0.5 + 0.35 * level + 0.06 * turns_sine(near));
+}
+
+/* Colour of sand in and above the swash. */
+static ref_colour wet_colour(const ref_scene *s, ref_colour colour, ref_vec at)
+{
+    const double front = ref_swash_height(s, at.x, at.z), high = s->runup / 10;
+    const double lit = s->ambient + (1 - s->ambient) * ref_clamp(s->light.y, 0, 1);
+    const ref_colour foam = ref_colour_unpack((uint32_t)s->scene->foam.colour);
+
+    if (at.y > front)
+        return ref_scale(colour, 1 - 90 / 256.0 * (s->runup - at.y) / (s->runup - front));
+    colour = ref_mix(ref_scale(colour, 1 - 90 / 256.0),
+                     ref_colour_unpack((uint32_t)s->scene->sky.horizon), 40 / 256.0);
+    return ref_mix(colour, ref_scale(foam, (1 + lit) / 2),
+                   200 / 256.0 * fmax(0, 1 - (front - at.y) / high));
+}
+
 ref_colour ref_solid_colour(const ref_scene *s, const ref_solid *solid, ref_vec way,
                             bool wet)
 {
@@ -200,6 +259,8 @@ ref_colour ref_solid_colour(const ref_scene *s, const ref_solid *solid, ref_vec 
     if (solid->kind == REF_DROP)
         return drop_colour(s, solid->normal, way);
     const coat c = { ground_colour(s, solid), { { 0, 0, 0 } }, 1 };
-    return phong(s, &c, solid->normal, way, sun,
-                 wet ? ref_caustics_factor(s->caustics, solid->at) : 1);
+    const ref_colour colour = phong(s, &c, solid->normal, way, sun,
+                                    wet ? ref_caustics_factor(s->caustics, solid->at) : 1);
+    return solid->kind == REF_LAND && !wet && solid->at.y < s->runup
+         ? wet_colour(s, colour, solid->at) : colour;
 }

@@ -6,15 +6,21 @@
  * the eye does not look through are blocks with outer faces, like stone walls. A mapped
  * floor is bilinear between the world's nodes. Under water the sun is steeper and the beam
  * narrower: the share cos i / cos t of N.L counts, so a level floor is as bright as a dry
- * floor, and the same share of the lobe about the refracted light. */
+ * floor, and the same share of the lobe about the refracted light.
+ *
+ * On a beach a sheet of water, the swash, runs up and down by the phase of the wave with
+ * the highest run-up (Hunt: slope sqrt(H L), at most 2 H; slope 0.1 on a map). Sand below the
+ * run-up is dark, below the swash glossy, and the front of the swash is white. Left out:
+ * swash seen by an eye under water, and on land without a texture beside opaque water; the
+ * engine draws neither. */
 #ifndef TP_TOOLS_REFERENCE_SOLIDS_H
 #define TP_TOOLS_REFERENCE_SOLIDS_H
 #include "scene.h"
 
-/* Kinds of surface. REF_BED: floor of a tank; REF_SIDE: water behind a tank's glass;
- * REF_SPRAY: spray and bubbles, which are no solids (spray.h). */
+/* Kinds of surface. REF_BED: floor of a tank; REF_SIDE: water behind a tank's
+ * glass. */
 typedef enum { REF_SKY, REF_WATER, REF_BOAT, REF_DROP, REF_LAND, REF_WALL, REF_BED,
-               REF_SIDE, REF_SPRAY } ref_kind;
+               REF_SIDE } ref_kind;
 
 typedef struct {
     ref_kind kind;
@@ -36,6 +42,12 @@ bool ref_solid_meets(const ref_scene *s, const ref_ray *ray, int which, double t
 /* Distance at which a lid covers the boat seen at `t1`: no water is seen beyond. Returns t1
  * if no lid covers the boat. */
 double ref_find_lid(const ref_scene *s, const ref_ray *ray, double t0, double t1);
+
+/* Finds the swash of a world into s->runup and s->swash. */
+void ref_swash_open(ref_scene *s, const tp_world *world);
+
+/* Height of the swash at a point, m. */
+double ref_swash_height(const ref_scene *s, double x, double z);
 
 /* Colour of a solid seen along `way`, in air or under water. */
 ref_colour ref_solid_colour(const ref_scene *s, const ref_solid *solid, ref_vec way,

@@ -105,11 +105,8 @@ static ref_seen bare(const ref_scene *s, const ref_ray *ray, double t0, double *
     const double wet_to = solid.kind == REF_BOAT ? ref_find_lid(s, ray, t0, solid.t)
                                                  : solid.t;
     const bool water = ref_ray_meets(&s->surface, ray, t0, wet_to, false, &m);
-    const double speck = ref_spray_meets(s, ray, t0, water ? m.t : wet_to, water);
 
-    *far = fmin(speck, water ? m.t : solid.t);
-    if (speck < HUGE_VAL)
-        return hazed(s, ref_spray_colour(s), REF_SPRAY, ref_ray_point(ray, speck));
+    *far = water ? m.t : wet_to;
     if (water)
         return wet(s, &m.water, ray->way);
     if (hit)
@@ -130,15 +127,14 @@ static double find_end_of_water(const ref_scene *s, const ref_ray *ray)
 }
 
 /* Traces a ray of an eye under water. */
-static ref_seen sunk(const ref_scene *s, const ref_ray *ray, double t0)
+static ref_seen sunk(const ref_scene *s, const ref_ray *ray)
 {
-    const double speck = s->specks == 0 ? HUGE_VAL
-                       : ref_spray_meets(s, ray, t0, find_end_of_water(s, ray), false);
+    ref_seen seen = { .colour = ref_shade_water_depth(s, ray, 2), .kind = REF_WATER };
 
-    if (speck < HUGE_VAL)
-        return (ref_seen){ .colour = ref_shade_absorbed(s, ref_spray_colour(s), speck),
-                           .kind = REF_SPRAY };
-    return (ref_seen){ .colour = ref_shade_water_depth(s, ray, 2), .kind = REF_WATER };
+    if (s->specks > 0)
+        seen.spray = ref_spray_blend(s, ray, find_end_of_water(s, ray), false,
+                                     &seen.colour);
+    return seen;
 }
 
 static ref_seen look(const ref_scene *s, double u, double v)
@@ -149,14 +145,18 @@ static ref_seen look(const ref_scene *s, double u, double v)
     double far;
 
     if (s->immersion)
-        return sunk(s, &ray, t0);
+        return sunk(s, &ray);
     const double glass = find_glass(s, &ray, &n);
     ref_seen seen = bare(s, &ray, t0, &far);
-    if (!(glass > t0 && glass < far))
-        return seen;
-    if (visible_side(s, &ray, glass, n, &seen.colour))
+    const bool pane = glass > t0 && glass < far;
+    if (pane && visible_side(s, &ray, glass, n, &seen.colour)) {
         seen = hazed(s, seen.colour, REF_SIDE, ref_ray_point(&ray, glass));
-    seen.colour = glazed(s, seen.colour, ray.way, n);
+        far = glass;
+    }
+    if (s->specks > 0)
+        seen.spray = ref_spray_blend(s, &ray, far, seen.kind == REF_WATER, &seen.colour);
+    if (pane)
+        seen.colour = glazed(s, seen.colour, ray.way, n);
     return seen;
 }
 

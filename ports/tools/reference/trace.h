@@ -9,6 +9,7 @@ typedef struct {
     ref_kind   kind;
     ref_kind   in_mirror;       /* object in the water's mirror; REF_SKY: none */
     double     near;            /* 1 / depth ahead of the eye, 1/m; 0: the sky */
+    double     spray;           /* opacity of all specks, 0..1 */
 } ref_seen;
 
 /* Traces the place (u, v), in pixels from the picture's top left corner. */

@@ -21,7 +21,7 @@
 #include "waves/coastal_water.h"
 #include "world/module.h"
 
-#define TP_FOAM_TICKS 4         /* each tick visits a quarter of the rows */
+#define TP_FOAM_TICKS 8         /* each tick visits a slice: an eighth of the rows */
 
 /* Plain data without pointers; the cells' bytes follow this head, row by row. */
 typedef struct {
@@ -29,8 +29,9 @@ typedef struct {
     tp_fx    cell;              /* side of a cell, m */
     int64_t  drift_x, drift_z;  /* lattice origin, Q32 m, 0 to a side */
     int32_t  first_x, first_z;  /* lowest lattice cell of the window */
-    int32_t  seen[TP_FOAM_TICKS][2];    /* first_x, first_z at a quarter's last visit */
+    int32_t  seen[TP_FOAM_TICKS][2];    /* first_x, first_z at a slice's last visit */
     uint32_t visits;            /* ticks so far */
+    uint32_t sum[TP_FOAM_TICKS];        /* cover of a slice's rows at its last visit */
     uint32_t scratch;           /* byte offset of a row of positions; 0: none */
 } tp_foam;
 
@@ -63,6 +64,9 @@ static inline uint32_t tp_foam_mod(int32_t i, uint32_t n)
     int32_t m = i % (int32_t)n;
     return (uint32_t)(m < 0 ? m + (int32_t)n : m);
 }
+
+/* Returns the mean cover of the field, 0..255 in Q8, as of each slice's last visit. */
+uint32_t tp_foam_mean(const tp_foam *foam);
 
 /* -- foam_sources.c ------------------------------------------------------------------ */
 
@@ -112,11 +116,14 @@ typedef struct {
     tp_fx    low_s, low_t;      /* rest position of the low corner, m */
     uint32_t side;              /* side of the window, m, 16.16 */
     uint64_t per_metre;         /* cells per metre, Q16 over 16.16, Q32 */
-    uint32_t edge;              /* 2^24 over an eighth of the window in cells, Q8;
+    uint32_t edge;              /* 2^40 over 7/16 of the squared radius, cells Q8;
                                  * UINT32_MAX: no fading, walls at the window's edge */
     uint32_t colour;
+    uint32_t far_per_square;    /* cover beyond the window by the square of the slope, Q16
+                                 * over Q16; 0: none */
     const tp_texture *texture;  /* NULL: no texture */
     uint32_t repeats, drift_s, drift_t;     /* as in tp_layer */
+    uint32_t wide_repeats, wide_drift_s, wide_drift_t;  /* four times as large */
     int32_t  lod;
     int32_t  mean;              /* rank of the texture's mean */
     uint8_t  rank[256];         /* share of darker texels, by green, 0..255 */

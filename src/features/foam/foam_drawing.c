@@ -32,6 +32,49 @@ static void place_foam(tp_shade_foam *f, const tp_foam *foam, const tp_scene_map
     f->per_metre = ((uint64_t)1 << 48) / (uint32_t)foam->cell;
 }
 
+/* Sets the texture's two scales. */
+static void set_bubbles(const tp_frame *frame, tp_shade_foam *f, const tp_scene_map *map)
+{
+    tp_scene_map wide = *map;
+
+    wide.size = tp_fx_saturate((int64_t)map->size * 4);
+    const tp_layer layer = tp_frame_layer(frame, frame->assets.foam, map);
+    const tp_layer patches = tp_frame_layer(frame, frame->assets.foam, &wide);
+    f->texture = layer.texture;
+    f->repeats = layer.per_metre;
+    f->drift_s = layer.drift_s;
+    f->drift_t = layer.drift_t;
+    f->lod = layer.lod;
+    f->wide_repeats = patches.per_metre;
+    f->wide_drift_s = patches.drift_s;
+    f->wide_drift_t = patches.drift_t;
+}
+
+/* Returns a mean cover over the mean square of the slope, Q16 over Q16. */
+static uint32_t cover_per_square(const tp_world *world, uint32_t mean_cover_q8)
+{
+    uint64_t square = 0;                    /* Q24 */
+
+    for (uint32_t i = 0; i < world->deep.count; i++) {
+        const int64_t x = world->deep.swell[i].slope_x / (1 << 18),
+                      z = world->deep.swell[i].slope_z / (1 << 18);
+        square += (uint64_t)(x * x + z * z) / 2;
+    }
+    return (uint32_t)(((uint64_t)mean_cover_q8 << 8) / ((square >> 8) + 1));
+}
+
+/* Sets the foam beyond the window: none where walls or a coast bound the foam, else the
+ * field's mean. */
+static void set_far_foam(const tp_frame *frame, tp_shade_foam *f, const tp_foam *foam)
+{
+    const bool pool = tp_world_pool(frame->world) != NULL;
+    const uint64_t square = (uint64_t)(foam->cells * 128) * (foam->cells * 128);
+
+    f->edge = pool ? UINT32_MAX : (uint32_t)(((uint64_t)1 << 44) / (7 * square));
+    f->far_per_square = pool || tp_has_floor(frame->scene)
+                      ? 0 : cover_per_square(frame->world, tp_foam_mean(foam));
+}
+
 /* Sets the foam's colour and texture, and the place of its cover under the picture's
  * water. */
 static void begin_foam(tp_frame *frame, void *mine)
@@ -42,15 +85,10 @@ static void begin_foam(tp_frame *frame, void *mine)
 
     if (!foam)
         return;
-    tp_layer layer = tp_frame_layer(frame, frame->assets.foam, &scene->foam.map);
+    set_bubbles(frame, f, &scene->foam.map);
     f->colour = (uint32_t)scene->foam.colour;
-    f->texture = layer.texture;
-    f->repeats = layer.per_metre;
-    f->drift_s = layer.drift_s;
-    f->drift_t = layer.drift_t;
-    f->lod = layer.lod;
     place_foam(f, foam, &scene->foam.map, frame->world->lag);
-    f->edge = tp_world_pool(frame->world) ? UINT32_MAX : (1u << 24) / (32 * foam->cells);
+    set_far_foam(frame, f, foam);
 }
 
 static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,

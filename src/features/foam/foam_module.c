@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The foam field: its window, its fading, its drift.
  *
- * A cell is visited every fourth tick.  The visit keeps e^(-4 ticks / fade) of the cover
+ * A cell is visited every eighth tick.  The visit keeps e^(-8 ticks / fade) of the cover
  * and adds the foam made since.  The sum, in 2^-24 of a unit, is rounded by a threshold.
  * The threshold cycles through 0..1 in steps of the golden ratio, with another phase in
  * each cell.  The mean therefore fades exactly, however slowly, and always ends at 0.
@@ -138,7 +138,7 @@ static tp_fx cell_centre(const tp_foam *foam, int32_t number, int64_t drift)
 
 /* -- visits -------------------------------------------------------------------------- */
 
-/* Returns e^(-4 / 60 / fade), Q24, the share of cover kept by a visit.  `fade_seconds`
+/* Returns e^(-8 / 60 / fade), Q24, the share of cover kept by a visit.  `fade_seconds`
  * is 0.1 s or more. */
 static uint32_t visit_fade_factor(tp_fx fade_seconds)
 {
@@ -173,9 +173,11 @@ static void set_previous_row_points(visit *v, const tp_foam *foam)
             &v->make, i, cell_centre(foam, lattice_cell_number(&v->x, i), foam->drift_x));
 }
 
-static void visit_row(visit *v, tp_foam *foam, uint8_t *cover)
+/* Returns the sum of the row's new cover. */
+static uint32_t visit_row(visit *v, tp_foam *foam, uint8_t *cover)
 {
     int32_t last = INT32_MIN;
+    uint32_t sum = 0;
 
     for (uint32_t i = 0; i < foam->cells; i++) {
         int32_t number = lattice_cell_number(&v->x, i);
@@ -184,13 +186,16 @@ static void visit_row(visit *v, tp_foam *foam, uint8_t *cover)
         bool    same = number == lattice_cell_number(&v->seen_x, i);
         last = number;
         cover[i] = gain == TP_FOAM_DRY ? 0 : compute_cover(same ? cover[i] : 0, v, i, gain);
+        sum += cover[i];
     }
+    return sum;
 }
 
-static void visit_quarter(visit *v, tp_foam *foam)
+static void visit_slice(visit *v, tp_foam *foam)
 {
     uint32_t q = foam->visits % TP_FOAM_TICKS, cells = foam->cells;
     uint32_t end = (q + 1) * cells / TP_FOAM_TICKS;
+    uint32_t sum = 0;
     int32_t  last = INT32_MIN;
 
     v->x = make_axis(foam->first_x, cells);
@@ -207,8 +212,9 @@ static void visit_quarter(visit *v, tp_foam *foam)
         if (foam->scratch && number - 1 != last)
             set_previous_row_points(v, foam);
         last = number;
-        visit_row(v, foam, cover);
+        sum += visit_row(v, foam, cover);
     }
+    foam->sum[q] = sum;
     foam->seen[q][0] = foam->first_x;
     foam->seen[q][1] = foam->first_z;
 }
@@ -222,7 +228,7 @@ static void step_foam(tp_foam *foam, const tp_world *world, const tp_scene *scen
     foam->drift_z = advance_drift(foam, foam->drift_z, scene->foam.map.drift_z, 1);
     centre_window_on_pool_or_eye(foam, world, scene);
     tp_foam_maker_begin(&v.make, foam, world, scene);
-    visit_quarter(&v, foam);
+    visit_slice(&v, foam);
     foam->visits++;
 }
 
@@ -281,6 +287,17 @@ uint8_t tp_foam_sample(const tp_foam *foam, tp_fx x, tp_fx z)
     return (uint8_t)((sum + 0x8000) >> 16);
 }
 
+uint32_t tp_foam_mean(const tp_foam *foam)
+{
+    const uint64_t most = (uint64_t)255 << 8;
+    uint64_t sum = 0;
+
+    for (int q = 0; q < TP_FOAM_TICKS; q++)
+        sum += foam->sum[q];
+    sum = sum * 256 / ((uint64_t)foam->cells * foam->cells);
+    return (uint32_t)(sum < most ? sum : most);
+}
+
 /* -- validation of a state from outside ---------------------------------------------- */
 
 static bool is_window_valid(const tp_foam *foam, int32_t first, int64_t cells)
@@ -290,7 +307,7 @@ static bool is_window_valid(const tp_foam *foam, int32_t first, int64_t cells)
 }
 
 /* True if the state is in range.  A window starts at most half a side and a drift of less
- * than a side from its middle.  The four windows in `seen` may lag by one more side per
+ * than a side from its middle.  The eight windows in `seen` may lag by one more side per
  * tick. */
 static bool is_valid(const void *mine, const void *fresh_state, const tp_world *world)
 {
@@ -305,8 +322,8 @@ static bool is_valid(const void *mine, const void *fresh_state, const tp_world *
               && is_window_valid(fresh, foam->first_z, 2 * cells);
 
     for (int q = 0; q < TP_FOAM_TICKS; q++)
-        valid = valid && is_window_valid(fresh, foam->seen[q][0], 6 * cells)
-             && is_window_valid(fresh, foam->seen[q][1], 6 * cells);
+        valid = valid && is_window_valid(fresh, foam->seen[q][0], 10 * cells)
+             && is_window_valid(fresh, foam->seen[q][1], 10 * cells);
     return valid;
 }
 

@@ -23,9 +23,9 @@ static uint32_t scale_gain(tp_fx share, int32_t units)
 
 /* -- crests -------------------------------------------------------------------------- */
 
-#define CREST_UNITS    300      /* units of cover per unit of the Jacobian, ... */
+#define CREST_UNITS    600      /* units of cover per unit of the Jacobian, ... */
 #define CREST_MOST     TP_FX(0.2)   /* ... over at most this range of the Jacobian */
-#define BREAKING_UNITS 36
+#define BREAKING_UNITS 112
 
 static uint32_t crest_gain(const tp_foam_maker *m, tp_fx jacobian)
 {
@@ -86,7 +86,7 @@ static uint32_t shore_gain(const tp_foam_maker *m, const tp_coastal_point *at)
     tp_fx shallow = TP_FX_ONE - tp_fx_mul(at->depth, m->per_shore);
     int64_t lifted = ((int64_t)tp_abs(at->position.y) * m->per_shore + 0x8000) >> 16;
     tp_fx moves = (tp_fx)tp_clamp_abs(lifted + at->breaking * 128, TP_FX_ONE);
-    return scale_gain(tp_fx_mul(shallow, moves), 40);
+    return scale_gain(tp_fx_mul(shallow, moves), 80);
 }
 
 static uint32_t coastal_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool after_neighbour)
@@ -105,7 +105,7 @@ static uint32_t coastal_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool after
 
 /* -- walls --------------------------------------------------------------------------- */
 
-#define WALL_UNITS 400          /* units per m/s above WALL_STILL */
+#define WALL_UNITS 800          /* units per m/s above WALL_STILL */
 #define WALL_STILL TP_FX(0.06)
 
 static bool is_beside_pool_wall(const tp_foam_maker *m, tp_fx x)
@@ -141,8 +141,8 @@ static uint32_t wall_gain(const tp_foam_maker *m, tp_fx x)
 /* -- the hull ------------------------------------------------------------------------ */
 
 #define LINE_LEAST TP_FX(0.28)  /* m: half the width of the foam line */
-#define LINE_UNITS 14           /* line of a hull at rest */
-#define PACE_UNITS 150          /* line of a hull at PACE or faster */
+#define LINE_UNITS 28           /* line of a hull at rest */
+#define PACE_UNITS 300          /* line of a hull at PACE or faster */
 #define PACE       4            /* m/s */
 #define FULLER     TP_FX(1.176) /* a hull is longer than its points are apart; with the
                                  * factor the longship's waterline is 1 - alpha^2 within

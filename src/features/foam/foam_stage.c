@@ -1,20 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* Foam on water.  The field gives the cover; a texture of bubbles gives the pattern of
- * white.  A texel is white if its rank among all texels, 0..1, is above 1 - cover.
- * Fading foam therefore breaks up into lace and then into specks, and every texture turns
- * white by the share in the field.  The threshold is soft, over a third of the ranks.
- * Smaller mipmap levels, whose texels are more alike, use a wider threshold, so far foam
- * shows the cover itself.
+/* Foam on water.  The field gives the cover, which is the foam's age: fresh foam has full
+ * cover, old foam little.  A texture of bubbles gives the pattern of white.  A texel is
+ * white if its rank among all texels, 0..1, is above 1 - cover.  Fresh foam therefore is
+ * white nearly all over; with age the foam breaks up into lace, into specks, and vanishes.
+ * The same texture, four times as large, moves the cover up and down first: patches and
+ * holes of the lace.  Every texture turns white by the share in the field.  The threshold
+ * is soft, over a third of the ranks.  Smaller mipmap levels, whose texels are more alike, use
+ * a wider threshold, and small levels are not read: far foam shows the cover itself.
+ * Bubbles below the lace lighten the water by BAND of the cover.
  *
- * Foam is matt: it reflects diffuse light only and hides the glitter under it.  The
- * window's outer eighth fades out to hide the edge. */
+ * Foam is matt: it reflects diffuse light only and hides the glitter under it.  In the
+ * outer part of the round window the foam passes into the mean of the field, which covers
+ * the water beyond: more on steep water, none on level water. */
 #include "features/foam/foam.h"
 #include "shade/material.h"
 #include "shade/slope.h"
 #include "tidepool/modules.h"
 
 #define OPAQUE 240              /* of 256: maximal opacity */
-#define LACE   212              /* of 256: white share of full cover */
+#define LACE   236              /* of 256: white share of full cover */
+#define BAND   64               /* of 256: opacity of the bubbles below full cover */
 
 void tp_shade_foam_make_ranks(tp_shade_foam *foam, const tp_texture *texture)
 {
@@ -53,34 +58,43 @@ TP_ALWAYS_INLINE uint32_t sample_cover(const tp_shade_foam *f, uint32_t u, uint3
     return (over * (256 - ft) + under * ft + 0x8000) >> 16;
 }
 
-/* Returns the fading weight near the window's edge: 0 at the edge, 256 from an eighth
- * inwards. */
-static uint32_t edge_fade(const tp_shade_foam *f, uint32_t u, uint32_t w)
+/* Returns the weight of the cover against the mean: 256 inside, 0 from the window's
+ * inscribed circle on.  The weight falls with the square of the distance, from 3/4 of the
+ * radius on. */
+static uint32_t window_weight(const tp_shade_foam *f, uint32_t u, uint32_t w)
 {
-    uint32_t most = f->cells * 65536, a = u < most - u ? u : most - u;
-    uint32_t b = w < most - w ? w : most - w, least = (a < b ? a : b) >> 8;
-    uint64_t share = (uint64_t)least * f->edge >> 16;
+    const uint32_t r = f->cells * 128;
+    const int32_t du = (int32_t)(u >> 8) - (int32_t)r, dw = (int32_t)(w >> 8) - (int32_t)r;
+    const uint32_t square = (uint32_t)(du * du) + (uint32_t)(dw * dw);
+
+    if (f->edge == UINT32_MAX)
+        return 256;
+    if (square >= r * r)
+        return 0;
+    const uint64_t share = (uint64_t)(r * r - square) * f->edge >> 32;
     return share < 256 ? (uint32_t)share : 256;
 }
 
-/* Returns the cover 0..255 at a place of the window, 0 outside. */
-TP_ALWAYS_INLINE uint32_t sample_edge_faded_cover(const tp_shade_foam *f, uint32_t s,
-                                                  uint32_t t)
+/* Returns the cover 0..255 at a place and its weight, 0 outside of the window. */
+TP_ALWAYS_INLINE uint32_t sample_window(const tp_shade_foam *f, uint32_t s, uint32_t t,
+                                        uint32_t *weight)
 {
     uint32_t ds = s - (uint32_t)f->low_s, dt = t - (uint32_t)f->low_t;
 
+    *weight = 0;
     if (ds >= f->side || dt >= f->side)
         return 0;
     uint32_t u = (uint32_t)(ds * f->per_metre >> 32);
     uint32_t w = (uint32_t)(dt * f->per_metre >> 32);
-    uint32_t cover = sample_cover(f, u, w);
-    return cover ? (cover * edge_fade(f, u, w) + 128) >> 8 : 0;
+    *weight = window_weight(f, u, w);
+    return *weight ? sample_cover(f, u, w) : 0;
 }
 
 /* -- bubbles ------------------------------------------------------------------------- */
 
 typedef struct {
-    tp_mip_level level;         /* mipmap level; texel NULL: no texture */
+    tp_mip_level level, wide;   /* mipmap levels of both scales; texel NULL: not read */
+    int32_t  wide_middle;       /* rank of the mean of the level `wide` */
     int32_t  soft, middle;      /* width of the ramp; rank of its centre */
     int32_t  span;              /* shift of the ramp by full or no cover */
     uint32_t per_soft;          /* 2^16 / soft */
@@ -93,28 +107,43 @@ static const struct { int16_t soft, span; uint16_t per_soft; } softs[] = {
 };
 #define SOFTS (int32_t)(sizeof softs / sizeof softs[0] - 1)
 
-static void set_ramp_softness(lace *l, int32_t level, int32_t mean_rank)
+/* Returns the rank of a level's mean. */
+static int32_t level_middle(const tp_shade_foam *f, int32_t level)
+{
+    return 128 + (f->mean - 128) * (level < SOFTS ? level : SOFTS) * 51 / 256;
+}
+
+static void set_ramp_softness(lace *l, int32_t level)
 {
     level = level < SOFTS ? level : SOFTS;
     l->soft = softs[level].soft;
     l->span = softs[level].span;
     l->per_soft = softs[level].per_soft;
-    l->middle = 128 + (mean_rank - 128) * level * 51 / 256;
 }
 
-static void select_bubble_level(const tp_shade *shade, const tp_shade_foam *f, uint32_t key,
-                                lace *l)
+/* Selects the mipmap levels of a block.  The texture of the large scale is two levels
+ * finer. */
+static void select_bubble_levels(const tp_shade *shade, const tp_shade_foam *f,
+                                 uint32_t key, lace *l)
 {
     const tp_texture *texture = f->texture;
+    const int32_t depth = tp_log_depth(shade, key);
 
-    if (!texture) {
-        l->level.texel = NULL;
-        set_ramp_softness(l, SOFTS, 128);
+    l->level.texel = l->wide.texel = NULL;
+    set_ramp_softness(l, SOFTS);
+    l->middle = 128;
+    if (!texture)
         return;
-    }
-    int n = tp_mip_level_choose(f->lod, tp_log_depth(shade, key), true, texture->levels);
+    const int n = tp_mip_level_choose(f->lod, depth, true, texture->levels);
+    const int far = tp_mip_level_choose(f->lod - 512, depth, true, texture->levels);
+    if (far < SOFTS)
+        l->wide = tp_mip_level_select(texture, far);
+    l->wide_middle = level_middle(f, far);
+    if (n >= SOFTS)
+        return;
     l->level = tp_mip_level_select(texture, n);
-    set_ramp_softness(l, n, f->mean);
+    set_ramp_softness(l, n);
+    l->middle = level_middle(f, n);
 }
 
 static uint32_t green(uint32_t texel)
@@ -132,9 +161,23 @@ static uint32_t sample_bubbles(const tp_mip_level *level, uint32_t s, uint32_t t
     return (over * (256 - f.ft) + under * f.ft + 0x8000) >> 16;
 }
 
+/* Returns the cover after the large scale: more or less by the rank there, by at most 4/5
+ * of cover (1 - cover). */
+static uint32_t patch_cover(const tp_shade_foam *f, const lace *l, uint32_t cover,
+                            uint32_t s, uint32_t t)
+{
+    if (!l->wide.texel)
+        return cover;
+    const int32_t rank = f->rank[sample_bubbles(&l->wide, s * f->wide_repeats
+                                                          + f->wide_drift_s,
+                                                t * f->wide_repeats + f->wide_drift_t)];
+    const int32_t spread = (int32_t)(cover * (255 - cover) >> 6);
+    return (uint32_t)((int32_t)cover + (rank - l->wide_middle) * spread * 103 / 65536);
+}
+
 /* Returns the whiteness 0..256 of a place with this cover.  The mean over all ranks of a
- * texture equals the cover, if the ramp is centred on the texture's mean.  The result is
- * at most four times the cover, so foam appears and vanishes without a jump. */
+ * texture equals the cover, if the ramp is centred on the texture's mean.  The
+ * result is at most four times the cover, so foam appears and vanishes without a jump. */
 static uint32_t compute_whiteness(const tp_shade_foam *f, const lace *l, uint32_t cover,
                                   uint32_t s, uint32_t t)
 {
@@ -150,6 +193,13 @@ static uint32_t compute_whiteness(const tp_shade_foam *f, const lace *l, uint32_
     uint32_t share = (uint32_t)up * l->per_soft >> 8;
     share = share < 4 * cover ? share : 4 * cover;
     return share < 256 ? share : 256;
+}
+
+/* Returns the opacity 0..256 of lace of a whiteness over the bubbles of a cover. */
+static uint32_t lace_opacity(uint32_t white, uint32_t cover)
+{
+    const uint32_t solid = white * OPAQUE >> 8;
+    return solid + ((256 - solid) * cover * BAND >> 16);
 }
 
 /* -- the stage ----------------------------------------------------------------------- */
@@ -169,6 +219,27 @@ TP_ALWAYS_INLINE uint32_t foam_light_share(const tp_shade *shade, const tp_run *
     return (uint32_t)(256 + tp_lit_share(shade->ambient, nl)) / 2;
 }
 
+#define FAR_MOST  144           /* of 255: largest cover beyond the window */
+#define FAR_LEAST 20            /* cover taken from all: most water has none */
+
+/* Returns the cover 0..255 beyond the window: the field's mean, in proportion to the square
+ * of the slope. */
+TP_ALWAYS_INLINE uint32_t far_cover(const tp_shade_foam *f, const tp_run *run, int32_t i)
+{
+    const uint32_t q = tp_slope_square(tp_slope_x(run, i, 0), tp_slope_z(run, i, 0));
+    const uint64_t cover = (uint64_t)(q >> 8) * f->far_per_square >> 16;
+
+    return cover < FAR_LEAST ? 0 : cover < FAR_MOST + FAR_LEAST
+                                 ? (uint32_t)cover - FAR_LEAST : FAR_MOST;
+}
+
+TP_ALWAYS_INLINE uint32_t laced_opacity(const tp_shade_foam *f, const lace *l,
+                                        uint32_t cover, uint32_t s, uint32_t t)
+{
+    cover = patch_cover(f, l, cover, s, t);
+    return lace_opacity(compute_whiteness(f, l, cover, s, t), cover);
+}
+
 TP_ALWAYS_INLINE void foam_run(const tp_shade *shade, tp_run *run, int rippled,
                                int has_glint)
 {
@@ -181,15 +252,18 @@ TP_ALWAYS_INLINE void foam_run(const tp_shade *shade, tp_run *run, int rippled,
         lace    l;
         bool    laced = false;
         for (; i < stop; i++) {
-            uint32_t cover = sample_edge_faded_cover(f, run->s[i], run->t[i]);
+            uint32_t weight, cover = sample_window(f, run->s[i], run->t[i], &weight);
+            if (weight < 256 && f->far_per_square)
+                cover = (cover * weight + far_cover(f, run, i) * (256 - weight)) >> 8;
+            else if (weight < 256)
+                cover = cover * weight >> 8;
             if (cover == 0)     /* the case of most water pixels */
                 continue;
             if (!laced)
-                select_bubble_level(shade, f, run->key[first], &l);
+                select_bubble_levels(shade, f, run->key[first], &l);
             laced = true;
-            uint32_t share =
-                compute_whiteness(f, &l, cover, run->s[i], run->t[i]) * OPAQUE >> 8;
-            uint32_t colour =
+            const uint32_t share = laced_opacity(f, &l, cover, run->s[i], run->t[i]);
+            const uint32_t colour =
                 tp_colour_scale(f->colour, foam_light_share(shade, run, i, rippled));
             run->colour[i] = tp_colour_mix(run->colour[i], colour, share);
             if (has_glint)

@@ -3,8 +3,8 @@
  * Spray and bubbles: specks flying over the water, and specks rising in the water.
  *
  *     spray_module.c    the module: crests, splashes, flight
- *     spray_drawing.c   specks as discs over the picture
- *     spray_stage.c     their colour
+ *     spray_drawing.c   specks as soft streaks over the picture
+ *     spray_stage.c     their colour and blending
  */
 #ifndef TP_FEATURES_SPRAY_SPRAY_H
 #define TP_FEATURES_SPRAY_SPRAY_H
@@ -19,7 +19,7 @@ typedef struct {
     tp_vec3  speed;             /* m/s */
     uint16_t age;               /* ticks */
     uint8_t  kind;              /* tp_speck_kind */
-    uint8_t  chance;            /* random, 0..255: decides if a far speck is drawn */
+    uint8_t  chance;            /* random, 0..255: gives the size */
 } tp_speck;
 
 /* Head of the block; the specks follow the head. */
@@ -41,6 +41,28 @@ static inline tp_spray *tp_spray_of_world(const tp_world *world)
 {
     return tp_world_module_state(world, TP_SPRAY_ID);
 }
+
+/* -- streaks of a picture, in tp_run.mine -------------------------------------------- */
+
+#define TP_STREAK_BAND  8       /* rows of a band */
+#define TP_STREAK_REACH 5       /* most rows from a streak's middle to its end */
+
+/* A projected speck. */
+typedef struct {
+    int32_t  u, v;              /* middle, 28.4 px */
+    uint32_t key;               /* depth as in the G-buffer; 1: a bubble under water */
+    uint32_t colour;            /* 0xAARRGGBB: opacity, and the colour in its haze */
+    int8_t   du, dv;            /* half of the way, 1/16 px */
+    uint8_t  radius;            /* half of the width, 1/16 px */
+    uint16_t next;              /* number of the band's next streak from 1 on; 0: none */
+} tp_streak;
+
+typedef struct {
+    uint32_t   count, room, bands;
+    uint32_t   colour;          /* colour of the speck being shaded */
+    tp_streak *streak;
+    uint16_t  *first;           /* number of the first streak of each band, or 0 */
+} tp_streaks;
 
 /* Throws a crown of specks, and bubbles under it, for a drop's impact on water at
  * `level`, m. */

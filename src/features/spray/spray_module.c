@@ -381,7 +381,6 @@ const tp_spray *tp_world_spray(const tp_world *world)
 const tp_module tp_spray_module = {
     .name = "spray",
     .id = TP_SPRAY_ID,
-    .is = TP_MODULE_DRAWS(SPRAY),
     .enabled = tp_spray_enabled,
     .bytes = bytes,
     .init = init,
