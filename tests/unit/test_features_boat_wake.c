@@ -98,7 +98,7 @@ static void the_hull_s_column_follows_the_models(void **state)
         compare_stroke(&s, &off);
     }
     measure_print(&off);
-    assert_true(off.worst < 1.5);       /* two roundings, and 16.16 */
+    assert_true(off.worst < 2);     /* three roundings, and 16.16 */
 }
 
 /* -- volume -------------------------------------------------------------------------- */
@@ -145,7 +145,8 @@ static void no_water_is_lost_or_won(void **state)
     assert_true(full > 50);
 }
 
-/* Returns the highest |height| of the cells under the hull's present pose. */
+/* Returns the highest |height| of the cells well within the hull's present pose: the
+ * cells at its rim share the remainders of the roundings. */
 static int32_t highest_under(tp_world *w, const tp_scene *s)
 {
     const tp_pool *pool = water_of(w);
@@ -156,7 +157,7 @@ static int32_t highest_under(tp_world *w, const tp_scene *s)
             const int32_t h = abs(tp_pool_height_lsb(pool, col, row));
             if (h > highest
                 && ref_column(s, pool, &w->boat_state.hull, cell_x(pool, col),
-                              cell_z(pool, row)) > 0)
+                              cell_z(pool, row)) > 0.001)
                 highest = h;
         }
     }
