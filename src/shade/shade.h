@@ -29,6 +29,7 @@
 #include "shade/optics.h"
 #include "tidepool/assets.h"
 #include "view/projection.h"
+#include "view/rough.h"
 
 /* -- data of an environment ---------------------------------------------------------- */
 
@@ -228,6 +229,7 @@ typedef struct tp_shade {
     tp_vec3  eye;
     const tp_underwater *underwater;    /* the water volume and its floor, or NULL */
     const tp_caustic *caustic;  /* caustics map; NULL: even light */
+    const tp_filtered_waves *filtered;  /* waves missing in the grid; NULL: none */
 
     const tp_entry16 *shine;    /* TP_SHINE + 1: 256 at 1, times the specular; or NULL */
     const tp_entry8 *fresnel;   /* reflected share at N.V = i / 256 */
