@@ -118,19 +118,19 @@ int32_t tp_rough_peak(const tp_lobe_form *form, int32_t narrowing)
     return weak > strong ? weak : strong;
 }
 
-/* Returns 1 / (1 - ly^2), Q14, up to 2: a rise of the mirrored ray is that much shorter in
- * height than in angle. */
+/* Returns 1 / (2 (1 - ly^2)), Q14, up to 1: half the square of an angle over that of its
+ * rise, by the light's height. */
 static int32_t slant(int32_t ly)
 {
     const int32_t rest = 16384 - (ly * ly >> 14);
-    return rest > 8192 ? (1 << 28) / rest : 32768;
+    return rest > 8192 ? (1 << 27) / rest : 16384;
 }
 
 /* Returns Blinn's lobe: normals spread about the half vector, by both axes alike. */
 static tp_rough_lobe blinn_lobe(const tp_shade *shade, tp_slope_variance v)
 {
     const int32_t n = tp_rough_narrowing(shade->lobe.exponent, (v.along + v.across) / 2);
-    return (tp_rough_lobe){ v.along << 4, n, 0, tp_rough_peak(&shade->lobe, n) };
+    return (tp_rough_lobe){ v.along << 4, n, n, 0, tp_rough_peak(&shade->lobe, n) };
 }
 
 tp_rough_lobe tp_rough_lobe_make(const tp_shade *shade, uint32_t key, int32_t vy,
@@ -146,8 +146,8 @@ tp_rough_lobe tp_rough_lobe_make(const tp_shade *shade, uint32_t key, int32_t vy
     const int32_t n_along = tp_rough_narrowing(shade->lobe.exponent, v.along);
 
     return (tp_rough_lobe){
-        .square = v.along << 4, .across = n_across,
-        .below = (n_along - n_across) * slant(shade->world.ly) >> 15,
+        .square = v.along << 4, .across = n_across, .along = n_along,
+        .slant = slant(shade->world.ly),
         .peak = tp_rough_peak(&shade->lobe, geometric_mean(n_across, n_along)),
     };
 }

@@ -35,12 +35,12 @@ TP_ALWAYS_INLINE int32_t tp_rough_view_cosine(int32_t nv, uint32_t square)
     return root > nv ? root : nv;
 }
 
-/* The lobe at one variance.  across, below: factors of d and of the squared difference of
- * the heights, Q14; `below` is at most 0.  peak: factor of the table, Q14.  square: as in
- * tp_rough_view_cosine. */
+/* The lobe at one variance.  across, along: factors of the two parts of d, Q14.  slant: of
+ * the squared difference of the heights, Q14.  peak: factor of the table, Q14.  square: as
+ * in tp_rough_view_cosine. */
 typedef struct {
     uint32_t square;
-    int32_t  across, below, peak;
+    int32_t  across, along, slant, peak;
 } tp_rough_lobe;
 
 /* Returns the lobe of a sample by its key and the height of the vector to its eye, Q14. */
@@ -52,8 +52,10 @@ tp_rough_lobe tp_rough_lobe_make(const tp_shade *shade, uint32_t key, int32_t vy
 TP_ALWAYS_INLINE int32_t tp_rough_lobe_cosine(const tp_rough_lobe *lobe, int32_t rv,
                                               int32_t rise)
 {
-    int32_t d = 16384 - rv;
-    return 16384 - (d * lobe->across >> 14) - ((rise * rise >> 14) * lobe->below >> 14);
+    int32_t d = 16384 - rv, tall = (rise * rise >> 14) * lobe->slant >> 14;
+
+    tall = tall < d ? tall : d;
+    return 16384 - (((d - tall) * lobe->across + tall * lobe->along) >> 14);
 }
 
 /* Returns the slope variance that a sample at log2 of a depth, Q8, does not show. */
