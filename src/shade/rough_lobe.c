@@ -71,10 +71,10 @@ void tp_ripple_variance_init(tp_ripple_variance *ripple, const tp_texture *textu
 int32_t tp_rough_narrowing(uint32_t exponent, uint32_t variance)
 {
     TP_ASSERT(exponent <= 1000 && variance <= TP_ROUGH_ONE);
-    const uint32_t k = (1u << 19) + 4 * exponent * (variance >> 5);     /* Q19 */
-    const int up = tp_clz(k);
+    const uint32_t k = (1u << 19) + (uint32_t)((uint64_t)variance * exponent >> 3);
+    const int up = tp_clz(k);                                   /* of k, Q19 */
 
-    return tp_recip_rough(k << up) >> (29 - up);
+    return (int32_t)(((uint32_t)tp_recip_rough(k << up) + (1u << (28 - up))) >> (29 - up));
 }
 
 /* Returns the root of the product of two Q14 numbers, up to 1; the product is scaled to

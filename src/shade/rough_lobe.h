@@ -17,7 +17,7 @@
 /* Entry i is sqrt(i / 256), Q1.14. */
 extern const tp_entry16 tp_sqrt_table[258];
 
-/* Returns the root of a Q28 number, up to 1, Q14.  The error is below 0.3 % from 2 / 256,
+/* Returns the root of a Q28 number, up to 1, Q14.  The error is below 0.6 % from 2 / 256,
  * below a quarter of 1/16 at less. */
 TP_ALWAYS_INLINE int32_t tp_sqrt_nearest(uint32_t q28)
 {

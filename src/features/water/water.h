@@ -116,7 +116,6 @@ typedef struct {
 typedef struct {
     tp_layer layer;
     int32_t  gain;              /* of its slopes; 256: as drawn */
-    tp_ripple_variance variance;
 } tp_ripple;
 
 /* name, linear filter, tinted by the water's colour */

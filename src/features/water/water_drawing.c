@@ -186,10 +186,15 @@ const tp_drawing tp_bumps_drawing = {
 
 /* -- capillary waves ----------------------------------------------------------------- */
 
+typedef struct {
+    tp_ripple look;             /* data of the stage; first member */
+    tp_ripple_variance variance;
+} ripples;
+
 static void *layout_ripple(tp_arena *arena, const tp_module_conditions *conditions)
 {
     (void)conditions;
-    return tp_arena_alloc(arena, 1, sizeof(tp_ripple));
+    return tp_arena_alloc(arena, 1, sizeof(ripples));
 }
 
 /* Returns the slopes of a normal; its z is at least 1/8. */
@@ -203,24 +208,24 @@ static tp_texel_slopes normal_slopes(uint32_t texel)
 
 static void init_ripple(tp_frame *frame, void *mine)
 {
-    tp_ripple *ripple = mine;
-
     if (frame->assets.ripple)
-        tp_ripple_variance_init(&ripple->variance, frame->assets.ripple, normal_slopes);
+        tp_ripple_variance_init(&((ripples *)mine)->variance, frame->assets.ripple,
+                                normal_slopes);
 }
 
 static void begin_ripple(tp_frame *frame, void *mine)
 {
     const tp_scene *scene = frame->scene;
+    tp_ripple_variance *variance = &((ripples *)mine)->variance;
     tp_ripple *ripple = mine;
 
     ripple->layer = tp_frame_layer(frame, frame->assets.ripple, &scene->ripple.map);
     ripple->layer.lod += TP_RIPPLE_LOD;
     ripple->gain = scene->ripple.bump >> 8;
-    ripple->variance.gain_square = (uint32_t)(ripple->gain * ripple->gain);
-    ripple->variance.lod = ripple->layer.lod;
+    variance->gain_square = (uint32_t)(ripple->gain * ripple->gain);
+    variance->lod = ripple->layer.lod;
     if (ripple->layer.texture)
-        frame->shade.ripple = &ripple->variance;
+        frame->shade.ripple = variance;
 }
 
 /* True if slopes of the mesh are at most 1/4: sum kA / (1 - sum QkA). */
