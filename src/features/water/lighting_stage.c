@@ -113,9 +113,8 @@ TP_ALWAYS_INLINE void light_rough_columns(const tp_shade *restrict shade,
         run->nv[i] = (int16_t)nv;
         run->up[i] = (int16_t)(up > 16384 ? 16384 : up);
         int32_t shine = sample_shine(shade, tp_rough_lobe_cosine(&lobe, rv, rise));
-        if (TP_WIDE || shine)
-            shine = (shine * lobe.peak + 24575) >> 14;
-        run->glint[i] = (uint16_t)(nl > 0 ? shine : 0);
+        int32_t glint = shine ? (shine * lobe.peak + 24575) >> 14 : 0;
+        run->glint[i] = (uint16_t)(nl > 0 ? glint : 0);
         run->colour[i] = tp_colour_scale(run->colour[i],
                                          (uint32_t)tp_lit_share(ambient, nl));
     }

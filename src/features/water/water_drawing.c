@@ -189,6 +189,7 @@ const tp_drawing tp_bumps_drawing = {
 typedef struct {
     tp_ripple look;             /* data of the stage; first member */
     tp_ripple_variance variance;
+    const tp_texture *made_of;  /* texture of the variance; NULL: none yet */
 } ripples;
 
 static void *layout_ripple(tp_arena *arena, const tp_module_conditions *conditions)
@@ -208,24 +209,34 @@ static tp_texel_slopes normal_slopes(uint32_t texel)
 
 static void init_ripple(tp_frame *frame, void *mine)
 {
-    if (frame->assets.ripple)
-        tp_ripple_variance_init(&((ripples *)mine)->variance, frame->assets.ripple,
-                                normal_slopes);
+    (void)frame;
+    ((ripples *)mine)->made_of = NULL;
+}
+
+/* Sets the variance of this frame; a new texture is summed up once. */
+static void begin_variance(tp_frame *frame, ripples *own)
+{
+    const tp_texture *texture = own->look.layer.texture;
+
+    if (!texture)
+        return;
+    if (own->made_of != texture)
+        tp_ripple_variance_init(&own->variance, texture, normal_slopes);
+    own->made_of = texture;
+    own->variance.gain_square = (uint32_t)(own->look.gain * own->look.gain);
+    own->variance.lod = own->look.layer.lod;
+    frame->shade.ripple = &own->variance;
 }
 
 static void begin_ripple(tp_frame *frame, void *mine)
 {
     const tp_scene *scene = frame->scene;
-    tp_ripple_variance *variance = &((ripples *)mine)->variance;
     tp_ripple *ripple = mine;
 
     ripple->layer = tp_frame_layer(frame, frame->assets.ripple, &scene->ripple.map);
     ripple->layer.lod += TP_RIPPLE_LOD;
     ripple->gain = scene->ripple.bump >> 8;
-    variance->gain_square = (uint32_t)(ripple->gain * ripple->gain);
-    variance->lod = ripple->layer.lod;
-    if (ripple->layer.texture)
-        frame->shade.ripple = variance;
+    begin_variance(frame, mine);
 }
 
 /* True if slopes of the mesh are at most 1/4: sum kA / (1 - sum QkA). */
