@@ -33,22 +33,45 @@ tp_slope_variance tp_rough_variance(const tp_shade *shade, int32_t log_depth)
                                 add_variance(sum.across, lost) };
 }
 
-/* Returns the mean square of the slopes of a level, an axis, Q24. */
-static uint32_t mean_square(const uint32_t *texel, uint32_t count,
-                            tp_texel_slopes (*slopes)(uint32_t texel))
-{
-    uint64_t sum = 0;
-
-    for (uint32_t i = 0; i < count; i++) {
-        const tp_texel_slopes s = slopes(texel[i]);
-        sum += (uint32_t)(s.x * s.x + s.z * s.z);
-    }
-    return (uint32_t)(sum / (2 * count));
-}
-
-static uint32_t level_count(uint32_t log2_side, uint32_t level)
+static uint32_t level_side(uint32_t log2_side, uint32_t level)
 {
     return log2_side > level ? 1u << (log2_side - level) : 1;
+}
+
+static int32_t product(tp_texel_slopes a, tp_texel_slopes b)
+{
+    return a.x * b.x + a.z * b.z;
+}
+
+/* Returns 9 times the mean square of the slopes between four texels, a b over c d, as
+ * linear filtering shows them: |a|^2 stands for the squares of all four. */
+static int64_t patch_square(tp_texel_slopes a, tp_texel_slopes b, tp_texel_slopes c,
+                            tp_texel_slopes d)
+{
+    return 4 * (int64_t)product(a, a) + 2 * ((int64_t)product(a, b) + product(a, c))
+         + (product(a, d) + product(b, c)) / 2;
+}
+
+/* Returns the mean square of the filtered slopes of a level, an axis, Q24. */
+static uint32_t mean_square(const tp_texture *texture, uint32_t level,
+                            tp_texel_slopes (*slopes)(uint32_t texel))
+{
+    const uint32_t w = level_side(texture->log2_w, level);
+    const uint32_t h = level_side(texture->log2_h, level);
+    int64_t sum = 0;
+
+    for (uint32_t y = 0; y < h; y++) {
+        const uint32_t *row = texture->level[level] + (size_t)y * w;
+        const uint32_t *below = texture->level[level] + (size_t)((y + 1) % h) * w;
+        tp_texel_slopes a = slopes(row[0]), c = slopes(below[0]);
+        for (uint32_t x = 1; x <= w; x++) {
+            const tp_texel_slopes b = slopes(row[x % w]), d = slopes(below[x % w]);
+            sum += patch_square(a, b, c, d);
+            a = b;
+            c = d;
+        }
+    }
+    return (uint32_t)(sum / (int64_t)(18 * (uint64_t)w * h));
 }
 
 void tp_ripple_variance_init(tp_ripple_variance *ripple, const tp_texture *texture,
@@ -57,9 +80,7 @@ void tp_ripple_variance_init(tp_ripple_variance *ripple, const tp_texture *textu
     uint32_t whole = 0;
 
     for (uint32_t l = 0; l < texture->levels; l++) {
-        const uint32_t count = level_count(texture->log2_w, l)
-                             * level_count(texture->log2_h, l);
-        const uint32_t kept = mean_square(texture->level[l], count, slopes);
+        const uint32_t kept = mean_square(texture, l, slopes);
         whole = l == 0 ? kept : whole;
         ripple->lost[l] = kept < whole ? whole - kept : 0;
     }
