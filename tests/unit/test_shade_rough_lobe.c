@@ -138,6 +138,35 @@ static void smooth_water_is_shaded_as_ever(void **state)
     }
 }
 
+/* Slopes may be as steep as 16 bits allow, lobes as sharp as a scene's, and the variance
+ * of any size. */
+static void any_rough_water_stays_in_range(void **state)
+{
+    static stage *const stages[] = { tp_stage_light_rough, tp_stage_light_rough_rippled,
+                                     tp_stage_light_blinn_rough,
+                                     tp_stage_light_blinn_rough_rippled };
+
+    (void)state;
+    for (int n = 0; n < 2000; n++) {
+        tp_shade s = shade_any(&chance);
+        const tp_fx power = chance_fx(&chance, 1, 1000);
+        const tp_fx strength = chance_fx(&chance, 0, 4);
+        test_run r;
+        s.lobe = tp_lobe_form_make(power, strength);
+        (n % 4 / 2 ? tp_shade_shine_blinn : tp_shade_shine)(shade_shine, power, strength);
+        set_variance(&s, chance_double(&chance, 0, 1), chance_double(&chance, 0, 1));
+        run_any(&r, 32000, &chance);
+        tp_stage_slopes(&s, &r.run);
+        tp_stage_view(&s, &r.run);
+        stages[n % 4](&s, &r.run);
+        for (int i = 0; i < TP_RUN; i++) {
+            assert_in_range(r.run.nv[i], 0, 16384);
+            assert_true(r.run.up[i] >= -16384);
+            assert_in_range(r.run.glint[i], 0, 1025);
+        }
+    }
+}
+
 static double facet_glint(ref_dir v, ref_dir l, double sx, double sz, int power)
 {
     const ref_dir normal = ref_normal(sx, sz);
@@ -193,6 +222,7 @@ int main(void)
         cmocka_unit_test(wider_lobes_keep_what_shows),
         cmocka_unit_test(mipmap_levels_lose_what_their_means_lose),
         cmocka_unit_test(smooth_water_is_shaded_as_ever),
+        cmocka_unit_test(any_rough_water_stays_in_range),
         cmocka_unit_test(rough_water_glints_as_the_mean_of_its_facets),
     };
     return cmocka_run_group_tests_name("shade/rough lobe", tests, NULL, NULL);
