@@ -38,9 +38,10 @@ static uint32_t level_side(uint32_t log2_side, uint32_t level)
     return log2_side > level ? 1u << (log2_side - level) : 1;
 }
 
-static int32_t product(tp_texel_slopes a, tp_texel_slopes b)
+/* Slopes are at most 8. */
+static int64_t product(tp_texel_slopes a, tp_texel_slopes b)
 {
-    return a.x * b.x + a.z * b.z;
+    return (int64_t)a.x * b.x + (int64_t)a.z * b.z;
 }
 
 /* Returns 9 times the mean square of the slopes between four texels, a b over c d, as
@@ -48,7 +49,7 @@ static int32_t product(tp_texel_slopes a, tp_texel_slopes b)
 static int64_t patch_square(tp_texel_slopes a, tp_texel_slopes b, tp_texel_slopes c,
                             tp_texel_slopes d)
 {
-    return 4 * (int64_t)product(a, a) + 2 * ((int64_t)product(a, b) + product(a, c))
+    return 4 * product(a, a) + 2 * (product(a, b) + product(a, c))
          + (product(a, d) + product(b, c)) / 2;
 }
 
