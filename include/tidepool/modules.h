@@ -217,7 +217,10 @@ typedef struct {
     X(ripple_gentle)        /* for flat surfaces, */ \
     X(ripple_pool_slopes)   /* added to pools' sx sz */
 #define TP_STAGES_OF_lighting(X)    /* colour nv up glint; after view */ \
-    X(light) X(light_rippled) X(light_blinn) X(light_blinn_rippled)
+    X(light) X(light_rippled) X(light_blinn) X(light_blinn_rippled) \
+    /* the same with slope variance that samples do not show */ \
+    X(light_rough) X(light_rough_rippled) \
+    X(light_blinn_rough) X(light_blinn_rough_rippled)
 #define TP_STAGES_OF_diffuse(X)     X(diffuse) X(diffuse_rippled)       /* colour */
 #define TP_STAGES_OF_reflectance(X) \
     X(mirror_gradient_sky)  /* mixes the reflected gradient sky into colour, alone; */ \

@@ -38,6 +38,7 @@ typedef struct tp_frame_buffers {
     tp_rung_mask     rung_mask;         /* rungs with memory */
     tp_level        *level;             /* level plane of flat and screen grid */
     tp_projected    *projected;
+    tp_filtered_waves *filtered;        /* set by the grid's renderer; NULL: none */
     uint32_t        *slopes;            /* flat: slope grid, row by row */
     uint32_t         slope_cols;
     tp_culled_deep_water *culled;

@@ -29,6 +29,7 @@
 #include "shade/optics.h"
 #include "tidepool/assets.h"
 #include "view/projection.h"
+#include "view/rough.h"
 
 /* -- data of an environment ---------------------------------------------------------- */
 
@@ -213,6 +214,19 @@ typedef struct {
 #define TP_GLOSS 256
 #define TP_STEEP 512            /* entries of 1/sqrt(1 + q), q in 0..4 */
 
+/* The water's lobe.  weak, strong: of the peak of a wider lobe, Q14; see rough_lobe.h. */
+typedef struct {
+    uint32_t exponent;          /* 1..1000 */
+    int32_t  weak, strong;
+} tp_lobe_form;
+
+/* Slope variance that the mipmap levels of the ripples have lost, an axis, Q24.
+ * gain_square: its factor, 16.16; lod: the ripples' level at 1 m, Q8. */
+typedef struct {
+    uint32_t lost[TP_TEXTURE_LEVELS], gain_square;
+    int32_t  lod, levels;
+} tp_ripple_variance;
+
 typedef struct tp_shade {
     int32_t  u0, v0;            /* picture centre, px, 28.4 */
     int32_t  focal;             /* focal length, px, 28.4 */
@@ -228,6 +242,9 @@ typedef struct tp_shade {
     tp_vec3  eye;
     const tp_underwater *underwater;    /* the water volume and its floor, or NULL */
     const tp_caustic *caustic;  /* caustics map; NULL: even light */
+    const tp_filtered_waves *filtered;  /* waves missing in the grid; NULL: none */
+    const tp_ripple_variance *ripple;   /* NULL: no ripples */
+    tp_lobe_form lobe;
 
     const tp_entry16 *shine;    /* TP_SHINE + 1: 256 at 1, times the specular; or NULL */
     const tp_entry8 *fresnel;   /* reflected share at N.V = i / 256 */

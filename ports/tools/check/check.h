@@ -15,9 +15,9 @@
 #define CHECK_MODELS(X) \
     X(automaton_int) X(automaton_mode) X(automaton_settle_table) X(breaking) \
     X(breaking_criteria) X(buoyancy) X(dispersion) X(drop_bounce) X(droplet_waves) \
-    X(exposure) X(fr_orbit) X(fresnel) X(gerstner_single) X(gerstner_sum) \
-    X(reflect_refract) X(sharp_sine) X(shoaling_phase) X(sine) X(sum_of_sines) \
-    X(time_scale) X(wind_phase)
+    X(exposure) X(fr_orbit) X(fresnel) X(fresnel_rough) X(gerstner_single) \
+    X(gerstner_sum) X(lobe) X(reflect_refract) X(sharp_sine) X(shoaling_phase) X(sine) \
+    X(sum_of_sines) X(time_scale) X(wind_phase)
 
 enum { CHECK_QUANTITIES = 9, CHECK_NOTES = 3, CHECK_LINES = 16 };
 

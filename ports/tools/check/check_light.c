@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool check: Fresnel reflectance, rays at the surface, exposure; [F1]-[F4] and
- * [F8]. */
+/* tidepool check: Fresnel reflectance, light of rough water, rays at the surface, exposure;
+ * [F1]-[F4], [F8], [V1], [V2] and [V5]. */
 #include <math.h>
 #include "check.h"
 #include "features/exposure/exposure.h"
 #include "shade/optics.h"
+#include "shade/rough_lobe.h"
 
 #define Q30 1073741824.0
 
@@ -28,6 +29,63 @@ const check_model check_fresnel = {
     .notes = { { .text = "[F1][F2] air 1.000293 -> water 1.3333; Schlick R0=0.02037" } },
     .quantities = { { "exact", "", 0.002 }, { "Schlick", "", 0.002 } },
     .each = each_fresnel,
+};
+
+/* -- rough water --------------------------------------------------------------------- */
+
+static const check_field rough_columns[] = {
+    SHARE("cos_v"), { .name = "slope_variance", .high = 1 }, SHARE("F_mean"),
+};
+
+static uint32_t check_q24(double x)
+{
+    return (uint32_t)lround(x * (1 << 24));
+}
+
+static void each_fresnel_rough(check_run *run, unsigned row, const double *v)
+{
+    const int32_t nv = tp_rough_view_cosine((int32_t)lround(fmin(v[0], 1) * 16384),
+                                            check_q24(v[1]) << 4);
+    check_add(run, 0, row, tp_fresnel((tp_q30)nv << 16) / Q30 - v[2]);
+}
+
+/* The table is [V2], the engine draws [V5]: on pictures they are a tie. */
+const check_model check_fresnel_rough = {
+    CHECK_ALL(rough_columns),
+    .notes = { { .text = "[V2] mean Fresnel of a rough sea: cos of the view to the mean "
+                         "normal, slope variance of what is not drawn along the view" } },
+    .quantities = { { "mean share by [V5]", "", 0.06 } },
+    .each = each_fresnel_rough,
+};
+
+static const check_field lobe_columns[] = {
+    { .name = "n", .low = 1, .high = 1000 }, { .name = "slope_variance", .high = 1 },
+    SHARE("rv"), { .name = "n_eff", .high = 1000 }, SHARE("value"),
+};
+
+/* Looks the lobe up as the light's stage does: in the table of the smooth lobe, which has
+ * 1024 entries of 8 bits.  An exponent of 500 falls by 40 % from entry to entry. */
+static void each_lobe(check_run *run, unsigned row, const double *v)
+{
+    static tp_entry16 shine[TP_SHINE + 1];
+    const int32_t part = tp_rough_narrowing((uint32_t)v[0], check_q24(v[1]));
+    const tp_rough_lobe lobe = { 0, part, part, 0, part };
+    const int32_t rv = (int32_t)lround(fmin(v[2], 1) * 16384);
+    const int32_t at = tp_rough_lobe_cosine(&lobe, rv, 0);
+
+    tp_shade_shine(shine, check_fx(v[0]), TP_FX_ONE);
+    const double here = shine[at >> 4], next = shine[(at + 15) >> 4];
+    check_add(run, 0, row, check_percent(v[0] * part / 16384, v[3]));
+    check_add(run, 1, row,
+              (here + (next - here) * (at & 15) / 16) * part / (256 * 16384.0) - v[4]);
+}
+
+const check_model check_lobe = {
+    CHECK_ALL(lobe_columns),
+    .notes = { { .text = "[V1] Phong lobe of exponent n over slopes of variance s2 "
+                         "an axis: n_eff = n/(1+4 n s2), value = (n_eff/n) rv^n_eff" } },
+    .quantities = { { "exponent", "%", 1 }, { "value", "", 0.05 } },
+    .each = each_lobe,
 };
 
 /* -- rays ---------------------------------------------------------------------------- */

@@ -6,6 +6,7 @@
  */
 #include "features/sky/sky.h"
 #include "shade/env.h"
+#include "shade/rough_lobe.h"
 #include "shade/slope.h"
 #include "tidepool/modules.h"
 
@@ -138,17 +139,31 @@ TP_ALWAYS_INLINE void reflect_wide(const tp_shade *restrict shade, tp_run *restr
     sample_cube_wide(shade, side, x, y, z, count, run->mirror + i);
 }
 
-/* Reflects the cube.  The mipmap level is chosen for blocks of 16 columns.  In far water
- * a pixel holds more waves than normals, and the waves scatter the reflection, so the
- * level gets coarser with depth. */
+/* Returns the levels, Q8, by which the mirrored cube is coarser at a depth.  In far water
+ * a pixel holds more waves than normals, and the waves scatter the reflection: the level
+ * gets coarser with depth, and so much that a texel, 2 / side of a radian, is twice the
+ * spread of the mirrored rays, which is twice that of the slopes [V3]. */
+static int32_t coarser_mirror(const tp_shade *shade, int32_t log_depth)
+{
+    const int32_t far = 128 + (log_depth > 0 ? log_depth / 2 : 0);
+
+    if (!shade->ripple && !shade->filtered)
+        return far;
+    const uint32_t variance = tp_rough_variance(shade, log_depth).along;
+    const int32_t spread = (tp_log2_q8(variance | 1) - 24 * 256) / 2
+                         + shade->env.cube->face[0]->log2_w * 256;
+    return spread - shade->env.cube->lod > far ? spread - shade->env.cube->lod : far;
+}
+
+/* Reflects the cube.  The mipmap level is chosen for blocks of 16 columns. */
 void tp_stage_reflect_cube(const tp_shade *restrict shade, tp_run *restrict run)
 {
     TP_ASSERT(shade->env.cube != NULL && shade->env.recip != NULL);
     tp_cube_sides sides = { .level = -1 };
 
     for (int32_t i = 0; i < run->count; ) {
-        int32_t depth = tp_log_depth(shade, run->key[i]), stop = tp_block_end(run, i);
-        int     coarser = 128 + (depth > 0 ? depth / 2 : 0);
+        int32_t stop = tp_block_end(run, i);
+        int32_t coarser = coarser_mirror(shade, tp_log_depth(shade, run->key[i]));
         select_cube_sides(&sides, shade->env.cube,
                           tp_env_mip_level(shade, TP_ENV_CUBE, coarser));
         if (TP_WIDE) {

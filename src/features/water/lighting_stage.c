@@ -5,6 +5,7 @@
  */
 #include "shade/env.h"
 #include "shade/material.h"
+#include "shade/rough_lobe.h"
 #include "shade/shade.h"
 #include "shade/slope.h"
 #include "tidepool/modules.h"
@@ -84,6 +85,53 @@ TP_ALWAYS_INLINE void light(const tp_shade *restrict shade, tp_run *restrict run
     }
 }
 
+/* -- light of rough water ------------------------------------------------------------- */
+
+/* Shades columns [i, stop), at most 16, of one lobe: as light does, with N.V raised and
+ * the lobe widened. */
+TP_ALWAYS_INLINE void light_rough_columns(const tp_shade *restrict shade,
+                                          tp_run *restrict run, tp_rough_lobe lobe,
+                                          int32_t i, int32_t stop, int rippled, int blinn)
+{
+    int32_t lx = shade->world.lx, ly = shade->world.ly, lz = shade->world.lz;
+    int32_t ambient = shade->ambient;
+
+    for (; i < stop; i++) {
+        int32_t sx = tp_slope_x(run, i, rippled), sz = tp_slope_z(run, i, rippled);
+        int32_t vx = run->vx[i], vy = run->vy[i], vz = run->vz[i];
+        int32_t ny = tp_rsqrt_one_plus(tp_slope_square(sx, sz));
+        int32_t nv = vy - ((sx * vx + sz * vz) >> 12);
+        int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
+
+        int32_t seen = tp_clamp(nv * ny >> 14, 0, 16384);
+        nv = tp_rough_view_cosine(seen, lobe.square);
+        nv = rippled && nv < RIPPLED_VIEW ? RIPPLED_VIEW : nv;
+        nl = tp_clamp(nl * ny >> 14, 0, 16384);
+        int32_t rv = tp_lobe_table_cosine(nl, seen, run->lv[i], blinn);
+        int32_t rise = blinn ? 0 : (2 * seen * ny >> 14) - vy - ly;
+        int32_t up = (2 * nv * ny >> 14) - vy;
+        run->nv[i] = (int16_t)nv;
+        run->up[i] = (int16_t)(up > 16384 ? 16384 : up);
+        int32_t shine = sample_shine(shade, tp_rough_lobe_cosine(&lobe, rv, rise));
+        int32_t glint = shine ? (shine * lobe.peak + 24575) >> 14 : 0;
+        run->glint[i] = (uint16_t)(nl > 0 ? glint : 0);
+        run->colour[i] = tp_colour_scale(run->colour[i],
+                                         (uint32_t)tp_lit_share(ambient, nl));
+    }
+}
+
+TP_ALWAYS_INLINE void light_rough(const tp_shade *restrict shade, tp_run *restrict run,
+                                  int rippled, int blinn)
+{
+    for (int32_t i = 0; i < run->count; ) {
+        int32_t stop = tp_block_end(run, i);
+        const tp_rough_lobe lobe =
+            tp_rough_lobe_make(shade, run->key[i], run->vy[i], blinn);
+        light_rough_columns(shade, run, lobe, i, stop, rippled, blinn);
+        i = stop;
+    }
+}
+
 #define DIFFUSE_STAGE(name, rippled) \
     void tp_stage_##name(const tp_shade *restrict shade, tp_run *restrict run) \
     { diffuse(shade, run, rippled); }
@@ -97,6 +145,14 @@ LIGHT_STAGE(light, 0, 0)
 LIGHT_STAGE(light_rippled, 1, 0)
 LIGHT_STAGE(light_blinn, 0, 1)
 LIGHT_STAGE(light_blinn_rippled, 1, 1)
+
+#define ROUGH_STAGE(name, rippled, blinn) \
+    void tp_stage_##name(const tp_shade *restrict shade, tp_run *restrict run) \
+    { light_rough(shade, run, rippled, blinn); }
+ROUGH_STAGE(light_rough, 0, 0)
+ROUGH_STAGE(light_rough_rippled, 1, 0)
+ROUGH_STAGE(light_blinn_rough, 0, 1)
+ROUGH_STAGE(light_blinn_rough_rippled, 1, 1)
 
 const tp_stage tp_lighting_stages[] = {
 #define X(name) tp_stage_##name,

@@ -5,6 +5,7 @@
  */
 #include "features/water/water.h"
 #include "frame/frame.h"
+#include "shade/rough_lobe.h"
 #include "world/pools.h"
 
 /* -- textures: the base layer -------------------------------------------------------- */
@@ -185,10 +186,46 @@ const tp_drawing tp_bumps_drawing = {
 
 /* -- capillary waves ----------------------------------------------------------------- */
 
+typedef struct {
+    tp_ripple look;             /* data of the stage; first member */
+    tp_ripple_variance variance;
+    const tp_texture *made_of;  /* texture of the variance; NULL: none yet */
+} ripples;
+
 static void *layout_ripple(tp_arena *arena, const tp_module_conditions *conditions)
 {
     (void)conditions;
-    return tp_arena_alloc(arena, 1, sizeof(tp_ripple));
+    return tp_arena_alloc(arena, 1, sizeof(ripples));
+}
+
+/* Returns the slopes of a normal; its z is at least 1/8. */
+static tp_texel_slopes normal_slopes(uint32_t texel)
+{
+    const int32_t up = tp_clamp((int32_t)(texel & 0xff) - 128, 16, 127);
+
+    return (tp_texel_slopes){ ((int32_t)(texel >> 16 & 0xff) - 128) * 4096 / up,
+                              ((int32_t)(texel >> 8 & 0xff) - 128) * 4096 / up };
+}
+
+static void init_ripple(tp_frame *frame, void *mine)
+{
+    (void)frame;
+    ((ripples *)mine)->made_of = NULL;
+}
+
+/* Sets the variance of this frame; a new texture is summed up once. */
+static void begin_variance(tp_frame *frame, ripples *own)
+{
+    const tp_texture *texture = own->look.layer.texture;
+
+    if (!texture)
+        return;
+    if (own->made_of != texture)
+        tp_ripple_variance_init(&own->variance, texture, normal_slopes);
+    own->made_of = texture;
+    own->variance.gain_square = (uint32_t)(own->look.gain * own->look.gain);
+    own->variance.lod = own->look.layer.lod;
+    frame->shade.ripple = &own->variance;
 }
 
 static void begin_ripple(tp_frame *frame, void *mine)
@@ -199,6 +236,7 @@ static void begin_ripple(tp_frame *frame, void *mine)
     ripple->layer = tp_frame_layer(frame, frame->assets.ripple, &scene->ripple.map);
     ripple->layer.lod += TP_RIPPLE_LOD;
     ripple->gain = scene->ripple.bump >> 8;
+    begin_variance(frame, mine);
 }
 
 /* True if slopes of the mesh are at most 1/4: sum kA / (1 - sum QkA). */
@@ -232,7 +270,8 @@ static void add_ripple_stage(const tp_frame *frame, const void *mine, const tp_s
 }
 
 const tp_drawing tp_ripple_drawing = {
-    .layout = layout_ripple, .begin = begin_ripple, .stages = add_ripple_stage,
+    .layout = layout_ripple, .init = init_ripple, .begin = begin_ripple,
+    .stages = add_ripple_stage,
 };
 
 /* -- light --------------------------------------------------------------------------- */
@@ -246,6 +285,7 @@ static void begin_lighting(tp_frame *frame, void *mine)
 
     (void)mine;
     frame->shade.shine = dark;
+    frame->shade.lobe = tp_lobe_form_make(TP_FX_ONE, 0);
 }
 
 /* Adds the view stage and the light stage together: a list with view vectors is always
@@ -254,11 +294,15 @@ static void add_light(const tp_frame *frame, const void *mine, const tp_stage *s
                       tp_shaders *list)
 {
     const bool blinn = frame->scene->light.model == TP_LIGHT_BLINN;
-    const tp_stage light = stage[2 * blinn + list->rippled];
+    const bool rough = frame->shade.filtered || frame->shade.ripple;
+    const tp_stage smooth = stage[2 * blinn + list->rippled];
     const tp_stage view = frame->program->stage.view;
+    tp_stage light = smooth;
 
     if (list->kind != TP_LIST_WATER)
         return;
+    if (rough)
+        light = tp_shaders_pick(list, stage[4 + 2 * blinn + list->rippled], smooth);
     tp_shaders_add(list, TP_AT_VIEW, light ? view : NULL, NULL);
     if (view && light)
         tp_shaders_add(list, TP_AT_LIGHT, light, mine);
@@ -339,6 +383,7 @@ static void begin_glint(tp_frame *frame, void *mine)
     else
         tp_shade_shine(mine, scene->water.shininess, scene->water.specular);
     frame->shade.shine = mine;
+    frame->shade.lobe = tp_lobe_form_make(scene->water.shininess, scene->water.specular);
 }
 
 static void add_glint_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,

@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: MIT */
+/* Light of rough water: the variance at a depth, and the lobe at a variance. */
+#include "shade/rough_lobe.h"
+#include "fixed/arithmetic.h"
+
+const tp_entry16 tp_sqrt_table[258] = {
+#include "shade/sqrt_table.inc"
+};
+
+/* -- variance ------------------------------------------------------------------------ */
+
+static uint32_t add_variance(uint32_t a, uint32_t b)
+{
+    const uint32_t sum = a + b;
+    return sum < TP_ROUGH_ONE ? sum : TP_ROUGH_ONE;
+}
+
+/* Returns the variance lost by the ripples' mipmap level at a depth, an axis. */
+static uint32_t ripple_variance(const tp_ripple_variance *ripple, int32_t log_depth)
+{
+    const int level = tp_mip_level_choose(ripple->lod, log_depth, true, ripple->levels);
+    const uint64_t lost = (uint64_t)ripple->lost[level] * ripple->gain_square >> 16;
+
+    return lost < TP_ROUGH_ONE ? (uint32_t)lost : TP_ROUGH_ONE;
+}
+
+tp_slope_variance tp_rough_variance(const tp_shade *shade, int32_t log_depth)
+{
+    tp_slope_variance sum = tp_filtered_waves_lookup(shade->filtered, log_depth);
+    const uint32_t lost = shade->ripple ? ripple_variance(shade->ripple, log_depth) : 0;
+
+    return (tp_slope_variance){ add_variance(sum.along, lost),
+                                add_variance(sum.across, lost) };
+}
+
+static uint32_t level_side(uint32_t log2_side, uint32_t level)
+{
+    return log2_side > level ? 1u << (log2_side - level) : 1;
+}
+
+/* Slopes are at most 8. */
+static int64_t product(tp_texel_slopes a, tp_texel_slopes b)
+{
+    return (int64_t)a.x * b.x + (int64_t)a.z * b.z;
+}
+
+/* Returns 9 times the mean square of the slopes between four texels, a b over c d, as
+ * linear filtering shows them: |a|^2 stands for the squares of all four. */
+static int64_t patch_square(tp_texel_slopes a, tp_texel_slopes b, tp_texel_slopes c,
+                            tp_texel_slopes d)
+{
+    return 4 * product(a, a) + 2 * (product(a, b) + product(a, c))
+         + (product(a, d) + product(b, c)) / 2;
+}
+
+/* Returns the mean square of the filtered slopes of a level, an axis, Q24. */
+static uint32_t mean_square(const tp_texture *texture, uint32_t level,
+                            tp_texel_slopes (*slopes)(uint32_t texel))
+{
+    const uint32_t w = level_side(texture->log2_w, level);
+    const uint32_t h = level_side(texture->log2_h, level);
+    int64_t sum = 0;
+
+    for (uint32_t y = 0; y < h; y++) {
+        const uint32_t *row = texture->level[level] + (size_t)y * w;
+        const uint32_t *below = texture->level[level] + (size_t)((y + 1) % h) * w;
+        tp_texel_slopes a = slopes(row[0]), c = slopes(below[0]);
+        for (uint32_t x = 1; x <= w; x++) {
+            const tp_texel_slopes b = slopes(row[x % w]), d = slopes(below[x % w]);
+            sum += patch_square(a, b, c, d);
+            a = b;
+            c = d;
+        }
+    }
+    return (uint32_t)(sum / (int64_t)(18 * (uint64_t)w * h));
+}
+
+void tp_ripple_variance_init(tp_ripple_variance *ripple, const tp_texture *texture,
+                             tp_texel_slopes (*slopes)(uint32_t texel))
+{
+    uint32_t whole = 0;
+
+    for (uint32_t l = 0; l < texture->levels; l++) {
+        const uint32_t kept = mean_square(texture, l, slopes);
+        whole = l == 0 ? kept : whole;
+        ripple->lost[l] = kept < whole ? whole - kept : 0;
+    }
+    ripple->levels = texture->levels;
+}
+
+/* -- the lobe ------------------------------------------------------------------------ */
+
+int32_t tp_rough_narrowing(uint32_t exponent, uint32_t variance)
+{
+    TP_ASSERT(exponent <= 1000 && variance <= TP_ROUGH_ONE);
+    const uint32_t k = (1u << 19) + (uint32_t)((uint64_t)variance * exponent >> 3);
+    const int up = tp_clz(k);                                   /* of k, Q19 */
+
+    return (int32_t)(((uint32_t)tp_recip_rough(k << up) + (1u << (28 - up))) >> (29 - up));
+}
+
+/* Returns the root of the product of two Q14 numbers, up to 1; the product is scaled to
+ * 1/4..1. */
+static int32_t geometric_mean(int32_t a, int32_t b)
+{
+    const uint32_t product = (uint32_t)(a * b);
+    const int up = (tp_clz(product | 1) - 3) & ~1;
+
+    return tp_sqrt_nearest(up > 0 ? product << up : product) >> (up > 0 ? up / 2 : 0);
+}
+
+/* Returns 1 + ln s for s of 1..4, by ln s = 2 (y + y^3 / 3), y = (s - 1) / (s + 1). */
+static tp_fx one_plus_log(tp_fx s)
+{
+    const tp_fx y = tp_fx_div(s - TP_FX_ONE, s + TP_FX_ONE);
+    return TP_FX_ONE + 2 * y + 2 * tp_fx_mul(y, tp_fx_mul(y, y)) / 3;
+}
+
+/* A lobe of strength s shows min(1, s exp(-n d)), whose sum is e / n with e = s for s up to
+ * 1, else 1 + ln s.  Spread by k its peak is e / k, once below 1; up to there its peak, of
+ * s at k = 1, is nearly linear in 1 / k. */
+tp_lobe_form tp_lobe_form_make(tp_fx shininess, tp_fx strength)
+{
+    tp_lobe_form form = { (uint32_t)tp_clamp(shininess >> 16, 1, 1000), 16384, 16384 };
+
+    if (strength <= TP_FX_ONE + 256)
+        return form;
+    const tp_fx e = one_plus_log(strength);
+    form.weak = tp_fx_div(e, strength) >> 2;
+    form.strong = tp_fx_div(TP_FX_ONE - tp_fx_recip(strength),
+                            TP_FX_ONE - tp_fx_recip(e)) >> 2;
+    return form;
+}
+
+int32_t tp_rough_peak(const tp_lobe_form *form, int32_t narrowing)
+{
+    const int32_t weak = narrowing * form->weak >> 14;
+    const int32_t strong = 16384 - ((16384 - narrowing) * form->strong >> 14);
+
+    return weak > strong ? weak : strong;
+}
+
+/* Returns 1 / (2 (1 - ly^2)), Q14, up to 1: half the square of an angle over that of its
+ * rise, by the light's height. */
+static int32_t slant(int32_t ly)
+{
+    const int32_t rest = 16384 - (ly * ly >> 14);
+    return rest > 8192 ? (1 << 27) / rest : 16384;
+}
+
+/* Returns Blinn's lobe: normals spread about the half vector, by both axes alike. */
+static tp_rough_lobe blinn_lobe(const tp_shade *shade, tp_slope_variance v)
+{
+    const int32_t n = tp_rough_narrowing(shade->lobe.exponent, (v.along + v.across) / 2);
+    return (tp_rough_lobe){ v.along << 4, n, n, 0, tp_rough_peak(&shade->lobe, n) };
+}
+
+tp_rough_lobe tp_rough_lobe_make(const tp_shade *shade, uint32_t key, int32_t vy,
+                                 bool blinn)
+{
+    const tp_slope_variance v = tp_rough_variance(shade, tp_log_depth(shade, key));
+    if (blinn)
+        return blinn_lobe(shade, v);
+    const uint32_t rise = (uint32_t)(vy * vy) + (v.along << 4);
+    const uint32_t sine_square = rise < 1u << 28 ? rise : 1u << 28;
+    const uint32_t across = (uint32_t)((uint64_t)v.across * sine_square >> 28);
+    const int32_t n_across = tp_rough_narrowing(shade->lobe.exponent, across);
+    const int32_t n_along = tp_rough_narrowing(shade->lobe.exponent, v.along);
+
+    return (tp_rough_lobe){
+        .square = v.along << 4, .across = n_across, .along = n_along,
+        .slant = slant(shade->world.ly),
+        .peak = tp_rough_peak(&shade->lobe, geometric_mean(n_across, n_along)),
+    };
+}

@@ -1,0 +1,229 @@
+/* SPDX-License-Identifier: MIT */
+/* Light of rough water: the variance of ripples' mipmap levels, N.V raised by a variance,
+ * and lobes widened by a variance, against sums over slopes in double precision. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "shade/rough_lobe.h"
+#include "tests/lib/shading.h"
+#include "tidepool/modules.h"
+
+static uint64_t chance;
+
+static double normal_chance(void)
+{
+    double sum = 0;
+
+    for (int i = 0; i < 12; i++)
+        sum += chance_double(&chance, -0.5, 0.5);
+    return sum;
+}
+
+/* The table of roots errs by 0.6 % from 2/256 on, and is never below N.V. */
+static void rough_views_are_raised_by_the_variance(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 100000; n++) {
+        const int32_t nv = chance_int(&chance, 0, 16384);
+        const uint32_t square = (uint32_t)chance_int(&chance, 0, 1 << chance_int(&chance, 1,
+                                                                               28));
+        const double q = (nv / Q14) * (nv / Q14) + square / (Q14 * Q14);
+        const int32_t got = tp_rough_view_cosine(nv, square);
+        assert_true(got >= nv && got <= 16384);
+        if (q > 2 / 256.0 && q < 1)
+            assert_true(fabs(got / Q14 - sqrt(q)) <= 0.006 * sqrt(q) + 1 / Q14);
+    }
+}
+
+static void exponents_fall_by_the_variance(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 100000; n++) {
+        const uint32_t exponent = (uint32_t)chance_int(&chance, 1, 1000);
+        const uint32_t variance = (uint32_t)chance_int(&chance, 0,
+                                                       1 << chance_int(&chance, 1, 24));
+        const double want = 1 / (1 + 4.0 * exponent * variance / TP_ROUGH_ONE);
+        const int32_t got = tp_rough_narrowing(exponent, variance);
+        assert_true(got > 0 && got <= 16384);
+        assert_true(fabs(got / Q14 - want) <= 1.5 / Q14 + 0.0005);
+    }
+}
+
+/* Sum of min(1, peak exp(-n d)) over d, times n. */
+static double visible_sum(double peak)
+{
+    return peak > 1 ? 1 + log(peak) : peak;
+}
+
+/* A lobe above white shows its top as white: the wider lobe has the sum of what shows. */
+static void wider_lobes_keep_what_shows(void **state)
+{
+    measure off = { .what = "visible sum", .unit = "" };
+
+    (void)state;
+    for (int n = 0; n < 20000; n++) {
+        const double strength = chance_double(&chance, 0.01, 4);
+        const double narrowing = chance_double(&chance, 0.01, 1);
+        const tp_lobe_form form = tp_lobe_form_make(TP_FX(50), TP_FX(strength));
+        const double peak =
+            strength * tp_rough_peak(&form, (int32_t)(narrowing * 16384)) / Q14;
+        const double e = visible_sum(peak) / narrowing / visible_sum(strength) - 1;
+        assert_true(fabs(e) <= 0.16);
+        if (strength < 1.6)
+            assert_true(fabs(e) <= 0.03 + 2 / (narrowing * Q14));
+        measure_add(&off, e, (int32_t)(strength * 1000), (int32_t)(narrowing * 1000), 0);
+    }
+    measure_print(&off);
+}
+
+/* A texture of one slope has lost nothing; a checkered one loses all in its mean, which is
+ * a ninth of its texels' square between them. */
+static tp_texel_slopes texel_slopes(uint32_t texel)
+{
+    return (tp_texel_slopes){ (int32_t)texel - 4096, 4096 - (int32_t)texel };
+}
+
+static void mipmap_levels_lose_what_their_means_lose(void **state)
+{
+    const uint32_t level0[] = { 4096 + 1024, 4096 - 1024, 4096 - 1024, 4096 + 1024 };
+    const uint32_t level1[] = { 4096 };
+    const uint32_t plain[] = { 5000, 5000, 5000, 5000 }, plain1[] = { 5000 };
+    const tp_texture checkered = { { level0, level1 }, 1, 1, 2 };
+    const tp_texture even = { { plain, plain1 }, 1, 1, 2 };
+    tp_ripple_variance v;
+
+    (void)state;
+    tp_ripple_variance_init(&v, &checkered, texel_slopes);
+    assert_int_equal(v.lost[0], 0);
+    assert_int_equal(v.lost[1], TP_ROUGH_ONE / (16 * 9));
+    tp_ripple_variance_init(&v, &even, texel_slopes);
+    assert_int_equal(v.lost[1], 0);
+}
+
+static tp_filtered_waves waves;
+
+static void set_variance(tp_shade *s, double along, double across)
+{
+    tp_filtered_waves_clear(&waves);
+    tp_filtered_waves_add_row(&waves, TP_FX_ONE,
+                              (tp_slope_variance){ (uint32_t)(along * TP_ROUGH_ONE),
+                                                   (uint32_t)(across * TP_ROUGH_ONE) });
+    tp_filtered_waves_finish(&waves);
+    s->filtered = &waves;
+}
+
+/* Without a variance the stages of rough water shade as the others do. */
+static void smooth_water_is_shaded_as_ever(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 1000; n++) {
+        const bool blinn = n % 2;
+        tp_shade s = shade_any(&chance);
+        test_run r;
+        s.lobe = tp_lobe_form_make(TP_FX(20), TP_FX_ONE);
+        (blinn ? tp_shade_shine_blinn : tp_shade_shine)(shade_shine, TP_FX(20), TP_FX_ONE);
+        set_variance(&s, 0, 0);
+        run_any(&r, 4000, &chance);
+        tp_stage_view(&s, &r.run);
+        tp_run rough = r.run;
+        (blinn ? tp_stage_light_blinn : tp_stage_light)(&s, &r.run);
+        (blinn ? tp_stage_light_blinn_rough : tp_stage_light_rough)(&s, &rough);
+        for (int i = 0; i < TP_RUN; i++) {
+            assert_in_range(rough.nv[i] - r.run.nv[i], 0, 130);  /* roots below 1/128 */
+            assert_in_range(rough.glint[i] - r.run.glint[i] + 1, 0, 2);
+        }
+        assert_memory_equal(rough.colour, r.run.colour, sizeof rough.colour);
+    }
+}
+
+/* Slopes may be as steep as 16 bits allow, lobes as sharp as a scene's, and the variance
+ * of any size. */
+static void any_rough_water_stays_in_range(void **state)
+{
+    static stage *const stages[] = { tp_stage_light_rough, tp_stage_light_rough_rippled,
+                                     tp_stage_light_blinn_rough,
+                                     tp_stage_light_blinn_rough_rippled };
+
+    (void)state;
+    for (int n = 0; n < 2000; n++) {
+        tp_shade s = shade_any(&chance);
+        const tp_fx power = chance_fx(&chance, 1, 1000);
+        const tp_fx strength = chance_fx(&chance, 0, 4);
+        test_run r;
+        s.lobe = tp_lobe_form_make(power, strength);
+        (n % 4 / 2 ? tp_shade_shine_blinn : tp_shade_shine)(shade_shine, power, strength);
+        set_variance(&s, chance_double(&chance, 0, 1), chance_double(&chance, 0, 1));
+        run_any(&r, 32000, &chance);
+        tp_stage_slopes(&s, &r.run);
+        tp_stage_view(&s, &r.run);
+        stages[n % 4](&s, &r.run);
+        for (int i = 0; i < TP_RUN; i++) {
+            assert_in_range(r.run.nv[i], 0, 16384);
+            assert_true(r.run.up[i] >= -16384);
+            assert_in_range(r.run.glint[i], 0, 1025);
+        }
+    }
+}
+
+static double facet_glint(ref_dir v, ref_dir l, double sx, double sz, int power)
+{
+    const ref_dir normal = ref_normal(sx, sz);
+    const double nv = fmax(0, ref_dir_dot(normal, v)), nl = ref_dir_dot(normal, l);
+
+    return nl > 0 ? pow(ref_clamp(2 * nl * nv - ref_dir_dot(v, l), 0, 1), power) : 0;
+}
+
+/* Level water with slopes of a variance glints as the mean of its facets. */
+static void rough_water_glints_as_the_mean_of_its_facets(void **state)
+{
+    enum { FACETS = 4000 };
+    double got = 0, want = 0, squares = 0;
+    int lit = 0;
+
+    (void)state;
+    for (int n = 0; n < 200; n++) {
+        tp_shade s = shade_any(&chance);
+        const double variance = chance_double(&chance, 0.0005, 0.02);
+        const int power = chance_int(&chance, 20, 300);
+        test_run r;
+        s.lobe = tp_lobe_form_make(power * TP_FX_ONE, TP_FX_ONE);
+        tp_shade_shine(shade_shine, power * TP_FX_ONE, TP_FX_ONE);
+        set_variance(&s, variance, variance);
+        run_any(&r, 0, &chance);
+        tp_stage_view(&s, &r.run);
+        tp_stage_light_rough(&s, &r.run);
+        const ref_dir v = { r.run.vx[0] / Q14, r.run.vy[0] / Q14, r.run.vz[0] / Q14 };
+        const ref_dir l = shade_light(&s.world);
+        const double peak = 1 / (1 + 4 * power * variance), glint = r.run.glint[0] / 256.0;
+        double sum = 0;
+        if (v.y < 0.05 || l.y < 0.1)
+            continue;
+        for (int i = 0; i < FACETS; i++)
+            sum += facet_glint(v, l, sqrt(variance) * normal_chance(),
+                               sqrt(variance) * normal_chance(), power);
+        assert_true(fabs(glint - sum / FACETS) <= 0.4 * sqrt(peak) + 1 / 256.0);
+        squares += (glint - sum / FACETS) * (glint - sum / FACETS);
+        got += glint;
+        want += sum / FACETS;
+        lit++;
+    }
+    printf("    glint %.3f, of facets %.3f, rms %.4f, of %d\n", got / lit, want / lit,
+           sqrt(squares / lit), lit);
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rough_views_are_raised_by_the_variance),
+        cmocka_unit_test(exponents_fall_by_the_variance),
+        cmocka_unit_test(wider_lobes_keep_what_shows),
+        cmocka_unit_test(mipmap_levels_lose_what_their_means_lose),
+        cmocka_unit_test(smooth_water_is_shaded_as_ever),
+        cmocka_unit_test(any_rough_water_stays_in_range),
+        cmocka_unit_test(rough_water_glints_as_the_mean_of_its_facets),
+    };
+    return cmocka_run_group_tests_name("shade/rough lobe", tests, NULL, NULL);
+}
