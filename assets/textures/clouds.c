@@ -10,7 +10,7 @@ enum {
     TOP = 2000,       /* m */
     CELL = 850,       /* size of the coarsest heaps, m */
     FARTHEST = 32000, /* m */
-    STEPS = 36,
+    STEPS = 64,
     ASIDE_X = 15700,
     ASIDE_Z = 44100, /* offset of this sky in the noise, m */
     DENSE = 70       /* distance in dense cloud that reduces light to 1 / e, m */
@@ -38,9 +38,19 @@ static int need_at(int32_t y, int cover)
     return 39500 - cover + low + h * 24 + h * h * 13 / 64;
 }
 
-/* Density, 0..256 of dense cloud. Finer octaves add at most 9000; without a chance to reach
- * the threshold the place is clear. */
-static int density(vec p, int octaves)
+/* As fractal3, for octaves in 1/256: the finest octave comes in gradually, so that the
+ * number of octaves may depend on the distance without a border in the sky. */
+static int fractal3_q8(vec place, int cell, int octaves_q8, uint32_t seed)
+{
+    int octaves = octaves_q8 >> 8, share = octaves_q8 & 255;
+    int coarse = fractal3(place, cell, octaves, seed);
+    return share ? mix_int(coarse, fractal3(place, cell, octaves + 1, seed), share)
+                 : coarse;
+}
+
+/* Density, 0..256 of dense cloud, with the octaves of the fine noise. That noise adds at
+ * most 12288; without a chance to reach the threshold the place is clear. */
+static int density(vec p, int octaves_q8)
 {
     if (p.y < BASE || p.y > TOP)
         return 0;
@@ -50,10 +60,9 @@ static int density(vec p, int octaves)
     int cover = (fractal3(level, 5200, 2, 301) - 32768) / 5;
     int need = need_at(p.y, cover);
     int coarse = fractal3(p, CELL, 2, 302);
-    if (coarse + 9000 < need)
+    if (coarse + 12288 < need)
         return 0;
-    int fine =
-        octaves > 2 ? (fractal3(p, CELL / 4, octaves - 2, 304) - 32768) * 3 / 8 : 0;
+    int fine = (fractal3_q8(p, CELL / 4, octaves_q8, 304) - 32768) * 3 / 8;
     return clamp_int((coarse + fine - need) / 14, 0, 256);
 }
 
@@ -72,7 +81,7 @@ static int32_t sunlight(vec p, vec sun)
     int tau = 0, from = 0;
     for (int i = 0; i < 5; i++) {
         tau +=
-            density(sum(p, along(sun, (at[i] + from) / 2)), 3) * (at[i] - from) / DENSE;
+            density(sum(p, along(sun, (at[i] + from) / 2)), 256) * (at[i] - from) / DENSE;
         from = at[i];
     }
     return fading(tau) * 11 / 16 + fading(tau / 5) * 5 / 16;
@@ -86,9 +95,10 @@ static light sample_shine(vec p, vec sun)
     return light_add(ambient, light_scale(light_of(0xc4b8a4), sunlight(p, sun)));
 }
 
+/* Octaves of the fine noise in 1/256: 4 near, 1 at 26 km, where a texel is 200 m. */
 static int octaves_at(int32_t metres)
 {
-    return metres < 6000 ? 6 : metres < 14000 ? 5 : metres < 26000 ? 4 : 3;
+    return 256 + (26000 - clamp_int(metres, 4000, 26000)) * 768 / 22000;
 }
 
 cloud_look cumulus(vec dir, vec sun)
@@ -126,7 +136,7 @@ int32_t cloud_bars(vec dir)
     vec at = { p.x, 0, p.z / 4 };
     int warp = fractal3(at, 3000, 2, 311) - 32768;
     at.x += warp / 30;
-    int n = fractal3(at, 1500, reach < 20000 ? 5 : 4, 315);
+    int n = fractal3_q8(at, 1500, 1280 - clamp_int(reach - 10000, 0, 20000) / 40, 315);
     vec wide = { p.x, 0, p.z / 3 };
     int cover = (fractal3(wide, 7000, 2, 321) - 32768) / 3;
     int thick = clamp_int((n + cover - 36500) * 2, 0, 16384);

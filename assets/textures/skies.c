@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-enum { FACE = 256, ONE = 16384 };
+enum { FACE = 256, SIDE = 2 * FACE, ONE = 16384 };
 
 /* Coverage of a disc: 256 within its radius, 0 outside, soft over a texel's width; Q14
  * radians. */
@@ -191,22 +191,48 @@ static const face faces[6] = {
     { "north", { 0, 0, -1 }, { 1, 0, 0 }, { 0, -1, 0 } },
 };
 
-/* Direction of a texel's middle, on a cube whose faces are FACE from the centre. */
-static vec texel_at(const face *f, int column, int row)
+/* Direction of a point of a face of SIDE half texels, on a cube whose faces are SIDE from
+ * the centre. */
+static vec point_at(const face *f, int column, int row)
 {
-    int32_t u = 2 * column + 1 - FACE, v = 2 * row + 1 - FACE;
-    return unit(f->ahead.x * FACE + f->right.x * u + f->down.x * v,
-                f->ahead.y * FACE + f->right.y * u + f->down.y * v,
-                f->ahead.z * FACE + f->right.z * u + f->down.z * v);
+    int32_t u = column - SIDE, v = row - SIDE;
+    return unit(f->ahead.x * SIDE + f->right.x * u + f->down.x * v,
+                f->ahead.y * SIDE + f->right.y * u + f->down.y * v,
+                f->ahead.z * SIDE + f->right.z * u + f->down.z * v);
 }
 
-static void make_cube(const char *dir, const char *sky, uint32_t (*look)(vec dir))
+/* Colour of a texel from its middle. */
+static uint32_t look_once(const face *f, int column, int row, uint32_t (*look)(vec dir))
+{
+    return look(point_at(f, 4 * column + 2, 4 * row + 2));
+}
+
+/* Mean colour of the middles of a texel's quarters: edges of clouds have no steps. Alpha is
+ * that of the texel's middle, so that a disc keeps its brightness. */
+static uint32_t look_4_times(const face *f, int column, int row,
+                             uint32_t (*look)(vec dir))
+{
+    uint32_t even = 0x00020002, odd = 0x00020002;
+    for (int k = 0; k < 4; k++) {
+        uint32_t c =
+            look(point_at(f, 4 * column + 1 + k % 2 * 2, 4 * row + 1 + k / 2 * 2));
+        even += c & 0x00ff00ff;
+        odd += c >> 8 & 0x00ff00ff;
+    }
+    uint32_t alpha = odd >> 18 ? look_once(f, column, row, look) & 0xff000000 : 0;
+    return (even >> 2 & 0x00ff00ff) | (odd >> 2 & 0xff) << 8 | alpha;
+}
+
+typedef uint32_t sampling(const face *f, int column, int row, uint32_t (*look)(vec dir));
+
+static void make_cube(const char *dir, const char *sky, sampling *sample,
+                      uint32_t (*look)(vec dir))
 {
     static canvas picture = { FACE, FACE, true, { 0 } };
     for (int i = 0; i < 6; i++) {
         char name[32];
         for (int n = 0; n < FACE * FACE; n++)
-            picture.pixel[n] = look(texel_at(&faces[i], n % FACE, n / FACE));
+            picture.pixel[n] = sample(&faces[i], n % FACE, n / FACE, look);
         snprintf(name, sizeof name, "%s-%s.png", sky, faces[i].name);
         canvas_save(&picture, dir, name);
     }
@@ -214,7 +240,7 @@ static void make_cube(const char *dir, const char *sky, uint32_t (*look)(vec dir
 
 void make_skies(const char *dir)
 {
-    make_cube(dir, "day", day);
-    make_cube(dir, "dusk", dusk);
-    make_cube(dir, "night", night);
+    make_cube(dir, "day", look_4_times, day);
+    make_cube(dir, "dusk", look_4_times, dusk);
+    make_cube(dir, "night", look_once, night);
 }

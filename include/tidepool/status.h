@@ -59,7 +59,9 @@ TP_BEGIN_C
     X(E_POOL_FEED, "%s is above drive_max")                                              \
     X(E_POOL_MASK, "%s has no samples: %a x %b")                                         \
     X(E_WORLD, "the world's %s does not match its scene")                                \
-    X(E_TAPE_HEAD, "expected \"tape 1 SCENE\", found %s")                                \
+    X(E_TAPE_HEAD, "expected \"tape 2 SCENE\", found %s")                                \
+    X(E_TAPE_VERSION, "a tape of format %s; this version draws other pictures and replays " \
+                      "format 2 only")                                                   \
     X(E_TAPE_TICK, "expected a tick, found %s")                                          \
     X(E_TAPE_VALUE, "expected NAME=NUMBER, found %s")                                    \
     X(E_TAPE_NAME, "no input is called %s")                                              \

@@ -9,7 +9,7 @@
 #include "tidepool/tidepool.h"
 #include "world/text.h"
 
-_Static_assert(TP_VERSION < 2000, "0.2 reads no old name: remove these or move the end");
+_Static_assert(TP_VERSION < 3000, "0.3 reads no old name: remove these or move the end");
 
 #define POOL(part) \
     { part ".feed_low", part ".drive_min" }, \

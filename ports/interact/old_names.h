@@ -8,7 +8,7 @@
 #include <stdint.h>
 #include "tidepool/scene.h"
 
-#define OLD_NAMES_END "0.2"     /* the version that refuses the old names */
+#define OLD_NAMES_END "0.3"     /* the version that refuses the old names */
 
 /* Old and new name have the same section: "pool.feed", "pool.drive_amplitude". */
 typedef struct { const char *old, *now; } old_name;

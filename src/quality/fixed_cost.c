@@ -66,7 +66,7 @@ static void set_water_extent(tp_start_view *at, const tp_scene *s)
     at->water =
         (tp_rectangle){ tp_fx_saturate(at->x - wide), tp_fx_saturate(at->x + wide),
                         tp_fx_saturate(at->z - deep), tp_fx_saturate(at->z + deep) };
-    if (tp_has_tank(s))
+    if (tp_has_tank(s) && s->grid.reach == 0)
         at->water = tp_pool_sides(s);
 }
 

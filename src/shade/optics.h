@@ -130,7 +130,9 @@ typedef struct {
 } tp_floor_plane;
 
 typedef struct {
-    bool    walled, floored;
+    bool    floored, walled;    /* `walled` implies `floored` */
+    bool    island;             /* floor and walls count only for rays from between the
+                                 * walls; the other two are false then */
     tp_fx   x0, x1, z0, z1;     /* walls, m */
     const tp_coastal_water *coastal; /* coastal water whose floor counts; NULL:
                                       * `floor_plane` counts */

@@ -197,18 +197,26 @@ static inline tp_fx distance_to_wall(tp_fx from, int32_t speed, tp_fx low, tp_fx
     return gap > 0 ? closing_distance(gap, speed > 0 ? speed : -speed) : 0;
 }
 
+static inline bool is_between_walls(const tp_underwater *in, tp_vec3 at)
+{
+    return at.x >= in->x0 && at.x <= in->x1 && at.z >= in->z0 && at.z <= in->z1;
+}
+
+static inline hit nearest_wall(const tp_underwater *in, hit h, tp_vec3 from, tp_ray way)
+{
+    h = nearer(h, WALL_X, distance_to_wall(from.x, way.x, in->x0, in->x1));
+    return nearer(h, WALL_Z, distance_to_wall(from.z, way.z, in->z0, in->z1));
+}
+
 static inline hit first_hit(const tp_underwater *in, const tp_ground *under, tp_vec3 from,
                             tp_ray way)
 {
     hit h = { NOTHING, TP_UNDERWATER_FAR };
 
-    if (in->floored)
-        h = nearer(h, FLOOR, distance_to_floor(under, from.y, way));
-    if (in->walled) {
-        h = nearer(h, WALL_X, distance_to_wall(from.x, way.x, in->x0, in->x1));
-        h = nearer(h, WALL_Z, distance_to_wall(from.z, way.z, in->z0, in->z1));
-    }
-    return h;
+    if (!in->floored && !(in->island && is_between_walls(in, from)))
+        return h;
+    h = nearer(h, FLOOR, distance_to_floor(under, from.y, way));
+    return in->walled || in->island ? nearest_wall(in, h, from, way) : h;
 }
 
 /* The material at a hit point, the position in its plane, the distance from the eye, and

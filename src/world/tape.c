@@ -220,10 +220,13 @@ tp_status tp_tape_read(tp_tape_entry *entry, const char *text, size_t bytes,
 
 /* -- the head ------------------------------------------------------------------------ */
 
+/* Rises when the same inputs give another world or another picture. */
+#define TAPE_VERSION "2"
+
 size_t tp_tape_head_write(const char *scene, char *text, size_t bytes)
 {
     tp_text out = tp_text_init(text, bytes);
-    tp_text_append(&out, "tape 1 ");
+    tp_text_append(&out, "tape " TAPE_VERSION " ");
     tp_text_append(&out, scene);
     return out.length;
 }
@@ -232,13 +235,15 @@ tp_status tp_tape_head_read(char *scene, size_t room, const char *text, size_t b
                             tp_error *err)
 {
     tp_string_view line = { text, bytes };
-    const bool ours = tp_string_view_equals(next_word(&line), "tape")
-                      && tp_string_view_equals(next_word(&line), "1");
-    const tp_string_view first = next_word(&line);
+    const bool tape = tp_string_view_equals(next_word(&line), "tape");
+    const tp_string_view version = next_word(&line), first = next_word(&line);
     const tp_string_view name = tp_string_view_trim((tp_string_view){ first.text,
                                                        first.bytes + line.bytes });
-    if (!ours || name.bytes == 0)
+    uint64_t number;
+    if (!tape || name.bytes == 0 || read_digits(version, UINT64_MAX, &number) != TP_OK)
         return fail_word(err, TP_E_TAPE_HEAD, (tp_string_view){ text, bytes });
+    if (!tp_string_view_equals(version, TAPE_VERSION))
+        return fail_word(err, TP_E_TAPE_VERSION, version);
     if (tp_string_view_has_control(name))
         return fail_word(err, TP_E_TEXT, name);
     if (name.bytes >= room)

@@ -61,7 +61,7 @@ size_t tp_param_number_text(const tp_param *param, int32_t number, char *text,
 
 /* Inputs by tick as lines of text, for bit-exact replays.
  *
- *     tape 1 three-swells
+ *     tape 2 three-swells
  *     120 ahead=0.05 turn=-1200
  *     121 drops=1
  *     122 poke=0.3 poke_x=1.5 poke_z=-2 poke2=0.3 poke2_x=-1.5
@@ -88,13 +88,14 @@ size_t tp_tape_write(const tp_tape_entry *entry, char *text, size_t bytes);
 tp_status tp_tape_read(tp_tape_entry *entry, const char *text, size_t bytes,
                        tp_error *err);
 
-/* Writes the head line "tape 1 SCENE", terminated and cut like tp_tape_write.  A scene's
+/* Writes the head line "tape 2 SCENE", terminated and cut like tp_tape_write.  A scene's
  * name is any text without control characters, not empty, without white space at its
  * ends. */
 size_t tp_tape_head_write(const char *scene, char *text, size_t bytes);
 
 /* Reads the scene's name from a head line into `scene` of `room` bytes.  TP_E_LONG:
- * `room` is too small. */
+ * `room` is too small.  TP_E_TAPE_VERSION: the tape was recorded by a version that draws
+ * other pictures. */
 tp_status tp_tape_head_read(char *scene, size_t room, const char *text, size_t bytes,
                             tp_error *err);
 

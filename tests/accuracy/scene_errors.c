@@ -2,8 +2,9 @@
 /* Measures how far a scene's pictures lie from the reference at 16 samples a pixel, with
  * every feature on.
  *
- *     scene_errors SCENE.ini WIDTHxHEIGHT TICK...
- *         SCENE,TICK,RUNG,RMS,PSNR,SSIM for each tick, the exact rung and the shipped one
+ *     scene_errors [--camera NAME] SCENE.ini WIDTHxHEIGHT TICK...
+ *         SCENE,TICK,RUNG,CAMERA,RMS,PSNR,SSIM for each tick, the exact rung and the
+ *         shipped one; the camera is the scene's own unless another one is named
  *     scene_errors --twinkle SCENE.ini WIDTHxHEIGHT TICK
  *         SCENE,TICK,RUNG,MEAN,RMS: the second difference of 12 frames from TICK on, over
  *         that of the reference's frames, once as a mean magnitude and once as an rms
@@ -29,11 +30,21 @@ static const struct {
     { "shipped", { NULL }, 0 },
 };
 
-enum { RUNGS = sizeof rungs / sizeof *rungs };
+/* Cameras by their settings; the first is the scene's own. */
+static const struct {
+    const char *name, *setting[2];
+    uint32_t    settings;
+} cameras[] = {
+    { "own", { NULL }, 0 },
+    { "14-m", { "camera.y=14", "camera.pitch=-22" }, 2 },
+    { "50-m", { "camera.y=50", "camera.pitch=-30" }, 2 },
+};
+
+enum { RUNGS = sizeof rungs / sizeof *rungs, CAMERAS = sizeof cameras / sizeof *cameras };
 
 typedef struct {
     const char *path, *name;
-    uint32_t width, height;
+    uint32_t width, height, camera;
 } request;
 
 /* The pictures of one tick: of each rung, and the reference's. */
@@ -70,6 +81,18 @@ static uint32_t *draw_truth(const request *r, const ref_stand *stand)
     return pixels;
 }
 
+static int open_stand(ref_stand *stand, const request *r, uint32_t rung, uint32_t tick)
+{
+    const char *setting[6];
+    uint32_t n = 0;
+
+    for (uint32_t i = 0; i < cameras[r->camera].settings; i++)
+        setting[n++] = cameras[r->camera].setting[i];
+    for (uint32_t i = 0; i < rungs[rung].settings; i++)
+        setting[n++] = rungs[rung].setting[i];
+    return ref_stand_open(stand, r->path, setting, n, tick);
+}
+
 /* Draws the scene at a tick. Rungs change no world, so one world serves all. */
 static int draw_pictures(const request *r, uint32_t tick, pictures *to)
 {
@@ -77,8 +100,7 @@ static int draw_pictures(const request *r, uint32_t tick, pictures *to)
     ref_stand stand;
 
     for (uint32_t i = 0; i < RUNGS; i++) {
-        const int code = ref_stand_open(&stand, r->path, rungs[i].setting,
-                                        rungs[i].settings, tick);
+        const int code = open_stand(&stand, r, i, tick);
         if (code)
             return code;
         drawn_image drawn = drawn_of(&stand, r->width, r->height);
@@ -108,8 +130,8 @@ static int print_errors(const request *r, uint32_t tick)
         return code;
     for (uint32_t i = 0; i < RUNGS; i++) {
         const double psnr = picture_psnr(p.truth, p.rung[i], count);
-        printf("%s,%u,%s,%.2f,%.2f,%.4f\n", r->name, (unsigned)tick, rungs[i].name,
-               255 / pow(10, psnr / 20), psnr,
+        printf("%s,%u,%s,%s,%.2f,%.2f,%.4f\n", r->name, (unsigned)tick, rungs[i].name,
+               cameras[r->camera].name, 255 / pow(10, psnr / 20), psnr,
                picture_ssim(p.truth, p.rung[i], r->width, r->height));
     }
     fflush(stdout);
@@ -165,8 +187,9 @@ static int print_twinkle(const request *r, uint32_t tick)
 
 static int usage(void)
 {
-    fprintf(stderr, "usage: scene_errors SCENE.ini WIDTHxHEIGHT TICK...\n"
-                    "       scene_errors --twinkle SCENE.ini WIDTHxHEIGHT TICK\n");
+    fprintf(stderr,
+            "usage: scene_errors [--camera NAME] SCENE.ini WIDTHxHEIGHT TICK...\n"
+            "       scene_errors --twinkle SCENE.ini WIDTHxHEIGHT TICK\n");
     return EXIT_USAGE;
 }
 
@@ -178,6 +201,16 @@ static bool read_number(const char *text, char end, uint32_t *number)
     return *text >= '0' && *text <= '9' && *stop == end;
 }
 
+/* Finds a camera by its name; CAMERAS if there is none. */
+static uint32_t find_camera(const char *name)
+{
+    uint32_t i = 0;
+
+    while (i < CAMERAS && strcmp(cameras[i].name, name) != 0)
+        i++;
+    return i;
+}
+
 /* Reads the scene's path and the size; the name is the file's, without its folder and
  * ending. */
 static bool read_request(char **argv, request *r)
@@ -187,7 +220,8 @@ static bool read_request(char **argv, request *r)
 
     snprintf(name, sizeof name, "%s", slash ? slash + 1 : argv[0]);
     name[strcspn(name, ".")] = 0;
-    *r = (request){ .path = argv[0], .name = name };
+    r->path = argv[0];
+    r->name = name;
     return by && read_number(argv[1], 'x', &r->width)
            && read_number(by + 1, 0, &r->height) && r->width > 0 && r->width <= 4096
            && r->height > 0 && r->height <= 4096;
@@ -196,11 +230,12 @@ static bool read_request(char **argv, request *r)
 int main(int argc, char **argv)
 {
     const bool twinkle = argc > 1 && strcmp(argv[1], "--twinkle") == 0;
-    const int first = twinkle ? 2 : 1;
-    request r;
+    const bool camera = argc > 2 && strcmp(argv[1], "--camera") == 0;
+    const int first = twinkle ? 2 : camera ? 3 : 1;
+    request r = { .camera = camera ? find_camera(argv[2]) : 0 };
     int code = EXIT_DONE;
 
-    if (argc < first + 3 || (twinkle && argc != first + 3)
+    if (r.camera == CAMERAS || argc < first + 3 || (twinkle && argc != first + 3)
         || !read_request(argv + first, &r))
         return usage();
     for (int i = first + 2; i < argc && !code; i++) {

@@ -61,18 +61,18 @@ static const engine_row rows[] = {
     { "lava", 100, 18, 0, 0.0005, { NULL } },
     { "raindrops", 300, 4.1, 2.6, 0.001, { NULL } },
     { "tank", 100, 1.5, 0, 0.0025, { NULL } },
-    { "pond", 100, 1.2, 0, 0.0005, { NULL } },
-    { "harbour", 200, 3.1, 3, 0.001, { NULL } },
+    { "pond", 100, 1.4, 0, 0.0005, { NULL } },
+    { "harbour", 200, 2.8, 2.8, 0.0012, { NULL } },
     { "deep-sea", 100, 12.1, 5.2, 0.0005, { NULL } },
     { "night-sea", 100, 13.6, 2.6, 0.0005, { NULL } },
     { "shallows", 100, 1.9, 0, 0.0005, { NULL } },
     { "shore-break", 100, 10, 0, 0.0005, { NULL } },
-    { "from-above", 100, 1.2, 1.1, 0.0005, { NULL } },
+    { "from-above", 100, 1.3, 1.3, 0.0005, { NULL } },
     { "count-64", 100, 6.0, 4.4, 0.0005, { NULL } },
 
     /* layers of all kinds and the distortion of the layers */
     { "from-above", 100, 1.1, 0, 0.0005, { STILL } },
-    { "from-above", 100, 1.3, 0, 0.0005, { "water.filter=nearest", STILL } },
+    { "from-above", 100, 1.4, 0, 0.0005, { "water.filter=nearest", STILL } },
     { "lava", 100, 4.3, 0, 0.0005, { STILL } },
 
     /* skies, light and exposure */
@@ -95,7 +95,7 @@ static const engine_row rows[] = {
     { "tank", 100, 1.4, 0, 0.0005, { "tank.kind=stone", "water.clarity=2" } },
     { "tank", 100, 2.2, 0, 0.0025, { "water.dispersion=0.2" } },
     { "tank", 100, 1.2, 0, 0.003, { "camera.y=0.9", "camera.pitch=-14" } },
-    { "pond", 100, 1.7, 0, 0.0005, { "water.pool_normal_strength=0" } },
+    { "pond", 100, 2.2, 0, 0.0005, { "water.pool_normal_strength=0" } },
     { "shallows", 100, 1.9, 0, 0.0005, { "water.clarity=15" } },
 
     /* scenes above the goal, without the feature that causes the difference */

@@ -52,7 +52,7 @@ for button in ctrl:poke: up:drops= left:sphere_x=-0.25 right:sphere_x=0.25 \
     key=${button%%:*}
     effect=${button#*:} effect=${effect%:}
     check "button $key is input" press "$key"
-    { echo "tape 1 tarn"; inputs; } >"$tape"
+    { echo "tape 2 tarn"; inputs; } >"$tape"
     check "it is what it stands for" grep -q " $effect" "$tape"
     state=$(ask state)
     tick=$(tick_of "$state")

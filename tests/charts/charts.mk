@@ -8,7 +8,8 @@ KERNELS_O   := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/kernels*.c)) 
                $(AT)/kernel_lists.o
 STABILITY_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/stability_*.c)) \
                $(AT)/used.o
-POOLS_O     := $(addprefix $(AT)/,pool_rules.o pool_runs.o pool_truth.o)
+POOLS_O     := $(addprefix $(AT)/,pool_rules.o pool_runs.o pool_truth.o \
+                   pool_waves.o)
 SPAN_SCENES := from-above three-swells
 SPAN_STEPS  := 0 1 8 16 32
 SPAN_O      := $(addprefix $(AT)/,span_scene.o span_steps.o span_true.o \

@@ -5,13 +5,15 @@
  *     pools pool BITS LEAST MOST              tanks with LEAST to MOST columns
  *     pools stability-growth BITS LEAST MOST  dampings 2^-m with m from LEAST to MOST
  *     pools stability-rest BITS LEAST MOST
- *     pools stability-drift BITS LEAST MOST */
+ *     pools stability-drift BITS LEAST MOST
+ *     pools pool-waves                        standing waves on grids */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "tests/charts/pool_points.h"
 #include "tests/charts/pool_runs.h"
+#include "tests/charts/pool_waves.h"
 #include "tests/charts/used.h"
 
 enum { SIDE = 64, REST_MOST = 40000 };
@@ -159,9 +161,13 @@ int main(int argc, char **argv)
         .most = argc == 5 ? (uint32_t)atoi(argv[4]) : 0,
     };
 
+    if (argc == 2 && strcmp(argv[1], "pool-waves") == 0) {
+        print_pool_waves();
+        return EXIT_SUCCESS;
+    }
     if ((bits == 8 || bits == 16 || bits == 32) && print_chart(&a))
         return EXIT_SUCCESS;
     fprintf(stderr, "usage: pools pool|stability-growth|stability-rest|stability-drift "
-            "8|16|32 LEAST MOST\n");
+            "8|16|32 LEAST MOST\n       pools pool-waves\n");
     return 2;
 }

@@ -20,10 +20,13 @@ x_step = 100 ** (0.52 / 48)
 y_step = 100 ** (0.52 / 56)
 map(name) = strcol("set") eq "map" ? column(name) : NaN
 path(name) = is_used(strcol("used")) ? column(name) : NaN
-here = ""
-start(set, y) = set eq here ? NaN : (here = set, y)
-near(y) = column("depth") < 0.2 ? y : NaN
-far(y) = column("depth") < 0.2 ? NaN : y
+# A wave's name stands beside its deepest point, where no other wave's points lie.
+deepest = system("awk -F, '$5 != \"-\" && NR > 1 { last[$1] = $2 } END { for (s in last) " . \
+                 "printf \"%s=%s \", s, last[s] }' '" . csv . "'")
+is_last(set, depth) = strstrt(" " . deepest, " " . set . "=" . depth . " ") > 0
+name(y) = is_last(strcol("set"), strcol("depth")) ? path(y) : NaN
+place(set) = set eq "shallows-0" ? 1 : set eq "shore-break-0" ? 2 : 3
+at_(k, y) = place(strcol("set")) == k ? name(y) : NaN
 whole(y)  = column("flags") == 0 ? y : NaN
 broken(y) = column("flags") == 0 ? NaN : y
 
@@ -49,7 +52,9 @@ plot csv using (map("depth")):"rise":(map("depth") / x_step):(map("depth") * x_s
          pointsize 0.9 linecolor rgb black, \
      "" using (path("depth")):(broken(column("rise"))) with points pointtype 6 \
          pointsize 0.7 linewidth 1 linecolor rgb "#404040", \
-     "" using (path("depth")):(start(strcol("set"), near(path("rise")))):(strcol("set")) \
-         with labels left offset 0.9,0.3 noenhanced, \
-     "" using (path("depth")):(start(strcol("set"), far(path("rise")))):(strcol("set")) \
+     "" using (path("depth")):(at_(1, "rise")):(strcol("set")) \
+         with labels right offset 0,0.8 noenhanced, \
+     "" using (path("depth")):(at_(2, "rise")):(strcol("set")) \
+         with labels left offset 0.9,0.4 noenhanced, \
+     "" using (path("depth")):(at_(3, "rise")):(strcol("set")) \
          with labels right offset 0,-0.8 noenhanced

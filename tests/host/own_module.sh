@@ -66,7 +66,7 @@ printf '[buoy]\nsize = 11\n' >bad.ini
 expect "and is refused by line where it is wrong" 3 "^bad.ini:2: buoy.size" \
     render bad.ini --hash
 
-{ echo "tape 1 three-swells"; echo "20 set buoy.size=2"; } >size.tape
+{ echo "tape 2 three-swells"; echo "20 set buoy.size=2"; } >size.tape
 frames() {
     timeout 60 "$program" render "$scene" --set boat.mesh= --size 96x64 --frames 40 \
         --hash $on "$@" 2>err

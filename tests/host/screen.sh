@@ -370,7 +370,7 @@ fresh "something else" "is not a saved world"
 { head -c 12 killed; printf '\252\125'; tail -c +15 killed; } >world
 fresh "of another build" "was saved by another build"
 { head -c 7 killed; printf '\002'; tail -c +9 killed; } >world
-fresh "of an older version" "holds a world of version 2, this program has version 4"
+fresh "of an older version" "holds a world of version 2, this program has version 5"
 cp killed world
 whole --frames 0:1 --keep world --set wave0.length=9
 judge "of a changed scene" 0 "^world: belongs to another scene: a fresh start$"
@@ -382,7 +382,7 @@ same "is drawn all the same" "$(grep -c '^frame' out)" 2
 # -- tapes -----------------------------------------------------------------------------
 
 rm -rf world world.new
-{ echo "tape 1 $scene"; echo "5 drops=1"; echo "9 look turn=90000000"
+{ echo "tape 2 $scene"; echo "5 drops=1"; echo "9 look turn=90000000"
   echo "9 set light.elevation=20"; echo "9 ahead=0.1"; echo "20 set grid.cols=33"
   echo "20 set camera.y=3"; echo "31 set light.elevation=60"; } >walk.tape
 "$program" render "$scene" --size 96x64 --frames 40 --hash --tape walk.tape >all 2>err
@@ -392,7 +392,7 @@ whole --frames 0:25 --keep world --tape walk.tape
 whole --frames 0:39 --keep world --tape walk.tape
 same "go on from a world that was kept" "$code $(tail -n 15 all | cmp - out)" "0 "
 rm world
-{ echo "tape 1 $scene"; echo "2 drops=1"; echo "5 slower=2"; echo "12 ahead=0.1"
+{ echo "tape 2 $scene"; echo "2 drops=1"; echo "5 slower=2"; echo "12 ahead=0.1"
   echo "18 set clock.scale=0.125"; echo "30 slower=-1"; echo "33 ahead=0.1"; } >slow.tape
 whole --frames 0:39 --tape slow.tape
 mv out all
@@ -401,7 +401,7 @@ same "a tape of slow motion ($seen pictures)" "$code $((seen > 20))" "0 1"
 whole --frames 0:25 --keep world --tape slow.tape
 whole --frames 0:39 --keep world --tape slow.tape
 same "in slow motion too" "$code $(tail -n 15 all | cmp - out)" "0 "
-{ echo "tape 1 $scene"; echo "3 drops=1"; echo "4 set pool.cols=40"; } >anew.tape
+{ echo "tape 2 $scene"; echo "3 drops=1"; echo "4 set pool.cols=40"; } >anew.tape
 refused "a tape that makes the world anew" 3 \
     "^anew.tape:3: pool.cols=40 restarts the world, .* only changes that keep the world" \
     --tape anew.tape

@@ -18,7 +18,7 @@ hashes() {
 tape() {
     file=$1
     shift
-    { echo "tape 1 minimal"; for line in "$@"; do printf '%s\n' "$line"; done; } >"$file"
+    { echo "tape 2 minimal"; for line in "$@"; do printf '%s\n' "$line"; done; } >"$file"
 }
 
 # refused NAME PATTERN FILE: exit code 3, empty stdout, a message with this beginning.
@@ -66,7 +66,7 @@ else verdict "a tape moves the camera" ""; fi
 
 # All pokes of a tick have an effect; their order on the line is free.
 pond() { hashes pond --set pool.splash_interval=0 --tape "$1"; }
-poked() { printf 'tape 1 pond\n3 %s\n' "$1" >poked.tape; pond poked.tape; }
+poked() { printf 'tape 2 pond\n3 %s\n' "$1" >poked.tape; pond poked.tape; }
 one="poke=0.3 poke_x=-1" two="poke2=0.3 poke2_x=1" last="poke8=0.2 poke8_z=1"
 all=$(poked "$one $two $last")
 same "a tape of several pokes in a tick plays" "$(echo "$all" | grep -c '^frame')" 40
@@ -96,7 +96,7 @@ same "blanks around and between" "$(hashes minimal --tape blank.tape)" "$walk"
 same "a long comment is one comment" "$(hashes minimal --tape long.tape)" "$walk"
 
 # From the stern of a steered boat: replays and tilings equal to the bit.
-{ echo "tape 1 three-swells"; echo "2 throttle=6 rudder=20"; echo "9 ahead=0.5"
+{ echo "tape 2 three-swells"; echo "2 throttle=6 rudder=20"; echo "9 ahead=0.5"
   echo "15 throttle=6 turn=20000000"; } >deck.tape
 deck="--set camera.follow=boat --set camera.x=0 --set camera.y=2.8 --set camera.z=6"
 # shellcheck disable=SC2086
@@ -115,7 +115,7 @@ part=$(timeout 60 "$program" render minimal --size 48x32 --frames 30:39 --hash \
 same "frames from the middle are the same" "$part" "$(echo "$walk" | tail -10)"
 
 drops="--set drops.count=20 --set drops.interval=0 --set camera.pitch=-20"
-printf 'tape 1 minimal\n1 drops=5\n9 sphere_z=-0.5 drops=3\n' >drops.tape
+printf 'tape 2 minimal\n1 drops=5\n9 sphere_z=-0.5 drops=3\n' >drops.tape
 # shellcheck disable=SC2086
 same "drops fall alike twice" "$(hashes minimal $drops --tape drops.tape)" \
     "$(hashes minimal $drops --tape drops.tape)"
@@ -130,7 +130,7 @@ same "slow motion replays" "$(hashes minimal --tape slow.tape --set wave0.amplit
 sea_tape() {
     file=$1
     shift
-    { echo "tape 1 three-swells"; for line in "$@"; do printf '%s\n' "$line"; done; } >"$file"
+    { echo "tape 2 three-swells"; for line in "$@"; do printf '%s\n' "$line"; done; } >"$file"
 }
 
 calm=$(hashes three-swells)
@@ -159,12 +159,12 @@ same "sets with line ends of other systems" "$(hashes three-swells --tape dos.ta
 
 # pond's water has cells: a new number of cells needs a new world; a new grid needs a new
 # frame only.
-printf 'tape 1 pond\n5 drops=1\n10 set pool.cols=80\n12 poke=0.3\n30 ahead=1\n' >anew.tape
+printf 'tape 2 pond\n5 drops=1\n10 set pool.cols=80\n12 poke=0.3\n30 ahead=1\n' >anew.tape
 anew=$(hashes pond --tape anew.tape)
 same "a set makes the world anew, twice alike" "$(hashes pond --tape anew.tape)" "$anew"
 same "all of it is drawn" "$(echo "$anew" | grep -c '^frame')" 40
 same "the same tape in tiles" "$(hashes pond --tape anew.tape --band 7)" "$anew"
-printf 'tape 1 pond\n5 set grid.cols=33\n6 set grid.rows=40\n' >grid.tape
+printf 'tape 2 pond\n5 set grid.cols=33\n6 set grid.rows=40\n' >grid.tape
 grid=$(hashes pond --tape grid.tape)
 same "a set of the grid, twice alike" "$(hashes pond --tape grid.tape)" "$grid"
 same "grids are drawn" "$(echo "$grid" | sort -u -k4 | wc -l)" 40
@@ -199,16 +199,16 @@ refused "no such tape" "no.tape: No such file" no.tape
 mkdir folder.tape
 refused "a folder" "folder.tape: " folder.tape
 : >empty.tape
-refused "an empty file" "empty.tape: empty; expected \"tape 1 SCENE\"" empty.tape
-for head in "tap 1 minimal" "tape 2 minimal" "tape 1" "" "5 ahead=1" "# tape 1 minimal"; do
+refused "an empty file" "empty.tape: empty; expected \"tape 2 SCENE\"" empty.tape
+for head in "tap 1 minimal" "tape 2 minimal" "tape 2" "" "5 ahead=1" "# tape 2 minimal"; do
     printf '%s\n5 ahead=1\n' "$head" >head.tape
-    refused "head '$head'" "head.tape:1: expected \"tape 1 SCENE\", found" head.tape
+    refused "head '$head'" "head.tape:1: expected \"tape 2 SCENE\", found" head.tape
 done
-printf 'tape 1 three-swells\n5 ahead=1\n' >other.tape
+printf 'tape 2 three-swells\n5 ahead=1\n' >other.tape
 refused "another scene's tape" "other.tape:1: .*three-swells.*minimal" other.tape
-printf 'tape 1 %0400d\n' 1 >head.tape
+printf 'tape 2 %0400d\n' 1 >head.tape
 refused "a head that is too long" "head.tape:1: longer than" head.tape
-printf 'tape 1 %0200d\n' 1 >head.tape
+printf 'tape 2 %0200d\n' 1 >head.tape
 refused "a name that is too long" "head.tape:1: longer than" head.tape
 
 bad "no tick" "expected a tick, found ahead=1" "ahead=1"
@@ -232,7 +232,7 @@ bad "an earlier tick without input" "ticks must increase" "0"
 bad "a line that is too long" "longer than" "4 ahead=1$(printf '%01100d' 0)"
 bad "a line that is too long but for a good beginning" "longer than" \
     "4 ahead=1$(printf '%1100s' '')5 ahead=1"
-printf 'tape 1 minimal\n3 ahead=1\n4 ahead=1\000 aside=2\n' >bad.tape
+printf 'tape 2 minimal\n3 ahead=1\n4 ahead=1\000 aside=2\n' >bad.tape
 refused "a zero byte in a line" "bad.tape:3: " bad.tape
 
 bad "a set of nothing" "expected NAME=VALUE, found nothing" "4 set"
@@ -266,7 +266,7 @@ same "of one tick sets are taken in any order" "$code $(wc -l <out)" "0 40"
 tape bad.tape "4 set pool.cols=64" "4 set pool.damping=10" "4 set pool.courant=0.8"
 refused "a pool that would not come to rest" "bad.tape:4: pool.courant of 0.800 is above" \
     bad.tape
-printf 'tape 1 minimal\n4 set camera.x=4\000\n' >bad.tape
+printf 'tape 2 minimal\n4 set camera.x=4\000\n' >bad.tape
 refused "a zero byte in a set" "bad.tape:2: " bad.tape
 
 expect "--tape without a file" 2 "--tape needs a value" render minimal --tape

@@ -224,7 +224,7 @@ static void a_tape_reads_old_names_with_one_warning(void **state)
     (void)state;
     tape_file d;
     char said[1024];
-    spill("old.tape", "tape 1 lake\n3 ahead=1\n4 set camera.y=3\n4 set pool.feed=0.2\n"
+    spill("old.tape", "tape 2 lake\n3 ahead=1\n4 set camera.y=3\n4 set pool.feed=0.2\n"
                       "9 set scene.shows=a = b\n");
     messages m = messages_begin();
     const int code = tape_file_read(&d, "old.tape", "lake");
@@ -236,7 +236,7 @@ static void a_tape_reads_old_names_with_one_warning(void **state)
     assert_string_equal(d.entries[2].setting, "pool.drive_amplitude=0.2");
     assert_string_equal(d.entries[3].setting, "scene.description=a = b");
     assert_int_equal(tape_file_close(&d), 0);
-    spill("bad.tape", "tape 1 lake\n4 set pool.feed=0.2\n5 set pool.feeds=99\n");
+    spill("bad.tape", "tape 2 lake\n4 set pool.feed=0.2\n5 set pool.feeds=99\n");
     m = messages_begin();
     assert_int_equal(tape_file_read(&d, "bad.tape", "lake"), 3);
     messages_end(&m, said, sizeof said);

@@ -43,7 +43,7 @@ static void what_is_recorded_is_on_the_tape(void **state)
     tape_file d;
     const tp_input both = { .turn = 900, .forward = 65536, .drops = 1 };
     assert_int_equal(tape_file_record(&d, tape, "pond"), 0);
-    assert_tape("tape 1 pond\n");
+    assert_tape("tape 2 pond\n");
     tape_file_add_input(&d, 0, &nothing);
     tape_file_add_look(&d, 0, &drop);
     tape_file_add_input(&d, 1, &drop);
@@ -51,7 +51,7 @@ static void what_is_recorded_is_on_the_tape(void **state)
     tape_file_add_setting(&d, 120, "wave0.amplitude=0.8");
     tape_file_add_setting(&d, 120, "scene.title=a = b");
     tape_file_add_input(&d, 120, &both);
-    assert_tape("tape 1 pond\n1 drops=1\n120 look ahead=1 turn=900\n"
+    assert_tape("tape 2 pond\n1 drops=1\n120 look ahead=1 turn=900\n"
                 "120 set wave0.amplitude=0.8\n120 set scene.title=a = b\n"
                 "120 ahead=1 turn=900 drops=1\n");
     assert_int_equal(tape_file_close(&d), 0);
@@ -61,7 +61,7 @@ static void what_is_on_the_tape_is_read(void **state)
 {
     (void)state;
     tape_file d;
-    spill("tape 1 pond\n# a\n1 drops=1\n120 look turn=900\n120\tset \t scene.title=a = b "
+    spill("tape 2 pond\n# a\n1 drops=1\n120 look turn=900\n120\tset \t scene.title=a = b "
           " \n"
           "120 look\n120 turn=900\n18446744073709551615 set camera.x=1\n");
     assert_int_equal(tape_file_read(&d, tape, "pond"), 0);
@@ -92,11 +92,11 @@ static void a_tape_is_over_after_its_last_line(void **state)
 {
     (void)state;
     tape_file d;
-    spill("tape 1 pond\n");
+    spill("tape 2 pond\n");
     assert_int_equal(tape_file_read(&d, tape, "pond"), 0);
     assert_true(tape_file_has_ended(&d, 0));
     assert_int_equal(tape_file_close(&d), 0);
-    spill("tape 1 pond\n7 look turn=1\n");
+    spill("tape 2 pond\n7 look turn=1\n");
     assert_int_equal(tape_file_read(&d, tape, "pond"), 0);
     assert_false(tape_file_has_ended(&d, 7));
     assert_true(tape_file_has_ended(&d, 8));
@@ -117,21 +117,21 @@ static void going_back_takes_lines_off(void **state)
     tape_file_cut(&d, 100);
     tape_file_cut(&d, 200);
     tape_file_cut(&d, d.picture = 5);
-    assert_tape("tape 1 pond\n1 turn=900\n3 turn=900\n5 set camera.x=4\n");
+    assert_tape("tape 2 pond\n1 turn=900\n3 turn=900\n5 set camera.x=4\n");
     tape_file_cut(&d, d.picture = 4);
-    assert_tape("tape 1 pond\n1 turn=900\n3 turn=900\n");
+    assert_tape("tape 2 pond\n1 turn=900\n3 turn=900\n");
     tape_file_add_look(&d, 4, &turn);
     tape_file_cut(&d, 4);
-    assert_tape("tape 1 pond\n1 turn=900\n3 turn=900\n4 look turn=900\n");
+    assert_tape("tape 2 pond\n1 turn=900\n3 turn=900\n4 look turn=900\n");
     tape_file_cut(&d, 3);
     d.picture = 7;
     tape_file_add_input(&d, 6, &drop);
-    assert_tape("tape 1 pond\n1 turn=900\n6 drops=1\n");
+    assert_tape("tape 2 pond\n1 turn=900\n6 drops=1\n");
     tape_file_cut(&d, 0);
-    assert_tape("tape 1 pond\n");
+    assert_tape("tape 2 pond\n");
     tape_file_add_input(&d, 2, &drop);
     assert_int_equal(tape_file_close(&d), 0);
-    assert_tape("tape 1 pond\n2 drops=1\n");
+    assert_tape("tape 2 pond\n2 drops=1\n");
 }
 
 /* Drops lines from the middle, at the end, and all; later lines follow. */
@@ -147,19 +147,19 @@ static void lines_can_be_dropped(void **state)
     tape_file_drop(&d, 0, 0);
     tape_file_drop(&d, 2, 9);                        /* more than there are */
     tape_file_drop(&d, 1, 2);
-    assert_tape("tape 1 pond\n3 set camera.x=4\n3 look turn=900\n4 drops=1\n");
+    assert_tape("tape 2 pond\n3 set camera.x=4\n3 look turn=900\n4 drops=1\n");
     tape_file_add_input(&d, 5, &turn);
     tape_file_drop(&d, 0, 2);
-    assert_tape("tape 1 pond\n4 drops=1\n5 turn=900\n");
+    assert_tape("tape 2 pond\n4 drops=1\n5 turn=900\n");
     d.picture = 1;
     tape_file_add_input(&d, 6, &turn);
     tape_file_cut(&d, 0);
-    assert_tape("tape 1 pond\n4 drops=1\n5 turn=900\n");
+    assert_tape("tape 2 pond\n4 drops=1\n5 turn=900\n");
     tape_file_drop(&d, 1, 2);
     tape_file_add_setting(&d, 7, "camera.x=1");
     tape_file_drop(&d, 0, 1);
     assert_int_equal(tape_file_close(&d), 0);
-    assert_tape("tape 1 pond\n7 set camera.x=1\n");
+    assert_tape("tape 2 pond\n7 set camera.x=1\n");
 }
 
 static void a_deck_without_a_tape_takes_all(void **state)

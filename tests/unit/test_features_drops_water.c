@@ -10,6 +10,7 @@
 
 #define LSB (1 / 65536.0)
 #define G   TP_FX(9.81)
+#define HIGH_MOST (16384 << 16)     /* highest drop, 16.16 (drop.c) */
 
 static uint64_t chance;
 
@@ -157,6 +158,7 @@ static void nothing_in_the_ranges_goes_astray(void **state)
                 c = any_config(&chance);
             level = k % 7 ? level + random_number(&chance) % 20000
                           : random_number(&chance) / 2;
+            level = tp_clamp(level, -HIGH_MOST, HIGH_MOST);
             const tp_fx gravity = chance_scale(&chance, 0.1, 100);
             tp_drop_step(&drop, &c, gravity, level, ++tick, &impact);
             if (radius > 0)

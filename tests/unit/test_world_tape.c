@@ -229,22 +229,26 @@ static void heads_come_back(void **state)
     }
     char text[32];
     tp_tape_head_write("rain", text, sizeof text);
-    assert_string_equal(text, "tape 1 rain");
+    assert_string_equal(text, "tape 2 rain");
 }
 
 static void bad_heads_say_what_was_expected(void **state)
 {
     (void)state;
     static const struct { const char *line, *says; } heads[] = {
-        { "", "expected \"tape 1 SCENE\", found nothing" },
-        { "tape", "expected \"tape 1 SCENE\", found tape" },
-        { "tape 1", "expected \"tape 1 SCENE\", found tape 1" },
-        { "tape 1  \r", "expected \"tape 1 SCENE\", found tape 1  ?" },
-        { "tape 2 rain", "expected \"tape 1 SCENE\", found tape 2 rain" },
-        { "tap 1 rain", "expected \"tape 1 SCENE\", found tap 1 rain" },
-        { "120 drops=1", "expected \"tape 1 SCENE\", found 120 drops=1" },
-        { "tape 1 ra\x01in", "control character in ra?in" },
-        { "tape 1 12345678", "longer than 7 bytes" },
+        { "", "expected \"tape 2 SCENE\", found nothing" },
+        { "tape", "expected \"tape 2 SCENE\", found tape" },
+        { "tape 2", "expected \"tape 2 SCENE\", found tape 2" },
+        { "tape 2  \r", "expected \"tape 2 SCENE\", found tape 2  ?" },
+        { "tape two rain", "expected \"tape 2 SCENE\", found tape two rain" },
+        { "tape 1 rain", "a tape of format 1; this version draws other pictures and "
+                         "replays format 2 only" },
+        { "tape 3 rain", "a tape of format 3; this version draws other pictures and "
+                         "replays format 2 only" },
+        { "tap 1 rain", "expected \"tape 2 SCENE\", found tap 1 rain" },
+        { "120 drops=1", "expected \"tape 2 SCENE\", found 120 drops=1" },
+        { "tape 2 ra\x01in", "control character in ra?in" },
+        { "tape 2 12345678", "longer than 7 bytes" },
     };
     for (size_t i = 0; i < sizeof heads / sizeof heads[0]; i++) {
         tp_error err;
@@ -255,7 +259,7 @@ static void bad_heads_say_what_was_expected(void **state)
         assert_string_equal(says, heads[i].says);
     }
     char scene[8];
-    assert_int_equal(tp_tape_head_read(scene, sizeof scene, "tape 1 1234567\n", 15, NULL),
+    assert_int_equal(tp_tape_head_read(scene, sizeof scene, "tape 2 1234567\n", 15, NULL),
                      TP_OK);
     assert_string_equal(scene, "1234567");
 }

@@ -68,7 +68,7 @@ static int read_head(tape_file_reader *r)
     if (bytes < 0 && ferror(r->file))
         return log_fail(EXIT_INPUT, "%s: %s", r->name, strerror(errno));
     if (bytes < 0)
-        return log_fail(EXIT_INPUT, "%s: empty; expected \"tape 1 SCENE\"", r->name);
+        return log_fail(EXIT_INPUT, "%s: empty; expected \"tape 2 SCENE\"", r->name);
     if (bytes >= TP_TAPE_LINE)
         return fail_long(r);
     if (tp_tape_head_read(scene, sizeof scene, text, (size_t)bytes, &err))

@@ -4,7 +4,7 @@
  * Beside the input of each step, a tape of the preview has the other changes of its
  * pictures:
  *
- *     tape 1 three-swells
+ *     tape 2 three-swells
  *     120 ahead=0.05 turn=-1200          input of the step after tick 120
  *     121 look turn=900                  the camera moved while the water stood still
  *     121 set wave0.amplitude=0.8        a parameter changed (value up to the line end)

@@ -3,7 +3,7 @@
  * and command lines over the serial port change the scene (serial/buttons.h,
  * serial/control.h).
  *
- * Input is echoed as lines of a tape (world/text.h): with the head "tape 1 SCENE" and
+ * Input is echoed as lines of a tape (world/text.h): with the head "tape 2 SCENE" and
  * `tidepool render SCENE --tape` they reproduce the same pictures elsewhere.  The scene
  * lies in RAM, where commands change it; board.mk names the modules that commands may
  * switch on.  In QEMU's window the arrow keys and Ctrl are the buttons:

@@ -29,6 +29,9 @@ typedef struct {
     bool     made;
 } tp_tank;
 
+/* Returns the outer sides of the tank's walls around the water's sides, m. */
+tp_rectangle tp_tank_outer_sides(const tp_scene *scene, const tp_rectangle *water);
+
 /* True if wall `face` (+x, -x, +z, -z) is of glass and the eye is on its outer side. */
 bool tp_tank_is_front_glass(const struct tp_frame *frame, uint32_t face);
 

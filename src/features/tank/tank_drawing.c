@@ -24,6 +24,16 @@ static tp_fx thickness(const tp_scene *scene, const tp_rectangle *r)
                                              : tp_clamp(half / 12, 2048, TP_FX_ONE);
 }
 
+tp_rectangle tp_tank_outer_sides(const tp_scene *scene, const tp_rectangle *water)
+{
+    const tp_fx t = thickness(scene, water);
+
+    return (tp_rectangle){
+        tp_fx_saturate((int64_t)water->x0 - t), tp_fx_saturate((int64_t)water->x1 + t),
+        tp_fx_saturate((int64_t)water->z0 - t), tp_fx_saturate((int64_t)water->z1 + t)
+    };
+}
+
 /* True if the eye is on the outer side of wall `face`: +x, -x, +z, -z. */
 static bool is_outside(const tp_rectangle *r, uint32_t face, tp_vec3 eye)
 {
@@ -120,11 +130,7 @@ static void draw_walls(const tp_frame *frame, const target *to)
 {
     const tp_scene *scene = frame->scene;
     tp_rectangle in = tp_pool_sides(scene);
-    tp_fx t = thickness(scene, &in);
-    tp_rectangle out = { tp_fx_saturate((int64_t)in.x0 - t),
-                         tp_fx_saturate((int64_t)in.x1 + t),
-                         tp_fx_saturate((int64_t)in.z0 - t),
-                         tp_fx_saturate((int64_t)in.z1 + t) };
+    tp_rectangle out = tp_tank_outer_sides(scene, &in);
 
     for (uint32_t face = 0; face < 4; face++) {
         if (tp_tank_is_front_glass(frame, face))

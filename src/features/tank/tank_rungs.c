@@ -21,25 +21,40 @@ static bool is_mask_wall(const tp_site *w, int64_t x, int64_t z)
     return mask->sample[row * mask->cols + col] < 0x8000;
 }
 
+static bool is_within(const tp_rectangle *r, int64_t x, int64_t z)
+{
+    return x >= r->x0 && x < r->x1 && z >= r->z0 && z < r->z1;
+}
+
+/* True for a point in the tank's stone around the water. */
+static bool is_in_stone(const tp_site *w, int64_t x, int64_t z)
+{
+    const tp_rectangle in = tp_pool_sides(w->scene);
+    const tp_rectangle out = tp_tank_outer_sides(w->scene, &in);
+
+    return w->scene->tank.kind == TP_TANK_STONE && tp_has_tank(w->scene)
+           && is_within(&out, x, z) && !is_within(&in, x, z);
+}
+
 static tp_fx wall_height(const tp_scene *s)
 {
     return tp_has_tank(s) ? s->tank.rim : 3 * s->pool.cell;
 }
 
-/* True if an inner wall of the pool stops a ray that would meet the water
- * `water_distance` m ahead, Q16. */
-static bool is_ray_stopped_by_inner_wall(const tp_site *w, tp_vec3 ray,
+/* True if stone stops a ray that would meet the water `water_distance` m ahead, Q16. */
+static bool is_ray_stopped_by_stone(const tp_site *w, tp_vec3 ray,
                                          int64_t water_distance)
 {
     const tp_vec3 eye = w->at.eye;
     const int64_t high = wall_height(w->scene);
 
-    if (!w->assets->pool_mask || eye.y <= high)
+    if (eye.y <= high)
         return false;
     /* points of the ray, from the water back to where the ray is as high as a wall's top */
     for (int k = 0; k <= 32; k++) {
         const int64_t way = water_distance - water_distance / 32 * k * high / eye.y;
-        if (is_mask_wall(w, eye.x + (way * ray.x >> 16), eye.z + (way * ray.z >> 16)))
+        const int64_t x = eye.x + (way * ray.x >> 16), z = eye.z + (way * ray.z >> 16);
+        if (is_mask_wall(w, x, z) || is_in_stone(w, x, z))
             return true;
     }
     return false;
@@ -98,7 +113,7 @@ static void count_wall_pixel_work(tp_site *w, const tp_work_pixels *px)
 }
 
 const tp_cost tp_tank_cost = { .work = count_wall_work,
-                               .stops = is_ray_stopped_by_inner_wall,
+                               .stops = is_ray_stopped_by_stone,
                                .pixels = count_wall_pixel_work };
 
 /* -- glass --------------------------------------------------------------------------- */

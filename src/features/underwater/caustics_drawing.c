@@ -63,27 +63,29 @@ static tp_fall refract_light(const tp_shade *shade, tp_fx slope_x, tp_fx slope_z
     return (tp_fall){ t.x * 65536 / down, t.z * 65536 / down };
 }
 
-static tp_surface_point displaced_coastal_point(const tp_surface *s, tp_fx x, tp_fx z)
+/* Returns the fall of the sun's rays above the water; slopes are at most 10, as those of
+ * refracted rays. */
+static tp_fall trace_sun_fall(const tp_shade *shade)
 {
-    const tp_fx d = TP_FX_ONE / 32;
-    tp_vec3 at = tp_coastal_displace_no_overhang(s->coastal, s->phases, x, z).position;
-    tp_vec3 east =
-        tp_coastal_displace_no_overhang(s->coastal, s->phases, x + d, z).position;
-    tp_vec3 south =
-        tp_coastal_displace_no_overhang(s->coastal, s->phases, x, z + d).position;
-    tp_surface_point p = { .position = at };
+    const int32_t down = shade->world.ly > 1638 ? shade->world.ly : 1638;
 
-    tp_slopes_from_tangents(tp_vec3_sub(east, at), tp_vec3_sub(south, at), &p.slope_x,
-                            &p.slope_z);
-    return p;
+    return (tp_fall){ -shade->world.lx * 65536 / down, -shade->world.lz * 65536 / down };
 }
 
-/* Returns the surface point with the rest position (x, z). */
-static tp_surface_point displaced_surface_point(const tp_surface *s, tp_fx x, tp_fx z)
+/* Returns the surface point with the rest position (x, z).  Coastal water is sampled at
+ * (x, z) itself: rest positions crowd at a breaking crest and leave dark gaps behind it.
+ * `off` is the way from a point to its rest position, kept from the point before. */
+static tp_surface_point sample_light_vertex(const tp_surface *s, tp_fx x, tp_fx z,
+                                            tp_fx off[2])
 {
-    tp_surface_point p = s->coastal ? displaced_coastal_point(s, x, z)
-                              : tp_deep_water_displace_point(s->deep, s->phases, x, z);
-
+    if (s->coastal) {
+        tp_fx rest[2] = { tp_fx_add_sat(x, off[0]), tp_fx_add_sat(z, off[1]) };
+        const tp_surface_point p = tp_surface_sample(s, x, z, rest);
+        off[0] = tp_fx_sub_sat(rest[0], x);
+        off[1] = tp_fx_sub_sat(rest[1], z);
+        return p;
+    }
+    tp_surface_point p = tp_deep_water_displace_point(s->deep, s->phases, x, z);
     if (tp_surface_has_rings_or_pools(s)) {
         tp_height_slope relief = tp_rings_pools_sample(s, p.position.x, p.position.z);
         p.position.y += relief.height;
@@ -101,24 +103,29 @@ static int32_t metres_to_cells_q8(int64_t metres, uint32_t per_metre)
     return (int32_t)tp_clamp_abs(cells, (int64_t)1 << 28);
 }
 
-/* Traces vertex (i, j): its place over the map, and the place of its light. */
+/* Traces vertex (i, j): its place along the sun's rays on the level, and the place of its
+ * light. */
 static void trace_light_vertex(const tp_frame *frame, const tp_caustics *map,
                                const tp_surface *surface, uint32_t i, uint32_t j,
-                               tp_caustic_vertex *to)
+                               tp_fx off[2], tp_caustic_vertex *to)
 {
     const tp_caustic *c = &map->look;
     const tp_rectangle r = map->place;
     tp_fx x = r.x0 + (tp_fx)(((int64_t)r.x1 - r.x0) * i / c->cells);
     tp_fx z = r.z0 + (tp_fx)(((int64_t)r.z1 - r.z0) * j / c->cells);
-    tp_surface_point p = displaced_surface_point(surface, x, z);
+    tp_surface_point p = sample_light_vertex(surface, x, z, off);
     tp_fall fall = refract_light(&frame->shade, p.slope_x, p.slope_z);
     tp_fall still = map->level_fall;
     int64_t high = sample_depth(frame, p.position.x, p.position.z) + (int64_t)p.position.y;
     int64_t away_x = (int64_t)p.position.x - x, away_z = (int64_t)p.position.z - z;
 
     high = high > 0 ? high : 0;
-    to->x = (int32_t)(i * 256) + metres_to_cells_q8(away_x, c->per_metre_x);
-    to->z = (int32_t)(j * 256) + metres_to_cells_q8(away_z, c->per_metre_z);
+    to->x = (int32_t)(i * 256)
+          + metres_to_cells_q8(away_x + ((int64_t)map->sun_fall.x * p.position.y >> 16),
+                               c->per_metre_x);
+    to->z = (int32_t)(j * 256)
+          + metres_to_cells_q8(away_z + ((int64_t)map->sun_fall.z * p.position.y >> 16),
+                               c->per_metre_z);
     away_x += (((int64_t)fall.x - still.x) * high + (int64_t)still.x * p.position.y) >> 16;
     away_z += (((int64_t)fall.z - still.z) * high + (int64_t)still.z * p.position.y) >> 16;
     to->lit_x = (int32_t)(i * 256) + metres_to_cells_q8(away_x, c->per_metre_x);
@@ -158,8 +165,9 @@ static void splat_light(uint16_t *light, uint32_t cells, int32_t x, int32_t z,
     add_mirrored_cell_light(light, cells, i + 1, j + 1, d);
 }
 
-/* Distributes the light of the cell between two rows of vertices.  Its light is its
- * horizontal area, half of the cross product of its diagonals: 256 at rest. */
+/* Distributes the light of the cell between two rows of vertices.  Its light is the area
+ * that it covers on the level along the sun's rays, half of the cross product of its
+ * diagonals: 256 at rest. */
 static void splat_cell_light(uint16_t *light, uint32_t cells, const tp_caustic_vertex *a,
                              const tp_caustic_vertex *c)
 {
@@ -191,8 +199,9 @@ static void make_light_map(const tp_frame *frame, tp_caustics *map)
     for (uint32_t j = 0; j <= n; j++) {
         tp_caustic_vertex *here = map->row + (j & 1) * (n + 1);
         const tp_caustic_vertex *last = map->row + (~j & 1) * (n + 1);
+        tp_fx off[2] = { 0, 0 };
         for (uint32_t i = 0; i <= n; i++)
-            trace_light_vertex(frame, map, &surface, i, j, &here[i]);
+            trace_light_vertex(frame, map, &surface, i, j, off, &here[i]);
         for (uint32_t i = 0; j > 0 && i < n; i++)
             splat_cell_light(map->light, n, &last[i], &here[i]);
     }
@@ -208,20 +217,23 @@ static void begin_caustic_map(tp_frame *frame, void *mine)
     tp_fx wide = tp_fx_saturate((int64_t)r.x1 - r.x0),
           deep = tp_fx_saturate((int64_t)r.z1 - r.z0);
     tp_fx   depth = sample_depth(frame, r.x0 / 2 + r.x1 / 2, r.z0 / 2 + r.z1 / 2);
+    bool    coastal = frame->shade.underwater->coastal != NULL;
     tp_fall still = refract_light(&frame->shade, 0, 0);
 
     map->look = (tp_caustic){
         .light = map->light, .x = r.x0, .z = r.z0, .cells = cells,
         .per_metre_x = (uint32_t)(((uint64_t)cells << 32) / (uint32_t)(wide + !wide)),
         .per_metre_z = (uint32_t)(((uint64_t)cells << 32) / (uint32_t)(deep + !deep)),
-        .per_depth = (uint32_t)(((uint64_t)256 << 32)
-                                / (uint32_t)(depth > 32768 ? depth : 32768)),
+        .per_depth = coastal ? UINT32_MAX
+                             : (uint32_t)(((uint64_t)256 << 32)
+                                          / (uint32_t)(depth > 32768 ? depth : 32768)),
         .lean_x = -still.x / 4, .lean_z = -still.z / 4,
         .strength = scene->water.caustics >> 8,
         .fades = scene->pool.cols == 0,
     };
     map->place = r;
     map->level_fall = still;
+    map->sun_fall = trace_sun_fall(&frame->shade);
     frame->shade.caustic = &map->look;
     make_light_map(frame, map);
 }

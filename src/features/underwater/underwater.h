@@ -51,7 +51,8 @@ typedef struct {
     uint16_t          *light;   /* cells x cells */
     tp_caustic_vertex *row;     /* two rows of cells + 1 vertices */
     tp_rectangle       place;
-    tp_fall            level_fall;   /* through still water */
+    tp_fall            level_fall;   /* of the light through still water */
+    tp_fall            sun_fall;     /* of the light above the water */
 } tp_caustics;
 
 /* -- parameters ---------------------------------------------------------------------- */

@@ -70,8 +70,9 @@ static void set_walls_and_floor(const tp_frame *frame, tp_underwater *in)
     bool floor = tp_has_floor(scene);
     tp_rectangle r = tp_pool_sides(scene);
 
-    in->walled = tank;
-    in->floored = tank || (floor && frame->surface.coastal);
+    in->island = tank && scene->tank.kind == TP_TANK_STONE;
+    in->walled = tank && !in->island;
+    in->floored = in->walled || (!tank && floor && frame->surface.coastal);
     in->coastal = !tank && floor ? frame->surface.coastal : NULL;
     in->x0 = r.x0;
     in->x1 = r.x1;
