@@ -167,6 +167,7 @@ typedef struct {
     P(stars)        /* stars over a night's dome */ \
     P(haze) \
     P(boat)         /* its mesh; at equal depth the module listed first is visible */ \
+    X(outlines)     /* the boat's outlines by coverage */ \
     P(land)         /* a floor that rises out of the water */ \
     P(drops)        /* falling drops, the sphere that they fall from, and rings */ \
     N(coastal)      /* waves over a floor or in a wind; needs models coastal, swells */ \
@@ -202,6 +203,7 @@ typedef struct {
 #define TP_STAGES_OF_haze(X) \
     X(haze) X(haze_dome) X(haze_cube)       /* towards each sky's horizon */
 #define TP_STAGES_OF_boat(X)        X(solid) X(solid_blinn)     /* Phong or Blinn */
+#define TP_STAGES_OF_outlines(X)
 #define TP_STAGES_OF_land(X)        X(land) X(ground)       /* plain; like the floor */
 #define TP_STAGES_OF_drops(X)       X(drop)
 #define TP_STAGES_OF_lids(X)

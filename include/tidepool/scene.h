@@ -218,6 +218,7 @@ typedef struct tp_scene {
         tp_fx   drag;                       /* damping of rocking; 1 is critical */
         tp_fx   speed, rudder;              /* cruise: speed m/s, turn rate degrees/s */
         tp_fx   wake;                       /* share of displaced volume in waves, 0..1 */
+        int32_t edges;                      /* tp_boat_edges */
     } boat;
     struct { tp_fx scale; } clock;          /* time scale, 1/8..4 [D6] */
     struct {                                /* quality targets */
@@ -230,6 +231,7 @@ typedef struct tp_scene {
 } tp_scene;
 
 typedef enum { TP_BOAT_KINEMATIC, TP_BOAT_DYNAMIC } tp_boat_mode;
+typedef enum { TP_EDGES_PLAIN, TP_EDGES_SMOOTH } tp_boat_edges;
 
 typedef enum { TP_FILTER_NEAREST, TP_FILTER_LINEAR } tp_filter;
 typedef enum { TP_FOLLOW_NONE, TP_FOLLOW_BOAT } tp_camera_follow;

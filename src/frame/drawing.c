@@ -87,11 +87,15 @@ void tp_frame_enable_modules(tp_frame *frame)
         frame->program, &frame->buffers, frame->scene, &frame->assets, &frame->config);
 
     frame->modules_on = 0;
+    frame->outlined = 0;
     const tp_use *use = frame->program->modules;
     for (uint32_t i = 0; use && use[i].module; i++)
         if (module_has_needed_memory(frame, i)
-            && tp_module_ask_enabled(use[i].module, &conditions))
+            && tp_module_ask_enabled(use[i].module, &conditions)) {
             frame->modules_on |= (uint64_t)1 << i;
+            if (use[i].drawing && use[i].drawing->outlining)
+                frame->outlined = (uint8_t)(i + 1);
+        }
 }
 
 void *tp_frame_module_memory(const tp_frame *frame, uint32_t id)

@@ -158,7 +158,8 @@ typedef enum {
     TP_AT_GLINT,
     TP_AT_AIR,                  /* haze */
     TP_AT_TONE,                 /* tone mapping */
-    TP_AT_GLASS                 /* panes, over tone-mapped colours */
+    TP_AT_GLASS,                /* panes, over tone-mapped colours */
+    TP_AT_END
 } tp_shader_order;
 
 typedef struct {
@@ -304,6 +305,9 @@ typedef struct tp_drawing {
      * module. */
     void  (*stages)(const struct tp_frame *frame, const void *mine, const tp_stage *stage,
                     tp_shaders *list);
+
+    /* The colours of outlines, if the module adds them to the tiles; frame.h. */
+    const struct tp_outlining *outlining;
 } tp_drawing;
 
 /* -- drawing.c: loops over the program's modules ------------------------------------- */

@@ -201,7 +201,19 @@ static uint32_t streamed_cols(const tp_program *program, const tp_scene *scene)
     return tp_frame_is_grid_streamed(program, scene) ? (uint32_t)scene->grid.cols : 0;
 }
 
-/* Scratch size: four planes of the G-buffer, then the pixels unless they are drawn
+/* Returns the planes of a tile's samples: four, and four more for outlines.  The answer
+ * does not depend on the assets, which a caller may not have named yet. */
+static uint32_t count_planes(const tp_program *program, const tp_scene *scene)
+{
+    if (!tp_has_outlines(scene))
+        return 4;
+    for (const tp_use *u = program->modules; u && u->module; u++)
+        if (u->module->is & TP_MODULE_OUTLINES)
+            return 8;
+    return 4;
+}
+
+/* Scratch size: the planes of the G-buffer, then the pixels unless they are drawn
  * elsewhere.  Before pixels exist, the renderer's bytes per column and the window of a
  * streamed grid use the same place. */
 static size_t scratch_size(const tp_config *config, const tp_scene *scene, bool direct)
@@ -211,9 +223,10 @@ static size_t scratch_size(const tp_config *config, const tp_scene *scene, bool 
     if (check(&c, NULL) != TP_OK || tp_program_check_scene(c.program, scene, NULL) != TP_OK)
         return 0;
     const size_t pixels = tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
+    const uint32_t planes = count_planes(c.program, scene);
     const size_t method = tp_renderer_column_bytes(c.program) * c.tile_width
                           + TP_GRID_WINDOW(streamed_cols(c.program, scene));
-    return 4 * tile_sample_count(&c) * sizeof(uint32_t)
+    return planes * tile_sample_count(&c) * sizeof(uint32_t)
            + (pixels > method && !direct ? pixels : method);
 }
 

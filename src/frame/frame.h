@@ -79,8 +79,11 @@ struct tp_frame {
     uint64_t         modules_drawn;     /* enabled modules with samples */
 
     bool             under;             /* true: the eye is in the water */
+    uint8_t          outlined;          /* 1 + the index of the module that draws
+                                         * outlines; 0: tiles have none */
     uint8_t          lacking;           /* first tp_shaders.lacking of all lists, or ... */
 #define TP_LACKING_SKY 255              /* ... no module draws the scene's sky */
+
 
     tp_shade         shade;
     const tp_rgb565_tone_map *tone_map; /* tone mapping and store in one table, or NULL */
@@ -155,6 +158,28 @@ static inline bool tp_frame_has_tank(const tp_frame *frame)
  * row's normals. */
 void tp_frame_colour_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y,
                          uint32_t *to);
+
+/* outline_colours.c: the colours of outlines; see tp_gbuffer.outline. */
+struct tp_outlining {
+    /* Gives the tile a cleared layer in `memory`, four planes. */
+    void (*begin)(const tp_frame *frame, tp_gbuffer *tile, uint32_t *memory);
+    /* Colours row y of the tile's outlines, by the stages before `end`.  Returns false if
+     * none is visible. */
+    bool (*colour_row)(const tp_frame *frame, const tp_gbuffer *tile, int32_t y,
+                       uint32_t end, tp_run *run);
+    /* Blends the coloured outlines over the colours of a run of the row, or over a row of
+     * a planar map: there the sum is premultiplied by its alpha. */
+    void (*blend)(const tp_gbuffer *tile, tp_run *run);
+    void (*blend_map_row)(const tp_gbuffer *tile, int32_t y, uint32_t *to);
+};
+extern const struct tp_outlining tp_outlining_by_share;
+
+/* The outlines of this frame's tiles; NULL: none. */
+static inline const struct tp_outlining *tp_frame_outlining(const tp_frame *frame)
+{
+    return frame->outlined ? frame->program->modules[frame->outlined - 1].drawing->outlining
+                           : NULL;
+}
 
 /* shader_list.c: builds the shader lists for the scene, and their numbers. */
 void tp_frame_set_up_shading(tp_frame *frame);

@@ -13,17 +13,20 @@ static tp_gbuffer make_samples(const tp_frame *frame, void *scratch, const tp_ti
     const tp_config *c = &frame->config;
     size_t    plane = (size_t)c->tile_width * c->tile_height;
     uint32_t *at = scratch;
-
-    return (tp_gbuffer){
+    tp_gbuffer samples = {
         (int32_t)tile->x0, (int32_t)tile->y0, (int32_t)tile->x1, (int32_t)tile->y1,
-        c->tile_width, at, at + plane, at + 2 * plane, at + 3 * plane, false,
+        c->tile_width, at, at + plane, at + 2 * plane, at + 3 * plane, false, 0, NULL,
     };
+
+    if (frame->outlined)
+        tp_frame_outlining(frame)->begin(frame, &samples, at + 4 * plane);
+    return samples;
 }
 
 static void *scratch_pixels(const tp_frame *frame, void *scratch)
 {
     size_t plane = (size_t)frame->config.tile_width * frame->config.tile_height;
-    return (uint32_t *)scratch + 4 * plane;
+    return (uint32_t *)scratch + (frame->outlined ? 8 : 4) * plane;
 }
 
 /* Returns the number of samples, up to `limit`, with the first sample's stencil value. */
@@ -64,6 +67,13 @@ static const tp_shaders *begin_run(const tp_frame *frame, const tp_gbuffer *tile
     return list;
 }
 
+/* Begins the row's outlines.  Returns true if the row has any. */
+static bool begin_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, tp_run *run)
+{
+    return tile->outline
+           && tp_frame_outlining(frame)->colour_row(frame, tile, y, TP_AT_END, run);
+}
+
 static void shade_run(const tp_frame *frame, const tp_shaders *list, tp_run *run)
 {
     for (const tp_shader *s = list->shader; s->stage; s++) {
@@ -76,10 +86,13 @@ static void shade_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, 
 {
     const tp_store store = frame->program->store[frame->config.format];
     tp_run run;
+    const bool outlined = begin_row(frame, tile, y, &run);
 
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
         const tp_shaders *plan = begin_run(frame, tile, x, y, &run);
         shade_run(frame, plan, &run);
+        if (outlined)
+            tp_frame_outlining(frame)->blend(tile, &run);
         if (frame->tone_map)
             frame->store_tone_mapped(frame->tone_map, (uint16_t *)row + x - tile->x0,
                                      run.colour, run.count);
@@ -98,10 +111,13 @@ static void shade_row_with_overlay(const tp_frame *frame, const void *samples, i
     const tp_overlay *overlay = &frame->config.overlay;
     uint32_t *to = tile->n + at;
     tp_run run;
+    const bool outlined = begin_row(frame, tile, y, &run);
 
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
         const tp_shaders *plan = begin_run(frame, tile, x, y, &run);
         shade_run(frame, plan, &run);
+        if (outlined)
+            tp_frame_outlining(frame)->blend(tile, &run);
         memcpy(to + (x - tile->x0), run.colour, (size_t)run.count * sizeof *to);
     }
     tp_overlay_row over = {
@@ -118,6 +134,9 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t 
 {
     const uint32_t *key = tile->key + (size_t)(uint32_t)(y - tile->y0) * tile->stride;
     tp_run run;
+    const bool outlined =
+        tile->outline
+        && tp_frame_outlining(frame)->colour_row(frame, tile, y, TP_AT_TONE, &run);
 
     for (int32_t x = tile->x0; x < tile->x1; ) {
         if (TP_MARK(key[x - tile->x0]) == TP_MARK_SKY) {
@@ -132,6 +151,8 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t 
         for (int32_t k = 0; k < run.count; k++, x++)
             to[x - tile->x0] = run.colour[k] | 0xff000000u;
     }
+    if (outlined)
+        tp_frame_outlining(frame)->blend_map_row(tile, y, to);
 }
 
 /* Draws all geometry into the tile: solids first, the water after them. */

@@ -107,6 +107,9 @@ typedef struct {
     uint32_t *t;                /* water: rest z, 16.16 m; solids: face number */
     uint32_t *n;                /* water: slopes x:z, Q3.12 each; solids: packed normal */
     bool      front_only;       /* skip triangles with area >= 0, see tp_tri_twice_area */
+    uint8_t   outline_shift;    /* see tp_outline_draw_edge */
+    uint32_t *outline;          /* a second layer of four planes, at the same distances:
+                                 * samples of outlines, key 0 elsewhere; NULL: none */
 } tp_gbuffer;
 
 void tp_gbuffer_clear(const tp_gbuffer *tile);
@@ -126,6 +129,42 @@ void tp_tri_solid(const tp_gbuffer *tile, const tp_screen_vertex *a,
  * water in front of the lid is drawn. */
 void tp_tri_depth_only(const tp_gbuffer *tile, const tp_screen_vertex *a,
                        const tp_screen_vertex *b, const tp_screen_vertex *c);
+
+/* -- outlines ------------------------------------------------------------------------ */
+
+/* Samples of a mesh's outline, in the layer tp_gbuffer.outline.  A pixel crossed by an edge
+ * between a front face and a back face, or by a border, shows the mesh with a share: the
+ * part of the pixel on the inner side.  The tile keeps the sample behind the mesh there,
+ * and the outline's sample is blended over its colour.
+ *
+ * The edges of a view are drawn before its faces.  A face's sample in a pixel with an
+ * outline of its own material and depth is left out of the tile.
+ *
+ * t of such a sample is the face number, below 2^15, and two signed sums of shares: of
+ * edges closer to upright, then of edges closer to level.  Each edge adds the part of the
+ * pixel to its right (or below), negative where the mesh lies to its left (or above).  A
+ * sum below 0 lacks the pixel's left part, which is inside.  A rope thinner than a pixel
+ * thus has the share of its width. */
+
+#define TP_OUTLINE_FACES (1u << 15)
+#define TP_OUTLINE_OUT   (1u << 15)     /* in t: the centre is well outside an edge */
+#define TP_OUTLINE_HIT   (1u << 31)     /* in n: a face's sample was left out */
+#define TP_OUTLINE_MORE  (1u << 30)     /* in n: several edges cross the pixel */
+
+/* Returns tp_gbuffer.outline_shift: depths within 8 px of each other belong together. */
+static inline uint8_t tp_outline_shift(int32_t focal_28_4)
+{
+    const int log2 = 27 - tp_clz((uint32_t)focal_28_4 | 16);
+    return (uint8_t)(log2 > 4 ? log2 - 3 : 1);
+}
+
+/* Draws the edge from a to b of a front face; both in the order of the face.  Samples of
+ * the same material within depth / 2^(outline_shift) belong to the same outline. */
+void tp_outline_draw_edge(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                          const tp_screen_vertex *b, uint32_t mark, uint32_t face);
+
+/* Returns the share of the pixel, 0..256, of an outline's sample. */
+uint32_t tp_outline_share(uint32_t t, uint32_t n);
 
 /* Returns twice the signed area, 1/256 square px; negative for a front face. */
 static inline int64_t tp_tri_twice_area(const tp_screen_vertex *a,

@@ -22,6 +22,8 @@ typedef struct {
     uint32_t  face;             /* solids only */
     uint32_t  pattern;          /* solids: bit x & 3 set: the pixel is drawn */
     int32_t   x;
+    ptrdiff_t outline;          /* solids: from keys to keys of outlines; 0: none */
+    uint8_t   window;           /* see tp_gbuffer.outline_shift */
 } span;
 
 /* Normals are stepped in the high bits of a word: 16 bits for a slope, 10 for a solid's
@@ -48,6 +50,49 @@ TP_ALWAYS_INLINE void fill_depth_only(const span *sp)
     }
 }
 
+/* True if a sample of this depth belongs to the outline at `key`.  A surface bends towards
+ * the viewer from its outline on, so the nearer side of the window is wider.  Outside of a
+ * single edge the sample lies behind the outline. */
+static inline bool is_of_outline(const span *sp, const uint32_t *key, uint32_t depth)
+{
+    const uint32_t at = key[0] & ~(uint32_t)0xff, wide = at >> sp->window;
+    const ptrdiff_t plane = sp->s_out - sp->key;
+
+    return key[0] && TP_MARK(key[0]) == sp->mark
+           && depth - at + wide / 4 <= wide / 2
+           && (key[3 * plane] & TP_OUTLINE_MORE
+               || tp_outline_share(key[2 * plane], 0) >= 128);
+}
+
+static void advance_span(span *sp)
+{
+    sp->zi.now += sp->zi.step;
+    sp->s.now += sp->s.step;
+    sp->t.now += sp->t.step;
+    sp->n0.now += sp->n0.step;
+    sp->n1.now += sp->n1.step;
+    sp->n2.now += sp->n2.step;
+}
+
+/* Fills a span of a solid, without the pixels of its outlines. */
+static __attribute__((noinline)) void fill_beside_outlines(span *sp)
+{
+    for (int32_t i = 0; i < sp->count; i++, advance_span(sp)) {
+        uint32_t *key = sp->key + i, *outline = key + sp->outline;
+        const uint32_t depth = sp->zi.now << 1 & ~(uint32_t)0xff;
+        if (depth <= (*key | 0xff) || !(sp->pattern >> ((sp->x + i) & 3) & 1))
+            continue;
+        if (is_of_outline(sp, outline, depth)) {
+            outline[sp->n_out - sp->key] |= TP_OUTLINE_HIT;
+            continue;
+        }
+        *key = depth | sp->mark;
+        sp->s_out[i] = sp->s.now << 16 | (sp->t.now & 0xffff);
+        sp->t_out[i] = sp->face;
+        sp->n_out[i] = pack_normal(sp, SOLID);
+    }
+}
+
 TP_ALWAYS_INLINE void fill_span(span *sp, int kind)
 {
     uint32_t *key = sp->key, *s = sp->s_out, *t = sp->t_out, *n = sp->n_out;
@@ -55,6 +100,10 @@ TP_ALWAYS_INLINE void fill_span(span *sp, int kind)
 
     if (kind == LID) {
         fill_depth_only(sp);
+        return;
+    }
+    if (solid && sp->outline) {
+        fill_beside_outlines(sp);
         return;
     }
     for (int32_t i = 0; i < sp->count; i++) {
@@ -228,6 +277,8 @@ TP_ALWAYS_INLINE void fill_row(const span_painter *p, const tp_gbuffer *tile, in
     if (kind == SOLID) {
         sp.n2 = make_walker(&p->n2, dx, dy);
         sp.face = p->face;
+        sp.outline = tile->outline ? tile->outline - tile->key : 0;
+        sp.window = tile->outline_shift;
         sp.pattern = p->pattern_rows >> 4 * (y & 3) & 15;
     }
     if (exact) {

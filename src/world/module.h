@@ -64,7 +64,8 @@ enum {
     TP_MODULE_STARS  = 512,     /* adds stars to the sky */
     TP_MODULE_PANES  = 1024,    /* has stages that run after the tone mapping */
     TP_MODULE_COASTAL = 2048,   /* waves depend on a floor or on wind */
-    TP_MODULE_MIRROR = 4096     /* planar reflection of solid objects */
+    TP_MODULE_MIRROR = 4096,    /* planar reflection of solid objects */
+    TP_MODULE_OUTLINES = 8192   /* outlines of meshes by coverage */
 };
 
 /* The kind of samples that a module draws, in the upper bits of tp_module.is. */
@@ -82,6 +83,12 @@ typedef struct tp_module_conditions {
     uint32_t shadings;          /* bits of tp_shading: shading rungs that a frame may use */
     uint32_t above;             /* bits of tp_module.is of earlier enabled modules */
 } tp_module_conditions;
+
+/* True if the scene names a boat whose outlines are drawn by coverage. */
+static inline bool tp_has_outlines(const tp_scene *scene)
+{
+    return scene->boat.edges == TP_EDGES_SMOOTH && scene->boat.mesh[0];
+}
 
 /* Returns the conditions for a world. */
 static inline tp_module_conditions tp_world_module_conditions(const tp_program *program,

@@ -100,6 +100,8 @@ static const struct {
     { "drops.target", "pool", TP_DROPS_POOL },
     { "boat.mode", "kinematic", TP_BOAT_KINEMATIC },
     { "boat.mode", "dynamic", TP_BOAT_DYNAMIC },
+    { "boat.edges", "plain", TP_EDGES_PLAIN },
+    { "boat.edges", "smooth", TP_EDGES_SMOOTH },
     { "quality.visibility", "auto", TP_VISIBILITY_AUTO },
     { "quality.visibility", "triangles", TP_VISIBILITY_TRIANGLES },
     { "quality.visibility", "rows", TP_VISIBILITY_ROWS },

@@ -8,12 +8,14 @@
  *     buoyancy.c       the pose on the water
  *     wake.c           the module wake
  *     boat_drawing.c   the modules boat (the mesh) and lids
+ *     boat_outlines.c  the module outlines
  *     boat_stage.c     the lighting of the boat's materials
  *     boat_rungs.c     the cost of the boat's faces
  */
 #ifndef TP_FEATURES_BOAT_BOAT_H
 #define TP_FEATURES_BOAT_BOAT_H
 #include "pool/pool.h"
+#include "raster/raster.h"
 #include "shade/shade.h"
 #include "tidepool/modules.h"
 #include "world/module.h"
@@ -21,14 +23,33 @@
 
 #define TP_BOAT_ID TP_MODULE_ID('b', 'o', 'a', 't')
 
+#define TP_OUTLINES_ID TP_MODULE_ID('o', 'u', 't', 'l')
+
 #define TP_BOAT_MATERIALS 192   /* further materials share the last stencil value */
 
 /* A projected vertex of the mesh.  Two values of u mark a vertex without projection:
- * TP_GRID_NEEDS_CLIP, and OUTSIDE in boat_drawing.c. */
+ * TP_GRID_NEEDS_CLIP, and TP_BOAT_OUTSIDE. */
 typedef struct {
     int32_t  u, v;
     uint32_t zi;
 } tp_boat_vertex;
+
+/* Value of u for a vertex below the clip plane of the view.  A face with three such
+ * vertices is not drawn.  A face with one or two is clipped. */
+#define TP_BOAT_OUTSIDE (TP_GRID_NEEDS_CLIP + 1)
+
+/* The module outlines: edges between front and back faces in the view placed last.  Boats
+ * without the module have plain outlines. */
+typedef struct tp_boat_outlines {
+    void (*find)(const struct tp_boat_outlines *o, const tp_boat_vertex *vertex,
+                 int32_t focal);
+    void (*draw)(const struct tp_boat_outlines *o, const tp_boat_vertex *vertex,
+                 const tp_gbuffer *tile, uint32_t mark);
+    const tp_mesh *mesh;
+    uint32_t *neighbour;        /* of each face's three edges, or none */
+    uint8_t  *edges;            /* of each face: bit k: edge k is an outline */
+    uint32_t *list;             /* lists of half-edges by vertex, at init only */
+} tp_boat_outlines;
 
 /* Data of the boat's span stages; first in tp_run.mine. */
 typedef struct {
@@ -110,6 +131,9 @@ static inline tp_fx tp_fx_of_q40(int64_t x)
     TP_ROW_NUMBER("boat.rudder", boat.rudder, "degrees/s", -90, 90, 0, \
         "turn rate without any input"), \
     TP_ROW_NUMBER("boat.wake", boat.wake, "", 0, 1, 0.5, \
-        "share of the displaced volume that makes waves in the pool")
+        "share of the displaced volume that makes waves in the pool"), \
+    TP_ROW_CHOICE("boat.edges", boat.edges, "plain|smooth", TP_EDGES_SMOOTH, \
+        TP_EDGES_SMOOTH, \
+        "outlines: by pixel centres (plain), or by each pixel's covered share")
 
 #endif

@@ -82,9 +82,7 @@ static tp_view_vertex transform_vertex(const drawn_boat *b, const tp_mesh_vertex
     return c;
 }
 
-/* Value of u for a vertex below the clip plane of the view.  A face with three such
- * vertices is not drawn.  A face with one or two is clipped. */
-#define OUTSIDE (TP_GRID_NEEDS_CLIP + 1)
+#define OUTSIDE TP_BOAT_OUTSIDE
 
 /* Projects vertex i of the mesh into b->vertex[i], or marks it as OUTSIDE or as one that
  * needs clipping. */
@@ -130,6 +128,14 @@ static void widen_box_by_face(drawn_boat *b, const tp_view *view, const tp_mesh_
         tp_box_widen(&b->box, corner[k].u, corner[k].v);
 }
 
+static void find_outlines(const tp_frame *frame, const drawn_boat *b)
+{
+    const tp_boat_outlines *o = tp_frame_module_memory(frame, TP_OUTLINES_ID);
+
+    if (o && b->box.x0 <= b->box.x1)
+        o->find(o, b->vertex, frame->shade.focal);
+}
+
 static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     drawn_boat *b = mine;
@@ -141,6 +147,8 @@ static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box
         project_vertex(b, view, i);
     for (uint32_t f = 0; f < mesh->n_faces; f++)
         widen_box_by_face(b, view, &mesh->faces[f]);
+    if (frame->outlined)
+        find_outlines(frame, b);
     if (b->box.x0 <= b->box.x1) {
         frame->stats.vertices += mesh->n_vertices;
         frame->stats.triangles += mesh->n_faces;
@@ -245,11 +253,25 @@ static void draw_faces(const drawn_boat *b, const tp_view *view, tp_gbuffer *sam
     }
 }
 
+static void draw_outlines(const tp_frame *frame, const drawn_boat *b, tp_gbuffer *samples,
+                          uint32_t mark)
+{
+    const tp_boat_outlines *o = tp_frame_module_memory(frame, TP_OUTLINES_ID);
+
+    if (o)
+        o->draw(o, b->vertex, samples, mark);
+}
+
 static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
                  tp_gbuffer *samples, uint32_t mark)
 {
-    (void)frame;
-    draw_faces(mine, view, samples, false, mark);
+    const drawn_boat *b = mine;
+
+    if (samples->outline && !tp_box_overlaps_tile(&b->box, samples))
+        samples->outline = NULL;
+    if (samples->outline)
+        draw_outlines(frame, b, samples, mark);
+    draw_faces(b, view, samples, false, mark);
 }
 
 /* -- materials ----------------------------------------------------------------------- */

@@ -120,6 +120,9 @@ static void draw_mirror(tp_frame *frame, mirror *m, const tp_view *view)
     for (int32_t y0 = map->y0; y0 < map->y1; y0 += TP_PLANAR_BAND) {
         tp_gbuffer band = tp_planar_gbuffer(store, map, y0);
         tp_gbuffer_clear(&band);
+        if (frame->outlined)
+            tp_frame_outlining(frame)->begin(
+                frame, &band, store->samples + 4 * (size_t)store->cols * TP_PLANAR_BAND);
         tp_view_draw_solids(frame, view, &band);
         for (int32_t y = y0; y < band.y1; y++) {
             tp_frame_colour_row(frame, &band, y,
@@ -175,6 +178,9 @@ static void *layout_mirror(tp_arena *arena, const tp_module_conditions *conditio
     mirror *m = tp_arena_alloc(arena, 1, sizeof *m), made = { .look.bend = 0 };
 
     tp_planar_layout(&made.store, arena, conditions, count_halvings(conditions));
+    if (tp_has_outlines(conditions->scene))     /* right behind the band's samples */
+        tp_arena_alloc(arena, (size_t)made.store.cols * TP_PLANAR_BAND,
+                       4 * sizeof *made.store.samples);
     made.look.zi = made.zi = tp_arena_alloc(arena, made.store.cols, sizeof *made.zi);
     if (m)
         *m = made;
@@ -255,7 +261,7 @@ static bool draw_face(tp_frame *frame, uint32_t *samples, tp_view *view, uint32_
     memset(texels, 0, TP_OBJECT_CUBE_SIDE * TP_OBJECT_CUBE_SIDE * sizeof *texels);
     for (int32_t y0 = 0; y0 < WIDE; y0 += BAND) {
         tp_gbuffer band = { 0, y0, WIDE, y0 + BAND, WIDE, samples, samples + plane,
-                            samples + 2 * plane, samples + 3 * plane, false };
+                            samples + 2 * plane, samples + 3 * plane, false, 0, NULL };
         if (!tp_box_overlaps_tile(&box, &band))
             continue;
         tp_gbuffer_clear(&band);
