@@ -179,6 +179,17 @@ static void mark_water_and_reflecting_rays(tp_site *site, cost_callbacks *callba
     }
 }
 
+/* Returns the pixels of outlines, drawn over what lies behind: 23 sqrt(area), as measured
+ * for a longship with its ropes, oars and shields. */
+static uint32_t outline_pixels(const tp_site *site, uint32_t solid)
+{
+    const uint32_t outline = 23 * tp_isqrt64((uint64_t)solid << 16) >> 8;
+
+    if (!(site->is & TP_MODULE_OUTLINES))
+        return 0;
+    return outline < solid / 2 ? outline : solid / 2;
+}
+
 /* Counts the picture's pixels by content, and lets each module add the work of its pixels
  * to site->fixed_cost. */
 static void add_pixels_to_fixed_cost(tp_site *site, cost_callbacks *callbacks)
@@ -193,8 +204,12 @@ static void add_pixels_to_fixed_cost(tp_site *site, cost_callbacks *callbacks)
         looks += count_bits(reflecting[j] & ~site->solid[j]);
         sky += count_bits(~(site->wet[j] | site->solid[j]));
     }
+    const uint32_t all = tp_work_ray_pixels(site, solid);
+    const uint32_t behind = outline_pixels(site, all);
     site->fixed_cost.hidden = tp_work_ray_pixels(site, hidden);
-    site->fixed_cost.solid = tp_work_ray_pixels(site, solid);
+    site->fixed_cost.hidden -= (uint32_t)((uint64_t)site->fixed_cost.hidden * behind
+                                          / (all + !all));
+    site->fixed_cost.solid = all;
     site->fixed_cost.of[TP_WORK_solid] = tp_work_ray_pixels(site, solid - site->apart);
     for (uint32_t k = 0; k < callbacks->count; k++) {
         const tp_work_pixels pixels = {
