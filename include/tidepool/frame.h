@@ -124,8 +124,8 @@ typedef struct tp_frame tp_frame;   /* lies at the start of the block */
 
 /* Returns the bytes of a frame's block.  0: the config or the scene is out of range.
  *
- * The numbers of the scene may change between pictures, except grid.cols, grid.rows and
- * the names of files: tp_world_apply checks a change and applies it.
+ * The numbers of the scene may change between pictures, except grid.cols, grid.rows,
+ * grid.vertices and the names of files: tp_world_apply checks a change and applies it.
  *
  * Memory is fixed at init.  If the scene grows later, extra drops, rings and specks are
  * left out.  Features that were absent at init are not drawn: a floor, wind, mirror,

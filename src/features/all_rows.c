@@ -99,6 +99,8 @@ static const tp_param rows[] = {
     TP_ROW_NUMBER("grid.reach", grid.reach, "m", 0, 16000, 4000,
         "distance of water beyond the mesh; 0: the mesh alone"),
     TP_ROW_SWITCH("grid.follow", grid.follow, 1, "the mesh moves with the camera"),
+    TP_ROW_COUNT("grid.vertices", grid.vertices, "points", 0, 65536, 0,
+        "points of a mesh to the horizon in open water; 0: none"),
 
     WAVE(0),  WAVE(1),  WAVE(2),  WAVE(3),  WAVE(4),  WAVE(5),  WAVE(6),  WAVE(7),
     WAVE(8),  WAVE(9),  WAVE(10), WAVE(11), WAVE(12), WAVE(13), WAVE(14), WAVE(15),

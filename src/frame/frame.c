@@ -28,7 +28,7 @@ static void layout_renderers(tp_frame_buffers *p, tp_arena *arena,
             method->layout(p, arena, program, scene, config);
     }
     if (p->rung_mask.lod >> TP_LOD_ON & 1 && program->water.lod
-        && program->method.triangles)
+        && program->method.triangles && !tp_frame_uses_fan(program, scene))
         program->water.lod->layout(p->grid, arena);
 }
 
@@ -44,7 +44,13 @@ bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene)
 bool tp_frame_is_grid_streamed(const tp_program *program, const tp_scene *scene)
 {
     const struct tp_water_renderer *method = program->method.triangles;
-    return method && method->streams && !tp_frame_is_coastal(program, scene);
+    return method && method->streams
+           && (tp_frame_uses_fan(program, scene) || !tp_frame_is_coastal(program, scene));
+}
+
+bool tp_frame_uses_fan(const tp_program *program, const tp_scene *scene)
+{
+    return program->water.fan && tp_has_fan(scene);
 }
 
 /* Returns the conditions that decide if a module is on, for a frame. */
@@ -198,7 +204,10 @@ static size_t tile_sample_count(const tp_config *c)
 
 static uint32_t streamed_cols(const tp_program *program, const tp_scene *scene)
 {
-    return tp_frame_is_grid_streamed(program, scene) ? (uint32_t)scene->grid.cols : 0;
+    if (!tp_frame_is_grid_streamed(program, scene))
+        return 0;
+    return tp_frame_uses_fan(program, scene) ? tp_fan_most_cols(tp_fan_budget(scene))
+                                             : (uint32_t)scene->grid.cols;
 }
 
 /* Returns the planes of a tile's samples: four, and four more for outlines.  The answer

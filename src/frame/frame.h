@@ -11,6 +11,7 @@
 #include "quality/plan.h"
 #include "quality/prices.h"
 #include "raster/raster.h"
+#include "view/fan.h"
 #include "view/wave_models.h"
 #include "waves/deep_water.h"
 #include "world/pools.h"
@@ -105,6 +106,9 @@ tp_module_conditions tp_frame_module_conditions(const tp_program *program,
                                                 const tp_assets *assets,
                                                 const tp_config *config);
 bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene);
+
+/* True if the water's grid is a fan. */
+bool tp_frame_uses_fan(const tp_program *program, const tp_scene *scene);
 
 /* True if the water's grid vertices are streamed, not stored. */
 bool tp_frame_is_grid_streamed(const tp_program *program, const tp_scene *scene);

@@ -2,6 +2,7 @@
 /* The water's cells as triangles. */
 #include "frame/frame.h"
 #include "frame/tools.h"
+#include "view/fan.h"
 #include "view/wave_models.h"
 
 static tp_screen_vertex make_corner(const tp_grid *grid, const tp_grid_window *window,
@@ -10,7 +11,7 @@ static tp_screen_vertex make_corner(const tp_grid *grid, const tp_grid_window *w
     const tp_grid_vertex *vertex = &window->line[j & 1][i];
     return (tp_screen_vertex){
         .u = vertex->u, .v = vertex->v, .zi = vertex->zi,
-        .s = grid->column[i].place, .t = grid->row[j].place,
+        .s = tp_grid_s(grid, i, j), .t = tp_grid_t(grid, i, j),
         .n = { vertex->slope_x, vertex->slope_z, 0 },
     };
 }
@@ -159,6 +160,8 @@ void tp_frame_begin_grid(tp_frame *frame)
     const tp_grid *grid = frame->buffers.grid;
 
     tp_grid_set_lines_and_cells(frame->buffers.grid, &frame->grid_view);
+    if (frame->buffers.filtered)
+        frame->surface.by->fan->fill_variance(grid, frame->buffers.filtered);
     frame->cull_water = frame->projection.eye.y > tp_surface_height_bound(&frame->surface);
     for (uint32_t j = 0; j + 1 < grid->rows; j++)
         frame->stats.triangles += 2u * (uint32_t)(grid->span[j].end - grid->span[j].first);
@@ -230,6 +233,12 @@ static void layout_water(tp_frame_buffers *buffers, tp_arena *arena,
     tp_grid *grid = layout_grid(buffers, arena, &counted);
 
     (void)config;
+    if (tp_frame_uses_fan(program, scene)) {
+        program->water.fan->layout(grid, arena, tp_fan_budget(scene),
+                                   tp_frame_is_grid_streamed(program, scene));
+        buffers->filtered = tp_arena_alloc(arena, 1, sizeof *buffers->filtered);
+        return;
+    }
     tp_grid_layout(grid, arena, (uint32_t)scene->grid.cols, (uint32_t)scene->grid.rows);
     if (tp_frame_is_coastal(program, scene))
         program->water.coastal->layout(grid, arena);
@@ -242,7 +251,8 @@ static void layout_streamed(tp_frame_buffers *buffers, tp_arena *arena,
     uint32_t waves = 0;
     tp_grid  counted;
 
-    if (!tp_frame_is_grid_streamed(program, scene)) {
+    if (!tp_frame_is_grid_streamed(program, scene)
+        || tp_frame_uses_fan(program, scene)) {
         layout_water(buffers, arena, program, scene, config);
         return;
     }

@@ -3,7 +3,9 @@
  * The scanline grid, see frame.h: the conditions for its use, and its placement.
  */
 #include "frame/frame.h"
+#include "view/fan.h"
 #include "waves/coastal_tables.h"
+#include "world/pools.h"
 
 /* -- scanline validity --------------------------------------------------------------- */
 
@@ -39,6 +41,8 @@ typedef struct {
 
 static bool is_view_along_x(const tp_frame *frame)
 {
+    if (frame->buffers.grid->fan)
+        return false;
     const tp_dir3 *back = &frame->projection.turn.z;
     return tp_abs(back->x) > tp_abs(back->z);
 }
@@ -55,7 +59,35 @@ static level_ray corner_ray(const tp_frame *frame, int corner)
     v = corner & 2 ? v : -v;
     int64_t x = (turn->x.x * u + turn->y.x * v - turn->z.x * far) >> 30;
     int64_t z = (turn->x.z * u + turn->y.z * v - turn->z.z * far) >> 30;
+    if (frame->buffers.grid->fan) {
+        const tp_dir3 r = tp_fan_rows_direction(turn);
+        return (level_ray){ (z * r.x - x * r.z) >> 30, (x * r.x + z * r.z) >> 30 };
+    }
     return is_view_along_x(frame) ? (level_ray){ x, z } : (level_ray){ z, x };
+}
+
+/* Bends of a swell: along the lines, and along times across. */
+typedef struct {
+    int64_t along, cross;
+} line_bend;
+
+/* Turns the bends of a swell to the rows of a fan. */
+static line_bend fan_bend(const tp_swell *w, tp_dir3 right)
+{
+    const int64_t x = right.x >> 15, z = right.z >> 15;
+    const int64_t xx = x * x >> 15, xz = x * z >> 15, zz = z * z >> 15;     /* Q15 */
+
+    return (line_bend){
+        (w->bend_xx * xx + 2 * w->bend_xz * xz + w->bend_zz * zz) >> 15,
+        ((int64_t)(w->bend_zz - w->bend_xx) * xz + w->bend_xz * (xx - zz)) >> 15,
+    };
+}
+
+static line_bend bend_on_lines(const tp_frame *frame, const tp_swell *w)
+{
+    if (frame->buffers.grid->fan)
+        return fan_bend(w, tp_fan_rows_direction(&frame->projection.turn));
+    return (line_bend){ is_view_along_x(frame) ? w->bend_zz : w->bend_xx, w->bend_xz };
 }
 
 static bool is_line_order_kept(const tp_frame *frame, tp_fx t)
@@ -64,9 +96,8 @@ static bool is_line_order_kept(const tp_frame *frame, tp_fx t)
     int64_t sum = 0;
 
     for (uint32_t i = 0; i < deep->count; i++) {
-        const tp_swell *w = &deep->swell[i];
-        tp_q30  mm = is_view_along_x(frame) ? w->bend_zz : w->bend_xx;
-        int64_t b = (mm - ((int64_t)w->bend_xz * t >> 16)) >> 14;
+        const line_bend bend = bend_on_lines(frame, &deep->swell[i]);
+        int64_t b = (bend.along - (bend.cross * t >> 16)) >> 14;
         sum += b < 0 ? -b : b;
     }
     return sum < (frame->surface.coastal ? STEEPENS : FOLDS);
@@ -77,7 +108,8 @@ static bool is_line_order_kept(const tp_frame *frame, tp_fx t)
 static bool are_lines_ordered_in_view(const tp_frame *frame)
 {
     const tp_dir3 *back = &frame->projection.turn.z;
-    bool behind = (is_view_along_x(frame) ? back->x : back->z) > 0;
+    bool behind = frame->buffers.grid->fan
+               || (is_view_along_x(frame) ? back->x : back->z) > 0;
 
     for (int corner = 0; corner < 4; corner++) {
         level_ray ray = corner_ray(frame, corner);
@@ -123,8 +155,9 @@ bool tp_frame_can_draw_rows(tp_frame *frame)
 void tp_lines_layout(tp_frame_buffers *buffers, tp_arena *arena, const tp_program *program,
                      const tp_scene *scene, const tp_config *config)
 {
+    const uint32_t fan = tp_frame_uses_fan(program, scene) ? tp_fan_budget(scene) : 0;
     size_t cols = (size_t)scene->grid.cols, rows = (size_t)scene->grid.rows;
-    size_t lines = cols > rows ? cols : rows;
+    size_t lines = fan ? tp_fan_most_rows(fan) : cols > rows ? cols : rows;
     size_t upright = cols * ((rows - 2) / TP_GRID_BLOCK + 1);
     size_t level = rows * ((cols - 2) / TP_GRID_BLOCK + 1);
     const bool streams = tp_frame_is_grid_streamed(program, scene);
@@ -133,8 +166,9 @@ void tp_lines_layout(tp_frame_buffers *buffers, tp_arena *arena, const tp_progra
     tp_frame_lines *to = tp_arena_alloc(arena, 1, sizeof *to);
     const tp_frame_lines l = {
         .line = tp_arena_alloc(arena, lines, sizeof *l.line),
-        .line_box = streams ? NULL : tp_arena_alloc(arena, upright, sizeof *l.line_box),
-        .reach = tp_arena_alloc(arena, upright > level && !streams ? upright : level,
+        .line_box = streams || fan ? NULL : tp_arena_alloc(arena, upright, sizeof *l.line_box),
+        .reach = tp_arena_alloc(arena, fan ? TP_FAN_BLOCKS(fan, lines)
+                                       : upright > level && !streams ? upright : level,
                                 sizeof *l.reach),
     };
     if (to)
@@ -151,7 +185,7 @@ tp_row_point tp_line_point(const tp_frame *frame, const tp_grid_window *window, 
     uint32_t i = upright ? k : m, j = upright ? m : k;
 
     return (tp_row_point){
-        v->u, v->v, v->zi, grid->column[i].place, grid->row[j].place,
+        v->u, v->v, v->zi, tp_grid_s(grid, i, j), tp_grid_t(grid, i, j),
         (uint32_t)(uint16_t)v->slope_x << 16 | (uint16_t)v->slope_z,
     };
 }
@@ -203,10 +237,13 @@ static void turn(tp_frame *frame)
     const tp_dir3 *back = &frame->projection.turn.z;
     tp_frame_lines *lines = frame->buffers.lines;
 
-    lines->upright = tp_abs(back->x) > tp_abs(back->z);
+    lines->upright = is_view_along_x(frame);
     if (lines->upright) {
         lines->lines_back = back->x > 0;
         lines->points_back = back->x > 0;
+    } else if (grid->fan) {
+        lines->lines_back = true;
+        lines->points_back = false;
     } else {
         lines->lines_back = back->z > 0;
         lines->points_back = back->z < 0;
@@ -220,7 +257,7 @@ static void turn(tp_frame *frame)
 static bool is_tilted(const tp_frame *frame)
 {
     int32_t x = tp_abs(frame->projection.turn.z.x), z = tp_abs(frame->projection.turn.z.z);
-    return 4 * (int64_t)(x < z ? x : z) > (x < z ? z : x);
+    return !frame->buffers.grid->fan && 4 * (int64_t)(x < z ? x : z) > (x < z ? z : x);
 }
 
 /* For each pair of neighbouring lines, sets the range of visible cells between the two. */

@@ -47,10 +47,14 @@ void tp_frame_place_level(tp_frame *frame)
 {
     TP_ASSERT(frame->buffers.level != NULL);
     const tp_scene *scene = frame->scene;
+    const tp_grid_view *view = &frame->grid_view;
+    const struct tp_water_fan *fan = view->vertices ? frame->surface.by->fan : NULL;
     tp_grid_extent across =
-        tp_grid_lines_extent((uint32_t)scene->grid.cols, &frame->grid_view, false);
+        fan ? fan->extent(view, false)
+            : tp_grid_lines_extent((uint32_t)scene->grid.cols, view, false);
     tp_grid_extent along =
-        tp_grid_lines_extent((uint32_t)scene->grid.rows, &frame->grid_view, true);
+        fan ? fan->extent(view, true)
+            : tp_grid_lines_extent((uint32_t)scene->grid.rows, view, true);
 
     tp_level_begin(frame->buffers.level, &frame->projection, &across, &along);
 }

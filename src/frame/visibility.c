@@ -114,6 +114,8 @@ static void set_grid_view(tp_frame *frame)
         .cell = clamped_cell_size(frame->scene),
         .reach = frame->scene->grid.reach,
         .follow = frame->scene->grid.follow != 0,
+        .vertices = tp_frame_uses_fan(frame->program, frame->scene)
+                        ? tp_fan_budget(frame->scene) : 0,
         .lod = frame->rungs.lod == TP_LOD_ON && frame->surface.by->lod
                && has_only_plain_swells(&frame->surface),
     };
@@ -125,6 +127,8 @@ void tp_frame_choose_visibility(tp_frame *frame)
         tp_frame_renderer(frame->program, frame->rungs.visibility);
 
     set_grid_view(frame);
+    if (frame->buffers.filtered)        /* renderers without a grid filter nothing */
+        tp_filtered_waves_clear(frame->buffers.filtered);
     frame->visibility = frame->rungs.visibility;
     if (!method || (method->holds && !method->holds(frame)))
         frame->visibility = TP_VISIBILITY_TRIANGLES;

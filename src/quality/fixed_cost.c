@@ -66,6 +66,14 @@ static void set_water_extent(tp_start_view *at, const tp_scene *s)
     at->water =
         (tp_rectangle){ tp_fx_saturate(at->x - wide), tp_fx_saturate(at->x + wide),
                         tp_fx_saturate(at->z - deep), tp_fx_saturate(at->z + deep) };
+    if (tp_has_fan(s)) {
+        const tp_fx far = 16000 * TP_FX_ONE;
+        at->x = at->eye.x;
+        at->z = at->eye.z;
+        at->water =
+            (tp_rectangle){ tp_fx_saturate(at->x - far), tp_fx_saturate(at->x + far),
+                            tp_fx_saturate(at->z - far), tp_fx_saturate(at->z + far) };
+    }
     if (tp_has_tank(s) && s->grid.reach == 0)
         at->water = tp_pool_sides(s);
 }

@@ -161,15 +161,17 @@ static void set_points_per_renderer(tp_view_estimate *o, const tp_start_view *at
 
 /* True if lines keep their order along a ray.  Sums the bend along the lines minus t
  * times the bend across the lines.  Steepness is scaled to a sum of at most 0.95. */
-static bool is_line_order_kept(const tp_scene *s, bool coastal, bool upright, int64_t slant)
+static bool is_line_order_kept(const tp_scene *s, bool coastal, tp_dir3 lines,
+                               int64_t slant)
 {
+    const int64_t x = lines.x >> 14, z = lines.z >> 14;
     int64_t sum = 0, steepness = 0;
 
     for (int i = 0; i < TP_WAVES; i++) {
         const tp_wave *w = &s->wave[i];
         const tp_dir3  d = tp_rotation_from_angles(tp_turn_of_degrees(w->heading), 0, 0).x;
-        const int64_t  m = upright ? d.x >> 14 : d.z >> 14, k = upright ? d.z >> 14
-                                                                        : d.x >> 14;
+        const int64_t  k = ((d.x >> 14) * x + (d.z >> 14) * z) >> 16;
+        const int64_t  m = ((d.z >> 14) * x - (d.x >> 14) * z) >> 16;
         const int64_t  bend = (m * m + (slant * m >> 16) * k) >> 16;
         if (w->amplitude <= 0)
             continue;
@@ -187,16 +189,23 @@ static bool is_rows_renderer_usable(const tp_scene *s, bool coastal,
                                     const tp_start_view *at)
 {
     const tp_dir3 *back = &at->turn.z;
-    const bool upright = tp_abs(back->x) > tp_abs(back->z);
-    const bool behind = (upright ? back->x : back->z) > 0;
+    const bool fan = tp_has_fan(s);
+    const bool upright = !fan && tp_abs(back->x) > tp_abs(back->z);
+    const bool behind = fan || (upright ? back->x : back->z) > 0;
+    const tp_dir3 lines = fan ? at->turn.x : upright ? (tp_dir3){ 0, 0, TP_Q30_ONE }
+                                                     : (tp_dir3){ TP_Q30_ONE, 0, 0 };
 
     for (int corner = 0; corner < 4; corner++) {
-        const tp_vec3 ray = tp_start_view_ray(at, corner & 1 ? at->wide : -at->wide,
-                                              corner & 2 ? at->high : -at->high);
+        tp_vec3 ray = tp_start_view_ray(at, corner & 1 ? at->wide : -at->wide,
+                                        corner & 2 ? at->high : -at->high);
+        if (fan)
+            ray = (tp_vec3){ (tp_fx)tp_dot_dir(ray, lines), 0,
+                             tp_dot_dir(ray, (tp_dir3){ -lines.z, 0, lines.x }) };
         const int64_t across = (upright ? ray.x : ray.z) * (behind ? -1 : 1);
         const int64_t along = (upright ? ray.z : ray.x) * (behind ? -1 : 1);
         if (across < 256 || (along < 0 ? -along : along) >= 3 * across
-            || !is_line_order_kept(s, coastal, upright, along * TP_FX_ONE / across))
+            || !is_line_order_kept(s, coastal, lines,
+                                   along * (upright ? -TP_FX_ONE : TP_FX_ONE) / across))
             return false;
     }
     return true;
@@ -209,6 +218,21 @@ static tp_fx view_slant_to_grid_lines(const tp_start_view *at)
     const int64_t across = x > z ? x : z, along = x > z ? z : x;
 
     return across > 0 ? (tp_fx)(along * TP_FX_ONE / across) : 0;
+}
+
+/* Sets the grid's vertices, and its cells that get a pixel.  A fan covers little more than
+ * the view, with cells as large as pixels or larger. */
+static void set_grid_size(tp_view_estimate *o, const tp_start_view *at, const tp_scene *s)
+{
+    if (tp_has_fan(s)) {
+        o->vertices = o->drawn = tp_fan_budget(s) * 9 / 10;
+        return;
+    }
+    const viewed spots = count_visible_grid_points(at, s, o->focal);
+    const uint64_t crossings = (uint64_t)s->grid.cols * (uint64_t)s->grid.rows;
+
+    o->vertices = (uint32_t)(crossings * spots.spots / (SPOTS * SPOTS));
+    o->drawn = (uint32_t)(crossings * spots.drawn / (256 * SPOTS * SPOTS));
 }
 
 /* Lists the water renderers that fit the view.  The frame decides by its own camera; the
@@ -304,7 +328,7 @@ static void set_wave_flags(tp_view_estimate *o, const tp_scene *s)
     for (int i = 0; i < TP_WAVES; i++)
         o->sharp |= s->wave[i].amplitude > 0 && s->wave[i].exponent > 1;
     o->still = o->waves == 0 && !raised;
-    o->plain = !o->sharp && !raised;
+    o->plain = !o->sharp && !raised && !tp_has_fan(s);
 }
 
 /* -- the estimate -------------------------------------------------------------------- */
@@ -333,17 +357,14 @@ tp_view_estimate tp_view_estimate_make(const tp_plan_input *in)
 
     o.water_pixels = (uint32_t)(pixels * count_water_rays(&at) / (RAYS * RAYS));
     o.other_pixels = (uint32_t)pixels - o.water_pixels;
-    const viewed spots = count_visible_grid_points(&at, scene, o.focal);
-    const uint64_t crossings = (uint64_t)scene->grid.cols * (uint64_t)scene->grid.rows;
-    o.vertices = (uint32_t)(crossings * spots.spots / (SPOTS * SPOTS));
-    o.drawn = (uint32_t)(crossings * spots.drawn / (256 * SPOTS * SPOTS));
+    set_grid_size(&o, &at, scene);
     record_surface_modules(&o, in->modules, &conditions);
     o.trait[TP_TRAIT_plain] = 1;
     record_drawn_modules(&o, in->modules, conditions);
     o.quick = (o.modules & TP_MODULE_FAST) != 0;
     classify_sea(&o, scene);
     o.floor = (uint8_t)(tp_has_floor(scene) + (tp_has_floor(scene) && assets->floor));
-    o.slant = view_slant_to_grid_lines(&at);
+    o.slant = tp_has_fan(scene) ? 0 : view_slant_to_grid_lines(&at);
     set_wave_flags(&o, scene);
     for (int i = 0; i < TP_WAVES; i++)
         waves += scene->wave[i].amplitude > 0 ? scene->wave[i].amplitude : 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The water's grid; see the header for the idea. */
-#include "view/grid.h"
+#include "view/fan.h"
 #include "view/wave_models.h"
 
 /* Allocates all tables except the vertices. */
@@ -25,6 +25,7 @@ static void layout_tables(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_
     grid->sheet[0] = grid->sheet[1] = grid->sheet[2] = NULL;
     grid->dry = NULL;
     grid->lod = NULL;
+    grid->fan = NULL;
 }
 
 void tp_grid_layout(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows)
@@ -168,7 +169,8 @@ tp_view_vertex tp_grid_make_view_vertex(const tp_grid *grid, const tp_grid_verte
     TP_ASSERT(i < grid->cols && j < grid->rows);
     tp_view_vertex c = tp_grid_is_coastal(grid)
                            ? grid->frame.surface->by->coastal->corner(grid, i, j)
-                           : make_view_vertex(grid, i, j);
+                       : grid->fan ? grid->frame.surface->by->fan->corner(grid, i, j)
+                                   : make_view_vertex(grid, i, j);
 
     c.n[0] = vertex->slope_x;
     c.n[1] = vertex->slope_z;
@@ -184,6 +186,10 @@ static void evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32
 
     if (first >= end)
         return;
+    if (grid->fan) {
+        grid->frame.surface->by->fan->row(grid, j, first, end, vertex);
+        return;
+    }
     set_row(grid, j, true, &row);
     for (uint32_t i = first, stop; i < end; i = stop) {
         stop = (i / TP_VERTEX_BATCH + 1) * TP_VERTEX_BATCH;
@@ -313,6 +319,10 @@ static void place_lines(tp_grid *grid, const tp_grid_view *view)
 void tp_grid_set_lines_and_cells(tp_grid *grid, const tp_grid_view *view)
 {
     TP_ASSERT(view->cell > 0);
+    if (grid->fan) {
+        view->surface->by->fan->place(grid, view);
+        return;
+    }
     tp_plane planes[TP_PROJECTION_PLANES];
     uint32_t side[TP_PROJECTION_PLANES] = { 0 };
     tp_vertex_frame *frame = &grid->frame;

@@ -56,6 +56,7 @@ typedef struct {
     tp_vec3  *sheet[3];         /* displaced vertices of coastal water, three rows */
     uint32_t  sheets;           /* displaced rows; the last is (sheets - 1) % 3 */
     uint32_t *dry;              /* a bit per vertex of coastal water: on land */
+    struct tp_fan *fan;         /* view/fan.h; NULL: lines along x and z */
 } tp_grid;
 
 void tp_grid_layout(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows);
@@ -77,6 +78,7 @@ typedef struct {
     tp_fx cell, reach;
     bool  follow;
     bool  lod;                  /* true: level of detail is allowed (plain swells) */
+    uint32_t vertices;          /* budget of a fan; 0: no fan */
 } tp_grid_view;
 
 static inline bool tp_grid_vertex_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)

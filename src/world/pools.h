@@ -37,6 +37,18 @@ static inline bool tp_has_floor(const tp_scene *scene)
     return scene->floor.depth > 0 || scene->floor.map[0];
 }
 
+/* True if the water's grid is a fan to the horizon: open water, without floor or tank. */
+static inline bool tp_has_fan(const tp_scene *scene)
+{
+    return scene->grid.vertices > 0 && !tp_has_floor(scene) && !tp_has_tank(scene);
+}
+
+/* Returns the budget of vertices of a fan. */
+static inline uint32_t tp_fan_budget(const tp_scene *scene)
+{
+    return scene->grid.vertices > 64 ? (uint32_t)scene->grid.vertices : 64;
+}
+
 /* True if the pool has inner walls. */
 static inline bool tp_has_inner_walls(const tp_scene *scene)
 {

@@ -49,7 +49,7 @@ static inline tp_scene scene_any(uint64_t *state)
     tp_scene_level(&s);
     for (uint32_t i = 0; i < count; i++) {
         const tp_param *row = &rows[i];
-        if (!scene_is_number(row))
+        if (!scene_is_number(row) || row->offset == offsetof(tp_scene, grid.vertices))
             continue;
         const uint32_t kind = random_below(state, 2 + 2 * bold);
         *scene_number(&s, row) = kind == 0 ? row->normal
@@ -304,6 +304,22 @@ static inline void kit_switch_on(tp_scene *s, uint64_t *state)
     s->drops.interval = TP_FX(0.05);
 }
 
+/* Replaces the grid by a fan, two in three of these over deep water; drawn after all other
+ * numbers. */
+static inline void kit_fan(tp_scene *s, uint64_t *state, uint32_t most)
+{
+    s->grid.vertices = 1 + (int32_t)random_below(state, most);
+    if (random_below(state, 3) == 0)
+        return;
+    s->floor.depth = 0;
+    s->floor.map[0] = '\0';
+    s->tank.kind = TP_TANK_NONE;
+    if (random_below(state, 2))
+        s->wind.strength = 0;
+    if (random_below(state, 3) == 0)
+        s->camera.y = chance_fx(state, 0.1, 160);
+}
+
 /* A scene of random numbers; three in four scenes have all assets in front of the
  * camera. */
 static inline tp_scene kit_scene(uint64_t *state, int32_t grid, int32_t cells)
@@ -315,6 +331,8 @@ static inline tp_scene kit_scene(uint64_t *state, int32_t grid, int32_t cells)
         kit_switch_on(&s, state);
     }
     kit_hold(&s, grid, cells);
+    if (random_below(state, 3) == 0)
+        kit_fan(&s, state, (uint32_t)grid * (uint32_t)grid);
     return s;
 }
 #endif

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include "finite_depth.h"
 #include "surf.h"
+#include "world/pools.h"
 #include "world/world.h"
 
 /* -- extent -------------------------------------------------------------------------- */
@@ -27,6 +28,9 @@ static double cell_centre(double eye, double ahead, double cell, int count, bool
 static ref_extent make_extent(const tp_scene *scene, ref_vec eye, ref_vec ahead,
                               bool fading)
 {
+    const double end = 16000;           /* of a fan */
+    if (tp_has_fan(scene))
+        return (ref_extent){ eye.x, eye.z, end, end, end, end, 0 };
     const int cols = scene->grid.cols, rows = scene->grid.rows;
     const int lines = cols > rows ? cols : rows;
     const double cell = fmin(ref_number(scene->grid.cell), 16000.0 / (lines - 1));

@@ -1,0 +1,343 @@
+/* SPDX-License-Identifier: MIT */
+/* Layout, visible cells and vertices of a fan; see the header. */
+#include "view/fan.h"
+#include "view/wave_models.h"
+#include "waves/coastal_tables.h"
+#include "waves/deep_water.h"
+
+/* -- layout -------------------------------------------------------------------------- */
+
+static void layout_fan(tp_grid *grid, tp_arena *arena, uint32_t vertices, bool streams)
+{
+    const uint32_t cols = tp_fan_most_cols(vertices), rows = tp_fan_most_rows(vertices);
+    tp_fan *fan = tp_arena_alloc(arena, 1, sizeof *fan);
+    tp_fan_row *row = tp_arena_alloc(arena, rows, sizeof *row);
+
+    memset(grid, 0, sizeof *grid);
+    grid->most_cols = cols;
+    grid->most_rows = rows;
+    grid->streams = streams;
+    grid->span = tp_arena_alloc(arena, rows, sizeof *grid->span);
+    grid->box = tp_arena_alloc(arena, TP_FAN_BLOCKS(vertices, rows), sizeof *grid->box);
+    tp_grid_vertex *vertex =
+        tp_arena_alloc(arena, streams ? 2 * cols : vertices, sizeof *vertex);
+    grid->vertex = streams ? NULL : vertex;
+    grid->window = tp_grid_window_init(streams ? vertex : NULL);
+    grid->fan = fan;
+    if (fan)
+        *fan = (tp_fan){ .row = row, .vertices = vertices };
+}
+
+/* -- visible cells ------------------------------------------------------------------- */
+
+/* Columns; none if first > last. */
+typedef struct {
+    int32_t first, last;
+} columns;
+
+static int64_t plane_distance(const tp_plane *p, int64_t x, int64_t z, tp_fx room)
+{
+    return ((p->n.x * x + p->n.z * z) >> 30) + p->d + room;
+}
+
+/* Returns the columns of a row inside a plane, with the first outside at either end. */
+static columns inside_columns(const tp_fan_row *row, const tp_plane *p, int32_t last,
+                              tp_fx room)
+{
+    const int64_t x = row->x + (int64_t)row->step_x * last;
+    const int64_t z = row->z + (int64_t)row->step_z * last;
+    const int64_t a = plane_distance(p, row->x, row->z, room);
+    const int64_t b = plane_distance(p, x, z, room);
+
+    if (a < 0 && b < 0)
+        return (columns){ last, 0 };
+    if (a >= 0 && b >= 0)
+        return (columns){ 0, last };
+    const int32_t cut = (int32_t)(last * a / (a - b));
+    return a < 0 ? (columns){ cut, last } : (columns){ 0, cut < last ? cut + 1 : last };
+}
+
+/* Returns the visible cells between rows j and j + 1. */
+static tp_grid_span visible_cells(const tp_grid *grid, const tp_plane *planes, uint32_t j)
+{
+    const tp_fan_row *row = &grid->fan->row[j];
+    const int32_t last = (int32_t)grid->cols - 1;
+    const tp_fx room = grid->frame.max_displacement + 2;
+    columns seen = { 0, last };
+
+    for (int k = 0; k < TP_PROJECTION_PLANES; k++) {
+        const columns a = inside_columns(&row[0], &planes[k], last, room);
+        const columns b = inside_columns(&row[1], &planes[k], last, room);
+        const int32_t first = a.first < b.first ? a.first : b.first;
+        const int32_t end = a.last > b.last ? a.last : b.last;
+        seen.first = first > seen.first ? first : seen.first;
+        seen.last = end < seen.last ? end : seen.last;
+    }
+    if (seen.first >= seen.last)
+        return (tp_grid_span){ 0, 0 };
+    return (tp_grid_span){ (uint16_t)seen.first, (uint16_t)seen.last };
+}
+
+/* -- placement ----------------------------------------------------------------------- */
+
+/* Returns the share of a wave's horizontal motion that coastal water keeps: under wind all
+ * orbits are narrowed by one factor. */
+static tp_fx wind_share(const tp_surface *surface, uint32_t i)
+{
+    const tp_swell *w = &surface->deep->swell[i];
+    const tp_fx along =
+        tp_coastal_tables(surface->coastal)[i].depth[TP_COASTAL_DEPTHS - 1].along;
+    const int64_t x = w->orbit_x, z = w->orbit_z;
+    const int64_t reach = tp_isqrt64((uint64_t)(x * x + z * z));
+
+    return reach > along ? (tp_fx)(((int64_t)along << 16) / reach) : TP_FX_ONE;
+}
+
+static void place_fan(tp_grid *grid, const tp_grid_view *view)
+{
+    const tp_surface *surface = view->surface;
+    tp_fan *fan = grid->fan;
+    tp_plane planes[TP_PROJECTION_PLANES];
+
+    fan->law = tp_fan_law_solve(view, fan->vertices);
+    grid->cols = fan->law.cols;
+    grid->rows = fan->law.rows;
+    grid->blocks = (grid->cols - 2) / TP_GRID_BLOCK + 1;
+    for (uint32_t j = 0; j < grid->rows; j++)
+        fan->row[j] = tp_fan_law_row(&fan->law, view, grid->rows - 1 - j);
+    for (uint32_t i = 0; surface->coastal && i < surface->deep->count; i++)
+        fan->wind[i] = wind_share(surface, i);
+    grid->frame.projection = view->projection;
+    grid->frame.surface = surface;
+    grid->frame.max_displacement =
+        tp_surface_height_bound(surface) + tp_surface_displacement_bound(surface);
+    tp_projection_planes(view->projection, view->width, view->height, planes);
+    for (uint32_t j = 0; j + 1 < grid->rows; j++)
+        grid->span[j] = visible_cells(grid, planes, j);
+    grid->window = tp_grid_window_init(grid->window.memory);
+    grid->vertices = 0;
+}
+
+/* -- vertices ------------------------------------------------------------------------ */
+
+/* A wave of a row: phase of column 0 and step of the phase. */
+typedef struct {
+    const tp_swell *swell;
+    tp_turn first, step;
+    tp_fx   weight;
+    tp_q30  push;               /* shift of the phase by the wind [B10] */
+    int32_t iterations;
+    tp_fx   along;              /* weight of the horizontal motion in a wind */
+} row_wave;
+
+typedef struct {
+    const tp_fan_row *row;
+    const tp_surface *surface;
+    uint32_t  count;
+    row_wave  wave[TP_WAVES];
+} row_waves;
+
+static void set_wind(row_wave *to, const tp_coastal_water *coastal, tp_fx share,
+                     uint32_t i)
+{
+    const tp_fx up = tp_coastal_tables(coastal)[i].depth[TP_COASTAL_DEPTHS - 1].up;
+
+    to->push = coastal->wave[i].lambda
+                   ? tp_wind_phase_shift(coastal->wave[i].lambda, up) : 0;
+    to->along = tp_fx_mul(to->weight, share);
+    to->iterations = coastal->wave[i].iterations;
+}
+
+/* Lists the waves that a row keeps. */
+static void list_waves(const tp_grid *grid, const tp_fan_row *row, row_waves *to)
+{
+    const tp_surface *surface = grid->frame.surface;
+    const tp_deep_water *deep = surface->deep;
+
+    to->row = row;
+    to->surface = surface;
+    to->count = 0;
+    for (uint32_t i = 0; i < deep->count && surface->by->swells; i++) {
+        const tp_swell *w = &deep->swell[i];
+        row_wave *at = &to->wave[to->count];
+        *at = (row_wave){ .swell = w, .weight = tp_fan_row_weight(grid->fan, row, w) };
+        if (at->weight == 0)
+            continue;
+        at->first = surface->phases[i] + tp_swell_turns(w->turns_x, row->x)
+                    + tp_swell_turns(w->turns_z, row->z);
+        at->step = tp_swell_turns(w->turns_x, row->step_x)
+                   + tp_swell_turns(w->turns_z, row->step_z);
+        if (surface->coastal)
+            set_wind(at, surface->coastal, grid->fan->wind[i], i);
+        to->count++;
+    }
+}
+
+/* Returns d th / d phase, 1 / (1 + push cos th), 16.16. */
+static int64_t phase_rate(tp_q30 push, tp_q30 cosine)
+{
+    const uint32_t n = (uint32_t)(TP_Q30_ONE + tp_q30_mul(push, cosine));
+    const int zeros = tp_clz(n);
+
+    return (int64_t)tp_recip_norm(n << zeros) >> (17 - zeros);
+}
+
+/* Adds a wave in a wind, a trochoid whose phase is moved by the push. */
+static void add_wind_wave(tp_swell_sum *sum, const row_wave *wave, tp_turn phase)
+{
+    const tp_swell *w = wave->swell;
+    const tp_turn quarter = 1u << 30;
+    const tp_turn th = wave->push ? tp_wind_phase(phase + quarter, wave->push,
+                                                  wave->iterations) - quarter : phase;
+    const int64_t s = tp_sin(th) >> 6, c = tp_cos(th) >> 6;
+    const int64_t rate = wave->push ? phase_rate(wave->push, (tp_q30)(c * 64))
+                                    : TP_FX_ONE;
+    const int64_t level = c * wave->along >> 16, up = s * wave->weight >> 16;
+    const int64_t tilt = (c * wave->weight >> 16) * rate >> 16;
+    const int64_t bend = (s * wave->along >> 16) * rate >> 16;
+
+    sum->x += w->orbit_x * level;
+    sum->z += w->orbit_z * level;
+    sum->y += w->amplitude * up;
+    sum->hx += w->slope_x * tilt;
+    sum->hz += w->slope_z * tilt;
+    sum->bxx += w->bend_xx * bend;
+    sum->bxz += w->bend_xz * bend;
+    sum->bzz += w->bend_zz * bend;
+}
+
+static void add_wave(tp_swell_sum *sum, const row_wave *wave, tp_turn phase)
+{
+    const tp_swell *w = wave->swell;
+    const tp_q30 sine = tp_sin(phase), cosine = tp_cos(phase);
+    int32_t s = sine >> 6, c = cosine >> 6, f = s, df = c;
+
+    if (w->power > 1)
+        tp_swell_sharpen(w, sine, cosine, &f, &df);
+    if (wave->weight != TP_FX_ONE) {
+        s = tp_fx_mul(s, wave->weight);
+        c = tp_fx_mul(c, wave->weight);
+        f = tp_fx_mul(f, wave->weight);
+        df = tp_fx_mul(df, wave->weight);
+    }
+    sum->x += (int64_t)w->orbit_x * c;
+    sum->z += (int64_t)w->orbit_z * c;
+    sum->y += (int64_t)w->amplitude * f;
+    sum->hx += (int64_t)w->slope_x * df;
+    sum->hz += (int64_t)w->slope_z * df;
+    sum->bxx += (int64_t)w->bend_xx * s;
+    sum->bxz += (int64_t)w->bend_xz * s;
+    sum->bzz += (int64_t)w->bend_zz * s;
+}
+
+/* True if the rows of the Jacobian do not fold, so that a slope has a bound. */
+static bool is_unfolded(const tp_swell_sum *sum)
+{
+    const int64_t one = 1 << 28, xx = one - (sum->bxx >> 26), zz = one - (sum->bzz >> 26);
+    const int64_t xz = sum->bxz >> 26;
+
+    return xx > 0 && (xx * zz - xz * xz) >> 28 > one / 16;
+}
+
+/* Returns the point of waves in a wind; their rate may fold the Jacobian. */
+static tp_surface_point wind_point(const tp_swell_sum *sum, tp_fx x, tp_fx z)
+{
+    if (is_unfolded(sum))
+        return tp_swell_sum_point(sum, x, z, TP_FX_ONE);
+    const tp_vec3 along_x = { TP_FX_ONE - (tp_fx)(sum->bxx >> 38), (tp_fx)(sum->hx >> 38),
+                              -(tp_fx)(sum->bxz >> 38) };
+    const tp_vec3 along_z = { -(tp_fx)(sum->bxz >> 38), (tp_fx)(sum->hz >> 38),
+                              TP_FX_ONE - (tp_fx)(sum->bzz >> 38) };
+    tp_surface_point at = {
+        .position = { tp_fx_add_sat(x, (tp_fx)(sum->x >> 24)), (tp_fx)(sum->y >> 24),
+                      tp_fx_add_sat(z, (tp_fx)(sum->z >> 24)) },
+    };
+
+    tp_slopes_from_tangents(along_x, along_z, &at.slope_x, &at.slope_z);
+    return at;
+}
+
+static tp_surface_point sample(const row_waves *waves, uint32_t i)
+{
+    const tp_fan_row *row = waves->row;
+    const tp_fx x = tp_fan_place(row->x, row->step_x, i);
+    const tp_fx z = tp_fan_place(row->z, row->step_z, i);
+    const bool wind = waves->surface->coastal != NULL;
+    tp_surface_point at = { .position = { x, 0, z } };
+    tp_swell_sum sum = { 0 };
+
+    for (uint32_t k = 0; k < waves->count; k++) {
+        const row_wave *w = &waves->wave[k];
+        const tp_turn phase = w->first + i * w->step;
+        if (wind)
+            add_wind_wave(&sum, w, phase);
+        else
+            add_wave(&sum, w, phase);
+    }
+    if (waves->count > 0)
+        at = wind ? wind_point(&sum, x, z) : tp_swell_sum_point(&sum, x, z, TP_FX_ONE);
+    if (tp_surface_has_rings_or_pools(waves->surface)) {
+        const tp_height_slope more =
+            tp_rings_pools_sample(waves->surface, at.position.x, at.position.z);
+        at.position.y += more.height;
+        at.slope_x += more.slope_x;
+        at.slope_z += more.slope_z;
+    }
+    return at;
+}
+
+static int16_t packed_slope(tp_fx slope)
+{
+    return (int16_t)tp_clamp((slope + 8) >> 4, INT16_MIN, INT16_MAX);
+}
+
+static void evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
+                         tp_grid_vertex *vertex)
+{
+    const tp_projection *projection = grid->frame.projection;
+    row_waves waves;
+
+    list_waves(grid, &grid->fan->row[j], &waves);
+    for (uint32_t i = first; i < end; i++) {
+        const tp_surface_point at = sample(&waves, i);
+        tp_grid_vertex *to = &vertex[i];
+        tp_view_vertex c;
+        tp_projection_view_vertex(projection, at.position, &c);
+        to->slope_x = packed_slope(at.slope_x);
+        to->slope_z = packed_slope(at.slope_z);
+        if (tp_projection_can_project(projection, &c))
+            tp_projection_project(projection, &c, &to->u, &to->v, &to->zi);
+        else
+            to->u = TP_GRID_NEEDS_CLIP;
+    }
+}
+
+/* Returns a vertex before projection; its slopes stay 0. */
+static tp_view_vertex make_view_vertex(const tp_grid *grid, uint32_t i, uint32_t j)
+{
+    tp_view_vertex c = { .s = tp_grid_s(grid, i, j), .t = tp_grid_t(grid, i, j) };
+    row_waves waves;
+
+    list_waves(grid, &grid->fan->row[j], &waves);
+    tp_projection_view_vertex(grid->frame.projection, sample(&waves, i).position, &c);
+    return c;
+}
+
+/* -- level water --------------------------------------------------------------------- */
+
+static tp_grid_extent fan_extent(const tp_grid_view *view, bool along_z)
+{
+    const tp_fan_law law = tp_fan_law_solve(view, view->vertices);
+    const tp_vec3 eye = view->projection->eye;
+    const tp_fx at = along_z ? eye.z : eye.x, far = law.farthest;
+    const tp_fx calm = law.waves_end < far ? law.waves_end : far;
+
+    return (tp_grid_extent){ tp_fx_saturate((int64_t)at - far),
+                             tp_fx_saturate((int64_t)at + far),
+                             { tp_fx_saturate((int64_t)at - calm),
+                               tp_fx_saturate((int64_t)at + calm) }, calm / 8 };
+}
+
+const struct tp_water_fan tp_water_fan = { layout_fan, place_fan, evaluate_row,
+                                           make_view_vertex, tp_fan_fill_variance,
+                                           fan_extent };

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The fan: the water's grid as rows across the camera's heading, out to the horizon.
+ *
+ * Rows lie at distances d along the heading, near the eye dense: the spacing is a r with
+ * r^2 = d^2 + h^2 and h the height of the eye, or a length by the waves if that is larger,
+ * so d = h sinh(u) for equal steps of u.
+ * Beyond r*, where half the longest wave is the spacing, no wave is left, and the spacing
+ * grows as r^3: r = r* / sqrt(1 - 2 m).  The number of rows determines a.  Columns lead
+ * away from a point behind the eye; each row is as wide as the view at its depth.
+ *
+ * A wave is kept by a row as far as the row can hold the wave [V4]: the weight is 1 up to a
+ * spacing of 0.3 wavelengths and 0 from 0.5 on, along the heading and across.  The slopes
+ * left out are known as a variance.
+ *
+ * Vertices have no table for columns: every vertex evaluates its waves.
+ */
+#ifndef TP_VIEW_FAN_H
+#define TP_VIEW_FAN_H
+#include "view/grid.h"
+#include "view/rough.h"
+
+/* A row of vertices: the rest position of column i is (x + i step_x, z + i step_z). */
+typedef struct tp_fan_row {
+    tp_fx x, z, step_x, step_z;
+    tp_fx along, across;        /* distance of neighbours along the heading, across */
+} tp_fan_row;
+
+/* The law of the rows in one frame; u and its lengths are Q24. */
+typedef struct {
+    tp_dir3  right;             /* level unit vector along the rows, Q2.30 */
+    tp_fx    height;            /* h, at least 1/2 m and what the waves need */
+    tp_fx    last;              /* distance of the last row, m */
+    tp_fx    farthest;          /* end of the water, m */
+    tp_fx    wide;              /* half the width of the view per metre of depth */
+    tp_fx    waves_end;         /* r*, m; TP_FX_MAX: every row keeps some waves */
+    int32_t  start, dense;      /* u of the nearest row; length of u up to r* */
+    int32_t  length;            /* of all rows */
+    uint32_t rows, cols;
+} tp_fan_law;
+
+typedef struct tp_fan {
+    tp_fan_law  law;
+    tp_fan_row *row;            /* from the farthest to the nearest */
+    tp_fx       wind[TP_WAVES]; /* share of the horizontal motion left by the wind */
+    uint32_t    vertices;       /* the budget */
+} tp_fan;
+
+/* Blocks of cells of all rows, at most. */
+#define TP_FAN_BLOCKS(vertices, rows) ((vertices) / TP_GRID_BLOCK + (rows))
+
+/* Returns the largest number of columns and of rows for a budget of vertices. */
+uint32_t tp_fan_most_cols(uint32_t vertices);
+uint32_t tp_fan_most_rows(uint32_t vertices);
+
+/* Returns the level direction of the rows, a unit vector. */
+tp_dir3 tp_fan_rows_direction(const tp_rotation *turn);
+
+/* fan_law.c: solves the law for a view; returns row n of law->rows, from the nearest. */
+tp_fan_law tp_fan_law_solve(const tp_grid_view *view, uint32_t vertices);
+tp_fan_row tp_fan_law_row(const tp_fan_law *law, const tp_grid_view *view, uint32_t n);
+
+/* Returns the weight of a wave for a spacing; `turns` is Q0.32 turns per metre. */
+tp_fx tp_fan_wave_weight(tp_fx spacing, int64_t turns);
+
+/* Returns the weight of a swell in a row. */
+tp_fx tp_fan_row_weight(const tp_fan *fan, const tp_fan_row *row, const tp_swell *swell);
+
+/* Returns the slope variance of the waves that a row leaves out. */
+tp_slope_variance tp_fan_row_variance(const tp_fan *fan, const tp_fan_row *row,
+                                      const tp_surface *surface);
+
+/* Fills the slope variance of all rows. */
+void tp_fan_fill_variance(const tp_grid *grid, tp_filtered_waves *filtered);
+
+/* Returns first + i step; the product alone may be out of range. */
+static inline tp_fx tp_fan_place(tp_fx first, tp_fx step, uint32_t i)
+{
+    return (tp_fx)((uint32_t)first + i * (uint32_t)step);
+}
+
+/* Return the rest position of a vertex along x and z, of any grid. */
+static inline tp_fx tp_grid_s(const tp_grid *grid, uint32_t i, uint32_t j)
+{
+    const tp_fan_row *row = grid->fan ? &grid->fan->row[j] : NULL;
+    return row ? tp_fan_place(row->x, row->step_x, i) : grid->column[i].place;
+}
+
+static inline tp_fx tp_grid_t(const tp_grid *grid, uint32_t i, uint32_t j)
+{
+    const tp_fan_row *row = grid->fan ? &grid->fan->row[j] : NULL;
+    return row ? tp_fan_place(row->z, row->step_z, i) : grid->row[j].place;
+}
+
+/* Functions that a program links for fans. */
+struct tp_water_fan {
+    void (*layout)(tp_grid *grid, tp_arena *arena, uint32_t vertices, bool streams);
+    void (*place)(tp_grid *grid, const tp_grid_view *view);
+    void (*row)(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
+                tp_grid_vertex *vertex);
+    tp_view_vertex (*corner)(const tp_grid *grid, uint32_t i, uint32_t j);
+    void (*fill_variance)(const tp_grid *grid, tp_filtered_waves *filtered);
+    /* Returns the extent of level water along an axis, for renderers without a grid. */
+    tp_grid_extent (*extent)(const tp_grid_view *view, bool along_z);
+};
+
+#endif

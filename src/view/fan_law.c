@@ -1,0 +1,395 @@
+/* SPDX-License-Identifier: MIT */
+/* Distances, widths and filter of a fan's rows; see the header for the law. */
+#include "view/fan.h"
+#include "waves/softfloat.h"
+
+#define LEAST_HEIGHT TP_FX(0.5)
+#define FARTHEST  (16000 * TP_FX_ONE)
+#define WIDEST    (22000 * TP_FX_ONE)   /* from the eye to the end of the last row, m */
+#define SET_BACK  (2 * TP_FX_ONE)       /* of the columns' origin behind the eye, m */
+#define MARGIN    (TP_FX_ONE / 2)
+#define KEPT      TP_FX(0.3)            /* spacing over wavelength: all of a wave is kept */
+#define GONE      TP_FX(0.5)            /* the same: nothing is left of a wave */
+
+/* -- size ---------------------------------------------------------------------------- */
+
+/* Rows per column lie between 1/2 and 4. */
+static uint32_t least_cols(uint32_t vertices)
+{
+    return tp_isqrt64(vertices / 4);
+}
+
+uint32_t tp_fan_most_cols(uint32_t vertices)
+{
+    return tp_isqrt64(2 * (uint64_t)vertices);
+}
+
+uint32_t tp_fan_most_rows(uint32_t vertices)
+{
+    return vertices / least_cols(vertices);
+}
+
+/* -- hyperbolic functions ------------------------------------------------------------ */
+
+/* Returns e^u and e^-u of u in 8.24, up to 16, as Q.20, in *inverse and as result. */
+static int64_t exp_pair(int32_t u, int64_t *inverse)
+{
+    const uint32_t e = tp_exp_neg((uint32_t)u);
+    const int zeros = tp_clz(e);
+
+    *inverse = e >> 12;
+    return (int64_t)tp_recip_norm(e << zeros) << zeros >> 11;
+}
+
+static int64_t sinh_q20(int32_t u)
+{
+    int64_t low, high = exp_pair(u < 0 ? -u : u, &low);
+    return u < 0 ? (low - high) / 2 : (high - low) / 2;
+}
+
+static int64_t cosh_q20(int32_t u)
+{
+    int64_t low, high = exp_pair(u < 0 ? -u : u, &low);
+    return (high + low) / 2;
+}
+
+/* Returns u with height sinh(u) = d, 8.24. */
+static int32_t asinh_q24(tp_fx d, tp_fx height)
+{
+    const int64_t sinh = ((int64_t)tp_abs(d) << 20) / height;
+    int32_t u = 0;
+
+    for (int32_t bit = 1 << 27; bit > 0; bit >>= 1)
+        if (u + bit < 16 << 24 && sinh_q20(u + bit) <= sinh)
+            u += bit;
+    return d < 0 ? -u : u;
+}
+
+static tp_fx metres(tp_fx height, int64_t share_q20)
+{
+    return (tp_fx)(height * share_q20 >> 20);
+}
+
+/* -- the view ------------------------------------------------------------------------ */
+
+/* A direction in the frame of the rows, in px, 16.16. */
+typedef struct {
+    int64_t ahead, side, down;
+} fan_ray;
+
+/* Returns focal ahead + u right + v up; u and v in px. */
+static fan_ray make_ray(const tp_projection *p, tp_dir3 right, int32_t u, int32_t v)
+{
+    const int64_t a = p->focal, b = (int64_t)u * TP_FX_ONE, c = (int64_t)v * TP_FX_ONE;
+    const tp_dir3 *x = &p->turn.x, *y = &p->turn.y, *z = &p->ahead;
+    const int64_t east = (a * z->x + b * x->x + c * y->x) >> 30;
+    const int64_t south = (a * z->z + b * x->z + c * y->z) >> 30;
+
+    return (fan_ray){ (east * right.z - south * right.x) >> 30,
+                      (east * right.x + south * right.z) >> 30,
+                      -((a * z->y + b * x->y + c * y->y) >> 30) };
+}
+
+/* A camera that lies on its side has its own right upright. */
+tp_dir3 tp_fan_rows_direction(const tp_rotation *turn)
+{
+    const tp_dir3 x = turn->x;
+    const bool upright = tp_abs(x.y) > TP_Q30(0.9);
+
+    return upright ? tp_normalise(turn->y.x, 0, turn->y.z) : tp_normalise(x.x, 0, x.z);
+}
+
+/* Range of distances, m. */
+typedef struct {
+    int64_t first, last;
+} range;
+
+static void widen(range *r, int64_t d)
+{
+    r->first = d < r->first ? d : r->first;
+    r->last = d > r->last ? d : r->last;
+}
+
+/* Widens the range by the water's highest and lowest level on a ray; true if the ray meets
+ * one of them. */
+static bool widen_by_ray(range *r, const fan_ray *ray, int64_t eye, int64_t height)
+{
+    bool meets = false;
+
+    for (int k = 0; k < 2; k++) {
+        const int64_t drop = eye + (k ? height : -height);
+        if (ray->down == 0 || (drop < 0) != (ray->down < 0))
+            continue;
+        widen(r, tp_clamp_abs(ray->ahead * drop / ray->down, WIDEST));
+        meets = true;
+    }
+    return meets;
+}
+
+/* Returns the distances of the water in view: between the rays of the picture's corners,
+ * and up to the horizon if that is in the picture. */
+static range visible_range(const tp_grid_view *view, tp_dir3 right, tp_fx last)
+{
+    const int32_t u = (int32_t)view->width / 2 + 1, v = (int32_t)view->height / 2 + 1;
+    const int64_t eye = view->projection->eye.y;
+    const int64_t height = tp_surface_height_bound(view->surface) + TP_FX_ONE / 4;
+    const int64_t room = (int64_t)tp_surface_displacement_bound(view->surface) + MARGIN;
+    const fan_ray middle = make_ray(view->projection, right, 0, 0);
+    range r = { INT64_MAX / 2, INT64_MIN / 2 };
+    int down = 0, met = 0;
+
+    for (int k = 0; k < 4; k++) {
+        const fan_ray ray = make_ray(view->projection, right, k & 1 ? u : -u,
+                                     k & 2 ? v : -v);
+        down += ray.down > 0;
+        met += widen_by_ray(&r, &ray, eye, height);
+    }
+    if (met == 0 || (eye < height && -eye < height))
+        widen(&r, 0);
+    if (down % 4 != 0)
+        widen(&r, middle.ahead < 0 ? -(int64_t)last : last);
+    return (range){ tp_clamp_abs(r.first - room, last),
+                    tp_clamp_abs(r.last + room, last) };
+}
+
+/* Returns half the width of the view per metre of depth, 16.16. */
+static tp_fx half_width_per_depth(const tp_grid_view *view, tp_dir3 right)
+{
+    const int32_t u = (int32_t)view->width / 2 + 1, v = (int32_t)view->height / 2 + 1;
+    const tp_projection *p = view->projection;
+    const fan_ray ahead = make_ray(p, right, 0, 0), x = make_ray(p, right, u, 0),
+                  y = make_ray(p, right, 0, v);
+    const int64_t skew = ahead.side < 0 ? -ahead.side : ahead.side;
+    const int64_t wide = x.side - ahead.side, high = y.side - ahead.side;
+    const int64_t side = skew + (wide < 0 ? -wide : wide) + (high < 0 ? -high : high);
+    const int64_t per_depth = (side << 16) / p->focal;
+    const int64_t kept = TP_FX_ONE - per_depth * skew / p->focal;  /* of a skewed row */
+
+    return (tp_fx)((per_depth << 16) / (kept > TP_FX_ONE / 4 ? kept : TP_FX_ONE / 4));
+}
+
+/* -- the law ------------------------------------------------------------------------- */
+
+/* Half the longest wave, and a height that keeps rows near the eye no denser than the
+ * shortest wave needs; 0 without waves. */
+typedef struct {
+    tp_fx half_longest, height;
+} wave_lengths;
+
+static wave_lengths measure_waves(const tp_surface *surface)
+{
+    uint64_t least = UINT64_MAX, most = 0;              /* turns per metre */
+
+    for (uint32_t i = 0; i < surface->deep->count; i++) {
+        const uint64_t turns = surface->deep->swell[i].turns;
+        least = turns < least ? turns : least;
+        most = turns > most ? turns : most;
+    }
+    if (most == 0 || least == 0)
+        return (wave_lengths){ 0, 0 };
+    const tp_fx half = (tp_fx)(((uint64_t)1 << 47) / least);
+    const tp_fx twice = (tp_fx)(((uint64_t)1 << 49) / most);
+    return (wave_lengths){ half, half < twice ? half : twice };
+}
+
+/* Returns the length in u of all rows for the law that leaves the waves at u = `at`, and
+ * sets the distance r*. */
+static int64_t rows_length(const tp_fan_law *law, int32_t at, tp_fx *waves_end)
+{
+    const int64_t r = metres(law->height, cosh_q20(at));
+    const int64_t end = (int64_t)tp_isqrt64((uint64_t)((int64_t)law->last * law->last
+                                            + (int64_t)law->height * law->height));
+    const int64_t share = end > r ? (r << 16) / end : TP_FX_ONE;
+
+    *waves_end = (tp_fx)r;
+    return (int64_t)at - law->start + ((((int64_t)1 << 32) - share * share) >> 9);
+}
+
+/* Finds r* such that the spacing there is half the longest wave; all rows keep waves if
+ * they are dense enough up to the last. */
+static void set_waves_end(tp_fan_law *law, int32_t end, tp_fx half_wave)
+{
+    int32_t low = law->start > 0 ? law->start : 0, high = end;
+    const int32_t least = low;
+    tp_fx   waves_end;
+
+    law->waves_end = TP_FX_MAX;
+    law->dense = law->length = end - law->start;
+    if (high <= low)
+        return;
+    while (high - low > 16) {
+        const int32_t at = low + (high - low) / 2;
+        const int64_t length = rows_length(law, at, &waves_end);
+        if (length * waves_end < (int64_t)(law->rows - 1) * half_wave * (1 << 24))
+            low = at;
+        else
+            high = at;
+    }
+    if (high == end || low == least)
+        return;
+    law->length = (int32_t)rows_length(law, low, &law->waves_end);
+    law->dense = low - law->start;
+}
+
+/* Sets rows and columns: cells about as long as wide for a spacing of 1/20 of the
+ * distance. */
+static void set_size(tp_fan_law *law, int32_t end, tp_fx half_wave, uint32_t vertices)
+{
+    const int64_t far = (int64_t)half_wave * 20;
+    int32_t at = asinh_q24((tp_fx)(far < law->last ? far : law->last), law->height);
+
+    at = at > end ? end : at;
+    at = (at > law->start ? at - law->start : 0) + (at < end ? 1 << 23 : 0);
+    at = at > 1 << 21 ? at : 1 << 21;
+    const uint64_t cols_per_row = ((uint64_t)law->wide << 17) / (uint32_t)at;
+    uint32_t cols = tp_isqrt64(vertices * cols_per_row) >> 4;           /* Q4 */
+    const uint32_t least = least_cols(vertices), most = tp_fan_most_cols(vertices);
+
+    cols = cols < least ? least : cols > most ? most : cols;
+    law->cols = cols;
+    law->rows = vertices / cols;
+}
+
+tp_fan_law tp_fan_law_solve(const tp_grid_view *view, uint32_t vertices)
+{
+    const tp_projection *p = view->projection;
+    const wave_lengths waves = measure_waves(view->surface);
+    const tp_fx half_wave = waves.half_longest, up = tp_abs(p->eye.y);
+    tp_fan_law law = { .right = tp_fan_rows_direction(&p->turn),
+                       .height = up > LEAST_HEIGHT ? up : LEAST_HEIGHT };
+    law.wide = half_width_per_depth(view, law.right);
+    if (law.height < waves.height)
+        law.height = waves.height;
+    const int64_t corner = tp_isqrt64(((uint64_t)1 << 32)      /* per metre of distance */
+                                      + (uint64_t)((int64_t)law.wide * law.wide));
+    const int64_t most = ((int64_t)WIDEST << 16) / corner;
+    law.farthest = most < FARTHEST ? (tp_fx)most : FARTHEST;
+    const range r = visible_range(view, law.right, law.farthest);
+
+    law.last = (tp_fx)r.last;
+    law.start = asinh_q24((tp_fx)r.first, law.height);
+    const int32_t end = asinh_q24(law.last, law.height);
+    set_size(&law, end, half_wave, vertices);
+    set_waves_end(&law, end, half_wave);
+    return law;
+}
+
+/* -- rows ---------------------------------------------------------------------------- */
+
+/* Sets the distance of row n and its distance from the next row. */
+static tp_fx row_distance(const tp_fan_law *law, uint32_t n, tp_fx *along)
+{
+    const int64_t way = (int64_t)law->length * n / (law->rows - 1);
+    const int64_t step = law->length / (int32_t)(law->rows - 1);
+
+    if (way <= law->dense || law->waves_end == TP_FX_MAX) {
+        const int32_t u = law->start + (int32_t)way;
+        *along = (tp_fx)(metres(law->height, cosh_q20(u)) * step >> 24);
+        return metres(law->height, sinh_q20(u));
+    }
+    const int64_t left = ((int64_t)1 << 24) - 2 * (way - law->dense);       /* Q24 */
+    const int64_t root = tp_isqrt64((uint64_t)(left > 1 ? left : 1) << 24); /* Q24 */
+    const int64_t r = tp_clamp_abs(((int64_t)law->waves_end << 24) / root, WIDEST);
+    const int64_t over = (r << 16) / law->waves_end;         /* 16.16, below 2^31 */
+    *along = tp_fx_saturate((r * step >> 24) * over >> 16);
+    *along = tp_fx_saturate(*along * over >> 16);
+    return (tp_fx)tp_isqrt64((uint64_t)((r - law->height) * (r + law->height)));
+}
+
+/* Returns half the width of the view on a row; waves may raise the row. */
+static int64_t row_half_width(const tp_fan_law *law, const tp_grid_view *view, tp_fx d)
+{
+    const tp_dir3 ahead = view->projection->ahead;
+    const int64_t forward = ((int64_t)ahead.x * law->right.z
+                             - (int64_t)ahead.z * law->right.x) >> 30;
+    const int64_t height = tp_surface_height_bound(view->surface);
+    int64_t depth = (d * forward - (int64_t)view->projection->eye.y * ahead.y
+                     + height * tp_abs(ahead.y)) >> 30;
+
+    depth = (depth > 0 ? depth : 0) + SET_BACK;
+    return tp_clamp_abs((depth * law->wide >> 16) + MARGIN
+                        + tp_surface_displacement_bound(view->surface), WIDEST);
+}
+
+tp_fan_row tp_fan_law_row(const tp_fan_law *law, const tp_grid_view *view, uint32_t n)
+{
+    TP_ASSERT(n < law->rows && law->cols > 1);
+    const tp_vec3 eye = view->projection->eye;
+    const int32_t gaps = (int32_t)law->cols - 1;
+    tp_fan_row row;
+    const tp_fx d = row_distance(law, n, &row.along);
+    const int64_t half = row_half_width(law, view, d), rx = law->right.x,
+                  rz = law->right.z;
+
+    row.step_x = (tp_fx)((2 * half * rx >> 30) / gaps);
+    row.step_z = (tp_fx)((2 * half * rz >> 30) / gaps);
+    row.across = (tp_fx)(2 * half / gaps);
+    row.x = tp_fx_saturate(eye.x + (d * rz >> 30) - (int64_t)row.step_x * gaps / 2);
+    row.z = tp_fx_saturate(eye.z - (d * rx >> 30) - (int64_t)row.step_z * gaps / 2);
+    return row;
+}
+
+/* -- the filter ---------------------------------------------------------------------- */
+
+tp_fx tp_fan_wave_weight(tp_fx spacing, int64_t turns)
+{
+    const int64_t share = ((turns < 0 ? -turns : turns) >> 8) * spacing >> 24;
+
+    if (share <= KEPT)
+        return TP_FX_ONE;
+    return share >= GONE ? 0 : tp_smoothstep((tp_fx)((GONE - share) * 5));
+}
+
+tp_fx tp_fan_row_weight(const tp_fan *fan, const tp_fan_row *row, const tp_swell *swell)
+{
+    const int64_t rx = fan->law.right.x >> 14, rz = fan->law.right.z >> 14;
+    const int64_t x = swell->turns_x, z = swell->turns_z;
+    const tp_fx along = tp_fan_wave_weight(row->along, (x * rz - z * rx) >> 16);
+
+    return along == 0 ? 0 : tp_fx_mul(along, tp_fan_wave_weight(row->across,
+                                                                (x * rx + z * rz) >> 16));
+}
+
+static uint32_t limited(uint64_t variance)
+{
+    return variance < TP_ROUGH_ONE ? (uint32_t)variance : TP_ROUGH_ONE;
+}
+
+tp_slope_variance tp_fan_row_variance(const tp_fan *fan, const tp_fan_row *row,
+                                      const tp_surface *surface)
+{
+    const int64_t rx = fan->law.right.x >> 14, rz = fan->law.right.z >> 14;
+    uint64_t along = 0, across = 0;
+
+    for (uint32_t i = 0; i < surface->deep->count; i++) {
+        const tp_swell *w = &surface->deep->swell[i];
+        const uint64_t kept = (uint32_t)tp_fan_row_weight(fan, row, w);
+        const uint64_t left = ((uint64_t)1 << 32) - kept * kept;            /* Q32 */
+        const int64_t a = ((int64_t)w->slope_x * rz - (int64_t)w->slope_z * rx) >> 24;
+        const int64_t b = ((int64_t)w->slope_x * rx + (int64_t)w->slope_z * rz) >> 24;
+        along += ((uint64_t)(a * a) >> 21) * left >> 32;        /* half of Q23 */
+        across += ((uint64_t)(b * b) >> 21) * left >> 32;
+    }
+    return (tp_slope_variance){ limited(along), limited(across) };
+}
+
+void tp_fan_fill_variance(const tp_grid *grid, tp_filtered_waves *filtered)
+{
+    const tp_projection *p = grid->frame.projection;
+    const tp_fan *fan = grid->fan;
+    const int64_t x = p->ahead.x, y = p->ahead.y, z = p->ahead.z;
+    const tp_vec3 eye = p->eye;
+
+    tp_filtered_waves_clear(filtered);
+    for (uint32_t j = grid->rows; j-- > 0;) {
+        const tp_fan_row *row = &fan->row[j];
+        const int32_t half = (int32_t)(grid->cols / 2);
+        const int64_t dx = row->x + (int64_t)row->step_x * half - eye.x;
+        const int64_t dz = row->z + (int64_t)row->step_z * half - eye.z;
+        const int64_t depth = (dx * x - eye.y * y + dz * z) >> 30;
+        if (depth > 0)
+            tp_filtered_waves_add_row(filtered, tp_fx_saturate(depth),
+                                      tp_fan_row_variance(fan, row, grid->frame.surface));
+    }
+    tp_filtered_waves_finish(filtered);
+}
