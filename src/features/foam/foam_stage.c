@@ -222,11 +222,25 @@ TP_ALWAYS_INLINE uint32_t foam_light_share(const tp_shade *shade, const tp_run *
 #define FAR_MOST  144           /* of 255: largest cover beyond the window */
 #define FAR_LEAST 20            /* cover taken from all: most water has none */
 
-/* Returns the cover 0..255 beyond the window: the field's mean, in proportion to the square
- * of the slope. */
-TP_ALWAYS_INLINE uint32_t far_cover(const tp_shade_foam *f, const tp_run *run, int32_t i)
+/* Returns the variance of slopes of the waves that the grid leaves out at a depth, Q24. */
+static uint32_t filtered_variance(const tp_shade *shade, uint32_t key)
 {
-    const uint32_t q = tp_slope_square(tp_slope_x(run, i, 0), tp_slope_z(run, i, 0));
+    if (!shade->filtered)
+        return 0;
+    const tp_slope_variance v =
+        tp_filtered_waves_lookup(shade->filtered, tp_log_depth(shade, key));
+    return v.along + v.across;
+}
+
+/* Returns the cover 0..255 beyond the window: the field's mean, in proportion to the square
+ * of the slope, `filtered` waves included. */
+TP_ALWAYS_INLINE uint32_t far_cover(const tp_shade_foam *f, const tp_run *run, int32_t i,
+                                    uint32_t filtered)
+{
+    if (!f->far_per_square)
+        return 0;
+    const uint32_t q = tp_slope_square(tp_slope_x(run, i, 0), tp_slope_z(run, i, 0))
+                     + filtered;
     const uint64_t cover = (uint64_t)(q >> 8) * f->far_per_square >> 16;
 
     return cover < FAR_LEAST ? 0 : cover < FAR_MOST + FAR_LEAST
@@ -250,13 +264,17 @@ TP_ALWAYS_INLINE void foam_run(const tp_shade *shade, tp_run *run, int rippled,
     for (int32_t i = 0; i < run->count; ) {
         int32_t first = i, stop = tp_block_end(run, i);
         lace    l;
-        bool    laced = false;
+        bool    laced = false, far = false;
+        uint32_t filtered = 0;
         for (; i < stop; i++) {
             uint32_t weight, cover = sample_window(f, run->s[i], run->t[i], &weight);
-            if (weight < 256 && f->far_per_square)
-                cover = (cover * weight + far_cover(f, run, i) * (256 - weight)) >> 8;
-            else if (weight < 256)
-                cover = cover * weight >> 8;
+            if (weight < 256) {
+                if (!far)
+                    filtered = filtered_variance(shade, run->key[first]);
+                far = true;
+                cover = (cover * weight
+                         + far_cover(f, run, i, filtered) * (256 - weight)) >> 8;
+            }
             if (cover == 0)     /* the case of most water pixels */
                 continue;
             if (!laced)
