@@ -198,14 +198,6 @@ void tp_frame_draw_modules(const tp_frame *frame, const tp_view *view,
                              frame->buffers.mark[i]);
 }
 
-void tp_frame_draw_post_water(const tp_frame *frame, const tp_gbuffer *samples)
-{
-    EACH_OF(frame->modules_drawn, i, use, frame->program)
-    if (use[i].drawing->over)
-        use[i].drawing->over(frame, frame->buffers.module[i], samples,
-                             frame->buffers.mark[i]);
-}
-
 /* -- shader lists of the modules' own samples ---------------------------------------- */
 
 uint32_t tp_marks_one(const tp_module_conditions *conditions)
@@ -219,7 +211,7 @@ static uint64_t drawing_mask(const tp_frame *frame)
     uint64_t drawn = 0;
 
     EACH_ON(i, use, frame)
-        if (use[i].drawing->draw || use[i].drawing->over)
+        if (use[i].drawing->draw)
             drawn |= (uint64_t)1 << i;
     return drawn;
 }

@@ -293,11 +293,9 @@ typedef struct tp_drawing {
     void  (*project)(struct tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box);
 
     /* Draws the objects of the view placed last: samples with stencil values from `mark`
-     * on.  The water is drawn after them; `over` draws over the finished water. */
+     * on.  The water is drawn after them. */
     void  (*draw)(const struct tp_frame *frame, const void *mine, const tp_view *view,
                   tp_gbuffer *samples, uint32_t mark);
-    void  (*over)(const struct tp_frame *frame, const void *mine, const tp_gbuffer *samples,
-                  uint32_t mark);
 
     /* Adds stages to a list, after the modules earlier in the program's list.  The list of
      * the module's own samples (owner == this drawing) needs a stage at TP_AT_COLOUR;
@@ -327,7 +325,6 @@ void tp_frame_add_stages(const struct tp_frame *frame, tp_shaders *list);
 void tp_frame_project_modules(struct tp_frame *frame, tp_view *view, tp_grid_box *box);
 void tp_frame_draw_modules(const struct tp_frame *frame, const tp_view *view,
                            tp_gbuffer *samples);
-void tp_frame_draw_post_water(const struct tp_frame *frame, const tp_gbuffer *samples);
 
 /* Fills the shader lists of the modules' own samples. */
 void tp_frame_fill_module_lists(struct tp_frame *frame);

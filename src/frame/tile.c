@@ -163,7 +163,6 @@ static void draw_samples(const tp_frame *frame, tp_gbuffer *samples, void *memor
     tp_gbuffer_clear(samples);
     tp_frame_draw_modules(frame, &frame->view, samples);
     tp_frame_draw_surface(frame, samples, memory);
-    tp_frame_draw_post_water(frame, samples);
 }
 
 /* Sets the tile's box.  Returns false if tile i does not exist or `scratch` is unusable. */

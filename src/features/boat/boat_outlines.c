@@ -215,7 +215,7 @@ static bool is_shallow_step(const tp_boat_outlines *o, const tp_boat_vertex *ver
 }
 
 /* Finds the edges of the outline: of front faces, without a front face beyond. */
-static void find(const tp_boat_outlines *o, const tp_boat_vertex *vertex, int32_t focal)
+static void find_edges(const tp_boat_outlines *o, const tp_boat_vertex *vertex, int32_t focal)
 {
     const tp_mesh *mesh = o->mesh;
     const int shift = tp_outline_shift(focal);
@@ -271,8 +271,8 @@ static void draw_edges(const tp_boat_outlines *o, const tp_boat_vertex *vertex,
 }
 
 /* Draws the outline into a tile, before the faces. */
-static void draw(const tp_boat_outlines *o, const tp_boat_vertex *vertex,
-                 const tp_gbuffer *tile, uint32_t mark)
+static void draw_outline(const tp_boat_outlines *o, const tp_boat_vertex *vertex,
+                         const tp_gbuffer *tile, uint32_t mark)
 {
     for (uint32_t f = 0; f < o->mesh->n_faces; f++)
         if (o->edges[f] & 7) {
@@ -298,7 +298,7 @@ static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
     const tp_mesh *mesh = conditions->assets->boat;
     tp_boat_outlines *o = tp_arena_alloc(arena, 1, sizeof *o);
     const tp_boat_outlines made = {
-        .find = find, .draw = draw, .mesh = mesh,
+        .find = find_edges, .draw = draw_outline, .mesh = mesh,
         .neighbour = tp_arena_alloc(arena, mesh->n_faces, 3 * sizeof *made.neighbour),
         .edges = tp_arena_alloc(arena, mesh->n_faces, sizeof *made.edges),
         .list = tp_arena_alloc(arena, mesh->n_vertices, sizeof *made.list),
