@@ -72,20 +72,35 @@ static tp_fall trace_sun_fall(const tp_shade *shade)
     return (tp_fall){ -shade->world.lx * 65536 / down, -shade->world.lz * 65536 / down };
 }
 
-/* Returns the surface point with the rest position (x, z).  Coastal water is sampled at
- * (x, z) itself: rest positions crowd at a breaking crest and leave dark gaps behind it.
- * `off` is the way from a point to its rest position, kept from the point before. */
-static tp_surface_point sample_light_vertex(const tp_surface *s, tp_fx x, tp_fx z,
-                                            tp_fx off[2])
+/* Returns the surface point of coastal water near (x, z).  Rest positions crowd at a
+ * breaking crest and would leave dark gaps behind it, so the point's rest position lies
+ * `off` away from (x, z), as the displacement of the point before tells. */
+static tp_surface_point displaced_coastal_point(const tp_surface *s, tp_fx x, tp_fx z,
+                                                tp_fx off[2])
 {
-    if (s->coastal) {
-        tp_fx rest[2] = { tp_fx_add_sat(x, off[0]), tp_fx_add_sat(z, off[1]) };
-        const tp_surface_point p = tp_surface_sample(s, x, z, rest);
-        off[0] = tp_fx_sub_sat(rest[0], x);
-        off[1] = tp_fx_sub_sat(rest[1], z);
-        return p;
-    }
-    tp_surface_point p = tp_deep_water_displace_point(s->deep, s->phases, x, z);
+    const tp_fx d = TP_FX_ONE / 32, x0 = tp_fx_add_sat(x, off[0]),
+                z0 = tp_fx_add_sat(z, off[1]);
+    tp_vec3 at = tp_coastal_displace_no_overhang(s->coastal, s->phases, x0, z0).position;
+    tp_vec3 east =
+        tp_coastal_displace_no_overhang(s->coastal, s->phases, tp_fx_add_sat(x0, d), z0).position;
+    tp_vec3 south =
+        tp_coastal_displace_no_overhang(s->coastal, s->phases, x0, tp_fx_add_sat(z0, d)).position;
+    tp_surface_point p = { .position = at };
+
+    tp_slopes_from_tangents(tp_vec3_sub(east, at), tp_vec3_sub(south, at), &p.slope_x,
+                            &p.slope_z);
+    off[0] = tp_fx_sub_sat(x0, at.x);
+    off[1] = tp_fx_sub_sat(z0, at.z);
+    return p;
+}
+
+/* Returns the surface point with the rest position (x, z), or of coastal water near it. */
+static tp_surface_point displaced_surface_point(const tp_surface *s, tp_fx x, tp_fx z,
+                                                tp_fx off[2])
+{
+    tp_surface_point p = s->coastal ? displaced_coastal_point(s, x, z, off)
+                              : tp_deep_water_displace_point(s->deep, s->phases, x, z);
+
     if (tp_surface_has_rings_or_pools(s)) {
         tp_height_slope relief = tp_rings_pools_sample(s, p.position.x, p.position.z);
         p.position.y += relief.height;
@@ -113,7 +128,7 @@ static void trace_light_vertex(const tp_frame *frame, const tp_caustics *map,
     const tp_rectangle r = map->place;
     tp_fx x = r.x0 + (tp_fx)(((int64_t)r.x1 - r.x0) * i / c->cells);
     tp_fx z = r.z0 + (tp_fx)(((int64_t)r.z1 - r.z0) * j / c->cells);
-    tp_surface_point p = sample_light_vertex(surface, x, z, off);
+    tp_surface_point p = displaced_surface_point(surface, x, z, off);
     tp_fall fall = refract_light(&frame->shade, p.slope_x, p.slope_z);
     tp_fall still = map->level_fall;
     int64_t high = sample_depth(frame, p.position.x, p.position.z) + (int64_t)p.position.y;
