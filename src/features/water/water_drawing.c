@@ -207,22 +207,26 @@ static tp_texel_slopes normal_slopes(uint32_t texel)
                               ((int32_t)(texel >> 8 & 0xff) - 128) * 4096 / up };
 }
 
-static void init_ripple(tp_frame *frame, void *mine)
+/* Sums up a texture that is new. */
+static void sum_variance(ripples *own, const tp_texture *texture)
 {
-    (void)frame;
-    ((ripples *)mine)->made_of = NULL;
-}
-
-/* Sets the variance of this frame; a new texture is summed up once. */
-static void begin_variance(tp_frame *frame, ripples *own)
-{
-    const tp_texture *texture = own->look.layer.texture;
-
-    if (!texture)
-        return;
-    if (own->made_of != texture)
+    if (texture && own->made_of != texture)
         tp_ripple_variance_init(&own->variance, texture, normal_slopes);
     own->made_of = texture;
+}
+
+static void init_ripple(tp_frame *frame, void *mine)
+{
+    ((ripples *)mine)->made_of = NULL;
+    sum_variance(mine, frame->assets.ripple);
+}
+
+/* Sets the variance of this frame. */
+static void begin_variance(tp_frame *frame, ripples *own)
+{
+    sum_variance(own, own->look.layer.texture);
+    if (!own->made_of)
+        return;
     own->variance.gain_square = (uint32_t)(own->look.gain * own->look.gain);
     own->variance.lod = own->look.layer.lod;
     frame->shade.ripple = &own->variance;
