@@ -200,9 +200,13 @@ mkdir folder.tape
 refused "a folder" "folder.tape: " folder.tape
 : >empty.tape
 refused "an empty file" "empty.tape: empty; expected \"tape 2 SCENE\"" empty.tape
-for head in "tap 1 minimal" "tape 2 minimal" "tape 2" "" "5 ahead=1" "# tape 2 minimal"; do
+for head in "tap 2 minimal" "tape 2" "" "5 ahead=1" "# tape 2 minimal"; do
     printf '%s\n5 ahead=1\n' "$head" >head.tape
     refused "head '$head'" "head.tape:1: expected \"tape 2 SCENE\", found" head.tape
+done
+for format in 1 3; do
+    printf 'tape %s minimal\n5 ahead=1\n' $format >head.tape
+    refused "a tape of format $format" "head.tape:1: a tape of format $format; " head.tape
 done
 printf 'tape 2 three-swells\n5 ahead=1\n' >other.tape
 refused "another scene's tape" "other.tape:1: .*three-swells.*minimal" other.tape
