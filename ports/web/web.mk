@@ -23,7 +23,7 @@ WEB_FLAGS := --target=wasm32 -std=c11 $(WARN) -MMD -MP -fmacro-prefix-map=$(CURD
              -mbulk-memory -ffreestanding -ffunction-sections -fdata-sections \
              -Iinclude -Isrc -Iports -Iports/web
 WEB_OPT  := -Oz -Dalways_inline=
-$(WEB_FAST): WEB_OPT := -O2 -msimd128
+$(WEB_FAST): WEB_OPT := -Os -msimd128
 $(WASM)/src/features/all.o: WEB_FLAGS += -DTP_NO_REPORTS
 
 page: $(WEB_PAGE) $(WEB)/module.js $(WEB)/files.js
