@@ -90,13 +90,14 @@ static fan_ray make_ray(const tp_projection *p, tp_dir3 right, int32_t u, int32_
                       -((a * z->y + b * x->y + c * y->y) >> 30) };
 }
 
-/* A camera that lies on its side has its own right upright. */
+/* A camera that lies on its side has its own right upright.  The rows' heading points into
+ * the view, upside down, too: the law is for distances ahead. */
 tp_dir3 tp_fan_rows_direction(const tp_rotation *turn)
 {
-    const tp_dir3 x = turn->x;
-    const bool upright = tp_abs(x.y) > TP_Q30(0.9);
+    const tp_dir3 x = tp_abs(turn->x.y) > TP_Q30(0.9) ? turn->y : turn->x, z = turn->z;
+    const bool behind = (int64_t)x.x * z.z < (int64_t)x.z * z.x;
 
-    return upright ? tp_normalise(turn->y.x, 0, turn->y.z) : tp_normalise(x.x, 0, x.z);
+    return behind ? tp_normalise(-x.x, 0, -x.z) : tp_normalise(x.x, 0, x.z);
 }
 
 /* Range of distances, m. */
