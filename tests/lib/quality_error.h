@@ -110,6 +110,13 @@ static inline int32_t finer(int32_t lines)
     return more < 1024 ? more : 1024;
 }
 
+/* Of a mesh to the horizon: up to the most that a scene allows. */
+static inline int32_t finer_vertices(int32_t vertices)
+{
+    const int32_t most = 65536;
+    return vertices < most / (FINER * FINER) ? vertices * FINER * FINER : most;
+}
+
 static inline void draw_truth(truth_drawing *to, const loaded_scene *s,
                               const tp_world *world, uint32_t parts)
 {
@@ -118,6 +125,7 @@ static inline void draw_truth(truth_drawing *to, const loaded_scene *s,
     scene.grid.cell = scene.grid.cell / FINER;
     scene.grid.cols = finer(scene.grid.cols);
     scene.grid.rows = finer(scene.grid.rows);
+    scene.grid.vertices = finer_vertices(scene.grid.vertices);
     draw_at(to, s, &scene, world, parts);
 }
 
