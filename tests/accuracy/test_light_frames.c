@@ -32,7 +32,8 @@ enum { ALWAYS = sizeof always / sizeof *always };
  * the reference's the area across the sun's rays.
  *
  * Stars: the engine's dots are round on the cube's face, the reference's on the sphere;
- * towards a corner of the face the engine's are narrower. */
+ * towards a corner of the face the engine's are narrower.  The first row of the night has no
+ * glitter: the engine's is the mean over a pixel and would hide the stars (5.7). */
 static const light_row rows[] = {
     { "tank", 100, 160, 0.93, { NULL } },
     { "tank", 160, 160, 1.69, { "light.elevation=25" } },
@@ -41,7 +42,7 @@ static const light_row rows[] = {
     { "shallows", 100, 160, 2.77,
       { "camera.pitch=-50", "camera.fov=30", "water.clarity=15", "water.caustic_size=32",
         "water.caustic_cells=128" } },
-    { "night-sea", 100, 320, 3.94, { NULL } },
+    { "night-sea", 100, 320, 1.12, { "water.specular=0" } },
     { "night-sea", 10, 160, 2.3, { "camera.pitch=40", "sky.stars=1" } },
     { "night-sea", 10, 640, 0.61, { "camera.pitch=40", "sky.stars=1" } },
 };
