@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # Compares the plan's estimate of a frame's cost with the counted cost: within 12 % for
 # each shipped scene. Spray, swash and the law of a fan have no price yet: storm and
-# shore-break are 11 % and 10 % dearer than estimated, all other scenes within 8 %. The counts are those of scenes.csv, which scenes-count.sh checks;
-# nothing is drawn here.
+# shore-break are 11 % and 10 % dearer than estimated, all other scenes within 8 %. The
+# counts are those of scenes.csv, which scenes-count.sh checks; nothing is drawn here.
 #
 #   tests/budgets/plan-count.sh             the test
 #   tests/budgets/plan-count.sh --rows      rows of the chart `plan`
