@@ -261,15 +261,6 @@ typedef struct {
     uint32_t wave_nodes;              /* one bit per swell */
 } parts_kept;
 
-static uint32_t count_waves_with_amplitude(const tp_wave *waves, uint32_t count)
-{
-    uint32_t found = 0;
-
-    for (uint32_t i = 0; i < count && i < TP_WAVES; i++)
-        found += waves[i].amplitude > 0;
-    return found;
-}
-
 static void make_waves(tp_coastal_water *coastal, const tp_coastal_config *config,
                        const tp_deep_water *deep, const tp_wave *const wave[TP_WAVES],
                        const block_layout *plan, parts_kept kept)
@@ -318,30 +309,29 @@ static void build_coastal(tp_coastal_water *coastal, const tp_coastal_config *co
     clear_scratch_turns(coastal, &plan);
 }
 
-/* True if the arguments describe valid coastal water.  Then fills `wave` with the waves of
- * amplitude > 0, in the order of the swells. */
-static bool collect_waves_if_valid(const tp_coastal_config *config,
-                                   const tp_deep_water *deep, const tp_wave *waves,
-                                   uint32_t count, const tp_wave *wave[TP_WAVES])
+/* Fills `wave` with the waves of amplitude > 0, in the order of the swells.  False if they
+ * are not as many as the swells, or if the map is unusable. */
+static bool collect_waves(const tp_coastal_config *config, const tp_deep_water *deep,
+                          const tp_wave *waves, uint32_t count,
+                          const tp_wave *wave[TP_WAVES])
 {
     const tp_floor *floor = &config->floor;
     uint32_t n = 0;
 
-    if (count_waves_with_amplitude(waves, count) != deep->count
-        || !is_map_usable(floor->map))
+    if (!is_map_usable(floor->map)
+        || (floor->map && (floor->map_size < TP_FX_ONE || floor->map_size > TP_FX(8000))))
         return false;
-    if (floor->map && (floor->map_size < TP_FX_ONE || floor->map_size > TP_FX(8000)))
-        return false;
-    for (const tp_wave *w = waves; n < deep->count; w++) {
-        if (w->amplitude > 0)
-            wave[n++] = w;
+    for (uint32_t i = 0; i < count && i < TP_WAVES; i++) {
+        if (waves[i].amplitude > 0)
+            wave[n++] = &waves[i];
     }
-    return true;
+    return n == deep->count;
 }
 
 static tp_status check_given(const tp_coastal_water *coastal,
                              const tp_coastal_config *config, const tp_deep_water *deep,
-                             const tp_wave *waves, tp_error *err)
+                             const tp_wave *waves, uint32_t count,
+                             const tp_wave *wave[TP_WAVES], tp_error *err)
 {
     tp_status status = tp_pointer_check_aligned(coastal, 8, "coastal", err);
 
@@ -351,6 +341,8 @@ static tp_status check_given(const tp_coastal_water *coastal,
         status = tp_pointer_check(deep, "sea", err);
     if (status == TP_OK)
         status = tp_pointer_check(waves, "waves", err);
+    if (status == TP_OK && !collect_waves(config, deep, waves, count, wave))
+        return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
     return status;
 }
 
@@ -359,14 +351,11 @@ tp_status tp_coastal_init(tp_coastal_water *coastal, const tp_coastal_config *co
                           tp_error *err)
 {
     const tp_wave *wave[TP_WAVES];
-    const tp_status status = check_given(coastal, config, deep, waves, err);
+    const tp_status status = check_given(coastal, config, deep, waves, count, wave, err);
 
-    if (status != TP_OK)
-        return status;
-    if (!collect_waves_if_valid(config, deep, waves, count, wave))
-        return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
-    build_coastal(coastal, config, deep, wave, (parts_kept){ .floor_nodes = false });
-    return TP_OK;
+    if (status == TP_OK)
+        build_coastal(coastal, config, deep, wave, (parts_kept){ .floor_nodes = false });
+    return status;
 }
 
 tp_status tp_coastal_refresh(tp_coastal_water *coastal, const tp_coastal_config *config,
@@ -374,12 +363,11 @@ tp_status tp_coastal_refresh(tp_coastal_water *coastal, const tp_coastal_config 
                              uint32_t count, tp_error *err)
 {
     const tp_wave *wave[TP_WAVES];
-    const tp_status status = check_given(coastal, config, deep, waves, err);
+    const tp_status status = check_given(coastal, config, deep, waves, count, wave, err);
 
     if (status != TP_OK)
         return status;
-    if (!collect_waves_if_valid(config, deep, waves, count, wave)
-        || coastal->count != deep->count
+    if (coastal->count != deep->count
         || !has_same_node_counts(coastal, config->floor.map))
         return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
 
