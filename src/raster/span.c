@@ -3,9 +3,9 @@
  *
  * The fill loop is written once and compiled three times: for water, with 32-bit
  * positions s and t and a pair of slopes as normal; for solids; and for lids, with depth
- * only. s and t are affine in small triangles. In large triangles s and t are exact every
- * TP_SPAN_STEP pixels (at multiples and at the ends of the row) and linear between. */
-#include "raster/tri.h"
+ * only. s and t are affine in small triangles and follow raster/perspective.h in large
+ * triangles. */
+#include "raster/perspective.h"
 
 enum { WATER, SOLID, LID };
 
@@ -125,90 +125,12 @@ TP_ALWAYS_INLINE void fill_span(span *sp, int kind)
     }
 }
 
-/* -- perspective --------------------------------------------------------------------- */
-
-/* w = zi, s w and t w have PLUS additional fraction bits. zi is scaled to 29 bits at the
- * nearest vertex. s and t are relative to the first vertex. */
-#define PLUS 8
-
-typedef struct {
-    tp_gradient w, sw, tw;
-    uint32_t    s0, t0;
-} perspective;
-
-static int32_t times_w(int32_t d, uint32_t w_q29)
-{
-    return (int32_t)((int64_t)d * w_q29 >> 29);
-}
-
-static perspective make_perspective(const tp_tri *tri)
-{
-    const tp_screen_vertex *p[3] = { tri->a, tri->b, tri->c };
-    uint32_t near = p[0]->zi | p[1]->zi | p[2]->zi;
-    int      shift = tp_clz(near) - 3;
-    int64_t  w[3], sw[3], tw[3];
-
-    for (int i = 0; i < 3; i++) {
-        uint32_t wi = shift >= 0 ? p[i]->zi << shift : p[i]->zi >> -shift;
-        w[i] = wi;
-        sw[i] = times_w(p[i]->s - p[0]->s, wi);
-        tw[i] = times_w(p[i]->t - p[0]->t, wi);
-    }
-    return (perspective){
-        .w = tp_tri_gradient(tri, w[0], w[1], w[2], PLUS),
-        .sw = tp_tri_gradient(tri, sw[0], sw[1], sw[2], PLUS),
-        .tw = tp_tri_gradient(tri, tw[0], tw[1], tw[2], PLUS),
-        .s0 = (uint32_t)p[0]->s,
-        .t0 = (uint32_t)p[0]->t,
-    };
-}
-
-static int64_t evaluate_gradient(const tp_gradient *g, int32_t dx, int32_t dy)
-{
-    return g->base + g->dx * dx + g->dy * dy;
-}
-
-/* Returns s = sw / w in 16.16.  With w = n / 2^29, 1/n = r 2^shift / 2^63 and PLUS more
- * bits in sw, s = sw r 2^(shift - 42). |sw| < 2^39 and r < 2^33; the product is split
- * into halves to stay within 64 bits. */
-static uint32_t divide_by_w(int64_t sw, uint32_t r, int shift)
-{
-    int64_t q = (sw >> 16) * (int64_t)r
-              + (int64_t)(((uint64_t)sw & 0xffff) * r >> 16);
-    int     back = 26 - shift;
-    return back >= 0 ? (uint32_t)(q >> back) : (uint32_t)q << -back;
-}
-
-typedef struct {
-    uint32_t s, t;
-} span_st;
-
-static span_st evaluate_st(const perspective *p, const tp_tri *tri, int32_t x,
-                           int32_t y)
-{
-    int32_t dx = x - tri->x_ref, dy = y - tri->y_ref;
-    int64_t w = evaluate_gradient(&p->w, dx, dy) >> PLUS;
-    uint32_t n = w < 1 ? 1 : (uint32_t)w;       /* rounding may give 0 for a far w */
-    int      shift = tp_clz(n);
-    uint32_t r = tp_recip_norm(n << shift);
-
-    return (span_st){
-        p->s0 + divide_by_w(evaluate_gradient(&p->sw, dx, dy), r, shift),
-        p->t0 + divide_by_w(evaluate_gradient(&p->tw, dx, dy), r, shift),
-    };
-}
-
-static uint32_t texture_coordinate_step(uint32_t from, uint32_t to, int32_t n)
-{
-    return (uint32_t)((int64_t)(int32_t)(to - from) * tp_span_over[n] >> 16);
-}
-
 /* -- rows ---------------------------------------------------------------------------- */
 
 typedef struct {
     const tp_tri *tri;
     tp_gradient zi, s, t, n0, n1, n2;   /* s, t: for affine triangles */
-    perspective persp;
+    tp_perspective persp;
     uint32_t mark, face, pattern_rows;
 } span_painter;
 
@@ -324,12 +246,12 @@ TP_ALWAYS_INLINE tp_gradient normal_gradient(const tp_tri *tri, int i, int shift
                            tri->c->n[i] * one, 0);
 }
 
-TP_ALWAYS_INLINE void set_depth_and_st_gradients(span_painter *p)
+TP_ALWAYS_INLINE void set_depth_and_st_gradients(span_painter *p, bool exact)
 {
     const tp_tri *tri = p->tri;
 
     p->zi = tp_tri_gradient(tri, tri->a->zi, tri->b->zi, tri->c->zi, 0);
-    if (TP_SPAN_STEP && tri->perspective) {
+    if (exact) {
         p->persp = make_perspective(tri);
     } else {
         p->s = tp_tri_gradient(tri, tri->a->s, tri->b->s, tri->c->s, 0);
@@ -345,12 +267,13 @@ void tp_tri_water(const tp_gbuffer *tile, const tp_screen_vertex *a,
 
     if (!tp_tri_begin(&tri, tile, a, b, c))
         return;
+    const bool exact = TP_SPAN_STEP && tri.perspective;
     p.tri = &tri;
     p.mark = TP_MARK_WATER;
-    set_depth_and_st_gradients(&p);
+    set_depth_and_st_gradients(&p, exact);
     p.n0 = normal_gradient(&tri, 0, SLOPE_SHIFT);
     p.n1 = normal_gradient(&tri, 1, SLOPE_SHIFT);
-    if (TP_SPAN_STEP && tri.perspective)
+    if (exact)
         fill_triangle_rows(&p, tile, WATER, 1);
     else
         fill_triangle_rows(&p, tile, WATER, 0);
@@ -378,15 +301,16 @@ void tp_tri_solid(const tp_gbuffer *tile, const tp_screen_vertex *a,
 
     if (!tp_tri_begin(&tri, tile, a, b, c))
         return;
+    const bool exact = TP_SPAN_STEP && tri.perspective;
     p.tri = &tri;
     p.mark = mark;
     p.face = face;
     p.pattern_rows = opacity < 16 ? dither_pattern(opacity) : 0xffff;
-    set_depth_and_st_gradients(&p);
+    set_depth_and_st_gradients(&p, exact);
     p.n0 = normal_gradient(&tri, 0, NORMAL_SHIFT);
     p.n1 = normal_gradient(&tri, 1, NORMAL_SHIFT);
     p.n2 = normal_gradient(&tri, 2, NORMAL_SHIFT);
-    if (TP_SPAN_STEP && tri.perspective)
+    if (exact)
         fill_triangle_rows(&p, tile, SOLID, 1);
     else
         fill_triangle_rows(&p, tile, SOLID, 0);
