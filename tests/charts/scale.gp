@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Cost of a frame, or of a tick for cells, by the number of each, in millions of
-# instructions, with the nearest line and its equation; frames a second by threads, if
-# measured.
+# instructions, with the nearest line and its equation; the busiest of n threads, with a
+# frame shared evenly.
 array kinds[4] = ["pixels", "vertices", "waves", "cells"]
 array words_[4] = ["pixels", "vertices of the grid", "waves", "cells of a pool, a tick"]
 array processor[2] = ["m4", "x86"]
@@ -15,13 +15,14 @@ do for [i=0:7] {
     base[i + 1] = b_mean
     slope[i + 1] = s_mean
 }
-timed = int(system("test -f '" . time_csv . "' && echo 1 || echo 0"))
 
 millions(name) = mine(name) * 1e-6
 fit(i, x) = (base[i] + slope[i] * x) * 1e-6
 big(v) = v < 1e3 ? sprintf("%.3g", v) : v < 1e6 ? sprintf("%.3g k", v * 1e-3) : \
          sprintf("%.3g M", v * 1e-6)
 equation(i) = big(base[i]) . " + " . big(slope[i]) . " n"
+of_threads(n) = strcol("of") eq "threads" ? column("x86") : NaN
+stats csv using (of_threads(0)) name "t" nooutput
 
 array left[3] = [0.115, 0.425, 0.735]
 place = 'k = panel - 1; set lmargin at screen left[k % 3 + 1]; ' . \
@@ -76,35 +77,28 @@ set ylabel "M instructions" offset 1.2,0
 panel = 5
 @place
 unset label
-unset logscale
 unset ylabel
 set xlabel "threads" offset 0,0.5
-set xtics 1
-set ytics autofreq
-set xrange [0.5:*]
-set yrange [0:*]
-set format
-if (timed) {
-    set label 1 "frames/s, 640x480" at graph 0.04,0.08 left
-    plot time_csv using "n":(strcol("of") eq "threads" ? 1000 / column("ms") : NaN) \
-        with linespoints linetype 3 pointtype 9 notitle
-} else {
-    set label 1 "times are not measured" at graph 0.04,0.93 left
-    set xrange [0.5:4.5]
-    set yrange [0:60]
-    plot NaN notitle
-}
+set xtics (1, 2, 4, 8)
+set ytics (20, 50, 100, 200)
+set xrange [0.85:9.5]
+set yrange [10:400]
+set label 1 "busiest thread" at graph 0.04,0.1 left
+plot t_max * 1e-6 / x with lines dashtype 2 linecolor rgb grey notitle, \
+     csv using "n":(of_threads(0) * 1e-6) with points linetype 2 pointtype 5 notitle
 
 panel = 6
 @place
 unset label
+unset logscale
 unset border
 unset tics
 unset xlabel
 set label 1 "{/*1.2 ●} Cortex-M4" at graph 0.05,0.8 left textcolor linetype 1
 set label 2 "{/*1.2 ■} x86-64" at graph 0.05,0.62 left textcolor linetype 2
 set label 3 "count-64's frame;" at graph 0.05,0.36 left
-set label 4 "tank's cells" at graph 0.05,0.22 left
+set label 4 "tank's cells; threads" at graph 0.05,0.22 left
+set label 5 "draw three-swells" at graph 0.05,0.08 left
 set xrange [0:1]
 set yrange [0:1]
 plot -1 notitle

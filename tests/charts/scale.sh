@@ -4,13 +4,14 @@
 # line base + slope n with the smallest sum of squared relative errors.
 #
 #   tests/charts/scale.sh m4|x86 pixels|vertices|waves|cells
-#   tests/charts/scale.sh time threads          milliseconds a frame, by this machine
+#   tests/charts/scale.sh x86 threads
 #
 # pixels, vertices, waves: a frame of count-64; cells: a tick of the tank's 16-bit cells,
-# after waves have crossed the tank: cells at rest cost less.
+# after waves have crossed the tank: cells at rest cost less; threads: the busiest of n
+# threads that draw three-swells at 640x480, a frame.
 . "$(dirname "$0")/../lib/script.sh"
 
-usage() { echo "usage: scale.sh m4|x86|time pixels|vertices|waves|cells|threads" >&2; exit 2; }
+usage() { echo "usage: scale.sh m4|x86 pixels|vertices|waves|cells|threads" >&2; exit 2; }
 [ $# = 2 ] || usage
 column=$1 kind=$2 scene=count-64 of=frame
 
@@ -26,20 +27,30 @@ waves()         # N
     }'
 }
 
+# busiest THREADS FRAMES: instructions of the busiest of the threads
+busiest()
+{
+    rm -f "$scratch"/calls*
+    valgrind --quiet --tool=callgrind --separate-threads=yes --fair-sched=yes \
+        --callgrind-out-file="$scratch/calls" build/host/tidepool render three-swells \
+        --size 640x480 --frames "$2" --threads "$1" --out "$scratch/film.y4m" \
+        >"$scratch/said" 2>&1 || return 1
+    sed -n 's/^totals: //p' "$scratch"/calls* | sort -n | tail -1
+}
+
+# The main thread also loads the scene: the difference of two films is that of frames.
 threads()
 {
-    most=$(nproc)
-    for n in 1 2 4 8 16 32 64; do
-        [ "$n" -le "$most" ] || break
-        build/host/tidepool render three-swells --size 640x480 --frames 60:119 \
-            --threads "$n" --stats >"$scratch/stats" || return 1
-        sed "s/.*\"ms_median\": \([0-9.]*\).*/scale,threads;$n,ms,\1/" "$scratch/stats"
+    for n in 1 2 3 4 6 8; do
+        few=$(busiest "$n" 60:61) && many=$(busiest "$n" 60:69) || return 1
+        awk -v n="$n" -v all=$((many - few)) \
+            'BEGIN { printf "scale,threads;%d,x86,%.4g\n", n, all / 8 }'
     done
 }
 
 set --
 case $column.$kind in
-time.threads)
+x86.threads)
     threads; exit ;;
 *.pixels)
     for n in 80x60 160x120 240x180 320x240 480x360 640x480; do set -- "$@" "$n"; done ;;
