@@ -134,6 +134,7 @@ typedef struct {
                 "camera.y=1.5 camera.heading=50 camera.pitch=-3 "
 #define SURF    "grid.cols=160 grid.rows=160 grid.cell=0.4 grid.reach=2500 camera.x=-7 " \
                 "camera.y=1.5 camera.z=11 camera.heading=60 camera.pitch=-4 camera.fov=60 "
+#define SWELL   FLOOR "wave0.amplitude=0.62 wave0.length=24 wave0.heading=180 "
 #define GALE    "wave0.exponent=4 wave0.steepness=0.6 "
 #define RIPPLED "ripple ripple.bump=0.8 water.reflection=0.6 "
 #define QUICK   "quality.shading=quick "
@@ -259,9 +260,9 @@ static const pair works[] = {
     { "bank_far", "deep_far",
       FLOOR FINE "camera.y=3 camera.heading=75 floor.depth=1.8 floor.slope=0.07 "
                  "floor.heading=190" },
-    { "deep_surf", "", FLOOR SURF "floor.depth=20 floor.slope=0.004" },
+    { "deep_surf", "", SWELL SURF "floor.depth=20 floor.slope=0.004" },
     { "beach_surf", "deep_surf",
-      FLOOR SURF "floor.depth=2.4 floor.slope=0.13 floor.heading=180" },
+      SWELL SURF "floor.depth=2.4 floor.slope=0.13 floor.heading=180" },
     { "gale0", "", GALE "spray.count=1" },
     { "gale", "gale0", GALE "spray.count=512 spray.crest=4" },
     { "small", "plain", ALONG "boat.scale=0.4" },
