@@ -191,7 +191,7 @@ typedef struct {
     X(clear_water)  /* the colours seen through the water */ \
     X(foam) \
     X(fast_water)   /* the water by fast stages alone; off if a module above has none */ \
-    X(spray) \
+    P(spray) \
     N(meter)        /* automatic exposure */ \
     X(exposure)
 

@@ -97,6 +97,7 @@ static const row seen[] = {
     { "turned", "camera.heading=28 camera.y=8 camera.pitch=-15 camera.fov=52" },
     { "above", "camera.y=50 camera.pitch=-86 camera.fov=50 grid.cols=110 grid.rows=110 "
                "grid.cell=0.9 grid.follow=off" },     /* triangles only */
+    { "fan", "grid.vertices=5200 camera.y=3.4 camera.pitch=0 camera.fov=52" },
     { "swell", "camera.heading=16 camera.y=1.6 camera.pitch=-1 camera.fov=46 "
                "grid.cell=1.3 grid.cols=90 grid.rows=90 grid.reach=2000 "
                "wave0.amplitude=0.1 wave1.amplitude=0.05 wave2.amplitude=0.03" },
@@ -131,6 +132,10 @@ typedef struct {
                 "camera.heading=25 camera.pitch=-5 "
 #define FINE    "grid.cols=130 grid.rows=130 grid.cell=0.3 grid.reach=1500 " \
                 "camera.y=1.5 camera.heading=50 camera.pitch=-3 "
+#define SURF    "grid.cols=160 grid.rows=160 grid.cell=0.4 grid.reach=2500 camera.x=-7 " \
+                "camera.y=1.5 camera.z=11 camera.heading=60 camera.pitch=-4 camera.fov=60 "
+#define SWELL   FLOOR "wave0.amplitude=0.62 wave0.length=24 wave0.heading=180 "
+#define GALE    "wave0.exponent=4 wave0.steepness=0.6 "
 #define RIPPLED "ripple ripple.bump=0.8 water.reflection=0.6 "
 #define QUICK   "quality.shading=quick "
 #define MIRROR  "mirror.method=stencil "
@@ -255,6 +260,11 @@ static const pair works[] = {
     { "bank_far", "deep_far",
       FLOOR FINE "camera.y=3 camera.heading=75 floor.depth=1.8 floor.slope=0.07 "
                  "floor.heading=190" },
+    { "deep_surf", "", SWELL SURF "floor.depth=20 floor.slope=0.004" },
+    { "beach_surf", "deep_surf",
+      SWELL SURF "floor.depth=2.4 floor.slope=0.13 floor.heading=180" },
+    { "gale0", "", GALE "spray.count=1" },
+    { "gale", "gale0", GALE "spray.count=512 spray.crest=4" },
     { "small", "plain", ALONG "boat.scale=0.4" },
     { "large", "plain", FAR "boat.scale=2.5" },
     { "beside", "plain", "boat boat.z=-40 boat.x=20 boat.heading=30" },
@@ -356,7 +366,8 @@ static void draw(const char *what, const char *rung, const char *other, const ch
                          NULL)
         || tp_world_init(&tp_program_all, world, world_bytes, &scene, &assets, NULL))
         semihost_stop("a scene does not fit");
-    const bool moves = scene.pool.cols > 0 || scene.drops.count > 1 || assets.foam;
+    const bool moves = scene.pool.cols > 0 || scene.drops.count > 1 || assets.foam
+                    || scene.spray.count > 0;
     for (int i = 0; i < STEPS && moves; i++)
         tp_world_step(&tp_program_all, world, &scene, NULL);
     tp_frame_begin(frame, world);           /* the first begin fills tables */

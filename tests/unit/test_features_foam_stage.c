@@ -199,8 +199,9 @@ static void compare(bool textured, int level, foam_spread *off)
         measure_add(&off->worst, e, (int64_t)(c * 256), level, i);
         off->square += e * e;
         off->count++;
+        /* three ranks of the small scale's 80, and 1.2 of cover by three of the large */
         assert_true(fabs(r.run.glint[i] - before.run.glint[i] * (1 - share))
-                    < 2 + before.run.glint[i] * 0.06);
+                    < 2 + before.run.glint[i] * 0.08);
     }
 }
 

@@ -13,6 +13,7 @@
 #include "base/base.h"
 #include "features/spray/spray.h"
 #include "frame/frame.h"
+#include "quality/prices.h"
 
 #define MOST  96                /* length of the longest streak, 1/16 px */
 #define BLUR  16                /* smallest radius, 1/16 px */
@@ -233,3 +234,13 @@ const tp_drawing tp_spray_drawing = {
     .project = project_specks,
     .stages = add_stages,
 };
+
+/* -- cost ---------------------------------------------------------------------------- */
+
+/* Counts the specks: in a gale as many as there is room. */
+static void count_work(tp_site *w)
+{
+    w->fixed_cost.of[TP_WORK_spray] = (uint32_t)w->scene->spray.count;
+}
+
+const tp_cost tp_spray_cost = { .work = count_work };
