@@ -151,6 +151,7 @@ bool tp_frame_can_draw_rows(tp_frame *frame)
  * 14 degrees from the lines' normal: its rays go farther from line to line. */
 #define WIDE_CELL   16
 #define WIDE_TILTED 4
+#define WIDE_FAN    32          /* of a fan, whose waves are filtered to fit the cells */
 
 void tp_lines_layout(tp_frame_buffers *buffers, tp_arena *arena, const tp_program *program,
                      const tp_scene *scene, const tp_config *config)
@@ -257,7 +258,7 @@ static void turn(tp_frame *frame)
 static bool is_tilted(const tp_frame *frame)
 {
     int32_t x = tp_abs(frame->projection.turn.z.x), z = tp_abs(frame->projection.turn.z.z);
-    return !frame->buffers.grid->fan && 4 * (int64_t)(x < z ? x : z) > (x < z ? z : x);
+    return 4 * (int64_t)(x < z ? x : z) > (x < z ? z : x);
 }
 
 /* For each pair of neighbouring lines, sets the range of visible cells between the two. */
@@ -359,7 +360,8 @@ static void set_row(tp_frame *frame, uint32_t k)
 {
     const tp_gbuffer picture = { .x1 = (int32_t)frame->config.width,
                                  .y1 = (int32_t)frame->config.height };
-    const int32_t wide = is_tilted(frame) ? WIDE_TILTED : WIDE_CELL;
+    const int32_t wide = frame->buffers.grid->fan ? WIDE_FAN
+                       : is_tilted(frame) ? WIDE_TILTED : WIDE_CELL;
     tp_frame_line *line = &frame->buffers.lines->line[k];
 
     line->is = 0;

@@ -264,8 +264,9 @@ static tp_surface_point sample(const row_waves *waves, uint32_t i)
     const tp_fx z = tp_fan_place(row->z, row->step_z, i);
     const bool wind = waves->surface->coastal != NULL;
     tp_surface_point at = { .position = { x, 0, z } };
-    tp_swell_sum sum = { 0 };
+    tp_swell_sum sum;
 
+    sum.x = sum.y = sum.z = sum.hx = sum.hz = sum.bxx = sum.bxz = sum.bzz = 0;
     for (uint32_t k = 0; k < waves->count; k++) {
         const row_wave *w = &waves->wave[k];
         const tp_turn phase = w->first + i * w->step;
