@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Light of rough water: the slope variance of what a sample does not show widens the lobe
- * [V1] and raises N.V for Fresnel's share and the mirrored height [V5].
+ * [V1] and bends N.V for Fresnel's share and the mirrored height (tp_rough_view).
  *
  * A lobe of exponent n is close to exp(-n d), d = 1 - R.V.  Slopes of variance s2 spread
  * the mirrored ray by 4 s2 in the plane of view, and across the plane by 4 s2 times the
@@ -17,30 +17,43 @@
 /* Entry i is sqrt(i / 256), Q1.14. */
 extern const tp_entry16 tp_sqrt_table[258];
 
-/* Returns the root of a Q28 number, up to 1, Q14.  The error is below 0.6 % from 2 / 256,
- * below a quarter of 1/16 at less. */
+/* Returns the root of a Q28 number, up to 1, Q14.  The error is below 0.6 % from 2^-13, and
+ * below 1/512 at less. */
 TP_ALWAYS_INLINE int32_t tp_sqrt_nearest(uint32_t q28)
 {
-    uint32_t i = q28 >> 20 < 256 ? q28 >> 20 : 256;
+    const int up = q28 < 1u << 22 ? 3 : 0;
+    const uint32_t q = q28 << 2 * up, i = q >> 20 < 256 ? q >> 20 : 256;
     int32_t  a = (int32_t)tp_sqrt_table[i], b = (int32_t)tp_sqrt_table[i + 1];
 
-    return a + ((b - a) * (int32_t)(q28 >> 12 & 255) >> 8);
+    return (a + ((b - a) * (int32_t)(q >> 12 & 255) >> 8)) >> up;
 }
 
-/* Returns N.V as rough water shows it [V5]; nv and the result are Q14, `square` is the
- * slope variance along the view, Q28. */
-TP_ALWAYS_INLINE int32_t tp_rough_view_cosine(int32_t nv, uint32_t square)
+/* N.V whose share of reflected light is the mean share of slopes of a variance: a smooth
+ * bend from a floor to N.V, lift + h + sqrt(h^2 + square), h = (N.V - bend) / 2.  Q14;
+ * square: Q28. */
+typedef struct {
+    int32_t  bend, lift;
+    uint32_t square;
+} tp_rough_view;
+
+/* Returns the form at slope variances along the view, Q24: of ripples and of waves. */
+tp_rough_view tp_rough_view_make(uint32_t ripples, uint32_t waves);
+
+/* Returns N.V as rough water shows it; nv and the result are Q14, the result is 0..1. */
+TP_ALWAYS_INLINE int32_t tp_rough_view_cosine(int32_t nv, const tp_rough_view *view)
 {
-    int32_t root = tp_sqrt_nearest((uint32_t)(nv * nv) + square);
-    return root > nv ? root : nv;
+    const int32_t h = ((nv > -4096 ? nv : -4096) - view->bend) >> 1;
+    const int32_t size = h < 0 ? -h : h;
+    const int32_t root = tp_sqrt_nearest((uint32_t)(h * h) + view->square);
+
+    return tp_clamp(view->lift + h + (root > size ? root : size), 0, 16384);
 }
 
 /* The lobe at one variance.  across, along: factors of the two parts of d, Q14.  slant: of
- * the squared difference of the heights, Q14.  peak: factor of the table, Q14.  square: as
- * in tp_rough_view_cosine. */
+ * the squared difference of the heights, Q14.  peak: factor of the table, Q14. */
 typedef struct {
-    uint32_t square;
-    int32_t  across, along, slant, peak;
+    tp_rough_view view;
+    int32_t across, along, slant, peak;
 } tp_rough_lobe;
 
 /* Returns the lobe of a sample by its key and the height of the vector to its eye, Q14. */

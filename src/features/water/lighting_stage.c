@@ -87,7 +87,7 @@ TP_ALWAYS_INLINE void light(const tp_shade *restrict shade, tp_run *restrict run
 
 /* -- light of rough water ------------------------------------------------------------- */
 
-/* Shades columns [i, stop), at most 16, of one lobe: as light does, with N.V raised and
+/* Shades columns [i, stop), at most 16, of one lobe: as light does, with N.V bent and
  * the lobe widened. */
 TP_ALWAYS_INLINE void light_rough_columns(const tp_shade *restrict shade,
                                           tp_run *restrict run, tp_rough_lobe lobe,
@@ -103,8 +103,9 @@ TP_ALWAYS_INLINE void light_rough_columns(const tp_shade *restrict shade,
         int32_t nv = vy - ((sx * vx + sz * vz) >> 12);
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
 
-        int32_t seen = tp_clamp(nv * ny >> 14, 0, 16384);
-        nv = tp_rough_view_cosine(seen, lobe.square);
+        nv = tp_clamp(nv * ny >> 14, -16384, 16384);
+        int32_t seen = nv < 0 ? 0 : nv;
+        nv = tp_rough_view_cosine(nv, &lobe.view);
         nv = rippled && nv < RIPPLED_VIEW ? RIPPLED_VIEW : nv;
         nl = tp_clamp(nl * ny >> 14, 0, 16384);
         int32_t rv = tp_lobe_table_cosine(nl, seen, run->lv[i], blinn);
