@@ -165,8 +165,6 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t 
 
 /* outline_colours.c: the colours of outlines; see tp_gbuffer.outline. */
 struct tp_outlining {
-    /* Gives the tile a cleared layer in `memory`, four planes. */
-    void (*begin)(const tp_frame *frame, tp_gbuffer *tile, uint32_t *memory);
     /* Colours row y of the tile's outlines, by the stages before `end`.  Returns false if
      * none is visible. */
     bool (*colour_row)(const tp_frame *frame, const tp_gbuffer *tile, int32_t y,
@@ -183,6 +181,13 @@ static inline const struct tp_outlining *tp_frame_outlining(const tp_frame *fram
 {
     return frame->outlined ? frame->program->modules[frame->outlined - 1].drawing->outlining
                            : NULL;
+}
+
+/* Lets solids draw outlines into the tile, which has the layer's memory. */
+static inline void tp_frame_allow_outlines(const tp_frame *frame, tp_gbuffer *tile)
+{
+    if (frame->outlined)
+        tile->outline_shift = tp_outline_shift(frame->shade.focal);
 }
 
 /* shader_list.c: builds the shader lists for the scene, and their numbers. */

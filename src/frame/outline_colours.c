@@ -5,15 +5,6 @@
  * Key 0 stands for no outline, or a hidden one. */
 #include "frame/frame.h"
 
-static void begin_layer(const tp_frame *frame, tp_gbuffer *tile, uint32_t *memory)
-{
-    const uint32_t rows = (uint32_t)(tile->y1 - tile->y0);
-
-    memset(memory, 0, (size_t)rows * tile->stride * sizeof *memory);
-    tile->outline = memory;
-    tile->outline_shift = tp_outline_shift(frame->shade.focal);
-}
-
 /* Points the run at the row's outlines from column x on. */
 static void set_run(const tp_gbuffer *tile, int32_t x, int32_t y, tp_run *run)
 {
@@ -124,6 +115,5 @@ static void blend_map_row(const tp_gbuffer *tile, int32_t y, uint32_t *to)
 }
 
 const struct tp_outlining tp_outlining_by_share = {
-    .begin = begin_layer, .colour_row = colour_row, .blend = blend,
-    .blend_map_row = blend_map_row,
+    .colour_row = colour_row, .blend = blend, .blend_map_row = blend_map_row,
 };

@@ -18,8 +18,7 @@ static tp_gbuffer make_samples(const tp_frame *frame, void *scratch, const tp_ti
         c->tile_width, at, at + plane, at + 2 * plane, at + 3 * plane, false, 0, NULL,
     };
 
-    if (frame->outlined)
-        tp_frame_outlining(frame)->begin(frame, &samples, at + 4 * plane);
+    tp_frame_allow_outlines(frame, &samples);
     return samples;
 }
 

@@ -74,23 +74,15 @@ static int32_t cross(const outline *o, int32_t i, int32_t *along)
     return (int32_t)lerp(16 * a, 16 * b, *along);
 }
 
-static void draw_row(const tp_gbuffer *tile, const outline *o, int32_t y, uint32_t mark,
-                     uint32_t face)
+/* Draws the edge where it crosses the centre of row or column i. */
+static void draw_crossing(const tp_gbuffer *tile, const outline *o, int32_t i,
+                          uint32_t mark, uint32_t face)
 {
-    int32_t along, at = cross(o, y, &along), x = at >> 8;
+    int32_t along;
+    const int32_t at = cross(o, i, &along), x = o->level ? i : at >> 8,
+                  y = o->level ? at >> 8 : i;
 
-    if (x >= tile->x0 && x < tile->x1)
-        draw_pixel(tile, o, tile->outline + (size_t)(uint32_t)(y - tile->y0) * tile->stride
-                                + (uint32_t)(x - tile->x0),
-                   along, (256 - (at & 255)) >> 1, mark, face);
-}
-
-static void draw_column(const tp_gbuffer *tile, const outline *o, int32_t x, uint32_t mark,
-                        uint32_t face)
-{
-    int32_t along, at = cross(o, x, &along), y = at >> 8;
-
-    if (y >= tile->y0 && y < tile->y1)
+    if (x >= tile->x0 && x < tile->x1 && y >= tile->y0 && y < tile->y1)
         draw_pixel(tile, o, tile->outline + (size_t)(uint32_t)(y - tile->y0) * tile->stride
                                 + (uint32_t)(x - tile->x0),
                    along, (256 - (at & 255)) >> 1, mark, face);
@@ -115,10 +107,15 @@ void tp_outline_draw_edge(const tp_gbuffer *tile, const tp_screen_vertex *a,
         return;
     o.inverse = 0x7fffffffu / (uint32_t)o.length;
     for (; first < end; first++)
-        if (level)
-            draw_column(tile, &o, first, mark, face);
-        else
-            draw_row(tile, &o, first, mark, face);
+        draw_crossing(tile, &o, first, mark, face);
+}
+
+void tp_outline_begin(tp_gbuffer *tile)
+{
+    const uint32_t rows = (uint32_t)(tile->y1 - tile->y0);
+
+    tile->outline = tile->key + 4 * (tile->s - tile->key);
+    memset(tile->outline, 0, (size_t)rows * tile->stride * sizeof *tile->outline);
 }
 
 static uint32_t share_of_sum(int32_t sum)

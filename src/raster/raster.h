@@ -107,7 +107,7 @@ typedef struct {
     uint32_t *t;                /* water: rest z, 16.16 m; solids: face number */
     uint32_t *n;                /* water: slopes x:z, Q3.12 each; solids: packed normal */
     bool      front_only;       /* skip triangles with area >= 0, see tp_tri_twice_area */
-    uint8_t   outline_shift;    /* see tp_outline_draw_edge */
+    uint8_t   outline_shift;    /* see tp_outline_draw_edge; 0: no memory for the layer */
     uint32_t *outline;          /* a second layer of four planes, at the same distances:
                                  * samples of outlines, key 0 elsewhere; NULL: none */
 } tp_gbuffer;
@@ -157,6 +157,9 @@ static inline uint8_t tp_outline_shift(int32_t focal_28_4)
     const int log2 = 27 - tp_clz((uint32_t)focal_28_4 | 16);
     return (uint8_t)(log2 > 4 ? log2 - 3 : 1);
 }
+
+/* Begins the tile's outlines: none yet.  The layer lies right behind the four planes. */
+void tp_outline_begin(tp_gbuffer *tile);
 
 /* Draws the edge from a to b of a front face; both in the order of the face.  Samples of
  * the same material within depth / 2^(outline_shift) belong to the same outline. */

@@ -8,6 +8,7 @@
  *     buoyancy.c       the pose on the water
  *     wake.c           the module wake
  *     boat_drawing.c   the modules boat (the mesh) and lids
+ *     boat_faces.c     the list of a view's faces
  *     boat_outlines.c  the module outlines
  *     boat_stage.c     the lighting of the boat's materials
  *     boat_rungs.c     the cost of the boat's faces
@@ -38,13 +39,61 @@ typedef struct {
  * vertices is not drawn.  A face with one or two is clipped. */
 #define TP_BOAT_OUTSIDE (TP_GRID_NEEDS_CLIP + 1)
 
+/* Flags of an entry: set by the list, and by the module outlines. */
+enum {
+    TP_FACE_FILLS = 1,          /* may cover the centre of a pixel */
+    TP_FACE_CUT = 2,            /* has corners to clip */
+    TP_FACE_EDGED = 4           /* has edges of the outline */
+};
+
+/* The faces that the view placed last may draw; boat_faces.c. */
+typedef struct {
+    uint32_t *entry;            /* array, one for each face of the mesh */
+    uint32_t  count;            /* entries [0, count): visible faces */
+    uint32_t  lids, end;        /* entries [lids, end): lids */
+    int32_t   last_step;        /* steps of rows are 0..last_step */
+    uint8_t   row_bits, row_shift;
+} tp_boat_faces;
+
+/* The first and the last step of a tile's rows. */
+typedef struct {
+    uint32_t first, last;
+} tp_boat_rows;
+
+tp_boat_faces tp_boat_faces_layout(tp_arena *arena, uint32_t count, uint32_t height);
+
+tp_boat_rows tp_boat_rows_find(const tp_boat_faces *faces, const tp_gbuffer *tile);
+
+/* Lists the faces of a view with these projected vertices.  `edges`: a word for each face,
+ * for the module outlines; NULL: none. */
+void tp_boat_faces_list(tp_boat_faces *faces, const tp_mesh *mesh,
+                        const tp_boat_vertex *vertex, uint8_t *edges);
+
+/* True if an entry's face may touch the rows. */
+static inline bool tp_boat_face_touches(const tp_boat_faces *faces, uint32_t entry,
+                                        tp_boat_rows rows)
+{
+    const uint32_t steps = (uint32_t)faces->last_step;
+    return (entry >> 3 & steps) >= rows.first
+           && (entry >> (3 + faces->row_bits) & steps) <= rows.last;
+}
+
+/* Returns the number of an entry's face. */
+static inline uint32_t tp_boat_face_number(const tp_boat_faces *faces, uint32_t entry)
+{
+    return entry >> (3 + 2 * faces->row_bits);
+}
+
+/* Bits of tp_boat_outlines.edges besides 1, 2, 4 for the three edges. */
+enum { TP_BOAT_FRONT = 8, TP_BOAT_CUT = 16, TP_BOAT_STEP = 64 };
+
 /* The module outlines: edges between front and back faces in the view placed last.  Boats
  * without the module have plain outlines. */
 typedef struct tp_boat_outlines {
-    void (*find)(const struct tp_boat_outlines *o, const tp_boat_vertex *vertex,
-                 int32_t focal);
-    void (*draw)(const struct tp_boat_outlines *o, const tp_boat_vertex *vertex,
-                 const tp_gbuffer *tile, uint32_t mark);
+    void (*find)(const struct tp_boat_outlines *o, const tp_boat_faces *faces,
+                 const tp_boat_vertex *vertex, int32_t focal);
+    void (*draw)(const struct tp_boat_outlines *o, const tp_boat_faces *faces,
+                 const tp_boat_vertex *vertex, tp_gbuffer *tile, uint32_t mark);
     const tp_mesh *mesh;
     uint32_t *neighbour;        /* of each face's three edges, or none */
     uint8_t  *edges;            /* of each face: bit k: edge k is an outline */

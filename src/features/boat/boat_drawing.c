@@ -15,6 +15,7 @@
 typedef struct {
     tp_boat_shading look;       /* data of the span stages; first member */
     tp_boat_vertex *vertex;
+    tp_boat_faces   faces;
     tp_solid       *solid;      /* array, one for each material */
     uint8_t        *gloss;      /* tables, TP_GLOSS bytes for each material */
     int32_t         model;      /* light model of the gloss tables */
@@ -109,31 +110,33 @@ static int clip_face(const drawn_boat *b, const tp_view *view, const tp_mesh_fac
     return tp_clipped_corners(&b->projection, tp_view_clip_plane(view), in, corner);
 }
 
-static void widen_box_by_face(drawn_boat *b, const tp_view *view, const tp_mesh_face *face)
+/* Widens the box by the clipped parts of faces with cut corners. */
+static void widen_box_by_cut_faces(drawn_boat *b, const tp_view *view, uint32_t first,
+                                   uint32_t end)
 {
-    const tp_boat_vertex *vertex = b->vertex;
     tp_screen_vertex corner[TP_CLIP_VERTICES];
-    int cut = 0, outside = 0;
 
-    for (int k = 0; k < 3; k++) {
-        const tp_boat_vertex *v = &vertex[face->vertex[k]];
-        cut += v->u <= OUTSIDE;
-        outside += v->u == OUTSIDE;
-        if (v->u > OUTSIDE)
-            tp_box_widen(&b->box, v->u, v->v);
+    for (uint32_t i = first; i < end; i++) {
+        const uint32_t entry = b->faces.entry[i];
+        if (!(entry & TP_FACE_CUT))
+            continue;
+        const uint32_t f = tp_boat_face_number(&b->faces, entry);
+        for (int k = clip_face(b, view, &b->look.mesh->faces[f], corner); k-- > 0; )
+            tp_box_widen(&b->box, corner[k].u, corner[k].v);
     }
-    if (cut == 0 || outside == 3)
-        return;
-    for (int k = clip_face(b, view, face, corner); k-- > 0; )
-        tp_box_widen(&b->box, corner[k].u, corner[k].v);
 }
 
-static void find_outlines(const tp_frame *frame, const drawn_boat *b)
+/* Lists the faces of the view, and finds their outlines. */
+static void list_faces(const tp_frame *frame, drawn_boat *b, const tp_view *view)
 {
-    const tp_boat_outlines *o = tp_frame_module_memory(frame, TP_OUTLINES_ID);
+    const tp_boat_outlines *o =
+        frame->outlined ? tp_frame_module_memory(frame, TP_OUTLINES_ID) : NULL;
 
+    tp_boat_faces_list(&b->faces, b->look.mesh, b->vertex, o ? o->edges : NULL);
+    widen_box_by_cut_faces(b, view, 0, b->faces.count);
+    widen_box_by_cut_faces(b, view, b->faces.lids, b->faces.end);
     if (o && b->box.x0 <= b->box.x1)
-        o->find(o, b->vertex, frame->shade.focal);
+        o->find(o, &b->faces, b->vertex, frame->shade.focal);
 }
 
 static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
@@ -143,12 +146,12 @@ static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box
 
     b->box = TP_BOX_NONE;
     set_mesh_space_view(frame, b, view, &frame->drawn.boat);
-    for (uint32_t i = 0; i < mesh->n_vertices; i++)
+    for (uint32_t i = 0; i < mesh->n_vertices; i++) {
         project_vertex(b, view, i);
-    for (uint32_t f = 0; f < mesh->n_faces; f++)
-        widen_box_by_face(b, view, &mesh->faces[f]);
-    if (frame->outlined)
-        find_outlines(frame, b);
+        if (b->vertex[i].u > OUTSIDE)
+            tp_box_widen(&b->box, b->vertex[i].u, b->vertex[i].v);
+    }
+    list_faces(frame, b, view);
     if (b->box.x0 <= b->box.x1) {
         frame->stats.vertices += mesh->n_vertices;
         frame->stats.triangles += mesh->n_faces;
@@ -172,10 +175,8 @@ static bool is_invisible_lid(const tp_mesh *mesh, uint32_t material)
 typedef struct {
     const drawn_boat *boat;
     const tp_mesh    *mesh;
-    const tp_boat_vertex *at;   /* the projected vertices of the mesh */
     const tp_view    *view;
     const tp_gbuffer *tile;
-    int32_t  top, bottom;       /* rows of the tile, 28.4 fixed point */
     uint32_t          mark;
 } pass;
 
@@ -212,44 +213,34 @@ static tp_screen_vertex make_corner(const tp_boat_vertex *at, const tp_mesh_vert
     };
 }
 
-/* Draws a face into the tile.  For most faces the first row test ends the work: the face
- * lies in other rows. */
-static void draw_face(const pass *p, const tp_mesh_face *face, uint32_t f)
+static void draw_face(const pass *p, uint32_t f)
 {
-    const tp_boat_vertex *a = &p->at[face->vertex[0]];
-    const tp_boat_vertex *b = &p->at[face->vertex[1]];
-    const tp_boat_vertex *c = &p->at[face->vertex[2]];
-    const int32_t top = p->top, bottom = p->bottom;
-
-    if (a->u <= OUTSIDE || b->u <= OUTSIDE || c->u <= OUTSIDE) {
-        if (a->u != OUTSIDE || b->u != OUTSIDE || c->u != OUTSIDE)
-            draw_clipped(p, f);
-        return;
-    }
-    if ((a->v < top && b->v < top && c->v < top)
-        || (a->v >= bottom && b->v >= bottom && c->v >= bottom))
-        return;
+    const tp_boat_vertex *at = p->boat->vertex;
     const tp_mesh_vertex *vertex = p->mesh->vertices;
-    const tp_screen_vertex corner[3] = { make_corner(a, &vertex[face->vertex[0]]),
-                                         make_corner(b, &vertex[face->vertex[1]]),
-                                         make_corner(c, &vertex[face->vertex[2]]) };
+    const uint32_t *v = p->mesh->faces[f].vertex;
+    const tp_screen_vertex corner[3] = { make_corner(&at[v[0]], &vertex[v[0]]),
+                                         make_corner(&at[v[1]], &vertex[v[1]]),
+                                         make_corner(&at[v[2]], &vertex[v[2]]) };
+
     draw_triangle(p, corner, f);
 }
 
+/* Draws the faces of a range of the list. */
 static void draw_faces(const drawn_boat *b, const tp_view *view, tp_gbuffer *samples,
-                       bool lids_only, uint32_t mark)
+                       uint32_t first, uint32_t end, uint32_t mark)
 {
-    const tp_mesh *mesh = b->look.mesh;
-    const pass p = { b, mesh, b->vertex, view, samples, 16 * samples->y0,
-                     16 * samples->y1, mark };
+    const pass p = { b, b->look.mesh, view, samples, mark };
+    const tp_boat_rows rows = tp_boat_rows_find(&b->faces, samples);
 
-    if (!tp_box_overlaps_tile(&b->box, samples))
-        return;
     samples->front_only = true;
-    for (uint32_t f = 0; f < mesh->n_faces; f++) {
-        const tp_mesh_face *face = &mesh->faces[f];
-        if (is_invisible_lid(mesh, face->material) == lids_only)
-            draw_face(&p, face, f);
+    for (uint32_t i = first; i < end; i++) {
+        const uint32_t entry = b->faces.entry[i];
+        if (!(entry & TP_FACE_FILLS) || !tp_boat_face_touches(&b->faces, entry, rows))
+            continue;
+        if (entry & TP_FACE_CUT)
+            draw_clipped(&p, tp_boat_face_number(&b->faces, entry));
+        else
+            draw_face(&p, tp_boat_face_number(&b->faces, entry));
     }
 }
 
@@ -258,8 +249,8 @@ static void draw_outlines(const tp_frame *frame, const drawn_boat *b, tp_gbuffer
 {
     const tp_boat_outlines *o = tp_frame_module_memory(frame, TP_OUTLINES_ID);
 
-    if (o)
-        o->draw(o, b->vertex, samples, mark);
+    if (o && samples->outline_shift)
+        o->draw(o, &b->faces, b->vertex, samples, mark);
 }
 
 static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
@@ -267,11 +258,11 @@ static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
 {
     const drawn_boat *b = mine;
 
-    if (samples->outline && !tp_box_overlaps_tile(&b->box, samples))
-        samples->outline = NULL;
-    if (samples->outline)
+    if (!tp_box_overlaps_tile(&b->box, samples))
+        return;
+    if (frame->outlined)
         draw_outlines(frame, b, samples, mark);
-    draw_faces(b, view, samples, false, mark);
+    draw_faces(b, view, samples, 0, b->faces.count, mark);
 }
 
 /* -- materials ----------------------------------------------------------------------- */
@@ -334,6 +325,7 @@ static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
     made.materials = mesh->n_materials < TP_BOAT_MATERIALS ? mesh->n_materials
                                                            : TP_BOAT_MATERIALS;
     made.vertex = tp_arena_alloc(arena, mesh->n_vertices, sizeof *made.vertex);
+    made.faces = tp_boat_faces_layout(arena, mesh->n_faces, conditions->height);
     made.look.solid = made.solid = tp_arena_alloc(arena, made.materials,
                                                  sizeof *made.solid);
     made.gloss = tp_arena_alloc(arena, made.materials, TP_GLOSS);
@@ -403,8 +395,8 @@ static void draw_lids(const tp_frame *frame, const void *mine, const tp_view *vi
     const drawn_boat *b = tp_frame_module_memory(frame, TP_BOAT_ID);
 
     (void)mine;
-    if (b && view->picture)
-        draw_faces(b, view, samples, true, mark);
+    if (b && view->picture && tp_box_overlaps_tile(&b->box, samples))
+        draw_faces(b, view, samples, b->faces.lids, b->faces.end, mark);
 }
 
 const tp_module tp_lids_module = {

@@ -10,8 +10,8 @@
 
 #define NONE UINT32_MAX
 
-/* Bits of tp_boat_outlines.edges besides 1, 2, 4 for the three edges. */
-enum { FRONT = 8, CUT = 16, CONCAVE = 32, STEP = 64 };
+/* Further bits of tp_boat_outlines.edges. */
+enum { FRONT = TP_BOAT_FRONT, CUT = TP_BOAT_CUT, CONCAVE = 32, STEP = TP_BOAT_STEP };
 
 /* -- neighbours ---------------------------------------------------------------------- */
 
@@ -183,17 +183,6 @@ static void find_steps(const tp_boat_outlines *o)
 
 /* -- edges of a view ----------------------------------------------------------------- */
 
-static uint8_t facing(const tp_mesh_face *face, const tp_boat_vertex *vertex)
-{
-    const tp_boat_vertex *a = &vertex[face->vertex[0]], *b = &vertex[face->vertex[1]],
-                         *c = &vertex[face->vertex[2]];
-
-    if (a->u <= TP_BOAT_OUTSIDE || b->u <= TP_BOAT_OUTSIDE || c->u <= TP_BOAT_OUTSIDE)
-        return CUT;
-    return (int64_t)(b->u - a->u) * (c->v - a->v) < (int64_t)(c->u - a->u) * (b->v - a->v)
-               ? FRONT : 0;
-}
-
 /* Distance of two depths. */
 static uint32_t apart(uint32_t a, uint32_t b)
 {
@@ -214,22 +203,33 @@ static bool is_shallow_step(const tp_boat_outlines *o, const tp_boat_vertex *ver
     return (ab < bc ? ab < ca ? ab : ca : bc < ca ? bc : ca) < a >> shift;
 }
 
-/* Finds the edges of the outline: of front faces, without a front face beyond. */
-static void find_edges(const tp_boat_outlines *o, const tp_boat_vertex *vertex, int32_t focal)
+/* Finds the edges of the outline among a front face's edges: those without a front face
+ * beyond. */
+static uint8_t find_edges_of_face(const tp_boat_outlines *o, const tp_boat_vertex *vertex,
+                                  uint32_t f, int shift)
 {
-    const tp_mesh *mesh = o->mesh;
+    const uint32_t *neighbour = &o->neighbour[3 * (size_t)f];
+    uint8_t edges = 0;
+
+    for (int k = 0; k < 3; k++)
+        if (neighbour[k] == NONE
+            || (!(o->edges[neighbour[k]] & (FRONT | CUT))
+                && !is_shallow_step(o, vertex, neighbour[k], shift)))
+            edges |= (uint8_t)(1 << k);
+    return edges;
+}
+
+static void find_edges(const tp_boat_outlines *o, const tp_boat_faces *faces,
+                       const tp_boat_vertex *vertex, int32_t focal)
+{
     const int shift = tp_outline_shift(focal);
 
-    for (uint32_t f = 0; f < mesh->n_faces; f++)
-        o->edges[f] = (o->edges[f] & STEP)
-                    | (is_lid(mesh, f) ? 0 : facing(&mesh->faces[f], vertex));
-    for (uint32_t f = 0; f < mesh->n_faces; f++) {
-        const uint32_t *neighbour = &o->neighbour[3 * (size_t)f];
-        for (int k = 0; o->edges[f] & FRONT && k < 3; k++)
-            if (neighbour[k] == NONE
-                || (!(o->edges[neighbour[k]] & (FRONT | CUT))
-                    && !is_shallow_step(o, vertex, neighbour[k], shift)))
-                o->edges[f] |= (uint8_t)(1 << k);
+    for (uint32_t i = 0; i < faces->count; i++) {
+        const uint32_t f = tp_boat_face_number(faces, faces->entry[i]);
+        const uint8_t edges =
+            o->edges[f] & FRONT ? find_edges_of_face(o, vertex, f, shift) : 0;
+        o->edges[f] |= edges;
+        faces->entry[i] |= edges ? TP_FACE_EDGED : 0;
     }
 }
 
@@ -271,16 +271,22 @@ static void draw_edges(const tp_boat_outlines *o, const tp_boat_vertex *vertex,
 }
 
 /* Draws the outline into a tile, before the faces. */
-static void draw_outline(const tp_boat_outlines *o, const tp_boat_vertex *vertex,
-                         const tp_gbuffer *tile, uint32_t mark)
+static void draw_outline(const tp_boat_outlines *o, const tp_boat_faces *faces,
+                         const tp_boat_vertex *vertex, tp_gbuffer *tile, uint32_t mark)
 {
-    for (uint32_t f = 0; f < o->mesh->n_faces; f++)
-        if (o->edges[f] & 7) {
-            const uint32_t material = o->mesh->faces[f].material;
-            draw_edges(o, vertex, tile,
-                       mark + (material < TP_BOAT_MATERIALS ? material
-                                                            : TP_BOAT_MATERIALS - 1), f);
-        }
+    const tp_boat_rows rows = tp_boat_rows_find(faces, tile);
+
+    tp_outline_begin(tile);
+    for (uint32_t i = 0; i < faces->count; i++) {
+        const uint32_t entry = faces->entry[i];
+        if (!(entry & TP_FACE_EDGED) || !tp_boat_face_touches(faces, entry, rows))
+            continue;
+        const uint32_t f = tp_boat_face_number(faces, entry);
+        const uint32_t material = o->mesh->faces[f].material;
+        draw_edges(o, vertex, tile,
+                   mark + (material < TP_BOAT_MATERIALS ? material : TP_BOAT_MATERIALS - 1),
+                   f);
+    }
 }
 
 /* -- the module ---------------------------------------------------------------------- */

@@ -120,9 +120,7 @@ static void draw_mirror(tp_frame *frame, mirror *m, const tp_view *view)
     for (int32_t y0 = map->y0; y0 < map->y1; y0 += TP_PLANAR_BAND) {
         tp_gbuffer band = tp_planar_gbuffer(store, map, y0);
         tp_gbuffer_clear(&band);
-        if (frame->outlined)
-            tp_frame_outlining(frame)->begin(
-                frame, &band, store->samples + 4 * (size_t)store->cols * TP_PLANAR_BAND);
+        tp_frame_allow_outlines(frame, &band);
         tp_view_draw_solids(frame, view, &band);
         for (int32_t y = y0; y < band.y1; y++) {
             tp_frame_colour_row(frame, &band, y,
