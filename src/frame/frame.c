@@ -45,7 +45,8 @@ bool tp_frame_is_grid_streamed(const tp_program *program, const tp_scene *scene)
 {
     const struct tp_water_renderer *method = program->method.triangles;
     return method && method->streams
-           && (tp_frame_uses_fan(program, scene) || !tp_frame_is_coastal(program, scene));
+           && ((tp_frame_uses_fan(program, scene) && !tp_has_floor(scene))
+               || !tp_frame_is_coastal(program, scene));
 }
 
 bool tp_frame_uses_fan(const tp_program *program, const tp_scene *scene)

@@ -237,11 +237,13 @@ static void layout_water(tp_frame_buffers *buffers, tp_arena *arena,
         program->water.fan->layout(grid, arena, tp_fan_budget(scene),
                                    tp_frame_is_grid_streamed(program, scene));
         buffers->filtered = tp_arena_alloc(arena, 1, sizeof *buffers->filtered);
+        if (tp_has_floor(scene) && tp_frame_is_coastal(program, scene))
+            program->water.coastal->layout(grid, arena, tp_fan_budget(scene));
         return;
     }
     tp_grid_layout(grid, arena, (uint32_t)scene->grid.cols, (uint32_t)scene->grid.rows);
     if (tp_frame_is_coastal(program, scene))
-        program->water.coastal->layout(grid, arena);
+        program->water.coastal->layout(grid, arena, grid->cols * grid->rows);
 }
 
 static void layout_streamed(tp_frame_buffers *buffers, tp_arena *arena,

@@ -66,6 +66,10 @@ tp_fx tp_fan_wave_weight(tp_fx spacing, int64_t turns);
 /* Returns the weight of a swell in a row. */
 tp_fx tp_fan_row_weight(const tp_fan *fan, const tp_fan_row *row, const tp_swell *swell);
 
+/* Returns the spacing of a row in wavelengths of deep water. */
+tp_coastal_spacing tp_fan_row_spacing(const tp_fan *fan, const tp_fan_row *row,
+                                      const tp_deep_water *deep);
+
 /* Returns the slope variance of the waves that a row leaves out. */
 tp_slope_variance tp_fan_row_variance(const tp_fan *fan, const tp_fan_row *row,
                                       const tp_surface *surface);

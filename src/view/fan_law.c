@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Distances, widths and filter of a fan's rows; see the header for the law. */
 #include "view/fan.h"
+#include "view/wave_models.h"
+#include "waves/deep_water.h"
 #include "waves/softfloat.h"
 
 #define LEAST_HEIGHT TP_FX(0.5)
@@ -8,8 +10,6 @@
 #define WIDEST    (22000 * TP_FX_ONE)   /* from the eye to the end of the last row, m */
 #define SET_BACK  (2 * TP_FX_ONE)       /* of the columns' origin behind the eye, m */
 #define MARGIN    (TP_FX_ONE / 2)
-#define KEPT      TP_FX(0.3)            /* spacing over wavelength: all of a wave is kept */
-#define GONE      TP_FX(0.5)            /* the same: nothing is left of a wave */
 
 /* -- size ---------------------------------------------------------------------------- */
 
@@ -113,18 +113,32 @@ static void widen(range *r, int64_t d)
 
 /* Widens the range by the water's highest and lowest level on a ray; true if the ray meets
  * one of them. */
-static bool widen_by_ray(range *r, const fan_ray *ray, int64_t eye, int64_t height)
+static bool widen_by_ray(range *r, const fan_ray *ray, int64_t eye, int64_t height,
+                         int64_t high)
 {
     bool meets = false;
 
     for (int k = 0; k < 2; k++) {
-        const int64_t drop = eye + (k ? height : -height);
+        const int64_t drop = eye + (k ? height : -high);
         if (ray->down == 0 || (drop < 0) != (ray->down < 0))
             continue;
         widen(r, tp_clamp_abs(ray->ahead * drop / ray->down, WIDEST));
         meets = true;
     }
     return meets;
+}
+
+/* Returns the level that the nearest rays reach first, m: land under the eye, with room for
+ * land that rises ahead, or `height`. */
+static int64_t highest_level(const tp_surface *surface, tp_vec3 eye, int64_t height)
+{
+    if (!surface->coastal)
+        return height;
+    const int64_t land = -(int64_t)surface->by->coastal->floor(surface->coastal, eye.x,
+                                                               eye.z).depth;
+    const int64_t under = eye.y > land ? land + (eye.y - land) / 4 : eye.y;
+
+    return land > -height && under > height ? under : height;
 }
 
 /* Returns the distances of the water in view: between the rays of the picture's corners,
@@ -135,6 +149,7 @@ static range visible_range(const tp_grid_view *view, tp_dir3 right, tp_fx last)
     const int64_t eye = view->projection->eye.y;
     const int64_t height = tp_surface_height_bound(view->surface) + TP_FX_ONE / 4;
     const int64_t room = (int64_t)tp_surface_displacement_bound(view->surface) + MARGIN;
+    const int64_t high = highest_level(view->surface, view->projection->eye, height);
     const fan_ray middle = make_ray(view->projection, right, 0, 0);
     range r = { INT64_MAX / 2, INT64_MIN / 2 };
     int down = 0, met = 0;
@@ -143,9 +158,9 @@ static range visible_range(const tp_grid_view *view, tp_dir3 right, tp_fx last)
         const fan_ray ray = make_ray(view->projection, right, k & 1 ? u : -u,
                                      k & 2 ? v : -v);
         down += ray.down > 0;
-        met += widen_by_ray(&r, &ray, eye, height);
+        met += widen_by_ray(&r, &ray, eye, height, high);
     }
-    if (met == 0 || (eye < height && -eye < height))
+    if (met == 0 || (eye <= high && -eye < height))
         widen(&r, 0);
     if (down % 4 != 0)
         widen(&r, middle.ahead < 0 ? -(int64_t)last : last);
@@ -332,13 +347,29 @@ tp_fan_row tp_fan_law_row(const tp_fan_law *law, const tp_grid_view *view, uint3
 
 /* -- the filter ---------------------------------------------------------------------- */
 
+/* Returns the wavelengths in a spacing, 16.16. */
+static int64_t spacing_share(tp_fx spacing, int64_t turns)
+{
+    return ((turns < 0 ? -turns : turns) >> 8) * spacing >> 24;
+}
+
 tp_fx tp_fan_wave_weight(tp_fx spacing, int64_t turns)
 {
-    const int64_t share = ((turns < 0 ? -turns : turns) >> 8) * spacing >> 24;
+    return tp_swell_spacing_weight(spacing_share(spacing, turns));
+}
 
-    if (share <= KEPT)
-        return TP_FX_ONE;
-    return share >= GONE ? 0 : tp_smoothstep((tp_fx)((GONE - share) * 5));
+tp_coastal_spacing tp_fan_row_spacing(const tp_fan *fan, const tp_fan_row *row,
+                                      const tp_deep_water *deep)
+{
+    const int64_t rx = fan->law.right.x >> 14, rz = fan->law.right.z >> 14;
+    tp_coastal_spacing to;
+
+    for (uint32_t i = 0; i < deep->count; i++) {
+        const int64_t x = deep->swell[i].turns_x, z = deep->swell[i].turns_z;
+        to.along[i] = tp_fx_saturate(spacing_share(row->along, (x * rz - z * rx) >> 16));
+        to.across[i] = tp_fx_saturate(spacing_share(row->across, (x * rx + z * rz) >> 16));
+    }
+    return to;
 }
 
 tp_fx tp_fan_row_weight(const tp_fan *fan, const tp_fan_row *row, const tp_swell *swell)

@@ -46,12 +46,11 @@ void tp_grid_layout_streamed(tp_grid *grid, tp_arena *arena, uint32_t cols, uint
         tp_arena_alloc(arena, 2 * (size_t)cols, sizeof *grid->vertex));
 }
 
-void tp_grid_layout_coastal(tp_grid *grid, tp_arena *arena)
+void tp_grid_layout_coastal(tp_grid *grid, tp_arena *arena, uint32_t vertices)
 {
     for (int k = 0; k < 3; k++)
-        grid->sheet[k] = tp_arena_alloc(arena, grid->cols, sizeof *grid->sheet[k]);
-    grid->dry = tp_arena_alloc(arena, ((size_t)grid->cols * grid->rows + 31) / 32,
-                               sizeof *grid->dry);
+        grid->sheet[k] = tp_arena_alloc(arena, grid->most_cols, sizeof *grid->sheet[k]);
+    grid->dry = tp_arena_alloc(arena, ((size_t)vertices + 31) / 32, sizeof *grid->dry);
 }
 
 /* -- visible cells ------------------------------------------------------------------- */

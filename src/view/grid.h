@@ -67,8 +67,8 @@ void tp_grid_layout(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows
 void tp_grid_layout_streamed(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
                              uint32_t waves);
 
-/* Allocates the additional tables of coastal water. */
-void tp_grid_layout_coastal(tp_grid *grid, tp_arena *arena);
+/* Allocates the additional tables of coastal water for a number of vertices. */
+void tp_grid_layout_coastal(tp_grid *grid, tp_arena *arena, uint32_t vertices);
 
 /* The inputs of a grid for a frame. */
 typedef struct {

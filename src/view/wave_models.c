@@ -5,7 +5,7 @@
  * profiles [A3], and the heights of rings and pools.  Such vertices are evaluated one by
  * one.  grid.h has the idea of the grid.
  */
-#include "view/grid.h"
+#include "view/fan.h"
 #include "view/surface.h"
 #include "view/wave_models.h"
 #include "waves/deep_water.h"
@@ -14,7 +14,18 @@
 
 static tp_fx coastal_wave_weight(const tp_grid *grid, uint32_t i, uint32_t j)
 {
-    return tp_fx_mul(grid->column[i].fade, grid->row[j].fade);
+    return grid->fan ? TP_FX_ONE : tp_fx_mul(grid->column[i].fade, grid->row[j].fade);
+}
+
+/* Returns the displaced point of a vertex of a fan's row. */
+static tp_coastal_point filtered_point(const tp_grid *grid, uint32_t j, tp_vec3 rest)
+{
+    const tp_surface *surface = grid->frame.surface;
+    const tp_coastal_spacing spacing =
+        tp_fan_row_spacing(grid->fan, &grid->fan->row[j], surface->deep);
+
+    return tp_coastal_displace_filtered(surface->coastal, surface->phases, &spacing, rest.x,
+                                        rest.z);
 }
 
 /* Returns the displaced vertex. *depth: depth of still water at the vertex, m; may be
@@ -23,7 +34,7 @@ static tp_vec3 displaced_vertex(const tp_grid *grid, uint32_t i, uint32_t j,
                                 tp_fx *water_depth)
 {
     const tp_surface *surface = grid->frame.surface;
-    tp_vec3 rest = { grid->column[i].place, 0, grid->row[j].place };
+    tp_vec3 rest = { tp_grid_s(grid, i, j), 0, tp_grid_t(grid, i, j) };
     tp_fx   fade = coastal_wave_weight(grid, i, j);
 
     if (fade == 0) {
@@ -32,7 +43,9 @@ static tp_vec3 displaced_vertex(const tp_grid *grid, uint32_t i, uint32_t j,
         return rest;
     }
     tp_coastal_point p =
-        tp_coastal_displace_point(surface->coastal, surface->phases, rest.x, rest.z);
+        grid->fan ? filtered_point(grid, j, rest)
+                  : tp_coastal_displace_point(surface->coastal, surface->phases, rest.x,
+                                              rest.z);
     tp_vec3 way = tp_vec3_sub(p.position, rest);
     if (water_depth)
         *water_depth = p.depth;
@@ -89,6 +102,11 @@ static tp_vec3 shortened(tp_vec3 v, int shift)
     return (tp_vec3){ v.x >> shift, v.y >> shift, v.z >> shift };
 }
 
+static tp_fx longest(tp_vec3 v)
+{
+    return tp_abs(v.x) > tp_abs(v.z) ? tp_abs(v.x) : tp_abs(v.z);
+}
+
 static tp_vec3 add_rings_pools_and_slopes(const tp_vec3 around[4], const tp_grid *grid,
                                           tp_vec3 middle, tp_fx wave_weight,
                                           int16_t slope[2])
@@ -96,7 +114,8 @@ static tp_vec3 add_rings_pools_and_slopes(const tp_vec3 around[4], const tp_grid
     const tp_surface *surface = grid->frame.surface;
     tp_vec3 across = tp_vec3_sub(around[1], around[0]);
     tp_vec3 along = tp_vec3_sub(around[3], around[2]);
-    int     shift = across.x > 1000 * TP_FX_ONE || along.z > 1000 * TP_FX_ONE ? 5 : 0;
+    int     shift = longest(across) > 1000 * TP_FX_ONE || longest(along) > 1000 * TP_FX_ONE
+                        ? 5 : 0;
     tp_height_slope sum = { 0, 0, 0 };
 
     if (wave_weight != 0)
@@ -168,7 +187,7 @@ static tp_view_vertex coastal_grid_make_view_vertex(const tp_grid *grid, uint32_
 {
     const tp_surface *surface = grid->frame.surface;
     tp_vec3 at = displaced_vertex(grid, i, j, NULL);
-    tp_view_vertex c = { .s = grid->column[i].place, .t = grid->row[j].place };
+    tp_view_vertex c = { .s = tp_grid_s(grid, i, j), .t = tp_grid_t(grid, i, j) };
 
     if (tp_surface_has_rings_or_pools(surface))
         at.y += tp_rings_pools_sample_faded(surface, at.x, at.z,

@@ -153,7 +153,7 @@ struct tp_water_coastal {
     tp_coastal_point (*smooth)(const tp_coastal_water *coastal,
                                const tp_turn phases[TP_WAVES], tp_fx x0, tp_fx z0);
     tp_floor_at (*floor)(const tp_coastal_water *coastal, tp_fx x, tp_fx z);
-    void (*layout)(tp_grid *grid, tp_arena *arena);
+    void (*layout)(tp_grid *grid, tp_arena *arena, uint32_t vertices);
     void (*row)(tp_grid *grid, uint32_t j, tp_grid_span needed);
     tp_view_vertex (*corner)(const tp_grid *grid, uint32_t i, uint32_t j);
 };

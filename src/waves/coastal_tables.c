@@ -154,6 +154,7 @@ static tp_coastal_depth_entry deep_node(const tp_coastal_swell *w)
     return (tp_coastal_depth_entry){
         .along = w->reach, .up = w->amplitude, .way_x = w->way.x, .way_z = w->way.z,
         .tilt_cos = 1 << 14, .steep = steep_breaking_strength(w->k_inf_q32, w->amplitude),
+        .shorter = 1 << 14,
     };
 }
 
@@ -177,6 +178,7 @@ static tp_coastal_depth_entry make_node(const tp_coastal_water *coastal,
         .lip = (tp_fx)((int64_t)amplitude * tp_orbit_depth_decay(KEPT_RATE, h) >> 32),
         .way_x = w->way.x, .way_z = w->way.z, .tilt_cos = 1 << 14,
         .steep = steep_breaking_strength(k_q32, amplitude),
+        .shorter = (int16_t)(k_q32 > 0 ? (w->k_inf_q32 << 14) / k_q32 : 1 << 14),
     };
 }
 

@@ -309,8 +309,26 @@ static tp_offset breaking_wave_offset(const tp_coastal_water *coastal, uint32_t 
 
 /* -- points -------------------------------------------------------------------------- */
 
+/* Returns the share of a wave at a depth that points of a spacing hold. */
+static tp_fx spacing_weight(const tp_coastal_water *coastal, uint32_t i,
+                            const tp_coastal_spacing *spacing, const floor_place *p)
+{
+    const tp_coastal_depth_entry *d = tp_coastal_tables(coastal)[i].depth + p->at.depth;
+    const int32_t part = p->at.depth_fraction;
+    const int32_t shorter = tp_coastal_mix(d[0].shorter, d[1].shorter, part);
+
+    if (spacing->along[i] <= TP_FX(0.02) && spacing->across[i] <= TP_FX(0.02))
+        return TP_FX_ONE;
+    if (shorter <= 0)
+        return 0;
+    const int64_t along = (int64_t)spacing->along[i] * (1 << 14) / shorter;
+    const int64_t across = (int64_t)spacing->across[i] * (1 << 14) / shorter;
+    return tp_fx_mul(tp_swell_spacing_weight(along), tp_swell_spacing_weight(across));
+}
+
 static tp_coastal_point sample_point(const tp_coastal_water *coastal,
-                                     const tp_turn *phases, tp_fx x0, tp_fx z0,
+                                     const tp_turn *phases,
+                                     const tp_coastal_spacing *spacing, tp_fx x0, tp_fx z0,
                                      bool with_overhang)
 {
     const floor_place p = locate_point(coastal, x0, z0);
@@ -319,11 +337,16 @@ static tp_coastal_point sample_point(const tp_coastal_water *coastal,
     uint32_t foam = 0;
 
     for (uint32_t i = 0; i < count; i++) {
+        const tp_fx weight = spacing ? spacing_weight(coastal, i, spacing, &p) : TP_FX_ONE;
+        if (weight == 0)
+            continue;
         const motion m = evaluate_wave_phase_and_orbit(coastal, i, phases, x0, z0, &p);
-        const tp_offset o = p.at.depth >= coastal->wave[i].calm
+        tp_offset o = p.at.depth >= coastal->wave[i].calm
                                 ? tp_orbit_offset(&m.orbit, m.phi)
                                 : breaking_wave_offset(coastal, i, phases, &p, &m, x0, z0,
                                                        with_overhang, &foam);
+        if (weight != TP_FX_ONE)
+            o = (tp_offset){ tp_fx_mul(o.along, weight), tp_fx_mul(o.up, weight) };
         point.position.x += tp_q30_mul(o.along, m.way.x);
         point.position.y += o.up;
         point.position.z += tp_q30_mul(o.along, m.way.z);
@@ -338,14 +361,22 @@ tp_coastal_point tp_coastal_displace_point(const tp_coastal_water *coastal,
                                            const tp_turn phases[TP_WAVES], tp_fx x0,
                                            tp_fx z0)
 {
-    return sample_point(coastal, phases, x0, z0, true);
+    return sample_point(coastal, phases, NULL, x0, z0, true);
 }
 
 tp_coastal_point tp_coastal_displace_no_overhang(const tp_coastal_water *coastal,
                                                  const tp_turn phases[TP_WAVES], tp_fx x0,
                                                  tp_fx z0)
 {
-    return sample_point(coastal, phases, x0, z0, false);
+    return sample_point(coastal, phases, NULL, x0, z0, false);
+}
+
+tp_coastal_point tp_coastal_displace_filtered(const tp_coastal_water *coastal,
+                                              const tp_turn phases[TP_WAVES],
+                                              const tp_coastal_spacing *spacing, tp_fx x0,
+                                              tp_fx z0)
+{
+    return sample_point(coastal, phases, spacing, x0, z0, true);
 }
 
 tp_fx tp_coastal_max_displacement(const tp_coastal_water *coastal)

@@ -207,7 +207,7 @@ typedef struct {
     tp_q30  way_x, way_z;   /* straight floor: direction of travel */
     int16_t tilt_sin, tilt_cos;     /* straight floor: tilt of the orbit [B11], Q1.14 */
     int16_t steep;          /* breaking by steepness [B14], 0..1, Q1.14 */
-    int16_t spare;
+    int16_t shorter;        /* length / length in deep water, Q1.14 */
 } tp_coastal_depth_entry;
 
 /* Private: the inputs of a table, and of the rest of tp_coastal_water; used to detect
@@ -317,6 +317,18 @@ typedef struct {
 tp_coastal_point tp_coastal_displace_point(const tp_coastal_water *coastal,
                                            const tp_turn phases[TP_WAVES], tp_fx x0,
                                            tp_fx z0);
+
+/* Distance of neighbouring points over the length of each wave in deep water, 16.16: along
+ * a view's heading and across. */
+typedef struct {
+    tp_fx along[TP_WAVES], across[TP_WAVES];
+} tp_coastal_spacing;
+
+/* The same, where a wave keeps the share of its height that points so far apart hold. */
+tp_coastal_point tp_coastal_displace_filtered(const tp_coastal_water *coastal,
+                                              const tp_turn phases[TP_WAVES],
+                                              const tp_coastal_spacing *spacing, tp_fx x0,
+                                              tp_fx z0);
 
 /* The same without overhanging parts (stretch and displacement), for boats and drops: a
  * height field wherever sum Q k A < 1. */

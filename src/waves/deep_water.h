@@ -281,6 +281,15 @@ TP_ALWAYS_INLINE tp_surface_point tp_swell_sum_point_inline(const tp_swell_sum *
     };
 }
 
+/* Returns the weight of a wave for points `share` wavelengths apart [V4]: 1 up to 0.3, 0
+ * from 0.5 on. */
+static inline tp_fx tp_swell_spacing_weight(int64_t share)
+{
+    if (share <= TP_FX(0.3))
+        return TP_FX_ONE;
+    return share >= TP_FX(0.5) ? 0 : tp_smoothstep((tp_fx)((TP_FX(0.5) - share) * 5));
+}
+
 /* The same for a sum that has the cross terms, for any waves. */
 tp_surface_point tp_swell_sum_point(const tp_swell_sum *sum, tp_fx x0, tp_fx z0,
                                     tp_fx fade);

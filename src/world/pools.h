@@ -37,10 +37,10 @@ static inline bool tp_has_floor(const tp_scene *scene)
     return scene->floor.depth > 0 || scene->floor.map[0];
 }
 
-/* True if the water's grid is a fan to the horizon: open water, without floor or tank. */
+/* True if the water's grid is a fan to the horizon: any water without a tank. */
 static inline bool tp_has_fan(const tp_scene *scene)
 {
-    return scene->grid.vertices > 0 && !tp_has_floor(scene) && !tp_has_tank(scene);
+    return scene->grid.vertices > 0 && !tp_has_tank(scene);
 }
 
 /* Returns the budget of vertices of a fan. */

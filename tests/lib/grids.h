@@ -11,7 +11,7 @@ static inline void grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols,
 {
     tp_grid_layout(grid, arena, cols, rows);
     if (coastal)
-        tp_grid_layout_coastal(grid, arena);
+        tp_grid_layout_coastal(grid, arena, cols * rows);
 }
 
 /* Carves a grid, for coastal water or deep water, from a block of exact size, filled with

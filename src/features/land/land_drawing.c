@@ -5,6 +5,7 @@
 #include "base/base.h"
 #include "features/land/land.h"
 #include "frame/frame.h"
+#include "view/fan.h"
 #include "world/pools.h"
 
 /* A screen vertex of the land; u may be TP_GRID_NEEDS_CLIP as for the water. */
@@ -41,7 +42,8 @@ static corner *grid_vertex(const tp_frame *frame, const land *l, uint32_t i, uin
 static tp_view_vertex transform_vertex(const tp_frame *frame, uint32_t i, uint32_t j,
                                        tp_floor_at *floor)
 {
-    tp_fx x = frame->buffers.grid->column[i].place, z = frame->buffers.grid->row[j].place;
+    const tp_grid *grid = frame->buffers.grid;
+    tp_fx x = tp_grid_s(grid, i, j), z = tp_grid_t(grid, i, j);
     tp_view_vertex c;
 
     *floor = tp_coastal_floor(frame->surface.coastal, x, z);
@@ -197,11 +199,14 @@ bool tp_land_enabled(const tp_module_conditions *conditions)
 
 static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    const size_t cols = (size_t)conditions->scene->grid.cols;
-    const size_t rows = (size_t)conditions->scene->grid.rows;
+    const tp_scene *scene = conditions->scene;
+    const bool fan = conditions->water->fan && tp_has_fan(scene);
+    const uint32_t budget = tp_fan_budget(scene);
+    const size_t vertices = fan ? budget : (size_t)scene->grid.cols * (size_t)scene->grid.rows;
+    const size_t rows = fan ? tp_fan_most_rows(budget) : (size_t)scene->grid.rows;
     land *l = tp_arena_alloc(arena, 1, sizeof *l), made = { .seen = false };
 
-    made.at = tp_arena_alloc(arena, cols * rows, sizeof *made.at);
+    made.at = tp_arena_alloc(arena, vertices, sizeof *made.at);
     made.rows = tp_arena_alloc(arena, rows, sizeof *made.rows);
     if (l)
         *l = made;
