@@ -166,35 +166,72 @@ typedef struct {
     uint32_t id;
 } pebble;
 
-/* Pebble at a point: depth from the cell's border or from a circle, whichever is nearer. */
+/* Depth of a point, from a pebble's middle in 1/256 cell, in the rounded ellipse of a random
+ * size, shape and heading; 1/256 cell. */
+static int depth_in_pebble(int dx, int dy, uint32_t id)
+{
+    int32_t turn = (int32_t)(id >> 16 & 255) * 256;
+    int c = sine_q14(turn + 16384), s = sine_q14(turn);
+    int64_t along = (dx * c + dy * s) / 16384, across = (dy * c - dx * s) / 16384;
+    int radius = 105 + (int)(id >> 24 & 63), stretch = 256 + (int)(id >> 27 & 31) * 7;
+
+    across = across * stretch / 256;
+    return radius - (int)root_u64((uint64_t)(along * along + across * across));
+}
+
+/* Pebble of n x n at a point, in 1/256 cell; the deepest of the neighbours. */
+static pebble pebble_of_layer(int x_q8, int y_q8, int n, uint32_t seed)
+{
+    pebble found = { -(1 << 14), 0 };
+
+    for (int j = -1; j <= 1; j++)
+        for (int i = -1; i <= 1; i++) {
+            int cx = x_q8 / 256 + i, cy = y_q8 / 256 + j;
+            uint32_t h = hash((cx + n) % n, (cy + n) % n, seed);
+            int depth = depth_in_pebble(x_q8 - cx * 256 - 64 - (int)(h & 127),
+                                        y_q8 - cy * 256 - 64 - (int)(h >> 8 & 127), h);
+            if (depth > found.depth_q8)
+                found = (pebble){ depth, h };
+        }
+    found.depth_q8 = found.depth_q8 * SIDE / n;
+    return found;
+}
+
+/* Pebble at a point: large pebbles lie on small ones. */
 static pebble pebble_at(int x, int y)
 {
-    int px = x * 256 + (fractal(x, y, SIDE, SIDE, 18, 18, 2, 103) - 32768) / 40;
-    int py = y * 256 + (fractal(x, y, SIDE, SIDE, 18, 18, 2, 104) - 32768) / 40;
-    cells c = cells_at(px * 13 / SIDE, py * 13 / SIDE, 13, 105);
-    int border = (c.next - c.near) * 5 - 90, circle = (190 - c.near) * 12;
-    int gap = border - circle;
-    int soft = (int)root_u64((uint64_t)((int64_t)gap * gap + 400 * 400));
-    pebble p = { (border + circle - soft) / 2 + 120, c.id };
+    static const int many[4] = { 9, 12, 17, 25 };
+    int px = x * 256 + (fractal(x, y, SIDE, SIDE, 18, 18, 2, 103) - 32768) / 60;
+    int py = y * 256 + (fractal(x, y, SIDE, SIDE, 18, 18, 2, 104) - 32768) / 60;
+    pebble p = { 0, 0 };
+
+    px = (px + SIDE * 256) % (SIDE * 256);
+    py = (py + SIDE * 256) % (SIDE * 256);
+    for (int i = 0; i < 4; i++) {
+        p = pebble_of_layer(px * many[i] / SIDE, py * many[i] / SIDE, many[i],
+                            105 + (uint32_t)i);
+        if (p.depth_q8 > 0 && (i > 0 || (p.id >> 4 & 3) != 0))
+            return p;
+    }
     return p;
 }
 
 void paint_pebbles(canvas *to)
 {
     static const uint32_t tones[8] = { 0xaca8a1, 0x878b8d, 0xccbda3, 0xe1daca,
-                                       0x94816d, 0xecece6, 0x707577, 0xb49c81 };
+                                       0x94816d, 0xd4d2c8, 0x707577, 0xb49c81 };
     for (int i = 0; i < SIDE * SIDE; i++) {
         pebble p = pebble_at(i % SIDE, i / SIDE);
-        shape.at[i] = bevel(p.depth_q8, 6 * 256, 1300);
+        shape.at[i] = bevel(p.depth_q8, 9 * 256, 1100);
     }
     for (int i = 0; i < SIDE * SIDE; i++) {
         int x = i % SIDE, y = i / SIDE;
         pebble p = pebble_at(x, y);
         int cloud = (fractal(x, y, SIDE, SIDE, 16, 16, 4, 106) - 32768) / 900;
         uint32_t tone =
-            rgb_add(tones[p.id >> 16 & 7], cloud + (int)(p.id >> 20 & 15) - 8);
+            rgb_add(tones[p.id >> 13 & 7], cloud + (int)(p.id >> 20 & 15) - 8);
         tone = rgb_scale(tone, relief_light(&shape, x, y));
         uint32_t gravel = rgb_add(0x4a453c, grain(x, y, 16, 107));
-        to->pixel[i] = rgb_mix(gravel, tone, clamp_int(p.depth_q8 + 64, 0, 256));
+        to->pixel[i] = rgb_mix(gravel, tone, clamp_int(p.depth_q8 / 3 + 40, 0, 256));
     }
 }

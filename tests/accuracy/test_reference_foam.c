@@ -358,8 +358,8 @@ static void foam_moves_with_the_waves(void **state)
     assert_true(off.worst < 1e-4);      /* as plain foam */
 }
 
-/* Foam beyond the window of cells on a trochoid: the field's mean in proportion to the
- * square of the slope, less 20 of 255, and 144 at most. */
+/* Foam beyond the window of cells on a trochoid: the field's mean by the sixth
+ * power of the slope, less 12 of 255, and 144 at most. */
 static void foam_beyond_the_window_lies_on_slopes(void **state)
 {
     measure off = { .what = "far foam on a wave", .unit = "of 255" };
@@ -396,7 +396,7 @@ static void foam_beyond_the_window_lies_on_slopes(void **state)
                                   -atan2(eye[1] - a * sin(th), hypot(dx, dz)) };
         const sight_angles normal = { slope > 0 ? -PI / 2 : PI / 2,
                                       atan2(1, fabs(slope)) };
-        const double share = cover * slope * slope / (k * a * k * a / 2) - 20;
+        const double share = slope > 0 ? cover * 4 * pow(slope / (k * a), 6) - 12 : -12;
         const double far = fmax(0, fmin(144, share)) / 255;
         none += share < 0;
         most += share > 144;

@@ -8,7 +8,7 @@
 #define OPAQUE (15 / 16.0)      /* largest opacity */
 #define LACE   (236 / 256.0)    /* white share of full cover */
 #define BAND   0.25             /* opacity of the bubbles below full cover */
-#define FAR_LEAST (20 / 255.0)  /* taken from all far cover */
+#define FAR_LEAST (12 / 255.0)  /* taken from all far cover */
 #define FAR_MOST  (144 / 255.0)
 #define COARSE 5                /* mipmap level from which the threshold covers all ranks */
 
@@ -34,16 +34,24 @@ static double lattice_origin(int64_t drift, tp_fx speed, double back)
     return ldexp((double)drift, -32) - ref_number(speed) * back / TP_TICKS_PER_SECOND;
 }
 
-/* The field's mean over the mean square of the waves' slope. */
-static double cover_per_square(const tp_world *world, const tp_foam *foam)
+/* Sets the cover beyond the window: half of the field's mean over the cube of the mean
+ * square of the waves' slope, and the mean way of the waves. */
+static void set_far_foam(ref_foam *f, const tp_world *world, const tp_foam *foam)
 {
     const tp_deep_water *deep = &world->deep;
-    double square = 0;
+    double square = 0, x = 0, z = 0;
 
-    for (uint32_t i = 0; i < deep->count; i++)
+    for (uint32_t i = 0; i < deep->count; i++) {
+        x += deep->swell[i].slope_x;
+        z += deep->swell[i].slope_z;
         square += (pow(ldexp(deep->swell[i].slope_x, -30), 2)
                    + pow(ldexp(deep->swell[i].slope_z, -30), 2)) / 2;
-    return square > 0 ? tp_foam_mean(foam) / 65280.0 / square : 0;
+    }
+    if (square == 0 || hypot(x, z) == 0)
+        return;
+    f->far_per_cube = tp_foam_mean(foam) / 65280.0 / pow(square, 3) / 2;
+    f->way_x = x / hypot(x, z);
+    f->way_z = z / hypot(x, z);
 }
 
 void ref_foam_open(ref_scene *s, const tp_world *world)
@@ -63,7 +71,7 @@ void ref_foam_open(ref_scene *s, const tp_world *world)
         .fades = !tp_world_pool(world),
     };
     if (s->foam.fades && !tp_has_floor(s->scene))
-        s->foam.far_per_square = cover_per_square(world, foam);
+        set_far_foam(&s->foam, world, foam);
     if (s->assets->foam)
         make_ranks(&s->foam, s->assets->foam);
 }
@@ -105,7 +113,9 @@ double ref_foam_cover(const ref_foam *f, double x0, double z0, double *weight)
 static double far_cover(const ref_foam *f, const ref_water *w)
 {
     const double square = w->slope_x * w->slope_x + w->slope_z * w->slope_z;
-    return ref_clamp(f->far_per_square * square - FAR_LEAST, 0, FAR_MOST);
+    const double up = fmax(w->slope_x * f->way_x + w->slope_z * f->way_z, 0);
+
+    return ref_clamp(f->far_per_cube * square * square * up * up - FAR_LEAST, 0, FAR_MOST);
 }
 
 /* -- bubbles ------------------------------------------------------------------------- */

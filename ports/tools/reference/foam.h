@@ -5,8 +5,9 @@
  * The cover is data of the world: one byte a cell over rest positions, bilinear between
  * cell centres; beyond the outermost centres the outermost cells count. In the outer
  * quarter of the window's inscribed circle the cover passes into a far cover: the field's
- * mean in proportion to the square of the slope, less 20 / 255, 144 / 255 at most; none over
- * a coast's floor. Over a pool the window ends at the walls instead.
+ * mean times half of the cube of the square of the slope over its mean, less 12 / 255,
+ * 144 / 255 at most; none on the waves' fronts and over a coast's floor. Over a pool the
+ * window ends at the walls instead.
  *
  * A texture four times as large as the foam's moves the cover up and down by its rank. A
  * texel of the texture is white if its rank among all texels is above 1 - cover. The

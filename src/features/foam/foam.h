@@ -119,8 +119,9 @@ typedef struct {
     uint32_t edge;              /* 2^40 over 7/16 of the squared radius, cells Q8;
                                  * UINT32_MAX: no fading, walls at the window's edge */
     uint32_t colour;
-    uint32_t far_per_square;    /* cover beyond the window by the square of the slope, Q16
-                                 * over Q16; 0: none */
+    uint32_t far_mean;          /* mean cover beyond the window, 0..255 in Q8; 0: none */
+    uint32_t per_square;        /* 1 over the mean square of the slope, Q32 over Q24 */
+    int32_t  way_x, way_z;      /* unit vector of the waves' mean way, Q14 */
     const tp_texture *texture;  /* NULL: no texture */
     uint32_t repeats, drift_s, drift_t;     /* as in tp_layer */
     uint32_t wide_repeats, wide_drift_s, wide_drift_t;  /* four times as large */

@@ -50,8 +50,8 @@ static void set_bubbles(const tp_frame *frame, tp_shade_foam *f, const tp_scene_
     f->wide_drift_t = patches.drift_t;
 }
 
-/* Returns a mean cover over the mean square of the slope, Q16 over Q16. */
-static uint32_t cover_per_square(const tp_world *world, uint32_t mean_cover_q8)
+/* Returns 1 over the mean square of the waves' slope, Q32 over Q24. */
+static uint32_t per_mean_square(const tp_world *world)
 {
     uint64_t square = 0;                    /* Q24 */
 
@@ -60,7 +60,21 @@ static uint32_t cover_per_square(const tp_world *world, uint32_t mean_cover_q8)
                       z = world->deep.swell[i].slope_z / (1 << 18);
         square += (uint64_t)(x * x + z * z) / 2;
     }
-    return (uint32_t)(((uint64_t)mean_cover_q8 << 8) / ((square >> 8) + 1));
+    return (uint32_t)(((uint64_t)1 << 32) / (square + 2));
+}
+
+/* Sets the mean way of the waves, each by its slope. */
+static void set_mean_way(tp_shade_foam *f, const tp_world *world)
+{
+    int64_t x = 0, z = 0;                   /* Q20, below 2^26 */
+
+    for (uint32_t i = 0; i < world->deep.count; i++) {
+        x += world->deep.swell[i].slope_x / 1024;
+        z += world->deep.swell[i].slope_z / 1024;
+    }
+    const int64_t length = (int64_t)tp_isqrt64((uint64_t)(x * x + z * z)) + 1;
+    f->way_x = (int32_t)(x * 16384 / length);
+    f->way_z = (int32_t)(z * 16384 / length);
 }
 
 /* Sets the foam beyond the window: none where walls or a coast bound the foam, else the
@@ -71,8 +85,9 @@ static void set_far_foam(const tp_frame *frame, tp_shade_foam *f, const tp_foam 
     const uint64_t square = (uint64_t)(foam->cells * 128) * (foam->cells * 128);
 
     f->edge = pool ? UINT32_MAX : (uint32_t)(((uint64_t)1 << 44) / (7 * square));
-    f->far_per_square = pool || tp_has_floor(frame->scene)
-                      ? 0 : cover_per_square(frame->world, tp_foam_mean(foam));
+    f->far_mean = pool || tp_has_floor(frame->scene) ? 0 : tp_foam_mean(foam);
+    f->per_square = per_mean_square(frame->world);
+    set_mean_way(f, frame->world);
 }
 
 /* Sets the foam's colour and texture, and the place of its cover under the picture's

@@ -11,7 +11,8 @@
  *
  * Foam is matt: it reflects diffuse light only and hides the glitter under it.  In the
  * outer part of the round window the foam passes into the mean of the field, which covers
- * the water beyond: more on steep water, none on level water. */
+ * the water beyond by the sixth power of its slope: the steepest crests are as white as
+ * those of the window, most water is bare. */
 #include "features/foam/foam.h"
 #include "shade/material.h"
 #include "shade/slope.h"
@@ -220,28 +221,47 @@ TP_ALWAYS_INLINE uint32_t foam_light_share(const tp_shade *shade, const tp_run *
 }
 
 #define FAR_MOST  144           /* of 255: largest cover beyond the window */
-#define FAR_LEAST 20            /* cover taken from all: most water has none */
+#define FAR_LEAST 12            /* cover taken from all: most water has none */
+#define STEEP     2047          /* largest square of the slope, 8 means, Q8 */
 
-/* Returns the variance of slopes of the waves that the grid leaves out at a depth, Q24. */
-static uint32_t filtered_variance(const tp_shade *shade, uint32_t key)
+/* Returns the square of a slope, Q24, over the mean square of the waves, Q8. */
+TP_ALWAYS_INLINE uint32_t relative_square(const tp_shade_foam *f, uint32_t square)
+{
+    const uint64_t q = (uint64_t)square * f->per_square >> 24;
+    return q < STEEP ? (uint32_t)q : STEEP;
+}
+
+/* Returns the variance of slopes of the waves that the grid leaves out at a depth, over
+ * the mean square, Q8. */
+static uint32_t filtered_variance(const tp_shade *shade, const tp_shade_foam *f,
+                                  uint32_t key)
 {
     if (!shade->filtered)
         return 0;
     const tp_slope_variance v =
         tp_filtered_waves_lookup(shade->filtered, tp_log_depth(shade, key));
-    return v.along + v.across;
+    return relative_square(f, v.along + v.across);
 }
 
-/* Returns the cover 0..255 beyond the window: the field's mean, in proportion to the square
- * of the slope, `filtered` waves included. */
+/* Returns the cover 0..255 beyond the window: a quarter of the field's mean by the cube of
+ * q, the square of the slope over its mean.  The mean of q^3 is 2.5 for one wave and 6 for
+ * many.  Foam lies on the waves' backs: 2 b replaces one q, the square of the slope that
+ * rises on the waves' way.  Waves that the grid leaves out add a random square of the mean
+ * v, exponentially distributed: the mean then is 2 q^2 b + 3 q^2 v + 6 q v^2 + 6 v^3. */
 TP_ALWAYS_INLINE uint32_t far_cover(const tp_shade_foam *f, const tp_run *run, int32_t i,
-                                    uint32_t filtered)
+                                    uint32_t v)
 {
-    if (!f->far_per_square)
+    if (!f->far_mean)
         return 0;
-    const uint32_t q = tp_slope_square(tp_slope_x(run, i, 0), tp_slope_z(run, i, 0))
-                     + filtered;
-    const uint64_t cover = (uint64_t)(q >> 8) * f->far_per_square >> 16;
+    const int32_t x = tp_slope_x(run, i, 0), z = tp_slope_z(run, i, 0);
+    const int32_t up = (x * f->way_x + z * f->way_z) / 16384;
+
+    if (up <= 0 && v == 0)
+        return 0;
+    const uint32_t q = relative_square(f, tp_slope_square(x, z));
+    const uint32_t b = up > 0 ? relative_square(f, (uint32_t)(up * up)) : 0;
+    const uint32_t cube = (2 * b + 3 * v) * (q * q >> 8) + 6 * (v * v >> 8) * (q + v);
+    const uint64_t cover = ((uint64_t)cube * f->far_mean + (1 << 25)) >> 26;
 
     return cover < FAR_LEAST ? 0 : cover < FAR_MOST + FAR_LEAST
                                  ? (uint32_t)cover - FAR_LEAST : FAR_MOST;
@@ -270,10 +290,10 @@ TP_ALWAYS_INLINE void foam_run(const tp_shade *shade, tp_run *run, int rippled,
             uint32_t weight, cover = sample_window(f, run->s[i], run->t[i], &weight);
             if (weight < 256) {
                 if (!far)
-                    filtered = filtered_variance(shade, run->key[first]);
+                    filtered = filtered_variance(shade, f, run->key[first]);
                 far = true;
                 cover = (cover * weight
-                         + far_cover(f, run, i, filtered) * (256 - weight)) >> 8;
+                         + far_cover(f, run, i, filtered) * (256 - weight) + 128) >> 8;
             }
             if (cover == 0)     /* the case of most water pixels */
                 continue;
