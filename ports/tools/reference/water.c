@@ -77,7 +77,7 @@ static double bump_share(const ref_scene *s, const ref_cells *c, ref_vec at)
 }
 
 /* Normal with ripples: a texel (nx, ny, nz), green up the picture, in the surface's tangent
- * space; the mipmap level is 7/8 coarser. */
+ * space. */
 ref_vec ref_water_normal(const ref_scene *s, const ref_water *w)
 {
     double slope[2] = { w->slope_x, w->slope_z };
@@ -91,7 +91,7 @@ ref_vec ref_water_normal(const ref_scene *s, const ref_water *w)
         const double sx = slope[0], sz = slope[1];
         const double bump = fx(s->scene->ripple.bump);
         const ref_colour c = ref_sample_map(s, s->assets->ripple, &s->scene->ripple.map,
-                                        w->x0, w->z0, 224 / 256.0, w->at, true);
+                                        w->x0, w->z0, 0, w->at, true);
         const double n[3] = { (c.c[0] - 128) / 128 * bump, (c.c[1] - 128) / 128 * bump,
                               fmax((c.c[2] - 128) / 128, 0.125) };
         ref_turned(sx, sz, n, slope);

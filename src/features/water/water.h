@@ -111,7 +111,10 @@ typedef struct {
     tp_fx    strength;                          /* largest displacement, m */
 } tp_layers;
 
-#define TP_RIPPLE_LOD 224       /* Q8: mean normals lose the glitter */
+/* Coarser levels of the ripples' map, Q8, in fast stages: mean normals lose the glitter.
+ * Exact stages spread the light of the normals that a level has lost, and take the level
+ * of the other textures. */
+#define TP_RIPPLE_LOD 224
 
 typedef struct {
     tp_layer layer;

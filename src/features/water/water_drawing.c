@@ -238,7 +238,6 @@ static void begin_ripple(tp_frame *frame, void *mine)
     tp_ripple *ripple = mine;
 
     ripple->layer = tp_frame_layer(frame, frame->assets.ripple, &scene->ripple.map);
-    ripple->layer.lod += TP_RIPPLE_LOD;
     ripple->gain = scene->ripple.bump >> 8;
     begin_variance(frame, mine);
 }
