@@ -13,6 +13,11 @@
  * spacing of 0.3 wavelengths and 0 from 0.5 on, along the heading and across.  The slopes
  * left out are known as a variance.
  *
+ * The pixels do not carry the waves left out.  Measured against 16 samples: slopes by pixel
+ * of waves between 2 px and 3.3 cells change the error of three-swells from 7.6 to 7.5 and
+ * of deep-sea from 12.4 to 12.5 (of 255).  A pixel of distant water is longer than a cell,
+ * and a slope without its height lies at the wrong place.  More vertices are cheaper.
+ *
  * Vertices have no table for columns: every vertex evaluates its waves.
  */
 #ifndef TP_VIEW_FAN_H
