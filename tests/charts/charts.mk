@@ -15,7 +15,7 @@ SPAN_STEPS  := 0 1 8 16 32
 SPAN_O      := $(addprefix $(AT)/,span_scene.o span_steps.o span_true.o \
                    $(SPAN_STEPS:%=span_step_%.o))
 CHARTS      := $(addprefix $(AT)/,errors frames kernels pool_count pools reference \
-                   stability visibility wave_cells $(SPAN_SCENES:%=span-%) \
+                   rough_fresnel stability visibility wave_cells $(SPAN_SCENES:%=span-%) \
                    $(SPAN_SCENES:%=span_errors-%) $(SCENES:%=board-%))
 CHARTS_ELF  := $(patsubst %,build/cortex-m/%.elf,kernels pool_count \
                    $(SPAN_SCENES:%=span-%) $(SCENES:%=charts/%))
@@ -35,7 +35,7 @@ $(AT)/errors: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/errors*.c)) \
           $(filter-out %/kernels.o,$(KERNELS_O)) \
           $(AT)/used.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
-$(AT)/wave_cells: $(AT)/wave_cells.o $(LIB)
+$(AT)/rough_fresnel $(AT)/wave_cells: $(AT)/%: $(AT)/%.o $(LIB)
 	$(SAY)$(LINK) $^ -lm -o $@
 # Spans of triangles with other steps, instead of the library's.  In affine spans, which are
 # inlined further, compilers do not see that an unset edge is never walked.

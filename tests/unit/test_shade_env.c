@@ -15,7 +15,10 @@ static test_sky sky;
 /* -- the dome -------------------------------------------------------------------------- */
 
 /* The dome's light towards d, with gradients interpolated between their entries.  Sets
- * *edge beside the disc's edge, where a direction's last bit is worth many levels. */
+ * *edge where a direction's last bits are worth many levels: beside the disc's edge, and
+ * where the horizon cuts the disc.  The sky below the horizon has no light beyond white,
+ * so the brightness of the disc steps there by up to 16 whites.  View vectors are right to
+ * about 3 of 2^14 (test_shade_stages). */
 static ref_light dome_at(const tp_shade *s, ref_dir d, bool *edge)
 {
     const ref_dir l = shade_light(&s->world);
@@ -30,7 +33,8 @@ static ref_light dome_at(const tp_shade *s, ref_dir d, bool *edge)
     ref_light light = ref_glow((int)sky.config.kind, sky.config.light,
                                sky.config.sun / 65536.0, square);
 
-    *edge = square > 90000 && square < 140000;
+    *edge = (square > 90000 && square < 140000)
+         || (light.alpha > 0 && fabs(d.y) <= 4 / Q14);
     light.colour = ref_add(ref_mix(away, towards, share), light.colour);
     if (d.y < 0)
         light = (ref_light){ ref_scale(light.colour, ref_clamp(1 + 4 * d.y, 0.25, 1)), 0 };

@@ -150,7 +150,7 @@ static double rank_above_mean(const ref_scene *s, const ref_water *w, int size, 
     *level = ref_level(s, t, lod);
     if (*level >= COARSE)
         return 0;
-    const ref_colour texel = ref_sample_map(s, t, &map, w->x0, w->z0, 0, w->at, true);
+    const ref_colour texel = ref_sample_map(s, t, &map, w->x0, w->z0, w->at, true);
     return green_rank(&s->foam, texel.c[1])
          - mix(0.5, s->foam.mean, (double)*level / COARSE);
 }

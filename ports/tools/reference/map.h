@@ -49,12 +49,12 @@ static inline int ref_level(const ref_scene *s, const tp_texture *t, double lod)
 /* Colour of a drifting texture at a rest point (x, z). */
 static inline ref_colour ref_sample_map(const ref_scene *s, const tp_texture *t,
                                         const tp_scene_map *map, double x, double z,
-                                        double coarser, ref_vec at, bool linear)
+                                        ref_vec at, bool linear)
 {
     const double size = map->size / 65536.0;
     const double u = (x - map->drift_x / 65536.0 * s->seconds) / size;
     const double v = (z - map->drift_z / 65536.0 * s->seconds) / size;
-    const double lod = ref_water_lod(s, (1 << t->log2_w) / size, at) + coarser;
+    const double lod = ref_water_lod(s, (1 << t->log2_w) / size, at);
     const int level = ref_level(s, t, lod);
 
     return linear ? ref_linear(t, level, u, v)

@@ -38,7 +38,7 @@ static ref_colour layers(const ref_scene *s, const ref_water *w)
 
     if (s->assets->distortion && scene->distortion.strength > 0) {
         const ref_colour d = ref_sample_map(s, s->assets->distortion,
-                                            &scene->distortion.map, x, z, 0, w->at, true);
+                                            &scene->distortion.map, x, z, w->at, true);
         x += (d.c[0] - 128) / 128 * fx(scene->distortion.strength);
         z += (d.c[1] - 128) / 128 * fx(scene->distortion.strength);
     }
@@ -46,7 +46,7 @@ static ref_colour layers(const ref_scene *s, const ref_water *w)
         if (!s->assets->layer[i])
             continue;
         const ref_colour c = toned(ref_sample_map(s, s->assets->layer[i],
-                                              &scene->layer[i].map, x, z, 0, w->at,
+                                              &scene->layer[i].map, x, z, w->at,
                                               linear), &scene->layer[i]);
         sum = i == 0 ? ref_times(c, sum) : ref_add(sum, c);
     }
@@ -91,7 +91,7 @@ ref_vec ref_water_normal(const ref_scene *s, const ref_water *w)
         const double sx = slope[0], sz = slope[1];
         const double bump = fx(s->scene->ripple.bump);
         const ref_colour c = ref_sample_map(s, s->assets->ripple, &s->scene->ripple.map,
-                                        w->x0, w->z0, 0, w->at, true);
+                                        w->x0, w->z0, w->at, true);
         const double n[3] = { (c.c[0] - 128) / 128 * bump, (c.c[1] - 128) / 128 * bump,
                               fmax((c.c[2] - 128) / 128, 0.125) };
         ref_turned(sx, sz, n, slope);
