@@ -54,8 +54,10 @@ static double ref_sky_at(const tp_scene *s, ref_dir d)
     return grey(ref_dome(&scene, (ref_vec){ d.x, fabs(d.y), d.z }, true).colour);
 }
 
-/* The meter's rays in double precision. */
-static double ref_mean(const tp_scene *s)
+/* The meter's rays in double precision.  Adds to *doubt what the mean may change by rays
+ * so close to the horizon that the rounding of axes, ray and unit vector, together 8 of
+ * 2^14 at most, decides between sky and water: in a level picture a whole row of 32. */
+static double ref_mean(const tp_scene *s, double *doubt)
 {
     const double rad = 3.14159265358979 / 180 / 65536;
     const double h = s->camera.heading * rad, p = s->camera.pitch * rad;
@@ -73,7 +75,9 @@ static double ref_mean(const tp_scene *s)
         const double sky = ref_sky_at(s, d);
         const double share = ref_fresnel(fabs(d.y)) * s->water.reflection / 65536.0;
         const double water = grey(ref_colour_unpack((uint32_t)s->water.colour)) * lit;
-        sum += d.y >= 0 ? sky : water + (sky - water) * share;
+        const double sea = water + (sky - water) * share;
+        sum += d.y >= 0 ? sky : sea;
+        *doubt += fabs(d.y) < 8 / 16384.0 ? fabs(sky - sea) / (32 * 24) : 0;
     }
     return sum / (32 * 24);
 }
@@ -94,9 +98,11 @@ static void the_meter_sees_what_the_formulas_say(void **state)
         s.sky.horizon = (int32_t)(random_next(&chance) & 0xffffff);
         s.sky.zenith = (int32_t)(random_next(&chance) & 0xffffff);
         tp_world *w = scene_world(&s, NULL);
-        const double e = tp_meter_mean(w, &s) / 65536.0 - ref_mean(&s);
-        measure_add(&off, e, n, 0, 0);
-        assert_true(fabs(e) <= 0.015);
+        double doubt = 0;
+        const double e = tp_meter_mean(w, &s) / 65536.0 - ref_mean(&s, &doubt);
+        const double sure = fmax(0, fabs(e) - doubt);
+        measure_add(&off, sure, n, 0, 0);
+        assert_true(sure <= 0.015);
         free(w);
     }
     measure_print(&off);
@@ -120,9 +126,11 @@ static void domes_are_metered_with_their_glow(void **state)
         s.camera.pitch = s.light.elevation = chance_fx(&chance, 25, 80);
         s.sky.horizon = s.sky.zenith = 0;
         tp_world *w = scene_world(&s, NULL);
-        const double e = tp_meter_mean(w, &s) / 65536.0 - ref_mean(&s);
-        measure_add(&off, e, n, 0, 0);
-        assert_true(fabs(e) <= 0.01);
+        double doubt = 0;
+        const double e = tp_meter_mean(w, &s) / 65536.0 - ref_mean(&s, &doubt);
+        const double sure = fmax(0, fabs(e) - doubt);
+        measure_add(&off, sure, n, 0, 0);
+        assert_true(sure <= 0.01);
         free(w);
     }
     measure_print(&off);
