@@ -116,6 +116,7 @@ static void place_fan(tp_grid *grid, const tp_grid_view *view)
         grid->span[j] = visible_cells(grid, planes, j);
     grid->window = tp_grid_window_init(grid->window.memory);
     grid->vertices = 0;
+    grid->sheets = 0;
 }
 
 /* -- vertices ------------------------------------------------------------------------ */

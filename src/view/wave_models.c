@@ -17,21 +17,20 @@ static tp_fx coastal_wave_weight(const tp_grid *grid, uint32_t i, uint32_t j)
     return grid->fan ? TP_FX_ONE : tp_fx_mul(grid->column[i].fade, grid->row[j].fade);
 }
 
-/* Returns the displaced point of a vertex of a fan's row. */
-static tp_coastal_point filtered_point(const tp_grid *grid, uint32_t j, tp_vec3 rest)
+/* Returns the spacing of a row of a fan, set in *room; NULL: no fan. */
+static const tp_coastal_spacing *row_spacing(const tp_grid *grid, uint32_t j,
+                                             tp_coastal_spacing *room)
 {
-    const tp_surface *surface = grid->frame.surface;
-    const tp_coastal_spacing spacing =
-        tp_fan_row_spacing(grid->fan, &grid->fan->row[j], surface->deep);
-
-    return tp_coastal_displace_filtered(surface->coastal, surface->phases, &spacing, rest.x,
-                                        rest.z);
+    if (!grid->fan)
+        return NULL;
+    *room = tp_fan_row_spacing(grid->fan, &grid->fan->row[j], grid->frame.surface->deep);
+    return room;
 }
 
 /* Returns the displaced vertex. *depth: depth of still water at the vertex, m; may be
  * NULL. */
-static tp_vec3 displaced_vertex(const tp_grid *grid, uint32_t i, uint32_t j,
-                                tp_fx *water_depth)
+static tp_vec3 displaced_vertex(const tp_grid *grid, const tp_coastal_spacing *spacing,
+                                uint32_t i, uint32_t j, tp_fx *water_depth)
 {
     const tp_surface *surface = grid->frame.surface;
     tp_vec3 rest = { tp_grid_s(grid, i, j), 0, tp_grid_t(grid, i, j) };
@@ -43,9 +42,10 @@ static tp_vec3 displaced_vertex(const tp_grid *grid, uint32_t i, uint32_t j,
         return rest;
     }
     tp_coastal_point p =
-        grid->fan ? filtered_point(grid, j, rest)
-                  : tp_coastal_displace_point(surface->coastal, surface->phases, rest.x,
-                                              rest.z);
+        spacing ? tp_coastal_displace_filtered(surface->coastal, surface->phases, spacing,
+                                               rest.x, rest.z)
+                : tp_coastal_displace_point(surface->coastal, surface->phases, rest.x,
+                                            rest.z);
     tp_vec3 way = tp_vec3_sub(p.position, rest);
     if (water_depth)
         *water_depth = p.depth;
@@ -85,10 +85,12 @@ static void displace_row(tp_grid *grid, uint32_t j)
 {
     tp_vec3 *sheet = grid->sheet[j % 3];
     tp_grid_span columns = columns_to_displace(grid, j);
+    tp_coastal_spacing room;
+    const tp_coastal_spacing *spacing = row_spacing(grid, j, &room);
 
     for (uint32_t i = columns.first; i < columns.end; i++) {
         tp_fx depth;
-        sheet[i] = displaced_vertex(grid, i, j, &depth);
+        sheet[i] = displaced_vertex(grid, spacing, i, j, &depth);
         set_dry(grid, i, j, depth <= 0);
     }
 }
@@ -186,7 +188,8 @@ static tp_view_vertex coastal_grid_make_view_vertex(const tp_grid *grid, uint32_
                                                     uint32_t j)
 {
     const tp_surface *surface = grid->frame.surface;
-    tp_vec3 at = displaced_vertex(grid, i, j, NULL);
+    tp_coastal_spacing room;
+    tp_vec3 at = displaced_vertex(grid, row_spacing(grid, j, &room), i, j, NULL);
     tp_view_vertex c = { .s = tp_grid_s(grid, i, j), .t = tp_grid_t(grid, i, j) };
 
     if (tp_surface_has_rings_or_pools(surface))

@@ -95,6 +95,25 @@ static void fans_are_drawn_the_same_in_tiles(void **state)
     }
 }
 
+/* A fan over a coast keeps rows of displaced points; every frame begins them anew. */
+static void a_fan_over_a_coast_is_drawn_again_the_same(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 12; n++) {
+        tp_scene s = fan_scene(chance_double(&chance, 2, 60),
+                               chance_double(&chance, -60, 0));
+        s.floor.depth = chance_fx(&chance, 1, 6);
+        tp_world *world = scene_world(&s, &none);
+        test_frame f = frame_of(&s, &none, &config);
+        assert_non_null(world);
+        frame_draw_picture(&f, world, picture[0]);
+        frame_draw_picture(&f, world, picture[1]);
+        assert_memory_equal(picture[0], picture[1], sizeof picture[0]);
+        frame_free(&f);
+        free(world);
+    }
+}
+
 /* -- a camera that moves a little ---------------------------------------------------- */
 
 static int channel(int k, int i, int shift)
@@ -145,6 +164,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(water_has_no_hole_from_any_height),
         cmocka_unit_test(fans_are_drawn_the_same_in_tiles),
+        cmocka_unit_test(a_fan_over_a_coast_is_drawn_again_the_same),
         cmocka_unit_test(a_small_step_changes_no_more_than_with_a_grid),
     };
     return cmocka_run_group_tests_name("frame/fan", tests, NULL, NULL);
