@@ -2,7 +2,8 @@
 # Error of the mean reflectance of rough water against the view's elevation: waves above,
 # ripples below, steeper slopes to the right.
 array method[4] = ["flat", "root", "fit", "bend"]
-array title_of[4] = ["flat water", "root of N.V^2 + s^2", "Bruneton's fit", "the engine's bend"]
+array title_of[4] = ["flat water", "root of N.V^2 + s^2", "Bruneton's fit", \
+    "the engine's bend"]
 array colour[4] = [8, 3, 2, 1]
 slopes = "0.05 0.1 0.2"
 here(y) = strcol("kind") eq kind && column("slope") == slope ? column(y) : NaN
@@ -22,9 +23,9 @@ set xzeroaxis linetype 1 linecolor rgb grey linewidth 1
 unset key
 array at[4] = [0.105, 0.275, 0.51, 0.715]
 do for [i=1:4] {
-    set label 10 + i title_of[i] at screen at[i] + 0.015,0.955 left textcolor linetype colour[i] \
-        point linetype colour[i] pointtype (i == 4 ? 7 : int(word(shapes, colour[i]))) \
-        pointsize 1.2 offset 0.9,0
+    set label 10 + i title_of[i] at screen at[i] + 0.015,0.955 left \
+        textcolor linetype colour[i] point linetype colour[i] \
+        pointtype (i == 4 ? 7 : int(word(shapes, colour[i]))) pointsize 1.2 offset 0.9,0
 }
 do for [n = 1:3] {
     slope = word(slopes, n) + 0

@@ -2,8 +2,8 @@
 /* Mean Fresnel share of rough water by the view's elevation, as rows of the chart
  * "rough-fresnel": sums over slopes in double precision, and the errors of flat water, of
  * N.V' = sqrt(N.V^2 + s^2) [V5], of Bruneton's fit [V2] and of the engine's bend.  Waves
- * hide what faces away: a slope counts by its N.V as seen.  Ripples count every slope, by an
- * N.V of 1/10 at least. */
+ * hide what faces away: a slope counts by its N.V as seen.  Ripples count every slope, by
+ * an N.V of 1/10 at least. */
 #include <math.h>
 #include <stdio.h>
 #include "ports/tools/reference/shading.h"
