@@ -101,11 +101,11 @@ white()
         dd if="$scratch/$1.bmp" bs=3 skip=$((18 + row * 640 + 16)) count=240 2>/dev/null
     done | LC_ALL=C grep -oaP '\xff\xff\xff' | wc -l
 }
-picture=1502befd
+picture=2efc560b
 check "its picture 40 is as it was when this test was written" draws pixels 40
 seen() { is "$(red 40)" 263; }
 check "the buoy is seen in it" seen
-picture=9f111e84
+picture=ea6caadb
 check "so is picture 110" draws pixels 110
 hidden() { [ -s "$scratch/110.bmp" ] && is "$(red 110)" 0; }
 check "where a crest hides the buoy" hidden
