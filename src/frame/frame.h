@@ -107,6 +107,12 @@ tp_module_conditions tp_frame_module_conditions(const tp_program *program,
                                                 const tp_config *config);
 bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene);
 
+/* Returns a solid's colour in the light's colour. */
+static inline uint32_t tp_frame_lit_colour(const tp_frame *frame, uint32_t colour)
+{
+    return tp_colour_times(colour, (uint32_t)frame->scene->light.colour);
+}
+
 /* True if the water's grid is a fan. */
 bool tp_frame_uses_fan(const tp_program *program, const tp_scene *scene);
 

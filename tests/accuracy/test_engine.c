@@ -59,7 +59,8 @@ enum { OFF = sizeof off / sizeof *off };
  *    since the distortion is stronger: 10.9 at strength 1.8, 7.5 before;
  *  - three-swells: the fan leaves out waves that its far rows cannot hold (at dusk without
  *    glitter 6.6; 4.3 with grid.vertices = 0);
- *  - harbour: walls of a mask are not visible through the water (1.1 1.0 of opaque water);
+ *  - harbour: walls of a mask, orange at dusk, are not visible through the water (1.1 1.0
+ *    of opaque water);
  *  - shore-break: the reference leaves out overhangs (2.3 with surf.stretch = 0). */
 /* No mirror of the boat: the engine bends that mirror by the waves to first order only (3.6
  * and 3.7 with the mirror). */
@@ -76,7 +77,7 @@ static const engine_row rows[] = {
     { "raindrops", 300, 4.1, 2.6, 0.001, { NULL } },
     { "tank", 100, 1.5, 0, 0.0025, { NULL } },
     { "pond", 100, 1.4, 0, 0.0005, { NULL } },
-    { "harbour", 200, 2.8, 2.8, 0.0012, { NULL } },
+    { "harbour", 200, 3.0, 3.0, 0.0012, { NULL } },
     { "deep-sea", 100, 10.8, 4.7, 0.0005, { NULL } },
     { "night-sea", 100, 30.5, 2.6, 0.0005, { NULL } },
     { "shallows", 100, 2.2, 0, 0.0005, { NULL } },
@@ -110,7 +111,7 @@ static const engine_row rows[] = {
     { "tank", 100, 2.2, 0, 0.0025, { "water.dispersion=0.2" } },
     { "tank", 100, 1.2, 0, 0.003, { "camera.y=0.9", "camera.pitch=-14" } },
     { "pond", 100, 2.2, 0, 0.0005, { "water.pool_normal_strength=0" } },
-    { "shallows", 100, 2.1, 0, 0.0005, { "water.clarity=15" } },
+    { "shallows", 100, 2.15, 0, 0.0005, { "water.clarity=15" } },
 
     /* scenes above the goal, without the feature that causes the difference */
     { "shore-break", 100, 2.8, 0, 0.0005, { "surf.stretch=0" } },

@@ -128,7 +128,7 @@ static void a_beach_lies_as_deep_as_rays_say(void **state)
         s.wave[0].amplitude = 0;
         s.floor.slope = (tp_fx)(slope * 65536);
         s.floor.heading = 90 * TP_FX_ONE;
-        s.floor.colour = 0xffffff;
+        s.floor.colour = s.light.colour = 0xffffff;
         s.water.tint = 0x808080;
         s.water.colour = s.water.deep_colour = 0;
         s.water.specular = s.water.reflection = s.water.caustics = 0;

@@ -45,20 +45,21 @@ static double lobe(const ref_scene *s, double shininess, ref_vec n, ref_vec way,
     return pow(ref_clamp(rv, 0, 1), shininess);
 }
 
-/* Phong shading of a material with normal `n` seen along `way`. A narrowed beam scales the
- * diffuse light and the lobe; the width of the lobe does not change. `focus`: factor of the
- * diffuse sunlight. */
+/* Phong shading of a material with normal `n` seen along `way`. The colour of the light tints
+ * all light. A narrowed beam scales the diffuse light and the lobe; the width of the lobe
+ * does not change. `focus`: factor of the diffuse sunlight. */
 static ref_colour phong(const ref_scene *s, const coat *c, ref_vec n, ref_vec way,
                         ref_vec sun, double focus)
 {
     const double nl = ref_clamp(ref_dot(n, sun), 0, 1), beam = sqrt(ref_dot(sun, sun));
-    const ref_colour light = ref_scale(ref_colour_unpack((uint32_t)s->scene->light.colour),
-                                       beam);
+    const ref_colour matt = ref_scale(c->diffuse,
+                                      s->ambient + (1 - s->ambient) * nl * focus);
+    const ref_colour shine =
+        ref_scale(c->specular,
+                  beam > 0 ? beam * lobe(s, c->shininess, n, way, ref_unit_vec(sun)) : 0);
 
-    return ref_add(ref_scale(c->diffuse, s->ambient + (1 - s->ambient) * nl * focus),
-                   ref_scale(ref_times(c->specular, light),
-                             beam > 0 ? lobe(s, c->shininess, n, way, ref_unit_vec(sun))
-                                      : 0));
+    return ref_times(ref_add(matt, shine),
+                     ref_colour_unpack((uint32_t)s->scene->light.colour));
 }
 
 /* -- the boat ------------------------------------------------------------------------ */

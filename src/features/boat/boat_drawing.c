@@ -296,7 +296,7 @@ static void begin_boat_materials(tp_frame *frame, void *mine)
         const tp_material *m = &mesh->materials[i];
         tp_fx texels = tp_fx_div(m->texels, metres);
         b->solid[i] = (tp_solid){
-            .diffuse = m->diffuse,
+            .diffuse = tp_frame_lit_colour(frame, m->diffuse),
             .specular = m->specular,
             .lod = tp_frame_lod(frame, texels, false) + 96,  /* Q8: bias, or grain
                                                               * glitters */

@@ -243,8 +243,10 @@ static void begin_land_material(tp_frame *frame, void *mine)
 {
     land *l = mine;
 
-    l->look.look = (tp_solid){ .diffuse = (uint32_t)frame->scene->floor.colour,
-                               .gloss = tp_drop_gloss };
+    l->look.look = (tp_solid){
+        .diffuse = tp_frame_lit_colour(frame, (uint32_t)frame->scene->floor.colour),
+        .gloss = tp_drop_gloss,
+    };
     set_swash(frame, &l->look);
 }
 

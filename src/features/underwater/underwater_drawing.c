@@ -24,7 +24,9 @@ enum { UNDERSIDE, UNDERSIDE_RIPPLED, DEEP, ABSORB };
 static tp_wall_material make_wall_material(const tp_frame *frame, const tp_texture *texture,
                                            tp_fx size, int32_t colour, bool ground)
 {
-    tp_wall_material material = { .texture = texture, .colour = (uint32_t)colour };
+    tp_wall_material material = {
+        .texture = texture, .colour = tp_frame_lit_colour(frame, (uint32_t)colour),
+    };
 
     if (!texture)
         return material;
