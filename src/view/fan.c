@@ -93,18 +93,51 @@ static tp_fx wind_share(const tp_surface *surface, uint32_t i)
     return reach > along ? (tp_fx)(((int64_t)along << 16) / reach) : TP_FX_ONE;
 }
 
+/* Sets half the longest wave and twice the shortest. */
+static void measure_waves(tp_fan_view *to, const tp_deep_water *deep)
+{
+    uint64_t least = UINT64_MAX, most = 0;              /* turns per metre */
+
+    for (uint32_t i = 0; i < deep->count; i++) {
+        const uint64_t turns = deep->swell[i].turns;
+        least = turns < least ? turns : least;
+        most = turns > most ? turns : most;
+    }
+    if (most == 0 || least == 0)
+        return;
+    to->half_longest = (tp_fx)(((uint64_t)1 << 47) / least);
+    to->shortest = (tp_fx)(((uint64_t)1 << 49) / most);
+}
+
+tp_fan_view tp_fan_view_make(const tp_grid_view *view)
+{
+    const tp_surface *surface = view->surface;
+    const tp_vec3 eye = view->projection->eye;
+    tp_fan_view to = { .projection = view->projection, .width = view->width,
+                       .height = view->height, .land = TP_FX_MIN,
+                       .high = tp_surface_height_bound(surface),
+                       .aside = tp_surface_displacement_bound(surface) };
+
+    measure_waves(&to, surface->deep);
+    if (surface->coastal)
+        to.land = tp_fx_saturate(-(int64_t)surface->by->coastal->floor(
+            surface->coastal, eye.x, eye.z).depth);
+    return to;
+}
+
 static void place_fan(tp_grid *grid, const tp_grid_view *view)
 {
     const tp_surface *surface = view->surface;
     tp_fan *fan = grid->fan;
+    const tp_fan_view numbers = tp_fan_view_make(view);
     tp_plane planes[TP_PROJECTION_PLANES];
 
-    fan->law = tp_fan_law_solve(view, fan->vertices);
+    fan->law = tp_fan_law_solve(&numbers, fan->vertices);
     grid->cols = fan->law.cols;
     grid->rows = fan->law.rows;
     grid->blocks = (grid->cols - 2) / TP_GRID_BLOCK + 1;
     for (uint32_t j = 0; j < grid->rows; j++)
-        fan->row[j] = tp_fan_law_row(&fan->law, view, grid->rows - 1 - j);
+        fan->row[j] = tp_fan_law_row(&fan->law, &numbers, grid->rows - 1 - j);
     for (uint32_t i = 0; surface->coastal && i < surface->deep->count; i++)
         fan->wind[i] = wind_share(surface, i);
     grid->frame.projection = view->projection;
@@ -329,7 +362,8 @@ static tp_view_vertex make_view_vertex(const tp_grid *grid, uint32_t i, uint32_t
 
 static tp_grid_extent fan_extent(const tp_grid_view *view, bool along_z)
 {
-    const tp_fan_law law = tp_fan_law_solve(view, view->vertices);
+    const tp_fan_view numbers = tp_fan_view_make(view);
+    const tp_fan_law law = tp_fan_law_solve(&numbers, view->vertices);
     const tp_vec3 eye = view->projection->eye;
     const tp_fx at = along_z ? eye.z : eye.x, far = law.farthest;
     const tp_fx calm = law.waves_end < far ? law.waves_end : far;

@@ -31,6 +31,16 @@ typedef struct tp_fan_row {
     tp_fx along, across;        /* distance of neighbours along the heading, across */
 } tp_fan_row;
 
+/* The numbers of a view and its water that determine the rows. */
+typedef struct {
+    const tp_projection *projection;
+    uint32_t width, height;     /* of the picture, px */
+    tp_fx    half_longest;      /* half the longest wave, m; 0: no waves */
+    tp_fx    shortest;          /* twice the shortest wave, m */
+    tp_fx    high, aside;       /* bounds of the waves' height and displacement, m */
+    tp_fx    land;              /* height of the land under the eye, m; TP_FX_MIN: none */
+} tp_fan_view;
+
 /* The law of the rows in one frame; u and its lengths are Q24. */
 typedef struct {
     tp_dir3  right;             /* level unit vector along the rows, Q2.30 */
@@ -61,9 +71,12 @@ uint32_t tp_fan_most_rows(uint32_t vertices);
 /* Returns the level direction of the rows, a unit vector. */
 tp_dir3 tp_fan_rows_direction(const tp_rotation *turn);
 
+/* Returns the numbers of a grid's view. */
+tp_fan_view tp_fan_view_make(const tp_grid_view *view);
+
 /* fan_law.c: solves the law for a view; returns row n of law->rows, from the nearest. */
-tp_fan_law tp_fan_law_solve(const tp_grid_view *view, uint32_t vertices);
-tp_fan_row tp_fan_law_row(const tp_fan_law *law, const tp_grid_view *view, uint32_t n);
+tp_fan_law tp_fan_law_solve(const tp_fan_view *view, uint32_t vertices);
+tp_fan_row tp_fan_law_row(const tp_fan_law *law, const tp_fan_view *view, uint32_t n);
 
 /* Returns the weight of a wave for a spacing; `turns` is Q0.32 turns per metre. */
 tp_fx tp_fan_wave_weight(tp_fx spacing, int64_t turns);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Distances, widths and filter of a fan's rows; see the header for the law. */
 #include "view/fan.h"
-#include "view/wave_models.h"
 #include "waves/deep_water.h"
 #include "waves/softfloat.h"
 
@@ -130,26 +129,23 @@ static bool widen_by_ray(range *r, const fan_ray *ray, int64_t eye, int64_t heig
 
 /* Returns the level that the nearest rays reach first, m: land under the eye, with room for
  * land that rises ahead, or `height`. */
-static int64_t highest_level(const tp_surface *surface, tp_vec3 eye, int64_t height)
+static int64_t highest_level(const tp_fan_view *view, int64_t height)
 {
-    if (!surface->coastal)
-        return height;
-    const int64_t land = -(int64_t)surface->by->coastal->floor(surface->coastal, eye.x,
-                                                               eye.z).depth;
-    const int64_t under = eye.y > land ? land + (eye.y - land) / 4 : eye.y;
+    const int64_t land = view->land, eye = view->projection->eye.y;
+    const int64_t under = eye > land ? land + (eye - land) / 4 : eye;
 
     return land > -height && under > height ? under : height;
 }
 
 /* Returns the distances of the water in view: between the rays of the picture's corners,
  * and up to the horizon if that is in the picture. */
-static range visible_range(const tp_grid_view *view, tp_dir3 right, tp_fx last)
+static range visible_range(const tp_fan_view *view, tp_dir3 right, tp_fx last)
 {
     const int32_t u = (int32_t)view->width / 2 + 1, v = (int32_t)view->height / 2 + 1;
     const int64_t eye = view->projection->eye.y;
-    const int64_t height = tp_surface_height_bound(view->surface) + TP_FX_ONE / 4;
-    const int64_t room = (int64_t)tp_surface_displacement_bound(view->surface) + MARGIN;
-    const int64_t high = highest_level(view->surface, view->projection->eye, height);
+    const int64_t height = view->high + TP_FX_ONE / 4;
+    const int64_t room = (int64_t)view->aside + MARGIN;
+    const int64_t high = highest_level(view, height);
     const fan_ray middle = make_ray(view->projection, right, 0, 0);
     range r = { INT64_MAX / 2, INT64_MIN / 2 };
     int down = 0, met = 0;
@@ -169,7 +165,7 @@ static range visible_range(const tp_grid_view *view, tp_dir3 right, tp_fx last)
 }
 
 /* Returns half the width of the view per metre of depth, 16.16. */
-static tp_fx half_width_per_depth(const tp_grid_view *view, tp_dir3 right)
+static tp_fx half_width_per_depth(const tp_fan_view *view, tp_dir3 right)
 {
     const int32_t u = (int32_t)view->width / 2 + 1, v = (int32_t)view->height / 2 + 1;
     const tp_projection *p = view->projection;
@@ -185,28 +181,6 @@ static tp_fx half_width_per_depth(const tp_grid_view *view, tp_dir3 right)
 }
 
 /* -- the law ------------------------------------------------------------------------- */
-
-/* Half the longest wave, and a height that keeps rows near the eye no denser than the
- * shortest wave needs; 0 without waves. */
-typedef struct {
-    tp_fx half_longest, height;
-} wave_lengths;
-
-static wave_lengths measure_waves(const tp_surface *surface)
-{
-    uint64_t least = UINT64_MAX, most = 0;              /* turns per metre */
-
-    for (uint32_t i = 0; i < surface->deep->count; i++) {
-        const uint64_t turns = surface->deep->swell[i].turns;
-        least = turns < least ? turns : least;
-        most = turns > most ? turns : most;
-    }
-    if (most == 0 || least == 0)
-        return (wave_lengths){ 0, 0 };
-    const tp_fx half = (tp_fx)(((uint64_t)1 << 47) / least);
-    const tp_fx twice = (tp_fx)(((uint64_t)1 << 49) / most);
-    return (wave_lengths){ half, half < twice ? half : twice };
-}
 
 /* Returns the length in u of all rows for the law that leaves the waves at u = `at`, and
  * sets the distance r*. */
@@ -266,16 +240,17 @@ static void set_size(tp_fan_law *law, int32_t end, tp_fx half_wave, uint32_t ver
     law->rows = vertices / cols;
 }
 
-tp_fan_law tp_fan_law_solve(const tp_grid_view *view, uint32_t vertices)
+/* Near the eye, rows are no denser than the shortest wave needs. */
+tp_fan_law tp_fan_law_solve(const tp_fan_view *view, uint32_t vertices)
 {
     const tp_projection *p = view->projection;
-    const wave_lengths waves = measure_waves(view->surface);
-    const tp_fx half_wave = waves.half_longest, up = tp_abs(p->eye.y);
+    const tp_fx half_wave = view->half_longest, up = tp_abs(p->eye.y);
+    const tp_fx least = half_wave < view->shortest ? half_wave : view->shortest;
     tp_fan_law law = { .right = tp_fan_rows_direction(&p->turn),
                        .height = up > LEAST_HEIGHT ? up : LEAST_HEIGHT };
     law.wide = half_width_per_depth(view, law.right);
-    if (law.height < waves.height)
-        law.height = waves.height;
+    if (law.height < least)
+        law.height = least;
     const int64_t corner = tp_isqrt64(((uint64_t)1 << 32)      /* per metre of distance */
                                       + (uint64_t)((int64_t)law.wide * law.wide));
     const int64_t most = ((int64_t)WIDEST << 16) / corner;
@@ -313,21 +288,21 @@ static tp_fx row_distance(const tp_fan_law *law, uint32_t n, tp_fx *along)
 }
 
 /* Returns half the width of the view on a row; waves may raise the row. */
-static int64_t row_half_width(const tp_fan_law *law, const tp_grid_view *view, tp_fx d)
+static int64_t row_half_width(const tp_fan_law *law, const tp_fan_view *view, tp_fx d)
 {
     const tp_dir3 ahead = view->projection->ahead;
     const int64_t forward = ((int64_t)ahead.x * law->right.z
                              - (int64_t)ahead.z * law->right.x) >> 30;
-    const int64_t height = tp_surface_height_bound(view->surface);
+    const int64_t height = view->high;
     int64_t depth = (d * forward - (int64_t)view->projection->eye.y * ahead.y
                      + height * tp_abs(ahead.y)) >> 30;
 
     depth = (depth > 0 ? depth : 0) + SET_BACK;
     return tp_clamp_abs((depth * law->wide >> 16) + MARGIN
-                        + tp_surface_displacement_bound(view->surface), WIDEST);
+                        + view->aside, WIDEST);
 }
 
-tp_fan_row tp_fan_law_row(const tp_fan_law *law, const tp_grid_view *view, uint32_t n)
+tp_fan_row tp_fan_law_row(const tp_fan_law *law, const tp_fan_view *view, uint32_t n)
 {
     TP_ASSERT(n < law->rows && law->cols > 1);
     const tp_vec3 eye = view->projection->eye;

@@ -59,6 +59,8 @@ enum { OFF = sizeof off / sizeof *off };
  *    since the distortion is stronger: 10.9 at strength 1.8, 7.5 before;
  *  - three-swells: the fan leaves out waves that its far rows cannot hold (at dusk without
  *    glitter 6.6; 4.3 with grid.vertices = 0);
+ *  - shallows, shore-break: a fan's cells are wider near the eye than their grids' were
+ *    (2.1, 2.6), while 16 samples are nearer (5.8 and 5.3 instead of 6.4 and 5.7);
  *  - harbour: walls of a mask, orange at dusk, are not visible through the water (1.1 1.0
  *    of opaque water);
  *  - shore-break: the reference leaves out overhangs (2.3 with surf.stretch = 0). */
@@ -80,7 +82,7 @@ static const engine_row rows[] = {
     { "harbour", 200, 3.0, 3.0, 0.0012, { NULL } },
     { "deep-sea", 100, 10.8, 4.7, 0.0005, { NULL } },
     { "night-sea", 100, 30.5, 2.6, 0.0005, { NULL } },
-    { "shallows", 100, 2.2, 0, 0.0005, { NULL } },
+    { "shallows", 100, 2.4, 0, 0.0005, { NULL } },
     { "shore-break", 100, 10.3, 0, 0.0005, { NULL } },
     { "from-above", 100, 3.1, 1.3, 0.0005, { NULL } },
     { "count-64", 100, 10.4, 8.4, 0.0005, { NULL } },
@@ -111,10 +113,10 @@ static const engine_row rows[] = {
     { "tank", 100, 2.2, 0, 0.0025, { "water.dispersion=0.2" } },
     { "tank", 100, 1.2, 0, 0.003, { "camera.y=0.9", "camera.pitch=-14" } },
     { "pond", 100, 2.2, 0, 0.0005, { "water.pool_normal_strength=0" } },
-    { "shallows", 100, 2.15, 0, 0.0005, { "water.clarity=15" } },
+    { "shallows", 100, 2.2, 0, 0.0005, { "water.clarity=15" } },
 
     /* scenes above the goal, without the feature that causes the difference */
-    { "shore-break", 100, 2.8, 0, 0.0005, { "surf.stretch=0" } },
+    { "shore-break", 100, 2.85, 0, 0.0005, { "surf.stretch=0" } },
     { "deep-sea", 100, 9.2, 3.6, 0.0005,
       { "grid.vertices=0", "grid.cell=0.6", "grid.cols=450", "grid.rows=450" } },
 };

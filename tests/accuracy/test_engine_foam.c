@@ -54,7 +54,7 @@ static const foam_row rows[] = {
     { "three-swells", 600, 2.4, 0.65, 0, { NULL } },
     { "from-above", 600, 2.15, 0.2, 0, { NULL } },
     { "harbour", 600, 1.1, 0.55, 0, { NULL } },
-    { "shallows", 600, 1.25, 0.85, 0, { NULL } },
+    { "shallows", 600, 1.3, 0.85, 0, { NULL } },
     { "shore-break", 900, 2.8, 0.22, 0.75, { "surf.stretch=0" } },
     { "shore-break", 900, 2.5, 0.9, 0, { "surf.stretch=0", "camera.heading=150",
                                          "camera.pitch=-20", "camera.z=13" } },

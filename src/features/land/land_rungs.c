@@ -5,6 +5,7 @@
 #include "base/base.h"
 #include "features/land/land.h"
 #include "quality/prices.h"
+#include "view/fan.h"
 #include "view/projection.h"
 #include "waves/coastal_tables.h"
 
@@ -58,6 +59,10 @@ typedef struct {
     tp_floor floor;
     tp_projection projection;
     int64_t  x, z;              /* centre of the grid, m, Q16 */
+    tp_fan_view view;
+    tp_fan_law  law;            /* of a fan's rows */
+    tp_fan_row  line[2];        /* rows j and j + 1 of a fan */
+    int32_t  lines, columns;    /* lines of the grid */
     int64_t  deepest;           /* deepest floor exposed by a trough, m, Q16 */
     int32_t  cols, rows;        /* size of the picture, px */
 } land_ground;
@@ -105,16 +110,76 @@ static tp_fx floor_steepest_slope(const land_ground *g)
     return (tp_fx)((int64_t)tp_isqrt64((uint64_t)most) * TP_FX_ONE / (2 * d));
 }
 
-static cost_corner project_corner(const land_ground *g, int32_t i, int32_t j)
+/* -- places of the grid's lines ------------------------------------------------------ */
+
+static tp_fx longest_wave(const tp_scene *s, tp_fx *shortest)
+{
+    tp_fx longest = 0;
+
+    *shortest = TP_FX_MAX;
+    for (int i = 0; i < TP_WAVES; i++) {
+        const tp_fx length = s->wave[i].length;
+        if (s->wave[i].amplitude <= 0)
+            continue;
+        longest = length > longest ? length : longest;
+        *shortest = length < *shortest ? length : *shortest;
+    }
+    return longest;
+}
+
+/* Sets the grid's lines by the law of a fan or by the scene. */
+static void set_lines(land_ground *g)
 {
     const tp_scene *s = g->scene;
-    const int64_t x = tp_start_view_grid_line_place(s, s->grid.cols, g->x,
-                                         (2 * (int64_t)i + 1 - s->grid.cols) * 32768);
-    const int64_t z = tp_start_view_grid_line_place(s, s->grid.rows, g->z,
-                                    (2 * (int64_t)j + 1 - s->grid.rows) * 32768);
-    const tp_floor_at at = tp_floor_sample(&g->floor, tp_fx_saturate(x), tp_fx_saturate(z));
-    const tp_vec3 place = { tp_fx_saturate(x), tp_fx_saturate(-(int64_t)at.depth),
-                            tp_fx_saturate(z) };
+    tp_fx shortest;
+    const tp_fx longest = longest_wave(s, &shortest);
+
+    g->columns = s->grid.cols;
+    g->lines = s->grid.rows;
+    if (!tp_has_fan(s))
+        return;
+    g->view = (tp_fan_view){
+        .projection = &g->projection, .width = (uint32_t)g->cols,
+        .height = (uint32_t)g->rows, .half_longest = longest / 2,
+        .shortest = shortest < TP_FX_MAX / 2 ? 2 * shortest : shortest,
+        .high = tp_fx_saturate(g->deepest - TP_FX_ONE),
+        .aside = tp_fx_saturate(g->deepest - TP_FX_ONE),
+        .land = tp_fx_saturate(-sample_depth(g, g->projection.eye.x, g->projection.eye.z)),
+    };
+    g->law = tp_fan_law_solve(&g->view, tp_fan_budget(s));
+    g->columns = (int32_t)g->law.cols;
+    g->lines = (int32_t)g->law.rows;
+}
+
+/* Selects the lines on both sides of a row of cells. */
+static void select_row(land_ground *g, int32_t j)
+{
+    for (int k = 0; k < 2 && tp_has_fan(g->scene); k++)
+        g->line[k] = tp_fan_law_row(&g->law, &g->view, g->law.rows - 1 - (uint32_t)(j + k));
+}
+
+/* Returns the rest position of column i of line j or, with `next`, of line j + 1. */
+static tp_vec3 line_place(const land_ground *g, int32_t i, int32_t j, int next)
+{
+    const tp_scene   *s = g->scene;
+    const tp_fan_row *row = &g->line[next];
+
+    if (tp_has_fan(s))
+        return (tp_vec3){ tp_fan_place(row->x, row->step_x, (uint32_t)i), 0,
+                          tp_fan_place(row->z, row->step_z, (uint32_t)i) };
+    return (tp_vec3){
+        tp_fx_saturate(tp_start_view_grid_line_place(
+            s, g->columns, g->x, (2 * (int64_t)i + 1 - g->columns) * 32768)), 0,
+        tp_fx_saturate(tp_start_view_grid_line_place(
+            s, g->lines, g->z, (2 * (int64_t)(j + next) + 1 - g->lines) * 32768)),
+    };
+}
+
+static cost_corner project_corner(const land_ground *g, int32_t i, int32_t j, int next)
+{
+    const tp_vec3 rest = line_place(g, i, j, next);
+    const tp_floor_at at = tp_floor_sample(&g->floor, rest.x, rest.z);
+    const tp_vec3 place = { rest.x, tp_fx_saturate(-(int64_t)at.depth), rest.z };
     tp_view_vertex c;
     uint32_t zi;
 
@@ -195,14 +260,15 @@ static void count_cell(const land_ground *g, strip *to, const cost_corner p[4])
     }
 }
 
-static strip measure_strip(const land_ground *g, int32_t j)
+static strip measure_strip(land_ground *g, int32_t j)
 {
+    select_row(g, j);
     strip to = { 0, 0, 0, 0, 0, 0, INT32_MAX, INT32_MIN };
-    cost_corner left[2] = { project_corner(g, 0, j), project_corner(g, 0, j + 1) };
+    cost_corner left[2] = { project_corner(g, 0, j, 0), project_corner(g, 0, j, 1) };
 
-    for (int32_t i = 0; i + 1 < g->scene->grid.cols; i++) {
-        const cost_corner right[2] = { project_corner(g, i + 1, j),
-                                       project_corner(g, i + 1, j + 1) };
+    for (int32_t i = 0; i + 1 < g->columns; i++) {
+        const cost_corner right[2] = { project_corner(g, i + 1, j, 0),
+                                       project_corner(g, i + 1, j, 1) };
         const cost_corner all[4] = { left[0], left[1], right[0], right[1] };
         count_cell(g, &to, all);
         left[0] = right[0];
@@ -234,10 +300,11 @@ static void count_work(tp_site *w)
             s->wave[i].amplitude > 0 ? bound_crest_height(s, &s->wave[i], slope) : 0;
     tp_projection_init_turned(&g.projection, w->at.eye, w->at.turn, s->camera.fov,
                               s->camera.near, w->width, w->height);
-    for (int32_t j = 0; j + 1 < s->grid.rows; j++) {
+    set_lines(&g);
+    for (int32_t j = 0; j + 1 < g.lines; j++) {
         const strip row = measure_strip(&g, j);
         const uint32_t tiles = count_tiles(&g, &row);
-        w->fixed_cost.of[TP_WORK_land_row] += tiles * (uint32_t)(s->grid.cols - 1);
+        w->fixed_cost.of[TP_WORK_land_row] += tiles * (uint32_t)(g.columns - 1);
         w->fixed_cost.of[TP_WORK_land_cell] += tiles * row.tries;
         w->fixed_cost.of[TP_WORK_land_cut] += tiles * row.cuts;
         w->fixed_cost.of[TP_WORK_land_off] += tiles * row.offs;
