@@ -47,13 +47,13 @@ cat >"$scratch/sizes.c" <<'END'
 #include <stdlib.h>
 #include <string.h>
 #include "tidepool/tidepool.h"
-int main(int argc, char **argv)         /* WIDTH HEIGHT FORMAT ROWS GRID */
+int main(int argc, char **argv)         /* WIDTH HEIGHT FORMAT ROWS VERTICES */
 {
     tp_scene scene;
     if (argc != 6)
         return 1;
     tp_scene_init(&scene);
-    scene.grid.cols = scene.grid.rows = atoi(argv[5]);
+    scene.grid.vertices = atoi(argv[5]);
     const tp_config c = {
         .width = (uint32_t)atoi(argv[1]), .height = (uint32_t)atoi(argv[2]),
         .tile_height = (uint32_t)atoi(argv[4]),
@@ -69,8 +69,8 @@ sizes()
     sed -n '/^| [0-9]*x[0-9]* | [a-z]/s/[|x]/ /gp' include/tidepool/README.md |
         sed 's/ rgb8888/ xrgb8888/' >"$scratch/rows"
     [ "$(wc -l <"$scratch/rows")" -ge 6 ] || return 1
-    while read -r width height format rows grid _ bytes; do
-        [ "$("$scratch/sizes" "$width" "$height" "$format" "$rows" "$grid")" = \
+    while read -r width height format rows vertices bytes; do
+        [ "$("$scratch/sizes" "$width" "$height" "$format" "$rows" "$vertices")" = \
             "$(echo "$bytes" | tr -d ,)" ] || { echo "$width $bytes"; return 1; }
     done <"$scratch/rows"
 }

@@ -243,14 +243,50 @@ int scene_file_find(scene_file *file, const char *given)
     return EXIT_DONE;
 }
 
+/* Returns the line of the file that set a row, 0: none. */
+static uint32_t file_line(const scene_file *file, const char *name)
+{
+    uint32_t count;
+    const tp_param *param = tp_param_find(name, strlen(name));
+    return param ? file->set_at[param - tp_params(&count)] : 0;
+}
+
+bool scene_file_keeps_lines(const tp_scene *s)
+{
+    return s->pool.cols > 0 || s->field.cols > 0 || s->drops.count > 0;
+}
+
+/* Reads a grid of cols x rows lines, without grid.vertices, as a budget of vertices: the
+ * third of the grid that a view shows. */
+static void read_old_grid(scene_file *file)
+{
+    tp_scene *s = &file->scene;
+    const uint32_t line = file_line(file, "grid.cols");
+    const int64_t third = (int64_t)s->grid.cols * s->grid.rows / 3;
+
+    if (!line || file_line(file, "grid.vertices") || scene_file_keeps_lines(s))
+        return;
+    file->old_grid = line;
+    s->grid.vertices = (int32_t)(third < 64 ? 64 : third > 65536 ? 65536 : third);
+}
+
 int scene_file_open(scene_file *file, const char *given)
 {
     const int code = scene_file_find(file, given);
-    return code ? code : scene_ini_read(file);
+    if (code)
+        return code;
+    const int read = scene_ini_read(file);
+    if (!read)
+        read_old_grid(file);
+    return read;
 }
 
 void scene_file_report_old_names(const scene_file *file)
 {
+    if (file->old_grid)
+        log_line("%s:%u: grid.cols and grid.rows are read as grid.vertices = %d until version "
+                 OLD_NAMES_END "; grid.vertices = 0 keeps the lines", file->path,
+                 (unsigned)file->old_grid, (int)file->scene.grid.vertices);
     old_name_note_print(&file->old_in_file, file->path, file->path);
     old_name_note_print(&file->old_by_command, "--set", NULL);
 }

@@ -14,6 +14,7 @@ typedef struct {
     uint32_t *set_at;       /* for each row of the table: line of the INI that set the
                              * value, 0: default, or SET_BY_COMMAND */
     const char *by;         /* origin of SET_BY_COMMAND in messages; NULL: "--set" */
+    uint32_t old_grid;      /* line of a grid.cols that was read as a budget of vertices */
     old_name_note old_in_file, old_by_command;      /* old names of rows that were read */
     tp_scene scene;
 } scene_file;
@@ -24,6 +25,10 @@ typedef struct {
 int  scene_file_open(scene_file *file, const char *given);
 int  scene_file_set(scene_file *file, const char *setting);     /* "name=value" */
 void scene_file_close(scene_file *file);
+
+/* True if the water is drawn on the lines of grid.cols and grid.rows, without a warning:
+ * rings and pools need cells of equal size. */
+bool scene_file_keeps_lines(const tp_scene *scene);
 
 /* Opens a scene without reading its file. */
 int  scene_file_find(scene_file *file, const char *given);

@@ -103,16 +103,30 @@ static int check_text(const save *s, const tp_param *param, const char *text)
     return EXIT_DONE;
 }
 
+/* True if a file without the line gives the row's value.  Beside grid.cols, a file must say
+ * that the grid has no budget of vertices (scene_file.c). */
+static bool is_normal(const save *s, const tp_param *param, const char *text)
+{
+    char normal[64];
+    const int32_t cols = tp_param_find("grid.cols", 9)->normal;
+    const bool lines = s->file->scene.grid.cols != cols
+                    && !scene_file_keeps_lines(&s->file->scene)
+                    && param == tp_param_find("grid.vertices", 13);
+    tp_param_number_text(param, param->normal, normal, sizeof normal);
+    return strcmp(text, normal) == 0 && !lines;
+}
+
 /* Edits the line of a value.  Values equal to the default are removed in a second pass
  * (away), after the others are in place: a section that gets new lines then stays at its
  * place. */
 static int edit(save *s, const tp_param *param, uint32_t row, const char *text, bool away)
 {
-    char before[TP_NAME_BYTES + 64], normal[64];
+    char before[TP_NAME_BYTES + 64];
+    const bool lines = !is_normal(s, param, text) && !s->at[row]
+                    && param == tp_param_find("grid.vertices", 13);
     tp_param_text(&s->filed, param, before, sizeof before);
-    tp_param_number_text(param, param->normal, normal, sizeof normal);
-    if ((strcmp(text, long_name_whole(before)) == 0 && !s->bad[row])
-        || (strcmp(text, normal) == 0) != away)
+    if ((strcmp(text, long_name_whole(before)) == 0 && !s->bad[row] && !lines)
+        || is_normal(s, param, text) != away)
         return EXIT_DONE;
     if (away) {
         scene_lines_remove(&s->lines, row);

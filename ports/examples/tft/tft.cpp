@@ -35,8 +35,7 @@ void setup()
     config.tile_height = 8;
     config.format = TP_FORMAT_RGB565BE;
     tp_scene_init(&scene);
-    scene.grid.cols = scene.grid.rows = 32;
-    scene.grid.cell = TP_FX(3);
+    scene.grid.vertices = 400;
     if (tp_engine_init(&sea, &config, &scene, memory, sizeof memory, &err) != TP_OK) {
         tp_error_text(&err, why, sizeof why);
         Serial.print("sea: ");
