@@ -55,7 +55,7 @@ x86.threads)
 *.pixels)
     for n in 80x60 160x120 240x180 320x240 480x360 640x480; do set -- "$@" "$n"; done ;;
 *.vertices)
-    for n in 32 48 64 96 128 192 256; do set -- "$@" "320x240 grid=$n"; done ;;
+    for n in 350 800 1350 3000 5400 12000 22000; do set -- "$@" "320x240 grid=$n"; done ;;
 *.waves)
     for n in 1 2 3 4 6 8 12 16; do set -- "$@" "320x240 $(waves "$n")"; done ;;
 *.cells)

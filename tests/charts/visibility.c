@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Compares the water renderers, with grids of several line counts over the same area, with
- * the reference renderer.
+/* Compares the water renderers, with several numbers of vertices, with the reference
+ * renderer.
  *
  *     visibility points SCENE WIDTH HEIGHT
  *         prints each point as METHOD;GRID and words for board.sh
@@ -56,8 +56,8 @@ static visibility_error error_of(const drawn_image *a, const ref_image *b)
 
 /* -- points -------------------------------------------------------------------------- */
 
-/* Grid sizes, in addition to the scene's own. */
-static const int32_t grids[] = { 32, 64, 128, 256 };
+/* Vertices, in addition to the scene's own. */
+static const int32_t grids[] = { 500, 2000, 8000, 32000 };
 static const char *const methods[] = { "triangles", "rows", "projected", "flat" };
 
 enum { GRIDS = sizeof grids / sizeof *grids, METHODS = 4, POINTS = METHODS * (GRIDS + 1) };
@@ -83,12 +83,12 @@ static points points_of(const ref_stand *shipped, uint32_t width, uint32_t heigh
         const bool chosen = (int)r.visibility == m + 1;
         bool own = false;
         for (int g = 0; g < GRIDS; g++) {
-            const bool same = grids[g] == scene->grid.cols;
+            const bool same = grids[g] == scene->grid.vertices;
             all.of[all.count++] = (visibility_point){ m, grids[g], chosen && same };
             own = own || same;
         }
         if (!own)
-            all.of[all.count++] = (visibility_point){ m, scene->grid.cols, chosen };
+            all.of[all.count++] = (visibility_point){ m, scene->grid.vertices, chosen };
     }
     return all;
 }

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 # Water renderers, a gentle scene above and a steep scene below: cost of finding the water
-# against the error of the colours.  Each line has grids of 32, 64, 128 and 256 lines and
-# the grid of the scene; projected and flat have no grid, and are points.  Filled: the choice
+# against the error of the colours.  Each line has 500, 2000, 8000 and 32000 vertices and
+# the scene's own number; projected and flat have no grid, and are points.  Filled: the choice
 # of the scene; dotted: the Pareto front.
 array name[4] = ["triangles", "rows", "projected", "flat"]
 method(n) = n eq "triangles" ? 1 : n eq "rows" ? 2 : n eq "projected" ? 3 : 4
 here(y) = strcol("scene") eq scene ? column(y) : NaN
 of(y, i) = strcol("method") eq name[i] ? here(y) : NaN
-one(y, i) = column("grid") == 128 ? of(y, i) : NaN
+one(y, i) = column("grid") == 2000 ? of(y, i) : NaN
 taken(y) = is_used(strcol("used")) ? here(y) : NaN
 full(n) = int(word(shapes, method(n))) + 1
 lines_ = 'with linespoints linetype i pointsize 1.2'
@@ -24,9 +24,10 @@ lines = 'plot for [i=1:2] csv using (of(cost, i)):"colour" @lines_ notitle, ' . 
         '"" using (taken(cost)):"colour":(full(strcol("method"))):(method(strcol("method"))) @used_'
 front = ', "" using (column("front") == 1 ? here(cost) : NaN):"colour" ' . \
         'smooth unique with steps linecolor rgb grey dashtype 3 linewidth 2 notitle'
-said = ', "" using (of(cost, 1)):"colour":(strcol("grid")) ' . \
+far_apart(n) = n eq "500" || n eq "8000" || n eq "32000" ? n : ""
+said = ', "" using (of(cost, 1)):"colour":(far_apart(strcol("grid"))) ' . \
        'with labels right offset -0.8,-0.7 textcolor linetype 1 notitle' . \
-       ', "" using (of(cost, 2)):"colour":(strcol("grid")) ' . \
+       ', "" using (of(cost, 2)):"colour":(far_apart(strcol("grid"))) ' . \
        'with labels left offset 0.8,0.6 textcolor linetype 2 notitle'
 
 unset key
@@ -40,15 +41,15 @@ cost = "m4_seen"
 @upper
 set label 1 "calm-bay, gentle" at graph 0.98, 0.92 right
 set label 2 "flat" at 61, 30 center textcolor linetype 4
-set label 3 "projected" at 400, 1.9 right textcolor linetype 3
-set label 4 "triangles" at 100, 6 right textcolor linetype 1
-set label 5 "rows" at 300, 11 left textcolor linetype 2
+set label 3 "projected" at 430, 7.6 center textcolor linetype 3
+set label 4 "triangles" at 130, 5 right textcolor linetype 1
+set label 5 "rows" at 160, 11 left textcolor linetype 2
 set ylabel "colours, rms levels" offset 0.5,0
 @lines @front @said
 @lower
 set label 1 "count-64, steep"
 set label 2 at 61, 19
-set label 3 at 480, 14 center
+set label 3 at 480, 20 center
 unset label 4
 unset label 5
 set xlabel "Cortex-M4 instructions a water pixel"

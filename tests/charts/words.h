@@ -3,8 +3,8 @@
  * the programs that compare.
  *
  *     NAME=VALUE      a parameter of the scene
- *     grid=N          N lines of the grid along each axis, over the same area of water
- *     grid/N          one line of N */
+ *     grid=N          N vertices of a fan
+ *     grid/N          one line of N along each axis */
 #ifndef TP_TESTS_CHARTS_WORDS_H
 #define TP_TESTS_CHARTS_WORDS_H
 #include "world/text.h"
@@ -35,12 +35,16 @@ static inline bool word_begins(const char *word, const char *with)
     return !*with;
 }
 
-static inline void word_grid(tp_scene *scene, int32_t cols, int32_t rows)
+/* Takes one line of `by` along each axis, over the same area of water. */
+static inline void word_thin_grid(tp_scene *scene, int32_t by)
 {
-    cols = cols < 2 ? 2 : cols;
+    const int32_t cols = (scene->grid.cols - 1) / by + 1;
+    const int32_t rows = (scene->grid.rows - 1) / by + 1;
+
+    scene->grid.vertices /= by * by;
     scene->grid.cell = (tp_fx)((int64_t)scene->grid.cell * (scene->grid.cols - 1)
-                               / (cols - 1));
-    scene->grid.cols = cols;
+                               / (cols > 2 ? cols - 1 : 1));
+    scene->grid.cols = cols < 2 ? 2 : cols;
     scene->grid.rows = rows < 2 ? 2 : rows;
 }
 
@@ -52,13 +56,11 @@ static inline bool word_set(tp_scene *scene, const char *word, size_t bytes, boo
     const tp_param *param = name < bytes ? tp_param_find(word, name) : NULL;
 
     if (word_begins(word, "grid=")) {
-        const int32_t lines = (int32_t)word_number(word + 5);
-        word_grid(scene, lines, lines);
+        scene->grid.vertices = (int32_t)word_number(word + 5);
         return true;
     }
     if (word_begins(word, "grid/") && word_number(word + 5) > 0) {
-        const int32_t by = (int32_t)word_number(word + 5);
-        word_grid(scene, (scene->grid.cols - 1) / by + 1, (scene->grid.rows - 1) / by + 1);
+        word_thin_grid(scene, (int32_t)word_number(word + 5));
         return true;
     }
     *still = word_begins(word, "quality.") || word_begins(word, "grid.");
