@@ -4,6 +4,7 @@
 #ifndef TP_TESTS_LIB_SHADING_H
 #define TP_TESTS_LIB_SHADING_H
 #include "features/water/fast_shading.h"
+#include "shade/rough_lobe.h"
 #include "shade/shade.h"
 #include "shade/env.h"
 #include "tests/lib/measure.h"
@@ -255,6 +256,8 @@ static inline int32_t sky_q14(double x)
 typedef struct {
     test_sky sky;
     struct tp_quick_light quick;
+    tp_quick_rough rough[TP_QUICK_LEVELS];
+    tp_filtered_waves filtered;
 } quick_lights;
 
 /* A sky colour that varies slowly with the direction. */
@@ -265,8 +268,10 @@ static inline uint32_t quick_smooth(ref_dir d, void *with)
          | (uint32_t)(128 + 100 * d.z);
 }
 
-/* A random shade for the sky and the lobe; valid as long as `kept` is. */
-static inline tp_shade quick_shade(quick_lights *kept, int env, int lobe, uint64_t *state)
+/* A random shade for the sky and the lobe, with levels of roughness; valid as long as
+ * `kept` is. */
+static inline tp_shade quick_rough_shade(quick_lights *kept, int env, int lobe,
+                                         uint32_t levels, uint64_t *state)
 {
     tp_shade s = shade_any(state);
 
@@ -283,8 +288,23 @@ static inline tp_shade quick_shade(quick_lights *kept, int env, int lobe, uint64
     else
         tp_shade_shine(shade_shine, shininess, TP_FX_ONE);
     s.quick = &kept->quick;
+    kept->quick.rough = kept->rough;
+    kept->quick.levels = levels;
+    tp_filtered_waves_clear(&kept->filtered);
+    for (tp_fx depth = TP_FX_ONE; levels > 1 && depth < 4000 * TP_FX_ONE; depth *= 2)
+        tp_filtered_waves_add_row(&kept->filtered, depth, (tp_slope_variance){
+            (uint32_t)depth >> 9, (uint32_t)depth >> 10 });
+    tp_filtered_waves_finish(&kept->filtered);
+    s.filtered = levels > 1 ? &kept->filtered : NULL;
+    s.lobe = tp_lobe_form_make(shininess, TP_FX_ONE);
     tp_quick_light_init(&kept->quick, &s, (tp_lobe)lobe, lobe != TP_LOBE_NONE, true);
     return s;
+}
+
+/* A shade of smooth water. */
+static inline tp_shade quick_shade(quick_lights *kept, int env, int lobe, uint64_t *state)
+{
+    return quick_rough_shade(kept, env, lobe, 1, state);
 }
 
 /* Slopes as sampled.  If `steep` is large, every eighth slope has the steepest 16-bit

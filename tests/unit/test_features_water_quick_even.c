@@ -58,7 +58,8 @@ typedef struct {
 static void unlit_make(unlit *u, int n, int32_t steep)
 {
     u->by = &all[n % ALL];
-    u->shade = quick_shade(&lights, u->by->env, u->by->lobe, &chance);
+    u->shade = quick_rough_shade(&lights, u->by->env, u->by->lobe,
+                                 chance_int(&chance, 0, 1) ? TP_QUICK_LEVELS : 1, &chance);
     quick_run(&u->r, u->slope, steep, &chance);
 }
 

@@ -38,7 +38,9 @@ static void both_bodies_have_the_same_bits(void **state)
     (void)state;
     for (int n = 0; n < 4000; n++) {
         const bodies *b = &all[n % ALL];
-        const tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
+        const tp_shade s = quick_rough_shade(&lights, b->env, b->lobe,
+                                             n % 3 ? TP_QUICK_LEVELS : 1,
+                                             &chance);
         test_run r;
         quick_run(&r, r.run.slope, n / ALL % 2 ? 32000 : 3000, &chance);
         const int32_t from = chance_int(&chance, 0, TP_RUN - 1);
@@ -53,7 +55,9 @@ static void where_a_run_is_cut_does_not_show(void **state)
     (void)state;
     for (int n = 0; n < 2000; n++) {
         const bodies *b = &all[n % ALL];
-        const tp_shade s = quick_shade(&lights, b->env, b->lobe, &chance);
+        const tp_shade s = quick_rough_shade(&lights, b->env, b->lobe,
+                                             n % 3 ? TP_QUICK_LEVELS : 1,
+                                             &chance);
         test_run r;
         quick_run(&r, r.run.slope, 4000, &chance);
         const int32_t cut = chance_int(&chance, 1, TP_RUN - 1);

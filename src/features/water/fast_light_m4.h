@@ -26,8 +26,9 @@ TP_ALWAYS_INLINE uint32_t packed_cube_colour(const uint32_t *sky, uint32_t slope
 }
 
 /* Returns light and reflection of one column. */
-TP_ALWAYS_INLINE uint32_t packed_light_and_reflect(const struct tp_quick_light *quick,
-                                                   const uint32_t *sky, tp_quick_sun sun,
+TP_ALWAYS_INLINE uint32_t packed_light_and_reflect(const tp_quick_rough *rough,
+                                                   int32_t least, const uint32_t *sky,
+                                                   tp_quick_sun sun,
                                                    tp_quick_view v, uint32_t slope,
                                                    uint32_t colour, int env)
 {
@@ -35,9 +36,9 @@ TP_ALWAYS_INLINE uint32_t packed_light_and_reflect(const struct tp_quick_light *
     int32_t  l = tp_smlad(slope, sun.back, sun.y);
     int32_t  lit = sun.ambient + sun.direct * tp_usat(l, 18, 8);
     uint32_t light = env == TP_ENV_CUBE
-                         ? packed_cube_colour(sky, slope, v.back, n + quick->least, up)
+                         ? packed_cube_colour(sky, slope, v.back, n + least, up)
                          : sky[tp_ssat(up, 21, 6)];
-    uint32_t share = quick->share[tp_usat(n, 18, 8)];
+    uint32_t share = rough->share[tp_usat(n, 18, 8)];
     uint32_t keeps = (uint32_t)tp_smulwt(lit, share), mirrors = share & 0xffff;
     uint32_t rb = tp_even_bytes(colour) * keeps + tp_even_bytes(light) * mirrors;
     uint32_t g = tp_odd_bytes(colour) * keeps + tp_odd_bytes(light) * mirrors;
@@ -46,31 +47,32 @@ TP_ALWAYS_INLINE uint32_t packed_light_and_reflect(const struct tp_quick_light *
 }
 
 /* Adds the glint of one column. */
-TP_ALWAYS_INLINE uint32_t packed_add_glint(const struct tp_quick_light *quick,
+TP_ALWAYS_INLINE uint32_t packed_add_glint(const tp_quick_rough *rough, int32_t least,
                                            tp_quick_sun sun, tp_quick_view v,
                                            uint32_t slope, uint32_t colour, int lobe)
 {
     if (lobe == TP_LOBE_PHONG) {
         int32_t n = tp_smlad(slope, v.back, v.y), l = tp_smlad(slope, sun.back, sun.y);
         int32_t way = tp_smulwt(tp_smlad(slope, slope, 1 << 24), (uint32_t)v.lv)
-                    - (tp_smulwb(n + quick->least, (uint32_t)tp_usat(l, 12, 14)) >> 1);
-        return tp_uqadd8(colour, quick->lobe[tp_usat(way, 11, 9)]);
+                    - (tp_smulwb(n + least, (uint32_t)tp_usat(l, 12, 14)) >> 1);
+        return tp_uqadd8(colour, rough->lobe[tp_usat(way, 11, 9)]);
     }
     if (lobe == TP_LOBE_BLINN) {
         uint32_t away = tp_shsub16(slope, v.half);
-        return tp_uqadd8(colour, quick->lobe[tp_usat(tp_smuad(away, away), 11, 9)]);
+        return tp_uqadd8(colour, rough->lobe[tp_usat(tp_smuad(away, away), 11, 9)]);
     }
     return colour;
 }
 
 /* Returns the full colour of one column. */
-TP_ALWAYS_INLINE uint32_t packed_shade_column(const struct tp_quick_light *quick,
-                                              const uint32_t *sky, tp_quick_sun sun,
-                                              tp_quick_view v, uint32_t slope,
-                                              uint32_t colour, int env, int lobe)
+TP_ALWAYS_INLINE uint32_t packed_shade_column(const tp_quick_rough *rough,
+                                              int32_t least, const uint32_t *sky,
+                                              tp_quick_sun sun, tp_quick_view v,
+                                              uint32_t slope, uint32_t colour, int env,
+                                              int lobe)
 {
-    colour = packed_light_and_reflect(quick, sky, sun, v, slope, colour, env);
-    return packed_add_glint(quick, sun, v, slope, colour, lobe);
+    colour = packed_light_and_reflect(rough, least, sky, sun, v, slope, colour, env);
+    return packed_add_glint(rough, least, sun, v, slope, colour, lobe);
 }
 
 /* Returns the address of a word in a run: `sample` is the run plus 4 bytes per column,
@@ -93,6 +95,7 @@ TP_ALWAYS_INLINE void packed_shade_span(const tp_shade *shade, tp_quick_sun sun,
     const struct tp_quick_light *quick = shade->quick;
     const uint32_t *sky = quick->sky + (env == TP_ENV_CUBE ? 0 : TP_QUICK_HEIGHTS / 2)
                         + (env == TP_ENV_DOME ? tp_quick_column(shade, &v) : 0);
+    const tp_quick_rough *rough = &quick->rough[tp_quick_level(shade, &v)];
     const int width = TP_QUICK_STEP(lobe);
     char *at = (char *)run + 4 * (x - run->x), *end = at + 4 * (stop - x);
     int32_t begun = x & (TP_QUICK_SPAN(lobe) - 1), left = -x & (width - 1);
@@ -111,7 +114,7 @@ TP_ALWAYS_INLINE void packed_shade_span(const tp_shade *shade, tp_quick_sun sun,
     int32_t  y = v.y, lv = v.lv;
 
 #define SEEN(i) \
-    COLOUR(at, i) = packed_shade_column(quick, sky, sun, \
+    COLOUR(at, i) = packed_shade_column(rough, quick->least, sky, sun, \
                                         (tp_quick_view){ back, half, y, lv }, \
                                         SLOPE(at, i), COLOUR(at, i), env, lobe)
 #define TO_NEXT(by) (half = lobe == TP_LOBE_BLINN ? tp_sadd16(half, by) : 0)
@@ -171,6 +174,7 @@ TP_ALWAYS_INLINE void packed_light_span_even_columns(const tp_shade *shade,
     const struct tp_quick_light *quick = shade->quick;
     const uint32_t *sky = quick->sky + (env == TP_ENV_CUBE ? 0 : TP_QUICK_HEIGHTS / 2)
                         + (env == TP_ENV_DOME ? tp_quick_column(shade, &v) : 0);
+    const tp_quick_rough *rough = &quick->rough[tp_quick_level(shade, &v)];
     const uint32_t *slope = run->slope + (x - run->x);
     uint32_t *even = run->even + ((x - run->x + (run->x & 1)) >> 1);
 
@@ -179,7 +183,7 @@ TP_ALWAYS_INLINE void packed_light_span_even_columns(const tp_shade *shade,
     uint32_t back = v.back;
     int32_t  y = v.y;
 #define SEEN(i) \
-    even[i] = packed_light_and_reflect(quick, sky, sun, \
+    even[i] = packed_light_and_reflect(rough, quick->least, sky, sun, \
                                        (tp_quick_view){ .back = back, .y = y }, \
                                        slope[2 * (i)], even[i], env)
 #define WALK() (back = tp_sadd16(back, step.back), y += step.y)
@@ -208,8 +212,8 @@ TP_ALWAYS_INLINE void packed_light_span_even_columns(const tp_shade *shade,
 #undef WALK
 }
 
-/* Lights the even columns of a run.  The half vectors at the ends of spans stay in the
- * run, for the glints. */
+/* Lights the even columns of a run.  The half vectors at the ends of spans and the spans'
+ * levels stay in the run, for the glints. */
 TP_ALWAYS_INLINE void packed_light_even_columns(const tp_shade *shade, tp_run *run, int env)
 {
     const tp_quick_sun sun = tp_quick_sun_make(shade);
@@ -218,8 +222,10 @@ TP_ALWAYS_INLINE void packed_light_even_columns(const tp_shade *shade, tp_run *r
     uint32_t *half = run->half;
     tp_quick_view v = tp_quick_blinn_sample(shade, &row, x & -SPAN);
 
+    uint32_t span = 0;
     *half++ = v.half;
     while (x < end) {
+        run->span[span++].mip_offset = (int16_t)tp_quick_level(shade, &v);
         int32_t next = (x & -SPAN) + SPAN, stop = next < end ? next : end;
         const tp_quick_view to = tp_quick_blinn_sample(shade, &row, next);
         packed_light_span_even_columns(shade, sun, run, v,
@@ -234,17 +240,19 @@ TP_ALWAYS_INLINE void packed_light_even_columns(const tp_shade *shade, tp_run *r
 
 /* Adds Phong's glints to columns x to stop of one span; half rate colours are filled in
  * already. */
-TP_ALWAYS_INLINE void packed_add_phong_glints_span(const struct tp_quick_light *quick,
+TP_ALWAYS_INLINE void packed_add_phong_glints_span(const tp_shade *shade,
                                                    tp_quick_sun sun, tp_run *run,
                                                    tp_quick_view v, tp_quick_view step,
                                                    int32_t x, int32_t stop)
 {
     const uint32_t *slope = run->slope + (x - run->x);
+    const tp_quick_rough *rough = &shade->quick->rough[tp_quick_level(shade, &v)];
+    const int32_t least = shade->quick->least;
     uint32_t *colour = run->colour + (x - run->x);
 
     v = tp_quick_view_advance(v, step, (x & (TP_QUICK_SPAN(TP_LOBE_PHONG) - 1)) >> 1);
     for (; x < stop; x++) {
-        *colour = packed_add_glint(quick, sun, v, *slope++, *colour, TP_LOBE_PHONG);
+        *colour = packed_add_glint(rough, least, sun, v, *slope++, *colour, TP_LOBE_PHONG);
         colour++;
         if (x & 1)
             v = tp_quick_view_advance(v, step, 1);
@@ -263,7 +271,7 @@ TP_ALWAYS_INLINE void packed_add_phong_glints(const tp_shade *shade, tp_run *run
     while (x < end) {
         int32_t next = (x & -span) + span, stop = next < end ? next : end;
         const tp_quick_view to = tp_quick_phong_sample(shade, &row, next);
-        packed_add_phong_glints_span(shade->quick, sun, run, v,
+        packed_add_phong_glints_span(shade, sun, run, v,
                                      tp_quick_step(v, to, TP_LOBE_PHONG), x, stop);
         v = to;
         x = stop;
@@ -325,10 +333,21 @@ TP_ALWAYS_INLINE uint32_t packed_sample_half_vector(const tp_run *run, int32_t x
                                  x & (SPAN - 1));
 }
 
+/* Returns the lobe of the span of column x. */
+TP_ALWAYS_INLINE const uint32_t *packed_sample_lobe(const tp_shade *shade,
+                                                    const tp_run *run, int32_t x)
+{
+    const int32_t span = (x >> 5) - (run->x >> 5);
+    return shade->quick->rough[run->span[span].mip_offset].lobe;
+}
+
 /* Adds glints to the columns of an incomplete block. */
-TP_LOOP packed_upsample_add_glints_columns(const uint32_t *lobe, tp_run *run, int32_t i,
+TP_LOOP packed_upsample_add_glints_columns(const tp_shade *shade, tp_run *run, int32_t i,
                                            int32_t end)
 {
+    if (i >= end)
+        return;
+    const uint32_t *lobe = packed_sample_lobe(shade, run, run->x + i);
     for (; i < end; i++) {
         tp_quick_walk walk;
         uint32_t half = packed_sample_half_vector(run, run->x + i, &walk);
@@ -338,16 +357,22 @@ TP_LOOP packed_upsample_add_glints_columns(const uint32_t *lobe, tp_run *run, in
 }
 
 /* Adds glints to complete blocks of 16 columns, [i, end). */
-TP_ALWAYS_INLINE void packed_upsample_add_glints_blocks(const uint32_t *lobe, tp_run *run,
+TP_ALWAYS_INLINE void packed_upsample_add_glints_blocks(const tp_shade *shade, tp_run *run,
                                                         int32_t i, int32_t end)
 {
+    const uint32_t *lobe = NULL;
     const uint32_t *even = run->even + ((i + (run->x & 1)) >> 1);
     uint32_t *colour = run->colour + i, half = 0;
     tp_quick_walk walk = { 0 };
 
     for (bool begun = false; i < end; i += 16, begun = true) {
-        if (!begun || ((run->x + i) & (SPAN - 1)) == 0)
+        if (!begun || ((run->x + i) & (SPAN - 1)) == 0) {
             half = packed_sample_half_vector(run, run->x + i, &walk);
+            lobe = packed_sample_lobe(shade, run, run->x + i);
+#if TP_DSP
+            __asm__("" : "+r"(lobe));   /* keeps the address in its own register */
+#endif
+        }
         uint32_t a = even[0];
         for (uint32_t *const last = colour + 12; colour != last; colour += 4, even += 2) {
             const uint32_t b = even[1], c = even[2];
@@ -361,20 +386,17 @@ TP_ALWAYS_INLINE void packed_upsample_add_glints_blocks(const uint32_t *lobe, tp
     }
 }
 
-TP_ALWAYS_INLINE void packed_upsample_add_glints_run(const uint32_t *lobe, tp_run *run)
+TP_ALWAYS_INLINE void packed_upsample_add_glints_run(const tp_shade *shade, tp_run *run)
 {
     const int32_t begin = -run->x & 15, end = run->count - ((run->x + run->count) & 15);
 
-#if TP_DSP
-    __asm__("" : "+r"(lobe));   /* keeps the address in its own register */
-#endif
     if (begin >= end) {
-        packed_upsample_add_glints_columns(lobe, run, 0, run->count);
+        packed_upsample_add_glints_columns(shade, run, 0, run->count);
         return;
     }
-    packed_upsample_add_glints_columns(lobe, run, 0, begin);
-    packed_upsample_add_glints_blocks(lobe, run, begin, end);
-    packed_upsample_add_glints_columns(lobe, run, end, run->count);
+    packed_upsample_add_glints_columns(shade, run, 0, begin);
+    packed_upsample_add_glints_blocks(shade, run, begin, end);
+    packed_upsample_add_glints_columns(shade, run, end, run->count);
 }
 
 TP_ALWAYS_INLINE void packed_glint(const tp_shade *shade, tp_run *run, int lobe)
@@ -382,7 +404,7 @@ TP_ALWAYS_INLINE void packed_glint(const tp_shade *shade, tp_run *run, int lobe)
     if (lobe == TP_LOBE_PHONG)
         packed_add_phong_glints(shade, run);
     else
-        packed_upsample_add_glints_run(shade->quick->lobe, run);
+        packed_upsample_add_glints_run(shade, run);
 }
 #undef SPAN
 #undef SLOPES

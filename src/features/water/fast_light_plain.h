@@ -45,15 +45,37 @@ typedef struct {
     int32_t least, lx, lz;
 } plain_tables;
 
-TP_ALWAYS_INLINE plain_tables plain_tables_make(const tp_shade *shade, int env)
+TP_ALWAYS_INLINE plain_tables plain_tables_make(const tp_shade *shade, int32_t level,
+                                                int env)
 {
     const struct tp_quick_light *quick = shade->quick;
+    const tp_quick_rough *rough = &quick->rough[level];
     const tp_quick_sun sun = tp_quick_sun_make(shade);
 
     return (plain_tables){
-        quick->sky + (env == TP_ENV_CUBE ? 0 : TP_QUICK_HEIGHTS / 2), quick->share,
-        quick->lobe, sun, quick->least, tp_high16(sun.back), tp_low16(sun.back),
+        quick->sky + (env == TP_ENV_CUBE ? 0 : TP_QUICK_HEIGHTS / 2), rough->share,
+        rough->lobe, sun, quick->least, tp_high16(sun.back), tp_low16(sun.back),
     };
+}
+
+/* Returns the end of the columns from i on that have one level of roughness. */
+TP_ALWAYS_INLINE int32_t plain_level_end(const tp_run *run, int32_t i, int lobe)
+{
+    const int log2 = lobe == TP_LOBE_PHONG ? 4 : 5;
+    const int32_t first = run->x >> log2, last = (run->x + run->count - 1) >> log2;
+    int32_t k = (run->x + i) >> log2;
+    const int32_t level = run->span[k - first].mip_offset;
+
+    while (k < last && run->span[k + 1 - first].mip_offset == level)
+        k++;
+    return k < last ? ((k + 1) << log2) - run->x : run->count;
+}
+
+/* Returns the level of column i. */
+TP_ALWAYS_INLINE int32_t plain_level(const tp_run *run, int32_t i, int lobe)
+{
+    const int log2 = lobe == TP_LOBE_PHONG ? 4 : 5;
+    return run->span[((run->x + i) >> log2) - (run->x >> log2)].mip_offset;
 }
 
 /* Values of one column: slopes, -V, y of the view, n and l. */
@@ -105,13 +127,13 @@ TP_ALWAYS_INLINE uint32_t plain_add_blinn_glint(const plain_tables *t, uint32_t 
     return tp_colour_add(colour, t->lobes[tp_usat(dx * dx + dz * dz, 11, 9)]);
 }
 
-/* Shades a run; its arrays do not overlap. */
+/* Shades columns of a run; its arrays do not overlap. */
 TP_ALWAYS_INLINE void plain_shade_loop(const plain_tables tables,
                                        const tp_run *restrict run,
-                                       uint32_t *restrict colours, int32_t count, int env,
-                                       int lobe)
+                                       uint32_t *restrict colours, int32_t i, int32_t end,
+                                       int env, int lobe)
 {
-    for (int32_t i = 0; i < count; i++) {
+    for (; i < end; i++) {
         plain_column c = plain_column_make(&tables, run->slope[i], run->back[i],
                                          run->view_y[i]);
         uint32_t column = env == TP_ENV_DOME ? run->column[i] : 0;
@@ -127,8 +149,11 @@ TP_ALWAYS_INLINE void plain_shade_loop(const plain_tables tables,
 TP_ALWAYS_INLINE void plain_light(const tp_shade *shade, tp_run *run, int env, int lobe)
 {
     tp_quick_view_run(shade, run, lobe);
-    plain_shade_loop(plain_tables_make(shade, env), run, run->colour, run->count, env,
-                     lobe);
+    for (int32_t i = 0, end; i < run->count; i = end) {
+        end = plain_level_end(run, i, lobe);
+        plain_shade_loop(plain_tables_make(shade, plain_level(run, i, lobe), env), run,
+                         run->colour, i, end, env, lobe);
+    }
 }
 
 /* -- every second column, and glints of all columns ---------------------------------- */
@@ -153,37 +178,52 @@ TP_ALWAYS_INLINE void plain_light_even_columns_loop(const plain_tables tables,
 
 TP_ALWAYS_INLINE void plain_light_even_columns(const tp_shade *shade, tp_run *run, int env)
 {
-    const plain_tables tables = plain_tables_make(shade, env);
     const int32_t odd = run->x & 1;
 
     tp_quick_view_run(shade, run, TP_LOBE_BLINN);
     if (odd) {
+        const plain_tables tables =
+            plain_tables_make(shade, plain_level(run, 0, TP_LOBE_BLINN), env);
         plain_column c = plain_column_make(&tables, run->slope[0], run->back[0],
                                          run->view_y[0]);
         run->even[0] = plain_light_and_reflect(
             &tables, c, env == TP_ENV_DOME ? run->column[0] : 0, run->even[0], env);
     }
-    plain_light_even_columns_loop(tables, run, run->even + odd, odd,
-                                  (run->count - odd + 1) >> 1, env);
+    for (int32_t i = odd, end; i < run->count; i = end) {
+        end = plain_level_end(run, i, TP_LOBE_BLINN);
+        plain_light_even_columns_loop(
+            plain_tables_make(shade, plain_level(run, i, TP_LOBE_BLINN), env), run,
+            run->even + ((i + odd) >> 1), i, (end - i + 1) >> 1, env);
+    }
 }
 
-/* Adds the glints.  The half vectors are those left in the run by the light of the even
- * columns. */
-TP_ALWAYS_INLINE void plain_glint(const tp_shade *shade, tp_run *run, int lobe)
+/* Adds the glints of columns of one level. */
+TP_ALWAYS_INLINE void plain_glint_loop(const plain_tables tables, tp_run *restrict run,
+                                       int32_t i, int32_t end, int lobe)
 {
-    const plain_tables tables = plain_tables_make(shade, TP_ENV_GRADIENT);
     uint32_t *restrict colour = run->colour;
 
-    tp_quick_odd_fill(run);
-    if (lobe == TP_LOBE_PHONG)
-        tp_quick_view_run(shade, run, lobe);
-    for (int32_t i = 0; i < run->count; i++) {
+    for (; i < end; i++) {
         plain_column c = plain_column_make(&tables, run->slope[i], run->back[i],
                                          run->view_y[i]);
         colour[i] =
             lobe == TP_LOBE_PHONG
                 ? plain_add_phong_glint(&tables, c, run->view_l[i], colour[i])
                 : plain_add_blinn_glint(&tables, run->slope[i], run->half[i], colour[i]);
+    }
+}
+
+/* Adds the glints.  The half vectors are those left in the run by the light of the even
+ * columns. */
+TP_ALWAYS_INLINE void plain_glint(const tp_shade *shade, tp_run *run, int lobe)
+{
+    tp_quick_odd_fill(run);
+    if (lobe == TP_LOBE_PHONG)
+        tp_quick_view_run(shade, run, lobe);
+    for (int32_t i = 0, end; i < run->count; i = end) {
+        end = plain_level_end(run, i, lobe);
+        plain_glint_loop(plain_tables_make(shade, plain_level(run, i, lobe),
+                                           TP_ENV_GRADIENT), run, i, end, lobe);
     }
 }
 

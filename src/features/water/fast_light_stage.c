@@ -94,11 +94,13 @@ TP_ALWAYS_INLINE void fill_run_views(const tp_shade *shade, tp_run *run, int lob
     tp_quick_ray_row row = tp_quick_ray_row_make(shade, run->y);
     int32_t       x = run->x, end = run->x + run->count, span = TP_QUICK_SPAN(lobe);
     tp_quick_view a = tp_quick_view_sample(shade, &row, x & -span, lobe);
+    uint32_t spans = 0;
 
     while (x < end) {
         int32_t from = x & -span, stop = from + span < end ? from + span : end;
         tp_quick_view b = tp_quick_view_sample(shade, &row, from + span, lobe);
         tp_quick_view step = tp_quick_step(a, b, lobe);
+        run->span[spans++].mip_offset = (int16_t)tp_quick_level(shade, &a);
         fill_span_views(run, x - run->x, stop - run->x, x - from, &a, &step,
                         tp_quick_column(shade, &a), lobe);
         x = stop;

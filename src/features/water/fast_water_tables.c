@@ -7,6 +7,7 @@
 #include "features/water/water.h"
 #include "shade/colour.h"
 #include "shade/env.h"
+#include "shade/rough_lobe.h"
 #include "world/world.h"
 
 /* -- baked textures ------------------------------------------------------------------ */
@@ -150,15 +151,29 @@ void tp_quick_slopes(tp_texture *to, const tp_texture *from, tp_fx bump, void *m
 
 #define RIPPLED_VIEW (1638 << 12)       /* same value as in lighting_stage.c */
 
+/* Slope variances of the levels of roughness, Q24: none, then four times the one before.
+ * A level's root reaches half way to the roots of its neighbours. */
+static const uint32_t variance_of_level[TP_QUICK_LEVELS] = { 0, 1 << 15, 1 << 17, 1 << 19 };
+static const uint32_t variance_from[TP_QUICK_LEVELS] = { 0, 1 << 13, 73728, 294912 };
+
+/* Returns N.V as water of a level shows it, both in 256ths. */
+static int32_t rough_cosine(int32_t n, uint32_t level, const tp_rough_view *view)
+{
+    return level ? (tp_rough_view_cosine(n << 6, view) + 32) >> 6 : n;
+}
+
 /* Fills the table of shares.  In the middle of entry i, n is the lower bound plus
  * (i + 1/2) / 256. */
-static void fill_fresnel_by_view_cosine(struct tp_quick_light *quick, const tp_shade *shade)
+static void fill_fresnel_by_view_cosine(struct tp_quick_light *quick, const tp_shade *shade,
+                                        uint32_t level)
 {
+    const tp_rough_view view = tp_rough_view_make(0, variance_of_level[level]);
+
     for (int32_t i = 0; i < TP_QUICK_SHARES; i++) {
         int32_t  n = (quick->least + ((i + 1) << 18)) >> 18;
-        uint32_t share = shade->fresnel[n < 256 ? n : 256];
+        uint32_t share = shade->fresnel[rough_cosine(n < 256 ? n : 256, level, &view)];
         uint32_t mirrors = share * (uint32_t)shade->mirror >> 8;
-        quick->share[i] = (256 - mirrors) << 16 | (mirrors + 1);
+        quick->rough[level].share[i] = (256 - mirrors) << 16 | (mirrors + 1);
     }
 }
 
@@ -180,20 +195,42 @@ uint32_t tp_quick_share_at_sun(const tp_shade *shade)
          * (uint32_t)shade->mirror >> 8;
 }
 
+/* A lobe widened by a factor: 1 over the factor, and its peak; Q14. */
+typedef struct {
+    int32_t narrow, peak;
+} wide_lobe;
+
+static wide_lobe wide_lobe_make(const tp_shade *shade, uint32_t level)
+{
+    if (level == 0)
+        return (wide_lobe){ 16384, 16384 };
+    const int32_t narrow = tp_rough_narrowing(shade->lobe.exponent,
+                                              variance_of_level[level]);
+    return (wide_lobe){ narrow, tp_rough_peak(&shade->lobe, narrow) };
+}
+
+/* Returns the specular lobe at a cosine, 0..256. */
+static uint32_t wide_lobe_shine(const tp_shade *shade, wide_lobe lobe, int32_t c)
+{
+    const int32_t  wide = 16384 - ((16384 - c) * lobe.narrow >> 14);
+    const uint32_t up = (uint32_t)tp_clamp(wide, 0, 16384);
+    const uint32_t here = shade->shine[up >> 4], next = shade->shine[(up + 15) >> 4];
+    const uint32_t shine = here + (((next - here) * (up & 15)) >> 4);
+    const uint32_t share = shine * (uint32_t)lobe.peak >> 14;
+
+    return share < 256 ? share : 256;
+}
+
 /* Returns the colour of the specular lobe, if `specular`, plus the glow of a dome times
  * `glow_share`, 0..256.  c: cosine of the angle from the lobe's axis, R.V or 2 (N.H)^2 - 1,
  * Q14. */
 static uint32_t lobe_colour(const tp_shade *shade, int32_t c, bool specular,
-                            uint32_t glow_share)
+                            uint32_t glow_share, wide_lobe wide)
 {
-    uint32_t light = 0;
+    const uint32_t light = specular ? tp_colour_scale(shade->light_colour,
+                                                      wide_lobe_shine(shade, wide, c))
+                                    : 0;
 
-    if (specular) {
-        int32_t  up = tp_clamp(c, 0, 16384);
-        uint32_t here = shade->shine[up >> 4], next = shade->shine[(up + 15) >> 4];
-        uint32_t shine = here + (((next - here) * (uint32_t)(up & 15)) >> 4);
-        light = tp_colour_scale(shade->light_colour, shine < 256 ? shine : 256);
-    }
     if (shade->env.kind != TP_ENV_DOME)
         return light;
     uint32_t square = (uint32_t)(16384 - c) << 15;
@@ -205,15 +242,17 @@ static uint32_t lobe_colour(const tp_shade *shade, int32_t c, bool specular,
 /* Fills the lobe's table.  In the middle of entry i, w is (i + 1/2) / 2048.  For Phong
  * R.V is 1 - w.  For Blinn w is the square of the tangent, and c = (1 - w) / (1 + w). */
 static void make_lobe(struct tp_quick_light *quick, const tp_shade *shade, tp_lobe lobe,
-                      bool specular)
+                      bool specular, uint32_t level)
 {
     uint32_t glow_share = tp_quick_share_at_sun(shade);
+    const wide_lobe wide = wide_lobe_make(shade, level);
 
     for (int32_t i = 0; i < TP_QUICK_LOBE; i++) {
         int32_t w = 8 * i + 4;
         int32_t c = lobe == TP_LOBE_BLINN ? (16384 - w) * 16384 / (16384 + w)
                                           : 16384 - w;
-        quick->lobe[i] = lobe_colour(shade, c, specular, glow_share);
+        quick->rough[level].lobe[i] =
+            lobe_colour(shade, c, specular, glow_share, wide);
     }
 }
 
@@ -287,10 +326,34 @@ void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
 {
     TP_ASSERT((unsigned)lobe <= TP_LOBE_BLINN && shade->fresnel != NULL);
     quick->least = rippled ? RIPPLED_VIEW : 0;
-    fill_fresnel_by_view_cosine(quick, shade);
-    make_lobe(quick, shade, lobe, specular);
+    for (uint32_t level = 0; level < quick->levels; level++) {
+        fill_fresnel_by_view_cosine(quick, shade, level);
+        make_lobe(quick, shade, lobe, specular, level);
+    }
     if (shade->env.kind == TP_ENV_CUBE)
         make_cube_sky_map(quick, shade);
     else
         fill_sky_colours_by_height(quick, shade);
+}
+
+/* -- the choice of a level ------------------------------------------------------------ */
+
+/* Returns the variance at a depth, the mean of both axes. */
+static uint32_t mean_variance(const tp_shade *shade, int32_t log_depth)
+{
+    const tp_slope_variance v = tp_rough_variance(shade, log_depth);
+    return (v.along + v.across) / 2;
+}
+
+uint32_t tp_quick_level_choose(const tp_shade *shade, int32_t vy)
+{
+    const int64_t above = shade->eye.y > 1 << 12 ? shade->eye.y : 1 << 12;
+    const int32_t log_depth = tp_log2_q8((uint32_t)above)
+                            - tp_log2_q8((uint32_t)(vy > 1 ? vy : 1)) + 10 * 256;
+    const uint32_t variance = mean_variance(shade, log_depth);
+    uint32_t level = 0;
+
+    while (level + 1 < shade->quick->levels && variance >= variance_from[level + 1])
+        level++;
+    return level;
 }
