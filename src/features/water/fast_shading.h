@@ -183,9 +183,9 @@ typedef struct {
  * Variance of slopes that a fan's cells and the ripples' levels do not show (MODELS V)
  * widens the lobe and bends N.V for Fresnel's share: a scene with a fan has both tables at
  * TP_QUICK_LEVELS variances, and a span takes those of the level water that it shows.  A
- * pixel costs the same; a span costs 130 instructions.  count-64 against 16 samples, rms
- * at tick 600: 11.3 levels without variance, 10.0 with three levels, 9.5 with four; the
- * exact stages have 7.9. */
+ * pixel costs the same; a span costs about 110 instructions.  count-64 against 16
+ * samples, rms at tick 600: 11.3 levels without variance, 10.0 with three levels, 9.5 with
+ * four; the exact stages have 7.9. */
 
 #define TP_QUICK_SHARES 256     /* entries for n of 0..1 */
 #define TP_QUICK_LOBE   512     /* entries of 1/2048 of (1 + q)(1 - R.V), or of |s - h|^2 */
