@@ -91,9 +91,9 @@ static const tp_param rows[] = {
     TP_REFLECTION_ROWS,
 
     TP_ROW_COUNT("grid.cols", grid.cols, "points", 2, 1024, 100,
-        "points of the water's mesh along x"),
+        "points of a mesh for rings and pools, along x"),
     TP_ROW_COUNT("grid.rows", grid.rows, "points", 2, 1024, 100,
-        "points of the water's mesh along z"),
+        "points of a mesh for rings and pools, along z"),
     TP_ROW_NUMBER("grid.cell", grid.cell, "m", 0.01, 50, 1.5,
         "distance between points of the mesh"),
     TP_ROW_NUMBER("grid.reach", grid.reach, "m", 0, 16000, 4000,

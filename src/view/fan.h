@@ -19,6 +19,12 @@
  * and a slope without its height lies at the wrong place.  More vertices are cheaper.
  *
  * Vertices have no table for columns: every vertex evaluates its waves.
+ *
+ * Open water alone has a fan.  Water with rings or a pool keeps lines at equal distances:
+ * heights of cells have no wavelength to filter by, and a tank's water ends at its walls.
+ * Measured at 160x120 with 12000 vertices instead of 16900 on lines: raindrops 2.4 to 3.5 of
+ * 255 at tick 60 and 2.7 to 6.2 at tick 600, as far rows lose the rings; pond and harbour are
+ * equal within 0.2.
  */
 #ifndef TP_VIEW_FAN_H
 #define TP_VIEW_FAN_H

@@ -248,6 +248,20 @@ expect "an old name of the command line" 0 \
     --hash --set mirror.bend=2
 expect "a misspelt old name" 2 "did you mean mirror.distortion, once called mirror.bend?$" \
     render minimal --set mirror.bnd=2
+# Lines of a grid are read as a budget of vertices.
+waved() { ini "$1" 0 "$2" "[wave0]" "amplitude = 0.5" "length = 9" "[grid]" "$3" "$4"; }
+waved "lines of a grid" "^harbour.ini:5: .*read as grid.vertices = 1365 until version" \
+    "cols = 64" "rows = 64"
+lines=$(cat out)
+same "are told in one line" "$(wc -l <err)" 1
+waved "a budget of vertices" "" "vertices = 1365" "; cell"
+same "a third of the lines are the vertices" "$lines" "$(cat out)"
+waved "lines beside a budget are not used" "" "cols = 64" "vertices = 1365"
+same "and change nothing" "$lines" "$(cat out)"
+waved "a budget of 0 keeps the lines" "" "cols = 64" "vertices = 0"
+same "which draw another picture" "$([ "$lines" != "$(cat out)" ]; echo $?)" 0
+ini "a pool keeps its lines" 0 "" "[grid]" "cols = 64" "[pool]" "cols = 32"
+ini "rings keep theirs" 0 "" "[grid]" "cols = 64" "[drops]" "count = 4"
 ini "unknown section" 3 \
     "^harbour.ini:2: no parameter is called wive0.length; did you mean wave0.length?" \
     "[wive0]" "length = 3"
