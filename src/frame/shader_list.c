@@ -268,7 +268,8 @@ void tp_frame_set_up_shading(tp_frame *frame)
     set_light_direction(frame);
     shade->water_colour = (uint32_t)scene->water.colour;
     shade->shine = NULL;
-    shade->filtered = frame->buffers.filtered;
+    shade->filtered =       /* a grid leaves nothing out of level water */
+        tp_surface_has_swells(&frame->surface) ? frame->buffers.filtered : NULL;
     shade->ripple = NULL;
     shade->fresnel = tp_fresnel_table;
     tp_shade_sky(shade, (uint32_t)scene->sky.horizon, (uint32_t)scene->sky.zenith);
