@@ -268,6 +268,7 @@ void tp_frame_set_up_shading(tp_frame *frame)
     set_light_direction(frame);
     shade->water_colour = (uint32_t)scene->water.colour;
     shade->shine = NULL;
+    shade->dark = 0;
     shade->filtered =       /* a grid leaves nothing out of level water */
         tp_surface_has_swells(&frame->surface) ? frame->buffers.filtered : NULL;
     shade->ripple = NULL;

@@ -60,6 +60,17 @@ typedef struct {
 tp_rough_lobe tp_rough_lobe_make(const tp_shade *shade, uint32_t key, int32_t vy,
                                  bool blinn);
 
+/* Returns the largest R.V at which the lobe is dark, Q14; below -16384: nowhere.  The lobe's
+ * cosine is at most that of the narrower of both factors. */
+TP_ALWAYS_INLINE int32_t tp_rough_lobe_dark_cosine(const tp_shade *shade,
+                                                   const tp_rough_lobe *lobe)
+{
+    const int32_t least = lobe->across < lobe->along ? lobe->across : lobe->along;
+    const int32_t end = (16384 - shade->dark * (16384 / TP_SHINE) + 1) * 16384;
+
+    return least > 0 ? 16384 - (end + least - 1) / least : INT32_MIN;
+}
+
 /* Returns the cosine to look the lobe up by.  rv: that of a smooth lobe; rise: height of
  * the mirrored view minus the light's; all Q14. */
 TP_ALWAYS_INLINE int32_t tp_rough_lobe_cosine(const tp_rough_lobe *lobe, int32_t rv,

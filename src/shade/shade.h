@@ -247,6 +247,7 @@ typedef struct tp_shade {
     tp_lobe_form lobe;
 
     const tp_entry16 *shine;    /* TP_SHINE + 1: 256 at 1, times the specular; or NULL */
+    int32_t  dark;              /* number of its first entries that are 0; fewer is safe */
     const tp_entry8 *fresnel;   /* reflected share at N.V = i / 256 */
     uint32_t sky[TP_SKY + 1];
     tp_env   env;               /* sky beyond the gradient */

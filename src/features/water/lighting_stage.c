@@ -95,6 +95,7 @@ TP_ALWAYS_INLINE void light_rough_columns(const tp_shade *restrict shade,
 {
     int32_t lx = shade->world.lx, ly = shade->world.ly, lz = shade->world.lz;
     int32_t ambient = shade->ambient;
+    int32_t dark = tp_rough_lobe_dark_cosine(shade, &lobe);
 
     for (; i < stop; i++) {
         int32_t sx = tp_slope_x(run, i, rippled), sz = tp_slope_z(run, i, rippled);
@@ -113,8 +114,11 @@ TP_ALWAYS_INLINE void light_rough_columns(const tp_shade *restrict shade,
         int32_t up = (2 * nv * ny >> 14) - vy;
         run->nv[i] = (int16_t)nv;
         run->up[i] = (int16_t)(up > 16384 ? 16384 : up);
-        int32_t shine = sample_shine(shade, tp_rough_lobe_cosine(&lobe, rv, rise));
-        int32_t glint = shine ? (shine * lobe.peak + 24575) >> 14 : 0;
+        int32_t glint = 0;
+        if (TP_WIDE || rv > dark) {             /* most samples lie outside of the lobe */
+            int32_t shine = sample_shine(shade, tp_rough_lobe_cosine(&lobe, rv, rise));
+            glint = shine ? (shine * lobe.peak + 24575) >> 14 : 0;
+        }
         run->glint[i] = (uint16_t)(nl > 0 ? glint : 0);
         run->colour[i] = tp_colour_scale(run->colour[i],
                                          (uint32_t)tp_lit_share(ambient, nl));

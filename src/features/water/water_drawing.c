@@ -195,6 +195,7 @@ static void begin_lighting(tp_frame *frame, void *mine)
 
     (void)mine;
     frame->shade.shine = dark;
+    frame->shade.dark = TP_SHINE + 1;
     frame->shade.lobe = tp_lobe_form_make(TP_FX_ONE, 0);
 }
 
@@ -284,6 +285,17 @@ static void *layout_glint(tp_arena *arena, const tp_module_conditions *condition
     return tp_arena_alloc(arena, TP_SHINE + 1, sizeof(tp_entry16));
 }
 
+/* Returns the number of entries that are 0; entries do not fall. */
+static int32_t count_dark_entries(const tp_entry16 *shine)
+{
+    int32_t count = 0;
+
+    for (int32_t step = TP_SHINE; step > 0; step >>= 1)
+        if (count + step <= TP_SHINE && shine[count + step - 1] == 0)
+            count += step;
+    return count;
+}
+
 static void begin_glint(tp_frame *frame, void *mine)
 {
     const tp_scene *scene = frame->scene;
@@ -293,6 +305,7 @@ static void begin_glint(tp_frame *frame, void *mine)
     else
         tp_shade_shine(mine, scene->water.shininess, scene->water.specular);
     frame->shade.shine = mine;
+    frame->shade.dark = count_dark_entries(mine);
     frame->shade.lobe = tp_lobe_form_make(scene->water.shininess, scene->water.specular);
 }
 
