@@ -66,7 +66,7 @@ static const tp_param rows[] = {
         "direction of the sun, clockwise from -z"),
     TP_ROW_NUMBER("light.elevation", light.elevation, "degrees", 1, 90, 35,
         "elevation of the sun above the horizon"),
-    TP_ROW_COLOUR("light.colour", light.colour, 0xfff4e0, "colour of sun and ambient light"),
+    TP_ROW_COLOUR("light.colour", light.colour, 0xfff4e0, "colour of the sun and of the light on solids"),
     TP_ROW_NUMBER("light.ambient", light.ambient, "", 0, 1, 0.35,
         "share of ambient light, from all sides"),
     TP_ROW_CHOICE("light.model", light.model, "phong|blinn", TP_LIGHT_BLINN,

@@ -229,7 +229,7 @@ static double floor_of(const view_of_ref *v, double light, int k)
     const double factor = 1 + v->scene.water.caustics / 65536.0 * (light - 1);
     const double sun = wet_cos(v, (sight_angles){ 0, PI / 2 }) * fmax(0, factor);
 
-    return fmin(255, channel(v->scene.tank.floor_colour, k)
+    return fmin(255, channel(v->scene.tank.floor_colour, k) * tint_of(&v->scene, k)
                      * (ambient + (1 - ambient) * sun));
 }
 

@@ -32,7 +32,7 @@ static double floor_of(const view_of_ref *v, const noise_picture *p, double x, d
 {
     const double size = v->scene.floor.texture_size / 65536.0;
     return tents_of(p, x / size, z / size, k) / 255
-         * channel(v->scene.floor.colour, k) * lit;
+         * channel(v->scene.floor.colour, k) * lit * tint_of(&v->scene, k);
 }
 
 /* Measures a look north through water tilted north by `tilt` radians; all rays lie in a
@@ -133,7 +133,8 @@ static void a_beach_is_lit_by_its_slope_wet_and_dry(void **state)
         for (int k = 0; k < 3; k++) {
             const double lit = lit_of(&v.scene, is_dry ? sight_cos(up, sight_light(&v))
                                                        : wet_cos(&v, up));
-            const double sand = channel(v.scene.floor.colour, k) * lit;
+            const double sand = channel(v.scene.floor.colour, k) * lit
+                              * tint_of(&v.scene, k);
             const double body = between(channel(v.scene.water.deep_colour, k),
                                         channel(v.scene.water.colour, k) * level, 0.25);
             measure_add(is_dry ? &dry : &wet, seen.colour.c[k]
@@ -242,7 +243,8 @@ static double from_above(const view_of_ref *v, double up, int k)
 
     if (depth == 0)
         return deep;
-    return beer_of(&v->scene, channel(v->scene.floor.colour, k) * lit, deep,
+    return beer_of(&v->scene,
+                   channel(v->scene.floor.colour, k) * lit * tint_of(&v->scene, k), deep,
                    depth / sin(up), k);
 }
 

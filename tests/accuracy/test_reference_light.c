@@ -115,7 +115,7 @@ static void the_floor_lies_where_snell_says(void **state)
             const double own = v.scene.water.colour >> (16 - 8 * c) & 255;
             const double deep = 0.75 * (v.scene.water.deep_colour >> (16 - 8 * c) & 255)
                               + 0.25 * own;
-            const double sand = v.scene.floor.colour >> (16 - 8 * c) & 255;
+            const double sand = channel(v.scene.floor.colour, c) * tint_of(&v.scene, c);
             measure_add(&colour, seen.colour.c[c] - deep - (sand - deep) * left, y, c, 0);
         }
     }

@@ -112,7 +112,7 @@ static void measure_board(measure *off, int *bright, view_of_ref *v, int32_t hea
     assert_int_equal(seen.kind, REF_BOAT);
     for (int k = 0; k < 3; k++) {
         const double own = texel_at(&p, (x + 1) / 2, (1 - y) / 2, k) / 255
-                         * channel((int32_t)m->diffuse, k);
+                         * channel((int32_t)m->diffuse, k) * tint_of(&v->scene, k);
         const double shine = channel((int32_t)m->specular, k) / 255
                            * channel(v->scene.light.colour, k) * gloss;
         if (!isnan(own))
@@ -173,7 +173,7 @@ static void a_sunken_mesh_shines_in_the_bent_light(void **state)
         assert_true(north > 2 && north < 4);
         for (int k = 0; k < 3; k++) {
             const double lit = lit_of(&v.scene, sin(light.elevation));
-            const double own = channel(0x402010, k) * lit
+            const double own = channel(0x402010, k) * lit * tint_of(&v.scene, k)
                              + channel(v.scene.light.colour, k) * beam * gloss;
             const double body = between(channel(v.scene.water.deep_colour, k),
                                         channel(v.scene.water.colour, k) * lit, 0.25);
@@ -215,7 +215,8 @@ static void a_lid_keeps_water_out(void **state)
         if (covered || fabs(x) > 1.1 || fabs(z) > 1.1)
             assert_int_equal(seen.kind, covered && high > 0 ? REF_BOAT : REF_WATER);
         for (int k = 0; k < 3 && seen.kind == REF_BOAT; k++)
-            assert_true(fabs(seen.colour.c[k] - channel(0x804020, k) * lit) < 1e-9);
+            assert_true(fabs(seen.colour.c[k] - channel(0x804020, k) * lit
+                                                    * tint_of(&v.scene, k)) < 1e-9);
         view_close(&v);
     }
 }

@@ -52,12 +52,12 @@ static double side_of(const view_of_ref *v, const noise_picture *p, double heigh
 
     if (fabs(wall) < depth) {
         seen = tents_of(p, x / tile, fabs(wall) / tile, k) / 255
-             * channel(v->scene.tank.wall_colour, k)
+             * channel(v->scene.tank.wall_colour, k) * tint_of(&v->scene, k)
              * lit_of(&v->scene, wet_cos(v, (sight_angles){ PI, 0 }));
         return beer_of(&v->scene, seen, deep, 2 * HALF / cos(steep), k);
     }
     seen = tents_of(p, x / tile, (HALF - across) / tile, k) / 255
-         * channel(v->scene.tank.floor_colour, k)
+         * channel(v->scene.tank.floor_colour, k) * tint_of(&v->scene, k)
          * lit_of(&v->scene, wet_cos(v, (sight_angles){ 0, PI / 2 }));
     return beer_of(&v->scene, seen, deep, hypot(fall, across), k);
 }
@@ -75,7 +75,7 @@ static double above_of(const view_of_ref *v, const noise_picture *p, double heig
     if (!(wall > 0 && wall < rim))
         return (double)NAN;
     return tents_of(p, v->world->eye.x / 65536.0 / tile, -wall / tile, k) / 255
-         * channel(v->scene.tank.wall_colour, k)
+         * channel(v->scene.tank.wall_colour, k) * tint_of(&v->scene, k)
          * lit_of(&v->scene, sight_cos((sight_angles){ PI, 0 }, sight_light(v)));
 }
 

@@ -206,6 +206,12 @@ static inline double lit_of(const tp_scene *s, double cosine)
     return ambient + (1 - ambient) * fmax(0, cosine);
 }
 
+/* Share 0..1 of channel k that the light's colour leaves of a solid's colour. */
+static inline double tint_of(const tp_scene *s, int k)
+{
+    return channel(s->light.colour, k) / 255;
+}
+
 /* Texture of noise. */
 enum { NOISE = 16 };
 

@@ -52,14 +52,14 @@ static ref_colour phong(const ref_scene *s, const coat *c, ref_vec n, ref_vec wa
                         ref_vec sun, double focus)
 {
     const double nl = ref_clamp(ref_dot(n, sun), 0, 1), beam = sqrt(ref_dot(sun, sun));
+    const ref_colour tint = ref_colour_unpack((uint32_t)s->scene->light.colour);
     const ref_colour matt = ref_scale(c->diffuse,
                                       s->ambient + (1 - s->ambient) * nl * focus);
     const ref_colour shine =
         ref_scale(c->specular,
                   beam > 0 ? beam * lobe(s, c->shininess, n, way, ref_unit_vec(sun)) : 0);
 
-    return ref_times(ref_add(matt, shine),
-                     ref_colour_unpack((uint32_t)s->scene->light.colour));
+    return ref_add(ref_times(matt, tint), ref_times(shine, tint));
 }
 
 /* -- the boat ------------------------------------------------------------------------ */
