@@ -327,7 +327,8 @@ bool tp_world_pick(const tp_program *program, const tp_world *world,
     const pick_ray r = make_ray(&surface, &drawn.camera, scene, side, x_px, y_px);
     if (!clip_ray_to_water(&r, scene, &s) || !march_to_surface(&r, &s, &t))
         return false;
+    /* The ray's own point: at the side of a pool the surface steps, and the ray may meet
+     * the step between its two heights. */
     *at = ray_point(&r, t);
-    at->y = sample_water(&r, at->x, at->z);
-    return at->y >= sample_land(&r, at->x, at->z);
+    return sample_water(&r, at->x, at->z) >= sample_land(&r, at->x, at->z);
 }
