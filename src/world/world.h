@@ -132,7 +132,8 @@ static inline tp_fx tp_pixel_middle(int32_t pixel)
 /* Finds the water surface under a point of a picture of width x height pixels, 1..8192
  * each. x_px and y_px: px, Q16.16, from the upper left corner; see tp_pixel_middle. *at:
  * first intersection of the ray with the surface, including waves, rings and pools, also
- * from below the surface.  Pools drawn as slopes have no height here.  The result is
+ * from below the surface; at the side of a pool it may lie on the step between two
+ * heights.  Pools drawn as slopes have no height here.  The result is
  * within 1 px of the drawn picture, except at overhanging crests and at the far end of a
  * mesh, where its waves fade.  A point outside the picture counts as a point of a larger
  * picture.  False: the ray does not meet water within 8000 m, meets land first, or leaves

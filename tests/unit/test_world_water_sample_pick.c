@@ -161,6 +161,22 @@ static void look_from(pick_water *w, double y, double heading, double pitch)
     tp_world_move_camera(w->world, &(tp_input){ 0 });
 }
 
+/* Distance from the water, m: at a pool's side the surface steps, and a place on the step
+ * lies between the heights before and behind the step. */
+static double off_water(const pick_water *w, tp_vec3 at)
+{
+    tp_fx low = TP_FX_MAX, high = TP_FX_MIN;
+
+    for (int k = 0; k < 5; k++) {
+        const tp_fx x = at.x + (k == 1) * 4 - (k == 2) * 4;
+        const tp_fx z = at.z + (k == 3) * 4 - (k == 4) * 4;
+        const tp_fx y = tp_world_sample(&tp_program_all, w->world, x, z).height;
+        low = y < low ? y : low;
+        high = y > high ? y : high;
+    }
+    return fmax(0, fmax(low - at.y, at.y - high)) / 65536;
+}
+
 typedef struct { double pixels, height, hidden; int found; } worst;
 
 static void try_pixel(const pick_water *w, int32_t px, int32_t py, worst *most)
@@ -170,10 +186,9 @@ static void try_pixel(const pick_water *w, int32_t px, int32_t py, worst *most)
     if (!pick(w, px, py, &at))
         return;
     const seen s = seen_at(w, at);
-    const tp_fx high = tp_world_sample(&tp_program_all, w->world, at.x, at.z).height;
     most->found++;
     most->pixels = fmax(most->pixels, hypot(s.u - px - 0.5, s.v - py - 0.5));
-    most->height = fmax(most->height, abs(high - at.y) / 65.536);
+    most->height = fmax(most->height, 1000 * off_water(w, at));
     most->hidden = fmax(most->hidden, hidden_by(w, at));
 }
 
