@@ -72,7 +72,7 @@ $(PEERS)/%: $(PEERS)/%.o $(PEERS)/peer.o $(BUILD)/ports.a $(LIB)
 # take longer, which `make test-all` runs.
 LONG    := $(BUILD)/tests/stability/% $(BUILD)/tests/accuracy/% $(addprefix %/test_, \
                features_water_quick_light features_water_quick_even frame_hostile \
-               frame_lod frame_tiles quality_plan quality_fixed_cost world \
+               frame_tiles quality_plan quality_fixed_cost world \
                app_overlay snapshot rows threads undo)
 QUICK   := $(filter-out $(LONG),$(UNIT))
 RUN     := TP_BUILD=$(BUILD) TP_PROGRAM=$(PROGRAM) TP_LEFT_OUT='$(LEFT_OUT)' tests/run.sh

@@ -77,7 +77,6 @@ TP_FORMAT_LIST(X)
 #define TP_WATER_LIST(X) \
     X(swells)       /* sums of waves; without them the water is level */ \
     X(sharp)        /* sharpened crests of swells (wave.exponent) */ \
-    X(lod)          /* grid level of detail; needs swells */ \
     X(fan)          /* grid as a fan to the horizon (grid.vertices) */ \
     X(coastal)      /* coastal water: over a floor or in a wind; needs swells */ \
     X(rings) X(pools)

@@ -73,7 +73,6 @@ typedef enum { TP_SHADING_AUTO, TP_SHADING_EXACT, TP_SHADING_QUICK } tp_shading;
 typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_rate;
 
 /* Level of detail: fewer grid lines where they lie close together in the picture. */
-typedef enum { TP_LOD_AUTO, TP_LOD_OFF, TP_LOD_ON } tp_lod;
 
 #define TP_NAME_BYTES 128       /* bytes of a name in a scene, terminating zero included */
 
@@ -223,7 +222,7 @@ typedef struct tp_scene {
     struct { tp_fx scale; } clock;          /* time scale, 1/8..4 [D6] */
     struct {                                /* quality targets */
         tp_fx   error_px, error_colour;     /* outlines, px; rms of colours, of 255 */
-        int32_t visibility, shading, rate, lod;     /* rungs; auto: the plan chooses */
+        int32_t visibility, shading, rate;          /* rungs; auto: the plan chooses */
         tp_fx   frame_ms;                   /* frame time for the governor, ms; 0: off */
     } quality;
     int32_t own[TP_OWN_WORDS];              /* settings of the application's own modules */

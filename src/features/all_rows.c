@@ -166,8 +166,6 @@ static const tp_param rows[] = {
     TP_ROW_CHOICE("quality.rate", quality.rate, "auto|full|layers|colour",
         TP_RATE_COLOUR, TP_RATE_AUTO,
         "computed for every second pixel only: nothing, the layers, the colour"),
-    TP_ROW_CHOICE("quality.lod", quality.lod, "auto|off|on", TP_LOD_ON, TP_LOD_AUTO,
-        "fewer lines of the mesh where they lie close together"),
     TP_ROW_NUMBER("quality.frame_ms", quality.frame_ms, "ms", 0, 10000, 0,
         "time limit of a frame; quality steps down to hold it; 0: off"),
 

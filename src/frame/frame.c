@@ -14,7 +14,7 @@
 
 /* -- layout of the block ------------------------------------------------------------- */
 
-/* Lays out the memory of the plan's possible water renderers, and of the grid LOD. */
+/* Lays out the memory of the plan's possible water renderers. */
 static void layout_renderers(tp_frame_buffers *p, tp_arena *arena,
                              const tp_program *program, const tp_scene *scene,
                              const tp_config *config)
@@ -27,9 +27,6 @@ static void layout_renderers(tp_frame_buffers *p, tp_arena *arena,
         if (p->rung_mask.visibility >> v & 1 && method)
             method->layout(p, arena, program, scene, config);
     }
-    if (p->rung_mask.lod >> TP_LOD_ON & 1 && program->water.lod
-        && program->method.triangles && !tp_frame_uses_fan(program, scene))
-        program->water.lod->layout(p->grid, arena);
 }
 
 bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene)

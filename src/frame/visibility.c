@@ -24,7 +24,6 @@ static tp_rungs named_or_exact(const tp_scene *scene)
         (tp_visibility)rung_or_exact(scene->quality.visibility, TP_VISIBILITY_FLAT),
         (tp_shading)rung_or_exact(scene->quality.shading, TP_SHADING_QUICK),
         (tp_rate)rung_or_exact(scene->quality.rate, TP_RATE_COLOUR),
-        (tp_lod)rung_or_exact(scene->quality.lod, TP_LOD_ON),
     };
 }
 
@@ -51,7 +50,6 @@ static tp_rungs replace_unavailable_rungs(tp_rung_mask available, tp_rungs r)
                                                      : TP_VISIBILITY_TRIANGLES,
         has_rung(available.shading, r.shading) ? r.shading : TP_SHADING_EXACT,
         has_rung(available.rate, r.rate) ? r.rate : TP_RATE_FULL,
-        has_rung(available.lod, r.lod) ? r.lod : TP_LOD_OFF,
     };
 }
 
@@ -95,14 +93,6 @@ static tp_fx clamped_cell_size(const tp_scene *scene)
     return scene->grid.cell < most ? scene->grid.cell : most;
 }
 
-/* True if the surface is a plain sum of waves: only then can the grid LOD drop waves one
- * by one. */
-static bool has_only_plain_swells(const tp_surface *surface)
-{
-    return !surface->coastal && !surface->deep->sharpened
-           && !tp_surface_has_rings_or_pools(surface);
-}
-
 /* Sets the grid's placement, needed by all renderers. */
 static void set_grid_view(tp_frame *frame)
 {
@@ -116,8 +106,6 @@ static void set_grid_view(tp_frame *frame)
         .follow = frame->scene->grid.follow != 0,
         .vertices = tp_frame_uses_fan(frame->program, frame->scene)
                         ? tp_fan_budget(frame->scene) : 0,
-        .lod = frame->rungs.lod == TP_LOD_ON && frame->surface.by->lod
-               && has_only_plain_swells(&frame->surface),
     };
 }
 

@@ -30,13 +30,12 @@ tp_rung_mask tp_ladder_rung_mask(const tp_ladder *ladder)
 {
     TP_ASSERT(ladder->count <= TP_LADDER);
     tp_rung_mask reach = { 1 << TP_VISIBILITY_TRIANGLES, 1 << TP_SHADING_EXACT,
-                           1 << TP_RATE_FULL, 1 << TP_LOD_OFF };
+                           1 << TP_RATE_FULL };
 
     for (uint32_t i = 0; i < ladder->count; i++) {
         reach.visibility |= (uint8_t)(1u << ladder->rung[i].visibility);
         reach.shading |= (uint8_t)(1u << ladder->rung[i].shading);
         reach.rate |= (uint8_t)(1u << ladder->rung[i].rate);
-        reach.lod |= (uint8_t)(1u << ladder->rung[i].lod);
     }
     return reach;
 }

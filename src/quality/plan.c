@@ -7,7 +7,7 @@
 
 /* The exact rungs can draw every scene. */
 static const tp_rungs exact = {
-    TP_VISIBILITY_TRIANGLES, TP_SHADING_EXACT, TP_RATE_FULL, TP_LOD_OFF
+    TP_VISIBILITY_TRIANGLES, TP_SHADING_EXACT, TP_RATE_FULL
 };
 
 static bool can_plan(const tp_plan_input *in)

@@ -16,7 +16,6 @@ typedef struct {
     tp_visibility visibility;   /* never AUTO; the same holds for the other members */
     tp_shading    shading;
     tp_rate       rate;
-    tp_lod        lod;
 } tp_rungs;
 
 /* Range of a picture's width and height, px. */
@@ -35,7 +34,7 @@ tp_rungs tp_rungs_choose(const tp_scene *scene, const tp_assets *assets, uint32_
 
 /* -- the choice and its reasons ------------------------------------------------------ */
 
-#define TP_KINDS 4              /* visibility, shading, rate, lod */
+#define TP_KINDS 3              /* visibility, shading, rate */
 #define TP_KIND_RUNGS 4         /* most rungs of a kind */
 
 typedef struct {
@@ -78,7 +77,7 @@ tp_plan_report tp_plan_make(const tp_scene *scene, const tp_assets *assets, uint
 
 /* -- the ladder and the governor ----------------------------------------------------- */
 
-#define TP_LADDER 8             /* rungs of the plan, and a step for every cheaper rung */
+#define TP_LADDER 7             /* rungs of the plan, and a step for every cheaper rung */
 
 /* Step 0 is the planned quality.  Each further step lowers one setting: the setting that
  * adds the least error per instruction saved.  With quality.frame_ms = 0 the ladder has
@@ -95,7 +94,7 @@ tp_ladder tp_ladder_make(const tp_scene *scene, const tp_assets *assets, uint32_
  * rungs and all rungs of its ladder.  A frame has no memory for other rungs and does not
  * draw with them. */
 typedef struct {
-    uint8_t visibility, shading, rate, lod;
+    uint8_t visibility, shading, rate;
 } tp_rung_mask;
 
 tp_rung_mask tp_ladder_rung_mask(const tp_ladder *ladder);

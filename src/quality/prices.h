@@ -16,8 +16,8 @@
 #include "world/module.h"
 #include "world/pools.h"
 
-enum { TP_KIND_VISIBILITY, TP_KIND_SHADING, TP_KIND_RATE, TP_KIND_LOD };
-enum { TP_VISIBILITIES = 4, TP_SHADINGS = 2, TP_RATES = 3, TP_LODS = 2 };
+enum { TP_KIND_VISIBILITY, TP_KIND_SHADING, TP_KIND_RATE };
+enum { TP_VISIBILITIES = 4, TP_SHADINGS = 2, TP_RATES = 3 };
 
 /* Classes of sea: by slope, then by gloss; both determine the errors.  sparks: the
  * specular lobe is so sharp and bright that glints are smaller than a pixel. coastal: steep
@@ -86,7 +86,7 @@ typedef struct {
     tp_fx           frame;      /* thousands of instructions per frame */
     tp_fx           sky;        /* instructions per sky pixel */
     tp_fx           slope_colour; /* rms colour error (of 255) caused by slopes of rms 1 */
-    tp_seen_price   seen[TP_VISIBILITIES][TP_LODS];
+    tp_seen_price   seen[TP_VISIBILITIES];
     tp_shaded_price shaded[TP_SHADINGS][TP_RATES];
     tp_fx           work[TP_WORK_COUNT];
     tp_error_price  error[TP_KINDS][TP_KIND_RUNGS][TP_SEA_CLASSES];
@@ -133,7 +133,7 @@ typedef struct {
     uint8_t  floor;             /* 0: none, 1: a plane, 2: a map */
     uint32_t drawn;             /* grid cells that get a pixel */
     tp_fx    slant;             /* slant of the view to the grid's lines, 0..3 */
-    uint8_t  sharp, still, plain;       /* a wave is sharpened; level water; swells only */
+    uint8_t  sharp, still;      /* a wave is sharpened; level water */
     uint8_t  fan;                       /* the grid is a fan */
     uint32_t points[TP_VISIBILITIES];   /* points evaluated by each renderer */
     uint8_t  fits[TP_VISIBILITIES];     /* true if the renderer can draw the view */

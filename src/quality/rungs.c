@@ -12,10 +12,9 @@
 #include "quality/prices.h"
 #include "world/pools.h"
 
-#define COMBINATIONS (TP_VISIBILITIES * TP_SHADINGS * TP_RATES * TP_LODS)
+#define COMBINATIONS (TP_VISIBILITIES * TP_SHADINGS * TP_RATES)
 
-static const uint8_t counts[TP_KINDS] = { TP_VISIBILITIES, TP_SHADINGS, TP_RATES,
-                                          TP_LODS };
+static const uint8_t counts[TP_KINDS] = { TP_VISIBILITIES, TP_SHADINGS, TP_RATES };
 
 /* A rung of each kind, counted from 0. */
 typedef struct {
@@ -47,7 +46,7 @@ static choice decode_choice(uint32_t number)
 static tp_rungs make_rungs(choice c)
 {
     return (tp_rungs){ (tp_visibility)(c.of[0] + 1), (tp_shading)(c.of[1] + 1),
-                       (tp_rate)(c.of[2] + 1), (tp_lod)(c.of[3] + 1) };
+                       (tp_rate)(c.of[2] + 1) };
 }
 
 /* -- costs --------------------------------------------------------------------------- */
@@ -57,7 +56,6 @@ static tp_rungs make_rungs(choice c)
 static bool is_fit(const plan_conditions *g, int kind, int rung)
 {
     return kind == TP_KIND_VISIBILITY ? g->estimate.fits[rung] != 0
-         : kind == TP_KIND_LOD ? rung == 0 || g->estimate.plain
          : kind != TP_KIND_SHADING || rung == 0 || g->estimate.quick;
 }
 
@@ -72,16 +70,14 @@ static int drawn_method(const plan_conditions *g, choice c)
     return is_fit(g, TP_KIND_VISIBILITY, v) ? v : 0;
 }
 
-/* Returns the cost of finding the water.  Some measured settings change nothing and have
- * no cost of their own: a level of detail that is not `known` here, a rate that is not
- * `known` in shaded_price.  The cost without the setting applies. */
+/* Returns the cost of finding the water. */
 static const tp_seen_price *seen_price(const plan_conditions *g, choice c)
 {
-    const tp_seen_price *seen = g->prices->seen[drawn_method(g, c)];
-    const int lod = c.of[TP_KIND_LOD];
-    return &seen[is_fit(g, TP_KIND_LOD, lod) && seen[lod].known ? lod : 0];
+    return &g->prices->seen[drawn_method(g, c)];
 }
 
+/* Returns the cost of shading.  A measured rate that changes nothing has no cost of its
+ * own and is not `known`: the cost of the full rate applies. */
 static const tp_shaded_price *shaded_price(const plan_conditions *g, choice c)
 {
     const int s = c.of[TP_KIND_SHADING];
@@ -216,7 +212,7 @@ static plan_conditions make_plan_conditions(const tp_prices *prices,
     TP_ASSERT(in->width > 0 && in->height > 0);
     const tp_scene *scene = in->scene;
     const int32_t asked[TP_KINDS] = { scene->quality.visibility, scene->quality.shading,
-                                      scene->quality.rate, scene->quality.lod };
+                                      scene->quality.rate };
     plan_conditions g = { .prices = prices, .estimate = tp_view_estimate_make(in) };
 
     tp_wave_cull_limits limits = tp_wave_cull_limits_make(scene, g.estimate.waves,
@@ -256,7 +252,7 @@ tp_rungs tp_rungs_choose_priced(const tp_prices *prices, const tp_plan_input *in
 /* Returns the cost of a water pixel with the exact rungs, minus the cost of a sky pixel. */
 static int64_t exact_pixel(const plan_conditions *g)
 {
-    const tp_seen_price *seen = &g->prices->seen[0][0];
+    const tp_seen_price *seen = &g->prices->seen[0];
 
     return (g->estimate.still ? seen->still : seen->pixel)
            + pixel_price(&g->estimate, &g->prices->shaded[0][0]) - g->prices->sky;

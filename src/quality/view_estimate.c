@@ -329,7 +329,6 @@ static void set_wave_flags(tp_view_estimate *o, const tp_scene *s)
     for (int i = 0; i < TP_WAVES; i++)
         o->sharp |= s->wave[i].amplitude > 0 && s->wave[i].exponent > 1;
     o->still = o->waves == 0 && !raised;
-    o->plain = !o->sharp && !raised && !tp_has_fan(s);
 }
 
 /* -- the estimate -------------------------------------------------------------------- */

@@ -24,7 +24,6 @@ static void layout_tables(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_
                               sizeof *grid->box);
     grid->sheet[0] = grid->sheet[1] = grid->sheet[2] = NULL;
     grid->dry = NULL;
-    grid->lod = NULL;
     grid->fan = NULL;
 }
 
@@ -309,9 +308,6 @@ static void place_lines(tp_grid *grid, const tp_grid_view *view)
     grid->rows = grid->most_rows;
     tp_grid_lines_place(grid->column, grid->cols, view, false);
     tp_grid_lines_place(grid->row, grid->rows, view, true);
-    grid->frame.lod = view->lod ? grid->lod : NULL;
-    if (grid->frame.lod)
-        view->surface->by->lod->thin(grid, view);
     grid->blocks = (grid->cols - 2) / TP_GRID_BLOCK + 1;
 }
 

@@ -40,7 +40,7 @@ typedef struct {
 
 typedef struct {
     uint32_t cols, rows;        /* number of lines; cells are one fewer */
-    uint32_t most_cols, most_rows;      /* number of lines without level of detail */
+    uint32_t most_cols, most_rows;      /* number of lines in memory */
     uint32_t blocks;            /* blocks in a row of cells */
     tp_grid_line   *column, *row;
     tp_grid_vertex *vertex;     /* rows x cols; NULL if the grid is streamed */
@@ -50,7 +50,6 @@ typedef struct {
     tp_grid_box    *box;        /* bounding boxes, (rows - 1) x blocks */
     uint32_t vertices;          /* vertices evaluated in the last frame */
     tp_vertex_frame   frame;
-    struct tp_lod_axis *lod;    /* for columns and rows; NULL: no memory */
     tp_vertex_columns columns;
     tp_grid_span      waves;    /* columns with waves */
     tp_vec3  *sheet[3];         /* displaced vertices of coastal water, three rows */
@@ -77,7 +76,6 @@ typedef struct {
     uint32_t width, height;     /* size of the picture, px */
     tp_fx cell, reach;
     bool  follow;
-    bool  lod;                  /* true: level of detail is allowed (plain swells) */
     uint32_t vertices;          /* budget of a fan; 0: no fan */
 } tp_grid_view;
 
@@ -135,58 +133,6 @@ void tp_grid_window_load(const tp_grid *grid, tp_grid_window *window, uint32_t j
  * slopes come from `vertex`. */
 tp_view_vertex tp_grid_make_view_vertex(const tp_grid *grid, const tp_grid_vertex *vertex,
                                         uint32_t i, uint32_t j);
-
-/* -- level of detail ----------------------------------------------------------------- */
-
-/*
- * Removes lines where they are dense on the screen.
- *
- * A line at distance d beside the eye (along x for columns, z for rows) never appears in
- * the picture at a depth below c d; c depends on the camera.  Cells there may be 12 px
- * wide at that depth, and are at least 6 px wide.  Where 12 px are 2, 4, 8 ... cells,
- * every 2nd, 4th, 8th ... line is kept, counted from the world's origin.  Lines appear
- * and disappear but never move.
- *
- * Waves fade by the allowed step, not by the current step: waves too short for the next
- * step are gone before that step is used, so nothing jumps.  Heights fade first (between
- * 6 and 3 steps per wave), then slopes (between 4 and 2).  Waves too short for the full
- * grid fade while the step grows from one cell to two.
- */
-
-#define TP_LOD_PIXELS 12
-#define TP_LOD_LEVELS 6         /* at most every 64th line is kept */
-
-/* State of an axis: of columns, or of rows. */
-typedef struct tp_lod_axis {
-    tp_fx   eye, cell;
-    tp_fx   least;              /* smallest step anywhere, m */
-    int32_t rate[2];            /* step per distance, Q.24: on the lower side, on the
-                                 * higher */
-} tp_lod_axis;
-
-/* Returns the allowed distance of lines at a position, m. */
-tp_fx tp_lod_step(const tp_lod_axis *lod, tp_fx place);
-
-/* tp_lod_layout allocates the memory. tp_lod_thin removes lines of a grid with this
- * memory, after the lines have been placed. */
-void tp_lod_layout(tp_grid *grid, tp_arena *arena);
-void tp_lod_thin(tp_grid *grid, const tp_grid_view *view);
-
-/* Remaining weights of a wave for a step: of its heights, of its slopes.  `turns` is
- * Q0.32 turns per metre along the axis. */
-typedef struct {
-    tp_fx height, slope;
-} tp_lod_share;
-
-tp_lod_share tp_lod_swell_share(const tp_lod_axis *lod, tp_fx step, int64_t turns);
-
-/* Functions that a program links for level of detail. */
-struct tp_water_lod {
-    void (*layout)(tp_grid *grid, tp_arena *arena);
-    void (*thin)(tp_grid *grid, const tp_grid_view *view);
-    tp_fx (*step)(const tp_lod_axis *lod, tp_fx place);
-    tp_lod_share (*share)(const tp_lod_axis *lod, tp_fx step, int64_t turns);
-};
 
 /* -- coastal water ------------------------------------------------------------------- */
 

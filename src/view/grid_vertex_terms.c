@@ -177,18 +177,6 @@ static uint32_t pack_sin_cos(tp_vertex_sincos phase)
     return pack_pair((phase.sin + (1 << 14)) >> 15, (phase.cos + (1 << 14)) >> 15);
 }
 
-/* Returns the remaining weight of a swell on a line of columns (`axis` 0) or rows (`axis`
- * 1). */
-static tp_lod_share line_swell_share(const tp_vertex_frame *frame, int axis, tp_fx position,
-                                     int64_t turns)
-{
-    const struct tp_water_lod *lod = frame->surface->by->lod;
-
-    if (!frame->lod)
-        return (tp_lod_share){ TP_FX_ONE, TP_FX_ONE };
-    return lod->share(&frame->lod[axis], lod->step(&frame->lod[axis], position), turns);
-}
-
 /* Same as scale_sin_cos; a weight of 1 costs no multiplication. */
 static tp_vertex_sincos fade_sin_cos(tp_vertex_sincos phase, tp_fx weight)
 {
@@ -214,9 +202,8 @@ static void set_column_phases(const tp_vertex_frame *frame,
         else
             now = tp_vertex_sincos_add_angles(now, step);
         tp_vertex_sincos phase = fading ? fade_sin_cos(now, line->fade) : now;
-        tp_lod_share share = line_swell_share(frame, 0, line->place, turns_x);
-        columns->turn[at] = fade_sin_cos(phase, share.height);
-        columns->pair[at] = pack_sin_cos(fade_sin_cos(phase, share.slope));
+        columns->turn[at] = phase;
+        columns->pair[at] = pack_sin_cos(phase);
     }
 }
 
@@ -261,11 +248,9 @@ static void set_position_factors(const tp_vertex_frame *frame, tp_vertex_row *ro
         const int64_t turns_z = surface->deep->swell[k].turns_z;
         tp_vertex_sincos b = tp_vertex_sincos_from_angle(surface->phases[k]
                                              + tp_swell_turns(turns_z, row->line.place));
-        tp_lod_share share = line_swell_share(frame, 1, row->line.place, turns_z);
         if (!surface->deep->sharpened)
             b = fade_sin_cos(b, row->line.fade);
-        row->turn[k] = fade_sin_cos(b, share.slope);
-        b = fade_sin_cos(b, share.height);
+        row->turn[k] = b;
         row->place[0][k] = rotate_amplitudes_by_row(w->x, w->rise_x, b);
         row->place[1][k] = rotate_amplitudes_by_row(w->y, w->rise_y, b);
         row->place[2][k] = rotate_amplitudes_by_row(w->depth, w->rise_depth, b);

@@ -126,12 +126,9 @@ typedef struct {
     int32_t bend_xx, bend_xz, bend_zz;  /* QkA D D, Q.29; not crossed: xx is QkA */
 } tp_vertex_swell;
 
-struct tp_lod_axis;                     /* defined in view/grid.h */
-
 typedef struct {
     const tp_projection *projection;
     const tp_surface *surface;
-    const struct tp_lod_axis *lod;      /* for columns and rows; NULL: all lines are kept */
     tp_vertex_swell swell[TP_WAVES];
     uint32_t most;                      /* swells that the columns have memory for */
     uint32_t count;                     /* number of swells */
@@ -147,7 +144,7 @@ typedef struct {
     tp_grid_line   *line;
     int32_t        *rest[3];            /* parts of x, y, depth, by tp_vertex_x_to_view */
     tp_vertex_sincos *turn;             /* phases times fade weights; for sharpened crests,
-                                        * only the weights of tp_lod_share */
+                                        * phases alone */
     uint32_t       *pair;               /* two Q.15: the sine low, the cosine high */
 } tp_vertex_columns;
 
@@ -160,13 +157,13 @@ typedef struct {
 typedef struct {
     tp_grid_line     line;
     int32_t          rest[3];
-    tp_vertex_sincos turn[TP_WAVES];        /* row phases times fade weights of slopes */
+    tp_vertex_sincos turn[TP_WAVES];        /* row phases times fade weights */
     tp_vertex_sincos place[3][TP_WAVES];    /* x, y, depth: m per sine and cosine, Q.18 */
     tp_vertex_tilt   tilt[TP_WAVES];
 } tp_vertex_row;
 
-/* Starts a frame for water in x0..x1 and z0..z1.  The caller sets projection, surface
- * and lod; the function sets all other members. */
+/* Starts a frame for water in x0..x1 and z0..z1.  The caller sets projection and
+ * surface; the function sets all other members. */
 void tp_vertex_begin(tp_vertex_frame *frame, tp_fx x0, tp_fx x1, tp_fx z0, tp_fx z1);
 
 /* Computes the numbers of all swells; after tp_vertex_begin. */

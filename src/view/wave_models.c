@@ -395,7 +395,3 @@ const struct tp_water_coastal tp_water_coastal = {
     .row = coastal_grid_evaluate_row,
     .corner = coastal_grid_make_view_vertex,
 };
-
-const struct tp_water_lod tp_water_lod = {
-    tp_lod_layout, tp_lod_thin, tp_lod_step, tp_lod_swell_share,
-};

@@ -22,11 +22,11 @@ enum { THREADS = 2, FRAMES = 12 };
 
 /* Rungs by their settings. */
 static const struct {
-    const char *name, *setting[4];
+    const char *name, *setting[3];
     uint32_t    settings;
 } rungs[] = {
     { "exact", { "quality.visibility=triangles", "quality.shading=exact",
-                 "quality.rate=full", "quality.lod=off" }, 4 },
+                 "quality.rate=full" }, 3 },
     { "shipped", { NULL }, 0 },
 };
 

@@ -39,7 +39,7 @@ typedef struct {
 static const char *const off[] = {
     REF_WITHOUT,
     "quality.visibility=triangles", "quality.shading=exact", "quality.rate=full",
-    "quality.lod=off", "boat.edges=plain",    /* exact rungs; test_plan.c compares the others */
+    "boat.edges=plain",         /* exact rungs; test_plan.c compares the others */
 };
 
 enum { OFF = sizeof off / sizeof *off };

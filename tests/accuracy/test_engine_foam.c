@@ -41,7 +41,7 @@ typedef struct {
 static const char *const off[] = {
     "water.caustics=0", "sky.stars=0", "mirror.distortion=1", "mirror.method=none",
     "quality.visibility=triangles", "quality.shading=exact", "quality.rate=full",
-    "quality.lod=off", "boat.edges=plain",
+    "boat.edges=plain",
 };
 
 enum { OFF = sizeof off / sizeof *off };

@@ -22,7 +22,7 @@ typedef struct {
 
 static const char *const always[] = {
     "foam.cells=0", "quality.visibility=triangles", "quality.shading=exact",
-    "quality.rate=full", "quality.lod=off",
+    "quality.rate=full",
 };
 
 enum { ALWAYS = sizeof always / sizeof *always };

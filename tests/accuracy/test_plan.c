@@ -44,8 +44,7 @@ static void compare(const loaded_scene *s, const tp_plan_report *r, uint32_t tic
 
 static bool names_any(const tp_scene *s)
 {
-    return s->quality.visibility || s->quality.shading || s->quality.rate
-        || s->quality.lod;
+    return s->quality.visibility || s->quality.shading || s->quality.rate;
 }
 
 static void look_at(const char *name)

@@ -55,7 +55,6 @@ static void draw(ref_stand *s, const char *name, tp_visibility how, bool quick, 
     s->file.scene.quality.visibility = (int32_t)how;
     s->file.scene.quality.shading = quick ? TP_SHADING_AUTO : TP_SHADING_EXACT;
     s->file.scene.quality.rate = quick ? TP_RATE_AUTO : TP_RATE_FULL;
-    s->file.scene.quality.lod = quick ? TP_LOD_AUTO : TP_LOD_OFF;
     memset(&c, 0, sizeof c);
     frame_renderer_plan(&c, &config, 1);
     assert_int_equal(frame_renderer_open(&c, &s->file.scene, &s->assets.names), 0);

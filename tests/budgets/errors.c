@@ -17,7 +17,7 @@
 
 static const char *const rungs[TP_KINDS][TP_KIND_RUNGS] = {
     { "triangles", "rows", "projected", "flat" }, { "exact", "quick" },
-    { "full", "layers", "colour" }, { "off", "on" },
+    { "full", "layers", "colour" },
 };
 
 static const char *const classes[] = {
@@ -26,8 +26,7 @@ static const char *const classes[] = {
     "coastal", "coastal_glossy", "coastal_sparks",
 };
 
-static const uint8_t counts[TP_KINDS] = { TP_VISIBILITIES, TP_SHADINGS, TP_RATES,
-                                          TP_LODS };
+static const uint8_t counts[TP_KINDS] = { TP_VISIBILITIES, TP_SHADINGS, TP_RATES };
 
 typedef struct {
     uint8_t of[TP_KINDS];
@@ -40,7 +39,6 @@ static tp_scene scene_by(const loaded_scene *s, rung_choice c)
     scene.quality.visibility = c.of[TP_KIND_VISIBILITY] + 1;
     scene.quality.shading = c.of[TP_KIND_SHADING] + 1;
     scene.quality.rate = c.of[TP_KIND_RATE] + 1;
-    scene.quality.lod = c.of[TP_KIND_LOD] + 1;
     scene.quality.error_px = scene.quality.error_colour = 0;
     return scene;
 }
@@ -82,14 +80,14 @@ static void compare(const loaded_scene *s, const error_ground *g, rung_choice ba
     }
 }
 
-/* Compares shading rates with each shading, and left-out lines with each renderer that fits
- * the scene: the error of a rung may depend on the other rungs. */
+/* Compares shading rates with each shading: the error of a rung may depend on the other
+ * rungs. */
 static void compare_all(const loaded_scene *s, uint32_t tick)
 {
     static truth_drawing exact;
     static error_ground  g;
     const tp_scene scene = exact_scene(s);
-    rung_choice base = { { 0, 0, 0, 0 } };
+    rung_choice base = { { 0, 0, 0 } };
 
     const tp_plan_input in = { tp_program_all.modules, &s->file.scene, &s->assets.names,
                                width, height };
@@ -108,12 +106,6 @@ static void compare_all(const loaded_scene *s, uint32_t tick)
         base.of[TP_KIND_SHADING] = i;
         compare(s, &g, base, TP_KIND_RATE);
     }
-    base.of[TP_KIND_SHADING] = 0;
-    for (uint8_t i = 0; i < TP_VISIBILITIES; i++) {
-        base.of[TP_KIND_VISIBILITY] = i;
-        if (g.estimate.fits[i])
-            compare(s, &g, base, TP_KIND_LOD);
-    }
 }
 
 /* Adds a small wave to a scene with plain waves; the wave's phase does not matter. */
@@ -124,14 +116,14 @@ static void lay_a_wave(loaded_scene *s)
 
     if (last->amplitude > 0 || tp_world_coastal(s->world))
         return;
-    tp_scene scene = scene_by(s, (rung_choice){ { 0, 0, 0, 0 } });
+    tp_scene scene = scene_by(s, (rung_choice){ { 0, 0, 0 } });
     draw(&without, s, &scene, s->world);
     *last = (tp_wave){ .length = SMALL_LENGTH * TP_FX_ONE, .heading = 70 * TP_FX_ONE,
                        .exponent = 1 };
     last->amplitude = (tp_fx)lround(SMALL_SLOPE * SMALL_LENGTH / 6.2831853 * 65536);
     if (loaded_scene_make_world(s))
         exit(1);
-    scene = scene_by(s, (rung_choice){ { 0, 0, 0, 0 } });
+    scene = scene_by(s, (rung_choice){ { 0, 0, 0 } });
     draw(&more, s, &scene, s->world);
     printf("slope %.4f %s\n",
            error_of(&without, &more).colour / (SMALL_SLOPE * sqrt(0.5)),

@@ -9,11 +9,9 @@ BEGIN {
     n["visibility"] = split("triangles rows projected flat", visibility, " ")
     n["shading"] = split("exact quick", shading, " ")
     n["rate"] = split("full layers colour", rate, " ")
-    n["lod"] = split("off on", lod, " ")
     index_of(visibility, n["visibility"])
     index_of(shading, n["shading"])
     index_of(rate, n["rate"])
-    index_of(lod, n["lod"])
     print "/* SPDX-License-Identifier: MIT */"
     print "/* Made by tests/budgets/prices.awk from assets/charts/prices.csv; not to be edited. */"
 }
@@ -24,7 +22,7 @@ function index_of(names, count,    i)
         at[names[i]] = i - 1
 }
 
-# "rows.on" as [1][1]; an unknown word ends the program.
+# "quick.colour" as [1][2]; an unknown word ends the program.
 function places(text,    part, count, i, made)
 {
     count = split(text, part, ".")
@@ -71,8 +69,7 @@ $1 == "shaded" {
 $1 == "error" {
     split($3, part, ".")
     of = $2 ~ /^(triangles|rows|projected|flat)$/ ? "VISIBILITY" : \
-         $2 ~ /^(exact|quick)$/ ? "SHADING" : \
-         $2 ~ /^(full|layers|colour)$/ ? "RATE" : "LOD"
+         $2 ~ /^(exact|quick)$/ ? "SHADING" : "RATE"
     path = ".error[TP_KIND_" of "]" places($2) "[TP_SEA_" toupper(part[1]) "]"
     known(path)
     printf "    %s.%s = TP_FX(%s),\n", path, part[2], $4

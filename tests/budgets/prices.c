@@ -21,7 +21,6 @@ TRACE_MARK(count_end)
 TRACE_MARK(count_section)
 
 static const char *const visibilities[] = { "triangles", "rows", "projected", "flat" };
-static const char *const lods[] = { "off", "on" };
 static const char *const shadings[] = { "exact", "quick" };
 static const char *const rates[] = { "full", "layers", "colour" };
 
@@ -337,7 +336,6 @@ static void begin(const tp_rungs *rungs)
     scene.quality.visibility = (int32_t)rungs->visibility;
     scene.quality.shading = (int32_t)rungs->shading;
     scene.quality.rate = (int32_t)rungs->rate;
-    scene.quality.lod = (int32_t)rungs->lod;
     scene.boat.mesh[0] = scene.floor.map[0] = '\0';
     set(OFF);
 }
@@ -399,8 +397,7 @@ static void draw(const char *what, const char *rung, const char *other, const ch
     semihost_write("\n");
 }
 
-static const tp_rungs exact = { TP_VISIBILITY_TRIANGLES, TP_SHADING_EXACT, TP_RATE_FULL,
-                                TP_LOD_OFF };
+static const tp_rungs exact = { TP_VISIBILITY_TRIANGLES, TP_SHADING_EXACT, TP_RATE_FULL };
 
 static const char *const work_names[] = {
 #define X(name) #name,
@@ -434,18 +431,16 @@ static void draw_works(void)
 static void draw_seen(void)
 {
     for (size_t v = 0; v < COUNT(visibilities); v++)
-        for (size_t l = 0; l < COUNT(lods); l++)
-            for (size_t i = 0; i < COUNT(seen); i++) {
-                tp_rungs rungs = exact;
-                rungs.visibility = (tp_visibility)(v + 1);
-                rungs.lod = (tp_lod)(l + 1);
-                begin(&rungs);
-                set(seen[i].set);
-                const bool small = seen[i].name[1] == 'm';
-                draw("seen", visibilities[v], lods[l], seen[i].name, small ? 160 : 320,
-                     small ? 112 : 240);
-                count_section();
-            }
+        for (size_t i = 0; i < COUNT(seen); i++) {
+            tp_rungs rungs = exact;
+            rungs.visibility = (tp_visibility)(v + 1);
+            begin(&rungs);
+            set(seen[i].set);
+            const bool small = seen[i].name[1] == 'm';
+            draw("seen", visibilities[v], "", seen[i].name, small ? 160 : 320,
+                 small ? 112 : 240);
+            count_section();
+        }
 }
 
 static void draw_shaded(void)

@@ -27,7 +27,7 @@ static const char *const off[] = { REF_WITHOUT };
 /* Exact rung. Each other rung changes only the setting that it is named after, except the
  * planned rung and the rungs of the ladder. */
 #define EXACT "quality.visibility=triangles quality.shading=exact quality.rate=full " \
-              "quality.lod=off quality.error_px=0 quality.error_colour=0"
+              "quality.error_px=0 quality.error_colour=0"
 
 typedef struct {
     char name[16], words[WORDS_BYTES];
@@ -64,10 +64,9 @@ static void add_planned(rungs *all, const char *name, tp_rungs r)
     char words[WORDS_BYTES];
 
     snprintf(words, sizeof words,
-             "quality.visibility=%s quality.shading=%s quality.rate=%s quality.lod=%s",
+             "quality.visibility=%s quality.shading=%s quality.rate=%s",
              visibility[r.visibility - 1],
-             r.shading == TP_SHADING_QUICK ? "quick" : "exact", rate[r.rate - 1],
-             r.lod == TP_LOD_ON ? "on" : "off");
+             r.shading == TP_SHADING_QUICK ? "quick" : "exact", rate[r.rate - 1]);
     add(all, name, words);
 }
 
@@ -89,7 +88,6 @@ static rungs rungs_of(const tp_scene *shipped, const tp_assets *names, uint32_t 
     add_exact(&all, "projected", "quality.visibility=projected",
               fits[TP_VISIBILITY_PROJECTED - 1]);
     add_exact(&all, "flat", "quality.visibility=flat", fits[TP_VISIBILITY_FLAT - 1]);
-    add_exact(&all, "lod", "quality.lod=on", true);
     add_exact(&all, "grid/2", "grid/2", true);
     add_exact(&all, "grid/4", "grid/4", true);
     add_exact(&all, "quick", "quality.shading=quick", o.quick);

@@ -4,7 +4,7 @@
 #include "world/text.h"
 #include "tests/charts/span.h"
 
-#define WATER "boat.mesh= mirror.method=none foam.cells=0 quality.lod=off "
+#define WATER "boat.mesh= mirror.method=none foam.cells=0 "
 
 /* Settings of the steps: triangles and exact stages. `plane` is the first texture on level
  * water of four squares of 50 m, the largest triangles. */

@@ -24,7 +24,7 @@
 
 static const char *const off[] = {
     REF_WITHOUT,
-    "boat.mesh=", "quality.shading=exact", "quality.rate=full", "quality.lod=off",
+    "boat.mesh=", "quality.shading=exact", "quality.rate=full",
     "quality.error_px=0", "quality.error_colour=0",
 };
 

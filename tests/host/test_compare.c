@@ -19,7 +19,7 @@
 
 /* Settings of "exact", as compare sets them. */
 static const char *exact[] = { "quality.visibility=triangles", "quality.shading=exact",
-                               "quality.rate=full", "quality.lod=off",
+                               "quality.rate=full",
                                "quality.error_px=0", "quality.error_colour=0" };
 static const char *quick[] = { "quality.shading=quick", "quality.rate=colour",
                                "mirror.method=none", "foam.cells=0", "hdr.share=0" };
@@ -105,7 +105,7 @@ static void the_same_rung_has_the_same_bits(void **state)
 {
     bench b;
     (void)state;
-    open_with(&b, SEA, 160, 120, exact, 6);
+    open_with(&b, SEA, 160, 120, exact, 5);
     compare_set(b.compare, COMPARE_DIFFERENCE, AGAINST_EXACT);
     const picture *p = draw(&b);
     assert_non_null(p);
@@ -123,12 +123,12 @@ static void what_is_drawn_so_anyway_is_told(void **state)
 {
     bench b;
     (void)state;
-    open_with(&b, SEA, 64, 48, exact, 6);
+    open_with(&b, SEA, 64, 48, exact, 5);
     compare_set(b.compare, COMPARE_SPLIT, AGAINST_EXACT);
     assert_non_null(draw(&b));
     assert_string_equal(compare_note(b.compare),
                         "the scene is drawn with this method: nothing to compare");
-    compare_set(b.compare, COMPARE_SPLIT, AGAINST_LOD);
+    compare_set(b.compare, COMPARE_SPLIT, AGAINST_QUICK);
     assert_non_null(draw(&b));
     assert_null(strstr(compare_note(b.compare), "nothing to compare"));
     b.options.format = TP_FORMAT_RGB565;        /* fewer colours */
@@ -146,14 +146,14 @@ static void the_usual_other_picture_is_another(void **state)
     static const char *quick_sea[] = { "quality.shading=quick", "mirror.method=none",
                                        "foam.cells=0", "hdr.share=0" };
     static const char *plain_sea[] = { "quality.shading=exact", "mirror.method=none",
-                                       "quality.visibility=triangles", "quality.lod=off",
+                                       "quality.visibility=triangles",
                                        "foam.cells=0", "hdr.share=0" };
     bench b;
     (void)state;
-    open_with(&b, SEA, 64, 48, exact, 6);       /* its mirror disables fast shading */
+    open_with(&b, SEA, 64, 48, exact, 5);       /* its mirror disables fast shading */
     assert_int_equal(compare_usual(&b.loaded), AGAINST_REFERENCE);
     finish(&b);
-    open_with(&b, SEA, 64, 48, plain_sea, 6);
+    open_with(&b, SEA, 64, 48, plain_sea, 5);
     assert_int_equal(compare_usual(&b.loaded), AGAINST_QUICK);
     compare_set(b.compare, COMPARE_SPLIT, compare_usual(&b.loaded));
     assert_non_null(draw(&b));
@@ -214,7 +214,7 @@ static void a_format_costs_what_it_costs(void **state)
     bench b;
     double psnr[2];
     (void)state;
-    open_with(&b, SEA, 160, 120, exact, 6);
+    open_with(&b, SEA, 160, 120, exact, 5);
     compare_set(b.compare, COMPARE_DIFFERENCE, AGAINST_EXACT);
     for (int i = 0; i < 2; i++) {
         b.options.format = i ? TP_FORMAT_I1 : TP_FORMAT_RGB565;
@@ -231,7 +231,7 @@ static void it_follows_values_and_sizes(void **state)
 {
     bench b;
     (void)state;
-    open_with(&b, SEA, 96, 64, exact, 6);
+    open_with(&b, SEA, 96, 64, exact, 5);
     compare_set(b.compare, COMPARE_DIFFERENCE, AGAINST_EXACT);
     assert_non_null(draw(&b));
     assert_int_equal(scene_file_set(&b.loaded.file, "water.colour=#ff0000"), 0);
@@ -248,7 +248,7 @@ static void what_a_scene_cannot_have_is_told(void **state)
 {
     bench b;
     (void)state;
-    open_with(&b, POND, 96, 64, exact, 6);
+    open_with(&b, POND, 96, 64, exact, 5);
     compare_set(b.compare, COMPARE_SPLIT, AGAINST_PROJECTED);
     assert_non_null(draw(&b));
     assert_non_null(strstr(compare_note(b.compare), "not for this scene"));

@@ -43,7 +43,6 @@ static void ask(asked *a, const char *scene, bool acts)
     a->named.quality.visibility = (int32_t)r.visibility;
     a->named.quality.shading = (int32_t)r.shading;
     a->named.quality.rate = (int32_t)r.rate;
-    a->named.quality.lod = (int32_t)r.lod;
 }
 
 static bool has(const component_search_result *found, const char *name)

@@ -99,7 +99,6 @@ static inline tp_scene exact_scene(const loaded_scene *s)
     scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
     scene.quality.shading = TP_SHADING_EXACT;
     scene.quality.rate = TP_RATE_FULL;
-    scene.quality.lod = TP_LOD_OFF;
     scene.quality.error_px = scene.quality.error_colour = 0;
     return scene;
 }

@@ -104,7 +104,6 @@ static void a_program_of_what_a_scene_needs_draws_it_as_all_does(void **state)
     scene.water.reflection = scene.water.specular = 0;
     scene.quality.visibility = TP_VISIBILITY_TRIANGLES;     /* no part of the plan */
     scene.quality.shading = TP_SHADING_EXACT;
-    scene.quality.lod = TP_LOD_OFF;
     own.modules = (const tp_use[]){ TP_USE(haze), TP_USE(base_layer), TP_USE(diffuse),
                                     { 0 } };
     const uint32_t crc = drawn_by(&own, &scene, &assets, &lacks);
@@ -157,7 +156,6 @@ static tp_scene quick_scene(int32_t rate)
     s.quality.visibility = TP_VISIBILITY_TRIANGLES;
     s.quality.shading = TP_SHADING_QUICK;
     s.quality.rate = rate;
-    s.quality.lod = TP_LOD_OFF;
     s.distortion.strength = TP_FX_ONE;
     return s;
 }

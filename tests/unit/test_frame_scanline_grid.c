@@ -46,7 +46,6 @@ static tp_scene scene_wide(bool along_x)
     tp_scene s = scene_plain();
 
     s.quality.visibility = TP_VISIBILITY_ROWS;
-    s.quality.lod = TP_LOD_OFF;
     s.grid.cols = along_x ? 60 : 320;
     s.grid.rows = along_x ? 320 : 60;
     s.grid.cell = chance_fx(&chance, 1, 20);

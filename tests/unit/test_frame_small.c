@@ -122,7 +122,6 @@ static void streamed_rows_draw_the_same(void **state)
         scene.camera.heading = chance_int(&chance, 0, 3) * 90 * TP_FX_ONE;
         scene.camera.pitch = chance_fx(&chance, -15, 0);
         scene.quality.visibility = n % 4 ? TP_VISIBILITY_ROWS : TP_VISIBILITY_TRIANGLES;
-        scene.quality.lod = chance_int(&chance, TP_LOD_OFF, TP_LOD_ON);
         tp_world *world = scene_world(&scene, &none);
         compare(&scene, &none, world);
         free(world);

@@ -114,9 +114,6 @@ static const struct {
     { "quality.rate", "full", TP_RATE_FULL },
     { "quality.rate", "layers", TP_RATE_LAYERS },
     { "quality.rate", "colour", TP_RATE_COLOUR },
-    { "quality.lod", "auto", TP_LOD_AUTO },
-    { "quality.lod", "off", TP_LOD_OFF },
-    { "quality.lod", "on", TP_LOD_ON },
 };
 
 enum { WORDS = sizeof words / sizeof words[0] };

@@ -51,7 +51,7 @@ static const command_help_row rows[] = {
       "mesh and pixels many times finer; a rung's error counts beyond that of the exact\n"
       "rung.  The plan takes the cheapest rungs within quality.error_px and\n"
       "quality.error_colour.  A rung that the scene names (quality.visibility, shading,\n"
-      "rate, lod) is taken whatever its error.\n",
+      "rate) is taken whatever its error.\n",
       "", USUAL, NULL },
     { FOR_CHECK, "tidepool check SCENE [--write]\ntidepool check --vectors DIR",
       "Checks SCENE, a shipped scene or an INI file: every line, the files that it\n"

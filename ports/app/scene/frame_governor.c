@@ -22,7 +22,7 @@ void frame_governor_begin(frame_governor *g, const loaded_scene *s)
 static uint32_t rung_value(unsigned kind, tp_rungs r)
 {
     const uint32_t value[TP_KINDS] = { (uint32_t)r.visibility, (uint32_t)r.shading,
-                                       (uint32_t)r.rate, (uint32_t)r.lod };
+                                       (uint32_t)r.rate };
     return value[kind];
 }
 
@@ -32,7 +32,6 @@ const char *frame_governor_rung_name(unsigned kind, tp_rungs rungs)
         { "auto", "triangles", "rows", "projected grid", "flat grid" },
         { "auto", "exact shading", "quick shading" },
         { "auto", "full rate", "half-rate layers", "half-rate colour" },
-        { "auto", "all lines of the grid", "fewer lines far away" },
     };
     const char *word = words[kind][rung_value(kind, rungs)];
     return word ? word : "?";

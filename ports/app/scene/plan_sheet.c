@@ -5,7 +5,7 @@
 #include <string.h>
 #include "world/text.h"
 
-const char *const plan_kind[TP_KINDS] = { "visibility", "shading", "rate", "lod" };
+const char *const plan_kind[TP_KINDS] = { "visibility", "shading", "rate" };
 
 const char *const plan_why[] = {
     [TP_WHY_CHOSEN] = "chosen", [TP_WHY_NAMED] = "set by the scene",
@@ -19,7 +19,6 @@ static void name_rungs(tp_scene *scene, tp_rungs rungs)
     scene->quality.visibility = (int32_t)rungs.visibility;
     scene->quality.shading = (int32_t)rungs.shading;
     scene->quality.rate = (int32_t)rungs.rate;
-    scene->quality.lod = (int32_t)rungs.lod;
 }
 
 static tp_rungs with(tp_rungs rungs, int kind, int rung)
@@ -27,8 +26,7 @@ static tp_rungs with(tp_rungs rungs, int kind, int rung)
     switch (kind) {
     case 0:  rungs.visibility = (tp_visibility)(rung + 1); break;
     case 1:  rungs.shading = (tp_shading)(rung + 1); break;
-    case 2:  rungs.rate = (tp_rate)(rung + 1); break;
-    default: rungs.lod = (tp_lod)(rung + 1); break;
+    default: rungs.rate = (tp_rate)(rung + 1); break;
     }
     return rungs;
 }
@@ -36,7 +34,7 @@ static tp_rungs with(tp_rungs rungs, int kind, int rung)
 int plan_rung(tp_rungs rungs, int kind)
 {
     const int rung[TP_KINDS] = { (int)rungs.visibility, (int)rungs.shading,
-                                 (int)rungs.rate, (int)rungs.lod };
+                                 (int)rungs.rate };
     return rung[kind] - 1;
 }
 

@@ -14,7 +14,7 @@ typedef struct {
 /* Makes the plan; takes up to 10 ms. */
 plan_sheet plan_sheet_make(const loaded_scene *s);
 
-extern const char *const plan_kind[TP_KINDS];   /* "visibility", "shading", "rate", "lod" */
+extern const char *const plan_kind[TP_KINDS];   /* "visibility", "shading", "rate" */
 extern const char *const plan_why[];            /* reasons in words, indexed by tp_why */
 
 /* Writes the name of rung 0.. of a kind as in scene files: "rows". */

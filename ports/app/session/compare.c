@@ -18,7 +18,7 @@
 
 const char *const compare_how_name[COMPARE_HOWS] = { "off", "split", "difference" };
 const char *const compare_against_name[AGAINSTS] = {
-    "exact", "triangles", "rows", "projected", "flat", "quick", "layers", "colour", "lod",
+    "exact", "triangles", "rows", "projected", "flat", "quick", "layers", "colour",
     "reference",
 };
 
@@ -43,8 +43,7 @@ struct comparison {
 
 /* -- choice of the other picture ----------------------------------------------------- */
 
-static const tp_rungs exact = { TP_VISIBILITY_TRIANGLES, TP_SHADING_EXACT, TP_RATE_FULL,
-                                TP_LOD_OFF };
+static const tp_rungs exact = { TP_VISIBILITY_TRIANGLES, TP_SHADING_EXACT, TP_RATE_FULL };
 
 static tp_rungs choose_rungs(compare_against against)
 {
@@ -56,7 +55,6 @@ static tp_rungs choose_rungs(compare_against against)
     case AGAINST_FLAT:      r.visibility = TP_VISIBILITY_FLAT; break;
     case AGAINST_LAYERS:    r.rate = TP_RATE_LAYERS; break;
     case AGAINST_COLOUR:    r.rate = TP_RATE_COLOUR; break;
-    case AGAINST_LOD:       r.lod = TP_LOD_ON; break;
     default:                break;
     }
     if (against == AGAINST_QUICK || r.rate != TP_RATE_FULL)
@@ -72,8 +70,7 @@ static tp_rungs rungs_of_stage(const loaded_scene *s)
 
 static bool same_rungs(tp_rungs a, tp_rungs b)
 {
-    return a.visibility == b.visibility && a.shading == b.shading && a.rate == b.rate
-        && a.lod == b.lod;
+    return a.visibility == b.visibility && a.shading == b.shading && a.rate == b.rate;
 }
 
 static void name_rungs(comparison *c, const loaded_scene *s)
@@ -88,7 +85,6 @@ static void name_rungs(comparison *c, const loaded_scene *s)
     c->scene.quality.visibility = (int32_t)r.visibility;
     c->scene.quality.shading = (int32_t)r.shading;
     c->scene.quality.rate = (int32_t)r.rate;
-    c->scene.quality.lod = (int32_t)r.lod;
     c->scene.quality.frame_ms = 0;
     if (!mine)
         c->scene.quality.error_px = c->scene.quality.error_colour = 0;
@@ -103,11 +99,9 @@ static bool is_unfit(const loaded_scene *s, tp_rungs r)
     open.quality.visibility = TP_VISIBILITY_AUTO;
     open.quality.shading = TP_SHADING_AUTO;
     open.quality.rate = TP_RATE_AUTO;
-    open.quality.lod = TP_LOD_AUTO;
     const tp_plan_report plan = tp_plan_make(&open, &s->assets.names, p->width, p->height);
     return plan.rung[0][r.visibility - 1].why == TP_WHY_UNFIT
-        || plan.rung[1][r.shading - 1].why == TP_WHY_UNFIT
-        || plan.rung[3][r.lod - 1].why == TP_WHY_UNFIT;
+        || plan.rung[1][r.shading - 1].why == TP_WHY_UNFIT;
 }
 
 static void judge(comparison *c, const loaded_scene *s)
@@ -345,6 +339,5 @@ const char *compare_note(comparison *c)
     if (!c->unfit)
         return "";
     return water ? "not for this scene: triangles are drawn"
-         : c->against == AGAINST_LOD ? "not for this scene: all lines are drawn"
-                                     : "not for this scene: exact shading is drawn";
+         : "not for this scene: exact shading is drawn";
 }

@@ -69,7 +69,6 @@ static tp_scene named_scene(const tp_scene *scene, const tp_ladder *ladder)
     named.quality.visibility = (int32_t)ladder->rung[0].visibility;
     named.quality.shading = (int32_t)ladder->rung[0].shading;
     named.quality.rate = (int32_t)ladder->rung[0].rate;
-    named.quality.lod = (int32_t)ladder->rung[0].lod;
     return named;
 }
 

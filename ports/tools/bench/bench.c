@@ -126,7 +126,7 @@ static size_t append_word(const tp_scene *scene, const char *name, char *text, s
     return at + (size_t)more < BENCH_BY ? at + (size_t)more : BENCH_BY - 1;
 }
 
-/* Writes the names of a figure's rungs, as "rows quick lod", with the values of
+/* Writes the names of a figure's rungs, as "rows quick", with the values of
  * parameters. */
 static void name_rungs(bench_figure *f)
 {
@@ -135,22 +135,18 @@ static void name_rungs(bench_figure *f)
     scene.quality.visibility = (int32_t)f->rungs.visibility;
     scene.quality.shading = (int32_t)f->rungs.shading;
     size_t at = append_word(&scene, "quality.visibility", f->by, 0);
-    at = append_word(&scene, "quality.shading", f->by, at);
-    if (f->rungs.lod == TP_LOD_ON)
-        snprintf(f->by + at, BENCH_BY - at, " lod");
+    append_word(&scene, "quality.shading", f->by, at);
 }
 
 static bool add_rungs(bench_list *list, bench_figure f)
 {
     for (int v = TP_VISIBILITY_TRIANGLES; v <= TP_VISIBILITY_FLAT; v++)
-        for (int s = TP_SHADING_EXACT; s <= TP_SHADING_QUICK; s++)
-            for (int l = TP_LOD_OFF; l <= TP_LOD_ON; l++) {
-                f.rungs = (tp_rungs){ (tp_visibility)v, (tp_shading)s, TP_RATE_AUTO,
-                                      (tp_lod)l };
-                name_rungs(&f);
-                if (!bench_add(list, &f))
-                    return false;
-            }
+        for (int s = TP_SHADING_EXACT; s <= TP_SHADING_QUICK; s++) {
+            f.rungs = (tp_rungs){ (tp_visibility)v, (tp_shading)s, TP_RATE_AUTO };
+            name_rungs(&f);
+            if (!bench_add(list, &f))
+                return false;
+        }
     return true;
 }
 

@@ -102,7 +102,6 @@ int bench_draw(bench_list *list, bench_scene *s, bench_figure *f, int round, boo
     bench_scene_set(s, f->work, f->points);
     s->scene.quality.visibility = (int32_t)f->rungs.visibility;
     s->scene.quality.shading = (int32_t)f->rungs.shading;
-    s->scene.quality.lod = (int32_t)f->rungs.lod;
     frame_renderer_plan(&c, &config, 1);
     int code = frame_renderer_open(&c, &s->scene, &s->assets);
     if (!code)
