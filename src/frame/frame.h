@@ -279,31 +279,24 @@ typedef struct {
 /* Lines of the grid from near to far, their points from left to right. */
 typedef struct tp_frame_lines {
     uint32_t lines, points, blocks;     /* blocks per row of cells */
-    bool     upright;           /* true: lines are columns of the grid */
     bool     lines_back, points_back;   /* true: traversed in descending order */
     const tp_grid_box *box;     /* lines x blocks boxes, in the grid's order */
     tp_frame_line  *line;       /* one for each row of cells, in the grid's order */
-    tp_grid_box    *line_box;   /* boxes of blocks of upright lines */
     tp_line_reach  *reach;      /* of each block of each line */
 } tp_frame_lines;
 
-/* Point m of line k.  Where lines are rows of the grid, the window must hold line k. */
-static inline const tp_grid_vertex *tp_line_vertex(const tp_frame *frame,
-                                                   const tp_grid_window *window,
+/* Point m of line k, which the window must hold. */
+static inline const tp_grid_vertex *tp_line_vertex(const tp_grid_window *window,
                                                    uint32_t k, uint32_t m)
 {
-    const tp_grid *grid = frame->buffers.grid;
-    return frame->buffers.lines->upright ? &grid->vertex[(size_t)m * grid->cols + k]
-                                         : &window->line[k & 1][m];
+    return &window->line[k & 1][m];
 }
 
 /* True if the cell at point m of row k is dry. */
 static inline bool tp_line_cell_is_dry(const tp_frame *frame, uint32_t row,
                                        uint32_t point)
 {
-    return frame->buffers.lines->upright
-               ? tp_grid_cell_is_dry(frame->buffers.grid, row, point)
-               : tp_grid_cell_is_dry(frame->buffers.grid, point, row);
+    return tp_grid_cell_is_dry(frame->buffers.grid, point, row);
 }
 
 /* Returns the cells [first, end) of block b, without cells out of view. */

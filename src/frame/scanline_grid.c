@@ -39,14 +39,6 @@ typedef struct {
     int64_t across, along;
 } level_ray;
 
-static bool is_view_along_x(const tp_frame *frame)
-{
-    if (frame->buffers.grid->fan)
-        return false;
-    const tp_dir3 *back = &frame->projection.turn.z;
-    return tp_abs(back->x) > tp_abs(back->z);
-}
-
 /* Ray through a corner of the picture, 16.16; pixels lie below 2^12 from the centre, the
  * focal length is below 2^16. */
 static level_ray corner_ray(const tp_frame *frame, int corner)
@@ -63,7 +55,7 @@ static level_ray corner_ray(const tp_frame *frame, int corner)
         const tp_dir3 r = tp_fan_rows_direction(turn);
         return (level_ray){ (z * r.x - x * r.z) >> 30, (x * r.x + z * r.z) >> 30 };
     }
-    return is_view_along_x(frame) ? (level_ray){ x, z } : (level_ray){ z, x };
+    return (level_ray){ z, x };
 }
 
 /* Bends of a swell: along the lines, and along times across. */
@@ -87,7 +79,7 @@ static line_bend bend_on_lines(const tp_frame *frame, const tp_swell *w)
 {
     if (frame->buffers.grid->fan)
         return fan_bend(w, tp_fan_rows_direction(&frame->projection.turn));
-    return (line_bend){ is_view_along_x(frame) ? w->bend_zz : w->bend_xx, w->bend_xz };
+    return (line_bend){ w->bend_xx, w->bend_xz };
 }
 
 static bool is_line_order_kept(const tp_frame *frame, tp_fx t)
@@ -107,9 +99,7 @@ static bool is_line_order_kept(const tp_frame *frame, tp_fx t)
  * lines on each keep their order. */
 static bool are_lines_ordered_in_view(const tp_frame *frame)
 {
-    const tp_dir3 *back = &frame->projection.turn.z;
-    bool behind = frame->buffers.grid->fan
-               || (is_view_along_x(frame) ? back->x : back->z) > 0;
+    bool behind = frame->buffers.grid->fan || frame->projection.turn.z.z > 0;
 
     for (int corner = 0; corner < 4; corner++) {
         level_ray ray = corner_ray(frame, corner);
@@ -135,8 +125,6 @@ static bool can_any_wave_overhang(const tp_coastal_water *coastal)
 bool tp_frame_can_draw_rows(tp_frame *frame)
 {
     return frame->buffers.lines && frame->buffers.grid
-           && !(frame->buffers.grid->streams
-                && is_view_along_x(frame)) /* read row by row */
            && tp_abs(frame->projection.turn.x.y >> 14) < ROLL
            && frame->projection.turn.y.y > 0
            && frame->projection.eye.y > tp_surface_height_bound(&frame->surface) + ABOVE
@@ -157,19 +145,15 @@ void tp_lines_layout(tp_frame_buffers *buffers, tp_arena *arena, const tp_progra
                      const tp_scene *scene, const tp_config *config)
 {
     const uint32_t fan = tp_frame_uses_fan(program, scene) ? tp_fan_budget(scene) : 0;
-    size_t cols = (size_t)scene->grid.cols, rows = (size_t)scene->grid.rows;
-    size_t lines = fan ? tp_fan_most_rows(fan) : cols > rows ? cols : rows;
-    size_t upright = cols * ((rows - 2) / TP_GRID_BLOCK + 1);
-    size_t level = rows * ((cols - 2) / TP_GRID_BLOCK + 1);
-    const bool streams = tp_frame_is_grid_streamed(program, scene);
+    const size_t cols = (size_t)scene->grid.cols;
+    const size_t lines = fan ? tp_fan_most_rows(fan) : (size_t)scene->grid.rows;
 
     (void)config;
     tp_frame_lines *to = tp_arena_alloc(arena, 1, sizeof *to);
     const tp_frame_lines l = {
         .line = tp_arena_alloc(arena, lines, sizeof *l.line),
-        .line_box = streams || fan ? NULL : tp_arena_alloc(arena, upright, sizeof *l.line_box),
         .reach = tp_arena_alloc(arena, fan ? TP_FAN_BLOCKS(fan, lines)
-                                       : upright > level && !streams ? upright : level,
+                                       : lines * ((cols - 2) / TP_GRID_BLOCK + 1),
                                 sizeof *l.reach),
     };
     if (to)
@@ -181,12 +165,10 @@ tp_row_point tp_line_point(const tp_frame *frame, const tp_grid_window *window, 
                            uint32_t m)
 {
     const tp_grid *grid = frame->buffers.grid;
-    const tp_grid_vertex *v = tp_line_vertex(frame, window, k, m);
-    const bool upright = frame->buffers.lines->upright;
-    uint32_t i = upright ? k : m, j = upright ? m : k;
+    const tp_grid_vertex *v = tp_line_vertex(window, k, m);
 
     return (tp_row_point){
-        v->u, v->v, v->zi, tp_grid_s(grid, i, j), tp_grid_t(grid, i, j),
+        v->u, v->v, v->zi, tp_grid_s(grid, m, k), tp_grid_t(grid, m, k),
         (uint32_t)(uint16_t)v->slope_x << 16 | (uint16_t)v->slope_z,
     };
 }
@@ -217,48 +199,25 @@ void tp_line_ends(const tp_frame *frame, const tp_grid_window *window, uint32_t 
     end[!back] = tp_line_point(frame, window, k, points.end - 1u);
 }
 
-static tp_grid_box box_of_cells(tp_frame *frame, uint32_t k, uint32_t first, uint32_t end)
-{
-    tp_grid_box box = TP_BOX_NONE;
-
-    if (!frame->buffers.lines->upright)
-        return tp_frame_cells_box(frame, k, first, end);
-    for (uint32_t m = first; m < end; m++) {
-        tp_grid_box cell = tp_frame_cells_box(frame, m, k, k + 1);
-        tp_box_join(&box, &cell);
-    }
-    return box;
-}
-
-/* Sets the direction of the lines.  If the camera looks along x, lines are the grid's
- * columns. */
-static void turn(tp_frame *frame)
+/* Sets the order of the lines from near to far, and of their points from left to right. */
+static void set_order(tp_frame *frame)
 {
     const tp_grid *grid = frame->buffers.grid;
-    const tp_dir3 *back = &frame->projection.turn.z;
+    const bool south = frame->projection.turn.z.z > 0;  /* the camera looks along -z */
     tp_frame_lines *lines = frame->buffers.lines;
 
-    lines->upright = is_view_along_x(frame);
-    if (lines->upright) {
-        lines->lines_back = back->x > 0;
-        lines->points_back = back->x > 0;
-    } else if (grid->fan) {
-        lines->lines_back = true;
-        lines->points_back = false;
-    } else {
-        lines->lines_back = back->z > 0;
-        lines->points_back = back->z < 0;
-    }
-    lines->lines = lines->upright ? grid->cols : grid->rows;
-    lines->points = lines->upright ? grid->rows : grid->cols;
+    lines->lines_back = grid->fan || south;
+    lines->points_back = !grid->fan && !south;
+    lines->lines = grid->rows;
+    lines->points = grid->cols;
     lines->blocks = (lines->points - 2) / TP_GRID_BLOCK + 1;
-    lines->box = lines->upright ? frame->buffers.lines->line_box : grid->box;
+    lines->box = grid->box;
 }
 
 static bool is_tilted(const tp_frame *frame)
 {
-    int32_t x = tp_abs(frame->projection.turn.z.x), z = tp_abs(frame->projection.turn.z.z);
-    return 4 * (int64_t)(x < z ? x : z) > (x < z ? z : x);
+    const tp_dir3 *back = &frame->projection.turn.z;
+    return 4 * (int64_t)tp_abs(back->x) > tp_abs(back->z);
 }
 
 /* For each pair of neighbouring lines, sets the range of visible cells between the two. */
@@ -267,17 +226,8 @@ static void set_cells(tp_frame *frame)
     const tp_grid *grid = frame->buffers.grid;
     tp_frame_line *line = frame->buffers.lines->line;
 
-    const bool upright = frame->buffers.lines->upright;
-
     for (uint32_t k = 0; k + 1 < frame->buffers.lines->lines; k++)
-        line[k].cells = upright ? (tp_grid_span){ 0, 0 } : grid->span[k];
-    for (uint32_t j = 0; upright && j + 1 < grid->rows; j++) {
-        for (uint32_t i = grid->span[j].first; i < grid->span[j].end; i++) {
-            if (line[i].cells.end == 0)
-                line[i].cells.first = (uint16_t)j;
-            line[i].cells.end = (uint16_t)(j + 1);
-        }
-    }
+        line[k].cells = grid->span[k];
 }
 
 /* True if a cell of row k needs clipping, because a corner cannot be projected, and the
@@ -289,12 +239,12 @@ static bool has_cell_to_clip(tp_frame *frame, uint32_t k)
     int32_t width = (int32_t)frame->config.width;
 
     for (uint32_t m = line->cells.first; m < line->cells.end; m++) {
-        if (tp_line_vertex(frame, seen, k, m)->u != TP_GRID_NEEDS_CLIP
-            && tp_line_vertex(frame, seen, k, m + 1)->u != TP_GRID_NEEDS_CLIP
-            && tp_line_vertex(frame, seen, k + 1, m)->u != TP_GRID_NEEDS_CLIP
-            && tp_line_vertex(frame, seen, k + 1, m + 1)->u != TP_GRID_NEEDS_CLIP)
+        if (tp_line_vertex(seen, k, m)->u != TP_GRID_NEEDS_CLIP
+            && tp_line_vertex(seen, k, m + 1)->u != TP_GRID_NEEDS_CLIP
+            && tp_line_vertex(seen, k + 1, m)->u != TP_GRID_NEEDS_CLIP
+            && tp_line_vertex(seen, k + 1, m + 1)->u != TP_GRID_NEEDS_CLIP)
             continue;
-        tp_grid_box box = box_of_cells(frame, k, m, m + 1);
+        tp_grid_box box = tp_frame_cells_box(frame, k, m, m + 1);
         if (box.x0 < width && box.x1 >= 0)
             return true;
     }
@@ -313,8 +263,6 @@ static void set_box(tp_frame *frame, uint32_t k)
         size_t at = (size_t)k * lines->blocks + b;
         if (cells.first >= cells.end)
             continue;
-        if (lines->upright)
-            lines->line_box[at] = box_of_cells(frame, k, cells.first, cells.end);
         tp_box_join(&line->box, &lines->box[at]);
     }
 }
@@ -347,7 +295,7 @@ static void set_reach(tp_frame *frame, uint32_t k)
         tp_grid_span part = tp_line_block_segments(points, b);
         *reach = (tp_line_reach){ INT16_MAX, INT16_MIN };
         for (uint32_t m = part.first; part.first < part.end && m <= part.end; m++) {
-            int32_t u = tp_line_vertex(frame, &frame->buffers.grid->window, k, m)->u;
+            int32_t u = tp_line_vertex(&frame->buffers.grid->window, k, m)->u;
             if (u == TP_GRID_NEEDS_CLIP)
                 continue;
             reach->x0 = u >> 4 < reach->x0 ? (int16_t)(u >> 4) : reach->x0;
@@ -383,13 +331,10 @@ void tp_lines_place(tp_frame *frame)
     const tp_frame_lines *lines = frame->buffers.lines;
 
     tp_frame_begin_grid(frame);
-    turn(frame);
+    set_order(frame);
     set_cells(frame);
-    for (uint32_t j = 0; lines->upright && j < frame->buffers.grid->rows; j++)
-        tp_frame_place_grid_line(frame, j);
     for (uint32_t k = 0; k < lines->lines; k++) {
-        if (!lines->upright)
-            tp_frame_place_grid_line(frame, k);
+        tp_frame_place_grid_line(frame, k);
         set_reach(frame, k);
         if (k > 0)
             set_row(frame, k - 1);

@@ -14,14 +14,7 @@ typedef struct {
 
 static void draw_cells(walk *w, uint32_t k, uint32_t first, uint32_t end)
 {
-    const tp_gbuffer *tile = w->rows.tile;
-
-    if (!w->frame->buffers.lines->upright) {
-        tp_frame_draw_cells(w->frame, tile, &w->window, k, first, end);
-        return;
-    }
-    for (uint32_t m = first; m < end; m++)
-        tp_frame_draw_cells(w->frame, tile, &w->window, m, k, k + 1);
+    tp_frame_draw_cells(w->frame, w->rows.tile, &w->window, k, first, end);
 }
 
 enum { GAP, JOIN, ON };
@@ -99,13 +92,13 @@ static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
     bool back = frame->buffers.lines->points_back,
          land = frame->buffers.grid->dry != NULL;
     int32_t  way = back ? -1 : 1, m = back ? part.end : part.first;
-    int32_t  left = tp_line_vertex(frame, &w->window, k, (uint32_t)m)->u;
+    int32_t  left = tp_line_vertex(&w->window, k, (uint32_t)m)->u;
     tp_row_point run[TP_GRID_BLOCK + 1];
     uint32_t count = 0;
 
     for (int32_t n = part.end - part.first; n > 0; n--, m += way) {
         int32_t from = left;
-        left = tp_line_vertex(frame, &w->window, k, (uint32_t)(m + way))->u;
+        left = tp_line_vertex(&w->window, k, (uint32_t)(m + way))->u;
         bool out = is_outside_tile(w, from, left);
         if (!out && land && is_land(frame, k, (uint32_t)(back ? m - 1 : m))) {
             tp_rows_mark_gap(&w->rows, from, left);
@@ -144,7 +137,7 @@ static void see_line(walk *w, uint32_t k, bool whole)
         first = part.first < first ? part.first : first;
         end = part.end + 1u;
     }
-    if (first < end && !lines->upright)
+    if (first < end)
         tp_grid_window_load(w->frame->buffers.grid, &w->window, k, first, end);
 }
 
@@ -203,11 +196,10 @@ static bool find_edge_middles(const walk *w, uint32_t k, uint32_t m, tp_row_poin
 
 static bool is_beside_cell(const walk *w, uint32_t k, uint32_t m)
 {
-    const tp_frame *frame = w->frame;
     int32_t  least = INT32_MAX, most = INT32_MIN;
 
     for (uint32_t i = 0; i < 4; i++) {
-        int32_t u = tp_line_vertex(frame, &w->window, k + i % 2, m + i / 2)->u;
+        int32_t u = tp_line_vertex(&w->window, k + i % 2, m + i / 2)->u;
         least = u < least ? u : least;
         most = u > most ? u : most;
     }

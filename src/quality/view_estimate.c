@@ -188,12 +188,9 @@ static bool is_line_order_kept(const tp_scene *s, bool coastal, tp_dir3 lines,
 static bool is_rows_renderer_usable(const tp_scene *s, bool coastal,
                                     const tp_start_view *at)
 {
-    const tp_dir3 *back = &at->turn.z;
     const bool fan = tp_has_fan(s);
-    const bool upright = !fan && tp_abs(back->x) > tp_abs(back->z);
-    const bool behind = fan || (upright ? back->x : back->z) > 0;
-    const tp_dir3 lines = fan ? at->turn.x : upright ? (tp_dir3){ 0, 0, TP_Q30_ONE }
-                                                     : (tp_dir3){ TP_Q30_ONE, 0, 0 };
+    const bool behind = fan || at->turn.z.z > 0;
+    const tp_dir3 lines = fan ? at->turn.x : (tp_dir3){ TP_Q30_ONE, 0, 0 };
 
     for (int corner = 0; corner < 4; corner++) {
         tp_vec3 ray = tp_start_view_ray(at, corner & 1 ? at->wide : -at->wide,
@@ -201,11 +198,10 @@ static bool is_rows_renderer_usable(const tp_scene *s, bool coastal,
         if (fan)
             ray = (tp_vec3){ (tp_fx)tp_dot_dir(ray, lines), 0,
                              tp_dot_dir(ray, (tp_dir3){ -lines.z, 0, lines.x }) };
-        const int64_t across = (upright ? ray.x : ray.z) * (behind ? -1 : 1);
-        const int64_t along = (upright ? ray.z : ray.x) * (behind ? -1 : 1);
+        const int64_t across = (int64_t)ray.z * (behind ? -1 : 1);
+        const int64_t along = (int64_t)ray.x * (behind ? -1 : 1);
         if (across < 256 || (along < 0 ? -along : along) >= 3 * across
-            || !is_line_order_kept(s, coastal, lines,
-                                   along * (upright ? -TP_FX_ONE : TP_FX_ONE) / across))
+            || !is_line_order_kept(s, coastal, lines, along * TP_FX_ONE / across))
             return false;
     }
     return true;
@@ -215,9 +211,8 @@ static bool is_rows_renderer_usable(const tp_scene *s, bool coastal,
 static tp_fx view_slant_to_grid_lines(const tp_start_view *at)
 {
     const int64_t x = tp_abs(at->turn.z.x), z = tp_abs(at->turn.z.z);
-    const int64_t across = x > z ? x : z, along = x > z ? z : x;
 
-    return across > 0 ? (tp_fx)(along * TP_FX_ONE / across) : 0;
+    return x < 3 * z ? (tp_fx)(x * TP_FX_ONE / z) : TP_FX(3);
 }
 
 /* Sets the grid's vertices, and its cells that get a pixel.  A fan covers little more than
