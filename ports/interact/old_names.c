@@ -64,6 +64,12 @@ const old_name *old_name_find(const char *name, size_t bytes)
     return NULL;
 }
 
+const char *old_name_why_gone(const char *name, size_t bytes)
+{
+    return tp_string_view_equals((tp_string_view){ name, bytes }, "quality.lod")
+               ? "grid.vertices sets the detail of the grid at every distance" : NULL;
+}
+
 static size_t length(const char *text)
 {
     size_t n = 0;

@@ -19,6 +19,9 @@ const old_name *old_names(uint32_t *count);
 /* Returns the entry of an old name, or NULL. */
 const old_name *old_name_find(const char *name, size_t bytes);
 
+/* Returns why a row that had this name is gone, without a successor; NULL: none had. */
+const char *old_name_why_gone(const char *name, size_t bytes);
+
 /* Returns the row that has this name now or had this name earlier; NULL: none. */
 const tp_param *old_name_param(const char *name, size_t bytes);
 #endif

@@ -112,7 +112,7 @@ function seen(rung,    near)
 {
     near = "seen " rung " near"
     fit(rung)
-    if (rung == "triangles.off")
+    if (rung == "triangles")
         off_pixel = coefficient[1]
     row("seen", rung, "pixel", coefficient[1])
     row("seen", rung, "vertex", coefficient[2])
@@ -291,19 +291,15 @@ END {
     sky = (cost["sky - large"] - cost["sky - small"]) / \
           (pixels["sky - large"] - pixels["sky - small"])
     whole = cost["sky - large"] - sky * pixels["sky - large"]
-    plain = shading["seen triangles.off near"]
+    plain = shading["seen triangles near"]
     # the pictures of the sky contain the sky's shading too
-    plain = (plain - sky_shading()) / water["seen triangles.off near"]
+    plain = (plain - sky_shading()) / water["seen triangles near"]
     row("whole", "-", "frame", whole / 1000)
     row("whole", "-", "sky", sky)
     split("triangles rows projected flat", visibility, " ")
-    for (v = 1; v <= 4; v++) {
-        of_all = visibility[v] ".off"
-        if (v == 1 || there_seen(of_all, "triangles.off"))
-            seen(of_all)
-        if (there_seen(visibility[v] ".on", of_all))
-            seen(visibility[v] ".on")
-    }
+    for (v = 1; v <= 4; v++)
+        if (v == 1 || there_seen(visibility[v], "triangles"))
+            seen(visibility[v])
     split("exact quick", shade, " ")
     split("full layers colour", rate, " ")
     for (s = 1; s <= 2; s++)
@@ -320,5 +316,5 @@ END {
 function sky_shading()
 {
     return shading["sky - large"] / pixels["sky - large"] * \
-           (pixels["seen triangles.off near"] - water["seen triangles.off near"])
+           (pixels["seen triangles near"] - water["seen triangles near"])
 }

@@ -235,6 +235,9 @@ ini "line that is no setting" 3 "^harbour.ini:2: neither" "[wave0]" "steepness" 
 ini "section that does not close" 3 "^harbour.ini:1: neither" "[wave0" "steepness = 0.1"
 ini "unknown name" 3 "^harbour.ini:3: .*did you mean wave0.steepness?" "" "[wave0]" \
     "steepnes = 0.4"
+ini "a name without a successor" 3 \
+    "^harbour.ini:2: quality.lod is gone, grid.vertices sets .*; delete it$" "[quality]" \
+    "lod = off"
 ini "an old name" 0 \
     "^harbour.ini:2: pool.poke is now called pool.splash_height; .*check harbour.ini --write" \
     "[pool]" "poke = 0.3"

@@ -62,7 +62,10 @@ static void refuse_name(const char *place, const char *name)
     for (uint32_t i = 0; i < count; i++)
         did_you_mean_offer(&best, params[i].name);
     const old_name *const old = offer_old_names(&best);
-    if (old)
+    const char *const why = old_name_why_gone(name, strlen(name));
+    if (why)
+        log_line("%s: %s is gone, %s; delete it", place, name, why);
+    else if (old)
         log_line("%s: no parameter is called %s; did you mean %s, once called %s?", place,
                  name, old->now, old->old);
     else if (best.name)
