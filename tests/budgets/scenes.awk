@@ -15,7 +15,8 @@ $1 == "figure" {
     value[$2, $3] = $4
     if (split($3, part, ".") == 2 && part[1] == "frame")
         value[$2, "once"] += $4
-    else if (index($3, ".") && $3 != "tiles.visibility" && $3 != "tiles.store")
+    else if (index($3, ".") && part[1] != "tick" && $3 != "tiles.visibility" && \
+             $3 != "tiles.store")
         value[$2, "shading"] += $4
 }
 END {

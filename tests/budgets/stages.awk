@@ -9,7 +9,8 @@
 #     figure SCENE MEASURE VALUE
 # per frame, or for `tick` per tick. A measure with a dot is a stage, a part of
 # `instructions`: frame.X for work once per frame, tiles.X for work in tiles, with X from
-# the function's file. With functions=1 lists the functions instead, the largest first.
+# the function's file; tick.X is a part of `tick`, by module, if it is 2 % or more of a tick
+# of 100,000 instructions or more. With functions=1 lists the functions instead, the largest first.
 FILENAME == ARGV[1] {
     if (tolower($2) == "t" || $2 == "W") {
         start[++symbols] = $1 + 0
@@ -50,6 +51,19 @@ function stage_of(account, path,    folder, name)
     if (folder == "waves" || folder == "view" || folder == "pool")
         return "vertices"
     return folder == "shade" || folder == "raster" ? "pictures" : "plan"
+}
+
+# Part of a tick: the module's folder, or the folder of the models it calls.
+function part_of_tick(path)
+{
+    sub(/:[0-9]*$/, "", path)
+    if (!match(path, /src\/[a-z]+\/([a-z_]+\/)?[^\/]*$/))
+        return "helpers"
+    path = substr(path, RSTART + 4)
+    sub(/^features\//, "", path)
+    sub(/\/.*/, "", path)
+    return path == "fixed" || path == "base" ? "helpers" : \
+           path == "view" || path == "coastal" ? "waves" : path
 }
 
 function list_functions(    i, k, n, best, part, of)
@@ -96,7 +110,12 @@ END {
         split(i, part, " ")
         if (part[1] != "tick")
             stage[part[1] "." stage_of(part[1], file[part[2]])] += insns[i]
+        else
+            ticks["tick." part_of_tick(file[part[2]])] += insns[i]
     }
+    for (i in ticks)
+        if (total["tick"] >= 1e5 * frames && ticks[i] >= total["tick"] / 50)
+            figure(i, "%.0f", ticks[i] / frames)
     for (i in stage)
         figure(i, "%.0f", stage[i] / frames)
     figure("frame-bytes", "%d", ram["frame"])

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+# A bar for each scene: its tick, split into modules.  Lines: what an stm32f405 (129 M
+# instructions a second) can spend on each of 60 ticks a second, all of it and a half.
+scenes = system("awk -F, 'NR > 1 && !n[$1]++ { print $1 }' '" . csv . "'")
+count_ = words(scenes)
+row(s) = sum [i=1:count_] (word(scenes, i) eq s ? count_ - i : 0)
+parts = "foam pool waves rest"
+is_rest(p) = p ne "foam" && p ne "pool" && p ne "waves"
+of(k) = (strcol("part") eq word(parts, k) || k == 4 && is_rest(strcol("part"))) \
+        ? column("from") / 1e6 : NaN
+set lmargin 13
+set tmargin 2.8
+set key width 1
+set yrange [-0.7:count_ - 0.3]
+set ytics ()
+set for [i=1:count_] ytics add (word(scenes, i) count_ - i)
+set xrange [0:*]
+set xlabel "Cortex-M4 instructions of a tick, millions"
+set style fill solid 0.9 noborder
+set arrow 1 from 2.15,graph 0 to 2.15,graph 1 nohead linecolor rgb grey dashtype 2 front
+set arrow 2 from 1.075,graph 0 to 1.075,graph 1 nohead linecolor rgb grey dashtype 3 front
+set label 1 "all of an stm32f405" at 2.2,graph 0.97 left textcolor rgb grey
+set label 2 "half" at 1.05,graph 0.97 right textcolor rgb grey
+plot for [k=1:4] csv using (of(k)):(row(strcol("scene"))):(column("from") / 1e6): \
+         (column("to") / 1e6):(row(strcol("scene")) - 0.36):(row(strcol("scene")) + 0.36) \
+         with boxxyerror linetype k title word(parts, k)
