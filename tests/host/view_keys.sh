@@ -327,6 +327,9 @@ if [ "${undoes:-}" ]; then
     press ctrl+z
     undone() { shot undone.png; cmp -s before.png undone.png; }
     check "undone it is the picture before, to the bit" until_true undone
+    put pool.splash_height 0.2          # the help of pool.drive_min, before it, has both words
+    check "a row is found by its name before others by their help" \
+        until_true grep -q 'set pool.splash_height=0.2' undone.tape
     hold 0.2 a
     put light.ambient 0.1
     press ctrl+z ctrl+y

@@ -44,16 +44,17 @@ static bool is_searched(const panel *p)
     return p->wanted[0] != '\0';
 }
 
-/* Shows a group.  A search has its own IDs, so groups opened by a search are folded
- * again after the search. */
+/* Shows a group, rows found by name before rows found by help.  A search has its own IDs,
+ * so groups opened by a search are folded again after the search. */
 static void show_group(panel *p, const panel_group *g)
 {
     ui_push_id(is_searched(p));
     if (show_head(g->name, g->changed, is_searched(p))) {
         ui_indent(true);
-        for (uint32_t i = g->first; i < g->first + g->count; i++)
-            if (panel_found(&p->host->row[i], p->wanted) != PANEL_LOST)
-                panel_row_show(p, i);
+        for (panel_find by = PANEL_BY_NAME; by > PANEL_LOST; by--)
+            for (uint32_t i = g->first; i < g->first + g->count; i++)
+                if (panel_found(&p->host->row[i], p->wanted) == by)
+                    panel_row_show(p, i);
         ui_indent(false);
     }
     ui_pop_id();
