@@ -176,7 +176,7 @@ async function values(page) {
     is('and the old one stays', await value(page, 'wave0.amplitude'), '0.8');
     await page.click('.row[data-name="wave0.amplitude"] .undo');
     await settle(page);
-    is('a value is reset', await value(page, 'wave0.amplitude'), '1.5');
+    is('a value is reset', await value(page, 'wave0.amplitude'), '1.05');
 
     await type(page, 'grid.cols', '60');
     await page.click('.row[data-name="grid.cols"] .undo');
