@@ -72,8 +72,6 @@ typedef enum { TP_SHADING_AUTO, TP_SHADING_EXACT, TP_SHADING_QUICK } tp_shading;
  * colour is interpolated. */
 typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_rate;
 
-/* Level of detail: fewer grid lines where they lie close together in the picture. */
-
 #define TP_NAME_BYTES 128       /* bytes of a name in a scene, terminating zero included */
 
 /* A pool: a grid of cells that simulates waves in shallow water. */

@@ -203,11 +203,11 @@ void tp_line_ends(const tp_frame *frame, const tp_grid_window *window, uint32_t 
 static void set_order(tp_frame *frame)
 {
     const tp_grid *grid = frame->buffers.grid;
-    const bool south = frame->projection.turn.z.z > 0;  /* the camera looks along -z */
+    const bool to_low_z = frame->projection.turn.z.z > 0;       /* view direction */
     tp_frame_lines *lines = frame->buffers.lines;
 
-    lines->lines_back = grid->fan || south;
-    lines->points_back = !grid->fan && !south;
+    lines->lines_back = grid->fan || to_low_z;
+    lines->points_back = !grid->fan && !to_low_z;
     lines->lines = grid->rows;
     lines->points = grid->cols;
     lines->blocks = (lines->points - 2) / TP_GRID_BLOCK + 1;
