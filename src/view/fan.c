@@ -142,8 +142,8 @@ static void place_fan(tp_grid *grid, const tp_grid_view *view)
         fan->wind[i] = wind_share(surface, i);
     grid->frame.projection = view->projection;
     grid->frame.surface = surface;
-    grid->frame.max_displacement =
-        tp_surface_height_bound(surface) + tp_surface_displacement_bound(surface);
+    grid->frame.max_displacement = tp_fx_saturate(
+        ((int64_t)numbers.high + numbers.aside) * TP_FAN_GAIN >> 16);
     tp_projection_planes(view->projection, view->width, view->height, planes);
     for (uint32_t j = 0; j + 1 < grid->rows; j++)
         grid->span[j] = visible_cells(grid, planes, j);
@@ -158,7 +158,7 @@ static void place_fan(tp_grid *grid, const tp_grid_view *view)
 typedef struct {
     const tp_swell *swell;
     tp_turn first, step;
-    tp_fx   weight;
+    tp_fx   weight;             /* with gain */
     tp_q30  push;               /* shift of the phase by the wind [B10] */
     int32_t iterations;
     tp_fx   along;              /* weight of the horizontal motion in a wind */
@@ -178,7 +178,7 @@ static void set_wind(row_wave *to, const tp_coastal_water *coastal, tp_fx share,
 
     to->push = coastal->wave[i].lambda
                    ? tp_wind_phase_shift(coastal->wave[i].lambda, up) : 0;
-    to->along = tp_fx_mul(to->weight, share);
+    to->along = tp_fx_mul(tp_fan_share(to->weight), share);
     to->iterations = coastal->wave[i].iterations;
 }
 
@@ -226,8 +226,8 @@ static void add_wind_wave(tp_swell_sum *sum, const row_wave *wave, tp_turn phase
     const int64_t s = tp_sin(th) >> 6, c = tp_cos(th) >> 6;
     const int64_t rate = wave->push ? phase_rate(wave->push, (tp_q30)(c * 64))
                                     : TP_FX_ONE;
-    const int64_t level = c * wave->along >> 16, up = s * wave->weight >> 16;
-    const int64_t tilt = (c * wave->weight >> 16) * rate >> 16;
+    const int64_t level = c * wave->along >> 16, up = s * tp_fan_share(wave->weight) >> 16;
+    const int64_t tilt = (c * tp_fan_share(wave->weight) >> 16) * rate >> 16;
     const int64_t bend = (s * wave->along >> 16) * rate >> 16;
 
     sum->x += w->orbit_x * level;
@@ -248,12 +248,11 @@ static void add_wave(tp_swell_sum *sum, const row_wave *wave, tp_turn phase)
 
     if (w->power > 1)
         tp_swell_sharpen(w, sine, cosine, &f, &df);
-    if (wave->weight != TP_FX_ONE) {
+    if (wave->weight < TP_FX_ONE)
         s = tp_fx_mul(s, wave->weight);
-        c = tp_fx_mul(c, wave->weight);
-        f = tp_fx_mul(f, wave->weight);
-        df = tp_fx_mul(df, wave->weight);
-    }
+    c = tp_fx_mul(c, wave->weight);
+    f = tp_fx_mul(f, wave->weight);
+    df = tp_fx_mul(df, wave->weight);
     sum->x += (int64_t)w->orbit_x * c;
     sum->z += (int64_t)w->orbit_z * c;
     sum->y += (int64_t)w->amplitude * f;

@@ -10,8 +10,12 @@
  * away from a point behind the eye; each row is as wide as the view at its depth.
  *
  * A wave is kept by a row as far as the row can hold the wave [V4]: the weight is 1 up to a
- * spacing of 0.3 wavelengths and 0 from 0.5 on, along the heading and across.  The slopes
- * left out are known as a variance.
+ * spacing of 0.3 wavelengths and 0 from 0.55 on, along the heading and across.  The slopes
+ * left out are known as a variance.  Kept waves have a gain of 1 + (k d)^2 / 12 along and
+ * across, since linear interpolation lowers them by that share.  Measured at equal vertices,
+ * kept scenes at tick 600 against 16 samples: lava 12.06 to 10.67, storm 10.62 to 9.44,
+ * count-64 7.88 to 7.12, three-swells 8.55 to 8.13, none worse; frame to frame the pictures
+ * change by 5 % more at the most.
  *
  * The pixels do not carry the waves left out.  Measured against 16 samples: slopes by pixel
  * of waves between 2 px and 3.3 cells change the error of three-swells from 7.6 to 7.5 and
@@ -84,11 +88,21 @@ tp_fan_view tp_fan_view_make(const tp_grid_view *view);
 tp_fan_law tp_fan_law_solve(const tp_fan_view *view, uint32_t vertices);
 tp_fan_row tp_fan_law_row(const tp_fan_law *law, const tp_fan_view *view, uint32_t n);
 
-/* Returns the weight of a wave for a spacing; `turns` is Q0.32 turns per metre. */
+/* Returns the weight of a wave for a spacing: the share that points at this distance hold,
+ * times the gain for linear interpolation; `turns` is Q0.32 turns per metre. */
 tp_fx tp_fan_wave_weight(tp_fx spacing, int64_t turns);
 
-/* Returns the weight of a swell in a row. */
+/* Returns the weight of a swell in a row, along times across.  The weight multiplies
+ * heights, displacements and slopes. */
 tp_fx tp_fan_row_weight(const tp_fan *fan, const tp_fan_row *row, const tp_swell *swell);
+
+#define TP_FAN_GAIN (TP_FX_ONE * 7 / 4)     /* largest weight: 1.32 along and across */
+
+/* Returns a weight without gain, for the Jacobian, which must not fold, and the variance. */
+static inline tp_fx tp_fan_share(tp_fx weight)
+{
+    return weight < TP_FX_ONE ? weight : TP_FX_ONE;
+}
 
 /* Returns the spacing of a row in wavelengths of deep water. */
 tp_coastal_spacing tp_fan_row_spacing(const tp_fan *fan, const tp_fan_row *row,

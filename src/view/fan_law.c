@@ -241,7 +241,7 @@ static void set_size(tp_fan_law *law, int32_t end, tp_fx half_wave, uint32_t ver
 }
 
 /* Near the eye, rows are no denser than the shortest wave needs. */
-tp_fan_law tp_fan_law_solve(const tp_fan_view *view, uint32_t vertices)
+static tp_fan_law solve(const tp_fan_view *view, uint32_t vertices)
 {
     const tp_projection *p = view->projection;
     const tp_fx half_wave = view->half_longest, up = tp_abs(p->eye.y);
@@ -287,19 +287,56 @@ static tp_fx row_distance(const tp_fan_law *law, uint32_t n, tp_fx *along)
     return (tp_fx)tp_isqrt64((uint64_t)((r - law->height) * (r + law->height)));
 }
 
-/* Returns half the width of the view on a row; waves may raise the row. */
-static int64_t row_half_width(const tp_fan_law *law, const tp_fan_view *view, tp_fx d)
+/* Returns a bound of the gain of all waves along one direction: that of the shortest. */
+static tp_fx gain_bound(const tp_fan_view *view, int64_t spacing)
+{
+    const tp_fx most = TP_FX(1.3229);           /* sqrt(7 / 4) */
+    const int64_t share = view->shortest > 0 ? spacing * (2 * TP_FX_ONE) / view->shortest : 0;
+    const tp_fx gain = share < TP_FX_ONE / 2 ? tp_swell_spacing_gain(share) : most;
+
+    return gain < most ? gain : most;
+}
+
+/* Returns half the width of the view on a row; waves may raise the row.  `gain` bounds the
+ * gain of the row's waves. */
+static int64_t row_half_width(const tp_fan_law *law, const tp_fan_view *view, tp_fx d,
+                              tp_fx gain)
 {
     const tp_dir3 ahead = view->projection->ahead;
     const int64_t forward = ((int64_t)ahead.x * law->right.z
                              - (int64_t)ahead.z * law->right.x) >> 30;
-    const int64_t height = view->high;
+    const int64_t height = (int64_t)view->high * gain >> 16;
     int64_t depth = (d * forward - (int64_t)view->projection->eye.y * ahead.y
                      + height * tp_abs(ahead.y)) >> 30;
 
     depth = (depth > 0 ? depth : 0) + SET_BACK;
     return tp_clamp_abs((depth * law->wide >> 16) + MARGIN
-                        + view->aside, WIDEST);
+                        + ((int64_t)view->aside * gain >> 16), WIDEST);
+}
+
+/* Sets the distance of row n and its spacing along; returns half the width. */
+static int64_t place_row(const tp_fan_law *law, const tp_fan_view *view, uint32_t n,
+                         tp_fx *distance, tp_fx *along, tp_fx *gain)
+{
+    const int32_t gaps = (int32_t)law->cols - 1;
+
+    *distance = row_distance(law, n, along);
+    const int64_t half = row_half_width(law, view, *distance, TP_FX_ONE);
+    *gain = tp_fx_mul(gain_bound(view, *along), gain_bound(view, 2 * half / gaps));
+    return row_half_width(law, view, *distance, *gain);
+}
+
+/* A coarse nearest row raises its waves by their gain; the law is then solved again with
+ * higher waves, so that the row still begins below the picture. */
+tp_fan_law tp_fan_law_solve(const tp_fan_view *view, uint32_t vertices)
+{
+    const tp_fan_law law = solve(view, vertices);
+    tp_fan_view raised = *view;
+    tp_fx distance, along, gain;
+
+    place_row(&law, view, 0, &distance, &along, &gain);
+    raised.high = tp_fx_saturate((int64_t)view->high * gain >> 16);
+    return raised.high - view->high <= TP_FX(0.125) ? law : solve(&raised, vertices);
 }
 
 tp_fan_row tp_fan_law_row(const tp_fan_law *law, const tp_fan_view *view, uint32_t n)
@@ -308,9 +345,9 @@ tp_fan_row tp_fan_law_row(const tp_fan_law *law, const tp_fan_view *view, uint32
     const tp_vec3 eye = view->projection->eye;
     const int32_t gaps = (int32_t)law->cols - 1;
     tp_fan_row row;
-    const tp_fx d = row_distance(law, n, &row.along);
-    const int64_t half = row_half_width(law, view, d), rx = law->right.x,
-                  rz = law->right.z;
+    tp_fx d, gain;
+    const int64_t half = place_row(law, view, n, &d, &row.along, &gain),
+                  rx = law->right.x, rz = law->right.z;
 
     row.step_x = (tp_fx)((2 * half * rx >> 30) / gaps);
     row.step_z = (tp_fx)((2 * half * rz >> 30) / gaps);
@@ -330,7 +367,10 @@ static int64_t spacing_share(tp_fx spacing, int64_t turns)
 
 tp_fx tp_fan_wave_weight(tp_fx spacing, int64_t turns)
 {
-    return tp_swell_spacing_weight(spacing_share(spacing, turns));
+    const int64_t share = spacing_share(spacing, turns);
+    const tp_fx weight = tp_swell_spacing_weight(share);
+
+    return weight == 0 ? 0 : tp_fx_mul(weight, tp_swell_spacing_gain(share));
 }
 
 tp_coastal_spacing tp_fan_row_spacing(const tp_fan *fan, const tp_fan_row *row,
@@ -370,7 +410,7 @@ tp_slope_variance tp_fan_row_variance(const tp_fan *fan, const tp_fan_row *row,
 
     for (uint32_t i = 0; i < surface->deep->count; i++) {
         const tp_swell *w = &surface->deep->swell[i];
-        const uint64_t kept = (uint32_t)tp_fan_row_weight(fan, row, w);
+        const uint64_t kept = (uint32_t)tp_fan_share(tp_fan_row_weight(fan, row, w));
         const uint64_t left = ((uint64_t)1 << 32) - kept * kept;            /* Q32 */
         const int64_t a = ((int64_t)w->slope_x * rz - (int64_t)w->slope_z * rx) >> 24;
         const int64_t b = ((int64_t)w->slope_x * rx + (int64_t)w->slope_z * rz) >> 24;

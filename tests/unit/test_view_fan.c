@@ -187,22 +187,38 @@ static void water_is_wherever_a_ray_meets_it(void **state)
 
 /* -- vertices ------------------------------------------------------------------------ */
 
-static bool keeps_all(const sea *s, const tp_fan_row *row)
+static tp_fx row_weight(const sea *s, uint32_t j, uint32_t i)
+{
+    return tp_fan_row_weight(s->grid.fan, &s->grid.fan->row[j], &s->deep.swell[i]);
+}
+
+static bool keeps_all(const sea *s, uint32_t j)
 {
     for (uint32_t i = 0; i < s->deep.count; i++)
-        if (tp_fan_row_weight(s->grid.fan, row, &s->deep.swell[i]) != TP_FX_ONE)
+        if (row_weight(s, j, i) < TP_FX_ONE)
             return false;
     return true;
 }
 
+/* Compares a vertex with the surface of waves that are as high as the row makes them. */
 static void check_vertex(const sea *s, uint32_t i, uint32_t j)
 {
     const tp_view_vertex c = tp_grid_make_view_vertex(
         &s->grid, &s->grid.vertex[j * s->grid.cols + i], i, j);
-    const tp_vec3 at = tp_surface_displace(&s->surface, tp_grid_s(&s->grid, i, j),
-                                           tp_grid_t(&s->grid, i, j));
+    tp_deep_water raised = s->deep;
+    tp_surface surface = s->surface;
     tp_view_vertex want;
 
+    for (uint32_t k = 0; k < raised.count; k++) {
+        tp_swell *w = &raised.swell[k];
+        const tp_fx weight = row_weight(s, j, k);
+        w->amplitude = tp_fx_mul(w->amplitude, weight);
+        w->orbit_x = tp_fx_mul(w->orbit_x, weight);
+        w->orbit_z = tp_fx_mul(w->orbit_z, weight);
+    }
+    surface.deep = &raised;
+    const tp_vec3 at = tp_surface_displace(&surface, tp_grid_s(&s->grid, i, j),
+                                           tp_grid_t(&s->grid, i, j));
     tp_projection_view_vertex(&s->v.projection, at, &want);
     assert_true(tp_abs(c.x - want.x) < 100 && tp_abs(c.y - want.y) < 100
                 && tp_abs(c.depth - want.depth) < 100);
@@ -218,7 +234,7 @@ static void kept_waves_are_those_of_the_surface(void **state)
         place(&s);
         for (uint32_t j = 0; j + 1 < s.grid.rows; j++) {
             const tp_grid_span span = s.grid.span[j];
-            if (span.first >= span.end || !keeps_all(&s, &s.grid.fan->row[j]))
+            if (span.first >= span.end || !keeps_all(&s, j))
                 continue;
             check_vertex(&s, span.first, j);
             check_vertex(&s, span.end, j);
@@ -231,21 +247,46 @@ static void kept_waves_are_those_of_the_surface(void **state)
 
 /* -- the filter ---------------------------------------------------------------------- */
 
-static void weights_fall_from_one_to_zero(void **state)
+static void a_weight_is_the_gain_up_to_three_tenths_and_falls_to_zero(void **state)
 {
     const int64_t ten = ((int64_t)1 << 32) / 10;        /* a wave of 10 m */
-    tp_fx last = TP_FX_ONE;
 
     (void)state;
     for (tp_fx spacing = 0; spacing < 8 * TP_FX_ONE; spacing += 100) {
         const tp_fx weight = tp_fan_wave_weight(spacing, -ten);
+        const double step = 2 * 3.14159265358979 * spacing / 65536 / 10;
         assert_int_equal(weight, tp_fan_wave_weight(spacing, ten));
-        assert_true(weight <= last + 2);
-        last = weight;
+        assert_true(weight <= TP_FX(1.3229));       /* sqrt(TP_FAN_GAIN) */
         if (spacing < TP_FX(2.99))
-            assert_int_equal(weight, TP_FX_ONE);
-        if (spacing > TP_FX(5.01))
+            assert_true(fabs(weight / 65536.0 - 1 - step * step / 12) < 0.0005);
+        if (spacing > TP_FX(5.51))
             assert_int_equal(weight, 0);
+    }
+}
+
+/* Returns the rms of the error of a wave of 1, linear between points `cells` to the wave. */
+static double interpolation_error(double cells, double weight)
+{
+    const double k = 2 * 3.14159265358979 / cells;
+    double sum = 0;
+
+    for (int i = 0; i < 64 * 64; i++) {
+        const double share = (i / 64 + 0.5) / 64, phase = i % 64 * 0.0981747704246810;
+        const double drawn = (1 - share) * cos(phase) + share * cos(k + phase);
+        sum += pow(weight * drawn - cos(k * share + phase), 2);
+    }
+    return sqrt(sum / (64 * 64));
+}
+
+/* The gain takes a third of the error at 3.4 cells a wave, and half from 5.2 cells on. */
+static void the_gain_lowers_the_error_of_linear_interpolation(void **state)
+{
+    (void)state;
+    for (double cells = 3.4; cells < 12; cells += 0.1) {
+        const int64_t turns = llround(4294967296.0 / cells);
+        const double weight = tp_fan_wave_weight(TP_FX_ONE, turns) / 65536.0;
+        assert_true(interpolation_error(cells, weight)
+                    < interpolation_error(cells, 1) * (cells < 5.2 ? 2.0 / 3 : 0.5));
     }
 }
 
@@ -280,7 +321,8 @@ int main(void)
         cmocka_unit_test(rows_follow_the_law),
         cmocka_unit_test(water_is_wherever_a_ray_meets_it),
         cmocka_unit_test(kept_waves_are_those_of_the_surface),
-        cmocka_unit_test(weights_fall_from_one_to_zero),
+        cmocka_unit_test(a_weight_is_the_gain_up_to_three_tenths_and_falls_to_zero),
+        cmocka_unit_test(the_gain_lowers_the_error_of_linear_interpolation),
         cmocka_unit_test(variance_is_that_of_the_waves_left_out),
     };
     return cmocka_run_group_tests_name("view/fan", tests, NULL, NULL);
