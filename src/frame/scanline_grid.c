@@ -312,13 +312,22 @@ static void set_reach(tp_frame *frame, uint32_t k)
     }
 }
 
+/* Returns the width of a wide cell, px.  A fan of level water has few vertices, and its
+ * textures need the middle lines. */
+static int32_t wide_cell(const tp_frame *frame)
+{
+    const tp_fan *fan = frame->buffers.grid->fan;
+
+    if (fan && !fan->law.walled)
+        return frame->surface.deep->count == 0 && fan->detail == 0 ? WIDE_TILTED : WIDE_FAN;
+    return is_tilted(frame) ? WIDE_TILTED : WIDE_CELL;
+}
+
 static void set_row(tp_frame *frame, uint32_t k)
 {
     const tp_gbuffer picture = { .x1 = (int32_t)frame->config.width,
                                  .y1 = (int32_t)frame->config.height };
-    const tp_fan *fan = frame->buffers.grid->fan;
-    const int32_t wide = fan && !fan->law.walled ? WIDE_FAN
-                       : is_tilted(frame) ? WIDE_TILTED : WIDE_CELL;
+    const int32_t wide = wide_cell(frame);
     tp_frame_line *line = &frame->buffers.lines->line[k];
 
     line->is = 0;

@@ -331,6 +331,10 @@ static tp_fx row_distance(const tp_fan_law *law, uint32_t n, tp_fx *along)
         root = tp_isqrt64((uint64_t)root << 24);
     const int64_t r = tp_clamp_abs(((int64_t)law->waves_end << 24) / root, WIDEST);
     const int64_t over = (r << 16) / law->waves_end;         /* 16.16, below 2^31 */
+    if (n + 1 == law->rows) {           /* the end, which `left` has no digits for */
+        *along = TP_FX_MAX;
+        return law->last;
+    }
     *along = (tp_fx)(r * step >> 24);
     for (int k = 0; k < law->tail; k++)
         *along = tp_fx_saturate(*along * over >> 16);
