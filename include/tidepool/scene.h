@@ -174,6 +174,7 @@ typedef struct tp_scene {
     } mirror;
     struct {                                /* the sides of the pool */
         int32_t kind;                       /* tp_tank_kind */
+        int32_t sea;                        /* 1: a calm sea lies around the walls */
         tp_fx   depth, rim, tile;           /* m: depth, rim height, side of a tile */
         char    wall[TP_NAME_BYTES], floor[TP_NAME_BYTES];
         int32_t wall_colour, floor_colour, glass_colour;

@@ -39,6 +39,11 @@ typedef struct {
     int64_t across, along;
 } level_ray;
 
+static tp_dir3 rows_direction(const tp_frame *frame)
+{
+    return tp_fan_rows_direction(&frame->projection.turn, frame->grid_view.detail.walled);
+}
+
 /* Ray through a corner of the picture, 16.16; pixels lie below 2^12 from the centre, the
  * focal length is below 2^16. */
 static level_ray corner_ray(const tp_frame *frame, int corner)
@@ -52,7 +57,7 @@ static level_ray corner_ray(const tp_frame *frame, int corner)
     int64_t x = (turn->x.x * u + turn->y.x * v - turn->z.x * far) >> 30;
     int64_t z = (turn->x.z * u + turn->y.z * v - turn->z.z * far) >> 30;
     if (frame->buffers.grid->fan) {
-        const tp_dir3 r = tp_fan_rows_direction(turn);
+        const tp_dir3 r = rows_direction(frame);
         return (level_ray){ (z * r.x - x * r.z) >> 30, (x * r.x + z * r.z) >> 30 };
     }
     return (level_ray){ z, x };
@@ -78,7 +83,7 @@ static line_bend fan_bend(const tp_swell *w, tp_dir3 right)
 static line_bend bend_on_lines(const tp_frame *frame, const tp_swell *w)
 {
     if (frame->buffers.grid->fan)
-        return fan_bend(w, tp_fan_rows_direction(&frame->projection.turn));
+        return fan_bend(w, rows_direction(frame));
     return (line_bend){ w->bend_xx, w->bend_xz };
 }
 
@@ -217,7 +222,10 @@ static void set_order(tp_frame *frame)
 static bool is_tilted(const tp_frame *frame)
 {
     const tp_dir3 *back = &frame->projection.turn.z;
-    return 4 * (int64_t)tp_abs(back->x) > tp_abs(back->z);
+    const bool along_x = !frame->buffers.grid->fan || rows_direction(frame).x != 0;
+    const int64_t along = along_x ? back->x : back->z, across = along_x ? back->z : back->x;
+
+    return 4 * (along < 0 ? -along : along) > (across < 0 ? -across : across);
 }
 
 /* For each pair of neighbouring lines, sets the range of visible cells between the two. */
@@ -304,12 +312,22 @@ static void set_reach(tp_frame *frame, uint32_t k)
     }
 }
 
+/* Returns the width of a wide cell, px.  A fan of level water has few vertices, and its
+ * textures need the middle lines. */
+static int32_t wide_cell(const tp_frame *frame)
+{
+    const tp_fan *fan = frame->buffers.grid->fan;
+
+    if (fan && !fan->law.walled)
+        return frame->surface.deep->count == 0 && fan->detail == 0 ? WIDE_TILTED : WIDE_FAN;
+    return is_tilted(frame) ? WIDE_TILTED : WIDE_CELL;
+}
+
 static void set_row(tp_frame *frame, uint32_t k)
 {
     const tp_gbuffer picture = { .x1 = (int32_t)frame->config.width,
                                  .y1 = (int32_t)frame->config.height };
-    const int32_t wide = frame->buffers.grid->fan ? WIDE_FAN
-                       : is_tilted(frame) ? WIDE_TILTED : WIDE_CELL;
+    const int32_t wide = wide_cell(frame);
     tp_frame_line *line = &frame->buffers.lines->line[k];
 
     line->is = 0;

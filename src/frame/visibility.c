@@ -4,6 +4,7 @@
  * this sea, else triangles.  The choice does not depend on the frame before. */
 #include "frame/frame.h"
 #include "frame/tools.h"
+#include "world/pools.h"
 
 void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs)
 {
@@ -106,6 +107,8 @@ static void set_grid_view(tp_frame *frame)
         .follow = frame->scene->grid.follow != 0,
         .vertices = tp_frame_uses_fan(frame->program, frame->scene)
                         ? tp_fan_budget(frame->scene) : 0,
+        .detail = tp_scene_water_detail(frame->scene,
+                                        tp_frame_has_module(frame, TP_MODULE_SLOPES)),
     };
 }
 

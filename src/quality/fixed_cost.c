@@ -74,7 +74,7 @@ static void set_water_extent(tp_start_view *at, const tp_scene *s)
             (tp_rectangle){ tp_fx_saturate(at->x - far), tp_fx_saturate(at->x + far),
                             tp_fx_saturate(at->z - far), tp_fx_saturate(at->z + far) };
     }
-    if (tp_has_tank(s) && s->grid.reach == 0)
+    if (tp_is_walled(s))
         at->water = tp_pool_sides(s);
 }
 

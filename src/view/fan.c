@@ -109,6 +109,18 @@ static void measure_waves(tp_fan_view *to, const tp_deep_water *deep)
     to->shortest = (tp_fx)(((uint64_t)1 << 49) / most);
 }
 
+/* Returns the largest distance of rings and pools from the eye along the heading. */
+static int64_t farthest_detail(const tp_grid_view *view)
+{
+    const tp_rectangle *sides = &view->detail.sides;
+    const tp_vec3 eye = view->projection->eye;
+    const tp_dir3 right = tp_fan_rows_direction(&view->projection->turn, false);
+    const int64_t x = right.z > 0 ? sides->x1 : sides->x0;
+    const int64_t z = right.x > 0 ? sides->z0 : sides->z1;
+
+    return ((x - eye.x) * right.z - (z - eye.z) * right.x) >> 30;
+}
+
 tp_fan_view tp_fan_view_make(const tp_grid_view *view)
 {
     const tp_surface *surface = view->surface;
@@ -119,6 +131,10 @@ tp_fan_view tp_fan_view_make(const tp_grid_view *view)
                        .aside = tp_surface_displacement_bound(surface) };
 
     measure_waves(&to, surface->deep);
+    to.detail = view->detail.length;
+    to.detail_end = farthest_detail(view);
+    to.walled = view->detail.walled;
+    to.sides = view->detail.sides;
     if (surface->coastal)
         to.land = tp_fx_saturate(-(int64_t)surface->by->coastal->floor(
             surface->coastal, eye.x, eye.z).depth);
@@ -133,6 +149,9 @@ static void place_fan(tp_grid *grid, const tp_grid_view *view)
     tp_plane planes[TP_PROJECTION_PLANES];
 
     fan->law = tp_fan_law_solve(&numbers, fan->vertices);
+    fan->detail = numbers.detail;
+    fan->end_column = numbers.walled ? fan->law.cols - 1 : UINT32_MAX;
+    fan->end = numbers.walled ? tp_fan_tank_end(&fan->law, &numbers) : 0;
     grid->cols = fan->law.cols;
     grid->rows = fan->law.rows;
     grid->blocks = (grid->cols - 2) / TP_GRID_BLOCK + 1;
@@ -165,8 +184,10 @@ typedef struct {
 } row_wave;
 
 typedef struct {
+    const tp_fan *fan;
     const tp_fan_row *row;
     const tp_surface *surface;
+    tp_fx     detail;           /* weight of rings and pools; 0: none */
     uint32_t  count;
     row_wave  wave[TP_WAVES];
 } row_waves;
@@ -188,8 +209,11 @@ static void list_waves(const tp_grid *grid, const tp_fan_row *row, row_waves *to
     const tp_surface *surface = grid->frame.surface;
     const tp_deep_water *deep = surface->deep;
 
+    to->fan = grid->fan;
     to->row = row;
     to->surface = surface;
+    to->detail = tp_surface_has_rings_or_pools(surface)
+                     ? tp_fan_row_detail_weight(grid->fan, row) : 0;
     to->count = 0;
     for (uint32_t i = 0; i < deep->count && surface->by->swells; i++) {
         const tp_swell *w = &deep->swell[i];
@@ -293,8 +317,7 @@ static tp_surface_point wind_point(const tp_swell_sum *sum, tp_fx x, tp_fx z)
 static tp_surface_point sample(const row_waves *waves, uint32_t i)
 {
     const tp_fan_row *row = waves->row;
-    const tp_fx x = tp_fan_place(row->x, row->step_x, i);
-    const tp_fx z = tp_fan_place(row->z, row->step_z, i);
+    const tp_fx x = tp_fan_x(waves->fan, row, i), z = tp_fan_z(waves->fan, row, i);
     const bool wind = waves->surface->coastal != NULL;
     tp_surface_point at = { .position = { x, 0, z } };
     tp_swell_sum sum;
@@ -310,9 +333,9 @@ static tp_surface_point sample(const row_waves *waves, uint32_t i)
     }
     if (waves->count > 0)
         at = wind ? wind_point(&sum, x, z) : tp_swell_sum_point(&sum, x, z, TP_FX_ONE);
-    if (tp_surface_has_rings_or_pools(waves->surface)) {
-        const tp_height_slope more =
-            tp_rings_pools_sample(waves->surface, at.position.x, at.position.z);
+    if (waves->detail != 0) {
+        const tp_height_slope more = tp_rings_pools_sample_faded(
+            waves->surface, at.position.x, at.position.z, waves->detail);
         at.position.y += more.height;
         at.slope_x += more.slope_x;
         at.slope_z += more.slope_z;

@@ -49,6 +49,10 @@ typedef struct {
     tp_fx    shortest;          /* twice the shortest wave, m */
     tp_fx    high, aside;       /* bounds of the waves' height and displacement, m */
     tp_fx    land;              /* height of the land under the eye, m; TP_FX_MIN: none */
+    tp_fx    detail;            /* length of the rings' and pools' waves, m; 0: none */
+    int64_t  detail_end;        /* largest distance of them along the heading, 16.16 m */
+    bool     walled;            /* the water ends at `sides` */
+    tp_rectangle sides;
 } tp_fan_view;
 
 /* The law of the rows in one frame; u and its lengths are Q24. */
@@ -61,14 +65,19 @@ typedef struct {
     tp_fx    waves_end;         /* r*, m; TP_FX_MAX: every row keeps some waves */
     int32_t  start, dense;      /* u of the nearest row; length of u up to r* */
     int32_t  length;            /* of all rows */
+    int32_t  tail;              /* beyond r* the spacing grows as r^(1 + tail) */
     uint32_t rows, cols;
+    bool     walled;            /* rows of a tank */
 } tp_fan_law;
 
 typedef struct tp_fan {
     tp_fan_law  law;
     tp_fan_row *row;            /* from the farthest to the nearest */
+    tp_fx       detail;         /* length of the rings' and pools' waves, m; 0: none */
     tp_fx       wind[TP_WAVES]; /* share of the horizontal motion left by the wind */
     uint32_t    vertices;       /* the budget */
+    uint32_t    end_column;     /* the last column of a tank's rows, else none */
+    tp_fx       end;            /* its place, the tank's side */
 } tp_fan;
 
 /* Blocks of cells of all rows, at most. */
@@ -78,8 +87,9 @@ typedef struct tp_fan {
 uint32_t tp_fan_most_cols(uint32_t vertices);
 uint32_t tp_fan_most_rows(uint32_t vertices);
 
-/* Returns the level direction of the rows, a unit vector. */
-tp_dir3 tp_fan_rows_direction(const tp_rotation *turn);
+/* Returns the level direction of the rows, a unit vector.  A tank's rows lie along x or
+ * z. */
+tp_dir3 tp_fan_rows_direction(const tp_rotation *turn, bool walled);
 
 /* Returns the numbers of a grid's view. */
 tp_fan_view tp_fan_view_make(const tp_grid_view *view);
@@ -88,9 +98,12 @@ tp_fan_view tp_fan_view_make(const tp_grid_view *view);
 tp_fan_law tp_fan_law_solve(const tp_fan_view *view, uint32_t vertices);
 tp_fan_row tp_fan_law_row(const tp_fan_law *law, const tp_fan_view *view, uint32_t n);
 
-/* Returns the weight of a wave for a spacing: the share that points at this distance hold,
- * times the gain for linear interpolation; `turns` is Q0.32 turns per metre. */
+/* fan_filter.c: returns the weight of a wave for a spacing: the share that points at this
+ * distance hold, times the gain for linear interpolation; `turns` is Q0.32 turns per metre. */
 tp_fx tp_fan_wave_weight(tp_fx spacing, int64_t turns);
+
+/* Returns the weight of rings and pools in a row. */
+tp_fx tp_fan_row_detail_weight(const tp_fan *fan, const tp_fan_row *row);
 
 /* Returns the weight of a swell in a row, along times across.  The weight multiplies
  * heights, displacements and slopes. */
@@ -115,23 +128,40 @@ tp_slope_variance tp_fan_row_variance(const tp_fan *fan, const tp_fan_row *row,
 /* Fills the slope variance of all rows. */
 void tp_fan_fill_variance(const tp_grid *grid, tp_filtered_waves *filtered);
 
+/* fan_tank.c: the same for a tank; tp_fan_tank_end returns the place of the rows' end. */
+tp_fan_law tp_fan_tank_law(const tp_fan_view *view, uint32_t vertices);
+tp_fan_row tp_fan_tank_row(const tp_fan_law *law, const tp_fan_view *view, uint32_t n);
+tp_fx tp_fan_tank_end(const tp_fan_law *law, const tp_fan_view *view);
+
 /* Returns first + i step; the product alone may be out of range. */
 static inline tp_fx tp_fan_place(tp_fx first, tp_fx step, uint32_t i)
 {
     return (tp_fx)((uint32_t)first + i * (uint32_t)step);
 }
 
-/* Return the rest position of a vertex along x and z, of any grid. */
+/* Return the rest position of a row's vertex along x and z.  A step in a tank has less
+ * precision than the tank's side. */
+static inline tp_fx tp_fan_x(const tp_fan *fan, const tp_fan_row *row, uint32_t i)
+{
+    return i == fan->end_column && row->step_x != 0 ? fan->end
+                                                    : tp_fan_place(row->x, row->step_x, i);
+}
+
+static inline tp_fx tp_fan_z(const tp_fan *fan, const tp_fan_row *row, uint32_t i)
+{
+    return i == fan->end_column && row->step_z != 0 ? fan->end
+                                                    : tp_fan_place(row->z, row->step_z, i);
+}
+
+/* The same for any grid. */
 static inline tp_fx tp_grid_s(const tp_grid *grid, uint32_t i, uint32_t j)
 {
-    const tp_fan_row *row = grid->fan ? &grid->fan->row[j] : NULL;
-    return row ? tp_fan_place(row->x, row->step_x, i) : grid->column[i].place;
+    return grid->fan ? tp_fan_x(grid->fan, &grid->fan->row[j], i) : grid->column[i].place;
 }
 
 static inline tp_fx tp_grid_t(const tp_grid *grid, uint32_t i, uint32_t j)
 {
-    const tp_fan_row *row = grid->fan ? &grid->fan->row[j] : NULL;
-    return row ? tp_fan_place(row->z, row->step_z, i) : grid->row[j].place;
+    return grid->fan ? tp_fan_z(grid->fan, &grid->fan->row[j], i) : grid->row[j].place;
 }
 
 /* Functions that a program links for fans. */

@@ -7,8 +7,15 @@
 #define LEAST_HEIGHT TP_FX(0.5)
 #define FARTHEST  (16000 * TP_FX_ONE)
 #define WIDEST    (22000 * TP_FX_ONE)   /* from the eye to the end of the last row, m */
-#define SET_BACK  (2 * TP_FX_ONE)       /* of the columns' origin behind the eye, m */
+/* The columns' origin lies behind the eye by a quarter of the height, and rows are wider
+ * than the view by an eighth of that; both have a limit. */
+#define SET_BACK  (2 * TP_FX_ONE)
 #define MARGIN    (TP_FX_ONE / 2)
+
+/* Growth of the spacing beyond r*, in powers of r more than before; powers of 2.  Beyond
+ * rings and pools without swells nothing is left to hold, and few rows are enough. */
+#define SWELLS_TAIL 2
+#define DETAIL_TAIL 8
 
 /* -- size ---------------------------------------------------------------------------- */
 
@@ -91,11 +98,15 @@ static fan_ray make_ray(const tp_projection *p, tp_dir3 right, int32_t u, int32_
 
 /* A camera that lies on its side has its own right upright.  The rows' heading points into
  * the view, upside down, too: the law is for distances ahead. */
-tp_dir3 tp_fan_rows_direction(const tp_rotation *turn)
+tp_dir3 tp_fan_rows_direction(const tp_rotation *turn, bool walled)
 {
     const tp_dir3 x = tp_abs(turn->x.y) > TP_Q30(0.9) ? turn->y : turn->x, z = turn->z;
     const bool behind = (int64_t)x.x * z.z < (int64_t)x.z * z.x;
 
+    if (walled && tp_abs(x.x) >= tp_abs(x.z))
+        return (tp_dir3){ (x.x < 0) != behind ? -TP_Q30_ONE : TP_Q30_ONE, 0, 0 };
+    if (walled)
+        return (tp_dir3){ 0, 0, (x.z < 0) != behind ? -TP_Q30_ONE : TP_Q30_ONE };
     return behind ? tp_normalise(-x.x, 0, -x.z) : tp_normalise(x.x, 0, x.z);
 }
 
@@ -182,6 +193,14 @@ static tp_fx half_width_per_depth(const tp_fan_view *view, tp_dir3 right)
 
 /* -- the law ------------------------------------------------------------------------- */
 
+/* Returns u of a distance, at most that of the last row. */
+static int32_t u_of_distance(const tp_fan_law *law, int64_t distance, int32_t end)
+{
+    const int32_t u =
+        distance < law->last ? asinh_q24((tp_fx)distance, law->height) : end;
+    return u < end ? u : end;
+}
+
 /* Returns the length in u of all rows for the law that leaves the waves at u = `at`, and
  * sets the distance r*. */
 static int64_t rows_length(const tp_fan_law *law, int32_t at, tp_fx *waves_end)
@@ -191,22 +210,19 @@ static int64_t rows_length(const tp_fan_law *law, int32_t at, tp_fx *waves_end)
                                             + (int64_t)law->height * law->height));
     const int64_t share = end > r ? (r << 16) / end : TP_FX_ONE;
 
+    int64_t left = share * share >> 16;
     *waves_end = (tp_fx)r;
-    return (int64_t)at - law->start + ((((int64_t)1 << 32) - share * share) >> 9);
+    for (int k = 2; k < law->tail; k *= 2)
+        left = left * left >> 16;
+    return (int64_t)at - law->start + ((TP_FX_ONE - left) << 8) / law->tail;
 }
 
-/* Finds r* such that the spacing there is half the longest wave; all rows keep waves if
- * they are dense enough up to the last. */
-static void set_waves_end(tp_fan_law *law, int32_t end, tp_fx half_wave)
+/* Returns u of the distance where the spacing is half a wave, for a law whose rows are
+ * dense up to there: at least `low`, `high` if the spacing is smaller everywhere. */
+static int32_t wave_end(const tp_fan_law *law, int32_t low, int32_t high, tp_fx half_wave)
 {
-    int32_t low = law->start > 0 ? law->start : 0, high = end;
-    const int32_t least = low;
-    tp_fx   waves_end;
+    tp_fx waves_end;
 
-    law->waves_end = TP_FX_MAX;
-    law->dense = law->length = end - law->start;
-    if (high <= low)
-        return;
     while (high - low > 16) {
         const int32_t at = low + (high - low) / 2;
         const int64_t length = rows_length(law, at, &waves_end);
@@ -215,21 +231,48 @@ static void set_waves_end(tp_fan_law *law, int32_t end, tp_fx half_wave)
         else
             high = at;
     }
-    if (high == end || low == least)
+    return low;
+}
+
+/* Sets r*: the larger of the swells' and of the details'.  The swells' spacing at r* is
+ * half the longest swell, and the details' is half a detail unless they end before.  If
+ * the end comes to the last row, all rows are dense. */
+static void set_waves_end(tp_fan_law *law, int32_t end, const tp_fan_view *view)
+{
+    const int32_t low = law->start > 0 ? law->start : 0;
+    int32_t at = low;
+
+    law->waves_end = TP_FX_MAX;
+    law->dense = law->length = end - law->start;
+    if (end <= low)
         return;
-    law->length = (int32_t)rows_length(law, low, &law->waves_end);
-    law->dense = low - law->start;
+    if (view->half_longest > 0)
+        at = wave_end(law, low, end, view->half_longest);
+    if (view->detail > 0) {
+        const int32_t last = u_of_distance(law, view->detail_end, end);
+        const int32_t held = wave_end(law, low, end, view->detail / 2);
+        const int32_t kept = held < last ? held : last;
+        at = kept > at ? kept : at;
+    }
+    if (at >= end - 16 || (at == low && view->detail == 0))
+        return;
+    law->length = (int32_t)rows_length(law, at, &law->waves_end);
+    law->dense = at - law->start;
 }
 
 /* Sets rows and columns: cells about as long as wide for a spacing of 1/20 of the
  * distance. */
-static void set_size(tp_fan_law *law, int32_t end, tp_fx half_wave, uint32_t vertices)
+static void set_size(tp_fan_law *law, int32_t end, const tp_fan_view *view,
+                     uint32_t vertices)
 {
-    const int64_t far = (int64_t)half_wave * 20;
-    int32_t at = asinh_q24((tp_fx)(far < law->last ? far : law->last), law->height);
+    const int64_t far = (int64_t)view->half_longest * 20;
+    int32_t at = u_of_distance(law, far, end);
 
-    at = at > end ? end : at;
-    at = (at > law->start ? at - law->start : 0) + (at < end ? 1 << 23 : 0);
+    if (view->detail > 0) {
+        const int32_t details = u_of_distance(law, view->detail_end, end);
+        at = details > at ? details : at;
+    }
+    at = (at > law->start ? at - law->start : 0) + (at < end ? (1 << 24) / law->tail : 0);
     at = at > 1 << 21 ? at : 1 << 21;
     const uint64_t cols_per_row = ((uint64_t)law->wide << 17) / (uint32_t)at;
     uint32_t cols = tp_isqrt64(vertices * cols_per_row) >> 4;           /* Q4 */
@@ -246,7 +289,9 @@ static tp_fan_law solve(const tp_fan_view *view, uint32_t vertices)
     const tp_projection *p = view->projection;
     const tp_fx half_wave = view->half_longest, up = tp_abs(p->eye.y);
     const tp_fx least = half_wave < view->shortest ? half_wave : view->shortest;
-    tp_fan_law law = { .right = tp_fan_rows_direction(&p->turn),
+    tp_fan_law law = { .right = tp_fan_rows_direction(&p->turn, false),
+                       .tail = view->half_longest > 0 || view->detail == 0 ? SWELLS_TAIL
+                                                                          : DETAIL_TAIL,
                        .height = up > LEAST_HEIGHT ? up : LEAST_HEIGHT };
     law.wide = half_width_per_depth(view, law.right);
     if (law.height < least)
@@ -260,8 +305,8 @@ static tp_fan_law solve(const tp_fan_view *view, uint32_t vertices)
     law.last = (tp_fx)r.last;
     law.start = asinh_q24((tp_fx)r.first, law.height);
     const int32_t end = asinh_q24(law.last, law.height);
-    set_size(&law, end, half_wave, vertices);
-    set_waves_end(&law, end, half_wave);
+    set_size(&law, end, view, vertices);
+    set_waves_end(&law, end, view);
     return law;
 }
 
@@ -278,12 +323,19 @@ static tp_fx row_distance(const tp_fan_law *law, uint32_t n, tp_fx *along)
         *along = (tp_fx)(metres(law->height, cosh_q20(u)) * step >> 24);
         return metres(law->height, sinh_q20(u));
     }
-    const int64_t left = ((int64_t)1 << 24) - 2 * (way - law->dense);       /* Q24 */
-    const int64_t root = tp_isqrt64((uint64_t)(left > 1 ? left : 1) << 24); /* Q24 */
+    const int64_t left = ((int64_t)1 << 24) - law->tail * (way - law->dense); /* Q24 */
+    int64_t root = left > 1 ? left : 1;                                       /* Q24 */
+    for (int k = 1; k < law->tail; k *= 2)
+        root = tp_isqrt64((uint64_t)root << 24);
     const int64_t r = tp_clamp_abs(((int64_t)law->waves_end << 24) / root, WIDEST);
     const int64_t over = (r << 16) / law->waves_end;         /* 16.16, below 2^31 */
-    *along = tp_fx_saturate((r * step >> 24) * over >> 16);
-    *along = tp_fx_saturate(*along * over >> 16);
+    if (n + 1 == law->rows) {           /* the end, which `left` has no digits for */
+        *along = TP_FX_MAX;
+        return law->last;
+    }
+    *along = (tp_fx)(r * step >> 24);
+    for (int k = 0; k < law->tail; k++)
+        *along = tp_fx_saturate(*along * over >> 16);
     return (tp_fx)tp_isqrt64((uint64_t)((r - law->height) * (r + law->height)));
 }
 
@@ -309,8 +361,9 @@ static int64_t row_half_width(const tp_fan_law *law, const tp_fan_view *view, tp
     int64_t depth = (d * forward - (int64_t)view->projection->eye.y * ahead.y
                      + height * tp_abs(ahead.y)) >> 30;
 
-    depth = (depth > 0 ? depth : 0) + SET_BACK;
-    return tp_clamp_abs((depth * law->wide >> 16) + MARGIN
+    const int64_t back = law->height / 4 < SET_BACK ? law->height / 4 : SET_BACK;
+    depth = (depth > 0 ? depth : 0) + back;
+    return tp_clamp_abs((depth * law->wide >> 16) + back / 4
                         + ((int64_t)view->aside * gain >> 16), WIDEST);
 }
 
@@ -330,6 +383,8 @@ static int64_t place_row(const tp_fan_law *law, const tp_fan_view *view, uint32_
  * higher waves, so that the row still begins below the picture. */
 tp_fan_law tp_fan_law_solve(const tp_fan_view *view, uint32_t vertices)
 {
+    if (view->walled)
+        return tp_fan_tank_law(view, vertices);
     const tp_fan_law law = solve(view, vertices);
     tp_fan_view raised = *view;
     tp_fx distance, along, gain;
@@ -342,6 +397,8 @@ tp_fan_law tp_fan_law_solve(const tp_fan_view *view, uint32_t vertices)
 tp_fan_row tp_fan_law_row(const tp_fan_law *law, const tp_fan_view *view, uint32_t n)
 {
     TP_ASSERT(n < law->rows && law->cols > 1);
+    if (law->walled)
+        return tp_fan_tank_row(law, view, n);
     const tp_vec3 eye = view->projection->eye;
     const int32_t gaps = (int32_t)law->cols - 1;
     tp_fan_row row;
@@ -355,88 +412,4 @@ tp_fan_row tp_fan_law_row(const tp_fan_law *law, const tp_fan_view *view, uint32
     row.x = tp_fx_saturate(eye.x + (d * rz >> 30) - (int64_t)row.step_x * gaps / 2);
     row.z = tp_fx_saturate(eye.z - (d * rx >> 30) - (int64_t)row.step_z * gaps / 2);
     return row;
-}
-
-/* -- the filter ---------------------------------------------------------------------- */
-
-/* Returns the wavelengths in a spacing, 16.16. */
-static int64_t spacing_share(tp_fx spacing, int64_t turns)
-{
-    return ((turns < 0 ? -turns : turns) >> 8) * spacing >> 24;
-}
-
-tp_fx tp_fan_wave_weight(tp_fx spacing, int64_t turns)
-{
-    const int64_t share = spacing_share(spacing, turns);
-    const tp_fx weight = tp_swell_spacing_weight(share);
-
-    return weight == 0 ? 0 : tp_fx_mul(weight, tp_swell_spacing_gain(share));
-}
-
-tp_coastal_spacing tp_fan_row_spacing(const tp_fan *fan, const tp_fan_row *row,
-                                      const tp_deep_water *deep)
-{
-    const int64_t rx = fan->law.right.x >> 14, rz = fan->law.right.z >> 14;
-    tp_coastal_spacing to;
-
-    for (uint32_t i = 0; i < deep->count; i++) {
-        const int64_t x = deep->swell[i].turns_x, z = deep->swell[i].turns_z;
-        to.along[i] = tp_fx_saturate(spacing_share(row->along, (x * rz - z * rx) >> 16));
-        to.across[i] = tp_fx_saturate(spacing_share(row->across, (x * rx + z * rz) >> 16));
-    }
-    return to;
-}
-
-tp_fx tp_fan_row_weight(const tp_fan *fan, const tp_fan_row *row, const tp_swell *swell)
-{
-    const int64_t rx = fan->law.right.x >> 14, rz = fan->law.right.z >> 14;
-    const int64_t x = swell->turns_x, z = swell->turns_z;
-    const tp_fx along = tp_fan_wave_weight(row->along, (x * rz - z * rx) >> 16);
-
-    return along == 0 ? 0 : tp_fx_mul(along, tp_fan_wave_weight(row->across,
-                                                                (x * rx + z * rz) >> 16));
-}
-
-static uint32_t limited(uint64_t variance)
-{
-    return variance < TP_ROUGH_ONE ? (uint32_t)variance : TP_ROUGH_ONE;
-}
-
-tp_slope_variance tp_fan_row_variance(const tp_fan *fan, const tp_fan_row *row,
-                                      const tp_surface *surface)
-{
-    const int64_t rx = fan->law.right.x >> 14, rz = fan->law.right.z >> 14;
-    uint64_t along = 0, across = 0;
-
-    for (uint32_t i = 0; i < surface->deep->count; i++) {
-        const tp_swell *w = &surface->deep->swell[i];
-        const uint64_t kept = (uint32_t)tp_fan_share(tp_fan_row_weight(fan, row, w));
-        const uint64_t left = ((uint64_t)1 << 32) - kept * kept;            /* Q32 */
-        const int64_t a = ((int64_t)w->slope_x * rz - (int64_t)w->slope_z * rx) >> 24;
-        const int64_t b = ((int64_t)w->slope_x * rx + (int64_t)w->slope_z * rz) >> 24;
-        along += ((uint64_t)(a * a) >> 21) * left >> 32;        /* half of Q23 */
-        across += ((uint64_t)(b * b) >> 21) * left >> 32;
-    }
-    return (tp_slope_variance){ limited(along), limited(across) };
-}
-
-void tp_fan_fill_variance(const tp_grid *grid, tp_filtered_waves *filtered)
-{
-    const tp_projection *p = grid->frame.projection;
-    const tp_fan *fan = grid->fan;
-    const int64_t x = p->ahead.x, y = p->ahead.y, z = p->ahead.z;
-    const tp_vec3 eye = p->eye;
-
-    tp_filtered_waves_clear(filtered);
-    for (uint32_t j = grid->rows; j-- > 0;) {
-        const tp_fan_row *row = &fan->row[j];
-        const int32_t half = (int32_t)(grid->cols / 2);
-        const int64_t dx = row->x + (int64_t)row->step_x * half - eye.x;
-        const int64_t dz = row->z + (int64_t)row->step_z * half - eye.z;
-        const int64_t depth = (dx * x - eye.y * y + dz * z) >> 30;
-        if (depth > 0)
-            tp_filtered_waves_add_row(filtered, tp_fx_saturate(depth),
-                                      tp_fan_row_variance(fan, row, grid->frame.surface));
-    }
-    tp_filtered_waves_finish(filtered);
 }

@@ -69,6 +69,19 @@ void tp_grid_layout_streamed(tp_grid *grid, tp_arena *arena, uint32_t cols, uint
 /* Allocates the additional tables of coastal water for a number of vertices. */
 void tp_grid_layout_coastal(tp_grid *grid, tp_arena *arena, uint32_t vertices);
 
+/* A horizontal rectangle in world coordinates, m. */
+typedef struct {
+    tp_fx x0, x1, z0, z1;
+} tp_rectangle;
+
+/* Rings and pools of a scene; rows of a fan are dense up to their farthest place.  The
+ * numbers depend on the scene alone, so that rows do not jump when a ring begins. */
+typedef struct {
+    tp_fx length;               /* of the shortest waves to hold, m; 0: neither */
+    tp_rectangle sides;         /* around all of them */
+    bool  walled;               /* the water ends at these sides */
+} tp_water_detail;
+
 /* The inputs of a grid for a frame. */
 typedef struct {
     const tp_projection *projection;
@@ -77,6 +90,7 @@ typedef struct {
     tp_fx cell, reach;
     bool  follow;
     uint32_t vertices;          /* budget of a fan; 0: no fan */
+    tp_water_detail detail;
 } tp_grid_view;
 
 static inline bool tp_grid_vertex_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)

@@ -8,27 +8,33 @@
 #define TP_WORLD_POOLS_H
 #include "fixed/arithmetic.h"
 #include "tidepool/scene.h"
+#include "view/grid.h"
 #include "world/module.h"
 
-/* A horizontal rectangle in world coordinates, m. */
-typedef struct {
-    tp_fx x0, x1, z0, z1;
-} tp_rectangle;
+static inline tp_rectangle tp_rectangle_around(tp_fx x, tp_fx z, int64_t half_x,
+                                               int64_t half_z)
+{
+    return (tp_rectangle){ tp_fx_saturate(x - half_x), tp_fx_saturate(x + half_x),
+                           tp_fx_saturate(z - half_z), tp_fx_saturate(z + half_z) };
+}
 
 static inline tp_rectangle tp_pool_sides(const tp_scene *scene)
 {
-    int64_t wide = (int64_t)scene->pool.cell * scene->pool.cols / 2;
-    int64_t deep = (int64_t)scene->pool.cell * scene->pool.rows / 2;
+    const tp_scene_pool *pool = &scene->pool;
 
-    return (tp_rectangle){ tp_fx_saturate(scene->pool.x - wide),
-                           tp_fx_saturate(scene->pool.x + wide),
-                           tp_fx_saturate(scene->pool.z - deep),
-                           tp_fx_saturate(scene->pool.z + deep) };
+    return tp_rectangle_around(pool->x, pool->z, (int64_t)pool->cell * pool->cols / 2,
+                               (int64_t)pool->cell * pool->rows / 2);
 }
 
 static inline bool tp_has_tank(const tp_scene *scene)
 {
     return scene->tank.kind != TP_TANK_NONE && scene->pool.cols > 0;
+}
+
+/* True if the water ends at the tank's walls; else a calm sea lies around them. */
+static inline bool tp_is_walled(const tp_scene *scene)
+{
+    return tp_has_tank(scene) && !scene->tank.sea;
 }
 
 /* True if there is a sea floor. The floor may rise above the water as land. */
@@ -37,10 +43,10 @@ static inline bool tp_has_floor(const tp_scene *scene)
     return scene->floor.depth > 0 || scene->floor.map[0];
 }
 
-/* True if the water's grid is a fan to the horizon: any water without a tank. */
+/* True if the water's grid is a fan. */
 static inline bool tp_has_fan(const tp_scene *scene)
 {
-    return scene->grid.vertices > 0 && !tp_has_tank(scene);
+    return scene->grid.vertices > 0;
 }
 
 /* Returns the budget of vertices of a fan. */
@@ -54,6 +60,9 @@ static inline bool tp_has_inner_walls(const tp_scene *scene)
 {
     return scene->pool.cols > 0 && scene->pool.mask[0];
 }
+
+/* Returns the detail of the water's grid: the rings of drops and, unless `flat`, pools. */
+tp_water_detail tp_scene_water_detail(const tp_scene *scene, bool flat);
 
 /* -- states in a world, or NULL ------------------------------------------------------ */
 

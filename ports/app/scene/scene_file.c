@@ -254,23 +254,45 @@ static uint32_t file_line(const scene_file *file, const char *name)
     return param ? file->set_at[param - tp_params(&count)] : 0;
 }
 
-bool scene_file_keeps_lines(const tp_scene *s)
+static bool has_rings_or_pools(const tp_scene *s)
 {
     return s->pool.cols > 0 || s->field.cols > 0 || s->drops.count > 0;
 }
 
-/* Reads a grid of cols x rows lines, without grid.vertices, as a budget of vertices: the
- * third of the grid that a view shows. */
+/* Returns the first line of the file that sets a row of the older grid, 0: none. */
+static uint32_t old_grid_line(const scene_file *file)
+{
+    static const char *const names[] = { "grid.cols", "grid.rows", "grid.cell",
+                                         "grid.reach", "grid.follow" };
+    uint32_t first = 0;
+
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        const uint32_t line = file_line(file, names[i]);
+        first = line && (!first || line < first) ? line : first;
+    }
+    return first;
+}
+
+/* Reads a grid of cols x rows points at equal distances, without grid.vertices, as a budget
+ * of vertices: those that a view shows.  A tank needs all of them; cells as fine as before
+ * up to the end of rings and pools need 3 in 5, as measured for raindrops; open water needs
+ * the third. */
 static void read_old_grid(scene_file *file)
 {
     tp_scene *s = &file->scene;
-    const uint32_t line = file_line(file, "grid.cols");
-    const int64_t third = (int64_t)s->grid.cols * s->grid.rows / 3;
+    const uint32_t line = old_grid_line(file);
+    const int64_t all = (int64_t)s->grid.cols * s->grid.rows;
 
-    if (!line || file_line(file, "grid.vertices") || scene_file_keeps_lines(s))
+    if (!line)
         return;
+    if (!file_line(file, "tank.sea"))
+        s->tank.sea = s->grid.reach > 0;
+    if (file_line(file, "grid.vertices"))
+        return;
+    const bool walled = s->tank.kind != TP_TANK_NONE && s->pool.cols > 0 && !s->tank.sea;
+    const int64_t kept = walled ? all : has_rings_or_pools(s) ? all * 3 / 5 : all / 3;
     file->old_grid = line;
-    s->grid.vertices = (int32_t)(third < 64 ? 64 : third > 65536 ? 65536 : third);
+    s->grid.vertices = (int32_t)(kept < 64 ? 64 : kept > 65536 ? 65536 : kept);
 }
 
 int scene_file_open(scene_file *file, const char *given)
@@ -288,8 +310,8 @@ void scene_file_report_old_names(const scene_file *file)
 {
     if (file->old_grid)
         log_line("%s:%u: grid.cols and grid.rows are read as grid.vertices = %d until version "
-                 OLD_NAMES_END "; grid.vertices = 0 keeps the lines", file->path,
-                 (unsigned)file->old_grid, (int)file->scene.grid.vertices);
+                 OLD_NAMES_END "; grid.cell, grid.reach and grid.follow have no effect",
+                 file->path, (unsigned)file->old_grid, (int)file->scene.grid.vertices);
     old_name_note_print(&file->old_in_file, file->path, file->path);
     old_name_note_print(&file->old_by_command, "--set", NULL);
 }

@@ -26,10 +26,6 @@ int  scene_file_open(scene_file *file, const char *given);
 int  scene_file_set(scene_file *file, const char *setting);     /* "name=value" */
 void scene_file_close(scene_file *file);
 
-/* True if the water is drawn on the lines of grid.cols and grid.rows, without a warning:
- * rings and pools need cells of equal size. */
-bool scene_file_keeps_lines(const tp_scene *scene);
-
 /* Opens a scene without reading its file. */
 int  scene_file_find(scene_file *file, const char *given);
 

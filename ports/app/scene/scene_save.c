@@ -103,17 +103,24 @@ static int check_text(const save *s, const tp_param *param, const char *text)
     return EXIT_DONE;
 }
 
-/* True if a file without the line gives the row's value.  Beside grid.cols, a file must say
- * that the grid has no budget of vertices (scene_file.c). */
+/* True if the file has to say a row's value although the value is the default: beside the
+ * older grid's rows, scene_file.c reads others from these. */
+static bool is_said(const save *s, const tp_param *param)
+{
+    const tp_scene *scene = &s->file->scene;
+    const int32_t cols = tp_param_find("grid.cols", 9)->normal;
+
+    return (scene->grid.cols != cols && param == tp_param_find("grid.vertices", 13))
+        || (scene->grid.reach == 0 && param == tp_param_find("tank.sea", 8));
+}
+
+/* True if a file without the line gives the row's value. */
 static bool is_normal(const save *s, const tp_param *param, const char *text)
 {
     char normal[64];
-    const int32_t cols = tp_param_find("grid.cols", 9)->normal;
-    const bool lines = s->file->scene.grid.cols != cols
-                    && !scene_file_keeps_lines(&s->file->scene)
-                    && param == tp_param_find("grid.vertices", 13);
+
     tp_param_number_text(param, param->normal, normal, sizeof normal);
-    return strcmp(text, normal) == 0 && !lines;
+    return strcmp(text, normal) == 0 && !is_said(s, param);
 }
 
 /* Edits the line of a value.  Values equal to the default are removed in a second pass
@@ -122,10 +129,9 @@ static bool is_normal(const save *s, const tp_param *param, const char *text)
 static int edit(save *s, const tp_param *param, uint32_t row, const char *text, bool away)
 {
     char before[TP_NAME_BYTES + 64];
-    const bool lines = !is_normal(s, param, text) && !s->at[row]
-                    && param == tp_param_find("grid.vertices", 13);
+    const bool said = !s->at[row] && is_said(s, param);
     tp_param_text(&s->filed, param, before, sizeof before);
-    if ((strcmp(text, long_name_whole(before)) == 0 && !s->bad[row] && !lines)
+    if ((strcmp(text, long_name_whole(before)) == 0 && !s->bad[row] && !said)
         || is_normal(s, param, text) != away)
         return EXIT_DONE;
     if (away) {

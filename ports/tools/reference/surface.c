@@ -29,6 +29,13 @@ static ref_extent make_extent(const tp_scene *scene, ref_vec eye, ref_vec ahead,
                               bool fading)
 {
     const double end = 16000;           /* of a fan */
+    if (tp_is_walled(scene)) {
+        const tp_rectangle r = tp_pool_sides(scene);
+        const double half_x = ref_number(r.x1 - r.x0) / 2;
+        const double half_z = ref_number(r.z1 - r.z0) / 2;
+        return (ref_extent){ ref_number(r.x0) + half_x, ref_number(r.z0) + half_z, half_x,
+                             half_z, half_x, half_z, 0 };
+    }
     if (tp_has_fan(scene))
         return (ref_extent){ eye.x, eye.z, end, end, end, end, 0 };
     const int cols = scene->grid.cols, rows = scene->grid.rows;

@@ -3,6 +3,7 @@
  * the surface's edge, and the outlines of the panes in the picture. */
 #include "features/tank/tank.h"
 #include "frame/frame.h"
+#include "view/fan.h"
 
 /* -- the water's side ---------------------------------------------------------------- */
 
@@ -24,22 +25,41 @@ static void append_side_post(const tp_frame *frame, tp_glass_wall *wall,
     wall->posts++;
 }
 
-/* Places the posts at the grid lines between both ends of the wall, so the side's top
- * edge matches the surface.  A program without triangles has no grid; then only the ends
- * have posts. */
+/* Returns the grid vertices along a wall: the columns of rows along the wall, or the rows.
+ * 0: no grid, or one that does not end at the walls. */
+static uint32_t count_vertices_along(const tp_grid *grid, bool across)
+{
+    if (!grid || !grid->fan || !grid->fan->law.walled)
+        return 0;
+    return (grid->fan->law.right.x != 0) == across ? grid->cols : grid->rows;
+}
+
+/* Returns the place along the wall of a vertex on the water's edge. */
+static tp_fx vertex_along(const tp_grid *grid, bool across, uint32_t n)
+{
+    const bool column = (grid->fan->law.right.x != 0) == across;
+    const uint32_t i = column ? n : 0, j = column ? 0 : n;
+
+    return across ? tp_grid_s(grid, i, j) : tp_grid_t(grid, i, j);
+}
+
+/* Places the posts at the grid's vertices between both ends of the wall, so the side's top
+ * edge matches the surface.  Without vertices there only the ends have posts. */
 static void place_posts(const tp_frame *frame, tp_glass_wall *wall, const tp_rectangle *r)
 {
     const tp_grid *grid = frame->buffers.grid;
     const bool across = wall->face & 2;
-    const tp_grid_line *line = !grid ? NULL : across ? grid->column : grid->row;
-    uint32_t lines = !grid ? 0 : across ? grid->cols : grid->rows;
+    const uint32_t count = count_vertices_along(grid, across);
     tp_fx from = across ? r->x0 : r->z0, to = across ? r->x1 : r->z1;
+    const bool back = count > 0 && vertex_along(grid, across, 0) > from;
 
     wall->posts = 0;
     append_side_post(frame, wall, r, from);
-    for (uint32_t i = 0; i < lines; i++)
-        if (line[i].place > from && line[i].place < to)
-            append_side_post(frame, wall, r, line[i].place);
+    for (uint32_t i = 0; i < count; i++) {
+        const tp_fx at = vertex_along(grid, across, back ? count - 1 - i : i);
+        if (at > from && at < to)
+            append_side_post(frame, wall, r, at);
+    }
     append_side_post(frame, wall, r, to);
 }
 
@@ -216,8 +236,7 @@ bool tp_glass_enabled(const tp_module_conditions *conditions)
 
 static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    const int32_t cols = conditions->scene->grid.cols, rows = conditions->scene->grid.rows;
-    const size_t lines = (size_t)(cols > rows ? cols : rows);
+    const size_t lines = tp_fan_most_cols(tp_fan_budget(conditions->scene));
     tp_glass *glass = tp_arena_alloc(arena, 1, sizeof *glass), made = { .walls = 0 };
 
     for (int k = 0; k < TP_GLASSES; k++)

@@ -68,6 +68,8 @@ typedef struct {
 #define TP_TANK_ROWS \
     TP_ROW_CHOICE("tank.kind", tank.kind, "none|stone|glass", TP_TANK_GLASS, \
         TP_TANK_NONE, "walls around the pool; front walls of glass are transparent"), \
+    TP_ROW_SWITCH("tank.sea", tank.sea, 1, \
+        "a calm sea lies around the walls; off: the water ends at the walls"), \
     TP_ROW_NUMBER("tank.depth", tank.depth, "m", 0.05, 100, 1, \
         "depth of the tank's floor"), \
     TP_ROW_NUMBER("tank.rim", tank.rim, "m", 0, 20, 0.2, \

@@ -162,8 +162,8 @@ static void count_glass_rays(tp_site *w, const tp_rectangle *r)
     w->apart += sides;
 }
 
-/* Counts the faces of the water's sides.  A wall of glass has one post for each grid line
- * that ends at the wall. */
+/* Counts the faces of the water's sides.  A wall of glass has one post for each line of the
+ * grid that ends at the wall (view/fan_tank.c); without these, one face. */
 static void count_glass_work(tp_site *w)
 {
     const tp_scene *s = w->scene;
@@ -171,12 +171,10 @@ static void count_glass_work(tp_site *w)
     const tp_vec3 eye = w->at.eye;
     const uint32_t across = eye.x < r.x0 || eye.x > r.x1;
     const uint32_t along = eye.z < r.z0 || eye.z > r.z1;
-    const int64_t cell = s->grid.cell > 0 ? s->grid.cell : 1;
-    int64_t posts = 0;
+    const uint32_t line = tp_is_walled(s) ? tp_isqrt64(tp_fan_budget(s)) : 1;
+    const uint32_t posts = (across + along) * line;
 
-    posts += across ? tp_clamp_abs(((int64_t)r.z1 - r.z0) / cell, s->grid.rows) + 1 : 0;
-    posts += along ? tp_clamp_abs(((int64_t)r.x1 - r.x0) / cell, s->grid.cols) + 1 : 0;
-    w->fixed_cost.of[TP_WORK_side_face] = (uint32_t)posts * 2
+    w->fixed_cost.of[TP_WORK_side_face] = posts * 2
                                    * tp_work_bands(w->height - 1, TP_WORK_BAND);
     if (across || along)
         count_glass_rays(w, &r);
