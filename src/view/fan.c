@@ -173,11 +173,13 @@ static void place_fan(tp_grid *grid, const tp_grid_view *view)
 
 /* -- vertices ------------------------------------------------------------------------ */
 
-/* A wave of a row: phase of column 0 and step of the phase. */
+/* A wave of a row: phase of column 0 and step of the phase; numbers of the swell by the
+ * row's weight, without wind. */
 typedef struct {
     const tp_swell *swell;
     tp_turn first, step;
     tp_fx   weight;             /* with gain */
+    int32_t orbit_x, orbit_z, amplitude, slope_x, slope_z, bend_xx, bend_xz, bend_zz;
     tp_q30  push;               /* shift of the phase by the wind [B10] */
     int32_t iterations;
     tp_fx   along;              /* weight of the horizontal motion in a wind */
@@ -201,6 +203,21 @@ static void set_wind(row_wave *to, const tp_coastal_water *coastal, tp_fx share,
                    ? tp_wind_phase_shift(coastal->wave[i].lambda, up) : 0;
     to->along = tp_fx_mul(tp_fan_share(to->weight), share);
     to->iterations = coastal->wave[i].iterations;
+}
+
+static void set_numbers(row_wave *to)
+{
+    const tp_swell *w = to->swell;
+    const tp_fx weight = to->weight, share = tp_fan_share(weight);
+
+    to->orbit_x = tp_fx_mul(w->orbit_x, weight);
+    to->orbit_z = tp_fx_mul(w->orbit_z, weight);
+    to->amplitude = tp_fx_mul(w->amplitude, weight);
+    to->slope_x = tp_fx_mul(w->slope_x, weight);
+    to->slope_z = tp_fx_mul(w->slope_z, weight);
+    to->bend_xx = tp_fx_mul(w->bend_xx, share);
+    to->bend_xz = tp_fx_mul(w->bend_xz, share);
+    to->bend_zz = tp_fx_mul(w->bend_zz, share);
 }
 
 /* Lists the waves that a row keeps. */
@@ -227,6 +244,8 @@ static void list_waves(const tp_grid *grid, const tp_fan_row *row, row_waves *to
                    + tp_swell_turns(w->turns_z, row->step_z);
         if (surface->coastal)
             set_wind(at, surface->coastal, grid->fan->wind[i], i);
+        else
+            set_numbers(at);
         to->count++;
     }
 }
@@ -272,19 +291,14 @@ static void add_wave(tp_swell_sum *sum, const row_wave *wave, tp_turn phase)
 
     if (w->power > 1)
         tp_swell_sharpen(w, sine, cosine, &f, &df);
-    if (wave->weight < TP_FX_ONE)
-        s = tp_fx_mul(s, wave->weight);
-    c = tp_fx_mul(c, wave->weight);
-    f = tp_fx_mul(f, wave->weight);
-    df = tp_fx_mul(df, wave->weight);
-    sum->x += (int64_t)w->orbit_x * c;
-    sum->z += (int64_t)w->orbit_z * c;
-    sum->y += (int64_t)w->amplitude * f;
-    sum->hx += (int64_t)w->slope_x * df;
-    sum->hz += (int64_t)w->slope_z * df;
-    sum->bxx += (int64_t)w->bend_xx * s;
-    sum->bxz += (int64_t)w->bend_xz * s;
-    sum->bzz += (int64_t)w->bend_zz * s;
+    sum->x += (int64_t)wave->orbit_x * c;
+    sum->z += (int64_t)wave->orbit_z * c;
+    sum->y += (int64_t)wave->amplitude * f;
+    sum->hx += (int64_t)wave->slope_x * df;
+    sum->hz += (int64_t)wave->slope_z * df;
+    sum->bxx += (int64_t)wave->bend_xx * s;
+    sum->bxz += (int64_t)wave->bend_xz * s;
+    sum->bzz += (int64_t)wave->bend_zz * s;
 }
 
 /* True if the rows of the Jacobian do not fold, so that a slope has a bound. */
