@@ -176,18 +176,18 @@ const tp_stage tp_diffuse_stages[] = {
 /* The plain gradient needs only the height of the reflected view and takes one stage.
  * Other skies may give light above white [F8]. */
 
-/* Returns the weight of a reflected ray by its height, 128..256.  A ray downwards meets
+/* Returns the weight of a reflected ray by its height, Q14, 1/2..1.  A ray downwards meets
  * other water, half as bright as the horizon: the weight fades to a half within 7 degrees
  * below level. */
 TP_ALWAYS_INLINE uint32_t horizon_fade(int32_t up)
 {
-    return (uint32_t)tp_clamp(256 + 4 * (up >> 6), 128, 256);
+    return (uint32_t)tp_clamp(16384 + 4 * up, 8192, 16384);
 }
 
 TP_ALWAYS_INLINE uint32_t reflected_share(const tp_shade *shade, int32_t nv, int32_t up)
 {
     uint32_t share = shade->fresnel[nv >> 6] * (uint32_t)shade->mirror >> 8;
-    return share * horizon_fade(up) >> 8;
+    return share * horizon_fade(up) >> 14;
 }
 
 /* Returns reflected_share in 1/65536: light of many whites multiplies the rounding
@@ -196,7 +196,7 @@ TP_ALWAYS_INLINE uint32_t reflected_share_q16(const tp_shade *shade, int32_t nv,
                                               int32_t up)
 {
     uint32_t share = shade->fresnel[nv >> 6] * (uint32_t)shade->mirror;
-    return share * horizon_fade(up) >> 8;
+    return share * horizon_fade(up) >> 14;
 }
 
 /* Mixes the reflected gradient sky into the colours, by Fresnel's share: the work of
