@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Distances, widths and filter of a fan's rows; see the header for the law. */
+/* Distances and widths of a fan's rows; see the header for the law. */
 #include "view/fan.h"
 #include "waves/deep_water.h"
 #include "waves/softfloat.h"
@@ -318,85 +318,4 @@ tp_fan_row tp_fan_law_row(const tp_fan_law *law, const tp_fan_view *view, uint32
     row.x = tp_fx_saturate(eye.x + (d * rz >> 30) - (int64_t)row.step_x * gaps / 2);
     row.z = tp_fx_saturate(eye.z - (d * rx >> 30) - (int64_t)row.step_z * gaps / 2);
     return row;
-}
-
-/* -- the filter ---------------------------------------------------------------------- */
-
-/* Returns the wavelengths in a spacing, 16.16. */
-static int64_t spacing_share(tp_fx spacing, int64_t turns)
-{
-    return ((turns < 0 ? -turns : turns) >> 8) * spacing >> 24;
-}
-
-tp_fx tp_fan_wave_weight(tp_fx spacing, int64_t turns)
-{
-    return tp_swell_spacing_weight(spacing_share(spacing, turns));
-}
-
-tp_coastal_spacing tp_fan_row_spacing(const tp_fan *fan, const tp_fan_row *row,
-                                      const tp_deep_water *deep)
-{
-    const int64_t rx = fan->law.right.x >> 14, rz = fan->law.right.z >> 14;
-    tp_coastal_spacing to;
-
-    for (uint32_t i = 0; i < deep->count; i++) {
-        const int64_t x = deep->swell[i].turns_x, z = deep->swell[i].turns_z;
-        to.along[i] = tp_fx_saturate(spacing_share(row->along, (x * rz - z * rx) >> 16));
-        to.across[i] = tp_fx_saturate(spacing_share(row->across, (x * rx + z * rz) >> 16));
-    }
-    return to;
-}
-
-tp_fx tp_fan_row_weight(const tp_fan *fan, const tp_fan_row *row, const tp_swell *swell)
-{
-    const int64_t rx = fan->law.right.x >> 14, rz = fan->law.right.z >> 14;
-    const int64_t x = swell->turns_x, z = swell->turns_z;
-    const tp_fx along = tp_fan_wave_weight(row->along, (x * rz - z * rx) >> 16);
-
-    return along == 0 ? 0 : tp_fx_mul(along, tp_fan_wave_weight(row->across,
-                                                                (x * rx + z * rz) >> 16));
-}
-
-static uint32_t limited(uint64_t variance)
-{
-    return variance < TP_ROUGH_ONE ? (uint32_t)variance : TP_ROUGH_ONE;
-}
-
-tp_slope_variance tp_fan_row_variance(const tp_fan *fan, const tp_fan_row *row,
-                                      const tp_surface *surface)
-{
-    const int64_t rx = fan->law.right.x >> 14, rz = fan->law.right.z >> 14;
-    uint64_t along = 0, across = 0;
-
-    for (uint32_t i = 0; i < surface->deep->count; i++) {
-        const tp_swell *w = &surface->deep->swell[i];
-        const uint64_t kept = (uint32_t)tp_fan_row_weight(fan, row, w);
-        const uint64_t left = ((uint64_t)1 << 32) - kept * kept;            /* Q32 */
-        const int64_t a = ((int64_t)w->slope_x * rz - (int64_t)w->slope_z * rx) >> 24;
-        const int64_t b = ((int64_t)w->slope_x * rx + (int64_t)w->slope_z * rz) >> 24;
-        along += ((uint64_t)(a * a) >> 21) * left >> 32;        /* half of Q23 */
-        across += ((uint64_t)(b * b) >> 21) * left >> 32;
-    }
-    return (tp_slope_variance){ limited(along), limited(across) };
-}
-
-void tp_fan_fill_variance(const tp_grid *grid, tp_filtered_waves *filtered)
-{
-    const tp_projection *p = grid->frame.projection;
-    const tp_fan *fan = grid->fan;
-    const int64_t x = p->ahead.x, y = p->ahead.y, z = p->ahead.z;
-    const tp_vec3 eye = p->eye;
-
-    tp_filtered_waves_clear(filtered);
-    for (uint32_t j = grid->rows; j-- > 0;) {
-        const tp_fan_row *row = &fan->row[j];
-        const int32_t half = (int32_t)(grid->cols / 2);
-        const int64_t dx = row->x + (int64_t)row->step_x * half - eye.x;
-        const int64_t dz = row->z + (int64_t)row->step_z * half - eye.z;
-        const int64_t depth = (dx * x - eye.y * y + dz * z) >> 30;
-        if (depth > 0)
-            tp_filtered_waves_add_row(filtered, tp_fx_saturate(depth),
-                                      tp_fan_row_variance(fan, row, grid->frame.surface));
-    }
-    tp_filtered_waves_finish(filtered);
 }
