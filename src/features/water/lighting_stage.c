@@ -111,7 +111,7 @@ TP_ALWAYS_INLINE void light_rough_columns(const tp_shade *restrict shade,
         nl = tp_clamp(nl * ny >> 14, 0, 16384);
         int32_t rv = tp_lobe_table_cosine(nl, seen, run->lv[i], blinn);
         int32_t rise = blinn ? 0 : (2 * seen * ny >> 14) - vy - ly;
-        int32_t up = (2 * nv * ny >> 14) - vy;
+        int32_t up = ((2 * nv * ny >> 14) - vy) * lobe.view.height >> 14;
         run->nv[i] = (int16_t)nv;
         run->up[i] = (int16_t)(up > 16384 ? 16384 : up);
         int32_t glint = 0;
@@ -120,6 +120,7 @@ TP_ALWAYS_INLINE void light_rough_columns(const tp_shade *restrict shade,
             glint = shine ? (shine * lobe.peak + 24575) >> 14 : 0;
         }
         run->glint[i] = (uint16_t)(nl > 0 ? glint : 0);
+        nl = tp_clamp(nl + lobe.seen, 0, 16384);
         run->colour[i] = tp_colour_scale(run->colour[i],
                                          (uint32_t)tp_lit_share(ambient, nl));
     }
@@ -131,7 +132,7 @@ TP_ALWAYS_INLINE void light_rough(const tp_shade *restrict shade, tp_run *restri
     for (int32_t i = 0; i < run->count; ) {
         int32_t stop = tp_block_end(run, i);
         const tp_rough_lobe lobe =
-            tp_rough_lobe_make(shade, run->key[i], run->vy[i], blinn);
+            tp_rough_lobe_make(shade, run->key[i], run->vy[i], run->lv[i], blinn);
         light_rough_columns(shade, run, lobe, i, stop, rippled, blinn);
         i = stop;
     }
