@@ -212,14 +212,12 @@ static int32_t slant(int32_t ly)
     return rest > 8192 ? (1 << 27) / rest : 16384;
 }
 
-/* Returns the form of N.V at a depth: a view from above meets slopes less by the square of
- * its height vy, Q14. */
-static tp_rough_view view_make(const tp_shade *shade, int32_t log_depth, int32_t vy)
+/* Returns the form of N.V at variances of waves and of ripples: a view from above meets
+ * slopes less by the square of its height vy, Q14. */
+static tp_rough_view view_make(const tp_shade *shade, uint32_t waves, uint32_t lost,
+                               int32_t vy)
 {
     const uint32_t level = (1u << 14) - (uint32_t)(vy * vy >> 14);
-    const uint32_t waves = tp_filtered_waves_lookup(shade->filtered, log_depth).along;
-    const uint32_t lost = shade->ripple ? ripple_variance(shade->ripple, log_depth) : 0;
-
     tp_rough_view view = tp_rough_view_make((uint32_t)((uint64_t)lost * level >> 14),
                                             (uint32_t)((uint64_t)waves * level >> 14));
     if (shade->env.kind == TP_ENV_CUBE)     /* a coarser level of the cube is the mean */
@@ -229,10 +227,8 @@ static tp_rough_view view_make(const tp_shade *shade, int32_t log_depth, int32_t
 
 /* Returns the variance that widens the lobe: without the loss of interpolation, which is
  * the same over many pixels and so moves a glint, but does not spread it. */
-static tp_slope_variance lobe_variance(const tp_shade *shade, int32_t log_depth)
+static tp_slope_variance lobe_variance(tp_slope_variance v, uint32_t lost)
 {
-    const tp_slope_variance v = tp_filtered_waves_lookup(shade->filtered, log_depth);
-    const uint32_t lost = shade->ripple ? ripple_variance(shade->ripple, log_depth) : 0;
     const uint32_t both = (v.along + v.across) >> 8 | 1;
     const uint32_t part = v.left >> 8 < both ? (v.left >> 8) * 256 / both : 256;    /* Q8 */
 
@@ -251,10 +247,10 @@ static int32_t seen_rise(int32_t nv, uint32_t variance)
     return root > nv ? (root - nv) * 201 >> 8 : 0;
 }
 
-int32_t tp_rough_seen_light(const tp_shade *shade, int32_t log_depth, int32_t vy,
-                            int32_t lv)
+/* Returns what waves of a variance along the view add to N.L, Q14: those that face the eye
+ * hide the others, so water before the sun shows its dark sides. */
+static int32_t seen_light(const tp_shade *shade, uint32_t waves, int32_t vy, int32_t lv)
 {
-    const uint32_t waves = tp_filtered_waves_lookup(shade->filtered, log_depth).along;
     const int32_t level = 16384 - (vy * vy >> 14), nv = tp_clamp(vy, 0, 16384);
 
     if (waves == 0 || level < 64)
@@ -275,9 +271,11 @@ tp_rough_lobe tp_rough_lobe_make(const tp_shade *shade, uint32_t key, int32_t vy
                                  int32_t lv, bool blinn)
 {
     const int32_t log_depth = tp_log_depth(shade, key);
-    const tp_slope_variance v = lobe_variance(shade, log_depth);
-    const tp_rough_view view = view_make(shade, log_depth, vy);
-    const int32_t seen = tp_rough_seen_light(shade, log_depth, vy, lv);
+    const tp_slope_variance waves = tp_filtered_waves_lookup(shade->filtered, log_depth);
+    const uint32_t lost = shade->ripple ? ripple_variance(shade->ripple, log_depth) : 0;
+    const tp_slope_variance v = lobe_variance(waves, lost);
+    const tp_rough_view view = view_make(shade, waves.along, lost, vy);
+    const int32_t seen = seen_light(shade, waves.along, vy, lv);
     if (blinn)
         return blinn_lobe(shade, v, view, seen);
     const uint32_t rise = (uint32_t)(vy * vy) + (v.along << 4);

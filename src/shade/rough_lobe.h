@@ -64,11 +64,6 @@ typedef struct {
 tp_rough_lobe tp_rough_lobe_make(const tp_shade *shade, uint32_t key, int32_t vy,
                                  int32_t lv, bool blinn);
 
-/* Returns what waves that a sample does not show add to N.L, Q14: those that face the eye
- * hide the others, so water before the sun shows its dark sides. */
-int32_t tp_rough_seen_light(const tp_shade *shade, int32_t log_depth, int32_t vy,
-                            int32_t lv);
-
 /* Returns the largest R.V at which the lobe is dark, Q14; below -16384: nowhere.  The lobe's
  * cosine is at most that of the narrower of both factors. */
 TP_ALWAYS_INLINE int32_t tp_rough_lobe_dark_cosine(const tp_shade *shade,
