@@ -272,9 +272,10 @@ static void set_variance(tp_shade *s, double along, double across)
 {
     tp_filtered_waves_clear(&waves);
     tp_filtered_waves_add_row(&waves, TP_FX_ONE,
-                              (tp_slope_variance){ (uint32_t)(along * TP_ROUGH_ONE),
-                                                   (uint32_t)(across * TP_ROUGH_ONE),
-                                                   (uint32_t)((along + across) * TP_ROUGH_ONE) });
+                              (tp_slope_variance){
+                                  (uint32_t)(along * TP_ROUGH_ONE),
+                                  (uint32_t)(across * TP_ROUGH_ONE),
+                                  (uint32_t)((along + across) * TP_ROUGH_ONE) });
     tp_filtered_waves_finish(&waves);
     s->filtered = &waves;
 }
