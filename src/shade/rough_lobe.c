@@ -30,7 +30,7 @@ tp_slope_variance tp_rough_variance(const tp_shade *shade, int32_t log_depth)
     const uint32_t lost = shade->ripple ? ripple_variance(shade->ripple, log_depth) : 0;
 
     return (tp_slope_variance){ add_variance(sum.along, lost),
-                                add_variance(sum.across, lost) };
+                                add_variance(sum.across, lost), sum.left };
 }
 
 static uint32_t level_side(uint32_t log2_side, uint32_t level)
@@ -146,26 +146,32 @@ int32_t tp_rough_peak(const tp_lobe_form *form, int32_t narrowing)
  * Fitted to the mean share [F1] of normals whose slopes spread by a variance, rms 0.003
  * for N.V of -0.2 to 0.8.  Waves hide what faces away: a slope counts by its N.V as seen.
  * Ripples bend normals of a surface that is seen as it is: every slope counts, by an N.V
- * of at least 1/10 (RIPPLED_VIEW). */
+ * of at least 1/10 (RIPPLED_VIEW).
+ *
+ * fall: 1 less `height`.  A slope counts for the mirrored sky by its reflected share, and
+ * slopes towards low rays reflect more: the sky's mean is the sky at a lower height than
+ * that of the bent N.V.  Fitted to the mean of a day's and a dusk's gradient [V3]. */
 typedef struct {
-    int16_t bend, lift, root;
+    int16_t bend, lift, root, fall;
 } view_form;
 
 static const view_form of_waves[17] = {
-    { 0, 0, 0 }, { 264, 195, 540 }, { 600, 314, 1141 },
-    { 1014, 349, 1813 }, { 1539, 349, 2523 }, { 2166, 265, 3316 },
-    { 2917, 58, 4244 }, { 3827, -266, 5317 }, { 4932, -697, 6539 },
-    { 6262, -1182, 7868 }, { 7804, -1681, 9255 }, { 9589, -2212, 10730 },
-    { 11541, -2608, 12086 }, { 12288, -1968, 11881 }, { 12288, -548, 10532 },
-    { 12288, 553, 9503 }, { 12288, 1451, 8672 },
+    { 0, 0, 0, 0 }, { 264, 195, 540, 508 }, { 600, 314, 1141, 1475 },
+    { 1014, 349, 1813, 2228 }, { 1539, 349, 2523, 2916 }, { 2166, 265, 3316, 3621 },
+    { 2917, 58, 4244, 4243 }, { 3827, -266, 5317, 4751 }, { 4932, -697, 6539, 5226 },
+    { 6262, -1182, 7868, 5636 }, { 7804, -1681, 9255, 6029 },
+    { 9589, -2212, 10730, 6357 }, { 11541, -2608, 12086, 6685 },
+    { 12288, -1968, 11881, 6963 }, { 12288, -548, 10532, 7225 },
+    { 12288, 553, 9503, 7471 }, { 12288, 1451, 8672, 7700 },
 };
 static const view_form of_ripples[17] = {
-    { 1638, 1638, 0 }, { 1692, 1619, 208 }, { 1851, 1562, 490 },
-    { 2112, 1474, 822 }, { 2477, 1351, 1209 }, { 2948, 1200, 1642 },
-    { 3523, 1030, 2113 }, { 4204, 843, 2619 }, { 4989, 646, 3152 },
-    { 5878, 441, 3713 }, { 6865, 235, 4290 }, { 7932, 36, 4868 },
-    { 9083, -159, 5453 }, { 10257, -316, 5987 }, { 11466, -463, 6507 },
-    { 12700, -587, 6995 }, { 13946, -693, 7456 },
+    { 1638, 1638, 0, 0 }, { 1692, 1619, 208, 262 }, { 1851, 1562, 490, 885 },
+    { 2112, 1474, 822, 1589 }, { 2477, 1351, 1209, 2294 }, { 2948, 1200, 1642, 2933 },
+    { 3523, 1030, 2113, 3539 }, { 4204, 843, 2619, 4145 }, { 4989, 646, 3152, 4653 },
+    { 5878, 441, 3713, 5161 }, { 6865, 235, 4290, 5571 }, { 7932, 36, 4868, 6013 },
+    { 9083, -159, 5453, 6357 }, { 10257, -316, 5987, 6734 },
+    { 11466, -463, 6507, 7078 }, { 12700, -587, 6995, 7406 },
+    { 13946, -693, 7456, 7684 },
 };
 
 /* Returns a + (b - a) part / whole. */
@@ -178,7 +184,8 @@ static view_form form_mix(view_form a, view_form b, int32_t part, int32_t whole)
 {
     return (view_form){ (int16_t)form_interpolate(a.bend, b.bend, part, whole),
                         (int16_t)form_interpolate(a.lift, b.lift, part, whole),
-                        (int16_t)form_interpolate(a.root, b.root, part, whole) };
+                        (int16_t)form_interpolate(a.root, b.root, part, whole),
+                        (int16_t)form_interpolate(a.fall, b.fall, part, whole) };
 }
 
 tp_rough_view tp_rough_view_make(uint32_t ripples, uint32_t waves)
@@ -191,7 +198,8 @@ tp_rough_view tp_rough_view_make(uint32_t ripples, uint32_t waves)
     const view_form r = form_mix(of_ripples[i], of_ripples[i + 1], part, 512);
     const view_form form = form_mix(w, r, (int32_t)(ripples * 255 / (sum | 1)), 255);
 
-    return (tp_rough_view){ form.bend, form.lift, (uint32_t)(form.root * form.root) };
+    return (tp_rough_view){ form.bend, form.lift, (uint32_t)(form.root * form.root),
+                            16384 - form.fall };
 }
 
 /* -- the lobe of a sample ------------------------------------------------------------ */
@@ -204,34 +212,72 @@ static int32_t slant(int32_t ly)
     return rest > 8192 ? (1 << 27) / rest : 16384;
 }
 
-/* Returns the form of N.V at a depth: a view from above meets slopes less by the square of
- * its height vy, Q14. */
-static tp_rough_view view_make(const tp_shade *shade, int32_t log_depth, int32_t vy)
+/* Returns the form of N.V at variances of waves and of ripples: a view from above meets
+ * slopes less by the square of its height vy, Q14. */
+static tp_rough_view view_make(const tp_shade *shade, uint32_t waves, uint32_t lost,
+                               int32_t vy)
 {
     const uint32_t level = (1u << 14) - (uint32_t)(vy * vy >> 14);
-    const uint32_t waves = tp_filtered_waves_lookup(shade->filtered, log_depth).along;
-    const uint32_t lost = shade->ripple ? ripple_variance(shade->ripple, log_depth) : 0;
+    tp_rough_view view = tp_rough_view_make((uint32_t)((uint64_t)lost * level >> 14),
+                                            (uint32_t)((uint64_t)waves * level >> 14));
+    if (shade->env.kind == TP_ENV_CUBE)     /* a coarser level of the cube is the mean */
+        view.height = 16384;
+    return view;
+}
 
-    return tp_rough_view_make((uint32_t)((uint64_t)lost * level >> 14),
-                              (uint32_t)((uint64_t)waves * level >> 14));
+/* Returns the variance that widens the lobe: without the loss of interpolation, which is
+ * the same over many pixels and so moves a glint, but does not spread it. */
+static tp_slope_variance lobe_variance(tp_slope_variance v, uint32_t lost)
+{
+    const uint32_t both = (v.along + v.across) >> 8 | 1;
+    const uint32_t part = v.left >> 8 < both ? (v.left >> 8) * 256 / both : 256;    /* Q8 */
+
+    return (tp_slope_variance){ add_variance((v.along >> 8) * part, lost),
+                                add_variance((v.across >> 8) * part, lost), 0 };
+}
+
+/* Returns what slopes of waves that are seen add to N.V in the mean: they count by their
+ * N.V.  For a variance s^2 of N.V and u = N.V / s that is s Phi(u) / (u Phi(u) + phi(u)),
+ * and the root here is within 10 % of it. */
+static int32_t seen_rise(int32_t nv, uint32_t variance)
+{
+    const uint32_t square = variance * 5 / 2 * 16 + (uint32_t)(nv * nv);
+    const int32_t root = tp_sqrt_nearest(square < 1u << 28 ? square : 1u << 28);
+
+    return root > nv ? (root - nv) * 201 >> 8 : 0;
+}
+
+/* Returns what waves of a variance along the view add to N.L, Q14: those that face the eye
+ * hide the others, so water before the sun shows its dark sides. */
+static int32_t seen_light(const tp_shade *shade, uint32_t waves, int32_t vy, int32_t lv)
+{
+    const int32_t level = 16384 - (vy * vy >> 14), nv = tp_clamp(vy, 0, 16384);
+
+    if (waves == 0 || level < 64)
+        return 0;
+    const int32_t rise = seen_rise(nv, (uint32_t)((uint64_t)waves * (uint32_t)level >> 14));
+    return tp_clamp(rise * (lv - (vy * shade->world.ly >> 14)) / level, -16384, 16384);
 }
 
 /* Returns Blinn's lobe: normals spread about the half vector, by both axes alike. */
 static tp_rough_lobe blinn_lobe(const tp_shade *shade, tp_slope_variance v,
-                                tp_rough_view view)
+                                tp_rough_view view, int32_t seen)
 {
     const int32_t n = tp_rough_narrowing(shade->lobe.exponent, (v.along + v.across) / 2);
-    return (tp_rough_lobe){ view, n, n, 0, tp_rough_peak(&shade->lobe, n) };
+    return (tp_rough_lobe){ view, n, n, 0, tp_rough_peak(&shade->lobe, n), seen };
 }
 
 tp_rough_lobe tp_rough_lobe_make(const tp_shade *shade, uint32_t key, int32_t vy,
-                                 bool blinn)
+                                 int32_t lv, bool blinn)
 {
     const int32_t log_depth = tp_log_depth(shade, key);
-    const tp_slope_variance v = tp_rough_variance(shade, log_depth);
-    const tp_rough_view view = view_make(shade, log_depth, vy);
+    const tp_slope_variance waves = tp_filtered_waves_lookup(shade->filtered, log_depth);
+    const uint32_t lost = shade->ripple ? ripple_variance(shade->ripple, log_depth) : 0;
+    const tp_slope_variance v = lobe_variance(waves, lost);
+    const tp_rough_view view = view_make(shade, waves.along, lost, vy);
+    const int32_t seen = seen_light(shade, waves.along, vy, lv);
     if (blinn)
-        return blinn_lobe(shade, v, view);
+        return blinn_lobe(shade, v, view, seen);
     const uint32_t rise = (uint32_t)(vy * vy) + (v.along << 4);
     const uint32_t sine_square = rise < 1u << 28 ? rise : 1u << 28;
     const uint32_t across = (uint32_t)((uint64_t)v.across * sine_square >> 28);
@@ -242,5 +288,6 @@ tp_rough_lobe tp_rough_lobe_make(const tp_shade *shade, uint32_t key, int32_t vy
         .view = view, .across = n_across, .along = n_along,
         .slant = slant(shade->world.ly),
         .peak = tp_rough_peak(&shade->lobe, geometric_mean(n_across, n_along)),
+        .seen = seen,
     };
 }

@@ -29,11 +29,13 @@ TP_ALWAYS_INLINE int32_t tp_sqrt_nearest(uint32_t q28)
 }
 
 /* N.V whose share of reflected light is the mean share of slopes of a variance: a smooth
- * bend from a floor to N.V, lift + h + sqrt(h^2 + square), h = (N.V - bend) / 2.  Q14;
- * square: Q28. */
+ * bend from a floor to N.V, lift + h + sqrt(h^2 + square), h = (N.V - bend) / 2.  height:
+ * factor of the mirrored height at that N.V, where a gradient has its mean over the
+ * mirrored rays [V3].  Q14; square: Q28. */
 typedef struct {
     int32_t  bend, lift;
     uint32_t square;
+    int32_t  height;
 } tp_rough_view;
 
 /* Returns the form at slope variances along the view, Q24: of ripples and of waves. */
@@ -50,15 +52,17 @@ TP_ALWAYS_INLINE int32_t tp_rough_view_cosine(int32_t nv, const tp_rough_view *v
 }
 
 /* The lobe at one variance.  across, along: factors of the two parts of d, Q14.  slant: of
- * the squared difference of the heights, Q14.  peak: factor of the table, Q14. */
+ * the squared difference of the heights, Q14.  peak: factor of the table, Q14.  seen: added
+ * to N.L of diffuse light, Q14. */
 typedef struct {
     tp_rough_view view;
-    int32_t across, along, slant, peak;
+    int32_t across, along, slant, peak, seen;
 } tp_rough_lobe;
 
-/* Returns the lobe of a sample by its key and the height of the vector to its eye, Q14. */
+/* Returns the lobe of a sample by its key, the height vy of the vector V to its eye, and
+ * L.V; Q14. */
 tp_rough_lobe tp_rough_lobe_make(const tp_shade *shade, uint32_t key, int32_t vy,
-                                 bool blinn);
+                                 int32_t lv, bool blinn);
 
 /* Returns the largest R.V at which the lobe is dark, Q14; below -16384: nowhere.  The lobe's
  * cosine is at most that of the narrower of both factors. */

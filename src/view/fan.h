@@ -121,9 +121,10 @@ static inline tp_fx tp_fan_share(tp_fx weight)
 tp_coastal_spacing tp_fan_row_spacing(const tp_fan *fan, const tp_fan_row *row,
                                       const tp_deep_water *deep);
 
-/* Returns the slope variance of the waves that a row leaves out. */
+/* Returns the slope variance of what a row does not show: of the waves that it leaves out,
+ * and the share `unseen` of what interpolation along and across it loses. */
 tp_slope_variance tp_fan_row_variance(const tp_fan *fan, const tp_fan_row *row,
-                                      const tp_surface *surface);
+                                      const tp_surface *surface, tp_fx unseen);
 
 /* Fills the slope variance of all rows. */
 void tp_fan_fill_variance(const tp_grid *grid, tp_filtered_waves *filtered);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Waves that the rows of a fan keep: weights, and the slope variance of the rest. */
+/* The filter of a fan's rows: the weight by which a row keeps a wave, and the slope variance
+ * that the row does not show. */
 #include "view/fan.h"
 #include "waves/deep_water.h"
 
@@ -52,27 +53,69 @@ tp_fx tp_fan_row_detail_weight(const tp_fan *fan, const tp_fan_row *row)
     return tp_fx_mul(tp_swell_spacing_weight(along), tp_swell_spacing_weight(across));
 }
 
+/* Returns the share of a wave's mean square, Q16, that linear interpolation over a spacing
+ * keeps: (2 + cos k d) / 3.  share: wavelengths in the spacing, 16.16, at most 1/2 where a
+ * row keeps the wave. */
+static int64_t interpolation_share(int64_t share)
+{
+    const tp_q30 c = tp_cos((tp_turn)((uint64_t)share << 16));
+    return ((((int64_t)2 << 30) + c) / 3 + (1 << 13)) >> 14;
+}
+
+/* Returns the share of a wave's mean square, Q16, that a row's interpolation keeps. */
+static uint64_t row_interpolation_share(const tp_fan *fan, const tp_fan_row *row,
+                                        const tp_swell *swell)
+{
+    const int64_t rx = fan->law.right.x >> 14, rz = fan->law.right.z >> 14;
+    const int64_t x = swell->turns_x, z = swell->turns_z;
+    const int64_t along =
+        interpolation_share(spacing_share(row->along, (x * rz - z * rx) >> 16));
+
+    return (uint64_t)(along * interpolation_share(spacing_share(row->across,
+                                                   (x * rx + z * rz) >> 16)) >> 16);
+}
+
 static uint32_t limited(uint64_t variance)
 {
     return variance < TP_ROUGH_ONE ? (uint32_t)variance : TP_ROUGH_ONE;
 }
 
 tp_slope_variance tp_fan_row_variance(const tp_fan *fan, const tp_fan_row *row,
-                                      const tp_surface *surface)
+                                      const tp_surface *surface, tp_fx unseen)
 {
     const int64_t rx = fan->law.right.x >> 14, rz = fan->law.right.z >> 14;
-    uint64_t along = 0, across = 0;
+    const uint64_t whole = (uint64_t)1 << 32;
+    uint64_t along = 0, across = 0, left = 0;
 
     for (uint32_t i = 0; i < surface->deep->count; i++) {
         const tp_swell *w = &surface->deep->swell[i];
-        const uint64_t kept = (uint32_t)tp_fan_share(tp_fan_row_weight(fan, row, w));
-        const uint64_t left = ((uint64_t)1 << 32) - kept * kept;            /* Q32 */
+        const uint64_t weight = (uint32_t)tp_fan_row_weight(fan, row, w);
+        const uint64_t share = (uint32_t)tp_fan_share((tp_fx)weight);
+        const uint64_t flat = (65536 - row_interpolation_share(fan, row, w))
+                            * (uint32_t)unseen >> 16;
+        const uint64_t shown = (weight * weight >> 16) * (65536 - flat);    /* Q32 */
+        const uint64_t lost = shown < whole ? whole - shown : 0;
         const int64_t a = ((int64_t)w->slope_x * rz - (int64_t)w->slope_z * rx) >> 24;
         const int64_t b = ((int64_t)w->slope_x * rx + (int64_t)w->slope_z * rz) >> 24;
-        along += ((uint64_t)(a * a) >> 21) * left >> 32;        /* half of Q23 */
-        across += ((uint64_t)(b * b) >> 21) * left >> 32;
+        along += ((uint64_t)(a * a) >> 21) * lost >> 32;        /* half of Q23 */
+        across += ((uint64_t)(b * b) >> 21) * lost >> 32;
+        left += ((uint64_t)(a * a + b * b) >> 21) * (whole - share * share) >> 32;
     }
-    return (tp_slope_variance){ limited(along), limited(across) };
+    return (tp_slope_variance){ limited(along), limited(across), limited(left) };
+}
+
+/* Returns the share of a row's spacing that a pixel covers at a depth, up to 1: a pixel
+ * covers depth^2 / (height focal) of level water. */
+static tp_fx row_unseen_share(const tp_projection *p, const tp_fan_row *row, int64_t depth)
+{
+    const int64_t above = p->eye.y > TP_FX_ONE ? p->eye.y : TP_FX_ONE;
+    const int64_t far = depth < 8192 * (int64_t)TP_FX_ONE ? depth
+                                                          : 8192 * (int64_t)TP_FX_ONE;
+    const int64_t area = above * (row->along > 0 ? row->along : 1) >> 16;
+    const int64_t share = (far * far >> 16) * TP_FX_ONE
+                        / ((area * (p->focal >> 8) >> 8) + 1);
+
+    return share < TP_FX_ONE ? (tp_fx)share : TP_FX_ONE;
 }
 
 void tp_fan_fill_variance(const tp_grid *grid, tp_filtered_waves *filtered)
@@ -91,7 +134,8 @@ void tp_fan_fill_variance(const tp_grid *grid, tp_filtered_waves *filtered)
         const int64_t depth = (dx * x - eye.y * y + dz * z) >> 30;
         if (depth > 0)
             tp_filtered_waves_add_row(filtered, tp_fx_saturate(depth),
-                                      tp_fan_row_variance(fan, row, grid->frame.surface));
+                                      tp_fan_row_variance(fan, row, grid->frame.surface,
+                                                  row_unseen_share(p, row, depth)));
     }
     tp_filtered_waves_finish(filtered);
 }

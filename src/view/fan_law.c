@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Distances, widths and filter of a fan's rows; see the header for the law. */
+/* Distances and widths of a fan's rows; see the header for the law. */
 #include "view/fan.h"
 #include "waves/deep_water.h"
 #include "waves/softfloat.h"

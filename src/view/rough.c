@@ -30,7 +30,8 @@ static tp_slope_variance mix_rows(const tp_filtered_waves *waves, tp_slope_varia
                                   int32_t part, int32_t whole)
 {
     return (tp_slope_variance){ mix(waves->last.along, next.along, part, whole),
-                                mix(waves->last.across, next.across, part, whole) };
+                                mix(waves->last.across, next.across, part, whole),
+                                mix(waves->last.left, next.left, part, whole) };
 }
 
 void tp_filtered_waves_add_row(tp_filtered_waves *waves, tp_fx depth,

@@ -3,7 +3,9 @@
  * Rough water: the slope variance of waves that the drawn surface does not show, for the
  * light (MODELS V).  A wave of amplitude A and wave number k that a grid row keeps by a
  * weight w of 0..1 leaves (k A)^2 (1 - w^2) / 2 along its direction: times the squared
- * cosine of the angle to the axis, for each of the two axes.
+ * cosine of the angle to the axis, for each of the two axes.  What a row keeps is drawn by
+ * normals interpolated between vertices, whose mean square is less by (2 + cos k d) / 3 for
+ * a spacing d, along and across: that loss counts too.
  *
  * Rows of a grid lie across the heading; the variance is stored by the logarithm of the
  * view depth, so a sample finds it by its key alone, in any tile and by any renderer.
@@ -19,9 +21,10 @@
 #include "fixed/arithmetic.h"
 
 /* Variance of slopes, rise over run, Q24: along the camera's heading, and across it.
- * At most 2^24. */
+ * left: the part, both axes together, of waves that weights take away; the rest is the loss
+ * of linear interpolation between vertices.  At most 2^24 each. */
 typedef struct {
-    uint32_t along, across;
+    uint32_t along, across, left;
 } tp_slope_variance;
 
 #define TP_ROUGH_ONE   (1u << 24)       /* variance of 1, the largest */
@@ -63,10 +66,11 @@ static inline tp_slope_variance tp_filtered_waves_lookup(const tp_filtered_waves
     int32_t part = at % TP_ROUGH_STEP;
 
     if (!waves)
-        return (tp_slope_variance){ 0, 0 };
+        return (tp_slope_variance){ 0, 0, 0 };
     const tp_slope_variance *v = &waves->at[at / TP_ROUGH_STEP];
     return (tp_slope_variance){ tp_variance_interpolate(v[0].along, v[1].along, part),
-                                tp_variance_interpolate(v[0].across, v[1].across, part) };
+                                tp_variance_interpolate(v[0].across, v[1].across, part),
+                                tp_variance_interpolate(v[0].left, v[1].left, part) };
 }
 
 #endif

@@ -20,16 +20,20 @@ typedef struct {
     double      largest, squares;
 } colour_error;
 
-static inline void colour_error_add(colour_error *l, uint32_t got, ref_colour want)
+static inline void colour_error_add_colour(colour_error *l, ref_colour got,
+                                           ref_colour want)
 {
-    const ref_colour g = ref_colour_unpack(got);
-
     for (int k = 0; k < 3; k++) {
-        const double off = fabs(g.c[k] - want.c[k]);
+        const double off = fabs(got.c[k] - want.c[k]);
         l->count++;
         l->squares += off * off;
         l->largest = fmax(l->largest, off);
     }
+}
+
+static inline void colour_error_add(colour_error *l, uint32_t got, ref_colour want)
+{
+    colour_error_add_colour(l, ref_colour_unpack(got), want);
 }
 
 static inline double colour_error_rms(const colour_error *l)
@@ -293,7 +297,7 @@ static inline tp_shade quick_rough_shade(quick_lights *kept, int env, int lobe,
     tp_filtered_waves_clear(&kept->filtered);
     for (tp_fx depth = TP_FX_ONE; levels > 1 && depth < 4000 * TP_FX_ONE; depth *= 2)
         tp_filtered_waves_add_row(&kept->filtered, depth, (tp_slope_variance){
-            (uint32_t)depth >> 9, (uint32_t)depth >> 10 });
+            (uint32_t)depth >> 9, (uint32_t)depth >> 10, 0 });
     tp_filtered_waves_finish(&kept->filtered);
     s.filtered = levels > 1 ? &kept->filtered : NULL;
     s.lobe = tp_lobe_form_make(shininess, TP_FX_ONE);

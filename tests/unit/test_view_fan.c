@@ -299,9 +299,11 @@ static void variance_is_that_of_the_waves_left_out(void **state)
         double sum = 0;
         place(&s);
         tp_fan_row row = { .along = 8000 * TP_FX_ONE, .across = 8000 * TP_FX_ONE };
-        const tp_slope_variance v = tp_fan_row_variance(s.grid.fan, &row, &s.surface);
+        const tp_slope_variance v = tp_fan_row_variance(s.grid.fan, &row, &s.surface,
+                                                        TP_FX_ONE);
         row.along = row.across = 1;
-        const tp_slope_variance none = tp_fan_row_variance(s.grid.fan, &row, &s.surface);
+        const tp_slope_variance none = tp_fan_row_variance(s.grid.fan, &row, &s.surface,
+                                                           TP_FX_ONE);
         for (uint32_t i = 0; i < s.deep.count; i++) {
             const double x = s.deep.swell[i].slope_x / 1073741824.0;
             const double z = s.deep.swell[i].slope_z / 1073741824.0;
@@ -311,6 +313,60 @@ static void variance_is_that_of_the_waves_left_out(void **state)
             assert_true(fabs((v.along + (double)v.across) / Q24 - sum) < 1e-4 + sum / 100);
         assert_true(none.along + none.across < 64);
         free(s.block);
+    }
+}
+
+/* Returns the mean square, over that of a wave, of the wave interpolated over a spacing of
+ * so many wavelengths. */
+static double interpolated_square(double spacing)
+{
+    enum { PHASES = 40, PARTS = 40 };
+    const double turn = 6.283185307179586;
+    double sum = 0;
+
+    for (int i = 0; i < PHASES; i++)
+        for (int j = 0; j < PARTS; j++) {
+            const double a = sin(turn * i / PHASES);
+            const double b = sin(turn * (i / (double)PHASES + spacing));
+            const double at = a + (b - a) * (j + 0.5) / PARTS;
+            sum += at * at;
+        }
+    return 2 * sum / (PHASES * PARTS);
+}
+
+/* What a row keeps is interpolated along it and across; a pixel as large as the row's
+ * spacing does not show what that loses. */
+static void variance_counts_the_loss_of_interpolation(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 200; n++) {
+        sea s = any_sea();
+        double want = 0, sum = 0;
+        place(&s);
+        const double rx = s.grid.fan->law.right.x / 0x1p30;
+        const double rz = s.grid.fan->law.right.z / 0x1p30;
+        const tp_fan_row row = { .along = chance_fx(&chance, 0.1, 4),
+                                 .across = chance_fx(&chance, 0.1, 4) };
+        const tp_slope_variance v = tp_fan_row_variance(s.grid.fan, &row, &s.surface,
+                                                        TP_FX_ONE);
+        const tp_slope_variance seen = tp_fan_row_variance(s.grid.fan, &row, &s.surface, 0);
+        for (uint32_t i = 0; i < s.deep.count; i++) {
+            const tp_swell *w = &s.deep.swell[i];
+            const double x = w->slope_x / 0x1p30, z = w->slope_z / 0x1p30;
+            const double tx = (double)w->turns_x / 0x1p32, tz = (double)w->turns_z / 0x1p32;
+            const double weight = tp_fan_row_weight(s.grid.fan, &row, w) / 65536.0;
+            const double kept =
+                interpolated_square((tx * rz - tz * rx) * row.along / 65536.0)
+                * interpolated_square((tx * rx + tz * rz) * row.across / 65536.0);
+            want += (x * x + z * z) / 2 * (1 - weight * weight * kept);
+            sum += (x * x + z * z) / 2;
+        }
+        free(s.block);
+        if (sum >= 0.9)             /* near the largest variance */
+            continue;
+        assert_true(fabs((v.along + (double)v.across) / Q24 - want) < 1e-4 + sum / 100);
+        assert_true(fabs((double)seen.left - seen.along - seen.across) < 300); /* 2^-16 */
+        assert_int_equal(v.left, seen.left);
     }
 }
 
@@ -324,6 +380,7 @@ int main(void)
         cmocka_unit_test(a_weight_is_the_gain_up_to_three_tenths_and_falls_to_zero),
         cmocka_unit_test(the_gain_lowers_the_error_of_linear_interpolation),
         cmocka_unit_test(variance_is_that_of_the_waves_left_out),
+        cmocka_unit_test(variance_counts_the_loss_of_interpolation),
     };
     return cmocka_run_group_tests_name("view/fan", tests, NULL, NULL);
 }

@@ -15,7 +15,7 @@ static uint64_t chance;
 static void add(double depth, uint32_t along)
 {
     tp_filtered_waves_add_row(&waves, TP_FX(depth),
-                              (tp_slope_variance){ along, along / 2 });
+                              (tp_slope_variance){ along, along / 2, along });
 }
 
 static void no_rows_and_no_waves_are_smooth(void **state)

@@ -240,7 +240,7 @@ static uint32_t filtered_variance(const tp_shade *shade, const tp_shade_foam *f,
         return 0;
     const tp_slope_variance v =
         tp_filtered_waves_lookup(shade->filtered, tp_log_depth(shade, key));
-    return relative_square(f, v.along + v.across);
+    return relative_square(f, v.left);
 }
 
 /* Returns the cover 0..255 beyond the window: a quarter of the field's mean by the cube of

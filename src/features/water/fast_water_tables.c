@@ -263,8 +263,11 @@ static uint32_t darken_sky_below_horizon(uint32_t sky, int32_t up)
     return tp_colour_scale(sky, (uint32_t)tp_clamp(256 + 4 * up, 128, 256));
 }
 
-/* Fills the columns of heights.  Entry i is in the middle of a 32nd; `up` is in 256ths.
- * A gradient has one column; a dome has 16 columns, mixed from its two sides. */
+/* Fills the columns of heights, for all levels of roughness: the mirrored ray is that of
+ * the slope, not the mean [V3], since a dome's columns for each level would take 12 KB
+ * more, and a height bent by the level an instruction more a pixel.  Entry i is in the
+ * middle of a 32nd; `up` is in 256ths.  A gradient has one column; a dome has 16 columns,
+ * mixed from its two sides. */
 static void fill_sky_colours_by_height(struct tp_quick_light *quick, const tp_shade *shade)
 {
     const tp_dome *dome = shade->env.kind == TP_ENV_DOME ? shade->env.dome : NULL;

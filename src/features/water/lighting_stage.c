@@ -111,7 +111,7 @@ TP_ALWAYS_INLINE void light_rough_columns(const tp_shade *restrict shade,
         nl = tp_clamp(nl * ny >> 14, 0, 16384);
         int32_t rv = tp_lobe_table_cosine(nl, seen, run->lv[i], blinn);
         int32_t rise = blinn ? 0 : (2 * seen * ny >> 14) - vy - ly;
-        int32_t up = (2 * nv * ny >> 14) - vy;
+        int32_t up = ((2 * nv * ny >> 14) - vy) * lobe.view.height >> 14;
         run->nv[i] = (int16_t)nv;
         run->up[i] = (int16_t)(up > 16384 ? 16384 : up);
         int32_t glint = 0;
@@ -120,6 +120,7 @@ TP_ALWAYS_INLINE void light_rough_columns(const tp_shade *restrict shade,
             glint = shine ? (shine * lobe.peak + 24575) >> 14 : 0;
         }
         run->glint[i] = (uint16_t)(nl > 0 ? glint : 0);
+        nl = tp_clamp(nl + lobe.seen, 0, 16384);
         run->colour[i] = tp_colour_scale(run->colour[i],
                                          (uint32_t)tp_lit_share(ambient, nl));
     }
@@ -131,7 +132,7 @@ TP_ALWAYS_INLINE void light_rough(const tp_shade *restrict shade, tp_run *restri
     for (int32_t i = 0; i < run->count; ) {
         int32_t stop = tp_block_end(run, i);
         const tp_rough_lobe lobe =
-            tp_rough_lobe_make(shade, run->key[i], run->vy[i], blinn);
+            tp_rough_lobe_make(shade, run->key[i], run->vy[i], run->lv[i], blinn);
         light_rough_columns(shade, run, lobe, i, stop, rippled, blinn);
         i = stop;
     }
@@ -176,18 +177,18 @@ const tp_stage tp_diffuse_stages[] = {
 /* The plain gradient needs only the height of the reflected view and takes one stage.
  * Other skies may give light above white [F8]. */
 
-/* Returns the weight of a reflected ray by its height, 128..256.  A ray downwards meets
+/* Returns the weight of a reflected ray by its height, Q14, 1/2..1.  A ray downwards meets
  * other water, half as bright as the horizon: the weight fades to a half within 7 degrees
  * below level. */
 TP_ALWAYS_INLINE uint32_t horizon_fade(int32_t up)
 {
-    return (uint32_t)tp_clamp(256 + 4 * (up >> 6), 128, 256);
+    return (uint32_t)tp_clamp(16384 + 4 * up, 8192, 16384);
 }
 
 TP_ALWAYS_INLINE uint32_t reflected_share(const tp_shade *shade, int32_t nv, int32_t up)
 {
     uint32_t share = shade->fresnel[nv >> 6] * (uint32_t)shade->mirror >> 8;
-    return share * horizon_fade(up) >> 8;
+    return share * horizon_fade(up) >> 14;
 }
 
 /* Returns reflected_share in 1/65536: light of many whites multiplies the rounding
@@ -196,7 +197,7 @@ TP_ALWAYS_INLINE uint32_t reflected_share_q16(const tp_shade *shade, int32_t nv,
                                               int32_t up)
 {
     uint32_t share = shade->fresnel[nv >> 6] * (uint32_t)shade->mirror;
-    return share * horizon_fade(up) >> 8;
+    return share * horizon_fade(up) >> 14;
 }
 
 /* Mixes the reflected gradient sky into the colours, by Fresnel's share: the work of
