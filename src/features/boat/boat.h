@@ -69,6 +69,11 @@ tp_boat_rows tp_boat_rows_find(const tp_boat_faces *faces, const tp_gbuffer *til
 void tp_boat_faces_list(tp_boat_faces *faces, const tp_mesh *mesh,
                         const tp_boat_vertex *vertex, uint8_t *edges);
 
+/* Sets the rows of entry i, a cut face, from its clipped polygon.  A polygon that covers no
+ * pixel's centre from the front loses TP_FACE_FILLS. */
+void tp_boat_faces_set_polygon(tp_boat_faces *faces, uint32_t i,
+                               const tp_screen_vertex *corner, int count);
+
 /* True if an entry's face may touch the rows. */
 static inline bool tp_boat_face_touches(const tp_boat_faces *faces, uint32_t entry,
                                         tp_boat_rows rows)

@@ -110,9 +110,10 @@ static int clip_face(const drawn_boat *b, const tp_view *view, const tp_mesh_fac
     return tp_clipped_corners(&b->projection, tp_view_clip_plane(view), in, corner);
 }
 
-/* Widens the box by the clipped parts of faces with cut corners. */
-static void widen_box_by_cut_faces(drawn_boat *b, const tp_view *view, uint32_t first,
-                                   uint32_t end)
+/* Finds the rows of the faces with cut corners, and widens the box by their clipped
+ * parts. */
+static void measure_cut_faces(drawn_boat *b, const tp_view *view, uint32_t first,
+                              uint32_t end)
 {
     tp_screen_vertex corner[TP_CLIP_VERTICES];
 
@@ -121,7 +122,9 @@ static void widen_box_by_cut_faces(drawn_boat *b, const tp_view *view, uint32_t 
         if (!(entry & TP_FACE_CUT))
             continue;
         const uint32_t f = tp_boat_face_number(&b->faces, entry);
-        for (int k = clip_face(b, view, &b->look.mesh->faces[f], corner); k-- > 0; )
+        const int count = clip_face(b, view, &b->look.mesh->faces[f], corner);
+        tp_boat_faces_set_polygon(&b->faces, i, corner, count);
+        for (int k = 0; k < count; k++)
             tp_box_widen(&b->box, corner[k].u, corner[k].v);
     }
 }
@@ -133,8 +136,8 @@ static void list_faces(const tp_frame *frame, drawn_boat *b, const tp_view *view
         frame->outlined ? tp_frame_module_memory(frame, TP_OUTLINES_ID) : NULL;
 
     tp_boat_faces_list(&b->faces, b->look.mesh, b->vertex, o ? o->edges : NULL);
-    widen_box_by_cut_faces(b, view, 0, b->faces.count);
-    widen_box_by_cut_faces(b, view, b->faces.lids, b->faces.end);
+    measure_cut_faces(b, view, 0, b->faces.count);
+    measure_cut_faces(b, view, b->faces.lids, b->faces.end);
     if (o && b->box.x0 <= b->box.x1)
         o->find(o, &b->faces, b->vertex, frame->shade.focal);
 }
