@@ -140,6 +140,7 @@ static void list_faces(const tp_frame *frame, drawn_boat *b, const tp_view *view
     measure_cut_faces(b, view, b->faces.lids, b->faces.end);
     if (o && b->box.x0 <= b->box.x1)
         o->find(o, &b->faces, b->vertex, frame->shade.focal);
+    tp_boat_faces_set_blocks(&b->faces);
 }
 
 static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
@@ -236,10 +237,9 @@ static void draw_faces(const drawn_boat *b, const tp_view *view, tp_gbuffer *sam
     const tp_boat_rows rows = tp_boat_rows_find(&b->faces, samples);
 
     samples->front_only = true;
-    for (uint32_t i = first; i < end; i++) {
+    for (uint32_t i = first;
+         (i = tp_boat_faces_next(&b->faces, i, end, rows, TP_FACE_FILLS)) < end; i++) {
         const uint32_t entry = b->faces.entry[i];
-        if (!(entry & TP_FACE_FILLS) || !tp_boat_face_touches(&b->faces, entry, rows))
-            continue;
         if (entry & TP_FACE_CUT)
             draw_clipped(&p, tp_boat_face_number(&b->faces, entry));
         else

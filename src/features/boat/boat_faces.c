@@ -29,6 +29,8 @@ tp_boat_faces tp_boat_faces_layout(tp_arena *arena, uint32_t count, uint32_t hei
 
     TP_ASSERT(free_bits > 0);
     faces.entry = tp_arena_alloc(arena, count, sizeof *faces.entry);
+    faces.block = tp_arena_alloc(arena, (count + TP_BOAT_BLOCK - 1) / TP_BOAT_BLOCK,
+                                 sizeof *faces.block);
     faces.last_step = (1 << faces.row_bits) - 1;
     while ((height - 1) >> faces.row_shift > (uint32_t)faces.last_step)
         faces.row_shift++;
@@ -114,4 +116,27 @@ void tp_boat_faces_list(tp_boat_faces *faces, const tp_mesh *mesh,
         if (entry || facing == TP_BOAT_FRONT)
             faces->entry[lid ? --faces->lids : faces->count++] = entry | f << shift;
     }
+}
+
+/* Widens the blocks' rows by those of a range of entries. */
+static void widen_blocks(tp_boat_faces *faces, uint32_t first, uint32_t end)
+{
+    for (uint32_t i = first; i < end; i++) {
+        tp_boat_block *block = &faces->block[i / TP_BOAT_BLOCK];
+        const tp_boat_rows rows = tp_boat_face_rows(faces, faces->entry[i]);
+        if (!(faces->entry[i] & (TP_FACE_FILLS | TP_FACE_EDGED)))
+            continue;
+        if (rows.first < block->first)
+            block->first = (uint8_t)rows.first;
+        if (rows.last > block->last)
+            block->last = (uint8_t)rows.last;
+    }
+}
+
+void tp_boat_faces_set_blocks(tp_boat_faces *faces)
+{
+    for (uint32_t i = 0; i < faces->end; i += TP_BOAT_BLOCK)
+        faces->block[i / TP_BOAT_BLOCK] = (tp_boat_block){ UINT8_MAX, 0 };
+    widen_blocks(faces, 0, faces->count);
+    widen_blocks(faces, faces->lids, faces->end);
 }
