@@ -9,12 +9,14 @@
  *     wake.c           the module wake
  *     boat_drawing.c   the modules boat (the mesh) and lids
  *     boat_faces.c     the list of a view's faces
+ *     boat_projection.c  the mesh's vertices and cut faces in a view
  *     boat_outlines.c  the module outlines
  *     boat_stage.c     the lighting of the boat's materials
  *     boat_rungs.c     the cost of the boat's faces
  */
 #ifndef TP_FEATURES_BOAT_BOAT_H
 #define TP_FEATURES_BOAT_BOAT_H
+#include "frame/drawing.h"
 #include "pool/pool.h"
 #include "raster/raster.h"
 #include "shade/shade.h"
@@ -38,6 +40,22 @@ typedef struct {
 /* Value of u for a vertex below the clip plane of the view.  A face with three such
  * vertices is not drawn.  A face with one or two is clipped. */
 #define TP_BOAT_OUTSIDE (TP_GRID_NEEDS_CLIP + 1)
+
+/* A render view in the mesh's frame. */
+typedef struct {
+    const tp_mesh *mesh;
+    tp_projection  projection;
+    tp_fx          metres;      /* metres per 1.0 of the mesh's positions */
+} tp_boat_view;
+
+/* Projects all vertices of the mesh; returns the box of the projected ones.  `plane`: clip
+ * plane of the view, or NULL. */
+tp_grid_box tp_boat_project_vertices(const tp_boat_view *b, const tp_view_plane *plane,
+                                     tp_boat_vertex *vertex);
+
+/* Clips face f; returns the number of corners, 0 if nothing is left. */
+int tp_boat_clip_face(const tp_boat_view *b, const tp_view_plane *plane, uint32_t f,
+                      tp_screen_vertex corner[TP_CLIP_VERTICES]);
 
 /* Flags of an entry: set by the list, and by the module outlines. */
 enum {
