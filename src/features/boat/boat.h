@@ -44,9 +44,13 @@ typedef struct {
 /* A render view in the mesh's frame. */
 typedef struct {
     const tp_mesh *mesh;
+    tp_vec3        low, high;   /* corners of the box of its positions */
     tp_projection  projection;
     tp_fx          metres;      /* metres per 1.0 of the mesh's positions */
 } tp_boat_view;
+
+/* Sets the mesh and its box, from the positions themselves. */
+void tp_boat_view_init(tp_boat_view *b, const tp_mesh *mesh);
 
 /* Projects all vertices of the mesh; returns the box of the projected ones.  `plane`: clip
  * plane of the view, or NULL. */

@@ -36,7 +36,6 @@ static void set_mesh_space_view(const tp_frame *frame, drawn_boat *b, const tp_v
     tp_vec3 way = tp_vec3_sub(view->projection->eye, boat->place);
     tp_view_axes *axes = &b->look.axes;
 
-    b->view.mesh = b->look.mesh;
     b->view.metres = tp_mesh_metres_per_unit(b->look.mesh, frame->scene->boat.scale);
     b->view.projection = *view->projection;
     b->view.projection.eye = tp_rotate(r, way);
@@ -225,6 +224,14 @@ static void make_gloss(tp_frame *frame, void *mine)
     }
 }
 
+static void init_boat(tp_frame *frame, void *mine)
+{
+    drawn_boat *b = mine;
+
+    tp_boat_view_init(&b->view, b->look.mesh);
+    make_gloss(frame, mine);
+}
+
 /* Sets the boat's materials: mipmap bias, maps and tables of highlights. */
 static void begin_boat_materials(tp_frame *frame, void *mine)
 {
@@ -314,7 +321,7 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 }
 
 const tp_drawing tp_boat_drawing = {
-    .layout = layout, .init = make_gloss, .marks = count_marks,
+    .layout = layout, .init = init_boat, .marks = count_marks,
     .begin = begin_boat_materials,
     .anchor = set_anchor, .project = project, .draw = draw, .stages = add_stages,
 };

@@ -29,6 +29,25 @@ TP_ALWAYS_INLINE tp_vec3 position(const tp_boat_view *b, tp_vec3 at, int bounded
                       (tp_fx)tp_clamp_abs(z, POSITION_MOST) };
 }
 
+static void widen(tp_fx *low, tp_fx *high, tp_fx x)
+{
+    *low = x < *low ? x : *low;
+    *high = x > *high ? x : *high;
+}
+
+void tp_boat_view_init(tp_boat_view *b, const tp_mesh *mesh)
+{
+    b->mesh = mesh;
+    b->low = (tp_vec3){ TP_FX_MAX, TP_FX_MAX, TP_FX_MAX };
+    b->high = (tp_vec3){ TP_FX_MIN, TP_FX_MIN, TP_FX_MIN };
+    for (uint32_t i = 0; i < mesh->n_vertices; i++) {
+        const tp_vec3 at = mesh->vertices[i].position;
+        widen(&b->low.x, &b->high.x, at.x);
+        widen(&b->low.y, &b->high.y, at.y);
+        widen(&b->low.z, &b->high.z, at.z);
+    }
+}
+
 /* Adds the larger distance of two scaled coordinates from the eye to *sum.  False: a
  * coordinate needs the clamp. */
 static bool add_distance(int64_t *sum, int64_t low, int64_t high, tp_fx eye)
@@ -44,7 +63,7 @@ static bool add_distance(int64_t *sum, int64_t low, int64_t high, tp_fx eye)
  * tp_dot_dir_clamped clamps to 32 km. */
 static bool is_bounded(const tp_boat_view *b)
 {
-    const tp_vec3 low = b->mesh->low, high = b->mesh->high, eye = b->projection.eye;
+    const tp_vec3 low = b->low, high = b->high, eye = b->projection.eye;
     int64_t sum = 0;
     const bool fits =
         add_distance(&sum, scaled(low.x, b->metres), scaled(high.x, b->metres), eye.x)
