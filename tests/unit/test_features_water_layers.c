@@ -8,6 +8,7 @@
 #include <cmocka.h>
 #include "tests/lib/layers.h"
 #include "tests/lib/measure.h"
+#include "shade/material.h"
 
 static uint64_t chance;
 
