@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The four functions required by the core of each port.  Aligned blocks are copied word by
- * word.  PLAIN keeps the compiler from turning the loops into calls of these functions. */
+/* The four functions required by the core of each port.  Aligned blocks are copied and
+ * filled by several words a turn.  PLAIN keeps the compiler from turning the loops into
+ * calls of these functions. */
 #include <stddef.h>
 #include <stdint.h>
 
@@ -22,9 +23,19 @@ PLAIN void *memcpy(void *restrict to, const void *restrict from, size_t bytes)
 {
     uint8_t *d = to;
     const uint8_t *s = from;
-    if (aligned(d, s))
+    if (aligned(d, s)) {
+        for (; bytes >= 16; bytes -= 16, d += 16, s += 16) {
+            const word *four = (const void *)s;
+            word *out = (void *)d;
+            const word a = four[0], b = four[1], c = four[2], e = four[3];
+            out[0] = a;
+            out[1] = b;
+            out[2] = c;
+            out[3] = e;
+        }
         for (; bytes >= 4; bytes -= 4, d += 4, s += 4)
             *(word *)(void *)d = *(const word *)(const void *)s;
+    }
     while (bytes--)
         *d++ = *s++;
     return to;
@@ -47,6 +58,11 @@ PLAIN void *memset(void *to, int value, size_t bytes)
     uint32_t four = (uint8_t)value * 0x01010101u;
     for (; bytes && (uintptr_t)d & 3; bytes--)
         *d++ = (uint8_t)value;
+    for (; bytes >= 32; bytes -= 32, d += 32) {
+        word *out = (void *)d;
+        out[0] = out[1] = out[2] = out[3] = four;
+        out[4] = out[5] = out[6] = out[7] = four;
+    }
     for (; bytes >= 4; bytes -= 4, d += 4)
         *(word *)(void *)d = four;
     while (bytes--)

@@ -89,7 +89,7 @@ struct tp_frame {
     tp_shade         shade;
     const tp_rgb565_tone_map *tone_map; /* tone mapping and store in one table, or NULL */
     /* Writes pixels through `toned`; or NULL. */
-    void (*store_tone_mapped)(const tp_rgb565_tone_map *toned, uint16_t *to,
+    void (*store_tone_mapped)(const tp_rgb565_tone_map *toned, void *to,
                               const uint32_t *colours, int count);
 };
 

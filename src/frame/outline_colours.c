@@ -32,6 +32,17 @@ static int32_t count_visible(const uint32_t *key, const uint32_t *front, int32_t
     return n;
 }
 
+/* Returns the first index from i on, or `end`, with an outline.  Most have none: four keys
+ * are tested at once. */
+static int32_t find_outline(const uint32_t *key, int32_t i, int32_t end)
+{
+    while (i + 4 <= end && !(key[i] | key[i + 1] | key[i + 2] | key[i + 3]))
+        i += 4;
+    while (i < end && key[i] == 0)
+        i++;
+    return i;
+}
+
 /* Replaces the marks by the shares, and leaves the face numbers in t. */
 static void take_shares(uint32_t *key, ptrdiff_t plane, int32_t count)
 {
@@ -63,12 +74,8 @@ static bool colour_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y,
     const int32_t width = tile->x1 - tile->x0;
     bool any = false;
 
-    for (int32_t i = 0; i < width; ) {
+    for (int32_t i = 0; (i = find_outline(key, i, width)) < width; ) {
         const int32_t x = tile->x0 + i, most = TP_RUN - x % TP_RUN;
-        if (key[i] == 0) {
-            i++;
-            continue;
-        }
         run->count = count_visible(&key[i], &front[i], most < width - i ? most : width - i);
         if (run->count == 0) {
             key[i++] = 0;
@@ -97,10 +104,8 @@ static void blend(const tp_gbuffer *tile, tp_run *run)
                         + (uint32_t)(run->x - tile->x0);
     const uint32_t *colour = key + (tile->s - tile->key);
 
-    for (int32_t i = 0; i < run->count; i++)
-        if (key[i])
-            run->colour[i] =
-                tp_colour_mix(run->colour[i], colour[i], share_of_key(key[i]));
+    for (int32_t i = 0; (i = find_outline(key, i, run->count)) < run->count; i++)
+        run->colour[i] = tp_colour_mix(run->colour[i], colour[i], share_of_key(key[i]));
 }
 
 static void blend_map_row(const tp_gbuffer *tile, int32_t y, uint32_t *to)
@@ -108,10 +113,10 @@ static void blend_map_row(const tp_gbuffer *tile, int32_t y, uint32_t *to)
     const uint32_t *key =
         tile->outline + (size_t)(uint32_t)(y - tile->y0) * tile->stride;
     const uint32_t *colour = key + (tile->s - tile->key);
+    const int32_t width = tile->x1 - tile->x0;
 
-    for (int32_t i = 0; i < tile->x1 - tile->x0; i++)
-        if (key[i])
-            to[i] = tp_argb_mix(to[i], colour[i] | 0xff000000u, share_of_key(key[i]));
+    for (int32_t i = 0; (i = find_outline(key, i, width)) < width; i++)
+        to[i] = tp_argb_mix(to[i], colour[i] | 0xff000000u, share_of_key(key[i]));
 }
 
 const struct tp_outlining tp_outlining_by_share = {

@@ -93,7 +93,7 @@ static void shade_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, 
         if (outlined)
             tp_frame_outlining(frame)->blend(tile, &run);
         if (frame->tone_map)
-            frame->store_tone_mapped(frame->tone_map, (uint16_t *)row + x - tile->x0,
+            frame->store_tone_mapped(frame->tone_map, (uint8_t *)row + 2 * (x - tile->x0),
                                      run.colour, run.count);
         else
             store(row, x - tile->x0, x, y, run.colour, run.count);

@@ -174,11 +174,23 @@ void tp_store_xrgb8888(void *row, int x_in_row, int x, int y, const uint32_t *co
 #if TP_DSP
 TP_ALWAYS_INLINE void put_pair(uint8_t *to, uint32_t pair, int be)
 {
-    if (be)
-        pair = (pair & 0x00ff00ff) << 8 | (pair >> 8 & 0x00ff00ff);
+    if (be) {                   /* the bytes of both halves swap: two instructions */
+        pair = __builtin_bswap32(pair);
+        pair = pair << 16 | pair >> 16;
+    }
     __builtin_memcpy(to, &pair, sizeof pair);
 }
 #endif
+
+TP_ALWAYS_INLINE void put_pixel(uint8_t *to, uint32_t pixel, int be)
+{
+    if (be) {
+        to[0] = (uint8_t)(pixel >> 8);
+        to[1] = (uint8_t)pixel;
+    } else {
+        *(uint16_t *)(void *)to = (uint16_t)pixel;
+    }
+}
 
 /* Stores two pixels at a time on cores with packed arithmetic; elsewhere compilers
  * make faster code of the plain loop.  `be`: swap the bytes of each pixel, for
@@ -195,15 +207,8 @@ TP_ALWAYS_INLINE void store_rgb565(uint8_t *to, const uint32_t *colours, int cou
         put_pair(to + 2 * i + 4, tp_rgb565_pack_pair(&kept, c[2], c[3]), be);
     }
 #endif
-    for (; i < count; i++) {
-        const uint32_t pixel = tp_rgb565(colours[i]);
-        if (be) {
-            to[2 * i] = (uint8_t)(pixel >> 8);
-            to[2 * i + 1] = (uint8_t)pixel;
-        } else {
-            ((uint16_t *)(void *)to)[i] = (uint16_t)pixel;
-        }
-    }
+    for (; i < count; i++)
+        put_pixel(to + 2 * i, tp_rgb565(colours[i]), be);
 }
 
 void tp_store_rgb565(void *row, int x_in_row, int x, int y, const uint32_t *colours,
@@ -221,23 +226,34 @@ TP_ALWAYS_INLINE uint32_t tone_map_rgb565(const tp_rgb565_tone_map *t, uint32_t 
          | t->five[c & 0xff];
 }
 
-void tp_store_rgb565_tone_mapped(const tp_rgb565_tone_map *t, uint16_t *to,
-                                 const uint32_t *colours, int count)
+TP_ALWAYS_INLINE void store_tone_mapped(const tp_rgb565_tone_map *t, uint8_t *to,
+                                        const uint32_t *colours, int count, int be)
 {
-    TP_ASSERT((uintptr_t)to % 2 == 0);
     int i = 0;
 
 #if TP_DSP
     for (; i + 3 < count; i += 4) {
         const uint32_t *c = colours + i;
-        put_pair((uint8_t *)(to + i),
-                 tone_map_rgb565(t, c[0]) | tone_map_rgb565(t, c[1]) << 16, 0);
-        put_pair((uint8_t *)(to + i + 2),
-                 tone_map_rgb565(t, c[2]) | tone_map_rgb565(t, c[3]) << 16, 0);
+        put_pair(to + 2 * i, tone_map_rgb565(t, c[0]) | tone_map_rgb565(t, c[1]) << 16, be);
+        put_pair(to + 2 * i + 4,
+                 tone_map_rgb565(t, c[2]) | tone_map_rgb565(t, c[3]) << 16, be);
     }
 #endif
     for (; i < count; i++)
-        to[i] = (uint16_t)tone_map_rgb565(t, colours[i]);
+        put_pixel(to + 2 * i, tone_map_rgb565(t, colours[i]), be);
+}
+
+void tp_store_rgb565_tone_mapped(const tp_rgb565_tone_map *t, void *to,
+                                 const uint32_t *colours, int count)
+{
+    TP_ASSERT((uintptr_t)to % 2 == 0);
+    store_tone_mapped(t, to, colours, count, 0);
+}
+
+void tp_store_rgb565be_tone_mapped(const tp_rgb565_tone_map *t, void *to,
+                                   const uint32_t *colours, int count)
+{
+    store_tone_mapped(t, to, colours, count, 1);
 }
 
 void tp_store_rgb565be(void *row, int x_in_row, int x, int y, const uint32_t *colours,

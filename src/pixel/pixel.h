@@ -93,7 +93,10 @@ static inline void tp_rgb565_tone_map_set(tp_rgb565_tone_map *tone_map, uint32_t
     tone_map->six[i] = (uint8_t)(pixel >> 5 & 63);
 }
 
-void tp_store_rgb565_tone_mapped(const tp_rgb565_tone_map *tone_map, uint16_t *to,
+/* Store pixels from the address `to` on; rgb565 pixels at an even address. */
+void tp_store_rgb565_tone_mapped(const tp_rgb565_tone_map *tone_map, void *to,
                                  const uint32_t *colours, int count);
+void tp_store_rgb565be_tone_mapped(const tp_rgb565_tone_map *tone_map, void *to,
+                                   const uint32_t *colours, int count);
 
 #endif

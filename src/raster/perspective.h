@@ -27,18 +27,18 @@ static tp_perspective make_perspective(const tp_tri *tri)
     const tp_screen_vertex *p[3] = { tri->a, tri->b, tri->c };
     uint32_t near = p[0]->zi | p[1]->zi | p[2]->zi;
     int      shift = tp_clz(near) - 3;
-    int64_t  w[3], sw[3], tw[3];
+    int32_t  w[3], sw[3], tw[3];
 
     for (int i = 0; i < 3; i++) {
         uint32_t wi = shift >= 0 ? p[i]->zi << shift : p[i]->zi >> -shift;
-        w[i] = wi;
+        w[i] = (int32_t)wi;
         sw[i] = times_w(p[i]->s - p[0]->s, wi);
         tw[i] = times_w(p[i]->t - p[0]->t, wi);
     }
     return (tp_perspective){
-        .w = tp_tri_gradient(tri, w[0], w[1], w[2], TP_PERSPECTIVE_BITS),
-        .sw = tp_tri_gradient(tri, sw[0], sw[1], sw[2], TP_PERSPECTIVE_BITS),
-        .tw = tp_tri_gradient(tri, tw[0], tw[1], tw[2], TP_PERSPECTIVE_BITS),
+        .w = tp_tri_gradient(tri, w[0], w[1] - w[0], w[2] - w[0], TP_PERSPECTIVE_BITS),
+        .sw = tp_tri_gradient(tri, 0, sw[1], sw[2], TP_PERSPECTIVE_BITS),
+        .tw = tp_tri_gradient(tri, 0, tw[1], tw[2], TP_PERSPECTIVE_BITS),
         .s0 = (uint32_t)p[0]->s,
         .t0 = (uint32_t)p[0]->t,
     };

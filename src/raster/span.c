@@ -239,23 +239,31 @@ TP_ALWAYS_INLINE void fill_triangle_rows(const span_painter *p, const tp_gbuffer
     }
 }
 
+/* Depths are below 2^31. */
+TP_ALWAYS_INLINE tp_gradient depth_gradient(const tp_tri *tri)
+{
+    const uint32_t a = tri->a->zi;
+    TP_ASSERT((a | tri->b->zi | tri->c->zi) >> 31 == 0);
+    return tp_tri_gradient(tri, a, (int32_t)(tri->b->zi - a), (int32_t)(tri->c->zi - a), 0);
+}
+
+/* Returns the plane of a normal's component with `shift` more bits. */
 TP_ALWAYS_INLINE tp_gradient normal_gradient(const tp_tri *tri, int i, int shift)
 {
-    int64_t one = (int64_t)1 << shift;
-    return tp_tri_gradient(tri, tri->a->n[i] * one, tri->b->n[i] * one,
-                           tri->c->n[i] * one, 0);
+    const int32_t a = tri->a->n[i];
+    return tp_tri_gradient(tri, a, tri->b->n[i] - a, tri->c->n[i] - a, shift);
 }
 
 TP_ALWAYS_INLINE void set_depth_and_st_gradients(span_painter *p, bool exact)
 {
     const tp_tri *tri = p->tri;
 
-    p->zi = tp_tri_gradient(tri, tri->a->zi, tri->b->zi, tri->c->zi, 0);
+    p->zi = depth_gradient(tri);
     if (exact) {
         p->persp = make_perspective(tri);
     } else {
-        p->s = tp_tri_gradient(tri, tri->a->s, tri->b->s, tri->c->s, 0);
-        p->t = tp_tri_gradient(tri, tri->a->t, tri->b->t, tri->c->t, 0);
+        p->s = tp_tri_gradient_wide(tri, tri->a->s, tri->b->s, tri->c->s);
+        p->t = tp_tri_gradient_wide(tri, tri->a->t, tri->b->t, tri->c->t);
     }
 }
 
@@ -323,9 +331,7 @@ void tp_tri_depth_only(const tp_gbuffer *tile, const tp_screen_vertex *a,
 
     if (!tp_tri_begin(&tri, tile, a, b, c))
         return;
-    span_painter p = {
-        .tri = &tri, .zi = tp_tri_gradient(&tri, tri.a->zi, tri.b->zi, tri.c->zi, 0),
-    };
+    span_painter p = { .tri = &tri, .zi = depth_gradient(&tri) };
     fill_triangle_rows(&p, tile, LID, 0);
 }
 

@@ -60,15 +60,13 @@ typedef struct {
     int64_t base, dx, dy;
 } tp_gradient;
 
-/* Returns the plane of a quantity with these values at the three sorted vertices.  The
- * result has `bits` more fraction bits than the input.  Differences are up to 2^32 and
- * bits <= 12.  Each product has 33 + 29 bits, their sum 63. */
-TP_ALWAYS_INLINE tp_gradient tp_tri_gradient(const tp_tri *tri, int64_t at_a,
-                                             int64_t at_b, int64_t at_c, int bits)
+/* Returns the plane of a quantity from its value at a and its sums of products in x and y.
+ * The result has `bits` more fraction bits than the input. */
+TP_ALWAYS_INLINE tp_gradient tp_tri_gradient_scale(const tp_tri *tri, int64_t at_a,
+                                                   int64_t dx, int64_t dy, int bits)
 {
-    int64_t d1 = at_b - at_a, d2 = at_c - at_a;
-    int     shift = tri->shift - bits;
-    tp_gradient g = { 0, d1 * tri->cx1 + d2 * tri->cx2, d1 * tri->cy1 + d2 * tri->cy2 };
+    int         shift = tri->shift - bits;
+    tp_gradient g = { 0, dx, dy };
 
     if (shift >= 0) {
         g.dx >>= shift;
@@ -80,6 +78,29 @@ TP_ALWAYS_INLINE tp_gradient tp_tri_gradient(const tp_tri *tri, int64_t at_a,
     g.base = at_a * ((int64_t)1 << bits)
            + ((g.dx * tri->off_u + g.dy * tri->off_v) >> 4);
     return g;
+}
+
+/* Returns the plane of a quantity with this value at a, and d1 and d2 more at b and c.
+ * Each product has 32 + 29 bits; `bits` <= 22. */
+TP_ALWAYS_INLINE tp_gradient tp_tri_gradient(const tp_tri *tri, int64_t at_a, int32_t d1,
+                                             int32_t d2, int bits)
+{
+    return tp_tri_gradient_scale(
+        tri, at_a, (int64_t)d1 * tri->cx1 + (int64_t)d2 * tri->cx2,
+        (int64_t)d1 * tri->cy1 + (int64_t)d2 * tri->cy2, bits);
+}
+
+/* Same for texture positions, whose differences have up to 33 bits: each product has
+ * 33 + 29 bits, their sum 63. */
+TP_ALWAYS_INLINE tp_gradient tp_tri_gradient_wide(const tp_tri *tri, int32_t at_a,
+                                                  int32_t at_b, int32_t at_c)
+{
+    const int64_t d1 = (int64_t)at_b - at_a, d2 = (int64_t)at_c - at_a;
+
+    if (d1 == (int32_t)d1 && d2 == (int32_t)d2)
+        return tp_tri_gradient(tri, at_a, (int32_t)d1, (int32_t)d2, 0);
+    return tp_tri_gradient_scale(tri, at_a, d1 * tri->cx1 + d2 * tri->cx2,
+                                 d1 * tri->cy1 + d2 * tri->cy2, 0);
 }
 
 /* True if a vertex is inside the guard band.  The centre of the band is up to half a

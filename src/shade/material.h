@@ -160,13 +160,27 @@ TP_ALWAYS_INLINE tp_four tp_four_gather_centred(const tp_mip_level *l, uint32_t 
     return tp_four_gather(l, s - l->half_s, t - l->half_t);
 }
 
+/* Mixes the greens of both rows in the halves of a word, then the rows. */
+TP_ALWAYS_INLINE uint32_t tp_four_interpolate_green(const tp_four *f)
+{
+    const uint32_t left = tp_odd_bytes(tp_pack_low_halves(f->texel[0], f->texel[2]));
+    const uint32_t right = tp_odd_bytes(tp_pack_low_halves(f->texel[1], f->texel[3]));
+    const uint32_t rows = tp_odd_bytes(left * (256 - f->fs) + right * f->fs + TP_HALF_RB);
+
+    return (uint32_t)tp_smlad(rows, tp_pack_low_halves(256 - f->ft, f->ft), 128) >> 8;
+}
+
 TP_ALWAYS_INLINE tp_split_rgb tp_four_interpolate(const tp_four *f)
 {
     tp_split_rgb above = tp_split_rgb_mix(tp_split_rgb_make(f->texel[0]),
                                           tp_split_rgb_make(f->texel[1]), f->fs);
     tp_split_rgb below = tp_split_rgb_mix(tp_split_rgb_make(f->texel[2]),
                                           tp_split_rgb_make(f->texel[3]), f->fs);
-    return tp_split_rgb_mix(above, below, f->ft);
+    tp_split_rgb mixed = tp_split_rgb_mix(above, below, f->ft);
+
+    if (TP_DSP)
+        mixed.g = tp_four_interpolate_green(f);
+    return mixed;
 }
 
 TP_ALWAYS_INLINE uint32_t tp_mip_level_sample_linear(const tp_mip_level *l, uint32_t s,

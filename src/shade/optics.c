@@ -203,21 +203,33 @@ static uint16_t shine_entry(tp_q30 lobe, tp_fx strength)
     return (uint16_t)(tp_fx_mul(lobe >> 14, strength) >> 8);
 }
 
+/* Fills the table from its end.  Rounded products of falling numbers do not rise, so all
+ * entries before a 0 are 0. */
+TP_ALWAYS_INLINE void fill_shine(tp_entry16 shine[TP_SHINE + 1], tp_fx shininess,
+                                 tp_fx strength, int blinn)
+{
+    const uint32_t n = exponent(shininess);
+    int32_t i = TP_SHINE;
+
+    TP_ASSERT(shine != NULL && strength >= 0);
+    for (; i >= 0; i--) {
+        const tp_q30 c = i * (TP_Q30_ONE / TP_SHINE);
+        shine[i] = shine_entry(blinn ? blinn_lobe_double_angle(c, n) : power(c, n), strength);
+        if (shine[i] == 0)
+            break;
+    }
+    for (; i >= 0; i--)
+        shine[i] = 0;
+}
+
 void tp_shade_shine(tp_entry16 shine[TP_SHINE + 1], tp_fx shininess, tp_fx strength)
 {
-    TP_ASSERT(shine != NULL && strength >= 0);
-    for (int32_t i = 0; i <= TP_SHINE; i++)
-        shine[i] = shine_entry(power(i * (TP_Q30_ONE / TP_SHINE), exponent(shininess)),
-                               strength);
+    fill_shine(shine, shininess, strength, 0);
 }
 
 void tp_shade_shine_blinn(tp_entry16 shine[TP_SHINE + 1], tp_fx shininess, tp_fx strength)
 {
-    TP_ASSERT(shine != NULL && strength >= 0);
-    for (int32_t i = 0; i <= TP_SHINE; i++)
-        shine[i] = shine_entry(
-            blinn_lobe_double_angle(i * (TP_Q30_ONE / TP_SHINE), exponent(shininess)),
-            strength);
+    fill_shine(shine, shininess, strength, 1);
 }
 
 void tp_shade_gloss(uint8_t gloss[TP_GLOSS], tp_fx shininess)

@@ -351,20 +351,42 @@ static inline uint32_t tp_planar_map_pixel(const tp_planar_map *map, int32_t i, 
                         * (uint32_t)(map->x1 - map->x0) + (uint32_t)(i - map->x0)];
 }
 
+/* True if no sample at a column u, 28.4 of the whole picture, reaches the map. */
+static inline bool tp_planar_map_misses_column(const tp_planar_map *map, int32_t u)
+{
+    const int32_t i = (u - 16) >> 5;
+    return i < map->x0 - 1 || i >= map->x1;
+}
+
+/* Mixes the four neighbours of a sample: a b in the upper row, c d in the lower.  Equal
+ * neighbours mix to themselves. */
+static inline uint32_t tp_planar_map_mix(uint32_t a, uint32_t b, uint32_t c, uint32_t d,
+                                         uint32_t fu, uint32_t fv)
+{
+    if (((a ^ b) | (a ^ c) | (a ^ d)) == 0)
+        return a;
+    return tp_argb_mix_32nds(tp_argb_mix_32nds(a, b, fu), tp_argb_mix_32nds(c, d, fu), fv);
+}
+
 /* Samples the map at (u, v) of the whole picture, 28.4.  The result is premultiplied by
  * its alpha, because uncovered pixels are 0. */
 static inline uint32_t tp_planar_map_sample(const tp_planar_map *map, int32_t u, int32_t v)
 {
-    int32_t i = (u - 16) >> 5, j = (v - 16) >> 5;
-    uint32_t fu = (uint32_t)(u - 16) & 31, fv = (uint32_t)(v - 16) & 31;
+    const int32_t i = (u - 16) >> 5, j = (v - 16) >> 5;
+    const uint32_t fu = (uint32_t)(u - 16) & 31, fv = (uint32_t)(v - 16) & 31;
+    const uint32_t right = (uint32_t)(i - map->x0), down = (uint32_t)(j - map->y0);
+    const uint32_t cols = (uint32_t)(map->x1 - map->x0),
+                   rows = (uint32_t)(map->y1 - map->y0);
 
+    if (right < cols - 1 && down < rows - 1) {          /* all four in the box */
+        const uint32_t *at = map->colour + (size_t)down * cols + right;
+        return tp_planar_map_mix(at[0], at[1], at[cols], at[cols + 1], fu, fv);
+    }
     if (i < map->x0 - 1 || i >= map->x1 || j < map->y0 - 1 || j >= map->y1)
         return 0;
-    return tp_argb_mix_32nds(tp_argb_mix_32nds(tp_planar_map_pixel(map, i, j),
-                                         tp_planar_map_pixel(map, i + 1, j), fu),
-                          tp_argb_mix_32nds(tp_planar_map_pixel(map, i, j + 1),
-                                         tp_planar_map_pixel(map, i + 1, j + 1), fu),
-                          fv);
+    return tp_planar_map_mix(
+        tp_planar_map_pixel(map, i, j), tp_planar_map_pixel(map, i + 1, j),
+        tp_planar_map_pixel(map, i, j + 1), tp_planar_map_pixel(map, i + 1, j + 1), fu, fv);
 }
 
 #endif

@@ -120,27 +120,31 @@ uint32_t tp_dome_gradient(const tp_dome_config *config, bool towards_light, int3
 /* The glow is the sum of two lobes.  Peaks are of 255; widths are squared chord distances
  * to the light in Q28: 2^20 is 3.6 degrees, 2^25 is 20 degrees. */
 typedef struct {
-    uint32_t near_peak, near_width, far_peak, far_width;
-} halo;
-
-static const halo halos[] = {
-    [TP_DOME_DAY]   = { 96, 1u << 20, 72, 1u << 24 },
-    [TP_DOME_DUSK]  = { 88, 1u << 20, 96, 1u << 25 },
-    [TP_DOME_NIGHT] = { 80, 1u << 18, 52, 1u << 23 },
-};
+    uint32_t peak, width;
+    uint32_t last;              /* 256ths of a level opposite the light */
+} lobe;
 
 #define DISC      98000u        /* squared chord of 1.1 degrees */
 #define DISC_EDGE (TP_DISC_END - DISC)
 #define FAR       (1u << 30)    /* squared chord to the point opposite the light */
 
+#define LOBE(peak, width) \
+    { peak, width, (uint32_t)((uint64_t)(peak) * 256 * (width) / ((uint64_t)(width) + FAR)) }
+
+static const lobe halos[][2] = {
+    [TP_DOME_DAY]   = { LOBE(96, 1u << 20), LOBE(72, 1u << 24) },
+    [TP_DOME_DUSK]  = { LOBE(88, 1u << 20), LOBE(96, 1u << 25) },
+    [TP_DOME_NIGHT] = { LOBE(80, 1u << 18), LOBE(52, 1u << 23) },
+};
+
 /* Returns peak / (1 + square / width), shifted to reach 0 opposite the light; in 256ths of
  * a level. */
-static uint32_t glow_lobe(uint32_t peak, uint32_t width, uint32_t squared_chord)
+static uint32_t glow_lobe(const lobe *l, uint32_t squared_chord)
 {
-    uint64_t here = ((uint64_t)peak << 8) * width / ((uint64_t)width + squared_chord);
-    uint64_t last = ((uint64_t)peak << 8) * width / ((uint64_t)width + FAR);
+    const uint64_t product = ((uint64_t)l->peak << 8) * l->width;
+    const uint64_t here = product / ((uint64_t)l->width + squared_chord);
 
-    return here > last ? (uint32_t)(here - last) : 0;
+    return here > l->last ? (uint32_t)here - l->last : 0;
 }
 
 /* Returns the glow with the disc.  The disc takes its intensity from config->sun: the
@@ -148,9 +152,8 @@ static uint32_t glow_lobe(uint32_t peak, uint32_t width, uint32_t squared_chord)
 uint32_t tp_dome_glow(const tp_dome_config *config, uint32_t squared_chord)
 {
     TP_ASSERT((unsigned)config->kind <= TP_DOME_NIGHT);
-    const halo *h = &halos[config->kind];
-    uint32_t share = (glow_lobe(h->near_peak, h->near_width, squared_chord)
-                      + glow_lobe(h->far_peak, h->far_width, squared_chord)) >> 8;
+    const lobe *l = halos[config->kind];
+    uint32_t share = (glow_lobe(&l[0], squared_chord) + glow_lobe(&l[1], squared_chord)) >> 8;
     uint32_t glow = tp_colour_scale(config->light, share);
     uint32_t over = squared_chord > DISC ? squared_chord - DISC : 0;
     uint32_t cover = over < DISC_EDGE ? 256 - over * 256 / DISC_EDGE : 0;

@@ -8,6 +8,7 @@
 #include <cmocka.h>
 #include "tests/lib/layers.h"
 #include "tests/lib/measure.h"
+#include "shade/material.h"
 
 static uint64_t chance;
 
@@ -298,6 +299,24 @@ static void runs_may_be_cut_at_sixteenths(void **state)
     layer_free(&t);
 }
 
+/* The packed bodies of microcontrollers. */
+static void packed_texels_are_those_of_single_channels(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 20000; n++) {
+        const grade_wish w = any_wish();
+        const tp_grade grade = tp_grade_make(w.saturation, w.clamp, w.colour);
+        tp_four f = { .fs = random_below(&chance, 256), .ft = random_below(&chance, 256) };
+        for (int k = 0; k < 4; k++)
+            f.texel[k] = n % 5 ? (uint32_t)random_next(&chance)
+                               : random_below(&chance, 2) ? 0xffffffff : 0;
+        const tp_split_rgb texel = tp_four_interpolate(&f);
+        assert_int_equal(tp_four_interpolate_green(&f), texel.g);
+        assert_int_equal(tp_grade_texel_packed(&grade, texel),
+                         tp_grade_texel(&grade, texel));
+    }
+}
+
 int main(void)
 {
     chance = random_seed();
@@ -305,6 +324,7 @@ int main(void)
         cmocka_unit_test(grades_are_saturation_clamp_and_colour),
         cmocka_unit_test(a_grade_that_asks_for_nothing_does_nothing),
         cmocka_unit_test(grades_reach_their_ends),
+        cmocka_unit_test(packed_texels_are_those_of_single_channels),
         cmocka_unit_test(layers_are_added_and_held_at_white),
         cmocka_unit_test(distortions_move_places_by_red_and_green),
         cmocka_unit_test(bent_places_are_the_layers_alone),

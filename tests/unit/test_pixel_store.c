@@ -296,6 +296,11 @@ static void a_toned_pixel_is_that_of_the_toned_colour(void **state)
         tp_store_rgb565_tone_mapped(&tone_map, got, colours, count);
         tp_store_rgb565(wanted, 0, 0, 0, exposed, count);
         assert_memory_equal(got, wanted, sizeof got);
+        uint8_t bytes[81] = { 0 }, wanted_bytes[81] = { 0 };
+        tp_store_rgb565be_tone_mapped(&tone_map, bytes + count % 2, colours, count);
+        tp_program_all.store[TP_FORMAT_RGB565BE](wanted_bytes + count % 2, 0, 0, 0, exposed,
+                                                 count);
+        assert_memory_equal(bytes, wanted_bytes, sizeof bytes);
     }
 }
 

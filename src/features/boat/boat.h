@@ -9,12 +9,14 @@
  *     wake.c           the module wake
  *     boat_drawing.c   the modules boat (the mesh) and lids
  *     boat_faces.c     the list of a view's faces
+ *     boat_projection.c  the mesh's vertices and cut faces in a view
  *     boat_outlines.c  the module outlines
  *     boat_stage.c     the lighting of the boat's materials
  *     boat_rungs.c     the cost of the boat's faces
  */
 #ifndef TP_FEATURES_BOAT_BOAT_H
 #define TP_FEATURES_BOAT_BOAT_H
+#include "frame/drawing.h"
 #include "pool/pool.h"
 #include "raster/raster.h"
 #include "shade/shade.h"
@@ -39,6 +41,26 @@ typedef struct {
  * vertices is not drawn.  A face with one or two is clipped. */
 #define TP_BOAT_OUTSIDE (TP_GRID_NEEDS_CLIP + 1)
 
+/* A render view in the mesh's frame. */
+typedef struct {
+    const tp_mesh *mesh;
+    tp_vec3        low, high;   /* corners of the box of its positions */
+    tp_projection  projection;
+    tp_fx          metres;      /* metres per 1.0 of the mesh's positions */
+} tp_boat_view;
+
+/* Sets the mesh and its box, from the positions themselves. */
+void tp_boat_view_init(tp_boat_view *b, const tp_mesh *mesh);
+
+/* Projects all vertices of the mesh; returns the box of the projected ones.  `plane`: clip
+ * plane of the view, or NULL. */
+tp_grid_box tp_boat_project_vertices(const tp_boat_view *b, const tp_view_plane *plane,
+                                     tp_boat_vertex *vertex);
+
+/* Clips face f; returns the number of corners, 0 if nothing is left. */
+int tp_boat_clip_face(const tp_boat_view *b, const tp_view_plane *plane, uint32_t f,
+                      tp_screen_vertex corner[TP_CLIP_VERTICES]);
+
 /* Flags of an entry: set by the list, and by the module outlines. */
 enum {
     TP_FACE_FILLS = 1,          /* may cover the centre of a pixel */
@@ -46,22 +68,31 @@ enum {
     TP_FACE_EDGED = 4           /* has edges of the outline */
 };
 
+/* The first and the last step of some rows. */
+typedef struct {
+    uint32_t first, last;
+} tp_boat_rows;
+
+/* The first and the last step of the rows of TP_BOAT_BLOCK entries in a row. */
+typedef struct {
+    uint8_t first, last;
+} tp_boat_block;
+
+#define TP_BOAT_BLOCK 16
+
 /* The faces that the view placed last may draw; boat_faces.c. */
 typedef struct {
     uint32_t *entry;            /* array, one for each face of the mesh */
+    tp_boat_block *block;       /* array, one for each TP_BOAT_BLOCK entries */
     uint32_t  count;            /* entries [0, count): visible faces */
     uint32_t  lids, end;        /* entries [lids, end): lids */
     int32_t   last_step;        /* steps of rows are 0..last_step */
     uint8_t   row_bits, row_shift;
 } tp_boat_faces;
 
-/* The first and the last step of a tile's rows. */
-typedef struct {
-    uint32_t first, last;
-} tp_boat_rows;
-
 tp_boat_faces tp_boat_faces_layout(tp_arena *arena, uint32_t count, uint32_t height);
 
+/* Returns the steps of a tile's rows. */
 tp_boat_rows tp_boat_rows_find(const tp_boat_faces *faces, const tp_gbuffer *tile);
 
 /* Lists the faces of a view with these projected vertices.  `edges`: a word for each face,
@@ -69,13 +100,39 @@ tp_boat_rows tp_boat_rows_find(const tp_boat_faces *faces, const tp_gbuffer *til
 void tp_boat_faces_list(tp_boat_faces *faces, const tp_mesh *mesh,
                         const tp_boat_vertex *vertex, uint8_t *edges);
 
-/* True if an entry's face may touch the rows. */
-static inline bool tp_boat_face_touches(const tp_boat_faces *faces, uint32_t entry,
-                                        tp_boat_rows rows)
+/* Sets the rows of entry i, a cut face, from its clipped polygon.  A polygon that covers no
+ * pixel's centre from the front loses TP_FACE_FILLS. */
+void tp_boat_faces_set_polygon(tp_boat_faces *faces, uint32_t i,
+                               const tp_screen_vertex *corner, int count);
+
+/* Sets the rows of all blocks, once the entries are complete. */
+void tp_boat_faces_set_blocks(tp_boat_faces *faces);
+
+/* Returns an entry's rows. */
+static inline tp_boat_rows tp_boat_face_rows(const tp_boat_faces *faces, uint32_t entry)
 {
     const uint32_t steps = (uint32_t)faces->last_step;
-    return (entry >> 3 & steps) >= rows.first
-           && (entry >> (3 + faces->row_bits) & steps) <= rows.last;
+    return (tp_boat_rows){ entry >> (3 + faces->row_bits) & steps, entry >> 3 & steps };
+}
+
+/* Returns the first entry from i on, or `end`, that has a flag and may touch the rows. */
+static inline uint32_t tp_boat_faces_next(const tp_boat_faces *faces, uint32_t i,
+                                          uint32_t end, tp_boat_rows rows, uint32_t flag)
+{
+    while (i < end) {
+        const tp_boat_block block = faces->block[i / TP_BOAT_BLOCK];
+        const uint32_t next = i / TP_BOAT_BLOCK * TP_BOAT_BLOCK + TP_BOAT_BLOCK;
+        const uint32_t stop = next < end ? next : end;
+        if (block.first > rows.last || block.last < rows.first)
+            i = stop;
+        for (; i < stop; i++) {
+            const uint32_t entry = faces->entry[i];
+            const tp_boat_rows at = tp_boat_face_rows(faces, entry);
+            if (entry & flag && at.last >= rows.first && at.first <= rows.last)
+                return i;
+        }
+    }
+    return end;
 }
 
 /* Returns the number of an entry's face. */

@@ -2,9 +2,6 @@
 /* Draws the boat's mesh: projected once per frame, drawn in every tile that the mesh
  * touches.
  *
- * The camera is turned into the mesh's own frame, instead of the mesh into the world.  A
- * vertex then costs as much as a vertex of the world.
- *
  * Faces of a material with opacity 0 are lids.  A lid is invisible and hides the water
  * behind it, for example inside a hull. */
 #include "features/boat/boat.h"
@@ -20,8 +17,7 @@ typedef struct {
     uint8_t        *gloss;      /* tables, TP_GLOSS bytes for each material */
     int32_t         model;      /* light model of the gloss tables */
     uint32_t        materials;  /* number of distinct materials */
-    tp_projection   projection; /* the view's projection in the mesh's frame */
-    tp_fx           metres;     /* metres per 1.0 of the mesh's positions */
+    tp_boat_view    view;
     tp_grid_box     box;        /* covered pixels; empty: not visible */
 } drawn_boat;
 
@@ -40,12 +36,12 @@ static void set_mesh_space_view(const tp_frame *frame, drawn_boat *b, const tp_v
     tp_vec3 way = tp_vec3_sub(view->projection->eye, boat->place);
     tp_view_axes *axes = &b->look.axes;
 
-    b->metres = tp_mesh_metres_per_unit(b->look.mesh, frame->scene->boat.scale);
-    b->projection = *view->projection;
-    b->projection.eye = tp_rotate(r, way);
-    b->projection.right = turned(r, view->projection->right);
-    b->projection.up = turned(r, view->projection->up);
-    b->projection.ahead = turned(r, view->projection->ahead);
+    b->view.metres = tp_mesh_metres_per_unit(b->look.mesh, frame->scene->boat.scale);
+    b->view.projection = *view->projection;
+    b->view.projection.eye = tp_rotate(r, way);
+    b->view.projection.right = turned(r, view->projection->right);
+    b->view.projection.up = turned(r, view->projection->up);
+    b->view.projection.ahead = turned(r, view->projection->ahead);
 
     tp_dir3 light = turned(r, (tp_dir3){ frame->shade.world.lx * 65536,
                                          frame->shade.world.ly * 65536,
@@ -58,61 +54,10 @@ static void set_mesh_space_view(const tp_frame *frame, drawn_boat *b, const tp_v
     axes->lz = light.z >> 16;
 }
 
-/* Scales a mesh position to metres, clamped to +-4 km.  The eye may be 24 km away, and
- * the difference must fit Q16.16. */
-static tp_fx scaled(tp_fx x, tp_fx scale)
-{
-    const int64_t most = 4000 * TP_FX_ONE;
-    int64_t metres = ((int64_t)x * scale + 0x8000) >> 16;
-    return (tp_fx)(metres > most ? most : metres < -most ? -most : metres);
-}
-
-static tp_view_vertex transform_vertex(const drawn_boat *b, const tp_mesh_vertex *vertex)
-{
-    tp_fx scale = b->metres;
-    tp_vec3 p = { scaled(vertex->position.x, scale), scaled(vertex->position.y, scale),
-                  scaled(vertex->position.z, scale) };
-    tp_view_vertex c;
-
-    tp_projection_view_vertex(&b->projection, p, &c);
-    c.s = vertex->s;
-    c.t = vertex->t;
-    c.n[0] = (int16_t)tp_dir_x(vertex->normal);
-    c.n[1] = (int16_t)tp_dir_y(vertex->normal);
-    c.n[2] = (int16_t)tp_dir_z(vertex->normal);
-    return c;
-}
-
-#define OUTSIDE TP_BOAT_OUTSIDE
-
-/* Projects vertex i of the mesh into b->vertex[i], or marks it as OUTSIDE or as one that
- * needs clipping. */
-static void project_vertex(const drawn_boat *b, const tp_view *view, uint32_t i)
-{
-    tp_boat_vertex *to = &b->vertex[i];
-    tp_view_vertex c = transform_vertex(b, &b->look.mesh->vertices[i]);
-
-    if (view->clipped && tp_view_plane_distance(&view->level, &c) < 0)
-        to->u = OUTSIDE;
-    else if (tp_projection_can_project(&b->projection, &c))
-        tp_projection_project(&b->projection, &c, &to->u, &to->v, &to->zi);
-    else
-        to->u = TP_GRID_NEEDS_CLIP;
-}
-
-static int clip_face(const drawn_boat *b, const tp_view *view, const tp_mesh_face *face,
-                     tp_screen_vertex corner[TP_CLIP_VERTICES])
-{
-    tp_view_vertex in[3];
-
-    for (int k = 0; k < 3; k++)
-        in[k] = transform_vertex(b, &b->look.mesh->vertices[face->vertex[k]]);
-    return tp_clipped_corners(&b->projection, tp_view_clip_plane(view), in, corner);
-}
-
-/* Widens the box by the clipped parts of faces with cut corners. */
-static void widen_box_by_cut_faces(drawn_boat *b, const tp_view *view, uint32_t first,
-                                   uint32_t end)
+/* Finds the rows of the faces with cut corners, and widens the box by their clipped
+ * parts. */
+static void measure_cut_faces(drawn_boat *b, const tp_view *view, uint32_t first,
+                              uint32_t end)
 {
     tp_screen_vertex corner[TP_CLIP_VERTICES];
 
@@ -121,7 +66,9 @@ static void widen_box_by_cut_faces(drawn_boat *b, const tp_view *view, uint32_t 
         if (!(entry & TP_FACE_CUT))
             continue;
         const uint32_t f = tp_boat_face_number(&b->faces, entry);
-        for (int k = clip_face(b, view, &b->look.mesh->faces[f], corner); k-- > 0; )
+        const int count = tp_boat_clip_face(&b->view, tp_view_clip_plane(view), f, corner);
+        tp_boat_faces_set_polygon(&b->faces, i, corner, count);
+        for (int k = 0; k < count; k++)
             tp_box_widen(&b->box, corner[k].u, corner[k].v);
     }
 }
@@ -133,10 +80,11 @@ static void list_faces(const tp_frame *frame, drawn_boat *b, const tp_view *view
         frame->outlined ? tp_frame_module_memory(frame, TP_OUTLINES_ID) : NULL;
 
     tp_boat_faces_list(&b->faces, b->look.mesh, b->vertex, o ? o->edges : NULL);
-    widen_box_by_cut_faces(b, view, 0, b->faces.count);
-    widen_box_by_cut_faces(b, view, b->faces.lids, b->faces.end);
+    measure_cut_faces(b, view, 0, b->faces.count);
+    measure_cut_faces(b, view, b->faces.lids, b->faces.end);
     if (o && b->box.x0 <= b->box.x1)
         o->find(o, &b->faces, b->vertex, frame->shade.focal);
+    tp_boat_faces_set_blocks(&b->faces);
 }
 
 static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
@@ -144,13 +92,8 @@ static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box
     drawn_boat *b = mine;
     const tp_mesh *mesh = b->look.mesh;
 
-    b->box = TP_BOX_NONE;
     set_mesh_space_view(frame, b, view, &frame->drawn.boat);
-    for (uint32_t i = 0; i < mesh->n_vertices; i++) {
-        project_vertex(b, view, i);
-        if (b->vertex[i].u > OUTSIDE)
-            tp_box_widen(&b->box, b->vertex[i].u, b->vertex[i].v);
-    }
+    b->box = tp_boat_project_vertices(&b->view, tp_view_clip_plane(view), b->vertex);
     list_faces(frame, b, view);
     if (b->box.x0 <= b->box.x1) {
         frame->stats.vertices += mesh->n_vertices;
@@ -196,7 +139,7 @@ static void draw_triangle(const pass *p, const tp_screen_vertex corner[3], uint3
 static void draw_clipped(const pass *p, uint32_t f)
 {
     tp_screen_vertex corner[TP_CLIP_VERTICES];
-    int count = clip_face(p->boat, p->view, &p->mesh->faces[f], corner);
+    int count = tp_boat_clip_face(&p->boat->view, tp_view_clip_plane(p->view), f, corner);
 
     for (int k = 2; k < count; k++) {
         const tp_screen_vertex fan[3] = { corner[0], corner[k - 1], corner[k] };
@@ -233,10 +176,9 @@ static void draw_faces(const drawn_boat *b, const tp_view *view, tp_gbuffer *sam
     const tp_boat_rows rows = tp_boat_rows_find(&b->faces, samples);
 
     samples->front_only = true;
-    for (uint32_t i = first; i < end; i++) {
+    for (uint32_t i = first;
+         (i = tp_boat_faces_next(&b->faces, i, end, rows, TP_FACE_FILLS)) < end; i++) {
         const uint32_t entry = b->faces.entry[i];
-        if (!(entry & TP_FACE_FILLS) || !tp_boat_face_touches(&b->faces, entry, rows))
-            continue;
         if (entry & TP_FACE_CUT)
             draw_clipped(&p, tp_boat_face_number(&b->faces, entry));
         else
@@ -280,6 +222,14 @@ static void make_gloss(tp_frame *frame, void *mine)
         else
             tp_shade_gloss(gloss, shininess);
     }
+}
+
+static void init_boat(tp_frame *frame, void *mine)
+{
+    drawn_boat *b = mine;
+
+    tp_boat_view_init(&b->view, b->look.mesh);
+    make_gloss(frame, mine);
 }
 
 /* Sets the boat's materials: mipmap bias, maps and tables of highlights. */
@@ -371,7 +321,7 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 }
 
 const tp_drawing tp_boat_drawing = {
-    .layout = layout, .init = make_gloss, .marks = count_marks,
+    .layout = layout, .init = init_boat, .marks = count_marks,
     .begin = begin_boat_materials,
     .anchor = set_anchor, .project = project, .draw = draw, .stages = add_stages,
 };

@@ -277,11 +277,10 @@ static void draw_outline(const tp_boat_outlines *o, const tp_boat_faces *faces,
     const tp_boat_rows rows = tp_boat_rows_find(faces, tile);
 
     tp_outline_begin(tile);
-    for (uint32_t i = 0; i < faces->count; i++) {
-        const uint32_t entry = faces->entry[i];
-        if (!(entry & TP_FACE_EDGED) || !tp_boat_face_touches(faces, entry, rows))
-            continue;
-        const uint32_t f = tp_boat_face_number(faces, entry);
+    for (uint32_t i = 0;
+         (i = tp_boat_faces_next(faces, i, faces->count, rows, TP_FACE_EDGED))
+         < faces->count; i++) {
+        const uint32_t f = tp_boat_face_number(faces, faces->entry[i]);
         const uint32_t material = o->mesh->faces[f].material;
         draw_edges(o, vertex, tile,
                    mark + (material < TP_BOAT_MATERIALS ? material : TP_BOAT_MATERIALS - 1),

@@ -34,11 +34,12 @@ static void begin_tone_mapping(tp_frame *frame, void *mine)
         return;
     if (exposure != e->made_for)
         make_tones(e, exposure);
-    if (frame->config.format == TP_FORMAT_RGB565 && !frame->config.overlay.draw
-        && !tp_frame_has_module(frame, TP_MODULE_PANES)) {
-        frame->tone_map = &e->tone_map;
-        frame->store_tone_mapped = tp_store_rgb565_tone_mapped;
-    }
+    if (frame->config.overlay.draw || tp_frame_has_module(frame, TP_MODULE_PANES))
+        return;
+    frame->store_tone_mapped =
+        frame->config.format == TP_FORMAT_RGB565 ? tp_store_rgb565_tone_mapped
+        : frame->config.format == TP_FORMAT_RGB565BE ? tp_store_rgb565be_tone_mapped : NULL;
+    frame->tone_map = frame->store_tone_mapped ? &e->tone_map : NULL;
 }
 
 static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,

@@ -165,11 +165,13 @@ TP_ALWAYS_INLINE uint32_t sample_reflected_object(const tp_mirror *look, int32_t
     int32_t du = pixel_displacement(interpolate_in_block(a->xu, step->xu, k), sx,
                                     interpolate_in_block(a->zu, step->zu, k), sz, share,
                                     interpolate_in_block(a->hu, step->hu, k), h);
+    int32_t u = (16 * x + 8 + du) >> map->coarser;
+    if (tp_planar_map_misses_column(map, u))
+        return 0;
     int32_t dv = pixel_displacement(interpolate_in_block(a->xv, step->xv, k), sx,
                                     interpolate_in_block(a->zv, step->zv, k), sz, share,
                                     interpolate_in_block(a->hv, step->hv, k), h);
-    return tp_planar_map_sample(map, (16 * x + 8 + du) >> map->coarser,
-                                (16 * y + 8 + dv) >> map->coarser);
+    return tp_planar_map_sample(map, u, (16 * y + 8 + dv) >> map->coarser);
 }
 
 void tp_stage_mirrored(const tp_shade *shade, tp_run *run)

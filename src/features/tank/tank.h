@@ -22,8 +22,16 @@ struct tp_frame;
 
 #define TP_BLOCKS 256           /* maximum of a pool's inner wall blocks */
 
+/* The quads of a wall or a block in the view placed last that cover a pixel's centre. */
+typedef struct {
+    int16_t first, end;         /* their rows, px, end not included */
+    uint8_t quads;              /* bit k: quad k does */
+} tp_tank_seen;
+
 typedef struct {
     tp_rectangle *block;        /* inner walls, room for TP_BLOCKS; NULL: none */
+    tp_tank_seen *block_seen;   /* array, one for each block */
+    tp_tank_seen  wall_seen[4];
     uint32_t blocks, dropped;
     tp_fx    low, high;         /* height range of all blocks, m */
     bool     made;

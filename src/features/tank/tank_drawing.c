@@ -52,7 +52,7 @@ bool tp_tank_is_front_glass(const tp_frame *frame, uint32_t face)
            && is_outside(&r, face, frame->projection.eye);
 }
 
-/* -- drawing ------------------------------------------------------------------------- */
+/* -- quads --------------------------------------------------------------------------- */
 
 /* Four corners, counter-clockwise as seen from the tip of the normal. */
 typedef struct {
@@ -60,34 +60,10 @@ typedef struct {
     int16_t n[3];               /* normal; 511 is 1 */
 } quad;
 
-/* Target of quads: the G-buffer of a render view. */
-typedef struct {
-    const tp_view    *view;
-    const tp_gbuffer *samples;
-    uint32_t          mark;
-} target;
-
-static void draw_triangle(const target *to, const quad *q, int b, int c)
-{
-    const int which[3] = { 0, b, c };
-    tp_view_vertex in[3];
-
-    for (int k = 0; k < 3; k++)
-        in[k] = tp_solid_vertex_make(to->view->projection, q->at[which[k]], q->n);
-    tp_clipped_draw(to->view->projection, tp_view_clip_plane(to->view), to->samples, in,
-                    to->mark, 0);
-}
-
-static void draw_quad(const target *to, const quad *q)
-{
-    draw_triangle(to, q, 1, 2);
-    draw_triangle(to, q, 2, 3);
-}
-
-/* Draws a side of a box, from height `low` to `high`: its outer side with the normal
+/* Returns a side of a box, from height `low` to `high`: its outer side with the normal
  * `face`, or with `inwards` the inner side. */
-static void draw_face(const target *to, const tp_rectangle *r, tp_fx low, tp_fx high,
-                      uint32_t face, bool inwards)
+static quad make_face(const tp_rectangle *r, tp_fx low, tp_fx high, uint32_t face,
+                      bool inwards)
 {
     TP_ASSERT(face < 4 && low <= high);
     static const uint8_t order[4][2] = { { 1, 2 }, { 3, 0 }, { 0, 1 }, { 2, 3 } };
@@ -95,23 +71,22 @@ static void draw_face(const target *to, const tp_rectangle *r, tp_fx low, tp_fx 
                                  { r->x0, r->z0 } };
     const tp_fx *a = corner[order[face][inwards]], *b = corner[order[face][!inwards]];
     int16_t out = (face & 1) != inwards ? -511 : 511;
-    quad q = { { { a[0], low, a[1] }, { b[0], low, b[1] }, { b[0], high, b[1] },
-                 { a[0], high, a[1] } },
-               { face & 2 ? 0 : out, 0, face & 2 ? out : 0 } };
 
-    draw_quad(to, &q);
+    return (quad){ { { a[0], low, a[1] }, { b[0], low, b[1] }, { b[0], high, b[1] },
+                     { a[0], high, a[1] } },
+                   { face & 2 ? 0 : out, 0, face & 2 ? out : 0 } };
 }
 
-static void draw_top(const target *to, tp_fx y, const tp_fx at[4][2])
+static quad make_top(tp_fx y, const tp_fx at[4][2])
 {
-    quad q = { { { at[0][0], y, at[0][1] }, { at[1][0], y, at[1][1] },
-                 { at[2][0], y, at[2][1] }, { at[3][0], y, at[3][1] } }, { 0, 511, 0 } };
-    draw_quad(to, &q);
+    return (quad){ { { at[0][0], y, at[0][1] }, { at[1][0], y, at[1][1] },
+                     { at[2][0], y, at[2][1] }, { at[3][0], y, at[3][1] } },
+                   { 0, 511, 0 } };
 }
 
-/* Draws the top of wall `face`, between the inner and the outer rectangle. */
-static void draw_rim(const target *to, const tp_rectangle *in, const tp_rectangle *out,
-                     tp_fx y, uint32_t face)
+/* Returns the top of wall `face`, between the inner and the outer rectangle. */
+static quad make_rim(const tp_rectangle *in, const tp_rectangle *out, tp_fx y,
+                     uint32_t face)
 {
     const tp_fx rim[4][4][2] = {
         { { in->x1, in->z1 }, { out->x1, out->z1 }, { out->x1, out->z0 },
@@ -123,55 +98,143 @@ static void draw_rim(const target *to, const tp_rectangle *in, const tp_rectangl
         { { in->x0, in->z0 }, { in->x1, in->z0 }, { out->x1, out->z0 },
           { out->x0, out->z0 } },
     };
-    draw_top(to, y, rim[face]);
+    return make_top(y, rim[face]);
 }
 
-static void draw_walls(const tp_frame *frame, const target *to)
-{
-    const tp_scene *scene = frame->scene;
-    tp_rectangle in = tp_pool_sides(scene);
-    tp_rectangle out = tp_tank_outer_sides(scene, &in);
+#define WALL_QUADS  3           /* the inner side, the rim, and the outer side of stone */
+#define BLOCK_QUADS 5           /* the top and four sides */
 
-    for (uint32_t face = 0; face < 4; face++) {
-        if (tp_tank_is_front_glass(frame, face))
-            continue;
-        draw_face(to, &in, -scene->tank.depth, scene->tank.rim, face, true);
-        draw_rim(to, &in, &out, scene->tank.rim, face);
-        if (scene->tank.kind == TP_TANK_STONE)
-            draw_face(to, &out, -scene->tank.depth, scene->tank.rim, face, false);
+static quad make_wall_quad(const tp_scene *scene, uint32_t face, uint32_t k)
+{
+    const tp_rectangle in = tp_pool_sides(scene), out = tp_tank_outer_sides(scene, &in);
+
+    if (k == 1)
+        return make_rim(&in, &out, scene->tank.rim, face);
+    return make_face(k == 0 ? &in : &out, -scene->tank.depth, scene->tank.rim, face, k == 0);
+}
+
+static quad make_block_quad(const tp_tank *tank, uint32_t i, uint32_t k)
+{
+    const tp_rectangle *r = &tank->block[i];
+    const tp_fx top[4][2] = { { r->x0, r->z1 }, { r->x1, r->z1 }, { r->x1, r->z0 },
+                              { r->x0, r->z0 } };
+
+    return k == 0 ? make_top(tank->high, top)
+                  : make_face(r, tank->low, tank->high, k - 1, false);
+}
+
+/* -- drawing ------------------------------------------------------------------------- */
+
+/* Sets triangle 0 or 1 of a quad. */
+static void set_triangle(const tp_view *view, const quad *q, int half, tp_view_vertex in[3])
+{
+    const int which[3] = { 0, half + 1, half + 2 };
+
+    for (int k = 0; k < 3; k++)
+        in[k] = tp_solid_vertex_make(view->projection, q->at[which[k]], q->n);
+}
+
+/* Adds quad k, if it shows a front to a pixel's centre, and widens the box by it. */
+static void measure_quad(const tp_view *view, const quad *q, uint32_t k, tp_tank_seen *seen,
+                         tp_grid_box *box)
+{
+    tp_screen_vertex at[TP_CLIP_VERTICES];
+    tp_view_vertex in[3];
+
+    for (int half = 0; half < 2; half++) {
+        set_triangle(view, q, half, in);
+        const int count =
+            tp_clipped_corners(view->projection, tp_view_clip_plane(view), in, at);
+        for (int i = 2; i < count; i++) {
+            const tp_screen_vertex *a = &at[0], *b = &at[i - 1], *c = &at[i];
+            tp_grid_box part = TP_BOX_NONE;
+            if (tp_tri_twice_area(a, b, c) >= 0)
+                continue;
+            tp_box_widen(&part, a->u, a->v);
+            tp_box_widen(&part, b->u, b->v);
+            tp_box_widen(&part, c->u, c->v);
+            tp_box_join(box, &part);
+            seen->first = part.y0 < seen->first ? part.y0 : seen->first;
+            seen->end = part.y1 >= seen->end ? (int16_t)(part.y1 + 1) : seen->end;
+            seen->quads |= (uint8_t)(1u << k);
+        }
     }
 }
 
-/* Draws walls and blocks.  For an eye in the tank's water the span stages `deep` and
- * `underside` show the walls by ray tests instead. */
+/* Finds the quads that the view shows, and widens the box by them.  For an eye in the
+ * tank's water the span stages `deep` and `underside` show the walls by ray tests
+ * instead. */
+static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
+{
+    const tp_tank_seen none = { INT16_MAX, INT16_MIN, 0 };
+    const bool walled = tp_frame_has_tank(frame) && !frame->under;
+    const uint32_t quads = frame->scene->tank.kind == TP_TANK_STONE ? WALL_QUADS
+                                                                    : WALL_QUADS - 1;
+    tp_tank *tank = mine;
+
+    if (!view->walls)
+        return;
+    for (uint32_t face = 0; face < 4; face++) {
+        tank->wall_seen[face] = none;
+        if (!walled || tp_tank_is_front_glass(frame, face))
+            continue;
+        for (uint32_t k = 0; k < quads; k++) {
+            const quad q = make_wall_quad(frame->scene, face, k);
+            measure_quad(view, &q, k, &tank->wall_seen[face], box);
+        }
+    }
+    for (uint32_t i = 0; i < tank->blocks; i++) {
+        tank->block_seen[i] = none;
+        for (uint32_t k = 0; k < BLOCK_QUADS; k++) {
+            const quad q = make_block_quad(tank, i, k);
+            measure_quad(view, &q, k, &tank->block_seen[i], box);
+        }
+    }
+}
+
+static bool touches(const tp_tank_seen *seen, const tp_gbuffer *samples)
+{
+    return seen->first < samples->y1 && seen->end > samples->y0;
+}
+
+static void draw_quad(const tp_view *view, const tp_gbuffer *samples, const quad *q,
+                      uint32_t mark)
+{
+    tp_view_vertex in[3];
+
+    for (int half = 0; half < 2; half++) {
+        set_triangle(view, q, half, in);
+        tp_clipped_draw(view->projection, tp_view_clip_plane(view), samples, in, mark, 0);
+    }
+}
+
+/* Draws walls and blocks. */
 static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
                  tp_gbuffer *samples, uint32_t mark)
 {
     const tp_tank *tank = mine;
-    const target to = { view, samples, mark };
 
     if (!view->walls)
         return;
     samples->front_only = true;
-    if (tp_frame_has_tank(frame) && !frame->under)
-        draw_walls(frame, &to);
-    for (uint32_t i = 0; i < tank->blocks; i++) {
-        const tp_rectangle *r = &tank->block[i];
-        const tp_fx top[4][2] = { { r->x0, r->z1 }, { r->x1, r->z1 }, { r->x1, r->z0 },
-                                  { r->x0, r->z0 } };
-        draw_top(&to, tank->high, top);
-        for (uint32_t face = 0; face < 4; face++)
-            draw_face(&to, r, tank->low, tank->high, face, false);
+    for (uint32_t face = 0; face < 4; face++) {
+        const tp_tank_seen *seen = &tank->wall_seen[face];
+        for (uint32_t k = 0; k < WALL_QUADS && touches(seen, samples); k++) {
+            if (!(seen->quads >> k & 1))
+                continue;
+            const quad q = make_wall_quad(frame->scene, face, k);
+            draw_quad(view, samples, &q, mark);
+        }
     }
-}
-
-/* Widens the box to all pixels: walls may be anywhere in the view. */
-static void widen_box_to_view(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
-{
-    const tp_tank *tank = mine;
-
-    if (view->walls && (tank->blocks > 0 || tp_frame_has_tank(frame)))
-        *box = (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX };
+    for (uint32_t i = 0; i < tank->blocks; i++) {
+        const tp_tank_seen *seen = &tank->block_seen[i];
+        for (uint32_t k = 0; k < BLOCK_QUADS && touches(seen, samples); k++) {
+            if (!(seen->quads >> k & 1))
+                continue;
+            const quad q = make_block_quad(tank, i, k);
+            draw_quad(view, samples, &q, mark);
+        }
+    }
 }
 
 static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
@@ -262,8 +325,10 @@ static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
     tp_tank *tank = tp_arena_alloc(arena, 1, sizeof *tank), made = { .block = NULL };
 
-    if (tp_has_inner_walls(conditions->scene))
+    if (tp_has_inner_walls(conditions->scene)) {
         made.block = tp_arena_alloc(arena, TP_BLOCKS, sizeof *made.block);
+        made.block_seen = tp_arena_alloc(arena, TP_BLOCKS, sizeof *made.block_seen);
+    }
     if (tank)
         *tank = made;
     return tank;
@@ -280,7 +345,7 @@ const tp_drawing tp_tank_drawing = {
     .layout = layout,
     .marks = tp_marks_one,
     .begin = begin_tank_walls,
-    .project = widen_box_to_view,
+    .project = project,
     .draw = draw,
     .stages = add_stage,
 };

@@ -67,28 +67,41 @@ static inline bool tp_is_graded(tp_fx saturation, tp_fx clamp)
     return saturation != TP_FX_ONE || clamp > 0;
 }
 
-/* Returns a graded channel, 0..255, of the texel's channel `c`.  `grey` is the part shared
- * by all channels, Q8: the texel's grey times (1 - saturation), minus the clamp.
+/* Returns a graded channel, 0..255, from v: the channel times the saturation, plus the part
+ * shared by all channels, Q8: the texel's grey times (1 - saturation), minus the clamp.
  * v <= range, and the gain is rounded down: v x gain <= 255 << 24, and adding a half
  * still fits 32 bits. */
-TP_ALWAYS_INLINE uint32_t tp_grade_channel(const tp_grade *grade, int32_t grey,
-                                           uint32_t c, int channel)
+TP_ALWAYS_INLINE uint32_t tp_grade_channel(const tp_grade *grade, int32_t v, int channel)
 {
-    int32_t v = grey + (int32_t)c * grade->saturation;
-
     v = tp_clamp(v, 0, grade->range);
     return ((uint32_t)v * grade->gain[channel] + (1u << 23)) >> 24;
+}
+
+/* Grades with packed products. */
+TP_ALWAYS_INLINE uint32_t tp_grade_texel_packed(const tp_grade *grade, tp_split_rgb texel)
+{
+    const uint32_t saturation = (uint32_t)grade->saturation;
+    int32_t grey = tp_smlad(texel.rb, 77u << 16 | 29, (int32_t)(150 * texel.g));
+
+    grey = (grey * (256 - grade->saturation) >> 8) - grade->clamp;
+    return tp_grade_channel(grade, (int32_t)tp_smlatb(texel.rb, saturation,
+                                                      (uint32_t)grey), 0) << 16
+         | tp_grade_channel(grade, grey + (int32_t)(texel.g * saturation), 1) << 8
+         | tp_grade_channel(grade, (int32_t)tp_smlabb(texel.rb, saturation,
+                                                      (uint32_t)grey), 2);
 }
 
 TP_ALWAYS_INLINE uint32_t tp_grade_texel(const tp_grade *grade, tp_split_rgb texel)
 {
     uint32_t r = texel.rb >> 16, g = texel.g, b = texel.rb & 0xff;
-    int32_t  grey = (int32_t)(77 * r + 150 * g + 29 * b);
+    int32_t  grey = (int32_t)(77 * r + 150 * g + 29 * b), s = grade->saturation;
 
-    grey = (grey * (256 - grade->saturation) >> 8) - grade->clamp;
-    return tp_grade_channel(grade, grey, r, 0) << 16
-         | tp_grade_channel(grade, grey, g, 1) << 8
-         | tp_grade_channel(grade, grey, b, 2);
+    if (TP_DSP)
+        return tp_grade_texel_packed(grade, texel);
+    grey = (grey * (256 - s) >> 8) - grade->clamp;
+    return tp_grade_channel(grade, grey + (int32_t)r * s, 0) << 16
+         | tp_grade_channel(grade, grey + (int32_t)g * s, 1) << 8
+         | tp_grade_channel(grade, grey + (int32_t)b * s, 2);
 }
 
 /* -- data of the stages -------------------------------------------------------------- */

@@ -277,12 +277,23 @@ const tp_drawing tp_reflectance_drawing = { .begin = begin_reflectance,
 
 /* -- glitter ------------------------------------------------------------------------- */
 
-/* The lobe's table for the light model. */
+/* The lobe's table for the light model, made again when a number of it has changed. */
+typedef struct {
+    tp_entry16 shine[TP_SHINE + 1];
+    int32_t    model;           /* the table's numbers; model -1: not made yet */
+    tp_fx      shininess, specular;
+} glint;
 
 static void *layout_glint(tp_arena *arena, const tp_module_conditions *conditions)
 {
     (void)conditions;
-    return tp_arena_alloc(arena, TP_SHINE + 1, sizeof(tp_entry16));
+    return tp_arena_alloc(arena, 1, sizeof(glint));
+}
+
+static void init_glint(tp_frame *frame, void *mine)
+{
+    (void)frame;
+    ((glint *)mine)->model = -1;
 }
 
 /* Returns the number of entries that are 0; entries do not fall. */
@@ -296,16 +307,30 @@ static int32_t count_dark_entries(const tp_entry16 *shine)
     return count;
 }
 
+static void make_shine(glint *g, const tp_scene *scene)
+{
+    const tp_fx shininess = scene->water.shininess, specular = scene->water.specular;
+
+    if (g->model == scene->light.model && g->shininess == shininess
+        && g->specular == specular)
+        return;
+    if (scene->light.model == TP_LIGHT_BLINN)
+        tp_shade_shine_blinn(g->shine, shininess, specular);
+    else
+        tp_shade_shine(g->shine, shininess, specular);
+    g->model = scene->light.model;
+    g->shininess = shininess;
+    g->specular = specular;
+}
+
 static void begin_glint(tp_frame *frame, void *mine)
 {
     const tp_scene *scene = frame->scene;
+    glint *g = mine;
 
-    if (scene->light.model == TP_LIGHT_BLINN)
-        tp_shade_shine_blinn(mine, scene->water.shininess, scene->water.specular);
-    else
-        tp_shade_shine(mine, scene->water.shininess, scene->water.specular);
-    frame->shade.shine = mine;
-    frame->shade.dark = count_dark_entries(mine);
+    make_shine(g, scene);
+    frame->shade.shine = g->shine;
+    frame->shade.dark = count_dark_entries(g->shine);
     frame->shade.lobe = tp_lobe_form_make(scene->water.shininess, scene->water.specular);
 }
 
@@ -320,5 +345,6 @@ static void add_glint_stage(const tp_frame *frame, const void *mine, const tp_st
 }
 
 const tp_drawing tp_glint_drawing = {
-    .layout = layout_glint, .begin = begin_glint, .stages = add_glint_stage,
+    .layout = layout_glint, .init = init_glint, .begin = begin_glint,
+    .stages = add_glint_stage,
 };
