@@ -52,7 +52,8 @@ static tp_shade shade_foam(test_run *r, bool textured, int level)
         .low_t = chance_fx(&chance, -900, 900), .side = CELLS * 32768,
         .per_metre = ((uint64_t)1 << 48) / 32768,
         .edge = (uint32_t)(((uint64_t)1 << 44) / (7ull * 128 * CELLS * 128 * CELLS)),
-        .far_mean = random_below(&chance, 3) * 4096,
+        .far_fresh = random_below(&chance, 3) * 9000,
+        .far_old = random_below(&chance, 40),
         .per_square = random_below(&chance, 6000) + 100,
         .way_x = tp_sin(way) >> 16,
         .way_z = tp_cos(way) >> 16,
@@ -80,8 +81,8 @@ static tp_shade shade_foam(test_run *r, bool textured, int level)
 
 static double cell_at(const tp_shade_foam *f, int i, int j)
 {
-    const int col = (i + 2 * CELLS + (int)f->col) % CELLS;
-    const int row = (j + 2 * CELLS + (int)f->row) % CELLS;
+    const int col = (i + 1 + 2 * CELLS + (int)f->col) % CELLS;
+    const int row = (j + 1 + 2 * CELLS + (int)f->row) % CELLS;
     return cover[row * CELLS + col];
 }
 
@@ -112,12 +113,21 @@ static double whole_cover(const tp_shade_foam *f, const test_run *r, int i)
     double weight;
     const double c = cover_of(f, r->s[i], r->t[i], &weight);
     const double x = (int16_t)(r->n[i] >> 16) / 4096.0, z = (int16_t)r->n[i] / 4096.0;
-    const double q = least((x * x + z * z) * f->per_square / 256, 2047 / 256.0);
-    const double up = fmax((x * f->way_x + z * f->way_z) / 16384, 0);
-    const double b = least(up * up * f->per_square / 256, 2047 / 256.0);
-    const double far = ref_clamp(f->far_mean / 512.0 * q * q * b - 12, 0, 144);
+    const double q = least((x * x + z * z) * f->per_square / 256, 1700 / 256.0);
+    const double up = (x * f->way_x + z * f->way_z) / 16384;
+    const double b = up > 0 ? least(up * up * f->per_square / 256, 1700 / 256.0) : 0;
+    const double far = up < 0 || !f->far_fresh
+                     ? 0 : least(f->far_old + f->far_fresh / 256.0 * q * b, 216);
 
     return c * weight + far * (1 - weight);
+}
+
+static bool is_outer(const tp_shade_foam *f, const test_run *r, int i)
+{
+    double weight;
+
+    cover_of(f, r->s[i], r->t[i], &weight);
+    return weight < 1;
 }
 
 /* Share of the texels of level 0 below a green value, equal texels counted half, 0..255. */
@@ -160,13 +170,16 @@ static double white_of(double c, double rank, int level)
     return ref_clamp(least(up / soft, 4 * c / 256), 0, 1) * 240 / 256;
 }
 
-/* Opacity of lace over bubbles: patches of the large scale first. */
+/* Opacity of lace over bubbles: patches of the large scale first. A cover below 10 outside of
+ * the full weight has the mean opacity of lace. */
 static double share_of(const tp_shade_foam *f, const test_run *r, int i, int level)
 {
     double c = whole_cover(f, r, i);
 
     if (c < 1)
         return 0;
+    if (is_outer(f, r, i) && c < 10)
+        return c / 256 * (236 / 256.0 * 240 / 256 + 0.25);
     if (f->texture)
         c += rank_at(f, r, i, level, 1) * c * (255 - c) / 64 * 103 / 65536;
     const double white = white_of(c, f->texture && level < 5 ? rank_at(f, r, i, level, 0)
@@ -254,7 +267,7 @@ static void without_cover_nothing_changes(void **state)
     run_any(&r, 8000, &chance);
     const tp_shade s = shade_foam(&r, true, 0);
     const test_run before = r;
-    foam.far_mean = 0;
+    foam.far_fresh = 0;
     tp_stage_foam_shiny(&s, &r.run);
     assert_memory_equal(&r.run.colour, &before.run.colour, sizeof r.run.colour);
     assert_memory_equal(&r.run.glint, &before.run.glint, sizeof r.run.glint);

@@ -8,8 +8,8 @@
 #define OPAQUE (15 / 16.0)      /* largest opacity */
 #define LACE   (236 / 256.0)    /* white share of full cover */
 #define BAND   0.25             /* opacity of the bubbles below full cover */
-#define FAR_LEAST (12 / 255.0)  /* taken from all far cover */
-#define FAR_MOST  (144 / 255.0)
+#define FAR_MOST  (216 / 255.0) /* largest far cover */
+#define OLD_MEAN  (16 / 255.0)  /* mean of the field from which on there is all old foam */
 #define COARSE 5                /* mipmap level from which the threshold covers all ranks */
 
 /* Rank of a green: the share of darker texels, with half of the equal texels. */
@@ -34,11 +34,12 @@ static double lattice_origin(int64_t drift, tp_fx speed, double back)
     return ldexp((double)drift, -32) - ref_number(speed) * back / TP_TICKS_PER_SECOND;
 }
 
-/* Sets the cover beyond the window: half of the field's mean over the cube of the mean
- * square of the waves' slope, and the mean way of the waves. */
+/* Sets the cover beyond the window, by the field's mean: half of the mean on all water but
+ * the waves' fronts, less if the mean is small; and 1.375 to 1.25 of it by the slopes. */
 static void set_far_foam(ref_foam *f, const tp_world *world, const tp_foam *foam)
 {
     const tp_deep_water *deep = &world->deep;
+    const double mean = tp_foam_mean(foam) / 65280.0, old = fmin(1, mean / OLD_MEAN) / 2;
     double square = 0, x = 0, z = 0;
 
     for (uint32_t i = 0; i < deep->count; i++) {
@@ -47,9 +48,10 @@ static void set_far_foam(ref_foam *f, const tp_world *world, const tp_foam *foam
         square += (pow(ldexp(deep->swell[i].slope_x, -30), 2)
                    + pow(ldexp(deep->swell[i].slope_z, -30), 2)) / 2;
     }
+    f->far_old = old * mean;
     if (square == 0 || hypot(x, z) == 0)
         return;
-    f->far_per_cube = tp_foam_mean(foam) / 65280.0 / pow(square, 3) / 2;
+    f->far_fresh = (1.375 - old / 2) * mean / pow(square, 2);
     f->way_x = x / hypot(x, z);
     f->way_z = z / hypot(x, z);
 }
@@ -113,9 +115,9 @@ double ref_foam_cover(const ref_foam *f, double x0, double z0, double *weight)
 static double far_cover(const ref_foam *f, const ref_water *w)
 {
     const double square = w->slope_x * w->slope_x + w->slope_z * w->slope_z;
-    const double up = fmax(w->slope_x * f->way_x + w->slope_z * f->way_z, 0);
+    const double up = w->slope_x * f->way_x + w->slope_z * f->way_z;
 
-    return ref_clamp(f->far_per_cube * square * square * up * up - FAR_LEAST, 0, FAR_MOST);
+    return up < 0 ? 0 : fmin(f->far_old + f->far_fresh * square * up * up, FAR_MOST);
 }
 
 /* -- bubbles ------------------------------------------------------------------------- */
