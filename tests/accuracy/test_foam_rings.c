@@ -34,6 +34,7 @@ typedef struct {
 typedef struct {
     const char *name;
     double      radius;         /* of the window, m */
+    double      beach;          /* heading of the rise, radians; NAN: no beach */
     ring_sums   at[TICKS];
 } foam_rings;
 
@@ -44,6 +45,7 @@ static const char *const names[] = {
 enum { SCENES = sizeof names / sizeof *names };
 
 static const char *const from_above[] = { "camera.y=200", "camera.pitch=-89" };
+static const char *const over_beach[] = { "camera.y=90", "camera.pitch=-89" };
 static const char *const oblique[] = { "camera.y=150", "camera.pitch=-60" };
 
 static void open_scene(ref_stand *stand, const char *name, const char *const view[2],
@@ -57,12 +59,17 @@ static void open_scene(ref_stand *stand, const char *name, const char *const vie
     assert_int_equal(ref_stand_open(stand, path, set, SETTINGS - foam, tick), 0);
 }
 
-/* Adds a pixel's foam at an offset from the eye, m. */
-static void add_pixel(ring_sums *s, double radius, double dx, double dz, double foam)
+/* Adds a pixel's foam at an offset from the eye, m. On a beach that rises at a heading,
+ * radians, the distance along the beach counts, over a strip as wide as the radius. */
+static void add_pixel(ring_sums *s, double radius, double beach, double dx, double dz,
+                      double foam)
 {
-    const double far = hypot(dx, dz), most = fmax(fabs(dx), fabs(dz));
+    const double far = isnan(beach) ? hypot(dx, dz) : fabs(dx * cos(beach) + dz * sin(beach));
+    const double most = fmax(fabs(dx), fabs(dz));
     const int ring = (int)(far / RING);
 
+    if (fabs(dx * sin(beach) - dz * cos(beach)) > radius / 2)
+        return;
     if (ring < RINGS) {
         s->sum[ring] += foam;
         s->pixels[ring]++;
@@ -79,7 +86,7 @@ static void add_pixel(ring_sums *s, double radius, double dx, double dz, double 
 }
 
 /* Adds the pixels that show water both with foam and without. */
-static void add_picture(ring_sums *s, double radius, const ref_stand *stand,
+static void add_picture(foam_rings *r, uint32_t t, const ref_stand *stand,
                         const drawn_image *with, const drawn_image *bare)
 {
     ref_scene scene;
@@ -97,7 +104,7 @@ static void add_picture(ring_sums *s, double radius, const ref_stand *stand,
         const double far = c.eye.y / down;
         const ref_colour a = ref_colour_unpack(with->pixel[i]),
                          b = ref_colour_unpack(bare->pixel[i]);
-        add_pixel(s, radius, far * (c.ahead.x + u * c.right.x + v * c.up.x),
+        add_pixel(&r->at[t], r->radius, r->beach, far * (c.ahead.x + u * c.right.x + v * c.up.x),
                   far * (c.ahead.z + u * c.right.z + v * c.up.z), a.c[1] - b.c[1]);
     }
 }
@@ -112,7 +119,9 @@ static void look(foam_rings *rings, const char *name, const char *const view[2])
         drawn_image with = drawn_of(&stand, WIDTH, HEIGHT);
         drawn_image bare = drawn_of(&plain, WIDTH, HEIGHT);
         rings->radius = stand.file.scene.foam.cells * (stand.file.scene.foam.cell / 131072.0);
-        add_picture(&rings->at[t], rings->radius, &stand, &with, &bare);
+        rings->beach = tp_has_floor(&stand.file.scene)
+                     ? stand.file.scene.floor.heading / 65536.0 * 0.0174532925 : (double)NAN;
+        add_picture(rings, t, &stand, &with, &bare);
         drawn_free(&with);
         drawn_free(&bare);
         ref_stand_close(&plain);
@@ -200,11 +209,8 @@ static bool is_alike(const char *name, const char *of, double a, double b)
     return false;
 }
 
-/* The ratios hold for whole windows only: a slanted view has a part of the window. */
-static bool is_even(const foam_rings *r, bool whole)
+static void print_rings(const foam_rings *r)
 {
-    double side = 0, sides = 0, corner = 0, corners = 0;
-
     printf("    %-13s", r->name);
     for (int i = 0; i < RINGS; i++) {
         double sum = 0;
@@ -212,14 +218,21 @@ static bool is_even(const foam_rings *r, bool whole)
             sum += ring_mean(&r->at[t], i) / TICKS;
         printf(" %5.1f%s", sum, i + 1 == (int)(r->radius / RING) ? " |" : "");
     }
+    printf("  within %5.2f beyond %5.2f\n", mean_of(r, false), mean_of(r, true));
+}
+
+/* The ratios hold for whole windows only: a slanted view has a part of the window. */
+static bool is_even(const foam_rings *r, bool whole)
+{
+    double side = 0, sides = 0, corner = 0, corners = 0;
+
+    print_rings(r);
     for (int t = 0; t < TICKS; t++) {
         side += r->at[t].side;
         sides += r->at[t].sides;
         corner += r->at[t].corner;
         corners += r->at[t].corners;
     }
-    printf("  within %5.2f beyond %5.2f sides %5.2f corners %5.2f\n", mean_of(r, false),
-           mean_of(r, true), side / sides, corner / corners);
     return (!whole || (is_alike(r->name, "beyond the window over within", mean_of(r, true),
                                 mean_of(r, false))
                        && is_alike(r->name, "corners over sides", corner / corners,
@@ -245,6 +258,18 @@ static void foam_has_no_disc_from_above(void **state)
     check_view(from_above);
 }
 
+static void foam_goes_on_along_a_beach(void **state)
+{
+    static foam_rings rings;
+
+    (void)state;
+    look(&rings, "shore-break", over_beach);
+    print_rings(&rings);
+    assert_true(is_alike(rings.name, "beyond the window over within", mean_of(&rings, true),
+                         mean_of(&rings, false)));
+    assert_true(mean_of(&rings, false) > 5 && has_even_steps(&rings));
+}
+
 static void foam_has_no_disc_at_a_slant(void **state)
 {
     (void)state;
@@ -256,6 +281,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(foam_has_no_disc_from_above),
         cmocka_unit_test(foam_has_no_disc_at_a_slant),
+        cmocka_unit_test(foam_goes_on_along_a_beach),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -44,6 +44,7 @@ static tp_shade shade_foam(test_run *r, bool textured, int level)
     tp_shade s = shade_any(&chance);
     tp_shade_foam *f = &foam;
     const tp_turn way = (tp_turn)random_next(&chance);
+    const bool shore = random_below(&chance, 3) == 0;
 
     r->run.mine = f;
     *f = (tp_shade_foam){
@@ -52,11 +53,14 @@ static tp_shade shade_foam(test_run *r, bool textured, int level)
         .low_t = chance_fx(&chance, -900, 900), .side = CELLS * 32768,
         .per_metre = ((uint64_t)1 << 48) / 32768,
         .edge = (uint32_t)(((uint64_t)1 << 44) / (7ull * 128 * CELLS * 128 * CELLS)),
-        .far_fresh = random_below(&chance, 3) * 9000,
+        .far_fresh = shore ? 0 : random_below(&chance, 3) * 9000,
         .far_old = random_below(&chance, 40),
         .per_square = random_below(&chance, 6000) + 100,
         .way_x = tp_sin(way) >> 16,
         .way_z = tp_cos(way) >> 16,
+        .shore_x = shore ? tp_sin(way) >> 16 : 0,
+        .shore_z = shore ? -tp_cos(way) >> 16 : 0,
+        .stretch = CELLS * 32768 / 16 * 7,
         .colour = (uint32_t)random_next(&chance) & 0xffffff,
         .texture = textured ? &picture : NULL, .repeats = 1 << 15,
         .drift_s = (uint32_t)random_next(&chance),
@@ -68,8 +72,9 @@ static tp_shade shade_foam(test_run *r, bool textured, int level)
         tp_shade_foam_make_ranks(f, &picture);
     for (int i = 0; i < TP_RUN; i++) {
         r->key[i] = 0x10000000;
-        r->s[i] = (uint32_t)f->low_s + random_below(&chance, f->side + 20000) - 10000;
-        r->t[i] = (uint32_t)f->low_t + random_below(&chance, f->side + 20000) - 10000;
+        const uint32_t out = shore ? 4 * f->side : 10000;
+        r->s[i] = (uint32_t)f->low_s + random_below(&chance, f->side + 2 * out) - out;
+        r->t[i] = (uint32_t)f->low_t + random_below(&chance, f->side + 2 * out) - out;
         r->run.glint[i] = (uint16_t)chance_int(&chance, 0, 1024);
     }
     const int32_t depth = tp_log_depth(&s, r->key[0]);
@@ -107,6 +112,32 @@ static double cover_of(const tp_shade_foam *f, uint32_t s, uint32_t t, double *w
     return over * (1 - ft) + under * ft;
 }
 
+static double weighed_cover(const tp_shade_foam *f, double s, double t)
+{
+    double weight;
+    const double c = cover_of(f, (uint32_t)(int64_t)floor(s), (uint32_t)(int64_t)floor(t),
+                              &weight);
+    return c * weight;
+}
+
+/* Cover along a straight beach: a stretch around the window's middle repeats, its last
+ * eighth mixed with what lies before its beginning. */
+static double shore_cover(const tp_shade_foam *f, uint32_t s, uint32_t t)
+{
+    const double x = f->shore_x / 16384.0, z = f->shore_z / 16384.0, whole = f->stretch;
+    const double ds = (int32_t)(s - (uint32_t)f->low_s) - f->side / 2.0;
+    const double dt = (int32_t)(t - (uint32_t)f->low_t) - f->side / 2.0;
+    const double part = (ds * x + dt * z) / whole + 0.5, turns = floor(part);
+    const double here = weighed_cover(f, f->low_s + f->side / 2.0 + ds - turns * whole * x,
+                                      f->low_t + f->side / 2.0 + dt - turns * whole * z);
+    const double before =
+        weighed_cover(f, f->low_s + f->side / 2.0 + ds - (turns + 1) * whole * x,
+                      f->low_t + f->side / 2.0 + dt - (turns + 1) * whole * z);
+    const double share = least(1, (1 - (part - turns)) * 8);
+
+    return here * share + before * (1 - share);
+}
+
 /* Cover after the window's edge: the cover beyond is by the square of the slope. */
 static double whole_cover(const tp_shade_foam *f, const test_run *r, int i)
 {
@@ -116,7 +147,8 @@ static double whole_cover(const tp_shade_foam *f, const test_run *r, int i)
     const double q = least((x * x + z * z) * f->per_square / 256, 1700 / 256.0);
     const double up = (x * f->way_x + z * f->way_z) / 16384;
     const double b = up > 0 ? least(up * up * f->per_square / 256, 1700 / 256.0) : 0;
-    const double far = up < 0 || !f->far_fresh
+    const double far = f->shore_x || f->shore_z ? shore_cover(f, r->s[i], r->t[i])
+                     : up < 0 || !f->far_fresh
                      ? 0 : least(f->far_old + f->far_fresh / 256.0 * q * b, 216);
 
     return c * weight + far * (1 - weight);
@@ -212,6 +244,8 @@ static void compare(bool textured, int level, foam_spread *off)
     tp_stage_foam_shiny(&s, &r.run);
     for (int i = 0; i < TP_RUN; i++) {
         const double c = whole_cover(f, &r, i), share = share_of(f, &r, i, level);
+        if (is_outer(f, &r, i) && fabs(c - 10) < 1.5)
+            continue;           /* on the edge of the least cover with lace */
         const ref_colour want = ref_mix(ref_colour_unpack(before.run.colour[i]),
                                         ref_scale(ref_colour_unpack(f->colour),
                                                   lit_of(&s, &r, i)), share);

@@ -10,6 +10,7 @@
 #define BAND   0.25             /* opacity of the bubbles below full cover */
 #define FAR_MOST  (216 / 255.0) /* largest far cover */
 #define OLD_MEAN  (16 / 255.0)  /* mean of the field from which on there is all old foam */
+#define RADIAN 0.017453292519943295769 /* radians of a degree */
 #define COARSE 5                /* mipmap level from which the threshold covers all ranks */
 
 /* Rank of a green: the share of darker texels, with half of the equal texels. */
@@ -72,8 +73,12 @@ void ref_foam_open(ref_scene *s, const tp_world *world)
         .drift_z = lattice_origin(foam->drift_z, map->drift_z, back),
         .fades = !tp_world_pool(world),
     };
-    if (s->foam.fades && !tp_has_floor(s->scene))
+    if (s->foam.fades && !tp_has_floor(s->scene)) {
         set_far_foam(&s->foam, world, foam);
+    } else if (s->foam.fades && !s->assets->floor) {
+        s->foam.shore_x = cos(ref_number(s->scene->floor.heading) * RADIAN);
+        s->foam.shore_z = sin(ref_number(s->scene->floor.heading) * RADIAN);
+    }
     if (s->assets->foam)
         make_ranks(&s->foam, s->assets->foam);
 }
@@ -111,12 +116,38 @@ double ref_foam_cover(const ref_foam *f, double x0, double z0, double *weight)
                w - 0.5 - j);
 }
 
+/* Cover times its weight. */
+static double weighed_cover(const ref_foam *f, double x, double z)
+{
+    double weight, cover = ref_foam_cover(f, x, z, &weight);
+    return cover * weight;
+}
+
+/* Cover beyond the window along a straight beach: the stretch of 7/8 of the window's radius
+ * repeats; over its last eighth it passes into that before its beginning. */
+static double shore_cover(const ref_foam *f, double x0, double z0)
+{
+    const double side = f->cells * f->cell, stretch = side * 7 / 16;
+    const double x = x0 - f->drift_x - f->first_x * f->cell - side / 2;
+    const double z = z0 - f->drift_z - f->first_z * f->cell - side / 2;
+    const double along = x * f->shore_x + z * f->shore_z;
+    const double back = stretch * floor(along / stretch + 0.5);
+    const double left = back + stretch / 2 - along;
+    const double here = weighed_cover(f, x0 - back * f->shore_x, z0 - back * f->shore_z);
+    const double before = weighed_cover(f, x0 - (back + stretch) * f->shore_x,
+                                        z0 - (back + stretch) * f->shore_z);
+
+    return mix(before, here, fmin(1, left / (stretch / 8)));
+}
+
 /* Cover of the water beyond the window. */
 static double far_cover(const ref_foam *f, const ref_water *w)
 {
     const double square = w->slope_x * w->slope_x + w->slope_z * w->slope_z;
     const double up = w->slope_x * f->way_x + w->slope_z * f->way_z;
 
+    if (f->shore_x != 0 || f->shore_z != 0)
+        return shore_cover(f, w->x0, w->z0);
     return up < 0 ? 0 : fmin(f->far_old + f->far_fresh * square * up * up, FAR_MOST);
 }
 

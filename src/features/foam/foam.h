@@ -124,6 +124,8 @@ typedef struct {
     uint32_t far_old;           /* cover of other water there, 0..255 */
     uint32_t per_square;        /* 1 over the mean square of the slope, Q32 over Q24 */
     int32_t  way_x, way_z;      /* unit vector of the waves' mean way, Q14 */
+    int32_t  shore_x, shore_z;  /* straight beach: its direction, Q14; both 0: none */
+    int32_t  stretch;           /* length of beach that repeats, m, 16.16 */
     const tp_texture *texture;  /* NULL: no texture */
     uint32_t repeats, drift_s, drift_t;     /* as in tp_layer */
     uint32_t wide_repeats, wide_drift_s, wide_drift_t;  /* four times as large */

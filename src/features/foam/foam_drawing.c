@@ -75,14 +75,25 @@ static void set_mean_way(tp_shade_foam *f, const tp_world *world)
     f->way_z = (int32_t)(z * 16384 / length);
 }
 
+/* Sets the direction of a straight beach, at right angles to the floor's rise.  A stretch of
+ * 7/8 of the window's radius repeats, so the stretch and its seam lie well inside. */
+static void set_shore(tp_shade_foam *f, const tp_scene *scene)
+{
+    const tp_turn rise = tp_turn_of_degrees(scene->floor.heading);
+
+    f->shore_x = tp_cos(rise) / 65536;
+    f->shore_z = tp_sin(rise) / 65536;
+    f->stretch = (int32_t)(f->side / 16 * 7);
+}
+
 #define OLD      128            /* of 256, over the field's mean: foam that crests left */
 #define FRESH    352            /* of 256, over the field's mean: foam of crests, if none is
                                  * old.  The sum is above 1, since the cover is capped and the
                                  * lace shows less white than a small cover */
 #define OLD_MEAN 4096           /* Q8: means below leave less old foam, as it shows no white */
 
-/* Sets the foam beyond the window: none where walls or a coast bound the foam, else the
- * field's mean.  Half of the water has old foam: its share is taken from the crests. */
+/* Sets the foam beyond the window: none where walls or a map's coast bound the foam, the
+ * field along a straight beach, else the field's mean.  Half of the water has old foam: its share is taken from the crests. */
 static void set_far_foam(const tp_frame *frame, tp_shade_foam *f, const tp_foam *foam)
 {
     const bool pool = tp_world_pool(frame->world) != NULL;
@@ -95,6 +106,9 @@ static void set_far_foam(const tp_frame *frame, tp_shade_foam *f, const tp_foam 
     f->far_fresh = (FRESH - old / 2) * mean >> 8;
     f->per_square = per_mean_square(frame->world);
     set_mean_way(f, frame->world);
+    f->shore_x = f->shore_z = 0;
+    if (!pool && tp_has_floor(frame->scene) && !frame->assets.floor)
+        set_shore(f, frame->scene);
 }
 
 /* Sets the foam's colour and texture, and the place of its cover under the picture's

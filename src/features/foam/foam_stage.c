@@ -15,7 +15,8 @@
  * waves' backs have old foam, and by the fourth power of their slope fresh foam; the mean
  * over the sea is the mean of the field, so no disc shows from above.  The field itself,
  * repeated as the torus that it is, shows more of its shapes, but repeats a boat's wake and
- * the large waves' crests in every square. */
+ * the large waves' crests in every square.  Along a straight beach the field does repeat:
+ * crests run along the beach.  Over a map of the floor there is no foam beyond. */
 #include "features/foam/foam.h"
 #include "shade/material.h"
 #include "shade/slope.h"
@@ -92,6 +93,45 @@ TP_ALWAYS_INLINE uint32_t sample_window(const tp_shade_foam *f, uint32_t s, uint
     uint32_t w = (uint32_t)(dt * f->per_metre >> 32);
     *weight = window_weight(f, u, w);
     return *weight ? sample_cover(f, u, w) : 0;
+}
+
+/* Returns the window's cover at a place, times its weight. */
+TP_ALWAYS_INLINE uint32_t weigh_cover(const tp_shade_foam *f, uint32_t s, uint32_t t)
+{
+    uint32_t weight, cover = sample_window(f, s, t, &weight);
+    return (cover * weight + 128) >> 8;
+}
+
+/* Returns the cover beyond the window along a straight beach: the stretch around the
+ * window's middle repeats, at the same distance from the water's line.  Over the last eighth
+ * of a stretch the cover passes into that before the stretch's beginning, so no seam
+ * shows. */
+static uint32_t shore_cover(const tp_shade_foam *f, uint32_t s, uint32_t t)
+{
+    const int32_t ds = (int32_t)(s - (uint32_t)f->low_s - f->side / 2);
+    const int32_t dt = (int32_t)(t - (uint32_t)f->low_t - f->side / 2);
+    const int64_t across = ((int64_t)dt * f->shore_x - (int64_t)ds * f->shore_z) >> 13;
+
+    if (across >= f->side || -across >= f->side)
+        return 0;
+    const int32_t along = (int32_t)(((int64_t)ds * f->shore_x + (int64_t)dt * f->shore_z)
+                                    >> 14);
+    const int32_t far = along / 2 + f->stretch / 4;     /* halves: the sum stays in range */
+    const int32_t turns = far / (f->stretch / 2) - (far % (f->stretch / 2) < 0);
+    const int64_t back = (int64_t)turns * f->stretch;
+    const int32_t left = (int32_t)(back + f->stretch / 2 - along);
+    const int32_t seam = f->stretch / 8;
+
+    s -= (uint32_t)(back * f->shore_x >> 14);
+    t -= (uint32_t)(back * f->shore_z >> 14);
+    const uint32_t cover = weigh_cover(f, s, t);
+    if (left >= seam)
+        return cover;
+    s -= (uint32_t)((int64_t)f->stretch * f->shore_x >> 14);
+    t -= (uint32_t)((int64_t)f->stretch * f->shore_z >> 14);
+    const uint32_t share = (uint32_t)(left < 0 ? 0 : left) / 64 * 256
+                         / ((uint32_t)seam / 64 + 1);
+    return (cover * share + weigh_cover(f, s, t) * (256 - share) + 128) >> 8;
 }
 
 /* -- bubbles ------------------------------------------------------------------------- */
@@ -257,16 +297,16 @@ TP_ALWAYS_INLINE uint32_t far_cover(const tp_shade_foam *f, const tp_run *run, i
                                     uint32_t v)
 {
     if (!f->far_fresh)
-        return 0;
+        return f->shore_x | f->shore_z ? shore_cover(f, run->s[i], run->t[i]) : 0;
     const int32_t x = tp_slope_x(run, i, 0), z = tp_slope_z(run, i, 0);
-    const int32_t up = (x * f->way_x + z * f->way_z) / 16384;
+    const int32_t rise = x * f->way_x + z * f->way_z, up = rise / 16384;
 
-    if (up < 0 && v == 0)
+    if (rise < 0 && v == 0)
         return 0;
     const uint32_t q = relative_square(f, tp_slope_square(x, z));
     const uint32_t b = up > 0 ? relative_square(f, (uint32_t)(up * up)) : 0;
     const uint32_t fresh = ((b * q + v * (2 * q + v)) >> 8) * f->far_fresh >> 16;
-    const uint32_t cover = up < 0 ? fresh : fresh + f->far_old;
+    const uint32_t cover = rise < 0 ? fresh : fresh + f->far_old;
 
     return cover < FAR_MOST ? cover : FAR_MOST;
 }
