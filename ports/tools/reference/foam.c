@@ -57,6 +57,22 @@ static void set_far_foam(ref_foam *f, const tp_world *world, const tp_foam *foam
     f->way_z = z / hypot(x, z);
 }
 
+/* Sets the direction of a straight beach if its water line crosses the window. */
+static void set_shore(ref_foam *f, const tp_scene *scene)
+{
+    const double heading = ref_number(scene->floor.heading) * RADIAN;
+    const double radius = f->cells * f->cell / 2, slope = ref_number(scene->floor.slope);
+    const double x = f->drift_x + f->first_x * f->cell + radius;
+    const double z = f->drift_z + f->first_z * f->cell + radius;
+    const double depth =
+        ref_number(scene->floor.depth) - slope * (x * sin(heading) - z * cos(heading));
+
+    if (fabs(depth) >= slope * radius)
+        return;
+    f->shore_x = cos(heading);
+    f->shore_z = sin(heading);
+}
+
 void ref_foam_open(ref_scene *s, const tp_world *world)
 {
     const tp_foam *foam = tp_world_foam(world);
@@ -76,8 +92,7 @@ void ref_foam_open(ref_scene *s, const tp_world *world)
     if (s->foam.fades && !tp_has_floor(s->scene)) {
         set_far_foam(&s->foam, world, foam);
     } else if (s->foam.fades && !s->assets->floor) {
-        s->foam.shore_x = cos(ref_number(s->scene->floor.heading) * RADIAN);
-        s->foam.shore_z = sin(ref_number(s->scene->floor.heading) * RADIAN);
+        set_shore(&s->foam, s->scene);
     }
     if (s->assets->foam)
         make_ranks(&s->foam, s->assets->foam);

@@ -6,9 +6,10 @@
  * cell centres; beyond the outermost centres the outermost cells count. In the outer
  * quarter of the window's inscribed circle the cover passes into a far cover: half of the
  * field's mean, and 1.125 of the mean times the squares of the slope and of its part on the
- * waves' way, both over their mean; 216 / 255 at most; none on the waves' fronts. A mean below 16 / 255 leaves less old foam and gives more to the slopes.
- * Along a straight beach the window's middle repeats. Over a map of the floor there is no
- * far cover. Over a pool the window ends at the walls instead.
+ * waves' way, both over their mean; 216 / 255 at most; none on the waves' fronts. A mean
+ * below 16 / 255 leaves less old foam and gives more to the slopes. Along a straight beach
+ * whose water line crosses the window the window's middle repeats; over another coast's
+ * floor there is no far cover. Over a pool the window ends at the walls instead.
  *
  * A texture four times as large as the foam's moves the cover up and down by its rank. A
  * texel of the texture is white if its rank among all texels is above 1 - cover. The

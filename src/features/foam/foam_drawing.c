@@ -75,12 +75,19 @@ static void set_mean_way(tp_shade_foam *f, const tp_world *world)
     f->way_z = (int32_t)(z * 16384 / length);
 }
 
-/* Sets the direction of a straight beach, at right angles to the floor's rise.  A stretch of
- * 7/8 of the window's radius repeats, so the stretch and its seam lie well inside. */
+/* Sets the direction of a straight beach, at right angles to the floor's rise, if its water
+ * line crosses the window.  A stretch of 7/8 of the window's radius repeats, so the stretch
+ * and its seam lie well inside. */
 static void set_shore(tp_shade_foam *f, const tp_scene *scene)
 {
     const tp_turn rise = tp_turn_of_degrees(scene->floor.heading);
+    const int64_t x = (int64_t)f->low_s + f->side / 2, z = (int64_t)f->low_t + f->side / 2;
+    const int64_t up = (x * (tp_sin(rise) / 65536) - z * (tp_cos(rise) / 65536)) >> 14;
+    const int64_t depth = scene->floor.depth - (up * scene->floor.slope >> 16);
+    const int64_t most = (int64_t)(f->side / 2) * scene->floor.slope >> 16;
 
+    if (depth >= most || -depth >= most)
+        return;
     f->shore_x = tp_cos(rise) / 65536;
     f->shore_z = tp_sin(rise) / 65536;
     f->stretch = (int32_t)(f->side / 16 * 7);
@@ -93,7 +100,8 @@ static void set_shore(tp_shade_foam *f, const tp_scene *scene)
 #define OLD_MEAN 4096           /* Q8: means below leave less old foam, as it shows no white */
 
 /* Sets the foam beyond the window: none where walls or a map's coast bound the foam, the
- * field along a straight beach, else the field's mean.  Half of the water has old foam: its share is taken from the crests. */
+ * field along a straight beach, else the field's mean.  Half of the water has old foam: its
+ * share is taken from the crests. */
 static void set_far_foam(const tp_frame *frame, tp_shade_foam *f, const tp_foam *foam)
 {
     const bool pool = tp_world_pool(frame->world) != NULL;
