@@ -6,11 +6,10 @@
  * Foam lies over rest positions, and the engine interpolates them linearly over its
  * mesh's cells: a bubble's edge moves by a pixel or two where cells are coarse (storm
  * with foam of one white: 1.4). Narrow cells leave 0.9 to 1.9, where the pictures without
- * foam are 0.7 to 1.1 apart. Foam beyond the window adds the error of the mesh's slope
- * (storm and from-above with 3 to 9 levels more foam: 0.3).  Foam on the waves' backs
- * grows with the cube of that slope: storm 3.5 to 3.8, deep-sea 4.9 to 5.2, three-swells
- * 1.9 to 2.35; with narrow cells unchanged (1.9, 3.6, 1.1).  With groups of waves at these
- * ticks deep-sea is at 4.5, with narrow cells 4.1: its crests are steeper.
+ * foam are 0.7 to 1.1 apart. Foam beyond the window adds the error of the mesh's slope,
+ * whose fourth power counts, and the edge of old foam where that slope turns: storm, with
+ * as much foam beyond as within, 4.3, with narrow cells 1.9; deep-sea 4.7 and 4.1,
+ * three-swells 2.4 and 1.2.
  *
  * Boats have plain outlines.  Light of rough water approximates the mean over a pixel, the
  * reference takes one sample: deep-sea, from-above and, by finer ripples, shallows differ
@@ -48,12 +47,12 @@ static const char *const off[] = {
 enum { OFF = sizeof off / sizeof *off };
 
 static const foam_row rows[] = {
-    { "storm", 850, 3.85, 0.34, 0.5, { NULL } },
+    { "storm", 850, 4.4, 0.12, 0.5, { NULL } },
     { "storm", 850, 2.25, 0.85, 0.34, { "foam.cells=0" } },
-    { "storm", 850, 2.8, 0.08, 0, { "spray.count=0", "foam.texture=" } },
-    { "deep-sea", 900, 5.3, 0.5, 0, { NULL } },
+    { "storm", 850, 2.7, 0.08, 0, { "spray.count=0", "foam.texture=" } },
+    { "deep-sea", 900, 4.9, 0.3, 0, { NULL } },
     { "three-swells", 600, 2.4, 0.65, 0, { NULL } },
-    { "from-above", 600, 2.15, 0.2, 0, { NULL } },
+    { "from-above", 600, 1.8, 0.2, 0, { NULL } },
     { "harbour", 600, 1.1, 0.55, 0, { NULL } },
     { "shallows", 600, 1.3, 0.85, 0, { NULL } },
     { "shore-break", 900, 2.8, 0.22, 0.75, { "surf.stretch=0" } },

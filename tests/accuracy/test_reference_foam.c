@@ -358,8 +358,8 @@ static void foam_moves_with_the_waves(void **state)
     assert_true(off.worst < 1e-4);      /* as plain foam */
 }
 
-/* Foam beyond the window of cells on a trochoid: the field's mean by the sixth
- * power of the slope, less 12 of 255, and 144 at most. */
+/* Foam beyond the window of cells on a trochoid: old foam on the wave's back, the rest of the
+ * field's mean by the fourth power of the slope, and 216 of 255 at most. */
 static void foam_beyond_the_window_lies_on_slopes(void **state)
 {
     measure off = { .what = "far foam on a wave", .unit = "of 255" };
@@ -396,10 +396,11 @@ static void foam_beyond_the_window_lies_on_slopes(void **state)
                                   -atan2(eye[1] - a * sin(th), hypot(dx, dz)) };
         const sight_angles normal = { slope > 0 ? -PI / 2 : PI / 2,
                                       atan2(1, fabs(slope)) };
-        const double share = slope > 0 ? cover * 4 * pow(slope / (k * a), 6) - 12 : -12;
-        const double far = fmax(0, fmin(144, share)) / 255;
-        none += share < 0;
-        most += share > 144;
+        const double old = cover * fmin(0.5, cover / 32.0), fresh = 1.375 * cover - old / 2;
+        const double share = slope > 0 ? old + fresh * 4 * pow(slope / (k * a), 4) : 0;
+        const double far = fmin(216, share) / 255;
+        none += slope < 0;
+        most += share > 216;
         const ref_seen seen = sight_look(&v, to);
         add(&off, &v, &seen, sight_cos(normal, sight_light(&v)),
             opacity_of(far, WHITE * far), 0, n);

@@ -44,6 +44,7 @@ static tp_shade shade_foam(test_run *r, bool textured, int level)
     tp_shade s = shade_any(&chance);
     tp_shade_foam *f = &foam;
     const tp_turn way = (tp_turn)random_next(&chance);
+    const bool shore = random_below(&chance, 3) == 0;
 
     r->run.mine = f;
     *f = (tp_shade_foam){
@@ -52,10 +53,14 @@ static tp_shade shade_foam(test_run *r, bool textured, int level)
         .low_t = chance_fx(&chance, -900, 900), .side = CELLS * 32768,
         .per_metre = ((uint64_t)1 << 48) / 32768,
         .edge = (uint32_t)(((uint64_t)1 << 44) / (7ull * 128 * CELLS * 128 * CELLS)),
-        .far_mean = random_below(&chance, 3) * 4096,
+        .far_fresh = shore ? 0 : random_below(&chance, 3) * 9000,
+        .far_old = random_below(&chance, 40),
         .per_square = random_below(&chance, 6000) + 100,
         .way_x = tp_sin(way) >> 16,
         .way_z = tp_cos(way) >> 16,
+        .shore_x = shore ? tp_sin(way) >> 16 : 0,
+        .shore_z = shore ? -tp_cos(way) >> 16 : 0,
+        .stretch = CELLS * 32768 / 16 * 7,
         .colour = (uint32_t)random_next(&chance) & 0xffffff,
         .texture = textured ? &picture : NULL, .repeats = 1 << 15,
         .drift_s = (uint32_t)random_next(&chance),
@@ -67,8 +72,9 @@ static tp_shade shade_foam(test_run *r, bool textured, int level)
         tp_shade_foam_make_ranks(f, &picture);
     for (int i = 0; i < TP_RUN; i++) {
         r->key[i] = 0x10000000;
-        r->s[i] = (uint32_t)f->low_s + random_below(&chance, f->side + 20000) - 10000;
-        r->t[i] = (uint32_t)f->low_t + random_below(&chance, f->side + 20000) - 10000;
+        const uint32_t out = shore ? 4 * f->side : 10000;
+        r->s[i] = (uint32_t)f->low_s + random_below(&chance, f->side + 2 * out) - out;
+        r->t[i] = (uint32_t)f->low_t + random_below(&chance, f->side + 2 * out) - out;
         r->run.glint[i] = (uint16_t)chance_int(&chance, 0, 1024);
     }
     const int32_t depth = tp_log_depth(&s, r->key[0]);
@@ -80,8 +86,8 @@ static tp_shade shade_foam(test_run *r, bool textured, int level)
 
 static double cell_at(const tp_shade_foam *f, int i, int j)
 {
-    const int col = (i + 2 * CELLS + (int)f->col) % CELLS;
-    const int row = (j + 2 * CELLS + (int)f->row) % CELLS;
+    const int col = (i + 1 + 2 * CELLS + (int)f->col) % CELLS;
+    const int row = (j + 1 + 2 * CELLS + (int)f->row) % CELLS;
     return cover[row * CELLS + col];
 }
 
@@ -106,18 +112,54 @@ static double cover_of(const tp_shade_foam *f, uint32_t s, uint32_t t, double *w
     return over * (1 - ft) + under * ft;
 }
 
+static double weighed_cover(const tp_shade_foam *f, double s, double t)
+{
+    double weight;
+    const double c = cover_of(f, (uint32_t)(int64_t)floor(s), (uint32_t)(int64_t)floor(t),
+                              &weight);
+    return c * weight;
+}
+
+/* Cover along a straight beach: a stretch around the window's middle repeats, its last
+ * eighth mixed with what lies before its beginning. */
+static double shore_cover(const tp_shade_foam *f, uint32_t s, uint32_t t)
+{
+    const double x = f->shore_x / 16384.0, z = f->shore_z / 16384.0, whole = f->stretch;
+    const double ds = (int32_t)(s - (uint32_t)f->low_s) - f->side / 2.0;
+    const double dt = (int32_t)(t - (uint32_t)f->low_t) - f->side / 2.0;
+    const double part = (ds * x + dt * z) / whole + 0.5, turns = floor(part);
+    const double here = weighed_cover(f, f->low_s + f->side / 2.0 + ds - turns * whole * x,
+                                      f->low_t + f->side / 2.0 + dt - turns * whole * z);
+    const double before =
+        weighed_cover(f, f->low_s + f->side / 2.0 + ds - (turns + 1) * whole * x,
+                      f->low_t + f->side / 2.0 + dt - (turns + 1) * whole * z);
+    const double share = least(1, (1 - (part - turns)) * 8);
+
+    return here * share + before * (1 - share);
+}
+
 /* Cover after the window's edge: the cover beyond is by the square of the slope. */
 static double whole_cover(const tp_shade_foam *f, const test_run *r, int i)
 {
     double weight;
     const double c = cover_of(f, r->s[i], r->t[i], &weight);
     const double x = (int16_t)(r->n[i] >> 16) / 4096.0, z = (int16_t)r->n[i] / 4096.0;
-    const double q = least((x * x + z * z) * f->per_square / 256, 2047 / 256.0);
-    const double up = fmax((x * f->way_x + z * f->way_z) / 16384, 0);
-    const double b = least(up * up * f->per_square / 256, 2047 / 256.0);
-    const double far = ref_clamp(f->far_mean / 512.0 * q * q * b - 12, 0, 144);
+    const double q = least((x * x + z * z) * f->per_square / 256, 1700 / 256.0);
+    const double up = (x * f->way_x + z * f->way_z) / 16384;
+    const double b = up > 0 ? least(up * up * f->per_square / 256, 1700 / 256.0) : 0;
+    const double far = f->shore_x || f->shore_z ? shore_cover(f, r->s[i], r->t[i])
+                     : up < 0 || !f->far_fresh
+                     ? 0 : least(f->far_old + f->far_fresh / 256.0 * q * b, 216);
 
     return c * weight + far * (1 - weight);
+}
+
+static bool is_outer(const tp_shade_foam *f, const test_run *r, int i)
+{
+    double weight;
+
+    cover_of(f, r->s[i], r->t[i], &weight);
+    return weight < 1;
 }
 
 /* Share of the texels of level 0 below a green value, equal texels counted half, 0..255. */
@@ -160,13 +202,16 @@ static double white_of(double c, double rank, int level)
     return ref_clamp(least(up / soft, 4 * c / 256), 0, 1) * 240 / 256;
 }
 
-/* Opacity of lace over bubbles: patches of the large scale first. */
+/* Opacity of lace over bubbles: patches of the large scale first. A cover below 10 outside of
+ * the full weight has the mean opacity of lace. */
 static double share_of(const tp_shade_foam *f, const test_run *r, int i, int level)
 {
     double c = whole_cover(f, r, i);
 
     if (c < 1)
         return 0;
+    if (is_outer(f, r, i) && c < 10)
+        return c / 256 * (236 / 256.0 * 240 / 256 + 0.25);
     if (f->texture)
         c += rank_at(f, r, i, level, 1) * c * (255 - c) / 64 * 103 / 65536;
     const double white = white_of(c, f->texture && level < 5 ? rank_at(f, r, i, level, 0)
@@ -199,6 +244,8 @@ static void compare(bool textured, int level, foam_spread *off)
     tp_stage_foam_shiny(&s, &r.run);
     for (int i = 0; i < TP_RUN; i++) {
         const double c = whole_cover(f, &r, i), share = share_of(f, &r, i, level);
+        if (is_outer(f, &r, i) && fabs(c - 10) < 1.5)
+            continue;           /* on the edge of the least cover with lace */
         const ref_colour want = ref_mix(ref_colour_unpack(before.run.colour[i]),
                                         ref_scale(ref_colour_unpack(f->colour),
                                                   lit_of(&s, &r, i)), share);
@@ -254,7 +301,7 @@ static void without_cover_nothing_changes(void **state)
     run_any(&r, 8000, &chance);
     const tp_shade s = shade_foam(&r, true, 0);
     const test_run before = r;
-    foam.far_mean = 0;
+    foam.far_fresh = 0;
     tp_stage_foam_shiny(&s, &r.run);
     assert_memory_equal(&r.run.colour, &before.run.colour, sizeof r.run.colour);
     assert_memory_equal(&r.run.glint, &before.run.glint, sizeof r.run.glint);

@@ -8,8 +8,9 @@
 #define OPAQUE (15 / 16.0)      /* largest opacity */
 #define LACE   (236 / 256.0)    /* white share of full cover */
 #define BAND   0.25             /* opacity of the bubbles below full cover */
-#define FAR_LEAST (12 / 255.0)  /* taken from all far cover */
-#define FAR_MOST  (144 / 255.0)
+#define FAR_MOST  (216 / 255.0) /* largest far cover */
+#define OLD_MEAN  (16 / 255.0)  /* mean of the field from which on there is all old foam */
+#define RADIAN 0.017453292519943295769 /* radians of a degree */
 #define COARSE 5                /* mipmap level from which the threshold covers all ranks */
 
 /* Rank of a green: the share of darker texels, with half of the equal texels. */
@@ -34,11 +35,12 @@ static double lattice_origin(int64_t drift, tp_fx speed, double back)
     return ldexp((double)drift, -32) - ref_number(speed) * back / TP_TICKS_PER_SECOND;
 }
 
-/* Sets the cover beyond the window: half of the field's mean over the cube of the mean
- * square of the waves' slope, and the mean way of the waves. */
+/* Sets the cover beyond the window, by the field's mean: half of the mean on all water but
+ * the waves' fronts, less if the mean is small; and 1.375 to 1.25 of it by the slopes. */
 static void set_far_foam(ref_foam *f, const tp_world *world, const tp_foam *foam)
 {
     const tp_deep_water *deep = &world->deep;
+    const double mean = tp_foam_mean(foam) / 65280.0, old = fmin(1, mean / OLD_MEAN) / 2;
     double square = 0, x = 0, z = 0;
 
     for (uint32_t i = 0; i < deep->count; i++) {
@@ -47,11 +49,28 @@ static void set_far_foam(ref_foam *f, const tp_world *world, const tp_foam *foam
         square += (pow(ldexp(deep->swell[i].slope_x, -30), 2)
                    + pow(ldexp(deep->swell[i].slope_z, -30), 2)) / 2;
     }
+    f->far_old = old * mean;
     if (square == 0 || hypot(x, z) == 0)
         return;
-    f->far_per_cube = tp_foam_mean(foam) / 65280.0 / pow(square, 3) / 2;
+    f->far_fresh = (1.375 - old / 2) * mean / pow(square, 2);
     f->way_x = x / hypot(x, z);
     f->way_z = z / hypot(x, z);
+}
+
+/* Sets the direction of a straight beach if its water line crosses the window. */
+static void set_shore(ref_foam *f, const tp_scene *scene)
+{
+    const double heading = ref_number(scene->floor.heading) * RADIAN;
+    const double radius = f->cells * f->cell / 2, slope = ref_number(scene->floor.slope);
+    const double x = f->drift_x + f->first_x * f->cell + radius;
+    const double z = f->drift_z + f->first_z * f->cell + radius;
+    const double depth =
+        ref_number(scene->floor.depth) - slope * (x * sin(heading) - z * cos(heading));
+
+    if (fabs(depth) >= slope * radius)
+        return;
+    f->shore_x = cos(heading);
+    f->shore_z = sin(heading);
 }
 
 void ref_foam_open(ref_scene *s, const tp_world *world)
@@ -70,8 +89,11 @@ void ref_foam_open(ref_scene *s, const tp_world *world)
         .drift_z = lattice_origin(foam->drift_z, map->drift_z, back),
         .fades = !tp_world_pool(world),
     };
-    if (s->foam.fades && !tp_has_floor(s->scene))
+    if (s->foam.fades && !tp_has_floor(s->scene)) {
         set_far_foam(&s->foam, world, foam);
+    } else if (s->foam.fades && !s->assets->floor) {
+        set_shore(&s->foam, s->scene);
+    }
     if (s->assets->foam)
         make_ranks(&s->foam, s->assets->foam);
 }
@@ -109,13 +131,39 @@ double ref_foam_cover(const ref_foam *f, double x0, double z0, double *weight)
                w - 0.5 - j);
 }
 
+/* Cover times its weight. */
+static double weighed_cover(const ref_foam *f, double x, double z)
+{
+    double weight, cover = ref_foam_cover(f, x, z, &weight);
+    return cover * weight;
+}
+
+/* Cover beyond the window along a straight beach: the stretch of 7/8 of the window's radius
+ * repeats; over its last eighth it passes into that before its beginning. */
+static double shore_cover(const ref_foam *f, double x0, double z0)
+{
+    const double side = f->cells * f->cell, stretch = side * 7 / 16;
+    const double x = x0 - f->drift_x - f->first_x * f->cell - side / 2;
+    const double z = z0 - f->drift_z - f->first_z * f->cell - side / 2;
+    const double along = x * f->shore_x + z * f->shore_z;
+    const double back = stretch * floor(along / stretch + 0.5);
+    const double left = back + stretch / 2 - along;
+    const double here = weighed_cover(f, x0 - back * f->shore_x, z0 - back * f->shore_z);
+    const double before = weighed_cover(f, x0 - (back + stretch) * f->shore_x,
+                                        z0 - (back + stretch) * f->shore_z);
+
+    return mix(before, here, fmin(1, left / (stretch / 8)));
+}
+
 /* Cover of the water beyond the window. */
 static double far_cover(const ref_foam *f, const ref_water *w)
 {
     const double square = w->slope_x * w->slope_x + w->slope_z * w->slope_z;
-    const double up = fmax(w->slope_x * f->way_x + w->slope_z * f->way_z, 0);
+    const double up = w->slope_x * f->way_x + w->slope_z * f->way_z;
 
-    return ref_clamp(f->far_per_cube * square * square * up * up - FAR_LEAST, 0, FAR_MOST);
+    if (f->shore_x != 0 || f->shore_z != 0)
+        return shore_cover(f, w->x0, w->z0);
+    return up < 0 ? 0 : fmin(f->far_old + f->far_fresh * square * up * up, FAR_MOST);
 }
 
 /* -- bubbles ------------------------------------------------------------------------- */

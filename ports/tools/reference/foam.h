@@ -4,10 +4,12 @@
  *
  * The cover is data of the world: one byte a cell over rest positions, bilinear between
  * cell centres; beyond the outermost centres the outermost cells count. In the outer
- * quarter of the window's inscribed circle the cover passes into a far cover: the field's
- * mean times half of the cube of the square of the slope over its mean, less 12 / 255,
- * 144 / 255 at most; none on the waves' fronts and over a coast's floor. Over a pool the
- * window ends at the walls instead.
+ * quarter of the window's inscribed circle the cover passes into a far cover: half of the
+ * field's mean, and 1.125 of the mean times the squares of the slope and of its part on the
+ * waves' way, both over their mean; 216 / 255 at most; none on the waves' fronts. A mean
+ * below 16 / 255 leaves less old foam and gives more to the slopes. Along a straight beach
+ * whose water line crosses the window the window's middle repeats; over another coast's
+ * floor there is no far cover. Over a pool the window ends at the walls instead.
  *
  * A texture four times as large as the foam's moves the cover up and down by its rank. A
  * texel of the texture is white if its rank among all texels is above 1 - cover. The

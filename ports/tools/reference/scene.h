@@ -38,8 +38,10 @@ typedef struct {
     double  cell;               /* side of a cell, m */
     double  drift_x, drift_z;   /* origin of the cells' lattice, m */
     bool    fades;              /* the cover passes into the far cover */
-    double  far_per_cube;       /* cover beyond the window over the slope's sixth power */
+    double  far_old, far_fresh; /* cover beyond the window: of all backs of waves, and over
+                                 * the slope's fourth power */
     double  way_x, way_z;       /* unit vector of the waves' mean way */
+    double  shore_x, shore_z;   /* direction of a straight beach; both 0: none */
     double  rank[256];          /* share of darker texels, by green, 0..1 */
     double  mean;               /* rank of the texture's mean */
 } ref_foam;

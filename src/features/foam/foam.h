@@ -112,16 +112,20 @@ uint32_t tp_foam_maker_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool after_
 
 typedef struct {
     const uint8_t *cover;       /* torus of cells x cells bytes */
-    uint32_t cells, col, row;   /* cells per side; cell of the low corner */
+    uint32_t cells, col, row;   /* cells per side; cell before the low corner's cell */
     tp_fx    low_s, low_t;      /* rest position of the low corner, m */
     uint32_t side;              /* side of the window, m, 16.16 */
     uint64_t per_metre;         /* cells per metre, Q16 over 16.16, Q32 */
     uint32_t edge;              /* 2^40 over 7/16 of the squared radius, cells Q8;
                                  * UINT32_MAX: no fading, walls at the window's edge */
     uint32_t colour;
-    uint32_t far_mean;          /* mean cover beyond the window, 0..255 in Q8; 0: none */
+    uint32_t far_fresh;         /* cover of crests beyond the window, Q8, below 90000; 0: no
+                                 * foam there */
+    uint32_t far_old;           /* cover of other water there, 0..255 */
     uint32_t per_square;        /* 1 over the mean square of the slope, Q32 over Q24 */
     int32_t  way_x, way_z;      /* unit vector of the waves' mean way, Q14 */
+    int32_t  shore_x, shore_z;  /* straight beach: its direction, Q14; both 0: none */
+    int32_t  stretch;           /* length of beach that repeats, m, 16.16 */
     const tp_texture *texture;  /* NULL: no texture */
     uint32_t repeats, drift_s, drift_t;     /* as in tp_layer */
     uint32_t wide_repeats, wide_drift_s, wide_drift_t;  /* four times as large */

@@ -18,12 +18,10 @@ static void place_foam(tp_shade_foam *f, const tp_foam *foam, const tp_scene_map
                        tp_fx lag)
 {
     TP_ASSERT(foam->cells > 0 && foam->cell > 0);
-    int32_t cells = (int32_t)foam->cells;
-
     f->cover = (const uint8_t *)(foam + 1);
     f->cells = foam->cells;
-    f->col = (uint32_t)((foam->first_x % cells + cells) % cells);
-    f->row = (uint32_t)((foam->first_z % cells + cells) % cells);
+    f->col = tp_foam_mod(foam->first_x - 1, foam->cells);
+    f->row = tp_foam_mod(foam->first_z - 1, foam->cells);
     f->low_s = (tp_fx)((int64_t)foam->first_x * foam->cell
                        + interpolate_drift(foam->drift_x, map->drift_x, lag));
     f->low_t = (tp_fx)((int64_t)foam->first_z * foam->cell
@@ -77,17 +75,48 @@ static void set_mean_way(tp_shade_foam *f, const tp_world *world)
     f->way_z = (int32_t)(z * 16384 / length);
 }
 
-/* Sets the foam beyond the window: none where walls or a coast bound the foam, else the
- * field's mean. */
+/* Sets the direction of a straight beach, at right angles to the floor's rise, if its water
+ * line crosses the window.  A stretch of 7/8 of the window's radius repeats, so the stretch
+ * and its seam lie well inside. */
+static void set_shore(tp_shade_foam *f, const tp_scene *scene)
+{
+    const tp_turn rise = tp_turn_of_degrees(scene->floor.heading);
+    const int64_t x = (int64_t)f->low_s + f->side / 2, z = (int64_t)f->low_t + f->side / 2;
+    const int64_t up = (x * (tp_sin(rise) / 65536) - z * (tp_cos(rise) / 65536)) >> 14;
+    const int64_t depth = scene->floor.depth - (up * scene->floor.slope >> 16);
+    const int64_t most = (int64_t)(f->side / 2) * scene->floor.slope >> 16;
+
+    if (depth >= most || -depth >= most)
+        return;
+    f->shore_x = tp_cos(rise) / 65536;
+    f->shore_z = tp_sin(rise) / 65536;
+    f->stretch = (int32_t)(f->side / 16 * 7);
+}
+
+#define OLD      128            /* of 256, over the field's mean: foam that crests left */
+#define FRESH    352            /* of 256, over the field's mean: foam of crests, if none is
+                                 * old.  The sum is above 1, since the cover is capped and the
+                                 * lace shows less white than a small cover */
+#define OLD_MEAN 4096           /* Q8: means below leave less old foam, as it shows no white */
+
+/* Sets the foam beyond the window: none where walls or a map's coast bound the foam, the
+ * field along a straight beach, else the field's mean.  Half of the water has old foam: its
+ * share is taken from the crests. */
 static void set_far_foam(const tp_frame *frame, tp_shade_foam *f, const tp_foam *foam)
 {
     const bool pool = tp_world_pool(frame->world) != NULL;
     const uint64_t square = (uint64_t)(foam->cells * 128) * (foam->cells * 128);
 
     f->edge = pool ? UINT32_MAX : (uint32_t)(((uint64_t)1 << 44) / (7 * square));
-    f->far_mean = pool || tp_has_floor(frame->scene) ? 0 : tp_foam_mean(foam);
+    const uint32_t mean = pool || tp_has_floor(frame->scene) ? 0 : tp_foam_mean(foam);
+    const uint32_t old = mean < OLD_MEAN ? OLD * mean / OLD_MEAN : OLD;
+    f->far_old = old * mean >> 16;
+    f->far_fresh = (FRESH - old / 2) * mean >> 8;
     f->per_square = per_mean_square(frame->world);
     set_mean_way(f, frame->world);
+    f->shore_x = f->shore_z = 0;
+    if (!pool && tp_has_floor(frame->scene) && !frame->assets.floor)
+        set_shore(f, frame->scene);
 }
 
 /* Sets the foam's colour and texture, and the place of its cover under the picture's

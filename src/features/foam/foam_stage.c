@@ -9,10 +9,14 @@
  * a wider threshold, and small levels are not read: far foam shows the cover itself.
  * Bubbles below the lace lighten the water by BAND of the cover.
  *
- * Foam is matt: it reflects diffuse light only and hides the glitter under it.  In the
- * outer part of the round window the foam passes into the mean of the field, which covers
- * the water beyond by the sixth power of its slope: the steepest crests are as white as
- * those of the window, most water is bare. */
+ * Foam is matt: it reflects diffuse light only and hides the glitter under it.
+ *
+ * In the outer part of the round window the cover passes into the cover beyond.  There the
+ * waves' backs have old foam, and by the fourth power of their slope fresh foam; the mean
+ * over the sea is the mean of the field, so no disc shows from above.  The field itself,
+ * repeated as the torus that it is, shows more of its shapes, but repeats a boat's wake and
+ * the large waves' crests in every square.  Along a straight beach the field does repeat:
+ * crests run along the beach.  Over a map of the floor there is no foam beyond. */
 #include "features/foam/foam.h"
 #include "shade/material.h"
 #include "shade/slope.h"
@@ -44,11 +48,11 @@ void tp_shade_foam_make_ranks(tp_shade_foam *foam, const tp_texture *texture)
 TP_ALWAYS_INLINE uint32_t sample_cover(const tp_shade_foam *f, uint32_t u, uint32_t w)
 {
     uint32_t n = f->cells;
-    uint32_t a = u + n * 65536 - 32768, b = w + n * 65536 - 32768;
+    uint32_t a = u + 32768, b = w + 32768;      /* half a cell back, and one cell ahead */
     uint32_t i = (a >> 16) + f->col, j = (b >> 16) + f->row;
 
-    i -= i >= 2 * n ? 2 * n : i >= n ? n : 0;
-    j -= j >= 2 * n ? 2 * n : j >= n ? n : 0;
+    i -= i >= n ? n : 0;
+    j -= j >= n ? n : 0;
     uint32_t i1 = i + 1 < n ? i + 1 : 0, j1 = j + 1 < n ? j + 1 : 0;
     const uint8_t *here = f->cover + (size_t)j * n, *below = f->cover + (size_t)j1 * n;
     if ((here[i] | here[i1] | below[i] | below[i1]) == 0)
@@ -62,13 +66,13 @@ TP_ALWAYS_INLINE uint32_t sample_cover(const tp_shade_foam *f, uint32_t u, uint3
 /* Returns the weight of the cover against the mean: 256 inside, 0 from the window's
  * inscribed circle on.  The weight falls with the square of the distance, from 3/4 of the
  * radius on. */
-static uint32_t window_weight(const tp_shade_foam *f, uint32_t u, uint32_t w)
+TP_ALWAYS_INLINE uint32_t window_weight(const tp_shade_foam *f, uint32_t u, uint32_t w)
 {
     const uint32_t r = f->cells * 128;
     const int32_t du = (int32_t)(u >> 8) - (int32_t)r, dw = (int32_t)(w >> 8) - (int32_t)r;
     const uint32_t square = (uint32_t)(du * du) + (uint32_t)(dw * dw);
 
-    if (f->edge == UINT32_MAX)
+    if (square <= (r * r >> 4) * 9 || f->edge == UINT32_MAX)
         return 256;
     if (square >= r * r)
         return 0;
@@ -89,6 +93,45 @@ TP_ALWAYS_INLINE uint32_t sample_window(const tp_shade_foam *f, uint32_t s, uint
     uint32_t w = (uint32_t)(dt * f->per_metre >> 32);
     *weight = window_weight(f, u, w);
     return *weight ? sample_cover(f, u, w) : 0;
+}
+
+/* Returns the window's cover at a place, times its weight. */
+TP_ALWAYS_INLINE uint32_t weigh_cover(const tp_shade_foam *f, uint32_t s, uint32_t t)
+{
+    uint32_t weight, cover = sample_window(f, s, t, &weight);
+    return (cover * weight + 128) >> 8;
+}
+
+/* Returns the cover beyond the window along a straight beach: the stretch around the
+ * window's middle repeats, at the same distance from the water's line.  Over the last eighth
+ * of a stretch the cover passes into that before the stretch's beginning, so no seam
+ * shows. */
+static uint32_t shore_cover(const tp_shade_foam *f, uint32_t s, uint32_t t)
+{
+    const int32_t ds = (int32_t)(s - (uint32_t)f->low_s - f->side / 2);
+    const int32_t dt = (int32_t)(t - (uint32_t)f->low_t - f->side / 2);
+    const int64_t across = ((int64_t)dt * f->shore_x - (int64_t)ds * f->shore_z) >> 13;
+
+    if (across >= f->side || -across >= f->side)
+        return 0;
+    const int32_t along = (int32_t)(((int64_t)ds * f->shore_x + (int64_t)dt * f->shore_z)
+                                    >> 14);
+    const int32_t far = along / 2 + f->stretch / 4;     /* halves: the sum stays in range */
+    const int32_t turns = far / (f->stretch / 2) - (far % (f->stretch / 2) < 0);
+    const int64_t back = (int64_t)turns * f->stretch;
+    const int32_t left = (int32_t)(back + f->stretch / 2 - along);
+    const int32_t seam = f->stretch / 8;
+
+    s -= (uint32_t)(back * f->shore_x >> 14);
+    t -= (uint32_t)(back * f->shore_z >> 14);
+    const uint32_t cover = weigh_cover(f, s, t);
+    if (left >= seam)
+        return cover;
+    s -= (uint32_t)((int64_t)f->stretch * f->shore_x >> 14);
+    t -= (uint32_t)((int64_t)f->stretch * f->shore_z >> 14);
+    const uint32_t share = (uint32_t)(left < 0 ? 0 : left) / 64 * 256
+                         / ((uint32_t)seam / 64 + 1);
+    return (cover * share + weigh_cover(f, s, t) * (256 - share) + 128) >> 8;
 }
 
 /* -- bubbles ------------------------------------------------------------------------- */
@@ -179,8 +222,8 @@ static uint32_t patch_cover(const tp_shade_foam *f, const lace *l, uint32_t cove
 /* Returns the whiteness 0..256 of a place with this cover.  The mean over all ranks of a
  * texture equals the cover, if the ramp is centred on the texture's mean.  The
  * result is at most four times the cover, so foam appears and vanishes without a jump. */
-static uint32_t compute_whiteness(const tp_shade_foam *f, const lace *l, uint32_t cover,
-                                  uint32_t s, uint32_t t)
+TP_ALWAYS_INLINE uint32_t compute_whiteness(const tp_shade_foam *f, const lace *l,
+                                            uint32_t cover, uint32_t s, uint32_t t)
 {
     int32_t rank = 128;
     if (l->level.texel)
@@ -220,9 +263,10 @@ TP_ALWAYS_INLINE uint32_t foam_light_share(const tp_shade *shade, const tp_run *
     return (uint32_t)(256 + tp_lit_share(shade->ambient, nl)) / 2;
 }
 
-#define FAR_MOST  144           /* of 255: largest cover beyond the window */
-#define FAR_LEAST 12            /* cover taken from all: most water has none */
-#define STEEP     2047          /* largest square of the slope, 8 means, Q8 */
+#define FAR_MOST  216           /* of 255: largest cover beyond the window */
+#define FAINT     10            /* less cover towards the edge and beyond shows no lace */
+#define FAINT_SHARE 286         /* of 256: LACE OPAQUE + BAND, its opacity over the cover */
+#define STEEP     1700          /* largest square of the slope, 6.6 means, Q8 */
 
 /* Returns the square of a slope, Q24, over the mean square of the waves, Q8. */
 TP_ALWAYS_INLINE uint32_t relative_square(const tp_shade_foam *f, uint32_t square)
@@ -243,28 +287,28 @@ static uint32_t filtered_variance(const tp_shade *shade, const tp_shade_foam *f,
     return relative_square(f, v.left);
 }
 
-/* Returns the cover 0..255 beyond the window: a quarter of the field's mean by the cube of
- * q, the square of the slope over its mean.  The mean of q^3 is 2.5 for one wave and 6 for
- * many.  Foam lies on the waves' backs: 2 b replaces one q, the square of the slope that
- * rises on the waves' way.  Waves that the grid leaves out add a random square of the mean
- * v, exponentially distributed: the mean then is 2 q^2 b + 3 q^2 v + 6 q v^2 + 6 v^3. */
+/* Returns the cover 0..255 beyond the window: old foam but on the waves' fronts, and fresh
+ * foam by q b, where q is the square of the slope over its mean and b the part that rises on
+ * the waves' way: foam lies on the waves' backs.  Waves that the grid leaves out add a
+ * random slope of variance v, on backs and fronts: q b + 2 q v + v^2.  The mean of the sum
+ * over the sea is 0.75 for one wave and 1 for many, however many of them the grid leaves
+ * out.  The product is below 45200 x 89760 < 2^32. */
 TP_ALWAYS_INLINE uint32_t far_cover(const tp_shade_foam *f, const tp_run *run, int32_t i,
                                     uint32_t v)
 {
-    if (!f->far_mean)
-        return 0;
+    if (!f->far_fresh)
+        return f->shore_x | f->shore_z ? shore_cover(f, run->s[i], run->t[i]) : 0;
     const int32_t x = tp_slope_x(run, i, 0), z = tp_slope_z(run, i, 0);
-    const int32_t up = (x * f->way_x + z * f->way_z) / 16384;
+    const int32_t rise = x * f->way_x + z * f->way_z, up = rise / 16384;
 
-    if (up <= 0 && v == 0)
+    if (rise < 0 && v == 0)
         return 0;
     const uint32_t q = relative_square(f, tp_slope_square(x, z));
     const uint32_t b = up > 0 ? relative_square(f, (uint32_t)(up * up)) : 0;
-    const uint32_t cube = (2 * b + 3 * v) * (q * q >> 8) + 6 * (v * v >> 8) * (q + v);
-    const uint64_t cover = ((uint64_t)cube * f->far_mean + (1 << 25)) >> 26;
+    const uint32_t fresh = ((b * q + v * (2 * q + v)) >> 8) * f->far_fresh >> 16;
+    const uint32_t cover = rise < 0 ? fresh : fresh + f->far_old;
 
-    return cover < FAR_LEAST ? 0 : cover < FAR_MOST + FAR_LEAST
-                                 ? (uint32_t)cover - FAR_LEAST : FAR_MOST;
+    return cover < FAR_MOST ? cover : FAR_MOST;
 }
 
 TP_ALWAYS_INLINE uint32_t laced_opacity(const tp_shade_foam *f, const lace *l,
@@ -287,7 +331,7 @@ TP_ALWAYS_INLINE void foam_run(const tp_shade *shade, tp_run *run, int rippled,
         bool    laced = false, far = false;
         uint32_t filtered = 0;
         for (; i < stop; i++) {
-            uint32_t weight, cover = sample_window(f, run->s[i], run->t[i], &weight);
+            uint32_t share, weight, cover = sample_window(f, run->s[i], run->t[i], &weight);
             if (weight < 256) {
                 if (!far)
                     filtered = filtered_variance(shade, f, run->key[first]);
@@ -297,10 +341,14 @@ TP_ALWAYS_INLINE void foam_run(const tp_shade *shade, tp_run *run, int rippled,
             }
             if (cover == 0)     /* the case of most water pixels */
                 continue;
-            if (!laced)
-                select_bubble_levels(shade, f, run->key[first], &l);
-            laced = true;
-            const uint32_t share = laced_opacity(f, &l, cover, run->s[i], run->t[i]);
+            if (weight < 256 && cover < FAINT) {
+                share = (cover * FAINT_SHARE + 128) >> 8;
+            } else {
+                if (!laced)
+                    select_bubble_levels(shade, f, run->key[first], &l);
+                laced = true;
+                share = laced_opacity(f, &l, cover, run->s[i], run->t[i]);
+            }
             const uint32_t colour =
                 tp_colour_scale(f->colour, foam_light_share(shade, run, i, rippled));
             run->colour[i] = tp_colour_mix(run->colour[i], colour, share);
