@@ -19,12 +19,13 @@ set xrange [0:800]
 set yrange [0:135]
 set xtics 200
 set ytics 50
-set key at screen 0.09,0.985 maxrows 2 width -1 samplen 1
+set label 1 "splash" at screen 0.03,0.965
+set key at screen 0.1,0.985 maxrows 1 width -1 samplen 0.5
 set xlabel "tick, damping 1/64" offset 0,0.6
 set ylabel "level, % of drive_{min}" offset 1,0
 plot 100 with lines linecolor rgb grey dashtype 2 linewidth 1 notitle, \
      for [i=1:5] csv using "tick":(trace(i)) with lines linetype i linewidth 1.4 \
-         title "splash " . splash[i]
+         title splash[i]
 
 set tmargin at screen 0.41
 set bmargin at screen 0.135
@@ -50,13 +51,16 @@ set xrange [53:80]
 set yrange [2:15]
 set xtics 5
 set ytics (2, 3, 5, 10)
-set key at screen 0.6,0.985 maxrows 2 width -1 samplen 1
+unset label
+set label 2 "damping" at screen 0.6,0.965
+set label 3 "x: drive_{max} is 1.02" at screen 0.6,0.915
+set key at screen 0.7,0.985 maxrows 1 width -1 samplen 0.5
 set xlabel "Cortex-M4 instructions a cell and tick" offset 0,0.3
 set ylabel "error of the level, rms %"
 plot for [i=1:3] csv using (whole(i, "m4")):"error" with points linetype i \
-         title sprintf("damping 1/%d", 2**int(m_[i])), \
+         title sprintf("1/%d", 2**int(m_[i])), \
      for [i=1:3] "" using (tight(i, "m4")):"error" with points linetype i pointtype 2 \
-         title i == 1 ? "drive_{max} 1.02" : "", \
+         notitle, \
      "" using (filled_("m4")):"error" with points linetype 2 pointtype 5 pointsize 2 notitle, \
      "" using (filled_("m4")):"error":("pond") with labels right offset -1,-0.5 \
          textcolor linetype 2 notitle, \

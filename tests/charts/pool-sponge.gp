@@ -10,7 +10,7 @@ taken(y, angle, wave) = is_used(strcol("used")) ? at(y, angle, wave) : NaN
 radiate(y, angle, wave) = strcol("width") eq "0" ? at(y, angle, wave) : NaN
 array angles[4] = ["0", "0", "0", "45"]
 array waves[4] = ["8", "16", "32", "16"]
-array said[4] = ["8 cells", "16 cells", "32 cells", "16 cells at 45°"]
+array said[4] = ["8", "16", "32", "16, 45°"]
 
 set multiplot
 @log_x
@@ -21,18 +21,20 @@ set tmargin at screen 0.86
 set yrange [0.7:100]
 set xrange [5.5:44]
 set xtics (6, 8, 12, 16, 24, 32, 40)
-set key at screen 0.085,0.985 maxrows 2 width -2 samplen 1
+set label 1 "sponge of" at screen 0.1,0.965
+set label 2 "dashed: radiating edge; dotted: 16, smooth" at screen 0.1,0.89 textcolor rgb grey
+set key at screen 0.2,0.985 maxrows 1 width 0 samplen 0.3
 set xlabel "cells in a wave length"
 set ylabel "amplitude that comes back, %" offset 1,0
 plot for [i=1:6] csv using (strcol("angle") eq "0" ? column("wave") : NaN):(square(i, "back")) \
-         with points linetype i pointtype 6 title "sponge of " . width_[i], \
+         with points linetype i pointtype 6 title width_[i], \
      for [i=1:6] "" using "wave":(square(i, "theory")) with lines linetype i \
          linewidth 1.2 notitle, \
      for [i=3:4] "" using "wave":(used_(i, "back")) with points linetype i pointtype 7 notitle, \
      "" using "wave":(edge("theory", "0")) with lines linecolor rgb grey dashtype 2 \
-         title "radiating edge", \
+         notitle, \
      "" using "wave":(square(3, "smooth")) with lines linetype 3 linewidth 1.2 dashtype 3 \
-         title "16, smooth"
+         notitle
 
 set lmargin at screen 0.6
 set rmargin at screen 0.975
@@ -40,8 +42,10 @@ unset ylabel
 set format y ""
 set xrange [0.55:6.5]
 set xtics (1, 2, 5)
-set key at screen 0.6,0.985 maxrows 2 width -3 samplen 1
-set xlabel "M instructions a tick, 128 x 128 and the sponge"
+unset label
+set label 3 "waves of" at screen 0.6,0.965
+set key at screen 0.68,0.985 maxrows 1 width -1 samplen 0.3
+set xlabel "Cortex-M4 instructions a tick, M"
 plot for [i=1:4] csv using (column("m4") / 1e6):(at("back", angles[i], waves[i])) \
          with linespoints linetype i pointtype 6 pointsize 1.4 title said[i], \
      for [i=1:4] "" using (column("m4") / 1e6):(taken("back", angles[i], waves[i])) \
@@ -49,7 +53,7 @@ plot for [i=1:4] csv using (column("m4") / 1e6):(at("back", angles[i], waves[i])
      for [i=1:4] "" using (column("m4") / 1e6):(radiate("theory", angles[i], waves[i])) \
          with points linetype i pointtype 2 pointsize 1.4 notitle, \
      "" using (column("m4") / 1e6):(strcol("width") eq "0" ? NaN : 88):(strcol("angle") eq "0" \
-         && strcol("wave") eq "8" ? strcol("width") : "") with labels offset 0,0.4 \
+         && strcol("wave") eq "8" ? (strstrt("8 16 32 64", strcol("width")) > 0 ? strcol("width") : "") : "") with labels offset 0,0.4 \
          textcolor rgb "#303030" notitle, \
      "" using (column("m4") / 1e6):(radiate("theory", "45", "16")):("radiating") \
          with labels left offset 0.8,0.5 textcolor rgb grey notitle

@@ -19,8 +19,8 @@ set tmargin at screen 0.86
 set xrange [2e4:1e8]
 set yrange [0.5:200]
 set key at screen 0.09,0.985 maxrows 2 width -4 samplen 1
-set xlabel "Cortex-M4 instructions, a square wave length and a period"
-set ylabel "error in the fourth period, rms % of the wave" offset 1,0
+set xlabel "M4 instructions, a square wave and a period"
+set ylabel "error in the fourth period, rms %" offset 1,0
 plot for [i=1:6] csv using (of(i, "m4")):"error" with points linetype i pointtype mark(i) \
          pointsize 1.4 title name_[i], \
      "" using (of(1, "m4")):"theory" with lines linetype 1 linewidth 1.2 notitle, \
