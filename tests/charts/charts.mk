@@ -100,4 +100,4 @@ $(BUILD)/pool_edges_count.elf: $(AT)/pool_edges_count.o \
 
 $(filter %/test_maps,$(UNIT)): $(STABILITY_O)
 $(filter %/test_chart_truths,$(UNIT)): $(filter-out %/span_scene.o,$(SPAN_O))
-$(filter %/test_pool_truth %/test_pool_maps %/test_pool_noise,$(UNIT)): $(POOLS_O)
+$(filter %/test_pool_truth %/test_pool_maps %/test_pool_noise,$(UNIT)): $(POOLS_O) $(AT)/used.o

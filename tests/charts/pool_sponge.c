@@ -70,12 +70,18 @@ static complex double force_over_height(const sponge_case *c, double d, complex 
     return ((z - 1 - (1 - d) * (1 - 1 / z)) / (1 - d / 2) + s) / c->r2;
 }
 
+/* e^(i x) */
+static complex double turn(complex double x)
+{
+    return cexp((complex double)I * x);
+}
+
 /* Share of a wave exp(i (omega t + kx x)) that comes back from x = 0, by its amplitude: the
  * heights from the edge to beyond the sponge follow one from another. All waves lessen by
  * the field's damping, so the share is that of the wave's energy at one moment. */
 static double theory_at(const sponge_case *c, double kx)
 {
-    const complex double z = sqrt(1 - ldexp(1, -DAMPING)) * cexp(CMPLX(0, frequency(c, kx)));
+    const complex double z = sqrt(1 - ldexp(1, -DAMPING)) * turn(frequency(c, kx));
     const double across = 2 - 2 * cos(c->ky), plain = ldexp(1, -DAMPING);
     complex double before = 1, here = 1;
 
@@ -88,7 +94,7 @@ static double theory_at(const sponge_case *c, double kx)
         here = 1 + (z - 1) / sqrt(c->r2);
     /* beyond: h = A e^ix + B e^-ix */
     const complex double x = cacos((force_over_height(c, plain, z) + 2 + across) / 2);
-    const complex double in = cexp(CMPLX(-cimag(x), creal(x)));
+    const complex double in = turn(x);
     const complex double a = here - before / in, b = here - before * in;
     const double ratio = cabs(b / a);
     return ratio < 1 ? ratio : 1 / ratio;
