@@ -54,7 +54,7 @@ set ytics (2, 3, 5, 10)
 unset label
 set label 2 "damping" at screen 0.6,0.965
 set label 3 "x: drive_{max} is 1.02" at screen 0.6,0.915
-set key at screen 0.69,0.985 maxrows 1 width -3 samplen 0.3
+set key at screen 0.69,0.985 maxrows 1 width -2 samplen 0.3
 set xlabel "Cortex-M4 instructions a cell and tick" offset 0,0.3
 set ylabel "error of the level, rms %"
 plot for [i=1:3] csv using (whole(i, "m4")):"error" with points linetype i \

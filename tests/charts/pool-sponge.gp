@@ -8,6 +8,7 @@ edge(y, angle) = strcol("angle") eq angle && strcol("width") eq "0" ? column(y) 
 at(y, angle, wave) = strcol("angle") eq angle && strcol("wave") eq wave ? column(y) : NaN
 taken(y, angle, wave) = is_used(strcol("used")) ? at(y, angle, wave) : NaN
 radiate(y, angle, wave) = strcol("width") eq "0" ? at(y, angle, wave) : NaN
+wide(w) = strcol("width") eq w && strcol("angle") eq "0" && strcol("wave") eq "8"
 array angles[4] = ["0", "0", "0", "45"]
 array waves[4] = ["8", "16", "32", "16"]
 array said[4] = ["8", "16", "32", "16, 45°"]
@@ -44,7 +45,7 @@ set xrange [0.55:6.5]
 set xtics (1, 2, 5)
 unset label
 set label 3 "waves of" at screen 0.6,0.965
-set key at screen 0.68,0.985 maxrows 1 width -1 samplen 0.3
+set key at screen 0.7,0.985 maxrows 1 width -1 samplen 0.3
 set xlabel "Cortex-M4 instructions a tick, M"
 plot for [i=1:4] csv using (column("m4") / 1e6):(at("back", angles[i], waves[i])) \
          with linespoints linetype i pointtype 6 pointsize 1.4 title said[i], \
@@ -52,8 +53,8 @@ plot for [i=1:4] csv using (column("m4") / 1e6):(at("back", angles[i], waves[i])
          with points linetype i pointtype 7 pointsize 1.6 notitle, \
      for [i=1:4] "" using (column("m4") / 1e6):(radiate("theory", angles[i], waves[i])) \
          with points linetype i pointtype 2 pointsize 1.4 notitle, \
-     "" using (column("m4") / 1e6):(strcol("width") eq "0" ? NaN : 88):(strcol("angle") eq "0" \
-         && strcol("wave") eq "8" ? (strstrt("8 16 32 64", strcol("width")) > 0 ? strcol("width") : "") : "") with labels offset 0,0.4 \
+     for [w in "4 8 16 32 64"] "" using (wide(w) ? column("m4") / 1e6 : NaN):(88):(w) \
+         with labels offset (w eq "4" ? -0.5 : 0),0.4 \
          textcolor rgb "#303030" notitle, \
      "" using (column("m4") / 1e6):(radiate("theory", "45", "16")):("radiating") \
          with labels left offset 0.8,0.5 textcolor rgb grey notitle

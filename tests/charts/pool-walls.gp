@@ -18,7 +18,7 @@ set rmargin at screen 0.575
 set tmargin at screen 0.86
 set xrange [2e4:1e8]
 set yrange [0.5:200]
-set key at screen 0.09,0.985 maxrows 2 width -4 samplen 1
+set key at screen 0.09,0.985 maxrows 2 width -2 samplen 1
 set xlabel "M4 instructions, a square wave and a period"
 set ylabel "error in the fourth period, rms %" offset 1,0
 plot for [i=1:6] csv using (of(i, "m4")):"error" with points linetype i pointtype mark(i) \
