@@ -30,9 +30,27 @@ static inline tp_vec_q14 tp_vec_q14_unit(int32_t x, int32_t y, int32_t z)
     return (tp_vec_q14){ d.x >> 16, d.y >> 16, d.z >> 16 };
 }
 
+/* Returns (x 2^half inverse) / 2^33, rounded as Q2.30 and truncated to Q1.14.
+ * |x| 2^half <= 2^25, half >= 6. */
+static inline int32_t tp_dir_component_q14(int32_t x, int half, uint32_t inverse)
+{
+    return (int32_t)(((int64_t)(x * (1 << (half - 1))) * inverse + 0x8000) >> 32);
+}
+
+/* Returns the bits of tp_vec_q14_unit at lower cost: the sum of squares is below 2^20, so
+ * 32 bits hold it, and each component is rounded from one product. */
 static inline tp_vec_q14 tp_vec_q14_unpack(tp_packed_dir n)
 {
-    return tp_vec_q14_unit(tp_dir_x(n), tp_dir_y(n), tp_dir_z(n));
+    const int32_t x = tp_dir_x(n), y = tp_dir_y(n), z = tp_dir_z(n);
+    const uint32_t sum = (uint32_t)(x * x + y * y + z * z);
+
+    if (sum == 0)
+        return (tp_vec_q14){ 0, 16384, 0 };
+    const int half = tp_clz(sum) >> 1;
+    const uint32_t inverse = tp_rsqrt_norm(sum << 2 * half);
+    return (tp_vec_q14){ tp_dir_component_q14(x, half, inverse),
+                         tp_dir_component_q14(y, half, inverse),
+                         tp_dir_component_q14(z, half, inverse) };
 }
 
 /* -- the specular lobe --------------------------------------------------------------- */

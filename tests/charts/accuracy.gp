@@ -14,23 +14,25 @@ set bmargin at screen 0.125
 set ytics ()
 set for [i=1:count_] ytics add (word(scenes, i) count_ - i)
 
-set lmargin at screen 0.155
+set lmargin at screen 0.175
 set rmargin at screen 0.56
 set logscale x
 set xtics (1, 2, 5, 10, 20, 50)
-set xrange [1:60]
+set xrange [0.7:60]
 set xlabel "rms against 16 samples, of 255"
-set label 1 "● mean of four ticks, bar: least to largest; ○ exact" \
-    at screen 0.155,0.965 textcolor linetype 1
-set label 2 "△ camera at 14 m   ◇ at 50 m" at screen 0.155,0.925 textcolor linetype 2
+set label 1 "● the scene's own camera: mean of four ticks, bar: least to largest" \
+    at screen 0.03,0.97 textcolor linetype 1
+set label 2 "○ the same by exact rungs" at screen 0.03,0.925 textcolor linetype 1
+set label 3 "▲ camera at 14 m" at screen 0.385,0.925 textcolor linetype 2
+set label 4 "◇ camera at 50 m" at screen 0.63,0.925
 plot csv using (of("shipped", "rms")):(row(strcol("scene"))):(column("least")):(column("most")) \
-         with xerrorbars linetype 1 pointtype 7 pointsize 1.2 notitle, \
+         with xerrorbars linetype 1 pointtype 7 pointsize 1.0 notitle, \
      "" using (of("exact", "rms")):(row(strcol("scene"))) \
-         with points linetype 1 pointtype 6 pointsize 1.2 notitle, \
+         with points linetype 1 pointtype 6 pointsize 2.1 linewidth 1.2 notitle, \
      "" using (of("shipped", "14-m")):(row(strcol("scene"))) \
-         with points linetype 2 pointtype 8 pointsize 1.4 notitle, \
+         with points linetype 2 pointtype 9 pointsize 1.5 notitle, \
      "" using (of("shipped", "50-m")):(row(strcol("scene"))) \
-         with points linetype 2 pointtype 12 pointsize 1.4 notitle
+         with points linecolor rgb black pointtype 12 pointsize 1.7 notitle
 
 unset label
 unset logscale x

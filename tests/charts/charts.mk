@@ -8,16 +8,17 @@ KERNELS_O   := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/kernels*.c)) 
                $(AT)/kernel_lists.o
 STABILITY_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/stability_*.c)) \
                $(AT)/used.o
-POOLS_O     := $(addprefix $(AT)/,pool_rules.o pool_runs.o pool_truth.o \
-                   pool_waves.o)
+POOLS_O     := $(addprefix $(AT)/,pool_feed.o pool_rules.o pool_runs.o pool_sponge.o \
+                   pool_truth.o pool_walls.o pool_waves.o)
 SPAN_SCENES := from-above three-swells
 SPAN_STEPS  := 0 1 8 16 32
 SPAN_O      := $(addprefix $(AT)/,span_scene.o span_steps.o span_true.o \
                    $(SPAN_STEPS:%=span_step_%.o))
-CHARTS      := $(addprefix $(AT)/,errors frames kernels plan_error pool_count pools reference \
+CHARTS      := $(addprefix $(AT)/,errors frames kernels plan_error pool_count \
+                   pool_edges_count pools reference \
                    rough_fresnel stability visibility wave_cells $(SPAN_SCENES:%=span-%) \
                    $(SPAN_SCENES:%=span_errors-%) $(SCENES:%=board-%))
-CHARTS_ELF  := $(patsubst %,build/cortex-m/%.elf,kernels pool_count \
+CHARTS_ELF  := $(patsubst %,build/cortex-m/%.elf,kernels pool_count pool_edges_count \
                    $(SPAN_SCENES:%=span-%) $(SCENES:%=charts/%))
 
 charts-tools: all build/host/count.so $(CHARTS)
@@ -68,6 +69,9 @@ build/baked/$(MACHINE)/pool_points.o: FLAGS += -I.
 $(AT)/pool_count: $(AT)/pool_count.o \
           build/baked/$(MACHINE)/pool_points.o $(BUILD)/ports/cortex-m/memory.o $(LIB)
 	$(SAY)$(LINK) $^ -o $@
+$(AT)/pool_edges_count: $(AT)/pool_edges_count.o \
+          $(BUILD)/ports/cortex-m/memory.o $(LIB)
+	$(SAY)$(LINK) $^ -o $@
 $(AT)/pools: $(POOLS_O) $(AT)/used.o \
           build/baked/$(MACHINE)/pool_points.o
 
@@ -88,9 +92,12 @@ $(BUILD)/pool_count.elf: $(AT)/pool_count.o \
           build/baked/$(MACHINE)/pool_points.o \
           $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(BOARD_LD)
 	$(SAY)$(LINK_ELF)
+$(BUILD)/pool_edges_count.elf: $(AT)/pool_edges_count.o \
+          $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(BOARD_LD)
+	$(SAY)$(LINK_ELF)
 
 # -- tests -----------------------------------------------------------------------------
 
 $(filter %/test_maps,$(UNIT)): $(STABILITY_O)
 $(filter %/test_chart_truths,$(UNIT)): $(filter-out %/span_scene.o,$(SPAN_O))
-$(filter %/test_pool_truth %/test_pool_maps %/test_pool_noise,$(UNIT)): $(POOLS_O)
+$(filter %/test_pool_truth %/test_pool_maps %/test_pool_noise,$(UNIT)): $(POOLS_O) $(AT)/used.o

@@ -89,7 +89,7 @@ static void say_who(const kernel *k)
     } engines[] = {
         { "tp_normalise", NULL, 0 }, { "steep", is_lit, 1 },
         { "steep-near", is_lit, 0 }, { "unit-14", has_mesh, 0 },
-        { "packed-unit", has_packed, 0 },
+        { "packed-32", has_packed, 0 },
     };
 
     for (size_t i = 0; i < sizeof engines / sizeof *engines; i++)
@@ -108,13 +108,13 @@ static void give(const kernel *k, const int32_t *slope, int32_t *in)
         in[i] = (int32_t)tp_dir_pack(tp_normalise(-slope[i], ONE, -slope[i + 1]));
 }
 
-/* Checks packed-32: the method must return the engine's bits. */
+/* Checks packed-unit: the method must return the engine's bits. */
 static void prove_bits(const kernel *k, const int32_t *in, const int32_t *out)
 {
-    for (uint32_t i = 0; strcmp(k->point, "packed-32") == 0 && i < KERNEL_UNITS; i++) {
+    for (uint32_t i = 0; strcmp(k->point, "packed-unit") == 0 && i < KERNEL_UNITS; i++) {
         const tp_vec_q14 n = tp_vec_q14_unpack((tp_packed_dir)in[2 * i]);
         if (out[3 * i] != n.x || out[3 * i + 1] != n.y || out[3 * i + 2] != n.z) {
-            fprintf(stderr, "normalise: packed-32 has other bits\n");
+            fprintf(stderr, "normalise: packed-unit has other bits\n");
             exit(EXIT_FAILURE);
         }
     }

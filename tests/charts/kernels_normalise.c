@@ -84,29 +84,18 @@ RUN(packed)
 
 METHOD packed_unit(int32_t word, int32_t unused)
 {
-    const tp_vec_q14 n = tp_vec_q14_unpack((tp_packed_dir)word);
+    const tp_packed_dir p = (tp_packed_dir)word;
+    const tp_vec_q14 n = tp_vec_q14_unit(tp_dir_x(p), tp_dir_y(p), tp_dir_z(p));
     (void)unused;
     return (tp_dir3){ n.x, n.y, n.z };
 }
 RUN(packed_unit)
 
-/* The engine's bits from a sum of 20 bits, shifted up to 2^30..2^32 by 2 half, and products
- * that are rounded once: (x 2^half inverse) / 2^33 as Q2.30, truncated to Q1.14. */
-static inline int32_t part_of(int32_t x, int half, uint32_t inverse)
-{
-    return (int32_t)(((int64_t)(x * (1 << (half - 1))) * inverse + 0x8000) >> 32);
-}
-
 METHOD packed_32(int32_t word, int32_t unused)
 {
-    const tp_packed_dir n = (tp_packed_dir)word;
-    const int32_t x = tp_dir_x(n), y = tp_dir_y(n), z = tp_dir_z(n);
-    const uint32_t sum = (uint32_t)(x * x + y * y + z * z);
-    const int half = tp_clz(sum | 1) >> 1;
-    const uint32_t inverse = tp_rsqrt_norm((sum | (sum == 0)) << 2 * half);
+    const tp_vec_q14 n = tp_vec_q14_unpack((tp_packed_dir)word);
     (void)unused;
-    return (tp_dir3){ part_of(x, half, inverse), part_of(y, half, inverse),
-                      part_of(z, half, inverse) };
+    return (tp_dir3){ n.x, n.y, n.z };
 }
 RUN(packed_32)
 

@@ -6,12 +6,13 @@ at(name) = sum [i=1:words(scenes)] (word(scenes, i) eq name ? i : 0)
 set yrange [words(scenes) + 0.7:0.3]
 set ytics ()
 do for [i=1:words(scenes)] { set ytics add (word(scenes, i) i) }
-set xrange [-0.2:10]
-set xtics 2
+set xrange [-0.15:*]
+set offsets 0, 0.3, 0, 0
+set xtics 1
 set grid xtics linecolor rgb light
 set xlabel "colour error beyond that of the exact rungs, rms levels"
 set lmargin 14
-set key at screen 0.97, 0.965 right horizontal maxrows 1
+set key at screen 0.17,0.985 maxrows 1 width -6
 broken = 'column("colour") > column("predicted") + 0.001'
 plot csv using (column("predicted") / 2):(at(strcol("scene"))):(column("predicted") / 2):(0.3) \
          with boxxyerror linecolor rgb light fillstyle solid title "predicted", \
@@ -19,4 +20,4 @@ plot csv using (column("predicted") / 2):(at(strcol("scene"))):(column("predicte
          pointtype 6 pointsize 1.2 linecolor rgb blue title "measured", \
      "" using (@broken ? column("colour") : NaN):(at(strcol("scene"))) with points \
          pointtype 7 pointsize 1.2 linecolor rgb vermillion \
-         title "measured, beyond the bound"
+         title "beyond its bar"

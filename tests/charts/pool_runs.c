@@ -25,14 +25,21 @@ static size_t bytes_of(const pool_tank *tank)
     return tp_pool_bytes(&config);
 }
 
+tp_pool *pool_new(const tp_pool_config *config)
+{
+    const size_t bytes = tp_pool_bytes(config);
+    tp_pool *const pool = bytes ? malloc(bytes) : NULL;
+
+    if (!pool || tp_pool_init(pool, config, NULL))
+        pool_give_up("no pool of that size");
+    return pool;
+}
+
 tp_pool *pool_tank_new(const pool_tank *tank)
 {
     const tp_pool_config config = config_of(tank);
-    const size_t bytes = tp_pool_bytes(&config);
-    tp_pool *const pool = bytes ? malloc(bytes) : NULL;
+    tp_pool *const pool = pool_new(&config);
 
-    if (!pool || tp_pool_init(pool, &config, NULL))
-        pool_give_up("no tank of that size");
     pool->courant_sq_q10 = tank->courant_sq_q10;
     pool->damping = tank->m;
     return pool;

@@ -12,6 +12,9 @@ typedef struct {
     uint32_t courant_sq_q10, m; /* 1024 r^2, 0..767; damping 2^-m, m = 1..10 */
 } pool_tank;
 
+/* Makes still water as configured. The caller calls free(). */
+tp_pool *pool_new(const tp_pool_config *config);
+
 /* Makes still water between walls; cells of 1/4 m, heights within 1 m. The caller calls
  * free(). */
 tp_pool *pool_tank_new(const pool_tank *tank);

@@ -6,11 +6,15 @@
  *     pools stability-growth BITS LEAST MOST  dampings 2^-m with m from LEAST to MOST
  *     pools stability-rest BITS LEAST MOST
  *     pools stability-drift BITS LEAST MOST
- *     pools pool-waves                        standing waves on grids */
+ *     pools pool-waves                        standing waves on grids
+ *     pools pool-walls[-cells]                walls, see pool_edges.h
+ *     pools pool-sponge[-cells] DEGREES       sponges
+ *     pools pool-feed M                       driven fields, damping 2^-M */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "tests/charts/pool_edges.h"
 #include "tests/charts/pool_points.h"
 #include "tests/charts/pool_runs.h"
 #include "tests/charts/pool_waves.h"
@@ -152,6 +156,22 @@ static bool print_chart(const pool_chart_request *a)
     return true;
 }
 
+/* Charts with at most one number. */
+static bool print_small_chart(const char *name, uint32_t number)
+{
+    if (strcmp(name, "pool-waves") == 0)
+        print_pool_waves();
+    else if (strcmp(name, "pool-walls") == 0 || strcmp(name, "pool-walls-cells") == 0)
+        print_pool_walls(strcmp(name, "pool-walls") != 0);
+    else if (strcmp(name, "pool-sponge") == 0 || strcmp(name, "pool-sponge-cells") == 0)
+        print_pool_sponge(number, strcmp(name, "pool-sponge") != 0);
+    else if (strcmp(name, "pool-feed") == 0 && number >= 4 && number <= 10)
+        print_pool_feed(number);
+    else
+        return false;
+    return true;
+}
+
 int main(int argc, char **argv)
 {
     const int bits = argc == 5 ? atoi(argv[2]) : 0;
@@ -161,13 +181,13 @@ int main(int argc, char **argv)
         .most = argc == 5 ? (uint32_t)atoi(argv[4]) : 0,
     };
 
-    if (argc == 2 && strcmp(argv[1], "pool-waves") == 0) {
-        print_pool_waves();
+    if ((argc == 2 || argc == 3)
+        && print_small_chart(argv[1], argc == 3 ? (uint32_t)atoi(argv[2]) : 0))
         return EXIT_SUCCESS;
-    }
     if ((bits == 8 || bits == 16 || bits == 32) && print_chart(&a))
         return EXIT_SUCCESS;
     fprintf(stderr, "usage: pools pool|stability-growth|stability-rest|stability-drift "
-            "8|16|32 LEAST MOST\n       pools pool-waves\n");
+            "8|16|32 LEAST MOST\n       pools pool-waves|pool-walls[-cells]\n"
+            "       pools pool-sponge[-cells] DEGREES\n       pools pool-feed M\n");
     return 2;
 }

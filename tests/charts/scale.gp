@@ -96,9 +96,10 @@ unset tics
 unset xlabel
 set label 1 "{/*1.2 ●} Cortex-M4" at graph 0.05,0.8 left textcolor linetype 1
 set label 2 "{/*1.2 ■} x86-64" at graph 0.05,0.62 left textcolor linetype 2
-set label 3 "count-64's frame;" at graph 0.05,0.36 left
-set label 4 "tank's cells; threads" at graph 0.05,0.22 left
-set label 5 "draw three-swells" at graph 0.05,0.08 left
+set label 3 "count-64's frame;" at graph 0.05,0.42 left
+set label 4 "tank's cells; threads" at graph 0.05,0.29 left
+set label 5 "draw three-swells," at graph 0.05,0.16 left
+set label 6 "on two cores" at graph 0.05,0.03 left
 set xrange [0:1]
 set yrange [0:1]
 plot -1 notitle

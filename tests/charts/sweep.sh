@@ -20,6 +20,23 @@ whole()         # CHART: its description, drawing, text, table and pictures
     done
     grep -qF "($1.png)" $shipped/README.md || { echo "the page lacks it"; return 1; }
 }
+explained()     # CHART: its text names each shipped method that another one dominates
+{
+    awk -F, -v keys="$(awk '$1 == "keys" { n += NF - 2 } END { print n }' \
+        "tests/charts/$1.ini")" '
+        FILENAME ~ /txt$/ { text = text " " $0; next }
+        FNR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+        at["front"] && at["used"] && $at["front"] == "0" && $at["used"] ~ /[a-z]/ {
+            said = 0
+            for (i = 1; i <= keys; i++)
+                said = said || ($i ~ /[a-z0-9]/ && index(text, $i))
+            if (!said) {
+                print "the text does not name " $1 " " $2 " " $3
+                bad = 1
+            }
+        }
+        END { exit bad }' "tests/charts/$1.txt" $shipped/"$1.csv"
+}
 described()     # no table without its chart
 {
     for table in $shipped/*.csv; do
@@ -38,6 +55,7 @@ for chart in tests/charts/*.ini; do
     chart=$(basename "$chart" .ini)
     charts="$charts $chart"
     check "$chart has all that belongs to it" whole "$chart"
+    check "$chart: its text names dominated shipped methods" explained "$chart"
 done
 check "every table has its chart" described
 check "no picture is heavy" light

@@ -15,6 +15,7 @@ set yrange [-0.7:count_ - 0.3]
 set ytics ()
 set for [i=1:count_] ytics add (word(scenes, i) count_ - i)
 set xrange [0:*]
+set offsets 0, 0.4, 0, 0
 set xlabel "Cortex-M4 instructions of a tick, millions"
 set style fill solid 0.9 noborder
 set arrow 1 from 2.15,graph 0 to 2.15,graph 1 nohead linecolor rgb grey dashtype 2 front

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Phong shading on meshes, with and without a normal map, in double precision.  Errors are
- * in levels of 255. */
+/* Packed normals; Phong shading on meshes, with and without a normal map, in double
+ * precision.  Errors are in levels of 255. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -8,6 +8,7 @@
 #include <cmocka.h>
 #include "features/boat/boat.h"
 #include "mesh/mesh.h"
+#include "shade/material.h"
 #include "tests/lib/shading.h"
 
 static uint64_t chance;
@@ -166,10 +167,29 @@ static void normal_maps_bend_solids(void **state)
     measure_print(&off);
 }
 
+/* A packed normal unpacks to the bits of tp_vec_q14_unit: words of small components, of
+ * either sign and in every order, and a sample of all 2^30. */
+static void packed_normals_unpack_to_bits_of_unit(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 1u << 20; i++) {
+        const uint32_t x = i & 7, y = i >> 3 & 7, z = i >> 6 & 7;
+        const uint32_t near_0 = ((x - 4) & 1023) | ((y - 4) & 1023) << 10
+                                | ((z - 4) & 1023) << 20;
+        const tp_packed_dir n = i < 512 ? near_0 : (i * 2654435761u) & 0x3fffffff;
+        const tp_vec_q14 got = tp_vec_q14_unpack(n);
+        const tp_vec_q14 want = tp_vec_q14_unit(tp_dir_x(n), tp_dir_y(n), tp_dir_z(n));
+        assert_int_equal(got.x, want.x);
+        assert_int_equal(got.y, want.y);
+        assert_int_equal(got.z, want.z);
+    }
+}
+
 int main(void)
 {
     chance = random_seed();
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(packed_normals_unpack_to_bits_of_unit),
         cmocka_unit_test(solids_follow_phong),
         cmocka_unit_test(normal_maps_bend_solids),
     };
