@@ -208,7 +208,8 @@ static int32_t slant(int32_t ly)
  * its height vy, Q14. */
 static tp_rough_view view_make(const tp_shade *shade, int32_t log_depth, int32_t vy)
 {
-    const uint32_t level = (1u << 14) - (uint32_t)(vy * vy >> 14);
+    const int32_t rest = (1 << 14) - (vy * vy >> 14);      /* vy may be rounded above 1 */
+    const uint32_t level = rest > 0 ? (uint32_t)rest : 0;
     const uint32_t waves = tp_filtered_waves_lookup(shade->filtered, log_depth).along;
     const uint32_t lost = shade->ripple ? ripple_variance(shade->ripple, log_depth) : 0;
 
