@@ -217,7 +217,8 @@ static int32_t slant(int32_t ly)
 static tp_rough_view view_make(const tp_shade *shade, uint32_t waves, uint32_t lost,
                                int32_t vy)
 {
-    const uint32_t level = (1u << 14) - (uint32_t)(vy * vy >> 14);
+    const int32_t rest = (1 << 14) - (vy * vy >> 14);      /* vy may be rounded above 1 */
+    const uint32_t level = rest > 0 ? (uint32_t)rest : 0;
     tp_rough_view view = tp_rough_view_make((uint32_t)((uint64_t)lost * level >> 14),
                                             (uint32_t)((uint64_t)waves * level >> 14));
     if (shade->env.kind == TP_ENV_CUBE)     /* a coarser level of the cube is the mean */

@@ -75,7 +75,7 @@ static void widen_by_pool(tp_water_detail *to, const tp_scene_pool *pool)
 
     if (pool->cols > 0)
         widen_detail(to, (int64_t)pool->cell * CELLS,
-                     tp_rectangle_around(pool->x, pool->z, wide, deep));
+                     tp_rectangle_make(pool->x, pool->z, wide, deep));
 }
 
 static void widen_by_rings(tp_water_detail *to, const tp_scene_drops *drops)
@@ -85,7 +85,7 @@ static void widen_by_rings(tp_water_detail *to, const tp_scene_drops *drops)
                          + ((int64_t)drops->ring_speed * drops->ring_decay * DECAYS >> 16);
 
     if (drops->count > 0 && drops->target == TP_DROPS_RINGS)
-        widen_detail(to, length, tp_rectangle_around(drops->x, drops->z, half, half));
+        widen_detail(to, length, tp_rectangle_make(drops->x, drops->z, half, half));
 }
 
 tp_water_detail tp_scene_water_detail(const tp_scene *scene, bool flat)

@@ -11,7 +11,7 @@
 #include "view/grid.h"
 #include "world/module.h"
 
-static inline tp_rectangle tp_rectangle_around(tp_fx x, tp_fx z, int64_t half_x,
+static inline tp_rectangle tp_rectangle_make(tp_fx x, tp_fx z, int64_t half_x,
                                                int64_t half_z)
 {
     return (tp_rectangle){ tp_fx_saturate(x - half_x), tp_fx_saturate(x + half_x),
@@ -22,7 +22,7 @@ static inline tp_rectangle tp_pool_sides(const tp_scene *scene)
 {
     const tp_scene_pool *pool = &scene->pool;
 
-    return tp_rectangle_around(pool->x, pool->z, (int64_t)pool->cell * pool->cols / 2,
+    return tp_rectangle_make(pool->x, pool->z, (int64_t)pool->cell * pool->cols / 2,
                                (int64_t)pool->cell * pool->rows / 2);
 }
 

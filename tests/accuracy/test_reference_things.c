@@ -20,10 +20,8 @@ static tp_scene scene_tank(void)
 
     s.pool.cols = s.pool.rows = 32;
     s.pool.cell = TP_FX(0.25);
-    s.grid.cols = s.grid.rows = 33;
-    s.grid.cell = TP_FX(0.25);
-    s.grid.reach = 0;
-    s.grid.follow = 0;
+    s.grid.vertices = 1089;
+    s.tank.sea = 0;
     s.tank.kind = TP_TANK_GLASS;
     s.tank.depth = chance_scale(&seed, 1, 6);
     s.tank.rim = TP_FX(1.5);

@@ -263,8 +263,14 @@ waved "lines beside a budget are not used" "" "cols = 64" "vertices = 1365"
 same "and change nothing" "$lines" "$(cat out)"
 waved "a budget of 0 keeps the lines" "" "cols = 64" "vertices = 0"
 same "which draw another picture" "$([ "$lines" != "$(cat out)" ]; echo $?)" 0
-ini "a pool keeps its lines" 0 "" "[grid]" "cols = 64" "[pool]" "cols = 32"
-ini "rings keep theirs" 0 "" "[grid]" "cols = 64" "[drops]" "count = 4"
+ini "a pool has 3 in 5 of its lines" 0 \
+    "^harbour.ini:2: .*read as grid.vertices = 3840 until version" "[grid]" "cols = 64" \
+    "[pool]" "cols = 32"
+ini "rings have so many" 0 "^harbour.ini:2: .*read as grid.vertices = 3840 until version" \
+    "[grid]" "cols = 64" "[drops]" "count = 4"
+ini "a tank without a sea has all" 0 \
+    "^harbour.ini:2: .*read as grid.vertices = 6400 until version" "[grid]" "cols = 64" \
+    "reach = 0" "[pool]" "cols = 32" "[tank]" "kind = glass"
 ini "unknown section" 3 \
     "^harbour.ini:2: no parameter is called wive0.length; did you mean wave0.length?" \
     "[wive0]" "length = 3"

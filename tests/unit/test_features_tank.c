@@ -25,10 +25,8 @@ static tp_scene tank_scene(void)
     s.pool.cols = 48;
     s.pool.rows = 32;
     s.pool.cell = TP_FX_ONE / 16;
-    s.grid.cols = 49;
-    s.grid.rows = 33;
-    s.grid.cell = TP_FX_ONE / 16;
-    s.grid.reach = s.grid.follow = 0;
+    s.grid.vertices = 1617;
+    s.tank.sea = 0;
     s.tank.kind = TP_TANK_GLASS;
     s.tank.depth = TP_FX(1.1);
     s.tank.rim = TP_FX(0.05);

@@ -40,9 +40,8 @@ static tp_scene wet_scene(int kind)
     }
     s.pool.cols = s.pool.rows = 32;
     s.pool.cell = TP_FX(0.1);
-    s.grid.cols = s.grid.rows = 33;
-    s.grid.cell = TP_FX(0.1);
-    s.grid.reach = s.grid.follow = 0;
+    s.grid.vertices = 1089;
+    s.tank.sea = 0;
     s.tank.kind = kind == 0 ? TP_TANK_GLASS : TP_TANK_STONE;
     return s;
 }

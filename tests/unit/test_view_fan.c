@@ -80,8 +80,10 @@ static double expected_distance(const tp_fan_law *law, uint32_t n)
 
     if (law->waves_end == TP_FX_MAX || way <= law->dense / Q24)
         return h * sinh(law->start / Q24 + way);
-    const double left = fmax(1 - 2 * (way - law->dense / Q24), 1 / Q24);
-    const double r = fmin(law->waves_end / METRE / sqrt(left), 22000);
+    if (n + 1 == law->rows)
+        return law->last / METRE;
+    const double left = fmax(1 - law->tail * (way - law->dense / Q24), 1 / Q24);
+    const double r = fmin(law->waves_end / METRE / pow(left, 1.0 / law->tail), 22000);
     return sqrt(fmax(r * r - h * h, 0));
 }
 

@@ -273,26 +273,32 @@ static uint32_t old_grid_line(const scene_file *file)
     return first;
 }
 
-/* Reads a grid of cols x rows points at equal distances, without grid.vertices, as a budget
- * of vertices: those that a view shows.  A tank needs all of them; cells as fine as before
- * up to the end of rings and pools need 3 in 5, as measured for raindrops; open water needs
- * the third. */
+int32_t scene_file_older_sea(const tp_scene *scene)
+{
+    return scene->grid.reach > 0;
+}
+
+/* A tank needs all points.  Cells as fine as before up to the end of rings and pools need
+ * 3 in 5, as measured for raindrops; open water needs the third that a view shows. */
+int32_t scene_file_older_vertices(const tp_scene *s)
+{
+    const int64_t all = (int64_t)s->grid.cols * s->grid.rows;
+    const bool walled = s->tank.kind != TP_TANK_NONE && s->pool.cols > 0 && !s->tank.sea;
+    const int64_t kept = walled ? all : has_rings_or_pools(s) ? all * 3 / 5 : all / 3;
+
+    return (int32_t)(kept < 64 ? 64 : kept > 65536 ? 65536 : kept);
+}
+
 static void read_old_grid(scene_file *file)
 {
     tp_scene *s = &file->scene;
-    const uint32_t line = old_grid_line(file);
-    const int64_t all = (int64_t)s->grid.cols * s->grid.rows;
 
-    if (!line)
-        return;
     if (!file_line(file, "tank.sea"))
-        s->tank.sea = s->grid.reach > 0;
+        s->tank.sea = scene_file_older_sea(s);
     if (file_line(file, "grid.vertices"))
         return;
-    const bool walled = s->tank.kind != TP_TANK_NONE && s->pool.cols > 0 && !s->tank.sea;
-    const int64_t kept = walled ? all : has_rings_or_pools(s) ? all * 3 / 5 : all / 3;
-    file->old_grid = line;
-    s->grid.vertices = (int32_t)(kept < 64 ? 64 : kept > 65536 ? 65536 : kept);
+    file->old_grid = old_grid_line(file);
+    s->grid.vertices = scene_file_older_vertices(s);
 }
 
 int scene_file_open(scene_file *file, const char *given)

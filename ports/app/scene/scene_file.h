@@ -26,6 +26,11 @@ int  scene_file_open(scene_file *file, const char *given);
 int  scene_file_set(scene_file *file, const char *setting);     /* "name=value" */
 void scene_file_close(scene_file *file);
 
+/* Return the value of grid.vertices and of tank.sea in a file that does not say it, from
+ * the rows of the older grid: its points, and its water beyond these. */
+int32_t scene_file_older_vertices(const tp_scene *scene);
+int32_t scene_file_older_sea(const tp_scene *scene);
+
 /* Opens a scene without reading its file. */
 int  scene_file_find(scene_file *file, const char *given);
 

@@ -103,15 +103,14 @@ static int check_text(const save *s, const tp_param *param, const char *text)
     return EXIT_DONE;
 }
 
-/* True if the file has to say a row's value although the value is the default: beside the
- * older grid's rows, scene_file.c reads others from these. */
-static bool is_said(const save *s, const tp_param *param)
+/* Returns the number that a file without the row's line gives. */
+static int32_t number_without_line(const save *s, const tp_param *param)
 {
     const tp_scene *scene = &s->file->scene;
-    const int32_t cols = tp_param_find("grid.cols", 9)->normal;
 
-    return (scene->grid.cols != cols && param == tp_param_find("grid.vertices", 13))
-        || (scene->grid.reach == 0 && param == tp_param_find("tank.sea", 8));
+    return param == tp_param_find("grid.vertices", 13) ? scene_file_older_vertices(scene)
+         : param == tp_param_find("tank.sea", 8) ? scene_file_older_sea(scene)
+                                                 : param->normal;
 }
 
 /* True if a file without the line gives the row's value. */
@@ -119,8 +118,8 @@ static bool is_normal(const save *s, const tp_param *param, const char *text)
 {
     char normal[64];
 
-    tp_param_number_text(param, param->normal, normal, sizeof normal);
-    return strcmp(text, normal) == 0 && !is_said(s, param);
+    tp_param_number_text(param, number_without_line(s, param), normal, sizeof normal);
+    return strcmp(text, normal) == 0;
 }
 
 /* Edits the line of a value.  Values equal to the default are removed in a second pass
@@ -129,9 +128,8 @@ static bool is_normal(const save *s, const tp_param *param, const char *text)
 static int edit(save *s, const tp_param *param, uint32_t row, const char *text, bool away)
 {
     char before[TP_NAME_BYTES + 64];
-    const bool said = !s->at[row] && is_said(s, param);
     tp_param_text(&s->filed, param, before, sizeof before);
-    if ((strcmp(text, long_name_whole(before)) == 0 && !s->bad[row] && !said)
+    if ((strcmp(text, long_name_whole(before)) == 0 && !s->bad[row])
         || is_normal(s, param, text) != away)
         return EXIT_DONE;
     if (away) {
@@ -173,6 +171,16 @@ static int write_file(const save *s)
     return output_file_close(&out);
 }
 
+/* Sets a number of the filed scene, unless the file has a line. */
+static void set_filed(const save *s, const char *name, int32_t *number)
+{
+    uint32_t count;
+    const tp_param *param = tp_param_find(name, strlen(name));
+
+    if (!s->at[param - tp_params(&count)])
+        *number = number_without_line(s, param);
+}
+
 int scene_save(const scene_file *file, const char *name)
 {
     uint32_t count;
@@ -182,8 +190,11 @@ int scene_save(const scene_file *file, const char *name)
     tp_scene_level(&s.filed);
     s.moved = !file->path || !path_same_folder(file->path, name);
     int code = s.at && s.bad ? read_lines(&s) : log_fail_memory(count * sizeof *s.at);
-    if (!code)
+    if (!code) {
+        set_filed(&s, "grid.vertices", &s.filed.grid.vertices);
+        set_filed(&s, "tank.sea", &s.filed.tank.sea);
         code = edit_all(&s, false);
+    }
     if (!code)
         code = edit_all(&s, true);
     if (!code)

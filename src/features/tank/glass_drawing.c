@@ -25,19 +25,24 @@ static void append_side_post(const tp_frame *frame, tp_glass_wall *wall,
     wall->posts++;
 }
 
-/* Returns the grid vertices along a wall: the columns of rows along the wall, or the rows.
- * 0: no grid, or one that does not end at the walls. */
-static uint32_t count_vertices_along(const tp_grid *grid, bool across)
+/* True if the columns of the grid meet a wall along x (`across`) or along z. */
+static bool columns_meet_wall(const tp_grid *grid, bool across)
 {
-    if (!grid || !grid->fan || !grid->fan->law.walled)
+    return (!grid->fan || grid->fan->law.right.x != 0) == across;
+}
+
+/* Returns the grid vertices along a wall; 0: no grid, or one that does not end there. */
+static uint32_t count_edge_vertices(const tp_grid *grid, bool across)
+{
+    if (!grid || (grid->fan && !grid->fan->law.walled))
         return 0;
-    return (grid->fan->law.right.x != 0) == across ? grid->cols : grid->rows;
+    return columns_meet_wall(grid, across) ? grid->cols : grid->rows;
 }
 
 /* Returns the place along the wall of a vertex on the water's edge. */
-static tp_fx vertex_along(const tp_grid *grid, bool across, uint32_t n)
+static tp_fx edge_vertex_place(const tp_grid *grid, bool across, uint32_t n)
 {
-    const bool column = (grid->fan->law.right.x != 0) == across;
+    const bool column = columns_meet_wall(grid, across);
     const uint32_t i = column ? n : 0, j = column ? 0 : n;
 
     return across ? tp_grid_s(grid, i, j) : tp_grid_t(grid, i, j);
@@ -49,14 +54,14 @@ static void place_posts(const tp_frame *frame, tp_glass_wall *wall, const tp_rec
 {
     const tp_grid *grid = frame->buffers.grid;
     const bool across = wall->face & 2;
-    const uint32_t count = count_vertices_along(grid, across);
+    const uint32_t count = count_edge_vertices(grid, across);
     tp_fx from = across ? r->x0 : r->z0, to = across ? r->x1 : r->z1;
-    const bool back = count > 0 && vertex_along(grid, across, 0) > from;
+    const bool back = count > 0 && edge_vertex_place(grid, across, 0) > from;
 
     wall->posts = 0;
     append_side_post(frame, wall, r, from);
     for (uint32_t i = 0; i < count; i++) {
-        const tp_fx at = vertex_along(grid, across, back ? count - 1 - i : i);
+        const tp_fx at = edge_vertex_place(grid, across, back ? count - 1 - i : i);
         if (at > from && at < to)
             append_side_post(frame, wall, r, at);
     }
@@ -236,7 +241,10 @@ bool tp_glass_enabled(const tp_module_conditions *conditions)
 
 static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    const size_t lines = tp_fan_most_cols(tp_fan_budget(conditions->scene));
+    const tp_scene *scene = conditions->scene;
+    const int32_t cols = scene->grid.cols, rows = scene->grid.rows;
+    const size_t lines = tp_has_fan(scene) ? tp_fan_most_cols(tp_fan_budget(scene))
+                                           : (size_t)(cols > rows ? cols : rows);
     tp_glass *glass = tp_arena_alloc(arena, 1, sizeof *glass), made = { .walls = 0 };
 
     for (int k = 0; k < TP_GLASSES; k++)
