@@ -48,8 +48,8 @@ TP_BEGIN_C
  * the API grows, PATCH otherwise.  While MAJOR is 0, MINOR stands for both. */
 #define TP_VERSION_MAJOR 0
 #define TP_VERSION_MINOR 2
-#define TP_VERSION_PATCH 0
-#define TP_VERSION_DATE  "2026-11-23"
+#define TP_VERSION_PATCH 1
+#define TP_VERSION_DATE  "2026-11-28"
 
 /* The version as one number, to compare in #if: MAJOR 1000000 + MINOR 1000 + PATCH;
  * 1002003 is 1.2.3. */

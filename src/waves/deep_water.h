@@ -282,15 +282,15 @@ TP_ALWAYS_INLINE tp_surface_point tp_swell_sum_point_inline(const tp_swell_sum *
 }
 
 /* Returns the share of a wave that points `share` wavelengths apart hold [V4]: 1 up to 0.3,
- * 0 from 0.55 on. */
+ * 0 from 0.5 on. */
 static inline tp_fx tp_swell_spacing_weight(int64_t share)
 {
     if (share <= TP_FX(0.3))
         return TP_FX_ONE;
-    return share >= TP_FX(0.55) ? 0 : tp_smoothstep((tp_fx)((TP_FX(0.55) - share) * 4));
+    return share >= TP_FX(0.5) ? 0 : tp_smoothstep((tp_fx)((TP_FX(0.5) - share) * 5));
 }
 
-/* Returns the gain of a wave for points `share` wavelengths apart, below 0.55.  Linear
+/* Returns the gain of a wave for points `share` wavelengths apart, below 0.5.  Linear
  * interpolation between points of the wave lowers the wave by the mean of (k d)^2 / 12; the
  * gain 1 + (k d)^2 / 12 makes up for that.  The rms error of the interpolated wave falls
  * from 0.091 to 0.037 of (k d)^2: piecewise linear interpolation against the best piecewise

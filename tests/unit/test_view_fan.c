@@ -261,7 +261,7 @@ static void a_weight_is_the_gain_up_to_three_tenths_and_falls_to_zero(void **sta
         assert_true(weight <= TP_FX(1.3229));       /* sqrt(TP_FAN_GAIN) */
         if (spacing < TP_FX(2.99))
             assert_true(fabs(weight / 65536.0 - 1 - step * step / 12) < 0.0005);
-        if (spacing > TP_FX(5.51))
+        if (spacing > TP_FX(5.01))
             assert_int_equal(weight, 0);
     }
 }
