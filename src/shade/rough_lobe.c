@@ -260,6 +260,12 @@ static int32_t seen_light(const tp_shade *shade, uint32_t waves, int32_t vy, int
     return tp_clamp(rise * (lv - (vy * shade->world.ly >> 14)) / level, -16384, 16384);
 }
 
+/* Returns the square of the half vector's cosine with the view, (1 + L.V) / 2; Q15. */
+static uint32_t half_cosine_square(int32_t lv)
+{
+    return (uint32_t)tp_clamp(16384 + lv, 0, 32768);
+}
+
 /* Returns Blinn's lobe: normals spread about the half vector, by both axes alike. */
 static tp_rough_lobe blinn_lobe(const tp_shade *shade, tp_slope_variance v,
                                 tp_rough_view view, int32_t seen)
@@ -279,9 +285,7 @@ tp_rough_lobe tp_rough_lobe_make(const tp_shade *shade, uint32_t key, int32_t vy
     const int32_t seen = seen_light(shade, waves.along, vy, lv);
     if (blinn)
         return blinn_lobe(shade, v, view, seen);
-    const uint32_t rise = (uint32_t)(vy * vy) + (v.along << 4);
-    const uint32_t sine_square = rise < 1u << 28 ? rise : 1u << 28;
-    const uint32_t across = (uint32_t)((uint64_t)v.across * sine_square >> 28);
+    const uint32_t across = (uint32_t)((uint64_t)v.across * half_cosine_square(lv) >> 15);
     const int32_t n_across = tp_rough_narrowing(shade->lobe.exponent, across);
     const int32_t n_along = tp_rough_narrowing(shade->lobe.exponent, v.along);
 

@@ -4,8 +4,9 @@
  * [V1] and bends N.V for Fresnel's share and the mirrored height (tp_rough_view).
  *
  * A lobe of exponent n is close to exp(-n d), d = 1 - R.V.  Slopes of variance s2 spread
- * the mirrored ray by 4 s2 in the plane of view, and across the plane by 4 s2 times the
- * squared sine of the view's elevation.  The wider lobe is exp(-n d / k), k = 1 + 4 n s2:
+ * the mirrored ray by 4 s2 in the plane of view, and across the plane by 4 s2 (V.H)^2, H
+ * half way to the light: facets that glint have H as their normal.
+ * The wider lobe is exp(-n d / k), k = 1 + 4 n s2:
  * the same table at d / k, times a peak that keeps the light's sum.  One table serves all
  * levels, and both axes: d is half the squared distance of the mirrored ray from the
  * light, and its part in the plane of view is that of their heights.

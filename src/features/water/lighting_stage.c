@@ -96,6 +96,7 @@ TP_ALWAYS_INLINE void light_rough_columns(const tp_shade *restrict shade,
     int32_t lx = shade->world.lx, ly = shade->world.ly, lz = shade->world.lz;
     int32_t ambient = shade->ambient;
     int32_t dark = tp_rough_lobe_dark_cosine(shade, &lobe);
+    int32_t half = lobe.peak + 8191;    /* both roundings down of the table, nearest */
 
     for (; i < stop; i++) {
         int32_t sx = tp_slope_x(run, i, rippled), sz = tp_slope_z(run, i, rippled);
@@ -117,7 +118,7 @@ TP_ALWAYS_INLINE void light_rough_columns(const tp_shade *restrict shade,
         int32_t glint = 0;
         if (TP_WIDE || rv > dark) {             /* most samples lie outside of the lobe */
             int32_t shine = sample_shine(shade, tp_rough_lobe_cosine(&lobe, rv, rise));
-            glint = shine ? (shine * lobe.peak + 24575) >> 14 : 0;
+            glint = shine ? (shine * lobe.peak + half) >> 14 : 0;
         }
         run->glint[i] = (uint16_t)(nl > 0 ? glint : 0);
         nl = tp_clamp(nl + lobe.seen, 0, 16384);
