@@ -2,7 +2,8 @@
 /* Fuzzes scene files: the file, then behind a line "%%" lines in the form of --set. An
  * accepted scene is within the ranges of the table; saved over its own file after the
  * settings, the scene reads back the same, and without settings the file's bytes do not
- * change. */
+ * change.  Rows that the file leaves out have their usual values, but for the rows that
+ * follow the older grid. */
 #include "fuzz.h"
 #include "app/scene/scene_save.h"
 #include "world/text.h"
@@ -20,6 +21,8 @@ static void require_scene(const scene_file *file, unsigned lines)
     const tp_param *rows = tp_params(&count);
     tp_scene usual;
     tp_scene_level(&usual);
+    usual.tank.sea = scene_file_older_sea(&file->scene);
+    usual.grid.vertices = scene_file_older_vertices(&file->scene);
     for (uint32_t i = 0; i < count; i++) {
         const size_t at = rows[i].offset, bytes = tp_param_is_text(&rows[i])
                                                 ? TP_NAME_BYTES : sizeof(int32_t);
