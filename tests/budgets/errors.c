@@ -50,10 +50,16 @@ typedef struct {
     uint32_t   tick;
 } error_ground;
 
+/* Rounds an error up to four decimals, so that the price, rounded to 16.16, is no less. */
+static double rounded_up(double x)
+{
+    return x > 0 ? ceil(x * 1e4 + 0.1) / 1e4 : 0;
+}
+
 static void say(const loaded_scene *s, const error_ground *g, const char *rung, error e)
 {
-    printf("error %s %s %.4f %.4f %s %u\n", rung, classes[g->estimate.sea], e.px, e.colour,
-           s->file.name, (unsigned)g->tick);
+    printf("error %s %s %.4f %.4f %s %u\n", rung, classes[g->estimate.sea],
+           rounded_up(e.px), rounded_up(e.colour), s->file.name, (unsigned)g->tick);
 }
 
 /* Compares all rungs of a kind, with the other kinds as in `base`. The printed error is
