@@ -107,9 +107,11 @@ static void set_grid_view(tp_frame *frame)
         .follow = frame->scene->grid.follow != 0,
         .vertices = tp_frame_uses_fan(frame->program, frame->scene)
                         ? tp_fan_budget(frame->scene) : 0,
-        .detail = tp_scene_water_detail(frame->scene,
-                                        tp_frame_has_module(frame, TP_MODULE_SLOPES)),
     };
+    const bool flat = tp_frame_has_module(frame, TP_MODULE_SLOPES);
+    for (const tp_use *u = frame->program->modules; u && u->module; u++)
+        if (u->module->detail)
+            u->module->detail(frame->scene, flat, &frame->grid_view.detail);
 }
 
 void tp_frame_choose_visibility(tp_frame *frame)

@@ -3,6 +3,22 @@
 #include "view/fan.h"
 #include "view/wave_models.h"
 
+void tp_water_detail_widen(tp_water_detail *to, int64_t length, tp_rectangle by)
+{
+    const tp_fx most = tp_fx_saturate(length);
+    tp_rectangle *sides = &to->sides;
+
+    if (to->length == 0) {
+        *to = (tp_water_detail){ .length = most, .sides = by };
+        return;
+    }
+    to->length = most < to->length ? most : to->length;
+    sides->x0 = by.x0 < sides->x0 ? by.x0 : sides->x0;
+    sides->x1 = by.x1 > sides->x1 ? by.x1 : sides->x1;
+    sides->z0 = by.z0 < sides->z0 ? by.z0 : sides->z0;
+    sides->z1 = by.z1 > sides->z1 ? by.z1 : sides->z1;
+}
+
 /* Allocates all tables except the vertices. */
 static void layout_tables(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
                           uint32_t waves)

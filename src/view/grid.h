@@ -82,6 +82,9 @@ typedef struct {
     bool  walled;               /* the water ends at these sides */
 } tp_water_detail;
 
+/* Adds waves of a length in a rectangle. */
+void tp_water_detail_widen(tp_water_detail *to, int64_t length, tp_rectangle by);
+
 /* The inputs of a grid for a frame. */
 typedef struct {
     const tp_projection *projection;

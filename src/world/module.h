@@ -17,7 +17,7 @@
 #define TP_WORLD_MODULE_H
 #include "base/base.h"
 #include "tidepool/modules.h"
-#include "view/surface.h"
+#include "view/grid.h"
 #include "world/world.h"
 
 static inline const tp_program *tp_program_or_linked(const tp_program *program)
@@ -160,6 +160,10 @@ typedef struct tp_module {
 
     /* Adds the module's heights to the water surface of this tick. */
     void (*surface)(const void *mine, tp_surface *surface);
+
+    /* Adds the module's waves to the detail that the water's grid must hold, from numbers of
+     * the scene alone.  `flat`: waves of pools bend the light and leave the grid level. */
+    void (*detail)(const tp_scene *scene, bool flat, tp_water_detail *detail);
 
     /* Called when an object strikes the water at height `level`.  True: the module moves
      * the water. */

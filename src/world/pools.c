@@ -45,63 +45,6 @@ tp_status tp_pools_check(const tp_scene *scene, const tp_assets *assets, bool fi
     return status;
 }
 
-/* -- detail of the grid --------------------------------------------------------------- */
-
-#define CELLS  16               /* of a pool in the length of its shortest waves */
-#define RADII  6                /* of a drop in the length of a ring; the first has 8 [D4] */
-#define DECAYS 2                /* a ring runs for: 6 % of the height is left, with the spreading */
-
-static void widen_detail(tp_water_detail *to, int64_t length, tp_rectangle by)
-{
-    const tp_fx most = tp_fx_saturate(length);
-    tp_rectangle *sides = &to->sides;
-
-    if (to->length == 0) {
-        *to = (tp_water_detail){ .length = most, .sides = by };
-        return;
-    }
-    to->length = most < to->length ? most : to->length;
-    sides->x0 = by.x0 < sides->x0 ? by.x0 : sides->x0;
-    sides->x1 = by.x1 > sides->x1 ? by.x1 : sides->x1;
-    sides->z0 = by.z0 < sides->z0 ? by.z0 : sides->z0;
-    sides->z1 = by.z1 > sides->z1 ? by.z1 : sides->z1;
-}
-
-static void widen_by_pool(tp_water_detail *to, const tp_scene_pool *pool)
-{
-    const bool tiled = pool->boundary == TP_EDGES_TILE;
-    const int64_t wide = tiled ? TP_FX_MAX : (int64_t)pool->cell * pool->cols / 2;
-    const int64_t deep = tiled ? TP_FX_MAX : (int64_t)pool->cell * pool->rows / 2;
-
-    if (pool->cols > 0)
-        widen_detail(to, (int64_t)pool->cell * CELLS,
-                     tp_rectangle_make(pool->x, pool->z, wide, deep));
-}
-
-static void widen_by_rings(tp_water_detail *to, const tp_scene_drops *drops)
-{
-    const int64_t length = (int64_t)drops->radius * RADII;
-    const int64_t half = drops->scatter_radius + length
-                         + ((int64_t)drops->ring_speed * drops->ring_decay * DECAYS >> 16);
-
-    if (drops->count > 0 && drops->target == TP_DROPS_RINGS)
-        widen_detail(to, length, tp_rectangle_make(drops->x, drops->z, half, half));
-}
-
-tp_water_detail tp_scene_water_detail(const tp_scene *scene, bool flat)
-{
-    tp_water_detail detail = { .length = 0 };
-
-    if (tp_is_walled(scene))
-        return (tp_water_detail){ .sides = tp_pool_sides(scene), .walled = true };
-    if (!flat) {
-        widen_by_pool(&detail, &scene->pool);
-        widen_by_pool(&detail, &scene->field);
-    }
-    widen_by_rings(&detail, &scene->drops);
-    return detail;
-}
-
 /* -- states --------------------------------------------------------------------------- */
 
 static tp_pool *find_pool(const tp_world *world, uint32_t id)

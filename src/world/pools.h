@@ -61,9 +61,6 @@ static inline bool tp_has_inner_walls(const tp_scene *scene)
     return scene->pool.cols > 0 && scene->pool.mask[0];
 }
 
-/* Returns the detail of the water's grid: the rings of drops and, unless `flat`, pools. */
-tp_water_detail tp_scene_water_detail(const tp_scene *scene, bool flat);
-
 /* -- states in a world, or NULL ------------------------------------------------------ */
 
 const tp_pool  *tp_world_pool(const tp_world *world);

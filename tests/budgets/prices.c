@@ -120,7 +120,7 @@ typedef struct {
                 "drops.interval=0.5 drops.scatter_radius=1.8 drops.efficiency=0.9 "
 #define BASIN   POOL "pool.cell=0.05 pool.max_height=0.6 pool.splash_height=0.15 " \
                 "pool.splash_width=0.2 " \
-                "grid.cell=0.0508 grid.follow=off camera.x=2.85 camera.y=2.2 " \
+                "tank.sea=off grid.vertices=4096 camera.x=2.85 camera.y=2.2 " \
                 "camera.z=3.75 camera.heading=-37 camera.pitch=-31 camera.fov=50 "
 #define AWAY    "camera.x=4 camera.y=2.6 camera.z=4 camera.heading=-45 camera.pitch=-26 "
 #define FRONT   "camera.x=0.3 camera.y=1.2 camera.z=4 camera.heading=-4 camera.pitch=-16 "

@@ -5,6 +5,7 @@
 #include "features/drops/drops.h"
 #include "view/wave_models.h"
 #include "world/module.h"
+#include "world/pools.h"
 
 #define MOST       1024
 #define SPHERE_FAR (8000 * TP_FX_ONE)
@@ -384,6 +385,21 @@ static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
         && are_rings_valid(mine, current_rings(mine), (int64_t)(world->tick * TP_FX_ONE));
 }
 
+#define RADII  6                /* of a drop in the length of a ring; the first has 8 [D4] */
+#define DECAYS 2                /* a ring runs for: 6 % of the height is left, with the spreading */
+
+static void add_detail(const tp_scene *scene, bool flat, tp_water_detail *detail)
+{
+    const tp_scene_drops *drops = &scene->drops;
+    const int64_t length = (int64_t)drops->radius * RADII;
+    const int64_t half = drops->scatter_radius + length
+                         + ((int64_t)drops->ring_speed * drops->ring_decay * DECAYS >> 16);
+
+    (void)flat;
+    if (drops->count > 0 && drops->target == TP_DROPS_RINGS && !detail->walled)
+        tp_water_detail_widen(detail, length, tp_rectangle_make(drops->x, drops->z, half, half));
+}
+
 const tp_module tp_drops_module = {
     .name = "drops",
     .id = TP_DROPS_ID,
@@ -396,5 +412,6 @@ const tp_module tp_drops_module = {
     .step = step,
     .hit = handle_impact,
     .surface = add_surface,
+    .detail = add_detail,
     .is_valid = is_valid,
 };

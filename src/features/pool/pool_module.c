@@ -117,6 +117,35 @@ const tp_module tp_paddle_module = {
     .step = step_paddle,
 };
 
+/* -- detail of the grid -------------------------------------------------------------- */
+
+#define CELLS 16                /* of a pool in the length of its shortest waves */
+
+static void add_pool_detail(const tp_scene_pool *pool, tp_water_detail *detail)
+{
+    const bool tiled = pool->boundary == TP_EDGES_TILE;
+    const int64_t wide = tiled ? TP_FX_MAX : (int64_t)pool->cell * pool->cols / 2;
+    const int64_t deep = tiled ? TP_FX_MAX : (int64_t)pool->cell * pool->rows / 2;
+
+    if (pool->cols > 0)
+        tp_water_detail_widen(detail, (int64_t)pool->cell * CELLS,
+                              tp_rectangle_make(pool->x, pool->z, wide, deep));
+}
+
+static void pool_detail(const tp_scene *scene, bool flat, tp_water_detail *detail)
+{
+    if (tp_is_walled(scene))
+        *detail = (tp_water_detail){ .sides = tp_pool_sides(scene), .walled = true };
+    else if (!flat)
+        add_pool_detail(&scene->pool, detail);
+}
+
+static void field_detail(const tp_scene *scene, bool flat, tp_water_detail *detail)
+{
+    if (!flat && !detail->walled)
+        add_pool_detail(&scene->field, detail);
+}
+
 /* -- enabled pools ------------------------------------------------------------------- */
 
 static bool is_pool_enabled(const tp_module_conditions *conditions,
@@ -290,7 +319,8 @@ const tp_module tp_main_pool_module = {
     .name = "pool", .id = TP_POOL_ID,
     .enabled = tp_main_pool_enabled, .check = pool_check,
     .bytes = pool_bytes, .init = pool_init, .fits = pool_fits, .refresh = pool_refresh,
-    .step = step, .surface = pool_surface, .hit = pool_handle_impact, .is_valid = is_valid,
+    .step = step, .surface = pool_surface, .detail = pool_detail, .hit = pool_handle_impact,
+    .is_valid = is_valid,
 };
 
 /* -- [field] ------------------------------------------------------------------------- */
@@ -334,5 +364,6 @@ static void field_surface(const void *mine, tp_surface *surface)
 const tp_module tp_field_module = {
     .name = "field", .id = TP_FIELD_ID, .enabled = tp_field_enabled, .check = field_check,
     .bytes = field_bytes, .init = field_init, .fits = field_fits,
-    .refresh = field_refresh, .surface = field_surface, .step = step, .is_valid = is_valid,
+    .refresh = field_refresh, .surface = field_surface, .detail = field_detail,
+    .step = step, .is_valid = is_valid,
 };
