@@ -3,7 +3,7 @@
 #include "view/fan.h"
 #include "view/wave_models.h"
 
-void tp_water_detail_widen(tp_water_detail *to, int64_t length, tp_rectangle by)
+void tp_grid_detail_widen(tp_water_detail *to, int64_t length, tp_rectangle by)
 {
     const tp_fx most = tp_fx_saturate(length);
     tp_rectangle *sides = &to->sides;

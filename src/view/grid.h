@@ -83,7 +83,7 @@ typedef struct {
 } tp_water_detail;
 
 /* Adds waves of a length in a rectangle. */
-void tp_water_detail_widen(tp_water_detail *to, int64_t length, tp_rectangle by);
+void tp_grid_detail_widen(tp_water_detail *to, int64_t length, tp_rectangle by);
 
 /* The inputs of a grid for a frame. */
 typedef struct {

@@ -115,7 +115,7 @@ typedef struct {
 
 #define LEVEL   "camera.y=1.3 camera.pitch=-1 camera.fov=45 boat boat.z=-29 boat.x=2 " \
                 "boat.heading=140 "
-#define RAIN    "camera.y=1.6 camera.z=4.4 camera.pitch=-15 camera.fov=56 "
+#define RAIN    "grid.vertices=9000 camera.y=1.6 camera.z=4.4 camera.pitch=-15 camera.fov=56 "
 #define DROPS   "drops.count=64 drops.rings=64 drops.y=1.8 drops.radius=0.09 " \
                 "drops.interval=0.5 drops.scatter_radius=1.8 drops.efficiency=0.9 "
 #define BASIN   POOL "pool.cell=0.05 pool.max_height=0.6 pool.splash_height=0.15 " \

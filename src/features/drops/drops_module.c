@@ -397,7 +397,7 @@ static void add_detail(const tp_scene *scene, bool flat, tp_water_detail *detail
 
     (void)flat;
     if (drops->count > 0 && drops->target == TP_DROPS_RINGS && !detail->walled)
-        tp_water_detail_widen(detail, length, tp_rectangle_make(drops->x, drops->z, half, half));
+        tp_grid_detail_widen(detail, length, tp_rectangle_make(drops->x, drops->z, half, half));
 }
 
 const tp_module tp_drops_module = {

@@ -128,7 +128,7 @@ static void add_pool_detail(const tp_scene_pool *pool, tp_water_detail *detail)
     const int64_t deep = tiled ? TP_FX_MAX : (int64_t)pool->cell * pool->rows / 2;
 
     if (pool->cols > 0)
-        tp_water_detail_widen(detail, (int64_t)pool->cell * CELLS,
+        tp_grid_detail_widen(detail, (int64_t)pool->cell * CELLS,
                               tp_rectangle_make(pool->x, pool->z, wide, deep));
 }
 
