@@ -26,13 +26,33 @@ static bool needs_clipping(const tp_screen_vertex *const p[4])
            || p[2]->u == TP_GRID_NEEDS_CLIP || p[3]->u == TP_GRID_NEEDS_CLIP;
 }
 
-static void transform_cell(const tp_frame *frame, const tp_grid_window *window, uint32_t i,
-                           uint32_t j, tp_view_vertex c[4])
+/* The corners of the last clipped cell of a row; the next cell shares two of them. */
+typedef struct {
+    uint32_t       next;        /* the cell to the right; UINT32_MAX: no cell was clipped */
+    tp_view_vertex c[4];
+} clipped_cell;
+
+static tp_view_vertex transform_corner(const tp_frame *frame, const tp_grid_window *window,
+                                       uint32_t i, uint32_t j)
 {
-    for (uint32_t k = 0; k < 4; k++) {
-        uint32_t x = i + (k == 1 || k == 2), y = j + k / 2;
-        c[k] = tp_grid_make_view_vertex(frame->buffers.grid, &window->line[y & 1][x], x, y);
+    return tp_grid_make_view_vertex(frame->buffers.grid, &window->line[j & 1][i], i, j);
+}
+
+static void transform_cell(const tp_frame *frame, const tp_grid_window *window, uint32_t i,
+                           uint32_t j, clipped_cell *cell)
+{
+    tp_view_vertex *c = cell->c;
+
+    if (cell->next == i) {
+        c[0] = c[1];
+        c[3] = c[2];
+    } else {
+        c[0] = transform_corner(frame, window, i, j);
+        c[3] = transform_corner(frame, window, i, j + 1);
     }
+    c[1] = transform_corner(frame, window, i + 1, j);
+    c[2] = transform_corner(frame, window, i + 1, j + 1);
+    cell->next = i + 1;
 }
 
 /* Clips one triangle of a cell by the frustum; returns the number of vertices left. */
@@ -47,18 +67,17 @@ static int clip_cell_half(const tp_frame *frame, const tp_view_vertex c[4], int 
 
 static void draw_cell(const tp_frame *frame, const tp_gbuffer *tile,
                       const tp_grid_window *window, const tp_screen_vertex *const p[4],
-                      uint32_t i, uint32_t j)
+                      uint32_t i, uint32_t j, clipped_cell *clipped)
 {
     if (!needs_clipping(p)) {
         tp_tri_water(tile, p[0], p[3], p[2]);
         tp_tri_water(tile, p[0], p[2], p[1]);
         return;
     }
-    tp_view_vertex c[4];
     tp_screen_vertex corner[TP_CLIP_VERTICES];
-    transform_cell(frame, window, i, j, c);
+    transform_cell(frame, window, i, j, clipped);
     for (int half = 0; half < 2; half++) {
-        int count = clip_cell_half(frame, c, half, corner);
+        int count = clip_cell_half(frame, clipped->c, half, corner);
         for (int k = 2; k < count; k++)
             tp_tri_water(tile, &corner[0], &corner[k - 1], &corner[k]);
     }
@@ -77,6 +96,7 @@ void tp_frame_draw_cells(const tp_frame *frame, const tp_gbuffer *tile,
     tp_grid_window_load(grid, window, j + 1, first, end + 1);
     tp_screen_vertex side[2][2] = { { make_corner(grid, window, first, j),
                                       make_corner(grid, window, first, j + 1) } };
+    clipped_cell clipped = { .next = UINT32_MAX };
     int left = 0;
 
     for (uint32_t i = first; i < end; i++) {
@@ -87,7 +107,7 @@ void tp_frame_draw_cells(const tp_frame *frame, const tp_gbuffer *tile,
         const tp_screen_vertex *const p[4] = { &side[left][0], &side[right][0],
                                                &side[right][1], &side[left][1] };
         if (!dry)
-            draw_cell(frame, tile, window, p, i, j);
+            draw_cell(frame, tile, window, p, i, j, &clipped);
         left = right;
     }
 }
@@ -105,14 +125,13 @@ static tp_grid_span block_span(tp_grid_span span, uint32_t b)
 /* -- placement ----------------------------------------------------------------------- */
 
 static void widen_box_by_clipped_cell(const tp_frame *frame, tp_grid_box *box, uint32_t i,
-                                      uint32_t j)
+                                      uint32_t j, clipped_cell *clipped)
 {
-    tp_view_vertex c[4];
     tp_screen_vertex corner[TP_CLIP_VERTICES];
 
-    transform_cell(frame, &frame->buffers.grid->window, i, j, c);
+    transform_cell(frame, &frame->buffers.grid->window, i, j, clipped);
     for (int half = 0; half < 2; half++)
-        for (int k = clip_cell_half(frame, c, half, corner) - 1; k >= 0; k--)
+        for (int k = clip_cell_half(frame, clipped->c, half, corner) - 1; k >= 0; k--)
             tp_box_widen(box, corner[k].u, corner[k].v);
 }
 
@@ -122,6 +141,7 @@ tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint
     tp_grid *grid = frame->buffers.grid;
     tp_grid_window *window = &grid->window;
     tp_grid_box box = TP_BOX_NONE;
+    clipped_cell clipped = { .next = UINT32_MAX };
 
     tp_grid_window_load(grid, window, j, first, end + 1);
     tp_grid_window_load(grid, window, j + 1, first, end + 1);
@@ -132,7 +152,7 @@ tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint
                                         make_corner(grid, window, i, j + 1) };
         const tp_screen_vertex *const p[4] = { &c[0], &c[1], &c[2], &c[3] };
         if (needs_clipping(p))
-            widen_box_by_clipped_cell(frame, &box, i, j);
+            widen_box_by_clipped_cell(frame, &box, i, j, &clipped);
         else
             for (int k = 0; k < 4; k++)
                 tp_box_widen(&box, c[k].u, c[k].v);

@@ -62,7 +62,7 @@ function fit(rung,    item, views, v, name, i, j, k, moved, rest, a, b, part, of
 {
     some = rung ~ /^(rows|triangles)/ ? 4 : 3
     views = split("near dense small one low rough turned swell" \
-                  (rung ~ /^tri/ ? " above" : ""), item, " ")
+                  (rung ~ /^tri/ ? " above gale" : ""), item, " ")
     for (v = 1; v <= views; v++) {
         name = "seen " rung " " item[v]
         rest = cost[name] - whole - sky * (pixels[name] - water[name]) - \

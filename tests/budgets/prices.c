@@ -84,21 +84,24 @@ static const row shaded[] = {
 
 static const row seen[] = {
     { "near", "" },
-    { "dense", "grid.cols=100 grid.rows=100 grid.cell=1.06" },
+    { "dense", "grid.vertices=6666" },
     { "small", "" },            /* 160x112 */
     { "one", "wave1.amplitude=0 wave2.amplitude=0" },
-    { "low", "camera.y=1.6 camera.pitch=-1 camera.fov=46 grid.cols=90 grid.rows=90 "
-             "grid.cell=1.3 grid.reach=2000 wave0.amplitude=0.1 wave1.amplitude=0.05 "
+    { "low", "camera.y=1.6 camera.pitch=-1 camera.fov=46 grid.vertices=2700 "
+             "wave0.amplitude=0.1 wave1.amplitude=0.05 "
              "wave2.amplitude=0.03" },
-    { "rough", "camera.y=2.6 camera.pitch=-1 camera.fov=50 grid.cols=100 grid.rows=100 "
-               "grid.cell=1.2 grid.reach=2000 camera.heading=32 wave0.amplitude=0.45 "
+    { "rough", "camera.y=2.6 camera.pitch=-1 camera.fov=50 grid.vertices=3333 "
+               "camera.heading=32 wave0.amplitude=0.45 "
                "wave1.amplitude=0.3 wave2.amplitude=0.15" },
     { "turned", "camera.heading=28 camera.y=8 camera.pitch=-15 camera.fov=52" },
-    { "above", "camera.y=50 camera.pitch=-86 camera.fov=50 grid.cols=110 grid.rows=110 "
-               "grid.cell=0.9 grid.follow=off" },     /* triangles only */
+    /* triangles only */
+    { "above", "camera.y=50 camera.pitch=-86 camera.fov=50 grid.vertices=4033" },
+    { "gale", "camera.y=3.4 camera.pitch=0 camera.fov=52 grid.vertices=5200 "
+              "wave0.amplitude=1.05 wave0.length=38 wave1.amplitude=0.7 wave1.length=25 "
+              "wave2.amplitude=0.6 wave2.length=31" },
     { "fan", "grid.vertices=5200 camera.y=3.4 camera.pitch=0 camera.fov=52" },
     { "swell", "camera.heading=16 camera.y=1.6 camera.pitch=-1 camera.fov=46 "
-               "grid.cell=1.3 grid.cols=90 grid.rows=90 grid.reach=2000 "
+               "grid.vertices=2700 "
                "wave0.amplitude=0.1 wave1.amplitude=0.05 wave2.amplitude=0.03" },
     { "still", STILL },
     { "sharp", "wave0.exponent=3" },
@@ -126,12 +129,12 @@ typedef struct {
 #define FRONT   "camera.x=0.3 camera.y=1.2 camera.z=4 camera.heading=-4 camera.pitch=-16 "
 #define GLASS   "tank tank.kind=glass "
 #define FLOOR   "wave1.amplitude=0.1 wave2.amplitude=0 "
-#define DENSE   "grid.cols=110 grid.rows=110 grid.cell=0.6 grid.reach=2000 camera.y=6 "
-#define LOW     "grid.cols=90 grid.rows=90 grid.cell=0.5 grid.reach=2000 camera.y=2 " \
+#define DENSE   "grid.vertices=4033 camera.y=6 "
+#define LOW     "grid.vertices=2700 camera.y=2 " \
                 "camera.heading=25 camera.pitch=-5 "
-#define FINE    "grid.cols=130 grid.rows=130 grid.cell=0.3 grid.reach=1500 " \
+#define FINE    "grid.vertices=5633 " \
                 "camera.y=1.5 camera.heading=50 camera.pitch=-3 "
-#define SURF    "grid.cols=160 grid.rows=160 grid.cell=0.4 grid.reach=2500 camera.x=-7 " \
+#define SURF    "grid.vertices=8533 camera.x=-7 " \
                 "camera.y=1.5 camera.z=11 camera.heading=60 camera.pitch=-4 camera.fov=60 "
 #define SWELL   FLOOR "wave0.amplitude=0.62 wave0.length=24 wave0.heading=180 "
 #define GALE    "wave0.exponent=4 wave0.steepness=0.6 "
@@ -244,9 +247,9 @@ static const pair works[] = {
       FLOOR LOW "floor.depth=2.4 floor.slope=0.13 floor.heading=120" },
     { "shelf_low", "deep_low",
       FLOOR LOW "floor.depth=1.2 floor.slope=0.06 floor.heading=205" },
-    { "deep_bare", "", FLOOR DENSE "grid.reach=0 floor.depth=20 floor.slope=0.004" },
+    { "deep_bare", "", FLOOR DENSE "floor.depth=20 floor.slope=0.004" },
     { "shelf_bare", "deep_bare",
-      FLOOR DENSE "grid.reach=0 floor.depth=1.2 floor.slope=0.01 floor.heading=300" },
+      FLOOR DENSE "floor.depth=1.2 floor.slope=0.01 floor.heading=300" },
     { "deep_fine", "", FLOOR FINE "floor.depth=20 floor.slope=0.004" },
     { "beach_fine", "deep_fine",
       FLOOR FINE "floor.depth=2 floor.slope=0.1 floor.heading=160" },
