@@ -39,7 +39,6 @@ typedef struct {
     tp_fx coastal, floor, map;  /* coastal: with wind only; over a plane; over a map */
     tp_fx drawn;                /* per grid cell that gets a pixel */
     tp_fx slant;                /* times tp_view_estimate.slant */
-    tp_fx fan;                  /* on a fan, extra */
     tp_fx still;                /* replaces `pixel` for level water */
 } tp_seen_price;
 
@@ -134,7 +133,6 @@ typedef struct {
     uint32_t drawn;             /* grid cells that get a pixel */
     tp_fx    slant;             /* slant of the view to the grid's lines, 0..3 */
     uint8_t  sharp, still;      /* a wave is sharpened; level water */
-    uint8_t  fan;                       /* the grid is a fan */
     uint32_t points[TP_VISIBILITIES];   /* points evaluated by each renderer */
     uint8_t  fits[TP_VISIBILITIES];     /* true if the renderer can draw the view */
     uint32_t modules;           /* bits of tp_module.is of the enabled modules */

@@ -109,8 +109,7 @@ static int64_t point_price(const plan_conditions *g, const tp_seen_price *seen)
                           : o->floor     ? seen->floor : seen->coastal;
 
     return seen->vertex + wave * g->faint.left + (int64_t)seen->pool * o->pools
-         + ((int64_t)seen->slant * o->slant >> 16) + (o->coastal ? coastal : 0)
-         + (o->fan ? seen->fan : 0);
+         + ((int64_t)seen->slant * o->slant >> 16) + (o->coastal ? coastal : 0);
 }
 
 /* Costs are below 2^31, pixels below 2^24, vertices below 2^20; waves are at most 16. */

@@ -220,7 +220,6 @@ static tp_fx view_slant_to_grid_lines(const tp_start_view *at)
 static void set_grid_size(tp_view_estimate *o, const tp_start_view *at, const tp_scene *s)
 {
     if (tp_has_fan(s)) {
-        o->fan = 1;
         o->vertices = o->drawn = tp_fan_budget(s) * 9 / 10;
         return;
     }

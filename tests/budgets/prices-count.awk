@@ -127,17 +127,6 @@ function seen(rung,    near)
     row("seen", rung, "coastal", more("coastal", near))
     row("seen", rung, "floor", more("floor", near))
     row("seen", rung, "map", more("map", near))
-    row("seen", rung, "fan", fan(rung))
-}
-
-# Extra cost of a point of a fan.
-function fan(rung,    name)
-{
-    name = "seen " rung " fan"
-    return (cost[name] - whole - sky * (pixels[name] - water[name]) - \
-            (plain + coefficient[1]) * water[name] - \
-            (rung ~ /^tri/ ? coefficient[4] * drawn[name] : 0)) / vertices[name] - \
-           coefficient[2] - coefficient[3] * waves[name]
 }
 
 # Cost of a pixel of level water.

@@ -98,8 +98,8 @@ static const row seen[] = {
     { "above", "camera.y=50 camera.pitch=-86 camera.fov=50 grid.vertices=4033" },
     { "gale", "camera.y=3.4 camera.pitch=0 camera.fov=52 grid.vertices=5200 "
               "wave0.amplitude=1.05 wave0.length=38 wave1.amplitude=0.7 wave1.length=25 "
-              "wave2.amplitude=0.6 wave2.length=31" },
-    { "fan", "grid.vertices=5200 camera.y=3.4 camera.pitch=0 camera.fov=52" },
+              "wave2.amplitude=0.6 wave2.length=31 "
+              "wave3.amplitude=0.85 wave3.length=47" },
     { "swell", "camera.heading=16 camera.y=1.6 camera.pitch=-1 camera.fov=46 "
                "grid.vertices=2700 "
                "wave0.amplitude=0.1 wave1.amplitude=0.05 wave2.amplitude=0.03" },
