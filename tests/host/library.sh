@@ -100,7 +100,7 @@ same "a value that is set shows" "$(use set sea.ini wave0.amplitude=0.9)" \
 0 hand wave0.amplitude = 0.9"
 same "so does a picture" "$(use set sea.ini layer0.texture=other.png | sed 1q)" \
     "set, another picture: "
-same "what makes the world anew too" "$(use set sea.ini grid.cols=20 | sed 1q)" \
+same "what makes the world anew too" "$(use set sea.ini grid.vertices=700 | sed 1q)" \
     "set, another picture: "
 same "what is out of range is refused, and nothing changes" \
     "$(use set sea.ini wave0.amplitude=900)" \
