@@ -88,12 +88,25 @@ typedef struct tp_fan {
 uint32_t tp_fan_most_cols(uint32_t vertices);
 uint32_t tp_fan_most_rows(uint32_t vertices);
 
-/* Returns the level direction of the rows, a unit vector.  A tank's rows lie along x or
+/* fan_view.c: returns the level direction of the rows, a unit vector.  A tank's rows lie along x or
  * z. */
 tp_dir3 tp_fan_rows_direction(const tp_rotation *turn, bool walled);
 
 /* Returns the numbers of a grid's view. */
 tp_fan_view tp_fan_view_make(const tp_grid_view *view);
+
+#define TP_FAN_WIDEST (22000 * TP_FX_ONE)   /* from the eye to a row's ends at most, m */
+
+/* Range of distances along the heading, m. */
+typedef struct {
+    int64_t first, last;
+} tp_fan_range;
+
+/* Returns the distances of the water in view, up to +-last. */
+tp_fan_range tp_fan_visible_range(const tp_fan_view *view, tp_dir3 right, tp_fx last);
+
+/* Returns half the width of the view per metre of depth, 16.16. */
+tp_fx tp_fan_half_width_per_depth(const tp_fan_view *view, tp_dir3 right);
 
 /* fan_law.c: solves the law for a view; returns row n of law->rows, from the nearest. */
 tp_fan_law tp_fan_law_solve(const tp_fan_view *view, uint32_t vertices);
@@ -134,6 +147,12 @@ void tp_fan_fill_variance(const tp_grid *grid, tp_filtered_waves *filtered);
 tp_fan_law tp_fan_tank_law(const tp_fan_view *view, uint32_t vertices);
 tp_fan_row tp_fan_tank_row(const tp_fan_law *law, const tp_fan_view *view, uint32_t n);
 tp_fx tp_fan_tank_end(const tp_fan_law *law, const tp_fan_view *view);
+
+/* fan_vertices.c: evaluates vertices first to end - 1 of row j into `vertex`, by index;
+ * returns a vertex before projection, its slopes 0. */
+void tp_fan_evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
+                         tp_grid_vertex *vertex);
+tp_view_vertex tp_fan_make_view_vertex(const tp_grid *grid, uint32_t i, uint32_t j);
 
 /* Returns first + i step; the product alone may be out of range. */
 static inline tp_fx tp_fan_place(tp_fx first, tp_fx step, uint32_t i)

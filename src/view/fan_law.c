@@ -6,11 +6,7 @@
 
 #define LEAST_HEIGHT TP_FX(0.5)
 #define FARTHEST  (16000 * TP_FX_ONE)
-#define WIDEST    (22000 * TP_FX_ONE)   /* from the eye to the end of the last row, m */
-/* The columns' origin lies behind the eye by a quarter of the height, and rows are wider
- * than the view by an eighth of that; both have a limit. */
 #define SET_BACK  (2 * TP_FX_ONE)
-#define MARGIN    (TP_FX_ONE / 2)
 
 /* Growth of the spacing beyond r*, in powers of r more than before; powers of 2.  Beyond
  * rings and pools without swells nothing is left to hold, and few rows are enough. */
@@ -74,121 +70,6 @@ static int32_t asinh_q24(tp_fx d, tp_fx height)
 static tp_fx metres(tp_fx height, int64_t share_q20)
 {
     return (tp_fx)(height * share_q20 >> 20);
-}
-
-/* -- the view ------------------------------------------------------------------------ */
-
-/* A direction in the frame of the rows, in px, 16.16. */
-typedef struct {
-    int64_t ahead, side, down;
-} fan_ray;
-
-/* Returns focal ahead + u right + v up; u and v in px. */
-static fan_ray make_ray(const tp_projection *p, tp_dir3 right, int32_t u, int32_t v)
-{
-    const int64_t a = p->focal, b = (int64_t)u * TP_FX_ONE, c = (int64_t)v * TP_FX_ONE;
-    const tp_dir3 *x = &p->turn.x, *y = &p->turn.y, *z = &p->ahead;
-    const int64_t east = (a * z->x + b * x->x + c * y->x) >> 30;
-    const int64_t south = (a * z->z + b * x->z + c * y->z) >> 30;
-
-    return (fan_ray){ (east * right.z - south * right.x) >> 30,
-                      (east * right.x + south * right.z) >> 30,
-                      -((a * z->y + b * x->y + c * y->y) >> 30) };
-}
-
-/* A camera that lies on its side has its own right upright.  The rows' heading points into
- * the view, upside down, too: the law is for distances ahead. */
-tp_dir3 tp_fan_rows_direction(const tp_rotation *turn, bool walled)
-{
-    const tp_dir3 x = tp_abs(turn->x.y) > TP_Q30(0.9) ? turn->y : turn->x, z = turn->z;
-    const bool behind = (int64_t)x.x * z.z < (int64_t)x.z * z.x;
-
-    if (walled && tp_abs(x.x) >= tp_abs(x.z))
-        return (tp_dir3){ (x.x < 0) != behind ? -TP_Q30_ONE : TP_Q30_ONE, 0, 0 };
-    if (walled)
-        return (tp_dir3){ 0, 0, (x.z < 0) != behind ? -TP_Q30_ONE : TP_Q30_ONE };
-    return behind ? tp_normalise(-x.x, 0, -x.z) : tp_normalise(x.x, 0, x.z);
-}
-
-/* Range of distances, m. */
-typedef struct {
-    int64_t first, last;
-} range;
-
-static void widen(range *r, int64_t d)
-{
-    r->first = d < r->first ? d : r->first;
-    r->last = d > r->last ? d : r->last;
-}
-
-/* Widens the range by the water's highest and lowest level on a ray; true if the ray meets
- * one of them. */
-static bool widen_by_ray(range *r, const fan_ray *ray, int64_t eye, int64_t height,
-                         int64_t high)
-{
-    bool meets = false;
-
-    for (int k = 0; k < 2; k++) {
-        const int64_t drop = eye + (k ? height : -high);
-        if (ray->down == 0 || (drop < 0) != (ray->down < 0))
-            continue;
-        widen(r, tp_clamp_abs(ray->ahead * drop / ray->down, WIDEST));
-        meets = true;
-    }
-    return meets;
-}
-
-/* Returns the level that the nearest rays reach first, m: land under the eye, with room for
- * land that rises ahead, or `height`. */
-static int64_t highest_level(const tp_fan_view *view, int64_t height)
-{
-    const int64_t land = view->land, eye = view->projection->eye.y;
-    const int64_t under = eye > land ? land + (eye - land) / 4 : eye;
-
-    return land > -height && under > height ? under : height;
-}
-
-/* Returns the distances of the water in view: between the rays of the picture's corners,
- * and up to the horizon if that is in the picture. */
-static range visible_range(const tp_fan_view *view, tp_dir3 right, tp_fx last)
-{
-    const int32_t u = (int32_t)view->width / 2 + 1, v = (int32_t)view->height / 2 + 1;
-    const int64_t eye = view->projection->eye.y;
-    const int64_t height = view->high + TP_FX_ONE / 4;
-    const int64_t room = (int64_t)view->aside + MARGIN;
-    const int64_t high = highest_level(view, height);
-    const fan_ray middle = make_ray(view->projection, right, 0, 0);
-    range r = { INT64_MAX / 2, INT64_MIN / 2 };
-    int down = 0, met = 0;
-
-    for (int k = 0; k < 4; k++) {
-        const fan_ray ray = make_ray(view->projection, right, k & 1 ? u : -u,
-                                     k & 2 ? v : -v);
-        down += ray.down > 0;
-        met += widen_by_ray(&r, &ray, eye, height, high);
-    }
-    if (met == 0 || (eye <= high && -eye < height))
-        widen(&r, 0);
-    if (down % 4 != 0)
-        widen(&r, middle.ahead < 0 ? -(int64_t)last : last);
-    return (range){ tp_clamp_abs(r.first - room, last),
-                    tp_clamp_abs(r.last + room, last) };
-}
-
-/* Returns half the width of the view per metre of depth, 16.16. */
-static tp_fx half_width_per_depth(const tp_fan_view *view, tp_dir3 right)
-{
-    const int32_t u = (int32_t)view->width / 2 + 1, v = (int32_t)view->height / 2 + 1;
-    const tp_projection *p = view->projection;
-    const fan_ray ahead = make_ray(p, right, 0, 0), x = make_ray(p, right, u, 0),
-                  y = make_ray(p, right, 0, v);
-    const int64_t skew = ahead.side < 0 ? -ahead.side : ahead.side;
-    const int64_t wide = x.side - ahead.side, high = y.side - ahead.side;
-    const int64_t side = skew + (wide < 0 ? -wide : wide) + (high < 0 ? -high : high);
-    const int64_t per_depth = (side << 16) / p->focal;
-    const int64_t kept = TP_FX_ONE - per_depth * skew / p->focal;  /* of a skewed row */
-
-    return (tp_fx)((per_depth << 16) / (kept > TP_FX_ONE / 4 ? kept : TP_FX_ONE / 4));
 }
 
 /* -- the law ------------------------------------------------------------------------- */
@@ -293,14 +174,14 @@ static tp_fan_law solve(const tp_fan_view *view, uint32_t vertices)
                        .tail = view->half_longest > 0 || view->detail == 0 ? SWELLS_TAIL
                                                                           : DETAIL_TAIL,
                        .height = up > LEAST_HEIGHT ? up : LEAST_HEIGHT };
-    law.wide = half_width_per_depth(view, law.right);
+    law.wide = tp_fan_half_width_per_depth(view, law.right);
     if (law.height < least)
         law.height = least;
     const int64_t corner = tp_isqrt64(((uint64_t)1 << 32)      /* per metre of distance */
                                       + (uint64_t)((int64_t)law.wide * law.wide));
-    const int64_t most = ((int64_t)WIDEST << 16) / corner;
+    const int64_t most = ((int64_t)TP_FAN_WIDEST << 16) / corner;
     law.farthest = most < FARTHEST ? (tp_fx)most : FARTHEST;
-    const range r = visible_range(view, law.right, law.farthest);
+    const tp_fan_range r = tp_fan_visible_range(view, law.right, law.farthest);
 
     law.last = (tp_fx)r.last;
     law.start = asinh_q24((tp_fx)r.first, law.height);
@@ -327,7 +208,7 @@ static tp_fx row_distance(const tp_fan_law *law, uint32_t n, tp_fx *along)
     int64_t root = left > 1 ? left : 1;                                       /* Q24 */
     for (int k = 1; k < law->tail; k *= 2)
         root = tp_isqrt64((uint64_t)root << 24);
-    const int64_t r = tp_clamp_abs(((int64_t)law->waves_end << 24) / root, WIDEST);
+    const int64_t r = tp_clamp_abs(((int64_t)law->waves_end << 24) / root, TP_FAN_WIDEST);
     const int64_t over = (r << 16) / law->waves_end;         /* 16.16, below 2^31 */
     if (n + 1 == law->rows) {           /* the end, which `left` has no digits for */
         *along = TP_FX_MAX;
@@ -350,7 +231,8 @@ static tp_fx gain_bound(const tp_fan_view *view, int64_t spacing)
 }
 
 /* Returns half the width of the view on a row; waves may raise the row.  `gain` bounds the
- * gain of the row's waves. */
+ * gain of the row's waves.  The columns' origin lies behind the eye by a quarter of the
+ * height, at most SET_BACK, and rows are wider than the view by a quarter of that. */
 static int64_t row_half_width(const tp_fan_law *law, const tp_fan_view *view, tp_fx d,
                               tp_fx gain)
 {
@@ -364,7 +246,7 @@ static int64_t row_half_width(const tp_fan_law *law, const tp_fan_view *view, tp
     const int64_t back = law->height / 4 < SET_BACK ? law->height / 4 : SET_BACK;
     depth = (depth > 0 ? depth : 0) + back;
     return tp_clamp_abs((depth * law->wide >> 16) + back / 4
-                        + ((int64_t)view->aside * gain >> 16), WIDEST);
+                        + ((int64_t)view->aside * gain >> 16), TP_FAN_WIDEST);
 }
 
 /* Sets the distance of row n and its spacing along; returns half the width. */
