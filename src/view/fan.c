@@ -140,5 +140,5 @@ static tp_grid_extent fan_extent(const tp_grid_view *view, bool along_z)
 }
 
 const struct tp_water_fan tp_water_fan = { layout_fan, place_fan, tp_fan_evaluate_row,
-                                           tp_fan_make_view_vertex, tp_fan_fill_variance,
+                                           tp_fan_make_view_vertices, tp_fan_fill_variance,
                                            fan_extent };

@@ -148,11 +148,12 @@ tp_fan_law tp_fan_tank_law(const tp_fan_view *view, uint32_t vertices);
 tp_fan_row tp_fan_tank_row(const tp_fan_law *law, const tp_fan_view *view, uint32_t n);
 tp_fx tp_fan_tank_end(const tp_fan_law *law, const tp_fan_view *view);
 
-/* fan_vertices.c: evaluates vertices first to end - 1 of row j into `vertex`, by index;
- * returns a vertex before projection, its slopes 0. */
+/* fan_vertices.c: evaluates vertices first to end - 1 of row j: into vertex[first] and on;
+ * into to[0] and on before projection, with slopes of 0. */
 void tp_fan_evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
                          tp_grid_vertex *vertex);
-tp_view_vertex tp_fan_make_view_vertex(const tp_grid *grid, uint32_t i, uint32_t j);
+void tp_fan_make_view_vertices(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
+                               tp_view_vertex *to);
 
 /* Returns first + i step; the product alone may be out of range. */
 static inline tp_fx tp_fan_place(tp_fx first, tp_fx step, uint32_t i)
@@ -191,7 +192,8 @@ struct tp_water_fan {
     void (*place)(tp_grid *grid, const tp_grid_view *view);
     void (*row)(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
                 tp_grid_vertex *vertex);
-    tp_view_vertex (*corner)(const tp_grid *grid, uint32_t i, uint32_t j);
+    void (*corners)(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
+                    tp_view_vertex *to);
     void (*fill_variance)(const tp_grid *grid, tp_filtered_waves *filtered);
     /* Returns the extent of level water along an axis, for renderers without a grid. */
     tp_grid_extent (*extent)(const tp_grid_view *view, bool along_z);

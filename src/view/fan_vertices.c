@@ -221,12 +221,14 @@ void tp_fan_evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32
     }
 }
 
-tp_view_vertex tp_fan_make_view_vertex(const tp_grid *grid, uint32_t i, uint32_t j)
+void tp_fan_make_view_vertices(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
+                               tp_view_vertex *to)
 {
-    tp_view_vertex c = { .s = tp_grid_s(grid, i, j), .t = tp_grid_t(grid, i, j) };
     row_waves waves;
 
     list_waves(grid, &grid->fan->row[j], &waves);
-    tp_projection_view_vertex(grid->frame.projection, sample(&waves, i).position, &c);
-    return c;
+    for (uint32_t i = first; i < end; i++, to++) {
+        *to = (tp_view_vertex){ .s = tp_grid_s(grid, i, j), .t = tp_grid_t(grid, i, j) };
+        tp_projection_view_vertex(grid->frame.projection, sample(&waves, i).position, to);
+    }
 }

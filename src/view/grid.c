@@ -177,18 +177,21 @@ static tp_view_vertex make_view_vertex(const tp_grid *grid, uint32_t i, uint32_t
                                       is_vertex_at_rest(grid, i, j));
 }
 
-tp_view_vertex tp_grid_make_view_vertex(const tp_grid *grid, const tp_grid_vertex *vertex,
-                                        uint32_t i, uint32_t j)
+void tp_grid_make_view_vertices(const tp_grid *grid, const tp_grid_vertex *row, uint32_t j,
+                                uint32_t first, uint32_t end, tp_view_vertex *to)
 {
-    TP_ASSERT(i < grid->cols && j < grid->rows);
-    tp_view_vertex c = tp_grid_is_coastal(grid)
-                           ? grid->frame.surface->by->coastal->corner(grid, i, j)
-                       : grid->fan ? grid->frame.surface->by->fan->corner(grid, i, j)
-                                   : make_view_vertex(grid, i, j);
+    TP_ASSERT(first <= end && end <= grid->cols && j < grid->rows);
+    const tp_wave_models *by = grid->frame.surface->by;
+    const bool coastal = tp_grid_is_coastal(grid), fan = grid->fan && !coastal;
 
-    c.n[0] = vertex->slope_x;
-    c.n[1] = vertex->slope_z;
-    return c;
+    if (fan)
+        by->fan->corners(grid, j, first, end, to);
+    for (uint32_t i = first; i < end; i++, to++) {
+        if (!fan)
+            *to = coastal ? by->coastal->corner(grid, i, j) : make_view_vertex(grid, i, j);
+        to->n[0] = row[i].slope_x;
+        to->n[1] = row[i].slope_z;
+    }
 }
 
 /* Evaluates the vertices of a row in runs.  A run ends at every TP_VERTEX_BATCH-th column

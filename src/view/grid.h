@@ -145,11 +145,11 @@ tp_grid_window tp_grid_window_init(void *memory);
 void tp_grid_window_load(const tp_grid *grid, tp_grid_window *window, uint32_t j,
                          uint32_t first, uint32_t end);
 
-/* Evaluates a vertex of a visible cell again, before projection, for cells that need
- * clipping.  Projection and surface are those of the last tp_grid_evaluate_vertices;
- * slopes come from `vertex`. */
-tp_view_vertex tp_grid_make_view_vertex(const tp_grid *grid, const tp_grid_vertex *vertex,
-                                        uint32_t i, uint32_t j);
+/* Evaluates vertices first to end - 1 of row j again, before projection, for visible cells
+ * that need clipping: to[0] is vertex `first`.  Projection and surface are those of the last
+ * tp_grid_evaluate_vertices; slopes come from the row's vertices, row[0] at column 0. */
+void tp_grid_make_view_vertices(const tp_grid *grid, const tp_grid_vertex *row, uint32_t j,
+                                uint32_t first, uint32_t end, tp_view_vertex *to);
 
 /* -- coastal water ------------------------------------------------------------------- */
 

@@ -33,6 +33,9 @@ static inline void *grid_block(tp_grid *grid, uint32_t cols, uint32_t rows, bool
 /* View corner of a grid vertex, for a placed grid that stores its vertices. */
 static inline tp_view_vertex grid_corner(const tp_grid *grid, uint32_t i, uint32_t j)
 {
-    return tp_grid_make_view_vertex(grid, &grid->vertex[j * grid->cols + i], i, j);
+    tp_view_vertex c;
+
+    tp_grid_make_view_vertices(grid, &grid->vertex[(size_t)j * grid->cols], j, i, i + 1, &c);
+    return c;
 }
 #endif

@@ -12,6 +12,7 @@
 #include "view/fan.h"
 #include "view/wave_models.h"
 #include "tests/lib/camera.h"
+#include "tests/lib/grids.h"
 
 #define METRE 65536.0
 #define Q24 16777216.0
@@ -205,8 +206,7 @@ static bool keeps_all(const sea *s, uint32_t j)
 /* Compares a vertex with the surface of waves that are as high as the row makes them. */
 static void check_vertex(const sea *s, uint32_t i, uint32_t j)
 {
-    const tp_view_vertex c = tp_grid_make_view_vertex(
-        &s->grid, &s->grid.vertex[j * s->grid.cols + i], i, j);
+    const tp_view_vertex c = grid_corner(&s->grid, i, j);
     tp_deep_water raised = s->deep;
     tp_surface surface = s->surface;
     tp_view_vertex want;
