@@ -114,17 +114,23 @@ static void set_grid_view(tp_frame *frame)
             u->module->detail(frame->scene, flat, &frame->grid_view.detail);
 }
 
+/* True if the renderer has no grid, and so filters no waves. */
+static bool is_level(tp_visibility visibility)
+{
+    return visibility == TP_VISIBILITY_PROJECTED || visibility == TP_VISIBILITY_FLAT;
+}
+
 void tp_frame_choose_visibility(tp_frame *frame)
 {
     const struct tp_water_renderer *method =
         tp_frame_renderer(frame->program, frame->rungs.visibility);
 
     set_grid_view(frame);
-    if (frame->buffers.filtered)        /* renderers without a grid filter nothing */
-        tp_filtered_waves_clear(frame->buffers.filtered);
     frame->visibility = frame->rungs.visibility;
     if (!method || (method->holds && !method->holds(frame)))
         frame->visibility = TP_VISIBILITY_TRIANGLES;
+    if (frame->buffers.filtered && is_level(frame->visibility))
+        tp_filtered_waves_clear(frame->buffers.filtered);
 }
 
 /* Places the surface.  Without a valid renderer no water is drawn. */

@@ -7,11 +7,13 @@
 
 /* -- layout -------------------------------------------------------------------------- */
 
-static void layout_fan(tp_grid *grid, tp_arena *arena, uint32_t vertices, bool streams)
+static void layout_fan(tp_grid *grid, tp_arena *arena, uint32_t vertices, uint32_t swells,
+                       bool streams)
 {
     const uint32_t cols = tp_fan_most_cols(vertices), rows = tp_fan_most_rows(vertices);
     tp_fan *fan = tp_arena_alloc(arena, 1, sizeof *fan);
     tp_fan_row *row = tp_arena_alloc(arena, rows, sizeof *row);
+    tp_fan_swell *swell = tp_arena_alloc(arena, swells, sizeof *swell);
 
     memset(grid, 0, sizeof *grid);
     grid->most_cols = cols;
@@ -25,7 +27,8 @@ static void layout_fan(tp_grid *grid, tp_arena *arena, uint32_t vertices, bool s
     grid->window = tp_grid_window_init(streams ? vertex : NULL);
     grid->fan = fan;
     if (fan)
-        *fan = (tp_fan){ .row = row, .vertices = vertices };
+        *fan = (tp_fan){ .row = row, .vertices = vertices, .filtered_for = swell,
+                         .most_swells = swells };
 }
 
 /* -- visible cells ------------------------------------------------------------------- */
@@ -93,31 +96,53 @@ static tp_fx wind_share(const tp_surface *surface, uint32_t i)
     return reach > along ? (tp_fx)(((int64_t)along << 16) / reach) : TP_FX_ONE;
 }
 
-static void place_fan(tp_grid *grid, const tp_grid_view *view)
+/* Places rows and visible cells by the law. */
+static void place_rows(tp_grid *grid, const tp_grid_view *view, const tp_fan_view *numbers)
 {
-    const tp_surface *surface = view->surface;
     tp_fan *fan = grid->fan;
-    const tp_fan_view numbers = tp_fan_view_make(view);
     tp_plane planes[TP_PROJECTION_PLANES];
 
-    fan->law = tp_fan_law_solve(&numbers, fan->vertices);
-    fan->detail = numbers.detail;
-    fan->end_column = numbers.walled ? fan->law.cols - 1 : UINT32_MAX;
-    fan->end = numbers.walled ? tp_fan_tank_end(&fan->law, &numbers) : 0;
+    fan->detail = numbers->detail;
+    fan->end_column = numbers->walled ? fan->law.cols - 1 : UINT32_MAX;
+    fan->end = numbers->walled ? tp_fan_tank_end(&fan->law, numbers) : 0;
     grid->cols = fan->law.cols;
     grid->rows = fan->law.rows;
     grid->blocks = (grid->cols - 2) / TP_GRID_BLOCK + 1;
     for (uint32_t j = 0; j < grid->rows; j++)
-        fan->row[j] = tp_fan_law_row(&fan->law, &numbers, grid->rows - 1 - j);
+        fan->row[j] = tp_fan_law_row(&fan->law, numbers, grid->rows - 1 - j);
+    grid->frame.max_displacement = tp_fx_saturate(
+        ((int64_t)numbers->high + numbers->aside) * TP_FAN_GAIN >> 16);
+    tp_projection_planes(view->projection, view->width, view->height, planes);
+    for (uint32_t j = 0; j + 1 < grid->rows; j++)
+        grid->span[j] = visible_cells(grid, planes, j);
+}
+
+/* Updates the law and the numbers of the rows beyond those; true if one has changed. */
+static bool update_numbers(tp_fan *fan, const tp_fan_view *numbers)
+{
+    const tp_projection *p = numbers->projection;
+    const tp_fx rows_for[] = { p->eye.x, p->eye.z, p->near };
+    const bool solved = tp_fan_law_update(&fan->law, fan->law_for, numbers,
+                                           fan->vertices);
+    const bool moved = memcmp(rows_for, fan->rows_for, sizeof rows_for) != 0;
+
+    memcpy(fan->rows_for, rows_for, sizeof rows_for);
+    return solved || moved;
+}
+
+static void place_fan(tp_grid *grid, const tp_grid_view *view)
+{
+    const tp_surface *surface = view->surface;
+    const tp_fan_view numbers = tp_fan_view_make(view);
+    tp_fan *fan = grid->fan;
+
+    fan->moved = update_numbers(fan, &numbers);
+    if (fan->moved)
+        place_rows(grid, view, &numbers);
     for (uint32_t i = 0; surface->coastal && i < surface->deep->count; i++)
         fan->wind[i] = wind_share(surface, i);
     grid->frame.projection = view->projection;
     grid->frame.surface = surface;
-    grid->frame.max_displacement = tp_fx_saturate(
-        ((int64_t)numbers.high + numbers.aside) * TP_FAN_GAIN >> 16);
-    tp_projection_planes(view->projection, view->width, view->height, planes);
-    for (uint32_t j = 0; j + 1 < grid->rows; j++)
-        grid->span[j] = visible_cells(grid, planes, j);
     grid->window = tp_grid_window_init(grid->window.memory);
     grid->vertices = 0;
     grid->sheets = 0;
@@ -125,20 +150,23 @@ static void place_fan(tp_grid *grid, const tp_grid_view *view)
 
 /* -- level water --------------------------------------------------------------------- */
 
-static tp_grid_extent fan_extent(const tp_grid_view *view, bool along_z)
+static void fan_extents(tp_fan_kept_law *kept, const tp_grid_view *view,
+                        tp_grid_extent extent[2])
 {
     const tp_fan_view numbers = tp_fan_view_make(view);
-    const tp_fan_law law = tp_fan_law_solve(&numbers, view->vertices);
     const tp_vec3 eye = view->projection->eye;
-    const tp_fx at = along_z ? eye.z : eye.x, far = law.farthest;
-    const tp_fx calm = law.waves_end < far ? law.waves_end : far;
 
-    return (tp_grid_extent){ tp_fx_saturate((int64_t)at - far),
-                             tp_fx_saturate((int64_t)at + far),
-                             { tp_fx_saturate((int64_t)at - calm),
-                               tp_fx_saturate((int64_t)at + calm) }, calm / 8 };
+    tp_fan_law_update(&kept->law, kept->made_for, &numbers, view->vertices);
+    const tp_fan_law *law = &kept->law;
+    const tp_fx far = law->farthest, calm = law->waves_end < far ? law->waves_end : far;
+    for (int axis = 0; axis < 2; axis++) {
+        const int64_t at = axis ? eye.z : eye.x;
+        extent[axis] = (tp_grid_extent){ tp_fx_saturate(at - far), tp_fx_saturate(at + far),
+                                         { tp_fx_saturate(at - calm),
+                                           tp_fx_saturate(at + calm) }, calm / 8 };
+    }
 }
 
 const struct tp_water_fan tp_water_fan = { layout_fan, place_fan, tp_fan_evaluate_row,
                                            tp_fan_make_view_vertices, tp_fan_fill_variance,
-                                           fan_extent };
+                                           fan_extents };

@@ -26,7 +26,9 @@
  * of deep-sea from 12.4 to 12.5 (of 255).  A pixel of distant water is longer than a cell,
  * and a slope without its height lies at the wrong place.  More vertices are cheaper.
  *
- * Vertices have no table for columns: every vertex evaluates its waves.
+ * Vertices have no table for columns: every vertex evaluates its waves.  The weights of a
+ * row's waves are not kept either: rows times waves need 3.5 KB in storm and would save less
+ * than 0.3 M of its 70 M instructions a frame.
  *
  * Water that ends at the walls of a tank has rows along the tank's sides, with cells of
  * equal size (fan_tank.c).
@@ -51,12 +53,13 @@ typedef struct {
     tp_fx    high, aside;       /* bounds of the waves' height and displacement, m */
     tp_fx    land;              /* height of the land under the eye, m; TP_FX_MIN: none */
     tp_fx    detail;            /* length of the rings' and pools' waves, m; 0: none */
-    int64_t  detail_end;        /* largest distance of them along the heading, 16.16 m */
+    int64_t  detail_end;        /* largest distance of them along the heading, 16.16 m; 0
+                                 * without them */
     bool     walled;            /* the water ends at `sides` */
     tp_rectangle sides;
 } tp_fan_view;
 
-/* The law of the rows in one frame; u and its lengths are Q24. */
+/* The law of the rows; u and its lengths are Q24. */
 typedef struct {
     tp_dir3  right;             /* level unit vector along the rows, Q2.30 */
     tp_fx    height;            /* h, at least 1/2 m and what the waves need */
@@ -71,9 +74,31 @@ typedef struct {
     bool     walled;            /* rows of a tank */
 } tp_fan_law;
 
+#define TP_FAN_KEY 27           /* numbers that determine a law */
+
+/* A law kept between frames.  All 0: not solved yet. */
+typedef struct {
+    int32_t    made_for[TP_FAN_KEY];    /* numbers of the law; the first is > 0 */
+    tp_fan_law law;
+} tp_fan_kept_law;
+
+/* The numbers of a swell that the filter reads. */
+typedef struct {
+    int64_t turns_x, turns_z;
+    tp_q30  slope_x, slope_z;
+} tp_fan_swell;
+
+/* Law, rows, visible cells and slope variance are kept between frames while the numbers
+ * that determine them stay the same. */
 typedef struct tp_fan {
     tp_fan_law  law;
+    int32_t     law_for[TP_FAN_KEY];    /* its numbers; all 0: not solved yet */
     tp_fan_row *row;            /* from the farthest to the nearest */
+    tp_fx       rows_for[3];    /* numbers of the rows beyond those of the law: the eye's x
+                                 * and z, near */
+    bool        moved;          /* true: placed with other rows than before */
+    tp_fan_swell *filtered_for; /* swells of the slope variance */
+    uint32_t    swells, most_swells;
     tp_fx       detail;         /* length of the rings' and pools' waves, m; 0: none */
     tp_fx       wind[TP_WAVES]; /* share of the horizontal motion left by the wind */
     uint32_t    vertices;       /* the budget */
@@ -110,6 +135,12 @@ tp_fx tp_fan_half_width_per_depth(const tp_fan_view *view, tp_dir3 right);
 
 /* fan_law.c: solves the law for a view; returns row n of law->rows, from the nearest. */
 tp_fan_law tp_fan_law_solve(const tp_fan_view *view, uint32_t vertices);
+
+/* Solves the law again if a number that determines it has changed, and returns true then.
+ * *law and its numbers are those of the last call, or the numbers are 0.  The eye's x and z
+ * determine no law themselves, but the land under the eye and the end of rings and pools. */
+bool tp_fan_law_update(tp_fan_law *law, int32_t made_for[TP_FAN_KEY],
+                       const tp_fan_view *view, uint32_t vertices);
 tp_fan_row tp_fan_law_row(const tp_fan_law *law, const tp_fan_view *view, uint32_t n);
 
 /* fan_filter.c: returns the weight of a wave for a spacing: the share that points at this
@@ -140,7 +171,8 @@ tp_coastal_spacing tp_fan_row_spacing(const tp_fan *fan, const tp_fan_row *row,
 tp_slope_variance tp_fan_row_variance(const tp_fan *fan, const tp_fan_row *row,
                                       const tp_surface *surface, tp_fx unseen);
 
-/* Fills the slope variance of all rows. */
+/* Fills the slope variance of the rows placed last.  `filtered` keeps the variance if rows
+ * and swells are those of the last call; it must be cleared or filled by the same fan. */
 void tp_fan_fill_variance(const tp_grid *grid, tp_filtered_waves *filtered);
 
 /* fan_tank.c: the same for a tank; tp_fan_tank_end returns the place of the rows' end. */
@@ -188,15 +220,18 @@ static inline tp_fx tp_grid_t(const tp_grid *grid, uint32_t i, uint32_t j)
 
 /* Functions that a program links for fans. */
 struct tp_water_fan {
-    void (*layout)(tp_grid *grid, tp_arena *arena, uint32_t vertices, bool streams);
+    /* `swells`: number of swells that slope variance is kept for. */
+    void (*layout)(tp_grid *grid, tp_arena *arena, uint32_t vertices, uint32_t swells,
+                   bool streams);
     void (*place)(tp_grid *grid, const tp_grid_view *view);
     void (*row)(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
                 tp_grid_vertex *vertex);
     void (*corners)(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
                     tp_view_vertex *to);
     void (*fill_variance)(const tp_grid *grid, tp_filtered_waves *filtered);
-    /* Returns the extent of level water along an axis, for renderers without a grid. */
-    tp_grid_extent (*extent)(const tp_grid_view *view, bool along_z);
+    /* Sets the extent of level water along x and z, for renderers without a grid. */
+    void (*extents)(tp_fan_kept_law *kept, const tp_grid_view *view,
+                    tp_grid_extent extent[2]);
 };
 
 #endif

@@ -118,8 +118,30 @@ static tp_fx row_unseen_share(const tp_projection *p, const tp_fan_row *row, int
     return share < TP_FX_ONE ? (tp_fx)share : TP_FX_ONE;
 }
 
+/* Sets the swells that the variance is filled for; true if a number has changed, or if there
+ * is no room for all swells. */
+static bool set_filtered_swells(tp_fan *fan, const tp_deep_water *deep)
+{
+    bool changed = fan->swells != deep->count;
+
+    if (deep->count > fan->most_swells)
+        return true;
+    for (uint32_t i = 0; i < deep->count; i++) {
+        const tp_swell *w = &deep->swell[i];
+        tp_fan_swell *at = &fan->filtered_for[i];
+        changed = changed || at->turns_x != w->turns_x || at->turns_z != w->turns_z
+                  || at->slope_x != w->slope_x || at->slope_z != w->slope_z;
+        *at = (tp_fan_swell){ w->turns_x, w->turns_z, w->slope_x, w->slope_z };
+    }
+    fan->swells = deep->count;
+    return changed;
+}
+
 void tp_fan_fill_variance(const tp_grid *grid, tp_filtered_waves *filtered)
 {
+    if (!set_filtered_swells(grid->fan, grid->frame.surface->deep) && !grid->fan->moved
+        && filtered->has_row)
+        return;
     const tp_projection *p = grid->frame.projection;
     const tp_fan *fan = grid->fan;
     const int64_t x = p->ahead.x, y = p->ahead.y, z = p->ahead.z;

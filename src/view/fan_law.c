@@ -276,6 +276,40 @@ tp_fan_law tp_fan_law_solve(const tp_fan_view *view, uint32_t vertices)
     return raised.high - view->high <= TP_FX(0.125) ? law : solve(&raised, vertices);
 }
 
+/* Sets all numbers of the view that this file and fan_view.c read, but the eye's x and z;
+ * `ahead` is -turn.z. */
+static void set_key(int32_t key[TP_FAN_KEY], const tp_fan_view *view, uint32_t vertices)
+{
+    const tp_projection *p = view->projection;
+    const tp_rotation *turn = &p->turn;
+    const tp_rectangle *sides = &view->sides;
+    const int32_t numbers[TP_FAN_KEY] = {
+        (int32_t)view->width, (int32_t)view->height, (int32_t)vertices,
+        view->half_longest, view->shortest, view->high, view->aside, view->land,
+        view->detail, (int32_t)(view->detail_end >> 32),
+        (int32_t)(uint32_t)view->detail_end, view->walled,
+        sides->x0, sides->x1, sides->z0, sides->z1, p->eye.y, p->focal,
+        turn->x.x, turn->x.y, turn->x.z, turn->y.x, turn->y.y, turn->y.z,
+        turn->z.x, turn->z.y, turn->z.z,
+    };
+
+    TP_ASSERT(view->width > 0);
+    memcpy(key, numbers, sizeof numbers);
+}
+
+bool tp_fan_law_update(tp_fan_law *law, int32_t made_for[TP_FAN_KEY],
+                       const tp_fan_view *view, uint32_t vertices)
+{
+    int32_t key[TP_FAN_KEY];
+
+    set_key(key, view, vertices);
+    if (memcmp(key, made_for, sizeof key) == 0)
+        return false;
+    *law = tp_fan_law_solve(view, vertices);
+    memcpy(made_for, key, sizeof key);
+    return true;
+}
+
 tp_fan_row tp_fan_law_row(const tp_fan_law *law, const tp_fan_view *view, uint32_t n)
 {
     TP_ASSERT(n < law->rows && law->cols > 1);

@@ -48,7 +48,7 @@ tp_fan_view tp_fan_view_make(const tp_grid_view *view)
 
     measure_waves(&to, surface->deep);
     to.detail = view->detail.length;
-    to.detail_end = farthest_detail(view);
+    to.detail_end = to.detail > 0 ? farthest_detail(view) : 0;
     to.walled = view->detail.walled;
     to.sides = view->detail.sides;
     if (surface->coastal)

@@ -47,12 +47,12 @@ static void lay_out(sea *s, uint32_t vertices)
     tp_arena count = tp_arena_init(NULL, 0);
 
     s->look.vertices = vertices;
-    tp_water_fan.layout(&s->grid, &count, vertices, false);
+    tp_water_fan.layout(&s->grid, &count, vertices, TP_WAVES, false);
     s->block = malloc(count.used);
     assert_non_null(s->block);
     memset(s->block, 0xa5, count.used);
     tp_arena arena = tp_arena_init(s->block, count.used);
-    tp_water_fan.layout(&s->grid, &arena, vertices, false);
+    tp_water_fan.layout(&s->grid, &arena, vertices, TP_WAVES, false);
     assert_false(arena.failed);
 }
 
