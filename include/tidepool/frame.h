@@ -124,8 +124,8 @@ typedef struct tp_frame tp_frame;   /* lies at the start of the block */
 
 /* Returns the bytes of a frame's block.  0: the config or the scene is out of range.
  *
- * The numbers of the scene may change between pictures, except grid.cols, grid.rows,
- * grid.vertices and the names of files: tp_world_apply checks a change and applies it.
+ * The numbers of the scene may change between pictures, except grid.vertices and the
+ * names of files: tp_world_apply checks a change and applies it.
  *
  * Memory is fixed at init.  If the scene grows later, extra drops, rings and specks are
  * left out.  Features that were absent at init are not drawn: a floor, wind, mirror,
@@ -135,7 +135,7 @@ typedef struct tp_frame tp_frame;   /* lies at the start of the block */
 size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene);
 
 /* Return the bytes of one tile's scratch, for tp_frame_draw_tile and for
- * tp_frame_draw_tile_direct.  A program with tp_method_streamed needs two lines of grid
+ * tp_frame_draw_tile_direct.  A program with tp_method_streamed needs two rows of grid
  * vertices more; a program without the renderers rows and projected needs up to 24 bytes a
  * column less. */
 size_t tp_frame_scratch_bytes(const tp_config *config, const tp_scene *scene);

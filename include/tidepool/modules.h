@@ -76,8 +76,6 @@ TP_FORMAT_LIST(X)
 
 #define TP_WATER_LIST(X) \
     X(swells)       /* sums of waves; without them the water is level */ \
-    X(sharp)        /* sharpened crests of swells (wave.exponent) */ \
-    X(fan)          /* grid as a fan to the horizon (grid.vertices) */ \
     X(coastal)      /* coastal water: over a floor or in a wind; needs swells */ \
     X(rings) X(pools)
 
@@ -124,10 +122,9 @@ typedef struct {
 
 /* Replaces tp_method_triangles in programs with little RAM.  Grid vertices are not stored
  * but computed line by line in tp_frame_begin, and again for each tile that they touch.
- * The picture is the same to the bit, with rows too, but drawn as triangles where the
- * camera looks along x.  Two lines of vertices, 32 bytes for each of grid.cols, lie in the
- * block, and two in the scratch of tp_frame_scratch_bytes().  The block has room for the
- * number of waves at init.  Coastal water over a floor is stored all the same. */
+ * The picture is the same to the bit.  Two rows of vertices lie in the block, and two in
+ * the scratch of tp_frame_scratch_bytes().  Coastal water over a floor is stored all the
+ * same. */
 extern const struct tp_water_renderer tp_method_streamed;
 
 #define X(name) extern const struct tp_draw_##name tp_draw_##name;

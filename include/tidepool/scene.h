@@ -189,7 +189,7 @@ typedef struct tp_scene {
         int32_t colour;
     } foam;
     struct { int32_t count; tp_fx crest, impact, size; } spray;
-    struct { int32_t cols, rows; tp_fx cell, reach; int32_t follow, vertices; } grid;
+    struct { int32_t vertices; } grid;         /* 0: by the water, see the row */
     tp_wave wave[TP_WAVES];
     struct {
         tp_fx   depth;                      /* m; 0 and no map: deep water */

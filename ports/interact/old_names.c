@@ -66,8 +66,13 @@ const old_name *old_name_find(const char *name, size_t bytes)
 
 const char *old_name_why_gone(const char *name, size_t bytes)
 {
-    return tp_string_view_equals((tp_string_view){ name, bytes }, "quality.lod")
-               ? "grid.vertices sets the detail of the grid at every distance" : NULL;
+    static const char *const gone[] = { "quality.lod", "grid.cols", "grid.rows", "grid.cell",
+                                        "grid.reach", "grid.follow" };
+
+    for (size_t i = 0; i < sizeof gone / sizeof *gone; i++)
+        if (tp_string_view_equals((tp_string_view){ name, bytes }, gone[i]))
+            return "grid.vertices sets the detail of the grid at every distance";
+    return NULL;
 }
 
 static size_t length(const char *text)

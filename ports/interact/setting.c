@@ -14,9 +14,7 @@ void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
 
 bool setting_is_grid(const tp_param *param)
 {
-    return param->offset == offsetof(tp_scene, grid.cols)
-        || param->offset == offsetof(tp_scene, grid.rows)
-        || param->offset == offsetof(tp_scene, grid.vertices);
+    return param->offset == offsetof(tp_scene, grid.vertices);
 }
 
 bool setting_is_wall(const tp_param *param, const tp_assets *assets)

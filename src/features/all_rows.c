@@ -91,17 +91,8 @@ static const tp_param rows[] = {
     TP_RIPPLE_ROWS,
     TP_REFLECTION_ROWS,
 
-    TP_ROW_COUNT("grid.cols", grid.cols, "points", 2, 1024, 100,
-        "points of an older mesh along x, if grid.vertices = 0"),
-    TP_ROW_COUNT("grid.rows", grid.rows, "points", 2, 1024, 100,
-        "points of an older mesh along z, if grid.vertices = 0"),
-    TP_ROW_NUMBER("grid.cell", grid.cell, "m", 0.01, 50, 1.5,
-        "distance between points of the older mesh"),
-    TP_ROW_NUMBER("grid.reach", grid.reach, "m", 0, 16000, 4000,
-        "distance of water beyond the older mesh; 0: the mesh alone"),
-    TP_ROW_SWITCH("grid.follow", grid.follow, 1, "the older mesh moves with the camera"),
     TP_ROW_COUNT("grid.vertices", grid.vertices, "points", 0, 65536, 0,
-        "points of the water's mesh, out to the horizon; 0: the older mesh"),
+        "vertices of the water's grid; 0: 1400, with a pool 6000, a tank 10000"),
 
     WAVE(0),  WAVE(1),  WAVE(2),  WAVE(3),  WAVE(4),  WAVE(5),  WAVE(6),  WAVE(7),
     WAVE(8),  WAVE(9),  WAVE(10), WAVE(11), WAVE(12), WAVE(13), WAVE(14), WAVE(15),

@@ -19,8 +19,6 @@ static void layout_renderers(tp_frame_buffers *p, tp_arena *arena,
                              const tp_program *program, const tp_scene *scene,
                              const tp_config *config)
 {
-    TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2);
-
     for (int v = TP_VISIBILITY_TRIANGLES; v <= TP_VISIBILITY_FLAT; v++) {
         const struct tp_water_renderer *method =
             tp_frame_renderer(program, (tp_visibility)v);
@@ -42,13 +40,7 @@ bool tp_frame_is_grid_streamed(const tp_program *program, const tp_scene *scene)
 {
     const struct tp_water_renderer *method = program->method.triangles;
     return method && method->streams
-           && ((tp_frame_uses_fan(program, scene) && !tp_has_floor(scene))
-               || !tp_frame_is_coastal(program, scene));
-}
-
-bool tp_frame_uses_fan(const tp_program *program, const tp_scene *scene)
-{
-    return program->water.fan && tp_has_fan(scene);
+           && (!tp_has_floor(scene) || !tp_frame_is_coastal(program, scene));
 }
 
 /* Returns the conditions that decide if a module is on, for a frame. */
@@ -202,10 +194,8 @@ static size_t tile_sample_count(const tp_config *c)
 
 static uint32_t streamed_cols(const tp_program *program, const tp_scene *scene)
 {
-    if (!tp_frame_is_grid_streamed(program, scene))
-        return 0;
-    return tp_frame_uses_fan(program, scene) ? tp_fan_most_cols(tp_fan_budget(scene))
-                                             : (uint32_t)scene->grid.cols;
+    return tp_frame_is_grid_streamed(program, scene)
+               ? tp_fan_most_cols(tp_fan_budget(scene)) : 0;
 }
 
 /* Returns the planes of a tile's samples: four, and four more for outlines.  The answer

@@ -38,7 +38,7 @@ typedef struct tp_frame_buffers {
     tp_grid         *grid;              /* NULL: no renderer stores grid vertices */
     tp_rung_mask     rung_mask;         /* rungs with memory */
     tp_level        *level;             /* level plane of flat and screen grid */
-    tp_fan_kept_law *level_law;         /* kept law of its extent; NULL: no fans linked */
+    tp_fan_kept_law *level_law;         /* kept law of its extent */
     tp_projected    *projected;
     tp_filtered_waves *filtered;        /* set by the grid's renderer; NULL: none */
     uint32_t        *slopes;            /* flat: slope grid, row by row */
@@ -114,9 +114,6 @@ static inline uint32_t tp_frame_lit_colour(const tp_frame *frame, uint32_t colou
     return tp_colour_times(colour, (uint32_t)frame->scene->light.colour);
 }
 
-/* True if the water's grid is a fan. */
-bool tp_frame_uses_fan(const tp_program *program, const tp_scene *scene);
-
 /* True if the water's grid vertices are streamed, not stored. */
 bool tp_frame_is_grid_streamed(const tp_program *program, const tp_scene *scene);
 tp_plan_input tp_frame_plan_input(const tp_program *program, const tp_scene *scene,
@@ -140,8 +137,7 @@ void tp_frame_draw_surface(const tp_frame *frame, tp_gbuffer *tile, void *memory
  * outline, lay out the slopes' memory, and compute the slopes. */
 #define TP_LATTICE_CELL 8       /* cell side, px */
 bool tp_frame_can_use_level_plane(const tp_frame *frame);
-void tp_frame_layout_level(tp_frame_buffers *buffers, tp_arena *arena,
-                           const tp_program *program);
+void tp_frame_layout_level(tp_frame_buffers *buffers, tp_arena *arena);
 void tp_frame_place_level(tp_frame *frame);
 void tp_frame_layout_slopes(tp_frame_buffers *buffers, tp_arena *arena,
                             const tp_scene *scene, const tp_config *config);
@@ -279,10 +275,9 @@ typedef struct {
     int16_t x0, x1;
 } tp_line_reach;
 
-/* Lines of the grid from near to far, their points from left to right. */
+/* Lines of the grid from far to near, their points from left to right. */
 typedef struct tp_frame_lines {
     uint32_t lines, points, blocks;     /* blocks per row of cells */
-    bool     lines_back, points_back;   /* true: traversed in descending order */
     const tp_grid_box *box;     /* lines x blocks boxes, in the grid's order */
     tp_frame_line  *line;       /* one for each row of cells, in the grid's order */
     tp_line_reach  *reach;      /* of each block of each line */

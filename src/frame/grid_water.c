@@ -186,9 +186,9 @@ void tp_frame_begin_grid(tp_frame *frame)
 {
     const tp_grid *grid = frame->buffers.grid;
 
-    tp_grid_set_lines_and_cells(frame->buffers.grid, &frame->grid_view);
+    tp_grid_place_rows(frame->buffers.grid, &frame->grid_view);
     if (frame->buffers.filtered)
-        frame->surface.by->fan->fill_variance(grid, frame->buffers.filtered);
+        tp_fan_fill_variance(grid, frame->buffers.filtered);
     frame->cull_water = frame->projection.eye.y > tp_surface_height_bound(&frame->surface);
     for (uint32_t j = 0; j + 1 < grid->rows; j++)
         frame->stats.triangles += 2u * (uint32_t)(grid->span[j].end - grid->span[j].first);
@@ -269,39 +269,17 @@ static void layout_water(tp_frame_buffers *buffers, tp_arena *arena,
     tp_grid *grid = layout_grid(buffers, arena, &counted);
 
     (void)config;
-    if (tp_frame_uses_fan(program, scene)) {
-        program->water.fan->layout(grid, arena, tp_fan_budget(scene), count_swells(scene),
-                                   tp_frame_is_grid_streamed(program, scene));
-        buffers->filtered = tp_arena_alloc(arena, 1, sizeof *buffers->filtered);
-        if (buffers->filtered)
-            tp_filtered_waves_clear(buffers->filtered);
-        if (tp_has_floor(scene) && tp_frame_is_coastal(program, scene))
-            program->water.coastal->layout(grid, arena, tp_fan_budget(scene));
-        return;
-    }
-    tp_grid_layout(grid, arena, (uint32_t)scene->grid.cols, (uint32_t)scene->grid.rows);
-    if (tp_frame_is_coastal(program, scene))
-        program->water.coastal->layout(grid, arena, grid->cols * grid->rows);
-}
-
-static void layout_streamed(tp_frame_buffers *buffers, tp_arena *arena,
-                            const tp_program *program, const tp_scene *scene,
-                            const tp_config *config)
-{
-    tp_grid counted;
-
-    if (!tp_frame_is_grid_streamed(program, scene)
-        || tp_frame_uses_fan(program, scene)) {
-        layout_water(buffers, arena, program, scene, config);
-        return;
-    }
-    tp_grid_layout_streamed(layout_grid(buffers, arena, &counted), arena,
-                           (uint32_t)scene->grid.cols, (uint32_t)scene->grid.rows,
-                           count_swells(scene));
+    tp_grid_layout(grid, arena, tp_fan_budget(scene), count_swells(scene),
+                   tp_frame_is_grid_streamed(program, scene));
+    buffers->filtered = tp_arena_alloc(arena, 1, sizeof *buffers->filtered);
+    if (buffers->filtered)
+        tp_filtered_waves_clear(buffers->filtered);
+    if (tp_has_floor(scene) && tp_frame_is_coastal(program, scene))
+        program->water.coastal->layout(grid, arena, tp_fan_budget(scene));
 }
 
 const struct tp_water_renderer tp_method_streamed = {
-    .layout = layout_streamed, .place = place_water, .draw = draw_water, .streams = true,
+    .layout = layout_water, .place = place_water, .draw = draw_water, .streams = true,
 };
 
 const struct tp_water_renderer tp_method_triangles = {

@@ -56,11 +56,8 @@ static level_ray corner_ray(const tp_frame *frame, int corner)
     v = corner & 2 ? v : -v;
     int64_t x = (turn->x.x * u + turn->y.x * v - turn->z.x * far) >> 30;
     int64_t z = (turn->x.z * u + turn->y.z * v - turn->z.z * far) >> 30;
-    if (frame->buffers.grid->fan) {
-        const tp_dir3 r = rows_direction(frame);
-        return (level_ray){ (z * r.x - x * r.z) >> 30, (x * r.x + z * r.z) >> 30 };
-    }
-    return (level_ray){ z, x };
+    const tp_dir3 r = rows_direction(frame);
+    return (level_ray){ (z * r.x - x * r.z) >> 30, (x * r.x + z * r.z) >> 30 };
 }
 
 /* Bends of a swell: along the lines, and along times across. */
@@ -68,8 +65,8 @@ typedef struct {
     int64_t along, cross;
 } line_bend;
 
-/* Turns the bends of a swell to the rows of a fan. */
-static line_bend fan_bend(const tp_swell *w, tp_dir3 right)
+/* Turns the bends of a swell to the direction of the rows. */
+static line_bend turned_bend(const tp_swell *w, tp_dir3 right)
 {
     const int64_t x = right.x >> 15, z = right.z >> 15;
     const int64_t xx = x * x >> 15, xz = x * z >> 15, zz = z * z >> 15;     /* Q15 */
@@ -80,20 +77,14 @@ static line_bend fan_bend(const tp_swell *w, tp_dir3 right)
     };
 }
 
-static line_bend bend_on_lines(const tp_frame *frame, const tp_swell *w)
-{
-    if (frame->buffers.grid->fan)
-        return fan_bend(w, rows_direction(frame));
-    return (line_bend){ w->bend_xx, w->bend_xz };
-}
-
 static bool is_line_order_kept(const tp_frame *frame, tp_fx t)
 {
     const tp_deep_water *deep = frame->surface.deep;
+    const tp_dir3 right = rows_direction(frame);
     int64_t sum = 0;
 
     for (uint32_t i = 0; i < deep->count; i++) {
-        const line_bend bend = bend_on_lines(frame, &deep->swell[i]);
+        const line_bend bend = turned_bend(&deep->swell[i], right);
         int64_t b = (bend.along - (bend.cross * t >> 16)) >> 14;
         sum += b < 0 ? -b : b;
     }
@@ -104,12 +95,9 @@ static bool is_line_order_kept(const tp_frame *frame, tp_fx t)
  * lines on each keep their order. */
 static bool are_lines_ordered_in_view(const tp_frame *frame)
 {
-    bool behind = frame->buffers.grid->fan || frame->projection.turn.z.z > 0;
-
     for (int corner = 0; corner < 4; corner++) {
-        level_ray ray = corner_ray(frame, corner);
-        int64_t across = behind ? -ray.across : ray.across;
-        int64_t along = behind ? -ray.along : ray.along;
+        const level_ray ray = corner_ray(frame, corner);
+        const int64_t across = -ray.across, along = -ray.along;
         if (across < TP_FX_ONE || (along < 0 ? -along : along) >= WIDEST_T * across)
             return false;
         if (!is_line_order_kept(frame, (tp_fx)(along * TP_FX_ONE / across)))
@@ -142,24 +130,21 @@ bool tp_frame_can_draw_rows(tp_frame *frame)
 /* Mean cell width, px, above which a row of cells of the water also gets a middle line,
  * drawn between its two grid lines.  WIDE_TILTED holds for a camera turned by more than
  * 14 degrees from the lines' normal: its rays go farther from line to line. */
-#define WIDE_CELL   16
-#define WIDE_TILTED 4
-#define WIDE_FAN    32          /* of a fan, whose waves are filtered to fit the cells */
+#define WIDE_CELL     32
+#define WIDE_TANK     16        /* a tank's pool is not filtered to fit the cells */
+#define WIDE_TILTED   4
 
 void tp_lines_layout(tp_frame_buffers *buffers, tp_arena *arena, const tp_program *program,
                      const tp_scene *scene, const tp_config *config)
 {
-    const uint32_t fan = tp_frame_uses_fan(program, scene) ? tp_fan_budget(scene) : 0;
-    const size_t cols = (size_t)scene->grid.cols;
-    const size_t lines = fan ? tp_fan_most_rows(fan) : (size_t)scene->grid.rows;
+    const uint32_t vertices = tp_fan_budget(scene), lines = tp_fan_most_rows(vertices);
 
+    (void)program;
     (void)config;
     tp_frame_lines *to = tp_arena_alloc(arena, 1, sizeof *to);
     const tp_frame_lines l = {
         .line = tp_arena_alloc(arena, lines, sizeof *l.line),
-        .reach = tp_arena_alloc(arena, fan ? TP_FAN_BLOCKS(fan, lines)
-                                       : lines * ((cols - 2) / TP_GRID_BLOCK + 1),
-                                sizeof *l.reach),
+        .reach = tp_arena_alloc(arena, TP_FAN_BLOCKS(vertices, lines), sizeof *l.reach),
     };
     if (to)
         *to = l;
@@ -198,21 +183,18 @@ void tp_line_ends(const tp_frame *frame, const tp_grid_window *window, uint32_t 
                   tp_row_point end[2])
 {
     tp_grid_span points = tp_line_points(frame, k);
-    bool back = frame->buffers.lines->points_back;
 
-    end[back] = tp_line_point(frame, window, k, points.first);
-    end[!back] = tp_line_point(frame, window, k, points.end - 1u);
+    end[0] = tp_line_point(frame, window, k, points.first);
+    end[1] = tp_line_point(frame, window, k, points.end - 1u);
 }
 
-/* Sets the order of the lines from near to far, and of their points from left to right. */
-static void set_order(tp_frame *frame)
+/* Sets the counts of lines and points.  Lines lie from far to near, points from left to
+ * right. */
+static void set_counts(tp_frame *frame)
 {
     const tp_grid *grid = frame->buffers.grid;
-    const bool to_low_z = frame->projection.turn.z.z > 0;       /* view direction */
     tp_frame_lines *lines = frame->buffers.lines;
 
-    lines->lines_back = grid->fan || to_low_z;
-    lines->points_back = !grid->fan && !to_low_z;
     lines->lines = grid->rows;
     lines->points = grid->cols;
     lines->blocks = (lines->points - 2) / TP_GRID_BLOCK + 1;
@@ -222,7 +204,7 @@ static void set_order(tp_frame *frame)
 static bool is_tilted(const tp_frame *frame)
 {
     const tp_dir3 *back = &frame->projection.turn.z;
-    const bool along_x = !frame->buffers.grid->fan || rows_direction(frame).x != 0;
+    const bool along_x = rows_direction(frame).x != 0;
     const int64_t along = along_x ? back->x : back->z, across = along_x ? back->z : back->x;
 
     return 4 * (along < 0 ? -along : along) > (across < 0 ? -across : across);
@@ -312,15 +294,15 @@ static void set_reach(tp_frame *frame, uint32_t k)
     }
 }
 
-/* Returns the width of a wide cell, px.  A fan of level water has few vertices, and its
- * textures need the middle lines. */
+/* Returns the width of a wide cell, px.  Level water has few vertices, and its textures
+ * need the middle lines. */
 static int32_t wide_cell(const tp_frame *frame)
 {
     const tp_fan *fan = frame->buffers.grid->fan;
 
-    if (fan && !fan->law.walled)
-        return frame->surface.deep->count == 0 && fan->detail == 0 ? WIDE_TILTED : WIDE_FAN;
-    return is_tilted(frame) ? WIDE_TILTED : WIDE_CELL;
+    if (!fan->law.walled)
+        return frame->surface.deep->count == 0 && fan->detail == 0 ? WIDE_TILTED : WIDE_CELL;
+    return is_tilted(frame) ? WIDE_TILTED : WIDE_TANK;
 }
 
 static void set_row(tp_frame *frame, uint32_t k)
@@ -349,7 +331,7 @@ void tp_lines_place(tp_frame *frame)
     const tp_frame_lines *lines = frame->buffers.lines;
 
     tp_frame_begin_grid(frame);
-    set_order(frame);
+    set_counts(frame);
     set_cells(frame);
     for (uint32_t k = 0; k < lines->lines; k++) {
         tp_frame_place_grid_line(frame, k);

@@ -89,18 +89,16 @@ static bool is_outside_tile(const walk *w, int32_t left, int32_t right)
 static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
 {
     const tp_frame *frame = w->frame;
-    bool back = frame->buffers.lines->points_back,
-         land = frame->buffers.grid->dry != NULL;
-    int32_t  way = back ? -1 : 1, m = back ? part.end : part.first;
-    int32_t  left = tp_line_vertex(&w->window, k, (uint32_t)m)->u;
+    const bool land = frame->buffers.grid->dry != NULL;
+    int32_t  left = tp_line_vertex(&w->window, k, part.first)->u;
     tp_row_point run[TP_GRID_BLOCK + 1];
     uint32_t count = 0;
 
-    for (int32_t n = part.end - part.first; n > 0; n--, m += way) {
+    for (uint32_t m = part.first; m < part.end; m++) {
         int32_t from = left;
-        left = tp_line_vertex(&w->window, k, (uint32_t)(m + way))->u;
+        left = tp_line_vertex(&w->window, k, m + 1)->u;
         bool out = is_outside_tile(w, from, left);
-        if (!out && land && is_land(frame, k, (uint32_t)(back ? m - 1 : m))) {
+        if (!out && land && is_land(frame, k, m)) {
             tp_rows_mark_gap(&w->rows, from, left);
             out = true;
         }
@@ -110,8 +108,8 @@ static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
             continue;
         }
         if (count == 0)
-            run[count++] = tp_line_point(frame, &w->window, k, (uint32_t)m);
-        run[count++] = tp_line_point(frame, &w->window, k, (uint32_t)(m + way));
+            run[count++] = tp_line_point(frame, &w->window, k, m);
+        run[count++] = tp_line_point(frame, &w->window, k, m + 1);
     }
     TP_ASSERT(count <= TP_GRID_BLOCK + 1);
     lay(w, run, count, how);
@@ -147,8 +145,7 @@ static void lay_line(walk *w, uint32_t k, int how)
     const tp_line_reach *reach = &w->frame->buffers.lines->reach[(size_t)k * lines->blocks];
     tp_grid_span points = tp_line_points(w->frame, k);
 
-    for (uint32_t n = 0; n < lines->blocks; n++) {
-        uint32_t b = lines->points_back ? lines->blocks - 1 - n : n;
+    for (uint32_t b = 0; b < lines->blocks; b++) {
         if (is_reached(w, reach[b]))
             lay_segments(w, k, tp_line_block_segments(points, b), how);
     }
@@ -183,14 +180,12 @@ static bool find_edge_middles(const walk *w, uint32_t k, uint32_t m, tp_row_poin
 
     for (uint32_t i = 0; i < 4; i++)
         p[i] = tp_line_point(frame, &w->window, k + i % 2, m + i / 2);
-    bool back = frame->buffers.lines->points_back;
-
     for (int i = 0; i < 4; i++)
         if (p[i].u == TP_GRID_NEEDS_CLIP)
             return false;
-    to[back ? 2 : 0] = edge_middle(&p[0], &p[1]);
+    to[0] = edge_middle(&p[0], &p[1]);
     to[1] = edge_middle(&p[0], &p[3]);
-    to[back ? 0 : 2] = edge_middle(&p[2], &p[3]);
+    to[2] = edge_middle(&p[2], &p[3]);
     return !tp_line_cell_is_dry(frame, k, m);
 }
 
@@ -213,9 +208,7 @@ static void lay_middles(walk *w, uint32_t k)
     const tp_frame *frame = w->frame;
     tp_grid_span cells = frame->buffers.lines->line[k].cells;
 
-    for (uint32_t n = cells.first; n < cells.end; n++) {
-        bool     back = frame->buffers.lines->points_back;
-        uint32_t m = back ? cells.end - 1u - (n - cells.first) : n;
+    for (uint32_t m = cells.first; m < cells.end; m++) {
         tp_row_point run[3];
         if (!is_beside_cell(w, k, m) && find_edge_middles(w, k, m, run))
             tp_rows_draw_line(&w->rows, run, 3);
@@ -228,13 +221,13 @@ static void lay_one(walk *w, const tp_row_point *a, const tp_row_point *b)
     tp_rows_draw_line(&w->rows, run, 2);
 }
 
-/* Draws line k after line `last`, with the left and right ends of the row of cells between
+/* Draws line k after line k + 1, with the left and right ends of the row of cells between
  * both. */
-static void lay_sided(walk *w, uint32_t last, uint32_t row, uint32_t k)
+static void lay_sided(walk *w, uint32_t k)
 {
     tp_row_point was[2], now[2];
 
-    tp_line_ends(w->frame, &w->window, last, was);
+    tp_line_ends(w->frame, &w->window, k + 1, was);
     tp_line_ends(w->frame, &w->window, k, now);
     bool left = was[0].u != TP_GRID_NEEDS_CLIP && now[0].u != TP_GRID_NEEDS_CLIP;
     bool right = was[1].u != TP_GRID_NEEDS_CLIP && now[1].u != TP_GRID_NEEDS_CLIP;
@@ -242,8 +235,8 @@ static void lay_sided(walk *w, uint32_t last, uint32_t row, uint32_t k)
         tp_rows_restart_side(&w->rows, &now[0], &was[0]);
     if (right)
         tp_rows_restart_side(&w->rows, &was[1], &now[1]);
-    if (w->frame->buffers.lines->line[row].is & TP_LINE_WIDE)
-        lay_middles(w, row);
+    if (w->frame->buffers.lines->line[k].is & TP_LINE_WIDE)
+        lay_middles(w, k);
     if (left)
         lay_one(w, &was[0], &now[0]);
     lay_line(w, k, ON);
@@ -252,12 +245,12 @@ static void lay_sided(walk *w, uint32_t last, uint32_t row, uint32_t k)
 }
 
 /* Draws line k, the far end of the current row of cells and the near end of the next. */
-static void advance_to_line(walk *w, uint32_t last, uint32_t k, uint32_t next, int how)
+static void advance_to_line(walk *w, uint32_t k, int how)
 {
     int32_t x0 = w->x0, x1 = w->x1, next0 = 0, next1 = 0;
 
-    if (next < w->frame->buffers.lines->lines - 1)
-        find_columns(w, next, &next0, &next1);
+    if (k > 0)
+        find_columns(w, k - 1, &next0, &next1);
     bool before = x0 < x1, behind = next0 < next1;
     w->x0 = next0;
     w->x1 = next1;
@@ -265,18 +258,17 @@ static void advance_to_line(walk *w, uint32_t last, uint32_t k, uint32_t next, i
         return;
     w->rows.x0 = !before || (behind && next0 < x0) ? next0 : x0;
     w->rows.x1 = !before || (behind && next1 > x1) ? next1 : x1;
-    uint32_t row = last < k ? last : k;
-    uint32_t is = how == ON && before ? w->frame->buffers.lines->line[row].is : 0;
+    uint32_t is = how == ON && before ? w->frame->buffers.lines->line[k].is : 0;
     bool whole = is & (TP_LINE_SIDED | TP_LINE_WIDE);
     if (whole)
-        see_line(w, last, true);
+        see_line(w, k + 1, true);
     see_line(w, k, whole);
     if (is & TP_LINE_SIDED) {
-        lay_sided(w, last, row, k);
+        lay_sided(w, k);
         return;
     }
     if (is & TP_LINE_WIDE)
-        lay_middles(w, row);
+        lay_middles(w, k);
     lay_line(w, k, how);
 }
 
@@ -288,17 +280,15 @@ static void draw_rows(const tp_frame *frame, tp_gbuffer *tile, void *memory)
 
     tile->front_only = frame->cull_water;
     tp_rows_begin(&w.rows, tile, memory, tp_frame_has_solids(frame));
-    for (uint32_t n = 0; n < lines->lines && w.rows.open > 0; n++) {
-        uint32_t k = lines->lines_back ? lines->lines - 1 - n : n;
-        uint32_t last = lines->lines_back ? k + 1 : k - 1;
-        uint32_t next = lines->lines_back ? k - 1 : k;      /* next row of cells */
-        advance_to_line(&w, last, k, next, how);
-        if (next >= lines->lines - 1)
+    for (uint32_t k = lines->lines; k-- > 0 && w.rows.open > 0;) {
+        advance_to_line(&w, k, how);
+        if (k == 0)
             break;
-        if (lines->line[next].cells.first >= lines->line[next].cells.end) {
+        const tp_frame_line *next = &lines->line[k - 1];
+        if (next->cells.first >= next->cells.end) {
             how = GAP;
-        } else if (lines->line[next].is & TP_LINE_CUT) {
-            draw_triangles(&w, next);
+        } else if (next->is & TP_LINE_CUT) {
+            draw_triangles(&w, k - 1);
             w.rows.solid = true;
             how = JOIN;
         } else {

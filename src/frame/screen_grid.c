@@ -376,7 +376,7 @@ static void layout_projected(tp_frame_buffers *buffers, tp_arena *arena,
 {
     (void)scene, (void)config;
     if (!(buffers->rung_mask.visibility >> TP_VISIBILITY_FLAT & 1) || !program->method.flat)
-        tp_frame_layout_level(buffers, arena, program);
+        tp_frame_layout_level(buffers, arena);
     buffers->projected = tp_arena_alloc(arena, 1, sizeof *buffers->projected);
 }
 

@@ -3,6 +3,7 @@
  * frame for any number of tiles.  Also the conditions and the level plane of the renderers
  * based on level water: the water is swells alone, all below the eye. */
 #include "frame/frame.h"
+#include "view/fan.h"
 #include "view/wave_models.h"
 #include "world/pools.h"
 
@@ -43,12 +44,10 @@ bool tp_frame_can_use_level_plane(const tp_frame *frame)
                   >= tp_surface_height_bound(surface) + TP_LEVEL_HEIGHT;
 }
 
-void tp_frame_layout_level(tp_frame_buffers *buffers, tp_arena *arena,
-                           const tp_program *program)
+void tp_frame_layout_level(tp_frame_buffers *buffers, tp_arena *arena)
 {
     buffers->level = tp_arena_alloc(arena, 1, sizeof *buffers->level);
-    if (program->water.fan)
-        buffers->level_law = tp_arena_alloc(arena, 1, sizeof *buffers->level_law);
+    buffers->level_law = tp_arena_alloc(arena, 1, sizeof *buffers->level_law);
     if (buffers->level_law)
         *buffers->level_law = (tp_fan_kept_law){ .law.rows = 0 };
 }
@@ -56,18 +55,8 @@ void tp_frame_layout_level(tp_frame_buffers *buffers, tp_arena *arena,
 void tp_frame_place_level(tp_frame *frame)
 {
     TP_ASSERT(frame->buffers.level != NULL);
-    const tp_scene *scene = frame->scene;
-    const tp_grid_view *view = &frame->grid_view;
-    const struct tp_water_fan *fan = view->vertices ? frame->surface.by->fan : NULL;
-    tp_grid_extent extent[2];
-
-    if (fan) {
-        fan->extents(frame->buffers.level_law, view, extent);
-    } else {
-        extent[0] = tp_grid_lines_extent((uint32_t)scene->grid.cols, view, false);
-        extent[1] = tp_grid_lines_extent((uint32_t)scene->grid.rows, view, true);
-    }
-    tp_level_begin(frame->buffers.level, &frame->projection, &extent[0], &extent[1]);
+    tp_level_begin(frame->buffers.level, &frame->projection,
+                   tp_fan_level_extent(frame->buffers.level_law, &frame->grid_view));
 }
 
 /* -- slope grid ---------------------------------------------------------------------- */

@@ -83,17 +83,6 @@ void tp_frame_choose_rungs(tp_frame *frame)
         frame->buffers.rung_mask, frame->steered ? frame->asked : frame->planned);
 }
 
-/* Cell size, m.  A grid wider than 16 km gets smaller cells, for coordinates to stay in
- * range. */
-static tp_fx clamped_cell_size(const tp_scene *scene)
-{
-    TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2 && scene->grid.cell > 0);
-    int32_t lines = scene->grid.cols > scene->grid.rows ? scene->grid.cols
-                                                        : scene->grid.rows;
-    tp_fx most = 16000 * TP_FX_ONE / (lines - 1);
-    return scene->grid.cell < most ? scene->grid.cell : most;
-}
-
 /* Sets the grid's placement, needed by all renderers. */
 static void set_grid_view(tp_frame *frame)
 {
@@ -102,11 +91,7 @@ static void set_grid_view(tp_frame *frame)
         .surface = &frame->surface,
         .width = frame->config.width,
         .height = frame->config.height,
-        .cell = clamped_cell_size(frame->scene),
-        .reach = frame->scene->grid.reach,
-        .follow = frame->scene->grid.follow != 0,
-        .vertices = tp_frame_uses_fan(frame->program, frame->scene)
-                        ? tp_fan_budget(frame->scene) : 0,
+        .vertices = tp_fan_budget(frame->scene),
     };
     const bool flat = tp_frame_has_module(frame, TP_MODULE_SLOPES);
     for (const tp_use *u = frame->program->modules; u && u->module; u++)

@@ -7,33 +7,9 @@
  */
 #include "quality/prices.h"
 #include "view/grid.h"
+#include "world/pools.h"
 
 /* -- the start camera ---------------------------------------------------------------- */
-
-/* Returns the distance from the centre of the grid to the end of the equal cells, m.
- * *flank: number of lines beyond that end. */
-static int64_t start_view_core_half_width(const tp_scene *s, int32_t lines, int32_t *flank)
-{
-    *flank = s->grid.reach > 0 ? lines / 8 : 0;
-    *flank = *flank < TP_GRID_FLANK ? *flank : TP_GRID_FLANK;
-    return (int64_t)s->grid.cell * (lines - 2 * *flank - 1) / 2;
-}
-
-int64_t tp_start_view_grid_line_place(const tp_scene *s, int32_t lines, int64_t centre,
-                                      int64_t line)
-{
-    int32_t flank;
-    const int64_t half = start_view_core_half_width(s, lines, &flank);
-    const int64_t core = (int64_t)(lines - 1 - 2 * flank) * 32768;
-    const int64_t out = line < 0 ? -line - core : line - core;      /* lines, Q16 */
-
-    if (out <= 0)
-        return centre + (line * s->grid.cell >> 16);
-    TP_ASSERT(flank > 0);
-    const int64_t share = out / flank;          /* of the skirt, Q16; cubed */
-    const int64_t way = half + (s->grid.reach * (share * share * share >> 32) >> 16);
-    return centre + (line < 0 ? -way : way);
-}
 
 /* Returns the position of the eye. A camera on the boat has a position in deck axes. */
 static tp_vec3 start_eye(const tp_scene *s)
@@ -50,32 +26,12 @@ static tp_vec3 start_eye(const tp_scene *s)
     return eye;
 }
 
-static void set_water_extent(tp_start_view *at, const tp_scene *s)
+/* Water reaches 16 km in every direction, or to the tank's walls. */
+static tp_rectangle water_extent(const tp_scene *s, tp_vec3 eye)
 {
-    int32_t flank;
-    int64_t wide = start_view_core_half_width(s, s->grid.cols, &flank) + s->grid.reach;
-    int64_t deep = start_view_core_half_width(s, s->grid.rows, &flank) + s->grid.reach;
+    const tp_fx far = 16000 * TP_FX_ONE;
 
-    at->x = at->z = 0;
-    if (s->grid.follow) {
-        at->x = at->eye.x - ((int64_t)s->grid.cell * s->grid.cols * 3 / 10
-                             * at->turn.z.x >> 30);
-        at->z = at->eye.z - ((int64_t)s->grid.cell * s->grid.rows * 3 / 10
-                             * at->turn.z.z >> 30);
-    }
-    at->water =
-        (tp_rectangle){ tp_fx_saturate(at->x - wide), tp_fx_saturate(at->x + wide),
-                        tp_fx_saturate(at->z - deep), tp_fx_saturate(at->z + deep) };
-    if (tp_has_fan(s)) {
-        const tp_fx far = 16000 * TP_FX_ONE;
-        at->x = at->eye.x;
-        at->z = at->eye.z;
-        at->water =
-            (tp_rectangle){ tp_fx_saturate(at->x - far), tp_fx_saturate(at->x + far),
-                            tp_fx_saturate(at->z - far), tp_fx_saturate(at->z + far) };
-    }
-    if (tp_is_walled(s))
-        at->water = tp_pool_sides(s);
+    return tp_is_walled(s) ? tp_pool_sides(s) : tp_rectangle_make(eye.x, eye.z, far, far);
 }
 
 tp_start_view tp_start_view_make(const tp_scene *s, uint32_t width, uint32_t height)
@@ -91,7 +47,7 @@ tp_start_view tp_start_view_make(const tp_scene *s, uint32_t width, uint32_t hei
                                       tp_turn_of_degrees(s->camera.pitch), 0);
     at.high = ((int64_t)half.z * 65536) / half.x;
     at.wide = at.high * width / height;
-    set_water_extent(&at, s);
+    at.water = water_extent(s, at.eye);
     return at;
 }
 

@@ -37,8 +37,6 @@ typedef struct {
                                  * below are added */
     tp_fx wave, sharp, pool;    /* per wave; per wave of a sharpened sea, extra; per pool */
     tp_fx coastal, floor, map;  /* coastal: with wind only; over a plane; over a map */
-    tp_fx drawn;                /* per grid cell that gets a pixel */
-    tp_fx slant;                /* times tp_view_estimate.slant */
     tp_fx still;                /* replaces `pixel` for level water */
 } tp_seen_price;
 
@@ -66,7 +64,7 @@ typedef struct {
     X(mirror_fill) X(looked) X(looked_near) X(rings) X(ball) X(wall) X(walled) \
     X(wall_face) X(pane) X(side) X(side_face) \
     X(caustic_pool) X(caustic_sea) X(land) X(land_row) X(land_cell) X(land_cut) \
-    X(land_off) X(surf) X(land_drawn) X(land_fill) X(spray)
+    X(surf) X(land_drawn) X(land_fill) X(spray)
 
 enum {
 #define X(name) TP_WORK_##name,
@@ -130,8 +128,6 @@ typedef struct {
     uint8_t  pools, rings, coastal;     /* number or flag; they raise grid vertices */
     uint8_t  stirred;           /* true with pools or rings, even as slopes only */
     uint8_t  floor;             /* 0: none, 1: a plane, 2: a map */
-    uint32_t drawn;             /* grid cells that get a pixel */
-    tp_fx    slant;             /* slant of the view to the grid's lines, 0..3 */
     uint8_t  sharp, still;      /* a wave is sharpened; level water */
     uint32_t points[TP_VISIBILITIES];   /* points evaluated by each renderer */
     uint8_t  fits[TP_VISIBILITIES];     /* true if the renderer can draw the view */
@@ -149,18 +145,12 @@ typedef struct {
     tp_vec3     eye;
     tp_rotation turn;
     int64_t     wide, high;     /* tangents of half the picture's angles of view, Q16 */
-    int64_t     x, z;           /* centre of the grid, m */
     tp_rectangle water;         /* extent of the water */
 } tp_start_view;
 
 /* Returns the scene's camera at tick 0, for a picture of width x height px, and the extent
  * of the scene's water. */
 tp_start_view tp_start_view_make(const tp_scene *scene, uint32_t width, uint32_t height);
-
-/* Returns the coordinate of a position `line` lines (Q16) from the middle of an axis.
- * Steps between lines of the skirt grow outwards. */
-int64_t tp_start_view_grid_line_place(const tp_scene *scene, int32_t lines, int64_t centre,
-                                      int64_t line);
 
 /* Returns the ray through (x, y) of the picture: tangents, Q16 per unit ahead, below
  * 2^26. */

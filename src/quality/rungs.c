@@ -109,7 +109,7 @@ static int64_t point_price(const plan_conditions *g, const tp_seen_price *seen)
                           : o->floor     ? seen->floor : seen->coastal;
 
     return seen->vertex + wave * g->faint.left + (int64_t)seen->pool * o->pools
-         + ((int64_t)seen->slant * o->slant >> 16) + (o->coastal ? coastal : 0);
+         + (o->coastal ? coastal : 0);
 }
 
 /* Costs are below 2^31, pixels below 2^24, vertices below 2^20; waves are at most 16. */
@@ -122,7 +122,6 @@ static tp_price estimate_price(const plan_conditions *g, choice c)
     const tp_fx pixel = o->still ? seen->still : seen->pixel;
     const int64_t cost = (int64_t)p->frame * 1000 + (int64_t)p->sky * o->other_pixels
                        + (pixel + pixel_price(o, shaded)) * o->water_pixels
-                       + (int64_t)seen->drawn * o->drawn
                        + point_price(g, seen) * o->points[drawn_method(g, c)] + g->works;
     tp_price price = { .cost = cost > 0 ? (uint64_t)cost >> 16 : 0,
                        .error_px = g->faint.px, .error_colour = g->faint.colour,

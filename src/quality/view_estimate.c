@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The view estimate: what the start camera of a scene sees.  Water pixels are counted by
- * a lattice of rays against level water, grid vertices by a lattice of points on the
- * grid.  The span stages of these pixels come from the modules, asked as a frame asks
- * them.  Water behind the boat, drops and the tank is counted as visible. */
+ * a lattice of rays against level water.  The span stages of these pixels come from the
+ * modules, asked as a frame asks them.  Water behind the boat, drops and the tank is
+ * counted as visible. */
 #include "quality/prices.h"
 #include "view/grid.h"
 #include "waves/coastal_tables.h"
@@ -13,7 +13,6 @@
 #define RAYS   32               /* rays along each axis of the picture */
 #define BAND   16               /* rows of a tile, as a board draws */
 #define POINTS (1 << 20)        /* largest number of points */
-#define SPOTS  32               /* points of the grid along each axis */
 
 /* -- pixels -------------------------------------------------------------------------- */
 
@@ -28,72 +27,6 @@ static uint32_t count_water_rays(const tp_start_view *at)
                         at->high * (2 * j + 1 - RAYS) / RAYS)
                     > 0;
     return seen;
-}
-
-/* -- vertices ------------------------------------------------------------------------ */
-
-/* Returns the coordinate of the n-th of SPOTS points on an axis of `lines` lines. */
-static int64_t grid_point_coordinate(const tp_scene *s, int32_t lines, int64_t centre,
-                                     int32_t n)
-{
-    return tp_start_view_grid_line_place(s, lines, centre,
-                              (int64_t)(lines - 1) * (2 * n + 1 - SPOTS) * 32768 / SPOTS);
-}
-
-/* Grid points in view, and the number of their cells that get a pixel, Q8. */
-typedef struct {
-    uint32_t spots, drawn;
-} viewed;
-
-/* Returns the share, Q8, of level cells at a depth that get a pixel.  The image of a cell
- * has the area of the cell times focal^2 height / depth^3.  A cell counts once for each
- * tile that its rows touch. */
-static uint32_t share_of_cells_with_pixels(const tp_start_view *at, const tp_scene *s,
-                                           int32_t focal, int64_t depth)
-{
-    const int64_t height = tp_abs(at->eye.y);
-
-    if (depth <= s->grid.cell)
-        return 512;
-    const int64_t side = tp_clamp_abs((int64_t)focal * s->grid.cell * 256 / depth, 1 << 20);
-    const int64_t steep = tp_clamp_abs(height * 256 / depth, 1024);
-    const int64_t area = side * side * steep >> 16, rows = side * steep >> 8;
-    return (uint32_t)((area < 256 ? area : 256) * (256 + rows / BAND) >> 8);
-}
-
-/* Counts a grid point inside the picture, with a margin for its neighbours and crests.
- * Distances are limited to 8 km. */
-static void count_grid_point_if_visible(viewed *to, const tp_start_view *at,
-                                        const tp_scene *s, int32_t focal, int64_t x,
-                                        int64_t z)
-{
-    const int64_t most = 1 << 29;
-    const tp_vec3 v =
-        tp_rotate(&at->turn, (tp_vec3){ (tp_fx)tp_clamp_abs(x - at->eye.x, most),
-                                        (tp_fx)tp_clamp_abs(-(int64_t)at->eye.y, most),
-                                        (tp_fx)tp_clamp_abs(z - at->eye.z, most) });
-    const int64_t room = 2 * (int64_t)s->grid.cell;
-    const int64_t wide = (-v.z * at->wide >> 16) + room;
-    const int64_t high = (-v.z * at->high >> 16) + room;
-
-    if (-v.z > -room && tp_abs(v.x) <= wide && tp_abs(v.y) <= high) {
-        to->spots++;
-        to->drawn += share_of_cells_with_pixels(at, s, focal, -v.z);
-    }
-}
-
-static viewed count_visible_grid_points(const tp_start_view *at, const tp_scene *s,
-                                        int32_t focal)
-{
-    viewed all = { 0, 0 };
-
-    for (int32_t j = 0; j < SPOTS; j++) {
-        const int64_t z = grid_point_coordinate(s, s->grid.rows, at->z, j);
-        for (int32_t i = 0; i < SPOTS; i++)
-            count_grid_point_if_visible(
-                &all, at, s, focal, grid_point_coordinate(s, s->grid.cols, at->x, i), z);
-    }
-    return all;
 }
 
 /* -- points of a lattice over the picture -------------------------------------------- */
@@ -188,46 +121,18 @@ static bool is_line_order_kept(const tp_scene *s, bool coastal, tp_dir3 lines,
 static bool is_rows_renderer_usable(const tp_scene *s, bool coastal,
                                     const tp_start_view *at)
 {
-    const bool fan = tp_has_fan(s);
-    const bool behind = fan || at->turn.z.z > 0;
-    const tp_dir3 lines = fan ? at->turn.x : (tp_dir3){ TP_Q30_ONE, 0, 0 };
+    const tp_dir3 lines = at->turn.x;
 
     for (int corner = 0; corner < 4; corner++) {
-        tp_vec3 ray = tp_start_view_ray(at, corner & 1 ? at->wide : -at->wide,
+        const tp_vec3 ray = tp_start_view_ray(at, corner & 1 ? at->wide : -at->wide,
                                         corner & 2 ? at->high : -at->high);
-        if (fan)
-            ray = (tp_vec3){ (tp_fx)tp_dot_dir(ray, lines), 0,
-                             tp_dot_dir(ray, (tp_dir3){ -lines.z, 0, lines.x }) };
-        const int64_t across = (int64_t)ray.z * (behind ? -1 : 1);
-        const int64_t along = (int64_t)ray.x * (behind ? -1 : 1);
+        const int64_t across = -(int64_t)tp_dot_dir(ray, (tp_dir3){ -lines.z, 0, lines.x });
+        const int64_t along = -(int64_t)tp_dot_dir(ray, lines);
         if (across < 256 || (along < 0 ? -along : along) >= 3 * across
             || !is_line_order_kept(s, coastal, lines, along * TP_FX_ONE / across))
             return false;
     }
     return true;
-}
-
-/* Returns the metres along the lines for each metre across them, straight ahead. */
-static tp_fx view_slant_to_grid_lines(const tp_start_view *at)
-{
-    const int64_t x = tp_abs(at->turn.z.x), z = tp_abs(at->turn.z.z);
-
-    return x < 3 * z ? (tp_fx)(x * TP_FX_ONE / z) : TP_FX(3);
-}
-
-/* Sets the grid's vertices, and its cells that get a pixel.  A fan covers little more than
- * the view, with cells as large as pixels or larger. */
-static void set_grid_size(tp_view_estimate *o, const tp_start_view *at, const tp_scene *s)
-{
-    if (tp_has_fan(s)) {
-        o->vertices = o->drawn = tp_fan_budget(s) * 9 / 10;
-        return;
-    }
-    const viewed spots = count_visible_grid_points(at, s, o->focal);
-    const uint64_t crossings = (uint64_t)s->grid.cols * (uint64_t)s->grid.rows;
-
-    o->vertices = (uint32_t)(crossings * spots.spots / (SPOTS * SPOTS));
-    o->drawn = (uint32_t)(crossings * spots.drawn / (256 * SPOTS * SPOTS));
 }
 
 /* Lists the water renderers that fit the view.  The frame decides by its own camera; the
@@ -340,7 +245,6 @@ tp_view_estimate tp_view_estimate_make(const tp_plan_input *in)
     const tp_scene  *scene = in->scene;
     const tp_assets *assets = in->assets;
     const uint32_t   width = in->width, height = in->height;
-    TP_ASSERT(scene->grid.cols >= 2 && scene->grid.rows >= 2);
     const tp_module_conditions conditions = tp_plan_module_conditions(in);
     const tp_start_view at = tp_start_view_make(scene, width, height);
     const uint64_t pixels = (uint64_t)width * height;
@@ -351,14 +255,13 @@ tp_view_estimate tp_view_estimate_make(const tp_plan_input *in)
 
     o.water_pixels = (uint32_t)(pixels * count_water_rays(&at) / (RAYS * RAYS));
     o.other_pixels = (uint32_t)pixels - o.water_pixels;
-    set_grid_size(&o, &at, scene);
+    o.vertices = tp_fan_budget(scene) * 9 / 10;     /* seen ones */
     record_surface_modules(&o, in->modules, &conditions);
     o.trait[TP_TRAIT_plain] = 1;
     record_drawn_modules(&o, in->modules, conditions);
     o.quick = (o.modules & TP_MODULE_FAST) != 0;
     classify_sea(&o, scene);
     o.floor = (uint8_t)(tp_has_floor(scene) + (tp_has_floor(scene) && assets->floor));
-    o.slant = tp_has_fan(scene) ? 0 : view_slant_to_grid_lines(&at);
     set_wave_flags(&o, scene);
     for (int i = 0; i < TP_WAVES; i++)
         waves += scene->wave[i].amplitude > 0 ? scene->wave[i].amplitude : 0;

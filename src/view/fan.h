@@ -51,7 +51,7 @@ typedef struct {
     tp_fx    half_longest;      /* half the longest wave, m; 0: no waves */
     tp_fx    shortest;          /* twice the shortest wave, m */
     tp_fx    high, aside;       /* bounds of the waves' height and displacement, m */
-    tp_fx    land;              /* height of the land under the eye, m; TP_FX_MIN: none */
+    tp_fx    land;              /* height of the land near the eye, m; TP_FX_MIN: none */
     tp_fx    detail;            /* length of the rings' and pools' waves, m; 0: none */
     int64_t  detail_end;        /* largest distance of them along the heading, 16.16 m; 0
                                  * without them */
@@ -113,9 +113,23 @@ typedef struct tp_fan {
 uint32_t tp_fan_most_cols(uint32_t vertices);
 uint32_t tp_fan_most_rows(uint32_t vertices);
 
-/* fan_view.c: returns the level direction of the rows, a unit vector.  A tank's rows lie along x or
- * z. */
+/* fan_view.c: returns the level direction of the rows, a unit vector.  A tank's rows lie
+ * along x or z. */
 tp_dir3 tp_fan_rows_direction(const tp_rotation *turn, bool walled);
+
+#define TP_FAN_LAND_PLACES 5
+
+/* Returns the places where land may come between the eye and the nearest water: under the
+ * eye, and where the lowest rays of the picture's corners meet level water, at most four
+ * heights away. */
+void tp_fan_land_places(const tp_fan_view *view, tp_vec3 place[TP_FAN_LAND_PLACES]);
+
+/* Raises the land of a view to a floor at so many metres below the level. */
+static inline void tp_fan_widen_land(tp_fan_view *view, tp_fx depth)
+{
+    const tp_fx height = depth > TP_FX_MIN ? -depth : TP_FX_MAX;
+    view->land = height > view->land ? height : view->land;
+}
 
 /* Returns the numbers of a grid's view. */
 tp_fan_view tp_fan_view_make(const tp_grid_view *view);
@@ -207,31 +221,21 @@ static inline tp_fx tp_fan_z(const tp_fan *fan, const tp_fan_row *row, uint32_t 
                                                     : tp_fan_place(row->z, row->step_z, i);
 }
 
-/* The same for any grid. */
+/* The same for a vertex of the grid. */
 static inline tp_fx tp_grid_s(const tp_grid *grid, uint32_t i, uint32_t j)
 {
-    return grid->fan ? tp_fan_x(grid->fan, &grid->fan->row[j], i) : grid->column[i].place;
+    return tp_fan_x(grid->fan, &grid->fan->row[j], i);
 }
 
 static inline tp_fx tp_grid_t(const tp_grid *grid, uint32_t i, uint32_t j)
 {
-    return grid->fan ? tp_fan_z(grid->fan, &grid->fan->row[j], i) : grid->row[j].place;
+    return tp_fan_z(grid->fan, &grid->fan->row[j], i);
 }
 
-/* Functions that a program links for fans. */
-struct tp_water_fan {
-    /* `swells`: number of swells that slope variance is kept for. */
-    void (*layout)(tp_grid *grid, tp_arena *arena, uint32_t vertices, uint32_t swells,
-                   bool streams);
-    void (*place)(tp_grid *grid, const tp_grid_view *view);
-    void (*row)(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
-                tp_grid_vertex *vertex);
-    void (*corners)(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
-                    tp_view_vertex *to);
-    void (*fill_variance)(const tp_grid *grid, tp_filtered_waves *filtered);
-    /* Sets the extent of level water along x and z, for renderers without a grid. */
-    void (*extents)(tp_fan_kept_law *kept, const tp_grid_view *view,
-                    tp_grid_extent extent[2]);
-};
+/* fan.c: places the rows; sets the number of rows and columns, and the visible cells. */
+void tp_fan_place_rows(tp_grid *grid, const tp_grid_view *view);
+
+/* Returns the extent of level water, for renderers without a grid. */
+tp_level_extent tp_fan_level_extent(tp_fan_kept_law *kept, const tp_grid_view *view);
 
 #endif

@@ -139,10 +139,10 @@ static bool set_filtered_swells(tp_fan *fan, const tp_deep_water *deep)
 
 void tp_fan_fill_variance(const tp_grid *grid, tp_filtered_waves *filtered)
 {
-    if (!set_filtered_swells(grid->fan, grid->frame.surface->deep) && !grid->fan->moved
+    if (!set_filtered_swells(grid->fan, grid->surface->deep) && !grid->fan->moved
         && filtered->has_row)
         return;
-    const tp_projection *p = grid->frame.projection;
+    const tp_projection *p = grid->projection;
     const tp_fan *fan = grid->fan;
     const int64_t x = p->ahead.x, y = p->ahead.y, z = p->ahead.z;
     const tp_vec3 eye = p->eye;
@@ -156,7 +156,7 @@ void tp_fan_fill_variance(const tp_grid *grid, tp_filtered_waves *filtered)
         const int64_t depth = (dx * x - eye.y * y + dz * z) >> 30;
         if (depth > 0)
             tp_filtered_waves_add_row(filtered, tp_fx_saturate(depth),
-                                      tp_fan_row_variance(fan, row, grid->frame.surface,
+                                      tp_fan_row_variance(fan, row, grid->surface,
                                                   row_unseen_share(p, row, depth)));
     }
     tp_filtered_waves_finish(filtered);

@@ -39,16 +39,25 @@ static void set_wind(row_wave *to, const tp_coastal_water *coastal, tp_fx share,
     to->iterations = coastal->wave[i].iterations;
 }
 
+/* Returns the weight of the slopes; the slopes of a wave too steep to exist stay below 2. */
+static tp_fx slope_weight(const tp_swell *w, tp_fx weight)
+{
+    const int64_t most = tp_abs(w->slope_x) > tp_abs(w->slope_z) ? tp_abs(w->slope_x)
+                                                                 : tp_abs(w->slope_z);
+    return most * weight >> 16 < INT32_MAX ? weight : (tp_fx)(((int64_t)INT32_MAX << 16) / most);
+}
+
 static void set_numbers(row_wave *to)
 {
     const tp_swell *w = to->swell;
     const tp_fx weight = to->weight, share = tp_fan_share(weight);
+    const tp_fx tilt = slope_weight(w, weight);
 
     to->orbit_x = tp_fx_mul(w->orbit_x, weight);
     to->orbit_z = tp_fx_mul(w->orbit_z, weight);
     to->amplitude = tp_fx_mul(w->amplitude, weight);
-    to->slope_x = tp_fx_mul(w->slope_x, weight);
-    to->slope_z = tp_fx_mul(w->slope_z, weight);
+    to->slope_x = tp_fx_mul(w->slope_x, tilt);
+    to->slope_z = tp_fx_mul(w->slope_z, tilt);
     to->bend_xx = tp_fx_mul(w->bend_xx, share);
     to->bend_xz = tp_fx_mul(w->bend_xz, share);
     to->bend_zz = tp_fx_mul(w->bend_zz, share);
@@ -57,7 +66,7 @@ static void set_numbers(row_wave *to)
 /* Lists the waves that a row keeps. */
 static void list_waves(const tp_grid *grid, const tp_fan_row *row, row_waves *to)
 {
-    const tp_surface *surface = grid->frame.surface;
+    const tp_surface *surface = grid->surface;
     const tp_deep_water *deep = surface->deep;
 
     to->fan = grid->fan;
@@ -203,7 +212,7 @@ static int16_t packed_slope(tp_fx slope)
 void tp_fan_evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
                          tp_grid_vertex *vertex)
 {
-    const tp_projection *projection = grid->frame.projection;
+    const tp_projection *projection = grid->projection;
     row_waves waves;
 
     list_waves(grid, &grid->fan->row[j], &waves);
@@ -229,6 +238,6 @@ void tp_fan_make_view_vertices(const tp_grid *grid, uint32_t j, uint32_t first, 
     list_waves(grid, &grid->fan->row[j], &waves);
     for (uint32_t i = first; i < end; i++, to++) {
         *to = (tp_view_vertex){ .s = tp_grid_s(grid, i, j), .t = tp_grid_t(grid, i, j) };
-        tp_projection_view_vertex(grid->frame.projection, sample(&waves, i).position, to);
+        tp_projection_view_vertex(grid->projection, sample(&waves, i).position, to);
     }
 }

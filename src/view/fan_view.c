@@ -40,7 +40,6 @@ static int64_t farthest_detail(const tp_grid_view *view)
 tp_fan_view tp_fan_view_make(const tp_grid_view *view)
 {
     const tp_surface *surface = view->surface;
-    const tp_vec3 eye = view->projection->eye;
     tp_fan_view to = { .projection = view->projection, .width = view->width,
                        .height = view->height, .land = TP_FX_MIN,
                        .high = tp_surface_height_bound(surface),
@@ -51,37 +50,73 @@ tp_fan_view tp_fan_view_make(const tp_grid_view *view)
     to.detail_end = to.detail > 0 ? farthest_detail(view) : 0;
     to.walled = view->detail.walled;
     to.sides = view->detail.sides;
-    if (surface->coastal)
-        to.land = tp_fx_saturate(-(int64_t)surface->by->coastal->floor(
-            surface->coastal, eye.x, eye.z).depth);
+    if (surface->coastal) {
+        tp_vec3 place[TP_FAN_LAND_PLACES];
+        tp_fan_land_places(&to, place);
+        for (int k = 0; k < TP_FAN_LAND_PLACES; k++)
+            tp_fan_widen_land(&to, surface->by->coastal->floor(surface->coastal, place[k].x,
+                                                               place[k].z).depth);
+    }
     return to;
 }
 
 /* -- directions ---------------------------------------------------------------------- */
 
-/* A direction in the frame of the rows, in px, 16.16. */
+/* A direction in the frame of the rows, and in the world, in px, 16.16. */
 typedef struct {
     int64_t ahead, side, down;
 } fan_ray;
 
+typedef struct {
+    int64_t east, south, down;
+} world_ray;
+
 /* Returns focal ahead + u right + v up; u and v in px. */
-static fan_ray make_ray(const tp_projection *p, tp_dir3 right, int32_t u, int32_t v)
+static world_ray make_world_ray(const tp_projection *p, int32_t u, int32_t v)
 {
     const int64_t a = p->focal, b = (int64_t)u * TP_FX_ONE, c = (int64_t)v * TP_FX_ONE;
     const tp_dir3 *x = &p->turn.x, *y = &p->turn.y, *z = &p->ahead;
-    const int64_t east = (a * z->x + b * x->x + c * y->x) >> 30;
-    const int64_t south = (a * z->z + b * x->z + c * y->z) >> 30;
 
-    return (fan_ray){ (east * right.z - south * right.x) >> 30,
-                      (east * right.x + south * right.z) >> 30,
-                      -((a * z->y + b * x->y + c * y->y) >> 30) };
+    return (world_ray){ (a * z->x + b * x->x + c * y->x) >> 30,
+                        (a * z->z + b * x->z + c * y->z) >> 30,
+                        -((a * z->y + b * x->y + c * y->y) >> 30) };
 }
 
-/* A camera that lies on its side has its own right upright.  The rows' heading points into
- * the view, upside down, too: the law is for distances ahead. */
+/* Returns a corner of the picture in px from the middle, in `axis` 0 or 1. */
+static int32_t corner(const tp_fan_view *view, int k, int axis)
+{
+    const int32_t half = (int32_t)(axis ? view->height : view->width) / 2 + 1;
+    return k >> axis & 1 ? half : -half;
+}
+
+static fan_ray make_ray(const tp_projection *p, tp_dir3 right, int32_t u, int32_t v)
+{
+    const world_ray w = make_world_ray(p, u, v);
+
+    return (fan_ray){ (w.east * right.z - w.south * right.x) >> 30,
+                      (w.east * right.x + w.south * right.z) >> 30, w.down };
+}
+
+#define ROLLED (TP_Q30_ONE / 64)        /* as in frame/scanline_grid.c */
+
+/* Returns an axis across the view: the camera's own right as long as that is level.  With a
+ * roll, the level direction across the line of sight, since a row is as wide as the view at
+ * one depth; a camera that looks down has no such direction and takes the axis of its
+ * picture that is more level. */
+static tp_dir3 across_view(const tp_rotation *turn)
+{
+    const tp_dir3 z = turn->z;
+
+    if (tp_abs(turn->x.y) > ROLLED && (int64_t)tp_abs(z.x) + tp_abs(z.z) > TP_Q30_ONE / 4)
+        return (tp_dir3){ z.z, 0, -z.x };
+    return tp_abs(turn->x.y) > tp_abs(turn->y.y) ? turn->y : turn->x;
+}
+
+/* The rows' heading points into the view, upside down, too: the law is for distances
+ * ahead. */
 tp_dir3 tp_fan_rows_direction(const tp_rotation *turn, bool walled)
 {
-    const tp_dir3 x = tp_abs(turn->x.y) > TP_Q30(0.9) ? turn->y : turn->x, z = turn->z;
+    const tp_dir3 x = across_view(turn), z = turn->z;
     const bool behind = (int64_t)x.x * z.z < (int64_t)x.z * z.x;
 
     if (walled && tp_abs(x.x) >= tp_abs(x.z))
@@ -89,6 +124,30 @@ tp_dir3 tp_fan_rows_direction(const tp_rotation *turn, bool walled)
     if (walled)
         return (tp_dir3){ 0, 0, (x.z < 0) != behind ? -TP_Q30_ONE : TP_Q30_ONE };
     return behind ? tp_normalise(-x.x, 0, -x.z) : tp_normalise(x.x, 0, x.z);
+}
+
+/* -- land ---------------------------------------------------------------------------- */
+
+void tp_fan_land_places(const tp_fan_view *view, tp_vec3 place[TP_FAN_LAND_PLACES])
+{
+    const tp_projection *p = view->projection;
+    int64_t steepest = 1;
+
+    for (int k = 0; k < 4; k++) {
+        const int64_t down = make_world_ray(p, corner(view, k, 0), corner(view, k, 1)).down;
+        steepest = down > steepest ? down : steepest;
+    }
+    for (int k = 0; k < TP_FAN_LAND_PLACES; k++) {
+        const world_ray r = make_world_ray(p, corner(view, k, 0), corner(view, k, 1));
+        const int64_t level = ((r.east < 0 ? -r.east : r.east)
+                               + (r.south < 0 ? -r.south : r.south)) / 4;
+        const int64_t down = r.down > level ? r.down : level;
+        place[k] = p->eye;
+        if (k == 4 || p->eye.y <= 0 || 2 * r.down < steepest)
+            continue;
+        place[k].x = tp_fx_saturate(p->eye.x + r.east * p->eye.y / down);
+        place[k].z = tp_fx_saturate(p->eye.z + r.south * p->eye.y / down);
+    }
 }
 
 /* -- the water in view --------------------------------------------------------------- */
@@ -116,8 +175,8 @@ static bool widen_by_ray(tp_fan_range *r, const fan_ray *ray, int64_t eye,
     return meets;
 }
 
-/* Returns the level that the nearest rays reach first, m: land under the eye, with room for
- * land that rises ahead, or `height`. */
+/* Returns the level that the nearest rays reach first, m: land, with room for land that
+ * rises between the places, or `height`. */
 static int64_t highest_level(const tp_fan_view *view, int64_t height)
 {
     const int64_t land = view->land, eye = view->projection->eye.y;
@@ -130,7 +189,6 @@ static int64_t highest_level(const tp_fan_view *view, int64_t height)
  * that is in the picture. */
 tp_fan_range tp_fan_visible_range(const tp_fan_view *view, tp_dir3 right, tp_fx last)
 {
-    const int32_t u = (int32_t)view->width / 2 + 1, v = (int32_t)view->height / 2 + 1;
     const int64_t eye = view->projection->eye.y;
     const int64_t height = view->high + TP_FX_ONE / 4;
     const int64_t room = (int64_t)view->aside + MARGIN;
@@ -140,8 +198,8 @@ tp_fan_range tp_fan_visible_range(const tp_fan_view *view, tp_dir3 right, tp_fx 
     int down = 0, met = 0;
 
     for (int k = 0; k < 4; k++) {
-        const fan_ray ray = make_ray(view->projection, right, k & 1 ? u : -u,
-                                     k & 2 ? v : -v);
+        const fan_ray ray = make_ray(view->projection, right, corner(view, k, 0),
+                                     corner(view, k, 1));
         down += ray.down > 0;
         met += widen_by_ray(&r, &ray, eye, height, high);
     }

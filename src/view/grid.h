@@ -1,25 +1,24 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The water's grid: columns and rows of lines; their intersections, the grid vertices,
- * are displaced and projected.
+ * The water's grid: rows of vertices, displaced by the waves and projected; four
+ * neighbours are the corners of a cell.  fan.h has the law of the rows.
  *
- * The middle of the grid has square cells of equal size.  If the scene asks for water at
- * a larger distance, the outer eighth of the lines at each side (at most TP_GRID_FLANK)
- * forms a flat skirt up to that distance, with steps that grow by a constant ratio.
- * Waves fade out before the skirt, over the last eighth of the middle.  A grid that
- * follows the camera moves by whole cells, so its vertices keep their world positions and
- * nothing swims.
- *
- * Texture coordinates are rest positions, so a column has a constant s and a row a
- * constant t. view/surface.h describes the evaluation of a vertex.
+ * Texture coordinates are rest positions.
  */
 #ifndef TP_VIEW_GRID_H
 #define TP_VIEW_GRID_H
 #include "base/base.h"
 #include "view/surface.h"
 
-#define TP_GRID_FLANK 12
+#define TP_GRID_NEEDS_CLIP INT32_MIN
 #define TP_GRID_BLOCK 16        /* cells of a row with a common bounding box */
+
+/* A grid vertex: displaced, projected, packed. */
+typedef struct {
+    int32_t  u, v;              /* 28.4 px; u = TP_GRID_NEEDS_CLIP: needs clipping */
+    uint32_t zi;                /* near / depth, Q1.31 */
+    int16_t  slope_x, slope_z;  /* slopes, Q3.12 */
+} tp_grid_vertex;
 
 /* Bounding box in whole pixels, x1 and y1 included. */
 typedef struct {
@@ -39,32 +38,29 @@ typedef struct {
 } tp_grid_window;
 
 typedef struct {
-    uint32_t cols, rows;        /* number of lines; cells are one fewer */
-    uint32_t most_cols, most_rows;      /* number of lines in memory */
+    uint32_t cols, rows;        /* vertices of a row, rows; cells are one fewer */
+    uint32_t most_cols;         /* columns in memory */
     uint32_t blocks;            /* blocks in a row of cells */
-    tp_grid_line   *column, *row;
     tp_grid_vertex *vertex;     /* rows x cols; NULL if the grid is streamed */
     bool            streams;
     tp_grid_window  window;     /* for tp_grid_evaluate_row, valid until the next call */
     tp_grid_span   *span;       /* visible cells of each row */
     tp_grid_box    *box;        /* bounding boxes, (rows - 1) x blocks */
     uint32_t vertices;          /* vertices evaluated in the last frame */
-    tp_vertex_frame   frame;
-    tp_vertex_columns columns;
-    tp_grid_span      waves;    /* columns with waves */
+    const tp_projection *projection;
+    const tp_surface    *surface;
     tp_vec3  *sheet[3];         /* displaced vertices of coastal water, three rows */
     uint32_t  sheets;           /* displaced rows; the last is (sheets - 1) % 3 */
     uint32_t *dry;              /* a bit per vertex of coastal water: on land */
-    struct tp_fan *fan;         /* view/fan.h; NULL: lines along x and z */
+    struct tp_fan *fan;         /* the rows, view/fan.h */
 } tp_grid;
 
-void tp_grid_layout(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows);
-
-/* Allocates a grid without stored vertices: a window evaluates its vertices again each
- * time, with the same bits.  Not for coastal water.  Room for `waves` swells; further
- * swells are dropped. */
-void tp_grid_layout_streamed(tp_grid *grid, tp_arena *arena, uint32_t cols, uint32_t rows,
-                             uint32_t waves);
+/* Allocates a grid of `vertices` at the most, whose slope variance is kept between frames
+ * for so many swells.  A window of a streamed grid evaluates its
+ * vertices again each time, with the same bits; coastal water over a floor is never
+ * streamed. */
+void tp_grid_layout(tp_grid *grid, tp_arena *arena, uint32_t vertices, uint32_t swells,
+                    bool streams);
 
 /* Allocates the additional tables of coastal water for a number of vertices. */
 void tp_grid_layout_coastal(tp_grid *grid, tp_arena *arena, uint32_t vertices);
@@ -90,11 +86,15 @@ typedef struct {
     const tp_projection *projection;
     const tp_surface *surface;
     uint32_t width, height;     /* size of the picture, px */
-    tp_fx cell, reach;
-    bool  follow;
-    uint32_t vertices;          /* budget of a fan; 0: no fan */
+    uint32_t vertices;          /* budget */
     tp_water_detail detail;
 } tp_grid_view;
+
+/* Extent of level water around the eye: a square of half side `far` m, with waves up to
+ * `waves` m.  The waves fade over the last eighth. */
+typedef struct {
+    tp_fx far, waves;
+} tp_level_extent;
 
 static inline bool tp_grid_vertex_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)
 {
@@ -105,34 +105,17 @@ static inline bool tp_grid_vertex_is_dry(const tp_grid *grid, uint32_t i, uint32
 /* True if all four vertices of a visible cell are on land, so the cell has no water. */
 static inline bool tp_grid_cell_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)
 {
-    return grid->dry && grid->frame.surface->coastal && tp_grid_vertex_is_dry(grid, i, j)
+    return grid->dry && grid->surface->coastal && tp_grid_vertex_is_dry(grid, i, j)
            && tp_grid_vertex_is_dry(grid, i + 1, j)
            && tp_grid_vertex_is_dry(grid, i, j + 1)
            && tp_grid_vertex_is_dry(grid, i + 1, j + 1);
 }
 
-/* grid_lines.c: sets the positions of the columns, or of the rows along z; returns the
- * number of skirt lines at each side. */
-void tp_grid_lines_place(tp_grid_line *line, uint32_t count, const tp_grid_view *view,
-                         bool along_z);
-uint32_t tp_grid_lines_skirt_count(uint32_t count, const tp_grid_view *view);
-
-/* Extent of the lines along an axis, m: first and last line; `calm`, the interval with
- * waves; `fading`, the width of the fade at the ends of the interval, 0 without a fade. */
-typedef struct {
-    tp_fx first, last, calm[2], fading;
-} tp_grid_extent;
-
-tp_grid_extent tp_grid_lines_extent(uint32_t count, const tp_grid_view *view, bool along_z);
-
-/* Returns the weight of the waves at a position, 0..1, as tp_grid_line.fade. */
-tp_fx tp_grid_extent_wave_weight(const tp_grid_extent *extent, tp_fx place);
-
-/* tp_grid_set_lines_and_cells places the lines and finds the visible cells of each row.
+/* tp_grid_place_rows places the rows and finds the visible cells of each row.
  * tp_grid_evaluate_row then evaluates the vertices of row j, in order from 0, and completes
  * the bounding boxes of row j - 1.  tp_grid_evaluate_vertices does both for all rows. */
 void tp_grid_evaluate_vertices(tp_grid *grid, const tp_grid_view *view);
-void tp_grid_set_lines_and_cells(tp_grid *grid, const tp_grid_view *view);
+void tp_grid_place_rows(tp_grid *grid, const tp_grid_view *view);
 void tp_grid_evaluate_row(tp_grid *grid, uint32_t j);
 
 /* Returns a window of the caller, so that several threads can read a placed grid.
@@ -161,7 +144,7 @@ void tp_grid_make_view_vertices(const tp_grid *grid, const tp_grid_vertex *row, 
 
 static inline bool tp_grid_is_coastal(const tp_grid *grid)
 {
-    return grid->frame.surface->coastal && grid->dry;
+    return grid->surface->coastal && grid->dry;
 }
 
 /* Returns the vertices of row j, first to end - 1, that the cells on both sides need. */

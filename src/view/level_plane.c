@@ -48,19 +48,18 @@ static tp_level_linear make_zi_linear(const tp_projection *projection,
     };
 }
 
-/* Returns the inside of the plane through the eye and a side of the water.
- * `side_distance`: distance of the side from the eye along x or z, m; `sign`:
- * direction of the side on that axis. */
+/* Returns the inside of the plane through the eye and a side of the water, `far` m from
+ * the eye; `sign`: direction of the side along x or z. */
 static tp_level_linear make_side_linear(const tp_projection *projection, int sign,
-                                        int64_t side_distance, bool along_z)
+                                        tp_fx far, bool along_z)
 {
-    tp_fx h = projection->eye.y * -sign, w = tp_fx_saturate(side_distance * -sign);
+    tp_fx h = projection->eye.y * -sign, w = -far;
     return make_ray_dot_linear(projection,
                                along_z ? tp_normalise(0, w, h) : tp_normalise(h, w, 0));
 }
 
 void tp_level_begin(tp_level *level, const tp_projection *projection,
-                    const tp_grid_extent *across, const tp_grid_extent *along)
+                    tp_level_extent extent)
 {
     const tp_vec3 *eye = &projection->eye;
 
@@ -69,21 +68,16 @@ void tp_level_begin(tp_level *level, const tp_projection *projection,
     level->east = make_ray_dot_linear(projection, (tp_dir3){ TP_Q30_ONE, 0, 0 });
     level->south = make_ray_dot_linear(projection, (tp_dir3){ 0, 0, TP_Q30_ONE });
     level->zi = make_zi_linear(projection, &level->down);
-    level->side[0] =
-        make_side_linear(projection, -1, (int64_t)across->first - eye->x, false);
-    level->side[1] =
-        make_side_linear(projection, 1, (int64_t)across->last - eye->x, false);
-    level->side[2] =
-        make_side_linear(projection, -1, (int64_t)along->first - eye->z, true);
-    level->side[3] = make_side_linear(projection, 1, (int64_t)along->last - eye->z, true);
+    for (int k = 0; k < 4; k++)
+        level->side[k] =
+            make_side_linear(projection, k & 1 ? 1 : -1, extent.far, k >= 2);
     level->side[4] = (tp_level_linear){
         ((int64_t)255 << (23 + TP_LEVEL_ZI)) - level->zi.at, -level->zi.x, -level->zi.y,
     };
     level->height = eye->y;
     level->x = eye->x;
     level->z = eye->z;
-    level->across = *across;
-    level->along = *along;
+    level->extent = extent;
     level->rolled = level->down.x != 0;
 }
 
@@ -201,11 +195,23 @@ static void add_weighted_swell_terms(tp_swell_sum *sum, const tp_swell *w, tp_tu
     sum->bzz += (int64_t)w->bend_zz * s;
 }
 
+/* Returns the weight of the waves at a distance from the eye along x or z, 0..1. */
+static tp_fx extent_wave_weight(tp_level_extent extent, int64_t distance)
+{
+    const tp_fx fading = extent.waves / 8;
+    const int64_t from_edge = extent.waves - (distance < 0 ? -distance : distance);
+
+    if (fading == 0 || from_edge >= fading)
+        return TP_FX_ONE;
+    return from_edge <= 0 ? 0 : tp_smoothstep(tp_fx_div((tp_fx)from_edge, fading));
+}
+
 tp_surface_point tp_level_sample_surface(const tp_level *level, const tp_surface *surface,
                                          const tp_fx place[2], tp_fx step[2][2])
 {
-    tp_fx fade = tp_fx_mul(tp_grid_extent_wave_weight(&level->across, place[0]),
-                           tp_grid_extent_wave_weight(&level->along, place[1]));
+    tp_fx fade =
+        tp_fx_mul(extent_wave_weight(level->extent, (int64_t)place[0] - level->x),
+                  extent_wave_weight(level->extent, (int64_t)place[1] - level->z));
     tp_swell_sum sum = { 0 };
     bool some = false;
 

@@ -34,7 +34,7 @@ typedef struct {
     tp_level_linear zi;                    /* near / depth, Q1.43 */
     tp_level_linear side[TP_LEVEL_SIDES];  /* water if no side is negative */
     tp_fx height, x, z;                    /* position of the eye, m */
-    tp_grid_extent across, along;          /* extent of the water and its waves */
+    tp_level_extent extent;                /* of the water and its waves */
     bool  rolled;
 } tp_level;
 
@@ -42,7 +42,7 @@ typedef struct {
 
 /* Sets up the sums. The eye is at least TP_LEVEL_HEIGHT above the level. */
 void tp_level_begin(tp_level *level, const tp_projection *projection,
-                    const tp_grid_extent *across, const tp_grid_extent *along);
+                    tp_level_extent extent);
 
 TP_ALWAYS_INLINE int64_t tp_level_evaluate(const tp_level_linear *sum, int32_t x, int32_t y)
 {
@@ -91,7 +91,7 @@ unsigned tp_level_clip_mask(const tp_level *level, int32_t x0, int32_t y0, int32
 
 /* Returns the surface point of a rest position, for sample points `step` apart in two
  * directions.  Waves shorter than two steps are omitted, waves longer than four steps
- * have full height.  Waves fade at the borders like the grid's waves. */
+ * have full height.  Waves fade towards the end of their extent. */
 tp_surface_point tp_level_sample_surface(const tp_level *level, const tp_surface *surface,
                                          const tp_fx place[2], tp_fx step[2][2]);
 
@@ -105,21 +105,15 @@ static inline uint32_t tp_level_pack_slopes(const tp_surface_point *at)
 
 /* -- wave models --------------------------------------------------------------------- */
 
-/* Adds the heights and slopes of rings and pools to a run of vertices. */
-typedef void (*tp_batch_add_model)(const tp_vertex_batch_input *place, tp_vertex_batch *run,
-                                 tp_grid_vertex *vertex);
-
 struct tp_water_rings {
     tp_height_slope (*height_slope)(const tp_ring_now *rings, uint32_t count, tp_fx x,
                                     tp_fx z);
     bool (*at)(const tp_ring *ring, int64_t time, tp_ring_now *now);
-    tp_batch_add_model run;
 };
 
 struct tp_water_pools {
     tp_height_slope (*height_slope)(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx back);
     tp_fx (*highest)(const tp_pool *pool);
-    tp_batch_add_model run;
 };
 
 struct tp_water_swells {
@@ -127,23 +121,10 @@ struct tp_water_swells {
                  tp_fx gravity);
     tp_surface_point (*above)(const tp_deep_water *deep, const tp_turn phases[TP_WAVES],
                               tp_fx x, tp_fx z, tp_fx rest[2]);
-    void (*begin)(tp_vertex_frame *frame);
-    void (*columns)(const tp_vertex_frame *frame, const tp_vertex_columns *columns,
-                    uint32_t first, uint32_t end, tp_fx cell);
-    void (*row)(const tp_vertex_frame *frame, tp_vertex_row *row, bool sloped);
-    /* displace_axis: a view axis of a batch, from + rest; slope: the slopes of a batch. */
-    void (*displace_axis)(const tp_vertex_batch_input *place, int axis, const int32_t *from,
-                 int32_t rest, int32_t *to);
-    void (*slope)(const tp_vertex_batch_input *place, tp_grid_vertex *to);
     /* Returns a point of a screen grid over level water. */
     tp_surface_point (*point)(const tp_level *level, const tp_surface *surface,
                               const tp_fx place[2], tp_fx step[2][2]);
     bool few;                   /* true: memory for the scene's own swells only */
-};
-
-struct tp_water_sharp {         /* swells with sharpened crests; needs swells */
-    void (*run)(const tp_vertex_batch_input *place, tp_vertex_batch *run,
-                tp_grid_vertex *vertex);
 };
 
 struct tp_water_coastal {

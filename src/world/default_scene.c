@@ -45,7 +45,6 @@ static void set_water(tp_scene *scene)
     scene->wave[0] = make_wave(TP_FX(0.3), TP_FX(19), TP_FX(30), 0);
     scene->wave[1] = make_wave(TP_FX(0.16), TP_FX(11), TP_FX(75), TP_FX(140));
     scene->wave[2] = make_wave(TP_FX(0.09), TP_FX(6), TP_FX(350), TP_FX(250));
-    scene->grid.vertices = 1400;
 }
 
 void tp_scene_init(tp_scene *scene)

@@ -63,11 +63,11 @@ static const foam_row rows[] = {
 
     /* narrow cells */
     { "storm", 850, 2.0, 0.1, 0,
-      { "spray.count=0", "grid.vertices=0", "grid.cell=0.3", "grid.cols=400", "grid.rows=400" } },
+      { "spray.count=0", "grid.vertices=65536" } },
     { "deep-sea", 600, 4.2, 0.52, 0,
-      { "grid.vertices=0", "grid.cell=0.6", "grid.cols=450", "grid.rows=450" } },
+      { "grid.vertices=65536" } },
     { "three-swells", 600, 1.2, 0.45, 0,
-      { "grid.vertices=0", "grid.cell=0.3", "grid.cols=400", "grid.rows=400" } },
+      { "grid.vertices=65536" } },
 };
 
 /* Mean error of the pixels that the reference's spray changes by more than a level: with

@@ -220,7 +220,7 @@ static void the_horizon_lies_in_its_row(void **state)
     view_open(&v, 32, 240);
     ref_image_draw(&image, &v.ref, 32, 240, 1, 1);
     const ref_camera *c = &v.ref.camera;
-    const double way = c->eye.z - v.ref.surface.extent.z + v.ref.surface.extent.out_z;
+    const double way = c->eye.z - v.ref.surface.extent.z + v.ref.surface.extent.half_z;
     const double row = c->v0 + c->focal * tan(atan(c->eye.y / way) - 7 * PI / 180);
     for (uint32_t y = 0; y < 240; y++)
         assert_int_equal(image.kind[y * 32 + 16], y + 0.5 < row ? REF_SKY : REF_WATER);

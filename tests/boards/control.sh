@@ -29,8 +29,8 @@ check "no such name" answered "set wave0.height 1" \
     "error no parameter is called wave0.height"
 check "no such command" answered "hello" \
     "error expected set get list drop poke input pause go step restart state"
-check "what was baked" answered "set grid.cols 64" \
-    "error grid.cols is fixed when a scene is baked"
+check "what was baked" answered "set grid.vertices 64" \
+    "error grid.vertices is fixed when a scene is baked"
 check "drop" answered "drop" "ok drop"
 check "poke" answered "poke 0 -2" "ok poke"
 rows=$("$program" params --only pool | grep -c '^pool\.')

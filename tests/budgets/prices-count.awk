@@ -16,8 +16,6 @@ file == 2 && $1 == "run" {
     water[name] = $6
     vertices[name] = $7
     waves[name] = $8
-    slant[name] = $9 / 65536
-    drawn[name] = $10
     next
 }
 file == 2 && $1 == "beside" {
@@ -53,14 +51,10 @@ function more(item, near)
     return (cost[near item] - cost[near "near"]) / vertices[near "near"]
 }
 
-# Fits cost = pixel n + vertex P + wave W P + a fourth term to all views, with the least
-# relative error and no coefficient below 0: coordinate descent, until no coefficient
-# changes. The fourth term is slant S P for rows, whose cost depends on the angle of the
-# lines to the view, and drawn D for triangles, since triangles without a pixel cost
-# little.
-function fit(rung,    item, views, v, name, i, j, k, moved, rest, a, b, part, off, some)
+# Fits cost = pixel n + vertex P + wave W P to all views, with the least relative error and
+# no coefficient below 0: coordinate descent, until no coefficient changes.
+function fit(rung,    item, views, v, name, i, j, k, moved, rest, a, b, part, off)
 {
-    some = rung ~ /^(rows|triangles)/ ? 4 : 3
     views = split("near dense small one low rough turned swell" \
                   (rung ~ /^tri/ ? " above gale" : ""), item, " ")
     for (v = 1; v <= views; v++) {
@@ -70,21 +64,20 @@ function fit(rung,    item, views, v, name, i, j, k, moved, rest, a, b, part, of
         part[1] = water[name] / cost[name]
         part[2] = vertices[name] / cost[name]
         part[3] = part[2] * waves[name]
-        part[4] = fourth(rung, name) / cost[name]
-        for (i = 1; i <= some; i++) {
+        for (i = 1; i <= 3; i++) {
             b[i] += part[i] * rest / cost[name]
-            for (j = 1; j <= some; j++)
+            for (j = 1; j <= 3; j++)
                 a[i, j] += part[i] * part[j]
         }
     }
-    for (i = 1; i <= 4; i++)
+    for (i = 1; i <= 3; i++)
         coefficient[i] = 0
     moved = 1
     for (k = 0; moved && k < 50000; k++) {
         moved = 0
-        for (i = 1; i <= some; i++) {
+        for (i = 1; i <= 3; i++) {
             off = b[i]
-            for (j = 1; j <= some; j++)
+            for (j = 1; j <= 3; j++)
                 off -= j == i ? 0 : a[i, j] * coefficient[j]
             off = off > 0 && a[i, i] > 0 ? off / a[i, i] : 0
             if (off > coefficient[i] + 1e-9 || off < coefficient[i] - 1e-9)
@@ -96,16 +89,10 @@ function fit(rung,    item, views, v, name, i, j, k, moved, rest, a, b, part, of
         name = "seen " rung " " item[v]
         rest = whole + sky * (pixels[name] - water[name]) + plain * water[name] + \
                coefficient[1] * water[name] + \
-               (coefficient[2] + coefficient[3] * waves[name]) * vertices[name] + \
-               coefficient[4] * fourth(rung, name)
+               (coefficient[2] + coefficient[3] * waves[name]) * vertices[name]
         printf "    %s: %.2f M predicted, %.2f M counted, %.2f\n", name, rest / 1e6, \
                cost[name] / 1e6, rest / cost[name] >"/dev/stderr"
     }
-}
-
-function fourth(rung, name)
-{
-    return rung ~ /^rows/ ? slant[name] * vertices[name] : drawn[name]
 }
 
 function seen(rung,    near)
@@ -117,8 +104,6 @@ function seen(rung,    near)
     row("seen", rung, "pixel", coefficient[1])
     row("seen", rung, "vertex", coefficient[2])
     row("seen", rung, "wave", coefficient[3])
-    if (rung ~ /^(rows|triangles)/)
-        row("seen", rung, rung ~ /^rows/ ? "slant" : "drawn", coefficient[4])
     row("seen", rung, "still", still(rung))
     if (rung !~ /^(triangles|rows)/)
         return                              # these renderers support only plain swells
@@ -135,8 +120,7 @@ function still(rung,    name, points)
     name = "seen " rung " still"
     points = rung ~ /^(triangles|rows)/ ? vertices[name] : 0
     return (cost[name] - whole - sky * (pixels[name] - water[name]) - \
-            coefficient[2] * points - \
-            (rung ~ /^tri/ ? coefficient[4] * drawn[name] : 0)) / water[name] - plain
+            coefficient[2] * points) / water[name] - plain
 }
 
 # Cost of a feature per pixel of water (or of the whole picture): the picture with the

@@ -395,8 +395,6 @@ static void draw(const char *what, const char *rung, const char *other, const ch
     const tp_view_estimate estimate = tp_view_estimate_make(&in);
     semihost_decimal(" ", estimate.points[scene.quality.visibility - 1]);
     semihost_decimal(" ", estimate.waves);
-    semihost_decimal(" ", (uint32_t)estimate.slant);
-    semihost_decimal(" ", estimate.drawn);
     semihost_write("\n");
 }
 

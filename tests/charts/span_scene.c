@@ -7,10 +7,10 @@
 #define WATER "boat.mesh= mirror.method=none foam.cells=0 "
 
 /* Settings of the steps: triangles and exact stages. `plane` is the first texture on level
- * water of four squares of 50 m, the largest triangles. */
+ * water of the fewest vertices, the largest triangles. */
 #define MESH  WATER "quality.visibility=triangles quality.shading=exact quality.rate=full "
-#define PLANE MESH "wave0.amplitude=0 wave1.amplitude=0 wave2.amplitude=0 grid.cols=3 " \
-    "grid.rows=3 grid.cell=50 camera.pitch=-20 water.filter=linear water.specular=0 " \
+#define PLANE MESH "wave0.amplitude=0 wave1.amplitude=0 wave2.amplitude=0 " \
+    "grid.vertices=64 camera.pitch=-20 water.filter=linear water.specular=0 " \
     "water.reflection=0 ripple.bump=0 distortion.strength=0 sky.kind=gradient " \
     "hdr.share=0 "
 

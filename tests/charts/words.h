@@ -8,6 +8,7 @@
 #ifndef TP_TESTS_CHARTS_WORDS_H
 #define TP_TESTS_CHARTS_WORDS_H
 #include "world/text.h"
+#include "world/pools.h"
 
 /* Number of characters up to a blank, `end` or the end of the text. */
 static inline size_t word_until(const char *text, char end)
@@ -35,17 +36,10 @@ static inline bool word_begins(const char *word, const char *with)
     return !*with;
 }
 
-/* Takes one line of `by` along each axis, over the same area of water. */
+/* Takes one vertex of `by` along each axis. */
 static inline void word_thin_grid(tp_scene *scene, int32_t by)
 {
-    const int32_t cols = (scene->grid.cols - 1) / by + 1;
-    const int32_t rows = (scene->grid.rows - 1) / by + 1;
-
-    scene->grid.vertices /= by * by;
-    scene->grid.cell = (tp_fx)((int64_t)scene->grid.cell * (scene->grid.cols - 1)
-                               / (cols > 2 ? cols - 1 : 1));
-    scene->grid.cols = cols < 2 ? 2 : cols;
-    scene->grid.rows = rows < 2 ? 2 : rows;
+    scene->grid.vertices = (int32_t)tp_fan_budget(scene) / (by * by);
 }
 
 /* Applies one word. Returns false if the word is not understood. *still becomes false if

@@ -47,7 +47,7 @@ static void state(void *to)
 static void make_scene(tp_scene *s, uint8_t kind)
 {
     tp_scene_level(s);
-    s->grid.cols = s->grid.rows = 8;
+    s->grid.vertices = 64;
     s->wave[0].amplitude = TP_FX(0.4);
     s->drops.count = kind & 1 ? 4 : 0;
     s->pool.cols = kind & 2 ? 16 : 0;

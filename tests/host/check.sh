@@ -195,10 +195,20 @@ sed -i 's/$/\r/' lake.ini new
 expect "lines with other ends are rewritten" 0 "" check lake.ini --write
 same "with the same ends" "$(cmp lake.ini new)" ""
 old
-printf '[grid]\ncell = 1' | tee -a new >>lake.ini
+printf '[grid]\nvertices = 99' | tee -a new >>lake.ini
 ln -s lake.ini link.ini
 expect "a file behind a link" 0 "" check --write ./link.ini
 same "is rewritten, the link stays" "$(cmp lake.ini new) $(readlink link.ini)" " lake.ini"
+grid() { printf '%s\n' "[grid]" "$@" "[wave0]" "amplitude = 0.5" >grid.ini; }
+grid "cols = 64 ; wide" "rows=64" "follow = off"
+expect "rows of the older grid are faults" 1 \
+    "^grid.ini:2: grid.vertices = 1365 replaces the rows of the older grid$" check grid.ini
+expect "and become vertices" 0 "" check grid.ini --write
+same "in their section, comments stay" "$(tr '\n' '|' <grid.ini)" \
+    "[grid]|; wide|vertices = 1365|[wave0]|amplitude = 0.5|"
+expect "once" 0 "" check grid.ini
+grid "cols = 1"
+expect "a column is no grid" 3 "^grid.ini:2: grid.cols = 1 is outside 2..1024$" check grid.ini
 old
 echo "y = 1" >>lake.ini
 cp lake.ini before

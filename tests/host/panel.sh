@@ -149,9 +149,9 @@ check "where it has none of them they are shown at once" says 'set wave9.steepne
 
 # -- the other kinds -------------------------------------------------------------------
 
-search grid.follow
+search tank.sea
 click 786 189
-check "a switch is switched" says 'set grid.follow=off'
+check "a switch is switched" says 'set tank.sea=off'
 search water.fresnel
 click 880 189
 sleep 0.2

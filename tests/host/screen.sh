@@ -383,7 +383,7 @@ same "is drawn all the same" "$(grep -c '^frame' out)" 2
 
 rm -rf world world.new
 { echo "tape 2 $scene"; echo "5 drops=1"; echo "9 look turn=90000000"
-  echo "9 set light.elevation=20"; echo "9 ahead=0.1"; echo "20 set grid.cols=33"
+  echo "9 set light.elevation=20"; echo "9 ahead=0.1"; echo "20 set grid.vertices=1089"
   echo "20 set camera.y=3"; echo "31 set light.elevation=60"; } >walk.tape
 "$program" render "$scene" --size 96x64 --frames 40 --hash --tape walk.tape >all 2>err
 whole --frames 0:39 --tape walk.tape

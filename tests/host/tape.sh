@@ -164,7 +164,7 @@ anew=$(hashes pond --tape anew.tape)
 same "a set makes the world anew, twice alike" "$(hashes pond --tape anew.tape)" "$anew"
 same "all of it is drawn" "$(echo "$anew" | grep -c '^frame')" 40
 same "the same tape in tiles" "$(hashes pond --tape anew.tape --band 7)" "$anew"
-printf 'tape 2 pond\n5 set grid.cols=33\n6 set grid.rows=40\n' >grid.tape
+printf 'tape 2 pond\n5 set grid.vertices=1100\n6 set grid.vertices=1320\n' >grid.tape
 grid=$(hashes pond --tape grid.tape)
 same "a set of the grid, twice alike" "$(hashes pond --tape grid.tape)" "$grid"
 same "grids are drawn" "$(echo "$grid" | sort -u -k4 | wc -l)" 40

@@ -70,7 +70,7 @@ static int set_up(void **state)
     board *b = calloc(1, sizeof *b);
     b->scene = scene_plain();
     b->scene.boat.mesh[0] = '\0';
-    b->scene.grid.cols = b->scene.grid.rows = 24;
+    b->scene.grid.vertices = 576;
     b->scene.pool.cols = b->scene.pool.rows = 16;
     b->scene.drops.count = 4;
     board_open(b);
@@ -134,7 +134,7 @@ static void lines_are_answered_as_documented(void **state)
         { "get sky.kind\n",
           "ok sky.kind = gradient of gradient|day|dusk|night|cube\n" },
         { "set water.colour #204060\n", "ok water.colour = #204060\n" },
-        { "set grid.follow off\n", "ok grid.follow = off\n" },
+        { "set tank.sea off\n", "ok tank.sea = off\n" },
         { "set scene.title A pond, ours\n", "ok scene.title = A pond, ours\n" },
         { "list wave3.sp\n", "wave3.speed = 1\nok 1 parameter\n" },
         { "list surf.\n", "surf.tilt_decay = 0.1 1/m\nsurf.widening_decay = 0.11 1/m\n"
@@ -224,14 +224,14 @@ static void wrong_lines_say_what_was_expected(void **state)
           "error wave0.amplitude: expected a number, found \n" },
         { "set sky.kind noon\n",
           "error sky.kind = noon is none of gradient|day|dusk|night|cube\n" },
-        { "set grid.follow maybe\n", "error grid.follow = maybe is none of off|on\n" },
+        { "set tank.sea maybe\n", "error tank.sea = maybe is none of off|on\n" },
         { "set water.colour blue\n", "error water.colour: expected a colour such as "
           "#204060, found blue\n" },
         { "set wave99.amplitude 1\n", "error no parameter is called wave99.amplitude\n" },
         { "set\n", "error no parameter is called \n" },
         { "set layer0.texture x.png\n",
           "error layer0.texture is fixed when a scene is baked\n" },
-        { "set grid.cols 24\n", "error grid.cols is fixed when a scene is baked\n" },
+        { "set grid.vertices 24\n", "error grid.vertices is fixed when a scene is baked\n" },
         { "list wavy\n", "error 0 parameters\n" },
         { "poke 1\n", "error expected poke X Z [HEIGHT], in m\n" },
         { "poke 1 2 3 4\n", "error expected poke X Z [HEIGHT], in m\n" },

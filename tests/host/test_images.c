@@ -50,8 +50,8 @@ static void write_whole_scene(void)
         { "foam.cells", "32" },       { "pool.cols", "24" },
         { "pool.rows", "24" },        { "field.cols", "16" },
         { "field.rows", "16" },       { "distortion.strength", "2" },
-        { "wave0.amplitude", "0.3" }, { "grid.cols", "30" },
-        { "grid.rows", "30" },        { "water.clarity", "3" },
+        { "wave0.amplitude", "0.3" }, { "grid.vertices", "900" },
+        { "water.clarity", "3" },
     };
     FILE *file = fopen("case.ini", "w");
     assert_non_null(file);

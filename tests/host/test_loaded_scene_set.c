@@ -144,7 +144,7 @@ static void walls_that_move_open_the_canvas(void **state)
 static void what_needs_memory_opens_the_canvas(void **state)
 {
     (void)state;
-    static const char *const settings[] = { "grid.cols=33", "sky.kind=day",
+    static const char *const settings[] = { "grid.vertices=999", "sky.kind=day",
                                             "mirror.method=cube", "boat.mesh=",
                                             "drops.count=300" };
     open_scene("assets/scenes/three-swells.ini");
@@ -217,7 +217,7 @@ static void what_is_refused_changes_nothing(void **state)
     static const char *const settings[] = {
         "wave0.amplitude=99", "wave0.amplitude", "=1", "nothing=1", "pool.courant=0.8",
         "boat.mesh=no.obj", "boat.mesh=assets/scenes/pond.ini", "sky.kind=cube",
-        "layer1.texture=assets/boats/longship.obj", "grid.cols=512", "pool.cols=512",
+        "layer1.texture=assets/boats/longship.obj", "grid.vertices=65536", "pool.cols=512",
         "layer1.texture=assets/textures/foam.png",
     };
     open_scene("assets/scenes/pond.ini");
@@ -319,7 +319,7 @@ static void a_stage_without_a_canvas_takes_changes(void **state)
     assert_int_equal(loaded_scene_load(&stood, &given), 0);
     assert_false(set("pool.cols=20"));
     assert_false(set("boat.mesh=assets/boats/longship.obj"));
-    assert_false(set("grid.cols=33"));
+    assert_false(set("grid.vertices=999"));
     assert_null(stood.renderer.frame);
     loaded_scene_close(&stood);
 }

@@ -133,9 +133,9 @@ static void unchanged_values_keep_their_spelling(void **state)
     (void)state;
     CHECK("[camera]\nx = 1.50\ny = +2e0\n", "[camera]\nx = 1.50\ny = +2e0\n",
           "camera.x=1.5");
-    CHECK("[grid]\nfollow = yes\n[camera]\nx=0\n",
-          "[grid]\nfollow = yes\n[camera]\nx=0\n",
-          "grid.follow=on", "camera.x=0");
+    CHECK("[tank]\nsea = yes\n[camera]\nx=0\n",
+          "[tank]\nsea = yes\n[camera]\nx=0\n",
+          "tank.sea=on", "camera.x=0");
 }
 
 static void defaults_go(void **state)

@@ -376,11 +376,11 @@ static void an_undo_that_is_refused_may_be_tried_again(void **state)
 {
     (void)state;
     open_scene("assets/scenes/three-swells.ini");
-    change("grid.cols", "20");
+    change("grid.vertices", "9000");
     undo_moment small = moment_now(true);
     given.memory = 1000;                /* the larger world no longer fits */
     assert_int_equal(undo(), UNDO_REFUSED);
-    assert_true(is_again(&small, "grid.cols", "refused"));
+    assert_true(is_again(&small, "grid.vertices", "refused"));
     moment_free(&small);
     given.memory = 0;
     assert_int_equal(undo(), UNDO_ALL);

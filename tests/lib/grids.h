@@ -6,26 +6,26 @@
 #include <string.h>
 #include "view/grid.h"
 
-static inline void grid_carve(tp_grid *grid, tp_arena *arena, uint32_t cols,
-                              uint32_t rows, bool coastal)
+static inline void grid_carve(tp_grid *grid, tp_arena *arena, uint32_t vertices,
+                              bool coastal)
 {
-    tp_grid_layout(grid, arena, cols, rows);
+    tp_grid_layout(grid, arena, vertices, TP_WAVES, false);
     if (coastal)
-        tp_grid_layout_coastal(grid, arena, cols * rows);
+        tp_grid_layout_coastal(grid, arena, vertices);
 }
 
 /* Carves a grid, for coastal water or deep water, from a block of exact size, filled with
  * 0xa5 before; the caller frees the block. */
-static inline void *grid_block(tp_grid *grid, uint32_t cols, uint32_t rows, bool coastal)
+static inline void *grid_block(tp_grid *grid, uint32_t vertices, bool coastal)
 {
     tp_arena count = tp_arena_init(NULL, 0);
 
-    grid_carve(grid, &count, cols, rows, coastal);
+    grid_carve(grid, &count, vertices, coastal);
     void *block = malloc(count.used);
     assert_non_null(block);
     memset(block, 0xa5, count.used);
     tp_arena arena = tp_arena_init(block, count.used);
-    grid_carve(grid, &arena, cols, rows, coastal);
+    grid_carve(grid, &arena, vertices, coastal);
     assert_false(arena.failed);
     return block;
 }

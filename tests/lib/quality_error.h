@@ -19,6 +19,7 @@
 #include <string.h>
 #include "app/scene/loaded_scene.h"
 #include "raster/raster.h"
+#include "world/pools.h"
 
 enum { FINER = 4, LAST = 300, MOST = 320 * 240 };
 
@@ -103,12 +104,6 @@ static inline tp_scene exact_scene(const loaded_scene *s)
     return scene;
 }
 
-static inline int32_t finer(int32_t lines)
-{
-    const int32_t more = FINER * (lines - 1) + 1;
-    return more < 1024 ? more : 1024;
-}
-
 /* Of a mesh to the horizon: up to the most that a scene allows. */
 static inline int32_t finer_vertices(int32_t vertices)
 {
@@ -121,10 +116,7 @@ static inline void draw_truth(truth_drawing *to, const loaded_scene *s,
 {
     tp_scene scene = exact_scene(s);
 
-    scene.grid.cell = scene.grid.cell / FINER;
-    scene.grid.cols = finer(scene.grid.cols);
-    scene.grid.rows = finer(scene.grid.rows);
-    scene.grid.vertices = finer_vertices(scene.grid.vertices);
+    scene.grid.vertices = finer_vertices((int32_t)tp_fan_budget(&scene));
     draw_at(to, s, &scene, world, parts);
 }
 

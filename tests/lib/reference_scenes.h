@@ -298,7 +298,8 @@ static inline tp_scene scene_sky(uint64_t *state, int32_t kind)
 static inline void go_ashore(tp_scene *s)
 {
     s->camera.x = 4000 * TP_FX_ONE;
-    s->grid.follow = 0;
-    s->grid.reach = 0;
+    s->pool.cols = s->pool.rows = 16;
+    s->tank.kind = TP_TANK_STONE;
+    s->tank.sea = 0;
 }
 #endif

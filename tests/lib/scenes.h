@@ -6,6 +6,7 @@
 #include <string.h>
 #include "mesh/mesh.h"
 #include "fixed/arithmetic.h"
+#include "world/pools.h"
 #include "tests/lib/random.h"
 #include "tidepool/modules.h"
 
@@ -20,8 +21,7 @@ static inline tp_scene scene_plain(void)
         s.wave[i].length = (12 + 5 * i) * TP_FX_ONE;
         s.wave[i].heading = (40 * i - 30) * TP_FX_ONE;
     }
-    s.grid.cols = 60;
-    s.grid.rows = 50;
+    s.grid.vertices = 1000;
     strcpy(s.boat.mesh, "boat.obj");    /* the caller gives the mesh, if any */
     return s;
 }
@@ -49,7 +49,7 @@ static inline tp_scene scene_any(uint64_t *state)
     tp_scene_level(&s);
     for (uint32_t i = 0; i < count; i++) {
         const tp_param *row = &rows[i];
-        if (!scene_is_number(row) || row->offset == offsetof(tp_scene, grid.vertices))
+        if (!scene_is_number(row))
             continue;
         const uint32_t kind = random_below(state, 2 + 2 * bold);
         *scene_number(&s, row) = kind == 0 ? row->normal
@@ -222,18 +222,17 @@ static inline tp_assets kit_assets(test_kit *kit, tp_scene *s, uint64_t *state)
 }
 
 /* Limits grids and counts to sizes that a test can wait for. */
-static inline void kit_hold(tp_scene *s, int32_t grid, int32_t cells)
+static inline void kit_hold(tp_scene *s, int32_t vertices, int32_t cells)
 {
-    int32_t *const side[] = { &s->grid.cols, &s->grid.rows, &s->pool.cols, &s->pool.rows,
-                              &s->field.cols, &s->field.rows, &s->foam.cells,
-                              &s->water.caustic_cells, &s->drops.count, &s->drops.rings,
-                              &s->spray.count };
+    int32_t *const side[] = { &s->pool.cols, &s->pool.rows, &s->field.cols, &s->field.rows,
+                              &s->foam.cells, &s->water.caustic_cells, &s->drops.count,
+                              &s->drops.rings, &s->spray.count };
 
-    for (size_t i = 0; i < sizeof side / sizeof *side; i++) {
-        const int32_t most = i < 2 ? grid : cells;
-        if (*side[i] > most)
-            *side[i] = most;
-    }
+    for (size_t i = 0; i < sizeof side / sizeof *side; i++)
+        if (*side[i] > cells)
+            *side[i] = cells;
+    if (tp_fan_budget(s) > (uint32_t)vertices)
+        s->grid.vertices = vertices;
     if (s->pool.courant > TP_FX(0.48))
         s->pool.courant = TP_FX(0.48);
     if (s->field.courant > TP_FX(0.48))
@@ -258,7 +257,6 @@ static inline void kit_gather(tp_scene *s, uint64_t *state)
     s->boat.lift = chance_fx(state, -0.5, 0.5);
     s->boat.speed = chance_fx(state, -1, 1);
     s->drops.y = chance_fx(state, 0, 3);
-    s->grid.cell = chance_fx(state, 0.1, 1);
     s->foam.cell = chance_fx(state, 0.1, 1);
     s->tank.depth = chance_fx(state, 0.2, 6);
     s->tank.rim = chance_fx(state, 0, 1);
@@ -304,13 +302,9 @@ static inline void kit_switch_on(tp_scene *s, uint64_t *state)
     s->drops.interval = TP_FX(0.05);
 }
 
-/* Replaces the grid by a fan, two in three of these over deep water; drawn after all other
- * numbers. */
-static inline void kit_fan(tp_scene *s, uint64_t *state, uint32_t most)
+/* Takes the floor and the tank away; drawn after all other numbers. */
+static inline void kit_deepen(tp_scene *s, uint64_t *state)
 {
-    s->grid.vertices = 1 + (int32_t)random_below(state, most);
-    if (random_below(state, 3) == 0)
-        return;
     s->floor.depth = 0;
     s->floor.map[0] = '\0';
     s->tank.kind = TP_TANK_NONE;
@@ -322,7 +316,7 @@ static inline void kit_fan(tp_scene *s, uint64_t *state, uint32_t most)
 
 /* A scene of random numbers; three in four scenes have all assets in front of the
  * camera. */
-static inline tp_scene kit_scene(uint64_t *state, int32_t grid, int32_t cells)
+static inline tp_scene kit_scene(uint64_t *state, int32_t vertices, int32_t cells)
 {
     tp_scene s = scene_any(state);
 
@@ -330,9 +324,9 @@ static inline tp_scene kit_scene(uint64_t *state, int32_t grid, int32_t cells)
         kit_gather(&s, state);
         kit_switch_on(&s, state);
     }
-    kit_hold(&s, grid, cells);
-    if (random_below(state, 3) == 0)
-        kit_fan(&s, state, (uint32_t)grid * (uint32_t)grid);
+    kit_hold(&s, vertices, cells);
+    if (random_below(state, 4) == 0)
+        kit_deepen(&s, state);
     return s;
 }
 #endif

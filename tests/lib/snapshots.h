@@ -56,7 +56,7 @@ static inline void kept_scene(kept *k, int number, uint64_t *chance)
     tp_scene *s = &k->scene;
     *s = scene_plain();
     k->assets = assets_with(chance, s, number == 1, number == 0);
-    s->grid.cols = s->grid.rows = 12;
+    s->grid.vertices = 144;
     s->boat.wake = TP_FX_ONE;
     if (number < 2)
         kept_air(s, number == 0 ? TP_DROPS_RINGS : TP_DROPS_POOL);

@@ -86,7 +86,7 @@ static inline tp_scene marks_still(int32_t metres)
     tp_scene s;
 
     tp_scene_level(&s);
-    s.grid.cols = s.grid.rows = 12;
+    s.grid.vertices = 144;
     s.camera.y = metres * TP_FX_ONE;
     s.camera.pitch = 0;
     return s;

@@ -14,6 +14,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "app/scene/machine.h"
+#include "world/pools.h"
 #include "tests/lib/programs.h"
 #include "tests/lib/tilings.h"
 
@@ -55,11 +56,10 @@ static int32_t any_side(int32_t low, int32_t high)
 
 static void size_lattices(tp_scene *s)
 {
-    const int32_t points = soak() ? 1024 : 64, cells = soak() ? 512 : 48;
+    const int32_t cells = soak() ? 512 : 48;
     const bool pool = random_below(&chance, 2), field = random_below(&chance, 4) == 0;
 
-    s->grid.cols = any_side(2, points);
-    s->grid.rows = any_side(2, points);
+    s->grid.vertices = any_side(64, soak() ? 65536 : 2048);
     s->pool.cols = pool ? any_side(16, cells) : 0;
     s->pool.rows = any_side(16, cells);
     s->field.cols = field ? any_side(16, cells) : 0;
@@ -116,7 +116,7 @@ static tp_config any_config(const tp_scene *s)
         .height = (uint32_t)any_side(16, most),
         .format = (tp_format)random_below(&chance, TP_FORMAT_COUNT),
     };
-    const uint64_t points = 4000 + (uint64_t)s->grid.cols * (uint32_t)s->grid.rows;
+    const uint64_t points = 4000 + (uint64_t)tp_fan_budget(s);
     uint64_t tiles;
 
     do {
@@ -247,8 +247,7 @@ static void live_on(const programs *k, tp_world *world, tp_scene *scene,
         if (scene_is_number(&row[i]) && random_below(&chance, one_in) == 0)
             *scene_number(scene, &row[i]) = *(const int32_t *)(const void *)(
                 (const char *)&other + row[i].offset);
-    scene->grid.cols = before.grid.cols;
-    scene->grid.rows = before.grid.rows;
+    scene->grid.vertices = before.grid.vertices;
     if (!tp_world_apply(&k->by, world, scene, assets)) {
         *scene = before;
         assert_true(tp_world_apply(&k->by, world, scene, assets));
@@ -289,8 +288,8 @@ static bool draw_scene(const programs *k, tp_scene *scene, const tp_assets *asse
 
 static void tell(uint32_t number, const tp_scene *s, const tp_config *c, const char *how)
 {
-    printf("# %u: grid %dx%d, pool %dx%d, field %dx%d, picture %ux%u %s, tiles %ux%u, %s\n",
-           (unsigned)number, (int)s->grid.cols, (int)s->grid.rows, (int)s->pool.cols,
+    printf("# %u: grid %d, pool %dx%d, field %dx%d, picture %ux%u %s, tiles %ux%u, %s\n",
+           (unsigned)number, (int)s->grid.vertices, (int)s->pool.cols,
            (int)s->pool.rows, (int)s->field.cols, (int)s->field.rows, (unsigned)c->width,
            (unsigned)c->height, tp_format_name(c->format), (unsigned)c->tile_width,
            (unsigned)c->tile_height, how);

@@ -24,11 +24,7 @@ static tp_scene beach(double depth, double slope)
     tp_scene s;
 
     tp_scene_level(&s);
-    s.grid.cols = 80;
-    s.grid.rows = 80;
-    s.grid.cell = 2 * TP_FX_ONE;
-    s.grid.reach = 0;
-    s.grid.follow = 0;
+    s.grid.vertices = 6400;
     s.floor.depth = (tp_fx)lround(depth * 65536);
     s.floor.slope = (tp_fx)lround(slope * 65536);
     return s;
@@ -132,7 +128,7 @@ static void nothing_of_a_deep_floor_is_drawn(void **state)
 {
     (void)state;
     for (int n = 0; n < 12; n++) {
-        tp_scene s = beach(50, 0.02);
+        tp_scene s = beach(50, 0.002);
         s.wave[0].amplitude = TP_FX(0.5);
         s.wave[0].length = 20 * TP_FX_ONE;
         s.camera.y = n % 3 ? chance_fx(&chance, 1, 60) : -5 * TP_FX_ONE;
@@ -154,7 +150,7 @@ static void every_tiling_gives_the_same_bits(void **state)
 
     for (int n = 0; n < 16; n++) {
         tp_scene s = beach(chance_double(&chance, 0.5, 6), chance_double(&chance, 0.05, 1));
-        s.grid.cols = s.grid.rows = 40;
+        s.grid.vertices = 1600;
         s.wave[0].amplitude = TP_FX(0.3);
         s.wave[0].length = 15 * TP_FX_ONE;
         s.floor.heading = chance_fx(&chance, -90, 90);
@@ -163,8 +159,6 @@ static void every_tiling_gives_the_same_bits(void **state)
         s.camera.y = chance_fx(&chance, -4, 20);
         s.camera.pitch = chance_fx(&chance, -50, 10);
         s.camera.heading = chance_fx(&chance, -180, 180);
-        s.grid.reach = n % 2 ? 0 : 4000 * TP_FX_ONE;
-        s.grid.follow = n / 2 % 2;
         tp_world *world = scene_world(&s, &none);
         marks_assert_tiled(&s, &none, world, config, sizes, sizeof sizes / sizeof *sizes,
                            key);
@@ -183,11 +177,10 @@ static void a_slope_into_the_deep_is_the_same_in_all_bands(void **state)
                                          { 0, 13 }, { 0, 16 }, { 0, 19 } };
     tp_scene s = beach(4, 1);
 
-    s.grid.cols = s.grid.rows = 12;
-    s.grid.cell = 8 * TP_FX_ONE;
+    s.grid.vertices = 144;
     s.camera.z = 6 * TP_FX_ONE;
     s.camera.y = -5 * TP_FX_ONE;
-    s.camera.pitch = -10 * TP_FX_ONE;
+    s.camera.pitch = 10 * TP_FX_ONE;
     tp_world *world = scene_world(&s, &none);
     marks_assert_tiled(&s, &none, world, config, bands, sizeof bands / sizeof *bands, key);
     assert_true(marks_count(key, WIDTH * HEIGHT, MARKS_LAND) > 100);

@@ -42,7 +42,7 @@ static void compare_modules(const tp_frame *frame, tp_module_conditions want,
 
 static void compare_scene(truth_tally *t)
 {
-    tp_scene scene = kit_scene(&chance, 14, 40);
+    tp_scene scene = kit_scene(&chance, 196, 40);
     tp_assets assets = kit_assets(&kit, &scene, &chance);
     const tp_config config = {
         .width = 64, .height = 48, .tile_height = 48, .format = TP_FORMAT_XRGB8888

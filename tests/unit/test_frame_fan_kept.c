@@ -141,12 +141,12 @@ static void lay_out(kept_grid *g, uint32_t vertices, uint32_t swells, bool strea
 {
     tp_arena count = tp_arena_init(NULL, 0);
 
-    tp_water_fan.layout(&g->grid, &count, vertices, swells, streams);
+    tp_grid_layout(&g->grid, &count, vertices, swells, streams);
     g->block = malloc(count.used);
     assert_non_null(g->block);
     memset(g->block, 0xa5, count.used);
     tp_arena arena = tp_arena_init(g->block, count.used);
-    tp_water_fan.layout(&g->grid, &arena, vertices, swells, streams);
+    tp_grid_layout(&g->grid, &arena, vertices, swells, streams);
     assert_false(arena.failed);
     tp_filtered_waves_clear(&g->filtered);
 }
@@ -226,7 +226,7 @@ static void change_any(numbers *n)
 
 static void place(kept_grid *g, const tp_grid_view *view)
 {
-    g->grid.frame.surface = view->surface;
+    g->grid.surface = view->surface;
     tp_grid_evaluate_vertices(&g->grid, view);
     tp_fan_fill_variance(&g->grid, &g->filtered);
 }
@@ -235,7 +235,6 @@ static void assert_same_rows(const tp_grid *a, const tp_grid *b)
 {
     assert_true(a->cols == b->cols && a->rows == b->rows && a->blocks == b->blocks);
     assert_int_equal(a->vertices, b->vertices);
-    assert_int_equal(a->frame.max_displacement, b->frame.max_displacement);
     assert_true(a->fan->detail == b->fan->detail && a->fan->end == b->fan->end
                 && a->fan->end_column == b->fan->end_column);
     assert_memory_equal(a->fan->row, b->fan->row, a->rows * sizeof *a->fan->row);
@@ -260,7 +259,7 @@ static bool compare(kept_grid *kept, kept_grid *fresh, const numbers *n, uint64_
     const tp_surface surface = { .by = &tp_program_all.water, .deep = &deep,
                                  .phases = phases };
     const tp_grid_view view = { .projection = &v.projection, .surface = &surface,
-                                .width = n->width, .height = n->height, .cell = TP_FX_ONE,
+                                .width = n->width, .height = n->height,
                                 .vertices = kept->grid.fan->vertices, .detail = n->detail };
 
     tp_projection_init_turned(&v.projection, n->eye, rolled(v.projection.turn, n->roll),

@@ -32,12 +32,6 @@ static tp_scene any_view(bool calm)
     s.camera.heading = chance_fx(&chance, 0, 360);
     s.camera.pitch = chance_fx(&chance, -89, 20);
     s.camera.fov = chance_fx(&chance, 20, 100);
-    s.grid.follow = (int32_t)random_below(&chance, 2);
-    s.grid.reach = (int32_t)random_below(&chance, 2) * 8000 * TP_FX_ONE;
-    if (!s.grid.follow) {
-        s.camera.x /= 8;
-        s.camera.z /= 8;
-    }
     return s;
 }
 
@@ -211,10 +205,7 @@ static void long_waves_have_the_slopes_of_the_mesh(void **state)
         scene.camera.y = chance_fx(&chance, 3, 8);
         scene.camera.pitch = chance_fx(&chance, -85, -60);
         scene.camera.fov = chance_fx(&chance, 30, 60);
-        scene.grid.reach = 0;
-        scene.grid.follow = 1;
-        scene.grid.cell = TP_FX(0.5);
-        scene.grid.cols = scene.grid.rows = 90;
+        scene.grid.vertices = 8100;
         level_draw(&mesh, &scene, &none, TP_VISIBILITY_TRIANGLES, 90);
         level_draw(&flat, &scene, &none, TP_VISIBILITY_FLAT, 90);
         assert_int_equal(flat.frame.frame->visibility, TP_VISIBILITY_FLAT);

@@ -41,7 +41,6 @@ static tp_scene calm_scene(void)
 
     for (int i = 0; i < TP_WAVES; i++)
         s.wave[i].amplitude = 0;
-    s.grid.reach = 16000 * TP_FX_ONE;
     s.camera.pitch = 0;
     return s;
 }
@@ -131,36 +130,6 @@ static void waves_leave_no_holes(void **state)
     }
 }
 
-/* Without reach the grid has only its own cells, 10 x 10 m around the origin, seen from
- * above. */
-static void without_reach_the_grid_is_all(void **state)
-{
-    (void)state;
-    tp_scene scene = calm_scene();
-    const tp_config config = {
-        .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_P8
-    };
-    const tp_assets none = { 0 };
-    tp_world world;
-    tp_tile tile;
-
-    scene.grid.reach = 0;
-    scene.grid.follow = 0;
-    scene.grid.cols = scene.grid.rows = 11;
-    scene.grid.cell = TP_FX_ONE;
-    scene.camera.y = 20 * TP_FX_ONE;
-    scene.camera.pitch = -89 * TP_FX_ONE;
-    scene.camera.fov = 60 * TP_FX_ONE;
-    test_frame f = frame_of(&scene, &none, &config);
-    tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
-    tp_frame_begin(f.frame, &world);
-    assert_true(tp_frame_draw_tile(f.frame, 0, f.scratch, &tile));
-    /* 10 m seen from 20 m: 10 / 20 x 77.94 = 38.97 px square, tilted by a degree. */
-    const double side = 0.5 * HEIGHT / 2 / tan(3.14159265358979 / 6);
-    assert_true(fabs(sqrt(marks_of(&f, 0, HEIGHT).water) - side) < 1);
-    frame_free(&f);
-}
-
 static marks marks_with_lift(tp_fx lift)
 {
     tp_scene scene = calm_scene();
@@ -202,7 +171,6 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(calm_water_fills_everything_below_the_horizon),
         cmocka_unit_test(waves_leave_no_holes),
-        cmocka_unit_test(without_reach_the_grid_is_all),
         cmocka_unit_test(the_boat_floats_on_the_water_and_sinks_below_it),
     };
     return cmocka_run_group_tests_name("frame/horizon", tests, NULL, NULL);

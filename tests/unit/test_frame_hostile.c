@@ -7,21 +7,18 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "world/pools.h"
 #include "tests/lib/tilings.h"
 
 static uint64_t chance;
 static test_kit kit;
 static test_twice twice;
 
-/* Halves the grid until the test's time allows the size: 4000 vertices at most. */
+/* Limits the grid to a size for which the test has time. */
 static void hold_grid(tp_scene *s)
 {
-    while (s->grid.cols * s->grid.rows > 4000) {
-        if (s->grid.cols > s->grid.rows)
-            s->grid.cols = s->grid.cols / 2 < 2 ? 2 : s->grid.cols / 2;
-        else
-            s->grid.rows = s->grid.rows / 2 < 2 ? 2 : s->grid.rows / 2;
-    }
+    if (tp_fan_budget(s) > 4000)
+        s->grid.vertices = 4000;
 }
 
 /* Draws the frame whole and in tiles: the same picture. */
@@ -41,7 +38,7 @@ static void draw_any(tp_scene *scene, const test_boat *boat)
     assets.boat = &boat->mesh;
     strcpy(scene->boat.mesh, "boat.obj");
     kit_switch_on(scene, &chance);
-    kit_hold(scene, 60, 24);
+    kit_hold(scene, 3600, 24);
     scene->pool.cols = chance_int(&chance, 0, 1) * 20;
     tp_world *world = scene_world(scene, &assets);
     if (world)
@@ -63,7 +60,7 @@ static void any_scene_of_the_table_is_drawn(void **state)
 {
     (void)state;
     for (int n = 0; n < 300; n++) {
-        tp_scene scene = n % 2 ? scene_any(&chance) : kit_scene(&chance, 60, 100);
+        tp_scene scene = n % 2 ? scene_any(&chance) : kit_scene(&chance, 3600, 100);
         const tp_assets assets = kit_assets(&kit, &scene, &chance);
         hold_grid(&scene);
         tp_world *world = scene_world(&scene, &assets);
@@ -107,24 +104,20 @@ static void every_row_at_its_ends_is_drawn(void **state)
     }
 }
 
-static void grids_of_any_shape_are_drawn(void **state)
+static void grids_of_any_size_are_drawn(void **state)
 {
     (void)state;
-    static const int32_t sizes[][2] = { { 2, 2 }, { 1024, 2 }, { 2, 1024 }, { 3, 2 },
-                                        { 8, 8 }, { 17, 33 }, { 2, 7 }, { 1024, 300 } };
+    static const int32_t sizes[] = { 1, 64, 65, 100, 561, 5000, 65536 };
 
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         tp_scene scene = scene_plain();
         const tp_assets assets = { 0 };
         tp_world world;
-        scene.grid.cols = sizes[i][0];
-        scene.grid.rows = sizes[i][1];
+        scene.grid.vertices = sizes[i];
         for (int k = 0; k < 8; k++) {
-            scene.grid.cell = k & 1 ? 50 * TP_FX_ONE : TP_FX(0.05);
-            scene.grid.reach = k & 2 ? 16000 * TP_FX_ONE : 0;
-            scene.grid.follow = k >> 2;
             scene.camera.heading = 33 * k * TP_FX_ONE;
-            if (sizes[i][1] == 300 && k % 3)
+            scene.camera.pitch = (11 * k - 80) * TP_FX_ONE;
+            if (sizes[i] == 65536 && k % 3)
                 continue;
             tp_world_init(&tp_program_all, &world, sizeof world, &scene, NULL, NULL);
             draw_both(&scene, &assets, &world);
@@ -149,8 +142,6 @@ static void the_eye_may_be_anywhere(void **state)
         scene.camera.pitch = pitch[n / 45];
         scene.camera.heading = chance_fx(&chance, 0, 360);
         scene.camera.near = random_below(&chance, 2) ? TP_FX(0.05) : 10 * TP_FX_ONE;
-        scene.grid.follow = n & 1;
-        scene.grid.reach = 16000 * TP_FX_ONE;
         scene.boat.x = far[random_below(&chance, 3)];
         scene.boat.z = far[random_below(&chance, 3)];
         scene.drops.x = far[random_below(&chance, 3)];
@@ -202,7 +193,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(any_scene_of_the_table_is_drawn),
         cmocka_unit_test(every_row_at_its_ends_is_drawn),
-        cmocka_unit_test(grids_of_any_shape_are_drawn),
+        cmocka_unit_test(grids_of_any_size_are_drawn),
         cmocka_unit_test(the_eye_may_be_anywhere),
         cmocka_unit_test(a_boat_of_any_size_is_drawn),
     };

@@ -34,7 +34,7 @@ static tp_world *world_by(const tp_program *by, const tp_scene *scene,
 /* The frame's program may differ from the world's program. */
 static void draw_by(const tp_program *by, const tp_program *moved_by)
 {
-    tp_scene scene = kit_scene(&chance, 40, 24);
+    tp_scene scene = kit_scene(&chance, 1600, 24);
     const tp_assets assets = kit_assets(&kit, &scene, &chance);
     tp_world *world = world_by(moved_by, &scene, &assets);
     const tp_input input = { .drops = 2, .push[0].height = TP_FX(0.3) };
@@ -272,7 +272,7 @@ static void refused(const tp_program *by, tp_format format, const char *word)
     tp_scene scene;
 
     tp_scene_level(&scene);
-    scene.grid.cols = scene.grid.rows = 2;
+    scene.grid.vertices = 64;
     assert_int_equal(tp_frame_init(&frame, &config, &scene, block, sizeof block, &err),
                      TP_E_PROGRAM);
     assert_string_equal(err.word, word);

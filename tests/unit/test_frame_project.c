@@ -227,10 +227,7 @@ static void picks_agree_with_the_samples_of_tiles(void **state)
     for (int n = 0; n < 16; n++) {
         static const uint32_t parts[] = { 0, 16, 4, 1 }; /* swells, rings, pool, coast */
         tp_scene scene = scene_of(parts[n % 4]);
-        scene.grid.cols = scene.grid.rows = 250;
-        scene.grid.cell = TP_FX(0.5);
-        scene.grid.reach = 0;
-        scene.grid.follow = 0;
+        scene.grid.vertices = 65536;
         scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
         scene.drops.target = TP_DROPS_RINGS;
         scene.drops.rings = 40;

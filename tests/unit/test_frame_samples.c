@@ -52,7 +52,7 @@ static void each_kind_of_thing_is_told(void **state)
 
     kit_make(&kit, &chance);
     for (int n = 0; n < SCENES; n++) {
-        tp_scene scene = kit_scene(&chance, 20, 40);
+        tp_scene scene = kit_scene(&chance, 400, 40);
         const tp_assets assets = kit_assets(&kit, &scene, &chance);
         const tp_config config = { .width = WIDTH, .height = HEIGHT, .tile_height = 32 };
         tp_world *world = scene_world(&scene, &assets);

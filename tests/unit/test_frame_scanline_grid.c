@@ -38,20 +38,14 @@ static guarded guarded_copy(const tp_grid_box *box, size_t count)
     return g;
 }
 
-/* A view from one side of the grid: near rows, which the near plane clips, have cells
- * beyond the 256th.  There a walk past the last block reaches a block that looks like one
- * of the row: 4096 blocks after its first cell is the same in 16 bits. */
+/* A grid with the most vertices, whose near rows the near plane clips. */
 static tp_scene scene_wide(void)
 {
     tp_scene s = scene_plain();
 
     s.quality.visibility = TP_VISIBILITY_ROWS;
-    s.grid.cols = 320;
-    s.grid.rows = 60;
-    s.grid.cell = chance_fx(&chance, 1, 20);
-    s.grid.follow = 0;
-    s.camera.x = 120 * s.grid.cell;
-    s.camera.z = 0;
+    s.grid.vertices = 65536;
+    s.camera.near = 10 * TP_FX_ONE;
     s.camera.y = chance_fx(&chance, 3, 6);
     s.camera.heading = chance_int(&chance, 0, 1) * 180 * TP_FX_ONE;
     s.camera.pitch = chance_fx(&chance, -25, 0);
@@ -63,7 +57,7 @@ static int count_cut(const tp_frame_lines *lines)
     int count = 0;
 
     for (uint32_t k = 0; k + 1 < lines->lines; k++)
-        count += lines->line[k].is & TP_LINE_CUT && lines->line[k].cells.end > 256;
+        count += lines->line[k].is & TP_LINE_CUT;
     return count;
 }
 

@@ -28,8 +28,8 @@ static tp_scene fine_scene(void)
     s.camera.heading = chance_fx(&chance, 0, 360);
     s.camera.pitch = chance_fx(&chance, -50, 5);
     s.camera.fov = chance_fx(&chance, 30, 70);
-    s.grid.cols = s.grid.rows = 320;
-    s.grid.cell = TP_FX(0.5);
+    s.grid.vertices = 65536;
+    s.water.specular = s.water.reflection = 0;      /* the mesh spreads them by variance */
     return s;
 }
 
@@ -84,8 +84,8 @@ static bool look(tp_scene *scene, const tp_assets *assets, picture_difference *a
         level_draw(&mesh, scene, assets, TP_VISIBILITY_TRIANGLES, 40);
         const picture_difference d = compare(&mesh, &lines);
         add(all, &d);
-        assert_true(d.colour < 4);
-        assert_true(d.sum / d.columns < 0.5);
+        assert_true(d.colour < 2);
+        assert_true(d.sum / d.columns <= 1);    /* the horizon between two rows of pixels */
         assert_in_range(d.most, 0, 3);
         frame_free(&mesh.frame);
     }

@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "frame/tools.h"
+#include "view/fan.h"
 #include "tests/lib/tilings.h"
 
 enum { WIDTH = TWICE_WIDTH, HEIGHT = TWICE_HEIGHT };
@@ -75,7 +76,7 @@ static void any_scene_is_drawn_the_same(void **state)
     counts count = { .drawn = 0 };
 
     for (int n = 0; n < 300; n++) {
-        tp_scene scene = kit_scene(&chance, 60, 24);
+        tp_scene scene = kit_scene(&chance, 3600, 24);
         const tp_assets assets = kit_assets(&kit, &scene, &chance);
         if (n % 4) {
             scene.floor.depth = 0;
@@ -107,10 +108,7 @@ static void rows_are_drawn_the_same(void **state)
         scene.camera.y = chance_fx(&chance, 2, 12);
         scene.camera.heading = chance_fx(&chance, -60, 60) + n % 2 * 180 * TP_FX_ONE;
         scene.camera.pitch = chance_fx(&chance, -20, 0);
-        scene.grid.cols = chance_int(&chance, 2, 90);
-        scene.grid.rows = chance_int(&chance, 2, 90);
-        scene.grid.cell = chance_fx(&chance, 0.3, 3);
-        scene.grid.follow = chance_int(&chance, 0, 1);
+        scene.grid.vertices = chance_int(&chance, 64, 4000);
         scene.quality.visibility = TP_VISIBILITY_ROWS;
         tp_world *world = scene_world(&scene, &none);
         compare(&scene, &none, world, &count);
@@ -146,39 +144,14 @@ static void what_is_not_stored_takes_no_memory(void **state)
     const tp_config streamed = config_with(&config, &small, NULL);
     tp_scene scene = scene_plain();
 
-    scene.grid.cols = scene.grid.rows = 64;
+    scene.grid.vertices = 4096;
     scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
     const size_t saved =
         tp_frame_bytes(&config, &scene) - tp_frame_bytes(&streamed, &scene);
-    const size_t waves = TP_WAVES - 3;          /* the plain scene has three waves */
-    assert_int_equal(saved, (62 * sizeof(tp_grid_vertex)
-                             + waves * (sizeof(tp_vertex_sincos) + 4)) * 64);
+    const uint32_t cols = tp_fan_most_cols(4096);
+    assert_int_equal(saved, (4096 - 2 * cols) * sizeof(tp_grid_vertex));
     assert_true(tp_frame_scratch_bytes(&streamed, &scene)
-                <= tp_frame_scratch_bytes(&config, &scene) + TP_GRID_WINDOW(64));
-}
-
-/* The tables of the columns have no room for these waves. */
-static void waves_beyond_those_at_init_are_left_out(void **state)
-{
-    (void)state;
-    static uint32_t picture[WIDTH * HEIGHT];
-    const tp_config config = { .width = WIDTH,
-                               .height = HEIGHT,
-                               .tile_height = HEIGHT,
-                               .format = TP_FORMAT_XRGB8888 };
-    const tp_assets none = { .boat = NULL };
-    tp_scene scene = scene_plain();
-    test_frame f = frame_by(&small, &scene, &none, &config);
-
-    for (int i = 3; i < TP_WAVES; i++)
-        scene.wave[i] = (tp_wave){ .amplitude = TP_FX(0.5), .length = 9 * TP_FX_ONE,
-                                    .exponent = 1 };
-    tp_world *world = scene_world(&scene, &none);
-    tp_frame_begin(f.frame, world);
-    assert_int_equal(f.frame->buffers.grid->frame.count, 3);
-    twice_paint(&f, false, picture);
-    free(world);
-    frame_free(&f);
+                <= tp_frame_scratch_bytes(&config, &scene) + TP_GRID_WINDOW(cols));
 }
 
 int main(void)
@@ -188,7 +161,6 @@ int main(void)
         cmocka_unit_test(rows_are_drawn_the_same),
         cmocka_unit_test(vertices_of_coastal_water_are_stored),
         cmocka_unit_test(what_is_not_stored_takes_no_memory),
-        cmocka_unit_test(waves_beyond_those_at_init_are_left_out),
     };
     chance = 20;
     kit_make(&kit, &chance);

@@ -70,8 +70,6 @@ static void tell(const works_view *v, char *to)
     at = add(to, at, "vertices", o->vertices);
     at = add(to, at, "waves", o->waves);
     at = add(to, at, "near", o->near);
-    at = add(to, at, "cells", o->drawn);
-    at = add(to, at, "slant", o->slant);
     for (int i = 0; i < TP_VISIBILITIES; i++)
         at = add(to, at, "points", o->points[i]);
     at = add(to, at, "hidden", v->works.hidden);

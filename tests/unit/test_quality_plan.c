@@ -58,7 +58,7 @@ static void trial_make(trial *t, uint64_t *state)
 {
     t->prices = prices_of(state);
     kit_make(&t->kit, state);
-    t->scene = kit_scene(state, 200, 64);
+    t->scene = kit_scene(state, 16384, 64);
     t->assets = kit_assets(&t->kit, &t->scene, state);
     t->width = 16 + random_below(state, 1000);
     t->height = 16 + random_below(state, 1000);

@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "view/grid.h"
+#include "view/fan.h"
 #include "tests/lib/measure.h"
 #include "tests/lib/coastal_water.h"
 #include "tests/lib/camera.h"
@@ -52,11 +52,8 @@ static void make(beach *s)
                               .surface = &s->surface,
                               .width = 320,
                               .height = 240,
-                              .cell = chance_fx(&chance, 0.5, 4),
-                              .reach = random_below(&chance, 2) ? 500 * TP_FX_ONE : 0,
-                              .follow = random_below(&chance, 2) > 0 };
-    const uint32_t cols = (uint32_t)chance_int(&chance, 2, 40);
-    s->block = grid_block(&s->grid, cols, (uint32_t)chance_int(&chance, 2, 40), true);
+                              .vertices = (uint32_t)chance_int(&chance, 64, 1600) };
+    s->block = grid_block(&s->grid, s->look.vertices, true);
     tp_grid_evaluate_vertices(&s->grid, &s->look);
 }
 
@@ -66,18 +63,16 @@ static void beach_free(beach *s)
     coastal_end(&s->coastal);
 }
 
-/* The point of the coastal water itself, faded. */
+/* The point of the coastal water itself, of the waves that the row holds. */
 static tp_coastal_point point_at(const beach *s, uint32_t i, uint32_t j)
 {
-    const tp_grid_line *column = &s->grid.column[i], *row = &s->grid.row[j];
-    const tp_fx fade = tp_fx_mul(column->fade, row->fade);
-    tp_coastal_point p = tp_coastal_displace_point(s->coastal.coastal, s->phases,
-                                                   column->place, row->place);
+    const tp_fan *fan = s->grid.fan;
+    const tp_coastal_spacing spacing =
+        tp_fan_row_spacing(fan, &fan->row[j], &s->coastal.deep);
 
-    p.position.x = column->place + tp_fx_mul(p.position.x - column->place, fade);
-    p.position.y = tp_fx_mul(p.position.y, fade);
-    p.position.z = row->place + tp_fx_mul(p.position.z - row->place, fade);
-    return p;
+    return tp_coastal_displace_filtered(s->coastal.coastal, s->phases, &spacing,
+                                        tp_grid_s(&s->grid, i, j),
+                                        tp_grid_t(&s->grid, i, j));
 }
 
 static bool is_needed(const beach *s, uint32_t i, uint32_t j)
@@ -145,10 +140,6 @@ static void slopes_are_those_between_neighbours(void **state)
             const double z[3] = { (double)d.x - c.x, (double)d.y - c.y, (double)d.z - c.z };
             const double nx = z[1] * x[2] - z[2] * x[1], ny = z[2] * x[0] - z[0] * x[2];
             const double nz = z[0] * x[1] - z[1] * x[0];
-            if (s.grid.column[i].fade == 0 || s.grid.row[j].fade == 0) {
-                assert_true(got->slope_x == 0 && got->slope_z == 0);
-                continue;
-            }
             if (ny < 0.2 * (fabs(nx) + fabs(nz)))
                 continue;
             const double off = fmax(fabs(got->slope_x + 4096 * nx / ny),

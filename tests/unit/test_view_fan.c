@@ -38,22 +38,13 @@ static void place(sea *s)
     s->look.surface = &s->surface;
     s->look.width = s->v.width;
     s->look.height = s->v.height;
-    s->look.cell = TP_FX_ONE;
     tp_grid_evaluate_vertices(&s->grid, &s->look);
 }
 
 static void lay_out(sea *s, uint32_t vertices)
 {
-    tp_arena count = tp_arena_init(NULL, 0);
-
     s->look.vertices = vertices;
-    tp_water_fan.layout(&s->grid, &count, vertices, TP_WAVES, false);
-    s->block = malloc(count.used);
-    assert_non_null(s->block);
-    memset(s->block, 0xa5, count.used);
-    tp_arena arena = tp_arena_init(s->block, count.used);
-    tp_water_fan.layout(&s->grid, &arena, vertices, TP_WAVES, false);
-    assert_false(arena.failed);
+    s->block = grid_block(&s->grid, vertices, false);
 }
 
 static sea any_sea(void)
@@ -104,7 +95,7 @@ static void check_law(const sea *s)
 
     assert_true(law->rows >= 2 && law->cols >= 2);
     assert_true(law->rows * law->cols <= s->look.vertices);
-    assert_true(law->rows <= s->grid.most_rows && law->cols <= s->grid.most_cols);
+    assert_true(law->rows <= tp_fan_most_rows(s->look.vertices) && law->cols <= s->grid.most_cols);
     for (uint32_t j = 0; j < law->rows; j++) {
         const double want = expected_distance(law, law->rows - 1 - j);
         const double off = fabs(row_distance(s, j) - want);
@@ -155,6 +146,25 @@ static bool is_covered(const sea *s, double x, double z)
     return false;
 }
 
+/* Turns the camera about its line of sight. */
+static void roll(test_view *v)
+{
+    tp_projection *p = &v->projection;
+    const tp_dir3 x = p->turn.x, y = p->turn.y;
+    const tp_turn by = (tp_turn)random_next(&chance);
+    const tp_q30 s = tp_sin(by), c = tp_cos(by);
+    tp_rotation turn = p->turn;
+
+    turn.x = (tp_dir3){ tp_q30_mul(x.x, c) + tp_q30_mul(y.x, s),
+                        tp_q30_mul(x.y, c) + tp_q30_mul(y.y, s),
+                        tp_q30_mul(x.z, c) + tp_q30_mul(y.z, s) };
+    turn.y = (tp_dir3){ tp_q30_mul(y.x, c) - tp_q30_mul(x.x, s),
+                        tp_q30_mul(y.y, c) - tp_q30_mul(x.y, s),
+                        tp_q30_mul(y.z, c) - tp_q30_mul(x.z, s) };
+    tp_projection_init_turned(p, p->eye, turn, chance_fx(&chance, 20, 100), p->near,
+                              v->width, v->height);
+}
+
 static void check_ray(const sea *s, double u, double v, uint32_t *met)
 {
     const tp_projection *p = &s->v.projection;
@@ -178,6 +188,8 @@ static void water_is_wherever_a_ray_meets_it(void **state)
     (void)state;
     for (int n = 0; n < 600; n++) {
         sea s = any_sea();
+        if (n % 2)
+            roll(&s.v);
         place(&s);
         const double w = s.v.width / 2.0, h = s.v.height / 2.0;
         for (int k = 0; k < 20; k++)
@@ -203,13 +215,16 @@ static bool keeps_all(const sea *s, uint32_t j)
     return true;
 }
 
-/* Compares a vertex with the surface of waves that are as high as the row makes them. */
+/* Compares a vertex with the surface of waves that are as high as the row makes them, its
+ * slopes with those of waves that do not fold more than without gain. */
 static void check_vertex(const sea *s, uint32_t i, uint32_t j)
 {
+    const tp_grid_vertex *vertex = &s->grid.vertex[j * s->grid.cols + i];
     const tp_view_vertex c = grid_corner(&s->grid, i, j);
     tp_deep_water raised = s->deep;
     tp_surface surface = s->surface;
     tp_view_vertex want;
+    bool steep = false;                 /* slopes of 2 and more are cut */
 
     for (uint32_t k = 0; k < raised.count; k++) {
         tp_swell *w = &raised.swell[k];
@@ -217,13 +232,23 @@ static void check_vertex(const sea *s, uint32_t i, uint32_t j)
         w->amplitude = tp_fx_mul(w->amplitude, weight);
         w->orbit_x = tp_fx_mul(w->orbit_x, weight);
         w->orbit_z = tp_fx_mul(w->orbit_z, weight);
+        steep = steep || hypot(w->slope_x, w->slope_z) * weight > 0x1p47;
+        w->slope_x = tp_fx_saturate((int64_t)w->slope_x * weight >> 16);
+        w->slope_z = tp_fx_saturate((int64_t)w->slope_z * weight >> 16);
     }
+    raised.crossed = true;              /* as the rows sum them */
     surface.deep = &raised;
     const tp_vec3 at = tp_surface_displace(&surface, tp_grid_s(&s->grid, i, j),
                                            tp_grid_t(&s->grid, i, j));
     tp_projection_view_vertex(&s->v.projection, at, &want);
     assert_true(tp_abs(c.x - want.x) < 100 && tp_abs(c.y - want.y) < 100
                 && tp_abs(c.depth - want.depth) < 100);
+    if (steep)
+        return;
+    const tp_surface_point point = tp_deep_water_displace_point(
+        &raised, s->phases, tp_grid_s(&s->grid, i, j), tp_grid_t(&s->grid, i, j));
+    assert_true(tp_abs(vertex->slope_x * 16 - point.slope_x) <= 24);
+    assert_true(tp_abs(vertex->slope_z * 16 - point.slope_z) <= 24);
 }
 
 static void kept_waves_are_those_of_the_surface(void **state)

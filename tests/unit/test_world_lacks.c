@@ -77,6 +77,10 @@ static bool any_scene(shown_modules *s)
         s->scene.mirror.method = TP_MIRROR_NONE;
     if (random_below(&chance, 8) == 0) /* matt water */
         s->scene.water.clarity = s->scene.water.specular = s->scene.water.reflection = 0;
+    if (random_below(&chance, 8) == 0) { /* one layer */
+        s->assets.layer[1] = s->assets.layer[2] = NULL;
+        s->scene.distortion.strength = 0;
+    }
     s->scene.quality.shading = TP_SHADING_QUICK;
     s->scene.quality.rate = TP_RATE_FULL;
     if (tp_program_check_all(&tp_program_all, &s->scene, &s->assets, NULL) != TP_OK

@@ -132,7 +132,7 @@ static void every_number_beyond_its_range_is_refused_by_its_name(void **state)
     stand_free(&s);
 }
 
-/* A scene of plain waves; a grid of a million points is left to slower tests. */
+/* A scene of plain waves; a grid of the most points is left to slower tests. */
 static void every_number_at_the_ends_of_its_range_is_taken(void **state)
 {
     (void)state;
@@ -143,12 +143,12 @@ static void every_number_at_the_ends_of_its_range_is_taken(void **state)
     for (uint32_t i = 0; i < 2 * count; i++) {
         const tp_param *row = &rows[i / 2];
         tp_scene scene = scene_plain();
-        scene.grid.cols = scene.grid.rows = 12;
+        scene.grid.vertices = 144;
         if (!scene_is_number(row))
             continue;
         *scene_number(&scene, row) = i % 2 ? row->high : row->low;
         assert_int_equal(tp_scene_check(&scene, NULL), TP_OK);
-        if (scene.grid.cols + scene.grid.rows < 100)
+        if (scene.grid.vertices < 10000)
             use(&scene, &none);
     }
 }
@@ -250,14 +250,14 @@ static void scenes_of_any_numbers_are_refused_or_can_be_used(void **state)
     uint32_t used = 0, refused = 0;
 
     for (int n = 0; n < 300; n++) {
-        tp_scene scene = kit_scene(&chance, 10, 24);
+        tp_scene scene = kit_scene(&chance, 100, 24);
         const tp_assets assets = kit_assets(&kit, &scene, &chance);
         tp_error why = { 0 };
         for (uint32_t k = random_below(&chance, 4); k > 0; k--)
             set_any_row_anyhow(&scene);
         if (tp_scene_check(&scene, &why) == TP_OK) {
             assert_true(in_range(&scene));
-            kit_hold(&scene, 10, 24);
+            kit_hold(&scene, 100, 24);
             use(&scene, &assets);
             used++;
         } else {

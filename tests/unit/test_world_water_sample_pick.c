@@ -333,8 +333,7 @@ static void what_is_drawn_as_water_is_picked(void **state)
     scene.sky.haze = 0;
     scene.water.colour = 0;
     scene.water.reflection = scene.water.specular = 0;
-    scene.grid.cols = scene.grid.rows = 250;
-    scene.grid.cell = TP_FX(0.5);
+    scene.grid.vertices = 65536;
     pick_water w = water_of(&scene, chance_int(&chance, 1, 200));
     test_frame f = frame_of(&scene, &none, &config);
     tp_tile tile;

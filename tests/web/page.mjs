@@ -178,20 +178,20 @@ async function values(page) {
     await settle(page);
     is('a value is reset', await value(page, 'wave0.amplitude'), '1.05');
 
-    await type(page, 'grid.cols', '60');
-    await page.click('.row[data-name="grid.cols"] .undo');
-    await page.evaluate(() => ['layer0', 'water', 'grid', 'quality'].forEach(name => {
+    await type(page, 'grid.vertices', '600');
+    await page.click('.row[data-name="grid.vertices"] .undo');
+    await page.evaluate(() => ['layer0', 'water', 'tank', 'quality'].forEach(name => {
         document.querySelector(`[data-group="${name}"]`).open = true;
     }));
     await pick(page, field('layer0.texture'), 'textures/sand.png');
     await page.fill(field('water.colour'), '#804020');
-    await page.uncheck(field('grid.follow'));
+    await page.uncheck(field('tank.sea'));
     await pick(page, field('quality.shading'), 'quick');
     await page.click('#restart');
     await settle(page);
     is('a picture, a colour, a switch and a choice are drawn', await sum(page),
        told('storm', '160x120', 0, `layer0.texture=${assets}/textures/sand.png`,
-            'water.colour=#804020', 'grid.follow=off', 'quality.shading=quick'));
+            'water.colour=#804020', 'tank.sea=off', 'quality.shading=quick'));
 
     const slider = page.locator('.row[data-name="light.elevation"] input[type=range]');
     await slider.scrollIntoViewIfNeeded();

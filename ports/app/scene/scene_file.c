@@ -155,6 +155,8 @@ bool scene_file_apply(scene_file *file, const char *place, uint32_t set_at,
                       const char *name, const char *value)
 {
     const tp_param *param = old_name_param(name, strlen(name));
+    if (set_at != SET_BY_COMMAND && older_grid_has_row(name))
+        return older_grid_read(&file->older, place, set_at, name, value);
     if (!param) {
         refuse_name(place, name);
         return false;
@@ -254,51 +256,14 @@ static uint32_t file_line(const scene_file *file, const char *name)
     return param ? file->set_at[param - tp_params(&count)] : 0;
 }
 
-static bool has_rings_or_pools(const tp_scene *s)
-{
-    return s->pool.cols > 0 || s->field.cols > 0 || s->drops.count > 0;
-}
-
-/* Returns the first line of the file that sets a row of the older grid, 0: none. */
-static uint32_t old_grid_line(const scene_file *file)
-{
-    static const char *const names[] = { "grid.cols", "grid.rows", "grid.cell",
-                                         "grid.reach", "grid.follow" };
-    uint32_t first = 0;
-
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        const uint32_t line = file_line(file, names[i]);
-        first = line && (!first || line < first) ? line : first;
-    }
-    return first;
-}
-
-int32_t scene_file_older_sea(const tp_scene *scene)
-{
-    return scene->grid.reach > 0;
-}
-
-/* A tank needs all points.  Cells as fine as before up to the end of rings and pools need
- * 3 in 5, as measured for raindrops; open water needs the third that a view shows. */
-int32_t scene_file_older_vertices(const tp_scene *s)
-{
-    const int64_t all = (int64_t)s->grid.cols * s->grid.rows;
-    const bool walled = s->tank.kind != TP_TANK_NONE && s->pool.cols > 0 && !s->tank.sea;
-    const int64_t kept = walled ? all : has_rings_or_pools(s) ? all * 3 / 5 : all / 3;
-
-    return (int32_t)(kept < 64 ? 64 : kept > 65536 ? 65536 : kept);
-}
-
-static void read_old_grid(scene_file *file)
+void scene_file_read_older_grid(scene_file *file)
 {
     tp_scene *s = &file->scene;
 
     if (!file_line(file, "tank.sea"))
-        s->tank.sea = scene_file_older_sea(s);
-    if (file_line(file, "grid.vertices"))
-        return;
-    file->old_grid = old_grid_line(file);
-    s->grid.vertices = scene_file_older_vertices(s);
+        s->tank.sea = older_grid_sea(&file->older);
+    if (!file_line(file, "grid.vertices"))
+        s->grid.vertices = older_grid_vertices(&file->older, s);
 }
 
 int scene_file_open(scene_file *file, const char *given)
@@ -308,16 +273,18 @@ int scene_file_open(scene_file *file, const char *given)
         return code;
     const int read = scene_ini_read(file);
     if (!read)
-        read_old_grid(file);
+        scene_file_read_older_grid(file);
     return read;
 }
 
 void scene_file_report_old_names(const scene_file *file)
 {
-    if (file->old_grid)
+    if (file->older.line && !file_line(file, "grid.vertices"))
         log_line("%s:%u: grid.cols and grid.rows are read as grid.vertices = %d until version "
-                 OLD_NAMES_END "; grid.cell, grid.reach and grid.follow have no effect",
-                 file->path, (unsigned)file->old_grid, (int)file->scene.grid.vertices);
+                 OLD_NAMES_END "; grid.cell, grid.reach and grid.follow have no effect;"
+                 " `tidepool check %s --write` rewrites them",
+                 file->path, (unsigned)file->older.line, (int)file->scene.grid.vertices,
+                 file->path);
     old_name_note_print(&file->old_in_file, file->path, file->path);
     old_name_note_print(&file->old_by_command, "--set", NULL);
 }

@@ -4,6 +4,7 @@
 #define TP_APP_SCENE_SCENE_FILE_H
 #include <stdint.h>
 #include "old_name_note.h"
+#include "older_grid.h"
 #include "tidepool/scene.h"
 
 #define SET_BY_COMMAND UINT32_MAX
@@ -14,7 +15,7 @@ typedef struct {
     uint32_t *set_at;       /* for each row of the table: line of the INI that set the
                              * value, 0: default, or SET_BY_COMMAND */
     const char *by;         /* origin of SET_BY_COMMAND in messages; NULL: "--set" */
-    uint32_t old_grid;      /* line of a grid.cols that was read as a budget of vertices */
+    older_grid older;       /* rows of the older grid in the file */
     old_name_note old_in_file, old_by_command;      /* old names of rows that were read */
     tp_scene scene;
 } scene_file;
@@ -26,10 +27,8 @@ int  scene_file_open(scene_file *file, const char *given);
 int  scene_file_set(scene_file *file, const char *setting);     /* "name=value" */
 void scene_file_close(scene_file *file);
 
-/* Return the value of grid.vertices and of tank.sea in a file that does not say it, from
- * the rows of the older grid: its points, and its water beyond these. */
-int32_t scene_file_older_vertices(const tp_scene *scene);
-int32_t scene_file_older_sea(const tp_scene *scene);
+/* Sets what the file says by rows of the older grid; after the last line was applied. */
+void scene_file_read_older_grid(scene_file *file);
 
 /* Opens a scene without reading its file. */
 int  scene_file_find(scene_file *file, const char *given);

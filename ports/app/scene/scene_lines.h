@@ -9,6 +9,7 @@
 
 #define LINE_NONE  (-1)         /* sets nothing: a comment, a section's head ... */
 #define LINE_OTHER (-2)         /* sets a name that is not in the table */
+#define LINE_OLDER_GRID (-3)    /* sets a row of the older grid */
 
 typedef struct {
     char  *text;                /* text without line end */

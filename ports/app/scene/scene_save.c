@@ -17,6 +17,7 @@
 #include "app/files/output_file.h"
 #include "app/files/path.h"
 #include "long_name.h"
+#include "older_grid.h"
 #include "scene_lines.h"
 #include "world/text.h"
 
@@ -29,6 +30,7 @@ typedef struct {
     uint32_t   *at;             /* for each row: last line that sets the row; 0: none */
     bool       *bad;            /* for each row: that line has an invalid value */
     tp_scene    filed;          /* the scene according to the lines */
+    older_grid  older;          /* rows of the older grid in the lines */
     bool        moved;          /* the new file is in another folder */
 } save;
 
@@ -44,6 +46,8 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
     const tp_param *param = old_name_param(full, strlen(full));
     const long row = param ? (long)(param - tp_params(&count)) : LINE_OTHER;
     scene_lines_value(&s->lines, line, row, strlen(value));
+    if (older_grid_has_row(full))
+        older_grid_read(&s->older, NULL, line, full, value);
     if (!param)
         return true;                    /* refused when the scene was read */
     s->at[row] = line;
@@ -108,8 +112,8 @@ static int32_t number_without_line(const save *s, const tp_param *param)
 {
     const tp_scene *scene = &s->file->scene;
 
-    return param == tp_param_find("grid.vertices", 13) ? scene_file_older_vertices(scene)
-         : param == tp_param_find("tank.sea", 8) ? scene_file_older_sea(scene)
+    return param == tp_param_find("grid.vertices", 13) ? older_grid_vertices(&s->older, scene)
+         : param == tp_param_find("tank.sea", 8) ? older_grid_sea(&s->older)
                                                  : param->normal;
 }
 

@@ -181,10 +181,7 @@ void bench_scene_close(bench_scene *s)
 
 static void set_sea(tp_scene *s, uint32_t points)
 {
-    s->grid.cols = s->grid.rows = (int32_t)points;
-    s->grid.cell = (tp_fx)(20 * TP_FX_ONE / ((int32_t)points - 1));
-    s->grid.reach = 0;
-    s->grid.follow = 0;
+    s->grid.vertices = (int32_t)(points * points / 3);
     s->wave[0] = (tp_wave){ TP_FX(0.20), TP_FX(6), TP_FX(0.15), TP_FX(30), 0, TP_FX(1),
                             1 };
     s->wave[1] = (tp_wave){ TP_FX(0.12), TP_FX(3.5), TP_FX(0.15), TP_FX(75), 0, TP_FX(1),

@@ -12,14 +12,19 @@
 #include "app/files/log.h"
 #include "app/files/output_file.h"
 #include "app/scene/loaded_scene.h"
+#include "app/scene/older_grid.h"
 #include "app/scene/scene_lines.h"
+#include "world/text.h"
 
 typedef struct { uint32_t line; const old_name *name; } renamed_line;
+typedef struct { uint32_t line; size_t value_bytes; } older_line;
 
 typedef struct {
     scene_file   *file;
     renamed_line *renamed;      /* lines with old names */
     size_t        n_renamed;
+    older_line   *older;        /* lines with rows of the older grid */
+    size_t        n_older;
     unsigned      values, faults;
 } scene_check;
 
@@ -38,6 +43,19 @@ static bool add_renamed(scene_check *c, uint32_t line, const old_name *name)
     return true;
 }
 
+static bool add_older(scene_check *c, uint32_t line, size_t value_bytes)
+{
+    const size_t bytes = (c->n_older + 1) * sizeof *c->older;
+    older_line *more = realloc(c->older, bytes);
+    if (!more) {
+        log_fail_memory(bytes);
+        return false;
+    }
+    more[c->n_older++] = (older_line){ line, value_bytes };
+    c->older = more;
+    return true;
+}
+
 static bool take(void *user, uint32_t line, const char *section, const char *name,
                  const char *value)
 {
@@ -47,6 +65,8 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
     snprintf(place, sizeof place, "%s:%u", c->file->path, (unsigned)line);
     c->values++;
     c->faults += !scene_file_apply(c->file, place, line, full, value);
+    if (older_grid_has_row(full))
+        return add_older(c, line, strlen(value));
     const old_name *old = old_name_find(full, strlen(full));
     return !old || add_renamed(c, line, old);
 }
@@ -54,6 +74,7 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
 static int check_lines(scene_check *c)
 {
     const int code = ini_read(c->file->path, take, c);
+    scene_file_read_older_grid(c->file);
     return code ? code : c->faults ? EXIT_INPUT : EXIT_DONE;
 }
 
@@ -70,6 +91,9 @@ static int report(const scene_check *c)
     for (size_t i = 0; i < c->n_renamed; i++)
         log_line("%s:%u: %s is now called %s", path, (unsigned)c->renamed[i].line,
                  c->renamed[i].name->old, c->renamed[i].name->now);
+    if (c->n_older)
+        log_line("%s:%u: grid.vertices = %d replaces the rows of the older grid", path,
+                 (unsigned)c->file->older.line, (int)c->file->scene.grid.vertices);
     return log_fail(EXIT_CHECK,
                     "%s: old names are read until version " OLD_NAMES_END
                     "; `tidepool check %s --write` rewrites them", path, path);
@@ -98,6 +122,31 @@ static int rename_lines(const scene_check *c, scene_lines *l)
     return EXIT_DONE;
 }
 
+/* Adds a row whose value the file gives by rows of the older grid alone. */
+static bool append_older(const scene_check *c, scene_lines *l, const char *name)
+{
+    uint32_t count;
+    const tp_param *param = tp_param_find(name, strlen(name));
+    char text[TP_NAME_BYTES], normal[64];
+
+    if (c->file->set_at[param - tp_params(&count)])
+        return true;
+    tp_param_text(&c->file->scene, param, text, sizeof text);
+    tp_param_number_text(param, param->normal, normal, sizeof normal);
+    return strcmp(text, normal) == 0 || scene_lines_append(l, name, text);
+}
+
+/* Puts grid.vertices in the place of the older grid's rows. */
+static int replace_older(const scene_check *c, scene_lines *l)
+{
+    for (size_t i = 0; i < c->n_older; i++)
+        scene_lines_value(l, c->older[i].line, LINE_OLDER_GRID, c->older[i].value_bytes);
+    if (c->n_older && !(append_older(c, l, "grid.vertices") && append_older(c, l, "tank.sea")))
+        return log_fail_memory(TP_NAME_BYTES);
+    scene_lines_remove(l, LINE_OLDER_GRID);
+    return EXIT_DONE;
+}
+
 static int rewrite(const scene_check *c)
 {
     scene_lines l = { 0 };
@@ -105,11 +154,17 @@ static int rewrite(const scene_check *c)
     if (!code)
         code = rename_lines(c, &l);
     if (!code)
+        code = replace_older(c, &l);
+    if (!code)
         code = write_lines(&l, c->file->path);
     scene_lines_free(&l);
     for (size_t i = 0; i < c->n_renamed && !code; i++)
         printf("%s:%u: %s is now %s\n", c->file->path, (unsigned)c->renamed[i].line,
                c->renamed[i].name->old, c->renamed[i].name->now);
+    if (c->n_older && !code)
+        printf("%s:%u: grid.vertices = %d replaces the rows of the older grid\n",
+               c->file->path, (unsigned)c->file->older.line,
+               (int)c->file->scene.grid.vertices);
     return code;
 }
 
@@ -130,7 +185,7 @@ static int check_file(loaded_scene *s, const options *o, scene_check *c)
     int code = check_lines(c);
     if (code)
         return code;
-    if (c->n_renamed)
+    if (c->n_renamed || c->n_older)
         code = o->write ? rewrite(c) : report(c);
     const int world = check_world(s, o);
     return world ? world : code;
@@ -146,6 +201,7 @@ int check_scene(const options *o)
     if (!code)
         printf("%s: %u values, no fault\n", s.file.path, c.values);
     free(c.renamed);
+    free(c.older);
     loaded_scene_close(&s);
     return code;
 }

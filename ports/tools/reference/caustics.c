@@ -117,7 +117,6 @@ static void trace_rays(ref_caustics *c, const ref_scene *s, double x, double z)
     const int wide = c->cells[0] + 1, high = c->cells[1] + 1;
 
     all.relief.bump = 0;
-    all.extent.fade = 0;
     c->ray = malloc((size_t)wide * (size_t)high * sizeof *c->ray);
     if (!c->ray)
         abort();

@@ -97,24 +97,13 @@ bool ref_ray_meets(const ref_surface *s, const ref_ray *ray, double t0, double t
     ray_probe p = { s, ray, { ray->from.x, ray->from.z } };
     const double high = s->high, reach = s->reach;
 
-    if (!ref_ray_clip_slab(ray->from.x, ray->way.x, e->x - e->out_x - reach,
-                         e->x + e->out_x + reach, &t0, &t1)
-        || !ref_ray_clip_slab(ray->from.z, ray->way.z, e->z - e->out_z - reach,
-                            e->z + e->out_z + reach, &t0, &t1)
+    if (!ref_ray_clip_slab(ray->from.x, ray->way.x, e->x - e->half_x - reach,
+                         e->x + e->half_x + reach, &t0, &t1)
+        || !ref_ray_clip_slab(ray->from.z, ray->way.z, e->z - e->half_z - reach,
+                            e->z + e->half_z + reach, &t0, &t1)
         || !ref_ray_clip_slab(ray->from.y, ray->way.y, -high, high, &t0, &t1))
         return false;
     if (high < 1e-8)
         return meets_level(&p, t0, t1, below, meeting);
-    if (e->fade == 0)
-        return march(&p, t0, t1, below, meeting);
-
-    double w0 = t0, w1 = t1;            /* interval with moving water */
-    if (!ref_ray_clip_slab(ray->from.x, ray->way.x, e->x - e->half_x - reach,
-                         e->x + e->half_x + reach, &w0, &w1)
-        || !ref_ray_clip_slab(ray->from.z, ray->way.z, e->z - e->half_z - reach,
-                            e->z + e->half_z + reach, &w0, &w1))
-        return meets_level(&p, t0, t1, below, meeting);
-    return meets_level(&p, t0, w0, below, meeting)
-        || march(&p, w0, w1, below, meeting)
-        || meets_level(&p, w1, t1, below, meeting);
+    return march(&p, t0, t1, below, meeting);
 }

@@ -26,8 +26,8 @@ static void print_help(void)
          "  --frame N          the world after N ticks of 1/60 s\n"
          "  --set NAME=VALUE   change one parameter of the scene; may be repeated\n"
          "  --threads N        2 by default\n"
-         "  --mesh             waves end where the engine's mesh lets them end, and\n"
-         "                     pictures have the engine's levels: to compare 1 sample");
+         "  --levels           pictures have the engine's mipmap levels: to compare\n"
+         "                     1 sample");
 }
 
 static bool read_number(const char *text, uint32_t low, uint32_t high, uint32_t *number)
@@ -76,7 +76,7 @@ static bool read_option(const char *name, const char *value, reference_options *
 static int read_words(int argc, char **argv, reference_options *w)
 {
     for (int i = 1; i < argc; i++) {
-        if (strcmp(argv[i], "--mesh") == 0)
+        if (strcmp(argv[i], "--levels") == 0)
             w->mesh = true;
         else if (argv[i][0] != '-' && !w->scene)
             w->scene = argv[i];

@@ -211,7 +211,7 @@ void ref_scene_open(ref_scene *s, const tp_scene *scene, const tp_assets *assets
     if (tp_world_drops(world))
         place_drops(s, tp_world_drops(world), back);
     place_tank(s);
-    s->surface = ref_surface_make(scene, world, s->camera.eye, s->camera.ahead, meshed);
+    s->surface = ref_surface_make(scene, world, s->camera.eye);
     place_blocks(s);
     s->immersion = is_sunk(s);
     ref_swash_open(s, world);

@@ -58,7 +58,7 @@ typedef struct {
 typedef struct {
     const tp_scene  *scene;
     const tp_assets *assets;
-    bool       meshed;          /* waves fade and textures have the engine's mipmap levels:
+    bool       meshed;          /* textures have the engine's mipmap levels:
                                  * for comparisons with one sample a pixel */
     ref_camera camera;
     ref_surface surface;

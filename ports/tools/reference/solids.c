@@ -99,9 +99,9 @@ static void try_floor(const ref_scene *s, const ref_ray *ray, double t0, ref_sol
     double w0 = t0, w1 = fmin(solid->t, 1e5), t;
 
     if (!o || !o->floored
-        || !ref_ray_clip_slab(ray->from.x, ray->way.x, e->x - e->out_x, e->x + e->out_x,
+        || !ref_ray_clip_slab(ray->from.x, ray->way.x, e->x - e->half_x, e->x + e->half_x,
                             &w0, &w1)
-        || !ref_ray_clip_slab(ray->from.z, ray->way.z, e->z - e->out_z, e->z + e->out_z,
+        || !ref_ray_clip_slab(ray->from.z, ray->way.z, e->z - e->half_z, e->z + e->half_z,
                             &w0, &w1))
         return;
     if (o->map) {

@@ -4,9 +4,7 @@
  * sums of steepness are at most 0.95, so the surface is a height field: above each place
  * there is exactly one point, found by Newton's method.
  *
- * The water is the rectangle of the scene's grid. With `fading`, waves fade out where the
- * engine's mesh fades them; the fade's own contribution to slopes is left out. Without
- * `fading`, waves extend to the rectangle's edge. */
+ * The water is a square of 16 km around the eye, or the rectangle of a tank. */
 #ifndef TP_TOOLS_REFERENCE_SURFACE_H
 #define TP_TOOLS_REFERENCE_SURFACE_H
 #include "coastal_water.h"
@@ -16,9 +14,7 @@
 
 typedef struct {
     double x, z;                /* centre, m */
-    double half_x, half_z;      /* half sides of the equal cells, m */
-    double out_x, out_z;        /* half sides of the whole water, m */
-    double fade;                /* m inside of the equal cells' edge; 0: no fading */
+    double half_x, half_z;      /* half sides, m */
 } ref_extent;
 
 #define REF_CLOSE 1e-10         /* m; tests/charts/reference.c shows the reason */
@@ -43,8 +39,7 @@ typedef struct {
     bool    wet;                /* false: land, or outside the rectangle */
 } ref_water;
 
-ref_surface ref_surface_make(const tp_scene *scene, const tp_world *world, ref_vec eye,
-                             ref_vec ahead, bool fading);
+ref_surface ref_surface_make(const tp_scene *scene, const tp_world *world, ref_vec eye);
 void        ref_surface_free(ref_surface *surface);
 
 /* Height of the surface at (x, z), accurate to `off` m along. `rest`: start of the search,
@@ -56,6 +51,4 @@ double ref_surface_height(const ref_surface *s, double x, double z, double rest[
  * ref_surface_height. */
 ref_water ref_surface_sample(const ref_surface *s, double x, double z, double rest[2]);
 
-/* True if waves may reach (x, z); elsewhere the surface is level. */
-bool ref_surface_moves(const ref_surface *s, double x, double z);
 #endif

@@ -199,15 +199,11 @@ bool tp_land_enabled(const tp_module_conditions *conditions)
 
 static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    const tp_scene *scene = conditions->scene;
-    const bool fan = conditions->water->fan && tp_has_fan(scene);
-    const uint32_t budget = tp_fan_budget(scene);
-    const size_t vertices = fan ? budget : (size_t)scene->grid.cols * (size_t)scene->grid.rows;
-    const size_t rows = fan ? tp_fan_most_rows(budget) : (size_t)scene->grid.rows;
+    const uint32_t vertices = tp_fan_budget(conditions->scene);
     land *l = tp_arena_alloc(arena, 1, sizeof *l), made = { .seen = false };
 
     made.at = tp_arena_alloc(arena, vertices, sizeof *made.at);
-    made.rows = tp_arena_alloc(arena, rows, sizeof *made.rows);
+    made.rows = tp_arena_alloc(arena, tp_fan_most_rows(vertices), sizeof *made.rows);
     if (l)
         *l = made;
     return l;

@@ -58,7 +58,6 @@ typedef struct {
     const tp_scene *scene;
     tp_floor floor;
     tp_projection projection;
-    int64_t  x, z;              /* centre of the grid, m, Q16 */
     tp_fan_view view;
     tp_fan_law  law;            /* of a fan's rows */
     tp_fan_row  line[2];        /* rows j and j + 1 of a fan */
@@ -127,25 +126,26 @@ static tp_fx longest_wave(const tp_scene *s, tp_fx *shortest)
     return longest;
 }
 
-/* Sets the grid's lines by the law of a fan or by the scene. */
+/* Sets the grid's lines by the law of the fan. */
 static void set_lines(land_ground *g)
 {
     const tp_scene *s = g->scene;
     tp_fx shortest;
     const tp_fx longest = longest_wave(s, &shortest);
 
-    g->columns = s->grid.cols;
-    g->lines = s->grid.rows;
-    if (!tp_has_fan(s))
-        return;
     g->view = (tp_fan_view){
         .projection = &g->projection, .width = (uint32_t)g->cols,
         .height = (uint32_t)g->rows, .half_longest = longest / 2,
         .shortest = shortest < TP_FX_MAX / 2 ? 2 * shortest : shortest,
         .high = tp_fx_saturate(g->deepest - TP_FX_ONE),
         .aside = tp_fx_saturate(g->deepest - TP_FX_ONE),
-        .land = tp_fx_saturate(-sample_depth(g, g->projection.eye.x, g->projection.eye.z)),
+        .land = TP_FX_MIN,
     };
+    tp_vec3 place[TP_FAN_LAND_PLACES];
+    tp_fan_land_places(&g->view, place);
+    for (int k = 0; k < TP_FAN_LAND_PLACES; k++)
+        tp_fan_widen_land(&g->view,
+                          tp_fx_saturate(sample_depth(g, place[k].x, place[k].z)));
     g->law = tp_fan_law_solve(&g->view, tp_fan_budget(s));
     g->columns = (int32_t)g->law.cols;
     g->lines = (int32_t)g->law.rows;
@@ -154,30 +154,23 @@ static void set_lines(land_ground *g)
 /* Selects the lines on both sides of a row of cells. */
 static void select_row(land_ground *g, int32_t j)
 {
-    for (int k = 0; k < 2 && tp_has_fan(g->scene); k++)
+    for (int k = 0; k < 2; k++)
         g->line[k] = tp_fan_law_row(&g->law, &g->view, g->law.rows - 1 - (uint32_t)(j + k));
 }
 
-/* Returns the rest position of column i of line j or, with `next`, of line j + 1. */
-static tp_vec3 line_place(const land_ground *g, int32_t i, int32_t j, int next)
+/* Returns the rest position of column i of the selected line or, with `next`, of the
+ * line behind it. */
+static tp_vec3 line_place(const land_ground *g, int32_t i, int next)
 {
-    const tp_scene   *s = g->scene;
     const tp_fan_row *row = &g->line[next];
 
-    if (tp_has_fan(s))
-        return (tp_vec3){ tp_fan_place(row->x, row->step_x, (uint32_t)i), 0,
-                          tp_fan_place(row->z, row->step_z, (uint32_t)i) };
-    return (tp_vec3){
-        tp_fx_saturate(tp_start_view_grid_line_place(
-            s, g->columns, g->x, (2 * (int64_t)i + 1 - g->columns) * 32768)), 0,
-        tp_fx_saturate(tp_start_view_grid_line_place(
-            s, g->lines, g->z, (2 * (int64_t)(j + next) + 1 - g->lines) * 32768)),
-    };
+    return (tp_vec3){ tp_fan_place(row->x, row->step_x, (uint32_t)i), 0,
+                      tp_fan_place(row->z, row->step_z, (uint32_t)i) };
 }
 
-static cost_corner project_corner(const land_ground *g, int32_t i, int32_t j, int next)
+static cost_corner project_corner(const land_ground *g, int32_t i, int next)
 {
-    const tp_vec3 rest = line_place(g, i, j, next);
+    const tp_vec3 rest = line_place(g, i, next);
     const tp_floor_at at = tp_floor_sample(&g->floor, rest.x, rest.z);
     const tp_vec3 place = { rest.x, tp_fx_saturate(-(int64_t)at.depth), rest.z };
     tp_view_vertex c;
@@ -197,7 +190,7 @@ static cost_corner project_corner(const land_ground *g, int32_t i, int32_t j, in
 
 /* Counts for a row of cells. */
 typedef struct {
-    uint32_t tries, cuts, offs; /* uncut cells; partly cut; wholly cut */
+    uint32_t tries, cuts;       /* uncut cells; partly cut */
     uint32_t seen;              /* cells in view, with breaking waves */
     uint64_t drawn, fill;       /* cells with a pixel, once per tile, Q8; filled pixels */
     int32_t  top, bottom;       /* pixel rows touched */
@@ -249,7 +242,6 @@ static void count_cell(const land_ground *g, strip *to, const cost_corner p[4])
         return;
     to->tries += !cut;
     to->cuts += cut && !none;
-    to->offs += none;
     if (!cut)
         count_visible_cell(g, to, p);
     for (int k = 0; k < 4; k++) {
@@ -263,12 +255,12 @@ static void count_cell(const land_ground *g, strip *to, const cost_corner p[4])
 static strip measure_strip(land_ground *g, int32_t j)
 {
     select_row(g, j);
-    strip to = { 0, 0, 0, 0, 0, 0, INT32_MAX, INT32_MIN };
-    cost_corner left[2] = { project_corner(g, 0, j, 0), project_corner(g, 0, j, 1) };
+    strip to = { 0, 0, 0, 0, 0, INT32_MAX, INT32_MIN };
+    cost_corner left[2] = { project_corner(g, 0, 0), project_corner(g, 0, 1) };
 
     for (int32_t i = 0; i + 1 < g->columns; i++) {
-        const cost_corner right[2] = { project_corner(g, i + 1, j, 0),
-                                       project_corner(g, i + 1, j, 1) };
+        const cost_corner right[2] = { project_corner(g, i + 1, 0),
+                                       project_corner(g, i + 1, 1) };
         const cost_corner all[4] = { left[0], left[1], right[0], right[1] };
         count_cell(g, &to, all);
         left[0] = right[0];
@@ -289,7 +281,7 @@ static uint32_t count_tiles(const land_ground *g, const strip *s)
 static void count_work(tp_site *w)
 {
     const tp_scene *s = w->scene;
-    land_ground g = { .scene = s, .floor = make_floor(w), .x = w->at.x, .z = w->at.z,
+    land_ground g = { .scene = s, .floor = make_floor(w),
                  .deepest = TP_FX_ONE, .cols = (int32_t)w->width,
                  .rows = (int32_t)w->height };
     uint64_t drawn = 0;
@@ -307,7 +299,6 @@ static void count_work(tp_site *w)
         w->fixed_cost.of[TP_WORK_land_row] += tiles * (uint32_t)(g.columns - 1);
         w->fixed_cost.of[TP_WORK_land_cell] += tiles * row.tries;
         w->fixed_cost.of[TP_WORK_land_cut] += tiles * row.cuts;
-        w->fixed_cost.of[TP_WORK_land_off] += tiles * row.offs;
         w->fixed_cost.of[TP_WORK_surf] += row.seen;
         w->fixed_cost.of[TP_WORK_land_fill] += (uint32_t)row.fill;
         drawn += row.drawn;

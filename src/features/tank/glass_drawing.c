@@ -28,13 +28,13 @@ static void append_side_post(const tp_frame *frame, tp_glass_wall *wall,
 /* True if the columns of the grid meet a wall along x (`across`) or along z. */
 static bool columns_meet_wall(const tp_grid *grid, bool across)
 {
-    return (!grid->fan || grid->fan->law.right.x != 0) == across;
+    return (grid->fan->law.right.x != 0) == across;
 }
 
 /* Returns the grid vertices along a wall; 0: no grid, or one that does not end there. */
 static uint32_t count_edge_vertices(const tp_grid *grid, bool across)
 {
-    if (!grid || (grid->fan && !grid->fan->law.walled))
+    if (!grid || !grid->fan->law.walled)
         return 0;
     return columns_meet_wall(grid, across) ? grid->cols : grid->rows;
 }
@@ -241,10 +241,7 @@ bool tp_glass_enabled(const tp_module_conditions *conditions)
 
 static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    const tp_scene *scene = conditions->scene;
-    const int32_t cols = scene->grid.cols, rows = scene->grid.rows;
-    const size_t lines = tp_has_fan(scene) ? tp_fan_most_cols(tp_fan_budget(scene))
-                                           : (size_t)(cols > rows ? cols : rows);
+    const uint32_t lines = tp_fan_most_cols(tp_fan_budget(conditions->scene));
     tp_glass *glass = tp_arena_alloc(arena, 1, sizeof *glass), made = { .walls = 0 };
 
     for (int k = 0; k < TP_GLASSES; k++)

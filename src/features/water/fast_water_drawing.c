@@ -218,7 +218,7 @@ static void begin_fast_water(tp_frame *frame, void *mine)
 
 static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    const uint32_t levels = tp_has_fan(conditions->scene) ? TP_QUICK_LEVELS : 1;
+    const uint32_t levels = TP_QUICK_LEVELS;
     tp_fast_water *fast = tp_arena_alloc(arena, 1, sizeof *fast);
     tp_quick_rough *rough = tp_arena_alloc(arena, levels, sizeof *rough);
     void *counted[TP_BAKED_LAYERS];

@@ -29,15 +29,15 @@ static void make_mesh(peer_job *job)
 {
     const tp_scene *scene = &job->s.scene;
     const uint32_t n = job->points;
-    const tp_fx half = (tp_fx)((int64_t)scene->grid.cell * (n - 1) / 2);
+    const tp_fx cell = (tp_fx)(20 * TP_FX_ONE / (n - 1)), half = 10 * TP_FX_ONE;
     tp_turn phases[TP_WAVES];
     tp_deep_water deep;
     tp_deep_water_init(&deep, scene->wave, TP_WAVES, scene->water.gravity);
     tp_deep_water_phases(&deep, BENCH_TICK, 0, phases);
     job->mesh = claim((size_t)n * n * sizeof *job->mesh);
     for (uint32_t i = 0; i < n * n; i++) {
-        const tp_fx x = -half + (tp_fx)(i % n) * scene->grid.cell;
-        const tp_fx z = -half + (tp_fx)(i / n) * scene->grid.cell;
+        const tp_fx x = -half + (tp_fx)(i % n) * cell;
+        const tp_fx z = -half + (tp_fx)(i / n) * cell;
         const tp_surface_point p = tp_deep_water_displace_point(&deep, phases, x, z);
         job->mesh[i] = (peer_point){
             { peer_metres(p.position.x), peer_metres(p.position.y),
