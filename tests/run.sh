@@ -27,7 +27,14 @@ run_one()       # LOGS TEST
     esac
     code=$?
     seconds=$(($(date +%s) - begun))
-    awk -v code=$code -v name="$name" -v seconds=$seconds -v result="$log.result" '
+    times >"$log.times"         # of this process and of the test, the only child so far
+    awk -v code=$code -v name="$name" -v seconds=$seconds -v result="$log.result" \
+        -v times="$log.times" '
+        function used(    line, part) {         # the test'"'"'s processor time, in seconds
+            while ((getline line <times) > 0)
+                split(line, part, /[ms ]+/)
+            return part[1] * 60 + part[2] + part[3] * 60 + part[4]
+        }
         /^\[       OK \]/ || /^ok /         { passed++ }
         /^\[  FAILED  \] [^0-9]/ && !($4 in seen) { seen[$4]; failed++ }
         /^FAIL(ED)? /                       { failed++ }
@@ -39,7 +46,8 @@ run_one()       # LOGS TEST
             if (code == 77 && !failed) code = 0
             if (code && !failed) failed = 1         # crashed, or hung and was ended
             if (!code && failed) code = 1           # reports a failure, but exits with 0
-            line = sprintf("%-44s %4d passed %3ds", name, passed, seconds)
+            line = sprintf("%-44s %4d passed %3ds %6.1fs used", name, passed, seconds,
+                           used())
             if (failed) line = line sprintf("  %d FAILED (exit %d)", failed, code)
             print line
             for (i = 1; i <= skipped; i++) print skip[i]

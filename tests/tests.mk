@@ -105,6 +105,9 @@ everything: quick $(PANEL_DEMO) $(filter-out $(SAN_UNIT),$(UNIT)) $(FRAMES) \
           $(addprefix $(BUILD)/tests/,bench/scene_s bench/views boards/oled_greys \
               boards/same_picture boards/vm_state host/apng_frames host/furniture \
               host/same_pixels host/saves host/screen_crc)
+# Tests of accuracy that take longest.
+SLOW    := $(filter $(addprefix %/accuracy/test_, \
+               engine engine_foam foam_rings glitter plan),$(UNIT))
 # Builds first what several tests need from the board's compiler; the longest tests begin
 # first.
 more-tests: everything build/host/count.so build/host/tally.so
@@ -114,16 +117,17 @@ more-tests: everything build/host/count.so build/host/tally.so
 	            'BOARD=cortex-m/lm3s6965evb lib' charts-tools; do \
 	        $(MAKE) --no-print-directory $$goals || exit 1; \
 	    done
-	@$(RUN) build/log/more tests/cross/run.sh tests/boards/cortex-m.sh tests/fuzz/run.sh \
+	@$(RUN) build/log/more tests/cross/run.sh tests/charts/sweep.sh tests/fuzz/run.sh \
+	    tests/boards/cortex-m.sh $(SLOW) \
 	    tests/gates/arm.sh tests/gates/clang.sh tests/gates/coverage.sh \
 	    tests/gates/sanitized.sh \
 	    $(patsubst %,tests/host/%.sh,saves screen view panel view_keys leaks furniture \
 	        threads) \
 	    tests/web/web.sh tests/bench/views.sh tests/cross/film.sh tests/accuracy/errors.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi oled control linuxfb kms kms_events console) \
-	    tests/charts/sweep.sh tests/budgets/prices.sh \
+	    tests/budgets/prices.sh \
 	    $(call at_san,$(filter $(LONG),$(SAN_UNIT)) $(filter-out $(LONG),$(SAN_UNIT))) \
-	    $(filter-out $(SAN_UNIT),$(UNIT)) $(call at_san,$(GOLDEN)) tests/gates/host.sh \
+	    $(filter-out $(SAN_UNIT) $(SLOW),$(UNIT)) $(call at_san,$(GOLDEN)) tests/gates/host.sh \
 	    $(patsubst %,tests/host/%.sh,check packages output bake own_module library tape \
 	        charts generators examples charts_stop) \
 	    $(patsubst %,tests/budgets/%.sh,models-count scenes-count ram programs plan-count) \

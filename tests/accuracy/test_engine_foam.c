@@ -130,20 +130,23 @@ static bool is_near(const foam_row *r)
 {
     ref_stand stand;
     ref_image image, bare, still;
-    double spray[2];
+    double spray[2] = { 0, 0 };
+    uint32_t specks = 0;
 
     open_row(r, &stand);
     drawn_image drawn = drawn_of(&stand, WIDTH, HEIGHT);
     draw_reference(&stand, true, true, &image);
     draw_reference(&stand, false, false, &bare);
-    draw_reference(&stand, true, false, &still);
     const double both = difference_mean(&drawn, &image),
                  without = difference_mean(&drawn, &bare);
-    const uint32_t specks = compare_specks(&drawn, &image, &still, spray);
+    if (r->specks > 0) {
+        draw_reference(&stand, true, false, &still);
+        specks = compare_specks(&drawn, &image, &still, spray);
+        ref_image_free(&still);
+    }
     printf("    %-13s%-23s mean error %5.2f, without foam and spray %5.2f; share of"
            " spray's %4.2f in %4u pixels\n", r->name, r->set[0] ? r->set[0] : "", both,
            without, spray[0] / fmax(spray[1], 1e-9), specks);
-    ref_image_free(&still);
     ref_image_free(&bare);
     ref_image_free(&image);
     drawn_free(&drawn);

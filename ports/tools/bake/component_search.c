@@ -2,17 +2,15 @@
 /* Searches the components that a program needs.  First all cameras are drawn with all
  * components, by stages that note when they run.  Then the search leaves out components,
  * many at a time, fewer at a time if the result changes, and compares the pictures of a
- * few cameras.  The resulting list is compared on all cameras.  A camera with a different
- * picture joins the few, and the search goes on.  The search ends with a list that is
- * right for all cameras. */
+ * few cameras, at first one.  The resulting list is compared on all cameras.  A camera with
+ * a different picture joins the few, and the search goes on.  The search ends with a list
+ * that is right for all cameras. */
 #include "component_search.h"
 #include <stdlib.h>
 #include <string.h>
 #include "app/files/log.h"
 #include "component_needs.h"
 #include "fixed/arithmetic.h"
-
-#define FEW 4                   /* number of cameras at first */
 
 typedef struct {
     const component_search_request *request;
@@ -205,8 +203,7 @@ static int find(component_search *s)
     uint32_t differs;
 
     s->needed = components_needed(s->request, s->run.ladder.count > 1);
-    for (uint32_t i = 0; i < FEW; i++)
-        s->few[s->n_few++] = i * (s->run.cameras / FEW + 1) % s->run.cameras;
+    s->few[s->n_few++] = 0;
     s->lean = s->request->lean != NULL;
     if (narrow(s, &differs))
         return EXIT_DONE;
@@ -284,7 +281,7 @@ static int open_search(component_search *s, const component_search_request *requ
     if (code)
         return code;
     s->want = calloc(s->run.cameras, sizeof *s->want);
-    s->few = calloc(2 * s->run.cameras + FEW + 2, sizeof *s->few);
+    s->few = calloc(2 * s->run.cameras + 3, sizeof *s->few);
     if (!s->want || !s->few)
         return log_fail_memory(s->run.cameras * sizeof *s->want);
     components_list_traced(list, &all, &request->terms);

@@ -9,11 +9,19 @@ typedef struct {
     const ref_surface *surface;
     const ref_ray *ray;
     double rest[2];
+    double x, z;                /* place above the rest point */
 } ray_probe;
 
 static double surface_offset(ray_probe *p, double t, double along)
 {
     const ref_vec at = ref_ray_point(p->ray, t);
+
+    /* The search for the rest point begins as far from the last one as the places are
+     * apart. */
+    p->rest[0] += at.x - p->x;
+    p->rest[1] += at.z - p->z;
+    p->x = at.x;
+    p->z = at.z;
     return at.y - ref_surface_height(p->surface, at.x, at.z, p->rest, along);
 }
 
@@ -94,7 +102,7 @@ bool ref_ray_meets(const ref_surface *s, const ref_ray *ray, double t0, double t
                    bool below, ref_meeting *meeting)
 {
     const ref_extent *e = &s->extent;
-    ray_probe p = { s, ray, { ray->from.x, ray->from.z } };
+    ray_probe p = { s, ray, { ray->from.x, ray->from.z }, ray->from.x, ray->from.z };
     const double high = s->high, reach = s->reach;
 
     if (!ref_ray_clip_slab(ray->from.x, ray->way.x, e->x - e->half_x - reach,

@@ -85,6 +85,12 @@ static ref_point rest_point(const ref_surface *s, double x0, double z0, bool exa
                  : ref_coastal_rest(s->coastal, s->phase, x0, z0);
 }
 
+/* hypot() takes as long as several waves; no metres overflow. */
+static double distance(double x, double z)
+{
+    return sqrt(x * x + z * z);
+}
+
 /* Newton's method; the step is halved if the full step does not come nearer. */
 static ref_point above(const ref_surface *s, double x, double z, double rest[2],
                        double off)
@@ -93,13 +99,13 @@ static ref_point above(const ref_surface *s, double x, double z, double rest[2],
     double step = 1;
 
     for (int n = 0; n < 100; n++) {
-        const double ex = x - p.x, ez = z - p.z, far = hypot(ex, ez);
+        const double ex = x - p.x, ez = z - p.z, far = distance(ex, ez);
         if (far <= off || step < 1e-9)
             break;
         const double x0 = rest[0] + step * (ex * p.jzz - ez * p.jxz) / p.ny;
         const double z0 = rest[1] + step * (ez * p.jxx - ex * p.jxz) / p.ny;
         const ref_point next = rest_point(s, x0, z0, false);
-        if (hypot(x - next.x, z - next.z) < far) {
+        if (distance(x - next.x, z - next.z) < far) {
             rest[0] = x0;
             rest[1] = z0;
             p = next;
@@ -114,7 +120,7 @@ static ref_point above(const ref_surface *s, double x, double z, double rest[2],
 /* Restarts the search at the place itself if the start is too far away. */
 static void begin_near(const ref_surface *s, double x, double z, double rest[2])
 {
-    if (!(hypot(rest[0] - x, rest[1] - z) <= s->reach)) {
+    if (!(distance(rest[0] - x, rest[1] - z) <= s->reach)) {
         rest[0] = x;
         rest[1] = z;
     }
