@@ -23,8 +23,7 @@ static const uint32_t variance_from[TP_QUICK_LEVELS] = { 0, 8192, 61158, 183475 
  * much variance is far away. */
 static const int32_t view_height[TP_QUICK_LEVELS] = { 0, 2048, 1311, 819 };
 
-/* A level while its tables are made.  least: lower bound of N.V, Q14; share_at_sun: of
- * level 0, tp_quick_share_at_sun. */
+/* A level while its tables are made.  least: lower bound of N.V, Q14. */
 typedef struct {
     uint32_t number, share_at_sun;
     int32_t  least, vy;
@@ -43,7 +42,7 @@ static rough_level rough_level_make(const tp_shade *shade, uint32_t number, int3
     const uint32_t all = tp_quick_ripple_variance(shade);
     const uint32_t ripples = all < variance ? all : variance;
 
-    return (rough_level){ number, number ? 0 : tp_quick_share_at_sun(shade), least,
+    return (rough_level){ number, tp_quick_share_at_sun(shade), least,
                           view_height[number],
                           tp_rough_view_make(ripples, variance - ripples) };
 }
@@ -130,7 +129,8 @@ typedef struct {
 
 /* Returns the glow that a level mirrors where smooth water mirrors the direction at a chord
  * to the light: the mirrored ray is raised and lowered as that of the sky is.  Rays are
- * taken below the light, by at most what level water has, and the rest aside. */
+ * taken below the light, by at most what level water has, and the rest aside.  A level is
+ * seen from more heights than one, so its share is the mean of that and of level 0. */
 static mirrored_glow raise_glow(const tp_shade *shade, const rough_level *level,
                                 uint32_t square)
 {
@@ -142,7 +142,8 @@ static mirrored_glow raise_glow(const tp_shade *shade, const rough_level *level,
 
     return (mirrored_glow){
         square - (uint32_t)(below * below) + (uint32_t)(left * left),
-        shade->fresnel[rough_cosine(level, n) >> 6] * (uint32_t)shade->mirror >> 8,
+        (level->share_at_sun + (shade->fresnel[rough_cosine(level, n) >> 6]
+                                * (uint32_t)shade->mirror >> 8)) / 2,
     };
 }
 
@@ -348,7 +349,6 @@ static int32_t log_depth_of_level_water(const tp_shade *shade, int32_t vy)
 static uint32_t choose_roughness(const tp_shade *shade, uint32_t variance)
 {
     uint32_t level = 0;
-
     while (level + 1 < shade->quick->levels && variance >= variance_from[level + 1])
         level++;
     return level;
