@@ -218,13 +218,15 @@ static void begin_fast_water(tp_frame *frame, void *mine)
     quick_begin_layers(frame, fast);
     const bool ripples = has_ripples(frame, &fast->layers);
     frame->shade.quick = &fast->light;
-    fast->light.levels = ripples || frame->shade.filtered ? fast->levels : 1;
+    fast->light.levels =
+        frame->shade.ripple || frame->shade.filtered ? fast->levels : 1;
     update_tables(frame, &fast->light, ripples);
 }
 
 static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    const uint32_t levels = tp_has_fan(conditions->scene) ? TP_QUICK_LEVELS : 1;
+    const tp_scene *scene = conditions->scene;
+    const uint32_t levels = tp_has_fan(scene) && scene->water.rough ? TP_QUICK_LEVELS : 1;
     tp_fast_water *fast = tp_arena_alloc(arena, 1, sizeof *fast);
     tp_quick_rough *rough = tp_arena_alloc(arena, levels, sizeof *rough);
     const int env = conditions->above & TP_MODULE_CUBE ? TP_ENV_CUBE
