@@ -12,7 +12,7 @@
 /* -- levels of roughness ------------------------------------------------------------- */
 
 #define RIPPLED_VIEW 1638               /* same value as in lighting_stage.c */
-#define FAR_AWAY (24 * 256)             /* log2 of a depth that shows the last level alone */
+#define FAR_AWAY (24 * 256)             /* log2 of a depth that shows the last level */
 
 /* Slope variances of the levels, Q24: none, then three times the one before.  A level's
  * root reaches half way to the roots of its neighbours. */

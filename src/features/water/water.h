@@ -158,7 +158,7 @@ typedef struct {
         TP_FRESNEL_TABLE, \
         "exact Fresnel reflection from a table, or Schlick's approximation"), \
     TP_ROW_SWITCH("water.rough", water.rough, 1, \
-        "light of waves and ripples too small to draw; off: cheaper, as smooth water")
+        "light of ripples and waves too small to draw; off: cheaper, as smooth")
 
 #define TP_BUMPS_ROWS \
     TP_ROW_NUMBER("water.pool_normal_strength", water.pool_normal_strength, "", 0, 4, 0, \
