@@ -155,6 +155,7 @@ typedef struct tp_scene {
         int32_t filter;                     /* tp_filter */
         tp_fx   specular, shininess, reflection;
         int32_t fresnel;                    /* tp_fresnel_rule */
+        int32_t rough;                      /* light by the variance of slopes not drawn */
         tp_fx   gravity;
         tp_fx   pool_normal_strength;       /* > 0: pools bend normals, not the mesh */
         tp_fx   clarity;                    /* m; 0: the water is opaque */

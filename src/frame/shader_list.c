@@ -270,7 +270,8 @@ void tp_frame_set_up_shading(tp_frame *frame)
     shade->shine = NULL;
     shade->dark = 0;
     shade->filtered =       /* a grid leaves nothing out of level water */
-        tp_surface_has_swells(&frame->surface) ? frame->buffers.filtered : NULL;
+        scene->water.rough && tp_surface_has_swells(&frame->surface)
+            ? frame->buffers.filtered : NULL;
     shade->ripple = NULL;
     shade->fresnel = tp_fresnel_table;
     tp_shade_sky(shade, (uint32_t)scene->sky.horizon, (uint32_t)scene->sky.zenith);

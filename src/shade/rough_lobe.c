@@ -15,8 +15,7 @@ static uint32_t add_variance(uint32_t a, uint32_t b)
     return sum < TP_ROUGH_ONE ? sum : TP_ROUGH_ONE;
 }
 
-/* Returns the variance lost by the ripples' mipmap level at a depth, an axis. */
-static uint32_t ripple_variance(const tp_ripple_variance *ripple, int32_t log_depth)
+uint32_t tp_rough_ripple_variance(const tp_ripple_variance *ripple, int32_t log_depth)
 {
     const int level = tp_mip_level_choose(ripple->lod, log_depth, true, ripple->levels);
     const uint64_t lost = (uint64_t)ripple->lost[level] * ripple->gain_square >> 16;
@@ -27,7 +26,8 @@ static uint32_t ripple_variance(const tp_ripple_variance *ripple, int32_t log_de
 tp_slope_variance tp_rough_variance(const tp_shade *shade, int32_t log_depth)
 {
     tp_slope_variance sum = tp_filtered_waves_lookup(shade->filtered, log_depth);
-    const uint32_t lost = shade->ripple ? ripple_variance(shade->ripple, log_depth) : 0;
+    const uint32_t lost =
+        shade->ripple ? tp_rough_ripple_variance(shade->ripple, log_depth) : 0;
 
     return (tp_slope_variance){ add_variance(sum.along, lost),
                                 add_variance(sum.across, lost), sum.left };
@@ -237,10 +237,9 @@ static tp_slope_variance lobe_variance(tp_slope_variance v, uint32_t lost)
                                 add_variance((v.across >> 8) * part, lost), 0 };
 }
 
-/* Returns what slopes of waves that are seen add to N.V in the mean: they count by their
- * N.V.  For a variance s^2 of N.V and u = N.V / s that is s Phi(u) / (u Phi(u) + phi(u)),
+/* For a variance s^2 of N.V and u = N.V / s the mean is s Phi(u) / (u Phi(u) + phi(u)),
  * and the root here is within 10 % of it. */
-static int32_t seen_rise(int32_t nv, uint32_t variance)
+int32_t tp_rough_seen_rise(int32_t nv, uint32_t variance)
 {
     const uint32_t square = variance * 5 / 2 * 16 + (uint32_t)(nv * nv);
     const int32_t root = tp_sqrt_nearest(square < 1u << 28 ? square : 1u << 28);
@@ -256,7 +255,8 @@ static int32_t seen_light(const tp_shade *shade, uint32_t waves, int32_t vy, int
 
     if (waves == 0 || level < 64)
         return 0;
-    const int32_t rise = seen_rise(nv, (uint32_t)((uint64_t)waves * (uint32_t)level >> 14));
+    const int32_t rise =
+        tp_rough_seen_rise(nv, (uint32_t)((uint64_t)waves * (uint32_t)level >> 14));
     return tp_clamp(rise * (lv - (vy * shade->world.ly >> 14)) / level, -16384, 16384);
 }
 
@@ -279,7 +279,8 @@ tp_rough_lobe tp_rough_lobe_make(const tp_shade *shade, uint32_t key, int32_t vy
 {
     const int32_t log_depth = tp_log_depth(shade, key);
     const tp_slope_variance waves = tp_filtered_waves_lookup(shade->filtered, log_depth);
-    const uint32_t lost = shade->ripple ? ripple_variance(shade->ripple, log_depth) : 0;
+    const uint32_t lost =
+        shade->ripple ? tp_rough_ripple_variance(shade->ripple, log_depth) : 0;
     const tp_slope_variance v = lobe_variance(waves, lost);
     const tp_rough_view view = view_make(shade, waves.along, lost, vy);
     const int32_t seen = seen_light(shade, waves.along, vy, lv);

@@ -90,6 +90,13 @@ TP_ALWAYS_INLINE int32_t tp_rough_lobe_cosine(const tp_rough_lobe *lobe, int32_t
 /* Returns the slope variance that a sample at log2 of a depth, Q8, does not show. */
 tp_slope_variance tp_rough_variance(const tp_shade *shade, int32_t log_depth);
 
+/* Returns the part of it lost by the ripples' mipmap level, an axis. */
+uint32_t tp_rough_ripple_variance(const tp_ripple_variance *ripple, int32_t log_depth);
+
+/* Returns what slopes of waves that are seen add to N.V in the mean, since they count by
+ * their N.V.  nv: 0..1, and the result, Q14; variance: of N.V, Q24. */
+int32_t tp_rough_seen_rise(int32_t nv, uint32_t variance);
+
 /* Returns the factor 1 / (1 + 4 n s2), Q14; n up to 1000, s2 up to 1, Q24. */
 int32_t tp_rough_narrowing(uint32_t exponent, uint32_t variance);
 

@@ -182,7 +182,7 @@ typedef struct tp_run {
         };
         struct { uint32_t bent_s[TP_RUN], bent_t[TP_RUN]; };
         uint32_t place[2 * TP_RUN];         /* bent positions of fast stages */
-        struct { uint32_t half[TP_RUN], column[TP_RUN]; };  /* fast_shading.h */
+        struct { uint32_t half[TP_RUN], water[TP_RUN]; };  /* fast_shading.h */
     };
 } tp_run;
 

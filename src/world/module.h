@@ -102,11 +102,12 @@ static inline tp_module_conditions tp_world_module_conditions(const tp_program *
 
 /* Traits of water pixels; each trait has a cost. plain: every pixel; diffuse: light that
  * does not depend on the view; look: view direction, shared by gloss, mirror and depth;
+ * rough: light by the variance of slopes that are not drawn;
  * objects: reflected objects; lined: a layer with linear texture filtering; bed, chart,
  * tank: a floor that is a plane, a height map, a box. */
 #define TP_TRAITS(X) \
     X(plain) X(texture) X(linear) X(bend) X(layer) X(lined) X(ripple) X(bump) \
-    X(diffuse) X(look) X(mirror) \
+    X(diffuse) X(look) X(rough) X(mirror) \
     X(glint) X(haze) X(dome) X(cube) X(objects) X(behind) X(bed) \
     X(chart) X(tank) X(caustic) X(dispersion) X(foam) X(expose)
 

@@ -35,6 +35,7 @@ typedef struct {
 } row;
 
 #define OFF "water.specular=0 water.reflection=0 sky.haze=0 water.filter=nearest " \
+            "water.rough=off " \
             "sky.kind=gradient ripple.bump=0 distortion.strength=0 "
 
 #define STILL "wave0.amplitude=0 wave1.amplitude=0 wave2.amplitude=0 "
@@ -59,6 +60,7 @@ static const row shaded[] = {
     { "mirror", "water.reflection=0.6" },
     { "glint", "water.specular=1" },
     { "both", "water.reflection=0.6 water.specular=1" },
+    { "rough", "water.reflection=0.6 water.specular=1 water.rough=on" },
     { "haze", "sky.haze=2000" },
     /* rippled: fast shading leaves smooth water under these skies to the exact stages */
     { "mirror1", "ripple ripple.bump=0.8 water.reflection=0.6" },

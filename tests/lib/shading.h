@@ -261,6 +261,9 @@ typedef struct {
     test_sky sky;
     struct tp_quick_light quick;
     tp_quick_rough rough[TP_QUICK_LEVELS];
+    uint32_t sky_words[16 * TP_QUICK_HEIGHTS
+                       + (TP_QUICK_LEVELS - 1) * TP_QUICK_ROUGH_COLUMNS
+                             * TP_QUICK_ROUGH_HEIGHTS];
     tp_filtered_waves filtered;
 } quick_lights;
 
@@ -293,6 +296,7 @@ static inline tp_shade quick_rough_shade(quick_lights *kept, int env, int lobe,
         tp_shade_shine(shade_shine, shininess, TP_FX_ONE);
     s.quick = &kept->quick;
     kept->quick.rough = kept->rough;
+    kept->quick.sky = kept->sky_words;
     kept->quick.levels = levels;
     tp_filtered_waves_clear(&kept->filtered);
     for (tp_fx depth = TP_FX_ONE; levels > 1 && depth < 4000 * TP_FX_ONE; depth *= 2)

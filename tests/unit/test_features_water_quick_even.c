@@ -6,7 +6,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "features/water/fast_light_m4.h"
+#include "features/water/fast_glints_m4.h"
 #include "features/water/fast_light_plain.h"
 #include "tests/lib/shading.h"
 

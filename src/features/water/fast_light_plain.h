@@ -45,16 +45,15 @@ typedef struct {
     int32_t least, lx, lz;
 } plain_tables;
 
-TP_ALWAYS_INLINE plain_tables plain_tables_make(const tp_shade *shade, int32_t level,
-                                                int env)
+TP_ALWAYS_INLINE plain_tables plain_tables_make(const tp_shade *shade, int32_t level)
 {
     const struct tp_quick_light *quick = shade->quick;
     const tp_quick_rough *rough = &quick->rough[level];
     const tp_quick_sun sun = tp_quick_sun_make(shade);
 
     return (plain_tables){
-        quick->sky + (env == TP_ENV_CUBE ? 0 : TP_QUICK_HEIGHTS / 2), rough->share,
-        rough->lobe, sun, quick->least, tp_high16(sun.back), tp_low16(sun.back),
+        quick->sky, rough->share, rough->lobe, sun, rough->least, tp_high16(sun.back),
+        tp_low16(sun.back),
     };
 }
 
@@ -93,17 +92,17 @@ TP_ALWAYS_INLINE plain_column plain_column_make(const plain_tables *t, uint32_t 
                            t->sun.y + sx * t->lx + sz * t->lz };
 }
 
-/* Returns light and reflection; `column` is the column of heights in a dome's sky. */
+/* Returns light and reflection; `water` is that of the run. */
 TP_ALWAYS_INLINE uint32_t plain_light_and_reflect(const plain_tables *t, plain_column c,
-                                                  uint32_t column, uint32_t colour, int env)
+                                                  uint32_t water, uint32_t colour, int env)
 {
     int32_t up = 2 * tp_usat(c.n, 0, 27) - c.y;
     int32_t place = env == TP_ENV_CUBE
                         ? plain_cube_index(c.sx, c.sz, c.vx, c.vz, c.n + t->least, up)
-                    : env == TP_ENV_DOME ? (int32_t)column + tp_ssat(up, 21, 6)
-                                         : tp_ssat(up, 21, 6);
+                        : tp_low16(water) + tp_ssat(up, 21, 6);
+    tp_quick_sun sun = tp_quick_sun_seen(t->sun, tp_high16(water));
     uint32_t share = t->shares[tp_usat(c.n, 18, 8)];
-    uint32_t lit = (uint32_t)(t->sun.ambient + t->sun.direct * tp_usat(c.l, 18, 8));
+    uint32_t lit = (uint32_t)(sun.ambient + sun.direct * tp_usat(c.l, 18, 8));
 
     return plain_mixed(colour, t->sky[place], lit * (share >> 16) >> 16, share & 0xffff);
 }
@@ -136,8 +135,8 @@ TP_ALWAYS_INLINE void plain_shade_loop(const plain_tables tables,
     for (; i < end; i++) {
         plain_column c = plain_column_make(&tables, run->slope[i], run->back[i],
                                          run->view_y[i]);
-        uint32_t column = env == TP_ENV_DOME ? run->column[i] : 0;
-        uint32_t colour = plain_light_and_reflect(&tables, c, column, colours[i], env);
+        uint32_t colour = plain_light_and_reflect(&tables, c, run->water[i], colours[i],
+                                                  env);
         if (lobe == TP_LOBE_PHONG)
             colour = plain_add_phong_glint(&tables, c, run->view_l[i], colour);
         if (lobe == TP_LOBE_BLINN)
@@ -148,10 +147,10 @@ TP_ALWAYS_INLINE void plain_shade_loop(const plain_tables tables,
 
 TP_ALWAYS_INLINE void plain_light(const tp_shade *shade, tp_run *run, int env, int lobe)
 {
-    tp_quick_view_run(shade, run, lobe);
+    tp_quick_view_run(shade, run, env, lobe);
     for (int32_t i = 0, end; i < run->count; i = end) {
         end = plain_level_end(run, i, lobe);
-        plain_shade_loop(plain_tables_make(shade, plain_level(run, i, lobe), env), run,
+        plain_shade_loop(plain_tables_make(shade, plain_level(run, i, lobe)), run,
                          run->colour, i, end, env, lobe);
     }
 }
@@ -166,13 +165,12 @@ TP_ALWAYS_INLINE void plain_light_even_columns_loop(const plain_tables tables,
                                                     int32_t count, int env)
 {
     const uint32_t *restrict slope = run->slope + first, *restrict back = run->back + first;
-    const uint32_t *restrict column = run->column + first;
+    const uint32_t *restrict water = run->water + first;
     const int32_t  *restrict y = run->view_y + first;
 
     for (int32_t k = 0; k < count; k++) {
         plain_column c = plain_column_make(&tables, slope[2 * k], back[2 * k], y[2 * k]);
-        even[k] = plain_light_and_reflect(
-            &tables, c, env == TP_ENV_DOME ? column[2 * k] : 0, even[k], env);
+        even[k] = plain_light_and_reflect(&tables, c, water[2 * k], even[k], env);
     }
 }
 
@@ -180,19 +178,19 @@ TP_ALWAYS_INLINE void plain_light_even_columns(const tp_shade *shade, tp_run *ru
 {
     const int32_t odd = run->x & 1;
 
-    tp_quick_view_run(shade, run, TP_LOBE_BLINN);
+    tp_quick_view_run(shade, run, env, TP_LOBE_BLINN);
     if (odd) {
         const plain_tables tables =
-            plain_tables_make(shade, plain_level(run, 0, TP_LOBE_BLINN), env);
+            plain_tables_make(shade, plain_level(run, 0, TP_LOBE_BLINN));
         plain_column c = plain_column_make(&tables, run->slope[0], run->back[0],
                                          run->view_y[0]);
-        run->even[0] = plain_light_and_reflect(
-            &tables, c, env == TP_ENV_DOME ? run->column[0] : 0, run->even[0], env);
+        run->even[0] =
+            plain_light_and_reflect(&tables, c, run->water[0], run->even[0], env);
     }
     for (int32_t i = odd, end; i < run->count; i = end) {
         end = plain_level_end(run, i, TP_LOBE_BLINN);
         plain_light_even_columns_loop(
-            plain_tables_make(shade, plain_level(run, i, TP_LOBE_BLINN), env), run,
+            plain_tables_make(shade, plain_level(run, i, TP_LOBE_BLINN)), run,
             run->even + ((i + odd) >> 1), i, (end - i + 1) >> 1, env);
     }
 }
@@ -219,11 +217,11 @@ TP_ALWAYS_INLINE void plain_glint(const tp_shade *shade, tp_run *run, int lobe)
 {
     tp_quick_odd_fill(run);
     if (lobe == TP_LOBE_PHONG)
-        tp_quick_view_run(shade, run, lobe);
+        tp_quick_view_run(shade, run, TP_ENV_CUBE, lobe);
     for (int32_t i = 0, end; i < run->count; i = end) {
         end = plain_level_end(run, i, lobe);
-        plain_glint_loop(plain_tables_make(shade, plain_level(run, i, lobe),
-                                           TP_ENV_GRADIENT), run, i, end, lobe);
+        plain_glint_loop(plain_tables_make(shade, plain_level(run, i, lobe)), run, i, end,
+                         lobe);
     }
 }
 

@@ -27,7 +27,7 @@ TP_ALWAYS_INLINE tp_quick_view make_view(const tp_shade *shade, const tp_quick_r
 {
     const tp_view_axes *a = &shade->world;
     const tp_ray r = tp_quick_ray_inline(shade, row, 16 * x + 8 * TP_QUICK_STEP(lobe));
-    tp_quick_view v = { tp_pair16(-r.x, -r.z), 0, r.l - shade->quick->least, 0 };
+    tp_quick_view v = { tp_pair16(-r.x, -r.z), 0, r.l, 0 };
 
     if (lobe == TP_LOBE_BLINN) {
         v.half = half_vector_slopes(a, r.x, r.y, r.z);
@@ -50,28 +50,16 @@ tp_quick_view tp_quick_blinn_sample(const tp_shade *shade, const tp_quick_ray_ro
     return make_view(shade, row, x, TP_LOBE_BLINN);
 }
 
-/* Returns the dome's column.  The value (1 + cos)^2 / 4, with the angle from the sun to
- * the view reflected by smooth water, is the share of the sky's sunny side, as in
- * tp_light_side_weight. */
-uint32_t tp_quick_column(const tp_shade *shade, const tp_quick_view *v)
-{
-    const tp_view_axes *a = &shade->world;
-    int32_t c = ((v->y + shade->quick->least) >> 12) * a->ly + tp_high16(v->back) * a->lx
-              + tp_low16(v->back) * a->lz;
-    int32_t part = tp_clamp(((1 << 28) + c) >> 15, 0, 16383);
-
-    return (uint32_t)(part * part) >> 24 << 6;
-}
-
-/* Fills a span's part of the arrays, from column k on, in one vectorizable loop. */
+/* Fills a span's part of the arrays, from column k on, in one vectorizable loop.
+ * water: tp_quick_water's seen and sky, in one word. */
 TP_ALWAYS_INLINE void fill_span_views(tp_run *restrict run, int32_t i, int32_t stop,
                                       int32_t k, const tp_quick_view *restrict v,
-                                      const tp_quick_view *restrict step, uint32_t column,
+                                      const tp_quick_view *restrict step, uint32_t water,
                                       int lobe)
 {
     uint32_t *restrict back = run->back, *restrict half = run->half;
     int32_t  *restrict y = run->view_y, *restrict lv = run->view_l;
-    uint32_t *restrict columns = run->column;
+    uint32_t *restrict waters = run->water;
     const uint32_t first = tp_quick_half_first(v->half,
                                                tp_quick_walk_make(step->half));
 
@@ -80,7 +68,7 @@ TP_ALWAYS_INLINE void fill_span_views(tp_run *restrict run, int32_t i, int32_t s
             tp_quick_view_advance(*v, *step, k >> (lobe == TP_LOBE_PHONG ? 1 : 2));
         back[i] = at.back;
         y[i] = at.y;
-        columns[i] = column;
+        waters[i] = water;
         if (lobe == TP_LOBE_BLINN)
             half[i] = tp_quick_half_advance(first, step->half, k);
         if (lobe == TP_LOBE_PHONG)
@@ -89,7 +77,7 @@ TP_ALWAYS_INLINE void fill_span_views(tp_run *restrict run, int32_t i, int32_t s
 }
 
 /* Fills the arrays of a whole run. */
-TP_ALWAYS_INLINE void fill_run_views(const tp_shade *shade, tp_run *run, int lobe)
+TP_ALWAYS_INLINE void fill_run_views(const tp_shade *shade, tp_run *run, int env, int lobe)
 {
     tp_quick_ray_row row = tp_quick_ray_row_make(shade, run->y);
     int32_t       x = run->x, end = run->x + run->count, span = TP_QUICK_SPAN(lobe);
@@ -100,26 +88,28 @@ TP_ALWAYS_INLINE void fill_run_views(const tp_shade *shade, tp_run *run, int lob
         int32_t from = x & -span, stop = from + span < end ? from + span : end;
         tp_quick_view b = tp_quick_view_sample(shade, &row, from + span, lobe);
         tp_quick_view step = tp_quick_step(a, b, lobe);
-        run->span[spans++].mip_offset = (int16_t)tp_quick_level(shade, &a);
+        const tp_quick_water water = tp_quick_water_make(shade, &a, env);
+        run->span[spans++].mip_offset = (int16_t)water.level;
+        a.y -= shade->quick->rough[water.level].least;
         fill_span_views(run, x - run->x, stop - run->x, x - from, &a, &step,
-                        tp_quick_column(shade, &a), lobe);
+                        tp_pair16(water.seen, (int32_t)water.sky), lobe);
         x = stop;
         a = b;
     }
 }
 
-void tp_quick_view_run(const tp_shade *shade, tp_run *run, int lobe)
+void tp_quick_view_run(const tp_shade *shade, tp_run *run, int env, int lobe)
 {
     if (lobe == TP_LOBE_PHONG)
-        fill_run_views(shade, run, TP_LOBE_PHONG);
+        fill_run_views(shade, run, env, TP_LOBE_PHONG);
     else
-        fill_run_views(shade, run, TP_LOBE_BLINN);
+        fill_run_views(shade, run, env, TP_LOBE_BLINN);
 }
 
 /* -- every column -------------------------------------------------------------------- */
 
 #if TP_DSP
-#include "features/water/fast_light_m4.h"
+#include "features/water/fast_glints_m4.h"
 #define LIGHT packed_light
 #else
 #include "features/water/fast_light_plain.h"

@@ -4,12 +4,12 @@
  * has packed pairs, baked textures, tables of light, and the stepped view.
  *
  *     fast_water_drawing.c   its shader list, and a frame's baked textures
- *     fast_water_tables.c    bakes textures, for frames and for `tidepool bake`; makes
- *                            tables of light
+ *     fast_water_tables.c    bakes textures, for frames and for `tidepool bake`
+ *     fast_light_tables.c    makes tables of light, and chooses those of a span
  *     fast_layers_stage.c    span stages of layers, distortion and ripples; loops in
  *                            fast_layers_plain.h and fast_layers_m4.h
- *     fast_light_stage.c     span stages of light; loops in fast_light_plain.h and
- *                            fast_light_m4.h
+ *     fast_light_stage.c     span stages of light; loops in fast_light_*.h and
+ *                            fast_glints_m4.h
  */
 #ifndef TP_FEATURES_WATER_FAST_SHADING_H
 #define TP_FEATURES_WATER_FAST_SHADING_H
@@ -145,11 +145,12 @@ TP_ALWAYS_INLINE tp_lookup tp_lookup_make(const tp_quick_map *map, int32_t mip_o
 #define TP_LOOP static void
 #endif
 
-/* Samples of a run from a column on: rest positions s and t, and slopes n. */
+/* Samples of a run from a column on: rest positions s and t, and slopes n.  odd: 1 if the
+ * first column is odd. */
 typedef struct {
     const uint32_t *s, *t, *n;
     int32_t  count;
-    uint32_t odd;               /* 1: the first column is odd */
+    uint32_t odd;
 } tp_columns;
 
 /* -- light, in slope space ----------------------------------------------------------- */
@@ -181,18 +182,20 @@ typedef struct {
  * 3.5, of Blinn 1.5, 7.
  *
  * Variance of slopes that a fan's cells and the ripples' levels do not show (MODELS V)
- * widens the lobe and bends N.V for Fresnel's share: a scene with a fan has both tables at
- * TP_QUICK_LEVELS variances, and a span takes those of the level water that it shows.  A
- * pixel costs the same; a span costs about 110 instructions.  count-64 against 16
- * samples, rms at tick 600: 11.3 levels without variance, 10.0 with three levels, 9.5 with
- * four; the exact stages have 7.9. */
+ * widens the lobe, bends N.V for Fresnel's share and the mirrored height, and lowers that
+ * height to the sky's mean [V3]: a scene with a fan has the tables at TP_QUICK_LEVELS
+ * variances, and a span takes those of the level water that it shows.  A dome's glow is
+ * raised in the lobe's table.  Light gets the mean slope of waves that are seen. */
 
 #define TP_QUICK_SHARES 256     /* entries for n of 0..1 */
 #define TP_QUICK_LOBE   512     /* entries of 1/2048 of (1 + q)(1 - R.V), or of |s - h|^2 */
 #define TP_QUICK_HEIGHTS 64     /* of the reflected view, 1/32 each; half are below 0 */
+#define TP_QUICK_ROUGH_HEIGHTS 80       /* the same with 8 more at each end, of a level */
+#define TP_QUICK_ROUGH_COLUMNS 8        /* of a dome, of a level */
 #define TP_QUICK_STEP(lobe) ((lobe) == TP_LOBE_PHONG ? 2 : 4)       /* columns per step */
 #define TP_QUICK_SPAN(lobe) (8 * TP_QUICK_STEP(lobe))
-#define TP_QUICK_KEY    16
+#define TP_QUICK_VIEWS  64      /* heights of the vector to the eye */
+#define TP_QUICK_KEY    18
 #define TP_QUICK_SIDE   32      /* side of the map of a cube's sky */
 #define TP_QUICK_LEVELS 4       /* levels of roughness, of a scene with a fan; else 1 */
 
@@ -202,13 +205,24 @@ typedef enum { TP_LOBE_NONE, TP_LOBE_PHONG, TP_LOBE_BLINN } tp_lobe;
 typedef struct {
     uint32_t share[TP_QUICK_SHARES];    /* 1/256: kept by the water; mirrored */
     uint32_t lobe[TP_QUICK_LOBE];       /* colours */
+    int32_t  least;             /* lower bound of n, Q26 */
+    int8_t   shift[TP_QUICK_VIEWS];     /* entries of the sky by Vy, from 0 to 1 */
 } tp_quick_rough;
+
+/* Returns the words of a sky: a cube's map, or columns of heights of each level. */
+TP_ALWAYS_INLINE size_t tp_quick_sky_words(int env, uint32_t levels)
+{
+    const size_t rough = (levels - 1) * (size_t)TP_QUICK_ROUGH_HEIGHTS;
+
+    return env == TP_ENV_CUBE ? TP_QUICK_SIDE * TP_QUICK_SIDE
+         : env == TP_ENV_DOME ? 16 * TP_QUICK_HEIGHTS + TP_QUICK_ROUGH_COLUMNS * rough
+                              : TP_QUICK_HEIGHTS + rough;
+}
 
 struct tp_quick_light {
     tp_quick_rough *rough;              /* by level of roughness */
-    uint32_t levels;
-    uint32_t sky[TP_QUICK_SIDE * TP_QUICK_SIDE];    /* columns of heights, or a map */
-    int32_t  least;                     /* lower bound of n, Q26 */
+    uint32_t levels;                    /* in use */
+    uint32_t *sky;                      /* tp_quick_sky_words */
     int32_t  made_for[TP_QUICK_KEY];    /* inputs; the first is >= 0 */
 };
 
@@ -223,16 +237,13 @@ struct tp_quick_light {
     X(cube_phong,     TP_ENV_CUBE,     TP_LOBE_PHONG) \
     X(cube_blinn,     TP_ENV_CUBE,     TP_LOBE_BLINN)
 
-/* fast_water_tables.c.  tp_quick_light_init makes the tables from the shade's sky, light
+/* fast_light_tables.c.  tp_quick_light_init makes the tables from the shade's sky, light
  * and numbers.  The camera's angles enter only through tp_quick_share_at_sun, 1/256, in a
- * dome's lobe. */
+ * dome's lobe; ripples through their whole variance, an axis, Q24. */
 uint32_t tp_quick_share_at_sun(const tp_shade *shade);
+uint32_t tp_quick_ripple_variance(const tp_shade *shade);
 void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
                          tp_lobe lobe, bool specular, bool rippled);
-
-/* Returns the level of the slope variance that level water does not show at a height of the
- * vector to the eye, Q26. */
-uint32_t tp_quick_level_choose(const tp_shade *shade, int32_t vy);
 
 /* fast_layers_stage.c.  Fills the colours of odd columns from the even columns. */
 void tp_quick_odd_fill(tp_run *run);
@@ -240,22 +251,24 @@ void tp_quick_odd_fill(tp_run *run);
 /* -- the view ------------------------------------------------------------------------ */
 
 /* The view in the columns of a step.  back: -V as x : z, Q1.14; half: h as x : z, Q3.12;
- * y: Vy minus the lower bound of n, Q26; lv: 1 + L.V, Q30. */
+ * y: Vy, and in a span's loop Vy minus the lower bound of n, Q26; lv: 1 + L.V, Q30. */
 typedef struct {
     uint32_t back, half;
     int32_t  y, lv;
 } tp_quick_view;
 
-/* Returns the level of a span by the view at its first column.  Light stages keep a span's
- * level in run->span, since layers are shaded before. */
-TP_ALWAYS_INLINE uint32_t tp_quick_level(const tp_shade *shade, const tp_quick_view *v)
-{
-    const struct tp_quick_light *quick = shade->quick;
-    return quick->levels > 1 ? tp_quick_level_choose(shade, v->y + quick->least) : 0;
-}
+/* Water of a span.  level: of the slope variance that level water does not show; light
+ * stages keep it in run->span, since layers are shaded before.  seen: light that waves add
+ * that are seen, or take away, see tp_quick_sun_seen.  sky: index in the sky of height 0;
+ * of a cube 0. */
+typedef struct {
+    uint32_t level;
+    int32_t  seen;
+    uint32_t sky;
+} tp_quick_water;
 
-/* Return the view in the middle of the step that begins with column x: the first with
- * L.V; the second with h, also used without a lobe. */
+/* Return the view in the middle of the step from column x on: the first with L.V; the
+ * second with h, also used without a lobe. */
 tp_quick_view tp_quick_phong_sample(const tp_shade *shade, const tp_quick_ray_row *row,
                                     int32_t x);
 tp_quick_view tp_quick_blinn_sample(const tp_shade *shade, const tp_quick_ray_row *row,
@@ -270,10 +283,34 @@ TP_ALWAYS_INLINE tp_quick_view tp_quick_view_sample(const tp_shade *shade,
 }
 
 /* Fills the arrays of a whole run, for the plain loops. */
-void tp_quick_view_run(const tp_shade *shade, tp_run *run, int lobe);
+void tp_quick_view_run(const tp_shade *shade, tp_run *run, int env, int lobe);
 
-/* Returns the index in a dome's sky of the column of heights for a span. */
-uint32_t tp_quick_column(const tp_shade *shade, const tp_quick_view *v);
+/* Returns a dome's column of heights for a span, 0..15.  The value (1 + cos)^2 / 4, with
+ * the angle from the sun to the view reflected by smooth water, is the share of the sky's
+ * sunny side, as in tp_light_side_weight. */
+TP_ALWAYS_INLINE uint32_t tp_quick_column(const tp_shade *shade, const tp_quick_view *v)
+{
+    const tp_view_axes *a = &shade->world;
+    int32_t c = (v->y >> 12) * a->ly + tp_high16(v->back) * a->lx
+              + tp_low16(v->back) * a->lz;
+    int32_t part = tp_clamp(((1 << 28) + c) >> 15, 0, 16383);
+
+    return (uint32_t)(part * part) >> 24;
+}
+
+/* fast_light_tables.c.  Return a span's water by the view at its first column: of several
+ * levels; of any number. */
+tp_quick_water tp_quick_rough_water(const tp_shade *shade, const tp_quick_view *v, int env);
+TP_ALWAYS_INLINE tp_quick_water tp_quick_water_make(const tp_shade *shade,
+                                                    const tp_quick_view *v, int env)
+{
+    if (shade->quick->levels > 1)
+        return tp_quick_rough_water(shade, v, env);
+    return (tp_quick_water){
+        0, 0, env == TP_ENV_CUBE ? 0 : TP_QUICK_HEIGHTS / 2
+            + (env == TP_ENV_DOME ? tp_quick_column(shade, v) * TP_QUICK_HEIGHTS : 0)
+    };
+}
 
 /* Returns (b - a) / 8 in both halves. */
 TP_ALWAYS_INLINE uint32_t tp_quick_eighth(uint32_t a, uint32_t b)
@@ -284,11 +321,10 @@ TP_ALWAYS_INLINE uint32_t tp_quick_eighth(uint32_t a, uint32_t b)
 /* Returns one of the 8 equal steps from a to b. */
 TP_ALWAYS_INLINE tp_quick_view tp_quick_step(tp_quick_view a, tp_quick_view b, int lobe)
 {
-    return (tp_quick_view){
-        tp_quick_eighth(a.back, b.back),
-        lobe == TP_LOBE_BLINN ? tp_quick_eighth(a.half, b.half) : 0,
-        (b.y - a.y) >> 3, lobe == TP_LOBE_PHONG ? (b.lv - a.lv) >> 3 : 0,
-    };
+    return (tp_quick_view){ tp_quick_eighth(a.back, b.back),
+                            lobe == TP_LOBE_BLINN ? tp_quick_eighth(a.half, b.half) : 0,
+                            (b.y - a.y) >> 3,
+                            lobe == TP_LOBE_PHONG ? (b.lv - a.lv) >> 3 : 0 };
 }
 
 /* Steps of the half vector h from column to column: three times a quarter of a step,
@@ -349,6 +385,16 @@ static inline tp_quick_sun tp_quick_sun_make(const tp_shade *shade)
     return (tp_quick_sun){ tp_pair16(-shade->world.lx, -shade->world.lz),
                            shade->world.ly * 4096, shade->ambient * 256,
                            (256 - shade->ambient) * 257 >> 8 };
+}
+
+/* Returns the light where waves that face the eye hide the others.  seen, -direct..direct:
+ * below 0 the direct light is less by it, and still 0 at N.L = 0; above 0 so much of it
+ * does not depend on N.L, and the sum at N.L = 1 stays. */
+TP_ALWAYS_INLINE tp_quick_sun tp_quick_sun_seen(tp_quick_sun sun, int32_t seen)
+{
+    sun.ambient += 255 * (seen > 0 ? seen : 0);
+    sun.direct -= seen > 0 ? seen : -seen;
+    return sun;
 }
 
 #endif

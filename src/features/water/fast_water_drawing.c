@@ -20,6 +20,7 @@ typedef struct {
 typedef struct {
     tp_quick_layers layers;                 /* data of the stages; first member */
     struct tp_quick_light light;
+    uint32_t      levels;                   /* of roughness; the memory of light's tables */
     void         *memory[TP_BAKED_LAYERS];  /* NULL: not baked here */
     tp_texture    picture[TP_BAKED_LAYERS]; /* levels 0: not baked yet */
     tp_quick_wish made[TP_BAKED_LAYERS];
@@ -175,17 +176,20 @@ static tp_lobe select_lobe(const tp_frame *frame)
 
 /* Collects all numbers used by the tables.  The camera's pitch enters only through a
  * dome's share at the sun. */
-static void fill_table_key(int32_t key[TP_QUICK_KEY], const tp_frame *frame, bool ripples)
+static void fill_table_key(int32_t key[TP_QUICK_KEY], const tp_frame *frame, bool ripples,
+                           uint32_t levels)
 {
     const tp_scene *scene = frame->scene;
     const tp_shade *shade = &frame->shade;
+    const bool dome = shade->env.kind == TP_ENV_DOME;
     const int32_t numbers[TP_QUICK_KEY] = {
         (int32_t)shade->env.kind, (int32_t)select_lobe(frame), shade->world.lx,
         shade->world.ly, shade->world.lz, shade->mirror, scene->light.colour,
         scene->water.shininess, scene->water.specular, scene->water.fresnel,
         scene->sky.horizon, scene->sky.zenith, scene->sky.kind,
-        shade->env.kind == TP_ENV_DOME ? (int32_t)tp_quick_share_at_sun(shade) : 0,
-        (int32_t)shade->env.least, ripples,
+        dome ? (int32_t)tp_quick_share_at_sun(shade) : 0, dome ? scene->sky.sun : 0,
+        (int32_t)shade->env.least, (int32_t)levels << 1 | ripples,
+        levels > 1 ? (int32_t)tp_quick_ripple_variance(shade) : 0,
     };
     memcpy(key, numbers, sizeof numbers);
 }
@@ -197,7 +201,7 @@ static void update_tables(tp_frame *frame, struct tp_quick_light *light, bool ri
     const bool specular = frame->scene->water.specular > 0 && frame->shade.shine;
     int32_t key[TP_QUICK_KEY];
 
-    fill_table_key(key, frame, ripples);
+    fill_table_key(key, frame, ripples, light->levels);
     if (memcmp(key, light->made_for, sizeof key) == 0)
         return;
     memcpy(light->made_for, key, sizeof key);
@@ -212,20 +216,27 @@ static void begin_fast_water(tp_frame *frame, void *mine)
     if (frame->rungs.shading != TP_SHADING_QUICK)
         return;
     quick_begin_layers(frame, fast);
+    const bool ripples = has_ripples(frame, &fast->layers);
     frame->shade.quick = &fast->light;
-    update_tables(frame, &fast->light, has_ripples(frame, &fast->layers));
+    fast->light.levels =
+        frame->shade.ripple || frame->shade.filtered ? fast->levels : 1;
+    update_tables(frame, &fast->light, ripples);
 }
 
 static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    const uint32_t levels = TP_QUICK_LEVELS;
+    const uint32_t levels = conditions->scene->water.rough ? TP_QUICK_LEVELS : 1;
     tp_fast_water *fast = tp_arena_alloc(arena, 1, sizeof *fast);
     tp_quick_rough *rough = tp_arena_alloc(arena, levels, sizeof *rough);
+    const int env = conditions->above & TP_MODULE_CUBE ? TP_ENV_CUBE
+                  : conditions->above & TP_MODULE_DOME ? TP_ENV_DOME : TP_ENV_GRADIENT;
+    uint32_t *sky = tp_arena_alloc(arena, tp_quick_sky_words(env, levels), sizeof *sky);
     void *counted[TP_BAKED_LAYERS];
 
     if (fast) {
         fast->light.rough = rough;
-        fast->light.levels = levels;
+        fast->light.sky = sky;
+        fast->levels = levels;
     }
 
     quick_layout_pictures(fast ? fast->memory : counted, arena, conditions->assets);

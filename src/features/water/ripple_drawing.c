@@ -44,7 +44,7 @@ static void init_ripple(tp_frame *frame, void *mine)
 static void begin_variance(tp_frame *frame, ripples *own)
 {
     sum_variance(own, own->look.layer.texture);
-    if (!own->made_of)
+    if (!own->made_of || !frame->scene->water.rough)
         return;
     own->variance.gain_square = (uint32_t)(own->look.gain * own->look.gain);
     own->variance.lod = own->look.layer.lod;

@@ -156,7 +156,9 @@ typedef struct {
         "share of sky in the colour at grazing angles"), \
     TP_ROW_CHOICE("water.fresnel", water.fresnel, "table|schlick", TP_FRESNEL_SCHLICK, \
         TP_FRESNEL_TABLE, \
-        "exact Fresnel reflection from a table, or Schlick's approximation")
+        "exact Fresnel reflection from a table, or Schlick's approximation"), \
+    TP_ROW_SWITCH("water.rough", water.rough, 1, \
+        "light of ripples and waves too small to draw; off: cheaper, as smooth")
 
 #define TP_BUMPS_ROWS \
     TP_ROW_NUMBER("water.pool_normal_strength", water.pool_normal_strength, "", 0, 4, 0, \

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The water's modules: their conditions, and their cost traits for the plan's estimate. */
 #include "features/water/water.h"
+#include "world/pools.h"
 
 /* -- layers -------------------------------------------------------------------------- */
 
@@ -94,6 +95,14 @@ bool tp_lighting_enabled(const tp_module_conditions *conditions)
         || scene->water.clarity > 0;
 }
 
+static void set_lighting_traits(const tp_module_conditions *conditions,
+                                uint8_t trait[TP_TRAIT_COUNT])
+{
+    trait[TP_TRAIT_rough] = conditions->scene->water.rough
+                         && (tp_has_fan(conditions->scene)
+                             || tp_ripple_enabled(conditions));
+}
+
 /* True if diffuse light has an effect: light with full ambient share changes no colour. */
 bool tp_diffuse_enabled(const tp_module_conditions *conditions)
 {
@@ -162,6 +171,7 @@ const tp_module tp_ripple_module = {
 const tp_module tp_lighting_module = {
     .name = "lighting", .id = TP_MODULE_ID('l', 'i', 'g', 't'), .is = TP_MODULE_LIGHT,
     .trait = TP_TRAIT_look, .enabled = tp_lighting_enabled,
+    .count = set_lighting_traits,
 };
 
 const tp_module tp_diffuse_module = {
