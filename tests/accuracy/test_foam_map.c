@@ -17,6 +17,7 @@
 #include "features/foam/foam.h"
 #include "tests/lib/reference_difference.h"
 #include "waves/coastal_tables.h"
+#include "world/module.h"
 #include "world/pools.h"
 
 enum { WIDTH = 320, HEIGHT = 240, TICKS = 4, RINGS = 6, SETTINGS = 8, DEPTHS = 8 };
@@ -184,11 +185,37 @@ static void cover_by_depth_is_the_mean_of_the_field(void **state)
                      + check_depths("foam.fade=15"), 0);
 }
 
+/* An eye that flies 24 m along the beach in a second leaves no bare water in the window. */
+static void window_that_moves_has_foam(void **state)
+{
+    static depth_sums sums;
+    const tp_input aside = { .strafe = TP_FX(0.4) };
+    double field = 0, law = 0;
+    ref_stand stand;
+
+    (void)state;
+    sums = (depth_sums){ { 0 }, { 0 }, { 0 } };
+    open_beach(&stand, places[0], 400, "foam.cells=128", NULL);
+    const tp_fx from = stand.world->eye.x;
+    for (int n = 0; n < 60; n++)
+        tp_world_step(&tp_program_all, stand.world, &stand.file.scene, &aside);
+    assert_true(tp_abs(stand.world->eye.x - from) > TP_FX(10));
+    add_cells(&sums, &stand);
+    for (int i = 0; i < DEPTHS; i++) {
+        field += sums.field[i];
+        law += sums.law[i];
+    }
+    printf("    cover of the field over that by depth %.3f\n", field / law);
+    assert_true(field > LEAST * law && field < MOST * law);
+    ref_stand_close(&stand);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(foam_goes_on_over_a_map),
         cmocka_unit_test(cover_by_depth_is_the_mean_of_the_field),
+        cmocka_unit_test(window_that_moves_has_foam),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -73,7 +73,8 @@ static void set_surf(ref_foam *f, const tp_world *world, const tp_scene *scene,
     for (uint32_t i = 0; i < deep->count; i++) {
         const double ticks = 1 / ldexp((double)deep->swell[i].turns_tick, -64);
         if (ref_number(deep->swell[i].amplitude) > most)
-            f->swing = fmin(1, ticks / TP_TICKS_PER_SECOND / 4 / ref_number(scene->foam.fade));
+            f->swing = fmin(1, ticks / TP_TICKS_PER_SECOND
+                               / (4 * ref_number(scene->foam.fade)));
         most = fmax(most, ref_number(deep->swell[i].amplitude));
     }
     tp_foam_maker_begin(&make, (tp_foam *)(uintptr_t)foam, world, scene);

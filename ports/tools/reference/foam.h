@@ -10,7 +10,8 @@
  * below 16 / 255 leaves less old foam and gives more to the slopes. Along a straight beach
  * whose water line crosses the window the window's middle repeats, and over a map of the
  * floor the depth gives the mean cover of the surf, by the rule at the head of foam_surf.c;
- * over another coast's floor there is no far cover. Over a pool the window ends at the walls instead.
+ * over another coast's floor there is no far cover. Over a pool the window ends at the
+ * walls instead.
  *
  * A texture four times as large as the foam's moves the cover up and down by its rank. A
  * texel of the texture is white if its rank among all texels is above 1 - cover. The

@@ -43,7 +43,8 @@ static void make_means(tp_foam_surf *surf, const tp_foam *field, const tp_world 
     for (uint32_t n = 0; n < TP_COASTAL_DEPTHS; n++) {
         const tp_fx depth = tp_coastal_node_depth(n, 3);
         const uint32_t share = tp_foam_maker_open_share(&make, depth);
-        surf->mean[n] = (uint8_t)tp_foam_maker_mean_cover(&make, depth > 0 ? depth : 1, visits);
+        surf->mean[n] =
+            (uint8_t)tp_foam_maker_mean_cover(&make, depth > 0 ? depth : 1, visits);
         surf->open[n] = (uint8_t)(share < 255 ? share : 255);
         if (surf->mean[n] > 0 || (share > 0 && surf->open_fresh > 0))
             surf->deepest = n + 1 < TP_COASTAL_DEPTHS ? tp_coastal_node_depth(n + 1, 3)
