@@ -39,13 +39,15 @@ typedef struct {
                                  * of the floor a tp_foam_open follows the row */
 } tp_foam;
 
-/* Cover of the field's cells in open water over a map of the floor: the mean is kept while
- * the window has none. */
+/* Cover of the field's cells in open water over a map of the floor, and the shares 0..256 of
+ * their open water's cover that their depths leave: the mean is kept while the window has
+ * none. */
 typedef struct {
-    uint32_t sum, count;        /* below 255 x TP_FOAM_OPEN_COUNT, below TP_FOAM_OPEN_COUNT */
+    uint32_t sum, count;        /* count is below TP_FOAM_OPEN_COUNT, sum at most 4 counts */
 } tp_foam_open;
 
-#define TP_FOAM_OPEN_COUNT 8192
+#define TP_FOAM_OPEN_COUNT (1u << 21)
+#define TP_FOAM_OPEN_SHARE 64   /* cells of smaller shares do not count */
 
 /* Returns the cover 0..255 at a rest position, bilinear between cell centres; 0 outside. */
 uint8_t tp_foam_sample(const tp_foam *foam, tp_fx x, tp_fx z);

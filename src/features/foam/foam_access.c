@@ -85,7 +85,8 @@ uint32_t tp_foam_open_mean(const tp_foam *foam, const tp_world *world)
     if (!tp_foam_map(world))
         return tp_foam_mean(foam);
     const tp_foam_open *open = tp_foam_open_water(foam);
-    return open->count ? open->sum * 256 / open->count : 0;
+    const uint64_t mean = open->count ? ((uint64_t)open->sum << 16) / open->count : 0;
+    return mean < 255 << 8 ? (uint32_t)mean : 255 << 8;
 }
 
 /* Returns the mean of the cover at a rest position over a map, by the depth. */

@@ -215,10 +215,11 @@ static void count_open_water(const visit *v, tp_foam *foam, const uint8_t *cover
     for (uint32_t i = 0; i < foam->cells; i += 16) {
         const tp_fx x = cell_centre(foam, lattice_cell_number(&v->x, i), foam->drift_x);
         const tp_fx depth = tp_coastal_floor(v->map, x, v->make.z).depth;
-        if (depth <= 0 || tp_foam_maker_open_share(&v->make, depth) < 256)
+        const uint32_t share = depth > 0 ? tp_foam_maker_open_share(&v->make, depth) : 0;
+        if (share < TP_FOAM_OPEN_SHARE)
             continue;
         open->sum += cover[i];
-        open->count++;
+        open->count += share;
     }
     for (; open->count >= TP_FOAM_OPEN_COUNT; open->count /= 2)
         open->sum /= 2;
@@ -300,7 +301,7 @@ static bool is_valid(const void *mine, const void *fresh_state, const tp_world *
     if (!valid || !tp_foam_map(world))
         return valid;
     const tp_foam_open *open = tp_foam_open_water(foam);
-    return open->count < TP_FOAM_OPEN_COUNT && open->sum <= 255 * open->count;
+    return open->count < TP_FOAM_OPEN_COUNT && open->sum <= 4 * open->count;
 }
 
 /* -- the module ---------------------------------------------------------------------- */
